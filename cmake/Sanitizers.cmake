@@ -1,0 +1,5 @@
+option(SANITIZE "build with AddressSanitizer and UndefinedBehaviorSanitizer" OFF)
+if(SANITIZE)
+  add_compile_options(-fsanitize=address,undefined -fno-omit-frame-pointer -g)
+  add_link_options(-fsanitize=address,undefined)
+endif()
