@@ -7,7 +7,7 @@
 # LMP_EXECUTABLE, and build/bin/lmp, which runs that lmp with the plugin loaded.
 set(LAMMPS_ROOT "" CACHE PATH "LAMMPS tree with src/ and a built lmp")
 set(LAMMPS_SOURCE_DIR "" CACHE PATH "LAMMPS source tree, or its src/")
-set(LAMMPS_TARBALL "" CACHE FILEPATH "Debian's lammps_*.orig.tar.xz, instead of downloading it")
+set(LAMMPS_TARBALL "" CACHE FILEPATH "Debian's lammps_*.orig.tar.?z, instead of downloading it")
 set(LAMMPS_RELEASE 20250204 CACHE STRING "release that tools/get_lammps.sh obtains")
 set(LMP_EXECUTABLE "" CACHE FILEPATH "the lmp for runs and tests, built from LAMMPS_SOURCE_DIR")
 option(MCAWR_NATIVE "compile the plugin for this machine's processor only (-march=native)" OFF)

@@ -14,7 +14,7 @@ a second call finds them and returns at once. The last line on standard output i
 that holds src/ and build/lmp; everything else goes to standard error.
 
   --version N        20250204 (default: the stable release of 4 Feb 2025) or 20260704
-  --tarball FILE     take this lammps_*.orig.tar.xz instead of downloading one
+  --tarball FILE     take this lammps_*.orig.tar.?z instead of downloading one
   --packages "A B"   LAMMPS packages to build (default: PLUGIN GRANULAR BPM MOLECULE)
   --source-only      only fetch and unpack; prints the folder that holds src/
   --print            print the folder only, do nothing; exit code 1 if it is not complete yet
@@ -47,15 +47,15 @@ while [ $# -gt 0 ]; do
   esac
 done
 
-# deb: exact Debian source version; suites: where it may be found; sha256: of the .orig.tar.xz;
+# deb: exact Debian source version; suites: where it may be found; sha256: of the tarball;
 # top: folder inside the tarball
 case $version in
   20250204) deb=20250204+dfsg.1-2 suites='trixie'
     orig=lammps_20250204+dfsg.1.orig.tar.xz top=lammps-4Feb2025/
     sha256=3671165bd52fad36734e0a9136c5bc5ecb225e03988f8c89aa13366a8b53b1c7 ;;
   20260704) deb=20260704+dfsg-2 suites='forky sid'
-    orig=lammps_20260704+dfsg.orig.tar.xz top=''
-    sha256='' ;;
+    orig=lammps_20260704+dfsg.orig.tar.gz top=''
+    sha256=cddbc45a047416bd48a4a0b87f24a5b61b3446982b74d18cafe619c22b17eb62 ;;
   *) die 2 "--version $version is not known; allowed: 20250204, 20260704" ;;
 esac
 if [ -n "$jobs" ] && ! [[ $jobs =~ ^[1-9][0-9]*$ ]]; then
@@ -94,7 +94,7 @@ esac
 need() { # COMMAND DEBIAN-PACKAGE
   command -v "$1" >/dev/null || die 5 "'$1' is missing: apt-get install $2 (tools/setup.sh installs all that is needed)"
 }
-need flock util-linux; need tar tar; need xz xz-utils; need sha256sum coreutils
+need flock util-linux; need tar tar; need xz xz-utils; need gzip gzip; need sha256sum coreutils
 if [ $mode = build ]; then
   need "$compiler" g++; need cmake cmake; need ninja ninja-build; need mpicxx libopenmpi-dev
   [ "$version" -lt 20260000 ] || need python3 python3
@@ -110,7 +110,7 @@ if ! flock -n 9; then
 fi
 
 check_tarball() { # FILE
-  [ -z "$sha256" ] || printf '%s  %s\n' "$sha256" "$1" | sha256sum --quiet -c - >/dev/null 2>&1 \
+  printf '%s  %s\n' "$sha256" "$1" | sha256sum --quiet -c - >/dev/null 2>&1 \
     || die 5 "'$1' is not $orig: its SHA-256 differs from $sha256; remove it and try again"
 }
 
@@ -142,7 +142,7 @@ download() { # leaves $work/$orig
       -o Dir::Etc::SourceParts=/dev/null -o "Dir::State::Lists=$work/apt/lists"
       -o "Dir::Cache=$work/apt/cache" -o APT::Get::List-Cleanup=0 -o Acquire::Languages=none
       -o Acquire::Retries=3 -o APT::Sandbox::User=)
-    say "downloading LAMMPS $deb from Debian's suite $suite (135 MB)"
+    say "downloading LAMMPS $deb from Debian's suite $suite (130 to 210 MB)"
     # --tar-only: neither the .dsc nor Debian's patches are needed
     if (cd "$work" && "${apt[@]}" update && "${apt[@]}" source --tar-only --download-only \
           --only-source "lammps=$deb") >&2 && [ -f "$work/$orig" ]; then

@@ -1,0 +1,34 @@
+#!/bin/bash
+# Set-up and all tests.
+source "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/common.sh"
+
+usage() {
+  cat <<'HELP'
+Usage: check.sh [CTEST-OPTION...]
+
+Does the set-up (tools/setup.sh), then runs all tests: GoogleTest and pytest, through CTest.
+Fails if a test fails, is skipped or disabled, or if there is none. Options are given to ctest,
+for instance -R hertz (only the tests with that name). The output is kept in build/check.log.
+
+Environment: as for setup.sh
+Exit codes: 0 all passed, 1 a test failed or the build did, 2 usage, 5 packages, download or files.
+HELP
+}
+case ${1:-} in -h | --help) usage; exit 0 ;; esac
+
+"$root/tools/setup.sh"
+say "tests"
+log=$build/check.log
+status=0
+# several tests run at once, each with its ranks: those that wait give their core away
+export OMPI_MCA_mpi_yield_when_idle=1
+ctest --test-dir "$build" --output-on-failure --no-tests=error -j "$(nproc)" "$@" 2>&1 \
+  | tee "$log" || status=1
+[ $status -eq 0 ] || die 1 "tests failed; log: $log"
+
+# ctest counts skipped and disabled tests as passed, and so does pytest
+skipped=$(grep -E '\*\*\*(Skipped|Not Run)|\((Skipped|Disabled)\)' "$log" || true)
+[ -z "$skipped" ] || die 1 "tests were skipped: $skipped"
+skipped=$(grep -E '^.*[0-9]+ (skipped|deselected|xfailed).* in [0-9.]+s' \
+  "$build/Testing/Temporary/LastTest.log" || true)
+[ -z "$skipped" ] || die 1 "pytest skipped tests: $skipped (see $build/Testing/Temporary/LastTest.log)"
