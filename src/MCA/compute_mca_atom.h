@@ -1,0 +1,41 @@
+/* ----------------------------------------------------------------------
+   MCA-WHEELRAIL, a package for LAMMPS. GPL-2.0-or-later.
+   compute mca/atom: state of automata; see doc/compute_mca_atom.md
+------------------------------------------------------------------------- */
+
+#ifndef LMP_COMPUTE_MCA_ATOM_H
+#define LMP_COMPUTE_MCA_ATOM_H
+
+#include "compute.h"
+
+#include <vector>
+
+namespace LAMMPS_NS {
+
+class PairMCA;
+
+class ComputeMCAAtom : public Compute {
+ public:
+  ComputeMCAAtom(class LAMMPS *, int, char **);
+  ~ComputeMCAAtom() override;
+  void init() override;
+  void compute_peratom() override;
+  int pack_reverse_comm(int, int, double *) override;
+  void unpack_reverse_comm(int, int *, double *) override;
+  double memory_usage() override;
+
+ private:
+  std::vector<int> columns;    // numbers in the table of attributes
+  PairMCA *pair;
+  int nmax;
+  double *single;              // one attribute: a vector
+  double **several;            // more: an array
+  std::vector<double> linked;  // links and welds of owned and ghost automata
+
+  void count_links();
+  double value(int attribute, int i) const;
+};
+
+}    // namespace LAMMPS_NS
+
+#endif

@@ -1,0 +1,38 @@
+/* ----------------------------------------------------------------------
+   MCA-WHEELRAIL, a package for LAMMPS. GPL-2.0-or-later.
+   compute mca/link/local: one row a link; see doc/compute_mca_link_local.md
+------------------------------------------------------------------------- */
+
+#ifndef LMP_COMPUTE_MCA_LINK_LOCAL_H
+#define LMP_COMPUTE_MCA_LINK_LOCAL_H
+
+#include "compute.h"
+
+#include <vector>
+
+namespace LAMMPS_NS {
+
+class PairMCA;
+
+class ComputeMCALinkLocal : public Compute {
+ public:
+  ComputeMCALinkLocal(class LAMMPS *, int, char **);
+  ~ComputeMCALinkLocal() override;
+  void init() override;
+  void compute_local() override;
+  double memory_usage() override;
+
+ private:
+  std::vector<int> columns;    // numbers in the table of attributes
+  PairMCA *pair;
+  int nmax;
+  double *single;
+  double **several;
+
+  bool mine(int) const;
+  double value(int attribute, int k) const;
+};
+
+}    // namespace LAMMPS_NS
+
+#endif

@@ -1,0 +1,282 @@
+#include "fix_mca_drive.h"
+
+#include "atom.h"
+#include "comm.h"
+#include "domain.h"
+#include "error.h"
+#include "force.h"
+#include "group.h"
+#include "input.h"
+#include "pair_mca.h"
+#include "platform.h"
+#include "restart_block.h"
+#include "update.h"
+#include "variable.h"
+
+#include <cmath>
+#include <cstring>
+#include <sstream>
+#include <stdexcept>
+
+using namespace LAMMPS_NS;
+using namespace FixConst;
+
+/* fix ID group mca/drive velocity V pressure P [file F] [every N] [seed S] */
+
+FixMCADrive::FixMCADrive(LAMMPS *host, int narg, char **arg) :
+    Fix(host, narg, arg), every(1000), seed(0), pair(nullptr), begun(false), restarted(false),
+    area(0.0), mass(0.0), shear(0.0), normal(0.0), start_height(0.0), displacement(0.0), work(0.0),
+    shear_sum(0.0), normal_sum(0.0), samples(0.0), broken_before(0.0), formed_before(0.0)
+{
+  bool has_velocity = false, has_pressure = false;
+  for (int iarg = 3; iarg < narg; iarg += 2) {
+    const std::string keyword = arg[iarg];
+    if (iarg + 1 == narg) error->all(FLERR, "Fix mca/drive keyword {} has no value", keyword);
+    const char *value = arg[iarg + 1];
+    if (keyword == "velocity") {
+      velocity = parse_setting("velocity", value);
+      has_velocity = true;
+    } else if (keyword == "pressure") {
+      pressure = parse_setting("pressure", value);
+      has_pressure = true;
+    } else if (keyword == "file") {
+      path = value;
+    } else if (keyword == "every") {
+      every = utils::bnumeric(FLERR, value, false, lmp);
+      if (every <= 0)
+        error->all(FLERR, "Fix mca/drive every is {}, allowed: a whole number of steps > 0", value);
+    } else if (keyword == "seed") {
+      seed = utils::bnumeric(FLERR, value, false, lmp);
+    } else {
+      error->all(FLERR, "Fix mca/drive: unknown keyword {}, known: velocity, pressure, file, every, "
+                 "seed", keyword);
+    }
+  }
+  if (!has_velocity || !has_pressure)
+    error->all(FLERR, "Fix mca/drive needs both keywords velocity and pressure");
+  if (!path.empty() && !mca::logUnits(update->unit_style, units))
+    error->all(FLERR, "Fix mca/drive: no friction log in units {}, allowed: nano, si, cgs, micro, "
+               "metal, real", update->unit_style);
+
+  nevery = 1;
+  time_depend = 1;
+  restart_global = 1;
+  scalar_flag = vector_flag = 1;
+  size_vector = 6;
+  global_freq = 1;
+  extscalar = extvector = 0;
+}
+
+FixMCADrive::Setting FixMCADrive::parse_setting(const char *keyword, const char *word)
+{
+  Setting s;
+  if (utils::strmatch(word, "^v_"))
+    s.variable = word + 2;
+  else {
+    s.value = utils::numeric(FLERR, word, false, lmp);
+    const bool pressure_like = strcmp(keyword, "pressure") == 0;
+    if (!std::isfinite(s.value) || (pressure_like && s.value < 0.0))
+      error->all(FLERR, "Fix mca/drive {} is {}, allowed: a finite number{}", keyword, word,
+                 pressure_like ? " >= 0" : "");
+  }
+  return s;
+}
+
+int FixMCADrive::setmask() { return POST_FORCE | END_OF_STEP; }
+
+void FixMCADrive::init()
+{
+  pair = dynamic_cast<PairMCA *>(force->pair_match("^mca", 0));
+  if (!pair) error->all(FLERR, "Fix mca/drive requires pair_style mca");
+  if (group->count(igroup) == 0) error->all(FLERR, "Fix mca/drive: group {} is empty", group->names[igroup]);
+  for (const Setting &s : {velocity, pressure})
+    if (!s.variable.empty()) {
+      const int found = input->variable->find(s.variable.c_str());
+      if (found < 0 || !input->variable->equalstyle(found))
+        error->all(FLERR, "Fix mca/drive: no equal-style variable {}", s.variable);
+    }
+}
+
+double FixMCADrive::evaluate(Setting &s)
+{
+  if (!s.variable.empty()) {
+    s.value = input->variable->compute_equal(input->variable->find(s.variable.c_str()));
+    if (!std::isfinite(s.value))
+      error->all(FLERR, "Fix mca/drive: variable {} is {}", s.variable, s.value);
+  }
+  return s.value;
+}
+
+double FixMCADrive::height() const
+{
+  double sums[2] = {0.0, 0.0}, all[2];
+  for (int i = 0; i < atom->nlocal; i++)
+    if (atom->mask[i] & groupbit) {
+      double unwrapped[3];
+      domain->unmap(atom->x[i], atom->image[i], unwrapped);
+      sums[0] += unwrapped[1];
+      sums[1] += 1.0;
+    }
+  MPI_Allreduce(sums, all, 2, MPI_DOUBLE, MPI_SUM, world);
+  return all[0] / all[1];
+}
+
+void FixMCADrive::setup(int vflag)
+{
+  area = domain->xprd * pair->thickness();
+  double own = 0.0;
+  for (int i = 0; i < atom->nlocal; i++)
+    if (atom->mask[i] & groupbit) own += atom->rmass[i];
+  MPI_Allreduce(&own, &mass, 1, MPI_DOUBLE, MPI_SUM, world);
+
+  if (!begun && !restarted) start_height = height();
+  if (!path.empty() && !begun) {
+    int first_type = atom->ntypes + 1, lowest;
+    for (int i = 0; i < atom->nlocal; i++)
+      if ((atom->mask[i] & groupbit) && atom->type[i] < first_type) first_type = atom->type[i];
+    MPI_Allreduce(&first_type, &lowest, 1, MPI_INT, MPI_MIN, world);
+    std::string problem;
+    if (comm->me == 0) {
+      try {
+        if (restarted && platform::file_is_readable(path))
+          log.resume(path, update->ntimestep);
+        else
+          log.begin(path, {pair->material(lowest), evaluate(pressure), evaluate(velocity),
+                           domain->xprd, pair->thickness(), static_cast<long long>(atom->natoms),
+                           pair->laws().words(), update->dt, every, seed, LMP_VERNUM}, units);
+      } catch (const std::runtime_error &e) {
+        problem = e.what();
+      }
+    }
+    int failed = problem.empty() ? 0 : 1;
+    MPI_Bcast(&failed, 1, MPI_INT, 0, world);
+    if (failed) error->all(FLERR, "Fix mca/drive: {}", comm->me == 0 ? problem : "see rank 0");
+  }
+  begun = true;
+  post_force(vflag);
+}
+
+/* ----------------------------------------------------------------------
+   The layer moves as one rigid body in y: all its automata get the same acceleration. In x the
+   velocity is prescribed, and it does not rotate.
+------------------------------------------------------------------------- */
+
+void FixMCADrive::post_force(int /*vflag*/)
+{
+  double **f = atom->f, **v = atom->v, **torque = atom->torque, **omega = atom->omega;
+  const int *mask = atom->mask;
+  const int nlocal = atom->nlocal;
+  double sums[3] = {0.0, 0.0, 0.0}, all[3];
+  for (int i = 0; i < nlocal; i++)
+    if (mask[i] & groupbit) {
+      sums[0] += f[i][0];
+      sums[1] += f[i][1];
+      sums[2] += atom->rmass[i] * v[i][1];
+    }
+  MPI_Allreduce(sums, all, 3, MPI_DOUBLE, MPI_SUM, world);
+  const double unit = force->nktv2p / area;
+  shear = -all[0] * unit;
+  normal = all[1] * unit;
+
+  const double speed = evaluate(velocity);
+  const double load = evaluate(pressure) * area / force->nktv2p;
+  const double per_mass = (all[1] - load) / mass, vy = all[2] / mass;
+  for (int i = 0; i < nlocal; i++)
+    if (mask[i] & groupbit) {
+      f[i][0] = torque[i][2] = omega[i][2] = 0.0;
+      f[i][1] = per_mass * atom->rmass[i];
+      v[i][0] = speed;
+      v[i][1] = vy;
+    }
+}
+
+void FixMCADrive::end_of_step()
+{
+  displacement += velocity.value * update->dt;
+  work += shear * area / force->nktv2p * velocity.value * update->dt;
+  shear_sum += shear;
+  normal_sum += normal;
+  samples += 1.0;
+  if (!path.empty() && update->ntimestep % every == 0) write_row();
+}
+
+void FixMCADrive::totals(double &links, double &broken, double &formed) const
+{
+  const PairMCA::Count c = pair->count();
+  const double own[3] = {c.links, c.broken, c.formed};
+  double all[3];
+  MPI_Allreduce(own, all, 3, MPI_DOUBLE, MPI_SUM, world);
+  links = all[0];
+  broken = all[1];
+  formed = all[2];
+}
+
+void FixMCADrive::write_row()
+{
+  double links, broken, formed;
+  totals(links, broken, formed);
+  const double gap = height() - start_height;
+  int failed = 0;
+  if (comm->me == 0) {
+    const double s = shear_sum / samples, n = normal_sum / samples;
+    try {
+      log.write({static_cast<long long>(update->ntimestep),
+                 static_cast<double>(update->ntimestep) * update->dt * units.time,
+                 displacement * units.length, s * units.stress, n * units.stress,
+                 pressure.value > 0.0 ? s / pressure.value : 0.0, links, broken - broken_before,
+                 formed - formed_before, gap * units.length});
+    } catch (const std::runtime_error &e) {
+      failed = 1;
+      utils::logmesg(lmp, "{}\n", e.what());
+    }
+  }
+  MPI_Bcast(&failed, 1, MPI_INT, 0, world);
+  if (failed) error->all(FLERR, "Fix mca/drive: cannot append to friction log {}", path);
+  shear_sum = normal_sum = samples = 0.0;
+  broken_before = broken;
+  formed_before = formed;
+}
+
+/* friction coefficient of this step: shear stress over the prescribed pressure */
+
+double FixMCADrive::compute_scalar()
+{
+  return pressure.value > 0.0 ? shear / pressure.value : 0.0;
+}
+
+double FixMCADrive::compute_vector(int n)
+{
+  if (n == 0) return shear;
+  if (n == 1) return normal;
+  if (n == 2) return compute_scalar();
+  if (n == 3) return displacement;
+  if (n == 4) return height() - start_height;
+  return work;
+}
+
+/* ----------------------------------------------------------------------
+   restart: the sums of the row that is being made; the counters of pair style mca begin anew in
+   the run that continues, so the events of the row so far are kept as negative offsets
+------------------------------------------------------------------------- */
+
+void FixMCADrive::write_restart(FILE *fp)
+{
+  double links, broken, formed;
+  totals(links, broken, formed);
+  if (comm->me != 0) return;
+  const std::string text =
+      mca::exactText({start_height, displacement, work, shear_sum, normal_sum, samples,
+                      broken_before - broken, formed_before - formed});
+  const std::string bytes = mca::blockBytes(text);
+  const int size = static_cast<int>(bytes.size());
+  fwrite(&size, sizeof(int), 1, fp);
+  fwrite(bytes.data(), 1, size, fp);
+}
+
+void FixMCADrive::restart(char *buf)
+{
+  std::istringstream text(mca::readBlockBytes(lmp, buf, "fix mca/drive"));
+  text >> start_height >> displacement >> work >> shear_sum >> normal_sum >> samples >>
+      broken_before >> formed_before;
+  restarted = true;
+}

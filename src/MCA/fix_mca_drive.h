@@ -1,0 +1,64 @@
+/* ----------------------------------------------------------------------
+   MCA-WHEELRAIL, a package for LAMMPS. GPL-2.0-or-later.
+   fix mca/drive: rigid driven layer and friction log; see doc/fix_mca_drive.md
+------------------------------------------------------------------------- */
+
+#ifndef LMP_FIX_MCA_DRIVE_H
+#define LMP_FIX_MCA_DRIVE_H
+
+#include "fix.h"
+
+#include "friction_log_writer.h"
+
+#include <string>
+
+namespace LAMMPS_NS {
+
+class PairMCA;
+
+class FixMCADrive : public Fix {
+ public:
+  FixMCADrive(class LAMMPS *, int, char **);
+  int setmask() override;
+  void init() override;
+  void setup(int) override;
+  void post_force(int) override;
+  void end_of_step() override;
+  double compute_scalar() override;
+  double compute_vector(int) override;
+  void write_restart(FILE *) override;
+  void restart(char *) override;
+
+ private:
+  struct Setting {    // a number or an equal-style variable
+    std::string variable;
+    double value = 0.0;
+  };
+  Setting velocity, pressure;
+  std::string path;
+  bigint every, seed;
+
+  PairMCA *pair;
+  mca::FrictionLogWriter log;
+  mca::LogUnits units;
+  bool begun;        // the log's first row, or the state of a restart file, is there
+  bool restarted;    // state came from a restart file
+
+  double area;                 // nominal contact area: box length in x times thickness
+  double mass;                 // of the layer
+  double shear, normal;        // stresses on the layer now, pressure units
+  double start_height;         // of the layer
+  double displacement, work;
+  double shear_sum, normal_sum, samples;    // since the last row
+  double broken_before, formed_before;      // events until the last row
+
+  double evaluate(Setting &);
+  Setting parse_setting(const char *keyword, const char *word);
+  double height() const;
+  void write_row();
+  void totals(double &links, double &broken, double &formed) const;
+};
+
+}    // namespace LAMMPS_NS
+
+#endif

@@ -1,0 +1,74 @@
+#include "fix_nve_mca.h"
+
+#include "atom.h"
+#include "error.h"
+#include "force.h"
+#include "update.h"
+
+using namespace LAMMPS_NS;
+using namespace FixConst;
+
+// moment of inertia of a disc over m r^2
+static constexpr double DISC = 0.5;
+
+FixNVEMCA::FixNVEMCA(LAMMPS *host, int narg, char **arg) : Fix(host, narg, arg), icustom_theta(-1)
+{
+  if (narg != 3) error->all(FLERR, "Fix nve/mca takes no arguments, got {}", arg[3]);
+  if (!atom->omega_flag || !atom->torque_flag)
+    error->all(FLERR, "Fix nve/mca requires atom style sphere");
+  dynamic_group_allow = 1;
+  time_integrate = 1;
+}
+
+int FixNVEMCA::setmask() { return INITIAL_INTEGRATE | FINAL_INTEGRATE; }
+
+void FixNVEMCA::init()
+{
+  if (!force->pair_match("^mca", 0)) error->all(FLERR, "Fix nve/mca requires pair_style mca");
+  if (utils::strmatch(update->integrate_style, "^respa"))
+    error->all(FLERR, "Fix nve/mca does not work with run_style respa");
+  reset_dt();
+  int is_double, columns;
+  icustom_theta = atom->find_custom("mca_theta", is_double, columns);
+}
+
+void FixNVEMCA::reset_dt()
+{
+  dtv = update->dt;
+  dtf = 0.5 * update->dt * force->ftm2v;
+}
+
+void FixNVEMCA::initial_integrate(int /*vflag*/)
+{
+  double **x = atom->x, **v = atom->v, **f = atom->f;
+  double **omega = atom->omega, **torque = atom->torque;
+  const double *rmass = atom->rmass, *radius = atom->radius;
+  double *theta = atom->dvector[icustom_theta];
+  const int *mask = atom->mask;
+  const int n = igroup == atom->firstgroup ? atom->nfirst : atom->nlocal;
+  for (int i = 0; i < n; i++) {
+    if (!(mask[i] & groupbit)) continue;
+    const double dtfm = dtf / rmass[i];
+    v[i][0] += dtfm * f[i][0];
+    v[i][1] += dtfm * f[i][1];
+    x[i][0] += dtv * v[i][0];
+    x[i][1] += dtv * v[i][1];
+    omega[i][2] += dtfm / (DISC * radius[i] * radius[i]) * torque[i][2];
+    theta[i] += dtv * omega[i][2];
+  }
+}
+
+void FixNVEMCA::final_integrate()
+{
+  double **v = atom->v, **f = atom->f, **omega = atom->omega, **torque = atom->torque;
+  const double *rmass = atom->rmass, *radius = atom->radius;
+  const int *mask = atom->mask;
+  const int n = igroup == atom->firstgroup ? atom->nfirst : atom->nlocal;
+  for (int i = 0; i < n; i++) {
+    if (!(mask[i] & groupbit)) continue;
+    const double dtfm = dtf / rmass[i];
+    v[i][0] += dtfm * f[i][0];
+    v[i][1] += dtfm * f[i][1];
+    omega[i][2] += dtfm / (DISC * radius[i] * radius[i]) * torque[i][2];
+  }
+}

@@ -1,0 +1,29 @@
+/* ----------------------------------------------------------------------
+   MCA-WHEELRAIL, a package for LAMMPS. GPL-2.0-or-later.
+   fix nve/mca: velocity Verlet for plane automata; see doc/fix_nve_mca.md
+------------------------------------------------------------------------- */
+
+#ifndef LMP_FIX_NVE_MCA_H
+#define LMP_FIX_NVE_MCA_H
+
+#include "fix.h"
+
+namespace LAMMPS_NS {
+
+class FixNVEMCA : public Fix {
+ public:
+  FixNVEMCA(class LAMMPS *, int, char **);
+  int setmask() override;
+  void init() override;
+  void initial_integrate(int) override;
+  void final_integrate() override;
+  void reset_dt() override;
+
+ private:
+  double dtv, dtf;
+  int icustom_theta;
+};
+
+}    // namespace LAMMPS_NS
+
+#endif

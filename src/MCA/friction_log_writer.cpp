@@ -1,0 +1,130 @@
+#include "friction_log_writer.h"
+
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+#include <fstream>
+#include <map>
+#include <sstream>
+#include <stdexcept>
+#include <unistd.h>
+
+namespace mca {
+
+static constexpr const char *format = "# format: mca-friction 1";
+
+bool logUnits(const std::string &style, LogUnits &units)
+{
+  // length in nm, time in ns, pressure in MPa, density in kg/m^3 (LAMMPS's doc page "units");
+  // attogram/nm^3 is 1e6 kg/m^3, (g/mol)/Angstrom^3 is 1660.539 kg/m^3, picogram/um^3 1e3 kg/m^3
+  constexpr double molar = 1660.53906660;
+  static const std::map<std::string, LogUnits> table = {
+      {"nano", {1.0, 1.0, 1.0, 1e6}},
+      {"si", {1e9, 1e9, 1e-6, 1.0}},
+      {"cgs", {1e7, 1e9, 1e-7, 1e3}},
+      {"micro", {1e3, 1e3, 1e-3, 1e3}},
+      {"metal", {0.1, 1e-3, 0.1, molar}},
+      {"real", {0.1, 1e-6, 0.101325, molar}},
+  };
+  const auto found = table.find(style);
+  if (found == table.end()) return false;
+  units = found->second;
+  return true;
+}
+
+FrictionLogWriter::~FrictionLogWriter() { close(); }
+
+void FrictionLogWriter::close()
+{
+  if (file_) std::fclose(file_);
+  file_ = nullptr;
+}
+
+[[noreturn]] static void fail(const std::string &what, const std::string &path)
+{
+  throw std::runtime_error("cannot " + what + " friction log " + path + ": " + std::strerror(errno));
+}
+
+// The log appears whole: written beside, then renamed over what stood there; then open to append.
+void FrictionLogWriter::replaceBy(const std::string &text)
+{
+  const std::string beside = path_ + ".tmp";
+  std::FILE *out = std::fopen(beside.c_str(), "w");
+  if (!out) fail("write", path_);
+  const bool written = std::fwrite(text.data(), 1, text.size(), out) == text.size() &&
+      std::fflush(out) == 0 && fsync(fileno(out)) == 0;
+  std::fclose(out);
+  if (!written || std::rename(beside.c_str(), path_.c_str()) != 0) {
+    std::remove(beside.c_str());
+    fail("write", path_);
+  }
+  file_ = std::fopen(path_.c_str(), "a");
+  if (!file_) fail("append to", path_);
+}
+
+static std::string joined(const std::vector<std::string> &pairs)
+{
+  std::string all;
+  for (size_t k = 0; k + 1 < pairs.size(); k += 2)
+    all += (k ? ", " : "") + pairs[k] + ": " + pairs[k + 1];
+  return all;
+}
+
+void FrictionLogWriter::begin(const std::string &path, const LogHeader &h, const LogUnits &u)
+{
+  close();
+  path_ = path;
+  const Material &m = h.material;
+  std::ostringstream text;
+  text.precision(12);
+  text << format << "\n"
+       << "# program: {name: mca-wheelrail, version: " << MCA_VERSION << ", lammps: "
+       << h.lammpsVersion << "}\n"
+       << "# units: {time: ns, length: nm, stress: MPa, velocity: m/s, density: kg/m3, "
+          "viscosity: Pa s}\n"
+       << "# material: {youngs_modulus: " << m.youngs_modulus * u.stress
+       << ", poissons_ratio: " << m.poissons_ratio << ", density: " << m.density * u.density
+       << ", elastic_limit: " << m.sigmaY1() * u.stress
+       << ", yield_strength: " << m.sigmaY2() * u.stress << ", yield_strain: " << m.yield_strain
+       << ", strength: " << m.strength * u.stress << ", breaking_strain: " << m.breaking_strain
+       << ", viscosity: " << m.viscosity * u.viscosity() << "}\n"
+       << "# loading: {pressure: " << h.pressure * u.stress
+       << ", velocity: " << h.velocity * u.velocity() << "}\n"
+       << "# geometry: {width: " << h.width * u.length << ", thickness: " << h.thickness * u.length
+       << ", diameter: " << m.diameter * u.length << ", packing: hex, automata: " << h.automata
+       << "}\n"
+       << "# laws: {" << joined(h.laws) << "}\n"
+       << "# run: {timestep: " << h.timestep * u.time << ", every: " << h.every
+       << ", seed: " << h.seed << "}\n"
+       << "step time displacement shear_stress normal_stress mu links broken formed gap\n";
+  replaceBy(text.str());
+}
+
+void FrictionLogWriter::resume(const std::string &path, long long step)
+{
+  close();
+  path_ = path;
+  std::ifstream in(path);
+  if (!in) fail("continue", path);
+  std::string kept, line;
+  for (bool first = true; std::getline(in, line); first = false) {
+    if (first && line != format)
+      throw std::runtime_error("cannot continue friction log " + path + ": its first line is not '" +
+                               format + "'");
+    const bool isRow = !line.empty() && line[0] >= '0' && line[0] <= '9';
+    const bool cutShort = in.eof();  // no newline: the machine stopped while it was written
+    if (isRow && (cutShort || std::strtoll(line.c_str(), nullptr, 10) > step)) continue;
+    kept += line + "\n";
+  }
+  replaceBy(kept);
+}
+
+void FrictionLogWriter::write(const LogRow &r)
+{
+  std::fprintf(file_, "%lld %.10g %.10g %.8g %.8g %.8g %.10g %.10g %.10g %.8g\n", r.step, r.time,
+               r.displacement, r.shearStress, r.normalStress, r.mu, r.links, r.broken, r.formed,
+               r.gap);
+  if (std::fflush(file_) != 0) fail("append to", path_);
+}
+
+}  // namespace mca

@@ -1,0 +1,67 @@
+/// \file friction_log_writer.h
+/// Writes the friction log (format `mca-friction 1`, doc/friction_log.md). No LAMMPS type in here.
+#ifndef MCA_FRICTION_LOG_WRITER_H
+#define MCA_FRICTION_LOG_WRITER_H
+
+#include "laws/material.h"
+
+#include <cstdio>
+#include <string>
+#include <vector>
+
+namespace mca {
+
+/// Factors from the units of a run to those of the log: nm, ns, MPa, m/s, kg/m^3, Pa s.
+struct LogUnits {
+  double length, time, stress, density;
+  double velocity() const { return length / time; }
+  double viscosity() const { return stress * time * 1e-3; }  // MPa ns = 1e-3 Pa s
+};
+
+/// \param style LAMMPS's unit style
+/// \return false when the style has no such units (lj, electron)
+bool logUnits(const std::string &style, LogUnits &);
+
+/// Everything that the log says about its run; in units of the run.
+struct LogHeader {
+  Material material;
+  double pressure, velocity;          ///< loading
+  double width, thickness;            ///< geometry
+  long long automata;
+  std::vector<std::string> laws;      ///< keyword-value pairs of pair_style
+  double timestep;
+  long long every, seed;
+  int lammpsVersion;
+};
+
+/// One row, in units of the log.
+struct LogRow {
+  long long step;
+  double time, displacement, shearStress, normalStress, mu;
+  double links, broken, formed, gap;
+};
+
+class FrictionLogWriter {
+ public:
+  ~FrictionLogWriter();
+
+  /// Begins a new log (whole header at once), or continues one: rows after `step` are dropped.
+  /// \throws std::runtime_error with one line when the file cannot be written or continued
+  void begin(const std::string &path, const LogHeader &, const LogUnits &);
+  void resume(const std::string &path, long long step);
+
+  /// Appends a row and flushes it.
+  void write(const LogRow &);
+
+  bool isOpen() const { return file_ != nullptr; }
+
+ private:
+  std::FILE *file_ = nullptr;
+  std::string path_;
+  void close();
+  void replaceBy(const std::string &text);
+};
+
+}  // namespace mca
+
+#endif

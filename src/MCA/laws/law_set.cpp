@@ -1,0 +1,152 @@
+#include "law_set.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <sstream>
+
+namespace mca {
+
+static std::string shortest(double value)
+{
+  if (value == LawSet::off) return "none";
+  if (value == LawSet::atElasticLimit) return "elastic_limit";
+  std::ostringstream text;
+  text.precision(17);
+  text << value;
+  return text.str();
+}
+
+namespace {
+struct Choice {
+  const char *keyword;
+  std::string LawSet::*value;
+  std::vector<std::string> allowed;
+};
+struct Threshold {
+  const char *keyword;
+  double LawSet::*value;
+  bool takesElasticLimit;
+};
+const std::vector<Choice> &choices()
+{
+  static const std::vector<Choice> table = {
+      {"elasticity", &LawSet::elasticity, {"many-body", "pairwise"}},
+      {"plasticity", &LawSet::plasticity, {"radial", "none"}},
+      {"fracture", &LawSet::fracture, {"strain", "stress", "none"}},
+      {"viscosity", &LawSet::viscosity, {"normal", "none"}},
+  };
+  return table;
+}
+const std::vector<Threshold> &thresholds()
+{
+  static const std::vector<Threshold> table = {
+      {"link", &LawSet::link, true},
+      {"weld", &LawSet::weld, false},
+      {"heal", &LawSet::heal, false},
+  };
+  return table;
+}
+std::string joined(const std::vector<std::string> &words)
+{
+  std::string all;
+  for (const auto &word : words) all += (all.empty() ? "" : ", ") + word;
+  return all;
+}
+}  // namespace
+
+LawSet LawSet::named(const std::string &preset)
+{
+  LawSet set;
+  set.preset = preset;
+  if (preset == "a") {
+    set.link = 2.35;
+    set.weld = off;
+    set.heal = off;
+  }
+  return set;
+}
+
+std::string LawSet::parse(const std::vector<std::string> &words)
+{
+  for (size_t k = 0; k < words.size(); k += 2) {
+    const std::string &keyword = words[k];
+    if (k + 1 == words.size()) return "keyword " + keyword + " has no value";
+    const std::string &value = words[k + 1];
+    auto bad = [&](const std::string &allowed) {
+      return "keyword " + keyword + ", value " + value + ", allowed: " + allowed;
+    };
+    if (keyword == "preset") {
+      if (value != "a" && value != "b") return bad("a, b");
+      *this = named(value);
+      continue;
+    }
+    auto choice = std::find_if(choices().begin(), choices().end(),
+                               [&](const Choice &c) { return keyword == c.keyword; });
+    if (choice != choices().end()) {
+      const auto &allowed = choice->allowed;
+      if (std::find(allowed.begin(), allowed.end(), value) == allowed.end())
+        return bad(joined(allowed));
+      this->*choice->value = value;
+      continue;
+    }
+    auto threshold = std::find_if(thresholds().begin(), thresholds().end(),
+                                  [&](const Threshold &t) { return keyword == t.keyword; });
+    if (threshold == thresholds().end()) {
+      std::vector<std::string> known = {"preset"};
+      for (const auto &c : choices()) known.push_back(c.keyword);
+      for (const auto &t : thresholds()) known.push_back(t.keyword);
+      return "unknown keyword " + keyword + ", known: thickness, cutoff, " + joined(known);
+    }
+    char *end = nullptr;
+    const double number = std::strtod(value.c_str(), &end);
+    const bool isNumber = !value.empty() && *end == '\0' && std::isfinite(number) && number > 0;
+    if (value == "none")
+      this->*threshold->value = off;
+    else if (value == "elastic_limit" && threshold->takesElasticLimit)
+      this->*threshold->value = atElasticLimit;
+    else if (isNumber)
+      this->*threshold->value = number;
+    else
+      return bad(std::string("a multiple of the strength > 0, ") +
+                 (threshold->takesElasticLimit ? "elastic_limit, none" : "none"));
+  }
+  if (heal != off && weld == off) return "keyword heal needs welds: give weld a value";
+  return "";
+}
+
+std::vector<std::string> LawSet::words() const
+{
+  std::vector<std::string> all = {"preset", preset};
+  for (const auto &c : choices()) all.insert(all.end(), {c.keyword, this->*c.value});
+  for (const auto &t : thresholds()) all.insert(all.end(), {t.keyword, shortest(this->*t.value)});
+  return all;
+}
+
+PairLaw makePairLaw(const LawSet &set, const Material &i, const Material &j, double thickness)
+{
+  const double diameter = 0.5 * (i.diameter + j.diameter);
+  const double weaker = std::min(i.strength, j.strength);
+  const double strain = std::min(i.breaking_strain, j.breaking_strain);
+  const double manyBody = set.elasticity == "many-body" ? 1.0 : 0.0;
+  auto squared = [](double value) { return value * value; };
+  PairLaw law;
+  law.diameter = diameter;
+  law.invDiameter = 1.0 / diameter;
+  law.area = HexagonalPacking{diameter, thickness}.contactArea();
+  law.twoGi = 2.0 * i.shearModulus();
+  law.twoGj = 2.0 * j.shearModulus();
+  law.Di = manyBody * i.meanStressWeight();
+  law.Dj = manyBody * j.meanStressWeight();
+  law.viscosity = set.viscosity == "normal" ? 0.5 * (i.viscosity + j.viscosity) : 0.0;
+  law.limits.bulkStrain2 = set.fracture == "strain" ? squared(strain) : LawSet::off;
+  law.limits.bulkIntensity2 = set.fracture == "stress" ? squared(weaker) : LawSet::off;
+  law.limits.weldIntensity2 = squared(set.weld * weaker);
+  law.limits.linkPressure = set.link == LawSet::atElasticLimit ? std::min(i.sigmaY1(), j.sigmaY1())
+                                                               : set.link * weaker;
+  law.limits.healPressure = set.heal * weaker;
+  law.limits.linkedKind = set.weld == LawSet::off ? link::bulk : link::weld;
+  return law;
+}
+
+}  // namespace mca

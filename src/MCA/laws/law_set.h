@@ -1,0 +1,47 @@
+/// \file law_set.h
+/// Which laws act: the keywords of pair_style mca and their presets. No LAMMPS type in here.
+#ifndef MCA_LAWS_LAW_SET_H
+#define MCA_LAWS_LAW_SET_H
+
+#include "contact.h"
+#include "material.h"
+
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace mca {
+
+/// A choice of exchangeable laws. Thresholds are multiples of the strength sigma_0; infinity
+/// switches a transition off; a negative `link` stands for the material's elastic limit.
+struct LawSet {
+  static constexpr double off = std::numeric_limits<double>::infinity();
+  static constexpr double atElasticLimit = -1.0;
+
+  std::string preset = "b";
+  std::string elasticity = "many-body";  ///< or pairwise: plane Poisson's ratio 0
+  std::string plasticity = "radial";     ///< or none
+  std::string fracture = "strain";       ///< of bulk links: strain, stress or none
+  double link = atElasticLimit;          ///< compression that links an unlinked contact
+  double weld = 1.0;                     ///< strength of welds; off: contacts become bulk links
+  double heal = 2.35;                    ///< compression that turns a weld into a bulk link
+  std::string viscosity = "normal";      ///< or none
+
+  /// Set A (one kind of link), set B (bulk links and welds, the default).
+  static LawSet named(const std::string &preset);
+
+  /// Takes keyword-value pairs as given to pair_style; a preset resets all that stands before it.
+  /// \return an empty string, or one line: keyword, value, what is allowed.
+  std::string parse(const std::vector<std::string> &words);
+
+  /// The same as keyword-value pairs that parse() reads back.
+  std::vector<std::string> words() const;
+};
+
+/// Laws of an ordered pair of materials; of unlike materials the weaker decides fracture and
+/// linking. \param thickness h [length]
+PairLaw makePairLaw(const LawSet &, const Material &i, const Material &j, double thickness);
+
+}  // namespace mca
+
+#endif

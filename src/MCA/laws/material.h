@@ -1,0 +1,67 @@
+/// \file material.h
+/// The homogeneous material of a movable cellular automaton (Table 1 and Fig. 5 of Bucher et al.,
+/// Wear 261 (2006) 874).
+///
+/// Any consistent set of units; dimensions stand in brackets. No LAMMPS type in here.
+#ifndef MCA_LAWS_MATERIAL_H
+#define MCA_LAWS_MATERIAL_H
+
+#include <string>
+#include <vector>
+
+namespace mca {
+
+struct Material {
+  double youngs_modulus = 0;   ///< E [stress], > 0
+  double poissons_ratio = 0;   ///< nu [-], in (-1, 0.5)
+  double density = 0;          ///< rho [mass/length^3] of the solid, > 0
+  double strength = 0;         ///< sigma_0 [stress], ultimate tensile strength, > 0
+  double elastic_limit = 0;    ///< sigma_y1 / sigma_0 [-], in (0, 1]
+  double yield_strength = 0;   ///< sigma_y2 / sigma_0 [-], in [elastic_limit, 1]
+  double yield_strain = 0;     ///< eps_y2 [-], total strain at which sigma_y2 is reached
+  double breaking_strain = 0;  ///< eps_c [-], total strain at which sigma_0 is reached
+  double viscosity = 0;        ///< eta [stress time], >= 0
+  double diameter = 0;         ///< d [length] of the automaton, > 0
+
+  double shearModulus() const { return youngs_modulus / (2.0 * (1.0 + poissons_ratio)); }
+  double bulkModulus() const { return youngs_modulus / (3.0 * (1.0 - 2.0 * poissons_ratio)); }
+
+  /// D = 1 - 2G/(3K) [-], the weight of the mean stress in Hooke's law seen along a contact
+  double meanStressWeight() const { return 1.0 - 2.0 * shearModulus() / (3.0 * bulkModulus()); }
+
+  double sigmaY1() const { return elastic_limit * strength; }
+  double sigmaY2() const { return yield_strength * strength; }
+
+  /// Equivalent plastic strain at sigma_y2 and at sigma_0: the diagram's total strain less the
+  /// elastic part [-]
+  double plasticStrainY2() const { return yield_strain - sigmaY2() / youngs_modulus; }
+  double plasticStrainUltimate() const { return breaking_strain - strength / youngs_modulus; }
+
+  bool operator==(const Material &) const;
+};
+
+/// One row of the table from which the potential file, the keywords of pair_coeff, the restart
+/// file and the documentation are made.
+struct MaterialQuantity {
+  const char *keyword;
+  double Material::*value;
+  const char *dimension;
+  const char *allowed;
+};
+
+/// All quantities of a material, in the order of the potential file.
+const std::vector<MaterialQuantity> &materialQuantities();
+
+/// The table's row of this keyword, or nullptr.
+const MaterialQuantity *findMaterialQuantity(const std::string &keyword);
+
+/// The keyword of the table that is nearest to a word (edit distance), for error messages.
+std::string nearestMaterialKeyword(const std::string &word);
+
+/// Checks each value's range and the order of the diagram's three points.
+/// \return an empty string, or one line: keyword, value, what is allowed.
+std::string checkMaterial(const Material &);
+
+}  // namespace mca
+
+#endif

@@ -1,0 +1,69 @@
+/// \file plasticity.h
+/// Plasticity of an automaton: von Mises stress, the three-piece curve of Fig. 5 of Bucher et al.
+/// (2006) with isotropic hardening, radial return of its contacts.
+///
+/// Any consistent set of units; dimensions stand in brackets. Branch-free.
+#ifndef MCA_LAWS_PLASTICITY_H
+#define MCA_LAWS_PLASTICITY_H
+
+#include "elasticity.h"
+#include "material.h"
+
+#include <cmath>
+
+namespace mca {
+
+/// Von Mises stress intensity of a stress tensor [stress].
+inline double stressIntensity(const StressTensor &s)
+{
+  const double a = s.xx - s.yy, b = s.yy - s.zz, c = s.zz - s.xx;
+  return std::sqrt(0.5 * (a * a + b * b + c * c) + 3.0 * s.xy * s.xy);
+}
+
+/// Yield stress against equivalent plastic strain: straight lines through (0, sigma_y1),
+/// (eps_y2 - sigma_y2/E, sigma_y2), (eps_c - sigma_0/E, sigma_0), then constant.
+struct YieldCurve {
+  double y1, rise2, rise3;      ///< sigma_y1, sigma_y2 - sigma_y1, sigma_0 - sigma_y2 [stress]
+  double strain2, inv2, inv3;   ///< plastic strain at sigma_y2 and 1/length of both pieces [-]
+
+  explicit YieldCurve(const Material &m)
+      : y1(m.sigmaY1()), rise2(m.sigmaY2() - m.sigmaY1()), rise3(m.strength - m.sigmaY2()),
+        strain2(m.plasticStrainY2()), inv2(1.0 / m.plasticStrainY2()),
+        inv3(1.0 / (m.plasticStrainUltimate() - m.plasticStrainY2()))
+  {
+  }
+
+  /// \param kappa equivalent plastic strain [-], >= 0
+  /// \return yield stress [stress]
+  double operator()(double kappa) const
+  {
+    const double s = kappa * inv2, t = (kappa - strain2) * inv3;
+    return y1 + rise2 * (s < 1.0 ? s : 1.0) + rise3 * (t < 0.0 ? 0.0 : t < 1.0 ? t : 1.0);
+  }
+};
+
+/// What one automaton's yielding does to its contacts.
+struct RadialReturn {
+  double factor;  ///< M = sigma_Y/sigma_int, or 1 when elastic [-]
+  double strain;  ///< increment of the equivalent plastic strain [-]
+};
+
+/// \param intensity     trial stress intensity [stress]
+/// \param yieldStress   sigma_Y at the present plastic strain [stress]
+/// \param shearModulus  G [stress]
+inline RadialReturn radialReturn(double intensity, double yieldStress, double shearModulus)
+{
+  const bool yields = intensity > yieldStress;
+  return {yields ? yieldStress / intensity : 1.0,
+          yields ? (intensity - yieldStress) / (3.0 * shearModulus) : 0.0};
+}
+
+/// One side's normal stress after the return: the part beyond the mean stress shrinks by M.
+inline double returnedNormal(double response, double mean, double factor)
+{
+  return mean + factor * (response - mean);
+}
+
+}  // namespace mca
+
+#endif

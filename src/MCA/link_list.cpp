@@ -1,0 +1,51 @@
+#include "link_list.h"
+
+namespace mca {
+
+void LinkList::reset(int n)
+{
+  for (auto &a : arrays_) a.reserve(n);
+  i_.clear();
+  j_.clear();
+  law_.clear();
+  i_.reserve(n);
+  j_.reserve(n);
+  law_.reserve(n);
+  auto state = [&](int first) -> PairState {
+    return {arrays_[first].get(), arrays_[first + 1].get(), arrays_[first + 2].get(),
+            arrays_[first + 3].get()};
+  };
+  view_ = {0,          i_.data(),         j_.data(),         law_.data(),        state(NOW),
+           state(NEXT), arrays_[NX].get(), arrays_[NY].get(), arrays_[EPS].get(),
+           arrays_[SEPARATION].get()};
+}
+
+void LinkList::add(int i, int j, int law, const double *state)
+{
+  i_.push_back(i);
+  j_.push_back(j);
+  law_.push_back(law);
+  const int k = view_.n++;
+  view_.nx[k] = view_.ny[k] = view_.eps[k] = view_.separation[k] = 0.0;
+  setState(k, state);
+}
+
+void LinkList::getState(int k, bool next, double *state) const
+{
+  for (int m = 0; m < stateSize; m++) state[m] = arrays_[(next ? NEXT : NOW) + m].get()[k];
+}
+
+void LinkList::setState(int k, const double *state)
+{
+  for (int m = 0; m < stateSize; m++)
+    arrays_[NOW + m].get()[k] = arrays_[NEXT + m].get()[k] = state[m];
+}
+
+double LinkList::bytes() const
+{
+  double sum = static_cast<double>(3 * i_.capacity() * sizeof(int));
+  for (const auto &a : arrays_) sum += a.bytes();
+  return sum;
+}
+
+}  // namespace mca

@@ -1,0 +1,67 @@
+/// \file link_list.h
+/// The pair list in the kernel's form: one array a quantity, in the order of LAMMPS's half
+/// neighbor list.
+#ifndef MCA_LINK_LIST_H
+#define MCA_LINK_LIST_H
+
+#include "kernel.h"
+
+#include <cstdlib>
+#include <memory>
+
+namespace mca {
+
+/// Uninitialised doubles on a cache-line boundary; grows only.
+class AlignedArray {
+ public:
+  double *get() const { return data_.get(); }
+  void reserve(size_t n)
+  {
+    if (n <= size_) return;
+    size_ = (n + n / 8 + 7) / 8 * 8;
+    data_.reset(static_cast<double *>(std::aligned_alloc(64, size_ * sizeof(double))));
+    if (!data_) throw std::bad_alloc();
+  }
+  double bytes() const { return static_cast<double>(size_ * sizeof(double)); }
+
+ private:
+  struct Free {
+    void operator()(double *p) const { std::free(p); }
+  };
+  std::unique_ptr<double, Free> data_;
+  size_t size_ = 0;
+};
+
+/// Owns the arrays of a Pairs view.
+class LinkList {
+ public:
+  /// Values kept with a pair in LAMMPS's neighbor history: kind, plastic, gamma, gammaTotal.
+  static constexpr int stateSize = 4;
+
+  /// Empties the list and makes room for n pairs.
+  void reset(int n);
+
+  /// Appends a pair; its state becomes both the present and the next one.
+  void add(int i, int j, int law, const double *state);
+
+  const Pairs &pairs() const { return view_; }
+  int size() const { return view_.n; }
+
+  /// Copies the present (or the next) state of pair k to stateSize doubles.
+  void getState(int k, bool next, double *state) const;
+
+  /// Sets both states of pair k.
+  void setState(int k, const double *state);
+
+  double bytes() const;
+
+ private:
+  enum { NX, NY, EPS, SEPARATION, NOW, NEXT = NOW + stateSize, ARRAYS = NEXT + stateSize };
+  AlignedArray arrays_[ARRAYS];
+  std::vector<int> i_, j_, law_;
+  Pairs view_{};
+};
+
+}  // namespace mca
+
+#endif

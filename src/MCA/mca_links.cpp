@@ -1,0 +1,82 @@
+#include "mca_links.h"
+
+#include "atom.h"
+#include "comm.h"
+#include "domain.h"
+#include "error.h"
+#include "fix_mca_history.h"
+#include "force.h"
+#include "group.h"
+#include "modify.h"
+#include "neighbor.h"
+#include "pair_mca.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+using namespace LAMMPS_NS;
+
+/* mca_links create|delete group1 group2 [reach factor] */
+
+void MCALinks::command(int narg, char **arg)
+{
+  auto *pair = dynamic_cast<PairMCA *>(force->pair_match("^mca", 0));
+  if (!pair) error->all(FLERR, "Command mca_links requires pair_style mca");
+  if (narg < 3) error->all(FLERR, "Command mca_links needs: create|delete group1 group2");
+  const bool create = strcmp(arg[0], "create") == 0;
+  if (!create && strcmp(arg[0], "delete") != 0)
+    error->all(FLERR, "Command mca_links: {} is unknown, allowed: create, delete", arg[0]);
+  int bit[2];
+  for (int g = 0; g < 2; g++) {
+    const int found = group->find(arg[1 + g]);
+    if (found < 0) error->all(FLERR, "Command mca_links: no group {}", arg[1 + g]);
+    bit[g] = group->bitmask[found];
+  }
+  double reach = 1.01;
+  for (int iarg = 3; iarg < narg; iarg += 2) {
+    if (strcmp(arg[iarg], "reach") != 0 || iarg + 1 == narg)
+      error->all(FLERR, "Command mca_links: unknown keyword {} or no value, allowed: reach factor",
+                 arg[iarg]);
+    reach = utils::numeric(FLERR, arg[iarg + 1], false, lmp);
+    if (!(reach > 0.0) || !std::isfinite(reach))
+      error->all(FLERR, "Command mca_links reach is {}, allowed: > 0", arg[iarg + 1]);
+  }
+
+  // neighbor list with the present links, as a run's set-up makes it
+  lmp->init();
+  domain->pbc();
+  domain->reset_box();
+  comm->setup();
+  if (neighbor->style) neighbor->setup_bins();
+  comm->exchange();
+  comm->borders();
+  neighbor->build(1);
+  auto *history = dynamic_cast<FixMCAHistory *>(modify->get_fix_by_id(FixMCAHistory::ID));
+  history->post_neighbor();
+
+  const mca::Pairs &p = pair->links().pairs();
+  double **x = atom->x;
+  const int *mask = atom->mask, *type = atom->type;
+  double changed = 0.0;
+  for (int k = 0; k < p.n; k++) {
+    const int i = p.i[k], j = p.j[k];
+    const bool match = ((mask[i] & bit[0]) && (mask[j] & bit[1])) ||
+        ((mask[i] & bit[1]) && (mask[j] & bit[0]));
+    const bool linked = p.now.kind[k] != mca::link::none;
+    if (!match || linked == create) continue;
+    const double r = std::hypot(x[j][0] - x[i][0], x[j][1] - x[i][1]);
+    const double d = 0.5 * (pair->material(type[i]).diameter + pair->material(type[j]).diameter);
+    if (create && r > reach * d) continue;
+    const double state[mca::LinkList::stateSize] = {create ? mca::link::bulk : mca::link::none,
+                                                    p.now.plastic[k], 0.0, 0.0};
+    pair->links().setState(k, state);
+    changed += pair->owned_share(k);
+  }
+  history->post_run();
+
+  double all;
+  MPI_Allreduce(&changed, &all, 1, MPI_DOUBLE, MPI_SUM, world);
+  if (comm->me == 0)
+    utils::logmesg(lmp, "{} {:.0f} links\n", create ? "Created" : "Deleted", all);
+}

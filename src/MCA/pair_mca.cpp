@@ -1,0 +1,536 @@
+#include "pair_mca.h"
+
+#include "atom.h"
+#include "comm.h"
+#include "domain.h"
+#include "error.h"
+#include "fix_mca_history.h"
+#include "force.h"
+#include "laws/critical_step.h"
+#include "material_file.h"
+#include "memory.h"
+#include "modify.h"
+#include "neigh_list.h"
+#include "neighbor.h"
+#include "restart_block.h"
+#include "update.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <fstream>
+#include <sstream>
+
+using namespace LAMMPS_NS;
+
+static constexpr const char *DUMMY_HISTORY = "MCA_HISTORY_DUMMY";
+static constexpr const char *DUMMY_STATE = "MCA_STATE_DUMMY";
+
+/* ---------------------------------------------------------------------- */
+
+PairMCA::PairMCA(LAMMPS *host) :
+    Pair(host), depth(1.0), cut_user(0.0), onelaw(true), kernel(&mca::bestKernel()),
+    committed(false), fix_history(nullptr), icustom_kappa(-1)
+{
+  single_enable = 0;
+  manybody_flag = 1;
+  restartinfo = 1;
+  one_coeff = 0;
+  centroidstressflag = CENTROID_NOTAVAIL;
+  beyond_contact = 1;
+  nondefault_history_transfer = 1;
+  comm_forward = mca::responseRow;
+  comm_reverse = mca::sumsRow;
+
+  // placeholders, so that the internal fixes come before all fixes of the input script; they are
+  // replaced in init_style(), when a restart file's contents for them are known
+  if (modify->get_fix_by_id(FixMCAHistory::ID))
+    error->all(FLERR, "Only one pair style mca at a time allowed");
+  modify->add_fix(fmt::format("{} all DUMMY", DUMMY_HISTORY));
+  modify->add_fix(fmt::format("{} all DUMMY", DUMMY_STATE));
+}
+
+PairMCA::~PairMCA()
+{
+  if (copymode) return;
+  for (const char *id : {FixMCAHistory::ID, "MCA_STATE", DUMMY_HISTORY, DUMMY_STATE})
+    if (modify->get_fix_by_id(id)) modify->delete_fix(id);
+  if (allocated) {
+    memory->destroy(setflag);
+    memory->destroy(cutsq);
+  }
+}
+
+/* ----------------------------------------------------------------------
+   The forces of a step are a pure function of positions, velocities and the present state.
+   In set-up nothing moves on; in a step the state that the last one led to is taken over first.
+------------------------------------------------------------------------- */
+
+void PairMCA::compute(int eflag, int vflag)
+{
+  ev_init(eflag, vflag);
+  const bool advance = update->whichflag == 1 && !update->setupflag;
+  if (advance && !committed) commit();
+  committed = false;
+
+  const int nlocal = atom->nlocal, nall = nlocal + atom->nghost;
+  pack_motion(nall);
+  const int rows = force->newton_pair ? nall : nlocal;
+  sums.reserve(static_cast<size_t>(nall) * mca::sumsRow);
+  std::fill_n(sums.get(), static_cast<size_t>(nall) * mca::sumsRow, 0.0);
+  kernel->strain(pairs.pairs(), advance ? update->dt : 0.0, pairlaw.data(), onelaw, motion.get(),
+                 sums.get());
+  if (force->newton_pair) comm->reverse_comm(this);
+
+  response.reserve(static_cast<size_t>(nall) * mca::responseRow);
+  kappa_next.reserve(nlocal);
+  kernel->yield(nlocal, atom->type, autolaw.data(), sums.get(), kappa(), kappa_next.get(),
+                response.get());
+  comm->forward_comm(this);
+
+  forces.reserve(static_cast<size_t>(nall) * mca::forceRow);
+  std::fill_n(forces.get(), static_cast<size_t>(nall) * mca::forceRow, 0.0);
+  const mca::LinkEvents now = kernel->force(pairs.pairs(), pairlaw.data(), onelaw, response.get(),
+                                            forces.get());
+  double **f = atom->f, **torque = atom->torque;
+  const double *row = forces.get();
+  for (int i = 0; i < rows; i++, row += mca::forceRow) {
+    f[i][0] += row[0];
+    f[i][1] += row[1];
+    torque[i][2] += row[2];
+  }
+
+  if (now.broken + now.formed + now.healed > 0.0 && advance) {
+    const mca::Pairs &p = pairs.pairs();
+    for (int k = 0; k < p.n; k++) {
+      const double before = p.now.kind[k], after = p.next.kind[k];
+      if (before == after) continue;
+      const double share = owned_share(k);
+      if (after == mca::link::none) events.broken += share;
+      else if (before == mca::link::none) events.formed += share;
+      else events.healed += share;
+    }
+  }
+  if (eflag_either || (vflag_either && !vflag_fdotr)) tally(eflag, vflag);
+  if (vflag_fdotr) virial_fdotr_compute();
+}
+
+void PairMCA::pack_motion(int nall)
+{
+  motion.reserve(static_cast<size_t>(nall) * mca::motionRow);
+  double *row = motion.get();
+  double **x = atom->x, **v = atom->v, **omega = atom->omega;
+  for (int i = 0; i < nall; i++, row += mca::motionRow) {
+    row[0] = x[i][0];
+    row[1] = x[i][1];
+    row[2] = v[i][0];
+    row[3] = v[i][1];
+    row[4] = omega[i][2];
+  }
+}
+
+/* energy of owned automata, and virials of pairs where f.r over ghosts does not serve */
+
+void PairMCA::tally(int /*eflag*/, int /*vflag*/)
+{
+  const int nlocal = atom->nlocal;
+  if (eflag_either)
+    for (int i = 0; i < nlocal; i++) {
+      const double energy = automaton(i).energy;
+      if (eflag_global) eng_vdwl += energy;
+      if (eflag_atom) eatom[i] += energy;
+    }
+  if (!vflag_either || (vflag_fdotr && !vflag_atom)) return;
+
+  const mca::Pairs &p = pairs.pairs();
+  double **x = atom->x;
+  for (int k = 0; k < p.n; k++) {
+    const int i = p.i[k], j = p.j[k];
+    const mca::PairLaw &law = pairlaw[onelaw ? 0 : p.law[k]];
+    const mca::ContactStress s = contact(k);
+    const double fn = s.normal / stress_unit() * law.area;
+    const double ft = s.tau / stress_unit() * law.area / (1.0 + p.eps[k]);
+    const double fx = fn * p.nx[k] - ft * p.ny[k], fy = fn * p.ny[k] + ft * p.nx[k];
+    const int keep = vflag_global;
+    if (vflag_fdotr) vflag_global = 0;
+    ev_tally_xyz(i, j, nlocal, force->newton_pair, 0.0, 0.0, fx, fy, 0.0, x[i][0] - x[j][0],
+                 x[i][1] - x[j][1], 0.0);
+    vflag_global = keep;
+  }
+}
+
+/* ---------------------------------------------------------------------- */
+
+void PairMCA::allocate()
+{
+  allocated = 1;
+  const int n = atom->ntypes + 1;
+  memory->create(setflag, n, n, "pair:setflag");
+  memory->create(cutsq, n, n, "pair:cutsq");
+  for (int i = 0; i < n; i++)
+    for (int j = 0; j < n; j++) setflag[i][j] = 0;
+  materials.assign(n, mca::Material());
+}
+
+/* pair_style mca [thickness h] [cutoff c] [law keywords] */
+
+void PairMCA::settings(int narg, char **arg)
+{
+  std::vector<std::string> words;
+  double h = 1.0, cut = 0.0;
+  for (int iarg = 0; iarg < narg; iarg++) {
+    double *own = strcmp(arg[iarg], "thickness") == 0 ? &h
+        : strcmp(arg[iarg], "cutoff") == 0            ? &cut
+                                                      : nullptr;
+    if (!own) {
+      words.push_back(arg[iarg]);
+      if (iarg + 1 < narg) words.push_back(arg[++iarg]);
+      continue;
+    }
+    if (iarg + 1 == narg) error->all(FLERR, "Pair style mca keyword {} has no value", arg[iarg]);
+    *own = utils::numeric(FLERR, arg[iarg + 1], false, lmp);
+    if (!(*own > 0.0) || !std::isfinite(*own))
+      error->all(FLERR, "Pair style mca keyword {}, value {}, allowed: a length > 0", arg[iarg],
+                 arg[iarg + 1]);
+    iarg++;
+  }
+  mca::LawSet chosen;
+  const std::string problem = chosen.parse(words);
+  if (!problem.empty()) error->all(FLERR, "Pair style mca: {}", problem);
+  lawset = chosen;
+  depth = h;
+  cut_user = cut;
+}
+
+/* pair_coeff I J file.mca [quantity value] ...; materials belong to types, so I = J as ranges */
+
+static std::string file_text(LAMMPS *lmp, const std::string &name)
+{
+  std::string text;
+  int length = -1;
+  if (lmp->comm->me == 0) {
+    const std::string path = utils::get_potential_file_path(name);
+    std::ifstream in(path, std::ios::binary);
+    if (!path.empty() && in) {
+      std::ostringstream all;
+      all << in.rdbuf();
+      text = all.str();
+      length = static_cast<int>(text.size());
+    }
+  }
+  MPI_Bcast(&length, 1, MPI_INT, 0, lmp->world);
+  if (length < 0)
+    lmp->error->all(FLERR, "Cannot open potential file {} (nor in LAMMPS_POTENTIALS)", name);
+  text.resize(length);
+  MPI_Bcast(&text[0], length, MPI_CHAR, 0, lmp->world);
+  return text;
+}
+
+void PairMCA::coeff(int narg, char **arg)
+{
+  if (narg < 3) error->all(FLERR, "Pair_coeff of mca needs: types types file.mca [quantity value]");
+  if (!allocated) allocate();
+  int ilo, ihi, jlo, jhi;
+  utils::bounds(FLERR, arg[0], 1, atom->ntypes, ilo, ihi, error);
+  utils::bounds(FLERR, arg[1], 1, atom->ntypes, jlo, jhi, error);
+  if (ilo != jlo || ihi != jhi)
+    error->all(FLERR, "Pair_coeff {} {}: a material belongs to a type; give the same range twice, "
+               "pairs of unlike types follow from both", arg[0], arg[1]);
+  mca::Material material;
+  try {
+    material = mca::readMaterial(file_text(lmp, arg[2]), arg[2], update->unit_style);
+    material = mca::overrideMaterial(material, std::vector<std::string>(arg + 3, arg + narg));
+  } catch (const mca::MaterialError &e) {
+    error->all(FLERR, "Pair_coeff of mca: {}", e.what());
+  }
+  for (int i = ilo; i <= ihi; i++) {
+    materials[i] = material;
+    setflag[i][i] = 1;
+  }
+}
+
+/* ---------------------------------------------------------------------- */
+
+void PairMCA::init_style()
+{
+  if (!atom->radius_flag || !atom->rmass_flag || !atom->omega_flag || !atom->torque_flag)
+    error->all(FLERR, "Pair style mca requires atom style sphere");
+  if (domain->dimension != 2)
+    error->all(FLERR, "Pair style mca requires dimension 2 in this version");
+  if (force->special_lj[1] != 1.0 && atom->molecular != Atom::ATOMIC)
+    error->all(FLERR, "Pair style mca requires special_bonds lj 1 1 1");
+  comm->ghost_velocity = 1;    // shear of a contact needs both velocities
+
+  neighbor->add_request(this);
+
+  if (!fix_history) {
+    auto dnum = mca::LinkList::stateSize;
+    fix_history = dynamic_cast<FixMCAHistory *>(modify->replace_fix(
+        DUMMY_HISTORY, fmt::format("{} all MCA_HISTORY {}", FixMCAHistory::ID, dnum), 1));
+    fix_history->attach(this);
+    modify->replace_fix(
+        DUMMY_STATE, "MCA_STATE all property/atom d_mca_kappa d_mca_theta writedata no", 1);
+  }
+  int is_double, columns;
+  icustom_kappa = atom->find_custom("mca_kappa", is_double, columns);
+  make_laws();
+
+  // the packing, not the disc, fixes the mass (laws/packing.h)
+  for (int i = 0; i < atom->nlocal; i++) {
+    const mca::Material &m = materials[atom->type[i]];
+    atom->radius[i] = 0.5 * m.diameter;
+    atom->rmass[i] = mca::HexagonalPacking{m.diameter, depth}.mass(m.density);
+  }
+}
+
+/* stresses inside are energy per volume, which is pressure units only where nktv2p is 1 */
+
+double PairMCA::stress_unit() const { return force->nktv2p; }
+
+void PairMCA::make_laws()
+{
+  const int n = atom->ntypes;
+  std::vector<mca::Material> inside(materials);
+  for (auto &m : inside) {
+    m.youngs_modulus /= stress_unit();
+    m.strength /= stress_unit();
+    m.viscosity /= stress_unit();
+  }
+  const bool many = lawset.elasticity == "many-body";
+  const double yields = lawset.plasticity == "radial" ? 1.0 : 0.0;
+  autolaw.clear();
+  for (int i = 0; i <= n; i++) {
+    const mca::Material &m = inside[i > 0 ? i : 1];
+    autolaw.push_back({m.bulkModulus(), m.shearModulus(), many ? m.meanStressWeight() : 0.0,
+                       yields, mca::YieldCurve(m)});
+  }
+  pairlaw.resize((n + 1) * (n + 1));
+  onelaw = true;
+  for (int i = 1; i <= n; i++)
+    for (int j = 1; j <= n; j++) {
+      pairlaw[i * (n + 1) + j] = mca::makePairLaw(lawset, inside[i], inside[j], depth);
+      onelaw = onelaw && materials[i] == materials[j];
+    }
+  pairlaw[0] = pairlaw[n + 2];    // the entry that serves all pairs of one material
+}
+
+double PairMCA::init_one(int i, int j)
+{
+  const mca::Material &a = materials[i], &b = materials[j];
+  const double d = 0.5 * (a.diameter + b.diameter);
+  const double reach = d * (1.0 + std::max(a.breaking_strain, b.breaking_strain));
+  if (cut_user > 0.0 && cut_user < reach)
+    error->all(FLERR, "Pair style mca cutoff {} is below the breaking distance {} of types {} {}",
+               cut_user, reach, i, j);
+  // room for links that compression of their neighbours keeps below the breaking stress
+  const double margin = 2.0 * std::max({a.breaking_strain, b.breaking_strain, 0.05});
+  return cut_user > 0.0 ? cut_user : d * (1.0 + margin);
+}
+
+void PairMCA::setup() { check_step(); }
+
+void PairMCA::reset_dt() { check_step(); }
+
+void PairMCA::check_step()
+{
+  const bool many = lawset.elasticity == "many-body";
+  for (int i = 1; i <= atom->ntypes; i++) {
+    mca::Material m = materials[i];
+    m.youngs_modulus /= stress_unit();
+    m.density *= force->mvv2e;
+    const double eta = lawset.viscosity == "normal" ? m.viscosity / stress_unit() : 0.0;
+    const auto limit = mca::criticalStep(m, many ? m.meanStressWeight() : 0.0, eta);
+    if (update->dt > limit.shortest())
+      error->all(FLERR,
+                 "Timestep {:.6g} is longer than the critical one, {:.6g} (elastic {:.6g}, viscous "
+                 "{:.6g}) of the material of type {}", update->dt, limit.shortest(), limit.elastic,
+                 limit.viscous, i);
+  }
+}
+
+double *PairMCA::kappa() const { return atom->dvector[icustom_kappa]; }
+
+/* ---------------------------------------------------------------------- */
+
+void PairMCA::commit()
+{
+  if (committed) return;
+  std::copy_n(kappa_next.get(), atom->nlocal, kappa());
+  committed = true;
+}
+
+void PairMCA::pull_history()
+{
+  const int n1 = atom->ntypes + 1;
+  const int *type = atom->type;
+  int count = 0;
+  for (int ii = 0; ii < list->inum; ii++) count += list->numneigh[list->ilist[ii]];
+  pairs.reset(count);
+  for (int ii = 0; ii < list->inum; ii++) {
+    const int i = list->ilist[ii];
+    for (int jj = 0; jj < list->numneigh[i]; jj++) {
+      const int j = list->firstneigh[i][jj] & NEIGHMASK;
+      pairs.add(i, j, type[i] * n1 + type[j],
+                &fix_history->firstvalue[i][mca::LinkList::stateSize * jj]);
+    }
+  }
+}
+
+void PairMCA::push_history(bool next)
+{
+  double state[mca::LinkList::stateSize];
+  int k = 0;
+  for (int ii = 0; ii < list->inum; ii++) {
+    const int i = list->ilist[ii];
+    for (int jj = 0; jj < list->numneigh[i]; jj++, k++) {
+      pairs.getState(k, next, state);
+      const bool linked = state[0] != mca::link::none;
+      fix_history->firstflag[i][jj] = linked || state[1] != 0.0;
+      std::copy_n(state, mca::LinkList::stateSize,
+                  &fix_history->firstvalue[i][mca::LinkList::stateSize * jj]);
+      if (!linked) continue;
+      const int j = pairs.pairs().j[k];
+      const double r = pairlaw[onelaw ? 0 : pairs.pairs().law[k]].diameter *
+          (1.0 + pairs.pairs().eps[k]);
+      if (r * r > cutsq[atom->type[i]][atom->type[j]])
+        error->one(FLERR, "Link of automata {} {} is stretched to {:.6g}, beyond the cutoff {:.6g}: "
+                   "give pair_style mca a larger cutoff or a fracture criterion", atom->tag[i],
+                   atom->tag[j], r, std::sqrt(cutsq[atom->type[i]][atom->type[j]]));
+    }
+  }
+}
+
+/* nothing in a pair's state changes when i and j are exchanged */
+
+void PairMCA::transfer_history(double *source, double *target, int /*itype*/, int /*jtype*/)
+{
+  std::copy_n(source, mca::LinkList::stateSize, target);
+}
+
+/* ---------------------------------------------------------------------- */
+
+PairMCA::Automaton PairMCA::automaton(int i) const
+{
+  const mca::AutomatonLaw &law = autolaw[atom->type[i]];
+  const mca::Material &m = materials[atom->type[i]];
+  const double *row = sums.get() + static_cast<size_t>(i) * mca::sumsRow;
+  const mca::ContactSums s = {row[0], row[1], row[2], row[3], row[4], row[5]};
+  const double mean = mca::meanStress(s, law.bulkModulus);
+  mca::StressTensor t = mca::automatonStress(s, 2.0 * law.shearModulus, law.D, mean);
+  const double density = mca::HexagonalPacking::stressWeight() * law.shearModulus * row[7] +
+      0.5 * law.D * mean * mean / law.bulkModulus;
+  const double unit = stress_unit();
+  const double intensity = mca::stressIntensity(t) * unit;
+  t = {t.xx * unit, t.yy * unit, t.xy * unit, t.zz * unit};
+  return {t, mean * unit, intensity,
+          density * mca::HexagonalPacking{m.diameter, depth}.cellVolume(), row[6]};
+}
+
+mca::ContactStress PairMCA::contact(int k) const
+{
+  const mca::Pairs &p = pairs.pairs();
+  const double *ri = response.get() + static_cast<size_t>(p.i[k]) * mca::responseRow;
+  const double *rj = response.get() + static_cast<size_t>(p.j[k]) * mca::responseRow;
+  mca::ContactStress s = mca::contactStress(
+      pairlaw[onelaw ? 0 : p.law[k]], p.now.kind[k], p.eps[k] - p.now.plastic[k], p.now.gamma[k],
+      p.separation[k], {ri[0], ri[1]}, {rj[0], rj[1]});
+  const double unit = stress_unit();
+  return {s.trial * unit, s.sigma * unit, s.tau * unit, s.normal * unit};
+}
+
+double PairMCA::owned_share(int k) const
+{
+  return force->newton_pair || pairs.pairs().j[k] < atom->nlocal ? 1.0 : 0.5;
+}
+
+PairMCA::Count PairMCA::count() const
+{
+  Count c;
+  const mca::Pairs &p = pairs.pairs();
+  for (int k = 0; k < p.n; k++) {
+    if (p.now.kind[k] != mca::link::none) c.links += owned_share(k);
+    if (p.now.kind[k] == mca::link::weld) c.welds += owned_share(k);
+  }
+  c.broken = events.broken;
+  c.formed = events.formed;
+  c.healed = events.healed;
+  return c;
+}
+
+/* ---------------------------------------------------------------------- */
+
+int PairMCA::pack_forward_comm(int n, int *index, double *buf, int /*pbc_flag*/, int * /*pbc*/)
+{
+  double *to = buf;
+  for (int k = 0; k < n; k++, to += mca::responseRow)
+    std::copy_n(response.get() + static_cast<size_t>(index[k]) * mca::responseRow,
+                mca::responseRow, to);
+  return n * mca::responseRow;
+}
+
+void PairMCA::unpack_forward_comm(int n, int first, double *buf)
+{
+  std::copy_n(buf, n * mca::responseRow,
+              response.get() + static_cast<size_t>(first) * mca::responseRow);
+}
+
+int PairMCA::pack_reverse_comm(int n, int first, double *buf)
+{
+  std::copy_n(sums.get() + static_cast<size_t>(first) * mca::sumsRow, n * mca::sumsRow, buf);
+  return n * mca::sumsRow;
+}
+
+void PairMCA::unpack_reverse_comm(int n, int *index, double *buf)
+{
+  for (int k = 0; k < n; k++) {
+    double *to = sums.get() + static_cast<size_t>(index[k]) * mca::sumsRow;
+    for (int m = 0; m < mca::sumsRow; m++) to[m] += *buf++;
+  }
+}
+
+double PairMCA::memory_usage()
+{
+  return Pair::memory_usage() + pairs.bytes() + motion.bytes() + sums.bytes() + response.bytes() +
+      forces.bytes() + kappa_next.bytes();
+}
+
+/* ----------------------------------------------------------------------
+   restart: the laws as the words of the pair_style command, then the materials
+------------------------------------------------------------------------- */
+
+void PairMCA::write_restart_settings(FILE *fp)
+{
+  std::string text = mca::exactText({depth, cut_user});
+  for (const auto &word : lawset.words()) text += word + " ";
+  mca::writeBlock(fp, text);
+}
+
+void PairMCA::read_restart_settings(FILE *fp)
+{
+  std::istringstream text(mca::readBlock(lmp, fp, "pair_style mca"));
+  std::vector<std::string> words;
+  text >> depth >> cut_user;
+  for (std::string word; text >> word;) words.push_back(word);
+  const std::string problem = lawset.parse(words);
+  if (!problem.empty()) error->all(FLERR, "Restart file: pair_style mca: {}", problem);
+}
+
+void PairMCA::write_restart(FILE *fp)
+{
+  write_restart_settings(fp);
+  std::vector<double> values;
+  for (int i = 1; i <= atom->ntypes; i++)
+    for (const auto &q : mca::materialQuantities()) values.push_back(materials[i].*q.value);
+  mca::writeBlock(fp, mca::exactText(values));
+}
+
+void PairMCA::read_restart(FILE *fp)
+{
+  read_restart_settings(fp);
+  if (!allocated) allocate();
+  std::istringstream text(mca::readBlock(lmp, fp, "pair_coeff of mca"));
+  for (int i = 1; i <= atom->ntypes; i++) {
+    for (const auto &q : mca::materialQuantities()) text >> materials[i].*q.value;
+    setflag[i][i] = 1;
+  }
+}

@@ -1,0 +1,102 @@
+/* ----------------------------------------------------------------------
+   MCA-WHEELRAIL, a package for LAMMPS. GPL-2.0-or-later.
+   pair_style mca: movable cellular automata; see doc/pair_mca.md
+------------------------------------------------------------------------- */
+
+#ifndef LMP_PAIR_MCA_H
+#define LMP_PAIR_MCA_H
+
+#include "pair.h"
+
+#include "laws/law_set.h"
+#include "link_list.h"
+
+#include <string>
+#include <vector>
+
+namespace LAMMPS_NS {
+
+class FixMCAHistory;
+
+class PairMCA : public Pair {
+ public:
+  PairMCA(class LAMMPS *);
+  ~PairMCA() override;
+  void compute(int, int) override;
+  void settings(int, char **) override;
+  void coeff(int, char **) override;
+  void init_style() override;
+  void setup() override;
+  void reset_dt() override;
+  double init_one(int, int) override;
+  void write_restart(FILE *) override;
+  void read_restart(FILE *) override;
+  void write_restart_settings(FILE *) override;
+  void read_restart_settings(FILE *) override;
+  int pack_forward_comm(int, int *, double *, int, int *) override;
+  void unpack_forward_comm(int, int, double *) override;
+  int pack_reverse_comm(int, int, double *) override;
+  void unpack_reverse_comm(int, int *, double *) override;
+  void transfer_history(double *, double *, int, int) override;
+  double memory_usage() override;
+
+  // ---- for the history fix: the flat pair list follows LAMMPS's neighbor list
+
+  void pull_history();             // neighbor history -> pair list
+  void push_history(bool next);    // pair list -> neighbor history, present or next state
+  void commit();                   // the next state of automata becomes the present one
+
+  // ---- for computes, fixes and commands
+
+  const mca::LinkList &links() const { return pairs; }
+  mca::LinkList &links() { return pairs; }
+  const mca::Material &material(int type) const { return materials[type]; }
+  const mca::LawSet &laws() const { return lawset; }
+  double thickness() const { return depth; }
+
+  struct Automaton {    // of an owned automaton, in pressure units; valid after compute()
+    mca::StressTensor stress;
+    double mean, intensity, energy, bulk_links;
+  };
+  Automaton automaton(int) const;
+
+  mca::ContactStress contact(int) const;    // of pair k, in pressure units
+  double owned_share(int) const;            // 1, or 1/2 for a pair that two ranks hold
+
+  struct Count {    // of this rank; pairs held twice count half on each
+    double links = 0.0, welds = 0.0;
+    double broken = 0.0, formed = 0.0, healed = 0.0;    // since the pair style was created
+  };
+  Count count() const;
+
+ protected:
+  mca::LawSet lawset;
+  double depth;          // thickness of the discs
+  double cut_user;       // 0 = default
+  std::vector<mca::Material> materials;    // by type, in the units of the input script
+
+  std::vector<mca::PairLaw> pairlaw;         // by itype * (ntypes+1) + jtype
+  std::vector<mca::AutomatonLaw> autolaw;    // by type
+  bool onelaw;                               // one material for all types
+  const mca::Kernel *kernel;
+
+  mca::LinkList pairs;
+  mca::AlignedArray motion, sums, response, forces, kappa_next;
+  mca::LinkEvents events;    // since creation
+  bool committed;            // kappa already holds the values of the coming step
+
+  FixMCAHistory *fix_history;
+  int icustom_kappa;
+
+  void allocate();
+  void make_laws();
+  void check_step();
+  double *kappa() const;
+  double stress_unit() const;
+  void pack_motion(int);
+  void tally(int, int);
+};
+
+}    // namespace LAMMPS_NS
+
+#endif

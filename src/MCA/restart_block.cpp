@@ -1,0 +1,83 @@
+#include "restart_block.h"
+
+#include "comm.h"
+#include "error.h"
+#include "lammps.h"
+
+#include <cstring>
+#include <sstream>
+
+using namespace LAMMPS_NS;
+
+namespace mca {
+
+namespace {
+struct Head {
+  unsigned long long length, sum;
+};
+constexpr unsigned long long longest = 1 << 24;    // bytes; far beyond any block of ours
+}  // namespace
+
+unsigned long long checksum(const std::string &text)
+{
+  unsigned long long sum = 14695981039346656037ULL;
+  for (const unsigned char c : text) sum = (sum ^ c) * 1099511628211ULL;
+  return sum;
+}
+
+std::string exactText(const std::vector<double> &values)
+{
+  std::ostringstream text;
+  text.precision(17);
+  for (const double value : values) text << value << ' ';
+  return text.str();
+}
+
+std::string blockBytes(const std::string &text)
+{
+  const Head head = {text.size(), checksum(text)};
+  std::string bytes(reinterpret_cast<const char *>(&head), sizeof(head));
+  return bytes + text;
+}
+
+void writeBlock(FILE *fp, const std::string &text)
+{
+  const std::string bytes = blockBytes(text);
+  fwrite(bytes.data(), 1, bytes.size(), fp);
+}
+
+std::string readBlock(LAMMPS *lmp, FILE *fp, const char *what)
+{
+  Head head = {0, 0};
+  std::string text;
+  int good = 1;
+  if (lmp->comm->me == 0) {
+    good = fread(&head, sizeof(head), 1, fp) == 1 && head.length < longest;
+    if (good) {
+      text.resize(head.length);
+      good = fread(&text[0], 1, text.size(), fp) == text.size() && checksum(text) == head.sum;
+    }
+  }
+  MPI_Bcast(&good, 1, MPI_INT, 0, lmp->world);
+  if (!good)
+    lmp->error->all(FLERR, "Restart file is damaged or truncated: the block of {} does not match "
+                    "its checksum", what);
+  MPI_Bcast(&head.length, 1, MPI_UNSIGNED_LONG_LONG, 0, lmp->world);
+  text.resize(head.length);
+  MPI_Bcast(&text[0], static_cast<int>(head.length), MPI_CHAR, 0, lmp->world);
+  return text;
+}
+
+std::string readBlockBytes(LAMMPS *lmp, const char *bytes, const char *what)
+{
+  Head head;
+  std::memcpy(&head, bytes, sizeof(head));
+  const std::string text =
+      head.length < longest ? std::string(bytes + sizeof(head), head.length) : "";
+  if (head.length >= longest || checksum(text) != head.sum)
+    lmp->error->all(FLERR, "Restart file is damaged: the block of {} does not match its checksum",
+                    what);
+  return text;
+}
+
+}  // namespace mca
