@@ -1,0 +1,79 @@
+#include "fit_analysis.h"
+
+#include "errors.h"
+
+#include <cmath>
+#include <fmt/format.h>
+
+namespace wheelrail {
+
+namespace {
+
+std::string whyLeftOut(const FrictionPoint &point, const FitOptions &options)
+{
+  if (point.kappa2 < options.kappa2_min)
+    return fmt::format("kappa2 = {:.3g} < {:.3g}", point.kappa2, options.kappa2_min);
+  if (!point.stationary() && !options.include_drifting)
+    return "no stationary part";
+  if (!std::isfinite(point.mu_se))
+    return "too few rows for a standard error";
+  if (point.mu <= 0.0)
+    return "mu is not positive";
+  return "";
+}
+
+} // namespace
+
+std::vector<LawPoint> FitAnalysis::fitted() const
+{
+  std::vector<LawPoint> result;
+  for (const auto &p : points)
+    if (p.left_out.empty())
+      result.push_back({p.kappa1, p.kappa2, p.mu, p.mu_se});
+  return result;
+}
+
+FitAnalysis analysePoints(std::vector<FrictionPoint> points, const FitOptions &options)
+{
+  FitAnalysis analysis;
+  analysis.options = options;
+  analysis.points = std::move(points);
+  for (auto &p : analysis.points)
+    p.left_out = whyLeftOut(p, options);
+
+  const auto used = analysis.fitted();
+  const auto obstacle = obstacleTo(options.model, used);
+  if (obstacle.reason.empty()) {
+    try {
+      auto fit = fitLaw(options.model, used, options.level);
+      analysis.why_not = fit.not_identifiable;
+      if (fit.not_identifiable.empty())
+        analysis.fit = std::move(fit);
+    } catch (const Error &error) {
+      analysis.why_not = error.what();
+    }
+  } else {
+    analysis.why_not = obstacle.reason;
+  }
+  analysis.not_identifiable = !analysis.fit && !obstacle.tooFew;
+
+  for (LawModel model : lawModels) {
+    ModelComparison entry;
+    entry.model = model;
+    entry.why_not = obstacleTo(model, used).reason;
+    if (entry.why_not.empty()) {
+      try {
+        entry.fit = fitLaw(model, used, 0.0);
+        entry.why_not = entry.fit->not_identifiable;
+        if (!entry.why_not.empty())
+          entry.fit.reset();
+      } catch (const Error &error) {
+        entry.why_not = error.what();
+      }
+    }
+    analysis.models.push_back(std::move(entry));
+  }
+  return analysis;
+}
+
+} // namespace wheelrail

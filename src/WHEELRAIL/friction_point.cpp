@@ -1,0 +1,111 @@
+#include "friction_point.h"
+
+#include "errors.h"
+#include "friction_law.h"
+#include "stationarity.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <limits>
+#include <numeric>
+
+namespace wheelrail {
+
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr double longestGrindingIn = 100.0; // ns, Fig. 4
+
+/// First row whose interval begins at or after `time`.
+std::size_t firstRowAfter(const FrictionLog &log, double time)
+{
+  const double slack = 1e-6 * log.interval();
+  const auto row = std::find_if(log.time.begin(), log.time.end(),
+                                [&](double end) { return end - log.interval() >= time - slack; });
+  return row - log.time.begin();
+}
+
+double meanBefore(const FrictionLog &log, double time)
+{
+  const double slack = 1e-6 * log.interval();
+  const auto end = std::upper_bound(log.time.begin(), log.time.end(), time + slack);
+  const auto rows = end - log.time.begin();
+  if (rows == 0)
+    return nan;
+  return std::accumulate(log.mu.begin(), log.mu.begin() + rows, 0.0) / static_cast<double>(rows);
+}
+
+/// A field of a CSV line, in quotes where its own characters ask for it (RFC 4180).
+std::string csvField(const std::string &text)
+{
+  if (text.find_first_of(",\"\n") == std::string::npos)
+    return text;
+  std::string quoted = "\"";
+  for (char c : text)
+    quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return quoted + '"';
+}
+
+} // namespace
+
+FrictionPoint frictionPoint(const FrictionLog &log, const PointOptions &options)
+{
+  FrictionPoint point;
+  point.file = log.file;
+  point.kappa1 = log.kappa1();
+  point.kappa2 = log.kappa2();
+  point.mu_eq2 = bucher2006()(point.kappa1, point.kappa2);
+  point.pressure = log.pressure;
+  point.velocity = log.velocity;
+  point.strength = log.strength;
+  point.seed = log.seed;
+  point.note = log.note;
+  const double origin = log.time.front() - log.interval();
+  point.duration = log.time.back() - origin;
+
+  SeriesMean mean;
+  double start = 0.0;
+  if (options.start) {
+    const auto first = firstRowAfter(log, *options.start);
+    if (first == log.time.size())
+      throw badInput(log.file, 0, "",
+                     fmt::format("the log ends at {:.4g} ns, before the start of {:.4g} ns that "
+                                 "was asked for",
+                                 log.time.back(), *options.start));
+    mean = seriesMean(log.mu, first, log.mu.size());
+    start = *options.start;
+    point.t_start = start;
+  } else {
+    const auto part = stationaryPart(log.mu);
+    mean = part.mean;
+    start = log.time[part.start] - log.interval();
+    point.t_start = part.found ? start : nan;
+    if (!part.found) {
+      if (!point.note.empty())
+        point.note += "; ";
+      point.note += fmt::format("no stationary part: {}", part.reason);
+    }
+  }
+  point.mu = mean.mean;
+  point.mu_se = mean.standard_error;
+  point.n_eff = mean.effective_n;
+  point.correlation_time = mean.correlation_time * log.interval();
+  point.mu_grinding_in =
+      meanBefore(log, options.grinding_in.value_or(std::min(start, longestGrindingIn)));
+  return point;
+}
+
+std::string pointsAsCsv(const std::vector<FrictionPoint> &points)
+{
+  std::string text = "# t_start in ns (nan: no stationary part found, mu of the second half); the "
+                     "rest is dimensionless\n"
+                     "file,kappa1,kappa2,mu,mu_se,n_eff,t_start,mu_grinding_in,mu_eq2\n";
+  for (const auto &p : points)
+    text += fmt::format("{},{:.8g},{:.8g},{:.6g},{:.4g},{:.4g},{:.6g},{:.6g},{:.6g}\n",
+                        csvField(p.file), p.kappa1, p.kappa2, p.mu, p.mu_se, p.n_eff, p.t_start,
+                        p.mu_grinding_in, p.mu_eq2);
+  return text;
+}
+
+} // namespace wheelrail

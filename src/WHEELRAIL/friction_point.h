@@ -1,0 +1,53 @@
+#ifndef WHEELRAIL_FRICTION_POINT_H
+#define WHEELRAIL_FRICTION_POINT_H
+
+#include "friction_log.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace wheelrail {
+
+/// What one friction log says: mu of its stationary part at (kappa1, kappa2).
+struct FrictionPoint {
+  std::string file;
+  double kappa1 = 0.0;
+  double kappa2 = 0.0;
+  double mu = 0.0;             ///< mean of the stationary part; of the second half if there is none
+  double mu_se = 0.0;          ///< its standard error, autocorrelation accounted for
+  double n_eff = 0.0;          ///< independent samples it is worth
+  double t_start = 0.0;        ///< ns; nan: no stationary part was found
+  double mu_grinding_in = 0.0; ///< mean over the grinding-in; nan if there was none
+  double mu_eq2 = 0.0;         ///< Eq. 2 with the paper's numbers at (kappa1, kappa2)
+
+  double correlation_time = 0.0; ///< integrated autocorrelation time, ns
+  double duration = 0.0;         ///< ns
+  double pressure = 0.0;         ///< MPa
+  double velocity = 0.0;         ///< m/s
+  double strength = 0.0;         ///< MPa
+  long seed = 0;
+  std::string note;     ///< why there is no stationary part, or that a cut line was dropped
+  std::string left_out; ///< why the point is not fitted; empty: it is
+
+  bool stationary() const { return t_start == t_start; }
+};
+
+struct PointOptions {
+  /// Start of the part that is averaged, ns; absent: found by stationaryPart.
+  std::optional<double> start;
+  /// End of the grinding-in, ns; absent: the start of the stationary part, at most 100 ns (the
+  /// window of the paper's Fig. 4).
+  std::optional<double> grinding_in;
+};
+
+/// The point of one log. @throws Error (BadInput) if `start` lies beyond the end of the log
+FrictionPoint frictionPoint(const FrictionLog &log, const PointOptions &options);
+
+/// points.csv: a comment line with the units, a line of column names, one row a point:
+/// file,kappa1,kappa2,mu,mu_se,n_eff,t_start,mu_grinding_in,mu_eq2.
+std::string pointsAsCsv(const std::vector<FrictionPoint> &points);
+
+} // namespace wheelrail
+
+#endif

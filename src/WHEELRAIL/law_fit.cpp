@@ -1,0 +1,444 @@
+#include "law_fit.h"
+
+#include "errors.h"
+#include "statistics.h"
+
+#include <Eigen/Dense>
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <limits>
+#include <numeric>
+#include <set>
+#include <stdexcept>
+
+namespace wheelrail {
+
+namespace {
+
+enum Parameter { Mu0, Mu1, Mu2, B, C };
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+// a term is as good as constant when b kappa (c kappa) exceeds this at its smallest kappa
+constexpr double saturation = 100.0;
+// beyond, the parameters are determined to no digit by data of a few per cent scatter
+constexpr double worstCondition = 1e6;
+
+VectorXd asVector(const FrictionLaw &law)
+{
+  VectorXd x(lawParameters);
+  x << law.mu0, law.mu1, law.mu2, law.b, law.c;
+  return x;
+}
+
+void setParameters(FrictionLaw &law, const VectorXd &x)
+{
+  law.mu0 = x[Mu0];
+  law.mu1 = x[Mu1];
+  law.mu2 = x[Mu2];
+  law.b = x[B];
+  law.c = x[C];
+}
+
+/// The weighted problem for given standard deviations of the points. It refers to its arguments.
+class WeightedProblem {
+ public:
+  WeightedProblem(LawModel model, const std::vector<LawPoint> &data, VectorXd deviations)
+      : points(data), sigma(std::move(deviations)), free(parametersOf(model))
+  {
+  }
+
+  LeastSquaresProblem make() const
+  {
+    LeastSquaresProblem problem;
+    problem.parameters = lawParameters;
+    problem.residuals = static_cast<int>(points.size());
+    problem.lower = VectorXd::Constant(lawParameters, -infinity);
+    problem.upper = VectorXd::Constant(lawParameters, infinity);
+    for (int k : {Mu0, B, C})
+      problem.lower[k] = 0.0;
+    problem.upper[B] = saturation / smallest([](const LawPoint &p) { return p.kappa1; });
+    problem.upper[C] = saturation / smallest([](const LawPoint &p) { return p.kappa2; });
+    for (bool isFree : free)
+      problem.constant.push_back(!isFree);
+    problem.evaluate = [this](const VectorXd &x, VectorXd &r, MatrixXd *jacobian) {
+      evaluate(x, r, jacobian);
+      return true;
+    };
+    return problem;
+  }
+
+  /// Starts: a grid over b and c, the linear parameters by linear least squares, the best three.
+  std::vector<VectorXd> starts(const LeastSquaresProblem &problem) const
+  {
+    std::vector<std::pair<double, VectorXd>> candidates;
+    for (double b : grid(B, problem.upper[B]))
+      for (double c : grid(C, problem.upper[C]))
+        candidates.push_back(linearFit(b, c));
+    const size_t kept = std::min<size_t>(3, candidates.size());
+    std::partial_sort(candidates.begin(), candidates.begin() + kept, candidates.end(),
+                      [](const auto &p, const auto &q) { return p.first < q.first; });
+    std::vector<VectorXd> result;
+    for (size_t i = 0; i < kept; ++i)
+      result.push_back(candidates[i].second);
+    return result;
+  }
+
+ private:
+  template<typename Member>
+  double smallest(Member member) const
+  {
+    double least = infinity;
+    for (const auto &p : points)
+      if (member(p) > 0.0)
+        least = std::min(least, member(p));
+    return std::isfinite(least) ? least : 1.0;
+  }
+
+  std::vector<double> grid(int k, double upper) const
+  {
+    if (!free[k])
+      return {0.0};
+    std::vector<double> values;
+    constexpr int perDecade = 2;
+    constexpr int count = 13; // six decades below the bound
+    for (int i = 1; i < count; ++i)
+      values.push_back(upper * std::pow(10.0, -static_cast<double>(i) / perDecade));
+    return values;
+  }
+
+  std::pair<double, VectorXd> linearFit(double b, double c) const
+  {
+    VectorXd x = VectorXd::Zero(lawParameters);
+    x[B] = b;
+    x[C] = c;
+    std::vector<int> linear;
+    for (int k : {Mu0, Mu1, Mu2})
+      if (free[k])
+        linear.push_back(k);
+    VectorXd r(points.size());
+    MatrixXd jacobian(points.size(), lawParameters);
+    evaluate(x, r, &jacobian);
+    MatrixXd design(points.size(), linear.size());
+    for (size_t j = 0; j < linear.size(); ++j)
+      design.col(j) = jacobian.col(linear[j]);
+    const VectorXd solution = design.colPivHouseholderQr().solve(-r);
+    for (size_t j = 0; j < linear.size(); ++j)
+      x[linear[j]] = solution[j];
+    x[Mu0] = std::max(0.0, x[Mu0]);
+    evaluate(x, r, nullptr);
+    return {r.squaredNorm(), x};
+  }
+
+  void evaluate(const VectorXd &x, VectorXd &r, MatrixXd *jacobian) const
+  {
+    FrictionLaw law;
+    setParameters(law, x);
+    for (size_t i = 0; i < points.size(); ++i) {
+      const auto &p = points[i];
+      const double w = 1.0 / sigma[i];
+      r[i] = w * (law(p.kappa1, p.kappa2) - p.mu);
+      if (!jacobian)
+        continue;
+      const double g1 = 1.0 / (1.0 + law.b * p.kappa1);
+      const double g2 = 1.0 / (1.0 + law.c * p.kappa2);
+      (*jacobian)(i, Mu0) = w;
+      (*jacobian)(i, Mu1) = w * p.kappa1 * g1;
+      (*jacobian)(i, Mu2) = w * g2;
+      (*jacobian)(i, B) = -w * law.mu1 * std::pow(p.kappa1 * g1, 2);
+      (*jacobian)(i, C) = -w * law.mu2 * p.kappa2 * g2 * g2;
+    }
+  }
+
+  const std::vector<LawPoint> &points;
+  VectorXd sigma;
+  std::array<bool, lawParameters> free;
+};
+
+VectorXd deviations(const std::vector<LawPoint> &points, const VectorXd &fitted, double scatter)
+{
+  VectorXd sigma(points.size());
+  for (size_t i = 0; i < points.size(); ++i)
+    sigma[i] = std::hypot(points[i].mu_se, scatter * fitted[i]);
+  return sigma;
+}
+
+VectorXd fittedMu(const FrictionLaw &law, const std::vector<LawPoint> &points)
+{
+  VectorXd mu(points.size());
+  for (size_t i = 0; i < points.size(); ++i)
+    mu[i] = law(points[i].kappa1, points[i].kappa2);
+  return mu;
+}
+
+double chiSquared(const std::vector<LawPoint> &points, const VectorXd &fitted, double scatter)
+{
+  const VectorXd sigma = deviations(points, fitted, scatter);
+  double sum = 0.0;
+  for (size_t i = 0; i < points.size(); ++i)
+    sum += std::pow((points[i].mu - fitted[i]) / sigma[i], 2);
+  return sum;
+}
+
+// residuals of exact data are rounding errors: no smaller scatter than this is told from none
+constexpr double leastScatter = 1e-9;
+
+/// The scatter at which chi^2 is `target`: chi^2 falls with it.
+double scatterFor(const std::vector<LawPoint> &points, const VectorXd &fitted, double target)
+{
+  const bool haveErrors =
+      std::all_of(points.begin(), points.end(), [](const LawPoint &p) { return p.mu_se > 0.0; });
+  const double least = haveErrors ? 0.0 : leastScatter;
+  if (chiSquared(points, fitted, least) <= target)
+    return least;
+  double low = leastScatter;
+  double high = 1.0;
+  while (chiSquared(points, fitted, high) > target && high < 1e6)
+    high *= 2.0;
+  for (int i = 0; i < 60; ++i) {
+    const double middle = std::sqrt(low * high);
+    (chiSquared(points, fitted, middle) > target ? low : high) = middle;
+  }
+  return high;
+}
+
+/// -2 ln likelihood of normal residuals, at the scatter that maximises it (golden section in the
+/// logarithm).
+double minusTwoLogLikelihood(const std::vector<LawPoint> &points, const VectorXd &fitted)
+{
+  const auto value = [&](double logScatter) {
+    const VectorXd sigma = deviations(points, fitted, std::exp(logScatter));
+    double sum = 0.0;
+    for (size_t i = 0; i < points.size(); ++i)
+      sum += std::log(2.0 * M_PI * sigma[i] * sigma[i]) +
+             std::pow((points[i].mu - fitted[i]) / sigma[i], 2);
+    return sum;
+  };
+  const double golden = 0.5 * (std::sqrt(5.0) - 1.0);
+  double low = std::log(leastScatter);
+  double high = std::log(10.0);
+  for (int i = 0; i < 80; ++i) {
+    const double x1 = high - golden * (high - low);
+    const double x2 = low + golden * (high - low);
+    if (value(x1) < value(x2))
+      high = x2;
+    else
+      low = x1;
+  }
+  return value(0.5 * (low + high));
+}
+
+int countParameters(LawModel model)
+{
+  const auto free = parametersOf(model);
+  return static_cast<int>(std::count(free.begin(), free.end(), true));
+}
+
+/// Number of values that differ by more than a thousandth.
+int countDifferent(std::vector<double> values)
+{
+  constexpr double tolerance = 1e-3;
+  std::sort(values.begin(), values.end());
+  int count = 0;
+  double last = -1.0;
+  for (double v : values)
+    if (count == 0 || v - last > tolerance * v) {
+      ++count;
+      last = v;
+    }
+  return count;
+}
+
+void checkPoints(const std::vector<LawPoint> &points)
+{
+  for (const auto &p : points)
+    if (!(std::isfinite(p.kappa1) && p.kappa1 >= 0.0 && std::isfinite(p.kappa2) &&
+          p.kappa2 >= 0.0 && std::isfinite(p.mu) && std::isfinite(p.mu_se) && p.mu_se >= 0.0))
+      throw std::invalid_argument("fitLaw: a point is not finite or negative");
+}
+
+std::string explainWeakness(const LawFit &fit, const Identifiability &analysis,
+                            const LeastSquaresProblem &problem)
+{
+  for (int k : {B, C}) {
+    const bool atUpper = fit.at_bound[k] && asVector(fit.law)[k] > 0.5 * problem.upper[k];
+    if (atUpper)
+      return fmt::format("{} runs to its bound of {:.3g}: its term is constant over all the points",
+                         lawParameterNames[k], problem.upper[k]);
+  }
+  const auto free = parametersOf(fit.model);
+  if (free[C] && fit.at_bound[C])
+    return "c runs to 0: mu does not depend on kappa2, so that mu0 and mu2 cannot be told apart";
+  if (analysis.conditionNumber <= worstCondition)
+    return "";
+  std::string names;
+  for (int k = 0; k < lawParameters; ++k)
+    if (std::abs(analysis.weakDirection[k]) > 0.3)
+      names += (names.empty() ? "" : ", ") + std::string(lawParameterNames[k]);
+  return fmt::format(
+      "{} cannot be told apart (condition number {:.3g}, at most {:.0e} is accepted)", names,
+      analysis.conditionNumber, worstCondition);
+}
+
+void fillResiduals(LawFit &fit, const std::vector<LawPoint> &points, const VectorXd &sigma,
+                   const MatrixXd &jacobian, const Identifiability &analysis)
+{
+  double sum = 0.0;
+  for (size_t i = 0; i < points.size(); ++i) {
+    const double mu = fit.law(points[i].kappa1, points[i].kappa2);
+    const Eigen::RowVectorXd row = jacobian.row(i);
+    const double hat = std::clamp((row * analysis.covariance * row.transpose()).value(), 0.0, 1.0);
+    const double spread = sigma[i] * std::sqrt(std::max(1.0 - hat, 1e-12));
+    fit.residuals.push_back((points[i].mu - mu) / mu);
+    fit.studentised.push_back((points[i].mu - mu) / spread);
+    fit.leverage.push_back(hat);
+    sum += fit.residuals.back() * fit.residuals.back();
+  }
+  fit.law.rms_relative = std::sqrt(sum / static_cast<double>(points.size()));
+}
+
+} // namespace
+
+const char *nameOf(LawModel model)
+{
+  switch (model) {
+  case LawModel::Constant:
+    return "constant";
+  case LawModel::Velocity:
+    return "velocity";
+  case LawModel::Pressure:
+    return "eq4";
+  case LawModel::Full:
+    return "eq2";
+  }
+  throw std::logic_error("nameOf: no such model");
+}
+
+std::array<bool, lawParameters> parametersOf(LawModel model)
+{
+  const bool velocity = model == LawModel::Velocity || model == LawModel::Full;
+  const bool pressure = model == LawModel::Pressure || model == LawModel::Full;
+  return {true, velocity, pressure, velocity, pressure};
+}
+
+Obstacle obstacleTo(LawModel model, const std::vector<LawPoint> &points)
+{
+  const auto free = parametersOf(model);
+  const int parameters = countParameters(model);
+  const int n = static_cast<int>(points.size());
+  if (n < parameters + 1)
+    return {fmt::format("{} point{} for the {} parameters of {}, at least {} are needed", n,
+                        n == 1 ? "" : "s", parameters, nameOf(model), parameters + 1),
+            true};
+  constexpr int leastDifferent = 3; // a saturating term has two parameters beside the constant
+  const auto look = [&](int k, const char *name, auto member) -> std::string {
+    if (!free[k])
+      return "";
+    std::vector<double> values;
+    for (const auto &p : points)
+      values.push_back(member(p));
+    const int different = countDifferent(values);
+    if (different >= leastDifferent)
+      return "";
+    return fmt::format("the points have only {} different {} ({:.4g} to {:.4g}), {} needs at least "
+                       "{}",
+                       different, name, *std::min_element(values.begin(), values.end()),
+                       *std::max_element(values.begin(), values.end()), nameOf(model),
+                       leastDifferent);
+  };
+  auto reason = look(Mu1, "kappa1", [](const LawPoint &p) { return p.kappa1; });
+  if (reason.empty())
+    reason = look(Mu2, "kappa2", [](const LawPoint &p) { return p.kappa2; });
+  return {reason, false};
+}
+
+LawFit fitLaw(LawModel model, const std::vector<LawPoint> &points, double level)
+{
+  checkPoints(points);
+  if (const auto obstacle = obstacleTo(model, points); !obstacle.reason.empty())
+    throw Error(ExitCode::NotConverged, obstacle.reason);
+  const int n = static_cast<int>(points.size());
+  LawFit fit;
+  fit.model = model;
+  fit.freedom = n - countParameters(model);
+
+  // weights depend on the fit and on the scatter, both on the weights: repeat until they agree
+  VectorXd fitted(n);
+  for (int i = 0; i < n; ++i)
+    fitted[i] = std::max(points[i].mu, 1e-3);
+  fit.scatter = 0.1;
+  VectorXd sigma;
+  LeastSquaresSolution solution;
+  constexpr int mostRounds = 50;
+  constexpr double tolerance = 1e-7;
+  for (int round = 0; round < mostRounds; ++round) {
+    sigma = deviations(points, fitted, fit.scatter);
+    const WeightedProblem weighted(model, points, sigma);
+    const auto problem = weighted.make();
+    auto starts = weighted.starts(problem);
+    if (round > 0)
+      starts = {solution.x}; // the grid has done its work
+    solution = solveLeastSquares(problem, starts);
+    if (!solution.converged)
+      throw Error(ExitCode::NotConverged, fmt::format("the fit of {} does not converge: {}",
+                                                      nameOf(model), solution.message));
+    setParameters(fit.law, solution.x);
+    const VectorXd before = fitted;
+    fitted = fittedMu(fit.law, points);
+    const double scatter = scatterFor(points, fitted, fit.freedom);
+    const bool settled = std::abs(scatter - fit.scatter) <= tolerance * (scatter + leastScatter) &&
+                         (fitted - before).norm() <= tolerance * fitted.norm();
+    fit.scatter = scatter;
+    if (settled)
+      break;
+  }
+  sigma = deviations(points, fitted, fit.scatter);
+  const WeightedProblem weighted(model, points, sigma);
+  const auto problem = weighted.make();
+  solution = solveLeastSquares(problem, {solution.x});
+  setParameters(fit.law, solution.x);
+  fit.chi_squared = solution.sumOfSquares;
+
+  for (int k = 0; k < lawParameters; ++k) {
+    constexpr double near = 1e-9;
+    const double range = std::isfinite(problem.upper[k]) ? problem.upper[k] : 1.0;
+    fit.at_bound[k] = !problem.constant[k] && (solution.x[k] - problem.lower[k] < near * range ||
+                                               problem.upper[k] - solution.x[k] < near * range);
+  }
+  // a parameter at its bound counts as free: what the data say of the others depends on it
+  const auto analysis = analyseJacobian(solution.jacobian, problem.constant);
+  fit.condition_number = analysis.conditionNumber;
+  fit.not_identifiable = explainWeakness(fit, analysis, problem);
+  fit.law.covariance = analysis.covariance;
+  fit.law.n = n;
+  fillResiduals(fit, points, sigma, solution.jacobian, analysis);
+  const auto byKappa1 = [](const LawPoint &p, const LawPoint &q) { return p.kappa1 < q.kappa1; };
+  const auto byKappa2 = [](const LawPoint &p, const LawPoint &q) { return p.kappa2 < q.kappa2; };
+  const auto [low1, high1] = std::minmax_element(points.begin(), points.end(), byKappa1);
+  const auto [low2, high2] = std::minmax_element(points.begin(), points.end(), byKappa2);
+  fit.law.kappa1_range = {low1->kappa1, high1->kappa1};
+  fit.law.kappa2_range = {low2->kappa2, high2->kappa2};
+
+  const int k = countParameters(model) + 1; // and the scatter
+  fit.aicc = n > k + 1 ? minusTwoLogLikelihood(points, fitted) + 2.0 * k +
+                             2.0 * k * (k + 1) / (n - k - 1.0)
+                       : infinity;
+  if (level > 0.0 && fit.not_identifiable.empty()) {
+    const double t = studentQuantile(0.5 * (1.0 + level), fit.freedom);
+    for (int j = 0; j < lawParameters; ++j) {
+      if (problem.constant[j])
+        continue;
+      double error = std::sqrt(analysis.covariance(j, j));
+      // a parameter at its bound has no curvature to measure: start the search at its own scale
+      if (error == 0.0)
+        error = std::max(0.1 * std::abs(solution.x[j]), 1e-3);
+      fit.intervals[j] = profileInterval(problem, solution, j, error, t * t);
+    }
+  }
+  return fit;
+}
+
+} // namespace wheelrail

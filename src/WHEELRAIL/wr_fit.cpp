@@ -1,0 +1,162 @@
+// wr_fit: friction logs -> friction coefficients -> the law of Eq. 2. The command line only.
+
+#include "errors.h"
+#include "fit_analysis.h"
+#include "friction_log.h"
+#include "output_file.h"
+#include "plot_script.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <cstdio>
+#include <filesystem>
+#include <map>
+#include <unistd.h>
+
+using namespace wheelrail;
+
+namespace {
+
+constexpr const char *examples = R"(
+Examples:
+  wr_fit run.friction
+      the friction coefficient of one run, beside Eq. 2 (one log is no law: exit code 0)
+  wr_fit campaign/ -o law.json --points points.csv --plot fit.png
+      all *.friction below a folder: points, fitted law, Figs. 7 and 8
+  wr_fit campaign/ --model eq4 -o static.json
+      the law without its velocity term, e.g. for runs at one speed
+  wr_fit run.friction --start 40 --grinding-in 100
+      average from 40 ns on; grinding-in over the first 100 ns
+
+Exit codes: 0 ok (too few points for a law included), 1 internal, 2 usage, 3 bad input file,
+4 enough points, but they do not determine the law (points and report are written),
+5 a file cannot be written.
+)";
+
+struct Settings {
+  std::vector<std::string> logs;
+  std::string json, points, plot;
+  PointOptions point;
+  FitOptions fit;
+  bool quiet = false;
+};
+
+void defineOptions(CLI::App &app, Settings &settings)
+{
+  app.set_version_flag("--version", "wr_fit " WHEELRAIL_VERSION);
+  app.footer(examples);
+  app.add_option("LOG", settings.logs, "friction logs, or folders that are searched for *.friction")
+      ->required();
+  app.add_option("-o,--output", settings.json,
+                 "JSON: the law file with the report; only the report when no law is fitted");
+  app.add_option("--points", settings.points, "CSV: one row a run");
+  app.add_option("--plot", settings.plot, "PNG: Figs. 7 and 8 with these points (matplotlib)");
+  static const std::map<std::string, LawModel> models = [] {
+    std::map<std::string, LawModel> names;
+    for (LawModel model : lawModels)
+      names[nameOf(model)] = model;
+    return names;
+  }();
+  app.add_option("--model", settings.fit.model,
+                 "law to fit: eq2 (the default), eq4 (no velocity term), velocity (no pressure "
+                 "term), constant")
+      ->transform(CLI::Transformer(models))
+      ->type_name("MODEL");
+  app.add_option("--kappa2-min", settings.fit.kappa2_min, "leave out points with a smaller kappa2")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
+  app.add_option("--level", settings.fit.level, "level of the confidence intervals")
+      ->check(CLI::Range(0.5, 0.9999))
+      ->capture_default_str();
+  app.add_flag("--include-drifting", settings.fit.include_drifting,
+               "fit points without a stationary part too (mean of their second half)");
+  app.add_option("--start", settings.point.start,
+                 "average from this time on (ns) instead of looking for the stationary part")
+      ->check(CLI::NonNegativeNumber);
+  app.add_option("--grinding-in", settings.point.grinding_in,
+                 "end of the grinding-in (ns) [start of the stationary part, at most 100]")
+      ->check(CLI::PositiveNumber);
+  app.add_flag("-q,--quiet", settings.quiet, "no report on the screen");
+}
+
+/// Reads all logs; all that is wrong with them is reported together.
+std::vector<FrictionPoint> readPoints(const Settings &settings)
+{
+  std::vector<FrictionPoint> points;
+  std::string problems;
+  for (const auto &file : findFrictionLogs(settings.logs)) {
+    try {
+      const auto log = readFrictionLog(file);
+      if (!log.note.empty())
+        fmt::print(stderr, "wr_fit: {}\n", log.note);
+      points.push_back(frictionPoint(log, settings.point));
+    } catch (const Error &error) {
+      if (error.code() != ExitCode::BadInput)
+        throw;
+      problems += (problems.empty() ? "" : "\nwr_fit: ") + std::string(error.what());
+    }
+  }
+  if (!problems.empty())
+    throw Error(ExitCode::BadInput, problems);
+  return points;
+}
+
+void plot(const Settings &settings, const std::string &json)
+{
+  // the picture is drawn from the same JSON that -o gets
+  auto data = std::filesystem::temp_directory_path() / fmt::format("wr_fit.{}.json", getpid());
+  writeOutputFile(data, json);
+  const auto problem = runPlotScript("plot_fit.py", {data.string(), "-o", settings.plot});
+  std::filesystem::remove(data);
+  if (!problem.empty())
+    fmt::print(stderr, "wr_fit: {} was not made: {}; all else was\n", settings.plot, problem);
+}
+
+int run(const Settings &settings)
+{
+  const auto analysis = analysePoints(readPoints(settings), settings.fit);
+  if (!settings.quiet)
+    fmt::print("{}", textReport(analysis));
+  const auto json = jsonReport(analysis).dump(2) + "\n";
+  if (!settings.points.empty())
+    writeOutputFile(settings.points, pointsAsCsv(analysis.points));
+  if (!settings.json.empty())
+    writeOutputFile(settings.json, json);
+  if (!settings.plot.empty())
+    plot(settings, json);
+  if (!analysis.not_identifiable)
+    return static_cast<int>(ExitCode::Ok);
+  fmt::print(stderr, "wr_fit: {} cannot be fitted: {}\n", nameOf(settings.fit.model),
+             analysis.why_not);
+  return static_cast<int>(ExitCode::NotConverged);
+}
+
+} // namespace
+
+int main(int argc, char **argv)
+{
+  Settings settings;
+  CLI::App app{"Friction logs (*.friction) -> friction coefficients with standard errors, and the "
+               "law mu(kappa1, kappa2) of Eq. 2 fitted to them.",
+               "wr_fit"};
+  defineOptions(app, settings);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::Success &success) {
+    return app.exit(success); // --help, --version
+  } catch (const CLI::ParseError &error) {
+    fmt::print(stderr, "wr_fit: {}; see wr_fit --help\n", error.what());
+    return static_cast<int>(ExitCode::Usage);
+  }
+  try {
+    return run(settings);
+  } catch (const Error &error) {
+    fmt::print(stderr, "wr_fit: {}\n", error.what());
+    return static_cast<int>(error.code());
+  } catch (const std::exception &error) {
+    fmt::print(stderr, "wr_fit: internal error: {}\n", error.what());
+    return static_cast<int>(ExitCode::Internal);
+  }
+}

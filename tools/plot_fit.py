@@ -1,0 +1,126 @@
+#!/usr/bin/python3
+"""Figs. 7 and 8 of the paper with our points, from wr_fit's JSON.
+
+    plot_fit.py law.json -o fit.png
+
+Left (Fig. 7): mu of the runs against mu of the law. Right (Fig. 8): the pressure-dependent part of
+the law, mu without its velocity term, against kappa2. Without a fitted law the paper's is used.
+Exit codes: 0 ok, 1 no matplotlib, 2 usage, 3 bad input file, 5 the picture cannot be written.
+"""
+import argparse
+import json
+import os
+import sys
+
+PAPER = {"mu0": 0.15, "mu1": 0.0442, "mu2": 0.3243, "b": 0.195, "c": 0.00212}  # Eq. 3
+PAPER_RMS = 0.09
+
+
+def fail(code, text):
+    print(f"plot_fit.py: {text}", file=sys.stderr)
+    sys.exit(code)
+
+
+def read(path):
+    """(law or None, its relative RMS, points) of wr_fit's JSON."""
+    try:
+        with open(path, encoding="utf-8") as file:
+            data = json.load(file)
+        law = {name: float(data[name]) for name in PAPER} if "mu0" in data else None
+        return law, float(data.get("rms_relative", 0)), data["report"]["points"], data.get("covariance")
+    except (OSError, ValueError, KeyError, TypeError) as error:
+        fail(3, f"{path}: not wr_fit's JSON: {error}")
+
+
+def velocity_term(law, kappa1):
+    return law["mu1"] * kappa1 / (1 + law["b"] * kappa1)
+
+
+def static_part(law, kappa2):
+    return law["mu0"] + law["mu2"] / (1 + law["c"] * kappa2)
+
+
+def static_error(law, covariance, kappa2):
+    """Standard error of the static part from the law's covariance (mu0, mu1, mu2, b, c)."""
+    import numpy as np
+
+    g = 1 / (1 + law["c"] * kappa2)
+    gradient = np.array([np.ones_like(kappa2), 0 * g, g, 0 * g, -law["mu2"] * kappa2 * g * g])
+    return np.sqrt(np.einsum("ik,ij,jk->k", gradient, np.array(covariance), gradient))
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("json", help="wr_fit's JSON (wr_fit -o)")
+    parser.add_argument("-o", "--output", default="fit.png", metavar="PNG")
+    given = parser.parse_args()
+    law, rms, points, covariance = read(given.json)
+    try:
+        import numpy as np
+        import matplotlib
+        matplotlib.use("Agg")
+        import matplotlib.pyplot as plt
+    except ImportError:
+        fail(1, "matplotlib is missing (Debian: apt-get install python3-matplotlib); no picture made")
+
+    used = [p for p in points if not p["left_out"]]
+    rest = [p for p in points if p["left_out"]]
+    shown, shown_rms, name = (law, rms, "our fit") if law else (PAPER, PAPER_RMS, "Eq. 3 of the paper")
+    figure, (left, right) = plt.subplots(1, 2, figsize=(11, 4.8), constrained_layout=True)
+
+    def column(rows, key):
+        return np.array([np.nan if row[key] is None else row[key] for row in rows], dtype=float)
+
+    def scatter(axes, rows, x, y, **style):
+        axes.errorbar(x, y, yerr=1.96 * column(rows, "mu_se"), ls="none", ms=5, lw=1, capsize=2, **style)
+
+    def predicted(rows):
+        return static_part(shown, column(rows, "kappa2")) + velocity_term(shown, column(rows, "kappa1"))
+
+    for axes in (left, right):
+        axes.grid(alpha=0.3)
+    filled = dict(fmt="o", color="C0", label=f"{len(used)} run{'s' * (len(used) != 1)}, 95 % of their own error")
+    hollow = dict(fmt="o", color="0.6", mfc="none", label="left out of the fit")
+    if used:
+        scatter(left, used, predicted(used), column(used, "mu"), **filled)
+    if rest:
+        scatter(left, rest, predicted(rest), column(rest, "mu"), **hollow)
+    everything = np.concatenate([predicted(points), column(points, "mu")])
+    top = 1.15 * np.nanmax(everything)
+    line = np.array([0, top])
+    left.plot(line, line, color="k", lw=1)
+    left.fill_between(line, (1 - shown_rms) * line, (1 + shown_rms) * line, color="C1", alpha=0.25, lw=0,
+                      label=f"$\\pm$ {100 * shown_rms:.1f} % (RMS of {name})")
+    left.set(xlim=(0, top), ylim=(0, top), xlabel=f"$\\mu$ of {name}", ylabel="$\\mu$ of the runs",
+             title="Runs against the law (Fig. 7)")
+    left.legend(fontsize=9, loc="upper left")
+
+    reach = max(650.0, 1.1 * max(p["kappa2"] for p in points))
+    kappa2 = np.linspace(0, reach, 400)
+    if law:
+        right.plot(kappa2, static_part(law, kappa2), color="C1", lw=2, label="our fit")
+        if covariance:
+            error = 1.96 * static_error(law, covariance, kappa2)
+            right.fill_between(kappa2, static_part(law, kappa2) - error, static_part(law, kappa2) + error,
+                               color="C1", alpha=0.2, lw=0, label="its 95 % band")
+    right.plot(kappa2, static_part(PAPER, kappa2), color="k", ls="--", label="Eq. 5 of the paper")
+    for rows, style in ((used, filled), (rest, hollow)):
+        if rows:
+            reduced = column(rows, "mu") - velocity_term(shown, column(rows, "kappa1"))
+            scatter(right, rows, column(rows, "kappa2"), reduced, **{**style, "label": None})
+    right.set(xlim=(0, reach), ylim=(0, None), xlabel="$\\kappa_2 = p E/\\sigma_0^2$",
+              ylabel="$\\mu - \\mu_1\\kappa_1/(1+b\\,\\kappa_1)$",
+              title="Without the velocity term (Fig. 8)")
+    right.legend(fontsize=9)
+    beside = given.output + ".part"
+    try:
+        figure.savefig(beside, dpi=130, format="png")
+        os.replace(beside, given.output)
+    except OSError as error:
+        if os.path.exists(beside):
+            os.remove(beside)
+        fail(5, f"{given.output}: cannot be written: {error.strerror}")
+
+
+if __name__ == "__main__":
+    main()
