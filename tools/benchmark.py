@@ -1,0 +1,239 @@
+#!/usr/bin/python3
+"""Speed of the plugin beside LAMMPS's own styles, on the same lattice and in the same run."""
+import argparse
+import datetime
+import json
+import os
+import platform
+import re
+import statistics
+import subprocess
+import sys
+import tempfile
+import time
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parent.parent
+INPUTS = ROOT / "tools" / "benchmark"
+
+# style: input script, steps of the timed run at 1600 automata and 1 rank (about 0.6 s each)
+STYLES = {
+    "mca": ("in.mca", 3000),
+    "gran/hooke/history": ("in.gran", 2000),
+    "lj/cut": ("in.lj", 8000),
+}
+# automata: cells of the hexagonal lattice (2 automata a cell) in x and y
+SIZES = {1600: (40, 20), 40000: (200, 100)}
+
+HELP = """Runs every style at every size and rank count in turn, ROUNDS times over, so that a
+disturbance of the machine hits all of them alike. Prints the medians in million automaton-steps a
+second and the ratios mca/other with their smallest and largest value, and writes all of it, with
+LAMMPS's timing breakdown and neighbour list builds, as JSON.
+
+On 1 rank the rates are per second of processor time (LAMMPS's CPU use), which other jobs hardly
+disturb; on more ranks they are per second of wall time and need as many free cores as ranks."""
+
+
+def fail(code, message):
+    print(f"benchmark.py: error: {message}", file=sys.stderr)
+    sys.exit(code)
+
+
+def counted(pattern, text):
+    """Increase of a counter over the last run; None if LAMMPS did not count."""
+    counts = [int(n) for n in re.findall(pattern, text)]
+    return counts[-1] - counts[-2] if len(counts) > 1 else None
+
+
+def parse_log(text):
+    """What LAMMPS says after its last run: loop time in s, CPU use and breakdown in %, counts."""
+    last = text[text.rindex("Loop time of"):]
+    loop = re.match(r"Loop time of (\S+) on (\d+) procs for (\d+) steps with (\d+) atoms", last)
+    cpu = re.search(r"([\d.]+)% CPU use", last)
+    # the timed run goes on from the warm-up ("run N pre no"), and so do its counters
+    builds = counted(r"Neighbor list builds = (\d+)", text)
+    dangerous = counted(r"Dangerous builds = (\d+)", text)
+    neighbours = re.search(r"Ave neighs/atom = (\S+)", last)
+    breakdown = re.findall(r"^(Pair|Bond|Neigh|Comm|Output|Modify|Other)\s*\|.*\|\s*([\d.]+)\s*$",
+                           last, re.MULTILINE)
+    seconds, ranks, steps, automata = float(loop[1]), int(loop[2]), int(loop[3]), int(loop[4])
+    cpu_use = float(cpu[1])
+    wall_rate = automata * steps / seconds / 1e6
+    return {
+        "automata": automata, "ranks": ranks, "steps": steps, "loop_seconds": seconds,
+        "cpu_use_percent": cpu_use,
+        "rate_wall": wall_rate, "rate_cpu": wall_rate * 100 / cpu_use if cpu_use > 0 else None,
+        "neighbour_list_builds": builds, "dangerous_builds": dangerous,
+        "neighbours_per_automaton": float(neighbours[1]) if neighbours else None,
+        "breakdown_percent": {name: float(share) for name, share in breakdown},
+    }
+
+
+def run_case(lmp, style, automata, ranks, scale, folder):
+    script, steps = STYLES[style]
+    nx, ny = SIZES[automata]
+    steps = max(20, round(steps * scale * 1600 / automata * min(ranks, 2) / 20) * 20)
+    command = [lmp, "-in", str(INPUTS / script), "-log", "log.bench", "-screen", "none",
+               "-var", "nx", str(nx), "-var", "ny", str(ny), "-var", "steps", str(steps)]
+    if ranks > 1:
+        command = ["mpirun", "-np", str(ranks)] + command
+    done = subprocess.run(command, cwd=folder, env=mpi_environment(), stdout=subprocess.PIPE,
+                          stderr=subprocess.STDOUT, text=True, check=False)
+    log = folder / "log.bench"
+    text = log.read_text() if log.exists() else ""
+    if done.returncode != 0 or "Loop time of" not in text:
+        errors = [line for line in (text + done.stdout).splitlines() if "ERROR" in line]
+        fail(1, f"{style}, {automata} automata, {ranks} ranks: lmp failed with exit code "
+                f"{done.returncode}: {errors[0] if errors else done.stdout[-500:]}")
+    log.unlink()
+    return parse_log(text)
+
+
+def mpi_environment():
+    """Also as root, more ranks than cores; the system decides which core runs a rank."""
+    return {**os.environ, "OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1",
+            "OMPI_MCA_rmaps_base_oversubscribe": "1",
+            "OMPI_MCA_hwloc_base_binding_policy": "none"}
+
+
+def progress(text):
+    """One line on a terminal that overwrites itself, lines elsewhere."""
+    if sys.stderr.isatty():
+        print(f"\r\x1b[K{text}", end="", file=sys.stderr, flush=True)
+    else:
+        print(text, file=sys.stderr, flush=True)
+
+
+def spread(values):
+    return {"min": min(values), "median": statistics.median(values), "max": max(values)}
+
+
+def summarise(runs, ranks):
+    """Medians of one case's runs; rates in million automaton-steps a second."""
+    kind = "rate_cpu" if ranks == 1 else "rate_wall"
+    names = runs[0]["breakdown_percent"]
+    return {
+        "rate": spread([r[kind] for r in runs]),
+        "rate_is_per": "processor second" if ranks == 1 else "wall second",
+        "rate_wall": spread([r["rate_wall"] for r in runs]),
+        "cpu_use_percent": spread([r["cpu_use_percent"] for r in runs]),
+        "steps": runs[0]["steps"],
+        "neighbour_list_builds": runs[0]["neighbour_list_builds"],
+        "dangerous_builds": runs[0]["dangerous_builds"],
+        "neighbours_per_automaton": runs[0]["neighbours_per_automaton"],
+        "breakdown_percent": {n: statistics.median(r["breakdown_percent"].get(n, 0) for r in runs)
+                              for n in names},
+        "runs": runs,
+    }
+
+
+def ratios(results):
+    """mca over each other style, round by round; 2 ranks over 1 in wall time."""
+    table = []
+    for (style, automata, ranks), case in results.items():
+        kind = "rate_cpu" if ranks == 1 else "rate_wall"
+        for other in STYLES:
+            if style == "mca" != other and (other, automata, ranks) in results:
+                pairs = zip(case["runs"], results[other, automata, ranks]["runs"])
+                table.append({"ratio": f"mca / {other}", "automata": automata, "ranks": ranks,
+                              **spread([a[kind] / b[kind] for a, b in pairs])})
+        if ranks > 1 and (style, automata, 1) in results:
+            pairs = zip(case["runs"], results[style, automata, 1]["runs"])
+            table.append({"ratio": f"{ranks} ranks / 1 rank, {style}", "automata": automata,
+                          "ranks": ranks,
+                          **spread([a["rate_wall"] / b["rate_wall"] for a, b in pairs])})
+    return table
+
+
+def print_tables(results, table):
+    print(f"\n{'style':20} {'automata':>8} {'ranks':>5} {'M steps/s':>9} {'min':>6} {'max':>6} "
+          f"{'CPU %':>5} {'builds':>11}  breakdown %")
+    for (style, automata, ranks), c in results.items():
+        shares = " ".join(f"{n} {v:.0f}" for n, v in c["breakdown_percent"].items() if v >= 0.5)
+        builds = f"{c['neighbour_list_builds']}/{c['steps']}"
+        print(f"{style:20} {automata:8} {ranks:5} {c['rate']['median']:9.2f} "
+              f"{c['rate']['min']:6.2f} {c['rate']['max']:6.2f} "
+              f"{c['cpu_use_percent']['median']:5.0f} {builds:>11}  {shares}")
+    print(f"\n{'ratio':34} {'automata':>8} {'ranks':>5} {'median':>7} {'min':>6} {'max':>6}")
+    for r in table:
+        print(f"{r['ratio']:34} {r['automata']:8} {r['ranks']:5} {r['median']:7.2f} "
+              f"{r['min']:6.2f} {r['max']:6.2f}")
+
+
+def write_json(path, content):
+    """The whole file or none."""
+    partial = path.with_name(path.name + ".part")
+    with open(partial, "w", encoding="utf-8") as stream:
+        json.dump(content, stream, indent=1)
+        stream.write("\n")
+        stream.flush()
+        os.fsync(stream.fileno())
+    partial.replace(path)
+
+
+def processor():
+    for line in open("/proc/cpuinfo", encoding="utf-8"):
+        if line.startswith("model name"):
+            return line.split(":", 1)[1].strip()
+    return platform.machine()
+
+
+def arguments():
+    parser = argparse.ArgumentParser(description=__doc__, epilog=HELP)
+    parser.add_argument("--build", type=Path, default=os.environ.get("MCAWR_BUILD", ROOT / "build"),
+                        help="build folder with bin/lmp (default: build/ of the checkout)")
+    parser.add_argument("--rounds", type=int, default=5, help="runs of each case (default 5)")
+    parser.add_argument("--scale", type=float, default=1,
+                        help="factor on the number of steps (default 1: about two minutes in all)")
+    parser.add_argument("--styles", nargs="+", choices=STYLES, default=list(STYLES))
+    parser.add_argument("--sizes", nargs="+", type=int, choices=SIZES, default=list(SIZES))
+    parser.add_argument("--ranks", nargs="+", type=int, default=[1, 2])
+    parser.add_argument("-o", "--output", type=Path,
+                        help="JSON file (default: bench_mca.json in the build folder)")
+    args = parser.parse_args()
+    args.build = Path(args.build).resolve()
+    args.output = (args.output or args.build / "bench_mca.json").resolve()
+    if args.rounds < 1 or not args.scale > 0 or min(args.ranks) < 1:
+        parser.error("--rounds, --scale and --ranks must be positive")
+    if not os.access(args.build / "bin" / "lmp", os.X_OK):
+        fail(5, f"no lmp in {args.build / 'bin'}: run tools/setup.sh, or give --build DIR")
+    if not os.access(args.output.parent, os.W_OK):
+        fail(5, f"cannot write {args.output}")
+    return args
+
+
+def main():
+    args = arguments()
+    cases = [(style, size, ranks) for size in args.sizes for ranks in args.ranks
+             for style in args.styles]
+    runs = {case: [] for case in cases}
+    start = time.monotonic()
+    with tempfile.TemporaryDirectory(prefix="mcawr-bench-") as folder:
+        for number in range(args.rounds):
+            for index, (style, size, ranks) in enumerate(cases):
+                done = number * len(cases) + index + 1
+                progress(f"{done}/{args.rounds * len(cases)} {style}, {size} automata, {ranks} "
+                         f"ranks, {time.monotonic() - start:.0f} s")
+                runs[style, size, ranks].append(run_case(str(args.build / "bin" / "lmp"), style,
+                                                         size, ranks, args.scale, Path(folder)))
+    progress("")
+    results = {case: summarise(r, case[2]) for case, r in runs.items()}
+    table = ratios(results)
+    print_tables(results, table)
+    busy = [case for case, c in results.items() if c["cpu_use_percent"]["median"] < 95]
+    if busy:
+        print(f"\nThe machine was busy with other work: {len(busy)} of {len(results)} cases got "
+              "less than 95 % of their cores; figures on more than 1 rank mean little then.")
+    write_json(args.output, {
+        "format": "mca-benchmark 1", "unit": "million automaton-steps per second",
+        "date": datetime.datetime.now(datetime.timezone.utc).isoformat(timespec="seconds"),
+        "processor": processor(), "cores": os.cpu_count(), "rounds": args.rounds,
+        "seconds": round(time.monotonic() - start, 1), "machine_busy": bool(busy),
+        "cases": [{"style": s, "automata": n, "ranks": r, **c}
+                  for (s, n, r), c in results.items()],
+        "ratios": table})
+    print(f"\nwritten: {args.output}")
+
+
+if __name__ == "__main__":
+    main()
