@@ -56,7 +56,7 @@ void strainBlock(const Pairs &p, int first, int n, const PairState &from, double
     peps[k] = eps;
     psep[k] = vn;
 
-    const double touching = (linked || e < 0.0) ? 1.0 : 0.0;
+    const double touching = (linked | (e < 0.0)) ? 1.0 : 0.0;
     const ContactSums s = contactShare(e * touching, gamma, nx, ny);
     double *const row = rows + sumsRow * k;
     row[0] = s.Pxx;
@@ -108,8 +108,8 @@ void yieldPass(int n, const int *type, const AutomatonLaw *laws, const double *s
 }
 
 template <bool ONE>
-LinkEvents forceBlock(const Pairs &p, int first, int n, const PairLaw *laws,
-                      const double *response, double *rows)
+double forceBlock(const Pairs &p, int first, int n, const PairLaw *laws, const double *response,
+                  double *rows)
 {
   const int *const pi = p.i + first, *const pj = p.j + first, *const plaw = p.law + first;
   const double *const pkind = p.now.kind + first, *const pplastic = p.now.plastic + first;
@@ -118,31 +118,33 @@ LinkEvents forceBlock(const Pairs &p, int first, int n, const PairLaw *laws,
   double *const gamma1 = p.next.gamma + first, *const total1 = p.next.gammaTotal + first;
   const double *const pnx = p.nx + first, *const pny = p.ny + first;
   const double *const peps = p.eps + first, *const psep = p.separation + first;
-  double broken = 0.0, formed = 0.0, healed = 0.0;
-#pragma omp simd reduction(+ : broken, formed, healed)
+  const PairLaw one = laws[0];
+  double changed = 0.0;
+#pragma omp simd reduction(+ : changed)
   for (int k = 0; k < n; k++) {
-    const PairLaw &law = laws[ONE ? 0 : plaw[k]];
+    const PairLaw &law = ONE ? one : laws[plaw[k]];
     const int a = responseRow * pi[k], b = responseRow * pj[k];
-    const Response i = {response[a], response[a + 1]}, j = {response[b], response[b + 1]};
+    const double meanI = response[a], factorI = response[a + 1];
+    const double meanJ = response[b], factorJ = response[b + 1];
     const double kind = pkind[k], plastic = pplastic[k], gamma = pgamma[k];
     const double eps = peps[k];
-    const bool linked = kind != link::none;
-    const ContactStress s = contactStress(law, kind, eps - plastic, gamma, psep[k], i, j);
+    const ContactStress s = contactStress(law, kind, eps - plastic, gamma, psep[k],
+                                          meanI, factorI, meanJ, factorJ);
 
-    // next state
+    // next state; conditions as factors of 0 or 1, which vectorise
     const double kindNext = nextKind(kind, s.sigma, s.tau, eps, ptotal[k], law.limits);
-    const bool staysLinked = linked && kindNext != link::none;
-    const double dented =
-        kind == link::bulk ? plastic + (s.trial - s.sigma) / law.meanTwoG() : plastic;
+    const double linked = kind == link::none ? 0.0 : 1.0;
+    const double linkedNext = kindNext == link::none ? 0.0 : 1.0;
+    const double stays = linked * linkedNext;
+    const double flow = kind == link::bulk ? (s.trial - s.sigma) / law.meanTwoG() : 0.0;
+    const double dented = plastic + flow;
     // once apart, both surfaces are whole again
-    const bool apart = kindNext == link::none && eps > (dented > 0.0 ? dented : 0.0);
+    const double apart = eps > (dented > 0.0 ? dented : 0.0) ? 1.0 - linkedNext : 0.0;
     kind1[k] = kindNext;
-    plastic1[k] = apart ? 0.0 : dented;
-    gamma1[k] = staysLinked ? s.tau / law.meanTwoG() : 0.0;
-    total1[k] = staysLinked ? ptotal[k] : 0.0;
-    broken += linked && kindNext == link::none ? 1.0 : 0.0;
-    formed += !linked && kindNext != link::none ? 1.0 : 0.0;
-    healed += kind == link::weld && kindNext == link::bulk ? 1.0 : 0.0;
+    plastic1[k] = (1.0 - apart) * dented;
+    gamma1[k] = stays * s.tau / law.meanTwoG();
+    total1[k] = stays * ptotal[k];
+    changed += kind == kindNext ? 0.0 : 1.0;
 
     // The shear force acts along t at the distance r; its moment tau S d keeps U's gradient exact.
     const double fn = s.normal * law.area, ft = s.tau * law.area / (1.0 + eps);
@@ -153,25 +155,18 @@ LinkEvents forceBlock(const Pairs &p, int first, int n, const PairLaw *laws,
     row[2] = 0.5 * s.tau * law.area * law.diameter;
     row[3] = 0.0;
   }
-  LinkEvents events;
-  events.broken = broken;
-  events.formed = formed;
-  events.healed = healed;
-  return events;
+  return changed;
 }
 
-LinkEvents forcePass(const Pairs &p, const PairLaw *laws, bool oneLaw, const double *response,
-                     double *forces)
+double forcePass(const Pairs &p, const PairLaw *laws, bool oneLaw, const double *response,
+                 double *forces)
 {
   alignas(64) double rows[block * forceRow];
-  LinkEvents all;
+  double changed = 0.0;
   for (int first = 0; first < p.n; first += block) {
     const int n = lesser(block, p.n - first);
-    const LinkEvents some = oneLaw ? forceBlock<true>(p, first, n, laws, response, rows)
-                                   : forceBlock<false>(p, first, n, laws, response, rows);
-    all.broken += some.broken;
-    all.formed += some.formed;
-    all.healed += some.healed;
+    changed += oneLaw ? forceBlock<true>(p, first, n, laws, response, rows)
+                      : forceBlock<false>(p, first, n, laws, response, rows);
     for (int k = 0; k < n; k++) {
       const double *const row = rows + forceRow * k;
       double *const fi = forces + forceRow * p.i[first + k];
@@ -181,7 +176,7 @@ LinkEvents forcePass(const Pairs &p, const PairLaw *laws, bool oneLaw, const dou
       addRow<forceRow>(fj, opposite);
     }
   }
-  return all;
+  return changed;
 }
 
 }  // namespace

@@ -51,11 +51,6 @@ constexpr int sumsRow = 8;      ///< Pxx, Pyy, Pxy, Nxx, Nyy, Nxy, bulk links, s
 constexpr int responseRow = 2;  ///< mean stress [stress], factor M of the radial return [-]
 constexpr int forceRow = 4;     ///< fx, fy [force], torque [force length], unused
 
-/// Numbers of transitions in one pass.
-struct LinkEvents {
-  double broken = 0, formed = 0, healed = 0;
-};
-
 /// First pass: takes over the next state, moves the shear on by one step and adds each contact's
 /// share to both of its automata.
 /// \param dt      the step [time]; 0 keeps `now` as it is (set-up)
@@ -75,8 +70,9 @@ using YieldPass = void(int n, const int *type, const AutomatonLaw *laws, const d
 
 /// Third pass: stresses of the contacts, forces and torques on both automata, next state.
 /// \param forces  forceRow values an automaton, added to
-using ForcePass = LinkEvents(const Pairs &, const PairLaw *laws, bool oneLaw,
-                             const double *response, double *forces);
+/// \return how many pairs change their kind
+using ForcePass = double(const Pairs &, const PairLaw *laws, bool oneLaw,
+                         const double *response, double *forces);
 
 /// The passes compiled for one instruction set.
 struct Kernel {

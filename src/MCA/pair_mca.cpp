@@ -90,8 +90,8 @@ void PairMCA::compute(int eflag, int vflag)
 
   forces.reserve(static_cast<size_t>(nall) * mca::forceRow);
   std::fill_n(forces.get(), static_cast<size_t>(nall) * mca::forceRow, 0.0);
-  const mca::LinkEvents now = kernel->force(pairs.pairs(), pairlaw.data(), onelaw, response.get(),
-                                            forces.get());
+  const double changed =
+      kernel->force(pairs.pairs(), pairlaw.data(), onelaw, response.get(), forces.get());
   double **f = atom->f, **torque = atom->torque;
   const double *row = forces.get();
   for (int i = 0; i < rows; i++, row += mca::forceRow) {
@@ -100,19 +100,22 @@ void PairMCA::compute(int eflag, int vflag)
     torque[i][2] += row[2];
   }
 
-  if (now.broken + now.formed + now.healed > 0.0 && advance) {
-    const mca::Pairs &p = pairs.pairs();
-    for (int k = 0; k < p.n; k++) {
-      const double before = p.now.kind[k], after = p.next.kind[k];
-      if (before == after) continue;
-      const double share = owned_share(k);
-      if (after == mca::link::none) events.broken += share;
-      else if (before == mca::link::none) events.formed += share;
-      else events.healed += share;
-    }
-  }
+  if (changed > 0.0 && advance) count_events();
   if (eflag_either || (vflag_either && !vflag_fdotr)) tally(eflag, vflag);
   if (vflag_fdotr) virial_fdotr_compute();
+}
+
+void PairMCA::count_events()
+{
+  const mca::Pairs &p = pairs.pairs();
+  for (int k = 0; k < p.n; k++) {
+    const double before = p.now.kind[k], after = p.next.kind[k];
+    if (before == after) continue;
+    double &kind_of_event = after == mca::link::none ? events.broken
+        : before == mca::link::none                  ? events.formed
+                                                     : events.healed;
+    kind_of_event += owned_share(k);
+  }
 }
 
 void PairMCA::pack_motion(int nall)
@@ -433,7 +436,7 @@ mca::ContactStress PairMCA::contact(int k) const
   const double *rj = response.get() + static_cast<size_t>(p.j[k]) * mca::responseRow;
   mca::ContactStress s = mca::contactStress(
       pairlaw[onelaw ? 0 : p.law[k]], p.now.kind[k], p.eps[k] - p.now.plastic[k], p.now.gamma[k],
-      p.separation[k], {ri[0], ri[1]}, {rj[0], rj[1]});
+      p.separation[k], ri[0], ri[1], rj[0], rj[1]);
   const double unit = stress_unit();
   return {s.trial * unit, s.sigma * unit, s.tau * unit, s.normal * unit};
 }
@@ -445,15 +448,12 @@ double PairMCA::owned_share(int k) const
 
 PairMCA::Count PairMCA::count() const
 {
-  Count c;
+  Count c = events;
   const mca::Pairs &p = pairs.pairs();
   for (int k = 0; k < p.n; k++) {
     if (p.now.kind[k] != mca::link::none) c.links += owned_share(k);
     if (p.now.kind[k] == mca::link::weld) c.welds += owned_share(k);
   }
-  c.broken = events.broken;
-  c.formed = events.formed;
-  c.healed = events.healed;
   return c;
 }
 

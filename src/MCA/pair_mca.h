@@ -82,7 +82,7 @@ class PairMCA : public Pair {
 
   mca::LinkList pairs;
   mca::AlignedArray motion, sums, response, forces, kappa_next;
-  mca::LinkEvents events;    // since creation
+  Count events;              // since creation; links and welds stay 0
   bool committed;            // kappa already holds the values of the coming step
 
   FixMCAHistory *fix_history;
@@ -94,6 +94,7 @@ class PairMCA : public Pair {
   double *kappa() const;
   double stress_unit() const;
   void pack_motion(int);
+  void count_events();
   void tally(int, int);
 };
 

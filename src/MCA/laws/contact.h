@@ -23,12 +23,6 @@ struct PairLaw {
   double meanTwoG() const { return 0.5 * (twoGi + twoGj); }
 };
 
-/// What an automaton answers to all its contacts.
-struct Response {
-  double mean;    ///< mean stress sigma_mean [stress]
-  double factor;  ///< M of the radial return, 1 when elastic [-]
-};
-
 /// Stresses of a contact [stress], tension positive.
 struct ContactStress {
   double trial;   ///< elastic normal stress before the radial return
@@ -41,24 +35,25 @@ struct ContactStress {
 /// \param e           elastic normal strain r/d - 1 - plastic offset [-]
 /// \param gamma       elastic shear [-]
 /// \param separation  normal velocity of j seen from i [length/time]
+/// \param meanI,meanJ      mean stresses of the automata [stress]
+/// \param factorI,factorJ  factors M of their radial returns [-]
 inline ContactStress contactStress(const PairLaw &law, double kind, double e, double gamma,
-                                   double separation, const Response &i, const Response &j)
+                                   double separation, double meanI, double factorI,
+                                   double meanJ, double factorJ)
 {
   const bool isBulk = kind == link::bulk, linked = kind != link::none;
-  const double sigmaI = normalResponse(e, law.twoGi, law.Di, i.mean);
-  const double sigmaJ = normalResponse(e, law.twoGj, law.Dj, j.mean);
+  const double sigmaI = normalResponse(e, law.twoGi, law.Di, meanI);
+  const double sigmaJ = normalResponse(e, law.twoGj, law.Dj, meanJ);
   const double trial = 0.5 * (sigmaI + sigmaJ);
   const double returned =
-      0.5 * (returnedNormal(sigmaI, i.mean, i.factor) + returnedNormal(sigmaJ, j.mean, j.factor));
-  const double shear = 0.5 * (i.factor * law.twoGi + j.factor * law.twoGj) * gamma;
+      0.5 * (returnedNormal(sigmaI, meanI, factorI) + returnedNormal(sigmaJ, meanJ, factorJ));
+  const double shear = 0.5 * (factorI * law.twoGi + factorJ * law.twoGj) * gamma;
   const double viscous = unlinkedStress(trial, law.viscosity, separation, law.invDiameter);
-  const bool touching = linked || e < 0.0;
-  ContactStress s;
-  s.trial = trial;
-  s.sigma = isBulk ? returned : touching ? trial : 0.0;
-  s.tau = isBulk ? shear : law.meanTwoG() * gamma;
-  s.normal = linked ? s.sigma : touching ? viscous : 0.0;
-  return s;
+  const double touching = (linked | (e < 0.0)) ? 1.0 : 0.0;
+  const double sigma = isBulk ? returned : touching * trial;
+  const double tau = isBulk ? shear : law.meanTwoG() * gamma;
+  const double normal = linked ? sigma : touching * viscous;
+  return {trial, sigma, tau, normal};
 }
 
 }  // namespace mca

@@ -39,15 +39,17 @@ struct LinkLimits {
 inline double nextKind(double kind, double sigma, double tau, double eps, double gammaTotal,
                        const LinkLimits &limit)
 {
-  const double intensity2 = linkIntensity2(sigma, tau);
-  const bool bulkBreaks = strainIntensity2(eps, gammaTotal) >= limit.bulkStrain2 ||
-                          intensity2 >= limit.bulkIntensity2;
+  const double strain2 = strainIntensity2(eps, gammaTotal), intensity2 = linkIntensity2(sigma, tau);
+  const bool bulkBreaks = (strain2 >= limit.bulkStrain2) | (intensity2 >= limit.bulkIntensity2);
+  const bool weldBreaks = intensity2 >= limit.weldIntensity2;
+  const bool weldHeals = -sigma >= limit.healPressure;
+  const bool links = -sigma >= limit.linkPressure;
   const double ifBulk = bulkBreaks ? link::none : link::bulk;
-  const double ifWeld = intensity2 >= limit.weldIntensity2 ? link::none
-      : -sigma >= limit.healPressure                       ? link::bulk
-                                                           : link::weld;
-  const double ifNone = -sigma >= limit.linkPressure ? limit.linkedKind : link::none;
-  return kind == link::bulk ? ifBulk : kind == link::weld ? ifWeld : ifNone;
+  const double ifHealing = weldHeals ? link::bulk : link::weld;
+  const double ifWeld = weldBreaks ? link::none : ifHealing;
+  const double ifNone = links ? limit.linkedKind : link::none;
+  const double ifLinked = kind == link::bulk ? ifBulk : ifWeld;
+  return kind == link::none ? ifNone : ifLinked;
 }
 
 }  // namespace mca
