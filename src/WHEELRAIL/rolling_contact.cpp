@@ -1,0 +1,230 @@
+#include "rolling_contact.h"
+
+#include "errors.h"
+#include "gmres.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+namespace wheelrail {
+namespace {
+
+using Vector = Eigen::VectorXd;
+
+constexpr double firstTolerance = 1e-2; ///< the first sets are wrong anyway
+constexpr double limitMargin = 1e-9;    ///< rounding of |q| against the bound
+
+/// Inverse of the finite Hilbert transform on the stick intervals, bounded at their leading edges.
+class FiniteHilbertInverse {
+ public:
+  FiniteHilbertInverse(HalfPlane &plane, const Vector &stickCells) : halfPlane(plane), stick(stickCells)
+  {
+    const int n = plane.cells();
+    Vector charge = Vector::Zero(n);
+    for (int i = 1; i < n; ++i) charge[i] = 0.5 * (stick[i - 1] - stick[i]);
+    weight = plane.edgeLogarithm(charge).array().exp() * stick.array();
+    inverseWeight = Vector::Zero(n);
+    for (int i = 0; i < n; ++i)
+      if (stick[i] != 0.0) inverseWeight[i] = 1.0 / weight[i];
+  }
+
+  Vector operator()(const Vector &v) const
+  {
+    return 0.25 * weight.cwiseProduct(halfPlane.stretchTransposed(v.cwiseProduct(inverseWeight)));
+  }
+
+ private:
+  HalfPlane &halfPlane;
+  const Vector &stick;
+  Vector weight, inverseWeight;
+};
+
+double sign(Adhesion state) { return state == Adhesion::BackwardSlip ? -1.0 : 1.0; }
+
+bool slips(Adhesion state) { return state == Adhesion::Slip || state == Adhesion::BackwardSlip; }
+
+/// Moves cells between stick and slip. @return number of cells that changed
+int updateStates(const Vector &bound, const Vector &traction, const Vector &slip, double threshold,
+                 std::vector<Adhesion> &state)
+{
+  int changed = 0;
+  for (int i = 0; i < bound.size(); ++i) {
+    const Adhesion old = state[i];
+    if (old == Adhesion::Stick && std::abs(traction[i]) > bound[i] * (1.0 + limitMargin))
+      state[i] = traction[i] > 0.0 ? Adhesion::Slip : Adhesion::BackwardSlip;
+    else if (slips(old) && sign(old) * slip[i] < -threshold)
+      state[i] = Adhesion::Stick;
+    changed += state[i] != old;
+  }
+  return changed;
+}
+
+/// Stick for cells in contact, their states from the start where it is given.
+std::vector<Adhesion> startStates(const Vector &bound, const std::vector<Adhesion> &given)
+{
+  std::vector<Adhesion> state(bound.size(), Adhesion::Apart);
+  for (int i = 0; i < bound.size(); ++i) {
+    if (!(bound[i] > 0.0)) continue;
+    const bool useful = given.size() == state.size() && given[i] != Adhesion::Apart;
+    state[i] = useful ? given[i] : Adhesion::Stick;
+  }
+  return state;
+}
+
+Vector stickCells(const std::vector<Adhesion> &state)
+{
+  Vector stick(state.size());
+  for (std::size_t i = 0; i < state.size(); ++i) stick[i] = state[i] == Adhesion::Stick ? 1.0 : 0.0;
+  return stick;
+}
+
+} // namespace
+
+double RollingResult::stickFraction() const
+{
+  const auto touching = state.size() - std::count(state.begin(), state.end(), Adhesion::Apart);
+  const auto sticking = std::count(state.begin(), state.end(), Adhesion::Stick);
+  return touching ? double(sticking) / double(touching) : 0.0;
+}
+
+RollingResult solveFrozenRolling(HalfPlane &halfPlane, const Vector &bound, double creep,
+                                 const RollingOptions &options)
+{
+  const int n = halfPlane.cells();
+  if (bound.size() != n || !(creep >= 0.0) || halfPlane.boundary() != Boundary::Free)
+    throw Error(ExitCode::Internal, "rolling contact: bound, creep or boundary do not fit");
+  RollingResult result;
+  result.traction = options.startTraction.size() == n ? options.startTraction : Vector::Zero(n);
+  result.state = startStates(bound, options.start);
+  if (creep == 0.0) {
+    result.traction.setZero();
+    result.slip = Vector::Zero(n);
+    return result;
+  }
+
+  double tolerance = std::max(options.tolerance, firstTolerance);
+  for (int set = 1;; ++set) {
+    const Vector stick = stickCells(result.state);
+    Vector fixed = Vector::Zero(n);
+    for (int i = 0; i < n; ++i)
+      if (slips(result.state[i])) fixed[i] = sign(result.state[i]) * bound[i];
+    const Vector driven = creep - halfPlane.stretch(fixed).array();
+    Vector q = result.traction.cwiseProduct(stick);
+    const double cells = stick.sum();
+    if (cells > 0.0) {
+      const FiniteHilbertInverse inverse(halfPlane, stick);
+      const auto apply = [&](const Vector &v) {
+        return Vector(halfPlane.stretch(v).cwiseProduct(stick));
+      };
+      const Vector wanted = driven.cwiseProduct(stick);
+      const GmresReport report =
+          gmres(apply, inverse, wanted, q, creep * std::sqrt(cells), tolerance);
+      result.products += report.products;
+      result.residual = report.residual;
+      if (!report.converged)
+        throw Error(ExitCode::NotConverged,
+                    fmt::format("rolling contact: GMRES stopped at a residual of {:.1e} (wanted "
+                                "{:.1e}) after {} products on {} cells",
+                                report.residual, tolerance, report.products, cells));
+    }
+    result.traction = q + fixed;
+    result.slip = creep - halfPlane.stretch(result.traction).array();
+    result.activeSets = set;
+    const int changed = updateStates(bound, result.traction, result.slip,
+                                     options.tolerance * creep, result.state);
+    if (!changed && (tolerance <= options.tolerance || cells == 0.0)) break;
+    if (set >= options.maxActiveSets)
+      throw Error(ExitCode::NotConverged,
+                  fmt::format("rolling contact: {} cells still change after {} active sets", changed,
+                              set));
+    // Loose while the set is far off, full accuracy before it is believed.
+    tolerance = std::max(options.tolerance, tolerance * (changed ? 0.1 : 1e-8));
+  }
+  for (int i = 0; i < n; ++i)
+    if (result.state[i] == Adhesion::Apart) result.slip[i] = 0.0;
+  return result;
+}
+
+Vector staticTraction(HalfPlane &halfPlane, const NormalContactProblem &problem, double mu,
+                      double forceRatio, const NormalContactOptions &options)
+{
+  if (!(forceRatio >= 0.0 && forceRatio < 1.0))
+    throw Error(ExitCode::BadInput,
+                fmt::format("static tangential force: T/(mu N) = {} is not in [0, 1)", forceRatio));
+  const Vector whole = solveNormalContact(halfPlane, problem, options).pressure;
+  NormalContactProblem unloaded = problem;
+  unloaded.load *= 1.0 - forceRatio;
+  return mu * (whole - solveNormalContact(halfPlane, unloaded, options).pressure);
+}
+
+TransientRolling::TransientRolling(HalfPlane &plane, double referenceLength)
+    : halfPlane(plane), constant(2.0 / 3.14159265358979323846 * std::log(referenceLength)),
+      traction(Vector::Zero(plane.cells()))
+{
+}
+
+Vector TransientRolling::displacement(const Vector &q)
+{
+  return halfPlane.displacement(q).array() + constant * q.sum();
+}
+
+int TransientRolling::solveStick(const Vector &stick, const Vector &wanted, Vector &q, double scale)
+{
+  Vector r = (wanted - displacement(q)).cwiseProduct(stick), direction;
+  double product = 0.0;
+  constexpr int maxSteps = 400;
+  for (int step = 0; step < maxSteps; ++step) {
+    if (r.norm() <= scale) return step;
+    const Vector z = halfPlane.tractionEstimate(r).cwiseProduct(stick);
+    const double newProduct = r.dot(z);
+    direction = step ? Vector(z + newProduct / product * direction) : z;
+    product = newProduct;
+    const Vector change = displacement(direction).cwiseProduct(stick);
+    const double length = product / direction.dot(change);
+    q += length * direction;
+    r -= length * change;
+  }
+  throw Error(ExitCode::NotConverged,
+              fmt::format("transient rolling: conjugate gradients stopped after {} steps", maxSteps));
+}
+
+RollingResult TransientRolling::step(const Vector &bound, double creep)
+{
+  const int n = halfPlane.cells();
+  Vector carried = Vector::Zero(n);
+  carried.head(n - 1) = traction.tail(n - 1);
+  const Vector before = displacement(carried);
+  RollingResult result;
+  result.state = startStates(bound, {});
+  for (int i = 0; i < n; ++i)
+    if (std::abs(carried[i]) >= bound[i] && bound[i] > 0.0)
+      result.state[i] = carried[i] > 0.0 ? Adhesion::Slip : Adhesion::BackwardSlip;
+  Vector q = carried;
+  constexpr double tolerance = 1e-6;
+  constexpr int maxActiveSets = 60;
+  for (int set = 1;; ++set) {
+    const Vector stick = stickCells(result.state);
+    for (int i = 0; i < n; ++i) {
+      if (result.state[i] == Adhesion::Apart) q[i] = 0.0;
+      if (slips(result.state[i])) q[i] = sign(result.state[i]) * bound[i];
+    }
+    const double cells = stick.sum();
+    const Vector wanted = creep + before.array();
+    if (cells > 0.0)
+      result.products += solveStick(stick, wanted, q, tolerance * creep * std::sqrt(cells));
+    result.slip = wanted - displacement(q);
+    result.activeSets = set;
+    if (!updateStates(bound, q, result.slip, 10.0 * tolerance * creep, result.state)) break;
+    if (set >= maxActiveSets)
+      throw Error(ExitCode::NotConverged,
+                  fmt::format("transient rolling: no convergence after {} active sets", set));
+  }
+  traction = q;
+  result.traction = q;
+  for (int i = 0; i < n; ++i)
+    if (result.state[i] == Adhesion::Apart) result.slip[i] = 0.0;
+  return result;
+}
+
+} // namespace wheelrail
