@@ -44,11 +44,13 @@ def read_log(path):
     body = lines[len(head) + 1:-1]  # what follows the last end of line was cut
     for number, line in enumerate(body, len(head) + 2):
         words = line.split()
+        if number == len(head) + 1 + len(body) and len(words) < len(names):
+            break
+        if len(words) != len(names):
+            fail(3, f"{path}:{number}: {len(words)} columns, {len(names)} are expected")
         try:
             row = float(words[time]), float(words[mu])
-        except (ValueError, IndexError):
-            if number == len(head) + 1 + len(body) and len(words) < len(names):
-                break
+        except ValueError:
             fail(3, f"{path}:{number}: not a row of numbers")
         if not all(map(math.isfinite, row)):
             fail(3, f"{path}:{number}: not a finite number")

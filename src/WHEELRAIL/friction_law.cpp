@@ -49,6 +49,9 @@ class LawFile {
     }
     if (!json.is_object())
       throw badInput(fileName, 1, "", "not a JSON object");
+    // what wr_fit writes when the points do not give a law
+    if (json.contains("reason") && json["reason"].is_string())
+      throw badInput(fileName, 0, "", "no law was fitted: " + json["reason"].get<std::string>());
     checkKeys();
   }
 

@@ -98,8 +98,9 @@ SeriesMean seriesMean(const std::vector<double> &values, std::size_t begin, std:
   for (auto &x : deviations)
     x -= result.mean;
   const double variance = autocovariance(deviations, 0);
-  // a constant series up to rounding: no error to be seen
-  if (variance <= std::pow(4.0 * std::numeric_limits<double>::epsilon() * result.mean, 2)) {
+  // constant up to rounding: no error to be seen
+  constexpr double rounding = 1e-13;
+  if (variance <= std::pow(rounding * result.mean, 2)) {
     result.effective_n = n;
     return result;
   }

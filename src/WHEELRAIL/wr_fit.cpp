@@ -3,6 +3,7 @@
 #include "errors.h"
 #include "fit_analysis.h"
 #include "friction_log.h"
+#include "nearest_word.h"
 #include "output_file.h"
 #include "plot_script.h"
 
@@ -12,7 +13,6 @@
 
 #include <cstdio>
 #include <filesystem>
-#include <map>
 #include <unistd.h>
 
 using namespace wheelrail;
@@ -38,6 +38,7 @@ Exit codes: 0 ok (too few points for a law included), 1 internal, 2 usage, 3 bad
 struct Settings {
   std::vector<std::string> logs;
   std::string json, points, plot;
+  std::string model = nameOf(LawModel::Full);
   PointOptions point;
   FitOptions fit;
   bool quiet = false;
@@ -50,20 +51,19 @@ void defineOptions(CLI::App &app, Settings &settings)
   app.add_option("LOG", settings.logs, "friction logs, or folders that are searched for *.friction")
       ->required();
   app.add_option("-o,--output", settings.json,
-                 "JSON: the law file with the report; only the report when no law is fitted");
-  app.add_option("--points", settings.points, "CSV: one row a run");
-  app.add_option("--plot", settings.plot, "PNG: Figs. 7 and 8 with these points (matplotlib)");
-  static const std::map<std::string, LawModel> models = [] {
-    std::map<std::string, LawModel> names;
-    for (LawModel model : lawModels)
-      names[nameOf(model)] = model;
-    return names;
-  }();
-  app.add_option("--model", settings.fit.model,
-                 "law to fit: eq2 (the default), eq4 (no velocity term), velocity (no pressure "
-                 "term), constant")
-      ->transform(CLI::Transformer(models))
-      ->type_name("MODEL");
+                 "JSON: the law file with the report; only the report when no law is fitted")
+      ->type_name("FILE");
+  app.add_option("--points", settings.points, "CSV: one row a run")->type_name("FILE");
+  app.add_option("--plot", settings.plot, "PNG: Figs. 7 and 8 with these points (matplotlib)")
+      ->type_name("FILE");
+  std::vector<std::string> models;
+  for (LawModel model : lawModels)
+    models.push_back(nameOf(model));
+  app.add_option("--model", settings.model,
+                 "law to fit: eq2, eq4 (no velocity term), velocity (no pressure term), constant")
+      ->check(CLI::IsMember(models))
+      ->type_name("MODEL")
+      ->capture_default_str();
   app.add_option("--kappa2-min", settings.fit.kappa2_min, "leave out points with a smaller kappa2")
       ->check(CLI::NonNegativeNumber)
       ->capture_default_str();
@@ -79,6 +79,19 @@ void defineOptions(CLI::App &app, Settings &settings)
                  "end of the grinding-in (ns) [start of the stationary part, at most 100]")
       ->check(CLI::PositiveNumber);
   app.add_flag("-q,--quiet", settings.quiet, "no report on the screen");
+}
+
+/// What to say of arguments that are no option: the nearest option there is.
+std::string unknownOption(const CLI::App &app)
+{
+  std::vector<std::string> known;
+  for (const auto *option : app.get_options())
+    for (const auto &name : option->get_lnames())
+      known.push_back("--" + name);
+  for (const auto &given : app.remaining())
+    if (given.substr(0, 1) == "-")
+      return unknownWord("option", given, nearestWord(given, known));
+  return "unexpected argument";
 }
 
 /// Reads all logs; all that is wrong with them is reported together.
@@ -146,10 +159,16 @@ int main(int argc, char **argv)
     app.parse(argc, argv);
   } catch (const CLI::Success &success) {
     return app.exit(success); // --help, --version
+  } catch (const CLI::ExtrasError &) {
+    fmt::print(stderr, "wr_fit: {}; see wr_fit --help\n", unknownOption(app));
+    return static_cast<int>(ExitCode::Usage);
   } catch (const CLI::ParseError &error) {
     fmt::print(stderr, "wr_fit: {}; see wr_fit --help\n", error.what());
     return static_cast<int>(ExitCode::Usage);
   }
+  for (LawModel model : lawModels)
+    if (settings.model == nameOf(model))
+      settings.fit.model = model;
   try {
     return run(settings);
   } catch (const Error &error) {

@@ -1,0 +1,194 @@
+#include "errors.h"
+#include "friction_law.h"
+
+#include <cmath>
+#include <fstream>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+using namespace wheelrail;
+
+namespace {
+
+/// Rows of a CSV file after its header.
+std::vector<std::vector<double>> readCsv(const std::string &name)
+{
+  std::ifstream file(std::string(TEST_DATA) + "/" + name);
+  EXPECT_TRUE(file) << name;
+  std::vector<std::vector<double>> rows;
+  std::string line;
+  std::getline(file, line);
+  while (std::getline(file, line)) {
+    std::istringstream cells(line);
+    rows.emplace_back();
+    for (std::string cell; std::getline(cells, cell, ',');)
+      rows.back().push_back(std::stod(cell));
+  }
+  return rows;
+}
+
+/// Eq. 7 by Simpson's rule in the logarithm of 1 + c kappa2, in long double: no closed form in it.
+double averageByQuadrature(const FrictionLaw &law, double k1, double modulus, double strength)
+{
+  using Real = long double;
+  const Real x = 3.0L * law.c * modulus / strength;
+  const Real top = std::log1p(x);
+  constexpr int n = 20000;
+  Real sum = 0.0L;
+  Real weights = 0.0L;
+  for (int i = 0; i <= n; ++i) {
+    const Real u = top * i / n;
+    const Real simpson = i == 0 || i == n ? 1.0L : (i % 2 ? 4.0L : 2.0L);
+    const Real load = std::expm1(u) * std::exp(u); // p dp
+    sum += simpson * load / std::exp(u);           // times 1/(1 + c kappa2)
+    weights += simpson * load;
+  }
+  return static_cast<double>(law.mu0 + law.mu1 * k1 / (1.0 + law.b * k1) + law.mu2 * sum / weights);
+}
+
+std::string write(const std::string &content)
+{
+  const auto *test = testing::UnitTest::GetInstance()->current_test_info();
+  const std::string path = testing::TempDir() + "law_" + test->name() + ".json";
+  std::ofstream(path) << content;
+  return path;
+}
+
+/// The error's text when a law file with this content is read.
+std::string problemOf(const std::string &content)
+{
+  try {
+    readFrictionLaw(write(content));
+  } catch (const Error &error) {
+    EXPECT_EQ(error.code(), ExitCode::BadInput);
+    EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos);
+    return error.what();
+  }
+  return "";
+}
+
+std::string lawWith(const std::string &key, const nlohmann::ordered_json &value)
+{
+  auto json = toJson(bucher2006());
+  json[key] = value;
+  return json.dump(1);
+}
+
+void expectContains(const std::string &text, const std::string &part)
+{
+  EXPECT_NE(text.find(part), std::string::npos) << "'" << text << "' lacks '" << part << "'";
+}
+
+} // namespace
+
+TEST(FrictionLaw, referenceTable)
+{
+  const auto law = bucher2006();
+  for (const auto &row : readCsv("law.csv")) {
+    const double k2 = kappa2(row[0], 206e3, 1000);
+    EXPECT_NEAR(k2, row[1], 5e-4); // digits of the table
+    EXPECT_NEAR(law.staticPart(k2), row[2], 5e-9);
+    EXPECT_EQ(law(0.0, k2), law.staticPart(k2));
+  }
+}
+
+TEST(FrictionLaw, averageTableAndQuadrature)
+{
+  const auto law = bucher2006();
+  for (const auto &row : readCsv("average.csv")) {
+    EXPECT_NEAR(law.averaged(0.0, 206e3, row[0]), row[1], 5e-9); // digits of the table
+    EXPECT_NEAR(law.averaged(0.0, 206e3, row[0]), averageByQuadrature(law, 0.0, 206e3, row[0]),
+                1e-10);
+  }
+  EXPECT_NEAR(law.averaged(0.0, 206e3, 1000), 0.328667, 5e-7); // the paper's steel
+  EXPECT_NEAR(law.averaged(0.2, 206e3, 1000), averageByQuadrature(law, 0.2, 206e3, 1000), 1e-10);
+}
+
+TEST(FrictionLaw, averageOfSmallAndLargeX)
+{
+  auto law = bucher2006();
+  for (double x : {1e-12, 1e-6, 1e-3, 0.05, 0.0999999, 0.1000001, 0.2, 3.0, 1e3}) {
+    law.c = x / 3.0; // modulus = strength
+    EXPECT_NEAR(law.averaged(0.0, 1.0, 1.0), averageByQuadrature(law, 0.0, 1.0, 1.0), 1e-11) << x;
+  }
+  law.c = 0.0;
+  EXPECT_DOUBLE_EQ(law.averaged(0.0, 1.0, 1.0), law.mu0 + law.mu2);
+  law.c = 1e12;
+  EXPECT_NEAR(law.averaged(0.0, 1.0, 1.0), law.mu0, 1e-11);
+  // continuous where series and closed form meet
+  law.c = (0.1 - 1e-13) / 3.0;
+  const double below = law.averaged(0.0, 1.0, 1.0);
+  law.c = (0.1 + 1e-13) / 3.0;
+  EXPECT_NEAR(law.averaged(0.0, 1.0, 1.0), below, 1e-13);
+}
+
+TEST(FrictionLaw, kappasAreDimensionless)
+{
+  EXPECT_NEAR(kappa1(7800, 206e9, 5, 92e6), 4.745983, 1e-6);
+  EXPECT_NEAR(kappa2(15e6, 206e9, 92e6), 365.0756, 1e-4);
+  EXPECT_DOUBLE_EQ(kappa2(15, 206e3, 92), kappa2(15e6, 206e9, 92e6));
+  EXPECT_DOUBLE_EQ(kappa1(4 * 7800, 206e9, 2.5, 92e6), kappa1(7800, 206e9, 5, 92e6));
+}
+
+TEST(FrictionLaw, equationTwo)
+{
+  const auto law = bucher2006();
+  EXPECT_NEAR(law(4.745983, 365.0756), 0.441758, 1e-6);
+  EXPECT_NEAR(law(1e9, 0) - law(0, 0), law.mu1 / law.b, 1e-6);
+}
+
+TEST(LawFile, readsBackWhatItWrote)
+{
+  auto law = bucher2006();
+  law.mu0 = 0.1 + 1.0 / 3.0;
+  law.covariance = LawCovariance::Identity() * 1e-3;
+  (*law.covariance)(0, 2) = (*law.covariance)(2, 0) = -1e-4 / 7.0;
+  auto json = toJson(law);
+  json["report"] = {{"anything", {1, 2, 3}}};
+  const auto back = readFrictionLaw(write(json.dump(2)));
+  EXPECT_EQ(back.mu0, law.mu0);
+  EXPECT_EQ(back.c, law.c);
+  EXPECT_EQ(*back.covariance, *law.covariance);
+  EXPECT_EQ(back.n, 34);
+  EXPECT_EQ(back.kappa2_range, law.kappa2_range);
+  EXPECT_EQ(back.source, law.source);
+  EXPECT_EQ(readFrictionLaw("bucher2006").mu1, 0.0442);
+  EXPECT_FALSE(readFrictionLaw(write(toJson(bucher2006()).dump())).covariance);
+}
+
+TEST(LawFile, badContentIsOneClearLine)
+{
+  expectContains(problemOf(""), "empty");
+  expectContains(problemOf("mu0 = 3"), ":1: not JSON");
+  const auto whole = toJson(bucher2006()).dump(1);
+  expectContains(problemOf(whole.substr(0, whole.size() / 2)), "not JSON, or cut short");
+  expectContains(problemOf(lawWith("format", "mca-friction-law 2")), "'mca-friction-law 2'");
+  expectContains(problemOf(lawWith("mu1", "0.0442")), ":4: mu1: a number is expected");
+  expectContains(problemOf(lawWith("c", -1)), "c: -1 is not allowed, must be >= 0");
+  expectContains(problemOf(lawWith("mu0", nullptr)), "mu0: a number is expected, not null");
+  expectContains(problemOf(lawWith("mu_2", 1)),
+                 "unknown key 'mu_2'; the nearest known one is 'mu2'");
+  expectContains(problemOf(lawWith("n", -3)), "n: a whole number");
+  expectContains(problemOf(lawWith("kappa1_range", {3, 1})), "[3, 1] is not a range");
+  expectContains(problemOf(lawWith("covariance", {1, 2})), "5 x 5");
+  auto json = toJson(bucher2006());
+  json.erase("b");
+  expectContains(problemOf(json.dump()), "b: is missing");
+  json["b"] = 1;
+  json["covariance"] = std::vector<std::vector<double>>(5, {1, 2, 3, 4, 5});
+  expectContains(problemOf(json.dump()), "not symmetric");
+  auto text = toJson(bucher2006()).dump(1);
+  text.replace(text.find("0.15"), 4, "1e999");
+  expectContains(problemOf(text), "range of double precision");
+  EXPECT_THROW(readFrictionLaw("/nonexistent/law.json"), Error);
+}
+
+TEST(LawFile, reportWithoutLawSaysSo)
+{
+  nlohmann::ordered_json report;
+  report["format"] = "mca-friction-report 1";
+  report["reason"] = "1 point";
+  report["report"] = {};
+  expectContains(problemOf(report.dump(1)), "no law was fitted: 1 point");
+}

@@ -1,0 +1,205 @@
+#include "errors.h"
+#include "friction_log.h"
+#include "friction_point.h"
+
+#include <cmath>
+#include <filesystem>
+#include <fmt/format.h>
+#include <fstream>
+#include <gtest/gtest.h>
+
+using namespace wheelrail;
+
+namespace {
+
+const std::string head = R"(# format: mca-friction 1
+# program: {name: mca-wheelrail, version: 0.1.0, lammps: 20250204}
+# units: {time: ns, length: nm, stress: MPa, velocity: m/s, density: kg/m3, viscosity: Pa s}
+# material: {youngs_modulus: 206000, poissons_ratio: 0.3, density: 7800, elastic_limit: 50.968, yield_strength: 80.04, yield_strain: 0.015, strength: 92, breaking_strain: 0.04, viscosity: 0.41}
+# loading: {pressure: 15, velocity: 5}
+# geometry: {width: 100, thickness: 1, diameter: 2.5, packing: hex, automata: 1280}
+# laws: {preset: B}
+# run: {timestep: 5e-05, every: 1000, seed: 7}
+)";
+const std::string columns =
+    "step time displacement shear_stress normal_stress mu links broken formed gap\n";
+
+std::string row(int i, double mu)
+{
+  return fmt::format("{} {:.10g} {:.10g} {:.10g} 15.02 {:.10g} 3456 2 1 -0.013\n", 1000 * i,
+                     0.05 * i, 0.25 * i, 15 * mu, mu);
+}
+
+std::string goodLog(int rows = 100)
+{
+  std::string text = head + columns;
+  for (int i = 1; i <= rows; ++i)
+    text += row(i, 0.4 + 0.01 * (i % 7));
+  return text;
+}
+
+std::string write(const std::string &content)
+{
+  const auto *test = testing::UnitTest::GetInstance()->current_test_info();
+  const std::string path = testing::TempDir() + "log_" + test->name() + ".friction";
+  std::ofstream(path, std::ios::binary) << content;
+  return path;
+}
+
+std::string replaced(std::string text, const std::string &from, const std::string &to)
+{
+  const auto place = text.find(from);
+  EXPECT_NE(place, std::string::npos) << from;
+  return text.replace(place, from.size(), to);
+}
+
+std::string problemOf(const std::string &content)
+{
+  try {
+    readFrictionLog(write(content));
+  } catch (const Error &error) {
+    EXPECT_EQ(error.code(), ExitCode::BadInput);
+    EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos);
+    return error.what();
+  }
+  return "read without complaint";
+}
+
+void expectContains(const std::string &text, const std::string &part)
+{
+  EXPECT_NE(text.find(part), std::string::npos) << "'" << text << "' lacks '" << part << "'";
+}
+
+} // namespace
+
+TEST(FrictionLog, readsMaterialLoadingAndSeries)
+{
+  const auto log = readFrictionLog(write(goodLog()));
+  EXPECT_EQ(log.youngs_modulus, 206000);
+  EXPECT_EQ(log.strength, 92);
+  EXPECT_EQ(log.pressure, 15);
+  EXPECT_EQ(log.seed, 7);
+  ASSERT_EQ(log.mu.size(), 100u);
+  EXPECT_DOUBLE_EQ(log.mu[2], 0.43);
+  EXPECT_NEAR(log.interval(), 0.05, 1e-12);
+  EXPECT_NEAR(log.kappa1(), 4.745983, 1e-6);
+  EXPECT_NEAR(log.kappa2(), 365.0756, 1e-4);
+  EXPECT_EQ(log.note, "");
+}
+
+TEST(FrictionLog, stateBeforeTheFirstStepIsNoRow)
+{
+  const auto log =
+      readFrictionLog(write(replaced(goodLog(), columns, columns + "0 0 0 0 0 0 3456 0 0 0\n")));
+  EXPECT_EQ(log.mu.size(), 100u);
+  EXPECT_DOUBLE_EQ(log.mu[0], 0.41);
+}
+
+TEST(FrictionLog, furtherColumnsAndWindowsLineEndsAreRead)
+{
+  std::string text;
+  for (char c : replaced(goodLog(1), "mu links", "mu  links")) {
+    if (c == '\n')
+      text += '\r';
+    text += c;
+  }
+  EXPECT_EQ(readFrictionLog(write(text)).mu.size(), 1u);
+}
+
+TEST(FrictionLog, cutLastLineIsDroppedAndSaid)
+{
+  for (const std::string &end :
+       {std::string("101000 5.05 25"), row(101, 0.4).substr(0, 30), std::string("101000 5.05\n")}) {
+    const auto log = readFrictionLog(write(goodLog() + end));
+    EXPECT_EQ(log.mu.size(), 100u);
+    expectContains(log.note, ":110: the last line was cut");
+  }
+  // but not if something else is wrong too
+  expectContains(problemOf(replaced(goodLog(), row(50, 0.41), "50000 2.5\n") + "101000 5.0"),
+                 ":59:");
+}
+
+TEST(FrictionLog, badHeadIsOneClearLine)
+{
+  expectContains(problemOf(""), "empty");
+  expectContains(problemOf("hello\n"), "no friction log");
+  expectContains(problemOf(head), "cut short");
+  expectContains(problemOf(head.substr(0, 300)), "not YAML");
+  expectContains(problemOf(head + columns), "no row");
+  expectContains(problemOf(replaced(goodLog(), "mca-friction 1", "mca-friction 2")),
+                 ":1: format: 'mca-friction 2' cannot be read, must be 'mca-friction 1'");
+  expectContains(problemOf(replaced(goodLog(), "stress: MPa", "stress: Pa")),
+                 ":3: units: stress: 'Pa' is not allowed, must be 'MPa'");
+  expectContains(problemOf(replaced(goodLog(), "youngs_modulus", "young_modulus")),
+                 ":4: material: 'youngs_modulus' is missing; 'young_modulus' is unknown, the "
+                 "nearest known one is 'youngs_modulus'");
+  expectContains(problemOf(replaced(goodLog(), "pressure: 15", "pressure: -15")),
+                 ":5: loading: pressure: '-15' is not allowed, must be a number > 0 (MPa)");
+  expectContains(problemOf(replaced(goodLog(), "strength: 92", "strength: nan")), "'nan'");
+  expectContains(problemOf(replaced(goodLog(), "density: 7800", "density: heavy")), "'heavy'");
+  expectContains(problemOf(replaced(goodLog(), "poissons_ratio: 0.3", "poissons_ratio: 0.5")),
+                 "in -1 .. 0.5");
+  expectContains(problemOf(replaced(goodLog(), "shear_stress", "shear_strain")),
+                 ":9: column 'shear_stress' is missing; the nearest of those given is "
+                 "'shear_strain'");
+}
+
+TEST(FrictionLog, badRowsAreOneClearLine)
+{
+  const auto third = row(3, 0.43);
+  const auto with = [&](const std::string &line) {
+    return problemOf(replaced(goodLog(), third, line));
+  };
+  expectContains(with("3000 0.15 0.75\n"), ":12: 3 columns, 10 are expected");
+  expectContains(with("3000 0.15 0.75 nan 15.02 0.43 3456 2 1 -0.013\n"),
+                 ":12: shear_stress: 'nan' is not a finite number");
+  expectContains(with("3000 0.15 0.75 6.45 inf 0.43 3456 2 1 -0.013\n"), "normal_stress: 'inf'");
+  expectContains(with("3000 0.15 x 6.45 15 0.43 3456 2 1 -0.013\n"), "displacement: 'x'");
+  expectContains(with("1000 0.15 0.75 6.45 15 0.43 3456 2 1 -0.013\n"), "must increase");
+  expectContains(with("3500 0.175 0.75 6.45 15 0.43 3456 2 1 -0.013\n"), "evenly spaced");
+  expectContains(with("3000.5 0.15 0.75 6.45 15 0.43 3456 2 1 -0.013\n"), "whole number");
+  expectContains(with("3000 0.15 0.75 6.45 15 0.53 3456 2 1 -0.013\n"),
+                 "mu: 0.53 is not shear_stress/pressure = 0.43");
+  EXPECT_THROW(readFrictionLog("/nonexistent.friction"), Error);
+}
+
+TEST(FrictionLog, foldersAreSearchedAndNothingCountsTwice)
+{
+  namespace fs = std::filesystem;
+  const fs::path folder = testing::TempDir() + "logs";
+  fs::remove_all(folder);
+  fs::create_directories(folder / "b");
+  for (const char *name : {"z.friction", "b/run.friction", "b/run.friction.part", "other.txt"})
+    std::ofstream(folder / name) << goodLog();
+  const auto files =
+      findFrictionLogs({(folder / "z.friction").string(), folder.string(), folder.string() + "/b"});
+  ASSERT_EQ(files.size(), 2u);
+  EXPECT_EQ(fs::path(files[0]).filename(), "z.friction");
+  EXPECT_EQ(fs::path(files[1]).filename(), "run.friction");
+  fs::create_directories(folder / "empty");
+  EXPECT_THROW(findFrictionLogs({(folder / "empty").string()}), Error);
+  EXPECT_THROW(findFrictionLogs({(folder / "absent").string()}), Error);
+}
+
+TEST(FrictionPoint, grindingInIsWhatComesBeforeTheStationaryPart)
+{
+  std::string text = head + columns;
+  for (int i = 1; i <= 1000; ++i) // 50 ns; the first 10 ns at 0.8
+    text +=
+        row(i, (i <= 200 ? 0.8 : 0.4) + 0.01 * std::sin(1.7 * i) + 0.01 * std::sin(0.9 * i * i));
+  const auto log = readFrictionLog(write(text));
+  const auto point = frictionPoint(log, {});
+  EXPECT_TRUE(point.stationary());
+  EXPECT_NEAR(point.t_start, 10.0, 0.5);
+  EXPECT_NEAR(point.mu, 0.4, 0.003);
+  EXPECT_NEAR(point.mu_grinding_in, 0.8, 0.01);
+  EXPECT_NEAR(point.mu_eq2, 0.441758, 1e-6);
+  PointOptions fixed;
+  fixed.start = 0.0;
+  fixed.grinding_in = 20.0;
+  const auto all = frictionPoint(log, fixed);
+  EXPECT_NEAR(all.mu, 0.48, 0.003);
+  EXPECT_NEAR(all.mu_grinding_in, 0.6, 0.003);
+  fixed.start = 60.0;
+  EXPECT_THROW(frictionPoint(log, fixed), Error);
+}

@@ -1,0 +1,167 @@
+#include "errors.h"
+#include "law_fit.h"
+
+#include <cmath>
+#include <gtest/gtest.h>
+#include <random>
+#include <stdexcept>
+
+using namespace wheelrail;
+
+namespace {
+
+/// A design like the paper's 36 runs: kappa1 0.02 .. 19, kappa2 2 .. 633, with Eq. 3's mu.
+std::vector<LawPoint> paperDesign()
+{
+  const auto law = bucher2006();
+  std::vector<LawPoint> points;
+  for (double k1 : {0.02, 0.3, 1.0, 3.0, 8.0, 19.0})
+    for (double k2 : {2.0, 20.0, 80.0, 200.0, 400.0, 633.0})
+      points.push_back({k1, k2, law(k1, k2), 0.0});
+  return points;
+}
+
+std::array<double, lawParameters> valuesOf(const FrictionLaw &law)
+{
+  return {law.mu0, law.mu1, law.mu2, law.b, law.c};
+}
+
+} // namespace
+
+TEST(LawFit, exactPointsGiveTheLawBack)
+{
+  const auto fit = fitLaw(LawModel::Full, paperDesign());
+  const auto truth = valuesOf(bucher2006());
+  const auto found = valuesOf(fit.law);
+  for (int k = 0; k < lawParameters; ++k)
+    EXPECT_NEAR(found[k] / truth[k], 1.0, 1e-6) << lawParameterNames[k];
+  EXPECT_LT(fit.law.rms_relative, 1e-9);
+  EXPECT_EQ(fit.freedom, 31);
+  EXPECT_EQ(fit.law.kappa2_range, (std::array<double, 2>{2.0, 633.0}));
+  EXPECT_EQ(fit.not_identifiable, "");
+}
+
+// Eq. 3 with 9 % noise, errors of the runs themselves about 2 %: the 95 % intervals must cover the
+// true values in 95 % of the fits. 150 fits: binomial standard deviation 1.8 %.
+TEST(LawFit, intervalsCoverAtTheirLevel)
+{
+  const auto truth = valuesOf(bucher2006());
+  std::mt19937_64 generator(7);
+  std::normal_distribution<double> normal;
+  constexpr int fits = 150;
+  std::array<int, lawParameters> covered{};
+  double scatter = 0.0;
+  double rms = 0.0;
+  int fullIsBetter = 0;
+  for (int i = 0; i < fits; ++i) {
+    auto points = paperDesign();
+    for (auto &p : points) {
+      p.mu_se = 0.02 * p.mu * std::exp(0.5 * normal(generator));
+      p.mu *= 1.0 + 0.09 * normal(generator);
+    }
+    const auto fit = fitLaw(LawModel::Full, points);
+    ASSERT_EQ(fit.not_identifiable, "");
+    for (int k = 0; k < lawParameters; ++k)
+      covered[k] += truth[k] >= fit.intervals[k].lower && truth[k] <= fit.intervals[k].upper;
+    scatter += fit.scatter / fits;
+    rms += fit.law.rms_relative / fits;
+    fullIsBetter += fit.aicc < fitLaw(LawModel::Pressure, points, 0.0).aicc;
+  }
+  for (int k = 0; k < lawParameters; ++k) {
+    EXPECT_GE(covered[k], 0.89 * fits) << lawParameterNames[k];
+    EXPECT_LE(covered[k], 0.995 * fits) << lawParameterNames[k];
+  }
+  EXPECT_NEAR(scatter, std::sqrt(0.09 * 0.09 - 0.02 * 0.02), 0.006);
+  EXPECT_NEAR(rms, 0.09 * std::sqrt(31.0 / 36.0), 0.006);
+  EXPECT_EQ(fullIsBetter, fits);
+}
+
+TEST(LawFit, scatterIsZeroWhenTheErrorsExplainAll)
+{
+  std::mt19937_64 generator(8);
+  std::normal_distribution<double> normal;
+  auto points = paperDesign();
+  for (auto &p : points) {
+    p.mu_se = 0.03;
+    p.mu += 0.01 * normal(generator);
+  }
+  const auto fit = fitLaw(LawModel::Full, points, 0.0);
+  EXPECT_EQ(fit.scatter, 0.0);
+  EXPECT_LT(fit.chi_squared, fit.freedom);
+}
+
+TEST(LawFit, preciseRunsWeighMore)
+{
+  auto points = paperDesign();
+  for (auto &p : points)
+    p.mu_se = 1e-3;
+  points[17].mu = 1.0; // far off, but its own error says so
+  points[17].mu_se = 0.5;
+  const auto fit = fitLaw(LawModel::Full, points, 0.0);
+  EXPECT_NEAR(fit.law.mu2, 0.3243, 1e-3);
+  EXPECT_LT(std::abs(fit.studentised[17]), outlierLimit);
+  points[17].mu_se = 1e-3;
+  const auto outlier = fitLaw(LawModel::Full, points, 0.0);
+  EXPECT_GT(outlier.studentised[17], outlierLimit);
+}
+
+TEST(LawFit, orderOfPointsDoesNotMatter)
+{
+  auto points = paperDesign();
+  std::mt19937_64 generator(9);
+  std::normal_distribution<double> normal;
+  for (auto &p : points)
+    p.mu *= 1.0 + 0.05 * normal(generator);
+  const auto before = valuesOf(fitLaw(LawModel::Full, points, 0.0).law);
+  std::shuffle(points.begin(), points.end(), generator);
+  const auto after = valuesOf(fitLaw(LawModel::Full, points, 0.0).law);
+  for (int k = 0; k < lawParameters; ++k)
+    EXPECT_NEAR(after[k] / before[k], 1.0, 1e-6);
+}
+
+TEST(LawFit, modelsLeaveTermsOut)
+{
+  auto points = paperDesign();
+  for (auto &p : points)
+    p.mu = bucher2006().staticPart(p.kappa2);
+  const auto fit = fitLaw(LawModel::Pressure, points);
+  EXPECT_EQ(fit.law.mu1, 0.0);
+  EXPECT_NEAR(fit.law.c, 0.00212, 1e-8);
+  EXPECT_EQ((*fit.law.covariance)(1, 1), 0.0);
+  EXPECT_EQ(fitLaw(LawModel::Constant, points, 0.0).freedom, 35);
+}
+
+TEST(LawFit, tooFewAndCollinearPointsAreNamed)
+{
+  auto points = paperDesign();
+  const std::vector<LawPoint> few(points.begin(), points.begin() + 5);
+  auto obstacle = obstacleTo(LawModel::Full, few);
+  EXPECT_TRUE(obstacle.tooFew);
+  EXPECT_EQ(obstacle.reason, "5 points for the 5 parameters of eq2, at least 6 are needed");
+  EXPECT_THROW(fitLaw(LawModel::Full, few), Error);
+
+  for (auto &p : points)
+    p.kappa1 = 1.0;
+  obstacle = obstacleTo(LawModel::Full, points);
+  EXPECT_FALSE(obstacle.tooFew);
+  EXPECT_EQ(obstacle.reason,
+            "the points have only 1 different kappa1 (1 to 1), eq2 needs at least 3");
+  EXPECT_EQ(obstacleTo(LawModel::Pressure, points).reason, "");
+
+  // kappa1 and kappa2 on one line, with mu a straight function of them: nothing tells mu1 from mu2
+  std::vector<LawPoint> line;
+  for (int i = 1; i <= 12; ++i)
+    line.push_back({0.01 * i, 100.0 * i, 0.4, 0.01});
+  const auto fit = fitLaw(LawModel::Full, line);
+  EXPECT_NE(fit.not_identifiable, "");
+}
+
+TEST(LawFit, valuesThatAreNoNumbersAreRefused)
+{
+  for (int field = 0; field < 4; ++field) {
+    auto points = paperDesign();
+    double *values[] = {&points[3].kappa1, &points[3].kappa2, &points[3].mu, &points[3].mu_se};
+    *values[field] = std::nan("");
+    EXPECT_THROW(fitLaw(LawModel::Full, points), std::invalid_argument);
+  }
+}

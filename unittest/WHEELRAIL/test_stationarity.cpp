@@ -1,0 +1,163 @@
+#include "stationarity.h"
+#include "statistics.h"
+
+#include <cmath>
+#include <gtest/gtest.h>
+#include <random>
+#include <stdexcept>
+
+using namespace wheelrail;
+
+namespace {
+
+/// Stationary AR(1) series x_i = phi x_{i-1} + noise with unit variance.
+std::vector<double> ar1(double phi, std::size_t n, std::mt19937_64 &generator)
+{
+  std::normal_distribution<double> normal;
+  std::vector<double> values(n);
+  double x = normal(generator);
+  for (auto &value : values) {
+    value = x;
+    x = phi * x + std::sqrt(1.0 - phi * phi) * normal(generator);
+  }
+  return values;
+}
+
+/// Exact standard deviation of the mean of n samples of it.
+double exactError(double phi, int n)
+{
+  double sum = 1.0;
+  for (int k = 1; k < n; ++k)
+    sum += 2.0 * (1.0 - static_cast<double>(k) / n) * std::pow(phi, k);
+  return std::sqrt(sum / n);
+}
+
+} // namespace
+
+// Root mean square of the estimated error over 200 series, and how often mean +- t error covers 0.
+TEST(Stationarity, errorOfCorrelatedMeanIsTheKnownOne)
+{
+  std::mt19937_64 generator(1);
+  constexpr int series = 200;
+  constexpr int n = 2000;
+  for (double phi : {0.0, 0.5, 0.8, 0.95}) {
+    double squares = 0.0;
+    double time = 0.0;
+    int covered = 0;
+    for (int i = 0; i < series; ++i) {
+      const auto mean = seriesMean(ar1(phi, n, generator), 0, n);
+      squares += mean.standard_error * mean.standard_error / series;
+      time += mean.correlation_time / series;
+      const double t = studentQuantile(0.975, mean.effective_n - 1.0);
+      covered += std::abs(mean.mean) < t * mean.standard_error;
+    }
+    EXPECT_NEAR(std::sqrt(squares) / exactError(phi, n), 1.0, 0.05) << "phi " << phi;
+    EXPECT_NEAR(time / ((1.0 + phi) / (1.0 - phi)), 1.0, 0.12) << "phi " << phi;
+    // binomial: 0.95 +- 3 * 0.0154
+    EXPECT_GT(covered, 0.90 * series) << "phi " << phi;
+  }
+}
+
+TEST(Stationarity, batchMeansAgree)
+{
+  std::mt19937_64 generator(2);
+  double batches = 0.0;
+  for (int i = 0; i < 100; ++i)
+    batches += std::pow(batchMeansError(ar1(0.5, 2000, generator), 0, 2000, 20), 2) / 100;
+  // batches of 100 samples miss the correlation across their ends: about 1 % low, scatter 2 %
+  EXPECT_NEAR(std::sqrt(batches) / exactError(0.5, 2000), 1.0, 0.06);
+  EXPECT_THROW(batchMeansError({1, 2, 3}, 0, 3, 4), std::invalid_argument);
+}
+
+TEST(Stationarity, errorDoesNotDependOnOffsetAndScalesWithTheSeries)
+{
+  std::mt19937_64 generator(3);
+  auto values = ar1(0.7, 500, generator);
+  const auto before = seriesMean(values, 0, values.size());
+  for (auto &x : values)
+    x = 1000.0 - 1e-3 * x;
+  const auto after = seriesMean(values, 0, values.size());
+  EXPECT_NEAR(after.standard_error, 1e-3 * before.standard_error, 1e-9 * before.standard_error);
+  EXPECT_NEAR(after.mean, 1000.0 - 1e-3 * before.mean, 1e-9);
+}
+
+TEST(Stationarity, degenerateSeries)
+{
+  const auto constant = seriesMean(std::vector<double>(100, 0.3), 0, 100);
+  EXPECT_EQ(constant.standard_error, 0.0);
+  EXPECT_NEAR(constant.mean, 0.3, 1e-15);
+  EXPECT_TRUE(std::isinf(seriesMean({1, 2, 3}, 0, 3).standard_error));
+  EXPECT_THROW(seriesMean({1, 2}, 1, 1), std::invalid_argument);
+  EXPECT_THROW(seriesMean({1, 2}, 0, 3), std::invalid_argument);
+  EXPECT_TRUE(stationaryPart(std::vector<double>(100, 0.3)).found);
+  // alternating: negative correlation is not credited
+  std::vector<double> alternating;
+  for (int i = 0; i < 100; ++i)
+    alternating.push_back(i % 2);
+  EXPECT_EQ(seriesMean(alternating, 0, 100).correlation_time, 1.0);
+}
+
+TEST(Stationarity, stationarySeriesKeepsNearlyAll)
+{
+  std::mt19937_64 generator(4);
+  int found = 0;
+  double start = 0.0;
+  constexpr int series = 200;
+  for (int i = 0; i < series; ++i) {
+    const auto part = stationaryPart(ar1(0.8, 1000, generator));
+    found += part.found;
+    start += static_cast<double>(part.start) / 1000 / series;
+  }
+  EXPECT_GE(found, 0.97 * series);
+  EXPECT_LT(start, 0.05);
+}
+
+TEST(Stationarity, transientIsCutOff)
+{
+  std::mt19937_64 generator(5);
+  int found = 0;
+  double bias = 0.0;
+  constexpr int series = 100;
+  for (int i = 0; i < series; ++i) {
+    auto values = ar1(0.9, 2000, generator);
+    // grinding-in of the height of the mean, over a twentieth of the log
+    for (int k = 0; k < 2000; ++k)
+      values[k] = 0.5 + 0.1 * values[k] + 0.5 * std::exp(-k / 100.0);
+    const auto part = stationaryPart(values);
+    found += part.found;
+    if (part.found)
+      bias += (part.mean.mean - 0.5) / series;
+  }
+  EXPECT_GE(found, 95);
+  // without the cut it would be 0.025; the error of one mean is 0.01
+  EXPECT_LT(bias, 0.006);
+}
+
+TEST(Stationarity, driftIsRefused)
+{
+  std::mt19937_64 generator(6);
+  int found = 0;
+  for (int i = 0; i < 100; ++i) {
+    auto values = ar1(0.5, 2000, generator);
+    for (int k = 0; k < 2000; ++k)
+      values[k] = 0.1 * values[k] + 0.3 * k / 2000.0;
+    found += stationaryPart(values).found;
+  }
+  EXPECT_LE(found, 5);
+  const auto part = stationaryPart(std::vector<double>(20, 1.0));
+  EXPECT_FALSE(part.found);
+  EXPECT_STREQ(part.reason, "the log is too short");
+  EXPECT_EQ(part.start, 10u);
+}
+
+TEST(Stationarity, mserFindsAStep)
+{
+  std::vector<double> values(1000, 0.0);
+  std::mt19937_64 generator(7);
+  std::normal_distribution<double> normal;
+  for (int i = 0; i < 1000; ++i)
+    values[i] = normal(generator) + (i < 200 ? 5.0 : 0.0);
+  const auto start = mser5(values);
+  EXPECT_GE(start, 195u);
+  EXPECT_LE(start, 250u);
+}

@@ -1,0 +1,34 @@
+#include "statistics.h"
+
+#include <cmath>
+#include <gtest/gtest.h>
+#include <stdexcept>
+
+using namespace wheelrail;
+
+TEST(Statistics, studentWithClosedForms)
+{
+  for (double t : {-30.0, -2.0, -0.1, 0.0, 0.7, 4.0}) {
+    EXPECT_NEAR(studentCdf(t, 1), 0.5 + std::atan(t) / M_PI, 1e-14); // Cauchy
+    EXPECT_NEAR(studentCdf(t, 2), 0.5 + t / (2.0 * std::sqrt(2.0 + t * t)), 1e-14);
+    EXPECT_NEAR(studentCdf(t, 1e6), 0.5 * std::erfc(-t / std::sqrt(2.0)), 1e-6); // normal
+  }
+}
+
+TEST(Statistics, quantilesOfTheUsualTable)
+{
+  EXPECT_NEAR(studentQuantile(0.975, 1), std::tan(M_PI * 0.475), 1e-9);
+  EXPECT_NEAR(studentQuantile(0.975, 10), 2.228139, 5e-7);
+  EXPECT_NEAR(studentQuantile(0.975, 29), 2.045230, 5e-7);
+  EXPECT_NEAR(studentQuantile(0.995, 5), 4.032143, 5e-7);
+  EXPECT_NEAR(studentQuantile(0.025, 10), -2.228139, 5e-7);
+  EXPECT_THROW(studentQuantile(1.0, 3), std::invalid_argument);
+}
+
+TEST(Statistics, incompleteBeta)
+{
+  EXPECT_DOUBLE_EQ(incompleteBeta(0.3, 1, 1), 0.3);
+  EXPECT_NEAR(incompleteBeta(0.2, 3, 1), 0.008, 1e-16);
+  EXPECT_NEAR(incompleteBeta(0.8, 2.5, 0.5) + incompleteBeta(0.2, 0.5, 2.5), 1.0, 1e-14);
+  EXPECT_THROW(incompleteBeta(-0.1, 1, 1), std::invalid_argument);
+}

@@ -1,0 +1,217 @@
+"""wr_fit's command line: results, exit codes, one clear line for every fault, files whole or not at all."""
+import csv
+import json
+import math
+import os
+import pathlib
+import subprocess
+
+import pytest
+
+import friction_logs
+
+WR_FIT = pathlib.Path(os.environ["WHEELRAIL_BIN"]) / "wr_fit"
+TOOLS = pathlib.Path(os.environ["PROJECT_SOURCE"]) / "tools"
+PNG = b"\x89PNG\r\n\x1a\n"
+
+
+def wr_fit(*arguments, **more):
+    return subprocess.run([WR_FIT, *map(str, arguments)], capture_output=True, text=True, timeout=60, **more)
+
+
+def one_line(result, code, *parts):
+    """The failed call printed one clear line on stderr that holds the parts."""
+    assert result.returncode == code, result.stderr
+    assert result.stderr.count("\n") == 1
+    for part in parts:
+        assert part in result.stderr
+    return result
+
+
+def read_points(path):
+    lines = path.read_text().splitlines()
+    assert lines[0].startswith("#")
+    assert lines[1] == "file,kappa1,kappa2,mu,mu_se,n_eff,t_start,mu_grinding_in,mu_eq2"
+    return list(csv.DictReader(lines[1:]))
+
+
+@pytest.fixture(scope="module")
+def runs(tmp_path_factory):
+    return friction_logs.campaign(tmp_path_factory.mktemp("campaign"))
+
+
+@pytest.fixture
+def log(tmp_path):
+    path = tmp_path / "run.friction"
+    path.write_text(friction_logs.friction_log())
+    return path
+
+
+def test_single_log_is_a_success(log, tmp_path):
+    result = wr_fit(log, "-o", tmp_path / "fit.json", "--points", tmp_path / "points.csv")
+    assert result.returncode == 0 and result.stderr == ""
+    assert "No law fitted: 1 point for the 5 parameters of eq2, at least 6 are needed." in result.stdout
+    data = json.loads((tmp_path / "fit.json").read_text())
+    assert data["format"] == "mca-friction-report 1" and "mu0" not in data
+    point = data["report"]["points"][0]
+    row = read_points(tmp_path / "points.csv")[0]
+    kappa1, kappa2 = friction_logs.kappas(15, 5, 92)
+    assert math.isclose(point["kappa1"], kappa1, rel_tol=1e-12)
+    assert math.isclose(point["kappa2"], kappa2, rel_tol=1e-12)
+    assert math.isclose(point["mu_eq2"], friction_logs.eq2(kappa1, kappa2), rel_tol=1e-12)
+    assert abs(point["mu"] - point["mu_eq2"]) < 4 * point["mu_se"]
+    assert point["mu_grinding_in"] > point["mu"]
+    for key in ("kappa1", "kappa2", "mu", "mu_se", "t_start", "mu_grinding_in", "mu_eq2"):
+        assert math.isclose(float(row[key]), point[key], rel_tol=1e-3), key
+
+
+def test_campaign_gives_a_law(runs, tmp_path):
+    result = wr_fit(runs, "-o", tmp_path / "law.json", "--points", tmp_path / "points.csv")
+    assert result.returncode == 0, result.stderr
+    law = json.loads((tmp_path / "law.json").read_text())
+    assert law["format"] == "mca-friction-law 1" and law["n"] == 36
+    assert len(read_points(tmp_path / "points.csv")) == 36
+    assert 0.02 < law["rms_relative"] < 0.08
+    truth = {"mu0": 0.15, "mu1": 0.0442, "mu2": 0.3243, "b": 0.195, "c": 0.00212}
+    for name, entry in law["report"]["fit"]["parameters"].items():
+        low, high = entry["interval"]
+        assert low <= truth[name] <= high, name
+    assert law["kappa2_range"][0] >= 2
+    best = [m["model"] for m in law["report"]["models"] if m.get("delta_aicc") == 0]
+    assert best == ["eq2"]
+    assert "outlier" in result.stdout and "condition number" in result.stdout
+
+
+def test_files_and_folder_are_the_same(runs, tmp_path):
+    wr_fit(runs, "-o", tmp_path / "a.json")
+    wr_fit(*sorted(runs.rglob("*.friction")), "-o", tmp_path / "b.json")
+    assert (tmp_path / "a.json").read_bytes() == (tmp_path / "b.json").read_bytes()
+
+
+def test_low_pressure_is_left_out(tmp_path):
+    (tmp_path / "low.friction").write_text(friction_logs.friction_log(p=0.05))
+    text = wr_fit(tmp_path).stdout
+    assert "[left out: kappa2 = 1.22 < 2]" in text
+    assert "left out" not in wr_fit(tmp_path, "--kappa2-min", 0).stdout
+
+
+def test_drift_is_said_and_left_out(tmp_path):
+    (tmp_path / "short.friction").write_text(friction_logs.friction_log(ns=1.5))
+    result = wr_fit(tmp_path, "--points", tmp_path / "points.csv")
+    assert result.returncode == 0
+    assert "no stationary part: the log is too short" in result.stdout
+    assert math.isnan(float(read_points(tmp_path / "points.csv")[0]["t_start"]))
+    assert "left out" not in wr_fit(tmp_path, "--include-drifting").stdout
+
+
+def test_start_and_grinding_in_can_be_given(log, tmp_path):
+    wr_fit(log, "--start", 10, "--grinding-in", 5, "--points", tmp_path / "points.csv")
+    assert float(read_points(tmp_path / "points.csv")[0]["t_start"]) == 10
+    one_line(wr_fit(log, "--start", 30), 3, "the log ends at 20 ns, before the start of 30 ns")
+
+
+def test_outlier_is_reported(tmp_path):
+    runs = friction_logs.campaign(tmp_path / "c", scatter=0.01)
+    (runs / "run15" / "run.friction").write_text(friction_logs.friction_log(p=15, v=2.5, factor=1.6, seed=15))
+    result = wr_fit(runs, "-o", tmp_path / "law.json")
+    assert "outlier: " + str(runs / "run15" / "run.friction") in result.stdout
+    points = json.loads((tmp_path / "law.json").read_text())["report"]["points"]
+    assert [p["file"].split("/")[-2] for p in points if p.get("outlier")] == ["run15"]
+
+
+def test_one_speed_is_not_identifiable(tmp_path):
+    runs = friction_logs.campaign(tmp_path / "c", velocities=(5,), strengths_and_pressures=[
+        (92, p) for p in (0.2, 1, 3, 8, 15, 20, 26, 40)])
+    result = wr_fit(runs, "-o", tmp_path / "law.json", "--points", tmp_path / "points.csv")
+    one_line(result, 4, "only 1 different kappa1", "eq2 needs at least 3")
+    assert len(read_points(tmp_path / "points.csv")) == 8
+    assert json.loads((tmp_path / "law.json").read_text())["format"] == "mca-friction-report 1"
+    assert wr_fit(runs, "--model", "eq4", "-o", tmp_path / "law.json").returncode == 0
+    law = json.loads((tmp_path / "law.json").read_text())
+    assert law["mu1"] == 0 and law["b"] == 0 and law["format"] == "mca-friction-law 1"
+
+
+@pytest.mark.parametrize("change, parts", [
+    (lambda text: "", ["empty"]),
+    (lambda text: text.replace("mca-friction 1", "mca-friction 9"), [":1: format: 'mca-friction 9'"]),
+    (lambda text: text.replace("time: ns", "time: ps"), [":3: units: time: 'ps'", "'ns'"]),
+    (lambda text: text[:500], ["the head is not YAML"]),
+    (lambda text: text.replace("strength: 92", "strength: -92"), [":4: material: strength: '-92.0'", "> 0 (MPa)"]),
+    (lambda text: text.replace("pressure: 15", "presure: 15"), ["'presure' is unknown", "'pressure'"]),
+    (lambda text: text.replace(" 3456 ", " nan ", 1), [":10: links: 'nan' is not a finite number"]),
+    (lambda text: text.replace(" 3456 ", " many ", 1), [":10: links: 'many'"]),
+], ids=["empty", "version", "units", "truncated", "negative", "keyword", "nan", "text"])
+def test_bad_log_is_one_clear_line(log, tmp_path, change, parts):
+    log.write_text(change(log.read_text()))
+    out = tmp_path / "out"
+    out.mkdir()
+    one_line(wr_fit(log, "-o", out / "law.json", "--points", out / "p.csv"), 3, str(log), *parts)
+    assert list(out.iterdir()) == []
+
+
+def test_all_bad_logs_are_named(tmp_path):
+    for name in "ab":
+        (tmp_path / f"{name}.friction").write_text("nonsense\n")
+    result = wr_fit(tmp_path)
+    assert result.returncode == 3
+    assert "a.friction" in result.stderr and "b.friction" in result.stderr
+
+
+def test_missing_log_and_usage(tmp_path):
+    one_line(wr_fit(tmp_path / "no.friction"), 3, "no such file or folder")
+    one_line(wr_fit(tmp_path), 3, "holds no *.friction file")
+    one_line(wr_fit(), 2, "LOG")
+    one_line(wr_fit("x", "--modle", "eq2"), 2, "--modle", "--model")
+    one_line(wr_fit("x", "--model", "eq3"), 2, "eq3", "eq2")
+    one_line(wr_fit("x", "--level", "95"), 2, "--level")
+    assert wr_fit("--help").returncode == 0 and "Examples:" in wr_fit("--help").stdout
+
+
+def test_unwritable_output(log, tmp_path):
+    target = tmp_path / "folder" / "law.json"
+    result = wr_fit(log, "-q", "-o", target)
+    one_line(result, 5, str(target))
+    blocked = tmp_path / "blocked"
+    blocked.write_text("a file, not a folder")
+    one_line(wr_fit(log, "-q", "--points", blocked / "p.csv"), 5, "blocked")
+
+
+def test_cut_last_line_is_said(log):
+    log.write_text(log.read_text() + "401000 20.05 10")
+    result = wr_fit(log)
+    assert result.returncode == 0
+    assert "the last line was cut" in result.stderr
+
+
+def test_pictures(runs, log, tmp_path):
+    assert wr_fit(runs, "-q", "--plot", tmp_path / "fit.png").returncode == 0
+    assert (tmp_path / "fit.png").read_bytes().startswith(PNG)
+    assert wr_fit(log, "-q", "--plot", tmp_path / "one.png", "--points", tmp_path / "p.csv").returncode == 0
+    assert (tmp_path / "one.png").read_bytes().startswith(PNG)
+    made = subprocess.run([TOOLS / "plot_friction.py", log, "-o", tmp_path / "mu.png", "--points", tmp_path / "p.csv"],
+                          capture_output=True, text=True)
+    assert made.returncode == 0, made.stderr
+    assert (tmp_path / "mu.png").read_bytes().startswith(PNG)
+
+
+def test_missing_matplotlib_does_not_spoil_the_fit(log, tmp_path):
+    (tmp_path / "matplotlib.py").write_text("raise ImportError('none here')\n")
+    result = wr_fit(log, "-o", tmp_path / "fit.json", "--plot", tmp_path / "fit.png",
+                    env={**os.environ, "PYTHONPATH": str(tmp_path)})
+    assert result.returncode == 0
+    assert "matplotlib is missing" in result.stderr and "fit.png was not made" in result.stderr
+    assert (tmp_path / "fit.json").exists() and not (tmp_path / "fit.png").exists()
+    other = subprocess.run([TOOLS / "plot_friction.py", log, "-o", tmp_path / "mu.png"], capture_output=True,
+                           text=True, env={**os.environ, "PYTHONPATH": str(tmp_path)})
+    one_line(other, 1, "matplotlib is missing")
+
+
+def test_plot_friction_refuses_bad_logs(log, tmp_path):
+    good = log.read_text()
+    for content, part in [("", "no friction log"), (good.replace(" 3456 2 1 -0.013\n", "\n", 1), ":10: "),
+                          (good.replace(" 15.0 ", " 15.0 nan ", 1), ":10: "),
+                          (good.replace("mca-friction 1", "mca-friction 2"), "'mca-friction 2'")]:
+        log.write_text(content)
+        made = subprocess.run([TOOLS / "plot_friction.py", log, "-o", tmp_path / "mu.png"], capture_output=True, text=True)
+        one_line(made, 3, part)
+        assert not (tmp_path / "mu.png").exists()
