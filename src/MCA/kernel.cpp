@@ -19,15 +19,22 @@ template <int ROW> inline void addRow(double *to, const double *row)
   for (int m = 0; m < ROW; m++) to[m] += row[m];
 }
 
+template <int ROW>
+void addToBoth(const Pairs &p, int first, int n, const double *rows, double *sums)
+{
+  for (int k = 0; k < n; k++) {
+    addRow<ROW>(sums + ROW * p.i[first + k], rows + ROW * k);
+    addRow<ROW>(sums + ROW * p.j[first + k], rows + ROW * k);
+  }
+}
+
 template <bool ONE>
-void strainBlock(const Pairs &p, int first, int n, const PairState &from, double dt,
-                 const PairLaw *laws, const double *motion, double *rows)
+void strainBlock(const Pairs &p, int first, int n, double dt, const PairLaw *laws,
+                 const double *motion, double *rows)
 {
   const int *const pi = p.i + first, *const pj = p.j + first, *const plaw = p.law + first;
-  const double *const kind0 = from.kind + first, *const plastic0 = from.plastic + first;
-  const double *const gamma0 = from.gamma + first, *const total0 = from.gammaTotal + first;
-  double *const kind1 = p.now.kind + first, *const plastic1 = p.now.plastic + first;
-  double *const gamma1 = p.now.gamma + first, *const total1 = p.now.gammaTotal + first;
+  const double *const pkind = p.now.kind + first, *const pplastic = p.now.plastic + first;
+  double *const pgamma = p.now.gamma + first, *const ptotal = p.now.gammaTotal + first;
   double *const pnx = p.nx + first, *const pny = p.ny + first;
   double *const peps = p.eps + first, *const psep = p.separation + first;
 #pragma omp simd
@@ -43,66 +50,97 @@ void strainBlock(const Pairs &p, int first, int n, const PairState &from, double
     const double turn = axisRotation(r, vn * dt, vt * dt);
     const double dgamma = shearIncrement(turn, motion[a + 4] * dt, motion[b + 4] * dt);
 
-    const double kind = kind0[k], plastic = plastic0[k];
-    const double eps = r * invDiameter - 1.0, e = eps - plastic;
+    const double kind = pkind[k];
+    const double eps = r * invDiameter - 1.0, e = eps - pplastic[k];
     const bool linked = kind != link::none;
-    const double gamma = linked ? gamma0[k] + dgamma : 0.0;
-    kind1[k] = kind;
-    plastic1[k] = plastic;
-    gamma1[k] = gamma;
-    total1[k] = linked ? total0[k] + dgamma : 0.0;
+    const double gamma = linked ? pgamma[k] + dgamma : 0.0;
+    pgamma[k] = gamma;
+    ptotal[k] = linked ? ptotal[k] + dgamma : 0.0;
     pnx[k] = nx;
     pny[k] = ny;
     peps[k] = eps;
     psep[k] = vn;
 
-    const double touching = (linked | (e < 0.0)) ? 1.0 : 0.0;
-    const ContactSums s = contactShare(e * touching, gamma, nx, ny);
-    double *const row = rows + sumsRow * k;
-    row[0] = s.Pxx;
-    row[1] = s.Pyy;
-    row[2] = s.Pxy;
-    row[3] = s.Nxx * touching;
-    row[4] = s.Nyy * touching;
-    row[5] = s.Nxy * touching;
-    row[6] = kind == link::bulk ? 1.0 : 0.0;
-    row[7] = e * e * touching + gamma * gamma;
+    double *const row = rows + strainRow * k;
+    row[0] = (linked | (e < 0.0)) ? e : 0.0;
+    row[1] = kind == link::bulk ? 1.0 : 0.0;
   }
 }
 
 void strainPass(const Pairs &p, double dt, const PairLaw *laws, bool oneLaw, const double *motion,
-                double *sums)
+                double *strains)
 {
-  alignas(64) double rows[block * sumsRow];
-  const PairState &from = dt > 0.0 ? p.next : p.now;
+  alignas(64) double rows[block * strainRow];
   for (int first = 0; first < p.n; first += block) {
     const int n = lesser(block, p.n - first);
     if (oneLaw)
-      strainBlock<true>(p, first, n, from, dt, laws, motion, rows);
+      strainBlock<true>(p, first, n, dt, laws, motion, rows);
     else
-      strainBlock<false>(p, first, n, from, dt, laws, motion, rows);
-    for (int k = 0; k < n; k++) {
-      addRow<sumsRow>(sums + sumsRow * p.i[first + k], rows + sumsRow * k);
-      addRow<sumsRow>(sums + sumsRow * p.j[first + k], rows + sumsRow * k);
-    }
+      strainBlock<false>(p, first, n, dt, laws, motion, rows);
+    addToBoth<strainRow>(p, first, n, rows, strains);
   }
 }
 
-void yieldPass(int n, const int *type, const AutomatonLaw *laws, const double *sums,
-               const double *kappa, double *kappaNext, double *response)
+void meanPass(int n, const int *type, const AutomatonLaw *laws, const double *strains,
+              double *response)
+{
+  for (int i = 0; i < n; i++) {
+    response[responseRow * i] = meanStress(strains[strainRow * i], laws[type[i]].bulkModulus);
+    response[responseRow * i + 1] = 1.0;
+  }
+}
+
+template <bool ONE>
+void stressBlock(const Pairs &p, int first, int n, const PairLaw *laws, const double *response,
+                 double *rows)
+{
+  const int *const pi = p.i + first, *const pj = p.j + first, *const plaw = p.law + first;
+  const double *const pkind = p.now.kind + first, *const pplastic = p.now.plastic + first;
+  const double *const pgamma = p.now.gamma + first, *const peps = p.eps + first;
+  const double *const pnx = p.nx + first, *const pny = p.ny + first;
+  const PairLaw one = laws[0];
+#pragma omp simd
+  for (int k = 0; k < n; k++) {
+    const PairLaw &law = ONE ? one : laws[plaw[k]];
+    const double meanI = response[responseRow * pi[k]], meanJ = response[responseRow * pj[k]];
+    const double e = peps[k] - pplastic[k], gamma = pgamma[k];
+    const double touching = (pkind[k] != link::none) | (e < 0.0) ? 1.0 : 0.0;
+    const double sigma = touching * elasticStress(law, e, meanI, meanJ);
+    const StressTensor s = stressShare(sigma, law.meanTwoG() * gamma, pnx[k], pny[k]);
+    double *const row = rows + stressRow * k;
+    row[0] = s.xx;
+    row[1] = s.yy;
+    row[2] = s.xy;
+    row[3] = touching * e * e + gamma * gamma;
+  }
+}
+
+void stressPass(const Pairs &p, const PairLaw *laws, bool oneLaw, const double *response,
+                double *stresses)
+{
+  alignas(64) double rows[block * stressRow];
+  for (int first = 0; first < p.n; first += block) {
+    const int n = lesser(block, p.n - first);
+    if (oneLaw)
+      stressBlock<true>(p, first, n, laws, response, rows);
+    else
+      stressBlock<false>(p, first, n, laws, response, rows);
+    addToBoth<stressRow>(p, first, n, rows, stresses);
+  }
+}
+
+void yieldPass(int n, const int *type, const AutomatonLaw *laws, const double *strains,
+               const double *stresses, const double *kappa, double *kappaNext, double *response)
 {
   for (int i = 0; i < n; i++) {
     const AutomatonLaw &law = laws[type[i]];
-    const double *const row = sums + sumsRow * i;
-    const ContactSums s = {row[0], row[1], row[2], row[3], row[4], row[5]};
-    const double mean = meanStress(s, law.bulkModulus);
-    const StressTensor stress = automatonStress(s, 2.0 * law.shearModulus, law.D, mean);
+    const double *const row = stresses + stressRow * i;
+    const StressTensor s = automatonStress(row[0], row[1], row[2], response[responseRow * i]);
     const RadialReturn back =
-        radialReturn(stressIntensity(stress), law.curve(kappa[i]), law.shearModulus);
+        radialReturn(stressIntensity(s), law.curve(kappa[i]), law.shearModulus);
     // without a bulk link there is nothing that could flow
-    const bool flows = law.yields * row[6] > 0.0;
+    const bool flows = law.yields * strains[strainRow * i + 1] > 0.0;
     kappaNext[i] = kappa[i] + (flows ? back.strain : 0.0);
-    response[responseRow * i] = mean;
     response[responseRow * i + 1] = flows ? back.factor : 1.0;
   }
 }
@@ -181,7 +219,7 @@ double forcePass(const Pairs &p, const PairLaw *laws, bool oneLaw, const double 
 
 }  // namespace
 
-extern const Kernel kernel = {MCA_ISA_NAME, strainPass, yieldPass, forcePass};
+extern const Kernel kernel = {MCA_ISA_NAME, strainPass, meanPass, stressPass, yieldPass, forcePass};
 
 }  // namespace MCA_ISA
 }  // namespace mca

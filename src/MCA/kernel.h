@@ -1,10 +1,16 @@
 /// \file kernel.h
-/// The inner loops of MCA: one pass over pairs for strains, one over automata for yielding, one
-/// over pairs for stresses, forces and the next state of the links.
+/// The inner loops of MCA. Pairs are passed over three times, since yielding is decided on the
+/// averaged stress of an automaton, which holds the mean stresses of its neighbours:
+///   strain pass (pairs)      strains, sums of elastic normal strains
+///   mean pass (automata)     mean stresses
+///   stress pass (pairs)      elastic stresses of the contacts, averaged stress tensors
+///   yield pass (automata)    stress intensities, radial returns
+///   force pass (pairs)       stresses after the return, forces, the next state of the links
+/// Between them LAMMPS adds up what several ranks hold of an automaton.
 ///
 /// No LAMMPS type in here. The forces of a step are a pure function of positions, velocities and
-/// the pair state `now`; what plasticity, fracture and linking change is written to `next` and
-/// taken over at the beginning of the following step. Hence a run that continues from a restart
+/// the pair state `now`; what plasticity, fracture and linking change is written to `next`, which
+/// becomes `now` at the beginning of the following step. Hence a run that continues from a restart
 /// file recomputes the very same forces.
 ///
 /// Plane problem; per-automaton arrays are rows of fixed length, 64-byte aligned, so that an
@@ -21,7 +27,7 @@ namespace mca {
 /// Laws of one material as an automaton's own.
 struct AutomatonLaw {
   double bulkModulus, shearModulus;  ///< K, G [stress]
-  double D;                          ///< 1 - 2G/(3K), or 0 for the pairwise law [-]
+  double D;                          ///< 1 - 2G/(3K), or 0 for the pairwise law [-]; for energies
   double yields;                     ///< 1 with radial return, 0 without
   YieldCurve curve;
 };
@@ -47,37 +53,50 @@ struct Pairs {
 
 /// Lengths of the rows of the per-automaton arrays.
 constexpr int motionRow = 8;    ///< x, y, vx, vy, omega, then unused
-constexpr int sumsRow = 8;      ///< Pxx, Pyy, Pxy, Nxx, Nyy, Nxy, bulk links, sum(e^2 + gamma^2)
+constexpr int strainRow = 2;    ///< sum of elastic normal strains [-], number of bulk links
+constexpr int stressRow = 4;    ///< averaged xx, yy, xy [stress], sum of e^2 + gamma^2 [-]
 constexpr int responseRow = 2;  ///< mean stress [stress], factor M of the radial return [-]
 constexpr int forceRow = 4;     ///< fx, fy [force], torque [force length], unused
 
-/// First pass: takes over the next state, moves the shear on by one step and adds each contact's
-/// share to both of its automata.
-/// \param dt      the step [time]; 0 keeps `now` as it is (set-up)
-/// \param laws    table of PairLaw; with \p oneLaw the first entry serves all pairs
-/// \param motion  motionRow values an automaton
-/// \param sums    sumsRow values an automaton, added to
+/// Moves the shear on by one step and adds each contact's strain to both of its automata.
+/// \param dt       the step [time]; 0 keeps the state as it is (set-up)
+/// \param laws     table of PairLaw; with \p oneLaw the first entry serves all pairs
+/// \param motion   motionRow values an automaton
+/// \param strains  strainRow values an automaton, added to
 using StrainPass = void(const Pairs &, double dt, const PairLaw *laws, bool oneLaw,
-                        const double *motion, double *sums);
+                        const double *motion, double *strains);
 
-/// Second pass, over automata: mean stress, stress intensity, radial return.
-/// \param type        material number of each automaton (1-based LAMMPS type), used to index laws
-/// \param kappa       equivalent plastic strain [-]
-/// \param kappaNext   the same at the beginning of the next step
-/// \param response    responseRow values an automaton, written
-using YieldPass = void(int n, const int *type, const AutomatonLaw *laws, const double *sums,
-                       const double *kappa, double *kappaNext, double *response);
+/// Mean stress of each automaton; the factor M is set to 1.
+/// \param type      material number of each automaton, used to index laws
+/// \param response  responseRow values an automaton, written
+using MeanPass = void(int n, const int *type, const AutomatonLaw *laws, const double *strains,
+                      double *response);
 
-/// Third pass: stresses of the contacts, forces and torques on both automata, next state.
+/// Adds the elastic stress of each contact to the averaged stress of both of its automata.
+/// \param stresses  stressRow values an automaton, added to
+using StressPass = void(const Pairs &, const PairLaw *laws, bool oneLaw, const double *response,
+                        double *stresses);
+
+/// Stress intensity and radial return of each automaton.
+/// \param kappa      equivalent plastic strain [-]
+/// \param kappaNext  the same at the beginning of the next step
+/// \param response   the factor M is written
+using YieldPass = void(int n, const int *type, const AutomatonLaw *laws, const double *strains,
+                       const double *stresses, const double *kappa, double *kappaNext,
+                       double *response);
+
+/// Stresses of the contacts, forces and torques on both automata, next state.
 /// \param forces  forceRow values an automaton, added to
 /// \return how many pairs change their kind
-using ForcePass = double(const Pairs &, const PairLaw *laws, bool oneLaw,
-                         const double *response, double *forces);
+using ForcePass = double(const Pairs &, const PairLaw *laws, bool oneLaw, const double *response,
+                         double *forces);
 
 /// The passes compiled for one instruction set.
 struct Kernel {
   const char *name;
   StrainPass *strain;
+  MeanPass *mean;
+  StressPass *stress;
   YieldPass *yield;
   ForcePass *force;
 };

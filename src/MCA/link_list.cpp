@@ -15,9 +15,9 @@ void LinkList::reset(int n)
     return {arrays_[first].get(), arrays_[first + 1].get(), arrays_[first + 2].get(),
             arrays_[first + 3].get()};
   };
-  view_ = {0,          i_.data(),         j_.data(),         law_.data(),        state(NOW),
-           state(NEXT), arrays_[NX].get(), arrays_[NY].get(), arrays_[EPS].get(),
-           arrays_[SEPARATION].get()};
+  view_ = {0,        i_.data(), j_.data(), law_.data(),      state(0),
+           state(4), arrays_[8].get(),     arrays_[9].get(), arrays_[10].get(),
+           arrays_[11].get()};
 }
 
 void LinkList::add(int i, int j, int law, const double *state)
@@ -32,13 +32,21 @@ void LinkList::add(int i, int j, int law, const double *state)
 
 void LinkList::getState(int k, bool next, double *state) const
 {
-  for (int m = 0; m < stateSize; m++) state[m] = arrays_[(next ? NEXT : NOW) + m].get()[k];
+  const PairState &from = next ? view_.next : view_.now;
+  state[0] = from.kind[k];
+  state[1] = from.plastic[k];
+  state[2] = from.gamma[k];
+  state[3] = from.gammaTotal[k];
 }
 
 void LinkList::setState(int k, const double *state)
 {
-  for (int m = 0; m < stateSize; m++)
-    arrays_[NOW + m].get()[k] = arrays_[NEXT + m].get()[k] = state[m];
+  for (const PairState &to : {view_.now, view_.next}) {
+    to.kind[k] = state[0];
+    to.plastic[k] = state[1];
+    to.gamma[k] = state[2];
+    to.gammaTotal[k] = state[3];
+  }
 }
 
 double LinkList::bytes() const

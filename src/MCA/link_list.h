@@ -8,6 +8,7 @@
 
 #include <cstdlib>
 #include <memory>
+#include <utility>
 
 namespace mca {
 
@@ -47,17 +48,19 @@ class LinkList {
   const Pairs &pairs() const { return view_; }
   int size() const { return view_.n; }
 
+  /// Makes the next state the present one; the next one is then undefined until the force pass.
+  void advance() { std::swap(view_.now, view_.next); }
+
   /// Copies the present (or the next) state of pair k to stateSize doubles.
   void getState(int k, bool next, double *state) const;
 
-  /// Sets both states of pair k.
+  /// Sets both the present and the next state of pair k.
   void setState(int k, const double *state);
 
   double bytes() const;
 
  private:
-  enum { NX, NY, EPS, SEPARATION, NOW, NEXT = NOW + stateSize, ARRAYS = NEXT + stateSize };
-  AlignedArray arrays_[ARRAYS];
+  AlignedArray arrays_[4 + 2 * stateSize];
   std::vector<int> i_, j_, law_;
   Pairs view_{};
 };

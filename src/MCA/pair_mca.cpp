@@ -39,8 +39,8 @@ PairMCA::PairMCA(LAMMPS *host) :
   centroidstressflag = CENTROID_NOTAVAIL;
   beyond_contact = 1;
   nondefault_history_transfer = 1;
-  comm_forward = mca::responseRow;
-  comm_reverse = mca::sumsRow;
+  comm_forward = 1;
+  comm_reverse = mca::stressRow;
 
   // placeholders, so that the internal fixes come before all fixes of the input script; they are
   // replaced in init_style(), when a restart file's contents for them are known
@@ -61,6 +61,12 @@ PairMCA::~PairMCA()
   }
 }
 
+static void clear(mca::AlignedArray &array, int n, int row)
+{
+  array.reserve(static_cast<size_t>(n) * row);
+  std::fill_n(array.get(), static_cast<size_t>(n) * row, 0.0);
+}
+
 /* ----------------------------------------------------------------------
    The forces of a step are a pure function of positions, velocities and the present state.
    In set-up nothing moves on; in a step the state that the last one led to is taken over first.
@@ -70,28 +76,36 @@ void PairMCA::compute(int eflag, int vflag)
 {
   ev_init(eflag, vflag);
   const bool advance = update->whichflag == 1 && !update->setupflag;
-  if (advance && !committed) commit();
+  if (advance) {
+    commit();
+    pairs.advance();
+  }
   committed = false;
 
   const int nlocal = atom->nlocal, nall = nlocal + atom->nghost;
-  pack_motion(nall);
-  const int rows = force->newton_pair ? nall : nlocal;
-  sums.reserve(static_cast<size_t>(nall) * mca::sumsRow);
-  std::fill_n(sums.get(), static_cast<size_t>(nall) * mca::sumsRow, 0.0);
-  kernel->strain(pairs.pairs(), advance ? update->dt : 0.0, pairlaw.data(), onelaw, motion.get(),
-                 sums.get());
-  if (force->newton_pair) comm->reverse_comm(this);
-
+  const mca::Pairs &p = pairs.pairs();
+  const mca::PairLaw *laws = pairlaw.data();
+  const int *type = atom->type;
   response.reserve(static_cast<size_t>(nall) * mca::responseRow);
   kappa_next.reserve(nlocal);
-  kernel->yield(nlocal, atom->type, autolaw.data(), sums.get(), kappa(), kappa_next.get(),
-                response.get());
-  comm->forward_comm(this);
+  pack_motion(nall);
 
-  forces.reserve(static_cast<size_t>(nall) * mca::forceRow);
-  std::fill_n(forces.get(), static_cast<size_t>(nall) * mca::forceRow, 0.0);
-  const double changed =
-      kernel->force(pairs.pairs(), pairlaw.data(), onelaw, response.get(), forces.get());
+  clear(strains, nall, mca::strainRow);
+  kernel->strain(p, advance ? update->dt : 0.0, laws, onelaw, motion.get(), strains.get());
+  add_up(STRAINS);
+  kernel->mean(nlocal, type, autolaw.data(), strains.get(), response.get());
+  pass_on(MEANS);
+
+  clear(stresses, nall, mca::stressRow);
+  kernel->stress(p, laws, onelaw, response.get(), stresses.get());
+  add_up(STRESSES);
+  kernel->yield(nlocal, type, autolaw.data(), strains.get(), stresses.get(), kappa(),
+                kappa_next.get(), response.get());
+  pass_on(FACTORS);
+
+  clear(forces, nall, mca::forceRow);
+  const double changed = kernel->force(p, laws, onelaw, response.get(), forces.get());
+  const int rows = force->newton_pair ? nall : nlocal;
   double **f = atom->f, **torque = atom->torque;
   const double *row = forces.get();
   for (int i = 0; i < rows; i++, row += mca::forceRow) {
@@ -416,17 +430,14 @@ PairMCA::Automaton PairMCA::automaton(int i) const
 {
   const mca::AutomatonLaw &law = autolaw[atom->type[i]];
   const mca::Material &m = materials[atom->type[i]];
-  const double *row = sums.get() + static_cast<size_t>(i) * mca::sumsRow;
-  const mca::ContactSums s = {row[0], row[1], row[2], row[3], row[4], row[5]};
-  const double mean = mca::meanStress(s, law.bulkModulus);
-  mca::StressTensor t = mca::automatonStress(s, 2.0 * law.shearModulus, law.D, mean);
-  const double density = mca::HexagonalPacking::stressWeight() * law.shearModulus * row[7] +
-      0.5 * law.D * mean * mean / law.bulkModulus;
-  const double unit = stress_unit();
-  const double intensity = mca::stressIntensity(t) * unit;
-  t = {t.xx * unit, t.yy * unit, t.xy * unit, t.zz * unit};
-  return {t, mean * unit, intensity,
-          density * mca::HexagonalPacking{m.diameter, depth}.cellVolume(), row[6]};
+  const double *row = stresses.get() + static_cast<size_t>(i) * mca::stressRow;
+  const double unit = stress_unit(), mean = response.get()[i * mca::responseRow] * unit;
+  const mca::StressTensor s =
+      mca::automatonStress(row[0] * unit, row[1] * unit, row[2] * unit, mean);
+  const double density = mca::energyDensity(row[3], mean / unit, law.shearModulus, law.bulkModulus,
+                                            law.D);
+  return {s, mean, mca::stressIntensity(s),
+          density * mca::HexagonalPacking{m.diameter, depth}.cellVolume()};
 }
 
 mca::ContactStress PairMCA::contact(int k) const
@@ -459,38 +470,52 @@ PairMCA::Count PairMCA::count() const
 
 /* ---------------------------------------------------------------------- */
 
+/* what several ranks hold of an automaton goes to its owner, what it answers to its ghosts */
+
+void PairMCA::add_up(Stage what)
+{
+  stage = what;
+  if (force->newton_pair) comm->reverse_comm(this, what == STRAINS ? mca::strainRow : mca::stressRow);
+}
+
+void PairMCA::pass_on(Stage what)
+{
+  stage = what;
+  comm->forward_comm(this);
+}
+
 int PairMCA::pack_forward_comm(int n, int *index, double *buf, int /*pbc_flag*/, int * /*pbc*/)
 {
-  double *to = buf;
-  for (int k = 0; k < n; k++, to += mca::responseRow)
-    std::copy_n(response.get() + static_cast<size_t>(index[k]) * mca::responseRow,
-                mca::responseRow, to);
-  return n * mca::responseRow;
+  const double *from = response.get() + (stage == MEANS ? 0 : 1);
+  for (int k = 0; k < n; k++) buf[k] = from[static_cast<size_t>(index[k]) * mca::responseRow];
+  return n;
 }
 
 void PairMCA::unpack_forward_comm(int n, int first, double *buf)
 {
-  std::copy_n(buf, n * mca::responseRow,
-              response.get() + static_cast<size_t>(first) * mca::responseRow);
+  double *to = response.get() + static_cast<size_t>(first) * mca::responseRow + (stage == MEANS ? 0 : 1);
+  for (int k = 0; k < n; k++) to[k * mca::responseRow] = buf[k];
 }
 
 int PairMCA::pack_reverse_comm(int n, int first, double *buf)
 {
-  std::copy_n(sums.get() + static_cast<size_t>(first) * mca::sumsRow, n * mca::sumsRow, buf);
-  return n * mca::sumsRow;
+  const int row = stage == STRAINS ? mca::strainRow : mca::stressRow;
+  const double *from = (stage == STRAINS ? strains : stresses).get();
+  std::copy_n(from + static_cast<size_t>(first) * row, n * row, buf);
+  return n * row;
 }
 
 void PairMCA::unpack_reverse_comm(int n, int *index, double *buf)
 {
-  for (int k = 0; k < n; k++) {
-    double *to = sums.get() + static_cast<size_t>(index[k]) * mca::sumsRow;
-    for (int m = 0; m < mca::sumsRow; m++) to[m] += *buf++;
-  }
+  const int row = stage == STRAINS ? mca::strainRow : mca::stressRow;
+  double *to = (stage == STRAINS ? strains : stresses).get();
+  for (int k = 0; k < n; k++)
+    for (int m = 0; m < row; m++) to[static_cast<size_t>(index[k]) * row + m] += *buf++;
 }
 
 double PairMCA::memory_usage()
 {
-  return Pair::memory_usage() + pairs.bytes() + motion.bytes() + sums.bytes() + response.bytes() +
+  return Pair::memory_usage() + pairs.bytes() + motion.bytes() + strains.bytes() + stresses.bytes() + response.bytes() +
       forces.bytes() + kappa_next.bytes();
 }
 

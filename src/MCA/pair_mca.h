@@ -56,7 +56,7 @@ class PairMCA : public Pair {
 
   struct Automaton {    // of an owned automaton, in pressure units; valid after compute()
     mca::StressTensor stress;
-    double mean, intensity, energy, bulk_links;
+    double mean, intensity, energy;
   };
   Automaton automaton(int) const;
 
@@ -81,7 +81,8 @@ class PairMCA : public Pair {
   const mca::Kernel *kernel;
 
   mca::LinkList pairs;
-  mca::AlignedArray motion, sums, response, forces, kappa_next;
+  mca::AlignedArray motion, strains, stresses, response, forces, kappa_next;
+  enum Stage { STRAINS, STRESSES, MEANS, FACTORS } stage;    // what is being communicated
   Count events;              // since creation; links and welds stay 0
   bool committed;            // kappa already holds the values of the coming step
 
@@ -94,6 +95,8 @@ class PairMCA : public Pair {
   double *kappa() const;
   double stress_unit() const;
   void pack_motion(int);
+  void add_up(Stage);
+  void pass_on(Stage);
   void count_events();
   void tally(int, int);
 };

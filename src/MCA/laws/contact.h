@@ -23,6 +23,24 @@ struct PairLaw {
   double meanTwoG() const { return 0.5 * (twoGi + twoGj); }
 };
 
+/// Elastic normal stress of a touching contact [stress]: the mean of both sides' responses.
+/// \param e            elastic normal strain r/d - 1 - plastic offset [-]
+/// \param meanI,meanJ  mean stresses of the automata [stress]
+inline double elasticStress(const PairLaw &law, double e, double meanI, double meanJ)
+{
+  return 0.5 * (normalResponse(e, law.twoGi, law.Di, meanI) +
+                normalResponse(e, law.twoGj, law.Dj, meanJ));
+}
+
+/// Normal stress of a bulk link after the radial return of its automata [stress]:
+/// sigma - [ (1-M_i)(sigma - sigma_mean,i) + (1-M_j)(sigma - sigma_mean,j) ]/2.
+/// \param factorI,factorJ  M of both automata [-]
+inline double returnedStress(double sigma, double meanI, double factorI, double meanJ,
+                             double factorJ)
+{
+  return sigma - 0.5 * ((1.0 - factorI) * (sigma - meanI) + (1.0 - factorJ) * (sigma - meanJ));
+}
+
 /// Stresses of a contact [stress], tension positive.
 struct ContactStress {
   double trial;   ///< elastic normal stress before the radial return
@@ -42,16 +60,14 @@ inline ContactStress contactStress(const PairLaw &law, double kind, double e, do
                                    double meanJ, double factorJ)
 {
   const bool isBulk = kind == link::bulk, linked = kind != link::none;
-  const double sigmaI = normalResponse(e, law.twoGi, law.Di, meanI);
-  const double sigmaJ = normalResponse(e, law.twoGj, law.Dj, meanJ);
-  const double trial = 0.5 * (sigmaI + sigmaJ);
-  const double returned =
-      0.5 * (returnedNormal(sigmaI, meanI, factorI) + returnedNormal(sigmaJ, meanJ, factorJ));
-  const double shear = 0.5 * (factorI * law.twoGi + factorJ * law.twoGj) * gamma;
+  const double trial = elasticStress(law, e, meanI, meanJ);
+  const double returned = returnedStress(trial, meanI, factorI, meanJ, factorJ);
+  const double elasticShear = law.meanTwoG() * gamma;
+  const double shear = 0.5 * (factorI + factorJ) * elasticShear;
   const double viscous = unlinkedStress(trial, law.viscosity, separation, law.invDiameter);
   const double touching = (linked | (e < 0.0)) ? 1.0 : 0.0;
   const double sigma = isBulk ? returned : touching * trial;
-  const double tau = isBulk ? shear : law.meanTwoG() * gamma;
+  const double tau = isBulk ? shear : elasticShear;
   const double normal = linked ? sigma : touching * viscous;
   return {trial, sigma, tau, normal};
 }

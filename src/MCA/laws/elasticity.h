@@ -19,47 +19,35 @@
 
 namespace mca {
 
-/// What the contacts of one automaton add up to: the plane tensors
-/// P = sum (e n n + gamma (n t)_sym) [-] and N = sum n n [-]; t is n turned by +90 degrees.
-/// tr P = sum e, and tr N is the number of contacts.
-struct ContactSums {
-  double Pxx, Pyy, Pxy, Nxx, Nyy, Nxy;
-};
-
 /// Plane stress components and the out-of-plane one, all [stress].
 struct StressTensor {
   double xx, yy, xy, zz;
 };
 
-/// One contact's share of the sums; it is the same for both of its automata.
-/// \param e      elastic normal strain [-], tension positive
-/// \param gamma  elastic shear [-], half the engineering shear strain
-/// \param nx,ny  unit normal from the first to the second automaton [-]
-inline ContactSums contactShare(double e, double gamma, double nx, double ny)
-{
-  const double nxx = nx * nx, nyy = ny * ny, nxy = nx * ny;
-  return {e * nxx - gamma * nxy, e * nyy + gamma * nxy, e * nxy + 0.5 * gamma * (nxx - nyy),
-          nxx, nyy, nxy};
-}
-
 /// sigma_mean = (K/3) sum e = K tr(eps) in plane strain [stress].
-/// \param bulkModulus K [stress]
-inline double meanStress(const ContactSums &s, double bulkModulus)
+/// \param sumStrain    sum of the elastic normal strains of the contacts [-]
+/// \param bulkModulus  K [stress]
+inline double meanStress(double sumStrain, double bulkModulus)
 {
-  return bulkModulus * HexagonalPacking::stressWeight() * (s.Pxx + s.Pyy);
+  return bulkModulus * HexagonalPacking::stressWeight() * sumStrain;
 }
 
-/// Stress of an automaton (1/V) sum_j q S n (sigma_i n + tau_i t), symmetrised, from its own
-/// response to its contacts; sigma_zz = 3 sigma_mean - sigma_xx - sigma_yy [stress].
-/// \param twoG           2G [stress]
-/// \param D              1 - 2G/(3K) [-]
-/// \param mean           sigma_mean [stress]
-inline StressTensor automatonStress(const ContactSums &s, double twoG, double D, double mean)
+/// One contact's share of the averaged stress (1/V) sum_j q S n (sigma n + tau t) of either of its
+/// automata, symmetrised [stress]; t is n turned by +90 degrees, zz is left 0.
+/// \param sigma,tau  stresses of the contact [stress]
+/// \param nx,ny      unit normal from the first to the second automaton [-]
+inline StressTensor stressShare(double sigma, double tau, double nx, double ny)
 {
   const double w = HexagonalPacking::stressWeight();
-  const double xx = w * (twoG * s.Pxx + D * mean * s.Nxx);
-  const double yy = w * (twoG * s.Pyy + D * mean * s.Nyy);
-  const double xy = w * (twoG * s.Pxy + D * mean * s.Nxy);
+  const double nxx = nx * nx, nyy = ny * ny, nxy = nx * ny;
+  return {w * (sigma * nxx - tau * nxy), w * (sigma * nyy + tau * nxy),
+          w * (sigma * nxy + 0.5 * tau * (nxx - nyy)), 0.0};
+}
+
+/// Stress tensor of an automaton from the sum of its contacts' shares: plane strain,
+/// sigma_zz = 3 sigma_mean - sigma_xx - sigma_yy [stress].
+inline StressTensor automatonStress(double xx, double yy, double xy, double mean)
+{
   return {xx, yy, xy, 3.0 * mean - xx - yy};
 }
 
@@ -71,10 +59,10 @@ inline double normalResponse(double e, double twoG, double D, double mean)
 
 /// Elastic energy of an automaton per volume [stress], from sums over its contacts.
 /// \param sumSquares  sum_j (e^2 + gamma^2) [-]
+/// \param D           weight of the mean stress [-]
 inline double energyDensity(double sumSquares, double mean, double shearModulus,
-                            double bulkModulus)
+                            double bulkModulus, double D)
 {
-  const double D = 1.0 - 2.0 * shearModulus / (3.0 * bulkModulus);
   return HexagonalPacking::stressWeight() * shearModulus * sumSquares +
          D * mean * mean / (2.0 * bulkModulus);
 }

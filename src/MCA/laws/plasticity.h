@@ -58,12 +58,6 @@ inline RadialReturn radialReturn(double intensity, double yieldStress, double sh
           yields ? (intensity - yieldStress) / (3.0 * shearModulus) : 0.0};
 }
 
-/// One side's normal stress after the return: the part beyond the mean stress shrinks by M.
-inline double returnedNormal(double response, double mean, double factor)
-{
-  return mean + factor * (response - mean);
-}
-
 }  // namespace mca
 
 #endif
