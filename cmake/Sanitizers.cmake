@@ -1,5 +1,6 @@
+# A finding ends the program with an error, so that a test fails.
 option(SANITIZE "build with AddressSanitizer and UndefinedBehaviorSanitizer" OFF)
 if(SANITIZE)
-  add_compile_options(-fsanitize=address,undefined -fno-omit-frame-pointer -g)
+  add_compile_options(-fsanitize=address,undefined -fno-sanitize-recover=undefined -fno-omit-frame-pointer -g)
   add_link_options(-fsanitize=address,undefined)
 endif()
