@@ -1,21 +1,39 @@
 #!/usr/bin/python3
-"""The sheared fragment: automata of a LAMMPS text dump at one moment, and its velocity profile.
+"""The sheared fragment: automata of a LAMMPS text dump as discs, and the velocity profile.
 
     plot_fragment.py friction.dump -o fragment.png
-    plot_fragment.py friction.dump --frame 1 --diameter 2.5 -o fragment.png
+    plot_fragment.py friction.dump --show vx links --frame 1 -o fragment.png
+    plot_fragment.py friction.dump --show stripes -o fragment.gif
 
-Left: the automata, coloured by the block they began in; the dark stripes were vertical in the
-first frame of the dump, so they show where the material is sheared. Middle: velocity along x; where
-it changes is the layer that slides. Right: its mean over each height. The dump needs the columns
-id, type, x, y and vx. Exit codes: 0 ok, 1 no matplotlib, 2 usage, 3 bad input file, 5 the picture
-cannot be written.
+One panel for each word after --show:
+  stripes    the block an automaton began in; the dark stripes were vertical in the first frame of
+             the dump, so they show where the material is sheared and mixed
+  type       the same without stripes
+  vx, vy     velocity; where vx changes is the layer that slides
+  links, welds, plastic, intensity
+             columns of compute mca/atom, under these names or as in.friction writes them
+             (c_state[1] to c_state[4])
+  any other column by its name in the dump, for instance c_state[2]
+The last panel is the mean of vx over each height. The dump needs the columns id, type, x, y and vx.
+An output that ends in .gif is an animation of all frames. Exit codes: 0 ok, 1 no matplotlib or no
+Pillow, 2 usage, 3 bad input file, 5 the picture cannot be written.
 """
 import argparse
+import io
+import math
 import os
 import sys
 
 NEEDED = ("id", "type", "x", "y", "vx")
 STRIPES = 8  # across the fragment
+STATE = {name: f"c_state[{k}]" for k, name in enumerate(("links", "welds", "plastic", "intensity"), 1)}
+TITLES = {"vx": "velocity along x", "vy": "velocity along y", "links": "links", "welds": "welds",
+          "type": "blocks", "stripes": "blocks, with stripes that began vertical",
+          "plastic": "equivalent plastic strain", "intensity": "stress intensity (von Mises)"}
+LABELS = {"vx": "$v_x$ (nm/ns = m/s)", "vy": "$v_y$ (nm/ns = m/s)",
+          "links": "links of an automaton", "welds": "welds of an automaton",
+          "plastic": "plastic strain (-)", "intensity": "stress intensity (MPa)"}
+PAINT = {1: ("#9ecae1", "#2171b5"), 2: ("#fdbe85", "#d94801")}  # type: light, dark
 
 
 def fail(code, text):
@@ -23,135 +41,312 @@ def fail(code, text):
     sys.exit(code)
 
 
-def read_frame(path, lines, number):
-    """(step, box, {column: values}, next line number) of the frame that starts at lines[number]."""
-    try:
-        if lines[number] != "ITEM: TIMESTEP":
-            raise ValueError
-        step = int(lines[number + 1])
-        count = int(lines[number + 3])
-        box = [tuple(map(float, lines[number + k].split()[:2])) for k in (5, 6)]
-        names = lines[number + 8].split()[2:]
-        first = number + 9
-        rows = [line.split() for line in lines[first:first + count]]
-        if len(rows) < count or any(len(row) != len(names) for row in rows):
-            return None  # cut: the run was interrupted while it wrote
-    except (IndexError, ValueError):
-        fail(3, f"{path}:{number + 1}: not a frame of a LAMMPS text dump")
-    missing = [name for name in NEEDED if name not in names]
-    if missing:
-        fail(3, f"{path}:{number + 9}: column {missing[0]} is missing, needed: {' '.join(NEEDED)}")
-    try:
-        columns = {name: [float(row[names.index(name)]) for row in rows] for name in NEEDED}
-    except ValueError:
-        fail(3, f"{path}:{first + 1}: not numbers in this frame")
-    return step, box, columns, first + count
+class Dump:
+    """A LAMMPS text dump; numbers are read when a frame is asked for."""
 
+    def __init__(self, path):
+        self.path = path
+        try:
+            with open(path, encoding="utf-8") as file:
+                self.lines = file.read().splitlines()
+        except (OSError, UnicodeDecodeError) as error:
+            fail(3, f"{path}: cannot be read: {error}")
+        self.frames, number = [], 0
+        while number < len(self.lines):
+            frame = self.head(number)
+            if frame is None:  # the run was interrupted while it wrote
+                print(f"plot_fragment.py: {path}: the last frame is cut and left out", file=sys.stderr)
+                break
+            self.frames.append(frame)
+            number = frame["first"] + frame["count"]
+        if not self.frames:
+            fail(3, f"{path}: no whole frame in it")
 
-def read_dump(path):
-    try:
-        with open(path, encoding="utf-8") as file:
-            lines = file.read().splitlines()
-    except (OSError, UnicodeDecodeError) as error:
-        fail(3, f"{path}: cannot be read: {error}")
-    frames, number = [], 0
-    while number < len(lines):
-        frame = read_frame(path, lines, number)
-        if frame is None:
-            break
-        *content, number = frame
-        frames.append(content)
-    if not frames:
-        fail(3, f"{path}: no whole frame in it")
-    return frames
+    def head(self, number):
+        """What stands before the rows of the frame at lines[number]; None if the frame is cut."""
+        frame, start, at = {"time": None}, number, number
+        try:
+            if self.lines[at] != "ITEM: TIMESTEP":
+                raise ValueError
+            while not self.lines[at].startswith("ITEM: ATOMS"):
+                item = self.lines[at]
+                if item == "ITEM: TIMESTEP":
+                    frame["step"] = int(self.lines[at + 1])
+                elif item == "ITEM: TIME":
+                    frame["time"] = float(self.lines[at + 1])
+                elif item == "ITEM: NUMBER OF ATOMS":
+                    frame["count"] = int(self.lines[at + 1])
+                elif item.startswith("ITEM: BOX BOUNDS"):
+                    frame["box"] = [float(word) for word in self.lines[at + 1].split()[:2]]
+                    at += 2
+                at += 2
+            frame["names"] = self.lines[at].split()[2:]
+            frame["head"], frame["first"] = at, at + 1
+            low, high = frame["box"]
+            if not (math.isfinite(low) and math.isfinite(high) and low < high and frame["count"] > 0):
+                raise ValueError
+        except IndexError:
+            if len(self.lines) - start < 10 and start > 0:
+                return None
+            fail(3, f"{self.path}:{start + 1}: not a frame of a LAMMPS text dump")
+        except (ValueError, KeyError):
+            fail(3, f"{self.path}:{start + 1}: not a frame of a LAMMPS text dump")
+        last = frame["first"] + frame["count"]
+        if len(self.lines) < last or len(self.lines[last - 1].split()) != len(frame["names"]):
+            return None
+        return frame
+
+    def columns(self, number, names):
+        """{name: values of that column} of a frame."""
+        frame = self.frames[number]
+        places = {name: self.place(frame, name) for name in names}
+        values = {name: [] for name in names}
+        for k in range(frame["first"], frame["first"] + frame["count"]):
+            words = self.lines[k].split()
+            if len(words) != len(frame["names"]):
+                fail(3, f"{self.path}:{k + 1}: {len(words)} values, {len(frame['names'])} are expected")
+            try:
+                row = {name: float(words[place]) for name, place in places.items()}
+            except ValueError:
+                fail(3, f"{self.path}:{k + 1}: not numbers")
+            for name, value in row.items():
+                if not math.isfinite(value):
+                    fail(3, f"{self.path}:{k + 1}: {name} is {value}, a finite number is expected")
+                values[name].append(value)
+        return values
+
+    def place(self, frame, name):
+        for spelling in (name, STATE.get(name)):
+            if spelling in frame["names"]:
+                return frame["names"].index(spelling)
+        fail(3, f"{self.path}:{frame['head'] + 1}: column {name} is missing, the dump has: "
+                f"{' '.join(frame['names'])}")
+        return None
 
 
 def nearest_distance(x, y):
     """Diameter of the automata: the spacing in the first frame."""
-    return min(((x[0] - a) ** 2 + (y[0] - b) ** 2) ** 0.5 for a, b in zip(x[1:], y[1:]))
+    return min((math.hypot(x[0] - a, y[0] - b) for a, b in zip(x[1:], y[1:])), default=1.0)
 
 
 def profile(y, vx, height):
-    """Mean of vx over slices of that height; (middle of the slice, mean)."""
+    """Mean of vx over slices of that height; (means, middles of the slices)."""
     slices = {}
     for a, v in zip(y, vx):
         slices.setdefault(a // height, []).append(v)
-    return zip(*((height * (k + 0.5), sum(v) / len(v)) for k, v in sorted(slices.items())))
+    rows = [(sum(v) / len(v), height * (k + 0.5)) for k, v in sorted(slices.items())]
+    return [mean for mean, _ in rows], [middle for _, middle in rows]
 
 
-def draw(axes, box, x, y, diameter, colours, **options):
-    from matplotlib.collections import EllipseCollection
+class Picture:
+    """All panels of one figure; show(number) draws a frame."""
 
-    discs = EllipseCollection([diameter] * len(x), [diameter] * len(x), [0] * len(x), units="xy",
-                              offsets=list(zip(x, y)), offset_transform=axes.transData,
-                              linewidths=0, **options)
-    if options:
-        discs.set_array(colours)
-    else:
-        discs.set_facecolor(colours)
-    axes.add_collection(discs)
-    axes.set_aspect("equal")
-    axes.set_xlim(*box[0])
-    axes.set_ylim(min(y) - diameter, max(y) + diameter)
-    axes.set_xlabel("x (nm)")
-    return discs
+    def __init__(self, plt, dump, given):
+        self.dump, self.given = dump, given
+        self.names = set(NEEDED) | {p for p in given.show if p != "stripes"}
+        begin = dump.columns(0, NEEDED)
+        self.diameter = given.diameter or nearest_distance(begin["x"], begin["y"])
+        low, high = dump.frames[0]["box"]
+        self.stripe = {i: int((x - low) / (high - low) * 2 * STRIPES) % 2
+                       for i, x in zip(begin["id"], begin["x"])}
+        # everything that must not change within an animation
+        frames = range(len(dump.frames)) if given.animated else [given.frame]
+        everything = [dump.columns(k, self.names) for k in frames]
+        self.low = min(min(c["y"]) for c in everything) - self.diameter
+        self.high = max(max(c["y"]) for c in everything) + self.diameter
+        self.range = {p: self.limits(p, everything) for p in given.show if p not in ("stripes", "type")}
+
+        self.lay_out(plt, (self.high - self.low) / (high - low))
+
+    def lay_out(self, plt, ratio):
+        """Axes of the panels, their colour bars and the profile, all of the same height."""
+        left, bottom, top, gap, bar = 0.65, 0.55, 0.7, 0.35, 1.0  # inches
+        wide, tall, narrow = 4.6, max(4.6 * ratio, 1.0), 1.5
+        places, at = [], left
+        for panel in self.given.show:
+            places.append((panel, at, wide))
+            at += wide + gap
+            if panel in self.range:
+                places.append((panel + " bar", at - gap + 0.1, 0.15))
+                at += bar - gap
+        if self.given.profile:
+            places.append(("profile", at, narrow))
+            at += narrow + gap
+        self.figure = plt.figure(figsize=(at, bottom + tall + top))
+        self.axes = {name: self.figure.add_axes((x / at, bottom / (bottom + tall + top), w / at,
+                                                 tall / (bottom + tall + top)), label=name)
+                     for name, x, w in places}
+
+    def limits(self, panel, everything):
+        values = sorted(v for columns in everything for v in columns[panel])
+        if panel in ("links", "welds"):
+            return -0.5, max(values[-1], 6 if panel == "links" else 1) + 0.5
+        # single debris may fly much faster than all the rest
+        low, high = (values[round(q * (len(values) - 1))] for q in (0.01, 0.99))
+        if panel == "vx" or values[0] >= 0.0:
+            low = min(0.0, low)
+        return (low, high) if high > low else (low, low + 1.0)
+
+    def show(self, number):
+        frame, columns = self.dump.frames[number], self.dump.columns(number, self.names)
+        for axes in self.axes.values():
+            axes.cla()
+        for panel in self.given.show:
+            self.panel(self.axes[panel], panel, frame, columns)
+        self.axes[self.given.show[0]].set_ylabel("y (nm)")
+        for panel in self.given.show[1:]:
+            self.axes[panel].tick_params(labelleft=False)
+        if self.given.profile:
+            self.velocities(self.axes["profile"], columns)
+        time = frame["time"] if frame["time"] is not None else frame["step"] * self.given.timestep
+        self.figure.suptitle(f"{frame['count']} automata after {time:.3g} ns", fontsize=11, y=0.985)
+
+    def velocities(self, axes, columns):
+        means, heights = profile(columns["y"], columns["vx"], self.diameter)
+        axes.plot(means, heights, "o-", ms=3)
+        axes.set_xlabel("mean $v_x$ (m/s)")
+        axes.set_title("velocity profile", fontsize=10)
+        if "vx" in self.range:
+            low, high = self.range["vx"]
+            axes.set_xlim(low - 0.1 * (high - low), high + 0.1 * (high - low))
+        axes.set_ylim(self.low, self.high)
+        axes.tick_params(labelleft=False)
+        axes.grid(alpha=0.3)
+
+    def panel(self, axes, panel, frame, columns):
+        low, high = frame["box"]
+        width, radius = high - low, 0.5 * self.diameter
+        # an automaton on the edge of the period is seen on both sides
+        x, y, which = [], [], []
+        for k, (a, b) in enumerate(zip(columns["x"], columns["y"])):
+            a = low + (a - low) % width
+            for image in (a, a + width, a - width):
+                if low - radius < image < high + radius:
+                    x.append(image)
+                    y.append(b)
+                    which.append(k)
+        discs = self.discs(axes, x, y)
+        if panel in ("stripes", "type"):
+            shade = self.stripe if panel == "stripes" else {}
+            paint = [PAINT.get(int(t), ("0.75", "0.45"))[shade.get(i, 0)]
+                     for i, t in zip(columns["id"], columns["type"])]
+            discs.set_facecolor([paint[k] for k in which])
+        else:
+            self.colour(axes, discs, panel, columns[panel], which)
+        axes.set_aspect("equal")
+        axes.set_xlim(low, high)
+        axes.set_ylim(self.low, self.high)
+        axes.set_xlabel("x (nm)")
+        axes.set_title(TITLES.get(panel, panel), fontsize=10)
+
+    def discs(self, axes, x, y):
+        from matplotlib.collections import EllipseCollection
+
+        size = [self.diameter] * len(x)
+        discs = EllipseCollection(size, size, [0] * len(x), units="xy", offsets=list(zip(x, y)),
+                                  offset_transform=axes.transData, linewidths=0)
+        axes.add_collection(discs)
+        return discs
+
+    def colour(self, axes, discs, panel, values, which):
+        import matplotlib
+
+        low, high = self.range[panel]
+        counted = panel in ("links", "welds")
+        steps = round(high - low) if counted else None
+        discs.set_cmap(matplotlib.colormaps["viridis"].resampled(steps) if counted else "viridis")
+        discs.set_array([values[k] for k in which])
+        discs.set_clim(low, high)
+        beyond = (min(values) < low, max(values) > high) if not counted else (False, False)
+        extend = {(True, True): "both", (True, False): "min", (False, True): "max"}.get(beyond, "neither")
+        self.figure.colorbar(discs, cax=self.axes[panel + " bar"], label=LABELS.get(panel, panel),
+                             extend=extend, ticks=range(steps) if counted else None)
 
 
-def main():
+def write_whole(path, content):
+    """The file appears whole or not at all."""
+    beside = f"{path}.part"
+    try:
+        with open(beside, "wb") as file:
+            file.write(content)
+            file.flush()
+            os.fsync(file.fileno())
+        os.replace(beside, path)
+    except OSError as error:
+        if os.path.exists(beside):
+            os.remove(beside)
+        fail(5, f"{path}: cannot be written: {error.strerror}")
+
+
+def animate(picture, frames, rate, dpi):
+    """Bytes of a GIF that shows all frames in turn, for ever."""
+    try:
+        from PIL import Image
+    except ImportError:
+        fail(1, "Pillow is missing (Debian: apt-get install python3-pil); no animation made")
+    images = []
+    for number in range(frames):
+        picture.show(number)
+        page = io.BytesIO()
+        picture.figure.savefig(page, dpi=dpi, format="png")
+        images.append(Image.open(page).convert("P", palette=Image.Palette.ADAPTIVE))
+    film = io.BytesIO()
+    images[0].save(film, format="GIF", save_all=True, append_images=images[1:],
+                   duration=round(1000 / rate), loop=0)
+    return film.getvalue()
+
+
+def positive(word):
+    value = float(word)
+    if not (math.isfinite(value) and value > 0):
+        raise argparse.ArgumentTypeError(f"'{word}': a number > 0 is needed")
+    return value
+
+
+def arguments():
     parser = argparse.ArgumentParser(description=__doc__,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("dump", metavar="DUMP")
-    parser.add_argument("-o", "--output", default="fragment.png", metavar="PNG")
+    parser.add_argument("-o", "--output", default="fragment.png", metavar="FILE", help="*.png or *.gif")
+    parser.add_argument("--show", nargs="+", default=["stripes", "vx"], metavar="WHAT",
+                        help="panels, see above [stripes vx]")
+    parser.add_argument("--no-profile", dest="profile", action="store_false",
+                        help="without the velocity profile")
     parser.add_argument("--frame", type=int, default=-1, help="frame of the dump, from 0 [the last]")
-    parser.add_argument("--diameter", type=float, help="of an automaton, nm [spacing of the first frame]")
-    parser.add_argument("--timestep", type=float, default=5e-5, help="ns, for the title [5e-5]")
+    parser.add_argument("--diameter", type=positive, metavar="NM",
+                        help="of an automaton [the spacing in the first frame]")
+    parser.add_argument("--timestep", type=positive, default=5e-5, metavar="NS",
+                        help="for the title, where the dump has no time [5e-5]")
+    parser.add_argument("--rate", type=positive, default=5, help="frames per second of a GIF [5]")
+    parser.add_argument("--dpi", type=positive, default=130, help="[130]")
     given = parser.parse_args()
-    frames = read_dump(given.dump)
-    if not -len(frames) <= given.frame < len(frames):
-        fail(2, f"--frame {given.frame}: the dump has {len(frames)} frames")
-    _, box, start, = frames[0]
-    step, _, now = frames[given.frame]
-    diameter = given.diameter or nearest_distance(start["x"], start["y"])
+    given.show = list(dict.fromkeys(given.show))
+    given.animated = given.output.lower().endswith(".gif")
+    return given
+
+
+def main():
+    given = arguments()
+    dump = Dump(given.dump)
+    if not -len(dump.frames) <= given.frame < len(dump.frames):
+        fail(2, f"--frame {given.frame}: the dump has {len(dump.frames)} frames")
+    for number in (0, given.frame):
+        dump.columns(number, set(NEEDED) | {p for p in given.show if p != "stripes"})
     try:
         import matplotlib
         matplotlib.use("Agg")
         import matplotlib.pyplot as plt
     except ImportError:
         fail(1, "matplotlib is missing (Debian: apt-get install python3-matplotlib); no picture made")
-
-    width = box[0][1] - box[0][0]
-    stripe = {i: int((x - box[0][0]) / width * 2 * STRIPES) % 2 for i, x in zip(start["id"], start["x"])}
-    paint = {(1, 0): "#9ecae1", (1, 1): "#2171b5", (2, 0): "#fdbe85", (2, 1): "#d94801"}
-    colours = [paint.get((int(t), stripe.get(i, 0)), "0.5") for t, i in zip(now["type"], now["id"])]
-
-    figure, (left, middle, right) = plt.subplots(
-        1, 3, figsize=(13, 4.2), constrained_layout=True, sharey=True,
-        gridspec_kw={"width_ratios": [1, 1.12, 0.45]})
-    # the periodic box is drawn once: automata beyond its edges come back on the other side
-    x = [box[0][0] + (a - box[0][0]) % width for a in now["x"]]
-    draw(left, box, x, now["y"], diameter, colours)
-    left.set_title("blocks, with stripes that began vertical", fontsize=10)
-    left.set_ylabel("y (nm)")
-    top = max(now["vx"])
-    heights, means = profile(now["y"], now["vx"], diameter)
-    limit = max(abs(v) for v in means)
-    discs = draw(middle, box, x, now["y"], diameter, now["vx"], cmap="viridis")
-    discs.set_clim(min(0, min(means)), limit)
-    figure.colorbar(discs, ax=middle, label="$v_x$ (nm/ns = m/s)", extend="both" if top > limit else "neither")
-    middle.set_title("velocity along x", fontsize=10)
-    right.plot(means, heights, "o-", ms=3)
-    right.set_xlabel("mean $v_x$ (m/s)")
-    right.set_title("velocity profile", fontsize=10)
-    right.grid(alpha=0.3)
-    figure.suptitle(f"{len(x)} automata after {step * given.timestep:.3g} ns of sliding", fontsize=11)
-    beside = given.output + ".part"
-    try:
-        figure.savefig(beside, dpi=130, format="png")
-        os.replace(beside, given.output)
-    except OSError as error:
-        if os.path.exists(beside):
-            os.remove(beside)
-        fail(5, f"{given.output}: cannot be written: {error.strerror}")
+    picture = Picture(plt, dump, given)
+    if given.animated:
+        content = animate(picture, len(dump.frames), given.rate, given.dpi)
+    else:
+        picture.show(given.frame)
+        page = io.BytesIO()
+        picture.figure.savefig(page, dpi=given.dpi, format="png")
+        content = page.getvalue()
+    write_whole(given.output, content)
 
 
 if __name__ == "__main__":

@@ -43,3 +43,24 @@ def test_options(tmp_path):
     assert plot(tmp_path, GOOD, "--frame", "2")[0].returncode == 2
     done, _ = plot(tmp_path, GOOD, "-o", tmp_path / "no" / "a.png")
     assert done.returncode == 5 and done.stderr.count("\n") == 1
+
+
+@pytest.mark.parametrize("show", [["vx"], ["c_state[1]"], ["links", "type"], ["stripes", "links"]])
+def test_panels(tmp_path, show):
+    done, picture = plot(tmp_path, GOOD, "--no-profile", "--show", *show)
+    assert done.returncode == 0, done.stderr
+    assert picture.read_bytes()[:4] == b"\x89PNG"
+
+
+def test_unknown_column(tmp_path):
+    done, picture = plot(tmp_path, GOOD, "--show", "plastic")
+    assert done.returncode == 3 and "plastic" in done.stderr and ":9:" in done.stderr
+    assert not picture.exists()
+
+
+def test_animation(tmp_path):
+    film = tmp_path / "a.gif"
+    done, _ = plot(tmp_path, GOOD, "--dpi", "40", "-o", film)
+    assert done.returncode == 0, done.stderr
+    assert film.read_bytes()[:6] == b"GIF89a"
+    assert sorted(p.name for p in tmp_path.iterdir()) == ["a.dump", "a.gif"]
