@@ -1,0 +1,282 @@
+#include "reference_mca.h"
+
+#include <cmath>
+#include <stdexcept>
+
+namespace reference {
+
+void Sample::add(const Automaton &a)
+{
+  if (owned != static_cast<int>(automata.size()))
+    throw std::logic_error("images come last");
+  owner.push_back(owned++);
+  shiftX.push_back(0);
+  shiftY.push_back(0);
+  automata.push_back(a);
+}
+
+void Sample::addImage(int i, double sx, double sy)
+{
+  owner.push_back(i);
+  shiftX.push_back(sx);
+  shiftY.push_back(sy);
+  automata.push_back(automata[i]);
+  automata.back().x += sx;
+  automata.back().y += sy;
+}
+
+void Sample::updateImages()
+{
+  for (size_t k = owned; k < automata.size(); k++) {
+    automata[k] = automata[owner[k]];
+    automata[k].x += shiftX[k];
+    automata[k].y += shiftY[k];
+  }
+}
+
+namespace {
+
+struct View { // geometry of a contact
+  double r, nx, ny, tx, ty, e, eps, d;
+};
+
+View view(const Sample &s, const Contact &c)
+{
+  const Automaton &a = s.automata[c.i], &b = s.automata[c.j];
+  View w;
+  w.r = std::hypot(b.x - a.x, b.y - a.y);
+  w.nx = (b.x - a.x) / w.r;
+  w.ny = (b.y - a.y) / w.r;
+  w.tx = -w.ny;
+  w.ty = w.nx;
+  w.d = (s.materials[a.type].diameter + s.materials[b.type].diameter) / 2;
+  w.eps = w.r / w.d - 1;
+  w.e = w.eps - c.now.plastic;
+  return w;
+}
+
+bool touches(const Contact &c, const View &w)
+{
+  return c.now.kind != 0 || w.e < 0;
+}
+
+bool manyBody(const Sample &s)
+{
+  return s.laws.elasticity == "many-body";
+}
+
+double weight(const Sample &s, const mca::Material &m) // D of the force law
+{
+  const double G = m.youngs_modulus / 2 / (1 + m.poissons_ratio);
+  const double K = m.youngs_modulus / 3 / (1 - 2 * m.poissons_ratio);
+  return manyBody(s) ? 1 - 2 * G / (3 * K) : 0;
+}
+
+double shear(const mca::Material &m)
+{
+  return m.youngs_modulus / 2 / (1 + m.poissons_ratio);
+}
+double bulk(const mca::Material &m)
+{
+  return m.youngs_modulus / 3 / (1 - 2 * m.poissons_ratio);
+}
+
+// Fig. 5 against plastic strain
+double yieldStress(const mca::Material &m, double kappa)
+{
+  const double s1 = m.elastic_limit * m.strength, s2 = m.yield_strength * m.strength;
+  const double k2 = m.yield_strain - s2 / m.youngs_modulus;
+  const double k3 = m.breaking_strain - m.strength / m.youngs_modulus;
+  if (kappa < k2)
+    return s1 + (s2 - s1) * kappa / k2;
+  if (kappa < k3)
+    return s2 + (m.strength - s2) * (kappa - k2) / (k3 - k2);
+  return m.strength;
+}
+
+void moveShear(const Sample &s, Contact &c, double dt)
+{
+  if (dt > 0)
+    c.now = c.next;
+  if (c.now.kind == 0) {
+    c.now.gamma = c.now.gammaTotal = 0;
+    return;
+  }
+  const Automaton &a = s.automata[c.i], &b = s.automata[c.j];
+  const double x = b.x - a.x, y = b.y - a.y;
+  const double x0 = x - (b.vx - a.vx) * dt, y0 = y - (b.vy - a.vy) * dt;
+  const double turn = std::atan2(x0 * y - y0 * x, x0 * x + y0 * y);
+  const double dgamma = turn - (a.omega + b.omega) * dt / 2;
+  c.now.gamma += dgamma;
+  c.now.gammaTotal += dgamma;
+}
+
+void collectMeans(Sample &s)
+{
+  for (auto &a : s.automata)
+    a.mean = a.xx = a.yy = a.xy = a.zz = a.energy = a.fx = a.fy = a.torque = 0;
+  for (const auto &c : s.contacts) {
+    const View w = view(s, c);
+    if (!touches(c, w))
+      continue;
+    for (int side : {c.i, c.j}) {
+      Automaton &a = s.automata[s.owner[side]];
+      a.mean += bulk(s.materials[a.type]) / 3 * w.e;
+    }
+  }
+}
+
+// elastic stresses of a touching contact: the mean of what both sides answer
+void elasticStresses(const Sample &s, const Contact &c, const View &w, double &sigma, double &tau)
+{
+  sigma = tau = 0;
+  for (int side : {c.i, c.j}) {
+    const Automaton &a = s.automata[s.owner[side]];
+    const mca::Material &m = s.materials[a.type];
+    sigma += (2 * shear(m) * w.e + weight(s, m) * a.mean) / 2;
+    tau += 2 * shear(m) * c.now.gamma / 2;
+  }
+}
+
+void collectStresses(Sample &s)
+{
+  std::vector<bool> hasBulk(s.owned, false);
+  for (const auto &c : s.contacts) {
+    const View w = view(s, c);
+    if (!touches(c, w))
+      continue;
+    double sigma, tau;
+    elasticStresses(s, c, w, sigma, tau);
+    const double fx = sigma * w.nx + tau * w.tx, fy = sigma * w.ny + tau * w.ty;
+    for (int side : {c.i, c.j}) {
+      Automaton &a = s.automata[s.owner[side]];
+      a.xx += w.nx * fx / 3;
+      a.yy += w.ny * fy / 3;
+      a.xy += (w.nx * fy + w.ny * fx) / 2 / 3;
+      a.energy += shear(s.materials[a.type]) / 3 * (w.e * w.e + c.now.gamma * c.now.gamma);
+      if (c.now.kind == 1)
+        hasBulk[s.owner[side]] = true;
+    }
+  }
+  for (int k = 0; k < s.owned; k++) {
+    Automaton &a = s.automata[k];
+    const mca::Material &m = s.materials[a.type];
+    a.energy += weight(s, m) * a.mean * a.mean / 2 / bulk(m);
+    a.energy *= std::sqrt(3.0) / 2 * m.diameter * m.diameter * s.thickness;
+    a.zz = 3 * a.mean - a.xx - a.yy;
+    const double p = (a.xx + a.yy + a.zz) / 3; // von Mises from the deviator
+    a.intensity = std::sqrt(1.5 * (std::pow(a.xx - p, 2) + std::pow(a.yy - p, 2) +
+                                   std::pow(a.zz - p, 2) + 2 * a.xy * a.xy));
+    const double limit = yieldStress(m, a.kappa);
+    a.factor = 1;
+    a.kappaNext = a.kappa;
+    if (s.laws.plasticity == "radial" && hasBulk[k] && a.intensity > limit) {
+      a.factor = limit / a.intensity;
+      a.kappaNext += (a.intensity - limit) / 3 / shear(m);
+    }
+  }
+}
+
+struct Stress {
+  double trial, sigma, tau, normal;
+};
+
+Stress contactStresses(const Sample &s, const Contact &c, const View &w)
+{
+  const Automaton &a = s.automata[s.owner[c.i]], &b = s.automata[s.owner[c.j]];
+  const mca::Material &ma = s.materials[a.type], &mb = s.materials[b.type];
+  Stress out{};
+  if (!touches(c, w))
+    return out;
+  elasticStresses(s, c, w, out.trial, out.tau);
+  out.sigma = out.trial;
+  if (c.now.kind == 1) {
+    out.sigma -=
+        ((1 - a.factor) * (out.trial - a.mean) + (1 - b.factor) * (out.trial - b.mean)) / 2;
+    out.tau *= (a.factor + b.factor) / 2;
+  }
+  out.normal = out.sigma;
+  if (c.now.kind == 0) {
+    const Automaton &p = s.automata[c.i], &q = s.automata[c.j];
+    const double speed = (q.vx - p.vx) * w.nx + (q.vy - p.vy) * w.ny;
+    const double eta = s.laws.viscosity == "normal" ? (ma.viscosity + mb.viscosity) / 2 : 0;
+    out.normal = std::fmin(0, out.sigma + eta * speed / w.d);
+  }
+  return out;
+}
+
+double nextKindOf(const Sample &s, const Contact &c, const View &w, const Stress &p)
+{
+  const mca::Material &ma = s.materials[s.automata[c.i].type];
+  const mca::Material &mb = s.materials[s.automata[c.j].type];
+  const double strength = std::fmin(ma.strength, mb.strength);
+  const double limit = std::fmin(ma.breaking_strain, mb.breaking_strain);
+  const bool welding = std::isfinite(s.laws.weld);
+  const double tension = std::fmax(p.sigma, 0);
+  const double intensity = std::sqrt(tension * tension + 3 * p.tau * p.tau);
+  if (c.now.kind == 1) {
+    const double opening = std::fmax(w.eps, 0), g = c.now.gammaTotal;
+    if (s.laws.fracture == "strain" && opening * opening + 4.0 / 3 * g * g >= limit * limit)
+      return 0;
+    if (s.laws.fracture == "stress" && intensity >= strength)
+      return 0;
+    return 1;
+  }
+  if (c.now.kind == 2) {
+    if (intensity >= s.laws.weld * strength)
+      return 0;
+    return -p.sigma >= s.laws.heal * strength ? 1 : 2;
+  }
+  const double threshold =
+      s.laws.link == mca::LawSet::atElasticLimit
+          ? std::fmin(ma.elastic_limit * ma.strength, mb.elastic_limit * mb.strength)
+          : s.laws.link * strength;
+  return -p.sigma >= threshold ? (welding ? 2 : 1) : 0;
+}
+
+void applyContact(Sample &s, Contact &c)
+{
+  const View w = view(s, c);
+  const Stress p = contactStresses(s, c, w);
+  const mca::Material &ma = s.materials[s.automata[c.i].type];
+  const mca::Material &mb = s.materials[s.automata[c.j].type];
+  const double twoG = shear(ma) + shear(mb);
+
+  c.next = c.now;
+  c.next.kind = nextKindOf(s, c, w, p);
+  if (c.now.kind == 1)
+    c.next.plastic += (p.trial - p.sigma) / twoG;
+  c.next.gamma = p.tau / twoG;
+  if (c.now.kind == 0 || c.next.kind == 0)
+    c.next.gamma = c.next.gammaTotal = 0;
+  if (c.next.kind == 0 && w.eps > std::fmax(c.next.plastic, 0))
+    c.next.plastic = 0;
+  if (c.next.kind != c.now.kind)
+    s.changed++;
+
+  const double S = w.d * s.thickness / std::sqrt(3.0);
+  const double fn = p.normal * S, ft = p.tau * S * w.d / w.r;
+  const double fx = fn * w.nx + ft * w.tx, fy = fn * w.ny + ft * w.ty;
+  Automaton &a = s.automata[s.owner[c.i]], &b = s.automata[s.owner[c.j]];
+  a.fx += fx;
+  a.fy += fy;
+  b.fx -= fx;
+  b.fy -= fy;
+  a.torque += w.d / 2 * p.tau * S;
+  b.torque += w.d / 2 * p.tau * S;
+}
+
+} // namespace
+
+void step(Sample &s, double dt)
+{
+  s.changed = 0;
+  for (auto &c : s.contacts)
+    moveShear(s, c, dt);
+  collectMeans(s);
+  collectStresses(s);
+  for (auto &c : s.contacts)
+    applyContact(s, c);
+}
+
+} // namespace reference

@@ -1,0 +1,65 @@
+/// \file reference_mca.h
+/// Slow, obvious MCA: one struct an automaton, one a contact, plain loops, the trigonometry of the
+/// textbook. It is written from the equations, not from the kernel, which is held against it.
+#ifndef REFERENCE_MCA_H
+#define REFERENCE_MCA_H
+
+#include "laws/law_set.h"
+
+#include <vector>
+
+namespace reference {
+
+/// All quantities in one consistent set of units.
+struct Automaton {
+  double x = 0, y = 0, vx = 0, vy = 0, omega = 0;
+  int type = 0; ///< number in the table of materials
+  double kappa = 0;
+
+  // results of a step; forces and torque are those of all contacts
+  double mean = 0, xx = 0, yy = 0, xy = 0, zz = 0, intensity = 0, factor = 1, kappaNext = 0;
+  double energy = 0, fx = 0, fy = 0, torque = 0;
+};
+
+/// 0 unlinked, 1 bulk link, 2 weld.
+struct State {
+  double kind = 0, plastic = 0, gamma = 0, gammaTotal = 0;
+};
+
+struct Contact {
+  int i = 0, j = 0;
+  State now, next;
+};
+
+/// Automata beyond the first `owned` are periodic images: `owner` names their original, whose
+/// contacts they share; their positions are the original's plus the shift.
+struct Sample {
+  std::vector<mca::Material> materials;
+  mca::LawSet laws;
+  double thickness = 1.0;
+
+  std::vector<Automaton> automata;
+  std::vector<Contact> contacts;
+  int owned = 0;
+  std::vector<int> owner;
+  std::vector<double> shiftX, shiftY;
+
+  int changed = 0; ///< result of a step: contacts whose kind changes
+
+  /// Appends an automaton of our own.
+  void add(const Automaton &);
+
+  /// Appends an image of automaton i.
+  void addImage(int i, double shiftX, double shiftY);
+
+  /// Brings the images' state to that of their originals.
+  void updateImages();
+};
+
+/// One evaluation of the laws: takes over the next state when dt > 0, moves the shear on by dt,
+/// then yielding, forces and the next state.
+void step(Sample &, double dt);
+
+} // namespace reference
+
+#endif

@@ -1,0 +1,210 @@
+#include "sample.h"
+
+#include "link_list.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+using reference::Automaton;
+using reference::Contact;
+using reference::Sample;
+
+mca::Material steel()
+{
+  mca::Material m;
+  m.youngs_modulus = 206000;
+  m.poissons_ratio = 0.3;
+  m.density = 0.0078;
+  m.strength = 92;
+  m.elastic_limit = 0.554;
+  m.yield_strength = 0.870;
+  m.yield_strain = 0.015;
+  m.breaking_strain = 0.04;
+  m.viscosity = 410;
+  m.diameter = 2.5;
+  return m;
+}
+
+std::string steelText()
+{
+  std::ostringstream text;
+  text.precision(17);
+  text << "# UNITS: nano DATE: 2026-11-21 CITATION: test\n";
+  for (const auto &q : mca::materialQuantities())
+    text << q.keyword << " " << steel().*q.value << "\n";
+  return text.str();
+}
+
+static void place(Sample &s, const mca::Material &m, int columns, int rows)
+{
+  s.materials = {m};
+  for (int row = 0; row < rows; row++)
+    for (int column = 0; column < columns; column++) {
+      Automaton a;
+      a.x = m.diameter * (column + 0.5 * (row % 2));
+      a.y = m.diameter * std::sqrt(0.75) * row;
+      s.add(a);
+    }
+}
+
+static void connect(Sample &s, double reach, double kind)
+{
+  for (int i = 0; i < s.owned; i++)
+    for (int j = i + 1; j < static_cast<int>(s.automata.size()); j++) {
+      if (s.owner[j] < i || s.owner[j] == i)
+        continue; // each pair of originals once
+      const Automaton &a = s.automata[i], &b = s.automata[j];
+      if (std::hypot(b.x - a.x, b.y - a.y) > reach * s.materials[0].diameter)
+        continue;
+      Contact c;
+      c.i = i;
+      c.j = j;
+      c.now.kind = c.next.kind = kind;
+      s.contacts.push_back(c);
+    }
+}
+
+Sample hexagonalBlock(const mca::Material &m, int columns, int rows, double kind, double reach)
+{
+  Sample s;
+  place(s, m, columns, rows);
+  connect(s, reach, kind);
+  return s;
+}
+
+Sample periodicBlock(const mca::Material &m, int columns, int rows, double kind)
+{
+  Sample s;
+  place(s, m, columns, rows);
+  const double width = columns * m.diameter, height = rows * m.diameter * std::sqrt(0.75);
+  for (int i = 0; i < s.owned; i++)
+    for (int a = -1; a <= 1; a++)
+      for (int b = -1; b <= 1; b++)
+        if (a != 0 || b != 0)
+          s.addImage(i, a * width, b * height);
+  connect(s, 1.1, kind);
+  return s;
+}
+
+static void clear(mca::AlignedArray &array, int n)
+{
+  array.reserve(n);
+  std::fill_n(array.get(), n, 0.0);
+}
+
+// what images collected goes to their originals, what these answer to the images
+static void addUp(const Sample &s, const mca::AlignedArray &array, int row)
+{
+  for (size_t i = s.owned; i < s.automata.size(); i++)
+    for (int m = 0; m < row; m++)
+      array.get()[row * s.owner[i] + m] += array.get()[row * i + m];
+}
+
+static void passOn(const Sample &s, const mca::AlignedArray &array, int row)
+{
+  for (size_t i = s.owned; i < s.automata.size(); i++)
+    std::copy_n(array.get() + row * s.owner[i], row, array.get() + row * i);
+}
+
+void kernelStep(const mca::Kernel &kernel, Sample &s, double dt)
+{
+  const bool many = s.laws.elasticity == "many-body";
+  const int types = static_cast<int>(s.materials.size()), n = static_cast<int>(s.automata.size());
+  std::vector<mca::AutomatonLaw> own;
+  std::vector<mca::PairLaw> table;
+  for (const auto &a : s.materials) {
+    own.push_back({a.bulkModulus(), a.shearModulus(), many ? a.meanStressWeight() : 0.0,
+                   s.laws.plasticity == "radial" ? 1.0 : 0.0, mca::YieldCurve(a)});
+    for (const auto &b : s.materials)
+      table.push_back(mca::makePairLaw(s.laws, a, b, s.thickness));
+  }
+
+  mca::LinkList list;
+  list.reset(static_cast<int>(s.contacts.size()));
+  for (const auto &c : s.contacts) {
+    const double state[] = {c.now.kind, c.now.plastic, c.now.gamma, c.now.gammaTotal};
+    list.add(c.i, c.j, s.automata[c.i].type * types + s.automata[c.j].type, state);
+  }
+  for (int k = 0; k < list.size(); k++) {
+    const mca::Pairs &p = list.pairs();
+    const reference::State &next = s.contacts[k].next;
+    p.next.kind[k] = next.kind;
+    p.next.plastic[k] = next.plastic;
+    p.next.gamma[k] = next.gamma;
+    p.next.gammaTotal[k] = next.gammaTotal;
+  }
+
+  const bool oneLaw = types == 1;
+  std::vector<double> kappa, kappaNext(s.owned);
+  std::vector<int> type;
+  mca::AlignedArray motion, strains, stresses, response, forces;
+  clear(motion, n * mca::motionRow);
+  clear(strains, n * mca::strainRow);
+  clear(stresses, n * mca::stressRow);
+  clear(response, n * mca::responseRow);
+  clear(forces, n * mca::forceRow);
+  for (int i = 0; i < n; i++) {
+    const Automaton &a = s.automata[i];
+    const double values[] = {a.x, a.y, a.vx, a.vy, a.omega};
+    std::copy_n(values, 5, motion.get() + mca::motionRow * i);
+    if (i >= s.owned)
+      continue;
+    kappa.push_back(a.kappa);
+    type.push_back(a.type);
+  }
+
+  if (dt > 0.0)
+    list.advance();
+  const mca::Pairs &p = list.pairs();
+  kernel.strain(p, dt, table.data(), oneLaw, motion.get(), strains.get());
+  addUp(s, strains, mca::strainRow);
+  kernel.mean(s.owned, type.data(), own.data(), strains.get(), response.get());
+  passOn(s, response, mca::responseRow);
+  kernel.stress(p, table.data(), oneLaw, response.get(), stresses.get());
+  addUp(s, stresses, mca::stressRow);
+  kernel.yield(s.owned, type.data(), own.data(), strains.get(), stresses.get(), kappa.data(),
+               kappaNext.data(), response.get());
+  passOn(s, response, mca::responseRow);
+  s.changed = static_cast<int>(kernel.force(p, table.data(), oneLaw, response.get(), forces.get()));
+  addUp(s, forces, mca::forceRow);
+
+  for (int i = 0; i < s.owned; i++) {
+    Automaton &a = s.automata[i];
+    const double *row = stresses.get() + mca::stressRow * i;
+    const double *f = forces.get() + mca::forceRow * i;
+    const mca::AutomatonLaw &law = own[a.type];
+    a.mean = response.get()[mca::responseRow * i];
+    a.factor = response.get()[mca::responseRow * i + 1];
+    a.kappaNext = kappaNext[i];
+    const mca::StressTensor t = mca::automatonStress(row[0], row[1], row[2], a.mean);
+    a.xx = t.xx;
+    a.yy = t.yy;
+    a.xy = t.xy;
+    a.zz = t.zz;
+    a.intensity = mca::stressIntensity(t);
+    a.energy = mca::energyDensity(row[3], a.mean, law.shearModulus, law.bulkModulus, law.D) *
+               mca::HexagonalPacking{s.materials[a.type].diameter, s.thickness}.cellVolume();
+    a.fx = f[0];
+    a.fy = f[1];
+    a.torque = f[2];
+  }
+  for (int k = 0; k < p.n; k++) {
+    Contact &c = s.contacts[k];
+    c.now = {p.now.kind[k], p.now.plastic[k], p.now.gamma[k], p.now.gammaTotal[k]};
+    c.next = {p.next.kind[k], p.next.plastic[k], p.next.gamma[k], p.next.gammaTotal[k]};
+  }
+}
+
+double totalEnergy(const Sample &s)
+{
+  double sum = 0;
+  for (int i = 0; i < s.owned; i++)
+    sum += s.automata[i].energy;
+  return sum;
+}
+
+std::string kernelName(const mca::Kernel *kernel)
+{
+  return kernel->name;
+}

@@ -1,0 +1,34 @@
+/// \file sample.h
+/// Materials and samples that several tests share, and the kernel run on a reference::Sample.
+#ifndef SAMPLE_H
+#define SAMPLE_H
+
+#include "kernel.h"
+#include "reference_mca.h"
+
+#include <string>
+
+/// Table 1 of Bucher et al. (2006) with sigma_0 = 92 MPa, in LAMMPS's units nano.
+mca::Material steel();
+
+/// The same as the text of a potential file.
+std::string steelText();
+
+/// A hexagonal block of `columns` x `rows` automata of the first material, rows along x, every
+/// pair closer than `reach` diameters a contact with the given kind of link (0: none).
+reference::Sample hexagonalBlock(const mca::Material &, int columns, int rows, double kind,
+                                 double reach = 1.1);
+
+/// The same, periodic in both directions (rows must be even).
+reference::Sample periodicBlock(const mca::Material &, int columns, int rows, double kind);
+
+/// One evaluation of the laws by a kernel; results and both states go back into the sample.
+void kernelStep(const mca::Kernel &, reference::Sample &, double dt);
+
+/// Sum of the automata's elastic energies after a step.
+double totalEnergy(const reference::Sample &);
+
+/// Name of a supported kernel, for parameterised tests.
+std::string kernelName(const mca::Kernel *);
+
+#endif
