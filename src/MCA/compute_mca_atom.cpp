@@ -99,7 +99,7 @@ void ComputeMCAAtom::count_links()
   const mca::Pairs &p = pair->links().pairs();
   for (int k = 0; k < p.n; k++)
     for (const int i : {p.i[k], p.j[k]}) {
-      if (p.now.kind[k] != mca::link::none) linked[2 * i] += 1.0;
+      if (mca::link::isLinked(p.now.kind[k])) linked[2 * i] += 1.0;
       if (p.now.kind[k] == mca::link::weld) linked[2 * i + 1] += 1.0;
     }
   if (force->newton_pair) comm->reverse_comm(this);

@@ -53,7 +53,7 @@ bool ComputeMCALinkLocal::mine(int k) const
 {
   const mca::Pairs &p = pair->links().pairs();
   const int i = p.i[k], j = p.j[k];
-  if (p.now.kind[k] == mca::link::none) return false;
+  if (!mca::link::isLinked(p.now.kind[k])) return false;
   if (!(atom->mask[i] & groupbit) || !(atom->mask[j] & groupbit)) return false;
   return pair->owned_share(k) == 1.0 || atom->tag[i] < atom->tag[j];
 }

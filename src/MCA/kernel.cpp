@@ -52,7 +52,7 @@ void strainBlock(const Pairs &p, int first, int n, double dt, const PairLaw *law
 
     const double kind = pkind[k];
     const double eps = r * invDiameter - 1.0, e = eps - pplastic[k];
-    const bool linked = kind != link::none;
+    const bool linked = link::isLinked(kind);
     const double gamma = linked ? pgamma[k] + dgamma : 0.0;
     pgamma[k] = gamma;
     ptotal[k] = linked ? ptotal[k] + dgamma : 0.0;
@@ -104,7 +104,7 @@ void stressBlock(const Pairs &p, int first, int n, const PairLaw *laws, const do
     const PairLaw &law = ONE ? one : laws[plaw[k]];
     const double meanI = response[responseRow * pi[k]], meanJ = response[responseRow * pj[k]];
     const double e = peps[k] - pplastic[k], gamma = pgamma[k];
-    const double touching = (pkind[k] != link::none) | (e < 0.0) ? 1.0 : 0.0;
+    const double touching = link::isLinked(pkind[k]) | (e < 0.0) ? 1.0 : 0.0;
     const double sigma = touching * elasticStress(law, e, meanI, meanJ);
     const StressTensor s = stressShare(sigma, law.meanTwoG() * gamma, pnx[k], pny[k]);
     double *const row = rows + stressRow * k;
@@ -164,33 +164,29 @@ double forceBlock(const Pairs &p, int first, int n, const PairLaw *laws, const d
     const int a = responseRow * pi[k], b = responseRow * pj[k];
     const double meanI = response[a], factorI = response[a + 1];
     const double meanJ = response[b], factorJ = response[b + 1];
-    const double kind = pkind[k], plastic = pplastic[k], gamma = pgamma[k];
-    const double eps = peps[k];
-    const ContactStress s = contactStress(law, kind, eps - plastic, gamma, psep[k],
-                                          meanI, factorI, meanJ, factorJ);
+    const double kind = pkind[k], plastic = pplastic[k], eps = peps[k], total = ptotal[k];
+    const ContactStress s = contactStress(law, kind, eps, plastic, pgamma[k], total, psep[k], meanI,
+                                          factorI, meanJ, factorJ);
 
     // next state; conditions as factors of 0 or 1, which vectorise
-    const double kindNext = nextKind(kind, s.sigma, s.tau, eps, ptotal[k], law.limits);
-    const double linked = kind == link::none ? 0.0 : 1.0;
-    const double linkedNext = kindNext == link::none ? 0.0 : 1.0;
-    const double stays = linked * linkedNext;
+    const double linkedNext = link::linked(s.kindNext), stays = link::linked(kind) * linkedNext;
     const double flow = kind == link::bulk ? (s.trial - s.sigma) / law.meanTwoG() : 0.0;
     const double dented = plastic + flow;
     // once apart, both surfaces are whole again
     const double apart = eps > (dented > 0.0 ? dented : 0.0) ? 1.0 - linkedNext : 0.0;
-    kind1[k] = kindNext;
+    kind1[k] = s.kindNext;
     plastic1[k] = (1.0 - apart) * dented;
     gamma1[k] = stays * s.tau / law.meanTwoG();
-    total1[k] = stays * ptotal[k];
-    changed += kind == kindNext ? 0.0 : 1.0;
+    total1[k] = stays * total;
+    changed += kind == s.kindNext ? 0.0 : 1.0;
 
-    // The shear force acts along t at the distance r; its moment tau S d keeps U's gradient exact.
-    const double fn = s.normal * law.area, ft = s.tau * law.area / (1.0 + eps);
+    // The shear force acts along t at the distance r; its moment tau S d/2 keeps U's gradient exact.
+    const double fn = s.normal * law.area, ft = s.shear * law.area / (1.0 + eps);
     const double nx = pnx[k], ny = pny[k];
     double *const row = rows + forceRow * k;
     row[0] = fn * nx - ft * ny;
     row[1] = fn * ny + ft * nx;
-    row[2] = 0.5 * s.tau * law.area * law.diameter;
+    row[2] = 0.5 * s.shear * law.area * law.diameter;
     row[3] = 0.0;
   }
   return changed;

@@ -34,7 +34,7 @@ struct AutomatonLaw {
 
 /// State of the pairs that outlives a step, one value a pair.
 struct PairState {
-  double *kind;        ///< link::none, link::bulk, link::weld
+  double *kind;        ///< link::worn, none, bulk or weld
   double *plastic;     ///< plastic offset of the normal strain [-]
   double *gamma;       ///< elastic shear [-]
   double *gammaTotal;  ///< shear since linking, not reduced by plasticity [-]

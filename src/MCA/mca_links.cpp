@@ -63,7 +63,7 @@ void MCALinks::command(int narg, char **arg)
     const int i = p.i[k], j = p.j[k];
     const bool match = ((mask[i] & bit[0]) && (mask[j] & bit[1])) ||
         ((mask[i] & bit[1]) && (mask[j] & bit[0]));
-    const bool linked = p.now.kind[k] != mca::link::none;
+    const bool linked = mca::link::isLinked(p.now.kind[k]);
     if (!match || linked == create) continue;
     const double r = std::hypot(x[j][0] - x[i][0], x[j][1] - x[i][1]);
     const double d = 0.5 * (pair->material(type[i]).diameter + pair->material(type[j]).diameter);

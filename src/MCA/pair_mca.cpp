@@ -125,10 +125,10 @@ void PairMCA::count_events()
   for (int k = 0; k < p.n; k++) {
     const double before = p.now.kind[k], after = p.next.kind[k];
     if (before == after) continue;
-    double &kind_of_event = after == mca::link::none ? events.broken
-        : before == mca::link::none                  ? events.formed
-                                                     : events.healed;
-    kind_of_event += owned_share(k);
+    const bool was = mca::link::isLinked(before), is = mca::link::isLinked(after);
+    if (was && !is) events.broken += owned_share(k);
+    if (!was && is) events.formed += owned_share(k);
+    if (was && is) events.healed += owned_share(k);
   }
 }
 
@@ -166,7 +166,7 @@ void PairMCA::tally(int /*eflag*/, int /*vflag*/)
     const mca::PairLaw &law = pairlaw[onelaw ? 0 : p.law[k]];
     const mca::ContactStress s = contact(k);
     const double fn = s.normal / stress_unit() * law.area;
-    const double ft = s.tau / stress_unit() * law.area / (1.0 + p.eps[k]);
+    const double ft = s.shear / stress_unit() * law.area / (1.0 + p.eps[k]);
     const double fx = fn * p.nx[k] - ft * p.ny[k], fy = fn * p.ny[k] + ft * p.nx[k];
     const int keep = vflag_global;
     if (vflag_fdotr) vflag_global = 0;
@@ -401,8 +401,8 @@ void PairMCA::push_history(bool next)
     const int i = list->ilist[ii];
     for (int jj = 0; jj < list->numneigh[i]; jj++, k++) {
       pairs.getState(k, next, state);
-      const bool linked = state[0] != mca::link::none;
-      fix_history->firstflag[i][jj] = linked || state[1] != 0.0;
+      const bool linked = mca::link::isLinked(state[0]);
+      fix_history->firstflag[i][jj] = state[0] != mca::link::none || state[1] != 0.0;
       std::copy_n(state, mca::LinkList::stateSize,
                   &fix_history->firstvalue[i][mca::LinkList::stateSize * jj]);
       if (!linked) continue;
@@ -446,10 +446,10 @@ mca::ContactStress PairMCA::contact(int k) const
   const double *ri = response.get() + static_cast<size_t>(p.i[k]) * mca::responseRow;
   const double *rj = response.get() + static_cast<size_t>(p.j[k]) * mca::responseRow;
   mca::ContactStress s = mca::contactStress(
-      pairlaw[onelaw ? 0 : p.law[k]], p.now.kind[k], p.eps[k] - p.now.plastic[k], p.now.gamma[k],
-      p.separation[k], ri[0], ri[1], rj[0], rj[1]);
+      pairlaw[onelaw ? 0 : p.law[k]], p.now.kind[k], p.eps[k], p.now.plastic[k], p.now.gamma[k],
+      p.now.gammaTotal[k], p.separation[k], ri[0], ri[1], rj[0], rj[1]);
   const double unit = stress_unit();
-  return {s.trial * unit, s.sigma * unit, s.tau * unit, s.normal * unit};
+  return {s.trial * unit, s.sigma * unit, s.tau * unit, s.normal * unit, s.shear * unit, s.kindNext};
 }
 
 double PairMCA::owned_share(int k) const
@@ -462,7 +462,7 @@ PairMCA::Count PairMCA::count() const
   Count c = events;
   const mca::Pairs &p = pairs.pairs();
   for (int k = 0; k < p.n; k++) {
-    if (p.now.kind[k] != mca::link::none) c.links += owned_share(k);
+    if (mca::link::isLinked(p.now.kind[k])) c.links += owned_share(k);
     if (p.now.kind[k] == mca::link::weld) c.welds += owned_share(k);
   }
   return c;

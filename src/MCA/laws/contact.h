@@ -41,35 +41,43 @@ inline double returnedStress(double sigma, double meanI, double factorI, double 
   return sigma - 0.5 * ((1.0 - factorI) * (sigma - meanI) + (1.0 - factorJ) * (sigma - meanJ));
 }
 
-/// Stresses of a contact [stress], tension positive.
+/// Stresses of a contact [stress], tension positive, and what it turns into.
 struct ContactStress {
-  double trial;   ///< elastic normal stress before the radial return
-  double sigma;   ///< elastic normal stress after it; 0 for an open, unlinked pair
-  double tau;     ///< shear stress after it
-  double normal;  ///< sigma with the viscous part: what makes the force
+  double trial;          ///< elastic normal stress before the radial return
+  double sigma, tau;     ///< elastic stresses after it, which decide on the next kind
+  double normal, shear;  ///< what makes the force: with viscosity, and none of a link that breaks
+  double kindNext;       ///< kind from the next step on
 };
 
-/// \param kind        link::none, link::bulk or link::weld
-/// \param e           elastic normal strain r/d - 1 - plastic offset [-]
+/// \param kind        link::worn, none, bulk or weld
+/// \param eps         total normal strain r/d - 1 [-]
+/// \param plastic     plastic offset of it [-]
 /// \param gamma       elastic shear [-]
+/// \param gammaTotal  total shear since linking [-]
 /// \param separation  normal velocity of j seen from i [length/time]
 /// \param meanI,meanJ      mean stresses of the automata [stress]
 /// \param factorI,factorJ  factors M of their radial returns [-]
-inline ContactStress contactStress(const PairLaw &law, double kind, double e, double gamma,
-                                   double separation, double meanI, double factorI,
-                                   double meanJ, double factorJ)
+inline ContactStress contactStress(const PairLaw &law, double kind, double eps, double plastic,
+                                   double gamma, double gammaTotal, double separation,
+                                   double meanI, double factorI, double meanJ, double factorJ)
 {
-  const bool isBulk = kind == link::bulk, linked = kind != link::none;
+  const double e = eps - plastic;
+  const bool isBulk = kind == link::bulk;
+  const double linked = link::linked(kind), pressed = e < 0.0 ? 1.0 : 0.0;
   const double trial = elasticStress(law, e, meanI, meanJ);
   const double returned = returnedStress(trial, meanI, factorI, meanJ, factorJ);
   const double elasticShear = law.meanTwoG() * gamma;
-  const double shear = 0.5 * (factorI + factorJ) * elasticShear;
-  const double viscous = unlinkedStress(trial, law.viscosity, separation, law.invDiameter);
-  const double touching = (linked | (e < 0.0)) ? 1.0 : 0.0;
+  const double returnedShear = 0.5 * (factorI + factorJ) * elasticShear;
+  const double touching = linked > pressed ? linked : pressed;
   const double sigma = isBulk ? returned : touching * trial;
-  const double tau = isBulk ? shear : elasticShear;
-  const double normal = linked ? sigma : touching * viscous;
-  return {trial, sigma, tau, normal};
+  const double tau = isBulk ? returnedShear : elasticShear;
+  const double kindNext = nextKind(kind, sigma, tau, eps, gammaTotal, law.limits);
+
+  const double holds = linked * link::linked(kindNext);
+  const double viscous = unlinkedStress(trial, law.viscosity, separation, law.invDiameter);
+  const double normal = holds * sigma + (1.0 - holds) * pressed * viscous;
+  const double shear = holds * tau;
+  return {trial, sigma, tau, normal, shear, kindNext};
 }
 
 }  // namespace mca

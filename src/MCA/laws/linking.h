@@ -14,11 +14,18 @@
 
 namespace mca {
 
-/// State of a pair; kept as a double beside the other pair state so that loops vectorise.
+/// Kinds of pair; kept as a double beside the other pair state so that loops vectorise. Linked
+/// kinds are positive.
 namespace link {
-constexpr double none = 0.0;  ///< compression and viscosity only
-constexpr double bulk = 1.0;  ///< elastic-plastic, breaks by the bulk criterion
-constexpr double weld = 2.0;  ///< elastic-brittle
+constexpr double worn = -1.0;  ///< unlinked; its link broke and it is still under linking pressure
+constexpr double none = 0.0;   ///< unlinked: compression and viscosity only
+constexpr double bulk = 1.0;   ///< elastic-plastic, breaks by the bulk criterion
+constexpr double weld = 2.0;   ///< elastic-brittle
+
+inline bool isLinked(double kind) { return kind > none; }
+
+/// 1 for a linked kind, else 0: a factor, since loops over conditions as factors vectorise.
+inline double linked(double kind) { return kind > none ? 1.0 : 0.0; }
 }  // namespace link
 
 /// Limits of the transitions of one pair of materials.
@@ -31,8 +38,12 @@ struct LinkLimits {
   double linkedKind;      ///< what an unlinked contact becomes: link::bulk or link::weld
 };
 
-/// The state of a pair after a step.
-/// \param kind        state during the step
+/// The kind of a pair after a step.
+///
+/// An unlinked contact links when its pressure *reaches* linkPressure: one that is still above it
+/// when its link breaks is worn and has to be unloaded first. Were it free to link again at once,
+/// a sliding weld would break and form every few steps, and friction would depend on the step.
+/// \param kind        kind during the step
 /// \param sigma,tau   elastic stresses of the contact, after plastic return [stress]
 /// \param eps         total normal strain r/d - 1 [-]
 /// \param gammaTotal  total shear since linking [-]
@@ -43,13 +54,14 @@ inline double nextKind(double kind, double sigma, double tau, double eps, double
   const bool bulkBreaks = (strain2 >= limit.bulkStrain2) | (intensity2 >= limit.bulkIntensity2);
   const bool weldBreaks = intensity2 >= limit.weldIntensity2;
   const bool weldHeals = -sigma >= limit.healPressure;
-  const bool links = -sigma >= limit.linkPressure;
-  const double ifBulk = bulkBreaks ? link::none : link::bulk;
+  const bool pressed = -sigma >= limit.linkPressure;
+  const double ifBulk = bulkBreaks ? link::worn : link::bulk;
   const double ifHealing = weldHeals ? link::bulk : link::weld;
-  const double ifWeld = weldBreaks ? link::none : ifHealing;
-  const double ifNone = links ? limit.linkedKind : link::none;
+  const double ifWeld = weldBreaks ? link::worn : ifHealing;
   const double ifLinked = kind == link::bulk ? ifBulk : ifWeld;
-  return kind == link::none ? ifNone : ifLinked;
+  const double ifPressed = kind == link::worn ? link::worn : limit.linkedKind;
+  const double ifUnlinked = pressed ? ifPressed : link::none;
+  return kind > link::none ? ifLinked : ifUnlinked;
 }
 
 }  // namespace mca
