@@ -1,0 +1,171 @@
+"""A campaign's folder: one folder a run, and what can be told from it at any moment.
+
+NAME/run.friction.part  the log while the run is going on
+NAME/run.friction       the log of a finished run: its appearance is what makes a run finished
+NAME/run.{a,b}.restart  checkpoints, written by turns; run.restart: the end of a finished run
+NAME/run.json           parameters, input script, and every attempt with its exact command
+NAME/failed.txt         why the run failed; run with --retry tries again
+NAME/lock               locked (flock) by the process that works on the run and by lmp itself
+"""
+import fcntl
+import json
+import os
+import time
+
+LOG = "run.friction"
+PART = LOG + ".part"
+CHECKPOINTS = ("run.a.restart", "run.b.restart", "run.restart")
+RESTART_END = b"LammpS RestartT\0"  # what LAMMPS writes last
+
+
+class FolderError(Exception):
+    """One clear line."""
+
+
+def write_whole(path, text):
+    """Writes a file whole or not at all."""
+    beside = f"{path}.{os.getpid()}.tmp"
+    try:
+        with open(beside, "w", encoding="utf-8") as file:
+            file.write(text)
+            file.flush()
+            os.fsync(file.fileno())
+        os.replace(beside, path)
+    except OSError as error:
+        if os.path.exists(beside):
+            os.remove(beside)
+        raise FolderError(f"{path}: cannot be written: {error.strerror}") from None
+
+
+def last_rows(path, count=2):
+    """The last whole rows of a friction log as lists of words (fewer if there are fewer)."""
+    try:
+        with open(path, "rb") as file:
+            file.seek(0, os.SEEK_END)
+            size = file.tell()
+            file.seek(max(0, size - 4096))
+            lines = file.read().decode("utf-8", "replace").split("\n")[:-1]
+    except OSError:
+        return []
+    return [line.split() for line in lines if line[:1].isdigit()][-count:]
+
+
+class RunFolder:
+    """What there is of one run."""
+
+    def __init__(self, top, run):
+        self.run = run
+        self.path = os.path.join(top, run.name)
+
+    def file(self, name):
+        return os.path.join(self.path, name)
+
+    def record(self):
+        """run.json; empty before the first attempt."""
+        try:
+            with open(self.file("run.json"), encoding="utf-8") as file:
+                return json.load(file)
+        except FileNotFoundError:
+            return {}
+        except (OSError, ValueError) as error:
+            raise FolderError(f"{self.file('run.json')}: cannot be read: {error}") from None
+
+    def write_record(self, record):
+        write_whole(self.file("run.json"), json.dumps(record, indent=1) + "\n")
+
+    def check_same(self):
+        """The folder belongs to this run: same parameters; the duration may have grown."""
+        old = self.record().get("parameters")
+        if not old:
+            return
+        for name, value in self.run.values.items():
+            if name in ("ns", "checkpoint", "picture") or name not in old or old[name] == value:
+                continue
+            raise FolderError(f"{self.path}: was begun with {name} = {old[name]}, the plan says {value}: give the run "
+                              "another name or use another folder")
+        if old["ns"] > self.run.values["ns"] and os.path.exists(self.file(LOG)):
+            raise FolderError(f"{self.path}: was run for {old['ns']:g} ns, the plan says {self.run.values['ns']:g}: "
+                              "a run can be made longer, not shorter")
+
+    def is_finished(self):
+        return os.path.exists(self.file(LOG)) and self.record().get("parameters", {}).get("ns", 0) >= self.run.values["ns"]
+
+    def failure(self):
+        """Why the run failed; None if it did not."""
+        try:
+            with open(self.file("failed.txt"), encoding="utf-8") as file:
+                return file.read().strip()
+        except FileNotFoundError:
+            return None
+
+    def lock(self):
+        """The open lock file, locked; None if another process (or an lmp it left) works on the run."""
+        os.makedirs(self.path, exist_ok=True)
+        file = open(self.file("lock"), "a", encoding="utf-8")
+        for _ in range(10):  # is_locked of another process may hold it for a moment
+            try:
+                fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
+                return file
+            except BlockingIOError:
+                time.sleep(0.02)
+        file.close()
+        return None
+
+    def is_locked(self):
+        if not os.path.exists(self.file("lock")):
+            return False
+        with open(self.file("lock"), "a", encoding="utf-8") as file:
+            try:
+                fcntl.flock(file, fcntl.LOCK_SH | fcntl.LOCK_NB)
+                return False
+            except BlockingIOError:
+                return True
+
+    def checkpoint(self):
+        """The newest restart file that was written to its end; None if there is none."""
+        found = []
+        for name in CHECKPOINTS:
+            try:
+                with open(self.file(name), "rb") as file:
+                    file.seek(-len(RESTART_END), os.SEEK_END)
+                    if file.read() == RESTART_END:
+                        found.append((os.fstat(file.fileno()).st_mtime_ns, name))
+            except OSError:
+                continue
+        return max(found)[1] if found else None
+
+    def log(self):
+        """The log there is, finished or not; None if there is none."""
+        for name in (PART, LOG):
+            if os.path.exists(self.file(name)):
+                return self.file(name)
+        return None
+
+    def time(self):
+        """ns that the log reaches."""
+        rows = last_rows(self.log() or "", 1)
+        try:
+            return float(rows[-1][1]) if rows else 0.0
+        except (ValueError, IndexError):
+            return 0.0
+
+    def state(self):
+        """finished, running, failed, interrupted or waiting."""
+        if self.is_finished():
+            return "finished"
+        if self.is_locked():
+            return "running"
+        if self.failure() is not None:
+            return "failed"
+        return "interrupted" if self.log() else "waiting"
+
+    def mean_mu(self):
+        """Mean mu of the second half of the log so far; None without one. wr_fit does it better."""
+        path = self.log()
+        if not path:
+            return None
+        with open(path, encoding="utf-8") as file:
+            rows = [line.split() for line in file.read().split("\n")[:-1] if line[:1].isdigit()]
+        values = [float(row[5]) for row in rows if len(row) >= 6]
+        half = values[len(values) // 2:]
+        return sum(half) / len(half) if half else None

@@ -1,0 +1,63 @@
+"""Finished friction logs in compact form: fewer rows, the exact command in the head."""
+import json
+import os
+import shlex
+
+from . import folder as folders
+from .plan import ROOT
+
+SUMS = ("broken", "formed")
+MEANS = ("shear_stress", "normal_stress", "mu")  # of the interval; all else is the state at its end
+
+
+def packed(text, rows, command):
+    """A log whose rows are the means over `rows` rows of another; rows left over at the end are dropped."""
+    lines = text.split("\n")[:-1]
+    head = [line for line in lines if line.startswith("#")]
+    names = lines[len(head)].split()
+    table = [line.split() for line in lines[len(head) + 1:]]
+    result = head + ["# campaign: " + json.dumps({"command": command, "rows_averaged": rows}), " ".join(names)]
+    for begin in range(0, len(table) - rows + 1, rows):
+        block = table[begin:begin + rows]
+        row = []
+        for column, name in enumerate(names):
+            values = [float(line[column]) for line in block]
+            if name in SUMS:
+                row.append(f"{sum(values):.10g}")
+            elif name in MEANS:
+                row.append(f"{sum(values) / rows:.7g}")
+            else:
+                row.append(f"{float(block[-1][column]):.10g}")
+        result.append(" ".join(row))
+    return "\n".join(result) + "\n"
+
+
+def portable(command):
+    """The command with lmp and the input script named as from the checkout, wherever both were."""
+    words = shlex.split(command)
+    start = words.index("-in")
+    words[start - 1] = "lmp"
+    if words[start + 1].startswith(ROOT + os.sep):
+        words[start + 1] = os.path.relpath(words[start + 1], ROOT)
+    return shlex.join(words)
+
+
+def pack(plan, top, target, rows):
+    """Packs every finished run into target/NAME.friction."""
+    try:
+        os.makedirs(target, exist_ok=True)
+    except OSError as error:
+        raise folders.FolderError(f"{target}: cannot be written: {error.strerror}") from None
+    count = 0
+    for run in plan.runs:
+        folder = folders.RunFolder(top, run)
+        if not folder.is_finished():
+            print(f"{run.name}: {folder.state()}, left out")
+            continue
+        with open(folder.file(folders.LOG), encoding="utf-8") as file:
+            text = file.read()
+        commands = [attempt["command"] for attempt in folder.record()["attempts"]]
+        folders.write_whole(os.path.join(target, run.name + ".friction"), packed(text, rows, portable(commands[0])))
+        count += 1
+    print(f"{count} logs in {target}")
+    return 0

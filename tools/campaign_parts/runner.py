@@ -1,0 +1,263 @@
+"""Running the runs of a campaign: start, watch, go on after a kill, report."""
+import ctypes
+import datetime
+import os
+import shlex
+import signal
+import subprocess
+import sys
+import time
+
+from . import folder as folders
+
+POLL = 0.25      # s between looks at the running processes
+REPORT = 60.0    # s between progress lines when the output is no terminal
+MPI_VARIABLES = ("OMPI_", "PMIX_", "PMI_", "PRTE_", "ORTE_", "MPI_LOCALRANKID", "SLURM_")
+ALLOWED = ("OMPI_ALLOW_RUN_AS_ROOT", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM")
+RANKS = (("OMPI_COMM_WORLD_RANK", "OMPI_COMM_WORLD_SIZE"), ("PMI_RANK", "PMI_SIZE"),
+         ("SLURM_PROCID", "SLURM_NTASKS"))
+
+
+def place():
+    """(rank, size) if an MPI launcher or srun started this program several times, else (0, 1)."""
+    for rank, size in RANKS:
+        if rank in os.environ and size in os.environ:
+            return int(os.environ[rank]), int(os.environ[size])
+    return 0, 1
+
+
+def lmp_program():
+    """lmp with the plugin: $MCAWR_LMP, else build/bin/lmp."""
+    from .plan import ROOT
+    return os.environ.get("MCAWR_LMP") or os.path.join(os.environ.get("MCAWR_BUILD", os.path.join(ROOT, "build")), "bin/lmp")
+
+
+def command(run, launcher=(), go_on_from=None, attempt=1):
+    """The exact command of a run, to be run in its folder."""
+    words = [*launcher, lmp_program(), "-in", run.input, "-log", f"log.{attempt}.lammps", "-screen", "none"]
+    for name, value in run.variables().items():
+        words += ["-var", name, value]
+    words += ["-var", "name", "run", "-var", "log", folders.PART, "-var", "pictures", "run.*.dump"]
+    if go_on_from:
+        words += ["-var", "continue", "1", "-var", "restart", go_on_from]
+    return words
+
+
+def _environment(nested):
+    """Environment of lmp: as root too; inside mpirun, lmp must not take part in the outer job."""
+    env = {name: value for name, value in os.environ.items()
+           if not nested or not name.startswith(MPI_VARIABLES)}
+    for name in ALLOWED:
+        env[name] = "1"
+    env.setdefault("OMPI_MCA_rmaps_base_oversubscribe", "1")
+    env.setdefault("OMPI_MCA_hwloc_base_binding_policy", "none")
+    return env
+
+
+def _die_with_parent():
+    """In the child: SIGTERM when the campaign dies, so that a kill of it leaves no lmp behind."""
+    pr_set_pdeathsig = 1
+    ctypes.CDLL(None).prctl(pr_set_pdeathsig, signal.SIGTERM)
+
+
+def _now():
+    return datetime.datetime.now().astimezone().isoformat(timespec="seconds")
+
+
+class Attempt:
+    """One lmp working on one run; the run's lock is held by us and by lmp."""
+
+    def __init__(self, folder, lock, launcher, nested):
+        self.folder, self.lock = folder, lock
+        self.began = time.monotonic()
+        record = folder.record()
+        number = len(record.get("attempts", [])) + 1
+        path = folder.file
+        if os.path.exists(path(folders.LOG)):  # finished, and made longer since
+            os.replace(path(folders.LOG), path(folders.PART))
+        checkpoint = folder.checkpoint() if os.path.exists(path(folders.PART)) else None
+        if os.path.exists(path("failed.txt")):
+            os.remove(path("failed.txt"))
+        words = command(folder.run, launcher, checkpoint, number)
+        record.update(parameters=folder.run.values, kappa1=folder.run.kappa1, kappa2=folder.run.kappa2)
+        record.setdefault("attempts", []).append(
+            {"begin": _now(), "host": os.uname().nodename, "from": checkpoint or "start", "command": shlex.join(words)})
+        folder.write_record(record)
+        self.time_at_start = folder.time() if checkpoint else 0.0
+        with open(path(f"output.{number}.txt"), "wb") as output:
+            self.process = subprocess.Popen(words, cwd=folder.path, stdin=subprocess.DEVNULL, stdout=output,
+                                            stderr=subprocess.STDOUT, env=_environment(nested),
+                                            pass_fds=[lock.fileno()], preexec_fn=_die_with_parent)
+        self.number = number
+
+    def work(self):
+        """Automaton-steps done in this attempt."""
+        values = self.folder.run.values
+        share = (self.folder.time() - self.time_at_start) / values["ns"]
+        return max(0.0, share) * self.folder.run.work
+
+    def end(self):
+        """'finished', 'failed' or 'interrupted', once lmp has ended."""
+        code = self.process.returncode
+        folder, path = self.folder, self.folder.file
+        outcome, why = "finished", None
+        values = folder.run.values
+        if code < 0 or code in (128 + signal.SIGKILL, 128 + signal.SIGTERM, 128 + signal.SIGINT):
+            outcome, why = "interrupted", f"killed ({code})"
+        elif code != 0:
+            outcome, why = "failed", self.error() or f"exit code {code}"
+        elif folder.time() < values["ns"] - 1.5 * max(values["row"], folder.run.dt):
+            outcome, why = "failed", f"ended without an error, but the log ends at {folder.time():g} of {values['ns']:g} ns"
+        record = folder.record()
+        record["attempts"][-1].update(end=_now(), seconds=round(time.monotonic() - self.began, 1), outcome=why or outcome)
+        folder.write_record(record)
+        if outcome == "failed":
+            folders.write_whole(path("failed.txt"), why + "\n")
+        elif outcome == "finished":
+            os.replace(path(folders.PART), path(folders.LOG))
+            for name in folders.CHECKPOINTS[:2]:
+                if os.path.exists(path(name)):
+                    os.remove(path(name))
+        self.lock.close()
+        return outcome, why
+
+    def error(self):
+        """The line that says why lmp gave up."""
+        for name in (f"log.{self.number}.lammps", f"output.{self.number}.txt"):
+            try:
+                with open(self.folder.file(name), encoding="utf-8", errors="replace") as file:
+                    lines = [line.strip() for line in file if "ERROR" in line or "rror:" in line]
+            except OSError:
+                continue
+            if lines:
+                return lines[-1]
+        return None
+
+
+def hours(seconds):
+    """Seconds as h:mm:ss."""
+    seconds = int(seconds)
+    return f"{seconds // 3600}:{seconds // 60 % 60:02d}:{seconds % 60:02d}"
+
+
+class Campaign:
+    """Works through the runs of a plan in one folder."""
+
+    def __init__(self, top, runs, jobs=1, launcher=(), retry=False, say=print):
+        self.folders = [folders.RunFolder(top, run) for run in runs]
+        self.jobs, self.launcher, self.retry, self.say = jobs, list(launcher), retry, say
+        self.rank, self.size = place()
+        self.active = []
+        self.done_work = 0.0
+        self.began = time.monotonic()
+        self.last_report = self.began
+        self.stop = False
+
+    def prepare(self):
+        """Checks before anything runs."""
+        program = lmp_program()
+        if not os.access(program, os.X_OK):
+            raise folders.FolderError(f"{program}: lmp is not there or cannot be run: build it (tools/setup.sh) or set MCAWR_LMP")
+        for folder in self.folders:
+            folder.check_same()
+
+    def run(self):
+        """Runs everything; the number of runs in each state at the end."""
+        for number in (signal.SIGINT, signal.SIGTERM):
+            signal.signal(number, self._interrupt)
+        # the longest first, so that the end is not one long run alone
+        waiting = sorted(self.folders, key=lambda f: -f.run.work)
+        tried = set()
+        while True:
+            self._collect()
+            if self.stop:
+                break
+            waiting = [f for f in waiting if not self._is_over(f, tried)]
+            for folder in waiting:
+                if len(self.active) >= self.jobs:
+                    break
+                if folder.run.name in tried:
+                    continue
+                self._start(folder, tried)
+            if not self.active and all(f.run.name in tried for f in waiting):
+                break
+            self._report()
+            time.sleep(POLL)
+        self._finish_early()
+        return self._states()
+
+    def wait_for_others(self):
+        """Rank 0 of several waits for the runs of the others, so that its last lines are the last."""
+        while not self.stop and any(f.is_locked() for f in self.folders):
+            self._report()
+            time.sleep(1.0)
+        return self._states()
+
+    def _is_over(self, folder, tried):
+        if folder.run.name in tried:
+            return False
+        return folder.is_finished() or (folder.failure() is not None and not self.retry)
+
+    def _start(self, folder, tried):
+        lock = folder.lock()
+        if lock is None:
+            if self.size == 1:
+                self.say(f"{folder.run.name}: is being worked on by another call; left to it")
+            tried.add(folder.run.name)
+            return
+        tried.add(folder.run.name)
+        if folder.is_finished():  # by another worker, since we looked
+            lock.close()
+            return
+        attempt = Attempt(folder, lock, self.launcher, nested=self.size > 1 and not self.launcher)
+        self.active.append(attempt)
+        if attempt.time_at_start:
+            self.say(f"{folder.run.name}: goes on from {attempt.time_at_start:.4g} ns")
+
+    def _collect(self):
+        for attempt in list(self.active):
+            if attempt.process.poll() is None:
+                continue
+            self.active.remove(attempt)
+            self.done_work += attempt.work()
+            name, seconds = attempt.folder.run.name, time.monotonic() - attempt.began
+            outcome, why = attempt.end()
+            if outcome == "finished":
+                self.say(f"{name}: finished in {hours(seconds)}, mu of its second half {attempt.folder.mean_mu():.3f}")
+            elif not self.stop:
+                self.say(f"{name}: {outcome}: {why}")
+
+    def _states(self):
+        states = [f.state() for f in self.folders]
+        return {state: states.count(state) for state in ("finished", "running", "failed", "interrupted", "waiting")}
+
+    def _interrupt(self, *_):
+        self.stop = True
+
+    def _finish_early(self):
+        for attempt in self.active:
+            attempt.process.terminate()
+        for attempt in list(self.active):
+            attempt.process.wait()
+        self._collect()
+
+    def progress(self):
+        """One line: how far, how fast, how long it will still take."""
+        total = sum(f.run.work for f in self.folders)
+        reached = sum(f.run.work * min(1.0, f.time() / f.run.values["ns"]) for f in self.folders)
+        states = self._states()
+        elapsed = time.monotonic() - self.began
+        mine = self.done_work + sum(a.work() for a in self.active)
+        rate = mine * self.size / elapsed if elapsed > 0 else 0.0
+        left = f"about {hours((total - reached) / rate)} left, " if rate > 0 and elapsed > 5 else ""
+        failed = f", {states['failed']} failed" if states["failed"] else ""
+        return (f"{100 * reached / total:5.1f} %, {states['finished']} of {len(self.folders)} runs{failed}, "
+                f"{left}{rate / 1e6:.1f} M automaton-steps/s")
+
+    def _report(self):
+        now = time.monotonic()
+        terminal = sys.stdout.isatty()
+        if self.rank != 0 or now - self.last_report < (2.0 if terminal else REPORT):
+            return
+        self.last_report = now
+        print(("\r\033[K" if terminal else "") + self.progress(), end="" if terminal else "\n", flush=True)
