@@ -23,12 +23,16 @@ STYLES = {
     "lj/cut": ("in.lj", 8000),
 }
 # automata: cells of the hexagonal lattice (2 automata a cell) in x and y
-SIZES = {1600: (40, 20), 40000: (200, 100)}
+SIZES = {1000: (25, 20), 1600: (40, 20), 6400: (80, 40), 40000: (200, 100), 160000: (400, 200),
+         1000000: (1000, 500)}
 
 HELP = """Runs every style at every size and rank count in turn, ROUNDS times over, so that a
 disturbance of the machine hits all of them alike. Prints the medians in million automaton-steps a
 second and the ratios mca/other with their smallest and largest value, and writes all of it, with
 LAMMPS's timing breakdown and neighbour list builds, as JSON.
+
+With --partitions N it also runs N independent copies of the smallest mca case at once, as
+LAMMPS partitions of 1 rank, and compares their rate with N times that of a single one.
 
 On 1 rank the rates are per second of processor time (LAMMPS's CPU use), which other jobs hardly
 disturb; on more ranks they are per second of wall time and need as many free cores as ranks."""
@@ -54,6 +58,7 @@ def parse_log(text):
     builds = counted(r"Neighbor list builds = (\d+)", text)
     dangerous = counted(r"Dangerous builds = (\d+)", text)
     neighbours = re.search(r"Ave neighs/atom = (\S+)", last)
+    memory = re.search(r"Per MPI rank memory allocation \(min/avg/max\) = \S+ \| (\S+)", text)
     breakdown = re.findall(r"^(Pair|Bond|Neigh|Comm|Output|Modify|Other)\s*\|.*\|\s*([\d.]+)\s*$",
                            last, re.MULTILINE)
     seconds, ranks, steps, automata = float(loop[1]), int(loop[2]), int(loop[3]), int(loop[4])
@@ -65,28 +70,35 @@ def parse_log(text):
         "rate_wall": wall_rate, "rate_cpu": wall_rate * 100 / cpu_use if cpu_use > 0 else None,
         "neighbour_list_builds": builds, "dangerous_builds": dangerous,
         "neighbours_per_automaton": float(neighbours[1]) if neighbours else None,
+        "memory_megabytes_per_rank": float(memory[1]) if memory else None,
         "breakdown_percent": {name: float(share) for name, share in breakdown},
     }
 
 
-def run_case(lmp, style, automata, ranks, scale, folder):
+def run_case(lmp, style, automata, ranks, scale, folder, partitions=0):
+    """One run, or as many copies at once as there are partitions: a parsed log each."""
     script, steps = STYLES[style]
     nx, ny = SIZES[automata]
     steps = max(20, round(steps * scale * 1600 / automata * min(ranks, 2) / 20) * 20)
     command = [lmp, "-in", str(INPUTS / script), "-log", "log.bench", "-screen", "none",
                "-var", "nx", str(nx), "-var", "ny", str(ny), "-var", "steps", str(steps)]
-    if ranks > 1:
-        command = ["mpirun", "-np", str(ranks)] + command
+    logs = [folder / "log.bench"]
+    if partitions:
+        command += ["-partition", f"{partitions}x1", "-plog", "log.bench", "-pscreen", "none"]
+        logs = [folder / f"log.bench.{k}" for k in range(partitions)]
+    if ranks > 1 or partitions:
+        command = ["mpirun", "-np", str(partitions or ranks)] + command
     done = subprocess.run(command, cwd=folder, env=mpi_environment(), stdout=subprocess.PIPE,
                           stderr=subprocess.STDOUT, text=True, check=False)
-    log = folder / "log.bench"
-    text = log.read_text() if log.exists() else ""
-    if done.returncode != 0 or "Loop time of" not in text:
-        errors = [line for line in (text + done.stdout).splitlines() if "ERROR" in line]
-        fail(1, f"{style}, {automata} automata, {ranks} ranks: lmp failed with exit code "
-                f"{done.returncode}: {errors[0] if errors else done.stdout[-500:]}")
-    log.unlink()
-    return parse_log(text)
+    texts = [log.read_text() if log.exists() else "" for log in logs]
+    for text in texts:
+        if done.returncode != 0 or "Loop time of" not in text:
+            errors = [line for line in (text + done.stdout).splitlines() if "ERROR" in line]
+            fail(1, f"{style}, {automata} automata, {ranks} ranks: lmp failed with exit code "
+                    f"{done.returncode}: {errors[0] if errors else done.stdout[-500:]}")
+    for log in folder.glob("log.*"):
+        log.unlink()
+    return [parse_log(text) for text in texts]
 
 
 def mpi_environment():
@@ -121,6 +133,7 @@ def summarise(runs, ranks):
         "neighbour_list_builds": runs[0]["neighbour_list_builds"],
         "dangerous_builds": runs[0]["dangerous_builds"],
         "neighbours_per_automaton": runs[0]["neighbours_per_automaton"],
+        "memory_megabytes_per_rank": runs[0]["memory_megabytes_per_rank"],
         "breakdown_percent": {n: statistics.median(r["breakdown_percent"].get(n, 0) for r in runs)
                               for n in names},
         "runs": runs,
@@ -186,15 +199,17 @@ def arguments():
     parser.add_argument("--scale", type=float, default=1,
                         help="factor on the number of steps (default 1: about two minutes in all)")
     parser.add_argument("--styles", nargs="+", choices=STYLES, default=list(STYLES))
-    parser.add_argument("--sizes", nargs="+", type=int, choices=SIZES, default=list(SIZES))
+    parser.add_argument("--sizes", nargs="+", type=int, choices=SIZES, default=[1600, 40000])
     parser.add_argument("--ranks", nargs="+", type=int, default=[1, 2])
+    parser.add_argument("--partitions", type=int, default=0, metavar="N",
+                        help="also N copies at once as LAMMPS partitions (default 0: none)")
     parser.add_argument("-o", "--output", type=Path,
                         help="JSON file (default: bench_mca.json in the build folder)")
     args = parser.parse_args()
     args.build = Path(args.build).resolve()
     args.output = (args.output or args.build / "bench_mca.json").resolve()
-    if args.rounds < 1 or not args.scale > 0 or min(args.ranks) < 1:
-        parser.error("--rounds, --scale and --ranks must be positive")
+    if args.rounds < 1 or not args.scale > 0 or min(args.ranks) < 1 or args.partitions < 0:
+        parser.error("--rounds, --scale and --ranks must be positive, --partitions not negative")
     if not os.access(args.build / "bin" / "lmp", os.X_OK):
         fail(5, f"no lmp in {args.build / 'bin'}: run tools/setup.sh, or give --build DIR")
     if not os.access(args.output.parent, os.W_OK):
@@ -207,6 +222,8 @@ def main():
     cases = [(style, size, ranks) for size in args.sizes for ranks in args.ranks
              for style in args.styles]
     runs = {case: [] for case in cases}
+    together = []
+    lmp = str(args.build / "bin" / "lmp")
     start = time.monotonic()
     with tempfile.TemporaryDirectory(prefix="mcawr-bench-") as folder:
         for number in range(args.rounds):
@@ -214,11 +231,20 @@ def main():
                 done = number * len(cases) + index + 1
                 progress(f"{done}/{args.rounds * len(cases)} {style}, {size} automata, {ranks} "
                          f"ranks, {time.monotonic() - start:.0f} s")
-                runs[style, size, ranks].append(run_case(str(args.build / "bin" / "lmp"), style,
-                                                         size, ranks, args.scale, Path(folder)))
+                runs[style, size, ranks] += run_case(lmp, style, size, ranks, args.scale,
+                                                     Path(folder))
+            if args.partitions:
+                alone, = run_case(lmp, "mca", min(args.sizes), 1, args.scale, Path(folder))
+                copies = run_case(lmp, "mca", min(args.sizes), 1, args.scale, Path(folder),
+                                  args.partitions)
+                together.append(sum(r["rate_wall"] for r in copies)
+                                / (args.partitions * alone["rate_wall"]))
     progress("")
     results = {case: summarise(r, case[2]) for case, r in runs.items()}
     table = ratios(results)
+    if together:
+        table.append({"ratio": f"{args.partitions} partitions / single", "automata": min(args.sizes),
+                      "ranks": args.partitions, **spread(together)})
     print_tables(results, table)
     busy = [case for case, c in results.items() if c["cpu_use_percent"]["median"] < 95]
     if busy:
