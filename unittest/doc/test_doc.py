@@ -1,0 +1,223 @@
+"""Doc pages against the sources: LAMMPS's sections, every keyword on its page and none that does
+not exist, links that lead somewhere, input scripts that run.
+
+A fenced block marked ``lammps`` is a complete input script and is run; excerpts are ``text``.
+"""
+import os
+import re
+import subprocess
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).resolve().parents[2]
+MCA = ROOT / "src" / "MCA"
+LMP = os.environ.get("MCAWR_LMP", str(ROOT / "build" / "bin" / "lmp"))
+PAGES = [ROOT / "README.md", *sorted((ROOT / "doc").glob("*.md")), *sorted((ROOT / "examples").glob("*/README.md"))]
+
+# the fourth section is named after what the kind of style has to say there
+STATE = {"fix": "Restart, fix_modify, output, run start/stop, minimize info",
+         "pair": "Mixing, shift, table, tail correction, restart, rRESPA info",
+         "compute": "Output info", "region": "Restart, output info",
+         "command": "Restart, run start/stop info"}
+
+
+def name(path):
+    return str(path.relative_to(ROOT))
+
+
+def source(file):
+    return (MCA / file).read_text(encoding="utf-8")
+
+
+def page(file):
+    return (ROOT / "doc" / file).read_text(encoding="utf-8")
+
+
+def without_code(text):
+    return re.sub(r"`[^`\n]*`", "", re.sub(r"^```.*?^```", "", text, flags=re.MULTILINE | re.DOTALL))
+
+
+def section(text, title):
+    """What stands below that heading, up to the next one of the same level."""
+    found = re.search(rf"^## {re.escape(title)}\n(.*?)(?=^## |\Z)", text, re.MULTILINE | re.DOTALL)
+    assert found, f"no section {title}"
+    return found.group(1)
+
+
+def styles():
+    """(kind, style, page) of all that the plugin registers; upper case is internal."""
+    found = re.findall(r'add\("(\w+)", "([\w/]+)"', source("mca_plugin.cpp"))
+    assert len(found) > 5
+    for kind, style in found:
+        if style.upper() != style:
+            prefix = "" if kind == "command" else f"{kind}_"
+            yield pytest.param(kind, style, f"{prefix}{style.replace('/', '_')}.md", id=f"{kind} {style}")
+
+
+@pytest.mark.parametrize("kind, style, file", styles())
+def test_sections(kind, style, file):
+    text = page(file)
+    title = {"pair": f"pair_style {style}", "command": style}.get(kind, f"{kind} {style}")
+    assert text.splitlines()[0] == f"# {title} command"
+    assert re.findall(r"^## (.+)$", without_code(text), re.MULTILINE) == [
+        "Syntax", "Examples", "Description", STATE[kind], "Restrictions", "Related commands", "Default"]
+    index = page("README.md")
+    assert f"]({file})" in index
+
+
+# ---- keywords: those that a source parses, and those that the page's Syntax names
+
+def listed(text, what):
+    """Words in *italics* of the list item "keyword = *a* or *b* ..."."""
+    item = re.search(rf"^\* {what} = (.*?)(?=^\* |^\n|^```)", text, re.MULTILINE | re.DOTALL)
+    assert item, f"no list of {what}"
+    return re.findall(r"\*([^*\s]+)\*", item.group(1))
+
+
+def attributes(file):
+    """The compute's table of names."""
+    return re.findall(r'"(\w+)"', re.search(r"NAMES\[ATTRIBUTES\] = \{(.*?)\};", source(file), re.DOTALL)[1])
+
+
+def choices():
+    """{keyword: allowed words} of the law set; thresholds allow words too."""
+    text = source("laws/law_set.cpp")
+    table = {k: re.findall(r'"([\w-]+)"', words)
+             for k, words in re.findall(r'\{"(\w+)", &LawSet::\w+, \{(.*?)\}\}', text)}
+    for keyword, elastic in re.findall(r'\{"(\w+)", &LawSet::\w+, (true|false)\}', text):
+        table[keyword] = ["factor"] + ["elastic_limit"] * (elastic == "true") + ["none"]
+    table["preset"] = re.findall(r'value != "(\w+)"', text)
+    return table
+
+
+def lengths():
+    return re.findall(r'strcmp\(arg\[iarg\], "(\w+)"\)', source("pair_mca.cpp"))
+
+
+def test_pair_keywords():
+    assert len(choices()) == 8 and len(lengths()) == 2
+    assert sorted(listed(section(page("pair_mca.md"), "Syntax"), "keyword")) == sorted([*choices(), *lengths()])
+
+
+def test_pair_values():
+    syntax = section(page("pair_mca.md"), "Syntax")
+    written = {k: words.split(" or ") for k, words in re.findall(r"^(\w+) value = (.*)$", syntax, re.MULTILINE)}
+    for keyword, allowed in choices().items():
+        assert written[keyword] == allowed, keyword
+
+
+def test_pair_defaults():
+    """The table of presets and the Default section are what the sources say."""
+    text = page("pair_mca.md")
+    rows = {k: (a.strip(), b.strip()) for k, a, b in
+            re.findall(r"^\| \*(\w+)\* \| (.*?) \| (.*?) \|$", text, re.MULTILINE)}
+    header = source("laws/law_set.h")
+    code = dict(re.findall(r'std::string (\w+) = "([\w-]+)";', header))
+    number = {"atElasticLimit": "elastic_limit", "off": "none"}
+    code.update({k: number.get(v, v) for k, v in re.findall(r"double (link|weld|heal) = ([\w.]+);", header)})
+    default = section(text, "Default")
+    for keyword, value in code.items():
+        assert f"{keyword} = {value}" in " ".join(default.split())
+        if keyword != "preset":
+            assert rows[keyword][1] == value
+    only_a = re.search(r'if \(preset == "a"\) \{(.*?)\}', source("laws/law_set.cpp"), re.DOTALL)[1]
+    set_a = {k: number.get(v, v) for k, v in re.findall(r"set\.(\w+) = ([\w.]+);", only_a)}
+    for keyword, (a, b) in rows.items():
+        assert a == set_a.get(keyword, b)
+
+
+@pytest.mark.parametrize("file, table", [("compute_mca_atom.md", "compute_mca_atom.cpp"),
+                                         ("compute_mca_link_local.md", "compute_mca_link_local.cpp")])
+def test_compute_attributes(file, table):
+    syntax = section(page(file), "Syntax")
+    assert listed(syntax, "attribute") == attributes(table)
+    explained = [word for words in re.findall(r"^([\w,]+) = ", syntax, re.MULTILINE) for word in words.split(",")]
+    assert explained == attributes(table)
+
+
+@pytest.mark.parametrize("file, parser, pattern", [
+    ("fix_mca_drive.md", "fix_mca_drive.cpp", r'keyword == "(\w+)"'),
+    ("mca_links.md", "mca_links.cpp", r'strcmp\(arg\[iarg\], "(\w+)"\)')])
+def test_keywords(file, parser, pattern):
+    parsed = re.findall(pattern, source(parser))
+    syntax = section(page(file), "Syntax")
+    assert parsed and sorted(listed(syntax, "keyword")) == sorted(set(parsed))
+    assert sorted(re.findall(r"^(\w+) value = ", syntax, re.MULTILINE)) == sorted(set(parsed))
+
+
+def test_potential_file():
+    """The table of quantities with what is allowed, and the example, which is steel.mca."""
+    coded = re.findall(r'\{"(\w+)", &Material::\w+, "([^"]+)", "([^"]+)"\}', source("laws/material.cpp"))
+    text = page("potential_file.md")
+    table = re.findall(r"^\| `(\w+)` \|[^|]*\| (.*?) \| (.*?) \|$", text, re.MULTILINE)
+    assert coded and table == coded
+    steel = (ROOT / "potentials" / "steel.mca").read_text(encoding="utf-8").splitlines()
+    assert "\n".join([steel[0]] + [line for line in steel if not line.startswith("#")]) in text
+
+
+def test_friction_log():
+    """Columns and head as the writer has them."""
+    writer = source("friction_log_writer.cpp")
+    columns = re.search(r'"(step time .*?)\\n"', writer)[1].split()
+    text = page("friction_log.md")
+    assert re.findall(r"^\| `(\w+)` \|[^|]*\|[^|]*\|$", text, re.MULTILINE) == columns
+    assert f"\n{' '.join(columns)}\n" in text
+    written = re.findall(r'"# (\w+): ', writer)
+    example = re.search(r"^```text\n(.*?)^```", text, re.MULTILINE | re.DOTALL)[1]
+    assert re.findall(r"^# (\w+): ", example, re.MULTILINE) == written
+    for head in re.findall(r"^\| `(\w+)` \|[^|]*\|$", text, re.MULTILINE):
+        assert head in written
+
+
+def test_region_arguments():
+    syntax = section(page("region_mca_rough.md"), "Syntax")
+    order = re.search(r'needs: below\|above ([\w ]+)"', source("region_mca_rough.cpp"))[1]
+    assert f"region ID mca/rough side {order} keyword value ..." in syntax
+
+
+# ---- links and scripts
+
+def anchors(text):
+    """GitHub's anchors of the headings."""
+    return [re.sub(r"[^\w\- ]", "", title.lower()).replace(" ", "-")
+            for title in re.findall(r"^#+ (.+)$", without_code(text), re.MULTILINE)]
+
+
+@pytest.mark.parametrize("path", PAGES, ids=name)
+def test_links(path):
+    targets = re.findall(r"\]\(([^)\s]+)\)", without_code(path.read_text(encoding="utf-8")))
+    for target in targets:
+        if re.match(r"[a-z]+:", target):
+            continue
+        file, _, anchor = target.partition("#")
+        goal = path.parent / file if file else path
+        assert goal.exists(), target
+        if anchor:
+            assert anchor in anchors(goal.read_text(encoding="utf-8")), target
+
+
+@pytest.mark.parametrize("path", PAGES, ids=name)
+def test_blocks_are_marked(path):
+    """Every fenced block says what it is, and none stays open."""
+    fences = re.findall(r"^```(.*)$", path.read_text(encoding="utf-8"), re.MULTILINE)
+    assert len(fences) % 2 == 0
+    assert all(fence in ("text", "lammps", "sh", "yaml", "json", "csv", "bibtex") for fence in fences[::2])
+    assert not any(fences[1::2])
+
+
+def scripts():
+    found = [pytest.param(block, id=f"{name(path)}-{number}") for path in PAGES for number, block in
+             enumerate(re.findall(r"^```lammps\n(.*?)^```", path.read_text(encoding="utf-8"),
+                                  re.MULTILINE | re.DOTALL), 1)]
+    assert found
+    return found
+
+
+@pytest.mark.parametrize("script", scripts())
+def test_script_runs(script, tmp_path):
+    (tmp_path / "in.doc").write_text(script, encoding="utf-8")
+    done = subprocess.run([LMP, "-in", "in.doc"], cwd=tmp_path, timeout=120, stdout=subprocess.PIPE,
+                          stderr=subprocess.STDOUT, text=True, check=False)
+    assert done.returncode == 0, done.stdout[-3000:]
+    assert "Total wall time" in done.stdout and "WARNING" not in done.stdout, done.stdout[-3000:]
