@@ -1,0 +1,316 @@
+"""tools/campaign: plans, running, killing and going on, failures, several workers, packing."""
+import json
+import math
+import os
+import pathlib
+import shutil
+import signal
+import subprocess
+import sys
+import time
+
+import pytest
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+CAMPAIGN = ROOT / "tools" / "campaign"
+FAKE = pathlib.Path(__file__).with_name("fake_lmp.py")
+REAL = pathlib.Path(os.environ.get("MCAWR_TEST_LMP", ROOT / "build" / "bin" / "lmp"))
+
+sys.path.insert(0, str(ROOT / "tools"))
+from campaign_parts import plan as plans  # noqa: E402
+
+HEAD = "format: mca-campaign 1\n"
+PLAN = HEAD + """title: three runs
+defaults: {ns: 2, row: 0.05, checkpoint: 0.2}
+runs:
+  - {v: [2, 5], seed: 7}
+  - {name: soft, strength: 60}
+"""
+
+
+def environment(**more):
+    inherited = {k: v for k, v in os.environ.items() if not k.startswith(("OMPI_", "PMIX_", "PMI_", "SLURM_"))}
+    return {**inherited, "MCAWR_LMP": str(FAKE), "PYTHONDONTWRITEBYTECODE": "1", **more}
+
+
+def campaign(*arguments, env=None, timeout=60):
+    return subprocess.run([CAMPAIGN, *map(str, arguments)], capture_output=True, text=True, timeout=timeout,
+                          env=env or environment(), check=False)
+
+
+def one_line(result, code, *parts):
+    assert result.returncode == code, result.stdout + result.stderr
+    assert result.stderr.count("\n") == 1
+    for part in parts:
+        assert part in result.stderr
+
+
+def wait_for(condition, seconds=20):
+    end = time.monotonic() + seconds
+    while not condition():
+        assert time.monotonic() < end, "waited in vain"
+        time.sleep(0.02)
+
+
+def logs(folder):
+    return {p.parent.name: p.read_text() for p in sorted(folder.glob("*/run.friction"))}
+
+
+@pytest.fixture
+def plan(tmp_path):
+    path = tmp_path / "plan.yaml"
+    path.write_text(PLAN)
+    return path
+
+
+def test_run_leaves_finished_logs_and_the_exact_commands(plan, tmp_path):
+    out = tmp_path / "out"
+    result = campaign("run", plan, "-o", out, "-j", 2)
+    assert result.returncode == 0, result.stdout + result.stderr
+    assert "3 finished" in result.stdout
+    assert sorted(logs(out)) == ["soft", "v2", "v5"]
+    for name, text in logs(out).items():
+        assert len([line for line in text.split("\n") if line[:1].isdigit()]) == 40, name
+        record = json.loads((out / name / "run.json").read_text())
+        assert record["attempts"][0]["outcome"] == "finished"
+        assert "-var strength " + ("60" if name == "soft" else "92") in record["attempts"][0]["command"]
+        assert not list((out / name).glob("run.[ab].restart"))
+    assert (out / "plan.yaml").read_text() == PLAN
+    before = {p: p.stat().st_mtime_ns for p in out.rglob("*") if p.name != "plan.yaml" and p.is_file()}
+    again = campaign("run", plan, "-o", out)
+    assert again.returncode == 0
+    assert before == {p: p.stat().st_mtime_ns for p in out.rglob("*") if p.name != "plan.yaml" and p.is_file()}
+
+
+@pytest.mark.parametrize("moment", [0.3, 0.9, 1.7])
+def test_killed_at_any_moment_it_goes_on(plan, tmp_path, moment):
+    campaign("run", plan, "-o", tmp_path / "whole")
+    out = tmp_path / "out"
+    call = subprocess.Popen([CAMPAIGN, "run", plan, "-o", out, "-j", "2"], stdout=subprocess.DEVNULL,
+                            env=environment(FAKE_LMP_ROW="0.03"))
+    wait_for(lambda: (out / "v2" / "run.friction.part").exists())
+    time.sleep(moment)
+    call.send_signal(signal.SIGKILL)
+    call.wait()
+    wait_for(lambda: "running" not in campaign("status", plan, "-o", out).stdout)  # lmp dies with it
+    part = out / "v2" / "run.friction.part"
+    if part.exists():  # a machine that dies may cut the last line
+        part.write_text(part.read_text() + "2000 0.1")
+    finished = logs(out)
+    result = campaign("run", plan, "-o", out, "-j", 2)
+    assert result.returncode == 0, result.stdout + result.stderr
+    assert logs(out) == logs(tmp_path / "whole")
+    if moment == 0.9:
+        assert "goes on from" in result.stdout
+    for name in finished:
+        assert len(json.loads((out / name / "run.json").read_text())["attempts"]) == 1
+
+
+def test_half_written_checkpoint_is_not_used(plan, tmp_path):
+    out = tmp_path / "out"
+    campaign("run", plan, "-o", out)
+    folder = out / "v2"
+    lines = (folder / "run.friction").read_text().split("\n")
+    (folder / "run.friction").unlink()
+    (folder / "run.restart").unlink()
+    (folder / "run.friction.part").write_text("\n".join(lines[:30]) + "\n")
+    (folder / "run.a.restart").write_bytes(b"12000" + b"LammpS RestartT\0")
+    (folder / "run.b.restart").write_bytes(b"16000" + b"LammpS Res")
+    result = campaign("run", plan, "-o", out)
+    assert result.returncode == 0
+    assert "run.a.restart" in json.loads((folder / "run.json").read_text())["attempts"][-1]["command"]
+    assert (folder / "run.friction").read_text() == "\n".join(lines)
+
+
+def test_interrupt_ends_in_order(plan, tmp_path):
+    out = tmp_path / "out"
+    call = subprocess.Popen([CAMPAIGN, "run", plan, "-o", out, "-j", "1"], stdout=subprocess.PIPE, text=True,
+                            env=environment(FAKE_LMP_ROW="0.05"))
+    wait_for(lambda: list(out.glob("*/run.friction.part")))
+    call.send_signal(signal.SIGINT)
+    output, _ = call.communicate(timeout=20)
+    assert call.returncode == 6
+    assert "the same call goes on" in output
+    assert not logs(out)
+
+
+def test_failed_run_does_not_stop_the_others(tmp_path):
+    path = tmp_path / "plan.yaml"
+    path.write_text(HEAD + "runs: [{v: [13, 5], ns: 1}]\n")
+    result = campaign("run", path, "-o", tmp_path / "out")
+    assert result.returncode == 1
+    assert "v13: failed: ERROR: Lost atoms" in result.stdout
+    assert "1 finished, 1 failed" in result.stdout
+    assert list(logs(tmp_path / "out")) == ["v5"]
+    assert "Lost atoms" in campaign("status", path, "-o", tmp_path / "out").stdout
+    again = campaign("run", path, "-o", tmp_path / "out")
+    assert again.returncode == 1
+    attempts = lambda: json.loads((tmp_path / "out" / "v13" / "run.json").read_text())["attempts"]
+    assert len(attempts()) == 1
+    campaign("run", path, "-o", tmp_path / "out", "--retry")
+    assert len(attempts()) == 2
+
+
+def test_one_run_a_job_and_two_calls_at_once(plan, tmp_path):
+    out = tmp_path / "out"
+    calls = [subprocess.Popen([CAMPAIGN, "one", plan, "-o", out, "--index", str(k)], stdout=subprocess.DEVNULL,
+                              env=environment(FAKE_LMP_ROW="0.02")) for k in (0, 1, 2, 2)]
+    assert sorted(call.wait(timeout=60) for call in calls) in ([0, 0, 0, 0], [0, 0, 0, 6])
+    assert len(logs(out)) == 3
+    for name in logs(out):
+        assert len(json.loads((out / name / "run.json").read_text())["attempts"]) == 1
+    one_line(campaign("one", plan, "-o", out, "--index", 3), 2, "--index 3", "0 to 2")
+
+
+@pytest.mark.skipif(not shutil.which("mpirun"), reason="no mpirun")
+def test_under_mpirun_the_ranks_share_the_runs(plan, tmp_path):
+    out = tmp_path / "out"
+    env = environment(OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1", FAKE_LMP_ROW="0.02",
+                      OMPI_MCA_rmaps_base_oversubscribe="1")
+    result = subprocess.run(["mpirun", "-np", "2", CAMPAIGN, "run", plan, "-o", out], capture_output=True, text=True,
+                            timeout=60, env=env, check=False)
+    assert result.returncode == 0, result.stdout + result.stderr
+    assert result.stdout.count("3 finished") == 1
+    assert len(logs(out)) == 3
+    for name in logs(out):
+        assert len(json.loads((out / name / "run.json").read_text())["attempts"]) == 1
+
+
+def test_longer_but_not_other(plan, tmp_path):
+    out = tmp_path / "out"
+    campaign("run", plan, "-o", out)
+    plan.write_text(PLAN.replace("ns: 2", "ns: 3"))
+    result = campaign("run", plan, "-o", out)
+    assert result.returncode == 0
+    assert "v2: goes on from 2 ns" in result.stdout
+    assert logs(out)["v2"].rstrip("\n").split("\n")[-1].split()[1] == "3"
+    plan.write_text(PLAN)
+    one_line(campaign("run", plan, "-o", out), 3, "longer, not shorter")
+    plan.write_text(PLAN.replace("seed: 7", "seed: 8").replace("ns: 2", "ns: 3"))
+    one_line(campaign("run", plan, "-o", out), 3, "was begun with seed = 7, the plan says 8")
+
+
+def test_pack_averages_rows_and_keeps_the_command(plan, tmp_path):
+    out = tmp_path / "out"
+    campaign("run", plan, "-o", out)
+    result = campaign("pack", plan, "-o", out, "--to", tmp_path / "packed", "--rows", 4)
+    assert result.returncode == 0, result.stderr
+    whole = [line.split() for line in logs(out)["v2"].split("\n") if line[:1].isdigit()]
+    text = (tmp_path / "packed" / "v2.friction").read_text()
+    rows = [line.split() for line in text.split("\n") if line[:1].isdigit()]
+    assert len(rows) == 10
+    assert rows[0][0] == whole[3][0]
+    assert math.isclose(float(rows[0][5]), sum(float(r[5]) for r in whole[:4]) / 4, rel_tol=1e-6)
+    assert float(rows[0][7]) == 8
+    assert '"command": "lmp -in examples/friction/in.friction' in text
+    assert str(tmp_path) not in text
+
+
+@pytest.mark.parametrize("text, parts", [
+    ("", ["is empty"]),
+    ("runs: [", ["not YAML"]),
+    ("title: x\nruns: [{p: 1}]\n", [":1: no plan"]),
+    ("format: mca-campaign 2\nruns: [{p: 1}]\n", ["'mca-campaign 2' cannot be read"]),
+    (HEAD + "runs: []\n", ["at least one run"]),
+    (HEAD + "runs:\n  - {p: 1}\n  - {presure: 1}\n", [":4: unknown key 'presure'; the nearest known one is"]),
+    (HEAD + "defaults: {strenght: 3}\nruns: [{p: 1}]\n", [":2: unknown key in defaults 'strenght'", "'strength'"]),
+    (HEAD + "run: [{p: 1}]\n", ["unknown key 'run'", "'runs'"]),
+    (HEAD + "runs: [{p: -1}]\n", [":2: p: '-1' is not allowed, must be a number > 0 (MPa)"]),
+    (HEAD + "runs: [{p: .nan}]\n", ["p: 'nan'"]),
+    (HEAD + "runs: [{v: .inf}]\n", ["v: 'inf'"]),
+    (HEAD + "runs: [{v: fast}]\n", ["v: 'fast'"]),
+    (HEAD + "runs: [{columns: 4.5}]\n", ["columns: '4.5' is not allowed, must be a whole number >= 4"]),
+    (HEAD + "runs: [{p: []}]\n", ["p: an empty list"]),
+    (HEAD + "runs: [{p: 1, p: 2}]\n", ["key 'p' stands twice"]),
+    (HEAD + "runs: [{p: 1}, {p: 1.0}]\n", ["different names"]),
+    (HEAD + "runs: [{name: a/b}]\n", ["name: 'a/b'"]),
+    (HEAD + "input: absent.in\nruns: [{p: 1}]\n", ["input: no such file"]),
+])
+def test_bad_plan_is_one_clear_line(tmp_path, text, parts):
+    path = tmp_path / "plan.yaml"
+    path.write_text(text)
+    one_line(campaign("run", path, "-o", tmp_path / "out"), 3, str(path), *parts)
+    assert not (tmp_path / "out").exists()
+
+
+def test_csv_plan(tmp_path):
+    path = tmp_path / "plan.csv"
+    path.write_text("# made by hand\nname,p,v,seed\none,15,5,1\ntwo,1.5,2,2\n")
+    runs = plans.read(str(path)).runs
+    assert [(r.name, r.values["p"], r.values["seed"]) for r in runs] == [("one", 15, 1), ("two", 1.5, 2)]
+    path.write_text("name,p,v\none,15\n")
+    one_line(campaign("list", path), 3, ":2: 2 columns, 3 are expected")
+    path.write_text("name,p,vv\none,15,3\n")
+    one_line(campaign("list", path), 3, ":1: unknown column 'vv'; the nearest known one is 'v'")
+    path.write_text("name,p\none,much\n")
+    one_line(campaign("list", path), 3, ":2: p: 'much' is not a number")
+
+
+def test_bad_surroundings(plan, tmp_path):
+    one_line(campaign("run", plan, "-o", tmp_path / "o", env=environment(MCAWR_LMP="/nonexistent/lmp")), 5, "lmp is not there")
+    (tmp_path / "file").write_text("")
+    one_line(campaign("run", plan, "-o", tmp_path / "file" / "o"), 5, "cannot be made")
+    one_line(campaign("list", "velocty"), 3, "the nearest known one is 'velocity'")
+    assert campaign("run", plan).returncode == 2
+    assert campaign("--help").returncode == 0
+
+
+def test_step_follows_the_material():
+    def dt(**values):
+        return plans.Run("x", {**{k: key.default for k, key in plans.KEYS.items()}, **values}, "").dt
+    assert dt() == 5e-5
+    assert dt(E=4 * 206000) == 2.5e-5        # half the time of sound
+    assert dt(rho=4 * 7800) == 5e-5          # never longer
+    assert dt(eta=0.82) == 2.5e-5            # half the viscous time
+    assert dt(rho=1950) == pytest.approx(1.2e-5)
+    assert dt(dt=1e-5) == 1e-5
+
+
+SHIPPED = {"paper36": 36, "collapse10": 10, "velocity": 1, "pressure": 1, "viscosity": 1, "roughness": 3, "smoke": 1}
+
+
+@pytest.mark.parametrize("name, least", SHIPPED.items())
+def test_shipped_plans(name, least):
+    plan = plans.read(plans.find(name))
+    assert len(plan.runs) >= least and plan.title
+    assert campaign("list", name).returncode == 0
+
+
+def test_paper36_covers_the_papers_ranges():
+    runs = plans.read(plans.find("paper36")).runs
+    assert len(runs) == 36
+    kappa1, kappa2 = sorted(r.kappa1 for r in runs), sorted(r.kappa2 for r in runs)
+    assert kappa1[0] < 0.1 and kappa1[-1] == pytest.approx(19, rel=0.01)
+    assert kappa2[0] == pytest.approx(2, rel=0.05) and kappa2[-1] == pytest.approx(633, rel=0.01)
+    for key, low, high in (("p", 0.5, 26), ("v", 1, 10), ("strength", 92, 552)):
+        values = [r.values[key] for r in runs]
+        assert min(values) == low and max(values) == high
+    for key in ("E", "rho", "eta"):
+        assert len({r.values[key] for r in runs}) >= 3
+
+
+def test_collapse10_has_one_kappa():
+    runs = plans.read(plans.find("collapse10")).runs
+    assert len(runs) == 10
+    for run in runs:
+        assert run.kappa1 == pytest.approx(runs[0].kappa1, rel=1e-3)
+        assert run.kappa2 == pytest.approx(runs[0].kappa2, rel=1e-3)
+
+
+@pytest.mark.skipif(not REAL.exists(), reason="lmp is not built")
+def test_real_run_goes_on_after_a_kill(tmp_path):
+    path = tmp_path / "plan.yaml"
+    path.write_text(HEAD + "defaults: {columns: 12, rows: 12, roughness: 1, row: 0.01, checkpoint: 0.1}\n"
+                    "runs: [{name: tiny, ns: 0.6}]\n")
+    env = environment(MCAWR_LMP=str(REAL))
+    out = tmp_path / "out"
+    call = subprocess.Popen([CAMPAIGN, "run", path, "-o", out], stdout=subprocess.DEVNULL, env=env)
+    wait_for(lambda: list(out.glob("tiny/run.a.restart")))
+    call.send_signal(signal.SIGKILL)
+    call.wait()
+    wait_for(lambda: "running" not in campaign("status", path, "-o", out).stdout)
+    assert not (out / "tiny" / "run.friction").exists()
+    result = campaign("run", path, "-o", out, env=env, timeout=120)
+    assert result.returncode == 0, result.stdout + result.stderr
+    rows = [line.split() for line in logs(out)["tiny"].split("\n") if line[:1].isdigit()]
+    assert [int(r[0]) for r in rows] == [200 * i for i in range(1, 61)]
