@@ -170,6 +170,16 @@ def test_friction_log():
         assert head in written
 
 
+def test_example_variables():
+    """The table of the friction example is what its script has."""
+    script = (ROOT / "examples" / "friction" / "in.friction").read_text(encoding="utf-8")
+    text = (ROOT / "examples" / "friction" / "README.md").read_text(encoding="utf-8")
+    default = {k: v.replace("${name}", "NAME") for k, v in
+               re.findall(r"^variable +(\w+) +(?:index|equal) +([^\s#]+) *(?:#.*)?$", script.split("\nif ")[0], re.MULTILINE)}
+    table = re.findall(r"^\| `(\w+)` \| `?(.*?)`? \|", text, re.MULTILINE)
+    assert default and dict(table) == default
+
+
 def test_region_arguments():
     syntax = section(page("region_mca_rough.md"), "Syntax")
     order = re.search(r'needs: below\|above ([\w ]+)"', source("region_mca_rough.cpp"))[1]
