@@ -4,7 +4,8 @@
 
 namespace wheelrail {
 
-Error::Error(ExitCode code, const std::string &message) : std::runtime_error(message), exitCode(code)
+Error::Error(ExitCode code, const std::string &message)
+    : std::runtime_error(message), exitCode(code)
 {
 }
 
@@ -12,8 +13,10 @@ Error badInput(const std::string &file, int line, const std::string &keyword,
                const std::string &problem)
 {
   std::string text = file;
-  if (line > 0) text += fmt::format(":{}", line);
-  if (!keyword.empty()) text += fmt::format(": {}", keyword);
+  if (line > 0)
+    text += fmt::format(":{}", line);
+  if (!keyword.empty())
+    text += fmt::format(": {}", keyword);
   Error error(ExitCode::BadInput, fmt::format("{}: {}", text, problem));
   error.fileName = file;
   error.lineNumber = line;

@@ -18,7 +18,7 @@ struct GmresReport {
 /// the true one. `apply(v)` = A v and `precondition(v)` ~ A^-1 v.
 /// @param scale what the residual is measured against: the tolerance is relative, always
 /// @param x start on entry, solution on return
-template <class Apply, class Precondition>
+template<class Apply, class Precondition>
 GmresReport gmres(const Apply &apply, const Precondition &precondition, const Eigen::VectorXd &b,
                   Eigen::VectorXd &x, double scale, double tolerance, int restart = 60,
                   int maxProducts = 600)
@@ -31,7 +31,8 @@ GmresReport gmres(const Apply &apply, const Precondition &precondition, const Ei
     ++report.products;
     report.residual = beta / scale;
     report.converged = report.residual <= tolerance;
-    if (report.converged || report.products >= maxProducts || !std::isfinite(beta)) return report;
+    if (report.converged || report.products >= maxProducts || !std::isfinite(beta))
+      return report;
 
     std::vector<VectorXd> basis{r / beta};
     Eigen::MatrixXd h = Eigen::MatrixXd::Zero(restart + 1, restart);
@@ -53,21 +54,25 @@ GmresReport gmres(const Apply &apply, const Precondition &precondition, const Ei
         h(j + 1, k) = -sines[j] * above + cosines[j] * h(j + 1, k);
       }
       const double length = std::hypot(h(k, k), below);
-      if (!(length > 0.0)) break;
+      if (!(length > 0.0))
+        break;
       cosines[k] = h(k, k) / length;
       sines[k] = below / length;
       h(k, k) = length;
       g[k + 1] = -sines[k] * g[k];
       g[k] *= cosines[k];
       ++k;
-      if (!(below > 0.0)) break; // the solution lies in the space built so far
+      if (!(below > 0.0))
+        break; // the solution lies in the space built so far
       basis.push_back(w / below);
     }
-    if (k == 0) return report;
+    if (k == 0)
+      return report;
     const VectorXd y =
         h.topLeftCorner(k, k).template triangularView<Eigen::Upper>().solve(g.head(k));
     VectorXd sum = VectorXd::Zero(b.size());
-    for (int j = 0; j < k; ++j) sum += y[j] * basis[j];
+    for (int j = 0; j < k; ++j)
+      sum += y[j] * basis[j];
     x += precondition(sum);
   }
 }

@@ -1,16 +1,9 @@
 #ifndef WHEELRAIL_HALFPLANE_H
 #define WHEELRAIL_HALFPLANE_H
 
-#include <Eigen/Core>
-
-#include <complex>
-#include <memory>
-#include <vector>
+#include "convolution.h"
 
 namespace wheelrail {
-
-/// Smallest 2^a 3^b 5^c 7^d >= n: a length that FFTW transforms fast.
-int fastTransformSize(int n);
 
 /// Are the n cells alone on the line, or one period of it?
 enum class Boundary { Free, Periodic };
@@ -26,35 +19,32 @@ enum class Boundary { Free, Periodic };
 ///
 /// Free: zero-padded FFT convolution with the exact integral of the kernel over a cell.
 /// Periodic: the exact spectrum of cells repeated with the period; the mean of u is set to zero.
-/// Products cost two FFTs. An object has one work buffer: use one object per thread. Plans are
-/// FFTW_ESTIMATE, so that results do not depend on a timing and repeat to the last bit.
+/// Products cost two FFTs. An object has one work buffer: use one object per thread.
 class HalfPlane {
  public:
   using Vector = Eigen::VectorXd;
 
   /// @param cells n >= 1
   HalfPlane(int cells, Boundary boundary);
-  ~HalfPlane();
-  HalfPlane(HalfPlane &&) noexcept;
-  HalfPlane &operator=(HalfPlane &&) noexcept;
 
-  int cells() const { return n; }
+  int cells() const { return line.cells(); }
   Boundary boundary() const { return kind; }
 
   /// u = A q: displacement at the cell centres. Symmetric; positive definite up to the constant.
   Vector displacement(const Vector &q);
 
   /// u_i - u_(i+1): by how much a particle's displacement grows while it moves one cell towards
-  /// smaller x, against the direction of travel of the contact. Free boundary only.
+  /// smaller x. Taken as -u' half-way, with the cells' loads at their centres: on this staggered
+  /// grid the Hilbert transform is orthogonal to the last bit and the traction of a stick zone
+  /// has its exact integral (as 1/4-3/4 points give the lift of a plate). Free boundary only.
   Vector stretch(const Vector &q);
 
-  /// Transpose of `stretch`. A discretised Hilbert transform is nearly orthogonal:
-  /// stretch(stretchTransposed(q)) ~ 4 q, which makes it a preconditioner.
+  /// Transpose of `stretch`; on an unbounded line stretch(stretchTransposed(q)) = 4 q.
   Vector stretchTransposed(const Vector &q);
 
-  /// Logarithm of the weight prod sqrt|(right_j - x)/(x - left_j)| at the cell centres, of intervals
-  /// that begin or end at faces between cells: `charge` is +1/2 at the face left of a cell where an
-  /// interval has ended, -1/2 where one begins. Free boundary only.
+  /// Logarithm of the weight prod sqrt|(right_j - x)/(x - left_j)| at the cell centres, of
+  /// intervals that begin or end at faces between cells: `charge` is +1/2 at the face left of a
+  /// cell where an interval has ended, -1/2 where one begins. Free boundary only.
   Vector edgeLogarithm(const Vector &charge);
 
   /// Approximate inverse of `displacement` (spectrally |k|/2), symmetric positive definite:
@@ -62,16 +52,11 @@ class HalfPlane {
   Vector tractionEstimate(const Vector &u);
 
  private:
-  using Spectrum = std::vector<std::complex<double>>;
-  struct Transform;
-  Vector multiply(const Vector &q, const Spectrum &spectrum);
-  Spectrum transformOf(const std::vector<double> &table);
   void fillPeriodicSpectra();
 
-  int n;
   Boundary kind;
-  std::unique_ptr<Transform> fft;
-  Spectrum compliance, stretching, stretchingTransposed, stiffness, faces;
+  Convolution line;
+  Convolution::Spectrum compliance, stretching, stretchingTransposed, stiffness, faces;
 };
 
 /// (2/pi) times minus the integral of ln|x| over the cell that is centred m cells away, in units

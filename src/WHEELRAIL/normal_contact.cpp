@@ -16,8 +16,8 @@ using Vector = Eigen::VectorXd;
 constexpr int coarsestGrid = 128;
 constexpr double coarseTolerance = 1e-3; ///< a start for the next grid needs no more
 constexpr double rounding = 1e-14;
-constexpr int boldSets = 20;             ///< sets that may raise the energy; mostly 8 are enough
-constexpr double firstTolerance = 1e-2;  ///< the first sets are wrong anyway
+constexpr int boldSets = 20;            ///< sets that may raise the energy; mostly 8 are enough
+constexpr double firstTolerance = 1e-2; ///< the first sets are wrong anyway
 
 /// The quadratic programme: minimise p.A p/2 + profile.p with 0 <= p <= limit, sum p = load.
 class PressureSearch {
@@ -53,7 +53,8 @@ class PressureSearch {
   void beCareful() { careful = true; }
   CellState state(int i) const
   {
-    if (pressure[i] <= 0.0) return CellState::Apart;
+    if (pressure[i] <= 0.0)
+      return CellState::Apart;
     return pressure[i] >= problem.pressureLimit ? CellState::Plastic : CellState::Contact;
   }
 
@@ -88,25 +89,28 @@ Vector PressureSearch::projected(const Vector &wanted, const Vector &free) const
   const double highest = std::min(problem.pressureLimit, problem.load);
   double low = -highest, high = highest;
   for (int i = 0; i < n; ++i) {
-    if (free[i] == 0.0) continue;
+    if (free[i] == 0.0)
+      continue;
     low = std::min(low, wanted[i] - highest);
     high = std::max(high, wanted[i]);
   }
   const auto shifted = [&](double shift) {
     Vector p = wanted;
     for (int i = 0; i < n; ++i)
-      p[i] = free[i] == 0.0 ? pressure[i] : std::clamp(wanted[i] - shift, 0.0, problem.pressureLimit);
+      p[i] =
+          free[i] == 0.0 ? pressure[i] : std::clamp(wanted[i] - shift, 0.0, problem.pressureLimit);
     return p;
   };
   double shift = 0.0;
   Vector p = shifted(shift);
   for (int step = 0; step < 200; ++step) {
     const double excess = p.sum() - problem.load;
-    if (std::abs(excess) <= rounding * problem.load) break;
+    if (std::abs(excess) <= rounding * problem.load)
+      break;
     (excess > 0.0 ? low : high) = shift;
-    const double moving = (free.array() * ((p.array() > 0.0 && p.array() < problem.pressureLimit))
-                                              .cast<double>())
-                              .sum();
+    const double moving =
+        (free.array() * ((p.array() > 0.0 && p.array() < problem.pressureLimit)).cast<double>())
+            .sum();
     const double newton = shift + excess / moving;
     shift = newton > low && newton < high ? newton : 0.5 * (low + high);
     p = shifted(shift);
@@ -123,7 +127,8 @@ bool PressureSearch::descend(const Vector &direction, const Vector &free, double
     const Vector step = target - pressure;
     const double slope = step.dot(gap) - approach * step.sum();
     const Vector change = halfPlane.displacement(step);
-    if (!(slope + 0.5 * step.dot(change) < sufficient * slope)) continue;
+    if (!(slope + 0.5 * step.dot(change) < sufficient * slope))
+      continue;
     cut = part < 1.0 || ((target - wanted).array() != 0.0).any();
     pressure = target;
     gap += change;
@@ -137,7 +142,8 @@ int PressureSearch::solveInside(double tolerance, int maxSteps)
   const Vector free = inside();
   const double cells = free.sum();
   cut = false;
-  if (cells < 1.0) return 0;
+  if (cells < 1.0)
+    return 0;
   const double meanPressure = problem.load / (pressure.array() > 0.0).count();
   // What the preconditioner makes of a change of the approach; taken off, it leaves the load alone
   const Vector unit = halfPlane.tractionEstimate(free).cwiseProduct(free);
@@ -152,13 +158,15 @@ int PressureSearch::solveInside(double tolerance, int maxSteps)
     Vector z = halfPlane.tractionEstimate(r).cwiseProduct(free);
     z -= z.sum() / unitSum * unit;
     residual = std::sqrt(z.squaredNorm() / cells) / meanPressure;
-    if (residual <= tolerance || step >= maxSteps) break;
+    if (residual <= tolerance || step >= maxSteps)
+      break;
     const double newProduct = r.dot(z);
     direction = z + (step > 0 ? newProduct / product : 0.0) * direction;
     product = newProduct;
     const Vector change = halfPlane.displacement(direction);
     const double curvature = direction.dot(change);
-    if (!(curvature > 0.0)) break; // rounding: nothing is left to gain
+    if (!(curvature > 0.0))
+      break; // rounding: nothing is left to gain
     const double length = r.dot(direction) / curvature;
     total += length * direction;
     current += length * change;
@@ -179,8 +187,10 @@ int PressureSearch::join(double tolerance)
   if (free.sum() < 1.0) { // nothing in between: the approach lies between the two kinds' gaps
     double limited = -std::numeric_limits<double>::infinity(), apart = -limited;
     for (int i = 0; i < n; ++i)
-      if (pressure[i] > 0.0) limited = std::max(limited, gap[i]);
-      else apart = std::min(apart, gap[i]);
+      if (pressure[i] > 0.0)
+        limited = std::max(limited, gap[i]);
+      else
+        apart = std::min(apart, gap[i]);
     approach = std::isfinite(apart) ? 0.5 * (limited + apart) : limited;
   }
   const double threshold = tolerance * problem.load; // of the gap; load ~ displacement
@@ -189,12 +199,15 @@ int PressureSearch::join(double tolerance)
   int broken = 0;
   for (int i = 0; i < n; ++i) {
     const CellState is = state(i);
-    if (is == CellState::Contact) continue;
+    if (is == CellState::Contact)
+      continue;
     const double violation = is == CellState::Apart ? slope[i] : -slope[i];
-    if (violation <= 0.0) active[i] = 0.0;
+    if (violation <= 0.0)
+      active[i] = 0.0;
     broken += violation > threshold;
   }
-  if (!broken) return 0;
+  if (!broken)
+    return 0;
   const double curvature = active.dot(halfPlane.displacement(active));
   const double length = active.squaredNorm() / std::abs(curvature);
   return descend(slope, Vector::Ones(n), length) ? broken : 0;
@@ -212,11 +225,13 @@ void PressureSearch::balance()
     const double factor = wanted / carried;
     double highestScaled = 0.0;
     for (int i = 0; i < n; ++i)
-      if (free[i] != 0.0) highestScaled = std::max(highestScaled, factor * pressure[i]);
+      if (free[i] != 0.0)
+        highestScaled = std::max(highestScaled, factor * pressure[i]);
     const double part =
         highestScaled < highest ? 1.0 : (highest - uniform) / (highestScaled - uniform);
     for (int i = 0; i < n; ++i)
-      if (free[i] != 0.0) pressure[i] = part * factor * pressure[i] + (1.0 - part) * uniform;
+      if (free[i] != 0.0)
+        pressure[i] = part * factor * pressure[i] + (1.0 - part) * uniform;
   } else {
     pressure = projected(pressure, Vector::Ones(n));
   }
@@ -229,13 +244,18 @@ int PressureSearch::jump(double tolerance)
   int changed = 0;
   for (int i = 0; i < n; ++i) {
     const double p = pressure[i], distance = gap[i] - approach;
-    if (p < 0.0) pressure[i] = 0.0;
-    else if (p > problem.pressureLimit) pressure[i] = problem.pressureLimit;
-    else if (p == 0.0 && distance < -threshold) pressure[i] = little;
-    else if (p == problem.pressureLimit && distance > threshold) pressure[i] -= little;
+    if (p < 0.0)
+      pressure[i] = 0.0;
+    else if (p > problem.pressureLimit)
+      pressure[i] = problem.pressureLimit;
+    else if (p == 0.0 && distance < -threshold)
+      pressure[i] = little;
+    else if (p == problem.pressureLimit && distance > threshold)
+      pressure[i] -= little;
     changed += pressure[i] != p;
   }
-  if (changed) balance();
+  if (changed)
+    balance();
   return changed;
 }
 
@@ -290,12 +310,14 @@ NormalContactResult solveOnGrids(HalfPlane &halfPlane, const NormalContactProble
   NormalContactResult result;
   double tolerance = std::max(options.tolerance, firstTolerance);
   for (int set = 1;; ++set) {
-    if (set > boldSets) search.beCareful();
+    if (set > boldSets)
+      search.beCareful();
     iterations += search.solveInside(tolerance, options.maxIterations - iterations);
     const int changed =
         set <= boldSets ? search.jump(options.tolerance) : search.join(options.tolerance);
     result.activeSets = set;
-    if (!changed && !search.wasCut() && tolerance <= options.tolerance) break;
+    if (!changed && !search.wasCut() && tolerance <= options.tolerance)
+      break;
     if (set >= options.maxActiveSets || iterations >= options.maxIterations)
       throw Error(ExitCode::NotConverged,
                   fmt::format("normal contact: no convergence after {} active sets, {} iterations, "
@@ -314,37 +336,38 @@ NormalContactResult solveOnGrids(HalfPlane &halfPlane, const NormalContactProble
   for (int i = 0; i < n; ++i) {
     const double distance = search.gap[i] - search.approach;
     result.state[i] = search.state(i);
-    if (result.state[i] == CellState::Apart) result.gap[i] = std::max(0.0, distance);
-    if (result.state[i] == CellState::Plastic) result.plasticDepth[i] = std::max(0.0, -distance);
+    if (result.state[i] == CellState::Apart)
+      result.gap[i] = std::max(0.0, distance);
+    if (result.state[i] == CellState::Plastic)
+      result.plasticDepth[i] = std::max(0.0, -distance);
   }
   return result;
 }
 
-constexpr int shortestFitted = 6, longInterval = 40; // cells
+constexpr int shortestFitted = 30; // cells
 
-/// How far inside the outer face of the edge cell p^2 vanishes, in cells: zero of a polynomial
-/// fitted to p^2. The fit leaves out the cells next to the edge, whose pressure depends on where in
-/// them the edge lies (by 20 % in the first, 2 % in the second, 0.1 % in the third); a long
-/// interval can afford to leave out more, and a cubic instead of a parabola.
+/// How far inside the outer face of the edge cell p^2 vanishes, in cells: zero of a cubic fitted
+/// to p^2. The fit leaves out the cells next to the edge, whose pressure depends on where in them
+/// the edge lies (by 20 % in the first, 2 % in the second, 0.1 % in the third); a longer interval
+/// can afford to leave out more.
 double edgeInset(const Vector &pressure, int edge, int inward, int cells)
 {
-  const bool isLong = cells >= longInterval;
-  const int skipped = isLong ? 2 + cells / 50 : 1;
-  const int used = isLong ? 8 + cells / 50 : std::min(5, cells - 2);
-  const int order = isLong ? 3 : 2;
+  const int skipped = 2 + cells / 50, used = 8 + cells / 50;
+  constexpr int order = 3;
   Eigen::MatrixXd basis(used, order + 1);
   Vector squares(used);
   for (int k = 0; k < used; ++k) {
     const int cell = skipped + k; // counted from the edge
-    for (int power = 0; power <= order; ++power) basis(k, power) = std::pow(cell, power);
+    for (int power = 0; power <= order; ++power)
+      basis(k, power) = std::pow(cell, power);
     squares[k] = std::pow(pressure[edge + inward * cell], 2);
   }
-  Eigen::Vector4d c = Eigen::Vector4d::Zero();
-  c.head(order + 1) = basis.householderQr().solve(squares);
+  const Vector c = basis.householderQr().solve(squares);
   double t = 0.0;
   for (int step = 0; step < 8; ++step) {
     const double slope = c[1] + t * (2.0 * c[2] + 3.0 * c[3] * t);
-    if (!(slope > 0.0)) return 0.0; // not an edge with a square root: keep the cell's face
+    if (!(slope > 0.0))
+      return 0.0; // not an edge with a square root: keep the cell's face
     t -= (c[0] + t * (c[1] + t * (c[2] + t * c[3]))) / slope;
   }
   return std::clamp(t + 0.5, -0.5, 1.5);
@@ -365,8 +388,7 @@ NormalContactResult solveNormalContact(HalfPlane &halfPlane, const NormalContact
                             "pressure limit carries on all cells, {}",
                             problem.load, problem.pressureLimit * n));
   NormalContactResult result = solveOnGrids(halfPlane, problem, options);
-  result.seconds =
-      std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   return result;
 }
 
@@ -375,9 +397,11 @@ std::vector<ContactInterval> contactIntervals(const Vector &pressure, Boundary b
   const int n = static_cast<int>(pressure.size());
   std::vector<ContactInterval> intervals;
   for (int i = 0; i < n; ++i) {
-    if (!(pressure[i] > 0.0)) continue;
+    if (!(pressure[i] > 0.0))
+      continue;
     const int first = i;
-    while (i + 1 < n && pressure[i + 1] > 0.0) ++i;
+    while (i + 1 < n && pressure[i + 1] > 0.0)
+      ++i;
     ContactInterval interval{first, i, first - 0.5, i + 0.5};
     const int cells = i - first + 1;
     const bool wraps = boundary == Boundary::Periodic && (first == 0 || i == n - 1);
@@ -393,7 +417,8 @@ std::vector<ContactInterval> contactIntervals(const Vector &pressure, Boundary b
 double contactLength(const std::vector<ContactInterval> &intervals)
 {
   double sum = 0.0;
-  for (const ContactInterval &interval : intervals) sum += interval.length();
+  for (const ContactInterval &interval : intervals)
+    sum += interval.length();
   return sum;
 }
 

@@ -18,15 +18,18 @@ constexpr double limitMargin = 1e-9;    ///< rounding of |q| against the bound
 /// Inverse of the finite Hilbert transform on the stick intervals, bounded at their leading edges.
 class FiniteHilbertInverse {
  public:
-  FiniteHilbertInverse(HalfPlane &plane, const Vector &stickCells) : halfPlane(plane), stick(stickCells)
+  FiniteHilbertInverse(HalfPlane &plane, const Vector &stickCells)
+      : halfPlane(plane), stick(stickCells)
   {
     const int n = plane.cells();
     Vector charge = Vector::Zero(n);
-    for (int i = 1; i < n; ++i) charge[i] = 0.5 * (stick[i - 1] - stick[i]);
+    for (int i = 1; i < n; ++i)
+      charge[i] = 0.5 * (stick[i - 1] - stick[i]);
     weight = plane.edgeLogarithm(charge).array().exp() * stick.array();
     inverseWeight = Vector::Zero(n);
     for (int i = 0; i < n; ++i)
-      if (stick[i] != 0.0) inverseWeight[i] = 1.0 / weight[i];
+      if (stick[i] != 0.0)
+        inverseWeight[i] = 1.0 / weight[i];
   }
 
   Vector operator()(const Vector &v) const
@@ -40,9 +43,15 @@ class FiniteHilbertInverse {
   Vector weight, inverseWeight;
 };
 
-double sign(Adhesion state) { return state == Adhesion::BackwardSlip ? -1.0 : 1.0; }
+double sign(Adhesion state)
+{
+  return state == Adhesion::BackwardSlip ? -1.0 : 1.0;
+}
 
-bool slips(Adhesion state) { return state == Adhesion::Slip || state == Adhesion::BackwardSlip; }
+bool slips(Adhesion state)
+{
+  return state == Adhesion::Slip || state == Adhesion::BackwardSlip;
+}
 
 /// Moves cells between stick and slip. @return number of cells that changed
 int updateStates(const Vector &bound, const Vector &traction, const Vector &slip, double threshold,
@@ -65,7 +74,8 @@ std::vector<Adhesion> startStates(const Vector &bound, const std::vector<Adhesio
 {
   std::vector<Adhesion> state(bound.size(), Adhesion::Apart);
   for (int i = 0; i < bound.size(); ++i) {
-    if (!(bound[i] > 0.0)) continue;
+    if (!(bound[i] > 0.0))
+      continue;
     const bool useful = given.size() == state.size() && given[i] != Adhesion::Apart;
     state[i] = useful ? given[i] : Adhesion::Stick;
   }
@@ -75,7 +85,8 @@ std::vector<Adhesion> startStates(const Vector &bound, const std::vector<Adhesio
 Vector stickCells(const std::vector<Adhesion> &state)
 {
   Vector stick(state.size());
-  for (std::size_t i = 0; i < state.size(); ++i) stick[i] = state[i] == Adhesion::Stick ? 1.0 : 0.0;
+  for (std::size_t i = 0; i < state.size(); ++i)
+    stick[i] = state[i] == Adhesion::Stick ? 1.0 : 0.0;
   return stick;
 }
 
@@ -108,7 +119,8 @@ RollingResult solveFrozenRolling(HalfPlane &halfPlane, const Vector &bound, doub
     const Vector stick = stickCells(result.state);
     Vector fixed = Vector::Zero(n);
     for (int i = 0; i < n; ++i)
-      if (slips(result.state[i])) fixed[i] = sign(result.state[i]) * bound[i];
+      if (slips(result.state[i]))
+        fixed[i] = sign(result.state[i]) * bound[i];
     const Vector driven = creep - halfPlane.stretch(fixed).array();
     Vector q = result.traction.cwiseProduct(stick);
     const double cells = stick.sum();
@@ -131,18 +143,20 @@ RollingResult solveFrozenRolling(HalfPlane &halfPlane, const Vector &bound, doub
     result.traction = q + fixed;
     result.slip = creep - halfPlane.stretch(result.traction).array();
     result.activeSets = set;
-    const int changed = updateStates(bound, result.traction, result.slip,
-                                     options.tolerance * creep, result.state);
-    if (!changed && (tolerance <= options.tolerance || cells == 0.0)) break;
+    const int changed =
+        updateStates(bound, result.traction, result.slip, options.tolerance * creep, result.state);
+    if (!changed && (tolerance <= options.tolerance || cells == 0.0))
+      break;
     if (set >= options.maxActiveSets)
-      throw Error(ExitCode::NotConverged,
-                  fmt::format("rolling contact: {} cells still change after {} active sets", changed,
-                              set));
+      throw Error(
+          ExitCode::NotConverged,
+          fmt::format("rolling contact: {} cells still change after {} active sets", changed, set));
     // Loose while the set is far off, full accuracy before it is believed.
     tolerance = std::max(options.tolerance, tolerance * (changed ? 0.1 : 1e-8));
   }
   for (int i = 0; i < n; ++i)
-    if (result.state[i] == Adhesion::Apart) result.slip[i] = 0.0;
+    if (result.state[i] == Adhesion::Apart)
+      result.slip[i] = 0.0;
   return result;
 }
 
@@ -175,7 +189,8 @@ int TransientRolling::solveStick(const Vector &stick, const Vector &wanted, Vect
   double product = 0.0;
   constexpr int maxSteps = 400;
   for (int step = 0; step < maxSteps; ++step) {
-    if (r.norm() <= scale) return step;
+    if (r.norm() <= scale)
+      return step;
     const Vector z = halfPlane.tractionEstimate(r).cwiseProduct(stick);
     const double newProduct = r.dot(z);
     direction = step ? Vector(z + newProduct / product * direction) : z;
@@ -185,8 +200,9 @@ int TransientRolling::solveStick(const Vector &stick, const Vector &wanted, Vect
     q += length * direction;
     r -= length * change;
   }
-  throw Error(ExitCode::NotConverged,
-              fmt::format("transient rolling: conjugate gradients stopped after {} steps", maxSteps));
+  throw Error(
+      ExitCode::NotConverged,
+      fmt::format("transient rolling: conjugate gradients stopped after {} steps", maxSteps));
 }
 
 RollingResult TransientRolling::step(const Vector &bound, double creep)
@@ -206,8 +222,10 @@ RollingResult TransientRolling::step(const Vector &bound, double creep)
   for (int set = 1;; ++set) {
     const Vector stick = stickCells(result.state);
     for (int i = 0; i < n; ++i) {
-      if (result.state[i] == Adhesion::Apart) q[i] = 0.0;
-      if (slips(result.state[i])) q[i] = sign(result.state[i]) * bound[i];
+      if (result.state[i] == Adhesion::Apart)
+        q[i] = 0.0;
+      if (slips(result.state[i]))
+        q[i] = sign(result.state[i]) * bound[i];
     }
     const double cells = stick.sum();
     const Vector wanted = creep + before.array();
@@ -215,7 +233,8 @@ RollingResult TransientRolling::step(const Vector &bound, double creep)
       result.products += solveStick(stick, wanted, q, tolerance * creep * std::sqrt(cells));
     result.slip = wanted - displacement(q);
     result.activeSets = set;
-    if (!updateStates(bound, q, result.slip, 10.0 * tolerance * creep, result.state)) break;
+    if (!updateStates(bound, q, result.slip, 10.0 * tolerance * creep, result.state))
+      break;
     if (set >= maxActiveSets)
       throw Error(ExitCode::NotConverged,
                   fmt::format("transient rolling: no convergence after {} active sets", set));
@@ -223,7 +242,8 @@ RollingResult TransientRolling::step(const Vector &bound, double creep)
   traction = q;
   result.traction = q;
   for (int i = 0; i < n; ++i)
-    if (result.state[i] == Adhesion::Apart) result.slip[i] = 0.0;
+    if (result.state[i] == Adhesion::Apart)
+      result.slip[i] = 0.0;
   return result;
 }
 

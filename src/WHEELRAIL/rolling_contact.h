@@ -15,7 +15,7 @@ namespace wheelrail {
 enum class Adhesion : signed char { Apart, Stick, Slip, BackwardSlip };
 
 struct RollingOptions {
-  double tolerance = 1e-8;     ///< of the slip in the stick zone, relative to the creep
+  double tolerance = 1e-8; ///< of the slip in the stick zone, relative to the creep
   int maxActiveSets = 100;
   std::vector<Adhesion> start; ///< states to start from (those of a nearby creep); empty: all stick
   Eigen::VectorXd startTraction;

@@ -1,0 +1,54 @@
+#ifndef WHEELRAIL_CONTACT_SETUP_H
+#define WHEELRAIL_CONTACT_SETUP_H
+
+#include "case_file.h"
+#include "friction_law.h"
+#include "hertz.h"
+#include "normal_contact.h"
+
+#include <vector>
+
+namespace wheelrail {
+
+/// What all points of a creep curve share: grid, surface and normal contact of one profile.
+struct ContactSetup {
+  HertzContact hertz;
+  int cells = 0;
+  double cellSize = 0.0; ///< m
+  std::uint64_t seed = 0;
+  /// Roughness to be taken off the gap, m. One value per cell; more where material travels through
+  /// the contact and the profile is measured. Empty: smooth.
+  Eigen::VectorXd roughness;
+  bool periodic = true;                      ///< the roughness goes on with its beginning
+  std::vector<ProfileStatistics> statistics; ///< after every step of the preparation
+  NormalContactResult normal;                ///< without a pressure limit, or with the cold one's
+
+  double position(int cell) const { return (cell + 0.5 - 0.5 * cells) * cellSize; } ///< m
+  /// Undeformed gap in cells, the material moved on by `travel` cells (towards smaller x).
+  Eigen::VectorXd gap(int travel = 0) const;
+  /// Number of cells the material can travel.
+  int longestTravel() const;
+  NormalContactProblem problem(double pressureLimit, int travel = 0) const;
+
+  double realContactLength() const; ///< m, of `normal`
+  double realAreaRatio() const { return realContactLength() / (2.0 * hertz.halfWidth); }
+};
+
+/// Prepares the surface and solves the normal contact.
+/// @param seed of a generated profile; ignored otherwise
+/// @throws Error (BadInput) when profiles do not fit, or the contact reaches the domain's ends
+ContactSetup prepareContact(const Case &input, std::uint64_t seed);
+
+/// Pressure limit in Pa at a temperature rise in K: the hardness 3 sigma_0(Theta), infinite unless
+/// the case asks for it.
+double pressureLimit(const Case &input, double temperatureRise);
+
+/// Eq. 10: sigma_0(Theta) = strength (1 - Theta/strengthTemperature), Pa. Kept above a thousandth
+/// of the strength, so that an iteration can pass through what a solution may not reach.
+double strengthAt(const Case &input, double temperatureRise);
+
+/// @throws Error (BadInput) unless every cell with pressure is away from the domain's ends
+void checkInsideDomain(const Eigen::VectorXd &pressure);
+
+} // namespace wheelrail
+#endif

@@ -1,0 +1,67 @@
+#ifndef WHEELRAIL_CREEP_POINT_H
+#define WHEELRAIL_CREEP_POINT_H
+
+#include "contact_setup.h"
+#include "rolling_contact.h"
+
+namespace wheelrail {
+
+/// One point of a creep curve; SI units.
+struct CreepPoint {
+  double speed = 0.0; ///< v0, m/s
+  double creep = 0.0;
+  double tractionRatio = 0.0;      ///< T/N
+  double traction = 0.0;           ///< T, N/m
+  double muMean = 0.0;             ///< load-weighted mean of mu
+  double temperatureRise = 0.0;    ///< mean over the nominal contact, K
+  double temperatureMaximum = 0.0; ///< K; that of Eq. 11's profile where Eq. 11 is the model
+  int iterations = 0;              ///< of the fixed point mu - T - Theta - sigma_0
+  double stickFraction = 0.0;      ///< of the cells in contact
+};
+
+/// Everything along the contact, per cell; SI units.
+struct ContactFields {
+  Eigen::VectorXd pressure, traction, mu, slip, temperature;
+  std::vector<Adhesion> state;
+};
+
+/// Friction coefficient per cell from pressure (Pa), sliding speed (m/s) and temperature rise (K).
+Eigen::VectorXd frictionCoefficient(const Case &input, const FrictionLaw &law,
+                                    const Eigen::VectorXd &pressure, double slidingSpeed,
+                                    const Eigen::VectorXd &temperature);
+
+/// Steady rolling on a frozen profile with friction, temperature and strength that depend on each
+/// other. The temperature rise is the unknown of a fixed-point iteration; where a step comes out
+/// larger than the one before, it is halved from then on.
+class FrozenCreep {
+ public:
+  FrozenCreep(const Case &input, const FrictionLaw &law, const ContactSetup &setup);
+
+  /// Warm from the last call: the set of stick cells and the temperature.
+  /// @throws Error (NotConverged)
+  CreepPoint solve(double speed, double creep);
+
+  /// Forget the last call, so that the next does not depend on it.
+  void restart();
+
+  /// Of the last call.
+  const ContactFields &fields() const { return contact; }
+
+ private:
+  void roll(double creep);
+  double meanMu() const;
+  double tractionRatio() const { return contact.traction.sum() / contact.pressure.sum(); }
+  Eigen::VectorXd temperatureFrom(double speed, double creep);
+  void limitPressure();
+
+  const Case &input;
+  const FrictionLaw &law;
+  const ContactSetup &setup;
+  HalfPlane halfPlane;
+  NormalContactResult normal;
+  RollingOptions rolling;
+  ContactFields contact;
+};
+
+} // namespace wheelrail
+#endif

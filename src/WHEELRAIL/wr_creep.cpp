@@ -1,0 +1,206 @@
+// wr_creep: a case file -> creep curves of rough rolling contact. The command line only.
+
+#include "case_file.h"
+#include "creep_curve.h"
+#include "errors.h"
+#include "nearest_word.h"
+#include "output_file.h"
+#include "report.h"
+
+#include <CLI/CLI.hpp>
+#include <atomic>
+#include <chrono>
+#include <csignal>
+#include <cstdio>
+#include <fmt/format.h>
+#include <unistd.h>
+
+using namespace wheelrail;
+
+namespace {
+
+std::atomic<bool> interruptAsked{false};
+void askToStop(int)
+{
+  interruptAsked = true;
+}
+
+struct Settings {
+  std::string caseFile, folder = ".";
+  std::vector<std::string> changes;
+  int threads = 0;
+  bool quiet = false, verbose = false, printConfig = false;
+};
+
+std::string rangeOf(const Keyword &keyword)
+{
+  const std::string unit = std::string(keyword.unit) == "1" ? "" : std::string(" ") + keyword.unit;
+  switch (keyword.kind) {
+  case Keyword::Kind::Choice:
+    return keyword.choices;
+  case Keyword::Kind::Switch:
+    return "true|false";
+  case Keyword::Kind::Text:
+    return "TEXT";
+  default:
+    return fmt::format("{}{}, {}]{}", keyword.lowOpen ? "(" : "[", keyword.low, keyword.high, unit);
+  }
+}
+
+/// The footer of --help: worked examples, the table of keywords, exit codes.
+std::string footer()
+{
+  std::string text = R"(
+Examples:
+  wr_creep table2.yaml -o out
+      creep curves of the case: out/creep.csv, contact.csv, summary.json
+  wr_creep table2.yaml -o out --set speed="20 m/s" --set creep="[0.001, 0.01, 0.1]"
+      the same case with other speeds and creeps
+  wr_creep table2.yaml -o rough --set roughness="{hurst: 0.8, rms_slope: 0.02,
+           wavelength_min: 0.1 mm, wavelength_max: 10 mm, seed: [1, 2, 3]}" --set points=4096
+      three rough profiles
+  wr_creep table2.yaml -o own --set friction.law=law.json
+      a law fitted by wr_fit; its uncertainty goes to own/creep_band.csv
+  wr_creep table2.yaml --print-config
+      the complete case with every default
+
+Keywords of the case file (and of --set), allowed values, defaults:
+)";
+  for (const Keyword &keyword : keywords()) {
+    text += fmt::format("  {:<30} {}", keyword.name, rangeOf(keyword));
+    if (*keyword.initial)
+      text += fmt::format(" [{}]", keyword.initial);
+    text += fmt::format("\n  {:<30}   {}\n", "", keyword.help);
+  }
+  return text + R"(
+Exit codes: 0 ok, 1 internal, 2 usage, 3 bad input file, 4 not converged, 5 input/output,
+6 interrupted (the same command goes on where it stopped).
+)";
+}
+
+void defineOptions(CLI::App &app, Settings &settings)
+{
+  app.set_version_flag("--version", "wr_creep " WHEELRAIL_VERSION);
+  app.footer(footer());
+  app.add_option("CASE", settings.caseFile, "case file (YAML)")->required();
+  app.add_option("-o,--output", settings.folder, "folder for the results")
+      ->type_name("DIR")
+      ->capture_default_str();
+  app.add_option("--set", settings.changes, "change a keyword: contact.radius=\"0.46 m\"")
+      ->type_name("KEYWORD=VALUE")
+      ->take_all()
+      ->allow_extra_args(false);
+  app.add_option("--threads", settings.threads, "threads for the sweep [all cores]")
+      ->check(CLI::Range(1, 1024))
+      ->type_name("N");
+  app.add_flag("--print-config", settings.printConfig, "print the complete case and stop");
+  app.add_flag("-q,--quiet", settings.quiet, "nothing on the screen but errors");
+  app.add_flag("-v,--verbose", settings.verbose, "profiles, iterations and residuals too");
+}
+
+/// What to say of arguments that are no option: the nearest option there is.
+std::string unknownOption(const CLI::App &app)
+{
+  std::vector<std::string> known;
+  for (const auto *option : app.get_options())
+    for (const auto &name : option->get_lnames())
+      known.push_back("--" + name);
+  for (const auto &given : app.remaining())
+    if (given.substr(0, 1) == "-")
+      return unknownWord("option", given, nearestWord(given, known));
+  return "one case file is expected";
+}
+
+/// Progress on stderr: one line that is written over on a terminal, a line now and then elsewhere.
+class Progress {
+ public:
+  void operator()(int done, int total)
+  {
+    const auto now = std::chrono::steady_clock::now();
+    if (done < total && now - last < pause)
+      return;
+    last = now;
+    shown = true;
+    fmt::print(stderr, "{}wr_creep: {} of {} points{}", onTerminal ? "\r" : "", done, total,
+               onTerminal && done < total ? "" : "\n");
+    std::fflush(stderr);
+  }
+  bool shown = false;
+
+ private:
+  const bool onTerminal = ::isatty(STDERR_FILENO) != 0;
+  const std::chrono::milliseconds pause{onTerminal ? 200 : 2000};
+  std::chrono::steady_clock::time_point last = std::chrono::steady_clock::now();
+};
+
+void run(const Settings &settings)
+{
+  const Case input = readCase(settings.caseFile, settings.changes);
+  if (settings.printConfig) {
+    fmt::print("{}", input.text);
+    return;
+  }
+  const FrictionLaw law = lawOf(input);
+  prepareOutputFolder(settings.folder);
+
+  Progress progress;
+  SweepOptions options;
+  options.threads = settings.threads;
+  options.journal = settings.folder + "/wr_creep.journal";
+  options.interrupted = [] { return interruptAsked.load(); };
+  if (!settings.quiet)
+    options.progress = [&](int done, int total) { progress(done, total); };
+  const CreepCurves curves = solveCreepCurves(input, law, options);
+
+  writeOutputFile(settings.folder + "/creep.csv", creepCsv(input, curves));
+  if (curves.hasErrors)
+    writeOutputFile(settings.folder + "/creep_band.csv", creepBandCsv(curves));
+  writeOutputFile(settings.folder + "/contact.csv", contactCsv(curves));
+  writeOutputFile(settings.folder + "/summary.json", summaryJson(input, law, curves));
+  if (settings.quiet)
+    return;
+  if (settings.verbose)
+    fmt::print("{}", detailedReport(curves));
+  fmt::print("{}{} points in {:.2f} s", shortReport(input, curves), curves.points.size(),
+             curves.seconds);
+  if (curves.resumed)
+    fmt::print(" ({} of them from the run that was interrupted)", curves.resumed);
+  fmt::print("; written to {}/: creep.csv, {}contact.csv, summary.json\n", settings.folder,
+             curves.hasErrors ? "creep_band.csv, " : "");
+}
+
+} // namespace
+
+int main(int argc, char **argv)
+{
+  CLI::App app("Creep curves of rough wheel/rail contact in two dimensions: friction, temperature "
+               "and strength that depend on each other.",
+               "wr_creep");
+  app.allow_extras();
+  Settings settings;
+  defineOptions(app, settings);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError &error) {
+    if (error.get_exit_code() == 0)
+      return app.exit(error);
+    fmt::print(stderr, "wr_creep: {} (see wr_creep --help)\n", error.what());
+    return static_cast<int>(ExitCode::Usage);
+  }
+  if (!app.remaining().empty()) {
+    fmt::print(stderr, "wr_creep: {} (see wr_creep --help)\n", unknownOption(app));
+    return static_cast<int>(ExitCode::Usage);
+  }
+  std::signal(SIGINT, askToStop);
+  std::signal(SIGTERM, askToStop);
+  try {
+    run(settings);
+  } catch (const Error &error) {
+    fmt::print(stderr, "wr_creep: {}\n", error.what());
+    return static_cast<int>(error.code());
+  } catch (const std::exception &error) {
+    fmt::print(stderr, "wr_creep: internal error: {}\n", error.what());
+    return static_cast<int>(ExitCode::Internal);
+  }
+  return static_cast<int>(ExitCode::Ok);
+}
