@@ -64,11 +64,42 @@ def _now():
     return datetime.datetime.now().astimezone().isoformat(timespec="seconds")
 
 
+def _leftovers(path):
+    """Processes of an earlier call that still work in a run's folder: mpirun takes a while to end its
+    ranks, and does not keep the lock open as lmp does."""
+    found = []
+    for entry in os.listdir("/proc"):
+        if not entry.isdigit():
+            continue
+        try:
+            with open(f"/proc/{entry}/cmdline", "rb") as file:
+                ours = folders.PART.encode() in file.read()
+            if ours and os.readlink(f"/proc/{entry}/cwd") == os.path.realpath(path):
+                found.append(int(entry))
+        except OSError:
+            continue
+    return found
+
+
+def end_leftovers(path, patience=10.0):
+    """Ends them, so that no two lmp write the same files. Only called with the run's lock held."""
+    began = time.monotonic()
+    while left := _leftovers(path):
+        number = signal.SIGTERM if time.monotonic() - began < patience else signal.SIGKILL
+        for process in left:
+            try:
+                os.kill(process, number)
+            except ProcessLookupError:
+                pass
+        time.sleep(0.2)
+
+
 class Attempt:
     """One lmp working on one run; the run's lock is held by us and by lmp."""
 
     def __init__(self, folder, lock, launcher, nested):
         self.folder, self.lock = folder, lock
+        end_leftovers(folder.path)
         self.began = time.monotonic()
         record = folder.record()
         number = len(record.get("attempts", [])) + 1

@@ -122,6 +122,15 @@ def test_half_written_checkpoint_is_not_used(plan, tmp_path):
     assert (folder / "run.friction").read_text() == "\n".join(lines)
 
 
+def test_process_left_over_by_a_killed_call_is_ended(plan, tmp_path):
+    out = tmp_path / "out"
+    (out / "v2").mkdir(parents=True)
+    left = subprocess.Popen(["/bin/sh", "-c", "sleep 100; : run.friction.part"], cwd=out / "v2")
+    result = campaign("run", plan, "-o", out)
+    assert result.returncode == 0, result.stdout + result.stderr
+    assert left.wait(timeout=10) == -signal.SIGTERM
+
+
 def test_interrupt_ends_in_order(plan, tmp_path):
     out = tmp_path / "out"
     call = subprocess.Popen([CAMPAIGN, "run", plan, "-o", out, "-j", "1"], stdout=subprocess.PIPE, text=True,
