@@ -4,6 +4,7 @@ import json
 import math
 import os
 import pathlib
+import re
 import subprocess
 
 import pytest
@@ -215,3 +216,13 @@ def test_plot_friction_refuses_bad_logs(log, tmp_path):
         made = subprocess.run([TOOLS / "plot_friction.py", log, "-o", tmp_path / "mu.png"], capture_output=True, text=True)
         one_line(made, 3, part)
         assert not (tmp_path / "mu.png").exists()
+
+
+def test_options_are_documented():
+    """Every option is in the documentation, and every documented one exists."""
+    coded = re.findall(r"^  ((?:-\w,)?--[\w-]+)", wr_fit("--help").stdout, re.MULTILINE)
+    page = (TOOLS.parent / "doc" / "wr_fit.md").read_text()
+    syntax = page.split("## Examples")[0]
+    assert {o for c in coded for o in c.split(",")} == set(re.findall(r"`(--?[\w-]+)`", syntax))
+    for name in ("eq2", "eq4", "velocity", "constant"):
+        assert f"`{name}`" in syntax and name in wr_fit("--help").stdout

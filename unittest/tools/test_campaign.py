@@ -3,6 +3,7 @@ import json
 import math
 import os
 import pathlib
+import re
 import shutil
 import signal
 import subprocess
@@ -304,6 +305,24 @@ def test_collapse10_has_one_kappa():
     for run in runs:
         assert run.kappa1 == pytest.approx(runs[0].kappa1, rel=1e-3)
         assert run.kappa2 == pytest.approx(runs[0].kappa2, rel=1e-3)
+
+
+def test_page_has_every_key_option_and_plan():
+    page = (ROOT / "doc" / "campaign.md").read_text()
+    keys = dict(re.findall(r"^\| `(\w+)` \| ([^|]+) \| (?:ns|MPa|m/s|kg|Pa|Poisson|automata|rows|nm|of the|preset)[^|]*\|$",
+                           page, re.MULTILINE))
+    assert list(keys) == list(plans.KEYS)
+    for name, key in plans.KEYS.items():
+        if key.default is not None:
+            assert keys[name] == (key.default if isinstance(key.default, str) else f"{key.default:g}")
+    options = set()
+    for command in ("list", "run", "one", "status", "pack"):
+        options |= set(re.findall(r"(?<![\w-])(--?[a-z]+)", campaign(command, "--help").stdout.split("options:")[1]))
+    syntax = page.split("## Examples")[0]
+    table = set(re.findall(r"`(--?[a-z]+)`", syntax))
+    assert options - {"-h", "--help", "-np"} == table
+    shipped = dict(re.findall(r"^\| `(\w+)` \| (\d+) \|", page.split("### Shipped plans")[1].split("###")[0], re.MULTILINE))
+    assert {n: int(k) for n, k in shipped.items()} == {n: len(plans.read(plans.find(n)).runs) for n in SHIPPED}
 
 
 @pytest.mark.skipif(not REAL.exists(), reason="lmp is not built")
