@@ -34,15 +34,16 @@ struct LinkLimits {
   double bulkIntensity2;  ///< [stress^2]: ... or at this squared stress intensity
   double weldIntensity2;  ///< [stress^2]: a weld breaks at this squared stress intensity
   double linkPressure;    ///< [stress]: elastic compression that links an unlinked contact
-  double healPressure;    ///< [stress]: elastic compression that turns a weld into a bulk link
+  double healPressure;    ///< [stress]: ... that turns a weld or a worn contact into a bulk link
   double linkedKind;      ///< what an unlinked contact becomes: link::bulk or link::weld
 };
 
 /// The kind of a pair after a step.
 ///
 /// An unlinked contact links when its pressure *reaches* linkPressure: one that is still above it
-/// when its link breaks is worn and has to be unloaded first. Were it free to link again at once,
-/// a sliding weld would break and form every few steps, and friction would depend on the step.
+/// when its link breaks is worn: it has to be unloaded first, or be pressed on to healPressure.
+/// Were it free to link again at once, a sliding weld would break and form every few steps, and
+/// friction would depend on the step.
 /// \param kind        kind during the step
 /// \param sigma,tau   elastic stresses of the contact, after plastic return [stress]
 /// \param eps         total normal strain r/d - 1 [-]
@@ -53,13 +54,14 @@ inline double nextKind(double kind, double sigma, double tau, double eps, double
   const double strain2 = strainIntensity2(eps, gammaTotal), intensity2 = linkIntensity2(sigma, tau);
   const bool bulkBreaks = (strain2 >= limit.bulkStrain2) | (intensity2 >= limit.bulkIntensity2);
   const bool weldBreaks = intensity2 >= limit.weldIntensity2;
-  const bool weldHeals = -sigma >= limit.healPressure;
+  const bool heals = -sigma >= limit.healPressure;
   const bool pressed = -sigma >= limit.linkPressure;
   const double ifBulk = bulkBreaks ? link::worn : link::bulk;
-  const double ifHealing = weldHeals ? link::bulk : link::weld;
+  const double ifHealing = heals ? link::bulk : link::weld;
   const double ifWeld = weldBreaks ? link::worn : ifHealing;
   const double ifLinked = kind == link::bulk ? ifBulk : ifWeld;
-  const double ifPressed = kind == link::worn ? link::worn : limit.linkedKind;
+  const double ifWorn = heals ? link::bulk : link::worn;
+  const double ifPressed = kind == link::worn ? ifWorn : limit.linkedKind;
   const double ifUnlinked = pressed ? ifPressed : link::none;
   return kind > link::none ? ifLinked : ifUnlinked;
 }
