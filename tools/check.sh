@@ -16,19 +16,22 @@ HELP
 }
 case ${1:-} in -h | --help) usage; exit 0 ;; esac
 
-"$root/tools/setup.sh"
-say "tests"
-log=$build/check.log
-status=0
-# several tests run at once, each with its ranks: those that wait give their core away
-export OMPI_MCA_mpi_yield_when_idle=1
-ctest --test-dir "$build" --output-on-failure --no-tests=error -j "$(nproc)" "$@" 2>&1 \
-  | tee "$log" || status=1
-[ $status -eq 0 ] || die 1 "tests failed; log: $log"
+{ # one block, read as a whole: a change of this file during a run does no harm
+  "$root/tools/setup.sh"
+  say "tests"
+  log=$build/check.log
+  status=0
+  # several tests run at once, each with its ranks: those that wait give their core away
+  export OMPI_MCA_mpi_yield_when_idle=1
+  ctest --test-dir "$build" --output-on-failure --no-tests=error -j "$(nproc)" "$@" 2>&1 \
+    | tee "$log" || status=1
+  [ $status -eq 0 ] || die 1 "tests failed; log: $log"
 
-# ctest counts skipped and disabled tests as passed, and so does pytest
-skipped=$(grep -E '\*\*\*(Skipped|Not Run)|\((Skipped|Disabled)\)' "$log" || true)
-[ -z "$skipped" ] || die 1 "tests were skipped: $skipped"
-skipped=$(grep -E '^.*[0-9]+ (skipped|deselected|xfailed).* in [0-9.]+s' \
-  "$build/Testing/Temporary/LastTest.log" || true)
-[ -z "$skipped" ] || die 1 "pytest skipped tests: $skipped (see $build/Testing/Temporary/LastTest.log)"
+  # ctest counts skipped and disabled tests as passed, and so does pytest
+  skipped=$(grep -E '\*\*\*(Skipped|Not Run)|\((Skipped|Disabled)\)' "$log" || true)
+  [ -z "$skipped" ] || die 1 "tests were skipped: $skipped"
+  skipped=$(grep -E '^.*[0-9]+ (skipped|deselected|xfailed).* in [0-9.]+s' \
+    "$build/Testing/Temporary/LastTest.log" || true)
+  [ -z "$skipped" ] || die 1 "pytest skipped tests: $skipped (see $build/Testing/Temporary/LastTest.log)"
+  exit 0
+}

@@ -40,28 +40,49 @@ done
 [[ $seed =~ ^[0-9]+$ ]] || die 2 "--seed '$seed': a whole number is needed"
 case $results in /*) ;; *) results=$PWD/$results ;; esac
 
-"$root/tools/setup.sh"
+chain() {
+  say "1/4 sliding friction: $ns ns on $np ranks (examples/friction/in.friction)"
+  mpirun -np "$np" "$build/bin/lmp" -in "$root/examples/friction/in.friction" -log friction.log \
+    -var ns "$ns" -var seed "$seed" -var frames 20000
+  say "2/4 friction coefficient from the log"
+  "$build/bin/wr_fit" friction.friction -o law.json --points points.csv
+  say "3/4 creep curves (examples/wheelrail/table2.yaml)"
+  "$build/bin/wr_creep" "$root/examples/wheelrail/table2.yaml" -o .
+  say "4/4 pictures"
+  "$root/tools/plot_fragment.py" friction.dump -o fragment.png
+  "$root/tools/plot_friction.py" friction.friction --points points.csv -o friction.png
+  "$root/tools/plot_creep.py" creep.csv -o creep.png
+}
 
-mkdir -p "$results" 2>/dev/null || true
-[ -w "$results" ] || die 5 "cannot write the results folder '$results'"
-cd "$results"
-results_of_a_run=(friction.friction friction.dump friction.log law.json points.csv
-  creep.csv contact.csv summary.json fragment.png friction.png creep.png)
-rm -f -- "${results_of_a_run[@]}" # a failed step must not leave an older run's files
+column() { # FILE NAME: that column of the first row of a CSV file
+  awk -F, -v name="$2" '/^#/ {next} !found {for (k = 1; k <= NF; k++) if ($k == name) c = k
+    found = 1; next} {print $c; exit}' "$1"
+}
+summary() {
+  say "done in $SECONDS s"
+  cat <<END_OF_SUMMARY
+Two rough steel blocks, p = 15 MPa, v = 5 m/s, strength 92 MPa, $ns ns:
+  mu = $(column points.csv mu) +- $(column points.csv mu_se) (the paper's law: $(column points.csv mu_eq2)) \
+at kappa1 = $(column points.csv kappa1), kappa2 = $(column points.csv kappa2)
+  friction log    $results/friction.friction
+  fit             $results/law.json, points.csv
+  pictures        $results/fragment.png, friction.png
+Creep curves of Table 2's contact with the paper's law at 10, 20 and 40 m/s:
+  table           $results/creep.csv (contact.csv, summary.json)
+  picture         $results/creep.png
+END_OF_SUMMARY
+}
 
-say "1/4 sliding friction: $ns ns on $np ranks"
-mpirun -np "$np" "$build/bin/lmp" -in "$root/examples/friction/in.friction" -log friction.log \
-  -var ns "$ns" -var seed "$seed"
-
-say "2/4 friction coefficient from the log"
-"$build/bin/wr_fit" friction.friction -o law.json --points points.csv
-
-say "3/4 creep curves"
-"$build/bin/wr_creep" "$root/examples/wheelrail/table2.yaml" -o .
-
-say "4/4 pictures"
-"$root/tools/plot_fragment.py" friction.dump -o fragment.png
-"$root/tools/plot_friction.py" friction.friction -o friction.png
-"$root/tools/plot_creep.py" creep.csv -o creep.png
-
-say "done; results are in $results"
+{ # one block, read as a whole: a change of this file during a run does no harm
+  "$root/tools/setup.sh" --no-tests
+  SECONDS=0
+  mkdir -p "$results" 2>/dev/null || true
+  [ -w "$results" ] || die 5 "cannot write the results folder '$results'"
+  cd "$results"
+  # a failed step must not leave an older run's files
+  rm -f -- friction.friction friction.dump friction.log friction.restart law.json points.csv \
+    creep.csv contact.csv summary.json fragment.png friction.png creep.png
+  chain
+  summary
+  exit 0
+}

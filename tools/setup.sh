@@ -4,13 +4,14 @@ source "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/common.sh"
 
 usage() {
   cat <<'HELP'
-Usage: setup.sh [CMAKE-OPTION...]
+Usage: setup.sh [--no-tests] [CMAKE-OPTION...]
 
 Installs the Debian packages that are missing (as root, or through sudo), obtains and builds
 LAMMPS (tools/get_lammps.sh), then configures and builds the project into build/. What is there
 already is left alone; a second call takes seconds.
 
-Options are given to CMake, for instance
+  --no-tests                  build the plugin and the programs only
+Options that start with -D are given to CMake, for instance
   -DLAMMPS_ROOT=DIR           an existing LAMMPS with its lmp instead of a new one
   -DLAMMPS_TARBALL=FILE       Debian's lammps_*.orig.tar.?z instead of a download
   -DLAMMPS_RELEASE=20260704   the release of July 2026
@@ -21,10 +22,11 @@ Environment: MCAWR_BUILD  build folder (default: build/ of the checkout)
 Exit codes: 0 ok, 1 build failed, 2 usage, 5 packages, download or files.
 HELP
 }
-options=()
+options=() targets=()
 for arg in "$@"; do
   case $arg in
     -h | --help) usage; exit 0 ;;
+    --no-tests) targets=(--target mcaplugin wr_fit wr_creep) ;;
     -D*) options+=("$arg") ;;
     *) die 2 "unknown option '$arg' (CMake options start with -D); see --help" ;;
   esac
@@ -80,4 +82,4 @@ install_packages
 say "configuring $build (LAMMPS first, if it is not in the cache yet)"
 configure
 say "building"
-cmake --build "$build" -j "$(jobs)" || die 1 "the project does not build, see above"
+cmake --build "$build" -j "$(jobs)" "${targets[@]}" || die 1 "the project does not build, see above"
