@@ -4,6 +4,7 @@
 #include "comm.h"
 #include "error.h"
 #include "force.h"
+#include "laws/nearest_word.h"
 #include "memory.h"
 #include "pair_mca.h"
 #include "update.h"
@@ -29,7 +30,7 @@ ComputeMCAAtom::ComputeMCAAtom(LAMMPS *host, int narg, char **arg) :
     int found = 0;
     while (found < ATTRIBUTES && strcmp(arg[iarg], NAMES[found]) != 0) found++;
     if (found == ATTRIBUTES)
-      error->all(FLERR, "Compute mca/atom: unknown attribute {}, known:{}", arg[iarg], known);
+      error->all(FLERR, "Compute mca/atom: {}", mca::unknownWord(arg[iarg], {NAMES, NAMES + ATTRIBUTES}));
     columns.push_back(found);
   }
   peratom_flag = 1;

@@ -3,6 +3,7 @@
 #include "atom.h"
 #include "error.h"
 #include "force.h"
+#include "laws/nearest_word.h"
 #include "memory.h"
 #include "pair_mca.h"
 #include "update.h"
@@ -28,7 +29,7 @@ ComputeMCALinkLocal::ComputeMCALinkLocal(LAMMPS *host, int narg, char **arg) :
     int found = 0;
     while (found < ATTRIBUTES && strcmp(arg[iarg], NAMES[found]) != 0) found++;
     if (found == ATTRIBUTES)
-      error->all(FLERR, "Compute mca/link/local: unknown attribute {}, known:{}", arg[iarg], known);
+      error->all(FLERR, "Compute mca/link/local: {}", mca::unknownWord(arg[iarg], {NAMES, NAMES + ATTRIBUTES}));
     columns.push_back(found);
   }
   local_flag = 1;

@@ -7,6 +7,7 @@
 #include "force.h"
 #include "group.h"
 #include "input.h"
+#include "laws/nearest_word.h"
 #include "pair_mca.h"
 #include "platform.h"
 #include "restart_block.h"
@@ -48,8 +49,8 @@ FixMCADrive::FixMCADrive(LAMMPS *host, int narg, char **arg) :
     } else if (keyword == "seed") {
       seed = utils::bnumeric(FLERR, value, false, lmp);
     } else {
-      error->all(FLERR, "Fix mca/drive: unknown keyword {}, known: velocity, pressure, file, every, "
-                 "seed", keyword);
+      error->all(FLERR, "Fix mca/drive: {}",
+                 mca::unknownWord(keyword, {"velocity", "pressure", "file", "every", "seed"}));
     }
   }
   if (!has_velocity || !has_pressure)

@@ -107,10 +107,11 @@ void FrictionLogWriter::resume(const std::string &path, long long step)
   std::ifstream in(path);
   if (!in) fail("continue", path);
   std::string kept, line;
-  for (bool first = true; std::getline(in, line); first = false) {
-    if (first && line != format)
-      throw std::runtime_error("cannot continue friction log " + path + ": its first line is not '" +
-                               format + "'");
+  if (!std::getline(in, line) || line != format)
+    throw std::runtime_error("cannot continue friction log " + path + ": its first line is not '" +
+                             format + "'");
+  kept = line + "\n";
+  while (std::getline(in, line)) {
     const bool isRow = !line.empty() && line[0] >= '0' && line[0] <= '9';
     const bool cutShort = in.eof();  // no newline: the machine stopped while it was written
     if (isRow && (cutShort || std::strtoll(line.c_str(), nullptr, 10) > step)) continue;

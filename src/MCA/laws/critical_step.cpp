@@ -39,14 +39,15 @@ static double squaredFrequency(const Material &m, double D, double qx, double qy
 
 CriticalStep criticalStep(const Material &m, double D, double viscosity)
 {
-  // The zone's symmetry leaves angles of 0..30 degrees; q d up to 4 pi/3 (its corner).
-  constexpr int angles = 7, radii = 24;
+  // A grid over the reciprocal cell that holds the zone's corners and the middles of its sides,
+  // where the largest frequencies lie. Phases of both lattice vectors; opposite wave vectors agree.
+  constexpr int grid = 12;
+  const double mesh = 2.0 * std::acos(-1.0) / grid;
   double largest = 0.0;
-  for (int a = 0; a < angles; a++)
-    for (int k = 1; k <= radii; k++) {
-      const double angle = a * std::acos(-1.0) / 6.0 / (angles - 1);
-      const double q = 4.0 * std::acos(-1.0) / 3.0 * k / radii;
-      largest = std::max(largest, squaredFrequency(m, D, q * std::cos(angle), q * std::sin(angle)));
+  for (int a = 0; a <= grid / 2; a++)
+    for (int b = 0; b < grid; b++) {
+      const double qx = a * mesh, qy = (2.0 * b - a) * mesh / std::sqrt(3.0);
+      largest = std::max(largest, squaredFrequency(m, D, qx, qy));
     }
   const HexagonalPacking cell{m.diameter, 1.0};
   const double damping = viscosity * cell.contactArea() / m.diameter;

@@ -1,5 +1,7 @@
 #include "law_set.h"
 
+#include "nearest_word.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
@@ -93,10 +95,10 @@ std::string LawSet::parse(const std::vector<std::string> &words)
     auto threshold = std::find_if(thresholds().begin(), thresholds().end(),
                                   [&](const Threshold &t) { return keyword == t.keyword; });
     if (threshold == thresholds().end()) {
-      std::vector<std::string> known = {"preset"};
+      std::vector<std::string> known = {"thickness", "cutoff", "preset"};
       for (const auto &c : choices()) known.push_back(c.keyword);
       for (const auto &t : thresholds()) known.push_back(t.keyword);
-      return "unknown keyword " + keyword + ", known: thickness, cutoff, " + joined(known);
+      return unknownWord(keyword, known);
     }
     char *end = nullptr;
     const double number = std::strtod(value.c_str(), &end);

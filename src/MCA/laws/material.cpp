@@ -1,8 +1,9 @@
 #include "material.h"
 
+#include "nearest_word.h"
+
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <sstream>
 
 namespace mca {
@@ -31,28 +32,11 @@ const MaterialQuantity *findMaterialQuantity(const std::string &keyword)
   return nullptr;
 }
 
-static int editDistance(const std::string &a, const std::string &b)
-{
-  std::vector<int> row(b.size() + 1);
-  std::iota(row.begin(), row.end(), 0);
-  for (size_t i = 1; i <= a.size(); i++) {
-    int diagonal = row[0];
-    row[0] = static_cast<int>(i);
-    for (size_t j = 1; j <= b.size(); j++) {
-      const int substituted = diagonal + (a[i - 1] != b[j - 1]);
-      diagonal = row[j];
-      row[j] = std::min({row[j] + 1, row[j - 1] + 1, substituted});
-    }
-  }
-  return row.back();
-}
-
 std::string nearestMaterialKeyword(const std::string &word)
 {
-  const auto &table = materialQuantities();
-  return std::min_element(table.begin(), table.end(), [&](const auto &a, const auto &b) {
-           return editDistance(word, a.keyword) < editDistance(word, b.keyword);
-         })->keyword;
+  std::vector<std::string> known;
+  for (const auto &q : materialQuantities()) known.push_back(q.keyword);
+  return nearestWord(word, known);
 }
 
 bool Material::operator==(const Material &other) const
