@@ -55,9 +55,14 @@ View view(const Sample &s, const Contact &c)
   return w;
 }
 
+bool linked(const State &state)
+{
+  return state.kind > 0;
+}
+
 bool touches(const Contact &c, const View &w)
 {
-  return c.now.kind != 0 || w.e < 0;
+  return linked(c.now) || w.e < 0;
 }
 
 bool manyBody(const Sample &s)
@@ -98,7 +103,7 @@ void moveShear(const Sample &s, Contact &c, double dt)
 {
   if (dt > 0)
     c.now = c.next;
-  if (c.now.kind == 0) {
+  if (!linked(c.now)) {
     c.now.gamma = c.now.gammaTotal = 0;
     return;
   }
@@ -178,13 +183,12 @@ void collectStresses(Sample &s)
 }
 
 struct Stress {
-  double trial, sigma, tau, normal;
+  double trial, sigma, tau;
 };
 
 Stress contactStresses(const Sample &s, const Contact &c, const View &w)
 {
   const Automaton &a = s.automata[s.owner[c.i]], &b = s.automata[s.owner[c.j]];
-  const mca::Material &ma = s.materials[a.type], &mb = s.materials[b.type];
   Stress out{};
   if (!touches(c, w))
     return out;
@@ -194,13 +198,6 @@ Stress contactStresses(const Sample &s, const Contact &c, const View &w)
     out.sigma -=
         ((1 - a.factor) * (out.trial - a.mean) + (1 - b.factor) * (out.trial - b.mean)) / 2;
     out.tau *= (a.factor + b.factor) / 2;
-  }
-  out.normal = out.sigma;
-  if (c.now.kind == 0) {
-    const Automaton &p = s.automata[c.i], &q = s.automata[c.j];
-    const double speed = (q.vx - p.vx) * w.nx + (q.vy - p.vy) * w.ny;
-    const double eta = s.laws.viscosity == "normal" ? (ma.viscosity + mb.viscosity) / 2 : 0;
-    out.normal = std::fmin(0, out.sigma + eta * speed / w.d);
   }
   return out;
 }
@@ -217,21 +214,37 @@ double nextKindOf(const Sample &s, const Contact &c, const View &w, const Stress
   if (c.now.kind == 1) {
     const double opening = std::fmax(w.eps, 0), g = c.now.gammaTotal;
     if (s.laws.fracture == "strain" && opening * opening + 4.0 / 3 * g * g >= limit * limit)
-      return 0;
+      return -1;
     if (s.laws.fracture == "stress" && intensity >= strength)
-      return 0;
+      return -1;
     return 1;
   }
   if (c.now.kind == 2) {
     if (intensity >= s.laws.weld * strength)
-      return 0;
+      return -1;
     return -p.sigma >= s.laws.heal * strength ? 1 : 2;
   }
   const double threshold =
       s.laws.link == mca::LawSet::atElasticLimit
           ? std::fmin(ma.elastic_limit * ma.strength, mb.elastic_limit * mb.strength)
           : s.laws.link * strength;
-  return -p.sigma >= threshold ? (welding ? 2 : 1) : 0;
+  if (-p.sigma < threshold)
+    return 0;
+  if (c.now.kind == -1)
+    return -p.sigma >= s.laws.heal * strength ? 1 : -1;
+  return welding ? 2 : 1;
+}
+
+// compression and viscosity, never tension; also of a link that breaks in this step
+double unlinkedNormal(const Sample &s, const Contact &c, const View &w, const Stress &p)
+{
+  if (w.e >= 0)
+    return 0;
+  const Automaton &a = s.automata[c.i], &b = s.automata[c.j];
+  const mca::Material &ma = s.materials[a.type], &mb = s.materials[b.type];
+  const double speed = (b.vx - a.vx) * w.nx + (b.vy - a.vy) * w.ny;
+  const double eta = s.laws.viscosity == "normal" ? (ma.viscosity + mb.viscosity) / 2 : 0;
+  return std::fmin(0, p.trial + eta * speed / w.d);
 }
 
 void applyContact(Sample &s, Contact &c)
@@ -247,23 +260,25 @@ void applyContact(Sample &s, Contact &c)
   if (c.now.kind == 1)
     c.next.plastic += (p.trial - p.sigma) / twoG;
   c.next.gamma = p.tau / twoG;
-  if (c.now.kind == 0 || c.next.kind == 0)
+  if (!linked(c.now) || !linked(c.next))
     c.next.gamma = c.next.gammaTotal = 0;
-  if (c.next.kind == 0 && w.eps > std::fmax(c.next.plastic, 0))
+  if (!linked(c.next) && w.eps > std::fmax(c.next.plastic, 0))
     c.next.plastic = 0;
   if (c.next.kind != c.now.kind)
     s.changed++;
 
   const double S = w.d * s.thickness / std::sqrt(3.0);
-  const double fn = p.normal * S, ft = p.tau * S * w.d / w.r;
+  const bool holds = linked(c.now) && linked(c.next);
+  const double normal = holds ? p.sigma : unlinkedNormal(s, c, w, p), tau = holds ? p.tau : 0;
+  const double fn = normal * S, ft = tau * S * w.d / w.r;
   const double fx = fn * w.nx + ft * w.tx, fy = fn * w.ny + ft * w.ty;
   Automaton &a = s.automata[s.owner[c.i]], &b = s.automata[s.owner[c.j]];
   a.fx += fx;
   a.fy += fy;
   b.fx -= fx;
   b.fy -= fy;
-  a.torque += w.d / 2 * p.tau * S;
-  b.torque += w.d / 2 * p.tau * S;
+  a.torque += w.d / 2 * tau * S;
+  b.torque += w.d / 2 * tau * S;
 }
 
 } // namespace

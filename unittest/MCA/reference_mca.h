@@ -21,7 +21,7 @@ struct Automaton {
   double energy = 0, fx = 0, fy = 0, torque = 0;
 };
 
-/// 0 unlinked, 1 bulk link, 2 weld.
+/// Kind: 0 unlinked, 1 bulk link, 2 weld, -1 unlinked and not yet unloaded since its link broke.
 struct State {
   double kind = 0, plastic = 0, gamma = 0, gammaTotal = 0;
 };

@@ -1,0 +1,173 @@
+// The critical step against brute force: eigenvalues of a finite periodic lattice whose stiffness
+// is measured with the kernel, and integrated lattices just below and just above the limit.
+#include "laws/critical_step.h"
+
+#include "sample.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Eigenvalues>
+
+#include <cmath>
+#include <random>
+
+using reference::Automaton;
+using reference::Sample;
+
+namespace {
+
+const mca::Kernel &kernel = mca::bestKernel();
+
+mca::Material material(double poissonsRatio)
+{
+  mca::Material m = steel();
+  m.poissons_ratio = poissonsRatio;
+  return m;
+}
+
+double criticalElastic(const Sample &s)
+{
+  const mca::Material &m = s.materials[0];
+  const bool many = s.laws.elasticity == "many-body";
+  return mca::criticalStep(m, many ? m.meanStressWeight() : 0.0, 0.0).elastic;
+}
+
+/// 2/omega_max of the dense dynamical matrix in displacements times sqrt(mass).
+double bruteForce(const Sample &start)
+{
+  const mca::Material &m = start.materials[0];
+  const mca::HexagonalPacking cell{m.diameter, start.thickness};
+  const double mass = cell.mass(m.density), inertia = cell.inertia(m.density), h = 1e-7;
+  const int n = start.owned;
+  Eigen::MatrixXd matrix(3 * n, 3 * n);
+  for (int c = 0; c < 3 * n; c++) {
+    Sample moved = start;
+    Automaton &a = moved.automata[c / 3];
+    (c % 3 == 0 ? a.vx : c % 3 == 1 ? a.vy : a.omega) = h;
+    if (c % 3 == 0)
+      a.x += h;
+    if (c % 3 == 1)
+      a.y += h;
+    moved.updateImages();
+    kernelStep(kernel, moved, 1.0);
+    for (int r = 0; r < 3 * n; r++) {
+      const Automaton &b = moved.automata[r / 3];
+      const double force = r % 3 == 0 ? b.fx : r % 3 == 1 ? b.fy : b.torque;
+      matrix(r, c) =
+          -force / h / std::sqrt((r % 3 == 2 ? inertia : mass) * (c % 3 == 2 ? inertia : mass));
+    }
+  }
+  const Eigen::MatrixXd symmetric = 0.5 * (matrix + matrix.transpose());
+  EXPECT_LT((matrix - symmetric).norm(), 1e-5 * matrix.norm());
+  Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(symmetric, Eigen::EigenvaluesOnly);
+  return 2 / std::sqrt(solver.eigenvalues().maxCoeff());
+}
+
+/// Velocity Verlet as fix nve/mca does it: the forces see the velocities of the half step.
+/// \return largest speed after the first 50 steps over the largest speed within them
+double growth(Sample s, double dt, int steps)
+{
+  const mca::Material &m = s.materials[0];
+  const mca::HexagonalPacking cell{m.diameter, s.thickness};
+  const double mass = cell.mass(m.density), inertia = cell.inertia(m.density);
+  const Sample lattice = s;
+  std::mt19937 random(1);
+  std::uniform_real_distribution<> u(-1e-9, 1e-9);
+  for (int i = 0; i < s.owned; i++) {
+    s.automata[i].x += u(random);
+    s.automata[i].y += u(random);
+  }
+  auto kick = [&]() {
+    for (int i = 0; i < s.owned; i++) {
+      Automaton &a = s.automata[i];
+      a.vx += 0.5 * dt * a.fx / mass;
+      a.vy += 0.5 * dt * a.fy / mass;
+      a.omega += 0.5 * dt * a.torque / inertia;
+    }
+  };
+  s.updateImages();
+  kernelStep(kernel, s, 0.0);
+  double first = 0, second = 0;
+  for (int k = 0; k < steps; k++) {
+    kick();
+    for (int i = 0; i < s.owned; i++) {
+      s.automata[i].x += dt * s.automata[i].vx;
+      s.automata[i].y += dt * s.automata[i].vy;
+    }
+    s.updateImages();
+    kernelStep(kernel, s, dt);
+    kick();
+    double &largest = k < 50 ? first : second;
+    for (int i = 0; i < s.owned; i++)
+      largest = std::max({largest, std::abs(s.automata[i].vx), std::abs(s.automata[i].vy)});
+  }
+  return second / first;
+}
+
+} // namespace
+
+TEST(CriticalStep, EqualsTheEigenvaluesOfAFiniteLattice)
+{
+  for (const char *elasticity : {"many-body", "pairwise"})
+    for (const double nu : {0.0, 0.3, 0.45}) {
+      // 6 x 6 holds the zone's corners and the middles of its sides
+      Sample s = periodicBlock(material(nu), 6, 6, 1);
+      s.laws.elasticity = elasticity;
+      s.laws.plasticity = "none";
+      const double exact = bruteForce(s), fast = criticalElastic(s);
+      EXPECT_LE(fast, exact * (1 + 1e-5)) << elasticity << ", nu " << nu; // never beyond
+      EXPECT_GE(fast, exact * 0.98) << elasticity << ", nu " << nu;
+    }
+}
+
+TEST(CriticalStep, LatticeIsStableBelowAndUnstableAbove)
+{
+  Sample s = periodicBlock(steel(), 6, 6, 1);
+  s.laws.plasticity = "none";
+  const double limit = criticalElastic(s);
+  EXPECT_LT(growth(s, 0.99 * limit, 3000), 3.0);
+  EXPECT_GT(growth(s, 1.02 * limit, 3000), 100.0);
+}
+
+TEST(CriticalStep, CompressedUnlinkedLatticeIsStableBelow)
+{
+  // all six contacts damped and elastic, none linked
+  mca::Material m = steel();
+  m.strength = 1e5;
+  m.breaking_strain = 0.49;
+  Sample s = periodicBlock(m, 6, 6, 0);
+  s.laws.link = mca::LawSet::off;
+  const double width = 6 * m.diameter, height = width * std::sqrt(0.75), squeeze = 0.99;
+  for (int i = 0; i < s.owned; i++) {
+    s.automata[i].x *= squeeze;
+    s.automata[i].y *= squeeze;
+  }
+  for (size_t k = s.owned; k < s.automata.size(); k++) {
+    s.shiftX[k] = std::round(s.shiftX[k] / width) * width * squeeze;
+    s.shiftY[k] = std::round(s.shiftY[k] / height) * height * squeeze;
+  }
+  for (const double eta : {0.0, 41.0, 100.0, 150.0, 410.0}) {
+    s.materials[0].viscosity = eta;
+    const double limit = mca::criticalStep(m, m.meanStressWeight(), eta).shortest();
+    EXPECT_LT(growth(s, 0.99 * limit, 3000), 3.0) << "viscosity " << eta;
+  }
+}
+
+TEST(CriticalStep, ScalesLikeDiameterOverSpeedOfSound)
+{
+  const mca::Material m = steel();
+  mca::Material other = m;
+  other.diameter *= 3;
+  other.density *= 4;
+  const double D = m.meanStressWeight();
+  EXPECT_NEAR(mca::criticalStep(other, D, 0).elastic, 6 * mca::criticalStep(m, D, 0).elastic,
+              1e-14);
+  EXPECT_EQ(mca::criticalStep(m, D, 0).shortest(), mca::criticalStep(m, D, 0).elastic);
+  EXPECT_TRUE(std::isinf(mca::criticalStep(m, D, 0).viscous));
+}
+
+TEST(CriticalStep, ViscousLimitOfThePapersSteel)
+{
+  const mca::Material m = steel(); // physics: 0.059 ps
+  EXPECT_NEAR(mca::criticalStep(m, m.meanStressWeight(), m.viscosity).viscous, 5.9e-5, 0.1e-5);
+}

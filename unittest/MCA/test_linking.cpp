@@ -1,0 +1,134 @@
+// The exact moment of each transition: at its threshold, just below it, just above it.
+#include "sample.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+using namespace mca;
+
+namespace {
+
+const double strength = 92;
+
+LinkLimits limitsOf(const std::vector<std::string> &words = {})
+{
+  LawSet set;
+  EXPECT_EQ(set.parse(words), "");
+  return makePairLaw(set, steel(), steel(), 1.0).limits;
+}
+
+double below(double x)
+{
+  return x * (1 - 1e-14);
+}
+double above(double x)
+{
+  return x * (1 + 1e-14);
+}
+
+} // namespace
+
+TEST(Linking, AContactBecomesAWeldAtTheElasticLimit)
+{
+  const LinkLimits b = limitsOf();
+  const double y1 = steel().sigmaY1();
+  EXPECT_EQ(nextKind(link::none, -below(y1), 0, -0.01, 0, b), link::none);
+  EXPECT_EQ(nextKind(link::none, -y1, 0, -0.01, 0, b), link::weld);
+  EXPECT_EQ(nextKind(link::none, -above(y1), 0, -0.01, 0, b), link::weld);
+  EXPECT_EQ(nextKind(link::none, +1e6, 0, 0.01, 0, b), link::none);
+  EXPECT_EQ(nextKind(link::none, -1e6, 0, -0.01, 0, b), link::weld); // heals one step later
+}
+
+TEST(Linking, WithOneKindAContactBecomesABulkLink)
+{
+  const LinkLimits a = limitsOf({"preset", "a"});
+  const double s = 2.35 * strength;
+  EXPECT_EQ(nextKind(link::none, -below(s), 0, -0.01, 0, a), link::none);
+  EXPECT_EQ(nextKind(link::none, -s, 0, -0.01, 0, a), link::bulk);
+  EXPECT_EQ(nextKind(link::none, -above(s), 0, -0.01, 0, a), link::bulk);
+}
+
+TEST(Linking, AWeldBreaksAtItsOwnIntensity)
+{
+  const LinkLimits b = limitsOf();
+  EXPECT_EQ(nextKind(link::weld, below(strength), 0, 0.01, 0, b), link::weld);
+  EXPECT_EQ(nextKind(link::weld, strength, 0, 0.01, 0, b), link::worn);
+  EXPECT_EQ(nextKind(link::weld, above(strength), 0, 0.01, 0, b), link::worn);
+  const double tau = strength / std::sqrt(3.0);
+  for (const double sign : {-1.0, 1.0}) {
+    EXPECT_EQ(nextKind(link::weld, -5, sign * below(tau), 0, 0, b), link::weld);
+    EXPECT_EQ(nextKind(link::weld, -5, sign * above(tau), 0, 0, b), link::worn);
+  }
+  // both together on the circle of radius sigma_0
+  const double t = std::sqrt((strength * strength - 50.0 * 50.0) / 3);
+  EXPECT_EQ(nextKind(link::weld, 50, below(t), 0, 0, b), link::weld);
+  EXPECT_EQ(nextKind(link::weld, 50, above(t), 0, 0, b), link::worn);
+  // strain does not break a weld
+  EXPECT_EQ(nextKind(link::weld, 0, 0, 0.2, 0.2, b), link::weld);
+}
+
+TEST(Linking, AWeldHealsUnderPressure)
+{
+  const LinkLimits b = limitsOf();
+  const double s = 2.35 * strength;
+  EXPECT_EQ(nextKind(link::weld, -below(s), 0, -0.01, 0, b), link::weld);
+  EXPECT_EQ(nextKind(link::weld, -s, 0, -0.01, 0, b), link::bulk);
+  EXPECT_EQ(nextKind(link::weld, -above(s), 0, -0.01, 0, b), link::bulk);
+  // breaking goes before healing
+  EXPECT_EQ(nextKind(link::weld, -2 * s, strength, -0.01, 0, b), link::worn);
+}
+
+TEST(Linking, ABulkLinkBreaksAtItsStrain)
+{
+  const LinkLimits b = limitsOf();
+  const double c = steel().breaking_strain;
+  EXPECT_EQ(nextKind(link::bulk, 0, 0, below(c), 0, b), link::bulk);
+  EXPECT_EQ(nextKind(link::bulk, 0, 0, c, 0, b), link::worn);
+  EXPECT_EQ(nextKind(link::bulk, 0, 0, above(c), 0, b), link::worn);
+  EXPECT_EQ(nextKind(link::bulk, 0, 0, -0.3, 0, b), link::bulk);
+  const double g = c * std::sqrt(0.75);
+  for (const double sign : {-1.0, 1.0}) {
+    EXPECT_EQ(nextKind(link::bulk, 0, 0, -0.01, sign * below(g), b), link::bulk);
+    EXPECT_EQ(nextKind(link::bulk, 0, 0, -0.01, sign * above(g), b), link::worn);
+  }
+  // stress does not, neither breaks nor welds it
+  EXPECT_EQ(nextKind(link::bulk, 1e6, 1e6, 0.01, 0, b), link::bulk);
+  EXPECT_EQ(nextKind(link::bulk, -1e6, 0, -0.01, 0, b), link::bulk);
+}
+
+TEST(Linking, ABulkLinkBreaksAtItsStress)
+{
+  const LinkLimits limits = limitsOf({"fracture", "stress"});
+  EXPECT_EQ(nextKind(link::bulk, below(strength), 0, 0.3, 0.3, limits), link::bulk);
+  EXPECT_EQ(nextKind(link::bulk, strength, 0, 0, 0, limits), link::worn);
+  EXPECT_EQ(nextKind(link::bulk, above(strength), 0, 0, 0, limits), link::worn);
+}
+
+TEST(Linking, SwitchedOffTransitionsNeverAct)
+{
+  const LinkLimits none =
+      limitsOf({"fracture", "none", "link", "none", "heal", "none", "weld", "none"});
+  const double huge = 1e150;
+  EXPECT_EQ(nextKind(link::none, -huge, 0, -0.4, 0, none), link::none);
+  EXPECT_EQ(nextKind(link::bulk, huge, huge, 10, 10, none), link::bulk);
+  EXPECT_EQ(nextKind(link::weld, huge, huge, 10, 10, none), link::weld);
+  EXPECT_EQ(nextKind(link::weld, -huge, 0, -0.4, 0, none), link::weld);
+}
+
+TEST(Linking, AWornContactIsUnloadedBeforeItLinksAgain)
+{
+  const LinkLimits b = limitsOf();
+  const double y1 = steel().sigmaY1();
+  EXPECT_EQ(nextKind(link::worn, -above(y1), 0, -0.01, 0, b), link::worn);
+  EXPECT_EQ(nextKind(link::worn, -y1, 0, -0.01, 0, b), link::worn);
+  EXPECT_EQ(nextKind(link::worn, -below(y1), 0, -0.01, 0, b), link::none);
+  EXPECT_EQ(nextKind(link::worn, 0, 0, 0.01, 0, b), link::none);
+  const double heal = 2.35 * strength;
+  EXPECT_EQ(nextKind(link::worn, -below(heal), 0, -0.01, 0, b), link::worn);
+  EXPECT_EQ(nextKind(link::worn, -heal, 0, -0.01, 0, b), link::bulk);
+  EXPECT_FALSE(link::isLinked(link::worn));
+  EXPECT_FALSE(link::isLinked(link::none));
+  EXPECT_TRUE(link::isLinked(link::bulk));
+  EXPECT_TRUE(link::isLinked(link::weld));
+}

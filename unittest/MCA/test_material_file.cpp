@@ -1,0 +1,142 @@
+#include "material_file.h"
+
+#include "sample.h"
+
+#include <gmock/gmock.h>
+
+using mca::Material;
+using testing::HasSubstr;
+
+namespace {
+
+/// The message of reading a text, or "" when there is none.
+std::string problemOf(const std::string &text, const std::string &units = "nano")
+{
+  try {
+    mca::readMaterial(text, "x.mca", units);
+  } catch (const mca::MaterialError &e) {
+    return e.what();
+  }
+  return "";
+}
+
+std::string changed(const std::string &from, const std::string &to)
+{
+  std::string text = steelText();
+  const auto at = text.find(from);
+  EXPECT_NE(at, std::string::npos) << from;
+  return text.replace(at, from.size(), to);
+}
+
+std::string overrideProblem(const std::vector<std::string> &words)
+{
+  try {
+    mca::overrideMaterial(steel(), words);
+  } catch (const mca::MaterialError &e) {
+    return e.what();
+  }
+  return "";
+}
+
+} // namespace
+
+TEST(MaterialFile, ReadsWhatIsWritten)
+{
+  EXPECT_TRUE(mca::readMaterial(steelText(), "x.mca", "nano") == steel());
+}
+
+TEST(MaterialFile, CommentsBlankLinesAndCarriageReturnsAreNothing)
+{
+  const std::string text = changed("density", "\n  # a comment\n\t\ndensity");
+  EXPECT_TRUE(mca::readMaterial(text, "x.mca", "nano") == steel());
+  std::string dos;
+  for (const char c : steelText())
+    dos += c == '\n' ? std::string("\r\n") : std::string(1, c);
+  EXPECT_TRUE(mca::readMaterial(dos, "x.mca", "nano") == steel());
+}
+
+TEST(MaterialFile, Empty)
+{
+  EXPECT_EQ(problemOf(""), "x.mca: the file is empty");
+  EXPECT_THAT(problemOf("\n"), HasSubstr("x.mca:1: no UNITS:"));
+}
+
+TEST(MaterialFile, Truncated)
+{
+  // cut after each line: something is missing, and the message names what
+  const std::string text = steelText();
+  for (size_t at = text.find('\n'); at + 1 < text.size(); at = text.find('\n', at + 1)) {
+    const std::string line = problemOf(text.substr(0, at + 1));
+    EXPECT_THAT(line, HasSubstr("x.mca: ")) << at;
+    EXPECT_THAT(line, HasSubstr(" is missing")) << at;
+  }
+  EXPECT_EQ(problemOf(text.substr(0, text.find("\ndiameter") + 1)), "x.mca: diameter is missing");
+  // cut within a line
+  EXPECT_THAT(problemOf(text.substr(0, text.find("density") + 4)),
+              HasSubstr("x.mca:4: unknown keyword dens, the nearest known one is density"));
+  EXPECT_THAT(problemOf(text.substr(0, text.find("density") + 7)),
+              HasSubstr("x.mca:4: density has no value, allowed: > 0"));
+}
+
+TEST(MaterialFile, NotANumber)
+{
+  const std::string line = problemOf(changed("density 0.0077999999999999996", "density 7.8g"));
+  EXPECT_EQ(line, "x.mca:4: density is '7.8g', allowed: a finite number > 0 [mass/volume]");
+  for (const char *value : {"nan", "inf", "-inf", "1e999", "0x", "--1", "seven"})
+    EXPECT_THAT(problemOf(changed("strength 92", std::string("strength ") + value)),
+                HasSubstr(std::string("strength is '") + value + "', allowed: a finite number > 0"))
+        << value;
+}
+
+TEST(MaterialFile, OutOfRange)
+{
+  const std::string line =
+      problemOf(changed("poissons_ratio 0.29999999999999999", "poissons_ratio 0.6"));
+  EXPECT_THAT(line, HasSubstr("x.mca"));
+  EXPECT_THAT(line, HasSubstr("poissons_ratio is 0.6, allowed: > -1 and < 0.5"));
+  for (const char *keyword : {"youngs_modulus", "density", "strength", "viscosity", "diameter"}) {
+    std::string text = steelText();
+    const auto at = text.find(std::string("\n") + keyword + " ") + 1 + std::string(keyword).size();
+    text.replace(at, text.find('\n', at) - at, " -3");
+    EXPECT_THAT(problemOf(text), HasSubstr(std::string(keyword) + " is -3, allowed: >")) << keyword;
+  }
+}
+
+TEST(MaterialFile, UnknownKeywordNamesTheNearest)
+{
+  EXPECT_EQ(problemOf(changed("viscosity", "viscocity")),
+            "x.mca:10: unknown keyword viscocity, the nearest known one is viscosity");
+}
+
+TEST(MaterialFile, TwiceOrTwoValues)
+{
+  EXPECT_EQ(problemOf(changed("strength 92", "strength 92\nstrength 93")),
+            "x.mca:6: strength stands twice");
+  EXPECT_EQ(problemOf(changed("strength 92", "strength 92 MPa")),
+            "x.mca:5: strength has more than one value: 'MPa'");
+}
+
+TEST(MaterialFile, OtherUnits)
+{
+  EXPECT_EQ(problemOf(steelText(), "si"),
+            "x.mca:1: UNITS is nano but the input script has units si");
+  EXPECT_EQ(problemOf(changed("UNITS: nano ", "")),
+            "x.mca:1: no UNITS: in the first line, allowed: UNITS: nano");
+}
+
+TEST(MaterialFile, OverrideTakesPrecedenceAndIsChecked)
+{
+  const Material m = mca::overrideMaterial(steel(), {"strength", "200", "viscosity", "0"});
+  EXPECT_EQ(m.strength, 200);
+  EXPECT_EQ(m.viscosity, 0);
+  EXPECT_EQ(m.density, steel().density);
+  EXPECT_EQ(overrideProblem({}), "");
+  EXPECT_EQ(overrideProblem({"strenght", "200"}),
+            "unknown keyword strenght, the nearest known one is strength");
+  EXPECT_THAT(overrideProblem({"strength"}), HasSubstr("keyword strength has no value"));
+  EXPECT_THAT(overrideProblem({"strength", "2oo"}), HasSubstr("strength is '2oo', allowed:"));
+  EXPECT_THAT(overrideProblem({"strength", "nan"}), HasSubstr("strength is 'nan'"));
+  EXPECT_THAT(overrideProblem({"density", "-1"}), HasSubstr("density is -1, allowed: > 0"));
+  // together with the rest of the material: sigma_0/E beyond the breaking strain
+  EXPECT_NE(overrideProblem({"strength", "20000"}), "");
+}

@@ -1,0 +1,95 @@
+#include "sample.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+using namespace mca;
+
+TEST(Plasticity, YieldCurveRunsThroughFig5)
+{
+  for (const double strength : {92.0, 250.0, 552.0}) {
+    Material m = steel();
+    m.strength = strength;
+    const YieldCurve curve(m);
+    EXPECT_DOUBLE_EQ(curve(0.0), 0.554 * strength);
+    // total strain = plastic strain + stress/E
+    const double k2 = 0.015 - 0.870 * strength / m.youngs_modulus;
+    const double k3 = 0.040 - strength / m.youngs_modulus;
+    EXPECT_NEAR(curve(k2), 0.870 * strength, 1e-11);
+    EXPECT_NEAR(curve(k3), strength, 1e-11);
+    EXPECT_NEAR(curve(k2 / 2), (0.554 + 0.870) / 2 * strength, 1e-11);
+    EXPECT_NEAR(curve((k2 + k3) / 2), (0.870 + 1) / 2 * strength, 1e-11);
+    EXPECT_NEAR(curve(1.0), strength, 1e-11);
+    EXPECT_NEAR(curve(100.0), strength, 1e-11);
+  }
+}
+
+TEST(Plasticity, YieldCurveRisesWithoutJumps)
+{
+  const YieldCurve curve(steel());
+  double last = curve(0.0);
+  for (double kappa = 0; kappa < 0.05; kappa += 1e-5) {
+    const double now = curve(kappa);
+    EXPECT_GE(now, last);
+    EXPECT_LT(now - last, 0.1);
+    last = now;
+  }
+}
+
+TEST(Plasticity, FlatPieceIsAllowed)
+{
+  Material m = steel();
+  m.elastic_limit = m.yield_strength = 1.0;
+  ASSERT_EQ(checkMaterial(m), "");
+  const YieldCurve curve(m);
+  for (const double kappa : {0.0, 0.01, 0.03, 1.0})
+    EXPECT_DOUBLE_EQ(curve(kappa), m.strength);
+}
+
+TEST(Plasticity, StressIntensityIsVonMises)
+{
+  EXPECT_DOUBLE_EQ(stressIntensity({100, 0, 0, 0}), 100);                // tension
+  EXPECT_DOUBLE_EQ(stressIntensity({0, 0, 10, 0}), 10 * std::sqrt(3.0)); // shear
+  EXPECT_DOUBLE_EQ(stressIntensity({-7, -7, 0, -7}), 0);                 // pressure
+  std::mt19937 random(3);
+  std::uniform_real_distribution<> u(-100, 100);
+  for (int k = 0; k < 100; k++) {
+    const StressTensor s{u(random), u(random), u(random), u(random)};
+    const double p = (s.xx + s.yy + s.zz) / 3;
+    const double J2 =
+        ((s.xx - p) * (s.xx - p) + (s.yy - p) * (s.yy - p) + (s.zz - p) * (s.zz - p)) / 2 +
+        s.xy * s.xy;
+    EXPECT_NEAR(stressIntensity(s), std::sqrt(3 * J2), 1e-12 * 300);
+    const StressTensor more{s.xx + 50, s.yy + 50, s.xy, s.zz + 50};
+    EXPECT_NEAR(stressIntensity(more), stressIntensity(s), 1e-11);
+  }
+}
+
+TEST(Plasticity, RadialReturnActsAboveTheYieldStressOnly)
+{
+  const double G = steel().shearModulus();
+  const RadialReturn below = radialReturn(50, 51, G), at = radialReturn(51, 51, G);
+  EXPECT_EQ(below.factor, 1.0);
+  EXPECT_EQ(below.strain, 0.0);
+  EXPECT_EQ(at.factor, 1.0);
+  EXPECT_EQ(at.strain, 0.0);
+  const RadialReturn above = radialReturn(std::nextafter(51.0, 52.0), 51, G);
+  EXPECT_LT(above.factor, 1.0);
+  EXPECT_GT(above.strain, 0.0);
+  const RadialReturn far = radialReturn(102, 51, G);
+  EXPECT_DOUBLE_EQ(far.factor, 0.5);
+  EXPECT_DOUBLE_EQ(far.strain, 51 / (3 * G));
+}
+
+TEST(Plasticity, ReturnBringsTheIntensityToTheYieldStress)
+{
+  // what the factor does to a stress tensor: mean + M (sigma - mean)
+  const StressTensor s{80, -30, 25, 10};
+  const double mean = (s.xx + s.yy + s.zz) / 3;
+  const RadialReturn back = radialReturn(stressIntensity(s), 51, steel().shearModulus());
+  const double M = back.factor;
+  const StressTensor returned{mean + M * (s.xx - mean), mean + M * (s.yy - mean), M * s.xy,
+                              mean + M * (s.zz - mean)};
+  EXPECT_NEAR(stressIntensity(returned), 51, 1e-12);
+}

@@ -1,0 +1,93 @@
+#include "laws/roughness.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+using mca::RoughProfile;
+
+namespace {
+
+const double length = 250, correlation = 5;
+
+std::vector<double> sampled(const RoughProfile &h, int n)
+{
+  std::vector<double> all;
+  for (int k = 0; k < n; k++)
+    all.push_back(h(length * k / n));
+  return all;
+}
+
+} // namespace
+
+TEST(Roughness, IsPeriodic)
+{
+  const RoughProfile h(length, 3.0, correlation, 7);
+  for (double x = 0; x < length; x += 11.3)
+    EXPECT_NEAR(h(x), h(x + length), 1e-10);
+}
+
+TEST(Roughness, LargestDeviationIsTheAmplitude)
+{
+  for (unsigned seed = 1; seed <= 20; seed++) {
+    const auto all = sampled(RoughProfile(length, 3.25, correlation, seed), 100000);
+    double largest = 0;
+    for (const double v : all)
+      largest = std::max(largest, std::abs(v));
+    EXPECT_NEAR(largest, 3.25, 0.002 * 3.25) << "seed " << seed;
+  }
+}
+
+TEST(Roughness, MeanIsZero)
+{
+  for (const double v : {0.0, 3.25}) {
+    const auto all = sampled(RoughProfile(length, v, correlation, 3), 4096);
+    double sum = 0;
+    for (const double x : all)
+      sum += x;
+    EXPECT_NEAR(sum / 4096, 0.0, 1e-12);
+  }
+}
+
+TEST(Roughness, AutocorrelationIsGaussian)
+{
+  // sum of a_k^2 cos(q_k x): exact for each profile, whatever its phases; the wave k = 0, which
+  // has half the weight of the others, is left out of the sum
+  const RoughProfile h(length, 1.0, correlation, 5);
+  const int n = 8192;
+  const auto all = sampled(h, n);
+  auto at = [&](int shift) {
+    double sum = 0;
+    for (int k = 0; k < n; k++)
+      sum += all[k] * all[(k + shift) % n];
+    return sum / n;
+  };
+  const double missing = std::sqrt(std::acos(-1.0)) * correlation / length;
+  for (int shift : {50, 100, 164, 300, 500, 2000}) {
+    const double x = length * shift / n, expected = std::exp(-x * x / correlation / correlation);
+    EXPECT_NEAR(at(shift) / at(0), (expected - missing) / (1 - missing), 1e-3) << "x = " << x;
+  }
+}
+
+TEST(Roughness, SameSeedSameProfile)
+{
+  const RoughProfile a(length, 3, correlation, 42), b(length, 3, correlation, 42);
+  const RoughProfile other(length, 3, correlation, 43);
+  double difference = 0;
+  for (double x = 0; x < length; x += 1.7) {
+    EXPECT_EQ(a(x), b(x));
+    difference = std::max(difference, std::abs(a(x) - other(x)));
+  }
+  EXPECT_GT(difference, 0.5);
+}
+
+TEST(Roughness, ShortPeriodStillHasAWave)
+{
+  const RoughProfile h(1.0, 2.0, 10.0, 1);
+  double largest = 0;
+  for (int k = 0; k < 1000; k++)
+    largest = std::max(largest, std::abs(h(k / 1000.0)));
+  EXPECT_NEAR(largest, 2.0, 0.05);
+}
