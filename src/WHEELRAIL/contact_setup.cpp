@@ -41,7 +41,8 @@ void prepareSurface(const Case &input, ContactSetup &setup)
     FractalSurface surface = input.surface;
     surface.seed = setup.seed;
     const Profile profile = fractalProfile(surface, cells, cells * setup.cellSize);
-    setup.statistics.push_back(profileStatistics("generated", profile, surface.wavelengthMin));
+    setup.statistics.push_back(profileStatistics("generated", profile, surface.wavelengthMin,
+                                                 surface.wavelengthMax));
     setup.roughness = profile.height;
   }
   if (input.roughness == RoughnessKind::Measured) {

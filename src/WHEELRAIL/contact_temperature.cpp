@@ -29,7 +29,7 @@ double meanTemperatureCoefficient()
 
 double maximumOverMeanTemperature()
 {
-  return 1.45065711;
+  return 0.61730992 / 0.42553843;
 }
 
 double meanTemperatureRise(double frictionRatio, double hertzPressure, double slidingSpeed,

@@ -27,7 +27,7 @@ Vector movedAlong(const Vector &pressure)
 {
   Vector moved = Vector::Zero(pressure.size());
   moved.head(pressure.size() - 1) = pressure.tail(pressure.size() - 1);
-  return 0.5 * (moved + pressure); // where the nominal contact ends the material leaves it
+  return moved;
 }
 
 } // namespace

@@ -104,7 +104,7 @@ Profile equallySpaced(const std::vector<double> &position, const std::vector<dou
 } // namespace
 
 ProfileStatistics profileStatistics(const std::string &step, const Profile &profile,
-                                    double shortest)
+                                    double shortest, double longest)
 {
   const Vector &z = profile.height;
   const double mean = z.mean();
@@ -117,7 +117,7 @@ ProfileStatistics profileStatistics(const std::string &step, const Profile &prof
           rmsSlope,
           rmsSlope > 0.0 ? 2.0 * pi * rmsHeight / rmsSlope : 0.0,
           std::max(shortest, 2.0 * profile.spacing),
-          profile.length()};
+          longest > 0.0 ? longest : profile.length()};
 }
 
 Profile readProfile(const std::string &path)

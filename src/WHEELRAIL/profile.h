@@ -29,8 +29,9 @@ struct ProfileStatistics {
 };
 
 /// @param shortest cut-off applied so far, 0: none
+/// @param longest wavelength put in, 0: the length
 ProfileStatistics profileStatistics(const std::string &step, const Profile &profile,
-                                    double shortest = 0.0);
+                                    double shortest = 0.0, double longest = 0.0);
 
 /// A measured profile as text or CSV. Header lines begin with '#' and state the units:
 ///   # height: um                 and either

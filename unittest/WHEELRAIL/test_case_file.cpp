@@ -1,0 +1,183 @@
+#include "case_file.h"
+#include "errors.h"
+#include "output_file.h"
+
+#include <filesystem>
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+using namespace wheelrail;
+
+namespace {
+
+const std::string contactLines = "contact: {load_per_length: 4000 N/mm, radius: 0.5 m,\n"
+                                 "          youngs_modulus: 210 GPa, poissons_ratio: 0.3}\n";
+const std::string minimal = contactLines + "creep: [1e-3, 1e-2]\n";
+
+Case read(const std::string &text, const std::vector<std::string> &changes = {})
+{
+  const std::string path =
+      (std::filesystem::temp_directory_path() / fmt::format("wr-case-{}.yaml", ::getpid()))
+          .string();
+  writeOutputFile(path, text);
+  return readCase(path, changes);
+}
+
+/// Message of the error; "" when there is none.
+std::string messageOf(const std::string &text, const std::vector<std::string> &changes = {},
+                      ExitCode code = ExitCode::BadInput)
+{
+  try {
+    read(text, changes);
+  } catch (const Error &error) {
+    EXPECT_EQ(error.code(), code) << error.what();
+    return error.what();
+  }
+  return "";
+}
+
+bool contains(const std::string &text, const std::string &part)
+{
+  return text.find(part) != std::string::npos;
+}
+
+} // namespace
+
+TEST(CaseFile, FillsInDefaults)
+{
+  const Case c = read(minimal);
+  EXPECT_DOUBLE_EQ(c.load, 4e6);
+  EXPECT_DOUBLE_EQ(c.youngsModulus, 210e9);
+  EXPECT_EQ(c.points, 1024);
+  EXPECT_EQ(c.roughness, RoughnessKind::None);
+  EXPECT_EQ(c.law, "bucher2006");
+  EXPECT_EQ(c.thermal, ThermalModel::Averaged);
+  EXPECT_EQ(c.mode, RollingMode::Frozen);
+  EXPECT_DOUBLE_EQ(c.strength, 1e9);
+  EXPECT_EQ(c.speed, (std::vector<double>{10.0, 20.0, 40.0}));
+  EXPECT_EQ(c.creep, (std::vector<double>{1e-3, 1e-2}));
+}
+
+TEST(CaseFile, ReadsGroupsAndChoices)
+{
+  const Case c =
+      read(contactLines + "roughness: {hurst: 0.8, rms_slope: 0.02, wavelength_min: 0.1 mm, "
+                          "wavelength_max: 1 cm, seed: [4, 5]}\n"
+                          "friction: {law: constant, mu: 0.3}\n"
+                          "thermal: off\nmode: moving\nspeed: 36 km/h\n"
+                          "creep: {from: 1e-4, to: 1e-1, n: 4}\npoints: 2048\n");
+  EXPECT_EQ(c.roughness, RoughnessKind::Fractal);
+  EXPECT_DOUBLE_EQ(c.surface.wavelengthMax, 10e-3);
+  EXPECT_EQ(c.seeds, (std::vector<std::uint64_t>{4, 5}));
+  EXPECT_EQ(c.thermal, ThermalModel::Off);
+  EXPECT_EQ(c.mode, RollingMode::Moving);
+  EXPECT_EQ(c.speed, std::vector<double>{10.0});
+  ASSERT_EQ(c.creep.size(), 4u);
+  EXPECT_NEAR(c.creep[1], 1e-3, 1e-15);
+  EXPECT_EQ(c.creep[3], 1e-1);
+}
+
+TEST(CaseFile, ConfigurationReadsBackToTheSame)
+{
+  for (const std::string &more : {std::string("creep: [1e-3]\n"),
+                                  std::string("creep: {from: 0, to: 0.1, n: 3, spacing: linear}\n"
+                                              "thermal: off\nroughness: {rail: \"a b.csv\", "
+                                              "cutoff: 0.1 mm}\nfriction: {local: true}\n")}) {
+    const Case first = read(contactLines + more);
+    const Case second = read(first.text);
+    EXPECT_EQ(first.text, second.text);
+    EXPECT_EQ(first.creep, second.creep);
+    EXPECT_EQ(first.thermal, second.thermal);
+  }
+}
+
+TEST(CaseFile, ChangesFromTheCommandLine)
+{
+  const Case c = read(minimal, {"creep={from: 1e-3, to: 1e-2, n: 2}", "speed=20 m/s",
+                                "contact.radius=460 mm", "thermal=off",
+                                "roughness={hurst: 0.8, rms_height: 2 um, wavelength_min: 1 mm, "
+                                "wavelength_max: 9 mm}",
+                                "roughness.seed=3"});
+  EXPECT_DOUBLE_EQ(c.radius, 0.46);
+  EXPECT_EQ(c.creep.size(), 2u);
+  EXPECT_EQ(c.seeds, std::vector<std::uint64_t>{3});
+  const Case smooth = read(c.text, {"roughness=none", "thermal.conductivity=40 W/(m K)"});
+  EXPECT_EQ(smooth.roughness, RoughnessKind::None);
+  EXPECT_DOUBLE_EQ(smooth.material.conductivity, 40.0);
+  EXPECT_TRUE(contains(messageOf(minimal, {"points"}, ExitCode::Usage), "KEYWORD=VALUE"));
+  EXPECT_TRUE(contains(messageOf(minimal, {"pionts=4"}, ExitCode::Usage), "'points'"));
+  EXPECT_TRUE(contains(messageOf(minimal, {"points=many"}, ExitCode::Usage), "many"));
+  EXPECT_TRUE(contains(messageOf(minimal, {"creep=[1, 2"}, ExitCode::Usage), "creep"));
+}
+
+TEST(CaseFile, NamesLineKeywordAndNearest)
+{
+  const std::string message = messageOf(minimal + "frictoin: {mu: 0.3}\n");
+  EXPECT_TRUE(contains(message, ":4: frictoin: unknown keyword 'frictoin'")) << message;
+  EXPECT_TRUE(contains(message, "'friction'")) << message;
+  EXPECT_TRUE(contains(messageOf(minimal + "friction:\n  locl: true\n"), ":5: friction.locl"));
+  EXPECT_TRUE(contains(messageOf(minimal + "friction:\n  locl: true\n"), "'friction.local'"));
+}
+
+TEST(CaseFile, BadValues)
+{
+  const char *const faults[][2] = {
+      {"points: nan\n", "points"},
+      {"points: 100.5\n", "whole number"},
+      {"points: -5\n", "allowed range"},
+      {"points: [1024]\n", "not a list"},
+      {"points: 1024 mm\n", "plain number"},
+      {"points:\n", "no value"},
+      {"points: {n: 1024}\n", "no keywords below"},
+      {"mode: rolling\n", "moving"},
+      {"speed: [10 m/s, -1 m/s]\n", "allowed range"},
+      {"speed: 10\n", "no unit"},
+      {"speed: 10 mm\n", "dimension"},
+      {"speed: inf m/s\n", "finite"},
+      {"speed: []\n", "empty"},
+      {"thermal: none\n", "off"},
+      {"thermal: {conductivity: 0 W/(m K)}\n", "allowed range"},
+      {"thermal: off\nthermal: off\n", "twice"},
+      {"friction: {law: constant}\n", "friction.mu"},
+      {"friction: {mu: 0.3}\n", "constant"},
+      {"friction: {law: constant, mu: [0.3]}\n", "not a list"},
+      {"roughness: {hurst: 0.8}\n", "wavelength_min"},
+      {"roughness: rough\n", "none"},
+      {"roughness: {hurst: 0.8, rail: a.csv}\n", "does not go with"},
+      {"roughness: {hurst: 0.8, rms_slope: 0.1, rms_height: 1 um, wavelength_min: 1 mm, "
+       "wavelength_max: 9 mm}\n",
+       "not both"},
+      {"roughness: {hurst: 0.8, rms_slope: 0.1, wavelength_min: 10 mm, wavelength_max: 9 mm}\n",
+       "above wavelength_max"},
+      {"contact: {load_per_length: 1 N/mm}\n", "twice"},
+      {"points: \"\n", ":"},
+      {"mode: moving\nthermal: {model: local}\n", "frozen"},
+  };
+  for (const auto &[text, part] : faults) {
+    const std::string message = messageOf(minimal + text);
+    EXPECT_TRUE(contains(message, part)) << text << message;
+    EXPECT_FALSE(contains(message, "\n")) << message;
+  }
+  EXPECT_TRUE(contains(messageOf(contactLines + "creep: {from: 1, to: 0.1, n: 3}\n"), "creep.to"));
+  EXPECT_TRUE(contains(messageOf(contactLines + "creep: {from: 0, to: 0.1, n: 3}\n"), "positive"));
+  EXPECT_TRUE(contains(messageOf(contactLines), "creep"));
+  EXPECT_TRUE(contains(messageOf("creep: 1e-3\n"), "contact.load_per_length"));
+}
+
+TEST(CaseFile, TruncatedEmptyOrOther)
+{
+  EXPECT_TRUE(contains(messageOf(minimal.substr(0, 60)), ":"));
+  EXPECT_TRUE(contains(messageOf("# nothing\n"), "not a case file"));
+  EXPECT_TRUE(contains(messageOf("just words\n"), "not a case file"));
+  EXPECT_TRUE(contains(messageOf("- 1\n- 2\n"), "not a case file"));
+  EXPECT_THROW(readCase("/nonexistent/case.yaml"), Error);
+}
+
+TEST(CaseFile, TableOfKeywordsIsSound)
+{
+  for (const Keyword &keyword : keywords()) {
+    EXPECT_GT(std::string(keyword.help).size(), 3u) << keyword.name;
+    EXPECT_LE(keyword.low, keyword.high) << keyword.name;
+  }
+}

@@ -1,0 +1,70 @@
+#include "contact_cases.h"
+#include "contact_temperature.h"
+
+#include <gtest/gtest.h>
+
+using namespace wheelrail;
+using Vector = Eigen::VectorXd;
+
+namespace {
+const ThermalMaterial steel{50.0, 7800.0, 450.0};
+}
+
+TEST(MeanTemperature, GivesTheTable)
+{
+  const HertzContact hertz = contact_cases::table2();
+  const double table[][4] = {{10, 0.01, 11.32175, 16.42396},
+                             {20, 0.05, 80.05686, 116.13497},
+                             {40, 0.10, 226.43499, 328.47930}};
+  for (const auto &[speed, creep, mean, highest] : table) {
+    const double rise =
+        meanTemperatureRise(0.3, hertz.hertzPressure, creep * speed, hertz.halfWidth, speed, steel);
+    EXPECT_NEAR(rise, mean, 1e-5);
+    EXPECT_NEAR(rise * maximumOverMeanTemperature(), highest, 2e-5);
+  }
+}
+
+TEST(FlashTemperature, HertzianHeatGivesTheExactCoefficients)
+{
+  const HertzContact hertz = contact_cases::table2();
+  const double speed = 20.0, slidingSpeed = 1.0, mu = 0.3;
+  const int n = 4096; // cells on the contact
+  const double h = 2.0 * hertz.halfWidth / n;
+  Vector heat(n);
+  for (int i = 0; i < n; ++i) { // exact mean of sqrt(1 - x^2) over the cell
+    const auto integral = [](double x) {
+      return 0.5 * (x * std::sqrt(1.0 - x * x) + std::asin(x));
+    };
+    const double left = std::max(-1.0, -1.0 + i * 2.0 / n), right = std::min(1.0, left + 2.0 / n);
+    heat[i] = mu * hertz.hertzPressure * slidingSpeed * (integral(right) - integral(left)) * n / 2;
+  }
+  FlashTemperature flash(n, h, speed, steel);
+  const Vector rise = flash.rise(heat);
+  const double unit = mu * hertz.hertzPressure * slidingSpeed *
+                      std::sqrt(hertz.halfWidth / (50.0 * 7800.0 * 450.0 * speed));
+  EXPECT_NEAR(rise.mean() / unit, 0.42553843, 1e-5);
+  Vector::Index place;
+  EXPECT_NEAR(rise.maxCoeff(&place) / unit, 0.61730992, 1e-5);
+  EXPECT_NEAR(1.0 - (place + 0.5) / n, 0.8261, 1e-3); // from the leading edge
+}
+
+TEST(FlashTemperature, HasNoBiasOfTheOrderOfRootH)
+{
+  // Uniform heat on a strip: Theta = q sqrt(d/(pi lambda rho c v)) at distance d, exact per cell
+  for (int n : {10, 40, 160, 2000}) {
+    FlashTemperature flash(n, 1.0 / n, 1.0, {1.0, 1.0, 1.0});
+    const Vector rise = flash.rise(Vector::Ones(n));
+    EXPECT_NEAR(rise.mean(), 2.0 / 3.0 / std::sqrt(3.14159265358979), 1e-9) << n;
+  }
+}
+
+TEST(FlashTemperature, HeatsOnlyBehindTheSource)
+{
+  FlashTemperature flash(64, 1.0, 1.0, steel);
+  const Vector rise = flash.rise(Vector::Unit(64, 20));
+  for (int i = 0; i < 64; ++i)
+    if (i > 20)
+      EXPECT_NEAR(rise[i], 0.0, 1e-16);
+    else
+      EXPECT_GT(rise[i], 1e-8);
+}

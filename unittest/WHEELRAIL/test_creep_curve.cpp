@@ -1,0 +1,190 @@
+#include "creep_curve.h"
+#include "errors.h"
+#include "output_file.h"
+
+#include <atomic>
+#include <filesystem>
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+using namespace wheelrail;
+
+namespace {
+
+const std::string table2 = "contact: {load_per_length: 4000 N/mm, radius: 0.5 m,\n"
+                           "          youngs_modulus: 210 GPa, poissons_ratio: 0.3}\n";
+const std::string rough = "roughness: {hurst: 0.8, rms_slope: 0.02, wavelength_min: 0.1 mm, "
+                          "wavelength_max: 10 mm, seed: [1, 2]}\n";
+
+Case readText(const std::string &text)
+{
+  const std::string path =
+      (std::filesystem::temp_directory_path() / fmt::format("wr-curve-{}.yaml", ::getpid()))
+          .string();
+  writeOutputFile(path, text);
+  return readCase(path);
+}
+
+CreepCurves solve(const std::string &text, const SweepOptions &options = {})
+{
+  const Case input = readText(table2 + text);
+  return solveCreepCurves(input, lawOf(input), options);
+}
+
+void expectSame(const CreepCurves &a, const CreepCurves &b)
+{
+  ASSERT_EQ(a.points.size(), b.points.size());
+  for (std::size_t k = 0; k < a.points.size(); ++k) {
+    EXPECT_EQ(a.points[k].tractionRatio, b.points[k].tractionRatio);
+    EXPECT_EQ(a.points[k].temperatureRise, b.points[k].temperatureRise);
+    EXPECT_EQ(a.points[k].tractionRatioError, b.points[k].tractionRatioError);
+    EXPECT_EQ(a.points[k].seed, b.points[k].seed);
+  }
+}
+
+} // namespace
+
+TEST(CreepCurve, FeedbackTable)
+{
+  // Eqs. 9 to 11 on the smooth contact: fixed points; the traction is numerical
+  const double table[][5] = {{0.0005, 10, 0.32862945, 0.6201, 0.09781491},
+                             {0.0010, 40, 0.32851550, 2.4796, 0.17838286},
+                             {0.0100, 20, 0.32759115, 17.4839, 0.32759115},
+                             {0.0500, 40, 0.32117915, 121.2103, 0.32117915},
+                             {0.1000, 10, 0.32092491, 121.1144, 0.32092491},
+                             {0.2000, 20, 0.30730675, 328.0268, 0.30730675},
+                             {0.2000, 40, 0.30431402, 459.3823, 0.30431402}};
+  const CreepCurves curves =
+      solve("creep: [0.0005, 0.001, 0.01, 0.05, 0.1, 0.2]\nspeed: [10 m/s, 20 m/s, 40 m/s]\n");
+  int found = 0;
+  for (const auto &[creep, speed, mu, rise, ratio] : table)
+    for (const CurvePoint &point : curves.points) {
+      if (point.creep != creep || point.speed != speed)
+        continue;
+      ++found;
+      EXPECT_NEAR(point.muMean, mu, 1e-8);
+      EXPECT_NEAR(point.temperatureRise, rise, 1e-4);
+      EXPECT_NEAR(point.tractionRatio, ratio, 2e-4);
+      EXPECT_LE(point.iterations, 12);
+    }
+  EXPECT_EQ(found, 7);
+}
+
+TEST(CreepCurve, LocalLawOnTheSmoothContact)
+{
+  const double table[] = {0.02103986, 0.10003875, 0.18668879, 0.31844681, 0.39509222, 0.42028597};
+  const CreepCurves curves =
+      solve("friction: {local: true, velocity_term: false}\nthermal: off\n"
+            "creep: [1e-4, 5e-4, 1e-3, 2e-3, 3e-3, 4e-3, 1e-2]\nspeed: 10 m/s\n");
+  for (int k = 0; k < 6; ++k)
+    EXPECT_NEAR(curves.points[k].tractionRatio, table[k], 3e-4);
+  EXPECT_NEAR(curves.points[6].tractionRatio, 0.4203656918, 1e-6);
+}
+
+TEST(CreepCurve, PowerBelowFullSlidingIsThatOfTheTraction)
+{
+  const std::string common = "friction: {law: constant, mu: 0.3}\nspeed: 20 m/s\ncreep: [1e-3]\n";
+  const CurvePoint paper = solve(common).points[0];
+  const CurvePoint power = solve(common + "thermal: {model: averaged_power}\n").points[0];
+  EXPECT_NEAR(power.temperatureRise / paper.temperatureRise, power.tractionRatio / 0.3, 1e-9);
+}
+
+TEST(CreepCurve, FlashTemperatureInFullSlidingHasEq11sMean)
+{
+  // 1 - eps/7 from elastic slip, eps = mu a/(R creep) (contact.domain keeps the grid fine)
+  const std::string common = "friction: {law: constant, mu: 0.3}\nspeed: 20 m/s\ncreep: [0.05]\n"
+                             "points: 4096\n";
+  const CurvePoint mean = solve(common).points[0];
+  const CurvePoint local = solve(common + "thermal: {model: local}\n").points[0];
+  const double elastic = 1.0 - 0.3 * 4.697817e-3 / (0.5 * 0.05) / 7.0;
+  EXPECT_NEAR(local.temperatureRise / mean.temperatureRise, elastic, 1e-3);
+  EXPECT_NEAR(local.temperatureMaximum / mean.temperatureMaximum, 1.0, 0.02);
+}
+
+TEST(CreepCurve, SameForAnyNumberOfThreads)
+{
+  const std::string text = rough + "creep: {from: 1e-4, to: 0.1, n: 20}\nspeed: [10 m/s, 40 m/s]\n"
+                                   "friction: {local: true}\nthermal: {model: local}\n";
+  SweepOptions one, three;
+  one.threads = 1;
+  three.threads = 3;
+  expectSame(solve(text, one), solve(text, three));
+}
+
+TEST(CreepCurve, ResumesToTheSameResult)
+{
+  const std::string text = rough + "creep: {from: 1e-4, to: 0.1, n: 40}\nspeed: 20 m/s\n";
+  const std::string journal =
+      (std::filesystem::temp_directory_path() / fmt::format("wr-journal-{}", ::getpid())).string();
+  std::atomic<bool> stop{false};
+  SweepOptions options;
+  options.journal = journal;
+  options.threads = 1;
+  options.interrupted = [&] { return stop.load(); };
+  options.progress = [&](int done, int) { stop = done >= 16; };
+  try {
+    solve(text, options);
+    FAIL() << "was not interrupted";
+  } catch (const Error &error) {
+    EXPECT_EQ(error.code(), ExitCode::Interrupted);
+  }
+  EXPECT_TRUE(std::filesystem::exists(journal));
+  stop = false;
+  options.progress = nullptr;
+  const CreepCurves resumed = solve(text, options);
+  EXPECT_GE(resumed.resumed, 16);
+  EXPECT_FALSE(std::filesystem::exists(journal));
+  expectSame(resumed, solve(text));
+}
+
+TEST(CreepCurve, LawsCovarianceBecomesABand)
+{
+  // In full sliding with the averaged law T/N = mu0 + ..., so that its error is that of mu0
+  const Case input = readText(table2 + "creep: [0.05]\nspeed: 20 m/s\nthermal: off\n");
+  FrictionLaw law = bucher2006();
+  LawCovariance covariance = LawCovariance::Zero();
+  covariance(0, 0) = 0.02 * 0.02;
+  law.covariance = covariance;
+  const CreepCurves curves = solveCreepCurves(input, law);
+  EXPECT_TRUE(curves.hasErrors);
+  EXPECT_NEAR(curves.points[0].tractionRatioError, 0.02, 1e-6);
+}
+
+TEST(CreepCurve, HardnessFallsWithTemperature)
+{
+  const std::string common = "roughness: {hurst: 0.8, rms_slope: 0.04, wavelength_min: 0.1 mm, "
+                             "wavelength_max: 10 mm}\nspeed: 20 m/s\ncreep: [1e-3, 0.2]\n";
+  const CreepCurves elastic = solve(common);
+  const std::string limited = "contact: {load_per_length: 4000 N/mm, radius: 0.5 m,\n"
+                              "          youngs_modulus: 210 GPa, poissons_ratio: 0.3,\n"
+                              "          hardness_limit: true}\n";
+  const Case input = readText(limited + common);
+  const CreepCurves curves = solveCreepCurves(input, lawOf(input));
+  EXPECT_GT(elastic.last.pressure.maxCoeff(), 3e9);
+  const double rise = curves.points[1].temperatureRise;
+  EXPECT_GT(rise, 100.0);
+  EXPECT_NEAR(curves.last.pressure.maxCoeff(), 3e9 * (1.0 - rise / 1250.0), 1e4);
+}
+
+TEST(CreepCurve, MovingRoughnessKeepsTheInitialSlope)
+{
+  // Asperities that travel with the material hardly lower the slope, fixed ones do by the area
+  const std::string common = "roughness: {hurst: 0.8, rms_slope: 0.01, wavelength_min: 0.2 mm, "
+                             "wavelength_max: 10 mm}\nspeed: 20 m/s\ncreep: [2e-4]\nthermal: off\n"
+                             "friction: {law: constant, mu: 0.3}\npoints: 512\n";
+  const double frozen = solve(common).points[0].tractionRatio;
+  const double moving = solve(common + "mode: moving\n").points[0].tractionRatio;
+  EXPECT_LT(frozen, 0.85 * 0.041062583);
+  EXPECT_NEAR(moving / 0.041062583, 1.0, 0.06);
+}
+
+TEST(CreepCurve, TooHotIsNotConverged)
+{
+  try {
+    solve("creep: [0.9]\nspeed: 500 m/s\nthermal: {conductivity: 0.1 W/(m K)}\n");
+    FAIL() << "was accepted";
+  } catch (const Error &error) {
+    EXPECT_EQ(error.code(), ExitCode::NotConverged);
+  }
+}

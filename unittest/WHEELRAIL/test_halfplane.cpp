@@ -1,0 +1,116 @@
+#include "halfplane.h"
+
+#include <cmath>
+#include <gtest/gtest.h>
+
+using namespace wheelrail;
+using Vector = Eigen::VectorXd;
+
+namespace {
+constexpr double pi = 3.14159265358979323846;
+
+Vector bumpy(int n)
+{
+  Vector q(n);
+  for (int i = 0; i < n; ++i)
+    q[i] = std::sin(0.7 * i) + 0.3 * std::cos(2.9 * i) + 0.1 * (i % 5);
+  return q;
+}
+
+/// Antiderivative of ln|x|.
+double integralOfLog(double x)
+{
+  return x == 0.0 ? 0.0 : x * std::log(std::abs(x)) - x;
+}
+} // namespace
+
+TEST(HalfPlane, CellInfluenceIsTheIntegralOfTheLogarithm)
+{
+  for (int m : {0, 1, 2, 7, 100, 3000}) {
+    const double exact = -2.0 / pi * (integralOfLog(m + 0.5) - integralOfLog(m - 0.5));
+    EXPECT_NEAR(cellInfluence(m), exact, 1e-11) << m;
+    EXPECT_EQ(cellInfluence(m), cellInfluence(-m));
+  }
+  // Far away the difference of neighbours is 1/m; no cancellation may spoil it.
+  EXPECT_NEAR((cellInfluence(1e9) - cellInfluence(1e9 + 1)) * 1e9, 2.0 / pi, 1e-5);
+}
+
+TEST(HalfPlane, ProductsEqualDenseMatrices)
+{
+  for (int n : {1, 2, 17, 64, 101}) {
+    HalfPlane plane(n, Boundary::Free);
+    const Vector q = bumpy(n);
+    Vector u = Vector::Zero(n), s = Vector::Zero(n), t = Vector::Zero(n);
+    for (int i = 0; i < n; ++i)
+      for (int j = 0; j < n; ++j) {
+        u[i] += cellInfluence(i - j) * q[j];
+        s[i] += 2.0 / (pi * (i - j + 0.5)) * q[j];
+        t[i] += 2.0 / (pi * (j - i + 0.5)) * q[j];
+      }
+    EXPECT_LT((plane.displacement(q) - u).norm(), 1e-12 * (1.0 + u.norm())) << n;
+    EXPECT_LT((plane.stretch(q) - s).norm(), 1e-12 * (1.0 + s.norm())) << n;
+    EXPECT_LT((plane.stretchTransposed(q) - t).norm(), 1e-12 * (1.0 + t.norm())) << n;
+  }
+}
+
+TEST(HalfPlane, StretchIsTheFallOfDisplacement)
+{
+  // For a smooth load, u_i - u_(i+1) from the displacements and from the staggered kernel differ
+  // by the square of the cell size.
+  const int n = 400;
+  HalfPlane plane(n, Boundary::Free);
+  Vector q(n);
+  for (int i = 0; i < n; ++i)
+    q[i] = std::exp(-std::pow((i - 200.0) / 40.0, 2));
+  const Vector u = plane.displacement(q), s = plane.stretch(q);
+  for (int i = 0; i + 1 < n; ++i)
+    EXPECT_NEAR(u[i] - u[i + 1], s[i], 2e-4);
+}
+
+TEST(HalfPlane, PeriodicWaveHasItsExactAmplitude)
+{
+  // p = cos(kx) on a half-plane: u = 2 cos(kx)/(E* k) (Johnson, sec. 13.2); the load comes in steps
+  const int n = 512;
+  HalfPlane plane(n, Boundary::Periodic);
+  for (int wave : {1, 2, 5}) {
+    Vector p(n), exact(n);
+    const double k = 2.0 * pi * wave / n;
+    for (int i = 0; i < n; ++i) {
+      p[i] = std::cos(k * i) * 0.5 * k / std::sin(0.5 * k); // the steps' fundamental is cos
+      exact[i] = 2.0 / k * std::cos(k * i);
+    }
+    EXPECT_LT((plane.displacement(p) - exact).cwiseAbs().maxCoeff(), 2e-4 * exact.maxCoeff());
+  }
+}
+
+TEST(HalfPlane, PeriodicEqualsManyCopies)
+{
+  const int n = 16, copies = 4001;
+  HalfPlane plane(n, Boundary::Periodic);
+  Vector q = bumpy(n);
+  q.array() -= q.mean();
+  Vector u = Vector::Zero(n);
+  for (int i = 0; i < n; ++i)
+    for (int j = 0; j < n; ++j)
+      for (int c = -copies / 2; c <= copies / 2; ++c)
+        u[i] += cellInfluence(i - j + c * n) * q[j];
+  u.array() -= u.mean();
+  EXPECT_LT((plane.displacement(q) - u).cwiseAbs().maxCoeff(), 1e-4 * u.cwiseAbs().maxCoeff());
+}
+
+TEST(HalfPlane, PreconditionerIsSymmetricAndPositive)
+{
+  HalfPlane plane(60, Boundary::Free);
+  const Vector a = bumpy(60), b = a.reverse().array().square();
+  const double ab = a.dot(plane.tractionEstimate(b)), ba = b.dot(plane.tractionEstimate(a));
+  EXPECT_NEAR(ab, ba, 1e-10 * std::abs(ab));
+  EXPECT_GT(a.dot(plane.tractionEstimate(a)), 0.0);
+  EXPECT_GT(Vector::Ones(60).dot(plane.tractionEstimate(Vector::Ones(60))), 0.0);
+}
+
+TEST(HalfPlane, FastSizesHaveSmallFactors)
+{
+  EXPECT_EQ(fastTransformSize(2), 2);
+  EXPECT_EQ(fastTransformSize(2048), 2048);
+  EXPECT_EQ(fastTransformSize(2049), 2058); // 2 * 3 * 7^3
+}

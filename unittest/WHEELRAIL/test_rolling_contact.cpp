@@ -1,0 +1,271 @@
+#include "contact_cases.h"
+#include "errors.h"
+#include "gmres.h"
+#include "rolling_contact.h"
+
+#include <Eigen/Dense>
+#include <gtest/gtest.h>
+
+using namespace wheelrail;
+using Vector = Eigen::VectorXd;
+using contact_cases::cylinder;
+using contact_cases::table2;
+
+namespace {
+constexpr double pi = 3.14159265358979323846;
+
+double ratio(const RollingResult &result, const NormalContactProblem &problem)
+{
+  return result.force() / problem.load;
+}
+
+/// Slow reference: dense elimination on the stick cells, one change of the sets a time round.
+Vector denseRolling(const Vector &bound, double creep)
+{
+  const int n = static_cast<int>(bound.size());
+  const auto kernel = [](int m) { return 2.0 / (pi * (m + 0.5)); };
+  std::vector<int> state(n, 0); // 0: stick, +-1: slip
+  Vector q = Vector::Zero(n);
+  for (int round = 0; round < 200; ++round) {
+    std::vector<int> stick;
+    for (int i = 0; i < n; ++i) {
+      if (bound[i] > 0.0 && state[i] == 0)
+        stick.push_back(i);
+      q[i] = state[i] * bound[i];
+    }
+    const int m = static_cast<int>(stick.size());
+    Eigen::MatrixXd a(m, m);
+    Vector b(m);
+    for (int i = 0; i < m; ++i) {
+      b[i] = creep;
+      for (int j = 0; j < n; ++j)
+        b[i] -= kernel(stick[i] - j) * q[j];
+      for (int j = 0; j < m; ++j)
+        a(i, j) = kernel(stick[i] - stick[j]);
+    }
+    const Vector x = a.partialPivLu().solve(b);
+    for (int i = 0; i < m; ++i)
+      q[stick[i]] = x[i];
+    bool changed = false;
+    for (int i = 0; i < n; ++i) {
+      if (bound[i] == 0.0)
+        continue;
+      double slip = creep;
+      for (int j = 0; j < n; ++j)
+        slip -= kernel(i - j) * q[j];
+      const int before = state[i];
+      if (before == 0 && std::abs(q[i]) > bound[i] * (1 + 1e-12))
+        state[i] = q[i] > 0 ? 1 : -1;
+      else if (before != 0 && before * slip < -1e-12)
+        state[i] = 0;
+      changed = changed || state[i] != before;
+    }
+    if (!changed)
+      return q;
+  }
+  ADD_FAILURE() << "the reference does not settle";
+  return q;
+}
+} // namespace
+
+TEST(Gmres, SolvesWithRelativeTolerance)
+{
+  // Rows of very different size, right-hand side near 1e-8: an absolute tolerance would stop at
+  // once
+  const int n = 40;
+  Eigen::MatrixXd a = Eigen::MatrixXd::Identity(n, n);
+  for (int i = 0; i + 1 < n; ++i)
+    a(i, i + 1) = 0.8 * std::sin(i), a(i + 1, i) = 0.3;
+  const Vector b = 1e-8 * Vector::LinSpaced(n, 1.0, 2.0);
+  Vector x = Vector::Zero(n);
+  const auto apply = [&](const Vector &v) { return Vector(a * v); };
+  const auto same = [](const Vector &v) { return v; };
+  const GmresReport report = gmres(apply, same, b, x, b.norm(), 1e-10, 8);
+  EXPECT_TRUE(report.converged);
+  EXPECT_LT((a * x - b).norm(), 1e-10 * b.norm());
+  EXPECT_LT((x - a.fullPivLu().solve(b)).norm(), 1e-8 * x.norm());
+}
+
+TEST(FrozenRolling, CarterAt1000Cells)
+{
+  const double table[][2] = {
+      {2e-4, 0.041062583}, {5e-4, 0.096992529},   {1e-3, 0.175105295}, {1.5e-3, 0.234338297},
+      {2e-3, 0.274691536}, {2.5e-3, 0.296165011}, {3e-3, 0.3}};
+  HalfPlane plane(1000, Boundary::Free);
+  const NormalContactProblem problem = cylinder(1000);
+  const Vector bound = 0.3 * solveNormalContact(plane, problem).pressure;
+  for (const auto &[creep, exact] : table) {
+    const RollingResult result = solveFrozenRolling(plane, bound, creep);
+    EXPECT_NEAR(ratio(result, problem), exact, 2e-4) << creep;
+  }
+}
+
+TEST(FrozenRolling, CarterConvergesWithTheCellSize)
+{
+  double last = 1.0;
+  for (int n : {500, 1000, 2000, 4000}) {
+    HalfPlane plane(n, Boundary::Free);
+    const NormalContactProblem problem = cylinder(n);
+    const Vector bound = 0.3 * solveNormalContact(plane, problem).pressure;
+    const double error =
+        std::abs(ratio(solveFrozenRolling(plane, bound, 1e-3), problem) - 0.175105295);
+    EXPECT_LT(error, 0.55 * last);
+    last = error;
+  }
+}
+
+TEST(FrozenRolling, StickZoneTouchesTheLeadingEdge)
+{
+  const int n = 2000;
+  HalfPlane plane(n, Boundary::Free);
+  const Vector pressure = solveNormalContact(plane, cylinder(n)).pressure;
+  const RollingResult result = solveFrozenRolling(plane, 0.3 * pressure, 1e-3);
+  const double h = 4.0 / n; // in a
+  int first = n, last = 0;
+  for (int i = 0; i < n; ++i)
+    if (result.state[i] == Adhesion::Stick) {
+      first = std::min(first, i);
+      last = i;
+    }
+  EXPECT_NEAR((last + 1 - n / 2) * h, 1.0, 1.5 * h);
+  EXPECT_NEAR((last + 1 - first) * h, 2 * 0.645225296, 3 * h);
+  for (int i = first; i <= last; ++i)
+    EXPECT_NEAR(result.slip[i], 0.0, 1e-9);
+}
+
+TEST(FrozenRolling, EqualsDenseReference)
+{
+  for (double slope : {0.0, 0.01, 0.02}) {
+    const int n = 760;
+    HalfPlane plane(n, Boundary::Free);
+    const Vector pressure = solveNormalContact(plane, cylinder(n, slope)).pressure;
+    const Vector bound = 0.3 * pressure;
+    for (double creep : {2e-4, 1e-3, 2.5e-3}) {
+      const Vector q = solveFrozenRolling(plane, bound, creep).traction;
+      const Vector reference = denseRolling(bound, creep);
+      EXPECT_LT((q - reference).cwiseAbs().maxCoeff(), 1e-6 * bound.maxCoeff())
+          << slope << " " << creep;
+    }
+  }
+}
+
+TEST(FrozenRolling, InitialSlopeIsRealContactLength)
+{
+  // dT/dcreep = (pi E*/4) x real contact length whatever the friction. The discrete operator gives
+  // it exactly for the length in cells; the length itself converges with the cell size.
+  for (double slope : {0.01, 0.02, 0.04}) {
+    double exact = 0.0;
+    std::vector<double> errors;
+    for (int n : {32768, 2048, 4096, 8192}) {
+      HalfPlane plane(n, Boundary::Free);
+      const Vector pressure = solveNormalContact(plane, cylinder(n, slope)).pressure;
+      const RollingResult result = solveFrozenRolling(plane, 1e9 * pressure, 1e-6);
+      const double cells = (pressure.array() > 0.0).count();
+      EXPECT_NEAR(result.force() / 1e-6 / (pi / 4.0 * cells), 1.0, 1e-6);
+      const double reported = contactLength(contactIntervals(pressure, Boundary::Free));
+      if (exact == 0.0)
+        exact = reported / n;
+      else
+        errors.push_back(std::abs(result.force() / 1e-6 / (pi / 4.0) / n / exact - 1.0));
+      if (n > 2048) {
+        EXPECT_NEAR(cells / reported, 1.0, 0.02) << slope << " " << n;
+      }
+    }
+    EXPECT_LT(errors[1], 0.03) << slope; // 4096 cells: ten to twenty on the shortest wave
+    EXPECT_LT(errors[2], 0.7 * errors[1] + 2e-3) << slope;
+    EXPECT_LT(errors[2], 0.02) << slope;
+  }
+}
+
+TEST(FrozenRolling, ProductsHardlyGrowWithTheNumberOfCells)
+{
+  std::vector<int> products;
+  for (int n : {1024, 16384}) {
+    HalfPlane plane(n, Boundary::Free);
+    const Vector pressure = solveNormalContact(plane, cylinder(n, 0.01)).pressure;
+    products.push_back(solveFrozenRolling(plane, 1e9 * pressure, 1e-6).products);
+  }
+  EXPECT_LE(products[0], 20);
+  EXPECT_LE(products[1], 20);
+}
+
+TEST(FrozenRolling, TractionGrowsWithCreepAndStaysBounded)
+{
+  HalfPlane plane(1024, Boundary::Free);
+  const Vector bound = 0.3 * solveNormalContact(plane, cylinder(1024, 0.02)).pressure;
+  double last = 0.0;
+  for (double creep : {1e-5, 1e-4, 5e-4, 1e-3, 3e-3, 1e-2, 3e-2}) {
+    const RollingResult result = solveFrozenRolling(plane, bound, creep);
+    EXPECT_GT(result.force(), last * (1.0 - 1e-12));
+    EXPECT_LE(result.force(), bound.sum() * (1.0 + 1e-9));
+    for (int i = 0; i < bound.size(); ++i)
+      EXPECT_LE(std::abs(result.traction[i]), bound[i] * (1.0 + 1e-6));
+    last = result.force();
+  }
+  EXPECT_NEAR(last, bound.sum(), 1e-9 * last);
+}
+
+TEST(FrozenRolling, WarmStartChangesNothing)
+{
+  HalfPlane plane(2048, Boundary::Free);
+  const Vector bound = 0.3 * solveNormalContact(plane, cylinder(2048, 0.01)).pressure;
+  const RollingResult cold = solveFrozenRolling(plane, bound, 1e-3);
+  const RollingResult other = solveFrozenRolling(plane, bound, 3e-3);
+  RollingOptions options;
+  options.start = other.state;
+  options.startTraction = other.traction;
+  const RollingResult warm = solveFrozenRolling(plane, bound, 1e-3, options);
+  EXPECT_LT((warm.traction - cold.traction).cwiseAbs().maxCoeff(), 1e-6 * bound.maxCoeff());
+}
+
+TEST(FrozenRolling, NoCreepNoTraction)
+{
+  HalfPlane plane(256, Boundary::Free);
+  const Vector bound = 0.3 * solveNormalContact(plane, cylinder(256)).pressure;
+  EXPECT_EQ(solveFrozenRolling(plane, bound, 0.0).force(), 0.0);
+  EXPECT_THROW(solveFrozenRolling(plane, bound, -1e-3), Error);
+}
+
+TEST(StaticTraction, CattaneoMindlin)
+{
+  // Stick zone in the middle, half-width a sqrt(1 - T/(mu N)); q = mu p0 [sqrt(1-x^2) - c sqrt(..)]
+  const int n = 2000;
+  HalfPlane plane(n, Boundary::Free);
+  const NormalContactProblem problem = cylinder(n);
+  const double mu = 0.3, force = 0.6, c = std::sqrt(1.0 - force), h = 4.0 / n;
+  const Vector q = staticTraction(plane, problem, mu, force);
+  EXPECT_NEAR(q.sum() / (mu * problem.load), force, 1e-9);
+  const double p0 = table2().hertzPressure / table2().modulus;
+  for (int i = 0; i < n; ++i) {
+    const double x = (i + 0.5 - n / 2) * h;
+    const double outer = std::abs(x) < 1.0 ? std::sqrt(1.0 - x * x) : 0.0;
+    const double inner = std::abs(x) < c ? c * std::sqrt(1.0 - x * x / (c * c)) : 0.0;
+    if (std::abs(std::abs(x) - 1.0) < 3 * h || std::abs(std::abs(x) - c) < 3 * h)
+      continue;
+    EXPECT_NEAR(q[i] / (mu * p0), outer - inner, 2e-3) << x;
+  }
+  // No slip inside: the displacement is the same everywhere in the stick zone, which is centred
+  const Vector u = plane.displacement(q);
+  const int reach = static_cast<int>(0.9 * c / h);
+  for (int i = n / 2 - reach; i < n / 2 + reach; ++i)
+    EXPECT_NEAR(u[i], u[n / 2], 1e-5 * std::abs(u[n / 2] - u[0]));
+  EXPECT_THROW(staticTraction(plane, problem, mu, 1.0), Error);
+}
+
+TEST(TransientRolling, ReachesTheSteadyStateOfASmoothContact)
+{
+  const int n = 512;
+  HalfPlane plane(n, Boundary::Free);
+  const NormalContactProblem problem = cylinder(n);
+  const Vector bound = 0.3 * solveNormalContact(plane, problem).pressure;
+  for (double creep : {5e-4, 1e-3, 2e-3}) {
+    const double steady = solveFrozenRolling(plane, bound, creep).force();
+    for (double reference : {0.8, 2.0}) { // the free constant does not change the steady state
+      TransientRolling rolling(plane, reference * n / 4);
+      RollingResult result;
+      for (int step = 0; step < 2 * n; ++step)
+        result = rolling.step(bound, creep);
+      EXPECT_NEAR(result.force() / steady, 1.0, 6e-3) << creep << " " << reference;
+    }
+  }
+}

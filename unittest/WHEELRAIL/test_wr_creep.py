@@ -1,0 +1,216 @@
+"""The command line of wr_creep: results, bad input, exit codes, interruption, documentation."""
+
+import csv
+import json
+import os
+import pathlib
+import re
+import signal
+import subprocess
+import time
+
+import pytest
+
+BIN = pathlib.Path(os.environ["WHEELRAIL_BIN"]) / "wr_creep"
+SOURCE = pathlib.Path(os.environ["PROJECT_SOURCE"])
+TABLE2 = SOURCE / "examples/wheelrail/table2.yaml"
+DOC = SOURCE / "doc/wr_creep.md"
+
+CASE = """\
+contact: {load_per_length: 4000 N/mm, radius: 0.5 m, youngs_modulus: 210 GPa, poissons_ratio: 0.3}
+friction: {law: constant, mu: 0.3}
+thermal: off
+speed: 20 m/s
+creep: [2e-4, 5e-4, 1e-3, 1.5e-3, 2e-3, 2.5e-3, 3e-3]
+points: 1000
+"""
+ROUGH = "roughness={hurst: 0.8, rms_slope: 0.02, wavelength_min: 0.1 mm, wavelength_max: 10 mm}"
+
+
+def wr_creep(*arguments, **options):
+    return subprocess.run([BIN, *map(str, arguments)], capture_output=True, text=True, **options)
+
+
+def table(path):
+    with open(path, encoding="utf-8") as file:
+        return list(csv.DictReader(line for line in file if not line.startswith("#")))
+
+
+@pytest.fixture
+def case(tmp_path):
+    path = tmp_path / "case.yaml"
+    path.write_text(CASE, encoding="utf-8")
+    return path
+
+
+def test_carter_curve_and_files(case, tmp_path):
+    done = wr_creep(case, "-o", tmp_path / "out")
+    assert done.returncode == 0, done.stderr
+    exact = [0.041062583, 0.096992529, 0.175105295, 0.234338297, 0.274691536, 0.296165011, 0.3]
+    rows = table(tmp_path / "out/creep.csv")
+    assert list(rows[0]) == ["speed", "creep", "traction_ratio", "traction", "mu_mean",
+                             "temperature_rise", "iterations", "stick_fraction"]
+    for row, value in zip(rows, exact, strict=True):
+        assert float(row["traction_ratio"]) == pytest.approx(value, abs=2e-4)
+        assert float(row["traction"]) == pytest.approx(4000 * float(row["traction_ratio"]))
+    contact = table(tmp_path / "out/contact.csv")
+    assert len(contact) == 1000
+    assert list(contact[0])[:6] == ["x", "pressure", "traction", "mu", "slip", "state"]
+    assert max(float(row["pressure"]) for row in contact) == pytest.approx(542.0558, rel=3e-6)
+    summary = json.loads((tmp_path / "out/summary.json").read_text())
+    assert summary["hertz"]["half_width_mm"] == pytest.approx(4.697817, abs=1e-6)
+    assert summary["contacts"][0]["real_area_ratio"] == pytest.approx(1.0, abs=1e-5)
+    assert sorted(os.listdir(tmp_path / "out")) == ["contact.csv", "creep.csv", "summary.json"]
+
+
+def test_example_runs_and_is_table2(tmp_path):
+    done = wr_creep(TABLE2, "-o", tmp_path, "-q")
+    assert (done.returncode, done.stdout, done.stderr) == (0, "", "")
+    rows = [row for row in table(tmp_path / "creep.csv") if float(row["creep"]) == 0.1]
+    assert [float(row["traction_ratio"]) for row in rows] == pytest.approx(
+        [0.32092491, 0.31783216, 0.31419372], abs=1e-7)
+
+
+def test_verbose_says_every_step_of_the_profile(case, tmp_path):
+    done = wr_creep(case, "-o", tmp_path, "-v", "--set", ROUGH)
+    assert "generated: rms height" in done.stdout
+    assert re.search(r"\d+ iterations, \d+ active sets, residual", done.stdout)
+    steps = json.loads((tmp_path / "summary.json").read_text())["contacts"][0]["roughness"]
+    assert steps[0]["rms_slope"] == pytest.approx(0.02, rel=0.05)
+
+
+def test_measured_profiles(case, tmp_path):
+    for name in ("rail", "wheel"):
+        lines = ["# height: um", "# position: mm"]
+        lines += [f"{0.01 * i:.3f}, {((i * 7919) % 13) * 0.1:.2f}" for i in range(2500)]
+        (tmp_path / f"{name}.csv").write_text("\n".join(lines), encoding="utf-8")
+    done = wr_creep(case, "-o", tmp_path / "out", "-v", "--set",
+                    "roughness={rail: rail.csv, wheel: wheel.csv, cutoff: 0.1 mm}")
+    assert done.returncode == 0, done.stderr
+    for step in ("rail: as read", "rail: detrended", "wheel: filtered", "wheel: resampled",
+                 "sum of both"):
+        assert step in done.stdout
+    done = wr_creep(case, "-o", tmp_path / "bad", "--set", "roughness={rail: missing.csv}")
+    assert done.returncode == 3 and "missing.csv" in done.stderr
+
+
+def test_law_file_with_covariance_gives_a_band(case, tmp_path):
+    covariance = [[1e-4 if i == j == 0 else 0.0 for j in range(5)] for i in range(5)]
+    law = {"format": "mca-friction-law 1", "mu0": 0.15, "mu1": 0.0442, "mu2": 0.3243, "b": 0.195,
+           "c": 0.00212, "covariance": covariance, "n": 34, "rms_relative": 0.09,
+           "kappa1_range": [0, 5], "kappa2_range": [2, 1500], "source": "test"}
+    (tmp_path / "law.json").write_text(json.dumps(law), encoding="utf-8")
+    case.write_text(CASE.replace("law: constant, mu: 0.3", "law: law.json"), encoding="utf-8")
+    done = wr_creep(case, "-o", tmp_path / "out", "--set", "creep=[0.01, 0.05]")
+    assert done.returncode == 0, done.stderr
+    for row in table(tmp_path / "out/creep_band.csv"):
+        assert float(row["standard_error"]) == pytest.approx(0.01, rel=1e-3)
+        assert float(row["low"]) < float(row["traction_ratio"]) < float(row["high"])
+
+
+def test_print_config_is_a_case_file(case, tmp_path):
+    first = wr_creep(case, "--print-config", "--set", "points=512")
+    assert first.returncode == 0 and "points: 512" in first.stdout
+    (tmp_path / "again.yaml").write_text(first.stdout, encoding="utf-8")
+    assert wr_creep(tmp_path / "again.yaml", "--print-config").stdout == first.stdout
+
+
+BAD_FILES = {
+    "empty": ("", "is empty"),
+    "blank": ("# nothing here\n", "not a case file"),
+    "truncated": (CASE[:120], ""),
+    "cut in a line": (CASE[: CASE.index("creep")], "creep"),
+    "no number": (CASE.replace("4000 N/mm", "much"), "'much' is not a number"),
+    "nan": (CASE.replace("0.5 m", "nan m"), "contact.radius: 'nan m' is not finite"),
+    "inf": (CASE.replace("210 GPa", "inf GPa"), "not finite"),
+    "negative": (CASE.replace("4000 N/mm", "-4000 N/mm"), "allowed range"),
+    "unknown": (CASE.replace("points", "pionts"), "nearest known one is 'points'"),
+    "unit": (CASE.replace("20 m/s", "20 MPa"), "another dimension than m/s"),
+    "no unit": (CASE.replace("0.5 m", "0.5"), "no unit"),
+    "binary": ("\0\1\2", ""),
+}
+
+
+@pytest.mark.parametrize("name", BAD_FILES)
+def test_bad_case_files(name, case, tmp_path):
+    text, expected = BAD_FILES[name]
+    case.write_text(text, encoding="utf-8")
+    done = wr_creep(case, "-o", tmp_path / "out")
+    assert done.returncode == 3
+    assert len(done.stderr.strip().splitlines()) == 1
+    assert "case.yaml" in done.stderr and expected in done.stderr, done.stderr
+    assert not (tmp_path / "out").exists()
+
+
+def test_bad_law_and_missing_files(case, tmp_path):
+    (tmp_path / "law.json").write_text('{"format": "mca-fric', encoding="utf-8")
+    for arguments in (["missing.yaml"], [tmp_path], [case, "--set", f"friction.law={tmp_path}/law.json"],
+                      [case, "--set", "friction.law=none.json"]):
+        if len(arguments) > 1:
+            case.write_text(CASE.replace(", mu: 0.3", ""), encoding="utf-8")
+        done = wr_creep(*arguments, "-o", tmp_path / "out")
+        assert done.returncode == 3, done.stderr
+        assert len(done.stderr.strip().splitlines()) == 1
+
+
+def test_usage_errors(case):
+    for arguments, part in ((["--sett", "points=3"], "--set"), (["--set", "points"], "KEYWORD=VALUE"),
+                            (["--set", "contact.radus=1 m"], "contact.radius"),
+                            (["--threads", "0"], "threads"), (["other.yaml"], "one case file")):
+        done = wr_creep(case, *arguments)
+        assert done.returncode == 2, arguments
+        assert part in done.stderr
+        assert len(done.stderr.strip().splitlines()) == 1
+    assert wr_creep().returncode == 2
+
+
+def test_unwritable_output(case, tmp_path):
+    (tmp_path / "file").write_text("x", encoding="utf-8")
+    for folder in (tmp_path / "file", tmp_path / "file/below", "/proc/wr_creep"):
+        done = wr_creep(case, "-o", folder)
+        assert done.returncode == 5, done.stderr
+        assert len(done.stderr.strip().splitlines()) == 1
+    assert (tmp_path / "file").read_text() == "x"
+
+
+def test_not_converged(case, tmp_path):
+    done = wr_creep(case, "-o", tmp_path / "out", "--set", "friction={law: bucher2006}", "--set",
+                    "thermal={conductivity: 0.01 W/(m K)}", "--set", "creep=0.9")
+    assert done.returncode == 4, done.stderr
+    assert not (tmp_path / "out/creep.csv").exists()
+
+
+def test_interrupted_run_goes_on(case, tmp_path):
+    many = [case, "-o", tmp_path / "out", "--set", ROUGH, "--set", "points=2048", "--set",
+            "creep={from: 1e-4, to: 0.1, n: 2000}", "--threads", "1"]
+    running = subprocess.Popen([BIN, *map(str, many)], stderr=subprocess.PIPE, text=True)
+    journal = tmp_path / "out/wr_creep.journal"
+    for _ in range(300):
+        if journal.exists():
+            break
+        time.sleep(0.1)
+    running.send_signal(signal.SIGINT)
+    message = running.communicate(timeout=60)[1]
+    assert running.returncode == 6, message
+    assert "goes on" in message
+    assert not (tmp_path / "out/creep.csv").exists()
+    done = wr_creep(*many, "--set", "creep={from: 1e-4, to: 0.1, n: 2000}")
+    assert done.returncode == 0, done.stderr
+    summary = json.loads((tmp_path / "out/summary.json").read_text())
+    assert summary["points"] == 2000 and summary["points_resumed"] > 0
+    assert not journal.exists()
+
+
+def test_documentation_and_program_agree():
+    """Every keyword and option is documented, and every documented one exists."""
+    text = DOC.read_text(encoding="utf-8")
+    help_text = wr_creep("--help").stdout
+    section = help_text[help_text.index("Keywords of the case file"):help_text.index("Exit codes")]
+    keywords = set(re.findall(r"^  ([a-z][a-z_.]*) ", section, re.M))
+    assert len(keywords) > 30
+    documented = set(re.findall(r"^\| `([a-z][a-z_.]*)` ", text, re.M))
+    assert documented == keywords
+    options = set(re.findall(r"--[a-z][a-z-]+", help_text[: help_text.index("Examples:")]))
+    assert set(re.findall(r"^\* `(?:-\w, )?(--[a-z][a-z-]+)", text, re.M)) == options
+    for code in range(7):
+        assert re.search(rf"^\| {code} \|", text, re.M), code
