@@ -1,0 +1,65 @@
+#!/bin/bash
+# From a folder of friction logs to creep curves with the uncertainty of the law carried through.
+source "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/common.sh"
+
+usage() {
+  cat <<'HELP'
+Usage: campaign_to_creep.sh CAMPAIGN [-o DIR] [--case CASE.yaml] [-- OPTIONS OF wr_creep]
+
+CAMPAIGN is a folder with friction logs (*.friction), as tools/campaign leaves it. Then
+  1. wr_fit    the law of Eq. 2 with its covariance        DIR/law.json, points.csv, fit.png
+  2. wr_creep  the case with this law                      DIR/creep.csv, creep_band.csv, ...
+               and with the paper's law for comparison     DIR/paper/creep.csv, ...
+  3. a picture of both, with the 95 % band of the law      DIR/creep.png
+
+  -o DIR         results (default: results/creep of the checkout)
+  --case CASE    case file (default: examples/wheelrail/table2.yaml)
+  -h, --help     this text
+Example: campaign_to_creep.sh runs -o out -- --set speed="20 m/s"
+
+Environment: MCAWR_BUILD, the build folder (default: build of the checkout)
+Exit codes: 0 ok, 2 usage; else that of the step that failed (4: the logs do not determine the law).
+HELP
+}
+
+campaign='' results=$root/results/creep case=$root/examples/wheelrail/table2.yaml
+while [ $# -gt 0 ]; do
+  case $1 in
+    -o | --case)
+      [ $# -ge 2 ] || die 2 "$1 needs a value; see --help"
+      if [ "$1" = -o ]; then results=$2; else case=$2; fi
+      shift 2
+      ;;
+    -h | --help)
+      usage
+      exit 0
+      ;;
+    --)
+      shift
+      break
+      ;;
+    -*) die 2 "unknown option $1; see --help" ;;
+    *)
+      [ -z "$campaign" ] || die 2 "one folder is expected; see --help"
+      campaign=$1
+      shift
+      ;;
+  esac
+done
+[ -n "$campaign" ] || die 2 "a folder with friction logs is needed; see --help"
+mkdir -p "$results" || exit 5
+
+echo "1/3 wr_fit $campaign"
+"$build/bin/wr_fit" "$campaign" -o "$results/law.json" --points "$results/points.csv" || exit $?
+# with too few points wr_fit writes a report without a law
+grep -q '"mu0"' "$results/law.json" || die 4 "$campaign: too few points for a law; see $results/law.json"
+echo "2/3 wr_creep $case"
+"$build/bin/wr_creep" "$case" -o "$results" "$@" --set friction.law="$results/law.json" || exit $?
+"$build/bin/wr_creep" "$case" -o "$results/paper" -q "$@" --set friction.law=bucher2006 || exit $?
+echo "3/3 pictures"
+if "$root/tools/plot_fit.py" "$results/law.json" -o "$results/fit.png" &&
+  "$root/tools/plot_creep.py" "$results/creep.csv" "$results/paper/creep.csv" --label "fitted law" \
+    --label "paper" -o "$results/creep.png"; then
+  echo "pictures: $results/fit.png, $results/creep.png"
+fi
+echo "law: $results/law.json; creep curves: $results/creep.csv, with 95 % limits: $results/creep_band.csv"
