@@ -14,17 +14,40 @@ constexpr int block = 128;
 
 inline int lesser(int a, int b) { return a < b ? a : b; }
 
-template <int ROW> inline void addRow(double *to, const double *row)
+// Rows of the per-automaton arrays as vectors of the compiler: one load, one addition, one store.
+typedef double Row2 __attribute__((vector_size(16), may_alias));
+typedef double Row4 __attribute__((vector_size(32), may_alias));
+typedef double Row8 __attribute__((vector_size(64), may_alias));
+
+template <class Row> constexpr int lengthOf = sizeof(Row) / sizeof(double);
+
+template <class Row> inline Row *rowOf(double *array, int i)
 {
-  for (int m = 0; m < ROW; m++) to[m] += row[m];
+  return reinterpret_cast<Row *>(array) + i;
 }
 
-template <int ROW>
-void addToBoth(const Pairs &p, int first, int n, const double *rows, double *sums)
+template <class Row> inline const Row *rowOf(const double *array, int i)
 {
-  for (int k = 0; k < n; k++) {
-    addRow<ROW>(sums + ROW * p.i[first + k], rows + ROW * k);
-    addRow<ROW>(sums + ROW * p.j[first + k], rows + ROW * k);
+  return reinterpret_cast<const Row *>(array) + i;
+}
+
+// Adds each pair's row to both of its automata, with the given signs for the second one. Pairs
+// come sorted by i, so that its sum stays in a register.
+template <class Row>
+inline void addToBoth(const Pairs &p, int first, int n, const double *rows, const Row &signs,
+                      double *sums)
+{
+  const int *const pi = p.i + first, *const pj = p.j + first;
+  for (int k = 0; k < n;) {
+    const int i = pi[k];
+    Row sum = *rowOf<Row>(rows, k);
+    *rowOf<Row>(sums, pj[k]) += sum * signs;
+    for (k++; k < n && pi[k] == i; k++) {
+      const Row row = *rowOf<Row>(rows, k);
+      *rowOf<Row>(sums, pj[k]) += row * signs;
+      sum += row;
+    }
+    *rowOf<Row>(sums, i) += sum;
   }
 }
 
@@ -37,18 +60,23 @@ void strainBlock(const Pairs &p, int first, int n, double dt, const PairLaw *law
   double *const pgamma = p.now.gamma + first, *const ptotal = p.now.gammaTotal + first;
   double *const pnx = p.nx + first, *const pny = p.ny + first;
   double *const peps = p.eps + first, *const psep = p.separation + first;
+  // motion of j seen from i; the rotations add up
+  alignas(64) double relative[block * motionRow];
+  const Row8 signs = {-1.0, -1.0, -1.0, -1.0, 1.0, 0.0, 0.0, 0.0};
+  for (int k = 0; k < n; k++)
+    *rowOf<Row8>(relative, k) = *rowOf<Row8>(motion, pj[k]) + signs * *rowOf<Row8>(motion, pi[k]);
 #pragma omp simd
   for (int k = 0; k < n; k++) {
     const double invDiameter = laws[ONE ? 0 : plaw[k]].invDiameter;
-    const int a = motionRow * pi[k], b = motionRow * pj[k];
-    const double dx = motion[b] - motion[a], dy = motion[b + 1] - motion[a + 1];
-    const double r2 = dx * dx + dy * dy;
-    const double r = std::sqrt(r2), invR = 1.0 / r;
+    const double *const row8 = relative + motionRow * k;
+    const double dx = row8[0], dy = row8[1], dvx = row8[2], dvy = row8[3], omegas = row8[4];
+    const double r2 = dx * dx + dy * dy, r = std::sqrt(r2);
+    const double stepN = (dvx * dx + dvy * dy) * dt, stepT = (dvy * dx - dvx * dy) * dt;  // times r
+    const double inverse = 1.0 / (r2 * (r2 - stepN));
+    const double invR = r * (r2 - stepN) * inverse;
     const double nx = dx * invR, ny = dy * invR;
-    const double dvx = motion[b + 2] - motion[a + 2], dvy = motion[b + 3] - motion[a + 3];
-    const double vn = dvx * nx + dvy * ny, vt = dvy * nx - dvx * ny;
-    const double turn = axisRotation(r, vn * dt, vt * dt);
-    const double dgamma = shearIncrement(turn, motion[a + 4] * dt, motion[b + 4] * dt);
+    const double turn = axisRotation(stepT * r2 * inverse);
+    const double dgamma = shearIncrement(turn, omegas * dt);
 
     const double kind = pkind[k];
     const double eps = r * invDiameter - 1.0, e = eps - pplastic[k];
@@ -59,7 +87,7 @@ void strainBlock(const Pairs &p, int first, int n, double dt, const PairLaw *law
     pnx[k] = nx;
     pny[k] = ny;
     peps[k] = eps;
-    psep[k] = vn;
+    psep[k] = dvx * nx + dvy * ny;
 
     double *const row = rows + strainRow * k;
     row[0] = (linked | (e < 0.0)) ? e : 0.0;
@@ -77,7 +105,7 @@ void strainPass(const Pairs &p, double dt, const PairLaw *laws, bool oneLaw, con
       strainBlock<true>(p, first, n, dt, laws, motion, rows);
     else
       strainBlock<false>(p, first, n, dt, laws, motion, rows);
-    addToBoth<strainRow>(p, first, n, rows, strains);
+    addToBoth(p, first, n, rows, Row2{1.0, 1.0}, strains);
   }
 }
 
@@ -90,23 +118,34 @@ void meanPass(int n, const int *type, const AutomatonLaw *laws, const double *st
   }
 }
 
+// Responses of both automata of a block's pairs side by side: those of i, those of j.
+inline void gatherResponses(const Pairs &p, int first, int n, const double *response, double *both)
+{
+  for (int k = 0; k < n; k++) {
+    *rowOf<Row2>(both, 2 * k) = *rowOf<Row2>(response, p.i[first + k]);
+    *rowOf<Row2>(both, 2 * k + 1) = *rowOf<Row2>(response, p.j[first + k]);
+  }
+}
+
 template <bool ONE>
 void stressBlock(const Pairs &p, int first, int n, const PairLaw *laws, const double *response,
                  double *rows)
 {
-  const int *const pi = p.i + first, *const pj = p.j + first, *const plaw = p.law + first;
+  const int *const plaw = p.law + first;
   const double *const pkind = p.now.kind + first, *const pplastic = p.now.plastic + first;
   const double *const pgamma = p.now.gamma + first, *const peps = p.eps + first;
   const double *const pnx = p.nx + first, *const pny = p.ny + first;
+  alignas(64) double both[block * 2 * responseRow];
+  gatherResponses(p, first, n, response, both);
   const PairLaw one = laws[0];
 #pragma omp simd
   for (int k = 0; k < n; k++) {
     const PairLaw &law = ONE ? one : laws[plaw[k]];
-    const double meanI = response[responseRow * pi[k]], meanJ = response[responseRow * pj[k]];
+    const double meanI = both[4 * k], meanJ = both[4 * k + 2];
     const double e = peps[k] - pplastic[k], gamma = pgamma[k];
     const double touching = link::isLinked(pkind[k]) | (e < 0.0) ? 1.0 : 0.0;
     const double sigma = touching * elasticStress(law, e, meanI, meanJ);
-    const StressTensor s = stressShare(sigma, law.meanTwoG() * gamma, pnx[k], pny[k]);
+    const StressTensor s = stressShare(sigma, law.twoG * gamma, pnx[k], pny[k]);
     double *const row = rows + stressRow * k;
     row[0] = s.xx;
     row[1] = s.yy;
@@ -125,7 +164,7 @@ void stressPass(const Pairs &p, const PairLaw *laws, bool oneLaw, const double *
       stressBlock<true>(p, first, n, laws, response, rows);
     else
       stressBlock<false>(p, first, n, laws, response, rows);
-    addToBoth<stressRow>(p, first, n, rows, stresses);
+    addToBoth(p, first, n, rows, Row4{1.0, 1.0, 1.0, 1.0}, stresses);
   }
 }
 
@@ -149,34 +188,35 @@ template <bool ONE>
 double forceBlock(const Pairs &p, int first, int n, const PairLaw *laws, const double *response,
                   double *rows)
 {
-  const int *const pi = p.i + first, *const pj = p.j + first, *const plaw = p.law + first;
+  const int *const plaw = p.law + first;
   const double *const pkind = p.now.kind + first, *const pplastic = p.now.plastic + first;
   const double *const pgamma = p.now.gamma + first, *const ptotal = p.now.gammaTotal + first;
   double *const kind1 = p.next.kind + first, *const plastic1 = p.next.plastic + first;
   double *const gamma1 = p.next.gamma + first, *const total1 = p.next.gammaTotal + first;
   const double *const pnx = p.nx + first, *const pny = p.ny + first;
   const double *const peps = p.eps + first, *const psep = p.separation + first;
+  alignas(64) double both[block * 2 * responseRow];
+  gatherResponses(p, first, n, response, both);
   const PairLaw one = laws[0];
   double changed = 0.0;
 #pragma omp simd reduction(+ : changed)
   for (int k = 0; k < n; k++) {
     const PairLaw &law = ONE ? one : laws[plaw[k]];
-    const int a = responseRow * pi[k], b = responseRow * pj[k];
-    const double meanI = response[a], factorI = response[a + 1];
-    const double meanJ = response[b], factorJ = response[b + 1];
+    const double meanI = both[4 * k], factorI = both[4 * k + 1];
+    const double meanJ = both[4 * k + 2], factorJ = both[4 * k + 3];
     const double kind = pkind[k], plastic = pplastic[k], eps = peps[k], total = ptotal[k];
     const ContactStress s = contactStress(law, kind, eps, plastic, pgamma[k], total, psep[k], meanI,
                                           factorI, meanJ, factorJ);
 
     // next state; conditions as factors of 0 or 1, which vectorise
     const double linkedNext = link::linked(s.kindNext), stays = link::linked(kind) * linkedNext;
-    const double flow = kind == link::bulk ? (s.trial - s.sigma) / law.meanTwoG() : 0.0;
+    const double flow = kind == link::bulk ? (s.trial - s.sigma) * law.invTwoG : 0.0;
     const double dented = plastic + flow;
     // once apart, both surfaces are whole again
     const double apart = eps > (dented > 0.0 ? dented : 0.0) ? 1.0 - linkedNext : 0.0;
     kind1[k] = s.kindNext;
     plastic1[k] = (1.0 - apart) * dented;
-    gamma1[k] = stays * s.tau / law.meanTwoG();
+    gamma1[k] = stays * s.tau * law.invTwoG;
     total1[k] = stays * total;
     changed += kind == s.kindNext ? 0.0 : 1.0;
 
@@ -201,14 +241,7 @@ double forcePass(const Pairs &p, const PairLaw *laws, bool oneLaw, const double 
     const int n = lesser(block, p.n - first);
     changed += oneLaw ? forceBlock<true>(p, first, n, laws, response, rows)
                       : forceBlock<false>(p, first, n, laws, response, rows);
-    for (int k = 0; k < n; k++) {
-      const double *const row = rows + forceRow * k;
-      double *const fi = forces + forceRow * p.i[first + k];
-      double *const fj = forces + forceRow * p.j[first + k];
-      const double opposite[forceRow] = {-row[0], -row[1], row[2], row[3]};
-      addRow<forceRow>(fi, row);
-      addRow<forceRow>(fj, opposite);
-    }
+    addToBoth(p, first, n, rows, Row4{-1.0, -1.0, 1.0, 1.0}, forces);
   }
   return changed;
 }

@@ -16,11 +16,10 @@ struct PairLaw {
   double diameter, invDiameter;  ///< d [length], 1/d
   double area;                   ///< contact area S [length^2]
   double twoGi, twoGj;           ///< 2G of both sides [stress]
+  double twoG, invTwoG;          ///< their mean [stress], and 1/mean
   double Di, Dj;                 ///< weight of the mean stress of both sides [-]
   double viscosity;              ///< eta [stress time]
   LinkLimits limits;
-
-  double meanTwoG() const { return 0.5 * (twoGi + twoGj); }
 };
 
 /// Elastic normal stress of a touching contact [stress]: the mean of both sides' responses.
@@ -66,7 +65,7 @@ inline ContactStress contactStress(const PairLaw &law, double kind, double eps, 
   const double linked = link::linked(kind), pressed = e < 0.0 ? 1.0 : 0.0;
   const double trial = elasticStress(law, e, meanI, meanJ);
   const double returned = returnedStress(trial, meanI, factorI, meanJ, factorJ);
-  const double elasticShear = law.meanTwoG() * gamma;
+  const double elasticShear = law.twoG * gamma;
   const double returnedShear = 0.5 * (factorI + factorJ) * elasticShear;
   const double touching = linked > pressed ? linked : pressed;
   const double sigma = isBulk ? returned : touching * trial;

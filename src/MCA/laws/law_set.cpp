@@ -138,6 +138,8 @@ PairLaw makePairLaw(const LawSet &set, const Material &i, const Material &j, dou
   law.area = HexagonalPacking{diameter, thickness}.contactArea();
   law.twoGi = 2.0 * i.shearModulus();
   law.twoGj = 2.0 * j.shearModulus();
+  law.twoG = 0.5 * (law.twoGi + law.twoGj);
+  law.invTwoG = 1.0 / law.twoG;
   law.Di = manyBody * i.meanStressWeight();
   law.Dj = manyBody * j.meanStressWeight();
   law.viscosity = set.viscosity == "normal" ? 0.5 * (i.viscosity + j.viscosity) : 0.0;
