@@ -1,4 +1,5 @@
 #include "fit_analysis.h"
+#include "replicates.h"
 
 #include <algorithm>
 #include <cmath>
@@ -82,6 +83,16 @@ std::string pointLines(const FitAnalysis &analysis)
   return text;
 }
 
+std::string replicateLines(const FitAnalysis &analysis)
+{
+  std::string text;
+  for (const auto &g : replicateGroups(analysis.points))
+    text += fmt::format("Equal kappas: kappa1 {:.4g}, kappa2 {:.4g}: {} runs, mu {:.4f}, scatter "
+                        "{:.1f} % (their own errors explain {:.1f} %)\n",
+                        g.kappa1, g.kappa2, g.n, g.mu, 100.0 * g.scatter, 100.0 * g.expected);
+  return text;
+}
+
 std::string intervalText(const Interval &interval)
 {
   const auto end = [](double value, bool open) {
@@ -155,10 +166,12 @@ Json pointJson(const FrictionPoint &p)
   json["mu_grinding_in"] = finite(p.mu_grinding_in);
   json["mu_eq2"] = p.mu_eq2;
   json["correlation_time"] = p.correlation_time;
+  json["mu_peak"] = p.mu_peak;
   json["duration"] = p.duration;
   json["pressure"] = p.pressure;
   json["velocity"] = p.velocity;
   json["strength"] = p.strength;
+  json["viscosity"] = p.viscosity;
   json["seed"] = p.seed;
   json["note"] = p.note;
   json["left_out"] = p.left_out;
@@ -195,7 +208,7 @@ Json reportBody(const FitAnalysis &analysis)
 {
   Json report;
   report["program"] = fmt::format("wr_fit {}", WHEELRAIL_VERSION);
-  report["units"] = {{"time", "ns"}, {"stress", "MPa"}, {"velocity", "m/s"}};
+  report["units"] = {{"time", "ns"}, {"stress", "MPa"}, {"velocity", "m/s"}, {"viscosity", "Pa s"}};
   report["kappa2_min"] = analysis.options.kappa2_min;
   report["points"] = Json::array();
   size_t i = 0;
@@ -212,6 +225,14 @@ Json reportBody(const FitAnalysis &analysis)
   }
   const auto paper = againstPaper(analysis);
   report["against_eq2"] = {{"n", paper.n}, {"rms_relative", paper.rms}, {"mean", paper.mean}};
+  report["equal_kappas"] = Json::array();
+  for (const auto &g : replicateGroups(analysis.points))
+    report["equal_kappas"].push_back({{"kappa1", g.kappa1},
+                                      {"kappa2", g.kappa2},
+                                      {"n", g.n},
+                                      {"mu", g.mu},
+                                      {"scatter", g.scatter},
+                                      {"expected", g.expected}});
   if (analysis.fit)
     report["fit"] = fitJson(analysis);
   const double least = leastAicc(analysis);
@@ -241,6 +262,7 @@ std::string textReport(const FitAnalysis &analysis)
     text += fmt::format("Against Eq. 2 with the paper's numbers: RMS {:.1f} %, mean {:+.1f} % ({} "
                         "point{})\n",
                         100.0 * paper.rms, 100.0 * paper.mean, paper.n, paper.n == 1 ? "" : "s");
+  text += replicateLines(analysis);
   if (analysis.fit)
     text += fitLines(analysis);
   else

@@ -59,6 +59,8 @@ FrictionPoint frictionPoint(const FrictionLog &log, const PointOptions &options)
   point.pressure = log.pressure;
   point.velocity = log.velocity;
   point.strength = log.strength;
+  point.viscosity = log.viscosity;
+  point.mu_peak = *std::max_element(log.mu.begin(), log.mu.end());
   point.seed = log.seed;
   point.note = log.note;
   const double origin = log.time.front() - log.interval();

@@ -23,9 +23,11 @@ struct FrictionPoint {
 
   double correlation_time = 0.0; ///< integrated autocorrelation time, ns
   double duration = 0.0;         ///< ns
+  double mu_peak = 0.0;          ///< largest row of the log: the static peak, if rows are short
   double pressure = 0.0;         ///< MPa
   double velocity = 0.0;         ///< m/s
   double strength = 0.0;         ///< MPa
+  double viscosity = 0.0;        ///< Pa s
   long seed = 0;
   std::string note;     ///< why there is no stationary part, or that a cut line was dropped
   std::string left_out; ///< why the point is not fitted; empty: it is

@@ -1,6 +1,7 @@
 #include "errors.h"
 #include "friction_log.h"
 #include "friction_point.h"
+#include "replicates.h"
 
 #include <cmath>
 #include <filesystem>
@@ -202,4 +203,24 @@ TEST(FrictionPoint, grindingInIsWhatComesBeforeTheStationaryPart)
   EXPECT_NEAR(all.mu_grinding_in, 0.6, 0.003);
   fixed.start = 60.0;
   EXPECT_THROW(frictionPoint(log, fixed), Error);
+}
+
+TEST(Replicates, runsOfEqualKappasAreGrouped)
+{
+  std::vector<FrictionPoint> points(6);
+  const double kappa1[] = {4.7, 1.0, 4.7001, 4.7, 4.7, 4.7};
+  const double mu[] = {0.40, 0.3, 0.42, 0.44, 0.9, 0.9};
+  for (int i = 0; i < 6; ++i) {
+    points[i].kappa1 = kappa1[i];
+    points[i].kappa2 = i == 4 ? 30.0 : 365.0;
+    points[i].mu = mu[i];
+    points[i].mu_se = 0.01 * (i + 1);
+  }
+  points[5].left_out = "no stationary part";
+  const auto groups = replicateGroups(points);
+  ASSERT_EQ(groups.size(), 1u);
+  EXPECT_EQ(groups[0].n, 3);
+  EXPECT_DOUBLE_EQ(groups[0].mu, 0.42);
+  EXPECT_NEAR(groups[0].scatter, 0.02 / 0.42, 1e-12);
+  EXPECT_NEAR(groups[0].expected, std::sqrt((1.0 + 9.0 + 16.0) / 3.0) * 0.01 / 0.42, 1e-12);
 }

@@ -120,6 +120,16 @@ def test_outlier_is_reported(tmp_path):
     assert [p["file"].split("/")[-2] for p in points if p.get("outlier")] == ["run15"]
 
 
+def test_scatter_at_equal_kappas(tmp_path):
+    for seed, (v, rho) in enumerate(((5, 7800), (2.5, 31200), (10, 1950)), 1):
+        (tmp_path / f"c{seed}.friction").write_text(
+            friction_logs.friction_log(v=v, rho=rho, seed=seed, factor=1 + 0.1 * (seed - 2)))
+    text = wr_fit(tmp_path, "-o", tmp_path / "fit.json").stdout
+    assert "Equal kappas: kappa1 4.746, kappa2 365.1: 3 runs" in text
+    group = json.loads((tmp_path / "fit.json").read_text())["report"]["equal_kappas"][0]
+    assert 0.07 < group["scatter"] < 0.13
+
+
 def test_one_speed_is_not_identifiable(tmp_path):
     runs = friction_logs.campaign(tmp_path / "c", velocities=(5,), strengths_and_pressures=[
         (92, p) for p in (0.2, 1, 3, 8, 15, 20, 26, 40)])
@@ -193,6 +203,20 @@ def test_pictures(runs, log, tmp_path):
                           capture_output=True, text=True)
     assert made.returncode == 0, made.stderr
     assert (tmp_path / "mu.png").read_bytes().startswith(PNG)
+
+
+def test_figures_4_and_6(tmp_path):
+    runs = friction_logs.campaign(tmp_path / "c", velocities=(2.5, 5), strengths_and_pressures=[(92, 5), (92, 15)])
+    wr_fit(runs, "-q", "-o", tmp_path / "fit.json")
+    for against in ("pressure", "velocity", "viscosity", "strength"):
+        made = subprocess.run([TOOLS / "plot_series.py", tmp_path / "fit.json", "--against", against, "-o",
+                               tmp_path / "x.png"], capture_output=True, text=True)
+        assert made.returncode == 0, made.stderr
+        assert (tmp_path / "x.png").read_bytes().startswith(PNG)
+        (tmp_path / "x.png").unlink()
+    (tmp_path / "fit.json").write_text("{}")
+    one_line(subprocess.run([TOOLS / "plot_series.py", tmp_path / "fit.json", "--against", "velocity"],
+                            capture_output=True, text=True, cwd=tmp_path), 3, "not wr_fit's JSON")
 
 
 def test_missing_matplotlib_does_not_spoil_the_fit(log, tmp_path):
