@@ -45,12 +45,14 @@ void MCALinks::command(int narg, char **arg)
 
   // neighbor list with the present links, as a run's set-up makes it
   lmp->init();
+  if (domain->triclinic) domain->x2lamda(atom->nlocal);
   domain->pbc();
   domain->reset_box();
   comm->setup();
   if (neighbor->style) neighbor->setup_bins();
   comm->exchange();
   comm->borders();
+  if (domain->triclinic) domain->lamda2x(atom->nlocal + atom->nghost);
   neighbor->build(1);
   auto *history = dynamic_cast<FixMCAHistory *>(modify->get_fix_by_id(FixMCAHistory::ID));
   history->post_neighbor();
