@@ -214,3 +214,74 @@ def test_documentation_and_program_agree():
     assert set(re.findall(r"^\* `(?:-\w, )?(--[a-z][a-z-]+)", text, re.M)) == options
     for code in range(7):
         assert re.search(rf"^\| {code} \|", text, re.M), code
+
+
+def test_table_of_keywords_has_the_programs_ranges_and_defaults():
+    text, help_text = DOC.read_text(encoding="utf-8"), wr_creep("--help").stdout
+    for name, allowed, default in re.findall(r"^\| `([a-z][a-z_.]*)` \| (.*?) \| (.*?) \|", text, re.M):
+        line = re.search(rf"^  {re.escape(name)} +(.*)$", help_text, re.M)[1]
+        wanted = allowed.replace(" or ", "|") + (f" [{default.strip('`')}]" if default else "")
+        assert line == wanted, name
+
+
+def test_worked_examples_of_the_help_run(tmp_path):
+    """Every `wr_creep ...` of --help, on this folder's copies of the files it names."""
+    (tmp_path / "table2.yaml").write_text(TABLE2.read_text(encoding="utf-8"), encoding="utf-8")
+    (tmp_path / "law.json").write_text(json.dumps(
+        {"format": "mca-friction-law 1", "mu0": 0.15, "mu1": 0.0442, "mu2": 0.3243, "b": 0.195,
+         "c": 0.00212, "covariance": [[0.0] * 5] * 5, "n": 34, "rms_relative": 0.09,
+         "kappa1_range": [0, 5], "kappa2_range": [2, 1500], "source": "test"}), encoding="utf-8")
+    text = wr_creep("--help").stdout
+    section = text[text.index("Examples:"):text.index("Keywords of the case file")]
+    commands = re.findall(r"^  (wr_creep (?:.*\n {11,})*.*)$", section, re.M)
+    assert len(commands) == 5
+    for command in commands:
+        done = subprocess.run(command.replace("wr_creep", str(BIN), 1).replace("\n", " "), shell=True,
+                              cwd=tmp_path, capture_output=True, text=True, check=False)
+        assert done.returncode == 0, command + done.stderr
+
+
+@pytest.mark.parametrize("name", ["table2", "rough", "measured"])
+def test_examples_run(name, tmp_path):
+    done = wr_creep(SOURCE / f"examples/wheelrail/{name}.yaml", "-o", tmp_path, "-q", "--set",
+                    "creep=[1e-3, 0.1]")
+    assert done.returncode == 0, done.stderr
+
+
+def test_moving_example_reads(tmp_path):
+    done = wr_creep(SOURCE / "examples/wheelrail/moving.yaml", "--print-config")
+    assert done.returncode == 0 and "mode: moving" in done.stdout
+
+
+def test_pictures(case, tmp_path):
+    """plot_creep.py and one figure of plot_wheelrail.py, where matplotlib is there."""
+    pytest.importorskip("matplotlib")
+    wr_creep(case, "-o", tmp_path, "-q")
+    plot = [SOURCE / "tools/plot_creep.py", tmp_path / "creep.csv", "-o", tmp_path / "creep.png"]
+    assert subprocess.run(plot, check=False).returncode == 0
+    assert (tmp_path / "creep.png").stat().st_size > 10000
+    (tmp_path / "creep.csv").write_text("speed,creep\n1,x\n", encoding="utf-8")
+    assert subprocess.run(plot, check=False, capture_output=True).returncode == 3
+    figure = [SOURCE / "tools/plot_wheelrail.py", "fig13", "-o", tmp_path, "--wr-creep", BIN]
+    assert subprocess.run(figure, check=False).returncode == 0
+    assert (tmp_path / "fig13.png").exists() and (tmp_path / "fig13.csv").exists()
+
+
+def test_chain_from_campaign_to_creep(tmp_path):
+    """Logs of Eq. 2 with noise -> law -> creep curves whose band holds those of the paper's law."""
+    import sys
+    sys.path.insert(0, str(pathlib.Path(__file__).parent))
+    import friction_logs
+    friction_logs.campaign(tmp_path / "campaign")
+    done = subprocess.run([SOURCE / "tools/campaign_to_creep.sh", tmp_path / "campaign", "-o", tmp_path / "out",
+                           "--", "--set", "speed=20 m/s", "--set", "creep=[0.01, 0.1]"], check=False,
+                          capture_output=True, text=True, env={**os.environ, "MCAWR_BUILD": str(BIN.parents[1])})
+    assert done.returncode == 0, done.stderr
+    paper = table(tmp_path / "out/paper/creep.csv")
+    for row, other in zip(table(tmp_path / "out/creep_band.csv"), paper, strict=True):
+        assert 0.0 < float(row["standard_error"]) < 0.05
+        assert float(row["low"]) < float(other["traction_ratio"]) < float(row["high"])
+    done = subprocess.run([SOURCE / "tools/campaign_to_creep.sh", tmp_path / "none", "-o", tmp_path / "out2"],
+                          check=False, capture_output=True, text=True,
+                          env={**os.environ, "MCAWR_BUILD": str(BIN.parents[1])})
+    assert done.returncode == 3
