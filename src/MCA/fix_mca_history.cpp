@@ -11,6 +11,7 @@ FixMCAHistory::FixMCAHistory(LAMMPS *host, int narg, char **arg) :
 {
   // the list holds every pair within the cutoff, touching or not, without LAMMPS's contact bit
   use_bit_flag = 0;
+  nevery = 1;
 }
 
 void FixMCAHistory::attach(PairMCA *owner)
@@ -18,6 +19,10 @@ void FixMCAHistory::attach(PairMCA *owner)
   mca = owner;
   pair = owner;
 }
+
+int FixMCAHistory::setmask() { return FixNeighHistory::setmask() | FixConst::END_OF_STEP; }
+
+void FixMCAHistory::end_of_step() { mca->keep_lag(); }
 
 /* before atoms migrate and the list is rebuilt: what the step just done leads to */
 

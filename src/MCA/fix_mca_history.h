@@ -22,6 +22,8 @@ class FixMCAHistory : public FixNeighHistory {
 
   FixMCAHistory(class LAMMPS *, int, char **);
   void attach(PairMCA *);
+  int setmask() override;
+  void end_of_step() override;
   void pre_exchange() override;
   void post_neighbor() override;
   void post_run() override;

@@ -30,7 +30,7 @@ static constexpr const char *DUMMY_STATE = "MCA_STATE_DUMMY";
 
 PairMCA::PairMCA(LAMMPS *host) :
     Pair(host), depth(1.0), cut_user(0.0), onelaw(true), kernel(&mca::bestKernel()),
-    committed(false), fix_history(nullptr), icustom_kappa(-1)
+    committed(false), fix_history(nullptr), icustom_kappa(-1), icustom_lag{-1, -1}
 {
   single_enable = 0;
   manybody_flag = 1;
@@ -88,7 +88,7 @@ void PairMCA::compute(int eflag, int vflag)
   const int *type = atom->type;
   response.reserve(static_cast<size_t>(nall) * mca::responseRow);
   kappa_next.reserve(nlocal);
-  pack_motion(nall);
+  pack_motion(nall, advance);
 
   clear(strains, nall, mca::strainRow);
   kernel->strain(p, advance ? update->dt : 0.0, laws, onelaw, motion.get(), strains.get());
@@ -132,17 +132,30 @@ void PairMCA::count_events()
   }
 }
 
-void PairMCA::pack_motion(int nall)
+/* Within a step forces see the velocities of half a step ago. In set-up the lag that they had when
+   the forces of this step were computed gives them again, so that viscous forces do not change. */
+
+void PairMCA::pack_motion(int nall, bool advance)
 {
   motion.reserve(static_cast<size_t>(nall) * mca::motionRow);
   double *row = motion.get();
   double **x = atom->x, **v = atom->v, **omega = atom->omega;
+  const double *lag_x = atom->dvector[icustom_lag[0]], *lag_y = atom->dvector[icustom_lag[1]];
   for (int i = 0; i < nall; i++, row += mca::motionRow) {
     row[0] = x[i][0];
     row[1] = x[i][1];
-    row[2] = v[i][0];
-    row[3] = v[i][1];
+    row[2] = advance ? v[i][0] : v[i][0] - lag_x[i];
+    row[3] = advance ? v[i][1] : v[i][1] - lag_y[i];
     row[4] = omega[i][2];
+  }
+}
+
+void PairMCA::keep_lag()
+{
+  for (int m = 0; m < 2; m++) {
+    double *lag = atom->dvector[icustom_lag[m]];
+    const double *row = motion.get() + 2 + m;
+    for (int i = 0; i < atom->nlocal; i++, row += mca::motionRow) lag[i] = atom->v[i][m] - *row;
   }
 }
 
@@ -286,10 +299,13 @@ void PairMCA::init_style()
         DUMMY_HISTORY, fmt::format("{} all MCA_HISTORY {}", FixMCAHistory::ID, dnum), 1));
     fix_history->attach(this);
     modify->replace_fix(
-        DUMMY_STATE, "MCA_STATE all property/atom d_mca_kappa d_mca_theta writedata no", 1);
+        DUMMY_STATE, "MCA_STATE all property/atom d_mca_kappa d_mca_theta d_mca_lag_x d_mca_lag_y "
+        "writedata no ghost yes", 1);
   }
   int is_double, columns;
   icustom_kappa = atom->find_custom("mca_kappa", is_double, columns);
+  icustom_lag[0] = atom->find_custom("mca_lag_x", is_double, columns);
+  icustom_lag[1] = atom->find_custom("mca_lag_y", is_double, columns);
   make_laws();
 
   // the packing, not the disc, fixes the mass (laws/packing.h)

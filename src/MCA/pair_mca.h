@@ -45,6 +45,7 @@ class PairMCA : public Pair {
   void pull_history();             // neighbor history -> pair list
   void push_history(bool next);    // pair list -> neighbor history, present or next state
   void commit();                   // the next state of automata becomes the present one
+  void keep_lag();                 // end of a step: velocities less those that made the forces
 
   // ---- for computes, fixes and commands
 
@@ -87,14 +88,14 @@ class PairMCA : public Pair {
   bool committed;            // kappa already holds the values of the coming step
 
   FixMCAHistory *fix_history;
-  int icustom_kappa;
+  int icustom_kappa, icustom_lag[2];
 
   void allocate();
   void make_laws();
   void check_step();
   double *kappa() const;
   double stress_unit() const;
-  void pack_motion(int);
+  void pack_motion(int nall, bool advance);
   void add_up(Stage);
   void pass_on(Stage);
   void count_events();
