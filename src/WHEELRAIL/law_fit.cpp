@@ -1,6 +1,7 @@
 #include "law_fit.h"
 
 #include "errors.h"
+#include "law_problem.h"
 #include "statistics.h"
 
 #include <Eigen/Dense>
@@ -9,154 +10,18 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <limits>
-#include <numeric>
-#include <set>
 #include <stdexcept>
 
 namespace wheelrail {
 
 namespace {
 
-enum Parameter { Mu0, Mu1, Mu2, B, C };
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-// a term is as good as constant when b kappa (c kappa) exceeds this at its smallest kappa
-constexpr double saturation = 100.0;
 // beyond, the parameters are determined to no digit by data of a few per cent scatter
 constexpr double worstCondition = 1e6;
-
-VectorXd asVector(const FrictionLaw &law)
-{
-  VectorXd x(lawParameters);
-  x << law.mu0, law.mu1, law.mu2, law.b, law.c;
-  return x;
-}
-
-void setParameters(FrictionLaw &law, const VectorXd &x)
-{
-  law.mu0 = x[Mu0];
-  law.mu1 = x[Mu1];
-  law.mu2 = x[Mu2];
-  law.b = x[B];
-  law.c = x[C];
-}
-
-/// The weighted problem for given standard deviations of the points. It refers to its arguments.
-class WeightedProblem {
- public:
-  WeightedProblem(LawModel model, const std::vector<LawPoint> &data, VectorXd deviations)
-      : points(data), sigma(std::move(deviations)), free(parametersOf(model))
-  {
-  }
-
-  LeastSquaresProblem make() const
-  {
-    LeastSquaresProblem problem;
-    problem.parameters = lawParameters;
-    problem.residuals = static_cast<int>(points.size());
-    problem.lower = VectorXd::Constant(lawParameters, -infinity);
-    problem.upper = VectorXd::Constant(lawParameters, infinity);
-    for (int k : {Mu0, B, C})
-      problem.lower[k] = 0.0;
-    problem.upper[B] = saturation / smallest([](const LawPoint &p) { return p.kappa1; });
-    problem.upper[C] = saturation / smallest([](const LawPoint &p) { return p.kappa2; });
-    for (bool isFree : free)
-      problem.constant.push_back(!isFree);
-    problem.evaluate = [this](const VectorXd &x, VectorXd &r, MatrixXd *jacobian) {
-      evaluate(x, r, jacobian);
-      return true;
-    };
-    return problem;
-  }
-
-  /// Starts: a grid over b and c, the linear parameters by linear least squares, the best three.
-  std::vector<VectorXd> starts(const LeastSquaresProblem &problem) const
-  {
-    std::vector<std::pair<double, VectorXd>> candidates;
-    for (double b : grid(B, problem.upper[B]))
-      for (double c : grid(C, problem.upper[C]))
-        candidates.push_back(linearFit(b, c));
-    const size_t kept = std::min<size_t>(3, candidates.size());
-    std::partial_sort(candidates.begin(), candidates.begin() + kept, candidates.end(),
-                      [](const auto &p, const auto &q) { return p.first < q.first; });
-    std::vector<VectorXd> result;
-    for (size_t i = 0; i < kept; ++i)
-      result.push_back(candidates[i].second);
-    return result;
-  }
-
- private:
-  template<typename Member>
-  double smallest(Member member) const
-  {
-    double least = infinity;
-    for (const auto &p : points)
-      if (member(p) > 0.0)
-        least = std::min(least, member(p));
-    return std::isfinite(least) ? least : 1.0;
-  }
-
-  std::vector<double> grid(int k, double upper) const
-  {
-    if (!free[k])
-      return {0.0};
-    std::vector<double> values;
-    constexpr int perDecade = 2;
-    constexpr int count = 13; // six decades below the bound
-    for (int i = 1; i < count; ++i)
-      values.push_back(upper * std::pow(10.0, -static_cast<double>(i) / perDecade));
-    return values;
-  }
-
-  std::pair<double, VectorXd> linearFit(double b, double c) const
-  {
-    VectorXd x = VectorXd::Zero(lawParameters);
-    x[B] = b;
-    x[C] = c;
-    std::vector<int> linear;
-    for (int k : {Mu0, Mu1, Mu2})
-      if (free[k])
-        linear.push_back(k);
-    VectorXd r(points.size());
-    MatrixXd jacobian(points.size(), lawParameters);
-    evaluate(x, r, &jacobian);
-    MatrixXd design(points.size(), linear.size());
-    for (size_t j = 0; j < linear.size(); ++j)
-      design.col(j) = jacobian.col(linear[j]);
-    const VectorXd solution = design.colPivHouseholderQr().solve(-r);
-    for (size_t j = 0; j < linear.size(); ++j)
-      x[linear[j]] = solution[j];
-    x[Mu0] = std::max(0.0, x[Mu0]);
-    evaluate(x, r, nullptr);
-    return {r.squaredNorm(), x};
-  }
-
-  void evaluate(const VectorXd &x, VectorXd &r, MatrixXd *jacobian) const
-  {
-    FrictionLaw law;
-    setParameters(law, x);
-    for (size_t i = 0; i < points.size(); ++i) {
-      const auto &p = points[i];
-      const double w = 1.0 / sigma[i];
-      r[i] = w * (law(p.kappa1, p.kappa2) - p.mu);
-      if (!jacobian)
-        continue;
-      const double g1 = 1.0 / (1.0 + law.b * p.kappa1);
-      const double g2 = 1.0 / (1.0 + law.c * p.kappa2);
-      (*jacobian)(i, Mu0) = w;
-      (*jacobian)(i, Mu1) = w * p.kappa1 * g1;
-      (*jacobian)(i, Mu2) = w * g2;
-      (*jacobian)(i, B) = -w * law.mu1 * std::pow(p.kappa1 * g1, 2);
-      (*jacobian)(i, C) = -w * law.mu2 * p.kappa2 * g2 * g2;
-    }
-  }
-
-  const std::vector<LawPoint> &points;
-  VectorXd sigma;
-  std::array<bool, lawParameters> free;
-};
 
 VectorXd deviations(const std::vector<LawPoint> &points, const VectorXd &fitted, double scatter)
 {
@@ -376,7 +241,7 @@ LawFit fitLaw(LawModel model, const std::vector<LawPoint> &points, double level)
   constexpr double tolerance = 1e-7;
   for (int round = 0; round < mostRounds; ++round) {
     sigma = deviations(points, fitted, fit.scatter);
-    const WeightedProblem weighted(model, points, sigma);
+    const LawProblem weighted(model, points, sigma);
     const auto problem = weighted.make();
     auto starts = weighted.starts(problem);
     if (round > 0)
@@ -396,7 +261,7 @@ LawFit fitLaw(LawModel model, const std::vector<LawPoint> &points, double level)
       break;
   }
   sigma = deviations(points, fitted, fit.scatter);
-  const WeightedProblem weighted(model, points, sigma);
+  const LawProblem weighted(model, points, sigma);
   const auto problem = weighted.make();
   solution = solveLeastSquares(problem, {solution.x});
   setParameters(fit.law, solution.x);
