@@ -11,7 +11,6 @@ FixMCAHistory::FixMCAHistory(LAMMPS *host, int narg, char **arg) :
 {
   // the list holds every pair within the cutoff, touching or not, without LAMMPS's contact bit
   use_bit_flag = 0;
-  nevery = 1;
 }
 
 void FixMCAHistory::attach(PairMCA *owner)
@@ -19,10 +18,6 @@ void FixMCAHistory::attach(PairMCA *owner)
   mca = owner;
   pair = owner;
 }
-
-int FixMCAHistory::setmask() { return FixNeighHistory::setmask() | FixConst::END_OF_STEP; }
-
-void FixMCAHistory::end_of_step() { mca->keep_lag(); }
 
 /* before atoms migrate and the list is rebuilt: what the step just done leads to */
 
@@ -39,21 +34,25 @@ void FixMCAHistory::post_neighbor()
   mca->pull_history();
 }
 
-/* the next run's set-up recomputes the forces of this step, hence needs its state */
+/* the next run's set-up, or that of a restart, recomputes the forces of this step, hence needs the
+   state that made them */
 
-void FixMCAHistory::post_run()
+void FixMCAHistory::store_present()
 {
   mca->push_history(false);
   FixNeighHistory::pre_exchange();
 }
 
+void FixMCAHistory::post_run()
+{
+  mca->keep_lag();
+  store_present();
+}
+
 void FixMCAHistory::write_restart(FILE *fp)
 {
   // between runs post_run() has brought the atoms up to date and the list may be stale
-  if (update->whichflag) {
-    mca->push_history(false);
-    FixNeighHistory::pre_exchange();
-  }
+  if (update->whichflag) post_run();
   if (comm->me == 0) {
     int size = 0;
     fwrite(&size, sizeof(int), 1, fp);

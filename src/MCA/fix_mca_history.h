@@ -22,12 +22,11 @@ class FixMCAHistory : public FixNeighHistory {
 
   FixMCAHistory(class LAMMPS *, int, char **);
   void attach(PairMCA *);
-  int setmask() override;
-  void end_of_step() override;
   void pre_exchange() override;
   void post_neighbor() override;
   void post_run() override;
   void write_restart(FILE *) override;
+  void store_present();    // the pairs' present state, without that of a step
 
  private:
   PairMCA *mca;

@@ -75,7 +75,7 @@ void MCALinks::command(int narg, char **arg)
     pair->links().setState(k, state);
     changed += pair->owned_share(k);
   }
-  history->post_run();
+  history->store_present();
 
   double all;
   MPI_Allreduce(&changed, &all, 1, MPI_DOUBLE, MPI_SUM, world);

@@ -45,7 +45,7 @@ class PairMCA : public Pair {
   void pull_history();             // neighbor history -> pair list
   void push_history(bool next);    // pair list -> neighbor history, present or next state
   void commit();                   // the next state of automata becomes the present one
-  void keep_lag();                 // end of a step: velocities less those that made the forces
+  void keep_lag();                 // after a step: velocities less those that made its forces
 
   // ---- for computes, fixes and commands
 

@@ -208,6 +208,10 @@ double nextKindOf(const Sample &s, const Contact &c, const View &w, const Stress
   const mca::Material &mb = s.materials[s.automata[c.j].type];
   const double strength = std::fmin(ma.strength, mb.strength);
   const double limit = std::fmin(ma.breaking_strain, mb.breaking_strain);
+  const double hardness =
+      3 * std::fmin(ma.yield_strength * ma.strength, mb.yield_strength * mb.strength);
+  const double heals =
+      s.laws.heal == mca::LawSet::atHardness ? hardness : s.laws.heal * strength;
   const bool welding = std::isfinite(s.laws.weld);
   const double tension = std::fmax(p.sigma, 0);
   const double intensity = std::sqrt(tension * tension + 3 * p.tau * p.tau);
@@ -222,7 +226,7 @@ double nextKindOf(const Sample &s, const Contact &c, const View &w, const Stress
   if (c.now.kind == 2) {
     if (intensity >= s.laws.weld * strength)
       return -1;
-    return -p.sigma >= s.laws.heal * strength ? 1 : 2;
+    return -p.sigma >= heals ? 1 : 2;
   }
   const double threshold =
       s.laws.link == mca::LawSet::atElasticLimit
@@ -231,7 +235,7 @@ double nextKindOf(const Sample &s, const Contact &c, const View &w, const Stress
   if (-p.sigma < threshold)
     return 0;
   if (c.now.kind == -1)
-    return -p.sigma >= s.laws.heal * strength ? 1 : -1;
+    return -p.sigma >= heals ? 1 : -1;
   return welding ? 2 : 1;
 }
 

@@ -33,7 +33,7 @@ void expectSame(const LawSet &a, const LawSet &b)
 
 } // namespace
 
-TEST(LawSet, PresetsAreThoseOfTheTrial)
+TEST(LawSet, Presets)
 {
   const LawSet a = parsed({"preset", "a"}), b = parsed({});
   EXPECT_EQ(a.link, 2.35);
@@ -41,7 +41,7 @@ TEST(LawSet, PresetsAreThoseOfTheTrial)
   EXPECT_EQ(a.heal, LawSet::off);
   EXPECT_EQ(b.link, LawSet::atElasticLimit);
   EXPECT_EQ(b.weld, 1.0);
-  EXPECT_EQ(b.heal, 2.35);
+  EXPECT_EQ(b.heal, LawSet::atHardness);
   for (const auto &set : {a, b}) {
     EXPECT_EQ(set.elasticity, "many-body");
     EXPECT_EQ(set.plasticity, "radial");
@@ -63,6 +63,8 @@ TEST(LawSet, EachKeyword)
   EXPECT_EQ(parsed({"preset", "a", "link", "elastic_limit"}).link, LawSet::atElasticLimit);
   EXPECT_EQ(parsed({"weld", "0.554"}).weld, 0.554);
   EXPECT_EQ(parsed({"heal", "none"}).heal, LawSet::off);
+  EXPECT_EQ(parsed({"heal", "2.35"}).heal, 2.35);
+  EXPECT_EQ(parsed({"heal", "2.35", "heal", "hardness"}).heal, LawSet::atHardness);
 }
 
 TEST(LawSet, APresetResetsWhatStandsBeforeIt)
@@ -85,6 +87,7 @@ TEST(LawSet, BadValuesNameKeywordValueAndWhatIsAllowed)
                   HasSubstr(std::string("keyword ") + keyword + ", value " + value + ", allowed: "))
           << keyword << " " << value;
   EXPECT_THAT(problemOf({"weld", "elastic_limit"}), HasSubstr("keyword weld"));
+  EXPECT_THAT(problemOf({"heal", "elastic_limit"}), HasSubstr("> 0, hardness, none"));
   EXPECT_EQ(problemOf({"link"}), "keyword link has no value");
 }
 
@@ -109,7 +112,7 @@ TEST(LawSet, WordsReadBack)
            {"preset", "a", "link", "0.1"},
            {"elasticity", "pairwise", "plasticity", "none", "fracture", "none", "viscosity",
             "none"},
-           {"link", "2.3500000000000001", "weld", "0.33333333333333331", "heal", "none"},
+           {"link", "2.35", "weld", "0.33333333333333331", "heal", "none"},
            {"fracture", "stress", "link", "none"}}) {
     const LawSet set = parsed(words);
     expectSame(parsed(set.words()), set);
@@ -137,7 +140,7 @@ TEST(LawSet, PairOfUnlikeMaterials)
   EXPECT_DOUBLE_EQ(law.limits.bulkStrain2, 0.04 * 0.04); // the weaker one decides
   EXPECT_DOUBLE_EQ(law.limits.weldIntensity2, 92.0 * 92.0);
   EXPECT_DOUBLE_EQ(law.limits.linkPressure, 0.3 * 92);
-  EXPECT_DOUBLE_EQ(law.limits.healPressure, 2.35 * 92);
+  EXPECT_DOUBLE_EQ(law.limits.healPressure, 3.0 * 0.870 * 92);
   EXPECT_EQ(law.limits.linkedKind, mca::link::weld);
   EXPECT_EQ(law.limits.bulkIntensity2, LawSet::off);
   const mca::PairLaw turned = mca::makePairLaw(set, weak, strong, 2.0);

@@ -71,7 +71,7 @@ TEST(Linking, AWeldBreaksAtItsOwnIntensity)
 TEST(Linking, AWeldHealsUnderPressure)
 {
   const LinkLimits b = limitsOf();
-  const double s = 2.35 * strength;
+  const double s = 3.0 * steel().sigmaY2();
   EXPECT_EQ(nextKind(link::weld, -below(s), 0, -0.01, 0, b), link::weld);
   EXPECT_EQ(nextKind(link::weld, -s, 0, -0.01, 0, b), link::bulk);
   EXPECT_EQ(nextKind(link::weld, -above(s), 0, -0.01, 0, b), link::bulk);
@@ -124,7 +124,7 @@ TEST(Linking, AWornContactIsUnloadedBeforeItLinksAgain)
   EXPECT_EQ(nextKind(link::worn, -y1, 0, -0.01, 0, b), link::worn);
   EXPECT_EQ(nextKind(link::worn, -below(y1), 0, -0.01, 0, b), link::none);
   EXPECT_EQ(nextKind(link::worn, 0, 0, 0.01, 0, b), link::none);
-  const double heal = 2.35 * strength;
+  const double heal = 3.0 * steel().sigmaY2();
   EXPECT_EQ(nextKind(link::worn, -below(heal), 0, -0.01, 0, b), link::worn);
   EXPECT_EQ(nextKind(link::worn, -heal, 0, -0.01, 0, b), link::bulk);
   EXPECT_FALSE(link::isLinked(link::worn));

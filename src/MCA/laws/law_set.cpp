@@ -3,9 +3,9 @@
 #include "nearest_word.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <cstdlib>
-#include <sstream>
 
 namespace mca {
 
@@ -13,10 +13,9 @@ static std::string shortest(double value)
 {
   if (value == LawSet::off) return "none";
   if (value == LawSet::atElasticLimit) return "elastic_limit";
-  std::ostringstream text;
-  text.precision(17);
-  text << value;
-  return text.str();
+  if (value == LawSet::atHardness) return "hardness";
+  char text[32];
+  return std::string(text, std::to_chars(text, text + sizeof(text), value).ptr);
 }
 
 namespace {
@@ -28,7 +27,8 @@ struct Choice {
 struct Threshold {
   const char *keyword;
   double LawSet::*value;
-  bool takesElasticLimit;
+  std::string material;  // word for a stress of the material, if the threshold takes one
+  double materialValue;
 };
 const std::vector<Choice> &choices()
 {
@@ -43,9 +43,9 @@ const std::vector<Choice> &choices()
 const std::vector<Threshold> &thresholds()
 {
   static const std::vector<Threshold> table = {
-      {"link", &LawSet::link, true},
-      {"weld", &LawSet::weld, false},
-      {"heal", &LawSet::heal, false},
+      {"link", &LawSet::link, "elastic_limit", LawSet::atElasticLimit},
+      {"weld", &LawSet::weld, "", 0.0},
+      {"heal", &LawSet::heal, "hardness", LawSet::atHardness},
   };
   return table;
 }
@@ -105,13 +105,13 @@ std::string LawSet::parse(const std::vector<std::string> &words)
     const bool isNumber = !value.empty() && *end == '\0' && std::isfinite(number) && number > 0;
     if (value == "none")
       this->*threshold->value = off;
-    else if (value == "elastic_limit" && threshold->takesElasticLimit)
-      this->*threshold->value = atElasticLimit;
+    else if (!value.empty() && value == threshold->material)
+      this->*threshold->value = threshold->materialValue;
     else if (isNumber)
       this->*threshold->value = number;
     else
-      return bad(std::string("a multiple of the strength > 0, ") +
-                 (threshold->takesElasticLimit ? "elastic_limit, none" : "none"));
+      return bad("a multiple of the strength > 0, " +
+                 (threshold->material.empty() ? "" : threshold->material + ", ") + "none");
   }
   if (heal != off && weld == off) return "keyword heal needs welds: give weld a value";
   return "";
@@ -148,7 +148,9 @@ PairLaw makePairLaw(const LawSet &set, const Material &i, const Material &j, dou
   law.limits.weldIntensity2 = squared(set.weld * weaker);
   law.limits.linkPressure = set.link == LawSet::atElasticLimit ? std::min(i.sigmaY1(), j.sigmaY1())
                                                                : set.link * weaker;
-  law.limits.healPressure = set.heal * weaker;
+  law.limits.healPressure = set.heal == LawSet::atHardness
+      ? 3.0 * std::min(i.sigmaY2(), j.sigmaY2())
+      : set.heal * weaker;
   law.limits.linkedKind = set.weld == LawSet::off ? link::bulk : link::weld;
   return law;
 }

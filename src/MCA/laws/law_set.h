@@ -13,10 +13,11 @@
 namespace mca {
 
 /// A choice of exchangeable laws. Thresholds are multiples of the strength sigma_0; infinity
-/// switches a transition off; a negative `link` stands for the material's elastic limit.
+/// switches a transition off; negative values stand for a stress of the material.
 struct LawSet {
   static constexpr double off = std::numeric_limits<double>::infinity();
-  static constexpr double atElasticLimit = -1.0;
+  static constexpr double atElasticLimit = -1.0;  ///< sigma_y1
+  static constexpr double atHardness = -2.0;      ///< 3 sigma_y2 (Tabor)
 
   std::string preset = "b";
   std::string elasticity = "many-body";  ///< or pairwise: plane Poisson's ratio 0
@@ -24,7 +25,7 @@ struct LawSet {
   std::string fracture = "strain";       ///< of bulk links: strain, stress or none
   double link = atElasticLimit;          ///< compression that links an unlinked contact
   double weld = 1.0;                     ///< strength of welds; off: contacts become bulk links
-  double heal = 2.35;                    ///< compression that turns a weld into a bulk link
+  double heal = atHardness;                   ///< compression that turns a weld into a bulk link
   std::string viscosity = "normal";      ///< or none
 
   /// Set A (one kind of link), set B (bulk links and welds, the default).
