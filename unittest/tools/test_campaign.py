@@ -260,6 +260,10 @@ def test_bad_surroundings(plan, tmp_path):
     one_line(campaign("run", plan, "-o", tmp_path / "o", env=environment(MCAWR_LMP="/nonexistent/lmp")), 5, "lmp is not there")
     (tmp_path / "file").write_text("")
     one_line(campaign("run", plan, "-o", tmp_path / "file" / "o"), 5, "cannot be made")
+    one_line(campaign("run", plan, "-o", tmp_path / "o", "--launcher", "nosuchlauncher -n 2"), 5, "nosuchlauncher")
+    (tmp_path / "lmp").write_text("no program")
+    (tmp_path / "lmp").chmod(0o755)
+    one_line(campaign("run", plan, "-o", tmp_path / "o", env=environment(MCAWR_LMP=str(tmp_path / "lmp"))), 5, "Exec format")
     one_line(campaign("list", "velocty"), 3, "the nearest known one is 'velocity'")
     assert campaign("run", plan).returncode == 2
     assert campaign("--help").returncode == 0
@@ -340,5 +344,11 @@ def test_real_run_goes_on_after_a_kill(tmp_path):
     assert not (out / "tiny" / "run.friction").exists()
     result = campaign("run", path, "-o", out, env=env, timeout=120)
     assert result.returncode == 0, result.stdout + result.stderr
-    rows = [line.split() for line in logs(out)["tiny"].split("\n") if line[:1].isdigit()]
-    assert [int(r[0]) for r in rows] == [200 * i for i in range(1, 61)]
+    campaign("run", path, "-o", tmp_path / "whole", env=env, timeout=120)
+
+    def rows(folder):
+        return [line.split() for line in logs(folder)["tiny"].split("\n") if line[:1].isdigit()]
+    assert [int(r[0]) for r in rows(out)] == [200 * i for i in range(1, 61)]
+    # rounding errors have no time to grow in 0.6 ns
+    for resumed, uninterrupted in zip(rows(out), rows(tmp_path / "whole")):
+        assert float(resumed[5]) == pytest.approx(float(uninterrupted[5]), abs=1e-3)
