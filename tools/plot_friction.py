@@ -62,14 +62,14 @@ def read_log(path):
 
 
 def running_mean(values, half):
-    """Mean over 2 half + 1 rows centred on each; the window narrows at the ends."""
+    """Mean over 2 half + 1 rows centred on each; at the ends over those of them that are there."""
     total = [0.0]
     for value in values:
         total.append(total[-1] + value)
     result = []
     for i in range(len(values)):
-        reach = min(half, i, len(values) - 1 - i)
-        result.append((total[i + reach + 1] - total[i - reach]) / (2 * reach + 1))
+        first, last = max(0, i - half), min(len(values) - 1, i + half)
+        result.append((total[last + 1] - total[first]) / (last + 1 - first))
     return result
 
 
