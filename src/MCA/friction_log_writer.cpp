@@ -70,31 +70,47 @@ static std::string joined(const std::vector<std::string> &pairs)
   return all;
 }
 
+// YAML 1.1 takes a number with an exponent for text unless it has a point
+static std::string number(double value)
+{
+  std::ostringstream text;
+  text.precision(12);
+  text << value;
+  std::string word = text.str();
+  const auto exponent = word.find('e');
+  if (exponent != std::string::npos && word.find('.') == std::string::npos)
+    word.insert(exponent, ".0");
+  return word;
+}
+
 void FrictionLogWriter::begin(const std::string &path, const LogHeader &h, const LogUnits &u)
 {
   close();
   path_ = path;
   const Material &m = h.material;
   std::ostringstream text;
-  text.precision(12);
   text << format << "\n"
-       << "# program: {name: mca-wheelrail, version: " << MCA_VERSION << ", lammps: "
-       << h.lammpsVersion << "}\n"
+       << "# program: {name: mca-wheelrail, version: " << MCA_VERSION
+       << ", lammps: " << h.lammpsVersion << "}\n"
        << "# units: {time: ns, length: nm, stress: MPa, velocity: m/s, density: kg/m3, "
           "viscosity: Pa s}\n"
-       << "# material: {youngs_modulus: " << m.youngs_modulus * u.stress
-       << ", poissons_ratio: " << m.poissons_ratio << ", density: " << m.density * u.density
-       << ", elastic_limit: " << m.sigmaY1() * u.stress
-       << ", yield_strength: " << m.sigmaY2() * u.stress << ", yield_strain: " << m.yield_strain
-       << ", strength: " << m.strength * u.stress << ", breaking_strain: " << m.breaking_strain
-       << ", viscosity: " << m.viscosity * u.viscosity() << "}\n"
-       << "# loading: {pressure: " << h.pressure * u.stress
-       << ", velocity: " << h.velocity * u.velocity() << "}\n"
-       << "# geometry: {width: " << h.width * u.length << ", thickness: " << h.thickness * u.length
-       << ", diameter: " << m.diameter * u.length << ", packing: hex, automata: " << h.automata
-       << "}\n"
+       << "# material: {youngs_modulus: " << number(m.youngs_modulus * u.stress)
+       << ", poissons_ratio: " << number(m.poissons_ratio)
+       << ", density: " << number(m.density * u.density)
+       << ", elastic_limit: " << number(m.sigmaY1() * u.stress)
+       << ", yield_strength: " << number(m.sigmaY2() * u.stress)
+       << ", yield_strain: " << number(m.yield_strain)
+       << ", strength: " << number(m.strength * u.stress)
+       << ", breaking_strain: " << number(m.breaking_strain)
+       << ", viscosity: " << number(m.viscosity * u.viscosity()) << "}\n"
+       << "# loading: {pressure: " << number(h.pressure * u.stress)
+       << ", velocity: " << number(h.velocity * u.velocity()) << "}\n"
+       << "# geometry: {width: " << number(h.width * u.length)
+       << ", thickness: " << number(h.thickness * u.length)
+       << ", diameter: " << number(m.diameter * u.length)
+       << ", packing: hex, automata: " << h.automata << "}\n"
        << "# laws: {" << joined(h.laws) << "}\n"
-       << "# run: {timestep: " << h.timestep * u.time << ", every: " << h.every
+       << "# run: {timestep: " << number(h.timestep * u.time) << ", every: " << h.every
        << ", seed: " << h.seed << "}\n"
        << "step time displacement shear_stress normal_stress mu links broken formed gap\n";
   replaceBy(text.str());

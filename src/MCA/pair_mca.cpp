@@ -44,7 +44,7 @@ PairMCA::PairMCA(LAMMPS *host) :
 
   // placeholders, so that the internal fixes come before all fixes of the input script; they are
   // replaced in init_style(), when a restart file's contents for them are known
-  if (modify->get_fix_by_id(FixMCAHistory::ID))
+  if (modify->get_fix_by_id(FixMCAHistory::ID) || modify->get_fix_by_id(DUMMY_HISTORY))
     error->all(FLERR, "Only one pair style mca at a time allowed");
   modify->add_fix(fmt::format("{} all DUMMY", DUMMY_HISTORY));
   modify->add_fix(fmt::format("{} all DUMMY", DUMMY_STATE));
