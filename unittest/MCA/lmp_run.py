@@ -60,13 +60,13 @@ class Result:
 
 def lmp(script, folder, ranks=1, env=None, check=True, launcher=LMP, **variables):
     """Runs an input: the name of a file in inputs/, or the text itself. Variables become -var;
-    the commands `before` (the box) and `extra` (before the run) go by files."""
+    the commands `before` (the box), `extra` (before the run) and `after` go by files."""
     folder = pathlib.Path(folder)
     folder.mkdir(parents=True, exist_ok=True)
     path = INPUTS / script if "\n" not in script else folder / "in.test"
     if "\n" in script:
         path.write_text(script)
-    for name in ("before", "extra"):
+    for name in ("before", "extra", "after"):
         if name in variables:
             commands = folder / f"{name}.txt"
             commands.write_text(variables[name] + "\n")

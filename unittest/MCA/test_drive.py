@@ -1,0 +1,116 @@
+"""fix mca/drive: prescribed speed, rigid layer, constant normal pressure, and its log."""
+
+import os
+
+import numpy as np
+import pytest
+import yaml
+
+from lmp_run import dump, friction_log, lmp
+
+V, P = 8.0, 40.0
+
+
+@pytest.fixture(scope="module", params=[1, 3])
+def driven(request, tmp_path_factory):
+    folder = tmp_path_factory.mktemp(f"driven{request.param}")
+    result = lmp("in.driven", folder, ranks=request.param, v=V, p=P)
+    return result, dump(folder / "layer.dump"), friction_log(folder / "driven.friction")
+
+
+def test_speed_is_exact_and_the_layer_rigid(driven):
+    frames = driven[1]
+    first = frames[0][1]
+    for step, f in frames[1:]:
+        assert (f["vx"] == V).all()
+        assert (f["omegaz"] == 0).all() and (f["c_state"] == 0).all()
+        assert np.ptp(f["vy"]) == 0
+        shift = f["yu"] - first["yu"]
+        assert np.ptp(shift) < 1e-12
+        assert np.abs(f["xu"] - first["xu"] - V * step * 5e-5).max() < 1e-10
+
+
+def test_mean_normal_stress_is_the_pressure(driven):
+    log = driven[2][1]
+    half = len(log["step"]) // 2
+    assert log["normal_stress"][half:].mean() == pytest.approx(P, rel=0.02)
+
+
+def test_log_describes_itself(driven):
+    head = yaml.safe_load(driven[2][0])
+    assert head["format"] == "mca-friction 1"
+    assert head["loading"] == {"pressure": P, "velocity": V}
+    assert head["material"]["youngs_modulus"] == 206000
+    assert head["material"]["density"] == pytest.approx(7800)
+    assert head["material"]["elastic_limit"] == pytest.approx(0.554 * 92)
+    assert head["material"]["viscosity"] == pytest.approx(0.41)
+    assert head["geometry"]["width"] == 50 and head["geometry"]["packing"] == "hex"
+    assert head["geometry"]["automata"] == 280 and head["geometry"]["diameter"] == 2.5
+    assert head["run"] == {"timestep": 5e-5, "every": 50, "seed": 11}
+    assert head["laws"]["preset"] == "b" and head["units"]["stress"] == "MPa"
+    assert head["program"]["lammps"] == 20250204 or head["program"]["lammps"] > 20250204
+
+
+def test_log_columns(driven):
+    result, _, (_, log) = driven
+    assert list(log) == ["step", "time", "displacement", "shear_stress", "normal_stress", "mu",
+                         "links", "broken", "formed", "gap"]
+    assert (log["step"] == np.arange(50, 4001, 50)).all()
+    assert np.allclose(log["time"], log["step"] * 5e-5, rtol=1e-9)
+    assert np.allclose(log["displacement"], V * log["time"], rtol=1e-9)
+    assert np.allclose(log["mu"], log["shear_stress"] / P, rtol=1e-7, atol=1e-12)
+    # links change by what broke and formed
+    change = np.diff(log["links"])
+    assert (change == log["formed"][1:] - log["broken"][1:]).all()
+    # the rows are means over their steps: the running mean of thermo over the same steps
+    t = result.thermo[0]
+    assert np.allclose(t["f_row[1]"][1:], log["shear_stress"], rtol=1e-6, atol=1e-9)
+    assert np.allclose(t["f_row[2]"][1:], log["normal_stress"], rtol=1e-6, atol=1e-9)
+
+
+def test_scalar_and_vector_of_thermo(driven):
+    result, frames, (_, log) = driven
+    t = result.thermo[0]
+    assert np.allclose(t["f_drive"], t["f_drive[1]"] / P, rtol=1e-12)
+    assert (t["f_drive"] == t["f_drive[3]"]).all()
+    assert np.allclose(t["f_drive[4]"], V * t["Step"] * 5e-5, rtol=1e-10)
+    assert np.allclose(t["f_drive[5]"][1:], log["gap"], rtol=1e-6, atol=1e-9)
+    gap = [f["yu"].mean() - frames[0][1]["yu"].mean() for _, f in frames]
+    assert np.allclose(t["f_drive[5]"], gap, atol=1e-10)
+    # work: shear stress x area x path, per thickness 1 and width 50
+    work = np.concatenate([[0], np.cumsum(log["shear_stress"]) * 50 * V * 50 * 5e-5])
+    assert np.allclose(t["f_drive[6]"], work, rtol=1e-6, atol=1e-6 * np.abs(work).max())
+
+
+def test_momentum_balance_of_the_layer(driven):
+    """Mass x acceleration of the layer = normal stress - pressure."""
+    log, frames = driven[2][1], driven[1]
+    steps = [s for s, _ in frames]
+    speed = np.array([f["vy"][0] for _, f in frames])
+    mass_per_area = 20 * 0.0078 * np.sqrt(0.75) * 2.5**2 / 50
+    impulse = np.cumsum((log["normal_stress"] - P) * 50 * 5e-5)
+    moved = mass_per_area * (speed[1:] - speed[0])
+    assert len(steps) == len(log["step"]) + 1
+    # the sums are over steps, Verlet's momentum over half steps at both ends
+    assert np.abs(moved - impulse).max() < 0.02 * np.abs(impulse).max() + 2 * 5e-5 * 300
+
+
+def test_variable_velocity_and_pressure(tmp_path):
+    lmp("in.driven", tmp_path, v="v_ramp", p="v_load")
+    frames = dump(tmp_path / "layer.dump")
+    for step, f in frames[1:]:
+        # the speed of a step is that of its post-force
+        assert np.allclose(f["vx"], 2 + 10 * step * 5e-5, rtol=1e-12)
+    log = friction_log(tmp_path / "driven.friction")[1]
+    assert log["displacement"][-1] == pytest.approx(2 * 0.2 + 5 * 0.2**2, rel=1e-3)
+
+
+def test_log_of_a_second_run_goes_on(tmp_path):
+    lmp("in.driven", tmp_path, v=V, p=P, extra="run 1000")
+    log = friction_log(tmp_path / "driven.friction")[1]
+    assert (np.diff(log["step"]) == 50).all() and log["step"][-1] == 5000
+
+
+def test_no_half_written_files(driven):
+    folder = driven[0].folder
+    assert not [f for f in os.listdir(folder) if f.endswith(".tmp")]

@@ -1,0 +1,93 @@
+"""Loading the plugin: by command, by path, twice, after clear; two runs in one input."""
+
+import os
+
+import pytest
+
+from lmp_run import PLUGIN, fails, lmp
+
+BARE = os.environ["MCA_LMP_BARE"]
+SAMPLE = """
+units nano
+dimension 2
+atom_style sphere
+boundary p p p
+lattice hex 2.5
+region box block 0 25 0 $(8*2.5*sqrt(3)/2) -0.5 0.5 units box
+create_box 1 box
+create_atoms 1 box
+pair_style mca
+pair_coeff * * steel.mca
+mca_links create all all
+timestep 5e-5
+velocity all create 1.0 4711
+fix 1 all nve/mca
+compute links all mca/atom links
+compute sum all reduce sum c_links
+thermo_style custom step pe c_sum
+"""
+
+
+def bare(script, folder, path=None, **more):
+    env = {"LAMMPS_POTENTIALS": os.path.join(os.environ["PROJECT_SOURCE"], "potentials"),
+           "LAMMPS_PLUGIN_PATH": path or ""}
+    return lmp(script, folder, launcher=BARE, env=env, **more)
+
+
+def test_plugin_load(tmp_path):
+    result = bare(f"plugin load {PLUGIN}\n{SAMPLE}\nrun 10\n", tmp_path)
+    assert result.thermo[0]["c_sum"][-1] == 6 * 80
+
+
+def test_plugin_path(tmp_path):
+    assert bare(SAMPLE + "run 10\n", tmp_path, path=os.path.dirname(PLUGIN)).rc == 0
+
+
+def test_without_the_plugin_the_style_is_unknown(tmp_path):
+    result = bare(SAMPLE, tmp_path, check=False)
+    assert result.rc != 0 and "Unrecognized pair style 'mca'" in result.out + result.err
+
+
+def test_loading_twice(tmp_path):
+    result = bare(f"plugin load {PLUGIN}\nplugin load {PLUGIN}\n{SAMPLE}\nrun 10\n", tmp_path)
+    assert result.thermo[0]["c_sum"][-1] == 480
+
+
+def test_clear_and_again(tmp_path):
+    once = SAMPLE + "run 10\n"
+    result = bare(f"{once}clear\n{once}", tmp_path, path=os.path.dirname(PLUGIN))
+    first, second = result.thermo
+    assert (first["PotEng"] == second["PotEng"]).all()
+    result = bare(f"plugin load {PLUGIN}\n{once}clear\nplugin load {PLUGIN}\n{once}", tmp_path / "b")
+    assert len(result.thermo) == 2
+
+
+@pytest.mark.parametrize("between", ["", "pair_style mca\npair_coeff * * steel.mca\n"])
+def test_two_runs_in_one_input(tmp_path, between):
+    result = lmp(SAMPLE + "run 10\n" + between + "run 10\n", tmp_path)
+    assert len(result.thermo) == 2
+    if not between:
+        assert result.thermo[1]["PotEng"][0] == result.thermo[0]["PotEng"][-1]
+
+
+def test_unload(tmp_path):
+    script = f"plugin load {PLUGIN}\n{SAMPLE}\nrun 5\nplugin unload pair mca\npair_style zero 5.0\n" \
+             "pair_coeff * *\n"
+    assert bare(script, tmp_path).rc == 0
+
+
+@pytest.mark.parametrize("ranks", [1, 2])
+def test_step_above_the_critical_one_is_refused(tmp_path, ranks):
+    fails(SAMPLE + "timestep 1e-4\nrun 10\n", tmp_path, "Timestep 0.0001 is longer than the critical",
+          "5.69", ranks=ranks)
+    script = SAMPLE.replace("pair_style mca", "pair_style mca viscosity none")
+    fails(script + "timestep 3e-4\nrun 10\n", tmp_path, "0.000277")
+    lmp(script + "timestep 2.7e-4\nrun 10\n", tmp_path)
+    # also when it grows during the input
+    fails(script + "run 5\ntimestep 3e-4\nrun 10\n", tmp_path, "0.000277")
+
+
+def test_mass_is_that_of_the_solid(tmp_path):
+    result = lmp(SAMPLE + "variable rho equal mass(all)/vol\nthermo_style custom step v_rho\nrun 0\n",
+                 tmp_path)
+    assert result.thermo[0]["v_rho"][0] == pytest.approx(0.0078, rel=1e-6)
