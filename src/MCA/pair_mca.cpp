@@ -289,6 +289,9 @@ void PairMCA::init_style()
     error->all(FLERR, "Pair style mca requires dimension 2 in this version");
   if (force->special_lj[1] != 1.0 && atom->molecular != Atom::ATOMIC)
     error->all(FLERR, "Pair style mca requires special_bonds lj 1 1 1");
+  if (comm->style == Comm::TILED && force->newton_pair)
+    error->all(FLERR, "Pair style mca with comm_style tiled requires newton off (LAMMPS passes pair "
+               "histories between ranks with comm_style brick only)");
   comm->ghost_velocity = 1;    // shear of a contact needs both velocities
 
   neighbor->add_request(this);
