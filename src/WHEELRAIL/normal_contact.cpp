@@ -344,7 +344,8 @@ NormalContactResult solveOnGrids(HalfPlane &halfPlane, const NormalContactProble
   return result;
 }
 
-constexpr int shortestFitted = 30; // cells
+constexpr int shortestFitted = 30;     // cells
+constexpr double trustedMisfit = 2e-4; // rough intervals are no polynomials: keep their faces
 
 /// How far inside the outer face of the edge cell p^2 vanishes, in cells: zero of a cubic fitted
 /// to p^2. The fit leaves out the cells next to the edge, whose pressure depends on where in them
@@ -363,6 +364,8 @@ double edgeInset(const Vector &pressure, int edge, int inward, int cells)
     squares[k] = std::pow(pressure[edge + inward * cell], 2);
   }
   const Vector c = basis.householderQr().solve(squares);
+  if ((basis * c - squares).norm() > trustedMisfit * squares.norm())
+    return 0.0;
   double t = 0.0;
   for (int step = 0; step < 8; ++step) {
     const double slope = c[1] + t * (2.0 * c[2] + 3.0 * c[3] * t);

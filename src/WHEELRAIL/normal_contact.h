@@ -66,7 +66,7 @@ struct ContactInterval {
 /// Intervals of cells with pressure > 0. Near an edge p^2 is linear in x (p ~ sqrt of the
 /// distance), so the edge is where p^2, fitted on inner cells, vanishes: for a smooth contact this
 /// places it to a hundredth of a cell or better, where counting cells is off by up to one.
-/// Intervals of fewer than 30 cells are as long as their cells.
+/// Intervals of fewer than 30 cells, and those too rough for the fit, are as long as their cells.
 std::vector<ContactInterval> contactIntervals(const Eigen::VectorXd &pressure, Boundary boundary);
 
 /// Sum of the intervals' lengths, in cells.
