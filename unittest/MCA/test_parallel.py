@@ -4,20 +4,23 @@ import pytest
 
 from lmp_run import dump, friction_log, largest_difference, lmp
 
-TRAJECTORY = ["x", "y", "vx", "vy", "c_state[5]"]
-# Round-off of positions is a strain of 1e-16: it makes stresses of 1e-16 E and forces of 1e-16 E d h
+TRAJECTORY = ["x", "y", "c_state[5]"]
+# Round-off of positions is a strain s of about 1e-16, which contacts that touch and part let grow.
+# It makes stresses s E, forces s E d h and velocities s c: the scales of the comparison.
+VELOCITIES, SOUND = ["vx", "vy"], 5140
 STRESSES, MODULUS = ["c_state[1]", "c_state[2]", "c_state[3]", "c_state[4]"], 206000
 FORCES = ["fx", "fy", "tqz"]
 COUNTS = ["type", "c_state[6]", "c_state[7]"]
 
 
 def slide(folder, data, **more):
-    result = lmp("in.sliding", folder, data=data, **more)
+    result = lmp("in.sliding", folder, data=data, v=5, p=30, **more)
     return result, dump(folder / "final.dump")[-1][1], friction_log(folder / "sliding.friction")[1]
 
 
 def compare(frame, serial):
     assert largest_difference(frame, serial, TRAJECTORY) < 1e-10
+    assert largest_difference(frame, serial, VELOCITIES, SOUND) < 1e-10
     assert largest_difference(frame, serial, STRESSES, MODULUS) < 1e-10
     assert largest_difference(frame, serial, FORCES, MODULUS * 2.5) < 1e-10
     for name in COUNTS:
@@ -31,7 +34,7 @@ def serial(rough_data, tmp_path_factory):
 
 def test_links_break_and_form(serial):
     _, frame, log = serial
-    assert log["broken"].sum() > 20 and log["formed"].sum() > 20
+    assert log["broken"].sum() > 10 and log["formed"].sum() > 10
     assert frame["c_state[5]"].max() > 1e-3
 
 
