@@ -25,17 +25,17 @@ class ComputeMCAAtom : public Compute {
   double memory_usage() override;
 
  private:
-  std::vector<int> columns;    // numbers in the table of attributes
+  std::vector<int> columns; // numbers in the table of attributes
   PairMCA *pair;
   int nmax;
-  double *single;              // one attribute: a vector
-  double **several;            // more: an array
-  std::vector<double> linked;  // links and welds of owned and ghost automata
+  double *single;             // one attribute: a vector
+  double **several;           // more: an array
+  std::vector<double> linked; // links and welds of owned and ghost automata
 
   void count_links();
   double value(int attribute, int i) const;
 };
 
-}    // namespace LAMMPS_NS
+} // namespace LAMMPS_NS
 
 #endif

@@ -23,7 +23,7 @@ class ComputeMCALinkLocal : public Compute {
   double memory_usage() override;
 
  private:
-  std::vector<int> columns;    // numbers in the table of attributes
+  std::vector<int> columns; // numbers in the table of attributes
   PairMCA *pair;
   int nmax;
   double *single;
@@ -33,6 +33,6 @@ class ComputeMCALinkLocal : public Compute {
   double value(int attribute, int k) const;
 };
 
-}    // namespace LAMMPS_NS
+} // namespace LAMMPS_NS
 
 #endif

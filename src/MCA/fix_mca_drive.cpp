@@ -24,15 +24,17 @@ using namespace FixConst;
 
 /* fix ID group mca/drive velocity V pressure P [file F] [every N] [seed S] */
 
-FixMCADrive::FixMCADrive(LAMMPS *host, int narg, char **arg) :
-    Fix(host, narg, arg), every(1000), seed(0), pair(nullptr), begun(false), restarted(false),
-    area(0.0), mass(0.0), shear(0.0), normal(0.0), start_height(0.0), displacement(0.0), work(0.0),
-    shear_sum(0.0), normal_sum(0.0), samples(0.0), broken_before(0.0), formed_before(0.0)
+FixMCADrive::FixMCADrive(LAMMPS *host, int narg, char **arg)
+    : Fix(host, narg, arg), every(1000), seed(0), pair(nullptr), begun(false), restarted(false),
+      area(0.0), mass(0.0), shear(0.0), normal(0.0), start_height(0.0), displacement(0.0),
+      work(0.0), shear_sum(0.0), normal_sum(0.0), samples(0.0), broken_before(0.0),
+      formed_before(0.0)
 {
   bool has_velocity = false, has_pressure = false;
   for (int iarg = 3; iarg < narg; iarg += 2) {
     const std::string keyword = arg[iarg];
-    if (iarg + 1 == narg) error->all(FLERR, "Fix mca/drive keyword {} has no value", keyword);
+    if (iarg + 1 == narg)
+      error->all(FLERR, "Fix mca/drive keyword {} has no value", keyword);
     const char *value = arg[iarg + 1];
     if (keyword == "velocity") {
       velocity = parse_setting("velocity", value);
@@ -56,8 +58,10 @@ FixMCADrive::FixMCADrive(LAMMPS *host, int narg, char **arg) :
   if (!has_velocity || !has_pressure)
     error->all(FLERR, "Fix mca/drive needs both keywords velocity and pressure");
   if (!path.empty() && !mca::logUnits(update->unit_style, units))
-    error->all(FLERR, "Fix mca/drive: no friction log in units {}, allowed: nano, si, cgs, micro, "
-               "metal, real", update->unit_style);
+    error->all(FLERR,
+               "Fix mca/drive: no friction log in units {}, allowed: nano, si, cgs, micro, "
+               "metal, real",
+               update->unit_style);
 
   nevery = 1;
   time_depend = 1;
@@ -83,13 +87,18 @@ FixMCADrive::Setting FixMCADrive::parse_setting(const char *keyword, const char 
   return s;
 }
 
-int FixMCADrive::setmask() { return POST_FORCE | END_OF_STEP; }
+int FixMCADrive::setmask()
+{
+  return POST_FORCE | END_OF_STEP;
+}
 
 void FixMCADrive::init()
 {
   pair = dynamic_cast<PairMCA *>(force->pair_match("^mca", 0));
-  if (!pair) error->all(FLERR, "Fix mca/drive requires pair_style mca");
-  if (group->count(igroup) == 0) error->all(FLERR, "Fix mca/drive: group {} is empty", group->names[igroup]);
+  if (!pair)
+    error->all(FLERR, "Fix mca/drive requires pair_style mca");
+  if (group->count(igroup) == 0)
+    error->all(FLERR, "Fix mca/drive: group {} is empty", group->names[igroup]);
   for (const Setting &s : {velocity, pressure})
     if (!s.variable.empty()) {
       const int found = input->variable->find(s.variable.c_str());
@@ -127,14 +136,17 @@ void FixMCADrive::setup(int vflag)
   area = domain->xprd * pair->thickness();
   double own = 0.0;
   for (int i = 0; i < atom->nlocal; i++)
-    if (atom->mask[i] & groupbit) own += atom->rmass[i];
+    if (atom->mask[i] & groupbit)
+      own += atom->rmass[i];
   MPI_Allreduce(&own, &mass, 1, MPI_DOUBLE, MPI_SUM, world);
 
-  if (!begun && !restarted) start_height = height();
+  if (!begun && !restarted)
+    start_height = height();
   if (!path.empty() && !begun) {
     int first_type = atom->ntypes + 1, lowest;
     for (int i = 0; i < atom->nlocal; i++)
-      if ((atom->mask[i] & groupbit) && atom->type[i] < first_type) first_type = atom->type[i];
+      if ((atom->mask[i] & groupbit) && atom->type[i] < first_type)
+        first_type = atom->type[i];
     MPI_Allreduce(&first_type, &lowest, 1, MPI_INT, MPI_MIN, world);
     std::string problem;
     if (comm->me == 0) {
@@ -142,16 +154,19 @@ void FixMCADrive::setup(int vflag)
         if (restarted && platform::file_is_readable(path))
           log.resume(path, update->ntimestep);
         else
-          log.begin(path, {pair->material(lowest), evaluate(pressure), evaluate(velocity),
-                           domain->xprd, pair->thickness(), static_cast<long long>(atom->natoms),
-                           pair->laws().words(), update->dt, every, seed, LMP_VERNUM}, units);
+          log.begin(path,
+                    {pair->material(lowest), evaluate(pressure), evaluate(velocity), domain->xprd,
+                     pair->thickness(), static_cast<long long>(atom->natoms), pair->laws().words(),
+                     update->dt, every, seed, LMP_VERNUM},
+                    units);
       } catch (const std::runtime_error &e) {
         problem = e.what();
       }
     }
     int failed = problem.empty() ? 0 : 1;
     MPI_Bcast(&failed, 1, MPI_INT, 0, world);
-    if (failed) error->all(FLERR, "Fix mca/drive: {}", comm->me == 0 ? problem : "see rank 0");
+    if (failed)
+      error->all(FLERR, "Fix mca/drive: {}", comm->me == 0 ? problem : "see rank 0");
   }
   begun = true;
   post_force(vflag);
@@ -198,7 +213,8 @@ void FixMCADrive::end_of_step()
   shear_sum += shear;
   normal_sum += normal;
   samples += 1.0;
-  if (!path.empty() && update->ntimestep % every == 0) write_row();
+  if (!path.empty() && update->ntimestep % every == 0)
+    write_row();
 }
 
 void FixMCADrive::totals(double &links, double &broken, double &formed) const
@@ -232,7 +248,8 @@ void FixMCADrive::write_row()
     }
   }
   MPI_Bcast(&failed, 1, MPI_INT, 0, world);
-  if (failed) error->all(FLERR, "Fix mca/drive: cannot append to friction log {}", path);
+  if (failed)
+    error->all(FLERR, "Fix mca/drive: cannot append to friction log {}", path);
   shear_sum = normal_sum = samples = 0.0;
   broken_before = broken;
   formed_before = formed;
@@ -247,11 +264,16 @@ double FixMCADrive::compute_scalar()
 
 double FixMCADrive::compute_vector(int n)
 {
-  if (n == 0) return shear;
-  if (n == 1) return normal;
-  if (n == 2) return compute_scalar();
-  if (n == 3) return displacement;
-  if (n == 4) return height() - start_height;
+  if (n == 0)
+    return shear;
+  if (n == 1)
+    return normal;
+  if (n == 2)
+    return compute_scalar();
+  if (n == 3)
+    return displacement;
+  if (n == 4)
+    return height() - start_height;
   return work;
 }
 
@@ -264,7 +286,8 @@ void FixMCADrive::write_restart(FILE *fp)
 {
   double links, broken, formed;
   totals(links, broken, formed);
-  if (comm->me != 0) return;
+  if (comm->me != 0)
+    return;
   const std::string text =
       mca::exactText({start_height, displacement, work, shear_sum, normal_sum, samples,
                       broken_before - broken, formed_before - formed});

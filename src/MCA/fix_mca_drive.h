@@ -30,7 +30,7 @@ class FixMCADrive : public Fix {
   void restart(char *) override;
 
  private:
-  struct Setting {    // a number or an equal-style variable
+  struct Setting { // a number or an equal-style variable
     std::string variable;
     double value = 0.0;
   };
@@ -41,16 +41,16 @@ class FixMCADrive : public Fix {
   PairMCA *pair;
   mca::FrictionLogWriter log;
   mca::LogUnits units;
-  bool begun;        // the log's first row, or the state of a restart file, is there
-  bool restarted;    // state came from a restart file
+  bool begun;     // the log's first row, or the state of a restart file, is there
+  bool restarted; // state came from a restart file
 
-  double area;                 // nominal contact area: box length in x times thickness
-  double mass;                 // of the layer
-  double shear, normal;        // stresses on the layer now, pressure units
-  double start_height;         // of the layer
+  double area;          // nominal contact area: box length in x times thickness
+  double mass;          // of the layer
+  double shear, normal; // stresses on the layer now, pressure units
+  double start_height;  // of the layer
   double displacement, work;
-  double shear_sum, normal_sum, samples;    // since the last row
-  double broken_before, formed_before;      // events until the last row
+  double shear_sum, normal_sum, samples; // since the last row
+  double broken_before, formed_before;   // events until the last row
 
   double evaluate(Setting &);
   Setting parse_setting(const char *keyword, const char *word);
@@ -59,6 +59,6 @@ class FixMCADrive : public Fix {
   void totals(double &links, double &broken, double &formed) const;
 };
 
-}    // namespace LAMMPS_NS
+} // namespace LAMMPS_NS
 
 #endif

@@ -6,8 +6,8 @@
 
 using namespace LAMMPS_NS;
 
-FixMCAHistory::FixMCAHistory(LAMMPS *host, int narg, char **arg) :
-    FixNeighHistory(host, narg, arg), mca(nullptr)
+FixMCAHistory::FixMCAHistory(LAMMPS *host, int narg, char **arg)
+    : FixNeighHistory(host, narg, arg), mca(nullptr)
 {
   // the list holds every pair within the cutoff, touching or not, without LAMMPS's contact bit
   use_bit_flag = 0;
@@ -52,7 +52,8 @@ void FixMCAHistory::post_run()
 void FixMCAHistory::write_restart(FILE *fp)
 {
   // between runs post_run() has brought the atoms up to date and the list may be stale
-  if (update->whichflag) post_run();
+  if (update->whichflag)
+    post_run();
   if (comm->me == 0) {
     int size = 0;
     fwrite(&size, sizeof(int), 1, fp);

@@ -26,12 +26,12 @@ class FixMCAHistory : public FixNeighHistory {
   void post_neighbor() override;
   void post_run() override;
   void write_restart(FILE *) override;
-  void store_present();    // the pairs' present state, without that of a step
+  void store_present(); // the pairs' present state, without that of a step
 
  private:
   PairMCA *mca;
 };
 
-}    // namespace LAMMPS_NS
+} // namespace LAMMPS_NS
 
 #endif

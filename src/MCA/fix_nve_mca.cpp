@@ -13,18 +13,23 @@ static constexpr double DISC = 0.5;
 
 FixNVEMCA::FixNVEMCA(LAMMPS *host, int narg, char **arg) : Fix(host, narg, arg), icustom_theta(-1)
 {
-  if (narg != 3) error->all(FLERR, "Fix nve/mca takes no arguments, got {}", arg[3]);
+  if (narg != 3)
+    error->all(FLERR, "Fix nve/mca takes no arguments, got {}", arg[3]);
   if (!atom->omega_flag || !atom->torque_flag)
     error->all(FLERR, "Fix nve/mca requires atom style sphere");
   dynamic_group_allow = 1;
   time_integrate = 1;
 }
 
-int FixNVEMCA::setmask() { return INITIAL_INTEGRATE | FINAL_INTEGRATE; }
+int FixNVEMCA::setmask()
+{
+  return INITIAL_INTEGRATE | FINAL_INTEGRATE;
+}
 
 void FixNVEMCA::init()
 {
-  if (!force->pair_match("^mca", 0)) error->all(FLERR, "Fix nve/mca requires pair_style mca");
+  if (!force->pair_match("^mca", 0))
+    error->all(FLERR, "Fix nve/mca requires pair_style mca");
   if (utils::strmatch(update->integrate_style, "^respa"))
     error->all(FLERR, "Fix nve/mca does not work with run_style respa");
   reset_dt();
@@ -47,7 +52,8 @@ void FixNVEMCA::initial_integrate(int /*vflag*/)
   const int *mask = atom->mask;
   const int n = igroup == atom->firstgroup ? atom->nfirst : atom->nlocal;
   for (int i = 0; i < n; i++) {
-    if (!(mask[i] & groupbit)) continue;
+    if (!(mask[i] & groupbit))
+      continue;
     const double dtfm = dtf / rmass[i];
     v[i][0] += dtfm * f[i][0];
     v[i][1] += dtfm * f[i][1];
@@ -65,7 +71,8 @@ void FixNVEMCA::final_integrate()
   const int *mask = atom->mask;
   const int n = igroup == atom->firstgroup ? atom->nfirst : atom->nlocal;
   for (int i = 0; i < n; i++) {
-    if (!(mask[i] & groupbit)) continue;
+    if (!(mask[i] & groupbit))
+      continue;
     const double dtfm = dtf / rmass[i];
     v[i][0] += dtfm * f[i][0];
     v[i][1] += dtfm * f[i][1];

@@ -24,6 +24,6 @@ class FixNVEMCA : public Fix {
   int icustom_theta;
 };
 
-}    // namespace LAMMPS_NS
+} // namespace LAMMPS_NS
 
 #endif

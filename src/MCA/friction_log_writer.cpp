@@ -19,30 +19,33 @@ bool logUnits(const std::string &style, LogUnits &units)
   // attogram/nm^3 is 1e6 kg/m^3, (g/mol)/Angstrom^3 is 1660.539 kg/m^3, picogram/um^3 1e3 kg/m^3
   constexpr double molar = 1660.53906660;
   static const std::map<std::string, LogUnits> table = {
-      {"nano", {1.0, 1.0, 1.0, 1e6}},
-      {"si", {1e9, 1e9, 1e-6, 1.0}},
-      {"cgs", {1e7, 1e9, 1e-7, 1e3}},
-      {"micro", {1e3, 1e3, 1e-3, 1e3}},
-      {"metal", {0.1, 1e-3, 0.1, molar}},
-      {"real", {0.1, 1e-6, 0.101325, molar}},
+      {"nano", {1.0, 1.0, 1.0, 1e6}},     {"si", {1e9, 1e9, 1e-6, 1.0}},
+      {"cgs", {1e7, 1e9, 1e-7, 1e3}},     {"micro", {1e3, 1e3, 1e-3, 1e3}},
+      {"metal", {0.1, 1e-3, 0.1, molar}}, {"real", {0.1, 1e-6, 0.101325, molar}},
   };
   const auto found = table.find(style);
-  if (found == table.end()) return false;
+  if (found == table.end())
+    return false;
   units = found->second;
   return true;
 }
 
-FrictionLogWriter::~FrictionLogWriter() { close(); }
+FrictionLogWriter::~FrictionLogWriter()
+{
+  close();
+}
 
 void FrictionLogWriter::close()
 {
-  if (file_) std::fclose(file_);
+  if (file_)
+    std::fclose(file_);
   file_ = nullptr;
 }
 
 [[noreturn]] static void fail(const std::string &what, const std::string &path)
 {
-  throw std::runtime_error("cannot " + what + " friction log " + path + ": " + std::strerror(errno));
+  throw std::runtime_error("cannot " + what + " friction log " + path + ": " +
+                           std::strerror(errno));
 }
 
 // The log appears whole: written beside, then renamed over what stood there; then open to append.
@@ -50,16 +53,18 @@ void FrictionLogWriter::replaceBy(const std::string &text)
 {
   const std::string beside = path_ + ".tmp";
   std::FILE *out = std::fopen(beside.c_str(), "w");
-  if (!out) fail("write", path_);
+  if (!out)
+    fail("write", path_);
   const bool written = std::fwrite(text.data(), 1, text.size(), out) == text.size() &&
-      std::fflush(out) == 0 && fsync(fileno(out)) == 0;
+                       std::fflush(out) == 0 && fsync(fileno(out)) == 0;
   std::fclose(out);
   if (!written || std::rename(beside.c_str(), path_.c_str()) != 0) {
     std::remove(beside.c_str());
     fail("write", path_);
   }
   file_ = std::fopen(path_.c_str(), "a");
-  if (!file_) fail("append to", path_);
+  if (!file_)
+    fail("append to", path_);
 }
 
 static std::string joined(const std::vector<std::string> &pairs)
@@ -121,7 +126,8 @@ void FrictionLogWriter::resume(const std::string &path, long long step)
   close();
   path_ = path;
   std::ifstream in(path);
-  if (!in) fail("continue", path);
+  if (!in)
+    fail("continue", path);
   std::string kept, line;
   if (!std::getline(in, line) || line != format)
     throw std::runtime_error("cannot continue friction log " + path + ": its first line is not '" +
@@ -129,8 +135,9 @@ void FrictionLogWriter::resume(const std::string &path, long long step)
   kept = line + "\n";
   while (std::getline(in, line)) {
     const bool isRow = !line.empty() && line[0] >= '0' && line[0] <= '9';
-    const bool cutShort = in.eof();  // no newline: the machine stopped while it was written
-    if (isRow && (cutShort || std::strtoll(line.c_str(), nullptr, 10) > step)) continue;
+    const bool cutShort = in.eof(); // no newline: the machine stopped while it was written
+    if (isRow && (cutShort || std::strtoll(line.c_str(), nullptr, 10) > step))
+      continue;
     kept += line + "\n";
   }
   replaceBy(kept);
@@ -141,7 +148,8 @@ void FrictionLogWriter::write(const LogRow &r)
   std::fprintf(file_, "%lld %.10g %.10g %.8g %.8g %.8g %.10g %.10g %.10g %.8g\n", r.step, r.time,
                r.displacement, r.shearStress, r.normalStress, r.mu, r.links, r.broken, r.formed,
                r.gap);
-  if (std::fflush(file_) != 0) fail("append to", path_);
+  if (std::fflush(file_) != 0)
+    fail("append to", path_);
 }
 
-}  // namespace mca
+} // namespace mca

@@ -15,7 +15,7 @@ namespace mca {
 struct LogUnits {
   double length, time, stress, density;
   double velocity() const { return length / time; }
-  double viscosity() const { return stress * time * 1e-3; }  // MPa ns = 1e-3 Pa s
+  double viscosity() const { return stress * time * 1e-3; } // MPa ns = 1e-3 Pa s
 };
 
 /// \param style LAMMPS's unit style
@@ -25,10 +25,10 @@ bool logUnits(const std::string &style, LogUnits &);
 /// Everything that the log says about its run; in units of the run.
 struct LogHeader {
   Material material;
-  double pressure, velocity;          ///< loading
-  double width, thickness;            ///< geometry
+  double pressure, velocity; ///< loading
+  double width, thickness;   ///< geometry
   long long automata;
-  std::vector<std::string> laws;      ///< keyword-value pairs of pair_style
+  std::vector<std::string> laws; ///< keyword-value pairs of pair_style
   double timestep;
   long long every, seed;
   int lammpsVersion;
@@ -62,6 +62,6 @@ class FrictionLogWriter {
   void replaceBy(const std::string &text);
 };
 
-}  // namespace mca
+} // namespace mca
 
 #endif

@@ -12,28 +12,34 @@ namespace {
 // Pairs are worked on in blocks whose temporary rows stay in the first-level cache.
 constexpr int block = 128;
 
-inline int lesser(int a, int b) { return a < b ? a : b; }
+inline int lesser(int a, int b)
+{
+  return a < b ? a : b;
+}
 
 // Rows of the per-automaton arrays as vectors of the compiler: one load, one addition, one store.
 typedef double Row2 __attribute__((vector_size(16), may_alias));
 typedef double Row4 __attribute__((vector_size(32), may_alias));
 typedef double Row8 __attribute__((vector_size(64), may_alias));
 
-template <class Row> constexpr int lengthOf = sizeof(Row) / sizeof(double);
+template<class Row>
+constexpr int lengthOf = sizeof(Row) / sizeof(double);
 
-template <class Row> inline Row *rowOf(double *array, int i)
+template<class Row>
+inline Row *rowOf(double *array, int i)
 {
   return reinterpret_cast<Row *>(array) + i;
 }
 
-template <class Row> inline const Row *rowOf(const double *array, int i)
+template<class Row>
+inline const Row *rowOf(const double *array, int i)
 {
   return reinterpret_cast<const Row *>(array) + i;
 }
 
 // Adds each pair's row to both of its automata, with the given signs for the second one. Pairs
 // come sorted by i, so that its sum stays in a register.
-template <class Row>
+template<class Row>
 inline void addToBoth(const Pairs &p, int first, int n, const double *rows, const Row &signs,
                       double *sums)
 {
@@ -51,7 +57,7 @@ inline void addToBoth(const Pairs &p, int first, int n, const double *rows, cons
   }
 }
 
-template <bool ONE>
+template<bool ONE>
 void strainBlock(const Pairs &p, int first, int n, double dt, const PairLaw *laws,
                  const double *motion, double *rows)
 {
@@ -71,7 +77,7 @@ void strainBlock(const Pairs &p, int first, int n, double dt, const PairLaw *law
     const double *const row8 = relative + motionRow * k;
     const double dx = row8[0], dy = row8[1], dvx = row8[2], dvy = row8[3], omegas = row8[4];
     const double r2 = dx * dx + dy * dy, r = std::sqrt(r2);
-    const double stepN = (dvx * dx + dvy * dy) * dt, stepT = (dvy * dx - dvx * dy) * dt;  // times r
+    const double stepN = (dvx * dx + dvy * dy) * dt, stepT = (dvy * dx - dvx * dy) * dt; // times r
     const double inverse = 1.0 / (r2 * (r2 - stepN));
     const double invR = r * (r2 - stepN) * inverse;
     const double nx = dx * invR, ny = dy * invR;
@@ -127,7 +133,7 @@ inline void gatherResponses(const Pairs &p, int first, int n, const double *resp
   }
 }
 
-template <bool ONE>
+template<bool ONE>
 void stressBlock(const Pairs &p, int first, int n, const PairLaw *laws, const double *response,
                  double *rows)
 {
@@ -184,7 +190,7 @@ void yieldPass(int n, const int *type, const AutomatonLaw *laws, const double *s
   }
 }
 
-template <bool ONE>
+template<bool ONE>
 double forceBlock(const Pairs &p, int first, int n, const PairLaw *laws, const double *response,
                   double *rows)
 {
@@ -220,7 +226,8 @@ double forceBlock(const Pairs &p, int first, int n, const PairLaw *laws, const d
     total1[k] = stays * total;
     changed += kind == s.kindNext ? 0.0 : 1.0;
 
-    // The shear force acts along t at the distance r; its moment tau S d/2 keeps U's gradient exact.
+    // The shear force acts along t at the distance r; its moment tau S d/2 keeps U's gradient
+    // exact.
     const double fn = s.normal * law.area, ft = s.shear * law.area / (1.0 + eps);
     const double nx = pnx[k], ny = pny[k];
     double *const row = rows + forceRow * k;
@@ -246,9 +253,9 @@ double forcePass(const Pairs &p, const PairLaw *laws, bool oneLaw, const double 
   return changed;
 }
 
-}  // namespace
+} // namespace
 
 extern const Kernel kernel = {MCA_ISA_NAME, strainPass, meanPass, stressPass, yieldPass, forcePass};
 
-}  // namespace MCA_ISA
-}  // namespace mca
+} // namespace MCA_ISA
+} // namespace mca

@@ -26,25 +26,25 @@ namespace mca {
 
 /// Laws of one material as an automaton's own.
 struct AutomatonLaw {
-  double bulkModulus, shearModulus;  ///< K, G [stress]
-  double D;                          ///< 1 - 2G/(3K), or 0 for the pairwise law [-]; for energies
-  double yields;                     ///< 1 with radial return, 0 without
+  double bulkModulus, shearModulus; ///< K, G [stress]
+  double D;                         ///< 1 - 2G/(3K), or 0 for the pairwise law [-]; for energies
+  double yields;                    ///< 1 with radial return, 0 without
   YieldCurve curve;
 };
 
 /// State of the pairs that outlives a step, one value a pair.
 struct PairState {
-  double *kind;        ///< link::worn, none, bulk or weld
-  double *plastic;     ///< plastic offset of the normal strain [-]
-  double *gamma;       ///< elastic shear [-]
-  double *gammaTotal;  ///< shear since linking, not reduced by plasticity [-]
+  double *kind;       ///< link::worn, none, bulk or weld
+  double *plastic;    ///< plastic offset of the normal strain [-]
+  double *gamma;      ///< elastic shear [-]
+  double *gammaTotal; ///< shear since linking, not reduced by plasticity [-]
 };
 
 /// A block of the pair list; all arrays have `n` values.
 struct Pairs {
   int n;
-  const int *i, *j;   ///< row numbers of the two automata
-  const int *law;     ///< number in the table of PairLaw
+  const int *i, *j; ///< row numbers of the two automata
+  const int *law;   ///< number in the table of PairLaw
   PairState now, next;
   double *nx, *ny;    ///< unit normal from i to j [-]
   double *eps;        ///< total normal strain r/d - 1 [-]
@@ -52,11 +52,11 @@ struct Pairs {
 };
 
 /// Lengths of the rows of the per-automaton arrays.
-constexpr int motionRow = 8;    ///< x, y, vx, vy, omega, then unused
-constexpr int strainRow = 2;    ///< sum of elastic normal strains [-], number of bulk links
-constexpr int stressRow = 4;    ///< averaged xx, yy, xy [stress], sum of e^2 + gamma^2 [-]
-constexpr int responseRow = 2;  ///< mean stress [stress], factor M of the radial return [-]
-constexpr int forceRow = 4;     ///< fx, fy [force], torque [force length], unused
+constexpr int motionRow = 8;   ///< x, y, vx, vy, omega, then unused
+constexpr int strainRow = 2;   ///< sum of elastic normal strains [-], number of bulk links
+constexpr int stressRow = 4;   ///< averaged xx, yy, xy [stress], sum of e^2 + gamma^2 [-]
+constexpr int responseRow = 2; ///< mean stress [stress], factor M of the radial return [-]
+constexpr int forceRow = 4;    ///< fx, fy [force], torque [force length], unused
 
 /// Moves the shear on by one step and adds each contact's strain to both of its automata.
 /// \param dt       the step [time]; 0 keeps the state as it is (set-up)
@@ -101,9 +101,15 @@ struct Kernel {
   ForcePass *force;
 };
 
-namespace baseline { extern const Kernel kernel; }
-namespace avx2 { extern const Kernel kernel; }
-namespace avx512 { extern const Kernel kernel; }
+namespace baseline {
+extern const Kernel kernel;
+}
+namespace avx2 {
+extern const Kernel kernel;
+}
+namespace avx512 {
+extern const Kernel kernel;
+}
 
 /// The fastest kernel that this processor runs.
 const Kernel &bestKernel();
@@ -111,6 +117,6 @@ const Kernel &bestKernel();
 /// All kernels that this processor runs, the baseline first.
 std::vector<const Kernel *> supportedKernels();
 
-}  // namespace mca
+} // namespace mca
 
 #endif

@@ -22,4 +22,4 @@ const Kernel &bestKernel()
   return best;
 }
 
-}  // namespace mca
+} // namespace mca

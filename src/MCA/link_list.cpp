@@ -4,7 +4,8 @@ namespace mca {
 
 void LinkList::reset(int n)
 {
-  for (auto &a : arrays_) a.reserve(n);
+  for (auto &a : arrays_)
+    a.reserve(n);
   i_.clear();
   j_.clear();
   law_.clear();
@@ -15,9 +16,8 @@ void LinkList::reset(int n)
     return {arrays_[first].get(), arrays_[first + 1].get(), arrays_[first + 2].get(),
             arrays_[first + 3].get()};
   };
-  view_ = {0,        i_.data(), j_.data(), law_.data(),      state(0),
-           state(4), arrays_[8].get(),     arrays_[9].get(), arrays_[10].get(),
-           arrays_[11].get()};
+  view_ = {0,        i_.data(),        j_.data(),        law_.data(),       state(0),
+           state(4), arrays_[8].get(), arrays_[9].get(), arrays_[10].get(), arrays_[11].get()};
 }
 
 void LinkList::add(int i, int j, int law, const double *state)
@@ -52,8 +52,9 @@ void LinkList::setState(int k, const double *state)
 double LinkList::bytes() const
 {
   double sum = static_cast<double>(3 * i_.capacity() * sizeof(int));
-  for (const auto &a : arrays_) sum += a.bytes();
+  for (const auto &a : arrays_)
+    sum += a.bytes();
   return sum;
 }
 
-}  // namespace mca
+} // namespace mca

@@ -18,10 +18,12 @@ class AlignedArray {
   double *get() const { return data_.get(); }
   void reserve(size_t n)
   {
-    if (n <= size_) return;
+    if (n <= size_)
+      return;
     size_ = (n + n / 8 + 7) / 8 * 8;
     data_.reset(static_cast<double *>(std::aligned_alloc(64, size_ * sizeof(double))));
-    if (!data_) throw std::bad_alloc();
+    if (!data_)
+      throw std::bad_alloc();
   }
   double bytes() const { return static_cast<double>(size_ * sizeof(double)); }
 
@@ -65,6 +67,6 @@ class LinkList {
   Pairs view_{};
 };
 
-}  // namespace mca
+} // namespace mca
 
 #endif

@@ -9,7 +9,8 @@ namespace mca {
 
 static const MaterialQuantity &quantityNamed(const std::string &keyword, const std::string &where)
 {
-  if (const auto *q = findMaterialQuantity(keyword)) return *q;
+  if (const auto *q = findMaterialQuantity(keyword))
+    return *q;
   throw MaterialError(where + "unknown keyword " + keyword + ", the nearest known one is " +
                       nearestMaterialKeyword(keyword));
 }
@@ -29,11 +30,13 @@ Material readMaterial(const std::string &text, const std::string &name, const st
 {
   std::istringstream lines(text);
   std::string line;
-  if (!std::getline(lines, line)) throw MaterialError(name + ": the file is empty");
+  if (!std::getline(lines, line))
+    throw MaterialError(name + ": the file is empty");
 
   const auto tag = line.find("UNITS:");
   std::string fileUnits;
-  if (tag != std::string::npos) std::istringstream(line.substr(tag + 6)) >> fileUnits;
+  if (tag != std::string::npos)
+    std::istringstream(line.substr(tag + 6)) >> fileUnits;
   if (fileUnits.empty())
     throw MaterialError(name + ":1: no UNITS: in the first line, allowed: UNITS: " + units);
   if (fileUnits != units)
@@ -46,18 +49,23 @@ Material readMaterial(const std::string &text, const std::string &name, const st
     const std::string where = name + ":" + std::to_string(number) + ": ";
     std::istringstream words(line.substr(0, line.find('#')));
     std::string keyword, value, more;
-    if (!(words >> keyword)) continue;
+    if (!(words >> keyword))
+      continue;
     const auto &q = quantityNamed(keyword, where);
-    if (!(words >> value)) throw MaterialError(where + keyword + " has no value, allowed: " + q.allowed);
+    if (!(words >> value))
+      throw MaterialError(where + keyword + " has no value, allowed: " + q.allowed);
     if (words >> more)
       throw MaterialError(where + keyword + " has more than one value: '" + more + "'");
-    if (!seen.insert(keyword).second) throw MaterialError(where + keyword + " stands twice");
+    if (!seen.insert(keyword).second)
+      throw MaterialError(where + keyword + " stands twice");
     material.*q.value = finiteNumber(q, value, where);
   }
   for (const auto &q : materialQuantities())
-    if (!seen.count(q.keyword)) throw MaterialError(name + ": " + q.keyword + " is missing");
+    if (!seen.count(q.keyword))
+      throw MaterialError(name + ": " + q.keyword + " is missing");
   const std::string problem = checkMaterial(material);
-  if (!problem.empty()) throw MaterialError(name + ": " + problem);
+  if (!problem.empty())
+    throw MaterialError(name + ": " + problem);
   return material;
 }
 
@@ -65,12 +73,14 @@ Material overrideMaterial(Material material, const std::vector<std::string> &wor
 {
   for (size_t k = 0; k < words.size(); k += 2) {
     const auto &q = quantityNamed(words[k], "");
-    if (k + 1 == words.size()) throw MaterialError("keyword " + words[k] + " has no value");
+    if (k + 1 == words.size())
+      throw MaterialError("keyword " + words[k] + " has no value");
     material.*q.value = finiteNumber(q, words[k + 1], "");
   }
   const std::string problem = checkMaterial(material);
-  if (!problem.empty()) throw MaterialError(problem);
+  if (!problem.empty())
+    throw MaterialError(problem);
   return material;
 }
 
-}  // namespace mca
+} // namespace mca

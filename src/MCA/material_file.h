@@ -28,6 +28,6 @@ Material readMaterial(const std::string &text, const std::string &name, const st
 /// \throws MaterialError
 Material overrideMaterial(Material, const std::vector<std::string> &words);
 
-}  // namespace mca
+} // namespace mca
 
 #endif

@@ -22,15 +22,18 @@ using namespace LAMMPS_NS;
 void MCALinks::command(int narg, char **arg)
 {
   auto *pair = dynamic_cast<PairMCA *>(force->pair_match("^mca", 0));
-  if (!pair) error->all(FLERR, "Command mca_links requires pair_style mca");
-  if (narg < 3) error->all(FLERR, "Command mca_links needs: create|delete group1 group2");
+  if (!pair)
+    error->all(FLERR, "Command mca_links requires pair_style mca");
+  if (narg < 3)
+    error->all(FLERR, "Command mca_links needs: create|delete group1 group2");
   const bool create = strcmp(arg[0], "create") == 0;
   if (!create && strcmp(arg[0], "delete") != 0)
     error->all(FLERR, "Command mca_links: {} is unknown, allowed: create, delete", arg[0]);
   int bit[2];
   for (int g = 0; g < 2; g++) {
     const int found = group->find(arg[1 + g]);
-    if (found < 0) error->all(FLERR, "Command mca_links: no group {}", arg[1 + g]);
+    if (found < 0)
+      error->all(FLERR, "Command mca_links: no group {}", arg[1 + g]);
     bit[g] = group->bitmask[found];
   }
   double reach = 1.01;
@@ -45,14 +48,17 @@ void MCALinks::command(int narg, char **arg)
 
   // neighbor list with the present links, as a run's set-up makes it
   lmp->init();
-  if (domain->triclinic) domain->x2lamda(atom->nlocal);
+  if (domain->triclinic)
+    domain->x2lamda(atom->nlocal);
   domain->pbc();
   domain->reset_box();
   comm->setup();
-  if (neighbor->style) neighbor->setup_bins();
+  if (neighbor->style)
+    neighbor->setup_bins();
   comm->exchange();
   comm->borders();
-  if (domain->triclinic) domain->lamda2x(atom->nlocal + atom->nghost);
+  if (domain->triclinic)
+    domain->lamda2x(atom->nlocal + atom->nghost);
   neighbor->build(1);
   auto *history = dynamic_cast<FixMCAHistory *>(modify->get_fix_by_id(FixMCAHistory::ID));
   history->post_neighbor();
@@ -63,13 +69,15 @@ void MCALinks::command(int narg, char **arg)
   double changed = 0.0;
   for (int k = 0; k < p.n; k++) {
     const int i = p.i[k], j = p.j[k];
-    const bool match = ((mask[i] & bit[0]) && (mask[j] & bit[1])) ||
-        ((mask[i] & bit[1]) && (mask[j] & bit[0]));
+    const bool match =
+        ((mask[i] & bit[0]) && (mask[j] & bit[1])) || ((mask[i] & bit[1]) && (mask[j] & bit[0]));
     const bool linked = mca::link::isLinked(p.now.kind[k]);
-    if (!match || linked == create) continue;
+    if (!match || linked == create)
+      continue;
     const double r = std::hypot(x[j][0] - x[i][0], x[j][1] - x[i][1]);
     const double d = 0.5 * (pair->material(type[i]).diameter + pair->material(type[j]).diameter);
-    if (create && r > reach * d) continue;
+    if (create && r > reach * d)
+      continue;
     const double state[mca::LinkList::stateSize] = {create ? mca::link::bulk : mca::link::none,
                                                     p.now.plastic[k], 0.0, 0.0};
     pair->links().setState(k, state);

@@ -16,6 +16,6 @@ class MCALinks : public Command {
   void command(int, char **) override;
 };
 
-}    // namespace LAMMPS_NS
+} // namespace LAMMPS_NS
 
 #endif

@@ -39,12 +39,14 @@ int lammps_version(void *handle);
 int lammps_extract_setting(void *handle, const char *name);
 }
 
-template <class Style> static void *fromInstance(void *lmp)
+template<class Style>
+static void *fromInstance(void *lmp)
 {
   return new Style(static_cast<LAMMPS *>(lmp));
 }
 
-template <class Style> static void *fromArguments(void *lmp, int narg, char **arg)
+template<class Style>
+static void *fromArguments(void *lmp, int narg, char **arg)
 {
   return new Style(static_cast<LAMMPS *>(lmp), narg, arg);
 }
@@ -89,7 +91,8 @@ extern "C" void lammpsplugin_init(void *lmp, void *handle, void *regfunc)
     if (rank == 0)
       std::fprintf(stderr,
                    "ERROR: mcaplugin.so does not fit this LAMMPS and registers no style: %s. Build "
-                   "it again with -DLAMMPS_ROOT= of this LAMMPS\n", problem.c_str());
+                   "it again with -DLAMMPS_ROOT= of this LAMMPS\n",
+                   problem.c_str());
     return;
   }
 

@@ -28,9 +28,9 @@ static constexpr const char *DUMMY_STATE = "MCA_STATE_DUMMY";
 
 /* ---------------------------------------------------------------------- */
 
-PairMCA::PairMCA(LAMMPS *host) :
-    Pair(host), depth(1.0), cut_user(0.0), onelaw(true), kernel(&mca::bestKernel()),
-    committed(false), fix_history(nullptr), icustom_kappa(-1), icustom_lag{-1, -1}
+PairMCA::PairMCA(LAMMPS *host)
+    : Pair(host), depth(1.0), cut_user(0.0), onelaw(true), kernel(&mca::bestKernel()),
+      committed(false), fix_history(nullptr), icustom_kappa(-1), icustom_lag{-1, -1}
 {
   single_enable = 0;
   manybody_flag = 1;
@@ -52,9 +52,11 @@ PairMCA::PairMCA(LAMMPS *host) :
 
 PairMCA::~PairMCA()
 {
-  if (copymode) return;
+  if (copymode)
+    return;
   for (const char *id : {FixMCAHistory::ID, "MCA_STATE", DUMMY_HISTORY, DUMMY_STATE})
-    if (modify->get_fix_by_id(id)) modify->delete_fix(id);
+    if (modify->get_fix_by_id(id))
+      modify->delete_fix(id);
   if (allocated) {
     memory->destroy(setflag);
     memory->destroy(cutsq);
@@ -114,9 +116,12 @@ void PairMCA::compute(int eflag, int vflag)
     torque[i][2] += row[2];
   }
 
-  if (changed > 0.0 && advance) count_events();
-  if (eflag_either || (vflag_either && !vflag_fdotr)) tally(eflag, vflag);
-  if (vflag_fdotr) virial_fdotr_compute();
+  if (changed > 0.0 && advance)
+    count_events();
+  if (eflag_either || (vflag_either && !vflag_fdotr))
+    tally(eflag, vflag);
+  if (vflag_fdotr)
+    virial_fdotr_compute();
 }
 
 void PairMCA::count_events()
@@ -124,11 +129,15 @@ void PairMCA::count_events()
   const mca::Pairs &p = pairs.pairs();
   for (int k = 0; k < p.n; k++) {
     const double before = p.now.kind[k], after = p.next.kind[k];
-    if (before == after) continue;
+    if (before == after)
+      continue;
     const bool was = mca::link::isLinked(before), is = mca::link::isLinked(after);
-    if (was && !is) events.broken += owned_share(k);
-    if (!was && is) events.formed += owned_share(k);
-    if (was && is) events.healed += owned_share(k);
+    if (was && !is)
+      events.broken += owned_share(k);
+    if (!was && is)
+      events.formed += owned_share(k);
+    if (was && is)
+      events.healed += owned_share(k);
   }
 }
 
@@ -155,7 +164,8 @@ void PairMCA::keep_lag()
   for (int m = 0; m < 2; m++) {
     double *lag = atom->dvector[icustom_lag[m]];
     const double *row = motion.get() + 2 + m;
-    for (int i = 0; i < atom->nlocal; i++, row += mca::motionRow) lag[i] = atom->v[i][m] - *row;
+    for (int i = 0; i < atom->nlocal; i++, row += mca::motionRow)
+      lag[i] = atom->v[i][m] - *row;
   }
 }
 
@@ -167,10 +177,13 @@ void PairMCA::tally(int /*eflag*/, int /*vflag*/)
   if (eflag_either)
     for (int i = 0; i < nlocal; i++) {
       const double energy = automaton(i).energy;
-      if (eflag_global) eng_vdwl += energy;
-      if (eflag_atom) eatom[i] += energy;
+      if (eflag_global)
+        eng_vdwl += energy;
+      if (eflag_atom)
+        eatom[i] += energy;
     }
-  if (!vflag_either || (vflag_fdotr && !vflag_atom)) return;
+  if (!vflag_either || (vflag_fdotr && !vflag_atom))
+    return;
 
   const mca::Pairs &p = pairs.pairs();
   double **x = atom->x;
@@ -182,7 +195,8 @@ void PairMCA::tally(int /*eflag*/, int /*vflag*/)
     const double ft = s.shear / stress_unit() * law.area / (1.0 + p.eps[k]);
     const double fx = fn * p.nx[k] - ft * p.ny[k], fy = fn * p.ny[k] + ft * p.nx[k];
     const int keep = vflag_global;
-    if (vflag_fdotr) vflag_global = 0;
+    if (vflag_fdotr)
+      vflag_global = 0;
     ev_tally_xyz(i, j, nlocal, force->newton_pair, 0.0, 0.0, fx, fy, 0.0, x[i][0] - x[j][0],
                  x[i][1] - x[j][1], 0.0);
     vflag_global = keep;
@@ -198,7 +212,8 @@ void PairMCA::allocate()
   memory->create(setflag, n, n, "pair:setflag");
   memory->create(cutsq, n, n, "pair:cutsq");
   for (int i = 0; i < n; i++)
-    for (int j = 0; j < n; j++) setflag[i][j] = 0;
+    for (int j = 0; j < n; j++)
+      setflag[i][j] = 0;
   materials.assign(n, mca::Material());
 }
 
@@ -210,14 +225,16 @@ void PairMCA::settings(int narg, char **arg)
   double h = 1.0, cut = 0.0;
   for (int iarg = 0; iarg < narg; iarg++) {
     double *own = strcmp(arg[iarg], "thickness") == 0 ? &h
-        : strcmp(arg[iarg], "cutoff") == 0            ? &cut
+                  : strcmp(arg[iarg], "cutoff") == 0  ? &cut
                                                       : nullptr;
     if (!own) {
       words.push_back(arg[iarg]);
-      if (iarg + 1 < narg) words.push_back(arg[++iarg]);
+      if (iarg + 1 < narg)
+        words.push_back(arg[++iarg]);
       continue;
     }
-    if (iarg + 1 == narg) error->all(FLERR, "Pair style mca keyword {} has no value", arg[iarg]);
+    if (iarg + 1 == narg)
+      error->all(FLERR, "Pair style mca keyword {} has no value", arg[iarg]);
     *own = utils::numeric(FLERR, arg[iarg + 1], false, lmp);
     if (!(*own > 0.0) || !std::isfinite(*own))
       error->all(FLERR, "Pair style mca keyword {}, value {}, allowed: a length > 0", arg[iarg],
@@ -226,7 +243,8 @@ void PairMCA::settings(int narg, char **arg)
   }
   mca::LawSet chosen;
   const std::string problem = chosen.parse(words);
-  if (!problem.empty()) error->all(FLERR, "Pair style mca: {}", problem);
+  if (!problem.empty())
+    error->all(FLERR, "Pair style mca: {}", problem);
   lawset = chosen;
   depth = h;
   cut_user = cut;
@@ -258,14 +276,18 @@ static std::string file_text(LAMMPS *lmp, const std::string &name)
 
 void PairMCA::coeff(int narg, char **arg)
 {
-  if (narg < 3) error->all(FLERR, "Pair_coeff of mca needs: types types file.mca [quantity value]");
-  if (!allocated) allocate();
+  if (narg < 3)
+    error->all(FLERR, "Pair_coeff of mca needs: types types file.mca [quantity value]");
+  if (!allocated)
+    allocate();
   int ilo, ihi, jlo, jhi;
   utils::bounds(FLERR, arg[0], 1, atom->ntypes, ilo, ihi, error);
   utils::bounds(FLERR, arg[1], 1, atom->ntypes, jlo, jhi, error);
   if (ilo != jlo || ihi != jhi)
-    error->all(FLERR, "Pair_coeff {} {}: a material belongs to a type; give the same range twice, "
-               "pairs of unlike types follow from both", arg[0], arg[1]);
+    error->all(FLERR,
+               "Pair_coeff {} {}: a material belongs to a type; give the same range twice, "
+               "pairs of unlike types follow from both",
+               arg[0], arg[1]);
   mca::Material material;
   try {
     material = mca::readMaterial(file_text(lmp, arg[2]), arg[2], update->unit_style);
@@ -290,9 +312,10 @@ void PairMCA::init_style()
   if (force->special_lj[1] != 1.0 && atom->molecular != Atom::ATOMIC)
     error->all(FLERR, "Pair style mca requires special_bonds lj 1 1 1");
   if (comm->style == Comm::TILED && force->newton_pair)
-    error->all(FLERR, "Pair style mca with comm_style tiled requires newton off (LAMMPS passes pair "
+    error->all(FLERR,
+               "Pair style mca with comm_style tiled requires newton off (LAMMPS passes pair "
                "histories between ranks with comm_style brick only)");
-  comm->ghost_velocity = 1;    // shear of a contact needs both velocities
+  comm->ghost_velocity = 1; // shear of a contact needs both velocities
 
   neighbor->add_request(this);
 
@@ -302,8 +325,10 @@ void PairMCA::init_style()
         DUMMY_HISTORY, fmt::format("{} all MCA_HISTORY {}", FixMCAHistory::ID, dnum), 1));
     fix_history->attach(this);
     modify->replace_fix(
-        DUMMY_STATE, "MCA_STATE all property/atom d_mca_kappa d_mca_theta d_mca_lag_x d_mca_lag_y "
-        "writedata no ghost yes", 1);
+        DUMMY_STATE,
+        "MCA_STATE all property/atom d_mca_kappa d_mca_theta d_mca_lag_x d_mca_lag_y "
+        "writedata no ghost yes",
+        1);
   }
   int is_double, columns;
   icustom_kappa = atom->find_custom("mca_kappa", is_double, columns);
@@ -321,7 +346,10 @@ void PairMCA::init_style()
 
 /* stresses inside are energy per volume, which is pressure units only where nktv2p is 1 */
 
-double PairMCA::stress_unit() const { return force->nktv2p; }
+double PairMCA::stress_unit() const
+{
+  return force->nktv2p;
+}
 
 void PairMCA::make_laws()
 {
@@ -337,8 +365,8 @@ void PairMCA::make_laws()
   autolaw.clear();
   for (int i = 0; i <= n; i++) {
     const mca::Material &m = inside[i > 0 ? i : 1];
-    autolaw.push_back({m.bulkModulus(), m.shearModulus(), many ? m.meanStressWeight() : 0.0,
-                       yields, mca::YieldCurve(m)});
+    autolaw.push_back({m.bulkModulus(), m.shearModulus(), many ? m.meanStressWeight() : 0.0, yields,
+                       mca::YieldCurve(m)});
   }
   pairlaw.resize((n + 1) * (n + 1));
   onelaw = true;
@@ -347,7 +375,7 @@ void PairMCA::make_laws()
       pairlaw[i * (n + 1) + j] = mca::makePairLaw(lawset, inside[i], inside[j], depth);
       onelaw = onelaw && materials[i] == materials[j];
     }
-  pairlaw[0] = pairlaw[n + 2];    // the entry that serves all pairs of one material
+  pairlaw[0] = pairlaw[n + 2]; // the entry that serves all pairs of one material
 }
 
 double PairMCA::init_one(int i, int j)
@@ -363,9 +391,15 @@ double PairMCA::init_one(int i, int j)
   return cut_user > 0.0 ? cut_user : d * (1.0 + margin);
 }
 
-void PairMCA::setup() { check_step(); }
+void PairMCA::setup()
+{
+  check_step();
+}
 
-void PairMCA::reset_dt() { check_step(); }
+void PairMCA::reset_dt()
+{
+  check_step();
+}
 
 void PairMCA::check_step()
 {
@@ -379,18 +413,22 @@ void PairMCA::check_step()
     if (update->dt > limit.shortest())
       error->all(FLERR,
                  "Timestep {:.6g} is longer than the critical one, {:.6g} (elastic {:.6g}, viscous "
-                 "{:.6g}) of the material of type {}", update->dt, limit.shortest(), limit.elastic,
-                 limit.viscous, i);
+                 "{:.6g}) of the material of type {}",
+                 update->dt, limit.shortest(), limit.elastic, limit.viscous, i);
   }
 }
 
-double *PairMCA::kappa() const { return atom->dvector[icustom_kappa]; }
+double *PairMCA::kappa() const
+{
+  return atom->dvector[icustom_kappa];
+}
 
 /* ---------------------------------------------------------------------- */
 
 void PairMCA::commit()
 {
-  if (committed) return;
+  if (committed)
+    return;
   std::copy_n(kappa_next.get(), atom->nlocal, kappa());
   committed = true;
 }
@@ -400,7 +438,8 @@ void PairMCA::pull_history()
   const int n1 = atom->ntypes + 1;
   const int *type = atom->type;
   int count = 0;
-  for (int ii = 0; ii < list->inum; ii++) count += list->numneigh[list->ilist[ii]];
+  for (int ii = 0; ii < list->inum; ii++)
+    count += list->numneigh[list->ilist[ii]];
   pairs.reset(count);
   for (int ii = 0; ii < list->inum; ii++) {
     const int i = list->ilist[ii];
@@ -424,14 +463,16 @@ void PairMCA::push_history(bool next)
       fix_history->firstflag[i][jj] = state[0] != mca::link::none || state[1] != 0.0;
       std::copy_n(state, mca::LinkList::stateSize,
                   &fix_history->firstvalue[i][mca::LinkList::stateSize * jj]);
-      if (!linked) continue;
+      if (!linked)
+        continue;
       const int j = pairs.pairs().j[k];
-      const double r = pairlaw[onelaw ? 0 : pairs.pairs().law[k]].diameter *
-          (1.0 + pairs.pairs().eps[k]);
+      const double r =
+          pairlaw[onelaw ? 0 : pairs.pairs().law[k]].diameter * (1.0 + pairs.pairs().eps[k]);
       if (r * r > cutsq[atom->type[i]][atom->type[j]])
-        error->one(FLERR, "Link of automata {} {} is stretched to {:.6g}, beyond the cutoff {:.6g}: "
-                   "give pair_style mca a larger cutoff or a fracture criterion", atom->tag[i],
-                   atom->tag[j], r, std::sqrt(cutsq[atom->type[i]][atom->type[j]]));
+        error->one(FLERR,
+                   "Link of automata {} {} is stretched to {:.6g}, beyond the cutoff {:.6g}: "
+                   "give pair_style mca a larger cutoff or a fracture criterion",
+                   atom->tag[i], atom->tag[j], r, std::sqrt(cutsq[atom->type[i]][atom->type[j]]));
     }
   }
 }
@@ -453,8 +494,8 @@ PairMCA::Automaton PairMCA::automaton(int i) const
   const double unit = stress_unit(), mean = response.get()[i * mca::responseRow] * unit;
   const mca::StressTensor s =
       mca::automatonStress(row[0] * unit, row[1] * unit, row[2] * unit, mean);
-  const double density = mca::energyDensity(row[3], mean / unit, law.shearModulus, law.bulkModulus,
-                                            law.D);
+  const double density =
+      mca::energyDensity(row[3], mean / unit, law.shearModulus, law.bulkModulus, law.D);
   return {s, mean, mca::stressIntensity(s),
           density * mca::HexagonalPacking{m.diameter, depth}.cellVolume()};
 }
@@ -464,11 +505,12 @@ mca::ContactStress PairMCA::contact(int k) const
   const mca::Pairs &p = pairs.pairs();
   const double *ri = response.get() + static_cast<size_t>(p.i[k]) * mca::responseRow;
   const double *rj = response.get() + static_cast<size_t>(p.j[k]) * mca::responseRow;
-  mca::ContactStress s = mca::contactStress(
-      pairlaw[onelaw ? 0 : p.law[k]], p.now.kind[k], p.eps[k], p.now.plastic[k], p.now.gamma[k],
-      p.now.gammaTotal[k], p.separation[k], ri[0], ri[1], rj[0], rj[1]);
+  mca::ContactStress s = mca::contactStress(pairlaw[onelaw ? 0 : p.law[k]], p.now.kind[k], p.eps[k],
+                                            p.now.plastic[k], p.now.gamma[k], p.now.gammaTotal[k],
+                                            p.separation[k], ri[0], ri[1], rj[0], rj[1]);
   const double unit = stress_unit();
-  return {s.trial * unit, s.sigma * unit, s.tau * unit, s.normal * unit, s.shear * unit, s.kindNext};
+  return {s.trial * unit,  s.sigma * unit, s.tau * unit,
+          s.normal * unit, s.shear * unit, s.kindNext};
 }
 
 double PairMCA::owned_share(int k) const
@@ -481,8 +523,10 @@ PairMCA::Count PairMCA::count() const
   Count c = events;
   const mca::Pairs &p = pairs.pairs();
   for (int k = 0; k < p.n; k++) {
-    if (mca::link::isLinked(p.now.kind[k])) c.links += owned_share(k);
-    if (p.now.kind[k] == mca::link::weld) c.welds += owned_share(k);
+    if (mca::link::isLinked(p.now.kind[k]))
+      c.links += owned_share(k);
+    if (p.now.kind[k] == mca::link::weld)
+      c.welds += owned_share(k);
   }
   return c;
 }
@@ -494,7 +538,8 @@ PairMCA::Count PairMCA::count() const
 void PairMCA::add_up(Stage what)
 {
   stage = what;
-  if (force->newton_pair) comm->reverse_comm(this, what == STRAINS ? mca::strainRow : mca::stressRow);
+  if (force->newton_pair)
+    comm->reverse_comm(this, what == STRAINS ? mca::strainRow : mca::stressRow);
 }
 
 void PairMCA::pass_on(Stage what)
@@ -506,14 +551,17 @@ void PairMCA::pass_on(Stage what)
 int PairMCA::pack_forward_comm(int n, int *index, double *buf, int /*pbc_flag*/, int * /*pbc*/)
 {
   const double *from = response.get() + (stage == MEANS ? 0 : 1);
-  for (int k = 0; k < n; k++) buf[k] = from[static_cast<size_t>(index[k]) * mca::responseRow];
+  for (int k = 0; k < n; k++)
+    buf[k] = from[static_cast<size_t>(index[k]) * mca::responseRow];
   return n;
 }
 
 void PairMCA::unpack_forward_comm(int n, int first, double *buf)
 {
-  double *to = response.get() + static_cast<size_t>(first) * mca::responseRow + (stage == MEANS ? 0 : 1);
-  for (int k = 0; k < n; k++) to[k * mca::responseRow] = buf[k];
+  double *to =
+      response.get() + static_cast<size_t>(first) * mca::responseRow + (stage == MEANS ? 0 : 1);
+  for (int k = 0; k < n; k++)
+    to[k * mca::responseRow] = buf[k];
 }
 
 int PairMCA::pack_reverse_comm(int n, int first, double *buf)
@@ -529,13 +577,14 @@ void PairMCA::unpack_reverse_comm(int n, int *index, double *buf)
   const int row = stage == STRAINS ? mca::strainRow : mca::stressRow;
   double *to = (stage == STRAINS ? strains : stresses).get();
   for (int k = 0; k < n; k++)
-    for (int m = 0; m < row; m++) to[static_cast<size_t>(index[k]) * row + m] += *buf++;
+    for (int m = 0; m < row; m++)
+      to[static_cast<size_t>(index[k]) * row + m] += *buf++;
 }
 
 double PairMCA::memory_usage()
 {
-  return Pair::memory_usage() + pairs.bytes() + motion.bytes() + strains.bytes() + stresses.bytes() + response.bytes() +
-      forces.bytes() + kappa_next.bytes();
+  return Pair::memory_usage() + pairs.bytes() + motion.bytes() + strains.bytes() +
+         stresses.bytes() + response.bytes() + forces.bytes() + kappa_next.bytes();
 }
 
 /* ----------------------------------------------------------------------
@@ -545,7 +594,8 @@ double PairMCA::memory_usage()
 void PairMCA::write_restart_settings(FILE *fp)
 {
   std::string text = mca::exactText({depth, cut_user});
-  for (const auto &word : lawset.words()) text += word + " ";
+  for (const auto &word : lawset.words())
+    text += word + " ";
   mca::writeBlock(fp, text);
 }
 
@@ -554,9 +604,11 @@ void PairMCA::read_restart_settings(FILE *fp)
   std::istringstream text(mca::readBlock(lmp, fp, "pair_style mca"));
   std::vector<std::string> words;
   text >> depth >> cut_user;
-  for (std::string word; text >> word;) words.push_back(word);
+  for (std::string word; text >> word;)
+    words.push_back(word);
   const std::string problem = lawset.parse(words);
-  if (!problem.empty()) error->all(FLERR, "Restart file: pair_style mca: {}", problem);
+  if (!problem.empty())
+    error->all(FLERR, "Restart file: pair_style mca: {}", problem);
 }
 
 void PairMCA::write_restart(FILE *fp)
@@ -564,17 +616,20 @@ void PairMCA::write_restart(FILE *fp)
   write_restart_settings(fp);
   std::vector<double> values;
   for (int i = 1; i <= atom->ntypes; i++)
-    for (const auto &q : mca::materialQuantities()) values.push_back(materials[i].*q.value);
+    for (const auto &q : mca::materialQuantities())
+      values.push_back(materials[i].*q.value);
   mca::writeBlock(fp, mca::exactText(values));
 }
 
 void PairMCA::read_restart(FILE *fp)
 {
   read_restart_settings(fp);
-  if (!allocated) allocate();
+  if (!allocated)
+    allocate();
   std::istringstream text(mca::readBlock(lmp, fp, "pair_coeff of mca"));
   for (int i = 1; i <= atom->ntypes; i++) {
-    for (const auto &q : mca::materialQuantities()) text >> materials[i].*q.value;
+    for (const auto &q : mca::materialQuantities())
+      text >> materials[i].*q.value;
     setflag[i][i] = 1;
   }
 }

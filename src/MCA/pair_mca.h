@@ -42,10 +42,10 @@ class PairMCA : public Pair {
 
   // ---- for the history fix: the flat pair list follows LAMMPS's neighbor list
 
-  void pull_history();             // neighbor history -> pair list
-  void push_history(bool next);    // pair list -> neighbor history, present or next state
-  void commit();                   // the next state of automata becomes the present one
-  void keep_lag();                 // after a step: velocities less those that made its forces
+  void pull_history();          // neighbor history -> pair list
+  void push_history(bool next); // pair list -> neighbor history, present or next state
+  void commit();                // the next state of automata becomes the present one
+  void keep_lag();              // after a step: velocities less those that made its forces
 
   // ---- for computes, fixes and commands
 
@@ -55,37 +55,37 @@ class PairMCA : public Pair {
   const mca::LawSet &laws() const { return lawset; }
   double thickness() const { return depth; }
 
-  struct Automaton {    // of an owned automaton, in pressure units; valid after compute()
+  struct Automaton { // of an owned automaton, in pressure units; valid after compute()
     mca::StressTensor stress;
     double mean, intensity, energy;
   };
   Automaton automaton(int) const;
 
-  mca::ContactStress contact(int) const;    // of pair k, in pressure units
-  double owned_share(int) const;            // 1, or 1/2 for a pair that two ranks hold
+  mca::ContactStress contact(int) const; // of pair k, in pressure units
+  double owned_share(int) const;         // 1, or 1/2 for a pair that two ranks hold
 
-  struct Count {    // of this rank; pairs held twice count half on each
+  struct Count { // of this rank; pairs held twice count half on each
     double links = 0.0, welds = 0.0;
-    double broken = 0.0, formed = 0.0, healed = 0.0;    // since the pair style was created
+    double broken = 0.0, formed = 0.0, healed = 0.0; // since the pair style was created
   };
   Count count() const;
 
  protected:
   mca::LawSet lawset;
-  double depth;          // thickness of the discs
-  double cut_user;       // 0 = default
-  std::vector<mca::Material> materials;    // by type, in the units of the input script
+  double depth;                         // thickness of the discs
+  double cut_user;                      // 0 = default
+  std::vector<mca::Material> materials; // by type, in the units of the input script
 
-  std::vector<mca::PairLaw> pairlaw;         // by itype * (ntypes+1) + jtype
-  std::vector<mca::AutomatonLaw> autolaw;    // by type
-  bool onelaw;                               // one material for all types
+  std::vector<mca::PairLaw> pairlaw;      // by itype * (ntypes+1) + jtype
+  std::vector<mca::AutomatonLaw> autolaw; // by type
+  bool onelaw;                            // one material for all types
   const mca::Kernel *kernel;
 
   mca::LinkList pairs;
   mca::AlignedArray motion, strains, stresses, response, forces, kappa_next;
-  enum Stage { STRAINS, STRESSES, MEANS, FACTORS } stage;    // what is being communicated
-  Count events;              // since creation; links and welds stay 0
-  bool committed;            // kappa already holds the values of the coming step
+  enum Stage { STRAINS, STRESSES, MEANS, FACTORS } stage; // what is being communicated
+  Count events;                                           // since creation; links and welds stay 0
+  bool committed; // kappa already holds the values of the coming step
 
   FixMCAHistory *fix_history;
   int icustom_kappa, icustom_lag[2];
@@ -102,6 +102,6 @@ class PairMCA : public Pair {
   void tally(int, int);
 };
 
-}    // namespace LAMMPS_NS
+} // namespace LAMMPS_NS
 
 #endif

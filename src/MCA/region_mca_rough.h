@@ -28,6 +28,6 @@ class RegionMCARough : public Region {
   std::unique_ptr<mca::RoughProfile> profile;
 };
 
-}    // namespace LAMMPS_NS
+} // namespace LAMMPS_NS
 
 #endif

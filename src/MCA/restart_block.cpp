@@ -15,13 +15,14 @@ namespace {
 struct Head {
   unsigned long long length, sum;
 };
-constexpr unsigned long long longest = 1 << 24;    // bytes; far beyond any block of ours
-}  // namespace
+constexpr unsigned long long longest = 1 << 24; // bytes; far beyond any block of ours
+} // namespace
 
 unsigned long long checksum(const std::string &text)
 {
   unsigned long long sum = 14695981039346656037ULL;
-  for (const unsigned char c : text) sum = (sum ^ c) * 1099511628211ULL;
+  for (const unsigned char c : text)
+    sum = (sum ^ c) * 1099511628211ULL;
   return sum;
 }
 
@@ -29,7 +30,8 @@ std::string exactText(const std::vector<double> &values)
 {
   std::ostringstream text;
   text.precision(17);
-  for (const double value : values) text << value << ' ';
+  for (const double value : values)
+    text << value << ' ';
   return text.str();
 }
 
@@ -60,8 +62,10 @@ std::string readBlock(LAMMPS *lmp, FILE *fp, const char *what)
   }
   MPI_Bcast(&good, 1, MPI_INT, 0, lmp->world);
   if (!good)
-    lmp->error->all(FLERR, "Restart file is damaged or truncated: the block of {} does not match "
-                    "its checksum", what);
+    lmp->error->all(FLERR,
+                    "Restart file is damaged or truncated: the block of {} does not match "
+                    "its checksum",
+                    what);
   MPI_Bcast(&head.length, 1, MPI_UNSIGNED_LONG_LONG, 0, lmp->world);
   text.resize(head.length);
   MPI_Bcast(&text[0], static_cast<int>(head.length), MPI_CHAR, 0, lmp->world);
@@ -80,4 +84,4 @@ std::string readBlockBytes(LAMMPS *lmp, const char *bytes, const char *what)
   return text;
 }
 
-}  // namespace mca
+} // namespace mca

@@ -31,6 +31,6 @@ std::string readBlock(LAMMPS_NS::LAMMPS *lmp, FILE *fp, const char *what);
 std::string blockBytes(const std::string &text);
 std::string readBlockBytes(LAMMPS_NS::LAMMPS *lmp, const char *bytes, const char *what);
 
-}  // namespace mca
+} // namespace mca
 
 #endif

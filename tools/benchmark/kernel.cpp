@@ -9,7 +9,7 @@
 
 namespace {
 
-constexpr double dt = 5e-5;  // ns
+constexpr double dt = 5e-5; // ns
 
 mca::Material steel()
 {
@@ -37,12 +37,14 @@ struct Sample {
   std::vector<mca::PairLaw> pairLaws;
   std::vector<mca::AutomatonLaw> laws;
 
-  explicit Sample(int columns, int rows) : n(columns * rows), type(n, 1), kappa(n, 0.0), kappaNext(n)
+  explicit Sample(int columns, int rows)
+      : n(columns * rows), type(n, 1), kappa(n, 0.0), kappaNext(n)
   {
     const mca::Material m = steel();
     const mca::LawSet set;
     pairLaws.assign(4, mca::makePairLaw(set, m, m, 1.0));
-    laws.assign(2, {m.bulkModulus(), m.shearModulus(), m.meanStressWeight(), 1.0, mca::YieldCurve(m)});
+    laws.assign(2,
+                {m.bulkModulus(), m.shearModulus(), m.meanStressWeight(), 1.0, mca::YieldCurve(m)});
     motion.reserve(static_cast<size_t>(n) * mca::motionRow);
     strains.reserve(static_cast<size_t>(n) * mca::strainRow);
     stresses.reserve(static_cast<size_t>(n) * mca::stressRow);
@@ -60,12 +62,17 @@ struct Sample {
         row[2] = 0.01 * std::sin(y);
         row[3] = 0.01 * std::cos(x);
         row[4] = 0.001 * std::sin(x);
-        for (int k = 5; k < mca::motionRow; k++) row[k] = 0.0;
-        if (c + 1 < columns) pairs.add(i, i + 1, 3, state);
-        if (r + 1 == rows) continue;
+        for (int k = 5; k < mca::motionRow; k++)
+          row[k] = 0.0;
+        if (c + 1 < columns)
+          pairs.add(i, i + 1, 3, state);
+        if (r + 1 == rows)
+          continue;
         const int up = i + columns - (r % 2 ? 0 : 1);
-        if (r % 2 || c > 0) pairs.add(i, up, 3, state);
-        if (!(r % 2) || c + 1 < columns) pairs.add(i, up + 1, 3, state);
+        if (r % 2 || c > 0)
+          pairs.add(i, up, 3, state);
+        if (!(r % 2) || c + 1 < columns)
+          pairs.add(i, up + 1, 3, state);
       }
   }
 
@@ -103,16 +110,18 @@ using Part = void (Sample::*)(const mca::Kernel &);
 void run(benchmark::State &state, const mca::Kernel &kernel, std::vector<Part> parts, int columns)
 {
   Sample sample(columns, columns);
-  for (Part part : {&Sample::strain, &Sample::mean, &Sample::stress, &Sample::yield, &Sample::force})
+  for (Part part :
+       {&Sample::strain, &Sample::mean, &Sample::stress, &Sample::yield, &Sample::force})
     (sample.*part)(kernel);
   for (auto _ : state)
-    for (Part part : parts) (sample.*part)(kernel);
-  state.counters["automaton-steps/s"] = benchmark::Counter(
-      static_cast<double>(sample.n) * static_cast<double>(state.iterations()),
-      benchmark::Counter::kIsRate);
+    for (Part part : parts)
+      (sample.*part)(kernel);
+  state.counters["automaton-steps/s"] =
+      benchmark::Counter(static_cast<double>(sample.n) * static_cast<double>(state.iterations()),
+                         benchmark::Counter::kIsRate);
 }
 
-}  // namespace
+} // namespace
 
 int main(int argc, char **argv)
 {

@@ -13,12 +13,12 @@ namespace mca {
 
 /// Laws of one ordered pair of materials (i, j).
 struct PairLaw {
-  double diameter, invDiameter;  ///< d [length], 1/d
-  double area;                   ///< contact area S [length^2]
-  double twoGi, twoGj;           ///< 2G of both sides [stress]
-  double twoG, invTwoG;          ///< their mean [stress], and 1/mean
-  double Di, Dj;                 ///< weight of the mean stress of both sides [-]
-  double viscosity;              ///< eta [stress time]
+  double diameter, invDiameter; ///< d [length], 1/d
+  double area;                  ///< contact area S [length^2]
+  double twoGi, twoGj;          ///< 2G of both sides [stress]
+  double twoG, invTwoG;         ///< their mean [stress], and 1/mean
+  double Di, Dj;                ///< weight of the mean stress of both sides [-]
+  double viscosity;             ///< eta [stress time]
   LinkLimits limits;
 };
 
@@ -42,10 +42,10 @@ inline double returnedStress(double sigma, double meanI, double factorI, double 
 
 /// Stresses of a contact [stress], tension positive, and what it turns into.
 struct ContactStress {
-  double trial;          ///< elastic normal stress before the radial return
-  double sigma, tau;     ///< elastic stresses after it, which decide on the next kind
-  double normal, shear;  ///< what makes the force: with viscosity, and none of a link that breaks
-  double kindNext;       ///< kind from the next step on
+  double trial;         ///< elastic normal stress before the radial return
+  double sigma, tau;    ///< elastic stresses after it, which decide on the next kind
+  double normal, shear; ///< what makes the force: with viscosity, and none of a link that breaks
+  double kindNext;      ///< kind from the next step on
 };
 
 /// \param kind        link::worn, none, bulk or weld
@@ -57,8 +57,8 @@ struct ContactStress {
 /// \param meanI,meanJ      mean stresses of the automata [stress]
 /// \param factorI,factorJ  factors M of their radial returns [-]
 inline ContactStress contactStress(const PairLaw &law, double kind, double eps, double plastic,
-                                   double gamma, double gammaTotal, double separation,
-                                   double meanI, double factorI, double meanJ, double factorJ)
+                                   double gamma, double gammaTotal, double separation, double meanI,
+                                   double factorI, double meanJ, double factorJ)
 {
   const double e = eps - plastic;
   const bool isBulk = kind == link::bulk;
@@ -79,6 +79,6 @@ inline ContactStress contactStress(const PairLaw &law, double kind, double eps, 
   return {trial, sigma, tau, normal, shear, kindNext};
 }
 
-}  // namespace mca
+} // namespace mca
 
 #endif

@@ -9,7 +9,7 @@
 
 namespace mca {
 
-using Vector = Eigen::Vector3cd;  // amplitudes of u_x/d, u_y/d and the rotation
+using Vector = Eigen::Vector3cd; // amplitudes of u_x/d, u_y/d and the rotation
 using Matrix = Eigen::Matrix3cd;
 
 // Largest squared frequency at one wave vector, from the energy of one automaton (elasticity.h),
@@ -31,7 +31,9 @@ static double squaredFrequency(const Material &m, double D, double qx, double qy
   energy += 0.5 * D * m.bulkModulus() * third * third * (sum * sum.adjoint());
   const double translational = cell.mass(m.density) * m.diameter * m.diameter;
   const Eigen::Vector3d inverseRoot =
-      Eigen::Vector3d(translational, translational, cell.inertia(m.density)).cwiseSqrt().cwiseInverse();
+      Eigen::Vector3d(translational, translational, cell.inertia(m.density))
+          .cwiseSqrt()
+          .cwiseInverse();
   const Matrix dynamical =
       2.0 * cell.cellVolume() * (inverseRoot.asDiagonal() * energy * inverseRoot.asDiagonal());
   return Eigen::SelfAdjointEigenSolver<Matrix>(dynamical, Eigen::EigenvaluesOnly).eigenvalues()(2);
@@ -55,4 +57,4 @@ CriticalStep criticalStep(const Material &m, double D, double viscosity)
                                                   : std::numeric_limits<double>::infinity()};
 }
 
-}  // namespace mca
+} // namespace mca

@@ -11,8 +11,8 @@ namespace mca {
 
 /// Both limits [time]; infinity where the law is switched off.
 struct CriticalStep {
-  double elastic;  ///< 2/omega over the Brillouin zone of the linked hexagonal lattice
-  double viscous;  ///< 2/lambda = m/(3c), c = eta S/d: all six contacts damped, in antiphase
+  double elastic; ///< 2/omega over the Brillouin zone of the linked hexagonal lattice
+  double viscous; ///< 2/lambda = m/(3c), c = eta S/d: all six contacts damped, in antiphase
 
   /// Both laws acting on the same contacts: omega^2 dt^2 + 2 lambda dt = 4. Verlet's forces see the
   /// velocity of half a step ago, hence damping shortens the step.
@@ -27,6 +27,6 @@ struct CriticalStep {
 /// \param viscosity  eta of unlinked contacts [stress time], 0 without
 CriticalStep criticalStep(const Material &, double D, double viscosity);
 
-}  // namespace mca
+} // namespace mca
 
 #endif

@@ -60,8 +60,8 @@ inline double normalResponse(double e, double twoG, double D, double mean)
 /// Elastic energy of an automaton per volume [stress], from sums over its contacts.
 /// \param sumSquares  sum_j (e^2 + gamma^2) [-]
 /// \param D           weight of the mean stress [-]
-inline double energyDensity(double sumSquares, double mean, double shearModulus,
-                            double bulkModulus, double D)
+inline double energyDensity(double sumSquares, double mean, double shearModulus, double bulkModulus,
+                            double D)
 {
   return HexagonalPacking::stressWeight() * shearModulus * sumSquares +
          D * mean * mean / (2.0 * bulkModulus);
@@ -79,8 +79,11 @@ inline double axisRotation(double slope)
 /// Increment of the shear of a contact [-]: the axis' rotation less the mean rotation of the two
 /// automata, so that a rigid rotation of the pair leaves no shear at any distance r.
 /// \param turns  sum of the rotations of both automata in the step [rad]
-inline double shearIncrement(double axisTurn, double turns) { return axisTurn - 0.5 * turns; }
+inline double shearIncrement(double axisTurn, double turns)
+{
+  return axisTurn - 0.5 * turns;
+}
 
-}  // namespace mca
+} // namespace mca
 
 #endif

@@ -28,6 +28,6 @@ inline double linkIntensity2(double sigma, double tau)
   return opening * opening + 3.0 * tau * tau;
 }
 
-}  // namespace mca
+} // namespace mca
 
 #endif

@@ -11,9 +11,12 @@ namespace mca {
 
 static std::string shortest(double value)
 {
-  if (value == LawSet::off) return "none";
-  if (value == LawSet::atElasticLimit) return "elastic_limit";
-  if (value == LawSet::atHardness) return "hardness";
+  if (value == LawSet::off)
+    return "none";
+  if (value == LawSet::atElasticLimit)
+    return "elastic_limit";
+  if (value == LawSet::atHardness)
+    return "hardness";
   char text[32];
   return std::string(text, std::to_chars(text, text + sizeof(text), value).ptr);
 }
@@ -27,7 +30,7 @@ struct Choice {
 struct Threshold {
   const char *keyword;
   double LawSet::*value;
-  std::string material;  // word for a stress of the material, if the threshold takes one
+  std::string material; // word for a stress of the material, if the threshold takes one
   double materialValue;
 };
 const std::vector<Choice> &choices()
@@ -52,10 +55,11 @@ const std::vector<Threshold> &thresholds()
 std::string joined(const std::vector<std::string> &words)
 {
   std::string all;
-  for (const auto &word : words) all += (all.empty() ? "" : ", ") + word;
+  for (const auto &word : words)
+    all += (all.empty() ? "" : ", ") + word;
   return all;
 }
-}  // namespace
+} // namespace
 
 LawSet LawSet::named(const std::string &preset)
 {
@@ -73,13 +77,15 @@ std::string LawSet::parse(const std::vector<std::string> &words)
 {
   for (size_t k = 0; k < words.size(); k += 2) {
     const std::string &keyword = words[k];
-    if (k + 1 == words.size()) return "keyword " + keyword + " has no value";
+    if (k + 1 == words.size())
+      return "keyword " + keyword + " has no value";
     const std::string &value = words[k + 1];
     auto bad = [&](const std::string &allowed) {
       return "keyword " + keyword + ", value " + value + ", allowed: " + allowed;
     };
     if (keyword == "preset") {
-      if (value != "a" && value != "b") return bad("a, b");
+      if (value != "a" && value != "b")
+        return bad("a, b");
       *this = named(value);
       continue;
     }
@@ -96,8 +102,10 @@ std::string LawSet::parse(const std::vector<std::string> &words)
                                   [&](const Threshold &t) { return keyword == t.keyword; });
     if (threshold == thresholds().end()) {
       std::vector<std::string> known = {"thickness", "cutoff", "preset"};
-      for (const auto &c : choices()) known.push_back(c.keyword);
-      for (const auto &t : thresholds()) known.push_back(t.keyword);
+      for (const auto &c : choices())
+        known.push_back(c.keyword);
+      for (const auto &t : thresholds())
+        known.push_back(t.keyword);
       return unknownWord(keyword, known);
     }
     char *end = nullptr;
@@ -113,15 +121,18 @@ std::string LawSet::parse(const std::vector<std::string> &words)
       return bad("a multiple of the strength > 0, " +
                  (threshold->material.empty() ? "" : threshold->material + ", ") + "none");
   }
-  if (heal != off && weld == off) return "keyword heal needs welds: give weld a value";
+  if (heal != off && weld == off)
+    return "keyword heal needs welds: give weld a value";
   return "";
 }
 
 std::vector<std::string> LawSet::words() const
 {
   std::vector<std::string> all = {"preset", preset};
-  for (const auto &c : choices()) all.insert(all.end(), {c.keyword, this->*c.value});
-  for (const auto &t : thresholds()) all.insert(all.end(), {t.keyword, shortest(this->*t.value)});
+  for (const auto &c : choices())
+    all.insert(all.end(), {c.keyword, this->*c.value});
+  for (const auto &t : thresholds())
+    all.insert(all.end(), {t.keyword, shortest(this->*t.value)});
   return all;
 }
 
@@ -146,13 +157,12 @@ PairLaw makePairLaw(const LawSet &set, const Material &i, const Material &j, dou
   law.limits.bulkStrain2 = set.fracture == "strain" ? squared(strain) : LawSet::off;
   law.limits.bulkIntensity2 = set.fracture == "stress" ? squared(weaker) : LawSet::off;
   law.limits.weldIntensity2 = squared(set.weld * weaker);
-  law.limits.linkPressure = set.link == LawSet::atElasticLimit ? std::min(i.sigmaY1(), j.sigmaY1())
-                                                               : set.link * weaker;
-  law.limits.healPressure = set.heal == LawSet::atHardness
-      ? 3.0 * std::min(i.sigmaY2(), j.sigmaY2())
-      : set.heal * weaker;
+  law.limits.linkPressure =
+      set.link == LawSet::atElasticLimit ? std::min(i.sigmaY1(), j.sigmaY1()) : set.link * weaker;
+  law.limits.healPressure =
+      set.heal == LawSet::atHardness ? 3.0 * std::min(i.sigmaY2(), j.sigmaY2()) : set.heal * weaker;
   law.limits.linkedKind = set.weld == LawSet::off ? link::bulk : link::weld;
   return law;
 }
 
-}  // namespace mca
+} // namespace mca

@@ -16,17 +16,17 @@ namespace mca {
 /// switches a transition off; negative values stand for a stress of the material.
 struct LawSet {
   static constexpr double off = std::numeric_limits<double>::infinity();
-  static constexpr double atElasticLimit = -1.0;  ///< sigma_y1
-  static constexpr double atHardness = -2.0;      ///< 3 sigma_y2 (Tabor)
+  static constexpr double atElasticLimit = -1.0; ///< sigma_y1
+  static constexpr double atHardness = -2.0;     ///< 3 sigma_y2 (Tabor)
 
   std::string preset = "b";
-  std::string elasticity = "many-body";  ///< or pairwise: plane Poisson's ratio 0
-  std::string plasticity = "radial";     ///< or none
-  std::string fracture = "strain";       ///< of bulk links: strain, stress or none
-  double link = atElasticLimit;          ///< compression that links an unlinked contact
-  double weld = 1.0;                     ///< strength of welds; off: contacts become bulk links
-  double heal = atHardness;                   ///< compression that turns a weld into a bulk link
-  std::string viscosity = "normal";      ///< or none
+  std::string elasticity = "many-body"; ///< or pairwise: plane Poisson's ratio 0
+  std::string plasticity = "radial";    ///< or none
+  std::string fracture = "strain";      ///< of bulk links: strain, stress or none
+  double link = atElasticLimit;         ///< compression that links an unlinked contact
+  double weld = 1.0;                    ///< strength of welds; off: contacts become bulk links
+  double heal = atHardness;             ///< compression that turns a weld into a bulk link
+  std::string viscosity = "normal";     ///< or none
 
   /// Set A (one kind of link), set B (bulk links and welds, the default).
   static LawSet named(const std::string &preset);
@@ -43,6 +43,6 @@ struct LawSet {
 /// linking. \param thickness h [length]
 PairLaw makePairLaw(const LawSet &, const Material &i, const Material &j, double thickness);
 
-}  // namespace mca
+} // namespace mca
 
 #endif

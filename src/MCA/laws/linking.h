@@ -17,25 +17,31 @@ namespace mca {
 /// Kinds of pair; kept as a double beside the other pair state so that loops vectorise. Linked
 /// kinds are positive.
 namespace link {
-constexpr double worn = -1.0;  ///< unlinked; its link broke and it is still under linking pressure
-constexpr double none = 0.0;   ///< unlinked: compression and viscosity only
-constexpr double bulk = 1.0;   ///< elastic-plastic, breaks by the bulk criterion
-constexpr double weld = 2.0;   ///< elastic-brittle
+constexpr double worn = -1.0; ///< unlinked; its link broke and it is still under linking pressure
+constexpr double none = 0.0;  ///< unlinked: compression and viscosity only
+constexpr double bulk = 1.0;  ///< elastic-plastic, breaks by the bulk criterion
+constexpr double weld = 2.0;  ///< elastic-brittle
 
-inline bool isLinked(double kind) { return kind > none; }
+inline bool isLinked(double kind)
+{
+  return kind > none;
+}
 
 /// 1 for a linked kind, else 0: a factor, since loops over conditions as factors vectorise.
-inline double linked(double kind) { return kind > none ? 1.0 : 0.0; }
-}  // namespace link
+inline double linked(double kind)
+{
+  return kind > none ? 1.0 : 0.0;
+}
+} // namespace link
 
 /// Limits of the transitions of one pair of materials.
 struct LinkLimits {
-  double bulkStrain2;     ///< eps_c^2 [-]: a bulk link breaks at this squared strain intensity
-  double bulkIntensity2;  ///< [stress^2]: ... or at this squared stress intensity
-  double weldIntensity2;  ///< [stress^2]: a weld breaks at this squared stress intensity
-  double linkPressure;    ///< [stress]: elastic compression that links an unlinked contact
-  double healPressure;    ///< [stress]: ... that turns a weld or a worn contact into a bulk link
-  double linkedKind;      ///< what an unlinked contact becomes: link::bulk or link::weld
+  double bulkStrain2;    ///< eps_c^2 [-]: a bulk link breaks at this squared strain intensity
+  double bulkIntensity2; ///< [stress^2]: ... or at this squared stress intensity
+  double weldIntensity2; ///< [stress^2]: a weld breaks at this squared stress intensity
+  double linkPressure;   ///< [stress]: elastic compression that links an unlinked contact
+  double healPressure;   ///< [stress]: ... that turns a weld or a worn contact into a bulk link
+  double linkedKind;     ///< what an unlinked contact becomes: link::bulk or link::weld
 };
 
 /// The kind of a pair after a step.
@@ -66,6 +72,6 @@ inline double nextKind(double kind, double sigma, double tau, double eps, double
   return kind > link::none ? ifLinked : ifUnlinked;
 }
 
-}  // namespace mca
+} // namespace mca
 
 #endif

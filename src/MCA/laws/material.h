@@ -12,16 +12,16 @@
 namespace mca {
 
 struct Material {
-  double youngs_modulus = 0;   ///< E [stress], > 0
-  double poissons_ratio = 0;   ///< nu [-], in (-1, 0.5)
-  double density = 0;          ///< rho [mass/length^3] of the solid, > 0
-  double strength = 0;         ///< sigma_0 [stress], ultimate tensile strength, > 0
-  double elastic_limit = 0;    ///< sigma_y1 / sigma_0 [-], in (0, 1]
-  double yield_strength = 0;   ///< sigma_y2 / sigma_0 [-], in [elastic_limit, 1]
-  double yield_strain = 0;     ///< eps_y2 [-], total strain at which sigma_y2 is reached
-  double breaking_strain = 0;  ///< eps_c [-], total strain at which sigma_0 is reached
-  double viscosity = 0;        ///< eta [stress time], >= 0
-  double diameter = 0;         ///< d [length] of the automaton, > 0
+  double youngs_modulus = 0;  ///< E [stress], > 0
+  double poissons_ratio = 0;  ///< nu [-], in (-1, 0.5)
+  double density = 0;         ///< rho [mass/length^3] of the solid, > 0
+  double strength = 0;        ///< sigma_0 [stress], ultimate tensile strength, > 0
+  double elastic_limit = 0;   ///< sigma_y1 / sigma_0 [-], in (0, 1]
+  double yield_strength = 0;  ///< sigma_y2 / sigma_0 [-], in [elastic_limit, 1]
+  double yield_strain = 0;    ///< eps_y2 [-], total strain at which sigma_y2 is reached
+  double breaking_strain = 0; ///< eps_c [-], total strain at which sigma_0 is reached
+  double viscosity = 0;       ///< eta [stress time], >= 0
+  double diameter = 0;        ///< d [length] of the automaton, > 0
 
   double shearModulus() const { return youngs_modulus / (2.0 * (1.0 + poissons_ratio)); }
   double bulkModulus() const { return youngs_modulus / (3.0 * (1.0 - 2.0 * poissons_ratio)); }
@@ -62,6 +62,6 @@ std::string nearestMaterialKeyword(const std::string &word);
 /// \return an empty string, or one line: keyword, value, what is allowed.
 std::string checkMaterial(const Material &);
 
-}  // namespace mca
+} // namespace mca
 
 #endif

@@ -33,9 +33,10 @@ std::string nearestWord(const std::string &word, const std::vector<std::string> 
 std::string unknownWord(const std::string &word, const std::vector<std::string> &known)
 {
   std::string all;
-  for (const auto &k : known) all += (all.empty() ? "" : ", ") + k;
+  for (const auto &k : known)
+    all += (all.empty() ? "" : ", ") + k;
   return "unknown keyword " + word + ", the nearest known one is " + nearestWord(word, known) +
          ", known: " + all;
 }
 
-}  // namespace mca
+} // namespace mca

@@ -14,6 +14,6 @@ std::string nearestWord(const std::string &word, const std::vector<std::string> 
 /// "unknown keyword W, the nearest known one is K, known: ..."
 std::string unknownWord(const std::string &word, const std::vector<std::string> &known);
 
-}  // namespace mca
+} // namespace mca
 
 #endif

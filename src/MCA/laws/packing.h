@@ -18,8 +18,8 @@ namespace mca {
 struct HexagonalPacking {
   static constexpr int coordination = 6;
 
-  double diameter;   ///< d [length], > 0
-  double thickness;  ///< h [length], > 0; all forces are proportional to it
+  double diameter;  ///< d [length], > 0
+  double thickness; ///< h [length], > 0; all forces are proportional to it
 
   /// V = (sqrt(3)/2) d^2 h [length^3]
   double cellVolume() const { return 0.5 * std::sqrt(3.0) * diameter * diameter * thickness; }
@@ -38,6 +38,6 @@ struct HexagonalPacking {
   double inertia(double density) const { return mass(density) * diameter * diameter / 8.0; }
 };
 
-}  // namespace mca
+} // namespace mca
 
 #endif

@@ -23,8 +23,8 @@ inline double stressIntensity(const StressTensor &s)
 /// Yield stress against equivalent plastic strain: straight lines through (0, sigma_y1),
 /// (eps_y2 - sigma_y2/E, sigma_y2), (eps_c - sigma_0/E, sigma_0), then constant.
 struct YieldCurve {
-  double y1, rise2, rise3;      ///< sigma_y1, sigma_y2 - sigma_y1, sigma_0 - sigma_y2 [stress]
-  double strain2, inv2, inv3;   ///< plastic strain at sigma_y2 and 1/length of both pieces [-]
+  double y1, rise2, rise3;    ///< sigma_y1, sigma_y2 - sigma_y1, sigma_0 - sigma_y2 [stress]
+  double strain2, inv2, inv3; ///< plastic strain at sigma_y2 and 1/length of both pieces [-]
 
   explicit YieldCurve(const Material &m)
       : y1(m.sigmaY1()), rise2(m.sigmaY2() - m.sigmaY1()), rise3(m.strength - m.sigmaY2()),
@@ -44,8 +44,8 @@ struct YieldCurve {
 
 /// What one automaton's yielding does to its contacts.
 struct RadialReturn {
-  double factor;  ///< M = sigma_Y/sigma_int, or 1 when elastic [-]
-  double strain;  ///< increment of the equivalent plastic strain [-]
+  double factor; ///< M = sigma_Y/sigma_int, or 1 when elastic [-]
+  double strain; ///< increment of the equivalent plastic strain [-]
 };
 
 /// \param intensity     trial stress intensity [stress]
@@ -58,6 +58,6 @@ inline RadialReturn radialReturn(double intensity, double yieldStress, double sh
           yields ? (intensity - yieldStress) / (3.0 * shearModulus) : 0.0};
 }
 
-}  // namespace mca
+} // namespace mca
 
 #endif

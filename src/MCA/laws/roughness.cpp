@@ -23,15 +23,17 @@ RoughProfile::RoughProfile(double length, double amplitude, double correlation, 
   const int samples = 16 * waves;
   for (int s = 0; s < samples; s++)
     largest = std::max(largest, std::abs((*this)(length * s / samples)));
-  for (auto &a : amplitude_) a *= amplitude / largest;
+  for (auto &a : amplitude_)
+    a *= amplitude / largest;
 }
 
 double RoughProfile::operator()(double x) const
 {
   double sum = 0.0;
   for (size_t k = 0; k < amplitude_.size(); k++)
-    sum += amplitude_[k] * std::cos(2.0 * pi * static_cast<double>(k + 1) * x / length_ + phase_[k]);
+    sum +=
+        amplitude_[k] * std::cos(2.0 * pi * static_cast<double>(k + 1) * x / length_ + phase_[k]);
   return sum;
 }
 
-}  // namespace mca
+} // namespace mca

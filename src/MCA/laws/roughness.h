@@ -26,6 +26,6 @@ class RoughProfile {
   std::vector<double> amplitude_, phase_;
 };
 
-}  // namespace mca
+} // namespace mca
 
 #endif

@@ -18,6 +18,6 @@ inline double unlinkedStress(double elastic, double viscosity, double separation
   return total < 0.0 ? total : 0.0;
 }
 
-}  // namespace mca
+} // namespace mca
 
 #endif
