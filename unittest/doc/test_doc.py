@@ -85,8 +85,8 @@ def choices():
     text = source("laws/law_set.cpp")
     table = {k: re.findall(r'"([\w-]+)"', words)
              for k, words in re.findall(r'\{"(\w+)", &LawSet::\w+, \{(.*?)\}\}', text)}
-    for keyword, elastic in re.findall(r'\{"(\w+)", &LawSet::\w+, (true|false)\}', text):
-        table[keyword] = ["factor"] + ["elastic_limit"] * (elastic == "true") + ["none"]
+    for keyword, stress in re.findall(r'\{"(\w+)", &LawSet::\w+, "(\w*)", [\w.:]+\}', text):
+        table[keyword] = ["factor"] + [stress] * bool(stress) + ["none"]
     table["preset"] = re.findall(r'value != "(\w+)"', text)
     return table
 
@@ -114,7 +114,7 @@ def test_pair_defaults():
             re.findall(r"^\| \*(\w+)\* \| (.*?) \| (.*?) \|$", text, re.MULTILINE)}
     header = source("laws/law_set.h")
     code = dict(re.findall(r'std::string (\w+) = "([\w-]+)";', header))
-    number = {"atElasticLimit": "elastic_limit", "off": "none"}
+    number = {"atElasticLimit": "elastic_limit", "atHardness": "hardness", "off": "none"}
     code.update({k: number.get(v, v) for k, v in re.findall(r"double (link|weld|heal) = ([\w.]+);", header)})
     default = section(text, "Default")
     for keyword, value in code.items():
@@ -148,7 +148,7 @@ def test_keywords(file, parser, pattern):
 
 def test_potential_file():
     """The table of quantities with what is allowed, and the example, which is steel.mca."""
-    coded = re.findall(r'\{"(\w+)", &Material::\w+, "([^"]+)", "([^"]+)"\}', source("laws/material.cpp"))
+    coded = re.findall(r'\{"(\w+)", &Material::\w+, "([^"]+)",\s*"([^"]+)"\}', source("laws/material.cpp"))
     text = page("potential_file.md")
     table = re.findall(r"^\| `(\w+)` \|[^|]*\| (.*?) \| (.*?) \|$", text, re.MULTILINE)
     assert coded and table == coded
