@@ -156,6 +156,7 @@ void PairMCA::pack_motion(int nall, bool advance)
     row[2] = advance ? v[i][0] : v[i][0] - lag_x[i];
     row[3] = advance ? v[i][1] : v[i][1] - lag_y[i];
     row[4] = omega[i][2];
+    row[5] = row[6] = row[7] = 0.0; // whole rows are worked on
   }
 }
 
