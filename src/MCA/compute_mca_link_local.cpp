@@ -110,9 +110,9 @@ double ComputeMCALinkLocal::value(int attribute, int k) const
   case PLASTIC:
     return p.now.plastic[k];
   case GAMMA:
-    return p.now.gamma[k];
+    return p.now.gamma[0][k];
   case GAMMA_TOTAL:
-    return p.now.gammaTotal[k];
+    return p.now.gammaTotal[0][k];
   case SIGMA:
     return pair->contact(k).sigma;
   default:

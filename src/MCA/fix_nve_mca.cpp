@@ -3,15 +3,14 @@
 #include "atom.h"
 #include "error.h"
 #include "force.h"
+#include "pair_mca.h"
 #include "update.h"
 
 using namespace LAMMPS_NS;
 using namespace FixConst;
 
-// moment of inertia of a disc over m r^2
-static constexpr double DISC = 0.5;
-
-FixNVEMCA::FixNVEMCA(LAMMPS *host, int narg, char **arg) : Fix(host, narg, arg), icustom_theta(-1)
+FixNVEMCA::FixNVEMCA(LAMMPS *host, int narg, char **arg)
+    : Fix(host, narg, arg), pair(nullptr), icustom_theta(-1)
 {
   if (narg != 3)
     error->all(FLERR, "Fix nve/mca takes no arguments, got {}", arg[3]);
@@ -28,7 +27,8 @@ int FixNVEMCA::setmask()
 
 void FixNVEMCA::init()
 {
-  if (!force->pair_match("^mca", 0))
+  pair = dynamic_cast<PairMCA *>(force->pair_match("^mca", 0));
+  if (!pair)
     error->all(FLERR, "Fix nve/mca requires pair_style mca");
   if (utils::strmatch(update->integrate_style, "^respa"))
     error->all(FLERR, "Fix nve/mca does not work with run_style respa");
@@ -40,26 +40,29 @@ void FixNVEMCA::init()
 void FixNVEMCA::reset_dt()
 {
   dtv = update->dt;
-  dtf = 0.5 * update->dt * force->ftm2v;
+  const double dtf = 0.5 * update->dt * force->ftm2v;
+  // one division a type, not two an automaton and half step
+  halfstep.assign(atom->ntypes + 1, {0.0, 0.0});
+  for (int type = 1; type <= atom->ntypes; type++)
+    halfstep[type] = {dtf / pair->mass(type), dtf / pair->inertia(type)};
 }
 
 void FixNVEMCA::initial_integrate(int /*vflag*/)
 {
   double **x = atom->x, **v = atom->v, **f = atom->f;
   double **omega = atom->omega, **torque = atom->torque;
-  const double *rmass = atom->rmass, *radius = atom->radius;
   double *theta = atom->dvector[icustom_theta];
-  const int *mask = atom->mask;
+  const int *mask = atom->mask, *type = atom->type;
   const int n = igroup == atom->firstgroup ? atom->nfirst : atom->nlocal;
   for (int i = 0; i < n; i++) {
     if (!(mask[i] & groupbit))
       continue;
-    const double dtfm = dtf / rmass[i];
-    v[i][0] += dtfm * f[i][0];
-    v[i][1] += dtfm * f[i][1];
+    const HalfStep &half = halfstep[type[i]];
+    v[i][0] += half.over_mass * f[i][0];
+    v[i][1] += half.over_mass * f[i][1];
     x[i][0] += dtv * v[i][0];
     x[i][1] += dtv * v[i][1];
-    omega[i][2] += dtfm / (DISC * radius[i] * radius[i]) * torque[i][2];
+    omega[i][2] += half.over_inertia * torque[i][2];
     theta[i] += dtv * omega[i][2];
   }
 }
@@ -67,15 +70,14 @@ void FixNVEMCA::initial_integrate(int /*vflag*/)
 void FixNVEMCA::final_integrate()
 {
   double **v = atom->v, **f = atom->f, **omega = atom->omega, **torque = atom->torque;
-  const double *rmass = atom->rmass, *radius = atom->radius;
-  const int *mask = atom->mask;
+  const int *mask = atom->mask, *type = atom->type;
   const int n = igroup == atom->firstgroup ? atom->nfirst : atom->nlocal;
   for (int i = 0; i < n; i++) {
     if (!(mask[i] & groupbit))
       continue;
-    const double dtfm = dtf / rmass[i];
-    v[i][0] += dtfm * f[i][0];
-    v[i][1] += dtfm * f[i][1];
-    omega[i][2] += dtfm / (DISC * radius[i] * radius[i]) * torque[i][2];
+    const HalfStep &half = halfstep[type[i]];
+    v[i][0] += half.over_mass * f[i][0];
+    v[i][1] += half.over_mass * f[i][1];
+    omega[i][2] += half.over_inertia * torque[i][2];
   }
 }

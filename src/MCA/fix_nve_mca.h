@@ -8,6 +8,8 @@
 
 #include "fix.h"
 
+#include <vector>
+
 namespace LAMMPS_NS {
 
 class FixNVEMCA : public Fix {
@@ -20,7 +22,12 @@ class FixNVEMCA : public Fix {
   void reset_dt() override;
 
  private:
-  double dtv, dtf;
+  struct HalfStep { // half a step over mass and moment of inertia
+    double over_mass, over_inertia;
+  };
+  class PairMCA *pair;
+  double dtv;
+  std::vector<HalfStep> halfstep; // by type
   int icustom_theta;
 };
 

@@ -11,7 +11,8 @@
 /// No LAMMPS type in here. The forces of a step are a pure function of positions, velocities and
 /// the pair state `now`; what plasticity, fracture and linking change is written to `next`, which
 /// becomes `now` at the beginning of the following step. Hence a run that continues from a restart
-/// file recomputes the very same forces.
+/// file recomputes the very same forces. Where nothing flows, breaks or links, which is most of a
+/// sample, both states are equal and `next` is not touched.
 ///
 /// Plane problem; per-automaton arrays are rows of fixed length, 64-byte aligned, so that an
 /// automaton costs one cache line. All quantities in one consistent set of units.
@@ -32,27 +33,45 @@ struct AutomatonLaw {
   YieldCurve curve;
 };
 
-/// State of the pairs that outlives a step, one value a pair.
+/// Pairs are worked on in blocks of this length, whose temporary rows stay in the first-level
+/// cache.
+constexpr int blockLength = 128;
+
+/// Most shear components of a pair: one in the plane, a vector in space.
+constexpr int maxShears = 3;
+
+/// State of the pairs that outlives a step, one value a pair. In the plane only the first component
+/// of the shears exists.
 struct PairState {
-  double *kind;       ///< link::worn, none, bulk or weld
-  double *plastic;    ///< plastic offset of the normal strain [-]
-  double *gamma;      ///< elastic shear [-]
-  double *gammaTotal; ///< shear since linking, not reduced by plasticity [-]
+  double *kind;                  ///< link::worn, none, bulk or weld
+  double *plastic;               ///< plastic offset of the normal strain [-]
+  double *gamma[maxShears];      ///< elastic shear [-]
+  double *gammaTotal[maxShears]; ///< shear since linking, not reduced by plasticity [-]
 };
 
-/// A block of the pair list; all arrays have `n` values.
+/// What is known of all pairs of a block, so that most blocks take a short way.
+struct Block {
+  static constexpr int mixed = -1;
+  int law;     ///< number of the law of all its pairs, or mixed
+  bool bulk;   ///< all its pairs are bulk links
+  bool breaks; ///< one of them reaches the breaking strain in this step
+  bool moves;  ///< the next state differs from the present one; only then is it held in `next`
+};
+
+/// The pair list; arrays have `n` values.
 struct Pairs {
   int n;
   const int *i, *j; ///< row numbers of the two automata
   const int *law;   ///< number in the table of PairLaw
   PairState now, next;
-  double *nx, *ny;    ///< unit normal from i to j [-]
+  double *normal[3];  ///< unit normal from i to j [-]; two components in the plane
   double *eps;        ///< total normal strain r/d - 1 [-]
-  double *separation; ///< normal velocity of j seen from i [length/time]
+  double *separation; ///< normal velocity of j seen from i [length/time]; not of bulk blocks
+  Block *blocks;      ///< of blockLength pairs each
 };
 
-/// Lengths of the rows of the per-automaton arrays.
-constexpr int motionRow = 8;   ///< x, y, vx, vy, omega, then unused
+/// Lengths of the rows of the per-automaton arrays in the plane.
+constexpr int motionRow = 8;   ///< x, y, vx, vy, omega, then zeros
 constexpr int strainRow = 2;   ///< sum of elastic normal strains [-], number of bulk links
 constexpr int stressRow = 4;   ///< averaged xx, yy, xy [stress], sum of e^2 + gamma^2 [-]
 constexpr int responseRow = 2; ///< mean stress [stress], factor M of the radial return [-]
@@ -60,35 +79,36 @@ constexpr int forceRow = 4;    ///< fx, fy [force], torque [force length], unuse
 
 /// Moves the shear on by one step and adds each contact's strain to both of its automata.
 /// \param dt       the step [time]; 0 keeps the state as it is (set-up)
-/// \param laws     table of PairLaw; with \p oneLaw the first entry serves all pairs
+/// \param laws     table of PairLaw
 /// \param motion   motionRow values an automaton
 /// \param strains  strainRow values an automaton, added to
-using StrainPass = void(const Pairs &, double dt, const PairLaw *laws, bool oneLaw,
-                        const double *motion, double *strains);
+using StrainPass = void(const Pairs &, double dt, const PairLaw *laws, const double *motion,
+                        double *strains);
 
-/// Mean stress of each automaton; the factor M is set to 1.
+/// Mean stress of each automaton.
 /// \param type      material number of each automaton, used to index laws
-/// \param response  responseRow values an automaton, written
-using MeanPass = void(int n, const int *type, const AutomatonLaw *laws, const double *strains,
-                      double *response);
+/// \param oneLaw    the materials of all automata are equal: laws[type[0]] serves all
+/// \param response  responseRow values an automaton; the mean stress is written
+using MeanPass = void(int n, const int *type, const AutomatonLaw *laws, bool oneLaw,
+                      const double *strains, double *response);
 
 /// Adds the elastic stress of each contact to the averaged stress of both of its automata.
 /// \param stresses  stressRow values an automaton, added to
-using StressPass = void(const Pairs &, const PairLaw *laws, bool oneLaw, const double *response,
+using StressPass = void(const Pairs &, const PairLaw *laws, const double *response,
                         double *stresses);
 
 /// Stress intensity and radial return of each automaton.
 /// \param kappa      equivalent plastic strain [-]
 /// \param kappaNext  the same at the beginning of the next step
 /// \param response   the factor M is written
-using YieldPass = void(int n, const int *type, const AutomatonLaw *laws, const double *strains,
-                       const double *stresses, const double *kappa, double *kappaNext,
-                       double *response);
+using YieldPass = void(int n, const int *type, const AutomatonLaw *laws, bool oneLaw,
+                       const double *strains, const double *stresses, const double *kappa,
+                       double *kappaNext, double *response);
 
 /// Stresses of the contacts, forces and torques on both automata, next state.
 /// \param forces  forceRow values an automaton, added to
 /// \return how many pairs change their kind
-using ForcePass = double(const Pairs &, const PairLaw *laws, bool oneLaw, const double *response,
+using ForcePass = double(const Pairs &, const PairLaw *laws, const double *response,
                          double *forces);
 
 /// The passes compiled for one instruction set.

@@ -1,57 +1,101 @@
 #include "link_list.h"
 
+#include <algorithm>
+
 namespace mca {
+
+LinkList::LinkList(int shears)
+    : shears_(shears), arrays_(5 + 2 * stateSize()), now_(stateSize()), next_(stateSize())
+{
+}
 
 void LinkList::reset(int n)
 {
   for (auto &a : arrays_)
     a.reserve(n);
-  i_.clear();
-  j_.clear();
-  law_.clear();
-  i_.reserve(n);
-  j_.reserve(n);
-  law_.reserve(n);
-  auto state = [&](int first) -> PairState {
-    return {arrays_[first].get(), arrays_[first + 1].get(), arrays_[first + 2].get(),
-            arrays_[first + 3].get()};
-  };
-  view_ = {0,        i_.data(),        j_.data(),        law_.data(),       state(0),
-           state(4), arrays_[8].get(), arrays_[9].get(), arrays_[10].get(), arrays_[11].get()};
+  for (auto *list : {&i_, &j_, &law_}) {
+    list->clear();
+    list->reserve(n);
+  }
+  blocks_.clear();
+  blocks_.reserve(n / blockLength + 1);
+  view_ = {};
+  view_.i = i_.data();
+  view_.j = j_.data();
+  view_.law = law_.data();
+  view_.blocks = blocks_.data();
+  for (int m = 0; m < 3; m++)
+    view_.normal[m] = arrays_[m].get();
+  view_.eps = arrays_[3].get();
+  view_.separation = arrays_[4].get();
+  const AlignedArray *array = &arrays_[5];
+  for (auto *of : {&now_, &next_}) {
+    for (auto &values : *of)
+      values = (array++)->get();
+    PairState &state = of == &now_ ? view_.now : view_.next;
+    state.kind = (*of)[0];
+    state.plastic = (*of)[1];
+    for (int m = 0; m < shears_; m++) {
+      state.gamma[m] = (*of)[2 + m];
+      state.gammaTotal[m] = (*of)[2 + shears_ + m];
+    }
+  }
 }
 
 void LinkList::add(int i, int j, int law, const double *state)
 {
+  const int k = view_.n++;
+  if (k % blockLength == 0)
+    blocks_.push_back({law, true, false, false});
+  Block &block = blocks_.back();
+  if (law != block.law)
+    block.law = Block::mixed;
   i_.push_back(i);
   j_.push_back(j);
   law_.push_back(law);
-  const int k = view_.n++;
-  view_.nx[k] = view_.ny[k] = view_.eps[k] = view_.separation[k] = 0.0;
+  for (double *normal : view_.normal)
+    normal[k] = 0.0;
+  view_.eps[k] = view_.separation[k] = 0.0;
   setState(k, state);
+}
+
+void LinkList::advance()
+{
+  for (size_t b = 0; b < blocks_.size(); b++) {
+    if (!blocks_[b].moves)
+      continue;
+    blocks_[b].moves = false;
+    const int first = static_cast<int>(b) * blockLength;
+    const int n = std::min(blockLength, view_.n - first);
+    for (size_t m = 0; m < now_.size(); m++)
+      std::copy_n(next_[m] + first, n, now_[m] + first);
+    const double *kind = view_.now.kind + first;
+    blocks_[b].bulk = std::all_of(kind, kind + n, [](double k) { return k == link::bulk; });
+  }
 }
 
 void LinkList::getState(int k, bool next, double *state) const
 {
-  const PairState &from = next ? view_.next : view_.now;
-  state[0] = from.kind[k];
-  state[1] = from.plastic[k];
-  state[2] = from.gamma[k];
-  state[3] = from.gammaTotal[k];
+  const auto &from = next && blocks_[k / blockLength].moves ? next_ : now_;
+  for (size_t m = 0; m < from.size(); m++)
+    state[m] = from[m][k];
 }
 
 void LinkList::setState(int k, const double *state)
 {
-  for (const PairState &to : {view_.now, view_.next}) {
-    to.kind[k] = state[0];
-    to.plastic[k] = state[1];
-    to.gamma[k] = state[2];
-    to.gammaTotal[k] = state[3];
+  Block &block = blocks_[k / blockLength];
+  for (size_t m = 0; m < now_.size(); m++) {
+    now_[m][k] = state[m];
+    if (block.moves)
+      next_[m][k] = state[m];
   }
+  block.bulk = block.bulk && state[0] == link::bulk;
 }
 
 double LinkList::bytes() const
 {
-  double sum = static_cast<double>(3 * i_.capacity() * sizeof(int));
+  double sum = static_cast<double>(3 * i_.capacity() * sizeof(int)) +
+               static_cast<double>(blocks_.capacity() * sizeof(Block));
   for (const auto &a : arrays_)
     sum += a.bytes();
   return sum;

@@ -38,8 +38,12 @@ class AlignedArray {
 /// Owns the arrays of a Pairs view.
 class LinkList {
  public:
+  /// \param shears  shear components of a pair: 1 in the plane, 3 in space
+  explicit LinkList(int shears = 1);
+
   /// Values kept with a pair in LAMMPS's neighbor history: kind, plastic, gamma, gammaTotal.
-  static constexpr int stateSize = 4;
+  int stateSize() const { return 2 + 2 * shears_; }
+  static constexpr int maxStateSize = 2 + 2 * maxShears;
 
   /// Empties the list and makes room for n pairs.
   void reset(int n);
@@ -50,10 +54,10 @@ class LinkList {
   const Pairs &pairs() const { return view_; }
   int size() const { return view_.n; }
 
-  /// Makes the next state the present one; the next one is then undefined until the force pass.
-  void advance() { std::swap(view_.now, view_.next); }
+  /// Makes the next state the present one.
+  void advance();
 
-  /// Copies the present (or the next) state of pair k to stateSize doubles.
+  /// Copies the present (or the next) state of pair k to stateSize() doubles.
   void getState(int k, bool next, double *state) const;
 
   /// Sets both the present and the next state of pair k.
@@ -62,8 +66,11 @@ class LinkList {
   double bytes() const;
 
  private:
-  AlignedArray arrays_[4 + 2 * stateSize];
+  int shears_;
+  std::vector<AlignedArray> arrays_;
   std::vector<int> i_, j_, law_;
+  std::vector<Block> blocks_;
+  std::vector<double *> now_, next_; // the arrays of both states, in the order of getState()
   Pairs view_{};
 };
 

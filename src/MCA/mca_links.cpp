@@ -78,8 +78,8 @@ void MCALinks::command(int narg, char **arg)
     const double d = 0.5 * (pair->material(type[i]).diameter + pair->material(type[j]).diameter);
     if (create && r > reach * d)
       continue;
-    const double state[mca::LinkList::stateSize] = {create ? mca::link::bulk : mca::link::none,
-                                                    p.now.plastic[k], 0.0, 0.0};
+    const double state[mca::LinkList::maxStateSize] = {create ? mca::link::bulk : mca::link::none,
+                                                       p.now.plastic[k]}; // no shear
     pair->links().setState(k, state);
     changed += pair->owned_share(k);
   }

@@ -93,20 +93,20 @@ void PairMCA::compute(int eflag, int vflag)
   pack_motion(nall, advance);
 
   clear(strains, nall, mca::strainRow);
-  kernel->strain(p, advance ? update->dt : 0.0, laws, onelaw, motion.get(), strains.get());
+  kernel->strain(p, advance ? update->dt : 0.0, laws, motion.get(), strains.get());
   add_up(STRAINS);
-  kernel->mean(nlocal, type, autolaw.data(), strains.get(), response.get());
+  kernel->mean(nlocal, type, autolaw.data(), onelaw, strains.get(), response.get());
   pass_on(MEANS);
 
   clear(stresses, nall, mca::stressRow);
-  kernel->stress(p, laws, onelaw, response.get(), stresses.get());
+  kernel->stress(p, laws, response.get(), stresses.get());
   add_up(STRESSES);
-  kernel->yield(nlocal, type, autolaw.data(), strains.get(), stresses.get(), kappa(),
+  kernel->yield(nlocal, type, autolaw.data(), onelaw, strains.get(), stresses.get(), kappa(),
                 kappa_next.get(), response.get());
   pass_on(FACTORS);
 
   clear(forces, nall, mca::forceRow);
-  const double changed = kernel->force(p, laws, onelaw, response.get(), forces.get());
+  const double changed = kernel->force(p, laws, response.get(), forces.get());
   const int rows = force->newton_pair ? nall : nlocal;
   double **f = atom->f, **torque = atom->torque;
   const double *row = forces.get();
@@ -127,17 +127,16 @@ void PairMCA::compute(int eflag, int vflag)
 void PairMCA::count_events()
 {
   const mca::Pairs &p = pairs.pairs();
-  for (int k = 0; k < p.n; k++) {
-    const double before = p.now.kind[k], after = p.next.kind[k];
-    if (before == after)
+  for (int first = 0; first < p.n; first += mca::blockLength) {
+    if (!p.blocks[first / mca::blockLength].moves)
       continue;
-    const bool was = mca::link::isLinked(before), is = mca::link::isLinked(after);
-    if (was && !is)
-      events.broken += owned_share(k);
-    if (!was && is)
-      events.formed += owned_share(k);
-    if (was && is)
-      events.healed += owned_share(k);
+    for (int k = first; k < std::min(first + mca::blockLength, p.n); k++) {
+      const double before = p.now.kind[k], after = p.next.kind[k];
+      const bool was = mca::link::isLinked(before), is = mca::link::isLinked(after);
+      if (before == after || (!was && !is))
+        continue;
+      (was && is ? events.healed : was ? events.broken : events.formed) += owned_share(k);
+    }
   }
 }
 
@@ -190,11 +189,12 @@ void PairMCA::tally(int /*eflag*/, int /*vflag*/)
   double **x = atom->x;
   for (int k = 0; k < p.n; k++) {
     const int i = p.i[k], j = p.j[k];
-    const mca::PairLaw &law = pairlaw[onelaw ? 0 : p.law[k]];
+    const mca::PairLaw &law = pairlaw[p.law[k]];
     const mca::ContactStress s = contact(k);
     const double fn = s.normal / stress_unit() * law.area;
     const double ft = s.shear / stress_unit() * law.area / (1.0 + p.eps[k]);
-    const double fx = fn * p.nx[k] - ft * p.ny[k], fy = fn * p.ny[k] + ft * p.nx[k];
+    const double nx = p.normal[0][k], ny = p.normal[1][k];
+    const double fx = fn * nx - ft * ny, fy = fn * ny + ft * nx;
     const int keep = vflag_global;
     if (vflag_fdotr)
       vflag_global = 0;
@@ -321,7 +321,7 @@ void PairMCA::init_style()
   neighbor->add_request(this);
 
   if (!fix_history) {
-    auto dnum = mca::LinkList::stateSize;
+    auto dnum = pairs.stateSize();
     fix_history = dynamic_cast<FixMCAHistory *>(modify->replace_fix(
         DUMMY_HISTORY, fmt::format("{} all MCA_HISTORY {}", FixMCAHistory::ID, dnum), 1));
     fix_history->attach(this);
@@ -337,12 +337,22 @@ void PairMCA::init_style()
   icustom_lag[1] = atom->find_custom("mca_lag_y", is_double, columns);
   make_laws();
 
-  // the packing, not the disc, fixes the mass (laws/packing.h)
   for (int i = 0; i < atom->nlocal; i++) {
-    const mca::Material &m = materials[atom->type[i]];
-    atom->radius[i] = 0.5 * m.diameter;
-    atom->rmass[i] = mca::HexagonalPacking{m.diameter, depth}.mass(m.density);
+    atom->radius[i] = 0.5 * materials[atom->type[i]].diameter;
+    atom->rmass[i] = mass(atom->type[i]);
   }
+}
+
+double PairMCA::mass(int type) const
+{
+  const mca::Material &m = materials[type];
+  return mca::HexagonalPacking{m.diameter, depth}.mass(m.density);
+}
+
+double PairMCA::inertia(int type) const
+{
+  const mca::Material &m = materials[type];
+  return mca::HexagonalPacking{m.diameter, depth}.inertia(m.density);
 }
 
 /* stresses inside are energy per volume, which is pressure units only where nktv2p is 1 */
@@ -369,14 +379,23 @@ void PairMCA::make_laws()
     autolaw.push_back({m.bulkModulus(), m.shearModulus(), many ? m.meanStressWeight() : 0.0, yields,
                        mca::YieldCurve(m)});
   }
-  pairlaw.resize((n + 1) * (n + 1));
+  // types of equal materials share one law, since the kernel is fastest where a law serves many
+  pairlaw.clear();
+  lawnumber.assign((n + 1) * (n + 1), 0);
+  std::vector<std::pair<int, int>> first; // the first pair of types of each law
   onelaw = true;
   for (int i = 1; i <= n; i++)
     for (int j = 1; j <= n; j++) {
-      pairlaw[i * (n + 1) + j] = mca::makePairLaw(lawset, inside[i], inside[j], depth);
+      auto same = std::find_if(first.begin(), first.end(), [&](const auto &types) {
+        return materials[types.first] == materials[i] && materials[types.second] == materials[j];
+      });
+      lawnumber[i * (n + 1) + j] = static_cast<int>(same - first.begin());
+      if (same == first.end()) {
+        first.emplace_back(i, j);
+        pairlaw.push_back(mca::makePairLaw(lawset, inside[i], inside[j], depth));
+      }
       onelaw = onelaw && materials[i] == materials[j];
     }
-  pairlaw[0] = pairlaw[n + 2]; // the entry that serves all pairs of one material
 }
 
 double PairMCA::init_one(int i, int j)
@@ -446,15 +465,15 @@ void PairMCA::pull_history()
     const int i = list->ilist[ii];
     for (int jj = 0; jj < list->numneigh[i]; jj++) {
       const int j = list->firstneigh[i][jj] & NEIGHMASK;
-      pairs.add(i, j, type[i] * n1 + type[j],
-                &fix_history->firstvalue[i][mca::LinkList::stateSize * jj]);
+      pairs.add(i, j, lawnumber[type[i] * n1 + type[j]],
+                &fix_history->firstvalue[i][pairs.stateSize() * jj]);
     }
   }
 }
 
 void PairMCA::push_history(bool next)
 {
-  double state[mca::LinkList::stateSize];
+  double state[mca::LinkList::maxStateSize];
   int k = 0;
   for (int ii = 0; ii < list->inum; ii++) {
     const int i = list->ilist[ii];
@@ -462,13 +481,11 @@ void PairMCA::push_history(bool next)
       pairs.getState(k, next, state);
       const bool linked = mca::link::isLinked(state[0]);
       fix_history->firstflag[i][jj] = state[0] != mca::link::none || state[1] != 0.0;
-      std::copy_n(state, mca::LinkList::stateSize,
-                  &fix_history->firstvalue[i][mca::LinkList::stateSize * jj]);
+      std::copy_n(state, pairs.stateSize(), &fix_history->firstvalue[i][pairs.stateSize() * jj]);
       if (!linked)
         continue;
       const int j = pairs.pairs().j[k];
-      const double r =
-          pairlaw[onelaw ? 0 : pairs.pairs().law[k]].diameter * (1.0 + pairs.pairs().eps[k]);
+      const double r = pairlaw[pairs.pairs().law[k]].diameter * (1.0 + pairs.pairs().eps[k]);
       if (r * r > cutsq[atom->type[i]][atom->type[j]])
         error->one(FLERR,
                    "Link of automata {} {} is stretched to {:.6g}, beyond the cutoff {:.6g}: "
@@ -482,7 +499,7 @@ void PairMCA::push_history(bool next)
 
 void PairMCA::transfer_history(double *source, double *target, int /*itype*/, int /*jtype*/)
 {
-  std::copy_n(source, mca::LinkList::stateSize, target);
+  std::copy_n(source, pairs.stateSize(), target);
 }
 
 /* ---------------------------------------------------------------------- */
@@ -506,9 +523,9 @@ mca::ContactStress PairMCA::contact(int k) const
   const mca::Pairs &p = pairs.pairs();
   const double *ri = response.get() + static_cast<size_t>(p.i[k]) * mca::responseRow;
   const double *rj = response.get() + static_cast<size_t>(p.j[k]) * mca::responseRow;
-  mca::ContactStress s = mca::contactStress(pairlaw[onelaw ? 0 : p.law[k]], p.now.kind[k], p.eps[k],
-                                            p.now.plastic[k], p.now.gamma[k], p.now.gammaTotal[k],
-                                            p.separation[k], ri[0], ri[1], rj[0], rj[1]);
+  mca::ContactStress s = mca::contactStress(
+      pairlaw[p.law[k]], p.now.kind[k], p.eps[k], p.now.plastic[k], p.now.gamma[0][k],
+      p.now.gammaTotal[0][k], p.separation[k], ri[0], ri[1], rj[0], rj[1]);
   const double unit = stress_unit();
   return {s.trial * unit,  s.sigma * unit, s.tau * unit,
           s.normal * unit, s.shear * unit, s.kindNext};

@@ -54,6 +54,8 @@ class PairMCA : public Pair {
   const mca::Material &material(int type) const { return materials[type]; }
   const mca::LawSet &laws() const { return lawset; }
   double thickness() const { return depth; }
+  double mass(int type) const;    // of an automaton: the packing, not the disc, fixes it
+  double inertia(int type) const; // about its axis
 
   struct Automaton { // of an owned automaton, in pressure units; valid after compute()
     mca::StressTensor stress;
@@ -76,7 +78,8 @@ class PairMCA : public Pair {
   double cut_user;                      // 0 = default
   std::vector<mca::Material> materials; // by type, in the units of the input script
 
-  std::vector<mca::PairLaw> pairlaw;      // by itype * (ntypes+1) + jtype
+  std::vector<mca::PairLaw> pairlaw;      // of unlike pairs of materials
+  std::vector<int> lawnumber;             // in pairlaw, by itype * (ntypes+1) + jtype
   std::vector<mca::AutomatonLaw> autolaw; // by type
   bool onelaw;                            // one material for all types
   const mca::Kernel *kernel;

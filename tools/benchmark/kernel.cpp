@@ -81,27 +81,26 @@ struct Sample {
   void strain(const mca::Kernel &k)
   {
     clear(strains, static_cast<size_t>(n) * mca::strainRow);
-    k.strain(pairs.pairs(), dt, pairLaws.data(), true, motion.get(), strains.get());
+    k.strain(pairs.pairs(), dt, pairLaws.data(), motion.get(), strains.get());
   }
   void mean(const mca::Kernel &k)
   {
-    k.mean(n, type.data(), laws.data(), strains.get(), response.get());
+    k.mean(n, type.data(), laws.data(), true, strains.get(), response.get());
   }
   void stress(const mca::Kernel &k)
   {
     clear(stresses, static_cast<size_t>(n) * mca::stressRow);
-    k.stress(pairs.pairs(), pairLaws.data(), true, response.get(), stresses.get());
+    k.stress(pairs.pairs(), pairLaws.data(), response.get(), stresses.get());
   }
   void yield(const mca::Kernel &k)
   {
-    k.yield(n, type.data(), laws.data(), strains.get(), stresses.get(), kappa.data(),
+    k.yield(n, type.data(), laws.data(), true, strains.get(), stresses.get(), kappa.data(),
             kappaNext.data(), response.get());
   }
   void force(const mca::Kernel &k)
   {
     clear(forces, static_cast<size_t>(n) * mca::forceRow);
-    benchmark::DoNotOptimize(
-        k.force(pairs.pairs(), pairLaws.data(), true, response.get(), forces.get()));
+    benchmark::DoNotOptimize(k.force(pairs.pairs(), pairLaws.data(), response.get(), forces.get()));
   }
 };
 

@@ -210,8 +210,7 @@ double nextKindOf(const Sample &s, const Contact &c, const View &w, const Stress
   const double limit = std::fmin(ma.breaking_strain, mb.breaking_strain);
   const double hardness =
       3 * std::fmin(ma.yield_strength * ma.strength, mb.yield_strength * mb.strength);
-  const double heals =
-      s.laws.heal == mca::LawSet::atHardness ? hardness : s.laws.heal * strength;
+  const double heals = s.laws.heal == mca::LawSet::atHardness ? hardness : s.laws.heal * strength;
   const bool welding = std::isfinite(s.laws.weld);
   const double tension = std::fmax(p.sigma, 0);
   const double intensity = std::sqrt(tension * tension + 3 * p.tau * p.tau);

@@ -107,35 +107,30 @@ static void passOn(const Sample &s, const mca::AlignedArray &array, int row)
     std::copy_n(array.get() + row * s.owner[i], row, array.get() + row * i);
 }
 
-void kernelStep(const mca::Kernel &kernel, Sample &s, double dt)
+KernelRun::KernelRun(const mca::Kernel &chosen, const Sample &s, bool next) : kernel(chosen)
 {
   const bool many = s.laws.elasticity == "many-body";
-  const int types = static_cast<int>(s.materials.size()), n = static_cast<int>(s.automata.size());
-  std::vector<mca::AutomatonLaw> own;
-  std::vector<mca::PairLaw> table;
+  const int types = static_cast<int>(s.materials.size());
   for (const auto &a : s.materials) {
     own.push_back({a.bulkModulus(), a.shearModulus(), many ? a.meanStressWeight() : 0.0,
                    s.laws.plasticity == "radial" ? 1.0 : 0.0, mca::YieldCurve(a)});
     for (const auto &b : s.materials)
       table.push_back(mca::makePairLaw(s.laws, a, b, s.thickness));
   }
-
-  mca::LinkList list;
   list.reset(static_cast<int>(s.contacts.size()));
   for (const auto &c : s.contacts) {
-    const double state[] = {c.now.kind, c.now.plastic, c.now.gamma, c.now.gammaTotal};
-    list.add(c.i, c.j, s.automata[c.i].type * types + s.automata[c.j].type, state);
+    const reference::State &state = next ? c.next : c.now;
+    const double values[] = {state.kind, state.plastic, state.gamma, state.gammaTotal};
+    list.add(c.i, c.j, s.automata[c.i].type * types + s.automata[c.j].type, values);
   }
-  for (int k = 0; k < list.size(); k++) {
-    const mca::Pairs &p = list.pairs();
-    const reference::State &next = s.contacts[k].next;
-    p.next.kind[k] = next.kind;
-    p.next.plastic[k] = next.plastic;
-    p.next.gamma[k] = next.gamma;
-    p.next.gammaTotal[k] = next.gammaTotal;
-  }
+}
 
-  const bool oneLaw = types == 1;
+void KernelRun::step(Sample &s, double dt)
+{
+  const int n = static_cast<int>(s.automata.size());
+  const bool oneLaw = s.materials.size() == 1;
+  if (dt > 0.0)
+    list.advance();
   std::vector<double> kappa, kappaNext(s.owned);
   std::vector<int> type;
   mca::AlignedArray motion, strains, stresses, response, forces;
@@ -154,19 +149,17 @@ void kernelStep(const mca::Kernel &kernel, Sample &s, double dt)
     type.push_back(a.type);
   }
 
-  if (dt > 0.0)
-    list.advance();
   const mca::Pairs &p = list.pairs();
-  kernel.strain(p, dt, table.data(), oneLaw, motion.get(), strains.get());
+  kernel.strain(p, dt, table.data(), motion.get(), strains.get());
   addUp(s, strains, mca::strainRow);
-  kernel.mean(s.owned, type.data(), own.data(), strains.get(), response.get());
+  kernel.mean(s.owned, type.data(), own.data(), oneLaw, strains.get(), response.get());
   passOn(s, response, mca::responseRow);
-  kernel.stress(p, table.data(), oneLaw, response.get(), stresses.get());
+  kernel.stress(p, table.data(), response.get(), stresses.get());
   addUp(s, stresses, mca::stressRow);
-  kernel.yield(s.owned, type.data(), own.data(), strains.get(), stresses.get(), kappa.data(),
-               kappaNext.data(), response.get());
+  kernel.yield(s.owned, type.data(), own.data(), oneLaw, strains.get(), stresses.get(),
+               kappa.data(), kappaNext.data(), response.get());
   passOn(s, response, mca::responseRow);
-  s.changed = static_cast<int>(kernel.force(p, table.data(), oneLaw, response.get(), forces.get()));
+  s.changed = static_cast<int>(kernel.force(p, table.data(), response.get(), forces.get()));
   addUp(s, forces, mca::forceRow);
 
   for (int i = 0; i < s.owned; i++) {
@@ -191,9 +184,17 @@ void kernelStep(const mca::Kernel &kernel, Sample &s, double dt)
   }
   for (int k = 0; k < p.n; k++) {
     Contact &c = s.contacts[k];
-    c.now = {p.now.kind[k], p.now.plastic[k], p.now.gamma[k], p.now.gammaTotal[k]};
-    c.next = {p.next.kind[k], p.next.plastic[k], p.next.gamma[k], p.next.gammaTotal[k]};
+    for (const bool next : {false, true}) {
+      double state[mca::LinkList::maxStateSize];
+      list.getState(k, next, state);
+      (next ? c.next : c.now) = {state[0], state[1], state[2], state[3]};
+    }
   }
+}
+
+void kernelStep(const mca::Kernel &kernel, Sample &s, double dt)
+{
+  KernelRun(kernel, s, dt > 0.0).step(s, dt);
 }
 
 double totalEnergy(const Sample &s)

@@ -3,7 +3,7 @@
 #ifndef SAMPLE_H
 #define SAMPLE_H
 
-#include "kernel.h"
+#include "link_list.h"
 #include "reference_mca.h"
 
 #include <string>
@@ -22,7 +22,23 @@ reference::Sample hexagonalBlock(const mca::Material &, int columns, int rows, d
 /// The same, periodic in both directions (rows must be even).
 reference::Sample periodicBlock(const mca::Material &, int columns, int rows, double kind);
 
-/// One evaluation of the laws by a kernel; results and both states go back into the sample.
+/// A kernel on a reference::Sample, with its own pair list that lives on from step to step.
+class KernelRun {
+ public:
+  /// \param next  begins with the next states of the sample's contacts, not the present ones
+  KernelRun(const mca::Kernel &, const reference::Sample &, bool next);
+
+  /// One evaluation of the laws; results and both states go back into the sample.
+  void step(reference::Sample &, double dt);
+
+ private:
+  const mca::Kernel &kernel;
+  std::vector<mca::AutomatonLaw> own;
+  std::vector<mca::PairLaw> table;
+  mca::LinkList list;
+};
+
+/// One evaluation of the laws by a kernel from the sample's present (dt = 0) or next states.
 void kernelStep(const mca::Kernel &, reference::Sample &, double dt);
 
 /// Sum of the automata's elastic energies after a step.

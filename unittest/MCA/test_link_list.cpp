@@ -20,9 +20,9 @@ TEST(LinkList, KeepsPairsAndStates)
   EXPECT_EQ(p.j[0], 7);
   EXPECT_EQ(p.law[1], 1);
   for (const bool next : {false, true}) {
-    double state[LinkList::stateSize];
+    double state[LinkList::maxStateSize];
     list.getState(1, next, state);
-    for (int m = 0; m < LinkList::stateSize; m++)
+    for (int m = 0; m < list.stateSize(); m++)
       EXPECT_EQ(state[m], second[m]);
   }
 }
@@ -33,8 +33,14 @@ TEST(LinkList, AdvanceMakesTheNextStateThePresentOne)
   list.reset(1);
   const double state[] = {1, 0.1, 0.2, 0.3};
   list.add(0, 1, 0, state);
-  list.pairs().next.gamma[0] = 0.7;
-  double seen[LinkList::stateSize];
+  const double later[] = {1, 0.1, 0.7, 0.8};
+  for (int m = 0; m < list.stateSize(); m++) // as the force pass does
+    (m == 0   ? list.pairs().next.kind
+     : m == 1 ? list.pairs().next.plastic
+     : m == 2 ? list.pairs().next.gamma[0]
+              : list.pairs().next.gammaTotal[0])[0] = later[m];
+  list.pairs().blocks[0].moves = true;
+  double seen[LinkList::maxStateSize];
   list.getState(0, false, seen);
   EXPECT_EQ(seen[2], 0.2);
   list.advance();
@@ -45,6 +51,40 @@ TEST(LinkList, AdvanceMakesTheNextStateThePresentOne)
     list.getState(0, next, seen);
     EXPECT_EQ(seen[2], 0.2);
   }
+}
+
+TEST(LinkList, BlocksKnowWhetherAllPairsAreBulkLinksOfOneLaw)
+{
+  LinkList list;
+  const int n = 3 * mca::blockLength;
+  list.reset(n);
+  for (int k = 0; k < n; k++) {
+    const double state[] = {k == 5 ? mca::link::weld : mca::link::bulk, 0, 0, 0};
+    list.add(k, k + 1, k == n - 1 ? 1 : 0, state);
+  }
+  const mca::Block *blocks = list.pairs().blocks;
+  EXPECT_FALSE(blocks[0].bulk);
+  EXPECT_TRUE(blocks[1].bulk);
+  EXPECT_EQ(blocks[1].law, 0);
+  EXPECT_EQ(blocks[2].law, mca::Block::mixed);
+  const double unlinked[] = {mca::link::none, 0, 0, 0};
+  list.setState(mca::blockLength, unlinked);
+  EXPECT_FALSE(blocks[1].bulk);
+}
+
+TEST(LinkList, InSpaceShearsAreVectors)
+{
+  LinkList list(3);
+  ASSERT_EQ(list.stateSize(), 8);
+  list.reset(1);
+  const double state[] = {1, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7};
+  list.add(0, 1, 0, state);
+  double seen[LinkList::maxStateSize];
+  list.getState(0, false, seen);
+  for (int m = 0; m < 8; m++)
+    EXPECT_EQ(seen[m], state[m]);
+  EXPECT_EQ(list.pairs().now.gamma[2][0], 0.4);
+  EXPECT_EQ(list.pairs().now.gammaTotal[0][0], 0.5);
 }
 
 TEST(LinkList, GrowsAndIsReusable)
@@ -58,10 +98,12 @@ TEST(LinkList, GrowsAndIsReusable)
     }
     ASSERT_EQ(list.size(), n);
     for (int k = 0; k < n; k++) {
+      double state[LinkList::maxStateSize];
       EXPECT_EQ(list.pairs().i[k], k);
-      EXPECT_EQ(list.pairs().now.gammaTotal[k], 3.0 * k);
-      EXPECT_EQ(list.pairs().next.plastic[k], 1.0 * k);
-      EXPECT_EQ(list.pairs().nx[k], 0.0);
+      EXPECT_EQ(list.pairs().now.gammaTotal[0][k], 3.0 * k);
+      list.getState(k, true, state);
+      EXPECT_EQ(state[1], 1.0 * k);
+      EXPECT_EQ(list.pairs().normal[0][k], 0.0);
     }
   }
   EXPECT_GT(list.bytes(), 5000 * 8 * 8);
@@ -71,6 +113,6 @@ TEST(LinkList, ArraysAreAligned)
 {
   LinkList list;
   list.reset(100);
-  for (const double *p : {list.pairs().nx, list.pairs().eps, list.pairs().now.kind})
+  for (const double *p : {list.pairs().normal[0], list.pairs().eps, list.pairs().now.kind})
     EXPECT_EQ(reinterpret_cast<std::uintptr_t>(p) % 64, 0u);
 }

@@ -12,6 +12,8 @@
 
 #include "fracture.h"
 
+#include <limits>
+
 namespace mca {
 
 /// Kinds of pair; kept as a double beside the other pair state so that loops vectorise. Linked
@@ -43,6 +45,12 @@ struct LinkLimits {
   double healPressure;   ///< [stress]: ... that turns a weld or a worn contact into a bulk link
   double linkedKind;     ///< what an unlinked contact becomes: link::bulk or link::weld
 };
+
+/// Whether strainIntensity2() alone decides when a bulk link breaks.
+inline bool breaksByStrainOnly(const LinkLimits &limit)
+{
+  return limit.bulkIntensity2 == std::numeric_limits<double>::infinity();
+}
 
 /// The kind of a pair after a step.
 ///
