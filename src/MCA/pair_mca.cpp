@@ -346,13 +346,13 @@ void PairMCA::init_style()
 double PairMCA::mass(int type) const
 {
   const mca::Material &m = materials[type];
-  return mca::HexagonalPacking{m.diameter, depth}.mass(m.density);
+  return mca::Cell{mca::packing::hex, m.diameter, depth}.mass(m.density);
 }
 
 double PairMCA::inertia(int type) const
 {
   const mca::Material &m = materials[type];
-  return mca::HexagonalPacking{m.diameter, depth}.inertia(m.density);
+  return mca::Cell{mca::packing::hex, m.diameter, depth}.inertia(m.density);
 }
 
 /* stresses inside are energy per volume, which is pressure units only where nktv2p is 1 */
@@ -515,7 +515,7 @@ PairMCA::Automaton PairMCA::automaton(int i) const
   const double density =
       mca::energyDensity(row[3], mean / unit, law.shearModulus, law.bulkModulus, law.D);
   return {s, mean, mca::stressIntensity(s),
-          density * mca::HexagonalPacking{m.diameter, depth}.cellVolume()};
+          density * mca::Cell{mca::packing::hex, m.diameter, depth}.cellVolume()};
 }
 
 mca::ContactStress PairMCA::contact(int k) const

@@ -177,7 +177,7 @@ void KernelRun::step(Sample &s, double dt)
     a.zz = t.zz;
     a.intensity = mca::stressIntensity(t);
     a.energy = mca::energyDensity(row[3], a.mean, law.shearModulus, law.bulkModulus, law.D) *
-               mca::HexagonalPacking{s.materials[a.type].diameter, s.thickness}.cellVolume();
+               mca::Cell{mca::packing::hex, s.materials[a.type].diameter, s.thickness}.cellVolume();
     a.fx = f[0];
     a.fy = f[1];
     a.torque = f[2];

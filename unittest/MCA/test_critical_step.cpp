@@ -36,7 +36,7 @@ double criticalElastic(const Sample &s)
 double bruteForce(const Sample &start)
 {
   const mca::Material &m = start.materials[0];
-  const mca::HexagonalPacking cell{m.diameter, start.thickness};
+  const mca::Cell cell{mca::packing::hex, m.diameter, start.thickness};
   const double mass = cell.mass(m.density), inertia = cell.inertia(m.density), h = 1e-7;
   const int n = start.owned;
   Eigen::MatrixXd matrix(3 * n, 3 * n);
@@ -68,7 +68,7 @@ double bruteForce(const Sample &start)
 double growth(Sample s, double dt, int steps)
 {
   const mca::Material &m = s.materials[0];
-  const mca::HexagonalPacking cell{m.diameter, s.thickness};
+  const mca::Cell cell{mca::packing::hex, m.diameter, s.thickness};
   const double mass = cell.mass(m.density), inertia = cell.inertia(m.density);
   const Sample lattice = s;
   std::mt19937 random(1);

@@ -1,59 +1,126 @@
 #include "critical_step.h"
 
-#include "packing.h"
-
-#include <Eigen/Eigenvalues>
+#include <Eigen/Dense>
 #include <algorithm>
 #include <complex>
 #include <limits>
+#include <vector>
 
 namespace mca {
 
-using Vector = Eigen::Vector3cd; // amplitudes of u_x/d, u_y/d and the rotation
-using Matrix = Eigen::Matrix3cd;
+using Complex = std::complex<double>;
+using Matrix = Eigen::MatrixXcd;
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
 
-// Largest squared frequency at one wave vector, from the energy of one automaton (elasticity.h),
-// U = V [ (G/3) sum (|e|^2 + |gamma|^2) + D |sigma_mean|^2/(2K) ], thickness 1.
-static double squaredFrequency(const Material &m, double D, double qx, double qy)
+namespace {
+
+struct Neighbour {
+  int from, to; // numbers in the lattice's basis
+  Vector3d normal;
+};
+
+Vector3d vector(const Lattice::Point &p)
 {
-  const HexagonalPacking cell{m.diameter, 1.0};
-  const double third = HexagonalPacking::stressWeight();
-  Matrix energy = Matrix::Zero();
-  Vector sum = Vector::Zero();
-  for (int k = 0; k < HexagonalPacking::coordination; k++) {
-    const double angle = k * std::acos(-1.0) / 3.0, nx = std::cos(angle), ny = std::sin(angle);
-    const std::complex<double> phase = std::polar(1.0, qx * nx + qy * ny), step = phase - 1.0;
-    const Vector normal(nx * step, ny * step, 0.0);
-    const Vector shear(-ny * step, nx * step, -0.5 * (1.0 + phase));
-    energy += third * m.shearModulus() * (normal * normal.adjoint() + shear * shear.adjoint());
-    sum += normal;
-  }
-  energy += 0.5 * D * m.bulkModulus() * third * third * (sum * sum.adjoint());
-  const double translational = cell.mass(m.density) * m.diameter * m.diameter;
-  const Eigen::Vector3d inverseRoot =
-      Eigen::Vector3d(translational, translational, cell.inertia(m.density))
-          .cwiseSqrt()
-          .cwiseInverse();
-  const Matrix dynamical =
-      2.0 * cell.cellVolume() * (inverseRoot.asDiagonal() * energy * inverseRoot.asDiagonal());
-  return Eigen::SelfAdjointEigenSolver<Matrix>(dynamical, Eigen::EigenvaluesOnly).eigenvalues()(2);
+  return {p.x, p.y, p.z};
 }
 
-CriticalStep criticalStep(const Material &m, double D, double viscosity)
+std::vector<Neighbour> neighboursIn(const Lattice &lattice, int dimension)
 {
-  // A grid over the reciprocal cell that holds the zone's corners and the middles of its sides,
-  // where the largest frequencies lie. Phases of both lattice vectors; opposite wave vectors agree.
+  const int layers = dimension == 2 ? 0 : 2;
+  std::vector<Neighbour> all;
+  const int size = static_cast<int>(lattice.basis.size());
+  for (int from = 0; from < size; from++)
+    for (int to = 0; to < size; to++)
+      for (int a = -2; a <= 2; a++)
+        for (int b = -2; b <= 2; b++)
+          for (int c = -layers; c <= layers; c++) {
+            const Vector3d n = vector(lattice.basis[to]) - vector(lattice.basis[from]) +
+                               a * vector(lattice.edges[0]) + b * vector(lattice.edges[1]) +
+                               c * vector(lattice.edges[2]);
+            if (std::abs(n.norm() - 1.0) < 1e-6)
+              all.push_back({from, to, n});
+          }
+  return all;
+}
+
+Matrix3d crossWith(const Vector3d &n) // n x
+{
+  Matrix3d m;
+  m << 0, -n.z(), n.y(), n.z(), 0, -n.x(), -n.y(), n.x(), 0;
+  return m;
+}
+
+} // namespace
+
+// Largest squared frequency at one wave vector, from the energy of the lattice's period
+// (elasticity.h), U = sum V [ w G sum (|e|^2 + |gamma|^2) + D |sigma_mean|^2/(2K) ], in the
+// amplitudes of u/d and the rotation of each automaton. In the plane only u_x, u_y and the
+// rotation about z move.
+static double squaredFrequency(const Material &m, double D, const Packing &packing,
+                               const std::vector<Neighbour> &neighbours, int basis,
+                               const Vector3d &wave)
+{
+  const Cell cell{packing, m.diameter};
+  const double weight = packing.stressWeight();
+  const bool plane = packing.dimension == 2;
+  const int freedoms = 6 * basis;
+  Matrix energy = Matrix::Zero(freedoms, freedoms), sums = Matrix::Zero(basis, freedoms);
+  for (const Neighbour &pair : neighbours) {
+    const Vector3d &n = pair.normal;
+    const Complex phase = std::polar(1.0, wave.dot(n));
+    Matrix step = Matrix::Zero(3, freedoms), turn = Matrix::Zero(3, freedoms);
+    step.middleCols<3>(6 * pair.from) -= Matrix3d::Identity();
+    step.middleCols<3>(6 * pair.to) += phase * Matrix3d::Identity();
+    turn.middleCols<3>(6 * pair.from + 3) += 0.5 * crossWith(n);
+    turn.middleCols<3>(6 * pair.to + 3) += phase * (0.5 * crossWith(n));
+    const Matrix normal = n.transpose() * step;
+    const Matrix shear = (Matrix3d::Identity() - n * n.transpose()) * step + turn;
+    energy += weight * m.shearModulus() * (normal.adjoint() * normal + shear.adjoint() * shear);
+    sums.row(pair.from) += normal;
+  }
+  energy += 0.5 * D * m.bulkModulus() * weight * weight * (sums.adjoint() * sums);
+
+  const double translational = cell.mass(m.density) * m.diameter * m.diameter;
+  const double rotational = cell.inertia(m.density);
+  Eigen::VectorXd inverseRoot = Eigen::VectorXd::Zero(freedoms);
+  for (int k = 0; k < freedoms; k++) {
+    const int direction = k % 6;
+    if (!plane || direction < 2 || direction == 5)
+      inverseRoot(k) = 1.0 / std::sqrt(direction < 3 ? translational : rotational);
+  }
+  const Matrix dynamical =
+      2.0 * cell.cellVolume() * (inverseRoot.asDiagonal() * energy * inverseRoot.asDiagonal());
+  return Eigen::SelfAdjointEigenSolver<Matrix>(dynamical, Eigen::EigenvaluesOnly)
+      .eigenvalues()(freedoms - 1);
+}
+
+CriticalStep criticalStep(const Material &m, double D, double viscosity, const Packing &packing)
+{
+  // A grid over the reciprocal cell that holds the zone's corners and the middles of its sides and
+  // faces, where the largest frequencies lie. Phases of the lattice's edges; opposite wave vectors
+  // agree.
   constexpr int grid = 12;
   const double mesh = 2.0 * std::acos(-1.0) / grid;
+  const Lattice lattice = latticeOf(packing);
+  const std::vector<Neighbour> neighbours = neighboursIn(lattice, packing.dimension);
+  Matrix3d edges;
+  for (int k = 0; k < 3; k++)
+    edges.row(k) = vector(lattice.edges[k]);
+  const Matrix3d reciprocal = edges.inverse();
+  const int last = packing.dimension == 2 ? 1 : grid;
   double largest = 0.0;
   for (int a = 0; a <= grid / 2; a++)
-    for (int b = 0; b < grid; b++) {
-      const double qx = a * mesh, qy = (2.0 * b - a) * mesh / std::sqrt(3.0);
-      largest = std::max(largest, squaredFrequency(m, D, qx, qy));
-    }
-  const HexagonalPacking cell{m.diameter, 1.0};
+    for (int b = 0; b < grid; b++)
+      for (int c = 0; c < last; c++) {
+        const Vector3d wave = reciprocal * (mesh * Vector3d(a, b, c));
+        largest = std::max(largest, squaredFrequency(m, D, packing, neighbours,
+                                                     static_cast<int>(lattice.basis.size()), wave));
+      }
+  const Cell cell{packing, m.diameter};
   const double damping = viscosity * cell.contactArea() / m.diameter;
-  return {2.0 / std::sqrt(largest), damping > 0.0 ? cell.mass(m.density) / (3.0 * damping)
+  return {2.0 / std::sqrt(largest), damping > 0.0 ? packing.dimension * cell.mass(m.density) /
+                                                        (packing.coordination * damping)
                                                   : std::numeric_limits<double>::infinity()};
 }
 

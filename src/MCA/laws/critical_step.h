@@ -4,6 +4,7 @@
 #define MCA_LAWS_CRITICAL_STEP_H
 
 #include "material.h"
+#include "packing.h"
 
 #include <cmath>
 
@@ -11,8 +12,8 @@ namespace mca {
 
 /// Both limits [time]; infinity where the law is switched off.
 struct CriticalStep {
-  double elastic; ///< 2/omega over the Brillouin zone of the linked hexagonal lattice
-  double viscous; ///< 2/lambda = m/(3c), c = eta S/d: all six contacts damped, in antiphase
+  double elastic; ///< 2/omega over the Brillouin zone of the linked packing
+  double viscous; ///< 2/lambda = D m/(N c), c = eta S/d: all N contacts damped, in antiphase
 
   /// Both laws acting on the same contacts: omega^2 dt^2 + 2 lambda dt = 4. Verlet's forces see the
   /// velocity of half a step ago, hence damping shortens the step.
@@ -25,7 +26,8 @@ struct CriticalStep {
 
 /// \param D          weight of the mean stress, 1 - 2G/(3K), or 0 for the pairwise law [-]
 /// \param viscosity  eta of unlinked contacts [stress time], 0 without
-CriticalStep criticalStep(const Material &, double D, double viscosity);
+CriticalStep criticalStep(const Material &, double D, double viscosity,
+                          const Packing & = packing::hex);
 
 } // namespace mca
 

@@ -1,14 +1,16 @@
 /// \file elasticity.h
-/// Many-body elasticity of movable cellular automata in plane strain.
+/// Many-body elasticity of movable cellular automata in plane strain and in space.
 ///
 /// An automaton answers the strain e of each of its contacts by Hooke's law seen along the
 /// contact's normal n, with a mean stress that all its contacts make together
 /// (Psakhie, Shilko, Smolin et al., Phys. Mesomech. 14 (2011) 224; Shilko et al.,
 /// Comput. Mater. Sci. 102 (2015) 267):
 ///     sigma_i = 2G e + D sigma_mean,i,   D = 1 - 2G/(3K),   tau_i = 2G gamma.
-/// The contact carries the mean of its two sides. With a hexagonal packing this is Hooke's law
-/// exactly under homogeneous strain, and the gradient of the energy
-///     U = sum_i V [ (G/3) sum_j (e^2 + gamma^2) + D sigma_mean,i^2/(2K) ].
+/// The contact carries the mean of its two sides. With the packings of packing.h this is Hooke's
+/// law exactly under homogeneous strain, and the gradient of the energy
+///     U = sum_i V [ w G sum_j (e^2 + gamma^2) + D sigma_mean,i^2/(2K) ],
+/// w = q S/V the packing's weight of a contact. In space gamma and tau are vectors perpendicular
+/// to n.
 ///
 /// Any consistent set of units; dimensions stand in brackets. Strains are dimensionless. The
 /// functions are branch-free so that loops over them vectorise.
@@ -16,20 +18,23 @@
 #define MCA_LAWS_ELASTICITY_H
 
 #include "packing.h"
+#include "vector.h"
 
 namespace mca {
 
-/// Plane stress components and the out-of-plane one, all [stress].
+/// Symmetric stress tensor [stress]; in the plane xz = yz = 0.
 struct StressTensor {
-  double xx, yy, xy, zz;
+  double xx, yy, xy, zz, xz = 0.0, yz = 0.0;
 };
 
-/// sigma_mean = (K/3) sum e = K tr(eps) in plane strain [stress].
+/// sigma_mean = K w sum e = K tr(eps) [stress].
 /// \param sumStrain    sum of the elastic normal strains of the contacts [-]
 /// \param bulkModulus  K [stress]
-inline double meanStress(double sumStrain, double bulkModulus)
+/// \param weight       w of the packing [-]
+inline double meanStress(double sumStrain, double bulkModulus,
+                         double weight = packing::hex.stressWeight())
 {
-  return bulkModulus * HexagonalPacking::stressWeight() * sumStrain;
+  return bulkModulus * weight * sumStrain;
 }
 
 /// One contact's share of the averaged stress (1/V) sum_j q S n (sigma n + tau t) of either of its
@@ -38,10 +43,22 @@ inline double meanStress(double sumStrain, double bulkModulus)
 /// \param nx,ny      unit normal from the first to the second automaton [-]
 inline StressTensor stressShare(double sigma, double tau, double nx, double ny)
 {
-  const double w = HexagonalPacking::stressWeight();
+  constexpr double w = packing::hex.stressWeight();
   const double nxx = nx * nx, nyy = ny * ny, nxy = nx * ny;
   return {w * (sigma * nxx - tau * nxy), w * (sigma * nyy + tau * nxy),
           w * (sigma * nxy + 0.5 * tau * (nxx - nyy)), 0.0};
+}
+
+/// The same in space, without the packing's weight [stress].
+/// \param tau,n  vectors: shear stress of the contact [stress], unit normal [-]
+inline StressTensor stressShare(double sigma, const Vector &tau, const Vector &n)
+{
+  return {n.x * (sigma * n.x + tau.x),
+          n.y * (sigma * n.y + tau.y),
+          sigma * n.x * n.y + 0.5 * (n.x * tau.y + n.y * tau.x),
+          n.z * (sigma * n.z + tau.z),
+          sigma * n.x * n.z + 0.5 * (n.x * tau.z + n.z * tau.x),
+          sigma * n.y * n.z + 0.5 * (n.y * tau.z + n.z * tau.y)};
 }
 
 /// Stress tensor of an automaton from the sum of its contacts' shares: plane strain,
@@ -60,11 +77,11 @@ inline double normalResponse(double e, double twoG, double D, double mean)
 /// Elastic energy of an automaton per volume [stress], from sums over its contacts.
 /// \param sumSquares  sum_j (e^2 + gamma^2) [-]
 /// \param D           weight of the mean stress [-]
+/// \param weight      w of the packing [-]
 inline double energyDensity(double sumSquares, double mean, double shearModulus, double bulkModulus,
-                            double D)
+                            double D, double weight = packing::hex.stressWeight())
 {
-  return HexagonalPacking::stressWeight() * shearModulus * sumSquares +
-         D * mean * mean / (2.0 * bulkModulus);
+  return weight * shearModulus * sumSquares + D * mean * mean / (2.0 * bulkModulus);
 }
 
 /// Rotation of a pair's axis during one step [rad], exact for straight motion: the angle from

@@ -136,7 +136,8 @@ std::vector<std::string> LawSet::words() const
   return all;
 }
 
-PairLaw makePairLaw(const LawSet &set, const Material &i, const Material &j, double thickness)
+PairLaw makePairLaw(const LawSet &set, const Material &i, const Material &j, double thickness,
+                    const Packing &packing)
 {
   const double diameter = 0.5 * (i.diameter + j.diameter);
   const double weaker = std::min(i.strength, j.strength);
@@ -146,7 +147,7 @@ PairLaw makePairLaw(const LawSet &set, const Material &i, const Material &j, dou
   PairLaw law;
   law.diameter = diameter;
   law.invDiameter = 1.0 / diameter;
-  law.area = HexagonalPacking{diameter, thickness}.contactArea();
+  law.area = Cell{packing, diameter, thickness}.contactArea();
   law.twoGi = 2.0 * i.shearModulus();
   law.twoGj = 2.0 * j.shearModulus();
   law.twoG = 0.5 * (law.twoGi + law.twoGj);

@@ -40,8 +40,9 @@ struct LawSet {
 };
 
 /// Laws of an ordered pair of materials; of unlike materials the weaker decides fracture and
-/// linking. \param thickness h [length]
-PairLaw makePairLaw(const LawSet &, const Material &i, const Material &j, double thickness);
+/// linking. \param thickness h [length] of a plane packing
+PairLaw makePairLaw(const LawSet &, const Material &i, const Material &j, double thickness,
+                    const Packing & = packing::hex);
 
 } // namespace mca
 

@@ -6,36 +6,73 @@
 #ifndef MCA_LAWS_PACKING_H
 #define MCA_LAWS_PACKING_H
 
-#include <cmath>
+#include <vector>
 
 namespace mca {
 
-/// Plane hexagonal packing of discs of diameter d [length] and thickness h [length].
+/// A regular packing of equal automata: discs in a plane, balls in space.
 ///
-/// Cell volume V and contact area S are chosen so that the averaged stress
-/// (1/V) sum_j q S n (sigma n + tau t), q = d/2, returns the stress tensor of a homogeneously
-/// strained lattice exactly (physics of Psakhie et al., Phys. Mesomech. 14 (2011) 224).
-struct HexagonalPacking {
-  static constexpr int coordination = 6;
+/// Its N contacts fulfil sum n n = (N/D) 1 in D dimensions, so that with q S/V = D/N, q = d/2, the
+/// averaged stress (1/V) sum_j q S n (sigma n + tau t) of a homogeneously strained packing is the
+/// stress tensor of the solid exactly (physics of Psakhie et al., Phys. Mesomech. 14 (2011) 224).
+struct Packing {
+  const char *name;
+  int dimension;    ///< D: 2 in the plane, 3 in space
+  int coordination; ///< N, contacts of an automaton inside
+  double volume;    ///< V/(d^2 h) in the plane, V/d^3 in space [-]
+  double inertia;   ///< J/(m d^2) [-]: a disc about its axis, a ball; of the cell's mass
 
-  double diameter;  ///< d [length], > 0
-  double thickness; ///< h [length], > 0; all forces are proportional to it
+  /// q S/V = D/N [-]: the weight of one contact in the averaged stress tensor
+  constexpr double stressWeight() const { return static_cast<double>(dimension) / coordination; }
+};
 
-  /// V = (sqrt(3)/2) d^2 h [length^3]
-  double cellVolume() const { return 0.5 * std::sqrt(3.0) * diameter * diameter * thickness; }
+namespace packing {
+constexpr double sqrt2 = 1.41421356237309504880, sqrt3 = 1.73205080756887729353;
+constexpr Packing hex = {"hex", 2, 6, 0.5 * sqrt3, 1.0 / 8.0};
+constexpr Packing fcc = {"fcc", 3, 12, 0.5 * sqrt2, 1.0 / 10.0};
+constexpr Packing hcp = {"hcp", 3, 12, 0.5 * sqrt2, 1.0 / 10.0};
+constexpr Packing sc = {"sc", 3, 6, 1.0, 1.0 / 10.0};
+constexpr Packing all[] = {hex, fcc, hcp, sc};
+} // namespace packing
 
-  /// S = d h / sqrt(3) [length^2]
-  double contactArea() const { return diameter * thickness / std::sqrt(3.0); }
+/// The packing of this name, or nullptr.
+const Packing *findPacking(const char *name);
 
-  /// q S / V = 1/3 [-]: the weight of one contact in the averaged stress tensor
-  static constexpr double stressWeight() { return 1.0 / 3.0; }
+/// A lattice of the packing with d = 1: places of its automata in one period and the three edges of
+/// that period. In the plane all z are 0 and the third edge is (0, 0, 1).
+struct Lattice {
+  struct Point {
+    double x, y, z;
+  };
+  std::vector<Point> basis;
+  Point edges[3];
+};
+Lattice latticeOf(const Packing &);
 
-  /// rho V [mass]: the mass of the cell, not of the disc (2 sqrt(3)/pi = 1.1027 times that),
-  /// so that the packing has the density of the solid
+/// One automaton's cell in a packing.
+struct Cell {
+  const Packing &packing;
+  double diameter;        ///< d [length], > 0
+  double thickness = 1.0; ///< h [length], > 0, of a plane packing; forces are proportional to it
+
+  /// V = (sqrt(3)/2) d^2 h (hex), d^3/sqrt(2) (fcc, hcp), d^3 (sc) [length^3]
+  double cellVolume() const
+  {
+    return packing.volume * diameter * diameter * (packing.dimension == 2 ? thickness : diameter);
+  }
+
+  /// S = 2 (D/N) V/d [length^2]: d h/sqrt(3) (hex), d^2/(2 sqrt(2)) (fcc, hcp), d^2 (sc)
+  double contactArea() const { return 2.0 * packing.stressWeight() * cellVolume() / diameter; }
+
+  /// rho V [mass]: the mass of the cell, not of the disc or ball, so that the packing has the
+  /// density of the solid
   double mass(double density) const { return density * cellVolume(); }
 
-  /// m d^2/8 [mass length^2], the disc's moment of inertia about its axis
-  double inertia(double density) const { return mass(density) * diameter * diameter / 8.0; }
+  /// m d^2/8 (disc about its axis), m d^2/10 (ball) [mass length^2]
+  double inertia(double density) const
+  {
+    return packing.inertia * mass(density) * diameter * diameter;
+  }
 };
 
 } // namespace mca

@@ -17,7 +17,7 @@ namespace mca {
 inline double stressIntensity(const StressTensor &s)
 {
   const double a = s.xx - s.yy, b = s.yy - s.zz, c = s.zz - s.xx;
-  return std::sqrt(0.5 * (a * a + b * b + c * c) + 3.0 * s.xy * s.xy);
+  return std::sqrt(0.5 * (a * a + b * b + c * c) + 3.0 * (s.xy * s.xy + s.xz * s.xz + s.yz * s.yz));
 }
 
 /// Yield stress against equivalent plastic strain: straight lines through (0, sigma_y1),

@@ -1,0 +1,93 @@
+/// \file pair_motion.h
+/// How the shear of a pair in space follows the motion of its two automata.
+///
+/// In a step the material of the pair turns by the rotation Q, the mean of what both automata turn,
+/// and its axis from n_old to n. The shear, a vector perpendicular to the axis, is first turned
+/// with the material, then with the axis from Q n_old to n on the shortest way, and grows by the
+/// angle of that last turn: the rotation of the axis that the material does not share. So it is
+/// unchanged, exactly and for steps of any size, when the pair turns like a rigid body, also about
+/// its own axis. In the plane this is elasticity.h's shearIncrement() along t, n turned by +90
+/// degrees.
+///
+/// Exchange of both automata turns n and the shear round.
+///
+/// Any consistent set of units; dimensions stand in brackets. Branch-free. Differences are made of
+/// the small steps, not of positions or directions, so that little motion loses no digits.
+#ifndef MCA_LAWS_PAIR_MOTION_H
+#define MCA_LAWS_PAIR_MOTION_H
+
+#include "vector.h"
+
+#include <cmath>
+
+namespace mca {
+
+/// Gibbs's vector tan(|phi|/2) phi/|phi| of a rotation by |phi| [rad] about phi, by its series
+/// (below 1e-12 up to 0.03 rad).
+inline Vector gibbsVector(const Vector &phi)
+{
+  const double h2 = 0.25 * dot(phi, phi);
+  return 0.5 * (1.0 + h2 * (1.0 / 3.0 + h2 * (2.0 / 15.0 + h2 * (17.0 / 315.0)))) * phi;
+}
+
+/// What a rotation changes of a vector, Q a - a.
+/// \param gibbs  Gibbs's vector b of the rotation [-]
+/// \param twice  2/(1 + b^2)
+inline Vector turnOf(const Vector &a, const Vector &gibbs, double twice)
+{
+  const Vector c = cross(gibbs, a);
+  return twice * (c + cross(gibbs, c));
+}
+
+/// Motion of a pair in a step.
+struct PairMotion {
+  Vector normal; ///< n at the end [-]
+  Vector gibbs;  ///< of the material's rotation [-]
+  double twice;  ///< 2/(1 + gibbs^2), by its series
+  Vector slip;   ///< n - Q n_old: the axis seen from the material [-]
+  double slip2;  ///< slip^2
+};
+
+/// \param distance  place of j seen from i [length]
+/// \param invR      1 over its length [1/length]
+/// \param step      what it has changed in the step [length]
+/// \param phi       mean rotation of both automata in the step [rad]
+inline PairMotion pairMotion(const Vector &distance, double invR, const Vector &step,
+                             const Vector &phi)
+{
+  PairMotion m;
+  m.normal = invR * distance;
+  m.gibbs = gibbsVector(phi);
+  const double b2 = dot(m.gibbs, m.gibbs);
+  m.twice = 2.0 * (1.0 - b2 * (1.0 - b2 * (1.0 - b2)));
+  // with u = r_old/r: n - n_old = (step - (1 - u) distance)/(r u), 1 - u = q/(1 + u)
+  const double q = dot(step, 2.0 * distance - step) * invR * invR, u = std::sqrt(1.0 - q);
+  const double inverse = 1.0 / (u * (1.0 + u));
+  const Vector swing = invR * (1.0 + u) * inverse * (step - q * u * inverse * distance);
+  const Vector old = m.normal - swing;
+  m.slip = swing - turnOf(old, m.gibbs, m.twice);
+  m.slip2 = dot(m.slip, m.slip);
+  return m;
+}
+
+/// A shear at the end of the step, before it grows [-].
+inline Vector carriedShear(const PairMotion &m, const Vector &gamma)
+{
+  const Vector turned = gamma + turnOf(gamma, m.gibbs, m.twice);
+  // on the shortest way from a = Q n_old to n: g - (n.g)/(1 + a.n) (a + n), with a = n - slip
+  const double share = dot(m.slip, turned) * (0.5 + m.slip2 * (0.125 + m.slip2 * 0.03125));
+  return turned - share * (2.0 * m.normal - m.slip);
+}
+
+/// Growth of the shear in the step [-]: the angle between Q n_old and n, along the axis' way at its
+/// end; by the series of the arcsine (below 1e-12 up to 0.03 rad).
+inline Vector shearGrowth(const PairMotion &m)
+{
+  const double s2 = m.slip2 * (1.0 - 0.25 * m.slip2); // squared sine of the angle
+  const double angle = 1.0 + s2 * (1.0 / 6.0 + s2 * (3.0 / 40.0 + s2 * (15.0 / 336.0)));
+  return angle * (m.slip - 0.5 * m.slip2 * m.normal);
+}
+
+} // namespace mca
+
+#endif

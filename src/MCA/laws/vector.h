@@ -1,0 +1,39 @@
+/// \file vector.h
+/// Vectors in space for the inner loops; values only, so that loops over them vectorise.
+#ifndef MCA_LAWS_VECTOR_H
+#define MCA_LAWS_VECTOR_H
+
+namespace mca {
+
+struct Vector {
+  double x, y, z;
+};
+
+inline Vector operator+(const Vector &a, const Vector &b)
+{
+  return {a.x + b.x, a.y + b.y, a.z + b.z};
+}
+
+inline Vector operator-(const Vector &a, const Vector &b)
+{
+  return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+
+inline Vector operator*(double s, const Vector &a)
+{
+  return {s * a.x, s * a.y, s * a.z};
+}
+
+inline double dot(const Vector &a, const Vector &b)
+{
+  return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+
+inline Vector cross(const Vector &a, const Vector &b)
+{
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+
+} // namespace mca
+
+#endif
