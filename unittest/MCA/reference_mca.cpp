@@ -34,6 +34,68 @@ void Sample::updateImages()
   }
 }
 
+double meanWeight(const mca::LawSet &laws, const mca::Material &m)
+{
+  return laws.elasticity == "many-body" ? 1 - 2 * shearModulus(m) / (3 * bulkModulus(m)) : 0;
+}
+
+double shearModulus(const mca::Material &m)
+{
+  return m.youngs_modulus / 2 / (1 + m.poissons_ratio);
+}
+
+double bulkModulus(const mca::Material &m)
+{
+  return m.youngs_modulus / 3 / (1 - 2 * m.poissons_ratio);
+}
+
+double yieldStress(const mca::Material &m, double kappa)
+{
+  const double s1 = m.elastic_limit * m.strength, s2 = m.yield_strength * m.strength;
+  const double k2 = m.yield_strain - s2 / m.youngs_modulus;
+  const double k3 = m.breaking_strain - m.strength / m.youngs_modulus;
+  if (kappa < k2)
+    return s1 + (s2 - s1) * kappa / k2;
+  if (kappa < k3)
+    return s2 + (m.strength - s2) * (kappa - k2) / (k3 - k2);
+  return m.strength;
+}
+
+double nextKind(const mca::LawSet &laws, const mca::Material &ma, const mca::Material &mb,
+                double kind, double sigma, double tau, double eps, double gammaTotal)
+{
+  const double strength = std::fmin(ma.strength, mb.strength);
+  const double limit = std::fmin(ma.breaking_strain, mb.breaking_strain);
+  const double hardness =
+      3 * std::fmin(ma.yield_strength * ma.strength, mb.yield_strength * mb.strength);
+  const double heals = laws.heal == mca::LawSet::atHardness ? hardness : laws.heal * strength;
+  const bool welding = std::isfinite(laws.weld);
+  const double tension = std::fmax(sigma, 0);
+  const double intensity = std::sqrt(tension * tension + 3 * tau * tau);
+  if (kind == 1) {
+    const double opening = std::fmax(eps, 0), g = gammaTotal;
+    if (laws.fracture == "strain" && opening * opening + 4.0 / 3 * g * g >= limit * limit)
+      return -1;
+    if (laws.fracture == "stress" && intensity >= strength)
+      return -1;
+    return 1;
+  }
+  if (kind == 2) {
+    if (intensity >= laws.weld * strength)
+      return -1;
+    return -sigma >= heals ? 1 : 2;
+  }
+  const double threshold =
+      laws.link == mca::LawSet::atElasticLimit
+          ? std::fmin(ma.elastic_limit * ma.strength, mb.elastic_limit * mb.strength)
+          : laws.link * strength;
+  if (-sigma < threshold)
+    return 0;
+  if (kind == -1)
+    return -sigma >= heals ? 1 : -1;
+  return welding ? 2 : 1;
+}
+
 namespace {
 
 struct View { // geometry of a contact
@@ -65,40 +127,6 @@ bool touches(const Contact &c, const View &w)
   return linked(c.now) || w.e < 0;
 }
 
-bool manyBody(const Sample &s)
-{
-  return s.laws.elasticity == "many-body";
-}
-
-double weight(const Sample &s, const mca::Material &m) // D of the force law
-{
-  const double G = m.youngs_modulus / 2 / (1 + m.poissons_ratio);
-  const double K = m.youngs_modulus / 3 / (1 - 2 * m.poissons_ratio);
-  return manyBody(s) ? 1 - 2 * G / (3 * K) : 0;
-}
-
-double shear(const mca::Material &m)
-{
-  return m.youngs_modulus / 2 / (1 + m.poissons_ratio);
-}
-double bulk(const mca::Material &m)
-{
-  return m.youngs_modulus / 3 / (1 - 2 * m.poissons_ratio);
-}
-
-// Fig. 5 against plastic strain
-double yieldStress(const mca::Material &m, double kappa)
-{
-  const double s1 = m.elastic_limit * m.strength, s2 = m.yield_strength * m.strength;
-  const double k2 = m.yield_strain - s2 / m.youngs_modulus;
-  const double k3 = m.breaking_strain - m.strength / m.youngs_modulus;
-  if (kappa < k2)
-    return s1 + (s2 - s1) * kappa / k2;
-  if (kappa < k3)
-    return s2 + (m.strength - s2) * (kappa - k2) / (k3 - k2);
-  return m.strength;
-}
-
 void moveShear(const Sample &s, Contact &c, double dt)
 {
   if (dt > 0)
@@ -126,7 +154,7 @@ void collectMeans(Sample &s)
       continue;
     for (int side : {c.i, c.j}) {
       Automaton &a = s.automata[s.owner[side]];
-      a.mean += bulk(s.materials[a.type]) / 3 * w.e;
+      a.mean += bulkModulus(s.materials[a.type]) / 3 * w.e;
     }
   }
 }
@@ -138,8 +166,8 @@ void elasticStresses(const Sample &s, const Contact &c, const View &w, double &s
   for (int side : {c.i, c.j}) {
     const Automaton &a = s.automata[s.owner[side]];
     const mca::Material &m = s.materials[a.type];
-    sigma += (2 * shear(m) * w.e + weight(s, m) * a.mean) / 2;
-    tau += 2 * shear(m) * c.now.gamma / 2;
+    sigma += (2 * shearModulus(m) * w.e + meanWeight(s.laws, m) * a.mean) / 2;
+    tau += 2 * shearModulus(m) * c.now.gamma / 2;
   }
 }
 
@@ -158,7 +186,7 @@ void collectStresses(Sample &s)
       a.xx += w.nx * fx / 3;
       a.yy += w.ny * fy / 3;
       a.xy += (w.nx * fy + w.ny * fx) / 2 / 3;
-      a.energy += shear(s.materials[a.type]) / 3 * (w.e * w.e + c.now.gamma * c.now.gamma);
+      a.energy += shearModulus(s.materials[a.type]) / 3 * (w.e * w.e + c.now.gamma * c.now.gamma);
       if (c.now.kind == 1)
         hasBulk[s.owner[side]] = true;
     }
@@ -166,7 +194,7 @@ void collectStresses(Sample &s)
   for (int k = 0; k < s.owned; k++) {
     Automaton &a = s.automata[k];
     const mca::Material &m = s.materials[a.type];
-    a.energy += weight(s, m) * a.mean * a.mean / 2 / bulk(m);
+    a.energy += meanWeight(s.laws, m) * a.mean * a.mean / 2 / bulkModulus(m);
     a.energy *= std::sqrt(3.0) / 2 * m.diameter * m.diameter * s.thickness;
     a.zz = 3 * a.mean - a.xx - a.yy;
     const double p = (a.xx + a.yy + a.zz) / 3; // von Mises from the deviator
@@ -177,7 +205,7 @@ void collectStresses(Sample &s)
     a.kappaNext = a.kappa;
     if (s.laws.plasticity == "radial" && hasBulk[k] && a.intensity > limit) {
       a.factor = limit / a.intensity;
-      a.kappaNext += (a.intensity - limit) / 3 / shear(m);
+      a.kappaNext += (a.intensity - limit) / 3 / shearModulus(m);
     }
   }
 }
@@ -202,42 +230,6 @@ Stress contactStresses(const Sample &s, const Contact &c, const View &w)
   return out;
 }
 
-double nextKindOf(const Sample &s, const Contact &c, const View &w, const Stress &p)
-{
-  const mca::Material &ma = s.materials[s.automata[c.i].type];
-  const mca::Material &mb = s.materials[s.automata[c.j].type];
-  const double strength = std::fmin(ma.strength, mb.strength);
-  const double limit = std::fmin(ma.breaking_strain, mb.breaking_strain);
-  const double hardness =
-      3 * std::fmin(ma.yield_strength * ma.strength, mb.yield_strength * mb.strength);
-  const double heals = s.laws.heal == mca::LawSet::atHardness ? hardness : s.laws.heal * strength;
-  const bool welding = std::isfinite(s.laws.weld);
-  const double tension = std::fmax(p.sigma, 0);
-  const double intensity = std::sqrt(tension * tension + 3 * p.tau * p.tau);
-  if (c.now.kind == 1) {
-    const double opening = std::fmax(w.eps, 0), g = c.now.gammaTotal;
-    if (s.laws.fracture == "strain" && opening * opening + 4.0 / 3 * g * g >= limit * limit)
-      return -1;
-    if (s.laws.fracture == "stress" && intensity >= strength)
-      return -1;
-    return 1;
-  }
-  if (c.now.kind == 2) {
-    if (intensity >= s.laws.weld * strength)
-      return -1;
-    return -p.sigma >= heals ? 1 : 2;
-  }
-  const double threshold =
-      s.laws.link == mca::LawSet::atElasticLimit
-          ? std::fmin(ma.elastic_limit * ma.strength, mb.elastic_limit * mb.strength)
-          : s.laws.link * strength;
-  if (-p.sigma < threshold)
-    return 0;
-  if (c.now.kind == -1)
-    return -p.sigma >= heals ? 1 : -1;
-  return welding ? 2 : 1;
-}
-
 // compression and viscosity, never tension; also of a link that breaks in this step
 double unlinkedNormal(const Sample &s, const Contact &c, const View &w, const Stress &p)
 {
@@ -256,10 +248,10 @@ void applyContact(Sample &s, Contact &c)
   const Stress p = contactStresses(s, c, w);
   const mca::Material &ma = s.materials[s.automata[c.i].type];
   const mca::Material &mb = s.materials[s.automata[c.j].type];
-  const double twoG = shear(ma) + shear(mb);
+  const double twoG = shearModulus(ma) + shearModulus(mb);
 
   c.next = c.now;
-  c.next.kind = nextKindOf(s, c, w, p);
+  c.next.kind = nextKind(s.laws, ma, mb, c.now.kind, p.sigma, p.tau, w.eps, c.now.gammaTotal);
   if (c.now.kind == 1)
     c.next.plastic += (p.trial - p.sigma) / twoG;
   c.next.gamma = p.tau / twoG;

@@ -56,6 +56,21 @@ struct Sample {
   void updateImages();
 };
 
+// Laws of one number each, the same in the plane and in space.
+
+double shearModulus(const mca::Material &);
+double bulkModulus(const mca::Material &);
+
+/// D of the force law.
+double meanWeight(const mca::LawSet &, const mca::Material &);
+
+/// Fig. 5 against plastic strain.
+double yieldStress(const mca::Material &, double kappa);
+
+/// The kind of a contact after a step in which it has these stresses and strains.
+double nextKind(const mca::LawSet &, const mca::Material &, const mca::Material &, double kind,
+                double sigma, double tau, double eps, double gammaTotal);
+
 /// One evaluation of the laws: takes over the next state when dt > 0, moves the shear on by dt,
 /// then yielding, forces and the next state.
 void step(Sample &, double dt);
