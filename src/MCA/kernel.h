@@ -111,9 +111,17 @@ using YieldPass = void(int n, const int *type, const AutomatonLaw *laws, bool on
 using ForcePass = double(const Pairs &, const PairLaw *laws, const double *response,
                          double *forces);
 
+/// Lengths of the rows of the per-automaton arrays. Every row of strains begins with the sum of the
+/// normal strains and the number of bulk links, of responses with the mean stress and M.
+struct RowLengths {
+  int motion, strain, stress, response, force;
+};
+
 /// The passes compiled for one instruction set.
 struct Kernel {
   const char *name;
+  int dimension;
+  RowLengths rows;
   StrainPass *strain;
   MeanPass *mean;
   StressPass *stress;
@@ -122,20 +130,20 @@ struct Kernel {
 };
 
 namespace baseline {
-extern const Kernel kernel;
+extern const Kernel plane;
 }
 namespace avx2 {
-extern const Kernel kernel;
+extern const Kernel plane;
 }
 namespace avx512 {
-extern const Kernel kernel;
+extern const Kernel plane;
 }
 
-/// The fastest kernel that this processor runs.
-const Kernel &bestKernel();
+/// The fastest kernel of this dimension that this processor runs.
+const Kernel &bestKernel(int dimension);
 
-/// All kernels that this processor runs, the baseline first.
-std::vector<const Kernel *> supportedKernels();
+/// All kernels of this dimension that this processor runs, the baseline first.
+std::vector<const Kernel *> supportedKernels(int dimension);
 
 } // namespace mca
 

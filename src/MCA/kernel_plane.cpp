@@ -320,7 +320,10 @@ double forcePass(const Pairs &p, const PairLaw *laws, const double *response, do
 
 } // namespace
 
-extern const Kernel kernel = {MCA_ISA_NAME, strainPass, meanPass, stressPass, yieldPass, forcePass};
+extern const Kernel plane = {
+    MCA_ISA_NAME, 2,        {motionRow, strainRow, stressRow, responseRow, forceRow},
+    strainPass,   meanPass, stressPass,
+    yieldPass,    forcePass};
 
 } // namespace MCA_ISA
 } // namespace mca

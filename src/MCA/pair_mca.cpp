@@ -29,7 +29,7 @@ static constexpr const char *DUMMY_STATE = "MCA_STATE_DUMMY";
 /* ---------------------------------------------------------------------- */
 
 PairMCA::PairMCA(LAMMPS *host)
-    : Pair(host), depth(1.0), cut_user(0.0), onelaw(true), kernel(&mca::bestKernel()),
+    : Pair(host), depth(1.0), cut_user(0.0), onelaw(true), kernel(&mca::bestKernel(2)),
       committed(false), fix_history(nullptr), icustom_kappa(-1), icustom_lag{-1, -1}
 {
   single_enable = 0;
@@ -40,7 +40,7 @@ PairMCA::PairMCA(LAMMPS *host)
   beyond_contact = 1;
   nondefault_history_transfer = 1;
   comm_forward = 1;
-  comm_reverse = mca::stressRow;
+  comm_reverse = kernel->rows.stress;
 
   // placeholders, so that the internal fixes come before all fixes of the input script; they are
   // replaced in init_style(), when a restart file's contents for them are known
@@ -88,29 +88,29 @@ void PairMCA::compute(int eflag, int vflag)
   const mca::Pairs &p = pairs.pairs();
   const mca::PairLaw *laws = pairlaw.data();
   const int *type = atom->type;
-  response.reserve(static_cast<size_t>(nall) * mca::responseRow);
+  response.reserve(static_cast<size_t>(nall) * kernel->rows.response);
   kappa_next.reserve(nlocal);
   pack_motion(nall, advance);
 
-  clear(strains, nall, mca::strainRow);
+  clear(strains, nall, kernel->rows.strain);
   kernel->strain(p, advance ? update->dt : 0.0, laws, motion.get(), strains.get());
   add_up(STRAINS);
   kernel->mean(nlocal, type, autolaw.data(), onelaw, strains.get(), response.get());
   pass_on(MEANS);
 
-  clear(stresses, nall, mca::stressRow);
+  clear(stresses, nall, kernel->rows.stress);
   kernel->stress(p, laws, response.get(), stresses.get());
   add_up(STRESSES);
   kernel->yield(nlocal, type, autolaw.data(), onelaw, strains.get(), stresses.get(), kappa(),
                 kappa_next.get(), response.get());
   pass_on(FACTORS);
 
-  clear(forces, nall, mca::forceRow);
+  clear(forces, nall, kernel->rows.force);
   const double changed = kernel->force(p, laws, response.get(), forces.get());
   const int rows = force->newton_pair ? nall : nlocal;
   double **f = atom->f, **torque = atom->torque;
   const double *row = forces.get();
-  for (int i = 0; i < rows; i++, row += mca::forceRow) {
+  for (int i = 0; i < rows; i++, row += kernel->rows.force) {
     f[i][0] += row[0];
     f[i][1] += row[1];
     torque[i][2] += row[2];
@@ -145,11 +145,11 @@ void PairMCA::count_events()
 
 void PairMCA::pack_motion(int nall, bool advance)
 {
-  motion.reserve(static_cast<size_t>(nall) * mca::motionRow);
+  motion.reserve(static_cast<size_t>(nall) * kernel->rows.motion);
   double *row = motion.get();
   double **x = atom->x, **v = atom->v, **omega = atom->omega;
   const double *lag_x = atom->dvector[icustom_lag[0]], *lag_y = atom->dvector[icustom_lag[1]];
-  for (int i = 0; i < nall; i++, row += mca::motionRow) {
+  for (int i = 0; i < nall; i++, row += kernel->rows.motion) {
     row[0] = x[i][0];
     row[1] = x[i][1];
     row[2] = advance ? v[i][0] : v[i][0] - lag_x[i];
@@ -164,7 +164,7 @@ void PairMCA::keep_lag()
   for (int m = 0; m < 2; m++) {
     double *lag = atom->dvector[icustom_lag[m]];
     const double *row = motion.get() + 2 + m;
-    for (int i = 0; i < atom->nlocal; i++, row += mca::motionRow)
+    for (int i = 0; i < atom->nlocal; i++, row += kernel->rows.motion)
       lag[i] = atom->v[i][m] - *row;
   }
 }
@@ -508,8 +508,8 @@ PairMCA::Automaton PairMCA::automaton(int i) const
 {
   const mca::AutomatonLaw &law = autolaw[atom->type[i]];
   const mca::Material &m = materials[atom->type[i]];
-  const double *row = stresses.get() + static_cast<size_t>(i) * mca::stressRow;
-  const double unit = stress_unit(), mean = response.get()[i * mca::responseRow] * unit;
+  const double *row = stresses.get() + static_cast<size_t>(i) * kernel->rows.stress;
+  const double unit = stress_unit(), mean = response.get()[i * kernel->rows.response] * unit;
   const mca::StressTensor s =
       mca::automatonStress(row[0] * unit, row[1] * unit, row[2] * unit, mean);
   const double density =
@@ -521,8 +521,8 @@ PairMCA::Automaton PairMCA::automaton(int i) const
 mca::ContactStress PairMCA::contact(int k) const
 {
   const mca::Pairs &p = pairs.pairs();
-  const double *ri = response.get() + static_cast<size_t>(p.i[k]) * mca::responseRow;
-  const double *rj = response.get() + static_cast<size_t>(p.j[k]) * mca::responseRow;
+  const double *ri = response.get() + static_cast<size_t>(p.i[k]) * kernel->rows.response;
+  const double *rj = response.get() + static_cast<size_t>(p.j[k]) * kernel->rows.response;
   mca::ContactStress s = mca::contactStress(
       pairlaw[p.law[k]], p.now.kind[k], p.eps[k], p.now.plastic[k], p.now.gamma[0][k],
       p.now.gammaTotal[0][k], p.separation[k], ri[0], ri[1], rj[0], rj[1]);
@@ -557,7 +557,7 @@ void PairMCA::add_up(Stage what)
 {
   stage = what;
   if (force->newton_pair)
-    comm->reverse_comm(this, what == STRAINS ? mca::strainRow : mca::stressRow);
+    comm->reverse_comm(this, what == STRAINS ? kernel->rows.strain : kernel->rows.stress);
 }
 
 void PairMCA::pass_on(Stage what)
@@ -570,21 +570,21 @@ int PairMCA::pack_forward_comm(int n, int *index, double *buf, int /*pbc_flag*/,
 {
   const double *from = response.get() + (stage == MEANS ? 0 : 1);
   for (int k = 0; k < n; k++)
-    buf[k] = from[static_cast<size_t>(index[k]) * mca::responseRow];
+    buf[k] = from[static_cast<size_t>(index[k]) * kernel->rows.response];
   return n;
 }
 
 void PairMCA::unpack_forward_comm(int n, int first, double *buf)
 {
-  double *to =
-      response.get() + static_cast<size_t>(first) * mca::responseRow + (stage == MEANS ? 0 : 1);
+  double *to = response.get() + static_cast<size_t>(first) * kernel->rows.response +
+               (stage == MEANS ? 0 : 1);
   for (int k = 0; k < n; k++)
-    to[k * mca::responseRow] = buf[k];
+    to[k * kernel->rows.response] = buf[k];
 }
 
 int PairMCA::pack_reverse_comm(int n, int first, double *buf)
 {
-  const int row = stage == STRAINS ? mca::strainRow : mca::stressRow;
+  const int row = stage == STRAINS ? kernel->rows.strain : kernel->rows.stress;
   const double *from = (stage == STRAINS ? strains : stresses).get();
   std::copy_n(from + static_cast<size_t>(first) * row, n * row, buf);
   return n * row;
@@ -592,7 +592,7 @@ int PairMCA::pack_reverse_comm(int n, int first, double *buf)
 
 void PairMCA::unpack_reverse_comm(int n, int *index, double *buf)
 {
-  const int row = stage == STRAINS ? mca::strainRow : mca::stressRow;
+  const int row = stage == STRAINS ? kernel->rows.strain : kernel->rows.stress;
   double *to = (stage == STRAINS ? strains : stresses).get();
   for (int k = 0; k < n; k++)
     for (int m = 0; m < row; m++)

@@ -127,7 +127,7 @@ int main(int argc, char **argv)
   const std::vector<Part> all = {&Sample::strain, &Sample::mean, &Sample::stress, &Sample::yield,
                                  &Sample::force};
   const char *names[] = {"strain", "mean", "stress", "yield", "force"};
-  for (const mca::Kernel *kernel : mca::supportedKernels()) {
+  for (const mca::Kernel *kernel : mca::supportedKernels(2)) {
     const std::string isa = kernel->name;
     for (size_t k = 0; k < all.size(); k++)
       benchmark::RegisterBenchmark((isa + "/" + names[k] + "/1600").c_str(), run, *kernel,

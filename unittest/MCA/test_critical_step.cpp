@@ -16,7 +16,7 @@ using reference::Sample;
 
 namespace {
 
-const mca::Kernel &kernel = mca::bestKernel();
+const mca::Kernel &kernel = mca::bestKernel(2);
 
 mca::Material material(double poissonsRatio)
 {
