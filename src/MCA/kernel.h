@@ -58,7 +58,7 @@ struct Block {
   bool moves;  ///< the next state differs from the present one; only then is it held in `next`
 };
 
-/// The pair list; arrays have `n` values.
+/// The pair list; arrays have `n` values, i and j three more, which repeat the last pair.
 struct Pairs {
   int n;
   const int *i, *j; ///< row numbers of the two automata
@@ -71,7 +71,7 @@ struct Pairs {
 };
 
 /// Lengths of the rows of the per-automaton arrays in the plane.
-constexpr int motionRow = 8;   ///< x, y, vx, vy, omega, then zeros
+constexpr int motionRow = 4;   ///< x, y, vx, vy
 constexpr int strainRow = 2;   ///< sum of elastic normal strains [-], number of bulk links
 constexpr int stressRow = 4;   ///< averaged xx, yy, xy [stress], sum of e^2 + gamma^2 [-]
 constexpr int responseRow = 2; ///< mean stress [stress], factor M of the radial return [-]
@@ -81,9 +81,10 @@ constexpr int forceRow = 4;    ///< fx, fy [force], torque [force length], unuse
 /// \param dt       the step [time]; 0 keeps the state as it is (set-up)
 /// \param laws     table of PairLaw
 /// \param motion   motionRow values an automaton
+/// \param spin     angular velocity of each automaton [1/time]
 /// \param strains  strainRow values an automaton, added to
 using StrainPass = void(const Pairs &, double dt, const PairLaw *laws, const double *motion,
-                        double *strains);
+                        const double *spin, double *strains);
 
 /// Mean stress of each automaton.
 /// \param type      material number of each automaton, used to index laws

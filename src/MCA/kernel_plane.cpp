@@ -25,74 +25,69 @@ inline Way wayOf(const Block &block, const PairLaw *laws)
 // Returns how many links of a bulk block reach the breaking strain.
 template<Way WAY>
 double strainBlock(const Pairs &p, int first, int n, double dt, const PairLaw *laws,
-                   const double *motion, double *rows)
+                   const double *motion, const double *spin, double *strains)
 {
   const int *const pi = p.i + first, *const pj = p.j + first, *const plaw = p.law + first;
   const double *const pkind = p.now.kind + first, *const pplastic = p.now.plastic + first;
   double *const pgamma = p.now.gamma[0] + first, *const ptotal = p.now.gammaTotal[0] + first;
   double *const pnx = p.normal[0] + first, *const pny = p.normal[1] + first;
   double *const peps = p.eps + first, *const psep = p.separation + first;
-  // motion of j seen from i; the rotations add up
-  alignas(64) double relative[blockLength * motionRow];
-  const Row8 signs = {-1.0, -1.0, -1.0, -1.0, 1.0, 0.0, 0.0, 0.0};
-  for (int k = 0; k < n; k++)
-    *rowOf<Row8>(relative, k) = *rowOf<Row8>(motion, pj[k]) + signs * *rowOf<Row8>(motion, pi[k]);
+  Column dxs, dys, dvxs, dvys, spins, es, bulks;
+  gatherMotion(pi, pj, n, motion, spin, dxs, dys, dvxs, dvys, spins);
   const double oneInvDiameter = laws[plaw[0]].invDiameter;
   const double breakingStrain2 = laws[plaw[0]].limits.bulkStrain2;
   double breaking = 0.0;
 #pragma omp simd reduction(+ : breaking)
   for (int k = 0; k < n; k++) {
     const double invDiameter = WAY == SEVERAL_LAWS ? laws[plaw[k]].invDiameter : oneInvDiameter;
-    const double *const row8 = relative + motionRow * k;
-    const double dx = row8[0], dy = row8[1], dvx = row8[2], dvy = row8[3], omegas = row8[4];
+    const double dx = dxs[k], dy = dys[k], dvx = dvxs[k], dvy = dvys[k];
     const double r2 = dx * dx + dy * dy, r = std::sqrt(r2);
     const double stepN = (dvx * dx + dvy * dy) * dt, stepT = (dvy * dx - dvx * dy) * dt; // times r
     const double inverse = 1.0 / (r2 * (r2 - stepN));
     const double invR = r * (r2 - stepN) * inverse;
     const double nx = dx * invR, ny = dy * invR;
     const double turn = axisRotation(stepT * r2 * inverse);
-    const double dgamma = shearIncrement(turn, omegas * dt);
+    const double dgamma = shearIncrement(turn, spins[k] * dt);
     const double eps = r * invDiameter - 1.0, e = eps - pplastic[k];
     pnx[k] = nx;
     pny[k] = ny;
     peps[k] = eps;
-    double *const row = rows + strainRow * k;
     if (WAY == BULK) {
       const double total = ptotal[k] + dgamma;
       pgamma[k] += dgamma;
       ptotal[k] = total;
       breaking += strainIntensity2(eps, total) >= breakingStrain2 ? 1.0 : 0.0;
-      row[0] = e;
-      row[1] = 1.0;
+      es[k] = e;
+      bulks[k] = 1.0;
     } else {
       const double kind = pkind[k];
       const bool linked = link::isLinked(kind);
       pgamma[k] = linked ? pgamma[k] + dgamma : 0.0;
       ptotal[k] = linked ? ptotal[k] + dgamma : 0.0;
       psep[k] = dvx * nx + dvy * ny;
-      row[0] = (linked | (e < 0.0)) ? e : 0.0;
-      row[1] = kind == link::bulk ? 1.0 : 0.0;
+      es[k] = (linked | (e < 0.0)) ? e : 0.0;
+      bulks[k] = kind == link::bulk ? 1.0 : 0.0;
     }
   }
   if (WAY == BULK && breaking > 0.0) // what breaks under pressure becomes a viscous contact
     for (int k = 0; k < n; k++)
-      psep[k] = relative[motionRow * k + 2] * pnx[k] + relative[motionRow * k + 3] * pny[k];
+      psep[k] = dvxs[k] * pnx[k] + dvys[k] * pny[k];
+  scatter(pi, pj, n, es, bulks, strains);
   return breaking;
 }
 
 void strainPass(const Pairs &p, double dt, const PairLaw *laws, const double *motion,
-                double *strains)
+                const double *spin, double *strains)
 {
-  alignas(64) double rows[blockLength * strainRow];
   Block *block = p.blocks;
   for (int first = 0; first < p.n; first += blockLength, block++) {
     const int n = lesser(blockLength, p.n - first);
     const Way way = wayOf(*block, laws);
-    block->breaks =
-        (way == BULK      ? strainBlock<BULK>(p, first, n, dt, laws, motion, rows)
-         : way == ONE_LAW ? strainBlock<ONE_LAW>(p, first, n, dt, laws, motion, rows)
-                          : strainBlock<SEVERAL_LAWS>(p, first, n, dt, laws, motion, rows)) > 0.0;
-    addToBoth(p.i + first, p.j + first, n, rows, Row2{1.0, 1.0}, strains);
+    const double breaking =
+        way == BULK      ? strainBlock<BULK>(p, first, n, dt, laws, motion, spin, strains)
+        : way == ONE_LAW ? strainBlock<ONE_LAW>(p, first, n, dt, laws, motion, spin, strains)
+                         : strainBlock<SEVERAL_LAWS>(p, first, n, dt, laws, motion, spin, strains);
+    block->breaks = breaking > 0.0;
   }
 }
 
@@ -112,49 +107,43 @@ void meanPass(int n, const int *type, const AutomatonLaw *laws, bool oneLaw, con
 
 template<Way WAY>
 void stressBlock(const Pairs &p, int first, int n, const PairLaw *laws, const double *response,
-                 double *rows)
+                 double *stresses)
 {
   const int *const pi = p.i + first, *const pj = p.j + first, *const plaw = p.law + first;
   const double *const pkind = p.now.kind + first, *const pplastic = p.now.plastic + first;
   const double *const pgamma = p.now.gamma[0] + first, *const peps = p.eps + first;
   const double *const pnx = p.normal[0] + first, *const pny = p.normal[1] + first;
-  alignas(64) double both[blockLength * 2 * responseRow];
-  gatherResponses(pi, pj, n, response, both);
+  Column meanI, meanJ, unused, xx, yy, xy, squares;
+  gather(pi, n, response, meanI, unused);
+  gather(pj, n, response, meanJ, unused);
   const PairLaw one = laws[plaw[0]];
 #pragma omp simd
   for (int k = 0; k < n; k++) {
     const PairLaw &law = WAY == SEVERAL_LAWS ? laws[plaw[k]] : one;
-    const double meanI = both[4 * k], meanJ = both[4 * k + 2];
     const double e = peps[k] - pplastic[k], gamma = pgamma[k];
     const double touching = WAY == BULK ? 1.0 : (link::isLinked(pkind[k]) | (e < 0.0) ? 1.0 : 0.0);
-    const double sigma = touching * elasticStress(law, e, meanI, meanJ);
+    const double sigma = touching * elasticStress(law, e, meanI[k], meanJ[k]);
     const StressTensor s = stressShare(sigma, law.twoG * gamma, pnx[k], pny[k]);
-    double *const row = rows + stressRow * k;
-    row[0] = s.xx;
-    row[1] = s.yy;
-    row[2] = s.xy;
-    row[3] = touching * e * e + gamma * gamma;
+    xx[k] = s.xx;
+    yy[k] = s.yy;
+    xy[k] = s.xy;
+    squares[k] = touching * e * e + gamma * gamma;
   }
+  scatter(pi, pj, n, xx, yy, xy, squares, Row4{1.0, 1.0, 1.0, 1.0}, stresses);
 }
 
 void stressPass(const Pairs &p, const PairLaw *laws, const double *response, double *stresses)
 {
-  alignas(64) double rows[blockLength * stressRow];
   const Block *block = p.blocks;
   for (int first = 0; first < p.n; first += blockLength, block++) {
     const int n = lesser(blockLength, p.n - first);
-    switch (wayOf(*block, laws)) {
-    case BULK:
-      stressBlock<BULK>(p, first, n, laws, response, rows);
-      break;
-    case ONE_LAW:
-      stressBlock<ONE_LAW>(p, first, n, laws, response, rows);
-      break;
-    case SEVERAL_LAWS:
-      stressBlock<SEVERAL_LAWS>(p, first, n, laws, response, rows);
-      break;
-    }
-    addToBoth(p.i + first, p.j + first, n, rows, Row4{1.0, 1.0, 1.0, 1.0}, stresses);
+    const Way way = wayOf(*block, laws);
+    if (way == BULK)
+      stressBlock<BULK>(p, first, n, laws, response, stresses);
+    else if (way == ONE_LAW)
+      stressBlock<ONE_LAW>(p, first, n, laws, response, stresses);
+    else
+      stressBlock<SEVERAL_LAWS>(p, first, n, laws, response, stresses);
   }
 }
 
@@ -188,25 +177,28 @@ void yieldPass(int n, const int *type, const AutomatonLaw *laws, bool oneLaw, co
     yieldLoop<false>(n, type, laws, strains, stresses, kappa, kappaNext, response);
 }
 
-// Row of forces and torque of a contact; the shear force acts along t at the distance r, its
-// moment tau S d/2 keeps U's gradient exact.
-inline void forceRowOf(double *row, const PairLaw &law, double normal, double shear, double eps,
-                       double nx, double ny)
-{
-  const double fn = normal * law.area, ft = shear * law.area / (1.0 + eps);
-  row[0] = fn * nx - ft * ny;
-  row[1] = fn * ny + ft * nx;
-  row[2] = 0.5 * shear * law.area * law.diameter;
-  row[3] = 0.0;
-}
+// Responses of both automata of each pair and the forces between them.
+struct PairColumns {
+  Column meanI, factorI, meanJ, factorJ;
+  Column fx, fy, torque;
+
+  // The shear force acts along t at the distance r; its moment tau S d/2 keeps U's gradient exact.
+  void setForce(int k, const PairLaw &law, double normal, double shear, double eps, double nx,
+                double ny)
+  {
+    const double fn = normal * law.area, ft = shear * law.area / (1.0 + eps);
+    fx[k] = fn * nx - ft * ny;
+    fy[k] = fn * ny + ft * nx;
+    torque[k] = 0.5 * shear * law.area * law.diameter;
+  }
+};
 
 struct Changes {
   double kinds, states; // pairs whose kind, whose state as a whole changes
 };
 
 template<Way WAY>
-Changes forceBlock(const Pairs &p, int first, int n, const PairLaw *laws, const double *both,
-                   double *rows)
+Changes forceBlock(const Pairs &p, int first, int n, const PairLaw *laws, PairColumns &c)
 {
   const int *const plaw = p.law + first;
   const double *const pkind = p.now.kind + first, *const pplastic = p.now.plastic + first;
@@ -220,12 +212,10 @@ Changes forceBlock(const Pairs &p, int first, int n, const PairLaw *laws, const 
 #pragma omp simd reduction(+ : kinds, states)
   for (int k = 0; k < n; k++) {
     const PairLaw &law = WAY == SEVERAL_LAWS ? laws[plaw[k]] : one;
-    const double meanI = both[4 * k], factorI = both[4 * k + 1];
-    const double meanJ = both[4 * k + 2], factorJ = both[4 * k + 3];
     const double kind = pkind[k], plastic = pplastic[k], eps = peps[k];
     const double gamma = pgamma[k], total = ptotal[k];
-    const ContactStress s = contactStress(law, kind, eps, plastic, gamma, total, psep[k], meanI,
-                                          factorI, meanJ, factorJ);
+    const ContactStress s = contactStress(law, kind, eps, plastic, gamma, total, psep[k],
+                                          c.meanI[k], c.factorI[k], c.meanJ[k], c.factorJ[k]);
 
     // next state; conditions as factors of 0 or 1, which vectorise
     const double linkedNext = link::linked(s.kindNext), stays = link::linked(kind) * linkedNext;
@@ -244,15 +234,14 @@ Changes forceBlock(const Pairs &p, int first, int n, const PairLaw *laws, const 
     states += plastic == plasticNext ? 0.0 : 1.0;
     states += gamma == gammaNext ? 0.0 : 1.0;
     states += total == totalNext ? 0.0 : 1.0;
-    forceRowOf(rows + forceRow * k, law, s.normal, s.shear, eps, pnx[k], pny[k]);
+    c.setForce(k, law, s.normal, s.shear, eps, pnx[k], pny[k]);
   }
   return {kinds, states};
 }
 
 // Bulk links of one law of which none breaks.
 template<bool FLOWS>
-void bulkForceBlock(const Pairs &p, int first, int n, const PairLaw *laws, const double *both,
-                    double *rows)
+void bulkForceBlock(const Pairs &p, int first, int n, const PairLaw *laws, PairColumns &c)
 {
   const double *const pplastic = p.now.plastic + first, *const pgamma = p.now.gamma[0] + first;
   const double *const ptotal = p.now.gammaTotal[0] + first;
@@ -263,57 +252,57 @@ void bulkForceBlock(const Pairs &p, int first, int n, const PairLaw *laws, const
   const PairLaw law = laws[p.law[first]];
 #pragma omp simd
   for (int k = 0; k < n; k++) {
-    const double meanI = both[4 * k], meanJ = both[4 * k + 2];
-    const double plastic = pplastic[k], eps = peps[k];
+    const double plastic = pplastic[k], eps = peps[k], meanI = c.meanI[k], meanJ = c.meanJ[k];
     const double trial = elasticStress(law, eps - plastic, meanI, meanJ);
     const double elasticShear = law.twoG * pgamma[k];
     if (FLOWS) {
-      const double factorI = both[4 * k + 1], factorJ = both[4 * k + 3];
+      const double factorI = c.factorI[k], factorJ = c.factorJ[k];
       const double sigma = returnedStress(trial, meanI, factorI, meanJ, factorJ);
       const double tau = 0.5 * (factorI + factorJ) * elasticShear;
       kind1[k] = link::bulk;
       plastic1[k] = plastic + (trial - sigma) * law.invTwoG;
       gamma1[k] = tau * law.invTwoG;
       total1[k] = ptotal[k];
-      forceRowOf(rows + forceRow * k, law, sigma, tau, eps, pnx[k], pny[k]);
+      c.setForce(k, law, sigma, tau, eps, pnx[k], pny[k]);
     } else {
-      forceRowOf(rows + forceRow * k, law, trial, elasticShear, eps, pnx[k], pny[k]);
+      c.setForce(k, law, trial, elasticShear, eps, pnx[k], pny[k]);
     }
   }
 }
 
-inline bool allOne(int n, const double *both)
+inline bool allOne(int n, const Column &a, const Column &b)
 {
   double below = 0.0;
 #pragma omp simd reduction(+ : below)
   for (int k = 0; k < n; k++)
-    below += (1.0 - both[4 * k + 1]) + (1.0 - both[4 * k + 3]);
+    below += (1.0 - a[k]) + (1.0 - b[k]);
   return below == 0.0;
 }
 
 double forcePass(const Pairs &p, const PairLaw *laws, const double *response, double *forces)
 {
-  alignas(64) double rows[blockLength * forceRow], both[blockLength * 2 * responseRow];
+  PairColumns c;
   double changed = 0.0;
   Block *block = p.blocks;
   for (int first = 0; first < p.n; first += blockLength, block++) {
     const int n = lesser(blockLength, p.n - first);
-    gatherResponses(p.i + first, p.j + first, n, response, both);
+    const int *const pi = p.i + first, *const pj = p.j + first;
+    gather(pi, n, response, c.meanI, c.factorI);
+    gather(pj, n, response, c.meanJ, c.factorJ);
     const Way way = wayOf(*block, laws);
     if (way == BULK && !block->breaks) {
-      block->moves = !allOne(n, both);
+      block->moves = !allOne(n, c.factorI, c.factorJ);
       if (block->moves)
-        bulkForceBlock<true>(p, first, n, laws, both, rows);
+        bulkForceBlock<true>(p, first, n, laws, c);
       else
-        bulkForceBlock<false>(p, first, n, laws, both, rows);
+        bulkForceBlock<false>(p, first, n, laws, c);
     } else {
-      const Changes changes = way == SEVERAL_LAWS
-                                  ? forceBlock<SEVERAL_LAWS>(p, first, n, laws, both, rows)
-                                  : forceBlock<ONE_LAW>(p, first, n, laws, both, rows);
+      const Changes changes = way == SEVERAL_LAWS ? forceBlock<SEVERAL_LAWS>(p, first, n, laws, c)
+                                                  : forceBlock<ONE_LAW>(p, first, n, laws, c);
       block->moves = changes.states > 0.0;
       changed += changes.kinds;
     }
-    addToBoth(p.i + first, p.j + first, n, rows, Row4{-1.0, -1.0, 1.0, 1.0}, forces);
+    scatter(pi, pj, n, c.fx, c.fy, c.torque, c.torque, Row4{-1.0, -1.0, 1.0, 1.0}, forces);
   }
   return changed;
 }

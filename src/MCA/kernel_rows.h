@@ -17,7 +17,13 @@ inline int lesser(int a, int b)
 
 typedef double Row2 __attribute__((vector_size(16), may_alias));
 typedef double Row4 __attribute__((vector_size(32), may_alias));
-typedef double Row8 __attribute__((vector_size(64), may_alias));
+
+// Values of the pairs of a block.
+struct alignas(64) Column {
+  double value[blockLength];
+  double &operator[](int k) { return value[k]; }
+  double operator[](int k) const { return value[k]; }
+};
 
 template<class Row>
 inline Row *rowOf(double *array, int i)
@@ -31,32 +37,88 @@ inline const Row *rowOf(const double *array, int i)
   return reinterpret_cast<const Row *>(array) + i;
 }
 
-// Adds each pair's row to both of its automata, with the given signs for the second one. Pairs
-// come sorted by i, so that its sum stays in a register.
-template<class Row>
-inline void addToBoth(const int *pi, const int *pj, int n, const double *rows, const Row &signs,
-                      double *sums)
+// Four rows of four become four columns of four and back: shuffles are much cheaper than the
+// element-wise loads and stores that strided loops would make.
+inline void transpose(Row4 &a, Row4 &b, Row4 &c, Row4 &d)
 {
-  for (int k = 0; k < n;) {
-    const int i = pi[k];
-    Row sum = *rowOf<Row>(rows, k);
-    *rowOf<Row>(sums, pj[k]) += sum * signs;
-    for (k++; k < n && pi[k] == i; k++) {
-      const Row row = *rowOf<Row>(rows, k);
-      *rowOf<Row>(sums, pj[k]) += row * signs;
-      sum += row;
+  const Row4 ab0 = __builtin_shufflevector(a, b, 0, 4, 2, 6);
+  const Row4 ab1 = __builtin_shufflevector(a, b, 1, 5, 3, 7);
+  const Row4 cd0 = __builtin_shufflevector(c, d, 0, 4, 2, 6);
+  const Row4 cd1 = __builtin_shufflevector(c, d, 1, 5, 3, 7);
+  a = __builtin_shufflevector(ab0, cd0, 0, 1, 4, 5);
+  b = __builtin_shufflevector(ab1, cd1, 0, 1, 4, 5);
+  c = __builtin_shufflevector(ab0, cd0, 2, 3, 6, 7);
+  d = __builtin_shufflevector(ab1, cd1, 2, 3, 6, 7);
+}
+
+// Rows of j less those of i of each pair, as columns, and the sum of both spins. Works on whole
+// fours: Pairs are padded.
+inline void gatherMotion(const int *pi, const int *pj, int n, const double *rows,
+                         const double *spin, Column &c0, Column &c1, Column &c2, Column &c3,
+                         Column &spins)
+{
+  for (int k = 0; k < n; k += 4) {
+    Row4 r[4];
+    for (int m = 0; m < 4; m++) {
+      const int i = pi[k + m], j = pj[k + m];
+      r[m] = *rowOf<Row4>(rows, j) - *rowOf<Row4>(rows, i);
+      spins[k + m] = spin[i] + spin[j];
     }
-    *rowOf<Row>(sums, i) += sum;
+    transpose(r[0], r[1], r[2], r[3]);
+    *rowOf<Row4>(c0.value + k, 0) = r[0];
+    *rowOf<Row4>(c1.value + k, 0) = r[1];
+    *rowOf<Row4>(c2.value + k, 0) = r[2];
+    *rowOf<Row4>(c3.value + k, 0) = r[3];
   }
 }
 
-// Responses of both automata of a block's pairs side by side: those of i, those of j.
-inline void gatherResponses(const int *pi, const int *pj, int n, const double *response,
-                            double *both)
+// Rows of two values of one automaton of each pair, as columns.
+inline void gather(const int *index, int n, const double *rows, Column &c0, Column &c1)
 {
-  for (int k = 0; k < n; k++) {
-    *rowOf<Row2>(both, 2 * k) = *rowOf<Row2>(response, pi[k]);
-    *rowOf<Row2>(both, 2 * k + 1) = *rowOf<Row2>(response, pj[k]);
+  for (int k = 0; k < n; k += 2) {
+    const Row2 a = *rowOf<Row2>(rows, index[k]), b = *rowOf<Row2>(rows, index[k + 1]);
+    *rowOf<Row2>(c0.value + k, 0) = __builtin_shufflevector(a, b, 0, 2);
+    *rowOf<Row2>(c1.value + k, 0) = __builtin_shufflevector(a, b, 1, 3);
+  }
+}
+
+// Adds rows to both automata of successive pairs, with the given signs to the second one.
+template<class Row>
+inline void addRows(const int *pi, const int *pj, int n, const Row *rows, const Row &signs,
+                    double *sums)
+{
+  for (int m = 0; m < n; m++) {
+    *rowOf<Row>(sums, pi[m]) += rows[m];
+    *rowOf<Row>(sums, pj[m]) += rows[m] * signs;
+  }
+}
+
+// Adds the columns of each pair as a row to both of its automata.
+inline void scatter(const int *pi, const int *pj, int n, const Column &c0, const Column &c1,
+                    const Column &c2, const Column &c3, const Row4 &signs, double *sums)
+{
+  for (int k = 0; k < n; k += 4) {
+    Row4 r[4] = {*rowOf<Row4>(c0.value + k, 0), *rowOf<Row4>(c1.value + k, 0),
+                 *rowOf<Row4>(c2.value + k, 0), *rowOf<Row4>(c3.value + k, 0)};
+    transpose(r[0], r[1], r[2], r[3]);
+    if (k + 4 <= n)
+      addRows(pi + k, pj + k, 4, r, signs, sums);
+    else
+      addRows(pi + k, pj + k, n - k, r, signs, sums);
+  }
+}
+
+inline void scatter(const int *pi, const int *pj, int n, const Column &c0, const Column &c1,
+                    double *sums)
+{
+  const Row2 same = {1.0, 1.0};
+  for (int k = 0; k < n; k += 2) {
+    const Row2 a = *rowOf<Row2>(c0.value + k, 0), b = *rowOf<Row2>(c1.value + k, 0);
+    const Row2 r[2] = {__builtin_shufflevector(a, b, 0, 2), __builtin_shufflevector(a, b, 1, 3)};
+    if (k + 2 <= n)
+      addRows(pi + k, pj + k, 2, r, same, sums);
+    else
+      addRows(pi + k, pj + k, 1, r, same, sums);
   }
 }
 

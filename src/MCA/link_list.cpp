@@ -4,6 +4,9 @@
 
 namespace mca {
 
+// The kernel gathers in fours: the last pair is repeated.
+static constexpr int padding = 3;
+
 LinkList::LinkList(int shears)
     : shears_(shears), arrays_(5 + 2 * stateSize()), now_(stateSize()), next_(stateSize())
 {
@@ -13,10 +16,8 @@ void LinkList::reset(int n)
 {
   for (auto &a : arrays_)
     a.reserve(n);
-  for (auto *list : {&i_, &j_, &law_}) {
-    list->clear();
-    list->reserve(n);
-  }
+  for (auto *list : {&i_, &j_, &law_})
+    list->resize(n + padding);
   blocks_.clear();
   blocks_.reserve(n / blockLength + 1);
   view_ = {};
@@ -50,9 +51,11 @@ void LinkList::add(int i, int j, int law, const double *state)
   Block &block = blocks_.back();
   if (law != block.law)
     block.law = Block::mixed;
-  i_.push_back(i);
-  j_.push_back(j);
-  law_.push_back(law);
+  for (int m = 0; m <= padding; m++) {
+    i_[k + m] = i;
+    j_[k + m] = j;
+  }
+  law_[k] = law;
   for (double *normal : view_.normal)
     normal[k] = 0.0;
   view_.eps[k] = view_.separation[k] = 0.0;

@@ -93,7 +93,7 @@ void PairMCA::compute(int eflag, int vflag)
   pack_motion(nall, advance);
 
   clear(strains, nall, kernel->rows.strain);
-  kernel->strain(p, advance ? update->dt : 0.0, laws, motion.get(), strains.get());
+  kernel->strain(p, advance ? update->dt : 0.0, laws, motion.get(), spin.get(), strains.get());
   add_up(STRAINS);
   kernel->mean(nlocal, type, autolaw.data(), onelaw, strains.get(), response.get());
   pass_on(MEANS);
@@ -146,6 +146,7 @@ void PairMCA::count_events()
 void PairMCA::pack_motion(int nall, bool advance)
 {
   motion.reserve(static_cast<size_t>(nall) * kernel->rows.motion);
+  spin.reserve(nall);
   double *row = motion.get();
   double **x = atom->x, **v = atom->v, **omega = atom->omega;
   const double *lag_x = atom->dvector[icustom_lag[0]], *lag_y = atom->dvector[icustom_lag[1]];
@@ -154,8 +155,7 @@ void PairMCA::pack_motion(int nall, bool advance)
     row[1] = x[i][1];
     row[2] = advance ? v[i][0] : v[i][0] - lag_x[i];
     row[3] = advance ? v[i][1] : v[i][1] - lag_y[i];
-    row[4] = omega[i][2];
-    row[5] = row[6] = row[7] = 0.0; // whole rows are worked on
+    spin.get()[i] = omega[i][2];
   }
 }
 
@@ -601,7 +601,7 @@ void PairMCA::unpack_reverse_comm(int n, int *index, double *buf)
 
 double PairMCA::memory_usage()
 {
-  return Pair::memory_usage() + pairs.bytes() + motion.bytes() + strains.bytes() +
+  return Pair::memory_usage() + pairs.bytes() + motion.bytes() + spin.bytes() + strains.bytes() +
          stresses.bytes() + response.bytes() + forces.bytes() + kappa_next.bytes();
 }
 

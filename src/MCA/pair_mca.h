@@ -85,7 +85,7 @@ class PairMCA : public Pair {
   const mca::Kernel *kernel;
 
   mca::LinkList pairs;
-  mca::AlignedArray motion, strains, stresses, response, forces, kappa_next;
+  mca::AlignedArray motion, spin, strains, stresses, response, forces, kappa_next;
   enum Stage { STRAINS, STRESSES, MEANS, FACTORS } stage; // what is being communicated
   Count events;                                           // since creation; links and welds stay 0
   bool committed; // kappa already holds the values of the coming step

@@ -33,12 +33,12 @@ struct Sample {
   mca::LinkList pairs;
   mca::AlignedArray motion, strains, stresses, response, forces;
   std::vector<int> type;
-  std::vector<double> kappa, kappaNext;
+  std::vector<double> spin, kappa, kappaNext;
   std::vector<mca::PairLaw> pairLaws;
   std::vector<mca::AutomatonLaw> laws;
 
   explicit Sample(int columns, int rows)
-      : n(columns * rows), type(n, 1), kappa(n, 0.0), kappaNext(n)
+      : n(columns * rows), type(n, 1), spin(n), kappa(n, 0.0), kappaNext(n)
   {
     const mca::Material m = steel();
     const mca::LawSet set;
@@ -61,9 +61,7 @@ struct Sample {
         row[1] = y + 1e-5 * std::cos(x - y);
         row[2] = 0.01 * std::sin(y);
         row[3] = 0.01 * std::cos(x);
-        row[4] = 0.001 * std::sin(x);
-        for (int k = 5; k < mca::motionRow; k++)
-          row[k] = 0.0;
+        spin[i] = 0.001 * std::sin(x);
         if (c + 1 < columns)
           pairs.add(i, i + 1, 3, state);
         if (r + 1 == rows)
@@ -81,7 +79,7 @@ struct Sample {
   void strain(const mca::Kernel &k)
   {
     clear(strains, static_cast<size_t>(n) * mca::strainRow);
-    k.strain(pairs.pairs(), dt, pairLaws.data(), motion.get(), strains.get());
+    k.strain(pairs.pairs(), dt, pairLaws.data(), motion.get(), spin.data(), strains.get());
   }
   void mean(const mca::Kernel &k)
   {

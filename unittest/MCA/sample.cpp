@@ -131,7 +131,7 @@ void KernelRun::step(Sample &s, double dt)
   const bool oneLaw = s.materials.size() == 1;
   if (dt > 0.0)
     list.advance();
-  std::vector<double> kappa, kappaNext(s.owned);
+  std::vector<double> spin, kappa, kappaNext(s.owned);
   std::vector<int> type;
   mca::AlignedArray motion, strains, stresses, response, forces;
   clear(motion, n * mca::motionRow);
@@ -141,8 +141,9 @@ void KernelRun::step(Sample &s, double dt)
   clear(forces, n * mca::forceRow);
   for (int i = 0; i < n; i++) {
     const Automaton &a = s.automata[i];
-    const double values[] = {a.x, a.y, a.vx, a.vy, a.omega};
-    std::copy_n(values, 5, motion.get() + mca::motionRow * i);
+    const double values[] = {a.x, a.y, a.vx, a.vy};
+    spin.push_back(a.omega);
+    std::copy_n(values, 4, motion.get() + mca::motionRow * i);
     if (i >= s.owned)
       continue;
     kappa.push_back(a.kappa);
@@ -150,7 +151,7 @@ void KernelRun::step(Sample &s, double dt)
   }
 
   const mca::Pairs &p = list.pairs();
-  kernel.strain(p, dt, table.data(), motion.get(), strains.get());
+  kernel.strain(p, dt, table.data(), motion.get(), spin.data(), strains.get());
   addUp(s, strains, mca::strainRow);
   kernel.mean(s.owned, type.data(), own.data(), oneLaw, strains.get(), response.get());
   passOn(s, response, mca::responseRow);
