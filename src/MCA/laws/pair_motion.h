@@ -18,8 +18,6 @@
 
 #include "vector.h"
 
-#include <cmath>
-
 namespace mca {
 
 /// Gibbs's vector tan(|phi|/2) phi/|phi| of a rotation by |phi| [rad] about phi, by its series

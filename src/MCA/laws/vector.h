@@ -3,6 +3,8 @@
 #ifndef MCA_LAWS_VECTOR_H
 #define MCA_LAWS_VECTOR_H
 
+#include <cmath>
+
 namespace mca {
 
 struct Vector {
@@ -32,6 +34,11 @@ inline double dot(const Vector &a, const Vector &b)
 inline Vector cross(const Vector &a, const Vector &b)
 {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+
+inline double length(const Vector &a)
+{
+  return std::sqrt(dot(a, a));
 }
 
 } // namespace mca

@@ -1,0 +1,203 @@
+#include "reference_space.h"
+
+#include <cmath>
+
+namespace reference {
+namespace space {
+
+void Sample::updateImages()
+{
+  for (size_t k = owned; k < automata.size(); k++) {
+    automata[k] = automata[owner[k]];
+    automata[k].x += shift[k];
+  }
+}
+
+namespace {
+
+struct View { // geometry of a contact
+  double r, d, eps, e;
+  Vector3d n;
+};
+
+View view(const Sample &s, const Contact &c)
+{
+  const Automaton &a = s.automata[c.i], &b = s.automata[c.j];
+  View w;
+  w.r = (b.x - a.x).norm();
+  w.n = (b.x - a.x) / w.r;
+  w.d = (s.materials[a.type].diameter + s.materials[b.type].diameter) / 2;
+  w.eps = w.r / w.d - 1;
+  w.e = w.eps - c.now.plastic;
+  return w;
+}
+
+bool linked(const State &state)
+{
+  return state.kind > 0;
+}
+
+bool touches(const Contact &c, const View &w)
+{
+  return linked(c.now) || w.e < 0;
+}
+
+// volume of a cell in units of d^3, from the packings' lattice constants
+double cellVolume(const mca::Packing &p)
+{
+  return p.coordination == 12 ? std::pow(std::sqrt(2.0), 3) / 4 : 1;
+}
+
+void moveShear(const Sample &s, Contact &c, double dt)
+{
+  if (dt > 0)
+    c.now = c.next;
+  if (!linked(c.now)) {
+    c.now.gamma = c.now.gammaTotal = Vector3d::Zero();
+    return;
+  }
+  const Automaton &a = s.automata[c.i], &b = s.automata[c.j];
+  const Vector3d there = b.x - a.x, old = there - (b.v - a.v) * dt;
+  const Vector3d phi = (a.omega + b.omega) / 2 * dt;
+  Matrix3d turn = Matrix3d::Identity();
+  if (phi.norm() > 0)
+    turn = Eigen::AngleAxisd(phi.norm(), phi.normalized()).toRotationMatrix();
+  const Vector3d from = turn * old.normalized(), to = there.normalized();
+  const Matrix3d swing = Eigen::Quaterniond::FromTwoVectors(from, to).toRotationMatrix();
+  const double angle = std::atan2(from.cross(to).norm(), from.dot(to));
+  const Vector3d way = to * from.dot(to) - from;
+  const Vector3d growth = angle > 0 ? Vector3d(angle * way.normalized()) : Vector3d::Zero();
+  for (Vector3d *shear : {&c.now.gamma, &c.now.gammaTotal})
+    *shear = swing * (turn * *shear) + growth;
+}
+
+void collectMeans(Sample &s)
+{
+  for (auto &a : s.automata) {
+    a.mean = a.energy = 0;
+    a.stress.setZero();
+    a.force.setZero();
+    a.torque.setZero();
+  }
+  for (const auto &c : s.contacts) {
+    const View w = view(s, c);
+    if (!touches(c, w))
+      continue;
+    for (int side : {c.i, c.j}) {
+      Automaton &a = s.automata[s.owner[side]];
+      a.mean += bulkModulus(s.materials[a.type]) * 3 / s.packing.coordination * w.e;
+    }
+  }
+}
+
+// elastic stresses of a touching contact: the mean of what both sides answer
+void elasticStresses(const Sample &s, const Contact &c, const View &w, double &sigma, Vector3d &tau)
+{
+  sigma = 0;
+  tau.setZero();
+  for (int side : {c.i, c.j}) {
+    const Automaton &a = s.automata[s.owner[side]];
+    const mca::Material &m = s.materials[a.type];
+    sigma += (2 * shearModulus(m) * w.e + meanWeight(s.laws, m) * a.mean) / 2;
+    tau += 2 * shearModulus(m) * c.now.gamma / 2;
+  }
+}
+
+void collectStresses(Sample &s)
+{
+  const double weight = 3.0 / s.packing.coordination;
+  std::vector<bool> hasBulk(s.owned, false);
+  for (const auto &c : s.contacts) {
+    const View w = view(s, c);
+    if (!touches(c, w))
+      continue;
+    double sigma;
+    Vector3d tau;
+    elasticStresses(s, c, w, sigma, tau);
+    const Matrix3d share = w.n * (sigma * w.n + tau).transpose();
+    for (int side : {c.i, c.j}) {
+      Automaton &a = s.automata[s.owner[side]];
+      a.stress += weight * (share + share.transpose()) / 2;
+      a.energy +=
+          weight * shearModulus(s.materials[a.type]) * (w.e * w.e + c.now.gamma.squaredNorm());
+      if (c.now.kind == 1)
+        hasBulk[s.owner[side]] = true;
+    }
+  }
+  for (int k = 0; k < s.owned; k++) {
+    Automaton &a = s.automata[k];
+    const mca::Material &m = s.materials[a.type];
+    a.energy += meanWeight(s.laws, m) * a.mean * a.mean / 2 / bulkModulus(m);
+    a.energy *= cellVolume(s.packing) * std::pow(m.diameter, 3);
+    const Matrix3d deviator = a.stress - a.stress.trace() / 3 * Matrix3d::Identity();
+    a.intensity = std::sqrt(1.5) * deviator.norm();
+    const double limit = yieldStress(m, a.kappa);
+    a.factor = 1;
+    a.kappaNext = a.kappa;
+    if (s.laws.plasticity == "radial" && hasBulk[k] && a.intensity > limit) {
+      a.factor = limit / a.intensity;
+      a.kappaNext += (a.intensity - limit) / 3 / shearModulus(m);
+    }
+  }
+}
+
+void applyContact(Sample &s, Contact &c)
+{
+  const View w = view(s, c);
+  Automaton &a = s.automata[s.owner[c.i]], &b = s.automata[s.owner[c.j]];
+  const mca::Material &ma = s.materials[a.type], &mb = s.materials[b.type];
+  double trial = 0, sigma = 0;
+  Vector3d tau(0, 0, 0);
+  if (touches(c, w)) {
+    elasticStresses(s, c, w, trial, tau);
+    sigma = trial;
+    if (c.now.kind == 1) {
+      sigma -= ((1 - a.factor) * (trial - a.mean) + (1 - b.factor) * (trial - b.mean)) / 2;
+      tau *= (a.factor + b.factor) / 2;
+    }
+  }
+  const double twoG = shearModulus(ma) + shearModulus(mb);
+  c.next = c.now;
+  c.next.kind = nextKind(s.laws, ma, mb, c.now.kind, sigma, tau.norm(), w.eps,
+                         c.now.gammaTotal.norm());
+  if (c.now.kind == 1)
+    c.next.plastic += (trial - sigma) / twoG;
+  c.next.gamma = tau / twoG;
+  if (!linked(c.now) || !linked(c.next))
+    c.next.gamma = c.next.gammaTotal = Vector3d::Zero();
+  if (!linked(c.next) && w.eps > std::fmax(c.next.plastic, 0))
+    c.next.plastic = 0;
+  if (c.next.kind != c.now.kind)
+    s.changed++;
+
+  // compression and viscosity of what is not linked any more, never tension
+  if (!linked(c.now) || !linked(c.next)) {
+    const double speed = (s.automata[c.j].v - s.automata[c.i].v).dot(w.n);
+    const double eta = s.laws.viscosity == "normal" ? (ma.viscosity + mb.viscosity) / 2 : 0;
+    sigma = w.e < 0 ? std::fmin(0, trial + eta * speed / w.d) : 0;
+    tau.setZero();
+  }
+  const double S = 6 * cellVolume(s.packing) / s.packing.coordination * w.d * w.d;
+  const Vector3d force = S * (sigma * w.n + w.d / w.r * tau);
+  const Vector3d torque = w.d / 2 * S * w.n.cross(tau);
+  a.force += force;
+  b.force -= force;
+  a.torque += torque;
+  b.torque += torque;
+}
+
+} // namespace
+
+void step(Sample &s, double dt)
+{
+  s.changed = 0;
+  for (auto &c : s.contacts)
+    moveShear(s, c, dt);
+  collectMeans(s);
+  collectStresses(s);
+  for (auto &c : s.contacts)
+    applyContact(s, c);
+}
+
+} // namespace space
+} // namespace reference

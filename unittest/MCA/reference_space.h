@@ -1,0 +1,66 @@
+/// \file reference_space.h
+/// Slow, obvious MCA in space, the sibling of reference_mca.h: written from the equations with the
+/// rotations of Eigen, not from the kernel, which is held against it.
+#ifndef REFERENCE_SPACE_H
+#define REFERENCE_SPACE_H
+
+#include "reference_mca.h"
+
+#include <Eigen/Dense>
+
+#include <vector>
+
+namespace reference {
+namespace space {
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+
+/// All quantities in one consistent set of units.
+struct Automaton {
+  Vector3d x{0, 0, 0}, v{0, 0, 0}, omega{0, 0, 0};
+  int type = 0; ///< number in the table of materials
+  double kappa = 0;
+
+  // results of a step; force and torque are those of all contacts
+  double mean = 0, intensity = 0, factor = 1, kappaNext = 0, energy = 0;
+  Matrix3d stress = Matrix3d::Zero();
+  Vector3d force{0, 0, 0}, torque{0, 0, 0};
+};
+
+/// Kinds as in the plane; the shears are perpendicular to the pair's axis.
+struct State {
+  double kind = 0, plastic = 0;
+  Vector3d gamma{0, 0, 0}, gammaTotal{0, 0, 0};
+};
+
+struct Contact {
+  int i = 0, j = 0;
+  State now, next;
+};
+
+/// Automata beyond the first `owned` are periodic images, as in the plane.
+struct Sample {
+  std::vector<mca::Material> materials;
+  mca::LawSet laws;
+  mca::Packing packing = mca::packing::fcc;
+
+  std::vector<Automaton> automata;
+  std::vector<Contact> contacts;
+  int owned = 0;
+  std::vector<int> owner;
+  std::vector<Vector3d> shift;
+
+  int changed = 0; ///< result of a step: contacts whose kind changes
+
+  void updateImages(); ///< brings the images' state to that of their originals
+};
+
+/// One evaluation of the laws: takes over the next state when dt > 0, moves the shear on by dt,
+/// then yielding, forces and the next state.
+void step(Sample &, double dt);
+
+} // namespace space
+} // namespace reference
+
+#endif
