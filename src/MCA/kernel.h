@@ -31,6 +31,7 @@ struct AutomatonLaw {
   double D;                         ///< 1 - 2G/(3K), or 0 for the pairwise law [-]; for energies
   double yields;                    ///< 1 with radial return, 0 without
   YieldCurve curve;
+  double weight; ///< q S/V of the packing [-]
 };
 
 /// Pairs are worked on in blocks of this length, whose temporary rows stay in the first-level
@@ -131,13 +132,13 @@ struct Kernel {
 };
 
 namespace baseline {
-extern const Kernel plane;
+extern const Kernel plane, space;
 }
 namespace avx2 {
-extern const Kernel plane;
+extern const Kernel plane, space;
 }
 namespace avx512 {
-extern const Kernel plane;
+extern const Kernel plane, space;
 }
 
 /// The fastest kernel of this dimension that this processor runs.

@@ -377,7 +377,7 @@ void PairMCA::make_laws()
   for (int i = 0; i <= n; i++) {
     const mca::Material &m = inside[i > 0 ? i : 1];
     autolaw.push_back({m.bulkModulus(), m.shearModulus(), many ? m.meanStressWeight() : 0.0, yields,
-                       mca::YieldCurve(m)});
+                       mca::YieldCurve(m), mca::packing::hex.stressWeight()});
   }
   // types of equal materials share one law, since the kernel is fastest where a law serves many
   pairlaw.clear();

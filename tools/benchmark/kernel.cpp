@@ -43,8 +43,8 @@ struct Sample {
     const mca::Material m = steel();
     const mca::LawSet set;
     pairLaws.assign(4, mca::makePairLaw(set, m, m, 1.0));
-    laws.assign(2,
-                {m.bulkModulus(), m.shearModulus(), m.meanStressWeight(), 1.0, mca::YieldCurve(m)});
+    laws.assign(2, {m.bulkModulus(), m.shearModulus(), m.meanStressWeight(), 1.0,
+                    mca::YieldCurve(m), mca::packing::hex.stressWeight()});
     motion.reserve(static_cast<size_t>(n) * mca::motionRow);
     strains.reserve(static_cast<size_t>(n) * mca::strainRow);
     stresses.reserve(static_cast<size_t>(n) * mca::stressRow);

@@ -158,8 +158,8 @@ void applyContact(Sample &s, Contact &c)
   }
   const double twoG = shearModulus(ma) + shearModulus(mb);
   c.next = c.now;
-  c.next.kind = nextKind(s.laws, ma, mb, c.now.kind, sigma, tau.norm(), w.eps,
-                         c.now.gammaTotal.norm());
+  c.next.kind =
+      nextKind(s.laws, ma, mb, c.now.kind, sigma, tau.norm(), w.eps, c.now.gammaTotal.norm());
   if (c.now.kind == 1)
     c.next.plastic += (trial - sigma) / twoG;
   c.next.gamma = tau / twoG;

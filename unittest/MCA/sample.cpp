@@ -113,7 +113,8 @@ KernelRun::KernelRun(const mca::Kernel &chosen, const Sample &s, bool next) : ke
   const int types = static_cast<int>(s.materials.size());
   for (const auto &a : s.materials) {
     own.push_back({a.bulkModulus(), a.shearModulus(), many ? a.meanStressWeight() : 0.0,
-                   s.laws.plasticity == "radial" ? 1.0 : 0.0, mca::YieldCurve(a)});
+                   s.laws.plasticity == "radial" ? 1.0 : 0.0, mca::YieldCurve(a),
+                   mca::packing::hex.stressWeight()});
     for (const auto &b : s.materials)
       table.push_back(mca::makePairLaw(s.laws, a, b, s.thickness));
   }

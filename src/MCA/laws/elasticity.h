@@ -61,6 +61,15 @@ inline StressTensor stressShare(double sigma, const Vector &tau, const Vector &n
           sigma * n.y * n.z + 0.5 * (n.y * tau.z + n.z * tau.y)};
 }
 
+/// Stress tensor of an automaton in space [stress].
+/// \param sums    of its contacts' shares: xx, yy, xy, zz, xz, yz [stress]
+/// \param weight  w of the packing [-]
+inline StressTensor weighted(const double *sums, double weight)
+{
+  return {weight * sums[0], weight * sums[1], weight * sums[2],
+          weight * sums[3], weight * sums[4], weight * sums[5]};
+}
+
 /// Stress tensor of an automaton from the sum of its contacts' shares: plane strain,
 /// sigma_zz = 3 sigma_mean - sigma_xx - sigma_yy [stress].
 inline StressTensor automatonStress(double xx, double yy, double xy, double mean)

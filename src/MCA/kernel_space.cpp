@@ -1,0 +1,407 @@
+// The kernel in space, on the pattern of kernel_plane.cpp. Shears are vectors; all else that
+// decides on a contact depends on their lengths only.
+#include "kernel_rows.h"
+#include "laws/pair_motion.h"
+
+namespace mca {
+namespace MCA_ISA {
+namespace {
+
+constexpr RowLengths lengths = {8, 2, 8, 2, 8};
+
+enum Way { SEVERAL_LAWS, ONE_LAW, BULK };
+
+inline Way wayOf(const Block &block, const PairLaw *laws)
+{
+  if (block.law == Block::mixed)
+    return SEVERAL_LAWS;
+  return block.bulk && breaksByStrainOnly(laws[block.law].limits) ? BULK : ONE_LAW;
+}
+
+// Vectors of a block's pairs in three arrays.
+struct Vectors {
+  double *x, *y, *z;
+
+  Vectors(double *const *arrays, int first)
+      : x(arrays[0] + first), y(arrays[1] + first), z(arrays[2] + first)
+  {
+  }
+  Vector get(int k) const { return {x[k], y[k], z[k]}; }
+  void set(int k, const Vector &v) const
+  {
+    x[k] = v.x;
+    y[k] = v.y;
+    z[k] = v.z;
+  }
+};
+
+// Rows of eight values as two of four.
+inline const Row4 &half(const double *rows, int i, int which)
+{
+  return *rowOf<Row4>(rows, 2 * i + which);
+}
+
+// Motion of j seen from i and the sum of both angular velocities of each pair, as columns. Pairs
+// past n are made up of the last one.
+struct Motion {
+  Column x, y, z, vx, vy, vz, wx, wy, wz;
+
+  void gather(const int *pi, const int *pj, int n, const double *motion, const double *spin)
+  {
+    const Row4 signs = {-1.0, -1.0, 1.0, 1.0};
+    for (int k = 0; k < n; k += 4) {
+      Row4 a[4], b[4];
+      for (int m = 0; m < 4; m++) {
+        const int i = pi[lesser(k + m, n - 1)], j = pj[lesser(k + m, n - 1)];
+        a[m] = half(motion, j, 0) - half(motion, i, 0);
+        b[m] = half(motion, j, 1) + signs * half(motion, i, 1);
+        wz[k + m] = spin[i] + spin[j];
+      }
+      store(a, k, x, y, z, vx);
+      store(b, k, vy, vz, wx, wy);
+    }
+  }
+
+ private:
+  static void store(Row4 *r, int k, Column &c0, Column &c1, Column &c2, Column &c3)
+  {
+    transpose(r[0], r[1], r[2], r[3]);
+    *rowOf<Row4>(c0.value + k, 0) = r[0];
+    *rowOf<Row4>(c1.value + k, 0) = r[1];
+    *rowOf<Row4>(c2.value + k, 0) = r[2];
+    *rowOf<Row4>(c3.value + k, 0) = r[3];
+  }
+};
+
+// Eight values of each pair, which go as a row to both of its automata: the first `turned` of them
+// with the opposite sign to the second one.
+struct Shares {
+  Column c[8];
+
+  template<int TURNED>
+  void scatter(const int *pi, const int *pj, int n, double *sums) const
+  {
+    Row4 signs[2];
+    for (int m = 0; m < 8; m++)
+      signs[m / 4][m % 4] = m < TURNED ? -1.0 : 1.0;
+    for (int k = 0; k < n; k += 4) {
+      Row4 a[4], b[4];
+      for (int m = 0; m < 4; m++) {
+        a[m] = *rowOf<Row4>(c[m].value + k, 0);
+        b[m] = *rowOf<Row4>(c[4 + m].value + k, 0);
+      }
+      transpose(a[0], a[1], a[2], a[3]);
+      transpose(b[0], b[1], b[2], b[3]);
+      const int end = lesser(4, n - k);
+      for (int m = 0; m < end; m++) {
+        const int i = 2 * pi[k + m], j = 2 * pj[k + m];
+        *rowOf<Row4>(sums, i) += a[m];
+        *rowOf<Row4>(sums, i + 1) += b[m];
+        *rowOf<Row4>(sums, j) += signs[0] * a[m];
+        *rowOf<Row4>(sums, j + 1) += signs[1] * b[m];
+      }
+    }
+  }
+};
+
+// Returns how many links of a bulk block reach the breaking strain.
+template<Way WAY>
+double strainBlock(const Pairs &p, int first, int n, double dt, const PairLaw *laws,
+                   const double *motion, const double *spin, double *strains)
+{
+  const int *const pi = p.i + first, *const pj = p.j + first, *const plaw = p.law + first;
+  const double *const pkind = p.now.kind + first, *const pplastic = p.now.plastic + first;
+  const Vectors gammas(p.now.gamma, first), totals(p.now.gammaTotal, first);
+  const Vectors normals(p.normal, first);
+  double *const peps = p.eps + first, *const psep = p.separation + first;
+  Motion seen;
+  Column es, bulks;
+  seen.gather(pi, pj, n, motion, spin);
+  const double oneInvDiameter = laws[plaw[0]].invDiameter;
+  const double breakingStrain2 = laws[plaw[0]].limits.bulkStrain2;
+  const double halfStep = 0.5 * dt;
+  double breaking = 0.0;
+#pragma omp simd reduction(+ : breaking)
+  for (int k = 0; k < n; k++) {
+    const double invDiameter = WAY == SEVERAL_LAWS ? laws[plaw[k]].invDiameter : oneInvDiameter;
+    const Vector distance = {seen.x[k], seen.y[k], seen.z[k]};
+    const Vector velocity = {seen.vx[k], seen.vy[k], seen.vz[k]};
+    const Vector omegas = {seen.wx[k], seen.wy[k], seen.wz[k]};
+    const double r = length(distance), invR = 1.0 / r;
+    const PairMotion moved = pairMotion(distance, invR, dt * velocity, halfStep * omegas);
+    const Vector growth = shearGrowth(moved);
+    const Vector gamma = carriedShear(moved, gammas.get(k)) + growth;
+    const Vector total = carriedShear(moved, totals.get(k)) + growth;
+    const double eps = r * invDiameter - 1.0, e = eps - pplastic[k];
+    normals.set(k, moved.normal);
+    peps[k] = eps;
+    if (WAY == BULK) {
+      gammas.set(k, gamma);
+      totals.set(k, total);
+      breaking += strainIntensity2(eps, length(total)) >= breakingStrain2 ? 1.0 : 0.0;
+      es[k] = e;
+      bulks[k] = 1.0;
+    } else {
+      const double linked = link::linked(pkind[k]), pressed = e < 0.0 ? 1.0 : 0.0;
+      gammas.set(k, linked * gamma);
+      totals.set(k, linked * total);
+      psep[k] = dot(velocity, moved.normal);
+      es[k] = (linked > pressed ? linked : pressed) * e;
+      bulks[k] = pkind[k] == link::bulk ? 1.0 : 0.0;
+    }
+  }
+  if (WAY == BULK && breaking > 0.0) // what breaks under pressure becomes a viscous contact
+    for (int k = 0; k < n; k++)
+      psep[k] = dot({seen.vx[k], seen.vy[k], seen.vz[k]}, normals.get(k));
+  scatter(pi, pj, n, es, bulks, strains);
+  return breaking;
+}
+
+void strainPass(const Pairs &p, double dt, const PairLaw *laws, const double *motion,
+                const double *spin, double *strains)
+{
+  Block *block = p.blocks;
+  for (int first = 0; first < p.n; first += blockLength, block++) {
+    const int n = lesser(blockLength, p.n - first);
+    const Way way = wayOf(*block, laws);
+    const double breaking =
+        way == BULK      ? strainBlock<BULK>(p, first, n, dt, laws, motion, spin, strains)
+        : way == ONE_LAW ? strainBlock<ONE_LAW>(p, first, n, dt, laws, motion, spin, strains)
+                         : strainBlock<SEVERAL_LAWS>(p, first, n, dt, laws, motion, spin, strains);
+    block->breaks = way == BULK && breaking > 0.0;
+  }
+}
+
+void meanPass(int n, const int *type, const AutomatonLaw *laws, bool /*oneLaw*/,
+              const double *strains, double *response)
+{
+  for (int i = 0; i < n; i++) {
+    const AutomatonLaw &law = laws[type[i]];
+    response[lengths.response * i] =
+        meanStress(strains[lengths.strain * i], law.bulkModulus, law.weight);
+  }
+}
+
+template<Way WAY>
+void stressBlock(const Pairs &p, int first, int n, const PairLaw *laws, const double *response,
+                 double *stresses)
+{
+  const int *const pi = p.i + first, *const pj = p.j + first, *const plaw = p.law + first;
+  const double *const pkind = p.now.kind + first, *const pplastic = p.now.plastic + first;
+  const double *const peps = p.eps + first;
+  const Vectors gammas(p.now.gamma, first), normals(p.normal, first);
+  Column meanI, meanJ, unused;
+  Shares shares;
+  gather(pi, n, response, meanI, unused);
+  gather(pj, n, response, meanJ, unused);
+  const PairLaw one = laws[plaw[0]];
+#pragma omp simd
+  for (int k = 0; k < n; k++) {
+    const PairLaw &law = WAY == SEVERAL_LAWS ? laws[plaw[k]] : one;
+    const double e = peps[k] - pplastic[k];
+    const Vector gamma = gammas.get(k);
+    const double linked = WAY == BULK ? 1.0 : link::linked(pkind[k]);
+    const double pressed = WAY == BULK || e < 0.0 ? 1.0 : 0.0;
+    const double touching = linked > pressed ? linked : pressed;
+    const double sigma = touching * elasticStress(law, e, meanI[k], meanJ[k]);
+    const StressTensor s = stressShare(sigma, law.twoG * gamma, normals.get(k));
+    shares.c[0][k] = s.xx;
+    shares.c[1][k] = s.yy;
+    shares.c[2][k] = s.xy;
+    shares.c[3][k] = s.zz;
+    shares.c[4][k] = s.xz;
+    shares.c[5][k] = s.yz;
+    shares.c[6][k] = touching * e * e + dot(gamma, gamma);
+    shares.c[7][k] = 0.0;
+  }
+  shares.scatter<0>(pi, pj, n, stresses);
+}
+
+void stressPass(const Pairs &p, const PairLaw *laws, const double *response, double *stresses)
+{
+  const Block *block = p.blocks;
+  for (int first = 0; first < p.n; first += blockLength, block++) {
+    const int n = lesser(blockLength, p.n - first);
+    const Way way = wayOf(*block, laws);
+    if (way == BULK)
+      stressBlock<BULK>(p, first, n, laws, response, stresses);
+    else if (way == ONE_LAW)
+      stressBlock<ONE_LAW>(p, first, n, laws, response, stresses);
+    else
+      stressBlock<SEVERAL_LAWS>(p, first, n, laws, response, stresses);
+  }
+}
+
+template<bool ONE>
+void yieldLoop(int n, const int *type, const AutomatonLaw *laws, const double *strains,
+               const double *stresses, const double *kappa, double *kappaNext, double *response)
+{
+  const AutomatonLaw one = laws[type[0]];
+#pragma omp simd
+  for (int i = 0; i < n; i++) {
+    const AutomatonLaw &law = ONE ? one : laws[type[i]];
+    const StressTensor s = weighted(stresses + lengths.stress * i, law.weight);
+    const RadialReturn back =
+        radialReturn(stressIntensity(s), law.curve(kappa[i]), law.shearModulus);
+    // without a bulk link there is nothing that could flow
+    const double flows = law.yields * strains[lengths.strain * i + 1] > 0.0 ? 1.0 : 0.0;
+    kappaNext[i] = kappa[i] + flows * back.strain;
+    response[lengths.response * i + 1] = flows * back.factor + (1.0 - flows);
+  }
+}
+
+void yieldPass(int n, const int *type, const AutomatonLaw *laws, bool oneLaw, const double *strains,
+               const double *stresses, const double *kappa, double *kappaNext, double *response)
+{
+  if (n == 0)
+    return;
+  if (oneLaw)
+    yieldLoop<true>(n, type, laws, strains, stresses, kappa, kappaNext, response);
+  else
+    yieldLoop<false>(n, type, laws, strains, stresses, kappa, kappaNext, response);
+}
+
+// Responses of both automata of each pair, and force and torque on the first one.
+struct PairColumns {
+  Column meanI, factorI, meanJ, factorJ;
+  Shares shares;
+
+  // The shear force acts at the distance r; its moment (d/2) n x tau S keeps U's gradient exact.
+  void setForce(int k, const PairLaw &law, double normal, const Vector &shear, double eps,
+                const Vector &n)
+  {
+    const Vector force = law.area * (normal * n + 1.0 / (1.0 + eps) * shear);
+    const Vector torque = 0.5 * law.area * law.diameter * cross(n, shear);
+    shares.c[0][k] = force.x;
+    shares.c[1][k] = force.y;
+    shares.c[2][k] = force.z;
+    shares.c[3][k] = torque.x;
+    shares.c[4][k] = torque.y;
+    shares.c[5][k] = torque.z;
+    shares.c[6][k] = shares.c[7][k] = 0.0;
+  }
+};
+
+struct Changes {
+  double kinds, states; // pairs whose kind, whose state as a whole changes
+};
+
+template<Way WAY>
+Changes forceBlock(const Pairs &p, int first, int n, const PairLaw *laws, PairColumns &c)
+{
+  const int *const plaw = p.law + first;
+  const double *const pkind = p.now.kind + first, *const pplastic = p.now.plastic + first;
+  const double *const peps = p.eps + first, *const psep = p.separation + first;
+  double *const kind1 = p.next.kind + first, *const plastic1 = p.next.plastic + first;
+  const Vectors gammas(p.now.gamma, first), totals(p.now.gammaTotal, first);
+  const Vectors gammas1(p.next.gamma, first), totals1(p.next.gammaTotal, first);
+  const Vectors normals(p.normal, first);
+  const PairLaw one = laws[plaw[0]];
+  double kinds = 0.0, states = 0.0;
+#pragma omp simd reduction(+ : kinds, states)
+  for (int k = 0; k < n; k++) {
+    const PairLaw &law = WAY == SEVERAL_LAWS ? laws[plaw[k]] : one;
+    const double kind = pkind[k], plastic = pplastic[k], eps = peps[k];
+    const Vector gamma = gammas.get(k), total = totals.get(k);
+    const double shear = length(gamma), elasticShear = law.twoG * shear;
+    const ContactStress s = contactStress(law, kind, eps, plastic, shear, length(total), psep[k],
+                                          c.meanI[k], c.factorI[k], c.meanJ[k], c.factorJ[k]);
+    // what is left of the elastic shear stress, exactly 1 where nothing flows
+    const double divisor = shear > 0.0 ? elasticShear : 1.0;
+    const double kept = s.tau / divisor, acting = s.shear / divisor;
+
+    // next state; conditions as factors of 0 or 1, which vectorise
+    const double linkedNext = link::linked(s.kindNext), stays = link::linked(kind) * linkedNext;
+    const double flow = kind == link::bulk ? (s.trial - s.sigma) * law.invTwoG : 0.0;
+    const double dented = plastic + flow;
+    // once apart, both surfaces are whole again
+    const double apart = eps > (dented > 0.0 ? dented : 0.0) ? 1.0 - linkedNext : 0.0;
+    const double plasticNext = (1.0 - apart) * dented;
+    const double keeps = stays * kept;
+    kind1[k] = s.kindNext;
+    plastic1[k] = plasticNext;
+    gammas1.set(k, keeps * gamma);
+    totals1.set(k, stays * total);
+    kinds += kind == s.kindNext ? 0.0 : 1.0;
+    states += kind == s.kindNext ? 0.0 : 1.0;
+    states += plastic == plasticNext ? 0.0 : 1.0;
+    states += keeps * shear == shear ? 0.0 : 1.0;
+    c.setForce(k, law, s.normal, acting * law.twoG * gamma, eps, normals.get(k));
+  }
+  return {kinds, states};
+}
+
+// Bulk links of one law of which none breaks.
+template<bool FLOWS>
+void bulkForceBlock(const Pairs &p, int first, int n, const PairLaw *laws, PairColumns &c)
+{
+  const double *const pplastic = p.now.plastic + first, *const peps = p.eps + first;
+  double *const kind1 = p.next.kind + first, *const plastic1 = p.next.plastic + first;
+  const Vectors gammas(p.now.gamma, first), totals(p.now.gammaTotal, first);
+  const Vectors gammas1(p.next.gamma, first), totals1(p.next.gammaTotal, first);
+  const Vectors normals(p.normal, first);
+  const PairLaw law = laws[p.law[first]];
+#pragma omp simd
+  for (int k = 0; k < n; k++) {
+    const double plastic = pplastic[k], eps = peps[k], meanI = c.meanI[k], meanJ = c.meanJ[k];
+    const double trial = elasticStress(law, eps - plastic, meanI, meanJ);
+    const Vector gamma = gammas.get(k), normal = normals.get(k);
+    if (FLOWS) {
+      const double factorI = c.factorI[k], factorJ = c.factorJ[k];
+      const double sigma = returnedStress(trial, meanI, factorI, meanJ, factorJ);
+      const double factor = 0.5 * (factorI + factorJ);
+      kind1[k] = link::bulk;
+      plastic1[k] = plastic + (trial - sigma) * law.invTwoG;
+      gammas1.set(k, factor * gamma);
+      totals1.set(k, totals.get(k));
+      c.setForce(k, law, sigma, factor * law.twoG * gamma, eps, normal);
+    } else {
+      c.setForce(k, law, trial, law.twoG * gamma, eps, normal);
+    }
+  }
+}
+
+inline bool allOne(int n, const Column &a, const Column &b)
+{
+  double below = 0.0;
+#pragma omp simd reduction(+ : below)
+  for (int k = 0; k < n; k++)
+    below += (1.0 - a[k]) + (1.0 - b[k]);
+  return below == 0.0;
+}
+
+double forcePass(const Pairs &p, const PairLaw *laws, const double *response, double *forces)
+{
+  PairColumns c;
+  double changed = 0.0;
+  Block *block = p.blocks;
+  for (int first = 0; first < p.n; first += blockLength, block++) {
+    const int n = lesser(blockLength, p.n - first);
+    const int *const pi = p.i + first, *const pj = p.j + first;
+    gather(pi, n, response, c.meanI, c.factorI);
+    gather(pj, n, response, c.meanJ, c.factorJ);
+    const Way way = wayOf(*block, laws);
+    if (way == BULK && !block->breaks) {
+      block->moves = !allOne(n, c.factorI, c.factorJ);
+      if (block->moves)
+        bulkForceBlock<true>(p, first, n, laws, c);
+      else
+        bulkForceBlock<false>(p, first, n, laws, c);
+    } else {
+      const Changes changes = way == SEVERAL_LAWS ? forceBlock<SEVERAL_LAWS>(p, first, n, laws, c)
+                                                  : forceBlock<ONE_LAW>(p, first, n, laws, c);
+      block->moves = changes.states > 0.0;
+      changed += changes.kinds;
+    }
+    c.shares.scatter<3>(pi, pj, n, forces);
+  }
+  return changed;
+}
+
+} // namespace
+
+extern const Kernel space = {MCA_ISA_NAME, 3,          lengths,   strainPass,
+                             meanPass,     stressPass, yieldPass, forcePass};
+
+} // namespace MCA_ISA
+} // namespace mca
