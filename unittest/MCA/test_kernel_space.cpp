@@ -141,7 +141,7 @@ TEST_P(SpaceKernelTest, EqualsTheReferenceWithEachLawSwitched)
 TEST_P(SpaceKernelTest, EveryTransitionOccursInTheComparison)
 {
   int seen[4][4] = {}; // from worn, none, bulk, weld
-  for (unsigned seed = 1; seed <= 10; seed++) {
+  for (unsigned seed = 1; seed <= 60; seed++) {
     Sample s = randomSample(mca::packing::fcc, seed, 3, 5e-5);
     run(s, 5e-5);
     for (const auto &c : s.contacts)
