@@ -63,7 +63,7 @@ bool ComputeMCALinkLocal::mine(int k) const
     return false;
   if (!(atom->mask[i] & groupbit) || !(atom->mask[j] & groupbit))
     return false;
-  return pair->owned_share(k) == 1.0 || atom->tag[i] < atom->tag[j];
+  return pair->on_this_rank(k);
 }
 
 void ComputeMCALinkLocal::compute_local()

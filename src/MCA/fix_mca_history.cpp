@@ -1,16 +1,24 @@
 #include "fix_mca_history.h"
 
+#include "atom.h"
 #include "comm.h"
+#include "error.h"
+#include "irregular.h"
+#include "my_page.h"
+#include "neigh_list.h"
 #include "pair_mca.h"
 #include "update.h"
+
+#include <algorithm>
 
 using namespace LAMMPS_NS;
 
 FixMCAHistory::FixMCAHistory(LAMMPS *host, int narg, char **arg)
-    : FixNeighHistory(host, narg, arg), mca(nullptr)
+    : CheckedRestart(host, narg, arg), mca(nullptr)
 {
   // the list holds every pair within the cutoff, touching or not, without LAMMPS's contact bit
   use_bit_flag = 0;
+  comm_forward = 2;
 }
 
 void FixMCAHistory::attach(PairMCA *owner)
@@ -24,14 +32,7 @@ void FixMCAHistory::attach(PairMCA *owner)
 void FixMCAHistory::pre_exchange()
 {
   mca->commit();
-  mca->push_history(true);
-  FixNeighHistory::pre_exchange();
-}
-
-void FixMCAHistory::post_neighbor()
-{
-  FixNeighHistory::post_neighbor();
-  mca->pull_history();
+  store(true);
 }
 
 /* the next run's set-up, or that of a restart, recomputes the forces of this step, hence needs the
@@ -39,8 +40,7 @@ void FixMCAHistory::post_neighbor()
 
 void FixMCAHistory::store_present()
 {
-  mca->push_history(false);
-  FixNeighHistory::pre_exchange();
+  store(false);
 }
 
 void FixMCAHistory::post_run()
@@ -58,4 +58,197 @@ void FixMCAHistory::write_restart(FILE *fp)
     int size = 0;
     fwrite(&size, sizeof(int), 1, fp);
   }
+}
+
+/* ----------------------------------------------------------------------
+   From the pair list to the automata: each keeps the states of its pairs under the IDs of its
+   partners. The first record is its own and holds the ID under which its partners know it; IDs
+   may change between runs, these keys do not.
+   A pair with a ghost is known to this rank only with newton on; the ghost's owner is sent it.
+------------------------------------------------------------------------- */
+
+void FixMCAHistory::store(bool next)
+{
+  struct Message {
+    double row; // of the automaton on the rank that owns it
+    double partner;
+    double state[mca::LinkList::maxStoredSize];
+  };
+  const mca::LinkList &links = mca->links();
+  const mca::Pairs &p = links.pairs();
+  const tagint *tag = atom->tag;
+  // atoms that other fixes add in this pre_exchange() come behind those of the list
+  const int owned = nlocal_neigh;
+
+  if (newton_pair) {
+    shared.resize(nall_neigh);
+    for (int i = 0; i < owned; i++)
+      shared[i] = {static_cast<double>(comm->me), static_cast<double>(i)};
+    comm->forward_comm(this, 2);
+  }
+
+  std::vector<Message> messages;
+  std::vector<int> ranks;
+  std::fill_n(npartner, atom->nlocal, 0);
+  std::fill_n(npartner, owned, 1);
+  mca->check_reach();
+  for (int k = 0; k < p.n; k++) {
+    if (links.blank(k, next))
+      continue;
+    for (const auto &[i, j] : {std::pair{p.i[k], p.j[k]}, std::pair{p.j[k], p.i[k]}})
+      if (i < owned)
+        npartner[i]++;
+      else if (newton_pair) {
+        Message m{shared[i].second, ubuf(tag[j]).d, {}};
+        links.getStored(k, next, m.state);
+        messages.push_back(m);
+        ranks.push_back(static_cast<int>(shared[i].first));
+      }
+  }
+  std::vector<Message> received;
+  if (newton_pair) {
+    Irregular irregular(lmp);
+    const int sorted_by_rank = 1;
+    const int n = irregular.create_data(static_cast<int>(ranks.size()), ranks.data(), sorted_by_rank);
+    received.resize(n);
+    irregular.exchange_data(reinterpret_cast<char *>(messages.data()), sizeof(Message),
+                            reinterpret_cast<char *>(received.data()));
+    irregular.destroy_data();
+    for (const Message &m : received)
+      npartner[static_cast<int>(m.row)]++;
+  }
+
+  ipage_atom->reset();
+  dpage_atom->reset();
+  maxpartner = 0;
+  for (int i = 0; i < owned; i++) {
+    partner[i] = ipage_atom->get(npartner[i]);
+    valuepartner[i] = dpage_atom->get(dnum * npartner[i]);
+    if (!partner[i] || !valuepartner[i])
+      error->one(FLERR, "Too many partners of atom {}: raise neigh_modify one", tag[i]);
+    maxpartner = std::max(maxpartner, npartner[i]);
+    npartner[i] = 1;
+    partner[i][0] = tag[i];
+    std::fill_n(valuepartner[i], dnum, 0.0);
+  }
+  maxexchange = (dnum + 1) * maxpartner + 1;
+  for (int k = 0; k < p.n; k++) {
+    if (links.blank(k, next))
+      continue;
+    for (const auto &[i, j] : {std::pair{p.i[k], p.j[k]}, std::pair{p.j[k], p.i[k]}})
+      if (i < owned) {
+        const int m = npartner[i]++;
+        partner[i][m] = tag[j];
+        links.getStored(k, next, valuepartner[i] + dnum * m);
+      }
+  }
+  for (const Message &message : received) {
+    const int i = static_cast<int>(message.row), m = npartner[i]++;
+    partner[i][m] = static_cast<tagint>(ubuf(message.partner).i);
+    std::copy_n(message.state, dnum, valuepartner[i] + dnum * m);
+  }
+}
+
+/* from the automata to the new pair list */
+
+void FixMCAHistory::post_neighbor()
+{
+  static constexpr double blank[mca::LinkList::maxStoredSize] = {};
+  const NeighList *list = mca->list;
+  nlocal_neigh = atom->nlocal;
+  nall_neigh = nlocal_neigh + atom->nghost;
+  shared.resize(nall_neigh);
+  for (int i = 0; i < nlocal_neigh; i++)
+    shared[i].first = npartner[i] > 0 ? ubuf(partner[i][0]).d : 0.0;
+  comm->forward_comm(this, 2);
+
+  int count = 0;
+  for (int ii = 0; ii < list->inum; ii++)
+    count += list->numneigh[list->ilist[ii]];
+  mca::LinkList &links = mca->links();
+  links.reset(count);
+  for (int ii = 0; ii < list->inum; ii++) {
+    const int i = list->ilist[ii];
+    for (int jj = 0; jj < list->numneigh[i]; jj++) {
+      const int j = list->firstneigh[i][jj] & NEIGHMASK;
+      const tagint key = static_cast<tagint>(ubuf(shared[j].first).i);
+      const double *state = blank;
+      for (int m = 1; m < npartner[i] && key > 0; m++)
+        if (partner[i][m] == key)
+          state = valuepartner[i] + dnum * m;
+      links.addStored(i, j, mca->law_number(i, j), state);
+    }
+  }
+}
+
+void FixMCAHistory::setup_post_neighbor()
+{
+  post_neighbor();
+  check_lost();
+}
+
+/* ----------------------------------------------------------------------
+   Between runs automata may have been deleted, whose links end, or moved out of reach of their
+   links, which is refused.
+------------------------------------------------------------------------- */
+
+void FixMCAHistory::check_lost()
+{
+  const mca::Pairs &p = mca->links().pairs();
+  double own[2] = {0.0, 0.0}, all[2]; // links in the list, ends of links stored
+  for (int k = 0; k < p.n; k++)
+    if (mca::link::isLinked(p.now.kind[k]))
+      own[0] += mca->owned_share(k);
+  std::vector<tagint> keys, partners;
+  for (int i = 0; i < atom->nlocal; i++)
+    for (int m = 0; m < npartner[i]; m++)
+      if (m == 0)
+        keys.push_back(partner[i][0]);
+      else if (mca::link::isLinked(valuepartner[i][dnum * m])) {
+        own[1] += 1.0;
+        partners.push_back(partner[i][m]);
+      }
+  MPI_Allreduce(own, all, 2, MPI_DOUBLE, MPI_SUM, world);
+  if (all[1] <= 2.0 * all[0])
+    return;
+
+  // which partners are there? a rare case, so every rank gets all keys
+  int n = static_cast<int>(keys.size());
+  std::vector<int> counts(comm->nprocs), starts(comm->nprocs, 0);
+  MPI_Allgather(&n, 1, MPI_INT, counts.data(), 1, MPI_INT, world);
+  for (int r = 1; r < comm->nprocs; r++)
+    starts[r] = starts[r - 1] + counts[r - 1];
+  std::vector<tagint> existing(starts.back() + counts.back());
+  MPI_Allgatherv(keys.data(), n, MPI_LMP_TAGINT, existing.data(), counts.data(), starts.data(),
+                 MPI_LMP_TAGINT, world);
+  std::sort(existing.begin(), existing.end());
+  double ended = 0.0, all_ended;
+  for (const tagint key : partners)
+    ended += !std::binary_search(existing.begin(), existing.end(), key);
+  MPI_Allreduce(&ended, &all_ended, 1, MPI_DOUBLE, MPI_SUM, world);
+  if (const double torn = 0.5 * (all[1] - all_ended) - all[0]; torn > 0.0)
+    error->all(FLERR,
+               "{:.0f} links of pair_style mca are stretched beyond the cutoff by moving their "
+               "automata between runs: delete them by mca_links first",
+               torn);
+  if (comm->me == 0)
+    utils::logmesg(lmp, "{:.0f} links ended with automata that were deleted\n", all_ended);
+}
+
+/* ---------------------------------------------------------------------- */
+
+int FixMCAHistory::pack_forward_comm(int n, int *index, double *buf, int /*pbc_flag*/,
+                                     int * /*pbc*/)
+{
+  for (int k = 0; k < n; k++) {
+    *buf++ = shared[index[k]].first;
+    *buf++ = shared[index[k]].second;
+  }
+  return 2 * n;
+}
+
+void FixMCAHistory::unpack_forward_comm(int n, int first, double *buf)
+{
+  for (int k = first; k < first + n; k++, buf += 2)
+    shared[k] = {buf[0], buf[1]};
 }

@@ -1,35 +1,53 @@
 /* ----------------------------------------------------------------------
    MCA-WHEELRAIL, a package for LAMMPS. GPL-2.0-or-later.
    Internal fix MCA_HISTORY: carries the state of pairs over neighbor list builds,
-   migration and restart files. It differs from FixNeighHistory where that one
+   migration and restart files, kept with both automata of a pair. It takes FixNeighHistory's
+   storage with the atoms and differs where that one
    - copies stale list entries into the atoms when write_restart is called between runs;
    - knows one state only: here a rebuild carries the next step's state, a restart file the
-     present one, from which the step's forces are recomputed.
+     present one, from which the step's forces are recomputed;
+   - passes states between ranks with comm_style brick only;
+   - loses all states when IDs change between runs (reset_atoms, delete_atoms).
 ------------------------------------------------------------------------- */
 
 #ifndef LMP_FIX_MCA_HISTORY_H
 #define LMP_FIX_MCA_HISTORY_H
 
 #include "fix_neigh_history.h"
+#include "link_list.h"
+#include "restart_block.h"
+
+#include <vector>
 
 namespace LAMMPS_NS {
 
 class PairMCA;
 
-class FixMCAHistory : public FixNeighHistory {
+class FixMCAHistory : public mca::CheckedRestart<FixNeighHistory> {
  public:
   static constexpr const char *ID = "MCA_HISTORY";
 
   FixMCAHistory(class LAMMPS *, int, char **);
   void attach(PairMCA *);
+  void setup_post_neighbor() override;
   void pre_exchange() override;
   void post_neighbor() override;
   void post_run() override;
   void write_restart(FILE *) override;
+  int pack_forward_comm(int, int *, double *, int, int *) override;
+  void unpack_forward_comm(int, int, double *) override;
   void store_present(); // the pairs' present state, without that of a step
 
  private:
   PairMCA *mca;
+  // of owned and ghost automata: rank and row of the original, or the key in `first`
+  struct Shared {
+    double first, second;
+  };
+  std::vector<Shared> shared;
+
+  void store(bool next);
+  void check_lost();
 };
 
 } // namespace LAMMPS_NS

@@ -18,6 +18,8 @@ void LinkList::reset(int n)
     a.reserve(n);
   for (auto *list : {&i_, &j_, &law_})
     list->resize(n + padding);
+  original_.clear();
+  original_.reserve(n);
   blocks_.clear();
   blocks_.reserve(n / blockLength + 1);
   view_ = {};
@@ -59,7 +61,33 @@ void LinkList::add(int i, int j, int law, const double *state)
   for (double *normal : view_.normal)
     normal[k] = 0.0;
   view_.eps[k] = view_.separation[k] = 0.0;
+  original_.push_back(0.0);
   setState(k, state);
+}
+
+void LinkList::addStored(int i, int j, int law, const double *stored)
+{
+  add(i, j, law, stored);
+  const double *more = stored + stateSize();
+  original_.back() = more[0];
+  for (int m = 0; m < 3; m++)
+    view_.normal[m][view_.n - 1] = more[1 + m];
+}
+
+void LinkList::getStored(int k, bool next, double *stored) const
+{
+  getState(k, next, stored);
+  double *more = stored + stateSize();
+  more[0] = original_[k];
+  for (int m = 0; m < 3; m++)
+    more[1 + m] = view_.normal[m][k];
+}
+
+bool LinkList::blank(int k, bool next) const
+{
+  double state[maxStateSize];
+  getState(k, next, state);
+  return std::all_of(state, state + stateSize(), [](double value) { return value == 0.0; });
 }
 
 void LinkList::advance()
@@ -98,6 +126,7 @@ void LinkList::setState(int k, const double *state)
 double LinkList::bytes() const
 {
   double sum = static_cast<double>(3 * i_.capacity() * sizeof(int)) +
+               static_cast<double>(original_.capacity() * sizeof(double)) +
                static_cast<double>(blocks_.capacity() * sizeof(Block));
   for (const auto &a : arrays_)
     sum += a.bytes();

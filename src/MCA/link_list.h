@@ -41,15 +41,33 @@ class LinkList {
   /// \param shears  shear components of a pair: 1 in the plane, 3 in space
   explicit LinkList(int shears = 1);
 
-  /// Values kept with a pair in LAMMPS's neighbor history: kind, plastic, gamma, gammaTotal.
+  /// State of a pair that the kernel knows: kind, plastic, gamma, gammaTotal.
   int stateSize() const { return 2 + 2 * shears_; }
   static constexpr int maxStateSize = 2 + 2 * maxShears;
+
+  /// What is kept with the automata while there is no pair list: the state, 1 for an original link,
+  /// and the normal (up to its sign), by which a pair that was turned between runs is known.
+  int storedSize() const { return stateSize() + 4; }
+  static constexpr int maxStoredSize = maxStateSize + 4;
 
   /// Empties the list and makes room for n pairs.
   void reset(int n);
 
   /// Appends a pair; its state becomes both the present and the next one.
   void add(int i, int j, int law, const double *state);
+
+  /// The same with all that is kept, storedSize() values.
+  void addStored(int i, int j, int law, const double *stored);
+
+  /// Copies what is kept of pair k, with the present (or the next) state, to storedSize() doubles.
+  void getStored(int k, bool next, double *stored) const;
+
+  /// Nothing of this pair needs to be kept.
+  bool blank(int k, bool next) const;
+
+  /// A link of the sample as it was made, not one that formed later; it ends with its breaking.
+  bool original(int k) const { return original_[k] > 0.0; }
+  void setOriginal(int k, bool is) { original_[k] = is ? 1.0 : 0.0; }
 
   const Pairs &pairs() const { return view_; }
   int size() const { return view_.n; }
@@ -69,6 +87,7 @@ class LinkList {
   int shears_;
   std::vector<AlignedArray> arrays_;
   std::vector<int> i_, j_, law_;
+  std::vector<double> original_;
   std::vector<Block> blocks_;
   std::vector<double *> now_, next_; // the arrays of both states, in the order of getState()
   Pairs view_{};

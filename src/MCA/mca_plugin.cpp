@@ -10,6 +10,7 @@
 #include "compute_mca_link_local.h"
 #include "fix_mca_drive.h"
 #include "fix_mca_history.h"
+#include "fix_mca_state.h"
 #include "fix_nve_mca.h"
 #include "mca_links.h"
 #include "pair_mca.h"
@@ -114,6 +115,8 @@ extern "C" void lammpsplugin_init(void *lmp, void *handle, void *regfunc)
   add("command", "mca_links", "movable cellular automata, command mca_links");
   plugin.creator.v2 = fromArguments<FixMCAHistory>;
   add("fix", "MCA_HISTORY", "movable cellular automata, state of pairs");
+  plugin.creator.v2 = fromArguments<FixMCAState>;
+  add("fix", "MCA_STATE", "movable cellular automata, state of automata");
   plugin.creator.v2 = fromArguments<FixNVEMCA>;
   add("fix", "nve/mca", "movable cellular automata, fix nve/mca");
   plugin.creator.v2 = fromArguments<FixMCADrive>;

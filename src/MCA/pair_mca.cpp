@@ -5,6 +5,7 @@
 #include "domain.h"
 #include "error.h"
 #include "fix_mca_history.h"
+#include "fix_mca_state.h"
 #include "force.h"
 #include "laws/critical_step.h"
 #include "material_file.h"
@@ -30,15 +31,13 @@ static constexpr const char *DUMMY_STATE = "MCA_STATE_DUMMY";
 
 PairMCA::PairMCA(LAMMPS *host)
     : Pair(host), depth(1.0), cut_user(0.0), onelaw(true), kernel(&mca::bestKernel(2)),
-      committed(false), fix_history(nullptr), icustom_kappa(-1), icustom_lag{-1, -1}
+      changes(0.0), committed(false), fix_history(nullptr), icustom_kappa(-1), icustom_lag{-1, -1}
 {
   single_enable = 0;
   manybody_flag = 1;
   restartinfo = 1;
   one_coeff = 0;
   centroidstressflag = CENTROID_NOTAVAIL;
-  beyond_contact = 1;
-  nondefault_history_transfer = 1;
   comm_forward = 1;
   comm_reverse = kernel->rows.stress;
 
@@ -54,7 +53,7 @@ PairMCA::~PairMCA()
 {
   if (copymode)
     return;
-  for (const char *id : {FixMCAHistory::ID, "MCA_STATE", DUMMY_HISTORY, DUMMY_STATE})
+  for (const char *id : {FixMCAHistory::ID, FixMCAState::ID, DUMMY_HISTORY, DUMMY_STATE})
     if (modify->get_fix_by_id(id))
       modify->delete_fix(id);
   if (allocated) {
@@ -106,7 +105,7 @@ void PairMCA::compute(int eflag, int vflag)
   pass_on(FACTORS);
 
   clear(forces, nall, kernel->rows.force);
-  const double changed = kernel->force(p, laws, response.get(), forces.get());
+  changes = kernel->force(p, laws, response.get(), forces.get());
   const int rows = force->newton_pair ? nall : nlocal;
   double **f = atom->f, **torque = atom->torque;
   const double *row = forces.get();
@@ -116,28 +115,10 @@ void PairMCA::compute(int eflag, int vflag)
     torque[i][2] += row[2];
   }
 
-  if (changed > 0.0 && advance)
-    count_events();
   if (eflag_either || (vflag_either && !vflag_fdotr))
     tally(eflag, vflag);
   if (vflag_fdotr)
     virial_fdotr_compute();
-}
-
-void PairMCA::count_events()
-{
-  const mca::Pairs &p = pairs.pairs();
-  for (int first = 0; first < p.n; first += mca::blockLength) {
-    if (!p.blocks[first / mca::blockLength].moves)
-      continue;
-    for (int k = first; k < std::min(first + mca::blockLength, p.n); k++) {
-      const double before = p.now.kind[k], after = p.next.kind[k];
-      const bool was = mca::link::isLinked(before), is = mca::link::isLinked(after);
-      if (before == after || (!was && !is))
-        continue;
-      (was && is ? events.healed : was ? events.broken : events.formed) += owned_share(k);
-    }
-  }
 }
 
 /* Within a step forces see the velocities of half a step ago. In set-up the lag that they had when
@@ -312,24 +293,20 @@ void PairMCA::init_style()
     error->all(FLERR, "Pair style mca requires dimension 2 in this version");
   if (force->special_lj[1] != 1.0 && atom->molecular != Atom::ATOMIC)
     error->all(FLERR, "Pair style mca requires special_bonds lj 1 1 1");
-  if (comm->style == Comm::TILED && force->newton_pair)
-    error->all(FLERR,
-               "Pair style mca with comm_style tiled requires newton off (LAMMPS passes pair "
-               "histories between ranks with comm_style brick only)");
   comm->ghost_velocity = 1; // shear of a contact needs both velocities
 
   neighbor->add_request(this);
 
   if (!fix_history) {
-    auto dnum = pairs.stateSize();
     fix_history = dynamic_cast<FixMCAHistory *>(modify->replace_fix(
-        DUMMY_HISTORY, fmt::format("{} all MCA_HISTORY {}", FixMCAHistory::ID, dnum), 1));
+        DUMMY_HISTORY,
+        fmt::format("{} all MCA_HISTORY {}", FixMCAHistory::ID, pairs.storedSize()), 1));
     fix_history->attach(this);
-    modify->replace_fix(
-        DUMMY_STATE,
-        "MCA_STATE all property/atom d_mca_kappa d_mca_theta d_mca_lag_x d_mca_lag_y "
-        "writedata no ghost yes",
-        1);
+    modify->replace_fix(DUMMY_STATE,
+                        fmt::format("{} all MCA_STATE d_mca_kappa d_mca_theta d_mca_lag_x "
+                                    "d_mca_lag_y d_mca_links0 writedata no ghost yes",
+                                    FixMCAState::ID),
+                        1);
   }
   int is_double, columns;
   icustom_kappa = atom->find_custom("mca_kappa", is_double, columns);
@@ -445,61 +422,61 @@ double *PairMCA::kappa() const
 
 /* ---------------------------------------------------------------------- */
 
+/* Events count when their step's outcome is taken over: once, also those of the first step, whatever
+   runs and restart files the steps belong to. */
+
 void PairMCA::commit()
 {
   if (committed)
     return;
+  happened.clear();
+  if (changes > 0.0)
+    record_events();
+  changes = 0.0;
   std::copy_n(kappa_next.get(), atom->nlocal, kappa());
   committed = true;
 }
 
-void PairMCA::pull_history()
+void PairMCA::record_events()
 {
-  const int n1 = atom->ntypes + 1;
-  const int *type = atom->type;
-  int count = 0;
-  for (int ii = 0; ii < list->inum; ii++)
-    count += list->numneigh[list->ilist[ii]];
-  pairs.reset(count);
-  for (int ii = 0; ii < list->inum; ii++) {
-    const int i = list->ilist[ii];
-    for (int jj = 0; jj < list->numneigh[i]; jj++) {
-      const int j = list->firstneigh[i][jj] & NEIGHMASK;
-      pairs.add(i, j, lawnumber[type[i] * n1 + type[j]],
-                &fix_history->firstvalue[i][pairs.stateSize() * jj]);
-    }
+  const mca::Pairs &p = pairs.pairs();
+  double **x = atom->x;
+  for (int k = 0; k < p.n; k++) {
+    if (!p.blocks[k / mca::blockLength].moves)
+      continue;
+    const double before = p.now.kind[k], after = p.next.kind[k];
+    const bool was = mca::link::isLinked(before), is = mca::link::isLinked(after);
+    if (before == after || (!was && !is))
+      continue;
+    (was && is ? events.healed : was ? events.broken : events.formed) += owned_share(k);
+    if (!is)
+      pairs.setOriginal(k, false);
+    if (!on_this_rank(k))
+      continue;
+    const int i = p.i[k], j = p.j[k];
+    Event e{update->ntimestep - 1, {atom->tag[i], atom->tag[j]}, before, after, {}, i, j};
+    for (int m = 0; m < 3; m++)
+      e.x[m] = 0.5 * (x[i][m] + x[j][m]);
+    domain->remap(e.x);
+    happened.push_back(e);
   }
 }
 
-void PairMCA::push_history(bool next)
+void PairMCA::check_reach() const
 {
-  double state[mca::LinkList::maxStateSize];
-  int k = 0;
-  for (int ii = 0; ii < list->inum; ii++) {
-    const int i = list->ilist[ii];
-    for (int jj = 0; jj < list->numneigh[i]; jj++, k++) {
-      pairs.getState(k, next, state);
-      const bool linked = mca::link::isLinked(state[0]);
-      fix_history->firstflag[i][jj] = state[0] != mca::link::none || state[1] != 0.0;
-      std::copy_n(state, pairs.stateSize(), &fix_history->firstvalue[i][pairs.stateSize() * jj]);
-      if (!linked)
-        continue;
-      const int j = pairs.pairs().j[k];
-      const double r = pairlaw[pairs.pairs().law[k]].diameter * (1.0 + pairs.pairs().eps[k]);
-      if (r * r > cutsq[atom->type[i]][atom->type[j]])
-        error->one(FLERR,
-                   "Link of automata {} {} is stretched to {:.6g}, beyond the cutoff {:.6g}: "
-                   "give pair_style mca a larger cutoff or a fracture criterion",
-                   atom->tag[i], atom->tag[j], r, std::sqrt(cutsq[atom->type[i]][atom->type[j]]));
-    }
+  const mca::Pairs &p = pairs.pairs();
+  for (int k = 0; k < p.n; k++) {
+    if (!mca::link::isLinked(p.now.kind[k]))
+      continue;
+    const int i = p.i[k], j = p.j[k];
+    const double r = pairlaw[p.law[k]].diameter * (1.0 + p.eps[k]);
+    const double reach2 = cutsq[atom->type[i]][atom->type[j]];
+    if (r * r > reach2)
+      error->one(FLERR,
+                 "Link of automata {} {} is stretched to {:.6g}, beyond the cutoff {:.6g}: "
+                 "give pair_style mca a larger cutoff or a fracture criterion",
+                 atom->tag[i], atom->tag[j], r, std::sqrt(reach2));
   }
-}
-
-/* nothing in a pair's state changes when i and j are exchanged */
-
-void PairMCA::transfer_history(double *source, double *target, int /*itype*/, int /*jtype*/)
-{
-  std::copy_n(source, pairs.stateSize(), target);
 }
 
 /* ---------------------------------------------------------------------- */
@@ -533,7 +510,16 @@ mca::ContactStress PairMCA::contact(int k) const
 
 double PairMCA::owned_share(int k) const
 {
-  return force->newton_pair || pairs.pairs().j[k] < atom->nlocal ? 1.0 : 0.5;
+  const bool both = std::max(pairs.pairs().i[k], pairs.pairs().j[k]) < atom->nlocal;
+  return force->newton_pair || both ? 1.0 : 0.5;
+}
+
+bool PairMCA::on_this_rank(int k) const
+{
+  const int i = pairs.pairs().i[k], j = pairs.pairs().j[k];
+  if (owned_share(k) == 1.0)
+    return true;
+  return (atom->tag[i] < atom->tag[j]) == (i < atom->nlocal);
 }
 
 PairMCA::Count PairMCA::count() const

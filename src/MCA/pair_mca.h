@@ -6,6 +6,7 @@
 #ifndef LMP_PAIR_MCA_H
 #define LMP_PAIR_MCA_H
 
+#include "atom.h"
 #include "pair.h"
 
 #include "laws/law_set.h"
@@ -37,15 +38,17 @@ class PairMCA : public Pair {
   void unpack_forward_comm(int, int, double *) override;
   int pack_reverse_comm(int, int, double *) override;
   void unpack_reverse_comm(int, int *, double *) override;
-  void transfer_history(double *, double *, int, int) override;
   double memory_usage() override;
 
   // ---- for the history fix: the flat pair list follows LAMMPS's neighbor list
 
-  void pull_history();          // neighbor history -> pair list
-  void push_history(bool next); // pair list -> neighbor history, present or next state
-  void commit();                // the next state of automata becomes the present one
-  void keep_lag();              // after a step: velocities less those that made its forces
+  void commit();            // the next state becomes the present one; what it changes are events
+  void keep_lag();          // after a step: velocities less those that made its forces
+  void check_reach() const; // no link is longer than the cutoff
+  int law_number(int i, int j) const
+  {
+    return lawnumber[atom->type[i] * (atom->ntypes + 1) + atom->type[j]];
+  }
 
   // ---- for computes, fixes and commands
 
@@ -65,12 +68,22 @@ class PairMCA : public Pair {
 
   mca::ContactStress contact(int) const; // of pair k, in pressure units
   double owned_share(int) const;         // 1, or 1/2 for a pair that two ranks hold
+  bool on_this_rank(int) const;          // of a pair that two ranks hold, true on one of them
 
   struct Count { // of this rank; pairs held twice count half on each
     double links = 0.0, welds = 0.0;
     double broken = 0.0, formed = 0.0, healed = 0.0; // since the pair style was created
   };
   Count count() const;
+
+  struct Event { // a pair that changed its kind
+    bigint step; // the last one in the old kind
+    tagint tag[2];
+    double before, after;
+    double x[3]; // middle of the pair
+    int i, j;    // rows of both automata
+  };
+  const std::vector<Event> &last_events() const { return happened; } // of the step before this one
 
  protected:
   mca::LawSet lawset;
@@ -88,7 +101,9 @@ class PairMCA : public Pair {
   mca::AlignedArray motion, spin, strains, stresses, response, forces, kappa_next;
   enum Stage { STRAINS, STRESSES, MEANS, FACTORS } stage; // what is being communicated
   Count events;                                           // since creation; links and welds stay 0
-  bool committed; // kappa already holds the values of the coming step
+  std::vector<Event> happened;                            // taken over in this step
+  double changes;                                         // pairs whose next state is another kind
+  bool committed; // the state is already that of the coming step
 
   FixMCAHistory *fix_history;
   int icustom_kappa, icustom_lag[2];
@@ -101,7 +116,7 @@ class PairMCA : public Pair {
   void pack_motion(int nall, bool advance);
   void add_up(Stage);
   void pass_on(Stage);
-  void count_events();
+  void record_events();
   void tally(int, int);
 };
 

@@ -55,6 +55,7 @@ def test_same_on_all_ranks(serial, rough_data, tmp_path, ranks, newton, extra):
     ("on", "fix balance all balance 100 1.0 shift xy 10 1.0"),
     ("off", "comm_style tiled"),
     ("off", "comm_style tiled\nfix balance all balance 100 1.0 rcb"),
+    ("on", "comm_style tiled\nfix balance all balance 100 1.0 rcb"),
     ("on", "neigh_modify every 1 delay 0 check no"),
     ("on", "neighbor 1.0 bin"),
 ])
