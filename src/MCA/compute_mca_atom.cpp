@@ -4,49 +4,43 @@
 #include "comm.h"
 #include "error.h"
 #include "force.h"
-#include "laws/nearest_word.h"
-#include "memory.h"
 #include "pair_mca.h"
 #include "update.h"
 
-#include <cstring>
-#include <string>
+#include <algorithm>
 
 using namespace LAMMPS_NS;
 
-enum { SXX, SYY, SXY, SZZ, MEAN, INTENSITY, PLASTIC, LINKS, WELDS, ENERGY, THETA, ATTRIBUTES };
-static const char *const NAMES[ATTRIBUTES] = {"sxx",   "syy",       "sxy",     "szz",
-                                              "mean",  "intensity", "plastic", "links",
-                                              "welds", "energy",    "theta"};
+enum {
+  SXX,
+  SYY,
+  SXY,
+  SZZ,
+  MEAN,
+  INTENSITY,
+  PLASTIC,
+  LINKS,
+  WELDS,
+  DAMAGE,
+  ENERGY,
+  THETA,
+  ATTRIBUTES
+};
+static const char *const NAMES[ATTRIBUTES] = {"sxx",       "syy",     "sxy",   "szz",
+                                              "mean",      "intensity", "plastic", "links",
+                                              "welds",     "damage",  "energy", "theta"};
+static constexpr int COUNTS = 3;
 
 /* compute ID group mca/atom attribute ... */
 
 ComputeMCAAtom::ComputeMCAAtom(LAMMPS *host, int narg, char **arg)
-    : Compute(host, narg, arg), pair(nullptr), nmax(0), single(nullptr), several(nullptr)
+    : Compute(host, narg, arg),
+      columns(host, "Compute mca/atom", {NAMES, NAMES + ATTRIBUTES}, narg - 3, arg + 3),
+      pair(nullptr)
 {
-  std::string known;
-  for (const char *name : NAMES)
-    known += std::string(" ") + name;
-  if (narg < 4)
-    error->all(FLERR, "Compute mca/atom needs at least one of:{}", known);
-  for (int iarg = 3; iarg < narg; iarg++) {
-    int found = 0;
-    while (found < ATTRIBUTES && strcmp(arg[iarg], NAMES[found]) != 0)
-      found++;
-    if (found == ATTRIBUTES)
-      error->all(FLERR, "Compute mca/atom: {}",
-                 mca::unknownWord(arg[iarg], {NAMES, NAMES + ATTRIBUTES}));
-    columns.push_back(found);
-  }
   peratom_flag = 1;
-  size_peratom_cols = columns.size() == 1 ? 0 : static_cast<int>(columns.size());
-  comm_reverse = 2;
-}
-
-ComputeMCAAtom::~ComputeMCAAtom()
-{
-  memory->destroy(single);
-  memory->destroy(several);
+  size_peratom_cols = columns.lammps_columns();
+  comm_reverse = COUNTS;
 }
 
 void ComputeMCAAtom::init()
@@ -59,34 +53,23 @@ void ComputeMCAAtom::init()
 void ComputeMCAAtom::compute_peratom()
 {
   invoked_peratom = update->ntimestep;
-  if (atom->nmax > nmax) {
-    nmax = atom->nmax;
-    if (columns.size() == 1) {
-      memory->destroy(single);
-      memory->create(single, nmax, "mca/atom:vector");
-      vector_atom = single;
-    } else {
-      memory->destroy(several);
-      memory->create(several, nmax, size_peratom_cols, "mca/atom:array");
-      array_atom = several;
-    }
-  }
-  bool counts = false;
-  for (const int c : columns)
-    counts = counts || c == LINKS || c == WELDS;
-  if (counts)
+  columns.grow(atom->nmax);
+  vector_atom = columns.vector;
+  array_atom = columns.array;
+  if (columns.has(LINKS) || columns.has(WELDS) || columns.has(DAMAGE))
     count_links();
 
   for (int i = 0; i < atom->nlocal; i++)
-    for (size_t c = 0; c < columns.size(); c++) {
-      const double v = atom->mask[i] & groupbit ? value(columns[c], i) : 0.0;
-      (columns.size() == 1 ? single[i] : several[i][c]) = v;
-    }
+    for (int c = 0; c < columns.size(); c++)
+      columns.at(i, c) = atom->mask[i] & groupbit ? value(columns[c], i) : 0.0;
 }
 
 double ComputeMCAAtom::value(int attribute, int i) const
 {
   int is_double, cols;
+  auto state = [&](const char *name) {
+    return atom->dvector[atom->find_custom(name, is_double, cols)][i];
+  };
   switch (attribute) {
   case SXX:
     return pair->automaton(i).stress.xx;
@@ -101,48 +84,54 @@ double ComputeMCAAtom::value(int attribute, int i) const
   case INTENSITY:
     return pair->automaton(i).intensity;
   case PLASTIC:
-    return atom->dvector[atom->find_custom("mca_kappa", is_double, cols)][i];
+    return state("mca_kappa");
   case LINKS:
-    return linked[2 * i];
+    return counts[COUNTS * i];
   case WELDS:
-    return linked[2 * i + 1];
+    return counts[COUNTS * i + 1];
+  case DAMAGE: {
+    const double made = state("mca_links0");
+    return made > 0.0 ? 1.0 - counts[COUNTS * i + 2] / made : 0.0;
+  }
   case ENERGY:
     return pair->automaton(i).energy;
   default:
-    return atom->dvector[atom->find_custom("mca_theta", is_double, cols)][i];
+    return state("mca_theta");
   }
 }
 
 void ComputeMCAAtom::count_links()
 {
-  linked.assign(2 * static_cast<size_t>(atom->nlocal + atom->nghost), 0.0);
+  counts.assign(COUNTS * static_cast<size_t>(atom->nlocal + atom->nghost), 0.0);
   const mca::Pairs &p = pair->links().pairs();
-  for (int k = 0; k < p.n; k++)
+  for (int k = 0; k < p.n; k++) {
+    const double kind = p.now.kind[k];
+    if (!mca::link::isLinked(kind))
+      continue;
     for (const int i : {p.i[k], p.j[k]}) {
-      if (mca::link::isLinked(p.now.kind[k]))
-        linked[2 * i] += 1.0;
-      if (p.now.kind[k] == mca::link::weld)
-        linked[2 * i + 1] += 1.0;
+      counts[COUNTS * i] += 1.0;
+      counts[COUNTS * i + 1] += kind == mca::link::weld;
+      counts[COUNTS * i + 2] += pair->links().original(k);
     }
+  }
   if (force->newton_pair)
     comm->reverse_comm(this);
 }
 
 int ComputeMCAAtom::pack_reverse_comm(int n, int first, double *buf)
 {
-  for (int k = 0; k < 2 * n; k++)
-    buf[k] = linked[2 * first + k];
-  return 2 * n;
+  std::copy_n(counts.begin() + COUNTS * first, COUNTS * n, buf);
+  return COUNTS * n;
 }
 
 void ComputeMCAAtom::unpack_reverse_comm(int n, int *index, double *buf)
 {
   for (int k = 0; k < n; k++)
-    for (int m = 0; m < 2; m++)
-      linked[2 * index[k] + m] += *buf++;
+    for (int m = 0; m < COUNTS; m++)
+      counts[COUNTS * index[k] + m] += *buf++;
 }
 
 double ComputeMCAAtom::memory_usage()
 {
-  return static_cast<double>(nmax * columns.size() + linked.capacity()) * sizeof(double);
+  return columns.bytes() + static_cast<double>(counts.capacity()) * sizeof(double);
 }

@@ -8,6 +8,8 @@
 
 #include "compute.h"
 
+#include "output_columns.h"
+
 #include <vector>
 
 namespace LAMMPS_NS {
@@ -17,7 +19,6 @@ class PairMCA;
 class ComputeMCAAtom : public Compute {
  public:
   ComputeMCAAtom(class LAMMPS *, int, char **);
-  ~ComputeMCAAtom() override;
   void init() override;
   void compute_peratom() override;
   int pack_reverse_comm(int, int, double *) override;
@@ -25,12 +26,9 @@ class ComputeMCAAtom : public Compute {
   double memory_usage() override;
 
  private:
-  std::vector<int> columns; // numbers in the table of attributes
+  OutputColumns columns;
   PairMCA *pair;
-  int nmax;
-  double *single;             // one attribute: a vector
-  double **several;           // more: an array
-  std::vector<double> linked; // links and welds of owned and ghost automata
+  std::vector<double> counts; // of owned and ghost automata: links, welds, original links
 
   void count_links();
   double value(int attribute, int i) const;

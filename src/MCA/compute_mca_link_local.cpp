@@ -3,47 +3,24 @@
 #include "atom.h"
 #include "error.h"
 #include "force.h"
-#include "laws/nearest_word.h"
-#include "memory.h"
 #include "pair_mca.h"
 #include "update.h"
 
-#include <cstring>
-#include <string>
-
 using namespace LAMMPS_NS;
 
-enum { ID1, ID2, KIND, STRAIN, PLASTIC, GAMMA, GAMMA_TOTAL, SIGMA, TAU, ATTRIBUTES };
+enum { ID1, ID2, KIND, STRAIN, PLASTIC, GAMMA, GAMMA_TOTAL, SIGMA, TAU, ORIGINAL, ATTRIBUTES };
 static const char *const NAMES[ATTRIBUTES] = {"id1",   "id2",         "kind",  "strain", "plastic",
-                                              "gamma", "gamma_total", "sigma", "tau"};
+                                              "gamma", "gamma_total", "sigma", "tau", "original"};
 
 /* compute ID group mca/link/local attribute ... */
 
 ComputeMCALinkLocal::ComputeMCALinkLocal(LAMMPS *host, int narg, char **arg)
-    : Compute(host, narg, arg), pair(nullptr), nmax(0), single(nullptr), several(nullptr)
+    : Compute(host, narg, arg),
+      columns(host, "Compute mca/link/local", {NAMES, NAMES + ATTRIBUTES}, narg - 3, arg + 3),
+      pair(nullptr)
 {
-  std::string known;
-  for (const char *name : NAMES)
-    known += std::string(" ") + name;
-  if (narg < 4)
-    error->all(FLERR, "Compute mca/link/local needs at least one of:{}", known);
-  for (int iarg = 3; iarg < narg; iarg++) {
-    int found = 0;
-    while (found < ATTRIBUTES && strcmp(arg[iarg], NAMES[found]) != 0)
-      found++;
-    if (found == ATTRIBUTES)
-      error->all(FLERR, "Compute mca/link/local: {}",
-                 mca::unknownWord(arg[iarg], {NAMES, NAMES + ATTRIBUTES}));
-    columns.push_back(found);
-  }
   local_flag = 1;
-  size_local_cols = columns.size() == 1 ? 0 : static_cast<int>(columns.size());
-}
-
-ComputeMCALinkLocal::~ComputeMCALinkLocal()
-{
-  memory->destroy(single);
-  memory->destroy(several);
+  size_local_cols = columns.lammps_columns();
 }
 
 void ComputeMCALinkLocal::init()
@@ -73,24 +50,15 @@ void ComputeMCALinkLocal::compute_local()
   size_local_rows = 0;
   for (int k = 0; k < p.n; k++)
     size_local_rows += mine(k);
-  if (size_local_rows > nmax) {
-    nmax = size_local_rows + size_local_rows / 8;
-    if (columns.size() == 1) {
-      memory->destroy(single);
-      memory->create(single, nmax, "mca/link/local:vector");
-      vector_local = single;
-    } else {
-      memory->destroy(several);
-      memory->create(several, nmax, size_local_cols, "mca/link/local:array");
-      array_local = several;
-    }
-  }
+  columns.grow(size_local_rows);
+  vector_local = columns.vector;
+  array_local = columns.array;
   int row = 0;
   for (int k = 0; k < p.n; k++) {
     if (!mine(k))
       continue;
-    for (size_t c = 0; c < columns.size(); c++)
-      (columns.size() == 1 ? single[row] : several[row][c]) = value(columns[c], k);
+    for (int c = 0; c < columns.size(); c++)
+      columns.at(row, c) = value(columns[c], k);
     row++;
   }
 }
@@ -115,6 +83,8 @@ double ComputeMCALinkLocal::value(int attribute, int k) const
     return p.now.gammaTotal[0][k];
   case SIGMA:
     return pair->contact(k).sigma;
+  case ORIGINAL:
+    return pair->links().original(k);
   default:
     return pair->contact(k).tau;
   }
@@ -122,5 +92,5 @@ double ComputeMCALinkLocal::value(int attribute, int k) const
 
 double ComputeMCALinkLocal::memory_usage()
 {
-  return static_cast<double>(nmax * columns.size()) * sizeof(double);
+  return columns.bytes();
 }

@@ -8,7 +8,7 @@
 
 #include "compute.h"
 
-#include <vector>
+#include "output_columns.h"
 
 namespace LAMMPS_NS {
 
@@ -17,17 +17,13 @@ class PairMCA;
 class ComputeMCALinkLocal : public Compute {
  public:
   ComputeMCALinkLocal(class LAMMPS *, int, char **);
-  ~ComputeMCALinkLocal() override;
   void init() override;
   void compute_local() override;
   double memory_usage() override;
 
  private:
-  std::vector<int> columns; // numbers in the table of attributes
+  OutputColumns columns;
   PairMCA *pair;
-  int nmax;
-  double *single;
-  double **several;
 
   bool mine(int) const;
   double value(int attribute, int k) const;

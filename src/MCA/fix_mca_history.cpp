@@ -2,14 +2,17 @@
 
 #include "atom.h"
 #include "comm.h"
+#include "domain.h"
 #include "error.h"
 #include "irregular.h"
 #include "my_page.h"
 #include "neigh_list.h"
+#include "neighbor.h"
 #include "pair_mca.h"
 #include "update.h"
 
 #include <algorithm>
+#include <cmath>
 
 using namespace LAMMPS_NS;
 
@@ -149,6 +152,15 @@ void FixMCAHistory::store(bool next)
   }
 }
 
+std::vector<int> FixMCAHistory::originals() const
+{
+  std::vector<int> sums(atom->nlocal, 0);
+  for (int i = 0; i < atom->nlocal; i++)
+    for (int m = 1; m < npartner[i]; m++)
+      sums[i] += valuepartner[i][dnum * m + mca->links().stateSize()] > 0.0;
+  return sums;
+}
+
 /* from the automata to the new pair list */
 
 void FixMCAHistory::post_neighbor()
@@ -183,8 +195,22 @@ void FixMCAHistory::post_neighbor()
 
 void FixMCAHistory::setup_post_neighbor()
 {
+  check_period();
   post_neighbor();
   check_lost();
+  check_turned();
+}
+
+/* states are found by the partner's ID, so no automaton may meet two images of another one */
+
+void FixMCAHistory::check_period() const
+{
+  for (int m = 0; m < domain->dimension; m++)
+    if (domain->periodicity[m] && domain->prd[m] < 2.0 * neighbor->cutneighmax)
+      error->all(FLERR,
+                 "Pair style mca: the periodic box is {:.6g} long in direction {}, below twice the "
+                 "cutoff with the neighbor skin, {:.6g}",
+                 domain->prd[m], "xyz"[m], 2.0 * neighbor->cutneighmax);
 }
 
 /* ----------------------------------------------------------------------
@@ -192,7 +218,7 @@ void FixMCAHistory::setup_post_neighbor()
    links, which is refused.
 ------------------------------------------------------------------------- */
 
-void FixMCAHistory::check_lost()
+void FixMCAHistory::check_lost() const
 {
   const mca::Pairs &p = mca->links().pairs();
   double own[2] = {0.0, 0.0}, all[2]; // links in the list, ends of links stored
@@ -233,6 +259,33 @@ void FixMCAHistory::check_lost()
                torn);
   if (comm->me == 0)
     utils::logmesg(lmp, "{:.0f} links ended with automata that were deleted\n", all_ended);
+}
+
+/* ----------------------------------------------------------------------
+   A link's normal strain follows from positions, its shear from velocities in a run. What turned a
+   link between runs (displace_atoms, change_box with remap) is therefore refused.
+------------------------------------------------------------------------- */
+
+void FixMCAHistory::check_turned() const
+{
+  // far above the round-off of positions, far below every strain that matters
+  static constexpr double smallest = 1e-8;
+  const mca::Pairs &p = mca->links().pairs();
+  double **x = atom->x;
+  double own = 0.0, largest;
+  for (int k = 0; k < p.n; k++) {
+    if (!mca::link::isLinked(p.now.kind[k]))
+      continue;
+    const double dx = x[p.j[k]][0] - x[p.i[k]][0], dy = x[p.j[k]][1] - x[p.i[k]][1];
+    own = std::max(own, std::abs(p.normal[0][k] * dy - p.normal[1][k] * dx) / std::hypot(dx, dy));
+  }
+  MPI_Allreduce(&own, &largest, 1, MPI_DOUBLE, MPI_MAX, world);
+  if (largest > smallest)
+    error->all(FLERR,
+               "Links of pair_style mca were turned by up to {:.3g} rad between runs; their shear "
+               "follows only motion in a run: move linked fragments as a whole, deform by fix "
+               "deform with remap v, or delete the links by mca_links first",
+               largest);
 }
 
 /* ---------------------------------------------------------------------- */

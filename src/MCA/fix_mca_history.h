@@ -37,6 +37,7 @@ class FixMCAHistory : public mca::CheckedRestart<FixNeighHistory> {
   int pack_forward_comm(int, int *, double *, int, int *) override;
   void unpack_forward_comm(int, int, double *) override;
   void store_present(); // the pairs' present state, without that of a step
+  std::vector<int> originals() const; // original links of owned automata, as stored
 
  private:
   PairMCA *mca;
@@ -47,7 +48,9 @@ class FixMCAHistory : public mca::CheckedRestart<FixNeighHistory> {
   std::vector<Shared> shared;
 
   void store(bool next);
-  void check_lost();
+  void check_period() const;
+  void check_lost() const;
+  void check_turned() const;
 };
 
 } // namespace LAMMPS_NS

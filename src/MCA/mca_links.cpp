@@ -61,7 +61,8 @@ void MCALinks::command(int narg, char **arg)
     domain->lamda2x(atom->nlocal + atom->nghost);
   neighbor->build(1);
   auto *history = dynamic_cast<FixMCAHistory *>(modify->get_fix_by_id(FixMCAHistory::ID));
-  history->post_neighbor();
+  history->setup_post_neighbor();
+  const std::vector<int> before = history->originals();
 
   const mca::Pairs &p = pair->links().pairs();
   double **x = atom->x;
@@ -81,9 +82,15 @@ void MCALinks::command(int narg, char **arg)
     const double state[mca::LinkList::maxStateSize] = {create ? mca::link::bulk : mca::link::none,
                                                        p.now.plastic[k]}; // no shear
     pair->links().setState(k, state);
+    pair->links().setOriginal(k, create);
     changed += pair->owned_share(k);
   }
   history->store_present();
+  const std::vector<int> after = history->originals();
+  int is_double, columns;
+  double *made = atom->dvector[atom->find_custom("mca_links0", is_double, columns)];
+  for (int i = 0; i < atom->nlocal; i++)
+    made[i] += after[i] - before[i];
 
   double all;
   MPI_Allreduce(&changed, &all, 1, MPI_DOUBLE, MPI_SUM, world);

@@ -9,6 +9,7 @@
 #include "compute_mca_atom.h"
 #include "compute_mca_link_local.h"
 #include "fix_mca_drive.h"
+#include "fix_mca_events.h"
 #include "fix_mca_history.h"
 #include "fix_mca_state.h"
 #include "fix_nve_mca.h"
@@ -121,6 +122,8 @@ extern "C" void lammpsplugin_init(void *lmp, void *handle, void *regfunc)
   add("fix", "nve/mca", "movable cellular automata, fix nve/mca");
   plugin.creator.v2 = fromArguments<FixMCADrive>;
   add("fix", "mca/drive", "movable cellular automata, fix mca/drive");
+  plugin.creator.v2 = fromArguments<FixMCAEvents>;
+  add("fix", "mca/events", "movable cellular automata, fix mca/events");
   plugin.creator.v2 = fromArguments<ComputeMCAAtom>;
   add("compute", "mca/atom", "movable cellular automata, compute mca/atom");
   plugin.creator.v2 = fromArguments<ComputeMCALinkLocal>;

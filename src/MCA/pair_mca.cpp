@@ -4,9 +4,11 @@
 #include "comm.h"
 #include "domain.h"
 #include "error.h"
+#include "fix_deform.h"
 #include "fix_mca_history.h"
 #include "fix_mca_state.h"
 #include "force.h"
+#include "input.h"
 #include "laws/critical_step.h"
 #include "material_file.h"
 #include "memory.h"
@@ -293,6 +295,7 @@ void PairMCA::init_style()
     error->all(FLERR, "Pair style mca requires dimension 2 in this version");
   if (force->special_lj[1] != 1.0 && atom->molecular != Atom::ATOMIC)
     error->all(FLERR, "Pair style mca requires special_bonds lj 1 1 1");
+  check_commands();
   comm->ghost_velocity = 1; // shear of a contact needs both velocities
 
   neighbor->add_request(this);
@@ -330,6 +333,29 @@ double PairMCA::inertia(int type) const
 {
   const mca::Material &m = materials[type];
   return mca::Cell{mca::packing::hex, m.diameter, depth}.inertia(m.density);
+}
+
+/* what moves automata without velocities leaves the shear of links behind */
+
+void PairMCA::check_commands() const
+{
+  if (update->whichflag == 2)
+    error->all(FLERR,
+               "Pair style mca does not work with minimize: the shear of links follows only motion "
+               "in a run; use a damped run (fix viscous)");
+  if (input->command && strcmp(input->command, "rerun") == 0)
+    error->all(FLERR,
+               "Pair style mca does not work with rerun: a dump does not hold the state of links");
+  for (const Fix *fix : modify->get_fix_list()) {
+    const int box = Fix::BOX_CHANGE_X | Fix::BOX_CHANGE_Y | Fix::BOX_CHANGE_Z |
+                    Fix::BOX_CHANGE_YZ | Fix::BOX_CHANGE_XZ | Fix::BOX_CHANGE_XY;
+    const auto *deform = dynamic_cast<const FixDeform *>(fix);
+    if ((fix->box_change & box) && !(deform && deform->remapflag != Domain::X_REMAP))
+      error->all(FLERR,
+                 "Pair style mca does not work with fix {} {}: it moves automata without their "
+                 "velocities; deform the box by fix deform with remap v or none",
+                 fix->id, fix->style);
+  }
 }
 
 /* stresses inside are energy per volume, which is pressure units only where nktv2p is 1 */
@@ -454,7 +480,8 @@ void PairMCA::record_events()
     if (!on_this_rank(k))
       continue;
     const int i = p.i[k], j = p.j[k];
-    Event e{update->ntimestep - 1, {atom->tag[i], atom->tag[j]}, before, after, {}, i, j};
+    Event e{update->ntimestep - 1, {atom->tag[i], atom->tag[j]}, before, after, {},
+            {atom->mask[i], atom->mask[j]}};
     for (int m = 0; m < 3; m++)
       e.x[m] = 0.5 * (x[i][m] + x[j][m]);
     domain->remap(e.x);

@@ -81,7 +81,7 @@ class PairMCA : public Pair {
     tagint tag[2];
     double before, after;
     double x[3]; // middle of the pair
-    int i, j;    // rows of both automata
+    int mask[2]; // groups of both automata
   };
   const std::vector<Event> &last_events() const { return happened; } // of the step before this one
 
@@ -111,6 +111,7 @@ class PairMCA : public Pair {
   void allocate();
   void make_laws();
   void check_step();
+  void check_commands() const;
   double *kappa() const;
   double stress_unit() const;
   void pack_motion(int nall, bool advance);
