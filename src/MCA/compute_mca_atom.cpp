@@ -26,9 +26,9 @@ enum {
   THETA,
   ATTRIBUTES
 };
-static const char *const NAMES[ATTRIBUTES] = {"sxx",       "syy",     "sxy",   "szz",
-                                              "mean",      "intensity", "plastic", "links",
-                                              "welds",     "damage",  "energy", "theta"};
+static const char *const NAMES[ATTRIBUTES] = {"sxx",   "syy",       "sxy",     "szz",
+                                              "mean",  "intensity", "plastic", "links",
+                                              "welds", "damage",    "energy",  "theta"};
 static constexpr int COUNTS = 3;
 
 /* compute ID group mca/atom attribute ... */

@@ -9,8 +9,8 @@
 using namespace LAMMPS_NS;
 
 enum { ID1, ID2, KIND, STRAIN, PLASTIC, GAMMA, GAMMA_TOTAL, SIGMA, TAU, ORIGINAL, ATTRIBUTES };
-static const char *const NAMES[ATTRIBUTES] = {"id1",   "id2",         "kind",  "strain", "plastic",
-                                              "gamma", "gamma_total", "sigma", "tau", "original"};
+static const char *const NAMES[ATTRIBUTES] = {
+    "id1", "id2", "kind", "strain", "plastic", "gamma", "gamma_total", "sigma", "tau", "original"};
 
 /* compute ID group mca/link/local attribute ... */
 

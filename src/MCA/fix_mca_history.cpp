@@ -90,6 +90,13 @@ void FixMCAHistory::store(bool next)
     comm->forward_comm(this, 2);
   }
 
+  // with fix deform, images are one step behind, so that normals over periodic faces do not tell
+  auto get = [&](int k, double *state) {
+    links.getStored(k, next, state);
+    if (domain->deform_flag)
+      std::fill_n(state + links.stateSize() + 1, 3, 0.0);
+  };
+
   std::vector<Message> messages;
   std::vector<int> ranks;
   std::fill_n(npartner, atom->nlocal, 0);
@@ -103,7 +110,7 @@ void FixMCAHistory::store(bool next)
         npartner[i]++;
       else if (newton_pair) {
         Message m{shared[i].second, ubuf(tag[j]).d, {}};
-        links.getStored(k, next, m.state);
+        get(k, m.state);
         messages.push_back(m);
         ranks.push_back(static_cast<int>(shared[i].first));
       }
@@ -112,7 +119,8 @@ void FixMCAHistory::store(bool next)
   if (newton_pair) {
     Irregular irregular(lmp);
     const int sorted_by_rank = 1;
-    const int n = irregular.create_data(static_cast<int>(ranks.size()), ranks.data(), sorted_by_rank);
+    const int n =
+        irregular.create_data(static_cast<int>(ranks.size()), ranks.data(), sorted_by_rank);
     received.resize(n);
     irregular.exchange_data(reinterpret_cast<char *>(messages.data()), sizeof(Message),
                             reinterpret_cast<char *>(received.data()));
@@ -142,7 +150,7 @@ void FixMCAHistory::store(bool next)
       if (i < owned) {
         const int m = npartner[i]++;
         partner[i][m] = tag[j];
-        links.getStored(k, next, valuepartner[i] + dnum * m);
+        get(k, valuepartner[i] + dnum * m);
       }
   }
   for (const Message &message : received) {
@@ -210,7 +218,7 @@ void FixMCAHistory::check_period() const
       error->all(FLERR,
                  "Pair style mca: the periodic box is {:.6g} long in direction {}, below twice the "
                  "cutoff with the neighbor skin, {:.6g}",
-                 domain->prd[m], "xyz"[m], 2.0 * neighbor->cutneighmax);
+                 domain->prd[m], "xyz"[m], 2.0 * neighbor -> cutneighmax);
 }
 
 /* ----------------------------------------------------------------------

@@ -36,7 +36,7 @@ class FixMCAHistory : public mca::CheckedRestart<FixNeighHistory> {
   void write_restart(FILE *) override;
   int pack_forward_comm(int, int *, double *, int, int *) override;
   void unpack_forward_comm(int, int, double *) override;
-  void store_present(); // the pairs' present state, without that of a step
+  void store_present();               // the pairs' present state, without that of a step
   std::vector<int> originals() const; // original links of owned automata, as stored
 
  private:

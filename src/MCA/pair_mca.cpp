@@ -302,8 +302,8 @@ void PairMCA::init_style()
 
   if (!fix_history) {
     fix_history = dynamic_cast<FixMCAHistory *>(modify->replace_fix(
-        DUMMY_HISTORY,
-        fmt::format("{} all MCA_HISTORY {}", FixMCAHistory::ID, pairs.storedSize()), 1));
+        DUMMY_HISTORY, fmt::format("{} all MCA_HISTORY {}", FixMCAHistory::ID, pairs.storedSize()),
+        1));
     fix_history->attach(this);
     modify->replace_fix(DUMMY_STATE,
                         fmt::format("{} all MCA_STATE d_mca_kappa d_mca_theta d_mca_lag_x "
@@ -347,8 +347,8 @@ void PairMCA::check_commands() const
     error->all(FLERR,
                "Pair style mca does not work with rerun: a dump does not hold the state of links");
   for (const Fix *fix : modify->get_fix_list()) {
-    const int box = Fix::BOX_CHANGE_X | Fix::BOX_CHANGE_Y | Fix::BOX_CHANGE_Z |
-                    Fix::BOX_CHANGE_YZ | Fix::BOX_CHANGE_XZ | Fix::BOX_CHANGE_XY;
+    const int box = Fix::BOX_CHANGE_X | Fix::BOX_CHANGE_Y | Fix::BOX_CHANGE_Z | Fix::BOX_CHANGE_YZ |
+                    Fix::BOX_CHANGE_XZ | Fix::BOX_CHANGE_XY;
     const auto *deform = dynamic_cast<const FixDeform *>(fix);
     if ((fix->box_change & box) && !(deform && deform->remapflag != Domain::X_REMAP))
       error->all(FLERR,
@@ -448,8 +448,8 @@ double *PairMCA::kappa() const
 
 /* ---------------------------------------------------------------------- */
 
-/* Events count when their step's outcome is taken over: once, also those of the first step, whatever
-   runs and restart files the steps belong to. */
+/* Events count when their step's outcome is taken over: once, also those of the first step,
+   whatever runs and restart files the steps belong to. */
 
 void PairMCA::commit()
 {
@@ -480,7 +480,7 @@ void PairMCA::record_events()
     if (!on_this_rank(k))
       continue;
     const int i = p.i[k], j = p.j[k];
-    Event e{update->ntimestep - 1, {atom->tag[i], atom->tag[j]}, before, after, {},
+    Event e{update->ntimestep - 1,         {atom->tag[i], atom->tag[j]}, before, after, {},
             {atom->mask[i], atom->mask[j]}};
     for (int m = 0; m < 3; m++)
       e.x[m] = 0.5 * (x[i][m] + x[j][m]);

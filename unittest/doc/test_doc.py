@@ -128,6 +128,7 @@ def test_pair_defaults():
 
 
 @pytest.mark.parametrize("file, table", [("compute_mca_atom.md", "compute_mca_atom.cpp"),
+                                         ("fix_mca_events.md", "fix_mca_events.cpp"),
                                          ("compute_mca_link_local.md", "compute_mca_link_local.cpp")])
 def test_compute_attributes(file, table):
     syntax = section(page(file), "Syntax")
