@@ -24,11 +24,14 @@ enum {
   DAMAGE,
   ENERGY,
   THETA,
+  PLASTIC_WORK,
+  BROKEN,
+  FORMED,
   ATTRIBUTES
 };
-static const char *const NAMES[ATTRIBUTES] = {"sxx",   "syy",       "sxy",     "szz",
-                                              "mean",  "intensity", "plastic", "links",
-                                              "welds", "damage",    "energy",  "theta"};
+static const char *const NAMES[ATTRIBUTES] = {
+    "sxx",   "syy",    "sxy",    "szz",   "mean",         "intensity", "plastic", "links",
+    "welds", "damage", "energy", "theta", "plastic_work", "broken",    "formed"};
 static constexpr int COUNTS = 3;
 
 /* compute ID group mca/atom attribute ... */
@@ -56,6 +59,8 @@ void ComputeMCAAtom::compute_peratom()
   columns.grow(atom->nmax);
   vector_atom = columns.vector;
   array_atom = columns.array;
+  if (columns.has(BROKEN) || columns.has(FORMED))
+    pair->collect_changes();
   if (columns.has(LINKS) || columns.has(WELDS) || columns.has(DAMAGE))
     count_links();
 
@@ -95,6 +100,12 @@ double ComputeMCAAtom::value(int attribute, int i) const
   }
   case ENERGY:
     return pair->automaton(i).energy;
+  case PLASTIC_WORK:
+    return pair->plastic_work(i);
+  case BROKEN:
+    return state("mca_broken");
+  case FORMED:
+    return state("mca_formed");
   default:
     return state("mca_theta");
   }

@@ -35,6 +35,7 @@ void FixMCAHistory::attach(PairMCA *owner)
 void FixMCAHistory::pre_exchange()
 {
   mca->commit();
+  mca->collect_changes();
   store(true);
 }
 
@@ -43,6 +44,7 @@ void FixMCAHistory::pre_exchange()
 
 void FixMCAHistory::store_present()
 {
+  mca->collect_changes();
   store(false);
 }
 
@@ -187,6 +189,7 @@ void FixMCAHistory::post_neighbor()
     count += list->numneigh[list->ilist[ii]];
   mca::LinkList &links = mca->links();
   links.reset(count);
+  mca->begin_changes();
   for (int ii = 0; ii < list->inum; ii++) {
     const int i = list->ilist[ii];
     for (int jj = 0; jj < list->numneigh[i]; jj++) {

@@ -47,7 +47,9 @@ struct PairState {
   double *kind;                  ///< link::worn, none, bulk or weld
   double *plastic;               ///< plastic offset of the normal strain [-]
   double *gamma[maxShears];      ///< elastic shear [-]
-  double *gammaTotal[maxShears]; ///< shear since linking, not reduced by plasticity [-]
+  double *gammaTotal[maxShears]; ///< shear since linking, not reduced by plasticity [-]; the first
+                                 ///< of an unlinked contact: plastic work per volume while pressed
+                                 ///< together, where a law needs it [stress]
 };
 
 /// What is known of all pairs of a block, so that most blocks take a short way.
@@ -77,6 +79,8 @@ constexpr int strainRow = 2;   ///< sum of elastic normal strains [-], number of
 constexpr int stressRow = 4;   ///< averaged xx, yy, xy [stress], sum of e^2 + gamma^2 [-]
 constexpr int responseRow = 2; ///< mean stress [stress], factor M of the radial return [-]
 constexpr int forceRow = 4;    ///< fx, fy [force], torque [force length], unused
+constexpr int localRow = 4;    ///< averaged xx, yy, xy after the return, plastic work per volume of
+                               ///< the step [stress]
 
 /// Moves the shear on by one step and adds each contact's strain to both of its automata.
 /// \param dt       the step [time]; 0 keeps the state as it is (set-up)
@@ -108,10 +112,11 @@ using YieldPass = void(int n, const int *type, const AutomatonLaw *laws, bool on
                        double *kappaNext, double *response);
 
 /// Stresses of the contacts, forces and torques on both automata, next state.
+/// \param local   localRow values an automaton, or nullptr where no law needs them
 /// \param forces  forceRow values an automaton, added to
 /// \return how many pairs change their kind
 using ForcePass = double(const Pairs &, const PairLaw *laws, const double *response,
-                         double *forces);
+                         const double *local, double *forces);
 
 /// Lengths of the rows of the per-automaton arrays. Every row of strains begins with the sum of the
 /// normal strains and the number of bulk links, of responses with the mean stress and M.

@@ -63,7 +63,7 @@ double strainBlock(const Pairs &p, int first, int n, double dt, const PairLaw *l
       const double kind = pkind[k];
       const bool linked = link::isLinked(kind);
       pgamma[k] = linked ? pgamma[k] + dgamma : 0.0;
-      ptotal[k] = linked ? ptotal[k] + dgamma : 0.0;
+      ptotal[k] += linked ? dgamma : 0.0;
       psep[k] = dvx * nx + dvy * ny;
       es[k] = (linked | (e < 0.0)) ? e : 0.0;
       bulks[k] = kind == link::bulk ? 1.0 : 0.0;
@@ -197,8 +197,9 @@ struct Changes {
   double kinds, states; // pairs whose kind, whose state as a whole changes
 };
 
-template<Way WAY>
-Changes forceBlock(const Pairs &p, int first, int n, const PairLaw *laws, PairColumns &c)
+template<Way WAY, bool LOCAL>
+Changes forceBlock(const Pairs &p, int first, int n, const PairLaw *laws, const double *local,
+                   PairColumns &c)
 {
   const int *const plaw = p.law + first;
   const double *const pkind = p.now.kind + first, *const pplastic = p.now.plastic + first;
@@ -214,8 +215,18 @@ Changes forceBlock(const Pairs &p, int first, int n, const PairLaw *laws, PairCo
     const PairLaw &law = WAY == SEVERAL_LAWS ? laws[plaw[k]] : one;
     const double kind = pkind[k], plastic = pplastic[k], eps = peps[k];
     const double gamma = pgamma[k], total = ptotal[k];
-    const ContactStress s = contactStress(law, kind, eps, plastic, gamma, total, psep[k],
-                                          c.meanI[k], c.factorI[k], c.meanJ[k], c.factorJ[k]);
+    LocalStress around = {};
+    double work = 0.0;
+    if (LOCAL) {
+      const double *const row = local + localRow * k;
+      const double mean = 0.5 * (c.meanI[k] + c.meanJ[k]);
+      around = localStress(0.0, 0.0, row[0], row[1], row[2], mean, pnx[k], pny[k]);
+      const bool works = !link::isLinked(kind) & (eps < plastic) & hasLinkWork(law.limits);
+      work = works ? total + row[3] : 0.0;
+    }
+    const ContactStress s =
+        contactStress<LOCAL>(law, kind, eps, plastic, gamma, total, psep[k], c.meanI[k],
+                             c.factorI[k], c.meanJ[k], c.factorJ[k], around, work);
 
     // next state; conditions as factors of 0 or 1, which vectorise
     const double linkedNext = link::linked(s.kindNext), stays = link::linked(kind) * linkedNext;
@@ -224,7 +235,8 @@ Changes forceBlock(const Pairs &p, int first, int n, const PairLaw *laws, PairCo
     // once apart, both surfaces are whole again
     const double apart = eps > (dented > 0.0 ? dented : 0.0) ? 1.0 - linkedNext : 0.0;
     const double plasticNext = (1.0 - apart) * dented;
-    const double gammaNext = stays * s.tau * law.invTwoG, totalNext = stays * total;
+    const double gammaNext = stays * s.tau * law.invTwoG;
+    const double totalNext = stays * total + (1.0 - linkedNext) * work;
     kind1[k] = s.kindNext;
     plastic1[k] = plasticNext;
     gamma1[k] = gammaNext;
@@ -279,9 +291,26 @@ inline bool allOne(int n, const Column &a, const Column &b)
   return below == 0.0;
 }
 
-double forcePass(const Pairs &p, const PairLaw *laws, const double *response, double *forces)
+// Means of both automata of a block's pairs.
+inline void gatherLocal(const int *pi, const int *pj, int n, const double *local, double *means)
+{
+  for (int k = 0; k < n; k++)
+    *rowOf<Row4>(means, k) = 0.5 * (*rowOf<Row4>(local, pi[k]) + *rowOf<Row4>(local, pj[k]));
+}
+
+template<bool LOCAL>
+Changes forceBlockOf(Way way, const Pairs &p, int first, int n, const PairLaw *laws,
+                     const double *local, PairColumns &c)
+{
+  return way == SEVERAL_LAWS ? forceBlock<SEVERAL_LAWS, LOCAL>(p, first, n, laws, local, c)
+                             : forceBlock<ONE_LAW, LOCAL>(p, first, n, laws, local, c);
+}
+
+double forcePass(const Pairs &p, const PairLaw *laws, const double *response, const double *local,
+                 double *forces)
 {
   PairColumns c;
+  alignas(64) double means[blockLength * localRow];
   double changed = 0.0;
   Block *block = p.blocks;
   for (int first = 0; first < p.n; first += blockLength, block++) {
@@ -297,8 +326,10 @@ double forcePass(const Pairs &p, const PairLaw *laws, const double *response, do
       else
         bulkForceBlock<false>(p, first, n, laws, c);
     } else {
-      const Changes changes = way == SEVERAL_LAWS ? forceBlock<SEVERAL_LAWS>(p, first, n, laws, c)
-                                                  : forceBlock<ONE_LAW>(p, first, n, laws, c);
+      if (local)
+        gatherLocal(pi, pj, n, local, means);
+      const Changes changes = local ? forceBlockOf<true>(way, p, first, n, laws, means, c)
+                                    : forceBlockOf<false>(way, p, first, n, laws, nullptr, c);
       block->moves = changes.states > 0.0;
       changed += changes.kinds;
     }

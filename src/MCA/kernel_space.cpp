@@ -370,7 +370,8 @@ inline bool allOne(int n, const Column &a, const Column &b)
   return below == 0.0;
 }
 
-double forcePass(const Pairs &p, const PairLaw *laws, const double *response, double *forces)
+double forcePass(const Pairs &p, const PairLaw *laws, const double *response,
+                 const double * /*local: of laws in the plane*/, double *forces)
 {
   PairColumns c;
   double changed = 0.0;

@@ -8,6 +8,7 @@
 #include "fix_mca_history.h"
 #include "fix_mca_state.h"
 #include "force.h"
+#include "further_laws.h"
 #include "input.h"
 #include "laws/critical_step.h"
 #include "material_file.h"
@@ -33,13 +34,16 @@ static constexpr const char *DUMMY_STATE = "MCA_STATE_DUMMY";
 
 PairMCA::PairMCA(LAMMPS *host)
     : Pair(host), depth(1.0), cut_user(0.0), onelaw(true), kernel(&mca::bestKernel(2)),
-      changes(0.0), committed(false), fix_history(nullptr), icustom_kappa(-1), icustom_lag{-1, -1}
+      changes(0.0), committed(false), fix_history(nullptr), icustom_kappa(-1),
+      icustom_elastic_z(-1), icustom_changes{-1, -1}, icustom_lag{-1, -1}, listed(-1), listed_all(0)
 {
   single_enable = 0;
   manybody_flag = 1;
   restartinfo = 1;
   one_coeff = 0;
   centroidstressflag = CENTROID_NOTAVAIL;
+  nextra = 6; // see tally()
+  pvector = new double[nextra]();
   comm_forward = 1;
   comm_reverse = kernel->rows.stress;
 
@@ -58,6 +62,7 @@ PairMCA::~PairMCA()
   for (const char *id : {FixMCAHistory::ID, FixMCAState::ID, DUMMY_HISTORY, DUMMY_STATE})
     if (modify->get_fix_by_id(id))
       modify->delete_fix(id);
+  delete[] pvector;
   if (allocated) {
     memory->destroy(setflag);
     memory->destroy(cutsq);
@@ -91,12 +96,15 @@ void PairMCA::compute(int eflag, int vflag)
   const int *type = atom->type;
   response.reserve(static_cast<size_t>(nall) * kernel->rows.response);
   kappa_next.reserve(nlocal);
+  elastic_z_next.reserve(nlocal);
   pack_motion(nall, advance);
 
   clear(strains, nall, kernel->rows.strain);
   kernel->strain(p, advance ? update->dt : 0.0, laws, motion.get(), spin.get(), strains.get());
   add_up(STRAINS);
   kernel->mean(nlocal, type, autolaw.data(), onelaw, strains.get(), response.get());
+  if (j2())
+    mca::addElasticZ(nlocal, type, autolaw.data(), elastic_z(), response.get());
   pass_on(MEANS);
 
   clear(stresses, nall, kernel->rows.stress);
@@ -105,9 +113,19 @@ void PairMCA::compute(int eflag, int vflag)
   kernel->yield(nlocal, type, autolaw.data(), onelaw, strains.get(), stresses.get(), kappa(),
                 kappa_next.get(), response.get());
   pass_on(FACTORS);
+  if (j2())
+    mca::flowElasticZ(nlocal, type, autolaw.data(), strains.get(), stresses.get(), response.get(),
+                      elastic_z(), elastic_z_next.get());
+  if (lawset.needsLocal()) {
+    local.reserve(static_cast<size_t>(nall) * mca::localRow);
+    mca::showLocal(nlocal, type, autolaw.data(), stresses.get(), response.get(), kappa(),
+                   kappa_next.get(), local.get());
+    pass_on(LOCAL);
+  }
 
   clear(forces, nall, kernel->rows.force);
-  changes = kernel->force(p, laws, response.get(), forces.get());
+  changes = kernel->force(p, laws, response.get(), lawset.needsLocal() ? local.get() : nullptr,
+                          forces.get());
   const int rows = force->newton_pair ? nall : nlocal;
   double **f = atom->f, **torque = atom->torque;
   const double *row = forces.get();
@@ -121,6 +139,29 @@ void PairMCA::compute(int eflag, int vflag)
     tally(eflag, vflag);
   if (vflag_fdotr)
     virial_fdotr_compute();
+}
+
+/* links broken and formed of each automaton: ghosts' counts go to their owners. Called by all
+   ranks, before the ghosts of the list change. */
+
+void PairMCA::collect_changes()
+{
+  if (listed < 0)
+    return; // no list was built yet, on any rank
+  add_up(CHANGES);
+  for (int m = 0; m < 2; m++) {
+    double *sum = atom->dvector[icustom_changes[m]];
+    for (int i = 0; i < listed; i++)
+      sum[i] += link_changes.get()[2 * i + m];
+  }
+  clear(link_changes, listed_all, 2);
+}
+
+void PairMCA::begin_changes()
+{
+  listed = atom->nlocal; // other fixes may add atoms behind these
+  listed_all = atom->nlocal + atom->nghost;
+  clear(link_changes, listed_all, 2);
 }
 
 /* Within a step forces see the velocities of half a step ago. In set-up the lag that they had when
@@ -165,6 +206,11 @@ void PairMCA::tally(int /*eflag*/, int /*vflag*/)
       if (eflag_atom)
         eatom[i] += energy;
     }
+  if (eflag_global) {
+    const Count c = count();
+    const double values[] = {c.links, c.welds, c.broken, c.formed, c.healed, c.plastic_work};
+    std::copy_n(values, nextra, pvector);
+  }
   if (!vflag_either || (vflag_fdotr && !vflag_atom))
     return;
 
@@ -298,6 +344,7 @@ void PairMCA::init_style()
   check_commands();
   comm->ghost_velocity = 1; // shear of a contact needs both velocities
 
+  comm_forward = lawset.needsLocal() ? mca::localRow : 1;
   neighbor->add_request(this);
 
   if (!fix_history) {
@@ -307,12 +354,16 @@ void PairMCA::init_style()
     fix_history->attach(this);
     modify->replace_fix(DUMMY_STATE,
                         fmt::format("{} all MCA_STATE d_mca_kappa d_mca_theta d_mca_lag_x "
-                                    "d_mca_lag_y d_mca_links0 writedata no ghost yes",
+                                    "d_mca_lag_y d_mca_links0 d_mca_elastic_z d_mca_broken "
+                                    "d_mca_formed writedata no ghost yes",
                                     FixMCAState::ID),
                         1);
   }
   int is_double, columns;
   icustom_kappa = atom->find_custom("mca_kappa", is_double, columns);
+  icustom_elastic_z = atom->find_custom("mca_elastic_z", is_double, columns);
+  icustom_changes[0] = atom->find_custom("mca_broken", is_double, columns);
+  icustom_changes[1] = atom->find_custom("mca_formed", is_double, columns);
   icustom_lag[0] = atom->find_custom("mca_lag_x", is_double, columns);
   icustom_lag[1] = atom->find_custom("mca_lag_y", is_double, columns);
   make_laws();
@@ -374,13 +425,13 @@ void PairMCA::make_laws()
     m.strength /= stress_unit();
     m.viscosity /= stress_unit();
   }
-  const bool many = lawset.elasticity == "many-body";
-  const double yields = lawset.plasticity == "radial" ? 1.0 : 0.0;
+  const double yields = lawset.plasticity != "none" ? 1.0 : 0.0;
   autolaw.clear();
   for (int i = 0; i <= n; i++) {
     const mca::Material &m = inside[i > 0 ? i : 1];
-    autolaw.push_back({m.bulkModulus(), m.shearModulus(), many ? m.meanStressWeight() : 0.0, yields,
-                       mca::YieldCurve(m), mca::packing::hex.stressWeight()});
+    const mca::ElasticModuli moduli = mca::elasticModuli(lawset, m);
+    autolaw.push_back({moduli.bulk, moduli.shear, moduli.D, yields, mca::YieldCurve(m),
+                       mca::packing::hex.stressWeight()});
   }
   // types of equal materials share one law, since the kernel is fastest where a law serves many
   pairlaw.clear();
@@ -426,13 +477,14 @@ void PairMCA::reset_dt()
 
 void PairMCA::check_step()
 {
-  const bool many = lawset.elasticity == "many-body";
   for (int i = 1; i <= atom->ntypes; i++) {
     mca::Material m = materials[i];
     m.youngs_modulus /= stress_unit();
     m.density *= force->mvv2e;
     const double eta = lawset.viscosity == "normal" ? m.viscosity / stress_unit() : 0.0;
-    const auto limit = mca::criticalStep(m, many ? m.meanStressWeight() : 0.0, eta);
+    const mca::ElasticModuli moduli = mca::elasticModuli(lawset, m);
+    const double D = moduli.D * moduli.bulk / m.bulkModulus(); // D K as the law has it
+    const auto limit = mca::criticalStep(m, D, eta);
     if (update->dt > limit.shortest())
       error->all(FLERR,
                  "Timestep {:.6g} is longer than the critical one, {:.6g} (elastic {:.6g}, viscous "
@@ -444,6 +496,11 @@ void PairMCA::check_step()
 double *PairMCA::kappa() const
 {
   return atom->dvector[icustom_kappa];
+}
+
+double *PairMCA::elastic_z() const
+{
+  return atom->dvector[icustom_elastic_z];
 }
 
 /* ---------------------------------------------------------------------- */
@@ -460,6 +517,8 @@ void PairMCA::commit()
     record_events();
   changes = 0.0;
   std::copy_n(kappa_next.get(), atom->nlocal, kappa());
+  if (j2())
+    std::copy_n(elastic_z_next.get(), atom->nlocal, elastic_z());
   committed = true;
 }
 
@@ -477,6 +536,10 @@ void PairMCA::record_events()
     (was && is ? events.healed : was ? events.broken : events.formed) += owned_share(k);
     if (!is)
       pairs.setOriginal(k, false);
+    if (was != is)
+      for (const int i : {p.i[k], p.j[k]})
+        if (force->newton_pair || i < atom->nlocal) // else the owner holds the pair, too
+          link_changes.get()[2 * i + (was ? 0 : 1)] += 1.0;
     if (!on_this_rank(k))
       continue;
     const int i = p.i[k], j = p.j[k];
@@ -516,10 +579,19 @@ PairMCA::Automaton PairMCA::automaton(int i) const
   const double unit = stress_unit(), mean = response.get()[i * kernel->rows.response] * unit;
   const mca::StressTensor s =
       mca::automatonStress(row[0] * unit, row[1] * unit, row[2] * unit, mean);
+  const double z = j2() ? elastic_z()[i] : 0.0;
   const double density =
-      mca::energyDensity(row[3], mean / unit, law.shearModulus, law.bulkModulus, law.D);
+      mca::energyDensity(row[3], mean / unit, law.shearModulus, law.bulkModulus, law.D) +
+      law.shearModulus * z * z;
   return {s, mean, mca::stressIntensity(s),
           density * mca::Cell{mca::packing::hex, m.diameter, depth}.cellVolume()};
+}
+
+double PairMCA::plastic_work(int i) const
+{
+  const int type = atom->type[i];
+  return autolaw[type].curve.work(kappa()[i]) *
+         mca::Cell{mca::packing::hex, materials[type].diameter, depth}.cellVolume();
 }
 
 mca::ContactStress PairMCA::contact(int k) const
@@ -530,6 +602,18 @@ mca::ContactStress PairMCA::contact(int k) const
   mca::ContactStress s = mca::contactStress(
       pairlaw[p.law[k]], p.now.kind[k], p.eps[k], p.now.plastic[k], p.now.gamma[0][k],
       p.now.gammaTotal[0][k], p.separation[k], ri[0], ri[1], rj[0], rj[1]);
+  const bool breaks = p.blocks[k / mca::blockLength].moves && mca::link::isLinked(p.now.kind[k]) &&
+                      !mca::link::isLinked(p.next.kind[k]);
+  if (breaks && mca::link::isLinked(s.kindNext)) {
+    // by a criterion of local stress: it answers as an unlinked contact
+    const mca::PairLaw &law = pairlaw[p.law[k]];
+    const bool pressed = p.eps[k] < p.now.plastic[k];
+    s.normal = pressed
+                   ? mca::unlinkedStress(s.trial, law.viscosity, p.separation[k], law.invDiameter)
+                   : 0.0;
+    s.shear = 0.0;
+    s.kindNext = p.next.kind[k];
+  }
   const double unit = stress_unit();
   return {s.trial * unit,  s.sigma * unit, s.tau * unit,
           s.normal * unit, s.shear * unit, s.kindNext};
@@ -552,6 +636,8 @@ bool PairMCA::on_this_rank(int k) const
 PairMCA::Count PairMCA::count() const
 {
   Count c = events;
+  for (int i = 0; i < atom->nlocal; i++)
+    c.plastic_work += plastic_work(i);
   const mca::Pairs &p = pairs.pairs();
   for (int k = 0; k < p.n; k++) {
     if (mca::link::isLinked(p.now.kind[k]))
@@ -570,17 +656,30 @@ void PairMCA::add_up(Stage what)
 {
   stage = what;
   if (force->newton_pair)
-    comm->reverse_comm(this, what == STRAINS ? kernel->rows.strain : kernel->rows.stress);
+    comm->reverse_comm(this, summed(what).row);
+}
+
+PairMCA::Sums PairMCA::summed(Stage what)
+{
+  return what == STRAINS    ? Sums{strains.get(), kernel->rows.strain}
+         : what == STRESSES ? Sums{stresses.get(), kernel->rows.stress}
+                            : Sums{link_changes.get(), 2};
 }
 
 void PairMCA::pass_on(Stage what)
 {
   stage = what;
-  comm->forward_comm(this);
+  comm->forward_comm(this, what == LOCAL ? mca::localRow : 1);
 }
 
 int PairMCA::pack_forward_comm(int n, int *index, double *buf, int /*pbc_flag*/, int * /*pbc*/)
 {
+  if (stage == LOCAL) {
+    for (int k = 0; k < n; k++)
+      std::copy_n(local.get() + static_cast<size_t>(index[k]) * mca::localRow, mca::localRow,
+                  buf + k * mca::localRow);
+    return n * mca::localRow;
+  }
   const double *from = response.get() + (stage == MEANS ? 0 : 1);
   for (int k = 0; k < n; k++)
     buf[k] = from[static_cast<size_t>(index[k]) * kernel->rows.response];
@@ -589,6 +688,10 @@ int PairMCA::pack_forward_comm(int n, int *index, double *buf, int /*pbc_flag*/,
 
 void PairMCA::unpack_forward_comm(int n, int first, double *buf)
 {
+  if (stage == LOCAL) {
+    std::copy_n(buf, n * mca::localRow, local.get() + static_cast<size_t>(first) * mca::localRow);
+    return;
+  }
   double *to = response.get() + static_cast<size_t>(first) * kernel->rows.response +
                (stage == MEANS ? 0 : 1);
   for (int k = 0; k < n; k++)
@@ -597,16 +700,14 @@ void PairMCA::unpack_forward_comm(int n, int first, double *buf)
 
 int PairMCA::pack_reverse_comm(int n, int first, double *buf)
 {
-  const int row = stage == STRAINS ? kernel->rows.strain : kernel->rows.stress;
-  const double *from = (stage == STRAINS ? strains : stresses).get();
+  const auto [from, row] = summed(stage);
   std::copy_n(from + static_cast<size_t>(first) * row, n * row, buf);
   return n * row;
 }
 
 void PairMCA::unpack_reverse_comm(int n, int *index, double *buf)
 {
-  const int row = stage == STRAINS ? kernel->rows.strain : kernel->rows.stress;
-  double *to = (stage == STRAINS ? strains : stresses).get();
+  const auto [to, row] = summed(stage);
   for (int k = 0; k < n; k++)
     for (int m = 0; m < row; m++)
       to[static_cast<size_t>(index[k]) * row + m] += *buf++;
@@ -615,7 +716,8 @@ void PairMCA::unpack_reverse_comm(int n, int *index, double *buf)
 double PairMCA::memory_usage()
 {
   return Pair::memory_usage() + pairs.bytes() + motion.bytes() + spin.bytes() + strains.bytes() +
-         stresses.bytes() + response.bytes() + forces.bytes() + kappa_next.bytes();
+         stresses.bytes() + response.bytes() + local.bytes() + forces.bytes() + kappa_next.bytes() +
+         elastic_z_next.bytes() + link_changes.bytes();
 }
 
 /* ----------------------------------------------------------------------

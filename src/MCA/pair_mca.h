@@ -45,6 +45,7 @@ class PairMCA : public Pair {
   void commit();            // the next state becomes the present one; what it changes are events
   void keep_lag();          // after a step: velocities less those that made its forces
   void check_reach() const; // no link is longer than the cutoff
+  void begin_changes();     // the list is new
   int law_number(int i, int j) const
   {
     return lawnumber[atom->type[i] * (atom->ntypes + 1) + atom->type[j]];
@@ -66,6 +67,8 @@ class PairMCA : public Pair {
   };
   Automaton automaton(int) const;
 
+  double plastic_work(int) const; // of an owned automaton since the beginning, in energy units
+  void collect_changes();         // brings the custom values mca_broken, mca_formed up to date
   mca::ContactStress contact(int) const; // of pair k, in pressure units
   double owned_share(int) const;         // 1, or 1/2 for a pair that two ranks hold
   bool on_this_rank(int) const;          // of a pair that two ranks hold, true on one of them
@@ -73,6 +76,7 @@ class PairMCA : public Pair {
   struct Count { // of this rank; pairs held twice count half on each
     double links = 0.0, welds = 0.0;
     double broken = 0.0, formed = 0.0, healed = 0.0; // since the pair style was created
+    double plastic_work = 0.0;                       // of the automata since the beginning
   };
   Count count() const;
 
@@ -98,21 +102,31 @@ class PairMCA : public Pair {
   const mca::Kernel *kernel;
 
   mca::LinkList pairs;
-  mca::AlignedArray motion, spin, strains, stresses, response, forces, kappa_next;
-  enum Stage { STRAINS, STRESSES, MEANS, FACTORS } stage; // what is being communicated
-  Count events;                                           // since creation; links and welds stay 0
-  std::vector<Event> happened;                            // taken over in this step
-  double changes;                                         // pairs whose next state is another kind
-  bool committed; // the state is already that of the coming step
+  mca::AlignedArray motion, spin, strains, stresses, response, local, forces;
+  mca::AlignedArray kappa_next, elastic_z_next;
+  mca::AlignedArray link_changes; // links broken and formed of each automaton, not collected yet
+  enum Stage { STRAINS, STRESSES, CHANGES, MEANS, FACTORS, LOCAL } stage; // what is communicated
+  Count events;                // since creation; links and welds stay 0
+  std::vector<Event> happened; // taken over in this step
+  double changes;              // pairs whose next state is another kind
+  bool committed;              // the state is already that of the coming step
 
   FixMCAHistory *fix_history;
-  int icustom_kappa, icustom_lag[2];
+  int icustom_kappa, icustom_elastic_z, icustom_changes[2], icustom_lag[2];
+  int listed, listed_all; // automata of the list: owned, with ghosts
 
   void allocate();
   void make_laws();
   void check_step();
   void check_commands() const;
   double *kappa() const;
+  double *elastic_z() const;
+  bool j2() const { return lawset.plasticity == "j2"; }
+  struct Sums { // rows of an automaton that several ranks hold a part of
+    double *rows;
+    int row;
+  };
+  Sums summed(Stage);
   double stress_unit() const;
   void pack_motion(int nall, bool advance);
   void add_up(Stage);

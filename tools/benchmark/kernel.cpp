@@ -98,7 +98,8 @@ struct Sample {
   void force(const mca::Kernel &k)
   {
     clear(forces, static_cast<size_t>(n) * mca::forceRow);
-    benchmark::DoNotOptimize(k.force(pairs.pairs(), pairLaws.data(), response.get(), forces.get()));
+    benchmark::DoNotOptimize(
+        k.force(pairs.pairs(), pairLaws.data(), response.get(), nullptr, forces.get()));
   }
 };
 

@@ -61,8 +61,29 @@ double yieldStress(const mca::Material &m, double kappa)
   return m.strength;
 }
 
+// its integral by trapezoids between the kinks
+static double plasticWork(const mca::Material &m, double kappa)
+{
+  const double k2 = m.yield_strain - m.yield_strength * m.strength / m.youngs_modulus;
+  const double k3 = m.breaking_strain - m.strength / m.youngs_modulus;
+  double sum = 0, from = 0;
+  for (const double to : {std::fmin(kappa, k2), std::fmin(kappa, k3), kappa}) {
+    if (to > from) {
+      sum += (yieldStress(m, from) + yieldStress(m, to)) / 2 * (to - from);
+      from = to;
+    }
+  }
+  return sum;
+}
+
+static double workToStrength(const mca::Material &m)
+{
+  return plasticWork(m, m.breaking_strain - m.strength / m.youngs_modulus);
+}
+
 double nextKind(const mca::LawSet &laws, const mca::Material &ma, const mca::Material &mb,
-                double kind, double sigma, double tau, double eps, double gammaTotal)
+                double kind, double sigma, double tau, double eps, double gammaTotal, double load,
+                double work)
 {
   const double strength = std::fmin(ma.strength, mb.strength);
   const double limit = std::fmin(ma.breaking_strain, mb.breaking_strain);
@@ -78,6 +99,8 @@ double nextKind(const mca::LawSet &laws, const mca::Material &ma, const mca::Mat
       return -1;
     if (laws.fracture == "stress" && intensity >= strength)
       return -1;
+    if ((laws.fracture == "equivalent" || laws.fracture == "drucker-prager") && load >= strength)
+      return -1;
     return 1;
   }
   if (kind == 2) {
@@ -89,7 +112,8 @@ double nextKind(const mca::LawSet &laws, const mca::Material &ma, const mca::Mat
       laws.link == mca::LawSet::atElasticLimit
           ? std::fmin(ma.elastic_limit * ma.strength, mb.elastic_limit * mb.strength)
           : laws.link * strength;
-  if (-sigma < threshold)
+  const double enough = laws.link_work * std::fmin(workToStrength(ma), workToStrength(mb));
+  if (-sigma < threshold && work < enough)
     return 0;
   if (kind == -1)
     return -sigma >= heals ? 1 : -1;
@@ -127,12 +151,21 @@ bool touches(const Contact &c, const View &w)
   return linked(c.now) || w.e < 0;
 }
 
+// lambda of Hooke's law in the plane, sigma = 2G eps + lambda tr(eps)
+double lame(const Sample &s, const mca::Material &m)
+{
+  const double E = m.youngs_modulus, nu = m.poissons_ratio;
+  if (s.laws.elasticity == "pairwise")
+    return 0;
+  return s.laws.plane == "stress" ? E * nu / (1 - nu * nu) : E * nu / (1 + nu) / (1 - 2 * nu);
+}
+
 void moveShear(const Sample &s, Contact &c, double dt)
 {
   if (dt > 0)
     c.now = c.next;
   if (!linked(c.now)) {
-    c.now.gamma = c.now.gammaTotal = 0;
+    c.now.gamma = 0; // gammaTotal holds the plastic work while pressed together
     return;
   }
   const Automaton &a = s.automata[c.i], &b = s.automata[c.j];
@@ -147,15 +180,22 @@ void moveShear(const Sample &s, Contact &c, double dt)
 void collectMeans(Sample &s)
 {
   for (auto &a : s.automata)
-    a.mean = a.xx = a.yy = a.xy = a.zz = a.energy = a.fx = a.fy = a.torque = 0;
+    a.trace = a.mean = a.xx = a.yy = a.xy = a.zz = a.energy = a.fx = a.fy = a.torque = 0;
   for (const auto &c : s.contacts) {
     const View w = view(s, c);
     if (!touches(c, w))
       continue;
     for (int side : {c.i, c.j}) {
       Automaton &a = s.automata[s.owner[side]];
-      a.mean += bulkModulus(s.materials[a.type]) / 3 * w.e;
+      a.trace += w.e / 3;
     }
+  }
+  for (auto &a : s.automata) {
+    const mca::Material &m = s.materials[a.type];
+    if (s.laws.plasticity == "j2")
+      a.trace += a.elasticZ;
+    a.mean = s.laws.plane == "stress" ? 2.0 / 3 * (shearModulus(m) + lame(s, m)) * a.trace
+                                      : bulkModulus(m) * a.trace;
   }
 }
 
@@ -166,7 +206,7 @@ void elasticStresses(const Sample &s, const Contact &c, const View &w, double &s
   for (int side : {c.i, c.j}) {
     const Automaton &a = s.automata[s.owner[side]];
     const mca::Material &m = s.materials[a.type];
-    sigma += (2 * shearModulus(m) * w.e + meanWeight(s.laws, m) * a.mean) / 2;
+    sigma += (2 * shearModulus(m) * w.e + lame(s, m) * a.trace) / 2;
     tau += 2 * shearModulus(m) * c.now.gamma / 2;
   }
 }
@@ -194,7 +234,9 @@ void collectStresses(Sample &s)
   for (int k = 0; k < s.owned; k++) {
     Automaton &a = s.automata[k];
     const mca::Material &m = s.materials[a.type];
-    a.energy += meanWeight(s.laws, m) * a.mean * a.mean / 2 / bulkModulus(m);
+    a.energy += lame(s, m) * a.trace * a.trace / 2;
+    if (s.laws.plasticity == "j2")
+      a.energy += shearModulus(m) * a.elasticZ * a.elasticZ;
     a.energy *= std::sqrt(3.0) / 2 * m.diameter * m.diameter * s.thickness;
     a.zz = 3 * a.mean - a.xx - a.yy;
     const double p = (a.xx + a.yy + a.zz) / 3; // von Mises from the deviator
@@ -203,10 +245,16 @@ void collectStresses(Sample &s)
     const double limit = yieldStress(m, a.kappa);
     a.factor = 1;
     a.kappaNext = a.kappa;
-    if (s.laws.plasticity == "radial" && hasBulk[k] && a.intensity > limit) {
+    if (s.laws.plasticity != "none" && hasBulk[k] && a.intensity > limit) {
       a.factor = limit / a.intensity;
       a.kappaNext += (a.intensity - limit) / 3 / shearModulus(m);
     }
+    a.elasticZNext = 0;
+    if (s.laws.plasticity == "j2" && hasBulk[k]) {
+      const double flow = (1 - a.factor) * (a.zz - p); // stress across the plane that relaxes
+      a.elasticZNext = a.elasticZ - flow / 2 / shearModulus(m);
+    }
+    a.work = plasticWork(m, a.kappaNext) - plasticWork(m, a.kappa);
   }
 }
 
@@ -230,6 +278,33 @@ Stress contactStresses(const Sample &s, const Contact &c, const View &w)
   return out;
 }
 
+// [(a+1)/2 sigma_eq + 3(a-1)/2 sigma_mean]/a from the deviator of the stress tensor at the contact
+double loadOf(const Sample &s, const Contact &c, const View &w, const Stress &p)
+{
+  const double a = s.laws.fracture == "drucker-prager" ? s.laws.compressive_strength : 1;
+  double along = 0, across = 0;
+  for (int side : {c.i, c.j}) {
+    const Automaton &b = s.automata[s.owner[side]];
+    const double stress =
+        b.xx * w.tx * w.tx + b.yy * w.ty * w.ty + 2 * b.xy * w.tx * w.ty; // before the return
+    along += (b.mean + b.factor * (stress - b.mean)) / 2;
+    across += (b.mean + b.factor * (b.zz - b.mean)) / 2;
+  }
+  const double mean = (p.sigma + along + across) / 3;
+  const double J2 =
+      (std::pow(p.sigma - mean, 2) + std::pow(along - mean, 2) + std::pow(across - mean, 2)) / 2 +
+      p.tau * p.tau;
+  return ((a + 1) / 2 * std::sqrt(3 * J2) + 3 * (a - 1) / 2 * mean) / a;
+}
+
+// plastic work of both automata since they are pressed together
+double workOf(const Sample &s, const Contact &c, const View &w)
+{
+  if (!std::isfinite(s.laws.link_work) || linked(c.now) || w.e >= 0)
+    return 0;
+  return c.now.gammaTotal + (s.automata[s.owner[c.i]].work + s.automata[s.owner[c.j]].work) / 2;
+}
+
 // compression and viscosity, never tension; also of a link that breaks in this step
 double unlinkedNormal(const Sample &s, const Contact &c, const View &w, const Stress &p)
 {
@@ -251,12 +326,15 @@ void applyContact(Sample &s, Contact &c)
   const double twoG = shearModulus(ma) + shearModulus(mb);
 
   c.next = c.now;
-  c.next.kind = nextKind(s.laws, ma, mb, c.now.kind, p.sigma, p.tau, w.eps, c.now.gammaTotal);
+  c.next.kind = nextKind(s.laws, ma, mb, c.now.kind, p.sigma, p.tau, w.eps, c.now.gammaTotal,
+                         loadOf(s, c, w, p), workOf(s, c, w));
   if (c.now.kind == 1)
     c.next.plastic += (p.trial - p.sigma) / twoG;
   c.next.gamma = p.tau / twoG;
   if (!linked(c.now) || !linked(c.next))
     c.next.gamma = c.next.gammaTotal = 0;
+  if (!linked(c.next))
+    c.next.gammaTotal = workOf(s, c, w);
   if (!linked(c.next) && w.eps > std::fmax(c.next.plastic, 0))
     c.next.plastic = 0;
   if (c.next.kind != c.now.kind)

@@ -15,9 +15,11 @@ struct Automaton {
   double x = 0, y = 0, vx = 0, vy = 0, omega = 0;
   int type = 0; ///< number in the table of materials
   double kappa = 0;
+  double elasticZ = 0; ///< elastic strain across the plane (plasticity j2)
 
   // results of a step; forces and torque are those of all contacts
   double mean = 0, xx = 0, yy = 0, xy = 0, zz = 0, intensity = 0, factor = 1, kappaNext = 0;
+  double elasticZNext = 0, trace = 0, work = 0;
   double energy = 0, fx = 0, fy = 0, torque = 0;
 };
 
@@ -68,8 +70,11 @@ double meanWeight(const mca::LawSet &, const mca::Material &);
 double yieldStress(const mca::Material &, double kappa);
 
 /// The kind of a contact after a step in which it has these stresses and strains.
+/// \param load  local stress of the criteria equivalent and drucker-prager, reduced to tension
+/// \param work  plastic work per volume while pressed together
 double nextKind(const mca::LawSet &, const mca::Material &, const mca::Material &, double kind,
-                double sigma, double tau, double eps, double gammaTotal);
+                double sigma, double tau, double eps, double gammaTotal, double load = 0,
+                double work = 0);
 
 /// One evaluation of the laws: takes over the next state when dt > 0, moves the shear on by dt,
 /// then yielding, forces and the next state.

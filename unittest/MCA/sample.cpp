@@ -1,5 +1,6 @@
 #include "sample.h"
 
+#include "further_laws.h"
 #include "link_list.h"
 
 #include <algorithm>
@@ -107,14 +108,14 @@ static void passOn(const Sample &s, const mca::AlignedArray &array, int row)
     std::copy_n(array.get() + row * s.owner[i], row, array.get() + row * i);
 }
 
-KernelRun::KernelRun(const mca::Kernel &chosen, const Sample &s, bool next) : kernel(chosen)
+KernelRun::KernelRun(const mca::Kernel &chosen, const Sample &s, bool next)
+    : kernel(chosen), j2(s.laws.plasticity == "j2"), needsLocal(s.laws.needsLocal())
 {
-  const bool many = s.laws.elasticity == "many-body";
   const int types = static_cast<int>(s.materials.size());
   for (const auto &a : s.materials) {
-    own.push_back({a.bulkModulus(), a.shearModulus(), many ? a.meanStressWeight() : 0.0,
-                   s.laws.plasticity == "radial" ? 1.0 : 0.0, mca::YieldCurve(a),
-                   mca::packing::hex.stressWeight()});
+    const mca::ElasticModuli moduli = mca::elasticModuli(s.laws, a);
+    own.push_back({moduli.bulk, moduli.shear, moduli.D, s.laws.plasticity != "none" ? 1.0 : 0.0,
+                   mca::YieldCurve(a), mca::packing::hex.stressWeight()});
     for (const auto &b : s.materials)
       table.push_back(mca::makePairLaw(s.laws, a, b, s.thickness));
   }
@@ -132,9 +133,10 @@ void KernelRun::step(Sample &s, double dt)
   const bool oneLaw = s.materials.size() == 1;
   if (dt > 0.0)
     list.advance();
-  std::vector<double> spin, kappa, kappaNext(s.owned);
+  std::vector<double> spin, kappa, kappaNext(s.owned), elasticZ, elasticZNext(s.owned);
   std::vector<int> type;
-  mca::AlignedArray motion, strains, stresses, response, forces;
+  mca::AlignedArray motion, strains, stresses, response, local, forces;
+  clear(local, n * mca::localRow);
   clear(motion, n * mca::motionRow);
   clear(strains, n * mca::strainRow);
   clear(stresses, n * mca::stressRow);
@@ -148,6 +150,7 @@ void KernelRun::step(Sample &s, double dt)
     if (i >= s.owned)
       continue;
     kappa.push_back(a.kappa);
+    elasticZ.push_back(a.elasticZ);
     type.push_back(a.type);
   }
 
@@ -155,13 +158,23 @@ void KernelRun::step(Sample &s, double dt)
   kernel.strain(p, dt, table.data(), motion.get(), spin.data(), strains.get());
   addUp(s, strains, mca::strainRow);
   kernel.mean(s.owned, type.data(), own.data(), oneLaw, strains.get(), response.get());
+  if (j2)
+    mca::addElasticZ(s.owned, type.data(), own.data(), elasticZ.data(), response.get());
   passOn(s, response, mca::responseRow);
   kernel.stress(p, table.data(), response.get(), stresses.get());
   addUp(s, stresses, mca::stressRow);
   kernel.yield(s.owned, type.data(), own.data(), oneLaw, strains.get(), stresses.get(),
                kappa.data(), kappaNext.data(), response.get());
   passOn(s, response, mca::responseRow);
-  s.changed = static_cast<int>(kernel.force(p, table.data(), response.get(), forces.get()));
+  if (j2)
+    mca::flowElasticZ(s.owned, type.data(), own.data(), strains.get(), stresses.get(),
+                      response.get(), elasticZ.data(), elasticZNext.data());
+  if (needsLocal)
+    mca::showLocal(s.owned, type.data(), own.data(), stresses.get(), response.get(), kappa.data(),
+                   kappaNext.data(), local.get());
+  passOn(s, local, mca::localRow);
+  s.changed = static_cast<int>(kernel.force(p, table.data(), response.get(),
+                                            needsLocal ? local.get() : nullptr, forces.get()));
   addUp(s, forces, mca::forceRow);
 
   for (int i = 0; i < s.owned; i++) {
@@ -172,13 +185,15 @@ void KernelRun::step(Sample &s, double dt)
     a.mean = response.get()[mca::responseRow * i];
     a.factor = response.get()[mca::responseRow * i + 1];
     a.kappaNext = kappaNext[i];
+    a.elasticZNext = elasticZNext[i];
     const mca::StressTensor t = mca::automatonStress(row[0], row[1], row[2], a.mean);
     a.xx = t.xx;
     a.yy = t.yy;
     a.xy = t.xy;
     a.zz = t.zz;
     a.intensity = mca::stressIntensity(t);
-    a.energy = mca::energyDensity(row[3], a.mean, law.shearModulus, law.bulkModulus, law.D) *
+    a.energy = (mca::energyDensity(row[3], a.mean, law.shearModulus, law.bulkModulus, law.D) +
+                law.shearModulus * elasticZ[i] * elasticZ[i]) *
                mca::Cell{mca::packing::hex, s.materials[a.type].diameter, s.thickness}.cellVolume();
     a.fx = f[0];
     a.fy = f[1];

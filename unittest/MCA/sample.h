@@ -33,6 +33,7 @@ class KernelRun {
 
  private:
   const mca::Kernel &kernel;
+  bool j2, needsLocal;
   std::vector<mca::AutomatonLaw> own;
   std::vector<mca::PairLaw> table;
   mca::LinkList list;

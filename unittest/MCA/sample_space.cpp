@@ -123,7 +123,8 @@ void SpaceRun::step(Sample &s, double dt)
   kernel.yield(s.owned, type.data(), own.data(), oneLaw, strains.get(), stresses.get(),
                kappa.data(), kappaNext.data(), response.get());
   passOn(s, response, row.response);
-  s.changed = static_cast<int>(kernel.force(p, table.data(), response.get(), forces.get()));
+  s.changed =
+      static_cast<int>(kernel.force(p, table.data(), response.get(), nullptr, forces.get()));
   addUp(s, forces, row.force);
 
   for (int i = 0; i < s.owned; i++) {

@@ -1,6 +1,10 @@
 #include "laws/fracture.h"
+#include "laws/plasticity.h"
 
 #include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
 
 using namespace mca;
 
@@ -24,4 +28,44 @@ TEST(Fracture, LinkIntensity)
   EXPECT_EQ(linkIntensity2(-92, 0), 0.0);
   EXPECT_DOUBLE_EQ(linkIntensity2(30, -40), 30.0 * 30.0 + 3 * 40.0 * 40.0);
   EXPECT_DOUBLE_EQ(linkIntensity2(-30, 40), 3 * 40.0 * 40.0);
+}
+
+TEST(Fracture, EquivalentStressIsVonMisesInAnyFrame)
+{
+  const StressTensor s{80, -30, 25, 10};
+  const double strength = stressIntensity(s);
+  const double mean = (s.xx + s.yy + s.zz) / 3;
+  for (const double angle : {0.0, 0.4, 1.9, -2.5}) {
+    const double nx = std::cos(angle), ny = std::sin(angle);
+    const double sigma = s.xx * nx * nx + s.yy * ny * ny + 2 * s.xy * nx * ny;
+    const double tau = (s.yy - s.xx) * nx * ny + s.xy * (nx * nx - ny * ny);
+    const LocalStress local = localStress(sigma, tau, s.xx, s.yy, s.xy, mean, nx, ny);
+    EXPECT_NEAR(local.along, s.xx + s.yy - sigma, 1e-12);
+    EXPECT_NEAR(local.across, s.zz, 1e-12);
+    EXPECT_TRUE(reaches(local, druckerPrager(strength * (1 - 1e-12), 1.0)));
+    EXPECT_FALSE(reaches(local, druckerPrager(strength * (1 + 1e-12), 1.0)));
+  }
+}
+
+TEST(Fracture, DruckerPragerHoldsBothStrengths)
+{
+  const double tensile = 92, ratio = 3;
+  const StressLimit limit = druckerPrager(tensile, ratio);
+  const auto uniaxial = [&](double sigma) { return reaches({sigma, 0, 0, 0}, limit); };
+  EXPECT_FALSE(uniaxial(tensile * (1 - 1e-12)));
+  EXPECT_TRUE(uniaxial(tensile * (1 + 1e-12)));
+  EXPECT_FALSE(uniaxial(-ratio * tensile * (1 - 1e-12)));
+  EXPECT_TRUE(uniaxial(-ratio * tensile * (1 + 1e-12)));
+  // pure shear: (a+1)/2 sqrt(3) tau = a sigma_t, of either sign
+  const double tau = 2 * ratio * tensile / (ratio + 1) / std::sqrt(3.0);
+  for (const double sign : {-1.0, 1.0}) {
+    EXPECT_FALSE(reaches({0, sign * tau * (1 - 1e-12), 0, 0}, limit));
+    EXPECT_TRUE(reaches({0, sign * tau * (1 + 1e-12), 0, 0}, limit));
+  }
+  // hydrostatic: the apex at sigma_mean = sigma_c/(1.5 (a-1)), pressure never
+  const double apex = ratio * tensile / (1.5 * (ratio - 1));
+  EXPECT_FALSE(reaches({apex - 1e-9, 0, apex - 1e-9, apex - 1e-9}, limit));
+  EXPECT_TRUE(reaches({apex + 1e-9, 0, apex + 1e-9, apex + 1e-9}, limit));
+  EXPECT_FALSE(reaches({-1e9, 0, -1e9, -1e9}, limit));
+  EXPECT_FALSE(reaches({1e9, 1e9, 0, 0}, {1.0, 0.0, std::numeric_limits<double>::infinity()}));
 }

@@ -76,6 +76,7 @@ void expectSame(const Sample &a, const Sample &b, double tolerance)
     EXPECT_NEAR(p.intensity, q.intensity, near);
     EXPECT_NEAR(p.factor, q.factor, tolerance);
     EXPECT_NEAR(p.kappaNext, q.kappaNext, tolerance);
+    EXPECT_NEAR(p.elasticZNext, q.elasticZNext, tolerance);
     EXPECT_NEAR(p.energy, q.energy, tolerance * energy);
     EXPECT_NEAR(p.fx, q.fx, pull);
     EXPECT_NEAR(p.fy, q.fy, pull);
@@ -119,12 +120,30 @@ TEST_P(KernelTest, EqualsTheReference)
 TEST_P(KernelTest, EqualsTheReferenceWithEachLawSwitched)
 {
   const std::vector<std::vector<std::string>> choices = {
-      {"elasticity", "pairwise"}, {"plasticity", "none"}, {"fracture", "stress"},
-      {"fracture", "none"},       {"viscosity", "none"},  {"heal", "none", "weld", "none"},
-      {"link", "none"},           {"link", "0.9"},        {"weld", "0.3", "heal", "0.1"}};
+      {"elasticity", "pairwise"},
+      {"plasticity", "none"},
+      {"fracture", "stress"},
+      {"fracture", "none"},
+      {"viscosity", "none"},
+      {"heal", "none", "weld", "none"},
+      {"link", "none"},
+      {"link", "0.9"},
+      {"weld", "0.3", "heal", "0.1"},
+      {"plasticity", "j2"},
+      {"fracture", "equivalent"},
+      {"fracture", "drucker-prager", "compressive_strength", "3"},
+      {"link", "none", "link_work", "0.001"},
+      {"plane", "stress", "plasticity", "none"},
+      {"plane", "stress", "plasticity", "none", "elasticity", "pairwise"},
+      {"plasticity", "j2", "fracture", "drucker-prager", "compressive_strength", "2", "link_work",
+       "0.001"}};
   for (const auto &choice : choices) {
     Sample slow = randomSample(7, 3);
     ASSERT_EQ(slow.laws.parse(choice), "");
+    std::mt19937 random(8);
+    if (slow.laws.plasticity == "j2")
+      for (auto &a : slow.automata)
+        a.elasticZ = std::uniform_real_distribution<>(-5e-4, 5e-4)(random);
     Sample fast = slow;
     reference::step(slow, 5e-5);
     run(fast, 5e-5);

@@ -22,6 +22,7 @@ LawSet parsed(const std::vector<std::string> &words)
 void expectSame(const LawSet &a, const LawSet &b)
 {
   EXPECT_EQ(a.preset, b.preset);
+  EXPECT_EQ(a.plane, b.plane);
   EXPECT_EQ(a.elasticity, b.elasticity);
   EXPECT_EQ(a.plasticity, b.plasticity);
   EXPECT_EQ(a.fracture, b.fracture);
@@ -29,6 +30,8 @@ void expectSame(const LawSet &a, const LawSet &b)
   EXPECT_EQ(a.link, b.link);
   EXPECT_EQ(a.weld, b.weld);
   EXPECT_EQ(a.heal, b.heal);
+  EXPECT_EQ(a.link_work, b.link_work);
+  EXPECT_EQ(a.compressive_strength, b.compressive_strength);
 }
 
 } // namespace
@@ -47,6 +50,9 @@ TEST(LawSet, Presets)
     EXPECT_EQ(set.plasticity, "radial");
     EXPECT_EQ(set.fracture, "strain");
     EXPECT_EQ(set.viscosity, "normal");
+    EXPECT_EQ(set.plane, "strain");
+    EXPECT_EQ(set.link_work, LawSet::off);
+    EXPECT_FALSE(set.needsLocal());
   }
   expectSame(parsed({"preset", "b"}), b);
 }
@@ -65,6 +71,11 @@ TEST(LawSet, EachKeyword)
   EXPECT_EQ(parsed({"heal", "none"}).heal, LawSet::off);
   EXPECT_EQ(parsed({"heal", "2.35"}).heal, 2.35);
   EXPECT_EQ(parsed({"heal", "2.35", "heal", "hardness"}).heal, LawSet::atHardness);
+  EXPECT_EQ(parsed({"plane", "stress", "plasticity", "none"}).plane, "stress");
+  EXPECT_EQ(parsed({"plasticity", "j2"}).plasticity, "j2");
+  EXPECT_TRUE(parsed({"fracture", "equivalent"}).needsLocal());
+  EXPECT_TRUE(parsed({"fracture", "drucker-prager", "compressive_strength", "3"}).needsLocal());
+  EXPECT_TRUE(parsed({"link", "none", "link_work", "0.5"}).needsLocal());
 }
 
 TEST(LawSet, APresetResetsWhatStandsBeforeIt)
@@ -78,10 +89,11 @@ TEST(LawSet, BadValuesNameKeywordValueAndWhatIsAllowed)
   EXPECT_EQ(problemOf({"preset", "c"}), "keyword preset, value c, allowed: a, b");
   EXPECT_EQ(problemOf({"elasticity", "linear"}),
             "keyword elasticity, value linear, allowed: many-body, pairwise");
-  EXPECT_EQ(problemOf({"plasticity", "x"}), "keyword plasticity, value x, allowed: radial, none");
+  EXPECT_EQ(problemOf({"plasticity", "x"}),
+            "keyword plasticity, value x, allowed: radial, j2, none");
   EXPECT_THAT(problemOf({"fracture", "x"}), HasSubstr("allowed: strain, stress"));
   EXPECT_EQ(problemOf({"viscosity", "0"}), "keyword viscosity, value 0, allowed: normal, none");
-  for (const char *keyword : {"link", "weld", "heal"})
+  for (const char *keyword : {"link", "weld", "heal", "link_work", "compressive_strength"})
     for (const char *value : {"0", "-1", "nan", "inf", "2x", "x", "1e999"})
       EXPECT_THAT(problemOf({keyword, value}),
                   HasSubstr(std::string("keyword ") + keyword + ", value " + value + ", allowed: "))
@@ -89,6 +101,16 @@ TEST(LawSet, BadValuesNameKeywordValueAndWhatIsAllowed)
   EXPECT_THAT(problemOf({"weld", "elastic_limit"}), HasSubstr("keyword weld"));
   EXPECT_THAT(problemOf({"heal", "elastic_limit"}), HasSubstr("> 0, hardness, none"));
   EXPECT_EQ(problemOf({"link"}), "keyword link has no value");
+}
+
+TEST(LawSet, WordsThatDoNotGoTogether)
+{
+  EXPECT_THAT(problemOf({"plane", "stress"}), HasSubstr("value stress, needs plasticity none"));
+  EXPECT_THAT(problemOf({"plane", "stress", "plasticity", "j2"}), HasSubstr("plasticity j2"));
+  EXPECT_THAT(problemOf({"fracture", "drucker-prager"}), HasSubstr("need each other"));
+  EXPECT_THAT(problemOf({"compressive_strength", "2"}), HasSubstr("need each other"));
+  EXPECT_EQ(problemOf({"fracture", "drucker-prager", "compressive_strength", "0.5"}),
+            "keyword compressive_strength, value 0.5, allowed: a multiple of the strength >= 1");
 }
 
 TEST(LawSet, UnknownKeywordNamesTheNearest)
@@ -113,7 +135,9 @@ TEST(LawSet, WordsReadBack)
            {"elasticity", "pairwise", "plasticity", "none", "fracture", "none", "viscosity",
             "none"},
            {"link", "2.35", "weld", "0.33333333333333331", "heal", "none"},
-           {"fracture", "stress", "link", "none"}}) {
+           {"fracture", "stress", "link", "none"},
+           {"plane", "stress", "plasticity", "none", "fracture", "equivalent"},
+           {"fracture", "drucker-prager", "compressive_strength", "2.5", "link_work", "0.1"}}) {
     const LawSet set = parsed(words);
     expectSame(parsed(set.words()), set);
   }
@@ -161,6 +185,8 @@ TEST(LawSet, SwitchedOffLawsHaveInfiniteLimits)
   const auto none = law({"fracture", "none"}).limits, stress = law({"fracture", "stress"}).limits;
   EXPECT_EQ(none.bulkStrain2, LawSet::off);
   EXPECT_EQ(none.bulkIntensity2, LawSet::off);
+  EXPECT_EQ(none.bulkStress.limit, LawSet::off);
+  EXPECT_EQ(none.linkWork, LawSet::off);
   EXPECT_EQ(stress.bulkStrain2, LawSet::off);
   EXPECT_DOUBLE_EQ(stress.bulkIntensity2, 92.0 * 92.0);
 }

@@ -132,3 +132,24 @@ TEST(Linking, AWornContactIsUnloadedBeforeItLinksAgain)
   EXPECT_TRUE(link::isLinked(link::bulk));
   EXPECT_TRUE(link::isLinked(link::weld));
 }
+
+TEST(Linking, LocalStressBreaksABulkLinkOnly)
+{
+  const LinkLimits limits = limitsOf({"fracture", "equivalent"});
+  EXPECT_EQ(nextKind(link::bulk, 0, 0, 0.3, 0.3, limits, false), link::bulk); // strain does not
+  EXPECT_EQ(nextKind(link::bulk, 0, 0, 0, 0, limits, true), link::worn);
+  EXPECT_EQ(nextKind(link::weld, 0, 0, 0, 0, limits, true), link::weld);
+  EXPECT_EQ(nextKind(link::none, 0, 0, 0, 0, limits, true), link::none);
+}
+
+TEST(Linking, PlasticWorkLinksAsPressureDoes)
+{
+  const LinkLimits b = limitsOf({"link", "none", "link_work", "0.5"});
+  const Material m = steel();
+  EXPECT_DOUBLE_EQ(b.linkWork, 0.5 * YieldCurve(m).work(m.plasticStrainUltimate()));
+  EXPECT_EQ(nextKind(link::none, -1e6, 0, -0.01, 0, b, false, false), link::none);
+  EXPECT_EQ(nextKind(link::none, -1, 0, -0.01, 0, b, false, true), link::weld);
+  EXPECT_EQ(nextKind(link::worn, -1, 0, -0.01, 0, b, false, true), link::worn);
+  EXPECT_EQ(nextKind(link::worn, -1, 0, -0.01, 0, b, false, false), link::none);
+  EXPECT_EQ(nextKind(link::bulk, -1, 0, -0.01, 0, b, false, true), link::bulk);
+}

@@ -47,6 +47,25 @@ TEST(Plasticity, FlatPieceIsAllowed)
     EXPECT_DOUBLE_EQ(curve(kappa), m.strength);
 }
 
+TEST(Plasticity, WorkIsTheIntegralOfTheCurve)
+{
+  const YieldCurve curve(steel());
+  double sum = 0, kappa = 0;
+  const double step = 1e-5;
+  EXPECT_EQ(curve.work(0), 0);
+  for (int k = 0; k < 6000; k++) { // beyond all three pieces; kinks lie within a step
+    sum += 0.5 * step * (curve(kappa) + curve(kappa + step));
+    kappa += step;
+    ASSERT_NEAR(curve.work(kappa), sum, 1e-7);
+  }
+  const Material m = steel();
+  const double k2 = m.plasticStrainY2(), k3 = m.plasticStrainUltimate();
+  const double exact =
+      0.5 * (m.sigmaY1() + m.sigmaY2()) * k2 + 0.5 * (m.sigmaY2() + m.strength) * (k3 - k2);
+  EXPECT_NEAR(curve.work(k3), exact, 1e-13);
+  EXPECT_NEAR(curve.work(k3 + 1), exact + m.strength, 1e-12);
+}
+
 TEST(Plasticity, StressIntensityIsVonMises)
 {
   EXPECT_DOUBLE_EQ(stressIntensity({100, 0, 0, 0}), 100);                // tension

@@ -84,7 +84,7 @@ def choices():
     """{keyword: allowed words} of the law set; thresholds allow words too."""
     text = source("laws/law_set.cpp")
     table = {k: re.findall(r'"([\w-]+)"', words)
-             for k, words in re.findall(r'\{"(\w+)", &LawSet::\w+, \{(.*?)\}\}', text)}
+             for k, words in re.findall(r'\{"(\w+)",\s+&LawSet::\w+,\s+\{(.*?)\}\}', text)}
     for keyword, stress in re.findall(r'\{"(\w+)", &LawSet::\w+, "(\w*)", [\w.:]+\}', text):
         table[keyword] = ["factor"] + [stress] * bool(stress) + ["none"]
     table["preset"] = re.findall(r'value != "(\w+)"', text)
@@ -96,7 +96,7 @@ def lengths():
 
 
 def test_pair_keywords():
-    assert len(choices()) == 8 and len(lengths()) == 2
+    assert len(choices()) == 11 and len(lengths()) == 2
     assert sorted(listed(section(page("pair_mca.md"), "Syntax"), "keyword")) == sorted([*choices(), *lengths()])
 
 
@@ -115,7 +115,7 @@ def test_pair_defaults():
     header = source("laws/law_set.h")
     code = dict(re.findall(r'std::string (\w+) = "([\w-]+)";', header))
     number = {"atElasticLimit": "elastic_limit", "atHardness": "hardness", "off": "none"}
-    code.update({k: number.get(v, v) for k, v in re.findall(r"double (link|weld|heal) = ([\w.]+);", header)})
+    code.update({k: number.get(v, v) for k, v in re.findall(r"double (\w+) = ([\w.]+);", header)})
     default = section(text, "Default")
     for keyword, value in code.items():
         assert f"{keyword} = {value}" in " ".join(default.split())

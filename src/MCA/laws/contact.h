@@ -56,9 +56,14 @@ struct ContactStress {
 /// \param separation  normal velocity of j seen from i [length/time]
 /// \param meanI,meanJ      mean stresses of the automata [stress]
 /// \param factorI,factorJ  factors M of their radial returns [-]
+/// \tparam LOCAL  the criteria of local stress and of plastic work act; they need
+/// \param around  stresses along and across the contact; see localStress()
+/// \param work    plastic work per volume while pressed together, this step included [stress]
+template<bool LOCAL = false>
 inline ContactStress contactStress(const PairLaw &law, double kind, double eps, double plastic,
                                    double gamma, double gammaTotal, double separation, double meanI,
-                                   double factorI, double meanJ, double factorJ)
+                                   double factorI, double meanJ, double factorJ,
+                                   const LocalStress &around = {}, double work = 0.0)
 {
   const double e = eps - plastic;
   const bool isBulk = kind == link::bulk;
@@ -70,7 +75,11 @@ inline ContactStress contactStress(const PairLaw &law, double kind, double eps, 
   const double touching = linked > pressed ? linked : pressed;
   const double sigma = isBulk ? returned : touching * trial;
   const double tau = isBulk ? returnedShear : elasticShear;
-  const double kindNext = nextKind(kind, sigma, tau, eps, gammaTotal, law.limits);
+  const LocalStress local = {sigma, tau, around.along, around.across};
+  const bool overloaded = LOCAL && reaches(local, law.limits.bulkStress);
+  const bool worked = LOCAL && work >= law.limits.linkWork;
+  const double kindNext =
+      nextKind(kind, sigma, tau, eps, gammaTotal, law.limits, overloaded, worked);
 
   const double holds = linked * link::linked(kindNext);
   const double viscous = unlinkedStress(trial, law.viscosity, separation, law.invDiameter);

@@ -6,7 +6,7 @@
 #ifndef MCA_LAWS_FRACTURE_H
 #define MCA_LAWS_FRACTURE_H
 
-#include <cmath>
+#include "elasticity.h"
 
 namespace mca {
 
@@ -26,6 +26,50 @@ inline double linkIntensity2(double sigma, double tau)
 {
   const double opening = sigma > 0.0 ? sigma : 0.0;
   return opening * opening + 3.0 * tau * tau;
+}
+
+/// Stress tensor where two automata meet, in the frame of the contact (Psakhie, Shilko, Smolin et
+/// al., Frattura ed Integrita Strutturale 24 (2013) 26): sigma and tau are those of the contact,
+/// what acts along its face and across the plane is the mean of both automata. All [stress].
+struct LocalStress {
+  double sigma, tau, along, across;
+};
+
+/// \param sigma,tau  stresses of the contact after the radial return [stress]
+/// \param xx,yy,xy   mean of both automata's averaged stresses after it [stress]
+/// \param mean       mean of both automata's mean stresses [stress]
+/// \param nx,ny      unit normal of the contact [-]
+inline LocalStress localStress(double sigma, double tau, double xx, double yy, double xy,
+                               double mean, double nx, double ny)
+{
+  return {sigma, tau, xx * ny * ny + yy * nx * nx - 2.0 * xy * nx * ny, 3.0 * mean - xx - yy};
+}
+
+/// Limits of a criterion on the local stress, in the form of Drucker and Prager:
+///     (a+1)/2 sigma_eq + (3/2)(a-1) sigma_mean >= sigma_c,   a = sigma_c/sigma_t,
+/// with the compressive and tensile strength sigma_c, sigma_t (Psakhie et al. 2013). a = 1 is the
+/// criterion of the equivalent stress, sigma_eq >= sigma_t. An infinite limit switches it off.
+struct StressLimit {
+  double equivalent2; ///< ((a+1)/2)^2 [-]
+  double mean;        ///< (3/2)(a-1) [-]
+  double limit;       ///< sigma_c [stress]
+};
+
+/// \param tensile  sigma_t [stress], > 0
+/// \param ratio    a [-], >= 1
+inline StressLimit druckerPrager(double tensile, double ratio)
+{
+  return {0.25 * (ratio + 1.0) * (ratio + 1.0), 1.5 * (ratio - 1.0), ratio * tensile};
+}
+
+/// Whether the criterion is met.
+inline bool reaches(const LocalStress &s, const StressLimit &limit)
+{
+  const double mean = (s.sigma + s.along + s.across) / 3.0;
+  const double a = s.sigma - s.along, b = s.along - s.across, c = s.across - s.sigma;
+  const double equivalent2 = 0.5 * (a * a + b * b + c * c) + 3.0 * s.tau * s.tau;
+  const double rest = limit.limit - limit.mean * mean;
+  return (rest <= 0.0) | (limit.equivalent2 * equivalent2 >= rest * rest);
 }
 
 } // namespace mca

@@ -36,9 +36,10 @@ struct Threshold {
 const std::vector<Choice> &choices()
 {
   static const std::vector<Choice> table = {
+      {"plane", &LawSet::plane, {"strain", "stress"}},
       {"elasticity", &LawSet::elasticity, {"many-body", "pairwise"}},
-      {"plasticity", &LawSet::plasticity, {"radial", "none"}},
-      {"fracture", &LawSet::fracture, {"strain", "stress", "none"}},
+      {"plasticity", &LawSet::plasticity, {"radial", "j2", "none"}},
+      {"fracture", &LawSet::fracture, {"strain", "stress", "equivalent", "drucker-prager", "none"}},
       {"viscosity", &LawSet::viscosity, {"normal", "none"}},
   };
   return table;
@@ -49,6 +50,8 @@ const std::vector<Threshold> &thresholds()
       {"link", &LawSet::link, "elastic_limit", LawSet::atElasticLimit},
       {"weld", &LawSet::weld, "", 0.0},
       {"heal", &LawSet::heal, "hardness", LawSet::atHardness},
+      {"link_work", &LawSet::link_work, "", 0.0},
+      {"compressive_strength", &LawSet::compressive_strength, "", 0.0},
   };
   return table;
 }
@@ -123,6 +126,14 @@ std::string LawSet::parse(const std::vector<std::string> &words)
   }
   if (heal != off && weld == off)
     return "keyword heal needs welds: give weld a value";
+  if (plane == "stress" && plasticity != "none")
+    return "keyword plane, value stress, needs plasticity none: the return of plasticity " +
+           plasticity + " is that of plane strain";
+  if ((fracture == "drucker-prager") != (compressive_strength != off))
+    return "keyword compressive_strength and fracture drucker-prager need each other";
+  if (compressive_strength < 1.0)
+    return "keyword compressive_strength, value " + shortest(compressive_strength) +
+           ", allowed: a multiple of the strength >= 1";
   return "";
 }
 
@@ -136,13 +147,31 @@ std::vector<std::string> LawSet::words() const
   return all;
 }
 
+bool LawSet::needsLocal() const
+{
+  return fracture == "equivalent" || fracture == "drucker-prager" || link_work != off;
+}
+
+ElasticModuli elasticModuli(const LawSet &set, const Material &m)
+{
+  const bool stress = set.plane == "stress";
+  if (set.elasticity == "pairwise") // the law of a solid whose Lame constant is 0
+    return {m.shearModulus(), stress ? 2.0 / 3.0 * m.shearModulus() : m.bulkModulus(), 0.0};
+  return (stress ? planeStressModuli : planeStrainModuli)(m.shearModulus(), m.bulkModulus());
+}
+
+// plastic work per volume up to the strength [stress]
+static double workToStrength(const Material &m)
+{
+  return YieldCurve(m).work(m.plasticStrainUltimate());
+}
+
 PairLaw makePairLaw(const LawSet &set, const Material &i, const Material &j, double thickness,
                     const Packing &packing)
 {
   const double diameter = 0.5 * (i.diameter + j.diameter);
   const double weaker = std::min(i.strength, j.strength);
   const double strain = std::min(i.breaking_strain, j.breaking_strain);
-  const double manyBody = set.elasticity == "many-body" ? 1.0 : 0.0;
   auto squared = [](double value) { return value * value; };
   PairLaw law;
   law.diameter = diameter;
@@ -152,8 +181,8 @@ PairLaw makePairLaw(const LawSet &set, const Material &i, const Material &j, dou
   law.twoGj = 2.0 * j.shearModulus();
   law.twoG = 0.5 * (law.twoGi + law.twoGj);
   law.invTwoG = 1.0 / law.twoG;
-  law.Di = manyBody * i.meanStressWeight();
-  law.Dj = manyBody * j.meanStressWeight();
+  law.Di = elasticModuli(set, i).D;
+  law.Dj = elasticModuli(set, j).D;
   law.viscosity = set.viscosity == "normal" ? 0.5 * (i.viscosity + j.viscosity) : 0.0;
   law.limits.bulkStrain2 = set.fracture == "strain" ? squared(strain) : LawSet::off;
   law.limits.bulkIntensity2 = set.fracture == "stress" ? squared(weaker) : LawSet::off;
@@ -163,6 +192,11 @@ PairLaw makePairLaw(const LawSet &set, const Material &i, const Material &j, dou
   law.limits.healPressure =
       set.heal == LawSet::atHardness ? 3.0 * std::min(i.sigmaY2(), j.sigmaY2()) : set.heal * weaker;
   law.limits.linkedKind = set.weld == LawSet::off ? link::bulk : link::weld;
+  law.limits.bulkStress = set.fracture == "equivalent" ? druckerPrager(weaker, 1.0)
+                          : set.fracture == "drucker-prager"
+                              ? druckerPrager(weaker, set.compressive_strength)
+                              : StressLimit{1.0, 0.0, LawSet::off};
+  law.limits.linkWork = set.link_work * std::min(workToStrength(i), workToStrength(j));
   return law;
 }
 

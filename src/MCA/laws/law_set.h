@@ -5,6 +5,7 @@
 
 #include "contact.h"
 #include "material.h"
+#include "plane.h"
 
 #include <limits>
 #include <string>
@@ -20,12 +21,17 @@ struct LawSet {
   static constexpr double atHardness = -2.0;     ///< 3 sigma_y2 (Tabor)
 
   std::string preset = "b";
+  std::string plane = "strain";         ///< or stress: what holds across the plane
   std::string elasticity = "many-body"; ///< or pairwise: plane Poisson's ratio 0
-  std::string plasticity = "radial";    ///< or none
-  std::string fracture = "strain";      ///< of bulk links: strain, stress or none
+  std::string plasticity = "radial";    ///< or j2: volume-preserving, or none
+  std::string fracture = "strain";      ///< of bulk links: strain, stress, equivalent,
+                                        ///< drucker-prager or none
+  double compressive_strength = off;    ///< of drucker-prager
   double link = atElasticLimit;         ///< compression that links an unlinked contact
   double weld = 1.0;                    ///< strength of welds; off: contacts become bulk links
   double heal = atHardness;             ///< compression that turns a weld into a bulk link
+  double link_work = off;               ///< plastic work that links an unlinked contact, a multiple
+                                        ///< of that up to the strength
   std::string viscosity = "normal";     ///< or none
 
   /// Set A (one kind of link), set B (bulk links and welds, the default).
@@ -37,7 +43,14 @@ struct LawSet {
 
   /// The same as keyword-value pairs that parse() reads back.
   std::vector<std::string> words() const;
+
+  /// Whether a law needs more of both automata than their mean stress and return: their averaged
+  /// stress and their plastic work in the step.
+  bool needsLocal() const;
 };
+
+/// Moduli of a material under these laws.
+ElasticModuli elasticModuli(const LawSet &, const Material &);
 
 /// Laws of an ordered pair of materials; of unlike materials the weaker decides fracture and
 /// linking. \param thickness h [length] of a plane packing

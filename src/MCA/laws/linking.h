@@ -38,18 +38,28 @@ inline double linked(double kind)
 
 /// Limits of the transitions of one pair of materials.
 struct LinkLimits {
-  double bulkStrain2;    ///< eps_c^2 [-]: a bulk link breaks at this squared strain intensity
-  double bulkIntensity2; ///< [stress^2]: ... or at this squared stress intensity
-  double weldIntensity2; ///< [stress^2]: a weld breaks at this squared stress intensity
-  double linkPressure;   ///< [stress]: elastic compression that links an unlinked contact
-  double healPressure;   ///< [stress]: ... that turns a weld or a worn contact into a bulk link
-  double linkedKind;     ///< what an unlinked contact becomes: link::bulk or link::weld
+  double bulkStrain2;     ///< eps_c^2 [-]: a bulk link breaks at this squared strain intensity
+  double bulkIntensity2;  ///< [stress^2]: ... or at this squared stress intensity
+  double weldIntensity2;  ///< [stress^2]: a weld breaks at this squared stress intensity
+  double linkPressure;    ///< [stress]: elastic compression that links an unlinked contact
+  double healPressure;    ///< [stress]: ... that turns a weld or a worn contact into a bulk link
+  double linkedKind;      ///< what an unlinked contact becomes: link::bulk or link::weld
+  StressLimit bulkStress; ///< a bulk link breaks at this local stress
+  double linkWork;        ///< [stress]: plastic work per volume of its automata while they were
+                          ///< pressed together that links an unlinked contact
 };
 
 /// Whether strainIntensity2() alone decides when a bulk link breaks.
 inline bool breaksByStrainOnly(const LinkLimits &limit)
 {
-  return limit.bulkIntensity2 == std::numeric_limits<double>::infinity();
+  constexpr double off = std::numeric_limits<double>::infinity();
+  return limit.bulkIntensity2 == off && limit.bulkStress.limit == off;
+}
+
+/// Whether contacts link by plastic work.
+inline bool hasLinkWork(const LinkLimits &limit)
+{
+  return limit.linkWork < std::numeric_limits<double>::infinity();
 }
 
 /// The kind of a pair after a step.
@@ -62,14 +72,17 @@ inline bool breaksByStrainOnly(const LinkLimits &limit)
 /// \param sigma,tau   elastic stresses of the contact, after plastic return [stress]
 /// \param eps         total normal strain r/d - 1 [-]
 /// \param gammaTotal  total shear since linking [-]
+/// \param overloaded  the local stress reaches bulkStress
+/// \param worked      the plastic work reaches linkWork
 inline double nextKind(double kind, double sigma, double tau, double eps, double gammaTotal,
-                       const LinkLimits &limit)
+                       const LinkLimits &limit, bool overloaded = false, bool worked = false)
 {
   const double strain2 = strainIntensity2(eps, gammaTotal), intensity2 = linkIntensity2(sigma, tau);
-  const bool bulkBreaks = (strain2 >= limit.bulkStrain2) | (intensity2 >= limit.bulkIntensity2);
+  const bool bulkBreaks =
+      (strain2 >= limit.bulkStrain2) | (intensity2 >= limit.bulkIntensity2) | overloaded;
   const bool weldBreaks = intensity2 >= limit.weldIntensity2;
   const bool heals = -sigma >= limit.healPressure;
-  const bool pressed = -sigma >= limit.linkPressure;
+  const bool pressed = (-sigma >= limit.linkPressure) | worked;
   const double ifBulk = bulkBreaks ? link::worn : link::bulk;
   const double ifHealing = heals ? link::bulk : link::weld;
   const double ifWeld = weldBreaks ? link::worn : ifHealing;

@@ -40,6 +40,21 @@ struct YieldCurve {
     const double s = kappa * inv2, t = (kappa - strain2) * inv3;
     return y1 + rise2 * (s < 1.0 ? s : 1.0) + rise3 * (t < 0.0 ? 0.0 : t < 1.0 ? t : 1.0);
   }
+
+  /// Plastic work per volume up to kappa, the integral of sigma_Y [stress].
+  double work(double kappa) const
+  {
+    return y1 * kappa + rise2 * rampIntegral(kappa, inv2) +
+           rise3 * rampIntegral(kappa - strain2, inv3);
+  }
+
+ private:
+  /// Integral from 0 to x of min(1, inverse x), 0 for x < 0.
+  static double rampIntegral(double x, double inverse)
+  {
+    const double s = x * inverse, ramp = s < 0.0 ? 0.0 : s < 1.0 ? s : 1.0;
+    return ramp * (x - 0.5 * ramp / inverse);
+  }
 };
 
 /// What one automaton's yielding does to its contacts.
