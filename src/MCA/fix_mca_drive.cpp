@@ -89,7 +89,7 @@ FixMCADrive::Setting FixMCADrive::parse_setting(const char *keyword, const char 
 
 int FixMCADrive::setmask()
 {
-  return POST_FORCE | END_OF_STEP;
+  return POST_NEIGHBOR | POST_FORCE | END_OF_STEP;
 }
 
 void FixMCADrive::init()
@@ -129,6 +129,19 @@ double FixMCADrive::height() const
     }
   MPI_Allreduce(sums, all, 2, MPI_DOUBLE, MPI_SUM, world);
   return all[0] / all[1];
+}
+
+void FixMCADrive::setup_post_neighbor()
+{
+  post_neighbor();
+}
+
+void FixMCADrive::post_neighbor()
+{
+  members.clear();
+  for (int i = 0; i < atom->nlocal; i++)
+    if (atom->mask[i] & groupbit)
+      members.push_back(i);
 }
 
 void FixMCADrive::setup(int vflag)
@@ -180,15 +193,12 @@ void FixMCADrive::setup(int vflag)
 void FixMCADrive::post_force(int /*vflag*/)
 {
   double **f = atom->f, **v = atom->v, **torque = atom->torque, **omega = atom->omega;
-  const int *mask = atom->mask;
-  const int nlocal = atom->nlocal;
   double sums[3] = {0.0, 0.0, 0.0}, all[3];
-  for (int i = 0; i < nlocal; i++)
-    if (mask[i] & groupbit) {
-      sums[0] += f[i][0];
-      sums[1] += f[i][1];
-      sums[2] += atom->rmass[i] * v[i][1];
-    }
+  for (const int i : members) {
+    sums[0] += f[i][0];
+    sums[1] += f[i][1];
+    sums[2] += atom->rmass[i] * v[i][1];
+  }
   MPI_Allreduce(sums, all, 3, MPI_DOUBLE, MPI_SUM, world);
   const double unit = force->nktv2p / area;
   shear = -all[0] * unit;
@@ -197,13 +207,12 @@ void FixMCADrive::post_force(int /*vflag*/)
   const double speed = evaluate(velocity);
   const double load = evaluate(pressure) * area / force->nktv2p;
   const double per_mass = (all[1] - load) / mass, vy = all[2] / mass;
-  for (int i = 0; i < nlocal; i++)
-    if (mask[i] & groupbit) {
-      f[i][0] = torque[i][2] = omega[i][2] = 0.0;
-      f[i][1] = per_mass * atom->rmass[i];
-      v[i][0] = speed;
-      v[i][1] = vy;
-    }
+  for (const int i : members) {
+    f[i][0] = torque[i][2] = omega[i][2] = 0.0;
+    f[i][1] = per_mass * atom->rmass[i];
+    v[i][0] = speed;
+    v[i][1] = vy;
+  }
 }
 
 void FixMCADrive::end_of_step()

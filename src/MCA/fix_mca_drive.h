@@ -11,6 +11,7 @@
 #include "friction_log_writer.h"
 
 #include <string>
+#include <vector>
 
 namespace LAMMPS_NS {
 
@@ -21,6 +22,8 @@ class FixMCADrive : public Fix {
   FixMCADrive(class LAMMPS *, int, char **);
   int setmask() override;
   void init() override;
+  void setup_post_neighbor() override;
+  void post_neighbor() override;
   void setup(int) override;
   void post_force(int) override;
   void end_of_step() override;
@@ -44,10 +47,11 @@ class FixMCADrive : public Fix {
   bool begun;     // the log's first row, or the state of a restart file, is there
   bool restarted; // state came from a restart file
 
-  double area;          // nominal contact area: box length in x times thickness
-  double mass;          // of the layer
-  double shear, normal; // stresses on the layer now, pressure units
-  double start_height;  // of the layer
+  std::vector<int> members; // own automata of the layer, since the last exchange of automata
+  double area;              // nominal contact area: box length in x times thickness
+  double mass;              // of the layer
+  double shear, normal;     // stresses on the layer now, pressure units
+  double start_height;      // of the layer
   double displacement, work;
   double shear_sum, normal_sum, samples; // since the last row
   double broken_before, formed_before;   // events until the last row

@@ -2,6 +2,7 @@
 
 #include "atom.h"
 #include "error.h"
+#include "flat.h"
 #include "force.h"
 #include "pair_mca.h"
 #include "update.h"
@@ -49,8 +50,8 @@ void FixNVEMCA::reset_dt()
 
 void FixNVEMCA::initial_integrate(int /*vflag*/)
 {
-  double **x = atom->x, **v = atom->v, **f = atom->f;
-  double **omega = atom->omega, **torque = atom->torque;
+  auto *x = mca::flat(atom->x), *v = mca::flat(atom->v), *f = mca::flat(atom->f);
+  auto *omega = mca::flat(atom->omega), *torque = mca::flat(atom->torque);
   double *theta = atom->dvector[icustom_theta];
   const int *mask = atom->mask, *type = atom->type;
   const int n = igroup == atom->firstgroup ? atom->nfirst : atom->nlocal;
@@ -69,7 +70,8 @@ void FixNVEMCA::initial_integrate(int /*vflag*/)
 
 void FixNVEMCA::final_integrate()
 {
-  double **v = atom->v, **f = atom->f, **omega = atom->omega, **torque = atom->torque;
+  auto *v = mca::flat(atom->v), *f = mca::flat(atom->f);
+  auto *omega = mca::flat(atom->omega), *torque = mca::flat(atom->torque);
   const int *mask = atom->mask, *type = atom->type;
   const int n = igroup == atom->firstgroup ? atom->nfirst : atom->nlocal;
   for (int i = 0; i < n; i++) {

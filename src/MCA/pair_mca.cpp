@@ -7,6 +7,7 @@
 #include "fix_deform.h"
 #include "fix_mca_history.h"
 #include "fix_mca_state.h"
+#include "flat.h"
 #include "force.h"
 #include "further_laws.h"
 #include "input.h"
@@ -126,10 +127,10 @@ void PairMCA::compute(int eflag, int vflag)
   clear(forces, nall, kernel->rows.force);
   changes = kernel->force(p, laws, response.get(), lawset.needsLocal() ? local.get() : nullptr,
                           forces.get());
-  const int rows = force->newton_pair ? nall : nlocal;
-  double **f = atom->f, **torque = atom->torque;
+  const int rows = force->newton_pair ? nall : nlocal, length = kernel->rows.force;
+  auto *f = mca::flat(atom->f), *torque = mca::flat(atom->torque);
   const double *row = forces.get();
-  for (int i = 0; i < rows; i++, row += kernel->rows.force) {
+  for (int i = 0; i < rows; i++, row += length) {
     f[i][0] += row[0];
     f[i][1] += row[1];
     torque[i][2] += row[2];
@@ -171,15 +172,16 @@ void PairMCA::pack_motion(int nall, bool advance)
 {
   motion.reserve(static_cast<size_t>(nall) * kernel->rows.motion);
   spin.reserve(nall);
-  double *row = motion.get();
-  double **x = atom->x, **v = atom->v, **omega = atom->omega;
+  double *row = motion.get(), *turn = spin.get();
+  const auto *x = mca::flat(atom->x), *v = mca::flat(atom->v), *omega = mca::flat(atom->omega);
   const double *lag_x = atom->dvector[icustom_lag[0]], *lag_y = atom->dvector[icustom_lag[1]];
-  for (int i = 0; i < nall; i++, row += kernel->rows.motion) {
+  const int length = kernel->rows.motion;
+  for (int i = 0; i < nall; i++, row += length) {
     row[0] = x[i][0];
     row[1] = x[i][1];
     row[2] = advance ? v[i][0] : v[i][0] - lag_x[i];
     row[3] = advance ? v[i][1] : v[i][1] - lag_y[i];
-    spin.get()[i] = omega[i][2];
+    turn[i] = omega[i][2];
   }
 }
 
