@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 using namespace LAMMPS_NS;
 
@@ -171,12 +172,17 @@ std::vector<int> FixMCAHistory::originals() const
   return sums;
 }
 
-/* from the automata to the new pair list */
+/* ----------------------------------------------------------------------
+   From the automata to the new pair list, in the order of the pairs' IDs: the order of a rank's sums
+   is then the same whatever LAMMPS's order of atoms, ghosts and neighbors, which changes with every
+   build, restart and set-up.
+------------------------------------------------------------------------- */
 
 void FixMCAHistory::post_neighbor()
 {
   static constexpr double blank[mca::LinkList::maxStoredSize] = {};
   const NeighList *list = mca->list;
+  const tagint *tag = atom->tag;
   nlocal_neigh = atom->nlocal;
   nall_neigh = nlocal_neigh + atom->nghost;
   shared.resize(nall_neigh);
@@ -184,12 +190,12 @@ void FixMCAHistory::post_neighbor()
     shared[i].first = npartner[i] > 0 ? ubuf(partner[i][0]).d : 0.0;
   comm->forward_comm(this, 2);
 
-  int count = 0;
-  for (int ii = 0; ii < list->inum; ii++)
-    count += list->numneigh[list->ilist[ii]];
-  mca::LinkList &links = mca->links();
-  links.reset(count);
-  mca->begin_changes();
+  struct Found {
+    tagint lower, higher;
+    int i, j; // in that order
+    const double *state;
+  };
+  std::vector<Found> found;
   for (int ii = 0; ii < list->inum; ii++) {
     const int i = list->ilist[ii];
     for (int jj = 0; jj < list->numneigh[i]; jj++) {
@@ -199,9 +205,20 @@ void FixMCAHistory::post_neighbor()
       for (int m = 1; m < npartner[i] && key > 0; m++)
         if (partner[i][m] == key)
           state = valuepartner[i] + dnum * m;
-      links.addStored(i, j, mca->law_number(i, j), state);
+      if (tag[i] < tag[j])
+        found.push_back({tag[i], tag[j], i, j, state});
+      else
+        found.push_back({tag[j], tag[i], j, i, state});
     }
   }
+  std::sort(found.begin(), found.end(), [](const Found &a, const Found &b) {
+    return std::tie(a.lower, a.higher) < std::tie(b.lower, b.higher);
+  });
+  mca::LinkList &links = mca->links();
+  links.reset(static_cast<int>(found.size()));
+  mca->begin_changes();
+  for (const Found &f : found)
+    links.addStored(f.i, f.j, mca->law_number(f.i, f.j), f.state);
 }
 
 void FixMCAHistory::setup_post_neighbor()

@@ -235,7 +235,9 @@ Changes forceBlock(const Pairs &p, int first, int n, const PairLaw *laws, const 
     // once apart, both surfaces are whole again
     const double apart = eps > (dented > 0.0 ? dented : 0.0) ? 1.0 - linkedNext : 0.0;
     const double plasticNext = (1.0 - apart) * dented;
-    const double gammaNext = stays * s.tau * law.invTwoG;
+    // exactly the same where nothing flows, so that a pair's way does not depend on its block
+    const double back = kind == link::bulk ? 0.5 * (c.factorI[k] + c.factorJ[k]) : 1.0;
+    const double gammaNext = stays * back * gamma;
     const double totalNext = stays * total + (1.0 - linkedNext) * work;
     kind1[k] = s.kindNext;
     plastic1[k] = plasticNext;
@@ -270,10 +272,10 @@ void bulkForceBlock(const Pairs &p, int first, int n, const PairLaw *laws, PairC
     if (FLOWS) {
       const double factorI = c.factorI[k], factorJ = c.factorJ[k];
       const double sigma = returnedStress(trial, meanI, factorI, meanJ, factorJ);
-      const double tau = 0.5 * (factorI + factorJ) * elasticShear;
+      const double back = 0.5 * (factorI + factorJ), tau = back * elasticShear;
       kind1[k] = link::bulk;
       plastic1[k] = plastic + (trial - sigma) * law.invTwoG;
-      gamma1[k] = tau * law.invTwoG;
+      gamma1[k] = back * pgamma[k];
       total1[k] = ptotal[k];
       c.setForce(k, law, sigma, tau, eps, pnx[k], pny[k]);
     } else {
