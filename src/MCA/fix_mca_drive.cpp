@@ -57,7 +57,9 @@ FixMCADrive::FixMCADrive(LAMMPS *host, int narg, char **arg)
   }
   if (!has_velocity || !has_pressure)
     error->all(FLERR, "Fix mca/drive needs both keywords velocity and pressure");
-  if (!path.empty() && !mca::logUnits(update->unit_style, units))
+  if (const auto *known = mca::findUnits(update->unit_style))
+    units = *known;
+  else if (!path.empty())
     error->all(FLERR,
                "Fix mca/drive: no friction log in units {}, allowed: nano, si, cgs, micro, "
                "metal, real",

@@ -43,7 +43,7 @@ class FixMCADrive : public Fix {
 
   PairMCA *pair;
   mca::FrictionLogWriter log;
-  mca::LogUnits units;
+  mca::Units units;
   bool begun;     // the log's first row, or the state of a restart file, is there
   bool restarted; // state came from a restart file
 

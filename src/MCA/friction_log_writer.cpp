@@ -4,7 +4,6 @@
 #include <cstdlib>
 #include <cstring>
 #include <fstream>
-#include <map>
 #include <sstream>
 #include <stdexcept>
 #include <unistd.h>
@@ -12,23 +11,6 @@
 namespace mca {
 
 static constexpr const char *format = "# format: mca-friction 1";
-
-bool logUnits(const std::string &style, LogUnits &units)
-{
-  // length in nm, time in ns, pressure in MPa, density in kg/m^3 (LAMMPS's doc page "units");
-  // attogram/nm^3 is 1e6 kg/m^3, (g/mol)/Angstrom^3 is 1660.539 kg/m^3, picogram/um^3 1e3 kg/m^3
-  constexpr double molar = 1660.53906660;
-  static const std::map<std::string, LogUnits> table = {
-      {"nano", {1.0, 1.0, 1.0, 1e6}},     {"si", {1e9, 1e9, 1e-6, 1.0}},
-      {"cgs", {1e7, 1e9, 1e-7, 1e3}},     {"micro", {1e3, 1e3, 1e-3, 1e3}},
-      {"metal", {0.1, 1e-3, 0.1, molar}}, {"real", {0.1, 1e-6, 0.101325, molar}},
-  };
-  const auto found = table.find(style);
-  if (found == table.end())
-    return false;
-  units = found->second;
-  return true;
-}
 
 FrictionLogWriter::~FrictionLogWriter()
 {
@@ -88,7 +70,7 @@ static std::string number(double value)
   return word;
 }
 
-void FrictionLogWriter::begin(const std::string &path, const LogHeader &h, const LogUnits &u)
+void FrictionLogWriter::begin(const std::string &path, const LogHeader &h, const Units &u)
 {
   close();
   path_ = path;
@@ -101,7 +83,7 @@ void FrictionLogWriter::begin(const std::string &path, const LogHeader &h, const
           "viscosity: Pa s}\n"
        << "# material: {youngs_modulus: " << number(m.youngs_modulus * u.stress)
        << ", poissons_ratio: " << number(m.poissons_ratio)
-       << ", density: " << number(m.density * u.density)
+       << ", density: " << number(m.density * u.density())
        << ", elastic_limit: " << number(m.sigmaY1() * u.stress)
        << ", yield_strength: " << number(m.sigmaY2() * u.stress)
        << ", yield_strain: " << number(m.yield_strain)

@@ -4,23 +4,13 @@
 #define MCA_FRICTION_LOG_WRITER_H
 
 #include "laws/material.h"
+#include "units.h"
 
 #include <cstdio>
 #include <string>
 #include <vector>
 
 namespace mca {
-
-/// Factors from the units of a run to those of the log: nm, ns, MPa, m/s, kg/m^3, Pa s.
-struct LogUnits {
-  double length, time, stress, density;
-  double velocity() const { return length / time; }
-  double viscosity() const { return stress * time * 1e-3; } // MPa ns = 1e-3 Pa s
-};
-
-/// \param style LAMMPS's unit style
-/// \return false when the style has no such units (lj, electron)
-bool logUnits(const std::string &style, LogUnits &);
 
 /// Everything that the log says about its run; in units of the run.
 struct LogHeader {
@@ -47,7 +37,7 @@ class FrictionLogWriter {
 
   /// Begins a new log (whole header at once), or continues one: rows after `step` are dropped.
   /// \throws std::runtime_error with one line when the file cannot be written or continued
-  void begin(const std::string &path, const LogHeader &, const LogUnits &);
+  void begin(const std::string &path, const LogHeader &, const Units &);
   void resume(const std::string &path, long long step);
 
   /// Appends a row and flushes it.

@@ -1,5 +1,7 @@
 #include "material_file.h"
 
+#include "units.h"
+
 #include <cmath>
 #include <cstdlib>
 #include <set>
@@ -26,6 +28,22 @@ static double finiteNumber(const MaterialQuantity &q, const std::string &value,
   return number;
 }
 
+// factor from the given units to common ones, of a dimension of the table of quantities
+static double unitFactor(const std::string &dimension, const Units &units)
+{
+  if (dimension == "-" || dimension == "of strength")
+    return 1.0;
+  if (dimension == "stress")
+    return units.stress;
+  if (dimension == "mass/volume")
+    return units.density();
+  if (dimension == "stress time")
+    return units.viscosity();
+  if (dimension == "length")
+    return units.length;
+  throw std::logic_error("no unit of the dimension " + dimension);
+}
+
 Material readMaterial(const std::string &text, const std::string &name, const std::string &units)
 {
   std::istringstream lines(text);
@@ -39,9 +57,11 @@ Material readMaterial(const std::string &text, const std::string &name, const st
     std::istringstream(line.substr(tag + 6)) >> fileUnits;
   if (fileUnits.empty())
     throw MaterialError(name + ":1: no UNITS: in the first line, allowed: UNITS: " + units);
-  if (fileUnits != units)
-    throw MaterialError(name + ":1: UNITS is " + fileUnits + " but the input script has units " +
-                        units);
+  const Units *from = findUnits(fileUnits), *to = findUnits(units);
+  if (units == "electron" || (fileUnits != units && (!from || !to)))
+    throw MaterialError(name + ":1: UNITS is " + fileUnits + " and the input script has units " +
+                        units + ", allowed: any two of nano, si, cgs, micro, metal, real, or lj "
+                                "in both");
 
   Material material;
   std::set<std::string> seen;
@@ -63,6 +83,9 @@ Material readMaterial(const std::string &text, const std::string &name, const st
   for (const auto &q : materialQuantities())
     if (!seen.count(q.keyword))
       throw MaterialError(name + ": " + q.keyword + " is missing");
+  if (fileUnits != units)
+    for (const auto &q : materialQuantities())
+      material.*q.value *= unitFactor(q.dimension, *from) / unitFactor(q.dimension, *to);
   const std::string problem = checkMaterial(material);
   if (!problem.empty())
     throw MaterialError(name + ": " + problem);

@@ -19,8 +19,8 @@ class MaterialError : public std::runtime_error {
 /// \param text   the whole file. The first line holds `UNITS: style` (and DATE, CITATION); then
 ///               `keyword value` a line, `#` begins a comment, every keyword exactly once.
 /// \param name   for messages
-/// \param units  the unit style in force; another one in the file is an error
-/// \return values as they stand in the file, all of them checked
+/// \param units  LAMMPS's unit style in force
+/// \return values in these units, all of them checked
 /// \throws MaterialError
 Material readMaterial(const std::string &text, const std::string &name, const std::string &units);
 

@@ -51,9 +51,10 @@ def test_unknown_keyword_names_the_nearest(tmp_path):
     with_file(text, tmp_path, "bad.mca:", "viscocity", "nearest known one is viscosity")
 
 
-def test_other_units(tmp_path):
-    fails(SAMPLE.replace("units nano", "units si") + "pair_style mca\npair_coeff * * steel.mca\n",
-          tmp_path, "steel.mca:1", "nano", "si")
+@pytest.mark.parametrize("units", ["lj", "electron"])
+def test_units_without_conversion(tmp_path, units):
+    fails(SAMPLE.replace("units nano", f"units {units}") + "pair_style mca\npair_coeff * * steel.mca\n",
+          tmp_path, "steel.mca:1", "nano", f"units {units}", "allowed")
 
 
 @pytest.mark.parametrize("words,parts", [

@@ -24,7 +24,6 @@ class FrictionLogWriterTest : public testing::Test {
                                      testing::UnitTest::GetInstance()->current_test_info()->name());
     fs::create_directories(folder);
     path = folder / "x.friction";
-    ASSERT_TRUE(mca::logUnits("nano", units));
   }
   void TearDown() override { fs::remove_all(folder); }
 
@@ -69,7 +68,7 @@ class FrictionLogWriterTest : public testing::Test {
   }
 
   fs::path folder, path;
-  mca::LogUnits units;
+  const mca::Units units = *mca::findUnits("nano");
 };
 
 } // namespace
@@ -97,16 +96,14 @@ TEST_F(FrictionLogWriterTest, HeaderThenColumnsThenRows)
 TEST_F(FrictionLogWriterTest, UnitsOfTheRunBecomeThoseOfTheLog)
 {
   // the same steel in SI, cgs and metal
-  mca::LogUnits si, metal, nothing;
-  ASSERT_TRUE(mca::logUnits("si", si));
-  ASSERT_TRUE(mca::logUnits("metal", metal));
-  EXPECT_FALSE(mca::logUnits("lj", nothing));
-  EXPECT_FALSE(mca::logUnits("electron", nothing));
+  const mca::Units si = *mca::findUnits("si"), metal = *mca::findUnits("metal");
+  EXPECT_EQ(mca::findUnits("lj"), nullptr);
+  EXPECT_EQ(mca::findUnits("electron"), nullptr);
   EXPECT_DOUBLE_EQ(206e9 * si.stress, 206000);
   EXPECT_DOUBLE_EQ(2.5e-9 * si.length, 2.5);
   EXPECT_DOUBLE_EQ(5 * si.velocity(), 5);
   EXPECT_DOUBLE_EQ(0.41 * si.viscosity(), 0.41);
-  EXPECT_DOUBLE_EQ(7800 * si.density, 7800);
+  EXPECT_DOUBLE_EQ(7800 * si.density(), 7800);
   EXPECT_DOUBLE_EQ(25 * metal.length, 2.5);
   EXPECT_DOUBLE_EQ(0.05 * metal.velocity(), 5);              // Angstrom/ps
   EXPECT_DOUBLE_EQ(2060000 * metal.stress, 206000);          // bar

@@ -1,6 +1,7 @@
 #include "material_file.h"
 
 #include "sample.h"
+#include "units.h"
 
 #include <gmock/gmock.h>
 
@@ -118,8 +119,24 @@ TEST(MaterialFile, TwiceOrTwoValues)
 
 TEST(MaterialFile, OtherUnits)
 {
-  EXPECT_EQ(problemOf(steelText(), "si"),
-            "x.mca:1: UNITS is nano but the input script has units si");
+  for (const std::string style : {"nano", "si", "cgs", "micro", "metal", "real"}) {
+    const Material m = mca::readMaterial(steelText(), "x.mca", style);
+    const mca::Units u = *mca::findUnits(style);
+    EXPECT_NEAR(m.youngs_modulus * u.stress, 206000, 1e-9) << style;
+    EXPECT_NEAR(m.density * u.density(), 7800, 1e-10) << style;
+    EXPECT_NEAR(m.viscosity * u.viscosity(), 0.41, 1e-14) << style;
+    EXPECT_NEAR(m.diameter * u.length, 2.5, 1e-14) << style;
+    EXPECT_EQ(m.poissons_ratio, 0.3);
+    EXPECT_EQ(m.yield_strength, 0.870);
+  }
+  const std::string allowed = ", allowed: any two of nano, si, cgs, micro, metal, real, or lj in both";
+  EXPECT_EQ(problemOf(steelText(), "lj"),
+            "x.mca:1: UNITS is nano and the input script has units lj" + allowed);
+  EXPECT_EQ(problemOf(changed("UNITS: nano", "UNITS: electron"), "electron"),
+            "x.mca:1: UNITS is electron and the input script has units electron" + allowed);
+  EXPECT_EQ(problemOf(changed("UNITS: nano", "UNITS: imperial"), "si"),
+            "x.mca:1: UNITS is imperial and the input script has units si" + allowed);
+  EXPECT_EQ(problemOf(changed("UNITS: nano", "UNITS: lj"), "lj"), "");
   EXPECT_EQ(problemOf(changed("UNITS: nano ", "")),
             "x.mca:1: no UNITS: in the first line, allowed: UNITS: nano");
 }
