@@ -102,7 +102,7 @@ def dump(path):
         step, n = int(lines[k + 1]), int(lines[k + 3])
         k += 8
         columns = lines[k].split()[2:]
-        data = np.array([s.split() for s in lines[k + 1:k + 1 + n]], dtype=float).reshape(n, -1)
+        data = np.array([s.split() for s in lines[k + 1:k + 1 + n]], dtype=float).reshape(n, len(columns))
         k += 1 + n
         if columns and columns[0] == "id":
             data = data[np.argsort(data[:, 0])]
