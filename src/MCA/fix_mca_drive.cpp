@@ -14,6 +14,7 @@
 #include "update.h"
 #include "variable.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <sstream>
@@ -121,14 +122,12 @@ double FixMCADrive::evaluate(Setting &s)
 
 double FixMCADrive::height() const
 {
-  double sums[2] = {0.0, 0.0}, all[2];
-  for (int i = 0; i < atom->nlocal; i++)
-    if (atom->mask[i] & groupbit) {
-      double unwrapped[3];
-      domain->unmap(atom->x[i], atom->image[i], unwrapped);
-      sums[0] += unwrapped[1];
-      sums[1] += 1.0;
-    }
+  double sums[2] = {0.0, static_cast<double>(members.size())}, all[2];
+  for (const int i : members) {
+    double unwrapped[3];
+    domain->unmap(atom->x[i], atom->image[i], unwrapped);
+    sums[0] += unwrapped[1];
+  }
   MPI_Allreduce(sums, all, 2, MPI_DOUBLE, MPI_SUM, world);
   return all[0] / all[1];
 }
@@ -138,21 +137,24 @@ void FixMCADrive::setup_post_neighbor()
   post_neighbor();
 }
 
+/* in the order of IDs, so that sums do not depend on LAMMPS's order of atoms */
+
 void FixMCADrive::post_neighbor()
 {
   members.clear();
   for (int i = 0; i < atom->nlocal; i++)
     if (atom->mask[i] & groupbit)
       members.push_back(i);
+  const tagint *tag = atom->tag;
+  std::sort(members.begin(), members.end(), [tag](int a, int b) { return tag[a] < tag[b]; });
 }
 
 void FixMCADrive::setup(int vflag)
 {
   area = domain->xprd * pair->thickness();
   double own = 0.0;
-  for (int i = 0; i < atom->nlocal; i++)
-    if (atom->mask[i] & groupbit)
-      own += atom->rmass[i];
+  for (const int i : members)
+    own += atom->rmass[i];
   MPI_Allreduce(&own, &mass, 1, MPI_DOUBLE, MPI_SUM, world);
 
   if (!begun && !restarted)
@@ -184,7 +186,16 @@ void FixMCADrive::setup(int vflag)
       error->all(FLERR, "Fix mca/drive: {}", comm->me == 0 ? problem : "see rank 0");
   }
   begun = true;
+  // a layer that moves already keeps its velocity to the last bit
+  double range[2] = {-INFINITY, -INFINITY}, all_range[2]; // of -v_y, v_y
+  for (const int i : members)
+    for (const double sign : {-1.0, 1.0})
+      range[sign > 0.0] = std::max(range[sign > 0.0], sign * atom->v[i][1]);
+  MPI_Allreduce(range, all_range, 2, MPI_DOUBLE, MPI_MAX, world);
   post_force(vflag);
+  if (all_range[0] == -all_range[1])
+    for (const int i : members)
+      atom->v[i][1] = all_range[1];
 }
 
 /* ----------------------------------------------------------------------

@@ -36,7 +36,8 @@ static constexpr const char *DUMMY_STATE = "MCA_STATE_DUMMY";
 PairMCA::PairMCA(LAMMPS *host)
     : Pair(host), depth(1.0), cut_user(0.0), onelaw(true), kernel(&mca::bestKernel(2)),
       changes(0.0), committed(false), fix_history(nullptr), icustom_kappa(-1),
-      icustom_elastic_z(-1), icustom_changes{-1, -1}, icustom_lag{-1, -1}, listed(-1), listed_all(0)
+      icustom_elastic_z(-1), icustom_changes{-1, -1}, icustom_lag{-1, -1}, icustom_rest{-1, -1},
+      listed(-1), listed_all(0)
 {
   single_enable = 0;
   manybody_flag = 1;
@@ -166,7 +167,8 @@ void PairMCA::begin_changes()
 }
 
 /* Within a step forces see the velocities of half a step ago. In set-up the lag that they had when
-   the forces of this step were computed gives them again, so that viscous forces do not change. */
+   the forces of this step were computed gives them again, so that viscous forces do not change; the
+   rest makes that exact, where the lag is a rounded difference. */
 
 void PairMCA::pack_motion(int nall, bool advance)
 {
@@ -175,12 +177,13 @@ void PairMCA::pack_motion(int nall, bool advance)
   double *row = motion.get(), *turn = spin.get();
   const auto *x = mca::flat(atom->x), *v = mca::flat(atom->v), *omega = mca::flat(atom->omega);
   const double *lag_x = atom->dvector[icustom_lag[0]], *lag_y = atom->dvector[icustom_lag[1]];
+  const double *rest_x = atom->dvector[icustom_rest[0]], *rest_y = atom->dvector[icustom_rest[1]];
   const int length = kernel->rows.motion;
   for (int i = 0; i < nall; i++, row += length) {
     row[0] = x[i][0];
     row[1] = x[i][1];
-    row[2] = advance ? v[i][0] : v[i][0] - lag_x[i];
-    row[3] = advance ? v[i][1] : v[i][1] - lag_y[i];
+    row[2] = advance ? v[i][0] : v[i][0] - lag_x[i] - rest_x[i];
+    row[3] = advance ? v[i][1] : v[i][1] - lag_y[i] - rest_y[i];
     turn[i] = omega[i][2];
   }
 }
@@ -189,9 +192,12 @@ void PairMCA::keep_lag()
 {
   for (int m = 0; m < 2; m++) {
     double *lag = atom->dvector[icustom_lag[m]];
+    double *rest = atom->dvector[icustom_rest[m]];
     const double *row = motion.get() + 2 + m;
-    for (int i = 0; i < atom->nlocal; i++, row += kernel->rows.motion)
+    for (int i = 0; i < atom->nlocal; i++, row += kernel->rows.motion) {
       lag[i] = atom->v[i][m] - *row;
+      rest[i] = atom->v[i][m] - lag[i] - *row;
+    }
   }
 }
 
@@ -354,12 +360,14 @@ void PairMCA::init_style()
         DUMMY_HISTORY, fmt::format("{} all MCA_HISTORY {}", FixMCAHistory::ID, pairs.storedSize()),
         1));
     fix_history->attach(this);
-    modify->replace_fix(DUMMY_STATE,
-                        fmt::format("{} all MCA_STATE d_mca_kappa d_mca_theta d_mca_lag_x "
-                                    "d_mca_lag_y d_mca_links0 d_mca_elastic_z d_mca_broken "
-                                    "d_mca_formed writedata no ghost yes",
-                                    FixMCAState::ID),
-                        1);
+    modify->replace_fix(
+        DUMMY_STATE,
+        fmt::format(
+            "{} all MCA_STATE d_mca_kappa d_mca_theta d_mca_lag_x "
+            "d_mca_lag_y d_mca_rest_x d_mca_rest_y d_mca_links0 d_mca_elastic_z d_mca_broken "
+            "d_mca_formed writedata no ghost yes",
+            FixMCAState::ID),
+        1);
   }
   int is_double, columns;
   icustom_kappa = atom->find_custom("mca_kappa", is_double, columns);
@@ -368,6 +376,8 @@ void PairMCA::init_style()
   icustom_changes[1] = atom->find_custom("mca_formed", is_double, columns);
   icustom_lag[0] = atom->find_custom("mca_lag_x", is_double, columns);
   icustom_lag[1] = atom->find_custom("mca_lag_y", is_double, columns);
+  icustom_rest[0] = atom->find_custom("mca_rest_x", is_double, columns);
+  icustom_rest[1] = atom->find_custom("mca_rest_y", is_double, columns);
   make_laws();
 
   for (int i = 0; i < atom->nlocal; i++) {

@@ -112,7 +112,7 @@ class PairMCA : public Pair {
   bool committed;              // the state is already that of the coming step
 
   FixMCAHistory *fix_history;
-  int icustom_kappa, icustom_elastic_z, icustom_changes[2], icustom_lag[2];
+  int icustom_kappa, icustom_elastic_z, icustom_changes[2], icustom_lag[2], icustom_rest[2];
   int listed, listed_all; // automata of the list: owned, with ghosts
 
   void allocate();
