@@ -83,12 +83,13 @@ constexpr int localRow = 4;    ///< averaged xx, yy, xy after the return, plasti
                                ///< the step [stress]
 
 /// Moves the shear on by one step and adds each contact's strain to both of its automata.
-/// \param dt       the step [time]; 0 keeps the state as it is (set-up)
+/// \param dt       the step [time]
+/// \param moves    false keeps the state as it is (set-up); all else is the same to the last bit
 /// \param laws     table of PairLaw
 /// \param motion   motionRow values an automaton
 /// \param spin     angular velocity of each automaton [1/time]
 /// \param strains  strainRow values an automaton, added to
-using StrainPass = void(const Pairs &, double dt, const PairLaw *laws, const double *motion,
+using StrainPass = void(const Pairs &, double dt, bool moves, const PairLaw *laws, const double *motion,
                         const double *spin, double *strains);
 
 /// Mean stress of each automaton.

@@ -24,7 +24,7 @@ inline Way wayOf(const Block &block, const PairLaw *laws)
 
 // Returns how many links of a bulk block reach the breaking strain.
 template<Way WAY>
-double strainBlock(const Pairs &p, int first, int n, double dt, const PairLaw *laws,
+double strainBlock(const Pairs &p, int first, int n, double dt, double moves, const PairLaw *laws,
                    const double *motion, const double *spin, double *strains)
 {
   const int *const pi = p.i + first, *const pj = p.j + first, *const plaw = p.law + first;
@@ -47,7 +47,7 @@ double strainBlock(const Pairs &p, int first, int n, double dt, const PairLaw *l
     const double invR = r * (r2 - stepN) * inverse;
     const double nx = dx * invR, ny = dy * invR;
     const double turn = axisRotation(stepT * r2 * inverse);
-    const double dgamma = shearIncrement(turn, spins[k] * dt);
+    const double dgamma = moves * shearIncrement(turn, spins[k] * dt);
     const double eps = r * invDiameter - 1.0, e = eps - pplastic[k];
     pnx[k] = nx;
     pny[k] = ny;
@@ -76,17 +76,19 @@ double strainBlock(const Pairs &p, int first, int n, double dt, const PairLaw *l
   return breaking;
 }
 
-void strainPass(const Pairs &p, double dt, const PairLaw *laws, const double *motion,
+void strainPass(const Pairs &p, double dt, bool moves, const PairLaw *laws, const double *motion,
                 const double *spin, double *strains)
 {
+  const double moving = moves ? 1.0 : 0.0;
   Block *block = p.blocks;
   for (int first = 0; first < p.n; first += blockLength, block++) {
     const int n = lesser(blockLength, p.n - first);
     const Way way = wayOf(*block, laws);
     const double breaking =
-        way == BULK      ? strainBlock<BULK>(p, first, n, dt, laws, motion, spin, strains)
-        : way == ONE_LAW ? strainBlock<ONE_LAW>(p, first, n, dt, laws, motion, spin, strains)
-                         : strainBlock<SEVERAL_LAWS>(p, first, n, dt, laws, motion, spin, strains);
+        way == BULK ? strainBlock<BULK>(p, first, n, dt, moving, laws, motion, spin, strains)
+        : way == ONE_LAW
+            ? strainBlock<ONE_LAW>(p, first, n, dt, moving, laws, motion, spin, strains)
+            : strainBlock<SEVERAL_LAWS>(p, first, n, dt, moving, laws, motion, spin, strains);
     block->breaks = breaking > 0.0;
   }
 }

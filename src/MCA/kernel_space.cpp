@@ -157,9 +157,10 @@ double strainBlock(const Pairs &p, int first, int n, double dt, const PairLaw *l
   return breaking;
 }
 
-void strainPass(const Pairs &p, double dt, const PairLaw *laws, const double *motion,
+void strainPass(const Pairs &p, double step, bool moves, const PairLaw *laws, const double *motion,
                 const double *spin, double *strains)
 {
+  const double dt = moves ? step : 0.0; // normals do not depend on it
   Block *block = p.blocks;
   for (int first = 0; first < p.n; first += blockLength, block++) {
     const int n = lesser(blockLength, p.n - first);

@@ -102,7 +102,7 @@ void PairMCA::compute(int eflag, int vflag)
   pack_motion(nall, advance);
 
   clear(strains, nall, kernel->rows.strain);
-  kernel->strain(p, advance ? update->dt : 0.0, laws, motion.get(), spin.get(), strains.get());
+  kernel->strain(p, update->dt, advance, laws, motion.get(), spin.get(), strains.get());
   add_up(STRAINS);
   kernel->mean(nlocal, type, autolaw.data(), onelaw, strains.get(), response.get());
   if (j2())

@@ -79,7 +79,7 @@ struct Sample {
   void strain(const mca::Kernel &k)
   {
     clear(strains, static_cast<size_t>(n) * mca::strainRow);
-    k.strain(pairs.pairs(), dt, pairLaws.data(), motion.get(), spin.data(), strains.get());
+    k.strain(pairs.pairs(), dt, true, pairLaws.data(), motion.get(), spin.data(), strains.get());
   }
   void mean(const mca::Kernel &k)
   {

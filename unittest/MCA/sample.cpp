@@ -155,7 +155,7 @@ void KernelRun::step(Sample &s, double dt)
   }
 
   const mca::Pairs &p = list.pairs();
-  kernel.strain(p, dt, table.data(), motion.get(), spin.data(), strains.get());
+  kernel.strain(p, dt, dt > 0.0, table.data(), motion.get(), spin.data(), strains.get());
   addUp(s, strains, mca::strainRow);
   kernel.mean(s.owned, type.data(), own.data(), oneLaw, strains.get(), response.get());
   if (j2)

@@ -114,7 +114,7 @@ void SpaceRun::step(Sample &s, double dt)
   }
 
   const mca::Pairs &p = list.pairs();
-  kernel.strain(p, dt, table.data(), motion.get(), spin.data(), strains.get());
+  kernel.strain(p, dt, dt > 0.0, table.data(), motion.get(), spin.data(), strains.get());
   addUp(s, strains, row.strain);
   kernel.mean(s.owned, type.data(), own.data(), oneLaw, strains.get(), response.get());
   passOn(s, response, row.response);
