@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <limits>
 #include <map>
 #include <sstream>
 #include <stdexcept>
@@ -99,6 +100,8 @@ class Reader {
   std::string word(const std::string &name) { return items(name).front(); }
   bool flag(const std::string &name) { return word(name) == "true"; }
   void require(const std::string &name) const;
+  /// Keywords that make no sense together with something else.
+  void refuse(std::initializer_list<const char *> names, const std::string &with) const;
 
   std::string configuration() const;
 
@@ -180,11 +183,11 @@ void Reader::change(const std::string &text)
 void Reader::checkForm(const Keyword &keyword, const Entry &entry) const
 {
   const bool listAllowed = keyword.kind == Kind::NumberList || keyword.kind == Kind::QuantityList ||
-                           keyword.kind == Kind::IntegerList;
+                           keyword.kind == Kind::IntegerList || keyword.kind == Kind::TextList;
   if (entry.isList && !listAllowed)
     fail(entry.line, keyword.name, "one value is expected, not a list");
   for (const std::string &item : entry.items) {
-    if (keyword.kind == Kind::Text)
+    if (keyword.kind == Kind::Text || keyword.kind == Kind::TextList)
       continue;
     if (keyword.kind == Kind::Choice || keyword.kind == Kind::Switch) {
       const std::string choices = keyword.kind == Kind::Switch ? "true|false" : keyword.choices;
@@ -217,6 +220,13 @@ void Reader::require(const std::string &name) const
   if (has(name))
     return;
   throw badInput(file, 0, name, fmt::format("is missing ({})", findKeyword(name)->help));
+}
+
+void Reader::refuse(std::initializer_list<const char *> names, const std::string &with) const
+{
+  for (const char *name : names)
+    if (has(name))
+      fail(lineOf(name), name, "does not go with " + with);
 }
 
 std::vector<std::string> Reader::items(const std::string &name)
@@ -295,15 +305,21 @@ std::string Reader::configuration() const
 
 void readContact(Reader &reader, Case &c)
 {
-  for (const char *name : {"contact.load_per_length", "contact.radius", "contact.youngs_modulus",
-                           "contact.poissons_ratio"})
+  for (const char *name :
+       {"contact.load_per_length", "contact.youngs_modulus", "contact.poissons_ratio"})
     reader.require(name);
   c.load = reader.number("contact.load_per_length");
-  c.radius = reader.number("contact.radius");
+  if (reader.has("contact.period")) {
+    reader.refuse({"contact.radius", "contact.domain"}, "contact.period: the surfaces are flat");
+    c.period = reader.number("contact.period");
+    c.radius = std::numeric_limits<double>::infinity();
+  } else {
+    c.radius = reader.number("contact.radius");
+    c.domain = reader.number("contact.domain");
+  }
   c.youngsModulus = reader.number("contact.youngs_modulus");
   c.poissonsRatio = reader.number("contact.poissons_ratio");
   c.hardnessLimit = reader.flag("contact.hardness_limit");
-  c.domain = reader.number("contact.domain");
   c.points = static_cast<int>(reader.number("points"));
 }
 
@@ -314,20 +330,19 @@ void readRoughness(Reader &reader, Case &c)
     reader.items("roughness");
     return;
   }
-  const auto refuse = [&](std::initializer_list<const char *> names, const char *with) {
-    for (const char *name : names)
-      if (reader.has(name))
-        reader.fail(reader.lineOf(name), name, fmt::format("does not go with {}", with));
-  };
   if (measured) {
-    refuse({"roughness.hurst", "roughness.rms_slope", "roughness.rms_height",
-            "roughness.wavelength_min", "roughness.wavelength_max", "roughness.seed"},
-           "measured profiles (roughness.rail, roughness.wheel)");
+    reader.refuse({"roughness.hurst", "roughness.rms_slope", "roughness.rms_height",
+                   "roughness.wavelength_min", "roughness.wavelength_max", "roughness.seed"},
+                  "measured profiles (roughness.rail, roughness.wheel)");
     c.roughness = RoughnessKind::Measured;
     if (reader.has("roughness.rail"))
-      c.rail = reader.word("roughness.rail");
+      c.rail = reader.items("roughness.rail");
     if (reader.has("roughness.wheel"))
-      c.wheel = reader.word("roughness.wheel");
+      c.wheel = reader.items("roughness.wheel");
+    if (!c.rail.empty() && !c.wheel.empty() && c.rail.size() != c.wheel.size())
+      reader.fail(reader.lineOf("roughness.wheel"), "roughness.wheel",
+                  fmt::format("{} files; as many as of roughness.rail, {}, are expected",
+                              c.wheel.size(), c.rail.size()));
     if (reader.has("roughness.cutoff"))
       c.cutoff = reader.number("roughness.cutoff");
     const std::vector<std::string> orders = split(findKeyword("roughness.detrend")->choices, '|');
@@ -336,7 +351,7 @@ void readRoughness(Reader &reader, Case &c)
         static_cast<int>(std::find(orders.begin(), orders.end(), order) - orders.begin()) - 1;
     return;
   }
-  refuse({"roughness.cutoff", "roughness.detrend"}, "a generated profile");
+  reader.refuse({"roughness.cutoff", "roughness.detrend"}, "a generated profile");
   for (const char *name :
        {"roughness.hurst", "roughness.wavelength_min", "roughness.wavelength_max"})
     reader.require(name);
@@ -390,15 +405,8 @@ void readThermal(Reader &reader, Case &c)
                                           : ThermalModel::Averaged;
 }
 
-void readRolling(Reader &reader, Case &c)
+void readCreeps(Reader &reader, Case &c)
 {
-  c.mode = reader.word("mode") == "moving" ? RollingMode::Moving : RollingMode::Frozen;
-  if (c.mode == RollingMode::Moving) {
-    c.passes = static_cast<int>(reader.number("moving.passes"));
-    c.referenceLength = reader.number("moving.reference_length");
-    if (c.thermal == ThermalModel::Local)
-      reader.fail(reader.lineOf("thermal.model"), "thermal.model", "'local' needs 'mode: frozen'");
-  }
   c.speed = reader.numbers("speed");
   if (!reader.hasGroup("creep")) {
     c.creep = reader.numbers("creep");
@@ -418,16 +426,60 @@ void readRolling(Reader &reader, Case &c)
   c.creep.back() = n > 1 ? to : from;
 }
 
+/// Rolling, or the static case; what the other one needs is left alone.
+void readMode(Reader &reader, Case &c)
+{
+  const std::string mode = reader.word("mode");
+  if (mode != "static") {
+    c.mode = mode == "moving" ? RollingMode::Moving : RollingMode::Frozen;
+    reader.refuse({"contact.period"}, "mode " + mode + ": rolling needs a radius");
+    readThermal(reader, c);
+    readCreeps(reader, c);
+    if (c.mode == RollingMode::Moving) {
+      c.passes = static_cast<int>(reader.number("moving.passes"));
+      c.referenceLength = reader.number("moving.reference_length");
+    }
+    return;
+  }
+  c.mode = RollingMode::Static;
+  c.thermal = ThermalModel::Off;
+  reader.require("static.force_ratio");
+  c.forceRatio = reader.numbers("static.force_ratio");
+  if (c.local)
+    reader.fail(reader.lineOf("friction.local"), "friction.local",
+                "mode static needs one friction coefficient for the whole contact: false");
+  if (c.hardnessLimit && *std::max_element(c.forceRatio.begin(), c.forceRatio.end()) > 0.0)
+    reader.fail(reader.lineOf("contact.hardness_limit"), "contact.hardness_limit",
+                "mode static needs elastic contact, false, for a static.force_ratio above 0");
+}
+
+void readUncertainty(Reader &reader, Case &c)
+{
+  if (c.law == "constant" || c.mode == RollingMode::Static)
+    return; // no covariance, or none that matters
+  c.uncertainty = reader.word("uncertainty.method") == "sampled" ? UncertaintyMethod::Sampled
+                                                                 : UncertaintyMethod::Linear;
+  if (c.uncertainty == UncertaintyMethod::Linear)
+    return;
+  c.uncertaintySamples = static_cast<int>(reader.number("uncertainty.samples"));
+  c.uncertaintySeed = static_cast<std::uint64_t>(reader.number("uncertainty.seed"));
+}
+
 /// Profile and law files are named from the folder of the case file.
 std::string besideCase(const std::string &path, const std::string &caseFile)
 {
   const std::filesystem::path given(path);
-  if (path.empty() || given.is_absolute() || std::filesystem::exists(given))
+  if (given.is_absolute() || std::filesystem::exists(given))
     return path;
   return (std::filesystem::path(caseFile).parent_path() / given).string();
 }
 
 } // namespace
+
+std::size_t Case::profiles() const
+{
+  return std::max({std::size_t{1}, seeds.size(), rail.size(), wheel.size()});
+}
 
 Case readCase(const std::string &path, const std::vector<std::string> &changes)
 {
@@ -450,11 +502,12 @@ Case readCase(const std::string &path, const std::vector<std::string> &changes)
   readContact(reader, result);
   readRoughness(reader, result);
   readFriction(reader, result);
-  readThermal(reader, result);
-  readRolling(reader, result);
+  readMode(reader, result);
+  readUncertainty(reader, result);
   result.text = reader.configuration();
-  result.rail = besideCase(result.rail, path);
-  result.wheel = besideCase(result.wheel, path);
+  for (auto *files : {&result.rail, &result.wheel})
+    for (std::string &file : *files)
+      file = besideCase(file, path);
   if (result.law != "constant" && result.law != "bucher2006")
     result.law = besideCase(result.law, path);
   return result;

@@ -12,7 +12,8 @@ namespace wheelrail {
 
 enum class RoughnessKind { None, Fractal, Measured };
 enum class ThermalModel { Off, Averaged, AveragedPower, Local };
-enum class RollingMode { Frozen, Moving };
+enum class RollingMode { Frozen, Moving, Static };
+enum class UncertaintyMethod { Linear, Sampled };
 
 /// Everything wr_creep computes from; SI units. Read from a YAML file by `readCase`.
 struct Case {
@@ -22,14 +23,15 @@ struct Case {
   double youngsModulus = 0.0, poissonsRatio = 0.0;
   bool hardnessLimit = false; ///< pressure stops at 3 sigma_0(Theta)
   double domain = 4.0;        ///< computed length / Hertz half-width
-  int points = 1024;          ///< on the whole domain
+  double period = 0.0; ///< m; > 0: flat surfaces whose roughness repeats, `radius` is infinite
+  int points = 1024;   ///< on the whole domain
 
   RoughnessKind roughness = RoughnessKind::None;
-  FractalSurface surface;           ///< Fractal; its seed is replaced by each of `seeds`
-  std::vector<std::uint64_t> seeds; ///< Fractal: one creep curve each
-  std::string rail, wheel;          ///< Measured: files, either may be empty
-  double cutoff = 0.0;              ///< m, 0: none
-  int detrend = 1;                  ///< order of the polynomial taken off, -1: none
+  FractalSurface surface;               ///< Fractal; its seed is replaced by each of `seeds`
+  std::vector<std::uint64_t> seeds;     ///< Fractal: one creep curve each
+  std::vector<std::string> rail, wheel; ///< Measured: files, one creep curve each; either empty
+  double cutoff = 0.0;                  ///< m, 0: none
+  int detrend = 1;                      ///< order of the polynomial taken off, -1: none
 
   // friction
   std::string law; ///< "bucher2006", "constant" or a law file
@@ -45,7 +47,14 @@ struct Case {
   int passes = 4;               ///< Moving: times the material goes through the contact
   double referenceLength = 1.0; ///< Moving: of the half-plane's free constant, in a
 
-  std::vector<double> creep, speed; ///< 1, m/s
+  std::vector<double> creep, speed; ///< 1, m/s; not Static
+  std::vector<double> forceRatio;   ///< Static: T/(mu N)
+
+  UncertaintyMethod uncertainty = UncertaintyMethod::Linear;
+  int uncertaintySamples = 0;
+  std::uint64_t uncertaintySeed = 0;
+
+  std::size_t profiles() const; ///< number of profiles
 
   /// The complete configuration as a case file: reading it gives the same case.
   std::string text;
@@ -63,7 +72,8 @@ struct Keyword {
     IntegerList,
     Switch,
     Choice,
-    Text
+    Text,
+    TextList
   };
   const char *name; ///< with dots: "contact.radius"
   Kind kind;

@@ -34,25 +34,26 @@ Vector measuredRoughness(const Case &input, const std::string &name, const std::
   return profile.height;
 }
 
-void prepareSurface(const Case &input, ContactSetup &setup)
+void prepareSurface(const Case &input, std::size_t index, ContactSetup &setup)
 {
   const int cells = setup.cells;
   if (input.roughness == RoughnessKind::Fractal) {
     FractalSurface surface = input.surface;
-    surface.seed = setup.seed;
+    setup.profile = surface.seed = input.seeds[index];
     const Profile profile = fractalProfile(surface, cells, cells * setup.cellSize);
-    setup.statistics.push_back(profileStatistics("generated", profile, surface.wavelengthMin,
-                                                 surface.wavelengthMax));
+    setup.statistics.push_back(
+        profileStatistics("generated", profile, surface.wavelengthMin, surface.wavelengthMax));
     setup.roughness = profile.height;
   }
   if (input.roughness == RoughnessKind::Measured) {
     const bool whole = input.mode == RollingMode::Moving;
     setup.periodic = false;
-    for (const auto &[name, path] : {std::pair{"rail", input.rail}, {"wheel", input.wheel}}) {
-      if (path.empty())
+    setup.profile = index + 1;
+    for (const auto &[name, files] : {std::pair{"rail", &input.rail}, {"wheel", &input.wheel}}) {
+      if (files->empty())
         continue;
-      const Vector height =
-          measuredRoughness(input, name, path, cells, setup.cellSize, whole, setup.statistics);
+      const Vector height = measuredRoughness(input, name, files->at(index), cells, setup.cellSize,
+                                              whole, setup.statistics);
       if (setup.roughness.size() == 0) {
         setup.roughness = height;
       } else {
@@ -95,9 +96,22 @@ NormalContactProblem ContactSetup::problem(double limit, int travel) const
   return problem;
 }
 
+double ContactSetup::nominalMean(const Vector &values) const
+{
+  double sum = 0.0;
+  int inside = 0;
+  for (int i = 0; i < cells; ++i) {
+    if (!isNominal(i))
+      continue;
+    sum += values[i];
+    ++inside;
+  }
+  return sum / inside;
+}
+
 double ContactSetup::realContactLength() const
 {
-  return contactLength(contactIntervals(normal.pressure, Boundary::Free)) * cellSize;
+  return contactLength(contactIntervals(normal, boundary)) * cellSize;
 }
 
 double strengthAt(const Case &input, double temperatureRise)
@@ -113,6 +127,21 @@ double pressureLimit(const Case &input, double temperatureRise)
   return hardnessOverStrength * strengthAt(input, temperatureRise);
 }
 
+bool hasFeedback(const Case &input)
+{
+  return input.thermal != ThermalModel::Off && (input.law != "constant" || input.hardnessLimit);
+}
+
+void checkStrength(const Case &input, double hottest, double speed, double creep)
+{
+  if (hasFeedback(input) && hottest >= input.strengthTemperature)
+    throw Error(
+        ExitCode::NotConverged,
+        fmt::format("creep {} at {} m/s: the temperature rise of {:.0f} K leaves no strength "
+                    "(friction.strength_temperature is {} K)",
+                    creep, speed, hottest, input.strengthTemperature));
+}
+
 void checkInsideDomain(const Vector &pressure)
 {
   if (pressure[0] > 0.0 || pressure[pressure.size() - 1] > 0.0)
@@ -120,18 +149,25 @@ void checkInsideDomain(const Vector &pressure)
                 "contact.domain: the contact reaches the ends of the computed length; increase it");
 }
 
-ContactSetup prepareContact(const Case &input, std::uint64_t seed)
+ContactSetup prepareContact(const Case &input, std::size_t index)
 {
   ContactSetup setup;
-  setup.hertz = hertzContact(input.load, input.radius,
-                             contactModulus(input.youngsModulus, input.poissonsRatio));
+  const double modulus = contactModulus(input.youngsModulus, input.poissonsRatio);
   setup.cells = input.points;
-  setup.cellSize = input.domain * setup.hertz.halfWidth / input.points;
-  setup.seed = seed;
-  prepareSurface(input, setup);
-  HalfPlane halfPlane(setup.cells, Boundary::Free);
+  if (input.period > 0.0) {
+    setup.boundary = Boundary::Periodic;
+    setup.hertz = {input.load, input.radius, modulus, 0.5 * input.period,
+                   input.load / input.period};
+    setup.cellSize = input.period / input.points;
+  } else {
+    setup.hertz = hertzContact(input.load, input.radius, modulus);
+    setup.cellSize = input.domain * setup.hertz.halfWidth / input.points;
+  }
+  prepareSurface(input, index, setup);
+  HalfPlane halfPlane(setup.cells, setup.boundary);
   setup.normal = solveNormalContact(halfPlane, setup.problem(pressureLimit(input, 0.0)));
-  checkInsideDomain(setup.normal.pressure);
+  if (setup.boundary == Boundary::Free)
+    checkInsideDomain(setup.normal.pressure);
   return setup;
 }
 

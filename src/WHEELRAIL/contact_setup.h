@@ -6,6 +6,7 @@
 #include "hertz.h"
 #include "normal_contact.h"
 
+#include <cmath>
 #include <vector>
 
 namespace wheelrail {
@@ -14,8 +15,11 @@ namespace wheelrail {
 struct ContactSetup {
   HertzContact hertz;
   int cells = 0;
-  double cellSize = 0.0; ///< m
-  std::uint64_t seed = 0;
+  double cellSize = 0.0;     ///< m
+  std::uint64_t profile = 0; ///< seed, or number of the measured profile from 1 on
+  /// Periodic: flat surfaces; `hertz` then holds load, modulus, half the period as halfWidth and
+  /// the mean pressure as hertzPressure.
+  Boundary boundary = Boundary::Free;
   /// Roughness to be taken off the gap, m. One value per cell; more where material travels through
   /// the contact and the profile is measured. Empty: smooth.
   Eigen::VectorXd roughness;
@@ -24,6 +28,9 @@ struct ContactSetup {
   NormalContactResult normal;                ///< without a pressure limit, or with the cold one's
 
   double position(int cell) const { return (cell + 0.5 - 0.5 * cells) * cellSize; } ///< m
+  bool isNominal(int cell) const { return std::abs(position(cell)) <= hertz.halfWidth; }
+  /// Mean over the nominal contact of a value per cell.
+  double nominalMean(const Eigen::VectorXd &values) const;
   /// Undeformed gap in cells, the material moved on by `travel` cells (towards smaller x).
   Eigen::VectorXd gap(int travel = 0) const;
   /// Number of cells the material can travel.
@@ -35,9 +42,9 @@ struct ContactSetup {
 };
 
 /// Prepares the surface and solves the normal contact.
-/// @param seed of a generated profile; ignored otherwise
+/// @param index of the profile, below input.profiles()
 /// @throws Error (BadInput) when profiles do not fit, or the contact reaches the domain's ends
-ContactSetup prepareContact(const Case &input, std::uint64_t seed);
+ContactSetup prepareContact(const Case &input, std::size_t index);
 
 /// Pressure limit in Pa at a temperature rise in K: the hardness 3 sigma_0(Theta), infinite unless
 /// the case asks for it.
@@ -46,6 +53,12 @@ double pressureLimit(const Case &input, double temperatureRise);
 /// Eq. 10: sigma_0(Theta) = strength (1 - Theta/strengthTemperature), Pa. Kept above a thousandth
 /// of the strength, so that an iteration can pass through what a solution may not reach.
 double strengthAt(const Case &input, double temperatureRise);
+
+/// Does the temperature act back on friction or pressure?
+bool hasFeedback(const Case &input);
+
+/// @throws Error (NotConverged) when a temperature rise that acts back leaves no strength
+void checkStrength(const Case &input, double hottest, double speed, double creep);
 
 /// @throws Error (BadInput) unless every cell with pressure is away from the domain's ends
 void checkInsideDomain(const Eigen::VectorXd &pressure);

@@ -3,6 +3,8 @@
 
 #include "convolution.h"
 
+#include <vector>
+
 namespace wheelrail {
 
 /// Heat from friction between two equal bodies that each take half of it, at a large Peclet number
@@ -42,6 +44,28 @@ class FlashTemperature {
  private:
   Convolution line;
   Convolution::Spectrum kernel;
+};
+
+/// The same where heat changes in time: every cell of material remembers the heat of its way
+/// through the contact. With heat that does not change it becomes `FlashTemperature`.
+class TravellingHeat {
+ public:
+  TravellingHeat(int cells, double cellSize, double speed, const ThermalMaterial &material);
+
+  /// The material moves on by one cell towards smaller x and takes up heat (W/m2, both bodies').
+  void step(const Eigen::VectorXd &heat);
+  /// Temperature rise of a cell after the last step, K.
+  double rise(int cell) const;
+
+ private:
+  std::vector<double> &historyAt(int cell);
+
+  int cells;
+  int steps = 0;
+  Eigen::VectorXd kernel; ///< influence of heat m steps ago
+  /// Of the material, oldest first, from the first heat on; a cell's place is (cell + steps) %
+  /// cells.
+  std::vector<std::vector<double>> history;
 };
 
 } // namespace wheelrail

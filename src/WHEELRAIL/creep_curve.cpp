@@ -21,9 +21,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 using Json = nlohmann::json;
 
-constexpr int creepsInPiece = 8;
 constexpr auto journalPause = std::chrono::seconds(2);
-constexpr double differencePart = 0.1; ///< of a parameter's standard error
 
 double secondsSince(Clock::time_point begin)
 {
@@ -38,14 +36,24 @@ struct Piece {
   int firstPoint;
 };
 
+/// Creeps that are solved one after the other. Rolling creeps of mode moving share the pressures,
+/// unless each has its own because temperature acts back on them.
+std::size_t creepsInPiece(const Case &input)
+{
+  if (input.mode != RollingMode::Moving)
+    return 8;
+  return input.hardnessLimit && hasFeedback(input) ? 1 : 4;
+}
+
 std::vector<Piece> cutIntoPieces(const Case &input, int profiles)
 {
+  const std::size_t length = creepsInPiece(input);
   std::vector<Piece> pieces;
   int point = 0;
   for (int profile = 0; profile < profiles; ++profile)
     for (double speed : input.speed)
-      for (std::size_t k = 0; k < input.creep.size(); k += creepsInPiece) {
-        const auto end = std::min(k + creepsInPiece, input.creep.size());
+      for (std::size_t k = 0; k < input.creep.size(); k += length) {
+        const auto end = std::min(k + length, input.creep.size());
         pieces.push_back({profile,
                           speed,
                           {input.creep.begin() + static_cast<std::ptrdiff_t>(k),
@@ -54,33 +62,6 @@ std::vector<Piece> cutIntoPieces(const Case &input, int profiles)
         point += static_cast<int>(end - k);
       }
   return pieces;
-}
-
-/// The law and its neighbours for derivatives: (parameter, +-) in pairs after the law itself.
-std::vector<FrictionLaw> lawAndNeighbours(const FrictionLaw &law)
-{
-  std::vector<FrictionLaw> laws{law};
-  if (!law.covariance)
-    return laws;
-  for (int k = 0; k < lawParameters; ++k)
-    for (double sign : {1.0, -1.0}) {
-      FrictionLaw neighbour = law;
-      double *parameter[] = {&neighbour.mu0, &neighbour.mu1, &neighbour.mu2, &neighbour.b,
-                             &neighbour.c};
-      *parameter[k] += sign * differencePart * std::sqrt((*law.covariance)(k, k));
-      laws.push_back(neighbour);
-    }
-  return laws;
-}
-
-double errorOf(const std::vector<double> &ratios, const FrictionLaw &law)
-{
-  Eigen::Matrix<double, lawParameters, 1> derivative;
-  for (int k = 0; k < lawParameters; ++k) {
-    const double step = 2.0 * differencePart * std::sqrt((*law.covariance)(k, k));
-    derivative[k] = step > 0.0 ? (ratios[1 + 2 * k] - ratios[2 + 2 * k]) / step : 0.0;
-  }
-  return std::sqrt(std::max(0.0, derivative.dot(*law.covariance * derivative)));
 }
 
 /// What a finished piece leaves.
@@ -92,17 +73,10 @@ struct PieceResult {
 
 Json toJson(const CurvePoint &p)
 {
-  return {p.speed,
-          p.creep,
-          p.tractionRatio,
-          p.traction,
-          p.muMean,
-          p.temperatureRise,
-          p.temperatureMaximum,
-          p.iterations,
-          p.stickFraction,
-          p.seed,
-          p.tractionRatioError};
+  return {p.speed,         p.creep,           p.tractionRatio,      p.traction,
+          p.muMean,        p.temperatureRise, p.temperatureMaximum, p.iterations,
+          p.stickFraction, p.profile,         p.band.standardError, p.band.low,
+          p.band.high};
 }
 
 CurvePoint pointFrom(const Json &j)
@@ -117,8 +91,8 @@ CurvePoint pointFrom(const Json &j)
   p.temperatureMaximum = j.at(6);
   p.iterations = j.at(7);
   p.stickFraction = j.at(8);
-  p.seed = j.at(9);
-  p.tractionRatioError = j.at(10);
+  p.profile = j.at(9);
+  p.band = {j.at(10), j.at(11), j.at(12)};
   return p;
 }
 
@@ -177,53 +151,62 @@ class Journal {
   Clock::time_point lastWrite;
 };
 
-/// Points of one piece for one law; empty when interrupted.
-std::vector<CreepPoint> solvePiece(const Case &input, const FrictionLaw &law,
-                                   const ContactSetup &setup, const Piece &piece,
-                                   const std::function<bool()> &goOn, ContactFields &fields)
+CurvePoint curvePoint(const CreepPoint &point, const ContactSetup &setup, const LawSpread &spread,
+                      const std::vector<double> &ratios)
 {
-  if (input.mode == RollingMode::Moving) {
-    MovingCreep moving(input, law, setup);
-    std::vector<CreepPoint> points = moving.solve(piece.speed, piece.creeps, goOn);
-    fields = moving.fields();
-    return points;
-  }
-  FrozenCreep frozen(input, law, setup);
-  std::vector<CreepPoint> points;
-  for (double creep : piece.creeps) {
-    if (!goOn())
-      return {};
-    points.push_back(frozen.solve(piece.speed, creep));
-  }
-  fields = frozen.fields();
-  return points;
+  CurvePoint result;
+  static_cast<CreepPoint &>(result) = point;
+  result.profile = setup.profile;
+  result.band = spread.band(ratios);
+  return result;
 }
 
-PieceResult solveWithErrors(const Case &input, const std::vector<FrictionLaw> &laws,
-                            const ContactSetup &setup, const Piece &piece,
-                            const std::function<bool()> &goOn)
+/// Empty when interrupted.
+PieceResult solveMoving(const Case &input, const LawSpread &spread, const ContactSetup &setup,
+                        const Piece &piece, const std::function<bool()> &goOn)
 {
   PieceResult result;
   std::vector<std::vector<CreepPoint>> perLaw;
-  for (const FrictionLaw &law : laws) {
-    ContactFields fields;
-    perLaw.push_back(solvePiece(input, law, setup, piece, goOn, fields));
+  for (const FrictionLaw &law : spread.laws()) {
+    MovingCreep moving(input, law, setup);
+    perLaw.push_back(moving.solve(piece.speed, piece.creeps, goOn));
     if (perLaw.back().empty())
-      return result;
+      return {};
     if (perLaw.size() == 1)
-      result.fields = fields;
+      result.fields = moving.fields();
   }
   for (std::size_t k = 0; k < piece.creeps.size(); ++k) {
-    CurvePoint point;
-    static_cast<CreepPoint &>(point) = perLaw[0][k];
-    point.seed = setup.seed;
-    if (laws.size() > 1) {
-      std::vector<double> ratios;
-      for (const auto &points : perLaw)
-        ratios.push_back(points[k].tractionRatio);
-      point.tractionRatioError = errorOf(ratios, laws[0]);
+    std::vector<double> ratios;
+    for (const auto &points : perLaw)
+      ratios.push_back(points[k].tractionRatio);
+    result.points.push_back(curvePoint(perLaw[0][k], setup, spread, ratios));
+  }
+  result.done = true;
+  return result;
+}
+
+/// The law itself warm from creep to creep, the others from its solution. Empty when interrupted.
+PieceResult solveFrozen(const Case &input, const LawSpread &spread, const ContactSetup &setup,
+                        const Piece &piece, const std::function<bool()> &goOn)
+{
+  PieceResult result;
+  FrozenCreep frozen(input, setup);
+  for (double creep : piece.creeps) {
+    std::vector<double> ratios;
+    CreepPoint point;
+    for (const FrictionLaw &law : spread.laws()) {
+      if (!goOn())
+        return {};
+      const CreepPoint solved = frozen.solve(law, piece.speed, creep);
+      if (ratios.empty()) {
+        point = solved;
+        result.fields = frozen.fields();
+      } else {
+        frozen.startFrom(result.fields);
+      }
+      ratios.push_back(solved.tractionRatio);
     }
-    result.points.push_back(point);
+    result.points.push_back(curvePoint(point, setup, spread, ratios));
   }
   result.done = true;
   return result;
@@ -264,41 +247,54 @@ FrictionLaw lawOf(const Case &input)
   return law;
 }
 
-CreepCurves solveCreepCurves(const Case &input, const FrictionLaw &law, const SweepOptions &options)
+int sweepThreads(const SweepOptions &options)
 {
-  const auto begin = Clock::now();
-  const int threads = options.threads > 0 ? options.threads : omp_get_max_threads();
-  const std::vector<std::uint64_t> seeds =
-      input.seeds.empty() ? std::vector<std::uint64_t>{0} : input.seeds;
-  const auto stopped = [&] { return options.interrupted && options.interrupted(); };
+  return options.threads > 0 ? options.threads : omp_get_max_threads();
+}
 
-  CreepCurves curves;
+std::vector<ContactSetup> prepareContacts(const Case &input, int threads,
+                                          const std::function<bool()> &stopped)
+{
+  std::vector<ContactSetup> contacts(input.profiles());
   FirstError error;
-  curves.contacts.resize(seeds.size());
 #pragma omp parallel for schedule(dynamic) num_threads(threads)
-  for (std::size_t k = 0; k < seeds.size(); ++k) {
+  for (std::size_t k = 0; k < contacts.size(); ++k) {
     if (error.any() || stopped())
       continue;
     try {
-      curves.contacts[k] = prepareContact(input, seeds[k]);
+      contacts[k] = prepareContact(input, k);
     } catch (...) {
       error.take();
     }
   }
   error.rethrow();
+  if (stopped())
+    throw Error(ExitCode::Interrupted,
+                "interrupted before the first point; the same command goes on");
+  return contacts;
+}
 
-  const std::vector<FrictionLaw> laws = lawAndNeighbours(law);
-  const std::vector<Piece> pieces = cutIntoPieces(input, static_cast<int>(seeds.size()));
+CreepCurves solveCreepCurves(const Case &input, const FrictionLaw &law, const SweepOptions &options)
+{
+  const auto begin = Clock::now();
+  const int threads = sweepThreads(options);
+  const auto stopped = [&] { return options.interrupted && options.interrupted(); };
+
+  CreepCurves curves;
+  curves.contacts = prepareContacts(input, threads, stopped);
+  const LawSpread spread(input, law);
+  const std::vector<Piece> pieces = cutIntoPieces(input, static_cast<int>(curves.contacts.size()));
   const int total = pieces.back().firstPoint + static_cast<int>(pieces.back().creeps.size());
   std::vector<PieceResult> results(pieces.size());
-  Journal journal(options.journal,
-                  fmt::format("{}\n{}\n{}", WHEELRAIL_VERSION, input.text, toJson(law).dump()));
+  Journal journal(options.journal, fmt::format("journal 2\n{}\n{}\n{}", WHEELRAIL_VERSION,
+                                               input.text, toJson(law).dump()));
   journal.load(results);
   int done = 0;
   for (const PieceResult &result : results)
     done += static_cast<int>(result.points.size());
   curves.resumed = done;
 
+  FirstError error;
   std::mutex bookkeeping;
   const auto goOn = [&] { return !stopped() && !error.any(); };
 #pragma omp parallel for schedule(dynamic) num_threads(threads)
@@ -306,8 +302,10 @@ CreepCurves solveCreepCurves(const Case &input, const FrictionLaw &law, const Sw
     if (results[k].done || !goOn())
       continue;
     try {
-      PieceResult result =
-          solveWithErrors(input, laws, curves.contacts[pieces[k].profile], pieces[k], goOn);
+      const ContactSetup &setup = curves.contacts[pieces[k].profile];
+      PieceResult result = input.mode == RollingMode::Moving
+                               ? solveMoving(input, spread, setup, pieces[k], goOn)
+                               : solveFrozen(input, spread, setup, pieces[k], goOn);
       if (k + 1 < pieces.size())
         result.fields = {};
       const std::lock_guard<std::mutex> lock(bookkeeping);
@@ -333,7 +331,8 @@ CreepCurves solveCreepCurves(const Case &input, const FrictionLaw &law, const Sw
   for (const PieceResult &result : results)
     curves.points.insert(curves.points.end(), result.points.begin(), result.points.end());
   curves.last = std::move(results.back().fields);
-  curves.hasErrors = laws.size() > 1;
+  curves.hasBand = spread.any();
+  curves.redrawn = spread.redrawn();
   curves.seconds = secondsSince(begin);
   return curves;
 }

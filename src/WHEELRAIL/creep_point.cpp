@@ -37,34 +37,48 @@ Vector frictionCoefficient(const Case &input, const FrictionLaw &law, const Vect
                 ? law(kappa1At(strength), kappa2(pressure[i], input.frictionModulus, strength))
                 : law.averaged(kappa1At(strength), input.frictionModulus, strength);
   }
+  if (!(mu.minCoeff() > 0.0))
+    throw Error(
+        ExitCode::NotConverged,
+        fmt::format("friction.law: mu = {:.4g} at a sliding speed of {:g} m/s; the law does "
+                    "not hold that far from the points it was fitted to",
+                    mu.minCoeff(), slidingSpeed));
   return mu;
 }
 
-FrozenCreep::FrozenCreep(const Case &inputCase, const FrictionLaw &frictionLaw,
-                         const ContactSetup &contactSetup)
-    : input(inputCase), law(frictionLaw), setup(contactSetup),
-      halfPlane(contactSetup.cells, Boundary::Free)
+FrozenCreep::FrozenCreep(const Case &inputCase, const ContactSetup &contactSetup)
+    : input(inputCase), setup(contactSetup)
 {
-  restart();
-}
-
-void FrozenCreep::restart()
-{
-  normal = setup.normal;
-  rolling = RollingOptions();
-  contact.pressure = normal.pressure * setup.hertz.modulus;
-  contact.temperature = Vector::Zero(setup.cells);
+  contact.intervals = contactIntervals(setup.normal, Boundary::Free);
+  contact.pressure = setup.normal.pressure * setup.hertz.modulus;
+  contact.traction = contact.temperature = contact.slip = Vector::Zero(setup.cells);
+  contact.state.assign(setup.cells, Adhesion::Apart);
 }
 
 void FrozenCreep::roll(double creep)
 {
-  const Vector bound = contact.mu.cwiseProduct(contact.pressure) / setup.hertz.modulus;
-  RollingResult result = solveFrozenRolling(halfPlane, bound, creep, rolling);
-  contact.traction = result.traction * setup.hertz.modulus;
-  contact.slip = result.slip;
-  contact.state = result.state;
-  rolling.start = std::move(result.state);
-  rolling.startTraction = std::move(result.traction);
+  const std::vector<ContactInterval> &intervals = contact.intervals;
+  const int needed = intervals.back().last - intervals.front().first + 1;
+  if (!window || window->cells() < needed)
+    window.emplace(std::min(setup.cells, fastTransformSize(2 * needed) / 2), Boundary::Free);
+  const int cells = window->cells();
+  const int first = std::min(intervals.front().first, setup.cells - cells);
+  const double modulus = setup.hertz.modulus;
+
+  RollingOptions options;
+  options.start.assign(contact.state.begin() + first, contact.state.begin() + first + cells);
+  options.startTraction = contact.traction.segment(first, cells) / modulus;
+  options.contact = intervals;
+  for (ContactInterval &interval : options.contact)
+    interval.shift(-first);
+  const Vector bound = contact.mu.cwiseProduct(contact.pressure).segment(first, cells) / modulus;
+  const RollingResult result = solveFrozenRolling(*window, bound, creep, options);
+  contact.traction.setZero();
+  contact.slip.setZero();
+  contact.state.assign(setup.cells, Adhesion::Apart);
+  contact.traction.segment(first, cells) = result.traction * modulus;
+  contact.slip.segment(first, cells) = result.slip;
+  std::copy(result.state.begin(), result.state.end(), contact.state.begin() + first);
 }
 
 double FrozenCreep::meanMu() const
@@ -78,8 +92,10 @@ Vector FrozenCreep::temperatureFrom(double speed, double creep)
   if (input.thermal == ThermalModel::Off)
     return Vector::Zero(n);
   if (input.thermal == ThermalModel::Local) {
-    FlashTemperature flash(n, setup.cellSize, speed, input.material);
-    return flash.rise(contact.traction.cwiseProduct(contact.slip) * speed);
+    if (!flash || flashSpeed != speed)
+      flash.emplace(n, setup.cellSize, speed, input.material);
+    flashSpeed = speed;
+    return flash->rise(contact.traction.cwiseProduct(contact.slip) * speed);
   }
   const double ratio = input.thermal == ThermalModel::Averaged ? meanMu() : tractionRatio();
   return Vector::Constant(n, meanTemperatureRise(ratio, setup.hertz.hertzPressure, creep * speed,
@@ -91,18 +107,21 @@ void FrozenCreep::limitPressure()
 {
   const double mean = contact.temperature.dot(contact.pressure) / contact.pressure.sum();
   NormalContactOptions options;
-  options.start = normal.pressure;
-  normal = solveNormalContact(halfPlane, setup.problem(pressureLimit(input, mean)), options);
+  options.start = contact.pressure / setup.hertz.modulus;
+  if (!domain)
+    domain.emplace(setup.cells, Boundary::Free);
+  const NormalContactResult normal =
+      solveNormalContact(*domain, setup.problem(pressureLimit(input, mean)), options);
   checkInsideDomain(normal.pressure);
   contact.pressure = normal.pressure * setup.hertz.modulus;
+  contact.intervals = contactIntervals(normal, Boundary::Free);
 }
 
-CreepPoint FrozenCreep::solve(double speed, double creep)
+CreepPoint FrozenCreep::solve(const FrictionLaw &law, double speed, double creep)
 {
   const bool needsTraction =
       input.thermal == ThermalModel::Local || input.thermal == ThermalModel::AveragedPower;
-  const bool feedback =
-      input.thermal != ThermalModel::Off && (input.law != "constant" || input.hardnessLimit);
+  const bool feedback = hasFeedback(input);
   double part = 1.0, lastStep = 0.0;
   int iteration = 1;
   for (;; ++iteration) {
@@ -133,12 +152,7 @@ CreepPoint FrozenCreep::solve(double speed, double creep)
   if (!needsTraction)
     roll(creep);
   const double hottest = contact.temperature.maxCoeff();
-  if (feedback && hottest >= input.strengthTemperature)
-    throw Error(
-        ExitCode::NotConverged,
-        fmt::format("creep {} at {} m/s: the temperature rise of {:.0f} K leaves no strength "
-                    "(friction.strength_temperature is {} K)",
-                    creep, speed, hottest, input.strengthTemperature));
+  checkStrength(input, hottest, speed, creep);
 
   CreepPoint point;
   point.speed = speed;
@@ -146,15 +160,7 @@ CreepPoint FrozenCreep::solve(double speed, double creep)
   point.tractionRatio = tractionRatio();
   point.traction = point.tractionRatio * setup.hertz.load;
   point.muMean = meanMu();
-  double sum = 0.0;
-  int inside = 0;
-  for (int i = 0; i < setup.cells; ++i) {
-    if (std::abs(setup.position(i)) > setup.hertz.halfWidth)
-      continue;
-    sum += contact.temperature[i];
-    ++inside;
-  }
-  point.temperatureRise = sum / inside;
+  point.temperatureRise = setup.nominalMean(contact.temperature);
   point.temperatureMaximum =
       input.thermal == ThermalModel::Local ? hottest : maximumOverMeanTemperature() * hottest;
   point.iterations = iteration;

@@ -2,7 +2,10 @@
 #define WHEELRAIL_CREEP_POINT_H
 
 #include "contact_setup.h"
+#include "contact_temperature.h"
 #include "rolling_contact.h"
+
+#include <optional>
 
 namespace wheelrail {
 
@@ -23,6 +26,7 @@ struct CreepPoint {
 struct ContactFields {
   Eigen::VectorXd pressure, traction, mu, slip, temperature;
   std::vector<Adhesion> state;
+  std::vector<ContactInterval> intervals; ///< stretches in contact, in cells
 };
 
 /// Friction coefficient per cell from pressure (Pa), sliding speed (m/s) and temperature rise (K).
@@ -35,17 +39,15 @@ Eigen::VectorXd frictionCoefficient(const Case &input, const FrictionLaw &law,
 /// larger than the one before, it is halved from then on.
 class FrozenCreep {
  public:
-  FrozenCreep(const Case &input, const FrictionLaw &law, const ContactSetup &setup);
+  FrozenCreep(const Case &input, const ContactSetup &setup);
 
   /// Warm from the last call: the set of stick cells and the temperature.
   /// @throws Error (NotConverged)
-  CreepPoint solve(double speed, double creep);
+  CreepPoint solve(const FrictionLaw &law, double speed, double creep);
 
-  /// Forget the last call, so that the next does not depend on it.
-  void restart();
-
-  /// Of the last call.
+  /// Of the last call; `startFrom` makes the next one start from them.
   const ContactFields &fields() const { return contact; }
+  void startFrom(const ContactFields &fields) { contact = fields; }
 
  private:
   void roll(double creep);
@@ -55,11 +57,11 @@ class FrozenCreep {
   void limitPressure();
 
   const Case &input;
-  const FrictionLaw &law;
   const ContactSetup &setup;
-  HalfPlane halfPlane;
-  NormalContactResult normal;
-  RollingOptions rolling;
+  std::optional<HalfPlane> domain; ///< for the pressure, where it changes with temperature
+  std::optional<HalfPlane> window; ///< the cells in contact and a few more: all that rolling needs
+  std::optional<FlashTemperature> flash;
+  double flashSpeed = 0.0;
   ContactFields contact;
 };
 

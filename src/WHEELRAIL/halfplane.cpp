@@ -46,23 +46,20 @@ double cellInfluence(double m)
 HalfPlane::HalfPlane(int cells, Boundary boundary)
     : kind(boundary), line(cells, boundary == Boundary::Free ? fastTransformSize(2 * cells) : cells)
 {
-  fillPeriodicSpectra();
   if (kind == Boundary::Periodic)
-    return;
-  compliance = line.spectrumOf([](int m) { return cellInfluence(m); });
-  stretching = line.spectrumOf([](int m) { return 2.0 / (pi * (m + 0.5)); });
-  stretchingTransposed = line.spectrumOf([](int m) { return 2.0 / (pi * (0.5 - m)); });
-  faces = line.spectrumOf([](int m) { return std::log(std::abs(m + 0.5)); });
+    fillPeriodicSpectra();
 }
 
 void HalfPlane::fillPeriodicSpectra()
 {
   const int size = line.size(), bins = line.bins();
-  compliance.assign(bins, 0.0);
+  if (kind == Boundary::Periodic)
+    compliance.assign(bins, 0.0);
   stiffness.assign(bins, 0.0);
   for (int m = 1; m < bins; ++m) {
     const double symbol = periodicSymbol(2.0 * pi * m / size);
-    compliance[m] = symbol / size; // FFTW's transforms are not normalised
+    if (kind == Boundary::Periodic)
+      compliance[m] = symbol / size; // FFTW's transforms are not normalised
     stiffness[m] = 1.0 / (symbol * size);
   }
   // The mean has no stiffness; half of the lowest wave's keeps the preconditioner definite.
@@ -70,24 +67,33 @@ void HalfPlane::fillPeriodicSpectra()
     stiffness[0] = 0.5 * stiffness[1];
 }
 
+HalfPlane::Vector HalfPlane::multiply(const Vector &x, Spectrum &spectrum, double (*kernel)(int))
+{
+  if (spectrum.empty())
+    spectrum = line.spectrumOf(kernel);
+  return line.multiply(x, spectrum);
+}
+
 HalfPlane::Vector HalfPlane::displacement(const Vector &q)
 {
-  return line.multiply(q, compliance);
+  return multiply(q, compliance, [](int m) { return cellInfluence(m); });
 }
 HalfPlane::Vector HalfPlane::stretch(const Vector &q)
 {
-  return line.multiply(q, stretching);
+  return multiply(q, stretching, [](int m) { return 2.0 / (pi * (m + 0.5)); });
 }
 HalfPlane::Vector HalfPlane::stretchTransposed(const Vector &q)
 {
-  return line.multiply(q, stretchingTransposed);
+  return multiply(q, stretchingTransposed, [](int m) { return 2.0 / (pi * (0.5 - m)); });
 }
 HalfPlane::Vector HalfPlane::edgeLogarithm(const Vector &charge)
 {
-  return line.multiply(charge, faces);
+  return multiply(charge, faces, [](int m) { return std::log(std::abs(m + 0.5)); });
 }
 HalfPlane::Vector HalfPlane::tractionEstimate(const Vector &u)
 {
+  if (stiffness.empty())
+    fillPeriodicSpectra();
   return line.multiply(u, stiffness);
 }
 

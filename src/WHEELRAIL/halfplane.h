@@ -52,11 +52,14 @@ class HalfPlane {
   Vector tractionEstimate(const Vector &u);
 
  private:
+  using Spectrum = Convolution::Spectrum;
+  /// The product; the kernel's spectrum is made when it is first needed.
+  Vector multiply(const Vector &x, Spectrum &spectrum, double (*kernel)(int));
   void fillPeriodicSpectra();
 
   Boundary kind;
   Convolution line;
-  Convolution::Spectrum compliance, stretching, stretchingTransposed, stiffness, faces;
+  Spectrum compliance, stretching, stretchingTransposed, stiffness, faces;
 };
 
 /// (2/pi) times minus the integral of ln|x| over the cell that is centred m cells away, in units

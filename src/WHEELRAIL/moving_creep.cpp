@@ -11,22 +11,13 @@ namespace {
 
 using Vector = Eigen::VectorXd;
 
-constexpr double pressureTolerance = 1e-6; ///< the next step shifts the pressure by a cell anyway
+constexpr double pressureTolerance = 1e-5; ///< the next step shifts the pressure by a cell anyway
 
-/// One creep on its way through the contact.
-struct Roller {
-  TransientRolling rolling;
-  double temperature = 0.0, ratioOfPass = 0.0, muOfPass = 0.0; ///< sums over the pass for the two
-  double ratio = 0.0, mu = 0.0, stick = 0.0;                   ///< sums over the last half
-  Vector coefficient;
-  RollingResult result;
-};
-
-/// The pressure of the step before, moved along with the material, to start from.
-Vector movedAlong(const Vector &pressure)
+/// Moved along with the material by one cell; what comes in is 0.
+Vector movedAlong(const Vector &values)
 {
-  Vector moved = Vector::Zero(pressure.size());
-  moved.head(pressure.size() - 1) = pressure.tail(pressure.size() - 1);
+  Vector moved = Vector::Zero(values.size());
+  moved.head(values.size() - 1) = values.tail(values.size() - 1);
   return moved;
 }
 
@@ -34,8 +25,103 @@ Vector movedAlong(const Vector &pressure)
 
 MovingCreep::MovingCreep(const Case &inputCase, const FrictionLaw &frictionLaw,
                          const ContactSetup &contactSetup)
-    : input(inputCase), law(frictionLaw), setup(contactSetup)
+    : input(inputCase), law(frictionLaw), setup(contactSetup),
+      domain(contactSetup.cells, Boundary::Free), normal(contactSetup.normal)
 {
+}
+
+void MovingCreep::solvePressure(int step, double temperature)
+{
+  NormalContactOptions options;
+  options.tolerance = pressureTolerance;
+  options.start = step ? movedAlong(normal.pressure) : normal.pressure;
+  normal =
+      solveNormalContact(domain, setup.problem(pressureLimit(input, temperature), step), options);
+  checkInsideDomain(normal.pressure);
+  contact.pressure = normal.pressure * setup.hertz.modulus;
+}
+
+/// Makes the window as large as this step's contact needs; it never shrinks.
+void MovingCreep::fitWindow(std::vector<Roller> &rollers)
+{
+  int first = 0, last = setup.cells - 1;
+  while (!(normal.pressure[first] > 0.0))
+    ++first;
+  while (!(normal.pressure[last] > 0.0))
+    --last;
+  int end = last + 1;
+  if (window) {
+    if (first >= windowBegin && end <= windowBegin + window->cells())
+      return;
+    first = std::min(first, windowBegin);
+    end = std::max(end, windowBegin + window->cells());
+  }
+  const int cells = std::min(setup.cells, fastTransformSize(2 * (end - first)) / 2);
+  const int begin = std::clamp((first + end - cells) / 2, 0, setup.cells - cells);
+  window.emplace(cells, Boundary::Free);
+  for (Roller &roller : rollers)
+    roller.rolling.moveTo(*window, begin - windowBegin);
+  windowBegin = begin;
+}
+
+void MovingCreep::roll(Roller &roller, double speed, bool counted)
+{
+  const Vector &p = contact.pressure;
+  const int cells = window->cells();
+  if (roller.heat)
+    roller.temperature = movedAlong(roller.temperature);
+  roller.mu = frictionCoefficient(input, law, p, roller.creep * speed, roller.temperature);
+  roller.result = roller.rolling.step(
+      roller.mu.cwiseProduct(normal.pressure).segment(windowBegin, cells), roller.creep);
+  const double ratio = roller.result.force() / normal.pressure.sum();
+  const double mu = roller.mu.dot(p) / p.sum();
+  roller.pass.ratio += ratio;
+  roller.pass.mu += mu;
+  if (roller.heat) {
+    Vector heat = Vector::Zero(setup.cells);
+    heat.segment(windowBegin, cells) =
+        roller.result.traction.cwiseProduct(roller.result.slip) * (setup.hertz.modulus * speed);
+    roller.heat->step(heat);
+    for (int i = 0; i < setup.cells; ++i)
+      if (setup.isNominal(i) || (i >= windowBegin && i < windowBegin + cells))
+        roller.temperature[i] = roller.heat->rise(i);
+  }
+  if (!counted)
+    return;
+  roller.counted.ratio += ratio;
+  roller.counted.mu += mu;
+  roller.counted.stick += roller.result.stickFraction();
+  roller.counted.temperature += setup.nominalMean(roller.temperature);
+  roller.hottest = std::max(roller.hottest, roller.temperature.maxCoeff());
+}
+
+void MovingCreep::endPass(Roller &roller, double speed, int steps)
+{
+  if (input.thermal == ThermalModel::Averaged || input.thermal == ThermalModel::AveragedPower) {
+    const double heat =
+        input.thermal == ThermalModel::Averaged ? roller.pass.mu : roller.pass.ratio;
+    roller.temperature.setConstant(meanTemperatureRise(heat / steps, setup.hertz.hertzPressure,
+                                                       roller.creep * speed, setup.hertz.halfWidth,
+                                                       speed, input.material));
+  }
+  checkStrength(input, roller.temperature.maxCoeff(), speed, roller.creep);
+  roller.pass = {};
+}
+
+CreepPoint MovingCreep::pointOf(const Roller &roller, double speed, int steps, int counted) const
+{
+  CreepPoint point;
+  point.speed = speed;
+  point.creep = roller.creep;
+  point.tractionRatio = roller.counted.ratio / counted;
+  point.traction = point.tractionRatio * setup.hertz.load;
+  point.muMean = roller.counted.mu / counted;
+  point.temperatureRise = roller.counted.temperature / counted;
+  point.temperatureMaximum =
+      roller.heat ? roller.hottest : maximumOverMeanTemperature() * roller.hottest;
+  point.iterations = steps;
+  point.stickFraction = roller.counted.stick / counted;
+  return point;
 }
 
 std::vector<CreepPoint> MovingCreep::solve(double speed, const std::vector<double> &creeps,
@@ -50,78 +136,52 @@ std::vector<CreepPoint> MovingCreep::solve(double speed, const std::vector<doubl
         fmt::format("mode moving: {} passes need a profile of {:.3g} mm, there are {:.3g} mm",
                     input.passes, (setup.cells + steps) * setup.cellSize * 1e3,
                     (setup.cells + setup.longestTravel()) * setup.cellSize * 1e3));
-  HalfPlane halfPlane(setup.cells, Boundary::Free);
   const double reference = input.referenceLength * hertz.halfWidth / setup.cellSize;
   std::vector<Roller> rollers;
-  for (std::size_t k = 0; k < creeps.size(); ++k)
-    rollers.push_back({TransientRolling(halfPlane, reference), 0, 0, 0, 0, 0, 0, {}, {}});
-
-  NormalContactOptions options;
-  options.tolerance = pressureTolerance;
-  options.start = setup.normal.pressure;
-  Vector pressure;
   for (int step = 0; step < steps; ++step) {
     if (!progress())
       return {};
     double warmest = 0.0;
     for (const Roller &roller : rollers)
-      warmest = std::max(warmest, roller.temperature);
-    const NormalContactResult normal =
-        solveNormalContact(halfPlane, setup.problem(pressureLimit(input, warmest), step), options);
-    checkInsideDomain(normal.pressure);
-    options.start = movedAlong(normal.pressure);
-    pressure = normal.pressure * hertz.modulus;
-    for (std::size_t k = 0; k < creeps.size(); ++k) {
-      Roller &roller = rollers[k];
-      roller.coefficient = frictionCoefficient(input, law, pressure, creeps[k] * speed,
-                                               Vector::Constant(setup.cells, roller.temperature));
-      roller.result =
-          roller.rolling.step(roller.coefficient.cwiseProduct(normal.pressure), creeps[k]);
-      const double ratio = roller.result.force() / normal.pressure.sum();
-      const double mu = roller.coefficient.dot(pressure) / pressure.sum();
-      roller.ratioOfPass += ratio;
-      roller.muOfPass += mu;
-      if (step >= steps / 2) {
-        roller.ratio += ratio;
-        roller.mu += mu;
-        roller.stick += roller.result.stickFraction();
-      }
-      if ((step + 1) % pass != 0)
-        continue;
-      if (input.thermal != ThermalModel::Off) {
-        const double heat =
-            input.thermal == ThermalModel::Averaged ? roller.muOfPass : roller.ratioOfPass;
-        roller.temperature =
-            meanTemperatureRise(heat / pass, hertz.hertzPressure, creeps[k] * speed,
-                                hertz.halfWidth, speed, input.material);
-      }
-      roller.ratioOfPass = roller.muOfPass = 0.0;
+      warmest = std::max(warmest, setup.nominalMean(roller.temperature));
+    solvePressure(step, warmest);
+    fitWindow(rollers);
+    for (std::size_t k = rollers.size(); k < creeps.size(); ++k) {
+      rollers.push_back({creeps[k],
+                         TransientRolling(*window, reference),
+                         {},
+                         Vector::Zero(setup.cells),
+                         {},
+                         {},
+                         {},
+                         {},
+                         0.0});
+      if (input.thermal == ThermalModel::Local)
+        rollers.back().heat.emplace(setup.cells, setup.cellSize, speed, input.material);
+    }
+    for (Roller &roller : rollers) {
+      roll(roller, speed, step >= steps / 2);
+      if ((step + 1) % pass == 0)
+        endPass(roller, speed, pass);
     }
   }
 
   std::vector<CreepPoint> points;
-  const double counted = steps - steps / 2;
-  for (std::size_t k = 0; k < creeps.size(); ++k) {
-    const Roller &roller = rollers[k];
-    CreepPoint point;
-    point.speed = speed;
-    point.creep = creeps[k];
-    point.tractionRatio = roller.ratio / counted;
-    point.traction = point.tractionRatio * hertz.load;
-    point.muMean = roller.mu / counted;
-    point.temperatureRise = roller.temperature;
-    point.temperatureMaximum = maximumOverMeanTemperature() * roller.temperature;
-    point.iterations = steps;
-    point.stickFraction = roller.stick / counted;
-    points.push_back(point);
-  }
+  for (const Roller &roller : rollers)
+    points.push_back(pointOf(roller, speed, steps, steps - steps / 2));
   const Roller &last = rollers.back();
-  contact.pressure = pressure;
-  contact.traction = last.result.traction * hertz.modulus;
-  contact.mu = last.coefficient;
-  contact.slip = last.result.slip;
-  contact.state = last.result.state;
-  contact.temperature = Vector::Constant(setup.cells, last.temperature);
+  const int cells = window->cells();
+  contact.mu = last.mu;
+  contact.temperature = last.temperature;
+  if (last.heat)
+    for (int i = 0; i < setup.cells; ++i)
+      contact.temperature[i] = last.heat->rise(i);
+  contact.traction = contact.slip = Vector::Zero(setup.cells);
+  contact.traction.segment(windowBegin, cells) = last.result.traction * hertz.modulus;
+  contact.slip.segment(windowBegin, cells) = last.result.slip;
+  contact.state.assign(setup.cells, Adhesion::Apart);
+  std::copy(last.result.state.begin(), last.result.state.end(),
+            contact.state.begin() + windowBegin);
   return points;
 }
 

@@ -7,6 +7,7 @@
 #include <chrono>
 #include <cmath>
 #include <fmt/format.h>
+#include <optional>
 
 namespace wheelrail {
 namespace {
@@ -323,7 +324,7 @@ NormalContactResult solveOnGrids(HalfPlane &halfPlane, const NormalContactProble
                   fmt::format("normal contact: no convergence after {} active sets, {} iterations, "
                               "residual {:.2e} (wanted {:.2e})",
                               set, iterations, search.residual, options.tolerance));
-    tolerance = std::max(options.tolerance, 0.1 * tolerance);
+    tolerance = std::max(options.tolerance, changed ? 0.1 * tolerance : 0.0);
   }
 
   result.iterations = iterations;
@@ -345,14 +346,16 @@ NormalContactResult solveOnGrids(HalfPlane &halfPlane, const NormalContactProble
 }
 
 constexpr int shortestFitted = 30;     // cells
-constexpr double trustedMisfit = 2e-4; // rough intervals are no polynomials: keep their faces
+constexpr double trustedMisfit = 2e-4; // rough intervals are no polynomials
 
 /// How far inside the outer face of the edge cell p^2 vanishes, in cells: zero of a cubic fitted
 /// to p^2. The fit leaves out the cells next to the edge, whose pressure depends on where in them
 /// the edge lies (by 20 % in the first, 2 % in the second, 0.1 % in the third); a longer interval
 /// can afford to leave out more.
-double edgeInset(const Vector &pressure, int edge, int inward, int cells)
+std::optional<double> fittedInset(const Vector &pressure, int edge, int inward, int cells)
 {
+  if (cells < shortestFitted)
+    return std::nullopt;
   const int skipped = 2 + cells / 50, used = 8 + cells / 50;
   constexpr int order = 3;
   Eigen::MatrixXd basis(used, order + 1);
@@ -365,15 +368,28 @@ double edgeInset(const Vector &pressure, int edge, int inward, int cells)
   }
   const Vector c = basis.householderQr().solve(squares);
   if ((basis * c - squares).norm() > trustedMisfit * squares.norm())
-    return 0.0;
+    return std::nullopt;
   double t = 0.0;
   for (int step = 0; step < 8; ++step) {
     const double slope = c[1] + t * (2.0 * c[2] + 3.0 * c[3] * t);
     if (!(slope > 0.0))
-      return 0.0; // not an edge with a square root: keep the cell's face
+      return std::nullopt; // not an edge with a square root
     t -= (c[0] + t * (c[1] + t * (c[2] + t * c[3]))) / slope;
   }
-  return std::clamp(t + 0.5, -0.5, 1.5);
+  return std::clamp(t + 0.5, -0.5, 0.9);
+}
+
+/// The same from the pressure p of the edge cell and the gap g of its neighbour: with the edge s
+/// cells outside the edge cell's centre, p = K sqrt(s) and g = (4/3) K (1 - s)^(3/2), so that
+/// y = 1 - s solves y^3 + k y = k with k = (3 g/(4 p))^2.
+double localInset(double pressure, double gap)
+{
+  const double k = std::pow(0.75 * gap / pressure, 2);
+  if (!(k > 0.0))
+    return -0.5;
+  const double y = 2.0 * std::sqrt(k / 3.0) * std::sinh(std::asinh(1.5 * std::sqrt(3.0 / k)) / 3.0);
+  constexpr double farthest = 0.49; // some of the cell stays
+  return std::min(y - 0.5, farthest);
 }
 
 } // namespace
@@ -395,9 +411,20 @@ NormalContactResult solveNormalContact(HalfPlane &halfPlane, const NormalContact
   return result;
 }
 
-std::vector<ContactInterval> contactIntervals(const Vector &pressure, Boundary boundary)
+std::vector<ContactInterval> contactIntervals(const NormalContactResult &contact, Boundary boundary)
 {
+  const Vector &pressure = contact.pressure;
   const int n = static_cast<int>(pressure.size());
+  const auto inset = [&](int edge, int inward, int cells) {
+    int outside = edge - inward;
+    if (boundary == Boundary::Periodic)
+      outside = (outside + n) % n;
+    if (outside < 0 || outside >= n || pressure[outside] > 0.0 ||
+        contact.state[edge] == CellState::Plastic)
+      return 0.0;
+    const auto fitted = fittedInset(pressure, edge, inward, cells);
+    return fitted ? *fitted : localInset(pressure[edge], contact.gap[outside]);
+  };
   std::vector<ContactInterval> intervals;
   for (int i = 0; i < n; ++i) {
     if (!(pressure[i] > 0.0))
@@ -405,14 +432,9 @@ std::vector<ContactInterval> contactIntervals(const Vector &pressure, Boundary b
     const int first = i;
     while (i + 1 < n && pressure[i + 1] > 0.0)
       ++i;
-    ContactInterval interval{first, i, first - 0.5, i + 0.5};
     const int cells = i - first + 1;
-    const bool wraps = boundary == Boundary::Periodic && (first == 0 || i == n - 1);
-    if (cells >= shortestFitted && !wraps) {
-      interval.left += edgeInset(pressure, first, 1, cells);
-      interval.right -= edgeInset(pressure, i, -1, cells);
-    }
-    intervals.push_back(interval);
+    intervals.push_back(
+        {first, i, first - 0.5 + inset(first, 1, cells), i + 0.5 - inset(i, -1, cells)});
   }
   return intervals;
 }

@@ -12,8 +12,9 @@ namespace {
 
 using Vector = Eigen::VectorXd;
 
-constexpr double firstTolerance = 1e-2; ///< the first sets are wrong anyway
-constexpr double limitMargin = 1e-9;    ///< rounding of |q| against the bound
+constexpr double firstTolerance = 1e-2;     ///< the first sets are wrong anyway
+constexpr double limitMargin = 1e-9;        ///< rounding of |q| against the bound
+constexpr double transientTolerance = 1e-5; ///< of the slip in the stick zone / creep
 
 /// Inverse of the finite Hilbert transform on the stick intervals, bounded at their leading edges.
 class FiniteHilbertInverse {
@@ -42,6 +43,23 @@ class FiniteHilbertInverse {
   const Vector &stick;
   Vector weight, inverseWeight;
 };
+
+/// Compliance in addition to the half-plane's of edge cells that are in contact in part.
+Vector edgeCompliance(const std::vector<ContactInterval> &contact, int cells)
+{
+  constexpr double pi = 3.14159265358979323846;
+  Vector compliance = Vector::Zero(cells);
+  const auto ofShare = [](double share) { return (1.0 - share) / share; };
+  for (const ContactInterval &interval : contact) {
+    if (interval.first == interval.last) {
+      compliance[interval.first] = 4.0 / pi * ofShare(interval.length());
+      continue;
+    }
+    compliance[interval.first] = 2.0 * ofShare(interval.first + 0.5 - interval.left);
+    compliance[interval.last] = 2.0 * ofShare(interval.right - interval.last + 0.5);
+  }
+  return compliance;
+}
 
 double sign(Adhesion state)
 {
@@ -114,6 +132,10 @@ RollingResult solveFrozenRolling(HalfPlane &halfPlane, const Vector &bound, doub
     return result;
   }
 
+  const Vector edge = edgeCompliance(options.contact, n);
+  const auto stretch = [&](const Vector &q) {
+    return Vector(halfPlane.stretch(q) + edge.cwiseProduct(q));
+  };
   double tolerance = std::max(options.tolerance, firstTolerance);
   for (int set = 1;; ++set) {
     const Vector stick = stickCells(result.state);
@@ -121,14 +143,12 @@ RollingResult solveFrozenRolling(HalfPlane &halfPlane, const Vector &bound, doub
     for (int i = 0; i < n; ++i)
       if (slips(result.state[i]))
         fixed[i] = sign(result.state[i]) * bound[i];
-    const Vector driven = creep - halfPlane.stretch(fixed).array();
+    const Vector driven = creep - stretch(fixed).array();
     Vector q = result.traction.cwiseProduct(stick);
     const double cells = stick.sum();
     if (cells > 0.0) {
       const FiniteHilbertInverse inverse(halfPlane, stick);
-      const auto apply = [&](const Vector &v) {
-        return Vector(halfPlane.stretch(v).cwiseProduct(stick));
-      };
+      const auto apply = [&](const Vector &v) { return Vector(stretch(v).cwiseProduct(stick)); };
       const Vector wanted = driven.cwiseProduct(stick);
       const GmresReport report =
           gmres(apply, inverse, wanted, q, creep * std::sqrt(cells), tolerance);
@@ -141,7 +161,7 @@ RollingResult solveFrozenRolling(HalfPlane &halfPlane, const Vector &bound, doub
                                 report.residual, tolerance, report.products, cells));
     }
     result.traction = q + fixed;
-    result.slip = creep - halfPlane.stretch(result.traction).array();
+    result.slip = creep - stretch(result.traction).array();
     result.activeSets = set;
     const int changed =
         updateStates(bound, result.traction, result.slip, options.tolerance * creep, result.state);
@@ -160,45 +180,47 @@ RollingResult solveFrozenRolling(HalfPlane &halfPlane, const Vector &bound, doub
   return result;
 }
 
-Vector staticTraction(HalfPlane &halfPlane, const NormalContactProblem &problem, double mu,
-                      double forceRatio, const NormalContactOptions &options)
-{
-  if (!(forceRatio >= 0.0 && forceRatio < 1.0))
-    throw Error(ExitCode::BadInput,
-                fmt::format("static tangential force: T/(mu N) = {} is not in [0, 1)", forceRatio));
-  const Vector whole = solveNormalContact(halfPlane, problem, options).pressure;
-  NormalContactProblem unloaded = problem;
-  unloaded.load *= 1.0 - forceRatio;
-  return mu * (whole - solveNormalContact(halfPlane, unloaded, options).pressure);
-}
-
 TransientRolling::TransientRolling(HalfPlane &plane, double referenceLength)
-    : halfPlane(plane), constant(2.0 / 3.14159265358979323846 * std::log(referenceLength)),
+    : halfPlane(&plane), constant(2.0 / 3.14159265358979323846 * std::log(referenceLength)),
       traction(Vector::Zero(plane.cells()))
 {
 }
 
-Vector TransientRolling::displacement(const Vector &q)
+void TransientRolling::moveTo(HalfPlane &plane, int shift)
 {
-  return halfPlane.displacement(q).array() + constant * q.sum();
+  const auto moved = [&](const Vector &old) {
+    Vector result = Vector::Zero(plane.cells());
+    for (int i = 0; i < plane.cells(); ++i)
+      if (i + shift >= 0 && i + shift < old.size())
+        result[i] = old[i + shift];
+    return result;
+  };
+  halfPlane = &plane;
+  traction = moved(traction);
 }
 
-int TransientRolling::solveStick(const Vector &stick, const Vector &wanted, Vector &q, double scale)
+Vector TransientRolling::displacement(const Vector &q)
 {
-  Vector r = (wanted - displacement(q)).cwiseProduct(stick), direction;
+  return halfPlane->displacement(q).array() + constant * q.sum();
+}
+
+int TransientRolling::solveStick(const Vector &stick, Vector &residual, Vector &q, double scale)
+{
+  Vector r = residual.cwiseProduct(stick), direction;
   double product = 0.0;
   constexpr int maxSteps = 400;
   for (int step = 0; step < maxSteps; ++step) {
     if (r.norm() <= scale)
       return step;
-    const Vector z = halfPlane.tractionEstimate(r).cwiseProduct(stick);
+    const Vector z = halfPlane->tractionEstimate(r).cwiseProduct(stick);
     const double newProduct = r.dot(z);
     direction = step ? Vector(z + newProduct / product * direction) : z;
     product = newProduct;
-    const Vector change = displacement(direction).cwiseProduct(stick);
-    const double length = product / direction.dot(change);
+    const Vector moved = displacement(direction);
+    const double length = product / direction.dot(moved);
     q += length * direction;
-    r -= length * change;
+    residual -= length * moved;
+    r = residual.cwiseProduct(stick);
   }
   throw Error(
       ExitCode::NotConverged,
@@ -207,17 +229,15 @@ int TransientRolling::solveStick(const Vector &stick, const Vector &wanted, Vect
 
 RollingResult TransientRolling::step(const Vector &bound, double creep)
 {
-  const int n = halfPlane.cells();
+  const int n = halfPlane->cells();
   Vector carried = Vector::Zero(n);
   carried.head(n - 1) = traction.tail(n - 1);
-  const Vector before = displacement(carried);
+  Vector q = carried;
   RollingResult result;
   result.state = startStates(bound, {});
   for (int i = 0; i < n; ++i)
-    if (std::abs(carried[i]) >= bound[i] && bound[i] > 0.0)
-      result.state[i] = carried[i] > 0.0 ? Adhesion::Slip : Adhesion::BackwardSlip;
-  Vector q = carried;
-  constexpr double tolerance = 1e-6;
+    if (std::abs(q[i]) >= bound[i] && bound[i] > 0.0)
+      result.state[i] = q[i] > 0.0 ? Adhesion::Slip : Adhesion::BackwardSlip;
   constexpr int maxActiveSets = 60;
   for (int set = 1;; ++set) {
     const Vector stick = stickCells(result.state);
@@ -227,13 +247,13 @@ RollingResult TransientRolling::step(const Vector &bound, double creep)
       if (slips(result.state[i]))
         q[i] = sign(result.state[i]) * bound[i];
     }
+    result.slip = creep - displacement(q - carried).array();
     const double cells = stick.sum();
-    const Vector wanted = creep + before.array();
     if (cells > 0.0)
-      result.products += solveStick(stick, wanted, q, tolerance * creep * std::sqrt(cells));
-    result.slip = wanted - displacement(q);
+      result.products +=
+          solveStick(stick, result.slip, q, transientTolerance * creep * std::sqrt(cells));
     result.activeSets = set;
-    if (!updateStates(bound, q, result.slip, 10.0 * tolerance * creep, result.state))
+    if (!updateStates(bound, q, result.slip, 10.0 * transientTolerance * creep, result.state))
       break;
     if (set >= maxActiveSets)
       throw Error(ExitCode::NotConverged,

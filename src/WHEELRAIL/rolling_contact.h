@@ -19,6 +19,7 @@ struct RollingOptions {
   int maxActiveSets = 100;
   std::vector<Adhesion> start; ///< states to start from (those of a nearby creep); empty: all stick
   Eigen::VectorXd startTraction;
+  std::vector<ContactInterval> contact; ///< with edges inside cells; empty: cells count as a whole
 };
 
 struct RollingResult {
@@ -41,18 +42,15 @@ struct RollingResult {
 /// finite Hilbert transform; GMRES with FFT products solves it, preconditioned by the continuous
 /// inverse w H (1/w), w = prod sqrt((leading_j - x)/(x - trailing_j)), so that it needs
 /// about 15 products whatever n is.
+/// An edge cell of which only the share w is in contact gets the compliance 2 (1 - w)/w in addition
+/// (4 (1 - w)/(pi w) where it is the only cell): with it the initial slope is (pi E*/4) x contact
+/// length with the edges inside the cells. From the staggered operator's inverse: the product of
+/// the solutions with rolling to either side is pi/8 in an edge cell, the inverse's diagonal 1/2.
 /// @param bound friction coefficient times pressure per cell, >= 0; 0 outside the contact
 /// @param creep >= 0
 /// @throws Error (NotConverged)
 RollingResult solveFrozenRolling(HalfPlane &halfPlane, const Eigen::VectorXd &bound, double creep,
                                  const RollingOptions &options = {});
-
-/// The static case (Cattaneo, Mindlin): a tangential force below full sliding, applied once without
-/// rolling, friction coefficient constant. By the theorem of Ciavarella and Jaeger the traction is
-/// mu [p(N) - p(N - T/mu)], for any profile: two normal contacts.
-/// @param forceRatio T/(mu N) in [0, 1)
-Eigen::VectorXd staticTraction(HalfPlane &halfPlane, const NormalContactProblem &problem, double mu,
-                               double forceRatio, const NormalContactOptions &options = {});
 
 /// One step of transient rolling ("moving"): the material has moved on by one cell,
 ///   slip = creep - [u(q) - u(previous traction, moved along)],  |q| <= bound.
@@ -65,12 +63,16 @@ class TransientRolling {
   /// @return the new traction; call with the bound of the new position
   RollingResult step(const Eigen::VectorXd &bound, double creep);
 
+  /// Goes on with other cells: the first of the new plane is cell `shift` of the old one.
+  void moveTo(HalfPlane &plane, int shift);
+
  private:
   Eigen::VectorXd displacement(const Eigen::VectorXd &q);
-  int solveStick(const Eigen::VectorXd &stick, const Eigen::VectorXd &wanted, Eigen::VectorXd &q,
+  /// Conjugate gradients on the stick cells; `residual`, the slip, is kept up to date everywhere.
+  int solveStick(const Eigen::VectorXd &stick, Eigen::VectorXd &residual, Eigen::VectorXd &q,
                  double scale);
 
-  HalfPlane &halfPlane;
+  HalfPlane *halfPlane;
   double constant; ///< added to the influence of every cell
   Eigen::VectorXd traction;
 };

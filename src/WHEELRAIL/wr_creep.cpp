@@ -6,6 +6,7 @@
 #include "nearest_word.h"
 #include "output_file.h"
 #include "report.h"
+#include "static_contact.h"
 
 #include <CLI/CLI.hpp>
 #include <atomic>
@@ -41,6 +42,7 @@ std::string rangeOf(const Keyword &keyword)
   case Keyword::Kind::Switch:
     return "true|false";
   case Keyword::Kind::Text:
+  case Keyword::Kind::TextList:
     return "TEXT";
   default:
     return fmt::format("{}{}, {}]{}", keyword.lowOpen ? "(" : "[", keyword.low, keyword.high, unit);
@@ -120,18 +122,33 @@ class Progress {
     if (done < total && now - last < pause)
       return;
     last = now;
-    shown = true;
     fmt::print(stderr, "{}wr_creep: {} of {} points{}", onTerminal ? "\r" : "", done, total,
                onTerminal && done < total ? "" : "\n");
     std::fflush(stderr);
   }
-  bool shown = false;
 
  private:
   const bool onTerminal = ::isatty(STDERR_FILENO) != 0;
   const std::chrono::milliseconds pause{onTerminal ? 200 : 2000};
   std::chrono::steady_clock::time_point last = std::chrono::steady_clock::now();
 };
+
+using Files = std::vector<std::pair<std::string, std::string>>; ///< name, content
+
+/// Writes the files, then says what was computed.
+void finish(const Settings &settings, const Files &files, const std::string &report,
+            const std::string &details, const std::string &count, double seconds)
+{
+  std::string names;
+  for (const auto &[name, content] : files) {
+    writeOutputFile(settings.folder + "/" + name, content);
+    names += (names.empty() ? "" : ", ") + name;
+  }
+  if (settings.quiet)
+    return;
+  fmt::print("{}{}{} in {:.2f} s; written to {}/: {}\n", settings.verbose ? details : "", report,
+             count, seconds, settings.folder, names);
+}
 
 void run(const Settings &settings)
 {
@@ -150,23 +167,29 @@ void run(const Settings &settings)
   options.interrupted = [] { return interruptAsked.load(); };
   if (!settings.quiet)
     options.progress = [&](int done, int total) { progress(done, total); };
-  const CreepCurves curves = solveCreepCurves(input, law, options);
 
-  writeOutputFile(settings.folder + "/creep.csv", creepCsv(input, curves));
-  if (curves.hasErrors)
-    writeOutputFile(settings.folder + "/creep_band.csv", creepBandCsv(curves));
-  writeOutputFile(settings.folder + "/contact.csv", contactCsv(curves));
-  writeOutputFile(settings.folder + "/summary.json", summaryJson(input, law, curves));
-  if (settings.quiet)
+  if (input.mode == RollingMode::Static) {
+    const StaticCases cases = solveStaticCases(input, law, options);
+    finish(settings,
+           {{"static.csv", staticCsv(input, cases)},
+            {"contact.csv", contactCsv(cases)},
+            {"summary.json", summaryJson(input, law, cases)}},
+           shortReport(input, cases), detailedReport(input, cases.contacts),
+           fmt::format("{} forces", cases.points.size()), cases.seconds);
     return;
-  if (settings.verbose)
-    fmt::print("{}", detailedReport(curves));
-  fmt::print("{}{} points in {:.2f} s", shortReport(input, curves), curves.points.size(),
-             curves.seconds);
-  if (curves.resumed)
-    fmt::print(" ({} of them from the run that was interrupted)", curves.resumed);
-  fmt::print("; written to {}/: creep.csv, {}contact.csv, summary.json\n", settings.folder,
-             curves.hasErrors ? "creep_band.csv, " : "");
+  }
+  const CreepCurves curves = solveCreepCurves(input, law, options);
+  Files files = {{"creep.csv", creepCsv(input, curves)}};
+  if (curves.hasBand)
+    files.emplace_back("creep_band.csv", creepBandCsv(input, curves));
+  files.emplace_back("contact.csv", contactCsv(curves));
+  files.emplace_back("summary.json", summaryJson(input, law, curves));
+  const std::string resumed =
+      curves.resumed
+          ? fmt::format(" ({} of them from the run that was interrupted)", curves.resumed)
+          : "";
+  finish(settings, files, shortReport(input, curves), detailedReport(input, curves.contacts),
+         fmt::format("{} points{}", curves.points.size(), resumed), curves.seconds);
 }
 
 } // namespace

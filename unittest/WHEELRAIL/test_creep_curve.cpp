@@ -41,8 +41,8 @@ void expectSame(const CreepCurves &a, const CreepCurves &b)
   for (std::size_t k = 0; k < a.points.size(); ++k) {
     EXPECT_EQ(a.points[k].tractionRatio, b.points[k].tractionRatio);
     EXPECT_EQ(a.points[k].temperatureRise, b.points[k].temperatureRise);
-    EXPECT_EQ(a.points[k].tractionRatioError, b.points[k].tractionRatioError);
-    EXPECT_EQ(a.points[k].seed, b.points[k].seed);
+    EXPECT_EQ(a.points[k].band.low, b.points[k].band.low);
+    EXPECT_EQ(a.points[k].profile, b.points[k].profile);
   }
 }
 
@@ -154,8 +154,8 @@ TEST(CreepCurve, LawsCovarianceBecomesABand)
   covariance(0, 0) = 0.02 * 0.02;
   law.covariance = covariance;
   const CreepCurves curves = solveCreepCurves(input, law);
-  EXPECT_TRUE(curves.hasErrors);
-  EXPECT_NEAR(curves.points[0].tractionRatioError, 0.02, 1e-6);
+  EXPECT_TRUE(curves.hasBand);
+  EXPECT_NEAR(curves.points[0].band.standardError, 0.02, 1e-6);
 }
 
 TEST(CreepCurve, HardnessFallsWithTemperature)

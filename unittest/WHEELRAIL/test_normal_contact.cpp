@@ -93,14 +93,26 @@ TEST(NormalContact, HertzAt1024Cells)
   const double h = 4.0 * hertz.halfWidth / n;
   const NormalContactResult result = solveNormalContact(plane, cylinder(n));
   EXPECT_NEAR(result.peakPressure() * hertz.modulus / hertz.hertzPressure, 1.0, 3e-6);
-  const auto intervals = contactIntervals(result.pressure, Boundary::Free);
+  const auto intervals = contactIntervals(result, Boundary::Free);
   ASSERT_EQ(intervals.size(), 1u);
   EXPECT_NEAR(0.5 * contactLength(intervals) * h / hertz.halfWidth, 1.0, 1e-5);
-  double difference = 0.0;
-  for (int i = 0; i < n; ++i)
-    difference +=
-        std::abs(result.pressure[i] * hertz.modulus - hertz.pressure((i + 0.5 - 0.5 * n) * h));
-  EXPECT_LT(difference * h / hertz.load, 3.1e-5);
+  // The unknowns are the cells' uniform pressures, so Hertz' mean over each cell is their match;
+  // his pressure at the cell centres differs from that mean by 6 % in the edge cells alone.
+  const auto integral = [](double x) { // of sqrt(1 - x^2)
+    const double inside = std::clamp(x, -1.0, 1.0);
+    return 0.5 * (inside * std::sqrt(1.0 - inside * inside) + std::asin(inside));
+  };
+  double atCentres = 0.0, ofMeans = 0.0;
+  for (int i = 0; i < n; ++i) {
+    const double x = (i + 0.5 - 0.5 * n) * h, a = hertz.halfWidth;
+    const double p = result.pressure[i] * hertz.modulus;
+    const double mean =
+        hertz.hertzPressure * (integral((x + 0.5 * h) / a) - integral((x - 0.5 * h) / a)) * a / h;
+    ofMeans += std::abs(p - mean) * h / hertz.load;
+    atCentres += std::abs(p - hertz.pressure(x)) * h / hertz.load;
+  }
+  EXPECT_LT(ofMeans, 2.1e-5);
+  EXPECT_LT(atCentres, 3.1e-5);
   EXPECT_LT(result.iterations, 40);
 }
 
@@ -134,8 +146,7 @@ TEST(NormalContact, WestergaardAt256Cells)
     problem.load = load * fullPressure * n;
     const NormalContactResult result = solveNormalContact(plane, problem);
     expectOptimal(plane, problem, result);
-    EXPECT_NEAR(contactLength(contactIntervals(result.pressure, Boundary::Periodic)) / n, length,
-                1e-3);
+    EXPECT_NEAR(contactLength(contactIntervals(result, Boundary::Periodic)) / n, length, 1e-3);
     EXPECT_NEAR(result.peakPressure() / fullPressure, peak, 1e-3 * peak);
   }
 }
@@ -183,14 +194,42 @@ TEST(NormalContact, RoughSurfacesOfTheStandard)
       const NormalContactProblem problem = cylinder(n, slope, seed);
       const NormalContactResult result = solveNormalContact(plane, problem);
       expectOptimal(plane, problem, result);
-      const double area =
-          contactLength(contactIntervals(result.pressure, Boundary::Free)) / (n / 2);
+      const double area = contactLength(contactIntervals(result, Boundary::Free)) / (n / 2);
       EXPECT_GT(area, least);
       EXPECT_LT(area, most);
       const double peak = result.peakPressure() * table2().modulus * 1e-9;
       EXPECT_GT(peak, lowest);
       EXPECT_LT(peak, highest);
     }
+}
+
+TEST(NormalContact, EdgesLieInsideCells)
+{
+  // Hertzian contacts of any width and place: counting cells is 0.35 too many on average and off by
+  // up to 0.8, edges inside cells are right to a tenth
+  double counted = 0.0, placed = 0.0;
+  int trials = 0;
+  for (double length : {2.0, 3.0, 5.0, 8.0, 13.0, 21.0, 150.0})
+    for (int k = 0; k < 20; ++k, ++trials) {
+      const double wanted = length * (1.0 + 0.05 * uniformNumber(7, trials));
+      const double centre = uniformNumber(8, trials);
+      const int n = 16 + 2 * static_cast<int>(length);
+      HalfPlane plane(n, Boundary::Free);
+      NormalContactProblem problem; // p0 = a/(2 R) = 1, load pi a p0/2
+      problem.load = pi * wanted / 4.0;
+      problem.profile.resize(n);
+      for (int i = 0; i < n; ++i)
+        problem.profile[i] = 2.0 * std::pow(i - 0.5 * n - centre, 2) / wanted;
+      const NormalContactResult result = solveNormalContact(plane, problem);
+      const auto intervals = contactIntervals(result, Boundary::Free);
+      ASSERT_EQ(intervals.size(), 1u);
+      EXPECT_NEAR(intervals[0].length(), wanted, 0.3);
+      EXPECT_NEAR(intervals[0].left, 0.5 * n + centre - 0.5 * wanted, 0.25);
+      counted += result.contactCells() - wanted;
+      placed += intervals[0].length() - wanted;
+    }
+  EXPECT_GT(counted / trials, 0.25);
+  EXPECT_NEAR(placed / trials, 0.0, 0.06);
 }
 
 TEST(NormalContact, HardnessLimitsThePressure)
