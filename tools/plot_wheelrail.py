@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """Figures 10, 12, 13, 14 and 15 of Bucher et al., Wear 261 (2006) 874, computed with wr_creep.
 
-    plot_wheelrail.py fig14 -o DIR        one figure: DIR/fig14.png and fig14.csv (and fig14.json)
+    plot_wheelrail.py fig14 -o DIR        one figure: DIR/fig14.png, fig14.csv and fig14.json
     plot_wheelrail.py all -o DIR          all of them, about a minute
 
 fig10  pressure in the rough contact: along x for three rms slopes, and as a map over the load
@@ -13,6 +13,7 @@ area   real contact area and peak pressure against load
 Exit codes: 0 ok, 1 no matplotlib, 2 usage, 5 files cannot be written; otherwise that of wr_creep.
 """
 import argparse
+import contextlib
 import csv
 import json
 import os
@@ -74,19 +75,30 @@ def path_of(name):
     return os.path.join(given.output, name)
 
 
-def write(name, comment, header, rows):
-    with open(path_of(name + ".csv"), "w", encoding="utf-8", newline="") as file:
+def finish(figure, name, comment, header, rows, **facts):
+    """The picture, and its numbers as CSV and as JSON: {"figure", "comment", ..., "columns": {name: [values]}}."""
+    rows = [[float(f"{v:.8g}") if isinstance(v, float) else v for v in row] for row in rows]
+    with whole_file(path_of(name + ".csv")) as file:
         file.write(f"# {comment}\n")
-        writer = csv.writer(file)
+        writer = csv.writer(file, lineterminator="\n")
         writer.writerow(header)
-        for row in rows:
-            writer.writerow([f"{v:.8g}" if isinstance(v, float) else v for v in row])
-
-
-def finish(figure, name):
-    figure.savefig(path_of(name + ".png"), dpi=150)
+        writer.writerows(rows)
+    with whole_file(path_of(name + ".json")) as file:
+        columns = dict(zip(header, map(list, zip(*rows))))
+        json.dump({"figure": name, "comment": comment, **facts, "columns": columns}, file)
+    picture = path_of(name + ".png")
+    figure.savefig(picture + ".part", dpi=150, format="png")
+    os.replace(picture + ".part", picture)
     plt.close(figure)
-    print(f"{path_of(name)}.png, .csv")
+    print(f"{path_of(name)}.png, .csv, .json")
+
+
+@contextlib.contextmanager
+def whole_file(path):
+    """A file that appears when it is complete."""
+    with open(path + ".part", "w", encoding="utf-8", newline="") as file:
+        yield file
+    os.replace(path + ".part", path)
 
 
 def fig10():
@@ -115,10 +127,8 @@ def fig10():
     mesh = axes[1, 1].pcolormesh(contact["x"], loads, np.array(field), shading="nearest", cmap="magma_r", vmin=0)
     figure.colorbar(mesh, ax=axes[1, 1], label="pressure, MPa")
     axes[1, 1].set(xlim=(-8, 8), xlabel="x, mm", ylabel="load, N/mm", title="rms slope 0.02, growing load")
-    write("fig10", "pressure along the contact of Table 2; x: mm; pressure: MPa", ("rms_slope", "x", "pressure"), rows)
-    with open(path_of("fig10.json"), "w", encoding="utf-8") as file:
-        json.dump(facts, file, indent=2)
-    finish(figure, "fig10")
+    finish(figure, "fig10", "pressure along the contact of Table 2; x: mm; pressure: MPa",
+           ("rms_slope", "x", "pressure"), rows, contacts=facts)
 
 
 def fig12():
@@ -139,10 +149,9 @@ def fig12():
              xlim=(0, 6000), ylim=(0, None), title="Distribution of pressure over area (rms height 7.9 um)")
     axis.grid(alpha=0.3)
     axis.legend(fontsize=8)
-    write("fig12", "share of the nominal area that carries more than the pressure (MPa), by cut-off (mm)",
-          ["pressure"] + [f"cutoff_{c:g}" for c in CUTOFFS],
-          [[float(v)] + [float(columns[c][k]) for c in CUTOFFS] for k, v in enumerate(levels)])
-    finish(figure, "fig12")
+    finish(figure, "fig12", "share of the nominal area that carries more than the pressure (MPa), by cut-off (mm)",
+           ["pressure"] + [f"cutoff_{c:g}" for c in CUTOFFS],
+           [[float(v)] + [float(columns[c][k]) for c in CUTOFFS] for k, v in enumerate(levels)])
 
 
 def fig13():
@@ -164,8 +173,7 @@ def fig13():
         axes[1, column].legend(fontsize=8)
         rows += [(name, float(a), float(b), float(m), float(q)) for a, b, m, q in
                  zip(c["x"], c["pressure"], c["mu"], c["traction"]) if b > 0]
-    write("fig13", "x: mm; pressure, traction: MPa", ("surface", "x", "pressure", "mu", "traction"), rows)
-    finish(figure, "fig13")
+    finish(figure, "fig13", "x: mm; pressure, traction: MPa", ("surface", "x", "pressure", "mu", "traction"), rows)
 
 
 def curves(axis, cases, creep, speed, points=2048):
@@ -192,9 +200,8 @@ def fig14():
     axis.set(xlabel="creep", ylabel="T/N", xlim=(0, 0.005), ylim=(0, 0.42), title="Low creep, frozen roughness")
     axis.grid(alpha=0.3)
     axis.legend(fontsize=7, ncol=2)
-    write("fig14", "creep curves at low creep, constant friction, frozen roughness", ("curve", "creep", "traction_ratio",
-                                                                                      "temperature_rise"), rows)
-    finish(figure, "fig14")
+    finish(figure, "fig14", "creep curves at low creep, constant friction, frozen roughness",
+           ("curve", "creep", "traction_ratio", "temperature_rise"), rows)
 
 
 def fig15():
@@ -213,9 +220,8 @@ def fig15():
         axis.set(xlabel="creep", ylabel="T/N", xlim=(0, 0.1), ylim=(0, 0.45), title=title)
         axis.grid(alpha=0.3)
         axis.legend(fontsize=8)
-    write("fig15", "creep curves at high creep, law bucher2006; temperature_rise: K",
-          ("friction", "curve", "creep", "traction_ratio", "temperature_rise"), rows)
-    finish(figure, "fig15")
+    finish(figure, "fig15", "creep curves at high creep, law bucher2006; temperature_rise: K",
+           ("friction", "curve", "creep", "traction_ratio", "temperature_rise"), rows)
 
 
 def area():
@@ -241,9 +247,8 @@ def area():
         axis.set(xscale="log", yscale="log", xlabel="load, N/mm", ylabel=label)
         axis.grid(alpha=0.3, which="both")
         axis.legend(fontsize=8)
-    write("area", "load: N/mm; length: mm; peak: MPa", ("rms_slope", "load", "real_contact_length", "real_area_ratio",
-                                                        "peak_pressure"), rows)
-    finish(figure, "area")
+    finish(figure, "area", "load: N/mm; length: mm; peak: MPa",
+           ("rms_slope", "load", "real_contact_length", "real_area_ratio", "peak_pressure"), rows)
 
 
 FIGURES = {"fig10": fig10, "fig12": fig12, "fig13": fig13, "fig14": fig14, "fig15": fig15, "area": area}

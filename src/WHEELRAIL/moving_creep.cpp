@@ -41,12 +41,13 @@ void MovingCreep::solvePressure(int step, double temperature)
   contact.pressure = normal.pressure * setup.hertz.modulus;
 }
 
-/// Makes the window as large as this step's contact needs; it never shrinks.
+/// Makes the window as large as this step's contact needs (never at the domain's ends); it never
+/// shrinks.
 void MovingCreep::fitWindow(std::vector<Roller> &rollers)
 {
   int first = 0, last = setup.cells - 1;
-  while (!(normal.pressure[first] > 0.0))
-    ++first;
+  while (!(normal.pressure[first + 1] > 0.0))
+    ++first; // one cell more: traction leaves the contact there
   while (!(normal.pressure[last] > 0.0))
     --last;
   int end = last + 1;
@@ -70,6 +71,7 @@ void MovingCreep::roll(Roller &roller, double speed, bool counted)
   const int cells = window->cells();
   if (roller.heat)
     roller.temperature = movedAlong(roller.temperature);
+  checkStrength(input, roller.temperature.maxCoeff(), speed, roller.creep);
   roller.mu = frictionCoefficient(input, law, p, roller.creep * speed, roller.temperature);
   roller.result = roller.rolling.step(
       roller.mu.cwiseProduct(normal.pressure).segment(windowBegin, cells), roller.creep);
@@ -104,7 +106,6 @@ void MovingCreep::endPass(Roller &roller, double speed, int steps)
                                                        roller.creep * speed, setup.hertz.halfWidth,
                                                        speed, input.material));
   }
-  checkStrength(input, roller.temperature.maxCoeff(), speed, roller.creep);
   roller.pass = {};
 }
 

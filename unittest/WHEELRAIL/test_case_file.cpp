@@ -1,28 +1,16 @@
-#include "case_file.h"
+#include "case_text.h"
 #include "errors.h"
-#include "output_file.h"
 
-#include <filesystem>
-#include <fmt/format.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 using namespace wheelrail;
 
 namespace {
 
-const std::string contactLines = "contact: {load_per_length: 4000 N/mm, radius: 0.5 m,\n"
-                                 "          youngs_modulus: 210 GPa, poissons_ratio: 0.3}\n";
-const std::string minimal = contactLines + "creep: [1e-3, 1e-2]\n";
+using case_text::read;
+using case_text::table2;
 
-Case read(const std::string &text, const std::vector<std::string> &changes = {})
-{
-  const std::string path =
-      (std::filesystem::temp_directory_path() / fmt::format("wr-case-{}.yaml", ::getpid()))
-          .string();
-  writeOutputFile(path, text);
-  return readCase(path, changes);
-}
+const std::string minimal = table2 + "creep: [1e-3, 1e-2]\n";
 
 /// Message of the error; "" when there is none.
 std::string messageOf(const std::string &text, const std::vector<std::string> &changes = {},
@@ -61,12 +49,11 @@ TEST(CaseFile, FillsInDefaults)
 
 TEST(CaseFile, ReadsGroupsAndChoices)
 {
-  const Case c =
-      read(contactLines + "roughness: {hurst: 0.8, rms_slope: 0.02, wavelength_min: 0.1 mm, "
-                          "wavelength_max: 1 cm, seed: [4, 5]}\n"
-                          "friction: {law: constant, mu: 0.3}\n"
-                          "thermal: off\nmode: moving\nspeed: 36 km/h\n"
-                          "creep: {from: 1e-4, to: 1e-1, n: 4}\npoints: 2048\n");
+  const Case c = read(table2 + "roughness: {hurst: 0.8, rms_slope: 0.02, wavelength_min: 0.1 mm, "
+                               "wavelength_max: 1 cm, seed: [4, 5]}\n"
+                               "friction: {law: constant, mu: 0.3}\n"
+                               "thermal: off\nmode: moving\nspeed: 36 km/h\n"
+                               "creep: {from: 1e-4, to: 1e-1, n: 4}\npoints: 2048\n");
   EXPECT_EQ(c.roughness, RoughnessKind::Fractal);
   EXPECT_DOUBLE_EQ(c.surface.wavelengthMax, 10e-3);
   EXPECT_EQ(c.seeds, (std::vector<std::uint64_t>{4, 5}));
@@ -84,7 +71,7 @@ TEST(CaseFile, ConfigurationReadsBackToTheSame)
                                   std::string("creep: {from: 0, to: 0.1, n: 3, spacing: linear}\n"
                                               "thermal: off\nroughness: {rail: \"a b.csv\", "
                                               "cutoff: 0.1 mm}\nfriction: {local: true}\n")}) {
-    const Case first = read(contactLines + more);
+    const Case first = read(table2 + more);
     const Case second = read(first.text);
     EXPECT_EQ(first.text, second.text);
     EXPECT_EQ(first.creep, second.creep);
@@ -152,17 +139,49 @@ TEST(CaseFile, BadValues)
        "above wavelength_max"},
       {"contact: {load_per_length: 1 N/mm}\n", "twice"},
       {"points: \"\n", ":"},
-      {"mode: moving\nthermal: {model: local}\n", "frozen"},
+      {"mode: static\n", "static.force_ratio"},
+      {"mode: static\nstatic: {force_ratio: 1}\n", "allowed range"},
+      {"mode: static\nstatic: {force_ratio: 0.5}\nfriction: {local: true}\n", "friction.local"},
+      {"roughness: {rail: [a.csv, b.csv], wheel: [c.csv]}\n", "as many as of roughness.rail"},
+      {"uncertainty: {method: bootstrap}\n", "sampled"},
+      {"uncertainty: {samples: 3}\n", "allowed range"},
   };
   for (const auto &[text, part] : faults) {
     const std::string message = messageOf(minimal + text);
     EXPECT_TRUE(contains(message, part)) << text << message;
     EXPECT_FALSE(contains(message, "\n")) << message;
   }
-  EXPECT_TRUE(contains(messageOf(contactLines + "creep: {from: 1, to: 0.1, n: 3}\n"), "creep.to"));
-  EXPECT_TRUE(contains(messageOf(contactLines + "creep: {from: 0, to: 0.1, n: 3}\n"), "positive"));
-  EXPECT_TRUE(contains(messageOf(contactLines), "creep"));
+  EXPECT_TRUE(contains(messageOf(table2 + "creep: {from: 1, to: 0.1, n: 3}\n"), "creep.to"));
+  EXPECT_TRUE(contains(messageOf(table2 + "creep: {from: 0, to: 0.1, n: 3}\n"), "positive"));
+  EXPECT_TRUE(contains(messageOf(table2), "creep"));
   EXPECT_TRUE(contains(messageOf("creep: 1e-3\n"), "contact.load_per_length"));
+}
+
+TEST(CaseFile, StaticModeAndPeriod)
+{
+  const std::string flat = "contact: {load_per_length: 2000 N/mm, period: 10 mm,\n"
+                           "          youngs_modulus: 210 GPa, poissons_ratio: 0.3}\n";
+  const std::string forces = "mode: static\nstatic: {force_ratio: [0, 0.5]}\n";
+  const Case c = read(flat + forces);
+  EXPECT_EQ(c.mode, RollingMode::Static);
+  EXPECT_DOUBLE_EQ(c.period, 0.01);
+  EXPECT_EQ(c.forceRatio, (std::vector<double>{0.0, 0.5}));
+  EXPECT_EQ(read(c.text).text, c.text);
+  EXPECT_TRUE(contains(messageOf(flat + "creep: 1e-3\n"), "contact.period: does not go with mode"));
+  EXPECT_TRUE(contains(messageOf(flat + forces, {"contact.radius=1 m"}), "does not go with"));
+  EXPECT_TRUE(
+      contains(messageOf(flat + forces, {"contact.hardness_limit=true"}), "elastic contact"));
+  EXPECT_EQ(messageOf(flat + forces, {"contact.hardness_limit=true", "static.force_ratio=0"}), "");
+  // a case of rolling becomes static without its creeps and speeds getting in the way
+  EXPECT_EQ(read(minimal, {"mode=static", "static.force_ratio=0.5"}).mode, RollingMode::Static);
+}
+
+TEST(CaseFile, SeveralProfiles)
+{
+  const Case c = read(minimal + "roughness: {rail: [a.csv, b.csv], wheel: [c.csv, d.csv]}\n");
+  EXPECT_EQ(c.profiles(), 2u);
+  EXPECT_TRUE(contains(c.wheel[1], "d.csv"));
+  EXPECT_EQ(read(minimal).profiles(), 1u);
 }
 
 TEST(CaseFile, TruncatedEmptyOrOther)

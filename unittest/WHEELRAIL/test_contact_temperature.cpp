@@ -58,6 +58,40 @@ TEST(FlashTemperature, HasNoBiasOfTheOrderOfRootH)
   }
 }
 
+TEST(TravellingHeat, SteadyHeatGivesTheFlashTemperature)
+{
+  const int n = 60;
+  FlashTemperature flash(n, 1e-5, 20.0, steel);
+  TravellingHeat travelling(n, 1e-5, 20.0, steel);
+  Vector heat = Vector::Zero(n);
+  for (int i = 10; i < 40; ++i)
+    heat[i] = 1e9 * (1.0 + std::sin(0.3 * i));
+  for (int step = 0; step < 2 * n; ++step)
+    travelling.step(heat);
+  const Vector rise = flash.rise(heat);
+  for (int i = 0; i < n; ++i)
+    EXPECT_NEAR(travelling.rise(i), rise[i], 1e-10 * rise.maxCoeff()) << i;
+}
+
+TEST(TravellingHeat, BelongsToTheMaterial)
+{
+  // One step's heat on one cell travels with the material and fades
+  TravellingHeat travelling(20, 1e-5, 20.0, steel);
+  travelling.step(1e9 * Vector::Unit(20, 15));
+  double last = travelling.rise(15);
+  EXPECT_GT(last, 0.0);
+  for (int step = 1; step <= 15; ++step) {
+    travelling.step(Vector::Zero(20));
+    for (int i = 0; i < 20; ++i)
+      EXPECT_EQ(travelling.rise(i) > 0.0, i == 15 - step) << i;
+    EXPECT_LT(travelling.rise(15 - step), last);
+    last = travelling.rise(15 - step);
+  }
+  travelling.step(Vector::Zero(20)); // out at the trailing end; new material is cold
+  for (int i = 0; i < 20; ++i)
+    EXPECT_EQ(travelling.rise(i), 0.0);
+}
+
 TEST(FlashTemperature, HeatsOnlyBehindTheSource)
 {
   FlashTemperature flash(64, 1.0, 1.0, steel);

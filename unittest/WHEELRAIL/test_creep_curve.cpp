@@ -1,7 +1,7 @@
+#include "case_text.h"
 #include "creep_curve.h"
 #include "errors.h"
 #include "hertz.h"
-#include "output_file.h"
 
 #include <atomic>
 #include <cstdio>
@@ -15,23 +15,14 @@ using namespace wheelrail;
 
 namespace {
 
-const std::string table2 = "contact: {load_per_length: 4000 N/mm, radius: 0.5 m,\n"
-                           "          youngs_modulus: 210 GPa, poissons_ratio: 0.3}\n";
+using case_text::table2;
+
 const std::string rough = "roughness: {hurst: 0.8, rms_slope: 0.02, wavelength_min: 0.1 mm, "
                           "wavelength_max: 10 mm, seed: [1, 2]}\n";
 
-Case readText(const std::string &text)
-{
-  const std::string path =
-      (std::filesystem::temp_directory_path() / fmt::format("wr-curve-{}.yaml", ::getpid()))
-          .string();
-  writeOutputFile(path, text);
-  return readCase(path);
-}
-
 CreepCurves solve(const std::string &text, const SweepOptions &options = {})
 {
-  const Case input = readText(table2 + text);
+  const Case input = case_text::read(table2 + text);
   return solveCreepCurves(input, lawOf(input), options);
 }
 
@@ -148,7 +139,7 @@ TEST(CreepCurve, ResumesToTheSameResult)
 TEST(CreepCurve, LawsCovarianceBecomesABand)
 {
   // In full sliding with the averaged law T/N = mu0 + ..., so that its error is that of mu0
-  const Case input = readText(table2 + "creep: [0.05]\nspeed: 20 m/s\nthermal: off\n");
+  const Case input = case_text::read(table2 + "creep: [0.05]\nspeed: 20 m/s\nthermal: off\n");
   FrictionLaw law = bucher2006();
   LawCovariance covariance = LawCovariance::Zero();
   covariance(0, 0) = 0.02 * 0.02;
@@ -156,6 +147,32 @@ TEST(CreepCurve, LawsCovarianceBecomesABand)
   const CreepCurves curves = solveCreepCurves(input, law);
   EXPECT_TRUE(curves.hasBand);
   EXPECT_NEAR(curves.points[0].band.standardError, 0.02, 1e-6);
+}
+
+TEST(CreepCurve, SampledBandIsTheLinearOneForASmallCovariance)
+{
+  const std::string text = rough + "creep: [1e-3, 0.03]\nspeed: 20 m/s\nfriction: {local: true}\n"
+                                   "thermal: {model: local}\npoints: 1024\n";
+  FrictionLaw law = bucher2006();
+  LawCovariance covariance = LawCovariance::Zero();
+  covariance.diagonal() << 1e-5, 0.0, 2e-5, 0.0, 1e-9;
+  covariance(0, 2) = covariance(2, 0) = -1e-5;
+  law.covariance = covariance;
+  const Case linear = case_text::read(table2 + text);
+  const Case sampled = case_text::read(table2 + text + "uncertainty: {method: sampled}\n");
+  const CreepCurves lines = solveCreepCurves(linear, law);
+  SweepOptions one, three;
+  one.threads = 1;
+  three.threads = 3;
+  const CreepCurves samples = solveCreepCurves(sampled, law, one);
+  expectSame(samples, solveCreepCurves(sampled, law, three));
+  for (std::size_t k = 0; k < lines.points.size(); ++k) {
+    const Band &a = lines.points[k].band, &b = samples.points[k].band;
+    EXPECT_NEAR(b.standardError / a.standardError, 1.0, 0.15); // 200 samples: +-5 %
+    EXPECT_NEAR(b.low, a.low, 0.5 * a.standardError);
+    EXPECT_NEAR(b.high, a.high, 0.5 * a.standardError);
+    EXPECT_EQ(lines.points[k].tractionRatio, samples.points[k].tractionRatio);
+  }
 }
 
 TEST(CreepCurve, HardnessFallsWithTemperature)
@@ -166,7 +183,7 @@ TEST(CreepCurve, HardnessFallsWithTemperature)
   const std::string limited = "contact: {load_per_length: 4000 N/mm, radius: 0.5 m,\n"
                               "          youngs_modulus: 210 GPa, poissons_ratio: 0.3,\n"
                               "          hardness_limit: true}\n";
-  const Case input = readText(limited + common);
+  const Case input = case_text::read(limited + common);
   const CreepCurves curves = solveCreepCurves(input, lawOf(input));
   EXPECT_GT(elastic.last.pressure.maxCoeff(), 3e9);
   const double rise = curves.points[1].temperatureRise;
@@ -184,6 +201,35 @@ TEST(CreepCurve, MovingRoughnessKeepsTheInitialSlope)
   const double moving = solve(common + "mode: moving\n").points[0].tractionRatio;
   EXPECT_LT(frozen, 0.85 * 0.041062583);
   EXPECT_NEAR(moving / 0.041062583, 1.0, 0.06);
+}
+
+TEST(CreepCurve, MovingSmoothContactIsTheSteadyOne)
+{
+  // Traction and temperature with all three models; the grid makes the small difference
+  const std::string common = "creep: [1e-3, 0.05]\nspeed: 20 m/s\nfriction: {local: true}\n"
+                             "points: 512\n";
+  for (const char *model : {"averaged", "averaged_power", "local"}) {
+    const std::string text = common + "thermal: {model: " + model + "}\n";
+    const CreepCurves frozen = solve(text), moving = solve(text + "mode: moving\n");
+    for (std::size_t k = 0; k < 2; ++k) {
+      const CurvePoint &a = frozen.points[k], &b = moving.points[k];
+      EXPECT_NEAR(b.tractionRatio / a.tractionRatio, 1.0, 0.01) << model << k;
+      EXPECT_NEAR(b.temperatureRise / a.temperatureRise, 1.0, 0.02) << model << k;
+      EXPECT_NEAR(b.temperatureMaximum / a.temperatureMaximum, 1.0, 0.03) << model << k;
+    }
+  }
+}
+
+TEST(CreepCurve, MovingIsTheSameForAnyNumberOfThreads)
+{
+  const std::string text = "roughness: {hurst: 0.8, rms_slope: 0.01, wavelength_min: 0.4 mm, "
+                           "wavelength_max: 10 mm}\nspeed: 20 m/s\npoints: 256\nmode: moving\n"
+                           "moving: {passes: 2}\ncreep: {from: 1e-4, to: 0.01, n: 6}\n"
+                           "friction: {local: true}\nthermal: {model: local}\n";
+  SweepOptions one, three;
+  one.threads = 1;
+  three.threads = 3;
+  expectSame(solve(text, one), solve(text, three));
 }
 
 TEST(CreepCurve, TooHotIsNotConverged)

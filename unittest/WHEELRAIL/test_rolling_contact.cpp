@@ -2,7 +2,6 @@
 #include "errors.h"
 #include "gmres.h"
 #include "rolling_contact.h"
-#include "static_contact.h"
 
 #include <Eigen/Dense>
 #include <gtest/gtest.h>
@@ -236,37 +235,6 @@ TEST(FrozenRolling, NoCreepNoTraction)
   const Vector bound = 0.3 * solveNormalContact(plane, cylinder(256)).pressure;
   EXPECT_EQ(solveFrozenRolling(plane, bound, 0.0).force(), 0.0);
   EXPECT_THROW(solveFrozenRolling(plane, bound, -1e-3), Error);
-}
-
-TEST(StaticTraction, CattaneoMindlin)
-{
-  // Stick zone in the middle, half-width a sqrt(1 - T/(mu N)); q = mu p0 [sqrt(1-x^2) - c sqrt(..)]
-  const int n = 2000;
-  HalfPlane plane(n, Boundary::Free);
-  const NormalContactProblem problem = cylinder(n);
-  const double mu = 0.3, force = 0.6, c = std::sqrt(1.0 - force), h = 4.0 / n;
-  const NormalContactResult normal = solveNormalContact(plane, problem);
-  const StaticTraction solved = staticTraction(plane, problem, normal, mu, force);
-  const Vector &q = solved.traction;
-  ASSERT_EQ(solved.stick.size(), 1u);
-  EXPECT_NEAR(solved.stick[0].length(), 2.0 * c / h, 0.02);
-  EXPECT_NEAR(solved.stick[0].left + solved.stick[0].right, n - 1.0, 1e-3); // centred
-  EXPECT_NEAR(q.sum() / (mu * problem.load), force, 1e-9);
-  const double p0 = table2().hertzPressure / table2().modulus;
-  for (int i = 0; i < n; ++i) {
-    const double x = (i + 0.5 - n / 2) * h;
-    const double outer = std::abs(x) < 1.0 ? std::sqrt(1.0 - x * x) : 0.0;
-    const double inner = std::abs(x) < c ? c * std::sqrt(1.0 - x * x / (c * c)) : 0.0;
-    if (std::abs(std::abs(x) - 1.0) < 3 * h || std::abs(std::abs(x) - c) < 3 * h)
-      continue;
-    EXPECT_NEAR(q[i] / (mu * p0), outer - inner, 2e-3) << x;
-  }
-  // No slip inside: the displacement is the same everywhere in the stick zone, which is centred
-  const Vector u = plane.displacement(q);
-  const int reach = static_cast<int>(0.9 * c / h);
-  for (int i = n / 2 - reach; i < n / 2 + reach; ++i)
-    EXPECT_NEAR(u[i], u[n / 2], 1e-5 * std::abs(u[n / 2] - u[0]));
-  EXPECT_THROW(staticTraction(plane, problem, normal, mu, 1.0), Error);
 }
 
 TEST(TransientRolling, ReachesTheSteadyStateOfASmoothContact)

@@ -1,0 +1,37 @@
+#ifndef WHEELRAIL_CASE_TEXT_H
+#define WHEELRAIL_CASE_TEXT_H
+
+#include "case_file.h"
+#include "output_file.h"
+
+#include <filesystem>
+#include <fmt/format.h>
+#include <unistd.h>
+
+/// Case files that are written down in a test.
+namespace case_text {
+
+/// Table 2 of the paper.
+inline const std::string table2 = "contact: {load_per_length: 4000 N/mm, radius: 0.5 m,\n"
+                                  "          youngs_modulus: 210 GPa, poissons_ratio: 0.3}\n";
+
+inline wheelrail::Case read(const std::string &text, const std::vector<std::string> &changes = {})
+{
+  const std::string path =
+      (std::filesystem::temp_directory_path() / fmt::format("wr-case-{}.yaml", ::getpid()))
+          .string();
+  wheelrail::writeOutputFile(path, text);
+  const auto remove = [&] { std::filesystem::remove(path); };
+  try {
+    const wheelrail::Case result = wheelrail::readCase(path, changes);
+    remove();
+    return result;
+  } catch (...) {
+    remove();
+    throw;
+  }
+}
+
+} // namespace case_text
+
+#endif
