@@ -63,6 +63,8 @@ Examples:
       three rough profiles
   wr_creep table2.yaml -o own --set friction.law=law.json
       a law fitted by wr_fit; its uncertainty goes to own/creep_band.csv
+  wr_creep table2.yaml -o static --set mode=static --set static.force_ratio="[0.25, 0.5]"
+      a tangential force without rolling: static/static.csv
   wr_creep table2.yaml --print-config
       the complete case with every default
 
@@ -97,7 +99,8 @@ void defineOptions(CLI::App &app, Settings &settings)
       ->type_name("N");
   app.add_flag("--print-config", settings.printConfig, "print the complete case and stop");
   app.add_flag("-q,--quiet", settings.quiet, "nothing on the screen but errors");
-  app.add_flag("-v,--verbose", settings.verbose, "profiles, iterations and residuals too");
+  app.add_flag("-v,--verbose", settings.verbose,
+               "iterations, residual and time of every normal contact too");
 }
 
 /// What to say of arguments that are no option: the nearest option there is.
