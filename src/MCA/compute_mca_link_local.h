@@ -8,7 +8,6 @@
 
 #include "compute.h"
 
-#include "laws/vector.h"
 #include "output_columns.h"
 
 namespace LAMMPS_NS {
@@ -27,7 +26,6 @@ class ComputeMCALinkLocal : public Compute {
   PairMCA *pair;
 
   bool mine(int) const;
-  mca::Vector tau(int k) const; // as a vector
   double value(int attribute, int k) const;
 };
 
