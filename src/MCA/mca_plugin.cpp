@@ -7,8 +7,10 @@
 #include "version.h"
 
 #include "compute_mca_atom.h"
+#include "compute_mca_energy.h"
 #include "compute_mca_link_local.h"
 #include "fix_mca_drive.h"
+#include "fix_mca_energy.h"
 #include "fix_mca_events.h"
 #include "fix_mca_history.h"
 #include "fix_mca_state.h"
@@ -126,6 +128,10 @@ extern "C" void lammpsplugin_init(void *lmp, void *handle, void *regfunc)
   add("fix", "mca/events", "movable cellular automata, fix mca/events");
   plugin.creator.v2 = fromArguments<ComputeMCAAtom>;
   add("compute", "mca/atom", "movable cellular automata, compute mca/atom");
+  plugin.creator.v2 = fromArguments<FixMCAEnergy>;
+  add("fix", "MCA_ENERGY", "movable cellular automata, account of compute mca/energy");
+  plugin.creator.v2 = fromArguments<ComputeMCAEnergy>;
+  add("compute", "mca/energy", "movable cellular automata, compute mca/energy");
   plugin.creator.v2 = fromArguments<ComputeMCALinkLocal>;
   add("compute", "mca/link/local", "movable cellular automata, compute mca/link/local");
   plugin.creator.v2 = fromArguments<RegionMCARough>;

@@ -20,6 +20,8 @@ namespace LAMMPS_NS {
 class FixMCAHistory;
 
 class PairMCA : public Pair {
+  friend class FixMCAEnergy; // keeps the books of what is inside
+
  public:
   PairMCA(class LAMMPS *);
   ~PairMCA() override;

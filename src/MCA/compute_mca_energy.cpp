@@ -1,0 +1,51 @@
+#include "compute_mca_energy.h"
+
+#include "error.h"
+#include "fix_mca_energy.h"
+#include "force.h"
+#include "modify.h"
+#include "update.h"
+
+using namespace LAMMPS_NS;
+
+ComputeMCAEnergy::ComputeMCAEnergy(LAMMPS *host, int narg, char **arg)
+    : Compute(host, narg, arg), account(nullptr)
+{
+  if (narg != 3)
+    error->all(FLERR, "Compute mca/energy takes no arguments, got {}", arg[3]);
+  if (igroup != 0)
+    error->all(FLERR, "Compute mca/energy: group {}, allowed: all", arg[1]);
+  if (!force->pair_match("^mca", 0))
+    error->all(FLERR, "Compute mca/energy requires pair_style mca");
+  if (modify->get_fix_by_id(FixMCAEnergy::ID))
+    error->all(FLERR, "Only one compute mca/energy at a time allowed");
+  scalar_flag = vector_flag = 1;
+  size_vector = 6;
+  extscalar = extvector = 1;
+  vector = new double[size_vector];
+  account = dynamic_cast<FixMCAEnergy *>(
+      modify->add_fix(fmt::format("{} all {}", FixMCAEnergy::ID, FixMCAEnergy::ID)));
+}
+
+ComputeMCAEnergy::~ComputeMCAEnergy()
+{
+  delete[] vector;
+  if (modify->get_fix_by_id(FixMCAEnergy::ID))
+    modify->delete_fix(FixMCAEnergy::ID);
+}
+
+double ComputeMCAEnergy::compute_scalar()
+{
+  invoked_scalar = update->ntimestep;
+  return scalar = account->balance().error;
+}
+
+void ComputeMCAEnergy::compute_vector()
+{
+  invoked_vector = update->ntimestep;
+  const FixMCAEnergy::Balance b = account->balance();
+  vector[0] = b.kinetic;
+  vector[1] = b.elastic;
+  for (int m = 0; m < FixMCAEnergy::FLOWS; m++)
+    vector[2 + m] = b.flow[m];
+}
