@@ -2,6 +2,7 @@
 
 #include "atom.h"
 #include "comm.h"
+#include "domain.h"
 #include "error.h"
 #include "force.h"
 #include "pair_mca.h"
@@ -16,6 +17,8 @@ enum {
   SYY,
   SXY,
   SZZ,
+  SXZ,
+  SYZ,
   MEAN,
   INTENSITY,
   PLASTIC,
@@ -30,8 +33,8 @@ enum {
   ATTRIBUTES
 };
 static const char *const NAMES[ATTRIBUTES] = {
-    "sxx",   "syy",    "sxy",    "szz",   "mean",         "intensity", "plastic", "links",
-    "welds", "damage", "energy", "theta", "plastic_work", "broken",    "formed"};
+    "sxx",   "syy",   "sxy",    "szz",    "sxz",   "syz",          "mean",   "intensity", "plastic",
+    "links", "welds", "damage", "energy", "theta", "plastic_work", "broken", "formed"};
 static constexpr int COUNTS = 3;
 
 /* compute ID group mca/atom attribute ... */
@@ -51,6 +54,9 @@ void ComputeMCAAtom::init()
   pair = dynamic_cast<PairMCA *>(force->pair_match("^mca", 0));
   if (!pair)
     error->all(FLERR, "Compute mca/atom requires pair_style mca");
+  if (columns.has(THETA) && domain->dimension == 3)
+    error->all(FLERR, "Compute mca/atom theta is for dimension 2: in space rotations do not add up "
+                      "to an angle");
 }
 
 void ComputeMCAAtom::compute_peratom()
@@ -84,6 +90,10 @@ double ComputeMCAAtom::value(int attribute, int i) const
     return pair->automaton(i).stress.xy;
   case SZZ:
     return pair->automaton(i).stress.zz;
+  case SXZ:
+    return pair->automaton(i).stress.xz;
+  case SYZ:
+    return pair->automaton(i).stress.yz;
   case MEAN:
     return pair->automaton(i).mean;
   case INTENSITY:

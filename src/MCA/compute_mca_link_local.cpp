@@ -8,9 +8,28 @@
 
 using namespace LAMMPS_NS;
 
-enum { ID1, ID2, KIND, STRAIN, PLASTIC, GAMMA, GAMMA_TOTAL, SIGMA, TAU, ORIGINAL, ATTRIBUTES };
+enum {
+  ID1,
+  ID2,
+  KIND,
+  STRAIN,
+  PLASTIC,
+  GAMMA,
+  GAMMA_TOTAL,
+  SIGMA,
+  TAU,
+  NX,
+  NY,
+  NZ,
+  TAU_X,
+  TAU_Y,
+  TAU_Z,
+  ORIGINAL,
+  ATTRIBUTES
+};
 static const char *const NAMES[ATTRIBUTES] = {
-    "id1", "id2", "kind", "strain", "plastic", "gamma", "gamma_total", "sigma", "tau", "original"};
+    "id1", "id2", "kind", "strain", "plastic", "gamma", "gamma_total", "sigma",
+    "tau", "nx",  "ny",   "nz",     "tau_x",   "tau_y", "tau_z",       "original"};
 
 /* compute ID group mca/link/local attribute ... */
 
@@ -63,6 +82,11 @@ void ComputeMCALinkLocal::compute_local()
   }
 }
 
+mca::Vector ComputeMCALinkLocal::tau(int k) const
+{
+  return pair->along_shear(k, pair->contact(k).tau);
+}
+
 double ComputeMCALinkLocal::value(int attribute, int k) const
 {
   const mca::Pairs &p = pair->links().pairs();
@@ -78,15 +102,27 @@ double ComputeMCALinkLocal::value(int attribute, int k) const
   case PLASTIC:
     return p.now.plastic[k];
   case GAMMA:
-    return p.now.gamma[0][k];
+    return pair->shear(p.now.gamma, k);
   case GAMMA_TOTAL:
-    return p.now.gammaTotal[0][k];
+    return pair->shear(p.now.gammaTotal, k);
   case SIGMA:
     return pair->contact(k).sigma;
   case ORIGINAL:
     return pair->links().original(k);
-  default:
+  case TAU:
     return pair->contact(k).tau;
+  case NX:
+    return pair->normal(k).x;
+  case NY:
+    return pair->normal(k).y;
+  case NZ:
+    return pair->normal(k).z;
+  case TAU_X:
+    return tau(k).x;
+  case TAU_Y:
+    return tau(k).y;
+  default:
+    return tau(k).z;
   }
 }
 

@@ -8,6 +8,7 @@
 
 #include "compute.h"
 
+#include "laws/vector.h"
 #include "output_columns.h"
 
 namespace LAMMPS_NS {
@@ -26,6 +27,7 @@ class ComputeMCALinkLocal : public Compute {
   PairMCA *pair;
 
   bool mine(int) const;
+  mca::Vector tau(int k) const; // as a vector
   double value(int attribute, int k) const;
 };
 

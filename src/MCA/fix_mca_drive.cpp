@@ -151,7 +151,8 @@ void FixMCADrive::post_neighbor()
 
 void FixMCADrive::setup(int vflag)
 {
-  area = domain->xprd * pair->thickness();
+  const double thickness = domain->dimension == 3 ? domain->zprd : pair->thickness();
+  area = domain->xprd * thickness;
   double own = 0.0;
   for (const int i : members)
     own += atom->rmass[i];
@@ -173,7 +174,7 @@ void FixMCADrive::setup(int vflag)
         else
           log.begin(path,
                     {pair->material(lowest), evaluate(pressure), evaluate(velocity), domain->xprd,
-                     pair->thickness(), static_cast<long long>(atom->natoms), pair->laws().words(),
+                     thickness, static_cast<long long>(atom->natoms), pair->laws().words(),
                      update->dt, every, seed, LMP_VERNUM},
                     units);
       } catch (const std::runtime_error &e) {
@@ -200,7 +201,7 @@ void FixMCADrive::setup(int vflag)
 
 /* ----------------------------------------------------------------------
    The layer moves as one rigid body in y: all its automata get the same acceleration. In x the
-   velocity is prescribed, and it does not rotate.
+   velocity is prescribed, in z there is none, and it does not rotate.
 ------------------------------------------------------------------------- */
 
 void FixMCADrive::post_force(int /*vflag*/)
@@ -221,7 +222,9 @@ void FixMCADrive::post_force(int /*vflag*/)
   const double load = evaluate(pressure) * area / force->nktv2p;
   const double per_mass = (all[1] - load) / mass, vy = all[2] / mass;
   for (const int i : members) {
-    f[i][0] = torque[i][2] = omega[i][2] = 0.0;
+    f[i][0] = f[i][2] = v[i][2] = 0.0;
+    for (int m = 0; m < 3; m++)
+      torque[i][m] = omega[i][m] = 0.0;
     f[i][1] = per_mass * atom->rmass[i];
     v[i][0] = speed;
     v[i][1] = vy;

@@ -48,7 +48,7 @@ class FixMCADrive : public Fix {
   bool restarted; // state came from a restart file
 
   std::vector<int> members; // own automata of the layer, since the last exchange of automata
-  double area;              // nominal contact area: box length in x times thickness
+  double area;              // nominal contact area: box length in x times that in z, or thickness
   double mass;              // of the layer
   double shear, normal;     // stresses on the layer now, pressure units
   double start_height;      // of the layer

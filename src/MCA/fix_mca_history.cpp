@@ -94,8 +94,8 @@ void FixMCAHistory::store(bool next)
   }
 
   // with fix deform, images are one step behind, so that normals over periodic faces do not tell
-  auto get = [&](int k, double *state) {
-    links.getStored(k, next, state);
+  auto get = [&](int k, bool exchanged, double *state) {
+    links.getStored(k, next, exchanged, state);
     if (domain->deform_flag)
       std::fill_n(state + links.stateSize() + 1, 3, 0.0);
   };
@@ -113,7 +113,7 @@ void FixMCAHistory::store(bool next)
         npartner[i]++;
       else if (newton_pair) {
         Message m{shared[i].second, ubuf(tag[j]).d, {}};
-        get(k, m.state);
+        get(k, i != p.i[k], m.state);
         messages.push_back(m);
         ranks.push_back(static_cast<int>(shared[i].first));
       }
@@ -153,7 +153,7 @@ void FixMCAHistory::store(bool next)
       if (i < owned) {
         const int m = npartner[i]++;
         partner[i][m] = tag[j];
-        get(k, valuepartner[i] + dnum * m);
+        get(k, i != p.i[k], valuepartner[i] + dnum * m);
       }
   }
   for (const Message &message : received) {
@@ -304,8 +304,10 @@ void FixMCAHistory::check_turned() const
   for (int k = 0; k < p.n; k++) {
     if (!mca::link::isLinked(p.now.kind[k]))
       continue;
-    const double dx = x[p.j[k]][0] - x[p.i[k]][0], dy = x[p.j[k]][1] - x[p.i[k]][1];
-    own = std::max(own, std::abs(p.normal[0][k] * dy - p.normal[1][k] * dx) / std::hypot(dx, dy));
+    const double *const xi = x[p.i[k]], *const xj = x[p.j[k]];
+    const mca::Vector now = {xj[0] - xi[0], xj[1] - xi[1], xj[2] - xi[2]};
+    const mca::Vector before = {p.normal[0][k], p.normal[1][k], p.normal[2][k]};
+    own = std::max(own, mca::length(mca::cross(before, now)) / mca::length(now));
   }
   MPI_Allreduce(&own, &largest, 1, MPI_DOUBLE, MPI_MAX, world);
   if (largest > smallest)

@@ -1,6 +1,7 @@
 #include "fix_nve_mca.h"
 
 #include "atom.h"
+#include "domain.h"
 #include "error.h"
 #include "flat.h"
 #include "force.h"
@@ -48,8 +49,32 @@ void FixNVEMCA::reset_dt()
     halfstep[type] = {dtf / pair->mass(type), dtf / pair->inertia(type)};
 }
 
+/* a ball turns alike about any axis, so that its angular velocity follows the torque as in the
+ * plane */
+
+void FixNVEMCA::step_in_space(bool moves)
+{
+  double **x = atom->x, **v = atom->v, **f = atom->f;
+  double **omega = atom->omega, **torque = atom->torque;
+  const int *mask = atom->mask, *type = atom->type;
+  const int n = igroup == atom->firstgroup ? atom->nfirst : atom->nlocal;
+  for (int i = 0; i < n; i++) {
+    if (!(mask[i] & groupbit))
+      continue;
+    const HalfStep &half = halfstep[type[i]];
+    for (int m = 0; m < 3; m++) {
+      v[i][m] += half.over_mass * f[i][m];
+      omega[i][m] += half.over_inertia * torque[i][m];
+      if (moves)
+        x[i][m] += dtv * v[i][m];
+    }
+  }
+}
+
 void FixNVEMCA::initial_integrate(int /*vflag*/)
 {
+  if (domain->dimension == 3)
+    return step_in_space(true);
   auto *x = mca::flat(atom->x), *v = mca::flat(atom->v), *f = mca::flat(atom->f);
   auto *omega = mca::flat(atom->omega), *torque = mca::flat(atom->torque);
   double *theta = atom->dvector[icustom_theta];
@@ -70,6 +95,8 @@ void FixNVEMCA::initial_integrate(int /*vflag*/)
 
 void FixNVEMCA::final_integrate()
 {
+  if (domain->dimension == 3)
+    return step_in_space(false);
   auto *v = mca::flat(atom->v), *f = mca::flat(atom->f);
   auto *omega = mca::flat(atom->omega), *torque = mca::flat(atom->torque);
   const int *mask = atom->mask, *type = atom->type;

@@ -1,6 +1,6 @@
 /* ----------------------------------------------------------------------
    MCA-WHEELRAIL, a package for LAMMPS. GPL-2.0-or-later.
-   fix nve/mca: velocity Verlet for plane automata; see doc/fix_nve_mca.md
+   fix nve/mca: velocity Verlet for automata; see doc/fix_nve_mca.md
 ------------------------------------------------------------------------- */
 
 #ifndef LMP_FIX_NVE_MCA_H
@@ -29,6 +29,8 @@ class FixNVEMCA : public Fix {
   double dtv;
   std::vector<HalfStep> halfstep; // by type
   int icustom_theta;
+
+  void step_in_space(bool moves);
 };
 
 } // namespace LAMMPS_NS

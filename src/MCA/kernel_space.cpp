@@ -46,6 +46,10 @@ inline const Row4 &half(const double *rows, int i, int which)
 struct Motion {
   Column x, y, z, vx, vy, vz, wx, wy, wz;
 
+  Vector distance(int k) const { return {x.value[k], y.value[k], z.value[k]}; }
+  Vector velocity(int k) const { return {vx.value[k], vy.value[k], vz.value[k]}; }
+  Vector omegas(int k) const { return {wx.value[k], wy.value[k], wz.value[k]}; }
+
   void gather(const int *pi, const int *pj, int n, const double *motion, const double *spin)
   {
     const Row4 signs = {-1.0, -1.0, 1.0, 1.0};
@@ -120,13 +124,11 @@ double strainBlock(const Pairs &p, int first, int n, double dt, const PairLaw *l
   const double oneInvDiameter = laws[plaw[0]].invDiameter;
   const double breakingStrain2 = laws[plaw[0]].limits.bulkStrain2;
   const double halfStep = 0.5 * dt;
-  double breaking = 0.0;
-#pragma omp simd reduction(+ : breaking)
-  for (int k = 0; k < n; k++) {
+  // returns 1 for a link that reaches the breaking strain
+  auto move = [=, &seen, &es, &bulks](int k) {
     const double invDiameter = WAY == SEVERAL_LAWS ? laws[plaw[k]].invDiameter : oneInvDiameter;
-    const Vector distance = {seen.x[k], seen.y[k], seen.z[k]};
-    const Vector velocity = {seen.vx[k], seen.vy[k], seen.vz[k]};
-    const Vector omegas = {seen.wx[k], seen.wy[k], seen.wz[k]};
+    const Vector distance = seen.distance(k), velocity = seen.velocity(k);
+    const Vector omegas = seen.omegas(k);
     const double r = length(distance), invR = 1.0 / r;
     const PairMotion moved = pairMotion(distance, invR, dt * velocity, halfStep * omegas);
     const Vector growth = shearGrowth(moved);
@@ -138,18 +140,23 @@ double strainBlock(const Pairs &p, int first, int n, double dt, const PairLaw *l
     if (WAY == BULK) {
       gammas.set(k, gamma);
       totals.set(k, total);
-      breaking += strainIntensity2(eps, length(total)) >= breakingStrain2 ? 1.0 : 0.0;
-      es[k] = e;
-      bulks[k] = 1.0;
+      es.value[k] = e;
+      bulks.value[k] = 1.0;
+      return strainIntensity2(eps, length(total)) >= breakingStrain2 ? 1.0 : 0.0;
     } else {
       const double linked = link::linked(pkind[k]), pressed = e < 0.0 ? 1.0 : 0.0;
       gammas.set(k, linked * gamma);
       totals.set(k, linked * total);
       psep[k] = dot(velocity, moved.normal);
-      es[k] = (linked > pressed ? linked : pressed) * e;
-      bulks[k] = pkind[k] == link::bulk ? 1.0 : 0.0;
+      es.value[k] = (linked > pressed ? linked : pressed) * e;
+      bulks.value[k] = pkind[k] == link::bulk ? 1.0 : 0.0;
+      return 0.0;
     }
-  }
+  };
+  double breaking = 0.0;
+#pragma omp simd reduction(+ : breaking)
+  for (int k = 0; k < n; k++)
+    breaking += move(k);
   if (WAY == BULK && breaking > 0.0) // what breaks under pressure becomes a viscous contact
     for (int k = 0; k < n; k++)
       psep[k] = dot({seen.vx[k], seen.vy[k], seen.vz[k]}, normals.get(k));

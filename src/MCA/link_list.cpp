@@ -1,6 +1,7 @@
 #include "link_list.h"
 
 #include <algorithm>
+#include <functional>
 
 namespace mca {
 
@@ -74,9 +75,11 @@ void LinkList::addStored(int i, int j, int law, const double *stored)
     view_.normal[m][view_.n - 1] = more[1 + m];
 }
 
-void LinkList::getStored(int k, bool next, double *stored) const
+void LinkList::getStored(int k, bool next, bool exchanged, double *stored) const
 {
   getState(k, next, stored);
+  if (exchanged && shears_ == 3)
+    std::transform(stored + 2, stored + stateSize(), stored + 2, std::negate<>());
   double *more = stored + stateSize();
   more[0] = original_[k];
   for (int m = 0; m < 3; m++)

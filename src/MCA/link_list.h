@@ -60,7 +60,8 @@ class LinkList {
   void addStored(int i, int j, int law, const double *stored);
 
   /// Copies what is kept of pair k, with the present (or the next) state, to storedSize() doubles.
-  void getStored(int k, bool next, double *stored) const;
+  /// \param exchanged  as the pair (j, i): in space its shears turn round
+  void getStored(int k, bool next, bool exchanged, double *stored) const;
 
   /// Nothing of this pair needs to be kept.
   bool blank(int k, bool next) const;

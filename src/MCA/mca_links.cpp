@@ -75,7 +75,7 @@ void MCALinks::command(int narg, char **arg)
     const bool linked = mca::link::isLinked(p.now.kind[k]);
     if (!match || linked == create)
       continue;
-    const double r = std::hypot(x[j][0] - x[i][0], x[j][1] - x[i][1]);
+    const double r = std::hypot(x[j][0] - x[i][0], x[j][1] - x[i][1], x[j][2] - x[i][2]);
     const double d = 0.5 * (pair->material(type[i]).diameter + pair->material(type[j]).diameter);
     if (create && r > reach * d)
       continue;

@@ -34,9 +34,11 @@ static constexpr const char *DUMMY_STATE = "MCA_STATE_DUMMY";
 /* ---------------------------------------------------------------------- */
 
 PairMCA::PairMCA(LAMMPS *host)
-    : Pair(host), depth(1.0), cut_user(0.0), onelaw(true), kernel(&mca::bestKernel(2)),
-      changes(0.0), committed(false), fix_history(nullptr), icustom_kappa(-1),
-      icustom_elastic_z(-1), icustom_changes{-1, -1}, icustom_lag{-1, -1}, icustom_rest{-1, -1},
+    : Pair(host), packing(nullptr), depth(0.0), cut_user(0.0), onelaw(true),
+      kernel(&mca::bestKernel(2)), changes(0.0), committed(false), fix_history(nullptr),
+      icustom_kappa(-1),
+      icustom_elastic_z(-1), icustom_changes{-1, -1}, icustom_lag{-1, -1, -1}, icustom_rest{-1, -1,
+                                                                                            -1},
       listed(-1), listed_all(0)
 {
   single_enable = 0;
@@ -47,7 +49,6 @@ PairMCA::PairMCA(LAMMPS *host)
   nextra = 6; // see tally()
   pvector = new double[nextra]();
   comm_forward = 1;
-  comm_reverse = kernel->rows.stress;
 
   // placeholders, so that the internal fixes come before all fixes of the input script; they are
   // replaced in init_style(), when a restart file's contents for them are known
@@ -131,11 +132,18 @@ void PairMCA::compute(int eflag, int vflag)
   const int rows = force->newton_pair ? nall : nlocal, length = kernel->rows.force;
   auto *f = mca::flat(atom->f), *torque = mca::flat(atom->torque);
   const double *row = forces.get();
-  for (int i = 0; i < rows; i++, row += length) {
-    f[i][0] += row[0];
-    f[i][1] += row[1];
-    torque[i][2] += row[2];
-  }
+  if (kernel->dimension == 2)
+    for (int i = 0; i < rows; i++, row += length) {
+      f[i][0] += row[0];
+      f[i][1] += row[1];
+      torque[i][2] += row[2];
+    }
+  else
+    for (int i = 0; i < rows; i++, row += length)
+      for (int m = 0; m < 3; m++) {
+        f[i][m] += row[m];
+        torque[i][m] += row[3 + m];
+      }
 
   if (eflag_either || (vflag_either && !vflag_fdotr))
     tally(eflag, vflag);
@@ -174,6 +182,8 @@ void PairMCA::pack_motion(int nall, bool advance)
 {
   motion.reserve(static_cast<size_t>(nall) * kernel->rows.motion);
   spin.reserve(nall);
+  if (kernel->dimension == 3)
+    return pack_space_motion(nall, advance);
   double *row = motion.get(), *turn = spin.get();
   const auto *x = mca::flat(atom->x), *v = mca::flat(atom->v), *omega = mca::flat(atom->omega);
   const double *lag_x = atom->dvector[icustom_lag[0]], *lag_y = atom->dvector[icustom_lag[1]];
@@ -188,12 +198,29 @@ void PairMCA::pack_motion(int nall, bool advance)
   }
 }
 
+void PairMCA::pack_space_motion(int nall, bool advance)
+{
+  double *row = motion.get();
+  double **x = atom->x, **v = atom->v, **omega = atom->omega;
+  for (int i = 0; i < nall; i++, row += kernel->rows.motion) {
+    for (int m = 0; m < 3; m++) {
+      row[m] = x[i][m];
+      row[3 + m] =
+          advance ? v[i][m]
+                  : v[i][m] - atom->dvector[icustom_lag[m]][i] - atom->dvector[icustom_rest[m]][i];
+    }
+    row[6] = omega[i][0];
+    row[7] = omega[i][1];
+    spin.get()[i] = omega[i][2];
+  }
+}
+
 void PairMCA::keep_lag()
 {
-  for (int m = 0; m < 2; m++) {
+  for (int m = 0; m < kernel->dimension; m++) {
     double *lag = atom->dvector[icustom_lag[m]];
     double *rest = atom->dvector[icustom_rest[m]];
-    const double *row = motion.get() + 2 + m;
+    const double *row = motion.get() + kernel->dimension + m;
     for (int i = 0; i < atom->nlocal; i++, row += kernel->rows.motion) {
       lag[i] = atom->v[i][m] - *row;
       rest[i] = atom->v[i][m] - lag[i] - *row;
@@ -228,15 +255,14 @@ void PairMCA::tally(int /*eflag*/, int /*vflag*/)
     const int i = p.i[k], j = p.j[k];
     const mca::PairLaw &law = pairlaw[p.law[k]];
     const mca::ContactStress s = contact(k);
-    const double fn = s.normal / stress_unit() * law.area;
-    const double ft = s.shear / stress_unit() * law.area / (1.0 + p.eps[k]);
-    const double nx = p.normal[0][k], ny = p.normal[1][k];
-    const double fx = fn * nx - ft * ny, fy = fn * ny + ft * nx;
+    const mca::Vector stress =
+        s.normal * normal(k) + 1.0 / (1.0 + p.eps[k]) * along_shear(k, s.shear);
+    const mca::Vector on_i = law.area / stress_unit() * stress;
     const int keep = vflag_global;
     if (vflag_fdotr)
       vflag_global = 0;
-    ev_tally_xyz(i, j, nlocal, force->newton_pair, 0.0, 0.0, fx, fy, 0.0, x[i][0] - x[j][0],
-                 x[i][1] - x[j][1], 0.0);
+    ev_tally_xyz(i, j, nlocal, force->newton_pair, 0.0, 0.0, on_i.x, on_i.y, on_i.z,
+                 x[i][0] - x[j][0], x[i][1] - x[j][1], x[i][2] - x[j][2]);
     vflag_global = keep;
   }
 }
@@ -255,17 +281,19 @@ void PairMCA::allocate()
   materials.assign(n, mca::Material());
 }
 
-/* pair_style mca [thickness h] [cutoff c] [law keywords] */
+/* pair_style mca [packing name] [thickness h] [cutoff c] [law keywords] */
 
 void PairMCA::settings(int narg, char **arg)
 {
   std::vector<std::string> words;
-  double h = 1.0, cut = 0.0;
+  double h = 0.0, cut = 0.0;
+  const mca::Packing *named = nullptr;
   for (int iarg = 0; iarg < narg; iarg++) {
     double *own = strcmp(arg[iarg], "thickness") == 0 ? &h
                   : strcmp(arg[iarg], "cutoff") == 0  ? &cut
                                                       : nullptr;
-    if (!own) {
+    const bool is_packing = strcmp(arg[iarg], "packing") == 0;
+    if (!own && !is_packing) {
       words.push_back(arg[iarg]);
       if (iarg + 1 < narg)
         words.push_back(arg[++iarg]);
@@ -273,6 +301,13 @@ void PairMCA::settings(int narg, char **arg)
     }
     if (iarg + 1 == narg)
       error->all(FLERR, "Pair style mca keyword {} has no value", arg[iarg]);
+    if (is_packing) {
+      named = mca::findPacking(arg[++iarg]);
+      if (!named)
+        error->all(FLERR, "Pair style mca keyword packing, value {}, allowed: hex, fcc, hcp, sc",
+                   arg[iarg]);
+      continue;
+    }
     *own = utils::numeric(FLERR, arg[iarg + 1], false, lmp);
     if (!(*own > 0.0) || !std::isfinite(*own))
       error->all(FLERR, "Pair style mca keyword {}, value {}, allowed: a length > 0", arg[iarg],
@@ -284,6 +319,7 @@ void PairMCA::settings(int narg, char **arg)
   if (!problem.empty())
     error->all(FLERR, "Pair style mca: {}", problem);
   lawset = chosen;
+  packing = named;
   depth = h;
   cut_user = cut;
 }
@@ -345,8 +381,6 @@ void PairMCA::init_style()
 {
   if (!atom->radius_flag || !atom->rmass_flag || !atom->omega_flag || !atom->torque_flag)
     error->all(FLERR, "Pair style mca requires atom style sphere");
-  if (domain->dimension != 2)
-    error->all(FLERR, "Pair style mca requires dimension 2 in this version");
   if (force->special_lj[1] != 1.0 && atom->molecular != Atom::ATOMIC)
     error->all(FLERR, "Pair style mca requires special_bonds lj 1 1 1");
   check_commands();
@@ -354,19 +388,23 @@ void PairMCA::init_style()
 
   comm_forward = lawset.needsLocal() ? mca::localRow : 1;
   neighbor->add_request(this);
+  choose_packing();
 
   if (!fix_history) {
+    kernel = &mca::bestKernel(domain->dimension);
+    pairs = mca::LinkList(domain->dimension == 2 ? 1 : 3);
+    comm_reverse = kernel->rows.stress;
     fix_history = dynamic_cast<FixMCAHistory *>(modify->replace_fix(
         DUMMY_HISTORY, fmt::format("{} all MCA_HISTORY {}", FixMCAHistory::ID, pairs.storedSize()),
         1));
     fix_history->attach(this);
+    const char *in_space = domain->dimension == 3 ? "d_mca_lag_z d_mca_rest_z" : "";
     modify->replace_fix(
         DUMMY_STATE,
-        fmt::format(
-            "{} all MCA_STATE d_mca_kappa d_mca_theta d_mca_lag_x "
-            "d_mca_lag_y d_mca_rest_x d_mca_rest_y d_mca_links0 d_mca_elastic_z d_mca_broken "
-            "d_mca_formed writedata no ghost yes",
-            FixMCAState::ID),
+        fmt::format("{} all MCA_STATE d_mca_kappa d_mca_theta d_mca_lag_x d_mca_lag_y d_mca_rest_x "
+                    "d_mca_rest_y {} d_mca_links0 d_mca_elastic_z d_mca_broken d_mca_formed "
+                    "writedata no ghost yes",
+                    FixMCAState::ID, in_space),
         1);
   }
   int is_double, columns;
@@ -376,8 +414,10 @@ void PairMCA::init_style()
   icustom_changes[1] = atom->find_custom("mca_formed", is_double, columns);
   icustom_lag[0] = atom->find_custom("mca_lag_x", is_double, columns);
   icustom_lag[1] = atom->find_custom("mca_lag_y", is_double, columns);
+  icustom_lag[2] = atom->find_custom("mca_lag_z", is_double, columns);
   icustom_rest[0] = atom->find_custom("mca_rest_x", is_double, columns);
   icustom_rest[1] = atom->find_custom("mca_rest_y", is_double, columns);
+  icustom_rest[2] = atom->find_custom("mca_rest_z", is_double, columns);
   make_laws();
 
   for (int i = 0; i < atom->nlocal; i++) {
@@ -386,16 +426,41 @@ void PairMCA::init_style()
   }
 }
 
+/* the default packing depends on the dimension, which is known when the box is there */
+
+void PairMCA::choose_packing()
+{
+  const int dimension = domain->dimension;
+  if (!packing)
+    packing = dimension == 2 ? &mca::packing::hex : &mca::packing::fcc;
+  if (packing->dimension != dimension)
+    error->all(FLERR, "Pair style mca keyword packing, value {}, allowed in dimension {}: {}",
+               packing->name, dimension, dimension == 2 ? "hex" : "fcc, hcp, sc");
+  if (dimension == 2)
+    return;
+  const char *plane_only = depth > 0.0                            ? "thickness"
+                           : lawset.plane != "strain"             ? "plane stress"
+                           : lawset.plasticity == "j2"            ? "plasticity j2"
+                           : lawset.link_work != mca::LawSet::off ? "link_work"
+                           : lawset.needsLocal()                  ? "fracture by the local stress"
+                                                                  : nullptr;
+  if (plane_only)
+    error->all(FLERR, "Pair style mca: {} is for dimension 2 only", plane_only);
+}
+
+mca::Cell PairMCA::cell(int type) const
+{
+  return {*packing, materials[type].diameter, thickness()};
+}
+
 double PairMCA::mass(int type) const
 {
-  const mca::Material &m = materials[type];
-  return mca::Cell{mca::packing::hex, m.diameter, depth}.mass(m.density);
+  return cell(type).mass(materials[type].density);
 }
 
 double PairMCA::inertia(int type) const
 {
-  const mca::Material &m = materials[type];
-  return mca::Cell{mca::packing::hex, m.diameter, depth}.inertia(m.density);
+  return cell(type).inertia(materials[type].density);
 }
 
 /* what moves automata without velocities leaves the shear of links behind */
@@ -442,8 +507,8 @@ void PairMCA::make_laws()
   for (int i = 0; i <= n; i++) {
     const mca::Material &m = inside[i > 0 ? i : 1];
     const mca::ElasticModuli moduli = mca::elasticModuli(lawset, m);
-    autolaw.push_back({moduli.bulk, moduli.shear, moduli.D, yields, mca::YieldCurve(m),
-                       mca::packing::hex.stressWeight()});
+    autolaw.push_back(
+        {moduli.bulk, moduli.shear, moduli.D, yields, mca::YieldCurve(m), packing->stressWeight()});
   }
   // types of equal materials share one law, since the kernel is fastest where a law serves many
   pairlaw.clear();
@@ -458,7 +523,7 @@ void PairMCA::make_laws()
       lawnumber[i * (n + 1) + j] = static_cast<int>(same - first.begin());
       if (same == first.end()) {
         first.emplace_back(i, j);
-        pairlaw.push_back(mca::makePairLaw(lawset, inside[i], inside[j], depth));
+        pairlaw.push_back(mca::makePairLaw(lawset, inside[i], inside[j], thickness(), *packing));
       }
       onelaw = onelaw && materials[i] == materials[j];
     }
@@ -490,13 +555,15 @@ void PairMCA::reset_dt()
 void PairMCA::check_step()
 {
   for (int i = 1; i <= atom->ntypes; i++) {
+    if (i > 1 && materials[i] == materials[i - 1])
+      continue;
     mca::Material m = materials[i];
     m.youngs_modulus /= stress_unit();
     m.density *= force->mvv2e;
     const double eta = lawset.viscosity == "normal" ? m.viscosity / stress_unit() : 0.0;
     const mca::ElasticModuli moduli = mca::elasticModuli(lawset, m);
     const double D = moduli.D * moduli.bulk / m.bulkModulus(); // D K as the law has it
-    const auto limit = mca::criticalStep(m, D, eta);
+    const auto limit = mca::criticalStep(m, D, eta, *packing);
     if (update->dt > limit.shortest())
       error->all(FLERR,
                  "Timestep {:.6g} is longer than the critical one, {:.6g} (elastic {:.6g}, viscous "
@@ -586,24 +653,51 @@ void PairMCA::check_reach() const
 PairMCA::Automaton PairMCA::automaton(int i) const
 {
   const mca::AutomatonLaw &law = autolaw[atom->type[i]];
-  const mca::Material &m = materials[atom->type[i]];
+  const bool plane = kernel->dimension == 2;
   const double *row = stresses.get() + static_cast<size_t>(i) * kernel->rows.stress;
-  const double unit = stress_unit(), mean = response.get()[i * kernel->rows.response] * unit;
+  const double unit = stress_unit(), mean = response.get()[i * kernel->rows.response];
   const mca::StressTensor s =
-      mca::automatonStress(row[0] * unit, row[1] * unit, row[2] * unit, mean);
+      plane ? mca::automatonStress(row[0], row[1], row[2], mean) : mca::weighted(row, law.weight);
   const double z = j2() ? elastic_z()[i] : 0.0;
-  const double density =
-      mca::energyDensity(row[3], mean / unit, law.shearModulus, law.bulkModulus, law.D) +
-      law.shearModulus * z * z;
-  return {s, mean, mca::stressIntensity(s),
-          density * mca::Cell{mca::packing::hex, m.diameter, depth}.cellVolume()};
+  const double density = mca::energyDensity(row[plane ? 3 : 6], mean, law.shearModulus,
+                                            law.bulkModulus, law.D, law.weight) +
+                         law.shearModulus * z * z;
+  return {{s.xx * unit, s.yy * unit, s.xy * unit, s.zz * unit, s.xz * unit, s.yz * unit},
+          mean * unit,
+          mca::stressIntensity(s) * unit,
+          density * cell(atom->type[i]).cellVolume()};
+}
+
+mca::Vector PairMCA::normal(int k) const
+{
+  double *const *n = pairs.pairs().normal;
+  return {n[0][k], n[1][k], kernel->dimension == 2 ? 0.0 : n[2][k]};
+}
+
+static mca::Vector shear_of(double *const *values, int k)
+{
+  return {values[0][k], values[1][k], values[2][k]};
+}
+
+double PairMCA::shear(double *const *of, int k) const
+{
+  return kernel->dimension == 2 ? of[0][k] : mca::length(shear_of(of, k));
+}
+
+mca::Vector PairMCA::along_shear(int k, double size) const
+{
+  const mca::Vector n = normal(k);
+  if (kernel->dimension == 2)
+    return {-size * n.y, size * n.x, 0.0};
+  const mca::Vector gamma = shear_of(pairs.pairs().now.gamma, k);
+  const double length = mca::length(gamma);
+  return length > 0.0 ? size / length * gamma : mca::Vector{0.0, 0.0, 0.0};
 }
 
 double PairMCA::plastic_work(int i) const
 {
   const int type = atom->type[i];
-  return autolaw[type].curve.work(kappa()[i]) *
-         mca::Cell{mca::packing::hex, materials[type].diameter, depth}.cellVolume();
+  return autolaw[type].curve.work(kappa()[i]) * cell(type).cellVolume();
 }
 
 mca::ContactStress PairMCA::contact(int k) const
@@ -612,8 +706,8 @@ mca::ContactStress PairMCA::contact(int k) const
   const double *ri = response.get() + static_cast<size_t>(p.i[k]) * kernel->rows.response;
   const double *rj = response.get() + static_cast<size_t>(p.j[k]) * kernel->rows.response;
   mca::ContactStress s = mca::contactStress(
-      pairlaw[p.law[k]], p.now.kind[k], p.eps[k], p.now.plastic[k], p.now.gamma[0][k],
-      p.now.gammaTotal[0][k], p.separation[k], ri[0], ri[1], rj[0], rj[1]);
+      pairlaw[p.law[k]], p.now.kind[k], p.eps[k], p.now.plastic[k], shear(p.now.gamma, k),
+      shear(p.now.gammaTotal, k), p.separation[k], ri[0], ri[1], rj[0], rj[1]);
   const bool breaks = p.blocks[k / mca::blockLength].moves && mca::link::isLinked(p.now.kind[k]) &&
                       !mca::link::isLinked(p.next.kind[k]);
   if (breaks && mca::link::isLinked(s.kindNext)) {
@@ -738,7 +832,7 @@ double PairMCA::memory_usage()
 
 void PairMCA::write_restart_settings(FILE *fp)
 {
-  std::string text = mca::exactText({depth, cut_user});
+  std::string text = mca::exactText({depth, cut_user}) + packing->name + " ";
   for (const auto &word : lawset.words())
     text += word + " ";
   mca::writeBlock(fp, text);
@@ -748,7 +842,9 @@ void PairMCA::read_restart_settings(FILE *fp)
 {
   std::istringstream text(mca::readBlock(lmp, fp, "pair_style mca"));
   std::vector<std::string> words;
-  text >> depth >> cut_user;
+  std::string name;
+  text >> depth >> cut_user >> name;
+  packing = mca::findPacking(name.c_str());
   for (std::string word; text >> word;)
     words.push_back(word);
   const std::string problem = lawset.parse(words);

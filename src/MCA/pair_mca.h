@@ -59,9 +59,10 @@ class PairMCA : public Pair {
   mca::LinkList &links() { return pairs; }
   const mca::Material &material(int type) const { return materials[type]; }
   const mca::LawSet &laws() const { return lawset; }
-  double thickness() const { return depth; }
+  double thickness() const { return depth > 0.0 ? depth : 1.0; }
+  mca::Cell cell(int type) const;
   double mass(int type) const;    // of an automaton: the packing, not the disc, fixes it
-  double inertia(int type) const; // about its axis
+  double inertia(int type) const; // about its axis, in space about any
 
   struct Automaton { // of an owned automaton, in pressure units; valid after compute()
     mca::StressTensor stress;
@@ -71,9 +72,13 @@ class PairMCA : public Pair {
 
   double plastic_work(int) const; // of an owned automaton since the beginning, in energy units
   void collect_changes();         // brings the custom values mca_broken, mca_formed up to date
-  mca::ContactStress contact(int) const; // of pair k, in pressure units
-  double owned_share(int) const;         // 1, or 1/2 for a pair that two ranks hold
-  bool on_this_rank(int) const;          // of a pair that two ranks hold, true on one of them
+  // of pair k, in pressure units; in space gamma and tau are lengths of vectors
+  mca::ContactStress contact(int) const;
+  double shear(double *const *of, int) const;      // in space the length of the vector
+  mca::Vector normal(int) const;                   // unit vector of pair k
+  mca::Vector along_shear(int, double size) const; // of this size, along the shear of pair k
+  double owned_share(int) const;                   // 1, or 1/2 for a pair that two ranks hold
+  bool on_this_rank(int) const; // of a pair that two ranks hold, true on one of them
 
   struct Count { // of this rank; pairs held twice count half on each
     double links = 0.0, welds = 0.0;
@@ -93,7 +98,8 @@ class PairMCA : public Pair {
 
  protected:
   mca::LawSet lawset;
-  double depth;                         // thickness of the discs
+  const mca::Packing *packing;          // nullptr until it is known
+  double depth;                         // thickness of the discs, 0: not given
   double cut_user;                      // 0 = default
   std::vector<mca::Material> materials; // by type, in the units of the input script
 
@@ -114,10 +120,11 @@ class PairMCA : public Pair {
   bool committed;              // the state is already that of the coming step
 
   FixMCAHistory *fix_history;
-  int icustom_kappa, icustom_elastic_z, icustom_changes[2], icustom_lag[2], icustom_rest[2];
+  int icustom_kappa, icustom_elastic_z, icustom_changes[2], icustom_lag[3], icustom_rest[3];
   int listed, listed_all; // automata of the list: owned, with ghosts
 
   void allocate();
+  void choose_packing();
   void make_laws();
   void check_step();
   void check_commands() const;
@@ -131,6 +138,7 @@ class PairMCA : public Pair {
   Sums summed(Stage);
   double stress_unit() const;
   void pack_motion(int nall, bool advance);
+  void pack_space_motion(int nall, bool advance);
   void add_up(Stage);
   void pass_on(Stage);
   void record_events();
