@@ -52,7 +52,7 @@ KEYS = {
     "roughness": Key(3.25, "nm", ">= 0", lambda x: x >= 0, "amplitude"),
     "seed": Key(1, "", "a whole number >= 1", _whole(1), "seed"),
     "ns": Key(100.0, "ns, duration", "> 0", _positive, "ns"),
-    "laws": Key("b", "preset of pair_style mca", "a word", None, "laws"),
+    "laws": Key("b", "preset of pair_style mca, further keywords may follow", "words", None, "laws"),
     "dt": Key(None, "ns, step [scaled from 5e-5 with the material]", "> 0", _positive, "dt"),
     "row": Key(0.05, "ns between rows of the log", "> 0", _positive),
     "checkpoint": Key(2.0, "ns between restart files", "> 0", _positive),
@@ -179,7 +179,7 @@ def _value(path, line, name, value):
     key = KEYS[name]
     where = f"{path}:{line}: {name}: '{value}' is not allowed, must be "
     if key.check is None:
-        if not isinstance(value, str) or not re.fullmatch(r"[A-Za-z0-9_./-]+", value):
+        if not isinstance(value, str) or not re.fullmatch(r"[A-Za-z0-9_./-]+( [A-Za-z0-9_./-]+)*", value):
             raise PlanError(where + key.allowed)
         return value
     unit = f" ({key.unit})" if key.unit else ""
@@ -189,7 +189,7 @@ def _value(path, line, name, value):
 
 
 def _short(value):
-    return value if isinstance(value, str) else f"{value:g}"
+    return value.replace(" ", "_") if isinstance(value, str) else f"{value:g}"
 
 
 def _expand(path, line, entry, defaults):
