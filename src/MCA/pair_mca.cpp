@@ -17,6 +17,7 @@
 #include "modify.h"
 #include "neigh_list.h"
 #include "neighbor.h"
+#include "pair_hybrid.h"
 #include "restart_block.h"
 #include "update.h"
 
@@ -371,7 +372,7 @@ void PairMCA::coeff(int narg, char **arg)
   }
   for (int i = ilo; i <= ihi; i++) {
     materials[i] = material;
-    setflag[i][i] = 1;
+    std::fill(setflag[i] + i, setflag[i] + ihi + 1, 1);
   }
 }
 
@@ -384,6 +385,14 @@ void PairMCA::init_style()
   if (force->special_lj[1] != 1.0 && atom->molecular != Atom::ATOMIC)
     error->all(FLERR, "Pair style mca requires special_bonds lj 1 1 1");
   check_commands();
+  if (auto *hybrid = dynamic_cast<PairHybrid *>(force->pair))
+    for (int i = 1; i <= atom->ntypes; i++)
+      for (int j = i; j <= atom->ntypes; j++)
+        if (!hybrid->check_ijtype(i, j, const_cast<char *>("mca")))
+          error->all(FLERR,
+                     "Pair style mca in {} has to act between all types, not so {} {}: begin "
+                     "with pair_coeff * * mca file.mca",
+                     force->pair_style, i, j);
   comm->ghost_velocity = 1; // shear of a contact needs both velocities
 
   comm_forward = lawset.needsLocal() ? mca::localRow : 1;

@@ -21,8 +21,8 @@ def write_fragments(path, length=1.0):
 
 160 atoms
 2 atom types
-0 {40 * length!r} xlo xhi
-{-0.1 * length!r} {11 * h * length!r} ylo yhi
+{-1 * length!r} {41 * length!r} xlo xhi
+{-1 * length!r} {11 * h * length!r} ylo yhi
 {-2.5 * length!r} {2.5 * length!r} zlo zhi
 
 Atoms # sphere
