@@ -144,7 +144,7 @@ def test_uniform_dilation_is_right(fragments, tmp_path):
     strain = 1e-5
     grow = f"change_box all x scale {1 + strain} y scale {1 + strain} remap units box"
     _, frame = run(tmp_path, fragments, style=ELASTIC, steps=1, every=1, pull=0, fall=0, boundary="f f",
-                   extra="delete_atoms group upper\nrun 1\n" + grow)
+                   extra="timestep 1e-6\ndelete_atoms group upper\nrun 1\n" + grow)
     # the middle, which the waves from the free sides have not reached
     inside = (np.abs(frame["x"] - 20) < 8) & (np.abs(frame["y"] - 2 * 2.165) < 1)
     plane = 206000 / (1 + 0.3) / (1 - 2 * 0.3) * strain  # 2 (lambda + G) strain
