@@ -12,7 +12,9 @@ namespace {
 
 using Vector = Eigen::VectorXd;
 
-constexpr double firstTolerance = 1e-2;     ///< the first sets are wrong anyway
+constexpr double firstTolerance = 1e-2; ///< the first sets are wrong anyway
+constexpr int coarsestGrid = 1024;
+constexpr double coarseTolerance = 1e-4;    ///< a start for the next grid needs no more
 constexpr double limitMargin = 1e-9;        ///< rounding of |q| against the bound
 constexpr double transientTolerance = 1e-5; ///< of the slip in the stick zone / creep
 
@@ -100,6 +102,22 @@ std::vector<Adhesion> startStates(const Vector &bound, const std::vector<Adhesio
   return state;
 }
 
+/// States from the solution on cells twice as long: on long grids most sets are tried there.
+std::vector<Adhesion> statesFromCoarseGrid(const Vector &bound, double creep)
+{
+  const auto cells = bound.size() / 2;
+  const Eigen::Map<const Eigen::Matrix2Xd> pairs(bound.data(), 2, cells);
+  HalfPlane plane(static_cast<int>(cells), Boundary::Free);
+  RollingOptions options;
+  options.tolerance = coarseTolerance;
+  const Vector coarseBound = pairs.colwise().mean();
+  const auto coarse = solveFrozenRolling(plane, coarseBound, creep, options).state;
+  std::vector<Adhesion> states(bound.size());
+  for (Eigen::Index i = 0; i < bound.size(); ++i)
+    states[i] = coarse[i / 2];
+  return states;
+}
+
 Vector stickCells(const std::vector<Adhesion> &state)
 {
   Vector stick(state.size());
@@ -125,7 +143,11 @@ RollingResult solveFrozenRolling(HalfPlane &halfPlane, const Vector &bound, doub
     throw Error(ExitCode::Internal, "rolling contact: bound, creep or boundary do not fit");
   RollingResult result;
   result.traction = options.startTraction.size() == n ? options.startTraction : Vector::Zero(n);
-  result.state = startStates(bound, options.start);
+  const bool cold = std::all_of(options.start.begin(), options.start.end(),
+                                [](Adhesion state) { return state == Adhesion::Apart; });
+  result.state = startStates(bound, cold && creep > 0.0 && n >= 2 * coarsestGrid && n % 2 == 0
+                                        ? statesFromCoarseGrid(bound, creep)
+                                        : options.start);
   if (creep == 0.0) {
     result.traction.setZero();
     result.slip = Vector::Zero(n);
