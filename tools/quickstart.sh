@@ -68,7 +68,7 @@ at kappa1 = $(column points.csv kappa1), kappa2 = $(column points.csv kappa2)
   fit             $results/law.json, points.csv
   pictures        $results/fragment.png, friction.png
 Creep curves of Table 2's contact with the paper's law at 10, 20 and 40 m/s:
-  table           $results/creep.csv (contact.csv, summary.json)
+  table           $results/creep.csv (creep.json, contact.csv, summary.json)
   picture         $results/creep.png
 END_OF_SUMMARY
 }
@@ -81,7 +81,7 @@ END_OF_SUMMARY
   cd "$results"
   # a failed step must not leave an older run's files
   rm -f -- friction.friction friction.dump friction.log friction.restart law.json points.csv \
-    creep.csv contact.csv summary.json fragment.png friction.png creep.png
+    creep.csv creep.json contact.csv summary.json fragment.png friction.png creep.png
   chain
   summary
   exit 0

@@ -126,6 +126,32 @@ std::string creepCsv(const Case &input, const CreepCurves &curves)
   return text;
 }
 
+std::string creepJson(const Case &input, const CreepCurves &curves)
+{
+  Json json = {{"format", "wr_creep-curves 1"},
+               {"units", "speed: m/s; traction: N/mm; temperature_rise: K; others: 1"},
+               {"curves", Json::array()}};
+  for (const Curve &curve : curvesOf(input, curves)) {
+    Json one = {{profileName(input), curve.contact->profile}, {"speed", curve.first->speed}};
+    for (const CurvePoint *p = curve.first; p <= curve.last; ++p) {
+      one["creep"].push_back(p->creep);
+      one["traction_ratio"].push_back(p->tractionRatio);
+      one["traction"].push_back(p->traction / newtonPerMm);
+      one["mu_mean"].push_back(p->muMean);
+      one["temperature_rise"].push_back(p->temperatureRise);
+      one["iterations"].push_back(p->iterations);
+      one["stick_fraction"].push_back(p->stickFraction);
+      if (!curves.hasBand)
+        continue;
+      one["standard_error"].push_back(p->band.standardError);
+      one["low"].push_back(p->band.low);
+      one["high"].push_back(p->band.high);
+    }
+    json["curves"].push_back(one);
+  }
+  return json.dump() + "\n";
+}
+
 std::string creepBandCsv(const Case &input, const CreepCurves &curves)
 {
   std::string text = "# T/N with its standard error and 95 % interval from the covariance of the "
@@ -264,6 +290,14 @@ std::string summaryJson(const Case &input, const FrictionLaw &law, const CreepCu
 std::string summaryJson(const Case &input, const FrictionLaw &law, const StaticCases &cases)
 {
   Json json = summaryHead(input, law, cases.contacts);
+  for (const StaticPoint &p : cases.points)
+    json["forces"].push_back({{profileName(input), p.profile},
+                              {"force_ratio", p.forceRatio},
+                              {"traction_ratio", p.tractionRatio},
+                              {"traction_N_per_mm", p.traction / newtonPerMm},
+                              {"mu", p.mu},
+                              {"stick_length_mm", p.stickLength / mm},
+                              {"stick_centre_mm", p.stickCentre / mm}});
   json["points"] = cases.points.size();
   json["seconds"] = cases.seconds;
   return json.dump(2) + "\n";

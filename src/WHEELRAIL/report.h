@@ -12,6 +12,9 @@ namespace wheelrail {
 /// and number of a measured one, is added when there are several. Units are said in the first line.
 std::string creepCsv(const Case &input, const CreepCurves &curves);
 
+/// creep.json: the same and the band, a list for each column of each curve.
+std::string creepJson(const Case &input, const CreepCurves &curves);
+
 /// creep_band.csv: T/N with its standard error and 95 % interval from the covariance of the law.
 std::string creepBandCsv(const Case &input, const CreepCurves &curves);
 

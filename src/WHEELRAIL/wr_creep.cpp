@@ -55,7 +55,7 @@ std::string footer()
   std::string text = R"(
 Examples:
   wr_creep table2.yaml -o out
-      creep curves of the case: out/creep.csv, contact.csv, summary.json
+      creep curves of the case: out/creep.csv, creep.json, contact.csv, summary.json
   wr_creep table2.yaml -o out --set speed="20 m/s" --set creep="[0.001, 0.01, 0.1]"
       the same case with other speeds and creeps
   wr_creep table2.yaml -o rough --set roughness="{hurst: 0.8, rms_slope: 0.02,
@@ -182,7 +182,7 @@ void run(const Settings &settings)
     return;
   }
   const CreepCurves curves = solveCreepCurves(input, law, options);
-  Files files = {{"creep.csv", creepCsv(input, curves)}};
+  Files files = {{"creep.csv", creepCsv(input, curves)}, {"creep.json", creepJson(input, curves)}};
   if (curves.hasBand)
     files.emplace_back("creep_band.csv", creepBandCsv(input, curves));
   files.emplace_back("contact.csv", contactCsv(curves));
