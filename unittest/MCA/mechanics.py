@@ -26,12 +26,12 @@ timestep {dt}
 
 # ---- elasticity
 
-def bar(folder, rows, plane="strain"):
+def bar(folder, rows, plane="strain", skin=1.0):
     """A sheet with free sides, stretched: stress and E of each row over the solid's, Poisson's
-    ratio of the middle over the solid's."""
+    ratio of the middle over the solid's. `skin` times stiffer are the outermost rows."""
     modulus, ratio = UNIAXIAL[plane]
     strain = 1e-6
-    lmp("in.bar", folder, rows=rows, plane=plane, exx=strain, eyy=-ratio * strain, c2=modulus / RHO)
+    lmp("in.bar", folder, rows=rows, plane=plane, exx=strain, eyy=-ratio * strain, c2=modulus / RHO, skin=skin)
     frame = dump(folder / "state.dump")[-1][1]
     row = np.rint(frame["y"] / ROW).astype(int)
     by_row = lambda values: np.array([values[row == k].mean() for k in range(rows)])
@@ -44,11 +44,14 @@ def bar(folder, rows, plane="strain"):
 
 
 def surface_row(plane):
-    """Averaged sxx and mean stress of a free close-packed row over the solid's, before the rows
-    below have given way: 4 of 6 contacts at the strain of the interior, whose stress they carry."""
-    modulus, ratio = UNIAXIAL[plane]
-    sums = 2.5 - 1.5 * ratio, 3 - 3 * ratio  # of e over 4 and over 6 contacts
-    return 5 / 6, sums[0] / sums[1]
+    """A free close-packed row at the strain of the interior: 4 of 6 contacts. Over the values of the
+    interior: sum of its sxx, its mean stress, its elastic energy."""
+    ratio = UNIAXIAL[plane][1]
+    weight = NU / (1 - 2 * NU) if plane == "strain" else NU / (1 - NU)  # lambda / 2G
+    # sums over the contacts of e and of e^2 + gamma^2, over 3
+    four, six = (2.5 - 1.5 * ratio) / 3, 1 - ratio
+    energy = ((2.5 + 1.5 * ratio**2) / 3 + weight * four**2) / (1 + ratio**2 + weight * six**2)
+    return 5 / 6, four / six, energy
 
 
 def lattice_speed(mode, wavelength):
@@ -305,39 +308,37 @@ def measured_diagram(r):
     return np.concatenate([[0], rate.cumsum()]) + r["equivalent"] / E, r["equivalent"]
 
 
-def diagram(folder, kind, laws, scale=1.0, reverse=False, turn=0.6, steps=4000, every=5):
+def diagram(folder, kind, laws, scale=1.0, reverse=False, steps=4000, every=5):
     """The block's diagram up to the breaking strain, in tension with a free side or in shear; with
-    `reverse` it is unloaded and loaded the other way from `turn` times that on."""
-    preserving = "j2" in laws
+    `reverse` it is unloaded and loaded the other way from 0.6 times that on. The beginning, where it
+    is elastic, is done in a tenth of the steps."""
     file = f"steel.mca yield_strain {0.015 * scale!r} breaking_strain {BREAKING * scale!r}"
+    factor = np.sqrt(3) if kind == "shear" else 1
+    early, end = 2 * Y1 / E, 1.02 * BREAKING * scale
+    strains = [*np.linspace(0, early, 11)[1:], *np.linspace(early, end, 91)[1:]]
+    if reverse:
+        strains = [e for e in strains if e < 0.6 * end]
+        strains += list(np.linspace(strains[-1], strains[-1] - (1e-3 if scale < 1 else 2e-3), 21)[1:])
+    strains = [factor * e for e in strains]
     if kind == "shear":
-        end = 1.02 * BREAKING * scale * np.sqrt(3)
-        back = turn * end - 1.5e-3 * (1 if scale < 1 else 2)
-        angles = list(np.linspace(0, end, 101)[1:])
-        if reverse:
-            angles = angles[:int(turn * 100)] + list(np.linspace(turn * end, back, 21)[1:])
-        path = [(0.0, 0.0, a, steps // 100) for a in angles]
+        path = [(0.0, 0.0, e, steps // 100) for e in strains]
     else:
-        end = 1.02 * BREAKING * scale
-        stretches = list(np.linspace(0, end, 101)[1:])
-        if reverse:
-            stretches = stretches[:int(turn * 100)]
-            stretches += list(np.linspace(stretches[-1], stretches[-1] - 1e-3 * (1 if scale < 1 else 2), 21)[1:])
-        path = [(*p, 0.0, steps // 100) for p in tension_path(stretches, preserving, scale)]
+        path = [(*p, 0.0, steps // 100) for p in tension_path(strains, "j2" in laws, scale)]
     return strained(folder, path, laws, every, file)
 
 
 # ---- Hertz
 
-def hertz(folder, size, depth=8, radius=400):
+def hertz(folder, size, depth=10, radius=2000):
     """A rigid cylinder pressed into a block so that the half-width of the contact is about `size`
     automata; the block is 2 `depth` half-widths wide, `depth` deep, rests on a rigid floor, and the
-    radius is `radius` * size/10. Returns load per thickness, the half-width of the pressures of the
-    surface (a straight line through p^2 against x^2), and Hertz's half-width for that load."""
+    radius is `radius` * size/10. Returns the pressures of the surface's automata, load per thickness,
+    half-width (twice the root mean square of x under these pressures, as of an ellipse), largest
+    pressure (of a straight line through p^2 against x^2), and Hertz's values for that load."""
     a = size * D
     rounded = radius * a / 10
     columns, rows = 2 * depth * size, int(round(depth * a / ROW))
-    stiffness = 1.2e10 / size**2  # the surface gives way to it by 2 % of the approach
+    stiffness = 6e10 / size**2  # the surface gives way to it by 2 % of the approach
     result = lmp("in.hertz", folder, columns=columns, rows=rows, radius=rounded, approach=a * a / rounded,
                  stiffness=stiffness, dt=1e-4 if size < 8 else 1.5e-4)
     t = result.thermo[-1]
@@ -346,10 +347,10 @@ def hertz(folder, size, depth=8, radius=400):
     pressure = np.where(inside > 0, stiffness * inside**2, 0.0) / D
     x = top["x"] - columns * D / 2
     touching = pressure > 0
-    slope, p0squared = np.polyfit(x[touching]**2, pressure[touching]**2, 1)
+    p0squared = np.polyfit(x[touching]**2, pressure[touching]**2, 1)[1]
     load = pressure.sum() * D
     modulus = E / (1 - NU**2)
-    return {"x": x, "pressure": pressure, "load": load, "half_width": np.sqrt(-p0squared / slope),
+    return {"x": x, "pressure": pressure, "load": load, "half_width": 2 * np.sqrt((pressure * x * x).sum() / pressure.sum()),
             "p0": np.sqrt(p0squared), "hertz": np.sqrt(4 * load * rounded / (np.pi * modulus)),
             "hertz_p0": np.sqrt(load * modulus / (np.pi * rounded))}
 
