@@ -1,6 +1,7 @@
 #!/usr/bin/python3
 """Speed of the plugin beside LAMMPS's own styles, on the same lattice and in the same run."""
 import argparse
+import concurrent.futures
 import datetime
 import json
 import os
@@ -32,7 +33,8 @@ second and the ratios mca/other with their smallest and largest value, and write
 LAMMPS's timing breakdown and neighbour list builds, as JSON.
 
 With --partitions N it also runs N independent copies of the smallest mca case at once, as
-LAMMPS partitions of 1 rank, and compares their rate with N times that of a single one.
+LAMMPS partitions of 1 rank, and compares what they do in a second of wall time with what as
+many single runs as there are cores do side by side.
 
 On 1 rank the rates are per second of processor time (LAMMPS's CPU use), which other jobs hardly
 disturb; on more ranks they are per second of wall time and need as many free cores as ranks."""
@@ -101,10 +103,26 @@ def run_case(lmp, style, automata, ranks, scale, folder, partitions=0):
     return [parse_log(text) for text in texts]
 
 
+def run_side_by_side(lmp, automata, scale, folder, count):
+    """As many single runs at once: a parsed log each."""
+    def one(k):
+        own = folder / f"single{k}"
+        own.mkdir(exist_ok=True)
+        return run_case(lmp, "mca", automata, 1, scale, own)[0]
+
+    with concurrent.futures.ThreadPoolExecutor(count) as pool:
+        return list(pool.map(one, range(count)))
+
+
+def throughput(runs):
+    """Automaton-steps that runs which share the machine do in a second."""
+    return (sum(r["automata"] * r["steps"] for r in runs) / max(r["loop_seconds"] for r in runs))
+
+
 def mpi_environment():
     """Also as root, more ranks than cores; the system decides which core runs a rank."""
     return {**os.environ, "OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1",
-            "OMPI_MCA_rmaps_base_oversubscribe": "1",
+            "OMPI_MCA_rmaps_base_oversubscribe": "1", "OMPI_MCA_mpi_yield_when_idle": "1",
             "OMPI_MCA_hwloc_base_binding_policy": "none"}
 
 
@@ -234,16 +252,15 @@ def main():
                 runs[style, size, ranks] += run_case(lmp, style, size, ranks, args.scale,
                                                      Path(folder))
             if args.partitions:
-                alone, = run_case(lmp, "mca", min(args.sizes), 1, args.scale, Path(folder))
-                copies = run_case(lmp, "mca", min(args.sizes), 1, args.scale, Path(folder),
-                                  args.partitions)
-                together.append(sum(r["rate_wall"] for r in copies)
-                                / (args.partitions * alone["rate_wall"]))
+                size = min(args.sizes)
+                copies = run_case(lmp, "mca", size, 1, args.scale, Path(folder), args.partitions)
+                singles = run_side_by_side(lmp, size, args.scale, Path(folder), os.cpu_count())
+                together.append(throughput(copies) / throughput(singles))
     progress("")
     results = {case: summarise(r, case[2]) for case, r in runs.items()}
     table = ratios(results)
     if together:
-        table.append({"ratio": f"{args.partitions} partitions / single", "automata": min(args.sizes),
+        table.append({"ratio": f"{args.partitions} partitions / single runs", "automata": min(args.sizes),
                       "ranks": args.partitions, **spread(together)})
     print_tables(results, table)
     busy = [case for case, c in results.items() if c["cpu_use_percent"]["median"] < 95]
