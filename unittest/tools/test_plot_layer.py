@@ -1,0 +1,51 @@
+"""tools/plot_layer.py: the measures of known profiles, and one clear line for others."""
+import csv
+import subprocess
+from pathlib import Path
+
+import pytest
+
+PLOT = Path(__file__).resolve().parents[2] / "tools" / "plot_layer.py"
+HEAD = "# Chunk-averaged data\n# Timestep Number-of-chunks Total-count\n# Chunk Coord1 Ncount vx c_state[1] v_upper v_away2\n"
+
+
+def frame(step, low, high):
+    """Ten rows of height 1: still below `low`, at 5 above `high`, linear between; half linked there."""
+    rows = []
+    for k in range(10):
+        share = min(max((k - low) / (high - low), 0), 1)
+        inside = low < k < high
+        rows.append(f"  {k + 1} {k} 4 {5 * share} {3 if inside else 6} {share} {2 if inside else 0}")
+    return f"{step} 10 40\n" + "\n".join(rows) + "\n"
+
+
+def plot(tmp_path, content, *options):
+    (tmp_path / "a.profile").write_text(content)
+    return subprocess.run([PLOT, tmp_path / "a.profile", *options], text=True, capture_output=True,
+                          timeout=60, check=False)
+
+
+def test_measures_of_a_known_layer(tmp_path):
+    # the second frame is from a continued run, the third is being written
+    content = HEAD + frame(1000, 3, 6) + HEAD + frame(2000, 2, 7) + frame(3000, 2, 7)[:60]
+    done = plot(tmp_path, content, "-o", tmp_path / "a.png", "--csv", tmp_path / "a.csv")
+    assert done.returncode == 0, done.stderr
+    with open(tmp_path / "a.csv", encoding="utf-8") as file:
+        rows = [{k: float(v) for k, v in row.items()} for row in csv.DictReader(file)]
+    assert [row["step"] for row in rows] == [1000, 2000]
+    for row, (low, high) in zip(rows, ((3, 6), (2, 7))):
+        assert row["depth"] == pytest.approx(0.8 * (high - low))
+        assert row["mixed"] == pytest.approx(0.8 * (high - low))
+        assert row["centre"] == pytest.approx(4.5)
+        assert row["linked"] == pytest.approx(0.5) and row["displacement2"] == pytest.approx(2)
+    assert (tmp_path / "a.png").read_bytes()[:4] == b"\x89PNG"
+
+
+@pytest.mark.parametrize("content, word", [
+    ("", "no frame"), ("nonsense\n", ":1:"), (HEAD.replace("vx", "vz") + frame(1, 3, 6), "columns"),
+    (HEAD + frame(1, 3, 6).replace("0.0", "zero"), "cannot be read")])
+def test_bad_profile(tmp_path, content, word):
+    done = plot(tmp_path, content, "-o", tmp_path / "a.png")
+    assert done.returncode == 3
+    assert done.stderr.count("\n") == 1 and word in done.stderr
+    assert not (tmp_path / "a.png").exists()
