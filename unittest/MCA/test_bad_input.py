@@ -140,9 +140,22 @@ def test_wrong_atom_style(tmp_path):
           "atom style sphere")
 
 
-def test_three_dimensions(tmp_path):
+@pytest.mark.parametrize("laws, named", [
+    ("thickness 2", "thickness"), ("plane stress plasticity none", "plane stress"), ("plasticity j2", "plasticity j2"),
+    ("link_work 1", "link_work"), ("fracture equivalent", "fracture by the local stress")])
+def test_laws_of_the_plane_in_three_dimensions(tmp_path, laws, named):
     script = SAMPLE.replace("dimension 2", "dimension 3").replace("hex 2.5", "sc 2.5")
-    fails(script + "pair_style mca\npair_coeff * * steel.mca\nrun 0\n", tmp_path, "dimension 2")
+    fails(script + f"pair_style mca {laws}\npair_coeff * * steel.mca\nrun 0\n", tmp_path,
+          f"{named} is for dimension 2 only")
+
+
+@pytest.mark.parametrize("laws, parts", [
+    ("plane stress", ("plane", "stress", "needs plasticity none")),
+    ("fracture drucker-prager", ("compressive_strength", "need each other")),
+    ("fracture drucker-prager compressive_strength 0.9", ("0.9", ">= 1")),
+    ("link_work 0", ("link_work", "0", "> 0"))])
+def test_laws_that_do_not_go_together(tmp_path, laws, parts):
+    fails(SAMPLE + f"pair_style mca {laws}\n", tmp_path, *parts)
 
 
 def test_links_before_the_pair_style(tmp_path):

@@ -161,7 +161,7 @@ run 100000
 def test_diagram_runs_through_fig5(tmp_path, kind, law):
     """Strains a tenth of Fig. 5's, where the contacts' strain is linear: the three points, the
     stresses of a material point, the plastic work of the curve."""
-    r = m.diagram(tmp_path, kind, f"plasticity {law} fracture none", scale=0.1, every=20)
+    r = m.diagram(tmp_path, kind, f"plasticity {law} fracture none", scale=0.1, steps=2000, every=10)
     strain, stress = m.measured_diagram(r)
     first = int(np.argmax(r["kappa"] > 0))
     assert strain[first - 1] == pytest.approx(stress[first - 1] / m.E, rel=1e-3)
