@@ -54,14 +54,14 @@ void FixNVEMCA::reset_dt()
 
 void FixNVEMCA::step_in_space(bool moves)
 {
-  double **x = atom->x, **v = atom->v, **f = atom->f;
-  double **omega = atom->omega, **torque = atom->torque;
+  auto *x = mca::flat(atom->x), *v = mca::flat(atom->v), *f = mca::flat(atom->f);
+  auto *omega = mca::flat(atom->omega), *torque = mca::flat(atom->torque);
   const int *mask = atom->mask, *type = atom->type;
   const int n = igroup == atom->firstgroup ? atom->nfirst : atom->nlocal;
   for (int i = 0; i < n; i++) {
     if (!(mask[i] & groupbit))
       continue;
-    const HalfStep &half = halfstep[type[i]];
+    const HalfStep half = halfstep[type[i]];
     for (int m = 0; m < 3; m++) {
       v[i][m] += half.over_mass * f[i][m];
       omega[i][m] += half.over_inertia * torque[i][m];

@@ -56,7 +56,7 @@ struct Motion {
     for (int k = 0; k < n; k += 4) {
       Row4 a[4], b[4];
       for (int m = 0; m < 4; m++) {
-        const int i = pi[lesser(k + m, n - 1)], j = pj[lesser(k + m, n - 1)];
+        const int i = pi[k + m], j = pj[k + m];
         a[m] = half(motion, j, 0) - half(motion, i, 0);
         b[m] = half(motion, j, 1) + signs * half(motion, i, 1);
         wz[k + m] = spin[i] + spin[j];
@@ -88,6 +88,13 @@ struct Shares {
     Row4 signs[2];
     for (int m = 0; m < 8; m++)
       signs[m / 4][m % 4] = m < TURNED ? -1.0 : 1.0;
+    // pairs come sorted by i, so that its sum stays in registers
+    int last = pi[0];
+    Row4 sumA = {}, sumB = {};
+    auto flush = [&]() {
+      *rowOf<Row4>(sums, 2 * last) += sumA;
+      *rowOf<Row4>(sums, 2 * last + 1) += sumB;
+    };
     for (int k = 0; k < n; k += 4) {
       Row4 a[4], b[4];
       for (int m = 0; m < 4; m++) {
@@ -98,13 +105,19 @@ struct Shares {
       transpose(b[0], b[1], b[2], b[3]);
       const int end = lesser(4, n - k);
       for (int m = 0; m < end; m++) {
-        const int i = 2 * pi[k + m], j = 2 * pj[k + m];
-        *rowOf<Row4>(sums, i) += a[m];
-        *rowOf<Row4>(sums, i + 1) += b[m];
+        if (pi[k + m] != last) {
+          flush();
+          last = pi[k + m];
+          sumA = sumB = Row4{};
+        }
+        sumA += a[m];
+        sumB += b[m];
+        const int j = 2 * pj[k + m];
         *rowOf<Row4>(sums, j) += signs[0] * a[m];
         *rowOf<Row4>(sums, j + 1) += signs[1] * b[m];
       }
     }
+    flush();
   }
 };
 
@@ -142,7 +155,7 @@ double strainBlock(const Pairs &p, int first, int n, double dt, const PairLaw *l
       totals.set(k, total);
       es.value[k] = e;
       bulks.value[k] = 1.0;
-      return strainIntensity2(eps, length(total)) >= breakingStrain2 ? 1.0 : 0.0;
+      return strainIntensity2(eps, total) >= breakingStrain2 ? 1.0 : 0.0;
     } else {
       const double linked = link::linked(pkind[k]), pressed = e < 0.0 ? 1.0 : 0.0;
       gammas.set(k, linked * gamma);

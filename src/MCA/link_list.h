@@ -86,7 +86,7 @@ class LinkList {
 
  private:
   int shears_;
-  std::vector<AlignedArray> arrays_;
+  AlignedArray values_; // of all pairs, one quantity after the other
   std::vector<int> i_, j_, law_;
   std::vector<double> original_;
   std::vector<Block> blocks_;

@@ -201,18 +201,23 @@ void PairMCA::pack_motion(int nall, bool advance)
 
 void PairMCA::pack_space_motion(int nall, bool advance)
 {
-  double *row = motion.get();
-  double **x = atom->x, **v = atom->v, **omega = atom->omega;
-  for (int i = 0; i < nall; i++, row += kernel->rows.motion) {
+  double *row = motion.get(), *turn = spin.get();
+  const auto *x = mca::flat(atom->x), *v = mca::flat(atom->v), *omega = mca::flat(atom->omega);
+  const int length = kernel->rows.motion;
+  for (int i = 0; i < nall; i++, row += length) {
     for (int m = 0; m < 3; m++) {
       row[m] = x[i][m];
-      row[3 + m] =
-          advance ? v[i][m]
-                  : v[i][m] - atom->dvector[icustom_lag[m]][i] - atom->dvector[icustom_rest[m]][i];
+      row[3 + m] = v[i][m];
     }
     row[6] = omega[i][0];
     row[7] = omega[i][1];
-    spin.get()[i] = omega[i][2];
+    turn[i] = omega[i][2];
+  }
+  for (int m = 0; m < 3 && !advance; m++) {
+    const double *lag = atom->dvector[icustom_lag[m]], *rest = atom->dvector[icustom_rest[m]];
+    row = motion.get() + 3 + m;
+    for (int i = 0; i < nall; i++, row += length)
+      *row = *row - lag[i] - rest[i];
   }
 }
 

@@ -20,6 +20,13 @@ inline double strainIntensity2(double eps, double gammaTotal)
   return opening * opening + (4.0 / 3.0) * gammaTotal * gammaTotal;
 }
 
+/// The same of a shear in space.
+inline double strainIntensity2(double eps, const Vector &gammaTotal)
+{
+  const double opening = eps > 0.0 ? eps : 0.0;
+  return opening * opening + (4.0 / 3.0) * dot(gammaTotal, gammaTotal);
+}
+
 /// Squared stress intensity of a link [stress^2]: max(sigma, 0)^2 + 3 tau^2 >= strength^2 breaks
 /// it (a brittle weld, or any link under the stress criterion).
 inline double linkIntensity2(double sigma, double tau)
