@@ -173,9 +173,9 @@ std::vector<int> FixMCAHistory::originals() const
 }
 
 /* ----------------------------------------------------------------------
-   From the automata to the new pair list, in the order of the pairs' IDs: the order of a rank's sums
-   is then the same whatever LAMMPS's order of atoms, ghosts and neighbors, which changes with every
-   build, restart and set-up.
+   From the automata to the new pair list, in the order of the pairs' IDs: the order of a rank's
+sums is then the same whatever LAMMPS's order of atoms, ghosts and neighbors, which changes with
+every build, restart and set-up.
 ------------------------------------------------------------------------- */
 
 void FixMCAHistory::post_neighbor()
@@ -193,6 +193,7 @@ void FixMCAHistory::post_neighbor()
   struct Found {
     tagint lower, higher;
     int i, j; // in that order
+    bool exchanged;
     const double *state;
   };
   std::vector<Found> found;
@@ -206,9 +207,9 @@ void FixMCAHistory::post_neighbor()
         if (partner[i][m] == key)
           state = valuepartner[i] + dnum * m;
       if (tag[i] < tag[j])
-        found.push_back({tag[i], tag[j], i, j, state});
+        found.push_back({tag[i], tag[j], i, j, false, state});
       else
-        found.push_back({tag[j], tag[i], j, i, state});
+        found.push_back({tag[j], tag[i], j, i, true, state});
     }
   }
   std::sort(found.begin(), found.end(), [](const Found &a, const Found &b) {
@@ -218,7 +219,7 @@ void FixMCAHistory::post_neighbor()
   links.reset(static_cast<int>(found.size()));
   mca->begin_changes();
   for (const Found &f : found)
-    links.addStored(f.i, f.j, mca->law_number(f.i, f.j), f.state);
+    links.addStored(f.i, f.j, mca->law_number(f.i, f.j), f.exchanged, f.state);
 }
 
 void FixMCAHistory::setup_post_neighbor()

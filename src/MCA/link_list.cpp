@@ -8,10 +8,7 @@ namespace mca {
 // The kernel gathers in fours: the last pair is repeated.
 static constexpr int padding = 3;
 
-LinkList::LinkList(int shears)
-    : shears_(shears), now_(stateSize()), next_(stateSize())
-{
-}
+LinkList::LinkList(int shears) : shears_(shears), now_(stateSize()), next_(stateSize()) {}
 
 void LinkList::reset(int n)
 {
@@ -73,9 +70,20 @@ void LinkList::add(int i, int j, int law, const double *state)
   setState(k, state);
 }
 
-void LinkList::addStored(int i, int j, int law, const double *stored)
+// In space the shears turn round when both automata are exchanged.
+void LinkList::exchange(double *state) const
 {
-  add(i, j, law, stored);
+  if (shears_ == 3)
+    std::transform(state + 2, state + stateSize(), state + 2, std::negate<>());
+}
+
+void LinkList::addStored(int i, int j, int law, bool exchanged, const double *stored)
+{
+  double state[maxStateSize];
+  std::copy_n(stored, stateSize(), state);
+  if (exchanged)
+    exchange(state);
+  add(i, j, law, state);
   const double *more = stored + stateSize();
   original_.back() = more[0];
   for (int m = 0; m < 3; m++)
@@ -85,8 +93,8 @@ void LinkList::addStored(int i, int j, int law, const double *stored)
 void LinkList::getStored(int k, bool next, bool exchanged, double *stored) const
 {
   getState(k, next, stored);
-  if (exchanged && shears_ == 3)
-    std::transform(stored + 2, stored + stateSize(), stored + 2, std::negate<>());
+  if (exchanged)
+    exchange(stored);
   double *more = stored + stateSize();
   more[0] = original_[k];
   for (int m = 0; m < 3; m++)

@@ -57,7 +57,8 @@ class LinkList {
   void add(int i, int j, int law, const double *state);
 
   /// The same with all that is kept, storedSize() values.
-  void addStored(int i, int j, int law, const double *stored);
+  /// \param exchanged  kept as the pair (j, i)
+  void addStored(int i, int j, int law, bool exchanged, const double *stored);
 
   /// Copies what is kept of pair k, with the present (or the next) state, to storedSize() doubles.
   /// \param exchanged  as the pair (j, i): in space its shears turn round
@@ -92,6 +93,8 @@ class LinkList {
   std::vector<Block> blocks_;
   std::vector<double *> now_, next_; // the arrays of both states, in the order of getState()
   Pairs view_{};
+
+  void exchange(double *state) const;
 };
 
 } // namespace mca

@@ -113,7 +113,7 @@ TEST(PairMotion, IsThePlanesLawInAPlane)
   Random random(4);
   for (int k = 0; k < 100; k++) {
     const double alpha = random.number(3), turn = random.number(0.01), phi = random.number(0.01);
-    const double r0 = 2.5 + random.number(0.05), r = 2.5 + random.number(0.05);
+    const double r0 = 2.5 + random.number(0.02), r = 2.5 + random.number(0.02);
     auto at = [](double length, double angle) {
       return Vector3d(length * std::cos(angle), length * std::sin(angle), 0);
     };
