@@ -1,0 +1,218 @@
+"""Three dimensions: elastic constants of the packings, a bar with free sides, conservation, ranks,
+restart, and what is refused."""
+
+import math
+
+import numpy as np
+import pytest
+
+from lmp_run import dump, fails, friction_log, largest_difference, lmp
+
+E, NU, D = 206000.0, 0.3, 2.5
+LAMBDA, G, K = E * NU / (1 + NU) / (1 - 2 * NU), E / 2 / (1 + NU), E / 3 / (1 - 2 * NU)
+STRAIN = 1e-7
+AXES = ("xx", "yy", "zz", "xy", "xz", "yz")
+STRESS = [f"c_state[{k}]" for k in range(1, 7)]
+
+
+def tensor(xx=0, yy=0, zz=0, xy=0, xz=0, yz=0):
+    return np.array([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]])
+
+
+def hooke(eps):
+    return LAMBDA * np.trace(eps) * np.eye(3) + 2 * G * eps
+
+
+CELLS = {"fcc": dict(nx=4, ny=3, nz=3), "hcp": dict(nx=5, ny=3, nz=3), "sc": dict(nx=5, ny=4, nz=4)}
+
+
+def strained(folder, packing, ranks=1, **strain):
+    result = lmp("in.space_homogeneous", folder, ranks=ranks, packing=packing, **CELLS[packing],
+                 **{f"e{k}": v * STRAIN for k, v in strain.items()})
+    frame = dump(folder / "state.dump")[-1][1]
+    return result, frame, np.array([frame[name] for name in STRESS])
+
+
+@pytest.mark.parametrize("packing", CELLS)
+@pytest.mark.parametrize("strain", [
+    dict(xx=1, yy=1, zz=1), dict(yy=1), dict(xy=1), dict(xz=1), dict(yz=1),
+    dict(xx=0.3, yy=-0.7, zz=0.2, xy=0.4, xz=-0.1, yz=0.6)], ids=lambda s: "_".join(s))
+def test_periodic_block_is_hookes(tmp_path, packing, strain):
+    """Hydrostatic, confined tension, shears, and all at once: every automaton the same, 1e-6."""
+    result, frame, stress = strained(tmp_path, packing, ranks=2 if len(strain) > 3 else 1, **strain)
+    expected = hooke(tensor(**strain) * STRAIN)
+    size = np.abs(expected).max()
+    for k, name in enumerate(AXES):
+        i, j = "xyz".index(name[0]), "xyz".index(name[1])
+        assert np.abs(stress[k] - expected[i, j]).max() < 1e-6 * size, name
+    assert np.abs(frame["c_state[7]"] - np.trace(expected) / 3).max() < 1e-6 * size
+    assert (frame["c_state[10]"] == (6 if packing == "sc" else 12)).all()
+    last = {k: v[-1] for k, v in result.thermo[-1].items()}
+    virial = -np.array([last[f"c_virial[{k}]"] for k in range(1, 7)])
+    assert np.abs(virial - [expected[i, j] for i, j in ((0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2))]
+                  ).max() < 2e-6 * size
+    energy = 0.5 * np.sum(expected * tensor(**strain)) * STRAIN * last["Volume"]
+    assert last["PotEng"] == pytest.approx(energy, rel=1e-5)
+
+
+@pytest.mark.parametrize("packing", CELLS)
+def test_constants_of_the_packings(tmp_path, packing):
+    """E, nu, K and G of the measured stiffness."""
+    columns = []
+    for name in AXES:
+        _, _, stress = strained(tmp_path / name, packing, **{name: 1 if name in AXES[:3] else 0.5})
+        columns.append(stress.mean(axis=1) / STRAIN)
+    compliance = np.linalg.inv(np.array(columns).T)
+    found = {"E": 1 / np.diag(compliance)[:3], "G": 1 / np.diag(compliance)[3:],
+             "nu": -compliance[1:3, 0] / compliance[0, 0], "K": 1 / compliance[:3, :3].sum()}
+    print(packing, {k: np.round(v, 8).tolist() for k, v in found.items()})
+    for name, value in {"E": E, "G": G, "nu": NU, "K": K}.items():
+        assert found[name] == pytest.approx(value, rel=1e-5), name
+
+
+def bar(folder, **variables):
+    """Stress, strain across and modulus of the middle and of the whole of a bar of fcc."""
+    strain = 1e-5
+    result = lmp("in.space_bar", folder, strain=strain, **variables)
+    frame = dump(folder / "state.dump")[-1][1]
+    layer = D / math.sqrt(2)
+    y, z = (np.round(frame[c] / layer) for c in "yz")
+    layers = y.max() + 1
+    middle = (abs(y - (layers - 1) / 2) < 1) & (abs(z - (layers - 1) / 2) < 1)
+    stress = {name: frame[c][middle].mean() for name, c in zip(AXES, STRESS)}
+    inner = frame["y"][middle]
+    across = np.ptp(inner) / (np.ptp(y[middle]) * layer) - 1
+    last = {k: v[-1] for k, v in result.thermo[-1].items()}
+    force = -last["c_virial[1]"] * last["Volume"] / (2 * math.sqrt(2) * D * (1 + strain))
+    whole = force / (layers * layer)**2 / strain
+    return stress, across / strain, whole, layers, strain
+
+
+@pytest.mark.parametrize("cells", [5, 10])
+def test_bar_with_free_sides(tmp_path, cells):
+    """E and nu of the interior within 0.1 %, from its stress and strain tensors; the stress across
+    the middle of the bar dies away with its thickness."""
+    stress, across, whole, layers, strain = bar(tmp_path, cells=cells)
+    shear = (stress["xx"] - stress["yy"]) / (2 * strain * (1 - across))
+    bulk = (stress["xx"] + stress["yy"] + stress["zz"]) / (3 * strain * (1 + 2 * across))
+    modulus, ratio = 9 * bulk * shear / (3 * bulk + shear), (3 * bulk - 2 * shear) / (6 * bulk + 2 * shear)
+    print(layers, "layers: E", modulus, "nu", ratio, "apparent", stress["xx"] / strain, -across,
+          "across", stress["yy"] / stress["xx"], "whole bar", whole / E)
+    assert layers == 2 * cells
+    assert modulus == pytest.approx(E, rel=1e-3)
+    assert ratio == pytest.approx(NU, rel=1e-3)
+    assert abs(stress["yy"]) < 0.008 / cells * stress["xx"]
+
+
+@pytest.mark.parametrize("ranks", [1, 2])
+def test_free_block_conserves(tmp_path, ranks):
+    """Linear momentum to 1e-13, angular momentum to 1e-11 over 1e4 steps."""
+    t = lmp("in.space_free", tmp_path, ranks=ranks).thermo[-1]
+    p = np.array([t[f"c_sums[{k}]"] for k in (1, 2, 3)])
+    spin = np.array([t[f"c_sums[{k}]"] for k in (4, 5, 6)])
+    print("p", np.abs(p.T - p[:, 0]).max() / np.linalg.norm(p[:, 0]),
+          "L", np.abs(spin.T - spin[:, 0]).max() / np.linalg.norm(spin[:, 0]))
+    assert np.abs(p.T - p[:, 0]).max() < 1e-13 * np.linalg.norm(p[:, 0])
+    assert np.abs(spin.T - spin[:, 0]).max() < 1e-11 * np.linalg.norm(spin[:, 0])
+    total = t["PotEng"] + t["KinEng"] + t["c_sums[7]"]
+    assert t["PotEng"].max() > 0.05 * total[0]
+    assert np.ptp(total) < 2e-3 * total[0]
+    assert abs(total[-20:].mean() - total[:20].mean()) < 1e-4 * total[0]
+
+
+# ---- sliding blocks: ranks and restart
+
+VECTORS = {"r": (["x", "y", "z"], None), "v": (["vx", "vy", "vz"], 5140),
+           "w": (["omegax", "omegay", "omegaz"], 5140 / D),
+           "f": (["fx", "fy", "fz"], E * D**2), "t": (["tqx", "tqy", "tqz"], E * D**3),
+           "s": (STRESS, E), "k": (["c_state[7]"], None)}
+
+
+@pytest.fixture(scope="module")
+def blocks(tmp_path_factory):
+    """Data file of two fcc blocks, the upper one a little beside and above."""
+    a, path = D * math.sqrt(2), tmp_path_factory.mktemp("blocks") / "space.data"
+    atoms, n = [], (4, 6, 3)
+    for i in range(2 * n[0]):
+        for j in range(2 * n[1]):
+            for k in range(2 * n[2]):
+                if (i + j + k) % 2:
+                    continue
+                upper = j >= n[1]
+                x, y, z = (0.5 * a * m for m in (i + 0.23 * upper, j + 0.013 * upper, k + 0.11 * upper))
+                atoms.append(f"{len(atoms) + 1} {1 + upper} {D} 1 {x!r} {y!r} {z!r}")
+    path.write_text(f"two blocks\n\n{len(atoms)} atoms\n2 atom types\n0 {n[0] * a!r} xlo xhi\n"
+                    f"-1 {n[1] * a + 1!r} ylo yhi\n0 {n[2] * a!r} zlo zhi\n\nAtoms # sphere\n\n"
+                    + "\n".join(atoms) + "\n")
+    return path
+
+
+def slide(folder, data, **more):
+    lmp("in.space_sliding", folder, data=data, **more)
+    return dump(folder / "final.dump")[-1][1], friction_log(folder / "sliding.friction")[1]
+
+
+@pytest.fixture(scope="module")
+def serial(blocks, tmp_path_factory):
+    return slide(tmp_path_factory.mktemp("serial"), blocks)
+
+
+def compare(frame, other, tolerance):
+    for columns, scale in VECTORS.values():
+        assert largest_difference(frame, other, columns, scale) < tolerance, columns
+    for name in ("type", "c_state[8]", "c_state[9]"):
+        assert (frame[name] == other[name]).all(), name
+
+
+@pytest.mark.parametrize("ranks,newton,extra", [
+    (2, "on", ""), (3, "on", ""), (4, "on", ""), (1, "off", ""), (2, "off", ""), (4, "off", ""),
+    (3, "on", "comm_style tiled\nfix balance all balance 100 1.0 rcb")])
+def test_same_on_all_ranks(serial, blocks, tmp_path, ranks, newton, extra):
+    frame, log = slide(tmp_path, blocks, ranks=ranks, newton=newton, extra=extra)
+    assert serial[1]["broken"].sum() > 10 and serial[1]["formed"].sum() > 10
+    for name in ("links", "broken", "formed"):
+        assert (log[name] == serial[1][name]).all(), name
+    compare(frame, serial[0], 1e-12)
+
+
+@pytest.mark.parametrize("ranks", [1, 2])
+def test_continues_from_a_restart_file(serial, blocks, tmp_path, ranks):
+    whole, _ = slide(tmp_path / "whole", blocks, ranks=ranks, extra="restart 350 mid.*.restart")
+    compare(whole, serial[0], 1e-12)
+    lmp("in.space_continue", tmp_path / "rest", ranks=ranks, steps=250,
+        restart=tmp_path / "whole" / "mid.350.restart")
+    compare(dump(tmp_path / "rest" / "final.dump")[-1][1], whole, 1e-12)
+
+
+# ---- refused
+
+SCRIPT = """units nano
+dimension {dimension}
+boundary p p p
+atom_style sphere
+lattice {lattice} 2.5
+region box block 0 6 0 6 {z}
+create_box 1 box
+create_atoms 1 box
+pair_style mca {keywords}
+pair_coeff * * steel.mca
+neighbor 0.4 bin
+timestep 5e-5
+{more}
+run 0
+"""
+
+
+@pytest.mark.parametrize("dimension,keywords,more,parts", [
+    (3, "packing hex", "", ("packing", "hex", "fcc, hcp, sc")),
+    (2, "packing fcc", "", ("packing", "fcc", "hex")),
+    (3, "packing bcc", "", ("packing", "bcc", "hex, fcc, hcp, sc")),
+    (3, "packing sc thickness 2", "", ("thickness", "dimension 2")),
+    (3, "packing sc", "compute t all mca/atom theta\ncompute s all reduce sum c_t\n"
+     "thermo_style custom step c_s", ("theta", "dimension 2")),
+])
+def test_refused(tmp_path, dimension, keywords, more, parts):
+    plane = dimension == 2
+    fails(SCRIPT.format(dimension=dimension, keywords=keywords, more=more,
+                        lattice="hex" if plane else "sc", z="-0.1 0.1" if plane else "0 6"),
+          tmp_path, *parts)
