@@ -2,6 +2,7 @@
 
 import re
 
+import numpy as np
 import pytest
 
 from lmp_run import dump, fails, friction_log, largest_difference, lmp
@@ -61,10 +62,77 @@ def test_writing_changes_nothing(whole, written, ranks):
     compare(written[ranks], whole[ranks], ROUNDOFF)
 
 
+def different_bits(folder, other, name="final.dump"):
+    """How many numbers of two dumps with 17 digits differ; the lines of LAMMPS's shrink-wrapped box aside."""
+    (_, a), (_, b) = dump(folder / name)[-1], dump(other / name)[-1]
+    return sum((a[c] != b[c]).sum() for c in a)
+
+
 @pytest.mark.parametrize("ranks", [1, 2])
-def test_continues_exactly(whole, written, tmp_path, ranks):
-    go_on(tmp_path, written[ranks] / "mid.250.restart", ranks, STEPS - 250)
-    compare(tmp_path, written[ranks], ROUNDOFF)
+def test_continues_to_the_same_bits(written, tmp_path, ranks):
+    """In a run that writes restart files at the same steps, on the same ranks."""
+    go_on(tmp_path, written[ranks] / "mid.250.restart", ranks, STEPS - 250, extra="restart 250 mid.*.restart")
+    assert different_bits(tmp_path, written[ranks]) == 0
+    assert (tmp_path / "mid.500.restart").stat().st_size == (written[ranks] / "mid.500.restart").stat().st_size
+
+
+@pytest.mark.parametrize("ranks,newton", [(1, "on"), (1, "off"), (2, "on"), (2, "off")])
+def test_fragments_to_the_same_bits(fragments, tmp_path, ranks, newton):
+    """Without periodic sides a run, the same run that writes files, and its parts are one, on one rank and
+    with newton off; with newton on the ranks' shares of a sum depend on when lists are built."""
+    common = dict(data=fragments, ranks=ranks, newton=newton, every=400)
+    lmp("in.fragments", tmp_path / "whole", steps=400, **common)
+    lmp("in.fragments", tmp_path / "writes", steps=400, extra="restart 130 part.*.restart", **common)
+    lmp("in.fragments", tmp_path / "halves", steps=200, extra="run 200\nwrite_restart half.restart", **common)
+    for name in ("writes", "halves"):
+        different = different_bits(tmp_path / name, tmp_path / "whole", "state.dump")
+        print(name, ranks, newton, different)
+        if ranks == 1 or newton == "off":
+            assert different == 0
+
+
+def test_stock_history_loses_what_ours_keeps(rough_data, tmp_path):
+    """LAMMPS's fix NEIGH_HISTORY stores stale entries at write_restart between runs. The sum of the pairs' states
+    before, after, and of the file: not one bit of ours is lost."""
+    total = "compute each all mca/link/local gamma kind plastic\ncompute total all reduce sum c_each[1] c_each[2] " \
+            "c_each[3] inputs local\nthermo_style custom step c_total[1] c_total[2] c_total[3]\nthermo_modify format " \
+            "float %25.17g\n"
+    columns = [f"c_total[{k}]" for k in (1, 2, 3)]
+    ours = lmp("in.sliding", tmp_path, data=rough_data, steps=1, every=100,
+               extra=total + "run 300\nwrite_restart file.restart\nrun 0").thermo
+    kept = go_on(tmp_path, "file.restart", 1, 0, extra=total).thermo
+    for column in columns:
+        before, after = ours[0][column][-1], ours[1][column][-1]
+        assert before != 0.0 and after == before and kept[0][column][-1] == before
+    stock = """
+units nano
+dimension 2
+boundary p p p
+atom_style sphere
+region box block 0 25 0 20 -0.5 0.5
+create_box 1 box
+create_atoms 1 random 200 4711 NULL
+set group all diameter 1.6 density 0.01
+pair_style gran/hooke/history 1000 NULL 10 NULL 0.5 1
+pair_coeff * *
+velocity all create 1e6 815
+neighbor 0.3 bin
+comm_modify vel yes
+timestep 1e-4
+fix 1 all nve/sphere disc
+fix 2 all enforce2d
+compute torque all property/atom tqz
+compute mean all reduce sumsq c_torque
+thermo_style custom step c_mean
+thermo_modify format float %25.17g
+run 2000
+write_restart stock.restart
+run 0
+""".replace("compute torque all reduce sumsq tqz\n", "")
+    first, second = lmp(stock, tmp_path / "stock").thermo
+    lost = 1 - second["c_mean"][-1] / first["c_mean"][-1]
+    print(f"stock history: sum of squared torques changes by {lost:.1%} at write_restart; ours by 0")
+    assert abs(lost) > 1e-3  # the defect that ours avoids is there
 
 
 @pytest.mark.parametrize("of,ranks", [(1, 2), (1, 3), (2, 1), (2, 4)])
@@ -103,31 +171,58 @@ def test_log_goes_on(whole, written, tmp_path):
         assert a[name] == pytest.approx(b[name], rel=1e-6, abs=1e-9), name
 
 
-def test_read_write_read(written, tmp_path):
-    """Reading a file and writing it again gives the same bytes (but for the box, which LAMMPS shrink-wraps anew)."""
-    first = written[1] / "mid.250.restart"
-    for k in (1, 2):
-        lmp("in.continue", tmp_path, restart=first if k == 1 else tmp_path / "again1.restart",
-            steps=-1, after=f"write_restart again{k}.restart")
-    a, b = ((tmp_path / f"again{k}.restart").read_bytes() for k in (1, 2))
+def test_read_write_read(written, fragments, tmp_path):
+    """Reading a file and writing it again gives the same bytes, but for the box where LAMMPS shrink-wraps it."""
+    def again(folder, first):
+        for k in (1, 2):
+            lmp("in.continue", folder, restart=first if k == 1 else "again1.restart", steps=-1,
+                after=f"write_restart again{k}.restart")
+        return ((folder / f"again{k}.restart").read_bytes() for k in (1, 2))
+    a, b = again(tmp_path, written[1] / "mid.250.restart")
     assert len(a) == len(b)
     assert sum(x != y for x, y in zip(a, b)) <= 16  # ylo and yhi
+    folder = tmp_path / "fixed"
+    lmp("in.fragments", folder, data=fragments, boundary="f f", steps=300, every=300, extra=
+        "region bottom block INF INF INF 1 INF INF\ngroup bottom region bottom\ngroup top subtract upper lower",
+        after="write_restart box.restart")
+    a, b = again(folder, folder / "box.restart")
+    assert a == b
 
 
-def blocks(data):
-    """Places of the text of our own blocks."""
-    places = [m.start() for m in re.finditer(rb"preset b |2\.5 206000|206000 0\.2999", data)]
-    assert places
-    return places
+def places(data):
+    """Of the text blocks of the pair style: laws and materials."""
+    text = [m.start() for m in re.finditer(rb"preset b |206000 0\.2999", data)]
+    assert len(text) == 3
+    return text
 
 
 def test_flipped_byte_in_our_block_is_refused(written, tmp_path):
-    data = bytearray((written[1] / "mid.250.restart").read_bytes())
-    for place in blocks(bytes(data)):
+    data = (written[1] / "mid.250.restart").read_bytes()
+    for place in places(data):
         damaged = bytearray(data)
         damaged[place] ^= 1
         (tmp_path / "bad.restart").write_bytes(damaged)
         fails("in.continue", tmp_path, "damaged", "checksum", restart="bad.restart", steps=1)
+
+
+def test_flipped_bit_in_a_record_is_refused(written, tmp_path):
+    """Bits of the records of pairs (MCA_HISTORY) and of automata (MCA_STATE)."""
+    data = (written[1] / "mid.250.restart").read_bytes()
+    refused = {"MCA_HISTORY": 0, "MCA_STATE": 0}
+    random = np.random.default_rng(7)
+    # a kind of link in a record of pairs, a number of original links in one of state
+    for value in (1.0, 6.0):
+        found = [m.start() for m in re.finditer(re.escape(np.array([value]).tobytes()), data)]
+        for place in random.choice([f for f in found if f > len(data) // 4], 8, replace=False):
+            damaged = bytearray(data)
+            damaged[place] ^= 4
+            (tmp_path / "bad.restart").write_bytes(damaged)
+            result = lmp("in.continue", tmp_path, restart="bad.restart", steps=0, check=False)
+            for line in result.error_lines:
+                for name in refused:
+                    refused[name] += f"damaged: the {name} record of atom" in line
+    print("refused:", refused)
+    assert refused["MCA_HISTORY"] >= 3 and refused["MCA_STATE"] >= 2
 
 
 def test_truncated_file_is_refused(written, tmp_path):
