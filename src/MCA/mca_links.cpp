@@ -11,24 +11,71 @@
 #include "neighbor.h"
 #include "pair_mca.h"
 
-#include <algorithm>
 #include <cmath>
 #include <cstring>
 
 using namespace LAMMPS_NS;
 
-/* mca_links create|delete group1 group2 [reach factor] */
+/* mca_links create|delete group1 group2 [reach factor], mca_links write|read file */
 
 void MCALinks::command(int narg, char **arg)
 {
-  auto *pair = dynamic_cast<PairMCA *>(force->pair_match("^mca", 0));
+  pair = dynamic_cast<PairMCA *>(force->pair_match("^mca", 0));
   if (!pair)
     error->all(FLERR, "Command mca_links requires pair_style mca");
-  if (narg < 3)
-    error->all(FLERR, "Command mca_links needs: create|delete group1 group2");
-  const bool create = strcmp(arg[0], "create") == 0;
-  if (!create && strcmp(arg[0], "delete") != 0)
-    error->all(FLERR, "Command mca_links: {} is unknown, allowed: create, delete", arg[0]);
+  const std::string style = narg > 0 ? arg[0] : "";
+  if (style == "create" || style == "delete") {
+    if (narg < 3)
+      error->all(FLERR, "Command mca_links needs: {} group1 group2", style);
+    create_or_delete(style == "create", narg, arg);
+  } else if (style == "write" || style == "read") {
+    if (narg != 2)
+      error->all(FLERR, "Command mca_links needs: {} file", style);
+    style == "write" ? write(arg[1]) : read(arg[1]);
+  } else {
+    error->all(FLERR, "Command mca_links: '{}' is unknown, allowed: create, delete, write, read",
+               style);
+  }
+}
+
+/* the pair list with the present links, as a run's set-up makes it */
+
+void MCALinks::list_pairs()
+{
+  lmp->init();
+  if (domain->triclinic)
+    domain->x2lamda(atom->nlocal);
+  domain->pbc();
+  domain->reset_box();
+  comm->setup();
+  if (neighbor->style)
+    neighbor->setup_bins();
+  comm->exchange();
+  comm->borders();
+  if (domain->triclinic)
+    domain->lamda2x(atom->nlocal + atom->nghost);
+  neighbor->build(1);
+  history = dynamic_cast<FixMCAHistory *>(modify->get_fix_by_id(FixMCAHistory::ID));
+  history->setup_post_neighbor();
+}
+
+/* changes the pairs of the list, and with them each automaton's number of original links */
+
+void MCALinks::change(const std::function<void()> &pairs)
+{
+  list_pairs();
+  const std::vector<int> before = history->originals();
+  pairs();
+  history->store_present();
+  const std::vector<int> after = history->originals();
+  int is_double, columns;
+  double *made = atom->dvector[atom->find_custom("mca_links0", is_double, columns)];
+  for (int i = 0; i < atom->nlocal; i++)
+    made[i] += after[i] - before[i];
+}
+
+void MCALinks::create_or_delete(bool create, int narg, char **arg)
+{
   int bit[2];
   for (int g = 0; g < 2; g++) {
     const int found = group->find(arg[1 + g]);
@@ -46,51 +93,29 @@ void MCALinks::command(int narg, char **arg)
       error->all(FLERR, "Command mca_links reach is {}, allowed: > 0", arg[iarg + 1]);
   }
 
-  // neighbor list with the present links, as a run's set-up makes it
-  lmp->init();
-  if (domain->triclinic)
-    domain->x2lamda(atom->nlocal);
-  domain->pbc();
-  domain->reset_box();
-  comm->setup();
-  if (neighbor->style)
-    neighbor->setup_bins();
-  comm->exchange();
-  comm->borders();
-  if (domain->triclinic)
-    domain->lamda2x(atom->nlocal + atom->nghost);
-  neighbor->build(1);
-  auto *history = dynamic_cast<FixMCAHistory *>(modify->get_fix_by_id(FixMCAHistory::ID));
-  history->setup_post_neighbor();
-  const std::vector<int> before = history->originals();
-
-  const mca::Pairs &p = pair->links().pairs();
-  double **x = atom->x;
-  const int *mask = atom->mask, *type = atom->type;
   double changed = 0.0;
-  for (int k = 0; k < p.n; k++) {
-    const int i = p.i[k], j = p.j[k];
-    const bool match =
-        ((mask[i] & bit[0]) && (mask[j] & bit[1])) || ((mask[i] & bit[1]) && (mask[j] & bit[0]));
-    const bool linked = mca::link::isLinked(p.now.kind[k]);
-    if (!match || linked == create)
-      continue;
-    const double r = std::hypot(x[j][0] - x[i][0], x[j][1] - x[i][1], x[j][2] - x[i][2]);
-    const double d = 0.5 * (pair->material(type[i]).diameter + pair->material(type[j]).diameter);
-    if (create && r > reach * d)
-      continue;
-    const double state[mca::LinkList::maxStateSize] = {create ? mca::link::bulk : mca::link::none,
-                                                       p.now.plastic[k]}; // no shear
-    pair->links().setState(k, state);
-    pair->links().setOriginal(k, create);
-    changed += pair->owned_share(k);
-  }
-  history->store_present();
-  const std::vector<int> after = history->originals();
-  int is_double, columns;
-  double *made = atom->dvector[atom->find_custom("mca_links0", is_double, columns)];
-  for (int i = 0; i < atom->nlocal; i++)
-    made[i] += after[i] - before[i];
+  change([&]() {
+    const mca::Pairs &p = pair->links().pairs();
+    double **x = atom->x;
+    const int *mask = atom->mask, *type = atom->type;
+    for (int k = 0; k < p.n; k++) {
+      const int i = p.i[k], j = p.j[k];
+      const bool match =
+          ((mask[i] & bit[0]) && (mask[j] & bit[1])) || ((mask[i] & bit[1]) && (mask[j] & bit[0]));
+      const bool linked = mca::link::isLinked(p.now.kind[k]);
+      if (!match || linked == create)
+        continue;
+      const double r = std::hypot(x[j][0] - x[i][0], x[j][1] - x[i][1], x[j][2] - x[i][2]);
+      const double d = 0.5 * (pair->material(type[i]).diameter + pair->material(type[j]).diameter);
+      if (create && r > reach * d)
+        continue;
+      const double state[mca::LinkList::maxStateSize] = {create ? mca::link::bulk : mca::link::none,
+                                                         p.now.plastic[k]}; // no shear
+      pair->links().setState(k, state);
+      pair->links().setOriginal(k, create);
+      changed += pair->owned_share(k);
+    }
+  });
 
   double all;
   MPI_Allreduce(&changed, &all, 1, MPI_DOUBLE, MPI_SUM, world);

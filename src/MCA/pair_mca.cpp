@@ -332,28 +332,6 @@ void PairMCA::settings(int narg, char **arg)
 
 /* pair_coeff I J file.mca [quantity value] ...; materials belong to types, so I = J as ranges */
 
-static std::string file_text(LAMMPS *lmp, const std::string &name)
-{
-  std::string text;
-  int length = -1;
-  if (lmp->comm->me == 0) {
-    const std::string path = utils::get_potential_file_path(name);
-    std::ifstream in(path, std::ios::binary);
-    if (!path.empty() && in) {
-      std::ostringstream all;
-      all << in.rdbuf();
-      text = all.str();
-      length = static_cast<int>(text.size());
-    }
-  }
-  MPI_Bcast(&length, 1, MPI_INT, 0, lmp->world);
-  if (length < 0)
-    lmp->error->all(FLERR, "Cannot open potential file {} (nor in LAMMPS_POTENTIALS)", name);
-  text.resize(length);
-  MPI_Bcast(&text[0], length, MPI_CHAR, 0, lmp->world);
-  return text;
-}
-
 void PairMCA::coeff(int narg, char **arg)
 {
   if (narg < 3)
@@ -370,7 +348,10 @@ void PairMCA::coeff(int narg, char **arg)
                arg[0], arg[1]);
   mca::Material material;
   try {
-    material = mca::readMaterial(file_text(lmp, arg[2]), arg[2], update->unit_style);
+    const std::string text =
+        mca::fileText(lmp, utils::get_potential_file_path(arg[2]),
+                      fmt::format("potential file {} (nor in LAMMPS_POTENTIALS)", arg[2]));
+    material = mca::readMaterial(text, arg[2], update->unit_style);
     material = mca::overrideMaterial(material, std::vector<std::string>(arg + 3, arg + narg));
   } catch (const mca::MaterialError &e) {
     error->all(FLERR, "Pair_coeff of mca: {}", e.what());

@@ -4,6 +4,7 @@
 #include "lammps.h"
 
 #include <cstring>
+#include <fstream>
 #include <sstream>
 
 using namespace LAMMPS_NS;
@@ -46,6 +47,32 @@ std::string exactText(const std::vector<double> &values)
   return text.str();
 }
 
+static void broadcast(LAMMPS *lmp, std::string &text)
+{
+  unsigned long long length = text.size();
+  MPI_Bcast(&length, 1, MPI_UNSIGNED_LONG_LONG, 0, lmp->world);
+  text.resize(length);
+  MPI_Bcast(&text[0], static_cast<int>(length), MPI_CHAR, 0, lmp->world);
+}
+
+std::string fileText(LAMMPS *lmp, const std::string &path, const std::string &what)
+{
+  std::ostringstream text;
+  int good = 1;
+  if (lmp->comm->me == 0) {
+    std::ifstream in(path, std::ios::binary);
+    good = !path.empty() && in;
+    if (good)
+      text << in.rdbuf();
+  }
+  MPI_Bcast(&good, 1, MPI_INT, 0, lmp->world);
+  if (!good)
+    lmp->error->all(FLERR, "Cannot open {}", what);
+  std::string all = text.str();
+  broadcast(lmp, all);
+  return all;
+}
+
 std::string blockBytes(const std::string &text)
 {
   const Head head = {text.size(), checksum(text)};
@@ -77,9 +104,7 @@ std::string readBlock(LAMMPS *lmp, FILE *fp, const char *what)
                     "Restart file is damaged or truncated: the block of {} does not match "
                     "its checksum",
                     what);
-  MPI_Bcast(&head.length, 1, MPI_UNSIGNED_LONG_LONG, 0, lmp->world);
-  text.resize(head.length);
-  MPI_Bcast(&text[0], static_cast<int>(head.length), MPI_CHAR, 0, lmp->world);
+  broadcast(lmp, text);
   return text;
 }
 

@@ -19,6 +19,10 @@ unsigned long long checksum(const void *bytes, size_t n);
 /// Numbers as text that reads back to the same bits.
 std::string exactText(const std::vector<double> &values);
 
+/// The whole file on all ranks; rank 0 reads. Stops LAMMPS with one line when that fails.
+/// \param what  names the file in the message
+std::string fileText(LAMMPS_NS::LAMMPS *lmp, const std::string &path, const std::string &what);
+
 /// Rank 0 writes.
 void writeBlock(FILE *fp, const std::string &text);
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <ostream>
 #include <sstream>
 
 using reference::Automaton;
@@ -225,4 +226,14 @@ double totalEnergy(const Sample &s)
 std::string kernelName(const mca::Kernel *kernel)
 {
   return kernel->name;
+}
+
+void mca::PrintTo(const Kernel *kernel, std::ostream *out)
+{
+  *out << kernel->name;
+}
+
+void mca::PrintTo(const Packing &packing, std::ostream *out)
+{
+  *out << packing.name;
 }

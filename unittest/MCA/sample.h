@@ -6,6 +6,7 @@
 #include "link_list.h"
 #include "reference_mca.h"
 
+#include <iosfwd>
 #include <string>
 
 /// Table 1 of Bucher et al. (2006) with sigma_0 = 92 MPa, in LAMMPS's units nano.
@@ -47,5 +48,11 @@ double totalEnergy(const reference::Sample &);
 
 /// Name of a supported kernel, for parameterised tests.
 std::string kernelName(const mca::Kernel *);
+
+/// GoogleTest prints parameters by these: names, which are the same in every run, not addresses.
+namespace mca {
+void PrintTo(const Kernel *, std::ostream *);
+void PrintTo(const Packing &, std::ostream *);
+} // namespace mca
 
 #endif

@@ -1,5 +1,7 @@
 #include "laws/packing.h"
 
+#include "sample.h"
+
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>
