@@ -158,6 +158,12 @@ def test_laws_that_do_not_go_together(tmp_path, laws, parts):
     fails(SAMPLE + f"pair_style mca {laws}\n", tmp_path, *parts)
 
 
+def test_packing_of_the_other_dimension(tmp_path):
+    script = SAMPLE.replace("dimension 2", "dimension 3").replace("hex 2.5", "sc 2.5")
+    fails(script + "pair_style mca packing hex\npair_coeff * * steel.mca\nrun 0\n", tmp_path,
+          "packing, value hex, allowed in dimension 3")
+
+
 def test_links_before_the_pair_style(tmp_path):
     fails(SAMPLE + "pair_style zero 3\npair_coeff * *\nmca_links create all all\n", tmp_path,
           "requires pair_style mca")
