@@ -15,6 +15,21 @@ PLUGIN = os.environ["MCA_PLUGIN"]
 MPIRUN = os.environ.get("MCA_MPIRUN") or shutil.which("mpirun")
 STEEL = pathlib.Path(os.environ["PROJECT_SOURCE"]) / "potentials" / "steel.mca"
 
+def periodic_block(columns=10):
+    """Commands that make a periodic hexagonal block of 8 rows, without a pair style."""
+    return f"""
+units nano
+dimension 2
+atom_style sphere
+boundary p p p
+lattice hex 2.5
+region box block 0 $({columns}*2.5) 0 $(8*2.5*sqrt(3)/2) -0.5 0.5 units box
+create_box 1 box
+create_atoms 1 box
+timestep 5e-5
+"""
+
+
 ENVIRONMENT = dict(
     os.environ,
     OMPI_ALLOW_RUN_AS_ROOT="1",

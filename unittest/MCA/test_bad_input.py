@@ -2,19 +2,9 @@
 
 import pytest
 
-from lmp_run import STEEL, fails, lmp
+from lmp_run import STEEL, fails, lmp, periodic_block
 
-SAMPLE = """
-units nano
-dimension 2
-atom_style sphere
-boundary p p p
-lattice hex 2.5
-region box block 0 25 0 $(8*2.5*sqrt(3)/2) -0.5 0.5 units box
-create_box 1 box
-create_atoms 1 box
-timestep 5e-5
-"""
+SAMPLE = periodic_block()
 GOOD = SAMPLE + "pair_style mca\npair_coeff * * steel.mca\nfix 1 all nve/mca\n"
 
 

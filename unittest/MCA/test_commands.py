@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from lmp_run import dump, fails, lmp
+from lmp_run import dump, fails, lmp, periodic_block
 
 ELASTIC = "mca plasticity none fracture none viscosity none link none heal none weld none"
 PLASTIC = "c_state[5]"
@@ -170,15 +170,7 @@ def test_refused(fragments, tmp_path, extra, parts):
 
 
 def test_short_periodic_box_is_refused(fragments, tmp_path):
-    script = """
-units nano
-dimension 2
-atom_style sphere
-boundary p p p
-lattice hex 2.5
-region box block 0 5 0 $(8*2.5*sqrt(3)/2) -0.5 0.5 units box
-create_box 1 box
-create_atoms 1 box
+    script = periodic_block(2) + """
 pair_style mca
 pair_coeff * * steel.mca
 neighbor 0.4 bin
@@ -191,20 +183,11 @@ mca_links create all all
 
 @pytest.mark.parametrize("ranks", [1, 3])
 def test_replicated_sample(tmp_path, ranks):
-    script = """
-units nano
-dimension 2
-atom_style sphere
-boundary p p p
-lattice hex 2.5
-region box block 0 25 0 $(8*2.5*sqrt(3)/2) -0.5 0.5 units box
-create_box 1 box
-create_atoms 1 box
+    script = periodic_block() + """
 replicate 3 2 1
 pair_style mca
 pair_coeff * * steel.mca
 neighbor 0.4 bin
-timestep 5e-5
 compute links all mca/atom links
 compute sum all reduce sum c_links
 thermo_style custom step c_sum

@@ -4,22 +4,12 @@ import os
 
 import pytest
 
-from lmp_run import PLUGIN, fails, lmp
+from lmp_run import PLUGIN, fails, lmp, periodic_block
 
 BARE = os.environ["MCA_LMP_BARE"]
-SAMPLE = """
-units nano
-dimension 2
-atom_style sphere
-boundary p p p
-lattice hex 2.5
-region box block 0 25 0 $(8*2.5*sqrt(3)/2) -0.5 0.5 units box
-create_box 1 box
-create_atoms 1 box
-pair_style mca
+SAMPLE = periodic_block() + """pair_style mca
 pair_coeff * * steel.mca
 mca_links create all all
-timestep 5e-5
 velocity all create 1.0 4711
 fix 1 all nve/mca
 compute links all mca/atom links

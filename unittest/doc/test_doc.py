@@ -92,7 +92,7 @@ def choices():
 
 
 def lengths():
-    return re.findall(r'strcmp\(arg\[iarg\], "(\w+)"\)', source("pair_mca.cpp"))
+    return re.findall(r'strcmp\(arg\[iarg\], "(\w+)"\)', source("pair_mca_setup.cpp"))
 
 
 def test_pair_keywords():

@@ -1,0 +1,427 @@
+// The part of pair style mca that serves the input script: its commands, materials, checks, restart
+// files. What a step computes stands in pair_mca.cpp.
+
+#include "pair_mca.h"
+
+#include "atom.h"
+#include "comm.h"
+#include "domain.h"
+#include "error.h"
+#include "fix_deform.h"
+#include "fix_mca_history.h"
+#include "fix_mca_state.h"
+#include "force.h"
+#include "further_laws.h"
+#include "input.h"
+#include "laws/critical_step.h"
+#include "material_file.h"
+#include "memory.h"
+#include "modify.h"
+#include "neighbor.h"
+#include "pair_hybrid.h"
+#include "restart_block.h"
+#include "update.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <sstream>
+
+using namespace LAMMPS_NS;
+
+static constexpr const char *DUMMY_HISTORY = "MCA_HISTORY_DUMMY";
+static constexpr const char *DUMMY_STATE = "MCA_STATE_DUMMY";
+
+/* ---------------------------------------------------------------------- */
+
+PairMCA::PairMCA(LAMMPS *host)
+    : Pair(host), packing(nullptr), depth(0.0), cut_user(0.0), onelaw(true),
+      kernel(&mca::bestKernel(2)), changes(0.0), committed(false), fix_history(nullptr),
+      icustom_kappa(-1),
+      icustom_elastic_z(-1), icustom_changes{-1, -1}, icustom_lag{-1, -1, -1}, icustom_rest{-1, -1,
+                                                                                            -1},
+      listed(-1), listed_all(0)
+{
+  single_enable = 0;
+  manybody_flag = 1;
+  restartinfo = 1;
+  one_coeff = 0;
+  centroidstressflag = CENTROID_NOTAVAIL;
+  nextra = 6; // see tally()
+  pvector = new double[nextra]();
+  comm_forward = 1;
+
+  // placeholders, so that the internal fixes come before all fixes of the input script; they are
+  // replaced in init_style(), when a restart file's contents for them are known
+  if (modify->get_fix_by_id(FixMCAHistory::ID) || modify->get_fix_by_id(DUMMY_HISTORY))
+    error->all(FLERR, "Only one pair style mca at a time allowed");
+  modify->add_fix(fmt::format("{} all DUMMY", DUMMY_HISTORY));
+  modify->add_fix(fmt::format("{} all DUMMY", DUMMY_STATE));
+}
+
+PairMCA::~PairMCA()
+{
+  if (copymode)
+    return;
+  for (const char *id : {FixMCAHistory::ID, FixMCAState::ID, DUMMY_HISTORY, DUMMY_STATE})
+    if (modify->get_fix_by_id(id))
+      modify->delete_fix(id);
+  delete[] pvector;
+  if (allocated) {
+    memory->destroy(setflag);
+    memory->destroy(cutsq);
+  }
+}
+
+/* ---------------------------------------------------------------------- */
+
+void PairMCA::allocate()
+{
+  allocated = 1;
+  const int n = atom->ntypes + 1;
+  memory->create(setflag, n, n, "pair:setflag");
+  memory->create(cutsq, n, n, "pair:cutsq");
+  for (int i = 0; i < n; i++)
+    for (int j = 0; j < n; j++)
+      setflag[i][j] = 0;
+  materials.assign(n, mca::Material());
+}
+
+/* pair_style mca [packing name] [thickness h] [cutoff c] [law keywords] */
+
+void PairMCA::settings(int narg, char **arg)
+{
+  std::vector<std::string> words;
+  double h = 0.0, cut = 0.0;
+  const mca::Packing *named = nullptr;
+  for (int iarg = 0; iarg < narg; iarg++) {
+    double *own = strcmp(arg[iarg], "thickness") == 0 ? &h
+                  : strcmp(arg[iarg], "cutoff") == 0  ? &cut
+                                                      : nullptr;
+    const bool is_packing = strcmp(arg[iarg], "packing") == 0;
+    if (!own && !is_packing) {
+      words.push_back(arg[iarg]);
+      if (iarg + 1 < narg)
+        words.push_back(arg[++iarg]);
+      continue;
+    }
+    if (iarg + 1 == narg)
+      error->all(FLERR, "Pair style mca keyword {} has no value", arg[iarg]);
+    if (is_packing) {
+      named = mca::findPacking(arg[++iarg]);
+      if (!named)
+        error->all(FLERR, "Pair style mca keyword packing, value {}, allowed: hex, fcc, hcp, sc",
+                   arg[iarg]);
+      continue;
+    }
+    *own = utils::numeric(FLERR, arg[iarg + 1], false, lmp);
+    if (!(*own > 0.0) || !std::isfinite(*own))
+      error->all(FLERR, "Pair style mca keyword {}, value {}, allowed: a length > 0", arg[iarg],
+                 arg[iarg + 1]);
+    iarg++;
+  }
+  mca::LawSet chosen;
+  const std::string problem = chosen.parse(words);
+  if (!problem.empty())
+    error->all(FLERR, "Pair style mca: {}", problem);
+  lawset = chosen;
+  packing = named;
+  depth = h;
+  cut_user = cut;
+}
+
+/* pair_coeff I J file.mca [quantity value] ...; materials belong to types, so I = J as ranges */
+
+void PairMCA::coeff(int narg, char **arg)
+{
+  if (narg < 3)
+    error->all(FLERR, "Pair_coeff of mca needs: types types file.mca [quantity value]");
+  if (!allocated)
+    allocate();
+  int ilo, ihi, jlo, jhi;
+  utils::bounds(FLERR, arg[0], 1, atom->ntypes, ilo, ihi, error);
+  utils::bounds(FLERR, arg[1], 1, atom->ntypes, jlo, jhi, error);
+  if (ilo != jlo || ihi != jhi)
+    error->all(FLERR,
+               "Pair_coeff {} {}: a material belongs to a type; give the same range twice, "
+               "pairs of unlike types follow from both",
+               arg[0], arg[1]);
+  mca::Material material;
+  try {
+    const std::string text =
+        mca::fileText(lmp, utils::get_potential_file_path(arg[2]),
+                      fmt::format("potential file {} (nor in LAMMPS_POTENTIALS)", arg[2]));
+    material = mca::readMaterial(text, arg[2], update->unit_style);
+    material = mca::overrideMaterial(material, std::vector<std::string>(arg + 3, arg + narg));
+  } catch (const mca::MaterialError &e) {
+    error->all(FLERR, "Pair_coeff of mca: {}", e.what());
+  }
+  for (int i = ilo; i <= ihi; i++) {
+    materials[i] = material;
+    std::fill(setflag[i] + i, setflag[i] + ihi + 1, 1);
+  }
+}
+
+/* ---------------------------------------------------------------------- */
+
+void PairMCA::init_style()
+{
+  if (!atom->radius_flag || !atom->rmass_flag || !atom->omega_flag || !atom->torque_flag)
+    error->all(FLERR, "Pair style mca requires atom style sphere");
+  if (force->special_lj[1] != 1.0 && atom->molecular != Atom::ATOMIC)
+    error->all(FLERR, "Pair style mca requires special_bonds lj 1 1 1");
+  check_commands();
+  if (auto *hybrid = dynamic_cast<PairHybrid *>(force->pair))
+    for (int i = 1; i <= atom->ntypes; i++)
+      for (int j = i; j <= atom->ntypes; j++)
+        if (!hybrid->check_ijtype(i, j, const_cast<char *>("mca")))
+          error->all(FLERR,
+                     "Pair style mca in {} has to act between all types, not so {} {}: begin "
+                     "with pair_coeff * * mca file.mca",
+                     force->pair_style, i, j);
+  comm->ghost_velocity = 1; // shear of a contact needs both velocities
+
+  comm_forward = lawset.needsLocal() ? mca::localRow : 1;
+  neighbor->add_request(this);
+  choose_packing();
+
+  if (!fix_history) {
+    kernel = &mca::bestKernel(domain->dimension);
+    pairs = mca::LinkList(domain->dimension == 2 ? 1 : 3);
+    comm_reverse = kernel->rows.stress;
+    fix_history = dynamic_cast<FixMCAHistory *>(modify->replace_fix(
+        DUMMY_HISTORY, fmt::format("{} all MCA_HISTORY {}", FixMCAHistory::ID, pairs.storedSize()),
+        1));
+    fix_history->attach(this);
+    const char *in_space = domain->dimension == 3 ? "d_mca_lag_z d_mca_rest_z" : "";
+    modify->replace_fix(
+        DUMMY_STATE,
+        fmt::format("{} all MCA_STATE d_mca_kappa d_mca_theta d_mca_lag_x d_mca_lag_y d_mca_rest_x "
+                    "d_mca_rest_y {} d_mca_links0 d_mca_elastic_z d_mca_broken d_mca_formed "
+                    "writedata no ghost yes",
+                    FixMCAState::ID, in_space),
+        1);
+  }
+  int is_double, columns;
+  icustom_kappa = atom->find_custom("mca_kappa", is_double, columns);
+  icustom_elastic_z = atom->find_custom("mca_elastic_z", is_double, columns);
+  icustom_changes[0] = atom->find_custom("mca_broken", is_double, columns);
+  icustom_changes[1] = atom->find_custom("mca_formed", is_double, columns);
+  icustom_lag[0] = atom->find_custom("mca_lag_x", is_double, columns);
+  icustom_lag[1] = atom->find_custom("mca_lag_y", is_double, columns);
+  icustom_lag[2] = atom->find_custom("mca_lag_z", is_double, columns);
+  icustom_rest[0] = atom->find_custom("mca_rest_x", is_double, columns);
+  icustom_rest[1] = atom->find_custom("mca_rest_y", is_double, columns);
+  icustom_rest[2] = atom->find_custom("mca_rest_z", is_double, columns);
+  make_laws();
+
+  for (int i = 0; i < atom->nlocal; i++) {
+    atom->radius[i] = 0.5 * materials[atom->type[i]].diameter;
+    atom->rmass[i] = mass(atom->type[i]);
+  }
+}
+
+/* the default packing depends on the dimension, which is known when the box is there */
+
+void PairMCA::choose_packing()
+{
+  const int dimension = domain->dimension;
+  if (!packing)
+    packing = dimension == 2 ? &mca::packing::hex : &mca::packing::fcc;
+  if (packing->dimension != dimension)
+    error->all(FLERR, "Pair style mca keyword packing, value {}, allowed in dimension {}: {}",
+               packing->name, dimension, dimension == 2 ? "hex" : "fcc, hcp, sc");
+  if (dimension == 2)
+    return;
+  const char *plane_only = depth > 0.0                            ? "thickness"
+                           : lawset.plane != "strain"             ? "plane stress"
+                           : lawset.plasticity == "j2"            ? "plasticity j2"
+                           : lawset.link_work != mca::LawSet::off ? "link_work"
+                           : lawset.needsLocal()                  ? "fracture by the local stress"
+                                                                  : nullptr;
+  if (plane_only)
+    error->all(FLERR, "Pair style mca: {} is for dimension 2 only", plane_only);
+}
+
+mca::Cell PairMCA::cell(int type) const
+{
+  return {*packing, materials[type].diameter, thickness()};
+}
+
+double PairMCA::mass(int type) const
+{
+  return cell(type).mass(materials[type].density);
+}
+
+double PairMCA::inertia(int type) const
+{
+  return cell(type).inertia(materials[type].density);
+}
+
+/* what moves automata without velocities leaves the shear of links behind */
+
+void PairMCA::check_commands() const
+{
+  if (update->whichflag == 2)
+    error->all(FLERR,
+               "Pair style mca does not work with minimize: the shear of links follows only motion "
+               "in a run; use a damped run (fix viscous)");
+  if (input->command && strcmp(input->command, "rerun") == 0)
+    error->all(FLERR,
+               "Pair style mca does not work with rerun: a dump does not hold the state of links");
+  for (const Fix *fix : modify->get_fix_list()) {
+    const int box = Fix::BOX_CHANGE_X | Fix::BOX_CHANGE_Y | Fix::BOX_CHANGE_Z | Fix::BOX_CHANGE_YZ |
+                    Fix::BOX_CHANGE_XZ | Fix::BOX_CHANGE_XY;
+    const auto *deform = dynamic_cast<const FixDeform *>(fix);
+    if ((fix->box_change & box) && !(deform && deform->remapflag != Domain::X_REMAP))
+      error->all(FLERR,
+                 "Pair style mca does not work with fix {} {}: it moves automata without their "
+                 "velocities; deform the box by fix deform with remap v or none",
+                 fix->id, fix->style);
+  }
+}
+
+/* stresses inside are energy per volume, which is pressure units only where nktv2p is 1 */
+
+double PairMCA::stress_unit() const
+{
+  return force->nktv2p;
+}
+
+void PairMCA::make_laws()
+{
+  const int n = atom->ntypes;
+  std::vector<mca::Material> inside(materials);
+  for (auto &m : inside) {
+    m.youngs_modulus /= stress_unit();
+    m.strength /= stress_unit();
+    m.viscosity /= stress_unit();
+  }
+  const double yields = lawset.plasticity != "none" ? 1.0 : 0.0;
+  autolaw.clear();
+  for (int i = 0; i <= n; i++) {
+    const mca::Material &m = inside[i > 0 ? i : 1];
+    const mca::ElasticModuli moduli = mca::elasticModuli(lawset, m);
+    autolaw.push_back(
+        {moduli.bulk, moduli.shear, moduli.D, yields, mca::YieldCurve(m), packing->stressWeight()});
+  }
+  // types of equal materials share one law, since the kernel is fastest where a law serves many
+  pairlaw.clear();
+  lawnumber.assign((n + 1) * (n + 1), 0);
+  std::vector<std::pair<int, int>> first; // the first pair of types of each law
+  onelaw = true;
+  for (int i = 1; i <= n; i++)
+    for (int j = 1; j <= n; j++) {
+      auto same = std::find_if(first.begin(), first.end(), [&](const auto &types) {
+        return materials[types.first] == materials[i] && materials[types.second] == materials[j];
+      });
+      lawnumber[i * (n + 1) + j] = static_cast<int>(same - first.begin());
+      if (same == first.end()) {
+        first.emplace_back(i, j);
+        pairlaw.push_back(mca::makePairLaw(lawset, inside[i], inside[j], thickness(), *packing));
+      }
+      onelaw = onelaw && materials[i] == materials[j];
+    }
+}
+
+double PairMCA::init_one(int i, int j)
+{
+  const mca::Material &a = materials[i], &b = materials[j];
+  const double d = 0.5 * (a.diameter + b.diameter);
+  const double reach = d * (1.0 + std::max(a.breaking_strain, b.breaking_strain));
+  if (cut_user > 0.0 && cut_user < reach)
+    error->all(FLERR, "Pair style mca cutoff {} is below the breaking distance {} of types {} {}",
+               cut_user, reach, i, j);
+  // room for links that compression of their neighbours keeps below the breaking stress
+  const double margin = 2.0 * std::max({a.breaking_strain, b.breaking_strain, 0.05});
+  return cut_user > 0.0 ? cut_user : d * (1.0 + margin);
+}
+
+void PairMCA::setup()
+{
+  check_step();
+}
+
+void PairMCA::reset_dt()
+{
+  check_step();
+}
+
+void PairMCA::check_step()
+{
+  for (int i = 1; i <= atom->ntypes; i++) {
+    if (i > 1 && materials[i] == materials[i - 1])
+      continue;
+    mca::Material m = materials[i];
+    m.youngs_modulus /= stress_unit();
+    m.density *= force->mvv2e;
+    const double eta = lawset.viscosity == "normal" ? m.viscosity / stress_unit() : 0.0;
+    const mca::ElasticModuli moduli = mca::elasticModuli(lawset, m);
+    const double D = moduli.D * moduli.bulk / m.bulkModulus(); // D K as the law has it
+    const auto limit = mca::criticalStep(m, D, eta, *packing);
+    if (update->dt > limit.shortest())
+      error->all(FLERR,
+                 "Timestep {:.6g} is longer than the critical one, {:.6g} (elastic {:.6g}, viscous "
+                 "{:.6g}) of the material of type {}",
+                 update->dt, limit.shortest(), limit.elastic, limit.viscous, i);
+  }
+}
+
+double *PairMCA::kappa() const
+{
+  return atom->dvector[icustom_kappa];
+}
+
+double *PairMCA::elastic_z() const
+{
+  return atom->dvector[icustom_elastic_z];
+}
+
+/* ----------------------------------------------------------------------
+   restart: the laws as the words of the pair_style command, then the materials
+------------------------------------------------------------------------- */
+
+void PairMCA::write_restart_settings(FILE *fp)
+{
+  std::string text = mca::exactText({depth, cut_user}) + packing->name + " ";
+  for (const auto &word : lawset.words())
+    text += word + " ";
+  mca::writeBlock(fp, text);
+}
+
+void PairMCA::read_restart_settings(FILE *fp)
+{
+  std::istringstream text(mca::readBlock(lmp, fp, "pair_style mca"));
+  std::vector<std::string> words;
+  std::string name;
+  text >> depth >> cut_user >> name;
+  packing = mca::findPacking(name.c_str());
+  for (std::string word; text >> word;)
+    words.push_back(word);
+  const std::string problem = lawset.parse(words);
+  if (!problem.empty())
+    error->all(FLERR, "Restart file: pair_style mca: {}", problem);
+}
+
+void PairMCA::write_restart(FILE *fp)
+{
+  write_restart_settings(fp);
+  std::vector<double> values;
+  for (int i = 1; i <= atom->ntypes; i++)
+    for (const auto &q : mca::materialQuantities())
+      values.push_back(materials[i].*q.value);
+  mca::writeBlock(fp, mca::exactText(values));
+}
+
+void PairMCA::read_restart(FILE *fp)
+{
+  read_restart_settings(fp);
+  if (!allocated)
+    allocate();
+  std::istringstream text(mca::readBlock(lmp, fp, "pair_coeff of mca"));
+  for (int i = 1; i <= atom->ntypes; i++) {
+    for (const auto &q : mca::materialQuantities())
+      text >> materials[i].*q.value;
+    setflag[i][i] = 1;
+  }
+}
