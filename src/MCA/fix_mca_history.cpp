@@ -13,7 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <tuple>
+#include <numeric>
 
 using namespace LAMMPS_NS;
 
@@ -190,31 +190,42 @@ void FixMCAHistory::post_neighbor()
     shared[i].first = npartner[i] > 0 ? ubuf(partner[i][0]).d : 0.0;
   comm->forward_comm(this, 2);
 
+  // rows of atoms in the order of IDs, with the pairs of each in which it has the lower one
+  std::vector<int> rows(nall_neigh), place(nall_neigh);
+  std::iota(rows.begin(), rows.end(), 0);
+  std::sort(rows.begin(), rows.end(), [tag](int a, int b) { return tag[a] < tag[b]; });
+  for (int k = 0; k < nall_neigh; k++)
+    place[rows[k]] = k;
+  std::vector<int> first(nall_neigh + 1, 0);
+  auto each = [&](auto &&use) {
+    for (int ii = 0; ii < list->inum; ii++) {
+      const int i = list->ilist[ii];
+      for (int jj = 0; jj < list->numneigh[i]; jj++) {
+        const int j = list->firstneigh[i][jj] & NEIGHMASK;
+        tag[i] < tag[j] ? use(i, j, i, j) : use(j, i, i, j);
+      }
+    }
+  };
+  each([&](int lower, int, int, int) { first[place[lower] + 1]++; });
+  std::partial_sum(first.begin(), first.end(), first.begin());
   struct Found {
-    tagint lower, higher;
-    int i, j; // in that order
+    int i, j; // the lower ID first
     bool exchanged;
     const double *state;
   };
-  std::vector<Found> found;
-  for (int ii = 0; ii < list->inum; ii++) {
-    const int i = list->ilist[ii];
-    for (int jj = 0; jj < list->numneigh[i]; jj++) {
-      const int j = list->firstneigh[i][jj] & NEIGHMASK;
-      const tagint key = static_cast<tagint>(ubuf(shared[j].first).i);
-      const double *state = blank;
-      for (int m = 1; m < npartner[i] && key > 0; m++)
-        if (partner[i][m] == key)
-          state = valuepartner[i] + dnum * m;
-      if (tag[i] < tag[j])
-        found.push_back({tag[i], tag[j], i, j, false, state});
-      else
-        found.push_back({tag[j], tag[i], j, i, true, state});
-    }
-  }
-  std::sort(found.begin(), found.end(), [](const Found &a, const Found &b) {
-    return std::tie(a.lower, a.higher) < std::tie(b.lower, b.higher);
+  std::vector<Found> found(first.back());
+  std::vector<int> next(first.begin(), first.end() - 1);
+  each([&](int lower, int higher, int i, int j) {
+    const tagint key = static_cast<tagint>(ubuf(shared[j].first).i);
+    const double *state = blank;
+    for (int m = 1; m < npartner[i] && key > 0; m++)
+      if (partner[i][m] == key)
+        state = valuepartner[i] + dnum * m;
+    found[next[place[lower]]++] = {lower, higher, lower != i, state};
   });
+  for (int k = 0; k < nall_neigh; k++)
+    std::sort(found.begin() + first[k], found.begin() + first[k + 1],
+              [tag](const Found &a, const Found &b) { return tag[a.j] < tag[b.j]; });
   mca::LinkList &links = mca->links();
   links.reset(static_cast<int>(found.size()));
   mca->begin_changes();
