@@ -193,7 +193,12 @@ void FixMCAHistory::post_neighbor()
   // rows of atoms in the order of IDs, with the pairs of each in which it has the lower one
   std::vector<int> rows(nall_neigh), place(nall_neigh);
   std::iota(rows.begin(), rows.end(), 0);
-  std::sort(rows.begin(), rows.end(), [tag](int a, int b) { return tag[a] < tag[b]; });
+  double **x = atom->x;
+  std::sort(rows.begin(), rows.end(), [tag, x](int a, int b) {
+    // images of one atom by their places
+    return tag[a] != tag[b] ? tag[a] < tag[b]
+                            : std::lexicographical_compare(x[a], x[a] + 3, x[b], x[b] + 3);
+  });
   for (int k = 0; k < nall_neigh; k++)
     place[rows[k]] = k;
   std::vector<int> first(nall_neigh + 1, 0);
