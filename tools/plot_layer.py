@@ -28,7 +28,7 @@ def read_frames(path):
     """[(step, {column: values from bottom to top})] of rows that hold automata."""
     import numpy
 
-    frames, names = [], None
+    frames, names = {}, None
     try:
         with open(path, encoding="utf-8") as file:
             lines = iter(file.read().splitlines())
@@ -46,14 +46,14 @@ def read_frames(path):
                 if rows.shape[1:] != (len(names),):
                     fail(3, f"{path}: the frame of step {words[0]} has rows of {rows.shape[1:]} columns")
                 rows = rows[rows[:, 1] > 0]
-                frames.append((int(words[0]), dict(zip(names, rows.T))))
+                frames[int(words[0])] = dict(zip(names, rows.T))  # made again after a kill: the later one
     except StopIteration:
         pass  # the last frame is being written
     except (OSError, UnicodeDecodeError, ValueError) as error:
         fail(3, f"{path}: cannot be read: {error}")
     if not frames:
         fail(3, f"{path}: no frame")
-    return frames
+    return sorted(frames.items())
 
 
 def crossing(y, values, level, last):

@@ -79,7 +79,7 @@ class RunFolder:
         if not old:
             return
         for name, value in self.run.values.items():
-            if name in ("ns", "checkpoint", "picture") or name not in old or old[name] == value:
+            if name in ("ns", "checkpoint", "picture", "profile") or name not in old or old[name] == value:
                 continue
             raise FolderError(f"{self.path}: was begun with {name} = {old[name]}, the plan says {value}: give the run "
                               "another name or use another folder")

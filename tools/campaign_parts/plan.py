@@ -49,6 +49,7 @@ KEYS = {
     "eta": Key(0.41, "Pa s", ">= 0", lambda x: x >= 0, "eta", 1e3),
     "columns": Key(40, "automata across", "a whole number >= 4", _whole(4), "columns"),
     "rows": Key(32, "rows of automata", "a whole number >= 8", _whole(8), "rows"),
+    "held": Key(1, "rows fixed at the bottom, and driven at the top", "a whole number >= 1", _whole(1), "held"),
     "roughness": Key(3.25, "nm", ">= 0", lambda x: x >= 0, "amplitude"),
     "seed": Key(1, "", "a whole number >= 1", _whole(1), "seed"),
     "ns": Key(100.0, "ns, duration", "> 0", _positive, "ns"),
@@ -57,6 +58,7 @@ KEYS = {
     "row": Key(0.05, "ns between rows of the log", "> 0", _positive),
     "checkpoint": Key(2.0, "ns between restart files", "> 0", _positive),
     "picture": Key(0.0, "ns between frames of the dump, 0: none", ">= 0", lambda x: x >= 0),
+    "profile": Key(0.0, "ns that each mean profile of the layer covers, 0: none", ">= 0", lambda x: x >= 0),
 }
 
 
@@ -116,6 +118,8 @@ class Run:
         # a checkpoint at the end of a row keeps the log's rows whole
         every = int(result["every"])
         result["checkpoint"] = str(max(1, round(int(result["checkpoint"]) / every)) * every)
+        # a profile is the mean of samples taken each 100 steps
+        result["profile"] = str(100 * math.ceil(self.values["profile"] / self.dt / 100 - 1e-9))
         return result
 
 
