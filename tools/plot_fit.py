@@ -21,13 +21,17 @@ def fail(code, text):
     sys.exit(code)
 
 
+def contents(data):
+    """(law or None, its relative RMS, points, covariance) of wr_fit's JSON."""
+    law = {name: float(data[name]) for name in PAPER} if "mu0" in data else None
+    return law, float(data.get("rms_relative", 0)), data["report"]["points"], data.get("covariance")
+
+
 def read(path):
-    """(law or None, its relative RMS, points) of wr_fit's JSON."""
+    """(law or None, its relative RMS, points, covariance) of wr_fit's JSON."""
     try:
         with open(path, encoding="utf-8") as file:
-            data = json.load(file)
-        law = {name: float(data[name]) for name in PAPER} if "mu0" in data else None
-        return law, float(data.get("rms_relative", 0)), data["report"]["points"], data.get("covariance")
+            return contents(json.load(file))
     except (OSError, ValueError, KeyError, TypeError) as error:
         fail(3, f"{path}: not wr_fit's JSON: {error}")
 
@@ -49,19 +53,12 @@ def static_error(law, covariance, kappa2):
     return np.sqrt(np.einsum("ik,ij,jk->k", gradient, np.array(covariance), gradient))
 
 
-def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("json", help="wr_fit's JSON (wr_fit -o)")
-    parser.add_argument("-o", "--output", default="fit.png", metavar="PNG")
-    given = parser.parse_args()
-    law, rms, points, covariance = read(given.json)
-    try:
-        import numpy as np
-        import matplotlib
-        matplotlib.use("Agg")
-        import matplotlib.pyplot as plt
-    except ImportError:
-        fail(1, "matplotlib is missing (Debian: apt-get install python3-matplotlib); no picture made")
+def draw(law, rms, points, covariance, path):
+    """The picture of the contents of wr_fit's JSON."""
+    import numpy as np
+    import matplotlib
+    matplotlib.use("Agg")
+    import matplotlib.pyplot as plt
 
     used = [p for p in points if not p["left_out"]]
     rest = [p for p in points if p["left_out"]]
@@ -112,14 +109,28 @@ def main():
               ylabel="$\\mu - \\mu_1\\kappa_1/(1+b\\,\\kappa_1)$",
               title="Without the velocity term (Fig. 8)")
     right.legend(fontsize=9)
-    beside = given.output + ".part"
+    beside = path + ".part"
     try:
         figure.savefig(beside, dpi=130, format="png")
-        os.replace(beside, given.output)
+        os.replace(beside, path)
     except OSError as error:
         if os.path.exists(beside):
             os.remove(beside)
-        fail(5, f"{given.output}: cannot be written: {error.strerror}")
+        fail(5, f"{path}: cannot be written: {error.strerror}")
+    plt.close(figure)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("json", help="wr_fit's JSON (wr_fit -o)")
+    parser.add_argument("-o", "--output", default="fit.png", metavar="PNG")
+    given = parser.parse_args()
+    data = read(given.json)
+    try:
+        import matplotlib  # noqa: F401
+    except ImportError:
+        fail(1, "matplotlib is missing (Debian: apt-get install python3-matplotlib); no picture made")
+    draw(*data, given.output)
 
 
 if __name__ == "__main__":

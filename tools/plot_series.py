@@ -24,12 +24,11 @@ def fail(code, text):
     sys.exit(code)
 
 
-def read(path, against):
-    """The points of wr_fit's JSON, in order of the quantity on the abscissa."""
+def read(path):
+    """The points of wr_fit's JSON that have a standard error."""
     try:
         with open(path, encoding="utf-8") as file:
-            points = json.load(file)["report"]["points"]
-        return sorted((p for p in points if p["mu_se"] is not None), key=lambda p: p[against])
+            return [p for p in json.load(file)["report"]["points"] if p["mu_se"] is not None]
     except (OSError, ValueError, KeyError, TypeError) as error:
         fail(3, f"{path}: not wr_fit's JSON: {error}")
 
@@ -38,25 +37,16 @@ def number(value):
     return math.nan if value is None else value
 
 
-def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("json", help="wr_fit's JSON (wr_fit -o)")
-    parser.add_argument("--against", choices=list(LABELS), required=True)
-    parser.add_argument("-o", "--output", default="series.png", metavar="PNG")
-    given = parser.parse_args()
-    points = read(given.json, given.against)
-    if not points:
-        fail(3, f"{given.json}: no point with a standard error")
-    try:
-        import matplotlib
-        matplotlib.use("Agg")
-        import matplotlib.pyplot as plt
-    except ImportError:
-        fail(1, "matplotlib is missing (Debian: apt-get install python3-matplotlib); no picture made")
+def draw(points, against, path):
+    """The picture of wr_fit's points, in order of the quantity on the abscissa."""
+    import matplotlib
+    matplotlib.use("Agg")
+    import matplotlib.pyplot as plt
 
-    stress = given.against == "pressure"
+    points = sorted((p for p in points if p["mu_se"] is not None), key=lambda p: p[against])
+    stress = against == "pressure"
     factor = [p["pressure"] if stress else 1.0 for p in points]
-    x = [p[given.against] for p in points]
+    x = [p[against] for p in points]
     figure, axes = plt.subplots(figsize=(7, 4.8), constrained_layout=True)
 
     def values(key):
@@ -71,15 +61,15 @@ def main():
             axes.errorbar([x[i] for i in chosen], [mu[i] for i in chosen], yerr=[error[i] for i in chosen],
                           ms=5, lw=1, capsize=2, **style)
     axes.plot(x, values("mu_grinding_in"), "^", color="C1", ms=5, label="grinding-in")
-    if given.against == "velocity":
+    if against == "velocity":
         axes.plot(x, values("mu_peak"), "v", color="C3", ms=5, label="largest row of the log (static peak)")
-    same = len({(p["strength"], p["velocity"] if given.against != "velocity" else 0,
-                 p["pressure"] if given.against != "pressure" else 0) for p in points}) == 1
-    if same or given.against == "strength":  # else Eq. 2 is no line over this abscissa
+    same = len({(p["strength"], p["velocity"] if against != "velocity" else 0,
+                 p["pressure"] if against != "pressure" else 0) for p in points}) == 1
+    if same or against == "strength":  # else Eq. 2 is no line over this abscissa
         axes.plot(x, values("mu_eq2"), "k--", label="Eq. 2 with the paper's numbers")
-    axes.set_xlabel(LABELS[given.against])
+    axes.set_xlabel(LABELS[against])
     axes.set_ylabel("friction stress (MPa)" if stress else "friction coefficient $\\mu$")
-    if given.against == "viscosity":
+    if against == "viscosity":
         axes.set_xscale("log")
     else:
         axes.set_xlim(left=0)
@@ -87,14 +77,31 @@ def main():
     axes.grid(alpha=0.3)
     handles, labels = axes.get_legend_handles_labels()
     axes.legend(handles[::-1], labels[::-1], fontsize=9)  # the stationary part first
-    beside = given.output + ".part"
+    beside = path + ".part"
     try:
         figure.savefig(beside, dpi=130, format="png")
-        os.replace(beside, given.output)
+        os.replace(beside, path)
     except OSError as error_:
         if os.path.exists(beside):
             os.remove(beside)
-        fail(5, f"{given.output}: cannot be written: {error_.strerror}")
+        fail(5, f"{path}: cannot be written: {error_.strerror}")
+    plt.close(figure)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("json", help="wr_fit's JSON (wr_fit -o)")
+    parser.add_argument("--against", choices=list(LABELS), required=True)
+    parser.add_argument("-o", "--output", default="series.png", metavar="PNG")
+    given = parser.parse_args()
+    points = read(given.json)
+    if not points:
+        fail(3, f"{given.json}: no point with a standard error")
+    try:
+        import matplotlib  # noqa: F401
+    except ImportError:
+        fail(1, "matplotlib is missing (Debian: apt-get install python3-matplotlib); no picture made")
+    draw(points, given.against, given.output)
 
 
 if __name__ == "__main__":

@@ -81,7 +81,7 @@ FrictionPoint frictionPoint(const FrictionLog &log, const PointOptions &options)
   } else {
     const auto part = stationaryPart(log.mu);
     mean = part.mean;
-    start = log.time[part.start] - log.interval();
+    start = part.start == 0 ? 0.0 : log.time[part.start - 1];
     point.t_start = part.found ? start : nan;
     if (!part.found) {
       if (!point.note.empty())

@@ -1,4 +1,4 @@
-"""Finished friction logs in compact form: fewer rows, the exact command in the head."""
+"""Finished friction logs in compact form: fewer rows, the exact command in the head; profiles as they are."""
 import json
 import os
 import shlex
@@ -58,6 +58,9 @@ def pack(plan, top, target, rows):
             text = file.read()
         commands = [attempt["command"] for attempt in folder.record()["attempts"]]
         folders.write_whole(os.path.join(target, run.name + ".friction"), packed(text, rows, portable(commands[0])))
+        if os.path.exists(folder.file("run.profile")):
+            with open(folder.file("run.profile"), encoding="utf-8") as file:
+                folders.write_whole(os.path.join(target, run.name + ".profile"), file.read())
         count += 1
     print(f"{count} logs in {target}")
     return 0

@@ -1,0 +1,285 @@
+"""Each figure: which plans it needs, how it is drawn, and the paper's numbers beside ours."""
+import dataclasses
+import math
+import os
+import re
+
+import numpy as np
+from matplotlib import pyplot
+
+import plot_fit
+import plot_series
+from . import layer
+
+PAPER = plot_fit.PAPER
+PAPER_COLLAPSE = 0.035  # scatter of ten runs at equal kappas
+PAPER_DEPTH = 10.0      # nm, of the quasi-liquid layer
+
+
+class Missing(Exception):
+    """What a figure needs and is not there, in one line."""
+
+
+@dataclasses.dataclass
+class Figure:
+    """A figure: title, plans whose logs it shows, options of wr_fit, make(report, picture) -> lines."""
+    title: str
+    plans: list
+    make: object
+    options: list = dataclasses.field(default_factory=list)
+
+
+def write_whole(path, text):
+    """Writes a text beside and renames it."""
+    with open(path + ".part", "w", encoding="utf-8") as file:
+        file.write(text)
+    os.replace(path + ".part", path)
+
+
+def save(figure, path):
+    """Writes a picture beside and renames it."""
+    figure.savefig(path + ".part", dpi=130, format="png")
+    os.replace(path + ".part", path)
+    pyplot.close(figure)
+
+
+def run_name(point):
+    """Name of the run that a log belongs to: of its folder, or of the packed file."""
+    folder, name = os.path.split(point["file"])
+    return os.path.basename(folder) if name == "run.friction" else name.removesuffix(".friction")
+
+
+def table(head, rows):
+    """Lines of a table, columns as wide as needed."""
+    cells = [head, *rows]
+    width = [max(len(row[k]) for row in cells) for k in range(len(head))]
+    return ["  ".join(c.ljust(w) if k == 0 else c.rjust(w) for k, (c, w) in enumerate(zip(row, width))).rstrip()
+            for row in cells]
+
+
+def percent(ours, paper):
+    return f"{100 * (ours / paper - 1):+.1f} %"
+
+
+def groups(points, key):
+    """{key(point): points} in order of the key."""
+    found = {}
+    for point in points:
+        found.setdefault(key(point), []).append(point)
+    return dict(sorted(found.items()))
+
+
+def mean_of(points, key="mu"):
+    """(mean over replicas, its standard error: the larger of what the runs' own errors and their
+    scatter say)."""
+    values = [p[key] for p in points if p[key] is not None]
+    if not values:
+        return math.nan, math.nan
+    own = math.sqrt(sum((p["mu_se"] or 0) ** 2 for p in points)) / len(points)
+    scatter = np.std(values, ddof=1) / math.sqrt(len(values)) if len(values) > 1 else 0.0
+    return float(np.mean(values)), max(own, scatter)
+
+
+# fig3 ---------------------------------------------------------------------------------------------
+def fig3(report, picture):
+    """Depth of the layer: from the profiles beside the logs."""
+    layers = []
+    for point in report["report"]["points"]:
+        found = layer.read(point["file"])
+        if found is None:
+            raise Missing(f"{point['file']}: no profile beside it (a plan with `profile` makes one)")
+        layers.append((point, found))
+    rough = [(float(number[1]), p, f) for p, f in layers if (number := re.search("roughness([0-9.]+)", run_name(p)))]
+    viscous = groups([(p, f) for p, f in layers if "eta" in run_name(p)], lambda x: x[0]["viscosity"])
+    figure, (left, right) = pyplot.subplots(1, 2, figsize=(10, 4.2), constrained_layout=True)
+    rows = []
+    for k, (amplitude, members) in enumerate(groups(rough, lambda x: x[0]).items()):
+        for number, (_, _, found) in enumerate(members):
+            left.plot(found.time, found.depth, color=f"C{k}", label=None if number else f"initial roughness {amplitude:g} nm")
+        depth, error = layer.mean_depth([f for _, _, f in members])
+        rows.append([f"roughness {amplitude:g} nm", f"{PAPER_DEPTH:g}", f"{depth:.1f} +- {error:.1f}",
+                     "mu {:.3f} +- {:.3f}".format(*mean_of([p for _, p, _ in members]))])
+    left.axhline(PAPER_DEPTH, color="k", ls="--", lw=1, label="about 10 nm (paper)")
+    left.set(xlabel="time (ns)", ylabel="depth of the layer (nm), 10 to 90 % of $v$", xlim=(0, None), ylim=(0, None))
+    left.legend(fontsize=9)
+    eta, depth, error = [], [], []
+    for value, members in viscous.items():
+        d, e = layer.mean_depth([f for _, f in members])
+        eta.append(value), depth.append(d), error.append(e)
+        rows.append([f"viscosity {value:g} Pa s", f"{PAPER_DEPTH * value / 0.41:.1f}", f"{d:.1f} +- {e:.1f}",
+                     "mu {:.3f} +- {:.3f}".format(*mean_of([p for p, _ in members]))])
+    right.errorbar(eta, depth, yerr=1.96 * np.array(error), fmt="o", capsize=2, label="our runs, 95 %")
+    if eta:
+        line = np.array([min(eta), max(eta)])
+        right.plot(line, PAPER_DEPTH * line / 0.41, "k--", lw=1, label="in proportion (paper: roughly)")
+        exponent = np.polyfit(np.log(eta), np.log(depth), 1)[0] if len(eta) > 1 else math.nan
+        rows.append(["exponent of depth ~ eta^n", "about 1", f"{exponent:.2f}", ""])
+    right.set(xlabel="viscosity $\\eta$ (Pa s)", ylabel="depth of the layer (nm)", xscale="log", yscale="log")
+    right.legend(fontsize=9)
+    for axes in (left, right):
+        axes.grid(alpha=0.3)
+    save(figure, picture)
+    return table(["", "paper, nm", "ours, nm", ""], rows)
+
+
+# fig4, fig6 ---------------------------------------------------------------------------------------
+def fig4(report, picture):
+    points = report["report"]["points"]
+    plot_series.draw(points, "pressure", picture)
+    rows, pressures, stresses, errors = [], [], [], []
+    for p, members in groups(points, lambda x: x["pressure"]).items():
+        (mu, error), (early, _) = mean_of(members), mean_of(members, "mu_grinding_in")
+        paper = members[0]["mu_eq2"] * p
+        rows.append([f"p = {p:g} MPa", f"{paper:.2f}", f"{mu * p:.2f} +- {error * p:.2f}", percent(mu * p, paper),
+                     f"{early * p:.2f}"])
+        pressures.append(p), stresses.append(mu * p), errors.append(error / mu)
+    lines = table(["friction stress, MPa", "Eq. 2", "stationary", "", "before"], rows)
+    if len(pressures) > 2:
+        fit, covariance = np.polyfit(np.log(pressures), np.log(stresses), 1, w=1 / np.array(errors), cov=True)
+        paper = np.polyfit(np.log(pressures), np.log([m[0]["mu_eq2"] * p for p, m in
+                                                      groups(points, lambda x: x["pressure"]).items()]), 1)[0]
+        lines.append(f"stress ~ p^n: n = {fit[0]:.3f} +- {math.sqrt(covariance[0, 0]):.3f}, Eq. 2 {paper:.3f} (Amontons: 1)")
+    return lines
+
+
+def fig6(report, picture):
+    points = report["report"]["points"]
+    plot_series.draw(points, "velocity", picture)
+    rows = []
+    for v, members in groups(points, lambda x: x["velocity"]).items():
+        (mu, error), (peak, _) = mean_of(members), mean_of(members, "mu_peak")
+        paper = members[0]["mu_eq2"]
+        rows.append([f"v = {v:g} m/s", f"{paper:.3f}", f"{mu:.3f} +- {error:.3f}", percent(mu, paper), f"{peak:.2f}"])
+    return table(["mu", "Eq. 2", "stationary", "", "peak"], rows)
+
+
+# fig7 and fig8 ------------------------------------------------------------------------------------
+def fig7(report, picture):
+    plot_fit.draw(*plot_fit.contents(report), picture)
+    body, lines = report["report"], []
+    if "fit" in body:
+        fit = body["fit"]
+        rows = []
+        for name, paper in PAPER.items():
+            entry = fit["parameters"][name]
+            low, high = ("open" if end is None else f"{end:.3g}" for end in entry["interval"])
+            inside = all(end is None or sign * (paper - end) >= 0 for sign, end in zip((1, -1), entry["interval"]))
+            rows.append([name, f"{paper:g}", f"{entry['value']:.4g} +- {entry['standard_error']:.2g}",
+                         f"{low} .. {high}", "inside" if inside else "outside"])
+        lines += table(["Eq. 2", "Eq. 3", "our fit", f"{100 * fit['level']:g} % interval", "the paper's is"], rows)
+        lines.append(f"RMS of the points against their fit: {100 * report['rms_relative']:.1f} % (paper about 9 %), "
+                     f"{report['n']} points")
+        law = {name: report[name] for name in PAPER}
+        rows = []
+        for kappa2 in (2.0, 50.0, 150.0, 365.0, 633.0):
+            ours, paper = plot_fit.static_part(law, kappa2), plot_fit.static_part(PAPER, kappa2)
+            error = float(plot_fit.static_error(law, report["covariance"], np.array([kappa2]))[0])
+            rows.append([f"kappa2 = {kappa2:g}", f"{paper:.3f}", f"{ours:.3f} +- {error:.3f}", percent(ours, paper)])
+        lines += ["", *table(["mu for v -> 0 (Fig. 8)", "Eq. 5", "our fit", ""], rows)]
+    else:
+        lines.append(f"No law fitted: {report['reason']}")
+    paper = body["against_eq2"]
+    lines.append(f"RMS of our points against the paper's law: {100 * paper['rms_relative']:.1f} %, mean "
+                 f"{100 * paper['mean']:+.1f} % ({paper['n']} points)")
+    for model in body["models"]:
+        lines.append(f"  {model['model']:8} " + (f"RMS {100 * model['rms_relative']:.1f} %, AICc {model['delta_aicc']:+.1f}"
+                                                 if "rms_relative" in model else model["why_not"]))
+    return lines
+
+
+# dots: collapse, sensitivity, convergence ---------------------------------------------------------
+def dots(labels, values, errors, picture, xlabel, lines=(), band=None):
+    """A row for each label: value with its 95 % interval; vertical lines (x, style, label); a band."""
+    figure, axes = pyplot.subplots(figsize=(7.5, 1.2 + 0.3 * len(labels)), constrained_layout=True)
+    rows = np.arange(len(labels))[::-1]
+    axes.errorbar(values, rows, xerr=1.96 * np.array(errors), fmt="o", capsize=2, label="our runs, 95 %")
+    for x, style, label in lines:
+        axes.axvline(x, **style, lw=1.2, label=label)
+    if band:
+        axes.axvspan(band[0], band[1], color="C1", alpha=0.2, lw=0, label=band[2])
+    axes.set_yticks(rows, labels)
+    axes.set(xlabel=xlabel, ylim=(-0.7, len(labels) - 0.3))
+    axes.grid(alpha=0.3, axis="x")
+    axes.legend(fontsize=9, loc="upper center", bbox_to_anchor=(0.4, -0.85 / (1.2 + 0.3 * len(labels))), ncols=3)
+    save(figure, picture)
+
+
+def parameters(point):
+    """What is varied at equal kappas: p, v, sigma_0, E, rho, eta."""
+    modulus = point["kappa2"] * point["strength"] ** 2 / point["pressure"]
+    density = point["kappa1"] * point["strength"] ** 2 * 1e6 / (modulus * point["velocity"] ** 2)
+    return (f"p {point['pressure']:.3g}, v {point['velocity']:.3g}, $\\sigma_0$ {point['strength']:g}, E {1e-3 * modulus:.0f}, "
+            f"$\\rho$ {1e-3 * density:.2g}, $\\eta$ {point['viscosity']:g}")
+
+
+def collapse(report, picture):
+    points = report["report"]["points"]
+    mu = [p["mu"] for p in points]
+    mean = float(np.mean(mu))
+    dots([f"{run_name(p)}: {parameters(p)}" for p in points], mu, [p["mu_se"] or math.nan for p in points], picture,
+         "friction coefficient $\\mu$",
+         [(mean, dict(color="C1"), "their mean"), (points[0]["mu_eq2"], dict(color="k", ls="--"), "Eq. 2")],
+         (mean * (1 - PAPER_COLLAPSE), mean * (1 + PAPER_COLLAPSE), "$\\pm$ 3.5 % (paper)"))
+    own = math.sqrt(np.mean([(p["mu_se"] or 0) ** 2 for p in points])) / mean
+    rows = [["scatter of mu (standard deviation)", f"{100 * PAPER_COLLAPSE:.1f} %", f"{100 * np.std(mu, ddof=1) / mean:.1f} %"],
+            ["  what the runs' own errors explain", "", f"{100 * own:.1f} %"],
+            ["mean mu", f"{points[0]['mu_eq2']:.3f}", f"{mean:.3f} +- {np.std(mu, ddof=1) / math.sqrt(len(mu)):.3f}"]]
+    return table([f"{len(points)} runs", "paper", "ours"], rows)
+
+
+def sensitivity(report, picture):
+    """mu/mu(Eq. 2) for each set of laws at each condition; root mean square and mean for each set."""
+    points = [p for p in report["report"]["points"] if p["mu_se"] is not None]
+    sets = groups(points, lambda p: run_name(p).split("-laws")[1].replace("_", " "))
+    conditions = sorted({run_name(p).split("-laws")[0] for p in points})
+    figure, axes = pyplot.subplots(figsize=(8, 4.4), constrained_layout=True)
+    rows = []
+    for k, (laws, members) in enumerate(sets.items()):
+        at = {run_name(p).split("-laws")[0]: p for p in members}
+        ratio = [at[c]["mu"] / at[c]["mu_eq2"] if c in at else math.nan for c in conditions]
+        error = [at[c]["mu_se"] / at[c]["mu_eq2"] if c in at else math.nan for c in conditions]
+        x = np.arange(len(conditions)) + 0.1 * (k - 0.5 * (len(sets) - 1))
+        axes.errorbar(x, ratio, yerr=1.96 * np.array(error), fmt="o", ms=4, capsize=2, label=f"preset {laws}")
+        known = np.array([(r, e) for r, e in zip(ratio, error) if not math.isnan(r)])
+        d = known[:, 0] - 1
+        rms = math.sqrt(np.mean(d**2))
+        rows.append([f"preset {laws}", *(f"{r:.2f}" if not math.isnan(r) else "-" for r in ratio), f"{100 * np.mean(d):+.0f} %",
+                     f"{100 * rms:.1f} +- {100 * math.sqrt(np.sum((d * known[:, 1]) ** 2)) / (rms * len(d)):.1f} %"])
+    axes.axhline(1, color="k", ls="--", lw=1, label="Eq. 2")
+    first = {run_name(p).split("-laws")[0]: p for p in points}
+    axes.set_xticks(range(len(conditions)), [f"{c}\n$\\kappa_1$ {first[c]['kappa1']:.2g}\n$\\kappa_2$ {first[c]['kappa2']:.3g}"
+                                             for c in conditions])
+    axes.set(ylabel="$\\mu/\\mu$(Eq. 2)", ylim=(0, None))
+    axes.grid(alpha=0.3, axis="y")
+    axes.legend(fontsize=8, ncols=2)
+    save(figure, picture)
+    return table(["mu/mu(Eq. 2)", *conditions, "mean", "RMS"], rows)
+
+
+def convergence(report, picture):
+    points = report["report"]["points"]
+    rows, labels, values, errors = [], [], [], []
+    for strength, members in groups(points, lambda p: p["strength"]).items():
+        sizes = groups(members, lambda p: run_name(p).split("-strength")[0])
+        base = mean_of(sizes["base"])
+        for name in sorted(sizes, key=lambda n: (n != "base", n)):
+            mu, error = mean_of(sizes[name])
+            depths = [found for p in sizes[name] if (found := layer.read(p["file"]))]
+            depth = "{:.1f} +- {:.1f}".format(*layer.mean_depth(depths)) if depths else ""
+            difference = (mu - base[0]) / math.hypot(error, base[1])
+            rows.append([f"{strength:g} MPa: {name}", str(len(sizes[name])), f"{mu:.3f} +- {error:.3f}",
+                         "" if name == "base" else f"{percent(mu, base[0])} ({difference:+.1f} s.e.)", depth])
+            labels.append(f"{strength:g} MPa: {name}"), values.append(mu / base[0]), errors.append(error / base[0])
+    dots(labels, values, errors, picture, "$\\mu/\\mu$(base)", [(1, dict(color="k", ls="--"), "base: 40 across, 32 rows, 1 held")])
+    return table(["", "runs", "mu", "against base", "depth, nm"], rows)
+
+
+FIGURES = {
+    "fig3": Figure("Fig. 3: depth of the sliding layer (N1)", ["roughness", "viscosity"], fig3),
+    "fig4": Figure("Fig. 4: friction stress against pressure (N2)", ["pressure"], fig4, ["--grinding-in", "100"]),
+    "fig6": Figure("Fig. 6: mu against velocity (N3)", ["velocity"], fig6),
+    "collapse": Figure("Equal kappa1 and kappa2 (N4)", ["collapse10"], collapse),
+    "fig7": Figure("Figs. 7 and 8: the law (N5, N6)", ["paper36"], fig7),
+    "sensitivity": Figure("Sensitivity of mu to the laws, from 15 ns on", ["variants"], sensitivity, ["--start", "15"]),
+    "convergence": Figure("Size of the fragment, from 10 ns on", ["convergence"], convergence, ["--start", "10"]),
+}

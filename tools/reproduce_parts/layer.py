@@ -1,0 +1,41 @@
+"""Depth of the sliding layer of a run, from the profile beside its friction log."""
+import dataclasses
+import math
+import os
+
+import numpy as np
+import yaml
+
+import plot_layer
+
+
+@dataclasses.dataclass
+class Layer:
+    """Depth (nm) of the layer at the ends of the frames (ns)."""
+    time: np.ndarray
+    depth: np.ndarray
+
+
+def _step(log):
+    """ns, from the head of the log."""
+    with open(log, encoding="utf-8") as file:
+        head = [line[2:] for line in file if line.startswith("#")]
+    return float(yaml.safe_load("".join(head))["run"]["timestep"])
+
+
+def read(log):
+    """The layer of a run; None without a profile beside the log."""
+    profile = log.removesuffix(".friction") + ".profile"
+    if not os.path.exists(profile):
+        return None
+    measures = [plot_layer.measure(*frame) for frame in plot_layer.read_frames(profile)]
+    return Layer(np.array([m["step"] * _step(log) for m in measures]), np.array([m["depth"] for m in measures]))
+
+
+def mean_depth(layers):
+    """(mean over the second halves of the runs, its standard error from frames and runs)."""
+    halves = [layer.depth[len(layer.depth) // 2:] for layer in layers]
+    means = [float(np.mean(h)) for h in halves]
+    own = math.sqrt(sum(np.var(h, ddof=1) / len(h) if len(h) > 1 else 0.0 for h in halves)) / len(halves)
+    scatter = np.std(means, ddof=1) / math.sqrt(len(means)) if len(means) > 1 else 0.0
+    return float(np.mean(means)), max(own, scatter)

@@ -1,0 +1,128 @@
+"""tools/reproduce: the paper's numbers beside those of logs whose answers are known."""
+import os
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+import numpy
+import pytest
+
+from test_plot_layer import HEAD, frame
+
+ROOT = Path(__file__).resolve().parents[2]
+sys.path[:0] = [str(ROOT / "unittest" / "WHEELRAIL"), str(ROOT / "tools")]
+from campaign_parts import plan as plans  # noqa: E402
+from friction_logs import friction_log  # noqa: E402
+
+BUILD = Path(os.environ["MCAWR_TEST_LMP"]).parents[1] if "MCAWR_TEST_LMP" in os.environ else ROOT / "build"
+pytestmark = pytest.mark.skipif(not (BUILD / "bin" / "wr_fit").exists(), reason="wr_fit is not built")
+
+
+def reproduce(tmp_path, *figures):
+    return subprocess.run([ROOT / "tools" / "reproduce", *figures, "--logs", tmp_path / "logs", "-o", tmp_path / "out"],
+                          env={**os.environ, "MCAWR_BUILD": str(BUILD)}, text=True, capture_output=True, timeout=120,
+                          check=False)
+
+
+def logs(tmp_path, name, factor=lambda run: 1.0, ns=20):
+    """Logs of a shipped plan that follow Eq. 2 with Eq. 3's numbers, times a factor, with some noise."""
+    folder = tmp_path / "logs" / name
+    folder.mkdir(parents=True)
+    runs = plans.read(plans.find(name)).runs
+    for number, run in enumerate(runs):
+        v = run.values
+        (folder / f"{run.name}.friction").write_text(friction_log(
+            p=v["p"], v=v["v"], strength=v["strength"], E=v["E"], rho=v["rho"], seed=number + 1, ns=ns,
+            factor=factor(run), noise=0.01, phi=0, grinding_in=0.5))
+    return folder, runs
+
+
+def made(tmp_path, name, done):
+    """The comparison, once the picture and the files are there."""
+    assert done.returncode == 0, done.stderr
+    assert (tmp_path / "out" / f"{name}.png").read_bytes()[:4] == b"\x89PNG"
+    assert (tmp_path / "out" / f"{name}.csv").exists() and (tmp_path / "out" / f"{name}.json").exists()
+    text = (tmp_path / "out" / f"{name}.txt").read_text()
+    assert text.strip() == done.stdout.strip()
+    return text
+
+
+def line(text, begin):
+    """Numbers of the line that begins so."""
+    found = [row for row in text.splitlines() if row.strip().startswith(begin)]
+    assert len(found) == 1, text
+    return [float(word) for word in re.findall(r"[-+]?\d+\.?\d*", found[0].strip()[len(begin):])]
+
+
+def test_collapse_tells_the_scatter(tmp_path):
+    _, runs = logs(tmp_path, "collapse10", lambda run: 1.1 if int(run.name[1:]) % 2 else 0.9)
+    text = made(tmp_path, "collapse", reproduce(tmp_path, "collapse"))
+    paper, ours = line(text, "scatter of mu (standard deviation)")
+    assert paper == 3.5 and ours == pytest.approx(100 * 0.1 * (10 / 9) ** 0.5, abs=0.2)
+    assert line(text, "mean mu")[1] == pytest.approx(0.442, abs=0.002)
+
+
+def test_law_is_the_papers(tmp_path):
+    logs(tmp_path, "paper36")
+    text = made(tmp_path, "fig7", reproduce(tmp_path, "fig7"))
+    assert len([row for row in text.splitlines() if row.endswith(" inside")]) >= 4
+    assert line(text, "RMS of our points against the paper's law:")[0] < 0.5
+    assert abs(line(text, "kappa2 = 150")[-1]) < 1.0
+
+
+def test_pressure_and_velocity(tmp_path):
+    logs(tmp_path, "pressure", lambda run: 1.2)
+    logs(tmp_path, "velocity", lambda run: 0.8)
+    done = reproduce(tmp_path, "fig4", "fig6")
+    assert done.returncode == 0, done.stderr
+    fig4, fig6 = ((tmp_path / "out" / f"{name}.txt").read_text() for name in ("fig4", "fig6"))
+    for p in (0.5, 15, 26):
+        assert line(fig4, f"p = {p:g} MPa")[3] == pytest.approx(20, abs=1)
+    ours, _, _, paper, _ = line(fig4, "stress ~ p^n: n =")
+    assert ours == pytest.approx(paper, abs=0.01) and 0.85 < paper < 0.95
+    for v in (1, 10):
+        assert line(fig6, f"v = {v:g} m/s")[3] == pytest.approx(-20, abs=1)
+
+
+ROWS = {0.1: (4, 5), 0.205: (4, 6), 0.41: (3, 6), 0.82: (3, 7), 1.64: (2, 7)}  # of the layer, by viscosity
+
+
+def test_layers_of_known_depth(tmp_path):
+    for name in ("roughness", "viscosity"):
+        folder, runs = logs(tmp_path, name)
+        for run in runs:
+            low, high = ROWS[run.values["eta"]]
+            (folder / f"{run.name}.profile").write_text(HEAD + "".join(frame(1000 * k, low, high) for k in (1, 2, 3, 4)))
+            if name == "viscosity":  # the synthetic head has one viscosity
+                log = folder / f"{run.name}.friction"
+                log.write_text(log.read_text().replace("viscosity: 0.41", f"viscosity: {run.values['eta']}"))
+    text = made(tmp_path, "fig3", reproduce(tmp_path, "fig3"))
+    for amplitude in ("1.4", "3.25", "6.5"):
+        assert line(text, f"roughness {amplitude} nm")[1] == pytest.approx(2.4)
+    depths = {eta: line(text, f"viscosity {eta:g} Pa s")[1] for eta in ROWS}
+    assert depths == pytest.approx({eta: 0.8 * (high - low) for eta, (low, high) in ROWS.items()})
+    slope = numpy.polyfit(numpy.log(list(depths)), numpy.log(list(depths.values())), 1)[0]
+    assert line(text, "exponent of depth ~ eta^n")[1] == pytest.approx(slope, abs=0.006)
+
+
+def test_sensitivity_and_convergence(tmp_path):
+    logs(tmp_path, "variants", lambda run: 1.3 if "heal" in run.name else 1.0)
+    logs(tmp_path, "convergence", lambda run: 1.1 if "wide-columns20" in run.name else 1.0)
+    done = reproduce(tmp_path, "sensitivity", "convergence")
+    assert done.returncode == 0, done.stderr
+    laws = (tmp_path / "out" / "sensitivity.txt").read_text()
+    assert line(laws, "preset b heal 2.35")[-2] == pytest.approx(30, abs=1)
+    sizes = (tmp_path / "out" / "convergence.txt").read_text()
+    assert line(sizes, "92 MPa: wide-columns20")[3] == pytest.approx(10, abs=1)
+
+
+def test_missing_logs_are_one_clear_line(tmp_path):
+    (tmp_path / "logs").mkdir()
+    done = reproduce(tmp_path, "fig4")
+    assert done.returncode == 3 and done.stderr.count("\n") == 1 and "pressure" in done.stderr
+    logs(tmp_path, "roughness")
+    logs(tmp_path, "viscosity")
+    done = reproduce(tmp_path, "fig3")
+    assert done.returncode == 3 and done.stderr.count("\n") == 1 and "profile" in done.stderr
+    assert not (tmp_path / "out" / "fig3.png").exists()
