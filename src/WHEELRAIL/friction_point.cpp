@@ -63,7 +63,9 @@ FrictionPoint frictionPoint(const FrictionLog &log, const PointOptions &options)
   point.mu_peak = *std::max_element(log.mu.begin(), log.mu.end());
   point.seed = log.seed;
   point.note = log.note;
-  const double origin = log.time.front() - log.interval();
+  double origin = log.time.front() - log.interval();
+  if (std::abs(origin) < 1e-6 * log.interval())
+    origin = 0.0; // not round-off
   point.duration = log.time.back() - origin;
 
   SeriesMean mean;
@@ -81,7 +83,7 @@ FrictionPoint frictionPoint(const FrictionLog &log, const PointOptions &options)
   } else {
     const auto part = stationaryPart(log.mu);
     mean = part.mean;
-    start = part.start == 0 ? 0.0 : log.time[part.start - 1];
+    start = part.start == 0 ? origin : log.time[part.start - 1];
     point.t_start = part.found ? start : nan;
     if (!part.found) {
       if (!point.note.empty())
