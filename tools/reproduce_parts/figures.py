@@ -281,5 +281,5 @@ FIGURES = {
     "collapse": Figure("Equal kappa1 and kappa2 (N4)", ["collapse10"], collapse),
     "fig7": Figure("Figs. 7 and 8: the law (N5, N6)", ["paper36"], fig7),
     "sensitivity": Figure("Sensitivity of mu to the laws, from 15 ns on", ["variants"], sensitivity, ["--start", "15"]),
-    "convergence": Figure("Size of the fragment, from 10 ns on", ["convergence"], convergence, ["--start", "10"]),
+    "convergence": Figure("Size of the fragment and step, from 10 ns on", ["convergence"], convergence, ["--start", "10"]),
 }
