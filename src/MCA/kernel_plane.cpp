@@ -56,7 +56,7 @@ double strainBlock(const Pairs &p, int first, int n, double dt, double moves, co
       const double total = ptotal[k] + dgamma;
       pgamma[k] += dgamma;
       ptotal[k] = total;
-      breaking += strainIntensity2(eps, total) >= breakingStrain2 ? 1.0 : 0.0;
+      breaking += breaksByStrain(eps, total, breakingStrain2) ? 1.0 : 0.0;
       es[k] = e;
       bulks[k] = 1.0;
     } else {

@@ -155,7 +155,7 @@ double strainBlock(const Pairs &p, int first, int n, double dt, const PairLaw *l
       totals.set(k, total);
       es.value[k] = e;
       bulks.value[k] = 1.0;
-      return strainIntensity2(eps, total) >= breakingStrain2 ? 1.0 : 0.0;
+      return breaksByStrain(eps, total, breakingStrain2) ? 1.0 : 0.0;
     } else {
       const double linked = link::linked(pkind[k]), pressed = e < 0.0 ? 1.0 : 0.0;
       gammas.set(k, linked * gamma);

@@ -94,6 +94,8 @@ double nextKind(const mca::LawSet &laws, const mca::Material &ma, const mca::Mat
   const double tension = std::fmax(sigma, 0);
   const double intensity = std::sqrt(tension * tension + 3 * tau * tau);
   if (kind == 1) {
+    if (eps <= -0.9)
+      return -1;
     const double opening = std::fmax(eps, 0), g = gammaTotal;
     if (laws.fracture == "strain" && opening * opening + 4.0 / 3 * g * g >= limit * limit)
       return -1;

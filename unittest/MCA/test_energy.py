@@ -53,6 +53,50 @@ def test_ranks_share_the_account(sliding, newton, tmp_path):
     assert np.abs(a["error"][1:] / a["dissipated"][1:]).max() < 1e-6
 
 
+def test_pair_pressed_together(tmp_path):
+    # a link that flows until both automata nearly coincide: its shear gets as stiff as 1/r^2, and
+    # steps would be unstable below r = sqrt(2/3) c_s dt = 0.052 d
+    script = """units nano
+dimension 2
+atom_style sphere
+atom_modify map array
+boundary f f p
+timestep 5e-5
+region box block -10 12.5 -10 10 -0.5 0.5 units box
+create_box 1 box
+create_atoms 1 single 0 0 0 units box
+create_atoms 1 single 2.5 0 0 units box
+pair_style mca
+pair_coeff * * steel.mca
+neighbor 0.4 bin
+mca_links create all all
+group first id 1
+group second id 2
+velocity second set 0 0.2 0 units box
+fix integrate all nve/mca
+variable r equal sqrt((x[1]-x[2])^2+(y[1]-y[2])^2)
+variable px equal 320*(x[2]-x[1])/v_r
+variable py equal 320*(y[2]-y[1])/v_r
+variable qx equal -v_px
+variable qy equal -v_py
+fix press_first first addforce v_px v_py 0
+fix press_second second addforce v_qx v_qy 0
+fix drag all viscous 36
+compute energy all mca/energy
+compute totals all pair mca
+thermo 200
+thermo_style custom step c_energy c_energy[1] c_energy[2] c_energy[3] c_energy[4] c_energy[5] c_energy[6] v_r c_totals[3]
+thermo_modify format float %20.15g
+run 30000
+"""
+    result = lmp(script, tmp_path)
+    a, table = account(result), result.thermo[0]
+    assert np.abs(a["error"]).max() < 1e-9 * a["dissipated"][-1]
+    assert a["fracture"][-1] > 0 and table["c_totals[3]"][-1] == 1
+    assert table["v_r"][table["c_totals[3]"] == 0].min() > 0.1 * 2.5
+    assert table["v_r"].min() > 0.09 * 2.5  # an elastic contact from then on
+
+
 def test_elastic_energy_stays(tmp_path):
     a = account(lmp("in.energy_elastic", tmp_path))
     assert np.ptp(a["elastic"]) > 0.1 * a["kinetic"][0]

@@ -240,6 +240,21 @@ TEST_P(KernelTest, KeptListFollowsTheReference)
   expectSame(fast, slow, 1e-10);
 }
 
+TEST_P(KernelTest, ACollapsedLinkBreaks)
+{
+  // one pair of a block of bulk links, whose automata are pressed to d/20
+  Sample slow = hexagonalBlock(steel(), 8, 6, 1, 1.1);
+  const Contact &c = slow.contacts[60];
+  slow.automata[c.j].x = slow.automata[c.i].x + 0.125;
+  slow.automata[c.j].y = slow.automata[c.i].y;
+  Sample fast = slow;
+  reference::step(slow, 5e-5);
+  run(fast, 5e-5);
+  expectSame(fast, slow, 1e-12);
+  EXPECT_EQ(fast.contacts[60].next.kind, -1);
+  EXPECT_EQ(fast.automata[c.i].torque, 0.0); // none is sheared
+}
+
 TEST_P(KernelTest, ZeroStepLeavesThePresentState)
 {
   Sample s = randomSample(5, 3);

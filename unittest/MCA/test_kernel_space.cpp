@@ -187,6 +187,20 @@ TEST_P(SpaceKernelTest, BulkBlocksEqualTheReference)
     }
 }
 
+TEST_P(SpaceKernelTest, ACollapsedLinkBreaks)
+{
+  Sample slow = block(mca::packing::fcc, steel(), 3, 1, false);
+  for (auto &a : slow.automata)
+    a.x *= 0.99;
+  const Contact &c = slow.contacts[40];
+  slow.automata[c.j].x = slow.automata[c.i].x + Vector3d(0.05, 0.1, 0.05);
+  Sample fast = slow;
+  step(slow, 5e-5);
+  run(fast, 5e-5);
+  expectSame(fast, slow, 1e-12);
+  EXPECT_EQ(fast.contacts[40].next.kind, -1);
+}
+
 TEST_P(SpaceKernelTest, FollowsTheReferenceOverSteps)
 {
   Sample slow = randomSample(mca::packing::fcc, 3, 3, 0);

@@ -97,6 +97,19 @@ TEST(Linking, ABulkLinkBreaksAtItsStrain)
   EXPECT_EQ(nextKind(link::bulk, -1e6, 0, -0.01, 0, b), link::bulk);
 }
 
+TEST(Linking, ACollapsedBulkLinkBreaksAndDoesNotHeal)
+{
+  for (const char *fracture : {"strain", "stress", "none"}) {
+    const LinkLimits b = limitsOf({"fracture", fracture});
+    EXPECT_EQ(nextKind(link::bulk, -1e6, 0, -below(0.9), 0, b), link::bulk);
+    EXPECT_EQ(nextKind(link::bulk, -1e6, 0, -0.9, 0, b), link::worn);
+    EXPECT_EQ(nextKind(link::bulk, 0, 0, -above(0.9), 0, b), link::worn);
+    EXPECT_EQ(nextKind(link::worn, -1e6, 0, -0.9, 0, b), link::worn);
+    EXPECT_EQ(nextKind(link::weld, -1e6, 0, -0.9, 0, b), link::weld);
+    EXPECT_EQ(nextKind(link::weld, -1e6, 0, -below(0.9), 0, b), link::bulk);
+  }
+}
+
 TEST(Linking, ABulkLinkBreaksAtItsStress)
 {
   const LinkLimits limits = limitsOf({"fracture", "stress"});

@@ -27,6 +27,23 @@ inline double strainIntensity2(double eps, const Vector &gammaTotal)
   return opening * opening + (4.0 / 3.0) * dot(gammaTotal, gammaTotal);
 }
 
+/// A bulk link that is pressed together further than this has collapsed and breaks [-].
+///
+/// Under pressure a bulk link flows without end, but at r -> 0 its axis turns by v_t dt/r in a
+/// step, so that its shear is as stiff as 1/r^2: with the weight w of packing.h steps are unstable
+/// below r = sqrt(2w) c_s dt. At the longest step of viscous contacts that is 0.06 d; this is the
+/// next round number above it.
+constexpr double collapseStrain = -0.9;
+
+/// Whether a bulk link breaks by its strain.
+/// \param gammaTotal      total shear since linking [-], in space a vector
+/// \param breakingStrain2  eps_c^2 [-]
+template<class Shear>
+inline bool breaksByStrain(double eps, const Shear &gammaTotal, double breakingStrain2)
+{
+  return (strainIntensity2(eps, gammaTotal) >= breakingStrain2) | (eps <= collapseStrain);
+}
+
 /// Squared stress intensity of a link [stress^2]: max(sigma, 0)^2 + 3 tau^2 >= strength^2 breaks
 /// it (a brittle weld, or any link under the stress criterion).
 inline double linkIntensity2(double sigma, double tau)

@@ -49,7 +49,7 @@ struct LinkLimits {
                           ///< pressed together that links an unlinked contact
 };
 
-/// Whether strainIntensity2() alone decides when a bulk link breaks.
+/// Whether breaksByStrain() alone decides when a bulk link breaks.
 inline bool breaksByStrainOnly(const LinkLimits &limit)
 {
   constexpr double off = std::numeric_limits<double>::infinity();
@@ -77,11 +77,11 @@ inline bool hasLinkWork(const LinkLimits &limit)
 inline double nextKind(double kind, double sigma, double tau, double eps, double gammaTotal,
                        const LinkLimits &limit, bool overloaded = false, bool worked = false)
 {
-  const double strain2 = strainIntensity2(eps, gammaTotal), intensity2 = linkIntensity2(sigma, tau);
-  const bool bulkBreaks =
-      (strain2 >= limit.bulkStrain2) | (intensity2 >= limit.bulkIntensity2) | overloaded;
+  const double intensity2 = linkIntensity2(sigma, tau);
+  const bool bulkBreaks = breaksByStrain(eps, gammaTotal, limit.bulkStrain2) |
+                          (intensity2 >= limit.bulkIntensity2) | overloaded;
   const bool weldBreaks = intensity2 >= limit.weldIntensity2;
-  const bool heals = -sigma >= limit.healPressure;
+  const bool heals = (-sigma >= limit.healPressure) & (eps > collapseStrain);
   const bool pressed = (-sigma >= limit.linkPressure) | worked;
   const double ifBulk = bulkBreaks ? link::worn : link::bulk;
   const double ifHealing = heals ? link::bulk : link::weld;
