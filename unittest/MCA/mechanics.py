@@ -5,6 +5,7 @@ doc/howto_mechanics.md. Units nano: nm, ns, MPa. Steel of potentials/steel.mca, 
 """
 
 import numpy as np
+import pytest
 
 from lmp_run import dump, lmp
 
@@ -52,6 +53,44 @@ def surface_row(plane):
     four, six = (2.5 - 1.5 * ratio) / 3, 1 - ratio
     energy = ((2.5 + 1.5 * ratio**2) / 3 + weight * four**2) / (1 + ratio**2 + weight * six**2)
     return 5 / 6, four / six, energy
+
+
+def lattice(packing):
+    """Places in one period of a packing in space with d = 1, and the edges of the period."""
+    edges = {"fcc": [np.sqrt(2)] * 3, "hcp": [1, np.sqrt(3), np.sqrt(8 / 3)], "sc": [1, 1, 1]}[packing]
+    basis = {"fcc": [(0, 0, 0), (.5, .5, 0), (.5, 0, .5), (0, .5, .5)], "sc": [(0, 0, 0)],
+             "hcp": [(0, 0, 0), (.5, .5, 0), (.5, 5 / 6, .5), (0, 1 / 3, .5)]}[packing]
+    return np.array(basis) * edges, np.array(edges)
+
+
+def surface_energies(packing, cells=4):
+    """{number of contacts: elastic energy over that of the interior} of the automata of a bar along x,
+    free in y and z, at the uniaxial strain of its interior."""
+    basis, edges = lattice(packing)
+    grid = np.array([(i, j, k) for i in (-1, 0, 1) for j in range(cells) for k in range(cells)])
+    places = (grid[:, None, :] * edges + basis).reshape(-1, 3)
+    strain, weight = np.array([1, -NU, -NU]), 1 / 2 if packing == "sc" else 1 / 4
+    found = {}
+    for place in places[np.repeat(grid[:, 0] == 0, len(basis))]:
+        n = places - place
+        n = n[np.abs((n**2).sum(axis=1) - 1) < 0.1]
+        e, moved = (n * n * strain).sum(axis=1), ((n * strain)**2).sum(axis=1)  # moved: e^2 + gamma^2
+        energy = (weight * moved.sum() + NU / (1 - 2 * NU) * (weight * e.sum())**2) / (1 + NU)
+        assert found.setdefault(len(n), energy) == pytest.approx(energy)
+    return found
+
+
+def stiffer_surface(packing):
+    """Commands for in.space_bar: automata of the surface are stiffer by the inverse of that."""
+    inner = 6 if packing == "sc" else 12
+    text = "compute contacts all mca/atom links\nrun 0\n"
+    for k, (contacts, energy) in enumerate(sorted(surface_energies(packing).items())):
+        if contacts != inner:
+            text += (f"variable at{contacts} atom c_contacts=={contacts}\n"
+                     f"group at{contacts} variable at{contacts}\n"
+                     f"set group at{contacts} type {k + 2}\n"
+                     f"pair_coeff {k + 2} {k + 2} steel.mca youngs_modulus {E / energy!r}\n")
+    return text
 
 
 def lattice_speed(mode, wavelength):

@@ -52,9 +52,10 @@ inline double linkIntensity2(double sigma, double tau)
   return opening * opening + 3.0 * tau * tau;
 }
 
-/// Stress tensor where two automata meet, in the frame of the contact (Psakhie, Shilko, Smolin et
-/// al., Frattura ed Integrita Strutturale 24 (2013) 26): sigma and tau are those of the contact,
-/// what acts along its face and across the plane is the mean of both automata. All [stress].
+/// Stress tensor where two automata meet, in the frame of the contact (after Psakhie, Shilko,
+/// Smolin et al., Frattura ed Integrita Strutturale 24 (2013) 26, not compared with its text):
+/// sigma and tau are those of the contact, what acts along its face and across the plane is the
+/// mean of both automata. All [stress].
 struct LocalStress {
   double sigma, tau, along, across;
 };
@@ -71,8 +72,10 @@ inline LocalStress localStress(double sigma, double tau, double xx, double yy, d
 
 /// Limits of a criterion on the local stress, in the form of Drucker and Prager:
 ///     (a+1)/2 sigma_eq + (3/2)(a-1) sigma_mean >= sigma_c,   a = sigma_c/sigma_t,
-/// with the compressive and tensile strength sigma_c, sigma_t (Psakhie et al. 2013). a = 1 is the
-/// criterion of the equivalent stress, sigma_eq >= sigma_t. An infinite limit switches it off.
+/// with the compressive and tensile strength sigma_c, sigma_t: the cone sigma_eq = A + B sigma_mean
+/// through both uniaxial states, A = 2 sigma_c sigma_t/(sigma_c + sigma_t),
+/// B = -3 (sigma_c - sigma_t)/(sigma_c + sigma_t). a = 1 is the criterion of the equivalent stress,
+/// sigma_eq >= sigma_t. An infinite limit switches it off.
 struct StressLimit {
   double equivalent2; ///< ((a+1)/2)^2 [-]
   double mean;        ///< (3/2)(a-1) [-]
