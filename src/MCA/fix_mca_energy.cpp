@@ -2,9 +2,9 @@
 
 #include "atom.h"
 #include "comm.h"
-#include "domain.h"
 #include "error.h"
 #include "force.h"
+#include "laws/pair_motion.h"
 #include "pair_mca.h"
 #include "restart_block.h"
 #include "update.h"
@@ -16,10 +16,23 @@
 using namespace LAMMPS_NS;
 using namespace FixConst;
 
-static constexpr int rowLength = 4; // motion or force in x, y and rotation; strain or mean stress
+// way and rotation, or force and torque; strain or mean stress
+static constexpr int rowLength = 7, scalar = 6;
+
+static mca::Vector vector(const double *values)
+{
+  return {values[0], values[1], values[2]};
+}
+
+static void store(const mca::Vector &v, double *values)
+{
+  values[0] = v.x;
+  values[1] = v.y;
+  values[2] = v.z;
+}
 
 FixMCAEnergy::FixMCAEnergy(LAMMPS *host, int narg, char **arg)
-    : Fix(host, narg, arg), pair(nullptr), flow{}, start(0.0), begun(false), icustom_theta(-1)
+    : Fix(host, narg, arg), pair(nullptr), flow{}, start(0.0), begun(false)
 {
   nevery = 1;
   restart_global = 1;
@@ -36,10 +49,6 @@ void FixMCAEnergy::init()
   pair = dynamic_cast<PairMCA *>(force->pair_match("^mca", 0));
   if (!pair)
     error->all(FLERR, "Compute mca/energy requires pair_style mca");
-  if (domain->dimension != 2)
-    error->all(FLERR, "Compute mca/energy requires dimension 2");
-  int is_double, columns;
-  icustom_theta = atom->find_custom("mca_theta", is_double, columns);
 }
 
 void FixMCAEnergy::setup(int /*vflag*/)
@@ -52,18 +61,38 @@ void FixMCAEnergy::setup(int /*vflag*/)
   start = now.kinetic + now.elastic;
 }
 
+/* where an automaton was when the forces of the step just done were computed */
+
+mca::Vector FixMCAEnergy::place(int i) const
+{
+  const double *row = pair->motion.get() + static_cast<size_t>(pair->kernel->rows.motion) * i;
+  return {row[0], row[1], pair->kernel->dimension == 2 ? 0.0 : row[2]};
+}
+
+/* what it moved in that step */
+
+FixMCAEnergy::Motion FixMCAEnergy::step_done(int i) const
+{
+  const int dimension = pair->kernel->dimension;
+  const double *row = pair->motion.get() + static_cast<size_t>(pair->kernel->rows.motion) * i;
+  const double *v = row + dimension, dt = update->dt, spin = pair->spin.get()[i];
+  if (dimension == 2)
+    return {dt * mca::Vector{v[0], v[1], 0.0}, {0.0, 0.0, dt * spin}};
+  return {dt * vector(v), dt * mca::Vector{row[6], row[7], spin}};
+}
+
+void FixMCAEnergy::add_work(int i, const Motion &moved)
+{
+  flow[WORK] += 0.5 * (dot(external[i].way, moved.way) + dot(external[i].turn, moved.turn));
+}
+
 /* the step just done: its second half */
 
 void FixMCAEnergy::end_of_step()
 {
   keep();
-  const double dt = update->dt;
-  const double *motion = pair->motion.get(), *spin = pair->spin.get();
-  const int length = pair->kernel->rows.motion;
   for (int i = 0; i < atom->nlocal; i++)
-    flow[WORK] += 0.5 * dt *
-                  (external[i].x * motion[length * i + 2] + external[i].y * motion[length * i + 3] +
-                   external[i].theta * spin[i]);
+    add_work(i, step_done(i));
   add_contacts(true);
 }
 
@@ -72,14 +101,11 @@ void FixMCAEnergy::end_of_step()
 
 void FixMCAEnergy::post_integrate()
 {
-  const double *theta = atom->dvector[icustom_theta];
   for (int i = 0; i < atom->nlocal; i++) {
-    double *row = &rows[rowLength * i];
-    row[0] = atom->x[i][0] - before[i].x;
-    row[1] = atom->x[i][1] - before[i].y;
-    row[2] = theta[i] - before[i].theta;
-    flow[WORK] +=
-        0.5 * (external[i].x * row[0] + external[i].y * row[1] + external[i].theta * row[2]);
+    const Motion moved = {vector(atom->x[i]) - before[i], update->dt * vector(atom->omega[i])};
+    store(moved.way, &rows[rowLength * i]);
+    store(moved.turn, &rows[rowLength * i + 3]);
+    add_work(i, moved);
     flow[PLASTIC] += in_elastic_z(i);
   }
   comm->forward_comm(this);
@@ -94,28 +120,31 @@ void FixMCAEnergy::keep()
   rows.assign(static_cast<size_t>(rowLength) * nall, 0.0);
   external.resize(nlocal);
   before.resize(nlocal);
-  const double *forces = pair->forces.get();
-  const int length = pair->kernel->rows.force;
-  for (int i = 0; i < nall; i++)
-    std::copy_n(forces + length * i, 3, &rows[rowLength * i]);
+  const bool plane = pair->kernel->dimension == 2;
+  for (int i = 0; i < nall; i++) {
+    const double *from = pair->forces.get() + static_cast<size_t>(pair->kernel->rows.force) * i;
+    double *row = &rows[rowLength * i];
+    std::copy_n(from, plane ? 2 : 6, row);
+    if (plane)
+      row[5] = from[2];
+  }
   const mca::Pairs &p = pair->pairs.pairs();
   for (int k = 0; k < p.n; k++) {
     const double e = strain(k, true).normal;
-    rows[rowLength * p.i[k] + 3] += e;
-    rows[rowLength * p.j[k] + 3] += e;
+    rows[rowLength * p.i[k] + scalar] += e;
+    rows[rowLength * p.j[k] + scalar] += e;
   }
   if (force->newton_pair)
     comm->reverse_comm(this);
 
-  const double *theta = atom->dvector[icustom_theta];
   for (int i = 0; i < nlocal; i++) {
     double *row = &rows[rowLength * i];
     const mca::AutomatonLaw &law = pair->autolaw[atom->type[i]];
-    external[i] = {atom->f[i][0] - row[0], atom->f[i][1] - row[1], atom->torque[i][2] - row[2]};
-    before[i] = {atom->x[i][0], atom->x[i][1], theta[i]};
-    row[3] = mca::meanStress(row[3], law.bulkModulus);
+    external[i] = {vector(atom->f[i]) - vector(row), vector(atom->torque[i]) - vector(row + 3)};
+    before[i] = vector(atom->x[i]);
+    row[scalar] = mca::meanStress(row[scalar], law.bulkModulus, law.weight);
     if (pair->j2())
-      row[3] += law.bulkModulus * pair->elastic_z_next.get()[i];
+      row[scalar] += law.bulkModulus * pair->elastic_z_next.get()[i];
   }
 }
 
@@ -127,7 +156,8 @@ mca::ElasticStrain FixMCAEnergy::strain(int k, bool next) const
   pair->pairs.getState(k, next, state);
   const bool linked = mca::link::isLinked(state[0]);
   const double e = pair->pairs.pairs().eps[k] - state[1];
-  return {mca::touchingStrain(linked, e), linked ? state[2] : 0.0};
+  const double shear = pair->kernel->dimension == 2 ? state[2] : mca::length(vector(state + 2));
+  return {mca::touchingStrain(linked, e), linked ? shear : 0.0};
 }
 
 /* where the energy goes that pair k dissipates */
@@ -147,34 +177,31 @@ int FixMCAEnergy::channel(int k) const
 void FixMCAEnergy::add_contacts(bool back)
 {
   const mca::Pairs &p = pair->pairs.pairs();
-  const double dt = update->dt, unit = force->nktv2p;
-  const double *motion = pair->motion.get(), *spin = pair->spin.get();
+  const double unit = force->nktv2p, sign = back ? 1.0 : -1.0;
   const double *response = pair->response.get();
-  const int mrow = pair->kernel->rows.motion, rrow = pair->kernel->rows.response;
+  const int length = pair->kernel->rows.response;
   for (int k = 0; k < p.n; k++) {
     const int i = p.i[k], j = p.j[k];
     const mca::PairLaw &law = pair->pairlaw[p.law[k]];
-    const double *xi = motion + mrow * i, *xj = motion + mrow * j;
-    const double dx = xj[0] - xi[0], dy = xj[1] - xi[1]; // at the end of the step just done
     const double *ri = &rows[rowLength * i], *rj = &rows[rowLength * j];
-    // way of j seen from i in the step that is looked at, and what both turn
-    const double sx = back ? (xj[2] - xi[2]) * dt : rj[0] - ri[0];
-    const double sy = back ? (xj[3] - xi[3]) * dt : rj[1] - ri[1];
-    const double turns = back ? (spin[i] + spin[j]) * dt : ri[2] + rj[2];
-    const double ox = back ? dx - sx : dx + sx, oy = back ? dy - sy : dy + sy; // its other end
-    const double eps = p.eps[k], other = std::hypot(ox, oy) * law.invDiameter - 1.0;
-    const double sign = back ? 1.0 : -1.0;
-    const double turned = std::atan2(sign * (ox * dy - oy * dx), ox * dx + oy * dy);
+    // of the step that is looked at, from the other end to the one where the forces are known
+    const Motion mi = back ? step_done(i) : Motion{vector(ri), vector(ri + 3)};
+    const Motion mj = back ? step_done(j) : Motion{vector(rj), vector(rj + 3)};
+    const mca::Vector here_at = place(j) - place(i), way = sign * (mj.way - mi.way);
+    const mca::PairMotion motion =
+        mca::pairMotion(here_at, 1.0 / mca::length(here_at), way, 0.5 * sign * (mi.turn + mj.turn));
+    const double eps = p.eps[k], other = mca::length(here_at - way) * law.invDiameter - 1.0;
+    const double growth = sign * mca::dot(mca::shearGrowth(motion), pair->along_shear(k, 1.0));
 
     double state[mca::LinkList::maxStateSize];
     pair->pairs.getState(k, !back, state);
     const bool linked = mca::link::isLinked(state[0]);
-    const mca::ElasticStrain moved = {sign * (eps - other), mca::shearIncrement(turned, turns)};
+    const mca::ElasticStrain moved = {sign * (eps - other), growth};
     const mca::ElasticStrain here = strain(k, !back);
     const double there = mca::touchingStrain(linked, other - state[1]);
     const mca::ElasticStrain strained = {sign * (here.normal - there), linked ? moved.shear : 0.0};
-    const double means[2] = {response[rrow * i], response[rrow * j]};
-    const double next[2] = {ri[3], rj[3]};
+    const double means[2] = {response[length * i], response[length * j]};
+    const double next[2] = {ri[scalar], rj[scalar]};
     const mca::ContactStress s = pair->contact(k);
     double loss = mca::stepLoss(law, s.normal / unit, s.shear / unit, here, back ? means : next,
                                 moved, strained);
@@ -196,7 +223,7 @@ double FixMCAEnergy::in_elastic_z(int i) const
   const double mean = pair->response.get()[pair->kernel->rows.response * i];
   const double twoG = 2.0 * law.shearModulus;
   const double first = mca::normalResponse(now, twoG, law.D, mean);
-  const double last = mca::normalResponse(next, twoG, law.D, rows[rowLength * i + 3]);
+  const double last = mca::normalResponse(next, twoG, law.D, rows[rowLength * i + scalar]);
   return 0.5 * (first + last) * (now - next) * pair->cell(type).cellVolume();
 }
 
@@ -207,9 +234,11 @@ FixMCAEnergy::Balance FixMCAEnergy::balance()
   for (int i = 0; i < atom->nlocal; i++) {
     const int type = atom->type[i];
     const double mass = pair->mass(type), inertia = pair->inertia(type);
-    for (int m = 0; m < 2; m++)
+    for (int m = 0; m < 3; m++) {
       own[0] += mca::leapfrogEnergy(mass, atom->v[i][m], half / mass * atom->f[i][m]);
-    own[0] += mca::leapfrogEnergy(inertia, atom->omega[i][2], half / inertia * atom->torque[i][2]);
+      own[0] +=
+          mca::leapfrogEnergy(inertia, atom->omega[i][m], half / inertia * atom->torque[i][m]);
+    }
     own[1] += pair->automaton(i).energy;
   }
   own[0] *= force->mvv2e;
@@ -278,6 +307,7 @@ void FixMCAEnergy::restart(char *buf)
 
 double FixMCAEnergy::memory_usage()
 {
-  return static_cast<double>((external.capacity() + before.capacity()) * sizeof(Place) +
+  return static_cast<double>(external.capacity() * sizeof(Motion) +
+                             before.capacity() * sizeof(mca::Vector) +
                              rows.capacity() * sizeof(double));
 }

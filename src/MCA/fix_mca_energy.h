@@ -46,16 +46,18 @@ class FixMCAEnergy : public Fix {
   double flow[FLOWS]; // of this rank
   double start;       // kinetic and elastic energy when the account began
   bool begun;
-  int icustom_theta;
 
-  struct Place {
-    double x, y, theta;
+  struct Motion { // of an automaton in a step; or force and torque
+    mca::Vector way, turn;
   };
-  std::vector<Place> external; // forces and torque on own automata that are not of contacts
-  std::vector<Place> before;   // where own automata were at the end of the step
-  std::vector<double> rows;    // what goes between ranks, rowLength values an automaton
+  std::vector<Motion> external;    // forces and torques on own automata that are not of contacts
+  std::vector<mca::Vector> before; // where own automata were at the end of the step
+  std::vector<double> rows;        // what goes between ranks, rowLength values an automaton
 
   void keep();
+  Motion step_done(int i) const;
+  mca::Vector place(int i) const;
+  void add_work(int i, const Motion &);
   mca::ElasticStrain strain(int k, bool next) const;
   int channel(int k) const;
   void add_contacts(bool back);

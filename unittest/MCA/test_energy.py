@@ -97,8 +97,9 @@ run 30000
     assert table["v_r"].min() > 0.09 * 2.5  # an elastic contact from then on
 
 
-def test_elastic_energy_stays(tmp_path):
-    a = account(lmp("in.energy_elastic", tmp_path))
+@pytest.mark.parametrize("dimension", [2, 3])
+def test_elastic_energy_stays(tmp_path, dimension):
+    a = account(lmp("in.energy_elastic", tmp_path, dimension=dimension))
     assert np.ptp(a["elastic"]) > 0.1 * a["kinetic"][0]
     assert (a["dissipated"] == pytest.approx(0, abs=1e-9 * a["kinetic"][0]))
     assert np.abs(a["error"]).max() < 1e-9 * a["kinetic"][0]
