@@ -13,6 +13,7 @@ INPUTS = HERE / "inputs"
 LMP = os.environ["MCA_LMP"]
 PLUGIN = os.environ["MCA_PLUGIN"]
 MPIRUN = os.environ.get("MCA_MPIRUN") or shutil.which("mpirun")
+TIMEOUT = 0.5 * float(os.environ.get("MCA_TIMEOUT", 600))  # of a run, seconds
 STEEL = pathlib.Path(os.environ["PROJECT_SOURCE"]) / "potentials" / "steel.mca"
 
 def periodic_block(columns=10):
@@ -92,7 +93,7 @@ def lmp(script, folder, ranks=1, env=None, check=True, launcher=LMP, **variables
     if ranks > 1:
         command = [MPIRUN, "--oversubscribe", "--bind-to", "none", "-np", str(ranks)] + command
     done = subprocess.run(command, cwd=folder, env=dict(ENVIRONMENT, **(env or {})), text=True,
-                          stdout=subprocess.PIPE, stderr=subprocess.PIPE, timeout=300)
+                          stdout=subprocess.PIPE, stderr=subprocess.PIPE, timeout=TIMEOUT)
     result = Result(done, folder)
     if check:
         assert done.returncode == 0, done.stdout[-3000:] + done.stderr[-2000:]
