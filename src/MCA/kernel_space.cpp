@@ -7,7 +7,7 @@ namespace mca {
 namespace MCA_ISA {
 namespace {
 
-constexpr RowLengths lengths = {8, 2, 8, 2, 8};
+constexpr RowLengths lengths = {8, 2, 8, 4, 8};
 
 enum Way { SEVERAL_LAWS, ONE_LAW, BULK };
 
@@ -74,6 +74,24 @@ struct Motion {
     *rowOf<Row4>(c1.value + k, 0) = r[1];
     *rowOf<Row4>(c2.value + k, 0) = r[2];
     *rowOf<Row4>(c3.value + k, 0) = r[3];
+  }
+};
+
+// Responses of one automaton of each pair. Pairs past n are made up of the last one.
+struct Responses {
+  Column mean, factor, centre;
+
+  void gather(const int *index, int n, const double *response)
+  {
+    for (int k = 0; k < n; k += 4) {
+      Row4 r[4];
+      for (int m = 0; m < 4; m++)
+        r[m] = *rowOf<Row4>(response, index[k + m]);
+      transpose(r[0], r[1], r[2], r[3]);
+      *rowOf<Row4>(mean.value + k, 0) = r[0];
+      *rowOf<Row4>(factor.value + k, 0) = r[1];
+      *rowOf<Row4>(centre.value + k, 0) = r[2];
+    }
   }
 };
 
@@ -211,10 +229,10 @@ void stressBlock(const Pairs &p, int first, int n, const PairLaw *laws, const do
   const double *const pkind = p.now.kind + first, *const pplastic = p.now.plastic + first;
   const double *const peps = p.eps + first;
   const Vectors gammas(p.now.gamma, first), normals(p.normal, first);
-  Column meanI, meanJ, unused;
+  Responses ofI, ofJ;
   Shares shares;
-  gather(pi, n, response, meanI, unused);
-  gather(pj, n, response, meanJ, unused);
+  ofI.gather(pi, n, response);
+  ofJ.gather(pj, n, response);
   const PairLaw one = laws[plaw[0]];
 #pragma omp simd
   for (int k = 0; k < n; k++) {
@@ -224,7 +242,7 @@ void stressBlock(const Pairs &p, int first, int n, const PairLaw *laws, const do
     const double linked = WAY == BULK ? 1.0 : link::linked(pkind[k]);
     const double pressed = WAY == BULK || e < 0.0 ? 1.0 : 0.0;
     const double touching = linked > pressed ? linked : pressed;
-    const double sigma = touching * elasticStress(law, e, meanI[k], meanJ[k]);
+    const double sigma = touching * elasticStress(law, e, ofI.mean[k], ofJ.mean[k]);
     const StressTensor s = stressShare(sigma, law.twoG * gamma, normals.get(k));
     shares.c[0][k] = s.xx;
     shares.c[1][k] = s.yy;
@@ -233,7 +251,7 @@ void stressBlock(const Pairs &p, int first, int n, const PairLaw *laws, const do
     shares.c[4][k] = s.xz;
     shares.c[5][k] = s.yz;
     shares.c[6][k] = touching * e * e + dot(gamma, gamma);
-    shares.c[7][k] = 0.0;
+    shares.c[7][k] = WAY == BULK || pkind[k] == link::bulk ? sigma : 0.0;
   }
   shares.scatter<0>(pi, pj, n, stresses);
 }
@@ -261,13 +279,16 @@ void yieldLoop(int n, const int *type, const AutomatonLaw *laws, const double *s
 #pragma omp simd
   for (int i = 0; i < n; i++) {
     const AutomatonLaw &law = ONE ? one : laws[type[i]];
-    const StressTensor s = weighted(stresses + lengths.stress * i, law.weight);
+    const double *const row = stresses + lengths.stress * i;
+    const StressTensor s = weighted(row, law.weight);
     const RadialReturn back =
         radialReturn(stressIntensity(s), law.curve(kappa[i]), law.shearModulus);
     // without a bulk link there is nothing that could flow
-    const double flows = law.yields * strains[lengths.strain * i + 1] > 0.0 ? 1.0 : 0.0;
+    const double bulks = strains[lengths.strain * i + 1];
+    const double flows = law.yields * bulks > 0.0 ? 1.0 : 0.0;
     kappaNext[i] = kappa[i] + flows * back.strain;
     response[lengths.response * i + 1] = flows * back.factor + (1.0 - flows);
+    response[lengths.response * i + 2] = row[7] / (bulks > 0.0 ? bulks : 1.0);
   }
 }
 
@@ -284,7 +305,7 @@ void yieldPass(int n, const int *type, const AutomatonLaw *laws, bool oneLaw, co
 
 // Responses of both automata of each pair, and force and torque on the first one.
 struct PairColumns {
-  Column meanI, factorI, meanJ, factorJ;
+  Responses ofI, ofJ;
   Shares shares;
 
   // The shear force acts at the distance r; its moment (d/2) n x tau S keeps U's gradient exact.
@@ -325,8 +346,9 @@ Changes forceBlock(const Pairs &p, int first, int n, const PairLaw *laws, PairCo
     const double kind = pkind[k], plastic = pplastic[k], eps = peps[k];
     const Vector gamma = gammas.get(k), total = totals.get(k);
     const double shear = length(gamma), elasticShear = law.twoG * shear;
-    const ContactStress s = contactStress(law, kind, eps, plastic, shear, length(total), psep[k],
-                                          c.meanI[k], c.factorI[k], c.meanJ[k], c.factorJ[k]);
+    const ContactStress s = contactStress(
+        law, kind, eps, plastic, shear, length(total), psep[k], c.ofI.mean[k], c.ofI.factor[k],
+        c.ofJ.mean[k], c.ofJ.factor[k], ReturnCentre{c.ofI.centre[k], c.ofJ.centre[k]});
     // what is left of the elastic shear stress, exactly 1 where nothing flows
     const double divisor = shear > 0.0 ? elasticShear : 1.0;
     const double kept = s.tau / divisor, acting = s.shear / divisor;
@@ -364,12 +386,13 @@ void bulkForceBlock(const Pairs &p, int first, int n, const PairLaw *laws, PairC
   const PairLaw law = laws[p.law[first]];
 #pragma omp simd
   for (int k = 0; k < n; k++) {
-    const double plastic = pplastic[k], eps = peps[k], meanI = c.meanI[k], meanJ = c.meanJ[k];
-    const double trial = elasticStress(law, eps - plastic, meanI, meanJ);
+    const double plastic = pplastic[k], eps = peps[k];
+    const double trial = elasticStress(law, eps - plastic, c.ofI.mean[k], c.ofJ.mean[k]);
     const Vector gamma = gammas.get(k), normal = normals.get(k);
     if (FLOWS) {
-      const double factorI = c.factorI[k], factorJ = c.factorJ[k];
-      const double sigma = returnedStress(trial, meanI, factorI, meanJ, factorJ);
+      const double factorI = c.ofI.factor[k], factorJ = c.ofJ.factor[k];
+      const double sigma =
+          returnedStress(trial, c.ofI.centre[k], factorI, c.ofJ.centre[k], factorJ);
       const double factor = 0.5 * (factorI + factorJ);
       kind1[k] = link::bulk;
       plastic1[k] = plastic + (trial - sigma) * law.invTwoG;
@@ -400,11 +423,11 @@ double forcePass(const Pairs &p, const PairLaw *laws, const double *response,
   for (int first = 0; first < p.n; first += blockLength, block++) {
     const int n = lesser(blockLength, p.n - first);
     const int *const pi = p.i + first, *const pj = p.j + first;
-    gather(pi, n, response, c.meanI, c.factorI);
-    gather(pj, n, response, c.meanJ, c.factorJ);
+    c.ofI.gather(pi, n, response);
+    c.ofJ.gather(pj, n, response);
     const Way way = wayOf(*block, laws);
     if (way == BULK && !block->breaks) {
-      block->moves = !allOne(n, c.factorI, c.factorJ);
+      block->moves = !allOne(n, c.ofI.factor, c.ofJ.factor);
       if (block->moves)
         bulkForceBlock<true>(p, first, n, laws, c);
       else

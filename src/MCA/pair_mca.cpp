@@ -337,9 +337,11 @@ mca::ContactStress PairMCA::contact(int k) const
   const mca::Pairs &p = pairs.pairs();
   const double *ri = response.get() + static_cast<size_t>(p.i[k]) * kernel->rows.response;
   const double *rj = response.get() + static_cast<size_t>(p.j[k]) * kernel->rows.response;
-  mca::ContactStress s = mca::contactStress(
-      pairlaw[p.law[k]], p.now.kind[k], p.eps[k], p.now.plastic[k], shear(p.now.gamma, k),
-      shear(p.now.gammaTotal, k), p.separation[k], ri[0], ri[1], rj[0], rj[1]);
+  const int centre = kernel->dimension == 2 ? 0 : 2;
+  mca::ContactStress s =
+      mca::contactStress(pairlaw[p.law[k]], p.now.kind[k], p.eps[k], p.now.plastic[k],
+                         shear(p.now.gamma, k), shear(p.now.gammaTotal, k), p.separation[k], ri[0],
+                         ri[1], rj[0], rj[1], mca::ReturnCentre{ri[centre], rj[centre]});
   const bool breaks = p.blocks[k / mca::blockLength].moves && mca::link::isLinked(p.now.kind[k]) &&
                       !mca::link::isLinked(p.next.kind[k]);
   if (breaks && mca::link::isLinked(s.kindNext)) {
@@ -407,33 +409,30 @@ PairMCA::Sums PairMCA::summed(Stage what)
 void PairMCA::pass_on(Stage what)
 {
   stage = what;
-  comm->forward_comm(this, what == LOCAL ? mca::localRow : 1);
+  comm->forward_comm(this, passed(what).row);
+}
+
+PairMCA::Passed PairMCA::passed(Stage what)
+{
+  const int length = kernel->rows.response;
+  return what == LOCAL   ? Passed{local.get(), mca::localRow, mca::localRow}
+         : what == MEANS ? Passed{response.get(), length, 1}
+                         : Passed{response.get() + 1, length, kernel->dimension - 1};
 }
 
 int PairMCA::pack_forward_comm(int n, int *index, double *buf, int /*pbc_flag*/, int * /*pbc*/)
 {
-  if (stage == LOCAL) {
-    for (int k = 0; k < n; k++)
-      std::copy_n(local.get() + static_cast<size_t>(index[k]) * mca::localRow, mca::localRow,
-                  buf + k * mca::localRow);
-    return n * mca::localRow;
-  }
-  const double *from = response.get() + (stage == MEANS ? 0 : 1);
+  const auto [from, length, row] = passed(stage);
   for (int k = 0; k < n; k++)
-    buf[k] = from[static_cast<size_t>(index[k]) * kernel->rows.response];
-  return n;
+    std::copy_n(from + static_cast<size_t>(index[k]) * length, row, buf + k * row);
+  return n * row;
 }
 
 void PairMCA::unpack_forward_comm(int n, int first, double *buf)
 {
-  if (stage == LOCAL) {
-    std::copy_n(buf, n * mca::localRow, local.get() + static_cast<size_t>(first) * mca::localRow);
-    return;
-  }
-  double *to = response.get() + static_cast<size_t>(first) * kernel->rows.response +
-               (stage == MEANS ? 0 : 1);
+  const auto [to, length, row] = passed(stage);
   for (int k = 0; k < n; k++)
-    to[k * kernel->rows.response] = buf[k];
+    std::copy_n(buf + k * row, row, to + static_cast<size_t>(first + k) * length);
 }
 
 int PairMCA::pack_reverse_comm(int n, int first, double *buf)

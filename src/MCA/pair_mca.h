@@ -136,6 +136,11 @@ class PairMCA : public Pair {
     int row;
   };
   Sums summed(Stage);
+  struct Passed { // what of an automaton's row its ghosts get
+    double *rows;
+    int length, row; // of the whole row, of what is passed on
+  };
+  Passed passed(Stage);
   double stress_unit() const;
   void pack_motion(int nall, bool advance);
   void pack_space_motion(int nall, bool advance);

@@ -181,7 +181,7 @@ void PairMCA::init_style()
                      force->pair_style, i, j);
   comm->ghost_velocity = 1; // shear of a contact needs both velocities
 
-  comm_forward = lawset.needsLocal() ? mca::localRow : 1;
+  comm_forward = lawset.needsLocal() ? mca::localRow : domain->dimension - 1;
   neighbor->add_request(this);
   choose_packing();
 

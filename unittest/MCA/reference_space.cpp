@@ -1,5 +1,6 @@
 #include "reference_space.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace reference {
@@ -74,7 +75,7 @@ void moveShear(const Sample &s, Contact &c, double dt)
 void collectMeans(Sample &s)
 {
   for (auto &a : s.automata) {
-    a.mean = a.energy = 0;
+    a.mean = a.energy = a.centre = 0;
     a.stress.setZero();
     a.force.setZero();
     a.torque.setZero();
@@ -106,7 +107,7 @@ void elasticStresses(const Sample &s, const Contact &c, const View &w, double &s
 void collectStresses(Sample &s)
 {
   const double weight = 3.0 / s.packing.coordination;
-  std::vector<bool> hasBulk(s.owned, false);
+  std::vector<int> bulks(s.owned, 0);
   for (const auto &c : s.contacts) {
     const View w = view(s, c);
     if (!touches(c, w))
@@ -120,8 +121,10 @@ void collectStresses(Sample &s)
       a.stress += weight * (share + share.transpose()) / 2;
       a.energy +=
           weight * shearModulus(s.materials[a.type]) * (w.e * w.e + c.now.gamma.squaredNorm());
-      if (c.now.kind == 1)
-        hasBulk[s.owner[side]] = true;
+      if (c.now.kind == 1) {
+        bulks[s.owner[side]]++;
+        a.centre += sigma;
+      }
     }
   }
   for (int k = 0; k < s.owned; k++) {
@@ -132,9 +135,10 @@ void collectStresses(Sample &s)
     const Matrix3d deviator = a.stress - a.stress.trace() / 3 * Matrix3d::Identity();
     a.intensity = std::sqrt(1.5) * deviator.norm();
     const double limit = yieldStress(m, a.kappa);
+    a.centre /= std::max(bulks[k], 1);
     a.factor = 1;
     a.kappaNext = a.kappa;
-    if (s.laws.plasticity == "radial" && hasBulk[k] && a.intensity > limit) {
+    if (s.laws.plasticity == "radial" && bulks[k] > 0 && a.intensity > limit) {
       a.factor = limit / a.intensity;
       a.kappaNext += (a.intensity - limit) / 3 / shearModulus(m);
     }
@@ -152,7 +156,7 @@ void applyContact(Sample &s, Contact &c)
     elasticStresses(s, c, w, trial, tau);
     sigma = trial;
     if (c.now.kind == 1) {
-      sigma -= ((1 - a.factor) * (trial - a.mean) + (1 - b.factor) * (trial - b.mean)) / 2;
+      sigma -= ((1 - a.factor) * (trial - a.centre) + (1 - b.factor) * (trial - b.centre)) / 2;
       tau *= (a.factor + b.factor) / 2;
     }
   }

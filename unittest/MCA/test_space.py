@@ -139,7 +139,7 @@ def test_free_block_conserves(tmp_path, ranks):
 VECTORS = {"r": (["x", "y", "z"], None), "v": (["vx", "vy", "vz"], 5140),
            "w": (["omegax", "omegay", "omegaz"], 5140 / D),
            "f": (["fx", "fy", "fz"], E * D**2), "t": (["tqx", "tqy", "tqz"], E * D**3),
-           "s": (STRESS, E), "k": (["c_state[7]"], None)}
+           "s": (STRESS, E), "k": (["c_state[7]"], 1.0)}
 
 
 def two_blocks(path, lift):
@@ -224,6 +224,17 @@ def test_account_of_the_energy(serial, blocks, tmp_path, ranks, newton):
     assert np.abs(t["c_energy"][1:] / lost[1:]).max() < 1e-4
     held = t["c_energy[1]"] + t["c_energy[2]"]
     assert t["c_energy"] == pytest.approx(held + lost - work - held[0], abs=1e-9 * held[0])
+
+
+def test_flow_dissipates(tmp_path):
+    """Blocks that meet: links flow beside contacts that press, and make no energy of it."""
+    data = two_blocks(tmp_path / "blocks.data", 0.4)
+    t = lmp("in.space_sliding", tmp_path, data=data, steps=1200, extra=ACCOUNT).thermo[0]
+    kinetic, _, plastic, fracture, viscous, _ = (t[f"c_energy[{k}]"] for k in range(1, 7))
+    assert plastic[-1] > 0.5 * kinetic.max() and fracture[-1] > 0
+    assert np.diff(plastic).min() > -0.01 * plastic[-1]
+    assert kinetic[-1] < 0.2 * kinetic.max()
+    assert np.abs(t["c_energy"][1:]).max() < 1e-4 * (plastic + fracture + viscous)[-1]
 
 
 # ---- refused

@@ -31,13 +31,21 @@ inline double elasticStress(const PairLaw &law, double e, double meanI, double m
                 normalResponse(e, law.twoGj, law.Dj, meanJ));
 }
 
+/// What the normal stresses of bulk links of both automata return to [stress]: in the plane the
+/// mean stress of the automaton, in space the mean of sigma over its bulk links. Both are the same
+/// where all contacts are bulk links; elsewhere only the latter makes sure that flow dissipates,
+/// since what the automaton contributes is (1-M)/(2G) sum sigma (sigma - centre).
+struct ReturnCentre {
+  double i, j;
+};
+
 /// Normal stress of a bulk link after the radial return of its automata [stress]:
-/// sigma - [ (1-M_i)(sigma - sigma_mean,i) + (1-M_j)(sigma - sigma_mean,j) ]/2.
+/// sigma - [ (1-M_i)(sigma - centre_i) + (1-M_j)(sigma - centre_j) ]/2.
 /// \param factorI,factorJ  M of both automata [-]
-inline double returnedStress(double sigma, double meanI, double factorI, double meanJ,
+inline double returnedStress(double sigma, double centreI, double factorI, double centreJ,
                              double factorJ)
 {
-  return sigma - 0.5 * ((1.0 - factorI) * (sigma - meanI) + (1.0 - factorJ) * (sigma - meanJ));
+  return sigma - 0.5 * ((1.0 - factorI) * (sigma - centreI) + (1.0 - factorJ) * (sigma - centreJ));
 }
 
 /// Stresses of a contact [stress], tension positive, and what it turns into.
@@ -63,13 +71,14 @@ template<bool LOCAL = false>
 inline ContactStress contactStress(const PairLaw &law, double kind, double eps, double plastic,
                                    double gamma, double gammaTotal, double separation, double meanI,
                                    double factorI, double meanJ, double factorJ,
-                                   const LocalStress &around = {}, double work = 0.0)
+                                   const ReturnCentre &centre, const LocalStress &around = {},
+                                   double work = 0.0)
 {
   const double e = eps - plastic;
   const bool isBulk = kind == link::bulk;
   const double linked = link::linked(kind), pressed = e < 0.0 ? 1.0 : 0.0;
   const double trial = elasticStress(law, e, meanI, meanJ);
-  const double returned = returnedStress(trial, meanI, factorI, meanJ, factorJ);
+  const double returned = returnedStress(trial, centre.i, factorI, centre.j, factorJ);
   const double elasticShear = law.twoG * gamma;
   const double returnedShear = 0.5 * (factorI + factorJ) * elasticShear;
   const double touching = linked > pressed ? linked : pressed;
@@ -86,6 +95,17 @@ inline ContactStress contactStress(const PairLaw &law, double kind, double eps, 
   const double normal = holds * sigma + (1.0 - holds) * pressed * viscous;
   const double shear = holds * tau;
   return {trial, sigma, tau, normal, shear, kindNext};
+}
+
+/// The same in the plane.
+template<bool LOCAL = false>
+inline ContactStress contactStress(const PairLaw &law, double kind, double eps, double plastic,
+                                   double gamma, double gammaTotal, double separation, double meanI,
+                                   double factorI, double meanJ, double factorJ,
+                                   const LocalStress &around = {}, double work = 0.0)
+{
+  return contactStress<LOCAL>(law, kind, eps, plastic, gamma, gammaTotal, separation, meanI,
+                              factorI, meanJ, factorJ, ReturnCentre{meanI, meanJ}, around, work);
 }
 
 } // namespace mca
