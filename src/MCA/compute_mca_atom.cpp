@@ -46,7 +46,6 @@ ComputeMCAAtom::ComputeMCAAtom(LAMMPS *host, int narg, char **arg)
 {
   peratom_flag = 1;
   size_peratom_cols = columns.lammps_columns();
-  comm_reverse = COUNTS;
 }
 
 void ComputeMCAAtom::init()
@@ -135,21 +134,6 @@ void ComputeMCAAtom::count_links()
       counts[COUNTS * i + 2] += pair->links().original(k);
     }
   }
-  if (force->newton_pair)
-    comm->reverse_comm(this);
-}
-
-int ComputeMCAAtom::pack_reverse_comm(int n, int first, double *buf)
-{
-  std::copy_n(counts.begin() + COUNTS * first, COUNTS * n, buf);
-  return COUNTS * n;
-}
-
-void ComputeMCAAtom::unpack_reverse_comm(int n, int *index, double *buf)
-{
-  for (int k = 0; k < n; k++)
-    for (int m = 0; m < COUNTS; m++)
-      counts[COUNTS * index[k] + m] += *buf++;
 }
 
 double ComputeMCAAtom::memory_usage()

@@ -21,8 +21,6 @@ class ComputeMCAAtom : public Compute {
   ComputeMCAAtom(class LAMMPS *, int, char **);
   void init() override;
   void compute_peratom() override;
-  int pack_reverse_comm(int, int, double *) override;
-  void unpack_reverse_comm(int, int *, double *) override;
   double memory_usage() override;
 
  private:

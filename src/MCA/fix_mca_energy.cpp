@@ -36,7 +36,7 @@ FixMCAEnergy::FixMCAEnergy(LAMMPS *host, int narg, char **arg)
 {
   nevery = 1;
   restart_global = 1;
-  comm_forward = comm_reverse = rowLength;
+  comm_forward = rowLength;
 }
 
 int FixMCAEnergy::setmask()
@@ -134,8 +134,6 @@ void FixMCAEnergy::keep()
     rows[rowLength * p.i[k] + scalar] += e;
     rows[rowLength * p.j[k] + scalar] += e;
   }
-  if (force->newton_pair)
-    comm->reverse_comm(this);
 
   for (int i = 0; i < nlocal; i++) {
     double *row = &rows[rowLength * i];
@@ -187,7 +185,8 @@ void FixMCAEnergy::add_contacts(bool back)
     // of the step that is looked at, from the other end to the one where the forces are known
     const Motion mi = back ? step_done(i) : Motion{vector(ri), vector(ri + 3)};
     const Motion mj = back ? step_done(j) : Motion{vector(rj), vector(rj + 3)};
-    const mca::Vector here_at = place(j) - place(i), way = sign * (mj.way - mi.way);
+    const mca::Vector here_at = place(p.placeJ[k]) - place(p.placeI[k]),
+                      way = sign * (mj.way - mi.way);
     const mca::PairMotion motion =
         mca::pairMotion(here_at, 1.0 / mca::length(here_at), way, 0.5 * sign * (mi.turn + mj.turn));
     const double eps = p.eps[k], other = mca::length(here_at - way) * law.invDiameter - 1.0;
@@ -265,19 +264,6 @@ int FixMCAEnergy::pack_forward_comm(int n, int *index, double *buf, int /*pbc_fl
 void FixMCAEnergy::unpack_forward_comm(int n, int first, double *buf)
 {
   std::copy_n(buf, rowLength * n, &rows[rowLength * first]);
-}
-
-int FixMCAEnergy::pack_reverse_comm(int n, int first, double *buf)
-{
-  std::copy_n(&rows[rowLength * first], rowLength * n, buf);
-  return rowLength * n;
-}
-
-void FixMCAEnergy::unpack_reverse_comm(int n, int *index, double *buf)
-{
-  for (int k = 0; k < n; k++)
-    for (int m = 0; m < rowLength; m++)
-      rows[rowLength * index[k] + m] += *buf++;
 }
 
 void FixMCAEnergy::write_restart(FILE *fp)

@@ -28,8 +28,6 @@ class FixMCAEnergy : public Fix {
   void end_of_step() override;
   int pack_forward_comm(int, int *, double *, int, int *) override;
   void unpack_forward_comm(int, int, double *) override;
-  int pack_reverse_comm(int, int, double *) override;
-  void unpack_reverse_comm(int, int *, double *) override;
   void write_restart(FILE *) override;
   void restart(char *) override;
   double memory_usage() override;

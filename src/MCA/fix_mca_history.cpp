@@ -4,7 +4,6 @@
 #include "comm.h"
 #include "domain.h"
 #include "error.h"
-#include "irregular.h"
 #include "my_page.h"
 #include "neigh_list.h"
 #include "neighbor.h"
@@ -22,7 +21,7 @@ FixMCAHistory::FixMCAHistory(LAMMPS *host, int narg, char **arg)
 {
   // the list holds every pair within the cutoff, touching or not, without LAMMPS's contact bit
   use_bit_flag = 0;
-  comm_forward = 2;
+  comm_forward = 3;
 }
 
 void FixMCAHistory::attach(PairMCA *owner)
@@ -70,28 +69,16 @@ void FixMCAHistory::write_restart(FILE *fp)
    From the pair list to the automata: each keeps the states of its pairs under the IDs of its
    partners. The first record is its own and holds the ID under which its partners know it; IDs
    may change between runs, these keys do not.
-   A pair with a ghost is known to this rank only with newton on; the ghost's owner is sent it.
+   A pair of automata of two ranks is known to both.
 ------------------------------------------------------------------------- */
 
 void FixMCAHistory::store(bool next)
 {
-  struct Message {
-    double row; // of the automaton on the rank that owns it
-    double partner;
-    double state[mca::LinkList::maxStoredSize];
-  };
   const mca::LinkList &links = mca->links();
   const mca::Pairs &p = links.pairs();
   const tagint *tag = atom->tag;
   // atoms that other fixes add in this pre_exchange() come behind those of the list
   const int owned = nlocal_neigh;
-
-  if (newton_pair) {
-    shared.resize(nall_neigh);
-    for (int i = 0; i < owned; i++)
-      shared[i] = {static_cast<double>(comm->me), static_cast<double>(i)};
-    comm->forward_comm(this, 2);
-  }
 
   // with fix deform, images are one step behind, so that normals over periodic faces do not tell
   auto get = [&](int k, bool exchanged, double *state) {
@@ -100,37 +87,14 @@ void FixMCAHistory::store(bool next)
       std::fill_n(state + links.stateSize() + 1, 3, 0.0);
   };
 
-  std::vector<Message> messages;
-  std::vector<int> ranks;
   std::fill_n(npartner, atom->nlocal, 0);
   std::fill_n(npartner, owned, 1);
   mca->check_reach();
-  for (int k = 0; k < p.n; k++) {
-    if (links.blank(k, next))
-      continue;
-    for (const auto &[i, j] : {std::pair{p.i[k], p.j[k]}, std::pair{p.j[k], p.i[k]}})
-      if (i < owned)
-        npartner[i]++;
-      else if (newton_pair) {
-        Message m{shared[i].second, ubuf(tag[j]).d, {}};
-        get(k, i != p.i[k], m.state);
-        messages.push_back(m);
-        ranks.push_back(static_cast<int>(shared[i].first));
-      }
-  }
-  std::vector<Message> received;
-  if (newton_pair) {
-    Irregular irregular(lmp);
-    const int sorted_by_rank = 1;
-    const int n =
-        irregular.create_data(static_cast<int>(ranks.size()), ranks.data(), sorted_by_rank);
-    received.resize(n);
-    irregular.exchange_data(reinterpret_cast<char *>(messages.data()), sizeof(Message),
-                            reinterpret_cast<char *>(received.data()));
-    irregular.destroy_data();
-    for (const Message &m : received)
-      npartner[static_cast<int>(m.row)]++;
-  }
+  for (int k = 0; k < p.n; k++)
+    if (!links.blank(k, next))
+      for (const int i : {p.i[k], p.j[k]})
+        if (i < owned)
+          npartner[i]++;
 
   ipage_atom->reset();
   dpage_atom->reset();
@@ -155,11 +119,6 @@ void FixMCAHistory::store(bool next)
         partner[i][m] = tag[j];
         get(k, i != p.i[k], valuepartner[i] + dnum * m);
       }
-  }
-  for (const Message &message : received) {
-    const int i = static_cast<int>(message.row), m = npartner[i]++;
-    partner[i][m] = static_cast<tagint>(ubuf(message.partner).i);
-    std::copy_n(message.state, dnum, valuepartner[i] + dnum * m);
   }
 }
 
@@ -187,8 +146,13 @@ void FixMCAHistory::post_neighbor()
   nall_neigh = nlocal_neigh + atom->nghost;
   shared.resize(nall_neigh);
   for (int i = 0; i < nlocal_neigh; i++)
-    shared[i].first = npartner[i] > 0 ? ubuf(partner[i][0]).d : 0.0;
-  comm->forward_comm(this, 2);
+    shared[i] = {npartner[i] > 0 ? ubuf(partner[i][0]).d : 0.0, static_cast<double>(comm->me),
+                 static_cast<double>(i)};
+  comm->forward_comm(this, 3);
+  // images of automata of this rank stand for these
+  auto row = [&](int i) {
+    return shared[i].rank == comm->me ? static_cast<int>(shared[i].row) : i;
+  };
 
   // rows of atoms in the order of IDs, with the pairs of each in which it has the lower one
   std::vector<int> rows(nall_neigh), place(nall_neigh);
@@ -207,6 +171,8 @@ void FixMCAHistory::post_neighbor()
       const int i = list->ilist[ii];
       for (int jj = 0; jj < list->numneigh[i]; jj++) {
         const int j = list->firstneigh[i][jj] & NEIGHMASK;
+        if (tag[i] > tag[j] && j >= nlocal_neigh && row(j) < nlocal_neigh)
+          continue; // over a periodic face: both automata list the other's image
         tag[i] < tag[j] ? use(i, j, i, j) : use(j, i, i, j);
       }
     }
@@ -221,7 +187,7 @@ void FixMCAHistory::post_neighbor()
   std::vector<Found> found(first.back());
   std::vector<int> next(first.begin(), first.end() - 1);
   each([&](int lower, int higher, int i, int j) {
-    const tagint key = static_cast<tagint>(ubuf(shared[j].first).i);
+    const tagint key = static_cast<tagint>(ubuf(shared[j].key).i);
     const double *state = blank;
     for (int m = 1; m < npartner[i] && key > 0; m++)
       if (partner[i][m] == key)
@@ -231,11 +197,29 @@ void FixMCAHistory::post_neighbor()
   for (int k = 0; k < nall_neigh; k++)
     std::sort(found.begin() + first[k], found.begin() + first[k + 1],
               [tag](const Found &a, const Found &b) { return tag[a.j] < tag[b.j]; });
+
+  // first the pairs at the borders to other ranks: of automata that other ranks need
+  std::vector<mca::Halo::Guest> guests;
+  std::vector<char> needed(nall_neigh, 0), is_guest(nall_neigh, 0);
+  for (const Found &f : found)
+    for (const auto &[i, j] : {std::pair{f.i, f.j}, std::pair{f.j, f.i}})
+      if (row(j) >= nlocal_neigh) {
+        needed[row(i)] = 1;
+        is_guest[j] = 1;
+      }
+  for (int i = nlocal_neigh; i < nall_neigh; i++)
+    if (is_guest[i])
+      guests.push_back({static_cast<int>(shared[i].rank), static_cast<int>(shared[i].row), i});
+  const auto inside = std::stable_partition(found.begin(), found.end(), [&](const Found &f) {
+    return needed[row(f.i)] || needed[row(f.j)];
+  });
   mca::LinkList &links = mca->links();
   links.reset(static_cast<int>(found.size()));
-  mca->begin_changes();
-  for (const Found &f : found)
-    links.addStored(f.i, f.j, mca->law_number(f.i, f.j), f.exchanged, f.state);
+  for (const Found &f : found) {
+    links.addStored(row(f.i), row(f.j), mca->law_number(f.i, f.j), f.exchanged, f.state);
+    links.setPlaces(f.i, f.j);
+  }
+  mca->begin_list(static_cast<int>(inside - found.begin()), guests);
 }
 
 void FixMCAHistory::setup_post_neighbor()
@@ -321,7 +305,7 @@ void FixMCAHistory::check_turned() const
   for (int k = 0; k < p.n; k++) {
     if (!mca::link::isLinked(p.now.kind[k]))
       continue;
-    const double *const xi = x[p.i[k]], *const xj = x[p.j[k]];
+    const double *const xi = x[p.placeI[k]], *const xj = x[p.placeJ[k]];
     const mca::Vector now = {xj[0] - xi[0], xj[1] - xi[1], xj[2] - xi[2]};
     const mca::Vector before = {p.normal[0][k], p.normal[1][k], p.normal[2][k]};
     own = std::max(own, mca::length(mca::cross(before, now)) / mca::length(now));
@@ -341,14 +325,16 @@ int FixMCAHistory::pack_forward_comm(int n, int *index, double *buf, int /*pbc_f
                                      int * /*pbc*/)
 {
   for (int k = 0; k < n; k++) {
-    *buf++ = shared[index[k]].first;
-    *buf++ = shared[index[k]].second;
+    const Shared &s = shared[index[k]];
+    *buf++ = s.key;
+    *buf++ = s.rank;
+    *buf++ = s.row;
   }
-  return 2 * n;
+  return 3 * n;
 }
 
 void FixMCAHistory::unpack_forward_comm(int n, int first, double *buf)
 {
-  for (int k = first; k < first + n; k++, buf += 2)
-    shared[k] = {buf[0], buf[1]};
+  for (int k = first; k < first + n; k++, buf += 3)
+    shared[k] = {buf[0], buf[1], buf[2]};
 }

@@ -41,9 +41,9 @@ class FixMCAHistory : public mca::CheckedRestart<FixNeighHistory> {
 
  private:
   PairMCA *mca;
-  // of owned and ghost automata: rank and row of the original, or the key in `first`
-  struct Shared {
-    double first, second;
+  struct Shared {     // of owned and ghost automata
+    double key;       // by which partners know the automaton
+    double rank, row; // of the original
   };
   std::vector<Shared> shared;
 

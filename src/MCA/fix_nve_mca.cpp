@@ -49,32 +49,13 @@ void FixNVEMCA::reset_dt()
     halfstep[type] = {dtf / pair->mass(type), dtf / pair->inertia(type)};
 }
 
-/* a ball turns alike about any axis, so that its angular velocity follows the torque as in the
- * plane */
+/* Half a step of the velocities, and a step of the places. A ball turns alike about any axis, so
+   that its angular velocity follows the torque as a disc's does. */
 
-void FixNVEMCA::step_in_space(bool moves)
+template<int DIMENSION, bool MOVES>
+void FixNVEMCA::step()
 {
-  auto *x = mca::flat(atom->x), *v = mca::flat(atom->v), *f = mca::flat(atom->f);
-  auto *omega = mca::flat(atom->omega), *torque = mca::flat(atom->torque);
-  const int *mask = atom->mask, *type = atom->type;
-  const int n = igroup == atom->firstgroup ? atom->nfirst : atom->nlocal;
-  for (int i = 0; i < n; i++) {
-    if (!(mask[i] & groupbit))
-      continue;
-    const HalfStep half = halfstep[type[i]];
-    for (int m = 0; m < 3; m++) {
-      v[i][m] += half.over_mass * f[i][m];
-      omega[i][m] += half.over_inertia * torque[i][m];
-      if (moves)
-        x[i][m] += dtv * v[i][m];
-    }
-  }
-}
-
-void FixNVEMCA::initial_integrate(int /*vflag*/)
-{
-  if (domain->dimension == 3)
-    return step_in_space(true);
+  constexpr int first_axis = DIMENSION == 2 ? 2 : 0;
   auto *x = mca::flat(atom->x), *v = mca::flat(atom->v), *f = mca::flat(atom->f);
   auto *omega = mca::flat(atom->omega), *torque = mca::flat(atom->torque);
   double *theta = atom->dvector[icustom_theta];
@@ -83,30 +64,25 @@ void FixNVEMCA::initial_integrate(int /*vflag*/)
   for (int i = 0; i < n; i++) {
     if (!(mask[i] & groupbit))
       continue;
-    const HalfStep &half = halfstep[type[i]];
-    v[i][0] += half.over_mass * f[i][0];
-    v[i][1] += half.over_mass * f[i][1];
-    x[i][0] += dtv * v[i][0];
-    x[i][1] += dtv * v[i][1];
-    omega[i][2] += half.over_inertia * torque[i][2];
-    theta[i] += dtv * omega[i][2];
+    const HalfStep half = halfstep[type[i]];
+    for (int m = 0; m < DIMENSION; m++) {
+      v[i][m] += half.over_mass * f[i][m];
+      if (MOVES)
+        x[i][m] += dtv * v[i][m];
+    }
+    for (int m = first_axis; m < 3; m++)
+      omega[i][m] += half.over_inertia * torque[i][m];
+    if (DIMENSION == 2 && MOVES)
+      theta[i] += dtv * omega[i][2];
   }
+}
+
+void FixNVEMCA::initial_integrate(int /*vflag*/)
+{
+  domain->dimension == 2 ? step<2, true>() : step<3, true>();
 }
 
 void FixNVEMCA::final_integrate()
 {
-  if (domain->dimension == 3)
-    return step_in_space(false);
-  auto *v = mca::flat(atom->v), *f = mca::flat(atom->f);
-  auto *omega = mca::flat(atom->omega), *torque = mca::flat(atom->torque);
-  const int *mask = atom->mask, *type = atom->type;
-  const int n = igroup == atom->firstgroup ? atom->nfirst : atom->nlocal;
-  for (int i = 0; i < n; i++) {
-    if (!(mask[i] & groupbit))
-      continue;
-    const HalfStep &half = halfstep[type[i]];
-    v[i][0] += half.over_mass * f[i][0];
-    v[i][1] += half.over_mass * f[i][1];
-    omega[i][2] += half.over_inertia * torque[i][2];
-  }
+  domain->dimension == 2 ? step<2, false>() : step<3, false>();
 }

@@ -30,7 +30,8 @@ class FixNVEMCA : public Fix {
   std::vector<HalfStep> halfstep; // by type
   int icustom_theta;
 
-  void step_in_space(bool moves);
+  template<int DIMENSION, bool MOVES>
+  void step();
 };
 
 } // namespace LAMMPS_NS

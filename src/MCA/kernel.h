@@ -55,17 +55,20 @@ struct PairState {
 /// What is known of all pairs of a block, so that most blocks take a short way.
 struct Block {
   static constexpr int mixed = -1;
-  int law;     ///< number of the law of all its pairs, or mixed
-  bool bulk;   ///< all its pairs are bulk links
-  bool breaks; ///< one of them reaches the breaking strain in this step
-  bool moves;  ///< the next state differs from the present one; only then is it held in `next`
+  int law;       ///< number of the law of all its pairs, or mixed
+  bool bulk;     ///< all its pairs are bulk links
+  bool pristine; ///< ... that never flowed: plastic is 0, and gammaTotal equals gamma, which alone
+                 ///< is kept up to date
+  bool breaks;   ///< one of them reaches the breaking strain in this step
+  bool moves;    ///< the next state differs from the present one; only then is it held in `next`
 };
 
-/// The pair list; arrays have `n` values, i and j three more, which repeat the last pair.
+/// The pair list; arrays have `n` values, row numbers three more, which repeat the last pair.
 struct Pairs {
   int n;
-  const int *i, *j; ///< row numbers of the two automata
-  const int *law;   ///< number in the table of PairLaw
+  const int *i, *j;           ///< row numbers of the two automata
+  const int *placeI, *placeJ; ///< rows of motion where they meet: of images, over a periodic face
+  const int *law;             ///< number in the table of PairLaw
   PairState now, next;
   double *normal[3];  ///< unit normal from i to j [-]; two components in the plane
   double *eps;        ///< total normal strain r/d - 1 [-]
@@ -89,8 +92,8 @@ constexpr int localRow = 4;    ///< averaged xx, yy, xy after the return, plasti
 /// \param motion   motionRow values an automaton
 /// \param spin     angular velocity of each automaton [1/time]
 /// \param strains  strainRow values an automaton, added to
-using StrainPass = void(const Pairs &, double dt, bool moves, const PairLaw *laws, const double *motion,
-                        const double *spin, double *strains);
+using StrainPass = void(const Pairs &, double dt, bool moves, const PairLaw *laws,
+                        const double *motion, const double *spin, double *strains);
 
 /// Mean stress of each automaton.
 /// \param type      material number of each automaton, used to index laws
@@ -108,9 +111,10 @@ using StressPass = void(const Pairs &, const PairLaw *laws, const double *respon
 /// \param kappa      equivalent plastic strain [-]
 /// \param kappaNext  the same at the beginning of the next step
 /// \param response   the factor M is written
-using YieldPass = void(int n, const int *type, const AutomatonLaw *laws, bool oneLaw,
-                       const double *strains, const double *stresses, const double *kappa,
-                       double *kappaNext, double *response);
+/// \return how many automata flow: without any, kappaNext equals kappa
+using YieldPass = double(int n, const int *type, const AutomatonLaw *laws, bool oneLaw,
+                         const double *strains, const double *stresses, const double *kappa,
+                         double *kappaNext, double *response);
 
 /// Stresses of the contacts, forces and torques on both automata, next state.
 /// \param local   localRow values an automaton, or nullptr where no law needs them

@@ -1,10 +1,6 @@
 // Compiled once for each instruction set; MCA_ISA names the set and its namespace. Everything a
 // pass calls is inlined into it (see CMakeLists.txt), so no function compiled for a newer
 // processor can be picked up by an older one.
-//
-// Blocks take one of three ways: of several laws (scalar), of one law, and of bulk links of one
-// law that break by strain only, which are most of a sample: these know no contact, viscosity or
-// weld, and no next state while nothing flows.
 #include "kernel_rows.h"
 
 #include <cmath>
@@ -13,27 +9,18 @@ namespace mca {
 namespace MCA_ISA {
 namespace {
 
-enum Way { SEVERAL_LAWS, ONE_LAW, BULK };
-
-inline Way wayOf(const Block &block, const PairLaw *laws)
-{
-  if (block.law == Block::mixed)
-    return SEVERAL_LAWS;
-  return block.bulk && breaksByStrainOnly(laws[block.law].limits) ? BULK : ONE_LAW;
-}
-
 // Returns how many links of a bulk block reach the breaking strain.
 template<Way WAY>
 double strainBlock(const Pairs &p, int first, int n, double dt, double moves, const PairLaw *laws,
                    const double *motion, const double *spin, double *strains)
 {
-  const int *const pi = p.i + first, *const pj = p.j + first, *const plaw = p.law + first;
+  const int *const plaw = p.law + first;
   const double *const pkind = p.now.kind + first, *const pplastic = p.now.plastic + first;
   double *const pgamma = p.now.gamma[0] + first, *const ptotal = p.now.gammaTotal[0] + first;
   double *const pnx = p.normal[0] + first, *const pny = p.normal[1] + first;
   double *const peps = p.eps + first, *const psep = p.separation + first;
   Column dxs, dys, dvxs, dvys, spins, es, bulks;
-  gatherMotion(pi, pj, n, motion, spin, dxs, dys, dvxs, dvys, spins);
+  gatherMotion(p.placeI + first, p.placeJ + first, n, motion, spin, dxs, dys, dvxs, dvys, spins);
   const double oneInvDiameter = laws[plaw[0]].invDiameter;
   const double breakingStrain2 = laws[plaw[0]].limits.bulkStrain2;
   double breaking = 0.0;
@@ -48,14 +35,17 @@ double strainBlock(const Pairs &p, int first, int n, double dt, double moves, co
     const double nx = dx * invR, ny = dy * invR;
     const double turn = axisRotation(stepT * r2 * inverse);
     const double dgamma = moves * shearIncrement(turn, spins[k] * dt);
-    const double eps = r * invDiameter - 1.0, e = eps - pplastic[k];
+    const double eps = r * invDiameter - 1.0;
+    const double e = WAY == PRISTINE ? eps : eps - pplastic[k];
     pnx[k] = nx;
     pny[k] = ny;
     peps[k] = eps;
-    if (WAY == BULK) {
-      const double total = ptotal[k] + dgamma;
-      pgamma[k] += dgamma;
-      ptotal[k] = total;
+    if (onlyBulk(WAY)) {
+      const double gamma = pgamma[k] + dgamma;
+      const double total = WAY == PRISTINE ? gamma : ptotal[k] + dgamma;
+      pgamma[k] = gamma;
+      if (WAY == BULK)
+        ptotal[k] = total;
       breaking += breaksByStrain(eps, total, breakingStrain2) ? 1.0 : 0.0;
       es[k] = e;
       bulks[k] = 1.0;
@@ -69,10 +59,10 @@ double strainBlock(const Pairs &p, int first, int n, double dt, double moves, co
       bulks[k] = kind == link::bulk ? 1.0 : 0.0;
     }
   }
-  if (WAY == BULK && breaking > 0.0) // what breaks under pressure becomes a viscous contact
+  if (onlyBulk(WAY) && breaking > 0.0) // what breaks under pressure becomes a viscous contact
     for (int k = 0; k < n; k++)
       psep[k] = dvxs[k] * pnx[k] + dvys[k] * pny[k];
-  scatter(pi, pj, n, es, bulks, strains);
+  scatter(p.i + first, p.j + first, n, es, bulks, strains);
   return breaking;
 }
 
@@ -80,17 +70,13 @@ void strainPass(const Pairs &p, double dt, bool moves, const PairLaw *laws, cons
                 const double *spin, double *strains)
 {
   const double moving = moves ? 1.0 : 0.0;
-  Block *block = p.blocks;
-  for (int first = 0; first < p.n; first += blockLength, block++) {
-    const int n = lesser(blockLength, p.n - first);
-    const Way way = wayOf(*block, laws);
+  eachBlock(p, laws, [&](Block &block, auto way, int first, int n) {
     const double breaking =
-        way == BULK ? strainBlock<BULK>(p, first, n, dt, moving, laws, motion, spin, strains)
-        : way == ONE_LAW
-            ? strainBlock<ONE_LAW>(p, first, n, dt, moving, laws, motion, spin, strains)
-            : strainBlock<SEVERAL_LAWS>(p, first, n, dt, moving, laws, motion, spin, strains);
-    block->breaks = breaking > 0.0;
-  }
+        strainBlock<way.way>(p, first, n, dt, moving, laws, motion, spin, strains);
+    block.breaks = breaking > 0.0;
+    if (way.way == PRISTINE && block.breaks)
+      leavePristine(p, block, first, n, 1);
+  });
 }
 
 void meanPass(int n, const int *type, const AutomatonLaw *laws, bool oneLaw, const double *strains,
@@ -122,8 +108,9 @@ void stressBlock(const Pairs &p, int first, int n, const PairLaw *laws, const do
 #pragma omp simd
   for (int k = 0; k < n; k++) {
     const PairLaw &law = WAY == SEVERAL_LAWS ? laws[plaw[k]] : one;
-    const double e = peps[k] - pplastic[k], gamma = pgamma[k];
-    const double touching = WAY == BULK ? 1.0 : (link::isLinked(pkind[k]) | (e < 0.0) ? 1.0 : 0.0);
+    const double e = WAY == PRISTINE ? peps[k] : peps[k] - pplastic[k], gamma = pgamma[k];
+    const double touching =
+        onlyBulk(WAY) ? 1.0 : (link::isLinked(pkind[k]) | (e < 0.0) ? 1.0 : 0.0);
     const double sigma = touching * elasticStress(law, e, meanI[k], meanJ[k]);
     const StressTensor s = stressShare(sigma, law.twoG * gamma, pnx[k], pny[k]);
     xx[k] = s.xx;
@@ -136,25 +123,18 @@ void stressBlock(const Pairs &p, int first, int n, const PairLaw *laws, const do
 
 void stressPass(const Pairs &p, const PairLaw *laws, const double *response, double *stresses)
 {
-  const Block *block = p.blocks;
-  for (int first = 0; first < p.n; first += blockLength, block++) {
-    const int n = lesser(blockLength, p.n - first);
-    const Way way = wayOf(*block, laws);
-    if (way == BULK)
-      stressBlock<BULK>(p, first, n, laws, response, stresses);
-    else if (way == ONE_LAW)
-      stressBlock<ONE_LAW>(p, first, n, laws, response, stresses);
-    else
-      stressBlock<SEVERAL_LAWS>(p, first, n, laws, response, stresses);
-  }
+  eachBlock(p, laws, [&](Block &, auto way, int first, int n) {
+    stressBlock<way.way>(p, first, n, laws, response, stresses);
+  });
 }
 
 template<bool ONE>
-void yieldLoop(int n, const int *type, const AutomatonLaw *laws, const double *strains,
-               const double *stresses, const double *kappa, double *kappaNext, double *response)
+double yieldLoop(int n, const int *type, const AutomatonLaw *laws, const double *strains,
+                 const double *stresses, const double *kappa, double *kappaNext, double *response)
 {
   const AutomatonLaw one = laws[type[0]];
-#pragma omp simd
+  double flowing = 0.0;
+#pragma omp simd reduction(+ : flowing)
   for (int i = 0; i < n; i++) {
     const AutomatonLaw &law = ONE ? one : laws[type[i]];
     const double *const row = stresses + stressRow * i;
@@ -165,18 +145,19 @@ void yieldLoop(int n, const int *type, const AutomatonLaw *laws, const double *s
     const double flows = law.yields * strains[strainRow * i + 1] > 0.0 ? 1.0 : 0.0;
     kappaNext[i] = kappa[i] + flows * back.strain;
     response[responseRow * i + 1] = flows * back.factor + (1.0 - flows);
+    flowing += kappaNext[i] == kappa[i] ? 0.0 : 1.0;
   }
+  return flowing;
 }
 
-void yieldPass(int n, const int *type, const AutomatonLaw *laws, bool oneLaw, const double *strains,
-               const double *stresses, const double *kappa, double *kappaNext, double *response)
+double yieldPass(int n, const int *type, const AutomatonLaw *laws, bool oneLaw,
+                 const double *strains, const double *stresses, const double *kappa,
+                 double *kappaNext, double *response)
 {
   if (n == 0)
-    return;
-  if (oneLaw)
-    yieldLoop<true>(n, type, laws, strains, stresses, kappa, kappaNext, response);
-  else
-    yieldLoop<false>(n, type, laws, strains, stresses, kappa, kappaNext, response);
+    return 0.0;
+  return oneLaw ? yieldLoop<true>(n, type, laws, strains, stresses, kappa, kappaNext, response)
+                : yieldLoop<false>(n, type, laws, strains, stresses, kappa, kappaNext, response);
 }
 
 // Responses of both automata of each pair and the forces between them.
@@ -193,10 +174,6 @@ struct PairColumns {
     fy[k] = fn * ny + ft * nx;
     torque[k] = 0.5 * shear * law.area * law.diameter;
   }
-};
-
-struct Changes {
-  double kinds, states; // pairs whose kind, whose state as a whole changes
 };
 
 template<Way WAY, bool LOCAL>
@@ -256,7 +233,7 @@ Changes forceBlock(const Pairs &p, int first, int n, const PairLaw *laws, const 
 }
 
 // Bulk links of one law of which none breaks.
-template<bool FLOWS>
+template<bool PRISTINE, bool FLOWS>
 void bulkForceBlock(const Pairs &p, int first, int n, const PairLaw *laws, PairColumns &c)
 {
   const double *const pplastic = p.now.plastic + first, *const pgamma = p.now.gamma[0] + first;
@@ -268,7 +245,8 @@ void bulkForceBlock(const Pairs &p, int first, int n, const PairLaw *laws, PairC
   const PairLaw law = laws[p.law[first]];
 #pragma omp simd
   for (int k = 0; k < n; k++) {
-    const double plastic = pplastic[k], eps = peps[k], meanI = c.meanI[k], meanJ = c.meanJ[k];
+    const double plastic = PRISTINE ? 0.0 : pplastic[k];
+    const double eps = peps[k], meanI = c.meanI[k], meanJ = c.meanJ[k];
     const double trial = elasticStress(law, eps - plastic, meanI, meanJ);
     const double elasticShear = law.twoG * pgamma[k];
     if (FLOWS) {
@@ -278,21 +256,12 @@ void bulkForceBlock(const Pairs &p, int first, int n, const PairLaw *laws, PairC
       kind1[k] = link::bulk;
       plastic1[k] = plastic + (trial - sigma) * law.invTwoG;
       gamma1[k] = back * pgamma[k];
-      total1[k] = ptotal[k];
+      total1[k] = PRISTINE ? pgamma[k] : ptotal[k];
       c.setForce(k, law, sigma, tau, eps, pnx[k], pny[k]);
     } else {
       c.setForce(k, law, trial, elasticShear, eps, pnx[k], pny[k]);
     }
   }
-}
-
-inline bool allOne(int n, const Column &a, const Column &b)
-{
-  double below = 0.0;
-#pragma omp simd reduction(+ : below)
-  for (int k = 0; k < n; k++)
-    below += (1.0 - a[k]) + (1.0 - b[k]);
-  return below == 0.0;
 }
 
 // Means of both automata of a block's pairs.
@@ -302,43 +271,34 @@ inline void gatherLocal(const int *pi, const int *pj, int n, const double *local
     *rowOf<Row4>(means, k) = 0.5 * (*rowOf<Row4>(local, pi[k]) + *rowOf<Row4>(local, pj[k]));
 }
 
-template<bool LOCAL>
-Changes forceBlockOf(Way way, const Pairs &p, int first, int n, const PairLaw *laws,
-                     const double *local, PairColumns &c)
-{
-  return way == SEVERAL_LAWS ? forceBlock<SEVERAL_LAWS, LOCAL>(p, first, n, laws, local, c)
-                             : forceBlock<ONE_LAW, LOCAL>(p, first, n, laws, local, c);
-}
-
 double forcePass(const Pairs &p, const PairLaw *laws, const double *response, const double *local,
                  double *forces)
 {
   PairColumns c;
   alignas(64) double means[blockLength * localRow];
   double changed = 0.0;
-  Block *block = p.blocks;
-  for (int first = 0; first < p.n; first += blockLength, block++) {
-    const int n = lesser(blockLength, p.n - first);
+  eachBlock(p, laws, [&](Block &block, auto way, int first, int n) {
+    constexpr bool pristine = way.way == PRISTINE;
     const int *const pi = p.i + first, *const pj = p.j + first;
     gather(pi, n, response, c.meanI, c.factorI);
     gather(pj, n, response, c.meanJ, c.factorJ);
-    const Way way = wayOf(*block, laws);
-    if (way == BULK && !block->breaks) {
-      block->moves = !allOne(n, c.factorI, c.factorJ);
-      if (block->moves)
-        bulkForceBlock<true>(p, first, n, laws, c);
+    if (onlyBulk(way.way) && !block.breaks) {
+      block.moves = !allOne(n, c.factorI, c.factorJ);
+      if (block.moves)
+        bulkForceBlock<pristine, true>(p, first, n, laws, c);
       else
-        bulkForceBlock<false>(p, first, n, laws, c);
+        bulkForceBlock<pristine, false>(p, first, n, laws, c);
     } else {
+      constexpr Way mixed = way.way == SEVERAL_LAWS ? SEVERAL_LAWS : ONE_LAW;
       if (local)
         gatherLocal(pi, pj, n, local, means);
-      const Changes changes = local ? forceBlockOf<true>(way, p, first, n, laws, means, c)
-                                    : forceBlockOf<false>(way, p, first, n, laws, nullptr, c);
-      block->moves = changes.states > 0.0;
+      const Changes changes = local ? forceBlock<mixed, true>(p, first, n, laws, means, c)
+                                    : forceBlock<mixed, false>(p, first, n, laws, nullptr, c);
+      block.moves = changes.states > 0.0;
       changed += changes.kinds;
     }
     scatter(pi, pj, n, c.fx, c.fy, c.torque, c.torque, Row4{-1.0, -1.0, 1.0, 1.0}, forces);
-  }
+  });
   return changed;
 }
 

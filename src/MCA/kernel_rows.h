@@ -15,6 +15,53 @@ inline int lesser(int a, int b)
   return a < b ? a : b;
 }
 
+// Ways of a block: of several laws (scalar), of one law, and of bulk links of one law that break by
+// strain only, which are most of a sample: these know no contact, viscosity or weld, and no next
+// state while nothing flows. Where none ever flowed, plastic offset and total shear are not read.
+enum Way { SEVERAL_LAWS, ONE_LAW, BULK, PRISTINE };
+
+constexpr bool onlyBulk(Way way)
+{
+  return way == BULK || way == PRISTINE;
+}
+
+inline Way wayOf(const Block &block, const PairLaw *laws)
+{
+  if (block.law == Block::mixed)
+    return SEVERAL_LAWS;
+  if (!block.bulk || !breaksByStrainOnly(laws[block.law].limits))
+    return ONE_LAW;
+  return block.pristine ? PRISTINE : BULK;
+}
+
+template<Way WAY>
+struct WayOf {
+  static constexpr Way way = WAY;
+};
+
+// Calls work(block, its way as a type, first pair, number of pairs) for all blocks.
+template<class Work>
+inline void eachBlock(const Pairs &p, const PairLaw *laws, const Work &work)
+{
+  Block *block = p.blocks;
+  for (int first = 0; first < p.n; first += blockLength, block++) {
+    const int n = lesser(blockLength, p.n - first);
+    switch (wayOf(*block, laws)) {
+    case PRISTINE:
+      work(*block, WayOf<PRISTINE>(), first, n);
+      break;
+    case BULK:
+      work(*block, WayOf<BULK>(), first, n);
+      break;
+    case ONE_LAW:
+      work(*block, WayOf<ONE_LAW>(), first, n);
+      break;
+    default:
+      work(*block, WayOf<SEVERAL_LAWS>(), first, n);
+    }
+  }
+}
+
 typedef double Row2 __attribute__((vector_size(16), may_alias));
 typedef double Row4 __attribute__((vector_size(32), may_alias));
 
@@ -82,6 +129,24 @@ inline void gather(const int *index, int n, const double *rows, Column &c0, Colu
   }
 }
 
+// Brings the whole state of a block up to date, whose links will not be alike any more.
+inline void leavePristine(const Pairs &p, Block &block, int first, int n, int shears)
+{
+  for (int m = 0; m < shears; m++)
+    for (int k = first; k < first + n; k++)
+      p.now.gammaTotal[m][k] = p.now.gamma[m][k];
+  block.pristine = false;
+}
+
+inline bool allOne(int n, const Column &a, const Column &b)
+{
+  double below = 0.0;
+#pragma omp simd reduction(+ : below)
+  for (int k = 0; k < n; k++)
+    below += (1.0 - a[k]) + (1.0 - b[k]);
+  return below == 0.0;
+}
+
 // Adds rows to both automata of successive pairs, with the given signs to the second one.
 template<class Row>
 inline void addRows(const int *pi, const int *pj, int n, const Row *rows, const Row &signs,
@@ -121,6 +186,10 @@ inline void scatter(const int *pi, const int *pj, int n, const Column &c0, const
       addRows(pi + k, pj + k, 1, r, same, sums);
   }
 }
+
+struct Changes {
+  double kinds, states; // pairs whose kind, whose state as a whole changes
+};
 
 } // namespace
 } // namespace MCA_ISA

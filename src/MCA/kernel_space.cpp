@@ -9,15 +9,6 @@ namespace {
 
 constexpr RowLengths lengths = {8, 2, 8, 4, 8};
 
-enum Way { SEVERAL_LAWS, ONE_LAW, BULK };
-
-inline Way wayOf(const Block &block, const PairLaw *laws)
-{
-  if (block.law == Block::mixed)
-    return SEVERAL_LAWS;
-  return block.bulk && breaksByStrainOnly(laws[block.law].limits) ? BULK : ONE_LAW;
-}
-
 // Vectors of a block's pairs in three arrays.
 struct Vectors {
   double *x, *y, *z;
@@ -144,14 +135,14 @@ template<Way WAY>
 double strainBlock(const Pairs &p, int first, int n, double dt, const PairLaw *laws,
                    const double *motion, const double *spin, double *strains)
 {
-  const int *const pi = p.i + first, *const pj = p.j + first, *const plaw = p.law + first;
+  const int *const plaw = p.law + first;
   const double *const pkind = p.now.kind + first, *const pplastic = p.now.plastic + first;
   const Vectors gammas(p.now.gamma, first), totals(p.now.gammaTotal, first);
   const Vectors normals(p.normal, first);
   double *const peps = p.eps + first, *const psep = p.separation + first;
   Motion seen;
   Column es, bulks;
-  seen.gather(pi, pj, n, motion, spin);
+  seen.gather(p.placeI + first, p.placeJ + first, n, motion, spin);
   const double oneInvDiameter = laws[plaw[0]].invDiameter;
   const double breakingStrain2 = laws[plaw[0]].limits.bulkStrain2;
   const double halfStep = 0.5 * dt;
@@ -164,13 +155,15 @@ double strainBlock(const Pairs &p, int first, int n, double dt, const PairLaw *l
     const PairMotion moved = pairMotion(distance, invR, dt * velocity, halfStep * omegas);
     const Vector growth = shearGrowth(moved);
     const Vector gamma = carriedShear(moved, gammas.get(k)) + growth;
-    const Vector total = carriedShear(moved, totals.get(k)) + growth;
-    const double eps = r * invDiameter - 1.0, e = eps - pplastic[k];
+    const Vector total = WAY == PRISTINE ? gamma : carriedShear(moved, totals.get(k)) + growth;
+    const double eps = r * invDiameter - 1.0;
+    const double e = WAY == PRISTINE ? eps : eps - pplastic[k];
     normals.set(k, moved.normal);
     peps[k] = eps;
-    if (WAY == BULK) {
+    if (onlyBulk(WAY)) {
       gammas.set(k, gamma);
-      totals.set(k, total);
+      if (WAY == BULK)
+        totals.set(k, total);
       es.value[k] = e;
       bulks.value[k] = 1.0;
       return breaksByStrain(eps, total, breakingStrain2) ? 1.0 : 0.0;
@@ -188,10 +181,10 @@ double strainBlock(const Pairs &p, int first, int n, double dt, const PairLaw *l
 #pragma omp simd reduction(+ : breaking)
   for (int k = 0; k < n; k++)
     breaking += move(k);
-  if (WAY == BULK && breaking > 0.0) // what breaks under pressure becomes a viscous contact
+  if (onlyBulk(WAY) && breaking > 0.0) // what breaks under pressure becomes a viscous contact
     for (int k = 0; k < n; k++)
       psep[k] = dot({seen.vx[k], seen.vy[k], seen.vz[k]}, normals.get(k));
-  scatter(pi, pj, n, es, bulks, strains);
+  scatter(p.i + first, p.j + first, n, es, bulks, strains);
   return breaking;
 }
 
@@ -199,16 +192,12 @@ void strainPass(const Pairs &p, double step, bool moves, const PairLaw *laws, co
                 const double *spin, double *strains)
 {
   const double dt = moves ? step : 0.0; // normals do not depend on it
-  Block *block = p.blocks;
-  for (int first = 0; first < p.n; first += blockLength, block++) {
-    const int n = lesser(blockLength, p.n - first);
-    const Way way = wayOf(*block, laws);
-    const double breaking =
-        way == BULK      ? strainBlock<BULK>(p, first, n, dt, laws, motion, spin, strains)
-        : way == ONE_LAW ? strainBlock<ONE_LAW>(p, first, n, dt, laws, motion, spin, strains)
-                         : strainBlock<SEVERAL_LAWS>(p, first, n, dt, laws, motion, spin, strains);
-    block->breaks = way == BULK && breaking > 0.0;
-  }
+  eachBlock(p, laws, [&](Block &block, auto way, int first, int n) {
+    const double breaking = strainBlock<way.way>(p, first, n, dt, laws, motion, spin, strains);
+    block.breaks = breaking > 0.0;
+    if (way.way == PRISTINE && block.breaks)
+      leavePristine(p, block, first, n, 3);
+  });
 }
 
 void meanPass(int n, const int *type, const AutomatonLaw *laws, bool /*oneLaw*/,
@@ -237,10 +226,10 @@ void stressBlock(const Pairs &p, int first, int n, const PairLaw *laws, const do
 #pragma omp simd
   for (int k = 0; k < n; k++) {
     const PairLaw &law = WAY == SEVERAL_LAWS ? laws[plaw[k]] : one;
-    const double e = peps[k] - pplastic[k];
+    const double e = WAY == PRISTINE ? peps[k] : peps[k] - pplastic[k];
     const Vector gamma = gammas.get(k);
-    const double linked = WAY == BULK ? 1.0 : link::linked(pkind[k]);
-    const double pressed = WAY == BULK || e < 0.0 ? 1.0 : 0.0;
+    const double linked = onlyBulk(WAY) ? 1.0 : link::linked(pkind[k]);
+    const double pressed = onlyBulk(WAY) || e < 0.0 ? 1.0 : 0.0;
     const double touching = linked > pressed ? linked : pressed;
     const double sigma = touching * elasticStress(law, e, ofI.mean[k], ofJ.mean[k]);
     const StressTensor s = stressShare(sigma, law.twoG * gamma, normals.get(k));
@@ -251,32 +240,25 @@ void stressBlock(const Pairs &p, int first, int n, const PairLaw *laws, const do
     shares.c[4][k] = s.xz;
     shares.c[5][k] = s.yz;
     shares.c[6][k] = touching * e * e + dot(gamma, gamma);
-    shares.c[7][k] = WAY == BULK || pkind[k] == link::bulk ? sigma : 0.0;
+    shares.c[7][k] = onlyBulk(WAY) || pkind[k] == link::bulk ? sigma : 0.0;
   }
   shares.scatter<0>(pi, pj, n, stresses);
 }
 
 void stressPass(const Pairs &p, const PairLaw *laws, const double *response, double *stresses)
 {
-  const Block *block = p.blocks;
-  for (int first = 0; first < p.n; first += blockLength, block++) {
-    const int n = lesser(blockLength, p.n - first);
-    const Way way = wayOf(*block, laws);
-    if (way == BULK)
-      stressBlock<BULK>(p, first, n, laws, response, stresses);
-    else if (way == ONE_LAW)
-      stressBlock<ONE_LAW>(p, first, n, laws, response, stresses);
-    else
-      stressBlock<SEVERAL_LAWS>(p, first, n, laws, response, stresses);
-  }
+  eachBlock(p, laws, [&](Block &, auto way, int first, int n) {
+    stressBlock<way.way>(p, first, n, laws, response, stresses);
+  });
 }
 
 template<bool ONE>
-void yieldLoop(int n, const int *type, const AutomatonLaw *laws, const double *strains,
-               const double *stresses, const double *kappa, double *kappaNext, double *response)
+double yieldLoop(int n, const int *type, const AutomatonLaw *laws, const double *strains,
+                 const double *stresses, const double *kappa, double *kappaNext, double *response)
 {
   const AutomatonLaw one = laws[type[0]];
-#pragma omp simd
+  double flowing = 0.0;
+#pragma omp simd reduction(+ : flowing)
   for (int i = 0; i < n; i++) {
     const AutomatonLaw &law = ONE ? one : laws[type[i]];
     const double *const row = stresses + lengths.stress * i;
@@ -289,18 +271,19 @@ void yieldLoop(int n, const int *type, const AutomatonLaw *laws, const double *s
     kappaNext[i] = kappa[i] + flows * back.strain;
     response[lengths.response * i + 1] = flows * back.factor + (1.0 - flows);
     response[lengths.response * i + 2] = row[7] / (bulks > 0.0 ? bulks : 1.0);
+    flowing += kappaNext[i] == kappa[i] ? 0.0 : 1.0;
   }
+  return flowing;
 }
 
-void yieldPass(int n, const int *type, const AutomatonLaw *laws, bool oneLaw, const double *strains,
-               const double *stresses, const double *kappa, double *kappaNext, double *response)
+double yieldPass(int n, const int *type, const AutomatonLaw *laws, bool oneLaw,
+                 const double *strains, const double *stresses, const double *kappa,
+                 double *kappaNext, double *response)
 {
   if (n == 0)
-    return;
-  if (oneLaw)
-    yieldLoop<true>(n, type, laws, strains, stresses, kappa, kappaNext, response);
-  else
-    yieldLoop<false>(n, type, laws, strains, stresses, kappa, kappaNext, response);
+    return 0.0;
+  return oneLaw ? yieldLoop<true>(n, type, laws, strains, stresses, kappa, kappaNext, response)
+                : yieldLoop<false>(n, type, laws, strains, stresses, kappa, kappaNext, response);
 }
 
 // Responses of both automata of each pair, and force and torque on the first one.
@@ -322,10 +305,6 @@ struct PairColumns {
     shares.c[5][k] = torque.z;
     shares.c[6][k] = shares.c[7][k] = 0.0;
   }
-};
-
-struct Changes {
-  double kinds, states; // pairs whose kind, whose state as a whole changes
 };
 
 template<Way WAY>
@@ -375,7 +354,7 @@ Changes forceBlock(const Pairs &p, int first, int n, const PairLaw *laws, PairCo
 }
 
 // Bulk links of one law of which none breaks.
-template<bool FLOWS>
+template<bool PRISTINE, bool FLOWS>
 void bulkForceBlock(const Pairs &p, int first, int n, const PairLaw *laws, PairColumns &c)
 {
   const double *const pplastic = p.now.plastic + first, *const peps = p.eps + first;
@@ -386,7 +365,7 @@ void bulkForceBlock(const Pairs &p, int first, int n, const PairLaw *laws, PairC
   const PairLaw law = laws[p.law[first]];
 #pragma omp simd
   for (int k = 0; k < n; k++) {
-    const double plastic = pplastic[k], eps = peps[k];
+    const double plastic = PRISTINE ? 0.0 : pplastic[k], eps = peps[k];
     const double trial = elasticStress(law, eps - plastic, c.ofI.mean[k], c.ofJ.mean[k]);
     const Vector gamma = gammas.get(k), normal = normals.get(k);
     if (FLOWS) {
@@ -397,7 +376,7 @@ void bulkForceBlock(const Pairs &p, int first, int n, const PairLaw *laws, PairC
       kind1[k] = link::bulk;
       plastic1[k] = plastic + (trial - sigma) * law.invTwoG;
       gammas1.set(k, factor * gamma);
-      totals1.set(k, totals.get(k));
+      totals1.set(k, PRISTINE ? gamma : totals.get(k));
       c.setForce(k, law, sigma, factor * law.twoG * gamma, eps, normal);
     } else {
       c.setForce(k, law, trial, law.twoG * gamma, eps, normal);
@@ -405,41 +384,30 @@ void bulkForceBlock(const Pairs &p, int first, int n, const PairLaw *laws, PairC
   }
 }
 
-inline bool allOne(int n, const Column &a, const Column &b)
-{
-  double below = 0.0;
-#pragma omp simd reduction(+ : below)
-  for (int k = 0; k < n; k++)
-    below += (1.0 - a[k]) + (1.0 - b[k]);
-  return below == 0.0;
-}
-
 double forcePass(const Pairs &p, const PairLaw *laws, const double *response,
                  const double * /*local: of laws in the plane*/, double *forces)
 {
   PairColumns c;
   double changed = 0.0;
-  Block *block = p.blocks;
-  for (int first = 0; first < p.n; first += blockLength, block++) {
-    const int n = lesser(blockLength, p.n - first);
+  eachBlock(p, laws, [&](Block &block, auto way, int first, int n) {
+    constexpr bool pristine = way.way == PRISTINE;
     const int *const pi = p.i + first, *const pj = p.j + first;
     c.ofI.gather(pi, n, response);
     c.ofJ.gather(pj, n, response);
-    const Way way = wayOf(*block, laws);
-    if (way == BULK && !block->breaks) {
-      block->moves = !allOne(n, c.ofI.factor, c.ofJ.factor);
-      if (block->moves)
-        bulkForceBlock<true>(p, first, n, laws, c);
+    if (onlyBulk(way.way) && !block.breaks) {
+      block.moves = !allOne(n, c.ofI.factor, c.ofJ.factor);
+      if (block.moves)
+        bulkForceBlock<pristine, true>(p, first, n, laws, c);
       else
-        bulkForceBlock<false>(p, first, n, laws, c);
+        bulkForceBlock<pristine, false>(p, first, n, laws, c);
     } else {
-      const Changes changes = way == SEVERAL_LAWS ? forceBlock<SEVERAL_LAWS>(p, first, n, laws, c)
-                                                  : forceBlock<ONE_LAW>(p, first, n, laws, c);
-      block->moves = changes.states > 0.0;
+      constexpr Way mixed = way.way == SEVERAL_LAWS ? SEVERAL_LAWS : ONE_LAW;
+      const Changes changes = forceBlock<mixed>(p, first, n, laws, c);
+      block.moves = changes.states > 0.0;
       changed += changes.kinds;
     }
     c.shares.scatter<3>(pi, pj, n, forces);
-  }
+  });
   return changed;
 }
 

@@ -22,15 +22,18 @@ void LinkList::reset(int n)
     array += stride;
     return array - stride;
   };
-  for (auto *list : {&i_, &j_, &law_})
+  for (auto *list : {&i_, &j_, &placeI_, &placeJ_, &law_})
     list->resize(n + padding);
   original_.clear();
   original_.reserve(n);
   blocks_.clear();
   blocks_.reserve(n / blockLength + 1);
   view_ = {};
+  stale_ = false;
   view_.i = i_.data();
   view_.j = j_.data();
+  view_.placeI = placeI_.data();
+  view_.placeJ = placeJ_.data();
   view_.law = law_.data();
   view_.blocks = blocks_.data();
   for (double *&normal : view_.normal)
@@ -54,7 +57,7 @@ void LinkList::add(int i, int j, int law, const double *state)
 {
   const int k = view_.n++;
   if (k % blockLength == 0)
-    blocks_.push_back({law, true, false, false});
+    blocks_.push_back({law, true, true, false, false});
   Block &block = blocks_.back();
   if (law != block.law)
     block.law = Block::mixed;
@@ -62,12 +65,59 @@ void LinkList::add(int i, int j, int law, const double *state)
     i_[k + m] = i;
     j_[k + m] = j;
   }
+  setPlaces(i, j);
   law_[k] = law;
   for (double *normal : view_.normal)
     normal[k] = 0.0;
   view_.eps[k] = view_.separation[k] = 0.0;
   original_.push_back(0.0);
   setState(k, state);
+}
+
+void LinkList::setPlaces(int placeI, int placeJ)
+{
+  for (int k = view_.n - 1; k < view_.n + padding; k++) {
+    placeI_[k] = placeI;
+    placeJ_[k] = placeJ;
+  }
+}
+
+// of blocks that never flowed the kernel keeps the elastic shear only
+const Pairs &LinkList::pairs() const
+{
+  for (size_t b = 0; b < blocks_.size() && stale_; b++)
+    if (blocks_[b].pristine)
+      complete(static_cast<int>(b));
+  stale_ = false;
+  return view_;
+}
+
+void LinkList::complete(int block) const
+{
+  const int first = block * blockLength, n = std::min(blockLength, view_.n - first);
+  for (int m = 0; m < shears_; m++)
+    std::copy_n(view_.now.gamma[m] + first, n, view_.now.gammaTotal[m] + first);
+}
+
+Pairs LinkList::part(int first, int n)
+{
+  stale_ = true;
+  Pairs p = view_;
+  p.n = n;
+  for (auto *rows : {&p.i, &p.j, &p.placeI, &p.placeJ, &p.law})
+    *rows += first;
+  for (double **values : {&p.normal[0], &p.normal[1], &p.normal[2], &p.eps, &p.separation})
+    *values += first;
+  for (PairState *state : {&p.now, &p.next}) {
+    state->kind += first;
+    state->plastic += first;
+    for (int m = 0; m < shears_; m++) {
+      state->gamma[m] += first;
+      state->gammaTotal[m] += first;
+    }
+  }
+  p.blocks += first / blockLength;
+  return p;
 }
 
 // In space the shears turn round when both automata are exchanged.
@@ -113,7 +163,7 @@ void LinkList::advance()
   for (size_t b = 0; b < blocks_.size(); b++) {
     if (!blocks_[b].moves)
       continue;
-    blocks_[b].moves = false;
+    blocks_[b].moves = blocks_[b].pristine = false;
     const int first = static_cast<int>(b) * blockLength;
     const int n = std::min(blockLength, view_.n - first);
     for (size_t m = 0; m < now_.size(); m++)
@@ -125,25 +175,32 @@ void LinkList::advance()
 
 void LinkList::getState(int k, bool next, double *state) const
 {
-  const auto &from = next && blocks_[k / blockLength].moves ? next_ : now_;
+  const Block &block = blocks_[k / blockLength];
+  const auto &from = next && block.moves ? next_ : now_;
   for (size_t m = 0; m < from.size(); m++)
     state[m] = from[m][k];
+  if (block.pristine && &from == &now_)
+    std::copy_n(state + 2, shears_, state + 2 + shears_);
 }
 
 void LinkList::setState(int k, const double *state)
 {
   Block &block = blocks_[k / blockLength];
+  if (block.pristine && stale_)
+    complete(k / blockLength);
   for (size_t m = 0; m < now_.size(); m++) {
     now_[m][k] = state[m];
     if (block.moves)
       next_[m][k] = state[m];
   }
   block.bulk = block.bulk && state[0] == link::bulk;
+  block.pristine = block.pristine && block.bulk && state[1] == 0.0 &&
+                   std::equal(state + 2, state + 2 + shears_, state + 2 + shears_);
 }
 
 double LinkList::bytes() const
 {
-  return values_.bytes() + static_cast<double>(3 * i_.capacity() * sizeof(int)) +
+  return values_.bytes() + static_cast<double>(5 * i_.capacity() * sizeof(int)) +
          static_cast<double>(original_.capacity() * sizeof(double)) +
          static_cast<double>(blocks_.capacity() * sizeof(Block));
 }

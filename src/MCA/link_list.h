@@ -60,6 +60,10 @@ class LinkList {
   /// \param exchanged  kept as the pair (j, i)
   void addStored(int i, int j, int law, bool exchanged, const double *stored);
 
+  /// The last pair meets over a periodic face.
+  /// \param placeI,placeJ  rows of motion of the images that meet
+  void setPlaces(int placeI, int placeJ);
+
   /// Copies what is kept of pair k, with the present (or the next) state, to storedSize() doubles.
   /// \param exchanged  as the pair (j, i): in space its shears turn round
   void getStored(int k, bool next, bool exchanged, double *stored) const;
@@ -71,7 +75,11 @@ class LinkList {
   bool original(int k) const { return original_[k] > 0.0; }
   void setOriginal(int k, bool is) { original_[k] = is ? 1.0 : 0.0; }
 
-  const Pairs &pairs() const { return view_; }
+  const Pairs &pairs() const;
+
+  /// n pairs from the first one of a block on, for the kernel.
+  Pairs part(int first, int n);
+
   int size() const { return view_.n; }
 
   /// Makes the next state the present one.
@@ -88,12 +96,14 @@ class LinkList {
  private:
   int shears_;
   AlignedArray values_; // of all pairs, one quantity after the other
-  std::vector<int> i_, j_, law_;
+  std::vector<int> i_, j_, placeI_, placeJ_, law_;
   std::vector<double> original_;
   std::vector<Block> blocks_;
+  mutable bool stale_ = false; // the kernel may have changed what pairs() completes
   std::vector<double *> now_, next_; // the arrays of both states, in the order of getState()
   Pairs view_{};
 
+  void complete(int block) const;
   void exchange(double *state) const;
 };
 

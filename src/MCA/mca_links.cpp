@@ -105,7 +105,8 @@ void MCALinks::create_or_delete(bool create, int narg, char **arg)
       const bool linked = mca::link::isLinked(p.now.kind[k]);
       if (!match || linked == create)
         continue;
-      const double r = std::hypot(x[j][0] - x[i][0], x[j][1] - x[i][1], x[j][2] - x[i][2]);
+      const double *const xi = x[p.placeI[k]], *const xj = x[p.placeJ[k]];
+      const double r = std::hypot(xj[0] - xi[0], xj[1] - xi[1], xj[2] - xi[2]);
       const double d = 0.5 * (pair->material(type[i]).diameter + pair->material(type[j]).diameter);
       if (create && r > reach * d)
         continue;

@@ -14,6 +14,8 @@
 
 using namespace LAMMPS_NS;
 
+static constexpr int ANSWERED = 256; // automata at a time; without flow their state stays
+
 static void clear(mca::AlignedArray &array, int n, int row)
 {
   array.reserve(static_cast<size_t>(n) * row);
@@ -23,6 +25,9 @@ static void clear(mca::AlignedArray &array, int n, int row)
 /* ----------------------------------------------------------------------
    The forces of a step are a pure function of positions, velocities and the present state.
    In set-up nothing moves on; in a step the state that the last one led to is taken over first.
+
+   What other ranks need is on its way while the inside of the sample is worked on: the pairs at the
+   borders come first in the strain pass, and last in the passes that need the others' answers.
 ------------------------------------------------------------------------- */
 
 void PairMCA::compute(int eflag, int vflag)
@@ -35,85 +40,147 @@ void PairMCA::compute(int eflag, int vflag)
   }
   committed = false;
 
-  const int nlocal = atom->nlocal, nall = nlocal + atom->nghost;
-  const mca::Pairs &p = pairs.pairs();
+  const int nlocal = atom->nlocal, nall = nlocal + atom->nghost, answers = kernel->rows.response;
+  const int answers_after = kernel->dimension - 1; // the stress pass: M, in space the centre, too
+  const bool alone = comm->nprocs == 1;
   const mca::PairLaw *laws = pairlaw.data();
-  const int *type = atom->type;
-  response.reserve(static_cast<size_t>(nall) * kernel->rows.response);
+  const mca::Pairs border = pairs.part(0, edge), inside = pairs.part(edge, pairs.size() - edge);
+  response.reserve(static_cast<size_t>(nall) * answers);
   kappa_next.reserve(nlocal);
   elastic_z_next.reserve(nlocal);
   pack_motion(nall, advance);
 
+  auto strain = [&](const mca::Pairs &p) {
+    kernel->strain(p, update->dt, advance, laws, motion.get(), spin.get(), strains.get());
+  };
   clear(strains, nall, kernel->rows.strain);
-  kernel->strain(p, update->dt, advance, laws, motion.get(), spin.get(), strains.get());
-  add_up(STRAINS);
-  kernel->mean(nlocal, type, autolaw.data(), onelaw, strains.get(), response.get());
-  if (j2())
-    mca::addElasticZ(nlocal, type, autolaw.data(), elastic_z(), response.get());
-  pass_on(MEANS);
+  strain(border);
+  if (!alone) {
+    each_sent([this](int from, int to) { find_means(from, to); });
+    halo.begin(response.get(), answers, 1);
+  }
+  strain(inside);
+  find_means(0, nlocal);
 
   clear(stresses, nall, kernel->rows.stress);
-  kernel->stress(p, laws, response.get(), stresses.get());
-  add_up(STRESSES);
-  kernel->yield(nlocal, type, autolaw.data(), onelaw, strains.get(), stresses.get(), kappa(),
-                kappa_next.get(), response.get());
-  pass_on(FACTORS);
-  if (j2())
-    mca::flowElasticZ(nlocal, type, autolaw.data(), strains.get(), stresses.get(), response.get(),
-                      elastic_z(), elastic_z_next.get());
+  kernel->stress(inside, laws, response.get(), stresses.get());
+  if (!alone)
+    halo.finish(response.get(), answers, 1);
+  kernel->stress(border, laws, response.get(), stresses.get());
+
+  const double *around = nullptr;
   if (lawset.needsLocal()) {
     local.reserve(static_cast<size_t>(nall) * mca::localRow);
-    mca::showLocal(nlocal, type, autolaw.data(), stresses.get(), response.get(), kappa(),
-                   kappa_next.get(), local.get());
-    pass_on(LOCAL);
+    around = local.get();
   }
+  flowing.clear();
+  if (!alone) {
+    each_sent([this](int from, int to) { answer(from, to); });
+    if (around) {
+      halo.begin(around, mca::localRow, mca::localRow);
+      halo.finish(local.get(), mca::localRow, mca::localRow);
+    }
+    halo.begin(response.get() + 1, answers, answers_after);
+  }
+  for (int from = 0; from < nlocal; from += ANSWERED)
+    answer(from, std::min(from + ANSWERED, nlocal));
 
   clear(forces, nall, kernel->rows.force);
-  changes = kernel->force(p, laws, response.get(), lawset.needsLocal() ? local.get() : nullptr,
-                          forces.get());
-  const int rows = force->newton_pair ? nall : nlocal, length = kernel->rows.force;
+  changes = kernel->force(inside, laws, response.get(), around, forces.get());
+  if (!alone)
+    halo.finish(response.get() + 1, answers, answers_after);
+  changes += kernel->force(border, laws, response.get(), around, forces.get());
+  add_forces();
+
+  if (eflag_either || vflag_either)
+    tally(eflag, vflag);
+}
+
+/* calls work(from, to) for ranges of rows of all automata that other ranks need */
+
+template<class Work>
+void PairMCA::each_sent(const Work &work) const
+{
+  const std::vector<int> &sent = halo.sent();
+  for (size_t first = 0, last; first < sent.size(); first = last) {
+    for (last = first + 1; last < sent.size() && sent[last] == sent[last - 1] + 1;)
+      last++;
+    work(sent[first], sent[last - 1] + 1);
+  }
+}
+
+void PairMCA::find_means(int from, int to)
+{
+  const int *type = atom->type + from;
+  double *answers = response.get() + from * kernel->rows.response;
+  kernel->mean(to - from, type, autolaw.data(), onelaw, strains.get() + from * kernel->rows.strain,
+               answers);
+  if (j2())
+    mca::addElasticZ(to - from, type, autolaw.data(), elastic_z() + from, answers);
+}
+
+/* radial returns of automata */
+
+void PairMCA::answer(int from, int to)
+{
+  const int n = to - from, *type = atom->type + from;
+  const mca::AutomatonLaw *laws = autolaw.data();
+  const double *sums = strains.get() + from * kernel->rows.strain;
+  const double *averages = stresses.get() + from * kernel->rows.stress;
+  const double *before = kappa() + from;
+  double *after = kappa_next.get() + from, *answers = response.get() + from * kernel->rows.response;
+  if (kernel->yield(n, type, laws, onelaw, sums, averages, before, after, answers) > 0.0)
+    flowing.emplace_back(from, to);
+  if (j2())
+    mca::flowElasticZ(n, type, laws, sums, averages, answers, elastic_z() + from,
+                      elastic_z_next.get() + from);
+  if (lawset.needsLocal())
+    mca::showLocal(n, type, laws, averages, answers, before, after,
+                   local.get() + from * mca::localRow);
+}
+
+void PairMCA::add_forces()
+{
   auto *f = mca::flat(atom->f), *torque = mca::flat(atom->torque);
+  const int length = kernel->rows.force;
   const double *row = forces.get();
   if (kernel->dimension == 2)
-    for (int i = 0; i < rows; i++, row += length) {
+    for (int i = 0; i < atom->nlocal; i++, row += length) {
       f[i][0] += row[0];
       f[i][1] += row[1];
       torque[i][2] += row[2];
     }
   else
-    for (int i = 0; i < rows; i++, row += length)
+    for (int i = 0; i < atom->nlocal; i++, row += length)
       for (int m = 0; m < 3; m++) {
         f[i][m] += row[m];
         torque[i][m] += row[3 + m];
       }
-
-  if (eflag_either || (vflag_either && !vflag_fdotr))
-    tally(eflag, vflag);
-  if (vflag_fdotr)
-    virial_fdotr_compute();
 }
 
-/* links broken and formed of each automaton: ghosts' counts go to their owners. Called by all
-   ranks, before the ghosts of the list change. */
+/* links broken and formed of each automaton, before the list changes */
 
 void PairMCA::collect_changes()
 {
   if (listed < 0)
-    return; // no list was built yet, on any rank
-  add_up(CHANGES);
+    return; // no list was built yet
   for (int m = 0; m < 2; m++) {
     double *sum = atom->dvector[icustom_changes[m]];
     for (int i = 0; i < listed; i++)
       sum[i] += link_changes.get()[2 * i + m];
   }
-  clear(link_changes, listed_all, 2);
+  clear(link_changes, listed, 2);
 }
 
-void PairMCA::begin_changes()
+void PairMCA::begin_list(int border, const std::vector<mca::Halo::Guest> &guests)
 {
   listed = atom->nlocal; // other fixes may add atoms behind these
-  listed_all = atom->nlocal + atom->nghost;
-  clear(link_changes, listed_all, 2);
+  clear(link_changes, listed, 2);
+  if (comm->nprocs > 1)
+    halo.build(world, guests);
+  // whole blocks
+  edge =
+      std::min((border + mca::blockLength - 1) / mca::blockLength * mca::blockLength, pairs.size());
 }
 
 /* Within a step forces see the velocities of half a step ago. In set-up the lag that they had when
@@ -175,7 +242,7 @@ void PairMCA::keep_lag()
   }
 }
 
-/* energy of owned automata, and virials of pairs where f.r over ghosts does not serve */
+/* energy of owned automata and virials of pairs */
 
 void PairMCA::tally(int /*eflag*/, int /*vflag*/)
 {
@@ -193,7 +260,7 @@ void PairMCA::tally(int /*eflag*/, int /*vflag*/)
     const double values[] = {c.links, c.welds, c.broken, c.formed, c.healed, c.plastic_work};
     std::copy_n(values, nextra, pvector);
   }
-  if (!vflag_either || (vflag_fdotr && !vflag_atom))
+  if (!vflag_either)
     return;
 
   const mca::Pairs &p = pairs.pairs();
@@ -205,12 +272,9 @@ void PairMCA::tally(int /*eflag*/, int /*vflag*/)
     const mca::Vector stress =
         s.normal * normal(k) + 1.0 / (1.0 + p.eps[k]) * along_shear(k, s.shear);
     const mca::Vector on_i = law.area / stress_unit() * stress;
-    const int keep = vflag_global;
-    if (vflag_fdotr)
-      vflag_global = 0;
-    ev_tally_xyz(i, j, nlocal, force->newton_pair, 0.0, 0.0, on_i.x, on_i.y, on_i.z,
-                 x[i][0] - x[j][0], x[i][1] - x[j][1], x[i][2] - x[j][2]);
-    vflag_global = keep;
+    const double *const xi = x[p.placeI[k]], *const xj = x[p.placeJ[k]];
+    ev_tally_xyz(i, j, nlocal, 0, 0.0, 0.0, on_i.x, on_i.y, on_i.z, xi[0] - xj[0], xi[1] - xj[1],
+                 xi[2] - xj[2]);
   }
 }
 
@@ -227,15 +291,16 @@ void PairMCA::commit()
   if (changes > 0.0)
     record_events();
   changes = 0.0;
-  std::copy_n(kappa_next.get(), atom->nlocal, kappa());
+  for (const auto &[from, to] : flowing)
+    std::copy(kappa_next.get() + from, kappa_next.get() + to, kappa() + from);
   if (j2())
-    std::copy_n(elastic_z_next.get(), atom->nlocal, elastic_z());
+    std::copy_n(elastic_z_next.get(), listed, elastic_z());
   committed = true;
 }
 
 void PairMCA::record_events()
 {
-  const mca::Pairs &p = pairs.pairs();
+  const mca::Pairs p = pairs.part(0, pairs.size());
   double **x = atom->x;
   for (int k = 0; k < p.n; k++) {
     if (!p.blocks[k / mca::blockLength].moves)
@@ -249,7 +314,7 @@ void PairMCA::record_events()
       pairs.setOriginal(k, false);
     if (was != is)
       for (const int i : {p.i[k], p.j[k]})
-        if (force->newton_pair || i < atom->nlocal) // else the owner holds the pair, too
+        if (i < atom->nlocal) // else the owner holds the pair, too
           link_changes.get()[2 * i + (was ? 0 : 1)] += 1.0;
     if (!on_this_rank(k))
       continue;
@@ -257,7 +322,7 @@ void PairMCA::record_events()
     Event e{update->ntimestep - 1,         {atom->tag[i], atom->tag[j]}, before, after, {},
             {atom->mask[i], atom->mask[j]}};
     for (int m = 0; m < 3; m++)
-      e.x[m] = 0.5 * (x[i][m] + x[j][m]);
+      e.x[m] = 0.5 * (x[p.placeI[k]][m] + x[p.placeJ[k]][m]);
     domain->remap(e.x);
     happened.push_back(e);
   }
@@ -362,7 +427,7 @@ mca::ContactStress PairMCA::contact(int k) const
 double PairMCA::owned_share(int k) const
 {
   const bool both = std::max(pairs.pairs().i[k], pairs.pairs().j[k]) < atom->nlocal;
-  return force->newton_pair || both ? 1.0 : 0.5;
+  return both ? 1.0 : 0.5;
 }
 
 bool PairMCA::on_this_rank(int k) const
@@ -389,66 +454,6 @@ PairMCA::Count PairMCA::count() const
 }
 
 /* ---------------------------------------------------------------------- */
-
-/* what several ranks hold of an automaton goes to its owner, what it answers to its ghosts */
-
-void PairMCA::add_up(Stage what)
-{
-  stage = what;
-  if (force->newton_pair)
-    comm->reverse_comm(this, summed(what).row);
-}
-
-PairMCA::Sums PairMCA::summed(Stage what)
-{
-  return what == STRAINS    ? Sums{strains.get(), kernel->rows.strain}
-         : what == STRESSES ? Sums{stresses.get(), kernel->rows.stress}
-                            : Sums{link_changes.get(), 2};
-}
-
-void PairMCA::pass_on(Stage what)
-{
-  stage = what;
-  comm->forward_comm(this, passed(what).row);
-}
-
-PairMCA::Passed PairMCA::passed(Stage what)
-{
-  const int length = kernel->rows.response;
-  return what == LOCAL   ? Passed{local.get(), mca::localRow, mca::localRow}
-         : what == MEANS ? Passed{response.get(), length, 1}
-                         : Passed{response.get() + 1, length, kernel->dimension - 1};
-}
-
-int PairMCA::pack_forward_comm(int n, int *index, double *buf, int /*pbc_flag*/, int * /*pbc*/)
-{
-  const auto [from, length, row] = passed(stage);
-  for (int k = 0; k < n; k++)
-    std::copy_n(from + static_cast<size_t>(index[k]) * length, row, buf + k * row);
-  return n * row;
-}
-
-void PairMCA::unpack_forward_comm(int n, int first, double *buf)
-{
-  const auto [to, length, row] = passed(stage);
-  for (int k = 0; k < n; k++)
-    std::copy_n(buf + k * row, row, to + static_cast<size_t>(first + k) * length);
-}
-
-int PairMCA::pack_reverse_comm(int n, int first, double *buf)
-{
-  const auto [from, row] = summed(stage);
-  std::copy_n(from + static_cast<size_t>(first) * row, n * row, buf);
-  return n * row;
-}
-
-void PairMCA::unpack_reverse_comm(int n, int *index, double *buf)
-{
-  const auto [to, row] = summed(stage);
-  for (int k = 0; k < n; k++)
-    for (int m = 0; m < row; m++)
-      to[static_cast<size_t>(index[k]) * row + m] += *buf++;
-}
 
 double PairMCA::memory_usage()
 {

@@ -9,10 +9,12 @@
 #include "atom.h"
 #include "pair.h"
 
+#include "halo.h"
 #include "laws/law_set.h"
 #include "link_list.h"
 
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace LAMMPS_NS {
@@ -36,10 +38,6 @@ class PairMCA : public Pair {
   void read_restart(FILE *) override;
   void write_restart_settings(FILE *) override;
   void read_restart_settings(FILE *) override;
-  int pack_forward_comm(int, int *, double *, int, int *) override;
-  void unpack_forward_comm(int, int, double *) override;
-  int pack_reverse_comm(int, int, double *) override;
-  void unpack_reverse_comm(int, int *, double *) override;
   double memory_usage() override;
 
   // ---- for the history fix: the flat pair list follows LAMMPS's neighbor list
@@ -47,7 +45,8 @@ class PairMCA : public Pair {
   void commit();            // the next state becomes the present one; what it changes are events
   void keep_lag();          // after a step: velocities less those that made its forces
   void check_reach() const; // no link is longer than the cutoff
-  void begin_changes();     // the list is new
+  // the list is new: its first pairs are those at the borders to other ranks
+  void begin_list(int border, const std::vector<mca::Halo::Guest> &);
   int law_number(int i, int j) const
   {
     return lawnumber[atom->type[i] * (atom->ntypes + 1) + atom->type[j]];
@@ -113,7 +112,9 @@ class PairMCA : public Pair {
   mca::AlignedArray motion, spin, strains, stresses, response, local, forces;
   mca::AlignedArray kappa_next, elastic_z_next;
   mca::AlignedArray link_changes; // links broken and formed of each automaton, not collected yet
-  enum Stage { STRAINS, STRESSES, CHANGES, MEANS, FACTORS, LOCAL } stage; // what is communicated
+  std::vector<std::pair<int, int>> flowing; // ranges of rows whose equivalent plastic strain grows
+  mca::Halo halo;
+  int edge;                    // so many first pairs of the list are at borders to other ranks
   Count events;                // since creation; links and welds stay 0
   std::vector<Event> happened; // taken over in this step
   double changes;              // pairs whose next state is another kind
@@ -121,7 +122,7 @@ class PairMCA : public Pair {
 
   FixMCAHistory *fix_history;
   int icustom_kappa, icustom_elastic_z, icustom_changes[2], icustom_lag[3], icustom_rest[3];
-  int listed, listed_all; // automata of the list: owned, with ghosts
+  int listed; // automata of the list
 
   void allocate();
   void choose_packing();
@@ -131,21 +132,14 @@ class PairMCA : public Pair {
   double *kappa() const;
   double *elastic_z() const;
   bool j2() const { return lawset.plasticity == "j2"; }
-  struct Sums { // rows of an automaton that several ranks hold a part of
-    double *rows;
-    int row;
-  };
-  Sums summed(Stage);
-  struct Passed { // what of an automaton's row its ghosts get
-    double *rows;
-    int length, row; // of the whole row, of what is passed on
-  };
-  Passed passed(Stage);
   double stress_unit() const;
   void pack_motion(int nall, bool advance);
   void pack_space_motion(int nall, bool advance);
-  void add_up(Stage);
-  void pass_on(Stage);
+  void find_means(int from, int to);
+  void answer(int from, int to);
+  void add_forces();
+  template<class Work>
+  void each_sent(const Work &) const;
   void record_events();
   void tally(int, int);
 };

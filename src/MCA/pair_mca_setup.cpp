@@ -36,20 +36,20 @@ static constexpr const char *DUMMY_STATE = "MCA_STATE_DUMMY";
 
 PairMCA::PairMCA(LAMMPS *host)
     : Pair(host), packing(nullptr), depth(0.0), cut_user(0.0), onelaw(true),
-      kernel(&mca::bestKernel(2)), changes(0.0), committed(false), fix_history(nullptr),
+      kernel(&mca::bestKernel(2)), edge(0), changes(0.0), committed(false), fix_history(nullptr),
       icustom_kappa(-1),
       icustom_elastic_z(-1), icustom_changes{-1, -1}, icustom_lag{-1, -1, -1}, icustom_rest{-1, -1,
                                                                                             -1},
-      listed(-1), listed_all(0)
+      listed(-1)
 {
   single_enable = 0;
   manybody_flag = 1;
+  no_virial_fdotr_compute = 1; // ghosts hold no forces
   restartinfo = 1;
   one_coeff = 0;
   centroidstressflag = CENTROID_NOTAVAIL;
   nextra = 6; // see tally()
   pvector = new double[nextra]();
-  comm_forward = 1;
 
   // placeholders, so that the internal fixes come before all fixes of the input script; they are
   // replaced in init_style(), when a restart file's contents for them are known
@@ -181,14 +181,13 @@ void PairMCA::init_style()
                      force->pair_style, i, j);
   comm->ghost_velocity = 1; // shear of a contact needs both velocities
 
-  comm_forward = lawset.needsLocal() ? mca::localRow : domain->dimension - 1;
-  neighbor->add_request(this);
+  // pairs at borders on both ranks, whatever the command newton says: no sums are sent back
+  neighbor->add_request(this, NeighConst::REQ_NEWTON_OFF);
   choose_packing();
 
   if (!fix_history) {
     kernel = &mca::bestKernel(domain->dimension);
     pairs = mca::LinkList(domain->dimension == 2 ? 1 : 3);
-    comm_reverse = kernel->rows.stress;
     fix_history = dynamic_cast<FixMCAHistory *>(modify->replace_fix(
         DUMMY_HISTORY, fmt::format("{} all MCA_HISTORY {}", FixMCAHistory::ID, pairs.storedSize()),
         1));

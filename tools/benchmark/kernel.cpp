@@ -128,11 +128,13 @@ int main(int argc, char **argv)
   const char *names[] = {"strain", "mean", "stress", "yield", "force"};
   for (const mca::Kernel *kernel : mca::supportedKernels(2)) {
     const std::string isa = kernel->name;
-    for (size_t k = 0; k < all.size(); k++)
-      benchmark::RegisterBenchmark((isa + "/" + names[k] + "/1600").c_str(), run, *kernel,
-                                   std::vector<Part>{all[k]}, 40);
-    benchmark::RegisterBenchmark((isa + "/all/1600").c_str(), run, *kernel, all, 40);
-    benchmark::RegisterBenchmark((isa + "/all/40000").c_str(), run, *kernel, all, 200);
+    for (const int columns : {40, 200}) {
+      const std::string size = "/" + std::to_string(columns * columns);
+      for (size_t k = 0; k < all.size(); k++)
+        benchmark::RegisterBenchmark((isa + "/" + names[k] + size).c_str(), run, *kernel,
+                                     std::vector<Part>{all[k]}, columns);
+      benchmark::RegisterBenchmark((isa + "/all" + size).c_str(), run, *kernel, all, columns);
+    }
   }
   benchmark::Initialize(&argc, argv);
   benchmark::RunSpecifiedBenchmarks();
