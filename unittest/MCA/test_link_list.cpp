@@ -116,3 +116,44 @@ TEST(LinkList, ArraysAreAligned)
   for (const double *p : {list.pairs().normal[0], list.pairs().eps, list.pairs().now.kind})
     EXPECT_EQ(reinterpret_cast<std::uintptr_t>(p) % 64, 0u);
 }
+
+TEST(LinkList, PristineBlocksAreCompletedForReaders)
+{
+  LinkList list;
+  list.reset(200);
+  for (int k = 0; k < 200; k++) {
+    // the second block has a link that flowed
+    const double state[] = {mca::link::bulk, 0.0, 0.1, k == 150 ? 0.2 : 0.1};
+    list.add(k, k + 1, 0, state);
+  }
+  const mca::Pairs first = list.part(0, 128), second = list.part(128, 72);
+  EXPECT_EQ(second.i[0], 128);
+  EXPECT_TRUE(first.blocks[0].pristine);
+  EXPECT_FALSE(second.blocks[0].pristine);
+  for (int k = 0; k < 128; k++)
+    first.now.gamma[0][k] = 0.3; // as the kernel does
+  double state[LinkList::maxStateSize];
+  list.getState(7, false, state);
+  EXPECT_EQ(state[3], 0.3);
+  const double broken[] = {mca::link::worn, 0.0, 0.0, 0.0};
+  list.setState(7, broken);
+  EXPECT_FALSE(first.blocks[0].pristine);
+  EXPECT_EQ(list.pairs().now.gammaTotal[0][7], 0.0);
+  EXPECT_EQ(list.pairs().now.gammaTotal[0][8], 0.3);
+  EXPECT_EQ(list.pairs().now.gammaTotal[0][130], 0.1);
+}
+
+TEST(LinkList, PlacesOfImages)
+{
+  LinkList list;
+  list.reset(2);
+  const double state[] = {mca::link::bulk, 0.0, 0.0, 0.0};
+  list.add(0, 1, 0, state);
+  list.add(0, 9, 0, state);
+  list.setPlaces(0, 10);
+  const mca::Pairs &p = list.pairs();
+  EXPECT_EQ(p.placeJ[0], 1);
+  EXPECT_EQ(p.j[1], 9);
+  for (int k = 1; k < 5; k++) // padded
+    EXPECT_EQ(p.placeJ[k], 10);
+}
