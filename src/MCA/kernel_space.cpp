@@ -218,10 +218,12 @@ void stressBlock(const Pairs &p, int first, int n, const PairLaw *laws, const do
   const double *const pkind = p.now.kind + first, *const pplastic = p.now.plastic + first;
   const double *const peps = p.eps + first;
   const Vectors gammas(p.now.gamma, first), normals(p.normal, first);
-  Responses ofI, ofJ;
+  Column meanI, meanJ;
   Shares shares;
-  ofI.gather(pi, n, response);
-  ofJ.gather(pj, n, response);
+  for (int k = 0; k < n; k++) {
+    meanI[k] = response[lengths.response * pi[k]];
+    meanJ[k] = response[lengths.response * pj[k]];
+  }
   const PairLaw one = laws[plaw[0]];
 #pragma omp simd
   for (int k = 0; k < n; k++) {
@@ -231,7 +233,7 @@ void stressBlock(const Pairs &p, int first, int n, const PairLaw *laws, const do
     const double linked = onlyBulk(WAY) ? 1.0 : link::linked(pkind[k]);
     const double pressed = onlyBulk(WAY) || e < 0.0 ? 1.0 : 0.0;
     const double touching = linked > pressed ? linked : pressed;
-    const double sigma = touching * elasticStress(law, e, ofI.mean[k], ofJ.mean[k]);
+    const double sigma = touching * elasticStress(law, e, meanI[k], meanJ[k]);
     const StressTensor s = stressShare(sigma, law.twoG * gamma, normals.get(k));
     shares.c[0][k] = s.xx;
     shares.c[1][k] = s.yy;
@@ -289,7 +291,13 @@ double yieldPass(int n, const int *type, const AutomatonLaw *laws, bool oneLaw,
 // Responses of both automata of each pair, and force and torque on the first one.
 struct PairColumns {
   Responses ofI, ofJ;
-  Shares shares;
+  Shares shares; // the last two unused
+
+  PairColumns()
+  {
+    for (int k = 0; k < blockLength; k++)
+      shares.c[6][k] = shares.c[7][k] = 0.0;
+  }
 
   // The shear force acts at the distance r; its moment (d/2) n x tau S keeps U's gradient exact.
   void setForce(int k, const PairLaw &law, double normal, const Vector &shear, double eps,
@@ -303,7 +311,6 @@ struct PairColumns {
     shares.c[3][k] = torque.x;
     shares.c[4][k] = torque.y;
     shares.c[5][k] = torque.z;
-    shares.c[6][k] = shares.c[7][k] = 0.0;
   }
 };
 
