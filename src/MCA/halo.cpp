@@ -31,12 +31,6 @@ void Halo::build(MPI_Comm comm, const std::vector<Guest> &guests)
               &requests_[2 * m + 1]);
   }
   MPI_Waitall(static_cast<int>(requests_.size()), requests_.data(), MPI_STATUSES_IGNORE);
-
-  sent_.clear();
-  for (const Neighbour &to : neighbours_)
-    sent_.insert(sent_.end(), to.needed.begin(), to.needed.end());
-  std::sort(sent_.begin(), sent_.end());
-  sent_.erase(std::unique(sent_.begin(), sent_.end()), sent_.end());
 }
 
 void Halo::begin(const double *rows, int stride, int count)

@@ -21,9 +21,6 @@ class Halo {
   /// Tells all ranks what this one needs; called by all of them.
   void build(MPI_Comm comm, const std::vector<Guest> &guests);
 
-  /// Rows of own automata that other ranks need, in ascending order, each once.
-  const std::vector<int> &sent() const { return sent_; }
-
   /// Sends `count` values of each own automaton that is needed.
   /// \param rows  `stride` values an automaton, of which the first `count` are sent
   void begin(const double *rows, int stride, int count);
@@ -39,7 +36,6 @@ class Halo {
   };
   MPI_Comm comm_ = MPI_COMM_NULL;
   std::vector<Neighbour> neighbours_;
-  std::vector<int> sent_;
   std::vector<MPI_Request> requests_;
 };
 

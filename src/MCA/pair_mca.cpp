@@ -26,8 +26,8 @@ static void clear(mca::AlignedArray &array, int n, int row)
    The forces of a step are a pure function of positions, velocities and the present state.
    In set-up nothing moves on; in a step the state that the last one led to is taken over first.
 
-   What other ranks need is on its way while the inside of the sample is worked on: the pairs at the
-   borders come first in the strain pass, and last in the passes that need the others' answers.
+   What other ranks need is on its way while the inside of the sample is worked on; the pairs at the
+   borders, which need what the others answer, come last in a pass.
 ------------------------------------------------------------------------- */
 
 void PairMCA::compute(int eflag, int vflag)
@@ -50,17 +50,12 @@ void PairMCA::compute(int eflag, int vflag)
   elastic_z_next.reserve(nlocal);
   pack_motion(nall, advance);
 
-  auto strain = [&](const mca::Pairs &p) {
-    kernel->strain(p, update->dt, advance, laws, motion.get(), spin.get(), strains.get());
-  };
   clear(strains, nall, kernel->rows.strain);
-  strain(border);
-  if (!alone) {
-    each_sent([this](int from, int to) { find_means(from, to); });
+  kernel->strain(pairs.part(0, pairs.size()), update->dt, advance, laws, motion.get(), spin.get(),
+                 strains.get());
+  find_means();
+  if (!alone)
     halo.begin(response.get(), answers, 1);
-  }
-  strain(inside);
-  find_means(0, nlocal);
 
   clear(stresses, nall, kernel->rows.stress);
   kernel->stress(inside, laws, response.get(), stresses.get());
@@ -74,16 +69,15 @@ void PairMCA::compute(int eflag, int vflag)
     around = local.get();
   }
   flowing.clear();
+  for (int from = 0; from < nlocal; from += ANSWERED)
+    answer(from, std::min(from + ANSWERED, nlocal));
   if (!alone) {
-    each_sent([this](int from, int to) { answer(from, to); });
     if (around) {
       halo.begin(around, mca::localRow, mca::localRow);
       halo.finish(local.get(), mca::localRow, mca::localRow);
     }
     halo.begin(response.get() + 1, answers, answers_after);
   }
-  for (int from = 0; from < nlocal; from += ANSWERED)
-    answer(from, std::min(from + ANSWERED, nlocal));
 
   clear(forces, nall, kernel->rows.force);
   changes = kernel->force(inside, laws, response.get(), around, forces.get());
@@ -96,27 +90,12 @@ void PairMCA::compute(int eflag, int vflag)
     tally(eflag, vflag);
 }
 
-/* calls work(from, to) for ranges of rows of all automata that other ranks need */
-
-template<class Work>
-void PairMCA::each_sent(const Work &work) const
+void PairMCA::find_means()
 {
-  const std::vector<int> &sent = halo.sent();
-  for (size_t first = 0, last; first < sent.size(); first = last) {
-    for (last = first + 1; last < sent.size() && sent[last] == sent[last - 1] + 1;)
-      last++;
-    work(sent[first], sent[last - 1] + 1);
-  }
-}
-
-void PairMCA::find_means(int from, int to)
-{
-  const int *type = atom->type + from;
-  double *answers = response.get() + from * kernel->rows.response;
-  kernel->mean(to - from, type, autolaw.data(), onelaw, strains.get() + from * kernel->rows.strain,
-               answers);
+  const int n = atom->nlocal;
+  kernel->mean(n, atom->type, autolaw.data(), onelaw, strains.get(), response.get());
   if (j2())
-    mca::addElasticZ(to - from, type, autolaw.data(), elastic_z() + from, answers);
+    mca::addElasticZ(n, atom->type, autolaw.data(), elastic_z(), response.get());
 }
 
 /* radial returns of automata */

@@ -135,11 +135,9 @@ class PairMCA : public Pair {
   double stress_unit() const;
   void pack_motion(int nall, bool advance);
   void pack_space_motion(int nall, bool advance);
-  void find_means(int from, int to);
+  void find_means();
   void answer(int from, int to);
   void add_forces();
-  template<class Work>
-  void each_sent(const Work &) const;
   void record_events();
   void tally(int, int);
 };
