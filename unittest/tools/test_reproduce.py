@@ -126,3 +126,20 @@ def test_missing_logs_are_one_clear_line(tmp_path):
     done = reproduce(tmp_path, "fig3")
     assert done.returncode == 3 and done.stderr.count("\n") == 1 and "profile" in done.stderr
     assert not (tmp_path / "out" / "fig3.png").exists()
+
+
+def shipped():
+    """Figures whose logs are all in the project."""
+    from reproduce_parts import figures
+    folder = ROOT / "examples" / "campaign" / "logs"
+    return [name for name, figure in figures.FIGURES.items() if all((folder / plan).is_dir() for plan in figure.plans)]
+
+
+@pytest.mark.parametrize("name", shipped())
+def test_page_tells_what_the_shipped_logs_tell(name, tmp_path):
+    done = subprocess.run([ROOT / "tools" / "reproduce", name, "-o", tmp_path],
+                          env={**os.environ, "MCAWR_BUILD": str(BUILD)}, text=True, capture_output=True, timeout=120, check=False)
+    assert done.returncode == 0, done.stderr
+    page = (ROOT / "doc" / "how_close.md").read_text()
+    assert done.stdout.strip() in page, f"doc/how_close.md does not hold this:\n{done.stdout}"
+    assert f"pictures/close_{name}.png" in page
