@@ -21,6 +21,8 @@ thermo_style custom step pe c_sum
 def bare(script, folder, path=None, **more):
     env = {"LAMMPS_POTENTIALS": os.path.join(os.environ["PROJECT_SOURCE"], "potentials"),
            "LAMMPS_PLUGIN_PATH": path or ""}
+    if os.environ.get("MCA_PRELOAD"):  # a plugin with sanitizers needs their libraries first
+        env.update(LD_PRELOAD=os.environ["MCA_PRELOAD"], ASAN_OPTIONS="detect_leaks=0")
     return lmp(script, folder, launcher=BARE, env=env, **more)
 
 
