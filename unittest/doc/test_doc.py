@@ -231,4 +231,7 @@ def test_script_runs(script, tmp_path):
     done = subprocess.run([LMP, "-in", "in.doc"], cwd=tmp_path, timeout=120, stdout=subprocess.PIPE,
                           stderr=subprocess.STDOUT, text=True, check=False)
     assert done.returncode == 0, done.stdout[-3000:]
-    assert "Total wall time" in done.stdout and "WARNING" not in done.stdout, done.stdout[-3000:]
+    # July 2026 says so of a plugin's command when `clear` loads the plugin again
+    warnings = [line for line in done.stdout.splitlines()
+                if "WARNING" in line and "Overriding built-in command style mca_links" not in line]
+    assert "Total wall time" in done.stdout and not warnings, done.stdout[-3000:]
