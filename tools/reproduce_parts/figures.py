@@ -50,7 +50,7 @@ def run_name(point):
 
 
 def table(head, rows):
-    """Lines of a table, columns as wide as needed."""
+    """Lines of a table of texts, columns as wide as needed."""
     cells = [head, *rows]
     width = [max(len(row[k]) for row in cells) for k in range(len(head))]
     return ["  ".join(c.ljust(w) if k == 0 else c.rjust(w) for k, (c, w) in enumerate(zip(row, width))).rstrip()
@@ -58,6 +58,7 @@ def table(head, rows):
 
 
 def percent(ours, paper):
+    """Relative difference of two numbers of one unit, as text."""
     return f"{100 * (ours / paper - 1):+.1f} %"
 
 
@@ -124,6 +125,7 @@ def fig3(report, picture):
 
 # fig4, fig6 ---------------------------------------------------------------------------------------
 def fig4(report, picture):
+    """Friction stress (MPa) at each pressure (MPa), a mean over the seeds; exponent of stress ~ p^n."""
     points = report["report"]["points"]
     plot_series.draw(points, "pressure", picture)
     rows, pressures, stresses, errors = [], [], [], []
@@ -143,6 +145,7 @@ def fig4(report, picture):
 
 
 def fig6(report, picture):
+    """mu at each velocity (m/s), a mean over the seeds, and the largest row of the logs."""
     points = report["report"]["points"]
     plot_series.draw(points, "velocity", picture)
     rows = []
@@ -155,6 +158,7 @@ def fig6(report, picture):
 
 # fig7 and fig8 ------------------------------------------------------------------------------------
 def fig7(report, picture):
+    """Eq. 2 fitted to our runs beside Eq. 3; its static part beside Eq. 5; our runs against the paper's law."""
     plot_fit.draw(*plot_fit.contents(report), picture)
     body, lines = report["report"], []
     if "fit" in body:
@@ -213,6 +217,7 @@ def parameters(point):
 
 
 def collapse(report, picture):
+    """Scatter of mu over runs at equal kappa1 and kappa2, over its mean."""
     points = report["report"]["points"]
     mu = [p["mu"] for p in points]
     mean = float(np.mean(mu))
@@ -257,6 +262,7 @@ def sensitivity(report, picture):
 
 
 def convergence(report, picture):
+    """mu over that of the base size, and the depth of the layer (nm), for each size and strength (MPa)."""
     points = report["report"]["points"]
     rows, labels, values, errors = [], [], [], []
     for strength, members in groups(points, lambda p: p["strength"]).items():
