@@ -161,7 +161,7 @@ _Loader.add_implicit_resolver("tag:yaml.org,2002:float", re.compile(r"^[-+]?[0-9
 
 def find(name):
     """Path of a plan given by path or by the name of a shipped one."""
-    if os.path.exists(name):
+    if os.path.isfile(name):  # a folder of results may have the plan's name
         return name
     shipped = os.path.join(SHIPPED, name + ".yaml")
     if os.path.exists(shipped):

@@ -291,6 +291,12 @@ def test_shipped_plans(name, least):
     assert campaign("list", name).returncode == 0
 
 
+def test_a_folder_does_not_hide_the_plan_of_its_name(tmp_path, monkeypatch):
+    (tmp_path / "paper36").mkdir()
+    monkeypatch.chdir(tmp_path)
+    assert plans.find("paper36") == os.path.join(plans.SHIPPED, "paper36.yaml")
+
+
 def test_paper36_covers_the_papers_ranges():
     runs = plans.read(plans.find("paper36")).runs
     assert len(runs) == 36
