@@ -25,6 +25,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <limits>
 #include <sstream>
 
 using namespace LAMMPS_NS;
@@ -357,12 +358,15 @@ void PairMCA::check_step()
     const double eta = lawset.viscosity == "normal" ? m.viscosity / stress_unit() : 0.0;
     const mca::ElasticModuli moduli = mca::elasticModuli(lawset, m);
     const double D = moduli.D * moduli.bulk / m.bulkModulus(); // D K as the law has it
-    const auto limit = mca::criticalStep(m, D, eta, *packing);
-    if (update->dt > limit.shortest())
+    auto limit = mca::criticalStep(m, D, eta, *packing);
+    if (lawset.plasticity == "none") // nothing is pressed that far
+      limit.pressed = std::numeric_limits<double>::infinity();
+    const double critical = std::min(limit.shortest(), limit.pressed);
+    if (update->dt > critical)
       error->all(FLERR,
                  "Timestep {:.6g} is longer than the critical one, {:.6g} (elastic {:.6g}, viscous "
-                 "{:.6g}) of the material of type {}",
-                 update->dt, limit.shortest(), limit.elastic, limit.viscous, i);
+                 "{:.6g}, pressed links {:.6g}) of the material of type {}",
+                 update->dt, critical, limit.elastic, limit.viscous, limit.pressed, i);
   }
 }
 

@@ -1,6 +1,7 @@
 // The critical step against brute force: eigenvalues of a finite periodic lattice whose stiffness
 // is measured with the kernel, and integrated lattices just below and just above the limit.
 #include "laws/critical_step.h"
+#include "laws/fracture.h"
 
 #include "sample.h"
 
@@ -151,6 +152,20 @@ TEST(CriticalStep, CompressedUnlinkedLatticeIsStableBelow)
     const double limit = mca::criticalStep(m, m.meanStressWeight(), eta).shortest();
     EXPECT_LT(growth(s, 0.99 * limit, 3000), 3.0) << "viscosity " << eta;
   }
+}
+
+TEST(CriticalStep, PressedLinkIsStableBelowAndUnstableAbove)
+{
+  // just before its collapse, without normal stress: all of it has flowed
+  Sample s = hexagonalBlock(steel(), 2, 1, 1);
+  s.laws.plasticity = "none";
+  const double r = 1.0001 * (1.0 + mca::collapseStrain);
+  s.automata[1].x = s.automata[0].x + r * s.materials[0].diameter;
+  ASSERT_EQ(s.contacts.size(), 1u);
+  s.contacts[0].now.plastic = s.contacts[0].next.plastic = r - 1.0;
+  const double limit = mca::criticalStep(s.materials[0], 0.0, 0.0).pressed;
+  EXPECT_LT(growth(s, 0.99 * limit, 3000), 3.0);
+  EXPECT_GT(growth(s, 1.02 * limit, 3000), 100.0);
 }
 
 TEST(CriticalStep, ScalesLikeDiameterOverSpeedOfSound)

@@ -72,11 +72,15 @@ def test_unload(tmp_path):
 def test_step_above_the_critical_one_is_refused(tmp_path, ranks):
     fails(SAMPLE + "timestep 1e-4\nrun 10\n", tmp_path, "Timestep 0.0001 is longer than the critical",
           "5.69", ranks=ranks)
-    script = SAMPLE.replace("pair_style mca", "pair_style mca viscosity none")
+    script = SAMPLE.replace("pair_style mca", "pair_style mca viscosity none plasticity none")
     fails(script + "timestep 3e-4\nrun 10\n", tmp_path, "0.000277")
     lmp(script + "timestep 2.7e-4\nrun 10\n", tmp_path)
     # also when it grows during the input
     fails(script + "run 5\ntimestep 3e-4\nrun 10\n", tmp_path, "0.000277")
+    # a link that flows is pressed together until it collapses
+    script = SAMPLE.replace("pair_style mca", "pair_style mca viscosity none")
+    fails(script + "timestep 1e-4\nrun 10\n", tmp_path, "pressed links 9.51", "longer than the critical one, 9.51")
+    lmp(script + "timestep 9.5e-5\nrun 10\n", tmp_path)
 
 
 def test_mass_is_that_of_the_solid(tmp_path):

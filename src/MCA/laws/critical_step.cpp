@@ -1,5 +1,7 @@
 #include "critical_step.h"
 
+#include "fracture.h"
+
 #include <Eigen/Dense>
 #include <algorithm>
 #include <complex>
@@ -95,6 +97,17 @@ static double squaredFrequency(const Material &m, double D, const Packing &packi
       .eigenvalues()(freedoms - 1);
 }
 
+// Both automata of a link move along its face and turn, in antiphase and alike: the energy
+// 2 V w G gamma^2, gamma = u/r + theta, of masses m and moments of inertia J has the frequency
+// omega^2 = 8 w G/rho (1/r^2 + m/(4 J)).
+static double pressedStep(const Material &m, const Packing &packing)
+{
+  const double r = (1.0 + collapseStrain) * m.diameter;
+  const double turning = 0.25 / (packing.inertia * m.diameter * m.diameter);
+  return 2.0 / std::sqrt(8.0 * packing.stressWeight() * m.shearModulus() / m.density *
+                         (1.0 / (r * r) + turning));
+}
+
 CriticalStep criticalStep(const Material &m, double D, double viscosity, const Packing &packing)
 {
   // A grid over the reciprocal cell that holds the zone's corners and the middles of its sides and
@@ -119,9 +132,10 @@ CriticalStep criticalStep(const Material &m, double D, double viscosity, const P
       }
   const Cell cell{packing, m.diameter};
   const double damping = viscosity * cell.contactArea() / m.diameter;
-  return {2.0 / std::sqrt(largest), damping > 0.0 ? packing.dimension * cell.mass(m.density) /
-                                                        (packing.coordination * damping)
-                                                  : std::numeric_limits<double>::infinity()};
+  const double viscous =
+      damping > 0.0 ? packing.dimension * cell.mass(m.density) / (packing.coordination * damping)
+                    : std::numeric_limits<double>::infinity();
+  return {2.0 / std::sqrt(largest), viscous, pressedStep(m, packing)};
 }
 
 } // namespace mca

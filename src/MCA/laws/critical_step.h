@@ -10,13 +10,15 @@
 
 namespace mca {
 
-/// Both limits [time]; infinity where the law is switched off.
+/// The limits [time]; infinity where the law is switched off.
 struct CriticalStep {
   double elastic; ///< 2/omega over the Brillouin zone of the linked packing
   double viscous; ///< 2/lambda = D m/(N c), c = eta S/d: all N contacts damped, in antiphase
+  double pressed; ///< 2/omega of the shear of a link that is pressed together until it collapses,
+                  ///< which only plastic flow allows
 
-  /// Both laws acting on the same contacts: omega^2 dt^2 + 2 lambda dt = 4. Verlet's forces see the
-  /// velocity of half a step ago, hence damping shortens the step.
+  /// Elasticity and viscosity acting on the same contacts: omega^2 dt^2 + 2 lambda dt = 4. Verlet's
+  /// forces see the velocity of half a step ago, hence damping shortens the step.
   double shortest() const
   {
     const double s = 0.5 * elastic / viscous;

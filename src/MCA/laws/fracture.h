@@ -31,8 +31,9 @@ inline double strainIntensity2(double eps, const Vector &gammaTotal)
 ///
 /// Under pressure a bulk link flows without end, but at r -> 0 its axis turns by v_t dt/r in a
 /// step, so that its shear is as stiff as 1/r^2: with the weight w of packing.h steps are unstable
-/// below r = sqrt(2w) c_s dt. At the longest step of viscous contacts that is 0.06 d; this is the
-/// next round number above it.
+/// below about r = sqrt(2w) c_s dt. At the longest step of viscous contacts that is 0.06 d; this is
+/// the next round number above it, and steps that would be unstable above it are refused
+/// (critical_step.h).
 constexpr double collapseStrain = -0.9;
 
 /// Whether a bulk link breaks by its strain.
