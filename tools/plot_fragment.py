@@ -24,6 +24,8 @@ import math
 import os
 import sys
 
+from lammps_dump import BadDump, Dump
+
 NEEDED = ("id", "type", "x", "y", "vx")
 STRIPES = 8  # across the fragment
 STATE = {name: f"c_state[{k}]" for k, name in enumerate(("links", "welds", "plastic", "intensity"), 1)}
@@ -39,89 +41,6 @@ PAINT = {1: ("#9ecae1", "#2171b5"), 2: ("#fdbe85", "#d94801")}  # type: light, d
 def fail(code, text):
     print(f"plot_fragment.py: {text}", file=sys.stderr)
     sys.exit(code)
-
-
-class Dump:
-    """A LAMMPS text dump; numbers are read when a frame is asked for."""
-
-    def __init__(self, path):
-        self.path = path
-        try:
-            with open(path, encoding="utf-8") as file:
-                self.lines = file.read().splitlines()
-        except (OSError, UnicodeDecodeError) as error:
-            fail(3, f"{path}: cannot be read: {error}")
-        self.frames, number = [], 0
-        while number < len(self.lines):
-            frame = self.head(number)
-            if frame is None:  # the run was interrupted while it wrote
-                print(f"plot_fragment.py: {path}: the last frame is cut and left out", file=sys.stderr)
-                break
-            self.frames.append(frame)
-            number = frame["first"] + frame["count"]
-        if not self.frames:
-            fail(3, f"{path}: no whole frame in it")
-
-    def head(self, number):
-        """What stands before the rows of the frame at lines[number]; None if the frame is cut."""
-        frame, start, at = {"time": None}, number, number
-        try:
-            if self.lines[at] != "ITEM: TIMESTEP":
-                raise ValueError
-            while not self.lines[at].startswith("ITEM: ATOMS"):
-                item = self.lines[at]
-                if item == "ITEM: TIMESTEP":
-                    frame["step"] = int(self.lines[at + 1])
-                elif item == "ITEM: TIME":
-                    frame["time"] = float(self.lines[at + 1])
-                elif item == "ITEM: NUMBER OF ATOMS":
-                    frame["count"] = int(self.lines[at + 1])
-                elif item.startswith("ITEM: BOX BOUNDS"):
-                    frame["box"] = [float(word) for word in self.lines[at + 1].split()[:2]]
-                    at += 2
-                at += 2
-            frame["names"] = self.lines[at].split()[2:]
-            frame["head"], frame["first"] = at, at + 1
-            low, high = frame["box"]
-            if not (math.isfinite(low) and math.isfinite(high) and low < high and frame["count"] > 0):
-                raise ValueError
-        except IndexError:
-            if len(self.lines) - start < 10 and start > 0:
-                return None
-            fail(3, f"{self.path}:{start + 1}: not a frame of a LAMMPS text dump")
-        except (ValueError, KeyError):
-            fail(3, f"{self.path}:{start + 1}: not a frame of a LAMMPS text dump")
-        last = frame["first"] + frame["count"]
-        if len(self.lines) < last or len(self.lines[last - 1].split()) != len(frame["names"]):
-            return None
-        return frame
-
-    def columns(self, number, names):
-        """{name: values of that column} of a frame."""
-        frame = self.frames[number]
-        places = {name: self.place(frame, name) for name in names}
-        values = {name: [] for name in names}
-        for k in range(frame["first"], frame["first"] + frame["count"]):
-            words = self.lines[k].split()
-            if len(words) != len(frame["names"]):
-                fail(3, f"{self.path}:{k + 1}: {len(words)} values, {len(frame['names'])} are expected")
-            try:
-                row = {name: float(words[place]) for name, place in places.items()}
-            except ValueError:
-                fail(3, f"{self.path}:{k + 1}: not numbers")
-            for name, value in row.items():
-                if not math.isfinite(value):
-                    fail(3, f"{self.path}:{k + 1}: {name} is {value}, a finite number is expected")
-                values[name].append(value)
-        return values
-
-    def place(self, frame, name):
-        for spelling in (name, STATE.get(name)):
-            if spelling in frame["names"]:
-                return frame["names"].index(spelling)
-        fail(3, f"{self.path}:{frame['head'] + 1}: column {name} is missing, the dump has: "
-                f"{' '.join(frame['names'])}")
-        return None
 
 
 def nearest_distance(x, y):
@@ -146,7 +65,7 @@ class Picture:
         self.names = set(NEEDED) | {p for p in given.show if p != "stripes"}
         begin = dump.columns(0, NEEDED)
         self.diameter = given.diameter or nearest_distance(begin["x"], begin["y"])
-        low, high = dump.frames[0]["box"]
+        low, high = dump.frames[0]["box"][0]
         self.stripe = {i: int((x - low) / (high - low) * 2 * STRIPES) % 2
                        for i, x in zip(begin["id"], begin["x"])}
         # everything that must not change within an animation
@@ -214,7 +133,7 @@ class Picture:
         axes.grid(alpha=0.3)
 
     def panel(self, axes, panel, frame, columns):
-        low, high = frame["box"]
+        low, high = frame["box"][0]
         width, radius = high - low, 0.5 * self.diameter
         # an automaton on the edge of the period is seen on both sides
         x, y, which = [], [], []
@@ -325,9 +244,26 @@ def arguments():
     return given
 
 
+def read(path):
+    dump = Dump(path, STATE)
+    if dump.cut:
+        print(f"plot_fragment.py: {path}: the last frame is cut and left out", file=sys.stderr)
+    for frame in dump.frames:
+        if frame["count"] == 0:
+            raise BadDump(f"{path}:{frame['head'] + 1}: no automaton")
+    return dump
+
+
 def main():
     given = arguments()
-    dump = Dump(given.dump)
+    try:
+        work(given)
+    except BadDump as error:
+        fail(3, error)
+
+
+def work(given):
+    dump = read(given.dump)
     if not -len(dump.frames) <= given.frame < len(dump.frames):
         fail(2, f"--frame {given.frame}: the dump has {len(dump.frames)} frames")
     for number in (0, given.frame):

@@ -210,11 +210,14 @@ def test_links(path):
 
 @pytest.mark.parametrize("path", PAGES, ids=name)
 def test_blocks_are_marked(path):
-    """Every fenced block says what it is, and none stays open."""
-    fences = re.findall(r"^```(.*)$", path.read_text(encoding="utf-8"), re.MULTILINE)
+    """Every fenced block says what it is, and none stays open; Python is Python."""
+    text = path.read_text(encoding="utf-8")
+    fences = re.findall(r"^```(.*)$", text, re.MULTILINE)
     assert len(fences) % 2 == 0
-    assert all(fence in ("text", "lammps", "sh", "yaml", "json", "csv", "bibtex") for fence in fences[::2])
+    assert all(fence in ("text", "lammps", "sh", "python", "yaml", "json", "csv", "bibtex") for fence in fences[::2])
     assert not any(fences[1::2])
+    for block in re.findall(r"^```python\n(.*?)^```", text, re.MULTILINE | re.DOTALL):
+        compile(block, path.name, "exec")
 
 
 def scripts():

@@ -20,7 +20,10 @@ def plot(tmp_path, content, *options):
     return done, picture
 
 
-@pytest.mark.parametrize("content", [GOOD, GOOD + FRAME.format(40000)[:150]], ids=["whole", "cut"])
+TIMES = "ITEM: UNITS\nnano\nITEM: TIME\n0\n" + FRAME.format(0) + "ITEM: TIME\n1.5\n" + FRAME.format(20000)
+
+
+@pytest.mark.parametrize("content", [GOOD, GOOD + FRAME.format(40000)[:150], TIMES], ids=["whole", "cut", "times"])
 def test_picture(tmp_path, content):
     done, picture = plot(tmp_path, content)
     assert done.returncode == 0, done.stderr

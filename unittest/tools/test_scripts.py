@@ -7,7 +7,7 @@ import pytest
 
 TOOLS = Path(__file__).resolve().parents[2] / "tools"
 SCRIPTS = ["get_lammps.sh", "setup.sh", "quickstart.sh", "check.sh", "benchmark.py",
-           "plot_fragment.py", "plot_creep.py"]
+           "plot_fragment.py", "plot_creep.py", "dump_to_vtk.py"]
 
 
 def run(script, *arguments, cwd=None, **environment):
