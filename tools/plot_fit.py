@@ -4,7 +4,8 @@
     plot_fit.py law.json -o fit.png
 
 Left (Fig. 7): mu of the runs against mu of the law. Right (Fig. 8): the pressure-dependent part of
-the law, mu without its velocity term, against kappa2. Without a fitted law the paper's is used.
+the law, mu without its velocity term, against kappa2. Without a fitted law the paper's is used. With
+wr_fit's model eq2_kappa3 mu of the runs is brought to the law's kappa3 by the fitted power.
 Exit codes: 0 ok, 1 no matplotlib, 2 usage, 3 bad input file, 5 the picture cannot be written.
 """
 import argparse
@@ -24,7 +25,13 @@ def fail(code, text):
 def contents(data):
     """(law or None, its relative RMS, points, covariance) of wr_fit's JSON."""
     law = {name: float(data[name]) for name in PAPER} if "mu0" in data else None
-    return law, float(data.get("rms_relative", 0)), data["report"]["points"], data.get("covariance")
+    points, fit = data["report"]["points"], data["report"].get("fit", {})
+    if "kappa3" in fit:
+        law["kappa3"] = fit["kappa3"]
+        factors = [(fit["kappa3"] / p["kappa3"]) ** fit["parameters"]["n"]["value"] for p in points]
+        points = [{**p, **{key: None if p[key] is None else f * p[key] for key in ("mu", "mu_se")}}
+                  for f, p in zip(factors, points)]
+    return law, float(data.get("rms_relative", 0)), points, data.get("covariance")
 
 
 def read(path):
@@ -63,6 +70,7 @@ def draw(law, rms, points, covariance, path):
     used = [p for p in points if not p["left_out"]]
     rest = [p for p in points if p["left_out"]]
     shown, shown_rms, name = (law, rms, "our fit") if law else (PAPER, PAPER_RMS, "Eq. 3 of the paper")
+    of_runs = "$\\mu$ of the runs" + (f", brought to $\\kappa_3$ = {law['kappa3']:.4g}" if law and "kappa3" in law else "")
     figure, (left, right) = plt.subplots(1, 2, figsize=(11, 4.8), constrained_layout=True)
 
     def column(rows, key):
@@ -88,7 +96,7 @@ def draw(law, rms, points, covariance, path):
     left.plot(line, line, color="k", lw=1)
     left.fill_between(line, (1 - shown_rms) * line, (1 + shown_rms) * line, color="C1", alpha=0.25, lw=0,
                       label=f"$\\pm$ {100 * shown_rms:.1f} % (RMS of {name})")
-    left.set(xlim=(0, top), ylim=(0, top), xlabel=f"$\\mu$ of {name}", ylabel="$\\mu$ of the runs",
+    left.set(xlim=(0, top), ylim=(0, top), xlabel=f"$\\mu$ of {name}", ylabel=of_runs,
              title="Runs against the law (Fig. 7)")
     left.legend(fontsize=9, loc="upper left")
 

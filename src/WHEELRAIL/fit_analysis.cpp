@@ -29,7 +29,7 @@ std::vector<LawPoint> FitAnalysis::fitted() const
   std::vector<LawPoint> result;
   for (const auto &p : points)
     if (p.left_out.empty())
-      result.push_back({p.kappa1, p.kappa2, p.mu, p.mu_se});
+      result.push_back({p.kappa1, p.kappa2, p.mu, p.mu_se, p.kappa3});
   return result;
 }
 
@@ -45,7 +45,7 @@ FitAnalysis analysePoints(std::vector<FrictionPoint> points, const FitOptions &o
   const auto obstacle = obstacleTo(options.model, used);
   if (obstacle.reason.empty()) {
     try {
-      auto fit = fitLaw(options.model, used, options.level);
+      auto fit = fitLaw(options.model, used, options.level, options.kappa3);
       analysis.why_not = fit.not_identifiable;
       if (fit.not_identifiable.empty())
         analysis.fit = std::move(fit);
@@ -63,7 +63,7 @@ FitAnalysis analysePoints(std::vector<FrictionPoint> points, const FitOptions &o
     entry.why_not = obstacleTo(model, used).reason;
     if (entry.why_not.empty()) {
       try {
-        entry.fit = fitLaw(model, used, 0.0);
+        entry.fit = fitLaw(model, used, 0.0, options.kappa3);
         entry.why_not = entry.fit->not_identifiable;
         if (!entry.why_not.empty())
           entry.fit.reset();

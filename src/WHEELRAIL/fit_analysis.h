@@ -14,6 +14,7 @@ namespace wheelrail {
 struct FitOptions {
   LawModel model = LawModel::Full;
   double level = 0.95;           ///< of the confidence intervals
+  double kappa3 = 0.0;           ///< reference of the model Kappa3; 0: geometric mean of the points
   double kappa2_min = 2.0;       ///< points below are left out (the paper's rule)
   bool include_drifting = false; ///< fit points without a stationary part too
 };

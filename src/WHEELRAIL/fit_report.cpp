@@ -15,10 +15,15 @@ using Json = nlohmann::ordered_json;
 
 constexpr const char *reportFormat = "mca-friction-report 1";
 
-double parameter(const FrictionLaw &law, int k)
+/// The parameters of a fit, in the order of their names.
+std::array<double, fitParameters> values(const FrictionLaw &law, double exponent)
 {
-  const std::array<double, lawParameters> values = {law.mu0, law.mu1, law.mu2, law.b, law.c};
-  return values[k];
+  return {law.mu0, law.mu1, law.mu2, law.b, law.c, exponent};
+}
+
+double standardError(const LawFit &fit, int k)
+{
+  return k < lawParameters ? std::sqrt((*fit.law.covariance)(k, k)) : fit.exponent_error;
 }
 
 /// JSON has no nan and no infinity.
@@ -106,17 +111,19 @@ std::string fitLines(const FitAnalysis &analysis)
   const auto &fit = *analysis.fit;
   const auto free = parametersOf(fit.model);
   std::string text = fmt::format(
-      "Fit of {}: mu = mu0 + mu1 kappa1/(1 + b kappa1) + mu2/(1 + c kappa2), {} points\n",
-      nameOf(fit.model), fit.law.n);
-  const auto paper = bucher2006();
-  for (int k = 0; k < lawParameters; ++k) {
+      fit.reference > 0.0 ? "Fit of {}: mu = [mu0 + mu1 kappa1/(1 + b kappa1) + mu2/(1 + c kappa2)] "
+                            "(kappa3/{:.5g})^n, {} points\n"
+                          : "Fit of {0}: mu = mu0 + mu1 kappa1/(1 + b kappa1) + mu2/(1 + c kappa2), "
+                            "{2} points\n",
+      nameOf(fit.model), fit.reference, fit.law.n);
+  const auto ours = values(fit.law, fit.exponent), paper = values(bucher2006(), 0.0);
+  for (int k = 0; k < fitParameters; ++k) {
     if (!free[k])
       continue;
     text += fmt::format("  {:<4} = {:>9.5g} +- {:<9.3g} {:.3g} % interval {}{}; paper {:.5g}\n",
-                        lawParameterNames[k], parameter(fit.law, k),
-                        std::sqrt((*fit.law.covariance)(k, k)), 100.0 * analysis.options.level,
+                        fitParameterNames[k], ours[k], standardError(fit, k), 100.0 * analysis.options.level,
                         intervalText(fit.intervals[k]), fit.at_bound[k] ? " (at its bound)" : "",
-                        parameter(paper, k));
+                        paper[k]);
   }
   text +=
       fmt::format("  RMS of (mu - fit)/fit {:.2f} %, scatter beyond the standard errors {:.2f} %,"
@@ -143,7 +150,7 @@ std::string modelLines(const FitAnalysis &analysis)
   std::string text = "Models (AICc relative to the best; more than 10 above it: no support)\n";
   const double least = leastAicc(analysis);
   for (const auto &m : analysis.models) {
-    text += fmt::format("  {:<9}", nameOf(m.model));
+    text += fmt::format("  {:<10}", nameOf(m.model));
     if (m.fit)
       text += fmt::format(" RMS {:>6.2f} %  AICc {:>+8.1f}\n", 100.0 * m.fit->law.rms_relative,
                           m.fit->aicc - least);
@@ -159,6 +166,7 @@ Json pointJson(const FrictionPoint &p)
   json["file"] = p.file;
   json["kappa1"] = p.kappa1;
   json["kappa2"] = p.kappa2;
+  json["kappa3"] = p.kappa3;
   json["mu"] = p.mu;
   json["mu_se"] = finite(p.mu_se);
   json["n_eff"] = p.n_eff;
@@ -185,16 +193,19 @@ Json fitJson(const FitAnalysis &analysis)
   Json json;
   json["model"] = nameOf(fit.model);
   json["level"] = analysis.options.level;
-  for (int k = 0; k < lawParameters; ++k) {
+  if (fit.reference > 0.0)
+    json["kappa3"] = fit.reference;
+  const auto ours = values(fit.law, fit.exponent);
+  for (int k = 0; k < fitParameters; ++k) {
     if (!free[k])
       continue;
     Json entry;
-    entry["value"] = parameter(fit.law, k);
-    entry["standard_error"] = std::sqrt((*fit.law.covariance)(k, k));
+    entry["value"] = ours[k];
+    entry["standard_error"] = standardError(fit, k);
     entry["interval"] = {finite(fit.intervals[k].lower), finite(fit.intervals[k].upper)};
     entry["open"] = {fit.intervals[k].lowerOpen, fit.intervals[k].upperOpen};
     entry["at_bound"] = fit.at_bound[k];
-    json["parameters"][lawParameterNames[k]] = entry;
+    json["parameters"][fitParameterNames[k]] = entry;
   }
   json["scatter"] = fit.scatter;
   json["chi_squared"] = fit.chi_squared;
@@ -279,6 +290,8 @@ Json jsonReport(const FitAnalysis &analysis)
     FrictionLaw law = analysis.fit->law;
     law.source = fmt::format("wr_fit {}, {} of {} points, model {}", WHEELRAIL_VERSION, law.n,
                              analysis.points.size(), nameOf(analysis.fit->model));
+    if (analysis.fit->reference > 0.0)
+      law.source += fmt::format(" at kappa3 = {:.8g}", analysis.fit->reference);
     json = toJson(law);
   } else {
     json["format"] = reportFormat;

@@ -269,6 +269,11 @@ double FrictionLog::kappa2() const
   return wheelrail::kappa2(pressure, youngs_modulus, strength);
 }
 
+double FrictionLog::kappa3() const
+{
+  return youngs_modulus / strength;
+}
+
 double FrictionLog::interval() const
 {
   if (time.size() < 2)

@@ -34,6 +34,7 @@ struct FrictionLog {
 
   double kappa1() const;   ///< rho E v^2 / sigma_0^2
   double kappa2() const;   ///< p E / sigma_0^2
+  double kappa3() const;   ///< E / sigma_0
   double interval() const; ///< ns between rows
 };
 

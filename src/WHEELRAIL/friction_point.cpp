@@ -55,6 +55,7 @@ FrictionPoint frictionPoint(const FrictionLog &log, const PointOptions &options)
   point.file = log.file;
   point.kappa1 = log.kappa1();
   point.kappa2 = log.kappa2();
+  point.kappa3 = log.kappa3();
   point.mu_eq2 = bucher2006()(point.kappa1, point.kappa2);
   point.pressure = log.pressure;
   point.velocity = log.velocity;
@@ -104,11 +105,11 @@ std::string pointsAsCsv(const std::vector<FrictionPoint> &points)
 {
   std::string text = "# t_start in ns (nan: no stationary part found, mu of the second half); the "
                      "rest is dimensionless\n"
-                     "file,kappa1,kappa2,mu,mu_se,n_eff,t_start,mu_grinding_in,mu_eq2\n";
+                     "file,kappa1,kappa2,mu,mu_se,n_eff,t_start,mu_grinding_in,mu_eq2,kappa3\n";
   for (const auto &p : points)
-    text += fmt::format("{},{:.8g},{:.8g},{:.6g},{:.4g},{:.4g},{:.6g},{:.6g},{:.6g}\n",
+    text += fmt::format("{},{:.8g},{:.8g},{:.6g},{:.4g},{:.4g},{:.6g},{:.6g},{:.6g},{:.8g}\n",
                         csvField(p.file), p.kappa1, p.kappa2, p.mu, p.mu_se, p.n_eff, p.t_start,
-                        p.mu_grinding_in, p.mu_eq2);
+                        p.mu_grinding_in, p.mu_eq2, p.kappa3);
   return text;
 }
 

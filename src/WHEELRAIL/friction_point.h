@@ -9,11 +9,12 @@
 
 namespace wheelrail {
 
-/// What one friction log says: mu of its stationary part at (kappa1, kappa2).
+/// What one friction log says: mu of its stationary part at (kappa1, kappa2, kappa3).
 struct FrictionPoint {
   std::string file;
   double kappa1 = 0.0;
   double kappa2 = 0.0;
+  double kappa3 = 0.0;
   double mu = 0.0;             ///< mean of the stationary part; of the second half if there is none
   double mu_se = 0.0;          ///< its standard error, autocorrelation accounted for
   double n_eff = 0.0;          ///< independent samples it is worth
@@ -47,7 +48,7 @@ struct PointOptions {
 FrictionPoint frictionPoint(const FrictionLog &log, const PointOptions &options);
 
 /// points.csv: a comment line with the units, a line of column names, one row a point:
-/// file,kappa1,kappa2,mu,mu_se,n_eff,t_start,mu_grinding_in,mu_eq2.
+/// file,kappa1,kappa2,mu,mu_se,n_eff,t_start,mu_grinding_in,mu_eq2,kappa3.
 std::string pointsAsCsv(const std::vector<FrictionPoint> &points);
 
 } // namespace wheelrail

@@ -31,12 +31,20 @@ VectorXd deviations(const std::vector<LawPoint> &points, const VectorXd &fitted,
   return sigma;
 }
 
-VectorXd fittedMu(const FrictionLaw &law, const std::vector<LawPoint> &points)
+VectorXd fittedMu(const VectorXd &x, const std::vector<LawPoint> &points, double reference)
 {
   VectorXd mu(points.size());
   for (size_t i = 0; i < points.size(); ++i)
-    mu[i] = law(points[i].kappa1, points[i].kappa2);
+    mu[i] = modelMu(x, points[i], reference);
   return mu;
+}
+
+double geometricMean(const std::vector<LawPoint> &points)
+{
+  double sum = 0.0;
+  for (const auto &p : points)
+    sum += std::log(p.kappa3);
+  return std::exp(sum / static_cast<double>(points.size()));
 }
 
 double chiSquared(const std::vector<LawPoint> &points, const VectorXd &fitted, double scatter)
@@ -121,18 +129,19 @@ void checkPoints(const std::vector<LawPoint> &points)
 {
   for (const auto &p : points)
     if (!(std::isfinite(p.kappa1) && p.kappa1 >= 0.0 && std::isfinite(p.kappa2) &&
-          p.kappa2 >= 0.0 && std::isfinite(p.mu) && std::isfinite(p.mu_se) && p.mu_se >= 0.0))
+          p.kappa2 >= 0.0 && std::isfinite(p.mu) && std::isfinite(p.mu_se) && p.mu_se >= 0.0 &&
+          std::isfinite(p.kappa3) && p.kappa3 > 0.0))
       throw std::invalid_argument("fitLaw: a point is not finite or negative");
 }
 
-std::string explainWeakness(const LawFit &fit, const Identifiability &analysis,
+std::string explainWeakness(const LawFit &fit, const VectorXd &x, const Identifiability &analysis,
                             const LeastSquaresProblem &problem)
 {
   for (int k : {B, C}) {
-    const bool atUpper = fit.at_bound[k] && asVector(fit.law)[k] > 0.5 * problem.upper[k];
+    const bool atUpper = fit.at_bound[k] && x[k] > 0.5 * problem.upper[k];
     if (atUpper)
       return fmt::format("{} runs to its bound of {:.3g}: its term is constant over all the points",
-                         lawParameterNames[k], problem.upper[k]);
+                         fitParameterNames[k], problem.upper[k]);
   }
   const auto free = parametersOf(fit.model);
   if (free[C] && fit.at_bound[C])
@@ -140,20 +149,21 @@ std::string explainWeakness(const LawFit &fit, const Identifiability &analysis,
   if (analysis.conditionNumber <= worstCondition)
     return "";
   std::string names;
-  for (int k = 0; k < lawParameters; ++k)
+  for (int k = 0; k < fitParameters; ++k)
     if (std::abs(analysis.weakDirection[k]) > 0.3)
-      names += (names.empty() ? "" : ", ") + std::string(lawParameterNames[k]);
+      names += (names.empty() ? "" : ", ") + std::string(fitParameterNames[k]);
   return fmt::format(
       "{} cannot be told apart (condition number {:.3g}, at most {:.0e} is accepted)", names,
       analysis.conditionNumber, worstCondition);
 }
 
-void fillResiduals(LawFit &fit, const std::vector<LawPoint> &points, const VectorXd &sigma,
-                   const MatrixXd &jacobian, const Identifiability &analysis)
+void fillResiduals(LawFit &fit, const std::vector<LawPoint> &points, const VectorXd &fitted,
+                   const VectorXd &sigma, const MatrixXd &jacobian,
+                   const Identifiability &analysis)
 {
   double sum = 0.0;
   for (size_t i = 0; i < points.size(); ++i) {
-    const double mu = fit.law(points[i].kappa1, points[i].kappa2);
+    const double mu = fitted[i];
     const Eigen::RowVectorXd row = jacobian.row(i);
     const double hat = std::clamp((row * analysis.covariance * row.transpose()).value(), 0.0, 1.0);
     const double spread = sigma[i] * std::sqrt(std::max(1.0 - hat, 1e-12));
@@ -178,15 +188,18 @@ const char *nameOf(LawModel model)
     return "eq4";
   case LawModel::Full:
     return "eq2";
+  case LawModel::Kappa3:
+    return "eq2_kappa3";
   }
   throw std::logic_error("nameOf: no such model");
 }
 
-std::array<bool, lawParameters> parametersOf(LawModel model)
+std::array<bool, fitParameters> parametersOf(LawModel model)
 {
-  const bool velocity = model == LawModel::Velocity || model == LawModel::Full;
-  const bool pressure = model == LawModel::Pressure || model == LawModel::Full;
-  return {true, velocity, pressure, velocity, pressure};
+  const bool all = model == LawModel::Full || model == LawModel::Kappa3;
+  const bool velocity = all || model == LawModel::Velocity;
+  const bool pressure = all || model == LawModel::Pressure;
+  return {true, velocity, pressure, velocity, pressure, model == LawModel::Kappa3};
 }
 
 Obstacle obstacleTo(LawModel model, const std::vector<LawPoint> &points)
@@ -198,8 +211,7 @@ Obstacle obstacleTo(LawModel model, const std::vector<LawPoint> &points)
     return {fmt::format("{} point{} for the {} parameters of {}, at least {} are needed", n,
                         n == 1 ? "" : "s", parameters, nameOf(model), parameters + 1),
             true};
-  constexpr int leastDifferent = 3; // a saturating term has two parameters beside the constant
-  const auto look = [&](int k, const char *name, auto member) -> std::string {
+  const auto look = [&](int k, const char *name, int leastDifferent, auto member) -> std::string {
     if (!free[k])
       return "";
     std::vector<double> values;
@@ -214,13 +226,16 @@ Obstacle obstacleTo(LawModel model, const std::vector<LawPoint> &points)
                        *std::max_element(values.begin(), values.end()), nameOf(model),
                        leastDifferent);
   };
-  auto reason = look(Mu1, "kappa1", [](const LawPoint &p) { return p.kappa1; });
+  // a saturating term has two parameters beside the constant
+  auto reason = look(Mu1, "kappa1", 3, [](const LawPoint &p) { return p.kappa1; });
   if (reason.empty())
-    reason = look(Mu2, "kappa2", [](const LawPoint &p) { return p.kappa2; });
+    reason = look(Mu2, "kappa2", 3, [](const LawPoint &p) { return p.kappa2; });
+  if (reason.empty())
+    reason = look(N, "kappa3", 2, [](const LawPoint &p) { return p.kappa3; });
   return {reason, false};
 }
 
-LawFit fitLaw(LawModel model, const std::vector<LawPoint> &points, double level)
+LawFit fitLaw(LawModel model, const std::vector<LawPoint> &points, double level, double reference)
 {
   checkPoints(points);
   if (const auto obstacle = obstacleTo(model, points); !obstacle.reason.empty())
@@ -229,6 +244,10 @@ LawFit fitLaw(LawModel model, const std::vector<LawPoint> &points, double level)
   LawFit fit;
   fit.model = model;
   fit.freedom = n - countParameters(model);
+  if (!(reference >= 0.0 && std::isfinite(reference)))
+    throw std::invalid_argument("fitLaw: the reference of kappa3 is not finite or negative");
+  if (reference == 0.0)
+    reference = geometricMean(points);
 
   // weights depend on the fit and on the scatter, both on the weights: repeat until they agree
   VectorXd fitted(n);
@@ -241,7 +260,7 @@ LawFit fitLaw(LawModel model, const std::vector<LawPoint> &points, double level)
   constexpr double tolerance = 1e-7;
   for (int round = 0; round < mostRounds; ++round) {
     sigma = deviations(points, fitted, fit.scatter);
-    const LawProblem weighted(model, points, sigma);
+    const LawProblem weighted(model, points, sigma, reference);
     const auto problem = weighted.make();
     auto starts = weighted.starts(problem);
     if (round > 0)
@@ -250,9 +269,8 @@ LawFit fitLaw(LawModel model, const std::vector<LawPoint> &points, double level)
     if (!solution.converged)
       throw Error(ExitCode::NotConverged, fmt::format("the fit of {} does not converge: {}",
                                                       nameOf(model), solution.message));
-    setParameters(fit.law, solution.x);
     const VectorXd before = fitted;
-    fitted = fittedMu(fit.law, points);
+    fitted = fittedMu(solution.x, points, reference);
     const double scatter = scatterFor(points, fitted, fit.freedom);
     const bool settled = std::abs(scatter - fit.scatter) <= tolerance * (scatter + leastScatter) &&
                          (fitted - before).norm() <= tolerance * fitted.norm();
@@ -261,13 +279,14 @@ LawFit fitLaw(LawModel model, const std::vector<LawPoint> &points, double level)
       break;
   }
   sigma = deviations(points, fitted, fit.scatter);
-  const LawProblem weighted(model, points, sigma);
+  const LawProblem weighted(model, points, sigma, reference);
   const auto problem = weighted.make();
   solution = solveLeastSquares(problem, {solution.x});
   setParameters(fit.law, solution.x);
+  fitted = fittedMu(solution.x, points, reference);
   fit.chi_squared = solution.sumOfSquares;
 
-  for (int k = 0; k < lawParameters; ++k) {
+  for (int k = 0; k < fitParameters; ++k) {
     constexpr double near = 1e-9;
     const double range = std::isfinite(problem.upper[k]) ? problem.upper[k] : 1.0;
     fit.at_bound[k] = !problem.constant[k] && (solution.x[k] - problem.lower[k] < near * range ||
@@ -276,10 +295,15 @@ LawFit fitLaw(LawModel model, const std::vector<LawPoint> &points, double level)
   // a parameter at its bound counts as free: what the data say of the others depends on it
   const auto analysis = analyseJacobian(solution.jacobian, problem.constant);
   fit.condition_number = analysis.conditionNumber;
-  fit.not_identifiable = explainWeakness(fit, analysis, problem);
-  fit.law.covariance = analysis.covariance;
+  fit.not_identifiable = explainWeakness(fit, solution.x, analysis, problem);
+  fit.law.covariance = analysis.covariance.topLeftCorner<lawParameters, lawParameters>();
+  if (model == LawModel::Kappa3) {
+    fit.reference = reference;
+    fit.exponent = solution.x[N];
+    fit.exponent_error = std::sqrt(analysis.covariance(N, N));
+  }
   fit.law.n = n;
-  fillResiduals(fit, points, sigma, solution.jacobian, analysis);
+  fillResiduals(fit, points, fitted, sigma, solution.jacobian, analysis);
   const auto byKappa1 = [](const LawPoint &p, const LawPoint &q) { return p.kappa1 < q.kappa1; };
   const auto byKappa2 = [](const LawPoint &p, const LawPoint &q) { return p.kappa2 < q.kappa2; };
   const auto [low1, high1] = std::minmax_element(points.begin(), points.end(), byKappa1);
@@ -293,7 +317,7 @@ LawFit fitLaw(LawModel model, const std::vector<LawPoint> &points, double level)
                        : infinity;
   if (level > 0.0 && fit.not_identifiable.empty()) {
     const double t = studentQuantile(0.5 * (1.0 + level), fit.freedom);
-    for (int j = 0; j < lawParameters; ++j) {
+    for (int j = 0; j < fitParameters; ++j) {
       if (problem.constant[j])
         continue;
       double error = std::sqrt(analysis.covariance(j, j));

@@ -19,13 +19,6 @@ constexpr double saturation = 100.0;
 
 } // namespace
 
-VectorXd asVector(const FrictionLaw &law)
-{
-  VectorXd x(lawParameters);
-  x << law.mu0, law.mu1, law.mu2, law.b, law.c;
-  return x;
-}
-
 void setParameters(FrictionLaw &law, const VectorXd &x)
 {
   law.mu0 = x[Mu0];
@@ -35,18 +28,26 @@ void setParameters(FrictionLaw &law, const VectorXd &x)
   law.c = x[C];
 }
 
-LawProblem::LawProblem(LawModel model, const std::vector<LawPoint> &data, VectorXd deviations)
-    : points(data), sigma(std::move(deviations)), free(parametersOf(model))
+double modelMu(const VectorXd &x, const LawPoint &point, double reference)
+{
+  FrictionLaw law;
+  setParameters(law, x);
+  return law(point.kappa1, point.kappa2) * std::pow(point.kappa3 / reference, x[N]);
+}
+
+LawProblem::LawProblem(LawModel model, const std::vector<LawPoint> &data, VectorXd deviations,
+                       double kappa3)
+    : points(data), sigma(std::move(deviations)), reference(kappa3), free(parametersOf(model))
 {
 }
 
 LeastSquaresProblem LawProblem::make() const
 {
   LeastSquaresProblem problem;
-  problem.parameters = lawParameters;
+  problem.parameters = fitParameters;
   problem.residuals = static_cast<int>(points.size());
-  problem.lower = VectorXd::Constant(lawParameters, -infinity);
-  problem.upper = VectorXd::Constant(lawParameters, infinity);
+  problem.lower = VectorXd::Constant(fitParameters, -infinity);
+  problem.upper = VectorXd::Constant(fitParameters, infinity);
   for (int k : {Mu0, B, C})
     problem.lower[k] = 0.0;
   problem.upper[B] = saturation / smallest(&LawPoint::kappa1);
@@ -98,7 +99,7 @@ std::vector<double> LawProblem::grid(int k, double upper) const
 
 std::pair<double, VectorXd> LawProblem::linearFit(double b, double c) const
 {
-  VectorXd x = VectorXd::Zero(lawParameters);
+  VectorXd x = VectorXd::Zero(fitParameters);
   x[B] = b;
   x[C] = c;
   std::vector<int> linear;
@@ -106,7 +107,7 @@ std::pair<double, VectorXd> LawProblem::linearFit(double b, double c) const
     if (free[k])
       linear.push_back(k);
   VectorXd r(points.size());
-  MatrixXd jacobian(points.size(), lawParameters);
+  MatrixXd jacobian(points.size(), fitParameters);
   evaluate(x, r, &jacobian);
   MatrixXd design(points.size(), linear.size());
   for (size_t j = 0; j < linear.size(); ++j)
@@ -125,10 +126,13 @@ void LawProblem::evaluate(const VectorXd &x, VectorXd &r, MatrixXd *jacobian) co
   setParameters(law, x);
   for (size_t i = 0; i < points.size(); ++i) {
     const auto &p = points[i];
-    const double w = 1.0 / sigma[i];
-    r[i] = w * (law(p.kappa1, p.kappa2) - p.mu);
+    const double weight = 1.0 / sigma[i];
+    const double mu = modelMu(x, p, reference);
+    r[i] = weight * (mu - p.mu);
     if (!jacobian)
       continue;
+    const double logarithm = std::log(p.kappa3 / reference);
+    const double w = weight * std::exp(x[N] * logarithm);
     const double g1 = 1.0 / (1.0 + law.b * p.kappa1);
     const double g2 = 1.0 / (1.0 + law.c * p.kappa2);
     (*jacobian)(i, Mu0) = w;
@@ -136,6 +140,7 @@ void LawProblem::evaluate(const VectorXd &x, VectorXd &r, MatrixXd *jacobian) co
     (*jacobian)(i, Mu2) = w * g2;
     (*jacobian)(i, B) = -w * law.mu1 * std::pow(p.kappa1 * g1, 2);
     (*jacobian)(i, C) = -w * law.mu2 * p.kappa2 * g2 * g2;
+    (*jacobian)(i, N) = weight * mu * logarithm;
   }
 }
 

@@ -5,26 +5,31 @@
 
 namespace wheelrail {
 
-/// Place of each parameter of Eq. 2 in a vector.
-enum LawParameter { Mu0, Mu1, Mu2, B, C };
+/// Place of each parameter in a vector.
+enum LawParameter { Mu0, Mu1, Mu2, B, C, N };
 
-Eigen::VectorXd asVector(const FrictionLaw &law);
+/// Eq. 2's parameters of a vector.
 void setParameters(FrictionLaw &law, const Eigen::VectorXd &x);
 
-/// Eq. 2, or the part of it that a model fits, as a weighted least-squares problem in
-/// (mu0, mu1, mu2, b, c), with analytic derivatives. Bounds: mu0, b, c >= 0; b and c at most a
-/// hundred times the inverse of the smallest positive kappa, where their terms are constant.
+/// Eq. 2 times (kappa3/reference)^n at a point, with the parameters x. reference > 0.
+double modelMu(const Eigen::VectorXd &x, const LawPoint &point, double reference);
+
+/// What a model fits, as a weighted least-squares problem in (mu0, mu1, mu2, b, c, n), with analytic
+/// derivatives. Bounds: mu0, b, c >= 0; b and c at most a hundred times the inverse of the smallest
+/// positive kappa, where their terms are constant.
 class LawProblem {
  public:
   /// @param deviations standard deviation of each point, > 0
+  /// @param kappa3 reference of the model Kappa3, > 0
   /// The points must outlive the problem.
-  LawProblem(LawModel model, const std::vector<LawPoint> &points, Eigen::VectorXd deviations);
+  LawProblem(LawModel model, const std::vector<LawPoint> &points, Eigen::VectorXd deviations,
+             double kappa3);
 
   /// For solveLeastSquares; refers to *this.
   LeastSquaresProblem make() const;
 
-  /// Starts: a grid over b and c with the linear parameters by linear least squares, the best
-  /// three.
+  /// Starts: n = 0 and a grid over b and c with the linear parameters by linear least squares, the
+  /// best three.
   std::vector<Eigen::VectorXd> starts(const LeastSquaresProblem &problem) const;
 
  private:
@@ -35,7 +40,8 @@ class LawProblem {
 
   const std::vector<LawPoint> &points;
   Eigen::VectorXd sigma;
-  std::array<bool, lawParameters> free;
+  double reference;
+  std::array<bool, fitParameters> free;
 };
 
 } // namespace wheelrail

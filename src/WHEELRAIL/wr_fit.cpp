@@ -60,10 +60,15 @@ void defineOptions(CLI::App &app, Settings &settings)
   for (LawModel model : lawModels)
     models.push_back(nameOf(model));
   app.add_option("--model", settings.model,
-                 "law to fit: eq2, eq4 (no velocity term), velocity (no pressure term), constant")
+                 "law to fit: eq2, eq4 (no velocity term), velocity (no pressure term), constant, "
+                 "eq2_kappa3 (eq2 times a power of kappa3 = E/sigma_0)")
       ->check(CLI::IsMember(models))
       ->type_name("MODEL")
       ->capture_default_str();
+  app.add_option("--kappa3", settings.fit.kappa3,
+                 "with eq2_kappa3: E/sigma_0 of the material that the law file is for "
+                 "[geometric mean of the points]")
+      ->check(CLI::PositiveNumber);
   app.add_option("--kappa2-min", settings.fit.kappa2_min, "leave out points with a smaller kappa2")
       ->check(CLI::NonNegativeNumber)
       ->capture_default_str();
@@ -129,6 +134,9 @@ void plot(const Settings &settings, const std::string &json)
 
 int run(const Settings &settings)
 {
+  if (settings.fit.kappa3 > 0.0 && settings.fit.model != LawModel::Kappa3)
+    throw Error(ExitCode::Usage, fmt::format("--kappa3: goes with --model {} only, not with {}",
+                                             nameOf(LawModel::Kappa3), settings.model));
   const auto analysis = analysePoints(readPoints(settings), settings.fit);
   if (!settings.quiet)
     fmt::print("{}", textReport(analysis));

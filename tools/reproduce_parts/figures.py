@@ -14,6 +14,7 @@ from . import layer
 PAPER = plot_fit.PAPER
 PAPER_COLLAPSE = 0.035  # scatter of ten runs at equal kappas
 PAPER_DEPTH = 10.0      # nm, of the quasi-liquid layer
+STEEL = 2239            # kappa3 = E/sigma_0 of the paper's weakest steel, 206 GPa over 92 MPa
 
 
 class Missing(Exception):
@@ -160,11 +161,16 @@ def fig6(report, picture):
 def fig7(report, picture):
     """Eq. 2 fitted to our runs beside Eq. 3; its static part beside Eq. 5; our runs against the paper's law."""
     plot_fit.draw(*plot_fit.contents(report), picture)
+    return law_lines(report)
+
+
+def law_lines(report):
+    """The fitted parameters beside Eq. 3, the static part beside Eq. 5, the comparison of models."""
     body, lines = report["report"], []
     if "fit" in body:
         fit = body["fit"]
         rows = []
-        for name, paper in PAPER.items():
+        for name, paper in {**PAPER, **({"n": 0} if "kappa3" in fit else {})}.items():
             entry = fit["parameters"][name]
             low, high = ("open" if end is None else f"{end:.3g}" for end in entry["interval"])
             inside = all(end is None or sign * (paper - end) >= 0 for sign, end in zip((1, -1), entry["interval"]))
@@ -182,13 +188,52 @@ def fig7(report, picture):
         lines += ["", *table(["mu for v -> 0 (Fig. 8)", "Eq. 5", "our fit", ""], rows)]
     else:
         lines.append(f"No law fitted: {report['reason']}")
+    if "fit" in body and "kappa3" in body["fit"]:
+        lines.append(f"the law at kappa3 = {body['fit']['kappa3']:g}; it goes with (kappa3/{body['fit']['kappa3']:g})^n")
     paper = body["against_eq2"]
     lines.append(f"RMS of our points against the paper's law: {100 * paper['rms_relative']:.1f} %, mean "
                  f"{100 * paper['mean']:+.1f} % ({paper['n']} points)")
     for model in body["models"]:
-        lines.append(f"  {model['model']:8} " + (f"RMS {100 * model['rms_relative']:.1f} %, AICc {model['delta_aicc']:+.1f}"
+        lines.append(f"  {model['model']:10} " + (f"RMS {100 * model['rms_relative']:.1f} %, AICc {model['delta_aicc']:+.1f}"
                                                  if "rms_relative" in model else model["why_not"]))
     return lines
+
+
+def power_law(x, y, errors):
+    """(A, n, their standard errors) of y = A x^n: least squares in the logarithms, with the relative errors of y and the scatter
+    beyond them that makes chi^2 the degrees of freedom, as wr_fit."""
+    design, logs, scatter = np.column_stack([np.ones(len(x)), np.log(x)]), np.log(y), [0.0, 1.0]
+    for _ in range(60):
+        middle = np.mean(scatter)
+        weight = 1 / np.hypot(errors, middle)
+        inverse = np.linalg.inv(design.T @ (design * weight[:, None] ** 2))
+        best = inverse @ (design.T @ (logs * weight**2))
+        too_small = np.sum(((logs - design @ best) * weight) ** 2) > len(x) - 2
+        scatter = [middle, scatter[1]] if too_small else [scatter[0], middle]
+    error = np.sqrt(np.diag(inverse))
+    return math.exp(best[0]), best[1], math.exp(best[0]) * error[0], error[1]
+
+
+def kappa3(report, picture):
+    """mu over Eq. 2 with the paper's numbers against kappa3 = E/sigma_0, a power law through it; and wr_fit's own fit."""
+    points = [p for p in report["report"]["points"] if not p["left_out"]]
+    x, mu, error, paper = (np.array([p[key] for p in points]) for key in ("kappa3", "mu", "mu_se", "mu_eq2"))
+    factor, n, factor_error, n_error = power_law(x / STEEL, mu / paper, error / mu)
+    figure, axes = pyplot.subplots(figsize=(7, 4.4), constrained_layout=True)
+    axes.errorbar(x, mu / paper, yerr=1.96 * error / paper, fmt="o", ms=4, lw=1, capsize=2, label="our runs, 95 % of their own error")
+    line = np.geomspace(0.9 * min(x), 1.1 * max(x), 50)
+    axes.plot(line, factor * (line / STEEL) ** n, "C1", lw=2, label=f"{factor:.2f} ($\\kappa_3$/{STEEL:g})$^{{{n:.2f}}}$")
+    axes.axhline(1, color="k", ls="--", lw=1, label="Eq. 2")
+    axes.set(xscale="log", yscale="log", xlabel="$\\kappa_3 = E/\\sigma_0$", ylabel="$\\mu/\\mu$(Eq. 2)", ylim=(0.25, 4))
+    axes.set_xticks([500, 1000, 2000, 4000], ["500", "1000", "2000", "4000"])
+    axes.set_yticks([0.3, 0.5, 1, 2, 3], ["0.3", "0.5", "1", "2", "3"])
+    axes.grid(alpha=0.3)
+    axes.legend(fontsize=9)
+    save(figure, picture)
+    rms = [100 * math.sqrt(np.mean((mu / (paper * f) - 1) ** 2)) for f in (1, factor * (x / STEEL) ** n)]
+    lines = [f"mu/mu(Eq. 2) = A (kappa3/{STEEL:g})^n: A = {factor:.3f} +- {factor_error:.3f}, n = {n:.3f} +- {n_error:.3f} (paper: 1 and 0)",
+             f"RMS of our points against Eq. 2 with the paper's numbers {rms[0]:.1f} %, against this {rms[1]:.1f} % ({len(points)} points)", ""]
+    return lines + law_lines(report)
 
 
 # dots: collapse, sensitivity, convergence ---------------------------------------------------------
@@ -286,6 +331,8 @@ FIGURES = {
     "fig6": Figure("Fig. 6: mu against velocity (N3)", ["velocity"], fig6),
     "collapse": Figure("Equal kappa1 and kappa2 (N4)", ["collapse10"], collapse),
     "fig7": Figure("Figs. 7 and 8: the law (N5, N6)", ["paper36"], fig7),
+    "kappa3": Figure("The law with a third number, kappa3 = E/sigma_0", ["paper36"], kappa3,
+                     ["--model", "eq2_kappa3", "--kappa3", str(STEEL)]),
     "sensitivity": Figure("Sensitivity of mu to the laws, from 15 ns on", ["variants"], sensitivity, ["--start", "15"]),
     "convergence": Figure("Size of the fragment and step, from 10 ns on", ["convergence"], convergence, ["--start", "10"]),
 }

@@ -21,6 +21,18 @@ std::vector<LawPoint> paperDesign()
   return points;
 }
 
+/// The same with kappa3 varied about 2000 and mu in proportion to kappa3^0.3.
+std::vector<LawPoint> designWithKappa3()
+{
+  auto points = paperDesign();
+  const std::array<double, 5> factors = {1.0, 0.4, 2.5, 0.6, 1.7};
+  for (size_t i = 0; i < points.size(); ++i) {
+    points[i].kappa3 = 2000.0 * factors[i % factors.size()];
+    points[i].mu *= std::pow(factors[i % factors.size()], 0.3);
+  }
+  return points;
+}
+
 std::array<double, lawParameters> valuesOf(const FrictionLaw &law)
 {
   return {law.mu0, law.mu1, law.mu2, law.b, law.c};
@@ -34,11 +46,69 @@ TEST(LawFit, exactPointsGiveTheLawBack)
   const auto truth = valuesOf(bucher2006());
   const auto found = valuesOf(fit.law);
   for (int k = 0; k < lawParameters; ++k)
-    EXPECT_NEAR(found[k] / truth[k], 1.0, 1e-6) << lawParameterNames[k];
+    EXPECT_NEAR(found[k] / truth[k], 1.0, 1e-6) << fitParameterNames[k];
   EXPECT_LT(fit.law.rms_relative, 1e-9);
   EXPECT_EQ(fit.freedom, 31);
   EXPECT_EQ(fit.law.kappa2_range, (std::array<double, 2>{2.0, 633.0}));
   EXPECT_EQ(fit.not_identifiable, "");
+}
+
+TEST(LawFit, powerOfKappa3)
+{
+  const auto points = designWithKappa3();
+  const auto fit = fitLaw(LawModel::Kappa3, points, 0.95, 2000.0);
+  const auto truth = valuesOf(bucher2006());
+  const auto found = valuesOf(fit.law);
+  for (int k = 0; k < lawParameters; ++k)
+    EXPECT_NEAR(found[k] / truth[k], 1.0, 1e-6) << fitParameterNames[k];
+  EXPECT_NEAR(fit.exponent, 0.3, 1e-7);
+  EXPECT_EQ(fit.freedom, 30);
+  EXPECT_LT(fit.law.rms_relative, 1e-9);
+  // another reference: the same law times the power
+  const auto other = valuesOf(fitLaw(LawModel::Kappa3, points, 0.95, 500.0).law);
+  const double factor = std::pow(0.25, 0.3);
+  for (int k : {0, 1, 2})
+    EXPECT_NEAR(other[k] / (factor * truth[k]), 1.0, 1e-6) << fitParameterNames[k];
+  for (int k : {3, 4})
+    EXPECT_NEAR(other[k] / truth[k], 1.0, 1e-6) << fitParameterNames[k];
+  // none given: the geometric mean
+  double mean = 0.0;
+  for (const auto &p : points)
+    mean += std::log(p.kappa3) / static_cast<double>(points.size());
+  EXPECT_NEAR(fitLaw(LawModel::Kappa3, points).reference / std::exp(mean), 1.0, 1e-12);
+}
+
+TEST(LawFit, intervalOfTheExponentCovers)
+{
+  std::mt19937_64 generator(11);
+  std::normal_distribution<double> normal;
+  constexpr int fits = 100;
+  int covered = 0, preferred = 0;
+  double error = 0.0, spread = 0.0;
+  for (int i = 0; i < fits; ++i) {
+    auto points = designWithKappa3();
+    for (auto &p : points)
+      p.mu *= 1.0 + 0.09 * normal(generator);
+    const auto fit = fitLaw(LawModel::Kappa3, points, 0.95, 2000.0);
+    covered += fit.intervals[5].lower <= 0.3 && 0.3 <= fit.intervals[5].upper;
+    error += fit.exponent_error / fits;
+    spread += std::pow(fit.exponent - 0.3, 2) / fits;
+    preferred += fit.aicc < fitLaw(LawModel::Full, points, 0.0).aicc;
+  }
+  EXPECT_GE(covered, 0.88 * fits);
+  EXPECT_LE(covered, 99);
+  EXPECT_NEAR(error / std::sqrt(spread), 1.0, 0.2);
+  EXPECT_EQ(preferred, fits);
+}
+
+TEST(LawFit, exponentNeedsDifferentKappa3)
+{
+  const auto obstacle = obstacleTo(LawModel::Kappa3, paperDesign()); // kappa3 = 1 everywhere
+  EXPECT_NE(obstacle.reason.find("kappa3"), std::string::npos);
+  EXPECT_FALSE(obstacle.tooFew);
+  auto points = designWithKappa3();
+  points[3].kappa3 = 0.0;
+  EXPECT_THROW(fitLaw(LawModel::Kappa3, points), std::invalid_argument);
 }
 
 // Eq. 3 with 9 % noise, errors of the runs themselves about 2 %: the 95 % intervals must cover the
@@ -68,8 +138,8 @@ TEST(LawFit, intervalsCoverAtTheirLevel)
     fullIsBetter += fit.aicc < fitLaw(LawModel::Pressure, points, 0.0).aicc;
   }
   for (int k = 0; k < lawParameters; ++k) {
-    EXPECT_GE(covered[k], 0.89 * fits) << lawParameterNames[k];
-    EXPECT_LE(covered[k], 0.995 * fits) << lawParameterNames[k];
+    EXPECT_GE(covered[k], 0.89 * fits) << fitParameterNames[k];
+    EXPECT_LE(covered[k], 0.995 * fits) << fitParameterNames[k];
   }
   EXPECT_NEAR(scatter, std::sqrt(0.09 * 0.09 - 0.02 * 0.02), 0.006);
   EXPECT_NEAR(rms, 0.09 * std::sqrt(31.0 / 36.0), 0.006);

@@ -12,6 +12,7 @@ import pytest
 import friction_logs
 
 WR_FIT = pathlib.Path(os.environ["WHEELRAIL_BIN"]) / "wr_fit"
+PAPER = {"mu0": 0.15, "mu1": 0.0442, "mu2": 0.3243, "b": 0.195, "c": 0.00212}  # Eq. 3
 TOOLS = pathlib.Path(os.environ["PROJECT_SOURCE"]) / "tools"
 PNG = b"\x89PNG\r\n\x1a\n"
 
@@ -32,7 +33,7 @@ def one_line(result, code, *parts):
 def read_points(path):
     lines = path.read_text().splitlines()
     assert lines[0].startswith("#")
-    assert lines[1] == "file,kappa1,kappa2,mu,mu_se,n_eff,t_start,mu_grinding_in,mu_eq2"
+    assert lines[1] == "file,kappa1,kappa2,mu,mu_se,n_eff,t_start,mu_grinding_in,mu_eq2,kappa3"
     return list(csv.DictReader(lines[1:]))
 
 
@@ -140,6 +141,33 @@ def test_one_speed_is_not_identifiable(tmp_path):
     assert wr_fit(runs, "--model", "eq4", "-o", tmp_path / "law.json").returncode == 0
     law = json.loads((tmp_path / "law.json").read_text())
     assert law["mu1"] == 0 and law["b"] == 0 and law["format"] == "mca-friction-law 1"
+
+
+def test_power_of_kappa3(tmp_path):
+    number = 0
+    for E in (103000, 206000, 412000):
+        for v in (0.5, 2.5, 5, 10):
+            for strength, p in ((92, 1), (92, 26), (200, 15)):
+                number += 1
+                (tmp_path / f"r{number}.friction").write_text(friction_logs.friction_log(
+                    p=p, v=v, strength=strength, E=E, seed=number, factor=(E / strength / 2239) ** 0.3))
+    result = wr_fit(tmp_path, "--model", "eq2_kappa3", "--kappa3", 2239, "-o", tmp_path / "law.json",
+                    "--plot", tmp_path / "fit.png", "--points", tmp_path / "points.csv")
+    assert result.returncode == 0, result.stderr
+    assert "] (kappa3/2239)^n, 36 points" in result.stdout
+    law = json.loads((tmp_path / "law.json").read_text())
+    fit = law["report"]["fit"]
+    assert fit["kappa3"] == 2239 and law["source"].endswith("model eq2_kappa3 at kappa3 = 2239")
+    low, high = fit["parameters"]["n"]["interval"]
+    assert low < 0.3 < high and high - low < 0.1
+    for name, paper in PAPER.items():
+        assert abs(law[name] - paper) < 4 * fit["parameters"][name]["standard_error"], name
+    best = min(law["report"]["models"], key=lambda m: m.get("delta_aicc", math.inf))
+    assert best["model"] == "eq2_kappa3"
+    assert float(read_points(tmp_path / "points.csv")[0]["kappa3"]) == pytest.approx(103000 / 92)
+    assert (tmp_path / "fit.png").read_bytes()[:4] == b"\x89PNG"
+    one_line(wr_fit(tmp_path, "--kappa3", 2239), 2, "--kappa3", "eq2_kappa3")
+    one_line(wr_fit(tmp_path, "--model", "eq2_kappa3", "--kappa3", 0), 2, "--kappa3")
 
 
 @pytest.mark.parametrize("change, parts", [

@@ -71,6 +71,16 @@ def test_law_is_the_papers(tmp_path):
     assert abs(line(text, "kappa2 = 150")[-1]) < 1.0
 
 
+def test_law_with_a_third_number(tmp_path):
+    logs(tmp_path, "paper36", lambda run: (run.values["E"] / run.values["strength"] / 2239) ** 0.25)
+    text = made(tmp_path, "kappa3", reproduce(tmp_path, "kappa3"))
+    assert len([row for row in text.splitlines() if row.endswith(" inside")]) >= 4
+    assert line(text, "n")[1] == pytest.approx(0.25, abs=0.01)
+    assert "at kappa3 = 2239" in text
+    factor, _, n, _ = line(text, "mu/mu(Eq. 2) = A (kappa3/2239)^n: A =")[:4]
+    assert factor == pytest.approx(1, abs=0.01) and n == pytest.approx(0.25, abs=0.01)
+
+
 def test_pressure_and_velocity(tmp_path):
     logs(tmp_path, "pressure", lambda run: 1.2)
     logs(tmp_path, "velocity", lambda run: 0.8)
