@@ -110,20 +110,21 @@ std::string fitLines(const FitAnalysis &analysis)
 {
   const auto &fit = *analysis.fit;
   const auto free = parametersOf(fit.model);
-  std::string text = fmt::format(
-      fit.reference > 0.0 ? "Fit of {}: mu = [mu0 + mu1 kappa1/(1 + b kappa1) + mu2/(1 + c kappa2)] "
-                            "(kappa3/{:.5g})^n, {} points\n"
-                          : "Fit of {0}: mu = mu0 + mu1 kappa1/(1 + b kappa1) + mu2/(1 + c kappa2), "
-                            "{2} points\n",
-      nameOf(fit.model), fit.reference, fit.law.n);
+  std::string text =
+      fmt::format(fit.reference > 0.0
+                      ? "Fit of {}: mu = [mu0 + mu1 kappa1/(1 + b kappa1) + mu2/(1 + c kappa2)] "
+                        "(kappa3/{:.5g})^n, {} points\n"
+                      : "Fit of {0}: mu = mu0 + mu1 kappa1/(1 + b kappa1) + mu2/(1 + c kappa2), "
+                        "{2} points\n",
+                  nameOf(fit.model), fit.reference, fit.law.n);
   const auto ours = values(fit.law, fit.exponent), paper = values(bucher2006(), 0.0);
   for (int k = 0; k < fitParameters; ++k) {
     if (!free[k])
       continue;
     text += fmt::format("  {:<4} = {:>9.5g} +- {:<9.3g} {:.3g} % interval {}{}; paper {:.5g}\n",
-                        fitParameterNames[k], ours[k], standardError(fit, k), 100.0 * analysis.options.level,
-                        intervalText(fit.intervals[k]), fit.at_bound[k] ? " (at its bound)" : "",
-                        paper[k]);
+                        fitParameterNames[k], ours[k], standardError(fit, k),
+                        100.0 * analysis.options.level, intervalText(fit.intervals[k]),
+                        fit.at_bound[k] ? " (at its bound)" : "", paper[k]);
   }
   text +=
       fmt::format("  RMS of (mu - fit)/fit {:.2f} %, scatter beyond the standard errors {:.2f} %,"

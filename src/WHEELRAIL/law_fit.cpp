@@ -158,8 +158,7 @@ std::string explainWeakness(const LawFit &fit, const VectorXd &x, const Identifi
 }
 
 void fillResiduals(LawFit &fit, const std::vector<LawPoint> &points, const VectorXd &fitted,
-                   const VectorXd &sigma, const MatrixXd &jacobian,
-                   const Identifiability &analysis)
+                   const VectorXd &sigma, const MatrixXd &jacobian, const Identifiability &analysis)
 {
   double sum = 0.0;
   for (size_t i = 0; i < points.size(); ++i) {

@@ -30,9 +30,8 @@ enum class LawModel {
 };
 
 /// All models, from the smallest to the largest one.
-constexpr std::array<LawModel, 5> lawModels = {LawModel::Constant, LawModel::Velocity,
-                                               LawModel::Pressure, LawModel::Full,
-                                               LawModel::Kappa3};
+constexpr std::array<LawModel, 5> lawModels = {
+    LawModel::Constant, LawModel::Velocity, LawModel::Pressure, LawModel::Full, LawModel::Kappa3};
 
 /// Name on the command line and in files: constant, velocity, eq4, eq2, eq2_kappa3.
 const char *nameOf(LawModel model);
@@ -86,7 +85,8 @@ Obstacle obstacleTo(LawModel model, const std::vector<LawPoint> &points);
 /// Weighted least squares with mu0, b, c >= 0, started from the best places of a grid over b and c
 /// with the linear parameters solved for.
 /// @param level of the confidence intervals, 0 < level < 1; 0: none are computed
-/// @param reference kappa3 > 0 at which the law of the model Kappa3 is to hold; 0: the geometric mean
+/// @param reference kappa3 > 0 at which the law of the model Kappa3 is to hold; 0: the geometric
+/// mean
 ///        of the points
 /// @throws Error (NotConverged) if obstacleTo names an obstacle or the solver does not converge
 /// @throws std::invalid_argument for values that are not finite, negative kappas, negative errors

@@ -14,9 +14,9 @@ void setParameters(FrictionLaw &law, const Eigen::VectorXd &x);
 /// Eq. 2 times (kappa3/reference)^n at a point, with the parameters x. reference > 0.
 double modelMu(const Eigen::VectorXd &x, const LawPoint &point, double reference);
 
-/// What a model fits, as a weighted least-squares problem in (mu0, mu1, mu2, b, c, n), with analytic
-/// derivatives. Bounds: mu0, b, c >= 0; b and c at most a hundred times the inverse of the smallest
-/// positive kappa, where their terms are constant.
+/// What a model fits, as a weighted least-squares problem in (mu0, mu1, mu2, b, c, n), with
+/// analytic derivatives. Bounds: mu0, b, c >= 0; b and c at most a hundred times the inverse of the
+/// smallest positive kappa, where their terms are constant.
 class LawProblem {
  public:
   /// @param deviations standard deviation of each point, > 0
