@@ -199,7 +199,7 @@ run 0
 @pytest.mark.parametrize("of,ranks", [(1, 2), (1, 3), (2, 1), (2, 4)])
 def test_continues_on_other_ranks(whole, written, tmp_path, of, ranks):
     go_on(tmp_path, written[of] / "mid.250.restart", ranks, STEPS - 250)
-    compare(tmp_path, written[of], 1e-10)
+    compare(tmp_path, written[of], ROUNDOFF)
 
 
 @pytest.mark.parametrize("ranks,newton", [(1, "on"), (2, "on"), (2, "off")])

@@ -108,6 +108,9 @@ def test_frames_of_a_run(tmp_path):
     done = subprocess.run([LMP, "-in", "in", "-log", "none"], cwd=tmp_path, text=True, capture_output=True, timeout=120,
                           check=False)
     assert done.returncode == 0, done.stdout[-2000:] + done.stderr
+    # label and names by which OVITO's reader of dump local knows bonds
+    assert "ITEM: NUMBER OF BONDS\n" in (tmp_path / "links.dump").read_text()
+    assert "ITEM: BONDS index batom1 batom2 btype sigma" in (tmp_path / "links.dump").read_text()
     done = convert(tmp_path, "--links", "links.dump", "-o", "view")
     assert done.returncode == 0 and done.stderr == "", done.stderr
     automata, links = tables(tmp_path / "a.dump"), tables(tmp_path / "links.dump")
