@@ -4,9 +4,9 @@ source "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/common.sh"
 
 usage() {
   cat <<'HELP'
-Usage: campaign_to_creep.sh CAMPAIGN [-o DIR] [--case CASE.yaml] [-- OPTIONS OF wr_creep]
+Usage: campaign_to_creep.sh CAMPAIGN... [-o DIR] [--case CASE.yaml] [-- OPTIONS OF wr_creep]
 
-CAMPAIGN is a folder with friction logs (*.friction), as tools/campaign leaves it. Then
+CAMPAIGN are folders with friction logs (*.friction), as tools/campaign leaves them. Then
   1. wr_fit    the law of Eq. 2 with its covariance        DIR/law.json, points.csv, fit.png
   2. wr_creep  the case with this law and its uncertainty  DIR/creep.csv, creep_band.csv, ...
                and with the paper's law for comparison     DIR/paper/creep.csv, ...
@@ -15,14 +15,15 @@ CAMPAIGN is a folder with friction logs (*.friction), as tools/campaign leaves i
   -o DIR         results (default: results/creep of the checkout)
   --case CASE    case file (default: examples/wheelrail/table2.yaml)
   -h, --help     this text
-Example: campaign_to_creep.sh runs -o out -- --set speed="20 m/s"
+Examples: campaign_to_creep.sh runs -o out -- --set speed="20 m/s"
+          campaign_to_creep.sh examples/campaign/logs/{velocity,pressure}
 
 Environment: MCAWR_BUILD, the build folder (default: build of the checkout)
 Exit codes: 0 ok, 2 usage; else that of the step that failed (4: the logs do not determine the law).
 HELP
 }
 
-campaign='' results=$root/results/creep case=$root/examples/wheelrail/table2.yaml
+campaigns=() results=$root/results/creep case=$root/examples/wheelrail/table2.yaml
 while [ $# -gt 0 ]; do
   case $1 in
     -o | --case)
@@ -40,19 +41,18 @@ while [ $# -gt 0 ]; do
       ;;
     -*) die 2 "unknown option $1; see --help" ;;
     *)
-      [ -z "$campaign" ] || die 2 "one folder is expected; see --help"
-      campaign=$1
+      campaigns+=("$1")
       shift
       ;;
   esac
 done
-[ -n "$campaign" ] || die 2 "a folder with friction logs is needed; see --help"
+[ ${#campaigns[@]} -gt 0 ] || die 2 "a folder with friction logs is needed; see --help"
 mkdir -p "$results" || exit 5
 
-echo "1/3 wr_fit $campaign"
-"$build/bin/wr_fit" "$campaign" -o "$results/law.json" --points "$results/points.csv" || exit $?
+echo "1/3 wr_fit ${campaigns[*]}"
+"$build/bin/wr_fit" "${campaigns[@]}" -o "$results/law.json" --points "$results/points.csv" || exit $?
 # with too few points wr_fit writes a report without a law
-grep -q '"mu0"' "$results/law.json" || die 4 "$campaign: too few points for a law; see $results/law.json"
+grep -q '"mu0"' "$results/law.json" || die 4 "${campaigns[*]}: too few points for a law; see $results/law.json"
 echo "2/3 wr_creep $case"
 # 200 draws from the law's covariance: parameters of a short campaign are known to some 10 % only,
 # which derivatives do not see

@@ -115,8 +115,13 @@ def fig3(report, picture):
         line = np.array([min(eta), max(eta)])
         right.plot(line, PAPER_DEPTH * line / 0.41, "k--", lw=1, label="in proportion (paper: roughly)")
         exponent = np.polyfit(np.log(eta), np.log(depth), 1)[0] if len(eta) > 1 else math.nan
-        rows.append(["exponent of depth ~ eta^n", "about 1", f"{exponent:.2f}", ""])
+        mu = [mean_of([p for p, _ in members])[0] for members in viscous.values()]
+        slope = np.polyfit(np.log(eta), np.log(mu), 1)[0] if len(eta) > 1 else math.nan
+        rows.append(["exponent of depth ~ eta^n", "about 1", f"{exponent:.2f}", f"of mu (paper: 0) {slope:.2f}"])
     right.set(xlabel="viscosity $\\eta$ (Pa s)", ylabel="depth of the layer (nm)", xscale="log", yscale="log")
+    right.set_xticks(eta, [f"{value:.2g}" for value in eta])
+    right.set_yticks([2, 5, 10, 20, 50], ["2", "5", "10", "20", "50"])
+    right.minorticks_off()
     right.legend(fontsize=9)
     for axes in (left, right):
         axes.grid(alpha=0.3)
@@ -331,7 +336,8 @@ FIGURES = {
     "fig6": Figure("Fig. 6: mu against velocity (N3)", ["velocity"], fig6),
     "collapse": Figure("Equal kappa1 and kappa2 (N4)", ["collapse10"], collapse),
     "fig7": Figure("Figs. 7 and 8: the law (N5, N6)", ["paper36"], fig7),
-    "kappa3": Figure("The law with a third number, kappa3 = E/sigma_0", ["paper36"], kappa3,
+    "steel": Figure("The law of one material, E = 206 GPa and sigma_0 = 92 MPa", ["velocity", "pressure"], fig7),
+    "kappa3": Figure("The law with a third number, kappa3 = E/sigma_0", ["paper36", "velocity", "pressure"], kappa3,
                      ["--model", "eq2_kappa3", "--kappa3", str(STEEL)]),
     "sensitivity": Figure("Sensitivity of mu to the laws, from 15 ns on", ["variants"], sensitivity, ["--start", "15"]),
     "convergence": Figure("Size of the fragment and step, from 10 ns on", ["convergence"], convergence, ["--start", "10"]),
