@@ -105,8 +105,9 @@ def fig3(report, picture):
     left.set(xlabel="time (ns)", ylabel="depth of the layer (nm), 10 to 90 % of $v$", xlim=(0, None), ylim=(0, None))
     left.legend(fontsize=9)
     eta, depth, error = [], [], []
+    shortest = min((f.time[-1] for members in viscous.values() for _, f in members), default=0)  # the layer grows
     for value, members in viscous.items():
-        d, e = layer.mean_depth([f for _, f in members])
+        d, e = layer.mean_depth([f for _, f in members], shortest)
         eta.append(value), depth.append(d), error.append(e)
         rows.append([f"viscosity {value:g} Pa s", f"{PAPER_DEPTH * value / 0.41:.1f}", f"{d:.1f} +- {e:.1f}",
                      "mu {:.3f} +- {:.3f}".format(*mean_of([p for p, _ in members]))])

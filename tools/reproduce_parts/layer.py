@@ -32,9 +32,10 @@ def read(log):
     return Layer(np.array([m["step"] * _step(log) for m in measures]), np.array([m["depth"] for m in measures]))
 
 
-def mean_depth(layers):
-    """(mean over the second halves of the runs, its standard error from frames and runs)."""
-    halves = [layer.depth[len(layer.depth) // 2:] for layer in layers]
+def mean_depth(layers, until=math.inf):
+    """(mean over the second halves of the runs up to a time in ns, its standard error from frames and runs)."""
+    depths = [layer.depth[layer.time <= until * (1 + 1e-6)] for layer in layers]
+    halves = [depth[len(depth) // 2:] for depth in depths]
     means = [float(np.mean(h)) for h in halves]
     own = math.sqrt(sum(np.var(h, ddof=1) / len(h) if len(h) > 1 else 0.0 for h in halves)) / len(halves)
     scatter = np.std(means, ddof=1) / math.sqrt(len(means)) if len(means) > 1 else 0.0
