@@ -208,16 +208,15 @@ def law_lines(report):
 def power_law(x, y, errors):
     """(A, n, their standard errors) of y = A x^n: least squares in the logarithms, with the relative errors of y and the scatter
     beyond them that makes chi^2 the degrees of freedom, as wr_fit."""
-    design, logs, scatter = np.column_stack([np.ones(len(x)), np.log(x)]), np.log(y), [0.0, 1.0]
+    logs_x, logs_y, low, high = np.log(x), np.log(y), 0.0, 1.0
     for _ in range(60):
-        middle = np.mean(scatter)
-        weight = 1 / np.hypot(errors, middle)
-        inverse = np.linalg.inv(design.T @ (design * weight[:, None] ** 2))
-        best = inverse @ (design.T @ (logs * weight**2))
-        too_small = np.sum(((logs - design @ best) * weight) ** 2) > len(x) - 2
-        scatter = [middle, scatter[1]] if too_small else [scatter[0], middle]
-    error = np.sqrt(np.diag(inverse))
-    return math.exp(best[0]), best[1], math.exp(best[0]) * error[0], error[1]
+        scatter = 0.5 * (low + high)
+        weight = 1 / np.hypot(errors, scatter)
+        (n, logs_a), covariance = np.polyfit(logs_x, logs_y, 1, w=weight, cov="unscaled")
+        chi_squared = np.sum((weight * (logs_y - logs_a - n * logs_x)) ** 2)
+        low, high = (scatter, high) if chi_squared > len(x) - 2 else (low, scatter)
+    factor, (n_error, factor_error) = math.exp(logs_a), np.sqrt(np.diag(covariance))
+    return factor, n, factor * factor_error, n_error
 
 
 def kappa3(report, picture):
