@@ -43,6 +43,7 @@ void PairMCA::compute(int eflag, int vflag)
   const int nlocal = atom->nlocal, nall = nlocal + atom->nghost, answers = kernel->rows.response;
   const int answers_after = kernel->dimension - 1; // the stress pass: M, in space the centre, too
   const bool alone = comm->nprocs == 1;
+  const int summed = alone ? nlocal : nall; // images only give places
   const mca::PairLaw *laws = pairlaw.data();
   const mca::Pairs border = pairs.part(0, edge), inside = pairs.part(edge, pairs.size() - edge);
   response.reserve(static_cast<size_t>(nall) * answers);
@@ -50,14 +51,14 @@ void PairMCA::compute(int eflag, int vflag)
   elastic_z_next.reserve(nlocal);
   pack_motion(nall, advance);
 
-  clear(strains, nall, kernel->rows.strain);
+  clear(strains, summed, kernel->rows.strain);
   kernel->strain(pairs.part(0, pairs.size()), update->dt, advance, laws, motion.get(), spin.get(),
                  strains.get());
   find_means();
   if (!alone)
     halo.begin(response.get(), answers, 1);
 
-  clear(stresses, nall, kernel->rows.stress);
+  clear(stresses, summed, kernel->rows.stress);
   kernel->stress(inside, laws, response.get(), stresses.get());
   if (!alone)
     halo.finish(response.get(), answers, 1);
@@ -79,7 +80,7 @@ void PairMCA::compute(int eflag, int vflag)
     halo.begin(response.get() + 1, answers, answers_after);
   }
 
-  clear(forces, nall, kernel->rows.force);
+  clear(forces, summed, kernel->rows.force);
   changes = kernel->force(inside, laws, response.get(), around, forces.get());
   if (!alone)
     halo.finish(response.get() + 1, answers, answers_after);

@@ -32,13 +32,16 @@ def packed(text, rows, command):
     return "\n".join(result) + "\n"
 
 
-def portable(command):
-    """The command with lmp and the input script named as from the checkout, wherever both were."""
-    words = shlex.split(command)
+def portable(commands):
+    """The first of a run's commands, as long as the last one went, with lmp and the input script named as from the
+    checkout, wherever both were."""
+    words, last = (shlex.split(command) for command in (commands[0], commands[-1]))
     start = words.index("-in")
     words[start - 1] = "lmp"
-    if words[start + 1].startswith(ROOT + os.sep):
-        words[start + 1] = os.path.relpath(words[start + 1], ROOT)
+    parts = words[start + 1].split(os.sep)
+    tails = (os.path.join(*parts[k:]) for k in range(1, len(parts)))
+    words[start + 1] = next((tail for tail in tails if os.path.exists(os.path.join(ROOT, tail))), words[start + 1])
+    words[words.index("ns") + 1] = last[last.index("ns") + 1]
     return shlex.join(words)
 
 
@@ -57,7 +60,7 @@ def pack(plan, top, target, rows):
         with open(folder.file(folders.LOG), encoding="utf-8") as file:
             text = file.read()
         commands = [attempt["command"] for attempt in folder.record()["attempts"]]
-        folders.write_whole(os.path.join(target, run.name + ".friction"), packed(text, rows, portable(commands[0])))
+        folders.write_whole(os.path.join(target, run.name + ".friction"), packed(text, rows, portable(commands)))
         if os.path.exists(folder.file("run.profile")):
             with open(folder.file("run.profile"), encoding="utf-8") as file:
                 folders.write_whole(os.path.join(target, run.name + ".profile"), file.read())

@@ -18,7 +18,7 @@ FAKE = pathlib.Path(__file__).with_name("fake_lmp.py")
 REAL = pathlib.Path(os.environ.get("MCAWR_TEST_LMP", ROOT / "build" / "bin" / "lmp"))
 
 sys.path.insert(0, str(ROOT / "tools"))
-from campaign_parts import plan as plans  # noqa: E402
+from campaign_parts import pack, plan as plans  # noqa: E402
 
 HEAD = "format: mca-campaign 1\n"
 PLAN = HEAD + """title: three runs
@@ -214,6 +214,12 @@ def test_pack_averages_rows_and_keeps_the_command(plan, tmp_path):
     assert float(rows[0][7]) == 8
     assert '"command": "lmp -in examples/friction/in.friction' in text
     assert str(tmp_path) not in text
+
+
+def test_packed_command_is_of_any_checkout_and_of_the_whole_length():
+    begun = "/elsewhere/build/bin/lmp -in /elsewhere/examples/friction/in.friction -var p 2 -var ns 30"
+    command = pack.portable([begun, begun.replace("ns 30", "ns 100 -var continue 1 -var restart run.restart")])
+    assert command == "lmp -in examples/friction/in.friction -var p 2 -var ns 100"
 
 
 @pytest.mark.parametrize("text, parts", [
