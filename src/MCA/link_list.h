@@ -82,6 +82,10 @@ class LinkList {
 
   int size() const { return view_.n; }
 
+  /// Rows of both automata of pair k.
+  int i(int k) const { return i_[k]; }
+  int j(int k) const { return j_[k]; }
+
   /// Makes the next state the present one.
   void advance();
 

@@ -406,13 +406,13 @@ mca::ContactStress PairMCA::contact(int k) const
 
 double PairMCA::owned_share(int k) const
 {
-  const bool both = std::max(pairs.pairs().i[k], pairs.pairs().j[k]) < atom->nlocal;
+  const bool both = std::max(pairs.i(k), pairs.j(k)) < atom->nlocal;
   return both ? 1.0 : 0.5;
 }
 
 bool PairMCA::on_this_rank(int k) const
 {
-  const int i = pairs.pairs().i[k], j = pairs.pairs().j[k];
+  const int i = pairs.i(k), j = pairs.j(k);
   if (owned_share(k) == 1.0)
     return true;
   return (atom->tag[i] < atom->tag[j]) == (i < atom->nlocal);
