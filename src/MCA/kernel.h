@@ -124,8 +124,8 @@ using ForcePass = double(const Pairs &, const PairLaw *laws, const double *respo
                          const double *local, double *forces);
 
 /// Lengths of the rows of the per-automaton arrays. Every row of strains begins with the sum of the
-/// normal strains and the number of bulk links, of responses with the mean stress and M; in space the
-/// centre of the return follows.
+/// normal strains and the number of bulk links, of responses with the mean stress and M; in space
+/// the centre of the return follows.
 struct RowLengths {
   int motion, strain, stress, response, force;
 };

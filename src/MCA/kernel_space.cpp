@@ -3,6 +3,8 @@
 #include "kernel_rows.h"
 #include "laws/pair_motion.h"
 
+#include <cmath>
+
 namespace mca {
 namespace MCA_ISA {
 namespace {
@@ -151,7 +153,8 @@ double strainBlock(const Pairs &p, int first, int n, double dt, const PairLaw *l
     const double invDiameter = WAY == SEVERAL_LAWS ? laws[plaw[k]].invDiameter : oneInvDiameter;
     const Vector distance = seen.distance(k), velocity = seen.velocity(k);
     const Vector omegas = seen.omegas(k);
-    const double r = length(distance), invR = 1.0 / r;
+    // the root and the division side by side
+    const double r2 = dot(distance, distance), r = std::sqrt(r2), invR = r * (1.0 / r2);
     const PairMotion moved = pairMotion(distance, invR, dt * velocity, halfStep * omegas);
     const Vector growth = shearGrowth(moved);
     const Vector gamma = carriedShear(moved, gammas.get(k)) + growth;

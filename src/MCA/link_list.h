@@ -103,7 +103,7 @@ class LinkList {
   std::vector<int> i_, j_, placeI_, placeJ_, law_;
   std::vector<double> original_;
   std::vector<Block> blocks_;
-  mutable bool stale_ = false; // the kernel may have changed what pairs() completes
+  mutable bool stale_ = false;       // the kernel may have changed what pairs() completes
   std::vector<double *> now_, next_; // the arrays of both states, in the order of getState()
   Pairs view_{};
 

@@ -60,8 +60,9 @@ Material readMaterial(const std::string &text, const std::string &name, const st
   const Units *from = findUnits(fileUnits), *to = findUnits(units);
   if (units == "electron" || (fileUnits != units && (!from || !to)))
     throw MaterialError(name + ":1: UNITS is " + fileUnits + " and the input script has units " +
-                        units + ", allowed: any two of nano, si, cgs, micro, metal, real, or lj "
-                                "in both");
+                        units +
+                        ", allowed: any two of nano, si, cgs, micro, metal, real, or lj "
+                        "in both");
 
   Material material;
   std::set<std::string> seen;

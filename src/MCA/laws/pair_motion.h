@@ -44,14 +44,12 @@ inline double lengtheningBy(double q)
                           35.0 / 128.0,       63.0 / 256.0,      231.0 / 1024.0,
                           429.0 / 2048.0,     6435.0 / 32768.0,  12155.0 / 65536.0,
                           46189.0 / 262144.0, 88179.0 / 524288.0};
-  return q * (c[0] +
-              q * (c[1] +
-                   q * (c[2] +
-                        q * (c[3] +
-                             q * (c[4] +
-                                  q * (c[5] +
-                                       q * (c[6] +
-                                            q * (c[7] + q * (c[8] + q * (c[9] + q * c[10]))))))))));
+  // in three parts, which a processor works on at the same time
+  const double q2 = q * q, q4 = q2 * q2;
+  const double low = (c[0] + c[1] * q) + (c[2] + c[3] * q) * q2;
+  const double middle = (c[4] + c[5] * q) + (c[6] + c[7] * q) * q2;
+  const double high = (c[8] + c[9] * q) + c[10] * q2;
+  return q * (low + q4 * (middle + q4 * high));
 }
 
 /// Motion of a pair in a step.
