@@ -38,14 +38,14 @@ struct RollingResult {
 /// pressure distribution for all time, through which the material flows. In the stick zone a
 /// particle's displacement grows with every cell it travels by exactly the creep,
 ///   creep - (u_i - u_(i+1)) = 0,   |q| <= bound;   where |q| = bound, slip goes along with q.
-/// Sets {stick, slip, backward slip} are tried until none changes, on coarser grids first. On a set the equation is a
-/// finite Hilbert transform; GMRES with FFT products solves it, preconditioned by the continuous
-/// inverse w H (1/w), w = prod sqrt((leading_j - x)/(x - trailing_j)), so that it needs
-/// about 15 products whatever n is.
-/// An edge cell of which only the share w is in contact gets the compliance 2 (1 - w)/w in addition
-/// (4 (1 - w)/(pi w) where it is the only cell): with it the initial slope is (pi E*/4) x contact
-/// length with the edges inside the cells. From the staggered operator's inverse: the product of
-/// the solutions with rolling to either side is pi/8 in an edge cell, the inverse's diagonal 1/2.
+/// Sets {stick, slip, backward slip} are tried until none changes, on coarser grids first. On a set
+/// the equation is a finite Hilbert transform; GMRES with FFT products solves it, preconditioned by
+/// the continuous inverse w H (1/w), w = prod sqrt((leading_j - x)/(x - trailing_j)), so that it
+/// needs about 15 products whatever n is. An edge cell of which only the share w is in contact gets
+/// the compliance 2 (1 - w)/w in addition (4 (1 - w)/(pi w) where it is the only cell): with it the
+/// initial slope is (pi E*/4) x contact length with the edges inside the cells. From the staggered
+/// operator's inverse: the product of the solutions with rolling to either side is pi/8 in an edge
+/// cell, the inverse's diagonal 1/2.
 /// @param bound friction coefficient times pressure per cell, >= 0; 0 outside the contact
 /// @param creep >= 0
 /// @throws Error (NotConverged)

@@ -129,7 +129,8 @@ TEST(MaterialFile, OtherUnits)
     EXPECT_EQ(m.poissons_ratio, 0.3);
     EXPECT_EQ(m.yield_strength, 0.870);
   }
-  const std::string allowed = ", allowed: any two of nano, si, cgs, micro, metal, real, or lj in both";
+  const std::string allowed =
+      ", allowed: any two of nano, si, cgs, micro, metal, real, or lj in both";
   EXPECT_EQ(problemOf(steelText(), "lj"),
             "x.mca:1: UNITS is nano and the input script has units lj" + allowed);
   EXPECT_EQ(problemOf(changed("UNITS: nano", "UNITS: electron"), "electron"),
