@@ -330,6 +330,55 @@ def convergence(report, picture):
     return table(["", "runs", "mu", "against base", "depth, nm"], rows)
 
 
+# timestep -----------------------------------------------------------------------------------------
+def step_of(log):
+    """Time step of a run (ns), from the head of its log."""
+    with open(log, encoding="utf-8") as file:
+        return next(float(found[1]) for text in file if (found := re.search(r"^# run: .*timestep: ([-+.e0-9]+)", text)))
+
+
+def case_of(point):
+    """What a run shares with those of other steps: `v5` of v5-seed1 and of the plan convergence's step-strength92-seed1."""
+    name = re.sub("-(dt.*|seed.*)", "", run_name(point))
+    return "v5" if re.fullmatch("(base|step|quarter)-strength92", name) else name
+
+
+def timestep(report, picture):
+    """mu at the step of the plans, half and a quarter of it; for three steps what a straight line makes of it at none."""
+    rows, lines, cases = [], [], {}
+    found = groups(report["report"]["points"], case_of)
+    for name, members in sorted(found.items(), key=lambda item: (item[0][0], len(item[0]), item[0])):
+        at = {step: mean_of(runs) for step, runs in groups(members, lambda p: step_of(p["file"])).items()}
+        usual = max(at)
+        if 0.25 * usual not in at:
+            continue
+        cases[name] = members[0], at[usual], at[0.25 * usual]
+        texts = ["{:.3f} +- {:.3f}".format(*at[f * usual]) if f * usual in at else "" for f in (1, 0.5, 0.25)]
+        if len(at) == 3:
+            dt, (mu, error) = np.array(list(at)), np.array(list(at.values())).T
+            (slope, none), covariance = np.polyfit(dt, mu, 1, w=1 / error, cov="unscaled")
+            lines.append((members[0]["velocity"], none, math.sqrt(covariance[1, 1])))
+            texts.append("{:.3f} +- {:.3f}".format(*lines[-1][1:]))
+        rows.append([name, f"{members[0]['kappa3']:.0f}", f"{members[0]['mu_eq2']:.3f}", *texts[:3],
+                     percent(cases[name][2][0], cases[name][1][0]), *texts[3:]] + [""] * (4 - len(texts)))
+    figure, (left, right) = pyplot.subplots(1, 2, figsize=(10, 4.2), constrained_layout=True)
+    for axes, pattern, key in ((left, "v", "velocity"), (right, "v5|c", "kappa3")):
+        shown = sorted((p[key], p["mu_eq2"], full, small) for name, (p, full, small) in cases.items() if re.match(pattern, name))
+        x = np.array([entry[0] for entry in shown])
+        for k, label in ((2, "the plans' step"), (3, "a quarter of it")):
+            mu, error = np.array([entry[k] for entry in shown]).T
+            axes.errorbar(x, mu, yerr=1.96 * error, fmt=f"C{k - 2}o", capsize=2, label=f"{label}, 95 %")
+        axes.plot(x, [entry[1] for entry in shown], "k--", lw=1, label="Eq. 2")
+        axes.grid(alpha=0.3)
+    velocity, none, error = np.array(lines).T
+    left.errorbar(velocity, none, yerr=1.96 * error, fmt="C2s", mfc="none", capsize=2, label="line to no step, 95 %")
+    left.set(xlabel="v (m/s)", ylabel="$\\mu$", xlim=(0, None), ylim=(0, None))
+    right.set(xlabel="$\\kappa_3 = E/\\sigma_0$ at equal $\\kappa_1$, $\\kappa_2$", ylabel="$\\mu$", ylim=(0, None))
+    left.legend(fontsize=9)
+    save(figure, picture)
+    return table(["mu", "kappa3", "Eq. 2", "the plans' step", "half", "a quarter", "", "none (line)"], rows)
+
+
 FIGURES = {
     "fig3": Figure("Fig. 3: depth of the sliding layer (N1)", ["roughness", "viscosity"], fig3),
     "fig4": Figure("Fig. 4: friction stress against pressure (N2)", ["pressure"], fig4, ["--grinding-in", "100"]),
@@ -341,4 +390,6 @@ FIGURES = {
                      ["--model", "eq2_kappa3", "--kappa3", str(STEEL)]),
     "sensitivity": Figure("Sensitivity of mu to the laws, from 15 ns on", ["variants"], sensitivity, ["--start", "15"]),
     "convergence": Figure("Size of the fragment and step, from 10 ns on", ["convergence"], convergence, ["--start", "10"]),
+    "timestep": Figure("Friction against the step, from 10 ns on",
+                       ["velocity", "pressure", "collapse10", "convergence", "timestep"], timestep, ["--start", "10"]),
 }

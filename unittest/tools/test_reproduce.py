@@ -1,4 +1,5 @@
 """tools/reproduce: the paper's numbers beside those of logs whose answers are known."""
+import dataclasses
 import os
 import re
 import subprocess
@@ -129,6 +130,24 @@ def test_sensitivity_and_convergence(tmp_path):
     assert line(laws, "preset b heal 2.35")[-2] == pytest.approx(30, abs=1)
     sizes = (tmp_path / "out" / "convergence.txt").read_text()
     assert line(sizes, "92 MPa: wide-columns20")[3] == pytest.approx(10, abs=1)
+
+
+def test_step_extrapolated_to_none(tmp_path):
+    """mu that grows by a fifth up to the usual step."""
+    def usual(run):
+        return dataclasses.replace(run, values={**run.values, "dt": None}).dt
+    for name in ("velocity", "pressure", "collapse10", "convergence", "timestep"):
+        folder, runs = logs(tmp_path, name, lambda run: 1 + 0.2 * run.dt / usual(run))
+        for run in runs:
+            log = folder / f"{run.name}.friction"
+            log.write_text(re.sub("timestep: [^,]*,", f"timestep: {run.dt},", log.read_text()))
+    text = made(tmp_path, "timestep", reproduce(tmp_path, "timestep"))
+    for case in ("v1", "v5", "v10"):
+        _, paper, _, _, _, _, _, _, difference, none, _ = line(text, case + " ")
+        assert none == pytest.approx(paper, rel=0.02)
+        assert difference == pytest.approx(100 * (1.05 / 1.2 - 1), abs=2)
+    for case in ("p2", "c04"):
+        assert line(text, case + " ")[-1] == pytest.approx(100 * (1.05 / 1.2 - 1), abs=2)
 
 
 def test_missing_logs_are_one_clear_line(tmp_path):
