@@ -361,6 +361,9 @@ def timestep(report, picture):
             texts.append("{:.3f} +- {:.3f}".format(*lines[-1][1:]))
         rows.append([name, f"{members[0]['kappa3']:.0f}", f"{members[0]['mu_eq2']:.3f}", *texts[:3],
                      percent(cases[name][2][0], cases[name][1][0]), *texts[3:]] + [""] * (4 - len(texts)))
+    equal = [entry[1:] for name, entry in cases.items() if re.match("v5|c", name)]
+    spread = [100 * np.std([e[k][0] for e in equal], ddof=1) / np.mean([e[k][0] for e in equal]) for k in (0, 1)]
+    own = [100 * math.sqrt(np.mean([e[k][1] ** 2 for e in equal])) / np.mean([e[k][0] for e in equal]) for k in (0, 1)]
     figure, (left, right) = pyplot.subplots(1, 2, figsize=(10, 4.2), constrained_layout=True)
     for axes, pattern, key in ((left, "v", "velocity"), (right, "v5|c", "kappa3")):
         shown = sorted((p[key], p["mu_eq2"], full, small) for name, (p, full, small) in cases.items() if re.match(pattern, name))
@@ -376,7 +379,9 @@ def timestep(report, picture):
     right.set(xlabel="$\\kappa_3 = E/\\sigma_0$ at equal $\\kappa_1$, $\\kappa_2$", ylabel="$\\mu$", ylim=(0, None))
     left.legend(fontsize=9)
     save(figure, picture)
-    return table(["mu", "kappa3", "Eq. 2", "the plans' step", "half", "a quarter", "", "none (line)"], rows)
+    return [*table(["mu", "kappa3", "Eq. 2", "the plans' step", "half", "a quarter", "", "none (line)"], rows), "",
+            f"Scatter of the {len(equal)} at equal kappa1 and kappa2: the plans' step {spread[0]:.1f} % (own errors {own[0]:.1f} %), "
+            f"a quarter {spread[1]:.1f} % ({own[1]:.1f} %)"]
 
 
 FIGURES = {
