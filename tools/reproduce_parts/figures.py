@@ -82,6 +82,12 @@ def mean_of(points, key="mu"):
     return float(np.mean(values)), max(own, scatter)
 
 
+def scatter_of(values, errors):
+    """Standard deviation of values over their mean, and what their own standard errors explain of it, both in %."""
+    mean = np.mean(values)
+    return 100 * np.std(values, ddof=1) / mean, 100 * math.sqrt(np.mean(np.square(errors))) / mean
+
+
 # fig3 ---------------------------------------------------------------------------------------------
 def fig3(report, picture):
     """Depth of the layer: from the profiles beside the logs."""
@@ -275,9 +281,9 @@ def collapse(report, picture):
          "friction coefficient $\\mu$",
          [(mean, dict(color="C1"), "their mean"), (points[0]["mu_eq2"], dict(color="k", ls="--"), "Eq. 2")],
          (mean * (1 - PAPER_COLLAPSE), mean * (1 + PAPER_COLLAPSE), "$\\pm$ 3.5 % (paper)"))
-    own = math.sqrt(np.mean([(p["mu_se"] or 0) ** 2 for p in points])) / mean
-    rows = [["scatter of mu (standard deviation)", f"{100 * PAPER_COLLAPSE:.1f} %", f"{100 * np.std(mu, ddof=1) / mean:.1f} %"],
-            ["  what the runs' own errors explain", "", f"{100 * own:.1f} %"],
+    scatter, own = scatter_of(mu, [p["mu_se"] or 0 for p in points])
+    rows = [["scatter of mu (standard deviation)", f"{100 * PAPER_COLLAPSE:.1f} %", f"{scatter:.1f} %"],
+            ["  what the runs' own errors explain", "", f"{own:.1f} %"],
             ["mean mu", f"{points[0]['mu_eq2']:.3f}", f"{mean:.3f} +- {np.std(mu, ddof=1) / math.sqrt(len(mu)):.3f}"]]
     return table([f"{len(points)} runs", "paper", "ours"], rows)
 
@@ -353,17 +359,19 @@ def timestep(report, picture):
         if 0.25 * usual not in at:
             continue
         cases[name] = members[0], at[usual], at[0.25 * usual]
-        texts = ["{:.3f} +- {:.3f}".format(*at[f * usual]) if f * usual in at else "" for f in (1, 0.5, 0.25)]
-        if len(at) == 3:
+        full, half, quarter = ("{:.3f} +- {:.3f}".format(*at[f * usual]) if f * usual in at else "" for f in (1, 0.5, 0.25))
+        at_none = ""
+        if half:
             dt, (mu, error) = np.array(list(at)), np.array(list(at.values())).T
-            (slope, none), covariance = np.polyfit(dt, mu, 1, w=1 / error, cov="unscaled")
+            (_, none), covariance = np.polyfit(dt, mu, 1, w=1 / error, cov="unscaled")
             lines.append((members[0]["velocity"], none, math.sqrt(covariance[1, 1])))
-            texts.append("{:.3f} +- {:.3f}".format(*lines[-1][1:]))
-        rows.append([name, f"{members[0]['kappa3']:.0f}", f"{members[0]['mu_eq2']:.3f}", *texts[:3],
-                     percent(cases[name][2][0], cases[name][1][0]), *texts[3:]] + [""] * (4 - len(texts)))
+            at_none = "{:.3f} +- {:.3f}".format(*lines[-1][1:])
+        rows.append([name, f"{members[0]['kappa3']:.0f}", f"{members[0]['mu_eq2']:.3f}", full, half, quarter,
+                     percent(at[0.25 * usual][0], at[usual][0]), at_none])
+    if not lines:
+        raise Missing("no run at the plans' step, half and a quarter of it")
     equal = [entry[1:] for name, entry in cases.items() if re.match("v5|c", name)]
-    spread = [100 * np.std([e[k][0] for e in equal], ddof=1) / np.mean([e[k][0] for e in equal]) for k in (0, 1)]
-    own = [100 * math.sqrt(np.mean([e[k][1] ** 2 for e in equal])) / np.mean([e[k][0] for e in equal]) for k in (0, 1)]
+    (spread, own), (spread_quarter, own_quarter) = (scatter_of(*np.array([e[k] for e in equal]).T) for k in (0, 1))
     figure, (left, right) = pyplot.subplots(1, 2, figsize=(10, 4.2), constrained_layout=True)
     for axes, pattern, key in ((left, "v", "velocity"), (right, "v5|c", "kappa3")):
         shown = sorted((p[key], p["mu_eq2"], full, small) for name, (p, full, small) in cases.items() if re.match(pattern, name))
@@ -380,8 +388,8 @@ def timestep(report, picture):
     left.legend(fontsize=9)
     save(figure, picture)
     return [*table(["mu", "kappa3", "Eq. 2", "the plans' step", "half", "a quarter", "", "none (line)"], rows), "",
-            f"Scatter of the {len(equal)} at equal kappa1 and kappa2: the plans' step {spread[0]:.1f} % (own errors {own[0]:.1f} %), "
-            f"a quarter {spread[1]:.1f} % ({own[1]:.1f} %)"]
+            f"Scatter of the {len(equal)} at equal kappa1 and kappa2: the plans' step {spread:.1f} % (own errors {own:.1f} %), "
+            f"a quarter {spread_quarter:.1f} % ({own_quarter:.1f} %)"]
 
 
 FIGURES = {
