@@ -1,11 +1,15 @@
 /// \file kernel.h
 /// The inner loops of MCA. Pairs are passed over three times, since yielding is decided on the
-/// averaged stress of an automaton, which holds the mean stresses of its neighbours:
+/// averaged stress of an automaton, which holds the mean stresses of its neighbours, and where
+/// something flows a fourth time:
 ///   strain pass (pairs)      strains, sums of elastic normal strains
 ///   mean pass (automata)     mean stresses
 ///   stress pass (pairs)      elastic stresses of the contacts, averaged stress tensors
 ///   yield pass (automata)    stress intensities, radial returns
+///   return pass (pairs)      what these returns take from the averaged stress tensors
+///   second yield (automata)  the returns again, with what the neighbours' took
 ///   force pass (pairs)       stresses after the return, forces, the next state of the links
+/// What viscous contacts change after that stands in viscous_contacts.h.
 /// Between them LAMMPS adds up what several ranks hold of an automaton.
 ///
 /// No LAMMPS type in here. The forces of a step are a pure function of positions, velocities and
@@ -72,7 +76,8 @@ struct Pairs {
   PairState now, next;
   double *normal[3];  ///< unit normal from i to j [-]; two components in the plane
   double *eps;        ///< total normal strain r/d - 1 [-]
-  double *separation; ///< normal velocity of j seen from i [length/time]; not of bulk blocks
+  double *separation; ///< normal velocity of j seen from i [length/time]; not of bulk blocks; of
+                      ///< half a step ago, until viscous contacts are centred
   Block *blocks;      ///< of blockLength pairs each
 };
 
@@ -116,6 +121,17 @@ using YieldPass = double(int n, const int *type, const AutomatonLaw *laws, bool 
                          const double *strains, const double *stresses, const double *kappa,
                          double *kappaNext, double *response);
 
+/// Adds what the radial returns take from the elastic stresses of bulk links to both of their
+/// automata. Blocks in which no automaton flows are passed over.
+/// \param taken  stressRow values an automaton, added to; only the tensor is
+using ReturnPass = void(const Pairs &, const PairLaw *laws, const double *response, double *taken);
+
+/// The radial return of each automaton that flows, once more; see secondReturn().
+/// \param taken  of the return pass
+using SecondYieldPass = void(int n, const int *type, const AutomatonLaw *laws,
+                             const double *stresses, const double *taken, const double *kappa,
+                             double *kappaNext, double *response);
+
 /// Stresses of the contacts, forces and torques on both automata, next state.
 /// \param local   localRow values an automaton, or nullptr where no law needs them
 /// \param forces  forceRow values an automaton, added to
@@ -139,6 +155,8 @@ struct Kernel {
   MeanPass *mean;
   StressPass *stress;
   YieldPass *yield;
+  ReturnPass *returns;
+  SecondYieldPass *yieldAgain;
   ForcePass *force;
 };
 

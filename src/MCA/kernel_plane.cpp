@@ -176,6 +176,64 @@ struct PairColumns {
   }
 };
 
+template<Way WAY>
+void returnBlock(const Pairs &p, int first, int n, const PairLaw *laws, const PairColumns &c,
+                 double *taken)
+{
+  const int *const plaw = p.law + first;
+  const double *const pkind = p.now.kind + first, *const pplastic = p.now.plastic + first;
+  const double *const pgamma = p.now.gamma[0] + first, *const peps = p.eps + first;
+  const double *const pnx = p.normal[0] + first, *const pny = p.normal[1] + first;
+  Column xx, yy, xy;
+  const PairLaw one = laws[plaw[0]];
+#pragma omp simd
+  for (int k = 0; k < n; k++) {
+    const PairLaw &law = WAY == SEVERAL_LAWS ? laws[plaw[k]] : one;
+    const double e = WAY == PRISTINE ? peps[k] : peps[k] - pplastic[k];
+    const double bulk = onlyBulk(WAY) || pkind[k] == link::bulk ? 1.0 : 0.0;
+    const double factorI = c.factorI[k], factorJ = c.factorJ[k];
+    const double trial = elasticStress(law, e, c.meanI[k], c.meanJ[k]);
+    const double sigma = returnedStress(trial, c.meanI[k], factorI, c.meanJ[k], factorJ);
+    const double tau = (0.5 * (factorI + factorJ) - 1.0) * law.twoG * pgamma[k];
+    const StressTensor s = stressShare(bulk * (sigma - trial), bulk * tau, pnx[k], pny[k]);
+    xx[k] = s.xx;
+    yy[k] = s.yy;
+    xy[k] = s.xy;
+  }
+  scatter(p.i + first, p.j + first, n, xx, yy, xy, xy, Row4{1.0, 1.0, 1.0, 1.0}, taken);
+}
+
+void returnPass(const Pairs &p, const PairLaw *laws, const double *response, double *taken)
+{
+  PairColumns c;
+  eachBlock(p, laws, [&](Block &, auto way, int first, int n) {
+    gather(p.i + first, n, response, c.meanI, c.factorI);
+    gather(p.j + first, n, response, c.meanJ, c.factorJ);
+    if (!allOne(n, c.factorI, c.factorJ))
+      returnBlock<way.way>(p, first, n, laws, c, taken);
+  });
+}
+
+void secondYieldPass(int n, const int *type, const AutomatonLaw *laws, const double *stresses,
+                     const double *taken, const double *kappa, double *kappaNext, double *response)
+{
+  for (int i = 0; i < n; i++) {
+    const double factor = response[responseRow * i + 1];
+    if (factor == 1.0)
+      continue;
+    const AutomatonLaw &law = laws[type[i]];
+    const double mean = response[responseRow * i];
+    const double *const row = stresses + stressRow * i, *const less = taken + stressRow * i;
+    const StressTensor s = automatonStress(row[0], row[1], row[2], mean);
+    const StressTensor after =
+        automatonStress(row[0] + less[0], row[1] + less[1], row[2] + less[2], mean);
+    const RadialReturn back = secondReturn(factor, stressIntensity(s), stressIntensity(after),
+                                           law.curve(kappa[i]), law.shearModulus);
+    kappaNext[i] = kappa[i] + back.strain;
+    response[responseRow * i + 1] = back.factor;
+  }
+}
+
 template<Way WAY, bool LOCAL>
 Changes forceBlock(const Pairs &p, int first, int n, const PairLaw *laws, const double *local,
                    PairColumns &c)
@@ -305,9 +363,10 @@ double forcePass(const Pairs &p, const PairLaw *laws, const double *response, co
 } // namespace
 
 extern const Kernel plane = {
-    MCA_ISA_NAME, 2,        {motionRow, strainRow, stressRow, responseRow, forceRow},
-    strainPass,   meanPass, stressPass,
-    yieldPass,    forcePass};
+    MCA_ISA_NAME, 2,          {motionRow, strainRow, stressRow, responseRow, forceRow},
+    strainPass,   meanPass,   stressPass,
+    yieldPass,    returnPass, secondYieldPass,
+    forcePass};
 
 } // namespace MCA_ISA
 } // namespace mca

@@ -318,6 +318,69 @@ struct PairColumns {
 };
 
 template<Way WAY>
+void returnBlock(const Pairs &p, int first, int n, const PairLaw *laws, const Responses &ofI,
+                 const Responses &ofJ, Shares &shares)
+{
+  const int *const plaw = p.law + first;
+  const double *const pkind = p.now.kind + first, *const pplastic = p.now.plastic + first;
+  const double *const peps = p.eps + first;
+  const Vectors gammas(p.now.gamma, first), normals(p.normal, first);
+  const PairLaw one = laws[plaw[0]];
+#pragma omp simd
+  for (int k = 0; k < n; k++) {
+    const PairLaw &law = WAY == SEVERAL_LAWS ? laws[plaw[k]] : one;
+    const double e = WAY == PRISTINE ? peps[k] : peps[k] - pplastic[k];
+    const double bulk = onlyBulk(WAY) || pkind[k] == link::bulk ? 1.0 : 0.0;
+    const double factorI = ofI.factor[k], factorJ = ofJ.factor[k];
+    const double trial = elasticStress(law, e, ofI.mean[k], ofJ.mean[k]);
+    const double sigma = returnedStress(trial, ofI.centre[k], factorI, ofJ.centre[k], factorJ);
+    const double tau = bulk * (0.5 * (factorI + factorJ) - 1.0) * law.twoG;
+    const StressTensor s = stressShare(bulk * (sigma - trial), tau * gammas.get(k), normals.get(k));
+    shares.c[0][k] = s.xx;
+    shares.c[1][k] = s.yy;
+    shares.c[2][k] = s.xy;
+    shares.c[3][k] = s.zz;
+    shares.c[4][k] = s.xz;
+    shares.c[5][k] = s.yz;
+  }
+}
+
+void returnPass(const Pairs &p, const PairLaw *laws, const double *response, double *taken)
+{
+  PairColumns c;
+  eachBlock(p, laws, [&](Block &, auto way, int first, int n) {
+    const int *const pi = p.i + first, *const pj = p.j + first;
+    c.ofI.gather(pi, n, response);
+    c.ofJ.gather(pj, n, response);
+    if (allOne(n, c.ofI.factor, c.ofJ.factor))
+      return;
+    returnBlock<way.way>(p, first, n, laws, c.ofI, c.ofJ, c.shares);
+    c.shares.scatter<0>(pi, pj, n, taken);
+  });
+}
+
+void secondYieldPass(int n, const int *type, const AutomatonLaw *laws, const double *stresses,
+                     const double *taken, const double *kappa, double *kappaNext, double *response)
+{
+  for (int i = 0; i < n; i++) {
+    const double factor = response[lengths.response * i + 1];
+    if (factor == 1.0)
+      continue;
+    const AutomatonLaw &law = laws[type[i]];
+    const double *const row = stresses + lengths.stress * i, *const less =
+                                                                 taken + lengths.stress * i;
+    double after[6];
+    for (int m = 0; m < 6; m++)
+      after[m] = row[m] + less[m];
+    const RadialReturn back = secondReturn(factor, stressIntensity(weighted(row, law.weight)),
+                                           stressIntensity(weighted(after, law.weight)),
+                                           law.curve(kappa[i]), law.shearModulus);
+    kappaNext[i] = kappa[i] + back.strain;
+    response[lengths.response * i + 1] = back.factor;
+  }
+}
+
+template<Way WAY>
 Changes forceBlock(const Pairs &p, int first, int n, const PairLaw *laws, PairColumns &c)
 {
   const int *const plaw = p.law + first;
@@ -423,8 +486,8 @@ double forcePass(const Pairs &p, const PairLaw *laws, const double *response,
 
 } // namespace
 
-extern const Kernel space = {MCA_ISA_NAME, 3,          lengths,   strainPass,
-                             meanPass,     stressPass, yieldPass, forcePass};
+extern const Kernel space = {MCA_ISA_NAME, 3,         lengths,    strainPass,      meanPass,
+                             stressPass,   yieldPass, returnPass, secondYieldPass, forcePass};
 
 } // namespace MCA_ISA
 } // namespace mca

@@ -64,27 +64,25 @@ void PairMCA::compute(int eflag, int vflag)
     halo.finish(response.get(), answers, 1);
   kernel->stress(border, laws, response.get(), stresses.get());
 
-  const double *around = nullptr;
-  if (lawset.needsLocal()) {
-    local.reserve(static_cast<size_t>(nall) * mca::localRow);
-    around = local.get();
-  }
   flowing.clear();
   for (int from = 0; from < nlocal; from += ANSWERED)
-    answer(from, std::min(from + ANSWERED, nlocal));
-  if (!alone) {
-    if (around) {
-      halo.begin(around, mca::localRow, mca::localRow);
-      halo.finish(local.get(), mca::localRow, mca::localRow);
-    }
-    halo.begin(response.get() + 1, answers, answers_after);
+    yield(from, std::min(from + ANSWERED, nlocal));
+  if (lawset.returnsTwice()) {
+    if (!alone)
+      halo.begin(response.get() + 1, answers, answers_after);
+    yield_again(border, inside);
   }
+  const double *around = further_laws();
+  if (!alone)
+    halo.begin(response.get() + 1, answers, answers_after);
 
   clear(forces, summed, kernel->rows.force);
   changes = kernel->force(inside, laws, response.get(), around, forces.get());
   if (!alone)
     halo.finish(response.get() + 1, answers, answers_after);
   changes += kernel->force(border, laws, response.get(), around, forces.get());
+  if (lawset.centresViscosity())
+    centre_viscosity(border, inside);
   add_forces();
 
   if (eflag_either || vflag_either)
@@ -101,22 +99,72 @@ void PairMCA::find_means()
 
 /* radial returns of automata */
 
-void PairMCA::answer(int from, int to)
+void PairMCA::yield(int from, int to)
 {
-  const int n = to - from, *type = atom->type + from;
-  const mca::AutomatonLaw *laws = autolaw.data();
-  const double *sums = strains.get() + from * kernel->rows.strain;
-  const double *averages = stresses.get() + from * kernel->rows.stress;
-  const double *before = kappa() + from;
-  double *after = kappa_next.get() + from, *answers = response.get() + from * kernel->rows.response;
-  if (kernel->yield(n, type, laws, onelaw, sums, averages, before, after, answers) > 0.0)
+  const mca::RowLengths &rows = kernel->rows;
+  if (kernel->yield(to - from, atom->type + from, autolaw.data(), onelaw,
+                    strains.get() + from * rows.strain, stresses.get() + from * rows.stress,
+                    kappa() + from, kappa_next.get() + from,
+                    response.get() + from * rows.response) > 0.0)
     flowing.emplace_back(from, to);
+}
+
+/* The same again, now that the returns of neighbours are known; these are on their way. What flows
+   on this rank is a neighbour's affair, too, hence only one rank alone may pass over it. */
+
+void PairMCA::yield_again(const mca::Pairs &border, const mca::Pairs &inside)
+{
+  const mca::RowLengths &rows = kernel->rows;
+  const bool alone = comm->nprocs == 1;
+  if (alone && flowing.empty())
+    return;
+  clear(taken, alone ? atom->nlocal : atom->nlocal + atom->nghost, rows.stress);
+  kernel->returns(inside, pairlaw.data(), response.get(), taken.get());
+  if (!alone)
+    halo.finish(response.get() + 1, rows.response, kernel->dimension - 1);
+  kernel->returns(border, pairlaw.data(), response.get(), taken.get());
+  for (const auto &[from, to] : flowing)
+    kernel->yieldAgain(to - from, atom->type + from, autolaw.data(),
+                       stresses.get() + from * rows.stress, taken.get() + from * rows.stress,
+                       kappa() + from, kappa_next.get() + from,
+                       response.get() + from * rows.response);
+}
+
+/* of the plane only; what the criteria of local stress need, if any acts */
+
+const double *PairMCA::further_laws()
+{
+  const int nlocal = atom->nlocal, *type = atom->type;
   if (j2())
-    mca::flowElasticZ(n, type, laws, sums, averages, answers, elastic_z() + from,
-                      elastic_z_next.get() + from);
-  if (lawset.needsLocal())
-    mca::showLocal(n, type, laws, averages, answers, before, after,
-                   local.get() + from * mca::localRow);
+    mca::flowElasticZ(nlocal, type, autolaw.data(), strains.get(), stresses.get(), response.get(),
+                      elastic_z(), elastic_z_next.get());
+  if (!lawset.needsLocal())
+    return nullptr;
+  local.reserve(static_cast<size_t>(nlocal + atom->nghost) * mca::localRow);
+  mca::showLocal(nlocal, type, autolaw.data(), stresses.get(), response.get(), kappa(),
+                 kappa_next.get(), local.get());
+  if (comm->nprocs > 1) {
+    halo.begin(local.get(), mca::localRow, mca::localRow);
+    halo.finish(local.get(), mca::localRow, mca::localRow);
+  }
+  return local.get();
+}
+
+/* what forces change in half a step, of both automata of a viscous contact */
+
+void PairMCA::centre_viscosity(const mca::Pairs &border, const mca::Pairs &inside)
+{
+  const int stride = kernel->rows.force, moved = kernel->dimension;
+  if (comm->nprocs > 1)
+    halo.begin(forces.get(), stride, moved);
+  const mca::ViscousContacts::Step step = {kernel,       update->dt, pairlaw.data(), response.get(),
+                                           forces.get(), atom->mask, integrated,     held};
+  viscous.clear();
+  viscous.add(inside, step);
+  if (comm->nprocs > 1)
+    halo.finish(forces.get(), stride, moved);
+  viscous.add(border, step);
+  viscous.addForces(*kernel, forces.get());
 }
 
 void PairMCA::add_forces()
@@ -438,6 +486,6 @@ PairMCA::Count PairMCA::count() const
 double PairMCA::memory_usage()
 {
   return Pair::memory_usage() + pairs.bytes() + motion.bytes() + spin.bytes() + strains.bytes() +
-         stresses.bytes() + response.bytes() + local.bytes() + forces.bytes() + kappa_next.bytes() +
-         elastic_z_next.bytes() + link_changes.bytes();
+         stresses.bytes() + response.bytes() + taken.bytes() + local.bytes() + forces.bytes() +
+         kappa_next.bytes() + elastic_z_next.bytes() + link_changes.bytes();
 }

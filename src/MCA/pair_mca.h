@@ -12,6 +12,7 @@
 #include "halo.h"
 #include "laws/law_set.h"
 #include "link_list.h"
+#include "viscous_contacts.h"
 
 #include <string>
 #include <utility>
@@ -109,11 +110,13 @@ class PairMCA : public Pair {
   const mca::Kernel *kernel;
 
   mca::LinkList pairs;
-  mca::AlignedArray motion, spin, strains, stresses, response, local, forces;
+  mca::AlignedArray motion, spin, strains, stresses, response, taken, local, forces;
   mca::AlignedArray kappa_next, elastic_z_next;
   mca::AlignedArray link_changes; // links broken and formed of each automaton, not collected yet
   std::vector<std::pair<int, int>> flowing; // ranges of rows whose equivalent plastic strain grows
   mca::Halo halo;
+  mca::ViscousContacts viscous;
+  int integrated, held;        // groups whose automata a fix moves by their forces, or otherwise
   int edge;                    // so many first pairs of the list are at borders to other ranks
   Count events;                // since creation; links and welds stay 0
   std::vector<Event> happened; // taken over in this step
@@ -129,6 +132,7 @@ class PairMCA : public Pair {
   void make_laws();
   void check_step();
   void check_commands() const;
+  void find_held();
   double *kappa() const;
   double *elastic_z() const;
   bool j2() const { return lawset.plasticity == "j2"; }
@@ -136,7 +140,10 @@ class PairMCA : public Pair {
   void pack_motion(int nall, bool advance);
   void pack_space_motion(int nall, bool advance);
   void find_means();
-  void answer(int from, int to);
+  void yield(int from, int to);
+  void yield_again(const mca::Pairs &border, const mca::Pairs &inside);
+  const double *further_laws();
+  void centre_viscosity(const mca::Pairs &border, const mca::Pairs &inside);
   void add_forces();
   void record_events();
   void tally(int, int);

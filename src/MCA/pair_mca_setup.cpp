@@ -37,8 +37,8 @@ static constexpr const char *DUMMY_STATE = "MCA_STATE_DUMMY";
 
 PairMCA::PairMCA(LAMMPS *host)
     : Pair(host), packing(nullptr), depth(0.0), cut_user(0.0), onelaw(true),
-      kernel(&mca::bestKernel(2)), edge(0), changes(0.0), committed(false), fix_history(nullptr),
-      icustom_kappa(-1),
+      kernel(&mca::bestKernel(2)), integrated(0), held(0), edge(0), changes(0.0), committed(false),
+      fix_history(nullptr), icustom_kappa(-1),
       icustom_elastic_z(-1), icustom_changes{-1, -1}, icustom_lag{-1, -1, -1}, icustom_rest{-1, -1,
                                                                                             -1},
       listed(-1)
@@ -172,6 +172,7 @@ void PairMCA::init_style()
   if (force->special_lj[1] != 1.0 && atom->molecular != Atom::ATOMIC)
     error->all(FLERR, "Pair style mca requires special_bonds lj 1 1 1");
   check_commands();
+  find_held();
   if (auto *hybrid = dynamic_cast<PairHybrid *>(force->pair))
     for (int i = 1; i <= atom->ntypes; i++)
       for (int j = i; j <= atom->ntypes; j++)
@@ -281,6 +282,19 @@ void PairMCA::check_commands() const
   }
 }
 
+/* whose velocity follows from the forces of contacts, as viscous forces need to know */
+
+void PairMCA::find_held()
+{
+  integrated = held = 0;
+  for (const Fix *fix : modify->get_fix_list()) {
+    if (utils::strmatch(fix->style, "^(freeze|setforce|move|rigid|mca/drive)"))
+      held |= fix->groupbit;
+    else if (fix->time_integrate)
+      integrated |= fix->groupbit;
+  }
+}
+
 /* stresses inside are energy per volume, which is pressure units only where nktv2p is 1 */
 
 double PairMCA::stress_unit() const
@@ -296,6 +310,7 @@ void PairMCA::make_laws()
     m.youngs_modulus /= stress_unit();
     m.strength /= stress_unit();
     m.viscosity /= stress_unit();
+    m.density *= force->mvv2e;
   }
   const double yields = lawset.plasticity != "none" ? 1.0 : 0.0;
   autolaw.clear();
@@ -361,7 +376,8 @@ void PairMCA::check_step()
     auto limit = mca::criticalStep(m, D, eta, *packing);
     if (lawset.plasticity == "none") // nothing is pressed that far
       limit.pressed = std::numeric_limits<double>::infinity();
-    const double critical = std::min(limit.shortest(), limit.pressed);
+    const double critical =
+        std::min(lawset.centresViscosity() ? limit.centred() : limit.plain(), limit.pressed);
     if (update->dt > critical)
       error->all(FLERR,
                  "Timestep {:.6g} is longer than the critical one, {:.6g} (elastic {:.6g}, viscous "

@@ -213,24 +213,34 @@ void elasticStresses(const Sample &s, const Contact &c, const View &w, double &s
   }
 }
 
+void addShare(Automaton &a, const View &w, double sigma, double tau)
+{
+  const double fx = sigma * w.nx + tau * w.tx, fy = sigma * w.ny + tau * w.ty;
+  a.xx += w.nx * fx / 3;
+  a.yy += w.ny * fy / 3;
+  a.xy += (w.nx * fy + w.ny * fx) / 2 / 3;
+}
+
+// von Mises from the deviator
+double intensityOf(const Automaton &a)
+{
+  const double p = (a.xx + a.yy + a.zz) / 3;
+  return std::sqrt(1.5 * (std::pow(a.xx - p, 2) + std::pow(a.yy - p, 2) + std::pow(a.zz - p, 2) +
+                          2 * a.xy * a.xy));
+}
+
 void collectStresses(Sample &s)
 {
-  std::vector<bool> hasBulk(s.owned, false);
   for (const auto &c : s.contacts) {
     const View w = view(s, c);
     if (!touches(c, w))
       continue;
     double sigma, tau;
     elasticStresses(s, c, w, sigma, tau);
-    const double fx = sigma * w.nx + tau * w.tx, fy = sigma * w.ny + tau * w.ty;
     for (int side : {c.i, c.j}) {
       Automaton &a = s.automata[s.owner[side]];
-      a.xx += w.nx * fx / 3;
-      a.yy += w.ny * fy / 3;
-      a.xy += (w.nx * fy + w.ny * fx) / 2 / 3;
+      addShare(a, w, sigma, tau);
       a.energy += shearModulus(s.materials[a.type]) / 3 * (w.e * w.e + c.now.gamma * c.now.gamma);
-      if (c.now.kind == 1)
-        hasBulk[s.owner[side]] = true;
     }
   }
   for (int k = 0; k < s.owned; k++) {
@@ -241,22 +251,7 @@ void collectStresses(Sample &s)
       a.energy += shearModulus(m) * a.elasticZ * a.elasticZ;
     a.energy *= std::sqrt(3.0) / 2 * m.diameter * m.diameter * s.thickness;
     a.zz = 3 * a.mean - a.xx - a.yy;
-    const double p = (a.xx + a.yy + a.zz) / 3; // von Mises from the deviator
-    a.intensity = std::sqrt(1.5 * (std::pow(a.xx - p, 2) + std::pow(a.yy - p, 2) +
-                                   std::pow(a.zz - p, 2) + 2 * a.xy * a.xy));
-    const double limit = yieldStress(m, a.kappa);
-    a.factor = 1;
-    a.kappaNext = a.kappa;
-    if (s.laws.plasticity != "none" && hasBulk[k] && a.intensity > limit) {
-      a.factor = limit / a.intensity;
-      a.kappaNext += (a.intensity - limit) / 3 / shearModulus(m);
-    }
-    a.elasticZNext = 0;
-    if (s.laws.plasticity == "j2" && hasBulk[k]) {
-      const double flow = (1 - a.factor) * (a.zz - p); // stress across the plane that relaxes
-      a.elasticZNext = a.elasticZ - flow / 2 / shearModulus(m);
-    }
-    a.work = plasticWork(m, a.kappaNext) - plasticWork(m, a.kappa);
+    a.intensity = intensityOf(a);
   }
 }
 
@@ -278,6 +273,58 @@ Stress contactStresses(const Sample &s, const Contact &c, const View &w)
     out.tau *= (a.factor + b.factor) / 2;
   }
   return out;
+}
+
+// stress intensities with the contacts as they are after the returns
+std::vector<double> returnedIntensities(const Sample &s)
+{
+  std::vector<Automaton> after(s.automata.begin(), s.automata.begin() + s.owned);
+  for (auto &a : after)
+    a.xx = a.yy = a.xy = 0;
+  for (const auto &c : s.contacts) {
+    const View w = view(s, c);
+    const Stress p = contactStresses(s, c, w);
+    for (int side : {c.i, c.j})
+      addShare(after[s.owner[side]], w, p.sigma, touches(c, w) ? p.tau : 0);
+  }
+  std::vector<double> all;
+  for (auto &a : after) {
+    a.zz = 3 * a.mean - a.xx - a.yy;
+    all.push_back(intensityOf(a));
+  }
+  return all;
+}
+
+void yield(Sample &s)
+{
+  std::vector<bool> hasBulk(s.owned, false);
+  for (const auto &c : s.contacts)
+    if (c.now.kind == 1)
+      hasBulk[s.owner[c.i]] = hasBulk[s.owner[c.j]] = true;
+  for (int k = 0; k < s.owned; k++) {
+    Automaton &a = s.automata[k];
+    const double limit = yieldStress(s.materials[a.type], a.kappa);
+    const bool flows = s.laws.plasticity != "none" && hasBulk[k] && a.intensity > limit;
+    a.factor = flows ? limit / a.intensity : 1;
+  }
+  const std::vector<double> after = returnedIntensities(s);
+  for (int k = 0; k < s.owned; k++) {
+    Automaton &a = s.automata[k];
+    const mca::Material &m = s.materials[a.type];
+    if (s.laws.steps == "corrected" && a.factor < 1) {
+      const double taken = a.intensity - after[k];
+      const double times = taken > 0 ? (a.intensity - yieldStress(m, a.kappa)) / taken : 2;
+      a.factor = std::fmax(0, 1 - (1 - a.factor) * std::fmin(2, times));
+    }
+    a.kappaNext = a.kappa + (1 - a.factor) * a.intensity / 3 / shearModulus(m);
+    a.elasticZNext = 0;
+    if (s.laws.plasticity == "j2" && hasBulk[k]) {
+      const double p = (a.xx + a.yy + a.zz) / 3;
+      const double flow = (1 - a.factor) * (a.zz - p); // stress across the plane that relaxes
+      a.elasticZNext = a.elasticZ - flow / 2 / shearModulus(m);
+    }
+    a.work = plasticWork(m, a.kappaNext) - plasticWork(m, a.kappa);
+  }
 }
 
 // [(a+1)/2 sigma_eq + 3(a-1)/2 sigma_mean]/a from the deviator of the stress tensor at the contact
@@ -307,16 +354,24 @@ double workOf(const Sample &s, const Contact &c, const View &w)
   return c.now.gammaTotal + (s.automata[s.owner[c.i]].work + s.automata[s.owner[c.j]].work) / 2;
 }
 
+double viscosity(const Sample &s, const Contact &c)
+{
+  const mca::Material &ma = s.materials[s.automata[c.i].type];
+  const mca::Material &mb = s.materials[s.automata[c.j].type];
+  return s.laws.viscosity == "normal" ? (ma.viscosity + mb.viscosity) / 2 : 0;
+}
+
 // compression and viscosity, never tension; also of a link that breaks in this step
 double unlinkedNormal(const Sample &s, const Contact &c, const View &w, const Stress &p)
 {
   if (w.e >= 0)
     return 0;
-  const Automaton &a = s.automata[c.i], &b = s.automata[c.j];
-  const mca::Material &ma = s.materials[a.type], &mb = s.materials[b.type];
-  const double speed = (b.vx - a.vx) * w.nx + (b.vy - a.vy) * w.ny;
-  const double eta = s.laws.viscosity == "normal" ? (ma.viscosity + mb.viscosity) / 2 : 0;
-  return std::fmin(0, p.trial + eta * speed / w.d);
+  return std::fmin(0, p.trial + viscosity(s, c) * c.speed / w.d);
+}
+
+double contactArea(const Sample &s, const View &w)
+{
+  return w.d * s.thickness / std::sqrt(3.0);
 }
 
 void applyContact(Sample &s, Contact &c)
@@ -342,7 +397,7 @@ void applyContact(Sample &s, Contact &c)
   if (c.next.kind != c.now.kind)
     s.changed++;
 
-  const double S = w.d * s.thickness / std::sqrt(3.0);
+  const double S = contactArea(s, w);
   const bool holds = linked(c.now) && linked(c.next);
   const double normal = holds ? p.sigma : unlinkedNormal(s, c, w, p), tau = holds ? p.tau : 0;
   const double fn = normal * S, ft = tau * S * w.d / w.r;
@@ -356,17 +411,59 @@ void applyContact(Sample &s, Contact &c)
   b.torque += w.d / 2 * tau * S;
 }
 
+void applyContacts(Sample &s)
+{
+  s.changed = 0;
+  for (auto &a : s.automata)
+    a.fx = a.fy = a.torque = 0;
+  for (auto &c : s.contacts)
+    applyContact(s, c);
+}
+
+// the normal velocity dt/2 ago
+double oldSpeed(const Sample &s, const Contact &c)
+{
+  const View w = view(s, c);
+  const Automaton &a = s.automata[c.i], &b = s.automata[c.j];
+  return (b.vx - a.vx) * w.nx + (b.vy - a.vy) * w.ny;
+}
+
+// the present one, from the forces that the old ones make
+double presentSpeed(const Sample &s, const Contact &c, double dt)
+{
+  const View w = view(s, c);
+  double kick = 0, perMass = 0;
+  for (int side : {c.i, c.j}) {
+    const Automaton &a = s.automata[s.owner[side]];
+    const mca::Material &m = s.materials[a.type];
+    if (a.held)
+      continue;
+    const double mass = m.density * std::sqrt(3.0) / 2 * m.diameter * m.diameter * s.thickness;
+    const double pull = a.fx * w.nx + a.fy * w.ny;
+    kick += (side == c.j ? 1 : -1) * pull / mass * dt / 2;
+    perMass += 1 / mass;
+  }
+  const double rate = viscosity(s, c) * contactArea(s, w) / w.d * perMass;
+  return oldSpeed(s, c) + kick / (1 + rate * dt / 2);
+}
+
 } // namespace
 
 void step(Sample &s, double dt)
 {
-  s.changed = 0;
   for (auto &c : s.contacts)
     moveShear(s, c, dt);
   collectMeans(s);
   collectStresses(s);
+  yield(s);
   for (auto &c : s.contacts)
-    applyContact(s, c);
+    c.speed = oldSpeed(s, c);
+  applyContacts(s);
+  if (s.laws.steps != "corrected")
+    return;
+  for (auto &c : s.contacts)
+    c.speed = presentSpeed(s, c, dt);
+  applyContacts(s);
 }
 
 } // namespace reference

@@ -13,7 +13,8 @@ namespace reference {
 /// All quantities in one consistent set of units.
 struct Automaton {
   double x = 0, y = 0, vx = 0, vy = 0, omega = 0;
-  int type = 0; ///< number in the table of materials
+  int type = 0;      ///< number in the table of materials
+  bool held = false; ///< keeps its velocity, whatever acts on it
   double kappa = 0;
   double elasticZ = 0; ///< elastic strain across the plane (plasticity j2)
 
@@ -31,6 +32,7 @@ struct State {
 struct Contact {
   int i = 0, j = 0;
   State now, next;
+  double speed = 0; ///< normal velocity of j seen from i that its viscosity sees
 };
 
 /// Automata beyond the first `owned` are periodic images: `owner` names their original, whose
@@ -77,7 +79,7 @@ double nextKind(const mca::LawSet &, const mca::Material &, const mca::Material 
                 double work = 0);
 
 /// One evaluation of the laws: takes over the next state when dt > 0, moves the shear on by dt,
-/// then yielding, forces and the next state.
+/// then yielding, forces and the next state. Velocities are those of dt/2 before the positions.
 void step(Sample &, double dt);
 
 } // namespace reference

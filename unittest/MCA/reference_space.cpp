@@ -104,6 +104,18 @@ void elasticStresses(const Sample &s, const Contact &c, const View &w, double &s
   }
 }
 
+// of both automata of a contact
+Matrix3d shareOf(const Sample &s, const View &w, double sigma, const Vector3d &tau)
+{
+  const Matrix3d share = w.n * (sigma * w.n + tau).transpose();
+  return 3.0 / s.packing.coordination * (share + share.transpose()) / 2;
+}
+
+double intensityOf(const Matrix3d &stress)
+{
+  return std::sqrt(1.5) * (stress - stress.trace() / 3 * Matrix3d::Identity()).norm();
+}
+
 void collectStresses(Sample &s)
 {
   const double weight = 3.0 / s.packing.coordination;
@@ -115,10 +127,9 @@ void collectStresses(Sample &s)
     double sigma;
     Vector3d tau;
     elasticStresses(s, c, w, sigma, tau);
-    const Matrix3d share = w.n * (sigma * w.n + tau).transpose();
     for (int side : {c.i, c.j}) {
       Automaton &a = s.automata[s.owner[side]];
-      a.stress += weight * (share + share.transpose()) / 2;
+      a.stress += shareOf(s, w, sigma, tau);
       a.energy +=
           weight * shearModulus(s.materials[a.type]) * (w.e * w.e + c.now.gamma.squaredNorm());
       if (c.now.kind == 1) {
@@ -132,17 +143,65 @@ void collectStresses(Sample &s)
     const mca::Material &m = s.materials[a.type];
     a.energy += meanWeight(s.laws, m) * a.mean * a.mean / 2 / bulkModulus(m);
     a.energy *= cellVolume(s.packing) * std::pow(m.diameter, 3);
-    const Matrix3d deviator = a.stress - a.stress.trace() / 3 * Matrix3d::Identity();
-    a.intensity = std::sqrt(1.5) * deviator.norm();
+    a.intensity = intensityOf(a.stress);
     const double limit = yieldStress(m, a.kappa);
     a.centre /= std::max(bulks[k], 1);
-    a.factor = 1;
-    a.kappaNext = a.kappa;
-    if (s.laws.plasticity == "radial" && bulks[k] > 0 && a.intensity > limit) {
-      a.factor = limit / a.intensity;
-      a.kappaNext += (a.intensity - limit) / 3 / shearModulus(m);
-    }
+    const bool flows = s.laws.plasticity == "radial" && bulks[k] > 0 && a.intensity > limit;
+    a.factor = flows ? limit / a.intensity : 1;
   }
+}
+
+// elastic stresses, and those of a bulk link after the returns of both automata
+void contactStresses(const Sample &s, const Contact &c, const View &w, double &trial, double &sigma,
+                     Vector3d &tau)
+{
+  const Automaton &a = s.automata[s.owner[c.i]], &b = s.automata[s.owner[c.j]];
+  trial = sigma = 0;
+  tau.setZero();
+  if (!touches(c, w))
+    return;
+  elasticStresses(s, c, w, trial, tau);
+  sigma = trial;
+  if (c.now.kind == 1) {
+    sigma -= ((1 - a.factor) * (trial - a.centre) + (1 - b.factor) * (trial - b.centre)) / 2;
+    tau *= (a.factor + b.factor) / 2;
+  }
+}
+
+// the returns again, with the stresses as the first ones leave them
+void yieldAgain(Sample &s)
+{
+  std::vector<Matrix3d> after(s.owned, Matrix3d::Zero());
+  for (const auto &c : s.contacts) {
+    const View w = view(s, c);
+    double trial, sigma;
+    Vector3d tau;
+    contactStresses(s, c, w, trial, sigma, tau);
+    for (int side : {c.i, c.j})
+      after[s.owner[side]] += shareOf(s, w, sigma, tau);
+  }
+  for (int k = 0; k < s.owned; k++) {
+    Automaton &a = s.automata[k];
+    const mca::Material &m = s.materials[a.type];
+    if (s.laws.steps == "corrected" && a.factor < 1) {
+      const double taken = a.intensity - intensityOf(after[k]);
+      const double times = taken > 0 ? (a.intensity - yieldStress(m, a.kappa)) / taken : 2;
+      a.factor = std::fmax(0, 1 - (1 - a.factor) * std::fmin(2, times));
+    }
+    a.kappaNext = a.kappa + (1 - a.factor) * a.intensity / 3 / shearModulus(m);
+  }
+}
+
+double viscosity(const Sample &s, const Contact &c)
+{
+  const mca::Material &ma = s.materials[s.automata[c.i].type];
+  const mca::Material &mb = s.materials[s.automata[c.j].type];
+  return s.laws.viscosity == "normal" ? (ma.viscosity + mb.viscosity) / 2 : 0;
+}
+
+double contactArea(const Sample &s, const View &w)
+{
+  return 6 * cellVolume(s.packing) / s.packing.coordination * w.d * w.d;
 }
 
 void applyContact(Sample &s, Contact &c)
@@ -150,16 +209,9 @@ void applyContact(Sample &s, Contact &c)
   const View w = view(s, c);
   Automaton &a = s.automata[s.owner[c.i]], &b = s.automata[s.owner[c.j]];
   const mca::Material &ma = s.materials[a.type], &mb = s.materials[b.type];
-  double trial = 0, sigma = 0;
-  Vector3d tau(0, 0, 0);
-  if (touches(c, w)) {
-    elasticStresses(s, c, w, trial, tau);
-    sigma = trial;
-    if (c.now.kind == 1) {
-      sigma -= ((1 - a.factor) * (trial - a.centre) + (1 - b.factor) * (trial - b.centre)) / 2;
-      tau *= (a.factor + b.factor) / 2;
-    }
-  }
+  double trial, sigma;
+  Vector3d tau;
+  contactStresses(s, c, w, trial, sigma, tau);
   const double twoG = shearModulus(ma) + shearModulus(mb);
   c.next = c.now;
   c.next.kind =
@@ -176,12 +228,10 @@ void applyContact(Sample &s, Contact &c)
 
   // compression and viscosity of what is not linked any more, never tension
   if (!linked(c.now) || !linked(c.next)) {
-    const double speed = (s.automata[c.j].v - s.automata[c.i].v).dot(w.n);
-    const double eta = s.laws.viscosity == "normal" ? (ma.viscosity + mb.viscosity) / 2 : 0;
-    sigma = w.e < 0 ? std::fmin(0, trial + eta * speed / w.d) : 0;
+    sigma = w.e < 0 ? std::fmin(0, trial + viscosity(s, c) * c.speed / w.d) : 0;
     tau.setZero();
   }
-  const double S = 6 * cellVolume(s.packing) / s.packing.coordination * w.d * w.d;
+  const double S = contactArea(s, w);
   const Vector3d force = S * (sigma * w.n + w.d / w.r * tau);
   const Vector3d torque = w.d / 2 * S * w.n.cross(tau);
   a.force += force;
@@ -190,17 +240,58 @@ void applyContact(Sample &s, Contact &c)
   b.torque += torque;
 }
 
+void applyContacts(Sample &s)
+{
+  s.changed = 0;
+  for (auto &a : s.automata) {
+    a.force.setZero();
+    a.torque.setZero();
+  }
+  for (auto &c : s.contacts)
+    applyContact(s, c);
+}
+
+// the normal velocity dt/2 ago
+double oldSpeed(const Sample &s, const Contact &c)
+{
+  return (s.automata[c.j].v - s.automata[c.i].v).dot(view(s, c).n);
+}
+
+// the present one, from the forces that the old ones make
+double presentSpeed(const Sample &s, const Contact &c, double dt)
+{
+  const View w = view(s, c);
+  double kick = 0, perMass = 0;
+  for (int side : {c.i, c.j}) {
+    const Automaton &a = s.automata[s.owner[side]];
+    const mca::Material &m = s.materials[a.type];
+    if (a.held)
+      continue;
+    const double mass = m.density * cellVolume(s.packing) * std::pow(m.diameter, 3);
+    kick += (side == c.j ? 1 : -1) * a.force.dot(w.n) / mass * dt / 2;
+    perMass += 1 / mass;
+  }
+  const double rate = viscosity(s, c) * contactArea(s, w) / w.d * perMass;
+  return oldSpeed(s, c) + kick / (1 + rate * dt / 2);
+}
+
 } // namespace
 
 void step(Sample &s, double dt)
 {
-  s.changed = 0;
   for (auto &c : s.contacts)
     moveShear(s, c, dt);
   collectMeans(s);
   collectStresses(s);
+  yieldAgain(s);
   for (auto &c : s.contacts)
-    applyContact(s, c);
+    c.speed = oldSpeed(s, c);
+  applyContacts(s);
+  if (s.laws.steps != "corrected")
+    return;
+  for (auto &c : s.contacts)
+    c.speed = presentSpeed(s, c, dt);
+  applyContacts(s);
 }
 
 } // namespace space

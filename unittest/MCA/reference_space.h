@@ -19,7 +19,8 @@ using Eigen::Vector3d;
 /// All quantities in one consistent set of units.
 struct Automaton {
   Vector3d x{0, 0, 0}, v{0, 0, 0}, omega{0, 0, 0};
-  int type = 0; ///< number in the table of materials
+  int type = 0;      ///< number in the table of materials
+  bool held = false; ///< keeps its velocity, whatever acts on it
   double kappa = 0;
 
   // results of a step; force and torque are those of all contacts
@@ -38,6 +39,7 @@ struct State {
 struct Contact {
   int i = 0, j = 0;
   State now, next;
+  double speed = 0; ///< normal velocity of j seen from i that its viscosity sees
 };
 
 /// Automata beyond the first `owned` are periodic images, as in the plane.
@@ -58,7 +60,7 @@ struct Sample {
 };
 
 /// One evaluation of the laws: takes over the next state when dt > 0, moves the shear on by dt,
-/// then yielding, forces and the next state.
+/// then yielding, forces and the next state. Velocities are those of dt/2 before the positions.
 void step(Sample &, double dt);
 
 } // namespace space

@@ -2,6 +2,7 @@
 
 #include "further_laws.h"
 #include "link_list.h"
+#include "viscous_contacts.h"
 
 #include <algorithm>
 #include <cmath>
@@ -110,7 +111,8 @@ static void passOn(const Sample &s, const mca::AlignedArray &array, int row)
 }
 
 KernelRun::KernelRun(const mca::Kernel &chosen, const Sample &s, bool next)
-    : kernel(chosen), j2(s.laws.plasticity == "j2"), needsLocal(s.laws.needsLocal())
+    : kernel(chosen), twice(s.laws.returnsTwice()), centres(s.laws.centresViscosity()),
+      j2(s.laws.plasticity == "j2"), needsLocal(s.laws.needsLocal())
 {
   const int types = static_cast<int>(s.materials.size());
   for (const auto &a : s.materials) {
@@ -135,8 +137,8 @@ void KernelRun::step(Sample &s, double dt)
   if (dt > 0.0)
     list.advance();
   std::vector<double> spin, kappa, kappaNext(s.owned), elasticZ, elasticZNext(s.owned);
-  std::vector<int> type;
-  mca::AlignedArray motion, strains, stresses, response, local, forces;
+  std::vector<int> type, groups; // 1: all, 2: held
+  mca::AlignedArray motion, strains, stresses, response, taken, local, forces, centred;
   clear(local, n * mca::localRow);
   clear(motion, n * mca::motionRow);
   clear(strains, n * mca::strainRow);
@@ -147,6 +149,7 @@ void KernelRun::step(Sample &s, double dt)
     const Automaton &a = s.automata[i];
     const double values[] = {a.x, a.y, a.vx, a.vy};
     spin.push_back(a.omega);
+    groups.push_back(a.held ? 3 : 1);
     std::copy_n(values, 4, motion.get() + mca::motionRow * i);
     if (i >= s.owned)
       continue;
@@ -167,6 +170,14 @@ void KernelRun::step(Sample &s, double dt)
   kernel.yield(s.owned, type.data(), own.data(), oneLaw, strains.get(), stresses.get(),
                kappa.data(), kappaNext.data(), response.get());
   passOn(s, response, mca::responseRow);
+  if (twice) {
+    clear(taken, n * mca::stressRow);
+    kernel.returns(p, table.data(), response.get(), taken.get());
+    addUp(s, taken, mca::stressRow);
+    kernel.yieldAgain(s.owned, type.data(), own.data(), stresses.get(), taken.get(), kappa.data(),
+                      kappaNext.data(), response.get());
+    passOn(s, response, mca::responseRow);
+  }
   if (j2)
     mca::flowElasticZ(s.owned, type.data(), own.data(), strains.get(), stresses.get(),
                       response.get(), elasticZ.data(), elasticZNext.data());
@@ -177,6 +188,14 @@ void KernelRun::step(Sample &s, double dt)
   s.changed = static_cast<int>(kernel.force(p, table.data(), response.get(),
                                             needsLocal ? local.get() : nullptr, forces.get()));
   addUp(s, forces, mca::forceRow);
+  clear(centred, n * mca::forceRow);
+  if (centres) {
+    passOn(s, forces, mca::forceRow);
+    mca::ViscousContacts viscous;
+    viscous.add(p, {&kernel, dt, table.data(), response.get(), forces.get(), groups.data(), 1, 2});
+    viscous.addForces(kernel, centred.get());
+    addUp(s, centred, mca::forceRow);
+  }
 
   for (int i = 0; i < s.owned; i++) {
     Automaton &a = s.automata[i];
@@ -196,8 +215,8 @@ void KernelRun::step(Sample &s, double dt)
     a.energy = (mca::energyDensity(row[3], a.mean, law.shearModulus, law.bulkModulus, law.D) +
                 law.shearModulus * elasticZ[i] * elasticZ[i]) *
                mca::Cell{mca::packing::hex, s.materials[a.type].diameter, s.thickness}.cellVolume();
-    a.fx = f[0];
-    a.fy = f[1];
+    a.fx = f[0] + centred.get()[mca::forceRow * i];
+    a.fy = f[1] + centred.get()[mca::forceRow * i + 1];
     a.torque = f[2];
   }
   for (int k = 0; k < p.n; k++) {

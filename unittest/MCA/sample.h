@@ -34,7 +34,7 @@ class KernelRun {
 
  private:
   const mca::Kernel &kernel;
-  bool j2, needsLocal;
+  bool twice, centres, j2, needsLocal;
   std::vector<mca::AutomatonLaw> own;
   std::vector<mca::PairLaw> table;
   mca::LinkList list;

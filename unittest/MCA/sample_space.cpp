@@ -1,5 +1,7 @@
 #include "sample_space.h"
 
+#include "viscous_contacts.h"
+
 #include <algorithm>
 
 using namespace reference::space;
@@ -68,7 +70,8 @@ static void passOn(const Sample &s, const mca::AlignedArray &array, int row)
     std::copy_n(array.get() + row * s.owner[i], row, array.get() + row * i);
 }
 
-SpaceRun::SpaceRun(const mca::Kernel &chosen, const Sample &s, bool next) : kernel(chosen), list(3)
+SpaceRun::SpaceRun(const mca::Kernel &chosen, const Sample &s, bool next)
+    : kernel(chosen), twice(s.laws.returnsTwice()), centres(s.laws.centresViscosity()), list(3)
 {
   const bool many = s.laws.elasticity == "many-body";
   const int types = static_cast<int>(s.materials.size());
@@ -96,8 +99,8 @@ void SpaceRun::step(Sample &s, double dt)
   if (dt > 0.0)
     list.advance();
   std::vector<double> kappa, kappaNext(s.owned), spin;
-  std::vector<int> type;
-  mca::AlignedArray motion, strains, stresses, response, forces;
+  std::vector<int> type, groups; // 1: all, 2: held
+  mca::AlignedArray motion, strains, stresses, response, taken, forces, centred;
   clear(motion, n * row.motion);
   clear(strains, n * row.strain);
   clear(stresses, n * row.stress);
@@ -109,6 +112,7 @@ void SpaceRun::step(Sample &s, double dt)
                              a.v.y(), a.v.z(), a.omega.x(), a.omega.y()};
     std::copy_n(values, row.motion, motion.get() + row.motion * i);
     spin.push_back(a.omega.z());
+    groups.push_back(a.held ? 3 : 1);
     kappa.push_back(a.kappa);
     type.push_back(a.type);
   }
@@ -123,9 +127,25 @@ void SpaceRun::step(Sample &s, double dt)
   kernel.yield(s.owned, type.data(), own.data(), oneLaw, strains.get(), stresses.get(),
                kappa.data(), kappaNext.data(), response.get());
   passOn(s, response, row.response);
+  if (twice) {
+    clear(taken, n * row.stress);
+    kernel.returns(p, table.data(), response.get(), taken.get());
+    addUp(s, taken, row.stress);
+    kernel.yieldAgain(s.owned, type.data(), own.data(), stresses.get(), taken.get(), kappa.data(),
+                      kappaNext.data(), response.get());
+    passOn(s, response, row.response);
+  }
   s.changed =
       static_cast<int>(kernel.force(p, table.data(), response.get(), nullptr, forces.get()));
   addUp(s, forces, row.force);
+  clear(centred, n * row.force);
+  if (centres) {
+    passOn(s, forces, row.force);
+    mca::ViscousContacts viscous;
+    viscous.add(p, {&kernel, dt, table.data(), response.get(), forces.get(), groups.data(), 1, 2});
+    viscous.addForces(kernel, centred.get());
+    addUp(s, centred, row.force);
+  }
 
   for (int i = 0; i < s.owned; i++) {
     Automaton &a = s.automata[i];
@@ -140,7 +160,8 @@ void SpaceRun::step(Sample &s, double dt)
     a.energy =
         mca::energyDensity(sums[6], a.mean, law.shearModulus, law.bulkModulus, law.D, law.weight) *
         mca::Cell{s.packing, s.materials[a.type].diameter}.cellVolume();
-    a.force = Vector3d(f[0], f[1], f[2]);
+    const double *more = centred.get() + row.force * i;
+    a.force = Vector3d(f[0] + more[0], f[1] + more[1], f[2] + more[2]);
     a.torque = Vector3d(f[3], f[4], f[5]);
   }
   for (int k = 0; k < p.n; k++)

@@ -22,6 +22,7 @@ class SpaceRun {
 
  private:
   const mca::Kernel &kernel;
+  bool twice, centres;
   std::vector<mca::AutomatonLaw> own;
   std::vector<mca::PairLaw> table;
   mca::LinkList list;

@@ -27,6 +27,7 @@ void expectSame(const LawSet &a, const LawSet &b)
   EXPECT_EQ(a.plasticity, b.plasticity);
   EXPECT_EQ(a.fracture, b.fracture);
   EXPECT_EQ(a.viscosity, b.viscosity);
+  EXPECT_EQ(a.steps, b.steps);
   EXPECT_EQ(a.link, b.link);
   EXPECT_EQ(a.weld, b.weld);
   EXPECT_EQ(a.heal, b.heal);
@@ -50,6 +51,7 @@ TEST(LawSet, Presets)
     EXPECT_EQ(set.plasticity, "radial");
     EXPECT_EQ(set.fracture, "strain");
     EXPECT_EQ(set.viscosity, "normal");
+    EXPECT_EQ(set.steps, "plain");
     EXPECT_EQ(set.plane, "strain");
     EXPECT_EQ(set.link_work, LawSet::off);
     EXPECT_FALSE(set.needsLocal());
@@ -64,6 +66,7 @@ TEST(LawSet, EachKeyword)
   EXPECT_EQ(parsed({"fracture", "stress"}).fracture, "stress");
   EXPECT_EQ(parsed({"fracture", "none"}).fracture, "none");
   EXPECT_EQ(parsed({"viscosity", "none"}).viscosity, "none");
+  EXPECT_EQ(parsed({"steps", "corrected"}).steps, "corrected");
   EXPECT_EQ(parsed({"link", "1.25"}).link, 1.25);
   EXPECT_EQ(parsed({"link", "none"}).link, LawSet::off);
   EXPECT_EQ(parsed({"preset", "a", "link", "elastic_limit"}).link, LawSet::atElasticLimit);

@@ -29,6 +29,7 @@ SETTINGS = [  # ranks, newton, commands before the box, commands before the run
     (1, "on", "atom_modify sort 0 0", "neighbor 0.1 bin\nneigh_modify every 1"),
 ]
 CASES = ["elastic", "plastic", "all"]
+CORRECTED = "b steps corrected"  # preset and keyword of in.sliding
 
 
 def events(path):
@@ -109,3 +110,25 @@ def test_sliding_blocks(serial, rough_data, tmp_path, ranks, newton, before, ext
     for name in ("links", "broken", "formed"):
         assert (log[name] == serial[2][name]).all(), name
     assert largest_difference(log, serial[2], ["shear_stress", "normal_stress", "gap"]) < 1e-6
+
+
+@pytest.fixture(scope="module")
+def corrected(rough_data, fragments, tmp_path_factory):
+    folder = tmp_path_factory.mktemp("corrected")
+    return (cases(folder / "cases", fragments, scheme="corrected"), slide(folder / "slide", rough_data, laws=CORRECTED))
+
+
+@pytest.mark.parametrize("ranks,newton,before,extra", [SETTINGS[0], SETTINGS[6], SETTINGS[13]])
+def test_corrected_steps(corrected, serial, serial_cases, rough_data, fragments, tmp_path, ranks, newton, before, extra):
+    """They send more; and they are another law."""
+    more = dict(ranks=ranks, newton=newton, before=before, extra=extra)
+    found = cases(tmp_path / "cases", fragments, scheme="corrected", **more)
+    for case, (frame, rows) in corrected[0].items():
+        compare(found[case][0], frame, 1e-12)
+        assert found[case][1] == rows
+    _, frame, _, rows = slide(tmp_path / "slide", rough_data, laws=CORRECTED, **more)
+    compare(frame, corrected[1][1], 1e-10)
+    assert rows == corrected[1][3]
+    for plain in (serial[1], serial_cases["plastic"][0]):
+        other = frame if plain is serial[1] else found["plastic"][0]
+        assert largest_difference(other, plain, PLASTIC, 1.0) > 1e-6

@@ -101,6 +101,24 @@ TEST(Plasticity, RadialReturnActsAboveTheYieldStressOnly)
   EXPECT_DOUBLE_EQ(far.strain, 51 / (3 * G));
 }
 
+TEST(Plasticity, SecondReturnTakesWhatTheFirstShowsToBeNeeded)
+{
+  const double G = steel().shearModulus(), I = 60, Y = 51, first = radialReturn(I, Y, G).factor;
+  // all flow alike: the first return is enough
+  EXPECT_DOUBLE_EQ(secondReturn(first, I, Y, Y, G).factor, first);
+  EXPECT_DOUBLE_EQ(secondReturn(first, I, Y, Y, G).strain, (I - Y) / (3 * G));
+  // alone: contacts take half of it
+  const RadialReturn alone = secondReturn(first, I, I - 0.5 * (I - Y), Y, G);
+  EXPECT_DOUBLE_EQ(1 - alone.factor, 2 * (1 - first));
+  EXPECT_DOUBLE_EQ(alone.strain, 2 * (I - Y) / (3 * G));
+  // neighbours that load it instead: no more than twice
+  EXPECT_DOUBLE_EQ(secondReturn(first, I, I + 5, Y, G).factor, alone.factor);
+  // neighbours took three times as much as needed
+  EXPECT_NEAR(1 - secondReturn(first, I, I - 3 * (I - Y), Y, G).factor, (1 - first) / 3, 1e-15);
+  // far above the yield stress no stress is turned round
+  EXPECT_EQ(secondReturn(0.1, 10 * Y, 9 * Y, Y, G).factor, 0.0);
+}
+
 TEST(Plasticity, ReturnBringsTheIntensityToTheYieldStress)
 {
   // what the factor does to a stress tensor: mean + M (sigma - mean)

@@ -76,6 +76,15 @@ def test_continues_to_the_same_bits(written, tmp_path, ranks):
     assert (tmp_path / "mid.500.restart").stat().st_size == (written[ranks] / "mid.500.restart").stat().st_size
 
 
+@pytest.mark.parametrize("ranks", [1, 2])
+def test_corrected_steps_continue_to_the_same_bits(rough_data, tmp_path, ranks):
+    every = "restart 250 mid.*.restart"
+    lmp("in.sliding", tmp_path / "whole", ranks=ranks, data=rough_data, steps=STEPS, every=100,
+        laws="b steps corrected", extra=every)
+    go_on(tmp_path / "rest", tmp_path / "whole" / "mid.250.restart", ranks, STEPS - 250, extra=every)
+    assert different_bits(tmp_path / "rest", tmp_path / "whole") == 0
+
+
 ALWAYS = "neigh_modify every 10 delay 0 check no\n"  # lists are built at the same steps, whatever is written
 
 

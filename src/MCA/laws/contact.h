@@ -19,6 +19,7 @@ struct PairLaw {
   double twoG, invTwoG;         ///< their mean [stress], and 1/mean
   double Di, Dj;                ///< weight of the mean stress of both sides [-]
   double viscosity;             ///< eta [stress time]
+  double invMassI, invMassJ;    ///< 1/m of both sides [1/mass]
   LinkLimits limits;
 };
 

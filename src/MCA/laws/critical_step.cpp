@@ -135,7 +135,28 @@ CriticalStep criticalStep(const Material &m, double D, double viscosity, const P
   const double viscous =
       damping > 0.0 ? packing.dimension * cell.mass(m.density) / (packing.coordination * damping)
                     : std::numeric_limits<double>::infinity();
-  return {2.0 / std::sqrt(largest), viscous, pressedStep(m, packing)};
+  const double own = static_cast<double>(packing.dimension) / packing.coordination;
+  return {2.0 / std::sqrt(largest), viscous, pressedStep(m, packing), own};
+}
+
+double CriticalStep::plain() const
+{
+  const double s = 0.5 * elastic / viscous;
+  return elastic / (s + std::sqrt(1.0 + s * s));
+}
+
+// A mode of frequency omega and damping rate lambda' <= lambda, with s = own lambda dt/2 and
+// q = lambda' dt/(2 (1 + s)), is stable while q < 1 and (omega^2 dt^2 + 2 lambda' dt)(1 - q) < 4.
+// At the lambda' that is worst the latter is (dt/elastic)^2 + (sqrt(1 + s) - 1)^2 < 1.
+double CriticalStep::centred() const
+{
+  double stable = 0.0, unstable = elastic;
+  for (int k = 0; k < 60; k++) {
+    const double dt = 0.5 * (stable + unstable), u = dt / elastic;
+    const double more = std::sqrt(1.0 + own * dt / viscous) - 1.0;
+    (u * u + more * more < 1.0 ? stable : unstable) = dt;
+  }
+  return std::min(unstable, viscous / (1.0 - own));
 }
 
 } // namespace mca

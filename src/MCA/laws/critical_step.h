@@ -6,8 +6,6 @@
 #include "material.h"
 #include "packing.h"
 
-#include <cmath>
-
 namespace mca {
 
 /// The limits [time]; infinity where the law is switched off.
@@ -16,14 +14,14 @@ struct CriticalStep {
   double viscous; ///< 2/lambda = D m/(N c), c = eta S/d: all N contacts damped, in antiphase
   double pressed; ///< 2/omega of the shear of a link that is pressed together until it collapses,
                   ///< which only plastic flow allows
+  double own;     ///< D/N: a contact's share in lambda [-]
 
-  /// Elasticity and viscosity acting on the same contacts: omega^2 dt^2 + 2 lambda dt = 4. Verlet's
-  /// forces see the velocity of half a step ago, hence damping shortens the step.
-  double shortest() const
-  {
-    const double s = 0.5 * elastic / viscous;
-    return elastic / (s + std::sqrt(1.0 + s * s));
-  }
+  /// Elasticity and viscosity acting on the same contacts, the forces knowing the velocity of half
+  /// a step ago, hence damping shortens the step: omega^2 dt^2 + 2 lambda dt = 4.
+  double plain() const;
+
+  /// The same where viscous contacts have centredSeparation().
+  double centred() const;
 };
 
 /// \param D          weight of the mean stress, 1 - 2G/(3K), or 0 for the pairwise law [-]

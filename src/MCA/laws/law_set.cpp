@@ -41,6 +41,7 @@ const std::vector<Choice> &choices()
       {"plasticity", &LawSet::plasticity, {"radial", "j2", "none"}},
       {"fracture", &LawSet::fracture, {"strain", "stress", "equivalent", "drucker-prager", "none"}},
       {"viscosity", &LawSet::viscosity, {"normal", "none"}},
+      {"steps", &LawSet::steps, {"plain", "corrected"}},
   };
   return table;
 }
@@ -184,6 +185,8 @@ PairLaw makePairLaw(const LawSet &set, const Material &i, const Material &j, dou
   law.Di = elasticModuli(set, i).D;
   law.Dj = elasticModuli(set, j).D;
   law.viscosity = set.viscosity == "normal" ? 0.5 * (i.viscosity + j.viscosity) : 0.0;
+  law.invMassI = 1.0 / Cell{packing, i.diameter, thickness}.mass(i.density);
+  law.invMassJ = 1.0 / Cell{packing, j.diameter, thickness}.mass(j.density);
   law.limits.bulkStrain2 = set.fracture == "strain" ? squared(strain) : LawSet::off;
   law.limits.bulkIntensity2 = set.fracture == "stress" ? squared(weaker) : LawSet::off;
   law.limits.weldIntensity2 = squared(set.weld * weaker);

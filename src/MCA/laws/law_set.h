@@ -33,6 +33,7 @@ struct LawSet {
   double link_work = off;               ///< plastic work that links an unlinked contact, a multiple
                                         ///< of that up to the strength
   std::string viscosity = "normal";     ///< or none
+  std::string steps = "plain";          ///< or corrected: secondReturn(), centredSeparation()
 
   /// Set A (one kind of link), set B (bulk links and welds, the default).
   static LawSet named(const std::string &preset);
@@ -47,6 +48,12 @@ struct LawSet {
   /// Whether a law needs more of both automata than their mean stress and return: their averaged
   /// stress and their plastic work in the step.
   bool needsLocal() const;
+
+  /// Whether an automaton's return is done twice.
+  bool returnsTwice() const { return steps == "corrected" && plasticity != "none"; }
+
+  /// Whether viscous contacts see the velocity of their step.
+  bool centresViscosity() const { return steps == "corrected" && viscosity != "none"; }
 };
 
 /// Moduli of a material under these laws.

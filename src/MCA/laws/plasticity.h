@@ -73,6 +73,23 @@ inline RadialReturn radialReturn(double intensity, double yieldStress, double sh
           yields ? (intensity - yieldStress) / (3.0 * shearModulus) : 0.0};
 }
 
+/// The return of an automaton that flows, once more. Its contacts take the mean of what both sides
+/// answer: where it flows alone, radialReturn() takes half of what it should, and the rest would
+/// wait for later steps, as stress above the yield stress that grows with the step. What the first
+/// returns of all automata did to it tells how much is needed, at most twice as much: exactly where
+/// it flows alone, and where all flow alike.
+/// \param factor     M of radialReturn() [-]
+/// \param intensity  trial stress intensity [stress]
+/// \param returned   the one after the first returns [stress]
+inline RadialReturn secondReturn(double factor, double intensity, double returned,
+                                 double yieldStress, double shearModulus)
+{
+  const double excess = intensity - yieldStress, taken = intensity - returned;
+  const double share = taken > 0.5 * excess ? excess / taken : 2.0;
+  const double wanted = (1.0 - factor) * share, part = wanted < 1.0 ? wanted : 1.0;
+  return {1.0 - part, part * intensity / (3.0 * shearModulus)};
+}
+
 } // namespace mca
 
 #endif
