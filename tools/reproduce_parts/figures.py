@@ -392,6 +392,57 @@ def timestep(report, picture):
             f"a quarter {spread_quarter:.1f} % ({own_quarter:.1f} %)"]
 
 
+# corrected ----------------------------------------------------------------------------------------
+def steps_of(log):
+    """`plain` or `corrected`: the keyword steps of the laws that made a log; the first logs do not name it."""
+    with open(log, encoding="utf-8") as file:
+        found = re.search(r"^# laws: .*\bsteps: (\w+)", file.read(4096), re.MULTILINE)
+    return found[1] if found else "plain"
+
+
+def corrected(report, picture):
+    """mu with plain and with corrected steps: against the step at 5 and 10 m/s, and at the plans' step against velocity."""
+    points = [p for p in report["report"]["points"] if re.fullmatch("v[0-9]+", case_of(p))]
+    if not any(steps_of(p["file"]) == "corrected" for p in points):
+        raise Missing("no run with `steps corrected`")
+    laws = ("plain", "corrected")
+    usual = 5e-5
+    mu = {key: mean_of(runs) for key, runs in
+          groups(points, lambda p: (steps_of(p["file"]), p["velocity"], step_of(p["file"]))).items()}
+    steps = sorted({step for _, _, step in mu}, reverse=True)
+    shown = [v for v in sorted({v for _, v, _ in mu}) if sum(("corrected", v, step) in mu for step in steps) > 1]
+
+    def text(law, velocity, step):
+        return "{:.3f} +- {:.3f}".format(*mu[law, velocity, step]) if (law, velocity, step) in mu else ""
+
+    figure, (left, right) = pyplot.subplots(1, 2, figsize=(10, 4.2), constrained_layout=True)
+    rows = []
+    for k, law in enumerate(laws):
+        for marker, v in zip("osD", shown):
+            rows.append([f"{v:g} m/s, {law}", *(text(law, v, step) for step in steps)])
+            known = [(1e6 * step, *mu[law, v, step]) for step in steps if (law, v, step) in mu]
+            x, value, error = np.array(known).T
+            left.errorbar(x, value, yerr=1.96 * error, fmt=f"C{k}{marker}-", lw=0.8, capsize=2, label=f"{v:g} m/s, {law}")
+    eq2 = {p["velocity"]: p["mu_eq2"] for p in points}
+    both = [v for v in eq2 if all((law, v, usual) in mu for law in laws)]
+    velocities = []
+    for k, law in enumerate(laws):
+        x, value, error = np.array([(v, *mu[law, v, usual]) for v in sorted(both)]).T
+        right.errorbar(x, value, yerr=1.96 * error, fmt=f"C{k}o", capsize=2, label=f"{law}, 95 %")
+    right.plot(sorted(both), [eq2[v] for v in sorted(both)], "k--", lw=1, label="Eq. 2")
+    for v in sorted(both):
+        velocities.append([f"{v:g} m/s", f"{eq2[v]:.3f}", *(text(law, v, usual) for law in laws),
+                           percent(mu["corrected", v, usual][0], mu["plain", v, usual][0])])
+    left.set(xlabel="step (fs)", ylabel="$\\mu$, 95 %", xlim=(0, None))
+    right.set(xlabel="v (m/s)", ylabel="$\\mu$", xlim=(0, None), ylim=(0, None))
+    for axes in (left, right):
+        axes.grid(alpha=0.3)
+        axes.legend(fontsize=9)
+    save(figure, picture)
+    return [*table(["mu", *(f"{1e6 * step:g} fs" for step in steps)], rows), "",
+            *table([f"{1e6 * usual:g} fs", "Eq. 2", *laws, ""], velocities)]
+
+
 FIGURES = {
     "fig3": Figure("Fig. 3: depth of the sliding layer (N1)", ["roughness", "viscosity"], fig3),
     "fig4": Figure("Fig. 4: friction stress against pressure (N2)", ["pressure"], fig4, ["--grinding-in", "100"]),
@@ -405,4 +456,6 @@ FIGURES = {
     "convergence": Figure("Size of the fragment and step, from 10 ns on", ["convergence"], convergence, ["--start", "10"]),
     "timestep": Figure("Friction against the step, from 10 ns on",
                        ["velocity", "pressure", "collapse10", "convergence", "timestep"], timestep, ["--start", "10"]),
+    "corrected": Figure("Friction with plain and with corrected steps, from 10 ns on",
+                        ["velocity", "convergence", "timestep", "corrected"], corrected, ["--start", "10"]),
 }

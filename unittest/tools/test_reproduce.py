@@ -150,6 +150,30 @@ def test_step_extrapolated_to_none(tmp_path):
         assert line(text, case + " ")[-1] == pytest.approx(100 * (1.05 / 1.2 - 1), abs=2)
 
 
+def test_plain_and_corrected_steps(tmp_path):
+    """Corrected ones do not depend on the step, and lie a tenth below the plain ones at the usual one."""
+    for name in ("velocity", "convergence", "timestep", "corrected"):
+        plain = name != "corrected"
+        folder, runs = logs(tmp_path, name, lambda run, plain=plain: 1 + 0.1 * run.dt / 5e-5 if plain else 1.0)
+        for run in runs:
+            log = folder / f"{run.name}.friction"
+            text = re.sub("timestep: [^,]*,", f"timestep: {run.dt},", log.read_text())
+            log.write_text(text if plain else text.replace("laws: {preset: B", "laws: {preset: B, steps: corrected"))
+    text = made(tmp_path, "corrected", reproduce(tmp_path, "corrected"))
+    _, quarter = line(text, "5 m/s, plain")[-2:]
+    at = line(text, "5 m/s, corrected")[::2]
+    assert len(at) == 4 and at == pytest.approx([at[0]] * 4, rel=0.02)
+    assert line(text, "5 m/s, plain")[0] == pytest.approx(1.1 * at[1], rel=0.02) and quarter < 0.02
+    for v in (1, 2, 3, 4, 6, 8, 10):
+        paper, plain, _, ours, _, difference = line(text, f"{v} m/s  ")
+        assert ours == pytest.approx(paper, rel=0.02) and plain == pytest.approx(1.1 * paper, rel=0.02)
+        assert difference == pytest.approx(-9.1, abs=2)
+    for log in (tmp_path / "logs" / "corrected").glob("*.friction"):
+        log.write_text(log.read_text().replace(", steps: corrected", ""))
+    done = reproduce(tmp_path, "corrected")
+    assert done.returncode == 3 and "steps corrected" in done.stderr
+
+
 def test_missing_logs_are_one_clear_line(tmp_path):
     (tmp_path / "logs").mkdir()
     done = reproduce(tmp_path, "fig4")
