@@ -96,7 +96,7 @@ def lengths():
 
 
 def test_pair_keywords():
-    assert len(choices()) == 11 and len(lengths()) == 3
+    assert len(choices()) == 12 and len(lengths()) == 3
     assert sorted(listed(section(page("pair_mca.md"), "Syntax"), "keyword")) == sorted([*choices(), *lengths()])
 
 
