@@ -349,10 +349,16 @@ def case_of(point):
     return "v5" if re.fullmatch("(base|step|quarter)-strength92", name) else name
 
 
+def longest(points, key):
+    """One point for each key, that of the longest run: two plans may hold the same one."""
+    return list({key(p): p for p in sorted(points, key=lambda p: p["duration"])}.values())
+
+
 def timestep(report, picture):
     """mu at the step of the plans, half and a quarter of it; for three steps what a straight line makes of it at none."""
     rows, lines, cases = [], [], {}
-    found = groups(report["report"]["points"], case_of)
+    points = longest(report["report"]["points"], lambda p: (case_of(p), step_of(p["file"]), p["seed"]))
+    found = groups(points, case_of)
     for name, members in sorted(found.items(), key=lambda item: (item[0][0], len(item[0]), item[0])):
         at = {step: mean_of(runs) for step, runs in groups(members, lambda p: step_of(p["file"])).items()}
         usual = max(at)
@@ -402,7 +408,8 @@ def steps_of(log):
 
 def corrected(report, picture):
     """mu with plain and with corrected steps: against the step at 5 and 10 m/s, and at the plans' step against velocity."""
-    points = [p for p in report["report"]["points"] if re.fullmatch("v[0-9]+", case_of(p))]
+    points = longest([p for p in report["report"]["points"] if re.fullmatch("v[0-9]+", case_of(p))],
+                     lambda p: (case_of(p), steps_of(p["file"]), step_of(p["file"]), p["seed"]))
     if not any(steps_of(p["file"]) == "corrected" for p in points):
         raise Missing("no run with `steps corrected`")
     laws = ("plain", "corrected")
