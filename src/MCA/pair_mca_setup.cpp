@@ -284,11 +284,19 @@ void PairMCA::check_commands() const
 
 /* whose velocity follows from the forces of contacts, as viscous forces need to know */
 
+static bool prescribes_motion(const Fix *fix)
+{
+  for (const char *style : {"^freeze", "^setforce", "^move", "^rigid", "^mca/drive"})
+    if (utils::strmatch(fix->style, style))
+      return true;
+  return false;
+}
+
 void PairMCA::find_held()
 {
   integrated = held = 0;
   for (const Fix *fix : modify->get_fix_list()) {
-    if (utils::strmatch(fix->style, "^(freeze|setforce|move|rigid|mca/drive)"))
+    if (prescribes_motion(fix))
       held |= fix->groupbit;
     else if (fix->time_integrate)
       integrated |= fix->groupbit;

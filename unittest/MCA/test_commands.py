@@ -219,3 +219,44 @@ def test_hybrid_overlay(whole, fragments, tmp_path, style, more, ranks):
 def test_hybrid_without_all_types_is_refused(fragments, tmp_path):
     fails("in.fragments", tmp_path, "Pair style mca in hybrid", "between all types, not so 1 2", data=fragments,
           name="mca", style="hybrid mca zero 5.0", more="pair_coeff 1 2 zero")
+
+# ---- who follows the forces, which `steps corrected` has to know
+
+HELD = {"free": "fix integrate all nve/mca",
+        "freeze": "fix integrate all nve/mca\nfix hold wall freeze",
+        "setforce": "fix integrate all nve/mca\nfix hold wall setforce 0 0 0",
+        "move": "fix integrate mover nve/mca\nfix hold wall move linear 0 0 0",
+        "nothing": "fix integrate mover nve/mca"}
+
+
+@pytest.mark.parametrize("ranks", [1, 2])
+@pytest.mark.parametrize("held", HELD)
+def test_viscous_contact_decays(tmp_path, held, ranks):
+    """v exp(-eta S t/(d m)) against what is held, twice as fast between two that are free."""
+    d, eta, rho, dt, steps, v = 2.5, 410, 0.0078, 1.25e-5, 20, -0.1
+    t = lmp(f"""units nano
+dimension 2
+boundary f f p
+atom_style sphere
+timestep {dt}
+region box block -10 10 -10 10 -0.5 0.5
+create_box 2 box
+create_atoms 1 single -1.2 0 0
+create_atoms 2 single $(0.99*{d}-1.2) 0 0
+group wall type 1
+group mover type 2
+pair_style mca plasticity none fracture none link none heal none weld none steps corrected
+pair_coeff * * steel.mca youngs_modulus 1e-3 strength 1e-5 viscosity {eta} density {rho}
+neighbor 0.4 bin
+velocity mover set {v} 0 0
+{HELD[held]}
+compute vx mover reduce sum vx
+compute wall wall reduce sum vx
+thermo_style custom step c_vx c_wall
+thermo_modify format float %20.15g
+thermo {steps}
+run {steps}
+""", tmp_path, ranks=ranks).thermo[0]
+    rate = 4 / 3 * eta / (rho * d**2) * (1 if held == "free" else 0.5)  # eta S/(d m), S = d h/sqrt(3), m = rho sqrt(3)/2 d^2 h
+    assert (t["c_vx"] - t["c_wall"])[-1] == pytest.approx(v * np.exp(-rate * dt * steps), rel=5e-3)
+    assert (t["c_wall"][-1] == 0) == (held != "free")
