@@ -367,8 +367,8 @@ void secondYieldPass(int n, const int *type, const AutomatonLaw *laws, const dou
     if (factor == 1.0)
       continue;
     const AutomatonLaw &law = laws[type[i]];
-    const double *const row = stresses + lengths.stress * i, *const less =
-                                                                 taken + lengths.stress * i;
+    const double *const row = stresses + lengths.stress * i;
+    const double *const less = taken + lengths.stress * i;
     double after[6];
     for (int m = 0; m < 6; m++)
       after[m] = row[m] + less[m];

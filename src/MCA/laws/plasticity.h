@@ -78,7 +78,7 @@ inline RadialReturn radialReturn(double intensity, double yieldStress, double sh
 /// wait for later steps, as stress above the yield stress that grows with the step. What the first
 /// returns of all automata did to it tells how much is needed, at most twice as much: exactly where
 /// it flows alone, and where all flow alike.
-/// \param factor     M of radialReturn() [-]
+/// \param factor     M of radialReturn() [-], < 1: it flows
 /// \param intensity  trial stress intensity [stress]
 /// \param returned   the one after the first returns [stress]
 inline RadialReturn secondReturn(double factor, double intensity, double returned,
