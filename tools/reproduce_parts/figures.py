@@ -288,17 +288,21 @@ def collapse(report, picture):
     return table([f"{len(points)} runs", "paper", "ours"], rows)
 
 
+def condition_of(point):
+    """`c1` of c1-lawsb and of its second seed, c1-second-lawsb."""
+    return run_name(point).split("-")[0]
+
+
 def sensitivity(report, picture):
-    """mu/mu(Eq. 2) for each set of laws at each condition; root mean square and mean for each set."""
+    """mu/mu(Eq. 2) for each set of laws at each condition, a mean over the seeds; root mean square and mean for each set."""
     points = [p for p in report["report"]["points"] if p["mu_se"] is not None]
     sets = groups(points, lambda p: run_name(p).split("-laws")[1].replace("_", " "))
-    conditions = sorted({run_name(p).split("-laws")[0] for p in points})
+    conditions = sorted({condition_of(p) for p in points})
     figure, axes = pyplot.subplots(figsize=(8, 4.4), constrained_layout=True)
     rows = []
     for k, (laws, members) in enumerate(sets.items()):
-        at = {run_name(p).split("-laws")[0]: p for p in members}
-        ratio = [at[c]["mu"] / at[c]["mu_eq2"] if c in at else math.nan for c in conditions]
-        error = [at[c]["mu_se"] / at[c]["mu_eq2"] if c in at else math.nan for c in conditions]
+        at = {c: np.array(mean_of(runs)) / runs[0]["mu_eq2"] for c, runs in groups(members, condition_of).items()}
+        ratio, error = np.array([at.get(c, (math.nan, math.nan)) for c in conditions]).T
         x = np.arange(len(conditions)) + 0.1 * (k - 0.5 * (len(sets) - 1))
         axes.errorbar(x, ratio, yerr=1.96 * np.array(error), fmt="o", ms=4, capsize=2, label=f"preset {laws}")
         known = np.array([(r, e) for r, e in zip(ratio, error) if not math.isnan(r)])
@@ -307,7 +311,7 @@ def sensitivity(report, picture):
         rows.append([f"preset {laws}", *(f"{r:.2f}" if not math.isnan(r) else "-" for r in ratio), f"{100 * np.mean(d):+.0f} %",
                      f"{100 * rms:.1f} +- {100 * math.sqrt(np.sum((d * known[:, 1]) ** 2)) / (rms * len(d)):.1f} %"])
     axes.axhline(1, color="k", ls="--", lw=1, label="Eq. 2")
-    first = {run_name(p).split("-laws")[0]: p for p in points}
+    first = {condition_of(p): p for p in points}
     axes.set_xticks(range(len(conditions)), [f"{c}\n$\\kappa_1$ {first[c]['kappa1']:.2g}\n$\\kappa_2$ {first[c]['kappa2']:.3g}"
                                              for c in conditions])
     axes.set(ylabel="$\\mu/\\mu$(Eq. 2)", ylim=(0, None))
@@ -344,21 +348,14 @@ def step_of(log):
 
 
 def case_of(point):
-    """What a run shares with those of other steps: `v5` of v5-seed1 and of the plan convergence's step-strength92-seed1."""
-    name = re.sub("-(dt.*|seed.*)", "", run_name(point))
-    return "v5" if re.fullmatch("(base|step|quarter)-strength92", name) else name
-
-
-def longest(points, key):
-    """One point for each key, that of the longest run: two plans may hold the same one."""
-    return list({key(p): p for p in sorted(points, key=lambda p: p["duration"])}.values())
+    """What a run shares with those of other steps: `v5` of v5-dt5e-05-seed1."""
+    return re.sub("-(dt.*|seed.*)", "", run_name(point))
 
 
 def timestep(report, picture):
-    """mu at the step of the plans, half and a quarter of it; for three steps what a straight line makes of it at none."""
+    """mu at the usual step, half and a quarter of it; for three steps what a straight line makes of it at none."""
     rows, lines, cases = [], [], {}
-    points = longest(report["report"]["points"], lambda p: (case_of(p), step_of(p["file"]), p["seed"]))
-    found = groups(points, case_of)
+    found = groups(report["report"]["points"], case_of)
     for name, members in sorted(found.items(), key=lambda item: (item[0][0], len(item[0]), item[0])):
         at = {step: mean_of(runs) for step, runs in groups(members, lambda p: step_of(p["file"])).items()}
         usual = max(at)
@@ -382,7 +379,7 @@ def timestep(report, picture):
     for axes, pattern, key in ((left, "v", "velocity"), (right, "v5|c", "kappa3")):
         shown = sorted((p[key], p["mu_eq2"], full, small) for name, (p, full, small) in cases.items() if re.match(pattern, name))
         x = np.array([entry[0] for entry in shown])
-        for k, label in ((2, "the plans' step"), (3, "a quarter of it")):
+        for k, label in ((2, "usual step"), (3, "a quarter of it")):
             mu, error = np.array([entry[k] for entry in shown]).T
             axes.errorbar(x, mu, yerr=1.96 * error, fmt=f"C{k - 2}o", capsize=2, label=f"{label}, 95 %")
         axes.plot(x, [entry[1] for entry in shown], "k--", lw=1, label="Eq. 2")
@@ -393,23 +390,22 @@ def timestep(report, picture):
     right.set(xlabel="$\\kappa_3 = E/\\sigma_0$ at equal $\\kappa_1$, $\\kappa_2$", ylabel="$\\mu$", ylim=(0, None))
     left.legend(fontsize=9)
     save(figure, picture)
-    return [*table(["mu", "kappa3", "Eq. 2", "the plans' step", "half", "a quarter", "", "none (line)"], rows), "",
-            f"Scatter of the {len(equal)} at equal kappa1 and kappa2: the plans' step {spread:.1f} % (own errors {own:.1f} %), "
+    return [*table(["mu", "kappa3", "Eq. 2", "usual step", "half", "a quarter", "", "none (line)"], rows), "",
+            f"Scatter of the {len(equal)} at equal kappa1 and kappa2: usual step {spread:.1f} % (own errors {own:.1f} %), "
             f"a quarter {spread_quarter:.1f} % ({own_quarter:.1f} %)"]
 
 
 # corrected ----------------------------------------------------------------------------------------
 def steps_of(log):
-    """`plain` or `corrected`: the keyword steps of the laws that made a log; the first logs do not name it."""
+    """`plain` or `corrected`: the keyword steps of the laws that made a log; the first logs, of plain ones, do not name it."""
     with open(log, encoding="utf-8") as file:
         found = re.search(r"^# laws: .*\bsteps: (\w+)", file.read(4096), re.MULTILINE)
     return found[1] if found else "plain"
 
 
 def corrected(report, picture):
-    """mu with plain and with corrected steps: against the step at 5 and 10 m/s, and at the plans' step against velocity."""
-    points = longest([p for p in report["report"]["points"] if re.fullmatch("v[0-9]+", case_of(p))],
-                     lambda p: (case_of(p), steps_of(p["file"]), step_of(p["file"]), p["seed"]))
+    """mu with plain and with corrected steps: against the step at 5 and 10 m/s, and at the usual step against velocity."""
+    points = [p for p in report["report"]["points"] if re.fullmatch("v[0-9]+", case_of(p))]
     if not any(steps_of(p["file"]) == "corrected" for p in points):
         raise Missing("no run with `steps corrected`")
     laws = ("plain", "corrected")
@@ -462,7 +458,7 @@ FIGURES = {
     "sensitivity": Figure("Sensitivity of mu to the laws, from 15 ns on", ["variants"], sensitivity, ["--start", "15"]),
     "convergence": Figure("Size of the fragment and step, from 10 ns on", ["convergence"], convergence, ["--start", "10"]),
     "timestep": Figure("Friction against the step, from 10 ns on",
-                       ["velocity", "pressure", "collapse10", "convergence", "timestep"], timestep, ["--start", "10"]),
+                       ["timestep"], timestep, ["--start", "10"]),
     "corrected": Figure("Friction with plain and with corrected steps, from 10 ns on",
-                        ["velocity", "convergence", "timestep", "corrected"], corrected, ["--start", "10"]),
+                        ["timestep", "corrected"], corrected, ["--start", "10"]),
 }

@@ -37,8 +37,8 @@ def test_error_is_the_sum(sliding):
     assert sliding["error"] == pytest.approx(total - total[0], abs=1e-9 * sliding["work"][-1])
 
 
-@pytest.mark.parametrize("laws", ["preset a", "preset b plasticity j2", "preset b viscosity none", "preset b steps corrected",
-                                  "preset b plasticity j2 steps corrected"])
+@pytest.mark.parametrize("laws", ["preset a", "preset b plasticity j2", "preset b viscosity none", "preset b steps plain",
+                                  "preset b plasticity j2 steps plain"])
 def test_other_laws_close_too(laws, tmp_path):
     a = account(lmp("in.energy_sliding", tmp_path, laws=laws, steps=1000))
     assert a["dissipated"][-1] > 0

@@ -51,7 +51,7 @@ TEST(LawSet, Presets)
     EXPECT_EQ(set.plasticity, "radial");
     EXPECT_EQ(set.fracture, "strain");
     EXPECT_EQ(set.viscosity, "normal");
-    EXPECT_EQ(set.steps, "plain");
+    EXPECT_EQ(set.steps, "corrected");
     EXPECT_EQ(set.plane, "strain");
     EXPECT_EQ(set.link_work, LawSet::off);
     EXPECT_FALSE(set.needsLocal());
@@ -66,7 +66,7 @@ TEST(LawSet, EachKeyword)
   EXPECT_EQ(parsed({"fracture", "stress"}).fracture, "stress");
   EXPECT_EQ(parsed({"fracture", "none"}).fracture, "none");
   EXPECT_EQ(parsed({"viscosity", "none"}).viscosity, "none");
-  EXPECT_EQ(parsed({"steps", "corrected"}).steps, "corrected");
+  EXPECT_EQ(parsed({"steps", "plain"}).steps, "plain");
   EXPECT_EQ(parsed({"link", "1.25"}).link, 1.25);
   EXPECT_EQ(parsed({"link", "none"}).link, LawSet::off);
   EXPECT_EQ(parsed({"preset", "a", "link", "elastic_limit"}).link, LawSet::atElasticLimit);

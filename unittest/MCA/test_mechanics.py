@@ -111,7 +111,7 @@ def test_mirror_translation_and_order_of_atoms(tmp_path):
     """The same collision mirrored, shifted by 512 nm, with IDs (hence i and j of all pairs)
     reversed: equal to round-off, grown by 400 steps of contacts that form and break."""
     start = sheared_blocks(tmp_path / "0")
-    assert start["c_state[5]"].max() > 1e-4 and start["v_pf"].max() > 100
+    assert start["c_state[5]"].max() > 1e-4 and start["v_pf"].max() > 50
     for name, other in {"mirror": {"mirror": -1}, "shift": {"shift": 512.0}, "order": {"order": -1}}.items():
         same = sheared_blocks(tmp_path / name, **other)
         assert (same["c_state[6]"] == start["c_state[6]"]).all(), name
@@ -362,7 +362,7 @@ write_data blocks.data
         assert (state["c_state[1]"] == counts[0]).all() and (state["c_state[2]"] == counts[1]).all()
         for total, total_too in (("c_total[6]", "c_sums[3]"), ):
             assert thermo[total][-1] == pytest.approx(thermo[total_too][-1], rel=1e-12)
-            assert thermo[total][-1] == pytest.approx(t[total], rel=1e-10) and t[total] > 0
+            assert thermo[total][-1] == pytest.approx(t[total], rel=1e-9) and t[total] > 0
     first = dump(tmp_path / "whole" / "0" / "state.dump")[-1][1]
     for columns in (["x", "y"], ["vx", "vy"], ["c_state[3]"], ["c_state[4]", "c_state[5]"], ["c_state[6]"]):
         scale = max(np.abs(first[c]).max() for c in columns)

@@ -27,7 +27,7 @@ dump_modify links {named(LINKS, "links")}
 run 300
 mca_links write middle.data
 """
-    lmp("in.fragments", folder, data=fragments, steps=100, every=100, extra=output)
+    lmp("in.fragments", folder, data=fragments, fall=50, steps=100, every=100, extra=output)
     return folder
 
 

@@ -29,7 +29,7 @@ SETTINGS = [  # ranks, newton, commands before the box, commands before the run
     (1, "on", "atom_modify sort 0 0", "neighbor 0.1 bin\nneigh_modify every 1"),
 ]
 CASES = ["elastic", "plastic", "all"]
-CORRECTED = "b steps corrected"  # preset and keyword of in.sliding
+PLAIN = "b steps plain"  # preset and keyword of in.sliding
 
 
 def events(path):
@@ -103,9 +103,9 @@ def test_free_fragments(serial_cases, fragments, tmp_path, ranks, newton, before
 
 @pytest.mark.parametrize("ranks,newton,before,extra", SETTINGS[1::2])
 def test_sliding_blocks(serial, rough_data, tmp_path, ranks, newton, before, extra):
-    """Periodic, driven, with contacts that touch and part; events as a set."""
+    """Periodic, driven, with contacts that touch and part, which lets round-off grow; events as a set."""
     _, frame, log, rows = slide(tmp_path, rough_data, ranks=ranks, newton=newton, before=before, extra=extra)
-    compare(frame, serial[1], 1e-10)
+    compare(frame, serial[1], 1e-9)
     assert rows == serial[3]
     for name in ("links", "broken", "formed"):
         assert (log[name] == serial[2][name]).all(), name
@@ -113,22 +113,22 @@ def test_sliding_blocks(serial, rough_data, tmp_path, ranks, newton, before, ext
 
 
 @pytest.fixture(scope="module")
-def corrected(rough_data, fragments, tmp_path_factory):
-    folder = tmp_path_factory.mktemp("corrected")
-    return (cases(folder / "cases", fragments, scheme="corrected"), slide(folder / "slide", rough_data, laws=CORRECTED))
+def plain(rough_data, fragments, tmp_path_factory):
+    folder = tmp_path_factory.mktemp("plain")
+    return (cases(folder / "cases", fragments, scheme="plain"), slide(folder / "slide", rough_data, laws=PLAIN))
 
 
 @pytest.mark.parametrize("ranks,newton,before,extra", [SETTINGS[0], SETTINGS[6], SETTINGS[13]])
-def test_corrected_steps(corrected, serial, serial_cases, rough_data, fragments, tmp_path, ranks, newton, before, extra):
-    """They send more; and they are another law."""
+def test_plain_steps(plain, serial, serial_cases, rough_data, fragments, tmp_path, ranks, newton, before, extra):
+    """They send less; and they are another law."""
     more = dict(ranks=ranks, newton=newton, before=before, extra=extra)
-    found = cases(tmp_path / "cases", fragments, scheme="corrected", **more)
-    for case, (frame, rows) in corrected[0].items():
+    found = cases(tmp_path / "cases", fragments, scheme="plain", **more)
+    for case, (frame, rows) in plain[0].items():
         compare(found[case][0], frame, 1e-12)
         assert found[case][1] == rows
-    _, frame, _, rows = slide(tmp_path / "slide", rough_data, laws=CORRECTED, **more)
-    compare(frame, corrected[1][1], 1e-10)
-    assert rows == corrected[1][3]
-    for plain in (serial[1], serial_cases["plastic"][0]):
-        other = frame if plain is serial[1] else found["plastic"][0]
-        assert largest_difference(other, plain, PLASTIC, 1.0) > 1e-6
+    _, frame, _, rows = slide(tmp_path / "slide", rough_data, laws=PLAIN, **more)
+    compare(frame, plain[1][1], 1e-10)
+    assert rows == plain[1][3]
+    for corrected in (serial[1], serial_cases["plastic"][0]):
+        other = frame if corrected is serial[1] else found["plastic"][0]
+        assert largest_difference(other, corrected, PLASTIC, 1.0) > 1e-6

@@ -71,9 +71,9 @@ def test_unload(tmp_path):
 @pytest.mark.parametrize("ranks", [1, 2])
 def test_step_above_the_critical_one_is_refused(tmp_path, ranks):
     fails(SAMPLE + "timestep 1e-4\nrun 10\n", tmp_path, "Timestep 0.0001 is longer than the critical",
-          "5.69", ranks=ranks)
-    script = SAMPLE.replace("pair_style mca", "pair_style mca steps corrected")
-    fails(script + "timestep 1e-4\nrun 10\n", tmp_path, "Timestep 0.0001 is longer than the critical", "8.91", ranks=ranks)
+          "8.91", ranks=ranks)
+    script = SAMPLE.replace("pair_style mca", "pair_style mca steps plain")
+    fails(script + "timestep 1e-4\nrun 10\n", tmp_path, "Timestep 0.0001 is longer than the critical", "5.69", ranks=ranks)
     script = SAMPLE.replace("pair_style mca", "pair_style mca viscosity none plasticity none")
     fails(script + "timestep 3e-4\nrun 10\n", tmp_path, "0.000277")
     lmp(script + "timestep 2.7e-4\nrun 10\n", tmp_path)

@@ -77,10 +77,10 @@ def test_continues_to_the_same_bits(written, tmp_path, ranks):
 
 
 @pytest.mark.parametrize("ranks", [1, 2])
-def test_corrected_steps_continue_to_the_same_bits(rough_data, tmp_path, ranks):
+def test_plain_steps_continue_to_the_same_bits(rough_data, tmp_path, ranks):
     every = "restart 250 mid.*.restart"
     lmp("in.sliding", tmp_path / "whole", ranks=ranks, data=rough_data, steps=STEPS, every=100,
-        laws="b steps corrected", extra=every)
+        laws="b steps plain", extra=every)
     go_on(tmp_path / "rest", tmp_path / "whole" / "mid.250.restart", ranks, STEPS - 250, extra=every)
     assert different_bits(tmp_path / "rest", tmp_path / "whole") == 0
 

@@ -193,9 +193,9 @@ def test_same_on_all_ranks(serial, blocks, tmp_path, ranks, newton, extra):
     compare(frame, serial[0], 1e-12)
 
 
-def test_corrected_steps(serial, blocks, tmp_path):
-    one, _ = slide(tmp_path / "one", blocks, scheme="corrected", extra=ACCOUNT)
-    two, _ = slide(tmp_path / "two", blocks, scheme="corrected", ranks=2)
+def test_plain_steps(serial, blocks, tmp_path):
+    one, _ = slide(tmp_path / "one", blocks, scheme="plain", extra=ACCOUNT)
+    two, _ = slide(tmp_path / "two", blocks, scheme="plain", ranks=2)
     compare(two, one, 1e-12)
     assert largest_difference(one, serial[0], ["c_state[7]"], 1.0) > 1e-6
 

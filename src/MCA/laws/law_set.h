@@ -33,7 +33,7 @@ struct LawSet {
   double link_work = off;               ///< plastic work that links an unlinked contact, a multiple
                                         ///< of that up to the strength
   std::string viscosity = "normal";     ///< or none
-  std::string steps = "plain";          ///< or corrected: secondReturn(), centredSeparation()
+  std::string steps = "corrected";      ///< secondReturn(), centredSeparation(); or plain
 
   /// Set A (one kind of link), set B (bulk links and welds, the default).
   static LawSet named(const std::string &preset);
