@@ -26,8 +26,10 @@ STYLES = {
 # automata: cells of the hexagonal lattice (2 automata a cell) in x and y
 SIZES = {1000: (25, 20), 1600: (40, 20), 6400: (80, 40), 40000: (200, 100), 160000: (400, 200),
          1000000: (1000, 500)}
+WARM_STEPS, WARM_WORK = 12000, 5e8  # of the sliding blocks before their first run: steps, and automaton-steps at most
 
-HELP = """Runs every style at every size and rank count in turn, ROUNDS times over, so that a
+HELP = """Begins with sliding blocks of each size that have left the shock of their start behind (12000 steps, for large
+samples fewer), then runs every style at every size and rank count in turn, ROUNDS times over, so that a
 disturbance of the machine hits all of them alike. Prints the medians in million automaton-steps a
 second and the ratios mca/other with their smallest and largest value, and writes all of it, with
 LAMMPS's timing breakdown and neighbour list builds, as JSON.
@@ -77,20 +79,41 @@ def parse_log(text):
     }
 
 
-def run_case(lmp, style, automata, ranks, scale, folder, partitions=0):
-    """One run, or as many copies at once as there are partitions: a parsed log each."""
+def warm_up(lmp, automata, folder, scale):
+    """Sliding blocks of one size, kept in a restart file: on all cores."""
+    nx, ny = SIZES[automata]
+    steps = max(100, round(scale * min(WARM_STEPS, WARM_WORK / automata)))
+    command = ["mpirun", "-np", str(os.cpu_count()), lmp, "-in", str(INPUTS / "in.mca"), "-log", "log.bench", "-screen", "none",
+               "-var", "nx", str(nx), "-var", "ny", str(ny), "-var", "warmup", str(steps),
+               "-var", "warm", "begin", "-var", "restart", warm_file(folder, automata)]
+    done = subprocess.run(command, cwd=folder, env=mpi_environment(), stdout=subprocess.PIPE,
+                          stderr=subprocess.STDOUT, text=True, check=False)
+    if done.returncode != 0:
+        fail(1, f"warm-up of {automata} automata: lmp failed with exit code {done.returncode}: {done.stdout[-500:]}")
+
+
+def warm_file(folder, automata):
+    return str(folder / f"warm.{automata}.restart")
+
+
+def run_case(lmp, style, automata, ranks, scale, folder, partitions=0, place="."):
+    """One run, or as many copies at once as there are partitions: a parsed log each. Runs at `place` in the folder."""
     script, steps = STYLES[style]
     nx, ny = SIZES[automata]
     steps = max(20, round(steps * scale * 1600 / automata * min(ranks, 2) / 20) * 20)
     command = [lmp, "-in", str(INPUTS / script), "-log", "log.bench", "-screen", "none",
                "-var", "nx", str(nx), "-var", "ny", str(ny), "-var", "steps", str(steps)]
-    logs = [folder / "log.bench"]
+    if style == "mca":
+        command += ["-var", "warm", "go_on", "-var", "restart", warm_file(folder, automata)]
+    work = folder / place
+    work.mkdir(exist_ok=True)
+    logs = [work / "log.bench"]
     if partitions:
         command += ["-partition", f"{partitions}x1", "-plog", "log.bench", "-pscreen", "none"]
-        logs = [folder / f"log.bench.{k}" for k in range(partitions)]
+        logs = [work / f"log.bench.{k}" for k in range(partitions)]
     if ranks > 1 or partitions:
         command = ["mpirun", "-np", str(partitions or ranks)] + command
-    done = subprocess.run(command, cwd=folder, env=mpi_environment(), stdout=subprocess.PIPE,
+    done = subprocess.run(command, cwd=work, env=mpi_environment(), stdout=subprocess.PIPE,
                           stderr=subprocess.STDOUT, text=True, check=False)
     texts = [log.read_text() if log.exists() else "" for log in logs]
     for text in texts:
@@ -98,7 +121,7 @@ def run_case(lmp, style, automata, ranks, scale, folder, partitions=0):
             errors = [line for line in (text + done.stdout).splitlines() if "ERROR" in line]
             fail(1, f"{style}, {automata} automata, {ranks} ranks: lmp failed with exit code "
                     f"{done.returncode}: {errors[0] if errors else done.stdout[-500:]}")
-    for log in folder.glob("log.*"):
+    for log in work.glob("log.*"):
         log.unlink()
     return [parse_log(text) for text in texts]
 
@@ -106,9 +129,7 @@ def run_case(lmp, style, automata, ranks, scale, folder, partitions=0):
 def run_side_by_side(lmp, automata, scale, folder, count):
     """As many single runs at once: a parsed log each."""
     def one(k):
-        own = folder / f"single{k}"
-        own.mkdir(exist_ok=True)
-        return run_case(lmp, "mca", automata, 1, scale, own)[0]
+        return run_case(lmp, "mca", automata, 1, scale, folder, place=f"single{k}")[0]
 
     with concurrent.futures.ThreadPoolExecutor(count) as pool:
         return list(pool.map(one, range(count)))
@@ -244,6 +265,9 @@ def main():
     lmp = str(args.build / "bin" / "lmp")
     start = time.monotonic()
     with tempfile.TemporaryDirectory(prefix="mcawr-bench-") as folder:
+        for size in args.sizes if "mca" in args.styles else []:
+            progress(f"sliding of {size} automata, {time.monotonic() - start:.0f} s")
+            warm_up(lmp, size, Path(folder), args.scale)
         for number in range(args.rounds):
             for index, (style, size, ranks) in enumerate(cases):
                 done = number * len(cases) + index + 1
