@@ -288,7 +288,8 @@ run 1001
     assert events == [(first, 2, 3, 0, 2)] or events == [(first, 3, 2, 0, 2)]
 
 
-LAWS = "plasticity j2 fracture drucker-prager compressive_strength 2 link_work 0.002 heal none"
+# corrected steps of j2 let round-off grow by a hundredth a step, too much for a comparison of 600 steps
+LAWS = "steps plain plasticity j2 fracture drucker-prager compressive_strength 2 link_work 0.002 heal none"
 OUTPUT = """neighbor 0.4 bin
 neigh_modify every 1 delay 0 check yes
 fix integrate all nve/mca
@@ -362,7 +363,7 @@ write_data blocks.data
         assert (state["c_state[1]"] == counts[0]).all() and (state["c_state[2]"] == counts[1]).all()
         for total, total_too in (("c_total[6]", "c_sums[3]"), ):
             assert thermo[total][-1] == pytest.approx(thermo[total_too][-1], rel=1e-12)
-            assert thermo[total][-1] == pytest.approx(t[total], rel=1e-9) and t[total] > 0
+            assert thermo[total][-1] == pytest.approx(t[total], rel=1e-10) and t[total] > 0
     first = dump(tmp_path / "whole" / "0" / "state.dump")[-1][1]
     for columns in (["x", "y"], ["vx", "vy"], ["c_state[3]"], ["c_state[4]", "c_state[5]"], ["c_state[6]"]):
         scale = max(np.abs(first[c]).max() for c in columns)

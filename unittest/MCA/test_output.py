@@ -67,7 +67,7 @@ def test_damage_counts_original_links(written, fragments, tmp_path, ranks):
     left = np.bincount(np.concatenate([links["id1"][whole], links["id2"][whole]]).astype(int), minlength=161)[1:]
     assert frame["damage"] == pytest.approx(1 - left / made, abs=1e-5)
     assert (~whole).sum() > 5
-    lmp("in.fragments", tmp_path, data=fragments, steps=400, every=400, ranks=ranks)
+    lmp("in.fragments", tmp_path, data=fragments, fall=50, steps=400, every=400, ranks=ranks)
     again = dump(tmp_path / "state.dump")[-1][1]
     assert again["c_state[9]"] == pytest.approx(frame["damage"], abs=1e-5)
 

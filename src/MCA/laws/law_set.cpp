@@ -41,7 +41,7 @@ const std::vector<Choice> &choices()
       {"plasticity", &LawSet::plasticity, {"radial", "j2", "none"}},
       {"fracture", &LawSet::fracture, {"strain", "stress", "equivalent", "drucker-prager", "none"}},
       {"viscosity", &LawSet::viscosity, {"normal", "none"}},
-      {"steps", &LawSet::steps, {"plain", "corrected"}},
+      {"steps", &LawSet::steps, {"corrected", "plain"}},
   };
   return table;
 }
