@@ -83,9 +83,10 @@ def warm_up(lmp, automata, folder, scale):
     """Sliding blocks of one size, kept in a restart file: on all cores."""
     nx, ny = SIZES[automata]
     steps = max(100, round(scale * min(WARM_STEPS, WARM_WORK / automata)))
-    command = ["mpirun", "-np", str(os.cpu_count()), lmp, "-in", str(INPUTS / "in.mca"), "-log", "log.bench", "-screen", "none",
-               "-var", "nx", str(nx), "-var", "ny", str(ny), "-var", "warmup", str(steps),
-               "-var", "warm", "begin", "-var", "restart", warm_file(folder, automata)]
+    command = ["mpirun", "-np", str(os.cpu_count()), lmp, "-in", str(INPUTS / "in.mca"),
+               "-log", "log.bench", "-screen", "none", "-var", "nx", str(nx), "-var", "ny", str(ny),
+               "-var", "warmup", str(steps), "-var", "warm", "begin",
+               "-var", "restart", warm_file(folder, automata)]
     done = subprocess.run(command, cwd=folder, env=mpi_environment(), stdout=subprocess.PIPE,
                           stderr=subprocess.STDOUT, text=True, check=False)
     if done.returncode != 0:
@@ -143,8 +144,7 @@ def throughput(runs):
 def mpi_environment():
     """Also as root, more ranks than cores; the system decides which core runs a rank."""
     return {**os.environ, "OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1",
-            "OMPI_MCA_rmaps_base_oversubscribe": "1", "OMPI_MCA_mpi_yield_when_idle": "1",
-            "OMPI_MCA_hwloc_base_binding_policy": "none"}
+            "OMPI_MCA_rmaps_base_oversubscribe": "1", "OMPI_MCA_hwloc_base_binding_policy": "none"}
 
 
 def progress(text):
