@@ -98,7 +98,7 @@ def draw(law, rms, points, covariance, path):
                       label=f"$\\pm$ {100 * shown_rms:.1f} % (RMS of {name})")
     left.set(xlim=(0, top), ylim=(0, top), xlabel=f"$\\mu$ of {name}", ylabel=of_runs,
              title="Runs against the law (Fig. 7)")
-    left.legend(fontsize=9, loc="upper left")
+    left.legend(fontsize=9, loc="lower right")
 
     reach = max(650.0, 1.1 * max(p["kappa2"] for p in points))
     kappa2 = np.linspace(0, reach, 400)
@@ -113,7 +113,7 @@ def draw(law, rms, points, covariance, path):
         if rows:
             reduced = column(rows, "mu") - velocity_term(shown, column(rows, "kappa1"))
             scatter(right, rows, column(rows, "kappa2"), reduced, **{**style, "label": None})
-    right.set(xlim=(0, reach), ylim=(0, None), xlabel="$\\kappa_2 = p E/\\sigma_0^2$",
+    right.set(xlim=(0, reach), ylim=(0, top), xlabel="$\\kappa_2 = p E/\\sigma_0^2$",
               ylabel="$\\mu - \\mu_1\\kappa_1/(1+b\\,\\kappa_1)$",
               title="Without the velocity term (Fig. 8)")
     right.legend(fontsize=9)
