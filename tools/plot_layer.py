@@ -133,6 +133,15 @@ def draw(path, frames, table, step, length, time):
         fail(5, f"{path}: cannot be written: {error}")
 
 
+def show(table):
+    """Prints a row for each frame."""
+    print(f"{'step':>9} {'centre':>8} {'depth':>7} {'mixed':>7} {'displ.^2':>9} {'linked':>7}")
+    for row in table:
+        print(f"{row['step']:9d} {row['centre']:8.3f} {row['depth']:7.3f} {row['mixed']:7.3f} "
+              f"{row['displacement2']:9.3f} {row['linked']:7.3f}")
+    sys.stdout.flush()
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("file", help="profile file of in.friction")
@@ -149,14 +158,14 @@ def main():
         fail(1, f"needs {error.name} (Debian: python3-{error.name})")
     frames = read_frames(args.file)
     table = [measure(*frame) for frame in frames]
-    print(f"{'step':>9} {'centre':>8} {'depth':>7} {'mixed':>7} {'displ.^2':>9} {'linked':>7}")
-    for row in table:
-        print(f"{row['step']:9d} {row['centre']:8.3f} {row['depth']:7.3f} {row['mixed']:7.3f} "
-              f"{row['displacement2']:9.3f} {row['linked']:7.3f}")
     if args.csv:
         write_table(args.csv, table)
     if args.output:
         draw(args.output, frames, table, args.step, *args.units)
+    try:
+        show(table)
+    except BrokenPipeError:  # plot_layer.py FILE | head
+        sys.stderr.close()
 
 
 if __name__ == "__main__":

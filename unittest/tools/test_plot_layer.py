@@ -41,6 +41,13 @@ def test_measures_of_a_known_layer(tmp_path):
     assert (tmp_path / "a.png").read_bytes()[:4] == b"\x89PNG"
 
 
+def test_reader_that_has_enough(tmp_path):
+    (tmp_path / "a.profile").write_text(HEAD + frame(1000, 3, 6) + frame(2000, 2, 7))
+    done = subprocess.run(["bash", "-c", f"{PLOT} {tmp_path / 'a.profile'} | true"], text=True, capture_output=True,
+                          timeout=60, check=False)
+    assert done.stderr == ""
+
+
 @pytest.mark.parametrize("content, word", [
     ("", "no frame"), ("nonsense\n", ":1:"), (HEAD.replace("vx", "vz") + frame(1, 3, 6), "columns"),
     (HEAD + frame(1, 3, 6).replace("0.0", "zero"), "cannot be read")])
