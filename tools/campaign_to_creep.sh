@@ -4,7 +4,7 @@ source "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/common.sh"
 
 usage() {
   cat <<'HELP'
-Usage: campaign_to_creep.sh CAMPAIGN... [-o DIR] [--case CASE.yaml] [-- OPTIONS OF wr_creep]
+Usage: campaign_to_creep.sh CAMPAIGN... [-o DIR] [--case CASE.yaml] [--start NS] [-- OPTIONS OF wr_creep]
 
 CAMPAIGN are folders with friction logs (*.friction), as tools/campaign leaves them. Then
   1. wr_fit    the law of Eq. 2 with its covariance        DIR/law.json, points.csv, fit.png
@@ -14,6 +14,7 @@ CAMPAIGN are folders with friction logs (*.friction), as tools/campaign leaves t
 
   -o DIR         results (default: results/creep of the checkout)
   --case CASE    case file (default: examples/wheelrail/table2.yaml)
+  --start NS     average the logs from this time on (default: wr_fit looks for the stationary part)
   -h, --help     this text
 Examples: campaign_to_creep.sh runs -o out -- --set speed="20 m/s"
           campaign_to_creep.sh examples/campaign/logs/{velocity,pressure}
@@ -23,12 +24,16 @@ Exit codes: 0 ok, 2 usage; else that of the step that failed (4: the logs do not
 HELP
 }
 
-campaigns=() results=$root/results/creep case=$root/examples/wheelrail/table2.yaml
+campaigns=() fit_options=() results=$root/results/creep case=$root/examples/wheelrail/table2.yaml
 while [ $# -gt 0 ]; do
   case $1 in
-    -o | --case)
+    -o | --case | --start)
       [ $# -ge 2 ] || die 2 "$1 needs a value; see --help"
-      if [ "$1" = -o ]; then results=$2; else case=$2; fi
+      case $1 in
+        -o) results=$2 ;;
+        --case) case=$2 ;;
+        --start) fit_options=(--start "$2") ;;
+      esac
       shift 2
       ;;
     -h | --help)
@@ -50,7 +55,7 @@ done
 mkdir -p "$results" || exit 5
 
 echo "1/3 wr_fit ${campaigns[*]}"
-"$build/bin/wr_fit" "${campaigns[@]}" -o "$results/law.json" --points "$results/points.csv" || exit $?
+"$build/bin/wr_fit" "${campaigns[@]}" "${fit_options[@]}" -o "$results/law.json" --points "$results/points.csv" || exit $?
 # with too few points wr_fit writes a report without a law
 grep -q '"mu0"' "$results/law.json" || die 4 "${campaigns[*]}: too few points for a law; see $results/law.json"
 echo "2/3 wr_creep $case"

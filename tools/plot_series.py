@@ -60,7 +60,7 @@ def draw(points, against, path):
         if chosen:
             axes.errorbar([x[i] for i in chosen], [mu[i] for i in chosen], yerr=[error[i] for i in chosen],
                           ms=5, lw=1, capsize=2, **style)
-    axes.plot(x, values("mu_grinding_in"), "^", color="C1", ms=5, label="grinding-in")
+    axes.plot(x, values("mu_grinding_in"), "^", color="C1", ms=5, label="grinding-in (before, at most 100 ns)")
     if against == "velocity":
         axes.plot(x, values("mu_peak"), "v", color="C3", ms=5, label="largest row of the log (static peak)")
     same = len({(p["strength"], p["velocity"] if against != "velocity" else 0,

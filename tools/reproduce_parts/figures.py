@@ -14,6 +14,7 @@ from . import layer
 PAPER = plot_fit.PAPER
 PAPER_COLLAPSE = 0.035  # scatter of ten runs at equal kappas
 PAPER_DEPTH = 10.0      # nm, of the quasi-liquid layer
+EQUILIBRIUM = ["--start", "100"]  # ns; the paper: dynamic equilibrium after about 100 ns
 STEEL = 2239            # kappa3 = E/sigma_0 of the paper's weakest steel, 206 GPa over 92 MPa
 
 
@@ -90,7 +91,7 @@ def scatter_of(values, errors):
 
 # fig3 ---------------------------------------------------------------------------------------------
 def fig3(report, picture):
-    """Depth of the layer: from the profiles beside the logs."""
+    """Depth of the layer: from the profiles beside the logs. Of the plan `growth` depth and mu in times that double."""
     layers = []
     for point in report["report"]["points"]:
         found = layer.read(point["file"])
@@ -107,6 +108,23 @@ def fig3(report, picture):
         depth, error = layer.mean_depth([f for _, _, f in members])
         rows.append([f"roughness {amplitude:g} nm", f"{PAPER_DEPTH:g}", f"{depth:.1f} +- {error:.1f}",
                      "mu {:.3f} +- {:.3f}".format(*mean_of([p for _, p, _ in members]))])
+    long = [(p, f) for p, f in layers if run_name(p).startswith("growth")]
+    if not long:
+        raise Missing("no run of the plan growth")
+    for number, (_, found) in enumerate(long):
+        left.plot(found.time, found.depth, color="0.6", lw=1, zorder=1, label=None if number else "300 ns")
+    end, growing = min(f.time[-1] for _, f in long), []
+    for late in (end / 12, end / 6, end / 3, 2 * end / 3, end):
+        early = late / 2 if late < end else 2 * end / 3
+        depth, error = layer.window([(f.time, f.depth) for _, f in long], early, late, 2)
+        mu, mu_error = layer.window([layer.friction(p["file"]) for p, _ in long], early, late)
+        growing.append((math.sqrt(early * late), depth, mu))
+        rows.append([f"{early:.3g} to {late:.3g} ns", "", f"{depth:.1f} +- {error:.1f}", f"mu {mu:.3f} +- {mu_error:.3f}"])
+    time, depth, mu = np.log(growing).T
+    power, factor = np.polyfit(time, depth, 1)
+    line = np.linspace(0, end, 100)
+    left.plot(line, math.exp(factor) * line**power, "k", lw=1, label=f"in proportion to $t^{{{power:.2f}}}$")
+    rows.append(["exponent of depth ~ t^n", "", f"{power:.2f}", f"of mu {np.polyfit(time, mu, 1)[0]:.2f}"])
     left.axhline(PAPER_DEPTH, color="k", ls="--", lw=1, label="about 10 nm (paper)")
     left.set(xlabel="time (ns)", ylabel="depth of the layer (nm), 10 to 90 % of $v$", xlim=(0, None), ylim=(0, None))
     left.legend(fontsize=9)
@@ -138,7 +156,7 @@ def fig3(report, picture):
 
 # fig4, fig6 ---------------------------------------------------------------------------------------
 def fig4(report, picture):
-    """Friction stress (MPa) at each pressure (MPa), a mean over the seeds; exponent of stress ~ p^n."""
+    """Friction stress (MPa) at each pressure (MPa) before and after 100 ns, means over the seeds; exponent of stress ~ p^n."""
     points = report["report"]["points"]
     plot_series.draw(points, "pressure", picture)
     rows, pressures, stresses, errors = [], [], [], []
@@ -146,9 +164,9 @@ def fig4(report, picture):
         (mu, error), (early, _) = mean_of(members), mean_of(members, "mu_grinding_in")
         paper = members[0]["mu_eq2"] * p
         rows.append([f"p = {p:g} MPa", f"{paper:.2f}", f"{mu * p:.2f} +- {error * p:.2f}", percent(mu * p, paper),
-                     f"{early * p:.2f}"])
+                     f"{early * p:.2f}", percent(early, mu)])
         pressures.append(p), stresses.append(mu * p), errors.append(error / mu)
-    lines = table(["friction stress, MPa", "Eq. 2", "stationary", "", "before"], rows)
+    lines = table(["friction stress, MPa", "Eq. 2", "from 100 ns on", "", "first 100 ns", "over later"], rows)
     if len(pressures) > 2:
         fit, covariance = np.polyfit(np.log(pressures), np.log(stresses), 1, w=1 / np.array(errors), cov=True)
         paper = np.polyfit(np.log(pressures), np.log([m[0]["mu_eq2"] * p for p, m in
@@ -166,7 +184,7 @@ def fig6(report, picture):
         (mu, error), (peak, _) = mean_of(members), mean_of(members, "mu_peak")
         paper = members[0]["mu_eq2"]
         rows.append([f"v = {v:g} m/s", f"{paper:.3f}", f"{mu:.3f} +- {error:.3f}", percent(mu, paper), f"{peak:.2f}"])
-    return table(["mu", "Eq. 2", "stationary", "", "peak"], rows)
+    return table(["mu", "Eq. 2", "from 100 ns on", "", "peak"], rows)
 
 
 # fig7 and fig8 ------------------------------------------------------------------------------------
@@ -447,12 +465,13 @@ def corrected(report, picture):
 
 
 FIGURES = {
-    "fig3": Figure("Fig. 3: depth of the sliding layer (N1)", ["roughness", "viscosity"], fig3),
-    "fig4": Figure("Fig. 4: friction stress against pressure (N2)", ["pressure"], fig4, ["--grinding-in", "100"]),
-    "fig6": Figure("Fig. 6: mu against velocity (N3)", ["velocity"], fig6),
+    "fig3": Figure("Fig. 3: depth of the sliding layer (N1)", ["roughness", "growth", "viscosity"], fig3),
+    "fig4": Figure("Fig. 4: friction stress against pressure (N2)", ["pressure"], fig4, ["--grinding-in", "100", *EQUILIBRIUM]),
+    "fig6": Figure("Fig. 6: mu against velocity, from 100 ns on (N3)", ["velocity"], fig6, EQUILIBRIUM),
     "collapse": Figure("Equal kappa1 and kappa2 (N4)", ["collapse10"], collapse),
     "fig7": Figure("Figs. 7 and 8: the law (N5, N6)", ["paper36"], fig7),
-    "steel": Figure("The law of one material, E = 206 GPa and sigma_0 = 92 MPa", ["velocity", "pressure"], fig7),
+    "steel": Figure("The law of one material, E = 206 GPa and sigma_0 = 92 MPa, from 100 ns on", ["velocity", "pressure"], fig7,
+                    EQUILIBRIUM),
     "kappa3": Figure("The law with a third number, kappa3 = E/sigma_0", ["paper36", "velocity", "pressure"], kappa3,
                      ["--model", "eq2_kappa3", "--kappa3", str(STEEL)]),
     "sensitivity": Figure("Sensitivity of mu to the laws, from 15 ns on", ["variants"], sensitivity, ["--start", "15"]),

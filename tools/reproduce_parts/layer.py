@@ -32,6 +32,23 @@ def read(log):
     return Layer(np.array([m["step"] * _step(log) for m in measures]), np.array([m["depth"] for m in measures]))
 
 
+def friction(log):
+    """Times (ns) and friction coefficients of a log's rows."""
+    with open(log, encoding="utf-8") as file:
+        rows = [line.split() for line in file if not line.startswith("#")]
+    columns = dict(zip(rows[0], np.array(rows[1:], dtype=float).T))
+    return columns["time"], columns["mu"]
+
+
+def window(series, begin, end, blocks=8):
+    """(mean over begin < time <= end of the (times, values) of several runs, its standard error from the scatter of blocks,
+    each long beside the correlation of what it holds)."""
+    edges = np.linspace(begin, end, blocks + 1) * (1 + 1e-9)
+    means = [values[(time > low) & (time <= high)].mean()
+             for time, values in series for low, high in zip(edges, edges[1:])]
+    return float(np.mean(means)), float(np.std(means, ddof=1) / math.sqrt(len(means)))
+
+
 def mean_depth(layers, until=math.inf):
     """(mean over the second halves of the runs up to a time in ns, its standard error from frames and runs)."""
     depths = [layer.depth[layer.time <= until * (1 + 1e-6)] for layer in layers]

@@ -341,9 +341,11 @@ def test_chain_from_campaign_to_creep(tmp_path):
     import friction_logs
     friction_logs.campaign(tmp_path / "campaign")
     done = subprocess.run([SOURCE / "tools/campaign_to_creep.sh", tmp_path / "campaign", "-o", tmp_path / "out",
-                           "--", "--set", "speed=20 m/s", "--set", "creep=[0.01, 0.1]"], check=False,
+                           "--start", "12", "--", "--set", "speed=20 m/s", "--set", "creep=[0.01, 0.1]"], check=False,
                           capture_output=True, text=True, env={**os.environ, "MCAWR_BUILD": str(BIN.parents[1])})
     assert done.returncode == 0, done.stderr
+    points = json.loads((tmp_path / "out/law.json").read_text())["report"]["points"]
+    assert points and all(point["t_start"] == 12 for point in points)
     paper = table(tmp_path / "out/paper/creep.csv")
     for row, other in zip(table(tmp_path / "out/creep_band.csv"), paper, strict=True):
         assert 0.0 < float(row["standard_error"]) < 0.05

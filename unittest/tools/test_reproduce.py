@@ -74,7 +74,7 @@ def test_law_is_the_papers(tmp_path):
 
 def test_law_with_a_third_number(tmp_path):
     for plan in ("paper36", "velocity", "pressure"):
-        logs(tmp_path, plan, lambda run: (run.values["E"] / run.values["strength"] / 2239) ** 0.25)
+        logs(tmp_path, plan, ns=150, factor=lambda run: (run.values["E"] / run.values["strength"] / 2239) ** 0.25)
     text = made(tmp_path, "steel", reproduce(tmp_path, "steel"))
     assert line(text, "RMS of our points against the paper's law:")[0] < 0.5
     assert all(abs(line(text, f"kappa2 = {kappa2}")[-1]) < 1 for kappa2 in (2, 150, 633))
@@ -87,8 +87,8 @@ def test_law_with_a_third_number(tmp_path):
 
 
 def test_pressure_and_velocity(tmp_path):
-    logs(tmp_path, "pressure", lambda run: 1.2)
-    logs(tmp_path, "velocity", lambda run: 0.8)
+    logs(tmp_path, "pressure", lambda run: 1.2, ns=150)
+    logs(tmp_path, "velocity", lambda run: 0.8, ns=150)
     done = reproduce(tmp_path, "fig4", "fig6")
     assert done.returncode == 0, done.stderr
     fig4, fig6 = ((tmp_path / "out" / f"{name}.txt").read_text() for name in ("fig4", "fig6"))
@@ -112,7 +112,14 @@ def test_layers_of_known_depth(tmp_path):
             if name == "viscosity":  # the synthetic head has one viscosity
                 log = folder / f"{run.name}.friction"
                 log.write_text(log.read_text().replace("viscosity: 0.41", f"viscosity: {run.values['eta']}"))
+    folder, runs = logs(tmp_path, "growth", ns=100)
+    for run in runs:  # depth ~ sqrt(t), up to 8 rows
+        half = [(k, 4 * (k / 40) ** 0.5 / 0.8) for k in range(1, 41)]
+        (folder / f"{run.name}.profile").write_text(HEAD + "".join(frame(50000 * k, 4.5 - h, 4.5 + h) for k, h in half))
     text = made(tmp_path, "fig3", reproduce(tmp_path, "fig3"))
+    depth, mu = line(text, "exponent of depth ~ t^n")
+    assert depth == pytest.approx(0.5, abs=0.1) and mu == pytest.approx(0, abs=0.02)
+    assert line(text, "33.3 to 66.7 ns")[0] == pytest.approx(8 * 0.5**0.5, rel=0.05)
     for amplitude in ("1.4", "3.25", "6.5"):
         assert line(text, f"roughness {amplitude} nm")[1] == pytest.approx(2.4)
     depths = {eta: line(text, f"viscosity {eta:g} Pa s")[1] for eta in ROWS}
@@ -179,6 +186,7 @@ def test_missing_logs_are_one_clear_line(tmp_path):
     assert done.returncode == 3 and done.stderr.count("\n") == 1 and "pressure" in done.stderr
     logs(tmp_path, "roughness")
     logs(tmp_path, "viscosity")
+    logs(tmp_path, "growth")
     done = reproduce(tmp_path, "fig3")
     assert done.returncode == 3 and done.stderr.count("\n") == 1 and "profile" in done.stderr
     assert not (tmp_path / "out" / "fig3.png").exists()
