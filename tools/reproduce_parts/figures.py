@@ -15,6 +15,7 @@ PAPER = plot_fit.PAPER
 PAPER_COLLAPSE = 0.035  # scatter of ten runs at equal kappas
 PAPER_DEPTH = 10.0      # nm, of the quasi-liquid layer
 EQUILIBRIUM = ["--start", "100"]  # ns; the paper: dynamic equilibrium after about 100 ns
+LATER = ["--start", "50"]  # ns; of plans whose runs end at 100 ns
 STEEL = 2239            # kappa3 = E/sigma_0 of the paper's weakest steel, 206 GPa over 92 MPa
 
 
@@ -468,12 +469,12 @@ FIGURES = {
     "fig3": Figure("Fig. 3: depth of the sliding layer (N1)", ["roughness", "growth", "viscosity"], fig3),
     "fig4": Figure("Fig. 4: friction stress against pressure (N2)", ["pressure"], fig4, ["--grinding-in", "100", *EQUILIBRIUM]),
     "fig6": Figure("Fig. 6: mu against velocity, from 100 ns on (N3)", ["velocity"], fig6, EQUILIBRIUM),
-    "collapse": Figure("Equal kappa1 and kappa2 (N4)", ["collapse10"], collapse),
-    "fig7": Figure("Figs. 7 and 8: the law (N5, N6)", ["paper36"], fig7),
+    "collapse": Figure("Equal kappa1 and kappa2, from 50 ns on (N4)", ["collapse10"], collapse, LATER),
+    "fig7": Figure("Figs. 7 and 8: the law, from 50 ns on (N5, N6)", ["paper36"], fig7, LATER),
     "steel": Figure("The law of one material, E = 206 GPa and sigma_0 = 92 MPa, from 100 ns on", ["velocity", "pressure"], fig7,
                     EQUILIBRIUM),
-    "kappa3": Figure("The law with a third number, kappa3 = E/sigma_0", ["paper36", "velocity", "pressure"], kappa3,
-                     ["--model", "eq2_kappa3", "--kappa3", str(STEEL)]),
+    "kappa3": Figure("The law with a third number, kappa3 = E/sigma_0, from 50 ns on", ["paper36", "velocity", "pressure"], kappa3,
+                     ["--model", "eq2_kappa3", "--kappa3", str(STEEL), *LATER]),
     "sensitivity": Figure("Sensitivity of mu to the laws, from 15 ns on", ["variants"], sensitivity, ["--start", "15"]),
     "convergence": Figure("Size of the fragment, from 10 ns on", ["convergence"], convergence, ["--start", "10"]),
     "timestep": Figure("Friction with plain steps against the step, from 10 ns on",

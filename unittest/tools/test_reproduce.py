@@ -26,7 +26,7 @@ def reproduce(tmp_path, *figures):
                           check=False)
 
 
-def logs(tmp_path, name, factor=lambda run: 1.0, ns=20):
+def logs(tmp_path, name, factor=lambda run: 1.0, ns=150):
     """Logs of a shipped plan that follow Eq. 2 with Eq. 3's numbers, times a factor, with some noise."""
     folder = tmp_path / "logs" / name
     folder.mkdir(parents=True)
@@ -74,7 +74,7 @@ def test_law_is_the_papers(tmp_path):
 
 def test_law_with_a_third_number(tmp_path):
     for plan in ("paper36", "velocity", "pressure"):
-        logs(tmp_path, plan, ns=150, factor=lambda run: (run.values["E"] / run.values["strength"] / 2239) ** 0.25)
+        logs(tmp_path, plan, lambda run: (run.values["E"] / run.values["strength"] / 2239) ** 0.25)
     text = made(tmp_path, "steel", reproduce(tmp_path, "steel"))
     assert line(text, "RMS of our points against the paper's law:")[0] < 0.5
     assert all(abs(line(text, f"kappa2 = {kappa2}")[-1]) < 1 for kappa2 in (2, 150, 633))
@@ -87,8 +87,8 @@ def test_law_with_a_third_number(tmp_path):
 
 
 def test_pressure_and_velocity(tmp_path):
-    logs(tmp_path, "pressure", lambda run: 1.2, ns=150)
-    logs(tmp_path, "velocity", lambda run: 0.8, ns=150)
+    logs(tmp_path, "pressure", lambda run: 1.2)
+    logs(tmp_path, "velocity", lambda run: 0.8)
     done = reproduce(tmp_path, "fig4", "fig6")
     assert done.returncode == 0, done.stderr
     fig4, fig6 = ((tmp_path / "out" / f"{name}.txt").read_text() for name in ("fig4", "fig6"))
