@@ -55,7 +55,7 @@ def draw(points, against, path):
     steady = [i for i, p in enumerate(points) if p["t_start"] is not None]
     drifting = [i for i, p in enumerate(points) if p["t_start"] is None]
     mu, error = values("mu"), [1.96 * e for e in values("mu_se")]
-    for chosen, style in ((steady, dict(fmt="o", color="C0", label="stationary part")),
+    for chosen, style in ((steady, dict(fmt="o", color="C0", label="stationary part, or from a given time on")),
                           (drifting, dict(fmt="o", color="C0", mfc="none", label="no stationary part: second half"))):
         if chosen:
             axes.errorbar([x[i] for i in chosen], [mu[i] for i in chosen], yerr=[error[i] for i in chosen],

@@ -8,6 +8,7 @@ import numpy as np
 from matplotlib import pyplot
 
 import plot_fit
+import plot_friction
 import plot_series
 from . import layer
 
@@ -91,6 +92,23 @@ def scatter_of(values, errors):
 
 
 # fig3 ---------------------------------------------------------------------------------------------
+def growth(members, axes):
+    """Rows of depth (nm) and mu of the runs (point, layer) in times (ns) that double; draws the power law of the depth."""
+    end, growing, rows = min(f.time[-1] for _, f in members), [], []
+    depths = [(f.time, f.depth) for _, f in members]
+    logs = [np.array(plot_friction.read_log(p["file"])[1:]) for p, _ in members]
+    for late in (end / 12, end / 6, end / 3, 2 * end / 3, end):
+        early = late / 2 if late < end else 2 * end / 3
+        (depth, error), (mu, mu_error) = layer.window(depths, early, late, 2), layer.window(logs, early, late, 8)
+        growing.append((math.sqrt(early * late), depth, mu))
+        rows.append([f"{early:.3g} to {late:.3g} ns", "", f"{depth:.1f} +- {error:.1f}", f"mu {mu:.3f} +- {mu_error:.3f}"])
+    time, depth, mu = np.log(growing).T
+    power, factor = np.polyfit(time, depth, 1)
+    line = np.linspace(0, end, 100)
+    axes.plot(line, math.exp(factor) * line**power, "k", lw=1, label=f"in proportion to $t^{{{power:.2f}}}$")
+    return [*rows, ["exponent of depth ~ t^n", "", f"{power:.2f}", f"of mu {np.polyfit(time, mu, 1)[0]:.2f}"]]
+
+
 def fig3(report, picture):
     """Depth of the layer: from the profiles beside the logs. Of the plan `growth` depth and mu in times that double."""
     layers = []
@@ -114,18 +132,7 @@ def fig3(report, picture):
         raise Missing("no run of the plan growth")
     for number, (_, found) in enumerate(long):
         left.plot(found.time, found.depth, color="0.6", lw=1, zorder=1, label=None if number else "300 ns")
-    end, growing = min(f.time[-1] for _, f in long), []
-    for late in (end / 12, end / 6, end / 3, 2 * end / 3, end):
-        early = late / 2 if late < end else 2 * end / 3
-        depth, error = layer.window([(f.time, f.depth) for _, f in long], early, late, 2)
-        mu, mu_error = layer.window([layer.friction(p["file"]) for p, _ in long], early, late)
-        growing.append((math.sqrt(early * late), depth, mu))
-        rows.append([f"{early:.3g} to {late:.3g} ns", "", f"{depth:.1f} +- {error:.1f}", f"mu {mu:.3f} +- {mu_error:.3f}"])
-    time, depth, mu = np.log(growing).T
-    power, factor = np.polyfit(time, depth, 1)
-    line = np.linspace(0, end, 100)
-    left.plot(line, math.exp(factor) * line**power, "k", lw=1, label=f"in proportion to $t^{{{power:.2f}}}$")
-    rows.append(["exponent of depth ~ t^n", "", f"{power:.2f}", f"of mu {np.polyfit(time, mu, 1)[0]:.2f}"])
+    rows += growth(long, left)
     left.axhline(PAPER_DEPTH, color="k", ls="--", lw=1, label="about 10 nm (paper)")
     left.set(xlabel="time (ns)", ylabel="depth of the layer (nm), 10 to 90 % of $v$", xlim=(0, None), ylim=(0, None))
     left.legend(fontsize=9)

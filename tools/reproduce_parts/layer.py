@@ -32,17 +32,11 @@ def read(log):
     return Layer(np.array([m["step"] * _step(log) for m in measures]), np.array([m["depth"] for m in measures]))
 
 
-def friction(log):
-    """Times (ns) and friction coefficients of a log's rows."""
-    with open(log, encoding="utf-8") as file:
-        rows = [line.split() for line in file if not line.startswith("#")]
-    columns = dict(zip(rows[0], np.array(rows[1:], dtype=float).T))
-    return columns["time"], columns["mu"]
+def window(series, begin, end, blocks):
+    """(mean, its standard error) of several runs over begin < time <= end (ns).
 
-
-def window(series, begin, end, blocks=8):
-    """(mean over begin < time <= end of the (times, values) of several runs, its standard error from the scatter of blocks,
-    each long beside the correlation of what it holds)."""
+    series: a pair of arrays for each run, times (ns) and values of any unit, of which every block holds one or more. The
+    error is that of the mean of all blocks, equal parts of the window: too small if values correlate over longer than one."""
     edges = np.linspace(begin, end, blocks + 1) * (1 + 1e-9)
     means = [values[(time > low) & (time <= high)].mean()
              for time, values in series for low, high in zip(edges, edges[1:])]
