@@ -27,9 +27,9 @@ using namespace FixConst;
 
 FixMCADrive::FixMCADrive(LAMMPS *host, int narg, char **arg)
     : Fix(host, narg, arg), every(1000), seed(0), pair(nullptr), begun(false), restarted(false),
-      area(0.0), mass(0.0), shear(0.0), normal(0.0), start_height(0.0), displacement(0.0),
-      work(0.0), shear_sum(0.0), normal_sum(0.0), samples(0.0), broken_before(0.0),
-      formed_before(0.0)
+      area(0.0), split(false), mass(0.0), shear(0.0), normal(0.0), start_height(0.0),
+      displacement(0.0), work(0.0), shear_sum(0.0), normal_sum(0.0), samples(0.0),
+      broken_before(0.0), formed_before(0.0)
 {
   bool has_velocity = false, has_pressure = false;
   for (int iarg = 3; iarg < narg; iarg += 2) {
@@ -147,6 +147,10 @@ void FixMCADrive::post_neighbor()
       members.push_back(i);
   const tagint *tag = atom->tag;
   std::sort(members.begin(), members.end(), [tag](int a, int b) { return tag[a] < tag[b]; });
+  const int holds = members.empty() ? 0 : 1;
+  int holders;
+  MPI_Allreduce(&holds, &holders, 1, MPI_INT, MPI_SUM, world);
+  split = holders > 1;
 }
 
 void FixMCADrive::setup(int vflag)
@@ -201,26 +205,28 @@ void FixMCADrive::setup(int vflag)
 
 /* ----------------------------------------------------------------------
    The layer moves as one rigid body in y: all its automata get the same acceleration. In x the
-   velocity is prescribed, in z there is none, and it does not rotate.
+   velocity is prescribed, in z there is none, and it does not rotate. Ranks wait for each other
+only where the layer is split between them; what is for output is added up when it is asked for.
 ------------------------------------------------------------------------- */
 
 void FixMCADrive::post_force(int /*vflag*/)
 {
   double **f = atom->f, **v = atom->v, **torque = atom->torque, **omega = atom->omega;
-  double sums[3] = {0.0, 0.0, 0.0}, all[3];
+  double sums[3] = {0.0, 0.0, 0.0};
   for (const int i : members) {
     sums[0] += f[i][0];
     sums[1] += f[i][1];
     sums[2] += atom->rmass[i] * v[i][1];
   }
-  MPI_Allreduce(sums, all, 3, MPI_DOUBLE, MPI_SUM, world);
   const double unit = force->nktv2p / area;
-  shear = -all[0] * unit;
-  normal = all[1] * unit;
+  shear = -sums[0] * unit;
+  normal = sums[1] * unit;
+  if (split)
+    MPI_Allreduce(MPI_IN_PLACE, sums, 3, MPI_DOUBLE, MPI_SUM, world);
 
   const double speed = evaluate(velocity);
   const double load = evaluate(pressure) * area / force->nktv2p;
-  const double per_mass = (all[1] - load) / mass, vy = all[2] / mass;
+  const double per_mass = (sums[1] - load) / mass, vy = sums[2] / mass;
   for (const int i : members) {
     f[i][0] = f[i][2] = v[i][2] = 0.0;
     for (int m = 0; m < 3; m++)
@@ -242,31 +248,33 @@ void FixMCADrive::end_of_step()
     write_row();
 }
 
-void FixMCADrive::totals(double &links, double &broken, double &formed) const
+FixMCADrive::Totals FixMCADrive::totals() const
 {
   const PairMCA::Count c = pair->count();
-  const double own[3] = {c.links, c.broken, c.formed};
-  double all[3];
-  MPI_Allreduce(own, all, 3, MPI_DOUBLE, MPI_SUM, world);
-  links = all[0];
-  broken = all[1];
-  formed = all[2];
+  double all[6] = {c.links, c.broken, c.formed, work, shear_sum, normal_sum};
+  MPI_Allreduce(MPI_IN_PLACE, all, 6, MPI_DOUBLE, MPI_SUM, world);
+  return {all[0], all[1], all[2], all[3], all[4], all[5]};
+}
+
+double FixMCADrive::sum(double part) const
+{
+  MPI_Allreduce(MPI_IN_PLACE, &part, 1, MPI_DOUBLE, MPI_SUM, world);
+  return part;
 }
 
 void FixMCADrive::write_row()
 {
-  double links, broken, formed;
-  totals(links, broken, formed);
+  const Totals all = totals();
   const double gap = height() - start_height;
   int failed = 0;
   if (comm->me == 0) {
-    const double s = shear_sum / samples, n = normal_sum / samples;
+    const double s = all.shear_sum / samples, n = all.normal_sum / samples;
     try {
       log.write({static_cast<long long>(update->ntimestep),
                  static_cast<double>(update->ntimestep) * update->dt * units.time,
                  displacement * units.length, s * units.stress, n * units.stress,
-                 pressure.value > 0.0 ? s / pressure.value : 0.0, links, broken - broken_before,
-                 formed - formed_before, gap * units.length});
+                 pressure.value > 0.0 ? s / pressure.value : 0.0, all.links,
+                 all.broken - broken_before, all.formed - formed_before, gap * units.length});
     } catch (const std::runtime_error &e) {
       failed = 1;
       utils::logmesg(lmp, "{}\n", e.what());
@@ -276,30 +284,30 @@ void FixMCADrive::write_row()
   if (failed)
     error->all(FLERR, "Fix mca/drive: cannot append to friction log {}", path);
   shear_sum = normal_sum = samples = 0.0;
-  broken_before = broken;
-  formed_before = formed;
+  broken_before = all.broken;
+  formed_before = all.formed;
 }
 
 /* friction coefficient of this step: shear stress over the prescribed pressure */
 
 double FixMCADrive::compute_scalar()
 {
-  return pressure.value > 0.0 ? shear / pressure.value : 0.0;
+  return pressure.value > 0.0 ? sum(shear) / pressure.value : 0.0;
 }
 
 double FixMCADrive::compute_vector(int n)
 {
   if (n == 0)
-    return shear;
+    return sum(shear);
   if (n == 1)
-    return normal;
+    return sum(normal);
   if (n == 2)
     return compute_scalar();
   if (n == 3)
     return displacement;
   if (n == 4)
     return height() - start_height;
-  return work;
+  return sum(work);
 }
 
 /* ----------------------------------------------------------------------
@@ -309,13 +317,17 @@ double FixMCADrive::compute_vector(int n)
 
 void FixMCADrive::write_restart(FILE *fp)
 {
-  double links, broken, formed;
-  totals(links, broken, formed);
+  const Totals all = totals();
+  // as the run that continues will add them up
+  work = all.work;
+  shear_sum = all.shear_sum;
+  normal_sum = all.normal_sum;
+  keep_parts();
   if (comm->me != 0)
     return;
   const std::string text =
-      mca::exactText({start_height, displacement, work, shear_sum, normal_sum, samples,
-                      broken_before - broken, formed_before - formed});
+      mca::exactText({start_height, displacement, all.work, all.shear_sum, all.normal_sum, samples,
+                      broken_before - all.broken, formed_before - all.formed});
   const std::string bytes = mca::blockBytes(text);
   const int size = static_cast<int>(bytes.size());
   fwrite(&size, sizeof(int), 1, fp);
@@ -327,5 +339,14 @@ void FixMCADrive::restart(char *buf)
   std::istringstream text(mca::readBlockBytes(lmp, buf, "fix mca/drive"));
   text >> start_height >> displacement >> work >> shear_sum >> normal_sum >> samples >>
       broken_before >> formed_before;
+  keep_parts();
   restarted = true;
+}
+
+/* sums that all ranks know become the first one's */
+
+void FixMCADrive::keep_parts()
+{
+  if (comm->me != 0)
+    work = shear_sum = normal_sum = 0.0;
 }

@@ -49,18 +49,25 @@ class FixMCADrive : public Fix {
 
   std::vector<int> members; // own automata of the layer, since the last exchange of automata
   double area;              // nominal contact area: box length in x times that in z, or thickness
+  bool split;               // the layer has automata on several ranks
   double mass;              // of the layer
-  double shear, normal;     // stresses on the layer now, pressure units
+  double shear, normal;     // this rank's part of the stresses on the layer now, pressure units
   double start_height;      // of the layer
-  double displacement, work;
-  double shear_sum, normal_sum, samples; // since the last row
-  double broken_before, formed_before;   // events until the last row
+  double displacement;
+  double work, shear_sum, normal_sum;  // this rank's parts, the sums since the last row
+  double samples;                      // since the last row
+  double broken_before, formed_before; // events until the last row
 
   double evaluate(Setting &);
   Setting parse_setting(const char *keyword, const char *word);
   double height() const;
   void write_row();
-  void totals(double &links, double &broken, double &formed) const;
+  struct Totals { // of all ranks
+    double links, broken, formed, work, shear_sum, normal_sum;
+  };
+  Totals totals() const;
+  double sum(double part) const;
+  void keep_parts();
 };
 
 } // namespace LAMMPS_NS

@@ -40,11 +40,11 @@ void Halo::begin(const double *rows, int stride, int count)
     to.in.resize(to.guests.size() * count);
     MPI_Irecv(to.in.data(), static_cast<int>(to.in.size()), MPI_DOUBLE, to.rank, 1, comm_,
               &requests_[2 * m]);
-    to.out.clear();
-    for (const int row : to.needed) {
-      const double *const values = rows + static_cast<size_t>(row) * stride;
-      to.out.insert(to.out.end(), values, values + count);
-    }
+    to.out.resize(to.needed.size() * count);
+    double *out = to.out.data();
+    for (const int row : to.needed)
+      for (int k = 0; k < count; k++)
+        *out++ = rows[static_cast<size_t>(row) * stride + k];
     MPI_Isend(to.out.data(), static_cast<int>(to.out.size()), MPI_DOUBLE, to.rank, 1, comm_,
               &requests_[2 * m + 1]);
   }
@@ -55,10 +55,9 @@ void Halo::finish(double *rows, int stride, int count)
   MPI_Waitall(static_cast<int>(requests_.size()), requests_.data(), MPI_STATUSES_IGNORE);
   for (const Neighbour &from : neighbours_) {
     const double *values = from.in.data();
-    for (const int row : from.guests) {
-      std::copy_n(values, count, rows + static_cast<size_t>(row) * stride);
-      values += count;
-    }
+    for (const int row : from.guests)
+      for (int k = 0; k < count; k++)
+        rows[static_cast<size_t>(row) * stride + k] = *values++;
   }
 }
 

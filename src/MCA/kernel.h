@@ -65,6 +65,7 @@ struct Block {
                  ///< is kept up to date
   bool breaks;   ///< one of them reaches the breaking strain in this step
   bool moves;    ///< the next state differs from the present one; only then is it held in `next`
+  bool across;   ///< one of them meets over a periodic face; else placeI, placeJ equal i, j
 };
 
 /// The pair list; arrays have `n` values, row numbers three more, which repeat the last pair.

@@ -11,8 +11,8 @@ namespace {
 
 // Returns how many links of a bulk block reach the breaking strain.
 template<Way WAY>
-double strainBlock(const Pairs &p, int first, int n, double dt, double moves, const PairLaw *laws,
-                   const double *motion, const double *spin, double *strains)
+double strainBlock(const Pairs &p, const Block &block, int first, int n, double dt, double moves,
+                   const PairLaw *laws, const double *motion, const double *spin, double *strains)
 {
   const int *const plaw = p.law + first;
   const double *const pkind = p.now.kind + first, *const pplastic = p.now.plastic + first;
@@ -20,7 +20,8 @@ double strainBlock(const Pairs &p, int first, int n, double dt, double moves, co
   double *const pnx = p.normal[0] + first, *const pny = p.normal[1] + first;
   double *const peps = p.eps + first, *const psep = p.separation + first;
   Column dxs, dys, dvxs, dvys, spins, es, bulks;
-  gatherMotion(p.placeI + first, p.placeJ + first, n, motion, spin, dxs, dys, dvxs, dvys, spins);
+  gatherMotion(placesI(p, block, first), placesJ(p, block, first), n, motion, spin, dxs, dys, dvxs,
+               dvys, spins);
   const double oneInvDiameter = laws[plaw[0]].invDiameter;
   const double breakingStrain2 = laws[plaw[0]].limits.bulkStrain2;
   double breaking = 0.0;
@@ -72,7 +73,7 @@ void strainPass(const Pairs &p, double dt, bool moves, const PairLaw *laws, cons
   const double moving = moves ? 1.0 : 0.0;
   eachBlock(p, laws, [&](Block &block, auto way, int first, int n) {
     const double breaking =
-        strainBlock<way.way>(p, first, n, dt, moving, laws, motion, spin, strains);
+        strainBlock<way.way>(p, block, first, n, dt, moving, laws, motion, spin, strains);
     block.breaks = breaking > 0.0;
     if (way.way == PRISTINE && block.breaks)
       leavePristine(p, block, first, n, 1);

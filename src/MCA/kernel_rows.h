@@ -62,6 +62,17 @@ inline void eachBlock(const Pairs &p, const PairLaw *laws, const Work &work)
   }
 }
 
+// Rows of motion where the pairs of a block meet.
+inline const int *placesI(const Pairs &p, const Block &block, int first)
+{
+  return (block.across ? p.placeI : p.i) + first;
+}
+
+inline const int *placesJ(const Pairs &p, const Block &block, int first)
+{
+  return (block.across ? p.placeJ : p.j) + first;
+}
+
 typedef double Row2 __attribute__((vector_size(16), may_alias));
 typedef double Row4 __attribute__((vector_size(32), may_alias));
 

@@ -134,8 +134,8 @@ struct Shares {
 
 // Returns how many links of a bulk block reach the breaking strain.
 template<Way WAY>
-double strainBlock(const Pairs &p, int first, int n, double dt, const PairLaw *laws,
-                   const double *motion, const double *spin, double *strains)
+double strainBlock(const Pairs &p, const Block &block, int first, int n, double dt,
+                   const PairLaw *laws, const double *motion, const double *spin, double *strains)
 {
   const int *const plaw = p.law + first;
   const double *const pkind = p.now.kind + first, *const pplastic = p.now.plastic + first;
@@ -144,7 +144,7 @@ double strainBlock(const Pairs &p, int first, int n, double dt, const PairLaw *l
   double *const peps = p.eps + first, *const psep = p.separation + first;
   Motion seen;
   Column es, bulks;
-  seen.gather(p.placeI + first, p.placeJ + first, n, motion, spin);
+  seen.gather(placesI(p, block, first), placesJ(p, block, first), n, motion, spin);
   const double oneInvDiameter = laws[plaw[0]].invDiameter;
   const double breakingStrain2 = laws[plaw[0]].limits.bulkStrain2;
   const double halfStep = 0.5 * dt;
@@ -196,7 +196,8 @@ void strainPass(const Pairs &p, double step, bool moves, const PairLaw *laws, co
 {
   const double dt = moves ? step : 0.0; // normals do not depend on it
   eachBlock(p, laws, [&](Block &block, auto way, int first, int n) {
-    const double breaking = strainBlock<way.way>(p, first, n, dt, laws, motion, spin, strains);
+    const double breaking =
+        strainBlock<way.way>(p, block, first, n, dt, laws, motion, spin, strains);
     block.breaks = breaking > 0.0;
     if (way.way == PRISTINE && block.breaks)
       leavePristine(p, block, first, n, 3);

@@ -57,7 +57,7 @@ void LinkList::add(int i, int j, int law, const double *state)
 {
   const int k = view_.n++;
   if (k % blockLength == 0)
-    blocks_.push_back({law, true, true, false, false});
+    blocks_.push_back({law, true, true, false, false, false});
   Block &block = blocks_.back();
   if (law != block.law)
     block.law = Block::mixed;
@@ -80,6 +80,9 @@ void LinkList::setPlaces(int placeI, int placeJ)
     placeI_[k] = placeI;
     placeJ_[k] = placeJ;
   }
+  const int last = view_.n - 1;
+  if (placeI != i_[last] || placeJ != j_[last])
+    blocks_.back().across = true;
 }
 
 // of blocks that never flowed the kernel keeps the elastic shear only

@@ -102,11 +102,15 @@ void PairMCA::find_means()
 void PairMCA::yield(int from, int to)
 {
   const mca::RowLengths &rows = kernel->rows;
-  if (kernel->yield(to - from, atom->type + from, autolaw.data(), onelaw,
+  double next[ANSWERED];
+  const bool flows =
+      kernel->yield(to - from, atom->type + from, autolaw.data(), onelaw,
                     strains.get() + from * rows.strain, stresses.get() + from * rows.stress,
-                    kappa() + from, kappa_next.get() + from,
-                    response.get() + from * rows.response) > 0.0)
+                    kappa() + from, next, response.get() + from * rows.response) > 0.0;
+  if (flows)
     flowing.emplace_back(from, to);
+  if (flows || lawset.needsLocal())
+    std::copy_n(next, to - from, kappa_next.get() + from);
 }
 
 /* The same again, now that the returns of neighbours are known; these are on their way. What flows
@@ -118,6 +122,7 @@ void PairMCA::yield_again(const mca::Pairs &border, const mca::Pairs &inside)
   const bool alone = comm->nprocs == 1;
   if (alone && flowing.empty())
     return;
+  mca::AlignedArray &taken = forces; // which are not needed before the force pass
   clear(taken, alone ? atom->nlocal : atom->nlocal + atom->nghost, rows.stress);
   kernel->returns(inside, pairlaw.data(), response.get(), taken.get());
   if (!alone)
@@ -486,6 +491,6 @@ PairMCA::Count PairMCA::count() const
 double PairMCA::memory_usage()
 {
   return Pair::memory_usage() + pairs.bytes() + motion.bytes() + spin.bytes() + strains.bytes() +
-         stresses.bytes() + response.bytes() + taken.bytes() + local.bytes() + forces.bytes() +
-         kappa_next.bytes() + elastic_z_next.bytes() + link_changes.bytes();
+         stresses.bytes() + response.bytes() + local.bytes() + forces.bytes() + kappa_next.bytes() +
+         elastic_z_next.bytes() + link_changes.bytes();
 }

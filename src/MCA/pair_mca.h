@@ -110,7 +110,7 @@ class PairMCA : public Pair {
   const mca::Kernel *kernel;
 
   mca::LinkList pairs;
-  mca::AlignedArray motion, spin, strains, stresses, response, taken, local, forces;
+  mca::AlignedArray motion, spin, strains, stresses, response, local, forces;
   mca::AlignedArray kappa_next, elastic_z_next;
   mca::AlignedArray link_changes; // links broken and formed of each automaton, not collected yet
   std::vector<std::pair<int, int>> flowing; // ranges of rows whose equivalent plastic strain grows

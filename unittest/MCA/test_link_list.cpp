@@ -157,3 +157,16 @@ TEST(LinkList, PlacesOfImages)
   for (int k = 1; k < 5; k++) // padded
     EXPECT_EQ(p.placeJ[k], 10);
 }
+
+TEST(LinkList, BlocksKnowWhetherAPairMeetsOverThePeriod)
+{
+  LinkList list;
+  list.reset(2 * mca::blockLength);
+  const double state[] = {mca::link::bulk, 0.0, 0.0, 0.0};
+  for (int k = 0; k < 2 * mca::blockLength; k++)
+    list.add(k, k + 1, 0, state);
+  list.setPlaces(2 * mca::blockLength - 1, 500);
+  const mca::Pairs p = list.part(0, list.size());
+  EXPECT_FALSE(p.blocks[0].across);
+  EXPECT_TRUE(p.blocks[1].across);
+}
