@@ -1,12 +1,13 @@
 #!/usr/bin/python3
 """Speed of the plugin beside LAMMPS's own styles, on the same lattice and in the same run."""
 import argparse
-import concurrent.futures
+import dataclasses
 import datetime
 import json
 import os
 import platform
 import re
+import signal
 import statistics
 import subprocess
 import sys
@@ -27,19 +28,21 @@ STYLES = {
 SIZES = {1000: (25, 20), 1600: (40, 20), 6400: (80, 40), 40000: (200, 100), 160000: (400, 200),
          1000000: (1000, 500)}
 WARM_STEPS, WARM_WORK = 12000, 5e8  # of the sliding blocks before their first run: steps, and automaton-steps at most
+TURN = 0.2  # s
 
 HELP = """Begins with sliding blocks of each size that have left the shock of their start behind (12000 steps, for large
-samples fewer), then runs every style at every size and rank count in turn, ROUNDS times over, so that a
-disturbance of the machine hits all of them alike. Prints the medians in million automaton-steps a
-second and the ratios mca/other with their smallest and largest value, and writes all of it, with
-LAMMPS's timing breakdown and neighbour list builds, as JSON.
+samples fewer), then runs every style at every size and rank count: once alone, for LAMMPS's timing breakdown, then
+ROUNDS times over. The runs of a round take turns of 0.2 s, in which all others are stopped, so that a disturbance
+of the machine hits all of them alike: their ratios scatter less than their rates. Prints the medians in million
+automaton-steps a second and the ratios mca/other, of ranks and of sizes with their smallest and largest value, and
+writes all of it, with the breakdown and neighbour list builds, as JSON.
 
 With --partitions N it also runs N independent copies of the smallest mca case at once, as
 LAMMPS partitions of 1 rank, and compares what they do in a second of wall time with what as
 many single runs as there are cores do side by side.
 
-On 1 rank the rates are per second of processor time (LAMMPS's CPU use), which other jobs hardly
-disturb; on more ranks they are per second of wall time and need as many free cores as ranks."""
+The rates are per second of processor time of a rank (LAMMPS's CPU use), which on 1 rank other jobs hardly
+disturb; ranks wait for each other at full use of their cores, so more of them need as many free cores."""
 
 
 def fail(code, message):
@@ -67,11 +70,9 @@ def parse_log(text):
                            last, re.MULTILINE)
     seconds, ranks, steps, automata = float(loop[1]), int(loop[2]), int(loop[3]), int(loop[4])
     cpu_use = float(cpu[1])
-    wall_rate = automata * steps / seconds / 1e6
     return {
         "automata": automata, "ranks": ranks, "steps": steps, "loop_seconds": seconds,
-        "cpu_use_percent": cpu_use,
-        "rate_wall": wall_rate, "rate_cpu": wall_rate * 100 / cpu_use if cpu_use > 0 else None,
+        "cpu_use_percent": cpu_use, "rate": automata * steps / seconds / 1e4 / cpu_use if cpu_use > 0 else None,
         "neighbour_list_builds": builds, "dangerous_builds": dangerous,
         "neighbours_per_automaton": float(neighbours[1]) if neighbours else None,
         "memory_megabytes_per_rank": float(memory[1]) if memory else None,
@@ -97,8 +98,48 @@ def warm_file(folder, automata):
     return str(folder / f"warm.{automata}.restart")
 
 
-def run_case(lmp, style, automata, ranks, scale, folder, partitions=0, place="."):
-    """One run, or as many copies at once as there are partitions: a parsed log each. Runs at `place` in the folder."""
+@dataclasses.dataclass
+class Run:
+    """A started lmp, or several under one mpirun."""
+    title: str
+    process: subprocess.Popen
+    output: object  # file
+    logs: list
+
+    def signal(self, number):
+        """Sent to mpirun and to what it started."""
+        pid = self.process.pid
+        children = Path(f"/proc/{pid}/task/{pid}/children")
+        for one in [pid, *map(int, children.read_text().split() if children.exists() else [])]:
+            try:
+                os.kill(one, number)
+            except ProcessLookupError:
+                pass  # has just ended
+
+    def ends(self, seconds):
+        """Within some seconds."""
+        try:
+            self.process.wait(seconds)
+        except subprocess.TimeoutExpired:
+            return False
+        return True
+
+    def result(self):
+        """A parsed log of each lmp, once the run has ended."""
+        with self.output:
+            self.output.seek(0)
+            said = self.output.read()
+        texts = [log.read_text() if log.exists() else "" for log in self.logs]
+        for text in texts:
+            if self.process.returncode != 0 or "Loop time of" not in text:
+                errors = [line for line in (text + said).splitlines() if "ERROR" in line]
+                fail(1, f"{self.title}: lmp failed with exit code {self.process.returncode}: "
+                        f"{errors[0] if errors else said[-500:]}")
+        return [parse_log(text) for text in texts]
+
+
+def start_run(lmp, style, automata, ranks, scale, folder, partitions=0, place="."):
+    """One run, or as many copies at once as there are partitions, at `place` in the folder."""
     script, steps = STYLES[style]
     nx, ny = SIZES[automata]
     steps = max(20, round(steps * scale * 1600 / automata * min(ranks, 2) / 20) * 20)
@@ -108,32 +149,42 @@ def run_case(lmp, style, automata, ranks, scale, folder, partitions=0, place="."
         command += ["-var", "warm", "go_on", "-var", "restart", warm_file(folder, automata)]
     work = folder / place
     work.mkdir(exist_ok=True)
+    for log in work.glob("log.*"):
+        log.unlink()
     logs = [work / "log.bench"]
     if partitions:
         command += ["-partition", f"{partitions}x1", "-plog", "log.bench", "-pscreen", "none"]
         logs = [work / f"log.bench.{k}" for k in range(partitions)]
     if ranks > 1 or partitions:
         command = ["mpirun", "-np", str(partitions or ranks)] + command
-    done = subprocess.run(command, cwd=work, env=mpi_environment(), stdout=subprocess.PIPE,
-                          stderr=subprocess.STDOUT, text=True, check=False)
-    texts = [log.read_text() if log.exists() else "" for log in logs]
-    for text in texts:
-        if done.returncode != 0 or "Loop time of" not in text:
-            errors = [line for line in (text + done.stdout).splitlines() if "ERROR" in line]
-            fail(1, f"{style}, {automata} automata, {ranks} ranks: lmp failed with exit code "
-                    f"{done.returncode}: {errors[0] if errors else done.stdout[-500:]}")
-    for log in work.glob("log.*"):
-        log.unlink()
-    return [parse_log(text) for text in texts]
+    output = open(work / "output", "w+", encoding="utf-8")
+    process = subprocess.Popen(command, cwd=work, env=mpi_environment(), stdout=output, stderr=subprocess.STDOUT)
+    return Run(f"{style}, {automata} automata, {ranks} ranks", process, output, logs)
 
 
-def run_side_by_side(lmp, automata, scale, folder, count):
-    """As many single runs at once: a parsed log each."""
-    def one(k):
-        return run_case(lmp, "mca", automata, 1, scale, folder, place=f"single{k}")[0]
+def take_turns(runs):
+    """Lets runs go on by turns until all have ended."""
+    going = list(runs)
+    try:
+        for run in going:
+            run.signal(signal.SIGSTOP)
+        while going:
+            for run in list(going):
+                run.signal(signal.SIGCONT)
+                if run.ends(TURN):
+                    going.remove(run)
+                else:
+                    run.signal(signal.SIGSTOP)
+    finally:
+        for run in going:
+            run.signal(signal.SIGKILL)
 
-    with concurrent.futures.ThreadPoolExecutor(count) as pool:
-        return list(pool.map(one, range(count)))
+
+def run_all(runs):
+    """Runs that share the machine: a parsed log of each lmp."""
+    for run in runs:
+        run.process.wait()
+    return [log for run in runs for log in run.result()]
 
 
 def throughput(runs):
@@ -159,41 +210,30 @@ def spread(values):
     return {"min": min(values), "median": statistics.median(values), "max": max(values)}
 
 
-def summarise(runs, ranks):
-    """Medians of one case's runs; rates in million automaton-steps a second."""
-    kind = "rate_cpu" if ranks == 1 else "rate_wall"
-    names = runs[0]["breakdown_percent"]
+def summarise(alone, runs):
+    """One case: LAMMPS's breakdown and counts of the run alone, rates in million automaton-steps a second of all."""
     return {
-        "rate": spread([r[kind] for r in runs]),
-        "rate_is_per": "processor second" if ranks == 1 else "wall second",
-        "rate_wall": spread([r["rate_wall"] for r in runs]),
-        "cpu_use_percent": spread([r["cpu_use_percent"] for r in runs]),
-        "steps": runs[0]["steps"],
-        "neighbour_list_builds": runs[0]["neighbour_list_builds"],
-        "dangerous_builds": runs[0]["dangerous_builds"],
-        "neighbours_per_automaton": runs[0]["neighbours_per_automaton"],
-        "memory_megabytes_per_rank": runs[0]["memory_megabytes_per_rank"],
-        "breakdown_percent": {n: statistics.median(r["breakdown_percent"].get(n, 0) for r in runs)
-                              for n in names},
-        "runs": runs,
+        "rate": spread([r["rate"] for r in runs]),
+        **{key: value for key, value in alone.items() if key not in ("automata", "ranks", "rate", "loop_seconds")},
+        "runs": [{"rate": r["rate"]} for r in runs],
     }
 
 
 def ratios(results):
-    """mca over each other style, round by round; 2 ranks over 1 in wall time."""
+    """mca over each other style, ranks over 1 rank, sizes over the smallest; round by round."""
     table = []
     for (style, automata, ranks), case in results.items():
-        kind = "rate_cpu" if ranks == 1 else "rate_wall"
-        for other in STYLES:
-            if style == "mca" != other and (other, automata, ranks) in results:
-                pairs = zip(case["runs"], results[other, automata, ranks]["runs"])
-                table.append({"ratio": f"mca / {other}", "automata": automata, "ranks": ranks,
-                              **spread([a[kind] / b[kind] for a, b in pairs])})
-        if ranks > 1 and (style, automata, 1) in results:
-            pairs = zip(case["runs"], results[style, automata, 1]["runs"])
-            table.append({"ratio": f"{ranks} ranks / 1 rank, {style}", "automata": automata,
-                          "ranks": ranks,
-                          **spread([a["rate_wall"] / b["rate_wall"] for a, b in pairs])})
+        smallest = min(n for _, n, _ in results)
+        others = [(f"mca / {other}", (other, automata, ranks)) for other in STYLES if style == "mca" != other]
+        if ranks > 1:
+            others.append((f"{ranks} ranks / 1 rank, {style}", (style, automata, 1)))
+        if automata > smallest:
+            others.append((f"{automata} / {smallest} automata, {style}", (style, smallest, ranks)))
+        for title, other in others:
+            if other in results:
+                pairs = zip(case["runs"], results[other]["runs"])
+                table.append({"ratio": title, "automata": automata, "ranks": ranks,
+                              **spread([a["rate"] / b["rate"] for a, b in pairs])})
     return table
 
 
@@ -205,7 +245,7 @@ def print_tables(results, table):
         builds = f"{c['neighbour_list_builds']}/{c['steps']}"
         print(f"{style:20} {automata:8} {ranks:5} {c['rate']['median']:9.2f} "
               f"{c['rate']['min']:6.2f} {c['rate']['max']:6.2f} "
-              f"{c['cpu_use_percent']['median']:5.0f} {builds:>11}  {shares}")
+              f"{c['cpu_use_percent']:5.0f} {builds:>11}  {shares}")
     print(f"\n{'ratio':34} {'automata':>8} {'ranks':>5} {'median':>7} {'min':>6} {'max':>6}")
     for r in table:
         print(f"{r['ratio']:34} {r['automata']:8} {r['ranks']:5} {r['median']:7.2f} "
@@ -234,7 +274,7 @@ def arguments():
     parser = argparse.ArgumentParser(description=__doc__, epilog=HELP)
     parser.add_argument("--build", type=Path, default=os.environ.get("MCAWR_BUILD", ROOT / "build"),
                         help="build folder with bin/lmp (default: build/ of the checkout)")
-    parser.add_argument("--rounds", type=int, default=5, help="runs of each case (default 5)")
+    parser.add_argument("--rounds", type=int, default=5, help="runs of each case in turns (default 5)")
     parser.add_argument("--scale", type=float, default=1,
                         help="factor on the number of steps (default 1: about two minutes in all)")
     parser.add_argument("--styles", nargs="+", choices=STYLES, default=list(STYLES))
@@ -260,7 +300,7 @@ def main():
     args = arguments()
     cases = [(style, size, ranks) for size in args.sizes for ranks in args.ranks
              for style in args.styles]
-    runs = {case: [] for case in cases}
+    alone, runs = {}, {case: [] for case in cases}
     together = []
     lmp = str(args.build / "bin" / "lmp")
     start = time.monotonic()
@@ -268,26 +308,32 @@ def main():
         for size in args.sizes if "mca" in args.styles else []:
             progress(f"sliding of {size} automata, {time.monotonic() - start:.0f} s")
             warm_up(lmp, size, Path(folder), args.scale)
+        def begin(k):
+            return start_run(lmp, *cases[k], args.scale, Path(folder), place=f"case{k}")
+
+        for k, (style, size, ranks) in enumerate(cases):
+            progress(f"{style}, {size} automata, {ranks} ranks, {time.monotonic() - start:.0f} s")
+            alone[cases[k]] = run_all([begin(k)])[0]
         for number in range(args.rounds):
-            for index, (style, size, ranks) in enumerate(cases):
-                done = number * len(cases) + index + 1
-                progress(f"{done}/{args.rounds * len(cases)} {style}, {size} automata, {ranks} "
-                         f"ranks, {time.monotonic() - start:.0f} s")
-                runs[style, size, ranks] += run_case(lmp, style, size, ranks, args.scale,
-                                                     Path(folder))
+            progress(f"round {number + 1}/{args.rounds}, {time.monotonic() - start:.0f} s")
+            turns = [begin(k) for k in range(len(cases))]
+            take_turns(turns)
+            for case, run in zip(cases, turns):
+                runs[case] += run.result()
             if args.partitions:
                 size = min(args.sizes)
-                copies = run_case(lmp, "mca", size, 1, args.scale, Path(folder), args.partitions)
-                singles = run_side_by_side(lmp, size, args.scale, Path(folder), os.cpu_count())
+                copies = run_all([start_run(lmp, "mca", size, 1, args.scale, Path(folder), args.partitions)])
+                singles = run_all([start_run(lmp, "mca", size, 1, args.scale, Path(folder), place=f"single{k}")
+                                   for k in range(os.cpu_count())])
                 together.append(throughput(copies) / throughput(singles))
     progress("")
-    results = {case: summarise(r, case[2]) for case, r in runs.items()}
+    results = {case: summarise(alone[case], r) for case, r in runs.items()}
     table = ratios(results)
     if together:
         table.append({"ratio": f"{args.partitions} partitions / single runs", "automata": min(args.sizes),
                       "ranks": args.partitions, **spread(together)})
     print_tables(results, table)
-    busy = [case for case, c in results.items() if c["cpu_use_percent"]["median"] < 95]
+    busy = [case for case, c in results.items() if c["cpu_use_percent"] < 95]
     if busy:
         print(f"\nThe machine was busy with other work: {len(busy)} of {len(results)} cases got "
               "less than 95 % of their cores; figures on more than 1 rank mean little then.")
