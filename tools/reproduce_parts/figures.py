@@ -15,8 +15,9 @@ from . import layer
 PAPER = plot_fit.PAPER
 PAPER_COLLAPSE = 0.035  # scatter of ten runs at equal kappas
 PAPER_DEPTH = 10.0      # nm, of the quasi-liquid layer
-EQUILIBRIUM = ["--start", "100"]  # ns; the paper: dynamic equilibrium after about 100 ns
+EQUILIBRIUM = ["--start", "200"]  # ns; from here on mu does not change in runs of 600 ns (Fig. 3)
 LATER = ["--start", "50"]  # ns; of plans whose runs end at 100 ns
+FROM = f"from {EQUILIBRIUM[1]} ns on"
 STEEL = 2239            # kappa3 = E/sigma_0 of the paper's weakest steel, 206 GPa over 92 MPa
 
 
@@ -92,11 +93,26 @@ def scatter_of(values, errors):
 
 
 # fig3 ---------------------------------------------------------------------------------------------
+def friction_series(members):
+    """Times (ns) and mu of the logs of runs (point, layer)."""
+    return [np.array(plot_friction.read_log(p["file"])[1:]) for p, _ in members]
+
+
+def shortest(members):
+    """Time (ns) that all runs (point, layer) have reached; inf of none."""
+    return min((f.time[-1] for _, f in members), default=math.inf)
+
+
+def second_half(members, end):
+    """Cells of depth (nm) and mu of runs (point, layer) from half of the time `end` (ns) up to it; and the depth, its error, mu."""
+    (depth, error), (mu, mu_error) = layer.mean_depth([f for _, f in members], end), layer.window(friction_series(members), end / 2, end, 8)
+    return [f"{depth:.1f} +- {error:.1f}", f"mu {mu:.3f} +- {mu_error:.3f}"], depth, error, mu
+
+
 def growth(members, axes):
     """Rows of depth (nm) and mu of the runs (point, layer) in times (ns) that double; draws the power law of the depth."""
-    end, growing, rows = min(f.time[-1] for _, f in members), [], []
-    depths = [(f.time, f.depth) for _, f in members]
-    logs = [np.array(plot_friction.read_log(p["file"])[1:]) for p, _ in members]
+    end, growing, rows = shortest(members), [], []
+    depths, logs = [(f.time, f.depth) for _, f in members], friction_series(members)
     for late in (end / 12, end / 6, end / 3, 2 * end / 3, end):
         early = late / 2 if late < end else 2 * end / 3
         (depth, error), (mu, mu_error) = layer.window(depths, early, late, 2), layer.window(logs, early, late, 8)
@@ -124,31 +140,28 @@ def fig3(report, picture):
     for k, (amplitude, members) in enumerate(groups(rough, lambda x: x[0]).items()):
         for number, (_, _, found) in enumerate(members):
             left.plot(found.time, found.depth, color=f"C{k}", label=None if number else f"initial roughness {amplitude:g} nm")
-        depth, error = layer.mean_depth([f for _, _, f in members])
-        rows.append([f"roughness {amplitude:g} nm", f"{PAPER_DEPTH:g}", f"{depth:.1f} +- {error:.1f}",
-                     "mu {:.3f} +- {:.3f}".format(*mean_of([p for _, p, _ in members]))])
+        cells, *_ = second_half([(p, f) for _, p, f in members], shortest([(p, f) for _, p, f in rough]))
+        rows.append([f"roughness {amplitude:g} nm", f"{PAPER_DEPTH:g}", *cells])
     long = [(p, f) for p, f in layers if run_name(p).startswith("growth")]
     if not long:
         raise Missing("no run of the plan growth")
     for number, (_, found) in enumerate(long):
-        left.plot(found.time, found.depth, color="0.6", lw=1, zorder=1, label=None if number else "300 ns")
+        left.plot(found.time, found.depth, color="0.6", lw=1, zorder=1, label=None if number else f"{found.time[-1]:.0f} ns")
     rows += growth(long, left)
     left.axhline(PAPER_DEPTH, color="k", ls="--", lw=1, label="about 10 nm (paper)")
     left.set(xlabel="time (ns)", ylabel="depth of the layer (nm), 10 to 90 % of $v$", xlim=(0, None), ylim=(0, None))
     left.legend(fontsize=9)
-    eta, depth, error = [], [], []
-    shortest = min((f.time[-1] for members in viscous.values() for _, f in members), default=0)  # the layer grows
+    eta, depth, error, mu = [], [], [], []
     for value, members in viscous.items():
-        d, e = layer.mean_depth([f for _, f in members], shortest)
-        eta.append(value), depth.append(d), error.append(e)
-        rows.append([f"viscosity {value:g} Pa s", f"{PAPER_DEPTH * value / 0.41:.1f}", f"{d:.1f} +- {e:.1f}",
-                     "mu {:.3f} +- {:.3f}".format(*mean_of([p for p, _ in members]))])
+        cells, *found = second_half(members, shortest([m for of in viscous.values() for m in of]))
+        for values, one in zip((eta, depth, error, mu), (value, *found)):
+            values.append(one)
+        rows.append([f"viscosity {value:g} Pa s", f"{PAPER_DEPTH * value / 0.41:.1f}", *cells])
     right.errorbar(eta, depth, yerr=1.96 * np.array(error), fmt="o", capsize=2, label="our runs, 95 %")
     if eta:
         line = np.array([min(eta), max(eta)])
         right.plot(line, PAPER_DEPTH * line / 0.41, "k--", lw=1, label="in proportion (paper: roughly)")
         exponent = np.polyfit(np.log(eta), np.log(depth), 1)[0] if len(eta) > 1 else math.nan
-        mu = [mean_of([p for p, _ in members])[0] for members in viscous.values()]
         slope = np.polyfit(np.log(eta), np.log(mu), 1)[0] if len(eta) > 1 else math.nan
         rows.append(["exponent of depth ~ eta^n", "about 1", f"{exponent:.2f}", f"of mu (paper: 0) {slope:.2f}"])
     right.set(xlabel="viscosity $\\eta$ (Pa s)", ylabel="depth of the layer (nm)", xscale="log", yscale="log")
@@ -174,7 +187,7 @@ def fig4(report, picture):
         rows.append([f"p = {p:g} MPa", f"{paper:.2f}", f"{mu * p:.2f} +- {error * p:.2f}", percent(mu * p, paper),
                      f"{early * p:.2f}", percent(early, mu)])
         pressures.append(p), stresses.append(mu * p), errors.append(error / mu)
-    lines = table(["friction stress, MPa", "Eq. 2", "from 100 ns on", "", "first 100 ns", "over later"], rows)
+    lines = table(["friction stress, MPa", "Eq. 2", FROM, "", "first 100 ns", "over later"], rows)
     if len(pressures) > 2:
         fit, covariance = np.polyfit(np.log(pressures), np.log(stresses), 1, w=1 / np.array(errors), cov=True)
         paper = np.polyfit(np.log(pressures), np.log([m[0]["mu_eq2"] * p for p, m in
@@ -192,7 +205,7 @@ def fig6(report, picture):
         (mu, error), (peak, _) = mean_of(members), mean_of(members, "mu_peak")
         paper = members[0]["mu_eq2"]
         rows.append([f"v = {v:g} m/s", f"{paper:.3f}", f"{mu:.3f} +- {error:.3f}", percent(mu, paper), f"{peak:.2f}"])
-    return table(["mu", "Eq. 2", "from 100 ns on", "", "peak"], rows)
+    return table(["mu", "Eq. 2", FROM, "", "peak"], rows)
 
 
 # fig7 and fig8 ------------------------------------------------------------------------------------
@@ -475,10 +488,10 @@ def corrected(report, picture):
 FIGURES = {
     "fig3": Figure("Fig. 3: depth of the sliding layer (N1)", ["roughness", "growth", "viscosity"], fig3),
     "fig4": Figure("Fig. 4: friction stress against pressure (N2)", ["pressure"], fig4, ["--grinding-in", "100", *EQUILIBRIUM]),
-    "fig6": Figure("Fig. 6: mu against velocity, from 100 ns on (N3)", ["velocity"], fig6, EQUILIBRIUM),
+    "fig6": Figure(f"Fig. 6: mu against velocity, {FROM} (N3)", ["velocity"], fig6, EQUILIBRIUM),
     "collapse": Figure("Equal kappa1 and kappa2, from 50 ns on (N4)", ["collapse10"], collapse, LATER),
     "fig7": Figure("Figs. 7 and 8: the law, from 50 ns on (N5, N6)", ["paper36"], fig7, LATER),
-    "steel": Figure("The law of one material, E = 206 GPa and sigma_0 = 92 MPa, from 100 ns on", ["velocity", "pressure"], fig7,
+    "steel": Figure(f"The law of one material, E = 206 GPa and sigma_0 = 92 MPa, {FROM}", ["velocity", "pressure"], fig7,
                     EQUILIBRIUM),
     "kappa3": Figure("The law with a third number, kappa3 = E/sigma_0, from 50 ns on", ["paper36", "velocity", "pressure"], kappa3,
                      ["--model", "eq2_kappa3", "--kappa3", str(STEEL), *LATER]),

@@ -26,7 +26,7 @@ def reproduce(tmp_path, *figures):
                           check=False)
 
 
-def logs(tmp_path, name, factor=lambda run: 1.0, ns=150):
+def logs(tmp_path, name, factor=lambda run: 1.0, ns=300):
     """Logs of a shipped plan that follow Eq. 2 with Eq. 3's numbers, times a factor, with some noise."""
     folder = tmp_path / "logs" / name
     folder.mkdir(parents=True)
@@ -108,7 +108,7 @@ def test_layers_of_known_depth(tmp_path):
         folder, runs = logs(tmp_path, name)
         for run in runs:
             low, high = ROWS[run.values["eta"]]
-            (folder / f"{run.name}.profile").write_text(HEAD + "".join(frame(1000 * k, low, high) for k in (1, 2, 3, 4)))
+            (folder / f"{run.name}.profile").write_text(HEAD + "".join(frame(1500000 * k, low, high) for k in (1, 2, 3, 4)))
             if name == "viscosity":  # the synthetic head has one viscosity
                 log = folder / f"{run.name}.friction"
                 log.write_text(log.read_text().replace("viscosity: 0.41", f"viscosity: {run.values['eta']}"))
