@@ -205,8 +205,8 @@ void FixMCADrive::setup(int vflag)
 
 /* ----------------------------------------------------------------------
    The layer moves as one rigid body in y: all its automata get the same acceleration. In x the
-   velocity is prescribed, in z there is none, and it does not rotate. Ranks wait for each other
-only where the layer is split between them; what is for output is added up when it is asked for.
+   velocity is prescribed, in z there is none, and it does not rotate. Ranks wait for each
+   other only where the layer is split between them; what is for output is added up when asked for.
 ------------------------------------------------------------------------- */
 
 void FixMCADrive::post_force(int /*vflag*/)

@@ -147,8 +147,7 @@ static void unpack(const std::vector<int> &automata, const double *in, int strid
       rows[static_cast<size_t>(row) * stride + k] = *in++;
 }
 
-// A message of a node is written over when its reader has begun the one after it, hence has read
-// it.
+// A message is written over only after its reader has begun the next one, hence has read it.
 void Halo::begin(const double *rows, int stride, int count)
 {
   messages_++;
