@@ -39,9 +39,10 @@ void Halo::findNode()
   int ranks;
   MPI_Comm_size(comm_, &ranks);
   onNode_.assign(ranks, MPI_UNDEFINED);
+  MPI_Comm_split_type(comm_, shares_ ? MPI_COMM_TYPE_SHARED : MPI_UNDEFINED, 0, MPI_INFO_NULL,
+                      &node_);
   if (!shares_)
     return;
-  MPI_Comm_split_type(comm_, MPI_COMM_TYPE_SHARED, 0, MPI_INFO_NULL, &node_);
   std::vector<int> all(ranks);
   for (int r = 0; r < ranks; r++)
     all[r] = r;
@@ -82,14 +83,24 @@ void Halo::build(MPI_Comm comm, const std::vector<Guest> &guests)
               &requests_[2 * m + 1]);
   }
   MPI_Waitall(static_cast<int>(requests_.size()), requests_.data(), MPI_STATUSES_IGNORE);
-  if (shares_)
-    share();
+  share();
 }
 
-// A box in this rank's part of the window for each neighbour of the node.
+// With each neighbour of the node, a box in either's part of the window.
 void Halo::share()
 {
   std::vector<long> at(onNode_.size(), 0), theirs(onNode_.size());
+  if (shares_)
+    makeBoxes(at);
+  // nobody looks into a box before all are empty
+  MPI_Alltoall(at.data(), 1, MPI_LONG, theirs.data(), 1, MPI_LONG, comm_);
+  for (Neighbour &n : neighbours_)
+    if (onNode_[n.rank] != MPI_UNDEFINED)
+      n.from = boxAt(onNode_[n.rank], theirs[n.rank], n.guests.size());
+}
+
+void Halo::makeBoxes(std::vector<long> &at)
+{
   long lines = 0, most;
   for (const Neighbour &n : neighbours_)
     if (onNode_[n.rank] != MPI_UNDEFINED) {
@@ -112,11 +123,6 @@ void Halo::share()
       n.to = boxAt(self, at[n.rank], n.needed.size());
       new (n.to.written) std::atomic<std::uint64_t>(0);
     }
-  // nobody looks into a box before all are empty
-  MPI_Alltoall(at.data(), 1, MPI_LONG, theirs.data(), 1, MPI_LONG, comm_);
-  for (Neighbour &n : neighbours_)
-    if (onNode_[n.rank] != MPI_UNDEFINED)
-      n.from = boxAt(onNode_[n.rank], theirs[n.rank], n.guests.size());
 }
 
 Halo::Box Halo::boxAt(int nodeRank, long first, std::size_t automata) const

@@ -24,7 +24,7 @@ class Halo {
   /// Most values of an automaton in one message.
   static constexpr int mostValues = 4;
 
-  /// \param shares  false sends MPI messages within a node, too
+  /// \param shares  false: this rank is to all others one of another node
   explicit Halo(bool shares = true) : shares_(shares) {}
   ~Halo();
   Halo(const Halo &) = delete;
@@ -65,6 +65,7 @@ class Halo {
   void findNode();
   void closeWindow();
   void share();
+  void makeBoxes(std::vector<long> &at);
   Box boxAt(int nodeRank, long line, std::size_t automata) const;
 };
 
