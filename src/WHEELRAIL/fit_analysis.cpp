@@ -22,6 +22,21 @@ std::string whyLeftOut(const FrictionPoint &point, const FitOptions &options)
   return "";
 }
 
+/// A run that has two logs would count as two independent ones: the longer log stays, of equal ones
+/// the first.
+void leaveOutCopies(std::vector<FrictionPoint> &points)
+{
+  for (std::size_t i = 0; i < points.size(); ++i)
+    for (std::size_t j = i + 1; j < points.size(); ++j) {
+      auto &first = points[i], &second = points[j];
+      if (!first.left_out.empty() || !second.left_out.empty() || !sameRun(first, second))
+        continue;
+      const bool longer = second.duration > first.duration;
+      (longer ? first : second).left_out =
+          fmt::format("the run of {}", (longer ? second : first).file);
+    }
+}
+
 } // namespace
 
 std::vector<LawPoint> FitAnalysis::fitted() const
@@ -40,6 +55,7 @@ FitAnalysis analysePoints(std::vector<FrictionPoint> points, const FitOptions &o
   analysis.points = std::move(points);
   for (auto &p : analysis.points)
     p.left_out = whyLeftOut(p, options);
+  leaveOutCopies(analysis.points);
 
   const auto used = analysis.fitted();
   const auto obstacle = obstacleTo(options.model, used);

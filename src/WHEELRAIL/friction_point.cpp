@@ -16,6 +16,7 @@ namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double longestGrindingIn = 100.0; // ns, Fig. 4
+constexpr std::size_t firstRows = 50;
 
 /// First row whose interval begins at or after `time`.
 std::size_t firstRowAfter(const FrictionLog &log, double time)
@@ -63,6 +64,7 @@ FrictionPoint frictionPoint(const FrictionLog &log, const PointOptions &options)
   point.viscosity = log.viscosity;
   point.mu_peak = *std::max_element(log.mu.begin(), log.mu.end());
   point.seed = log.seed;
+  point.first_mu.assign(log.mu.begin(), log.mu.begin() + std::min(firstRows, log.mu.size()));
   point.note = log.note;
   double origin = log.time.front() - log.interval();
   if (std::abs(origin) < 1e-6 * log.interval())
@@ -99,6 +101,13 @@ FrictionPoint frictionPoint(const FrictionLog &log, const PointOptions &options)
   point.mu_grinding_in =
       meanBefore(log, options.grinding_in.value_or(std::min(start, longestGrindingIn)));
   return point;
+}
+
+bool sameRun(const FrictionPoint &a, const FrictionPoint &b)
+{
+  const auto rows = std::min(a.first_mu.size(), b.first_mu.size());
+  return a.kappa1 == b.kappa1 && a.kappa2 == b.kappa2 && a.kappa3 == b.kappa3 &&
+         std::equal(a.first_mu.begin(), a.first_mu.begin() + rows, b.first_mu.begin());
 }
 
 std::string pointsAsCsv(const std::vector<FrictionPoint> &points)

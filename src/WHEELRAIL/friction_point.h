@@ -30,8 +30,9 @@ struct FrictionPoint {
   double strength = 0.0;         ///< MPa
   double viscosity = 0.0;        ///< Pa s
   long seed = 0;
-  std::string note;     ///< why there is no stationary part, or that a cut line was dropped
-  std::string left_out; ///< why the point is not fitted; empty: it is
+  std::vector<double> first_mu; ///< of the first rows, at most 50: tells one run from another
+  std::string note;             ///< why there is no stationary part, or that a cut line was dropped
+  std::string left_out;         ///< why the point is not fitted; empty: it is
 
   bool stationary() const { return t_start == t_start; }
 };
@@ -43,6 +44,10 @@ struct PointOptions {
   /// window of the paper's Fig. 4).
   std::optional<double> grinding_in;
 };
+
+/// Whether two points come from one run, of which one log may be longer: the same case, and mu of
+/// the first rows equal to the last digit.
+bool sameRun(const FrictionPoint &a, const FrictionPoint &b);
 
 /// The point of one log. @throws Error (BadInput) if `start` lies beyond the end of the log
 FrictionPoint frictionPoint(const FrictionLog &log, const PointOptions &options);

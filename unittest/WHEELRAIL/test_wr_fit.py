@@ -106,6 +106,15 @@ def test_drift_is_said_and_left_out(tmp_path):
     assert "left out" not in wr_fit(tmp_path, "--include-drifting").stdout
 
 
+def test_a_run_of_two_logs_counts_once(tmp_path):
+    """The longer log is fitted, and logs of other seeds are."""
+    for name, seed, ns in (("a", 1, 20), ("b", 1, 30), ("c", 1, 20), ("d", 2, 20)):
+        (tmp_path / f"{name}.friction").write_text(friction_logs.friction_log(seed=seed, ns=ns))
+    lines = {line.split()[0][-10]: line for line in wr_fit(tmp_path).stdout.splitlines() if ".friction " in line}
+    assert {name: "left out" in line for name, line in lines.items()} == {"a": True, "b": False, "c": True, "d": False}
+    assert f"[left out: the run of {tmp_path / 'b.friction'}]" in lines["a"] and "b.friction]" in lines["c"]
+
+
 def test_start_and_grinding_in_can_be_given(log, tmp_path):
     wr_fit(log, "--start", 10, "--grinding-in", 5, "--points", tmp_path / "points.csv")
     assert float(read_points(tmp_path / "points.csv")[0]["t_start"]) == 10
