@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fmt/format.h>
 #include <limits>
 #include <numeric>
 #include <stdexcept>
@@ -67,6 +68,13 @@ Line fitLine(const std::vector<double> &values, std::size_t begin, std::size_t e
     line.residuals.push_back(values[i] - mean -
                              line.slope * (static_cast<double>(i - begin) - middle));
   return line;
+}
+
+/// What the straight line through values[begin, size) gains from their begin to their end.
+double drift(const std::vector<double> &values, std::size_t begin)
+{
+  const auto line = fitLine(values, begin, values.size());
+  return line.slope * static_cast<double>(values.size() - begin);
 }
 
 /// Two-sided p value of a deviation, given the standard error that `noise` measured; the straight
@@ -189,8 +197,8 @@ StationaryPart stationaryPart(const std::vector<double> &values)
   StationaryPart part;
   const std::size_t middle = values.size() / 2;
   const std::size_t stride = std::max<std::size_t>(1, values.size() / 20);
-  const auto giveUp = [&](const char *reason) {
-    part.reason = reason;
+  const auto giveUp = [&](std::string reason) {
+    part.reason = std::move(reason);
     part.start = middle;
     part.mean = seriesMean(values, middle, values.size());
     return part;
@@ -206,7 +214,8 @@ StationaryPart stationaryPart(const std::vector<double> &values)
   while ((part.p = smallerP()) < driftLevel) {
     part.start += stride;
     if (part.start > middle)
-      return giveUp("mu still drifts in the second half of the log");
+      return giveUp(fmt::format("mu still drifts in the second half of the log, by {:+.2g} over it",
+                                drift(values, middle)));
   }
   part.mean = seriesMean(values, part.start, values.size());
   if (part.mean.effective_n < leastEffective)

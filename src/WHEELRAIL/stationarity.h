@@ -2,6 +2,7 @@
 #define WHEELRAIL_STATIONARITY_H
 
 #include <cstddef>
+#include <string>
 #include <vector>
 
 namespace wheelrail {
@@ -51,10 +52,10 @@ double trendP(const std::vector<double> &values, std::size_t begin);
 /// The stationary part of a series: values[start, size).
 struct StationaryPart {
   bool found = false;
-  std::size_t start = 0;   ///< first sample of it; the middle of the series when none was found
-  double p = 0.0;          ///< smaller p value of the two tests at `start`
-  SeriesMean mean;         ///< of values[start, size), also when no stationary part was found
-  const char *reason = ""; ///< why none was found; "" otherwise
+  std::size_t start = 0; ///< first sample of it; the middle of the series when none was found
+  double p = 0.0;        ///< smaller p value of the two tests at `start`
+  SeriesMean mean;       ///< of values[start, size), also when no stationary part was found
+  std::string reason;    ///< why none was found; empty otherwise
 };
 
 /// Level of the two tests below which a part is taken to drift.

@@ -1,28 +1,21 @@
 """Each figure: which plans it needs, how it is drawn, and the paper's numbers beside ours."""
 import dataclasses
 import math
-import os
-import re
 
 import numpy as np
 from matplotlib import pyplot
 
 import plot_fit
-import plot_friction
 import plot_series
-from . import layer
+from . import ageing, layer, steps
+from .common import groups, mean_of, percent, run_name, save, scatter_of, table
 
 PAPER = plot_fit.PAPER
 PAPER_COLLAPSE = 0.035  # scatter of ten runs at equal kappas
-PAPER_DEPTH = 10.0      # nm, of the quasi-liquid layer
-EQUILIBRIUM = ["--start", "200"]  # ns; from here on mu does not change in runs of 600 ns (Fig. 3)
-LATER = ["--start", "50"]  # ns; of plans whose runs end at 100 ns
-FROM = f"from {EQUILIBRIUM[1]} ns on"
+LONG = ["--start", "200"]  # ns; of plans whose runs are of 280 to 600 ns
+SHORT = ["--start", "50"]  # ns; of plans whose runs end at 100 ns
+FROM = f"from {LONG[1]} ns on"
 STEEL = 2239            # kappa3 = E/sigma_0 of the paper's weakest steel, 206 GPa over 92 MPa
-
-
-class Missing(Exception):
-    """What a figure needs and is not there, in one line."""
 
 
 @dataclasses.dataclass
@@ -32,147 +25,6 @@ class Figure:
     plans: list
     make: object
     options: list = dataclasses.field(default_factory=list)
-
-
-def write_whole(path, text):
-    """Writes a text beside and renames it."""
-    with open(path + ".part", "w", encoding="utf-8") as file:
-        file.write(text)
-    os.replace(path + ".part", path)
-
-
-def save(figure, path):
-    """Writes a picture beside and renames it."""
-    figure.savefig(path + ".part", dpi=130, format="png")
-    os.replace(path + ".part", path)
-    pyplot.close(figure)
-
-
-def run_name(point):
-    """Name of the run that a log belongs to: of its folder, or of the packed file."""
-    folder, name = os.path.split(point["file"])
-    return os.path.basename(folder) if name == "run.friction" else name.removesuffix(".friction")
-
-
-def table(head, rows):
-    """Lines of a table of texts, columns as wide as needed."""
-    cells = [head, *rows]
-    width = [max(len(row[k]) for row in cells) for k in range(len(head))]
-    return ["  ".join(c.ljust(w) if k == 0 else c.rjust(w) for k, (c, w) in enumerate(zip(row, width))).rstrip()
-            for row in cells]
-
-
-def percent(ours, paper):
-    """Relative difference of two numbers of one unit, as text."""
-    return f"{100 * (ours / paper - 1):+.1f} %"
-
-
-def groups(points, key):
-    """{key(point): points} in order of the key."""
-    found = {}
-    for point in points:
-        found.setdefault(key(point), []).append(point)
-    return dict(sorted(found.items()))
-
-
-def mean_of(points, key="mu"):
-    """(mean over replicas, its standard error: the larger of what the runs' own errors and their
-    scatter say)."""
-    values = [p[key] for p in points if p[key] is not None]
-    if not values:
-        return math.nan, math.nan
-    own = math.sqrt(sum((p["mu_se"] or 0) ** 2 for p in points)) / len(points)
-    scatter = np.std(values, ddof=1) / math.sqrt(len(values)) if len(values) > 1 else 0.0
-    return float(np.mean(values)), max(own, scatter)
-
-
-def scatter_of(values, errors):
-    """Standard deviation of values over their mean, and what their own standard errors explain of it, both in %."""
-    mean = np.mean(values)
-    return 100 * np.std(values, ddof=1) / mean, 100 * math.sqrt(np.mean(np.square(errors))) / mean
-
-
-# fig3 ---------------------------------------------------------------------------------------------
-def friction_series(members):
-    """Times (ns) and mu of the logs of runs (point, layer)."""
-    return [np.array(plot_friction.read_log(p["file"])[1:]) for p, _ in members]
-
-
-def shortest(members):
-    """Time (ns) that all runs (point, layer) have reached; inf of none."""
-    return min((f.time[-1] for _, f in members), default=math.inf)
-
-
-def second_half(members, end):
-    """Cells of depth (nm) and mu of runs (point, layer) from half of the time `end` (ns) up to it; and the depth, its error, mu."""
-    (depth, error), (mu, mu_error) = layer.mean_depth([f for _, f in members], end), layer.window(friction_series(members), end / 2, end, 8)
-    return [f"{depth:.1f} +- {error:.1f}", f"mu {mu:.3f} +- {mu_error:.3f}"], depth, error, mu
-
-
-def growth(members, axes):
-    """Rows of depth (nm) and mu of the runs (point, layer) in times (ns) that double; draws the power law of the depth."""
-    end, growing, rows = shortest(members), [], []
-    depths, logs = [(f.time, f.depth) for _, f in members], friction_series(members)
-    for late in (end / 12, end / 6, end / 3, 2 * end / 3, end):
-        early = late / 2 if late < end else 2 * end / 3
-        (depth, error), (mu, mu_error) = layer.window(depths, early, late, 2), layer.window(logs, early, late, 8)
-        growing.append((math.sqrt(early * late), depth, mu))
-        rows.append([f"{early:.3g} to {late:.3g} ns", "", f"{depth:.1f} +- {error:.1f}", f"mu {mu:.3f} +- {mu_error:.3f}"])
-    time, depth, mu = np.log(growing).T
-    power, factor = np.polyfit(time, depth, 1)
-    line = np.linspace(0, end, 100)
-    axes.plot(line, math.exp(factor) * line**power, "k", lw=1, label=f"in proportion to $t^{{{power:.2f}}}$")
-    return [*rows, ["exponent of depth ~ t^n", "", f"{power:.2f}", f"of mu {np.polyfit(time, mu, 1)[0]:.2f}"]]
-
-
-def fig3(report, picture):
-    """Depth of the layer: from the profiles beside the logs. Of the plan `growth` depth and mu in times that double."""
-    layers = []
-    for point in report["report"]["points"]:
-        found = layer.read(point["file"])
-        if found is None:
-            raise Missing(f"{point['file']}: no profile beside it (a plan with `profile` makes one)")
-        layers.append((point, found))
-    rough = [(float(number[1]), p, f) for p, f in layers if (number := re.search("roughness([0-9.]+)", run_name(p)))]
-    viscous = groups([(p, f) for p, f in layers if "eta" in run_name(p)], lambda x: x[0]["viscosity"])
-    figure, (left, right) = pyplot.subplots(1, 2, figsize=(10, 4.2), constrained_layout=True)
-    rows = []
-    for k, (amplitude, members) in enumerate(groups(rough, lambda x: x[0]).items()):
-        for number, (_, _, found) in enumerate(members):
-            left.plot(found.time, found.depth, color=f"C{k}", label=None if number else f"initial roughness {amplitude:g} nm")
-        cells, *_ = second_half([(p, f) for _, p, f in members], shortest([(p, f) for _, p, f in rough]))
-        rows.append([f"roughness {amplitude:g} nm", f"{PAPER_DEPTH:g}", *cells])
-    long = [(p, f) for p, f in layers if run_name(p).startswith("growth")]
-    if not long:
-        raise Missing("no run of the plan growth")
-    for number, (_, found) in enumerate(long):
-        left.plot(found.time, found.depth, color="0.6", lw=1, zorder=1, label=None if number else f"{found.time[-1]:.0f} ns")
-    rows += growth(long, left)
-    left.axhline(PAPER_DEPTH, color="k", ls="--", lw=1, label="about 10 nm (paper)")
-    left.set(xlabel="time (ns)", ylabel="depth of the layer (nm), 10 to 90 % of $v$", xlim=(0, None), ylim=(0, None))
-    left.legend(fontsize=9)
-    eta, depth, error, mu = [], [], [], []
-    for value, members in viscous.items():
-        cells, *found = second_half(members, shortest([m for of in viscous.values() for m in of]))
-        for values, one in zip((eta, depth, error, mu), (value, *found)):
-            values.append(one)
-        rows.append([f"viscosity {value:g} Pa s", f"{PAPER_DEPTH * value / 0.41:.1f}", *cells])
-    right.errorbar(eta, depth, yerr=1.96 * np.array(error), fmt="o", capsize=2, label="our runs, 95 %")
-    if eta:
-        line = np.array([min(eta), max(eta)])
-        right.plot(line, PAPER_DEPTH * line / 0.41, "k--", lw=1, label="in proportion (paper: roughly)")
-        exponent = np.polyfit(np.log(eta), np.log(depth), 1)[0] if len(eta) > 1 else math.nan
-        slope = np.polyfit(np.log(eta), np.log(mu), 1)[0] if len(eta) > 1 else math.nan
-        rows.append(["exponent of depth ~ eta^n", "about 1", f"{exponent:.2f}", f"of mu (paper: 0) {slope:.2f}"])
-    right.set(xlabel="viscosity $\\eta$ (Pa s)", ylabel="depth of the layer (nm)", xscale="log", yscale="log")
-    right.set_xticks(eta, [f"{value:.2g}" for value in eta])
-    right.set_yticks([2, 5, 10, 20, 50], ["2", "5", "10", "20", "50"])
-    right.minorticks_off()
-    right.legend(fontsize=9)
-    for axes in (left, right):
-        axes.grid(alpha=0.3)
-    save(figure, picture)
-    return table(["", "paper, nm", "ours, nm", ""], rows)
 
 
 # fig4, fig6 ---------------------------------------------------------------------------------------
@@ -379,126 +231,22 @@ def convergence(report, picture):
     return table(["", "runs", "mu", "against base", "depth, nm"], rows)
 
 
-# timestep -----------------------------------------------------------------------------------------
-def step_of(log):
-    """Time step of a run (ns), from the head of its log."""
-    with open(log, encoding="utf-8") as file:
-        return next(float(found[1]) for text in file if (found := re.search(r"^# run: .*timestep: ([-+.e0-9]+)", text)))
-
-
-def case_of(point):
-    """What a run shares with those of other steps: `v5` of v5-dt5e-05-seed1."""
-    return re.sub("-(dt.*|seed.*)", "", run_name(point))
-
-
-def timestep(report, picture):
-    """mu at the usual step, half and a quarter of it; for three steps what a straight line makes of it at none."""
-    rows, lines, cases = [], [], {}
-    found = groups(report["report"]["points"], case_of)
-    for name, members in sorted(found.items(), key=lambda item: (item[0][0], len(item[0]), item[0])):
-        at = {step: mean_of(runs) for step, runs in groups(members, lambda p: step_of(p["file"])).items()}
-        usual = max(at)
-        if 0.25 * usual not in at:
-            continue
-        cases[name] = members[0], at[usual], at[0.25 * usual]
-        full, half, quarter = ("{:.3f} +- {:.3f}".format(*at[f * usual]) if f * usual in at else "" for f in (1, 0.5, 0.25))
-        at_none = ""
-        if half:
-            dt, (mu, error) = np.array(list(at)), np.array(list(at.values())).T
-            (_, none), covariance = np.polyfit(dt, mu, 1, w=1 / error, cov="unscaled")
-            lines.append((members[0]["velocity"], none, math.sqrt(covariance[1, 1])))
-            at_none = "{:.3f} +- {:.3f}".format(*lines[-1][1:])
-        rows.append([name, f"{members[0]['kappa3']:.0f}", f"{members[0]['mu_eq2']:.3f}", full, half, quarter,
-                     percent(at[0.25 * usual][0], at[usual][0]), at_none])
-    if not lines:
-        raise Missing("no run at the plans' step, half and a quarter of it")
-    equal = [entry[1:] for name, entry in cases.items() if re.match("v5|c", name)]
-    (spread, own), (spread_quarter, own_quarter) = (scatter_of(*np.array([e[k] for e in equal]).T) for k in (0, 1))
-    figure, (left, right) = pyplot.subplots(1, 2, figsize=(10, 4.2), constrained_layout=True)
-    for axes, pattern, key in ((left, "v", "velocity"), (right, "v5|c", "kappa3")):
-        shown = sorted((p[key], p["mu_eq2"], full, small) for name, (p, full, small) in cases.items() if re.match(pattern, name))
-        x = np.array([entry[0] for entry in shown])
-        for k, label in ((2, "usual step"), (3, "a quarter of it")):
-            mu, error = np.array([entry[k] for entry in shown]).T
-            axes.errorbar(x, mu, yerr=1.96 * error, fmt=f"C{k - 2}o", capsize=2, label=f"{label}, 95 %")
-        axes.plot(x, [entry[1] for entry in shown], "k--", lw=1, label="Eq. 2")
-        axes.grid(alpha=0.3)
-    velocity, none, error = np.array(lines).T
-    left.errorbar(velocity, none, yerr=1.96 * error, fmt="C2s", mfc="none", capsize=2, label="line to no step, 95 %")
-    left.set(xlabel="v (m/s)", ylabel="$\\mu$", xlim=(0, None), ylim=(0, None))
-    right.set(xlabel="$\\kappa_3 = E/\\sigma_0$ at equal $\\kappa_1$, $\\kappa_2$", ylabel="$\\mu$", ylim=(0, None))
-    left.legend(fontsize=9)
-    save(figure, picture)
-    return [*table(["mu", "kappa3", "Eq. 2", "usual step", "half", "a quarter", "", "none (line)"], rows), "",
-            f"Scatter of the {len(equal)} at equal kappa1 and kappa2: usual step {spread:.1f} % (own errors {own:.1f} %), "
-            f"a quarter {spread_quarter:.1f} % ({own_quarter:.1f} %)"]
-
-
-# corrected ----------------------------------------------------------------------------------------
-def steps_of(log):
-    """`plain` or `corrected`: the keyword steps of the laws that made a log; the first logs, of plain ones, do not name it."""
-    with open(log, encoding="utf-8") as file:
-        found = re.search(r"^# laws: .*\bsteps: (\w+)", file.read(4096), re.MULTILINE)
-    return found[1] if found else "plain"
-
-
-def corrected(report, picture):
-    """mu with plain and with corrected steps: against the step at 5 and 10 m/s, and at the usual step against velocity."""
-    points = [p for p in report["report"]["points"] if re.fullmatch("v[0-9]+", case_of(p))]
-    if not any(steps_of(p["file"]) == "corrected" for p in points):
-        raise Missing("no run with `steps corrected`")
-    laws = ("plain", "corrected")
-    usual = 5e-5
-    mu = {key: mean_of(runs) for key, runs in
-          groups(points, lambda p: (steps_of(p["file"]), p["velocity"], step_of(p["file"]))).items()}
-    steps = sorted({step for _, _, step in mu}, reverse=True)
-    shown = [v for v in sorted({v for _, v, _ in mu}) if sum(("corrected", v, step) in mu for step in steps) > 1]
-
-    def text(law, velocity, step):
-        return "{:.3f} +- {:.3f}".format(*mu[law, velocity, step]) if (law, velocity, step) in mu else ""
-
-    figure, (left, right) = pyplot.subplots(1, 2, figsize=(10, 4.2), constrained_layout=True)
-    rows = []
-    for k, law in enumerate(laws):
-        for marker, v in zip("osD", shown):
-            rows.append([f"{v:g} m/s, {law}", *(text(law, v, step) for step in steps)])
-            known = [(1e6 * step, *mu[law, v, step]) for step in steps if (law, v, step) in mu]
-            x, value, error = np.array(known).T
-            left.errorbar(x, value, yerr=1.96 * error, fmt=f"C{k}{marker}-", lw=0.8, capsize=2, label=f"{v:g} m/s, {law}")
-    eq2 = {p["velocity"]: p["mu_eq2"] for p in points}
-    both = [v for v in eq2 if all((law, v, usual) in mu for law in laws)]
-    velocities = []
-    for k, law in enumerate(laws):
-        x, value, error = np.array([(v, *mu[law, v, usual]) for v in sorted(both)]).T
-        right.errorbar(x, value, yerr=1.96 * error, fmt=f"C{k}o", capsize=2, label=f"{law}, 95 %")
-    right.plot(sorted(both), [eq2[v] for v in sorted(both)], "k--", lw=1, label="Eq. 2")
-    for v in sorted(both):
-        velocities.append([f"{v:g} m/s", f"{eq2[v]:.3f}", *(text(law, v, usual) for law in laws),
-                           percent(mu["corrected", v, usual][0], mu["plain", v, usual][0])])
-    left.set(xlabel="step (fs)", ylabel="$\\mu$, 95 %", xlim=(0, None))
-    right.set(xlabel="v (m/s)", ylabel="$\\mu$", xlim=(0, None), ylim=(0, None))
-    for axes in (left, right):
-        axes.grid(alpha=0.3)
-        axes.legend(fontsize=9)
-    save(figure, picture)
-    return [*table(["mu", *(f"{1e6 * step:g} fs" for step in steps)], rows), "",
-            *table([f"{1e6 * usual:g} fs", "Eq. 2", *laws, ""], velocities)]
-
-
 FIGURES = {
-    "fig3": Figure("Fig. 3: depth of the sliding layer (N1)", ["roughness", "growth", "viscosity"], fig3),
-    "fig4": Figure("Fig. 4: friction stress against pressure (N2)", ["pressure"], fig4, ["--grinding-in", "100", *EQUILIBRIUM]),
-    "fig6": Figure(f"Fig. 6: mu against velocity, {FROM} (N3)", ["velocity"], fig6, EQUILIBRIUM),
-    "collapse": Figure("Equal kappa1 and kappa2, from 50 ns on (N4)", ["collapse10"], collapse, LATER),
-    "fig7": Figure("Figs. 7 and 8: the law, from 50 ns on (N5, N6)", ["paper36"], fig7, LATER),
+    "fig3": Figure("Fig. 3: depth of the sliding layer (N1)", ["roughness", "viscosity"], ageing.fig3),
+    "height": Figure("Depth of the layer and mu against the height of the blocks", ["roughness", "height"], ageing.height),
+    "ageing": Figure("Ageing: mu against time", ["velocity", "pressure"], ageing.ageing),
+    "fig4": Figure("Fig. 4: friction stress against pressure (N2)", ["pressure"], fig4, ["--grinding-in", "100", *LONG]),
+    "fig6": Figure(f"Fig. 6: mu against velocity, {FROM} (N3)", ["velocity"], fig6, LONG),
+    "collapse": Figure("Equal kappa1 and kappa2, from 50 ns on (N4)", ["collapse10"], collapse, SHORT),
+    "fig7": Figure("Figs. 7 and 8: the law, from 50 ns on (N5, N6)", ["paper36"], fig7, SHORT),
     "steel": Figure(f"The law of one material, E = 206 GPa and sigma_0 = 92 MPa, {FROM}", ["velocity", "pressure"], fig7,
-                    EQUILIBRIUM),
+                    LONG),
     "kappa3": Figure("The law with a third number, kappa3 = E/sigma_0, from 50 ns on", ["paper36", "velocity", "pressure"], kappa3,
-                     ["--model", "eq2_kappa3", "--kappa3", str(STEEL), *LATER]),
+                     ["--model", "eq2_kappa3", "--kappa3", str(STEEL), *SHORT]),
     "sensitivity": Figure("Sensitivity of mu to the laws, from 15 ns on", ["variants"], sensitivity, ["--start", "15"]),
     "convergence": Figure("Size of the fragment, from 10 ns on", ["convergence"], convergence, ["--start", "10"]),
     "timestep": Figure("Friction with plain steps against the step, from 10 ns on",
-                       ["timestep"], timestep, ["--start", "10"]),
+                       ["timestep"], steps.timestep, ["--start", "10"]),
     "corrected": Figure("Friction with plain and with corrected steps, from 10 ns on",
-                        ["timestep", "corrected"], corrected, ["--start", "10"]),
+                        ["timestep", "corrected"], steps.corrected, ["--start", "10"]),
 }

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 #include <random>
 #include <stdexcept>
+#include <string>
 
 using namespace wheelrail;
 
@@ -144,9 +145,16 @@ TEST(Stationarity, driftIsRefused)
     found += stationaryPart(values).found;
   }
   EXPECT_LE(found, 5);
+  auto slow = ar1(0.5, 2000, generator);
+  for (int k = 0; k < 2000; ++k)
+    slow[k] = 0.5 + 0.03 * slow[k] - 0.04 * k / 2000.0;
+  const std::string said = "mu still drifts in the second half of the log, by -0.0";
+  const auto reason = stationaryPart(slow).reason;
+  ASSERT_EQ(reason.substr(0, said.size()), said);
+  EXPECT_NEAR(std::stod(reason.substr(said.size() - 4)), -0.02, 0.008);
   const auto part = stationaryPart(std::vector<double>(20, 1.0));
   EXPECT_FALSE(part.found);
-  EXPECT_STREQ(part.reason, "the log is too short");
+  EXPECT_EQ(part.reason, "the log is too short");
   EXPECT_EQ(part.start, 10u);
 }
 

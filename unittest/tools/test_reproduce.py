@@ -2,6 +2,7 @@
 import dataclasses
 import os
 import re
+import shutil
 import subprocess
 import sys
 from pathlib import Path
@@ -101,31 +102,91 @@ def test_pressure_and_velocity(tmp_path):
 
 
 ROWS = {0.1: (4, 5), 0.205: (4, 6), 0.41: (3, 6), 0.82: (3, 7), 1.64: (2, 7)}  # of the layer, by viscosity
+DEPTHS = {1.4: 4, 3.25: 8, 6.5: 6}  # nm, of the layer at the end, by roughness
+
+
+def profiles(folder, runs, layer, steps=6000000, frames=40):
+    """A profile beside each log; layer(run, part of its time) -> first and last row that slides."""
+    for run in runs:
+        (folder / f"{run.name}.profile").write_text(HEAD + "".join(
+            frame(steps * k // frames, *layer(run, k / frames)) for k in range(1, frames + 1)))
 
 
 def test_layers_of_known_depth(tmp_path):
-    for name in ("roughness", "viscosity"):
-        folder, runs = logs(tmp_path, name)
-        for run in runs:
-            low, high = ROWS[run.values["eta"]]
-            (folder / f"{run.name}.profile").write_text(HEAD + "".join(frame(1500000 * k, low, high) for k in (1, 2, 3, 4)))
-            if name == "viscosity":  # the synthetic head has one viscosity
-                log = folder / f"{run.name}.friction"
-                log.write_text(log.read_text().replace("viscosity: 0.41", f"viscosity: {run.values['eta']}"))
-    folder, runs = logs(tmp_path, "growth", ns=100)
-    for run in runs:  # depth ~ sqrt(t), up to 8 rows
-        half = [(k, 4 * (k / 40) ** 0.5 / 0.8) for k in range(1, 41)]
-        (folder / f"{run.name}.profile").write_text(HEAD + "".join(frame(50000 * k, 4.5 - h, 4.5 + h) for k, h in half))
+    folder, runs = logs(tmp_path, "viscosity")
+    profiles(folder, runs, lambda run, part: ROWS[run.values["eta"]], frames=4)
+    for run in runs:  # the synthetic head has one viscosity
+        log = folder / f"{run.name}.friction"
+        log.write_text(log.read_text().replace("viscosity: 0.41", f"viscosity: {run.values['eta']}"))
+    def growing(run, part):  # as sqrt(t); a row is 0.8 nm here
+        half = 0.5 * DEPTHS[run.values["roughness"]] * part**0.5 / 0.8
+        return 4.5 - half, 4.5 + half
+    profiles(*logs(tmp_path, "roughness"), growing)
     text = made(tmp_path, "fig3", reproduce(tmp_path, "fig3"))
     depth, mu = line(text, "exponent of depth ~ t^n")
     assert depth == pytest.approx(0.5, abs=0.1) and mu == pytest.approx(0, abs=0.02)
-    assert line(text, "33.3 to 66.7 ns")[0] == pytest.approx(8 * 0.5**0.5, rel=0.05)
-    for amplitude in ("1.4", "3.25", "6.5"):
-        assert line(text, f"roughness {amplitude} nm")[1] == pytest.approx(2.4)
+    assert line(text, "100 to 200 ns")[0] == pytest.approx(DEPTHS[3.25] * 0.5**0.5, rel=0.05)
+    later = numpy.mean(numpy.sqrt(numpy.arange(21, 41) / 40))
+    for amplitude, depth in DEPTHS.items():
+        assert line(text, f"roughness {amplitude:g} nm")[1] == pytest.approx(depth * later, rel=0.05)
     depths = {eta: line(text, f"viscosity {eta:g} Pa s")[1] for eta in ROWS}
     assert depths == pytest.approx({eta: 0.8 * (high - low) for eta, (low, high) in ROWS.items()})
     slope = numpy.polyfit(numpy.log(list(depths)), numpy.log(list(depths.values())), 1)[0]
     assert line(text, "exponent of depth ~ eta^n")[1] == pytest.approx(slope, abs=0.006)
+
+
+def aged(log, n):
+    """Rewrites a log: mu times t^n, t in ns."""
+    head, rows = [], []
+    for text in log.read_text().splitlines():
+        if text[0] in "#s":
+            head.append(text)
+            continue
+        step, time, way, stress, normal, mu, *rest = text.split()
+        factor = float(time)**n
+        rows.append(" ".join([step, time, way, f"{float(stress) * factor:.8g}", normal, f"{float(mu) * factor:.8g}", *rest]))
+    log.write_text("\n".join([*head, *rows]) + "\n")
+
+
+def test_ageing_is_the_power_of_time(tmp_path):
+    folder, runs = logs(tmp_path, "velocity", ns=400)
+    for run in runs:
+        aged(folder / f"{run.name}.friction", -0.1 if run.values["v"] >= 4 else 0.0)
+    logs(tmp_path, "pressure")
+    text = made(tmp_path, "ageing", reproduce(tmp_path, "ageing"))
+    table, _, summary = text.strip().rpartition("\n")
+    found = {}
+    for row in table.splitlines()[2:]:
+        case, _, cells = row.partition(" MPa")
+        found.setdefault(case, []).append([float(word) for word in re.findall(r"[-+]?\d\.\d+", cells)])
+    for v in (1, 2, 3, 4, 5, 6, 8, 10):
+        assert found[f"{v} m/s, 15"][0][-2] == pytest.approx(-0.1 if v >= 4 else 0, abs=0.003)
+    for p in (0.5, 15, 26):  # 15 MPa stands in both plans
+        assert found[f"5 m/s, {p:g}"][-1][-2] == pytest.approx(0, abs=0.003)
+    n, _, change, _ = line(summary, "4 m/s and above, 15 MPa: n =")
+    assert n == pytest.approx(-0.1, abs=0.002) and change == pytest.approx(100 * (2**-0.1 - 1), abs=0.2)
+    early, _, late = found["8 m/s, 15"][0][2:7:2]
+    assert late / early == pytest.approx(4**-0.1, abs=0.01)
+
+
+def test_height_of_the_blocks(tmp_path):
+    """A layer that grows as sqrt(t), twice as deep and with a tenth more friction in 48 rows; too short runs are one clear line."""
+    def layer(run, part):
+        half = (4.4 if run.values["rows"] == 48 else 2.2) * part**0.5
+        return 4.5 - half, 4.5 + half
+    for name in ("roughness", "height"):
+        profiles(*logs(tmp_path, name, lambda run: 1.1 if run.values["rows"] == 48 else 1.0, ns=400), layer, steps=8000000)
+    text = made(tmp_path, "height", reproduce(tmp_path, "height"))
+    depths = [line(text, f"depth, nm, {rows} rows") for rows in (16, 24, 32, 48)]
+    assert [depth[4] for depth in depths] == pytest.approx([3.04, 3.04, 3.04, 6.08], rel=0.06)
+    assert [depth[6] for depth in depths] == pytest.approx([0.5] * 4, abs=0.1)
+    mu, power = numpy.transpose([line(text, f"mu, {rows} rows")[4:7:2] for rows in (24, 32, 48)])
+    assert power == pytest.approx([0] * 3, abs=0.005)
+    assert mu[2] / mu[0] == pytest.approx(1.1, abs=0.01) and mu[1] / mu[0] == pytest.approx(1, abs=0.01)
+    shutil.rmtree(tmp_path / "logs" / "height")
+    profiles(*logs(tmp_path, "height"), layer)
+    done = reproduce(tmp_path, "height")
+    assert done.returncode == 3 and done.stderr.count("\n") == 1 and "end at 300 ns, 400 are needed" in done.stderr
 
 
 def test_sensitivity_and_convergence(tmp_path):
@@ -186,7 +247,6 @@ def test_missing_logs_are_one_clear_line(tmp_path):
     assert done.returncode == 3 and done.stderr.count("\n") == 1 and "pressure" in done.stderr
     logs(tmp_path, "roughness")
     logs(tmp_path, "viscosity")
-    logs(tmp_path, "growth")
     done = reproduce(tmp_path, "fig3")
     assert done.returncode == 3 and done.stderr.count("\n") == 1 and "profile" in done.stderr
     assert not (tmp_path / "out" / "fig3.png").exists()

@@ -1,0 +1,68 @@
+"""What the figures share: texts, means over seeds, files that appear whole."""
+import math
+import os
+
+import numpy as np
+from matplotlib import pyplot
+
+
+class Missing(Exception):
+    """What a figure needs and is not there, in one line."""
+
+
+def write_whole(path, text):
+    """Writes a text beside and renames it."""
+    with open(path + ".part", "w", encoding="utf-8") as file:
+        file.write(text)
+    os.replace(path + ".part", path)
+
+
+def save(figure, path):
+    """Writes a picture beside and renames it."""
+    figure.savefig(path + ".part", dpi=130, format="png")
+    os.replace(path + ".part", path)
+    pyplot.close(figure)
+
+
+def run_name(point):
+    """Name of the run that a log belongs to: of its folder, or of the packed file."""
+    folder, name = os.path.split(point["file"])
+    return os.path.basename(folder) if name == "run.friction" else name.removesuffix(".friction")
+
+
+def table(head, rows):
+    """Lines of a table of texts, columns as wide as needed."""
+    cells = [head, *rows]
+    width = [max(len(row[k]) for row in cells) for k in range(len(head))]
+    return ["  ".join(c.ljust(w) if k == 0 else c.rjust(w) for k, (c, w) in enumerate(zip(row, width))).rstrip()
+            for row in cells]
+
+
+def percent(ours, paper):
+    """Relative difference of two numbers of one unit, as text."""
+    return f"{100 * (ours / paper - 1):+.1f} %"
+
+
+def groups(points, key):
+    """{key(point): points} in order of the key."""
+    found = {}
+    for point in points:
+        found.setdefault(key(point), []).append(point)
+    return dict(sorted(found.items()))
+
+
+def mean_of(points, key="mu"):
+    """(mean over replicas, its standard error: the larger of what the runs' own errors and their
+    scatter say)."""
+    values = [p[key] for p in points if p[key] is not None]
+    if not values:
+        return math.nan, math.nan
+    own = math.sqrt(sum((p["mu_se"] or 0) ** 2 for p in points)) / len(points)
+    scatter = np.std(values, ddof=1) / math.sqrt(len(values)) if len(values) > 1 else 0.0
+    return float(np.mean(values)), max(own, scatter)
+
+
+def scatter_of(values, errors):
+    """Standard deviation of values over their mean, and what their own standard errors explain of it, both in %."""
+    mean = np.mean(values)
+    return 100 * np.std(values, ddof=1) / mean, 100 * math.sqrt(np.mean(np.square(errors))) / mean
