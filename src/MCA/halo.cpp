@@ -99,6 +99,7 @@ void Halo::share()
       n.from = boxAt(onNode_[n.rank], theirs[n.rank], n.guests.size());
 }
 
+// at: by rank, the first line of the box for it in this rank's part.
 void Halo::makeBoxes(std::vector<long> &at)
 {
   long lines = 0, most;

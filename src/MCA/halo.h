@@ -24,7 +24,8 @@ class Halo {
   /// Most values of an automaton in one message.
   static constexpr int mostValues = 4;
 
-  /// \param shares  false: this rank is to all others one of another node
+  /// \param shares  false: MPI messages to and from all ranks, as if this one were alone on its
+  /// node
   explicit Halo(bool shares = true) : shares_(shares) {}
   ~Halo();
   Halo(const Halo &) = delete;

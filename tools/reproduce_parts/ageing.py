@@ -21,6 +21,11 @@ def friction_series(points):
     return [np.array(plot_friction.read_log(p["file"])[1:]) for p in points]
 
 
+def depth_series(members):
+    """Times (ns) and depth (nm) of the layers of runs (point, layer)."""
+    return [(found.time, found.depth) for _, found in members]
+
+
 def shortest(members):
     """Time (ns) that all runs (point, layer) have reached; inf of none."""
     return min((f.time[-1] for _, f in members), default=math.inf)
@@ -28,14 +33,15 @@ def shortest(members):
 
 def second_half(members, end):
     """Cells of depth (nm) and mu of runs (point, layer) from half of the time `end` (ns) up to it; and the depth, its error, mu."""
-    (depth, error), (mu, mu_error) = layer.mean_depth([f for _, f in members], end), layer.window(friction_series(p for p, _ in members), end / 2, end, 8)
+    depth, error = layer.mean_depth([f for _, f in members], end)
+    mu, mu_error = layer.window(friction_series(p for p, _ in members), end / 2, end, 8)
     return [f"{depth:.1f} +- {error:.1f}", f"mu {mu:.3f} +- {mu_error:.3f}"], depth, error, mu
 
 
 def growth(members, axes):
     """Rows of depth (nm) and mu of the runs (point, layer) in times (ns) that double; draws the power law of the depth."""
     end, growing, rows = shortest(members), [], []
-    depths, logs = [(f.time, f.depth) for _, f in members], friction_series(p for p, _ in members)
+    depths, logs = depth_series(members), friction_series(p for p, _ in members)
     for late in (end / 12, end / 6, end / 3, 2 * end / 3, end):
         early = late / 2 if late < end else 2 * end / 3
         (depth, error), (mu, mu_error) = layer.window(depths, early, late, 2), layer.window(logs, early, late, 8)
@@ -75,7 +81,10 @@ def fig3(report, picture):
             left.plot(found.time, found.depth, color=f"C{k}", lw=1, label=None if number else f"initial roughness {amplitude:g} nm")
         cells, *_ = second_half(members, shortest(rough))
         rows.append([f"roughness {amplitude:g} nm", f"{PAPER_DEPTH:g}", *cells])
-    rows += growth([(p, f) for p, f in rough if roughness_of(p) == ROUGHNESS], left)
+    usual = [(p, f) for p, f in rough if roughness_of(p) == ROUGHNESS]
+    if not usual:
+        raise Missing(f"no run of roughness {ROUGHNESS} nm")
+    rows += growth(usual, left)
     left.axhline(PAPER_DEPTH, color="k", ls="--", lw=1, label="about 10 nm (paper)")
     left.set(xlabel="time (ns)", ylabel="depth of the layer (nm), 10 to 90 % of $v$", xlim=(0, None), ylim=(0, None))
     left.legend(fontsize=9)
@@ -101,8 +110,6 @@ def fig3(report, picture):
         axes.grid(alpha=0.3)
     save(figure, picture)
     return table(["", "paper, nm", "ours, nm", ""], rows)
-
-
 
 
 def rows_of(point):
@@ -138,7 +145,7 @@ def height(report, picture):
             raise Missing(f"runs of {rows} rows end at {shortest(members):g} ns, {TIMES[-1][1]} are needed")
         for number, (_, found) in enumerate(members):
             left.plot(found.time, found.depth, f"C{k}", lw=1.2, label=None if number else f"{rows} rows")
-        depths, logs = [(f.time, f.depth) for _, f in members], friction_series(p for p, _ in members)
+        depths, logs = depth_series(members), friction_series(p for p, _ in members)
         depth, mu = ([layer.window(series, *ends, blocks) for ends in TIMES] for series, blocks in ((depths, 2), (logs, 8)))
         for name, series, values, digits in (("depth, nm", depths, depth, 1), ("mu", logs, mu, 3)):
             cells = [f"{value:.{digits}f} +- {error:.{digits}f}" for value, error in values]
@@ -184,6 +191,8 @@ def ageing(report, picture):
     axes.minorticks_off()
     axes.grid(alpha=0.3)
     axes.legend(fontsize=9, ncols=2)
+    if not fast:
+        raise Missing(f"no run of the plan velocity at {FAST} m/s or above")
     save(figure, picture)
     lines = table(["mu", *(f"{low} to {high} ns" for low, high in LONG_TIMES), f"mu ~ t^n from {AGED} ns"], rows)
     n, error = np.array(fast).T

@@ -252,6 +252,21 @@ def test_missing_logs_are_one_clear_line(tmp_path):
     assert not (tmp_path / "out" / "fig3.png").exists()
 
 
+def test_missing_runs_are_one_clear_line(tmp_path):
+    def still(run, part):
+        return 4, 6
+    for name in ("roughness", "viscosity"):
+        profiles(*logs(tmp_path, name), still)
+    for name in ("velocity", "pressure"):
+        logs(tmp_path, name)
+    for pattern in ("roughness/roughness3.25-*", "velocity/v[!123]-*", "velocity/v10-*"):
+        for log in (tmp_path / "logs").glob(pattern):
+            log.unlink()
+    for figure, said in (("fig3", "no run of roughness 3.25 nm"), ("ageing", "no run of the plan velocity at 4 m/s or above")):
+        done = reproduce(tmp_path, figure)
+        assert done.returncode == 3 and done.stderr.count("\n") == 1 and said in done.stderr
+
+
 def shipped():
     """Figures whose logs are all in the project."""
     from reproduce_parts import figures
