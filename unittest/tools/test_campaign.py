@@ -232,15 +232,53 @@ def test_packed_command_is_of_any_checkout_and_of_the_whole_length():
     (HEAD + "defaults: {strenght: 3}\nruns: [{p: 1}]\n", [":2: unknown key in defaults 'strenght'", "'strength'"]),
     (HEAD + "run: [{p: 1}]\n", ["unknown key 'run'", "'runs'"]),
     (HEAD + "runs: [{p: -1}]\n", [":2: p: '-1' is not allowed, must be a number > 0 (MPa)"]),
-    (HEAD + "runs: [{p: .nan}]\n", ["p: 'nan'"]),
-    (HEAD + "runs: [{v: .inf}]\n", ["v: 'inf'"]),
+    (HEAD + "runs: [{p: .nan}]\n", ["p: '.nan'"]),
+    (HEAD + "runs: [{v: .inf}]\n", ["v: '.inf'"]),
     (HEAD + "runs: [{v: fast}]\n", ["v: 'fast'"]),
     (HEAD + "runs: [{columns: 4.5}]\n", ["columns: '4.5' is not allowed, must be a whole number >= 4"]),
     (HEAD + "runs: [{p: []}]\n", ["p: an empty list"]),
     (HEAD + "runs: [{p: 1, p: 2}]\n", ["key 'p' stands twice"]),
     (HEAD + "runs: [{p: 1}, {p: 1.0}]\n", ["different names"]),
+    (HEAD + "input: absent.in\nruns: [{p: 1}]\n", [":2: input: no such file"]),
+    (HEAD + "input: ..\nruns: [{p: 1}]\n", [":2: input: no such file"]),
+    (HEAD + "input: 5\nruns: [{p: 1}]\n", [":2: input: '5' is not allowed, must be text"]),
+    (HEAD + "input: [a]\nruns: [{p: 1}]\n", [":2: input: '[...]'"]),
+    (HEAD + "title: {a: 1}\nruns: [{p: 1}]\n", [":2: title: '{...}'"]),
+    # what would be written outside the folder, or over the plan
     (HEAD + "runs: [{name: a/b}]\n", ["name: 'a/b'"]),
-    (HEAD + "input: absent.in\nruns: [{p: 1}]\n", ["input: no such file"]),
+    (HEAD + "runs:\n  - p: 1\n    name: ..\n", [":4: name: '..' is not allowed"]),
+    (HEAD + "runs: [{laws: [b, ../../esc]}]\n", [":2: name: 'laws../../esc' is not allowed"]),
+    (HEAD + "runs: [{name: plan.yaml}]\n", ["name: 'plan.yaml'"]),
+    (HEAD + "runs: [{name: [a, b]}]\n", ["name: '[...]'"]),
+    # numbers that leave no step, kappa or log
+    (HEAD + "runs: [{strength: 1e-200}]\n", ["strength: '1e-200' is not allowed, must be of a size in 1e-12 .. 1e+12 (MPa)"]),
+    (HEAD + "runs: [{v: 1e200}]\n", ["v: '1e+200'"]),
+    (HEAD + "runs: [{E: 1e300, rho: 1e-30}]\n", ["E: '1e+300'"]),
+    (HEAD + "runs: [{ns: 1e308}]\n", ["ns: '1e+308'"]),
+    (HEAD + "runs: [{eta: 1e308}]\n", ["eta: '1e+308'"]),
+    (HEAD + f"runs: [{{seed: 1{'0' * 400}}}]\n", ["seed: '1000", "0...' is not allowed"]),
+    (HEAD + f"runs: [{{seed: 1{'0' * 5000}}}]\n", ["seed: '1000", "0...' is not allowed"]),
+    (HEAD + "runs: [{ns: 0.1, row: 10}]\n", [":2: row: '10' is not allowed, must be <= ns = 0.1"]),
+    (HEAD + "runs:\n  - rows: 8\n    held: 100\n", [":4: held: '100' is not allowed, must be less than half of rows = 8"]),
+    # numbers that YAML 1.1 reads in its own way
+    (HEAD + "runs: [{p: 010}]\n", ["p: '010' is not allowed", "written like 12 or 1.5e-5"]),
+    (HEAD + "runs: [{v: 1:30}]\n", ["v: '1:30'"]),
+    (HEAD + "runs: [{p: 1_000}]\n", ["p: '1_000'"]),
+    (HEAD + "runs: [{p: !!int x}]\n", ["p: 'x'"]),
+    (HEAD + f"runs: {'[' * 3000}\n", ["nested too deep"]),
+    (HEAD + "runs: [{p: [[[1]]]}]\n", [":2: not YAML: nested too deep"]),
+    (HEAD + "runs: [{p: [[1]]}]\n", [":2: not YAML: nested too deep"]),
+    (HEAD + "runs: [{p: &a [*a]}]\n", ["nested too deep"]),
+    (HEAD + "runs: [{[1]: 2}]\n", ["a key must be a word"]),
+    (HEAD + "title: \0\n", [":2: not YAML"]),
+    # the line is that of the key
+    (HEAD + "title: x\nruns:\n  - {p: 1}\ndefault: {v: 1}\n", [":5: unknown key 'default'"]),
+    (HEAD + "defaults:\n  p: 1\n  vv: 2\nruns: [{p: 1}]\n", [":4: unknown key in defaults 'vv'"]),
+    (HEAD + "defaults:\n  p: 1\n  E: -5\nruns: [{p: 1}]\n", [":4: E: '-5'"]),
+    (HEAD + "runs:\n  - p: 1\n    vv: 2\n", [":4: unknown key 'vv'"]),
+    (HEAD + "runs:\n  - p:\n    - 1\n    - -1\n", [":5: p: '-1'"]),
+    (HEAD + "runs:\n  - {p: 1}\n  -\n", [":4: runs: 'None' is not a run"]),
+    (HEAD + "title: x\ndefaults: 5\nruns: [{p: 1}]\n", [":3: defaults: '5' is not allowed"]),
 ])
 def test_bad_plan_is_one_clear_line(tmp_path, text, parts):
     path = tmp_path / "plan.yaml"
@@ -259,7 +297,20 @@ def test_csv_plan(tmp_path):
     path.write_text("name,p,vv\none,15,3\n")
     one_line(campaign("list", path), 3, ":1: unknown column 'vv'; the nearest known one is 'v'")
     path.write_text("name,p\none,much\n")
-    one_line(campaign("list", path), 3, ":2: p: 'much' is not a number")
+    one_line(campaign("list", path), 3, ":2: p: 'much' is not allowed, must be a number > 0 (MPa)")
+    path.write_text("name,p,p\none,1,2\n")
+    one_line(campaign("list", path), 3, ":1: column 'p' stands twice")
+    path.write_text("name,p\none,010\n")
+    one_line(campaign("list", path), 3, ":2: p: '010' is not allowed")
+
+
+def test_plan_without_a_title_and_with_a_date_for_one(tmp_path):
+    path = tmp_path / "plan.yaml"
+    for given, title in (("", ""), (" 2001-99-99", "2001-99-99")):
+        path.write_text(HEAD + f"title:{given}\nruns: [{{p: [1, 1.5e1, .5]}}]\n")
+        plan = plans.read(str(path))
+        assert plan.title == title
+        assert [run.values["p"] for run in plan.runs] == [1, 15.0, 0.5]
 
 
 def test_bad_surroundings(plan, tmp_path):

@@ -1,0 +1,68 @@
+"""YAML as a plan needs it: every value with its line, and numbers only as everybody reads them."""
+import math
+import re
+import typing
+
+import yaml
+
+DEPTH = 4  # plan, runs, run, list of values, value
+NUMBER = re.compile(r"[-+]?((0|[1-9][0-9]*)(\.[0-9]*)?|\.[0-9]+)([eE][-+]?[0-9]+)?")
+
+
+class PlanError(Exception):
+    """One clear line: file, line, key, value given, what is allowed."""
+
+
+class Given(typing.NamedTuple):
+    """What a plan says, and where: None, text, a number, a list of Given, or a dict of Given. A value in a dict has
+    the line of its key."""
+    line: int
+    value: object
+
+
+def scalar(text):
+    """The number that a word is, if it is a decimal one; else the word. YAML 1.1 would take 010 for 8, 1:30 for 90 and
+    1e-5 for text."""
+    if not NUMBER.fullmatch(text) or math.isinf(number := float(text)):
+        return text
+    return int(text) if text.lstrip("+-").isdecimal() and abs(number) < 2**53 else number
+
+
+def shown(value):
+    """A value for a message."""
+    text = {list: "[...]", dict: "{...}"}.get(type(value)) or str(value)
+    return text if len(text) <= 60 else text[:57] + "..."
+
+
+def _given(node, depth=0):
+    mark = node.start_mark
+    if depth > DEPTH:
+        raise yaml.MarkedYAMLError(problem="nested too deep", problem_mark=mark)
+    if isinstance(node, yaml.SequenceNode):
+        return Given(mark.line + 1, [_given(item, depth + 1) for item in node.value])
+    if isinstance(node, yaml.ScalarNode):
+        if node.style:  # quoted
+            return Given(mark.line + 1, node.value)
+        return Given(mark.line + 1, None if node.value in ("", "~", "null") else scalar(node.value))
+    result = {}
+    for key, value in node.value:
+        if not isinstance(key, yaml.ScalarNode):
+            raise yaml.MarkedYAMLError(problem="a key must be a word", problem_mark=key.start_mark)
+        if key.value in result:
+            raise yaml.MarkedYAMLError(problem=f"key '{key.value}' stands twice", problem_mark=key.start_mark)
+        result[key.value] = Given(key.start_mark.line + 1, _given(value, depth + 1).value)
+    return Given(mark.line + 1, result)
+
+
+def read_yaml(path, text):
+    """What a YAML file says. Raises PlanError."""
+    try:
+        node = yaml.compose(text, Loader=yaml.SafeLoader)
+        return _given(node) if node else Given(1, None)
+    except RecursionError:
+        raise PlanError(f"{path}:1: not YAML: nested too deep") from None
+    except yaml.YAMLError as error:
+        mark = getattr(error, "problem_mark", None)
+        line = (mark.line if mark else text.count("\n", 0, getattr(error, "position", 0))) + 1
+        problem = getattr(error, "problem", None) or str(error).splitlines()[0]
+        raise PlanError(f"{path}:{line}: not YAML: {problem}") from None

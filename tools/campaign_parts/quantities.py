@@ -1,0 +1,109 @@
+"""The quantities of a friction run, and what follows from them: step, cost, variables of the input script."""
+import dataclasses
+import math
+
+LEAST, MOST = 1e-12, 1e12  # sizes of numbers in a plan: far outside, the step and kappa1 are no numbers any more
+
+
+@dataclasses.dataclass(frozen=True)
+class Key:
+    """A quantity of a run: its default, unit, what is allowed, and its variable in the input script."""
+    default: object
+    unit: str
+    allowed: str
+    check: object
+    variable: str = ""   # of in.friction; empty: handled by Run
+    factor: float = 1.0  # plan's unit -> script's unit
+
+
+def _positive(x):
+    return x > 0
+
+
+def _whole(least):
+    return lambda x: x == int(x) and x >= least
+
+
+# defaults are the paper's Table 1 and the fragment of examples/friction
+KEYS = {
+    "p": Key(15.0, "MPa", "> 0", _positive, "p"),
+    "v": Key(5.0, "m/s", "> 0", _positive, "v"),
+    "strength": Key(92.0, "MPa", "> 0", _positive, "strength"),
+    "E": Key(206000.0, "MPa", "> 0", _positive, "E"),
+    "nu": Key(0.3, "", "in -1 .. 0.5", lambda x: -1 < x < 0.5, "nu"),
+    "rho": Key(7800.0, "kg/m3", "> 0", _positive, "rho", 1e-6),
+    "eta": Key(0.41, "Pa s", ">= 0", lambda x: x >= 0, "eta", 1e3),
+    "columns": Key(40, "automata across", "a whole number >= 4", _whole(4), "columns"),
+    "rows": Key(32, "rows of automata", "a whole number >= 8", _whole(8), "rows"),
+    "held": Key(1, "rows fixed at the bottom, and driven at the top", "a whole number >= 1", _whole(1), "held"),
+    "roughness": Key(3.25, "nm", ">= 0", lambda x: x >= 0, "amplitude"),
+    "seed": Key(1, "", "a whole number >= 1", _whole(1), "seed"),
+    "ns": Key(100.0, "ns, duration", "> 0", _positive, "ns"),
+    "laws": Key("b", "preset of pair_style mca, further keywords may follow", "words", None, "laws"),
+    "dt": Key(None, "ns, step [scaled from 5e-5 with the material]", "> 0", _positive, "dt"),
+    "row": Key(0.05, "ns between rows of the log", "> 0", _positive),
+    "checkpoint": Key(2.0, "ns between restart files", "> 0", _positive),
+    "picture": Key(0.0, "ns between frames of the dump, 0: none", ">= 0", lambda x: x >= 0),
+    "profile": Key(0.0, "ns that each mean profile of the layer covers, 0: none", ">= 0", lambda x: x >= 0),
+}
+
+
+@dataclasses.dataclass
+class Run:
+    """One friction run."""
+    name: str
+    values: dict
+    input: str
+
+    @property
+    def kappa1(self):
+        """rho E v^2 / sigma_0^2."""
+        v = self.values
+        return v["rho"] * v["E"] * 1e6 * v["v"] ** 2 / (v["strength"] * 1e6) ** 2
+
+    @property
+    def kappa2(self):
+        """p E / sigma_0^2."""
+        v = self.values
+        return v["p"] * v["E"] / v["strength"] ** 2
+
+    @property
+    def dt(self):
+        """Step in ns: as given, else 5e-5 scaled with the time of sound and the viscous time of the
+        material, rounded down to two digits."""
+        if self.values["dt"] is not None:
+            return self.values["dt"]
+        base, v = {name: key.default for name, key in KEYS.items()}, self.values
+        sound = math.sqrt(base["E"] / base["rho"]) / math.sqrt(v["E"] / v["rho"])
+        viscous = math.inf if v["eta"] == 0 else (v["rho"] / v["eta"]) / (base["rho"] / base["eta"])
+        dt = 5e-5 * min(1.0, sound, viscous)
+        unit = 10.0 ** (math.floor(math.log10(dt)) - 1)
+        return float(f"{math.floor(dt / unit * (1 + 1e-9)) * unit:.6g}")
+
+    @property
+    def steps(self):
+        """Number of steps of the whole run."""
+        return round(self.values["ns"] / self.dt)
+
+    @property
+    def work(self):
+        """Automaton-steps: what the run costs."""
+        return self.steps * self.values["columns"] * self.values["rows"]
+
+    def variables(self):
+        """Variables of the input script, in the script's units."""
+        result = {}
+        for name, key in KEYS.items():
+            value = self.values[name]
+            if key.variable and value is not None:
+                result[key.variable] = value if isinstance(value, str) else f"{value * key.factor:.12g}"
+        result["dt"] = f"{self.dt:.12g}"
+        for variable, name in (("every", "row"), ("checkpoint", "checkpoint"), ("frames", "picture")):
+            ns = self.values[name]
+            result[variable] = str(max(1, round(ns / self.dt)) if ns > 0 else 0)
+        # a checkpoint at the end of a row keeps the log's rows whole
+        every = int(result["every"])
+        result["checkpoint"] = str(max(1, round(int(result["checkpoint"]) / every)) * every)
+        # a profile is the mean of samples taken each 100 steps
+        result["profile"] = str(100 * math.ceil(self.values["profile"] / self.dt / 100 - 1e-9))
+        return result
