@@ -8,6 +8,8 @@ NAME/failed.txt         why the run failed; run with --retry tries again
 NAME/lock               locked (flock) by the process that works on the run and by lmp itself
 """
 import fcntl
+import filecmp
+import itertools
 import json
 import os
 import time
@@ -19,7 +21,11 @@ RESTART_END = b"LammpS RestartT\0"  # what LAMMPS writes last
 
 
 class FolderError(Exception):
-    """One clear line."""
+    """One clear line, and the exit code that it means."""
+
+    def __init__(self, text, code=3):
+        super().__init__(text)
+        self.code = code
 
 
 def write_whole(path, text):
@@ -34,7 +40,20 @@ def write_whole(path, text):
     except OSError as error:
         if os.path.exists(beside):
             os.remove(beside)
-        raise FolderError(f"{path}: cannot be written: {error.strerror}") from None
+        raise FolderError(f"{path}: cannot be written: {error.strerror}", 5) from None
+
+
+def keep_plan(path, top):
+    """Puts the plan beside the runs that are made from it, under the first free name: a plan that stands there already,
+    an earlier one or the user's own, is never overwritten."""
+    end = os.path.splitext(path)[1]
+    for number in itertools.count(1):
+        copy = os.path.join(top, f"plan.{number}{end}" if number > 1 else "plan" + end)
+        if not os.path.exists(copy):
+            with open(path, encoding="utf-8", newline="") as file:
+                return write_whole(copy, file.read())
+        if filecmp.cmp(path, copy, shallow=False):
+            return None
 
 
 def last_rows(path, count=2):
@@ -60,31 +79,48 @@ class RunFolder:
     def file(self, name):
         return os.path.join(self.path, name)
 
+    def text(self, name):
+        """What stands in a file; None without the file."""
+        try:
+            with open(self.file(name), encoding="utf-8") as file:
+                return file.read()
+        except (FileNotFoundError, NotADirectoryError):
+            return None
+        except (OSError, UnicodeDecodeError) as error:
+            raise FolderError(f"{self.file(name)}: cannot be read: {getattr(error, 'strerror', None) or error}") from None
+
     def record(self):
         """run.json; empty before the first attempt."""
-        try:
-            with open(self.file("run.json"), encoding="utf-8") as file:
-                return json.load(file)
-        except FileNotFoundError:
+        text = self.text("run.json")
+        if text is None:
             return {}
-        except (OSError, ValueError) as error:
-            raise FolderError(f"{self.file('run.json')}: cannot be read: {error}") from None
+        try:
+            record = json.loads(text)
+            begun = isinstance(record["parameters"]["ns"], (int, float)) and record["attempts"]
+            if begun and all(isinstance(attempt["command"], str) for attempt in record["attempts"]):
+                return record
+        except (ValueError, RecursionError, LookupError, TypeError):
+            pass
+        raise FolderError(f"{self.file('run.json')}: is damaged (no parameters with ns, or no attempts with their commands): "
+                          "move the run's folder away to make the run again")
 
     def write_record(self, record):
         write_whole(self.file("run.json"), json.dumps(record, indent=1) + "\n")
 
     def check_same(self):
-        """The folder belongs to this run: same parameters; the duration may have grown."""
-        old = self.record().get("parameters")
-        if not old:
-            return
+        """The folder belongs to this run: same parameters, where the record has them; the duration may have changed."""
+        old = self.record().get("parameters", {})
         for name, value in self.run.values.items():
             if name in ("ns", "checkpoint", "picture", "profile") or name not in old or old[name] == value:
                 continue
             raise FolderError(f"{self.path}: was begun with {name} = {old[name]}, the plan says {value}: give the run "
                               "another name or use another folder")
-        if old["ns"] > self.run.values["ns"] and os.path.exists(self.file(LOG)):
-            raise FolderError(f"{self.path}: was run for {old['ns']:g} ns, the plan says {self.run.values['ns']:g}: "
+
+    def check_not_shorter(self):
+        """The run may be made longer than it is."""
+        old, now = self.record().get("parameters", self.run.values)["ns"], self.run.values["ns"]
+        if old > now and os.path.exists(self.file(LOG)):
+            raise FolderError(f"{self.path}: was run for {old:g} ns, the plan says {now:g}: "
                               "a run can be made longer, not shorter")
 
     def is_finished(self):
@@ -92,11 +128,8 @@ class RunFolder:
 
     def failure(self):
         """Why the run failed; None if it did not."""
-        try:
-            with open(self.file("failed.txt"), encoding="utf-8") as file:
-                return file.read().strip()
-        except FileNotFoundError:
-            return None
+        text = self.text("failed.txt")
+        return None if text is None else text.strip()
 
     def lock(self):
         """The open lock file, locked; None if another process (or an lmp it left) works on the run."""
@@ -114,7 +147,7 @@ class RunFolder:
     def is_locked(self):
         if not os.path.exists(self.file("lock")):
             return False
-        with open(self.file("lock"), "a", encoding="utf-8") as file:
+        with open(self.file("lock"), encoding="utf-8") as file:  # for reading: the folder may be read-only
             try:
                 fcntl.flock(file, fcntl.LOCK_SH | fcntl.LOCK_NB)
                 return False
@@ -135,19 +168,24 @@ class RunFolder:
         return max(found)[1] if found else None
 
     def log(self):
-        """The log there is, finished or not; None if there is none."""
-        for name in (PART, LOG):
-            if os.path.exists(self.file(name)):
-                return self.file(name)
-        return None
+        """Name of the log there is, finished or not; None if there is none."""
+        return next((name for name in (PART, LOG) if os.path.exists(self.file(name))), None)
 
     def time(self):
         """ns that the log reaches."""
-        rows = last_rows(self.log() or "", 1)
+        log = self.log()
+        rows = last_rows(self.file(log), 1) if log else []
         try:
             return float(rows[-1][1]) if rows else 0.0
         except (ValueError, IndexError):
             return 0.0
+
+    def why_not_whole(self):
+        """Why the log is not that of a whole run, as it was last begun; None if it is."""
+        reached, end = self.time(), self.record()["parameters"]["ns"]
+        if reached > 0 and reached >= end - 1.5 * max(self.run.values["row"], self.run.dt):
+            return None
+        return f"the log ends at {reached:g} of {end:g} ns"
 
     def state(self):
         """finished, running, failed, interrupted or waiting."""
@@ -161,11 +199,14 @@ class RunFolder:
 
     def mean_mu(self):
         """Mean mu of the second half of the log so far; None without one. wr_fit does it better."""
-        path = self.log()
-        if not path:
-            return None
-        with open(path, encoding="utf-8") as file:
-            rows = [line.split() for line in file.read().split("\n")[:-1] if line[:1].isdigit()]
-        values = [float(row[5]) for row in rows if len(row) >= 6]
+        log = self.log()
+        values = []
+        for number, line in enumerate((log and self.text(log) or "").split("\n")[:-1], 1):
+            row = line.split()
+            if line[:1].isdigit() and len(row) >= 6:
+                try:
+                    values.append(float(row[5]))
+                except ValueError:
+                    raise FolderError(f"{self.file(log)}:{number}: mu: '{row[5]}' is no number") from None
         half = values[len(values) // 2:]
         return sum(half) / len(half) if half else None

@@ -1,4 +1,5 @@
 """Finished friction logs in compact form: fewer rows, the exact command in the head; profiles as they are."""
+import itertools
 import json
 import os
 import shlex
@@ -11,23 +12,33 @@ MEANS = ("shear_stress", "normal_stress", "mu")  # of the interval; all else is 
 
 
 def packed(text, rows, command):
-    """A log whose rows are the means over `rows` rows of another; rows left over at the end are dropped."""
+    """A log whose rows are the means over `rows` rows of another; rows left over at the end are dropped. Raises
+    ValueError, with the line, for what is no log."""
     lines = text.split("\n")[:-1]
-    head = [line for line in lines if line.startswith("#")]
-    names = lines[len(head)].split()
-    table = [line.split() for line in lines[len(head) + 1:]]
+    head = list(itertools.takewhile(lambda line: line.startswith("#"), lines))
+    names = lines[len(head)].split() if len(lines) > len(head) else []
+    if "mu" not in names:
+        raise ValueError(f"{len(head) + 1}: the names of the columns are missing")
+    table = []
+    for number, line in enumerate(lines[len(head) + 1:], len(head) + 2):
+        try:
+            table.append([float(word) for word in line.split()])
+        except ValueError:
+            table.append([])
+        if len(table[-1]) != len(names):
+            raise ValueError(f"{number}: '{line}' is no row of {len(names)} numbers")
     result = head + ["# campaign: " + json.dumps({"command": command, "rows_averaged": rows}), " ".join(names)]
     for begin in range(0, len(table) - rows + 1, rows):
         block = table[begin:begin + rows]
         row = []
         for column, name in enumerate(names):
-            values = [float(line[column]) for line in block]
+            values = [line[column] for line in block]
             if name in SUMS:
                 row.append(f"{sum(values):.10g}")
             elif name in MEANS:
                 row.append(f"{sum(values) / rows:.7g}")
             else:
-                row.append(f"{float(block[-1][column]):.10g}")
+                row.append(f"{values[-1]:.10g}")
         result.append(" ".join(row))
     return "\n".join(result) + "\n"
 
@@ -46,24 +57,36 @@ def portable(commands):
 
 
 def pack(plan, top, target, rows):
-    """Packs every finished run into target/NAME.friction."""
-    try:
-        os.makedirs(target, exist_ok=True)
-    except OSError as error:
-        raise folders.FolderError(f"{target}: cannot be written: {error.strerror}") from None
-    count = 0
+    """Packs every finished run into target/NAME.friction: all of them, or none if one cannot be packed."""
+    texts, count = {}, 0
     for run in plan.runs:
         folder = folders.RunFolder(top, run)
+        folder.check_same()
         if not folder.is_finished():
             print(f"{run.name}: {folder.state()}, left out")
             continue
-        with open(folder.file(folders.LOG), encoding="utf-8") as file:
-            text = file.read()
-        commands = [attempt["command"] for attempt in folder.record()["attempts"]]
-        folders.write_whole(os.path.join(target, run.name + ".friction"), packed(text, rows, portable(commands)))
-        if os.path.exists(folder.file("run.profile")):
-            with open(folder.file("run.profile"), encoding="utf-8") as file:
-                folders.write_whole(os.path.join(target, run.name + ".profile"), file.read())
+        log, attempts = folder.file(folders.LOG), folder.record()["attempts"]
+        if why := folder.why_not_whole():
+            raise folders.FolderError(f"{log}: {why}: remove it, and 'campaign run' makes it again")
+        try:
+            command = portable([attempt["command"] for attempt in attempts])
+        except (ValueError, IndexError):
+            raise folders.FolderError(f"{folder.file('run.json')}: a command in it is no command of a run") from None
+        try:
+            text = texts[run.name + ".friction"] = packed(folder.text(folders.LOG), rows, command)
+        except ValueError as error:
+            raise folders.FolderError(f"{log}:{error}") from None
+        if not text.split("\n")[-2][:1].isdigit():
+            raise folders.FolderError(f"--rows {rows}: {log} has fewer rows", 2)
+        if profile := folder.text("run.profile"):
+            texts[run.name + ".profile"] = profile
         count += 1
+    if texts:
+        try:
+            os.makedirs(target, exist_ok=True)
+        except OSError as error:
+            raise folders.FolderError(f"{target}: cannot be written: {error.strerror}", 5) from None
+    for name, text in texts.items():
+        folders.write_whole(os.path.join(target, name), text)
     print(f"{count} logs in {target}")
     return 0

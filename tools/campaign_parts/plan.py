@@ -69,6 +69,9 @@ def _check_together(path, line, entry, values):
     """What one value allows another to be; the line is that of the key, if the run has it."""
     def at(name):
         return entry[name].line if name in entry else line
+    dt = Run("", values, "").dt
+    if values["ns"] < dt:
+        raise refused(path, at("ns"), "ns", values["ns"], f"at least a step, {dt:g} ns")
     if values["row"] > values["ns"]:
         raise refused(path, at("row"), "row", values["row"], f"<= ns = {values['ns']:g}, or the log has no row")
     if 2 * values["held"] >= values["rows"]:

@@ -15,14 +15,15 @@ REPORT = 60.0    # s between progress lines when the output is no terminal
 MPI_VARIABLES = ("OMPI_", "PMIX_", "PMI_", "PRTE_", "ORTE_", "MPI_LOCALRANKID", "SLURM_")
 ALLOWED = ("OMPI_ALLOW_RUN_AS_ROOT", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM")
 RANKS = (("OMPI_COMM_WORLD_RANK", "OMPI_COMM_WORLD_SIZE"), ("PMI_RANK", "PMI_SIZE"),
-         ("SLURM_PROCID", "SLURM_NTASKS"))
+         ("SLURM_PROCID", "SLURM_STEP_NUM_TASKS"))  # a batch script has a SLURM_PROCID and SLURM_NTASKS too
 
 
 def place():
     """(rank, size) if an MPI launcher or srun started this program several times, else (0, 1)."""
-    for rank, size in RANKS:
-        if rank in os.environ and size in os.environ:
-            return int(os.environ[rank]), int(os.environ[size])
+    for names in RANKS:
+        words = [os.environ.get(name, "") for name in names]
+        if all(word.isdecimal() for word in words):
+            return int(words[0]), int(words[1])
     return 0, 1
 
 
@@ -132,13 +133,12 @@ class Attempt:
         code = self.process.returncode
         folder, path = self.folder, self.folder.file
         outcome, why = "finished", None
-        values = folder.run.values
         if code < 0 or code in (128 + signal.SIGKILL, 128 + signal.SIGTERM, 128 + signal.SIGINT):
             outcome, why = "interrupted", f"killed ({code})"
         elif code != 0:
             outcome, why = "failed", self.error() or f"exit code {code}"
-        elif folder.time() < values["ns"] - 1.5 * max(values["row"], folder.run.dt):
-            outcome, why = "failed", f"ended without an error, but the log ends at {folder.time():g} of {values['ns']:g} ns"
+        elif cut := folder.why_not_whole():
+            outcome, why = "failed", f"ended without an error, but {cut}"
         record = folder.record()
         record["attempts"][-1].update(end=_now(), seconds=round(time.monotonic() - self.began, 1), outcome=why or outcome)
         folder.write_record(record)
@@ -188,9 +188,11 @@ class Campaign:
         """Checks before anything runs."""
         program = lmp_program()
         if not os.access(program, os.X_OK):
-            raise folders.FolderError(f"{program}: lmp is not there or cannot be run: build it (tools/setup.sh) or set MCAWR_LMP")
+            raise folders.FolderError(f"{program}: lmp is not there or cannot be run: build it (tools/setup.sh) "
+                                      "or set MCAWR_LMP", 5)
         for folder in self.folders:
             folder.check_same()
+            folder.check_not_shorter()
 
     def run(self):
         """Runs everything; the number of runs in each state at the end."""
@@ -254,7 +256,9 @@ class Campaign:
             name, seconds = attempt.folder.run.name, time.monotonic() - attempt.began
             outcome, why = attempt.end()
             if outcome == "finished":
-                self.say(f"{name}: finished in {hours(seconds)}, mu of its second half {attempt.folder.mean_mu():.3f}")
+                mu = attempt.folder.mean_mu()
+                self.say(f"{name}: finished in {hours(seconds)}"
+                         + (f", mu of its second half {mu:.3f}" if mu is not None else ""))
             elif not self.stop:
                 self.say(f"{name}: {outcome}: {why}")
 

@@ -1,4 +1,5 @@
 """tools/campaign: plans, running, killing and going on, failures, several workers, packing."""
+import ctypes
 import json
 import math
 import os
@@ -18,7 +19,7 @@ FAKE = pathlib.Path(__file__).with_name("fake_lmp.py")
 REAL = pathlib.Path(os.environ.get("MCAWR_TEST_LMP", ROOT / "build" / "bin" / "lmp"))
 
 sys.path.insert(0, str(ROOT / "tools"))
-from campaign_parts import pack, plan as plans  # noqa: E402
+from campaign_parts import pack, plan as plans, runner  # noqa: E402
 
 HEAD = "format: mca-campaign 1\n"
 PLAN = HEAD + """title: three runs
@@ -200,6 +201,139 @@ def test_longer_but_not_other(plan, tmp_path):
     one_line(campaign("run", plan, "-o", out), 3, "was begun with seed = 7, the plan says 8")
 
 
+def test_input_script_is_not_changed_on_the_way(plan, tmp_path):
+    out = tmp_path / "out"
+    shutil.copy(plans.read(str(plan)).runs[0].input, tmp_path / "in.mine")
+    campaign("run", plan, "-o", out)
+    longer = PLAN.replace("ns: 2", "ns: 3")
+    plan.write_text(longer + "input: in.mine\n")
+    one_line(campaign("run", plan, "-o", out), 3, "was begun with input = examples/friction/in.friction, the plan says in.mine")
+    for record in out.glob("*/run.json"):  # those of earlier versions do not say which it was
+        data = json.loads(record.read_text())
+        del data["parameters"]["input"]
+        record.write_text(json.dumps(data))
+    assert campaign("run", plan, "-o", out).returncode == 0
+
+
+def test_a_plan_in_the_folder_is_never_overwritten(plan, tmp_path):
+    out = tmp_path / "out"
+    one_line(campaign("run", plan, "-o", out, env=environment(MCAWR_LMP="/nonexistent/lmp")), 5, "lmp is not there")
+    assert not out.exists()
+    campaign("run", plan, "-o", out)
+    other = tmp_path / "other.yaml"
+    other.write_text(PLAN.replace("seed: 7", "seed: 8"))
+    one_line(campaign("run", other, "-o", out), 3, "was begun with seed = 7")
+    assert [p.name for p in out.glob("plan*")] == ["plan.yaml"]
+    other.write_text(HEAD + "runs: [{name: more, ns: 1}]\n")
+    for _ in range(2):
+        assert campaign("run", other, "-o", out).returncode == 0
+        assert (out / "plan.yaml").read_text() == PLAN
+        assert (out / "plan.2.yaml").read_text() == other.read_text()
+    assert len(list(out.glob("plan*"))) == 2
+    assert campaign("run", other, "-o", tmp_path).returncode == 0
+    assert plan.read_text() == PLAN and (tmp_path / "plan.2.yaml").exists()
+
+
+def test_the_exit_code_does_not_depend_on_the_folders_name(plan, tmp_path):
+    out = tmp_path / "mylmp_written"
+    campaign("run", plan, "-o", out)
+    plan.write_text(PLAN.replace("seed: 7", "seed: 8"))
+    for words in (["run"], ["status"], ["pack", "--to", tmp_path / "packed"]):
+        one_line(campaign(*words, plan, "-o", out), 3, "was begun with seed = 7, the plan says 8")
+    assert not (tmp_path / "packed").exists()
+
+
+def test_a_folder_that_is_not_there(plan, tmp_path):
+    for words in (["status"], ["pack", "--to", tmp_path / "packed"]):
+        one_line(campaign(*words, plan, "-o", tmp_path / "missing"), 3, "missing: no such folder")
+    assert [p.name for p in tmp_path.iterdir()] == ["plan.yaml"]
+
+
+@pytest.fixture(scope="module")
+def finished(tmp_path_factory):
+    """A finished run, and its plan; copied before it is damaged."""
+    top = tmp_path_factory.mktemp("finished")
+    (top / "plan.yaml").write_text(HEAD + "runs: [{name: a, ns: 2}]\n")
+    assert campaign("run", top / "plan.yaml", "-o", top / "out").returncode == 0
+    return top
+
+
+@pytest.mark.parametrize("damage, commands, part", [
+    (lambda a: (a / "run.json").write_text("[]"), ("status", "run", "pack"), "run.json: is damaged"),
+    (lambda a: (a / "run.json").write_text("{"), ("status", "run", "pack"), "run.json: is damaged"),
+    (lambda a: edit(a / "run.json", '"ns"', '"nn"'), ("status", "run", "pack"), "run.json: is damaged"),
+    (lambda a: edit(a / "run.json", '"attempts"', '"a"'), ("status", "run", "pack"), "run.json: is damaged"),
+    (lambda a: edit(a / "run.json", "-in", "in"), ("pack",), "run.json: a command in it is no command of a run"),
+    (lambda a: edit(a / "run.friction", "\n3000 0.15 ", "\n3000 much "), ("pack",), ":12: '3000 much"),
+    (lambda a: edit(a / "run.friction", r" 15 (\S+) 3456", " 15 rough 3456"), ("status", "pack"), "rough"),
+    (lambda a: edit(a / "run.friction", "\nstep [^\n]*", ""), ("pack",), "the names of the columns are missing"),
+    (lambda a: edit(a / "run.friction", r"(?s)\n16000 .*", "\n"), ("pack",), "the log ends at 0.75 of 2 ns"),
+    (lambda a: (a / "run.friction").write_text(""), ("pack",), "the log ends at 0 of 2 ns"),
+    (lambda a: (a / "run.friction").write_bytes(b"\xff\n"), ("status",), "run.friction: cannot be read"),
+])
+def test_damaged_folder_is_one_clear_line(finished, tmp_path, damage, commands, part):
+    shutil.copytree(finished / "out", tmp_path / "out")
+    damage(tmp_path / "out" / "a")
+    for command in commands:
+        more = ["--to", tmp_path / "packed"] if command == "pack" else []
+        result = campaign(command, finished / "plan.yaml", "-o", tmp_path / "out", *more)
+        one_line(result, 3, str(tmp_path / "out" / "a"), part)
+    assert not (tmp_path / "packed").exists()
+
+
+def edit(path, pattern, text):
+    changed, count = re.subn(pattern, text, path.read_text(), count=1)
+    assert count == 1
+    path.write_text(changed)
+
+
+def test_pack_of_too_many_rows_in_one(finished, tmp_path):
+    result = campaign("pack", finished / "plan.yaml", "-o", finished / "out", "--to", tmp_path / "packed", "--rows", 41)
+    one_line(result, 2, "--rows 41", "has fewer rows")
+    assert not (tmp_path / "packed").exists()
+
+
+def test_a_log_without_a_row_is_no_finished_run(tmp_path):
+    path = tmp_path / "plan.yaml"
+    path.write_text(HEAD + "runs: [{name: a, ns: 1, row: 1}]\n")
+    (tmp_path / "lmp").write_text("#!/bin/sh\necho '# no row' > run.friction.part\n")
+    (tmp_path / "lmp").chmod(0o755)
+    result = campaign("run", path, "-o", tmp_path / "out", env=environment(MCAWR_LMP=str(tmp_path / "lmp")))
+    assert result.returncode == 1 and not result.stderr
+    assert "a: failed: ended without an error, but the log ends at 0 of 1 ns" in result.stdout
+
+
+def test_status_of_a_folder_that_cannot_be_written(finished, tmp_path):
+    shutil.copytree(finished / "out", tmp_path / "out")
+    folder = tmp_path / "out" / "a"
+    (folder / "run.friction").rename(folder / "run.friction.part")
+    (folder / "lock").chmod(0o444)
+    folder.chmod(0o555)
+
+    def obey_modes():  # as root too: prctl takes CAP_DAC_OVERRIDE from what is executed
+        ctypes.CDLL(None).prctl(24, 1, 0, 0, 0)
+    result = subprocess.run([CAMPAIGN, "status", finished / "plan.yaml", "-o", tmp_path / "out"], capture_output=True,
+                            text=True, env=environment(), preexec_fn=obey_modes, check=False)
+    assert result.returncode == 0, result.stderr
+    assert re.search("^a +interrupted +2 ", result.stdout, re.MULTILINE)
+
+
+@pytest.mark.parametrize("variables, place", [
+    ({}, (0, 1)),
+    ({"SLURM_PROCID": "0", "SLURM_NTASKS": "32"}, (0, 1)),  # a batch script
+    ({"SLURM_PROCID": "3", "SLURM_NTASKS": "32", "SLURM_STEP_NUM_TASKS": "8"}, (3, 8)),
+    ({"SLURM_PROCID": "x", "SLURM_STEP_NUM_TASKS": "8"}, (0, 1)),
+    ({"OMPI_COMM_WORLD_RANK": "1", "OMPI_COMM_WORLD_SIZE": "2", "SLURM_PROCID": "0", "SLURM_STEP_NUM_TASKS": "1"}, (1, 2)),
+])
+def test_place_among_the_ranks_of_a_launcher(monkeypatch, variables, place):
+    for names in runner.RANKS:
+        for name in names:
+            monkeypatch.delenv(name, raising=False)
+    for name, value in variables.items():
+        monkeypatch.setenv(name, value)
+    assert runner.place() == place
+
+
 def test_pack_averages_rows_and_keeps_the_command(plan, tmp_path):
     out = tmp_path / "out"
     campaign("run", plan, "-o", out)
@@ -251,7 +385,8 @@ def test_packed_command_is_of_any_checkout_and_of_the_whole_length():
     (HEAD + "runs: [{name: plan.yaml}]\n", ["name: 'plan.yaml'"]),
     (HEAD + "runs: [{name: [a, b]}]\n", ["name: '[...]'"]),
     # numbers that leave no step, kappa or log
-    (HEAD + "runs: [{strength: 1e-200}]\n", ["strength: '1e-200' is not allowed, must be of a size in 1e-12 .. 1e+12 (MPa)"]),
+    (HEAD + "runs: [{strength: 1e-200}]\n",
+     ["strength: '1e-200' is not allowed, must be of a size in 1e-12 .. 1e+12 (MPa)"]),
     (HEAD + "runs: [{v: 1e200}]\n", ["v: '1e+200'"]),
     (HEAD + "runs: [{E: 1e300, rho: 1e-30}]\n", ["E: '1e+300'"]),
     (HEAD + "runs: [{ns: 1e308}]\n", ["ns: '1e+308'"]),
@@ -259,6 +394,7 @@ def test_packed_command_is_of_any_checkout_and_of_the_whole_length():
     (HEAD + f"runs: [{{seed: 1{'0' * 400}}}]\n", ["seed: '1000", "0...' is not allowed"]),
     (HEAD + f"runs: [{{seed: 1{'0' * 5000}}}]\n", ["seed: '1000", "0...' is not allowed"]),
     (HEAD + "runs: [{ns: 0.1, row: 10}]\n", [":2: row: '10' is not allowed, must be <= ns = 0.1"]),
+    (HEAD + "runs: [{ns: 1e-6, row: 1e-6}]\n", ["ns: '1e-06' is not allowed, must be at least a step, 5e-05 ns"]),
     (HEAD + "runs:\n  - rows: 8\n    held: 100\n", [":4: held: '100' is not allowed, must be less than half of rows = 8"]),
     # numbers that YAML 1.1 reads in its own way
     (HEAD + "runs: [{p: 010}]\n", ["p: '010' is not allowed", "written like 12 or 1.5e-5"]),
@@ -266,7 +402,6 @@ def test_packed_command_is_of_any_checkout_and_of_the_whole_length():
     (HEAD + "runs: [{p: 1_000}]\n", ["p: '1_000'"]),
     (HEAD + "runs: [{p: !!int x}]\n", ["p: 'x'"]),
     (HEAD + f"runs: {'[' * 3000}\n", ["nested too deep"]),
-    (HEAD + "runs: [{p: [[[1]]]}]\n", [":2: not YAML: nested too deep"]),
     (HEAD + "runs: [{p: [[1]]}]\n", [":2: not YAML: nested too deep"]),
     (HEAD + "runs: [{p: &a [*a]}]\n", ["nested too deep"]),
     (HEAD + "runs: [{[1]: 2}]\n", ["a key must be a word"]),
@@ -279,7 +414,7 @@ def test_packed_command_is_of_any_checkout_and_of_the_whole_length():
     (HEAD + "runs:\n  - p:\n    - 1\n    - -1\n", [":5: p: '-1'"]),
     (HEAD + "runs:\n  - {p: 1}\n  -\n", [":4: runs: 'None' is not a run"]),
     (HEAD + "title: x\ndefaults: 5\nruns: [{p: 1}]\n", [":3: defaults: '5' is not allowed"]),
-])
+], ids=lambda value: repr(value).removeprefix(repr(HEAD)[:-1])[:60])
 def test_bad_plan_is_one_clear_line(tmp_path, text, parts):
     path = tmp_path / "plan.yaml"
     path.write_text(text)
