@@ -117,12 +117,16 @@ def draw(law, rms, points, covariance, path):
               ylabel="$\\mu - \\mu_1\\kappa_1/(1+b\\,\\kappa_1)$",
               title="Without the velocity term (Fig. 8)")
     right.legend(fontsize=9)
-    beside = path + ".part"
+    # a device, a pipe or a link is written into: a file renamed over it would take its place
+    replaced = not os.path.lexists(path) or (os.path.isfile(path) and not os.path.islink(path))
+    beside = path + ".part" if replaced else path
     try:
-        figure.savefig(beside, dpi=130, format="png")
-        os.replace(beside, path)
+        with open(beside, "wb") as file:
+            figure.savefig(file, dpi=130, format="png")
+        if replaced:
+            os.replace(beside, path)
     except OSError as error:
-        if os.path.exists(beside):
+        if replaced and os.path.exists(beside):
             os.remove(beside)
         fail(5, f"{path}: cannot be written: {error.strerror}")
     plt.close(figure)

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <fmt/format.h>
+#include <set>
 
 namespace wheelrail {
 
@@ -23,7 +24,8 @@ std::string whyLeftOut(const FrictionPoint &point, const FitOptions &options)
 }
 
 /// A run that has two logs would count as two independent ones: the longer log stays, of equal ones
-/// the first.
+/// the first. To be settled before anything else is asked of a point: where the longer log drifts,
+/// the shorter one does not show it.
 void leaveOutCopies(std::vector<FrictionPoint> &points)
 {
   for (std::size_t i = 0; i < points.size(); ++i)
@@ -35,6 +37,34 @@ void leaveOutCopies(std::vector<FrictionPoint> &points)
       (longer ? first : second).left_out =
           fmt::format("the run of {}", (longer ? second : first).file);
     }
+}
+
+/// In what the runs that are fitted differ though a law should not, with two examples.
+std::string mixtureOf(const std::vector<FrictionPoint> &points)
+{
+  const FrictionPoint *first = nullptr, *other = nullptr;
+  std::set<std::string> differing;
+  const auto compare = [&](const FrictionPoint &a, const FrictionPoint &b) {
+    for (const auto &[entry, value] : a.made_by) {
+      const auto found = b.made_by.find(entry);
+      if (found == b.made_by.end() || found->second != value)
+        differing.insert(entry);
+    }
+  };
+  for (const auto &p : points) {
+    if (!p.left_out.empty())
+      continue;
+    if (!first)
+      first = &p;
+    compare(*first, p);
+    compare(p, *first);
+    if (!other && !differing.empty())
+      other = &p;
+  }
+  if (!other)
+    return "";
+  return fmt::format("runs that differ in {} are taken together, such as {} and {}",
+                     fmt::join(differing, ", "), first->file, other->file);
 }
 
 } // namespace
@@ -53,9 +83,11 @@ FitAnalysis analysePoints(std::vector<FrictionPoint> points, const FitOptions &o
   FitAnalysis analysis;
   analysis.options = options;
   analysis.points = std::move(points);
-  for (auto &p : analysis.points)
-    p.left_out = whyLeftOut(p, options);
   leaveOutCopies(analysis.points);
+  for (auto &p : analysis.points)
+    if (p.left_out.empty())
+      p.left_out = whyLeftOut(p, options);
+  analysis.mixture = mixtureOf(analysis.points);
 
   const auto used = analysis.fitted();
   const auto obstacle = obstacleTo(options.model, used);

@@ -32,6 +32,7 @@ struct FitAnalysis {
   std::vector<FrictionPoint> points; ///< all; left_out says which are not fitted
   std::optional<LawFit> fit;         ///< its vectors run over the points that are not left out
   std::string why_not;               ///< why there is no fit
+  std::string mixture; ///< one line if runs of other laws or programs are taken together
   /// There are enough points, but they do not determine the parameters.
   bool not_identifiable = false;
   std::vector<ModelComparison> models;

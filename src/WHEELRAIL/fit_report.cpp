@@ -66,6 +66,12 @@ AgainstPaper againstPaper(const FitAnalysis &analysis)
   return result;
 }
 
+/// A number of the report; what is none is "-".
+std::string shown(const char *format, double x)
+{
+  return std::isfinite(x) ? fmt::format(fmt::runtime(format), x) : "-";
+}
+
 std::string pointLines(const FitAnalysis &analysis)
 {
   size_t width = 4;
@@ -75,10 +81,9 @@ std::string pointLines(const FitAnalysis &analysis)
       fmt::format("{:<{}} {:>9} {:>9} {:>7} {:>7} {:>6} {:>8} {:>8} {:>7}\n", "file", width,
                   "kappa1", "kappa2", "mu", "+-", "n_eff", "t_start", "grinding", "Eq. 2");
   for (const auto &p : analysis.points) {
-    text += fmt::format("{:<{}} {:>9.4g} {:>9.4g} {:>7.4f} {:>7.4f} {:>6.0f} {:>8.4g} {:>8.4f} "
-                        "{:>7.4f}",
-                        p.file, width, p.kappa1, p.kappa2, p.mu, p.mu_se, p.n_eff, p.t_start,
-                        p.mu_grinding_in, p.mu_eq2);
+    text += fmt::format("{:<{}} {:>9.4g} {:>9.4g} {:>7.4f} {:>7} {:>6.0f} {:>8} {:>8} {:>7.4f}",
+                        p.file, width, p.kappa1, p.kappa2, p.mu, shown("{:.4f}", p.mu_se), p.n_eff,
+                        shown("{:.4g}", p.t_start), shown("{:.4f}", p.mu_grinding_in), p.mu_eq2);
     if (!p.note.empty())
       text += "  " + p.note;
     if (!p.left_out.empty())
@@ -101,7 +106,9 @@ std::string replicateLines(const FitAnalysis &analysis)
 std::string intervalText(const Interval &interval)
 {
   const auto end = [](double value, bool open) {
-    return open ? fmt::format("open at {:.4g}", value) : fmt::format("{:.4g}", value);
+    const bool bounded = std::isfinite(value);
+    return open ? (bounded ? fmt::format("open at {:.4g}", value) : "open")
+                : fmt::format("{:.4g}", value);
   };
   return end(interval.lower, interval.lowerOpen) + " .. " + end(interval.upper, interval.upperOpen);
 }
@@ -121,7 +128,7 @@ std::string fitLines(const FitAnalysis &analysis)
   for (int k = 0; k < fitParameters; ++k) {
     if (!free[k])
       continue;
-    text += fmt::format("  {:<4} = {:>9.5g} +- {:<9.3g} {:.3g} % interval {}{}; paper {:.5g}\n",
+    text += fmt::format("  {:<4} = {:>9.5g} +- {:<9.3g} {:g} % interval {}{}; paper {:.5g}\n",
                         fitParameterNames[k], ours[k], standardError(fit, k),
                         100.0 * analysis.options.level, intervalText(fit.intervals[k]),
                         fit.at_bound[k] ? " (at its bound)" : "", paper[k]);
@@ -153,8 +160,8 @@ std::string modelLines(const FitAnalysis &analysis)
   for (const auto &m : analysis.models) {
     text += fmt::format("  {:<10}", nameOf(m.model));
     if (m.fit)
-      text += fmt::format(" RMS {:>6.2f} %  AICc {:>+8.1f}\n", 100.0 * m.fit->law.rms_relative,
-                          m.fit->aicc - least);
+      text += fmt::format(" RMS {:>6.2f} %  AICc {:>8}\n", 100.0 * m.fit->law.rms_relative,
+                          shown("{:+.1f}", m.fit->aicc - least));
     else
       text += fmt::format(" not fitted: {}\n", m.why_not);
   }
@@ -222,6 +229,8 @@ Json reportBody(const FitAnalysis &analysis)
   report["program"] = fmt::format("wr_fit {}", WHEELRAIL_VERSION);
   report["units"] = {{"time", "ns"}, {"stress", "MPa"}, {"velocity", "m/s"}, {"viscosity", "Pa s"}};
   report["kappa2_min"] = analysis.options.kappa2_min;
+  if (!analysis.mixture.empty())
+    report["warning"] = analysis.mixture;
   report["points"] = Json::array();
   size_t i = 0;
   for (const auto &p : analysis.points) {
@@ -275,6 +284,8 @@ std::string textReport(const FitAnalysis &analysis)
                         "point{})\n",
                         100.0 * paper.rms, 100.0 * paper.mean, paper.n, paper.n == 1 ? "" : "s");
   text += replicateLines(analysis);
+  if (!analysis.mixture.empty())
+    text += fmt::format("Warning: {}.\n", analysis.mixture);
   if (analysis.fit)
     text += fitLines(analysis);
   else

@@ -34,6 +34,8 @@ const std::array<std::string, Columns> columnNames = {
 // mu is printed rounded, as shear_stress is
 constexpr double muTolerance = 1e-3;
 constexpr double spacingTolerance = 0.02;
+// far beyond any run in these units; products of several such numbers do not overflow
+constexpr double largest = 1e12;
 
 std::vector<std::string_view> splitLines(const std::string &text)
 {
@@ -78,6 +80,10 @@ class Header {
       throw badInput(
           fileName, 1, "",
           fmt::format("no friction log: the head must begin with '# format: {}'", logFormat));
+    checkKeys(root);
+    for (const auto &entry : root)
+      if (entry.second.IsMap())
+        checkKeys(entry.second);
   }
 
   std::string text(const std::string &key) const
@@ -103,7 +109,7 @@ class Header {
 
   /// A number that `allowed` accepts; `range` says in words what that is.
   template<typename Predicate>
-  double number(const std::string &section, const std::string &key, const char *range,
+  double number(const std::string &section, const std::string &key, const std::string &range,
                 Predicate allowed) const
   {
     const auto given = text(section, key);
@@ -118,14 +124,15 @@ class Header {
 
   double positive(const std::string &section, const std::string &key, const char *unit) const
   {
-    return number(section, key, fmt::format("> 0 ({})", unit).c_str(),
-                  [](double x) { return x > 0.0; });
+    return number(section, key, fmt::format("> 0 ({}), {:g} to {:g}", unit, 1 / largest, largest),
+                  isPositive);
   }
 
   double nonNegative(const std::string &section, const std::string &key, const char *unit) const
   {
-    return number(section, key, fmt::format(">= 0 ({})", unit).c_str(),
-                  [](double x) { return x >= 0.0; });
+    return number(section, key,
+                  fmt::format(">= 0 ({}), 0 or {:g} to {:g}", unit, 1 / largest, largest),
+                  [](double x) { return x == 0.0 || isPositive(x); });
   }
 
   bool has(const std::string &section, const std::string &key) const
@@ -133,7 +140,26 @@ class Header {
     return root[section] && root[section].IsMap() && root[section][key];
   }
 
+  /// Adds the values of a section under "section.key".
+  void collect(const std::string &section, std::map<std::string, std::string> &values) const
+  {
+    if (root[section] && root[section].IsMap())
+      for (const auto &entry : root[section])
+        values[section + "." + entry.first.Scalar()] = entry.second.Scalar();
+  }
+
  private:
+  static bool isPositive(double x) { return x >= 1.0 / largest && x <= largest; }
+
+  void checkKeys(const YAML::Node &map) const
+  {
+    std::set<std::string> seen;
+    for (const auto &entry : map)
+      if (!seen.insert(entry.first.Scalar()).second)
+        throw badInput(fileName, lineOf(entry.first), entry.first.Scalar(),
+                       "stands twice in the head");
+  }
+
   static int lineOf(const YAML::Node &node) { return node.Mark().line + 1; }
 
   YAML::Node find(const YAML::Node &node, const std::string &section, const std::string &key) const
@@ -176,7 +202,11 @@ void readHeader(const Header &header, FrictionLog &log)
   log.pressure = header.positive("loading", "pressure", "MPa");
   log.velocity = header.nonNegative("loading", "velocity", "m/s");
   if (header.has("run", "seed"))
-    log.seed = static_cast<long>(header.nonNegative("run", "seed", "whole number"));
+    log.seed = static_cast<long>(
+        header.number("run", "seed", fmt::format(">= 0, whole, at most {:g}", largest),
+                      [](double x) { return x >= 0.0 && x <= largest && x == std::floor(x); }));
+  for (const auto *section : {"program", "laws"})
+    header.collect(section, log.made_by);
 }
 
 /// Where each of our columns stands; further columns are allowed and skipped.
@@ -206,6 +236,9 @@ double readNumber(const FrictionLog &log, int line, size_t column, std::string_v
   if (error != std::errc() || end != word.data() + word.size() || !std::isfinite(x))
     throw badInput(log.file, line, columnNames[column],
                    fmt::format("'{}' is not a finite number", word));
+  if (std::abs(x) > largest)
+    throw badInput(log.file, line, columnNames[column],
+                   fmt::format("'{}' is not allowed, must be within +-{:g}", word, largest));
   return x;
 }
 
@@ -239,11 +272,7 @@ void addRow(FrictionLog &log, int line, const std::array<double, Columns> &row)
                                row[Mu], expected, log.pressure));
   log.step.push_back(step);
   log.time.push_back(row[Time]);
-  log.displacement.push_back(row[Displacement]);
-  log.shear_stress.push_back(row[Shear]);
-  log.normal_stress.push_back(row[Normal]);
   log.mu.push_back(row[Mu]);
-  log.gap.push_back(row[Gap]);
 }
 
 void dropStateBeforeFirstStep(FrictionLog &log)
@@ -251,9 +280,26 @@ void dropStateBeforeFirstStep(FrictionLog &log)
   if (log.step.empty() || log.step.front() != 0)
     return;
   log.step.erase(log.step.begin());
-  for (auto *column :
-       {&log.time, &log.displacement, &log.shear_stress, &log.normal_stress, &log.mu, &log.gap})
-    column->erase(column->begin());
+  log.time.erase(log.time.begin());
+  log.mu.erase(log.mu.begin());
+}
+
+/// All *.friction below a folder, whatever they are: one that cannot be read must not be missed.
+void search(const std::filesystem::path &folder, std::vector<std::string> &found)
+{
+  namespace fs = std::filesystem;
+  std::error_code error, ignored;
+  for (fs::directory_iterator entry(folder, error), end; !error && entry != end;
+       entry.increment(error)) {
+    if (entry->is_directory(ignored)) {
+      if (!entry->is_symlink(ignored)) // it may lead back here
+        search(entry->path(), found);
+    } else if (entry->path().extension() == ".friction") {
+      found.push_back(entry->path().string());
+    }
+  }
+  if (error)
+    throw badInput(folder.string(), 0, "", "cannot be searched: " + error.message());
 }
 
 } // namespace
@@ -285,6 +331,9 @@ FrictionLog readFrictionLog(const std::string &path)
 {
   FrictionLog log;
   log.file = path;
+  std::error_code ignored;
+  if (std::filesystem::exists(path, ignored) && !std::filesystem::is_regular_file(path, ignored))
+    throw badInput(path, 0, "", "is no regular file"); // reading a pipe might never end
   const auto text = readInputFile(path);
   const auto lines = splitLines(text);
   const bool lastLineEnded = text.back() == '\n';
@@ -339,12 +388,7 @@ std::vector<std::string> findFrictionLogs(const std::vector<std::string> &paths)
       continue;
     }
     std::vector<std::string> found;
-    for (fs::recursive_directory_iterator entry(path, error), end; !error && entry != end;
-         entry.increment(error))
-      if (entry->path().extension() == ".friction" && entry->is_regular_file())
-        found.push_back(entry->path().string());
-    if (error)
-      throw badInput(path, 0, "", "cannot be searched: " + error.message());
+    search(path, found);
     if (found.empty())
       throw badInput(path, 0, "", "this folder holds no *.friction file");
     std::sort(found.begin(), found.end());
@@ -353,9 +397,12 @@ std::vector<std::string> findFrictionLogs(const std::vector<std::string> &paths)
   // a log named twice (itself and its folder) must not count twice
   std::vector<std::string> unique;
   std::set<fs::path> seen;
-  for (const auto &file : files)
-    if (seen.insert(fs::weakly_canonical(file)).second)
+  for (const auto &file : files) {
+    std::error_code error;
+    const auto place = fs::weakly_canonical(file, error);
+    if (seen.insert(error ? fs::path(file) : place).second)
       unique.push_back(file);
+  }
   return unique;
 }
 

@@ -16,7 +16,7 @@ namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double longestGrindingIn = 100.0; // ns, Fig. 4
-constexpr std::size_t firstRows = 50;
+constexpr std::size_t firstRows = 1000;
 
 /// First row whose interval begins at or after `time`.
 std::size_t firstRowAfter(const FrictionLog &log, double time)
@@ -36,6 +36,23 @@ double meanBefore(const FrictionLog &log, double time)
     return nan;
   return std::accumulate(log.mu.begin(), log.mu.begin() + rows, 0.0) / static_cast<double>(rows);
 }
+
+/// Mean of mu over some rows, and of its absolute value.
+class RowMean {
+ public:
+  void add(double mu)
+  {
+    sum += mu;
+    absolute += std::abs(mu);
+    ++rows;
+  }
+  double mean() const { return sum / rows; }
+  double size() const { return absolute / rows; }
+
+ private:
+  double sum = 0.0, absolute = 0.0;
+  int rows = 0;
+};
 
 /// A field of a CSV line, in quotes where its own characters ask for it (RFC 4180).
 std::string csvField(const std::string &text)
@@ -64,7 +81,10 @@ FrictionPoint frictionPoint(const FrictionLog &log, const PointOptions &options)
   point.viscosity = log.viscosity;
   point.mu_peak = *std::max_element(log.mu.begin(), log.mu.end());
   point.seed = log.seed;
-  point.first_mu.assign(log.mu.begin(), log.mu.begin() + std::min(firstRows, log.mu.size()));
+  point.made_by = log.made_by;
+  const auto rows = std::min(firstRows, log.mu.size());
+  point.first_step.assign(log.step.begin(), log.step.begin() + rows);
+  point.first_mu.assign(log.mu.begin(), log.mu.begin() + rows);
   point.note = log.note;
   double origin = log.time.front() - log.interval();
   if (std::abs(origin) < 1e-6 * log.interval())
@@ -105,9 +125,26 @@ FrictionPoint frictionPoint(const FrictionLog &log, const PointOptions &options)
 
 bool sameRun(const FrictionPoint &a, const FrictionPoint &b)
 {
-  const auto rows = std::min(a.first_mu.size(), b.first_mu.size());
-  return a.kappa1 == b.kappa1 && a.kappa2 == b.kappa2 && a.kappa3 == b.kappa3 &&
-         std::equal(a.first_mu.begin(), a.first_mu.begin() + rows, b.first_mu.begin());
+  if (a.kappa1 != b.kappa1 || a.kappa2 != b.kappa2 || a.kappa3 != b.kappa3 || a.seed != b.seed ||
+      a.made_by != b.made_by)
+    return false;
+  constexpr double rounding = 1e-6; // logs have seven digits
+  RowMean ofA, ofB;
+  bool compared = false;
+  for (std::size_t i = 0, j = 0; i < a.first_step.size() && j < b.first_step.size();) {
+    const long stepA = a.first_step[i], stepB = b.first_step[j];
+    if (stepA <= stepB)
+      ofA.add(a.first_mu[i++]);
+    if (stepB <= stepA)
+      ofB.add(b.first_mu[j++]);
+    if (stepA != stepB)
+      continue;
+    if (std::abs(ofA.mean() - ofB.mean()) > rounding * ofA.size())
+      return false;
+    compared = true;
+    ofA = ofB = {};
+  }
+  return compared;
 }
 
 std::string pointsAsCsv(const std::vector<FrictionPoint> &points)

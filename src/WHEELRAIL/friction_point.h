@@ -3,6 +3,7 @@
 
 #include "friction_log.h"
 
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -30,9 +31,12 @@ struct FrictionPoint {
   double strength = 0.0;         ///< MPa
   double viscosity = 0.0;        ///< Pa s
   long seed = 0;
-  std::vector<double> first_mu; ///< of the first rows, at most 50: tells one run from another
-  std::string note;             ///< why there is no stationary part, or that a cut line was dropped
-  std::string left_out;         ///< why the point is not fitted; empty: it is
+  std::map<std::string, std::string> made_by; ///< FrictionLog::made_by
+  /// Steps and mu of the first rows, at most 1000: they tell one run from another.
+  std::vector<long> first_step;
+  std::vector<double> first_mu;
+  std::string note;     ///< why there is no stationary part, or that a cut line was dropped
+  std::string left_out; ///< why the point is not fitted; empty: it is
 
   bool stationary() const { return t_start == t_start; }
 };
@@ -45,8 +49,9 @@ struct PointOptions {
   std::optional<double> grinding_in;
 };
 
-/// Whether two points come from one run, of which one log may be longer: the same case, and mu of
-/// the first rows equal to the last digit.
+/// Whether two points come from one run, of which one log may be longer, or have rows that are
+/// means over several of the other's: the same kappas, seed, laws and program, and the same mean of
+/// mu, within the rounding of the logs, between all steps at which both have a row.
 bool sameRun(const FrictionPoint &a, const FrictionPoint &b);
 
 /// The point of one log. @throws Error (BadInput) if `start` lies beyond the end of the log

@@ -158,13 +158,13 @@ std::string explainWeakness(const LawFit &fit, const VectorXd &x, const Identifi
 }
 
 void fillResiduals(LawFit &fit, const std::vector<LawPoint> &points, const VectorXd &fitted,
-                   const VectorXd &sigma, const MatrixXd &jacobian, const Identifiability &analysis)
+                   const VectorXd &sigma, const MatrixXd &jacobian, const MatrixXd &covariance)
 {
   double sum = 0.0;
   for (size_t i = 0; i < points.size(); ++i) {
     const double mu = fitted[i];
     const Eigen::RowVectorXd row = jacobian.row(i);
-    const double hat = std::clamp((row * analysis.covariance * row.transpose()).value(), 0.0, 1.0);
+    const double hat = std::clamp((row * covariance * row.transpose()).value(), 0.0, 1.0);
     const double spread = sigma[i] * std::sqrt(std::max(1.0 - hat, 1e-12));
     fit.residuals.push_back((points[i].mu - mu) / mu);
     fit.studentised.push_back((points[i].mu - mu) / spread);
@@ -302,7 +302,12 @@ LawFit fitLaw(LawModel model, const std::vector<LawPoint> &points, double level,
     fit.exponent_error = std::sqrt(analysis.covariance(N, N));
   }
   fit.law.n = n;
-  fillResiduals(fit, points, fitted, sigma, solution.jacobian, analysis);
+  // but the fit cannot follow a point with it
+  auto held = problem.constant;
+  for (int k = 0; k < fitParameters; ++k)
+    held[k] = held[k] || fit.at_bound[k];
+  fillResiduals(fit, points, fitted, sigma, solution.jacobian,
+                analyseJacobian(solution.jacobian, held).covariance);
   const auto byKappa1 = [](const LawPoint &p, const LawPoint &q) { return p.kappa1 < q.kappa1; };
   const auto byKappa2 = [](const LawPoint &p, const LawPoint &q) { return p.kappa2 < q.kappa2; };
   const auto [low1, high1] = std::minmax_element(points.begin(), points.end(), byKappa1);

@@ -49,7 +49,8 @@ constexpr std::array<const char *, fitParameters> fitParameterNames = {"mu0", "m
 /// scatter is what runs differ by beyond their own standard errors, relative to mu; it is the
 /// value that makes chi^2 equal to the degrees of freedom (Paule and Mandel, J. Res. NBS 87
 /// (1982) 377), zero if the standard errors alone explain the residuals. The covariance is (J^T
-/// J)^-1 with these weights; a parameter at its bound counts as free in it.
+/// J)^-1 with these weights; a parameter at its bound counts as free in it, but as held in the
+/// leverage, which says how far the fit follows each point.
 struct LawFit {
   LawModel model = LawModel::Full;
   FrictionLaw law;               ///< with the model Kappa3: at the reference

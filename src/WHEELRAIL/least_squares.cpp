@@ -128,7 +128,8 @@ LeastSquaresSolution solveFrom(const LeastSquaresProblem &problem, const Eigen::
   solution.sumOfSquares = 2.0 * summary.final_cost;
   solution.converged = summary.termination_type == ceres::CONVERGENCE;
   solution.message = summary.message;
-  solution.iterations = static_cast<int>(summary.iterations.size());
+  if (!solution.message.empty() && solution.message.back() == '.')
+    solution.message.pop_back();
   return solution;
 }
 

@@ -32,8 +32,7 @@ struct LeastSquaresSolution {
   Eigen::VectorXd x;
   double sumOfSquares = 0.0;
   bool converged = false;
-  std::string message; ///< the solver's own words
-  int iterations = 0;
+  std::string message;      ///< the solver's own words, without a full stop
   Eigen::MatrixXd jacobian; ///< at x; empty unless asked for
 };
 

@@ -3,6 +3,7 @@
 #include "errors.h"
 
 #include <cerrno>
+#include <cstdio>
 #include <cstring>
 #include <fcntl.h>
 #include <filesystem>
@@ -21,20 +22,22 @@ namespace fs = std::filesystem;
   throw Error(ExitCode::Io, fmt::format("{}: cannot write: {}", path, std::strerror(reason)));
 }
 
-/// A file descriptor that removes its file unless told to keep it.
-class TemporaryFile {
+/// A file that is open for writing; a temporary one is removed unless it is renamed.
+class OpenFile {
  public:
-  TemporaryFile(const std::string &path) : name(path)
+  OpenFile(const std::string &path, bool isTemporary)
+      : name(path),
+        descriptor(::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666)),
+        temporary(isTemporary && descriptor >= 0)
   {
-    descriptor = ::open(name.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
   }
-  TemporaryFile(const TemporaryFile &) = delete;
-  TemporaryFile &operator=(const TemporaryFile &) = delete;
-  ~TemporaryFile()
+  OpenFile(const OpenFile &) = delete;
+  OpenFile &operator=(const OpenFile &) = delete;
+  ~OpenFile()
   {
     if (descriptor >= 0)
       ::close(descriptor);
-    if (!name.empty())
+    if (temporary)
       ::unlink(name.c_str());
   }
   bool isOpen() const { return descriptor >= 0; }
@@ -49,22 +52,68 @@ class TemporaryFile {
         return false;
       done += static_cast<std::size_t>(n);
     }
-    return ::fsync(descriptor) == 0;
+    return true;
+  }
+  /// On the disk, or refused by it.
+  bool close()
+  {
+    const bool synced = !temporary || ::fsync(descriptor) == 0; // a pipe cannot be synced
+    const int closed = ::close(descriptor);
+    descriptor = -1;
+    return synced && closed == 0;
   }
   bool renameTo(const std::string &target)
   {
-    const int closed = ::close(descriptor);
-    descriptor = -1;
-    if (closed != 0 || ::rename(name.c_str(), target.c_str()) != 0)
+    if (::rename(name.c_str(), target.c_str()) != 0)
       return false;
-    name.clear();
+    temporary = false;
     return true;
   }
 
  private:
   std::string name;
   int descriptor;
+  bool temporary;
 };
+
+/// Where the content of `path` is written first.
+std::string besideOf(const std::string &path)
+{
+  return fmt::format("{}.part{}", path, ::getpid());
+}
+
+/// Whether a file may be renamed over `path`, or to it.
+bool isReplaced(const std::string &path)
+{
+  std::error_code ignored;
+  const auto type = fs::symlink_status(path, ignored).type();
+  return type == fs::file_type::regular || type == fs::file_type::not_found;
+}
+
+void checkWritable(const std::string &path)
+{
+  std::error_code ignored;
+  if (fs::is_directory(path, ignored))
+    failWriting(path, EISDIR);
+  // a pipe without a reader must not be opened: that would wait for one
+  const bool writable = isReplaced(path) ? OpenFile(besideOf(path), true).isOpen()
+                                         : ::access(path.c_str(), W_OK) == 0 || errno == ENOENT;
+  if (!writable)
+    failWriting(path, errno);
+}
+
+fs::path placeOf(const std::string &path)
+{
+  std::error_code error;
+  const auto place = fs::weakly_canonical(fs::absolute(path), error);
+  return error ? fs::absolute(path) : place;
+}
+
+bool sameFile(const std::string &a, const std::string &b)
+{
+  std::error_code ignored;
+  return placeOf(a) == placeOf(b) || fs::equivalent(a, b, ignored);
+}
 
 } // namespace
 
@@ -72,7 +121,9 @@ std::string readInputFile(const std::string &path)
 {
   std::error_code ignored;
   if (!fs::exists(path, ignored))
-    throw badInput(path, 0, "", "no such file");
+    throw badInput(path, 0, "",
+                   fs::is_symlink(path, ignored) ? "is a link that leads to no file"
+                                                 : "no such file");
   if (fs::is_directory(path, ignored))
     throw badInput(path, 0, "", "is a folder, not a file");
   std::ifstream in(path, std::ios::binary);
@@ -87,13 +138,33 @@ std::string readInputFile(const std::string &path)
 
 void writeOutputFile(const std::string &path, const std::string &content)
 {
-  TemporaryFile file(fmt::format("{}.part{}", path, ::getpid()));
-  if (!file.isOpen())
+  const bool replaced = isReplaced(path);
+  OpenFile file(replaced ? besideOf(path) : path, replaced);
+  if (!file.isOpen() || !file.write(content) || !file.close() || (replaced && !file.renameTo(path)))
     failWriting(path, errno);
-  if (!file.write(content))
-    failWriting(path, errno);
-  if (!file.renameTo(path))
-    failWriting(path, errno);
+}
+
+void writeStandardOutput(const std::string &text)
+{
+  if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() || std::fflush(stdout) != 0)
+    failWriting("standard output", errno);
+}
+
+void checkOutputs(const std::vector<RequestedOutput> &outputs,
+                  const std::vector<std::string> &inputs)
+{
+  for (auto output = outputs.begin(); output != outputs.end(); ++output) {
+    for (const auto &input : inputs)
+      if (sameFile(output->path, input))
+        throw Error(ExitCode::Usage, fmt::format("{}: {} is an input, it would be overwritten",
+                                                 output->option, output->path));
+    for (auto other = outputs.begin(); other != output; ++other)
+      if (sameFile(output->path, other->path))
+        throw Error(ExitCode::Usage, fmt::format("{}: {} is the file of {} too", output->option,
+                                                 output->path, other->option));
+  }
+  for (const auto &output : outputs)
+    checkWritable(output.path);
 }
 
 void prepareOutputFolder(const std::string &path)
@@ -102,8 +173,7 @@ void prepareOutputFolder(const std::string &path)
   fs::create_directories(path, reason);
   if (reason)
     failWriting(path, reason.value());
-  const std::string probe = fmt::format("{}/.write-test.{}", path, ::getpid());
-  if (!TemporaryFile(probe).isOpen())
+  if (!OpenFile(fmt::format("{}/.write-test.{}", path, ::getpid()), true).isOpen())
     failWriting(path, errno);
 }
 

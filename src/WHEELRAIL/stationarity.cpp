@@ -6,17 +6,20 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <limits>
-#include <numeric>
 #include <stdexcept>
 
 namespace wheelrail {
 
 namespace {
 
+/// Exact for a constant series, which must not seem to drift by its rounding: summed from its first
+/// value on.
 double meanOf(const std::vector<double> &values, std::size_t begin, std::size_t end)
 {
-  return std::accumulate(values.begin() + begin, values.begin() + end, 0.0) /
-         static_cast<double>(end - begin);
+  double sum = 0.0;
+  for (std::size_t i = begin; i < end; ++i)
+    sum += values[i] - values[begin];
+  return values[begin] + sum / static_cast<double>(end - begin);
 }
 
 /// Autocovariance at a lag, with 1/n (so that the sequence is positive definite).
@@ -118,24 +121,6 @@ SeriesMean seriesMean(const std::vector<double> &values, std::size_t begin, std:
   const double unbiased = variance / (1.0 - 1.0 / result.effective_n);
   result.standard_error = std::sqrt(unbiased / result.effective_n);
   return result;
-}
-
-double batchMeansError(const std::vector<double> &values, std::size_t begin, std::size_t end,
-                       std::size_t batches)
-{
-  if (batches < 2 || begin >= end || end > values.size() || end - begin < batches)
-    throw std::invalid_argument("batchMeansError: at least two batches with a sample each");
-  const std::size_t size = (end - begin) / batches;
-  begin = end - size * batches;
-  std::vector<double> means;
-  for (std::size_t i = 0; i < batches; ++i)
-    means.push_back(meanOf(values, begin + i * size, begin + (i + 1) * size));
-  const double mean = meanOf(means, 0, batches);
-  double sum = 0.0;
-  for (double x : means)
-    sum += (x - mean) * (x - mean);
-  const auto k = static_cast<double>(batches);
-  return std::sqrt(sum / (k * (k - 1.0)));
 }
 
 std::size_t mser5(const std::vector<double> &values)

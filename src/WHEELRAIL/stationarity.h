@@ -25,13 +25,6 @@ struct SeriesMean {
 /// @throws std::invalid_argument for an empty range or an end beyond the series
 SeriesMean seriesMean(const std::vector<double> &values, std::size_t begin, std::size_t end);
 
-/// Standard error of the mean from non-overlapping batches (slower to react to long correlations
-/// than seriesMean, but with other assumptions: used as a check of it).
-/// @param batches number of batches, >= 2; samples that do not fill the last batch are left out at
-///        the beginning
-double batchMeansError(const std::vector<double> &values, std::size_t begin, std::size_t end,
-                       std::size_t batches);
-
 /// MSER-5 (K. P. White, Simulation 69 (1997) 323): the start that minimises the squared standard
 /// error of the mean of what is left, computed on means of 5 samples, looked for in the first half.
 /// @return index of the first sample kept; values.size() when the minimum lies at the end of the

@@ -20,6 +20,8 @@ using namespace wheelrail;
 
 namespace {
 
+constexpr const char *journalName = "wr_creep.journal";
+
 std::atomic<bool> interruptAsked{false};
 void askToStop(int)
 {
@@ -149,24 +151,44 @@ void finish(const Settings &settings, const Files &files, const std::string &rep
   }
   if (settings.quiet)
     return;
-  fmt::print("{}{}{} in {:.2f} s; written to {}/: {}\n", settings.verbose ? details : "", report,
-             count, seconds, settings.folder, names);
+  writeStandardOutput(fmt::format("{}{}{} in {:.2f} s; written to {}/: {}\n",
+                                  settings.verbose ? details : "", report, count, seconds,
+                                  settings.folder, names));
+}
+
+/// A profile or law that lies in the folder for the results must not be written over.
+void checkInputsStay(const Settings &settings, const Case &input)
+{
+  std::vector<std::string> inputs = {settings.caseFile, input.law};
+  inputs.insert(inputs.end(), input.rail.begin(), input.rail.end());
+  inputs.insert(inputs.end(), input.wheel.begin(), input.wheel.end());
+  std::vector<RequestedOutput> outputs;
+  const std::vector<std::string> names =
+      input.mode == RollingMode::Static
+          ? std::vector<std::string>{"static.csv"}
+          : std::vector<std::string>{"creep.csv", "creep.json", "creep_band.csv", journalName};
+  for (const auto &name : names)
+    outputs.push_back({"-o", settings.folder + "/" + name});
+  for (const auto *name : {"contact.csv", "summary.json"})
+    outputs.push_back({"-o", settings.folder + "/" + name});
+  checkOutputs(outputs, inputs);
 }
 
 void run(const Settings &settings)
 {
   const Case input = readCase(settings.caseFile, settings.changes);
   if (settings.printConfig) {
-    fmt::print("{}", input.text);
+    writeStandardOutput(input.text);
     return;
   }
   const FrictionLaw law = lawOf(input);
   prepareOutputFolder(settings.folder);
+  checkInputsStay(settings, input);
 
   Progress progress;
   SweepOptions options;
   options.threads = settings.threads;
-  options.journal = settings.folder + "/wr_creep.journal";
+  options.journal = settings.folder + "/" + journalName;
   options.interrupted = [] { return interruptAsked.load(); };
   if (!settings.quiet)
     options.progress = [&](int done, int total) { progress(done, total); };

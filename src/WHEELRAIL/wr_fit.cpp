@@ -6,13 +6,14 @@
 #include "nearest_word.h"
 #include "output_file.h"
 #include "plot_script.h"
+#include "quantity.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <cstdio>
-#include <filesystem>
+#include <sys/mman.h>
 #include <unistd.h>
 
 using namespace wheelrail;
@@ -44,6 +45,36 @@ struct Settings {
   bool quiet = false;
 };
 
+/// Accepts the finite numbers that `allowed` does (CLI11's own ranges let nan pass); `range` says
+/// in words which those are.
+CLI::Validator number(const std::string &range, bool (*allowed)(double))
+{
+  const auto check = [=](const std::string &given) -> std::string {
+    try {
+      if (allowed(parseNumber(given)))
+        return "";
+    } catch (const std::invalid_argument &) {
+    }
+    return fmt::format("'{}' is not allowed, must be a number {}", given, range);
+  };
+  return CLI::Validator(check, range);
+}
+
+bool isPositive(double x)
+{
+  return x > 0.0;
+}
+
+bool isNotNegative(double x)
+{
+  return x >= 0.0;
+}
+
+bool isLevel(double x)
+{
+  return x >= 0.5 && x <= 0.9999;
+}
+
 void defineOptions(CLI::App &app, Settings &settings)
 {
   app.set_version_flag("--version", "wr_fit " WHEELRAIL_VERSION);
@@ -68,21 +99,26 @@ void defineOptions(CLI::App &app, Settings &settings)
   app.add_option("--kappa3", settings.fit.kappa3,
                  "with eq2_kappa3: E/sigma_0 of the material that the law file is for "
                  "[geometric mean of the points]")
-      ->check(CLI::PositiveNumber);
+      ->check(number("> 0", isPositive))
+      ->type_name("NUMBER");
   app.add_option("--kappa2-min", settings.fit.kappa2_min, "leave out points with a smaller kappa2")
-      ->check(CLI::NonNegativeNumber)
+      ->check(number(">= 0", isNotNegative))
+      ->type_name("NUMBER")
       ->capture_default_str();
   app.add_option("--level", settings.fit.level, "level of the confidence intervals")
-      ->check(CLI::Range(0.5, 0.9999))
+      ->check(number("from 0.5 to 0.9999", isLevel))
+      ->type_name("NUMBER")
       ->capture_default_str();
   app.add_flag("--include-drifting", settings.fit.include_drifting,
                "fit points without a stationary part too (mean of their second half)");
   app.add_option("--start", settings.point.start,
                  "average from this time on (ns) instead of looking for the stationary part")
-      ->check(CLI::NonNegativeNumber);
+      ->check(number(">= 0 (ns)", isNotNegative))
+      ->type_name("NUMBER");
   app.add_option("--grinding-in", settings.point.grinding_in,
                  "end of the grinding-in (ns) [start of the stationary part, at most 100]")
-      ->check(CLI::PositiveNumber);
+      ->check(number("> 0 (ns)", isPositive))
+      ->type_name("NUMBER");
   app.add_flag("-q,--quiet", settings.quiet, "no report on the screen");
 }
 
@@ -100,16 +136,17 @@ std::string unknownOption(const CLI::App &app)
 }
 
 /// Reads all logs; all that is wrong with them is reported together.
-std::vector<FrictionPoint> readPoints(const Settings &settings)
+std::vector<FrictionPoint> readPoints(const std::vector<std::string> &files,
+                                      const PointOptions &options)
 {
   std::vector<FrictionPoint> points;
   std::string problems;
-  for (const auto &file : findFrictionLogs(settings.logs)) {
+  for (const auto &file : files) {
     try {
       const auto log = readFrictionLog(file);
       if (!log.note.empty())
         fmt::print(stderr, "wr_fit: {}\n", log.note);
-      points.push_back(frictionPoint(log, settings.point));
+      points.push_back(frictionPoint(log, options));
     } catch (const Error &error) {
       if (error.code() != ExitCode::BadInput)
         throw;
@@ -123,11 +160,13 @@ std::vector<FrictionPoint> readPoints(const Settings &settings)
 
 void plot(const Settings &settings, const std::string &json)
 {
-  // the picture is drawn from the same JSON that -o gets
-  auto data = std::filesystem::temp_directory_path() / fmt::format("wr_fit.{}.json", getpid());
+  // the picture is drawn from the same JSON that -o gets: a file in memory, which the script
+  // inherits
+  const int memory = memfd_create("wr_fit", 0);
+  const auto data = fmt::format("/proc/self/fd/{}", memory);
   writeOutputFile(data, json);
-  const auto problem = runPlotScript("plot_fit.py", {data.string(), "-o", settings.plot});
-  std::filesystem::remove(data);
+  const auto problem = runPlotScript("plot_fit.py", {data, "-o", settings.plot});
+  close(memory);
   if (!problem.empty())
     fmt::print(stderr, "wr_fit: {} was not made: {}; all else was\n", settings.plot, problem);
 }
@@ -137,14 +176,24 @@ int run(const Settings &settings)
   if (settings.fit.kappa3 > 0.0 && settings.fit.model != LawModel::Kappa3)
     throw Error(ExitCode::Usage, fmt::format("--kappa3: goes with --model {} only, not with {}",
                                              nameOf(LawModel::Kappa3), settings.model));
-  const auto analysis = analysePoints(readPoints(settings), settings.fit);
-  if (!settings.quiet)
-    fmt::print("{}", textReport(analysis));
+  const auto files = findFrictionLogs(settings.logs);
+  std::vector<RequestedOutput> outputs;
+  for (const auto &[option, path] : std::vector<RequestedOutput>{
+           {"-o", settings.json}, {"--points", settings.points}, {"--plot", settings.plot}})
+    if (!path.empty())
+      outputs.push_back({option, path});
+  checkOutputs(outputs, files);
+
+  const auto analysis = analysePoints(readPoints(files, settings.point), settings.fit);
+  if (!analysis.mixture.empty())
+    fmt::print(stderr, "wr_fit: warning: {}\n", analysis.mixture);
   const auto json = jsonReport(analysis).dump(2) + "\n";
   if (!settings.points.empty())
     writeOutputFile(settings.points, pointsAsCsv(analysis.points));
   if (!settings.json.empty())
     writeOutputFile(settings.json, json);
+  if (!settings.quiet)
+    writeStandardOutput(textReport(analysis));
   if (!settings.plot.empty())
     plot(settings, json);
   if (!analysis.not_identifiable)

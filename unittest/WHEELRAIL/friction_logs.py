@@ -8,7 +8,7 @@ HEAD = """# format: mca-friction 1
 yield_strength: 80.04, yield_strain: 0.015, strength: {strength}, breaking_strain: 0.04, viscosity: 0.41}}
 # loading: {{pressure: {p}, velocity: {v}}}
 # geometry: {{width: 100, thickness: 1, diameter: 2.5, packing: hex, automata: 1280}}
-# laws: {{preset: B}}
+# laws: {{preset: {preset}}}
 # run: {{timestep: 5e-05, every: 1000, seed: {seed}}}
 step time displacement shear_stress normal_stress mu links broken formed gap
 """
@@ -25,15 +25,15 @@ def kappas(p, v, strength, E=206000.0, rho=7800.0):
 
 
 def friction_log(p=15.0, v=5.0, strength=92.0, E=206000.0, rho=7800.0, seed=1, ns=20.0, factor=1.0,
-                 noise=0.05, phi=0.8, grinding_in=0.3, grinding_time=1.0):
-    """Text of a log: mu is `factor` times Eq. 2, plus AR(1) noise, plus a decaying start."""
+                 noise=0.05, phi=0.8, grinding_in=0.3, grinding_time=1.0, drift=0.0, preset="B"):
+    """Text of a log: mu is `factor` times Eq. 2, plus AR(1) noise, plus a decaying start, plus a drift per ns."""
     generator = random.Random(seed)
     level = factor * eq2(*kappas(p, v, strength, E, rho))
-    lines = [HEAD.format(E=E, rho=rho, p=p, v=v, strength=strength, seed=seed)]
+    lines = [HEAD.format(E=E, rho=rho, p=p, v=v, strength=strength, seed=seed, preset=preset)]
     x = 0.0
     for i in range(1, round(ns / 0.05) + 1):
         x = phi * x + noise * (1 - phi * phi) ** 0.5 * generator.gauss(0, 1)
-        mu = level + x + grinding_in * 2.718281828 ** (-0.05 * i / grinding_time)
+        mu = level + x + grinding_in * 2.718281828 ** (-0.05 * i / grinding_time) + drift * 0.05 * i
         lines.append(f"{1000 * i} {0.05 * i:.10g} {0.05 * i * v:.10g} {mu * p:.8g} {p} {mu:.8g} 3456 2 1 -0.013\n")
     return "".join(lines)
 

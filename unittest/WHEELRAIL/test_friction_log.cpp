@@ -80,6 +80,8 @@ TEST(FrictionLog, readsMaterialLoadingAndSeries)
   EXPECT_EQ(log.strength, 92);
   EXPECT_EQ(log.pressure, 15);
   EXPECT_EQ(log.seed, 7);
+  EXPECT_EQ(log.made_by.at("laws.preset"), "B");
+  EXPECT_EQ(log.made_by.at("program.lammps"), "20250204");
   ASSERT_EQ(log.mu.size(), 100u);
   EXPECT_DOUBLE_EQ(log.mu[2], 0.43);
   EXPECT_NEAR(log.interval(), 0.05, 1e-12);
@@ -134,12 +136,29 @@ TEST(FrictionLog, badHeadIsOneClearLine)
   expectContains(problemOf(replaced(goodLog(), "youngs_modulus", "young_modulus")),
                  ":4: material: 'youngs_modulus' is missing; 'young_modulus' is unknown, the "
                  "nearest known one is 'youngs_modulus'");
-  expectContains(problemOf(replaced(goodLog(), "pressure: 15", "pressure: -15")),
-                 ":5: loading: pressure: '-15' is not allowed, must be a number > 0 (MPa)");
+  expectContains(
+      problemOf(replaced(goodLog(), "pressure: 15", "pressure: -15")),
+      ":5: loading: pressure: '-15' is not allowed, must be a number > 0 (MPa), 1e-12 to "
+      "1e+12");
   expectContains(problemOf(replaced(goodLog(), "strength: 92", "strength: nan")), "'nan'");
   expectContains(problemOf(replaced(goodLog(), "density: 7800", "density: heavy")), "'heavy'");
   expectContains(problemOf(replaced(goodLog(), "poissons_ratio: 0.3", "poissons_ratio: 0.5")),
                  "in -1 .. 0.5");
+  expectContains(problemOf(replaced(goodLog(), "206000", "1e305")),
+                 ":4: material: youngs_modulus: '1e305'");
+  expectContains(problemOf(replaced(goodLog(), "velocity: 5", "velocity: 1e200")),
+                 ":5: loading: velocity: '1e200' is not allowed, must be a number >= 0 (m/s), 0 or "
+                 "1e-12 to 1e+12");
+  expectContains(problemOf(replaced(goodLog(), "strength: 92", "strength: 1e-200")), "'1e-200'");
+  for (const char *seed : {"1.5", "1e300", "-1"})
+    expectContains(problemOf(replaced(goodLog(), "seed: 7", std::string("seed: ") + seed)),
+                   fmt::format(":8: run: seed: '{}' is not allowed, must be a number >= 0, whole, "
+                               "at most 1e+12",
+                               seed));
+  expectContains(problemOf(replaced(goodLog(), "{pressure", "{pressure: 20, pressure")),
+                 ":5: pressure: stands twice in the head");
+  expectContains(problemOf(replaced(goodLog(), "# run", "# loading: {pressure: 20}\n# run")),
+                 ":8: loading: stands twice in the head");
   expectContains(problemOf(replaced(goodLog(), "shear_stress", "shear_strain")),
                  ":9: column 'shear_stress' is missing; the nearest of those given is "
                  "'shear_strain'");
@@ -154,6 +173,9 @@ TEST(FrictionLog, badRowsAreOneClearLine)
   expectContains(with("3000 0.15 0.75\n"), ":12: 3 columns, 10 are expected");
   expectContains(with("3000 0.15 0.75 nan 15.02 0.43 3456 2 1 -0.013\n"),
                  ":12: shear_stress: 'nan' is not a finite number");
+  expectContains(with("3000 0.15 0.75 1e308 15.02 1e308 3456 2 1 -0.013\n"),
+                 ":12: shear_stress: '1e308' is not allowed, must be within +-1e+12");
+  expectContains(with("1e300 0.15 0.75 6.45 15.02 0.43 3456 2 1 -0.013\n"), ":12: step: '1e300'");
   expectContains(with("3000 0.15 0.75 6.45 inf 0.43 3456 2 1 -0.013\n"), "normal_stress: 'inf'");
   expectContains(with("3000 0.15 x 6.45 15 0.43 3456 2 1 -0.013\n"), "displacement: 'x'");
   expectContains(with("1000 0.15 0.75 6.45 15 0.43 3456 2 1 -0.013\n"), "must increase");
@@ -180,6 +202,11 @@ TEST(FrictionLog, foldersAreSearchedAndNothingCountsTwice)
   fs::create_directories(folder / "empty");
   EXPECT_THROW(findFrictionLogs({(folder / "empty").string()}), Error);
   EXPECT_THROW(findFrictionLogs({(folder / "absent").string()}), Error);
+  // a log that cannot be read is not passed over
+  fs::create_symlink("loop.friction", folder / "empty" / "loop.friction");
+  EXPECT_EQ(findFrictionLogs({(folder / "empty").string()}).size(), 1u);
+  fs::create_directory_symlink(folder, folder / "empty" / "back");
+  EXPECT_EQ(findFrictionLogs({(folder / "empty").string()}).size(), 1u);
 }
 
 TEST(FrictionPoint, grindingInIsWhatComesBeforeTheStationaryPart)
@@ -203,6 +230,37 @@ TEST(FrictionPoint, grindingInIsWhatComesBeforeTheStationaryPart)
   EXPECT_NEAR(all.mu_grinding_in, 0.6, 0.003);
   fixed.start = 60.0;
   EXPECT_THROW(frictionPoint(log, fixed), Error);
+}
+
+TEST(FrictionPoint, copiesOfARunAreToldFromOtherRuns)
+{
+  // rows are means over `rows` rows of the run, written with seven digits
+  const auto point = [](int rows, int count, double other = 0.0) {
+    std::string text = head + columns;
+    for (int i = 1; i <= count; ++i) {
+      double sum = 0.0;
+      for (int k = rows * (i - 1) + 1; k <= rows * i; ++k)
+        sum += std::round(1e7 * (0.4 + 0.1 * std::sin(k * k))) / 1e7;
+      text += fmt::format("{} {:.10g} 1 {:.7g} 15 {:.7g} 3456 2 1 0\n", 1000 * rows * i,
+                          0.05 * rows * i, 15 * (sum / rows + other), sum / rows + other);
+    }
+    return frictionPoint(readFrictionLog(write(text)), {});
+  };
+  const auto run = point(1, 300);
+  for (const auto &copy : {run, point(1, 200), point(4, 75), point(4, 20), point(3, 150)}) {
+    EXPECT_TRUE(sameRun(run, copy));
+    EXPECT_TRUE(sameRun(copy, run));
+  }
+  EXPECT_TRUE(sameRun(point(4, 60), point(6, 60)));
+  EXPECT_FALSE(sameRun(run, point(1, 300, 1e-5)));
+  EXPECT_FALSE(sameRun(run, point(4, 75, 1e-5)));
+  EXPECT_FALSE(sameRun(point(1, 3), point(4, 75))); // no row in common
+  auto another = run;
+  another.seed = 8;
+  EXPECT_FALSE(sameRun(run, another));
+  another = run;
+  another.made_by["laws.preset"] = "A";
+  EXPECT_FALSE(sameRun(run, another));
 }
 
 TEST(Replicates, runsOfEqualKappasAreGrouped)

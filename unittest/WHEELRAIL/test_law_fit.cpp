@@ -175,6 +175,24 @@ TEST(LawFit, preciseRunsWeighMore)
   EXPECT_GT(outlier.studentised[17], outlierLimit);
 }
 
+// chi^2 is the degrees of freedom, here 1: no residual of a fit can be worth more than its root
+TEST(LawFit, parameterAtItsBoundDoesNotMakeOutliers)
+{
+  std::vector<LawPoint> points;
+  const double kappa1[] = {0.02, 1.0, 8.0, 19.0, 3.0, 0.3};
+  const double kappa2[] = {20.0, 400.0, 80.0, 633.0, 200.0, 300.0};
+  const double noise[] = {1.03, 0.97, 1.02, 0.98, 0.99, 1.01};
+  for (int i = 0; i < 6; ++i) {
+    FrictionLaw law = bucher2006();
+    law.mu0 = -0.05;
+    points.push_back({kappa1[i], kappa2[i], noise[i] * law(kappa1[i], kappa2[i]), 1e-4});
+  }
+  const auto fit = fitLaw(LawModel::Full, points, 0.0);
+  ASSERT_TRUE(fit.at_bound[0]);
+  for (double value : fit.studentised)
+    EXPECT_LT(std::abs(value), 1.1 * std::sqrt(fit.chi_squared));
+}
+
 TEST(LawFit, orderOfPointsDoesNotMatter)
 {
   auto points = paperDesign();

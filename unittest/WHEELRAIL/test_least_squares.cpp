@@ -252,3 +252,13 @@ TEST(LeastSquares, collinearColumnsAreSeen)
   EXPECT_NEAR(analysis.weakDirection[2], 0.0, 1e-9);
   EXPECT_LT(analyseJacobian(jacobian, {false, true, false}).conditionNumber, 10.0);
 }
+
+TEST(LeastSquares, messageIsPartOfASentence)
+{
+  auto problem = decay(std::vector<double>(10, 1.0));
+  problem.evaluate = [](const VectorXd &, VectorXd &, Eigen::MatrixXd *) { return false; };
+  const auto solution = solveLeastSquares(problem, {VectorXd::Ones(2)});
+  EXPECT_FALSE(solution.converged);
+  ASSERT_FALSE(solution.message.empty());
+  EXPECT_NE(solution.message.back(), '.');
+}

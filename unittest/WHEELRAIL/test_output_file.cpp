@@ -1,10 +1,12 @@
 #include "errors.h"
 #include "output_file.h"
 
+#include <fcntl.h>
 #include <filesystem>
 #include <fstream>
 #include <functional>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 using namespace wheelrail;
@@ -48,6 +50,47 @@ TEST_F(OutputFile, FailsWithIoErrorAndLeavesNothing)
   EXPECT_EQ(codeOf([&] { writeOutputFile(path("taken"), "x"); }), ExitCode::Io);
   EXPECT_EQ(codeOf([&] { writeOutputFile(path("missing/a.csv"), "x"); }), ExitCode::Io);
   EXPECT_EQ(std::distance(fs::directory_iterator(folder), fs::directory_iterator()), 1);
+}
+
+TEST_F(OutputFile, WritesIntoPipesAndLinksInsteadOfReplacingThem)
+{
+  ASSERT_EQ(::mkfifo(path("pipe").c_str(), 0600), 0);
+  const int reader = ::open(path("pipe").c_str(), O_RDONLY | O_NONBLOCK);
+  writeOutputFile(path("pipe"), "through");
+  char text[20] = "";
+  EXPECT_EQ(::read(reader, text, sizeof text), 7);
+  ::close(reader);
+  EXPECT_STREQ(text, "through");
+  EXPECT_TRUE(fs::is_fifo(path("pipe")));
+
+  fs::create_symlink(path("real"), path("link"));
+  writeOutputFile(path("link"), "first, and longer");
+  writeOutputFile(path("link"), "second");
+  EXPECT_TRUE(fs::is_symlink(path("link")));
+  EXPECT_EQ(readInputFile(path("real")), "second");
+}
+
+TEST_F(OutputFile, OutputsAreCheckedBeforeAnythingIsWritten)
+{
+  writeOutputFile(path("log"), "data");
+  fs::create_hard_link(path("log"), path("other-name"));
+  fs::create_directories(folder / "below");
+  ASSERT_EQ(::mkfifo(path("pipe").c_str(), 0600), 0); // has no reader: must not be waited for
+  const auto check = [&](const std::vector<std::string> &names) {
+    std::vector<RequestedOutput> outputs;
+    for (const auto &name : names)
+      outputs.push_back({"--option", path(name)});
+    return codeOf([&] { checkOutputs(outputs, {path("log")}); });
+  };
+  EXPECT_EQ(check({"a", "b", "pipe"}), ExitCode::Ok);
+  EXPECT_EQ(check({"log"}), ExitCode::Usage);
+  EXPECT_EQ(check({"below/../log"}), ExitCode::Usage);
+  EXPECT_EQ(check({"other-name"}), ExitCode::Usage);
+  EXPECT_EQ(check({"a", "b", "below/../a"}), ExitCode::Usage);
+  EXPECT_EQ(check({"a", "missing/b"}), ExitCode::Io);
+  EXPECT_EQ(check({"below"}), ExitCode::Io);
+  EXPECT_EQ(readInputFile(path("log")), "data");
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder), fs::directory_iterator()), 4);
 }
 
 TEST_F(OutputFile, RefusesAFolderThatIsAFile)

@@ -237,6 +237,29 @@ def test_unwritable_output(case, tmp_path):
     assert (tmp_path / "file").read_text() == "x"
 
 
+def test_results_do_not_overwrite_inputs(case, tmp_path):
+    """A measured profile, or a law, may lie where the results go and have the name of one."""
+    lines = ["# height: um", "# position: mm"] + [f"{0.01 * i:.3f}, {i % 2}" for i in range(2500)]
+    profile = tmp_path / "contact.csv"
+    profile.write_text("\n".join(lines), encoding="utf-8")
+    law = tmp_path / "summary.json"
+    law.write_text(json.dumps(law_file(None)), encoding="utf-8")
+    for file, change in ((profile, "roughness={rail: contact.csv}"), (law, "friction={law: summary.json, mu: null}")):
+        content = file.read_bytes()
+        if file == law:
+            case.write_text(CASE.replace("{law: constant, mu: 0.3}", "{law: summary.json}"), encoding="utf-8")
+        done = wr_creep(case, "-o", tmp_path, *(["--set", change] if file == profile else []))
+        assert done.returncode == 2 and done.stderr.count("\n") == 1, done.stderr
+        assert f"{file.name} is an input, it would be overwritten" in done.stderr
+        assert file.read_bytes() == content and not (tmp_path / "creep.csv").exists()
+
+
+def test_lost_report_is_an_error(case):
+    with open("/dev/full", "w", encoding="utf-8") as full:
+        done = subprocess.run([BIN, case, "--print-config"], stdout=full, stderr=subprocess.PIPE, text=True)
+    assert done.returncode == 5 and done.stderr == "wr_creep: standard output: cannot write: No space left on device\n"
+
+
 def test_not_converged(case, tmp_path):
     done = wr_creep(case, "-o", tmp_path / "out", "--set", "friction={law: bucher2006}", "--set",
                     "thermal={conductivity: 0.01 W/(m K)}", "--set", "creep=0.9")

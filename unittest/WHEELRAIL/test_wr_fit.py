@@ -6,6 +6,8 @@ import os
 import pathlib
 import re
 import subprocess
+import sys
+import tempfile
 
 import pytest
 
@@ -14,6 +16,8 @@ import friction_logs
 WR_FIT = pathlib.Path(os.environ["WHEELRAIL_BIN"]) / "wr_fit"
 PAPER = {"mu0": 0.15, "mu1": 0.0442, "mu2": 0.3243, "b": 0.195, "c": 0.00212}  # Eq. 3
 TOOLS = pathlib.Path(os.environ["PROJECT_SOURCE"]) / "tools"
+sys.path.insert(0, str(TOOLS))
+from campaign_parts.pack import packed  # noqa: E402
 PNG = b"\x89PNG\r\n\x1a\n"
 
 
@@ -115,6 +119,42 @@ def test_a_run_of_two_logs_counts_once(tmp_path):
     assert f"[left out: the run of {tmp_path / 'b.friction'}]" in lines["a"] and "b.friction]" in lines["c"]
 
 
+@pytest.mark.parametrize("rows", [1, 4, 6])
+def test_a_copy_with_averaged_rows_counts_once(tmp_path, rows):
+    """As tools/campaign packs it; another seed with the same head otherwise is another run."""
+    whole = friction_logs.friction_log(seed=1, ns=20)
+    (tmp_path / "whole.friction").write_text(whole)
+    (tmp_path / "packed.friction").write_text(packed(whole, rows, "lmp -in in.friction"))
+    (tmp_path / "other.friction").write_text(packed(friction_logs.friction_log(seed=2, ns=20), rows, "lmp"))
+    lines = {line.split()[0].split("/")[-1]: line for line in wr_fit(tmp_path).stdout.splitlines() if ".friction " in line}
+    out = {name for name, line in lines.items() if "left out: the run of" in line}
+    assert len(out) == 1 and "other.friction" not in out
+
+
+def test_the_longer_copy_counts_even_if_it_drifts(tmp_path):
+    """The shorter one does not show the drift yet, and must not be fitted for that."""
+    for name, ns in (("short", 12), ("long", 100)):
+        (tmp_path / f"{name}.friction").write_text(friction_logs.friction_log(ns=ns, drift=-0.002))
+    assert "left out" not in wr_fit(tmp_path / "short.friction").stdout
+    text = wr_fit(tmp_path).stdout
+    assert "[left out: no stationary part]" in text and f"[left out: the run of {tmp_path / 'long.friction'}]" in text
+
+
+def test_runs_of_other_laws_are_warned_of(tmp_path):
+    for name, change in (("a", ("", "")), ("b", ("", "")), ("c", ("lammps: 20250204", "lammps: 20260701"))):
+        text = friction_logs.friction_log(seed=ord(name), preset="A" if name == "c" else "B")
+        (tmp_path / f"{name}.friction").write_text(text.replace(*change))
+    result = wr_fit(tmp_path, "-o", tmp_path / "fit.json")
+    one_line(result, 0, "wr_fit: warning: runs that differ in laws.preset, program.lammps are taken together",
+             f"{tmp_path}/a.friction and {tmp_path}/c.friction")
+    warning = result.stderr.removeprefix("wr_fit: warning: ").strip()
+    assert f"Warning: {warning}.\n" in result.stdout
+    assert json.loads((tmp_path / "fit.json").read_text())["report"]["warning"] == warning
+    (tmp_path / "c.friction").unlink()
+    result = wr_fit(tmp_path)
+    assert result.stderr == "" and "Warning" not in result.stdout
+
+
 def test_start_and_grinding_in_can_be_given(log, tmp_path):
     wr_fit(log, "--start", 10, "--grinding-in", 5, "--points", tmp_path / "points.csv")
     assert float(read_points(tmp_path / "points.csv")[0]["t_start"]) == 10
@@ -185,10 +225,14 @@ def test_power_of_kappa3(tmp_path):
     (lambda text: text.replace("time: ns", "time: ps"), [":3: units: time: 'ps'", "'ns'"]),
     (lambda text: text[:500], ["the head is not YAML"]),
     (lambda text: text.replace("strength: 92", "strength: -92"), [":4: material: strength: '-92.0'", "> 0 (MPa)"]),
+    (lambda text: text.replace("density: 7800", "density: 1e200"), [":4: material: density: '1e200.0'"]),
+    (lambda text: text.replace("seed: 1", "seed: 1.5"), [":8: run: seed: '1.5'", "whole"]),
+    (lambda text: text.replace("{pressure", "{pressure: 20, pressure"), [":5: pressure: stands twice"]),
+    (lambda text: re.sub(r" \S+ 3456 ", " 1e308 3456 ", text), [":10: mu: '1e308' is not allowed"]),
     (lambda text: text.replace("pressure: 15", "presure: 15"), ["'presure' is unknown", "'pressure'"]),
     (lambda text: text.replace(" 3456 ", " nan ", 1), [":10: links: 'nan' is not a finite number"]),
     (lambda text: text.replace(" 3456 ", " many ", 1), [":10: links: 'many'"]),
-], ids=["empty", "version", "units", "truncated", "negative", "keyword", "nan", "text"])
+], ids=["empty", "version", "units", "truncated", "negative", "enormous", "seed", "twice", "huge mu", "keyword", "nan", "text"])
 def test_bad_log_is_one_clear_line(log, tmp_path, change, parts):
     log.write_text(change(log.read_text()))
     out = tmp_path / "out"
@@ -211,17 +255,96 @@ def test_missing_log_and_usage(tmp_path):
     one_line(wr_fit(), 2, "LOG")
     one_line(wr_fit("x", "--modle", "eq2"), 2, "--modle", "--model")
     one_line(wr_fit("x", "--model", "eq3"), 2, "eq3", "eq2")
-    one_line(wr_fit("x", "--level", "95"), 2, "--level")
     assert wr_fit("--help").returncode == 0 and "Examples:" in wr_fit("--help").stdout
 
 
-def test_unwritable_output(log, tmp_path):
-    target = tmp_path / "folder" / "law.json"
-    result = wr_fit(log, "-q", "-o", target)
-    one_line(result, 5, str(target))
+@pytest.mark.parametrize("option, value, allowed", [
+    ("--level", "95", "from 0.5 to 0.9999"), ("--level", "nan", "from 0.5 to 0.9999"),
+    ("--kappa2-min", "nan", ">= 0"), ("--kappa2-min", "inf", ">= 0"), ("--kappa3", "nan", "> 0"), ("--kappa3", "0", "> 0"),
+    ("--start", "nan", ">= 0 (ns)"), ("--start", "inf", ">= 0 (ns)"), ("--start", "-5", ">= 0 (ns)"),
+    ("--start", "abc", ">= 0 (ns)"), ("--start", "", ">= 0 (ns)"), ("--grinding-in", "nan", "> 0 (ns)"),
+    ("--grinding-in", "0", "> 0 (ns)")])
+def test_bad_option_is_one_clear_line(log, option, value, allowed):
+    one_line(wr_fit(log, option, value), 2, f"{option}: '{value}' is not allowed, must be a number {allowed}; see")
+
+
+def test_text_report_holds_no_nan(runs, log, tmp_path):
+    """What is no number is "-": errors of 3 rows, AICc of few points, grinding-in before the first row."""
+    few = tmp_path / "few"
+    friction_logs.campaign(few, velocities=(0.5, 8), strengths_and_pressures=[(92, 1), (92, 26), (200, 15)])
+    for arguments in ([log, "--start", "19.85"], [log, "--start", "0"], [few], [few, "--model", "constant"],
+                      [few / "run01", few / "run02", "--model", "constant"]):
+        text = wr_fit(*arguments).stdout
+        assert not re.search(r"\b(nan|inf)\b", text), text
+        assert re.search(r" - ", text) or re.search(r"AICc +-\n", text), text
+    assert " 99.99 % interval " in wr_fit(runs, "--level", "0.9999").stdout
+
+
+def test_constant_mu_is_stationary(tmp_path):
+    (tmp_path / "run.friction").write_text(friction_logs.friction_log(noise=0, grinding_in=0, ns=600))
+    text = wr_fit(tmp_path).stdout
+    assert "drifts" not in text and "left out" not in text and " 0.4418  0.0000 " in text
+
+
+@pytest.mark.parametrize("option", ["-o", "--points", "--plot"])
+def test_unwritable_output(log, tmp_path, option):
+    """Nothing else is written then, and nothing printed."""
     blocked = tmp_path / "blocked"
     blocked.write_text("a file, not a folder")
-    one_line(wr_fit(log, "-q", "--points", blocked / "p.csv"), 5, "blocked")
+    for target in (tmp_path / "folder" / "x", blocked / "x", tmp_path):
+        result = one_line(wr_fit(log, option, target, "--points" if option == "-o" else "-o", tmp_path / "other"), 5, str(target))
+        assert result.stdout == ""
+    assert sorted(p.name for p in tmp_path.iterdir()) == ["blocked", "run.friction"]
+
+
+@pytest.mark.parametrize("option", ["-o", "--points", "--plot"])
+def test_outputs_do_not_overwrite_logs_or_each_other(log, tmp_path, option):
+    content = log.read_bytes()
+    (tmp_path / "link").symlink_to(log)
+    for name in (log, tmp_path / "." / "run.friction", tmp_path / "link"):
+        one_line(wr_fit(log, option, name), 2, f"{option}: {name} is an input, it would be overwritten")
+        one_line(wr_fit(tmp_path, option, name), 2, option)
+    other = "--points" if option == "-o" else "-o"
+    one_line(wr_fit(log, option, "x", other, "./x", cwd=tmp_path), 2, "is the file of")
+    assert log.read_bytes() == content and sorted(p.name for p in tmp_path.iterdir()) == ["link", "run.friction"]
+
+
+@pytest.mark.parametrize("option, start", [("-o", b"{"), ("--points", b"# t_start"), ("--plot", PNG)])
+def test_a_pipe_is_written_into(log, tmp_path, option, start):
+    pipe = tmp_path / "pipe"
+    os.mkfifo(pipe)
+    with subprocess.Popen(["cat", pipe], stdout=subprocess.PIPE) as reader:
+        assert wr_fit(log, "-q", option, pipe).returncode == 0
+        assert reader.communicate(timeout=60)[0].startswith(start)
+    assert pipe.is_fifo()
+
+
+def test_a_lost_report_is_an_error(log):
+    with open("/dev/full", "w", encoding="utf-8") as full:
+        result = subprocess.run([WR_FIT, log], stdout=full, stderr=subprocess.PIPE, text=True)
+    one_line(result, 5, "standard output: cannot write: No space left on device")
+
+
+def test_what_is_no_log_is_refused(log, tmp_path):
+    """A pipe would be waited for, a link to itself leads nowhere; neither is passed over in a folder."""
+    os.mkfifo(tmp_path / "p.friction")
+    one_line(wr_fit(tmp_path / "p.friction"), 3, "p.friction: is no regular file")
+    one_line(wr_fit(tmp_path), 3, "p.friction: is no regular file")
+    (tmp_path / "p.friction").unlink()
+    (tmp_path / "l.friction").symlink_to("l.friction")
+    one_line(wr_fit(tmp_path), 3, "l.friction: is a link that leads to no file")
+
+
+def test_unreadable_folder_is_named(log):
+    """As another user where the tests run as root, whom nothing is unreadable to."""
+    with tempfile.TemporaryDirectory() as top:
+        closed = pathlib.Path(top) / "runs" / "closed"
+        closed.mkdir(parents=True)
+        os.chmod(top, 0o755)
+        closed.chmod(0)
+        result = wr_fit(top, **({"user": 65534} if os.geteuid() == 0 else {}))
+        closed.chmod(0o755)
+    one_line(result, 3, f"{closed}: cannot be searched: Permission denied")
 
 
 def test_cut_last_line_is_said(log):
@@ -235,6 +358,9 @@ def test_pictures(runs, log, tmp_path):
     assert wr_fit(runs, "-q", "--plot", tmp_path / "fit.png").returncode == 0
     assert (tmp_path / "fit.png").read_bytes().startswith(PNG)
     assert wr_fit(log, "-q", "--plot", tmp_path / "one.png", "--points", tmp_path / "p.csv").returncode == 0
+    assert (tmp_path / "one.png").read_bytes().startswith(PNG)
+    (tmp_path / "one.png").unlink()
+    assert wr_fit(log, "-q", "--plot", tmp_path / "one.png", env={**os.environ, "TMPDIR": "/missing"}).returncode == 0
     assert (tmp_path / "one.png").read_bytes().startswith(PNG)
     made = subprocess.run([TOOLS / "plot_friction.py", log, "-o", tmp_path / "mu.png", "--points", tmp_path / "p.csv"],
                           capture_output=True, text=True)

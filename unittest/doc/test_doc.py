@@ -9,6 +9,7 @@ import subprocess
 from pathlib import Path
 
 import pytest
+import yaml
 
 ROOT = Path(__file__).resolve().parents[2]
 MCA = ROOT / "src" / "MCA"
@@ -169,6 +170,11 @@ def test_friction_log():
     assert re.findall(r"^# (\w+): ", example, re.MULTILINE) == written
     for head in re.findall(r"^\| `(\w+)` \|[^|]*\|$", text, re.MULTILINE):
         assert head in written
+    shipped = (ROOT / "examples/campaign/logs/velocity/v5-seed1.friction").read_text(encoding="utf-8")
+    laws = [re.findall(r"(\w+):", re.search(r"^# laws: (.*)", log, re.MULTILINE)[1]) for log in (example, shipped)]
+    assert laws[0] == laws[1]
+    packed = re.search(r"^# (campaign: {.*})", text, re.MULTILINE)[1]
+    assert yaml.safe_load(packed)["campaign"].keys() == {"command", "rows_averaged"}
 
 
 def test_example_variables():
