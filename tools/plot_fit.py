@@ -90,8 +90,8 @@ def draw(law, rms, points, covariance, path):
         scatter(left, used, predicted(used), column(used, "mu"), **filled)
     if rest:
         scatter(left, rest, predicted(rest), column(rest, "mu"), **hollow)
-    everything = np.concatenate([predicted(points), column(points, "mu")])
-    top = 1.15 * np.nanmax(everything)
+    bars = column(points, "mu") + 1.96 * np.nan_to_num(column(points, "mu_se"))
+    top = 1.05 * np.nanmax(np.concatenate([predicted(points), bars]))
     line = np.array([0, top])
     left.plot(line, line, color="k", lw=1)
     left.fill_between(line, (1 - shown_rms) * line, (1 + shown_rms) * line, color="C1", alpha=0.25, lw=0,

@@ -8,11 +8,12 @@ Each frame of the file (fix ave/chunk of examples/friction/in.friction) is a mea
 Depth: height over which the mean velocity rises from 10 to 90 % of the top row's. Mixing: height over
 which the share of automata of the upper block rises from 10 to 90 %; mean square displacement along y
 in the layer since the beginning. Linked: mean number of links of an automaton in the layer, over 6.
-Times are those of the ends of the frames in units of steps unless --step gives the step.
+Times are those of the ends of the frames. Mixing is - where the share does not pass both levels.
 Exit codes: 0 ok, 1 no matplotlib, 2 usage, 3 bad input file, 5 a file cannot be written.
 """
 import argparse
 import csv
+import math
 import os
 import sys
 
@@ -137,7 +138,8 @@ def show(table):
     """Prints a row for each frame."""
     print(f"{'step':>9} {'centre':>8} {'depth':>7} {'mixed':>7} {'displ.^2':>9} {'linked':>7}")
     for row in table:
-        print(f"{row['step']:9d} {row['centre']:8.3f} {row['depth']:7.3f} {row['mixed']:7.3f} "
+        mixed = "-" if math.isnan(row["mixed"]) else f"{row['mixed']:.3f}"
+        print(f"{row['step']:9d} {row['centre']:8.3f} {row['depth']:7.3f} {mixed:>7} "
               f"{row['displacement2']:9.3f} {row['linked']:7.3f}")
     sys.stdout.flush()
 

@@ -13,6 +13,8 @@ PAPER_DEPTH = 10.0          # nm, of the quasi-liquid layer
 ROWS, ROUGHNESS = 32, 3.25  # of the blocks of all other plans; the roughness in nm
 TIMES = ((50, 100), (100, 200), (200, 400))             # ns
 LONG_TIMES = ((25, 50), *TIMES, (400, 600))             # ns
+HIGH_TIMES = (*TIMES, (400, 600), (600, 1200))          # ns
+LOADS = (0, 0.05, 0.1, 0.15, 0.2, 0.5)  # p/sigma_0, between which runs are taken together
 AGED, BLOCK, FAST = 100, 25, 4  # ns from which mu ~ t^n is fitted, to means over so many ns; m/s
 
 
@@ -95,11 +97,10 @@ def fig3(report, picture):
             values.append(one)
         rows.append([f"viscosity {value:g} Pa s", f"{PAPER_DEPTH * value / 0.41:.1f}", *cells])
     right.errorbar(eta, depth, yerr=1.96 * np.array(error), fmt="o", capsize=2, label="our runs, 95 %")
-    if eta:
+    if len(eta) > 1:
         line = np.array([min(eta), max(eta)])
         right.plot(line, PAPER_DEPTH * line / 0.41, "k--", lw=1, label="in proportion (paper: roughly)")
-        exponent = np.polyfit(np.log(eta), np.log(depth), 1)[0] if len(eta) > 1 else math.nan
-        slope = np.polyfit(np.log(eta), np.log(mu), 1)[0] if len(eta) > 1 else math.nan
+        exponent, slope = (np.polyfit(np.log(eta), np.log(y), 1)[0] for y in (depth, mu))
         rows.append(["exponent of depth ~ eta^n", "about 1", f"{exponent:.2f}", f"of mu (paper: 0) {slope:.2f}"])
     right.set(xlabel="viscosity $\\eta$ (Pa s)", ylabel="depth of the layer (nm)", xscale="log", yscale="log")
     right.set_xticks(eta, [f"{value:.2g}" for value in eta])
@@ -126,6 +127,8 @@ def power_of_time(series):
     for time, y in series:
         edges = np.arange(AGED, time[-1] * (1 + 1e-9), BLOCK) * (1 + 1e-9)
         points += [(0.5 * (low + high), y[(time > low) & (time <= high)].mean()) for low, high in zip(edges, edges[1:])]
+    if not all(y > 0 for _, y in points):
+        raise Missing(f"a mean over {BLOCK} ns is not above 0: no power of time")
     (n, factor), covariance = np.polyfit(*np.log(points).T, 1, cov=True)
     return n, math.sqrt(covariance[0, 0]), math.exp(factor)
 
@@ -136,38 +139,67 @@ def power_text(fit):
 
 
 def height(report, picture):
-    """Depth of the layer (nm) and mu in times that double, and their powers of time, for each number of rows."""
-    figure, (left, right) = pyplot.subplots(1, 2, figsize=(10, 4.2), constrained_layout=True)
+    """Depth of the layer (nm), links of an automaton in it (over 6) and mu in times (ns) that double, and their powers of time, for
+    each pressure (MPa) and number of rows."""
+    panels = {"depth, nm": ("depth of the layer (nm), 10 to 90 % of $v$", 1, 2, depth_series),
+              "links/6": ("links of an automaton in the layer, over 6", 3, 2, lambda runs: [(f.time, f.linked) for _, f in runs]),
+              "mu": ("$\\mu$", 3, 8, lambda runs: friction_series(p for p, _ in runs))}
+    figure, every = pyplot.subplots(1, 3, figsize=(12, 4.2), constrained_layout=True)
     points = [p for p in report["report"]["points"] if roughness_of(p) in (None, ROUGHNESS)]
-    lines = []
-    for k, (rows, members) in enumerate(groups(with_layers(points), lambda x: rows_of(x[0])).items()):
-        if shortest(members) < TIMES[-1][1]:
-            raise Missing(f"runs of {rows} rows end at {shortest(members):g} ns, {TIMES[-1][1]} are needed")
-        for number, (_, found) in enumerate(members):
-            left.plot(found.time, found.depth, f"C{k}", lw=1.2, label=None if number else f"{rows} rows")
-        depths, logs = depth_series(members), friction_series(p for p, _ in members)
-        depth, mu = ([layer.window(series, *ends, blocks) for ends in TIMES] for series, blocks in ((depths, 2), (logs, 8)))
-        for name, series, values, digits in (("depth, nm", depths, depth, 1), ("mu", logs, mu, 3)):
-            cells = [f"{value:.{digits}f} +- {error:.{digits}f}" for value, error in values]
-            lines.append([f"{name}, {rows} rows", *cells, power_text(power_of_time(series))])
-        value, error = np.array(mu).T
-        right.errorbar(np.mean(TIMES, axis=1) * (1 + 0.03 * (k - 1)), value, yerr=1.96 * error, fmt=f"C{k}o", capsize=2,
-                       label=f"{rows} rows, 95 %")
-    left.set(xlabel="time (ns)", ylabel="depth of the layer (nm), 10 to 90 % of $v$", xlim=(0, TIMES[-1][1]), ylim=(0, None))
-    right.set(xlabel="time (ns)", ylabel="$\\mu$", xlim=(0, TIMES[-1][1]))
-    for axes in (left, right):
+    cases = groups(with_layers(points), lambda x: (x[0]["pressure"], rows_of(x[0])))
+    rows = []
+    for axes, (name, (label, digits, blocks, series_of)) in zip(every, panels.items()):
+        for k, ((pressure, number), members) in enumerate(cases.items()):
+            case, end, series = f"{number} rows, {pressure:g} MPa", shortest(members) * (1 + 1e-9), series_of(members)
+            if end < 2 * AGED:
+                raise Missing(f"runs of {case} end at {end:g} ns, {2 * AGED} are needed")
+            low, high, mean, error = np.array([(*ends, *layer.window(series, *ends, blocks)) for ends in HIGH_TIMES if ends[1] <= end]).T
+            cells = [f"{value:.{digits}f} +- {its:.{digits}f}" for value, its in zip(mean, error)]
+            rows.append([f"{name}, {case}", *cells, *[""] * (len(HIGH_TIMES) - len(cells)), power_text(power_of_time(series))])
+            axes.errorbar(np.sqrt(low * high) * 1.02**(k - 2), mean, yerr=1.96 * error, fmt=f"C{k}o-", lw=0.8, ms=4, capsize=2, label=case)
+        axes.set(xlabel="time (ns)", ylabel=label, xscale="log")
+        axes.set_xticks([100, 300, 1000], ["100", "300", "1000"])
+        axes.minorticks_off()
         axes.grid(alpha=0.3)
-        axes.legend(fontsize=9)
+    every[0].legend(fontsize=9)
     save(figure, picture)
-    lines.sort(key=lambda cells: cells[0].startswith("mu"))
-    return table(["", *(f"{begin} to {end} ns" for begin, end in TIMES), f"~ t^n from {AGED} ns"], lines)
+    return table(["", *(f"{low} to {high} ns" for low, high in HIGH_TIMES), f"~ t^n from {AGED} ns"], rows)
+
+
+def by_load(points, axes):
+    """Rows of n of mu ~ t^n, mean over the runs (weights 1/s.e.^2) between loads p/sigma_0; draws the runs whose n is known to 0.1."""
+    found = []
+    for point in points:
+        (time, mu), = friction_series([point])
+        if time[-1] < 2 * AGED:
+            raise Missing(f"{run_name(point)} ends at {time[-1]:g} ns, {2 * AGED} are needed")
+        found.append((point["pressure"] / point["strength"], *power_of_time([(time, mu)])[:2]))
+    load, n, error = np.array(found).T
+    known = error < 0.1
+    axes.errorbar(load[known], n[known], yerr=1.96 * error[known], fmt="o", ms=3, lw=0.8, color="0.6", label="runs known to 0.1, 95 %")
+    rows = []
+    for low, high in zip(LOADS, LOADS[1:]):
+        inside = (low < load) & (load <= high)
+        if not inside.any():
+            continue
+        weight = error[inside]**-2
+        mean = np.average(n[inside], weights=weight)
+        chi2 = np.sum(weight * (n[inside] - mean)**2) / max(1, inside.sum() - 1)
+        its = math.sqrt(max(1, chi2) / weight.sum())
+        axes.errorbar(load[inside].mean(), mean, yerr=1.96 * its, fmt="C1s", capsize=3, label=None if rows else "their mean")
+        rows.append([f"{low:g} to {high:g}", str(inside.sum()), f"{mean:+.3f} +- {its:.3f}", f"{chi2:.1f}"])
+    axes.axhline(0, color="k", ls="--", lw=1)
+    axes.set(xlim=(0, None), xlabel="$p/\\sigma_0$", ylabel=f"n of $\\mu \\sim t^n$ from {AGED} ns on", ylim=(-0.3, 0.3))
+    return rows
 
 
 def ageing(report, picture):
-    """mu in times (ns) that double, and n of mu ~ t^n: at each velocity (m/s), which are drawn, and at each pressure (MPa)."""
-    figure, axes = pyplot.subplots(figsize=(7.5, 4.6), constrained_layout=True)
-    rows, fast = [], []
-    cases = groups(report["report"]["points"], lambda p: (run_name(p).startswith("p"), p["velocity"], p["pressure"]))
+    """mu in times (ns) that double, and n of mu ~ t^n: at each velocity (m/s), which are drawn, and at each pressure (MPa); n against
+    the load of all runs."""
+    figure, (axes, right) = pyplot.subplots(1, 2, figsize=(11, 4.6), constrained_layout=True)
+    points, rows, fast = report["report"]["points"], [], []
+    of_steel = [p for p in points if run_name(p)[0] in "vp"]  # of `velocity` and `pressure`
+    cases = groups(of_steel, lambda p: (run_name(p).startswith("p"), p["velocity"], p["pressure"]))
     for k, ((of_pressures, velocity, pressure), members) in enumerate(cases.items()):
         case, series = f"{velocity:g} m/s, {pressure:g} MPa", friction_series(members)
         end = min(time[-1] for time, _ in series)
@@ -189,13 +221,16 @@ def ageing(report, picture):
     axes.set_xticks([30, 100, 300], ["30", "100", "300"])
     axes.set_yticks([0.3, 0.35, 0.4, 0.45, 0.5], ["0.3", "0.35", "0.4", "0.45", "0.5"])
     axes.minorticks_off()
-    axes.grid(alpha=0.3)
-    axes.legend(fontsize=9, ncols=2)
     if not fast:
         raise Missing(f"no run of the plan velocity at {FAST} m/s or above")
+    loads = by_load(points, right)
+    for of_both, columns in ((axes, 2), (right, 1)):
+        of_both.grid(alpha=0.3)
+        of_both.legend(fontsize=9, ncols=columns)
     save(figure, picture)
     lines = table(["mu", *(f"{low} to {high} ns" for low, high in LONG_TIMES), f"mu ~ t^n from {AGED} ns"], rows)
     n, error = np.array(fast).T
     mean, mean_error = np.average(n, weights=error**-2), math.sqrt(1 / np.sum(error**-2))
-    return [*lines, f"{FAST:g} m/s and above, 15 MPa: n = {mean:+.3f} +- {mean_error:.3f}, mu changes by "
-                    f"{100 * (2**mean - 1):+.1f} +- {100 * math.log(2) * mean_error:.1f} % when the time doubles"]
+    return [*lines, "", *table(["all materials: p/sigma_0", "runs", "mean n", "chi^2 a run"], loads), "",
+            f"{FAST:g} m/s and above, 15 MPa: n = {mean:+.3f} +- {mean_error:.3f}, mu changes by "
+            f"{100 * (2**mean - 1):+.1f} +- {100 * math.log(2) * mean_error:.1f} % when the time doubles"]

@@ -1,4 +1,4 @@
-"""Depth of the sliding layer of a run, from the profile beside its friction log."""
+"""The sliding layer of a run, from the profile beside its friction log."""
 import dataclasses
 import math
 import os
@@ -11,9 +11,10 @@ import plot_layer
 
 @dataclasses.dataclass
 class Layer:
-    """Depth (nm) of the layer at the ends of the frames (ns)."""
+    """Depth (nm) of the layer and links of an automaton in it (over 6) at the ends of the frames (ns)."""
     time: np.ndarray
     depth: np.ndarray
+    linked: np.ndarray
 
 
 def _step(log):
@@ -29,7 +30,8 @@ def read(log):
     if not os.path.exists(profile):
         return None
     measures = [plot_layer.measure(*frame) for frame in plot_layer.read_frames(profile)]
-    return Layer(np.array([m["step"] * _step(log) for m in measures]), np.array([m["depth"] for m in measures]))
+    step, depth, linked = (np.array([m[key] for m in measures]) for key in ("step", "depth", "linked"))
+    return Layer(step * _step(log), depth, linked)
 
 
 def window(series, begin, end, blocks):

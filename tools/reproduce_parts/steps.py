@@ -80,6 +80,10 @@ def corrected(report, picture):
           groups(points, lambda p: (steps_of(p["file"]), p["velocity"], step_of(p["file"]))).items()}
     steps = sorted({step for _, _, step in mu}, reverse=True)
     shown = [v for v in sorted({v for _, v, _ in mu}) if sum(("corrected", v, step) in mu for step in steps) > 1]
+    eq2 = {p["velocity"]: p["mu_eq2"] for p in points}
+    both = [v for v in eq2 if all((law, v, usual) in mu for law in laws)]
+    if not both or not shown:
+        raise Missing(f"no velocity with both laws at {1e6 * usual:g} fs, or none with `steps corrected` at two steps")
 
     def text(law, velocity, step):
         return "{:.3f} +- {:.3f}".format(*mu[law, velocity, step]) if (law, velocity, step) in mu else ""
@@ -90,10 +94,8 @@ def corrected(report, picture):
         for marker, v in zip("osD", shown):
             rows.append([f"{v:g} m/s, {law}", *(text(law, v, step) for step in steps)])
             known = [(1e6 * step, *mu[law, v, step]) for step in steps if (law, v, step) in mu]
-            x, value, error = np.array(known).T
+            x, value, error = np.array(known).reshape(-1, 3).T
             left.errorbar(x, value, yerr=1.96 * error, fmt=f"C{k}{marker}-", lw=0.8, capsize=2, label=f"{v:g} m/s, {law}")
-    eq2 = {p["velocity"]: p["mu_eq2"] for p in points}
-    both = [v for v in eq2 if all((law, v, usual) in mu for law in laws)]
     velocities = []
     for k, law in enumerate(laws):
         x, value, error = np.array([(v, *mu[law, v, usual]) for v in sorted(both)]).T
