@@ -264,7 +264,7 @@ def test_missing_runs_are_one_clear_line(tmp_path):
         return 4, 6
     for name in ("roughness", "viscosity"):
         profiles(*logs(tmp_path, name), still)
-    for name in ("velocity", "pressure"):
+    for name in ("velocity", "pressure", "collapse10", "paper36"):
         logs(tmp_path, name)
     for pattern in ("roughness/roughness3.25-*", "velocity/v[!123]-*", "velocity/v10-*"):
         for log in (tmp_path / "logs").glob(pattern):
