@@ -37,7 +37,7 @@ def main():
             kept = [line for line in file.read().split("\n")[:-1] if not line[:1].isdigit() or int(line.split()[0]) <= step]
     else:
         kept = [friction_logs.HEAD.format(E=var["E"], rho=float(var["rho"]) * 1e6, p=var["p"], v=var["v"],
-                                          strength=var["strength"], seed=var["seed"]).rstrip("\n")]
+                                          strength=var["strength"], seed=var["seed"], preset="B").rstrip("\n")]
     with open(var["log"], "w", encoding="utf-8") as file:
         file.write("\n".join(kept) + "\n")
     number = step // checkpoint
