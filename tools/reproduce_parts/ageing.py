@@ -10,7 +10,7 @@ from . import layer
 from .common import Missing, groups, run_name, save, table
 
 PAPER_DEPTH = 10.0          # nm, of the quasi-liquid layer
-ROWS, ROUGHNESS = 32, 3.25  # of the blocks of all other plans; the roughness in nm
+ROWS, ROUGHNESS, USUAL_VELOCITY = 32, 3.25, 5  # of the blocks of most plans; nm, m/s
 TIMES = ((50, 100), (100, 200), (200, 400))             # ns
 LONG_TIMES = ((25, 50), *TIMES, (400, 600))             # ns
 HIGH_TIMES = (*TIMES, (400, 600), (600, 1200))          # ns
@@ -140,12 +140,12 @@ def power_text(fit):
 
 def height(report, picture):
     """Depth of the layer (nm), links of an automaton in it (over 6) and mu in times (ns) that double, and their powers of time, for
-    each pressure (MPa) and number of rows."""
+    each pressure (MPa) and number of rows, at the usual velocity."""
     panels = {"depth, nm": ("depth of the layer (nm), 10 to 90 % of $v$", 1, 2, depth_series),
               "links/6": ("links of an automaton in the layer, over 6", 3, 2, lambda runs: [(f.time, f.linked) for _, f in runs]),
               "mu": ("$\\mu$", 3, 8, lambda runs: friction_series(p for p, _ in runs))}
     figure, every = pyplot.subplots(1, 3, figsize=(12, 4.2), constrained_layout=True)
-    points = [p for p in report["report"]["points"] if roughness_of(p) in (None, ROUGHNESS)]
+    points = [p for p in report["report"]["points"] if roughness_of(p) in (None, ROUGHNESS) and p["velocity"] == USUAL_VELOCITY]
     cases = groups(with_layers(points), lambda x: (x[0]["pressure"], rows_of(x[0])))
     rows = []
     for axes, (name, (label, digits, blocks, series_of)) in zip(every, panels.items()):

@@ -240,10 +240,11 @@ def convergence(report, picture):
 FIGURES = {
     "fig3": Figure("Fig. 3: depth of the sliding layer (N1)", ["roughness", "viscosity"], ageing.fig3),
     "height": Figure("Depth of the layer, links in it and mu against the height of the blocks and the pressure",
-                     ["roughness", "height"], ageing.height),
+                     ["roughness", "height", "low"], ageing.height),
     "ageing": Figure("Ageing: mu against time", ["velocity", "pressure", "collapse10", "paper36"], ageing.ageing),
     "fig4": Figure("Fig. 4: friction stress against pressure (N2)", ["pressure"], fig4, ["--grinding-in", "100", *START]),
     "fig6": Figure(f"Fig. 6: mu against velocity, {FROM} (N3)", ["velocity"], fig6, START),
+    "low": Figure(f"mu against velocity in blocks of 10 rows, {FROM}", ["low"], fig6, START),
     "collapse": Figure(f"Equal kappa1 and kappa2, {FROM} (N4)", ["collapse10"], collapse, START),
     "fig7": Figure(f"Figs. 7 and 8: the law, {FROM} (N5, N6)", ["paper36"], fig7, START),
     "steel": Figure(f"The law of one material, E = 206 GPa and sigma_0 = 92 MPa, {FROM}", ["velocity", "pressure"], fig7,

@@ -181,7 +181,7 @@ def test_height_of_the_blocks(tmp_path):
     def layer(run, part):
         half = (4.4 if run.values["rows"] == 48 else 2.2) * part**0.5
         return 4.5 - half, 4.5 + half
-    for name in ("roughness", "height"):
+    for name in ("roughness", "height", "low"):
         profiles(*logs(tmp_path, name, lambda run: 1.1 if run.values["rows"] == 48 else 1.0, ns=400), layer, steps=8000000)
     text = made(tmp_path, "height", reproduce(tmp_path, "height"))
     depths = [line(text, f"depth, nm, {rows} rows, 15 MPa") for rows in (16, 24, 32, 48)]
