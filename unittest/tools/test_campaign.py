@@ -472,7 +472,7 @@ def test_step_follows_the_material():
     assert dt(dt=1e-5) == 1e-5
 
 
-SHIPPED = {"paper36": 36, "collapse10": 10, "velocity": 1, "pressure": 1, "viscosity": 1, "roughness": 3, "height": 6,
+SHIPPED = {"paper36": 36, "collapse10": 10, "velocity": 1, "pressure": 1, "viscosity": 1, "roughness": 3, "height": 8, "low": 12,
            "smoke": 1, "variants": 48, "convergence": 1, "timestep": 59, "corrected": 26}
 
 
