@@ -167,13 +167,15 @@ def height(report, picture):
 
 
 def by_load(points, axes):
-    """Rows of n of mu ~ t^n, mean over the runs (weights 1/s.e.^2) between loads p/sigma_0; draws the runs whose n is known to 0.1."""
+    """Rows of n of mu ~ t^n, the mean over the runs between loads p/sigma_0 (weights 1/s.e.^2, its standard error widened by a
+    reduced chi^2 above 1); draws the runs whose n is known to 0.1."""
     found = []
     for point in points:
-        (time, mu), = friction_series([point])
-        if time[-1] < 2 * AGED:
-            raise Missing(f"{run_name(point)} ends at {time[-1]:g} ns, {2 * AGED} are needed")
-        found.append((point["pressure"] / point["strength"], *power_of_time([(time, mu)])[:2]))
+        series = friction_series([point])
+        end = series[0][0][-1]
+        if end < 2 * AGED:
+            raise Missing(f"{run_name(point)} ends at {end:g} ns, {2 * AGED} are needed")
+        found.append((point["pressure"] / point["strength"], *power_of_time(series)[:2]))
     load, n, error = np.array(found).T
     known = error < 0.1
     axes.errorbar(load[known], n[known], yerr=1.96 * error[known], fmt="o", ms=3, lw=0.8, color="0.6", label="runs known to 0.1, 95 %")
@@ -184,10 +186,10 @@ def by_load(points, axes):
             continue
         weight = error[inside]**-2
         mean = np.average(n[inside], weights=weight)
-        chi2 = np.sum(weight * (n[inside] - mean)**2) / max(1, inside.sum() - 1)
-        its = math.sqrt(max(1, chi2) / weight.sum())
+        reduced = np.sum(weight * (n[inside] - mean)**2) / max(1, inside.sum() - 1)
+        its = math.sqrt(max(1, reduced) / weight.sum())
         axes.errorbar(load[inside].mean(), mean, yerr=1.96 * its, fmt="C1s", capsize=3, label=None if rows else "their mean")
-        rows.append([f"{low:g} to {high:g}", str(inside.sum()), f"{mean:+.3f} +- {its:.3f}", f"{chi2:.1f}"])
+        rows.append([f"{low:g} to {high:g}", str(inside.sum()), f"{mean:+.3f} +- {its:.3f}", f"{reduced:.1f}"])
     axes.axhline(0, color="k", ls="--", lw=1)
     axes.set(xlim=(0, None), xlabel="$p/\\sigma_0$", ylabel=f"n of $\\mu \\sim t^n$ from {AGED} ns on", ylim=(-0.3, 0.3))
     return rows
@@ -231,6 +233,6 @@ def ageing(report, picture):
     lines = table(["mu", *(f"{low} to {high} ns" for low, high in LONG_TIMES), f"mu ~ t^n from {AGED} ns"], rows)
     n, error = np.array(fast).T
     mean, mean_error = np.average(n, weights=error**-2), math.sqrt(1 / np.sum(error**-2))
-    return [*lines, "", *table(["all materials: p/sigma_0", "runs", "mean n", "chi^2 a run"], loads), "",
+    return [*lines, "", *table(["all materials: p/sigma_0", "runs", "mean n", "reduced chi^2"], loads), "",
             f"{FAST:g} m/s and above, 15 MPa: n = {mean:+.3f} +- {mean_error:.3f}, mu changes by "
             f"{100 * (2**mean - 1):+.1f} +- {100 * math.log(2) * mean_error:.1f} % when the time doubles"]
