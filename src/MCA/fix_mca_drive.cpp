@@ -132,6 +132,26 @@ double FixMCADrive::height() const
   return all[0] / all[1];
 }
 
+/* automata of others whose centres are higher than the highest of the layer */
+
+bigint FixMCADrive::count_above() const
+{
+  const auto height_of = [this](int i) {
+    double unwrapped[3];
+    domain->unmap(atom->x[i], atom->image[i], unwrapped);
+    return unwrapped[1];
+  };
+  double own = -INFINITY, top;
+  for (const int i : members)
+    own = std::max(own, height_of(i));
+  MPI_Allreduce(&own, &top, 1, MPI_DOUBLE, MPI_MAX, world);
+  bigint part = 0, all;
+  for (int i = 0; i < atom->nlocal; i++)
+    part += !(atom->mask[i] & groupbit) && height_of(i) > top;
+  MPI_Allreduce(&part, &all, 1, MPI_LMP_BIGINT, MPI_SUM, world);
+  return all;
+}
+
 void FixMCADrive::setup_post_neighbor()
 {
   post_neighbor();
@@ -191,6 +211,7 @@ void FixMCADrive::setup(int vflag)
       error->all(FLERR, "Fix mca/drive: {}", comm->me == 0 ? problem : "see rank 0");
   }
   begun = true;
+  above = count_above();
   // a layer that moves already keeps its velocity to the last bit
   double range[2] = {-INFINITY, -INFINITY}, all_range[2]; // of -v_y, v_y
   for (const int i : members)
@@ -283,6 +304,12 @@ void FixMCADrive::write_row()
   MPI_Bcast(&failed, 1, MPI_INT, 0, world);
   if (failed)
     error->all(FLERR, "Fix mca/drive: cannot append to friction log {}", path);
+  if (const bigint now = count_above(); now > above) {
+    if (comm->me == 0)
+      error->warning(FLERR, "Fix mca/drive: {} automata left the fragment through the driven layer: drive more rows",
+                     now - above);
+    above = now;
+  }
   shear_sum = normal_sum = samples = 0.0;
   broken_before = all.broken;
   formed_before = all.formed;

@@ -57,10 +57,12 @@ class FixMCADrive : public Fix {
   double work, shear_sum, normal_sum;  // this rank's parts, the sums since the last row
   double samples;                      // since the last row
   double broken_before, formed_before; // events until the last row
+  bigint above;                        // automata above the layer that are known of
 
   double evaluate(Setting &);
   Setting parse_setting(const char *keyword, const char *word);
   double height() const;
+  bigint count_above() const;
   void write_row();
   struct Totals { // of all ranks
     double links, broken, formed, work, shear_sum, normal_sum;

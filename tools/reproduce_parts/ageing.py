@@ -7,13 +7,12 @@ from matplotlib import pyplot
 
 import plot_friction
 from . import layer
-from .common import Missing, groups, run_name, save, table
+from .common import Missing, groups, head_of, run_name, save, table
 
 PAPER_DEPTH = 10.0          # nm, of the quasi-liquid layer
-ROWS, ROUGHNESS, USUAL_VELOCITY = 32, 3.25, 5  # of the blocks of most plans; nm, m/s
-TIMES = ((50, 100), (100, 200), (200, 400))             # ns
-LONG_TIMES = ((25, 50), *TIMES, (400, 600))             # ns
-HIGH_TIMES = (*TIMES, (400, 600), (600, 1200))          # ns
+ROUGHNESS = 3.25  # nm, of the blocks of most plans
+TIMES = ((25, 50), (50, 100), (100, 200), (200, 300), (300, 600))         # ns
+HIGH_TIMES = ((50, 100), (100, 200), (200, 400), (400, 600), (600, 1200))  # ns
 LOADS = (0, 0.05, 0.1, 0.15, 0.2, 0.5)  # p/sigma_0, between which runs are taken together
 AGED, BLOCK, FAST = 100, 25, 4  # ns from which mu ~ t^n is fitted, to means over so many ns; m/s
 
@@ -114,9 +113,9 @@ def fig3(report, picture):
 
 
 def rows_of(point):
-    """Rows of automata of a run: 24 of rows24-seed1."""
-    found = re.match("rows([0-9]+)", run_name(point))
-    return int(found[1]) if found else ROWS
+    """Rows of automata of a run, from the head of its log."""
+    size = head_of(point["file"])["geometry"]
+    return round(size["automata"] * size["diameter"] / size["width"])
 
 
 def power_of_time(series):
@@ -140,12 +139,12 @@ def power_text(fit):
 
 def height(report, picture):
     """Depth of the layer (nm), links of an automaton in it (over 6) and mu in times (ns) that double, and their powers of time, for
-    each pressure (MPa) and number of rows, at the usual velocity."""
+    each pressure (MPa) and number of rows."""
     panels = {"depth, nm": ("depth of the layer (nm), 10 to 90 % of $v$", 1, 2, depth_series),
               "links/6": ("links of an automaton in the layer, over 6", 3, 2, lambda runs: [(f.time, f.linked) for _, f in runs]),
               "mu": ("$\\mu$", 3, 8, lambda runs: friction_series(p for p, _ in runs))}
     figure, every = pyplot.subplots(1, 3, figsize=(12, 4.2), constrained_layout=True)
-    points = [p for p in report["report"]["points"] if roughness_of(p) in (None, ROUGHNESS) and p["velocity"] == USUAL_VELOCITY]
+    points = [p for p in report["report"]["points"] if roughness_of(p) in (None, ROUGHNESS)]
     cases = groups(with_layers(points), lambda x: (x[0]["pressure"], rows_of(x[0])))
     rows = []
     for axes, (name, (label, digits, blocks, series_of)) in zip(every, panels.items()):
@@ -168,15 +167,15 @@ def height(report, picture):
 
 def by_load(points, axes):
     """Rows of n of mu ~ t^n, the mean over the runs between loads p/sigma_0 (weights 1/s.e.^2, its standard error widened by a
-    reduced chi^2 above 1); draws the runs whose n is known to 0.1."""
+    reduced chi^2 above 1), and of how many of them wr_fit finds no stationary part; draws the runs whose n is known to 0.1."""
     found = []
     for point in points:
         series = friction_series([point])
         end = series[0][0][-1]
         if end < 2 * AGED:
             raise Missing(f"{run_name(point)} ends at {end:g} ns, {2 * AGED} are needed")
-        found.append((point["pressure"] / point["strength"], *power_of_time(series)[:2]))
-    load, n, error = np.array(found).T
+        found.append((point["pressure"] / point["strength"], *power_of_time(series)[:2], point["t_start"] is None))
+    load, n, error, drifting = np.array(found).T
     known = error < 0.1
     axes.errorbar(load[known], n[known], yerr=1.96 * error[known], fmt="o", ms=3, lw=0.8, color="0.6", label="runs known to 0.1, 95 %")
     rows = []
@@ -189,7 +188,7 @@ def by_load(points, axes):
         reduced = np.sum(weight * (n[inside] - mean)**2) / max(1, inside.sum() - 1)
         its = math.sqrt(max(1, reduced) / weight.sum())
         axes.errorbar(load[inside].mean(), mean, yerr=1.96 * its, fmt="C1s", capsize=3, label=None if rows else "their mean")
-        rows.append([f"{low:g} to {high:g}", str(inside.sum()), f"{mean:+.3f} +- {its:.3f}", f"{reduced:.1f}"])
+        rows.append([f"{low:g} to {high:g}", str(inside.sum()), f"{mean:+.3f} +- {its:.3f}", f"{reduced:.1f}", f"{drifting[inside].sum():.0f}"])
     axes.axhline(0, color="k", ls="--", lw=1)
     axes.set(xlim=(0, None), xlabel="$p/\\sigma_0$", ylabel=f"n of $\\mu \\sim t^n$ from {AGED} ns on", ylim=(-0.3, 0.3))
     return rows
@@ -207,9 +206,9 @@ def ageing(report, picture):
         end = min(time[-1] for time, _ in series)
         if end < 2 * AGED:
             raise Missing(f"runs at {case} end at {end:g} ns, {2 * AGED} are needed")
-        found = [(low, high, *layer.window(series, low, high, 8)) for low, high in LONG_TIMES if high <= end]
+        found = [(low, high, *layer.window(series, low, high, 8)) for low, high in TIMES if high <= end]
         n, error, factor = fit = power_of_time(series)
-        cells = [f"{mu:.3f} +- {mu_error:.3f}" for _, _, mu, mu_error in found] + [""] * (len(LONG_TIMES) - len(found))
+        cells = [f"{mu:.3f} +- {mu_error:.3f}" for _, _, mu, mu_error in found] + [""] * (len(TIMES) - len(found))
         rows.append([case, *cells, power_text(fit)])
         if of_pressures:
             continue
@@ -230,9 +229,9 @@ def ageing(report, picture):
         of_both.grid(alpha=0.3)
         of_both.legend(fontsize=9, ncols=columns)
     save(figure, picture)
-    lines = table(["mu", *(f"{low} to {high} ns" for low, high in LONG_TIMES), f"mu ~ t^n from {AGED} ns"], rows)
+    lines = table(["mu", *(f"{low} to {high} ns" for low, high in TIMES), f"mu ~ t^n from {AGED} ns"], rows)
     n, error = np.array(fast).T
     mean, mean_error = np.average(n, weights=error**-2), math.sqrt(1 / np.sum(error**-2))
-    return [*lines, "", *table(["all materials: p/sigma_0", "runs", "mean n", "reduced chi^2"], loads), "",
+    return [*lines, "", *table(["all materials: p/sigma_0", "runs", "mean n", "reduced chi^2", "drifting (wr_fit)"], loads), "",
             f"{FAST:g} m/s and above, 15 MPa: n = {mean:+.3f} +- {mean_error:.3f}, mu changes by "
             f"{100 * (2**mean - 1):+.1f} +- {100 * math.log(2) * mean_error:.1f} % when the time doubles"]

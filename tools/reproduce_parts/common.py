@@ -1,8 +1,10 @@
 """What the figures share: texts, means over seeds, files that appear whole."""
+import itertools
 import math
 import os
 
 import numpy as np
+import yaml
 from matplotlib import pyplot
 
 
@@ -28,6 +30,12 @@ def run_name(point):
     """Name of the run that a log belongs to: of its folder, or of the packed file."""
     folder, name = os.path.split(point["file"])
     return os.path.basename(folder) if name == "run.friction" else name.removesuffix(".friction")
+
+
+def head_of(log):
+    """What a friction log says of its run, by the names in its head."""
+    with open(log, encoding="utf-8") as file:
+        return yaml.safe_load("".join(line[2:] for line in itertools.takewhile(lambda line: line.startswith("#"), file)))
 
 
 def table(head, rows):

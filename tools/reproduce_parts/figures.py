@@ -12,7 +12,7 @@ from .common import Missing, groups, mean_of, percent, run_name, save, scatter_o
 
 PAPER = plot_fit.PAPER
 PAPER_COLLAPSE = 0.035  # scatter of ten runs at equal kappas
-START = ["--start", "200"]  # ns; the runs are of 280 to 800 ns
+START = ["--start", "200"]  # ns; most runs are of 300 ns, the longest of 800
 FROM = f"from {START[1]} ns on"
 STEEL = 2239            # kappa3 = E/sigma_0 of the paper's weakest steel, 206 GPa over 92 MPa
 
@@ -233,26 +233,30 @@ def convergence(report, picture):
             rows.append([f"{strength:g} MPa: {name}", str(len(sizes[name])), f"{mu:.3f} +- {error:.3f}",
                          "" if name == "base" else f"{percent(mu, base[0])} ({difference:+.1f} s.e.)", depth])
             labels.append(f"{strength:g} MPa: {name}"), values.append(mu / base[0]), errors.append(error / base[0])
-    dots(labels, values, errors, picture, "$\\mu/\\mu$(base)", [(1, dict(color="k", ls="--"), "base: 40 across, 32 rows, 1 held")])
+    dots(labels, values, errors, picture, "$\\mu/\\mu$(base)", [(1, dict(color="k", ls="--"), "base: 40 across, 10 rows, 1 held")])
     return table(["", "runs", "mu", "against base", "depth, nm"], rows)
 
 
 FIGURES = {
     "fig3": Figure("Fig. 3: depth of the sliding layer (N1)", ["roughness", "viscosity"], ageing.fig3),
-    "height": Figure("Depth of the layer, links in it and mu against the height of the blocks and the pressure",
-                     ["roughness", "height", "low"], ageing.height),
-    "ageing": Figure("Ageing: mu against time", ["velocity", "pressure", "collapse10", "paper36"], ageing.ageing),
     "fig4": Figure("Fig. 4: friction stress against pressure (N2)", ["pressure"], fig4, ["--grinding-in", "100", *START]),
     "fig6": Figure(f"Fig. 6: mu against velocity, {FROM} (N3)", ["velocity"], fig6, START),
-    "low": Figure(f"mu against velocity in blocks of 10 rows, {FROM}", ["low"], fig6, START),
+    "ageing": Figure("Ageing: mu against time", ["velocity", "pressure", "collapse10", "paper36"], ageing.ageing),
     "collapse": Figure(f"Equal kappa1 and kappa2, {FROM} (N4)", ["collapse10"], collapse, START),
     "fig7": Figure(f"Figs. 7 and 8: the law, {FROM} (N5, N6)", ["paper36"], fig7, START),
     "steel": Figure(f"The law of one material, E = 206 GPa and sigma_0 = 92 MPa, {FROM}", ["velocity", "pressure"], fig7,
                     START),
     "kappa3": Figure(f"The law with a third number, kappa3 = E/sigma_0, {FROM}", ["paper36", "velocity", "pressure"], kappa3,
                      ["--model", "eq2_kappa3", "--kappa3", str(STEEL), *START]),
+}
+FIGURES |= {f"{name}-rows32": Figure(f"{figure.title}, in blocks of 32 rows", [f"{plan}-rows32" for plan in figure.plans], figure.make,
+                                     figure.options)
+            for name, figure in FIGURES.items() if name != "fig3"}
+FIGURES |= {
+    "height": Figure("Depth of the layer, links in it and mu against the height of the blocks and the pressure",
+                     ["height"], ageing.height),
     "sensitivity": Figure("Sensitivity of mu to the laws, from 15 ns on", ["variants"], sensitivity, ["--start", "15"]),
-    "convergence": Figure("Size of the fragment, from 10 ns on", ["convergence"], convergence, ["--start", "10"]),
+    "convergence": Figure("Size of the fragment, from 50 ns on", ["convergence"], convergence, ["--start", "50"]),
     "timestep": Figure("Friction with plain steps against the step, from 10 ns on",
                        ["timestep"], steps.timestep, ["--start", "10"]),
     "corrected": Figure("Friction with plain and with corrected steps, from 10 ns on",

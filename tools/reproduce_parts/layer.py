@@ -4,9 +4,9 @@ import math
 import os
 
 import numpy as np
-import yaml
 
 import plot_layer
+from .common import head_of
 
 
 @dataclasses.dataclass
@@ -17,13 +17,6 @@ class Layer:
     linked: np.ndarray
 
 
-def _step(log):
-    """ns, from the head of the log."""
-    with open(log, encoding="utf-8") as file:
-        head = [line[2:] for line in file if line.startswith("#")]
-    return float(yaml.safe_load("".join(head))["run"]["timestep"])
-
-
 def read(log):
     """The layer of a run; None without a profile beside the log."""
     profile = log.removesuffix(".friction") + ".profile"
@@ -31,7 +24,7 @@ def read(log):
         return None
     measures = [plot_layer.measure(*frame) for frame in plot_layer.read_frames(profile)]
     step, depth, linked = (np.array([m[key] for m in measures]) for key in ("step", "depth", "linked"))
-    return Layer(step * _step(log), depth, linked)
+    return Layer(step * float(head_of(log)["run"]["timestep"]), depth, linked)
 
 
 def window(series, begin, end, blocks):

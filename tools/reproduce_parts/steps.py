@@ -5,13 +5,12 @@ import re
 import numpy as np
 from matplotlib import pyplot
 
-from .common import Missing, groups, mean_of, percent, run_name, save, scatter_of, table
+from .common import Missing, groups, head_of, mean_of, percent, run_name, save, scatter_of, table
 
 
 def step_of(log):
     """Time step of a run (ns), from the head of its log."""
-    with open(log, encoding="utf-8") as file:
-        return next(float(found[1]) for text in file if (found := re.search(r"^# run: .*timestep: ([-+.e0-9]+)", text)))
+    return float(head_of(log)["run"]["timestep"])
 
 
 def case_of(point):
@@ -64,9 +63,7 @@ def timestep(report, picture):
 
 def steps_of(log):
     """`plain` or `corrected`: the keyword steps of the laws that made a log; the first logs, of plain ones, do not name it."""
-    with open(log, encoding="utf-8") as file:
-        found = re.search(r"^# laws: .*\bsteps: (\w+)", file.read(4096), re.MULTILINE)
-    return found[1] if found else "plain"
+    return head_of(log)["laws"].get("steps", "plain")
 
 
 def corrected(report, picture):

@@ -116,3 +116,12 @@ def test_log_of_a_second_run_goes_on(tmp_path):
 def test_no_half_written_files(driven):
     folder = driven[0].folder
     assert not [f for f in os.listdir(folder) if f.endswith(".tmp")]
+
+
+def test_automata_that_leave_through_the_layer_are_told_of(tmp_path):
+    """One more, a little below the centres of two of the layer that it does not fit between: it is pressed out."""
+    more = ("variable x equal xcm(top,x)\nvariable y equal bound(top,ymax)-0.05\n"
+            "create_atoms 1 single $x $y 0 units box\nrun 500")
+    result = lmp("in.driven", tmp_path, v=V, p=P, extra=more)
+    assert "1 automata left the fragment through the driven layer" in result.out
+    assert result.out.count("left the fragment") == 1

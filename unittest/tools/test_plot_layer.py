@@ -41,6 +41,15 @@ def test_measures_of_a_known_layer(tmp_path):
     assert (tmp_path / "a.png").read_bytes()[:4] == b"\x89PNG"
 
 
+def test_automata_that_left_the_fragment_do_not_count(tmp_path):
+    away = "  11 10 0 0 0 0 0\n  12 99 1 11 0 1 500\n"
+    low = "  0 -1 1 -2 0 0 9\n"
+    content = HEAD + "1000 13 42\n" + low + "".join(frame(1000, 3, 6).splitlines(True)[1:]) + away
+    done = plot(tmp_path, content)
+    assert done.returncode == 0, done.stderr
+    assert float(done.stdout.splitlines()[1].split()[2]) == pytest.approx(0.8 * 3)
+
+
 def test_reader_that_has_enough(tmp_path):
     (tmp_path / "a.profile").write_text(HEAD + frame(1000, 3, 6) + frame(2000, 2, 7))
     done = subprocess.run(["bash", "-c", f"{PLOT} {tmp_path / 'a.profile'} | true"], text=True, capture_output=True,
