@@ -8,6 +8,7 @@ Each frame of the file (fix ave/chunk of examples/friction/in.friction) is a mea
 Depth: height over which the mean velocity rises from 10 to 90 % of the top row's. Mixing: height over
 which the share of automata of the upper block rises from 10 to 90 %; mean square displacement along y
 in the layer since the beginning. Linked: mean number of links of an automaton in the layer, over 6.
+Automata: mean number in a row of the layer; fewer than in one of the solid where it is looser.
 Rows at the ends that hold less than 0.4 of what the fullest does are left out.
 Times are those of the ends of the frames. Mixing is - where the share does not pass both levels.
 Exit codes: 0 ok, 1 no matplotlib, 2 usage, 3 bad input file, 5 a file cannot be written.
@@ -94,7 +95,8 @@ def measure(step, frame):
     first, end = (crossing(y, frame["v_upper"], level, last) for level, last in ((0.1, False), (0.9, True)))
     return {"step": step, "centre": 0.5 * (low + high), "depth": high - low, "mixed": end - first,
             "displacement2": float(weight @ frame["v_away2"][inside]),
-            "linked": float(weight @ frame["c_state[1]"][inside]) / 6}
+            "linked": float(weight @ frame["c_state[1]"][inside]) / 6,
+            "automata": float(frame["Ncount"][inside].mean())}
 
 
 def write_table(path, table):
@@ -147,11 +149,11 @@ def draw(path, frames, table, step, length, time):
 
 def show(table):
     """Prints a row for each frame."""
-    print(f"{'step':>9} {'centre':>8} {'depth':>7} {'mixed':>7} {'displ.^2':>9} {'linked':>7}")
+    print(f"{'step':>9} {'centre':>8} {'depth':>7} {'mixed':>7} {'displ.^2':>9} {'linked':>7} {'automata':>8}")
     for row in table:
         mixed = "-" if math.isnan(row["mixed"]) else f"{row['mixed']:.3f}"
         print(f"{row['step']:9d} {row['centre']:8.3f} {row['depth']:7.3f} {mixed:>7} "
-              f"{row['displacement2']:9.3f} {row['linked']:7.3f}")
+              f"{row['displacement2']:9.3f} {row['linked']:7.3f} {row['automata']:8.2f}")
     sys.stdout.flush()
 
 

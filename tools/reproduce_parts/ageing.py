@@ -138,16 +138,17 @@ def power_text(fit):
 
 
 def height(report, picture):
-    """Depth of the layer (nm), links of an automaton in it (over 6) and mu in times (ns) that double, and their powers of time, for
-    each pressure (MPa) and number of rows."""
+    """Depth of the layer (nm), links of an automaton in it (over 6), its density (over that of the solid) and mu in times (ns) that
+    double, and their powers of time, for each pressure (MPa) and number of rows."""
     panels = {"depth, nm": ("depth of the layer (nm), 10 to 90 % of $v$", 1, 2, depth_series),
               "links/6": ("links of an automaton in the layer, over 6", 3, 2, lambda runs: [(f.time, f.linked) for _, f in runs]),
+              "density": ("density of the layer over that of the solid", 3, 2, lambda runs: [(f.time, f.density) for _, f in runs]),
               "mu": ("$\\mu$", 3, 8, lambda runs: friction_series(p for p, _ in runs))}
-    figure, every = pyplot.subplots(1, 3, figsize=(12, 4.2), constrained_layout=True)
+    figure, every = pyplot.subplots(2, 2, figsize=(10, 8), constrained_layout=True)
     points = [p for p in report["report"]["points"] if roughness_of(p) in (None, ROUGHNESS)]
     cases = groups(with_layers(points), lambda x: (x[0]["pressure"], rows_of(x[0])))
     rows = []
-    for axes, (name, (label, digits, blocks, series_of)) in zip(every, panels.items()):
+    for axes, (name, (label, digits, blocks, series_of)) in zip(every.flat, panels.items()):
         for k, ((pressure, number), members) in enumerate(cases.items()):
             case, end, series = f"{number} rows, {pressure:g} MPa", shortest(members) * (1 + 1e-9), series_of(members)
             if end < 2 * AGED:
@@ -160,7 +161,7 @@ def height(report, picture):
         axes.set_xticks([100, 300, 1000], ["100", "300", "1000"])
         axes.minorticks_off()
         axes.grid(alpha=0.3)
-    every[0].legend(fontsize=9)
+    every[0, 0].legend(fontsize=9)
     save(figure, picture)
     return table(["", *(f"{low} to {high} ns" for low, high in HIGH_TIMES), f"~ t^n from {AGED} ns"], rows)
 

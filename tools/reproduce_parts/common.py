@@ -74,3 +74,23 @@ def scatter_of(values, errors):
     """Standard deviation of values over their mean, and what their own standard errors explain of it, both in %."""
     mean = np.mean(values)
     return 100 * np.std(values, ddof=1) / mean, 100 * math.sqrt(np.mean(np.square(errors))) / mean
+
+
+def straight_line(x, y, errors):
+    """(a, b, their standard errors) of y = a + b x: least squares with the standard errors of y and the scatter beyond them, up to 1,
+    that makes chi^2 the degrees of freedom, as wr_fit."""
+    low, high = 0.0, 1.0
+    for _ in range(60):
+        scatter = 0.5 * (low + high)
+        weight = 1 / np.hypot(errors, scatter)
+        (b, a), covariance = np.polyfit(x, y, 1, w=weight, cov="unscaled")
+        chi_squared = np.sum((weight * (y - a - b * x)) ** 2)
+        low, high = (scatter, high) if chi_squared > len(x) - 2 else (low, scatter)
+    b_error, a_error = np.sqrt(np.diag(covariance))
+    return a, b, a_error, b_error
+
+
+def power_law(x, y, errors):
+    """(A, n, their standard errors) of y = A x^n: a straight line through the logarithms, with the relative standard errors of y."""
+    a, n, a_error, n_error = straight_line(np.log(x), np.log(y), errors)
+    return math.exp(a), n, math.exp(a) * a_error, n_error

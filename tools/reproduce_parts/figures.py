@@ -7,8 +7,8 @@ from matplotlib import pyplot
 
 import plot_fit
 import plot_series
-from . import ageing, layer, steps
-from .common import Missing, groups, mean_of, percent, run_name, save, scatter_of, table
+from . import ageing, layer, rate, steps
+from .common import Missing, groups, mean_of, percent, power_law, run_name, save, scatter_of, table
 
 PAPER = plot_fit.PAPER
 PAPER_COLLAPSE = 0.035  # scatter of ten runs at equal kappas
@@ -100,20 +100,6 @@ def law_lines(report):
         lines.append(f"  {model['model']:10} " + (f"RMS {100 * model['rms_relative']:.1f} %, AICc {aicc}"
                                                  if "rms_relative" in model else model["why_not"]))
     return lines
-
-
-def power_law(x, y, errors):
-    """(A, n, their standard errors) of y = A x^n: least squares in the logarithms, with the relative errors of y and the scatter
-    beyond them that makes chi^2 the degrees of freedom, as wr_fit."""
-    logs_x, logs_y, low, high = np.log(x), np.log(y), 0.0, 1.0
-    for _ in range(60):
-        scatter = 0.5 * (low + high)
-        weight = 1 / np.hypot(errors, scatter)
-        (n, logs_a), covariance = np.polyfit(logs_x, logs_y, 1, w=weight, cov="unscaled")
-        chi_squared = np.sum((weight * (logs_y - logs_a - n * logs_x)) ** 2)
-        low, high = (scatter, high) if chi_squared > len(x) - 2 else (low, scatter)
-    factor, (n_error, factor_error) = math.exp(logs_a), np.sqrt(np.diag(covariance))
-    return factor, n, factor * factor_error, n_error
 
 
 def kappa3(report, picture):
@@ -233,7 +219,7 @@ def convergence(report, picture):
             rows.append([f"{strength:g} MPa: {name}", str(len(sizes[name])), f"{mu:.3f} +- {error:.3f}",
                          "" if name == "base" else f"{percent(mu, base[0])} ({difference:+.1f} s.e.)", depth])
             labels.append(f"{strength:g} MPa: {name}"), values.append(mu / base[0]), errors.append(error / base[0])
-    dots(labels, values, errors, picture, "$\\mu/\\mu$(base)", [(1, dict(color="k", ls="--"), "base: 40 across, 10 rows, 1 held")])
+    dots(labels, values, errors, picture, "$\\mu/\\mu$(base)", [(1, dict(color="k", ls="--"), "base: 40 across, 32 rows, 1 held")])
     return table(["", "runs", "mu", "against base", "depth, nm"], rows)
 
 
@@ -253,10 +239,11 @@ FIGURES |= {f"{name}-rows32": Figure(f"{figure.title}, in blocks of 32 rows", [f
                                      figure.options)
             for name, figure in FIGURES.items() if name != "fig3"}
 FIGURES |= {
-    "height": Figure("Depth of the layer, links in it and mu against the height of the blocks and the pressure",
-                     ["height"], ageing.height),
+    "height": Figure("The layer and mu against the height of the blocks and the pressure",
+                     ["roughness", "height"], ageing.height),
+    "rate": Figure("mu against the shear rate of the layer, 15 MPa", ["velocity", "roughness", "height"], rate.rate),
     "sensitivity": Figure("Sensitivity of mu to the laws, from 15 ns on", ["variants"], sensitivity, ["--start", "15"]),
-    "convergence": Figure("Size of the fragment, from 50 ns on", ["convergence"], convergence, ["--start", "50"]),
+    "convergence": Figure("Size of the fragment, from 10 ns on", ["convergence"], convergence, ["--start", "10"]),
     "timestep": Figure("Friction with plain steps against the step, from 10 ns on",
                        ["timestep"], steps.timestep, ["--start", "10"]),
     "corrected": Figure("Friction with plain and with corrected steps, from 10 ns on",

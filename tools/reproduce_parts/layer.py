@@ -11,10 +11,12 @@ from .common import head_of
 
 @dataclasses.dataclass
 class Layer:
-    """Depth (nm) of the layer and links of an automaton in it (over 6) at the ends of the frames (ns)."""
+    """Depth (nm) of the layer, links of an automaton in it (over 6), and its density (automata in a row over those of the solid), at the
+    ends of the frames (ns)."""
     time: np.ndarray
     depth: np.ndarray
     linked: np.ndarray
+    density: np.ndarray
 
 
 def read(log):
@@ -23,8 +25,10 @@ def read(log):
     if not os.path.exists(profile):
         return None
     measures = [plot_layer.measure(*frame) for frame in plot_layer.read_frames(profile)]
-    step, depth, linked = (np.array([m[key] for m in measures]) for key in ("step", "depth", "linked"))
-    return Layer(step * float(head_of(log)["run"]["timestep"]), depth, linked)
+    step, depth, linked, automata = (np.array([m[key] for m in measures]) for key in ("step", "depth", "linked", "automata"))
+    head = head_of(log)
+    size = head["geometry"]
+    return Layer(step * float(head["run"]["timestep"]), depth, linked, automata * size["diameter"] / size["width"])
 
 
 def window(series, begin, end, blocks):

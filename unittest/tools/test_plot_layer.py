@@ -37,6 +37,7 @@ def test_measures_of_a_known_layer(tmp_path):
         assert row["depth"] == pytest.approx(0.8 * (high - low))
         assert row["mixed"] == pytest.approx(0.8 * (high - low))
         assert row["centre"] == pytest.approx(4.5)
+        assert row["automata"] == 4
         assert row["linked"] == pytest.approx(0.5) and row["displacement2"] == pytest.approx(2)
     assert (tmp_path / "a.png").read_bytes()[:4] == b"\x89PNG"
 
