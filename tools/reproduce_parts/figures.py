@@ -227,7 +227,7 @@ FIGURES = {
     "fig3": Figure("Fig. 3: depth of the sliding layer (N1)", ["roughness", "viscosity"], ageing.fig3),
     "fig4": Figure("Fig. 4: friction stress against pressure (N2)", ["pressure"], fig4, ["--grinding-in", "100", *START]),
     "fig6": Figure(f"Fig. 6: mu against velocity, {FROM} (N3)", ["velocity"], fig6, START),
-    "ageing": Figure("Ageing: mu against time", ["velocity", "pressure", "collapse10", "paper36"], ageing.ageing),
+    "ageing": Figure("Ageing: mu against time", ["velocity", "pressure", "collapse10"], ageing.ageing),
     "collapse": Figure(f"Equal kappa1 and kappa2, {FROM} (N4)", ["collapse10"], collapse, START),
     "fig7": Figure(f"Figs. 7 and 8: the law, {FROM} (N5, N6)", ["paper36"], fig7, START),
     "steel": Figure(f"The law of one material, E = 206 GPa and sigma_0 = 92 MPa, {FROM}", ["velocity", "pressure"], fig7,
@@ -238,6 +238,7 @@ FIGURES = {
 FIGURES |= {f"{name}-rows32": Figure(f"{figure.title}, in blocks of 32 rows", [f"{plan}-rows32" for plan in figure.plans], figure.make,
                                      figure.options)
             for name, figure in FIGURES.items() if name != "fig3"}
+FIGURES["ageing-rows32"].plans.append("paper36-rows32")
 FIGURES |= {
     "height": Figure("The layer and mu against the height of the blocks and the pressure",
                      ["roughness", "height"], ageing.height),
