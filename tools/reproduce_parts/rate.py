@@ -3,11 +3,11 @@ import numpy as np
 from matplotlib import pyplot
 
 from . import ageing, layer
-from .common import Missing, groups, straight_line, save, table
+from .common import Missing, groups, save, straight_line, table
 
 TIMES = ((25, 50), (50, 100), (100, 150), (150, 200), (200, 300), (300, 400), (400, 600), (600, 1200))  # ns
 GROUND_IN = 200                         # nm of sliding before a window
-RATES = (0.15, 0.25, 0.35, 0.5, 0.7, 1.2)  # 1/ns, between which windows are taken together
+RATES = (0.1, 0.15, 0.25, 0.35, 0.5, 0.7, 1.2)  # 1/ns, between which windows are taken together
 
 
 def windows(points):

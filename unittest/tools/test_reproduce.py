@@ -149,16 +149,16 @@ def aged(log, n):
 
 
 def test_ageing_is_the_power_of_time(tmp_path):
-    folder, runs = logs(tmp_path, "velocity", ns=400)
+    folder, runs = logs(tmp_path, "velocity-rows32", ns=400)
     for run in runs:
         aged(folder / f"{run.name}.friction", -0.1 if run.values["v"] >= 4 else 0.0)
-    logs(tmp_path, "pressure")
-    logs(tmp_path, "collapse10")
-    folder, runs = logs(tmp_path, "paper36")
+    logs(tmp_path, "pressure-rows32")
+    logs(tmp_path, "collapse10-rows32")
+    folder, runs = logs(tmp_path, "paper36-rows32")
     for run in runs:
         if run.values["p"] / run.values["strength"] > 0.2:
             aged(folder / f"{run.name}.friction", 0.2)
-    text = made(tmp_path, "ageing", reproduce(tmp_path, "ageing"))
+    text = made(tmp_path, "ageing-rows32", reproduce(tmp_path, "ageing-rows32"))
     table, loads, summary = text.strip().split("\n\n")
     found = {}
     for row in table.splitlines()[2:]:
