@@ -40,7 +40,7 @@ def test_logs_belong_to_their_plan(folder):
         command, _ = made_by(log)
         given = {command[k + 1]: command[k + 2] for k, word in enumerate(command) if word == "-var"}
         expected = runs[log.stem].variables()
-        for name in ("p", "v", "strength", "E", "rho", "eta", "columns", "rows", "amplitude", "seed", "laws", "dt"):
+        for name in ("p", "v", "strength", "E", "rho", "eta", "columns", "rows", "held", "amplitude", "seed", "laws", "dt"):
             assert given[name] == expected[name], f"{log.name}: {name}"
         assert rows(log.read_text())[-1]["time"] <= runs[log.stem].values["ns"] * (1 + 1e-9)
 
