@@ -35,7 +35,7 @@ def fig4(report, picture):
     for p, members in groups(points, lambda x: x["pressure"]).items():
         (mu, error), (early, _) = mean_of(members), mean_of(members, "mu_grinding_in")
         paper = members[0]["mu_eq2"] * p
-        rows.append([f"p = {p:g} MPa", f"{paper:.2f}", f"{mu * p:.2f} +- {error * p:.2f}", percent(mu * p, paper),
+        rows.append([f"p = {p:g} MPa", f"{paper:.2f}", f"{mu * p:.3f} +- {error * p:.3f}", percent(mu * p, paper),
                      f"{early * p:.2f}", percent(early, mu)])
         pressures.append(p), stresses.append(mu * p), errors.append(error / mu)
     lines = table(["friction stress, MPa", "Eq. 2", FROM, "", "first 100 ns", "over later"], rows)
