@@ -120,14 +120,20 @@ double FixMCADrive::evaluate(Setting &s)
   return s.value;
 }
 
+/* y of an automaton of this rank, length units, not folded back into the box */
+
+double FixMCADrive::unwrapped_y(int i) const
+{
+  double unwrapped[3];
+  domain->unmap(atom->x[i], atom->image[i], unwrapped);
+  return unwrapped[1];
+}
+
 double FixMCADrive::height() const
 {
   double sums[2] = {0.0, static_cast<double>(members.size())}, all[2];
-  for (const int i : members) {
-    double unwrapped[3];
-    domain->unmap(atom->x[i], atom->image[i], unwrapped);
-    sums[0] += unwrapped[1];
-  }
+  for (const int i : members)
+    sums[0] += unwrapped_y(i);
   MPI_Allreduce(sums, all, 2, MPI_DOUBLE, MPI_SUM, world);
   return all[0] / all[1];
 }
@@ -136,18 +142,13 @@ double FixMCADrive::height() const
 
 bigint FixMCADrive::count_above() const
 {
-  const auto height_of = [this](int i) {
-    double unwrapped[3];
-    domain->unmap(atom->x[i], atom->image[i], unwrapped);
-    return unwrapped[1];
-  };
   double own = -INFINITY, top;
   for (const int i : members)
-    own = std::max(own, height_of(i));
+    own = std::max(own, unwrapped_y(i));
   MPI_Allreduce(&own, &top, 1, MPI_DOUBLE, MPI_MAX, world);
   bigint part = 0, all;
   for (int i = 0; i < atom->nlocal; i++)
-    part += !(atom->mask[i] & groupbit) && height_of(i) > top;
+    part += !(atom->mask[i] & groupbit) && unwrapped_y(i) > top;
   MPI_Allreduce(&part, &all, 1, MPI_LMP_BIGINT, MPI_SUM, world);
   return all;
 }

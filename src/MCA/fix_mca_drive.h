@@ -61,6 +61,7 @@ class FixMCADrive : public Fix {
 
   double evaluate(Setting &);
   Setting parse_setting(const char *keyword, const char *word);
+  double unwrapped_y(int i) const;
   double height() const;
   bigint count_above() const;
   void write_row();

@@ -12,7 +12,7 @@ from .common import Missing, groups, mean_of, percent, power_law, run_name, save
 
 PAPER = plot_fit.PAPER
 PAPER_COLLAPSE = 0.035  # scatter of ten runs at equal kappas
-START = ["--start", "200"]  # ns; most runs are of 300 ns, the longest of 800
+START = ["--start", "200"]  # ns; the runs are of 250 to 1000 ns
 FROM = f"from {START[1]} ns on"
 STEEL = 2239            # kappa3 = E/sigma_0 of the paper's weakest steel, 206 GPa over 92 MPa
 
