@@ -81,6 +81,21 @@ static double workToStrength(const mca::Material &m)
   return plasticWork(m, m.breaking_strain - m.strength / m.youngs_modulus);
 }
 
+static bool bulkBreaks(const mca::LawSet &laws, double strength, double limit, double intensity,
+                       double eps, double gammaTotal, double load)
+{
+  if (eps <= -0.9)
+    return true;
+  const double opening = std::fmax(eps, 0);
+  if (laws.fracture == "strain")
+    return opening * opening + 4.0 / 3 * gammaTotal * gammaTotal >= limit * limit;
+  if (laws.fracture == "stress")
+    return intensity >= strength;
+  if (laws.fracture == "equivalent" || laws.fracture == "drucker-prager")
+    return load >= strength;
+  return false;
+}
+
 double nextKind(const mca::LawSet &laws, const mca::Material &ma, const mca::Material &mb,
                 double kind, double sigma, double tau, double eps, double gammaTotal, double load,
                 double work)
@@ -89,26 +104,18 @@ double nextKind(const mca::LawSet &laws, const mca::Material &ma, const mca::Mat
   const double limit = std::fmin(ma.breaking_strain, mb.breaking_strain);
   const double hardness =
       3 * std::fmin(ma.yield_strength * ma.strength, mb.yield_strength * mb.strength);
-  const double heals = laws.heal == mca::LawSet::atHardness ? hardness : laws.heal * strength;
+  const double healing = laws.heal == mca::LawSet::atHardness ? hardness : laws.heal * strength;
   const bool welding = std::isfinite(laws.weld);
   const double tension = std::fmax(sigma, 0);
   const double intensity = std::sqrt(tension * tension + 3 * tau * tau);
-  if (kind == 1) {
-    if (eps <= -0.9)
-      return -1;
-    const double opening = std::fmax(eps, 0), g = gammaTotal;
-    if (laws.fracture == "strain" && opening * opening + 4.0 / 3 * g * g >= limit * limit)
-      return -1;
-    if (laws.fracture == "stress" && intensity >= strength)
-      return -1;
-    if ((laws.fracture == "equivalent" || laws.fracture == "drucker-prager") && load >= strength)
-      return -1;
-    return 1;
-  }
+  const bool breaks = bulkBreaks(laws, strength, limit, intensity, eps, gammaTotal, load);
+  const bool heals = -sigma >= healing && !breaks;
+  if (kind == 1)
+    return breaks ? -1 : 1;
   if (kind == 2) {
     if (intensity >= laws.weld * strength)
       return -1;
-    return -sigma >= heals ? 1 : 2;
+    return heals ? 1 : 2;
   }
   const double threshold =
       laws.link == mca::LawSet::atElasticLimit
@@ -118,7 +125,7 @@ double nextKind(const mca::LawSet &laws, const mca::Material &ma, const mca::Mat
   if (-sigma < threshold && work < enough)
     return 0;
   if (kind == -1)
-    return -sigma >= heals ? 1 : -1;
+    return heals ? 1 : -1;
   return welding ? 2 : 1;
 }
 

@@ -110,6 +110,19 @@ TEST(Linking, ACollapsedBulkLinkBreaksAndDoesNotHeal)
   }
 }
 
+TEST(Linking, NothingHealsThatWouldBreakAtOnce)
+{
+  const LinkLimits b = limitsOf();
+  const double c = steel().breaking_strain, g = c * std::sqrt(0.75);
+  for (double kind : {link::worn, link::weld}) {
+    EXPECT_EQ(nextKind(kind, -1e6, 0, below(c), 0, b), link::bulk);
+    EXPECT_EQ(nextKind(kind, -1e6, 0, above(c), 0, b), kind);
+    EXPECT_EQ(nextKind(kind, -1e6, 0, 0, below(g), b), link::bulk);
+    EXPECT_EQ(nextKind(kind, -1e6, 0, 0, above(g), b), kind);
+    EXPECT_EQ(nextKind(kind, -1e6, 0, 0, 0, b, true), kind); // overloaded
+  }
+}
+
 TEST(Linking, ABulkLinkBreaksAtItsStress)
 {
   const LinkLimits limits = limitsOf({"fracture", "stress"});

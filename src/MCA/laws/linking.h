@@ -67,7 +67,8 @@ inline bool hasLinkWork(const LinkLimits &limit)
 /// An unlinked contact links when its pressure *reaches* linkPressure: one that is still above it
 /// when its link breaks is worn: it has to be unloaded first, or be pressed on to healPressure.
 /// Were it free to link again at once, a sliding weld would break and form every few steps, and
-/// friction would depend on the step.
+/// friction would depend on the step. For the same reason nothing heals that would break as a bulk
+/// link at once.
 /// \param kind        kind during the step
 /// \param sigma,tau   elastic stresses of the contact, after plastic return [stress]
 /// \param eps         total normal strain r/d - 1 [-]
@@ -81,7 +82,7 @@ inline double nextKind(double kind, double sigma, double tau, double eps, double
   const bool bulkBreaks = breaksByStrain(eps, gammaTotal, limit.bulkStrain2) |
                           (intensity2 >= limit.bulkIntensity2) | overloaded;
   const bool weldBreaks = intensity2 >= limit.weldIntensity2;
-  const bool heals = (-sigma >= limit.healPressure) & (eps > collapseStrain);
+  const bool heals = (-sigma >= limit.healPressure) & !bulkBreaks;
   const bool pressed = (-sigma >= limit.linkPressure) | worked;
   const double ifBulk = bulkBreaks ? link::worn : link::bulk;
   const double ifHealing = heals ? link::bulk : link::weld;
