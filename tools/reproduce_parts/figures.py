@@ -219,7 +219,7 @@ def convergence(report, picture):
             rows.append([f"{strength:g} MPa: {name}", str(len(sizes[name])), f"{mu:.3f} +- {error:.3f}",
                          "" if name == "base" else f"{percent(mu, base[0])} ({difference:+.1f} s.e.)", depth])
             labels.append(f"{strength:g} MPa: {name}"), values.append(mu / base[0]), errors.append(error / base[0])
-    dots(labels, values, errors, picture, "$\\mu/\\mu$(base)", [(1, dict(color="k", ls="--"), "base: 40 across, 32 rows, 1 held")])
+    dots(labels, values, errors, picture, "$\\mu/\\mu$(base)", [(1, dict(color="k", ls="--"), "base: 40 across, 14 rows, 3 held")])
     return table(["", "runs", "mu", "against base", "depth, nm"], rows)
 
 
@@ -227,7 +227,7 @@ FIGURES = {
     "fig3": Figure("Fig. 3: depth of the sliding layer (N1)", ["roughness", "viscosity"], ageing.fig3),
     "fig4": Figure("Fig. 4: friction stress against pressure (N2)", ["pressure"], fig4, ["--grinding-in", "100", *START]),
     "fig6": Figure(f"Fig. 6: mu against velocity, {FROM} (N3)", ["velocity"], fig6, START),
-    "ageing": Figure("Ageing: mu against time", ["velocity", "pressure", "collapse10"], ageing.ageing),
+    "ageing": Figure("Ageing: mu against time", ["velocity", "pressure", "collapse10", "paper36"], ageing.ageing),
     "collapse": Figure(f"Equal kappa1 and kappa2, {FROM} (N4)", ["collapse10"], collapse, START),
     "fig7": Figure(f"Figs. 7 and 8: the law, {FROM} (N5, N6)", ["paper36"], fig7, START),
     "steel": Figure(f"The law of one material, E = 206 GPa and sigma_0 = 92 MPa, {FROM}", ["velocity", "pressure"], fig7,
@@ -237,14 +237,13 @@ FIGURES = {
 }
 FIGURES |= {f"{name}-rows32": Figure(f"{figure.title}, in blocks of 32 rows", [f"{plan}-rows32" for plan in figure.plans], figure.make,
                                      figure.options)
-            for name, figure in FIGURES.items() if name != "fig3"}
-FIGURES["ageing-rows32"].plans.append("paper36-rows32")
+            for name, figure in FIGURES.items()}
 FIGURES |= {
     "height": Figure("The layer and mu against the height of the blocks and the pressure",
-                     ["roughness", "height"], ageing.height),
-    "rate": Figure("mu against the shear rate of the layer, 15 MPa", ["velocity", "roughness", "height"], rate.rate),
+                     ["roughness", "roughness-rows32", "height"], ageing.height),
+    "rate": Figure("mu against the shear rate of the layer, 15 MPa", ["velocity", "roughness-rows32", "height"], rate.rate),
     "sensitivity": Figure("Sensitivity of mu to the laws, from 15 ns on", ["variants"], sensitivity, ["--start", "15"]),
-    "convergence": Figure("Size of the fragment, from 10 ns on", ["convergence"], convergence, ["--start", "10"]),
+    "convergence": Figure("Size of the fragment, from 50 ns on", ["convergence"], convergence, ["--start", "50"]),
     "timestep": Figure("Friction with plain steps against the step, from 10 ns on",
                        ["timestep"], steps.timestep, ["--start", "10"]),
     "corrected": Figure("Friction with plain and with corrected steps, from 10 ns on",

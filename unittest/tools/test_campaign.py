@@ -473,7 +473,8 @@ def test_step_follows_the_material():
 
 
 SHIPPED = {"paper36": 36, "collapse10": 10, "velocity": 16, "pressure": 16, "paper36-rows32": 36, "collapse10-rows32": 10,
-           "velocity-rows32": 16, "pressure-rows32": 16, "viscosity": 10, "roughness": 6, "height": 8, "smoke": 6, "variants": 48,
+           "velocity-rows32": 16, "pressure-rows32": 16, "viscosity": 10, "roughness": 6, "viscosity-rows32": 10,
+           "roughness-rows32": 6, "height": 8, "smoke": 6, "variants": 48,
            "convergence": 24, "timestep": 59, "corrected": 26}
 
 

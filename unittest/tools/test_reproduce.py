@@ -181,7 +181,7 @@ def test_height_of_the_blocks(tmp_path):
     def layer(run, part):
         half = (4.4 if run.values["rows"] == 48 else 2.2) * part**0.5
         return 4.5 - half, 4.5 + half
-    for name in ("roughness", "height"):
+    for name in ("roughness-rows32", "roughness", "height"):
         profiles(*logs(tmp_path, name, lambda run: 1.1 if run.values["rows"] == 48 else 1.0, ns=400), layer, steps=8000000)
     text = made(tmp_path, "height", reproduce(tmp_path, "height"))
     depths = [line(text, f"depth, nm, {rows} rows, 15 MPa") for rows in (16, 24, 32, 48)]
@@ -203,14 +203,14 @@ def test_rate_is_velocity_over_depth(tmp_path):
     def factor(run):
         v = run.values
         return (0.3 + 0.2 * v["v"] / (1.6 * half(run))) / eq2(*kappas(v["p"], v["v"], v["strength"]))
-    for name in ("velocity", "roughness", "height"):
+    for name in ("velocity", "roughness-rows32", "height"):
         profiles(*logs(tmp_path, name, factor), lambda run, part: (4.5 - half(run), 4.5 + half(run)))
     text = made(tmp_path, "rate", reproduce(tmp_path, "rate"))
     start, _, slope, _, scatter = line(text, "mu = a + b rate: a =")[:5]
     assert start == pytest.approx(0.3, abs=0.005) and slope == pytest.approx(0.2, abs=0.005) and scatter < 1
     assert line(text, "0.7 to 1.2 /ns")[3] == pytest.approx(0, abs=0.5)
     shutil.rmtree(tmp_path / "logs")
-    for name in ("velocity", "roughness", "height"):
+    for name in ("velocity", "roughness-rows32", "height"):
         profiles(*logs(tmp_path, name, ns=20), lambda run, part: (2, 7), steps=400000)
     done = reproduce(tmp_path, "rate")
     assert done.returncode == 3 and done.stderr.count("\n") == 1 and "0 windows after 200 nm of sliding" in done.stderr
