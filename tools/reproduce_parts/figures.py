@@ -243,7 +243,7 @@ FIGURES |= {
                      ["roughness", "roughness-rows32", "height"], ageing.height),
     "rate": Figure("mu against the shear rate of the layer, 15 MPa", ["velocity", "roughness-rows32", "height"], rate.rate),
     "sensitivity": Figure("Sensitivity of mu to the laws, from 15 ns on", ["variants"], sensitivity, ["--start", "15"]),
-    "convergence": Figure("Size of the fragment, from 50 ns on", ["convergence"], convergence, ["--start", "50"]),
+    "convergence": Figure("Size of the fragment, from 40 ns on", ["convergence"], convergence, ["--start", "40"]),
     "timestep": Figure("Friction with plain steps against the step, from 10 ns on",
                        ["timestep"], steps.timestep, ["--start", "10"]),
     "corrected": Figure("Friction with plain and with corrected steps, from 10 ns on",
