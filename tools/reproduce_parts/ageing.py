@@ -41,7 +41,7 @@ def second_half(members, end):
 
 def growth(members, axes):
     """Rows of depth (nm) and mu of the runs (point, layer) in times (ns) that double; draws the power law of the depth, fitted to the
-    first third of the time, while the blocks do not yet limit it."""
+    first third of the time, while the layer grows."""
     end, growing, rows = shortest(members), [], []
     depths, logs = depth_series(members), friction_series(p for p, _ in members)
     for late in (end / 12, end / 6, end / 3, 2 * end / 3, end):
