@@ -411,24 +411,25 @@ class PairModel:
         mean = K * e / 3 if touches else 0.0
         sigma, tau = (2 * G * e + WEIGHT * mean if touches else 0.0), 2 * G * self.gamma
         intensity = np.sqrt(max(sigma, 0)**2 + 3 * tau**2)
+        # averaged: sigma/3 along the axis, nothing along the face
+        s = np.array([sigma, 0, 3 * mean - sigma / 3])
+        m = s.mean()
+        equivalent = np.sqrt(1.5 * ((s - m) @ (s - m)) + 3 * tau**2)
+        a = self.ratio
+        breaks = {"strain": max(e, 0)**2 + 4 / 3 * self.gamma**2 >= BREAKING**2,
+                  "stress": intensity >= STRENGTH,
+                  "equivalent": equivalent >= STRENGTH,
+                  "drucker-prager": (a + 1) / 2 * equivalent + 1.5 * (a - 1) * m >= a * STRENGTH,
+                  "none": False}[self.fracture]
+        heals = -sigma >= 3 * Y2 and not breaks
         if self.kind == 1:
-            # averaged: sigma/3 along the axis, nothing along the face
-            s = np.array([sigma, 0, 3 * mean - sigma / 3])
-            m = s.mean()
-            equivalent = np.sqrt(1.5 * ((s - m) @ (s - m)) + 3 * tau**2)
-            a = self.ratio
-            breaks = {"strain": max(e, 0)**2 + 4 / 3 * self.gamma**2 >= BREAKING**2,
-                      "stress": intensity >= STRENGTH,
-                      "equivalent": equivalent >= STRENGTH,
-                      "drucker-prager": (a + 1) / 2 * equivalent + 1.5 * (a - 1) * m >= a * STRENGTH,
-                      "none": False}[self.fracture]
             after = -1 if breaks else 1
         elif self.kind == 2:
-            after = -1 if intensity >= STRENGTH else 1 if -sigma >= 3 * Y2 else 2
+            after = -1 if intensity >= STRENGTH else 1 if heals else 2
         elif self.preset == "a":
             after = self.kind if self.kind < 0 and -sigma >= 2.35 * STRENGTH else int(-sigma >= 2.35 * STRENGTH)
         elif self.kind == -1:
-            after = 1 if -sigma >= 3 * Y2 else -1 if -sigma >= Y1 else 0
+            after = 1 if heals else -1 if -sigma >= Y1 else 0
         else:
             after = 2 if -sigma >= Y1 else 0
         before, self.kind = self.kind, after
