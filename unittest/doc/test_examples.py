@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The examples against their pages and the plans: one geometry, commands that run where they stand, every variable set from
-outside."""
+"""The examples against their pages and the plans: one geometry, commands that run where they stand,
+every variable set from outside."""
 import os
 import re
 import subprocess
@@ -20,8 +20,8 @@ from campaign_parts import plan as plans  # noqa: E402
 
 
 def script_variables(script):
-    """Default of each variable that the script's head lets one set; those of style index only, since LAMMPS refuses a
-    command-line value for any other style."""
+    """Default of each variable that the script's head lets one set; those of style index only, since
+    LAMMPS refuses a command-line value for any other style."""
     head = script.read_text(encoding="utf-8").split("\nunits ")[0]
     found = re.findall(r"^variable +(\w+) +(\w+) +(\S+)", head, re.MULTILINE)
     assert {style for _, style, _ in found} == {"index"}
@@ -37,18 +37,21 @@ def run(script, folder, values):
 
 
 def head_of(log):
-    return yaml.safe_load("".join(line[2:] for line in log.read_text(encoding="utf-8").splitlines(True) if line[0] == "#"))
+    lines = log.read_text(encoding="utf-8").splitlines(True)
+    return yaml.safe_load("".join(line[2:] for line in lines if line[0] == "#"))
 
 
 def steps_of(log):
-    return [int(line.split()[0]) for line in log.read_text(encoding="utf-8").splitlines() if line[0].isdigit()]
+    lines = log.read_text(encoding="utf-8").splitlines()
+    return [int(line.split()[0]) for line in lines if line[0].isdigit()]
 
 
 def test_plans_and_example_have_the_same_defaults():
     script = script_variables(FRICTION / "in.friction")
     for name, key in plans.KEYS.items():
         if key.variable and key.default is not None and name != "ns":
-            default = key.default if isinstance(key.default, str) else f"{key.default * key.factor:.12g}"
+            word = isinstance(key.default, str)
+            default = key.default if word else f"{key.default * key.factor:.12g}"
             assert script[key.variable] == default, name
 
 
@@ -58,14 +61,16 @@ def test_first_script_is_of_the_same_geometry(tmp_path):
     script = re.search(r"^```lammps\n(.*?)^```", readme, re.MULTILINE | re.DOTALL)[1]
     (tmp_path / "in.first").write_text(script, encoding="utf-8")
     example = script_variables(FRICTION / "in.friction")
-    rows, held, columns = int(example["rows"]), int(example["held"]), int(example["columns"]) // 2
+    rows, held = int(example["rows"]), int(example["held"])
+    columns = int(example["columns"]) // 2
     for seed in range(1, 6):  # both blocks take the seed, so that they neither overlap nor leave a gap
         log = run("in.first", tmp_path, {"seed": seed})
-        count = {name: int(number) for number, name in re.findall(r"^(\d+) atoms in group (\w+)$", log, re.MULTILINE)}
+        found = re.findall(r"^(\d+) atoms in group (\w+)$", log, re.MULTILINE)
+        count = {name: int(number) for number, name in found}
         assert count["lower"] + count["upper"] == rows * columns
         assert count["bottom"] == count["top"] == held * columns
-        heights = re.findall(r"^region +\w+ mca/rough \w+ (\S+) (\S+) \S+ (\d+)", log, re.MULTILINE)
-        assert len(set(heights)) == 1 and heights[0] == ("14.07", example["amplitude"], str(seed))
+        lines = re.findall(r"^region +\w+ mca/rough \w+ (\S+) (\S+) \S+ (\d+)", log, re.MULTILINE)
+        assert set(lines) == {("14.07", example["amplitude"], str(seed))}
 
 
 @pytest.mark.parametrize("page", sorted(ROOT.glob("examples/*/README.md")), ids=lambda path: path.parent.name)
@@ -83,13 +88,14 @@ def test_commands_find_their_programs(page):
 
 
 def test_every_variable_of_the_friction_example(tmp_path):
-    given = {"p": 7, "v": 3, "strength": 120, "seed": 5, "ns": 0.02, "laws": "a weld 0.7", "E": 180000, "nu": 0.25, "rho": 0.009,
-             "eta": 300, "columns": 16, "rows": 12, "held": 2, "amplitude": 1.5, "d": 3, "every": 50, "dt": 4e-05, "name": "other",
-             "log": "mine.friction", "pictures": "mine.*.dump", "frames": 250, "profile": 200, "checkpoint": 300,
-             "continue": 0, "restart": "other.restart"}
+    given = {"p": 7, "v": 3, "strength": 120, "seed": 5, "ns": 0.02, "laws": "a weld 0.7",
+             "E": 180000, "nu": 0.25, "rho": 0.009, "eta": 300, "columns": 16, "rows": 12, "held": 2,
+             "amplitude": 1.5, "d": 3, "every": 50, "dt": 4e-05, "name": "other",
+             "log": "mine.friction", "pictures": "mine.*.dump", "frames": 250, "profile": 200,
+             "checkpoint": 300, "continue": 0, "restart": "other.restart"}
     defaults = script_variables(FRICTION / "in.friction")
     assert given.keys() == defaults.keys()
-    assert not [name for name in given if name != "continue" and str(given[name]) == defaults[name]]
+    assert all(str(given[name]) != defaults[name] for name in given if name != "continue")
     log = run(FRICTION / "in.friction", tmp_path, given)
     assert re.findall(r"^(\d+) atoms in group (?:bottom|top)$", log, re.MULTILINE) == ["32", "32"]
     heights = re.findall(r"mca/rough below (\S+) (\S+) (\S+) 5 units box", log)
@@ -105,8 +111,8 @@ def test_every_variable_of_the_friction_example(tmp_path):
     assert head["run"] == {"timestep": 4e-05, "every": 50, "seed": 5}
     assert steps_of(tmp_path / "mine.friction") == list(range(50, 501, 50))
     assert {path.name for path in tmp_path.iterdir()} == {
-        "log.lammps", "mine.friction", "mine.0.dump", "mine.250.dump", "mine.500.dump", "other.profile", "other.a.restart",
-        "other.restart"}
+        "log.lammps", "mine.friction", "mine.0.dump", "mine.250.dump", "mine.500.dump",
+        "other.profile", "other.a.restart", "other.restart"}
     profile = (tmp_path / "other.profile").read_text(encoding="utf-8")
     assert re.findall(r"^(\d+) \d+ \d+$", profile, re.MULTILINE) == ["200", "400"]
     run(FRICTION / "in.friction", tmp_path, {**given, "ns": 0.03, "continue": 1})
@@ -114,12 +120,13 @@ def test_every_variable_of_the_friction_example(tmp_path):
 
 
 def test_every_variable_of_the_bar(tmp_path):
-    """With each the strain, the stress, the automata or their size are others; the table of the page is the script's."""
+    """Each makes the box, the strain or the stress another; the table of the page is the script's."""
     defaults = script_variables(SPACE / "in.bar")
     page = (SPACE / "README.md").read_text(encoding="utf-8")
     assert dict(re.findall(r"^\| `(\w+)` \| `(.*?)` \|", page, re.MULTILINE)) == defaults
     shown = {}
-    for name, value in {"": "", "strength": 184, "cells": 3, "strain": 0.002, "rate": 0.2, "skin": "yes", "d": 3}.items():
+    others = {"strength": 184, "cells": 3, "strain": 0.002, "rate": 0.2, "skin": "yes", "d": 3}
+    for name, value in {"": "", **others}.items():
         log = run(SPACE / "in.bar", tmp_path, {"strain": 0.0025, **({name: value} if name else {})})
         box = re.search(r"^Created orthogonal box = (.*)$", log, re.MULTILINE)[1]
         strain, stress = re.findall(r"^ +\d+ +(\S+) +(\S+) .*$", log, re.MULTILINE)[-1]
