@@ -20,7 +20,7 @@ from campaign_parts import plan as plans  # noqa: E402
 
 
 def script_variables(script):
-    """Default of each variable that the script's head lets one set; those of style index only, since
+    """Default of each variable that the script's head lets one set; of style index only, since
     LAMMPS refuses a command-line value for any other style."""
     head = script.read_text(encoding="utf-8").split("\nunits ")[0]
     found = re.findall(r"^variable +(\w+) +(\w+) +(\S+)", head, re.MULTILINE)
@@ -30,8 +30,8 @@ def script_variables(script):
 
 def run(script, folder, values):
     words = [word for name, value in values.items() for word in ("-var", name, str(value))]
-    done = subprocess.run([LMP, "-in", script, *words], cwd=folder, timeout=120, stdout=subprocess.PIPE,
-                          stderr=subprocess.STDOUT, text=True, check=False)
+    done = subprocess.run([LMP, "-in", script, *words], cwd=folder, timeout=120, text=True,
+                          stdout=subprocess.PIPE, stderr=subprocess.STDOUT, check=False)
     assert done.returncode == 0 and "WARNING" not in done.stdout, done.stdout[-3000:]
     return (folder / "log.lammps").read_text(encoding="utf-8")
 
@@ -63,7 +63,7 @@ def test_first_script_is_of_the_same_geometry(tmp_path):
     example = script_variables(FRICTION / "in.friction")
     rows, held = int(example["rows"]), int(example["held"])
     columns = int(example["columns"]) // 2
-    for seed in range(1, 6):  # both blocks take the seed, so that they neither overlap nor leave a gap
+    for seed in range(1, 6):  # both blocks take it: neither overlap nor gap
         log = run("in.first", tmp_path, {"seed": seed})
         found = re.findall(r"^(\d+) atoms in group (\w+)$", log, re.MULTILINE)
         count = {name: int(number) for number, name in found}
@@ -73,7 +73,8 @@ def test_first_script_is_of_the_same_geometry(tmp_path):
         assert set(lines) == {("14.07", example["amplitude"], str(seed))}
 
 
-@pytest.mark.parametrize("page", sorted(ROOT.glob("examples/*/README.md")), ids=lambda path: path.parent.name)
+@pytest.mark.parametrize("page", sorted(ROOT.glob("examples/*/README.md")),
+                         ids=lambda path: path.parent.name)
 def test_commands_find_their_programs(page):
     """From the folder of the page, unless it says that they are run from the top folder."""
     text = page.read_text(encoding="utf-8")
@@ -89,8 +90,8 @@ def test_commands_find_their_programs(page):
 
 def test_every_variable_of_the_friction_example(tmp_path):
     given = {"p": 7, "v": 3, "strength": 120, "seed": 5, "ns": 0.02, "laws": "a weld 0.7",
-             "E": 180000, "nu": 0.25, "rho": 0.009, "eta": 300, "columns": 16, "rows": 12, "held": 2,
-             "amplitude": 1.5, "d": 3, "every": 50, "dt": 4e-05, "name": "other",
+             "E": 180000, "nu": 0.25, "rho": 0.009, "eta": 300, "columns": 16, "rows": 12,
+             "held": 2, "amplitude": 1.5, "d": 3, "every": 50, "dt": 4e-05, "name": "other",
              "log": "mine.friction", "pictures": "mine.*.dump", "frames": 250, "profile": 200,
              "checkpoint": 300, "continue": 0, "restart": "other.restart"}
     defaults = script_variables(FRICTION / "in.friction")
@@ -98,12 +99,12 @@ def test_every_variable_of_the_friction_example(tmp_path):
     assert all(str(given[name]) != defaults[name] for name in given if name != "continue")
     log = run(FRICTION / "in.friction", tmp_path, given)
     assert re.findall(r"^(\d+) atoms in group (?:bottom|top)$", log, re.MULTILINE) == ["32", "32"]
-    heights = re.findall(r"mca/rough below (\S+) (\S+) (\S+) 5 units box", log)
-    assert [float(word) for word in heights[-1]] == pytest.approx([3 * 3 ** 0.5 / 2 * 11 / 2, 1.5, 6])
+    line = re.findall(r"mca/rough below (\S+) (\S+) (\S+) 5 units box", log)[-1]
+    assert list(map(float, line)) == pytest.approx([3 * 3 ** 0.5 / 2 * 11 / 2, 1.5, 6])
     head = head_of(tmp_path / "mine.friction")
     material = head["material"]
-    assert (material["youngs_modulus"], material["poissons_ratio"], material["density"]) == (180000, 0.25, 9000)
-    assert (material["strength"], material["viscosity"]) == (120, 0.3)
+    assert (material["youngs_modulus"], material["poissons_ratio"]) == (180000, 0.25)
+    assert [material[name] for name in ("density", "strength", "viscosity")] == [9000, 120, 0.3]
     assert head["loading"] == {"pressure": 7, "velocity": 3}
     geometry = head["geometry"]
     assert (geometry["width"], geometry["diameter"], geometry["automata"]) == (48, 3, 192)
@@ -120,7 +121,7 @@ def test_every_variable_of_the_friction_example(tmp_path):
 
 
 def test_every_variable_of_the_bar(tmp_path):
-    """Each makes the box, the strain or the stress another; the table of the page is the script's."""
+    """Each changes the box, the strain or the stress; the table of the page is the script's."""
     defaults = script_variables(SPACE / "in.bar")
     page = (SPACE / "README.md").read_text(encoding="utf-8")
     assert dict(re.findall(r"^\| `(\w+)` \| `(.*?)` \|", page, re.MULTILINE)) == defaults
