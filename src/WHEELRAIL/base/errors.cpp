@@ -24,10 +24,4 @@ Error badInput(const std::string &file, int line, const std::string &keyword,
   return error;
 }
 
-std::string unknownWord(const std::string &what, const std::string &given,
-                        const std::string &nearest)
-{
-  return fmt::format("unknown {} '{}'; the nearest known one is '{}'", what, given, nearest);
-}
-
 } // namespace wheelrail

@@ -42,9 +42,5 @@ class Error : public std::runtime_error {
 Error badInput(const std::string &file, int line, const std::string &keyword,
                const std::string &problem);
 
-/// "unknown keyword 'NAME'; nearest known one: 'NEAREST'" for the problem text above.
-std::string unknownWord(const std::string &what, const std::string &given,
-                        const std::string &nearest);
-
 } // namespace wheelrail
 #endif

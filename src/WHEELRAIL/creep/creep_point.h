@@ -1,9 +1,9 @@
 #ifndef WHEELRAIL_CREEP_CREEP_POINT_H
 #define WHEELRAIL_CREEP_CREEP_POINT_H
 
-#include "contact/line/contact_temperature.h"
+#include "contact/line/contact_setup.h"
 #include "contact/line/rolling_contact.h"
-#include "creep/contact_setup.h"
+#include "creep/creep_physics.h"
 
 #include <optional>
 
@@ -29,40 +29,36 @@ struct ContactFields {
   std::vector<ContactInterval> intervals; ///< stretches in contact, in cells
 };
 
-/// Friction coefficient per cell from pressure (Pa), sliding speed (m/s) and temperature rise (K).
-Eigen::VectorXd frictionCoefficient(const Case &input, const FrictionLaw &law,
-                                    const Eigen::VectorXd &pressure, double slidingSpeed,
-                                    const Eigen::VectorXd &temperature);
-
 /// Steady rolling on a frozen profile with friction, temperature and strength that depend on each
 /// other. The temperature rise is the unknown of a fixed-point iteration; where a step comes out
 /// larger than the one before, it is halved from then on.
 class FrozenCreep {
  public:
-  FrozenCreep(const Case &input, const ContactSetup &setup);
+  /// Both must outlive the object. @param setup rolling on a Free boundary
+  FrozenCreep(const CreepPhysics &physics, const ContactSetup &setup);
 
   /// Warm from the last call: the set of stick cells and the temperature.
   /// @throws Error (NotConverged)
   CreepPoint solve(const FrictionLaw &law, double speed, double creep);
 
   /// Of the last call; `startFrom` makes the next one start from them.
-  const ContactFields &fields() const { return contact; }
-  void startFrom(const ContactFields &fields) { contact = fields; }
+  const ContactFields &fields() const { return contact_; }
+  void startFrom(const ContactFields &fields) { contact_ = fields; }
 
  private:
   void roll(double creep);
   double meanMu() const;
-  double tractionRatio() const { return contact.traction.sum() / contact.pressure.sum(); }
+  double tractionRatio() const { return contact_.traction.sum() / contact_.pressure.sum(); }
   Eigen::VectorXd temperatureFrom(double speed, double creep);
   void limitPressure();
 
-  const Case &input;
-  const ContactSetup &setup;
-  std::optional<HalfPlane> domain; ///< for the pressure, where it changes with temperature
-  std::optional<HalfPlane> window; ///< the cells in contact and a few more: all that rolling needs
-  std::optional<FlashTemperature> flash;
-  double flashSpeed = 0.0;
-  ContactFields contact;
+  const CreepPhysics &physics_;
+  const ContactSetup &setup_;
+  std::optional<HalfPlane> domain_; ///< for the pressure, where it changes with temperature
+  std::optional<HalfPlane> window_; ///< the cells in contact and a few more: all that rolling needs
+  std::optional<FlashTemperature> flash_;
+  double flashSpeed_ = 0.0;
+  ContactFields contact_;
 };
 
 } // namespace wheelrail

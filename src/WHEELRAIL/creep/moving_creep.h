@@ -8,6 +8,12 @@
 
 namespace wheelrail {
 
+/// What transient rolling needs beside the creeps.
+struct MovingSpecification {
+  int passes = 4;               ///< lengths of the nominal contact that are rolled, >= 2
+  double referenceLength = 1.0; ///< of the half-plane's free constant, in Hertz half-widths, > 0
+};
+
 /// One creep on its way through the contact.
 struct Roller {
   double creep;
@@ -30,7 +36,9 @@ struct Roller {
 /// coefficient.
 class MovingCreep {
  public:
-  MovingCreep(const Case &input, const FrictionLaw &law, const ContactSetup &setup);
+  /// All must outlive the object. @param setup rolling on a Free boundary
+  MovingCreep(const CreepPhysics &physics, const MovingSpecification &moving,
+              const FrictionLaw &law, const ContactSetup &setup);
 
   /// @param progress called now and then; returns false to stop
   /// @return one point per creep; empty when stopped
@@ -39,7 +47,7 @@ class MovingCreep {
                                 const std::function<bool()> &progress);
 
   /// At the end, for the last creep.
-  const ContactFields &fields() const { return contact; }
+  const ContactFields &fields() const { return contact_; }
 
  private:
   void solvePressure(int step, double temperature);
@@ -48,14 +56,15 @@ class MovingCreep {
   void endPass(Roller &roller, double speed, int steps);
   CreepPoint pointOf(const Roller &roller, double speed, int steps, int counted) const;
 
-  const Case &input;
-  const FrictionLaw &law;
-  const ContactSetup &setup;
-  HalfPlane domain;                ///< for the pressure
-  std::optional<HalfPlane> window; ///< for the traction: the cells in contact and a few more
-  int windowBegin = 0;
-  NormalContactResult normal;
-  ContactFields contact;
+  const CreepPhysics &physics_;
+  const MovingSpecification &moving_;
+  const FrictionLaw &law_;
+  const ContactSetup &setup_;
+  HalfPlane domain_;                ///< for the pressure
+  std::optional<HalfPlane> window_; ///< for the traction: the cells in contact and a few more
+  int windowBegin_ = 0;
+  NormalContactResult normal_;
+  ContactFields contact_;
 };
 
 } // namespace wheelrail

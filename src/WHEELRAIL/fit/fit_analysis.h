@@ -13,28 +13,28 @@ namespace wheelrail {
 
 struct FitOptions {
   LawModel model = LawModel::Full;
-  double level = 0.95;           ///< of the confidence intervals
-  double kappa3 = 0.0;           ///< reference of the model Kappa3; 0: geometric mean of the points
-  double kappa2_min = 2.0;       ///< points below are left out (the paper's rule)
-  bool include_drifting = false; ///< fit points without a stationary part too
+  double level = 0.95;          ///< of the confidence intervals
+  double kappa3 = 0.0;          ///< reference of the model Kappa3; 0: geometric mean of the points
+  double kappa2Min = 2.0;       ///< points below are left out (the paper's rule)
+  bool includeDrifting = false; ///< fit points without a stationary part too
 };
 
 /// One line of the model comparison.
 struct ModelComparison {
   LawModel model = LawModel::Full;
   std::optional<LawFit> fit;
-  std::string why_not; ///< why it could not be fitted
+  std::string whyNot; ///< why it could not be fitted
 };
 
 /// Everything that wr_fit finds out.
 struct FitAnalysis {
   FitOptions options;
-  std::vector<FrictionPoint> points; ///< all; left_out says which are not fitted
+  std::vector<FrictionPoint> points; ///< all; leftOut says which are not fitted
   std::optional<LawFit> fit;         ///< its vectors run over the points that are not left out
-  std::string why_not;               ///< why there is no fit
+  std::string whyNot;                ///< why there is no fit
   std::string mixture; ///< one line if runs of other laws or programs are taken together
   /// There are enough points, but they do not determine the parameters.
-  bool not_identifiable = false;
+  bool notIdentifiable = false;
   std::vector<ModelComparison> models;
 
   /// The points that are fitted, in order.

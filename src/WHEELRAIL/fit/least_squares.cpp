@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <array>
+#include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <stdexcept>
 
@@ -269,31 +271,16 @@ Interval profileInterval(const LeastSquaresProblem &problem, const LeastSquaresS
       atInside = atOutside;
       stride *= 1.7;
     }
-    // regula falsi with halving where it does not shrink the bracket (Illinois)
-    constexpr double tolerance = 1e-4;
-    int lastSide = 0;
-    double f0 = atInside - 1.0;
-    double f1 = atOutside - 1.0;
-    end = outside;
-    for (int i = 0; i < 60 && std::abs(outside - inside) > tolerance * standardError; ++i) {
-      end = inside - f0 * (outside - inside) / (f1 - f0);
-      const double f = profile(end) - 1.0;
-      if (std::abs(f) < tolerance)
-        break;
-      const int side = f < 0.0 ? -1 : 1;
-      if (side < 0) {
-        inside = end;
-        f0 = f;
-        if (lastSide == side)
-          f1 *= 0.5;
-      } else {
-        outside = end;
-        f1 = f;
-        if (lastSide == side)
-          f0 *= 0.5;
-      }
-      lastSide = side;
-    }
+    constexpr double tolerance = 1e-6;
+    const auto near = [&](double a, double b) { return b - a <= tolerance * standardError; };
+    const auto excess = [&](double value) { return profile(value) - 1.0; };
+    const bool upwards = outside > inside;
+    std::uintmax_t steps = 60;
+    const auto bracket = boost::math::tools::toms748_solve(
+        excess, upwards ? inside : outside, upwards ? outside : inside,
+        (upwards ? atInside : atOutside) - 1.0, (upwards ? atOutside : atInside) - 1.0, near,
+        steps);
+    end = 0.5 * (bracket.first + bracket.second);
   };
   Interval interval;
   const bool bounded = problem.lower.size() > 0;

@@ -1,8 +1,8 @@
 #include "law/friction_law.h"
 
 #include "base/errors.h"
-#include "base/nearest_word.h"
 #include "base/output_file.h"
+#include "shared/nearest_word.h"
 
 #include <algorithm>
 #include <cmath>
@@ -154,7 +154,7 @@ class LawFile {
     for (const auto &item : json.items())
       if (std::find(known.begin(), known.end(), item.key()) == known.end())
         throw badInput(fileName, lineOf(item.key()), "",
-                       unknownWord("key", item.key(), nearestWord(item.key(), known)));
+                       mcawr::unknownWord("key", item.key(), known));
   }
 
   int lineOf(const std::string &key) const
@@ -206,16 +206,21 @@ FrictionLaw bucher2006()
   law.b = 0.195;
   law.c = 0.00212;
   law.n = 34;
-  law.rms_relative = 0.09;
-  law.kappa1_range = {0.0, 19.0};
-  law.kappa2_range = {2.0, 633.0};
+  law.rmsRelative = 0.09;
+  law.kappa1Range = {0.0, 19.0};
+  law.kappa2Range = {2.0, 633.0};
   law.source = "Bucher et al., Wear 261 (2006) 874, Eq. 3";
   return law;
 }
 
+bool isBuiltinLaw(const std::string &name)
+{
+  return name == builtinName;
+}
+
 FrictionLaw readFrictionLaw(const std::string &path)
 {
-  if (path == builtinName)
+  if (isBuiltinLaw(path))
     return bucher2006();
   const LawFile file(path);
   const auto format = file.string("format");
@@ -229,9 +234,9 @@ FrictionLaw readFrictionLaw(const std::string &path)
   law.c = file.nonNegative("c");
   law.covariance = file.covariance();
   law.n = file.count("n");
-  law.rms_relative = file.nonNegative("rms_relative");
-  law.kappa1_range = file.range("kappa1_range");
-  law.kappa2_range = file.range("kappa2_range");
+  law.rmsRelative = file.nonNegative("rms_relative");
+  law.kappa1Range = file.range("kappa1_range");
+  law.kappa2Range = file.range("kappa2_range");
   law.source = file.string("source");
   return law;
 }
@@ -257,9 +262,9 @@ nlohmann::ordered_json toJson(const FrictionLaw &law)
     json["covariance"] = rows;
   }
   json["n"] = law.n;
-  json["rms_relative"] = law.rms_relative;
-  json["kappa1_range"] = law.kappa1_range;
-  json["kappa2_range"] = law.kappa2_range;
+  json["rms_relative"] = law.rmsRelative;
+  json["kappa1_range"] = law.kappa1Range;
+  json["kappa2_range"] = law.kappa2Range;
   json["source"] = law.source;
   return json;
 }

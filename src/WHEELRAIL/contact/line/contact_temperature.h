@@ -15,6 +15,19 @@ struct ThermalMaterial {
   double specificHeat; ///< J/(kg K)
 };
 
+/// Where the temperature of the contact comes from.
+enum class ThermalModel {
+  Off,           ///< no temperature
+  Averaged,      ///< Eq. 11: mean rise of a Hertzian contact that slides as a whole
+  AveragedPower, ///< Eq. 11 with the frictional power T/N in place of mu
+  Local          ///< `FlashTemperature`, `TravellingHeat`
+};
+
+struct ThermalSpecification {
+  ThermalModel model = ThermalModel::Averaged;
+  ThermalMaterial material{}; ///< of both bodies; not used by Off
+};
+
 /// Eq. 11's coefficient, exactly 8 sqrt(2)/(15 sqrt(pi)) = 0.425538 (the paper rounds to 0.426).
 double meanTemperatureCoefficient();
 
