@@ -174,9 +174,8 @@ void checkInputsStay(const Settings &settings, const Case &input)
 }
 
 void compute(const Settings &settings, const SweepOptions &options, const std::string &text,
-             const StaticSpecification &asked)
+             const FrictionLaw &law, const StaticSpecification &asked)
 {
-  const FrictionLaw law = readLaw(asked.physics.friction);
   const StaticCases cases = solveStaticCases(asked, law, options);
   finish(settings,
          {{"static.csv", staticCsv(asked.surface, cases)},
@@ -187,9 +186,8 @@ void compute(const Settings &settings, const SweepOptions &options, const std::s
 }
 
 void compute(const Settings &settings, const SweepOptions &options, const std::string &text,
-             const CreepSpecification &asked)
+             const FrictionLaw &law, const CreepSpecification &asked)
 {
-  const FrictionLaw law = readLaw(asked.physics.friction);
   const CreepCurves curves = solveCreepCurves(asked, law, options);
   Files files = {{"creep.csv", creepCsv(asked.surface, curves)},
                  {"creep.json", creepJson(asked, curves)}};
@@ -213,7 +211,7 @@ void run(const Settings &settings)
     writeStandardOutput(input.text);
     return;
   }
-  readLaw(input.friction()); // what is wrong with it is said before folders are made
+  const FrictionLaw law = readLaw(input.friction());
   prepareOutputFolder(settings.folder);
   checkInputsStay(settings, input);
 
@@ -225,7 +223,8 @@ void run(const Settings &settings)
   options.interrupted = [] { return interruptAsked.load(); };
   if (!settings.quiet)
     options.progress = [&](int done, int total) { progress(done, total); };
-  std::visit([&](const auto &asked) { compute(settings, options, input.text, asked); }, input.task);
+  std::visit([&](const auto &asked) { compute(settings, options, input.text, law, asked); },
+             input.task);
 }
 
 } // namespace
