@@ -1,8 +1,8 @@
 #ifndef WHEELRAIL_CASE_TEXT_H
 #define WHEELRAIL_CASE_TEXT_H
 
-#include "case_file.h"
-#include "output_file.h"
+#include "base/output_file.h"
+#include "creep/case_file.h"
 
 #include <filesystem>
 #include <fmt/format.h>
@@ -30,6 +30,18 @@ inline wheelrail::Case read(const std::string &text, const std::vector<std::stri
     remove();
     throw;
   }
+}
+
+/// A case of rolling, and one without.
+inline wheelrail::CreepSpecification rolling(const std::string &text,
+                                             const std::vector<std::string> &changes = {})
+{
+  return std::get<wheelrail::CreepSpecification>(read(text, changes).task);
+}
+inline wheelrail::StaticSpecification still(const std::string &text,
+                                            const std::vector<std::string> &changes = {})
+{
+  return std::get<wheelrail::StaticSpecification>(read(text, changes).task);
 }
 
 } // namespace case_text

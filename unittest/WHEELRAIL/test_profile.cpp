@@ -1,6 +1,7 @@
-#include "errors.h"
-#include "output_file.h"
-#include "profile.h"
+#include "base/errors.h"
+#include "base/output_file.h"
+#include "base/random_number.h"
+#include "contact/line/profile.h"
 
 #include <cmath>
 #include <complex>

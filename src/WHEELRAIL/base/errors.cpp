@@ -1,0 +1,26 @@
+#include "base/errors.h"
+
+#include <fmt/format.h>
+
+namespace wheelrail {
+
+Error::Error(ExitCode code, const std::string &message) : std::runtime_error(message), code_(code)
+{
+}
+
+Error badInput(const std::string &file, int line, const std::string &keyword,
+               const std::string &problem)
+{
+  std::string text = file;
+  if (line > 0)
+    text += fmt::format(":{}", line);
+  if (!keyword.empty())
+    text += fmt::format(": {}", keyword);
+  Error error(ExitCode::BadInput, fmt::format("{}: {}", text, problem));
+  error.file_ = file;
+  error.line_ = line;
+  error.keyword_ = keyword;
+  return error;
+}
+
+} // namespace wheelrail

@@ -1,0 +1,368 @@
+#include "contact/normal_contact.h"
+
+#include "base/errors.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <fmt/format.h>
+#include <memory>
+
+namespace wheelrail {
+namespace {
+
+using Vector = Eigen::VectorXd;
+
+constexpr double coarseTolerance = 1e-3; ///< a start for the next grid needs no more
+constexpr double rounding = 1e-14;
+constexpr int boldSets = 20;            ///< sets that may raise the energy; mostly 8 are enough
+constexpr double firstTolerance = 1e-2; ///< the first sets are wrong anyway
+
+/// One grid's search, as a loop of two moves: `solveInside` finds the pressures of the cells in
+/// between as if the others were fixed, then `jump` or `join` changes who is in between.
+///
+/// `jump` moves every cell that breaks its condition at once. That is bold: the energy may rise,
+/// but from a coarser grid's start 8 sets are mostly enough, however many cells there are. Now and
+/// then the sets cycle. Then `beCareful` makes every move lower the energy: `solveInside` goes only
+/// as far as that allows, and `join` takes one step of projected gradient, which cannot cycle,
+/// since no set of cells comes back at a lower energy.
+///
+/// The quadratic programme: minimise p.A p/2 + profile.p with 0 <= p <= limit, sum p = load.
+class PressureSearch {
+ public:
+  PressureSearch(HalfSpace &space, const NormalContactProblem &input)
+      : halfSpace_(space), problem_(input), n_(space.cells())
+  {
+  }
+
+  /// From any guess: the nearest admissible pressure with the same shape.
+  void startFrom(const Vector &guess)
+  {
+    pressure = guess.cwiseMax(0.0);
+    pressure *= problem_.load / pressure.sum();
+    pressure = projected(pressure, Vector::Ones(n_));
+    gap = problem_.profile + halfSpace_.displacement(pressure);
+  }
+
+  /// Conjugate gradients on the cells strictly inside the limits, then as much of the way there
+  /// as lowers the energy when what leaves the limits is cut off. @return steps taken
+  int solveInside(double tolerance, int maxSteps);
+
+  /// Lets cells that overlap, or that lie at the limit but apart, join by one step of projected
+  /// gradient. @return how many broke their condition by more than the tolerance
+  int join(double tolerance);
+
+  /// Without regard to the energy: what pulls is released, what is above the limit is set to it,
+  /// what overlaps joins, all at once. @return number of cells that changed
+  int jump(double tolerance);
+
+  bool wasCut() const { return cut_; }
+  /// From now on the energy has to fall in every step: slower, but it cannot cycle.
+  void beCareful() { careful_ = true; }
+  CellState state(int i) const
+  {
+    if (pressure[i] <= 0.0)
+      return CellState::Apart;
+    return pressure[i] >= problem_.pressureLimit ? CellState::Plastic : CellState::Contact;
+  }
+
+  Vector pressure;
+  Vector gap; ///< profile + displacement, before the approach is taken off
+  double approach = 0.0;
+  double residual = std::numeric_limits<double>::infinity();
+
+ private:
+  Vector inside() const
+  {
+    return (pressure.array() > 0.0 && pressure.array() < problem_.pressureLimit).cast<double>();
+  }
+  /// Gives the cells inside the limits what the others do not carry; renews the gap.
+  void balance();
+  /// Nearest point of {0 <= p <= limit, sum p = load} that differs only where free is 1.
+  Vector projected(const Vector &wanted, const Vector &free) const;
+  /// Moves to the projection of pressure + length * direction, the length halved until the energy
+  /// falls by a tenth of what the slope promises. @return false if rounding leaves nothing to gain
+  bool descend(const Vector &direction, const Vector &free, double length);
+
+  HalfSpace &halfSpace_;
+  const NormalContactProblem &problem_;
+  int n_;
+  bool cut_ = false, careful_ = false;
+};
+
+Vector PressureSearch::projected(const Vector &wanted, const Vector &free) const
+{
+  // clamp(wanted - shift) carries the load at one shift; Newton on a piecewise linear, monotone
+  // function, kept between bounds
+  const double highest = std::min(problem_.pressureLimit, problem_.load);
+  double low = -highest, high = highest;
+  for (int i = 0; i < n_; ++i) {
+    if (free[i] == 0.0)
+      continue;
+    low = std::min(low, wanted[i] - highest);
+    high = std::max(high, wanted[i]);
+  }
+  const auto shifted = [&](double shift) {
+    Vector p = wanted;
+    for (int i = 0; i < n_; ++i)
+      p[i] =
+          free[i] == 0.0 ? pressure[i] : std::clamp(wanted[i] - shift, 0.0, problem_.pressureLimit);
+    return p;
+  };
+  double shift = 0.0;
+  Vector p = shifted(shift);
+  for (int step = 0; step < 200; ++step) {
+    const double excess = p.sum() - problem_.load;
+    if (std::abs(excess) <= rounding * problem_.load)
+      break;
+    (excess > 0.0 ? low : high) = shift;
+    const double moving =
+        (free.array() * ((p.array() > 0.0 && p.array() < problem_.pressureLimit)).cast<double>())
+            .sum();
+    const double newton = shift + excess / moving;
+    shift = newton > low && newton < high ? newton : 0.5 * (low + high);
+    p = shifted(shift);
+  }
+  return p;
+}
+
+bool PressureSearch::descend(const Vector &direction, const Vector &free, double length)
+{
+  constexpr double sufficient = 0.1, shortest = 1e-6;
+  for (double part = 1.0; part > shortest; part *= 0.5) {
+    const Vector wanted = pressure + part * length * direction;
+    const Vector target = projected(wanted, free);
+    const Vector step = target - pressure;
+    const double slope = step.dot(gap) - approach * step.sum();
+    const Vector change = halfSpace_.displacement(step);
+    if (!(slope + 0.5 * step.dot(change) < sufficient * slope))
+      continue;
+    cut_ = part < 1.0 || ((target - wanted).array() != 0.0).any();
+    pressure = target;
+    gap += change;
+    return true;
+  }
+  return false;
+}
+
+int PressureSearch::solveInside(double tolerance, int maxSteps)
+{
+  const Vector free = inside();
+  const double cells = free.sum();
+  cut_ = false;
+  if (cells < 1.0)
+    return 0;
+  const double meanPressure = problem_.load / (pressure.array() > 0.0).count();
+  // What the preconditioner makes of a change of the approach; taken off, it leaves the load alone
+  const Vector unit = halfSpace_.tractionEstimate(free).cwiseProduct(free);
+  const double unitSum = unit.sum();
+
+  Vector total = Vector::Zero(n_), direction = Vector::Zero(n_), current = gap;
+  double product = 0.0; // residual . preconditioned residual
+  int step = 0;
+  for (;; ++step) {
+    approach = current.dot(free) / cells;
+    const Vector r = (approach - current.array()) * free.array();
+    Vector z = halfSpace_.tractionEstimate(r).cwiseProduct(free);
+    z -= z.sum() / unitSum * unit;
+    residual = std::sqrt(z.squaredNorm() / cells) / meanPressure;
+    if (residual <= tolerance || step >= maxSteps)
+      break;
+    const double newProduct = r.dot(z);
+    direction = z + (step > 0 ? newProduct / product : 0.0) * direction;
+    product = newProduct;
+    const Vector change = halfSpace_.displacement(direction);
+    const double curvature = direction.dot(change);
+    if (!(curvature > 0.0))
+      break; // rounding: nothing is left to gain
+    const double length = r.dot(direction) / curvature;
+    total += length * direction;
+    current += length * change;
+  }
+  const Vector target = pressure + total;
+  if (!careful_ || (target.array() >= 0.0 && target.array() <= problem_.pressureLimit).all()) {
+    pressure = target;
+    gap = current;
+  } else {
+    descend(total, free, 1.0);
+  }
+  return step;
+}
+
+int PressureSearch::join(double tolerance)
+{
+  const Vector free = inside();
+  if (free.sum() < 1.0) { // nothing in between: the approach lies between the two kinds' gaps
+    double limited = -std::numeric_limits<double>::infinity(), apart = -limited;
+    for (int i = 0; i < n_; ++i)
+      if (pressure[i] > 0.0)
+        limited = std::max(limited, gap[i]);
+      else
+        apart = std::min(apart, gap[i]);
+    approach = std::isfinite(apart) ? 0.5 * (limited + apart) : limited;
+  }
+  const double threshold = tolerance * halfSpace_.displacementScale(problem_.load); // of the gap
+  const Vector slope = approach - gap.array();
+  Vector active = slope; // without the cells that their limit keeps from following the slope
+  int broken = 0;
+  for (int i = 0; i < n_; ++i) {
+    const CellState is = state(i);
+    if (is == CellState::Contact)
+      continue;
+    const double violation = is == CellState::Apart ? slope[i] : -slope[i];
+    if (violation <= 0.0)
+      active[i] = 0.0;
+    broken += violation > threshold;
+  }
+  if (!broken)
+    return 0;
+  const double curvature = active.dot(halfSpace_.displacement(active));
+  const double length = active.squaredNorm() / std::abs(curvature);
+  return descend(slope, Vector::Ones(n_), length) ? broken : 0;
+}
+
+void PressureSearch::balance()
+{
+  const Vector free = inside();
+  const double cells = free.sum(), carried = pressure.dot(free);
+  const double wanted = problem_.load - (pressure.sum() - carried);
+  const double highest = (1.0 - rounding) * problem_.pressureLimit;
+  const double uniform = wanted / cells;
+  if (cells > 0.0 && uniform > 0.0 && uniform < highest) {
+    // scaled, and as far towards uniform as the limit asks: both carry the load
+    const double factor = wanted / carried;
+    double highestScaled = 0.0;
+    for (int i = 0; i < n_; ++i)
+      if (free[i] != 0.0)
+        highestScaled = std::max(highestScaled, factor * pressure[i]);
+    const double part =
+        highestScaled < highest ? 1.0 : (highest - uniform) / (highestScaled - uniform);
+    for (int i = 0; i < n_; ++i)
+      if (free[i] != 0.0)
+        pressure[i] = part * factor * pressure[i] + (1.0 - part) * uniform;
+  } else {
+    pressure = projected(pressure, Vector::Ones(n_));
+  }
+  gap = problem_.profile + halfSpace_.displacement(pressure);
+}
+
+int PressureSearch::jump(double tolerance)
+{
+  const double threshold = tolerance * halfSpace_.displacementScale(problem_.load),
+               little = rounding * problem_.load / n_;
+  int changed = 0;
+  for (int i = 0; i < n_; ++i) {
+    const double p = pressure[i], distance = gap[i] - approach;
+    if (p < 0.0)
+      pressure[i] = 0.0;
+    else if (p > problem_.pressureLimit)
+      pressure[i] = problem_.pressureLimit;
+    else if (p == 0.0 && distance < -threshold)
+      pressure[i] = little;
+    else if (p == problem_.pressureLimit && distance > threshold)
+      pressure[i] -= little;
+    changed += pressure[i] != p;
+  }
+  if (changed)
+    balance();
+  return changed;
+}
+
+} // namespace
+
+int NormalContactResult::contactCells() const
+{
+  return static_cast<int>((pressure.array() > 0.0).count());
+}
+
+namespace {
+
+/// The problem on a coarser grid of the same half-space.
+NormalContactProblem coarsened(const NormalContactProblem &fine, const CellGrid &grid,
+                               const CellGrid &coarseGrid)
+{
+  NormalContactProblem coarse = fine;
+  coarse.profile = coarseMean(grid, coarseGrid, fine.profile);
+  coarse.load = fine.load * coarseGrid.cells() / grid.cells();
+  return coarse;
+}
+
+NormalContactResult solveOnGrids(HalfSpace &halfSpace, const NormalContactProblem &problem,
+                                 const NormalContactOptions &options)
+{
+  const int n = halfSpace.cells();
+  PressureSearch search(halfSpace, problem);
+  int iterations = 0;
+  if (options.start.size() == n && options.start.maxCoeff() > 0.0) {
+    search.startFrom(options.start);
+  } else if (const std::unique_ptr<HalfSpace> coarseSpace = halfSpace.coarser()) {
+    NormalContactOptions coarseOptions = options;
+    coarseOptions.start.resize(0);
+    coarseOptions.tolerance = coarseTolerance;
+    const CellGrid &grid = halfSpace.grid(), &coarseGrid = coarseSpace->grid();
+    const NormalContactResult coarse =
+        solveOnGrids(*coarseSpace, coarsened(problem, grid, coarseGrid), coarseOptions);
+    iterations = coarse.iterations;
+    search.startFrom(refinedField(grid, coarseGrid, coarse.pressure));
+  } else {
+    search.startFrom(Vector::Constant(n, problem.load / n));
+  }
+
+  NormalContactResult result;
+  double tolerance = std::max(options.tolerance, firstTolerance);
+  for (int set = 1;; ++set) {
+    if (set > boldSets)
+      search.beCareful();
+    iterations += search.solveInside(tolerance, options.maxIterations - iterations);
+    const int changed =
+        set <= boldSets ? search.jump(options.tolerance) : search.join(options.tolerance);
+    result.activeSets = set;
+    if (!changed && !search.wasCut() && tolerance <= options.tolerance)
+      break;
+    if (set >= options.maxActiveSets || iterations >= options.maxIterations)
+      throw Error(ExitCode::NotConverged,
+                  fmt::format("normal contact: no convergence after {} active sets, {} iterations, "
+                              "residual {:.2e} (wanted {:.2e})",
+                              set, iterations, search.residual, options.tolerance));
+    tolerance = std::max(options.tolerance, changed ? 0.1 * tolerance : 0.0);
+  }
+
+  result.iterations = iterations;
+  result.residual = search.residual;
+  result.approach = search.approach;
+  result.pressure = search.pressure;
+  result.gap = Vector::Zero(n);
+  result.plasticDepth = Vector::Zero(n);
+  result.state.resize(n);
+  for (int i = 0; i < n; ++i) {
+    const double distance = search.gap[i] - search.approach;
+    result.state[i] = search.state(i);
+    if (result.state[i] == CellState::Apart)
+      result.gap[i] = std::max(0.0, distance);
+    if (result.state[i] == CellState::Plastic)
+      result.plasticDepth[i] = std::max(0.0, -distance);
+  }
+  return result;
+}
+
+} // namespace
+
+NormalContactResult solveNormalContact(HalfSpace &halfSpace, const NormalContactProblem &problem,
+                                       const NormalContactOptions &options)
+{
+  const auto begin = std::chrono::steady_clock::now();
+  const int n = halfSpace.cells();
+  if (problem.profile.size() != n || !problem.profile.allFinite())
+    throw Error(ExitCode::Internal, "normal contact: profile does not fit the grid");
+  if (!(problem.load > 0.0) || problem.load >= problem.pressureLimit * n)
+    throw Error(
+        ExitCode::BadInput,
+        fmt::format("normal contact: the pressures' sum {} must be positive and below what the "
+                    "pressure limit carries on all cells, {}",
+                    problem.load, problem.pressureLimit * n));
+  NormalContactResult result = solveOnGrids(halfSpace, problem, options);
+  result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  return result;
+}
+
+} // namespace wheelrail

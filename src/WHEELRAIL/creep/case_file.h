@@ -1,0 +1,62 @@
+#ifndef WHEELRAIL_CREEP_CASE_FILE_H
+#define WHEELRAIL_CREEP_CASE_FILE_H
+
+#include "creep/creep_curve.h"
+#include "creep/static_contact.h"
+
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace wheelrail {
+
+/// What a case file asks for, in the words of the physics, and the file itself with everything
+/// filled in.
+struct Case {
+  /// Rolling, or a tangential force without rolling (mode static).
+  std::variant<CreepSpecification, StaticSpecification> task;
+  /// The complete configuration as a case file: reading it gives the same case.
+  std::string text;
+
+  const SurfaceSpecification &surface() const;   ///< of the task
+  const FrictionSpecification &friction() const; ///< of the task
+};
+
+/// One keyword of the case file. The table of them is the one source of parsing, `--help`,
+/// `--print-config` and the check against the documentation.
+struct Keyword {
+  /// What a value may be; only the lists take more than one.
+  enum class Kind {
+    Quantity, ///< a number with a unit that UDUNITS-2 can convert to `unit`
+    QuantityList,
+    Number, ///< a number without a unit
+    NumberList,
+    Integer,
+    IntegerList,
+    Switch, ///< true, false
+    Choice, ///< one of `choices`
+    Text,
+    TextList
+  };
+  const char *name; ///< with dots: "contact.radius"
+  Kind kind;
+  const char *unit;    ///< SI unit for UDUNITS-2; "1": pure number
+  const char *initial; ///< value that is used when it is not given; "": none
+  double low, high;    ///< allowed range in `unit`; low is excluded where `lowOpen`
+  bool lowOpen;
+  const char *choices; ///< Choice: separated by '|'
+  const char *help;    ///< half a sentence for --help and messages
+};
+
+/// All keywords, in the order of --help and --print-config; every group together.
+const std::vector<Keyword> &keywords();
+
+/// Reads a case file (YAML) and then "keyword=value" changes, the value in YAML as in the file.
+/// Profile and law files that are named in it are looked for from the working folder, then from the
+/// case file's; they are not read here.
+/// @return all in SI units
+/// @throws Error (BadInput) for the file, with line and keyword; Error (Usage) for changes
+Case readCase(const std::string &path, const std::vector<std::string> &changes = {});
+
+} // namespace wheelrail
+#endif

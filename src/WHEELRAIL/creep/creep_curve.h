@@ -1,0 +1,56 @@
+#ifndef WHEELRAIL_CREEP_CREEP_CURVE_H
+#define WHEELRAIL_CREEP_CREEP_CURVE_H
+
+#include "creep/creep_point.h"
+#include "creep/law_spread.h"
+#include "creep/moving_creep.h"
+#include "creep/sweep.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace wheelrail {
+
+/// A point with the profile it belongs to and, if the law has a covariance, the band of its T/N.
+struct CurvePoint : CreepPoint {
+  std::uint64_t profile = 0; ///< seed, or number of the measured profile from 1 on
+  Band band;
+};
+
+/// What a sweep gives.
+struct CreepCurves {
+  std::vector<ContactSetup> contacts; ///< one per profile
+  std::vector<CurvePoint> points;     ///< by profile, then speed, then creep
+  bool hasBand = false;               ///< the law has a covariance
+  double redrawn = 0.0;               ///< share of the sampled laws that had to be drawn again
+  ContactFields last;                 ///< along the contact, of the last point
+  int resumed = 0;                    ///< points taken over from an interrupted run
+  double seconds = 0.0;               ///< that it took, contacts included
+};
+
+/// Does the roughness stay in the contact, or travel with the material?
+enum class RollingMode { Frozen, Moving };
+
+/// A sweep of creeps and speeds over profiles, all of it; SI units.
+struct CreepSpecification {
+  LineContactSpecification contact; ///< rolling needs a radius: no period
+  SurfaceSpecification surface;
+  CreepPhysics physics;
+  RollingMode mode = RollingMode::Frozen;
+  MovingSpecification moving; ///< of mode Moving
+  std::vector<double> creep;  ///< sliding/rolling speed, >= 0, at least one
+  std::vector<double> speed;  ///< rolling speeds v0, m/s, > 0, at least one
+  SpreadSpecification spread;
+};
+
+/// All creeps at all speeds on all profiles. The work is cut into pieces of a few neighbouring
+/// creeps, each started cold and solved in order, whatever the number of threads: so the result is
+/// the same to the last bit on one thread or many, in one go or resumed.
+/// @param law of the specification's friction (`readLaw`); its covariance, if it has one, is
+///        carried through (`LawSpread`)
+/// @throws Error (Interrupted) when asked to stop, and what the points throw
+CreepCurves solveCreepCurves(const CreepSpecification &specification, const FrictionLaw &law,
+                             const SweepOptions &options = {});
+
+} // namespace wheelrail
+#endif

@@ -1,0 +1,77 @@
+#ifndef WHEELRAIL_CREEP_MOVING_CREEP_H
+#define WHEELRAIL_CREEP_MOVING_CREEP_H
+
+#include "creep/creep_point.h"
+
+#include <functional>
+#include <optional>
+
+namespace wheelrail {
+
+/// What transient rolling needs beside the creeps.
+struct MovingSpecification {
+  int passes = 4;               ///< lengths of the nominal contact that are rolled, >= 2
+  double referenceLength = 1.0; ///< of the half-plane's free constant, in Hertz half-widths, > 0
+};
+
+/// One creep on its way through the contact, as `MovingCreep` keeps it.
+struct Roller {
+  double creep;
+  TransientRolling rolling;
+  std::optional<TravellingHeat> heat;
+  Eigen::VectorXd temperature, mu; ///< per cell; K
+  RollingResult result;            ///< on the window
+  struct Sums { // of the steps' traction ratio, mean mu, stick fraction, temperature rise (K)
+    double ratio = 0.0, mu = 0.0, stick = 0.0, temperature = 0.0;
+  };
+  Sums pass, counted;   ///< over the pass, over the last half of all
+  double hottest = 0.0; ///< K, anywhere in the last half
+};
+
+/// Transient rolling: the roughness travels with the material, one cell a step. The creeps of a
+/// call share the pressures and are rolled together; they do not influence each other, so a
+/// pressure limit that depends on temperature wants one creep a call. Traction, friction and stick
+/// are means over the last half of the passes. Eq. 11's temperature follows the mean of the pass
+/// before; the local one is carried along by the material and is a cell behind in the friction
+/// coefficient.
+class MovingCreep {
+ public:
+  /// All arguments must outlive the object.
+  /// @param setup of a Free boundary, with a measured profile kept whole
+  MovingCreep(const CreepPhysics &physics, const MovingSpecification &moving,
+              const FrictionLaw &law, const ContactSetup &setup);
+
+  /// @param speed v0, m/s, > 0
+  /// @param creeps sliding/rolling speed, > 0
+  /// @param progress called at every step; returns false to stop
+  /// @return one point per creep; empty when stopped
+  /// @throws Error (NotConverged), Error (BadInput) for a measured profile that is too short
+  std::vector<CreepPoint> solve(double speed, const std::vector<double> &creeps,
+                                const std::function<bool()> &progress);
+
+  /// At the end of `solve`, for the last creep; SI units.
+  const ContactFields &fields() const { return contact_; }
+
+ private:
+  /// The pressure of a step, warm from the one before; temperature rise in K sets the limit.
+  void solvePressure(int step, double temperature);
+  void fitWindow(std::vector<Roller> &rollers);
+  /// One step of one creep; `counted` steps are averaged.
+  void roll(Roller &roller, double speed, bool counted);
+  /// Eq. 11 after each length of the nominal contact.
+  void endPass(Roller &roller, double speed, int steps);
+  CreepPoint pointOf(const Roller &roller, double speed, int steps, int counted) const;
+
+  const CreepPhysics &physics_;
+  const MovingSpecification &moving_;
+  const FrictionLaw &law_;
+  const ContactSetup &setup_;
+  HalfPlane domain_;                ///< for the pressure
+  std::optional<HalfPlane> window_; ///< for the traction: the cells in contact and a few more
+  int windowBegin_ = 0;
+  NormalContactResult normal_;
+  ContactFields contact_;
+};
+
+} // namespace wheelrail
+#endif

@@ -1,0 +1,51 @@
+#ifndef WHEELRAIL_FIT_FIT_ANALYSIS_H
+#define WHEELRAIL_FIT_FIT_ANALYSIS_H
+
+#include "fit/friction_point.h"
+#include "fit/law_fit.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace wheelrail {
+
+/// What wr_fit is asked for beside the logs.
+struct FitOptions {
+  LawModel model = LawModel::Full;
+  double level = 0.95;          ///< of the confidence intervals
+  double kappa3 = 0.0;          ///< reference of the model Kappa3; 0: geometric mean of the points
+  double kappa2Min = 2.0;       ///< points below are left out (the paper's rule)
+  bool includeDrifting = false; ///< fit points without a stationary part too
+};
+
+/// One line of the model comparison.
+struct ModelComparison {
+  LawModel model = LawModel::Full;
+  std::optional<LawFit> fit;
+  std::string whyNot; ///< why it could not be fitted
+};
+
+/// Everything that wr_fit finds out.
+struct FitAnalysis {
+  FitOptions options;
+  std::vector<FrictionPoint> points; ///< all; leftOut says which are not fitted
+  std::optional<LawFit> fit;         ///< its vectors run over the points that are not left out
+  std::string whyNot;                ///< why there is no fit
+  std::string mixture; ///< one line if runs of other laws or programs are taken together
+  /// There are enough points, but they do not determine the parameters.
+  bool notIdentifiable = false;
+  std::vector<ModelComparison> models;
+
+  /// The points that are fitted, in order.
+  std::vector<LawPoint> fitted() const;
+};
+
+/// Marks the points to leave out, fits, compares models. That a law cannot be fitted is no error:
+/// `whyNot` says why, and the comparison holds the models that can.
+/// @param points of `frictionPoint`, at least one
+FitAnalysis analysePoints(std::vector<FrictionPoint> points, const FitOptions &options);
+
+} // namespace wheelrail
+
+#endif

@@ -1,0 +1,53 @@
+#ifndef WHEELRAIL_FIT_LAW_PROBLEM_H
+#define WHEELRAIL_FIT_LAW_PROBLEM_H
+
+#include "fit/law_fit.h"
+
+namespace wheelrail {
+
+/// Place of each parameter in a vector x of all six: those of Eq. 2 and the exponent n of kappa3.
+enum LawParameter { Mu0, Mu1, Mu2, B, C, N };
+
+/// Puts Eq. 2's parameters of a vector into a law; n is not part of it.
+void setParameters(FrictionLaw &law, const Eigen::VectorXd &x);
+
+/// Eq. 2 times (kappa3/reference)^n at a point, with the parameters x. reference > 0.
+double modelMu(const Eigen::VectorXd &x, const LawPoint &point, double reference);
+
+/// What a model fits, as a weighted least-squares problem in (mu0, mu1, mu2, b, c, n), with
+/// analytic derivatives. Bounds: mu0, b, c >= 0; b and c at most a hundred times the inverse of the
+/// smallest positive kappa, where their terms are constant.
+class LawProblem {
+ public:
+  /// @param deviations standard deviation of each point, > 0
+  /// @param kappa3 reference of the model Kappa3, > 0
+  /// The points must outlive the problem.
+  LawProblem(LawModel model, const std::vector<LawPoint> &points, Eigen::VectorXd deviations,
+             double kappa3);
+
+  /// For solveLeastSquares; refers to *this.
+  LeastSquaresProblem make() const;
+
+  /// Starts: n = 0 and a grid over b and c with the linear parameters by linear least squares, the
+  /// best three.
+  std::vector<Eigen::VectorXd> starts(const LeastSquaresProblem &problem) const;
+
+ private:
+  /// Smallest positive value of kappa1 or kappa2 over the points, 1 without one.
+  double smallest(double LawPoint::*kappa) const;
+  /// Values of b or c to start from; just 0 where it is not fitted.
+  std::vector<double> grid(int parameter, double upper) const;
+  /// Sum of squares and parameters of the best mu0, mu1, mu2 at given b and c.
+  std::pair<double, Eigen::VectorXd> linearFit(double b, double c) const;
+  /// Residuals in units of the deviations, and their derivatives unless null.
+  void evaluate(const Eigen::VectorXd &x, Eigen::VectorXd &r, Eigen::MatrixXd *jacobian) const;
+
+  const std::vector<LawPoint> &points_;
+  Eigen::VectorXd sigma_;
+  double reference_;
+  std::array<bool, fitParameters> free_;
+};
+
+} // namespace wheelrail
+
+#endif
