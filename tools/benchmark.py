@@ -15,6 +15,9 @@ import tempfile
 import time
 from pathlib import Path
 
+from mcawr.errors import Exit, fail, run_script, say
+from mcawr.files import write
+
 ROOT = Path(__file__).resolve().parent.parent
 INPUTS = ROOT / "tools" / "benchmark"
 
@@ -43,11 +46,6 @@ many single runs as there are cores do side by side.
 
 The rates are per second of processor time of a rank (LAMMPS's CPU use), which on 1 rank other jobs hardly
 disturb; ranks wait for each other at full use of their cores, so more of them need as many free cores."""
-
-
-def fail(code, message):
-    print(f"benchmark.py: error: {message}", file=sys.stderr)
-    sys.exit(code)
 
 
 def counted(pattern, text):
@@ -91,7 +89,7 @@ def warm_up(lmp, automata, folder, scale):
     done = subprocess.run(command, cwd=folder, env=mpi_environment(), stdout=subprocess.PIPE,
                           stderr=subprocess.STDOUT, text=True, check=False)
     if done.returncode != 0:
-        fail(1, f"warm-up of {automata} automata: lmp failed with exit code {done.returncode}: {done.stdout[-500:]}")
+        fail(Exit.INTERNAL, f"warm-up of {automata} automata: lmp failed with exit code {done.returncode}: {done.stdout[-500:]}")
 
 
 def warm_file(folder, automata):
@@ -133,7 +131,7 @@ class Run:
         for text in texts:
             if self.process.returncode != 0 or "Loop time of" not in text:
                 errors = [line for line in (text + said).splitlines() if "ERROR" in line]
-                fail(1, f"{self.title}: lmp failed with exit code {self.process.returncode}: "
+                fail(Exit.INTERNAL, f"{self.title}: lmp failed with exit code {self.process.returncode}: "
                         f"{errors[0] if errors else said[-500:]}")
         return [parse_log(text) for text in texts]
 
@@ -238,29 +236,18 @@ def ratios(results):
 
 
 def print_tables(results, table):
-    print(f"\n{'style':20} {'automata':>8} {'ranks':>5} {'M steps/s':>9} {'min':>6} {'max':>6} "
+    say(f"\n{'style':20} {'automata':>8} {'ranks':>5} {'M steps/s':>9} {'min':>6} {'max':>6} "
           f"{'CPU %':>5} {'builds':>11}  breakdown %")
     for (style, automata, ranks), c in results.items():
         shares = " ".join(f"{n} {v:.0f}" for n, v in c["breakdown_percent"].items() if v >= 0.5)
         builds = f"{c['neighbour_list_builds']}/{c['steps']}"
-        print(f"{style:20} {automata:8} {ranks:5} {c['rate']['median']:9.2f} "
+        say(f"{style:20} {automata:8} {ranks:5} {c['rate']['median']:9.2f} "
               f"{c['rate']['min']:6.2f} {c['rate']['max']:6.2f} "
               f"{c['cpu_use_percent']:5.0f} {builds:>11}  {shares}")
-    print(f"\n{'ratio':34} {'automata':>8} {'ranks':>5} {'median':>7} {'min':>6} {'max':>6}")
+    say(f"\n{'ratio':34} {'automata':>8} {'ranks':>5} {'median':>7} {'min':>6} {'max':>6}")
     for r in table:
-        print(f"{r['ratio']:34} {r['automata']:8} {r['ranks']:5} {r['median']:7.2f} "
+        say(f"{r['ratio']:34} {r['automata']:8} {r['ranks']:5} {r['median']:7.2f} "
               f"{r['min']:6.2f} {r['max']:6.2f}")
-
-
-def write_json(path, content):
-    """The whole file or none."""
-    partial = path.with_name(path.name + ".part")
-    with open(partial, "w", encoding="utf-8") as stream:
-        json.dump(content, stream, indent=1)
-        stream.write("\n")
-        stream.flush()
-        os.fsync(stream.fileno())
-    partial.replace(path)
 
 
 def processor():
@@ -290,9 +277,9 @@ def arguments():
     if args.rounds < 1 or not args.scale > 0 or min(args.ranks) < 1 or args.partitions < 0:
         parser.error("--rounds, --scale and --ranks must be positive, --partitions not negative")
     if not os.access(args.build / "bin" / "lmp", os.X_OK):
-        fail(5, f"no lmp in {args.build / 'bin'}: run tools/setup.sh, or give --build DIR")
+        fail(Exit.IO, f"no lmp in {args.build / 'bin'}: run tools/setup.sh, or give --build DIR")
     if not os.access(args.output.parent, os.W_OK):
-        fail(5, f"cannot write {args.output}")
+        fail(Exit.IO, f"cannot write {args.output}")
     return args
 
 
@@ -335,18 +322,18 @@ def main():
     print_tables(results, table)
     busy = [case for case, c in results.items() if c["cpu_use_percent"] < 95]
     if busy:
-        print(f"\nThe machine was busy with other work: {len(busy)} of {len(results)} cases got "
+        say(f"\nThe machine was busy with other work: {len(busy)} of {len(results)} cases got "
               "less than 95 % of their cores; figures on more than 1 rank mean little then.")
-    write_json(args.output, {
+    write(args.output, json.dumps({
         "format": "mca-benchmark 1", "unit": "million automaton-steps per second",
         "date": datetime.datetime.now(datetime.timezone.utc).isoformat(timespec="seconds"),
         "processor": processor(), "cores": os.cpu_count(), "rounds": args.rounds,
         "seconds": round(time.monotonic() - start, 1), "machine_busy": bool(busy),
         "cases": [{"style": s, "automata": n, "ranks": r, **c}
                   for (s, n, r), c in results.items()],
-        "ratios": table})
-    print(f"\nwritten: {args.output}")
+        "ratios": table}, indent=1) + "\n")
+    say(f"\nwritten: {args.output}")
 
 
 if __name__ == "__main__":
-    main()
+    run_script(main)

@@ -1,5 +1,6 @@
 #!/bin/bash
 # From a folder of friction logs to creep curves with the uncertainty of the law carried through.
+# shellcheck source=tools/common.sh
 source "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/common.sh"
 
 usage() {

@@ -1,5 +1,6 @@
 #!/bin/bash
 # Set-up and all tests.
+# shellcheck source=tools/common.sh
 source "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/common.sh"
 
 usage() {

@@ -9,17 +9,13 @@ wr_fit's model eq2_kappa3 mu of the runs is brought to the law's kappa3 by the f
 Exit codes: 0 ok, 1 no matplotlib, 2 usage, 3 bad input file, 5 the picture cannot be written.
 """
 import argparse
-import json
-import os
-import sys
+
+from mcawr import plotting, tables
+from mcawr.errors import run_script
+from mcawr.files import save_figure
 
 PAPER = {"mu0": 0.15, "mu1": 0.0442, "mu2": 0.3243, "b": 0.195, "c": 0.00212}  # Eq. 3
 PAPER_RMS = 0.09
-
-
-def fail(code, text):
-    print(f"plot_fit.py: {text}", file=sys.stderr)
-    sys.exit(code)
 
 
 def contents(data):
@@ -36,11 +32,7 @@ def contents(data):
 
 def read(path):
     """(law or None, its relative RMS, points, covariance) of wr_fit's JSON."""
-    try:
-        with open(path, encoding="utf-8") as file:
-            return contents(json.load(file))
-    except (OSError, ValueError, KeyError, TypeError) as error:
-        fail(3, f"{path}: not wr_fit's JSON: {error}")
+    return tables.read_json(path, "wr_fit's JSON", contents)
 
 
 def velocity_term(law, kappa1):
@@ -62,10 +54,8 @@ def static_error(law, covariance, kappa2):
 
 def draw(law, rms, points, covariance, path):
     """The picture of the contents of wr_fit's JSON."""
+    plt = plotting.pyplot()
     import numpy as np
-    import matplotlib
-    matplotlib.use("Agg")
-    import matplotlib.pyplot as plt
 
     used = [p for p in points if not p["left_out"]]
     rest = [p for p in points if p["left_out"]]
@@ -117,19 +107,7 @@ def draw(law, rms, points, covariance, path):
               ylabel="$\\mu - \\mu_1\\kappa_1/(1+b\\,\\kappa_1)$",
               title="Without the velocity term (Fig. 8)")
     right.legend(fontsize=9)
-    # a device, a pipe or a link is written into: a file renamed over it would take its place
-    replaced = not os.path.lexists(path) or (os.path.isfile(path) and not os.path.islink(path))
-    beside = path + ".part" if replaced else path
-    try:
-        with open(beside, "wb") as file:
-            figure.savefig(file, dpi=130, format="png")
-        if replaced:
-            os.replace(beside, path)
-    except OSError as error:
-        if replaced and os.path.exists(beside):
-            os.remove(beside)
-        fail(5, f"{path}: cannot be written: {error.strerror}")
-    plt.close(figure)
+    save_figure(figure, path)
 
 
 def main():
@@ -137,13 +115,8 @@ def main():
     parser.add_argument("json", help="wr_fit's JSON (wr_fit -o)")
     parser.add_argument("-o", "--output", default="fit.png", metavar="PNG")
     given = parser.parse_args()
-    data = read(given.json)
-    try:
-        import matplotlib  # noqa: F401
-    except ImportError:
-        fail(1, "matplotlib is missing (Debian: apt-get install python3-matplotlib); no picture made")
-    draw(*data, given.output)
+    draw(*read(given.json), given.output)
 
 
 if __name__ == "__main__":
-    main()
+    run_script(main)

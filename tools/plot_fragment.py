@@ -21,10 +21,11 @@ Pillow, 2 usage, 3 bad input file, 5 the picture cannot be written.
 import argparse
 import io
 import math
-import os
-import sys
 
-from lammps_dump import BadDump, Dump
+from mcawr import plotting
+from mcawr.dump import Dump
+from mcawr.errors import BadInput, Exit, complain, fail, missing, run_script
+from mcawr.files import save_figure, write
 
 NEEDED = ("id", "type", "x", "y", "vx")
 STRIPES = 8  # across the fragment
@@ -36,11 +37,6 @@ LABELS = {"vx": "$v_x$ (nm/ns = m/s)", "vy": "$v_y$ (nm/ns = m/s)",
           "links": "links of an automaton", "welds": "welds of an automaton",
           "plastic": "plastic strain (-)", "intensity": "stress intensity (MPa)"}
 PAINT = {1: ("#9ecae1", "#2171b5"), 2: ("#fdbe85", "#d94801")}  # type: light, dark
-
-
-def fail(code, text):
-    print(f"plot_fragment.py: {text}", file=sys.stderr)
-    sys.exit(code)
 
 
 def nearest_distance(x, y):
@@ -182,27 +178,12 @@ class Picture:
                              extend=extend, ticks=range(steps) if counted else None)
 
 
-def write_whole(path, content):
-    """The file appears whole or not at all."""
-    beside = f"{path}.part"
-    try:
-        with open(beside, "wb") as file:
-            file.write(content)
-            file.flush()
-            os.fsync(file.fileno())
-        os.replace(beside, path)
-    except OSError as error:
-        if os.path.exists(beside):
-            os.remove(beside)
-        fail(5, f"{path}: cannot be written: {error.strerror}")
-
-
 def animate(picture, frames, rate, dpi):
     """Bytes of a GIF that shows all frames in turn, for ever."""
     try:
         from PIL import Image
-    except ImportError:
-        fail(1, "Pillow is missing (Debian: apt-get install python3-pil); no animation made")
+    except ImportError as error:
+        raise missing(error) from None
     images = []
     for number in range(frames):
         picture.show(number)
@@ -247,43 +228,27 @@ def arguments():
 def read(path):
     dump = Dump(path, STATE)
     if dump.cut:
-        print(f"plot_fragment.py: {path}: the last frame is cut and left out", file=sys.stderr)
+        complain(f"{path}: the last frame is cut and left out")
     for frame in dump.frames:
         if frame["count"] == 0:
-            raise BadDump(f"{path}:{frame['head'] + 1}: no automaton")
+            raise BadInput(f"{path}:{frame['head'] + 1}: no automaton")
     return dump
 
 
 def main():
     given = arguments()
-    try:
-        work(given)
-    except BadDump as error:
-        fail(3, error)
-
-
-def work(given):
     dump = read(given.dump)
     if not -len(dump.frames) <= given.frame < len(dump.frames):
-        fail(2, f"--frame {given.frame}: the dump has {len(dump.frames)} frames")
+        fail(Exit.USAGE, f"--frame {given.frame}: the dump has {len(dump.frames)} frames")
     for number in (0, given.frame):
         dump.columns(number, set(NEEDED) | {p for p in given.show if p != "stripes"})
-    try:
-        import matplotlib
-        matplotlib.use("Agg")
-        import matplotlib.pyplot as plt
-    except ImportError:
-        fail(1, "matplotlib is missing (Debian: apt-get install python3-matplotlib); no picture made")
-    picture = Picture(plt, dump, given)
+    picture = Picture(plotting.pyplot(), dump, given)
     if given.animated:
-        content = animate(picture, len(dump.frames), given.rate, given.dpi)
+        write(given.output, animate(picture, len(dump.frames), given.rate, given.dpi))
     else:
         picture.show(given.frame)
-        page = io.BytesIO()
-        picture.figure.savefig(page, dpi=given.dpi, format="png")
-        content = page.getvalue()
-    write_whole(given.output, content)
+        save_figure(picture.figure, given.output, given.dpi)
 
 
 if __name__ == "__main__":
-    main()
+    run_script(main)

@@ -15,16 +15,14 @@ Exit codes: 0 ok, 1 no matplotlib, 2 usage, 3 bad input file, 5 a file cannot be
 """
 import argparse
 import csv
+import io
 import math
-import os
-import sys
+
+from mcawr import plotting
+from mcawr.errors import BadInput, run_script, say
+from mcawr.files import save_figure, write
 
 COLUMNS = ["vx", "c_state[1]", "v_upper", "v_away2"]
-
-
-def fail(code, text):
-    print(f"plot_layer.py: {text}", file=sys.stderr)
-    sys.exit(code)
 
 
 def read_frames(path):
@@ -40,22 +38,22 @@ def read_frames(path):
             if line.startswith("# Chunk Coord1"):
                 names = words[2:]
                 if names[:2] != ["Coord1", "Ncount"] or names[2:] != COLUMNS:
-                    fail(3, f"{path}:{number}: columns '{' '.join(names)}', must be "
+                    raise BadInput(f"{path}:{number}: columns '{' '.join(names)}', must be "
                             f"'Coord1 Ncount {' '.join(COLUMNS)}'")
             elif words and not line.startswith("#"):
                 if names is None or len(words) != 3:
-                    fail(3, f"{path}:{number}: '{line}' where a frame should begin")
+                    raise BadInput(f"{path}:{number}: '{line}' where a frame should begin")
                 rows = numpy.array([next(lines).split()[1:] for _ in range(int(words[1]))], dtype=float)
                 if rows.shape[1:] != (len(names),):
-                    fail(3, f"{path}: the frame of step {words[0]} has rows of {rows.shape[1:]} columns")
+                    raise BadInput(f"{path}: the frame of step {words[0]} has rows of {rows.shape[1:]} columns")
                 rows = rows[rows[:, 1] > 0]
                 frames[int(words[0])] = dict(zip(names, rows.T))  # made again after a kill: the later one
     except StopIteration:
         pass  # the last frame is being written
     except (OSError, UnicodeDecodeError, ValueError) as error:
-        fail(3, f"{path}: cannot be read: {error}")
+        raise BadInput(f"{path}: cannot be read: {error}") from None
     if not frames:
-        fail(3, f"{path}: no frame")
+        raise BadInput(f"{path}: no frame")
     return sorted(frames.items())
 
 
@@ -100,24 +98,15 @@ def measure(step, frame):
 
 
 def write_table(path, table):
-    partial = path + ".part"
-    try:
-        with open(partial, "w", encoding="utf-8", newline="") as file:
-            writer = csv.DictWriter(file, table[0])
-            writer.writeheader()
-            writer.writerows(table)
-        os.replace(partial, path)
-    except OSError as error:
-        fail(5, f"{path}: cannot be written: {error}")
+    text = io.StringIO(newline="")
+    writer = csv.DictWriter(text, table[0])
+    writer.writeheader()
+    writer.writerows(table)
+    write(path, text.getvalue())
 
 
 def draw(path, frames, table, step, length, time):
-    import matplotlib
-
-    matplotlib.use("Agg")
-    from matplotlib import pyplot
-
-    figure, (left, middle, right) = pyplot.subplots(1, 3, figsize=(10.5, 3.8), layout="constrained")
+    figure, (left, middle, right) = plotting.pyplot().subplots(1, 3, figsize=(10.5, 3.8), layout="constrained")
     shown = sorted({round(k * (len(frames) - 1) / 3) for k in range(4)})
     for k in shown:
         number, frame = frames[k]
@@ -138,23 +127,16 @@ def draw(path, frames, table, step, length, time):
     right.set(xlabel=f"time [{time}]", ylabel=f"depth [{length}]")
     right.set_ylim(bottom=0)
     right.legend(fontsize=8)
-    root, extension = os.path.splitext(path)
-    partial = f"{root}.part{extension}"
-    try:
-        figure.savefig(partial, dpi=140)
-        os.replace(partial, path)
-    except (OSError, ValueError) as error:
-        fail(5, f"{path}: cannot be written: {error}")
+    save_figure(figure, path, dpi=140)
 
 
 def show(table):
     """Prints a row for each frame."""
-    print(f"{'step':>9} {'centre':>8} {'depth':>7} {'mixed':>7} {'displ.^2':>9} {'linked':>7} {'automata':>8}")
+    say(f"{'step':>9} {'centre':>8} {'depth':>7} {'mixed':>7} {'displ.^2':>9} {'linked':>7} {'automata':>8}")
     for row in table:
         mixed = "-" if math.isnan(row["mixed"]) else f"{row['mixed']:.3f}"
-        print(f"{row['step']:9d} {row['centre']:8.3f} {row['depth']:7.3f} {mixed:>7} "
+        say(f"{row['step']:9d} {row['centre']:8.3f} {row['depth']:7.3f} {mixed:>7} "
               f"{row['displacement2']:9.3f} {row['linked']:7.3f} {row['automata']:8.2f}")
-    sys.stdout.flush()
 
 
 def main():
@@ -166,22 +148,14 @@ def main():
     parser.add_argument("--units", nargs=2, default=["nm", "ns"], metavar=("LENGTH", "TIME"),
                         help="names of the units for the picture (default: nm ns)")
     args = parser.parse_args()
-    try:
-        import matplotlib  # noqa: F401, the picture needs it
-        import numpy  # noqa: F401
-    except ImportError as error:
-        fail(1, f"needs {error.name} (Debian: python3-{error.name})")
     frames = read_frames(args.file)
     table = [measure(*frame) for frame in frames]
     if args.csv:
         write_table(args.csv, table)
     if args.output:
         draw(args.output, frames, table, args.step, *args.units)
-    try:
-        show(table)
-    except BrokenPipeError:  # plot_layer.py FILE | head
-        sys.stderr.close()
+    show(table)
 
 
 if __name__ == "__main__":
-    main()
+    run_script(main)

@@ -17,13 +17,12 @@ import pathlib
 import sys
 import tempfile
 
+from mcawr import plotting
+from mcawr.errors import Exit, fail, run_script, say
+from mcawr.files import save_figure
+
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 sys.path.insert(0, str(ROOT / "unittest" / "MCA"))
-
-
-def fail(code, text):
-    print(f"plot_mechanics.py: {text}", file=sys.stderr)
-    sys.exit(code)
 
 
 def surface(m, np, plt, work):
@@ -174,16 +173,12 @@ def main():
     parser.add_argument("-o", "--out", type=pathlib.Path, default=pathlib.Path("."), help="folder of the pictures")
     parser.add_argument("--build", type=pathlib.Path, default=ROOT / "build", help="build folder with bin/lmp")
     options = parser.parse_args()
-    try:
-        import matplotlib
-        matplotlib.use("Agg")
-        import matplotlib.pyplot as plt
-        import numpy as np
-    except ImportError as problem:
-        fail(1, f"{problem}: install python3-matplotlib")
+    plt = plotting.pyplot()
+    import numpy as np
+
     program = options.build / "bin" / "lmp"
     if not program.exists():
-        fail(5, f"no {program}: build the project first, or give --build FOLDER")
+        fail(Exit.IO, f"no {program}: build the project first, or give --build FOLDER")
     os.environ.update(MCA_LMP=str(program.resolve()), PROJECT_SOURCE=str(ROOT),
                       MCA_PLUGIN=str((options.build / "lib" / "mcaplugin.so").resolve()))
     import mechanics
@@ -192,12 +187,9 @@ def main():
             figure = FIGURES[name](mechanics, np, plt, pathlib.Path(work))
         figure.tight_layout()
         path = options.out / f"mechanics_{name}.png"
-        try:
-            figure.savefig(path, dpi=110)
-        except OSError as problem:
-            fail(5, f"cannot write {path}: {problem.strerror}")
-        print(path)
+        save_figure(figure, path, dpi=110)
+        say(path)
 
 
 if __name__ == "__main__":
-    main()
+    run_script(main)

@@ -10,27 +10,24 @@ paper's numbers.
 Exit codes: 0 ok, 1 no matplotlib, 2 usage, 3 bad input file, 5 the picture cannot be written.
 """
 import argparse
-import json
 import math
-import os
-import sys
+
+from mcawr import plotting, tables
+from mcawr.errors import BadInput, run_script
+from mcawr.files import save_figure
 
 LABELS = {"pressure": "normal pressure $p$ (MPa)", "velocity": "sliding velocity $v$ (m/s)",
           "viscosity": "viscosity $\\eta$ (Pa s)", "strength": "strength $\\sigma_0$ (MPa)"}
 
 
-def fail(code, text):
-    print(f"plot_series.py: {text}", file=sys.stderr)
-    sys.exit(code)
-
-
 def read(path):
     """The points of wr_fit's JSON that have a standard error."""
-    try:
-        with open(path, encoding="utf-8") as file:
-            return [p for p in json.load(file)["report"]["points"] if p["mu_se"] is not None]
-    except (OSError, ValueError, KeyError, TypeError) as error:
-        fail(3, f"{path}: not wr_fit's JSON: {error}")
+
+
+    def points_of(data):
+        return [p for p in data["report"]["points"] if p["mu_se"] is not None]
+
+    return tables.read_json(path, "wr_fit's JSON", points_of)
 
 
 def number(value):
@@ -39,10 +36,7 @@ def number(value):
 
 def draw(points, against, path):
     """The picture of wr_fit's points, in order of the quantity on the abscissa."""
-    import matplotlib
-    matplotlib.use("Agg")
-    import matplotlib.pyplot as plt
-
+    plt = plotting.pyplot()
     points = sorted((p for p in points if p["mu_se"] is not None), key=lambda p: p[against])
     stress = against == "pressure"
     factor = [p["pressure"] if stress else 1.0 for p in points]
@@ -77,15 +71,7 @@ def draw(points, against, path):
     axes.grid(alpha=0.3)
     handles, labels = axes.get_legend_handles_labels()
     axes.legend(handles[::-1], labels[::-1], fontsize=9)  # the stationary part first
-    beside = path + ".part"
-    try:
-        figure.savefig(beside, dpi=130, format="png")
-        os.replace(beside, path)
-    except OSError as error_:
-        if os.path.exists(beside):
-            os.remove(beside)
-        fail(5, f"{path}: cannot be written: {error_.strerror}")
-    plt.close(figure)
+    save_figure(figure, path)
 
 
 def main():
@@ -96,13 +82,9 @@ def main():
     given = parser.parse_args()
     points = read(given.json)
     if not points:
-        fail(3, f"{given.json}: no point with a standard error")
-    try:
-        import matplotlib  # noqa: F401
-    except ImportError:
-        fail(1, "matplotlib is missing (Debian: apt-get install python3-matplotlib); no picture made")
+        raise BadInput(f"{given.json}: no point with a standard error")
     draw(points, given.against, given.output)
 
 
 if __name__ == "__main__":
-    main()
+    run_script(main)

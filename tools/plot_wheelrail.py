@@ -13,13 +13,16 @@ area   real contact area and peak pressure against load
 Exit codes: 0 ok, 1 no matplotlib, 2 usage, 5 files cannot be written; otherwise that of wr_creep.
 """
 import argparse
-import contextlib
 import csv
+import io
 import json
 import os
 import subprocess
-import sys
 import tempfile
+
+from mcawr import plotting, tables
+from mcawr.errors import Exit, fail, run_script, say
+from mcawr.files import make_folder, save_figure, write
 
 ROOT = os.path.dirname(os.path.dirname(os.path.realpath(__file__)))
 CASE = os.path.join(ROOT, "examples", "wheelrail", "table2.yaml")
@@ -28,11 +31,6 @@ CUTOFFS = (9.39, 0.1, 0.025)  # mm; 9.39 is the one wave near 10 mm that has who
 HEIGHT = 7.94                # um, rms height of the surface with slope 0.02 and cut-off 0.1 mm
 NOTHING = ["friction={law: constant, mu: 0.3}", "thermal=off", "speed=20 m/s", "creep=[1e-3]"]
 HALF_WIDTH = 4.697817        # mm, Table 2
-
-
-def fail(code, text):
-    print(f"plot_wheelrail.py: {text}", file=sys.stderr)
-    sys.exit(code)
 
 
 def rough(shortest=0.1, **amplitude):
@@ -50,25 +48,20 @@ def wr_creep(*changes):
         try:
             done = subprocess.run(command, stderr=subprocess.PIPE, text=True, check=False)
         except OSError as error:
-            fail(5, f"{given.wr_creep}: {error.strerror}; build it, or name it with --wr-creep")
+            fail(Exit.IO, f"{given.wr_creep}: {error.strerror}; build it, or name it with --wr-creep")
         if done.returncode:
             fail(done.returncode, done.stderr.strip())
         speeds = {}
-        for row in rows_of(os.path.join(folder, "creep.csv")):
+        for row in tables.rows(os.path.join(folder, "creep.csv")):
             for name, value in row.items():
                 speeds.setdefault(float(row["speed"]), {}).setdefault(name, []).append(float(value))
         contact = {}
-        for row in rows_of(os.path.join(folder, "contact.csv")):
+        for row in tables.rows(os.path.join(folder, "contact.csv")):
             for name, value in row.items():
                 contact.setdefault(name, []).append(value if name == "state" else float(value))
         with open(os.path.join(folder, "summary.json"), encoding="utf-8") as file:
             summary = json.load(file)
     return speeds, {k: v if k == "state" else np.array(v) for k, v in contact.items()}, summary
-
-
-def rows_of(path):
-    with open(path, encoding="utf-8") as file:
-        yield from csv.DictReader(line for line in file if not line.startswith("#"))
 
 
 def path_of(name):
@@ -78,27 +71,17 @@ def path_of(name):
 def finish(figure, name, comment, header, rows, **facts):
     """The picture, and its numbers as CSV and as JSON: {"figure", "comment", ..., "columns": {name: [values]}}."""
     rows = [[float(f"{v:.8g}") if isinstance(v, float) else v for v in row] for row in rows]
-    with whole_file(path_of(name + ".csv")) as file:
-        file.write(f"# {comment}\n")
-        writer = csv.writer(file, lineterminator="\n")
-        writer.writerow(header)
-        writer.writerows(rows)
-    with whole_file(path_of(name + ".json")) as file:
-        columns = dict(zip(header, map(list, zip(*rows))))
-        json.dump({"figure": name, "comment": comment, **facts, "columns": columns}, file)
-    picture = path_of(name + ".png")
-    figure.savefig(picture + ".part", dpi=150, format="png")
-    os.replace(picture + ".part", picture)
-    plt.close(figure)
-    print(f"{path_of(name)}.png, .csv, .json")
-
-
-@contextlib.contextmanager
-def whole_file(path):
-    """A file that appears when it is complete."""
-    with open(path + ".part", "w", encoding="utf-8", newline="") as file:
-        yield file
-    os.replace(path + ".part", path)
+    table = io.StringIO()
+    table.write(f"# {comment}\n")
+    writer = csv.writer(table, lineterminator="\n")
+    writer.writerow(header)
+    writer.writerows(rows)
+    write(path_of(name + ".csv"), table.getvalue())
+    columns = dict(zip(header, map(list, zip(*rows))))
+    facts = {"figure": name, "comment": comment, **facts, "columns": columns}
+    write(path_of(name + ".json"), json.dumps(facts))
+    save_figure(figure, path_of(name + ".png"), dpi=150)
+    say(f"{path_of(name)}.png, .csv, .json")
 
 
 def fig10():
@@ -253,23 +236,25 @@ def area():
 
 FIGURES = {"fig10": fig10, "fig12": fig12, "fig13": fig13, "fig14": fig14, "fig15": fig15, "area": area}
 
-if __name__ == "__main__":
+def arguments():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("figure", choices=[*FIGURES, "all"])
     parser.add_argument("-o", "--output", default=".", metavar="DIR", help="folder for the files")
     parser.add_argument("--seed", type=int, default=1, help="of the generated profiles")
     parser.add_argument("--wr-creep", default=os.path.join(ROOT, "build", "bin", "wr_creep"), metavar="PROGRAM")
-    given = parser.parse_args()
-    try:
-        import numpy as np
-        import matplotlib
-        matplotlib.use("Agg")
-        import matplotlib.pyplot as plt
-    except ImportError as problem:
-        fail(1, f"{problem}: install python3-numpy and python3-matplotlib to get pictures")
-    try:
-        os.makedirs(given.output, exist_ok=True)
-        for figure_name in FIGURES if given.figure == "all" else [given.figure]:
-            FIGURES[figure_name]()
-    except OSError as problem:
-        fail(5, str(problem))
+    return parser.parse_args()
+
+
+def main():
+    global given, np, plt
+    given = arguments()
+    plt = plotting.pyplot()
+    import numpy as np
+
+    make_folder(given.output)
+    for name in FIGURES if given.figure == "all" else [given.figure]:
+        FIGURES[name]()
+
+
+if __name__ == "__main__":
+    run_script(main)

@@ -1,5 +1,6 @@
 #!/bin/bash
 # Packages, LAMMPS, build: all that the other scripts need.
+# shellcheck source=tools/common.sh
 source "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/common.sh"
 
 usage() {

@@ -14,33 +14,21 @@ import json
 import os
 import time
 
+from mcawr import friction_log
+from mcawr.errors import Exit, Failure
+from mcawr.files import write
+
 LOG = "run.friction"
 PART = LOG + ".part"
 CHECKPOINTS = ("run.a.restart", "run.b.restart", "run.restart")
 RESTART_END = b"LammpS RestartT\0"  # what LAMMPS writes last
 
 
-class FolderError(Exception):
+class FolderError(Failure):
     """One clear line, and the exit code that it means."""
 
-    def __init__(self, text, code=3):
-        super().__init__(text)
-        self.code = code
-
-
-def write_whole(path, text):
-    """Writes a file whole or not at all."""
-    beside = f"{path}.{os.getpid()}.tmp"
-    try:
-        with open(beside, "w", encoding="utf-8") as file:
-            file.write(text)
-            file.flush()
-            os.fsync(file.fileno())
-        os.replace(beside, path)
-    except OSError as error:
-        if os.path.exists(beside):
-            os.remove(beside)
-        raise FolderError(f"{path}: cannot be written: {error.strerror}", 5) from None
+    def __init__(self, text, code=Exit.BAD_INPUT):
+        super().__init__(code, text)
 
 
 def keep_plan(path, top):
@@ -51,22 +39,9 @@ def keep_plan(path, top):
         copy = os.path.join(top, f"plan.{number}{end}" if number > 1 else "plan" + end)
         if not os.path.exists(copy):
             with open(path, encoding="utf-8", newline="") as file:
-                return write_whole(copy, file.read())
+                return write(copy, file.read())
         if filecmp.cmp(path, copy, shallow=False):
             return None
-
-
-def last_rows(path, count=2):
-    """The last whole rows of a friction log as lists of words (fewer if there are fewer)."""
-    try:
-        with open(path, "rb") as file:
-            file.seek(0, os.SEEK_END)
-            size = file.tell()
-            file.seek(max(0, size - 4096))
-            lines = file.read().decode("utf-8", "replace").split("\n")[:-1]
-    except OSError:
-        return []
-    return [line.split() for line in lines if line[:1].isdigit()][-count:]
 
 
 class RunFolder:
@@ -105,7 +80,7 @@ class RunFolder:
                           "move the run's folder away to make the run again")
 
     def write_record(self, record):
-        write_whole(self.file("run.json"), json.dumps(record, indent=1) + "\n")
+        write(self.file("run.json"), json.dumps(record, indent=1) + "\n")
 
     def check_same(self):
         """The folder belongs to this run: same parameters, where the record has them; the duration may have changed."""
@@ -174,9 +149,9 @@ class RunFolder:
     def time(self):
         """ns that the log reaches."""
         log = self.log()
-        rows = last_rows(self.file(log), 1) if log else []
+        rows = friction_log.last_rows(self.file(log), 1) if log else []
         try:
-            return float(rows[-1][1]) if rows else 0.0
+            return friction_log.number_in(rows[-1], "time") if rows else 0.0
         except (ValueError, IndexError):
             return 0.0
 
@@ -202,11 +177,13 @@ class RunFolder:
         log = self.log()
         values = []
         for number, line in enumerate((log and self.text(log) or "").split("\n")[:-1], 1):
-            row = line.split()
-            if line[:1].isdigit() and len(row) >= 6:
-                try:
-                    values.append(float(row[5]))
-                except ValueError:
-                    raise FolderError(f"{self.file(log)}:{number}: mu: '{row[5]}' is no number") from None
+            if not friction_log.is_row(line):
+                continue
+            try:
+                values.append(friction_log.number_in(line.split(), "mu"))
+            except IndexError:  # cut
+                continue
+            except ValueError as error:
+                raise FolderError(f"{self.file(log)}:{number}: mu: {error}") from None
         half = values[len(values) // 2:]
         return sum(half) / len(half) if half else None

@@ -5,11 +5,13 @@ import typing
 
 import yaml
 
+from mcawr.errors import BadInput
+
 DEPTH = 4  # plan, runs, run, list of values, value
 NUMBER = re.compile(r"[-+]?((0|[1-9][0-9]*)(\.[0-9]*)?|\.[0-9]+)([eE][-+]?[0-9]+)?")
 
 
-class PlanError(Exception):
+class PlanError(BadInput):
     """One clear line: file, line, key, value given, what is allowed."""
 
 

@@ -8,6 +8,9 @@ import subprocess
 import sys
 import time
 
+from mcawr import errors
+from mcawr.files import write
+
 from . import folder as folders
 
 POLL = 0.25      # s between looks at the running processes
@@ -143,7 +146,7 @@ class Attempt:
         record["attempts"][-1].update(end=_now(), seconds=round(time.monotonic() - self.began, 1), outcome=why or outcome)
         folder.write_record(record)
         if outcome == "failed":
-            folders.write_whole(path("failed.txt"), why + "\n")
+            write(path("failed.txt"), why + "\n")
         elif outcome == "finished":
             os.replace(path(folders.PART), path(folders.LOG))
             for name in folders.CHECKPOINTS[:2]:
@@ -198,6 +201,17 @@ class Campaign:
         """Runs everything; the number of runs in each state at the end."""
         for number in (signal.SIGINT, signal.SIGTERM):
             signal.signal(number, self._interrupt)
+        try:
+            self._work_through()
+        except errors.OutputLost:  # nobody takes what we say: end lmp and its records in order
+            self._interrupt()
+            self.say = lambda text: None
+            self._finish_early()
+            raise
+        self._finish_early()
+        return self._states()
+
+    def _work_through(self):
         # the longest first, so that the end is not one long run alone
         waiting = sorted(self.folders, key=lambda f: -f.run.work)
         tried = set()
@@ -216,8 +230,6 @@ class Campaign:
                 break
             self._report()
             time.sleep(POLL)
-        self._finish_early()
-        return self._states()
 
     def wait_for_others(self):
         """Rank 0 of several waits for the runs of the others, so that its last lines are the last."""
@@ -295,4 +307,4 @@ class Campaign:
         if self.rank != 0 or now - self.last_report < (2.0 if terminal else REPORT):
             return
         self.last_report = now
-        print(("\r\033[K" if terminal else "") + self.progress(), end="" if terminal else "\n", flush=True)
+        errors.say(("\r\033[K" if terminal else "") + self.progress(), end="" if terminal else "\n")

@@ -5,9 +5,11 @@ import re
 import numpy as np
 from matplotlib import pyplot
 
+from mcawr.files import save_figure
+from mcawr.friction_log import head_of
 import plot_friction
 from . import layer
-from .common import Missing, groups, head_of, run_name, save, table
+from .common import Missing, groups, run_name, table
 
 PAPER_DEPTH = 10.0          # nm, of the quasi-liquid layer
 ROUGHNESS = 3.25  # nm, of the blocks of most plans
@@ -109,7 +111,7 @@ def fig3(report, picture):
     right.legend(fontsize=9)
     for axes in (left, right):
         axes.grid(alpha=0.3)
-    save(figure, picture)
+    save_figure(figure, picture)
     return table(["", "paper, nm", "ours, nm", ""], rows)
 
 
@@ -163,7 +165,7 @@ def height(report, picture):
         axes.minorticks_off()
         axes.grid(alpha=0.3)
     every[0, 0].legend(fontsize=9)
-    save(figure, picture)
+    save_figure(figure, picture)
     return table(["", *(f"{low} to {high} ns" for low, high in HIGH_TIMES), f"~ t^n from {AGED} ns"], rows)
 
 
@@ -230,7 +232,7 @@ def ageing(report, picture):
     for of_both, columns in ((axes, 2), (right, 1)):
         of_both.grid(alpha=0.3)
         of_both.legend(fontsize=9, ncols=columns)
-    save(figure, picture)
+    save_figure(figure, picture)
     lines = table(["mu", *(f"{low} to {high} ns" for low, high in TIMES), f"mu ~ t^n from {AGED} ns"], rows)
     n, error = np.array(fast).T
     mean, mean_error = np.average(n, weights=error**-2), math.sqrt(1 / np.sum(error**-2))

@@ -1,41 +1,21 @@
-"""What the figures share: texts, means over seeds, files that appear whole."""
-import itertools
+"""What the figures share: texts and means over seeds."""
+
 import math
 import os
 
 import numpy as np
-import yaml
-from matplotlib import pyplot
+
+from mcawr.errors import BadInput
 
 
-class Missing(Exception):
+class Missing(BadInput):
     """What a figure needs and is not there, in one line."""
-
-
-def write_whole(path, text):
-    """Writes a text beside and renames it."""
-    with open(path + ".part", "w", encoding="utf-8") as file:
-        file.write(text)
-    os.replace(path + ".part", path)
-
-
-def save(figure, path):
-    """Writes a picture beside and renames it."""
-    figure.savefig(path + ".part", dpi=130, format="png")
-    os.replace(path + ".part", path)
-    pyplot.close(figure)
 
 
 def run_name(point):
     """Name of the run that a log belongs to: of its folder, or of the packed file."""
     folder, name = os.path.split(point["file"])
     return os.path.basename(folder) if name == "run.friction" else name.removesuffix(".friction")
-
-
-def head_of(log):
-    """What a friction log says of its run, by the names in its head."""
-    with open(log, encoding="utf-8") as file:
-        return yaml.safe_load("".join(line[2:] for line in itertools.takewhile(lambda line: line.startswith("#"), file)))
 
 
 def table(head, rows):

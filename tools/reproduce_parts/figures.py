@@ -5,10 +5,11 @@ import math
 import numpy as np
 from matplotlib import pyplot
 
+from mcawr.files import save_figure
 import plot_fit
 import plot_series
 from . import ageing, layer, rate, steps
-from .common import Missing, groups, mean_of, percent, power_law, run_name, save, scatter_of, table
+from .common import Missing, groups, mean_of, percent, power_law, run_name, scatter_of, table
 
 PAPER = plot_fit.PAPER
 PAPER_COLLAPSE = 0.035  # scatter of ten runs at equal kappas
@@ -119,7 +120,7 @@ def kappa3(report, picture):
     axes.set_yticks([0.3, 0.5, 1, 2, 3], ["0.3", "0.5", "1", "2", "3"])
     axes.grid(alpha=0.3)
     axes.legend(fontsize=9)
-    save(figure, picture)
+    save_figure(figure, picture)
     rms = [100 * math.sqrt(np.mean((mu / (paper * f) - 1) ** 2)) for f in (1, factor * (x / STEEL) ** n)]
     lines = [f"mu/mu(Eq. 2) = A (kappa3/{STEEL:g})^n: A = {factor:.3f} +- {factor_error:.3f}, n = {n:.3f} +- {n_error:.3f} (paper: 1 and 0)",
              f"RMS of our points against Eq. 2 with the paper's numbers {rms[0]:.1f} %, against this {rms[1]:.1f} % ({len(points)} points)", ""]
@@ -140,7 +141,7 @@ def dots(labels, values, errors, picture, xlabel, lines=(), band=None):
     axes.set(xlabel=xlabel, ylim=(-0.7, len(labels) - 0.3))
     axes.grid(alpha=0.3, axis="x")
     axes.legend(fontsize=9, loc="upper center", bbox_to_anchor=(0.4, -0.85 / (1.2 + 0.3 * len(labels))), ncols=3)
-    save(figure, picture)
+    save_figure(figure, picture)
 
 
 def parameters(point):
@@ -198,7 +199,7 @@ def sensitivity(report, picture):
     axes.set(ylabel="$\\mu/\\mu$(Eq. 2)", ylim=(0, None))
     axes.grid(alpha=0.3, axis="y")
     axes.legend(fontsize=8, ncols=2)
-    save(figure, picture)
+    save_figure(figure, picture)
     return table(["mu/mu(Eq. 2)", *conditions, "mean", "RMS"], rows)
 
 

@@ -5,8 +5,8 @@ import os
 
 import numpy as np
 
+from mcawr.friction_log import head_of
 import plot_layer
-from .common import head_of
 
 
 @dataclasses.dataclass

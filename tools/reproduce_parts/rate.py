@@ -2,8 +2,9 @@
 import numpy as np
 from matplotlib import pyplot
 
+from mcawr.files import save_figure
 from . import ageing, layer
-from .common import Missing, groups, save, straight_line, table
+from .common import Missing, groups, straight_line, table
 
 TIMES = ((25, 50), (50, 100), (100, 150), (150, 200), (200, 300), (300, 400), (400, 600), (600, 1200))  # ns
 GROUND_IN = 200                         # nm of sliding before a window
@@ -39,7 +40,7 @@ def rate(report, picture):
     axes.set(xlim=(0, None), xlabel="mean shear rate of the layer, $v$ over its depth (1/ns)", ylabel="$\\mu$, 95 %")
     axes.grid(alpha=0.3)
     axes.legend(fontsize=8, ncols=2)
-    save(figure, picture)
+    save_figure(figure, picture)
     rows, residual = [], mu / (start + slope * gamma) - 1
     for low, high in zip(RATES, RATES[1:]):
         inside = (low < gamma) & (gamma <= high)

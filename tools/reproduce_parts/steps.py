@@ -5,7 +5,9 @@ import re
 import numpy as np
 from matplotlib import pyplot
 
-from .common import Missing, groups, head_of, mean_of, percent, run_name, save, scatter_of, table
+from mcawr.files import save_figure
+from mcawr.friction_log import head_of
+from .common import Missing, groups, mean_of, percent, run_name, scatter_of, table
 
 
 def step_of(log):
@@ -55,7 +57,7 @@ def timestep(report, picture):
     left.set(xlabel="v (m/s)", ylabel="$\\mu$", xlim=(0, None), ylim=(0, None))
     right.set(xlabel="$\\kappa_3 = E/\\sigma_0$ at equal $\\kappa_1$, $\\kappa_2$", ylabel="$\\mu$", ylim=(0, None))
     left.legend(fontsize=9)
-    save(figure, picture)
+    save_figure(figure, picture)
     return [*table(["mu", "kappa3", "Eq. 2", "usual step", "half", "a quarter", "", "none (line)"], rows), "",
             f"Scatter of the {len(equal)} at equal kappa1 and kappa2: usual step {spread:.1f} % (own errors {own:.1f} %), "
             f"a quarter {spread_quarter:.1f} % ({own_quarter:.1f} %)"]
@@ -106,6 +108,6 @@ def corrected(report, picture):
     for axes in (left, right):
         axes.grid(alpha=0.3)
         axes.legend(fontsize=9)
-    save(figure, picture)
+    save_figure(figure, picture)
     return [*table(["mu", *(f"{1e6 * step:g} fs" for step in steps)], rows), "",
             *table([f"{1e6 * usual:g} fs", "Eq. 2", *laws, ""], velocities)]

@@ -198,7 +198,7 @@ thermo_modify format float %25.17g
 run 2000
 write_restart stock.restart
 run 0
-""".replace("compute torque all reduce sumsq tqz\n", "")
+"""
     first, second = lmp(stock, tmp_path / "stock").thermo
     lost = 1 - second["c_mean"][-1] / first["c_mean"][-1]
     print(f"stock history: sum of squared torques changes by {lost:.1%} at write_restart; ours by 0")

@@ -53,9 +53,11 @@ def test_automata_that_left_the_fragment_do_not_count(tmp_path):
 
 def test_reader_that_has_enough(tmp_path):
     (tmp_path / "a.profile").write_text(HEAD + frame(1000, 3, 6) + frame(2000, 2, 7))
-    done = subprocess.run(["bash", "-c", f"{PLOT} {tmp_path / 'a.profile'} | true"], text=True, capture_output=True,
-                          timeout=60, check=False)
-    assert done.stderr == ""
+    script = f"set -o pipefail; {PLOT} {tmp_path / 'a.profile'} | true"
+    done = subprocess.run(["bash", "-c", script], text=True, capture_output=True, timeout=60,
+                          check=False)
+    assert done.returncode == 5
+    assert done.stderr == "plot_layer.py: standard output: cannot be written: Broken pipe\n"
 
 
 @pytest.mark.parametrize("content, word", [
