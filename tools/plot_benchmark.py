@@ -1,12 +1,15 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: GPL-2.0-or-later
 """Time of an automaton-step against the size of the sample, from tools/benchmark.py's JSON.
 
     benchmark.py --sizes 1000 1600 6400 40000 160000 1000000 --ranks 1 -o sizes.json
     plot_benchmark.py sizes.json -o sizes.png
 
 A line for each style and number of ranks: the median of the rounds, bars from the smallest to the
-largest. Exit codes: 0 ok, 1 no matplotlib, 2 usage, 3 bad input file, 5 the picture cannot be written.
+largest. Exit codes: 0 ok, 1 no matplotlib, 2 usage, 3 bad input file, 5 the picture cannot be
+written.
 """
+
 import argparse
 
 from mcawr import plotting, tables

@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: GPL-2.0-or-later
 """The sheared fragment: automata of a LAMMPS text dump as discs, and the velocity profile.
 
     plot_fragment.py friction.dump -o fragment.png
@@ -18,6 +19,7 @@ The last panel is the mean of vx over each height. The dump needs the columns id
 An output that ends in .gif is an animation of all frames. Exit codes: 0 ok, 1 no matplotlib or no
 Pillow, 2 usage, 3 bad input file, 5 the picture cannot be written.
 """
+
 import argparse
 import io
 import math
@@ -29,13 +31,27 @@ from mcawr.files import save_figure, write
 
 NEEDED = ("id", "type", "x", "y", "vx")
 STRIPES = 8  # across the fragment
-STATE = {name: f"c_state[{k}]" for k, name in enumerate(("links", "welds", "plastic", "intensity"), 1)}
-TITLES = {"vx": "velocity along x", "vy": "velocity along y", "links": "links", "welds": "welds",
-          "type": "blocks", "stripes": "blocks, with stripes that began vertical",
-          "plastic": "equivalent plastic strain", "intensity": "stress intensity (von Mises)"}
-LABELS = {"vx": "$v_x$ (nm/ns = m/s)", "vy": "$v_y$ (nm/ns = m/s)",
-          "links": "links of an automaton", "welds": "welds of an automaton",
-          "plastic": "plastic strain (-)", "intensity": "stress intensity (MPa)"}
+STATE = {
+    name: f"c_state[{k}]" for k, name in enumerate(("links", "welds", "plastic", "intensity"), 1)
+}
+TITLES = {
+    "vx": "velocity along x",
+    "vy": "velocity along y",
+    "links": "links",
+    "welds": "welds",
+    "type": "blocks",
+    "stripes": "blocks, with stripes that began vertical",
+    "plastic": "equivalent plastic strain",
+    "intensity": "stress intensity (von Mises)",
+}
+LABELS = {
+    "vx": "$v_x$ (nm/ns = m/s)",
+    "vy": "$v_y$ (nm/ns = m/s)",
+    "links": "links of an automaton",
+    "welds": "welds of an automaton",
+    "plastic": "plastic strain (-)",
+    "intensity": "stress intensity (MPa)",
+}
 PAINT = {1: ("#9ecae1", "#2171b5"), 2: ("#fdbe85", "#d94801")}  # type: light, dark
 
 
@@ -62,14 +78,18 @@ class Picture:
         begin = dump.columns(0, NEEDED)
         self.diameter = given.diameter or nearest_distance(begin["x"], begin["y"])
         low, high = dump.frames[0]["box"][0]
-        self.stripe = {i: int((x - low) / (high - low) * 2 * STRIPES) % 2
-                       for i, x in zip(begin["id"], begin["x"])}
+        self.stripe = {
+            i: int((x - low) / (high - low) * 2 * STRIPES) % 2
+            for i, x in zip(begin["id"], begin["x"])
+        }
         # everything that must not change within an animation
         frames = range(len(dump.frames)) if given.animated else [given.frame]
         everything = [dump.columns(k, self.names) for k in frames]
         self.low = min(min(c["y"]) for c in everything) - self.diameter
         self.high = max(max(c["y"]) for c in everything) + self.diameter
-        self.range = {p: self.limits(p, everything) for p in given.show if p not in ("stripes", "type")}
+        self.range = {
+            p: self.limits(p, everything) for p in given.show if p not in ("stripes", "type")
+        }
 
         self.lay_out(plt, (self.high - self.low) / (high - low))
 
@@ -88,9 +108,13 @@ class Picture:
             places.append(("profile", at, narrow))
             at += narrow + gap
         self.figure = plt.figure(figsize=(at, bottom + tall + top))
-        self.axes = {name: self.figure.add_axes((x / at, bottom / (bottom + tall + top), w / at,
-                                                 tall / (bottom + tall + top)), label=name)
-                     for name, x, w in places}
+        self.axes = {
+            name: self.figure.add_axes(
+                (x / at, bottom / (bottom + tall + top), w / at, tall / (bottom + tall + top)),
+                label=name,
+            )
+            for name, x, w in places
+        }
 
     def limits(self, panel, everything):
         values = sorted(v for columns in everything for v in columns[panel])
@@ -143,8 +167,10 @@ class Picture:
         discs = self.discs(axes, x, y)
         if panel in ("stripes", "type"):
             shade = self.stripe if panel == "stripes" else {}
-            paint = [PAINT.get(int(t), ("0.75", "0.45"))[shade.get(i, 0)]
-                     for i, t in zip(columns["id"], columns["type"])]
+            paint = [
+                PAINT.get(int(t), ("0.75", "0.45"))[shade.get(i, 0)]
+                for i, t in zip(columns["id"], columns["type"])
+            ]
             discs.set_facecolor([paint[k] for k in which])
         else:
             self.colour(axes, discs, panel, columns[panel], which)
@@ -158,8 +184,15 @@ class Picture:
         from matplotlib.collections import EllipseCollection
 
         size = [self.diameter] * len(x)
-        discs = EllipseCollection(size, size, [0] * len(x), units="xy", offsets=list(zip(x, y)),
-                                  offset_transform=axes.transData, linewidths=0)
+        discs = EllipseCollection(
+            size,
+            size,
+            [0] * len(x),
+            units="xy",
+            offsets=list(zip(x, y)),
+            offset_transform=axes.transData,
+            linewidths=0,
+        )
         axes.add_collection(discs)
         return discs
 
@@ -173,9 +206,16 @@ class Picture:
         discs.set_array([values[k] for k in which])
         discs.set_clim(low, high)
         beyond = (min(values) < low, max(values) > high) if not counted else (False, False)
-        extend = {(True, True): "both", (True, False): "min", (False, True): "max"}.get(beyond, "neither")
-        self.figure.colorbar(discs, cax=self.axes[panel + " bar"], label=LABELS.get(panel, panel),
-                             extend=extend, ticks=range(steps) if counted else None)
+        extend = {(True, True): "both", (True, False): "min", (False, True): "max"}.get(
+            beyond, "neither"
+        )
+        self.figure.colorbar(
+            discs,
+            cax=self.axes[panel + " bar"],
+            label=LABELS.get(panel, panel),
+            extend=extend,
+            ticks=range(steps) if counted else None,
+        )
 
 
 def animate(picture, frames, rate, dpi):
@@ -191,8 +231,14 @@ def animate(picture, frames, rate, dpi):
         picture.figure.savefig(page, dpi=dpi, format="png")
         images.append(Image.open(page).convert("P", palette=Image.Palette.ADAPTIVE))
     film = io.BytesIO()
-    images[0].save(film, format="GIF", save_all=True, append_images=images[1:],
-                   duration=round(1000 / rate), loop=0)
+    images[0].save(
+        film,
+        format="GIF",
+        save_all=True,
+        append_images=images[1:],
+        duration=round(1000 / rate),
+        loop=0,
+    )
     return film.getvalue()
 
 
@@ -204,19 +250,39 @@ def positive(word):
 
 
 def arguments():
-    parser = argparse.ArgumentParser(description=__doc__,
-                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
+    )
     parser.add_argument("dump", metavar="DUMP")
-    parser.add_argument("-o", "--output", default="fragment.png", metavar="FILE", help="*.png or *.gif")
-    parser.add_argument("--show", nargs="+", default=["stripes", "vx"], metavar="WHAT",
-                        help="panels, see above [stripes vx]")
-    parser.add_argument("--no-profile", dest="profile", action="store_false",
-                        help="without the velocity profile")
-    parser.add_argument("--frame", type=int, default=-1, help="frame of the dump, from 0 [the last]")
-    parser.add_argument("--diameter", type=positive, metavar="NM",
-                        help="of an automaton [the spacing in the first frame]")
-    parser.add_argument("--timestep", type=positive, default=5e-5, metavar="NS",
-                        help="for the title, where the dump has no time [5e-5]")
+    parser.add_argument(
+        "-o", "--output", default="fragment.png", metavar="FILE", help="*.png or *.gif"
+    )
+    parser.add_argument(
+        "--show",
+        nargs="+",
+        default=["stripes", "vx"],
+        metavar="WHAT",
+        help="panels, see above [stripes vx]",
+    )
+    parser.add_argument(
+        "--no-profile", dest="profile", action="store_false", help="without the velocity profile"
+    )
+    parser.add_argument(
+        "--frame", type=int, default=-1, help="frame of the dump, from 0 [the last]"
+    )
+    parser.add_argument(
+        "--diameter",
+        type=positive,
+        metavar="NM",
+        help="of an automaton [the spacing in the first frame]",
+    )
+    parser.add_argument(
+        "--timestep",
+        type=positive,
+        default=5e-5,
+        metavar="NS",
+        help="for the title, where the dump has no time [5e-5]",
+    )
     parser.add_argument("--rate", type=positive, default=5, help="frames per second of a GIF [5]")
     parser.add_argument("--dpi", type=positive, default=130, help="[130]")
     given = parser.parse_args()

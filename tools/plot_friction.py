@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: GPL-2.0-or-later
 """Friction coefficient against time with its running mean, from friction logs (*.friction).
 
     plot_friction.py run.friction -o friction.png
@@ -8,6 +9,7 @@ Grey: the rows of the log. Coloured: mean over a window centred on each row. Das
 took for the stationary part (with --points). Exit codes: 0 ok, 1 no matplotlib, 2 usage,
 3 bad input file, 5 the picture cannot be written.
 """
+
 import argparse
 import math
 import os
@@ -21,9 +23,11 @@ def read_log(path):
     """(loading line, time in ns, mu) of a friction log; a cut last line is left out."""
     log = friction_log.read(path, ("time", "mu"))
     try:
-        label = (f"p = {log.head['loading']['pressure']:g} MPa, "
-                 f"v = {log.head['loading']['velocity']:g} m/s, "
-                 f"$\\sigma_0$ = {log.head['material']['strength']:g} MPa")
+        label = (
+            f"p = {log.head['loading']['pressure']:g} MPa, "
+            f"v = {log.head['loading']['velocity']:g} m/s, "
+            f"$\\sigma_0$ = {log.head['material']['strength']:g} MPa"
+        )
     except (KeyError, TypeError, ValueError):
         raise BadInput(f"{path}: no friction log: its head is incomplete") from None
     if len(log.columns["time"]) < 2:
@@ -46,7 +50,6 @@ def running_mean(values, half):
 def read_points(path):
     """file name -> (mu, t_start) of wr_fit's points.csv."""
 
-
     def means_of(rows):
         return {os.path.realpath(r["file"]): (float(r["mu"]), float(r["t_start"])) for r in rows}
 
@@ -54,11 +57,17 @@ def read_points(path):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
+    )
     parser.add_argument("logs", nargs="+", metavar="LOG")
     parser.add_argument("-o", "--output", default="friction.png", metavar="PNG")
-    parser.add_argument("--window", type=float, metavar="NS", help="width of the running mean [a tenth of the log]")
-    parser.add_argument("--points", metavar="CSV", help="wr_fit's points.csv: shows the stationary means")
+    parser.add_argument(
+        "--window", type=float, metavar="NS", help="width of the running mean [a tenth of the log]"
+    )
+    parser.add_argument(
+        "--points", metavar="CSV", help="wr_fit's points.csv: shows the stationary means"
+    )
     given = parser.parse_args()
     if given.window is not None and not given.window > 0:
         fail(Exit.USAGE, f"--window {given.window:g}: must be > 0")
@@ -72,15 +81,32 @@ def main():
         half = max(1, round(0.5 * window / (times[1] - times[0])))
         mean = running_mean(values, half)
         single = len(logs) == 1
-        axes.plot(times, values, color="0.75" if single else colour, alpha=1 if single else 0.25, lw=0.8,
-                  label="rows of the log" if single else None)
-        axes.plot(times, mean, color=colour, lw=2,
-                  label=f"running mean over {window:.3g} ns" + ("" if single else f": {label}"))
+        axes.plot(
+            times,
+            values,
+            color="0.75" if single else colour,
+            alpha=1 if single else 0.25,
+            lw=0.8,
+            label="rows of the log" if single else None,
+        )
+        axes.plot(
+            times,
+            mean,
+            color=colour,
+            lw=2,
+            label=f"running mean over {window:.3g} ns" + ("" if single else f": {label}"),
+        )
         if os.path.realpath(path) in points:
             mu, start = points[os.path.realpath(path)]
             if math.isfinite(start):
-                axes.plot([start, times[-1]], [mu, mu], color=colour, ls="--", lw=1.5,
-                          label=f"stationary part: {mu:.3f}")
+                axes.plot(
+                    [start, times[-1]],
+                    [mu, mu],
+                    color=colour,
+                    ls="--",
+                    lw=1.5,
+                    label=f"stationary part: {mu:.3f}",
+                )
         # the static peak may be several times the rest
         ordered = sorted(values)
         top = max(top, 1.3 * ordered[int(0.98 * (len(ordered) - 1))], 1.1 * max(mean))

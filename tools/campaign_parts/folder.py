@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """A campaign's folder: one folder a run, and what can be told from it at any moment.
 
 NAME/run.friction.part  the log while the run is going on
@@ -7,6 +8,7 @@ NAME/run.json           parameters, input script, and every attempt with its exa
 NAME/failed.txt         why the run failed; run with --retry tries again
 NAME/lock               locked (flock) by the process that works on the run and by lmp itself
 """
+
 import fcntl
 import filecmp
 import itertools
@@ -32,8 +34,8 @@ class FolderError(Failure):
 
 
 def keep_plan(path, top):
-    """Puts the plan beside the runs that are made from it, under the first free name: a plan that stands there already,
-    an earlier one or the user's own, is never overwritten."""
+    """Puts the plan beside the runs that are made from it, under the first free name: a plan that
+    stands there already, an earlier one or the user's own, is never overwritten."""
     end = os.path.splitext(path)[1]
     for number in itertools.count(1):
         copy = os.path.join(top, f"plan.{number}{end}" if number > 1 else "plan" + end)
@@ -62,7 +64,9 @@ class RunFolder:
         except (FileNotFoundError, NotADirectoryError):
             return None
         except (OSError, UnicodeDecodeError) as error:
-            raise FolderError(f"{self.file(name)}: cannot be read: {getattr(error, 'strerror', None) or error}") from None
+            raise FolderError(
+                f"{self.file(name)}: cannot be read: {getattr(error, 'strerror', None) or error}"
+            ) from None
 
     def record(self):
         """run.json; empty before the first attempt."""
@@ -76,30 +80,46 @@ class RunFolder:
                 return record
         except (ValueError, RecursionError, LookupError, TypeError):
             pass
-        raise FolderError(f"{self.file('run.json')}: is damaged (no parameters with ns, or no attempts with their commands): "
-                          "move the run's folder away to make the run again")
+        raise FolderError(
+            f"{self.file('run.json')}: is damaged (no parameters with ns, or no attempts with "
+            "their commands): "
+            "move the run's folder away to make the run again"
+        )
 
     def write_record(self, record):
         write(self.file("run.json"), json.dumps(record, indent=1) + "\n")
 
     def check_same(self):
-        """The folder belongs to this run: same parameters, where the record has them; the duration may have changed."""
+        """The folder belongs to this run: same parameters, where the record has them; the duration
+        may have changed."""
         old = self.record().get("parameters", {})
         for name, value in self.run.values.items():
-            if name in ("ns", "checkpoint", "picture", "profile") or name not in old or old[name] == value:
+            if (
+                name in ("ns", "checkpoint", "picture", "profile")
+                or name not in old
+                or old[name] == value
+            ):
                 continue
-            raise FolderError(f"{self.path}: was begun with {name} = {old[name]}, the plan says {value}: give the run "
-                              "another name or use another folder")
+            raise FolderError(
+                f"{self.path}: was begun with {name} = {old[name]}, the plan says {value}: give "
+                "the run "
+                "another name or use another folder"
+            )
 
     def check_not_shorter(self):
         """The run may be made longer than it is."""
         old, now = self.record().get("parameters", self.run.values)["ns"], self.run.values["ns"]
         if old > now and os.path.exists(self.file(LOG)):
-            raise FolderError(f"{self.path}: was run for {old:g} ns, the plan says {now:g}: "
-                              "a run can be made longer, not shorter")
+            raise FolderError(
+                f"{self.path}: was run for {old:g} ns, the plan says {now:g}: "
+                "a run can be made longer, not shorter"
+            )
 
     def is_finished(self):
-        return os.path.exists(self.file(LOG)) and self.record().get("parameters", {}).get("ns", 0) >= self.run.values["ns"]
+        return (
+            os.path.exists(self.file(LOG))
+            and self.record().get("parameters", {}).get("ns", 0) >= self.run.values["ns"]
+        )
 
     def failure(self):
         """Why the run failed; None if it did not."""
@@ -107,7 +127,8 @@ class RunFolder:
         return None if text is None else text.strip()
 
     def lock(self):
-        """The open lock file, locked; None if another process (or an lmp it left) works on the run."""
+        """The open lock file, locked; None if another process (or an lmp it left) works on the
+        run."""
         os.makedirs(self.path, exist_ok=True)
         file = open(self.file("lock"), "a", encoding="utf-8")
         for _ in range(10):  # is_locked of another process may hold it for a moment
@@ -122,7 +143,9 @@ class RunFolder:
     def is_locked(self):
         if not os.path.exists(self.file("lock")):
             return False
-        with open(self.file("lock"), encoding="utf-8") as file:  # for reading: the folder may be read-only
+        with open(
+            self.file("lock"), encoding="utf-8"
+        ) as file:  # for reading: the folder may be read-only
             try:
                 fcntl.flock(file, fcntl.LOCK_SH | fcntl.LOCK_NB)
                 return False
@@ -176,7 +199,8 @@ class RunFolder:
         """Mean mu of the second half of the log so far; None without one. wr_fit does it better."""
         log = self.log()
         values = []
-        for number, line in enumerate((log and self.text(log) or "").split("\n")[:-1], 1):
+        text = self.text(log) if log else None
+        for number, line in enumerate((text or "").split("\n")[:-1], 1):
             if not friction_log.is_row(line):
                 continue
             try:
@@ -185,5 +209,5 @@ class RunFolder:
                 continue
             except ValueError as error:
                 raise FolderError(f"{self.file(log)}:{number}: mu: {error}") from None
-        half = values[len(values) // 2:]
+        half = values[len(values) // 2 :]
         return sum(half) / len(half) if half else None

@@ -1,4 +1,7 @@
-"""Finished friction logs in compact form: fewer rows, the exact command in the head; profiles as they are."""
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Finished friction logs in compact form: fewer rows, the exact command in the head; profiles as
+they are."""
+
 import json
 import os
 import shlex
@@ -12,8 +15,8 @@ from .plan import ROOT
 
 
 def packed(text, rows, command):
-    """A log whose rows are the means over `rows` rows of another; rows left over at the end are dropped. Raises
-    ValueError, with the line, for what is no log."""
+    """A log whose rows are the means over `rows` rows of another; rows left over at the end are
+    dropped. Raises ValueError, with the line, for what is no log."""
     log = friction_log.Text.of(text)
     names = log.names
     if "mu" not in names:
@@ -29,7 +32,7 @@ def packed(text, rows, command):
     made = json.dumps({"command": command, "rows_averaged": rows})
     result = log.head + [friction_log.CAMPAIGN + made, " ".join(names)]
     for begin in range(0, len(table) - rows + 1, rows):
-        block = table[begin:begin + rows]
+        block = table[begin : begin + rows]
         row = []
         for column, name in enumerate(names):
             values = [line[column] for line in block]
@@ -44,20 +47,23 @@ def packed(text, rows, command):
 
 
 def portable(commands):
-    """The first of a run's commands, as long as the last one went, with lmp and the input script named as from the
-    checkout, wherever both were."""
+    """The first of a run's commands, as long as the last one went, with lmp and the input script
+    named as from the checkout, wherever both were."""
     words, last = (shlex.split(command) for command in (commands[0], commands[-1]))
     start = words.index("-in")
     words[start - 1] = "lmp"
     parts = words[start + 1].split(os.sep)
     tails = (os.path.join(*parts[k:]) for k in range(1, len(parts)))
-    words[start + 1] = next((tail for tail in tails if os.path.exists(os.path.join(ROOT, tail))), words[start + 1])
+    words[start + 1] = next(
+        (tail for tail in tails if os.path.exists(os.path.join(ROOT, tail))), words[start + 1]
+    )
     words[words.index("ns") + 1] = last[last.index("ns") + 1]
     return shlex.join(words)
 
 
 def pack(plan, top, target, rows):
-    """Packs every finished run into target/NAME.friction: all of them, or none if one cannot be packed."""
+    """Packs every finished run into target/NAME.friction: all of them, or none if one cannot be
+    packed."""
     texts, count = {}, 0
     for run in plan.runs:
         folder = folders.RunFolder(top, run)
@@ -71,7 +77,9 @@ def pack(plan, top, target, rows):
         try:
             command = portable([attempt["command"] for attempt in attempts])
         except (ValueError, IndexError):
-            raise folders.FolderError(f"{folder.file('run.json')}: a command in it is no command of a run") from None
+            raise folders.FolderError(
+                f"{folder.file('run.json')}: a command in it is no command of a run"
+            ) from None
         try:
             text = texts[run.name + ".friction"] = packed(folder.text(folders.LOG), rows, command)
         except ValueError as error:

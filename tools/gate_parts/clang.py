@@ -24,14 +24,15 @@ def _program(name):
     """The program of that name, in the version that the project is checked with."""
     for program in (f"{name}-{VERSION}", name):
         try:
-            done = subprocess.run([program, "--version"], capture_output=True, text=True, check=True)
+            done = subprocess.run(
+                [program, "--version"], capture_output=True, text=True, check=True
+            )
         except (FileNotFoundError, subprocess.CalledProcessError):
             continue
         if re.search(rf"version {VERSION}\.", done.stdout):
             return program
     return fail(
-        Exit.INTERNAL,
-        f"{name} {VERSION} is missing (Debian 12: apt-get install {name}-{VERSION})",
+        Exit.INTERNAL, f"{name} {VERSION} is missing (Debian 12: apt-get install {name}-{VERSION})"
     )
 
 
@@ -147,8 +148,13 @@ def check_tidy(files, options):
     units, texts = _units(options), Texts()
     lists = "\n".join(
         f"{shown(path)}\n{path.read_text(encoding='utf-8')}"
-        for path in sorted([ROOT / ".clang-tidy", *(ROOT / "src").rglob(".clang-tidy"),
-                            *(ROOT / "unittest").rglob(".clang-tidy")])
+        for path in sorted(
+            [
+                ROOT / ".clang-tidy",
+                *(ROOT / "src").rglob(".clang-tidy"),
+                *(ROOT / "unittest").rglob(".clang-tidy"),
+            ]
+        )
     )
     keys = {
         path: unit.key(texts, lists)

@@ -110,7 +110,9 @@ def save_figure(figure, path, dpi=130):
     kind = os.path.splitext(path)[1].lstrip(".").lower() or "png"
     known = figure.canvas.get_supported_filetypes()
     if kind not in known:
-        raise Failure(Exit.USAGE, f"{path}: '.{kind}' is no picture; known: {' '.join(sorted(known))}")
+        raise Failure(
+            Exit.USAGE, f"{path}: '.{kind}' is no picture; known: {' '.join(sorted(known))}"
+        )
     page = io.BytesIO()
     figure.savefig(page, dpi=dpi, format=kind)
     pyplot.close(figure)

@@ -53,8 +53,9 @@ class Text:
         """Whatever follows the last end of line was cut and is left out."""
         lines = text.split("\n")[:-1]
         head = list(itertools.takewhile(lambda line: line.startswith("#"), lines))
-        return cls(head, lines[len(head)].split() if len(lines) > len(head) else [],
-                   lines[len(head) + 1:])
+        return cls(
+            head, lines[len(head)].split() if len(lines) > len(head) else [], lines[len(head) + 1 :]
+        )
 
     def numbered_rows(self):
         """(number in the file, from 1; line) of each row."""
@@ -86,7 +87,9 @@ def _head(path, lines):
         if head["format"] != FORMAT:
             raise BadInput(f"{path}: format '{head['format']}', must be '{FORMAT}'")
     except (yaml.YAMLError, KeyError, TypeError, ValueError, RecursionError):
-        raise BadInput(f"{path}: no friction log: its head or its column names are incomplete") from None
+        raise BadInput(
+            f"{path}: no friction log: its head or its column names are incomplete"
+        ) from None
     return head
 
 
@@ -113,8 +116,7 @@ def read(path, names=COLUMNS):
         if last and len(words) < len(text.names):
             break
         if len(words) != len(text.names):
-            raise BadInput(
-                f"{path}:{number}: {len(words)} columns, {len(text.names)} are expected")
+            raise BadInput(f"{path}:{number}: {len(words)} columns, {len(text.names)} are expected")
         try:
             row = {name: float(words[place]) for name, place in places.items()}
         except ValueError:
