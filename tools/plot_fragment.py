@@ -77,6 +77,8 @@ class Picture:
         self.names = set(NEEDED) | {p for p in given.show if p != "stripes"}
         begin = dump.columns(0, NEEDED)
         self.diameter = given.diameter or nearest_distance(begin["x"], begin["y"])
+        if self.diameter == 0:
+            raise of_space(dump, "two automata have the same x and y")
         low, high = dump.frames[0]["box"][0]
         self.stripe = {
             i: int((x - low) / (high - low) * 2 * STRIPES) % 2
@@ -298,7 +300,19 @@ def read(path):
     for frame in dump.frames:
         if frame["count"] == 0:
             raise BadInput(f"{path}:{frame['head'] + 1}: no automaton")
+    for name in {"z", "zu"}.intersection(dump.frames[0]["names"]):
+        heights = dump.columns(0, [name])[name]
+        if max(heights) > min(heights):
+            raise of_space(dump, f"{name} goes from {min(heights):g} to {max(heights):g}")
     return dump
+
+
+def of_space(dump, why):
+    """The error for a dump of three dimensions."""
+    return BadInput(
+        f"{dump.path}:{dump.frames[0]['head'] + 1}: {why}: only a dump of two dimensions can be "
+        "drawn; dump_to_vtk.py takes this one"
+    )
 
 
 def main():

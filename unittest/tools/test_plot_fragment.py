@@ -91,3 +91,15 @@ def test_animation(tmp_path):
     assert done.returncode == 0, done.stderr
     assert film.read_bytes()[:6] == b"GIF89a"
     assert sorted(p.name for p in tmp_path.iterdir()) == ["a.dump", "a.gif"]
+
+
+def test_dump_of_space(tmp_path):
+    """Automata above each other, in a dump with the third coordinate or without it."""
+    above = GOOD.replace("2 1 2.5 0 0 4", "2 1 0 0 0 4")
+    done, picture = plot(tmp_path, above)
+    assert done.returncode == 3 and not picture.exists()
+    assert done.stderr.count("\n") == 1 and "a.dump:9: two automata" in done.stderr
+    deep = GOOD.replace("vx c_state[1]", "vx z").replace("5 4\n", "5 2\n")
+    done, picture = plot(tmp_path, deep)
+    assert done.returncode == 3 and not picture.exists()
+    assert done.stderr.count("\n") == 1 and "z goes from 2 to 4" in done.stderr
