@@ -55,9 +55,9 @@ def test_clean(project):
 @pytest.mark.parametrize(
     "name, file, old, new, finding, mended",
     [
-        ("clang-format", "a.cpp", "2 * value", "2*value", "src/a.cpp:6:11: format", True),
+        ("clang-format", "a.cpp", "return 2", "return  2", "src/a.cpp:6:9: format", True),
         ("ruff", "a.py", "os.name", "os . name", "src/a.py:7:1: format", True),
-        ("ruff", "a.py", "import os\nimport sys", "import sys\nimport os", "a.py:4:1: I001", True),
+        ("ruff", "a.py", "import os\nimport sys", "import sys\nimport os", "py:4:1: I001", True),
         ("ruff", "a.py", "os.name", "none.name", "src/a.py:7:7: F821", False),
         ("ruff", "a.py", "Nothing", "No" * 60, "src/a.py:2:101: E501", False),
         ("shellcheck", "a.sh", '"$1"', "$1", "src/a.sh:3:6: note", False),
