@@ -81,7 +81,7 @@ def test_finding(project, name, file, old, new, finding, mended):
 
 
 def test_tidy_remembers(project):
-    """A clean file is looked at again after a change of it, of a header, its command or the list."""
+    """A clean file is looked at again after a change of it, of a header, its command or list."""
     known = project / "build" / "gates" / "clang-tidy.json"
     assert gate(project, "clang-tidy").returncode == 0
     keys = [json.loads(known.read_text())["src/a.cpp"]]
