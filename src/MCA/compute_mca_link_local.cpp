@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include "compute_mca_link_local.h"
 
 #include "atom.h"

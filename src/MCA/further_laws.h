@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 /// \file further_laws.h
 /// What laws that are off by default add between the passes of the kernel: flow across the plane
 /// (plasticity j2), and the averaged stresses and plastic work that criteria of local stress and

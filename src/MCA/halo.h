@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 /// \file halo.h
 /// What a rank needs of automata that other ranks own: one message from each rank, which comes in
 /// while the inside of the sample is worked on. Ranks of one node read it from memory that they

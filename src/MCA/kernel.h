@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 /// \file kernel.h
 /// The inner loops of MCA. Pairs are passed over three times, since yielding is decided on the
 /// averaged stress of an automaton, which holds the mean stresses of its neighbours, and where

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Compiled once for each instruction set; MCA_ISA names the set and its namespace. Everything a
 // pass calls is inlined into it (see CMakeLists.txt), so no function compiled for a newer
 // processor can be picked up by an older one.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 /// \file kernel_rows.h
 /// Rows of the per-automaton arrays as vectors of the compiler: one load, one addition, one store.
 /// For the kernels' sources only, which are compiled once for each instruction set.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // The kernel in space, on the pattern of kernel_plane.cpp. Shears are vectors; all else that
 // decides on a contact depends on their lengths only.
 #include "kernel_rows.h"

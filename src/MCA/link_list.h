@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 /// \file link_list.h
 /// The pair list in the kernel's form: one array a quantity, in the order of LAMMPS's half
 /// neighbor list.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // mca_links write and read: links as the bonds of a LAMMPS data file. What a bond cannot hold
 // stands in comments of the file's header, which read_data and viewers skip.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // The part of pair style mca that serves the input script: its commands, materials, checks, restart
 // files. What a step computes stands in pair_mca.cpp.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 /// \file viscous_contacts.h
 /// The viscous forces of a step with the velocities of that step: the force pass knows those of
 /// half a step ago. No LAMMPS type in here.

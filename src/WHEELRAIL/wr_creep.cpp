@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // wr_creep: a case file -> creep curves of rough rolling contact. The command line only.
 
 #include "base/errors.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // The passes of src/MCA/kernel.h alone, on a linked hexagonal lattice, for each instruction set
 // that this processor runs: automaton-steps a second of each pass and of all five.
 #include "laws/law_set.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 /// \file reference_mca.h
 /// Slow, obvious MCA: one struct an automaton, one a contact, plain loops, the trigonometry of the
 /// textbook. It is written from the equations, not from the kernel, which is held against it.

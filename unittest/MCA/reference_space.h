@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 /// \file reference_space.h
 /// Slow, obvious MCA in space, the sibling of reference_mca.h: written from the equations with the
 /// rotations of Eigen, not from the kernel, which is held against it.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 /// \file sample.h
 /// Materials and samples that several tests share, and the kernel run on a reference::Sample.
 #ifndef SAMPLE_H

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 /// \file sample_space.h
 /// Samples in space that several tests share, and the kernel run on them.
 #ifndef SAMPLE_SPACE_H

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // The critical step against brute force: eigenvalues of a finite periodic lattice whose stiffness
 // is measured with the kernel, and integrated lattices just below and just above the limit.
 #include "laws/critical_step.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Run by mpirun on any number of ranks.
 #include "halo.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Every kernel in space that this processor runs, held against the slow reference and against what
 // the equations say about elasticity, exchange, mirror, rotation, momentum and energy.
 #include "sample.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // The exact moment of each transition: at its threshold, just below it, just above it.
 #include "sample.h"
 

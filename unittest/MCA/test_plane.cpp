@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Plane strain and plane stress of one automaton: Hooke's law, and plastic flow against a
 // material point that is integrated in three dimensions with small implicit steps.
 #include "laws/plane.h"

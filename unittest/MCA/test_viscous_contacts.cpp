@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Viscous contacts in time: the motion of a row of automata against the exact solution, and the
 // order of its error in the step.
 #include "viscous_contacts.h"

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """The examples against their pages and the plans: one geometry, commands that run where they stand,
 every variable set from outside."""
+
 import os
 import re
 import subprocess
@@ -30,8 +31,15 @@ def script_variables(script):
 
 def run(script, folder, values):
     words = [word for name, value in values.items() for word in ("-var", name, str(value))]
-    done = subprocess.run([LMP, "-in", script, *words], cwd=folder, timeout=120, text=True,
-                          stdout=subprocess.PIPE, stderr=subprocess.STDOUT, check=False)
+    done = subprocess.run(
+        [LMP, "-in", script, *words],
+        cwd=folder,
+        timeout=120,
+        text=True,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.STDOUT,
+        check=False,
+    )
     assert done.returncode == 0 and "WARNING" not in done.stdout, done.stdout[-3000:]
     return (folder / "log.lammps").read_text(encoding="utf-8")
 
@@ -73,8 +81,9 @@ def test_first_script_is_of_the_same_geometry(tmp_path):
         assert set(lines) == {("14.07", example["amplitude"], str(seed))}
 
 
-@pytest.mark.parametrize("page", sorted(ROOT.glob("examples/*/README.md")),
-                         ids=lambda path: path.parent.name)
+@pytest.mark.parametrize(
+    "page", sorted(ROOT.glob("examples/*/README.md")), ids=lambda path: path.parent.name
+)
 def test_commands_find_their_programs(page):
     """From the folder of the page, unless it says that they are run from the top folder."""
     text = page.read_text(encoding="utf-8")
@@ -89,18 +98,40 @@ def test_commands_find_their_programs(page):
 
 
 def test_every_variable_of_the_friction_example(tmp_path):
-    given = {"p": 7, "v": 3, "strength": 120, "seed": 5, "ns": 0.02, "laws": "a weld 0.7",
-             "E": 180000, "nu": 0.25, "rho": 0.009, "eta": 300, "columns": 16, "rows": 12,
-             "held": 2, "amplitude": 1.5, "d": 3, "every": 50, "dt": 4e-05, "name": "other",
-             "log": "mine.friction", "pictures": "mine.*.dump", "frames": 250, "profile": 200,
-             "checkpoint": 300, "continue": 0, "restart": "other.restart"}
+    given = {
+        "p": 7,
+        "v": 3,
+        "strength": 120,
+        "seed": 5,
+        "ns": 0.02,
+        "laws": "a weld 0.7",
+        "E": 180000,
+        "nu": 0.25,
+        "rho": 0.009,
+        "eta": 300,
+        "columns": 16,
+        "rows": 12,
+        "held": 2,
+        "amplitude": 1.5,
+        "d": 3,
+        "every": 50,
+        "dt": 4e-05,
+        "name": "other",
+        "log": "mine.friction",
+        "pictures": "mine.*.dump",
+        "frames": 250,
+        "profile": 200,
+        "checkpoint": 300,
+        "continue": 0,
+        "restart": "other.restart",
+    }
     defaults = script_variables(FRICTION / "in.friction")
     assert given.keys() == defaults.keys()
     assert all(str(given[name]) != defaults[name] for name in given if name != "continue")
     log = run(FRICTION / "in.friction", tmp_path, given)
     assert re.findall(r"^(\d+) atoms in group (?:bottom|top)$", log, re.MULTILINE) == ["32", "32"]
     line = re.findall(r"mca/rough below (\S+) (\S+) (\S+) 5 units box", log)[-1]
-    assert list(map(float, line)) == pytest.approx([3 * 3 ** 0.5 / 2 * 11 / 2, 1.5, 6])
+    assert list(map(float, line)) == pytest.approx([3 * 3**0.5 / 2 * 11 / 2, 1.5, 6])
     head = head_of(tmp_path / "mine.friction")
     material = head["material"]
     assert (material["youngs_modulus"], material["poissons_ratio"]) == (180000, 0.25)
@@ -112,8 +143,15 @@ def test_every_variable_of_the_friction_example(tmp_path):
     assert head["run"] == {"timestep": 4e-05, "every": 50, "seed": 5}
     assert steps_of(tmp_path / "mine.friction") == list(range(50, 501, 50))
     assert {path.name for path in tmp_path.iterdir()} == {
-        "log.lammps", "mine.friction", "mine.0.dump", "mine.250.dump", "mine.500.dump",
-        "other.profile", "other.a.restart", "other.restart"}
+        "log.lammps",
+        "mine.friction",
+        "mine.0.dump",
+        "mine.250.dump",
+        "mine.500.dump",
+        "other.profile",
+        "other.a.restart",
+        "other.restart",
+    }
     profile = (tmp_path / "other.profile").read_text(encoding="utf-8")
     assert re.findall(r"^(\d+) \d+ \d+$", profile, re.MULTILINE) == ["200", "400"]
     run(FRICTION / "in.friction", tmp_path, {**given, "ns": 0.03, "continue": 1})

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 /// \file contact.h
 /// Stresses of one contact of two automata, from its state and their responses.
 ///

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 /// \file fracture.h
 /// When a link breaks. The paper does not state its criterion; these are exchangeable.
 ///

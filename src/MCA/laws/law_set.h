@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 /// \file law_set.h
 /// Which laws act: the keywords of pair_style mca and their presets. No LAMMPS type in here.
 #ifndef MCA_LAWS_LAW_SET_H

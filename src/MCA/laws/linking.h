@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 /// \file linking.h
 /// The two kinds of link and the transitions between them.
 ///

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 /// \file material.h
 /// The homogeneous material of a movable cellular automaton (Table 1 and Fig. 5 of Bucher et al.,
 /// Wear 261 (2006) 874).

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 /// \file pair_motion.h
 /// How the shear of a pair in space follows the motion of its two automata.
 ///

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 /// \file vector.h
 /// Vectors in space for the inner loops; values only, so that loops over them vectorise.
 #ifndef MCA_LAWS_VECTOR_H
