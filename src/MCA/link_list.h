@@ -4,7 +4,7 @@
 #ifndef MCA_LINK_LIST_H
 #define MCA_LINK_LIST_H
 
-#include "kernel.h"
+#include "core/kernel.h"
 
 #include <cstdlib>
 #include <memory>

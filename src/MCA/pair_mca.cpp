@@ -6,7 +6,7 @@
 #include "error.h"
 #include "flat.h"
 #include "force.h"
-#include "further_laws.h"
+#include "core/further_laws.h"
 #include "update.h"
 
 #include <algorithm>

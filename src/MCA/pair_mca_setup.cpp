@@ -11,7 +11,7 @@
 #include "fix_mca_history.h"
 #include "fix_mca_state.h"
 #include "force.h"
-#include "further_laws.h"
+#include "core/further_laws.h"
 #include "input.h"
 #include "laws/critical_step.h"
 #include "material_file.h"

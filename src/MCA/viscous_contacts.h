@@ -4,7 +4,7 @@
 #ifndef MCA_VISCOUS_CONTACTS_H
 #define MCA_VISCOUS_CONTACTS_H
 
-#include "kernel.h"
+#include "core/kernel.h"
 
 #include <vector>
 

@@ -1,4 +1,4 @@
-// The passes of src/MCA/kernel.h alone, on a linked hexagonal lattice, for each instruction set
+// The passes of src/MCA/core/kernel.h alone, on a linked hexagonal lattice, for each instruction set
 // that this processor runs: automaton-steps a second of each pass and of all five.
 #include "laws/law_set.h"
 #include "link_list.h"

@@ -1,6 +1,6 @@
 #include "sample.h"
 
-#include "further_laws.h"
+#include "core/further_laws.h"
 #include "link_list.h"
 #include "viscous_contacts.h"
 
