@@ -65,7 +65,8 @@ void FixMCAEnergy::setup(int /*vflag*/)
 
 mca::Vector FixMCAEnergy::place(int i) const
 {
-  const double *row = pair->motion.get() + static_cast<size_t>(pair->kernel->rows.motion) * i;
+  const double *row =
+      pair->motion.get() + static_cast<size_t>(pair->kernel->rows.motion.length) * i;
   return {row[0], row[1], pair->kernel->dimension == 2 ? 0.0 : row[2]};
 }
 
@@ -74,7 +75,8 @@ mca::Vector FixMCAEnergy::place(int i) const
 FixMCAEnergy::Motion FixMCAEnergy::step_done(int i) const
 {
   const int dimension = pair->kernel->dimension;
-  const double *row = pair->motion.get() + static_cast<size_t>(pair->kernel->rows.motion) * i;
+  const double *row =
+      pair->motion.get() + static_cast<size_t>(pair->kernel->rows.motion.length) * i;
   const double *v = row + dimension, dt = update->dt, spin = pair->spin.get()[i];
   if (dimension == 2)
     return {dt * mca::Vector{v[0], v[1], 0.0}, {0.0, 0.0, dt * spin}};
@@ -122,7 +124,8 @@ void FixMCAEnergy::keep()
   before.resize(nlocal);
   const bool plane = pair->kernel->dimension == 2;
   for (int i = 0; i < nall; i++) {
-    const double *from = pair->forces.get() + static_cast<size_t>(pair->kernel->rows.force) * i;
+    const double *from =
+        pair->forces.get() + static_cast<size_t>(pair->kernel->rows.force.length) * i;
     double *row = &rows[rowLength * i];
     std::copy_n(from, plane ? 2 : 6, row);
     if (plane)
@@ -177,7 +180,7 @@ void FixMCAEnergy::add_contacts(bool back)
   const mca::Pairs &p = pair->pairs.pairs();
   const double unit = force->nktv2p, sign = back ? 1.0 : -1.0;
   const double *response = pair->response.get();
-  const int length = pair->kernel->rows.response;
+  const int length = pair->kernel->rows.response.length;
   for (int k = 0; k < p.n; k++) {
     const int i = p.i[k], j = p.j[k];
     const mca::PairLaw &law = pair->pairlaw[p.law[k]];
@@ -219,7 +222,7 @@ double FixMCAEnergy::in_elastic_z(int i) const
   const int type = atom->type[i];
   const mca::AutomatonLaw &law = pair->autolaw[type];
   const double now = pair->elastic_z()[i], next = pair->elastic_z_next.get()[i];
-  const double mean = pair->response.get()[pair->kernel->rows.response * i];
+  const double mean = pair->response.get()[pair->kernel->rows.response.length * i];
   const double twoG = 2.0 * law.shearModulus;
   const double first = mca::normalResponse(now, twoG, law.D, mean);
   const double last = mca::normalResponse(next, twoG, law.D, rows[rowLength * i + scalar]);

@@ -2,11 +2,11 @@
 
 #include "atom.h"
 #include "comm.h"
+#include "core/further_laws.h"
 #include "domain.h"
 #include "error.h"
 #include "flat.h"
 #include "force.h"
-#include "core/further_laws.h"
 #include "update.h"
 
 #include <algorithm>
@@ -40,8 +40,10 @@ void PairMCA::compute(int eflag, int vflag)
   }
   committed = false;
 
-  const int nlocal = atom->nlocal, nall = nlocal + atom->nghost, answers = kernel->rows.response;
-  const int answers_after = kernel->dimension - 1; // the stress pass: M, in space the centre, too
+  const int nlocal = atom->nlocal, nall = nlocal + atom->nghost,
+            answers = kernel->rows.response.length;
+  const int answers_after =
+      kernel->rows.response.answers; // the stress pass: M, in space the centre, too
   const bool alone = comm->nprocs == 1;
   const int summed = alone ? nlocal : nall; // images only give places
   const mca::PairLaw *laws = pairlaw.data();
@@ -51,14 +53,14 @@ void PairMCA::compute(int eflag, int vflag)
   elastic_z_next.reserve(nlocal);
   pack_motion(nall, advance);
 
-  clear(strains, summed, kernel->rows.strain);
+  clear(strains, summed, kernel->rows.strain.length);
   kernel->strain(pairs.part(0, pairs.size()), update->dt, advance, laws, motion.get(), spin.get(),
                  strains.get());
   find_means();
   if (!alone)
     halo.begin(response.get(), answers, 1);
 
-  clear(stresses, summed, kernel->rows.stress);
+  clear(stresses, summed, kernel->rows.stress.length);
   kernel->stress(inside, laws, response.get(), stresses.get());
   if (!alone)
     halo.finish(response.get(), answers, 1);
@@ -76,7 +78,7 @@ void PairMCA::compute(int eflag, int vflag)
   if (!alone)
     halo.begin(response.get() + 1, answers, answers_after);
 
-  clear(forces, summed, kernel->rows.force);
+  clear(forces, summed, kernel->rows.force.length);
   changes = kernel->force(inside, laws, response.get(), around, forces.get());
   if (!alone)
     halo.finish(response.get() + 1, answers, answers_after);
@@ -101,12 +103,12 @@ void PairMCA::find_means()
 
 void PairMCA::yield(int from, int to)
 {
-  const mca::RowLengths &rows = kernel->rows;
+  const mca::RowLayout &rows = kernel->rows;
   double next[ANSWERED];
-  const bool flows =
-      kernel->yield(to - from, atom->type + from, autolaw.data(), onelaw,
-                    strains.get() + from * rows.strain, stresses.get() + from * rows.stress,
-                    kappa() + from, next, response.get() + from * rows.response) > 0.0;
+  const bool flows = kernel->yield(to - from, atom->type + from, autolaw.data(), onelaw,
+                                   strains.get() + from * rows.strain.length,
+                                   stresses.get() + from * rows.stress.length, kappa() + from, next,
+                                   response.get() + from * rows.response.length) > 0.0;
   if (flows)
     flowing.emplace_back(from, to);
   if (flows || lawset.needsLocal())
@@ -118,21 +120,21 @@ void PairMCA::yield(int from, int to)
 
 void PairMCA::yield_again(const mca::Pairs &border, const mca::Pairs &inside)
 {
-  const mca::RowLengths &rows = kernel->rows;
+  const mca::RowLayout &rows = kernel->rows;
   const bool alone = comm->nprocs == 1;
   if (alone && flowing.empty())
     return;
   mca::AlignedArray &taken = forces; // which are not needed before the force pass
-  clear(taken, alone ? atom->nlocal : atom->nlocal + atom->nghost, rows.stress);
+  clear(taken, alone ? atom->nlocal : atom->nlocal + atom->nghost, rows.stress.length);
   kernel->returns(inside, pairlaw.data(), response.get(), taken.get());
   if (!alone)
-    halo.finish(response.get() + 1, rows.response, kernel->dimension - 1);
+    halo.finish(response.get() + 1, rows.response.length, kernel->rows.response.answers);
   kernel->returns(border, pairlaw.data(), response.get(), taken.get());
   for (const auto &[from, to] : flowing)
     kernel->yieldAgain(to - from, atom->type + from, autolaw.data(),
-                       stresses.get() + from * rows.stress, taken.get() + from * rows.stress,
-                       kappa() + from, kappa_next.get() + from,
-                       response.get() + from * rows.response);
+                       stresses.get() + from * rows.stress.length,
+                       taken.get() + from * rows.stress.length, kappa() + from,
+                       kappa_next.get() + from, response.get() + from * rows.response.length);
 }
 
 /* of the plane only; what the criteria of local stress need, if any acts */
@@ -145,12 +147,12 @@ const double *PairMCA::further_laws()
                       elastic_z(), elastic_z_next.get());
   if (!lawset.needsLocal())
     return nullptr;
-  local.reserve(static_cast<size_t>(nlocal + atom->nghost) * mca::localRow);
-  mca::showLocal(nlocal, type, autolaw.data(), stresses.get(), response.get(), kappa(),
-                 kappa_next.get(), local.get());
+  local.reserve(static_cast<size_t>(nlocal + atom->nghost) * mca::planeRows.local.length);
+  mca::showLocal(kernel->rows, nlocal, type, autolaw.data(), stresses.get(), response.get(),
+                 kappa(), kappa_next.get(), local.get());
   if (comm->nprocs > 1) {
-    halo.begin(local.get(), mca::localRow, mca::localRow);
-    halo.finish(local.get(), mca::localRow, mca::localRow);
+    halo.begin(local.get(), mca::planeRows.local.length, mca::planeRows.local.length);
+    halo.finish(local.get(), mca::planeRows.local.length, mca::planeRows.local.length);
   }
   return local.get();
 }
@@ -159,7 +161,7 @@ const double *PairMCA::further_laws()
 
 void PairMCA::centre_viscosity(const mca::Pairs &border, const mca::Pairs &inside)
 {
-  const int stride = kernel->rows.force, moved = kernel->dimension;
+  const int stride = kernel->rows.force.length, moved = kernel->dimension;
   if (comm->nprocs > 1)
     halo.begin(forces.get(), stride, moved);
   const mca::ViscousContacts::Step step = {kernel,       update->dt, pairlaw.data(), response.get(),
@@ -175,7 +177,7 @@ void PairMCA::centre_viscosity(const mca::Pairs &border, const mca::Pairs &insid
 void PairMCA::add_forces()
 {
   auto *f = mca::flat(atom->f), *torque = mca::flat(atom->torque);
-  const int length = kernel->rows.force;
+  const int length = kernel->rows.force.length;
   const double *row = forces.get();
   if (kernel->dimension == 2)
     for (int i = 0; i < atom->nlocal; i++, row += length) {
@@ -222,7 +224,7 @@ void PairMCA::begin_list(int border, const std::vector<mca::Halo::Guest> &guests
 
 void PairMCA::pack_motion(int nall, bool advance)
 {
-  motion.reserve(static_cast<size_t>(nall) * kernel->rows.motion);
+  motion.reserve(static_cast<size_t>(nall) * kernel->rows.motion.length);
   spin.reserve(nall);
   if (kernel->dimension == 3)
     return pack_space_motion(nall, advance);
@@ -230,7 +232,7 @@ void PairMCA::pack_motion(int nall, bool advance)
   const auto *x = mca::flat(atom->x), *v = mca::flat(atom->v), *omega = mca::flat(atom->omega);
   const double *lag_x = atom->dvector[icustom_lag[0]], *lag_y = atom->dvector[icustom_lag[1]];
   const double *rest_x = atom->dvector[icustom_rest[0]], *rest_y = atom->dvector[icustom_rest[1]];
-  const int length = kernel->rows.motion;
+  const int length = kernel->rows.motion.length;
   for (int i = 0; i < nall; i++, row += length) {
     row[0] = x[i][0];
     row[1] = x[i][1];
@@ -244,7 +246,7 @@ void PairMCA::pack_space_motion(int nall, bool advance)
 {
   double *row = motion.get(), *turn = spin.get();
   const auto *x = mca::flat(atom->x), *v = mca::flat(atom->v), *omega = mca::flat(atom->omega);
-  const int length = kernel->rows.motion;
+  const int length = kernel->rows.motion.length;
   for (int i = 0; i < nall; i++, row += length) {
     for (int m = 0; m < 3; m++) {
       row[m] = x[i][m];
@@ -268,7 +270,7 @@ void PairMCA::keep_lag()
     double *lag = atom->dvector[icustom_lag[m]];
     double *rest = atom->dvector[icustom_rest[m]];
     const double *row = motion.get() + kernel->dimension + m;
-    for (int i = 0; i < atom->nlocal; i++, row += kernel->rows.motion) {
+    for (int i = 0; i < atom->nlocal; i++, row += kernel->rows.motion.length) {
       lag[i] = atom->v[i][m] - *row;
       rest[i] = atom->v[i][m] - lag[i] - *row;
     }
@@ -384,13 +386,13 @@ PairMCA::Automaton PairMCA::automaton(int i) const
 {
   const mca::AutomatonLaw &law = autolaw[atom->type[i]];
   const bool plane = kernel->dimension == 2;
-  const double *row = stresses.get() + static_cast<size_t>(i) * kernel->rows.stress;
-  const double unit = stress_unit(), mean = response.get()[i * kernel->rows.response];
+  const double *row = stresses.get() + static_cast<size_t>(i) * kernel->rows.stress.length;
+  const double unit = stress_unit(), mean = response.get()[i * kernel->rows.response.length];
   const mca::StressTensor s =
       plane ? mca::automatonStress(row[0], row[1], row[2], mean) : mca::weighted(row, law.weight);
   const double z = j2() ? elastic_z()[i] : 0.0;
-  const double density = mca::energyDensity(row[plane ? 3 : 6], mean, law.shearModulus,
-                                            law.bulkModulus, law.D, law.weight) +
+  const double density = mca::energyDensity(row[kernel->rows.stress.squares], mean,
+                                            law.shearModulus, law.bulkModulus, law.D, law.weight) +
                          law.shearModulus * z * z;
   return {{s.xx * unit, s.yy * unit, s.xy * unit, s.zz * unit, s.xz * unit, s.yz * unit},
           mean * unit,
@@ -433,9 +435,9 @@ double PairMCA::plastic_work(int i) const
 mca::ContactStress PairMCA::contact(int k) const
 {
   const mca::Pairs &p = pairs.pairs();
-  const double *ri = response.get() + static_cast<size_t>(p.i[k]) * kernel->rows.response;
-  const double *rj = response.get() + static_cast<size_t>(p.j[k]) * kernel->rows.response;
-  const int centre = kernel->dimension == 2 ? 0 : 2;
+  const double *ri = response.get() + static_cast<size_t>(p.i[k]) * kernel->rows.response.length;
+  const double *rj = response.get() + static_cast<size_t>(p.j[k]) * kernel->rows.response.length;
+  const int centre = kernel->rows.response.centre;
   mca::ContactStress s =
       mca::contactStress(pairlaw[p.law[k]], p.now.kind[k], p.eps[k], p.now.plastic[k],
                          shear(p.now.gamma, k), shear(p.now.gammaTotal, k), p.separation[k], ri[0],

@@ -1,5 +1,5 @@
-// The passes of src/MCA/core/kernel.h alone, on a linked hexagonal lattice, for each instruction set
-// that this processor runs: automaton-steps a second of each pass and of all five.
+// The passes of src/MCA/core/kernel.h alone, on a linked hexagonal lattice, for each instruction
+// set that this processor runs: automaton-steps a second of each pass and of all five.
 #include "laws/law_set.h"
 #include "link_list.h"
 
@@ -45,18 +45,18 @@ struct Sample {
     pairLaws.assign(4, mca::makePairLaw(set, m, m, 1.0));
     laws.assign(2, {m.bulkModulus(), m.shearModulus(), m.meanStressWeight(), 1.0,
                     mca::YieldCurve(m), mca::packing::hex.stressWeight()});
-    motion.reserve(static_cast<size_t>(n) * mca::motionRow);
-    strains.reserve(static_cast<size_t>(n) * mca::strainRow);
-    stresses.reserve(static_cast<size_t>(n) * mca::stressRow);
-    response.reserve(static_cast<size_t>(n) * mca::responseRow);
-    forces.reserve(static_cast<size_t>(n) * mca::forceRow);
+    motion.reserve(static_cast<size_t>(n) * mca::planeRows.motion.length);
+    strains.reserve(static_cast<size_t>(n) * mca::planeRows.strain.length);
+    stresses.reserve(static_cast<size_t>(n) * mca::planeRows.stress.length);
+    response.reserve(static_cast<size_t>(n) * mca::planeRows.response.length);
+    forces.reserve(static_cast<size_t>(n) * mca::planeRows.force.length);
     pairs.reset(3 * n);
     const double state[] = {mca::link::bulk, 0.0, 0.0, 0.0};
     for (int r = 0; r < rows; r++)
       for (int c = 0; c < columns; c++) {
         const int i = r * columns + c;
         const double x = m.diameter * (c + 0.5 * (r % 2)), y = m.diameter * std::sqrt(0.75) * r;
-        double *row = motion.get() + i * mca::motionRow;
+        double *row = motion.get() + i * mca::planeRows.motion.length;
         row[0] = x + 1e-5 * std::sin(x + y);
         row[1] = y + 1e-5 * std::cos(x - y);
         row[2] = 0.01 * std::sin(y);
@@ -78,7 +78,7 @@ struct Sample {
 
   void strain(const mca::Kernel &k)
   {
-    clear(strains, static_cast<size_t>(n) * mca::strainRow);
+    clear(strains, static_cast<size_t>(n) * mca::planeRows.strain.length);
     k.strain(pairs.pairs(), dt, true, pairLaws.data(), motion.get(), spin.data(), strains.get());
   }
   void mean(const mca::Kernel &k)
@@ -87,7 +87,7 @@ struct Sample {
   }
   void stress(const mca::Kernel &k)
   {
-    clear(stresses, static_cast<size_t>(n) * mca::stressRow);
+    clear(stresses, static_cast<size_t>(n) * mca::planeRows.stress.length);
     k.stress(pairs.pairs(), pairLaws.data(), response.get(), stresses.get());
   }
   void yield(const mca::Kernel &k)
@@ -97,7 +97,7 @@ struct Sample {
   }
   void force(const mca::Kernel &k)
   {
-    clear(forces, static_cast<size_t>(n) * mca::forceRow);
+    clear(forces, static_cast<size_t>(n) * mca::planeRows.force.length);
     benchmark::DoNotOptimize(
         k.force(pairs.pairs(), pairLaws.data(), response.get(), nullptr, forces.get()));
   }

@@ -139,18 +139,18 @@ void KernelRun::step(Sample &s, double dt)
   std::vector<double> spin, kappa, kappaNext(s.owned), elasticZ, elasticZNext(s.owned);
   std::vector<int> type, groups; // 1: all, 2: held
   mca::AlignedArray motion, strains, stresses, response, taken, local, forces, centred;
-  clear(local, n * mca::localRow);
-  clear(motion, n * mca::motionRow);
-  clear(strains, n * mca::strainRow);
-  clear(stresses, n * mca::stressRow);
-  clear(response, n * mca::responseRow);
-  clear(forces, n * mca::forceRow);
+  clear(local, n * mca::planeRows.local.length);
+  clear(motion, n * mca::planeRows.motion.length);
+  clear(strains, n * mca::planeRows.strain.length);
+  clear(stresses, n * mca::planeRows.stress.length);
+  clear(response, n * mca::planeRows.response.length);
+  clear(forces, n * mca::planeRows.force.length);
   for (int i = 0; i < n; i++) {
     const Automaton &a = s.automata[i];
     const double values[] = {a.x, a.y, a.vx, a.vy};
     spin.push_back(a.omega);
     groups.push_back(a.held ? 3 : 1);
-    std::copy_n(values, 4, motion.get() + mca::motionRow * i);
+    std::copy_n(values, 4, motion.get() + mca::planeRows.motion.length * i);
     if (i >= s.owned)
       continue;
     kappa.push_back(a.kappa);
@@ -160,50 +160,50 @@ void KernelRun::step(Sample &s, double dt)
 
   const mca::Pairs &p = list.pairs();
   kernel.strain(p, dt, dt > 0.0, table.data(), motion.get(), spin.data(), strains.get());
-  addUp(s, strains, mca::strainRow);
+  addUp(s, strains, mca::planeRows.strain.length);
   kernel.mean(s.owned, type.data(), own.data(), oneLaw, strains.get(), response.get());
   if (j2)
     mca::addElasticZ(s.owned, type.data(), own.data(), elasticZ.data(), response.get());
-  passOn(s, response, mca::responseRow);
+  passOn(s, response, mca::planeRows.response.length);
   kernel.stress(p, table.data(), response.get(), stresses.get());
-  addUp(s, stresses, mca::stressRow);
+  addUp(s, stresses, mca::planeRows.stress.length);
   kernel.yield(s.owned, type.data(), own.data(), oneLaw, strains.get(), stresses.get(),
                kappa.data(), kappaNext.data(), response.get());
-  passOn(s, response, mca::responseRow);
+  passOn(s, response, mca::planeRows.response.length);
   if (twice) {
-    clear(taken, n * mca::stressRow);
+    clear(taken, n * mca::planeRows.stress.length);
     kernel.returns(p, table.data(), response.get(), taken.get());
-    addUp(s, taken, mca::stressRow);
+    addUp(s, taken, mca::planeRows.stress.length);
     kernel.yieldAgain(s.owned, type.data(), own.data(), stresses.get(), taken.get(), kappa.data(),
                       kappaNext.data(), response.get());
-    passOn(s, response, mca::responseRow);
+    passOn(s, response, mca::planeRows.response.length);
   }
   if (j2)
     mca::flowElasticZ(s.owned, type.data(), own.data(), strains.get(), stresses.get(),
                       response.get(), elasticZ.data(), elasticZNext.data());
   if (needsLocal)
-    mca::showLocal(s.owned, type.data(), own.data(), stresses.get(), response.get(), kappa.data(),
-                   kappaNext.data(), local.get());
-  passOn(s, local, mca::localRow);
+    mca::showLocal(kernel.rows, s.owned, type.data(), own.data(), stresses.get(), response.get(),
+                   kappa.data(), kappaNext.data(), local.get());
+  passOn(s, local, mca::planeRows.local.length);
   s.changed = static_cast<int>(kernel.force(p, table.data(), response.get(),
                                             needsLocal ? local.get() : nullptr, forces.get()));
-  addUp(s, forces, mca::forceRow);
-  clear(centred, n * mca::forceRow);
+  addUp(s, forces, mca::planeRows.force.length);
+  clear(centred, n * mca::planeRows.force.length);
   if (centres) {
-    passOn(s, forces, mca::forceRow);
+    passOn(s, forces, mca::planeRows.force.length);
     mca::ViscousContacts viscous;
     viscous.add(p, {&kernel, dt, table.data(), response.get(), forces.get(), groups.data(), 1, 2});
     viscous.addForces(kernel, centred.get());
-    addUp(s, centred, mca::forceRow);
+    addUp(s, centred, mca::planeRows.force.length);
   }
 
   for (int i = 0; i < s.owned; i++) {
     Automaton &a = s.automata[i];
-    const double *row = stresses.get() + mca::stressRow * i;
-    const double *f = forces.get() + mca::forceRow * i;
+    const double *row = stresses.get() + mca::planeRows.stress.length * i;
+    const double *f = forces.get() + mca::planeRows.force.length * i;
     const mca::AutomatonLaw &law = own[a.type];
-    a.mean = response.get()[mca::responseRow * i];
-    a.factor = response.get()[mca::responseRow * i + 1];
+    a.mean = response.get()[mca::planeRows.response.length * i];
+    a.factor = response.get()[mca::planeRows.response.length * i + 1];
     a.kappaNext = kappaNext[i];
     a.elasticZNext = elasticZNext[i];
     const mca::StressTensor t = mca::automatonStress(row[0], row[1], row[2], a.mean);
@@ -215,8 +215,8 @@ void KernelRun::step(Sample &s, double dt)
     a.energy = (mca::energyDensity(row[3], a.mean, law.shearModulus, law.bulkModulus, law.D) +
                 law.shearModulus * elasticZ[i] * elasticZ[i]) *
                mca::Cell{mca::packing::hex, s.materials[a.type].diameter, s.thickness}.cellVolume();
-    a.fx = f[0] + centred.get()[mca::forceRow * i];
-    a.fy = f[1] + centred.get()[mca::forceRow * i + 1];
+    a.fx = f[0] + centred.get()[mca::planeRows.force.length * i];
+    a.fy = f[1] + centred.get()[mca::planeRows.force.length * i + 1];
     a.torque = f[2];
   }
   for (int k = 0; k < p.n; k++) {

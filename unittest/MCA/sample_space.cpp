@@ -94,23 +94,23 @@ SpaceRun::SpaceRun(const mca::Kernel &chosen, const Sample &s, bool next)
 void SpaceRun::step(Sample &s, double dt)
 {
   const size_t n = s.automata.size();
-  const mca::RowLengths &row = kernel.rows;
+  const mca::RowLayout &row = kernel.rows;
   const bool oneLaw = s.materials.size() == 1;
   if (dt > 0.0)
     list.advance();
   std::vector<double> kappa, kappaNext(s.owned), spin;
   std::vector<int> type, groups; // 1: all, 2: held
   mca::AlignedArray motion, strains, stresses, response, taken, forces, centred;
-  clear(motion, n * row.motion);
-  clear(strains, n * row.strain);
-  clear(stresses, n * row.stress);
-  clear(response, n * row.response);
-  clear(forces, n * row.force);
+  clear(motion, n * row.motion.length);
+  clear(strains, n * row.strain.length);
+  clear(stresses, n * row.stress.length);
+  clear(response, n * row.response.length);
+  clear(forces, n * row.force.length);
   for (size_t i = 0; i < n; i++) {
     const Automaton &a = s.automata[i];
     const double values[] = {a.x.x(), a.x.y(), a.x.z(),     a.v.x(),
                              a.v.y(), a.v.z(), a.omega.x(), a.omega.y()};
-    std::copy_n(values, row.motion, motion.get() + row.motion * i);
+    std::copy_n(values, row.motion.length, motion.get() + row.motion.length * i);
     spin.push_back(a.omega.z());
     groups.push_back(a.held ? 3 : 1);
     kappa.push_back(a.kappa);
@@ -119,40 +119,41 @@ void SpaceRun::step(Sample &s, double dt)
 
   const mca::Pairs &p = list.pairs();
   kernel.strain(p, dt, dt > 0.0, table.data(), motion.get(), spin.data(), strains.get());
-  addUp(s, strains, row.strain);
+  addUp(s, strains, row.strain.length);
   kernel.mean(s.owned, type.data(), own.data(), oneLaw, strains.get(), response.get());
-  passOn(s, response, row.response);
+  passOn(s, response, row.response.length);
   kernel.stress(p, table.data(), response.get(), stresses.get());
-  addUp(s, stresses, row.stress);
+  addUp(s, stresses, row.stress.length);
   kernel.yield(s.owned, type.data(), own.data(), oneLaw, strains.get(), stresses.get(),
                kappa.data(), kappaNext.data(), response.get());
-  passOn(s, response, row.response);
+  passOn(s, response, row.response.length);
   if (twice) {
-    clear(taken, n * row.stress);
+    clear(taken, n * row.stress.length);
     kernel.returns(p, table.data(), response.get(), taken.get());
-    addUp(s, taken, row.stress);
+    addUp(s, taken, row.stress.length);
     kernel.yieldAgain(s.owned, type.data(), own.data(), stresses.get(), taken.get(), kappa.data(),
                       kappaNext.data(), response.get());
-    passOn(s, response, row.response);
+    passOn(s, response, row.response.length);
   }
   s.changed =
       static_cast<int>(kernel.force(p, table.data(), response.get(), nullptr, forces.get()));
-  addUp(s, forces, row.force);
-  clear(centred, n * row.force);
+  addUp(s, forces, row.force.length);
+  clear(centred, n * row.force.length);
   if (centres) {
-    passOn(s, forces, row.force);
+    passOn(s, forces, row.force.length);
     mca::ViscousContacts viscous;
     viscous.add(p, {&kernel, dt, table.data(), response.get(), forces.get(), groups.data(), 1, 2});
     viscous.addForces(kernel, centred.get());
-    addUp(s, centred, row.force);
+    addUp(s, centred, row.force.length);
   }
 
   for (int i = 0; i < s.owned; i++) {
     Automaton &a = s.automata[i];
-    const double *sums = stresses.get() + row.stress * i, *f = forces.get() + row.force * i;
+    const double *sums = stresses.get() + row.stress.length * i,
+                 *f = forces.get() + row.force.length * i;
     const mca::AutomatonLaw &law = own[a.type];
-    a.mean = response.get()[row.response * i];
-    a.factor = response.get()[row.response * i + 1];
+    a.mean = response.get()[row.response.length * i];
+    a.factor = response.get()[row.response.length * i + 1];
     a.kappaNext = kappaNext[i];
     const mca::StressTensor t = mca::weighted(sums, law.weight);
     a.stress << t.xx, t.xy, t.xz, t.xy, t.yy, t.yz, t.xz, t.yz, t.zz;
@@ -160,7 +161,7 @@ void SpaceRun::step(Sample &s, double dt)
     a.energy =
         mca::energyDensity(sums[6], a.mean, law.shearModulus, law.bulkModulus, law.D, law.weight) *
         mca::Cell{s.packing, s.materials[a.type].diameter}.cellVolume();
-    const double *more = centred.get() + row.force * i;
+    const double *more = centred.get() + row.force.length * i;
     a.force = Vector3d(f[0] + more[0], f[1] + more[1], f[2] + more[2]);
     a.torque = Vector3d(f[3], f[4], f[5]);
   }

@@ -9,6 +9,8 @@ namespace mca {
 namespace MCA_ISA {
 namespace {
 
+constexpr RowLayout rows = planeRows;
+
 // Returns how many links of a bulk block reach the breaking strain.
 template<Way WAY>
 double strainBlock(const Pairs &p, const Block &block, int first, int n, double dt, double moves,
@@ -87,10 +89,12 @@ void meanPass(int n, const int *type, const AutomatonLaw *laws, bool oneLaw, con
     const double bulkModulus = n > 0 ? laws[type[0]].bulkModulus : 0.0;
 #pragma omp simd
     for (int i = 0; i < n; i++)
-      response[responseRow * i] = meanStress(strains[strainRow * i], bulkModulus);
+      response[rows.response.length * i + rows.response.mean] =
+          meanStress(strains[rows.strain.length * i + rows.strain.sum], bulkModulus);
   } else {
     for (int i = 0; i < n; i++)
-      response[responseRow * i] = meanStress(strains[strainRow * i], laws[type[i]].bulkModulus);
+      response[rows.response.length * i + rows.response.mean] =
+          meanStress(strains[rows.strain.length * i + rows.strain.sum], laws[type[i]].bulkModulus);
   }
 }
 
@@ -138,14 +142,16 @@ double yieldLoop(int n, const int *type, const AutomatonLaw *laws, const double 
 #pragma omp simd reduction(+ : flowing)
   for (int i = 0; i < n; i++) {
     const AutomatonLaw &law = ONE ? one : laws[type[i]];
-    const double *const row = stresses + stressRow * i;
-    const StressTensor s = automatonStress(row[0], row[1], row[2], response[responseRow * i]);
+    const double *const row = stresses + rows.stress.length * i;
+    const StressTensor s = automatonStress(row[0], row[1], row[2],
+                                           response[rows.response.length * i + rows.response.mean]);
     const RadialReturn back =
         radialReturn(stressIntensity(s), law.curve(kappa[i]), law.shearModulus);
     // without a bulk link there is nothing that could flow
-    const double flows = law.yields * strains[strainRow * i + 1] > 0.0 ? 1.0 : 0.0;
+    const double flows =
+        law.yields * strains[rows.strain.length * i + rows.strain.bulks] > 0.0 ? 1.0 : 0.0;
     kappaNext[i] = kappa[i] + flows * back.strain;
-    response[responseRow * i + 1] = flows * back.factor + (1.0 - flows);
+    response[rows.response.length * i + rows.response.factor] = flows * back.factor + (1.0 - flows);
     flowing += kappaNext[i] == kappa[i] ? 0.0 : 1.0;
   }
   return flowing;
@@ -219,19 +225,20 @@ void secondYieldPass(int n, const int *type, const AutomatonLaw *laws, const dou
                      const double *taken, const double *kappa, double *kappaNext, double *response)
 {
   for (int i = 0; i < n; i++) {
-    const double factor = response[responseRow * i + 1];
+    const double factor = response[rows.response.length * i + rows.response.factor];
     if (factor == 1.0)
       continue;
     const AutomatonLaw &law = laws[type[i]];
-    const double mean = response[responseRow * i];
-    const double *const row = stresses + stressRow * i, *const less = taken + stressRow * i;
+    const double mean = response[rows.response.length * i + rows.response.mean];
+    const double *const row = stresses + rows.stress.length * i, *const less =
+                                                                     taken + rows.stress.length * i;
     const StressTensor s = automatonStress(row[0], row[1], row[2], mean);
     const StressTensor after =
         automatonStress(row[0] + less[0], row[1] + less[1], row[2] + less[2], mean);
     const RadialReturn back = secondReturn(factor, stressIntensity(s), stressIntensity(after),
                                            law.curve(kappa[i]), law.shearModulus);
     kappaNext[i] = kappa[i] + back.strain;
-    response[responseRow * i + 1] = back.factor;
+    response[rows.response.length * i + rows.response.factor] = back.factor;
   }
 }
 
@@ -256,11 +263,11 @@ Changes forceBlock(const Pairs &p, int first, int n, const PairLaw *laws, const 
     LocalStress around = {};
     double work = 0.0;
     if (LOCAL) {
-      const double *const row = local + localRow * k;
+      const double *const row = local + rows.local.length * k;
       const double mean = 0.5 * (c.meanI[k] + c.meanJ[k]);
       around = localStress(0.0, 0.0, row[0], row[1], row[2], mean, pnx[k], pny[k]);
       const bool works = !link::isLinked(kind) & (eps < plastic) & hasLinkWork(law.limits);
-      work = works ? total + row[3] : 0.0;
+      work = works ? total + row[rows.local.work] : 0.0;
     }
     const ContactStress s =
         contactStress<LOCAL>(law, kind, eps, plastic, gamma, total, psep[k], c.meanI[k],
@@ -334,7 +341,7 @@ double forcePass(const Pairs &p, const PairLaw *laws, const double *response, co
                  double *forces)
 {
   PairColumns c;
-  alignas(64) double means[blockLength * localRow];
+  alignas(64) double means[blockLength * rows.local.length];
   double changed = 0.0;
   eachBlock(p, laws, [&](Block &block, auto way, int first, int n) {
     constexpr bool pristine = way.way == PRISTINE;
@@ -363,11 +370,8 @@ double forcePass(const Pairs &p, const PairLaw *laws, const double *response, co
 
 } // namespace
 
-extern const Kernel plane = {
-    MCA_ISA_NAME, 2,          {motionRow, strainRow, stressRow, responseRow, forceRow},
-    strainPass,   meanPass,   stressPass,
-    yieldPass,    returnPass, secondYieldPass,
-    forcePass};
+extern const Kernel plane = {MCA_ISA_NAME, 2,         rows,       strainPass,      meanPass,
+                             stressPass,   yieldPass, returnPass, secondYieldPass, forcePass};
 
 } // namespace MCA_ISA
 } // namespace mca

@@ -9,7 +9,7 @@ namespace mca {
 namespace MCA_ISA {
 namespace {
 
-constexpr RowLengths lengths = {8, 2, 8, 4, 8};
+constexpr RowLayout rows = spaceRows;
 
 // Vectors of a block's pairs in three arrays.
 struct Vectors {
@@ -29,9 +29,9 @@ struct Vectors {
 };
 
 // Rows of eight values as two of four.
-inline const Row4 &half(const double *rows, int i, int which)
+inline const Row4 &half(const double *array, int i, int which)
 {
-  return *rowOf<Row4>(rows, 2 * i + which);
+  return *rowOf<Row4>(array, 2 * i + which);
 }
 
 // Motion of j seen from i and the sum of both angular velocities of each pair, as columns. Pairs
@@ -209,8 +209,8 @@ void meanPass(int n, const int *type, const AutomatonLaw *laws, bool /*oneLaw*/,
 {
   for (int i = 0; i < n; i++) {
     const AutomatonLaw &law = laws[type[i]];
-    response[lengths.response * i] =
-        meanStress(strains[lengths.strain * i], law.bulkModulus, law.weight);
+    response[rows.response.length * i + rows.response.mean] =
+        meanStress(strains[rows.strain.length * i + rows.strain.sum], law.bulkModulus, law.weight);
   }
 }
 
@@ -225,8 +225,8 @@ void stressBlock(const Pairs &p, int first, int n, const PairLaw *laws, const do
   Column meanI, meanJ;
   Shares shares;
   for (int k = 0; k < n; k++) {
-    meanI[k] = response[lengths.response * pi[k]];
-    meanJ[k] = response[lengths.response * pj[k]];
+    meanI[k] = response[rows.response.length * pi[k]];
+    meanJ[k] = response[rows.response.length * pj[k]];
   }
   const PairLaw one = laws[plaw[0]];
 #pragma omp simd
@@ -267,16 +267,17 @@ double yieldLoop(int n, const int *type, const AutomatonLaw *laws, const double 
 #pragma omp simd reduction(+ : flowing)
   for (int i = 0; i < n; i++) {
     const AutomatonLaw &law = ONE ? one : laws[type[i]];
-    const double *const row = stresses + lengths.stress * i;
+    const double *const row = stresses + rows.stress.length * i;
     const StressTensor s = weighted(row, law.weight);
     const RadialReturn back =
         radialReturn(stressIntensity(s), law.curve(kappa[i]), law.shearModulus);
     // without a bulk link there is nothing that could flow
-    const double bulks = strains[lengths.strain * i + 1];
+    const double bulks = strains[rows.strain.length * i + rows.strain.bulks];
     const double flows = law.yields * bulks > 0.0 ? 1.0 : 0.0;
     kappaNext[i] = kappa[i] + flows * back.strain;
-    response[lengths.response * i + 1] = flows * back.factor + (1.0 - flows);
-    response[lengths.response * i + 2] = row[7] / (bulks > 0.0 ? bulks : 1.0);
+    response[rows.response.length * i + rows.response.factor] = flows * back.factor + (1.0 - flows);
+    response[rows.response.length * i + rows.response.centre] =
+        row[rows.stress.bulkSum] / (bulks > 0.0 ? bulks : 1.0);
     flowing += kappaNext[i] == kappa[i] ? 0.0 : 1.0;
   }
   return flowing;
@@ -364,12 +365,12 @@ void secondYieldPass(int n, const int *type, const AutomatonLaw *laws, const dou
                      const double *taken, const double *kappa, double *kappaNext, double *response)
 {
   for (int i = 0; i < n; i++) {
-    const double factor = response[lengths.response * i + 1];
+    const double factor = response[rows.response.length * i + rows.response.factor];
     if (factor == 1.0)
       continue;
     const AutomatonLaw &law = laws[type[i]];
-    const double *const row = stresses + lengths.stress * i;
-    const double *const less = taken + lengths.stress * i;
+    const double *const row = stresses + rows.stress.length * i;
+    const double *const less = taken + rows.stress.length * i;
     double after[6];
     for (int m = 0; m < 6; m++)
       after[m] = row[m] + less[m];
@@ -377,7 +378,7 @@ void secondYieldPass(int n, const int *type, const AutomatonLaw *laws, const dou
                                            stressIntensity(weighted(after, law.weight)),
                                            law.curve(kappa[i]), law.shearModulus);
     kappaNext[i] = kappa[i] + back.strain;
-    response[lengths.response * i + 1] = back.factor;
+    response[rows.response.length * i + rows.response.factor] = back.factor;
   }
 }
 
@@ -487,7 +488,7 @@ double forcePass(const Pairs &p, const PairLaw *laws, const double *response,
 
 } // namespace
 
-extern const Kernel space = {MCA_ISA_NAME, 3,         lengths,    strainPass,      meanPass,
+extern const Kernel space = {MCA_ISA_NAME, 3,         rows,       strainPass,      meanPass,
                              stressPass,   yieldPass, returnPass, secondYieldPass, forcePass};
 
 } // namespace MCA_ISA
