@@ -22,21 +22,13 @@
 #ifndef MCA_KERNEL_H
 #define MCA_KERNEL_H
 
+#include "laws/automaton_law.h"
 #include "laws/contact.h"
 #include "rows.h"
 
 #include <vector>
 
 namespace mca {
-
-/// Laws of one material as an automaton's own.
-struct AutomatonLaw {
-  double bulkModulus, shearModulus; ///< K, G [stress]
-  double D;                         ///< 1 - 2G/(3K), or 0 for the pairwise law [-]; for energies
-  double yields;                    ///< 1 with radial return, 0 without
-  YieldCurve curve;
-  double weight; ///< q S/V of the packing [-]
-};
 
 /// Pairs are worked on in blocks of this length, whose temporary rows stay in the first-level
 /// cache.

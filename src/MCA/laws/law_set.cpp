@@ -161,6 +161,23 @@ ElasticModuli elasticModuli(const LawSet &set, const Material &m)
   return (stress ? planeStressModuli : planeStrainModuli)(m.shearModulus(), m.bulkModulus());
 }
 
+std::string LawSet::notInDimension(int dimension) const
+{
+  return dimension == 2       ? ""
+         : plane != "strain"  ? "plane stress"
+         : plasticity == "j2" ? "plasticity j2"
+         : link_work != off   ? "link_work"
+         : needsLocal()       ? "fracture " + fracture
+                              : "";
+}
+
+AutomatonLaw makeAutomatonLaw(const LawSet &set, const Material &m, const Packing &packing)
+{
+  const ElasticModuli moduli = elasticModuli(set, m);
+  return {moduli.bulk,   moduli.shear,          moduli.D, set.flows() ? 1.0 : 0.0,
+          YieldCurve(m), packing.stressWeight()};
+}
+
 // plastic work per volume up to the strength [stress]
 static double workToStrength(const Material &m)
 {

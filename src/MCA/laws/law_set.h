@@ -3,6 +3,7 @@
 #ifndef MCA_LAWS_LAW_SET_H
 #define MCA_LAWS_LAW_SET_H
 
+#include "automaton_law.h"
 #include "contact.h"
 #include "material.h"
 #include "plane.h"
@@ -49,15 +50,33 @@ struct LawSet {
   /// stress and their plastic work in the step.
   bool needsLocal() const;
 
+  /// Whether automata flow.
+  bool flows() const { return plasticity != "none"; }
+
+  /// Whether each automaton has an elastic strain across the plane, which flow changes: with
+  /// plasticity j2 in the plane. In space the return keeps the volume without one.
+  /// \param dimension  2 or 3
+  bool strainsAcross(int dimension) const { return dimension == 2 && plasticity == "j2"; }
+
+  /// Whether unlinked contacts are viscous.
+  bool isViscous() const { return viscosity != "none"; }
+
   /// Whether an automaton's return is done twice.
-  bool returnsTwice() const { return steps == "corrected" && plasticity != "none"; }
+  bool returnsTwice() const { return steps == "corrected" && flows(); }
 
   /// Whether viscous contacts see the velocity of their step.
-  bool centresViscosity() const { return steps == "corrected" && viscosity != "none"; }
+  bool centresViscosity() const { return steps == "corrected" && isViscous(); }
+
+  /// The first of these laws that does not act in this dimension, as its keyword and value; empty
+  /// if all do.
+  std::string notInDimension(int dimension) const;
 };
 
 /// Moduli of a material under these laws.
 ElasticModuli elasticModuli(const LawSet &, const Material &);
+
+/// Laws of an automaton of this material.
+AutomatonLaw makeAutomatonLaw(const LawSet &, const Material &, const Packing & = packing::hex);
 
 /// Laws of an ordered pair of materials; of unlike materials the weaker decides fracture and
 /// linking. \param thickness h [length] of a plane packing
