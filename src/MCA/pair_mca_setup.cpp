@@ -221,16 +221,10 @@ void PairMCA::choose_packing()
   if (packing->dimension != dimension)
     error->all(FLERR, "Pair style mca keyword packing, value {}, allowed in dimension {}: {}",
                packing->name, dimension, dimension == 2 ? "hex" : "fcc, hcp, sc");
-  if (dimension == 2)
-    return;
-  const char *plane_only = depth > 0.0                            ? "thickness"
-                           : lawset.plane != "strain"             ? "plane stress"
-                           : lawset.plasticity == "j2"            ? "plasticity j2"
-                           : lawset.link_work != mca::LawSet::off ? "link_work"
-                           : lawset.needsLocal()                  ? "fracture by the local stress"
-                                                                  : nullptr;
-  if (plane_only)
-    error->all(FLERR, "Pair style mca: {} is for dimension 2 only", plane_only);
+  const bool misplaced = dimension == 3 && depth > 0.0;
+  const std::string other = misplaced ? "thickness" : lawset.notInDimension(dimension);
+  if (!other.empty())
+    error->all(FLERR, "Pair style mca: {} is for dimension {} only", other, 5 - dimension);
 }
 
 mca::Cell PairMCA::cell(int type) const
@@ -343,11 +337,11 @@ void PairMCA::check_step()
     mca::Material m = materials[i];
     m.youngs_modulus /= stress_unit();
     m.density *= force->mvv2e;
-    const double eta = lawset.viscosity == "normal" ? m.viscosity / stress_unit() : 0.0;
+    const double eta = lawset.isViscous() ? m.viscosity / stress_unit() : 0.0;
     const mca::ElasticModuli moduli = mca::elasticModuli(lawset, m);
     const double D = moduli.D * moduli.bulk / m.bulkModulus(); // D K as the law has it
     auto limit = mca::criticalStep(m, D, eta, *packing);
-    if (lawset.plasticity == "none") // nothing is pressed that far
+    if (!lawset.flows()) // nothing is pressed that far
       limit.pressed = std::numeric_limits<double>::infinity();
     const double critical =
         std::min(lawset.centresViscosity() ? limit.centred() : limit.plain(), limit.pressed);

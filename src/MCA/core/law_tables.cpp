@@ -9,13 +9,10 @@ namespace mca {
 LawTables::LawTables(const LawSet &laws, const std::vector<Material> &materials, double thickness,
                      const Packing &packing)
     : returnsTwice(laws.returnsTwice()), centresViscosity(laws.centresViscosity()),
-      flowsAcross(laws.plasticity == "j2"), needsLocal(laws.needsLocal())
+      flowsAcross(laws.strainsAcross(packing.dimension)), needsLocal(laws.needsLocal())
 {
-  const double yields = laws.plasticity != "none" ? 1.0 : 0.0;
   for (const Material &m : materials) {
-    const ElasticModuli moduli = elasticModuli(laws, m);
-    automata.push_back(
-        {moduli.bulk, moduli.shear, moduli.D, yields, YieldCurve(m), packing.stressWeight()});
+    automata.push_back(makeAutomatonLaw(laws, m, packing));
     volumes.push_back(Cell{packing, m.diameter, thickness}.cellVolume());
   }
   std::vector<std::pair<Material, Material>> first; // materials of each law

@@ -24,7 +24,9 @@ Step::Step(int dimension, const Kernel *kernel)
 
 void Step::begin(int own, int all, const int *types, int border)
 {
-  begun_ = true;
+  begun_ = committed_ = true;
+  changing_ = 0.0;
+  flowing_.clear();
   types_.assign(types, types + own);
   border_ = std::min((border + blockLength - 1) / blockLength * blockLength, links_.size());
   const int summed = exchange_->alone() ? own : all; // images only give places

@@ -75,8 +75,8 @@ class Step {
   LinkList &links() { return links_; }
   const LinkList &links() const { return links_; }
 
-  /// The list was made anew. States of own automata that were collected by the old one are lost;
-  /// see takeChanges().
+  /// The list was made anew, of present states. What the old one led to is dropped: it was taken
+  /// over by commit() and takeChanges(), or is found again in set-up.
   /// \param own     automata of this rank
   /// \param all     rows with those of guests and periodic images, at which pairs may meet
   /// \param types   of own automata, numbers in the tables of laws
@@ -107,6 +107,9 @@ class Step {
 
   /// After a step: writes lag and rest of own automata.
   void keepLag(const Automata &) const;
+
+  /// Pairs, on this rank, whose next state is of another kind.
+  double changing() const { return changing_; }
 
   /// A pair whose kind changed, linked before or after or both.
   struct Change {
@@ -151,6 +154,7 @@ class Step {
   Vector velocity(int row) const; ///< that the forces saw [length/time]
   Vector spin(int row) const;     ///< [1/time]
   double mean(int row) const;     ///< mean stress [stress]
+  double factor(int row) const;   ///< M of the radial return [-]
 
   // of pair k
   const PairLaw &law(int k) const { return laws_.pairs[links_.pairs().law[k]]; }

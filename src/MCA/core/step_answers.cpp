@@ -73,6 +73,11 @@ double Step::mean(int row) const
   return response_.at(row)[layout().response.mean];
 }
 
+double Step::factor(int row) const
+{
+  return response_.at(row)[layout().response.factor];
+}
+
 Vector Step::normal(int k) const
 {
   double *const *n = links_.pairs().normal;
