@@ -59,11 +59,11 @@ class Sample {
 
   void run(bool advance)
   {
-    auto rows = [](std::vector<Vector> &of) {
+    auto three = [](std::vector<Vector> &of) {
       return reinterpret_cast<const double(*)[3]>(of.data());
     };
     double *zero = zeros.data();
-    step.run({rows(places), rows(velocities), rows(spins), groups.data(), 1, 2, zero, zero,
+    step.run({three(places), three(velocities), three(spins), groups.data(), 1, 2, zero, zero,
               {zero, zero, zero}, {zero, zero, zero}},
              dt, advance);
     benchmark::DoNotOptimize(step.forces().data());

@@ -52,7 +52,13 @@ class LinkList {
   bool original(int k) const { return original_[k] > 0.0; }
   void setOriginal(int k, bool is) { original_[k] = is ? 1.0 : 0.0; }
 
-  const Pairs &pairs() const;
+  /// Present and next states, normals and strains; complete for readers.
+  const Pairs &pairs() const
+  {
+    if (stale_)
+      completeAll();
+    return view_;
+  }
 
   /// n pairs from the first one of a block on, for the kernel.
   Pairs part(int first, int n);
@@ -85,6 +91,7 @@ class LinkList {
   Pairs view_{};
 
   void complete(int block) const;
+  void completeAll() const;
   void exchange(double *state) const;
 };
 
