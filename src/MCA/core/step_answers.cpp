@@ -87,8 +87,7 @@ Vector Step::normal(int k) const
 // The elastic or the total shear as a vector; in the plane its only component is along t.
 static double sizeOf(double *const *shears, int k, int dimension)
 {
-  return dimension == 2 ? shears[0][k]
-                        : length(Vector{shears[0][k], shears[1][k], shears[2][k]});
+  return dimension == 2 ? shears[0][k] : length(Vector{shears[0][k], shears[1][k], shears[2][k]});
 }
 
 double Step::shear(int k) const
@@ -118,10 +117,10 @@ ContactStress Step::contact(int k) const
   const RowLayout::Response &at = layout().response;
   const PairLaw &law = laws_.pairs[p.law[k]];
   const double *ri = response_.at(p.i[k]), *rj = response_.at(p.j[k]);
-  ContactStress s = contactStress(law, p.now.kind[k], p.eps[k], p.now.plastic[k], shear(k),
-                                  totalShear(k), p.separation[k], ri[at.mean], ri[at.factor],
-                                  rj[at.mean], rj[at.factor],
-                                  ReturnCentre{ri[at.centre], rj[at.centre]});
+  ContactStress s =
+      contactStress(law, p.now.kind[k], p.eps[k], p.now.plastic[k], shear(k), totalShear(k),
+                    p.separation[k], ri[at.mean], ri[at.factor], rj[at.mean], rj[at.factor],
+                    ReturnCentre{ri[at.centre], rj[at.centre]});
   const bool breaks = p.blocks[k / blockLength].moves && link::isLinked(p.now.kind[k]) &&
                       !link::isLinked(p.next.kind[k]);
   if (breaks && link::isLinked(s.kindNext)) {
