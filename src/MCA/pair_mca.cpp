@@ -437,23 +437,14 @@ mca::ContactStress PairMCA::contact(int k) const
   const mca::Pairs &p = pairs.pairs();
   const double *ri = response.get() + static_cast<size_t>(p.i[k]) * kernel->rows.response.length;
   const double *rj = response.get() + static_cast<size_t>(p.j[k]) * kernel->rows.response.length;
-  const int centre = kernel->rows.response.centre;
-  mca::ContactStress s =
-      mca::contactStress(pairlaw[p.law[k]], p.now.kind[k], p.eps[k], p.now.plastic[k],
-                         shear(p.now.gamma, k), shear(p.now.gammaTotal, k), p.separation[k], ri[0],
-                         ri[1], rj[0], rj[1], mca::ReturnCentre{ri[centre], rj[centre]});
-  const bool breaks = p.blocks[k / mca::blockLength].moves && mca::link::isLinked(p.now.kind[k]) &&
-                      !mca::link::isLinked(p.next.kind[k]);
-  if (breaks && mca::link::isLinked(s.kindNext)) {
-    // by a criterion of local stress: it answers as an unlinked contact
-    const mca::PairLaw &law = pairlaw[p.law[k]];
-    const bool pressed = p.eps[k] < p.now.plastic[k];
-    s.normal = pressed
-                   ? mca::unlinkedStress(s.trial, law.viscosity, p.separation[k], law.invDiameter)
-                   : 0.0;
-    s.shear = 0.0;
-    s.kindNext = p.next.kind[k];
-  }
+  const mca::RowLayout::Response &row = kernel->rows.response;
+  const bool moves = p.blocks[k / mca::blockLength].moves;
+  const mca::ContactStress s = mca::contactStress(
+      pairlaw[p.law[k]],
+      {p.now.kind[k], p.eps[k], p.now.plastic[k], shear(p.now.gamma, k), shear(p.now.gammaTotal, k),
+       p.separation[k]},
+      {ri[row.mean], ri[row.factor], ri[row.centre]},
+      {rj[row.mean], rj[row.factor], rj[row.centre]}, moves ? p.next.kind[k] : p.now.kind[k]);
   const double unit = stress_unit();
   return {s.trial * unit,  s.sigma * unit, s.tau * unit,
           s.normal * unit, s.shear * unit, s.kindNext};

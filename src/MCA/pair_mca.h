@@ -135,7 +135,7 @@ class PairMCA : public Pair {
   void find_held();
   double *kappa() const;
   double *elastic_z() const;
-  bool j2() const { return lawset.plasticity == "j2"; }
+  bool j2() const { return lawset.strainsAcross(kernel->dimension); }
   double stress_unit() const;
   void pack_motion(int nall, bool advance);
   void pack_space_motion(int nall, bool advance);

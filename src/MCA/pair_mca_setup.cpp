@@ -5,13 +5,13 @@
 
 #include "atom.h"
 #include "comm.h"
+#include "core/further_laws.h"
 #include "domain.h"
 #include "error.h"
 #include "fix_deform.h"
 #include "fix_mca_history.h"
 #include "fix_mca_state.h"
 #include "force.h"
-#include "core/further_laws.h"
 #include "input.h"
 #include "laws/critical_step.h"
 #include "material_file.h"
@@ -232,16 +232,10 @@ void PairMCA::choose_packing()
   if (packing->dimension != dimension)
     error->all(FLERR, "Pair style mca keyword packing, value {}, allowed in dimension {}: {}",
                packing->name, dimension, dimension == 2 ? "hex" : "fcc, hcp, sc");
-  if (dimension == 2)
-    return;
-  const char *plane_only = depth > 0.0                            ? "thickness"
-                           : lawset.plane != "strain"             ? "plane stress"
-                           : lawset.plasticity == "j2"            ? "plasticity j2"
-                           : lawset.link_work != mca::LawSet::off ? "link_work"
-                           : lawset.needsLocal()                  ? "fracture by the local stress"
-                                                                  : nullptr;
-  if (plane_only)
-    error->all(FLERR, "Pair style mca: {} is for dimension 2 only", plane_only);
+  const std::string elsewhere =
+      dimension == 3 && depth > 0.0 ? "thickness" : lawset.notInDimension(dimension);
+  if (!elsewhere.empty())
+    error->all(FLERR, "Pair style mca: {} is for dimension 2 only", elsewhere);
 }
 
 mca::Cell PairMCA::cell(int type) const
@@ -320,13 +314,9 @@ void PairMCA::make_laws()
     m.viscosity /= stress_unit();
     m.density *= force->mvv2e;
   }
-  const double yields = lawset.plasticity != "none" ? 1.0 : 0.0;
   autolaw.clear();
   for (int i = 0; i <= n; i++) {
-    const mca::Material &m = inside[i > 0 ? i : 1];
-    const mca::ElasticModuli moduli = mca::elasticModuli(lawset, m);
-    autolaw.push_back(
-        {moduli.bulk, moduli.shear, moduli.D, yields, mca::YieldCurve(m), packing->stressWeight()});
+    autolaw.push_back(mca::makeAutomatonLaw(lawset, inside[i > 0 ? i : 1], *packing));
   }
   // types of equal materials share one law, since the kernel is fastest where a law serves many
   pairlaw.clear();
@@ -378,11 +368,11 @@ void PairMCA::check_step()
     mca::Material m = materials[i];
     m.youngs_modulus /= stress_unit();
     m.density *= force->mvv2e;
-    const double eta = lawset.viscosity == "normal" ? m.viscosity / stress_unit() : 0.0;
+    const double eta = lawset.isViscous() ? m.viscosity / stress_unit() : 0.0;
     const mca::ElasticModuli moduli = mca::elasticModuli(lawset, m);
     const double D = moduli.D * moduli.bulk / m.bulkModulus(); // D K as the law has it
     auto limit = mca::criticalStep(m, D, eta, *packing);
-    if (lawset.plasticity == "none") // nothing is pressed that far
+    if (!lawset.flows()) // nothing is pressed that far
       limit.pressed = std::numeric_limits<double>::infinity();
     const double critical =
         std::min(lawset.centresViscosity() ? limit.centred() : limit.plain(), limit.pressed);

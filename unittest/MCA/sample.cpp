@@ -39,6 +39,17 @@ std::string steelText()
   return text.str();
 }
 
+std::vector<std::vector<std::string>> fractureWords()
+{
+  std::vector<std::vector<std::string>> all;
+  for (const auto &criterion : mca::FractureLaw::criteria()) {
+    all.push_back({"fracture", criterion.keyword});
+    if (criterion.parameter)
+      all.back().insert(all.back().end(), {criterion.parameter, "3"});
+  }
+  return all;
+}
+
 static void place(Sample &s, const mca::Material &m, int columns, int rows)
 {
   s.materials = {m};
@@ -112,13 +123,11 @@ static void passOn(const Sample &s, const mca::AlignedArray &array, int row)
 
 KernelRun::KernelRun(const mca::Kernel &chosen, const Sample &s, bool next)
     : kernel(chosen), twice(s.laws.returnsTwice()), centres(s.laws.centresViscosity()),
-      j2(s.laws.plasticity == "j2"), needsLocal(s.laws.needsLocal())
+      j2(s.laws.strainsAcross(2)), needsLocal(s.laws.needsLocal())
 {
   const int types = static_cast<int>(s.materials.size());
   for (const auto &a : s.materials) {
-    const mca::ElasticModuli moduli = mca::elasticModuli(s.laws, a);
-    own.push_back({moduli.bulk, moduli.shear, moduli.D, s.laws.plasticity != "none" ? 1.0 : 0.0,
-                   mca::YieldCurve(a), mca::packing::hex.stressWeight()});
+    own.push_back(mca::makeAutomatonLaw(s.laws, a));
     for (const auto &b : s.materials)
       table.push_back(mca::makePairLaw(s.laws, a, b, s.thickness));
   }

@@ -1,5 +1,6 @@
 #include "sample_space.h"
 
+#include "core/further_laws.h"
 #include "viscous_contacts.h"
 
 #include <algorithm>
@@ -71,14 +72,12 @@ static void passOn(const Sample &s, const mca::AlignedArray &array, int row)
 }
 
 SpaceRun::SpaceRun(const mca::Kernel &chosen, const Sample &s, bool next)
-    : kernel(chosen), twice(s.laws.returnsTwice()), centres(s.laws.centresViscosity()), list(3)
+    : kernel(chosen), twice(s.laws.returnsTwice()), centres(s.laws.centresViscosity()),
+      needsLocal(s.laws.needsLocal()), list(3)
 {
-  const bool many = s.laws.elasticity == "many-body";
   const int types = static_cast<int>(s.materials.size());
   for (const auto &a : s.materials) {
-    own.push_back({a.bulkModulus(), a.shearModulus(), many ? a.meanStressWeight() : 0.0,
-                   s.laws.plasticity == "radial" ? 1.0 : 0.0, mca::YieldCurve(a),
-                   s.packing.stressWeight()});
+    own.push_back(mca::makeAutomatonLaw(s.laws, a, s.packing));
     for (const auto &b : s.materials)
       table.push_back(mca::makePairLaw(s.laws, a, b, 1.0, s.packing));
   }
@@ -100,7 +99,7 @@ void SpaceRun::step(Sample &s, double dt)
     list.advance();
   std::vector<double> kappa, kappaNext(s.owned), spin;
   std::vector<int> type, groups; // 1: all, 2: held
-  mca::AlignedArray motion, strains, stresses, response, taken, forces, centred;
+  mca::AlignedArray motion, strains, stresses, response, taken, local, forces, centred;
   clear(motion, n * row.motion.length);
   clear(strains, n * row.strain.length);
   clear(stresses, n * row.stress.length);
@@ -135,8 +134,13 @@ void SpaceRun::step(Sample &s, double dt)
                       kappaNext.data(), response.get());
     passOn(s, response, row.response.length);
   }
-  s.changed =
-      static_cast<int>(kernel.force(p, table.data(), response.get(), nullptr, forces.get()));
+  clear(local, n * row.local.length);
+  if (needsLocal)
+    mca::showLocal(row, s.owned, type.data(), own.data(), stresses.get(), response.get(),
+                   kappa.data(), kappaNext.data(), local.get());
+  passOn(s, local, row.local.length);
+  s.changed = static_cast<int>(kernel.force(p, table.data(), response.get(),
+                                            needsLocal ? local.get() : nullptr, forces.get()));
   addUp(s, forces, row.force.length);
   clear(centred, n * row.force.length);
   if (centres) {

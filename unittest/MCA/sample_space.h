@@ -22,7 +22,7 @@ class SpaceRun {
 
  private:
   const mca::Kernel &kernel;
-  bool twice, centres;
+  bool twice, centres, needsLocal;
   std::vector<mca::AutomatonLaw> own;
   std::vector<mca::PairLaw> table;
   mca::LinkList list;
