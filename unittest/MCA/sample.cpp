@@ -35,6 +35,17 @@ std::string steelText()
   return text.str();
 }
 
+std::vector<std::vector<std::string>> fractureWords()
+{
+  std::vector<std::vector<std::string>> all;
+  for (const auto &criterion : mca::FractureLaw::criteria()) {
+    all.push_back({"fracture", criterion.keyword});
+    if (criterion.parameter)
+      all.back().insert(all.back().end(), {criterion.parameter, "3"});
+  }
+  return all;
+}
+
 static void place(Sample &s, const mca::Material &m, int columns, int rows)
 {
   s.materials = {m};

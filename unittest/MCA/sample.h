@@ -15,6 +15,10 @@ mca::Material steel();
 /// The same as the text of a potential file.
 std::string steelText();
 
+/// Each criterion of bulk links as keywords and values: fracture with its word, and where it has a
+/// number of its own, that number as 3.
+std::vector<std::vector<std::string>> fractureWords();
+
 /// A hexagonal block of `columns` x `rows` automata of the first material, rows along x, every
 /// pair closer than `reach` diameters a contact with the given kind of link (0: none).
 reference::Sample hexagonalBlock(const mca::Material &, int columns, int rows, double kind,

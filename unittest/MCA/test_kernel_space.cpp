@@ -125,11 +125,22 @@ TEST_P(SpaceKernelTest, EqualsTheReference)
 
 TEST_P(SpaceKernelTest, EqualsTheReferenceWithEachLawSwitched)
 {
-  const std::vector<std::vector<std::string>> choices = {
-      {"elasticity", "pairwise"}, {"plasticity", "none"}, {"fracture", "stress"},
-      {"fracture", "none"},       {"viscosity", "none"},  {"heal", "none", "weld", "none"},
-      {"link", "none"},           {"link", "0.9"},        {"weld", "0.3", "heal", "0.1"},
-      {"steps", "corrected"}};
+  std::vector<std::vector<std::string>> choices = {{"elasticity", "pairwise"},
+                                                   {"plasticity", "none"},
+                                                   {"plasticity", "j2"},
+                                                   {"plasticity", "j2", "link_work", "0.001"},
+                                                   {"viscosity", "none"},
+                                                   {"heal", "none", "weld", "none"},
+                                                   {"link", "none"},
+                                                   {"link", "0.9"},
+                                                   {"weld", "0.3", "heal", "0.1"},
+                                                   {"link", "none", "link_work", "0.001"},
+                                                   {"steps", "plain", "link_work", "0.001"}};
+  for (const auto &criterion : fractureWords()) {
+    choices.push_back(criterion);
+    choices.push_back(criterion);
+    choices.back().insert(choices.back().end(), {"link_work", "0.001"});
+  }
   for (const auto &choice : choices) {
     Sample slow = randomSample(mca::packing::fcc, 7, 3, 5e-5);
     ASSERT_EQ(slow.laws.parse(choice), "");

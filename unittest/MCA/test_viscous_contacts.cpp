@@ -21,7 +21,7 @@ Sample row(int n)
   m.youngs_modulus = 1e-6;
   m.strength = 1e6; // nothing links
   Sample s = hexagonalBlock(m, n, 1, 0);
-  s.laws.link = mca::LawSet::off;
+  s.laws.link = mca::Threshold::off();
   s.laws.steps = "corrected";
   for (int i = 0; i < n; i++)
     s.automata[i].x *= 0.99;

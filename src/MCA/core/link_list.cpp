@@ -123,10 +123,11 @@ Pairs LinkList::part(int first, int n)
   return p;
 }
 
-// In space the shears turn round when both automata are exchanged.
+// In space the shears turn round when both automata are exchanged; an unlinked pair has none, but
+// plastic work in their place.
 void LinkList::exchange(double *state) const
 {
-  if (shears_ == 3)
+  if (shears_ == 3 && link::isLinked(state[0]))
     std::transform(state + 2, state + stateSize(), state + 2, std::negate<>());
 }
 

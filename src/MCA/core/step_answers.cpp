@@ -115,23 +115,14 @@ ContactStress Step::contact(int k) const
 {
   const Pairs &p = links_.pairs();
   const RowLayout::Response &at = layout().response;
-  const PairLaw &law = laws_.pairs[p.law[k]];
   const double *ri = response_.at(p.i[k]), *rj = response_.at(p.j[k]);
-  ContactStress s =
-      contactStress(law, p.now.kind[k], p.eps[k], p.now.plastic[k], shear(k), totalShear(k),
-                    p.separation[k], ri[at.mean], ri[at.factor], rj[at.mean], rj[at.factor],
-                    ReturnCentre{ri[at.centre], rj[at.centre]});
-  const bool breaks = p.blocks[k / blockLength].moves && link::isLinked(p.now.kind[k]) &&
-                      !link::isLinked(p.next.kind[k]);
-  if (breaks && link::isLinked(s.kindNext)) {
-    // by a criterion of local stress: it answers as an unlinked contact
-    const bool pressed = p.eps[k] < p.now.plastic[k];
-    s.normal =
-        pressed ? unlinkedStress(s.trial, law.viscosity, p.separation[k], law.invDiameter) : 0.0;
-    s.shear = 0.0;
-    s.kindNext = p.next.kind[k];
-  }
-  return s;
+  const bool moves = p.blocks[k / blockLength].moves;
+  return contactStress(law(k),
+                       {p.now.kind[k], p.eps[k], p.now.plastic[k], shear(k), totalShear(k),
+                        p.separation[k]},
+                       {ri[at.mean], ri[at.factor], ri[at.centre]},
+                       {rj[at.mean], rj[at.factor], rj[at.centre]},
+                       moves ? p.next.kind[k] : p.now.kind[k]);
 }
 
 Vector Step::contactForce(int k) const
