@@ -46,10 +46,11 @@ class Sample {
     linkNeighbours(packing);
     const std::vector<int> types(own(), 0);
     step.begin(own(), static_cast<int>(places.size()), types.data(), 0);
-    for (const Vector &x : places) {
-      velocities.push_back({0.01 * std::sin(x[1]), 0.01 * std::cos(x[0]), 0.0});
-      spins.push_back({0.0, 0.0, 0.001 * std::sin(x[0])});
-    }
+    for (const double sign : {1.0, -1.0})
+      for (const Vector &x : places) {
+        velocities.push_back({sign * 0.01 * std::sin(x[1]), sign * 0.01 * std::cos(x[0]), 0.0});
+        spins.push_back({0.0, 0.0, sign * 0.001 * std::sin(x[0])});
+      }
     groups.assign(places.size(), 1);
     zeros.assign(places.size(), 0.0);
     run(false);
@@ -59,13 +60,15 @@ class Sample {
 
   void run(bool advance)
   {
-    auto three = [](std::vector<Vector> &of) {
-      return reinterpret_cast<const double(*)[3]>(of.data());
+    turn = !turn;
+    const size_t first = turn ? places.size() : 0;
+    auto three = [](std::vector<Vector> &of, size_t from = 0) {
+      return reinterpret_cast<const double(*)[3]>(of.data() + from);
     };
     double *zero = zeros.data();
     step.run({three(places),
-              three(velocities),
-              three(spins),
+              three(velocities, first),
+              three(spins, first),
               groups.data(),
               1,
               2,
@@ -81,7 +84,9 @@ class Sample {
   using Vector = std::array<double, 3>;
   mca::Step step;
   int n[3];
-  std::vector<Vector> places, velocities, spins;
+  std::vector<Vector> places;
+  std::vector<Vector> velocities, spins; // of all, then the opposite ones: shears go to and fro
+  bool turn = false;
   std::vector<double> zeros; // nothing flows
   std::vector<int> groups;
   std::map<Vector3i, int> rows; // by periods from the first automaton

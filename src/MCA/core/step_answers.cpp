@@ -117,12 +117,10 @@ ContactStress Step::contact(int k) const
   const RowLayout::Response &at = layout().response;
   const double *ri = response_.at(p.i[k]), *rj = response_.at(p.j[k]);
   const bool moves = p.blocks[k / blockLength].moves;
-  return contactStress(law(k),
-                       {p.now.kind[k], p.eps[k], p.now.plastic[k], shear(k), totalShear(k),
-                        p.separation[k]},
-                       {ri[at.mean], ri[at.factor], ri[at.centre]},
-                       {rj[at.mean], rj[at.factor], rj[at.centre]},
-                       moves ? p.next.kind[k] : p.now.kind[k]);
+  return contactStress(
+      law(k), {p.now.kind[k], p.eps[k], p.now.plastic[k], shear(k), totalShear(k), p.separation[k]},
+      {ri[at.mean], ri[at.factor], ri[at.centre]}, {rj[at.mean], rj[at.factor], rj[at.centre]},
+      moves ? p.next.kind[k] : p.now.kind[k]);
 }
 
 Vector Step::contactForce(int k) const
