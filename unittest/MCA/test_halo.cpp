@@ -1,5 +1,5 @@
 // Run by mpirun on any number of ranks.
-#include "halo.h"
+#include "core/halo.h"
 
 #include <gtest/gtest.h>
 

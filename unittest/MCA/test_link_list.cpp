@@ -1,4 +1,4 @@
-#include "link_list.h"
+#include "core/link_list.h"
 
 #include <gtest/gtest.h>
 

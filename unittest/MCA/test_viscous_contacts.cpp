@@ -1,7 +1,5 @@
 // Viscous contacts in time: the motion of a row of automata against the exact solution, and the
 // order of its error in the step.
-#include "viscous_contacts.h"
-
 #include "sample.h"
 
 #include <gtest/gtest.h>

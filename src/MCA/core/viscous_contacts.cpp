@@ -1,10 +1,11 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include "viscous_contacts.h"
 
 #include <algorithm>
 
 namespace mca {
 
-void ViscousContacts::add(const Pairs &p, const Step &step)
+void ViscousContacts::add(const Pairs &p, const Conditions &step)
 {
   const int dimension = step.kernel->dimension;
   const RowLayout &rows = step.kernel->rows;

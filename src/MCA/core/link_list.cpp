@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include "link_list.h"
 
 #include <algorithm>
@@ -86,13 +87,12 @@ void LinkList::setPlaces(int placeI, int placeJ)
 }
 
 // of blocks that never flowed the kernel keeps the elastic shear only
-const Pairs &LinkList::pairs() const
+void LinkList::completeAll() const
 {
-  for (size_t b = 0; b < blocks_.size() && stale_; b++)
+  for (size_t b = 0; b < blocks_.size(); b++)
     if (blocks_[b].pristine)
       complete(static_cast<int>(b));
   stale_ = false;
-  return view_;
 }
 
 void LinkList::complete(int block) const

@@ -1,10 +1,11 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 /// \file viscous_contacts.h
 /// The viscous forces of a step with the velocities of that step: the force pass knows those of
 /// half a step ago. No LAMMPS type in here.
 #ifndef MCA_VISCOUS_CONTACTS_H
 #define MCA_VISCOUS_CONTACTS_H
 
-#include "core/kernel.h"
+#include "kernel.h"
 
 #include <vector>
 
@@ -15,7 +16,7 @@ namespace mca {
 class ViscousContacts {
  public:
   /// What a step knows of its automata, in rows as the kernel has them.
-  struct Step {
+  struct Conditions {
     const Kernel *kernel;
     double dt; ///< [time]
     const PairLaw *laws;
@@ -30,7 +31,7 @@ class ViscousContacts {
   void clear() { contacts_.clear(); }
 
   /// Collects the viscous ones of these pairs, and centres their velocities Pairs::separation.
-  void add(const Pairs &, const Step &);
+  void add(const Pairs &, const Conditions &);
 
   void addForces(const Kernel &, double *forces) const;
 
