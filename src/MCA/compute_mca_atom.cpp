@@ -22,7 +22,9 @@ std::vector<ComputeMCAAtom::Attribute> ComputeMCAAtom::attributes()
   auto step = [this](auto &&part) {
     return [this, part](int i) { return part(pair->automaton(i)); };
   };
-  auto count = [this](int which) { return [this, which](int i) { return counts[COUNTS * i + which]; }; };
+  auto count = [this](int which) {
+    return [this, which](int i) { return counts[COUNTS * i + which]; };
+  };
   std::vector<Attribute> all = {
       {"sxx", step([](const auto &a) { return a.stress.xx; }), nullptr, false},
       {"syy", step([](const auto &a) { return a.stress.yy; }), nullptr, false},

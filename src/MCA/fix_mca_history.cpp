@@ -157,16 +157,17 @@ void FixMCAHistory::post_neighbor()
   std::vector<mca::Halo::Guest> guests;
   const int border = borders_first(pairs, guests);
   mca::LinkList &links = mca->links();
+  const mca::LawTables &laws = mca->step().laws();
   links.reset(static_cast<int>(pairs.size()));
   for (const Listed &p : pairs) {
-    const int law = mca->step().laws().number(atom->type[p.i], atom->type[p.j]);
-    links.addStored(row(p.i), row(p.j), law, p.exchanged, p.stored);
+    const int law = laws.number(atom->type[p.i], atom->type[p.j]);
+    links.addStored(row[p.i], row[p.j], law, p.exchanged, p.stored);
     links.setPlaces(p.i, p.j);
   }
   mca->begin_list(border, guests);
 }
 
-/* ghosts learn under which key partners know their original, and whose row it has */
+/* ghosts learn under which key partners know their original, and where it is at home */
 
 void FixMCAHistory::share_keys()
 {
@@ -175,11 +176,9 @@ void FixMCAHistory::share_keys()
     shared[i] = {npartner[i] > 0 ? ubuf(partner[i][0]).d : 0.0, static_cast<double>(comm->me),
                  static_cast<double>(i)};
   comm->forward_comm(this, 3);
-}
-
-int FixMCAHistory::row(int i) const
-{
-  return shared[i].rank == comm->me ? static_cast<int>(shared[i].row) : i;
+  row.resize(nall_neigh);
+  for (int i = 0; i < nall_neigh; i++)
+    row[i] = shared[i].rank == comm->me ? static_cast<int>(shared[i].row) : i;
 }
 
 /* what automaton i keeps of its pair with j, or nothing; 0 is no key: a new automaton */
@@ -219,7 +218,7 @@ std::vector<FixMCAHistory::Listed> FixMCAHistory::listed_pairs() const
       const int i = list->ilist[ii];
       for (int jj = 0; jj < list->numneigh[i]; jj++) {
         const int j = list->firstneigh[i][jj] & NEIGHMASK;
-        if (tag[i] > tag[j] && j >= nlocal_neigh && row(j) < nlocal_neigh)
+        if (tag[i] > tag[j] && j >= nlocal_neigh && row[j] < nlocal_neigh)
           continue; // over a periodic face: both automata list the other's image
         tag[i] < tag[j] ? use(i, j, i, j) : use(j, i, i, j);
       }
@@ -239,8 +238,8 @@ std::vector<FixMCAHistory::Listed> FixMCAHistory::listed_pairs() const
   return pairs;
 }
 
-/* An automaton that meets a guest is a guest of that one's rank in turn, which needs its values. All
-   pairs of such automata come first, so that each one's sums are made in one part of the list.
+/* An automaton that meets a guest is a guest of that one's rank in turn, which needs its values.
+   All pairs of such automata come first, so that each one's sums are made in one part of the list.
    Returns their number. */
 
 int FixMCAHistory::borders_first(std::vector<Listed> &pairs,
@@ -249,15 +248,15 @@ int FixMCAHistory::borders_first(std::vector<Listed> &pairs,
   std::vector<char> needed(nall_neigh, 0), is_guest(nall_neigh, 0);
   for (const Listed &p : pairs)
     for (const auto &[i, j] : {std::pair{p.i, p.j}, std::pair{p.j, p.i}})
-      if (row(j) >= nlocal_neigh) {
-        needed[row(i)] = 1;
+      if (row[j] >= nlocal_neigh) {
+        needed[row[i]] = 1;
         is_guest[j] = 1;
       }
   for (int i = nlocal_neigh; i < nall_neigh; i++)
     if (is_guest[i])
       guests.push_back({static_cast<int>(shared[i].rank), static_cast<int>(shared[i].row), i});
   const auto inside = std::stable_partition(pairs.begin(), pairs.end(), [&](const Listed &p) {
-    return needed[row(p.i)] || needed[row(p.j)];
+    return needed[row[p.i]] || needed[row[p.j]];
   });
   return static_cast<int>(inside - pairs.begin());
 }

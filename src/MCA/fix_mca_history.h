@@ -13,9 +13,9 @@
 #ifndef LMP_FIX_MCA_HISTORY_H
 #define LMP_FIX_MCA_HISTORY_H
 
-#include "fix_neigh_history.h"
 #include "core/halo.h"
 #include "core/link_list.h"
+#include "fix_neigh_history.h"
 #include "restart_block.h"
 
 #include <vector>
@@ -47,15 +47,15 @@ class FixMCAHistory : public mca::CheckedRestart<FixNeighHistory> {
     double rank, row; // of the original
   };
   std::vector<Shared> shared;
-  struct Listed { // a pair of LAMMPS's list
-    int i, j;     // atoms, the lower ID first
+  std::vector<int> row;   // of owned and ghost automata: that of the original, where it is ours
+  struct Listed {         // a pair of LAMMPS's list
+    int i, j;             // atoms, the lower ID first
     bool exchanged;       // LAMMPS's list has the higher one first, which has its state
     const double *stored; // its state
   };
 
   void store(bool next);
   void share_keys();
-  int row(int) const;
   const double *stored(int i, int j) const;
   std::vector<Listed> listed_pairs() const;
   int borders_first(std::vector<Listed> &, std::vector<mca::Halo::Guest> &) const;

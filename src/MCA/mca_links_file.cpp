@@ -48,8 +48,8 @@ void MCALinks::write(const std::string &path)
                               v[i][1], v[i][2], omega[i][0], omega[i][1], omega[i][2]);
     for (int s = 0; s < mca::stateCount; s++)
       if (const double *values = pair->state(s); values && values[i] != 0.0)
-        automata += fmt::format("# automaton {} {} {:.17g}\n", id, mca::automatonStates[s].name,
-                                values[i]);
+        automata +=
+            fmt::format("# automaton {} {} {:.17g}\n", id, mca::automatonStates[s].name, values[i]);
   }
   const mca::LinkList &links = pair->links();
   const mca::Pairs &p = links.pairs();
@@ -192,9 +192,9 @@ void MCALinks::read(const std::string &path)
     if (entry == file.automata.end())
       continue;
     for (const auto &[name, value] : entry->second) {
-      const auto known = std::find_if(
-          std::begin(mca::automatonStates), std::end(mca::automatonStates),
-          [&](const mca::AutomatonState &state) { return name == state.name; });
+      const auto known =
+          std::find_if(std::begin(mca::automatonStates), std::end(mca::automatonStates),
+                       [&](const mca::AutomatonState &state) { return name == state.name; });
       double *values = known == std::end(mca::automatonStates)
                            ? nullptr
                            : pair->state(static_cast<int>(known - mca::automatonStates));

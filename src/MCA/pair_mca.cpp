@@ -42,9 +42,15 @@ void PairMCA::compute(int eflag, int vflag)
 
 mca::Automata PairMCA::automata() const
 {
-  mca::Automata a = {mca::flat(atom->x), mca::flat(atom->v), mca::flat(atom->omega),
-                     atom->mask,         integrated,         held,
-                     state(KAPPA),       state(ELASTIC_Z),   {},
+  mca::Automata a = {mca::flat(atom->x),
+                     mca::flat(atom->v),
+                     mca::flat(atom->omega),
+                     atom->mask,
+                     integrated,
+                     held,
+                     state(KAPPA),
+                     state(ELASTIC_Z),
+                     {},
                      {}};
   for (int m = 0; m < domain->dimension; m++) {
     a.lag[m] = state(LAG[m]);
@@ -153,8 +159,12 @@ void PairMCA::record_events()
     const int k = change.pair, i = p.i[k], j = p.j[k];
     if (!mca_step.isOurs(k))
       continue;
-    Event e{update->ntimestep - 1, {atom->tag[i], atom->tag[j]},   change.before,
-            change.after,          {}, {atom->mask[i], atom->mask[j]}};
+    Event e{update->ntimestep - 1,
+            {atom->tag[i], atom->tag[j]},
+            change.before,
+            change.after,
+            {},
+            {atom->mask[i], atom->mask[j]}};
     for (int m = 0; m < 3; m++)
       e.x[m] = 0.5 * (x[p.placeI[k]][m] + x[p.placeJ[k]][m]);
     domain->remap(e.x);

@@ -63,8 +63,16 @@ class Sample {
       return reinterpret_cast<const double(*)[3]>(of.data());
     };
     double *zero = zeros.data();
-    step.run({three(places), three(velocities), three(spins), groups.data(), 1, 2, zero, zero,
-              {zero, zero, zero}, {zero, zero, zero}},
+    step.run({three(places),
+              three(velocities),
+              three(spins),
+              groups.data(),
+              1,
+              2,
+              zero,
+              zero,
+              {zero, zero, zero},
+              {zero, zero, zero}},
              dt, advance);
     benchmark::DoNotOptimize(step.forces().data());
   }
@@ -132,9 +140,9 @@ void run(benchmark::State &state, const mca::Kernel &kernel, const mca::Packing 
   Sample sample(kernel, packing, {counts[0], counts[1], counts[2]});
   for (auto _ : state)
     sample.run(true);
-  state.counters["automaton-steps/s"] =
-      benchmark::Counter(static_cast<double>(sample.own()) * static_cast<double>(state.iterations()),
-                         benchmark::Counter::kIsRate);
+  state.counters["automaton-steps/s"] = benchmark::Counter(
+      static_cast<double>(sample.own()) * static_cast<double>(state.iterations()),
+      benchmark::Counter::kIsRate);
 }
 
 } // namespace

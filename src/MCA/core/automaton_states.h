@@ -46,22 +46,27 @@ struct AutomatonState {
   const char *meaning;   ///< as the page of compute mca/atom says it
 };
 
-// clang-format off
 inline constexpr AutomatonState automatonStates[] = {
     {"kappa", In::Both, Upkeep::EveryStep, "plastic", In::Both, "", "equivalent plastic strain"},
-    {"theta", In::Both, Upkeep::EveryStep, "theta", In::Plane, "radians", "angle of rotation since the beginning"},
-    {"lag_x", In::Both, Upkeep::EndOfRun, nullptr, In::None, "velocity units", "velocity less that which the forces saw"},
+    {"theta", In::Both, Upkeep::EveryStep, "theta", In::Plane, "radians",
+     "angle of rotation since the beginning"},
+    {"lag_x", In::Both, Upkeep::EndOfRun, nullptr, In::None, "velocity units",
+     "velocity less that which the forces saw"},
     {"lag_y", In::Both, Upkeep::EndOfRun, nullptr, In::None, "velocity units", "the same along y"},
-    {"rest_x", In::Both, Upkeep::EndOfRun, nullptr, In::None, "velocity units", "what rounding took from the lag"},
+    {"rest_x", In::Both, Upkeep::EndOfRun, nullptr, In::None, "velocity units",
+     "what rounding took from the lag"},
     {"rest_y", In::Both, Upkeep::EndOfRun, nullptr, In::None, "velocity units", "the same along y"},
     {"lag_z", In::Space, Upkeep::EndOfRun, nullptr, In::None, "velocity units", "the same along z"},
-    {"rest_z", In::Space, Upkeep::EndOfRun, nullptr, In::None, "velocity units", "the same along z"},
+    {"rest_z", In::Space, Upkeep::EndOfRun, nullptr, In::None, "velocity units",
+     "the same along z"},
     {"links0", In::Both, Upkeep::Commands, nullptr, In::None, "", "number of original links"},
-    {"elastic_z", In::Both, Upkeep::EveryStep, nullptr, In::None, "", "elastic strain across the plane"},
-    {"broken", In::Both, Upkeep::Collected, "broken", In::Both, "", "number of its links that broke"},
-    {"formed", In::Both, Upkeep::Collected, "formed", In::Both, "", "number of links that it formed by contact"},
+    {"elastic_z", In::Both, Upkeep::EveryStep, nullptr, In::None, "",
+     "elastic strain across the plane"},
+    {"broken", In::Both, Upkeep::Collected, "broken", In::Both, "",
+     "number of its links that broke"},
+    {"formed", In::Both, Upkeep::Collected, "formed", In::Both, "",
+     "number of links that it formed by contact"},
 };
-// clang-format on
 
 inline constexpr int stateCount = static_cast<int>(std::size(automatonStates));
 

@@ -35,8 +35,9 @@ static EnergyAccount::Channel channelOf(const Step &step, int k)
   step.links().getState(k, false, now);
   step.links().getState(k, true, next);
   const bool was = link::isLinked(now[0]), is = link::isLinked(next[0]);
-  return was && !is ? EnergyAccount::Fracture : was ? EnergyAccount::Plastic
-                                                    : EnergyAccount::Viscous;
+  return was && !is ? EnergyAccount::Fracture
+         : was      ? EnergyAccount::Plastic
+                    : EnergyAccount::Viscous;
 }
 
 void EnergyAccount::keep(const Step &step, const double (*x)[3], const double (*f)[3],

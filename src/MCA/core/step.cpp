@@ -188,9 +188,8 @@ void Step::yieldAgain(const Automata &a, const Pairs &border, const Pairs &insid
   exchange_->finish(answers, row.length, row.answers);
   kernel_->returns(border, laws_.pairs.data(), response, taken.data());
   for (const auto &[from, to] : flowing_)
-    kernel_->yieldAgain(to - from, types_.data() + from, laws_.automata.data(),
-                        stresses_.row(from), taken.row(from), a.kappa + from,
-                        kappaNext_.row(from), response_.row(from));
+    kernel_->yieldAgain(to - from, types_.data() + from, laws_.automata.data(), stresses_.row(from),
+                        taken.row(from), a.kappa + from, kappaNext_.row(from), response_.row(from));
 }
 
 // What laws that are off by default need: the elastic strain across the plane of the next step, and

@@ -5,14 +5,15 @@
 ///
 /// Rank by rank: a step knows the automata that its rank owns, which are the first rows, and the
 /// guests, which others own; what these answer comes through an Exchange. It owns its rows, which
-/// are plain arrays of stated length, the list of pairs and the tables of laws, and keeps no pointer
-/// to what it is given. No LAMMPS type in here.
+/// are plain arrays of stated length, the list of pairs and the tables of laws, and keeps no
+/// pointer to what it is given. No LAMMPS type in here.
 ///
 /// Invariants:
 /// - The forces are a pure function of places, velocities and the present state. What flow,
 ///   fracture and linking change goes to the next state, which commit() makes the present one. So a
 ///   restarted run computes the forces of its first step again, to the last bit.
-/// - Sums are taken in the order of the list of pairs. A list in the same order gives the same sums,
+/// - Sums are taken in the order of the list of pairs. A list in the same order gives the same
+/// sums,
 ///   whatever the order of LAMMPS's atoms and neighbors.
 /// - A pair of two ranks is in the list of both, with the same first automaton, and both decide
 ///   alike on its next state.
@@ -137,9 +138,9 @@ class Step {
   };
   /// \throw std::out_of_range  not an own automaton; the same below
   Automaton automaton(int i) const;
-  Vector force(int i) const;     ///< [force]
-  Vector torque(int i) const;    ///< [force length]
-  double elasticZ(int i) const;  ///< elastic strain across the plane [-]
+  Vector force(int i) const;    ///< [force]
+  Vector torque(int i) const;   ///< [force length]
+  double elasticZ(int i) const; ///< elastic strain across the plane [-]
   double elasticZNext(int i) const;
   int type(int i) const { return types_.at(i); }
 
@@ -158,13 +159,13 @@ class Step {
 
   // of pair k
   const PairLaw &law(int k) const { return laws_.pairs[links_.pairs().law[k]]; }
-  ContactStress contact(int k) const;       ///< [stress]; shears are lengths of vectors in space
-  Vector contactForce(int k) const;         ///< on its first automaton [force]
-  Vector normal(int k) const;               ///< unit vector to its second automaton [-]
+  ContactStress contact(int k) const;          ///< [stress]; shears are lengths of vectors in space
+  Vector contactForce(int k) const;            ///< on its first automaton [force]
+  Vector normal(int k) const;                  ///< unit vector to its second automaton [-]
   Vector alongShear(int k, double size) const; ///< of this size, along the shear
-  double shear(int k) const;                ///< elastic shear [-]
-  double totalShear(int k) const;           ///< since linking, not reduced by plasticity [-]
-  double distance(int k) const;             ///< [length]
+  double shear(int k) const;                   ///< elastic shear [-]
+  double totalShear(int k) const;              ///< since linking, not reduced by plasticity [-]
+  double distance(int k) const;                ///< [length]
 
   /// 1, or 1/2 for a pair that two ranks hold.
   double share(int k) const;
@@ -174,7 +175,7 @@ class Step {
 
   /// Of this rank; pairs that two ranks hold count half on each.
   struct Count {
-    double links = 0.0, welds = 0.0;               ///< at present
+    double links = 0.0, welds = 0.0;                 ///< at present
     double broken = 0.0, formed = 0.0, healed = 0.0; ///< since the step was made
   };
   Count count() const;
@@ -190,9 +191,9 @@ class Step {
   bool begun_ = false, committed_ = false;
   std::vector<int> types_;
 
-  RowArray motion_, spin_;                             // of all rows
+  RowArray motion_, spin_;                                  // of all rows
   RowArray strains_, stresses_, response_, forces_, local_; // of rows that are in pairs
-  RowArray kappaNext_, elasticZ_, elasticZNext_;       // of own automata
+  RowArray kappaNext_, elasticZ_, elasticZNext_;            // of own automata
   RowArray linkChanges_; // broken and formed of own automata, since takeChanges()
   ViscousContacts viscous_;
 

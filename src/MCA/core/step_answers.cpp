@@ -87,8 +87,7 @@ Vector Step::normal(int k) const
 // The elastic or the total shear as a vector; in the plane its only component is along t.
 static double sizeOf(double *const *shears, int k, int dimension)
 {
-  return dimension == 2 ? shears[0][k]
-                        : length(Vector{shears[0][k], shears[1][k], shears[2][k]});
+  return dimension == 2 ? shears[0][k] : length(Vector{shears[0][k], shears[1][k], shears[2][k]});
 }
 
 double Step::shear(int k) const

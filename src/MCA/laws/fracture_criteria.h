@@ -34,9 +34,15 @@ struct CriterionList {
   }
 };
 
-using FractureCriteria =
-    CriterionList<FractureByStrain, FractureByStress, FractureByEquivalentStress,
-                  FractureByDruckerPrager, FractureNever>;
+// clang-format off: one a line
+using FractureCriteria = CriterionList<
+    FractureByStrain,
+    FractureByStress,
+    FractureByEquivalentStress,
+    FractureByDruckerPrager,
+    FractureNever
+>;
+// clang-format on
 
 } // namespace mca
 
