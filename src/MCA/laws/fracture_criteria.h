@@ -7,6 +7,7 @@
 #ifndef MCA_LAWS_FRACTURE_CRITERIA_H
 #define MCA_LAWS_FRACTURE_CRITERIA_H
 
+#include "fracture/by_energy.h"
 #include "fracture/by_local_stress.h"
 #include "fracture/by_strain.h"
 #include "fracture/by_stress.h"
@@ -40,6 +41,7 @@ using FractureCriteria = CriterionList<
     FractureByStress,
     FractureByEquivalentStress,
     FractureByDruckerPrager,
+    FractureByEnergy,
     FractureNever
 >;
 // clang-format on
