@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -47,6 +48,40 @@ TEST(Fracture, EquivalentStressIsVonMisesInAnyFrame)
     EXPECT_TRUE(reaches(local, druckerPrager(strength * (1 - 1e-12), 1.0)));
     EXPECT_FALSE(reaches(local, druckerPrager(strength * (1 + 1e-12), 1.0)));
   }
+}
+
+TEST(Fracture, EquivalentStressIsVonMisesInSpaceInAnyFrame)
+{
+  const StressTensor s{80, -30, 25, 10, -15, 40};
+  const double strength = stressIntensity(s);
+  for (const Vector &direction :
+       {Vector{1, 0, 0}, Vector{0, 0, 1}, Vector{1, 2, -3}, Vector{-0.3, 0.1, 0.2}}) {
+    const Vector n = 1.0 / length(direction) * direction;
+    const Vector t = {s.xx * n.x + s.xy * n.y + s.xz * n.z, s.xy * n.x + s.yy * n.y + s.yz * n.z,
+                      s.xz * n.x + s.yz * n.y + s.zz * n.z};
+    LocalStress local = faceStress(s, n);
+    local.sigma = dot(t, n);
+    local.tau = length(t - local.sigma * n);
+    EXPECT_NEAR(local.sigma + local.along + local.across, s.xx + s.yy + s.zz, 1e-12);
+    EXPECT_TRUE(reaches(local, druckerPrager(strength * (1 - 1e-12), 1.0)));
+    EXPECT_FALSE(reaches(local, druckerPrager(strength * (1 + 1e-12), 1.0)));
+  }
+}
+
+TEST(Fracture, AFaceUnderPressureHasTwoEqualPrincipalStresses)
+{
+  const LocalStress face = faceStress(StressTensor{-7, -7, 0, -7}, Vector{0.6, 0.0, 0.8});
+  EXPECT_NEAR(face.along, -7, 1e-6); // the root of a difference that rounding leaves
+  EXPECT_NEAR(face.across, -7, 1e-6);
+}
+
+TEST(Fracture, FaceOfThePlaneIsThatOfSpace)
+{
+  const StressTensor s{80, -30, 25, 10};
+  const LocalStress plane = faceStress(s, PlaneVector{0.6, 0.8});
+  const LocalStress space = faceStress(s, Vector{0.6, 0.8, 0.0});
+  EXPECT_NEAR(std::max(plane.along, plane.across), space.along, 1e-12);
+  EXPECT_NEAR(std::min(plane.along, plane.across), space.across, 1e-12);
 }
 
 TEST(Fracture, DruckerPragerHoldsBothStrengths)

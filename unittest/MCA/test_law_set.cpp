@@ -3,10 +3,7 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
-#include <fstream>
 #include <limits>
-#include <regex>
-#include <sstream>
 
 using namespace mca;
 using testing::HasSubstr;

@@ -11,6 +11,10 @@
 
 #include <cmath>
 
+// Inlines all that a function calls: loops vectorise only then. What a loop does to a pair stands
+// in a lambda, since vectors that are declared in the loop itself would be kept in memory.
+#define MCA_LOOP __attribute__((flatten))
+
 namespace mca {
 namespace MCA_ISA {
 namespace {
@@ -18,9 +22,9 @@ namespace {
 // Returns how many links of a bulk block break by strain.
 // Criterion: of bulk links; only of the ways of bulk blocks.
 template<class D, Way WAY, class Criterion>
-double strainBlock(const Pairs &p, const Block &block, int first, int n,
-                   const typename D::Time &time, const PairLaw *laws, const double *motion,
-                   const double *spin, double *strains)
+MCA_LOOP double strainBlock(const Pairs &p, const Block &block, int first, int n,
+                            const typename D::Time &time, const PairLaw *laws, const double *motion,
+                            const double *spin, double *strains)
 {
   using Shear = typename D::Shear;
   const int *const plaw = p.law + first;
@@ -34,9 +38,8 @@ double strainBlock(const Pairs &p, const Block &block, int first, int n,
   const double oneInvDiameter = laws[plaw[0]].invDiameter;
   const FractureLimits limits = laws[plaw[0]].limits.fracture;
   const typename D::Time now = time;
-  double breaking = 0.0;
-#pragma omp simd reduction(+ : breaking)
-  for (int k = 0; k < n; k++) {
+  // returns 1 for a link that breaks
+  auto move = [=, &seen, &es, &bulks](int k) {
     const double invDiameter = WAY == SEVERAL_LAWS ? laws[plaw[k]].invDiameter : oneInvDiameter;
     double r;
     const auto moved = seen.of(k, now, r);
@@ -51,19 +54,24 @@ double strainBlock(const Pairs &p, const Block &block, int first, int n,
       gammas.set(k, gamma);
       if (WAY == BULK)
         totals.set(k, total);
-      breaking += breaks<Criterion>(LinkStrain<Shear>{eps, total}, limits) ? 1.0 : 0.0;
-      es[k] = e;
-      bulks[k] = 1.0;
+      es.value[k] = e;
+      bulks.value[k] = 1.0;
+      return breaks<Criterion>(LinkStrain<Shear>{eps, total}, limits) ? 1.0 : 0.0;
     } else {
       const Shear old = totals.get(k), total = carriedShear(moved, old) + growth;
       const double linked = link::linked(pkind[k]), pressed = e < 0.0 ? 1.0 : 0.0;
       gammas.set(k, choose(linked, gamma, Shear{}));
       totals.set(k, choose(linked, total, old));
       psep[k] = dot(seen.velocity(k), moved.normal);
-      es[k] = (linked > pressed ? linked : pressed) * e;
-      bulks[k] = pkind[k] == link::bulk ? 1.0 : 0.0;
+      es.value[k] = (linked > pressed ? linked : pressed) * e;
+      bulks.value[k] = pkind[k] == link::bulk ? 1.0 : 0.0;
+      return 0.0;
     }
-  }
+  };
+  double breaking = 0.0;
+#pragma omp simd reduction(+ : breaking)
+  for (int k = 0; k < n; k++)
+    breaking += move(k);
   if (onlyBulk(WAY) && breaking > 0.0) // what breaks under pressure becomes a viscous contact
     for (int k = 0; k < n; k++)
       psep[k] = dot(seen.velocity(k), normals.get(k));
@@ -112,8 +120,8 @@ void meanPass(int n, const int *type, const AutomatonLaw *laws, bool oneLaw, con
 }
 
 template<class D, Way WAY>
-void stressBlock(const Pairs &p, int first, int n, const PairLaw *laws, const double *response,
-                 double *stresses)
+MCA_LOOP void stressBlock(const Pairs &p, int first, int n, const PairLaw *laws,
+                          const double *response, double *stresses)
 {
   const int *const pi = p.i + first, *const pj = p.j + first, *const plaw = p.law + first;
   const double *const pkind = p.now.kind + first, *const pplastic = p.now.plastic + first;
@@ -125,8 +133,7 @@ void stressBlock(const Pairs &p, int first, int n, const PairLaw *laws, const do
   ofI.gatherMeans(pi, n, response);
   ofJ.gatherMeans(pj, n, response);
   const PairLaw one = laws[plaw[0]];
-#pragma omp simd
-  for (int k = 0; k < n; k++) {
+  auto share = [=, &one, &ofI, &ofJ, &shares](int k) {
     const PairLaw &law = WAY == SEVERAL_LAWS ? laws[plaw[k]] : one;
     const double e = WAY == PRISTINE ? peps[k] : peps[k] - pplastic[k];
     const typename D::Shear gamma = gammas.get(k);
@@ -137,7 +144,10 @@ void stressBlock(const Pairs &p, int first, int n, const PairLaw *laws, const do
     shares.set(k, sigma, law.twoG * gamma, normals.get(k));
     shares.setSums(k, touching * e * e, dot(gamma, gamma),
                    onlyBulk(WAY) || pkind[k] == link::bulk ? sigma : 0.0);
-  }
+  };
+#pragma omp simd
+  for (int k = 0; k < n; k++)
+    share(k);
   shares.scatter(pi, pj, n, stresses);
 }
 
@@ -152,8 +162,9 @@ void stressPass(const Pairs &p, const PairLaw *laws, const double *response, dou
 }
 
 template<class D, bool ONE>
-double yieldLoop(int n, const int *type, const AutomatonLaw *laws, const double *strains,
-                 const double *stresses, const double *kappa, double *kappaNext, double *response)
+MCA_LOOP double yieldLoop(int n, const int *type, const AutomatonLaw *laws, const double *strains,
+                          const double *stresses, const double *kappa, double *kappaNext,
+                          double *response)
 {
   constexpr RowLayout rows = D::rows;
   const AutomatonLaw one = laws[type[0]];
@@ -189,9 +200,9 @@ double yieldPass(int n, const int *type, const AutomatonLaw *laws, bool oneLaw,
 }
 
 template<class D, Way WAY>
-void returnBlock(const Pairs &p, int first, int n, const PairLaw *laws,
-                 const typename D::Answers &ofI, const typename D::Answers &ofJ,
-                 typename D::Shares &shares)
+MCA_LOOP void returnBlock(const Pairs &p, int first, int n, const PairLaw *laws,
+                          const typename D::Answers &ofI, const typename D::Answers &ofJ,
+                          typename D::Shares &shares)
 {
   const int *const plaw = p.law + first;
   const double *const pkind = p.now.kind + first, *const pplastic = p.now.plastic + first;
@@ -199,8 +210,7 @@ void returnBlock(const Pairs &p, int first, int n, const PairLaw *laws,
   const PairArray<typename D::Shear> gammas(p.now.gamma, first);
   const PairArray<typename D::Normal> normals(p.normal, first);
   const PairLaw one = laws[plaw[0]];
-#pragma omp simd
-  for (int k = 0; k < n; k++) {
+  auto share = [=, &one, &ofI, &ofJ, &shares](int k) {
     const PairLaw &law = WAY == SEVERAL_LAWS ? laws[plaw[k]] : one;
     const double e = WAY == PRISTINE ? peps[k] : peps[k] - pplastic[k];
     const double bulk = onlyBulk(WAY) || pkind[k] == link::bulk ? 1.0 : 0.0;
@@ -209,7 +219,10 @@ void returnBlock(const Pairs &p, int first, int n, const PairLaw *laws,
     const double sigma = returnedStress(trial, i, j);
     const double tau = bulk * (returnedShare(i, j) - 1.0) * law.twoG;
     shares.set(k, bulk * (sigma - trial), tau * gammas.get(k), normals.get(k));
-  }
+  };
+#pragma omp simd
+  for (int k = 0; k < n; k++)
+    share(k);
 }
 
 template<class D>
@@ -256,9 +269,9 @@ void secondYieldPass(int n, const int *type, const AutomatonLaw *laws, const dou
 
 // LOCAL: criteria of local stress or of plastic work act.
 template<class D, Way WAY, class Criterion, bool LOCAL>
-Changes forceBlock(const Pairs &p, int first, int n, const PairLaw *laws, const double *local,
-                   const typename D::Answers &ofI, const typename D::Answers &ofJ,
-                   typename D::Forces &forces)
+MCA_LOOP Changes forceBlock(const Pairs &p, int first, int n, const PairLaw *laws,
+                            const double *local, const typename D::Answers &ofI,
+                            const typename D::Answers &ofJ, typename D::Forces &forces)
 {
   using Shear = typename D::Shear;
   constexpr RowLayout::Local at = D::rows.local;
@@ -270,9 +283,8 @@ Changes forceBlock(const Pairs &p, int first, int n, const PairLaw *laws, const 
   const PairArray<Shear> gammas1(p.next.gamma, first), totals1(p.next.gammaTotal, first);
   const PairArray<typename D::Normal> normals(p.normal, first);
   const PairLaw one = laws[plaw[0]];
-  double kinds = 0.0, states = 0.0;
-#pragma omp simd reduction(+ : kinds, states)
-  for (int k = 0; k < n; k++) {
+  // returns how much of its state changes
+  auto answer = [=, &one, &ofI, &ofJ, &forces](int k) {
     const PairLaw &law = WAY == SEVERAL_LAWS ? laws[plaw[k]] : one;
     const double kind = pkind[k], plastic = pplastic[k], eps = peps[k];
     const Shear gamma = gammas.get(k);
@@ -302,21 +314,25 @@ Changes forceBlock(const Pairs &p, int first, int n, const PairLaw *laws, const 
     plastic1[k] = next.plastic;
     gammas1.set(k, next.gamma);
     totals1.set(k, next.gammaTotal);
-    kinds += kind == s.kindNext ? 0.0 : 1.0;
-    states += kind == s.kindNext ? 0.0 : 1.0;
-    states += plastic == next.plastic ? 0.0 : 1.0;
-    states += equal(gamma, next.gamma) ? 0.0 : 1.0;
-    states += equal(stored, next.gammaTotal) ? 0.0 : 1.0;
     forces.set(k, contactForce(law, s.normal, shear.acting, eps, normals.get(k)));
-  }
+    return (kind == s.kindNext ? 0.0 : 1.0) + (plastic == next.plastic ? 0.0 : 1.0) +
+           (equal(gamma, next.gamma) ? 0.0 : 1.0) + (equal(stored, next.gammaTotal) ? 0.0 : 1.0);
+  };
+  double kinds = 0.0, states = 0.0;
+#pragma omp simd reduction(+ : states)
+  for (int k = 0; k < n; k++)
+    states += answer(k);
+#pragma omp simd reduction(+ : kinds)
+  for (int k = 0; k < n; k++)
+    kinds += pkind[k] == kind1[k] ? 0.0 : 1.0;
   return {kinds, states};
 }
 
 // Bulk links of one law of which none breaks.
 template<class D, bool PRISTINE_BLOCK, bool FLOWS>
-void bulkForceBlock(const Pairs &p, int first, int n, const PairLaw *laws,
-                    const typename D::Answers &ofI, const typename D::Answers &ofJ,
-                    typename D::Forces &forces)
+MCA_LOOP void bulkForceBlock(const Pairs &p, int first, int n, const PairLaw *laws,
+                             const typename D::Answers &ofI, const typename D::Answers &ofJ,
+                             typename D::Forces &forces)
 {
   using Shear = typename D::Shear;
   const double *const pplastic = p.now.plastic + first, *const peps = p.eps + first;
@@ -325,8 +341,7 @@ void bulkForceBlock(const Pairs &p, int first, int n, const PairLaw *laws,
   const PairArray<Shear> gammas1(p.next.gamma, first), totals1(p.next.gammaTotal, first);
   const PairArray<typename D::Normal> normals(p.normal, first);
   const PairLaw law = laws[p.law[first]];
-#pragma omp simd
-  for (int k = 0; k < n; k++) {
+  auto answer = [=, &law, &ofI, &ofJ, &forces](int k) {
     const double plastic = PRISTINE_BLOCK ? 0.0 : pplastic[k], eps = peps[k];
     const double trial = elasticStress(law, eps - plastic, ofI.mean[k], ofJ.mean[k]);
     const Shear gamma = gammas.get(k);
@@ -342,7 +357,10 @@ void bulkForceBlock(const Pairs &p, int first, int n, const PairLaw *laws,
     } else {
       forces.set(k, contactForce(law, trial, law.twoG * gamma, eps, normals.get(k)));
     }
-  }
+  };
+#pragma omp simd
+  for (int k = 0; k < n; k++)
+    answer(k);
 }
 
 template<class D>

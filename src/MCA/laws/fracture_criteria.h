@@ -7,6 +7,7 @@
 #ifndef MCA_LAWS_FRACTURE_CRITERIA_H
 #define MCA_LAWS_FRACTURE_CRITERIA_H
 
+#include "fracture/by_energy.h"
 #include "fracture/by_local_stress.h"
 #include "fracture/by_strain.h"
 #include "fracture/by_stress.h"
@@ -34,9 +35,16 @@ struct CriterionList {
   }
 };
 
-using FractureCriteria =
-    CriterionList<FractureByStrain, FractureByStress, FractureByEquivalentStress,
-                  FractureByDruckerPrager, FractureNever>;
+// clang-format off: one a line
+using FractureCriteria = CriterionList<
+    FractureByStrain,
+    FractureByStress,
+    FractureByEquivalentStress,
+    FractureByDruckerPrager,
+    FractureByEnergy,
+    FractureNever
+>;
+// clang-format on
 
 } // namespace mca
 
