@@ -29,7 +29,6 @@ class FixNVEMCA : public Fix {
   class PairMCA *pair;
   double dtv;
   std::vector<HalfStep> halfstep; // by type
-  int icustom_theta;
 
   template<int DIMENSION, bool MOVES>
   void step();

@@ -26,7 +26,8 @@ struct Automaton {
 
   // results of a step; force and torque are those of all contacts
   double mean = 0, intensity = 0, factor = 1, kappaNext = 0, energy = 0;
-  double centre = 0; // mean normal stress of the bulk links
+  double centre = 0; ///< mean normal stress of the bulk links
+  double work = 0;   ///< plastic work per volume of the step
   Matrix3d stress = Matrix3d::Zero();
   Vector3d force{0, 0, 0}, torque{0, 0, 0};
 };

@@ -174,7 +174,7 @@ def test_wrong_atom_style(tmp_path):
         ("plane stress plasticity none", "plane stress"),
         ("plasticity j2", "plasticity j2"),
         ("link_work 1", "link_work"),
-        ("fracture equivalent", "fracture by the local stress"),
+        ("fracture equivalent", "fracture equivalent"),
     ],
 )
 def test_laws_of_the_plane_in_three_dimensions(tmp_path, laws, named):

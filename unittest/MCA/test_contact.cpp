@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include "laws/fracture_criteria.h"
 #include "sample.h"
 
 #include <gtest/gtest.h>
@@ -23,8 +24,8 @@ ContactStress of(const PairLaw &pair, double kind, double e, double gamma, doubl
                  double meanI, double factorI, double meanJ, double factorJ)
 {
   const double plastic = 0.003; // shifts the strain, nothing else
-  return contactStress(pair, kind, e + plastic, plastic, gamma, 0.0, separation, meanI, factorI,
-                       meanJ, factorJ);
+  return contactStress<FractureByStrain>(pair, {kind, e + plastic, plastic, gamma, 0.0, separation},
+                                         {meanI, factorI, meanI}, {meanJ, factorJ, meanJ});
 }
 
 const double twoG = 2 * steel().shearModulus(), D = steel().meanStressWeight();
@@ -93,12 +94,14 @@ TEST(Contact, ALinkThatBreaksCarriesNoMore)
 {
   const PairLaw b = makePairLaw(LawSet(), steel(), steel(), 1.0);
   // torn and sheared off: open, it carries nothing; pressed, only what an unlinked contact does
-  const ContactStress torn = contactStress(b, link::bulk, 0.05, 0, 1e-4, 0.05, 0, 0, 1, 0, 1);
+  const ContactStress torn = contactStress<FractureByStrain>(
+      b, {link::bulk, 0.05, 0, 1e-4, 0.05, 0}, {0, 1, 0}, {0, 1, 0});
   EXPECT_EQ(torn.kindNext, link::worn);
   EXPECT_EQ(torn.normal, 0.0);
   EXPECT_EQ(torn.shear, 0.0);
   EXPECT_GT(torn.tau, 0.0);
-  const ContactStress pressed = contactStress(b, link::bulk, -1e-4, 0, 1e-4, 0.05, 0, -5, 1, -5, 1);
+  const ContactStress pressed = contactStress<FractureByStrain>(
+      b, {link::bulk, -1e-4, 0, 1e-4, 0.05, 0}, {-5, 1, -5}, {-5, 1, -5});
   EXPECT_EQ(pressed.kindNext, link::worn);
   EXPECT_EQ(pressed.shear, 0.0);
   EXPECT_NEAR_(pressed.normal, twoG * -1e-4 + D * -5);
@@ -107,7 +110,8 @@ TEST(Contact, ALinkThatBreaksCarriesNoMore)
 TEST(Contact, WhatHoldsCarriesItsElasticStress)
 {
   const PairLaw b = makePairLaw(LawSet(), steel(), steel(), 1.0);
-  const ContactStress s = contactStress(b, link::weld, 1e-4, 0, 1e-4, 0, 9, 1, 1, 1, 1);
+  const ContactStress s =
+      contactStress<FractureByStrain>(b, {link::weld, 1e-4, 0, 1e-4, 0, 9}, {1, 1, 1}, {1, 1, 1});
   EXPECT_EQ(s.kindNext, link::weld);
   EXPECT_EQ(s.shear, s.tau);
   EXPECT_EQ(s.normal, s.sigma);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Run by mpirun on any number of ranks.
-#include "halo.h"
+#include "core/halo.h"
 
 #include <gtest/gtest.h>
 

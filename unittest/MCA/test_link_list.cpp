@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "link_list.h"
+#include "core/link_list.h"
 
 #include <gtest/gtest.h>
 

@@ -160,10 +160,17 @@ def test_pair_defaults():
         assert a == set_a.get(keyword, b)
 
 
+def explained(syntax):
+    return [
+        word
+        for words in re.findall(r"^([\w,]+) = ", syntax, re.MULTILINE)
+        for word in words.split(",")
+    ]
+
+
 @pytest.mark.parametrize(
     "file, table",
     [
-        ("compute_mca_atom.md", "compute_mca_atom.cpp"),
         ("fix_mca_events.md", "fix_mca_events.cpp"),
         ("compute_mca_link_local.md", "compute_mca_link_local.cpp"),
     ],
@@ -171,12 +178,28 @@ def test_pair_defaults():
 def test_compute_attributes(file, table):
     syntax = section(page(file), "Syntax")
     assert listed(syntax, "attribute") == attributes(table)
-    explained = [
-        word
-        for words in re.findall(r"^([\w,]+) = ", syntax, re.MULTILINE)
-        for word in words.split(",")
-    ]
-    assert explained == attributes(table)
+    assert explained(syntax) == attributes(table)
+
+
+def test_atom_attributes():
+    """compute mca/atom shows what it finds itself and the states of automata."""
+    states = re.findall(
+        r'\{"\w+",\s+In::\w+,\s+Upkeep::\w+,\s+(nullptr|"\w+"),\s+In::(\w+),\s+"(.*?)",\s+"(.*?)"\}',
+        source("core/automaton_states.h"),
+    )
+    assert len(states) == 12
+    shown = {name.strip('"'): words for name, *words in states if name != "nullptr"}
+    found = re.findall(r'^      \{"(\w+)", ', source("compute_mca_atom.cpp"), re.MULTILINE)
+    assert len(found) == 13 and len(shown) == 4
+    syntax = section(page("compute_mca_atom.md"), "Syntax")
+    assert sorted(listed(syntax, "attribute")) == sorted([*found, *shown])
+    assert explained(syntax) == listed(syntax, "attribute")
+    for name, (dimensions, unit, meaning) in shown.items():
+        line = f"{name} = {meaning}" + (f" ({unit})" if unit else "")
+        line += {"Both": "", "Plane": ", dimension 2 only", "Space": ", dimension 3 only"}[
+            dimensions
+        ]
+        assert line in syntax.splitlines(), name
 
 
 @pytest.mark.parametrize(

@@ -12,6 +12,22 @@ struct Vector {
   double x, y, z;
 };
 
+/// In the plane.
+struct PlaneVector {
+  double x, y;
+};
+
+/// Of numbers: so that a shear may be one.
+inline double dot(double a, double b)
+{
+  return a * b;
+}
+
+inline double dot(const PlaneVector &a, const PlaneVector &b)
+{
+  return a.x * b.x + a.y * b.y;
+}
+
 inline Vector operator+(const Vector &a, const Vector &b)
 {
   return {a.x + b.x, a.y + b.y, a.z + b.z};

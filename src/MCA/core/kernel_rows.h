@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 /// \file kernel_rows.h
 /// Rows of the per-automaton arrays as vectors of the compiler: one load, one addition, one store.
-/// For the kernels' sources only, which are compiled once for each instruction set.
+/// For the kernel's source only, which is compiled once for each instruction set; everything here
+/// is inlined into it.
 #ifndef MCA_KERNEL_ROWS_H
 #define MCA_KERNEL_ROWS_H
 
@@ -10,69 +11,6 @@
 namespace mca {
 namespace MCA_ISA {
 namespace {
-
-inline int lesser(int a, int b)
-{
-  return a < b ? a : b;
-}
-
-// Ways of a block: of several laws (scalar), of one law, and of bulk links of one law that break by
-// strain only, which are most of a sample: these know no contact, viscosity or weld, and no next
-// state while nothing flows. Where none ever flowed, plastic offset and total shear are not read.
-enum Way { SEVERAL_LAWS, ONE_LAW, BULK, PRISTINE };
-
-constexpr bool onlyBulk(Way way)
-{
-  return way == BULK || way == PRISTINE;
-}
-
-inline Way wayOf(const Block &block, const PairLaw *laws)
-{
-  if (block.law == Block::mixed)
-    return SEVERAL_LAWS;
-  if (!block.bulk || !breaksByStrainOnly(laws[block.law].limits))
-    return ONE_LAW;
-  return block.pristine ? PRISTINE : BULK;
-}
-
-template<Way WAY>
-struct WayOf {
-  static constexpr Way way = WAY;
-};
-
-// Calls work(block, its way as a type, first pair, number of pairs) for all blocks.
-template<class Work>
-inline void eachBlock(const Pairs &p, const PairLaw *laws, const Work &work)
-{
-  Block *block = p.blocks;
-  for (int first = 0; first < p.n; first += blockLength, block++) {
-    const int n = lesser(blockLength, p.n - first);
-    switch (wayOf(*block, laws)) {
-    case PRISTINE:
-      work(*block, WayOf<PRISTINE>(), first, n);
-      break;
-    case BULK:
-      work(*block, WayOf<BULK>(), first, n);
-      break;
-    case ONE_LAW:
-      work(*block, WayOf<ONE_LAW>(), first, n);
-      break;
-    default:
-      work(*block, WayOf<SEVERAL_LAWS>(), first, n);
-    }
-  }
-}
-
-// Rows of motion where the pairs of a block meet.
-inline const int *placesI(const Pairs &p, const Block &block, int first)
-{
-  return (block.across ? p.placeI : p.i) + first;
-}
-
-inline const int *placesJ(const Pairs &p, const Block &block, int first)
-{
-  return (block.across ? p.placeJ : p.j) + first;
-}
 
 typedef double Row2 __attribute__((vector_size(16), may_alias));
 typedef double Row4 __attribute__((vector_size(32), may_alias));
@@ -110,27 +48,6 @@ inline void transpose(Row4 &a, Row4 &b, Row4 &c, Row4 &d)
   d = __builtin_shufflevector(ab1, cd1, 2, 3, 6, 7);
 }
 
-// Rows of j less those of i of each pair, as columns, and the sum of both spins. Works on whole
-// fours: Pairs are padded.
-inline void gatherMotion(const int *pi, const int *pj, int n, const double *rows,
-                         const double *spin, Column &c0, Column &c1, Column &c2, Column &c3,
-                         Column &spins)
-{
-  for (int k = 0; k < n; k += 4) {
-    Row4 r[4];
-    for (int m = 0; m < 4; m++) {
-      const int i = pi[k + m], j = pj[k + m];
-      r[m] = *rowOf<Row4>(rows, j) - *rowOf<Row4>(rows, i);
-      spins[k + m] = spin[i] + spin[j];
-    }
-    transpose(r[0], r[1], r[2], r[3]);
-    *rowOf<Row4>(c0.value + k, 0) = r[0];
-    *rowOf<Row4>(c1.value + k, 0) = r[1];
-    *rowOf<Row4>(c2.value + k, 0) = r[2];
-    *rowOf<Row4>(c3.value + k, 0) = r[3];
-  }
-}
-
 // Rows of two values of one automaton of each pair, as columns.
 inline void gather(const int *index, int n, const double *rows, Column &c0, Column &c1)
 {
@@ -141,13 +58,26 @@ inline void gather(const int *index, int n, const double *rows, Column &c0, Colu
   }
 }
 
-// Brings the whole state of a block up to date, whose links will not be alike any more.
-inline void leavePristine(const Pairs &p, Block &block, int first, int n, int shears)
+// Four rows of four, one of each of four pairs, as four columns.
+inline void store(Row4 *r, int k, Column &c0, Column &c1, Column &c2, Column &c3)
 {
-  for (int m = 0; m < shears; m++)
-    for (int k = first; k < first + n; k++)
-      p.now.gammaTotal[m][k] = p.now.gamma[m][k];
-  block.pristine = false;
+  transpose(r[0], r[1], r[2], r[3]);
+  *rowOf<Row4>(c0.value + k, 0) = r[0];
+  *rowOf<Row4>(c1.value + k, 0) = r[1];
+  *rowOf<Row4>(c2.value + k, 0) = r[2];
+  *rowOf<Row4>(c3.value + k, 0) = r[3];
+}
+
+// Means of a row of both automata of each pair.
+template<int LENGTH>
+inline void gatherMeans(const int *pi, const int *pj, int n, const double *rows, double *means)
+{
+  static_assert(LENGTH % 4 == 0);
+  constexpr int parts = LENGTH / 4;
+  for (int k = 0; k < n; k++)
+    for (int m = 0; m < parts; m++)
+      *rowOf<Row4>(means, parts * k + m) =
+          0.5 * (*rowOf<Row4>(rows, parts * pi[k] + m) + *rowOf<Row4>(rows, parts * pj[k] + m));
 }
 
 inline bool allOne(int n, const Column &a, const Column &b)
@@ -198,10 +128,6 @@ inline void scatter(const int *pi, const int *pj, int n, const Column &c0, const
       addRows(pi + k, pj + k, 1, r, same, sums);
   }
 }
-
-struct Changes {
-  double kinds, states; // pairs whose kind, whose state as a whole changes
-};
 
 } // namespace
 } // namespace MCA_ISA

@@ -6,6 +6,8 @@
 #ifndef MCA_HALO_H
 #define MCA_HALO_H
 
+#include "exchange.h"
+
 #include <mpi.h>
 
 #include <atomic>
@@ -14,7 +16,8 @@
 
 namespace mca {
 
-class Halo {
+/// The exchange between MPI ranks. All functions but alone() are collective.
+class Halo : public Exchange {
  public:
   /// An automaton that another rank owns, and the row of its values here.
   struct Guest {
@@ -22,26 +25,20 @@ class Halo {
     int row;
   };
 
-  /// Most values of an automaton in one message.
-  static constexpr int mostValues = 4;
-
   /// \param shares  false: MPI messages to and from all ranks, as if this one were alone on its
   /// node
   explicit Halo(bool shares = true) : shares_(shares) {}
-  ~Halo();
+  ~Halo() override;
   Halo(const Halo &) = delete;
   Halo &operator=(const Halo &) = delete;
 
   /// Tells all ranks what this one needs; called by all of them.
   void build(MPI_Comm comm, const std::vector<Guest> &guests);
 
-  /// Sends `count` values of each own automaton that is needed; finish() must follow.
-  /// \param rows   `stride` values an automaton, of which the first `count` are sent
-  /// \param count  at most mostValues
-  void begin(const double *rows, int stride, int count);
-
-  /// Receives those of the guests.
-  void finish(double *rows, int stride, int count);
+  /// One rank alone, or not built yet.
+  bool alone() const override { return onNode_.size() <= 1; }
+  void begin(const double *rows, int stride, int count) override;
+  void finish(double *rows, int stride, int count) override;
 
  private:
   /// In the memory of its writer; two messages, since the next one may come before this is read.

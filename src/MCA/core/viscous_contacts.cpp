@@ -5,10 +5,10 @@
 
 namespace mca {
 
-void ViscousContacts::add(const Pairs &p, const Step &step)
+void ViscousContacts::add(const Pairs &p, const Conditions &step)
 {
   const int dimension = step.kernel->dimension;
-  const RowLengths &rows = step.kernel->rows;
+  const RowLayout &rows = step.kernel->rows;
   const double half = 0.5 * step.dt;
   auto follows = [&step](int i) {
     const int bits = step.groups[i];
@@ -29,8 +29,8 @@ void ViscousContacts::add(const Pairs &p, const Step &step)
       const int i = p.i[k], j = p.j[k];
       const double moveI = half * law.invMassI * follows(i);
       const double moveJ = half * law.invMassJ * follows(j);
-      const double *const forceI = step.forces + static_cast<size_t>(i) * rows.force;
-      const double *const forceJ = step.forces + static_cast<size_t>(j) * rows.force;
+      const double *const forceI = step.forces + static_cast<size_t>(i) * rows.force.length;
+      const double *const forceJ = step.forces + static_cast<size_t>(j) * rows.force.length;
       double kick = 0.0;
       for (int m = 0; m < dimension; m++)
         kick += p.normal[m][k] * (moveJ * forceJ[m] - moveI * forceI[m]);
@@ -39,8 +39,8 @@ void ViscousContacts::add(const Pairs &p, const Step &step)
       p.separation[k] = now;
 
       const double trial =
-          elasticStress(law, e, step.response[static_cast<size_t>(i) * rows.response],
-                        step.response[static_cast<size_t>(j) * rows.response]);
+          elasticStress(law, e, step.response[static_cast<size_t>(i) * rows.response.length],
+                        step.response[static_cast<size_t>(j) * rows.response.length]);
       const double more = unlinkedStress(trial, law.viscosity, now, law.invDiameter) -
                           unlinkedStress(trial, law.viscosity, before, law.invDiameter);
       Contact c = {i, j, {}};
@@ -53,7 +53,7 @@ void ViscousContacts::add(const Pairs &p, const Step &step)
 
 void ViscousContacts::addForces(const Kernel &kernel, double *forces) const
 {
-  const size_t stride = kernel.rows.force;
+  const size_t stride = kernel.rows.force.length;
   for (const Contact &c : contacts_)
     for (int m = 0; m < kernel.dimension; m++) {
       forces[c.i * stride + m] += c.force[m];

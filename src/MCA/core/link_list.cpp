@@ -87,13 +87,12 @@ void LinkList::setPlaces(int placeI, int placeJ)
 }
 
 // of blocks that never flowed the kernel keeps the elastic shear only
-const Pairs &LinkList::pairs() const
+void LinkList::completeAll() const
 {
-  for (size_t b = 0; b < blocks_.size() && stale_; b++)
+  for (size_t b = 0; b < blocks_.size(); b++)
     if (blocks_[b].pristine)
       complete(static_cast<int>(b));
   stale_ = false;
-  return view_;
 }
 
 void LinkList::complete(int block) const
@@ -124,10 +123,11 @@ Pairs LinkList::part(int first, int n)
   return p;
 }
 
-// In space the shears turn round when both automata are exchanged.
+// In space the shears turn round when both automata are exchanged; an unlinked pair has none, but
+// plastic work in their place.
 void LinkList::exchange(double *state) const
 {
-  if (shears_ == 3)
+  if (shears_ == 3 && link::isLinked(state[0]))
     std::transform(state + 2, state + stateSize(), state + 2, std::negate<>());
 }
 

@@ -19,25 +19,17 @@
 /// file recomputes the very same forces. Where nothing flows, breaks or links, which is most of a
 /// sample, both states are equal and `next` is not touched.
 ///
-/// Plane problem; per-automaton arrays are rows of fixed length, 64-byte aligned, so that an
-/// automaton costs one cache line. All quantities in one consistent set of units.
+/// Per-automaton arrays are rows, see rows.h. All quantities in one consistent set of units.
 #ifndef MCA_KERNEL_H
 #define MCA_KERNEL_H
 
+#include "laws/automaton_law.h"
 #include "laws/contact.h"
+#include "rows.h"
 
 #include <vector>
 
 namespace mca {
-
-/// Laws of one material as an automaton's own.
-struct AutomatonLaw {
-  double bulkModulus, shearModulus; ///< K, G [stress]
-  double D;                         ///< 1 - 2G/(3K), or 0 for the pairwise law [-]; for energies
-  double yields;                    ///< 1 with radial return, 0 without
-  YieldCurve curve;
-  double weight; ///< q S/V of the packing [-]
-};
 
 /// Pairs are worked on in blocks of this length, whose temporary rows stay in the first-level
 /// cache.
@@ -83,34 +75,25 @@ struct Pairs {
   Block *blocks;      ///< of blockLength pairs each
 };
 
-/// Lengths of the rows of the per-automaton arrays in the plane.
-constexpr int motionRow = 4;   ///< x, y, vx, vy
-constexpr int strainRow = 2;   ///< sum of elastic normal strains [-], number of bulk links
-constexpr int stressRow = 4;   ///< averaged xx, yy, xy [stress], sum of e^2 + gamma^2 [-]
-constexpr int responseRow = 2; ///< mean stress [stress], factor M of the radial return [-]
-constexpr int forceRow = 4;    ///< fx, fy [force], torque [force length], unused
-constexpr int localRow = 4;    ///< averaged xx, yy, xy after the return, plastic work per volume of
-                               ///< the step [stress]
-
 /// Moves the shear on by one step and adds each contact's strain to both of its automata.
 /// \param dt       the step [time]
 /// \param moves    false keeps the state as it is (set-up); all else is the same to the last bit
 /// \param laws     table of PairLaw
-/// \param motion   motionRow values an automaton
+/// \param motion   rows.motion.length values an automaton
 /// \param spin     angular velocity of each automaton [1/time]
-/// \param strains  strainRow values an automaton, added to
+/// \param strains  rows.strain.length values an automaton, added to
 using StrainPass = void(const Pairs &, double dt, bool moves, const PairLaw *laws,
                         const double *motion, const double *spin, double *strains);
 
 /// Mean stress of each automaton.
 /// \param type      material number of each automaton, used to index laws
 /// \param oneLaw    the materials of all automata are equal: laws[type[0]] serves all
-/// \param response  responseRow values an automaton; the mean stress is written
+/// \param response  rows.response.length values an automaton; the mean stress is written
 using MeanPass = void(int n, const int *type, const AutomatonLaw *laws, bool oneLaw,
                       const double *strains, double *response);
 
 /// Adds the elastic stress of each contact to the averaged stress of both of its automata.
-/// \param stresses  stressRow values an automaton, added to
+/// \param stresses  rows.stress.length values an automaton, added to
 using StressPass = void(const Pairs &, const PairLaw *laws, const double *response,
                         double *stresses);
 
@@ -125,7 +108,7 @@ using YieldPass = double(int n, const int *type, const AutomatonLaw *laws, bool 
 
 /// Adds what the radial returns take from the elastic stresses of bulk links to both of their
 /// automata. Blocks in which no automaton flows are passed over.
-/// \param taken  stressRow values an automaton, added to; only the tensor is
+/// \param taken  rows.stress.length values an automaton, added to; only the tensor is
 using ReturnPass = void(const Pairs &, const PairLaw *laws, const double *response, double *taken);
 
 /// The radial return of each automaton that flows, once more; see secondReturn().
@@ -135,24 +118,17 @@ using SecondYieldPass = void(int n, const int *type, const AutomatonLaw *laws,
                              double *kappaNext, double *response);
 
 /// Stresses of the contacts, forces and torques on both automata, next state.
-/// \param local   localRow values an automaton, or nullptr where no law needs them
-/// \param forces  forceRow values an automaton, added to
+/// \param local   rows.local.length values an automaton, or nullptr where no law needs them
+/// \param forces  rows.force.length values an automaton, added to
 /// \return how many pairs change their kind
 using ForcePass = double(const Pairs &, const PairLaw *laws, const double *response,
                          const double *local, double *forces);
-
-/// Lengths of the rows of the per-automaton arrays. Every row of strains begins with the sum of the
-/// normal strains and the number of bulk links, of responses with the mean stress and M; in space
-/// the centre of the return follows.
-struct RowLengths {
-  int motion, strain, stress, response, force;
-};
 
 /// The passes compiled for one instruction set.
 struct Kernel {
   const char *name;
   int dimension;
-  RowLengths rows;
+  RowLayout rows;
   StrainPass *strain;
   MeanPass *mean;
   StressPass *stress;

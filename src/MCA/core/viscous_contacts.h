@@ -16,7 +16,7 @@ namespace mca {
 class ViscousContacts {
  public:
   /// What a step knows of its automata, in rows as the kernel has them.
-  struct Step {
+  struct Conditions {
     const Kernel *kernel;
     double dt; ///< [time]
     const PairLaw *laws;
@@ -31,7 +31,7 @@ class ViscousContacts {
   void clear() { contacts_.clear(); }
 
   /// Collects the viscous ones of these pairs, and centres their velocities Pairs::separation.
-  void add(const Pairs &, const Step &);
+  void add(const Pairs &, const Conditions &);
 
   void addForces(const Kernel &, double *forces) const;
 

@@ -6,35 +6,11 @@
 #define MCA_LINK_LIST_H
 
 #include "kernel.h"
+#include "row_array.h"
 
-#include <cstdlib>
-#include <memory>
-#include <utility>
+#include <vector>
 
 namespace mca {
-
-/// Uninitialised doubles on a cache-line boundary; grows only.
-class AlignedArray {
- public:
-  double *get() const { return data_.get(); }
-  void reserve(size_t n)
-  {
-    if (n <= size_)
-      return;
-    size_ = (n + n / 8 + 7) / 8 * 8;
-    data_.reset(static_cast<double *>(std::aligned_alloc(64, size_ * sizeof(double))));
-    if (!data_)
-      throw std::bad_alloc();
-  }
-  double bytes() const { return static_cast<double>(size_ * sizeof(double)); }
-
- private:
-  struct Free {
-    void operator()(double *p) const { std::free(p); }
-  };
-  std::unique_ptr<double, Free> data_;
-  size_t size_ = 0;
-};
 
 /// Owns the arrays of a Pairs view.
 class LinkList {
@@ -76,7 +52,13 @@ class LinkList {
   bool original(int k) const { return original_[k] > 0.0; }
   void setOriginal(int k, bool is) { original_[k] = is ? 1.0 : 0.0; }
 
-  const Pairs &pairs() const;
+  /// Present and next states, normals and strains; complete for readers.
+  const Pairs &pairs() const
+  {
+    if (stale_)
+      completeAll();
+    return view_;
+  }
 
   /// n pairs from the first one of a block on, for the kernel.
   Pairs part(int first, int n);
@@ -109,6 +91,7 @@ class LinkList {
   Pairs view_{};
 
   void complete(int block) const;
+  void completeAll() const;
   void exchange(double *state) const;
 };
 

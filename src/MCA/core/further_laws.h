@@ -22,9 +22,10 @@ void flowElasticZ(int n, const int *type, const AutomatonLaw *laws, const double
                   double *elasticZNext);
 
 /// After the yield pass: what each automaton shows to the criteria of its contacts.
-/// \param local  localRow values an automaton, written
-void showLocal(int n, const int *type, const AutomatonLaw *laws, const double *stresses,
-               const double *response, const double *kappa, const double *kappaNext, double *local);
+/// \param local  rows.local.length values an automaton, written
+void showLocal(const RowLayout &, int n, const int *type, const AutomatonLaw *laws,
+               const double *stresses, const double *response, const double *kappa,
+               const double *kappaNext, double *local);
 
 } // namespace mca
 
