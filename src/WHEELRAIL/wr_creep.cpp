@@ -1,12 +1,12 @@
 // wr_creep: a case file -> creep curves of rough rolling contact. The command line only.
 
-#include "case_file.h"
-#include "creep_curve.h"
-#include "errors.h"
-#include "nearest_word.h"
-#include "output_file.h"
-#include "report.h"
-#include "static_contact.h"
+#include "base/errors.h"
+#include "base/nearest_word.h"
+#include "base/output_file.h"
+#include "creep/case_file.h"
+#include "creep/creep_curve.h"
+#include "creep/creep_report.h"
+#include "creep/static_contact.h"
 
 #include <CLI/CLI.hpp>
 #include <atomic>

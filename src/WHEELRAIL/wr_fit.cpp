@@ -1,12 +1,12 @@
 // wr_fit: friction logs -> friction coefficients -> the law of Eq. 2. The command line only.
 
-#include "errors.h"
-#include "fit_analysis.h"
-#include "friction_log.h"
-#include "nearest_word.h"
-#include "output_file.h"
-#include "plot_script.h"
-#include "quantity.h"
+#include "base/errors.h"
+#include "base/nearest_word.h"
+#include "base/output_file.h"
+#include "base/quantity.h"
+#include "fit/fit_analysis.h"
+#include "fit/friction_log.h"
+#include "fit/plot_script.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>

@@ -1,8 +1,8 @@
 #ifndef WHEELRAIL_CASE_TEXT_H
 #define WHEELRAIL_CASE_TEXT_H
 
-#include "case_file.h"
-#include "output_file.h"
+#include "base/output_file.h"
+#include "creep/case_file.h"
 
 #include <filesystem>
 #include <fmt/format.h>

@@ -1,9 +1,9 @@
 #ifndef WHEELRAIL_CONTACT_CASES_H
 #define WHEELRAIL_CONTACT_CASES_H
 
-#include "hertz.h"
-#include "normal_contact.h"
-#include "profile.h"
+#include "contact/hertz.h"
+#include "contact/line/profile.h"
+#include "contact/normal_contact.h"
 
 #include <cmath>
 

@@ -1,5 +1,5 @@
+#include "base/errors.h"
 #include "case_text.h"
-#include "errors.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
+#include "contact/line/contact_temperature.h"
 #include "contact_cases.h"
-#include "contact_temperature.h"
 
 #include <gtest/gtest.h>
 

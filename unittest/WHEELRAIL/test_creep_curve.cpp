@@ -1,7 +1,7 @@
+#include "base/errors.h"
 #include "case_text.h"
-#include "creep_curve.h"
-#include "errors.h"
-#include "hertz.h"
+#include "contact/hertz.h"
+#include "creep/creep_curve.h"
 
 #include <atomic>
 #include <cstdio>

@@ -1,5 +1,5 @@
-#include "errors.h"
-#include "friction_law.h"
+#include "base/errors.h"
+#include "law/friction_law.h"
 
 #include <cmath>
 #include <fstream>

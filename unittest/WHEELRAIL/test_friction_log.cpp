@@ -1,7 +1,7 @@
-#include "errors.h"
-#include "friction_log.h"
-#include "friction_point.h"
-#include "replicates.h"
+#include "base/errors.h"
+#include "fit/friction_log.h"
+#include "fit/friction_point.h"
+#include "fit/replicates.h"
 
 #include <cmath>
 #include <filesystem>

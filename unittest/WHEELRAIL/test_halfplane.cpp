@@ -1,4 +1,4 @@
-#include "halfplane.h"
+#include "contact/line/halfplane.h"
 
 #include <cmath>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "hertz.h"
+#include "contact/hertz.h"
 
 #include <gtest/gtest.h>
 

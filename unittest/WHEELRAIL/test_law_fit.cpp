@@ -1,5 +1,5 @@
-#include "errors.h"
-#include "law_fit.h"
+#include "base/errors.h"
+#include "fit/law_fit.h"
 
 #include <cmath>
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
-#include "errors.h"
-#include "law_spread.h"
+#include "base/errors.h"
+#include "creep/law_spread.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "least_squares.h"
+#include "fit/least_squares.h"
 #include "nist.h"
 
 #include <cmath>

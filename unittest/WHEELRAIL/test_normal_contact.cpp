@@ -1,6 +1,6 @@
+#include "base/errors.h"
+#include "contact/normal_contact.h"
 #include "contact_cases.h"
-#include "errors.h"
-#include "normal_contact.h"
 
 #include <Eigen/Dense>
 #include <algorithm>

@@ -1,5 +1,5 @@
-#include "errors.h"
-#include "output_file.h"
+#include "base/errors.h"
+#include "base/output_file.h"
 
 #include <fcntl.h>
 #include <filesystem>

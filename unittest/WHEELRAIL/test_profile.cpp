@@ -1,6 +1,6 @@
-#include "errors.h"
-#include "output_file.h"
-#include "profile.h"
+#include "base/errors.h"
+#include "base/output_file.h"
+#include "contact/line/profile.h"
 
 #include <cmath>
 #include <complex>

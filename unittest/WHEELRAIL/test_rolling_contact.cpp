@@ -1,7 +1,7 @@
+#include "base/errors.h"
+#include "contact/gmres.h"
+#include "contact/line/rolling_contact.h"
 #include "contact_cases.h"
-#include "errors.h"
-#include "gmres.h"
-#include "rolling_contact.h"
 
 #include <Eigen/Dense>
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
+#include "base/errors.h"
 #include "case_text.h"
 #include "contact_cases.h"
-#include "errors.h"
-#include "static_contact.h"
+#include "creep/static_contact.h"
 
 #include <gtest/gtest.h>
 

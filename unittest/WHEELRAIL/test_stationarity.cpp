@@ -1,5 +1,5 @@
-#include "stationarity.h"
-#include "statistics.h"
+#include "fit/stationarity.h"
+#include "fit/statistics.h"
 
 #include <cmath>
 #include <gtest/gtest.h>

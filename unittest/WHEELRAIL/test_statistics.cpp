@@ -1,4 +1,4 @@
-#include "statistics.h"
+#include "fit/statistics.h"
 
 #include <cmath>
 #include <gtest/gtest.h>

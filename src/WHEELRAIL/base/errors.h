@@ -1,0 +1,50 @@
+#ifndef WHEELRAIL_BASE_ERRORS_H
+#define WHEELRAIL_BASE_ERRORS_H
+
+#include <stdexcept>
+#include <string>
+
+namespace wheelrail {
+
+/// Exit codes of our programs; the library throws an Error that carries one.
+enum class ExitCode : int {
+  Ok = 0,
+  Internal = 1,     ///< a bug of ours
+  Usage = 2,        ///< command line
+  BadInput = 3,     ///< an input file is missing, unreadable or wrong
+  NotConverged = 4, ///< not converged, or not identifiable from the data
+  Io = 5,           ///< input/output, such as a folder that cannot be written
+  Interrupted = 6   ///< interrupted; the same call goes on where it stopped
+};
+
+/// What a user can act on: one line that names file, line, keyword, the value given and what is
+/// allowed. The library never prints and never exits; programs print what() and exit with code().
+class Error : public std::runtime_error {
+ public:
+  Error(ExitCode code, const std::string &message);
+
+  ExitCode code() const { return exitCode; }
+  const std::string &file() const { return fileName; }
+  int line() const { return lineNumber; } ///< 1-based; 0: no line
+  const std::string &keyword() const { return keywordName; }
+
+ private:
+  friend Error badInput(const std::string &, int, const std::string &, const std::string &);
+  ExitCode exitCode;
+  std::string fileName, keywordName;
+  int lineNumber = 0;
+};
+
+/// A fault in an input file (exit code 3): "FILE:LINE: keyword: problem".
+/// @param line 1-based, 0 when the fault belongs to the file as a whole
+/// @param keyword may be empty
+/// @param problem says the value given, what is allowed, and in which unit
+Error badInput(const std::string &file, int line, const std::string &keyword,
+               const std::string &problem);
+
+/// "unknown keyword 'NAME'; nearest known one: 'NEAREST'" for the problem text above.
+std::string unknownWord(const std::string &what, const std::string &given,
+                        const std::string &nearest);
+
+} // namespace wheelrail
+#endif

@@ -1,0 +1,81 @@
+#ifndef WHEELRAIL_CONTACT_GMRES_H
+#define WHEELRAIL_CONTACT_GMRES_H
+
+#include <Eigen/Core>
+
+#include <cmath>
+#include <vector>
+
+namespace wheelrail {
+
+struct GmresReport {
+  int products = 0;      ///< products with the operator
+  double residual = 0.0; ///< |b - A x| / scale
+  bool converged = false;
+};
+
+/// Restarted GMRES (Saad, Schultz 1986) with a preconditioner on the right, so that the residual is
+/// the true one. `apply(v)` = A v and `precondition(v)` ~ A^-1 v.
+/// @param scale what the residual is measured against: the tolerance is relative, always
+/// @param x start on entry, solution on return
+template<class Apply, class Precondition>
+GmresReport gmres(const Apply &apply, const Precondition &precondition, const Eigen::VectorXd &b,
+                  Eigen::VectorXd &x, double scale, double tolerance, int restart = 60,
+                  int maxProducts = 600)
+{
+  using Eigen::VectorXd;
+  GmresReport report;
+  while (true) {
+    VectorXd r = b - apply(x);
+    double beta = r.norm();
+    ++report.products;
+    report.residual = beta / scale;
+    report.converged = report.residual <= tolerance;
+    if (report.converged || report.products >= maxProducts || !std::isfinite(beta))
+      return report;
+
+    std::vector<VectorXd> basis{r / beta};
+    Eigen::MatrixXd h = Eigen::MatrixXd::Zero(restart + 1, restart);
+    VectorXd cosines(restart), sines(restart), g = VectorXd::Zero(restart + 1);
+    g[0] = beta;
+    int k = 0;
+    while (k < restart && std::abs(g[k]) > tolerance * scale && report.products < maxProducts) {
+      VectorXd w = apply(precondition(basis[k]));
+      ++report.products;
+      for (int j = 0; j <= k; ++j) { // modified Gram-Schmidt
+        h(j, k) = w.dot(basis[j]);
+        w -= h(j, k) * basis[j];
+      }
+      h(k + 1, k) = w.norm();
+      const double below = h(k + 1, k);
+      for (int j = 0; j < k; ++j) { // the rotations so far
+        const double above = h(j, k);
+        h(j, k) = cosines[j] * above + sines[j] * h(j + 1, k);
+        h(j + 1, k) = -sines[j] * above + cosines[j] * h(j + 1, k);
+      }
+      const double length = std::hypot(h(k, k), below);
+      if (!(length > 0.0))
+        break;
+      cosines[k] = h(k, k) / length;
+      sines[k] = below / length;
+      h(k, k) = length;
+      g[k + 1] = -sines[k] * g[k];
+      g[k] *= cosines[k];
+      ++k;
+      if (!(below > 0.0))
+        break; // the solution lies in the space built so far
+      basis.push_back(w / below);
+    }
+    if (k == 0)
+      return report;
+    const VectorXd y =
+        h.topLeftCorner(k, k).template triangularView<Eigen::Upper>().solve(g.head(k));
+    VectorXd sum = VectorXd::Zero(b.size());
+    for (int j = 0; j < k; ++j)
+      sum += y[j] * basis[j];
+    x += precondition(sum);
+  }
+}
+
+} // namespace wheelrail
+#endif

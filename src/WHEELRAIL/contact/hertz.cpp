@@ -1,0 +1,58 @@
+#include "contact/hertz.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace wheelrail {
+namespace {
+constexpr double pi = 3.14159265358979323846;
+}
+
+double contactModulus(double youngsModulus, double poissonsRatio)
+{
+  return youngsModulus / (2.0 * (1.0 - poissonsRatio * poissonsRatio));
+}
+
+HertzContact hertzContact(double load, double radius, double modulus)
+{
+  const double a = std::sqrt(4.0 * load * radius / (pi * modulus));
+  return {load, radius, modulus, a, 2.0 * load / (pi * a)};
+}
+
+double HertzContact::pressure(double x) const
+{
+  const double ratio = x / halfWidth;
+  return std::abs(ratio) < 1.0 ? hertzPressure * std::sqrt(1.0 - ratio * ratio) : 0.0;
+}
+
+double HertzContact::gap(double x) const
+{
+  const double ratio = std::abs(x) / halfWidth;
+  if (ratio <= 1.0)
+    return 0.0;
+  const double root = std::sqrt(ratio * ratio - 1.0);
+  return halfWidth * halfWidth / (2.0 * radius) * (ratio * root - std::log(ratio + root));
+}
+
+Carter carter(const HertzContact &contact, double mu)
+{
+  return {mu * contact.halfWidth / contact.radius, mu};
+}
+
+double Carter::stickHalfLengthRatio(double creep) const
+{
+  return std::max(0.0, 1.0 - creep / creepMax);
+}
+
+double Carter::tractionRatio(double creep) const
+{
+  const double stick = stickHalfLengthRatio(creep);
+  return mu * (1.0 - stick * stick);
+}
+
+double initialSlope(double modulus, double realContactLength)
+{
+  return 0.25 * pi * modulus * realContactLength;
+}
+
+} // namespace wheelrail

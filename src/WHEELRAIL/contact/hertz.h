@@ -1,0 +1,41 @@
+#ifndef WHEELRAIL_CONTACT_HERTZ_H
+#define WHEELRAIL_CONTACT_HERTZ_H
+
+namespace wheelrail {
+
+/// 1/E* = 2 (1 - nu^2)/E of two equal bodies; the unit of E. E > 0, -1 < nu < 1/2.
+double contactModulus(double youngsModulus, double poissonsRatio);
+
+/// Smooth line contact of cylinders (Hertz 1882; Johnson, Contact Mechanics, sec. 4.2). SI units,
+/// or any other consistent ones.
+struct HertzContact {
+  double load;          ///< normal force per length, N/m
+  double radius;        ///< 1/R = 1/R1 + 1/R2, m
+  double modulus;       ///< E*, Pa
+  double halfWidth;     ///< a = sqrt(4 N R/(pi E*)), m
+  double hertzPressure; ///< p0 = 2 N/(pi a), Pa
+
+  double pressure(double x) const; ///< p0 sqrt(1 - x^2/a^2) inside, 0 outside; Pa
+  double gap(double x) const;      ///< 0 inside; m
+};
+
+/// All arguments > 0.
+HertzContact hertzContact(double load, double radius, double modulus);
+
+/// Steady rolling of a smooth cylinder with constant friction (Carter 1926), creep >= 0:
+/// T/(mu N) = 1 - (1 - creep/creepMax)^2, full sliding from creepMax = mu a/R on.
+struct Carter {
+  double creepMax;
+  double mu;
+
+  double tractionRatio(double creep) const;        ///< T/N
+  double stickHalfLengthRatio(double creep) const; ///< half-length of the stick zone / a
+};
+Carter carter(const HertzContact &contact, double mu);
+
+/// dT/dcreep at creep 0 for any roughness that is fixed in the contact frame: (pi E*/4) x real
+/// contact length, N/m; from full stick on every micro-contact, whatever the friction.
+double initialSlope(double modulus, double realContactLength);
+
+} // namespace wheelrail
+#endif

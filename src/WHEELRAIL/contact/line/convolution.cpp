@@ -1,0 +1,86 @@
+#include "contact/line/convolution.h"
+
+#include <algorithm>
+#include <fftw3.h>
+#include <mutex>
+
+namespace wheelrail {
+namespace {
+std::mutex plannerMutex; // FFTW's planner is the one part of it that is not thread-safe
+}
+
+int fastTransformSize(int n)
+{
+  for (int size = std::max(n, 2);; ++size) {
+    int rest = size;
+    for (int factor : {2, 3, 5, 7})
+      while (rest % factor == 0)
+        rest /= factor;
+    if (rest == 1 && size % 2 == 0)
+      return size;
+  }
+}
+
+struct Convolution::Transform {
+  explicit Transform(int length) : size(length), bins(length / 2 + 1)
+  {
+    const std::lock_guard<std::mutex> lock(plannerMutex);
+    real = fftw_alloc_real(size);
+    complex = fftw_alloc_complex(bins);
+    forward = fftw_plan_dft_r2c_1d(size, real, complex, FFTW_ESTIMATE);
+    backward = fftw_plan_dft_c2r_1d(size, complex, real, FFTW_ESTIMATE);
+  }
+  ~Transform()
+  {
+    const std::lock_guard<std::mutex> lock(plannerMutex);
+    fftw_destroy_plan(forward);
+    fftw_destroy_plan(backward);
+    fftw_free(real);
+    fftw_free(complex);
+  }
+  Transform(const Transform &) = delete;
+  Transform &operator=(const Transform &) = delete;
+
+  int size, bins;
+  double *real;
+  fftw_complex *complex;
+  fftw_plan forward, backward;
+};
+
+Convolution::Convolution(int cells, int size) : n(cells), fft(std::make_unique<Transform>(size)) {}
+Convolution::~Convolution() = default;
+Convolution::Convolution(Convolution &&) noexcept = default;
+Convolution &Convolution::operator=(Convolution &&) noexcept = default;
+
+int Convolution::size() const
+{
+  return fft->size;
+}
+
+Convolution::Spectrum Convolution::spectrumOf(const std::function<double(int)> &kernel)
+{
+  std::fill(fft->real, fft->real + fft->size, 0.0);
+  for (int m = -(n - 1); m <= n - 1; ++m)
+    fft->real[(m + fft->size) % fft->size] = kernel(m);
+  fftw_execute(fft->forward);
+  Spectrum spectrum(fft->bins); // FFTW's transforms are not normalised
+  for (int m = 0; m < fft->bins; ++m)
+    spectrum[m] = std::complex<double>(fft->complex[m][0], fft->complex[m][1]) / double(fft->size);
+  return spectrum;
+}
+
+Convolution::Vector Convolution::multiply(const Vector &x, const Spectrum &spectrum)
+{
+  std::copy(x.data(), x.data() + n, fft->real);
+  std::fill(fft->real + n, fft->real + fft->size, 0.0);
+  fftw_execute(fft->forward);
+  for (int m = 0; m < fft->bins; ++m) {
+    const double re = fft->complex[m][0], im = fft->complex[m][1];
+    fft->complex[m][0] = re * spectrum[m].real() - im * spectrum[m].imag();
+    fft->complex[m][1] = re * spectrum[m].imag() + im * spectrum[m].real();
+  }
+  fftw_execute(fft->backward);
+  return Eigen::Map<const Vector>(fft->real, n);
+}
+
+} // namespace wheelrail

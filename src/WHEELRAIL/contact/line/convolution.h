@@ -1,0 +1,46 @@
+#ifndef WHEELRAIL_CONTACT_LINE_CONVOLUTION_H
+#define WHEELRAIL_CONTACT_LINE_CONVOLUTION_H
+
+#include <Eigen/Core>
+
+#include <complex>
+#include <functional>
+#include <memory>
+#include <vector>
+
+namespace wheelrail {
+
+/// Smallest even 2^a 3^b 5^c 7^d >= n: a length that FFTW transforms fast.
+int fastTransformSize(int n);
+
+/// Products with Toeplitz matrices of n cells by FFTW, y_i = sum_j kernel(i - j) x_j.
+///
+/// One object has one work buffer: use one per thread. Plans are FFTW_ESTIMATE, so that results
+/// do not depend on a timing and repeat to the last bit. A product costs two transforms.
+class Convolution {
+ public:
+  using Vector = Eigen::VectorXd;
+  using Spectrum = std::vector<std::complex<double>>;
+
+  /// @param size length of the transforms; n for a periodic line, >= 2n for one with free ends
+  Convolution(int cells, int size);
+  ~Convolution();
+  Convolution(Convolution &&) noexcept;
+  Convolution &operator=(Convolution &&) noexcept;
+
+  int cells() const { return n; }
+  int size() const;
+  int bins() const { return size() / 2 + 1; }
+
+  /// Spectrum (already divided by the size) of kernel(m), m = -(n-1) .. n-1; size >= 2n.
+  Spectrum spectrumOf(const std::function<double(int)> &kernel);
+  Vector multiply(const Vector &x, const Spectrum &spectrum);
+
+ private:
+  struct Transform;
+  int n;
+  std::unique_ptr<Transform> fft;
+};
+
+} // namespace wheelrail
+#endif

@@ -1,0 +1,273 @@
+#include "contact/line/profile.h"
+
+#include "base/errors.h"
+#include "base/output_file.h"
+#include "base/quantity.h"
+
+#include <Eigen/QR>
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <map>
+#include <sstream>
+#include <stdexcept>
+
+namespace wheelrail {
+namespace {
+
+using Vector = Eigen::VectorXd;
+
+constexpr double pi = 3.14159265358979323846;
+constexpr int fewestPoints = 16;
+constexpr double fewestCellsPerWave = 4.0;
+
+std::string trimmed(const std::string &text)
+{
+  const auto first = text.find_first_not_of(" \t\r");
+  if (first == std::string::npos)
+    return "";
+  return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
+}
+
+/// Units of a profile file: metres per unit of a column, and the spacing if it is stated.
+struct ProfileHeader {
+  double heightUnit = 0.0, positionUnit = 0.0, spacing = 0.0;
+};
+
+/// "# keyword: value"; other comments are free text.
+void readHeaderLine(const std::string &line, const std::string &path, int number,
+                    ProfileHeader &header)
+{
+  const auto colon = line.find(':');
+  if (colon == std::string::npos)
+    return;
+  const std::string keyword = trimmed(line.substr(1, colon - 1));
+  const std::string value = trimmed(line.substr(colon + 1));
+  try {
+    if (keyword == "height")
+      header.heightUnit = parseQuantity("1 " + value, "m");
+    if (keyword == "position")
+      header.positionUnit = parseQuantity("1 " + value, "m");
+    if (keyword == "spacing")
+      header.spacing = parseQuantity(value, "m");
+  } catch (const std::invalid_argument &problem) {
+    throw badInput(path, number, keyword, problem.what());
+  }
+  if (keyword == "spacing" && !(header.spacing > 0.0))
+    throw badInput(path, number, keyword, fmt::format("'{}' must be positive", value));
+}
+
+std::vector<double> numbersOf(std::string line, const std::string &path, int number)
+{
+  for (char &c : line)
+    if (c == ',' || c == ';')
+      c = ' ';
+  std::istringstream words(line);
+  std::vector<double> values;
+  for (std::string word; words >> word;) {
+    try {
+      values.push_back(parseNumber(word));
+    } catch (const std::invalid_argument &problem) {
+      throw badInput(path, number, "", problem.what());
+    }
+  }
+  return values;
+}
+
+/// Value at `place` (in points) on the straight lines between points.
+double interpolated(const Vector &height, double place)
+{
+  const double last = static_cast<double>(height.size() - 1);
+  const double inside = std::clamp(place, 0.0, last);
+  const int left = std::min(static_cast<int>(inside), static_cast<int>(height.size()) - 2);
+  const double part = inside - left;
+  return (1.0 - part) * height[left] + part * height[left + 1];
+}
+
+Profile equallySpaced(const std::vector<double> &position, const std::vector<double> &height)
+{
+  const int n = static_cast<int>(position.size());
+  Profile profile;
+  profile.spacing = (position.back() - position.front()) / (n - 1);
+  profile.height.resize(n);
+  std::size_t next = 1;
+  for (int i = 0; i < n; ++i) {
+    const double x = position.front() + i * profile.spacing;
+    while (next + 1 < position.size() && position[next] < x)
+      ++next;
+    const double part = (x - position[next - 1]) / (position[next] - position[next - 1]);
+    profile.height[i] = height[next - 1] + part * (height[next] - height[next - 1]);
+  }
+  return profile;
+}
+
+} // namespace
+
+ProfileStatistics profileStatistics(const std::string &step, const Profile &profile,
+                                    double shortest, double longest)
+{
+  const Vector &z = profile.height;
+  const double mean = z.mean();
+  const double rmsHeight = std::sqrt((z.array() - mean).square().mean());
+  const int n = static_cast<int>(z.size());
+  const Vector slope = (z.tail(n - 1) - z.head(n - 1)) / profile.spacing;
+  const double rmsSlope = std::sqrt(slope.squaredNorm() / (n - 1));
+  return {step,
+          rmsHeight,
+          rmsSlope,
+          rmsSlope > 0.0 ? 2.0 * pi * rmsHeight / rmsSlope : 0.0,
+          std::max(shortest, 2.0 * profile.spacing),
+          longest > 0.0 ? longest : profile.length()};
+}
+
+Profile readProfile(const std::string &path)
+{
+  std::istringstream text(readInputFile(path));
+  ProfileHeader header;
+  std::vector<double> first, second;
+  std::size_t columns = 0;
+  int number = 0;
+  for (std::string raw; std::getline(text, raw);) {
+    ++number;
+    const std::string line = trimmed(raw);
+    if (line.empty())
+      continue;
+    if (line[0] == '#') {
+      readHeaderLine(line, path, number, header);
+      continue;
+    }
+    const std::vector<double> values = numbersOf(line, path, number);
+    if (columns == 0) {
+      columns = values.size();
+      if (header.heightUnit == 0.0)
+        throw badInput(path, number, "height", "no line '# height: UNIT' before the numbers");
+      if (columns == 1 && header.spacing == 0.0)
+        throw badInput(path, number, "spacing",
+                       "one column of heights needs a line '# spacing: NUMBER UNIT'");
+      if (columns == 2 && header.positionUnit == 0.0)
+        throw badInput(path, number, "position", "two columns need a line '# position: UNIT'");
+    }
+    if (values.size() != columns || columns > 2)
+      throw badInput(path, number, "",
+                     fmt::format("{} columns; one (height) or two (position, height) are allowed, "
+                                 "the same in every line",
+                                 values.size()));
+    if (columns == 2 && !first.empty() && values[0] * header.positionUnit <= first.back())
+      throw badInput(path, number, "position", fmt::format("{} does not increase", values[0]));
+    if (columns == 2)
+      first.push_back(values[0] * header.positionUnit);
+    second.push_back(values.back() * header.heightUnit);
+  }
+  if (static_cast<int>(second.size()) < fewestPoints)
+    throw badInput(path, 0, "",
+                   fmt::format("{} points; at least {} are needed", second.size(), fewestPoints));
+  if (columns == 2)
+    return equallySpaced(first, second);
+  return {header.spacing, Eigen::Map<Vector>(second.data(), static_cast<int>(second.size()))};
+}
+
+Profile detrended(const Profile &profile, int order)
+{
+  if (order < 0)
+    return profile;
+  const int n = static_cast<int>(profile.height.size());
+  Eigen::MatrixXd basis(n, order + 1);
+  for (int i = 0; i < n; ++i) // on -1 .. 1, where powers are well conditioned
+    for (int power = 0; power <= order; ++power)
+      basis(i, power) = std::pow(2.0 * i / (n - 1) - 1.0, power);
+  const Vector c = basis.householderQr().solve(profile.height);
+  return {profile.spacing, profile.height - basis * c};
+}
+
+Profile lowPassed(const Profile &profile, double cutoff)
+{
+  if (cutoff < 2.0 * profile.spacing || cutoff > profile.length())
+    throw Error(ExitCode::BadInput,
+                fmt::format("roughness.cutoff: {} mm must lie between two points of the profile, "
+                            "{} mm, and its length, {} mm",
+                            cutoff * 1e3, 2e3 * profile.spacing, profile.length() * 1e3));
+  const double alpha = std::sqrt(std::log(2.0) / pi); // ISO 16610-21
+  const double width = alpha * cutoff / profile.spacing;
+  const int reach = static_cast<int>(std::ceil(2.0 * width)); // the weight is 3e-6 there
+  const int n = static_cast<int>(profile.height.size());
+  Vector weight(reach + 1);
+  for (int m = 0; m <= reach; ++m)
+    weight[m] = std::exp(-pi * std::pow(m / width, 2));
+  Profile smooth{profile.spacing, Vector(n)};
+  for (int i = 0; i < n; ++i) {
+    double sum = 0.0, weights = 0.0;
+    for (int j = std::max(0, i - reach); j <= std::min(n - 1, i + reach); ++j) {
+      sum += weight[std::abs(i - j)] * profile.height[j];
+      weights += weight[std::abs(i - j)];
+    }
+    smooth.height[i] = sum / weights;
+  }
+  return smooth;
+}
+
+Profile resampled(const Profile &profile, int cells, double cellSize)
+{
+  const double points = static_cast<double>(profile.height.size() - 1);
+  const double wanted = cells * cellSize / profile.spacing;
+  if (wanted > points * (1.0 + 1e-12))
+    throw Error(ExitCode::BadInput,
+                fmt::format("a profile of {} mm is shorter than the computed stretch, {} mm",
+                            points * profile.spacing * 1e3, cells * cellSize * 1e3));
+  const double begin = 0.5 * (points - wanted), step = cellSize / profile.spacing;
+  const int samples = std::max(4, static_cast<int>(std::ceil(4.0 * step))); // midpoints in a cell
+  Profile result{cellSize, Vector(cells)};
+  for (int i = 0; i < cells; ++i) {
+    double sum = 0.0;
+    for (int k = 0; k < samples; ++k)
+      sum += interpolated(profile.height, begin + step * (i + (k + 0.5) / samples));
+    result.height[i] = sum / samples;
+  }
+  return result;
+}
+
+double uniformNumber(std::uint64_t seed, std::uint64_t index)
+{
+  std::uint64_t z = seed * 0xD1342543DE82EF95ull + (index + 1) * 0x9E3779B97F4A7C15ull;
+  z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9ull;
+  z = (z ^ (z >> 27)) * 0x94D049BB133111EBull;
+  z ^= z >> 31;
+  return static_cast<double>(z >> 11) * 0x1.0p-53;
+}
+
+Profile fractalProfile(const FractalSurface &surface, int cells, double length)
+{
+  const int longest = static_cast<int>(std::ceil(length / surface.wavelengthMax * (1.0 - 1e-12)));
+  const int shortest = static_cast<int>(std::floor(length / surface.wavelengthMin * (1.0 + 1e-12)));
+  if (longest > shortest)
+    throw Error(ExitCode::BadInput,
+                fmt::format("roughness: no wave between {} and {} mm has a whole number of periods "
+                            "in {} mm",
+                            surface.wavelengthMin * 1e3, surface.wavelengthMax * 1e3,
+                            length * 1e3));
+  if (cells < fewestCellsPerWave * shortest)
+    throw Error(ExitCode::BadInput,
+                fmt::format("points: {} points on {} mm cannot carry waves of {} mm; at least {} "
+                            "are needed, ten to a wave are better",
+                            cells, length * 1e3, surface.wavelengthMin * 1e3,
+                            static_cast<int>(fewestCellsPerWave * shortest)));
+  double squares = 0.0; // of what the amplitude is scaled by: mean square of slope or height
+  std::vector<double> amplitude(shortest + 1, 0.0);
+  for (int k = std::max(1, longest); k <= shortest; ++k) {
+    amplitude[k] = std::pow(k, -(surface.hurst + 0.5));
+    const double wave = surface.rmsSlope > 0.0 ? 2.0 * pi * k / length : 1.0;
+    squares += 0.5 * std::pow(amplitude[k] * wave, 2);
+  }
+  const double wanted = surface.rmsSlope > 0.0 ? surface.rmsSlope : surface.rmsHeight;
+  const double scale = wanted / std::sqrt(squares);
+
+  Profile profile{length / cells, Vector::Zero(cells)};
+  for (int k = std::max(1, longest); k <= shortest; ++k) {
+    const double phase = 2.0 * pi * uniformNumber(surface.seed, static_cast<std::uint64_t>(k));
+    const double step = 2.0 * pi * k / cells;
+    for (int i = 0; i < cells; ++i)
+      profile.height[i] += scale * amplitude[k] * std::cos(step * (i + 0.5) + phase);
+  }
+  return profile;
+}
+
+} // namespace wheelrail

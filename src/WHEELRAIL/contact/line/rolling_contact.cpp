@@ -1,0 +1,292 @@
+#include "contact/line/rolling_contact.h"
+
+#include "base/errors.h"
+#include "contact/gmres.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+namespace wheelrail {
+namespace {
+
+using Vector = Eigen::VectorXd;
+
+constexpr double firstTolerance = 1e-2; ///< the first sets are wrong anyway
+constexpr int coarsestGrid = 1024;
+constexpr double coarseTolerance = 1e-4;    ///< a start for the next grid needs no more
+constexpr double limitMargin = 1e-9;        ///< rounding of |q| against the bound
+constexpr double transientTolerance = 1e-5; ///< of the slip in the stick zone / creep
+
+/// Inverse of the finite Hilbert transform on the stick intervals, bounded at their leading edges.
+class FiniteHilbertInverse {
+ public:
+  FiniteHilbertInverse(HalfPlane &plane, const Vector &stickCells)
+      : halfPlane(plane), stick(stickCells)
+  {
+    const int n = plane.cells();
+    Vector charge = Vector::Zero(n);
+    for (int i = 1; i < n; ++i)
+      charge[i] = 0.5 * (stick[i - 1] - stick[i]);
+    weight = plane.edgeLogarithm(charge).array().exp() * stick.array();
+    inverseWeight = Vector::Zero(n);
+    for (int i = 0; i < n; ++i)
+      if (stick[i] != 0.0)
+        inverseWeight[i] = 1.0 / weight[i];
+  }
+
+  Vector operator()(const Vector &v) const
+  {
+    return 0.25 * weight.cwiseProduct(halfPlane.stretchTransposed(v.cwiseProduct(inverseWeight)));
+  }
+
+ private:
+  HalfPlane &halfPlane;
+  const Vector &stick;
+  Vector weight, inverseWeight;
+};
+
+/// Compliance in addition to the half-plane's of edge cells that are in contact in part.
+Vector edgeCompliance(const std::vector<ContactInterval> &contact, int cells)
+{
+  constexpr double pi = 3.14159265358979323846;
+  Vector compliance = Vector::Zero(cells);
+  const auto ofShare = [](double share) { return (1.0 - share) / share; };
+  for (const ContactInterval &interval : contact) {
+    if (interval.first == interval.last) {
+      compliance[interval.first] = 4.0 / pi * ofShare(interval.length());
+      continue;
+    }
+    compliance[interval.first] = 2.0 * ofShare(interval.first + 0.5 - interval.left);
+    compliance[interval.last] = 2.0 * ofShare(interval.right - interval.last + 0.5);
+  }
+  return compliance;
+}
+
+double sign(Adhesion state)
+{
+  return state == Adhesion::BackwardSlip ? -1.0 : 1.0;
+}
+
+bool slips(Adhesion state)
+{
+  return state == Adhesion::Slip || state == Adhesion::BackwardSlip;
+}
+
+/// Moves cells between stick and slip. @return number of cells that changed
+int updateStates(const Vector &bound, const Vector &traction, const Vector &slip, double threshold,
+                 std::vector<Adhesion> &state)
+{
+  int changed = 0;
+  for (int i = 0; i < bound.size(); ++i) {
+    const Adhesion old = state[i];
+    if (old == Adhesion::Stick && std::abs(traction[i]) > bound[i] * (1.0 + limitMargin))
+      state[i] = traction[i] > 0.0 ? Adhesion::Slip : Adhesion::BackwardSlip;
+    else if (slips(old) && sign(old) * slip[i] < -threshold)
+      state[i] = Adhesion::Stick;
+    changed += state[i] != old;
+  }
+  return changed;
+}
+
+/// Stick for cells in contact, their states from the start where it is given.
+std::vector<Adhesion> startStates(const Vector &bound, const std::vector<Adhesion> &given)
+{
+  std::vector<Adhesion> state(bound.size(), Adhesion::Apart);
+  for (int i = 0; i < bound.size(); ++i) {
+    if (!(bound[i] > 0.0))
+      continue;
+    const bool useful = given.size() == state.size() && given[i] != Adhesion::Apart;
+    state[i] = useful ? given[i] : Adhesion::Stick;
+  }
+  return state;
+}
+
+/// States from the solution on cells twice as long: on long grids most sets are tried there.
+std::vector<Adhesion> statesFromCoarseGrid(const Vector &bound, double creep)
+{
+  const auto cells = bound.size() / 2;
+  const Eigen::Map<const Eigen::Matrix2Xd> pairs(bound.data(), 2, cells);
+  HalfPlane plane(static_cast<int>(cells), Boundary::Free);
+  RollingOptions options;
+  options.tolerance = coarseTolerance;
+  const Vector coarseBound = pairs.colwise().mean();
+  const auto coarse = solveFrozenRolling(plane, coarseBound, creep, options).state;
+  std::vector<Adhesion> states(bound.size());
+  for (Eigen::Index i = 0; i < bound.size(); ++i)
+    states[i] = coarse[i / 2];
+  return states;
+}
+
+Vector stickCells(const std::vector<Adhesion> &state)
+{
+  Vector stick(state.size());
+  for (std::size_t i = 0; i < state.size(); ++i)
+    stick[i] = state[i] == Adhesion::Stick ? 1.0 : 0.0;
+  return stick;
+}
+
+} // namespace
+
+double RollingResult::stickFraction() const
+{
+  const auto touching = state.size() - std::count(state.begin(), state.end(), Adhesion::Apart);
+  const auto sticking = std::count(state.begin(), state.end(), Adhesion::Stick);
+  return touching ? double(sticking) / double(touching) : 0.0;
+}
+
+RollingResult solveFrozenRolling(HalfPlane &halfPlane, const Vector &bound, double creep,
+                                 const RollingOptions &options)
+{
+  const int n = halfPlane.cells();
+  if (bound.size() != n || !(creep >= 0.0) || halfPlane.boundary() != Boundary::Free)
+    throw Error(ExitCode::Internal, "rolling contact: bound, creep or boundary do not fit");
+  RollingResult result;
+  result.traction = options.startTraction.size() == n ? options.startTraction : Vector::Zero(n);
+  const bool cold = std::all_of(options.start.begin(), options.start.end(),
+                                [](Adhesion state) { return state == Adhesion::Apart; });
+  result.state = startStates(bound, cold && creep > 0.0 && n >= 2 * coarsestGrid && n % 2 == 0
+                                        ? statesFromCoarseGrid(bound, creep)
+                                        : options.start);
+  if (creep == 0.0) {
+    result.traction.setZero();
+    result.slip = Vector::Zero(n);
+    return result;
+  }
+
+  const Vector edge = edgeCompliance(options.contact, n);
+  const auto stretch = [&](const Vector &q) {
+    return Vector(halfPlane.stretch(q) + edge.cwiseProduct(q));
+  };
+  double tolerance = std::max(options.tolerance, firstTolerance);
+  for (int set = 1;; ++set) {
+    const Vector stick = stickCells(result.state);
+    Vector fixed = Vector::Zero(n);
+    for (int i = 0; i < n; ++i)
+      if (slips(result.state[i]))
+        fixed[i] = sign(result.state[i]) * bound[i];
+    const Vector driven = creep - stretch(fixed).array();
+    Vector q = result.traction.cwiseProduct(stick);
+    const double cells = stick.sum();
+    if (cells > 0.0) {
+      const FiniteHilbertInverse inverse(halfPlane, stick);
+      const auto apply = [&](const Vector &v) { return Vector(stretch(v).cwiseProduct(stick)); };
+      const Vector wanted = driven.cwiseProduct(stick);
+      const GmresReport report =
+          gmres(apply, inverse, wanted, q, creep * std::sqrt(cells), tolerance);
+      result.products += report.products;
+      result.residual = report.residual;
+      if (!report.converged)
+        throw Error(ExitCode::NotConverged,
+                    fmt::format("rolling contact: GMRES stopped at a residual of {:.1e} (wanted "
+                                "{:.1e}) after {} products on {} cells",
+                                report.residual, tolerance, report.products, cells));
+    }
+    result.traction = q + fixed;
+    result.slip = creep - stretch(result.traction).array();
+    result.activeSets = set;
+    const int changed =
+        updateStates(bound, result.traction, result.slip, options.tolerance * creep, result.state);
+    if (!changed && (tolerance <= options.tolerance || cells == 0.0))
+      break;
+    if (set >= options.maxActiveSets)
+      throw Error(
+          ExitCode::NotConverged,
+          fmt::format("rolling contact: {} cells still change after {} active sets", changed, set));
+    // Loose while the set is far off, full accuracy before it is believed.
+    tolerance = std::max(options.tolerance, tolerance * (changed ? 0.1 : 1e-8));
+  }
+  for (int i = 0; i < n; ++i)
+    if (result.state[i] == Adhesion::Apart)
+      result.slip[i] = 0.0;
+  return result;
+}
+
+TransientRolling::TransientRolling(HalfPlane &plane, double referenceLength)
+    : halfPlane(&plane), constant(2.0 / 3.14159265358979323846 * std::log(referenceLength)),
+      traction(Vector::Zero(plane.cells()))
+{
+}
+
+void TransientRolling::moveTo(HalfPlane &plane, int shift)
+{
+  const auto moved = [&](const Vector &old) {
+    Vector result = Vector::Zero(plane.cells());
+    for (int i = 0; i < plane.cells(); ++i)
+      if (i + shift >= 0 && i + shift < old.size())
+        result[i] = old[i + shift];
+    return result;
+  };
+  halfPlane = &plane;
+  traction = moved(traction);
+}
+
+Vector TransientRolling::displacement(const Vector &q)
+{
+  return halfPlane->displacement(q).array() + constant * q.sum();
+}
+
+int TransientRolling::solveStick(const Vector &stick, Vector &residual, Vector &q, double scale)
+{
+  Vector r = residual.cwiseProduct(stick), direction;
+  double product = 0.0;
+  constexpr int maxSteps = 400;
+  for (int step = 0; step < maxSteps; ++step) {
+    if (r.norm() <= scale)
+      return step;
+    const Vector z = halfPlane->tractionEstimate(r).cwiseProduct(stick);
+    const double newProduct = r.dot(z);
+    direction = step ? Vector(z + newProduct / product * direction) : z;
+    product = newProduct;
+    const Vector moved = displacement(direction);
+    const double length = product / direction.dot(moved);
+    q += length * direction;
+    residual -= length * moved;
+    r = residual.cwiseProduct(stick);
+  }
+  throw Error(
+      ExitCode::NotConverged,
+      fmt::format("transient rolling: conjugate gradients stopped after {} steps", maxSteps));
+}
+
+RollingResult TransientRolling::step(const Vector &bound, double creep)
+{
+  const int n = halfPlane->cells();
+  Vector carried = Vector::Zero(n);
+  carried.head(n - 1) = traction.tail(n - 1);
+  Vector q = carried;
+  RollingResult result;
+  result.state = startStates(bound, {});
+  for (int i = 0; i < n; ++i)
+    if (std::abs(q[i]) >= bound[i] && bound[i] > 0.0)
+      result.state[i] = q[i] > 0.0 ? Adhesion::Slip : Adhesion::BackwardSlip;
+  constexpr int maxActiveSets = 60;
+  for (int set = 1;; ++set) {
+    const Vector stick = stickCells(result.state);
+    for (int i = 0; i < n; ++i) {
+      if (result.state[i] == Adhesion::Apart)
+        q[i] = 0.0;
+      if (slips(result.state[i]))
+        q[i] = sign(result.state[i]) * bound[i];
+    }
+    result.slip = creep - displacement(q - carried).array();
+    const double cells = stick.sum();
+    if (cells > 0.0)
+      result.products +=
+          solveStick(stick, result.slip, q, transientTolerance * creep * std::sqrt(cells));
+    result.activeSets = set;
+    if (!updateStates(bound, q, result.slip, 10.0 * transientTolerance * creep, result.state))
+      break;
+    if (set >= maxActiveSets)
+      throw Error(ExitCode::NotConverged,
+                  fmt::format("transient rolling: no convergence after {} active sets", set));
+  }
+  traction = q;
+  result.traction = q;
+  for (int i = 0; i < n; ++i)
+    if (result.state[i] == Adhesion::Apart)
+      result.slip[i] = 0.0;
+  return result;
+}
+
+} // namespace wheelrail

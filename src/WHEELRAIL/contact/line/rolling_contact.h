@@ -1,0 +1,81 @@
+#ifndef WHEELRAIL_CONTACT_LINE_ROLLING_CONTACT_H
+#define WHEELRAIL_CONTACT_LINE_ROLLING_CONTACT_H
+
+#include "contact/line/halfplane.h"
+#include "contact/normal_contact.h"
+
+#include <vector>
+
+namespace wheelrail {
+
+/// Tangential contact of a rolling cylinder with creep `creep` = sliding / rolling speed. Stresses
+/// in units of E*, lengths in cells. Material enters at the largest x (the leading edge) and
+/// travels towards smaller x.
+
+enum class Adhesion : signed char { Apart, Stick, Slip, BackwardSlip };
+
+struct RollingOptions {
+  double tolerance = 1e-8; ///< of the slip in the stick zone, relative to the creep
+  int maxActiveSets = 100;
+  std::vector<Adhesion> start; ///< states to start from (those of a nearby creep); empty: all stick
+  Eigen::VectorXd startTraction;
+  std::vector<ContactInterval> contact; ///< with edges inside cells; empty: cells count as a whole
+};
+
+struct RollingResult {
+  Eigen::VectorXd traction; ///< per cell, in E*, positive for positive creep
+  Eigen::VectorXd slip;     ///< per cell: sliding distance / rolling distance; ~0 in stick
+  std::vector<Adhesion> state;
+  int activeSets = 0;
+  int products = 0;      ///< products with the operator, all sets
+  double residual = 0.0; ///< slip left in the stick zone / creep
+
+  double force() const { return traction.sum(); } ///< in E* cells
+  double stickFraction() const;                   ///< of the cells in contact
+};
+
+/// Steady rolling with the roughness fixed in the contact frame ("frozen", the paper's mode): one
+/// pressure distribution for all time, through which the material flows. In the stick zone a
+/// particle's displacement grows with every cell it travels by exactly the creep,
+///   creep - (u_i - u_(i+1)) = 0,   |q| <= bound;   where |q| = bound, slip goes along with q.
+/// Sets {stick, slip, backward slip} are tried until none changes, on coarser grids first. On a set
+/// the equation is a finite Hilbert transform; GMRES with FFT products solves it, preconditioned by
+/// the continuous inverse w H (1/w), w = prod sqrt((leading_j - x)/(x - trailing_j)), so that it
+/// needs about 15 products whatever n is. An edge cell of which only the share w is in contact gets
+/// the compliance 2 (1 - w)/w in addition (4 (1 - w)/(pi w) where it is the only cell): with it the
+/// initial slope is (pi E*/4) x contact length with the edges inside the cells. From the staggered
+/// operator's inverse: the product of the solutions with rolling to either side is pi/8 in an edge
+/// cell, the inverse's diagonal 1/2.
+/// @param bound friction coefficient times pressure per cell, >= 0; 0 outside the contact
+/// @param creep >= 0
+/// @throws Error (NotConverged)
+RollingResult solveFrozenRolling(HalfPlane &halfPlane, const Eigen::VectorXd &bound, double creep,
+                                 const RollingOptions &options = {});
+
+/// One step of transient rolling ("moving"): the material has moved on by one cell,
+///   slip = creep - [u(q) - u(previous traction, moved along)],  |q| <= bound.
+/// The half-plane's free constant in two dimensions matters here: displacements are counted
+/// against a point `referenceLength` cells away. The steady state does not depend on it.
+class TransientRolling {
+ public:
+  TransientRolling(HalfPlane &plane, double referenceLength);
+
+  /// @return the new traction; call with the bound of the new position
+  RollingResult step(const Eigen::VectorXd &bound, double creep);
+
+  /// Goes on with other cells: the first of the new plane is cell `shift` of the old one.
+  void moveTo(HalfPlane &plane, int shift);
+
+ private:
+  Eigen::VectorXd displacement(const Eigen::VectorXd &q);
+  /// Conjugate gradients on the stick cells; `residual`, the slip, is kept up to date everywhere.
+  int solveStick(const Eigen::VectorXd &stick, Eigen::VectorXd &residual, Eigen::VectorXd &q,
+                 double scale);
+
+  HalfPlane *halfPlane;
+  double constant; ///< added to the influence of every cell
+  Eigen::VectorXd traction;
+};
+
+} // namespace wheelrail
+#endif

@@ -1,0 +1,450 @@
+#include "contact/normal_contact.h"
+
+#include "base/errors.h"
+
+#include <Eigen/QR>
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <fmt/format.h>
+#include <optional>
+
+namespace wheelrail {
+namespace {
+
+using Vector = Eigen::VectorXd;
+
+constexpr int coarsestGrid = 128;
+constexpr double coarseTolerance = 1e-3; ///< a start for the next grid needs no more
+constexpr double rounding = 1e-14;
+constexpr int boldSets = 20;            ///< sets that may raise the energy; mostly 8 are enough
+constexpr double firstTolerance = 1e-2; ///< the first sets are wrong anyway
+
+/// The quadratic programme: minimise p.A p/2 + profile.p with 0 <= p <= limit, sum p = load.
+class PressureSearch {
+ public:
+  PressureSearch(HalfPlane &plane, const NormalContactProblem &input)
+      : halfPlane(plane), problem(input), n(plane.cells())
+  {
+  }
+
+  /// From any guess: the nearest admissible pressure with the same shape.
+  void startFrom(const Vector &guess)
+  {
+    pressure = guess.cwiseMax(0.0);
+    pressure *= problem.load / pressure.sum();
+    pressure = projected(pressure, Vector::Ones(n));
+    gap = problem.profile + halfPlane.displacement(pressure);
+  }
+
+  /// Conjugate gradients on the cells strictly inside the limits, then as much of the way there
+  /// as lowers the energy when what leaves the limits is cut off. @return steps taken
+  int solveInside(double tolerance, int maxSteps);
+
+  /// Lets cells that overlap, or that lie at the limit but apart, join by one step of projected
+  /// gradient. @return how many broke their condition by more than the tolerance
+  int join(double tolerance);
+
+  /// Without regard to the energy: what pulls is released, what is above the limit is set to it,
+  /// what overlaps joins, all at once. @return number of cells that changed
+  int jump(double tolerance);
+
+  bool wasCut() const { return cut; }
+  /// From now on the energy has to fall in every step: slower, but it cannot cycle.
+  void beCareful() { careful = true; }
+  CellState state(int i) const
+  {
+    if (pressure[i] <= 0.0)
+      return CellState::Apart;
+    return pressure[i] >= problem.pressureLimit ? CellState::Plastic : CellState::Contact;
+  }
+
+  Vector pressure;
+  Vector gap; ///< profile + displacement, before the approach is taken off
+  double approach = 0.0;
+  double residual = std::numeric_limits<double>::infinity();
+
+ private:
+  Vector inside() const
+  {
+    return (pressure.array() > 0.0 && pressure.array() < problem.pressureLimit).cast<double>();
+  }
+  /// Gives the cells inside the limits what the others do not carry; renews the gap.
+  void balance();
+  /// Nearest point of {0 <= p <= limit, sum p = load} that differs only where free is 1.
+  Vector projected(const Vector &wanted, const Vector &free) const;
+  /// Moves to the projection of pressure + length * direction, the length halved until the energy
+  /// falls by a tenth of what the slope promises. @return false if rounding leaves nothing to gain
+  bool descend(const Vector &direction, const Vector &free, double length);
+
+  HalfPlane &halfPlane;
+  const NormalContactProblem &problem;
+  int n;
+  bool cut = false, careful = false;
+};
+
+Vector PressureSearch::projected(const Vector &wanted, const Vector &free) const
+{
+  // clamp(wanted - shift) carries the load at one shift; Newton on a piecewise linear, monotone
+  // function, kept between bounds
+  const double highest = std::min(problem.pressureLimit, problem.load);
+  double low = -highest, high = highest;
+  for (int i = 0; i < n; ++i) {
+    if (free[i] == 0.0)
+      continue;
+    low = std::min(low, wanted[i] - highest);
+    high = std::max(high, wanted[i]);
+  }
+  const auto shifted = [&](double shift) {
+    Vector p = wanted;
+    for (int i = 0; i < n; ++i)
+      p[i] =
+          free[i] == 0.0 ? pressure[i] : std::clamp(wanted[i] - shift, 0.0, problem.pressureLimit);
+    return p;
+  };
+  double shift = 0.0;
+  Vector p = shifted(shift);
+  for (int step = 0; step < 200; ++step) {
+    const double excess = p.sum() - problem.load;
+    if (std::abs(excess) <= rounding * problem.load)
+      break;
+    (excess > 0.0 ? low : high) = shift;
+    const double moving =
+        (free.array() * ((p.array() > 0.0 && p.array() < problem.pressureLimit)).cast<double>())
+            .sum();
+    const double newton = shift + excess / moving;
+    shift = newton > low && newton < high ? newton : 0.5 * (low + high);
+    p = shifted(shift);
+  }
+  return p;
+}
+
+bool PressureSearch::descend(const Vector &direction, const Vector &free, double length)
+{
+  constexpr double sufficient = 0.1, shortest = 1e-6;
+  for (double part = 1.0; part > shortest; part *= 0.5) {
+    const Vector wanted = pressure + part * length * direction;
+    const Vector target = projected(wanted, free);
+    const Vector step = target - pressure;
+    const double slope = step.dot(gap) - approach * step.sum();
+    const Vector change = halfPlane.displacement(step);
+    if (!(slope + 0.5 * step.dot(change) < sufficient * slope))
+      continue;
+    cut = part < 1.0 || ((target - wanted).array() != 0.0).any();
+    pressure = target;
+    gap += change;
+    return true;
+  }
+  return false;
+}
+
+int PressureSearch::solveInside(double tolerance, int maxSteps)
+{
+  const Vector free = inside();
+  const double cells = free.sum();
+  cut = false;
+  if (cells < 1.0)
+    return 0;
+  const double meanPressure = problem.load / (pressure.array() > 0.0).count();
+  // What the preconditioner makes of a change of the approach; taken off, it leaves the load alone
+  const Vector unit = halfPlane.tractionEstimate(free).cwiseProduct(free);
+  const double unitSum = unit.sum();
+
+  Vector total = Vector::Zero(n), direction = Vector::Zero(n), current = gap;
+  double product = 0.0; // residual . preconditioned residual
+  int step = 0;
+  for (;; ++step) {
+    approach = current.dot(free) / cells;
+    const Vector r = (approach - current.array()) * free.array();
+    Vector z = halfPlane.tractionEstimate(r).cwiseProduct(free);
+    z -= z.sum() / unitSum * unit;
+    residual = std::sqrt(z.squaredNorm() / cells) / meanPressure;
+    if (residual <= tolerance || step >= maxSteps)
+      break;
+    const double newProduct = r.dot(z);
+    direction = z + (step > 0 ? newProduct / product : 0.0) * direction;
+    product = newProduct;
+    const Vector change = halfPlane.displacement(direction);
+    const double curvature = direction.dot(change);
+    if (!(curvature > 0.0))
+      break; // rounding: nothing is left to gain
+    const double length = r.dot(direction) / curvature;
+    total += length * direction;
+    current += length * change;
+  }
+  const Vector target = pressure + total;
+  if (!careful || (target.array() >= 0.0 && target.array() <= problem.pressureLimit).all()) {
+    pressure = target;
+    gap = current;
+  } else {
+    descend(total, free, 1.0);
+  }
+  return step;
+}
+
+int PressureSearch::join(double tolerance)
+{
+  const Vector free = inside();
+  if (free.sum() < 1.0) { // nothing in between: the approach lies between the two kinds' gaps
+    double limited = -std::numeric_limits<double>::infinity(), apart = -limited;
+    for (int i = 0; i < n; ++i)
+      if (pressure[i] > 0.0)
+        limited = std::max(limited, gap[i]);
+      else
+        apart = std::min(apart, gap[i]);
+    approach = std::isfinite(apart) ? 0.5 * (limited + apart) : limited;
+  }
+  const double threshold = tolerance * problem.load; // of the gap; load ~ displacement
+  const Vector slope = approach - gap.array();
+  Vector active = slope; // without the cells that their limit keeps from following the slope
+  int broken = 0;
+  for (int i = 0; i < n; ++i) {
+    const CellState is = state(i);
+    if (is == CellState::Contact)
+      continue;
+    const double violation = is == CellState::Apart ? slope[i] : -slope[i];
+    if (violation <= 0.0)
+      active[i] = 0.0;
+    broken += violation > threshold;
+  }
+  if (!broken)
+    return 0;
+  const double curvature = active.dot(halfPlane.displacement(active));
+  const double length = active.squaredNorm() / std::abs(curvature);
+  return descend(slope, Vector::Ones(n), length) ? broken : 0;
+}
+
+void PressureSearch::balance()
+{
+  const Vector free = inside();
+  const double cells = free.sum(), carried = pressure.dot(free);
+  const double wanted = problem.load - (pressure.sum() - carried);
+  const double highest = (1.0 - rounding) * problem.pressureLimit;
+  const double uniform = wanted / cells;
+  if (cells > 0.0 && uniform > 0.0 && uniform < highest) {
+    // scaled, and as far towards uniform as the limit asks: both carry the load
+    const double factor = wanted / carried;
+    double highestScaled = 0.0;
+    for (int i = 0; i < n; ++i)
+      if (free[i] != 0.0)
+        highestScaled = std::max(highestScaled, factor * pressure[i]);
+    const double part =
+        highestScaled < highest ? 1.0 : (highest - uniform) / (highestScaled - uniform);
+    for (int i = 0; i < n; ++i)
+      if (free[i] != 0.0)
+        pressure[i] = part * factor * pressure[i] + (1.0 - part) * uniform;
+  } else {
+    pressure = projected(pressure, Vector::Ones(n));
+  }
+  gap = problem.profile + halfPlane.displacement(pressure);
+}
+
+int PressureSearch::jump(double tolerance)
+{
+  const double threshold = tolerance * problem.load, little = rounding * problem.load / n;
+  int changed = 0;
+  for (int i = 0; i < n; ++i) {
+    const double p = pressure[i], distance = gap[i] - approach;
+    if (p < 0.0)
+      pressure[i] = 0.0;
+    else if (p > problem.pressureLimit)
+      pressure[i] = problem.pressureLimit;
+    else if (p == 0.0 && distance < -threshold)
+      pressure[i] = little;
+    else if (p == problem.pressureLimit && distance > threshold)
+      pressure[i] -= little;
+    changed += pressure[i] != p;
+  }
+  if (changed)
+    balance();
+  return changed;
+}
+
+} // namespace
+
+int NormalContactResult::contactCells() const
+{
+  return static_cast<int>((pressure.array() > 0.0).count());
+}
+
+namespace {
+
+/// Every second cell's mean: the same length on half the cells, where a cell is twice as long.
+NormalContactProblem coarsened(const NormalContactProblem &fine)
+{
+  NormalContactProblem coarse = fine;
+  const int half = static_cast<int>(fine.profile.size()) / 2;
+  coarse.profile.resize(half);
+  for (int i = 0; i < half; ++i)
+    coarse.profile[i] = 0.25 * (fine.profile[2 * i] + fine.profile[2 * i + 1]);
+  coarse.load = 0.5 * fine.load;
+  return coarse;
+}
+
+Vector refined(const Vector &coarse, int cells)
+{
+  Vector fine(cells);
+  for (int i = 0; i < cells; ++i)
+    fine[i] = coarse[std::min<int>(i / 2, static_cast<int>(coarse.size()) - 1)];
+  return fine;
+}
+
+NormalContactResult solveOnGrids(HalfPlane &halfPlane, const NormalContactProblem &problem,
+                                 const NormalContactOptions &options)
+{
+  const int n = halfPlane.cells();
+  PressureSearch search(halfPlane, problem);
+  int iterations = 0;
+  if (options.start.size() == n && options.start.maxCoeff() > 0.0) {
+    search.startFrom(options.start);
+  } else if (n >= 2 * coarsestGrid && n % 2 == 0) {
+    HalfPlane coarsePlane(n / 2, halfPlane.boundary());
+    NormalContactOptions coarseOptions = options;
+    coarseOptions.tolerance = coarseTolerance;
+    const NormalContactResult coarse = solveOnGrids(coarsePlane, coarsened(problem), coarseOptions);
+    iterations = coarse.iterations;
+    search.startFrom(refined(coarse.pressure, n));
+  } else {
+    search.startFrom(Vector::Constant(n, problem.load / n));
+  }
+
+  NormalContactResult result;
+  double tolerance = std::max(options.tolerance, firstTolerance);
+  for (int set = 1;; ++set) {
+    if (set > boldSets)
+      search.beCareful();
+    iterations += search.solveInside(tolerance, options.maxIterations - iterations);
+    const int changed =
+        set <= boldSets ? search.jump(options.tolerance) : search.join(options.tolerance);
+    result.activeSets = set;
+    if (!changed && !search.wasCut() && tolerance <= options.tolerance)
+      break;
+    if (set >= options.maxActiveSets || iterations >= options.maxIterations)
+      throw Error(ExitCode::NotConverged,
+                  fmt::format("normal contact: no convergence after {} active sets, {} iterations, "
+                              "residual {:.2e} (wanted {:.2e})",
+                              set, iterations, search.residual, options.tolerance));
+    tolerance = std::max(options.tolerance, changed ? 0.1 * tolerance : 0.0);
+  }
+
+  result.iterations = iterations;
+  result.residual = search.residual;
+  result.approach = search.approach;
+  result.pressure = search.pressure;
+  result.gap = Vector::Zero(n);
+  result.plasticDepth = Vector::Zero(n);
+  result.state.resize(n);
+  for (int i = 0; i < n; ++i) {
+    const double distance = search.gap[i] - search.approach;
+    result.state[i] = search.state(i);
+    if (result.state[i] == CellState::Apart)
+      result.gap[i] = std::max(0.0, distance);
+    if (result.state[i] == CellState::Plastic)
+      result.plasticDepth[i] = std::max(0.0, -distance);
+  }
+  return result;
+}
+
+constexpr int shortestFitted = 30;     // cells
+constexpr double trustedMisfit = 2e-4; // rough intervals are no polynomials
+
+/// How far inside the outer face of the edge cell p^2 vanishes, in cells: zero of a cubic fitted
+/// to p^2. The fit leaves out the cells next to the edge, whose pressure depends on where in them
+/// the edge lies (by 20 % in the first, 2 % in the second, 0.1 % in the third); a longer interval
+/// can afford to leave out more.
+std::optional<double> fittedInset(const Vector &pressure, int edge, int inward, int cells)
+{
+  if (cells < shortestFitted)
+    return std::nullopt;
+  const int skipped = 2 + cells / 50, used = 8 + cells / 50;
+  constexpr int order = 3;
+  Eigen::MatrixXd basis(used, order + 1);
+  Vector squares(used);
+  for (int k = 0; k < used; ++k) {
+    const int cell = skipped + k; // counted from the edge
+    for (int power = 0; power <= order; ++power)
+      basis(k, power) = std::pow(cell, power);
+    squares[k] = std::pow(pressure[edge + inward * cell], 2);
+  }
+  const Vector c = basis.householderQr().solve(squares);
+  if ((basis * c - squares).norm() > trustedMisfit * squares.norm())
+    return std::nullopt;
+  double t = 0.0;
+  for (int step = 0; step < 8; ++step) {
+    const double slope = c[1] + t * (2.0 * c[2] + 3.0 * c[3] * t);
+    if (!(slope > 0.0))
+      return std::nullopt; // not an edge with a square root
+    t -= (c[0] + t * (c[1] + t * (c[2] + t * c[3]))) / slope;
+  }
+  return std::clamp(t + 0.5, -0.5, 0.9);
+}
+
+/// The same from the pressure p of the edge cell and the gap g of its neighbour: with the edge s
+/// cells outside the edge cell's centre, p = K sqrt(s) and g = (4/3) K (1 - s)^(3/2), so that
+/// y = 1 - s solves y^3 + k y = k with k = (3 g/(4 p))^2.
+double localInset(double pressure, double gap)
+{
+  const double k = std::pow(0.75 * gap / pressure, 2);
+  if (!(k > 0.0))
+    return -0.5;
+  const double y = 2.0 * std::sqrt(k / 3.0) * std::sinh(std::asinh(1.5 * std::sqrt(3.0 / k)) / 3.0);
+  constexpr double farthest = 0.49; // some of the cell stays
+  return std::min(y - 0.5, farthest);
+}
+
+} // namespace
+
+NormalContactResult solveNormalContact(HalfPlane &halfPlane, const NormalContactProblem &problem,
+                                       const NormalContactOptions &options)
+{
+  const auto begin = std::chrono::steady_clock::now();
+  const int n = halfPlane.cells();
+  if (problem.profile.size() != n || !problem.profile.allFinite())
+    throw Error(ExitCode::Internal, "normal contact: profile does not fit the grid");
+  if (!(problem.load > 0.0) || problem.load >= problem.pressureLimit * n)
+    throw Error(ExitCode::BadInput,
+                fmt::format("normal contact: the load {} E* h must be positive and below what the "
+                            "pressure limit carries on all cells, {}",
+                            problem.load, problem.pressureLimit * n));
+  NormalContactResult result = solveOnGrids(halfPlane, problem, options);
+  result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  return result;
+}
+
+std::vector<ContactInterval> contactIntervals(const NormalContactResult &contact, Boundary boundary)
+{
+  const Vector &pressure = contact.pressure;
+  const int n = static_cast<int>(pressure.size());
+  const auto inset = [&](int edge, int inward, int cells) {
+    int outside = edge - inward;
+    if (boundary == Boundary::Periodic)
+      outside = (outside + n) % n;
+    if (outside < 0 || outside >= n || pressure[outside] > 0.0 ||
+        contact.state[edge] == CellState::Plastic)
+      return 0.0;
+    const auto fitted = fittedInset(pressure, edge, inward, cells);
+    return fitted ? *fitted : localInset(pressure[edge], contact.gap[outside]);
+  };
+  std::vector<ContactInterval> intervals;
+  for (int i = 0; i < n; ++i) {
+    if (!(pressure[i] > 0.0))
+      continue;
+    const int first = i;
+    while (i + 1 < n && pressure[i + 1] > 0.0)
+      ++i;
+    const int cells = i - first + 1;
+    intervals.push_back(
+        {first, i, first - 0.5 + inset(first, 1, cells), i + 0.5 - inset(i, -1, cells)});
+  }
+  return intervals;
+}
+
+double contactLength(const std::vector<ContactInterval> &intervals)
+{
+  double sum = 0.0;
+  for (const ContactInterval &interval : intervals)
+    sum += interval.length();
+  return sum;
+}
+
+} // namespace wheelrail

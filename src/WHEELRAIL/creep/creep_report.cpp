@@ -1,0 +1,349 @@
+#include "creep/creep_report.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+namespace wheelrail {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr double mm = 1e-3, um = 1e-6, MPa = 1e6, newtonPerMm = 1e3;
+
+const char *nameOf(Adhesion state)
+{
+  switch (state) {
+  case Adhesion::Stick:
+    return "stick";
+  case Adhesion::Slip:
+    return "slip";
+  case Adhesion::BackwardSlip:
+    return "backward_slip";
+  default:
+    return "apart";
+  }
+}
+
+/// What tells profiles apart: the seed of generated ones, the number of measured ones.
+const char *profileName(const Case &input)
+{
+  return input.roughness == RoughnessKind::Fractal ? "seed" : "profile";
+}
+
+/// The column that is added when there are several profiles.
+std::string profileColumn(const Case &input)
+{
+  return input.profiles() > 1 ? fmt::format(",{}\n", profileName(input)) : "\n";
+}
+std::string profileCell(const Case &input, std::uint64_t profile)
+{
+  return input.profiles() > 1 ? fmt::format(",{}\n", profile) : "\n";
+}
+
+/// One curve: points of one profile at one speed.
+struct Curve {
+  const ContactSetup *contact;
+  const CurvePoint *first, *last; ///< both included
+};
+
+std::vector<Curve> curvesOf(const Case &input, const CreepCurves &curves)
+{
+  std::vector<Curve> list;
+  const std::size_t n = input.creep.size(), speeds = input.speed.size();
+  for (std::size_t k = 0; k < curves.contacts.size() * speeds; ++k)
+    list.push_back(
+        {&curves.contacts[k / speeds], &curves.points[k * n], &curves.points[k * n + n - 1]});
+  return list;
+}
+
+Json statisticsJson(const ProfileStatistics &s)
+{
+  return {{"step", s.step},
+          {"rms_height_um", s.rmsHeight / um},
+          {"rms_slope", s.rmsSlope},
+          {"mean_wavelength_mm", s.meanWavelength / mm},
+          {"shortest_wavelength_mm", s.shortestWavelength / mm},
+          {"longest_wavelength_mm", s.longestWavelength / mm}};
+}
+
+Json contactJson(const Case &input, const ContactSetup &c)
+{
+  const NormalContactResult &normal = c.normal;
+  Json json = {{profileName(input), c.profile},
+               {"real_area_ratio", c.realAreaRatio()},
+               {"real_contact_length_mm", c.realContactLength() / mm},
+               {"micro_contacts", contactIntervals(normal, c.boundary).size()},
+               {"peak_pressure_MPa", normal.peakPressure() * c.hertz.modulus / MPa},
+               {"plastic_depth_um", normal.plasticDepth.maxCoeff() * c.cellSize / um},
+               {"iterations", normal.iterations},
+               {"active_sets", normal.activeSets},
+               {"residual", normal.residual},
+               {"seconds", normal.seconds}};
+  Json steps = Json::array();
+  for (const ProfileStatistics &s : c.statistics)
+    steps.push_back(statisticsJson(s));
+  json["roughness"] = steps;
+  if (c.boundary == Boundary::Free)
+    json["initial_slope_N_per_mm"] =
+        initialSlope(c.hertz.modulus, c.realContactLength()) / newtonPerMm;
+  return json;
+}
+
+Json curveJson(const Case &input, const Curve &curve)
+{
+  const CurvePoint *peak =
+      std::max_element(curve.first, curve.last + 1, [](const CurvePoint &a, const CurvePoint &b) {
+        return a.tractionRatio < b.tractionRatio;
+      });
+  return {{profileName(input), curve.contact->profile},
+          {"speed_m_s", curve.first->speed},
+          {"peak_traction_ratio", peak->tractionRatio},
+          {"creep_at_peak", peak->creep},
+          {"last_creep", curve.last->creep},
+          {"last_over_peak",
+           peak->tractionRatio > 0.0 ? curve.last->tractionRatio / peak->tractionRatio : 0.0},
+          {"highest_temperature_K", curve.last->temperatureMaximum}};
+}
+
+} // namespace
+
+std::string creepCsv(const Case &input, const CreepCurves &curves)
+{
+  std::string text =
+      "# speed: m/s; creep, ratios: 1; traction: N/mm; temperature_rise: K, mean over "
+      "the nominal contact\n"
+      "speed,creep,traction_ratio,traction,mu_mean,temperature_rise,iterations,"
+      "stick_fraction";
+  text += profileColumn(input);
+  for (const CurvePoint &p : curves.points) {
+    text += fmt::format("{:g},{:.10g},{:.10g},{:.10g},{:.10g},{:.10g},{},{:.6g}", p.speed, p.creep,
+                        p.tractionRatio, p.traction / newtonPerMm, p.muMean, p.temperatureRise,
+                        p.iterations, p.stickFraction);
+    text += profileCell(input, p.profile);
+  }
+  return text;
+}
+
+std::string creepJson(const Case &input, const CreepCurves &curves)
+{
+  Json json = {{"format", "wr_creep-curves 1"},
+               {"units", "speed: m/s; traction: N/mm; temperature_rise: K; others: 1"},
+               {"curves", Json::array()}};
+  for (const Curve &curve : curvesOf(input, curves)) {
+    Json one = {{profileName(input), curve.contact->profile}, {"speed", curve.first->speed}};
+    for (const CurvePoint *p = curve.first; p <= curve.last; ++p) {
+      one["creep"].push_back(p->creep);
+      one["traction_ratio"].push_back(p->tractionRatio);
+      one["traction"].push_back(p->traction / newtonPerMm);
+      one["mu_mean"].push_back(p->muMean);
+      one["temperature_rise"].push_back(p->temperatureRise);
+      one["iterations"].push_back(p->iterations);
+      one["stick_fraction"].push_back(p->stickFraction);
+      if (!curves.hasBand)
+        continue;
+      one["standard_error"].push_back(p->band.standardError);
+      one["low"].push_back(p->band.low);
+      one["high"].push_back(p->band.high);
+    }
+    json["curves"].push_back(one);
+  }
+  return json.dump() + "\n";
+}
+
+std::string creepBandCsv(const Case &input, const CreepCurves &curves)
+{
+  std::string text = "# T/N with its standard error and 95 % interval from the covariance of the "
+                     "friction law; speed: m/s\n"
+                     "speed,creep,traction_ratio,standard_error,low,high";
+  text += profileColumn(input);
+  for (const CurvePoint &p : curves.points) {
+    text += fmt::format("{:g},{:.10g},{:.10g},{:.6g},{:.10g},{:.10g}", p.speed, p.creep,
+                        p.tractionRatio, p.band.standardError, p.band.low, p.band.high);
+    text += profileCell(input, p.profile);
+  }
+  return text;
+}
+
+std::string contactCsv(const ContactSetup &setup, const ContactFields &f, const std::string &what)
+{
+  std::string text =
+      fmt::format("# {}; x: mm, leading edge at the largest x; pressure, traction: MPa; slip: "
+                  "sliding/rolling speed; temperature: K\n"
+                  "x,pressure,traction,mu,slip,state,temperature\n",
+                  what);
+  for (int i = 0; i < setup.cells; ++i)
+    text += fmt::format("{:.9g},{:.9g},{:.9g},{:.9g},{:.6g},{},{:.6g}\n", setup.position(i) / mm,
+                        f.pressure[i] / MPa, f.traction[i] / MPa, f.mu[i], f.slip[i],
+                        nameOf(f.state[i]), f.temperature[i]);
+  return text;
+}
+
+std::string contactCsv(const CreepCurves &curves)
+{
+  const CurvePoint &point = curves.points.back();
+  return contactCsv(curves.contacts.back(), curves.last,
+                    fmt::format("speed {:g} m/s, creep {:g}", point.speed, point.creep));
+}
+
+std::string contactCsv(const StaticCases &cases)
+{
+  return contactCsv(cases.contacts.back(), cases.last,
+                    fmt::format("static, T/(mu N) = {:g}", cases.points.back().forceRatio));
+}
+
+std::string staticCsv(const Case &input, const StaticCases &cases)
+{
+  std::string text = "# force_ratio: T/(mu N); traction: N/mm; stick_length, of all stick zones, "
+                     "and stick_centre, "
+                     "their mean place: mm\n"
+                     "force_ratio,traction_ratio,traction,mu,stick_length,stick_centre" +
+                     profileColumn(input);
+  for (const StaticPoint &p : cases.points)
+    text +=
+        fmt::format("{:.10g},{:.10g},{:.10g},{:.10g},{:.10g},{:.6g}", p.forceRatio, p.tractionRatio,
+                    p.traction / newtonPerMm, p.mu, p.stickLength / mm, p.stickCentre / mm) +
+        profileCell(input, p.profile);
+  return text;
+}
+
+namespace {
+
+/// What every summary begins with: case, law, nominal contact, contacts.
+Json summaryHead(const Case &input, const FrictionLaw &law,
+                 const std::vector<ContactSetup> &contacts)
+{
+  const ContactSetup &first = contacts.front();
+  const HertzContact &hertz = first.hertz;
+  Json json = {{"format", "wr_creep-summary 1"}, {"version", WHEELRAIL_VERSION}};
+  json["case"] = input.text;
+  json["law"] = toJson(law);
+  if (first.boundary == Boundary::Periodic)
+    json["periodic"] = {{"period_mm", input.period / mm},
+                        {"mean_pressure_MPa", hertz.hertzPressure / MPa},
+                        {"contact_modulus_GPa", hertz.modulus / (1e3 * MPa)}};
+  else
+    json["hertz"] = {{"half_width_mm", hertz.halfWidth / mm},
+                     {"pressure_MPa", hertz.hertzPressure / MPa},
+                     {"contact_modulus_GPa", hertz.modulus / (1e3 * MPa)}};
+  json["cells"] = first.cells;
+  json["cell_size_mm"] = first.cellSize / mm;
+  for (const ContactSetup &contact : contacts)
+    json["contacts"].push_back(contactJson(input, contact));
+  return json;
+}
+
+std::string nominalContact(const ContactSetup &setup)
+{
+  const std::string cells =
+      fmt::format("{} cells of {:.4g} um\n", setup.cells, setup.cellSize / um);
+  if (setup.boundary == Boundary::Periodic)
+    return fmt::format("period {:.4g} mm, mean pressure {:.4g} MPa; ",
+                       2.0 * setup.hertz.halfWidth / mm, setup.hertz.hertzPressure / MPa) +
+           cells;
+  return fmt::format("Hertz: half-width {:.4g} mm, pressure {:.4g} MPa; ",
+                     setup.hertz.halfWidth / mm, setup.hertz.hertzPressure / MPa) +
+         cells;
+}
+
+/// Statistics after every step of the preparation, and what the contact made of the profile.
+std::string profileReport(const Case &input, const ContactSetup &c)
+{
+  std::string text;
+  const std::string name =
+      input.profiles() > 1 ? fmt::format("{} {}: ", profileName(input), c.profile) : std::string();
+  for (const ProfileStatistics &s : c.statistics)
+    text +=
+        fmt::format("{}{}: rms height {:.4g} um, rms slope {:.4g}, wavelengths {:.4g} to {:.4g} "
+                    "mm, mean {:.4g} mm\n",
+                    name, s.step, s.rmsHeight / um, s.rmsSlope, s.shortestWavelength / mm,
+                    s.longestWavelength / mm, s.meanWavelength / mm);
+  if (!c.statistics.empty())
+    text += fmt::format("{}real area {:.1f} %, {} micro-contacts, peak pressure {:.0f} MPa\n", name,
+                        100.0 * c.realAreaRatio(), contactIntervals(c.normal, c.boundary).size(),
+                        c.normal.peakPressure() * c.hertz.modulus / MPa);
+  return text;
+}
+
+} // namespace
+
+std::string summaryJson(const Case &input, const FrictionLaw &law, const CreepCurves &curves)
+{
+  Json json = summaryHead(input, law, curves.contacts);
+  if (input.thermal != ThermalModel::Off)
+    json["hertz"]["peclet_number"] = input.speed.front() * curves.contacts.front().hertz.halfWidth *
+                                     input.material.density * input.material.specificHeat /
+                                     (2.0 * input.material.conductivity);
+  for (const Curve &curve : curvesOf(input, curves))
+    json["curves"].push_back(curveJson(input, curve));
+  if (curves.hasBand && input.uncertainty == UncertaintyMethod::Sampled)
+    json["uncertainty"] = {{"samples", input.uncertaintySamples},
+                           {"seed", input.uncertaintySeed},
+                           {"redrawn_share", curves.redrawn}};
+  json["points"] = curves.points.size();
+  json["points_resumed"] = curves.resumed;
+  json["seconds"] = curves.seconds;
+  return json.dump(2) + "\n";
+}
+
+std::string summaryJson(const Case &input, const FrictionLaw &law, const StaticCases &cases)
+{
+  Json json = summaryHead(input, law, cases.contacts);
+  for (const StaticPoint &p : cases.points)
+    json["forces"].push_back({{profileName(input), p.profile},
+                              {"force_ratio", p.forceRatio},
+                              {"traction_ratio", p.tractionRatio},
+                              {"traction_N_per_mm", p.traction / newtonPerMm},
+                              {"mu", p.mu},
+                              {"stick_length_mm", p.stickLength / mm},
+                              {"stick_centre_mm", p.stickCentre / mm}});
+  json["points"] = cases.points.size();
+  json["seconds"] = cases.seconds;
+  return json.dump(2) + "\n";
+}
+
+std::string shortReport(const Case &input, const CreepCurves &curves)
+{
+  std::string text = nominalContact(curves.contacts.front());
+  const ContactSetup *last = nullptr;
+  for (const Curve &curve : curvesOf(input, curves)) {
+    if (curve.contact != last)
+      text += profileReport(input, *curve.contact);
+    last = curve.contact;
+    const Json j = curveJson(input, curve);
+    text +=
+        fmt::format("{:g} m/s: T/N at most {:.4f} (creep {:.4g}), {:.4f} at creep {:g}\n",
+                    curve.first->speed, j["peak_traction_ratio"].get<double>(),
+                    j["creep_at_peak"].get<double>(), curve.last->tractionRatio, curve.last->creep);
+  }
+  return text;
+}
+
+std::string shortReport(const Case &input, const StaticCases &cases)
+{
+  std::string text = nominalContact(cases.contacts.front());
+  std::size_t k = 0;
+  for (const ContactSetup &contact : cases.contacts) {
+    text += profileReport(input, contact);
+    for (std::size_t force = 0; force < input.forceRatio.size(); ++force, ++k)
+      text +=
+          fmt::format("T/(mu N) = {:g}: T/N {:.4f}, {:.4g} mm stick\n", cases.points[k].forceRatio,
+                      cases.points[k].tractionRatio, cases.points[k].stickLength / mm);
+  }
+  return text;
+}
+
+std::string detailedReport(const Case &input, const std::vector<ContactSetup> &contacts)
+{
+  std::string text;
+  for (const ContactSetup &c : contacts)
+    text += fmt::format("{} {}: normal contact: {} iterations, {} active sets, residual {:.1e}, "
+                        "{:.3f} s; plastic depth {:.3g} um\n",
+                        profileName(input), c.profile, c.normal.iterations, c.normal.activeSets,
+                        c.normal.residual, c.normal.seconds,
+                        c.normal.plasticDepth.maxCoeff() * c.cellSize / um);
+  return text;
+}
+
+} // namespace wheelrail

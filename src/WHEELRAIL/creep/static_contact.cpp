@@ -1,0 +1,90 @@
+#include "creep/static_contact.h"
+
+#include "base/errors.h"
+
+#include <chrono>
+#include <fmt/format.h>
+
+namespace wheelrail {
+namespace {
+
+using Vector = Eigen::VectorXd;
+
+/// Mean place of the intervals, in cells.
+double centreOf(const std::vector<ContactInterval> &intervals)
+{
+  double moment = 0.0;
+  for (const ContactInterval &interval : intervals)
+    moment += 0.5 * (interval.left + interval.right) * interval.length();
+  return moment / contactLength(intervals);
+}
+
+ContactFields fieldsOf(const ContactSetup &setup, const StaticTraction &result, const Vector &mu)
+{
+  ContactFields fields;
+  fields.pressure = setup.normal.pressure * setup.hertz.modulus;
+  fields.traction = result.traction * setup.hertz.modulus;
+  fields.mu = mu;
+  fields.slip = fields.temperature = Vector::Zero(setup.cells);
+  fields.state.assign(setup.cells, Adhesion::Apart);
+  for (int i = 0; i < setup.cells; ++i)
+    if (setup.normal.pressure[i] > 0.0)
+      fields.state[i] = Adhesion::Slip;
+  for (const ContactInterval &interval : result.stick)
+    for (int i = interval.first; i <= interval.last; ++i)
+      fields.state[i] = Adhesion::Stick;
+  return fields;
+}
+
+} // namespace
+
+StaticTraction staticTraction(HalfPlane &halfPlane, const NormalContactProblem &problem,
+                              const NormalContactResult &normal, double mu, double forceRatio)
+{
+  if (!(forceRatio >= 0.0 && forceRatio < 1.0))
+    throw Error(ExitCode::BadInput,
+                fmt::format("static tangential force: T/(mu N) = {} is not in [0, 1)", forceRatio));
+  if (forceRatio == 0.0)
+    return {Vector::Zero(normal.pressure.size()), contactIntervals(normal, halfPlane.boundary())};
+  NormalContactProblem unloaded = problem;
+  unloaded.load *= 1.0 - forceRatio;
+  const NormalContactResult stuck = solveNormalContact(halfPlane, unloaded);
+  return {mu * (normal.pressure - stuck.pressure), contactIntervals(stuck, halfPlane.boundary())};
+}
+
+StaticCases solveStaticCases(const Case &input, const FrictionLaw &law, const SweepOptions &options)
+{
+  const auto begin = std::chrono::steady_clock::now();
+  const auto stopped = [&] { return options.interrupted && options.interrupted(); };
+  StaticCases cases;
+  cases.contacts = prepareContacts(input, sweepThreads(options), stopped);
+  const int total = static_cast<int>(cases.contacts.size() * input.forceRatio.size());
+  for (const ContactSetup &setup : cases.contacts) {
+    HalfPlane halfPlane(setup.cells, setup.boundary);
+    const Vector mu =
+        frictionCoefficient(input, law, setup.normal.pressure, 0.0,
+                            Vector::Zero(setup.cells)); // nothing slides, nothing heats
+    for (double force : input.forceRatio) {
+      if (stopped())
+        throw Error(ExitCode::Interrupted, "interrupted; mode static begins anew");
+      const StaticTraction result = staticTraction(
+          halfPlane, setup.problem(pressureLimit(input, 0.0)), setup.normal, mu[0], force);
+      StaticPoint point;
+      point.profile = setup.profile;
+      point.forceRatio = force;
+      point.mu = mu[0];
+      point.tractionRatio = force * mu[0];
+      point.traction = result.traction.sum() * setup.hertz.modulus * setup.cellSize;
+      point.stickLength = contactLength(result.stick) * setup.cellSize;
+      point.stickCentre = setup.position(0) + centreOf(result.stick) * setup.cellSize;
+      cases.points.push_back(point);
+      cases.last = fieldsOf(setup, result, mu);
+      if (options.progress)
+        options.progress(static_cast<int>(cases.points.size()), total);
+    }
+  }
+  cases.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  return cases;
+}
+
+} // namespace wheelrail

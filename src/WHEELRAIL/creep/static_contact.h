@@ -1,0 +1,46 @@
+#ifndef WHEELRAIL_CREEP_STATIC_CONTACT_H
+#define WHEELRAIL_CREEP_STATIC_CONTACT_H
+
+#include "creep/creep_curve.h"
+
+namespace wheelrail {
+
+struct StaticTraction {
+  Eigen::VectorXd traction;           ///< per cell, in E*
+  std::vector<ContactInterval> stick; ///< where nothing slips
+};
+
+/// A tangential force below full sliding, applied once without rolling (Cattaneo 1938, Mindlin
+/// 1949), friction coefficient constant. By the theorem of Ciavarella and Jaeger the traction is mu
+/// [p(N) - p(N - T/mu)], for any elastic profile, and what is in contact under N - T/mu sticks: one
+/// more normal contact.
+/// @param normal solution of `problem`, elastic where forceRatio > 0
+/// @param forceRatio T/(mu N) in [0, 1)
+StaticTraction staticTraction(HalfPlane &halfPlane, const NormalContactProblem &problem,
+                              const NormalContactResult &normal, double mu, double forceRatio);
+
+/// One force on one profile; SI units.
+struct StaticPoint {
+  std::uint64_t profile = 0;
+  double forceRatio = 0.0;    ///< T/(mu N)
+  double tractionRatio = 0.0; ///< T/N
+  double traction = 0.0;      ///< T, N/m
+  double mu = 0.0;
+  double stickLength = 0.0; ///< m, of all stick zones
+  double stickCentre = 0.0; ///< m, mean place of what sticks; 0: middle of the computed length
+};
+
+struct StaticCases {
+  std::vector<ContactSetup> contacts; ///< one per profile
+  std::vector<StaticPoint> points;    ///< by profile, then force
+  ContactFields last;                 ///< along the contact, of the last point
+  double seconds = 0.0;
+};
+
+/// All forces of `mode: static` on all profiles, free or periodic.
+/// @throws Error as the normal contact does, Error (Interrupted)
+StaticCases solveStaticCases(const Case &input, const FrictionLaw &law,
+                             const SweepOptions &options = {});
+
+} // namespace wheelrail
+#endif

@@ -1,0 +1,316 @@
+#include "fit/fit_analysis.h"
+#include "fit/replicates.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+namespace wheelrail {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr const char *reportFormat = "mca-friction-report 1";
+
+/// The parameters of a fit, in the order of their names.
+std::array<double, fitParameters> values(const FrictionLaw &law, double exponent)
+{
+  return {law.mu0, law.mu1, law.mu2, law.b, law.c, exponent};
+}
+
+double standardError(const LawFit &fit, int k)
+{
+  return k < lawParameters ? std::sqrt((*fit.law.covariance)(k, k)) : fit.exponent_error;
+}
+
+/// JSON has no nan and no infinity.
+Json finite(double x)
+{
+  return std::isfinite(x) ? Json(x) : Json(nullptr);
+}
+
+double leastAicc(const FitAnalysis &analysis)
+{
+  double least = std::numeric_limits<double>::infinity();
+  for (const auto &m : analysis.models)
+    if (m.fit)
+      least = std::min(least, m.fit->aicc);
+  return least;
+}
+
+/// Our points against the paper's law: root mean square and mean of mu/Eq. 2 - 1.
+struct AgainstPaper {
+  int n = 0;
+  double rms = 0.0;
+  double mean = 0.0;
+};
+
+AgainstPaper againstPaper(const FitAnalysis &analysis)
+{
+  AgainstPaper result;
+  for (const auto &p : analysis.points) {
+    if (!p.left_out.empty())
+      continue;
+    const double difference = p.mu / p.mu_eq2 - 1.0;
+    ++result.n;
+    result.mean += difference;
+    result.rms += difference * difference;
+  }
+  if (result.n == 0)
+    return result;
+  result.mean /= result.n;
+  result.rms = std::sqrt(result.rms / result.n);
+  return result;
+}
+
+/// A number of the report; what is none is "-".
+std::string shown(const char *format, double x)
+{
+  return std::isfinite(x) ? fmt::format(fmt::runtime(format), x) : "-";
+}
+
+std::string pointLines(const FitAnalysis &analysis)
+{
+  size_t width = 4;
+  for (const auto &p : analysis.points)
+    width = std::max(width, p.file.size());
+  std::string text =
+      fmt::format("{:<{}} {:>9} {:>9} {:>7} {:>7} {:>6} {:>8} {:>8} {:>7}\n", "file", width,
+                  "kappa1", "kappa2", "mu", "+-", "n_eff", "t_start", "grinding", "Eq. 2");
+  for (const auto &p : analysis.points) {
+    text += fmt::format("{:<{}} {:>9.4g} {:>9.4g} {:>7.4f} {:>7} {:>6.0f} {:>8} {:>8} {:>7.4f}",
+                        p.file, width, p.kappa1, p.kappa2, p.mu, shown("{:.4f}", p.mu_se), p.n_eff,
+                        shown("{:.4g}", p.t_start), shown("{:.4f}", p.mu_grinding_in), p.mu_eq2);
+    if (!p.note.empty())
+      text += "  " + p.note;
+    if (!p.left_out.empty())
+      text += fmt::format("  [left out: {}]", p.left_out);
+    text += "\n";
+  }
+  return text;
+}
+
+std::string replicateLines(const FitAnalysis &analysis)
+{
+  std::string text;
+  for (const auto &g : replicateGroups(analysis.points))
+    text += fmt::format("Equal kappas: kappa1 {:.4g}, kappa2 {:.4g}: {} runs, mu {:.4f}, scatter "
+                        "{:.1f} % (their own errors explain {:.1f} %)\n",
+                        g.kappa1, g.kappa2, g.n, g.mu, 100.0 * g.scatter, 100.0 * g.expected);
+  return text;
+}
+
+std::string intervalText(const Interval &interval)
+{
+  const auto end = [](double value, bool open) {
+    const bool bounded = std::isfinite(value);
+    return open ? (bounded ? fmt::format("open at {:.4g}", value) : "open")
+                : fmt::format("{:.4g}", value);
+  };
+  return end(interval.lower, interval.lowerOpen) + " .. " + end(interval.upper, interval.upperOpen);
+}
+
+std::string fitLines(const FitAnalysis &analysis)
+{
+  const auto &fit = *analysis.fit;
+  const auto free = parametersOf(fit.model);
+  std::string text =
+      fmt::format(fit.reference > 0.0
+                      ? "Fit of {}: mu = [mu0 + mu1 kappa1/(1 + b kappa1) + mu2/(1 + c kappa2)] "
+                        "(kappa3/{:.5g})^n, {} points\n"
+                      : "Fit of {0}: mu = mu0 + mu1 kappa1/(1 + b kappa1) + mu2/(1 + c kappa2), "
+                        "{2} points\n",
+                  nameOf(fit.model), fit.reference, fit.law.n);
+  const auto ours = values(fit.law, fit.exponent), paper = values(bucher2006(), 0.0);
+  for (int k = 0; k < fitParameters; ++k) {
+    if (!free[k])
+      continue;
+    text += fmt::format("  {:<4} = {:>9.5g} +- {:<9.3g} {:g} % interval {}{}; paper {:.5g}\n",
+                        fitParameterNames[k], ours[k], standardError(fit, k),
+                        100.0 * analysis.options.level, intervalText(fit.intervals[k]),
+                        fit.at_bound[k] ? " (at its bound)" : "", paper[k]);
+  }
+  text +=
+      fmt::format("  RMS of (mu - fit)/fit {:.2f} %, scatter beyond the standard errors {:.2f} %,"
+                  " chi^2 {:.4g} with {} degrees of freedom, condition number {:.4g}\n",
+                  100.0 * fit.law.rms_relative, 100.0 * fit.scatter, fit.chi_squared, fit.freedom,
+                  fit.condition_number);
+  std::string outliers;
+  size_t i = 0;
+  for (const auto &p : analysis.points) {
+    if (!p.left_out.empty())
+      continue;
+    if (std::abs(fit.studentised[i]) > outlierLimit)
+      outliers += fmt::format("  outlier: {}: mu {:.4f}, fit {:.4f}, {:.1f} standard deviations\n",
+                              p.file, p.mu, p.mu / (1.0 + fit.residuals[i]), fit.studentised[i]);
+    ++i;
+  }
+  return text + (outliers.empty()
+                     ? fmt::format("  no outlier beyond {:.0f} standard deviations\n", outlierLimit)
+                     : outliers);
+}
+
+std::string modelLines(const FitAnalysis &analysis)
+{
+  std::string text = "Models (AICc relative to the best; more than 10 above it: no support)\n";
+  const double least = leastAicc(analysis);
+  for (const auto &m : analysis.models) {
+    text += fmt::format("  {:<10}", nameOf(m.model));
+    if (m.fit)
+      text += fmt::format(" RMS {:>6.2f} %  AICc {:>8}\n", 100.0 * m.fit->law.rms_relative,
+                          shown("{:+.1f}", m.fit->aicc - least));
+    else
+      text += fmt::format(" not fitted: {}\n", m.why_not);
+  }
+  return text;
+}
+
+Json pointJson(const FrictionPoint &p)
+{
+  Json json;
+  json["file"] = p.file;
+  json["kappa1"] = p.kappa1;
+  json["kappa2"] = p.kappa2;
+  json["kappa3"] = p.kappa3;
+  json["mu"] = p.mu;
+  json["mu_se"] = finite(p.mu_se);
+  json["n_eff"] = p.n_eff;
+  json["t_start"] = finite(p.t_start);
+  json["mu_grinding_in"] = finite(p.mu_grinding_in);
+  json["mu_eq2"] = p.mu_eq2;
+  json["correlation_time"] = p.correlation_time;
+  json["mu_peak"] = p.mu_peak;
+  json["duration"] = p.duration;
+  json["pressure"] = p.pressure;
+  json["velocity"] = p.velocity;
+  json["strength"] = p.strength;
+  json["viscosity"] = p.viscosity;
+  json["seed"] = p.seed;
+  json["note"] = p.note;
+  json["left_out"] = p.left_out;
+  return json;
+}
+
+Json fitJson(const FitAnalysis &analysis)
+{
+  const auto &fit = *analysis.fit;
+  const auto free = parametersOf(fit.model);
+  Json json;
+  json["model"] = nameOf(fit.model);
+  json["level"] = analysis.options.level;
+  if (fit.reference > 0.0)
+    json["kappa3"] = fit.reference;
+  const auto ours = values(fit.law, fit.exponent);
+  for (int k = 0; k < fitParameters; ++k) {
+    if (!free[k])
+      continue;
+    Json entry;
+    entry["value"] = ours[k];
+    entry["standard_error"] = standardError(fit, k);
+    entry["interval"] = {finite(fit.intervals[k].lower), finite(fit.intervals[k].upper)};
+    entry["open"] = {fit.intervals[k].lowerOpen, fit.intervals[k].upperOpen};
+    entry["at_bound"] = fit.at_bound[k];
+    json["parameters"][fitParameterNames[k]] = entry;
+  }
+  json["scatter"] = fit.scatter;
+  json["chi_squared"] = fit.chi_squared;
+  json["freedom"] = fit.freedom;
+  json["condition_number"] = fit.condition_number;
+  json["aicc"] = finite(fit.aicc);
+  return json;
+}
+
+Json reportBody(const FitAnalysis &analysis)
+{
+  Json report;
+  report["program"] = fmt::format("wr_fit {}", WHEELRAIL_VERSION);
+  report["units"] = {{"time", "ns"}, {"stress", "MPa"}, {"velocity", "m/s"}, {"viscosity", "Pa s"}};
+  report["kappa2_min"] = analysis.options.kappa2_min;
+  if (!analysis.mixture.empty())
+    report["warning"] = analysis.mixture;
+  report["points"] = Json::array();
+  size_t i = 0;
+  for (const auto &p : analysis.points) {
+    auto entry = pointJson(p);
+    if (analysis.fit && p.left_out.empty()) {
+      entry["residual"] = analysis.fit->residuals[i];
+      entry["studentised"] = analysis.fit->studentised[i];
+      entry["leverage"] = analysis.fit->leverage[i];
+      entry["outlier"] = std::abs(analysis.fit->studentised[i]) > outlierLimit;
+      ++i;
+    }
+    report["points"].push_back(entry);
+  }
+  const auto paper = againstPaper(analysis);
+  report["against_eq2"] = {{"n", paper.n}, {"rms_relative", paper.rms}, {"mean", paper.mean}};
+  report["equal_kappas"] = Json::array();
+  for (const auto &g : replicateGroups(analysis.points))
+    report["equal_kappas"].push_back({{"kappa1", g.kappa1},
+                                      {"kappa2", g.kappa2},
+                                      {"n", g.n},
+                                      {"mu", g.mu},
+                                      {"scatter", g.scatter},
+                                      {"expected", g.expected}});
+  if (analysis.fit)
+    report["fit"] = fitJson(analysis);
+  const double least = leastAicc(analysis);
+  report["models"] = Json::array();
+  for (const auto &m : analysis.models) {
+    Json entry;
+    entry["model"] = nameOf(m.model);
+    if (m.fit) {
+      entry["rms_relative"] = m.fit->law.rms_relative;
+      entry["aicc"] = finite(m.fit->aicc);
+      entry["delta_aicc"] = finite(m.fit->aicc - least);
+    } else {
+      entry["why_not"] = m.why_not;
+    }
+    report["models"].push_back(entry);
+  }
+  return report;
+}
+
+} // namespace
+
+std::string textReport(const FitAnalysis &analysis)
+{
+  auto text = pointLines(analysis);
+  const auto paper = againstPaper(analysis);
+  if (paper.n > 0)
+    text += fmt::format("Against Eq. 2 with the paper's numbers: RMS {:.1f} %, mean {:+.1f} % ({} "
+                        "point{})\n",
+                        100.0 * paper.rms, 100.0 * paper.mean, paper.n, paper.n == 1 ? "" : "s");
+  text += replicateLines(analysis);
+  if (!analysis.mixture.empty())
+    text += fmt::format("Warning: {}.\n", analysis.mixture);
+  if (analysis.fit)
+    text += fitLines(analysis);
+  else
+    text += fmt::format("No law fitted: {}.\n", analysis.why_not);
+  if (analysis.fit || analysis.not_identifiable)
+    text += modelLines(analysis);
+  return text;
+}
+
+Json jsonReport(const FitAnalysis &analysis)
+{
+  Json json;
+  if (analysis.fit) {
+    FrictionLaw law = analysis.fit->law;
+    law.source = fmt::format("wr_fit {}, {} of {} points, model {}", WHEELRAIL_VERSION, law.n,
+                             analysis.points.size(), nameOf(analysis.fit->model));
+    if (analysis.fit->reference > 0.0)
+      law.source += fmt::format(" at kappa3 = {:.8g}", analysis.fit->reference);
+    json = toJson(law);
+  } else {
+    json["format"] = reportFormat;
+    json["reason"] = analysis.why_not;
+  }
+  json["report"] = reportBody(analysis);
+  return json;
+}
+
+} // namespace wheelrail

@@ -1,0 +1,409 @@
+#include "fit/friction_log.h"
+
+#include "base/errors.h"
+#include "base/nearest_word.h"
+#include "base/output_file.h"
+#include "law/friction_law.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <filesystem>
+#include <fmt/format.h>
+#include <set>
+#include <string_view>
+#include <yaml-cpp/yaml.h>
+
+namespace wheelrail {
+
+namespace {
+
+constexpr const char *logFormat = "mca-friction 1";
+constexpr const char *headerMark = "#";
+
+const std::vector<std::pair<std::string, std::string>> expectedUnits = {
+    {"time", "ns"},      {"length", "nm"},     {"stress", "MPa"},
+    {"velocity", "m/s"}, {"density", "kg/m3"}, {"viscosity", "Pa s"}};
+
+enum Column { Step, Time, Displacement, Shear, Normal, Mu, Links, Broken, Formed, Gap, Columns };
+const std::array<std::string, Columns> columnNames = {
+    "step", "time",  "displacement", "shear_stress", "normal_stress",
+    "mu",   "links", "broken",       "formed",       "gap"};
+
+// mu is printed rounded, as shear_stress is
+constexpr double muTolerance = 1e-3;
+constexpr double spacingTolerance = 0.02;
+// far beyond any run in these units; products of several such numbers do not overflow
+constexpr double largest = 1e12;
+
+std::vector<std::string_view> splitLines(const std::string &text)
+{
+  std::vector<std::string_view> lines;
+  size_t begin = 0;
+  while (begin < text.size()) {
+    size_t end = text.find('\n', begin);
+    if (end == std::string::npos)
+      end = text.size();
+    std::string_view line(text.data() + begin, end - begin);
+    if (!line.empty() && line.back() == '\r')
+      line.remove_suffix(1);
+    lines.push_back(line);
+    begin = end + 1;
+  }
+  return lines;
+}
+
+std::vector<std::string_view> splitWords(std::string_view line)
+{
+  std::vector<std::string_view> words;
+  size_t begin = 0;
+  while ((begin = line.find_first_not_of(" \t", begin)) != std::string_view::npos) {
+    const size_t end = std::min(line.find_first_of(" \t", begin), line.size());
+    words.push_back(line.substr(begin, end - begin));
+    begin = end;
+  }
+  return words;
+}
+
+/// The YAML head of a log, with the line of everything in the file.
+class Header {
+ public:
+  Header(const std::string &file, const std::string &yaml) : fileName(file)
+  {
+    try {
+      root = YAML::Load(yaml);
+    } catch (const YAML::Exception &error) {
+      throw badInput(fileName, error.mark.line + 1, "", "the head is not YAML: " + error.msg);
+    }
+    if (!root.IsMap())
+      throw badInput(
+          fileName, 1, "",
+          fmt::format("no friction log: the head must begin with '# format: {}'", logFormat));
+    checkKeys(root);
+    for (const auto &entry : root)
+      if (entry.second.IsMap())
+        checkKeys(entry.second);
+  }
+
+  std::string text(const std::string &key) const
+  {
+    const auto node = find(root, "", key);
+    if (!node.IsScalar())
+      throw badInput(fileName, lineOf(node), key, "one value is expected");
+    return node.Scalar();
+  }
+
+  std::string text(const std::string &section, const std::string &key) const
+  {
+    const auto node = find(root, "", section);
+    if (!node.IsMap())
+      throw badInput(fileName, lineOf(node), section, "{key: value, ...} expected");
+    const auto value = find(node, section, key);
+    if (!value.IsScalar())
+      throw badInput(fileName, lineOf(value), key, "one value is expected");
+    return value.Scalar();
+  }
+
+  int line(const std::string &section) const { return lineOf(root[section]); }
+
+  /// A number that `allowed` accepts; `range` says in words what that is.
+  template<typename Predicate>
+  double number(const std::string &section, const std::string &key, const std::string &range,
+                Predicate allowed) const
+  {
+    const auto given = text(section, key);
+    double x = 0.0;
+    const auto [end, error] = std::from_chars(given.data(), given.data() + given.size(), x);
+    if (error != std::errc() || end != given.data() + given.size() || !std::isfinite(x) ||
+        !allowed(x))
+      throw badInput(fileName, line(section), section + ": " + key,
+                     fmt::format("'{}' is not allowed, must be a number {}", given, range));
+    return x;
+  }
+
+  double positive(const std::string &section, const std::string &key, const char *unit) const
+  {
+    return number(section, key, fmt::format("> 0 ({}), {:g} to {:g}", unit, 1 / largest, largest),
+                  isPositive);
+  }
+
+  double nonNegative(const std::string &section, const std::string &key, const char *unit) const
+  {
+    return number(section, key,
+                  fmt::format(">= 0 ({}), 0 or {:g} to {:g}", unit, 1 / largest, largest),
+                  [](double x) { return x == 0.0 || isPositive(x); });
+  }
+
+  bool has(const std::string &section, const std::string &key) const
+  {
+    return root[section] && root[section].IsMap() && root[section][key];
+  }
+
+  /// Adds the values of a section under "section.key".
+  void collect(const std::string &section, std::map<std::string, std::string> &values) const
+  {
+    if (root[section] && root[section].IsMap())
+      for (const auto &entry : root[section])
+        values[section + "." + entry.first.Scalar()] = entry.second.Scalar();
+  }
+
+ private:
+  static bool isPositive(double x) { return x >= 1.0 / largest && x <= largest; }
+
+  void checkKeys(const YAML::Node &map) const
+  {
+    std::set<std::string> seen;
+    for (const auto &entry : map)
+      if (!seen.insert(entry.first.Scalar()).second)
+        throw badInput(fileName, lineOf(entry.first), entry.first.Scalar(),
+                       "stands twice in the head");
+  }
+
+  static int lineOf(const YAML::Node &node) { return node.Mark().line + 1; }
+
+  YAML::Node find(const YAML::Node &node, const std::string &section, const std::string &key) const
+  {
+    if (node[key])
+      return node[key];
+    // a misspelt key is the likely reason: name the one that comes nearest
+    std::vector<std::string> present;
+    for (const auto &entry : node)
+      present.push_back(entry.first.Scalar());
+    const auto nearest = nearestWord(key, present);
+    std::string problem = fmt::format("'{}' is missing", key);
+    if (!nearest.empty() && editDistance(nearest, key) <= 3)
+      problem += fmt::format("; '{}' is unknown, the nearest known one is '{}'", nearest, key);
+    throw badInput(fileName, section.empty() ? 0 : lineOf(node), section, problem);
+  }
+
+  std::string fileName;
+  YAML::Node root;
+};
+
+void readHeader(const Header &header, FrictionLog &log)
+{
+  const auto format = header.text("format");
+  if (format != logFormat)
+    throw badInput(log.file, header.line("format"), "format",
+                   fmt::format("'{}' cannot be read, must be '{}'", format, logFormat));
+  for (const auto &[quantity, unit] : expectedUnits) {
+    const auto given = header.text("units", quantity);
+    if (given != unit)
+      throw badInput(log.file, header.line("units"), "units: " + quantity,
+                     fmt::format("'{}' is not allowed, must be '{}'", given, unit));
+  }
+  log.youngs_modulus = header.positive("material", "youngs_modulus", "MPa");
+  log.poissons_ratio = header.number("material", "poissons_ratio", "in -1 .. 0.5",
+                                     [](double x) { return x > -1.0 && x < 0.5; });
+  log.density = header.positive("material", "density", "kg/m3");
+  log.strength = header.positive("material", "strength", "MPa");
+  log.viscosity = header.nonNegative("material", "viscosity", "Pa s");
+  log.pressure = header.positive("loading", "pressure", "MPa");
+  log.velocity = header.nonNegative("loading", "velocity", "m/s");
+  if (header.has("run", "seed"))
+    log.seed = static_cast<long>(
+        header.number("run", "seed", fmt::format(">= 0, whole, at most {:g}", largest),
+                      [](double x) { return x >= 0.0 && x <= largest && x == std::floor(x); }));
+  for (const auto *section : {"program", "laws"})
+    header.collect(section, log.made_by);
+}
+
+/// Where each of our columns stands; further columns are allowed and skipped.
+std::array<size_t, Columns> readColumns(const FrictionLog &log, int line, std::string_view text)
+{
+  const auto words = splitWords(text);
+  const std::vector<std::string> names(words.begin(), words.end());
+  std::array<size_t, Columns> place{};
+  for (size_t i = 0; i < columnNames.size(); ++i) {
+    const auto found = std::find(names.begin(), names.end(), columnNames[i]);
+    if (found == names.end()) {
+      const auto nearest = nearestWord(columnNames[i], names);
+      std::string problem = fmt::format("column '{}' is missing", columnNames[i]);
+      if (!nearest.empty())
+        problem += fmt::format("; the nearest of those given is '{}'", nearest);
+      throw badInput(log.file, line, "", problem);
+    }
+    place[i] = found - names.begin();
+  }
+  return place;
+}
+
+double readNumber(const FrictionLog &log, int line, size_t column, std::string_view word)
+{
+  double x = 0.0;
+  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), x);
+  if (error != std::errc() || end != word.data() + word.size() || !std::isfinite(x))
+    throw badInput(log.file, line, columnNames[column],
+                   fmt::format("'{}' is not a finite number", word));
+  if (std::abs(x) > largest)
+    throw badInput(log.file, line, columnNames[column],
+                   fmt::format("'{}' is not allowed, must be within +-{:g}", word, largest));
+  return x;
+}
+
+void addRow(FrictionLog &log, int line, const std::array<double, Columns> &row)
+{
+  const auto step = static_cast<long>(row[Step]);
+  if (static_cast<double>(step) != row[Step] || step < 0)
+    throw badInput(log.file, line, "step", fmt::format("{} is not a whole number >= 0", row[Step]));
+  if (!log.step.empty()) {
+    if (step <= log.step.back() || row[Time] <= log.time.back())
+      throw badInput(log.file, line, "step",
+                     fmt::format("step {} (time {} ns) follows step {} (time {} ns): must increase",
+                                 step, row[Time], log.step.back(), log.time.back()));
+    if (log.step.size() > 1) {
+      const long every = log.step[1] - log.step[0];
+      const double interval = log.time[1] - log.time[0];
+      if (step - log.step.back() != every ||
+          std::abs(row[Time] - log.time.back() - interval) > spacingTolerance * interval)
+        throw badInput(log.file, line, "step",
+                       fmt::format("rows must be evenly spaced: {} steps and {:.4g} ns since the "
+                                   "row before, {} steps and {:.4g} ns at the start of the log",
+                                   step - log.step.back(), row[Time] - log.time.back(), every,
+                                   interval));
+    }
+  }
+  const double expected = row[Shear] / log.pressure;
+  if (std::abs(row[Mu] - expected) > muTolerance * (1.0 + std::abs(expected)))
+    throw badInput(log.file, line, "mu",
+                   fmt::format("{} is not shear_stress/pressure = {:.6g} with the pressure of {} "
+                               "MPa stated in the head",
+                               row[Mu], expected, log.pressure));
+  log.step.push_back(step);
+  log.time.push_back(row[Time]);
+  log.mu.push_back(row[Mu]);
+}
+
+void dropStateBeforeFirstStep(FrictionLog &log)
+{
+  if (log.step.empty() || log.step.front() != 0)
+    return;
+  log.step.erase(log.step.begin());
+  log.time.erase(log.time.begin());
+  log.mu.erase(log.mu.begin());
+}
+
+/// All *.friction below a folder, whatever they are: one that cannot be read must not be missed.
+void search(const std::filesystem::path &folder, std::vector<std::string> &found)
+{
+  namespace fs = std::filesystem;
+  std::error_code error, ignored;
+  for (fs::directory_iterator entry(folder, error), end; !error && entry != end;
+       entry.increment(error)) {
+    if (entry->is_directory(ignored)) {
+      if (!entry->is_symlink(ignored)) // it may lead back here
+        search(entry->path(), found);
+    } else if (entry->path().extension() == ".friction") {
+      found.push_back(entry->path().string());
+    }
+  }
+  if (error)
+    throw badInput(folder.string(), 0, "", "cannot be searched: " + error.message());
+}
+
+} // namespace
+
+double FrictionLog::kappa1() const
+{
+  constexpr double pascal = 1e6; // per MPa
+  return wheelrail::kappa1(density, youngs_modulus * pascal, velocity, strength * pascal);
+}
+
+double FrictionLog::kappa2() const
+{
+  return wheelrail::kappa2(pressure, youngs_modulus, strength);
+}
+
+double FrictionLog::kappa3() const
+{
+  return youngs_modulus / strength;
+}
+
+double FrictionLog::interval() const
+{
+  if (time.size() < 2)
+    return time.empty() ? 0.0 : time.front();
+  return (time.back() - time.front()) / static_cast<double>(time.size() - 1);
+}
+
+FrictionLog readFrictionLog(const std::string &path)
+{
+  FrictionLog log;
+  log.file = path;
+  std::error_code ignored;
+  if (std::filesystem::exists(path, ignored) && !std::filesystem::is_regular_file(path, ignored))
+    throw badInput(path, 0, "", "is no regular file"); // reading a pipe might never end
+  const auto text = readInputFile(path);
+  const auto lines = splitLines(text);
+  const bool lastLineEnded = text.back() == '\n';
+
+  size_t i = 0;
+  std::string yaml;
+  for (; i < lines.size() && lines[i].substr(0, 1) == headerMark; ++i) {
+    auto line = lines[i].substr(1);
+    if (line.substr(0, 1) == " ")
+      line.remove_prefix(1);
+    yaml.append(line).append("\n");
+  }
+  readHeader(Header(path, yaml), log);
+  if (i == lines.size() || (i + 1 == lines.size() && !lastLineEnded))
+    throw badInput(path, static_cast<int>(lines.size()), "", "cut short: no line of column names");
+  const auto place = readColumns(log, static_cast<int>(i + 1), lines[i]);
+  const auto width = splitWords(lines[i]).size();
+
+  for (++i; i < lines.size(); ++i) {
+    const int number = static_cast<int>(i + 1);
+    const bool last = i + 1 == lines.size();
+    const auto words = splitWords(lines[i]);
+    if (last && (!lastLineEnded || words.size() < width)) {
+      log.note = fmt::format("{}:{}: the last line was cut while it was written; it is left out",
+                             path, number);
+      break;
+    }
+    if (words.size() != width)
+      throw badInput(path, number, "",
+                     fmt::format("{} columns, {} are expected", words.size(), width));
+    std::array<double, Columns> row{};
+    for (size_t c = 0; c < Columns; ++c)
+      row[c] = readNumber(log, number, c, words[place[c]]);
+    addRow(log, number, row);
+  }
+  dropStateBeforeFirstStep(log);
+  if (log.step.empty())
+    throw badInput(path, static_cast<int>(lines.size()), "", "holds no row after step 0");
+  return log;
+}
+
+std::vector<std::string> findFrictionLogs(const std::vector<std::string> &paths)
+{
+  namespace fs = std::filesystem;
+  std::vector<std::string> files;
+  for (const auto &path : paths) {
+    std::error_code error;
+    if (!fs::is_directory(path, error)) {
+      if (!fs::exists(path, error))
+        throw badInput(path, 0, "", "no such file or folder");
+      files.push_back(path);
+      continue;
+    }
+    std::vector<std::string> found;
+    search(path, found);
+    if (found.empty())
+      throw badInput(path, 0, "", "this folder holds no *.friction file");
+    std::sort(found.begin(), found.end());
+    files.insert(files.end(), found.begin(), found.end());
+  }
+  // a log named twice (itself and its folder) must not count twice
+  std::vector<std::string> unique;
+  std::set<fs::path> seen;
+  for (const auto &file : files) {
+    std::error_code error;
+    const auto place = fs::weakly_canonical(file, error);
+    if (seen.insert(error ? fs::path(file) : place).second)
+      unique.push_back(file);
+  }
+  return unique;
+}
+
+} // namespace wheelrail

@@ -1,0 +1,58 @@
+#ifndef WHEELRAIL_FIT_FRICTION_LOG_H
+#define WHEELRAIL_FIT_FRICTION_LOG_H
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace wheelrail {
+
+/// A friction log (*.friction, format "mca-friction 1"): what was slid, how, and the time series.
+/// Units are those of the file, whatever the unit style of the run was: ns, nm, MPa, m/s, kg/m3,
+/// Pa s. Every row is the mean over the steps since the row before it.
+struct FrictionLog {
+  std::string file;
+
+  double youngs_modulus = 0.0; ///< MPa, > 0
+  double poissons_ratio = 0.0; ///< -1 < nu < 0.5
+  double density = 0.0;        ///< kg/m3, > 0
+  double strength = 0.0;       ///< sigma_0, MPa, > 0
+  double viscosity = 0.0;      ///< Pa s, >= 0
+  double pressure = 0.0;       ///< prescribed normal pressure, MPa, > 0
+  double velocity = 0.0;       ///< speed of the driven layer, m/s, >= 0
+  long seed = 0;               ///< of the roughness; 0 if the log states none
+  /// What computed the run, as in the head: "program.lammps" -> "20250204", "laws.steps" ->
+  /// "corrected" and so on; empty if the head has neither section.
+  std::map<std::string, std::string> made_by;
+
+  std::vector<long> step;   ///< strictly increasing, evenly spaced
+  std::vector<double> time; ///< ns, end of the row's interval
+  std::vector<double> mu;   ///< shear_stress / pressure
+
+  /// One line for the user when a cut last line was dropped, else empty.
+  std::string note;
+
+  double kappa1() const;   ///< rho E v^2 / sigma_0^2
+  double kappa2() const;   ///< p E / sigma_0^2
+  double kappa3() const;   ///< E / sigma_0
+  double interval() const; ///< ns between rows
+};
+
+/// Reads and checks one log. A row of step 0 is the state before the first step, not a mean: it is
+/// checked and then left out of the series. A last line that was cut by the death of the machine
+/// (too few columns, or no end of line) is dropped if it is the only defect, and `note` says so.
+/// @throws Error (BadInput) naming file and line: missing or empty file, no regular file, another
+///         format, version or unit, a key that is missing, misspelt or given twice, a missing
+///         column, a value out of range, text or nan among the numbers, steps that do not increase
+///         or are unevenly spaced, mu that is not shear_stress/pressure, no row at all
+FrictionLog readFrictionLog(const std::string &path);
+
+/// The logs named on a command line: files as they are, folders replaced by all *.friction below
+/// them in alphabetical order; a file that is named twice counts once.
+/// @throws Error (BadInput) for a path that does not exist, a folder that cannot be read, and one
+///         without a log
+std::vector<std::string> findFrictionLogs(const std::vector<std::string> &paths);
+
+} // namespace wheelrail
+
+#endif

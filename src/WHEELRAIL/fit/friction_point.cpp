@@ -1,0 +1,162 @@
+#include "fit/friction_point.h"
+
+#include "base/errors.h"
+#include "fit/stationarity.h"
+#include "law/friction_law.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <limits>
+#include <numeric>
+
+namespace wheelrail {
+
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr double longestGrindingIn = 100.0; // ns, Fig. 4
+constexpr std::size_t firstRows = 1000;
+
+/// First row whose interval begins at or after `time`.
+std::size_t firstRowAfter(const FrictionLog &log, double time)
+{
+  const double slack = 1e-6 * log.interval();
+  const auto row = std::find_if(log.time.begin(), log.time.end(),
+                                [&](double end) { return end - log.interval() >= time - slack; });
+  return row - log.time.begin();
+}
+
+double meanBefore(const FrictionLog &log, double time)
+{
+  const double slack = 1e-6 * log.interval();
+  const auto end = std::upper_bound(log.time.begin(), log.time.end(), time + slack);
+  const auto rows = end - log.time.begin();
+  if (rows == 0)
+    return nan;
+  return std::accumulate(log.mu.begin(), log.mu.begin() + rows, 0.0) / static_cast<double>(rows);
+}
+
+/// Mean of mu over some rows, and of its absolute value.
+class RowMean {
+ public:
+  void add(double mu)
+  {
+    sum += mu;
+    absolute += std::abs(mu);
+    ++rows;
+  }
+  double mean() const { return sum / rows; }
+  double size() const { return absolute / rows; }
+
+ private:
+  double sum = 0.0, absolute = 0.0;
+  int rows = 0;
+};
+
+/// A field of a CSV line, in quotes where its own characters ask for it (RFC 4180).
+std::string csvField(const std::string &text)
+{
+  if (text.find_first_of(",\"\n") == std::string::npos)
+    return text;
+  std::string quoted = "\"";
+  for (char c : text)
+    quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return quoted + '"';
+}
+
+} // namespace
+
+FrictionPoint frictionPoint(const FrictionLog &log, const PointOptions &options)
+{
+  FrictionPoint point;
+  point.file = log.file;
+  point.kappa1 = log.kappa1();
+  point.kappa2 = log.kappa2();
+  point.kappa3 = log.kappa3();
+  point.mu_eq2 = bucher2006()(point.kappa1, point.kappa2);
+  point.pressure = log.pressure;
+  point.velocity = log.velocity;
+  point.strength = log.strength;
+  point.viscosity = log.viscosity;
+  point.mu_peak = *std::max_element(log.mu.begin(), log.mu.end());
+  point.seed = log.seed;
+  point.made_by = log.made_by;
+  const auto rows = std::min(firstRows, log.mu.size());
+  point.first_step.assign(log.step.begin(), log.step.begin() + rows);
+  point.first_mu.assign(log.mu.begin(), log.mu.begin() + rows);
+  point.note = log.note;
+  double origin = log.time.front() - log.interval();
+  if (std::abs(origin) < 1e-6 * log.interval())
+    origin = 0.0; // not round-off
+  point.duration = log.time.back() - origin;
+
+  SeriesMean mean;
+  double start = 0.0;
+  if (options.start) {
+    const auto first = firstRowAfter(log, *options.start);
+    if (first == log.time.size())
+      throw badInput(log.file, 0, "",
+                     fmt::format("the log ends at {:.4g} ns, before the start of {:.4g} ns that "
+                                 "was asked for",
+                                 log.time.back(), *options.start));
+    mean = seriesMean(log.mu, first, log.mu.size());
+    start = *options.start;
+    point.t_start = start;
+  } else {
+    const auto part = stationaryPart(log.mu);
+    mean = part.mean;
+    start = part.start == 0 ? origin : log.time[part.start - 1];
+    point.t_start = part.found ? start : nan;
+    if (!part.found) {
+      if (!point.note.empty())
+        point.note += "; ";
+      point.note += fmt::format("no stationary part: {}", part.reason);
+    }
+  }
+  point.mu = mean.mean;
+  point.mu_se = mean.standard_error;
+  point.n_eff = mean.effective_n;
+  point.correlation_time = mean.correlation_time * log.interval();
+  point.mu_grinding_in =
+      meanBefore(log, options.grinding_in.value_or(std::min(start, longestGrindingIn)));
+  return point;
+}
+
+bool sameRun(const FrictionPoint &a, const FrictionPoint &b)
+{
+  if (a.kappa1 != b.kappa1 || a.kappa2 != b.kappa2 || a.kappa3 != b.kappa3 || a.seed != b.seed ||
+      a.made_by != b.made_by)
+    return false;
+  constexpr double rounding = 1e-6; // logs have seven digits
+  RowMean ofA, ofB;
+  bool compared = false;
+  for (std::size_t i = 0, j = 0; i < a.first_step.size() && j < b.first_step.size();) {
+    const long stepA = a.first_step[i], stepB = b.first_step[j];
+    if (stepA <= stepB)
+      ofA.add(a.first_mu[i++]);
+    if (stepB <= stepA)
+      ofB.add(b.first_mu[j++]);
+    if (stepA != stepB)
+      continue;
+    if (std::abs(ofA.mean() - ofB.mean()) > rounding * ofA.size())
+      return false;
+    compared = true;
+    ofA = ofB = {};
+  }
+  return compared;
+}
+
+std::string pointsAsCsv(const std::vector<FrictionPoint> &points)
+{
+  std::string text = "# t_start in ns (nan: no stationary part found, mu of the second half); the "
+                     "rest is dimensionless\n"
+                     "file,kappa1,kappa2,mu,mu_se,n_eff,t_start,mu_grinding_in,mu_eq2,kappa3\n";
+  for (const auto &p : points)
+    text += fmt::format("{},{:.8g},{:.8g},{:.6g},{:.4g},{:.4g},{:.6g},{:.6g},{:.6g},{:.8g}\n",
+                        csvField(p.file), p.kappa1, p.kappa2, p.mu, p.mu_se, p.n_eff, p.t_start,
+                        p.mu_grinding_in, p.mu_eq2, p.kappa3);
+  return text;
+}
+
+} // namespace wheelrail

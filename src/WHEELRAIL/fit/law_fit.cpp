@@ -1,0 +1,337 @@
+#include "fit/law_fit.h"
+
+#include "base/errors.h"
+#include "fit/law_problem.h"
+#include "fit/statistics.h"
+
+#include <Eigen/Dense>
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <limits>
+#include <stdexcept>
+
+namespace wheelrail {
+
+namespace {
+
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+// beyond, the parameters are determined to no digit by data of a few per cent scatter
+constexpr double worstCondition = 1e6;
+
+VectorXd deviations(const std::vector<LawPoint> &points, const VectorXd &fitted, double scatter)
+{
+  VectorXd sigma(points.size());
+  for (size_t i = 0; i < points.size(); ++i)
+    sigma[i] = std::hypot(points[i].mu_se, scatter * fitted[i]);
+  return sigma;
+}
+
+VectorXd fittedMu(const VectorXd &x, const std::vector<LawPoint> &points, double reference)
+{
+  VectorXd mu(points.size());
+  for (size_t i = 0; i < points.size(); ++i)
+    mu[i] = modelMu(x, points[i], reference);
+  return mu;
+}
+
+double geometricMean(const std::vector<LawPoint> &points)
+{
+  double sum = 0.0;
+  for (const auto &p : points)
+    sum += std::log(p.kappa3);
+  return std::exp(sum / static_cast<double>(points.size()));
+}
+
+double chiSquared(const std::vector<LawPoint> &points, const VectorXd &fitted, double scatter)
+{
+  const VectorXd sigma = deviations(points, fitted, scatter);
+  double sum = 0.0;
+  for (size_t i = 0; i < points.size(); ++i)
+    sum += std::pow((points[i].mu - fitted[i]) / sigma[i], 2);
+  return sum;
+}
+
+// residuals of exact data are rounding errors: no smaller scatter than this is told from none
+constexpr double leastScatter = 1e-9;
+
+/// The scatter at which chi^2 is `target`: chi^2 falls with it.
+double scatterFor(const std::vector<LawPoint> &points, const VectorXd &fitted, double target)
+{
+  const bool haveErrors =
+      std::all_of(points.begin(), points.end(), [](const LawPoint &p) { return p.mu_se > 0.0; });
+  const double least = haveErrors ? 0.0 : leastScatter;
+  if (chiSquared(points, fitted, least) <= target)
+    return least;
+  double low = leastScatter;
+  double high = 1.0;
+  while (chiSquared(points, fitted, high) > target && high < 1e6)
+    high *= 2.0;
+  for (int i = 0; i < 60; ++i) {
+    const double middle = std::sqrt(low * high);
+    (chiSquared(points, fitted, middle) > target ? low : high) = middle;
+  }
+  return high;
+}
+
+/// -2 ln likelihood of normal residuals, at the scatter that maximises it (golden section in the
+/// logarithm).
+double minusTwoLogLikelihood(const std::vector<LawPoint> &points, const VectorXd &fitted)
+{
+  const auto value = [&](double logScatter) {
+    const VectorXd sigma = deviations(points, fitted, std::exp(logScatter));
+    double sum = 0.0;
+    for (size_t i = 0; i < points.size(); ++i)
+      sum += std::log(2.0 * M_PI * sigma[i] * sigma[i]) +
+             std::pow((points[i].mu - fitted[i]) / sigma[i], 2);
+    return sum;
+  };
+  const double golden = 0.5 * (std::sqrt(5.0) - 1.0);
+  double low = std::log(leastScatter);
+  double high = std::log(10.0);
+  for (int i = 0; i < 80; ++i) {
+    const double x1 = high - golden * (high - low);
+    const double x2 = low + golden * (high - low);
+    if (value(x1) < value(x2))
+      high = x2;
+    else
+      low = x1;
+  }
+  return value(0.5 * (low + high));
+}
+
+int countParameters(LawModel model)
+{
+  const auto free = parametersOf(model);
+  return static_cast<int>(std::count(free.begin(), free.end(), true));
+}
+
+/// Number of values that differ by more than a thousandth.
+int countDifferent(std::vector<double> values)
+{
+  constexpr double tolerance = 1e-3;
+  std::sort(values.begin(), values.end());
+  int count = 0;
+  double last = -1.0;
+  for (double v : values)
+    if (count == 0 || v - last > tolerance * v) {
+      ++count;
+      last = v;
+    }
+  return count;
+}
+
+void checkPoints(const std::vector<LawPoint> &points)
+{
+  for (const auto &p : points)
+    if (!(std::isfinite(p.kappa1) && p.kappa1 >= 0.0 && std::isfinite(p.kappa2) &&
+          p.kappa2 >= 0.0 && std::isfinite(p.mu) && std::isfinite(p.mu_se) && p.mu_se >= 0.0 &&
+          std::isfinite(p.kappa3) && p.kappa3 > 0.0))
+      throw std::invalid_argument("fitLaw: a point is not finite or negative");
+}
+
+std::string explainWeakness(const LawFit &fit, const VectorXd &x, const Identifiability &analysis,
+                            const LeastSquaresProblem &problem)
+{
+  for (int k : {B, C}) {
+    const bool atUpper = fit.at_bound[k] && x[k] > 0.5 * problem.upper[k];
+    if (atUpper)
+      return fmt::format("{} runs to its bound of {:.3g}: its term is constant over all the points",
+                         fitParameterNames[k], problem.upper[k]);
+  }
+  const auto free = parametersOf(fit.model);
+  if (free[C] && fit.at_bound[C])
+    return "c runs to 0: mu does not depend on kappa2, so that mu0 and mu2 cannot be told apart";
+  if (analysis.conditionNumber <= worstCondition)
+    return "";
+  std::string names;
+  for (int k = 0; k < fitParameters; ++k)
+    if (std::abs(analysis.weakDirection[k]) > 0.3)
+      names += (names.empty() ? "" : ", ") + std::string(fitParameterNames[k]);
+  return fmt::format(
+      "{} cannot be told apart (condition number {:.3g}, at most {:.0e} is accepted)", names,
+      analysis.conditionNumber, worstCondition);
+}
+
+void fillResiduals(LawFit &fit, const std::vector<LawPoint> &points, const VectorXd &fitted,
+                   const VectorXd &sigma, const MatrixXd &jacobian, const MatrixXd &covariance)
+{
+  double sum = 0.0;
+  for (size_t i = 0; i < points.size(); ++i) {
+    const double mu = fitted[i];
+    const Eigen::RowVectorXd row = jacobian.row(i);
+    const double hat = std::clamp((row * covariance * row.transpose()).value(), 0.0, 1.0);
+    const double spread = sigma[i] * std::sqrt(std::max(1.0 - hat, 1e-12));
+    fit.residuals.push_back((points[i].mu - mu) / mu);
+    fit.studentised.push_back((points[i].mu - mu) / spread);
+    fit.leverage.push_back(hat);
+    sum += fit.residuals.back() * fit.residuals.back();
+  }
+  fit.law.rms_relative = std::sqrt(sum / static_cast<double>(points.size()));
+}
+
+} // namespace
+
+const char *nameOf(LawModel model)
+{
+  switch (model) {
+  case LawModel::Constant:
+    return "constant";
+  case LawModel::Velocity:
+    return "velocity";
+  case LawModel::Pressure:
+    return "eq4";
+  case LawModel::Full:
+    return "eq2";
+  case LawModel::Kappa3:
+    return "eq2_kappa3";
+  }
+  throw std::logic_error("nameOf: no such model");
+}
+
+std::array<bool, fitParameters> parametersOf(LawModel model)
+{
+  const bool all = model == LawModel::Full || model == LawModel::Kappa3;
+  const bool velocity = all || model == LawModel::Velocity;
+  const bool pressure = all || model == LawModel::Pressure;
+  return {true, velocity, pressure, velocity, pressure, model == LawModel::Kappa3};
+}
+
+Obstacle obstacleTo(LawModel model, const std::vector<LawPoint> &points)
+{
+  const auto free = parametersOf(model);
+  const int parameters = countParameters(model);
+  const int n = static_cast<int>(points.size());
+  if (n < parameters + 1)
+    return {fmt::format("{} point{} for the {} parameters of {}, at least {} are needed", n,
+                        n == 1 ? "" : "s", parameters, nameOf(model), parameters + 1),
+            true};
+  const auto look = [&](int k, const char *name, int leastDifferent, auto member) -> std::string {
+    if (!free[k])
+      return "";
+    std::vector<double> values;
+    for (const auto &p : points)
+      values.push_back(member(p));
+    const int different = countDifferent(values);
+    if (different >= leastDifferent)
+      return "";
+    return fmt::format("the points have only {} different {} ({:.4g} to {:.4g}), {} needs at least "
+                       "{}",
+                       different, name, *std::min_element(values.begin(), values.end()),
+                       *std::max_element(values.begin(), values.end()), nameOf(model),
+                       leastDifferent);
+  };
+  // a saturating term has two parameters beside the constant
+  auto reason = look(Mu1, "kappa1", 3, [](const LawPoint &p) { return p.kappa1; });
+  if (reason.empty())
+    reason = look(Mu2, "kappa2", 3, [](const LawPoint &p) { return p.kappa2; });
+  if (reason.empty())
+    reason = look(N, "kappa3", 2, [](const LawPoint &p) { return p.kappa3; });
+  return {reason, false};
+}
+
+LawFit fitLaw(LawModel model, const std::vector<LawPoint> &points, double level, double reference)
+{
+  checkPoints(points);
+  if (const auto obstacle = obstacleTo(model, points); !obstacle.reason.empty())
+    throw Error(ExitCode::NotConverged, obstacle.reason);
+  const int n = static_cast<int>(points.size());
+  LawFit fit;
+  fit.model = model;
+  fit.freedom = n - countParameters(model);
+  if (!(reference >= 0.0 && std::isfinite(reference)))
+    throw std::invalid_argument("fitLaw: the reference of kappa3 is not finite or negative");
+  if (reference == 0.0)
+    reference = geometricMean(points);
+
+  // weights depend on the fit and on the scatter, both on the weights: repeat until they agree
+  VectorXd fitted(n);
+  for (int i = 0; i < n; ++i)
+    fitted[i] = std::max(points[i].mu, 1e-3);
+  fit.scatter = 0.1;
+  VectorXd sigma;
+  LeastSquaresSolution solution;
+  constexpr int mostRounds = 50;
+  constexpr double tolerance = 1e-7;
+  for (int round = 0; round < mostRounds; ++round) {
+    sigma = deviations(points, fitted, fit.scatter);
+    const LawProblem weighted(model, points, sigma, reference);
+    const auto problem = weighted.make();
+    auto starts = weighted.starts(problem);
+    if (round > 0)
+      starts = {solution.x}; // the grid has done its work
+    solution = solveLeastSquares(problem, starts);
+    if (!solution.converged)
+      throw Error(ExitCode::NotConverged, fmt::format("the fit of {} does not converge: {}",
+                                                      nameOf(model), solution.message));
+    const VectorXd before = fitted;
+    fitted = fittedMu(solution.x, points, reference);
+    const double scatter = scatterFor(points, fitted, fit.freedom);
+    const bool settled = std::abs(scatter - fit.scatter) <= tolerance * (scatter + leastScatter) &&
+                         (fitted - before).norm() <= tolerance * fitted.norm();
+    fit.scatter = scatter;
+    if (settled)
+      break;
+  }
+  sigma = deviations(points, fitted, fit.scatter);
+  const LawProblem weighted(model, points, sigma, reference);
+  const auto problem = weighted.make();
+  solution = solveLeastSquares(problem, {solution.x});
+  setParameters(fit.law, solution.x);
+  fitted = fittedMu(solution.x, points, reference);
+  fit.chi_squared = solution.sumOfSquares;
+
+  for (int k = 0; k < fitParameters; ++k) {
+    constexpr double near = 1e-9;
+    const double range = std::isfinite(problem.upper[k]) ? problem.upper[k] : 1.0;
+    fit.at_bound[k] = !problem.constant[k] && (solution.x[k] - problem.lower[k] < near * range ||
+                                               problem.upper[k] - solution.x[k] < near * range);
+  }
+  // a parameter at its bound counts as free: what the data say of the others depends on it
+  const auto analysis = analyseJacobian(solution.jacobian, problem.constant);
+  fit.condition_number = analysis.conditionNumber;
+  fit.not_identifiable = explainWeakness(fit, solution.x, analysis, problem);
+  fit.law.covariance = analysis.covariance.topLeftCorner<lawParameters, lawParameters>();
+  if (model == LawModel::Kappa3) {
+    fit.reference = reference;
+    fit.exponent = solution.x[N];
+    fit.exponent_error = std::sqrt(analysis.covariance(N, N));
+  }
+  fit.law.n = n;
+  // but the fit cannot follow a point with it
+  auto held = problem.constant;
+  for (int k = 0; k < fitParameters; ++k)
+    held[k] = held[k] || fit.at_bound[k];
+  fillResiduals(fit, points, fitted, sigma, solution.jacobian,
+                analyseJacobian(solution.jacobian, held).covariance);
+  const auto byKappa1 = [](const LawPoint &p, const LawPoint &q) { return p.kappa1 < q.kappa1; };
+  const auto byKappa2 = [](const LawPoint &p, const LawPoint &q) { return p.kappa2 < q.kappa2; };
+  const auto [low1, high1] = std::minmax_element(points.begin(), points.end(), byKappa1);
+  const auto [low2, high2] = std::minmax_element(points.begin(), points.end(), byKappa2);
+  fit.law.kappa1_range = {low1->kappa1, high1->kappa1};
+  fit.law.kappa2_range = {low2->kappa2, high2->kappa2};
+
+  const int k = countParameters(model) + 1; // and the scatter
+  fit.aicc = n > k + 1 ? minusTwoLogLikelihood(points, fitted) + 2.0 * k +
+                             2.0 * k * (k + 1) / (n - k - 1.0)
+                       : infinity;
+  if (level > 0.0 && fit.not_identifiable.empty()) {
+    const double t = studentQuantile(0.5 * (1.0 + level), fit.freedom);
+    for (int j = 0; j < fitParameters; ++j) {
+      if (problem.constant[j])
+        continue;
+      double error = std::sqrt(analysis.covariance(j, j));
+      // a parameter at its bound has no curvature to measure: start the search at its own scale
+      if (error == 0.0)
+        error = std::max(0.1 * std::abs(solution.x[j]), 1e-3);
+      fit.intervals[j] = profileInterval(problem, solution, j, error, t * t);
+    }
+  }
+  return fit;
+}
+
+} // namespace wheelrail

@@ -1,0 +1,99 @@
+#ifndef WHEELRAIL_FIT_LAW_FIT_H
+#define WHEELRAIL_FIT_LAW_FIT_H
+
+#include "fit/least_squares.h"
+#include "law/friction_law.h"
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace wheelrail {
+
+/// One point to fit: mu at (kappa1, kappa2, kappa3) with the standard error of mu (>= 0, finite).
+struct LawPoint {
+  double kappa1 = 0.0;
+  double kappa2 = 0.0;
+  double mu = 0.0;
+  double mu_se = 0.0;
+  double kappa3 = 1.0; ///< E/sigma_0, > 0
+};
+
+/// The parts of Eq. 2 that are fitted, what is left out is zero; or more than it.
+enum class LawModel {
+  Constant, ///< mu0
+  Velocity, ///< mu0, mu1, b
+  Pressure, ///< mu0, mu2, c: Eq. 4
+  Full,     ///< mu0, mu1, mu2, b, c: Eq. 2
+  Kappa3    ///< the same and n: Eq. 2 times (kappa3/reference)^n; ours, not the paper's
+};
+
+/// All models, from the smallest to the largest one.
+constexpr std::array<LawModel, 5> lawModels = {
+    LawModel::Constant, LawModel::Velocity, LawModel::Pressure, LawModel::Full, LawModel::Kappa3};
+
+/// Name on the command line and in files: constant, velocity, eq4, eq2, eq2_kappa3.
+const char *nameOf(LawModel model);
+/// Number of parameters of a fit: those of Eq. 2 and n.
+constexpr int fitParameters = lawParameters + 1;
+/// Which of mu0, mu1, mu2, b, c, n the model fits.
+std::array<bool, fitParameters> parametersOf(LawModel model);
+/// Names of the parameters, in their order.
+constexpr std::array<const char *, fitParameters> fitParameterNames = {"mu0", "mu1", "mu2",
+                                                                       "b",   "c",   "n"};
+
+/// A fitted law and how much it is worth.
+///
+/// The residuals are weighted with 1/sigma_i, sigma_i^2 = mu_se_i^2 + (scatter mu_fit_i)^2. The
+/// scatter is what runs differ by beyond their own standard errors, relative to mu; it is the
+/// value that makes chi^2 equal to the degrees of freedom (Paule and Mandel, J. Res. NBS 87
+/// (1982) 377), zero if the standard errors alone explain the residuals. The covariance is (J^T
+/// J)^-1 with these weights; a parameter at its bound counts as free in it, but as held in the
+/// leverage, which says how far the fit follows each point.
+struct LawFit {
+  LawModel model = LawModel::Full;
+  FrictionLaw law;               ///< with the model Kappa3: at the reference
+  double exponent = 0.0;         ///< n
+  double exponent_error = 0.0;   ///< its standard error
+  double reference = 0.0;        ///< kappa3 at which the law holds; 0: at any
+  double scatter = 0.0;          ///< relative
+  double chi_squared = 0.0;      ///< sum of the weighted squares
+  int freedom = 0;               ///< points minus parameters
+  double condition_number = 0.0; ///< of the Jacobian with columns of length 1
+  double aicc = 0.0;             ///< Akaike's criterion for small samples; the scatter counts too
+  std::array<bool, fitParameters> at_bound = {}; ///< the best value lies on a bound
+  std::array<Interval, fitParameters>
+      intervals;                   ///< profile likelihood; empty for what is not fitted
+  std::vector<double> residuals;   ///< (mu - fit)/fit of every point
+  std::vector<double> studentised; ///< residual in units of its own standard deviation
+  std::vector<double> leverage;    ///< 0 .. 1; parameters/points on average
+  /// Why the parameters cannot be told apart; empty if they can.
+  std::string not_identifiable;
+};
+
+/// Absolute studentised residual beyond which a point is reported as an outlier.
+constexpr double outlierLimit = 3.0;
+
+/// What keeps these points from being fitted with this model at all: too few of them, too few
+/// different kappa1, kappa2 or kappa3. Empty: nothing.
+struct Obstacle {
+  std::string reason;
+  bool tooFew = false; ///< more points would help whatever they are
+};
+Obstacle obstacleTo(LawModel model, const std::vector<LawPoint> &points);
+
+/// Weighted least squares with mu0, b, c >= 0, started from the best places of a grid over b and c
+/// with the linear parameters solved for.
+/// @param level of the confidence intervals, 0 < level < 1; 0: none are computed
+/// @param reference kappa3 > 0 at which the law of the model Kappa3 is to hold; 0: the geometric
+/// mean
+///        of the points
+/// @throws Error (NotConverged) if obstacleTo names an obstacle or the solver does not converge
+/// @throws std::invalid_argument for values that are not finite, negative kappas, negative errors
+LawFit fitLaw(LawModel model, const std::vector<LawPoint> &points, double level = 0.95,
+              double reference = 0.0);
+
+} // namespace wheelrail
+
+#endif

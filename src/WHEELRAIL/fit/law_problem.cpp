@@ -1,0 +1,147 @@
+#include "fit/law_problem.h"
+
+#include <Eigen/Dense>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace wheelrail {
+
+namespace {
+
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+// a term is as good as constant when b kappa (c kappa) exceeds this at its smallest kappa
+constexpr double saturation = 100.0;
+
+} // namespace
+
+void setParameters(FrictionLaw &law, const VectorXd &x)
+{
+  law.mu0 = x[Mu0];
+  law.mu1 = x[Mu1];
+  law.mu2 = x[Mu2];
+  law.b = x[B];
+  law.c = x[C];
+}
+
+double modelMu(const VectorXd &x, const LawPoint &point, double reference)
+{
+  FrictionLaw law;
+  setParameters(law, x);
+  return law(point.kappa1, point.kappa2) * std::pow(point.kappa3 / reference, x[N]);
+}
+
+LawProblem::LawProblem(LawModel model, const std::vector<LawPoint> &data, VectorXd deviations,
+                       double kappa3)
+    : points(data), sigma(std::move(deviations)), reference(kappa3), free(parametersOf(model))
+{
+}
+
+LeastSquaresProblem LawProblem::make() const
+{
+  LeastSquaresProblem problem;
+  problem.parameters = fitParameters;
+  problem.residuals = static_cast<int>(points.size());
+  problem.lower = VectorXd::Constant(fitParameters, -infinity);
+  problem.upper = VectorXd::Constant(fitParameters, infinity);
+  for (int k : {Mu0, B, C})
+    problem.lower[k] = 0.0;
+  problem.upper[B] = saturation / smallest(&LawPoint::kappa1);
+  problem.upper[C] = saturation / smallest(&LawPoint::kappa2);
+  for (bool isFree : free)
+    problem.constant.push_back(!isFree);
+  problem.evaluate = [this](const VectorXd &x, VectorXd &r, MatrixXd *jacobian) {
+    evaluate(x, r, jacobian);
+    return true;
+  };
+  return problem;
+}
+
+std::vector<VectorXd> LawProblem::starts(const LeastSquaresProblem &problem) const
+{
+  std::vector<std::pair<double, VectorXd>> candidates;
+  for (double b : grid(B, problem.upper[B]))
+    for (double c : grid(C, problem.upper[C]))
+      candidates.push_back(linearFit(b, c));
+  const size_t kept = std::min<size_t>(3, candidates.size());
+  std::partial_sort(candidates.begin(), candidates.begin() + kept, candidates.end(),
+                    [](const auto &p, const auto &q) { return p.first < q.first; });
+  std::vector<VectorXd> result;
+  for (size_t i = 0; i < kept; ++i)
+    result.push_back(candidates[i].second);
+  return result;
+}
+
+double LawProblem::smallest(double LawPoint::*kappa) const
+{
+  double least = infinity;
+  for (const auto &p : points)
+    if (p.*kappa > 0.0)
+      least = std::min(least, p.*kappa);
+  return std::isfinite(least) ? least : 1.0;
+}
+
+std::vector<double> LawProblem::grid(int k, double upper) const
+{
+  if (!free[k])
+    return {0.0};
+  std::vector<double> values;
+  constexpr int perDecade = 2;
+  constexpr int count = 13; // six decades below the bound
+  for (int i = 1; i < count; ++i)
+    values.push_back(upper * std::pow(10.0, -static_cast<double>(i) / perDecade));
+  return values;
+}
+
+std::pair<double, VectorXd> LawProblem::linearFit(double b, double c) const
+{
+  VectorXd x = VectorXd::Zero(fitParameters);
+  x[B] = b;
+  x[C] = c;
+  std::vector<int> linear;
+  for (int k : {Mu0, Mu1, Mu2})
+    if (free[k])
+      linear.push_back(k);
+  VectorXd r(points.size());
+  MatrixXd jacobian(points.size(), fitParameters);
+  evaluate(x, r, &jacobian);
+  MatrixXd design(points.size(), linear.size());
+  for (size_t j = 0; j < linear.size(); ++j)
+    design.col(j) = jacobian.col(linear[j]);
+  const VectorXd solution = design.colPivHouseholderQr().solve(-r);
+  for (size_t j = 0; j < linear.size(); ++j)
+    x[linear[j]] = solution[j];
+  x[Mu0] = std::max(0.0, x[Mu0]);
+  evaluate(x, r, nullptr);
+  return {r.squaredNorm(), x};
+}
+
+void LawProblem::evaluate(const VectorXd &x, VectorXd &r, MatrixXd *jacobian) const
+{
+  FrictionLaw law;
+  setParameters(law, x);
+  for (size_t i = 0; i < points.size(); ++i) {
+    const auto &p = points[i];
+    const double weight = 1.0 / sigma[i];
+    const double mu = modelMu(x, p, reference);
+    r[i] = weight * (mu - p.mu);
+    if (!jacobian)
+      continue;
+    const double logarithm = std::log(p.kappa3 / reference);
+    const double w = weight * std::exp(x[N] * logarithm);
+    const double g1 = 1.0 / (1.0 + law.b * p.kappa1);
+    const double g2 = 1.0 / (1.0 + law.c * p.kappa2);
+    (*jacobian)(i, Mu0) = w;
+    (*jacobian)(i, Mu1) = w * p.kappa1 * g1;
+    (*jacobian)(i, Mu2) = w * g2;
+    (*jacobian)(i, B) = -w * law.mu1 * std::pow(p.kappa1 * g1, 2);
+    (*jacobian)(i, C) = -w * law.mu2 * p.kappa2 * g2 * g2;
+    (*jacobian)(i, N) = weight * mu * logarithm;
+  }
+}
+
+} // namespace wheelrail

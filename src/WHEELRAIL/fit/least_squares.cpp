@@ -1,0 +1,306 @@
+#include "fit/least_squares.h"
+
+#include <Eigen/SVD>
+#include <ceres/ceres.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+namespace wheelrail {
+
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+/// Central differences at three steps, extrapolated twice (error of the sixth order in the step).
+/// Steps are relative to the parameter: Ceres' own differences have a least absolute step, which
+/// spoils parameters as small as those of the NIST problems.
+bool numericalJacobian(const LeastSquaresProblem &problem, const Eigen::VectorXd &x,
+                       Eigen::MatrixXd &jacobian)
+{
+  constexpr double relativeStep = 2e-3;
+  Eigen::VectorXd plus(problem.residuals);
+  Eigen::VectorXd minus(problem.residuals);
+  Eigen::VectorXd moved = x;
+  for (int j = 0; j < problem.parameters; ++j) {
+    std::array<Eigen::VectorXd, 3> difference;
+    double step = relativeStep * (x[j] != 0.0 ? std::abs(x[j]) : 1.0);
+    for (auto &d : difference) {
+      moved[j] = x[j] + step;
+      const double up = moved[j];
+      if (!problem.evaluate(moved, plus, nullptr))
+        return false;
+      moved[j] = x[j] - step;
+      if (!problem.evaluate(moved, minus, nullptr))
+        return false;
+      d = (plus - minus) / (up - moved[j]);
+      step *= 0.5;
+    }
+    moved[j] = x[j];
+    const Eigen::VectorXd coarse = (4.0 * difference[1] - difference[0]) / 3.0;
+    const Eigen::VectorXd fine = (4.0 * difference[2] - difference[1]) / 3.0;
+    jacobian.col(j) = (16.0 * fine - coarse) / 15.0;
+  }
+  return true;
+}
+
+/// The problem as Ceres asks for it.
+class Cost : public ceres::CostFunction {
+ public:
+  explicit Cost(const LeastSquaresProblem &given) : problem(given)
+  {
+    set_num_residuals(problem.residuals);
+    mutable_parameter_block_sizes()->push_back(problem.parameters);
+  }
+
+  bool Evaluate(double const *const *parameters, double *residuals,
+                double **jacobians) const override
+  {
+    const Eigen::VectorXd x = Eigen::Map<const Eigen::VectorXd>(parameters[0], problem.parameters);
+    Eigen::VectorXd r(problem.residuals);
+    Eigen::MatrixXd jacobian;
+    const bool wanted = jacobians != nullptr && jacobians[0] != nullptr;
+    if (wanted)
+      jacobian.setZero(problem.residuals, problem.parameters);
+    if (!problem.evaluate(x, r, wanted && problem.hasJacobian ? &jacobian : nullptr))
+      return false;
+    if (wanted && !problem.hasJacobian && !numericalJacobian(problem, x, jacobian))
+      return false;
+    Eigen::Map<Eigen::VectorXd>(residuals, problem.residuals) = r;
+    if (wanted)
+      Eigen::Map<RowMajor>(jacobians[0], problem.residuals, problem.parameters) = jacobian;
+    return true;
+  }
+
+ private:
+  const LeastSquaresProblem &problem;
+};
+
+void checkSizes(const LeastSquaresProblem &problem, const std::vector<Eigen::VectorXd> &starts)
+{
+  const auto fits = [&](Eigen::Index size) { return size == 0 || size == problem.parameters; };
+  if (starts.empty())
+    throw std::invalid_argument("least squares: no start");
+  for (const auto &start : starts)
+    if (start.size() != problem.parameters)
+      throw std::invalid_argument("least squares: a start of another size than the parameters");
+  if (!fits(problem.lower.size()) || !fits(problem.upper.size()) ||
+      !fits(static_cast<Eigen::Index>(problem.constant.size())))
+    throw std::invalid_argument("least squares: bounds of another size than the parameters");
+}
+
+LeastSquaresSolution solveFrom(const LeastSquaresProblem &problem, const Eigen::VectorXd &start)
+{
+  LeastSquaresSolution solution;
+  solution.x = start;
+  ceres::Problem ceresProblem;
+  double *x = solution.x.data();
+  ceresProblem.AddResidualBlock(new Cost(problem), nullptr, x);
+  for (int i = 0; i < problem.parameters; ++i) {
+    if (problem.lower.size() > 0)
+      ceresProblem.SetParameterLowerBound(x, i, problem.lower[i]);
+    if (problem.upper.size() > 0)
+      ceresProblem.SetParameterUpperBound(x, i, problem.upper[i]);
+  }
+  std::vector<int> held;
+  for (size_t i = 0; i < problem.constant.size(); ++i)
+    if (problem.constant[i])
+      held.push_back(static_cast<int>(i));
+  if (static_cast<int>(held.size()) == problem.parameters)
+    ceresProblem.SetParameterBlockConstant(x);
+  else if (!held.empty())
+    ceresProblem.SetManifold(x, new ceres::SubsetManifold(problem.parameters, held));
+
+  ceres::Solver::Options options;
+  options.linear_solver_type = ceres::DENSE_QR;
+  options.max_num_iterations = 2000;
+  options.function_tolerance = 1e-16; // as far as double precision goes: the problems are small
+  options.gradient_tolerance = 1e-16;
+  options.parameter_tolerance = 1e-14;
+  options.logging_type = ceres::SILENT;
+  options.max_num_consecutive_invalid_steps = 50;
+  ceres::Solver::Summary summary;
+  ceres::Solve(options, &ceresProblem, &summary);
+  solution.sumOfSquares = 2.0 * summary.final_cost;
+  solution.converged = summary.termination_type == ceres::CONVERGENCE;
+  solution.message = summary.message;
+  if (!solution.message.empty() && solution.message.back() == '.')
+    solution.message.pop_back();
+  return solution;
+}
+
+Eigen::MatrixXd jacobianAt(const LeastSquaresProblem &problem, const Eigen::VectorXd &x)
+{
+  const Cost cost(problem);
+  Eigen::VectorXd r(problem.residuals);
+  RowMajor jacobian(problem.residuals, problem.parameters);
+  const double *parameters = x.data();
+  double *rows = jacobian.data();
+  if (!cost.Evaluate(&parameters, r.data(), &rows))
+    jacobian.setConstant(std::numeric_limits<double>::quiet_NaN());
+  return jacobian;
+}
+
+} // namespace
+
+LeastSquaresSolution solveLeastSquares(const LeastSquaresProblem &problem,
+                                       const std::vector<Eigen::VectorXd> &starts)
+{
+  checkSizes(problem, starts);
+  LeastSquaresSolution best;
+  best.sumOfSquares = infinity;
+  for (const auto &start : starts) {
+    auto solution = solveFrom(problem, start);
+    const bool better = solution.sumOfSquares < best.sumOfSquares;
+    if (best.x.size() == 0 || (solution.converged && !best.converged) ||
+        (better && solution.converged == best.converged))
+      best = std::move(solution);
+  }
+  best.jacobian = jacobianAt(problem, best.x);
+  return best;
+}
+
+Identifiability analyseJacobian(const Eigen::MatrixXd &jacobian, const std::vector<bool> &isFixed)
+{
+  std::vector<Eigen::Index> free;
+  for (Eigen::Index j = 0; j < jacobian.cols(); ++j)
+    if (!isFixed[j])
+      free.push_back(j);
+  Identifiability result;
+  result.covariance.setZero(jacobian.cols(), jacobian.cols());
+  result.weakDirection.setZero(jacobian.cols());
+  result.conditionNumber = 1.0;
+  if (free.empty())
+    return result;
+
+  const auto k = static_cast<Eigen::Index>(free.size());
+  Eigen::MatrixXd scaled(jacobian.rows(), k);
+  Eigen::VectorXd length(k);
+  for (Eigen::Index j = 0; j < k; ++j) {
+    length[j] = jacobian.col(free[j]).norm();
+    scaled.col(j) = length[j] > 0.0 ? Eigen::VectorXd(jacobian.col(free[j]) / length[j])
+                                    : Eigen::VectorXd::Zero(jacobian.rows());
+  }
+  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(scaled, Eigen::ComputeThinU | Eigen::ComputeThinV);
+  const auto &values = svd.singularValues();
+  const bool wide = jacobian.rows() < k; // fewer data than parameters
+  const double least = wide ? 0.0 : values[k - 1];
+  result.conditionNumber = least > 0.0 ? values[0] / least : infinity;
+  if (!std::isfinite(scaled.sum()))
+    result.conditionNumber = infinity;
+  const Eigen::VectorXd weak = svd.matrixV().col(svd.matrixV().cols() - 1);
+  for (Eigen::Index j = 0; j < k; ++j)
+    result.weakDirection[free[j]] = weak[j];
+  if (!std::isfinite(result.conditionNumber))
+    return result;
+
+  const Eigen::MatrixXd half = svd.matrixV() * values.cwiseInverse().asDiagonal();
+  const Eigen::MatrixXd inverse = half * half.transpose();
+  for (Eigen::Index i = 0; i < k; ++i)
+    for (Eigen::Index j = 0; j < k; ++j)
+      result.covariance(free[i], free[j]) = inverse(i, j) / (length[i] * length[j]);
+  return result;
+}
+
+namespace {
+
+/// One end of a profile interval; direction is -1 or +1.
+class ProfileEnd {
+ public:
+  ProfileEnd(const LeastSquaresProblem &given, const LeastSquaresSolution &solution, int parameter,
+             double allowedRise)
+      : problem(given), k(parameter), minimum(solution.sumOfSquares), rise(allowedRise),
+        nearest(solution.x)
+  {
+    if (problem.constant.empty())
+      problem.constant.assign(problem.parameters, false);
+    problem.constant[k] = true;
+  }
+
+  /// sqrt((S(value) - S_min)/rise): 1 at the end looked for, nearly linear in between.
+  double operator()(double value)
+  {
+    Eigen::VectorXd start = nearest;
+    start[k] = value;
+    const auto solution = solveLeastSquares(problem, {start});
+    nearest = solution.x;
+    return std::sqrt(std::max(0.0, solution.sumOfSquares - minimum) / rise);
+  }
+
+ private:
+  LeastSquaresProblem problem;
+  int k;
+  double minimum, rise;
+  Eigen::VectorXd nearest; // warm start
+};
+
+} // namespace
+
+Interval profileInterval(const LeastSquaresProblem &problem, const LeastSquaresSolution &solution,
+                         int k, double standardError, double rise, double reach)
+{
+  const double best = solution.x[k];
+  const auto findEnd = [&](double direction, double bound, double &end, bool &open) {
+    ProfileEnd profile(problem, solution, k, rise);
+    double inside = best;
+    double atInside = 0.0;
+    double stride = standardError;
+    double outside = best;
+    double atOutside = 0.0;
+    // outwards until the end is behind us
+    while (true) {
+      outside = best + direction * stride;
+      const bool beyond = direction * (outside - bound) >= 0.0;
+      if (beyond)
+        outside = bound;
+      atOutside = profile(outside);
+      if (atOutside >= 1.0)
+        break;
+      if (beyond || stride > reach * standardError) {
+        open = true;
+        end = beyond ? bound : direction * infinity;
+        return;
+      }
+      inside = outside;
+      atInside = atOutside;
+      stride *= 1.7;
+    }
+    // regula falsi with halving where it does not shrink the bracket (Illinois)
+    constexpr double tolerance = 1e-4;
+    int lastSide = 0;
+    double f0 = atInside - 1.0;
+    double f1 = atOutside - 1.0;
+    end = outside;
+    for (int i = 0; i < 60 && std::abs(outside - inside) > tolerance * standardError; ++i) {
+      end = inside - f0 * (outside - inside) / (f1 - f0);
+      const double f = profile(end) - 1.0;
+      if (std::abs(f) < tolerance)
+        break;
+      const int side = f < 0.0 ? -1 : 1;
+      if (side < 0) {
+        inside = end;
+        f0 = f;
+        if (lastSide == side)
+          f1 *= 0.5;
+      } else {
+        outside = end;
+        f1 = f;
+        if (lastSide == side)
+          f0 *= 0.5;
+      }
+      lastSide = side;
+    }
+  };
+  Interval interval;
+  const bool bounded = problem.lower.size() > 0;
+  findEnd(-1.0, bounded ? problem.lower[k] : -infinity, interval.lower, interval.lowerOpen);
+  findEnd(1.0, problem.upper.size() > 0 ? problem.upper[k] : infinity, interval.upper,
+          interval.upperOpen);
+  return interval;
+}
+
+} // namespace wheelrail

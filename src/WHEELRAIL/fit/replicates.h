@@ -1,0 +1,26 @@
+#ifndef WHEELRAIL_FIT_REPLICATES_H
+#define WHEELRAIL_FIT_REPLICATES_H
+
+#include "fit/friction_point.h"
+
+#include <vector>
+
+namespace wheelrail {
+
+/// Runs at one (kappa1, kappa2): other seeds, or other parameters that the law says do not matter.
+struct ReplicateGroup {
+  double kappa1 = 0.0;
+  double kappa2 = 0.0;
+  int n = 0;             ///< runs, >= 2
+  double mu = 0.0;       ///< their mean
+  double scatter = 0.0;  ///< standard deviation of mu between the runs, relative to the mean
+  double expected = 0.0; ///< the scatter that their own standard errors explain (root mean square)
+};
+
+/// Groups of at least two points with kappa1 and kappa2 equal to a thousandth, in order of kappa1,
+/// then kappa2. Points that are left out, and points without a finite error, are not counted.
+std::vector<ReplicateGroup> replicateGroups(const std::vector<FrictionPoint> &points);
+
+} // namespace wheelrail
+
+#endif

@@ -1,0 +1,71 @@
+#ifndef WHEELRAIL_LAW_FRICTION_LAW_H
+#define WHEELRAIL_LAW_FRICTION_LAW_H
+
+#include <Eigen/Core>
+
+#include <array>
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <string>
+
+namespace wheelrail {
+
+/// Number of parameters of Eq. 2, in the order mu0, mu1, mu2, b, c used for every covariance.
+constexpr int lawParameters = 5;
+using LawCovariance = Eigen::Matrix<double, lawParameters, lawParameters>;
+
+/// kappa1 = rho E v^2 / sigma_0^2: (impact stress of the moving layer / strength)^2.
+/// SI units: kg/m3, Pa, m/s, Pa; dimensionless result, >= 0.
+double kappa1(double density, double modulus, double speed, double strength);
+
+/// kappa2 = p E / sigma_0^2: pressure in units of the pressure at which asperities yield.
+/// Pressure, modulus and strength in one and the same unit (Pa, or MPa); dimensionless result.
+double kappa2(double pressure, double modulus, double strength);
+
+/// The friction law of the nanolevel, Eq. 2 of Bucher et al., Wear 261 (2006) 874:
+///   mu(kappa1, kappa2) = mu0 + mu1 kappa1 / (1 + b kappa1) + mu2 / (1 + c kappa2).
+/// All parameters are dimensionless; b, c >= 0 so that mu has no pole for kappa1, kappa2 >= 0.
+struct FrictionLaw {
+  double mu0 = 0.0;
+  double mu1 = 0.0;
+  double mu2 = 0.0;
+  double b = 0.0;
+  double c = 0.0;
+
+  /// Covariance of (mu0, mu1, mu2, b, c); absent where the source states none.
+  std::optional<LawCovariance> covariance;
+  int n = 0;                                       ///< points that were fitted
+  double rms_relative = 0.0;                       ///< root mean square of (mu - fit)/fit
+  std::array<double, 2> kappa1_range = {0.0, 0.0}; ///< range of the fitted points
+  std::array<double, 2> kappa2_range = {0.0, 0.0}; ///< range of the fitted points
+  std::string source;                              ///< where the numbers come from
+
+  /// Eq. 2. kappa1, kappa2 >= 0.
+  double operator()(double kappa1, double kappa2) const;
+
+  /// Eq. 4, the limit of vanishing speed (kappa1 = 0).
+  double staticPart(double kappa2) const;
+
+  /// Eq. 7 in closed form: mean of mu weighted with the load it carries, for pressures distributed
+  /// uniformly in 0 .. 3 strength (the hardness). With X = 3 c modulus/strength:
+  ///   mu0 + mu1 kappa1/(1 + b kappa1) + 2 mu2 [1/X - ln(1 + X)/X^2].
+  /// modulus and strength > 0 in the same unit. Accurate to 1e-14 for every X >= 0: small X use
+  /// the series, since the closed form cancels there.
+  double averaged(double kappa1, double modulus, double strength) const;
+};
+
+/// Eq. 3: the paper's fit to its 34 points. The paper states no covariance.
+FrictionLaw bucher2006();
+
+/// The built-in law `bucher2006`, or a law file as wr_fit writes it (JSON, format
+/// "mca-friction-law 1"). The key "report" may hold anything and is skipped.
+/// @throws Error (BadInput) naming file, line and key for what is missing, of the wrong type, out
+///         of range, not finite or unknown
+FrictionLaw readFrictionLaw(const std::string &path);
+
+/// The law file's content. `readFrictionLaw` reads it back to the last bit.
+nlohmann::ordered_json toJson(const FrictionLaw &law);
+
+} // namespace wheelrail
+
+#endif
