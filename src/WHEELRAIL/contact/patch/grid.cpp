@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "grid.h"
+#include "contact/patch/grid.h"
 
 #include <algorithm>
 

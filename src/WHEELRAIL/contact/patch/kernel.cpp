@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "kernel.h"
+#include "contact/patch/kernel.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,9 +2,9 @@
 #ifndef WHEELRAIL_PATCH_HALF_SPACE_H
 #define WHEELRAIL_PATCH_HALF_SPACE_H
 
-#include "grid.h"
-#include "kernel.h"
-#include "plane_transform.h"
+#include "contact/patch/grid.h"
+#include "contact/patch/kernel.h"
+#include "contact/patch/plane_transform.h"
 
 #include <vector>
 
