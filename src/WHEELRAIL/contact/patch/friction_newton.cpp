@@ -76,7 +76,7 @@ Vector krylov(const Apply &apply, const Precondition &precondition, const Vector
 FrictionNewton::FrictionNewton(PatchHalfSpace &halfSpace, Equations equations)
     : space(halfSpace), eq(std::move(equations)), n(static_cast<int>(eq.cells.size())),
       compliance(halfSpace.tangentialCompliance()), upstream(n, -1),
-      field(TangentialField::zero(halfSpace.grid().cells()))
+      field{Vector::Zero(halfSpace.cells()), Vector::Zero(halfSpace.cells())}
 {
   const int nx = space.grid().nx;
   for (int i = 0; i + 1 < n; ++i)

@@ -7,15 +7,9 @@ namespace wheelrail {
 
 using Vector = Eigen::VectorXd;
 
-bool PatchGrid::operator==(const PatchGrid &other) const
-{
-  return nx == other.nx && ny == other.ny && dx == other.dx && dy == other.dy &&
-         left == other.left && bottom == other.bottom;
-}
-
 PatchGrid centredGrid(int nx, int ny, double width, double height)
 {
-  return {nx, ny, width / nx, height / ny, -0.5 * width, -0.5 * height};
+  return {{nx, ny, width / nx, height / ny}, -0.5 * width, -0.5 * height};
 }
 
 Vector shifted(const PatchGrid &grid, const Vector &field, int stepX, int stepY, double outside)
@@ -64,8 +58,9 @@ SubGrid boundingBox(const PatchGrid &whole, const Vector &mask, int leading)
   SubGrid box;
   box.firstX = firstX;
   box.firstY = firstY;
-  box.grid = {lastX - firstX + 1,         lastY - firstY + 1,          whole.dx, whole.dy,
-              whole.left + firstX * whole.dx, whole.bottom + firstY * whole.dy};
+  box.grid = {{lastX - firstX + 1, lastY - firstY + 1, whole.dx, whole.dy},
+              whole.left + firstX * whole.dx,
+              whole.bottom + firstY * whole.dy};
   return box;
 }
 

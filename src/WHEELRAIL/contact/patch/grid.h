@@ -2,30 +2,20 @@
 #ifndef WHEELRAIL_PATCH_GRID_H
 #define WHEELRAIL_PATCH_GRID_H
 
-#include <Eigen/Core>
+#include "contact/half_space.h"
 
 namespace wheelrail {
 
-/// A box of nx x ny equal cells in the plane of contact. x is the rolling direction: material
-/// enters at the largest x and travels towards smaller x. Lengths in any unit, the same everywhere
-/// (with tractions in force per length squared of that unit: mm, N and MPa, for example); nothing
-/// in the solvers depends on the choice.
-///
-/// Fields over the box are vectors of nx*ny values with x running fastest: cell (ix, iy) has the
-/// index ix + nx*iy.
-struct PatchGrid {
-  int nx = 0, ny = 0;         ///< >= 1
-  double dx = 0.0, dy = 0.0;  ///< size of a cell, > 0
-  double left = 0.0;          ///< x of the box's border at ix = 0 (the trailing side)
-  double bottom = 0.0;        ///< y of the box's border at iy = 0
+/// A box of cells in the plane of contact and where it lies. Lengths in any unit, the same
+/// everywhere (with tractions in force per length squared of that unit: mm, N and MPa, for
+/// example); nothing in the solvers depends on the choice.
+struct PatchGrid : CellGrid {
+  double left = 0.0;   ///< x of the box's border at ix = 0 (the trailing side)
+  double bottom = 0.0; ///< y of the box's border at iy = 0
 
-  int cells() const { return nx * ny; }
-  int index(int ix, int iy) const { return ix + nx * iy; }
   double x(int ix) const { return left + (ix + 0.5) * dx; } ///< centre of a cell
   double y(int iy) const { return bottom + (iy + 0.5) * dy; }
   double cellArea() const { return dx * dy; }
-  bool operator==(const PatchGrid &other) const;
-  bool operator!=(const PatchGrid &other) const { return !(*this == other); }
 };
 
 /// Box of the given width and height around the origin.

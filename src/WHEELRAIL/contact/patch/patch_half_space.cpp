@@ -14,15 +14,16 @@ using Vector = Eigen::VectorXd;
 using Complex = PlaneTransform::Complex;
 using Quarter = std::vector<double>;
 
+constexpr int coarsestGrid = 32; ///< cells of the longer side
 constexpr double pi = 3.14159265358979323846;
 
-PlaneTransform paddedTransform(const PatchGrid &grid, int fields)
+PlaneTransform paddedTransform(const CellGrid &grid, int fields)
 {
   return PlaneTransform(grid.nx, grid.ny, fastTransformSize(2 * grid.nx),
                         fastTransformSize(2 * grid.ny), fields);
 }
 
-PlaneTransform wrappingTransform(const PatchGrid &grid, int fields)
+PlaneTransform wrappingTransform(const CellGrid &grid, int fields)
 {
   return PlaneTransform(grid.nx, grid.ny, fastTransformSize(grid.nx), fastTransformSize(grid.ny),
                         fields);
@@ -57,7 +58,7 @@ void quarterTransform(Quarter &values, int countX, int countY, bool odd)
 
 /// Spectra of the three integrals where the cells repeat with the transform's period: those of the
 /// unbounded plane summed over aliases. Each falls as |k|^-3, so that the nearest few are enough.
-CellIntegrals periodicSpectrum(double kx, double ky, const PatchGrid &grid)
+CellIntegrals periodicSpectrum(double kx, double ky, const CellGrid &grid)
 {
   constexpr int aliases = 1;
   const auto sinc = [](double x) { return x == 0.0 ? 1.0 : std::sin(x) / x; };
@@ -85,7 +86,7 @@ template<class Apply> void forFrequencies(int sizeY, const Apply &apply)
 
 } // namespace
 
-PatchHalfSpace::PatchHalfSpace(const PatchGrid &grid, const ElasticPair &elasticPair)
+PatchHalfSpace::PatchHalfSpace(const CellGrid &grid, const ElasticPair &elasticPair)
     : cellGrid(grid), pair(elasticPair), scalar(paddedTransform(grid, 1)),
       pairOfFields(paddedTransform(grid, 2)), scalarEstimate(wrappingTransform(grid, 1)),
       pairEstimate(wrappingTransform(grid, 2))
@@ -215,6 +216,26 @@ TangentialField PatchHalfSpace::tractionEstimate(const TangentialField &displace
     });
   });
   return result;
+}
+
+double PatchHalfSpace::displacementScale(double pressureSum) const
+{
+  const double area = cellGrid.dx * cellGrid.dy;
+  const double side = std::sqrt(area * cells());
+  return pressureSum * area * (1.0 - pair.nu) / (pi * pair.G * side);
+}
+
+std::unique_ptr<HalfSpace> PatchHalfSpace::coarser() const
+{
+  const auto halves = [](int n) { return n == 1 || n % 2 == 0; };
+  const CellGrid &g = cellGrid;
+  if (std::max(g.nx, g.ny) < 2 * coarsestGrid || !halves(g.nx) || !halves(g.ny))
+    return nullptr;
+  const bool alongX = g.nx > 1, alongY = g.ny > 1;
+  return std::make_unique<PatchHalfSpace>(CellGrid{alongX ? g.nx / 2 : 1, alongY ? g.ny / 2 : 1,
+                                                   alongX ? 2.0 * g.dx : g.dx,
+                                                   alongY ? 2.0 * g.dy : g.dy},
+                                          pair);
 }
 
 double PatchHalfSpace::normalCompliance() const

@@ -10,16 +10,6 @@
 
 namespace wheelrail {
 
-/// Two components of a tangential field over a grid.
-struct TangentialField {
-  Eigen::VectorXd x, y;
-
-  static TangentialField zero(int cells)
-  {
-    return {Eigen::VectorXd::Zero(cells), Eigen::VectorXd::Zero(cells)};
-  }
-};
-
 /// Two elastic half-spaces in contact on a grid of cells that are loaded uniformly each:
 /// displacement differences at the cells' centres, exact but for rounding (zero-padded FFT
 /// convolution with the closed integrals of the influence over a cell). Displacements have the
@@ -27,25 +17,27 @@ struct TangentialField {
 ///
 /// Spectra are made when they are first needed. One object has one work buffer: use one per
 /// thread.
-class PatchHalfSpace {
+class PatchHalfSpace final : public HalfSpace {
  public:
-  using Vector = Eigen::VectorXd;
+  PatchHalfSpace(const CellGrid &grid, const ElasticPair &pair);
 
-  PatchHalfSpace(const PatchGrid &grid, const ElasticPair &pair);
-
-  const PatchGrid &grid() const { return cellGrid; }
+  const CellGrid &grid() const override { return cellGrid; }
   const ElasticPair &elasticity() const { return pair; }
 
   /// Normal displacement (both bodies' compression) of a pressure. Symmetric, positive definite.
-  Vector displacement(const Vector &pressure);
+  Vector displacement(const Vector &pressure) override;
   /// Tangential displacement difference of tractions.
-  TangentialField displacement(const TangentialField &traction);
+  TangentialField displacement(const TangentialField &traction) override;
 
   /// Approximate inverses, by the symbol of the unbounded half-space: preconditioners, symmetric
   /// and positive definite. With k the wave vector, G |k|/(2 (1 - nu)) for the normal and
   /// (G |k|/2) [k k/(k^2 (1 - nu)) + (1 - k k/k^2)] for the tangential problem.
-  Vector tractionEstimate(const Vector &displacement);
-  TangentialField tractionEstimate(const TangentialField &displacement);
+  Vector tractionEstimate(const Vector &displacement) override;
+  TangentialField tractionEstimate(const TangentialField &displacement) override;
+
+  /// That of a punch under the load: its area a square with that of all cells.
+  double displacementScale(double pressureSum) const override;
+  std::unique_ptr<HalfSpace> coarser() const override;
 
   /// Displacement of a cell under its own unit pressure, and along x or y under its own traction:
   /// scales of displacement over traction.
@@ -58,7 +50,7 @@ class PatchHalfSpace {
   void fillSpectra();
   void fillEstimates();
 
-  PatchGrid cellGrid;
+  CellGrid cellGrid;
   ElasticPair pair;
   PlaneTransform scalar, pairOfFields;          ///< zero-padded
   PlaneTransform scalarEstimate, pairEstimate;  ///< a preconditioner may wrap around

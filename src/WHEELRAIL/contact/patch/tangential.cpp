@@ -68,7 +68,7 @@ TangentialResult TangentialSolver::solve(const TangentialProblem &problem,
                                                     "column (x = {}): a longer box is needed",
                                                     grid.x(grid.nx - 1)));
   TangentialResult result;
-  result.traction = result.slip = TangentialField::zero(grid.cells());
+  result.traction.x = result.traction.y = result.slip.x = result.slip.y = Vector::Zero(grid.cells());
   result.state.assign(grid.cells(), PatchState::Apart);
   result.creepage = problem.creepage;
 
