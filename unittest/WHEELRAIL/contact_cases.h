@@ -3,6 +3,7 @@
 
 #include "contact/hertz.h"
 #include "contact/line/profile.h"
+#include "contact/line/contact_interval.h"
 #include "contact/normal_contact.h"
 
 #include <cmath>

@@ -1,4 +1,5 @@
 #include "base/errors.h"
+#include "contact/line/contact_interval.h"
 #include "contact/normal_contact.h"
 #include "contact_cases.h"
 

@@ -2,19 +2,17 @@
 
 #include "base/errors.h"
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <fmt/format.h>
-#include <optional>
+#include <memory>
 
 namespace wheelrail {
 namespace {
 
 using Vector = Eigen::VectorXd;
 
-constexpr int coarsestGrid = 128;
 constexpr double coarseTolerance = 1e-3; ///< a start for the next grid needs no more
 constexpr double rounding = 1e-14;
 constexpr int boldSets = 20;            ///< sets that may raise the energy; mostly 8 are enough
@@ -23,8 +21,8 @@ constexpr double firstTolerance = 1e-2; ///< the first sets are wrong anyway
 /// The quadratic programme: minimise p.A p/2 + profile.p with 0 <= p <= limit, sum p = load.
 class PressureSearch {
  public:
-  PressureSearch(HalfPlane &plane, const NormalContactProblem &input)
-      : halfPlane(plane), problem(input), n(plane.cells())
+  PressureSearch(HalfSpace &space, const NormalContactProblem &input)
+      : halfSpace_(space), problem_(input), n_(space.cells())
   {
   }
 
@@ -32,9 +30,9 @@ class PressureSearch {
   void startFrom(const Vector &guess)
   {
     pressure = guess.cwiseMax(0.0);
-    pressure *= problem.load / pressure.sum();
-    pressure = projected(pressure, Vector::Ones(n));
-    gap = problem.profile + halfPlane.displacement(pressure);
+    pressure *= problem_.load / pressure.sum();
+    pressure = projected(pressure, Vector::Ones(n_));
+    gap = problem_.profile + halfSpace_.displacement(pressure);
   }
 
   /// Conjugate gradients on the cells strictly inside the limits, then as much of the way there
@@ -49,14 +47,14 @@ class PressureSearch {
   /// what overlaps joins, all at once. @return number of cells that changed
   int jump(double tolerance);
 
-  bool wasCut() const { return cut; }
+  bool wasCut() const { return cut_; }
   /// From now on the energy has to fall in every step: slower, but it cannot cycle.
-  void beCareful() { careful = true; }
+  void beCareful() { careful_ = true; }
   CellState state(int i) const
   {
     if (pressure[i] <= 0.0)
       return CellState::Apart;
-    return pressure[i] >= problem.pressureLimit ? CellState::Plastic : CellState::Contact;
+    return pressure[i] >= problem_.pressureLimit ? CellState::Plastic : CellState::Contact;
   }
 
   Vector pressure;
@@ -67,7 +65,7 @@ class PressureSearch {
  private:
   Vector inside() const
   {
-    return (pressure.array() > 0.0 && pressure.array() < problem.pressureLimit).cast<double>();
+    return (pressure.array() > 0.0 && pressure.array() < problem_.pressureLimit).cast<double>();
   }
   /// Gives the cells inside the limits what the others do not carry; renews the gap.
   void balance();
@@ -77,19 +75,19 @@ class PressureSearch {
   /// falls by a tenth of what the slope promises. @return false if rounding leaves nothing to gain
   bool descend(const Vector &direction, const Vector &free, double length);
 
-  HalfPlane &halfPlane;
-  const NormalContactProblem &problem;
-  int n;
-  bool cut = false, careful = false;
+  HalfSpace &halfSpace_;
+  const NormalContactProblem &problem_;
+  int n_;
+  bool cut_ = false, careful_ = false;
 };
 
 Vector PressureSearch::projected(const Vector &wanted, const Vector &free) const
 {
   // clamp(wanted - shift) carries the load at one shift; Newton on a piecewise linear, monotone
   // function, kept between bounds
-  const double highest = std::min(problem.pressureLimit, problem.load);
+  const double highest = std::min(problem_.pressureLimit, problem_.load);
   double low = -highest, high = highest;
-  for (int i = 0; i < n; ++i) {
+  for (int i = 0; i < n_; ++i) {
     if (free[i] == 0.0)
       continue;
     low = std::min(low, wanted[i] - highest);
@@ -97,20 +95,20 @@ Vector PressureSearch::projected(const Vector &wanted, const Vector &free) const
   }
   const auto shifted = [&](double shift) {
     Vector p = wanted;
-    for (int i = 0; i < n; ++i)
+    for (int i = 0; i < n_; ++i)
       p[i] =
-          free[i] == 0.0 ? pressure[i] : std::clamp(wanted[i] - shift, 0.0, problem.pressureLimit);
+          free[i] == 0.0 ? pressure[i] : std::clamp(wanted[i] - shift, 0.0, problem_.pressureLimit);
     return p;
   };
   double shift = 0.0;
   Vector p = shifted(shift);
   for (int step = 0; step < 200; ++step) {
-    const double excess = p.sum() - problem.load;
-    if (std::abs(excess) <= rounding * problem.load)
+    const double excess = p.sum() - problem_.load;
+    if (std::abs(excess) <= rounding * problem_.load)
       break;
     (excess > 0.0 ? low : high) = shift;
     const double moving =
-        (free.array() * ((p.array() > 0.0 && p.array() < problem.pressureLimit)).cast<double>())
+        (free.array() * ((p.array() > 0.0 && p.array() < problem_.pressureLimit)).cast<double>())
             .sum();
     const double newton = shift + excess / moving;
     shift = newton > low && newton < high ? newton : 0.5 * (low + high);
@@ -127,10 +125,10 @@ bool PressureSearch::descend(const Vector &direction, const Vector &free, double
     const Vector target = projected(wanted, free);
     const Vector step = target - pressure;
     const double slope = step.dot(gap) - approach * step.sum();
-    const Vector change = halfPlane.displacement(step);
+    const Vector change = halfSpace_.displacement(step);
     if (!(slope + 0.5 * step.dot(change) < sufficient * slope))
       continue;
-    cut = part < 1.0 || ((target - wanted).array() != 0.0).any();
+    cut_ = part < 1.0 || ((target - wanted).array() != 0.0).any();
     pressure = target;
     gap += change;
     return true;
@@ -142,21 +140,21 @@ int PressureSearch::solveInside(double tolerance, int maxSteps)
 {
   const Vector free = inside();
   const double cells = free.sum();
-  cut = false;
+  cut_ = false;
   if (cells < 1.0)
     return 0;
-  const double meanPressure = problem.load / (pressure.array() > 0.0).count();
+  const double meanPressure = problem_.load / (pressure.array() > 0.0).count();
   // What the preconditioner makes of a change of the approach; taken off, it leaves the load alone
-  const Vector unit = halfPlane.tractionEstimate(free).cwiseProduct(free);
+  const Vector unit = halfSpace_.tractionEstimate(free).cwiseProduct(free);
   const double unitSum = unit.sum();
 
-  Vector total = Vector::Zero(n), direction = Vector::Zero(n), current = gap;
+  Vector total = Vector::Zero(n_), direction = Vector::Zero(n_), current = gap;
   double product = 0.0; // residual . preconditioned residual
   int step = 0;
   for (;; ++step) {
     approach = current.dot(free) / cells;
     const Vector r = (approach - current.array()) * free.array();
-    Vector z = halfPlane.tractionEstimate(r).cwiseProduct(free);
+    Vector z = halfSpace_.tractionEstimate(r).cwiseProduct(free);
     z -= z.sum() / unitSum * unit;
     residual = std::sqrt(z.squaredNorm() / cells) / meanPressure;
     if (residual <= tolerance || step >= maxSteps)
@@ -164,7 +162,7 @@ int PressureSearch::solveInside(double tolerance, int maxSteps)
     const double newProduct = r.dot(z);
     direction = z + (step > 0 ? newProduct / product : 0.0) * direction;
     product = newProduct;
-    const Vector change = halfPlane.displacement(direction);
+    const Vector change = halfSpace_.displacement(direction);
     const double curvature = direction.dot(change);
     if (!(curvature > 0.0))
       break; // rounding: nothing is left to gain
@@ -173,7 +171,7 @@ int PressureSearch::solveInside(double tolerance, int maxSteps)
     current += length * change;
   }
   const Vector target = pressure + total;
-  if (!careful || (target.array() >= 0.0 && target.array() <= problem.pressureLimit).all()) {
+  if (!careful_ || (target.array() >= 0.0 && target.array() <= problem_.pressureLimit).all()) {
     pressure = target;
     gap = current;
   } else {
@@ -187,18 +185,18 @@ int PressureSearch::join(double tolerance)
   const Vector free = inside();
   if (free.sum() < 1.0) { // nothing in between: the approach lies between the two kinds' gaps
     double limited = -std::numeric_limits<double>::infinity(), apart = -limited;
-    for (int i = 0; i < n; ++i)
+    for (int i = 0; i < n_; ++i)
       if (pressure[i] > 0.0)
         limited = std::max(limited, gap[i]);
       else
         apart = std::min(apart, gap[i]);
     approach = std::isfinite(apart) ? 0.5 * (limited + apart) : limited;
   }
-  const double threshold = tolerance * problem.load; // of the gap; load ~ displacement
+  const double threshold = tolerance * halfSpace_.displacementScale(problem_.load); // of the gap
   const Vector slope = approach - gap.array();
   Vector active = slope; // without the cells that their limit keeps from following the slope
   int broken = 0;
-  for (int i = 0; i < n; ++i) {
+  for (int i = 0; i < n_; ++i) {
     const CellState is = state(i);
     if (is == CellState::Contact)
       continue;
@@ -209,49 +207,50 @@ int PressureSearch::join(double tolerance)
   }
   if (!broken)
     return 0;
-  const double curvature = active.dot(halfPlane.displacement(active));
+  const double curvature = active.dot(halfSpace_.displacement(active));
   const double length = active.squaredNorm() / std::abs(curvature);
-  return descend(slope, Vector::Ones(n), length) ? broken : 0;
+  return descend(slope, Vector::Ones(n_), length) ? broken : 0;
 }
 
 void PressureSearch::balance()
 {
   const Vector free = inside();
   const double cells = free.sum(), carried = pressure.dot(free);
-  const double wanted = problem.load - (pressure.sum() - carried);
-  const double highest = (1.0 - rounding) * problem.pressureLimit;
+  const double wanted = problem_.load - (pressure.sum() - carried);
+  const double highest = (1.0 - rounding) * problem_.pressureLimit;
   const double uniform = wanted / cells;
   if (cells > 0.0 && uniform > 0.0 && uniform < highest) {
     // scaled, and as far towards uniform as the limit asks: both carry the load
     const double factor = wanted / carried;
     double highestScaled = 0.0;
-    for (int i = 0; i < n; ++i)
+    for (int i = 0; i < n_; ++i)
       if (free[i] != 0.0)
         highestScaled = std::max(highestScaled, factor * pressure[i]);
     const double part =
         highestScaled < highest ? 1.0 : (highest - uniform) / (highestScaled - uniform);
-    for (int i = 0; i < n; ++i)
+    for (int i = 0; i < n_; ++i)
       if (free[i] != 0.0)
         pressure[i] = part * factor * pressure[i] + (1.0 - part) * uniform;
   } else {
-    pressure = projected(pressure, Vector::Ones(n));
+    pressure = projected(pressure, Vector::Ones(n_));
   }
-  gap = problem.profile + halfPlane.displacement(pressure);
+  gap = problem_.profile + halfSpace_.displacement(pressure);
 }
 
 int PressureSearch::jump(double tolerance)
 {
-  const double threshold = tolerance * problem.load, little = rounding * problem.load / n;
+  const double threshold = tolerance * halfSpace_.displacementScale(problem_.load),
+               little = rounding * problem_.load / n_;
   int changed = 0;
-  for (int i = 0; i < n; ++i) {
+  for (int i = 0; i < n_; ++i) {
     const double p = pressure[i], distance = gap[i] - approach;
     if (p < 0.0)
       pressure[i] = 0.0;
-    else if (p > problem.pressureLimit)
-      pressure[i] = problem.pressureLimit;
+    else if (p > problem_.pressureLimit)
+      pressure[i] = problem_.pressureLimit;
     else if (p == 0.0 && distance < -threshold)
       pressure[i] = little;
-    else if (p == problem.pressureLimit && distance > threshold)
+    else if (p == problem_.pressureLimit && distance > threshold)
       pressure[i] -= little;
     changed += pressure[i] != p;
   }
@@ -269,41 +268,33 @@ int NormalContactResult::contactCells() const
 
 namespace {
 
-/// Every second cell's mean: the same length on half the cells, where a cell is twice as long.
-NormalContactProblem coarsened(const NormalContactProblem &fine)
+/// The problem on a coarser grid of the same half-space.
+NormalContactProblem coarsened(const NormalContactProblem &fine, const CellGrid &grid,
+                               const CellGrid &coarseGrid)
 {
   NormalContactProblem coarse = fine;
-  const int half = static_cast<int>(fine.profile.size()) / 2;
-  coarse.profile.resize(half);
-  for (int i = 0; i < half; ++i)
-    coarse.profile[i] = 0.25 * (fine.profile[2 * i] + fine.profile[2 * i + 1]);
-  coarse.load = 0.5 * fine.load;
+  coarse.profile = coarseMean(grid, coarseGrid, fine.profile);
+  coarse.load = fine.load * coarseGrid.cells() / grid.cells();
   return coarse;
 }
 
-Vector refined(const Vector &coarse, int cells)
-{
-  Vector fine(cells);
-  for (int i = 0; i < cells; ++i)
-    fine[i] = coarse[std::min<int>(i / 2, static_cast<int>(coarse.size()) - 1)];
-  return fine;
-}
-
-NormalContactResult solveOnGrids(HalfPlane &halfPlane, const NormalContactProblem &problem,
+NormalContactResult solveOnGrids(HalfSpace &halfSpace, const NormalContactProblem &problem,
                                  const NormalContactOptions &options)
 {
-  const int n = halfPlane.cells();
-  PressureSearch search(halfPlane, problem);
+  const int n = halfSpace.cells();
+  PressureSearch search(halfSpace, problem);
   int iterations = 0;
   if (options.start.size() == n && options.start.maxCoeff() > 0.0) {
     search.startFrom(options.start);
-  } else if (n >= 2 * coarsestGrid && n % 2 == 0) {
-    HalfPlane coarsePlane(n / 2, halfPlane.boundary());
+  } else if (const std::unique_ptr<HalfSpace> coarseSpace = halfSpace.coarser()) {
     NormalContactOptions coarseOptions = options;
+    coarseOptions.start.resize(0);
     coarseOptions.tolerance = coarseTolerance;
-    const NormalContactResult coarse = solveOnGrids(coarsePlane, coarsened(problem), coarseOptions);
+    const CellGrid &grid = halfSpace.grid(), &coarseGrid = coarseSpace->grid();
+    const NormalContactResult coarse =
+        solveOnGrids(*coarseSpace, coarsened(problem, grid, coarseGrid), coarseOptions);
     iterations = coarse.iterations;
-    search.startFrom(refined(coarse.pressure, n));
+    search.startFrom(refinedField(grid, coarseGrid, coarse.pressure));
   } else {
     search.startFrom(Vector::Constant(n, problem.load / n));
   }
@@ -345,106 +336,24 @@ NormalContactResult solveOnGrids(HalfPlane &halfPlane, const NormalContactProble
   return result;
 }
 
-constexpr int shortestFitted = 30;     // cells
-constexpr double trustedMisfit = 2e-4; // rough intervals are no polynomials
-
-/// How far inside the outer face of the edge cell p^2 vanishes, in cells: zero of a cubic fitted
-/// to p^2. The fit leaves out the cells next to the edge, whose pressure depends on where in them
-/// the edge lies (by 20 % in the first, 2 % in the second, 0.1 % in the third); a longer interval
-/// can afford to leave out more.
-std::optional<double> fittedInset(const Vector &pressure, int edge, int inward, int cells)
-{
-  if (cells < shortestFitted)
-    return std::nullopt;
-  const int skipped = 2 + cells / 50, used = 8 + cells / 50;
-  constexpr int order = 3;
-  Eigen::MatrixXd basis(used, order + 1);
-  Vector squares(used);
-  for (int k = 0; k < used; ++k) {
-    const int cell = skipped + k; // counted from the edge
-    for (int power = 0; power <= order; ++power)
-      basis(k, power) = std::pow(cell, power);
-    squares[k] = std::pow(pressure[edge + inward * cell], 2);
-  }
-  const Vector c = basis.householderQr().solve(squares);
-  if ((basis * c - squares).norm() > trustedMisfit * squares.norm())
-    return std::nullopt;
-  double t = 0.0;
-  for (int step = 0; step < 8; ++step) {
-    const double slope = c[1] + t * (2.0 * c[2] + 3.0 * c[3] * t);
-    if (!(slope > 0.0))
-      return std::nullopt; // not an edge with a square root
-    t -= (c[0] + t * (c[1] + t * (c[2] + t * c[3]))) / slope;
-  }
-  return std::clamp(t + 0.5, -0.5, 0.9);
-}
-
-/// The same from the pressure p of the edge cell and the gap g of its neighbour: with the edge s
-/// cells outside the edge cell's centre, p = K sqrt(s) and g = (4/3) K (1 - s)^(3/2), so that
-/// y = 1 - s solves y^3 + k y = k with k = (3 g/(4 p))^2.
-double localInset(double pressure, double gap)
-{
-  const double k = std::pow(0.75 * gap / pressure, 2);
-  if (!(k > 0.0))
-    return -0.5;
-  const double y = 2.0 * std::sqrt(k / 3.0) * std::sinh(std::asinh(1.5 * std::sqrt(3.0 / k)) / 3.0);
-  constexpr double farthest = 0.49; // some of the cell stays
-  return std::min(y - 0.5, farthest);
-}
-
 } // namespace
 
-NormalContactResult solveNormalContact(HalfPlane &halfPlane, const NormalContactProblem &problem,
+NormalContactResult solveNormalContact(HalfSpace &halfSpace, const NormalContactProblem &problem,
                                        const NormalContactOptions &options)
 {
   const auto begin = std::chrono::steady_clock::now();
-  const int n = halfPlane.cells();
+  const int n = halfSpace.cells();
   if (problem.profile.size() != n || !problem.profile.allFinite())
     throw Error(ExitCode::Internal, "normal contact: profile does not fit the grid");
   if (!(problem.load > 0.0) || problem.load >= problem.pressureLimit * n)
-    throw Error(ExitCode::BadInput,
-                fmt::format("normal contact: the load {} E* h must be positive and below what the "
-                            "pressure limit carries on all cells, {}",
-                            problem.load, problem.pressureLimit * n));
-  NormalContactResult result = solveOnGrids(halfPlane, problem, options);
+    throw Error(
+        ExitCode::BadInput,
+        fmt::format("normal contact: the pressures' sum {} must be positive and below what the "
+                    "pressure limit carries on all cells, {}",
+                    problem.load, problem.pressureLimit * n));
+  NormalContactResult result = solveOnGrids(halfSpace, problem, options);
   result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   return result;
-}
-
-std::vector<ContactInterval> contactIntervals(const NormalContactResult &contact, Boundary boundary)
-{
-  const Vector &pressure = contact.pressure;
-  const int n = static_cast<int>(pressure.size());
-  const auto inset = [&](int edge, int inward, int cells) {
-    int outside = edge - inward;
-    if (boundary == Boundary::Periodic)
-      outside = (outside + n) % n;
-    if (outside < 0 || outside >= n || pressure[outside] > 0.0 ||
-        contact.state[edge] == CellState::Plastic)
-      return 0.0;
-    const auto fitted = fittedInset(pressure, edge, inward, cells);
-    return fitted ? *fitted : localInset(pressure[edge], contact.gap[outside]);
-  };
-  std::vector<ContactInterval> intervals;
-  for (int i = 0; i < n; ++i) {
-    if (!(pressure[i] > 0.0))
-      continue;
-    const int first = i;
-    while (i + 1 < n && pressure[i + 1] > 0.0)
-      ++i;
-    const int cells = i - first + 1;
-    intervals.push_back(
-        {first, i, first - 0.5 + inset(first, 1, cells), i + 0.5 - inset(i, -1, cells)});
-  }
-  return intervals;
-}
-
-double contactLength(const std::vector<ContactInterval> &intervals)
-{
-  double sum = 0.0;
-  for (const ContactInterval &interval : intervals)
-    sum += interval.length();
-  return sum;
 }
 
 } // namespace wheelrail

@@ -2,6 +2,7 @@
 #define WHEELRAIL_CREEP_CONTACT_SETUP_H
 
 #include "contact/hertz.h"
+#include "contact/line/contact_interval.h"
 #include "contact/normal_contact.h"
 #include "creep/case_file.h"
 #include "law/friction_law.h"

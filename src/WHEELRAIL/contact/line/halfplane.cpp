@@ -43,58 +43,75 @@ double cellInfluence(double m)
 }
 
 // Cyclic convolution needs room for offsets -(n-1) .. n-1.
-HalfPlane::HalfPlane(int cells, Boundary boundary)
-    : kind(boundary), line(cells, boundary == Boundary::Free ? fastTransformSize(2 * cells) : cells)
+HalfPlane::HalfPlane(int cells, Boundary boundary, double poissonsRatio, double cellSize)
+    : boundary_(boundary), cellGrid_{cells, 1, cellSize, cellSize}, poissonsRatio_(poissonsRatio),
+      line_(cells, boundary == Boundary::Free ? fastTransformSize(2 * cells) : cells)
 {
-  if (kind == Boundary::Periodic)
+  if (boundary_ == Boundary::Periodic)
     fillPeriodicSpectra();
 }
 
 void HalfPlane::fillPeriodicSpectra()
 {
-  const int size = line.size(), bins = line.bins();
-  if (kind == Boundary::Periodic)
-    compliance.assign(bins, 0.0);
-  stiffness.assign(bins, 0.0);
+  const int size = line_.size(), bins = line_.bins();
+  if (boundary_ == Boundary::Periodic)
+    compliance_.assign(bins, 0.0);
+  stiffness_.assign(bins, 0.0);
   for (int m = 1; m < bins; ++m) {
     const double symbol = periodicSymbol(2.0 * pi * m / size);
-    if (kind == Boundary::Periodic)
-      compliance[m] = symbol / size; // FFTW's transforms are not normalised
-    stiffness[m] = 1.0 / (symbol * size);
+    if (boundary_ == Boundary::Periodic)
+      compliance_[m] = symbol / size; // FFTW's transforms are not normalised
+    stiffness_[m] = 1.0 / (symbol * size);
   }
   // The mean has no stiffness; half of the lowest wave's keeps the preconditioner definite.
   if (bins > 1)
-    stiffness[0] = 0.5 * stiffness[1];
+    stiffness_[0] = 0.5 * stiffness_[1];
 }
 
 HalfPlane::Vector HalfPlane::multiply(const Vector &x, Spectrum &spectrum, double (*kernel)(int))
 {
   if (spectrum.empty())
-    spectrum = line.spectrumOf(kernel);
-  return line.multiply(x, spectrum);
+    spectrum = line_.spectrumOf(kernel);
+  return line_.multiply(x, spectrum);
 }
 
 HalfPlane::Vector HalfPlane::displacement(const Vector &q)
 {
-  return multiply(q, compliance, [](int m) { return cellInfluence(m); });
+  return cellGrid_.dx * multiply(q, compliance_, [](int m) { return cellInfluence(m); });
+}
+TangentialField HalfPlane::displacement(const TangentialField &q)
+{
+  return {displacement(q.x), displacement(q.y) / (1.0 - poissonsRatio_)};
 }
 HalfPlane::Vector HalfPlane::stretch(const Vector &q)
 {
-  return multiply(q, stretching, [](int m) { return 2.0 / (pi * (m + 0.5)); });
+  return multiply(q, stretching_, [](int m) { return 2.0 / (pi * (m + 0.5)); });
 }
 HalfPlane::Vector HalfPlane::stretchTransposed(const Vector &q)
 {
-  return multiply(q, stretchingTransposed, [](int m) { return 2.0 / (pi * (0.5 - m)); });
+  return multiply(q, stretchingTransposed_, [](int m) { return 2.0 / (pi * (0.5 - m)); });
 }
 HalfPlane::Vector HalfPlane::edgeLogarithm(const Vector &charge)
 {
-  return multiply(charge, faces, [](int m) { return std::log(std::abs(m + 0.5)); });
+  return multiply(charge, faces_, [](int m) { return std::log(std::abs(m + 0.5)); });
 }
 HalfPlane::Vector HalfPlane::tractionEstimate(const Vector &u)
 {
-  if (stiffness.empty())
+  if (stiffness_.empty())
     fillPeriodicSpectra();
-  return line.multiply(u, stiffness);
+  return line_.multiply(u, stiffness_) / cellGrid_.dx;
+}
+TangentialField HalfPlane::tractionEstimate(const TangentialField &u)
+{
+  return {tractionEstimate(u.x), tractionEstimate(u.y) * (1.0 - poissonsRatio_)};
+}
+
+std::unique_ptr<HalfSpace> HalfPlane::coarser() const
+{
+  constexpr int coarsestGrid = 128;
+  if (cells() < 2 * coarsestGrid || cells() % 2 != 0)
+    return nullptr;
+  return std::make_unique<HalfPlane>(cells() / 2, boundary_, poissonsRatio_, 2.0 * cellGrid_.dx);
 }
 
 } // namespace wheelrail

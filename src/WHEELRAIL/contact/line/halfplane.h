@@ -1,6 +1,7 @@
 #ifndef WHEELRAIL_CONTACT_LINE_HALFPLANE_H
 #define WHEELRAIL_CONTACT_LINE_HALFPLANE_H
 
+#include "contact/half_space.h"
 #include "contact/line/convolution.h"
 
 namespace wheelrail {
@@ -8,35 +9,46 @@ namespace wheelrail {
 /// Are the n cells alone on the line, or one period of it?
 enum class Boundary { Free, Periodic };
 
-/// Two elastic half-planes in contact along a line of n equal cells, each loaded uniformly.
+/// Two elastic half-planes in contact along a line of n equal cells, each loaded uniformly: the
+/// half-space of a line contact (plane strain; nothing changes along y).
 ///
-/// Everything here is dimensionless, so that nothing depends on a unit system: stresses are in
-/// units of E* (1/E* = (1 - nu1^2)/E1 + (1 - nu2^2)/E2), displacements and lengths in cells. The
-/// same operators serve normal pressure and tangential traction: for equal materials the two
-/// problems are uncoupled and have one kernel (Johnson, Contact Mechanics, ch. 2).
+/// Stresses are in units of E* (1/E* = (1 - nu1^2)/E1 + (1 - nu2^2)/E2), displacements in the
+/// unit of the cell size; with the cell itself as that unit (the default) everything is
+/// dimensionless. The same operators serve pressure and traction along x: for equal materials the
+/// two problems are uncoupled and have one kernel (Johnson, Contact Mechanics, ch. 2).
 ///
 ///   u(x) = -(2/pi) integral q(s) ln|x - s| ds  (+ a constant that is free in two dimensions)
+///
+/// Traction across the line (y) shears every cross-section out of its plane and moves it by
+/// 1/(1 - nu) times as much.
 ///
 /// Free: zero-padded FFT convolution with the exact integral of the kernel over a cell.
 /// Periodic: the exact spectrum of cells repeated with the period; the mean of u is set to zero.
 /// Products cost two FFTs. An object has one work buffer: use one object per thread.
-class HalfPlane {
+class HalfPlane : public HalfSpace {
  public:
-  using Vector = Eigen::VectorXd;
-
   /// @param cells n >= 1
-  HalfPlane(int cells, Boundary boundary);
+  /// @param poissonsRatio of both bodies, 0 to 1/2: for traction across the line only
+  /// @param cellSize > 0: unit of the displacements
+  HalfPlane(int cells, Boundary boundary, double poissonsRatio = 0.0, double cellSize = 1.0);
 
-  int cells() const { return line.cells(); }
-  Boundary boundary() const { return kind; }
+  const CellGrid &grid() const override { return cellGrid_; }
+  Boundary boundary() const { return boundary_; }
 
-  /// u = A q: displacement at the cell centres. Symmetric; positive definite up to the constant.
-  Vector displacement(const Vector &q);
+  Vector displacement(const Vector &q) override;
+  TangentialField displacement(const TangentialField &q) override;
+  Vector tractionEstimate(const Vector &u) override;
+  TangentialField tractionEstimate(const TangentialField &u) override;
+  /// The sum of the cells' pressures times their size: the load over E*.
+  double displacementScale(double pressureSum) const override { return pressureSum * cellGrid_.dx; }
+  /// Null below 256 cells and for an odd number.
+  std::unique_ptr<HalfSpace> coarser() const override;
 
   /// u_i - u_(i+1): by how much a particle's displacement grows while it moves one cell towards
-  /// smaller x. Taken as -u' half-way, with the cells' loads at their centres: on this staggered
-  /// grid the Hilbert transform is orthogonal to the last bit and the traction of a stick zone
-  /// has its exact integral (as 1/4-3/4 points give the lift of a plate). Free boundary only.
+  /// smaller x, in units of the cell size. Taken as -u' half-way, with the cells' loads at their
+  /// centres: on this staggered grid the Hilbert transform is orthogonal to the last bit and the
+  /// traction of a stick zone has its exact integral (as 1/4-3/4 points give the lift of a plate).
+  /// Free boundary only.
   Vector stretch(const Vector &q);
 
   /// Transpose of `stretch`; on an unbounded line stretch(stretchTransposed(q)) = 4 q.
@@ -47,19 +59,17 @@ class HalfPlane {
   /// cell where an interval has ended, -1/2 where one begins. Free boundary only.
   Vector edgeLogarithm(const Vector &charge);
 
-  /// Approximate inverse of `displacement` (spectrally |k|/2), symmetric positive definite:
-  /// a preconditioner for conjugate gradients on any part of the cells.
-  Vector tractionEstimate(const Vector &u);
-
  private:
   using Spectrum = Convolution::Spectrum;
   /// The product; the kernel's spectrum is made when it is first needed.
   Vector multiply(const Vector &x, Spectrum &spectrum, double (*kernel)(int));
   void fillPeriodicSpectra();
 
-  Boundary kind;
-  Convolution line;
-  Spectrum compliance, stretching, stretchingTransposed, stiffness, faces;
+  Boundary boundary_;
+  CellGrid cellGrid_;
+  double poissonsRatio_;
+  Convolution line_;
+  Spectrum compliance_, stretching_, stretchingTransposed_, stiffness_, faces_;
 };
 
 /// (2/pi) times minus the integral of ln|x| over the cell that is centred m cells away, in units

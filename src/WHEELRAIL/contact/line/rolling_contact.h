@@ -1,8 +1,8 @@
 #ifndef WHEELRAIL_CONTACT_LINE_ROLLING_CONTACT_H
 #define WHEELRAIL_CONTACT_LINE_ROLLING_CONTACT_H
 
+#include "contact/line/contact_interval.h"
 #include "contact/line/halfplane.h"
-#include "contact/normal_contact.h"
 
 #include <vector>
 

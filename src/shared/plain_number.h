@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef MCAWR_SHARED_PLAIN_NUMBER_H
+#define MCAWR_SHARED_PLAIN_NUMBER_H
+
+#include <optional>
+#include <string_view>
+
+namespace mcawr {
+
+/// The decimal number that a text begins with, in the C locale whatever the program's is: digits
+/// with an optional sign, point and power of ten ("-1.5e-3"). No hexadecimal form: "0x10" begins
+/// with 0, and "x10" is left over.
+struct LeadingNumber {
+  double value;          ///< finite, correctly rounded
+  std::string_view rest; ///< what follows, untouched
+};
+
+/// @return nothing where the text does not begin with a finite number (blanks included, "nan",
+///         "inf", beyond the range of double precision)
+std::optional<LeadingNumber> leadingNumber(std::string_view text);
+
+/// The same where the whole text has to be one number.
+std::optional<double> plainNumber(std::string_view text);
+
+} // namespace mcawr
+#endif
