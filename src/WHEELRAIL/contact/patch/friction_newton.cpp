@@ -75,8 +75,8 @@ Vector krylov(const Apply &apply, const Precondition &precondition, const Vector
 
 FrictionNewton::FrictionNewton(PatchHalfSpace &halfSpace, Equations equations)
     : space(halfSpace), eq(std::move(equations)), n(static_cast<int>(eq.cells.size())),
-      compliance(halfSpace.tangentialCompliance()), upstream(n, -1),
-      field{Vector::Zero(halfSpace.cells()), Vector::Zero(halfSpace.cells())}
+      compliance(halfSpace.tangentialCompliance()),
+      upstream(n, -1), field{Vector::Zero(halfSpace.cells()), Vector::Zero(halfSpace.cells())}
 {
   const int nx = space.grid().nx;
   for (int i = 0; i + 1 < n; ++i)
@@ -220,8 +220,8 @@ bool FrictionNewton::solve(Vector &x, double tolerance, int maxSteps)
     const Vector f = evaluate(x, linear);
     relativeResidual = f.norm() / eq.scale;
     if (verbose)
-      std::fprintf(stderr, "    newton %d n %d residual %.3e products %d slip %ld\n", newtonSteps, n,
-                   relativeResidual, operatorProducts,
+      std::fprintf(stderr, "    newton %d n %d residual %.3e products %d slip %ld\n", newtonSteps,
+                   n, relativeResidual, operatorProducts,
                    long(std::count(linear.slips.begin(), linear.slips.end(), 1)));
     if (relativeResidual <= tolerance)
       return true;

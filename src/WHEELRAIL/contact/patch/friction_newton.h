@@ -19,12 +19,12 @@ class FrictionNewton {
 
   struct Equations {
     bool steady = true;
-    std::vector<int> cells;   ///< in contact: indices in the half-space's grid
-    Vector bound;             ///< scaled, of each of them
-    Vector drive;             ///< 2 per cell
-    std::vector<int> unknown; ///< components (0: x, 1: y) whose force is given
+    std::vector<int> cells;    ///< in contact: indices in the half-space's grid
+    Vector bound;              ///< scaled, of each of them
+    Vector drive;              ///< 2 per cell
+    std::vector<int> unknown;  ///< components (0: x, 1: y) whose force is given
     std::vector<double> force; ///< scaled: sum of the scaled tractions
-    double scale = 1.0;       ///< that the residual's norm is measured against
+    double scale = 1.0;        ///< that the residual's norm is measured against
   };
 
   FrictionNewton(PatchHalfSpace &space, Equations equations);
@@ -42,8 +42,8 @@ class FrictionNewton {
   /// Which linear system a step solves: stick, or slip along `tangent`.
   struct Linearisation {
     std::vector<char> slips;
-    Vector tangent;  ///< 2 per cell, unit length in slip
-    Vector lambda;   ///< bound/|q - S| in slip
+    Vector tangent; ///< 2 per cell, unit length in slip
+    Vector lambda;  ///< bound/|q - S| in slip
   };
 
   Vector operatorB(const Vector &x);
@@ -56,8 +56,8 @@ class FrictionNewton {
 
   PatchHalfSpace &space;
   Equations eq;
-  int n;               ///< cells in contact
-  double compliance;   ///< of a cell under itself
+  int n;                     ///< cells in contact
+  double compliance;         ///< of a cell under itself
   std::vector<int> upstream; ///< position in `cells` of the cell one further in x, -1: none
   TangentialField field;
   Vector scaledSlip;

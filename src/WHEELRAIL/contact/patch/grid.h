@@ -22,7 +22,8 @@ struct PatchGrid : CellGrid {
 PatchGrid centredGrid(int nx, int ny, double width, double height);
 
 /// Values at the centres of the cells. @param function of (x, y)
-template<class Function> Eigen::VectorXd sampled(const PatchGrid &grid, const Function &function)
+template<class Function>
+Eigen::VectorXd sampled(const PatchGrid &grid, const Function &function)
 {
   Eigen::VectorXd values(grid.cells());
   for (int iy = 0; iy < grid.ny; ++iy)

@@ -69,7 +69,8 @@ CellIntegrals cellIntegrals(double x, double y, double dx, double dy)
 CellInfluence cellInfluence(const ElasticPair &pair, const CellIntegrals &integrals)
 {
   const double scale = 1.0 / (pi * pair.G), less = 1.0 - pair.nu;
-  return {scale * less * (integrals.yy + integrals.xx), scale * (less * integrals.yy + integrals.xx),
+  return {scale * less * (integrals.yy + integrals.xx),
+          scale * (less * integrals.yy + integrals.xx),
           scale * (integrals.yy + less * integrals.xx), scale * pair.nu * integrals.xy};
 }
 

@@ -77,7 +77,8 @@ CellIntegrals periodicSpectrum(double kx, double ky, const CellGrid &grid)
 }
 
 /// Calls `apply(bin, mirrored, value of column 0, ..)` along a column of frequencies.
-template<class Apply> void forFrequencies(int sizeY, const Apply &apply)
+template<class Apply>
+void forFrequencies(int sizeY, const Apply &apply)
 {
   const int half = sizeY / 2;
   for (int ky = 0; ky < sizeY; ++ky)
@@ -157,9 +158,8 @@ Vector PatchHalfSpace::displacement(const Vector &pressure)
   const double less = 1.0 - pair.nu;
   scalar.multiply(&field, [&](int kx, Complex *const *column) {
     const double *a = &yy[std::size_t(kx) * countY], *b = &xx[std::size_t(kx) * countY];
-    forFrequencies(sizeY, [&](int ky, int bin, double) {
-      column[0][ky] *= less * (a[bin] + b[bin]);
-    });
+    forFrequencies(sizeY,
+                   [&](int ky, int bin, double) { column[0][ky] *= less * (a[bin] + b[bin]); });
   });
   return result;
 }

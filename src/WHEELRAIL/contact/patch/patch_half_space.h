@@ -52,9 +52,9 @@ class PatchHalfSpace final : public HalfSpace {
 
   CellGrid cellGrid;
   ElasticPair pair;
-  PlaneTransform scalar, pairOfFields;          ///< zero-padded
-  PlaneTransform scalarEstimate, pairEstimate;  ///< a preconditioner may wrap around
-  Quarter yy, xx, xy;                           ///< spectra of CellIntegrals
+  PlaneTransform scalar, pairOfFields;         ///< zero-padded
+  PlaneTransform scalarEstimate, pairEstimate; ///< a preconditioner may wrap around
+  Quarter yy, xx, xy;                          ///< spectra of CellIntegrals
   Quarter stiffnessXX, stiffnessYY, stiffnessXY, stiffnessZZ;
 };
 

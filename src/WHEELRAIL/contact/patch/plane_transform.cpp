@@ -26,8 +26,8 @@ struct PlaneTransform::Work {
     rowForward = fftw_plan_dft_r2c_1d(sizeX, row, rowSpectrum, FFTW_ESTIMATE);
     rowBackward = fftw_plan_dft_c2r_1d(sizeX, rowSpectrum, row, FFTW_ESTIMATE);
     const int howMany = fields * blockColumns;
-    columnsForward = fftw_plan_many_dft(1, &sizeY, howMany, block, nullptr, 1, sizeY, block, nullptr,
-                                        1, sizeY, FFTW_FORWARD, FFTW_ESTIMATE);
+    columnsForward = fftw_plan_many_dft(1, &sizeY, howMany, block, nullptr, 1, sizeY, block,
+                                        nullptr, 1, sizeY, FFTW_FORWARD, FFTW_ESTIMATE);
     columnsBackward = fftw_plan_many_dft(1, &sizeY, howMany, block, nullptr, 1, sizeY, block,
                                          nullptr, 1, sizeY, FFTW_BACKWARD, FFTW_ESTIMATE);
     std::fill_n(&block[0][0], 2 * std::size_t(howMany) * sizeY, 0.0);

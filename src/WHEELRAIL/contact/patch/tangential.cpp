@@ -13,7 +13,7 @@ namespace {
 
 using Vector = Eigen::VectorXd;
 
-constexpr int coarsest = 24;            ///< cells of the box's shorter side, at least
+constexpr int coarsest = 24;             ///< cells of the box's shorter side, at least
 constexpr double coarseTolerance = 1e-2; ///< a start for the next grid needs no more
 
 } // namespace
@@ -68,7 +68,8 @@ TangentialResult TangentialSolver::solve(const TangentialProblem &problem,
                                                     "column (x = {}): a longer box is needed",
                                                     grid.x(grid.nx - 1)));
   TangentialResult result;
-  result.traction.x = result.traction.y = result.slip.x = result.slip.y = Vector::Zero(grid.cells());
+  result.traction.x = result.traction.y = result.slip.x = result.slip.y =
+      Vector::Zero(grid.cells());
   result.state.assign(grid.cells(), PatchState::Apart);
   result.creepage = problem.creepage;
 
@@ -105,7 +106,8 @@ TangentialResult TangentialSolver::solve(const TangentialProblem &problem,
     eq.bound[i] = problem.bound[cell] / unit;
     const double lever = x + problem.spinPoint * distance;
     rigid[2 * i] = distance * ((problem.forceX ? 0.0 : creep.xi) - creep.phi * y) / slipUnit;
-    rigid[2 * i + 1] = distance * ((problem.forceY ? 0.0 : creep.eta) + creep.phi * lever) / slipUnit;
+    rigid[2 * i + 1] =
+        distance * ((problem.forceY ? 0.0 : creep.eta) + creep.phi * lever) / slipUnit;
     eq.drive[2 * i] = rigid[2 * i] - (moved ? problem.previous.x[cell] / slipUnit : 0.0);
     eq.drive[2 * i + 1] = rigid[2 * i + 1] - (moved ? problem.previous.y[cell] / slipUnit : 0.0);
   }
@@ -164,8 +166,7 @@ TangentialResult TangentialSolver::solve(const TangentialProblem &problem,
     result.traction.y[cell] = unit * x[2 * i + 1];
     result.slip.x[cell] = slipUnit * s[2 * i] / distance;
     result.slip.y[cell] = slipUnit * s[2 * i + 1] / distance;
-    const bool slips =
-        std::hypot(x[2 * i] - s[2 * i], x[2 * i + 1] - s[2 * i + 1]) > bound[i];
+    const bool slips = std::hypot(x[2 * i] - s[2 * i], x[2 * i + 1] - s[2 * i + 1]) > bound[i];
     result.state[cell] = slips ? PatchState::Slip : PatchState::Stick;
   }
   for (std::size_t j = 0; j < unknown.size(); ++j)

@@ -21,8 +21,8 @@ struct Creepage {
 /// d (length) the bodies slip at a cell by
 ///   S = d (xi - phi y, eta + phi (x + c d)) + u(x) - u'(x + d),
 /// u the displacement difference of the tractions q and u' that before. Where the bodies stick,
-/// S = 0 and |q| <= bound; where they slip, |q| = bound and q points against S (so that xi > 0 gives
-/// a force to negative x).
+/// S = 0 and |q| <= bound; where they slip, |q| = bound and q points against S (so that xi > 0
+/// gives a force to negative x).
 struct TangentialProblem {
   enum class Kind {
     Steady, ///< u' = u: fixed pattern of contact, material flows through it; d is one cell
@@ -32,11 +32,11 @@ struct TangentialProblem {
   /// Friction coefficient times pressure, per cell, >= 0; 0 outside the contact. May be infinite
   /// (no slip at all).
   Eigen::VectorXd bound;
-  Creepage creepage;           ///< the value of an unknown one is where the search begins
+  Creepage creepage;            ///< the value of an unknown one is where the search begins
   std::optional<double> forceX; ///< given: xi is unknown; sum of qx times cell area
   std::optional<double> forceY; ///< given: eta is unknown
-  double distance = 0.0;       ///< d of a step, > 0; for a shift 1, with the shift as creepage
-  TangentialField previous;    ///< u'(x + d) at the cells, of a step; empty: zero
+  double distance = 0.0;        ///< d of a step, > 0; for a shift 1, with the shift as creepage
+  TangentialField previous;     ///< u'(x + d) at the cells, of a step; empty: zero
   /// c: where in the step the spin's lever is taken; 1/2 is the midpoint. (CONTACT takes 1/6.)
   double spinPoint = 0.5;
 };
@@ -53,9 +53,9 @@ struct TangentialResult {
   TangentialField traction;
   TangentialField slip; ///< S/d in contact, 0 elsewhere
   std::vector<PatchState> state;
-  Creepage creepage;    ///< the given ones, and those found
-  int newtonSteps = 0;  ///< on the finest grid
-  int products = 0;     ///< with the influence of the tractions, on the finest grid
+  Creepage creepage;      ///< the given ones, and those found
+  int newtonSteps = 0;    ///< on the finest grid
+  int products = 0;       ///< with the influence of the tractions, on the finest grid
   int coarseProducts = 0; ///< on all coarser grids together
   double residual = 0.0;
 
