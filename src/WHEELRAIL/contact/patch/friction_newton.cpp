@@ -12,6 +12,9 @@ namespace {
 using Vector = Eigen::VectorXd;
 
 constexpr double innerTolerance = 0.03; ///< of a Newton step's linear system
+/// r of q = P(q - r S), in units of a cell's stiffness: how far a cell's slip counts when its state
+/// is predicted. The smaller, the slower and the safer.
+constexpr double predictions[] = {0.5, 0.1, 0.02};
 constexpr int restart = 30, maxInner = 120;
 
 /// GMRES (Saad, Schultz 1986) from zero, the residual measured after the left preconditioner.
@@ -121,7 +124,8 @@ Vector FrictionNewton::evaluate(const Vector &x, Linearisation &linear)
   linear.lambda = Vector::Zero(n);
   Vector f(x.size());
   for (int i = 0; i < n; ++i) {
-    const double zx = x[2 * i] - scaledSlip[2 * i], zy = x[2 * i + 1] - scaledSlip[2 * i + 1];
+    const double zx = x[2 * i] - prediction_ * scaledSlip[2 * i],
+                 zy = x[2 * i + 1] - prediction_ * scaledSlip[2 * i + 1];
     const double length = std::hypot(zx, zy);
     if (length <= eq.bound[i]) {
       f[2 * i] = scaledSlip[2 * i];
@@ -159,7 +163,7 @@ Vector FrictionNewton::jacobian(const Linearisation &linear, const Vector &x)
     const double lambda = linear.lambda[i];
     const double along = tx * x[2 * i] + ty * x[2 * i + 1];
     const double alongS = tx * s[2 * i] + ty * s[2 * i + 1];
-    const double change = -lambda * (along - alongS);
+    const double change = -lambda * (along - prediction_ * alongS);
     f[2 * i] = x[2 * i] + change * tx;
     f[2 * i + 1] = x[2 * i + 1] + change * ty;
   }
@@ -197,6 +201,12 @@ Vector FrictionNewton::fromRight(const Linearisation &linear, const Vector &x)
   const TangentialField q = space.tractionEstimate(field);
   Vector result = x;
   for (int i = 0; i < n; ++i)
+    if (linear.slips[i]) {
+      const double d = 1.0 - linear.lambda[i] + linear.lambda[i] * prediction_;
+      result[2 * i] /= d;
+      result[2 * i + 1] /= d;
+    }
+  for (int i = 0; i < n; ++i)
     if (!linear.slips[i]) {
       result[2 * i] = q.x[eq.cells[i]];
       result[2 * i + 1] = q.y[eq.cells[i]];
@@ -212,11 +222,29 @@ Vector FrictionNewton::newtonStep(const Linearisation &linear, const Vector &, c
                 [&](const Vector &v) { return fromRight(linear, v); }, b, tolerance);
 }
 
-bool FrictionNewton::solve(Vector &x, double tolerance, int maxSteps)
+double FrictionNewton::residualOf(const Vector &x)
 {
   Linearisation linear;
+  return evaluate(x, linear).norm() / eq.scale;
+}
+
+bool FrictionNewton::solve(Vector &x, double tolerance, int maxSteps)
+{
+  const Vector start = x;
+  for (double prediction : predictions) {
+    prediction_ = prediction;
+    x = start;
+    if (iterate(x, tolerance, maxSteps))
+      return true;
+  }
+  return false;
+}
+
+bool FrictionNewton::iterate(Vector &x, double tolerance, int maxSteps)
+{
+  Linearisation &linear = linear_;
   static const bool verbose = std::getenv("WR_VERBOSE");
-  for (newtonSteps = 0;; ++newtonSteps) {
+  for (int step = 0;; ++step, ++newtonSteps) {
     const Vector f = evaluate(x, linear);
     relativeResidual = f.norm() / eq.scale;
     if (verbose)
@@ -225,7 +253,7 @@ bool FrictionNewton::solve(Vector &x, double tolerance, int maxSteps)
                    long(std::count(linear.slips.begin(), linear.slips.end(), 1)));
     if (relativeResidual <= tolerance)
       return true;
-    if (newtonSteps >= maxSteps || !std::isfinite(relativeResidual))
+    if (step >= maxSteps || !std::isfinite(relativeResidual))
       return false;
     x += newtonStep(linear, x, f, innerTolerance);
   }

@@ -29,12 +29,19 @@ class FrictionNewton {
 
   FrictionNewton(PatchHalfSpace &space, Equations equations);
 
-  /// @param x start on entry, solution on return. @return true when the tolerance is met
+  /// Norm of what is left of the equations at x, relative to their scale.
+  double residualOf(const Vector &x);
+
+  /// @param x start on entry, solution on return
+  /// @param maxSteps Newton steps of one attempt; a second and a third are more careful
+  /// @return true when the tolerance is met
   bool solve(Vector &x, double tolerance, int maxSteps);
 
   int steps() const { return newtonSteps; }
   int products() const { return operatorProducts; }
   double residual() const { return relativeResidual; }
+  /// Does cell i of the solution slip?
+  bool slips(int i) const { return linear_.slips[i] != 0; }
   /// Scaled slip of the solution, 2 per cell.
   const Vector &slip() const { return scaledSlip; }
 
@@ -46,6 +53,7 @@ class FrictionNewton {
     Vector lambda;  ///< bound/|q - S| in slip
   };
 
+  bool iterate(Vector &x, double tolerance, int maxSteps);
   Vector operatorB(const Vector &x);
   Vector evaluate(const Vector &x, Linearisation &linear);
   Vector jacobian(const Linearisation &linear, const Vector &x);
@@ -61,6 +69,8 @@ class FrictionNewton {
   std::vector<int> upstream; ///< position in `cells` of the cell one further in x, -1: none
   TangentialField field;
   Vector scaledSlip;
+  Linearisation linear_; ///< at the last x
+  double prediction_ = 0.5;
   int newtonSteps = 0, operatorProducts = 0;
   double relativeResidual = 0.0;
 };

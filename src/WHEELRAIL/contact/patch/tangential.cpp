@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <limits>
 
 namespace wheelrail {
 namespace {
@@ -53,66 +54,114 @@ const PatchGrid &TangentialSolver::grid() const
   return work->grid;
 }
 
-TangentialResult TangentialSolver::solve(const TangentialProblem &problem,
-                                         const TangentialOptions &options)
+namespace {
+
+bool worthCoarser(const PatchGrid &grid)
 {
-  const PatchGrid &grid = work->grid;
-  const bool steady = problem.kind == TangentialProblem::Kind::Steady;
-  const double distance = steady ? grid.dx : problem.distance;
-  if (problem.bound.size() != grid.cells() || !(distance > 0.0))
-    throw Error(ExitCode::Internal, "tangential contact: bound or distance do not fit the grid");
-  if (steady)
-    for (int iy = 0; iy < grid.ny; ++iy)
-      if (problem.bound[grid.index(grid.nx - 1, iy)] > 0.0)
-        throw Error(ExitCode::BadInput, fmt::format("tangential contact: contact in the leading "
-                                                    "column (x = {}): a longer box is needed",
-                                                    grid.x(grid.nx - 1)));
-  TangentialResult result;
-  result.traction.x = result.traction.y = result.slip.x = result.slip.y =
-      Vector::Zero(grid.cells());
-  result.state.assign(grid.cells(), PatchState::Apart);
-  result.creepage = problem.creepage;
+  return std::max(grid.nx, grid.ny) >= 2 * coarsest;
+}
 
-  const SubGrid box = boundingBox(grid, problem.bound, steady ? 1 : 0);
-  PatchHalfSpace &space = work->spaceOn(box.grid);
-  const double compliance = space.tangentialCompliance();
-  const auto wholeIndex = [&](int cell) {
-    return grid.index(box.firstX + cell % box.grid.nx, box.firstY + cell / box.grid.nx);
-  };
+/// Cells twice as long, from the same corner; one column more at the leading edge.
+PatchGrid coarseGridOf(const PatchGrid &grid)
+{
+  const bool alongY = grid.ny > 1;
+  return {{grid.nx / 2 + 1, alongY ? (grid.ny + 1) / 2 : 1, 2.0 * grid.dx,
+           alongY ? 2.0 * grid.dy : grid.dy},
+          grid.left,
+          grid.bottom};
+}
 
-  FrictionNewton::Equations eq;
-  eq.steady = steady;
-  for (int cell = 0; cell < box.grid.cells(); ++cell)
-    if (problem.bound[wholeIndex(cell)] > 0.0)
-      eq.cells.push_back(cell);
-  const int n = static_cast<int>(eq.cells.size());
-  if (n == 0)
-    return result;
-  double unit = 0.0;
-  for (int cell : eq.cells)
-    unit = std::max(unit, problem.bound[wholeIndex(cell)]);
-  if (!std::isfinite(unit))
-    unit = work->pair.G; // no slip: everything is linear
-  const double slipUnit = unit * compliance;
+/// Calls visit(fine cell, coarse cell).
+template<class Visit>
+void eachPair(const PatchGrid &grid, const PatchGrid &coarse, const Visit &visit)
+{
+  const int rows = grid.ny > 1 ? 2 : 1;
+  for (int iy = 0; iy < grid.ny; ++iy)
+    for (int ix = 0; ix < grid.nx; ++ix)
+      visit(grid.index(ix, iy), coarse.index(ix / 2, iy / rows));
+}
 
-  eq.bound.resize(n);
-  eq.drive.resize(2 * n);
-  Vector rigid(2 * n);
-  const bool moved = problem.previous.x.size() == grid.cells() && !steady;
+Vector coarseMeans(const PatchGrid &grid, const PatchGrid &coarse, const Vector &fine)
+{
+  Vector sum = Vector::Zero(coarse.cells());
+  eachPair(grid, coarse, [&](int i, int k) { sum[k] += fine[i]; });
+  return sum / (grid.ny > 1 ? 4.0 : 2.0);
+}
+
+TangentialProblem coarsened(const PatchGrid &grid, const PatchGrid &coarse,
+                            const TangentialProblem &fine)
+{
+  TangentialProblem problem = fine;
+  problem.bound = coarseMeans(grid, coarse, fine.bound);
+  if (fine.previous.x.size() == grid.cells())
+    problem.previous = {coarseMeans(grid, coarse, fine.previous.x),
+                        coarseMeans(grid, coarse, fine.previous.y)};
+  return problem;
+}
+
+/// The coarse tractions with the fine cells' share of the bound.
+TangentialField refined(const PatchGrid &grid, const PatchGrid &coarse, const Vector &fineBound,
+                        const Vector &coarseBound, const TangentialField &traction)
+{
+  TangentialField fine{Vector::Zero(grid.cells()), Vector::Zero(grid.cells())};
+  eachPair(grid, coarse, [&](int i, int k) {
+    if (!(fineBound[i] > 0.0))
+      return;
+    const double share = std::isfinite(coarseBound[k]) ? fineBound[i] / coarseBound[k] : 1.0;
+    fine.x[i] = share * traction.x[k];
+    fine.y[i] = share * traction.y[k];
+  });
+  return fine;
+}
+
+/// The cells in contact and their box; the equations there, scaled.
+struct ScaledProblem {
+  SubGrid box;
+  std::vector<int> wholeIndex; ///< in the whole grid, of each cell in contact
+  double distance, tractionUnit, slipUnit;
+  double capacity = 0.0; ///< sum of the scaled bounds
+  FrictionNewton::Equations equations;
+};
+
+void checkLeadingColumn(const PatchGrid &grid, const Vector &bound)
+{
+  for (int iy = 0; iy < grid.ny; ++iy)
+    if (bound[grid.index(grid.nx - 1, iy)] > 0.0)
+      throw Error(ExitCode::BadInput,
+                  fmt::format("tangential contact: contact in the leading column (x = {}, y = {}): "
+                              "a longer box is needed",
+                              grid.x(grid.nx - 1), grid.y(iy)));
+}
+
+void setDrive(const PatchGrid &grid, const TangentialProblem &problem, ScaledProblem &scaled)
+{
+  const int n = static_cast<int>(scaled.wholeIndex.size());
   const Creepage &creep = problem.creepage;
+  const double xi = problem.forceX ? 0.0 : creep.xi, eta = problem.forceY ? 0.0 : creep.eta;
+  const double unit = scaled.distance / scaled.slipUnit;
+  Vector &drive = scaled.equations.drive;
+  drive.resize(2 * n);
   for (int i = 0; i < n; ++i) {
-    const int cell = wholeIndex(eq.cells[i]);
-    const double x = grid.x(cell % grid.nx), y = grid.y(cell / grid.nx);
-    eq.bound[i] = problem.bound[cell] / unit;
-    const double lever = x + problem.spinPoint * distance;
-    rigid[2 * i] = distance * ((problem.forceX ? 0.0 : creep.xi) - creep.phi * y) / slipUnit;
-    rigid[2 * i + 1] =
-        distance * ((problem.forceY ? 0.0 : creep.eta) + creep.phi * lever) / slipUnit;
-    eq.drive[2 * i] = rigid[2 * i] - (moved ? problem.previous.x[cell] / slipUnit : 0.0);
-    eq.drive[2 * i + 1] = rigid[2 * i + 1] - (moved ? problem.previous.y[cell] / slipUnit : 0.0);
+    const int cell = scaled.wholeIndex[i];
+    const double x = grid.x(cell % grid.nx) + problem.spinPoint * scaled.distance;
+    const double y = grid.y(cell / grid.nx);
+    drive[2 * i] = unit * (xi - creep.phi * y);
+    drive[2 * i + 1] = unit * (eta + creep.phi * x);
   }
-  const double cellForce = unit * grid.cellArea();
-  Vector x = Vector::Zero(2 * n);
+  const double rigid = drive.norm();
+  const bool moved =
+      problem.kind == TangentialProblem::Kind::Step && problem.previous.x.size() == grid.cells();
+  for (int i = 0; moved && i < n; ++i) {
+    drive[2 * i] -= problem.previous.x[scaled.wholeIndex[i]] / scaled.slipUnit;
+    drive[2 * i + 1] -= problem.previous.y[scaled.wholeIndex[i]] / scaled.slipUnit;
+  }
+  scaled.equations.scale = rigid > 0.0 ? rigid : drive.norm();
+}
+
+void setForces(const PatchGrid &grid, const TangentialProblem &problem, ScaledProblem &scaled)
+{
+  FrictionNewton::Equations &eq = scaled.equations;
+  const double cellForce = scaled.tractionUnit * grid.cellArea();
   double given = 0.0;
   for (int component : {0, 1}) {
     const auto &force = component ? problem.forceY : problem.forceX;
@@ -121,36 +170,102 @@ TangentialResult TangentialSolver::solve(const TangentialProblem &problem,
     eq.unknown.push_back(component);
     eq.force.push_back(*force / cellForce);
     given = std::hypot(given, *force / cellForce);
-    x.conservativeResize(x.size() + 1);
-    x[x.size() - 1] = distance * (component ? creep.eta : creep.xi) / slipUnit;
   }
-  const double most = eq.bound.sum();
-  if (given >= most)
-    throw Error(ExitCode::BadInput,
-                fmt::format("tangential contact: a force of {} cannot be carried: friction allows "
-                            "less than {}",
-                            given * cellForce, most * cellForce));
-  const double capacity = std::isfinite(most) ? eq.bound.norm() : 1e300;
-  double driving = rigid.norm() > 0.0 ? rigid.norm() : eq.drive.norm();
-  if (!eq.unknown.empty())
-    driving = std::max(driving, std::isfinite(most) ? capacity * given / most : given);
-  eq.scale = std::min(capacity, driving);
-  if (!(eq.scale > 0.0)) {
-    for (int cell : eq.cells)
-      result.state[wholeIndex(cell)] = PatchState::Stick;
+  if (given >= scaled.capacity)
+    throw Error(ExitCode::BadInput, fmt::format("tangential contact: a force of {} cannot be "
+                                                "carried: friction allows less than {}",
+                                                given * cellForce, scaled.capacity * cellForce));
+  const bool limited = std::isfinite(scaled.capacity);
+  const double most = limited ? eq.bound.norm() : std::numeric_limits<double>::max();
+  if (given > 0.0)
+    eq.scale = std::max(eq.scale, limited ? most * given / scaled.capacity : given);
+  eq.scale = std::min(eq.scale, most);
+}
+
+ScaledProblem scaledProblem(const PatchGrid &grid, const TangentialProblem &problem, double G)
+{
+  ScaledProblem scaled;
+  FrictionNewton::Equations &eq = scaled.equations;
+  eq.steady = problem.kind == TangentialProblem::Kind::Steady;
+  scaled.distance = eq.steady ? grid.dx : problem.distance;
+  scaled.box = boundingBox(grid, problem.bound, eq.steady ? 1 : 0);
+  const PatchGrid &box = scaled.box.grid;
+  scaled.tractionUnit = 0.0;
+  for (int cell = 0; cell < box.cells(); ++cell) {
+    const int whole =
+        grid.index(scaled.box.firstX + cell % box.nx, scaled.box.firstY + cell / box.nx);
+    if (!(problem.bound[whole] > 0.0))
+      continue;
+    eq.cells.push_back(cell);
+    scaled.wholeIndex.push_back(whole);
+    scaled.tractionUnit = std::max(scaled.tractionUnit, problem.bound[whole]);
+  }
+  if (!std::isfinite(scaled.tractionUnit)) // without slip everything is linear
+    scaled.tractionUnit = G;
+  eq.bound.resize(static_cast<int>(eq.cells.size()));
+  for (int i = 0; i < eq.bound.size(); ++i)
+    eq.bound[i] = problem.bound[scaled.wholeIndex[i]] / scaled.tractionUnit;
+  scaled.capacity = eq.bound.sum();
+  return scaled;
+}
+
+} // namespace
+
+TangentialResult TangentialSolver::solve(const TangentialProblem &problem,
+                                         const TangentialOptions &options)
+{
+  const PatchGrid &grid = work->grid;
+  const bool steady = problem.kind == TangentialProblem::Kind::Steady;
+  if (problem.bound.size() != grid.cells() || !(steady || problem.distance > 0.0))
+    throw Error(ExitCode::Internal, "tangential contact: bound or distance do not fit the grid");
+  if (steady)
+    checkLeadingColumn(grid, problem.bound);
+  TangentialResult result;
+  result.traction.x = result.traction.y = Vector::Zero(grid.cells());
+  result.slip = result.traction;
+  result.state.assign(grid.cells(), PatchState::Apart);
+  result.creepage = problem.creepage;
+
+  ScaledProblem scaled = scaledProblem(grid, problem, work->pair.G);
+  const int n = static_cast<int>(scaled.wholeIndex.size());
+  if (n == 0)
+    return result;
+  PatchHalfSpace &space = work->spaceOn(scaled.box.grid);
+  scaled.slipUnit = scaled.tractionUnit * space.tangentialCompliance();
+  setDrive(grid, problem, scaled);
+  setForces(grid, problem, scaled);
+  if (!(scaled.equations.scale > 0.0)) { // nothing moves
+    for (int cell : scaled.wholeIndex)
+      result.state[cell] = PatchState::Stick;
     return result;
   }
 
-  if (options.start.x.size() == grid.cells())
+  TangentialField start = options.start;
+  Creepage creepage = problem.creepage;
+  if (start.x.size() != grid.cells() && worthCoarser(grid)) {
+    const PatchGrid coarse = coarseGridOf(grid);
+    TangentialOptions coarseOptions = options;
+    coarseOptions.tolerance = std::max(options.tolerance, coarseTolerance);
+    const TangentialProblem coarseProblem = coarsened(grid, coarse, problem);
+    TangentialSolver solver(coarse, work->pair);
+    const TangentialResult found = solver.solve(coarseProblem, coarseOptions);
+    result.coarseProducts = found.products + found.coarseProducts;
+    start = refined(grid, coarse, problem.bound, coarseProblem.bound, found.traction);
+    creepage = found.creepage;
+  }
+  const std::vector<int> unknown = scaled.equations.unknown;
+  const Vector bound = scaled.equations.bound;
+  Vector x = Vector::Zero(2 * n + static_cast<int>(unknown.size()));
+  if (start.x.size() == grid.cells())
     for (int i = 0; i < n; ++i) {
-      const int cell = wholeIndex(eq.cells[i]);
-      x[2 * i] = options.start.x[cell] / unit;
-      x[2 * i + 1] = options.start.y[cell] / unit;
+      x[2 * i] = start.x[scaled.wholeIndex[i]] / scaled.tractionUnit;
+      x[2 * i + 1] = start.y[scaled.wholeIndex[i]] / scaled.tractionUnit;
     }
-  const std::vector<int> cells = eq.cells;
-  const Vector bound = eq.bound;
-  const std::vector<int> unknown = eq.unknown;
-  FrictionNewton newton(space, std::move(eq));
+  const double creepUnit = scaled.slipUnit / scaled.distance;
+  for (std::size_t j = 0; j < unknown.size(); ++j)
+    x[2 * n + j] = (unknown[j] ? creepage.eta : creepage.xi) / creepUnit;
+
+  FrictionNewton newton(space, std::move(scaled.equations));
   const bool converged = newton.solve(x, options.tolerance, options.maxSteps);
   result.newtonSteps = newton.steps();
   result.products = newton.products();
@@ -159,18 +274,17 @@ TangentialResult TangentialSolver::solve(const TangentialProblem &problem,
     throw Error(ExitCode::NotConverged,
                 fmt::format("tangential contact: residual {:.1e} (wanted {:.1e}) after {} steps",
                             newton.residual(), options.tolerance, newton.steps()));
+  const Vector &s = newton.slip();
   for (int i = 0; i < n; ++i) {
-    const int cell = wholeIndex(cells[i]);
-    const Vector &s = newton.slip();
-    result.traction.x[cell] = unit * x[2 * i];
-    result.traction.y[cell] = unit * x[2 * i + 1];
-    result.slip.x[cell] = slipUnit * s[2 * i] / distance;
-    result.slip.y[cell] = slipUnit * s[2 * i + 1] / distance;
-    const bool slips = std::hypot(x[2 * i] - s[2 * i], x[2 * i + 1] - s[2 * i + 1]) > bound[i];
-    result.state[cell] = slips ? PatchState::Slip : PatchState::Stick;
+    const int cell = scaled.wholeIndex[i];
+    result.traction.x[cell] = scaled.tractionUnit * x[2 * i];
+    result.traction.y[cell] = scaled.tractionUnit * x[2 * i + 1];
+    result.slip.x[cell] = creepUnit * s[2 * i];
+    result.slip.y[cell] = creepUnit * s[2 * i + 1];
+    result.state[cell] = newton.slips(i) ? PatchState::Slip : PatchState::Stick;
   }
   for (std::size_t j = 0; j < unknown.size(); ++j)
-    (unknown[j] ? result.creepage.eta : result.creepage.xi) = x[2 * n + j] * slipUnit / distance;
+    (unknown[j] ? result.creepage.eta : result.creepage.xi) = x[2 * n + j] * creepUnit;
   return result;
 }
 
