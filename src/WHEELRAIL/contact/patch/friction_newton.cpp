@@ -11,7 +11,7 @@ namespace {
 
 using Vector = Eigen::VectorXd;
 
-constexpr double innerTolerance = 0.03; ///< of a Newton step's linear system
+constexpr double innerTolerance = 0.1; ///< of a Newton step's linear system
 /// r of q = P(q - r S), in units of a cell's stiffness: how far a cell's slip counts when its state
 /// is predicted. The smaller, the slower and the safer.
 constexpr struct {
