@@ -7,10 +7,10 @@
 #include "force.h"
 #include "group.h"
 #include "input.h"
-#include "laws/nearest_word.h"
 #include "pair_mca.h"
 #include "platform.h"
 #include "restart_block.h"
+#include "shared/nearest_word.h"
 #include "update.h"
 #include "variable.h"
 
@@ -53,7 +53,7 @@ FixMCADrive::FixMCADrive(LAMMPS *host, int narg, char **arg)
       seed = utils::bnumeric(FLERR, value, false, lmp);
     } else {
       error->all(FLERR, "Fix mca/drive: {}",
-                 mca::unknownWord(keyword, {"velocity", "pressure", "file", "every", "seed"}));
+                 mcawr::unknownWord("keyword", keyword, {"velocity", "pressure", "file", "every", "seed"}));
     }
   }
   if (!has_velocity || !has_pressure)
@@ -199,7 +199,8 @@ void FixMCADrive::setup(int vflag)
         else
           log.begin(path,
                     {pair->material(lowest), evaluate(pressure), evaluate(velocity), domain->xprd,
-                     thickness, static_cast<long long>(atom->natoms), pair->laws().words(),
+                     thickness, pair->cell(lowest).packing.name,
+                     static_cast<long long>(atom->natoms), pair->laws().words(),
                      update->dt, every, seed, LMP_VERNUM},
                     units);
       } catch (const std::runtime_error &e) {

@@ -1,5 +1,7 @@
 #include "friction_log_writer.h"
 
+#include "shared/friction_log_format.h"
+
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
@@ -10,7 +12,7 @@
 
 namespace mca {
 
-static constexpr const char *format = "# format: mca-friction 1";
+namespace format = mcawr::frictionLog;
 
 FrictionLogWriter::~FrictionLogWriter()
 {
@@ -49,14 +51,6 @@ void FrictionLogWriter::replaceBy(const std::string &text)
     fail("append to", path_);
 }
 
-static std::string joined(const std::vector<std::string> &pairs)
-{
-  std::string all;
-  for (size_t k = 0; k + 1 < pairs.size(); k += 2)
-    all += (k ? ", " : "") + pairs[k] + ": " + pairs[k + 1];
-  return all;
-}
-
 // YAML 1.1 takes a number with an exponent for text unless it has a point
 static std::string number(double value)
 {
@@ -70,37 +64,79 @@ static std::string number(double value)
   return word;
 }
 
-void FrictionLogWriter::begin(const std::string &path, const LogHeader &h, const Units &u)
+namespace {
+
+/// One line of the head, "# NAME: {KEY: VALUE, ...}".
+class Section {
+ public:
+  explicit Section(const std::string &name) : line_(std::string(format::headMark) + " " + name) {}
+
+  void add(const std::string &key, const std::string &value)
+  {
+    line_ += (empty_ ? ": {" : ", ") + key + ": " + value;
+    empty_ = false;
+  }
+  void add(const format::HeadNumber &what, double value) { add(what.key, number(value)); }
+  void add(const format::HeadNumber &what, long long value)
+  {
+    add(what.key, std::to_string(value));
+  }
+
+  std::string line() const { return line_ + (empty_ ? ": {}\n" : "}\n"); }
+
+ private:
+  std::string line_;
+  bool empty_ = true;
+};
+
+std::string materialLine(const Material &m, const Units &u)
+{
+  Section section(format::section::material);
+  section.add(format::head::youngsModulus, m.youngs_modulus * u.stress);
+  section.add(format::head::poissonsRatio, m.poissons_ratio);
+  section.add(format::head::density, m.density * u.density());
+  section.add(format::head::elasticLimit, m.sigmaY1() * u.stress);
+  section.add(format::head::yieldStrength, m.sigmaY2() * u.stress);
+  section.add(format::head::yieldStrain, m.yield_strain);
+  section.add(format::head::strength, m.strength * u.stress);
+  section.add(format::head::breakingStrain, m.breaking_strain);
+  section.add(format::head::viscosity, m.viscosity * u.viscosity());
+  return section.line();
+}
+
+std::string headOf(const LogHeader &h, const Units &u)
+{
+  namespace names = format::section;
+  Section program(names::program), units(names::units), loading(names::loading),
+      geometry(names::geometry), laws(names::laws), run(names::run);
+  program.add("name", "mca-wheelrail");
+  program.add("version", MCA_VERSION);
+  program.add("lammps", std::to_string(h.lammpsVersion));
+  for (const auto &[quantity, unit] : format::units)
+    units.add(quantity, unit);
+  loading.add(format::head::pressure, h.pressure * u.stress);
+  loading.add(format::head::velocity, h.velocity * u.velocity());
+  geometry.add(format::head::width, h.width * u.length);
+  geometry.add(format::head::thickness, h.thickness * u.length);
+  geometry.add(format::head::diameter, h.material.diameter * u.length);
+  geometry.add(format::packingKey, h.packing);
+  geometry.add(format::head::automata, h.automata);
+  for (size_t k = 0; k + 1 < h.laws.size(); k += 2)
+    laws.add(h.laws[k], h.laws[k + 1]);
+  run.add(format::head::timestep, h.timestep * u.time);
+  run.add(format::head::every, h.every);
+  run.add(format::head::seed, h.seed);
+  return format::formatLine() + "\n" + program.line() + units.line() + materialLine(h.material, u) +
+         loading.line() + geometry.line() + laws.line() + run.line();
+}
+
+} // namespace
+
+void FrictionLogWriter::begin(const std::string &path, const LogHeader &header, const Units &units)
 {
   close();
   path_ = path;
-  const Material &m = h.material;
-  std::ostringstream text;
-  text << format << "\n"
-       << "# program: {name: mca-wheelrail, version: " << MCA_VERSION
-       << ", lammps: " << h.lammpsVersion << "}\n"
-       << "# units: {time: ns, length: nm, stress: MPa, velocity: m/s, density: kg/m3, "
-          "viscosity: Pa s}\n"
-       << "# material: {youngs_modulus: " << number(m.youngs_modulus * u.stress)
-       << ", poissons_ratio: " << number(m.poissons_ratio)
-       << ", density: " << number(m.density * u.density())
-       << ", elastic_limit: " << number(m.sigmaY1() * u.stress)
-       << ", yield_strength: " << number(m.sigmaY2() * u.stress)
-       << ", yield_strain: " << number(m.yield_strain)
-       << ", strength: " << number(m.strength * u.stress)
-       << ", breaking_strain: " << number(m.breaking_strain)
-       << ", viscosity: " << number(m.viscosity * u.viscosity()) << "}\n"
-       << "# loading: {pressure: " << number(h.pressure * u.stress)
-       << ", velocity: " << number(h.velocity * u.velocity()) << "}\n"
-       << "# geometry: {width: " << number(h.width * u.length)
-       << ", thickness: " << number(h.thickness * u.length)
-       << ", diameter: " << number(m.diameter * u.length)
-       << ", packing: hex, automata: " << h.automata << "}\n"
-       << "# laws: {" << joined(h.laws) << "}\n"
-       << "# run: {timestep: " << number(h.timestep * u.time) << ", every: " << h.every
-       << ", seed: " << h.seed << "}\n"
-       << "step time displacement shear_stress normal_stress mu links broken formed gap\n";
-  replaceBy(text.str());
+  replaceBy(headOf(header, units) + format::columnLine() + "\n");
 }
 
 void FrictionLogWriter::resume(const std::string &path, long long step)
@@ -111,9 +147,9 @@ void FrictionLogWriter::resume(const std::string &path, long long step)
   if (!in)
     fail("continue", path);
   std::string kept, line;
-  if (!std::getline(in, line) || line != format)
+  if (!std::getline(in, line) || line != format::formatLine())
     throw std::runtime_error("cannot continue friction log " + path + ": its first line is not '" +
-                             format + "'");
+                             format::formatLine() + "'");
   kept = line + "\n";
   while (std::getline(in, line)) {
     const bool isRow = !line.empty() && line[0] >= '0' && line[0] <= '9';

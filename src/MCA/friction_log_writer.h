@@ -17,6 +17,7 @@ struct LogHeader {
   Material material;
   double pressure, velocity; ///< loading
   double width, thickness;   ///< geometry
+  std::string packing;       ///< its name: hex, fcc, hcp, sc
   long long automata;
   std::vector<std::string> laws; ///< keyword-value pairs of pair_style
   double timestep;

@@ -1,9 +1,10 @@
 #include "material_file.h"
 
+#include "shared/nearest_word.h"
+#include "shared/plain_number.h"
 #include "units.h"
 
 #include <cmath>
-#include <cstdlib>
 #include <set>
 #include <sstream>
 
@@ -13,19 +14,17 @@ static const MaterialQuantity &quantityNamed(const std::string &keyword, const s
 {
   if (const auto *q = findMaterialQuantity(keyword))
     return *q;
-  throw MaterialError(where + "unknown keyword " + keyword + ", the nearest known one is " +
-                      nearestMaterialKeyword(keyword));
+  throw MaterialError(where + mcawr::unknownWord("keyword", keyword, materialKeywords()));
 }
 
 static double finiteNumber(const MaterialQuantity &q, const std::string &value,
                            const std::string &where)
 {
-  char *end = nullptr;
-  const double number = std::strtod(value.c_str(), &end);
-  if (value.empty() || *end != '\0' || !std::isfinite(number))
+  const auto number = mcawr::plainNumber(value);
+  if (!number)
     throw MaterialError(where + q.keyword + " is '" + value + "', allowed: a finite number " +
                         q.allowed + " [" + q.dimension + "]");
-  return number;
+  return *number;
 }
 
 // factor from the given units to common ones, of a dimension of the table of quantities

@@ -1,8 +1,8 @@
 #include "output_columns.h"
 
 #include "error.h"
-#include "laws/nearest_word.h"
 #include "memory.h"
+#include "shared/nearest_word.h"
 
 #include <algorithm>
 
@@ -21,7 +21,7 @@ OutputColumns::OutputColumns(LAMMPS *host, const std::string &style,
   for (int k = 0; k < narg; k++) {
     const auto found = std::find(known.begin(), known.end(), arg[k]);
     if (found == known.end())
-      error->all(FLERR, "{}: {}", style, mca::unknownWord(arg[k], known));
+      error->all(FLERR, "{}: {}", style, mcawr::unknownWord("attribute", arg[k], known));
     attributes.push_back(static_cast<int>(found - known.begin()));
   }
 }

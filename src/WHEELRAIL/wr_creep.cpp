@@ -1,12 +1,10 @@
 // wr_creep: a case file -> creep curves of rough rolling contact. The command line only.
 
 #include "base/errors.h"
-#include "base/nearest_word.h"
 #include "base/output_file.h"
 #include "creep/case_file.h"
-#include "creep/creep_curve.h"
 #include "creep/creep_report.h"
-#include "creep/static_contact.h"
+#include "shared/nearest_word.h"
 
 #include <CLI/CLI.hpp>
 #include <atomic>
@@ -114,7 +112,7 @@ std::string unknownOption(const CLI::App &app)
       known.push_back("--" + name);
   for (const auto &given : app.remaining())
     if (given.substr(0, 1) == "-")
-      return unknownWord("option", given, nearestWord(given, known));
+      return mcawr::unknownWord("option", given, known);
   return "one case file is expected";
 }
 
@@ -124,18 +122,18 @@ class Progress {
   void operator()(int done, int total)
   {
     const auto now = std::chrono::steady_clock::now();
-    if (done < total && now - last < pause)
+    if (done < total && now - last_ < pause_)
       return;
-    last = now;
-    fmt::print(stderr, "{}wr_creep: {} of {} points{}", onTerminal ? "\r" : "", done, total,
-               onTerminal && done < total ? "" : "\n");
+    last_ = now;
+    fmt::print(stderr, "{}wr_creep: {} of {} points{}", onTerminal_ ? "\r" : "", done, total,
+               onTerminal_ && done < total ? "" : "\n");
     std::fflush(stderr);
   }
 
  private:
-  const bool onTerminal = ::isatty(STDERR_FILENO) != 0;
-  const std::chrono::milliseconds pause{onTerminal ? 200 : 2000};
-  std::chrono::steady_clock::time_point last = std::chrono::steady_clock::now();
+  const bool onTerminal_ = ::isatty(STDERR_FILENO) != 0;
+  const std::chrono::milliseconds pause_{onTerminal_ ? 200 : 2000};
+  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
 };
 
 using Files = std::vector<std::pair<std::string, std::string>>; ///< name, content
@@ -159,19 +157,53 @@ void finish(const Settings &settings, const Files &files, const std::string &rep
 /// A profile or law that lies in the folder for the results must not be written over.
 void checkInputsStay(const Settings &settings, const Case &input)
 {
-  std::vector<std::string> inputs = {settings.caseFile, input.law};
-  inputs.insert(inputs.end(), input.rail.begin(), input.rail.end());
-  inputs.insert(inputs.end(), input.wheel.begin(), input.wheel.end());
+  const SurfaceSpecification &surface = input.surface();
+  std::vector<std::string> inputs = {settings.caseFile, input.friction().law};
+  inputs.insert(inputs.end(), surface.rail.begin(), surface.rail.end());
+  inputs.insert(inputs.end(), surface.wheel.begin(), surface.wheel.end());
+  const bool isStatic = std::holds_alternative<StaticSpecification>(input.task);
   std::vector<RequestedOutput> outputs;
   const std::vector<std::string> names =
-      input.mode == RollingMode::Static
-          ? std::vector<std::string>{"static.csv"}
-          : std::vector<std::string>{"creep.csv", "creep.json", "creep_band.csv", journalName};
+      isStatic ? std::vector<std::string>{"static.csv"}
+               : std::vector<std::string>{"creep.csv", "creep.json", "creep_band.csv", journalName};
   for (const auto &name : names)
     outputs.push_back({"-o", settings.folder + "/" + name});
   for (const auto *name : {"contact.csv", "summary.json"})
     outputs.push_back({"-o", settings.folder + "/" + name});
   checkOutputs(outputs, inputs);
+}
+
+void compute(const Settings &settings, const SweepOptions &options, const std::string &text,
+             const StaticSpecification &asked)
+{
+  const FrictionLaw law = readLaw(asked.physics.friction);
+  const StaticCases cases = solveStaticCases(asked, law, options);
+  finish(settings,
+         {{"static.csv", staticCsv(asked.surface, cases)},
+          {"contact.csv", contactCsv(cases)},
+          {"summary.json", summaryJson(asked, text, law, cases)}},
+         shortReport(asked, cases), detailedReport(asked.surface, cases.contacts),
+         fmt::format("{} forces", cases.points.size()), cases.seconds);
+}
+
+void compute(const Settings &settings, const SweepOptions &options, const std::string &text,
+             const CreepSpecification &asked)
+{
+  const FrictionLaw law = readLaw(asked.physics.friction);
+  const CreepCurves curves = solveCreepCurves(asked, law, options);
+  Files files = {{"creep.csv", creepCsv(asked.surface, curves)},
+                 {"creep.json", creepJson(asked, curves)}};
+  if (curves.hasBand)
+    files.emplace_back("creep_band.csv", creepBandCsv(asked.surface, curves));
+  files.emplace_back("contact.csv", contactCsv(curves));
+  files.emplace_back("summary.json", summaryJson(asked, text, law, curves));
+  const std::string resumed =
+      curves.resumed
+          ? fmt::format(" ({} of them from the run that was interrupted)", curves.resumed)
+          : "";
+  finish(settings, files, shortReport(asked, curves),
+         detailedReport(asked.surface, curves.contacts),
+         fmt::format("{} points{}", curves.points.size(), resumed), curves.seconds);
 }
 
 void run(const Settings &settings)
@@ -181,7 +213,7 @@ void run(const Settings &settings)
     writeStandardOutput(input.text);
     return;
   }
-  const FrictionLaw law = lawOf(input);
+  readLaw(input.friction()); // what is wrong with it is said before folders are made
   prepareOutputFolder(settings.folder);
   checkInputsStay(settings, input);
 
@@ -189,32 +221,11 @@ void run(const Settings &settings)
   SweepOptions options;
   options.threads = settings.threads;
   options.journal = settings.folder + "/" + journalName;
+  options.identity = input.text;
   options.interrupted = [] { return interruptAsked.load(); };
   if (!settings.quiet)
     options.progress = [&](int done, int total) { progress(done, total); };
-
-  if (input.mode == RollingMode::Static) {
-    const StaticCases cases = solveStaticCases(input, law, options);
-    finish(settings,
-           {{"static.csv", staticCsv(input, cases)},
-            {"contact.csv", contactCsv(cases)},
-            {"summary.json", summaryJson(input, law, cases)}},
-           shortReport(input, cases), detailedReport(input, cases.contacts),
-           fmt::format("{} forces", cases.points.size()), cases.seconds);
-    return;
-  }
-  const CreepCurves curves = solveCreepCurves(input, law, options);
-  Files files = {{"creep.csv", creepCsv(input, curves)}, {"creep.json", creepJson(input, curves)}};
-  if (curves.hasBand)
-    files.emplace_back("creep_band.csv", creepBandCsv(input, curves));
-  files.emplace_back("contact.csv", contactCsv(curves));
-  files.emplace_back("summary.json", summaryJson(input, law, curves));
-  const std::string resumed =
-      curves.resumed
-          ? fmt::format(" ({} of them from the run that was interrupted)", curves.resumed)
-          : "";
-  finish(settings, files, shortReport(input, curves), detailedReport(input, curves.contacts),
-         fmt::format("{} points{}", curves.points.size(), resumed), curves.seconds);
+  std::visit([&](const auto &asked) { compute(settings, options, input.text, asked); }, input.task);
 }
 
 } // namespace

@@ -1,12 +1,12 @@
 // wr_fit: friction logs -> friction coefficients -> the law of Eq. 2. The command line only.
 
 #include "base/errors.h"
-#include "base/nearest_word.h"
 #include "base/output_file.h"
 #include "base/quantity.h"
-#include "fit/fit_analysis.h"
+#include "fit/fit_report.h"
 #include "fit/friction_log.h"
 #include "fit/plot_script.h"
+#include "shared/nearest_word.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -101,7 +101,7 @@ void defineOptions(CLI::App &app, Settings &settings)
                  "[geometric mean of the points]")
       ->check(number("> 0", isPositive))
       ->type_name("NUMBER");
-  app.add_option("--kappa2-min", settings.fit.kappa2_min, "leave out points with a smaller kappa2")
+  app.add_option("--kappa2-min", settings.fit.kappa2Min, "leave out points with a smaller kappa2")
       ->check(number(">= 0", isNotNegative))
       ->type_name("NUMBER")
       ->capture_default_str();
@@ -109,13 +109,13 @@ void defineOptions(CLI::App &app, Settings &settings)
       ->check(number("from 0.5 to 0.9999", isLevel))
       ->type_name("NUMBER")
       ->capture_default_str();
-  app.add_flag("--include-drifting", settings.fit.include_drifting,
+  app.add_flag("--include-drifting", settings.fit.includeDrifting,
                "fit points without a stationary part too (mean of their second half)");
   app.add_option("--start", settings.point.start,
                  "average from this time on (ns) instead of looking for the stationary part")
       ->check(number(">= 0 (ns)", isNotNegative))
       ->type_name("NUMBER");
-  app.add_option("--grinding-in", settings.point.grinding_in,
+  app.add_option("--grinding-in", settings.point.grindingIn,
                  "end of the grinding-in (ns) [start of the stationary part, at most 100]")
       ->check(number("> 0 (ns)", isPositive))
       ->type_name("NUMBER");
@@ -131,7 +131,7 @@ std::string unknownOption(const CLI::App &app)
       known.push_back("--" + name);
   for (const auto &given : app.remaining())
     if (given.substr(0, 1) == "-")
-      return unknownWord("option", given, nearestWord(given, known));
+      return mcawr::unknownWord("option", given, known);
   return "unexpected argument";
 }
 
@@ -196,10 +196,10 @@ int run(const Settings &settings)
     writeStandardOutput(textReport(analysis));
   if (!settings.plot.empty())
     plot(settings, json);
-  if (!analysis.not_identifiable)
+  if (!analysis.notIdentifiable)
     return static_cast<int>(ExitCode::Ok);
   fmt::print(stderr, "wr_fit: {} cannot be fitted: {}\n", nameOf(settings.fit.model),
-             analysis.why_not);
+             analysis.whyNot);
   return static_cast<int>(ExitCode::NotConverged);
 }
 

@@ -20,6 +20,18 @@ constexpr const char *format = "mca-friction 1"; ///< value of the first line, `
 /// "# format: mca-friction 1", the first line of every log.
 std::string formatLine();
 
+/// Sections of the head, in the order in which they are written; the first line, `format`, is
+/// before them, and `tools/campaign pack` adds `campaign` after them.
+namespace section {
+constexpr const char *program = "program";
+constexpr const char *units = "units";
+constexpr const char *material = "material";
+constexpr const char *loading = "loading";
+constexpr const char *geometry = "geometry";
+constexpr const char *laws = "laws";
+constexpr const char *run = "run";
+} // namespace section
+
 /// Units of a quantity in the head's section `units`.
 struct Unit {
   const char *quantity, *unit;
@@ -53,30 +65,31 @@ struct HeadNumber {
 };
 /// Those that a reader needs; every log has them except `run: seed`.
 namespace head {
-constexpr HeadNumber youngsModulus = {"material", "youngs_modulus", "MPa", Range::Positive};
-constexpr HeadNumber poissonsRatio = {"material", "poissons_ratio", "", Range::PoissonsRatio};
-constexpr HeadNumber density = {"material", "density", "kg/m3", Range::Positive};
-constexpr HeadNumber strength = {"material", "strength", "MPa", Range::Positive};
-constexpr HeadNumber viscosity = {"material", "viscosity", "Pa s", Range::NotNegative};
-constexpr HeadNumber pressure = {"loading", "pressure", "MPa", Range::Positive};
-constexpr HeadNumber velocity = {"loading", "velocity", "m/s", Range::NotNegative};
-constexpr HeadNumber seed = {"run", "seed", "", Range::Whole};
+constexpr HeadNumber youngsModulus = {section::material, "youngs_modulus", "MPa", Range::Positive};
+constexpr HeadNumber poissonsRatio = {section::material, "poissons_ratio", "",
+                                      Range::PoissonsRatio};
+constexpr HeadNumber density = {section::material, "density", "kg/m3", Range::Positive};
+constexpr HeadNumber strength = {section::material, "strength", "MPa", Range::Positive};
+constexpr HeadNumber viscosity = {section::material, "viscosity", "Pa s", Range::NotNegative};
+constexpr HeadNumber pressure = {section::loading, "pressure", "MPa", Range::Positive};
+constexpr HeadNumber velocity = {section::loading, "velocity", "m/s", Range::NotNegative};
+constexpr HeadNumber seed = {section::run, "seed", "", Range::Whole};
 /// Those that say more about the run.
-constexpr HeadNumber elasticLimit = {"material", "elastic_limit", "MPa", Range::Positive};
-constexpr HeadNumber yieldStrength = {"material", "yield_strength", "MPa", Range::Positive};
-constexpr HeadNumber yieldStrain = {"material", "yield_strain", "", Range::Positive};
-constexpr HeadNumber breakingStrain = {"material", "breaking_strain", "", Range::Positive};
-constexpr HeadNumber width = {"geometry", "width", "nm", Range::Positive};
-constexpr HeadNumber thickness = {"geometry", "thickness", "nm", Range::Positive};
-constexpr HeadNumber diameter = {"geometry", "diameter", "nm", Range::Positive};
-constexpr HeadNumber automata = {"geometry", "automata", "", Range::Whole};
-constexpr HeadNumber timestep = {"run", "timestep", "ns", Range::Positive};
-constexpr HeadNumber every = {"run", "every", "", Range::Whole};
+constexpr HeadNumber elasticLimit = {section::material, "elastic_limit", "MPa", Range::Positive};
+constexpr HeadNumber yieldStrength = {section::material, "yield_strength", "MPa", Range::Positive};
+constexpr HeadNumber yieldStrain = {section::material, "yield_strain", "", Range::Positive};
+constexpr HeadNumber breakingStrain = {section::material, "breaking_strain", "", Range::Positive};
+constexpr HeadNumber width = {section::geometry, "width", "nm", Range::Positive};
+constexpr HeadNumber thickness = {section::geometry, "thickness", "nm", Range::Positive};
+constexpr HeadNumber diameter = {section::geometry, "diameter", "nm", Range::Positive};
+constexpr HeadNumber automata = {section::geometry, "automata", "", Range::Whole};
+constexpr HeadNumber timestep = {section::run, "timestep", "ns", Range::Positive};
+constexpr HeadNumber every = {section::run, "every", "", Range::Whole};
 } // namespace head
 /// Name of the packing in the section `geometry`: hex in a plane; fcc, hcp, sc in space.
 constexpr const char *packingKey = "packing";
 /// Sections that tell what computed the run: a reader keeps them word by word.
-constexpr std::array<const char *, 2> madeBySections = {"program", "laws"};
+constexpr std::array<const char *, 2> madeBySections = {section::program, section::laws};
 
 /// Columns of a row in the order in which they are written; a reader goes by their names.
 enum Column {

@@ -26,10 +26,10 @@ def test_empty_file(tmp_path, ranks):
 def test_truncated_file(tmp_path):
     text = STEEL.read_text()
     with_file(text[:text.index("viscosity   ")], tmp_path, "bad.mca", "viscosity is missing")
-    with_file(text[:text.index("yield_strain") + 5], tmp_path, "bad.mca:", "unknown keyword yield")
+    with_file(text[:text.index("yield_strain") + 5], tmp_path, "bad.mca:", "unknown keyword 'yield'")
 
 
-@pytest.mark.parametrize("value", ["abc", "nan", "inf", "-92", "0", "9e999", "92MPa"])
+@pytest.mark.parametrize("value", ["abc", "nan", "inf", "-92", "0", "9e999", "92MPa", "0x10"])
 def test_bad_number(tmp_path, value):
     text = STEEL.read_text().replace("strength         92 ", f"strength         {value} ")
     assert text != STEEL.read_text()
@@ -38,7 +38,7 @@ def test_bad_number(tmp_path, value):
 
 def test_unknown_keyword_names_the_nearest(tmp_path):
     text = STEEL.read_text().replace("viscosity   ", "viscocity   ")
-    with_file(text, tmp_path, "bad.mca:", "viscocity", "nearest known one is viscosity")
+    with_file(text, tmp_path, "bad.mca:", "viscocity", "nearest known one is 'viscosity'")
 
 
 @pytest.mark.parametrize("units", ["lj", "electron"])
@@ -48,7 +48,7 @@ def test_units_without_conversion(tmp_path, units):
 
 
 @pytest.mark.parametrize("words,parts", [
-    ("strenght 92", ["strenght", "nearest known one is strength"]),
+    ("strenght 92", ["strenght", "nearest known one is 'strength'"]),
     ("strength", ["strength", "no value"]),
     ("strength -5", ["strength", "-5", "allowed"]),
     ("poissons_ratio 0.5", ["poissons_ratio", "0.5", "allowed"]),
@@ -60,7 +60,7 @@ def test_bad_override(tmp_path, words, parts):
 
 @pytest.mark.parametrize("words,parts", [
     ("preset c", ["preset", "value c", "allowed: a, b"]),
-    ("fractur none", ["fractur", "nearest known one is fracture"]),
+    ("fractur none", ["fractur", "nearest known one is 'fracture'"]),
     ("thickness -1", ["thickness", "-1", "allowed"]),
     ("thickness nan", ["nan"]),  # LAMMPS's own words, followed by the input line
     ("thickness", ["thickness", "no value"]),
@@ -82,7 +82,7 @@ def test_cutoff_below_the_breaking_distance(tmp_path):
     ("velocity nan pressure 1", ["nan"]),
     ("velocity 5 pressure -1", ["pressure", "-1", ">= 0"]),
     ("velocity 5 pressure inf", ["inf"]),
-    ("velocity 5 pressur 1", ["pressur", "nearest known one is pressure"]),
+    ("velocity 5 pressur 1", ["pressur", "nearest known one is 'pressure'"]),
     ("velocity 5 pressure 1 every 0", ["every", "0", "> 0"]),
     ("velocity 5 pressure 1 every 2.5", ["2.5"]),
     ("velocity v_no pressure 1", ["no equal-style variable no"]),
@@ -106,9 +106,9 @@ def test_a_failed_run_leaves_no_half_written_log(tmp_path):
 
 
 @pytest.mark.parametrize("command,parts", [
-    ("compute 1 all mca/atom linsk", ["linsk", "nearest known one is links"]),
+    ("compute 1 all mca/atom linsk", ["linsk", "nearest known one is 'links'"]),
     ("compute 1 all mca/link/local", ["mca/link/local", "id1"]),
-    ("compute 1 all mca/link/local sigmaa", ["sigmaa", "nearest known one is sigma"]),
+    ("compute 1 all mca/link/local sigmaa", ["sigmaa", "nearest known one is 'sigma'"]),
     ("mca_links make all all", ["make", "create, delete"]),
     ("mca_links create all nobody", ["nobody"]),
     ("mca_links create all all reach nan", ["nan"]),

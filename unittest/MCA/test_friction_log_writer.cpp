@@ -35,6 +35,7 @@ class FrictionLogWriterTest : public testing::Test {
     h.velocity = 5;
     h.width = 100;
     h.thickness = 1;
+    h.packing = "hex";
     h.automata = 1280;
     h.laws = {"preset", "b", "link", "elastic_limit"};
     h.timestep = 5e-5;
@@ -91,6 +92,18 @@ TEST_F(FrictionLogWriterTest, HeaderThenColumnsThenRows)
                         "formed gap\n1000 0.05 0.25 7.5 15 0.5 3000 4 5 -0.1\n2000 "));
   EXPECT_EQ(rows().size(), 2u);
   EXPECT_FALSE(fs::exists(path.string() + ".tmp"));
+}
+
+TEST_F(FrictionLogWriterTest, TheHeadNamesThePackingOfTheRun)
+{
+  for (const char *packing : {"hex", "fcc", "hcp", "sc"}) {
+    mca::LogHeader h = header();
+    h.packing = packing;
+    mca::FrictionLogWriter log;
+    log.begin(path, h, units);
+    EXPECT_THAT(text(), HasSubstr(std::string("diameter: 2.5, packing: ") + packing +
+                                  ", automata: 1280}\n"));
+  }
 }
 
 TEST_F(FrictionLogWriterTest, UnitsOfTheRunBecomeThoseOfTheLog)

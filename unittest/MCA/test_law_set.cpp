@@ -119,8 +119,8 @@ TEST(LawSet, WordsThatDoNotGoTogether)
 TEST(LawSet, UnknownKeywordNamesTheNearest)
 {
   const std::string line = problemOf({"fractur", "none"});
-  EXPECT_THAT(line, HasSubstr("unknown keyword fractur"));
-  EXPECT_THAT(line, HasSubstr("nearest known one is fracture"));
+  EXPECT_THAT(line, HasSubstr("unknown keyword 'fractur'"));
+  EXPECT_THAT(line, HasSubstr("nearest known one is 'fracture'"));
 }
 
 TEST(LawSet, HealingNeedsWelds)

@@ -1,5 +1,7 @@
 #include "sample.h"
 
+#include "shared/nearest_word.h"
+
 #include <gmock/gmock.h>
 
 #include <cmath>
@@ -90,12 +92,12 @@ TEST(Material, YieldStrengthBelowTheElasticLimitIsRefused)
 
 TEST(Material, NearestKeywordOfAMisspelling)
 {
-  EXPECT_EQ(mca::nearestMaterialKeyword("young_modulus"), "youngs_modulus");
-  EXPECT_EQ(mca::nearestMaterialKeyword("viscocity"), "viscosity");
-  EXPECT_EQ(mca::nearestMaterialKeyword("poisson_ratio"), "poissons_ratio");
-  EXPECT_EQ(mca::nearestMaterialKeyword("Diameter"), "diameter");
+  EXPECT_EQ(mcawr::nearestWord("young_modulus", mca::materialKeywords()), "youngs_modulus");
+  EXPECT_EQ(mcawr::nearestWord("viscocity", mca::materialKeywords()), "viscosity");
+  EXPECT_EQ(mcawr::nearestWord("poisson_ratio", mca::materialKeywords()), "poissons_ratio");
+  EXPECT_EQ(mcawr::nearestWord("Diameter", mca::materialKeywords()), "diameter");
   for (const auto &q : mca::materialQuantities())
-    EXPECT_EQ(mca::nearestMaterialKeyword(q.keyword), q.keyword);
+    EXPECT_EQ(mcawr::nearestWord(q.keyword, mca::materialKeywords()), q.keyword);
   EXPECT_EQ(mca::findMaterialQuantity("viscocity"), nullptr);
 }
 

@@ -74,7 +74,7 @@ TEST(MaterialFile, Truncated)
   EXPECT_EQ(problemOf(text.substr(0, text.find("\ndiameter") + 1)), "x.mca: diameter is missing");
   // cut within a line
   EXPECT_THAT(problemOf(text.substr(0, text.find("density") + 4)),
-              HasSubstr("x.mca:4: unknown keyword dens, the nearest known one is density"));
+              HasSubstr("x.mca:4: unknown keyword 'dens'; the nearest known one is 'density'"));
   EXPECT_THAT(problemOf(text.substr(0, text.find("density") + 7)),
               HasSubstr("x.mca:4: density has no value, allowed: > 0"));
 }
@@ -106,7 +106,7 @@ TEST(MaterialFile, OutOfRange)
 TEST(MaterialFile, UnknownKeywordNamesTheNearest)
 {
   EXPECT_EQ(problemOf(changed("viscosity", "viscocity")),
-            "x.mca:10: unknown keyword viscocity, the nearest known one is viscosity");
+            "x.mca:10: unknown keyword 'viscocity'; the nearest known one is 'viscosity'");
 }
 
 TEST(MaterialFile, TwiceOrTwoValues)
@@ -150,9 +150,10 @@ TEST(MaterialFile, OverrideTakesPrecedenceAndIsChecked)
   EXPECT_EQ(m.density, steel().density);
   EXPECT_EQ(overrideProblem({}), "");
   EXPECT_EQ(overrideProblem({"strenght", "200"}),
-            "unknown keyword strenght, the nearest known one is strength");
+            "unknown keyword 'strenght'; the nearest known one is 'strength'");
   EXPECT_THAT(overrideProblem({"strength"}), HasSubstr("keyword strength has no value"));
   EXPECT_THAT(overrideProblem({"strength", "2oo"}), HasSubstr("strength is '2oo', allowed:"));
+  EXPECT_THAT(overrideProblem({"strength", "0x10"}), HasSubstr("strength is '0x10', allowed:"));
   EXPECT_THAT(overrideProblem({"strength", "nan"}), HasSubstr("strength is 'nan'"));
   EXPECT_THAT(overrideProblem({"density", "-1"}), HasSubstr("density is -1, allowed: > 0"));
   // together with the rest of the material: sigma_0/E beyond the breaking strain

@@ -32,6 +32,18 @@ inline wheelrail::Case read(const std::string &text, const std::vector<std::stri
   }
 }
 
+/// A case of rolling, and one without.
+inline wheelrail::CreepSpecification rolling(const std::string &text,
+                                             const std::vector<std::string> &changes = {})
+{
+  return std::get<wheelrail::CreepSpecification>(read(text, changes).task);
+}
+inline wheelrail::StaticSpecification still(const std::string &text,
+                                            const std::vector<std::string> &changes = {})
+{
+  return std::get<wheelrail::StaticSpecification>(read(text, changes).task);
+}
+
 } // namespace case_text
 
 #endif

@@ -2,8 +2,8 @@
 #define WHEELRAIL_CONTACT_CASES_H
 
 #include "contact/hertz.h"
-#include "contact/line/profile.h"
 #include "contact/line/contact_interval.h"
+#include "contact/line/profile.h"
 #include "contact/normal_contact.h"
 
 #include <cmath>

@@ -8,6 +8,8 @@ using namespace wheelrail;
 namespace {
 
 using case_text::read;
+using case_text::rolling;
+using case_text::still;
 using case_text::table2;
 
 const std::string minimal = table2 + "creep: [1e-3, 1e-2]\n";
@@ -34,30 +36,31 @@ bool contains(const std::string &text, const std::string &part)
 
 TEST(CaseFile, FillsInDefaults)
 {
-  const Case c = read(minimal);
-  EXPECT_DOUBLE_EQ(c.load, 4e6);
-  EXPECT_DOUBLE_EQ(c.youngsModulus, 210e9);
-  EXPECT_EQ(c.points, 1024);
-  EXPECT_EQ(c.roughness, RoughnessKind::None);
-  EXPECT_EQ(c.law, "bucher2006");
-  EXPECT_EQ(c.thermal, ThermalModel::Averaged);
+  const CreepSpecification c = rolling(minimal);
+  EXPECT_DOUBLE_EQ(c.contact.load, 4e6);
+  EXPECT_DOUBLE_EQ(c.contact.youngsModulus, 210e9);
+  EXPECT_EQ(c.contact.points, 1024);
+  EXPECT_EQ(c.surface.kind, RoughnessKind::None);
+  EXPECT_EQ(c.physics.friction.law, "bucher2006");
+  EXPECT_EQ(c.physics.thermal.model, ThermalModel::Averaged);
   EXPECT_EQ(c.mode, RollingMode::Frozen);
-  EXPECT_DOUBLE_EQ(c.strength, 1e9);
+  EXPECT_DOUBLE_EQ(c.physics.friction.strength, 1e9);
   EXPECT_EQ(c.speed, (std::vector<double>{10.0, 20.0, 40.0}));
   EXPECT_EQ(c.creep, (std::vector<double>{1e-3, 1e-2}));
 }
 
 TEST(CaseFile, ReadsGroupsAndChoices)
 {
-  const Case c = read(table2 + "roughness: {hurst: 0.8, rms_slope: 0.02, wavelength_min: 0.1 mm, "
-                               "wavelength_max: 1 cm, seed: [4, 5]}\n"
-                               "friction: {law: constant, mu: 0.3}\n"
-                               "thermal: off\nmode: moving\nspeed: 36 km/h\n"
-                               "creep: {from: 1e-4, to: 1e-1, n: 4}\npoints: 2048\n");
-  EXPECT_EQ(c.roughness, RoughnessKind::Fractal);
-  EXPECT_DOUBLE_EQ(c.surface.wavelengthMax, 10e-3);
-  EXPECT_EQ(c.seeds, (std::vector<std::uint64_t>{4, 5}));
-  EXPECT_EQ(c.thermal, ThermalModel::Off);
+  const CreepSpecification c =
+      rolling(table2 + "roughness: {hurst: 0.8, rms_slope: 0.02, wavelength_min: 0.1 mm, "
+                       "wavelength_max: 1 cm, seed: [4, 5]}\n"
+                       "friction: {law: constant, mu: 0.3}\n"
+                       "thermal: off\nmode: moving\nspeed: 36 km/h\n"
+                       "creep: {from: 1e-4, to: 1e-1, n: 4}\npoints: 2048\n");
+  EXPECT_EQ(c.surface.kind, RoughnessKind::Fractal);
+  EXPECT_DOUBLE_EQ(c.surface.fractal.wavelengthMax, 10e-3);
+  EXPECT_EQ(c.surface.seeds, (std::vector<std::uint64_t>{4, 5}));
+  EXPECT_EQ(c.physics.thermal.model, ThermalModel::Off);
   EXPECT_EQ(c.mode, RollingMode::Moving);
   EXPECT_EQ(c.speed, std::vector<double>{10.0});
   ASSERT_EQ(c.creep.size(), 4u);
@@ -74,24 +77,29 @@ TEST(CaseFile, ConfigurationReadsBackToTheSame)
     const Case first = read(table2 + more);
     const Case second = read(first.text);
     EXPECT_EQ(first.text, second.text);
-    EXPECT_EQ(first.creep, second.creep);
-    EXPECT_EQ(first.thermal, second.thermal);
+    const auto a = std::get<CreepSpecification>(first.task);
+    const auto b = std::get<CreepSpecification>(second.task);
+    EXPECT_EQ(a.creep, b.creep);
+    EXPECT_EQ(a.physics.thermal.model, b.physics.thermal.model);
   }
 }
 
 TEST(CaseFile, ChangesFromTheCommandLine)
 {
-  const Case c = read(minimal, {"creep={from: 1e-3, to: 1e-2, n: 2}", "speed=20 m/s",
-                                "contact.radius=460 mm", "thermal=off",
-                                "roughness={hurst: 0.8, rms_height: 2 um, wavelength_min: 1 mm, "
-                                "wavelength_max: 9 mm}",
-                                "roughness.seed=3"});
-  EXPECT_DOUBLE_EQ(c.radius, 0.46);
+  const Case whole =
+      read(minimal, {"creep={from: 1e-3, to: 1e-2, n: 2}", "speed=20 m/s", "contact.radius=460 mm",
+                     "thermal=off",
+                     "roughness={hurst: 0.8, rms_height: 2 um, wavelength_min: 1 mm, "
+                     "wavelength_max: 9 mm}",
+                     "roughness.seed=3"});
+  const auto c = std::get<CreepSpecification>(whole.task);
+  EXPECT_DOUBLE_EQ(c.contact.radius, 0.46);
   EXPECT_EQ(c.creep.size(), 2u);
-  EXPECT_EQ(c.seeds, std::vector<std::uint64_t>{3});
-  const Case smooth = read(c.text, {"roughness=none", "thermal.conductivity=40 W/(m K)"});
-  EXPECT_EQ(smooth.roughness, RoughnessKind::None);
-  EXPECT_DOUBLE_EQ(smooth.material.conductivity, 40.0);
+  EXPECT_EQ(c.surface.seeds, std::vector<std::uint64_t>{3});
+  const CreepSpecification smooth =
+      rolling(whole.text, {"roughness=none", "thermal.conductivity=40 W/(m K)"});
+  EXPECT_EQ(smooth.surface.kind, RoughnessKind::None);
+  EXPECT_DOUBLE_EQ(smooth.physics.thermal.material.conductivity, 40.0);
   EXPECT_TRUE(contains(messageOf(minimal, {"points"}, ExitCode::Usage), "KEYWORD=VALUE"));
   EXPECT_TRUE(contains(messageOf(minimal, {"pionts=4"}, ExitCode::Usage), "'points'"));
   EXPECT_TRUE(contains(messageOf(minimal, {"points=many"}, ExitCode::Usage), "many"));
@@ -105,12 +113,20 @@ TEST(CaseFile, NamesLineKeywordAndNearest)
   EXPECT_TRUE(contains(message, "'friction'")) << message;
   EXPECT_TRUE(contains(messageOf(minimal + "friction:\n  locl: true\n"), ":5: friction.locl"));
   EXPECT_TRUE(contains(messageOf(minimal + "friction:\n  locl: true\n"), "'friction.local'"));
+  // nothing near: what there is in the group; a beginning is near
+  EXPECT_TRUE(contains(messageOf(minimal + "thermal: {heat: 3}\n"),
+                       "known: thermal.conductivity, thermal.density, thermal.specific_heat"));
+  EXPECT_TRUE(contains(messageOf("contact: {load: 4000 N/mm}\n"), "'contact.load_per_length'"));
 }
 
 TEST(CaseFile, BadValues)
 {
   const char *const faults[][2] = {
       {"points: nan\n", "points"},
+      {"points: 0x100\n", "plain number"},
+      {"speed: 0x10 m/s\n", "not a unit"},
+      {"friction: {strength: 1 500 MPa}\n", "second number"},
+      {"friction: {strength: \"1,500 MPa\"}\n", "second number"},
       {"points: 100.5\n", "whole number"},
       {"points: -5\n", "allowed range"},
       {"points: [1024]\n", "not a list"},
@@ -162,26 +178,27 @@ TEST(CaseFile, StaticModeAndPeriod)
   const std::string flat = "contact: {load_per_length: 2000 N/mm, period: 10 mm,\n"
                            "          youngs_modulus: 210 GPa, poissons_ratio: 0.3}\n";
   const std::string forces = "mode: static\nstatic: {force_ratio: [0, 0.5]}\n";
-  const Case c = read(flat + forces);
-  EXPECT_EQ(c.mode, RollingMode::Static);
-  EXPECT_DOUBLE_EQ(c.period, 0.01);
+  const Case whole = read(flat + forces);
+  const auto c = std::get<StaticSpecification>(whole.task);
+  EXPECT_EQ(c.physics.thermal.model, ThermalModel::Off);
+  EXPECT_DOUBLE_EQ(c.contact.period, 0.01);
   EXPECT_EQ(c.forceRatio, (std::vector<double>{0.0, 0.5}));
-  EXPECT_EQ(read(c.text).text, c.text);
+  EXPECT_EQ(read(whole.text).text, whole.text);
   EXPECT_TRUE(contains(messageOf(flat + "creep: 1e-3\n"), "contact.period: does not go with mode"));
   EXPECT_TRUE(contains(messageOf(flat + forces, {"contact.radius=1 m"}), "does not go with"));
   EXPECT_TRUE(
       contains(messageOf(flat + forces, {"contact.hardness_limit=true"}), "elastic contact"));
   EXPECT_EQ(messageOf(flat + forces, {"contact.hardness_limit=true", "static.force_ratio=0"}), "");
   // a case of rolling becomes static without its creeps and speeds getting in the way
-  EXPECT_EQ(read(minimal, {"mode=static", "static.force_ratio=0.5"}).mode, RollingMode::Static);
+  EXPECT_EQ(still(minimal, {"mode=static", "static.force_ratio=0.5"}).forceRatio.size(), 1u);
 }
 
 TEST(CaseFile, SeveralProfiles)
 {
   const Case c = read(minimal + "roughness: {rail: [a.csv, b.csv], wheel: [c.csv, d.csv]}\n");
-  EXPECT_EQ(c.profiles(), 2u);
-  EXPECT_TRUE(contains(c.wheel[1], "d.csv"));
-  EXPECT_EQ(read(minimal).profiles(), 1u);
+  EXPECT_EQ(c.surface().profiles(), 2u);
+  EXPECT_TRUE(contains(c.surface().wheel[1], "d.csv"));
+  EXPECT_EQ(read(minimal).surface().profiles(), 1u);
 }
 
 TEST(CaseFile, TruncatedEmptyOrOther)

@@ -22,8 +22,8 @@ const std::string rough = "roughness: {hurst: 0.8, rms_slope: 0.02, wavelength_m
 
 CreepCurves solve(const std::string &text, const SweepOptions &options = {})
 {
-  const Case input = case_text::read(table2 + text);
-  return solveCreepCurves(input, lawOf(input), options);
+  const CreepSpecification asked = case_text::rolling(table2 + text);
+  return solveCreepCurves(asked, readLaw(asked.physics.friction), options);
 }
 
 void expectSame(const CreepCurves &a, const CreepCurves &b)
@@ -139,7 +139,8 @@ TEST(CreepCurve, ResumesToTheSameResult)
 TEST(CreepCurve, LawsCovarianceBecomesABand)
 {
   // In full sliding with the averaged law T/N = mu0 + ..., so that its error is that of mu0
-  const Case input = case_text::read(table2 + "creep: [0.05]\nspeed: 20 m/s\nthermal: off\n");
+  const CreepSpecification input =
+      case_text::rolling(table2 + "creep: [0.05]\nspeed: 20 m/s\nthermal: off\n");
   FrictionLaw law = bucher2006();
   LawCovariance covariance = LawCovariance::Zero();
   covariance(0, 0) = 0.02 * 0.02;
@@ -158,8 +159,9 @@ TEST(CreepCurve, SampledBandIsTheLinearOneForASmallCovariance)
   covariance.diagonal() << 1e-5, 0.0, 2e-5, 0.0, 1e-9;
   covariance(0, 2) = covariance(2, 0) = -1e-5;
   law.covariance = covariance;
-  const Case linear = case_text::read(table2 + text);
-  const Case sampled = case_text::read(table2 + text + "uncertainty: {method: sampled}\n");
+  const CreepSpecification linear = case_text::rolling(table2 + text);
+  const CreepSpecification sampled =
+      case_text::rolling(table2 + text + "uncertainty: {method: sampled}\n");
   const CreepCurves lines = solveCreepCurves(linear, law);
   SweepOptions one, three;
   one.threads = 1;
@@ -183,8 +185,8 @@ TEST(CreepCurve, HardnessFallsWithTemperature)
   const std::string limited = "contact: {load_per_length: 4000 N/mm, radius: 0.5 m,\n"
                               "          youngs_modulus: 210 GPa, poissons_ratio: 0.3,\n"
                               "          hardness_limit: true}\n";
-  const Case input = case_text::read(limited + common);
-  const CreepCurves curves = solveCreepCurves(input, lawOf(input));
+  const CreepSpecification input = case_text::rolling(limited + common);
+  const CreepCurves curves = solveCreepCurves(input, readLaw(input.physics.friction));
   EXPECT_GT(elastic.last.pressure.maxCoeff(), 3e9);
   const double rise = curves.points[1].temperatureRise;
   EXPECT_GT(rise, 100.0);

@@ -151,7 +151,7 @@ TEST(LawFile, readsBackWhatItWrote)
   EXPECT_EQ(back.c, law.c);
   EXPECT_EQ(*back.covariance, *law.covariance);
   EXPECT_EQ(back.n, 34);
-  EXPECT_EQ(back.kappa2_range, law.kappa2_range);
+  EXPECT_EQ(back.kappa2Range, law.kappa2Range);
   EXPECT_EQ(back.source, law.source);
   EXPECT_EQ(readFrictionLaw("bucher2006").mu1, 0.0442);
   EXPECT_FALSE(readFrictionLaw(write(toJson(bucher2006()).dump())).covariance);
@@ -169,6 +169,10 @@ TEST(LawFile, badContentIsOneClearLine)
   expectContains(problemOf(lawWith("mu0", nullptr)), "mu0: a number is expected, not null");
   expectContains(problemOf(lawWith("mu_2", 1)),
                  "unknown key 'mu_2'; the nearest known one is 'mu2'");
+  auto hexadecimal = whole;
+  hexadecimal.replace(hexadecimal.find("0.195"), 5, "0x10");
+  expectContains(problemOf(hexadecimal), "not JSON");
+  expectContains(problemOf(lawWith("b", "0x10")), "b: a number is expected");
   expectContains(problemOf(lawWith("n", -3)), "n: a whole number");
   expectContains(problemOf(lawWith("kappa1_range", {3, 1})), "[3, 1] is not a range");
   expectContains(problemOf(lawWith("covariance", {1, 2})), "5 x 5");

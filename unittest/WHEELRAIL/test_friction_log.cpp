@@ -76,12 +76,12 @@ void expectContains(const std::string &text, const std::string &part)
 TEST(FrictionLog, readsMaterialLoadingAndSeries)
 {
   const auto log = readFrictionLog(write(goodLog()));
-  EXPECT_EQ(log.youngs_modulus, 206000);
+  EXPECT_EQ(log.youngsModulus, 206000);
   EXPECT_EQ(log.strength, 92);
   EXPECT_EQ(log.pressure, 15);
   EXPECT_EQ(log.seed, 7);
-  EXPECT_EQ(log.made_by.at("laws.preset"), "B");
-  EXPECT_EQ(log.made_by.at("program.lammps"), "20250204");
+  EXPECT_EQ(log.madeBy.at("laws.preset"), "B");
+  EXPECT_EQ(log.madeBy.at("program.lammps"), "20250204");
   ASSERT_EQ(log.mu.size(), 100u);
   EXPECT_DOUBLE_EQ(log.mu[2], 0.43);
   EXPECT_NEAR(log.interval(), 0.05, 1e-12);
@@ -218,16 +218,16 @@ TEST(FrictionPoint, grindingInIsWhatComesBeforeTheStationaryPart)
   const auto log = readFrictionLog(write(text));
   const auto point = frictionPoint(log, {});
   EXPECT_TRUE(point.stationary());
-  EXPECT_NEAR(point.t_start, 10.0, 0.5);
+  EXPECT_NEAR(point.tStart, 10.0, 0.5);
   EXPECT_NEAR(point.mu, 0.4, 0.003);
-  EXPECT_NEAR(point.mu_grinding_in, 0.8, 0.01);
-  EXPECT_NEAR(point.mu_eq2, 0.441758, 1e-6);
+  EXPECT_NEAR(point.muGrindingIn, 0.8, 0.01);
+  EXPECT_NEAR(point.muEq2, 0.441758, 1e-6);
   PointOptions fixed;
   fixed.start = 0.0;
-  fixed.grinding_in = 20.0;
+  fixed.grindingIn = 20.0;
   const auto all = frictionPoint(log, fixed);
   EXPECT_NEAR(all.mu, 0.48, 0.003);
-  EXPECT_NEAR(all.mu_grinding_in, 0.6, 0.003);
+  EXPECT_NEAR(all.muGrindingIn, 0.6, 0.003);
   fixed.start = 60.0;
   EXPECT_THROW(frictionPoint(log, fixed), Error);
 }
@@ -259,7 +259,7 @@ TEST(FrictionPoint, copiesOfARunAreToldFromOtherRuns)
   another.seed = 8;
   EXPECT_FALSE(sameRun(run, another));
   another = run;
-  another.made_by["laws.preset"] = "A";
+  another.madeBy["laws.preset"] = "A";
   EXPECT_FALSE(sameRun(run, another));
 }
 
@@ -272,9 +272,9 @@ TEST(Replicates, runsOfEqualKappasAreGrouped)
     points[i].kappa1 = kappa1[i];
     points[i].kappa2 = i == 4 ? 30.0 : 365.0;
     points[i].mu = mu[i];
-    points[i].mu_se = 0.01 * (i + 1);
+    points[i].muSe = 0.01 * (i + 1);
   }
-  points[5].left_out = "no stationary part";
+  points[5].leftOut = "no stationary part";
   const auto groups = replicateGroups(points);
   ASSERT_EQ(groups.size(), 1u);
   EXPECT_EQ(groups[0].n, 3);

@@ -108,6 +108,56 @@ TEST(HalfPlane, PreconditionerIsSymmetricAndPositive)
   EXPECT_GT(Vector::Ones(60).dot(plane.tractionEstimate(Vector::Ones(60))), 0.0);
 }
 
+TEST(HalfPlane, IsAHalfSpaceOfALine)
+{
+  // the unit of length is free, and across the line it is 1/(1 - nu) times as compliant
+  const double nu = 0.3;
+  HalfPlane cells(600, Boundary::Free), plane(600, Boundary::Free, nu, 0.25);
+  HalfSpace &space = plane;
+  EXPECT_EQ(space.grid().nx, 600);
+  EXPECT_EQ(space.grid().ny, 1);
+  const Vector q = bumpy(600);
+  const Vector u = cells.displacement(q);
+  EXPECT_LT((space.displacement(q) - 0.25 * u).norm(), 1e-14 * u.norm());
+  const TangentialField both = space.displacement(TangentialField{q, 2.0 * q});
+  EXPECT_LT((both.x - 0.25 * u).norm(), 1e-14 * u.norm());
+  EXPECT_LT((both.y - 0.5 / (1.0 - nu) * u).norm(), 1e-14 * u.norm());
+  const TangentialField estimate = space.tractionEstimate(both);
+  EXPECT_LT((estimate.y - 2.0 * estimate.x).norm(), 1e-12 * estimate.x.norm());
+}
+
+TEST(HalfPlane, CoarserGridHasTheSameUnits)
+{
+  HalfPlane plane(512, Boundary::Free, 0.3, 0.5);
+  const auto coarse = plane.coarser();
+  ASSERT_TRUE(coarse);
+  EXPECT_EQ(coarse->grid().nx, 256);
+  EXPECT_EQ(coarse->grid().dx, 1.0);
+  // a smooth pressure bends both the same, but for the constant that is free in two dimensions
+  Vector q(512);
+  for (int i = 0; i < 512; ++i)
+    q[i] = std::exp(-std::pow((i - 255.5) / 60.0, 2));
+  const Vector coarseU = coarse->displacement(coarseMean(plane.grid(), coarse->grid(), q));
+  const Vector u = coarseMean(plane.grid(), coarse->grid(), plane.displacement(q));
+  const Vector difference = (u - coarseU).array() - (u - coarseU).mean();
+  EXPECT_LT(difference.cwiseAbs().maxCoeff(), 1e-3 * (u.maxCoeff() - u.minCoeff()));
+  EXPECT_FALSE(HalfPlane(255, Boundary::Free).coarser());
+  EXPECT_FALSE(HalfPlane(301, Boundary::Free).coarser());
+}
+
+TEST(CellGrid, CoarseAndFineFieldsOfAPatch)
+{
+  const CellGrid fine{4, 2, 1.0, 1.0}, coarse{2, 1, 2.0, 2.0};
+  Vector values(8);
+  values << 1, 2, 3, 4, 5, 6, 7, 8;
+  const Vector mean = coarseMean(fine, coarse, values);
+  EXPECT_EQ(mean[0], 3.5);
+  EXPECT_EQ(mean[1], 5.5);
+  const Vector back = refinedField(fine, coarse, mean);
+  EXPECT_EQ(back[fine.index(1, 1)], 3.5);
+  EXPECT_EQ(back[fine.index(2, 0)], 5.5);
+}
+
 TEST(HalfPlane, FastSizesHaveSmallFactors)
 {
   EXPECT_EQ(fastTransformSize(2), 2);

@@ -47,10 +47,10 @@ TEST(LawFit, exactPointsGiveTheLawBack)
   const auto found = valuesOf(fit.law);
   for (int k = 0; k < lawParameters; ++k)
     EXPECT_NEAR(found[k] / truth[k], 1.0, 1e-6) << fitParameterNames[k];
-  EXPECT_LT(fit.law.rms_relative, 1e-9);
+  EXPECT_LT(fit.law.rmsRelative, 1e-9);
   EXPECT_EQ(fit.freedom, 31);
-  EXPECT_EQ(fit.law.kappa2_range, (std::array<double, 2>{2.0, 633.0}));
-  EXPECT_EQ(fit.not_identifiable, "");
+  EXPECT_EQ(fit.law.kappa2Range, (std::array<double, 2>{2.0, 633.0}));
+  EXPECT_EQ(fit.notIdentifiable, "");
 }
 
 TEST(LawFit, powerOfKappa3)
@@ -63,7 +63,7 @@ TEST(LawFit, powerOfKappa3)
     EXPECT_NEAR(found[k] / truth[k], 1.0, 1e-6) << fitParameterNames[k];
   EXPECT_NEAR(fit.exponent, 0.3, 1e-7);
   EXPECT_EQ(fit.freedom, 30);
-  EXPECT_LT(fit.law.rms_relative, 1e-9);
+  EXPECT_LT(fit.law.rmsRelative, 1e-9);
   // another reference: the same law times the power
   const auto other = valuesOf(fitLaw(LawModel::Kappa3, points, 0.95, 500.0).law);
   const double factor = std::pow(0.25, 0.3);
@@ -91,7 +91,7 @@ TEST(LawFit, intervalOfTheExponentCovers)
       p.mu *= 1.0 + 0.09 * normal(generator);
     const auto fit = fitLaw(LawModel::Kappa3, points, 0.95, 2000.0);
     covered += fit.intervals[5].lower <= 0.3 && 0.3 <= fit.intervals[5].upper;
-    error += fit.exponent_error / fits;
+    error += fit.exponentError / fits;
     spread += std::pow(fit.exponent - 0.3, 2) / fits;
     preferred += fit.aicc < fitLaw(LawModel::Full, points, 0.0).aicc;
   }
@@ -126,15 +126,15 @@ TEST(LawFit, intervalsCoverAtTheirLevel)
   for (int i = 0; i < fits; ++i) {
     auto points = paperDesign();
     for (auto &p : points) {
-      p.mu_se = 0.02 * p.mu * std::exp(0.5 * normal(generator));
+      p.muSe = 0.02 * p.mu * std::exp(0.5 * normal(generator));
       p.mu *= 1.0 + 0.09 * normal(generator);
     }
     const auto fit = fitLaw(LawModel::Full, points);
-    ASSERT_EQ(fit.not_identifiable, "");
+    ASSERT_EQ(fit.notIdentifiable, "");
     for (int k = 0; k < lawParameters; ++k)
       covered[k] += truth[k] >= fit.intervals[k].lower && truth[k] <= fit.intervals[k].upper;
     scatter += fit.scatter / fits;
-    rms += fit.law.rms_relative / fits;
+    rms += fit.law.rmsRelative / fits;
     fullIsBetter += fit.aicc < fitLaw(LawModel::Pressure, points, 0.0).aicc;
   }
   for (int k = 0; k < lawParameters; ++k) {
@@ -152,25 +152,25 @@ TEST(LawFit, scatterIsZeroWhenTheErrorsExplainAll)
   std::normal_distribution<double> normal;
   auto points = paperDesign();
   for (auto &p : points) {
-    p.mu_se = 0.03;
+    p.muSe = 0.03;
     p.mu += 0.01 * normal(generator);
   }
   const auto fit = fitLaw(LawModel::Full, points, 0.0);
   EXPECT_EQ(fit.scatter, 0.0);
-  EXPECT_LT(fit.chi_squared, fit.freedom);
+  EXPECT_LT(fit.chiSquared, fit.freedom);
 }
 
 TEST(LawFit, preciseRunsWeighMore)
 {
   auto points = paperDesign();
   for (auto &p : points)
-    p.mu_se = 1e-3;
+    p.muSe = 1e-3;
   points[17].mu = 1.0; // far off, but its own error says so
-  points[17].mu_se = 0.5;
+  points[17].muSe = 0.5;
   const auto fit = fitLaw(LawModel::Full, points, 0.0);
   EXPECT_NEAR(fit.law.mu2, 0.3243, 1e-3);
   EXPECT_LT(std::abs(fit.studentised[17]), outlierLimit);
-  points[17].mu_se = 1e-3;
+  points[17].muSe = 1e-3;
   const auto outlier = fitLaw(LawModel::Full, points, 0.0);
   EXPECT_GT(outlier.studentised[17], outlierLimit);
 }
@@ -188,9 +188,9 @@ TEST(LawFit, parameterAtItsBoundDoesNotMakeOutliers)
     points.push_back({kappa1[i], kappa2[i], noise[i] * law(kappa1[i], kappa2[i]), 1e-4});
   }
   const auto fit = fitLaw(LawModel::Full, points, 0.0);
-  ASSERT_TRUE(fit.at_bound[0]);
+  ASSERT_TRUE(fit.atBound[0]);
   for (double value : fit.studentised)
-    EXPECT_LT(std::abs(value), 1.1 * std::sqrt(fit.chi_squared));
+    EXPECT_LT(std::abs(value), 1.1 * std::sqrt(fit.chiSquared));
 }
 
 TEST(LawFit, orderOfPointsDoesNotMatter)
@@ -241,14 +241,14 @@ TEST(LawFit, tooFewAndCollinearPointsAreNamed)
   for (int i = 1; i <= 12; ++i)
     line.push_back({0.01 * i, 100.0 * i, 0.4, 0.01});
   const auto fit = fitLaw(LawModel::Full, line);
-  EXPECT_NE(fit.not_identifiable, "");
+  EXPECT_NE(fit.notIdentifiable, "");
 }
 
 TEST(LawFit, valuesThatAreNoNumbersAreRefused)
 {
   for (int field = 0; field < 4; ++field) {
     auto points = paperDesign();
-    double *values[] = {&points[3].kappa1, &points[3].kappa2, &points[3].mu, &points[3].mu_se};
+    double *values[] = {&points[3].kappa1, &points[3].kappa2, &points[3].mu, &points[3].muSe};
     *values[field] = std::nan("");
     EXPECT_THROW(fitLaw(LawModel::Full, points), std::invalid_argument);
   }

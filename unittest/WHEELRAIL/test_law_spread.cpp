@@ -14,13 +14,9 @@ FrictionLaw lawWith(const LawCovariance &covariance)
   return law;
 }
 
-Case caseOf(UncertaintyMethod method, int samples = 2000)
+SpreadSpecification by(UncertaintyMethod method, int samples = 2000)
 {
-  Case input;
-  input.uncertainty = method;
-  input.uncertaintySamples = samples;
-  input.uncertaintySeed = 1;
-  return input;
+  return {method, samples, 1};
 }
 
 std::vector<double> muOf(const LawSpread &spread, double kappa2)
@@ -35,7 +31,7 @@ std::vector<double> muOf(const LawSpread &spread, double kappa2)
 
 TEST(LawSpread, NoCovarianceNoBand)
 {
-  const LawSpread spread(caseOf(UncertaintyMethod::Sampled), bucher2006());
+  const LawSpread spread(by(UncertaintyMethod::Sampled), bucher2006());
   EXPECT_FALSE(spread.any());
   const Band band = spread.band({0.3});
   EXPECT_EQ(band.low, 0.3);
@@ -50,7 +46,7 @@ TEST(LawSpread, BothMethodsGiveTheErrorOfALinearResult)
   covariance(0, 2) = covariance(2, 0) = -0.9 * 0.02 * 0.03;
   const double error = std::sqrt(4e-4 + 9e-4 - 2 * 0.9 * 0.02 * 0.03);
   for (auto method : {UncertaintyMethod::Linear, UncertaintyMethod::Sampled}) {
-    const LawSpread spread(caseOf(method), lawWith(covariance));
+    const LawSpread spread(by(method), lawWith(covariance));
     const Band band = spread.band(muOf(spread, 0.0));
     EXPECT_NEAR(band.standardError / error, 1.0, 0.05); // 2000 samples: +-1.6 %
     EXPECT_NEAR((band.high - band.low) / (2 * 1.959964 * error), 1.0, 0.06);
@@ -63,7 +59,7 @@ TEST(LawSpread, SamplesSeeWhatIsNotLinear)
   // c known to 60 %: mu = mu0 + mu2/(1 + c kappa2) is skew, and c < 0 is drawn again
   LawCovariance covariance = LawCovariance::Zero();
   covariance(4, 4) = std::pow(0.6 * 0.00212, 2);
-  const LawSpread spread(caseOf(UncertaintyMethod::Sampled), lawWith(covariance));
+  const LawSpread spread(by(UncertaintyMethod::Sampled), lawWith(covariance));
   const auto mu = muOf(spread, 1500.0);
   const Band band = spread.band(mu);
   EXPECT_GT(band.high - mu[0], 1.5 * (mu[0] - band.low));
@@ -75,9 +71,9 @@ TEST(LawSpread, SamplesSeeWhatIsNotLinear)
 TEST(LawSpread, TheSeedAloneDecides)
 {
   const LawCovariance covariance = 1e-6 * LawCovariance::Identity();
-  Case input = caseOf(UncertaintyMethod::Sampled, 50);
+  SpreadSpecification input = by(UncertaintyMethod::Sampled, 50);
   const LawSpread first(input, lawWith(covariance)), again(input, lawWith(covariance));
-  input.uncertaintySeed = 2;
+  input.seed = 2;
   const LawSpread other(input, lawWith(covariance));
   ASSERT_EQ(first.laws().size(), 51u);
   for (std::size_t k = 1; k < first.laws().size(); ++k) {
@@ -91,7 +87,7 @@ TEST(LawSpread, RefusesACovarianceWithHardlyAnyLaw)
   FrictionLaw law = lawWith(1e-6 * LawCovariance::Identity());
   law.mu0 = -0.01; // mu < 0 at high pressure, ten standard errors from a law
   try {
-    const LawSpread spread(caseOf(UncertaintyMethod::Sampled, 100), law);
+    const LawSpread spread(by(UncertaintyMethod::Sampled, 100), law);
     FAIL() << "was accepted";
   } catch (const Error &error) {
     EXPECT_EQ(error.code(), ExitCode::NotConverged);

@@ -1,4 +1,5 @@
 #include "base/errors.h"
+#include "base/random_number.h"
 #include "contact/line/contact_interval.h"
 #include "contact/normal_contact.h"
 #include "contact_cases.h"
@@ -84,6 +85,56 @@ Vector denseContact(const NormalContactProblem &problem)
     set.push_back(worst);
   }
 }
+
+/// A half-space over a patch of cells, with dense matrices: slow, and all that the solver may know.
+class DensePatch : public HalfSpace {
+ public:
+  explicit DensePatch(const CellGrid &cells) : grid_(cells), compliance_(n(), n())
+  {
+    for (int i = 0; i < n(); ++i)
+      for (int j = 0; j < n(); ++j)
+        compliance_(i, j) = influence((i % grid_.nx - j % grid_.nx) * grid_.dx,
+                                      (i / grid_.nx - j / grid_.nx) * grid_.dy);
+    stiffness_ = compliance_.inverse();
+  }
+
+  const CellGrid &grid() const override { return grid_; }
+  Vector displacement(const Vector &p) override { return compliance_ * p; }
+  Vector tractionEstimate(const Vector &u) override { return stiffness_ * u; }
+  TangentialField displacement(const TangentialField &) override { throw std::logic_error("no"); }
+  TangentialField tractionEstimate(const TangentialField &) override
+  {
+    throw std::logic_error("no");
+  }
+  double displacementScale(double sum) const override
+  {
+    return compliance_(0, 0) * sum / std::sqrt(n());
+  }
+  std::unique_ptr<HalfSpace> coarser() const override
+  {
+    if (grid_.nx < 20)
+      return nullptr;
+    return std::make_unique<DensePatch>(
+        CellGrid{grid_.nx / 2, grid_.ny / 2, 2.0 * grid_.dx, 2.0 * grid_.dy});
+  }
+
+ private:
+  int n() const { return grid_.cells(); }
+  /// Boussinesq's 1/(pi r) over a cell (Love 1929), E* = 1.
+  double influence(double x, double y) const
+  {
+    double sum = 0.0;
+    for (int a : {-1, 1})
+      for (int b : {-1, 1}) {
+        const double u = x + 0.5 * a * grid_.dx, v = y + 0.5 * b * grid_.dy;
+        sum += a * b * (u * std::asinh(v / std::abs(u)) + v * std::asinh(u / std::abs(v)));
+      }
+    return sum / pi;
+  }
+
+  CellGrid grid_;
+  Eigen::MatrixXd compliance_, stiffness_;
+};
 } // namespace
 
 TEST(NormalContact, HertzAt1024Cells)
@@ -302,4 +353,31 @@ TEST(NormalContact, RefusesALoadBeyondTheLimit)
   EXPECT_THROW(solveNormalContact(plane, problem), Error);
   problem.load = 0.0;
   EXPECT_THROW(solveNormalContact(plane, problem), Error);
+}
+
+TEST(NormalContact, ServesAPatchOfCells)
+{
+  // Hertz's sphere: a^3 = 3 N R/(4 E*), p0 = 3 N/(2 pi a^2), approach a^2/R; cells are not square
+  const double a = 1.0, radius = 40.0, force = 4.0 * a * a * a / (3.0 * radius);
+  const CellGrid grid{32, 24, 2.4 / 32, 2.4 / 24};
+  DensePatch patch(grid);
+  NormalContactProblem problem;
+  problem.profile.resize(grid.cells());
+  for (int iy = 0; iy < grid.ny; ++iy)
+    for (int ix = 0; ix < grid.nx; ++ix)
+      problem.profile[grid.index(ix, iy)] =
+          (std::pow((ix + 0.5) * grid.dx - 1.2, 2) + std::pow((iy + 0.5) * grid.dy - 1.2, 2)) /
+          (2.0 * radius);
+  problem.load = force / (grid.dx * grid.dy);
+  const NormalContactResult result = solveNormalContact(patch, problem);
+  EXPECT_NEAR(result.pressure.sum(), problem.load, 1e-10 * problem.load);
+  EXPECT_NEAR(result.peakPressure() / (1.5 * force / (pi * a * a)), 1.0, 0.01);
+  EXPECT_NEAR(result.approach / (a * a / radius), 1.0, 0.01);
+  EXPECT_NEAR(result.contactCells() * grid.dx * grid.dy / (pi * a * a), 1.0, 0.05);
+
+  problem.pressureLimit = 0.8 * result.peakPressure();
+  const NormalContactResult limited = solveNormalContact(patch, problem);
+  EXPECT_NEAR(limited.pressure.sum(), problem.load, 1e-10 * problem.load);
+  EXPECT_DOUBLE_EQ(limited.peakPressure(), problem.pressureLimit);
+  EXPECT_GT(limited.plasticDepth.maxCoeff(), 0.0);
 }

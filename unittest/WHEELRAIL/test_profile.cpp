@@ -1,5 +1,6 @@
 #include "base/errors.h"
 #include "base/output_file.h"
+#include "base/random_number.h"
 #include "contact/line/profile.h"
 
 #include <cmath>

@@ -14,13 +14,30 @@ TEST(Quantity, ConvertsUnits)
   EXPECT_DOUBLE_EQ(parseQuantity("50 W/(m K)", "W/(m K)"), 50.0);
   EXPECT_DOUBLE_EQ(parseQuantity("0.45 kJ/(kg K)", "J/(kg K)"), 450.0);
   EXPECT_DOUBLE_EQ(parseQuantity("1e-3", "1"), 1e-3);
+  for (const char *text : {"7800 kg/m3", "7800 kg/m^3", "7800 kg/m**3", "7800 kg m-3",
+                           "7800 kg m^-3", "7.8 g/cm3", "+7800 kg.m-3"})
+    EXPECT_DOUBLE_EQ(parseQuantity(text, "kg/m3"), 7800.0) << text;
 }
 
 TEST(Quantity, RefusesWhatIsNotOne)
 {
   for (const char *text : {"", "abc", "N/mm", "4000", "nan N/m", "inf N/m", "1e999 N/m", "4000 N",
-                           "4000 furlonggs", "4000 N/mm extra"})
+                           "4000 furlonggs", "4000 N/mm extra", "0x10 N/m"})
     EXPECT_THROW(parseQuantity(text, "N/m"), std::invalid_argument) << text;
   EXPECT_THROW(parseQuantity("20 degC", "K"), std::invalid_argument); // a rise has no offset
   EXPECT_THROW(parseQuantity("1 mm", "1"), std::invalid_argument);
+}
+
+TEST(Quantity, RefusesASecondNumber)
+{
+  for (const char *text : {"1 500 N/m", "1,500 N/m", "1'500 N/m", "1 .5 N/m", "1 -5 N/m", "1 N/5 m",
+                           "1 N*5/m", "1 N 5/m", "1.5.3 N/m"})
+    EXPECT_THROW(parseQuantity(text, "N/m"), std::invalid_argument) << text;
+}
+
+TEST(Quantity, PlainNumbersAreDecimal)
+{
+  EXPECT_EQ(parseNumber(" 16 "), 16.0);
+  for (const char *text : {"0x10", "0X1p4", "1 500", "1_500", "16 m", "nan", "", "infinity"})
+    EXPECT_THROW(parseNumber(text), std::invalid_argument) << text;
 }

@@ -15,8 +15,8 @@ constexpr double pi = 3.14159265358979323846;
 
 StaticCases solve(const std::string &text)
 {
-  const Case input = case_text::read(text);
-  return solveStaticCases(input, lawOf(input));
+  const StaticSpecification asked = case_text::still(text);
+  return solveStaticCases(asked, readLaw(asked.physics.friction));
 }
 } // namespace
 

@@ -64,10 +64,10 @@ TEST(Stationarity, errorOfCorrelatedMeanIsTheKnownOne)
     int covered = 0;
     for (int i = 0; i < series; ++i) {
       const auto mean = seriesMean(ar1(phi, n, generator), 0, n);
-      squares += mean.standard_error * mean.standard_error / series;
-      time += mean.correlation_time / series;
-      const double t = studentQuantile(0.975, mean.effective_n - 1.0);
-      covered += std::abs(mean.mean) < t * mean.standard_error;
+      squares += mean.standardError * mean.standardError / series;
+      time += mean.correlationTime / series;
+      const double t = studentQuantile(0.975, mean.effectiveN - 1.0);
+      covered += std::abs(mean.mean) < t * mean.standardError;
     }
     EXPECT_NEAR(std::sqrt(squares) / exactError(phi, n), 1.0, 0.05) << "phi " << phi;
     EXPECT_NEAR(time / ((1.0 + phi) / (1.0 - phi)), 1.0, 0.12) << "phi " << phi;
@@ -83,7 +83,7 @@ TEST(Stationarity, batchMeansAgree)
   for (int i = 0; i < 100; ++i) {
     const auto values = ar1(0.5, 2000, generator);
     batches += std::pow(batchMeansError(values, 20), 2) / 100;
-    fast += std::pow(seriesMean(values, 0, values.size()).standard_error, 2) / 100;
+    fast += std::pow(seriesMean(values, 0, values.size()).standardError, 2) / 100;
   }
   // batches of 100 samples miss the correlation across their ends: about 1 % low, scatter 2 %
   EXPECT_NEAR(std::sqrt(batches / fast), 1.0, 0.06);
@@ -97,16 +97,16 @@ TEST(Stationarity, errorDoesNotDependOnOffsetAndScalesWithTheSeries)
   for (auto &x : values)
     x = 1000.0 - 1e-3 * x;
   const auto after = seriesMean(values, 0, values.size());
-  EXPECT_NEAR(after.standard_error, 1e-3 * before.standard_error, 1e-9 * before.standard_error);
+  EXPECT_NEAR(after.standardError, 1e-3 * before.standardError, 1e-9 * before.standardError);
   EXPECT_NEAR(after.mean, 1000.0 - 1e-3 * before.mean, 1e-9);
 }
 
 TEST(Stationarity, degenerateSeries)
 {
   const auto constant = seriesMean(std::vector<double>(100, 0.3), 0, 100);
-  EXPECT_EQ(constant.standard_error, 0.0);
+  EXPECT_EQ(constant.standardError, 0.0);
   EXPECT_NEAR(constant.mean, 0.3, 1e-15);
-  EXPECT_TRUE(std::isinf(seriesMean({1, 2, 3}, 0, 3).standard_error));
+  EXPECT_TRUE(std::isinf(seriesMean({1, 2, 3}, 0, 3).standardError));
   EXPECT_THROW(seriesMean({1, 2}, 1, 1), std::invalid_argument);
   EXPECT_THROW(seriesMean({1, 2}, 0, 3), std::invalid_argument);
   for (double value : {0.3, 0.4159, 1.0 / 3.0})
@@ -115,13 +115,13 @@ TEST(Stationarity, degenerateSeries)
       const auto part = stationaryPart(values);
       EXPECT_TRUE(part.found) << value << " " << n << " " << part.reason;
       EXPECT_EQ(part.mean.mean, value);
-      EXPECT_EQ(part.mean.standard_error, 0.0);
+      EXPECT_EQ(part.mean.standardError, 0.0);
     }
   // alternating: negative correlation is not credited
   std::vector<double> alternating;
   for (int i = 0; i < 100; ++i)
     alternating.push_back(i % 2);
-  EXPECT_EQ(seriesMean(alternating, 0, 100).correlation_time, 1.0);
+  EXPECT_EQ(seriesMean(alternating, 0, 100).correlationTime, 1.0);
 }
 
 TEST(Stationarity, stationarySeriesKeepsNearlyAll)

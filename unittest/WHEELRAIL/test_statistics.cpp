@@ -25,10 +25,12 @@ TEST(Statistics, quantilesOfTheUsualTable)
   EXPECT_THROW(studentQuantile(1.0, 3), std::invalid_argument);
 }
 
-TEST(Statistics, incompleteBeta)
+TEST(Statistics, farTailsAndFractionsOfADegree)
 {
-  EXPECT_DOUBLE_EQ(incompleteBeta(0.3, 1, 1), 0.3);
-  EXPECT_NEAR(incompleteBeta(0.2, 3, 1), 0.008, 1e-16);
-  EXPECT_NEAR(incompleteBeta(0.8, 2.5, 0.5) + incompleteBeta(0.2, 0.5, 2.5), 1.0, 1e-14);
-  EXPECT_THROW(incompleteBeta(-0.1, 1, 1), std::invalid_argument);
+  // the closed form for two degrees of freedom, without cancellation
+  const double t = 1e5;
+  EXPECT_NEAR(studentCdf(-t, 2) / (1.0 / (2.0 + t * t + t * std::sqrt(2.0 + t * t))), 1.0, 1e-12);
+  EXPECT_NEAR(studentQuantile(studentCdf(-1.3, 4.7), 4.7), -1.3, 1e-13);
+  EXPECT_EQ(studentQuantile(0.5, 3), 0.0);
+  EXPECT_THROW(studentCdf(1.0, 0.0), std::invalid_argument);
 }

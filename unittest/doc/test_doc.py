@@ -159,13 +159,14 @@ def test_potential_file():
 
 
 def test_friction_log():
-    """Columns and head as the writer has them."""
-    writer = source("friction_log_writer.cpp")
-    columns = re.search(r'"(step time .*?)\\n"', writer)[1].split()
+    """Columns and head as the format's one description for C++ has them."""
+    schema = source("../shared/friction_log_format.h")
+    columns = re.findall(r'"(\w+)"', re.search(r"columnNames = {(.*?)}", schema, re.DOTALL)[1])
     text = page("friction_log.md")
     assert re.findall(r"^\| `(\w+)` \|[^|]*\|[^|]*\|$", text, re.MULTILINE) == columns
     assert f"\n{' '.join(columns)}\n" in text
-    written = re.findall(r'"# (\w+): ', writer)
+    sections = re.search(r"namespace section {(.*?)}", schema, re.DOTALL)[1]
+    written = ["format"] + re.findall(r'"(\w+)"', sections)
     example = re.search(r"^```text\n(.*?)^```", text, re.MULTILINE | re.DOTALL)[1]
     assert re.findall(r"^# (\w+): ", example, re.MULTILINE) == written
     for head in re.findall(r"^\| `(\w+)` \|[^|]*\|$", text, re.MULTILINE):

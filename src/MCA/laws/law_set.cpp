@@ -1,11 +1,11 @@
 #include "law_set.h"
 
-#include "nearest_word.h"
+#include "shared/nearest_word.h"
+#include "shared/plain_number.h"
 
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <cstdlib>
 
 namespace mca {
 
@@ -110,17 +110,15 @@ std::string LawSet::parse(const std::vector<std::string> &words)
         known.push_back(c.keyword);
       for (const auto &t : thresholds())
         known.push_back(t.keyword);
-      return unknownWord(keyword, known);
+      return mcawr::unknownWord("keyword", keyword, known);
     }
-    char *end = nullptr;
-    const double number = std::strtod(value.c_str(), &end);
-    const bool isNumber = !value.empty() && *end == '\0' && std::isfinite(number) && number > 0;
+    const auto number = mcawr::plainNumber(value);
     if (value == "none")
       this->*threshold->value = off;
     else if (!value.empty() && value == threshold->material)
       this->*threshold->value = threshold->materialValue;
-    else if (isNumber)
-      this->*threshold->value = number;
+    else if (number && *number > 0.0)
+      this->*threshold->value = *number;
     else
       return bad("a multiple of the strength > 0, " +
                  (threshold->material.empty() ? "" : threshold->material + ", ") + "none");

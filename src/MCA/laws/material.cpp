@@ -1,7 +1,5 @@
 #include "material.h"
 
-#include "nearest_word.h"
-
 #include <algorithm>
 #include <cmath>
 #include <sstream>
@@ -34,12 +32,12 @@ const MaterialQuantity *findMaterialQuantity(const std::string &keyword)
   return nullptr;
 }
 
-std::string nearestMaterialKeyword(const std::string &word)
+std::vector<std::string> materialKeywords()
 {
   std::vector<std::string> known;
   for (const auto &q : materialQuantities())
     known.push_back(q.keyword);
-  return nearestWord(word, known);
+  return known;
 }
 
 bool Material::operator==(const Material &other) const

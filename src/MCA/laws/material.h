@@ -55,8 +55,8 @@ const std::vector<MaterialQuantity> &materialQuantities();
 /// The table's row of this keyword, or nullptr.
 const MaterialQuantity *findMaterialQuantity(const std::string &keyword);
 
-/// The keyword of the table that is nearest to a word (edit distance), for error messages.
-std::string nearestMaterialKeyword(const std::string &word);
+/// The keywords of the table.
+std::vector<std::string> materialKeywords();
 
 /// Checks each value's range and the order of the diagram's three points.
 /// \return an empty string, or one line: keyword, value, what is allowed.

@@ -4,8 +4,7 @@
 
 namespace wheelrail {
 
-Error::Error(ExitCode code, const std::string &message)
-    : std::runtime_error(message), exitCode(code)
+Error::Error(ExitCode code, const std::string &message) : std::runtime_error(message), code_(code)
 {
 }
 
@@ -18,16 +17,10 @@ Error badInput(const std::string &file, int line, const std::string &keyword,
   if (!keyword.empty())
     text += fmt::format(": {}", keyword);
   Error error(ExitCode::BadInput, fmt::format("{}: {}", text, problem));
-  error.fileName = file;
-  error.lineNumber = line;
-  error.keywordName = keyword;
+  error.file_ = file;
+  error.line_ = line;
+  error.keyword_ = keyword;
   return error;
-}
-
-std::string unknownWord(const std::string &what, const std::string &given,
-                        const std::string &nearest)
-{
-  return fmt::format("unknown {} '{}'; the nearest known one is '{}'", what, given, nearest);
 }
 
 } // namespace wheelrail

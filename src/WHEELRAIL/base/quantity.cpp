@@ -1,7 +1,11 @@
 #include "base/quantity.h"
 
+#include "shared/plain_number.h"
+
+#include <algorithm>
+#include <cctype>
 #include <cmath>
-#include <cstdlib>
+#include <cstring>
 #include <fmt/format.h>
 #include <memory>
 #include <mutex>
@@ -47,14 +51,38 @@ std::string trimmed(const std::string &text)
 double leadingNumber(const std::string &text, std::string &rest)
 {
   const std::string body = trimmed(text);
-  char *end = nullptr;
-  const double value = std::strtod(body.c_str(), &end);
-  if (end == body.c_str())
-    throw std::invalid_argument(fmt::format("'{}' is not a number", text));
-  if (!std::isfinite(value))
-    throw std::invalid_argument(fmt::format("'{}' is not finite", text));
-  rest = trimmed(std::string(end));
-  return value;
+  const auto number = mcawr::leadingNumber(body);
+  if (!number) {
+    // "nan", "inf" and 1e999 are numbers of a kind; the message says what is wrong with them
+    const auto first = std::min(body.find_first_not_of("+-."), body.size());
+    const std::string word = body.substr(first, 3);
+    const bool isOne =
+        std::isdigit(static_cast<unsigned char>(word[0])) || word == "nan" || word == "inf";
+    throw std::invalid_argument(
+        fmt::format(isOne ? "'{}' is not finite" : "'{}' is not a number", text));
+  }
+  rest = trimmed(std::string(number->rest));
+  return number->value;
+}
+
+/// Does a unit hold a number that is no exponent ("500 N/mm" of "1 500 N/mm")? UDUNITS-2 would take
+/// it for a factor. Exponents follow a letter, or its '^', '**' or sign: m2, m^2, m**2, s-1, m^-3.
+bool holdsNumber(const std::string &unit)
+{
+  for (std::size_t i = 0; i < unit.size(); ++i) {
+    if (!std::isdigit(static_cast<unsigned char>(unit[i])))
+      continue;
+    std::size_t before = i;
+    while (before > 0 && std::strchr("+-^*", unit[before - 1]))
+      --before;
+    if (before == 0 || !std::isalpha(static_cast<unsigned char>(unit[before - 1])))
+      return true;
+    if (unit.substr(before, i - before) == "*") // a product, m*2
+      return true;
+    while (i + 1 < unit.size() && std::isdigit(static_cast<unsigned char>(unit[i + 1])))
+      ++i;
+  }
+  return false;
 }
 
 } // namespace
@@ -76,6 +104,10 @@ double parseQuantity(const std::string &text, const std::string &unit)
   const double value = leadingNumber(text, rest);
   if (rest.empty())
     throw std::invalid_argument(fmt::format("'{}' has no unit; one like {} is needed", text, unit));
+  if (holdsNumber(rest))
+    throw std::invalid_argument(
+        fmt::format("'{}' is not one number with a unit like {}; '{}' holds a second number", text,
+                    unit, rest));
 
   const std::lock_guard<std::mutex> lock(udunitsMutex);
   const Unit given(ut_parse(unitSystem(), rest.c_str(), UT_UTF8));

@@ -5,15 +5,22 @@
 
 namespace wheelrail {
 
-/// A number with its unit, such as "4000 N/mm", converted to `unit` by UDUNITS-2.
+/// A number with its unit, such as "4000 N/mm", converted to `unit` by UDUNITS-2: the one place
+/// where quantities of case files, profiles and command lines are read.
+///
+/// The number is decimal ("-1.5e-3"); blanks around it and before the unit are skipped. The unit is
+/// as UDUNITS-2 spells it ("kg/m3", "W/(m K)", "km/h"), but without a number of its own: "1 500
+/// N/mm" is refused, not taken for 500 N/mm.
 /// @param unit what the caller wants ("N/m"); "" or "1" for pure numbers, which carry no unit
-/// @throws std::invalid_argument that says what is wrong: no number, not finite, no unit, an
-/// unknown
-///         unit, a unit of another dimension, a scale with an offset (degC for a difference)
+/// @return finite, in `unit`
+/// @throws std::invalid_argument that says what is wrong: no number, not finite, hexadecimal, no
+///         unit, an unknown unit, one with a number in it, one of another dimension, a scale with
+///         an offset (degC for a difference)
 double parseQuantity(const std::string &text, const std::string &unit);
 
-/// A plain number; the whole text has to be one.
-/// @throws std::invalid_argument for anything else, and for nan and inf
+/// A plain decimal number; the whole text has to be one, but for blanks around it.
+/// @return finite
+/// @throws std::invalid_argument for anything else: words, units, "0x10", nan, inf
 double parseNumber(const std::string &text);
 
 } // namespace wheelrail

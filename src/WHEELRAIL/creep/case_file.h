@@ -1,77 +1,40 @@
 #ifndef WHEELRAIL_CREEP_CASE_FILE_H
 #define WHEELRAIL_CREEP_CASE_FILE_H
 
-#include "contact/line/contact_temperature.h"
-#include "contact/line/profile.h"
+#include "creep/creep_curve.h"
+#include "creep/static_contact.h"
 
-#include <cstdint>
 #include <string>
+#include <variant>
 #include <vector>
 
 namespace wheelrail {
 
-enum class RoughnessKind { None, Fractal, Measured };
-enum class ThermalModel { Off, Averaged, AveragedPower, Local };
-enum class RollingMode { Frozen, Moving, Static };
-enum class UncertaintyMethod { Linear, Sampled };
-
-/// Everything wr_creep computes from; SI units. Read from a YAML file by `readCase`.
+/// What a case file asks for, in the words of the physics, and the file itself with everything
+/// filled in.
 struct Case {
-  // contact
-  double load = 0.0;   ///< N/m
-  double radius = 0.0; ///< 1/R = 1/R1 + 1/R2, m
-  double youngsModulus = 0.0, poissonsRatio = 0.0;
-  bool hardnessLimit = false; ///< pressure stops at 3 sigma_0(Theta)
-  double domain = 4.0;        ///< computed length / Hertz half-width
-  double period = 0.0; ///< m; > 0: flat surfaces whose roughness repeats, `radius` is infinite
-  int points = 1024;   ///< on the whole domain
-
-  RoughnessKind roughness = RoughnessKind::None;
-  FractalSurface surface;               ///< Fractal; its seed is replaced by each of `seeds`
-  std::vector<std::uint64_t> seeds;     ///< Fractal: one creep curve each
-  std::vector<std::string> rail, wheel; ///< Measured: files, one creep curve each; either empty
-  double cutoff = 0.0;                  ///< m, 0: none
-  int detrend = 1;                      ///< order of the polynomial taken off, -1: none
-
-  // friction
-  std::string law; ///< "bucher2006", "constant" or a law file
-  double mu = 0.0; ///< of the constant law
-  bool local = false, velocityTerm = true;
-  double strength = 0.0, strengthTemperature = 0.0; ///< Eq. 10: Pa, K
-  double frictionModulus = 0.0, frictionDensity = 0.0;
-
-  ThermalModel thermal = ThermalModel::Averaged;
-  ThermalMaterial material{};
-
-  RollingMode mode = RollingMode::Frozen;
-  int passes = 4;               ///< Moving: times the material goes through the contact
-  double referenceLength = 1.0; ///< Moving: of the half-plane's free constant, in a
-
-  std::vector<double> creep, speed; ///< 1, m/s; not Static
-  std::vector<double> forceRatio;   ///< Static: T/(mu N)
-
-  UncertaintyMethod uncertainty = UncertaintyMethod::Linear;
-  int uncertaintySamples = 0;
-  std::uint64_t uncertaintySeed = 0;
-
-  std::size_t profiles() const; ///< number of profiles
-
+  /// Rolling, or a tangential force without rolling (mode static).
+  std::variant<CreepSpecification, StaticSpecification> task;
   /// The complete configuration as a case file: reading it gives the same case.
   std::string text;
+
+  const SurfaceSpecification &surface() const;   ///< of the task
+  const FrictionSpecification &friction() const; ///< of the task
 };
 
 /// One keyword of the case file. The table of them is the one source of parsing, `--help`,
 /// `--print-config` and the check against the documentation.
 struct Keyword {
+  /// What a value may be; only the lists take more than one.
   enum class Kind {
-    Quantity,
+    Quantity, ///< a number with a unit that UDUNITS-2 can convert to `unit`
     QuantityList,
-    Number,
+    Number, ///< a number without a unit
     NumberList,
     Integer,
     IntegerList,
-    Switch,
-    Choice,
+    Switch, ///< true, false
+    Choice, ///< one of `choices`
     Text,
     TextList
   };
@@ -82,12 +45,16 @@ struct Keyword {
   double low, high;    ///< allowed range in `unit`; low is excluded where `lowOpen`
   bool lowOpen;
   const char *choices; ///< Choice: separated by '|'
-  const char *help;
+  const char *help;    ///< half a sentence for --help and messages
 };
 
+/// All keywords, in the order of --help and --print-config; every group together.
 const std::vector<Keyword> &keywords();
 
-/// Reads a case file and then "keyword=value" changes, the value in YAML as in the file.
+/// Reads a case file (YAML) and then "keyword=value" changes, the value in YAML as in the file.
+/// Profile and law files that are named in it are looked for from the working folder, then from the
+/// case file's; they are not read here.
+/// @return all in SI units
 /// @throws Error (BadInput) for the file, with line and keyword; Error (Usage) for changes
 Case readCase(const std::string &path, const std::vector<std::string> &changes = {});
 

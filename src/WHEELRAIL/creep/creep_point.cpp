@@ -16,128 +16,103 @@ constexpr int maxIterations = 100;
 
 } // namespace
 
-Vector frictionCoefficient(const Case &input, const FrictionLaw &law, const Vector &pressure,
-                           double slidingSpeed, const Vector &temperature)
+FrozenCreep::FrozenCreep(const CreepPhysics &physics, const ContactSetup &setup)
+    : physics_(physics), setup_(setup)
 {
-  const auto n = pressure.size();
-  if (input.law == "constant")
-    return Vector::Constant(n, input.mu);
-  const double speed = input.velocityTerm ? slidingSpeed : 0.0;
-  const auto kappa1At = [&](double strength) {
-    return kappa1(input.frictionDensity, input.frictionModulus, speed, strength);
-  };
-  Vector mu(n);
-  for (Eigen::Index i = 0; i < n; ++i) {
-    if (i > 0 && !input.local && temperature[i] == temperature[i - 1]) {
-      mu[i] = mu[i - 1];
-      continue;
-    }
-    const double strength = strengthAt(input, temperature[i]);
-    mu[i] = input.local
-                ? law(kappa1At(strength), kappa2(pressure[i], input.frictionModulus, strength))
-                : law.averaged(kappa1At(strength), input.frictionModulus, strength);
-  }
-  if (!(mu.minCoeff() > 0.0))
-    throw Error(
-        ExitCode::NotConverged,
-        fmt::format("friction.law: mu = {:.4g} at a sliding speed of {:g} m/s; the law does "
-                    "not hold that far from the points it was fitted to",
-                    mu.minCoeff(), slidingSpeed));
-  return mu;
-}
-
-FrozenCreep::FrozenCreep(const Case &inputCase, const ContactSetup &contactSetup)
-    : input(inputCase), setup(contactSetup)
-{
-  contact.intervals = contactIntervals(setup.normal, Boundary::Free);
-  contact.pressure = setup.normal.pressure * setup.hertz.modulus;
-  contact.traction = contact.temperature = contact.slip = Vector::Zero(setup.cells);
-  contact.state.assign(setup.cells, Adhesion::Apart);
+  contact_.intervals = contactIntervals(setup_.normal, Boundary::Free);
+  contact_.pressure = setup_.normal.pressure * setup_.hertz.modulus;
+  contact_.traction = contact_.temperature = contact_.slip = Vector::Zero(setup_.cells);
+  contact_.state.assign(setup_.cells, Adhesion::Apart);
 }
 
 void FrozenCreep::roll(double creep)
 {
-  const std::vector<ContactInterval> &intervals = contact.intervals;
+  const std::vector<ContactInterval> &intervals = contact_.intervals;
   const int needed = intervals.back().last - intervals.front().first + 1;
-  if (!window || window->cells() < needed)
-    window.emplace(std::min(setup.cells, fastTransformSize(2 * needed) / 2), Boundary::Free);
-  const int cells = window->cells();
-  const int first = std::min(intervals.front().first, setup.cells - cells);
-  const double modulus = setup.hertz.modulus;
+  if (!window_ || window_->cells() < needed)
+    window_.emplace(std::min(setup_.cells, fastTransformSize(2 * needed) / 2), Boundary::Free);
+  const int cells = window_->cells();
+  const int first = std::min(intervals.front().first, setup_.cells - cells);
+  const double modulus = setup_.hertz.modulus;
 
   RollingOptions options;
-  options.start.assign(contact.state.begin() + first, contact.state.begin() + first + cells);
-  options.startTraction = contact.traction.segment(first, cells) / modulus;
+  options.start.assign(contact_.state.begin() + first, contact_.state.begin() + first + cells);
+  options.startTraction = contact_.traction.segment(first, cells) / modulus;
   options.contact = intervals;
   for (ContactInterval &interval : options.contact)
     interval.shift(-first);
-  const Vector bound = contact.mu.cwiseProduct(contact.pressure).segment(first, cells) / modulus;
-  const RollingResult result = solveFrozenRolling(*window, bound, creep, options);
-  contact.traction.setZero();
-  contact.slip.setZero();
-  contact.state.assign(setup.cells, Adhesion::Apart);
-  contact.traction.segment(first, cells) = result.traction * modulus;
-  contact.slip.segment(first, cells) = result.slip;
-  std::copy(result.state.begin(), result.state.end(), contact.state.begin() + first);
+  const Vector bound = contact_.mu.cwiseProduct(contact_.pressure).segment(first, cells) / modulus;
+  const RollingResult result = solveFrozenRolling(*window_, bound, creep, options);
+  contact_.traction.setZero();
+  contact_.slip.setZero();
+  contact_.state.assign(setup_.cells, Adhesion::Apart);
+  contact_.traction.segment(first, cells) = result.traction * modulus;
+  contact_.slip.segment(first, cells) = result.slip;
+  std::copy(result.state.begin(), result.state.end(), contact_.state.begin() + first);
 }
 
 double FrozenCreep::meanMu() const
 {
-  return contact.mu.dot(contact.pressure) / contact.pressure.sum();
+  return contact_.mu.dot(contact_.pressure) / contact_.pressure.sum();
 }
 
 Vector FrozenCreep::temperatureFrom(double speed, double creep)
 {
-  const int n = setup.cells;
-  if (input.thermal == ThermalModel::Off)
+  const int n = setup_.cells;
+  if (physics_.thermal.model == ThermalModel::Off)
     return Vector::Zero(n);
-  if (input.thermal == ThermalModel::Local) {
-    if (!flash || flashSpeed != speed)
-      flash.emplace(n, setup.cellSize, speed, input.material);
-    flashSpeed = speed;
-    return flash->rise(contact.traction.cwiseProduct(contact.slip) * speed);
+  if (physics_.thermal.model == ThermalModel::Local) {
+    if (!flash_ || flashSpeed_ != speed)
+      flash_.emplace(n, setup_.cellSize, speed, physics_.thermal.material);
+    flashSpeed_ = speed;
+    return flash_->rise(contact_.traction.cwiseProduct(contact_.slip) * speed);
   }
-  const double ratio = input.thermal == ThermalModel::Averaged ? meanMu() : tractionRatio();
-  return Vector::Constant(n, meanTemperatureRise(ratio, setup.hertz.hertzPressure, creep * speed,
-                                                 setup.hertz.halfWidth, speed, input.material));
+  const double ratio =
+      physics_.thermal.model == ThermalModel::Averaged ? meanMu() : tractionRatio();
+  return Vector::Constant(n, meanTemperatureRise(ratio, setup_.hertz.hertzPressure, creep * speed,
+                                                 setup_.hertz.halfWidth, speed,
+                                                 physics_.thermal.material));
 }
 
 /// The hardness falls with the mean temperature of the contact: solve again where it binds.
 void FrozenCreep::limitPressure()
 {
-  const double mean = contact.temperature.dot(contact.pressure) / contact.pressure.sum();
+  const double mean = contact_.temperature.dot(contact_.pressure) / contact_.pressure.sum();
   NormalContactOptions options;
-  options.start = contact.pressure / setup.hertz.modulus;
-  if (!domain)
-    domain.emplace(setup.cells, Boundary::Free);
+  options.start = contact_.pressure / setup_.hertz.modulus;
+  if (!domain_)
+    domain_.emplace(setup_.cells, Boundary::Free);
   const NormalContactResult normal =
-      solveNormalContact(*domain, setup.problem(pressureLimit(input, mean)), options);
+      solveNormalContact(*domain_, setup_.problem(physics_.pressureLimit(mean)), options);
   checkInsideDomain(normal.pressure);
-  contact.pressure = normal.pressure * setup.hertz.modulus;
-  contact.intervals = contactIntervals(normal, Boundary::Free);
+  contact_.pressure = normal.pressure * setup_.hertz.modulus;
+  contact_.intervals = contactIntervals(normal, Boundary::Free);
 }
 
+// The temperature rise Theta is the unknown of a fixed point Theta -> mu, p -> T -> Theta. Friction
+// falls with strength where strength falls with Theta, so steps mostly alternate and shrink; where
+// they grow, the step is halved for good, which tames any slope that is finite.
 CreepPoint FrozenCreep::solve(const FrictionLaw &law, double speed, double creep)
 {
-  const bool needsTraction =
-      input.thermal == ThermalModel::Local || input.thermal == ThermalModel::AveragedPower;
-  const bool feedback = hasFeedback(input);
+  const bool needsTraction = physics_.thermal.model == ThermalModel::Local ||
+                             physics_.thermal.model == ThermalModel::AveragedPower;
+  const bool feedback = physics_.hasFeedback();
   double part = 1.0, lastStep = 0.0;
   int iteration = 1;
   for (;; ++iteration) {
-    if (input.hardnessLimit && iteration > 1)
+    if (physics_.hardnessLimit && iteration > 1)
       limitPressure();
-    contact.mu =
-        frictionCoefficient(input, law, contact.pressure, creep * speed, contact.temperature);
+    contact_.mu = frictionCoefficient(physics_.friction, law, contact_.pressure, creep * speed,
+                                      contact_.temperature);
     if (needsTraction)
       roll(creep);
     const Vector next = temperatureFrom(speed, creep);
-    const double step = (next - contact.temperature).cwiseAbs().maxCoeff();
+    const double step = (next - contact_.temperature).cwiseAbs().maxCoeff();
     if (!feedback) {
-      contact.temperature = next;
+      contact_.temperature = next;
       break;
     }
-    if (step <= temperatureTolerance * input.strengthTemperature)
+    if (step <= temperatureTolerance * physics_.friction.strengthTemperature)
       break;
     if (iteration >= maxIterations)
       throw Error(ExitCode::NotConverged,
@@ -147,27 +122,28 @@ CreepPoint FrozenCreep::solve(const FrictionLaw &law, double speed, double creep
     if (iteration > 1 && step >= lastStep)
       part *= 0.5;
     lastStep = step;
-    contact.temperature += part * (next - contact.temperature);
+    contact_.temperature += part * (next - contact_.temperature);
   }
   if (!needsTraction)
     roll(creep);
-  const double hottest = contact.temperature.maxCoeff();
-  checkStrength(input, hottest, speed, creep);
+  const double hottest = contact_.temperature.maxCoeff();
+  physics_.checkStrength(hottest, speed, creep);
 
   CreepPoint point;
   point.speed = speed;
   point.creep = creep;
   point.tractionRatio = tractionRatio();
-  point.traction = point.tractionRatio * setup.hertz.load;
+  point.traction = point.tractionRatio * setup_.hertz.load;
   point.muMean = meanMu();
-  point.temperatureRise = setup.nominalMean(contact.temperature);
-  point.temperatureMaximum =
-      input.thermal == ThermalModel::Local ? hottest : maximumOverMeanTemperature() * hottest;
+  point.temperatureRise = setup_.nominalMean(contact_.temperature);
+  point.temperatureMaximum = physics_.thermal.model == ThermalModel::Local
+                                 ? hottest
+                                 : maximumOverMeanTemperature() * hottest;
   point.iterations = iteration;
-  const auto touching = std::count_if(contact.state.begin(), contact.state.end(),
+  const auto touching = std::count_if(contact_.state.begin(), contact_.state.end(),
                                       [](Adhesion s) { return s != Adhesion::Apart; });
   point.stickFraction =
-      double(std::count(contact.state.begin(), contact.state.end(), Adhesion::Stick)) / touching;
+      double(std::count(contact_.state.begin(), contact_.state.end(), Adhesion::Stick)) / touching;
   return point;
 }
 

@@ -1,9 +1,9 @@
 #ifndef WHEELRAIL_CREEP_CREEP_POINT_H
 #define WHEELRAIL_CREEP_CREEP_POINT_H
 
-#include "contact/line/contact_temperature.h"
+#include "contact/line/contact_setup.h"
 #include "contact/line/rolling_contact.h"
-#include "creep/contact_setup.h"
+#include "creep/creep_physics.h"
 
 #include <optional>
 
@@ -11,8 +11,8 @@ namespace wheelrail {
 
 /// One point of a creep curve; SI units.
 struct CreepPoint {
-  double speed = 0.0; ///< v0, m/s
-  double creep = 0.0;
+  double speed = 0.0;              ///< v0, m/s
+  double creep = 0.0;              ///< sliding / rolling speed
   double tractionRatio = 0.0;      ///< T/N
   double traction = 0.0;           ///< T, N/m
   double muMean = 0.0;             ///< load-weighted mean of mu
@@ -22,47 +22,49 @@ struct CreepPoint {
   double stickFraction = 0.0;      ///< of the cells in contact
 };
 
-/// Everything along the contact, per cell; SI units.
+/// Everything along the contact, one value per cell of the domain; SI units.
 struct ContactFields {
-  Eigen::VectorXd pressure, traction, mu, slip, temperature;
+  Eigen::VectorXd pressure;    ///< Pa, >= 0
+  Eigen::VectorXd traction;    ///< Pa, positive for positive creep
+  Eigen::VectorXd mu;          ///< friction coefficient
+  Eigen::VectorXd slip;        ///< sliding distance / rolling distance
+  Eigen::VectorXd temperature; ///< rise, K
   std::vector<Adhesion> state;
   std::vector<ContactInterval> intervals; ///< stretches in contact, in cells
 };
-
-/// Friction coefficient per cell from pressure (Pa), sliding speed (m/s) and temperature rise (K).
-Eigen::VectorXd frictionCoefficient(const Case &input, const FrictionLaw &law,
-                                    const Eigen::VectorXd &pressure, double slidingSpeed,
-                                    const Eigen::VectorXd &temperature);
 
 /// Steady rolling on a frozen profile with friction, temperature and strength that depend on each
 /// other. The temperature rise is the unknown of a fixed-point iteration; where a step comes out
 /// larger than the one before, it is halved from then on.
 class FrozenCreep {
  public:
-  FrozenCreep(const Case &input, const ContactSetup &setup);
+  /// Both must outlive the object. @param setup of a Free boundary
+  FrozenCreep(const CreepPhysics &physics, const ContactSetup &setup);
 
   /// Warm from the last call: the set of stick cells and the temperature.
-  /// @throws Error (NotConverged)
+  /// @param speed v0, m/s, > 0
+  /// @param creep >= 0
+  /// @throws Error (NotConverged), Error (BadInput) when a softer contact reaches the domain's ends
   CreepPoint solve(const FrictionLaw &law, double speed, double creep);
 
   /// Of the last call; `startFrom` makes the next one start from them.
-  const ContactFields &fields() const { return contact; }
-  void startFrom(const ContactFields &fields) { contact = fields; }
+  const ContactFields &fields() const { return contact_; }
+  void startFrom(const ContactFields &fields) { contact_ = fields; }
 
  private:
   void roll(double creep);
   double meanMu() const;
-  double tractionRatio() const { return contact.traction.sum() / contact.pressure.sum(); }
+  double tractionRatio() const { return contact_.traction.sum() / contact_.pressure.sum(); }
   Eigen::VectorXd temperatureFrom(double speed, double creep);
   void limitPressure();
 
-  const Case &input;
-  const ContactSetup &setup;
-  std::optional<HalfPlane> domain; ///< for the pressure, where it changes with temperature
-  std::optional<HalfPlane> window; ///< the cells in contact and a few more: all that rolling needs
-  std::optional<FlashTemperature> flash;
-  double flashSpeed = 0.0;
-  ContactFields contact;
+  const CreepPhysics &physics_;
+  const ContactSetup &setup_;
+  std::optional<HalfPlane> domain_; ///< for the pressure, where it changes with temperature
+  std::optional<HalfPlane> window_; ///< the cells in contact and a few more: all that rolling needs
+  std::optional<FlashTemperature> flash_;
+  double flashSpeed_ = 0.0;
+  ContactFields contact_;
 };
 
 } // namespace wheelrail

@@ -26,20 +26,14 @@ const char *nameOf(Adhesion state)
   }
 }
 
-/// What tells profiles apart: the seed of generated ones, the number of measured ones.
-const char *profileName(const Case &input)
-{
-  return input.roughness == RoughnessKind::Fractal ? "seed" : "profile";
-}
-
 /// The column that is added when there are several profiles.
-std::string profileColumn(const Case &input)
+std::string profileColumn(const SurfaceSpecification &surface)
 {
-  return input.profiles() > 1 ? fmt::format(",{}\n", profileName(input)) : "\n";
+  return surface.profiles() > 1 ? fmt::format(",{}\n", surface.profileName()) : "\n";
 }
-std::string profileCell(const Case &input, std::uint64_t profile)
+std::string profileCell(const SurfaceSpecification &surface, std::uint64_t profile)
 {
-  return input.profiles() > 1 ? fmt::format(",{}\n", profile) : "\n";
+  return surface.profiles() > 1 ? fmt::format(",{}\n", profile) : "\n";
 }
 
 /// One curve: points of one profile at one speed.
@@ -48,10 +42,10 @@ struct Curve {
   const CurvePoint *first, *last; ///< both included
 };
 
-std::vector<Curve> curvesOf(const Case &input, const CreepCurves &curves)
+std::vector<Curve> curvesOf(const CreepSpecification &asked, const CreepCurves &curves)
 {
   std::vector<Curve> list;
-  const std::size_t n = input.creep.size(), speeds = input.speed.size();
+  const std::size_t n = asked.creep.size(), speeds = asked.speed.size();
   for (std::size_t k = 0; k < curves.contacts.size() * speeds; ++k)
     list.push_back(
         {&curves.contacts[k / speeds], &curves.points[k * n], &curves.points[k * n + n - 1]});
@@ -68,10 +62,10 @@ Json statisticsJson(const ProfileStatistics &s)
           {"longest_wavelength_mm", s.longestWavelength / mm}};
 }
 
-Json contactJson(const Case &input, const ContactSetup &c)
+Json contactJson(const SurfaceSpecification &surface, const ContactSetup &c)
 {
   const NormalContactResult &normal = c.normal;
-  Json json = {{profileName(input), c.profile},
+  Json json = {{surface.profileName(), c.surface.profile},
                {"real_area_ratio", c.realAreaRatio()},
                {"real_contact_length_mm", c.realContactLength() / mm},
                {"micro_contacts", contactIntervals(normal, c.boundary).size()},
@@ -82,7 +76,7 @@ Json contactJson(const Case &input, const ContactSetup &c)
                {"residual", normal.residual},
                {"seconds", normal.seconds}};
   Json steps = Json::array();
-  for (const ProfileStatistics &s : c.statistics)
+  for (const ProfileStatistics &s : c.surface.statistics)
     steps.push_back(statisticsJson(s));
   json["roughness"] = steps;
   if (c.boundary == Boundary::Free)
@@ -91,13 +85,13 @@ Json contactJson(const Case &input, const ContactSetup &c)
   return json;
 }
 
-Json curveJson(const Case &input, const Curve &curve)
+Json curveJson(const SurfaceSpecification &surface, const Curve &curve)
 {
   const CurvePoint *peak =
       std::max_element(curve.first, curve.last + 1, [](const CurvePoint &a, const CurvePoint &b) {
         return a.tractionRatio < b.tractionRatio;
       });
-  return {{profileName(input), curve.contact->profile},
+  return {{surface.profileName(), curve.contact->surface.profile},
           {"speed_m_s", curve.first->speed},
           {"peak_traction_ratio", peak->tractionRatio},
           {"creep_at_peak", peak->creep},
@@ -109,30 +103,32 @@ Json curveJson(const Case &input, const Curve &curve)
 
 } // namespace
 
-std::string creepCsv(const Case &input, const CreepCurves &curves)
+std::string creepCsv(const SurfaceSpecification &surface, const CreepCurves &curves)
 {
   std::string text =
       "# speed: m/s; creep, ratios: 1; traction: N/mm; temperature_rise: K, mean over "
       "the nominal contact\n"
       "speed,creep,traction_ratio,traction,mu_mean,temperature_rise,iterations,"
       "stick_fraction";
-  text += profileColumn(input);
+  text += profileColumn(surface);
   for (const CurvePoint &p : curves.points) {
     text += fmt::format("{:g},{:.10g},{:.10g},{:.10g},{:.10g},{:.10g},{},{:.6g}", p.speed, p.creep,
                         p.tractionRatio, p.traction / newtonPerMm, p.muMean, p.temperatureRise,
                         p.iterations, p.stickFraction);
-    text += profileCell(input, p.profile);
+    text += profileCell(surface, p.profile);
   }
   return text;
 }
 
-std::string creepJson(const Case &input, const CreepCurves &curves)
+std::string creepJson(const CreepSpecification &asked, const CreepCurves &curves)
 {
+  const SurfaceSpecification &surface = asked.surface;
   Json json = {{"format", "wr_creep-curves 1"},
                {"units", "speed: m/s; traction: N/mm; temperature_rise: K; others: 1"},
                {"curves", Json::array()}};
-  for (const Curve &curve : curvesOf(input, curves)) {
-    Json one = {{profileName(input), curve.contact->profile}, {"speed", curve.first->speed}};
+  for (const Curve &curve : curvesOf(asked, curves)) {
+    Json one = {{surface.profileName(), curve.contact->surface.profile},
+                {"speed", curve.first->speed}};
     for (const CurvePoint *p = curve.first; p <= curve.last; ++p) {
       one["creep"].push_back(p->creep);
       one["traction_ratio"].push_back(p->tractionRatio);
@@ -152,21 +148,23 @@ std::string creepJson(const Case &input, const CreepCurves &curves)
   return json.dump() + "\n";
 }
 
-std::string creepBandCsv(const Case &input, const CreepCurves &curves)
+std::string creepBandCsv(const SurfaceSpecification &surface, const CreepCurves &curves)
 {
   std::string text = "# T/N with its standard error and 95 % interval from the covariance of the "
                      "friction law; speed: m/s\n"
                      "speed,creep,traction_ratio,standard_error,low,high";
-  text += profileColumn(input);
+  text += profileColumn(surface);
   for (const CurvePoint &p : curves.points) {
     text += fmt::format("{:g},{:.10g},{:.10g},{:.6g},{:.10g},{:.10g}", p.speed, p.creep,
                         p.tractionRatio, p.band.standardError, p.band.low, p.band.high);
-    text += profileCell(input, p.profile);
+    text += profileCell(surface, p.profile);
   }
   return text;
 }
 
-std::string contactCsv(const ContactSetup &setup, const ContactFields &f, const std::string &what)
+namespace {
+
+std::string contactTable(const ContactSetup &setup, const ContactFields &f, const std::string &what)
 {
   std::string text =
       fmt::format("# {}; x: mm, leading edge at the largest x; pressure, traction: MPa; slip: "
@@ -180,47 +178,49 @@ std::string contactCsv(const ContactSetup &setup, const ContactFields &f, const 
   return text;
 }
 
+} // namespace
+
 std::string contactCsv(const CreepCurves &curves)
 {
   const CurvePoint &point = curves.points.back();
-  return contactCsv(curves.contacts.back(), curves.last,
-                    fmt::format("speed {:g} m/s, creep {:g}", point.speed, point.creep));
+  return contactTable(curves.contacts.back(), curves.last,
+                      fmt::format("speed {:g} m/s, creep {:g}", point.speed, point.creep));
 }
 
 std::string contactCsv(const StaticCases &cases)
 {
-  return contactCsv(cases.contacts.back(), cases.last,
-                    fmt::format("static, T/(mu N) = {:g}", cases.points.back().forceRatio));
+  return contactTable(cases.contacts.back(), cases.last,
+                      fmt::format("static, T/(mu N) = {:g}", cases.points.back().forceRatio));
 }
 
-std::string staticCsv(const Case &input, const StaticCases &cases)
+std::string staticCsv(const SurfaceSpecification &surface, const StaticCases &cases)
 {
   std::string text = "# force_ratio: T/(mu N); traction: N/mm; stick_length, of all stick zones, "
                      "and stick_centre, "
                      "their mean place: mm\n"
                      "force_ratio,traction_ratio,traction,mu,stick_length,stick_centre" +
-                     profileColumn(input);
+                     profileColumn(surface);
   for (const StaticPoint &p : cases.points)
     text +=
         fmt::format("{:.10g},{:.10g},{:.10g},{:.10g},{:.10g},{:.6g}", p.forceRatio, p.tractionRatio,
                     p.traction / newtonPerMm, p.mu, p.stickLength / mm, p.stickCentre / mm) +
-        profileCell(input, p.profile);
+        profileCell(surface, p.profile);
   return text;
 }
 
 namespace {
 
 /// What every summary begins with: case, law, nominal contact, contacts.
-Json summaryHead(const Case &input, const FrictionLaw &law,
-                 const std::vector<ContactSetup> &contacts)
+Json summaryHead(const SurfaceSpecification &surface, const std::string &text,
+                 const FrictionLaw &law, const std::vector<ContactSetup> &contacts)
 {
   const ContactSetup &first = contacts.front();
   const HertzContact &hertz = first.hertz;
   Json json = {{"format", "wr_creep-summary 1"}, {"version", WHEELRAIL_VERSION}};
-  json["case"] = input.text;
+  json["case"] = text;
   json["law"] = toJson(law);
   if (first.boundary == Boundary::Periodic)
-    json["periodic"] = {{"period_mm", input.period / mm},
+    json["periodic"] = {{"period_mm", 2.0 * hertz.halfWidth / mm},
                         {"mean_pressure_MPa", hertz.hertzPressure / MPa},
                         {"contact_modulus_GPa", hertz.modulus / (1e3 * MPa)}};
   else
@@ -230,7 +230,7 @@ Json summaryHead(const Case &input, const FrictionLaw &law,
   json["cells"] = first.cells;
   json["cell_size_mm"] = first.cellSize / mm;
   for (const ContactSetup &contact : contacts)
-    json["contacts"].push_back(contactJson(input, contact));
+    json["contacts"].push_back(contactJson(surface, contact));
   return json;
 }
 
@@ -248,18 +248,19 @@ std::string nominalContact(const ContactSetup &setup)
 }
 
 /// Statistics after every step of the preparation, and what the contact made of the profile.
-std::string profileReport(const Case &input, const ContactSetup &c)
+std::string profileReport(const SurfaceSpecification &surface, const ContactSetup &c)
 {
   std::string text;
-  const std::string name =
-      input.profiles() > 1 ? fmt::format("{} {}: ", profileName(input), c.profile) : std::string();
-  for (const ProfileStatistics &s : c.statistics)
+  const std::string name = surface.profiles() > 1
+                               ? fmt::format("{} {}: ", surface.profileName(), c.surface.profile)
+                               : std::string();
+  for (const ProfileStatistics &s : c.surface.statistics)
     text +=
         fmt::format("{}{}: rms height {:.4g} um, rms slope {:.4g}, wavelengths {:.4g} to {:.4g} "
                     "mm, mean {:.4g} mm\n",
                     name, s.step, s.rmsHeight / um, s.rmsSlope, s.shortestWavelength / mm,
                     s.longestWavelength / mm, s.meanWavelength / mm);
-  if (!c.statistics.empty())
+  if (!c.surface.statistics.empty())
     text += fmt::format("{}real area {:.1f} %, {} micro-contacts, peak pressure {:.0f} MPa\n", name,
                         100.0 * c.realAreaRatio(), contactIntervals(c.normal, c.boundary).size(),
                         c.normal.peakPressure() * c.hertz.modulus / MPa);
@@ -268,18 +269,20 @@ std::string profileReport(const Case &input, const ContactSetup &c)
 
 } // namespace
 
-std::string summaryJson(const Case &input, const FrictionLaw &law, const CreepCurves &curves)
+std::string summaryJson(const CreepSpecification &asked, const std::string &text,
+                        const FrictionLaw &law, const CreepCurves &curves)
 {
-  Json json = summaryHead(input, law, curves.contacts);
-  if (input.thermal != ThermalModel::Off)
-    json["hertz"]["peclet_number"] = input.speed.front() * curves.contacts.front().hertz.halfWidth *
-                                     input.material.density * input.material.specificHeat /
-                                     (2.0 * input.material.conductivity);
-  for (const Curve &curve : curvesOf(input, curves))
-    json["curves"].push_back(curveJson(input, curve));
-  if (curves.hasBand && input.uncertainty == UncertaintyMethod::Sampled)
-    json["uncertainty"] = {{"samples", input.uncertaintySamples},
-                           {"seed", input.uncertaintySeed},
+  Json json = summaryHead(asked.surface, text, law, curves.contacts);
+  const ThermalSpecification &thermal = asked.physics.thermal;
+  if (thermal.model != ThermalModel::Off)
+    json["hertz"]["peclet_number"] = asked.speed.front() * curves.contacts.front().hertz.halfWidth *
+                                     thermal.material.density * thermal.material.specificHeat /
+                                     (2.0 * thermal.material.conductivity);
+  for (const Curve &curve : curvesOf(asked, curves))
+    json["curves"].push_back(curveJson(asked.surface, curve));
+  if (curves.hasBand && asked.spread.method == UncertaintyMethod::Sampled)
+    json["uncertainty"] = {{"samples", asked.spread.samples},
+                           {"seed", asked.spread.seed},
                            {"redrawn_share", curves.redrawn}};
   json["points"] = curves.points.size();
   json["points_resumed"] = curves.resumed;
@@ -287,11 +290,12 @@ std::string summaryJson(const Case &input, const FrictionLaw &law, const CreepCu
   return json.dump(2) + "\n";
 }
 
-std::string summaryJson(const Case &input, const FrictionLaw &law, const StaticCases &cases)
+std::string summaryJson(const StaticSpecification &asked, const std::string &text,
+                        const FrictionLaw &law, const StaticCases &cases)
 {
-  Json json = summaryHead(input, law, cases.contacts);
+  Json json = summaryHead(asked.surface, text, law, cases.contacts);
   for (const StaticPoint &p : cases.points)
-    json["forces"].push_back({{profileName(input), p.profile},
+    json["forces"].push_back({{asked.surface.profileName(), p.profile},
                               {"force_ratio", p.forceRatio},
                               {"traction_ratio", p.tractionRatio},
                               {"traction_N_per_mm", p.traction / newtonPerMm},
@@ -303,15 +307,15 @@ std::string summaryJson(const Case &input, const FrictionLaw &law, const StaticC
   return json.dump(2) + "\n";
 }
 
-std::string shortReport(const Case &input, const CreepCurves &curves)
+std::string shortReport(const CreepSpecification &asked, const CreepCurves &curves)
 {
   std::string text = nominalContact(curves.contacts.front());
   const ContactSetup *last = nullptr;
-  for (const Curve &curve : curvesOf(input, curves)) {
+  for (const Curve &curve : curvesOf(asked, curves)) {
     if (curve.contact != last)
-      text += profileReport(input, *curve.contact);
+      text += profileReport(asked.surface, *curve.contact);
     last = curve.contact;
-    const Json j = curveJson(input, curve);
+    const Json j = curveJson(asked.surface, curve);
     text +=
         fmt::format("{:g} m/s: T/N at most {:.4f} (creep {:.4g}), {:.4f} at creep {:g}\n",
                     curve.first->speed, j["peak_traction_ratio"].get<double>(),
@@ -320,13 +324,13 @@ std::string shortReport(const Case &input, const CreepCurves &curves)
   return text;
 }
 
-std::string shortReport(const Case &input, const StaticCases &cases)
+std::string shortReport(const StaticSpecification &asked, const StaticCases &cases)
 {
   std::string text = nominalContact(cases.contacts.front());
   std::size_t k = 0;
   for (const ContactSetup &contact : cases.contacts) {
-    text += profileReport(input, contact);
-    for (std::size_t force = 0; force < input.forceRatio.size(); ++force, ++k)
+    text += profileReport(asked.surface, contact);
+    for (std::size_t force = 0; force < asked.forceRatio.size(); ++force, ++k)
       text +=
           fmt::format("T/(mu N) = {:g}: T/N {:.4f}, {:.4g} mm stick\n", cases.points[k].forceRatio,
                       cases.points[k].tractionRatio, cases.points[k].stickLength / mm);
@@ -334,14 +338,15 @@ std::string shortReport(const Case &input, const StaticCases &cases)
   return text;
 }
 
-std::string detailedReport(const Case &input, const std::vector<ContactSetup> &contacts)
+std::string detailedReport(const SurfaceSpecification &surface,
+                           const std::vector<ContactSetup> &contacts)
 {
   std::string text;
   for (const ContactSetup &c : contacts)
     text += fmt::format("{} {}: normal contact: {} iterations, {} active sets, residual {:.1e}, "
                         "{:.3f} s; plastic depth {:.3g} um\n",
-                        profileName(input), c.profile, c.normal.iterations, c.normal.activeSets,
-                        c.normal.residual, c.normal.seconds,
+                        surface.profileName(), c.surface.profile, c.normal.iterations,
+                        c.normal.activeSets, c.normal.residual, c.normal.seconds,
                         c.normal.plasticDepth.maxCoeff() * c.cellSize / um);
   return text;
 }

@@ -8,33 +8,41 @@
 
 namespace wheelrail {
 
+/// The result files of wr_creep and its words on the screen. Files are in mm, MPa, N/mm, m/s and K,
+/// said once in the file. Every function takes what was asked for (a specification) and what came
+/// out of it; where only the names of the profiles matter, the surface's specification.
+
 /// creep.csv: one row a point, by profile, speed and creep. The profile, `seed` of a generated one
 /// and number of a measured one, is added when there are several. Units are said in the first line.
-std::string creepCsv(const Case &input, const CreepCurves &curves);
+std::string creepCsv(const SurfaceSpecification &surface, const CreepCurves &curves);
 
 /// creep.json: the same and the band, a list for each column of each curve.
-std::string creepJson(const Case &input, const CreepCurves &curves);
+std::string creepJson(const CreepSpecification &asked, const CreepCurves &curves);
 
 /// creep_band.csv: T/N with its standard error and 95 % interval from the covariance of the law.
-std::string creepBandCsv(const Case &input, const CreepCurves &curves);
+std::string creepBandCsv(const SurfaceSpecification &surface, const CreepCurves &curves);
 
 /// static.csv: one row for each force on each profile.
-std::string staticCsv(const Case &input, const StaticCases &cases);
+std::string staticCsv(const SurfaceSpecification &surface, const StaticCases &cases);
 
 /// contact.csv: along the contact, of the last point; mm and MPa.
 std::string contactCsv(const CreepCurves &curves);
 std::string contactCsv(const StaticCases &cases);
 
 /// summary.json: case, law, contacts, curves, time.
-std::string summaryJson(const Case &input, const FrictionLaw &law, const CreepCurves &curves);
-std::string summaryJson(const Case &input, const FrictionLaw &law, const StaticCases &cases);
+/// @param text the complete case file
+std::string summaryJson(const CreepSpecification &asked, const std::string &text,
+                        const FrictionLaw &law, const CreepCurves &curves);
+std::string summaryJson(const StaticSpecification &asked, const std::string &text,
+                        const FrictionLaw &law, const StaticCases &cases);
 
 /// What was computed, for the screen: profiles after every step, contacts, curves.
-std::string shortReport(const Case &input, const CreepCurves &curves);
-std::string shortReport(const Case &input, const StaticCases &cases);
+std::string shortReport(const CreepSpecification &asked, const CreepCurves &curves);
+std::string shortReport(const StaticSpecification &asked, const StaticCases &cases);
 
 /// How the normal contacts were solved, for the screen.
-std::string detailedReport(const Case &input, const std::vector<ContactSetup> &contacts);
+std::string detailedReport(const SurfaceSpecification &surface,
+                           const std::vector<ContactSetup> &contacts);
 
 } // namespace wheelrail
 #endif

@@ -1,10 +1,11 @@
 #include "creep/law_spread.h"
 
 #include "base/errors.h"
-#include "contact/line/profile.h"
+#include "base/random_number.h"
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
+#include <boost/math/distributions/normal.hpp>
 #include <cmath>
 #include <fmt/format.h>
 
@@ -14,7 +15,6 @@ namespace {
 using Parameters = Eigen::Matrix<double, lawParameters, 1>;
 
 constexpr double differencePart = 0.1; ///< of a parameter's standard error
-constexpr double normal95 = 1.959964;  ///< quantile of the normal distribution, 97.5 %
 constexpr int mostDrawsPerSample = 50;
 
 FrictionLaw shifted(const FrictionLaw &law, const Parameters &change)
@@ -38,7 +38,7 @@ bool isLaw(const FrictionLaw &law)
   constexpr double anyPressure = 1e300;
   if (law.b < 0.0 || law.c < 0.0)
     return false;
-  for (double k1 : {0.0, law.kappa1_range[1]}) // monotone in both: the corners are the extremes
+  for (double k1 : {0.0, law.kappa1Range[1]}) // monotone in both: the corners are the extremes
     for (double k2 : {0.0, anyPressure})
       if (!(law(k1, k2) > 0.0))
         return false;
@@ -64,29 +64,29 @@ double quantile(const std::vector<double> &sorted, double level)
 
 } // namespace
 
-LawSpread::LawSpread(const Case &input, const FrictionLaw &law)
-    : method(input.uncertainty), variants{law}
+LawSpread::LawSpread(const SpreadSpecification &specification, const FrictionLaw &law)
+    : method_(specification.method), variants_{law}
 {
   if (!law.covariance)
     return;
-  if (method == UncertaintyMethod::Linear)
+  if (method_ == UncertaintyMethod::Linear)
     addNeighbours();
   else
-    addSamples(input.uncertaintySamples, input.uncertaintySeed);
+    addSamples(specification.samples, specification.seed);
 }
 
 void LawSpread::addNeighbours()
 {
-  const FrictionLaw law = variants.front();
+  const FrictionLaw law = variants_.front();
   for (int k = 0; k < lawParameters; ++k)
     for (double sign : {1.0, -1.0})
-      variants.push_back(
+      variants_.push_back(
           shifted(law, sign * differenceStep(*law.covariance, k) * Parameters::Unit(k)));
 }
 
 void LawSpread::addSamples(int samples, std::uint64_t seed)
 {
-  const FrictionLaw law = variants.front();
+  const FrictionLaw law = variants_.front();
   // Parameters differ by orders of magnitude: the root is taken of the correlation matrix.
   const Parameters deviation = law.covariance->diagonal().cwiseSqrt();
   LawCovariance correlation = LawCovariance::Identity();
@@ -100,22 +100,22 @@ void LawSpread::addSamples(int samples, std::uint64_t seed)
       eigen.eigenvalues().cwiseMax(0.0).cwiseSqrt().asDiagonal().toDenseMatrix();
 
   std::uint64_t draws = 0;
-  while (static_cast<int>(variants.size()) <= samples) {
+  while (static_cast<int>(variants_.size()) <= samples) {
     if (draws >= static_cast<std::uint64_t>(samples) * mostDrawsPerSample)
       throw Error(
           ExitCode::NotConverged,
           fmt::format("uncertainty.method: of {} draws from the law's covariance only {} are "
                       "laws (b, c >= 0, mu > 0); 'linear' still works",
-                      draws, variants.size() - 1));
+                      draws, variants_.size() - 1));
     Parameters normal;
     for (int k = 0; k < lawParameters; ++k)
       normal[k] = normalNumber(seed, draws * lawParameters + static_cast<std::uint64_t>(k));
     ++draws;
     const FrictionLaw draw = shifted(law, root * normal);
     if (isLaw(draw))
-      variants.push_back(draw);
+      variants_.push_back(draw);
   }
-  redrawnShare = 1.0 - double(samples) / double(draws);
+  redrawnShare_ = 1.0 - double(samples) / double(draws);
 }
 
 Band LawSpread::band(const std::vector<double> &results) const
@@ -123,15 +123,16 @@ Band LawSpread::band(const std::vector<double> &results) const
   const double value = results.front();
   if (!any())
     return {0.0, value, value};
-  if (method == UncertaintyMethod::Linear) {
-    const LawCovariance &covariance = *variants.front().covariance;
+  if (method_ == UncertaintyMethod::Linear) {
+    const LawCovariance &covariance = *variants_.front().covariance;
     Parameters derivative;
     for (int k = 0; k < lawParameters; ++k) {
       const double step = 2.0 * differenceStep(covariance, k);
       derivative[k] = step > 0.0 ? (results[1 + 2 * k] - results[2 + 2 * k]) / step : 0.0;
     }
     const double error = std::sqrt(std::max(0.0, derivative.dot(covariance * derivative)));
-    return {error, value - normal95 * error, value + normal95 * error};
+    const double reach = error * boost::math::quantile(boost::math::normal(), 0.975);
+    return {error, value - reach, value + reach};
   }
   std::vector<double> sorted(results.begin() + 1, results.end());
   std::sort(sorted.begin(), sorted.end());

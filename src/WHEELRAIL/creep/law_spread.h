@@ -1,16 +1,26 @@
 #ifndef WHEELRAIL_CREEP_LAW_SPREAD_H
 #define WHEELRAIL_CREEP_LAW_SPREAD_H
 
-#include "creep/case_file.h"
 #include "law/friction_law.h"
 
+#include <cstdint>
 #include <vector>
 
 namespace wheelrail {
 
-/// What the uncertainty of the law makes of a result.
+/// How a law's covariance is carried through to a result.
+enum class UncertaintyMethod { Linear, Sampled };
+
+/// How many laws stand for the spread.
+struct SpreadSpecification {
+  UncertaintyMethod method = UncertaintyMethod::Linear;
+  int samples = 0;        ///< Sampled: laws drawn, > 1
+  std::uint64_t seed = 0; ///< Sampled: alone decides the draws
+};
+
+/// What the uncertainty of the law makes of a result; in the result's unit.
 struct Band {
-  double standardError = 0.0;
+  double standardError = 0.0;   ///< >= 0; 0 without a covariance
   double low = 0.0, high = 0.0; ///< 95 % interval
 };
 
@@ -19,27 +29,28 @@ struct Band {
 /// the band is that of the derivatives and the covariance. Sampled: draws from the normal
 /// distribution with the law's covariance; the band is their standard deviation and quantiles.
 /// Draws that are no law, b or c < 0 (a pole) or mu <= 0 at some pressure within the fitted range
-/// of kappa1, are drawn again. The case's uncertainty.seed alone decides the draws.
+/// of kappa1, are drawn again.
 class LawSpread {
  public:
+  /// @param law its covariance is used, if it has one
   /// @throws Error (NotConverged) when hardly any draw is a law
-  LawSpread(const Case &input, const FrictionLaw &law);
+  LawSpread(const SpreadSpecification &specification, const FrictionLaw &law);
 
   /// The law itself first. Just that one if it has no covariance.
-  const std::vector<FrictionLaw> &laws() const { return variants; }
-  bool any() const { return variants.size() > 1; }
-  /// @param results one for each of `laws()`, in their order
+  const std::vector<FrictionLaw> &laws() const { return variants_; }
+  bool any() const { return variants_.size() > 1; }
+  /// @param results the quantity in question, computed with each of `laws()`, in their order
   Band band(const std::vector<double> &results) const;
   /// Share of the draws that were drawn again.
-  double redrawn() const { return redrawnShare; }
+  double redrawn() const { return redrawnShare_; }
 
  private:
   void addNeighbours();
   void addSamples(int samples, std::uint64_t seed);
 
-  UncertaintyMethod method;
-  std::vector<FrictionLaw> variants;
-  double redrawnShare = 0.0;
+  UncertaintyMethod method_;
+  std::vector<FrictionLaw> variants_;
+  double redrawnShare_ = 0.0;
 };
 
 } // namespace wheelrail

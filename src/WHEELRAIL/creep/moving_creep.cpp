@@ -23,10 +23,10 @@ Vector movedAlong(const Vector &values)
 
 } // namespace
 
-MovingCreep::MovingCreep(const Case &inputCase, const FrictionLaw &frictionLaw,
-                         const ContactSetup &contactSetup)
-    : input(inputCase), law(frictionLaw), setup(contactSetup),
-      domain(contactSetup.cells, Boundary::Free), normal(contactSetup.normal)
+MovingCreep::MovingCreep(const CreepPhysics &physics, const MovingSpecification &moving,
+                         const FrictionLaw &law, const ContactSetup &setup)
+    : physics_(physics), moving_(moving), law_(law), setup_(setup),
+      domain_(setup.cells, Boundary::Free), normal_(setup.normal)
 {
 }
 
@@ -34,58 +34,59 @@ void MovingCreep::solvePressure(int step, double temperature)
 {
   NormalContactOptions options;
   options.tolerance = pressureTolerance;
-  options.start = step ? movedAlong(normal.pressure) : normal.pressure;
-  normal =
-      solveNormalContact(domain, setup.problem(pressureLimit(input, temperature), step), options);
-  checkInsideDomain(normal.pressure);
-  contact.pressure = normal.pressure * setup.hertz.modulus;
+  options.start = step ? movedAlong(normal_.pressure) : normal_.pressure;
+  normal_ = solveNormalContact(domain_, setup_.problem(physics_.pressureLimit(temperature), step),
+                               options);
+  checkInsideDomain(normal_.pressure);
+  contact_.pressure = normal_.pressure * setup_.hertz.modulus;
 }
 
 /// Makes the window as large as this step's contact needs (never at the domain's ends); it never
 /// shrinks.
 void MovingCreep::fitWindow(std::vector<Roller> &rollers)
 {
-  int first = 0, last = setup.cells - 1;
-  while (!(normal.pressure[first + 1] > 0.0))
+  int first = 0, last = setup_.cells - 1;
+  while (!(normal_.pressure[first + 1] > 0.0))
     ++first; // one cell more: traction leaves the contact there
-  while (!(normal.pressure[last] > 0.0))
+  while (!(normal_.pressure[last] > 0.0))
     --last;
   int end = last + 1;
-  if (window) {
-    if (first >= windowBegin && end <= windowBegin + window->cells())
+  if (window_) {
+    if (first >= windowBegin_ && end <= windowBegin_ + window_->cells())
       return;
-    first = std::min(first, windowBegin);
-    end = std::max(end, windowBegin + window->cells());
+    first = std::min(first, windowBegin_);
+    end = std::max(end, windowBegin_ + window_->cells());
   }
-  const int cells = std::min(setup.cells, fastTransformSize(2 * (end - first)) / 2);
-  const int begin = std::clamp((first + end - cells) / 2, 0, setup.cells - cells);
-  window.emplace(cells, Boundary::Free);
+  const int cells = std::min(setup_.cells, fastTransformSize(2 * (end - first)) / 2);
+  const int begin = std::clamp((first + end - cells) / 2, 0, setup_.cells - cells);
+  window_.emplace(cells, Boundary::Free);
   for (Roller &roller : rollers)
-    roller.rolling.moveTo(*window, begin - windowBegin);
-  windowBegin = begin;
+    roller.rolling.moveTo(*window_, begin - windowBegin_);
+  windowBegin_ = begin;
 }
 
 void MovingCreep::roll(Roller &roller, double speed, bool counted)
 {
-  const Vector &p = contact.pressure;
-  const int cells = window->cells();
+  const Vector &p = contact_.pressure;
+  const int cells = window_->cells();
   if (roller.heat)
     roller.temperature = movedAlong(roller.temperature);
-  checkStrength(input, roller.temperature.maxCoeff(), speed, roller.creep);
-  roller.mu = frictionCoefficient(input, law, p, roller.creep * speed, roller.temperature);
+  physics_.checkStrength(roller.temperature.maxCoeff(), speed, roller.creep);
+  roller.mu =
+      frictionCoefficient(physics_.friction, law_, p, roller.creep * speed, roller.temperature);
   roller.result = roller.rolling.step(
-      roller.mu.cwiseProduct(normal.pressure).segment(windowBegin, cells), roller.creep);
-  const double ratio = roller.result.force() / normal.pressure.sum();
+      roller.mu.cwiseProduct(normal_.pressure).segment(windowBegin_, cells), roller.creep);
+  const double ratio = roller.result.force() / normal_.pressure.sum();
   const double mu = roller.mu.dot(p) / p.sum();
   roller.pass.ratio += ratio;
   roller.pass.mu += mu;
   if (roller.heat) {
-    Vector heat = Vector::Zero(setup.cells);
-    heat.segment(windowBegin, cells) =
-        roller.result.traction.cwiseProduct(roller.result.slip) * (setup.hertz.modulus * speed);
+    Vector heat = Vector::Zero(setup_.cells);
+    heat.segment(windowBegin_, cells) =
+        roller.result.traction.cwiseProduct(roller.result.slip) * (setup_.hertz.modulus * speed);
     roller.heat->step(heat);
-    for (int i = 0; i < setup.cells; ++i)
-      if (setup.isNominal(i) || (i >= windowBegin && i < windowBegin + cells))
+    for (int i = 0; i < setup_.cells; ++i)
+      if (setup_.isNominal(i) || (i >= windowBegin_ && i < windowBegin_ + cells))
         roller.temperature[i] = roller.heat->rise(i);
   }
   if (!counted)
@@ -93,18 +94,19 @@ void MovingCreep::roll(Roller &roller, double speed, bool counted)
   roller.counted.ratio += ratio;
   roller.counted.mu += mu;
   roller.counted.stick += roller.result.stickFraction();
-  roller.counted.temperature += setup.nominalMean(roller.temperature);
+  roller.counted.temperature += setup_.nominalMean(roller.temperature);
   roller.hottest = std::max(roller.hottest, roller.temperature.maxCoeff());
 }
 
 void MovingCreep::endPass(Roller &roller, double speed, int steps)
 {
-  if (input.thermal == ThermalModel::Averaged || input.thermal == ThermalModel::AveragedPower) {
+  if (physics_.thermal.model == ThermalModel::Averaged ||
+      physics_.thermal.model == ThermalModel::AveragedPower) {
     const double heat =
-        input.thermal == ThermalModel::Averaged ? roller.pass.mu : roller.pass.ratio;
-    roller.temperature.setConstant(meanTemperatureRise(heat / steps, setup.hertz.hertzPressure,
-                                                       roller.creep * speed, setup.hertz.halfWidth,
-                                                       speed, input.material));
+        physics_.thermal.model == ThermalModel::Averaged ? roller.pass.mu : roller.pass.ratio;
+    roller.temperature.setConstant(meanTemperatureRise(heat / steps, setup_.hertz.hertzPressure,
+                                                       roller.creep * speed, setup_.hertz.halfWidth,
+                                                       speed, physics_.thermal.material));
   }
   roller.pass = {};
 }
@@ -115,7 +117,7 @@ CreepPoint MovingCreep::pointOf(const Roller &roller, double speed, int steps, i
   point.speed = speed;
   point.creep = roller.creep;
   point.tractionRatio = roller.counted.ratio / counted;
-  point.traction = point.tractionRatio * setup.hertz.load;
+  point.traction = point.tractionRatio * setup_.hertz.load;
   point.muMean = roller.counted.mu / counted;
   point.temperatureRise = roller.counted.temperature / counted;
   point.temperatureMaximum =
@@ -128,37 +130,38 @@ CreepPoint MovingCreep::pointOf(const Roller &roller, double speed, int steps, i
 std::vector<CreepPoint> MovingCreep::solve(double speed, const std::vector<double> &creeps,
                                            const std::function<bool()> &progress)
 {
-  const HertzContact &hertz = setup.hertz;
-  const int pass = static_cast<int>(std::ceil(2.0 * hertz.halfWidth / setup.cellSize));
-  const int steps = input.passes * pass;
-  if (steps > setup.longestTravel())
+  const HertzContact &hertz = setup_.hertz;
+  const int pass = static_cast<int>(std::ceil(2.0 * hertz.halfWidth / setup_.cellSize));
+  const int steps = moving_.passes * pass;
+  if (steps > setup_.longestTravel())
     throw Error(
         ExitCode::BadInput,
         fmt::format("mode moving: {} passes need a profile of {:.3g} mm, there are {:.3g} mm",
-                    input.passes, (setup.cells + steps) * setup.cellSize * 1e3,
-                    (setup.cells + setup.longestTravel()) * setup.cellSize * 1e3));
-  const double reference = input.referenceLength * hertz.halfWidth / setup.cellSize;
+                    moving_.passes, (setup_.cells + steps) * setup_.cellSize * 1e3,
+                    (setup_.cells + setup_.longestTravel()) * setup_.cellSize * 1e3));
+  const double reference = moving_.referenceLength * hertz.halfWidth / setup_.cellSize;
   std::vector<Roller> rollers;
   for (int step = 0; step < steps; ++step) {
     if (!progress())
       return {};
     double warmest = 0.0;
     for (const Roller &roller : rollers)
-      warmest = std::max(warmest, setup.nominalMean(roller.temperature));
+      warmest = std::max(warmest, setup_.nominalMean(roller.temperature));
     solvePressure(step, warmest);
     fitWindow(rollers);
     for (std::size_t k = rollers.size(); k < creeps.size(); ++k) {
       rollers.push_back({creeps[k],
-                         TransientRolling(*window, reference),
+                         TransientRolling(*window_, reference),
                          {},
-                         Vector::Zero(setup.cells),
+                         Vector::Zero(setup_.cells),
                          {},
                          {},
                          {},
                          {},
                          0.0});
-      if (input.thermal == ThermalModel::Local)
-        rollers.back().heat.emplace(setup.cells, setup.cellSize, speed, input.material);
+      if (physics_.thermal.model == ThermalModel::Local)
+        rollers.back().heat.emplace(setup_.cells, setup_.cellSize, speed,
+                                    physics_.thermal.material);
     }
     for (Roller &roller : rollers) {
       roll(roller, speed, step >= steps / 2);
@@ -171,18 +174,18 @@ std::vector<CreepPoint> MovingCreep::solve(double speed, const std::vector<doubl
   for (const Roller &roller : rollers)
     points.push_back(pointOf(roller, speed, steps, steps - steps / 2));
   const Roller &last = rollers.back();
-  const int cells = window->cells();
-  contact.mu = last.mu;
-  contact.temperature = last.temperature;
+  const int cells = window_->cells();
+  contact_.mu = last.mu;
+  contact_.temperature = last.temperature;
   if (last.heat)
-    for (int i = 0; i < setup.cells; ++i)
-      contact.temperature[i] = last.heat->rise(i);
-  contact.traction = contact.slip = Vector::Zero(setup.cells);
-  contact.traction.segment(windowBegin, cells) = last.result.traction * hertz.modulus;
-  contact.slip.segment(windowBegin, cells) = last.result.slip;
-  contact.state.assign(setup.cells, Adhesion::Apart);
+    for (int i = 0; i < setup_.cells; ++i)
+      contact_.temperature[i] = last.heat->rise(i);
+  contact_.traction = contact_.slip = Vector::Zero(setup_.cells);
+  contact_.traction.segment(windowBegin_, cells) = last.result.traction * hertz.modulus;
+  contact_.slip.segment(windowBegin_, cells) = last.result.slip;
+  contact_.state.assign(setup_.cells, Adhesion::Apart);
   std::copy(last.result.state.begin(), last.result.state.end(),
-            contact.state.begin() + windowBegin);
+            contact_.state.begin() + windowBegin_);
   return points;
 }
 

@@ -52,25 +52,27 @@ StaticTraction staticTraction(HalfPlane &halfPlane, const NormalContactProblem &
   return {mu * (normal.pressure - stuck.pressure), contactIntervals(stuck, halfPlane.boundary())};
 }
 
-StaticCases solveStaticCases(const Case &input, const FrictionLaw &law, const SweepOptions &options)
+StaticCases solveStaticCases(const StaticSpecification &specification, const FrictionLaw &law,
+                             const SweepOptions &options)
 {
   const auto begin = std::chrono::steady_clock::now();
-  const auto stopped = [&] { return options.interrupted && options.interrupted(); };
+  const double limit = specification.physics.pressureLimit(0.0);
   StaticCases cases;
-  cases.contacts = prepareContacts(input, sweepThreads(options), stopped);
-  const int total = static_cast<int>(cases.contacts.size() * input.forceRatio.size());
+  cases.contacts =
+      prepareContacts(specification.contact, specification.surface, limit, false, options);
+  const int total = static_cast<int>(cases.contacts.size() * specification.forceRatio.size());
   for (const ContactSetup &setup : cases.contacts) {
     HalfPlane halfPlane(setup.cells, setup.boundary);
     const Vector mu =
-        frictionCoefficient(input, law, setup.normal.pressure, 0.0,
+        frictionCoefficient(specification.physics.friction, law, setup.normal.pressure, 0.0,
                             Vector::Zero(setup.cells)); // nothing slides, nothing heats
-    for (double force : input.forceRatio) {
-      if (stopped())
+    for (double force : specification.forceRatio) {
+      if (options.stopped())
         throw Error(ExitCode::Interrupted, "interrupted; mode static begins anew");
-      const StaticTraction result = staticTraction(
-          halfPlane, setup.problem(pressureLimit(input, 0.0)), setup.normal, mu[0], force);
+      const StaticTraction result =
+          staticTraction(halfPlane, setup.problem(limit), setup.normal, mu[0], force);
       StaticPoint point;
-      point.profile = setup.profile;
+      point.profile = setup.surface.profile;
       point.forceRatio = force;
       point.mu = mu[0];
       point.tractionRatio = force * mu[0];

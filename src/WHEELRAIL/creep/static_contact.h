@@ -1,7 +1,8 @@
 #ifndef WHEELRAIL_CREEP_STATIC_CONTACT_H
 #define WHEELRAIL_CREEP_STATIC_CONTACT_H
 
-#include "creep/creep_curve.h"
+#include "creep/creep_point.h"
+#include "creep/sweep.h"
 
 namespace wheelrail {
 
@@ -18,6 +19,15 @@ struct StaticTraction {
 /// @param forceRatio T/(mu N) in [0, 1)
 StaticTraction staticTraction(HalfPlane &halfPlane, const NormalContactProblem &problem,
                               const NormalContactResult &normal, double mu, double forceRatio);
+
+/// Tangential forces on profiles, without rolling; SI units.
+struct StaticSpecification {
+  LineContactSpecification contact;
+  SurfaceSpecification surface;
+  CreepPhysics physics;           ///< friction not local, no temperature; no hardness limit where a
+                                  ///< force ratio is above 0
+  std::vector<double> forceRatio; ///< T/(mu N), in [0, 1), at least one
+};
 
 /// One force on one profile; SI units.
 struct StaticPoint {
@@ -37,9 +47,9 @@ struct StaticCases {
   double seconds = 0.0;
 };
 
-/// All forces of `mode: static` on all profiles, free or periodic.
+/// All forces on all profiles, free or periodic.
 /// @throws Error as the normal contact does, Error (Interrupted)
-StaticCases solveStaticCases(const Case &input, const FrictionLaw &law,
+StaticCases solveStaticCases(const StaticSpecification &specification, const FrictionLaw &law,
                              const SweepOptions &options = {});
 
 } // namespace wheelrail

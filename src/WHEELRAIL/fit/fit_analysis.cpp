@@ -12,11 +12,11 @@ namespace {
 
 std::string whyLeftOut(const FrictionPoint &point, const FitOptions &options)
 {
-  if (point.kappa2 < options.kappa2_min)
-    return fmt::format("kappa2 = {:.3g} < {:.3g}", point.kappa2, options.kappa2_min);
-  if (!point.stationary() && !options.include_drifting)
+  if (point.kappa2 < options.kappa2Min)
+    return fmt::format("kappa2 = {:.3g} < {:.3g}", point.kappa2, options.kappa2Min);
+  if (!point.stationary() && !options.includeDrifting)
     return "no stationary part";
-  if (!std::isfinite(point.mu_se))
+  if (!std::isfinite(point.muSe))
     return "too few rows for a standard error";
   if (point.mu <= 0.0)
     return "mu is not positive";
@@ -31,10 +31,10 @@ void leaveOutCopies(std::vector<FrictionPoint> &points)
   for (std::size_t i = 0; i < points.size(); ++i)
     for (std::size_t j = i + 1; j < points.size(); ++j) {
       auto &first = points[i], &second = points[j];
-      if (!first.left_out.empty() || !second.left_out.empty() || !sameRun(first, second))
+      if (!first.leftOut.empty() || !second.leftOut.empty() || !sameRun(first, second))
         continue;
       const bool longer = second.duration > first.duration;
-      (longer ? first : second).left_out =
+      (longer ? first : second).leftOut =
           fmt::format("the run of {}", (longer ? second : first).file);
     }
 }
@@ -45,14 +45,14 @@ std::string mixtureOf(const std::vector<FrictionPoint> &points)
   const FrictionPoint *first = nullptr, *other = nullptr;
   std::set<std::string> differing;
   const auto compare = [&](const FrictionPoint &a, const FrictionPoint &b) {
-    for (const auto &[entry, value] : a.made_by) {
-      const auto found = b.made_by.find(entry);
-      if (found == b.made_by.end() || found->second != value)
+    for (const auto &[entry, value] : a.madeBy) {
+      const auto found = b.madeBy.find(entry);
+      if (found == b.madeBy.end() || found->second != value)
         differing.insert(entry);
     }
   };
   for (const auto &p : points) {
-    if (!p.left_out.empty())
+    if (!p.leftOut.empty())
       continue;
     if (!first)
       first = &p;
@@ -73,8 +73,8 @@ std::vector<LawPoint> FitAnalysis::fitted() const
 {
   std::vector<LawPoint> result;
   for (const auto &p : points)
-    if (p.left_out.empty())
-      result.push_back({p.kappa1, p.kappa2, p.mu, p.mu_se, p.kappa3});
+    if (p.leftOut.empty())
+      result.push_back({p.kappa1, p.kappa2, p.mu, p.muSe, p.kappa3});
   return result;
 }
 
@@ -85,8 +85,8 @@ FitAnalysis analysePoints(std::vector<FrictionPoint> points, const FitOptions &o
   analysis.points = std::move(points);
   leaveOutCopies(analysis.points);
   for (auto &p : analysis.points)
-    if (p.left_out.empty())
-      p.left_out = whyLeftOut(p, options);
+    if (p.leftOut.empty())
+      p.leftOut = whyLeftOut(p, options);
   analysis.mixture = mixtureOf(analysis.points);
 
   const auto used = analysis.fitted();
@@ -94,29 +94,29 @@ FitAnalysis analysePoints(std::vector<FrictionPoint> points, const FitOptions &o
   if (obstacle.reason.empty()) {
     try {
       auto fit = fitLaw(options.model, used, options.level, options.kappa3);
-      analysis.why_not = fit.not_identifiable;
-      if (fit.not_identifiable.empty())
+      analysis.whyNot = fit.notIdentifiable;
+      if (fit.notIdentifiable.empty())
         analysis.fit = std::move(fit);
     } catch (const Error &error) {
-      analysis.why_not = error.what();
+      analysis.whyNot = error.what();
     }
   } else {
-    analysis.why_not = obstacle.reason;
+    analysis.whyNot = obstacle.reason;
   }
-  analysis.not_identifiable = !analysis.fit && !obstacle.tooFew;
+  analysis.notIdentifiable = !analysis.fit && !obstacle.tooFew;
 
   for (LawModel model : lawModels) {
     ModelComparison entry;
     entry.model = model;
-    entry.why_not = obstacleTo(model, used).reason;
-    if (entry.why_not.empty()) {
+    entry.whyNot = obstacleTo(model, used).reason;
+    if (entry.whyNot.empty()) {
       try {
         entry.fit = fitLaw(model, used, 0.0, options.kappa3);
-        entry.why_not = entry.fit->not_identifiable;
-        if (!entry.why_not.empty())
+        entry.whyNot = entry.fit->notIdentifiable;
+        if (!entry.whyNot.empty())
           entry.fit.reset();
       } catch (const Error &error) {
-        entry.why_not = error.what();
+        entry.whyNot = error.what();
       }
     }
     analysis.models.push_back(std::move(entry));

@@ -4,52 +4,47 @@
 #include "fit/friction_point.h"
 #include "fit/law_fit.h"
 
-#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace wheelrail {
 
+/// What wr_fit is asked for beside the logs.
 struct FitOptions {
   LawModel model = LawModel::Full;
-  double level = 0.95;           ///< of the confidence intervals
-  double kappa3 = 0.0;           ///< reference of the model Kappa3; 0: geometric mean of the points
-  double kappa2_min = 2.0;       ///< points below are left out (the paper's rule)
-  bool include_drifting = false; ///< fit points without a stationary part too
+  double level = 0.95;          ///< of the confidence intervals
+  double kappa3 = 0.0;          ///< reference of the model Kappa3; 0: geometric mean of the points
+  double kappa2Min = 2.0;       ///< points below are left out (the paper's rule)
+  bool includeDrifting = false; ///< fit points without a stationary part too
 };
 
 /// One line of the model comparison.
 struct ModelComparison {
   LawModel model = LawModel::Full;
   std::optional<LawFit> fit;
-  std::string why_not; ///< why it could not be fitted
+  std::string whyNot; ///< why it could not be fitted
 };
 
 /// Everything that wr_fit finds out.
 struct FitAnalysis {
   FitOptions options;
-  std::vector<FrictionPoint> points; ///< all; left_out says which are not fitted
+  std::vector<FrictionPoint> points; ///< all; leftOut says which are not fitted
   std::optional<LawFit> fit;         ///< its vectors run over the points that are not left out
-  std::string why_not;               ///< why there is no fit
+  std::string whyNot;                ///< why there is no fit
   std::string mixture; ///< one line if runs of other laws or programs are taken together
   /// There are enough points, but they do not determine the parameters.
-  bool not_identifiable = false;
+  bool notIdentifiable = false;
   std::vector<ModelComparison> models;
 
   /// The points that are fitted, in order.
   std::vector<LawPoint> fitted() const;
 };
 
-/// Marks the points to leave out, fits, compares models.
+/// Marks the points to leave out, fits, compares models. That a law cannot be fitted is no error:
+/// `whyNot` says why, and the comparison holds the models that can.
+/// @param points of `frictionPoint`, at least one
 FitAnalysis analysePoints(std::vector<FrictionPoint> points, const FitOptions &options);
-
-/// The report for people.
-std::string textReport(const FitAnalysis &analysis);
-
-/// The law file (format "mca-friction-law 1", with everything else under "report"), or, when no law
-/// was fitted, the same report under format "mca-friction-report 1" with the reason.
-nlohmann::ordered_json jsonReport(const FitAnalysis &analysis);
 
 } // namespace wheelrail
 

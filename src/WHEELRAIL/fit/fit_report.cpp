@@ -1,4 +1,5 @@
-#include "fit/fit_analysis.h"
+#include "fit/fit_report.h"
+
 #include "fit/replicates.h"
 
 #include <algorithm>
@@ -23,7 +24,7 @@ std::array<double, fitParameters> values(const FrictionLaw &law, double exponent
 
 double standardError(const LawFit &fit, int k)
 {
-  return k < lawParameters ? std::sqrt((*fit.law.covariance)(k, k)) : fit.exponent_error;
+  return k < lawParameters ? std::sqrt((*fit.law.covariance)(k, k)) : fit.exponentError;
 }
 
 /// JSON has no nan and no infinity.
@@ -52,9 +53,9 @@ AgainstPaper againstPaper(const FitAnalysis &analysis)
 {
   AgainstPaper result;
   for (const auto &p : analysis.points) {
-    if (!p.left_out.empty())
+    if (!p.leftOut.empty())
       continue;
-    const double difference = p.mu / p.mu_eq2 - 1.0;
+    const double difference = p.mu / p.muEq2 - 1.0;
     ++result.n;
     result.mean += difference;
     result.rms += difference * difference;
@@ -82,12 +83,12 @@ std::string pointLines(const FitAnalysis &analysis)
                   "kappa1", "kappa2", "mu", "+-", "n_eff", "t_start", "grinding", "Eq. 2");
   for (const auto &p : analysis.points) {
     text += fmt::format("{:<{}} {:>9.4g} {:>9.4g} {:>7.4f} {:>7} {:>6.0f} {:>8} {:>8} {:>7.4f}",
-                        p.file, width, p.kappa1, p.kappa2, p.mu, shown("{:.4f}", p.mu_se), p.n_eff,
-                        shown("{:.4g}", p.t_start), shown("{:.4f}", p.mu_grinding_in), p.mu_eq2);
+                        p.file, width, p.kappa1, p.kappa2, p.mu, shown("{:.4f}", p.muSe), p.nEff,
+                        shown("{:.4g}", p.tStart), shown("{:.4f}", p.muGrindingIn), p.muEq2);
     if (!p.note.empty())
       text += "  " + p.note;
-    if (!p.left_out.empty())
-      text += fmt::format("  [left out: {}]", p.left_out);
+    if (!p.leftOut.empty())
+      text += fmt::format("  [left out: {}]", p.leftOut);
     text += "\n";
   }
   return text;
@@ -131,17 +132,17 @@ std::string fitLines(const FitAnalysis &analysis)
     text += fmt::format("  {:<4} = {:>9.5g} +- {:<9.3g} {:g} % interval {}{}; paper {:.5g}\n",
                         fitParameterNames[k], ours[k], standardError(fit, k),
                         100.0 * analysis.options.level, intervalText(fit.intervals[k]),
-                        fit.at_bound[k] ? " (at its bound)" : "", paper[k]);
+                        fit.atBound[k] ? " (at its bound)" : "", paper[k]);
   }
   text +=
       fmt::format("  RMS of (mu - fit)/fit {:.2f} %, scatter beyond the standard errors {:.2f} %,"
                   " chi^2 {:.4g} with {} degrees of freedom, condition number {:.4g}\n",
-                  100.0 * fit.law.rms_relative, 100.0 * fit.scatter, fit.chi_squared, fit.freedom,
-                  fit.condition_number);
+                  100.0 * fit.law.rmsRelative, 100.0 * fit.scatter, fit.chiSquared, fit.freedom,
+                  fit.conditionNumber);
   std::string outliers;
   size_t i = 0;
   for (const auto &p : analysis.points) {
-    if (!p.left_out.empty())
+    if (!p.leftOut.empty())
       continue;
     if (std::abs(fit.studentised[i]) > outlierLimit)
       outliers += fmt::format("  outlier: {}: mu {:.4f}, fit {:.4f}, {:.1f} standard deviations\n",
@@ -160,10 +161,10 @@ std::string modelLines(const FitAnalysis &analysis)
   for (const auto &m : analysis.models) {
     text += fmt::format("  {:<10}", nameOf(m.model));
     if (m.fit)
-      text += fmt::format(" RMS {:>6.2f} %  AICc {:>8}\n", 100.0 * m.fit->law.rms_relative,
+      text += fmt::format(" RMS {:>6.2f} %  AICc {:>8}\n", 100.0 * m.fit->law.rmsRelative,
                           shown("{:+.1f}", m.fit->aicc - least));
     else
-      text += fmt::format(" not fitted: {}\n", m.why_not);
+      text += fmt::format(" not fitted: {}\n", m.whyNot);
   }
   return text;
 }
@@ -176,13 +177,13 @@ Json pointJson(const FrictionPoint &p)
   json["kappa2"] = p.kappa2;
   json["kappa3"] = p.kappa3;
   json["mu"] = p.mu;
-  json["mu_se"] = finite(p.mu_se);
-  json["n_eff"] = p.n_eff;
-  json["t_start"] = finite(p.t_start);
-  json["mu_grinding_in"] = finite(p.mu_grinding_in);
-  json["mu_eq2"] = p.mu_eq2;
-  json["correlation_time"] = p.correlation_time;
-  json["mu_peak"] = p.mu_peak;
+  json["mu_se"] = finite(p.muSe);
+  json["n_eff"] = p.nEff;
+  json["t_start"] = finite(p.tStart);
+  json["mu_grinding_in"] = finite(p.muGrindingIn);
+  json["mu_eq2"] = p.muEq2;
+  json["correlation_time"] = p.correlationTime;
+  json["mu_peak"] = p.muPeak;
   json["duration"] = p.duration;
   json["pressure"] = p.pressure;
   json["velocity"] = p.velocity;
@@ -190,7 +191,7 @@ Json pointJson(const FrictionPoint &p)
   json["viscosity"] = p.viscosity;
   json["seed"] = p.seed;
   json["note"] = p.note;
-  json["left_out"] = p.left_out;
+  json["left_out"] = p.leftOut;
   return json;
 }
 
@@ -212,13 +213,13 @@ Json fitJson(const FitAnalysis &analysis)
     entry["standard_error"] = standardError(fit, k);
     entry["interval"] = {finite(fit.intervals[k].lower), finite(fit.intervals[k].upper)};
     entry["open"] = {fit.intervals[k].lowerOpen, fit.intervals[k].upperOpen};
-    entry["at_bound"] = fit.at_bound[k];
+    entry["at_bound"] = fit.atBound[k];
     json["parameters"][fitParameterNames[k]] = entry;
   }
   json["scatter"] = fit.scatter;
-  json["chi_squared"] = fit.chi_squared;
+  json["chi_squared"] = fit.chiSquared;
   json["freedom"] = fit.freedom;
-  json["condition_number"] = fit.condition_number;
+  json["condition_number"] = fit.conditionNumber;
   json["aicc"] = finite(fit.aicc);
   return json;
 }
@@ -228,14 +229,14 @@ Json reportBody(const FitAnalysis &analysis)
   Json report;
   report["program"] = fmt::format("wr_fit {}", WHEELRAIL_VERSION);
   report["units"] = {{"time", "ns"}, {"stress", "MPa"}, {"velocity", "m/s"}, {"viscosity", "Pa s"}};
-  report["kappa2_min"] = analysis.options.kappa2_min;
+  report["kappa2_min"] = analysis.options.kappa2Min;
   if (!analysis.mixture.empty())
     report["warning"] = analysis.mixture;
   report["points"] = Json::array();
   size_t i = 0;
   for (const auto &p : analysis.points) {
     auto entry = pointJson(p);
-    if (analysis.fit && p.left_out.empty()) {
+    if (analysis.fit && p.leftOut.empty()) {
       entry["residual"] = analysis.fit->residuals[i];
       entry["studentised"] = analysis.fit->studentised[i];
       entry["leverage"] = analysis.fit->leverage[i];
@@ -262,11 +263,11 @@ Json reportBody(const FitAnalysis &analysis)
     Json entry;
     entry["model"] = nameOf(m.model);
     if (m.fit) {
-      entry["rms_relative"] = m.fit->law.rms_relative;
+      entry["rms_relative"] = m.fit->law.rmsRelative;
       entry["aicc"] = finite(m.fit->aicc);
       entry["delta_aicc"] = finite(m.fit->aicc - least);
     } else {
-      entry["why_not"] = m.why_not;
+      entry["why_not"] = m.whyNot;
     }
     report["models"].push_back(entry);
   }
@@ -289,8 +290,8 @@ std::string textReport(const FitAnalysis &analysis)
   if (analysis.fit)
     text += fitLines(analysis);
   else
-    text += fmt::format("No law fitted: {}.\n", analysis.why_not);
-  if (analysis.fit || analysis.not_identifiable)
+    text += fmt::format("No law fitted: {}.\n", analysis.whyNot);
+  if (analysis.fit || analysis.notIdentifiable)
     text += modelLines(analysis);
   return text;
 }
@@ -307,7 +308,7 @@ Json jsonReport(const FitAnalysis &analysis)
     json = toJson(law);
   } else {
     json["format"] = reportFormat;
-    json["reason"] = analysis.why_not;
+    json["reason"] = analysis.whyNot;
   }
   json["report"] = reportBody(analysis);
   return json;

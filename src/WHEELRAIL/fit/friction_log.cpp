@@ -1,13 +1,14 @@
 #include "fit/friction_log.h"
 
 #include "base/errors.h"
-#include "base/nearest_word.h"
 #include "base/output_file.h"
 #include "law/friction_law.h"
+#include "shared/friction_log_format.h"
+#include "shared/nearest_word.h"
+#include "shared/plain_number.h"
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <filesystem>
 #include <fmt/format.h>
@@ -19,23 +20,11 @@ namespace wheelrail {
 
 namespace {
 
-constexpr const char *logFormat = "mca-friction 1";
-constexpr const char *headerMark = "#";
-
-const std::vector<std::pair<std::string, std::string>> expectedUnits = {
-    {"time", "ns"},      {"length", "nm"},     {"stress", "MPa"},
-    {"velocity", "m/s"}, {"density", "kg/m3"}, {"viscosity", "Pa s"}};
-
-enum Column { Step, Time, Displacement, Shear, Normal, Mu, Links, Broken, Formed, Gap, Columns };
-const std::array<std::string, Columns> columnNames = {
-    "step", "time",  "displacement", "shear_stress", "normal_stress",
-    "mu",   "links", "broken",       "formed",       "gap"};
+namespace format = mcawr::frictionLog;
 
 // mu is printed rounded, as shear_stress is
 constexpr double muTolerance = 1e-3;
 constexpr double spacingTolerance = 0.02;
-// far beyond any run in these units; products of several such numbers do not overflow
-constexpr double largest = 1e12;
 
 std::vector<std::string_view> splitLines(const std::string &text)
 {
@@ -69,94 +58,76 @@ std::vector<std::string_view> splitWords(std::string_view line)
 /// The YAML head of a log, with the line of everything in the file.
 class Header {
  public:
-  Header(const std::string &file, const std::string &yaml) : fileName(file)
+  Header(const std::string &file, const std::string &yaml) : fileName_(file)
   {
     try {
-      root = YAML::Load(yaml);
+      root_ = YAML::Load(yaml);
     } catch (const YAML::Exception &error) {
-      throw badInput(fileName, error.mark.line + 1, "", "the head is not YAML: " + error.msg);
+      throw badInput(fileName_, error.mark.line + 1, "", "the head is not YAML: " + error.msg);
     }
-    if (!root.IsMap())
+    if (!root_.IsMap())
       throw badInput(
-          fileName, 1, "",
-          fmt::format("no friction log: the head must begin with '# format: {}'", logFormat));
-    checkKeys(root);
-    for (const auto &entry : root)
+          fileName_, 1, "",
+          fmt::format("no friction log: the head must begin with '{}'", format::formatLine()));
+    checkKeys(root_);
+    for (const auto &entry : root_)
       if (entry.second.IsMap())
         checkKeys(entry.second);
   }
 
   std::string text(const std::string &key) const
   {
-    const auto node = find(root, "", key);
+    const auto node = find(root_, "", key);
     if (!node.IsScalar())
-      throw badInput(fileName, lineOf(node), key, "one value is expected");
+      throw badInput(fileName_, lineOf(node), key, "one value is expected");
     return node.Scalar();
   }
 
   std::string text(const std::string &section, const std::string &key) const
   {
-    const auto node = find(root, "", section);
+    const auto node = find(root_, "", section);
     if (!node.IsMap())
-      throw badInput(fileName, lineOf(node), section, "{key: value, ...} expected");
+      throw badInput(fileName_, lineOf(node), section, "{key: value, ...} expected");
     const auto value = find(node, section, key);
     if (!value.IsScalar())
-      throw badInput(fileName, lineOf(value), key, "one value is expected");
+      throw badInput(fileName_, lineOf(value), key, "one value is expected");
     return value.Scalar();
   }
 
-  int line(const std::string &section) const { return lineOf(root[section]); }
+  int line(const std::string &section) const { return lineOf(root_[section]); }
 
-  /// A number that `allowed` accepts; `range` says in words what that is.
-  template<typename Predicate>
-  double number(const std::string &section, const std::string &key, const std::string &range,
-                Predicate allowed) const
+  double number(const format::HeadNumber &wanted) const
   {
-    const auto given = text(section, key);
-    double x = 0.0;
-    const auto [end, error] = std::from_chars(given.data(), given.data() + given.size(), x);
-    if (error != std::errc() || end != given.data() + given.size() || !std::isfinite(x) ||
-        !allowed(x))
-      throw badInput(fileName, line(section), section + ": " + key,
-                     fmt::format("'{}' is not allowed, must be a number {}", given, range));
-    return x;
-  }
-
-  double positive(const std::string &section, const std::string &key, const char *unit) const
-  {
-    return number(section, key, fmt::format("> 0 ({}), {:g} to {:g}", unit, 1 / largest, largest),
-                  isPositive);
-  }
-
-  double nonNegative(const std::string &section, const std::string &key, const char *unit) const
-  {
-    return number(section, key,
-                  fmt::format(">= 0 ({}), 0 or {:g} to {:g}", unit, 1 / largest, largest),
-                  [](double x) { return x == 0.0 || isPositive(x); });
+    const auto given = text(wanted.section, wanted.key);
+    const auto x = mcawr::plainNumber(given);
+    if (!x || !format::isIn(wanted.range, *x))
+      throw badInput(fileName_, line(wanted.section),
+                     fmt::format("{}: {}", wanted.section, wanted.key),
+                     fmt::format("'{}' is not allowed, must be a number {}", given,
+                                 format::describe(wanted.range, wanted.unit)));
+    return *x;
   }
 
   bool has(const std::string &section, const std::string &key) const
   {
-    return root[section] && root[section].IsMap() && root[section][key];
+    return root_[section] && root_[section].IsMap() && root_[section][key];
   }
 
   /// Adds the values of a section under "section.key".
   void collect(const std::string &section, std::map<std::string, std::string> &values) const
   {
-    if (root[section] && root[section].IsMap())
-      for (const auto &entry : root[section])
+    if (root_[section] && root_[section].IsMap())
+      for (const auto &entry : root_[section])
         values[section + "." + entry.first.Scalar()] = entry.second.Scalar();
   }
 
  private:
-  static bool isPositive(double x) { return x >= 1.0 / largest && x <= largest; }
-
   void checkKeys(const YAML::Node &map) const
   {
     std::set<std::string> seen;
     for (const auto &entry : map)
       if (!seen.insert(entry.first.Scalar()).second)
-        throw badInput(fileName, lineOf(entry.first), entry.first.Scalar(),
+        throw badInput(fileName_, lineOf(entry.first), entry.first.Scalar(),
                        "stands twice in the head");
   }
 
@@ -170,56 +141,55 @@ class Header {
     std::vector<std::string> present;
     for (const auto &entry : node)
       present.push_back(entry.first.Scalar());
-    const auto nearest = nearestWord(key, present);
+    const auto nearest = mcawr::nearestWord(key, present);
     std::string problem = fmt::format("'{}' is missing", key);
-    if (!nearest.empty() && editDistance(nearest, key) <= 3)
+    if (!nearest.empty())
       problem += fmt::format("; '{}' is unknown, the nearest known one is '{}'", nearest, key);
-    throw badInput(fileName, section.empty() ? 0 : lineOf(node), section, problem);
+    throw badInput(fileName_, section.empty() ? 0 : lineOf(node), section, problem);
   }
 
-  std::string fileName;
-  YAML::Node root;
+  std::string fileName_;
+  YAML::Node root_;
 };
 
 void readHeader(const Header &header, FrictionLog &log)
 {
-  const auto format = header.text("format");
-  if (format != logFormat)
+  const auto given = header.text("format");
+  if (given != format::format)
     throw badInput(log.file, header.line("format"), "format",
-                   fmt::format("'{}' cannot be read, must be '{}'", format, logFormat));
-  for (const auto &[quantity, unit] : expectedUnits) {
-    const auto given = header.text("units", quantity);
-    if (given != unit)
-      throw badInput(log.file, header.line("units"), "units: " + quantity,
-                     fmt::format("'{}' is not allowed, must be '{}'", given, unit));
+                   fmt::format("'{}' cannot be read, must be '{}'", given, format::format));
+  for (const auto &[quantity, unit] : format::units) {
+    const auto stated = header.text(format::section::units, quantity);
+    if (stated != unit)
+      throw badInput(log.file, header.line(format::section::units),
+                     fmt::format("{}: {}", format::section::units, quantity),
+                     fmt::format("'{}' is not allowed, must be '{}'", stated, unit));
   }
-  log.youngs_modulus = header.positive("material", "youngs_modulus", "MPa");
-  log.poissons_ratio = header.number("material", "poissons_ratio", "in -1 .. 0.5",
-                                     [](double x) { return x > -1.0 && x < 0.5; });
-  log.density = header.positive("material", "density", "kg/m3");
-  log.strength = header.positive("material", "strength", "MPa");
-  log.viscosity = header.nonNegative("material", "viscosity", "Pa s");
-  log.pressure = header.positive("loading", "pressure", "MPa");
-  log.velocity = header.nonNegative("loading", "velocity", "m/s");
-  if (header.has("run", "seed"))
-    log.seed = static_cast<long>(
-        header.number("run", "seed", fmt::format(">= 0, whole, at most {:g}", largest),
-                      [](double x) { return x >= 0.0 && x <= largest && x == std::floor(x); }));
-  for (const auto *section : {"program", "laws"})
-    header.collect(section, log.made_by);
+  log.youngsModulus = header.number(format::head::youngsModulus);
+  log.poissonsRatio = header.number(format::head::poissonsRatio);
+  log.density = header.number(format::head::density);
+  log.strength = header.number(format::head::strength);
+  log.viscosity = header.number(format::head::viscosity);
+  log.pressure = header.number(format::head::pressure);
+  log.velocity = header.number(format::head::velocity);
+  if (header.has(format::head::seed.section, format::head::seed.key))
+    log.seed = static_cast<long>(header.number(format::head::seed));
+  for (const auto *section : format::madeBySections)
+    header.collect(section, log.madeBy);
 }
 
 /// Where each of our columns stands; further columns are allowed and skipped.
-std::array<size_t, Columns> readColumns(const FrictionLog &log, int line, std::string_view text)
+std::array<size_t, format::Columns> readColumns(const FrictionLog &log, int line,
+                                                std::string_view text)
 {
   const auto words = splitWords(text);
   const std::vector<std::string> names(words.begin(), words.end());
-  std::array<size_t, Columns> place{};
-  for (size_t i = 0; i < columnNames.size(); ++i) {
-    const auto found = std::find(names.begin(), names.end(), columnNames[i]);
+  std::array<size_t, format::Columns> place{};
+  for (size_t i = 0; i < format::columnNames.size(); ++i) {
+    const auto found = std::find(names.begin(), names.end(), format::columnNames[i]);
     if (found == names.end()) {
-      const auto nearest = nearestWord(columnNames[i], names);
-      std::string problem = fmt::format("column '{}' is missing", columnNames[i]);
+      const auto nearest = mcawr::nearestWord(format::columnNames[i], names);
+      std::string problem = fmt::format("column '{}' is missing", format::columnNames[i]);
       if (!nearest.empty())
         problem += fmt::format("; the nearest of those given is '{}'", nearest);
       throw badInput(log.file, line, "", problem);
@@ -231,48 +201,49 @@ std::array<size_t, Columns> readColumns(const FrictionLog &log, int line, std::s
 
 double readNumber(const FrictionLog &log, int line, size_t column, std::string_view word)
 {
-  double x = 0.0;
-  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), x);
-  if (error != std::errc() || end != word.data() + word.size() || !std::isfinite(x))
-    throw badInput(log.file, line, columnNames[column],
+  const auto x = mcawr::plainNumber(word);
+  if (!x)
+    throw badInput(log.file, line, format::columnNames[column],
                    fmt::format("'{}' is not a finite number", word));
-  if (std::abs(x) > largest)
-    throw badInput(log.file, line, columnNames[column],
-                   fmt::format("'{}' is not allowed, must be within +-{:g}", word, largest));
-  return x;
+  if (std::abs(*x) > format::largest)
+    throw badInput(
+        log.file, line, format::columnNames[column],
+        fmt::format("'{}' is not allowed, must be within +-{:g}", word, format::largest));
+  return *x;
 }
 
-void addRow(FrictionLog &log, int line, const std::array<double, Columns> &row)
+void addRow(FrictionLog &log, int line, const std::array<double, format::Columns> &row)
 {
-  const auto step = static_cast<long>(row[Step]);
-  if (static_cast<double>(step) != row[Step] || step < 0)
-    throw badInput(log.file, line, "step", fmt::format("{} is not a whole number >= 0", row[Step]));
+  const auto step = static_cast<long>(row[format::Step]);
+  if (static_cast<double>(step) != row[format::Step] || step < 0)
+    throw badInput(log.file, line, "step",
+                   fmt::format("{} is not a whole number >= 0", row[format::Step]));
   if (!log.step.empty()) {
-    if (step <= log.step.back() || row[Time] <= log.time.back())
+    if (step <= log.step.back() || row[format::Time] <= log.time.back())
       throw badInput(log.file, line, "step",
                      fmt::format("step {} (time {} ns) follows step {} (time {} ns): must increase",
-                                 step, row[Time], log.step.back(), log.time.back()));
+                                 step, row[format::Time], log.step.back(), log.time.back()));
     if (log.step.size() > 1) {
       const long every = log.step[1] - log.step[0];
       const double interval = log.time[1] - log.time[0];
       if (step - log.step.back() != every ||
-          std::abs(row[Time] - log.time.back() - interval) > spacingTolerance * interval)
+          std::abs(row[format::Time] - log.time.back() - interval) > spacingTolerance * interval)
         throw badInput(log.file, line, "step",
                        fmt::format("rows must be evenly spaced: {} steps and {:.4g} ns since the "
                                    "row before, {} steps and {:.4g} ns at the start of the log",
-                                   step - log.step.back(), row[Time] - log.time.back(), every,
-                                   interval));
+                                   step - log.step.back(), row[format::Time] - log.time.back(),
+                                   every, interval));
     }
   }
-  const double expected = row[Shear] / log.pressure;
-  if (std::abs(row[Mu] - expected) > muTolerance * (1.0 + std::abs(expected)))
+  const double expected = row[format::ShearStress] / log.pressure;
+  if (std::abs(row[format::Mu] - expected) > muTolerance * (1.0 + std::abs(expected)))
     throw badInput(log.file, line, "mu",
                    fmt::format("{} is not shear_stress/pressure = {:.6g} with the pressure of {} "
                                "MPa stated in the head",
-                               row[Mu], expected, log.pressure));
+                               row[format::Mu], expected, log.pressure));
   log.step.push_back(step);
-  log.time.push_back(row[Time]);
-  log.mu.push_back(row[Mu]);
+  log.time.push_back(row[format::Time]);
+  log.mu.push_back(row[format::Mu]);
 }
 
 void dropStateBeforeFirstStep(FrictionLog &log)
@@ -294,7 +265,7 @@ void search(const std::filesystem::path &folder, std::vector<std::string> &found
     if (entry->is_directory(ignored)) {
       if (!entry->is_symlink(ignored)) // it may lead back here
         search(entry->path(), found);
-    } else if (entry->path().extension() == ".friction") {
+    } else if (entry->path().extension() == format::extension) {
       found.push_back(entry->path().string());
     }
   }
@@ -307,17 +278,17 @@ void search(const std::filesystem::path &folder, std::vector<std::string> &found
 double FrictionLog::kappa1() const
 {
   constexpr double pascal = 1e6; // per MPa
-  return wheelrail::kappa1(density, youngs_modulus * pascal, velocity, strength * pascal);
+  return wheelrail::kappa1(density, youngsModulus * pascal, velocity, strength * pascal);
 }
 
 double FrictionLog::kappa2() const
 {
-  return wheelrail::kappa2(pressure, youngs_modulus, strength);
+  return wheelrail::kappa2(pressure, youngsModulus, strength);
 }
 
 double FrictionLog::kappa3() const
 {
-  return youngs_modulus / strength;
+  return youngsModulus / strength;
 }
 
 double FrictionLog::interval() const
@@ -340,7 +311,7 @@ FrictionLog readFrictionLog(const std::string &path)
 
   size_t i = 0;
   std::string yaml;
-  for (; i < lines.size() && lines[i].substr(0, 1) == headerMark; ++i) {
+  for (; i < lines.size() && lines[i].substr(0, 1) == format::headMark; ++i) {
     auto line = lines[i].substr(1);
     if (line.substr(0, 1) == " ")
       line.remove_prefix(1);
@@ -364,8 +335,8 @@ FrictionLog readFrictionLog(const std::string &path)
     if (words.size() != width)
       throw badInput(path, number, "",
                      fmt::format("{} columns, {} are expected", words.size(), width));
-    std::array<double, Columns> row{};
-    for (size_t c = 0; c < Columns; ++c)
+    std::array<double, format::Columns> row{};
+    for (size_t c = 0; c < format::Columns; ++c)
       row[c] = readNumber(log, number, c, words[place[c]]);
     addRow(log, number, row);
   }

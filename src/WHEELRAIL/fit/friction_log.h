@@ -13,17 +13,17 @@ namespace wheelrail {
 struct FrictionLog {
   std::string file;
 
-  double youngs_modulus = 0.0; ///< MPa, > 0
-  double poissons_ratio = 0.0; ///< -1 < nu < 0.5
-  double density = 0.0;        ///< kg/m3, > 0
-  double strength = 0.0;       ///< sigma_0, MPa, > 0
-  double viscosity = 0.0;      ///< Pa s, >= 0
-  double pressure = 0.0;       ///< prescribed normal pressure, MPa, > 0
-  double velocity = 0.0;       ///< speed of the driven layer, m/s, >= 0
-  long seed = 0;               ///< of the roughness; 0 if the log states none
+  double youngsModulus = 0.0; ///< MPa, > 0
+  double poissonsRatio = 0.0; ///< -1 < nu < 0.5
+  double density = 0.0;       ///< kg/m3, > 0
+  double strength = 0.0;      ///< sigma_0, MPa, > 0
+  double viscosity = 0.0;     ///< Pa s, >= 0
+  double pressure = 0.0;      ///< prescribed normal pressure, MPa, > 0
+  double velocity = 0.0;      ///< speed of the driven layer, m/s, >= 0
+  long seed = 0;              ///< of the roughness; 0 if the log states none
   /// What computed the run, as in the head: "program.lammps" -> "20250204", "laws.steps" ->
   /// "corrected" and so on; empty if the head has neither section.
-  std::map<std::string, std::string> made_by;
+  std::map<std::string, std::string> madeBy;
 
   std::vector<long> step;   ///< strictly increasing, evenly spaced
   std::vector<double> time; ///< ns, end of the row's interval

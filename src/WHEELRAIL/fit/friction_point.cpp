@@ -42,16 +42,16 @@ class RowMean {
  public:
   void add(double mu)
   {
-    sum += mu;
-    absolute += std::abs(mu);
-    ++rows;
+    sum_ += mu;
+    absolute_ += std::abs(mu);
+    ++rows_;
   }
-  double mean() const { return sum / rows; }
-  double size() const { return absolute / rows; }
+  double mean() const { return sum_ / rows_; }
+  double size() const { return absolute_ / rows_; }
 
  private:
-  double sum = 0.0, absolute = 0.0;
-  int rows = 0;
+  double sum_ = 0.0, absolute_ = 0.0;
+  int rows_ = 0;
 };
 
 /// A field of a CSV line, in quotes where its own characters ask for it (RFC 4180).
@@ -74,17 +74,17 @@ FrictionPoint frictionPoint(const FrictionLog &log, const PointOptions &options)
   point.kappa1 = log.kappa1();
   point.kappa2 = log.kappa2();
   point.kappa3 = log.kappa3();
-  point.mu_eq2 = bucher2006()(point.kappa1, point.kappa2);
+  point.muEq2 = bucher2006()(point.kappa1, point.kappa2);
   point.pressure = log.pressure;
   point.velocity = log.velocity;
   point.strength = log.strength;
   point.viscosity = log.viscosity;
-  point.mu_peak = *std::max_element(log.mu.begin(), log.mu.end());
+  point.muPeak = *std::max_element(log.mu.begin(), log.mu.end());
   point.seed = log.seed;
-  point.made_by = log.made_by;
+  point.madeBy = log.madeBy;
   const auto rows = std::min(firstRows, log.mu.size());
-  point.first_step.assign(log.step.begin(), log.step.begin() + rows);
-  point.first_mu.assign(log.mu.begin(), log.mu.begin() + rows);
+  point.firstStep.assign(log.step.begin(), log.step.begin() + rows);
+  point.firstMu.assign(log.mu.begin(), log.mu.begin() + rows);
   point.note = log.note;
   double origin = log.time.front() - log.interval();
   if (std::abs(origin) < 1e-6 * log.interval())
@@ -102,12 +102,12 @@ FrictionPoint frictionPoint(const FrictionLog &log, const PointOptions &options)
                                  log.time.back(), *options.start));
     mean = seriesMean(log.mu, first, log.mu.size());
     start = *options.start;
-    point.t_start = start;
+    point.tStart = start;
   } else {
     const auto part = stationaryPart(log.mu);
     mean = part.mean;
     start = part.start == 0 ? origin : log.time[part.start - 1];
-    point.t_start = part.found ? start : nan;
+    point.tStart = part.found ? start : nan;
     if (!part.found) {
       if (!point.note.empty())
         point.note += "; ";
@@ -115,28 +115,28 @@ FrictionPoint frictionPoint(const FrictionLog &log, const PointOptions &options)
     }
   }
   point.mu = mean.mean;
-  point.mu_se = mean.standard_error;
-  point.n_eff = mean.effective_n;
-  point.correlation_time = mean.correlation_time * log.interval();
-  point.mu_grinding_in =
-      meanBefore(log, options.grinding_in.value_or(std::min(start, longestGrindingIn)));
+  point.muSe = mean.standardError;
+  point.nEff = mean.effectiveN;
+  point.correlationTime = mean.correlationTime * log.interval();
+  point.muGrindingIn =
+      meanBefore(log, options.grindingIn.value_or(std::min(start, longestGrindingIn)));
   return point;
 }
 
 bool sameRun(const FrictionPoint &a, const FrictionPoint &b)
 {
   if (a.kappa1 != b.kappa1 || a.kappa2 != b.kappa2 || a.kappa3 != b.kappa3 || a.seed != b.seed ||
-      a.made_by != b.made_by)
+      a.madeBy != b.madeBy)
     return false;
   constexpr double rounding = 1e-6; // logs have seven digits
   RowMean ofA, ofB;
   bool compared = false;
-  for (std::size_t i = 0, j = 0; i < a.first_step.size() && j < b.first_step.size();) {
-    const long stepA = a.first_step[i], stepB = b.first_step[j];
+  for (std::size_t i = 0, j = 0; i < a.firstStep.size() && j < b.firstStep.size();) {
+    const long stepA = a.firstStep[i], stepB = b.firstStep[j];
     if (stepA <= stepB)
-      ofA.add(a.first_mu[i++]);
+      ofA.add(a.firstMu[i++]);
     if (stepB <= stepA)
-      ofB.add(b.first_mu[j++]);
+      ofB.add(b.firstMu[j++]);
     if (stepA != stepB)
       continue;
     if (std::abs(ofA.mean() - ofB.mean()) > rounding * ofA.size())
@@ -154,8 +154,8 @@ std::string pointsAsCsv(const std::vector<FrictionPoint> &points)
                      "file,kappa1,kappa2,mu,mu_se,n_eff,t_start,mu_grinding_in,mu_eq2,kappa3\n";
   for (const auto &p : points)
     text += fmt::format("{},{:.8g},{:.8g},{:.6g},{:.4g},{:.4g},{:.6g},{:.6g},{:.6g},{:.8g}\n",
-                        csvField(p.file), p.kappa1, p.kappa2, p.mu, p.mu_se, p.n_eff, p.t_start,
-                        p.mu_grinding_in, p.mu_eq2, p.kappa3);
+                        csvField(p.file), p.kappa1, p.kappa2, p.mu, p.muSe, p.nEff, p.tStart,
+                        p.muGrindingIn, p.muEq2, p.kappa3);
   return text;
 }
 

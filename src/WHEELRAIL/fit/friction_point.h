@@ -16,29 +16,29 @@ struct FrictionPoint {
   double kappa1 = 0.0;
   double kappa2 = 0.0;
   double kappa3 = 0.0;
-  double mu = 0.0;             ///< mean of the stationary part; of the second half if there is none
-  double mu_se = 0.0;          ///< its standard error, autocorrelation accounted for
-  double n_eff = 0.0;          ///< independent samples it is worth
-  double t_start = 0.0;        ///< ns; nan: no stationary part was found
-  double mu_grinding_in = 0.0; ///< mean over the grinding-in; nan if there was none
-  double mu_eq2 = 0.0;         ///< Eq. 2 with the paper's numbers at (kappa1, kappa2)
+  double mu = 0.0;           ///< mean of the stationary part; of the second half if there is none
+  double muSe = 0.0;         ///< its standard error, autocorrelation accounted for
+  double nEff = 0.0;         ///< independent samples it is worth
+  double tStart = 0.0;       ///< ns; nan: no stationary part was found
+  double muGrindingIn = 0.0; ///< mean over the grinding-in; nan if there was none
+  double muEq2 = 0.0;        ///< Eq. 2 with the paper's numbers at (kappa1, kappa2)
 
-  double correlation_time = 0.0; ///< integrated autocorrelation time, ns
-  double duration = 0.0;         ///< ns
-  double mu_peak = 0.0;          ///< largest row of the log: the static peak, if rows are short
-  double pressure = 0.0;         ///< MPa
-  double velocity = 0.0;         ///< m/s
-  double strength = 0.0;         ///< MPa
-  double viscosity = 0.0;        ///< Pa s
+  double correlationTime = 0.0; ///< integrated autocorrelation time, ns
+  double duration = 0.0;        ///< ns
+  double muPeak = 0.0;          ///< largest row of the log: the static peak, if rows are short
+  double pressure = 0.0;        ///< MPa
+  double velocity = 0.0;        ///< m/s
+  double strength = 0.0;        ///< MPa
+  double viscosity = 0.0;       ///< Pa s
   long seed = 0;
-  std::map<std::string, std::string> made_by; ///< FrictionLog::made_by
+  std::map<std::string, std::string> madeBy; ///< FrictionLog::madeBy
   /// Steps and mu of the first rows, at most 1000: they tell one run from another.
-  std::vector<long> first_step;
-  std::vector<double> first_mu;
-  std::string note;     ///< why there is no stationary part, or that a cut line was dropped
-  std::string left_out; ///< why the point is not fitted; empty: it is
+  std::vector<long> firstStep;
+  std::vector<double> firstMu;
+  std::string note;    ///< why there is no stationary part, or that a cut line was dropped
+  std::string leftOut; ///< why the point is not fitted; empty: it is
 
-  bool stationary() const { return t_start == t_start; }
+  bool stationary() const { return tStart == tStart; }
 };
 
 struct PointOptions {
@@ -46,7 +46,7 @@ struct PointOptions {
   std::optional<double> start;
   /// End of the grinding-in, ns; absent: the start of the stationary part, at most 100 ns (the
   /// window of the paper's Fig. 4).
-  std::optional<double> grinding_in;
+  std::optional<double> grindingIn;
 };
 
 /// Whether two points come from one run, of which one log may be longer, or have rows that are
@@ -58,7 +58,7 @@ bool sameRun(const FrictionPoint &a, const FrictionPoint &b);
 FrictionPoint frictionPoint(const FrictionLog &log, const PointOptions &options);
 
 /// points.csv: a comment line with the units, a line of column names, one row a point:
-/// file,kappa1,kappa2,mu,mu_se,n_eff,t_start,mu_grinding_in,mu_eq2,kappa3.
+/// file,kappa1,kappa2,mu,muSe,nEff,tStart,muGrindingIn,muEq2,kappa3.
 std::string pointsAsCsv(const std::vector<FrictionPoint> &points);
 
 } // namespace wheelrail

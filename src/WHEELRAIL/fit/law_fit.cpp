@@ -7,7 +7,10 @@
 #include <Eigen/Dense>
 
 #include <algorithm>
+#include <boost/math/tools/minima.hpp>
+#include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
+#include <cstdint>
 #include <fmt/format.h>
 #include <limits>
 #include <stdexcept>
@@ -27,7 +30,7 @@ VectorXd deviations(const std::vector<LawPoint> &points, const VectorXd &fitted,
 {
   VectorXd sigma(points.size());
   for (size_t i = 0; i < points.size(); ++i)
-    sigma[i] = std::hypot(points[i].mu_se, scatter * fitted[i]);
+    sigma[i] = std::hypot(points[i].muSe, scatter * fitted[i]);
   return sigma;
 }
 
@@ -63,23 +66,29 @@ constexpr double leastScatter = 1e-9;
 double scatterFor(const std::vector<LawPoint> &points, const VectorXd &fitted, double target)
 {
   const bool haveErrors =
-      std::all_of(points.begin(), points.end(), [](const LawPoint &p) { return p.mu_se > 0.0; });
+      std::all_of(points.begin(), points.end(), [](const LawPoint &p) { return p.muSe > 0.0; });
   const double least = haveErrors ? 0.0 : leastScatter;
   if (chiSquared(points, fitted, least) <= target)
     return least;
-  double low = leastScatter;
+  // in the logarithm, over which chi^2 falls from far above the target to far below
+  const auto excess = [&](double logScatter) {
+    return chiSquared(points, fitted, std::exp(logScatter)) - target;
+  };
+  if (excess(std::log(leastScatter)) <= 0.0)
+    return leastScatter;
   double high = 1.0;
   while (chiSquared(points, fitted, high) > target && high < 1e6)
     high *= 2.0;
-  for (int i = 0; i < 60; ++i) {
-    const double middle = std::sqrt(low * high);
-    (chiSquared(points, fitted, middle) > target ? low : high) = middle;
-  }
-  return high;
+  if (excess(std::log(high)) > 0.0)
+    return high;
+  std::uintmax_t steps = 100;
+  const auto bracket =
+      boost::math::tools::toms748_solve(excess, std::log(leastScatter), std::log(high),
+                                        boost::math::tools::eps_tolerance<double>(), steps);
+  return std::exp(0.5 * (bracket.first + bracket.second));
 }
 
-/// -2 ln likelihood of normal residuals, at the scatter that maximises it (golden section in the
-/// logarithm).
+/// -2 ln likelihood of normal residuals, at the scatter that maximises it.
 double minusTwoLogLikelihood(const std::vector<LawPoint> &points, const VectorXd &fitted)
 {
   const auto value = [&](double logScatter) {
@@ -90,18 +99,9 @@ double minusTwoLogLikelihood(const std::vector<LawPoint> &points, const VectorXd
              std::pow((points[i].mu - fitted[i]) / sigma[i], 2);
     return sum;
   };
-  const double golden = 0.5 * (std::sqrt(5.0) - 1.0);
-  double low = std::log(leastScatter);
-  double high = std::log(10.0);
-  for (int i = 0; i < 80; ++i) {
-    const double x1 = high - golden * (high - low);
-    const double x2 = low + golden * (high - low);
-    if (value(x1) < value(x2))
-      high = x2;
-    else
-      low = x1;
-  }
-  return value(0.5 * (low + high));
+  constexpr int bits = std::numeric_limits<double>::digits / 2; // a minimum is known to no more
+  return boost::math::tools::brent_find_minima(value, std::log(leastScatter), std::log(10.0), bits)
+      .second;
 }
 
 int countParameters(LawModel model)
@@ -129,7 +129,7 @@ void checkPoints(const std::vector<LawPoint> &points)
 {
   for (const auto &p : points)
     if (!(std::isfinite(p.kappa1) && p.kappa1 >= 0.0 && std::isfinite(p.kappa2) &&
-          p.kappa2 >= 0.0 && std::isfinite(p.mu) && std::isfinite(p.mu_se) && p.mu_se >= 0.0 &&
+          p.kappa2 >= 0.0 && std::isfinite(p.mu) && std::isfinite(p.muSe) && p.muSe >= 0.0 &&
           std::isfinite(p.kappa3) && p.kappa3 > 0.0))
       throw std::invalid_argument("fitLaw: a point is not finite or negative");
 }
@@ -138,13 +138,13 @@ std::string explainWeakness(const LawFit &fit, const VectorXd &x, const Identifi
                             const LeastSquaresProblem &problem)
 {
   for (int k : {B, C}) {
-    const bool atUpper = fit.at_bound[k] && x[k] > 0.5 * problem.upper[k];
+    const bool atUpper = fit.atBound[k] && x[k] > 0.5 * problem.upper[k];
     if (atUpper)
       return fmt::format("{} runs to its bound of {:.3g}: its term is constant over all the points",
                          fitParameterNames[k], problem.upper[k]);
   }
   const auto free = parametersOf(fit.model);
-  if (free[C] && fit.at_bound[C])
+  if (free[C] && fit.atBound[C])
     return "c runs to 0: mu does not depend on kappa2, so that mu0 and mu2 cannot be told apart";
   if (analysis.conditionNumber <= worstCondition)
     return "";
@@ -171,7 +171,7 @@ void fillResiduals(LawFit &fit, const std::vector<LawPoint> &points, const Vecto
     fit.leverage.push_back(hat);
     sum += fit.residuals.back() * fit.residuals.back();
   }
-  fit.law.rms_relative = std::sqrt(sum / static_cast<double>(points.size()));
+  fit.law.rmsRelative = std::sqrt(sum / static_cast<double>(points.size()));
 }
 
 } // namespace
@@ -283,43 +283,43 @@ LawFit fitLaw(LawModel model, const std::vector<LawPoint> &points, double level,
   solution = solveLeastSquares(problem, {solution.x});
   setParameters(fit.law, solution.x);
   fitted = fittedMu(solution.x, points, reference);
-  fit.chi_squared = solution.sumOfSquares;
+  fit.chiSquared = solution.sumOfSquares;
 
   for (int k = 0; k < fitParameters; ++k) {
     constexpr double near = 1e-9;
     const double range = std::isfinite(problem.upper[k]) ? problem.upper[k] : 1.0;
-    fit.at_bound[k] = !problem.constant[k] && (solution.x[k] - problem.lower[k] < near * range ||
-                                               problem.upper[k] - solution.x[k] < near * range);
+    fit.atBound[k] = !problem.constant[k] && (solution.x[k] - problem.lower[k] < near * range ||
+                                              problem.upper[k] - solution.x[k] < near * range);
   }
   // a parameter at its bound counts as free: what the data say of the others depends on it
   const auto analysis = analyseJacobian(solution.jacobian, problem.constant);
-  fit.condition_number = analysis.conditionNumber;
-  fit.not_identifiable = explainWeakness(fit, solution.x, analysis, problem);
+  fit.conditionNumber = analysis.conditionNumber;
+  fit.notIdentifiable = explainWeakness(fit, solution.x, analysis, problem);
   fit.law.covariance = analysis.covariance.topLeftCorner<lawParameters, lawParameters>();
   if (model == LawModel::Kappa3) {
     fit.reference = reference;
     fit.exponent = solution.x[N];
-    fit.exponent_error = std::sqrt(analysis.covariance(N, N));
+    fit.exponentError = std::sqrt(analysis.covariance(N, N));
   }
   fit.law.n = n;
   // but the fit cannot follow a point with it
   auto held = problem.constant;
   for (int k = 0; k < fitParameters; ++k)
-    held[k] = held[k] || fit.at_bound[k];
+    held[k] = held[k] || fit.atBound[k];
   fillResiduals(fit, points, fitted, sigma, solution.jacobian,
                 analyseJacobian(solution.jacobian, held).covariance);
   const auto byKappa1 = [](const LawPoint &p, const LawPoint &q) { return p.kappa1 < q.kappa1; };
   const auto byKappa2 = [](const LawPoint &p, const LawPoint &q) { return p.kappa2 < q.kappa2; };
   const auto [low1, high1] = std::minmax_element(points.begin(), points.end(), byKappa1);
   const auto [low2, high2] = std::minmax_element(points.begin(), points.end(), byKappa2);
-  fit.law.kappa1_range = {low1->kappa1, high1->kappa1};
-  fit.law.kappa2_range = {low2->kappa2, high2->kappa2};
+  fit.law.kappa1Range = {low1->kappa1, high1->kappa1};
+  fit.law.kappa2Range = {low2->kappa2, high2->kappa2};
 
   const int k = countParameters(model) + 1; // and the scatter
   fit.aicc = n > k + 1 ? minusTwoLogLikelihood(points, fitted) + 2.0 * k +
                              2.0 * k * (k + 1) / (n - k - 1.0)
                        : infinity;
-  if (level > 0.0 && fit.not_identifiable.empty()) {
+  if (level > 0.0 && fit.notIdentifiable.empty()) {
     const double t = studentQuantile(0.5 * (1.0 + level), fit.freedom);
     for (int j = 0; j < fitParameters; ++j) {
       if (problem.constant[j])

@@ -16,7 +16,7 @@ struct LawPoint {
   double kappa1 = 0.0;
   double kappa2 = 0.0;
   double mu = 0.0;
-  double mu_se = 0.0;
+  double muSe = 0.0;
   double kappa3 = 1.0; ///< E/sigma_0, > 0
 };
 
@@ -53,23 +53,23 @@ constexpr std::array<const char *, fitParameters> fitParameterNames = {"mu0", "m
 /// leverage, which says how far the fit follows each point.
 struct LawFit {
   LawModel model = LawModel::Full;
-  FrictionLaw law;               ///< with the model Kappa3: at the reference
-  double exponent = 0.0;         ///< n
-  double exponent_error = 0.0;   ///< its standard error
-  double reference = 0.0;        ///< kappa3 at which the law holds; 0: at any
-  double scatter = 0.0;          ///< relative
-  double chi_squared = 0.0;      ///< sum of the weighted squares
-  int freedom = 0;               ///< points minus parameters
-  double condition_number = 0.0; ///< of the Jacobian with columns of length 1
-  double aicc = 0.0;             ///< Akaike's criterion for small samples; the scatter counts too
-  std::array<bool, fitParameters> at_bound = {}; ///< the best value lies on a bound
+  FrictionLaw law;              ///< with the model Kappa3: at the reference
+  double exponent = 0.0;        ///< n
+  double exponentError = 0.0;   ///< its standard error
+  double reference = 0.0;       ///< kappa3 at which the law holds; 0: at any
+  double scatter = 0.0;         ///< relative
+  double chiSquared = 0.0;      ///< sum of the weighted squares
+  int freedom = 0;              ///< points minus parameters
+  double conditionNumber = 0.0; ///< of the Jacobian with columns of length 1
+  double aicc = 0.0;            ///< Akaike's criterion for small samples; the scatter counts too
+  std::array<bool, fitParameters> atBound = {}; ///< the best value lies on a bound
   std::array<Interval, fitParameters>
       intervals;                   ///< profile likelihood; empty for what is not fitted
   std::vector<double> residuals;   ///< (mu - fit)/fit of every point
   std::vector<double> studentised; ///< residual in units of its own standard deviation
   std::vector<double> leverage;    ///< 0 .. 1; parameters/points on average
   /// Why the parameters cannot be told apart; empty if they can.
-  std::string not_identifiable;
+  std::string notIdentifiable;
 };
 
 /// Absolute studentised residual beyond which a point is reported as an outlier.

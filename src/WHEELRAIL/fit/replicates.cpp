@@ -25,7 +25,7 @@ ReplicateGroup summarise(const std::vector<const FrictionPoint *> &members)
   double errors = 0.0;
   for (const auto *p : members) {
     squares += std::pow(p->mu - group.mu, 2);
-    errors += p->mu_se * p->mu_se;
+    errors += p->muSe * p->muSe;
   }
   group.scatter = std::sqrt(squares / (group.n - 1)) / group.mu;
   group.expected = std::sqrt(errors / group.n) / group.mu;
@@ -38,7 +38,7 @@ std::vector<ReplicateGroup> replicateGroups(const std::vector<FrictionPoint> &po
 {
   std::vector<std::vector<const FrictionPoint *>> groups;
   for (const auto &p : points) {
-    if (!p.left_out.empty() || !std::isfinite(p.mu_se))
+    if (!p.leftOut.empty() || !std::isfinite(p.muSe))
       continue;
     const auto home = std::find_if(groups.begin(), groups.end(), [&](const auto &members) {
       return nearlyEqual(members.front()->kappa1, p.kappa1) &&

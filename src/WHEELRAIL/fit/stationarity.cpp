@@ -86,7 +86,7 @@ double pValue(double deviation, double error, const SeriesMean &noise)
 {
   if (error == 0.0)
     return deviation == 0.0 ? 1.0 : 0.0;
-  return 2.0 * studentCdf(-std::abs(deviation) / error, std::max(1.0, noise.effective_n - 2.0));
+  return 2.0 * studentCdf(-std::abs(deviation) / error, std::max(1.0, noise.effectiveN - 2.0));
 }
 
 constexpr std::size_t mserBatch = 5;
@@ -102,7 +102,7 @@ SeriesMean seriesMean(const std::vector<double> &values, std::size_t begin, std:
   result.mean = meanOf(values, begin, end);
   const auto n = static_cast<double>(result.n);
   if (result.n < 4) {
-    result.standard_error = std::numeric_limits<double>::infinity();
+    result.standardError = std::numeric_limits<double>::infinity();
     return result;
   }
   std::vector<double> deviations(values.begin() + begin, values.begin() + end);
@@ -112,14 +112,14 @@ SeriesMean seriesMean(const std::vector<double> &values, std::size_t begin, std:
   // constant up to rounding: no error to be seen
   constexpr double rounding = 1e-13;
   if (variance <= std::pow(rounding * result.mean, 2)) {
-    result.effective_n = n;
+    result.effectiveN = n;
     return result;
   }
-  result.correlation_time = std::clamp(integratedTime(deviations, variance), 1.0, n / 3.0);
-  result.effective_n = n / result.correlation_time;
+  result.correlationTime = std::clamp(integratedTime(deviations, variance), 1.0, n / 3.0);
+  result.effectiveN = n / result.correlationTime;
   // the variance about the series' own mean is too small by the variance of that mean
-  const double unbiased = variance / (1.0 - 1.0 / result.effective_n);
-  result.standard_error = std::sqrt(unbiased / result.effective_n);
+  const double unbiased = variance / (1.0 - 1.0 / result.effectiveN);
+  result.standardError = std::sqrt(unbiased / result.effectiveN);
   return result;
 }
 
@@ -161,7 +161,7 @@ double gewekeP(const std::vector<double> &values, std::size_t begin)
   const auto line = fitLine(values, beginOfSecond, values.size());
   const auto noise = seriesMean(line.residuals, 0, line.residuals.size());
   const double ratio = static_cast<double>(noise.n) / static_cast<double>(endOfFirst - begin);
-  return pValue(difference, noise.standard_error * std::sqrt(1.0 + ratio), noise);
+  return pValue(difference, noise.standardError * std::sqrt(1.0 + ratio), noise);
 }
 
 double trendP(const std::vector<double> &values, std::size_t begin)
@@ -171,10 +171,15 @@ double trendP(const std::vector<double> &values, std::size_t begin)
   const auto line = fitLine(values, begin, values.size());
   const auto noise = seriesMean(line.residuals, 0, line.residuals.size());
   // the error of a slope is that of the mean times sqrt(n / spread)
-  const double error = noise.standard_error * std::sqrt(static_cast<double>(noise.n) / line.spread);
+  const double error = noise.standardError * std::sqrt(static_cast<double>(noise.n) / line.spread);
   return pValue(line.slope, error, noise);
 }
 
+// MSER-5 weighs the bias of an early start against the variance of a late one, but knows nothing of
+// autocorrelation: its start may lie within a slow drift. So two tests that do know have to agree,
+// one that sees a step (the first quarter against the second half), one that sees a slope; until
+// they do, the start moves on. Beyond the middle nothing is found: what is left would be too short
+// for the tests to object to anything.
 StationaryPart stationaryPart(const std::vector<double> &values)
 {
   if (values.empty())
@@ -203,7 +208,7 @@ StationaryPart stationaryPart(const std::vector<double> &values)
                                 drift(values, middle)));
   }
   part.mean = seriesMean(values, part.start, values.size());
-  if (part.mean.effective_n < leastEffective)
+  if (part.mean.effectiveN < leastEffective)
     return giveUp("what is left is worth too few independent samples");
   part.found = true;
   return part;

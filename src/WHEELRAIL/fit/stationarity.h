@@ -10,17 +10,17 @@ namespace wheelrail {
 /// Mean of a correlated series and what it is worth.
 struct SeriesMean {
   double mean = 0.0;
-  double standard_error = 0.0;  ///< of the mean, with the autocorrelation accounted for
-  double effective_n = 0.0;     ///< number of independent samples of the same worth
-  double correlation_time = 1.; ///< integrated autocorrelation time in samples, >= 1
-  std::size_t n = 0;            ///< samples
+  double standardError = 0.0;  ///< of the mean, with the autocorrelation accounted for
+  double effectiveN = 0.0;     ///< number of independent samples of the same worth
+  double correlationTime = 1.; ///< integrated autocorrelation time in samples, >= 1
+  std::size_t n = 0;           ///< samples
 };
 
 /// Mean of values[begin, end) with the standard error s sqrt(tau/n) from the integrated
 /// autocorrelation time tau = 1 + 2 sum rho_k, summed over Geyer's initial monotone positive
 /// sequence (C. J. Geyer, Statist. Sci. 7 (1992) 473) and corrected for the bias that comes from
 /// subtracting the series' own mean. tau is at least 1 (a negative correlation is not credited) and
-/// at most n/3: a series that short says so by effective_n near 3.
+/// at most n/3: a series that short says so by effectiveN near 3.
 /// @param begin, end indices with end - begin >= 4; otherwise the standard error is infinite
 /// @throws std::invalid_argument for an empty range or an end beyond the series
 SeriesMean seriesMean(const std::vector<double> &values, std::size_t begin, std::size_t end);

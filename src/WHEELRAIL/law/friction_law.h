@@ -34,11 +34,11 @@ struct FrictionLaw {
 
   /// Covariance of (mu0, mu1, mu2, b, c); absent where the source states none.
   std::optional<LawCovariance> covariance;
-  int n = 0;                                       ///< points that were fitted
-  double rms_relative = 0.0;                       ///< root mean square of (mu - fit)/fit
-  std::array<double, 2> kappa1_range = {0.0, 0.0}; ///< range of the fitted points
-  std::array<double, 2> kappa2_range = {0.0, 0.0}; ///< range of the fitted points
-  std::string source;                              ///< where the numbers come from
+  int n = 0;                                      ///< points that were fitted
+  double rmsRelative = 0.0;                       ///< root mean square of (mu - fit)/fit
+  std::array<double, 2> kappa1Range = {0.0, 0.0}; ///< range of the fitted points
+  std::array<double, 2> kappa2Range = {0.0, 0.0}; ///< range of the fitted points
+  std::string source;                             ///< where the numbers come from
 
   /// Eq. 2. kappa1, kappa2 >= 0.
   double operator()(double kappa1, double kappa2) const;
@@ -56,6 +56,9 @@ struct FrictionLaw {
 
 /// Eq. 3: the paper's fit to its 34 points. The paper states no covariance.
 FrictionLaw bucher2006();
+
+/// Is this the name of a law that needs no file?
+bool isBuiltinLaw(const std::string &name);
 
 /// The built-in law `bucher2006`, or a law file as wr_fit writes it (JSON, format
 /// "mca-friction-law 1"). The key "report" may hold anything and is skipped.

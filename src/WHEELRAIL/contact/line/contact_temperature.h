@@ -15,6 +15,19 @@ struct ThermalMaterial {
   double specificHeat; ///< J/(kg K)
 };
 
+/// Where the temperature of the contact comes from.
+enum class ThermalModel {
+  Off,           ///< no temperature
+  Averaged,      ///< Eq. 11: mean rise of a Hertzian contact that slides as a whole
+  AveragedPower, ///< Eq. 11 with the frictional power T/N in place of mu
+  Local          ///< `FlashTemperature`, `TravellingHeat`
+};
+
+struct ThermalSpecification {
+  ThermalModel model = ThermalModel::Averaged;
+  ThermalMaterial material{}; ///< of both bodies; not used by Off
+};
+
 /// Eq. 11's coefficient, exactly 8 sqrt(2)/(15 sqrt(pi)) = 0.425538 (the paper rounds to 0.426).
 double meanTemperatureCoefficient();
 
@@ -42,8 +55,8 @@ class FlashTemperature {
   Eigen::VectorXd rise(const Eigen::VectorXd &heat);
 
  private:
-  Convolution line;
-  Convolution::Spectrum kernel;
+  Convolution line_;
+  Convolution::Spectrum kernel_;
 };
 
 /// The same where heat changes in time: every cell of material remembers the heat of its way
@@ -60,12 +73,12 @@ class TravellingHeat {
  private:
   std::vector<double> &historyAt(int cell);
 
-  int cells;
-  int steps = 0;
-  Eigen::VectorXd kernel; ///< influence of heat m steps ago
+  int cells_;
+  int steps_ = 0;
+  Eigen::VectorXd kernel_; ///< influence of heat m steps ago
   /// Of the material, oldest first, from the first heat on; a cell's place is (cell + steps) %
   /// cells.
-  std::vector<std::vector<double>> history;
+  std::vector<std::vector<double>> history_;
 };
 
 } // namespace wheelrail

@@ -74,9 +74,5 @@ struct FractalSurface {
 /// @throws Error (BadInput) when no wave fits, or the cells cannot carry the shortest (4 a wave)
 Profile fractalProfile(const FractalSurface &surface, int cells, double length);
 
-/// Uniform number in [0, 1) that depends on (seed, index) only (SplitMix64): the same on every
-/// machine, unlike the standard library's distributions.
-double uniformNumber(std::uint64_t seed, std::uint64_t index);
-
 } // namespace wheelrail
 #endif

@@ -2,7 +2,7 @@
 #include "contact/patch/patch_surface.h"
 
 #include "base/errors.h"
-#include "contact/line/profile.h"
+#include "base/random_number.h"
 
 #include <cmath>
 #include <complex>

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "shared/friction_log_format.h"
+
+#include <gtest/gtest.h>
+#include <limits>
+
+using namespace mcawr::frictionLog;
+
+TEST(FrictionLogFormat, Lines)
+{
+  EXPECT_EQ(formatLine(), "# format: mca-friction 1");
+  EXPECT_EQ(columnLine(), "step time displacement shear_stress normal_stress mu links broken "
+                          "formed gap");
+}
+
+TEST(FrictionLogFormat, Ranges)
+{
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  for (Range range : {Range::Positive, Range::NotNegative, Range::PoissonsRatio, Range::Whole}) {
+    EXPECT_FALSE(isIn(range, nan));
+    EXPECT_FALSE(isIn(range, 2 * largest));
+    EXPECT_FALSE(isIn(range, -1.0));
+  }
+  EXPECT_FALSE(isIn(Range::Positive, 0.0));
+  EXPECT_FALSE(isIn(Range::Positive, 0.5 / largest));
+  EXPECT_TRUE(isIn(Range::NotNegative, 0.0));
+  EXPECT_FALSE(isIn(Range::PoissonsRatio, 0.5));
+  EXPECT_TRUE(isIn(Range::PoissonsRatio, -0.5));
+  EXPECT_FALSE(isIn(Range::Whole, 1.5));
+  EXPECT_TRUE(isIn(Range::Whole, 0.0));
+  EXPECT_EQ(describe(Range::Positive, "MPa"), "> 0 (MPa), 1e-12 to 1e+12");
+  EXPECT_EQ(describe(Range::NotNegative, ""), ">= 0, 0 or 1e-12 to 1e+12");
+}
