@@ -53,6 +53,7 @@ class FrictionNewton {
     Vector lambda;  ///< bound/|q - S| in slip
   };
 
+  bool tryAttempts(Vector &x, double tolerance, int maxSteps);
   bool iterate(Vector &x, double tolerance, int maxSteps);
   Vector operatorB(const Vector &x);
   Vector evaluate(const Vector &x, Linearisation &linear);
