@@ -3,7 +3,7 @@
 #define WHEELRAIL_CONTACT_LINE_HALFPLANE_H
 
 #include "contact/half_space.h"
-#include "contact/line/convolution.h"
+#include "contact/convolution.h"
 
 namespace wheelrail {
 

@@ -3,7 +3,7 @@
 #define WHEELRAIL_PATCH_TEMPERATURE_H
 
 #include "contact/half_space.h"
-#include "contact/line/contact_temperature.h"
+#include "contact/contact_temperature.h"
 
 #include <vector>
 

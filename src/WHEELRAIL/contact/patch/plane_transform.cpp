@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "contact/patch/plane_transform.h"
 
-#include "contact/line/convolution.h"
+#include "contact/convolution.h"
 
 #include <algorithm>
 #include <fftw3.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "contact/line/convolution.h"
+#include "contact/convolution.h"
 
 #include <algorithm>
 #include <fftw3.h>

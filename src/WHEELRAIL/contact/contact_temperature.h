@@ -2,7 +2,7 @@
 #ifndef WHEELRAIL_CONTACT_LINE_CONTACT_TEMPERATURE_H
 #define WHEELRAIL_CONTACT_LINE_CONTACT_TEMPERATURE_H
 
-#include "contact/line/convolution.h"
+#include "contact/convolution.h"
 
 #include <vector>
 

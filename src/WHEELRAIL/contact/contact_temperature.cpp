@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "contact/line/contact_temperature.h"
+#include "contact/contact_temperature.h"
 
 #include <cmath>
 
