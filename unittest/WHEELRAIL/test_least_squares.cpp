@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "fit/least_squares.h"
+#include "base/least_squares.h"
 #include "nist.h"
 
 #include <cmath>

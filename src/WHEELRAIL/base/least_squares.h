@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#ifndef WHEELRAIL_FIT_LEAST_SQUARES_H
-#define WHEELRAIL_FIT_LEAST_SQUARES_H
+#ifndef WHEELRAIL_BASE_LEAST_SQUARES_H
+#define WHEELRAIL_BASE_LEAST_SQUARES_H
 
 #include <Eigen/Core>
 
