@@ -18,11 +18,13 @@ constexpr double rounding = 1e-14;
 constexpr int boldSets = 20;            ///< sets that may raise the energy; mostly 8 are enough
 constexpr double firstTolerance = 1e-2; ///< the first sets are wrong anyway
 
-/// The quadratic programme: minimise p.A p/2 + profile.p with 0 <= p <= limit, sum p = load.
+/// The quadratic programme: minimise p.A p/2 + profile.p with 0 <= p <= limit, sum p = load; or
+/// p.A p/2 + (profile - approach).p with 0 <= p <= limit.
 class PressureSearch {
  public:
   PressureSearch(HalfSpace &space, const NormalContactProblem &input)
-      : halfSpace_(space), problem_(input), n_(space.cells())
+      : approach(input.approach.value_or(0.0)), halfSpace_(space), problem_(input),
+        n_(space.cells())
   {
   }
 
@@ -30,7 +32,8 @@ class PressureSearch {
   void startFrom(const Vector &guess)
   {
     pressure = guess.cwiseMax(0.0);
-    pressure *= problem_.load / pressure.sum();
+    if (!problem_.approach)
+      pressure *= problem_.load / pressure.sum();
     pressure = projected(pressure, Vector::Ones(n_));
     gap = problem_.profile + halfSpace_.displacement(pressure);
   }
@@ -57,9 +60,12 @@ class PressureSearch {
     return pressure[i] >= problem_.pressureLimit ? CellState::Plastic : CellState::Contact;
   }
 
+  /// The load, or what is carried at the given approach.
+  double load() const { return problem_.approach ? pressure.sum() : problem_.load; }
+
   Vector pressure;
   Vector gap; ///< profile + displacement, before the approach is taken off
-  double approach = 0.0;
+  double approach;
   double residual = std::numeric_limits<double>::infinity();
 
  private:
@@ -69,7 +75,8 @@ class PressureSearch {
   }
   /// Gives the cells inside the limits what the others do not carry; renews the gap.
   void balance();
-  /// Nearest point of {0 <= p <= limit, sum p = load} that differs only where free is 1.
+  /// Nearest point of {0 <= p <= limit, sum p = load where it is given} that differs only where
+  /// free is 1.
   Vector projected(const Vector &wanted, const Vector &free) const;
   /// Moves to the projection of pressure + length * direction, the length halved until the energy
   /// falls by a tenth of what the slope promises. @return false if rounding leaves nothing to gain
@@ -83,6 +90,9 @@ class PressureSearch {
 
 Vector PressureSearch::projected(const Vector &wanted, const Vector &free) const
 {
+  if (problem_.approach)
+    return (free.array() == 0.0)
+        .select(pressure, wanted.cwiseMax(0.0).cwiseMin(problem_.pressureLimit));
   // clamp(wanted - shift) carries the load at one shift; Newton on a piecewise linear, monotone
   // function, kept between bounds
   const double highest = std::min(problem_.pressureLimit, problem_.load);
@@ -143,20 +153,26 @@ int PressureSearch::solveInside(double tolerance, int maxSteps)
   cut_ = false;
   if (cells < 1.0)
     return 0;
-  const double meanPressure = problem_.load / (pressure.array() > 0.0).count();
+  const double contact = static_cast<double>((pressure.array() > 0.0).count());
   // What the preconditioner makes of a change of the approach; taken off, it leaves the load alone
-  const Vector unit = halfSpace_.tractionEstimate(free).cwiseProduct(free);
+  Vector unit;
+  if (!problem_.approach)
+    unit = halfSpace_.tractionEstimate(free).cwiseProduct(free);
   const double unitSum = unit.sum();
 
   Vector total = Vector::Zero(n_), direction = Vector::Zero(n_), current = gap;
   double product = 0.0; // residual . preconditioned residual
   int step = 0;
   for (;; ++step) {
-    approach = current.dot(free) / cells;
+    if (!problem_.approach)
+      approach = current.dot(free) / cells;
     const Vector r = (approach - current.array()) * free.array();
     Vector z = halfSpace_.tractionEstimate(r).cwiseProduct(free);
-    z -= z.sum() / unitSum * unit;
-    residual = std::sqrt(z.squaredNorm() / cells) / meanPressure;
+    if (!problem_.approach)
+      z -= z.sum() / unitSum * unit;
+    const double meanPressure =
+        (problem_.approach ? (pressure + total).sum() : problem_.load) / contact;
+    residual = std::sqrt(z.squaredNorm() / cells) / std::abs(meanPressure);
     if (residual <= tolerance || step >= maxSteps)
       break;
     const double newProduct = r.dot(z);
@@ -183,7 +199,8 @@ int PressureSearch::solveInside(double tolerance, int maxSteps)
 int PressureSearch::join(double tolerance)
 {
   const Vector free = inside();
-  if (free.sum() < 1.0) { // nothing in between: the approach lies between the two kinds' gaps
+  if (free.sum() < 1.0 &&
+      !problem_.approach) { // nothing in between: the approach lies between the two kinds' gaps
     double limited = -std::numeric_limits<double>::infinity(), apart = -limited;
     for (int i = 0; i < n_; ++i)
       if (pressure[i] > 0.0)
@@ -192,7 +209,7 @@ int PressureSearch::join(double tolerance)
         apart = std::min(apart, gap[i]);
     approach = std::isfinite(apart) ? 0.5 * (limited + apart) : limited;
   }
-  const double threshold = tolerance * halfSpace_.displacementScale(problem_.load); // of the gap
+  const double threshold = tolerance * halfSpace_.displacementScale(load()); // of the gap
   const Vector slope = approach - gap.array();
   Vector active = slope; // without the cells that their limit keeps from following the slope
   int broken = 0;
@@ -214,6 +231,10 @@ int PressureSearch::join(double tolerance)
 
 void PressureSearch::balance()
 {
+  if (problem_.approach) {
+    gap = problem_.profile + halfSpace_.displacement(pressure);
+    return;
+  }
   const Vector free = inside();
   const double cells = free.sum(), carried = pressure.dot(free);
   const double wanted = problem_.load - (pressure.sum() - carried);
@@ -239,8 +260,8 @@ void PressureSearch::balance()
 
 int PressureSearch::jump(double tolerance)
 {
-  const double threshold = tolerance * halfSpace_.displacementScale(problem_.load),
-               little = rounding * problem_.load / n_;
+  const double threshold = tolerance * halfSpace_.displacementScale(load()),
+               little = rounding * load() / n_;
   int changed = 0;
   for (int i = 0; i < n_; ++i) {
     const double p = pressure[i], distance = gap[i] - approach;
@@ -295,6 +316,9 @@ NormalContactResult solveOnGrids(HalfSpace &halfSpace, const NormalContactProble
         solveOnGrids(*coarseSpace, coarsened(problem, grid, coarseGrid), coarseOptions);
     iterations = coarse.iterations;
     search.startFrom(refinedField(grid, coarseGrid, coarse.pressure));
+  } else if (problem.approach) {
+    search.startFrom(
+        halfSpace.tractionEstimate((*problem.approach - problem.profile.array()).max(0.0)));
   } else {
     search.startFrom(Vector::Constant(n, problem.load / n));
   }
@@ -345,13 +369,21 @@ NormalContactResult solveNormalContact(HalfSpace &halfSpace, const NormalContact
   const int n = halfSpace.cells();
   if (problem.profile.size() != n || !problem.profile.allFinite())
     throw Error(ExitCode::Internal, "normal contact: profile does not fit the grid");
-  if (!(problem.load > 0.0) || problem.load >= problem.pressureLimit * n)
+  if (!problem.approach && (!(problem.load > 0.0) || problem.load >= problem.pressureLimit * n))
     throw Error(
         ExitCode::BadInput,
         fmt::format("normal contact: the pressures' sum {} must be positive and below what the "
                     "pressure limit carries on all cells, {}",
                     problem.load, problem.pressureLimit * n));
-  NormalContactResult result = solveOnGrids(halfSpace, problem, options);
+  NormalContactResult result;
+  if (problem.approach && problem.profile.minCoeff() >= *problem.approach) {
+    result.pressure = result.plasticDepth = Vector::Zero(n);
+    result.gap = problem.profile.array() - *problem.approach;
+    result.state.assign(n, CellState::Apart);
+    result.approach = *problem.approach;
+  } else {
+    result = solveOnGrids(halfSpace, problem, options);
+  }
   result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   return result;
 }

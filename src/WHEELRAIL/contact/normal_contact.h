@@ -4,13 +4,14 @@
 #include "contact/half_space.h"
 
 #include <limits>
+#include <optional>
 #include <vector>
 
 namespace wheelrail {
 
 /// Frictionless contact of a rigid profile with an elastic half-space (or of two bodies with the
-/// profiles' sum): 0 <= p <= limit, gap >= 0 where p = 0, the load prescribed. Serves a line of
-/// cells and a patch of them alike.
+/// profiles' sum): 0 <= p <= limit, gap >= 0 where p = 0, the load or the approach prescribed.
+/// Serves a line of cells and a patch of them alike.
 ///
 /// Units are those of the half-space: stresses in the unit of its tractions (E* on the line),
 /// lengths in that of its cells' size.
@@ -19,6 +20,9 @@ struct NormalContactProblem {
   /// larger: further apart. Its mean does not matter.
   Eigen::VectorXd profile;
   double load = 0.0; ///< sum of the cells' pressures, > 0: the force over the area of a cell
+  /// Given: the bodies come nearer by this much from where profile = 0 would touch, and `load` is
+  /// not read. On a line it has no meaning by itself (its displacements have a free constant).
+  std::optional<double> approach;
   /// Hardness, > 0; p stops there and the material flows. Infinite: elastic.
   double pressureLimit = std::numeric_limits<double>::infinity();
 };

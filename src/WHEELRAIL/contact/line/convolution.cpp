@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <fftw3.h>
-#include <mutex>
 
 namespace wheelrail {
-namespace {
-std::mutex plannerMutex; // FFTW's planner is the one part of it that is not thread-safe
+
+std::mutex &fftwPlannerMutex()
+{
+  static std::mutex mutex;
+  return mutex;
 }
 
 int fastTransformSize(int n)
@@ -24,7 +26,7 @@ int fastTransformSize(int n)
 struct Convolution::Transform {
   explicit Transform(int length) : size(length), bins(length / 2 + 1)
   {
-    const std::lock_guard<std::mutex> lock(plannerMutex);
+    const std::lock_guard<std::mutex> lock(fftwPlannerMutex());
     real = fftw_alloc_real(size);
     complex = fftw_alloc_complex(bins);
     forward = fftw_plan_dft_r2c_1d(size, real, complex, FFTW_ESTIMATE);
@@ -32,7 +34,7 @@ struct Convolution::Transform {
   }
   ~Transform()
   {
-    const std::lock_guard<std::mutex> lock(plannerMutex);
+    const std::lock_guard<std::mutex> lock(fftwPlannerMutex());
     fftw_destroy_plan(forward);
     fftw_destroy_plan(backward);
     fftw_free(real);

@@ -6,12 +6,17 @@
 #include <complex>
 #include <functional>
 #include <memory>
+#include <mutex>
 #include <vector>
 
 namespace wheelrail {
 
 /// Smallest even 2^a 3^b 5^c 7^d >= n: a length that FFTW transforms fast.
 int fastTransformSize(int n);
+
+/// FFTW's planner is the one part of it that is not thread-safe: hold this while plans are made or
+/// destroyed.
+std::mutex &fftwPlannerMutex();
 
 /// Products with Toeplitz matrices of n cells by FFTW, y_i = sum_j kernel(i - j) x_j.
 ///

@@ -1,0 +1,262 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "contact/patch/friction_newton.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+
+namespace wheelrail {
+namespace {
+
+using Vector = Eigen::VectorXd;
+
+constexpr double innerTolerance = 0.03; ///< of a Newton step's linear system
+/// r of q = P(q - r S), in units of a cell's stiffness: how far a cell's slip counts when its state
+/// is predicted. The smaller, the slower and the safer.
+constexpr double predictions[] = {0.5, 0.1, 0.02};
+constexpr int restart = 30, maxInner = 120;
+
+/// GMRES (Saad, Schultz 1986) from zero, the residual measured after the left preconditioner.
+template<class Apply, class Precondition>
+Vector krylov(const Apply &apply, const Precondition &precondition, const Vector &b,
+              double tolerance)
+{
+  Vector x = Vector::Zero(b.size()), r = b;
+  const double goal = tolerance * b.norm();
+  int products = 0;
+  while (true) {
+    const double beta = r.norm();
+    if (!(beta > goal) || products >= maxInner)
+      return x;
+    std::vector<Vector> basis{r / beta};
+    Eigen::MatrixXd h = Eigen::MatrixXd::Zero(restart + 1, restart);
+    Vector cosines(restart), sines(restart), g = Vector::Zero(restart + 1);
+    g[0] = beta;
+    int k = 0;
+    while (k < restart && std::abs(g[k]) > goal && products < maxInner) {
+      Vector w = apply(precondition(basis[k]));
+      ++products;
+      for (int j = 0; j <= k; ++j) {
+        h(j, k) = w.dot(basis[j]);
+        w -= h(j, k) * basis[j];
+      }
+      const double below = w.norm();
+      for (int j = 0; j < k; ++j) {
+        const double above = h(j, k);
+        h(j, k) = cosines[j] * above + sines[j] * h(j + 1, k);
+        h(j + 1, k) = -sines[j] * above + cosines[j] * h(j + 1, k);
+      }
+      const double length = std::hypot(h(k, k), below);
+      if (!(length > 0.0))
+        break;
+      cosines[k] = h(k, k) / length;
+      sines[k] = below / length;
+      h(k, k) = length;
+      g[k + 1] = -sines[k] * g[k];
+      g[k] *= cosines[k];
+      ++k;
+      if (!(below > 0.0))
+        break;
+      basis.push_back(w / below);
+    }
+    if (k == 0)
+      return x;
+    const Vector y = h.topLeftCorner(k, k).template triangularView<Eigen::Upper>().solve(g.head(k));
+    Vector sum = y[0] * basis[0];
+    for (int j = 1; j < k; ++j)
+      sum += y[j] * basis[j];
+    x += precondition(sum);
+    if (std::abs(g[k]) <= goal || products >= maxInner)
+      return x;
+    r = b - apply(x);
+    ++products;
+  }
+}
+
+} // namespace
+
+FrictionNewton::FrictionNewton(PatchHalfSpace &halfSpace, Equations equations)
+    : space(halfSpace), eq(std::move(equations)), n(static_cast<int>(eq.cells.size())),
+      compliance(halfSpace.tangentialCompliance()),
+      upstream(n, -1), field{Vector::Zero(halfSpace.cells()), Vector::Zero(halfSpace.cells())}
+{
+  const int nx = space.grid().nx;
+  for (int i = 0; i + 1 < n; ++i)
+    if (eq.cells[i + 1] == eq.cells[i] + 1 && eq.cells[i + 1] % nx != 0)
+      upstream[i] = i + 1;
+}
+
+Vector FrictionNewton::operatorB(const Vector &x)
+{
+  ++operatorProducts;
+  field.x.setZero();
+  field.y.setZero();
+  for (int i = 0; i < n; ++i) {
+    field.x[eq.cells[i]] = x[2 * i];
+    field.y[eq.cells[i]] = x[2 * i + 1];
+  }
+  const TangentialField u = space.displacement(field);
+  Vector result(2 * n);
+  const int ahead = eq.steady ? 1 : 0;
+  const double unit = 1.0 / compliance;
+  for (int i = 0; i < n; ++i) {
+    const int cell = eq.cells[i];
+    double ux = u.x[cell], uy = u.y[cell];
+    if (ahead) {
+      ux -= u.x[cell + 1];
+      uy -= u.y[cell + 1];
+    }
+    result[2 * i] = unit * ux;
+    result[2 * i + 1] = unit * uy;
+  }
+  for (std::size_t j = 0; j < eq.unknown.size(); ++j)
+    for (int i = 0; i < n; ++i)
+      result[2 * i + eq.unknown[j]] += x[2 * n + j];
+  return result;
+}
+
+Vector FrictionNewton::evaluate(const Vector &x, Linearisation &linear)
+{
+  scaledSlip = eq.drive + operatorB(x);
+  linear.slips.assign(n, 0);
+  linear.tangent = Vector::Zero(2 * n);
+  linear.lambda = Vector::Zero(n);
+  Vector f(x.size());
+  for (int i = 0; i < n; ++i) {
+    const double zx = x[2 * i] - prediction_ * scaledSlip[2 * i],
+                 zy = x[2 * i + 1] - prediction_ * scaledSlip[2 * i + 1];
+    const double length = std::hypot(zx, zy);
+    if (length <= eq.bound[i]) {
+      f[2 * i] = scaledSlip[2 * i];
+      f[2 * i + 1] = scaledSlip[2 * i + 1];
+      continue;
+    }
+    linear.slips[i] = 1;
+    linear.lambda[i] = eq.bound[i] / length;
+    linear.tangent[2 * i] = -zy / length;
+    linear.tangent[2 * i + 1] = zx / length;
+    f[2 * i] = x[2 * i] - linear.lambda[i] * zx;
+    f[2 * i + 1] = x[2 * i + 1] - linear.lambda[i] * zy;
+  }
+  for (std::size_t j = 0; j < eq.unknown.size(); ++j) {
+    double sum = -eq.force[j];
+    for (int i = 0; i < n; ++i)
+      sum += x[2 * i + eq.unknown[j]];
+    f[2 * n + j] = sum / std::sqrt(double(n));
+  }
+  return f;
+}
+
+Vector FrictionNewton::jacobian(const Linearisation &linear, const Vector &x)
+{
+  Vector f = Vector(x.size());
+  const Vector s = operatorB(x);
+  for (int i = 0; i < n; ++i) {
+    if (!linear.slips[i]) {
+      f[2 * i] = s[2 * i];
+      f[2 * i + 1] = s[2 * i + 1];
+      continue;
+    }
+    // q - lambda (q - S) along the circle, q itself across it
+    const double tx = linear.tangent[2 * i], ty = linear.tangent[2 * i + 1];
+    const double lambda = linear.lambda[i];
+    const double along = tx * x[2 * i] + ty * x[2 * i + 1];
+    const double alongS = tx * s[2 * i] + ty * s[2 * i + 1];
+    const double change = -lambda * (along - prediction_ * alongS);
+    f[2 * i] = x[2 * i] + change * tx;
+    f[2 * i + 1] = x[2 * i + 1] + change * ty;
+  }
+  for (std::size_t j = 0; j < eq.unknown.size(); ++j) {
+    double sum = 0.0;
+    for (int i = 0; i < n; ++i)
+      sum += x[2 * i + eq.unknown[j]];
+    f[2 * n + j] = sum / std::sqrt(double(n));
+  }
+  return f;
+}
+
+Vector FrictionNewton::fromLeft(const Linearisation &linear, const Vector &residual) const
+{
+  Vector sum = residual;
+  if (!eq.steady)
+    return sum;
+  for (int i = n - 2; i >= 0; --i)
+    if (!linear.slips[i] && upstream[i] >= 0 && !linear.slips[i + 1]) {
+      sum[2 * i] += sum[2 * i + 2];
+      sum[2 * i + 1] += sum[2 * i + 3];
+    }
+  return sum;
+}
+
+Vector FrictionNewton::fromRight(const Linearisation &linear, const Vector &x)
+{
+  field.x.setZero();
+  field.y.setZero();
+  for (int i = 0; i < n; ++i)
+    if (!linear.slips[i]) {
+      field.x[eq.cells[i]] = compliance * x[2 * i];
+      field.y[eq.cells[i]] = compliance * x[2 * i + 1];
+    }
+  const TangentialField q = space.tractionEstimate(field);
+  Vector result = x;
+  for (int i = 0; i < n; ++i)
+    if (linear.slips[i]) {
+      const double d = 1.0 - linear.lambda[i] + linear.lambda[i] * prediction_;
+      result[2 * i] /= d;
+      result[2 * i + 1] /= d;
+    }
+  for (int i = 0; i < n; ++i)
+    if (!linear.slips[i]) {
+      result[2 * i] = q.x[eq.cells[i]];
+      result[2 * i + 1] = q.y[eq.cells[i]];
+    }
+  return result;
+}
+
+Vector FrictionNewton::newtonStep(const Linearisation &linear, const Vector &, const Vector &f,
+                                  double tolerance)
+{
+  const Vector b = fromLeft(linear, -f);
+  return krylov([&](const Vector &v) { return fromLeft(linear, jacobian(linear, v)); },
+                [&](const Vector &v) { return fromRight(linear, v); }, b, tolerance);
+}
+
+double FrictionNewton::residualOf(const Vector &x)
+{
+  Linearisation linear;
+  return evaluate(x, linear).norm() / eq.scale;
+}
+
+bool FrictionNewton::solve(Vector &x, double tolerance, int maxSteps)
+{
+  const Vector start = x;
+  for (double prediction : predictions) {
+    prediction_ = prediction;
+    x = start;
+    if (iterate(x, tolerance, maxSteps))
+      return true;
+  }
+  return false;
+}
+
+bool FrictionNewton::iterate(Vector &x, double tolerance, int maxSteps)
+{
+  Linearisation &linear = linear_;
+  static const bool verbose = std::getenv("WR_VERBOSE");
+  for (int step = 0;; ++step, ++newtonSteps) {
+    const Vector f = evaluate(x, linear);
+    relativeResidual = f.norm() / eq.scale;
+    if (verbose)
+      std::fprintf(stderr, "    newton %d n %d residual %.3e products %d slip %ld\n", newtonSteps,
+                   n, relativeResidual, operatorProducts,
+                   long(std::count(linear.slips.begin(), linear.slips.end(), 1)));
+    if (relativeResidual <= tolerance)
+      return true;
+    if (step >= maxSteps || !std::isfinite(relativeResidual))
+      return false;
+    x += newtonStep(linear, x, f, innerTolerance);
+  }
+}
+
+} // namespace wheelrail

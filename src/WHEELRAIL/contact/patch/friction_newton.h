@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef WHEELRAIL_PATCH_FRICTION_NEWTON_H
+#define WHEELRAIL_PATCH_FRICTION_NEWTON_H
+
+#include "contact/patch/patch_half_space.h"
+
+#include <vector>
+
+namespace wheelrail {
+
+/// The equations of tangential contact on the cells in contact, scaled: tractions in units of
+/// `unit`, slips in what a cell of that traction moves under itself, so that both are of order 1.
+///   S = drive + sum_j c_j direction_j + B q,  q = P(q - S),  sum of component j of q = force_j
+/// B = A (a step), or A - A moved by a cell (steady). A vector holds x and y of each cell in
+/// contact, then the unknown creepages c_j (none, one or two).
+class FrictionNewton {
+ public:
+  using Vector = Eigen::VectorXd;
+
+  struct Equations {
+    bool steady = true;
+    std::vector<int> cells;    ///< in contact: indices in the half-space's grid
+    Vector bound;              ///< scaled, of each of them
+    Vector drive;              ///< 2 per cell
+    std::vector<int> unknown;  ///< components (0: x, 1: y) whose force is given
+    std::vector<double> force; ///< scaled: sum of the scaled tractions
+    double scale = 1.0;        ///< that the residual's norm is measured against
+  };
+
+  FrictionNewton(PatchHalfSpace &space, Equations equations);
+
+  /// Norm of what is left of the equations at x, relative to their scale.
+  double residualOf(const Vector &x);
+
+  /// @param x start on entry, solution on return
+  /// @param maxSteps Newton steps of one attempt; a second and a third are more careful
+  /// @return true when the tolerance is met
+  bool solve(Vector &x, double tolerance, int maxSteps);
+
+  int steps() const { return newtonSteps; }
+  int products() const { return operatorProducts; }
+  double residual() const { return relativeResidual; }
+  /// Does cell i of the solution slip?
+  bool slips(int i) const { return linear_.slips[i] != 0; }
+  /// Scaled slip of the solution, 2 per cell.
+  const Vector &slip() const { return scaledSlip; }
+
+ private:
+  /// Which linear system a step solves: stick, or slip along `tangent`.
+  struct Linearisation {
+    std::vector<char> slips;
+    Vector tangent; ///< 2 per cell, unit length in slip
+    Vector lambda;  ///< bound/|q - S| in slip
+  };
+
+  bool iterate(Vector &x, double tolerance, int maxSteps);
+  Vector operatorB(const Vector &x);
+  Vector evaluate(const Vector &x, Linearisation &linear);
+  Vector jacobian(const Linearisation &linear, const Vector &x);
+  Vector fromLeft(const Linearisation &linear, const Vector &residual) const;
+  Vector fromRight(const Linearisation &linear, const Vector &x);
+  Vector newtonStep(const Linearisation &linear, const Vector &x, const Vector &residual,
+                    double tolerance);
+
+  PatchHalfSpace &space;
+  Equations eq;
+  int n;                     ///< cells in contact
+  double compliance;         ///< of a cell under itself
+  std::vector<int> upstream; ///< position in `cells` of the cell one further in x, -1: none
+  TangentialField field;
+  Vector scaledSlip;
+  Linearisation linear_; ///< at the last x
+  double prediction_ = 0.5;
+  int newtonSteps = 0, operatorProducts = 0;
+  double relativeResidual = 0.0;
+};
+
+} // namespace wheelrail
+#endif

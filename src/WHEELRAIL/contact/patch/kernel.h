@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef WHEELRAIL_PATCH_KERNEL_H
+#define WHEELRAIL_PATCH_KERNEL_H
+
+namespace wheelrail {
+
+/// Two half-spaces of the same shear modulus G (> 0, force per area) and Poisson's ratio nu
+/// (0 <= nu <= 1/2). Of equal bodies, normal and tangential problem do not influence each other.
+struct ElasticPair {
+  double G = 0.0;
+  double nu = 0.0;
+};
+
+/// Integrals over a cell of dx x dy, centred at a distance (x, y), that make up its influence
+/// (Boussinesq 1885, Cerruti 1882; Kalker, Three-dimensional elastic bodies in rolling contact,
+/// 1990, sec. 3.3), r^2 = x^2 + y^2; a length each:
+struct CellIntegrals {
+  double yy; ///< of y^2/r^3
+  double xx; ///< of x^2/r^3; yy + xx is that of 1/r
+  double xy; ///< of x y/r^3
+};
+
+/// Near the cell the antiderivatives at its four corners, x asinh(y/|x|), y asinh(x/|y|) and -r;
+/// far away, where their differences would cancel, Gauss's quadrature. Relative error 1e-12.
+CellIntegrals cellIntegrals(double x, double y, double dx, double dy);
+
+/// Displacement differences (both bodies') at a distance (x, y) from a cell with unit traction.
+struct CellInfluence {
+  double zz, xx, yy, xy;
+};
+CellInfluence cellInfluence(const ElasticPair &pair, const CellIntegrals &integrals);
+
+} // namespace wheelrail
+#endif

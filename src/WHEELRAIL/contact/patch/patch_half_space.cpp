@@ -1,0 +1,252 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "contact/patch/patch_half_space.h"
+
+#include "contact/line/convolution.h"
+
+#include <cmath>
+#include <fftw3.h>
+#include <mutex>
+
+namespace wheelrail {
+namespace {
+
+using Vector = Eigen::VectorXd;
+using Complex = PlaneTransform::Complex;
+using Quarter = std::vector<double>;
+
+constexpr int coarsestGrid = 32; ///< cells of the longer side
+constexpr double pi = 3.14159265358979323846;
+
+PlaneTransform paddedTransform(const CellGrid &grid, int fields)
+{
+  return PlaneTransform(grid.nx, grid.ny, fastTransformSize(2 * grid.nx),
+                        fastTransformSize(2 * grid.ny), fields);
+}
+
+PlaneTransform wrappingTransform(const CellGrid &grid, int fields)
+{
+  return PlaneTransform(grid.nx, grid.ny, fastTransformSize(grid.nx), fastTransformSize(grid.ny),
+                        fields);
+}
+
+/// In place: values at offsets (ix, iy) >= 0 of a kernel that is even (or odd, with real spectrum
+/// up to the sign) in both directions -> its spectrum at frequencies (kx, ky) >= 0. rows: x.
+void quarterTransform(Quarter &values, int countX, int countY, bool odd)
+{
+  // RODFT00 leaves out the zeros at offset 0 and half the size.
+  const int skip = odd ? 1 : 0, n = countX - 2 * skip, m = countY - 2 * skip;
+  if (n < 1 || m < 1)
+    return;
+  double *buffer = fftw_alloc_real(std::size_t(n) * m);
+  const fftw_r2r_kind kind = odd ? FFTW_RODFT00 : FFTW_REDFT00;
+  fftw_plan plan;
+  {
+    const std::lock_guard<std::mutex> lock(fftwPlannerMutex());
+    plan = fftw_plan_r2r_2d(n, m, buffer, buffer, kind, kind, FFTW_ESTIMATE);
+  }
+  for (int i = 0; i < n; ++i)
+    for (int j = 0; j < m; ++j)
+      buffer[std::size_t(i) * m + j] = values[std::size_t(i + skip) * countY + j + skip];
+  fftw_execute(plan);
+  for (int i = 0; i < n; ++i)
+    for (int j = 0; j < m; ++j)
+      values[std::size_t(i + skip) * countY + j + skip] = buffer[std::size_t(i) * m + j];
+  const std::lock_guard<std::mutex> lock(fftwPlannerMutex());
+  fftw_destroy_plan(plan);
+  fftw_free(buffer);
+}
+
+/// Spectra of the three integrals where the cells repeat with the transform's period: those of the
+/// unbounded plane summed over aliases. Each falls as |k|^-3, so that the nearest few are enough.
+CellIntegrals periodicSpectrum(double kx, double ky, const CellGrid &grid)
+{
+  constexpr int aliases = 1;
+  const auto sinc = [](double x) { return x == 0.0 ? 1.0 : std::sin(x) / x; };
+  CellIntegrals sum{0.0, 0.0, 0.0};
+  for (int m = -aliases; m <= aliases; ++m)
+    for (int n = -aliases; n <= aliases; ++n) {
+      const double u = kx + 2.0 * pi * m / grid.dx, v = ky + 2.0 * pi * n / grid.dy;
+      const double k2 = u * u + v * v;
+      const double factor =
+          2.0 * pi * sinc(0.5 * u * grid.dx) * sinc(0.5 * v * grid.dy) / (k2 * std::sqrt(k2));
+      sum.yy += factor * u * u;
+      sum.xx += factor * v * v;
+      sum.xy -= factor * u * v;
+    }
+  return sum;
+}
+
+/// Calls `apply(bin, mirrored, value of column 0, ..)` along a column of frequencies.
+template<class Apply>
+void forFrequencies(int sizeY, const Apply &apply)
+{
+  const int half = sizeY / 2;
+  for (int ky = 0; ky < sizeY; ++ky)
+    ky <= half ? apply(ky, ky, 1.0) : apply(ky, sizeY - ky, -1.0);
+}
+
+} // namespace
+
+PatchHalfSpace::PatchHalfSpace(const CellGrid &grid, const ElasticPair &elasticPair)
+    : cellGrid(grid), pair(elasticPair), scalar(paddedTransform(grid, 1)),
+      pairOfFields(paddedTransform(grid, 2)), scalarEstimate(wrappingTransform(grid, 1)),
+      pairEstimate(wrappingTransform(grid, 2))
+{
+}
+
+void PatchHalfSpace::fillSpectra()
+{
+  const int sizeX = scalar.sizeX(), sizeY = scalar.sizeY();
+  const int countX = sizeX / 2 + 1, countY = sizeY / 2 + 1;
+  for (Quarter *quarter : {&yy, &xx, &xy})
+    quarter->assign(std::size_t(countX) * countY, 0.0);
+  for (int ix = 0; ix < cellGrid.nx; ++ix)
+    for (int iy = 0; iy < cellGrid.ny; ++iy) {
+      const std::size_t at = std::size_t(ix) * countY + iy;
+      const CellIntegrals cell =
+          cellIntegrals(ix * cellGrid.dx, iy * cellGrid.dy, cellGrid.dx, cellGrid.dy);
+      yy[at] = cell.yy;
+      xx[at] = cell.xx;
+      xy[at] = cell.xy;
+    }
+  quarterTransform(yy, countX, countY, false);
+  quarterTransform(xx, countX, countY, false);
+  quarterTransform(xy, countX, countY, true);
+  const double scale = 1.0 / (pi * pair.G * sizeX * sizeY);
+  for (std::size_t i = 0; i < yy.size(); ++i) {
+    yy[i] *= scale;
+    xx[i] *= scale;
+    xy[i] *= -scale; // odd in both directions: the product of two factors -i
+  }
+}
+
+void PatchHalfSpace::fillEstimates()
+{
+  const int sizeX = pairEstimate.sizeX(), sizeY = pairEstimate.sizeY();
+  const int countX = sizeX / 2 + 1, countY = sizeY / 2 + 1;
+  for (Quarter *quarter : {&stiffnessXX, &stiffnessYY, &stiffnessXY, &stiffnessZZ})
+    quarter->resize(std::size_t(countX) * countY);
+  const double lengthX = sizeX * cellGrid.dx, lengthY = sizeY * cellGrid.dy;
+  const double scale = pi * pair.G / (double(sizeX) * sizeY), less = 1.0 - pair.nu;
+  for (int kx = 0; kx < countX; ++kx)
+    for (int ky = 0; ky < countY; ++ky) {
+      const std::size_t at = std::size_t(kx) * countY + ky;
+      CellIntegrals cell;
+      if (kx == 0 && ky == 0) // the mean: as a wave of twice the box
+        cell.yy = cell.xx = std::max(lengthX, lengthY), cell.xy = 0.0;
+      else
+        cell = periodicSpectrum(2.0 * pi * kx / lengthX, 2.0 * pi * ky / lengthY, cellGrid);
+      // at the highest frequency +k and -k are the same: the odd part vanishes
+      if (2 * kx == sizeX || 2 * ky == sizeY)
+        cell.xy = 0.0;
+      const double a = less * cell.yy + cell.xx, b = cell.yy + less * cell.xx;
+      const double c = pair.nu * cell.xy, determinant = a * b - c * c;
+      stiffnessXX[at] = scale * b / determinant;
+      stiffnessYY[at] = scale * a / determinant;
+      stiffnessXY[at] = -scale * c / determinant;
+      stiffnessZZ[at] = scale / (less * (cell.yy + cell.xx));
+    }
+}
+
+Vector PatchHalfSpace::displacement(const Vector &pressure)
+{
+  if (yy.empty())
+    fillSpectra();
+  Vector result = pressure;
+  double *field = result.data();
+  const int sizeY = scalar.sizeY(), countY = sizeY / 2 + 1;
+  const double less = 1.0 - pair.nu;
+  scalar.multiply(&field, [&](int kx, Complex *const *column) {
+    const double *a = &yy[std::size_t(kx) * countY], *b = &xx[std::size_t(kx) * countY];
+    forFrequencies(sizeY,
+                   [&](int ky, int bin, double) { column[0][ky] *= less * (a[bin] + b[bin]); });
+  });
+  return result;
+}
+
+TangentialField PatchHalfSpace::displacement(const TangentialField &traction)
+{
+  if (yy.empty())
+    fillSpectra();
+  TangentialField result = traction;
+  double *fields[] = {result.x.data(), result.y.data()};
+  const int sizeY = pairOfFields.sizeY(), countY = sizeY / 2 + 1;
+  const double less = 1.0 - pair.nu;
+  pairOfFields.multiply(fields, [&](int kx, Complex *const *column) {
+    const std::size_t at = std::size_t(kx) * countY;
+    const double *a = &yy[at], *b = &xx[at], *c = &xy[at];
+    forFrequencies(sizeY, [&](int ky, int bin, double sign) {
+      const Complex x = column[0][ky], y = column[1][ky];
+      const double cross = sign * pair.nu * c[bin];
+      column[0][ky] = (less * a[bin] + b[bin]) * x + cross * y;
+      column[1][ky] = cross * x + (a[bin] + less * b[bin]) * y;
+    });
+  });
+  return result;
+}
+
+Vector PatchHalfSpace::tractionEstimate(const Vector &displacement)
+{
+  if (stiffnessZZ.empty())
+    fillEstimates();
+  Vector result = displacement;
+  double *field = result.data();
+  const int sizeY = scalarEstimate.sizeY(), countY = sizeY / 2 + 1;
+  scalarEstimate.multiply(&field, [&](int kx, Complex *const *column) {
+    const double *s = &stiffnessZZ[std::size_t(kx) * countY];
+    forFrequencies(sizeY, [&](int ky, int bin, double) { column[0][ky] *= s[bin]; });
+  });
+  return result;
+}
+
+TangentialField PatchHalfSpace::tractionEstimate(const TangentialField &displacement)
+{
+  if (stiffnessZZ.empty())
+    fillEstimates();
+  TangentialField result = displacement;
+  double *fields[] = {result.x.data(), result.y.data()};
+  const int sizeY = pairEstimate.sizeY(), countY = sizeY / 2 + 1;
+  pairEstimate.multiply(fields, [&](int kx, Complex *const *column) {
+    const std::size_t at = std::size_t(kx) * countY;
+    forFrequencies(sizeY, [&](int ky, int bin, double sign) {
+      const Complex x = column[0][ky], y = column[1][ky];
+      const double cross = sign * stiffnessXY[at + bin];
+      column[0][ky] = stiffnessXX[at + bin] * x + cross * y;
+      column[1][ky] = cross * x + stiffnessYY[at + bin] * y;
+    });
+  });
+  return result;
+}
+
+double PatchHalfSpace::displacementScale(double pressureSum) const
+{
+  const double area = cellGrid.dx * cellGrid.dy;
+  const double side = std::sqrt(area * cells());
+  return pressureSum * area * (1.0 - pair.nu) / (pi * pair.G * side);
+}
+
+std::unique_ptr<HalfSpace> PatchHalfSpace::coarser() const
+{
+  const auto halves = [](int n) { return n == 1 || n % 2 == 0; };
+  const CellGrid &g = cellGrid;
+  if (std::max(g.nx, g.ny) < 2 * coarsestGrid || !halves(g.nx) || !halves(g.ny))
+    return nullptr;
+  const bool alongX = g.nx > 1, alongY = g.ny > 1;
+  return std::make_unique<PatchHalfSpace>(CellGrid{alongX ? g.nx / 2 : 1, alongY ? g.ny / 2 : 1,
+                                                   alongX ? 2.0 * g.dx : g.dx,
+                                                   alongY ? 2.0 * g.dy : g.dy},
+                                          pair);
+}
+
+double PatchHalfSpace::normalCompliance() const
+{
+  return cellInfluence(pair, cellIntegrals(0.0, 0.0, cellGrid.dx, cellGrid.dy)).zz;
+}
+
+double PatchHalfSpace::tangentialCompliance() const
+{
+  const CellInfluence own = cellInfluence(pair, cellIntegrals(0.0, 0.0, cellGrid.dx, cellGrid.dy));
+  return std::max(own.xx, own.yy);
+}
+
+} // namespace wheelrail

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef WHEELRAIL_PATCH_HALF_SPACE_H
+#define WHEELRAIL_PATCH_HALF_SPACE_H
+
+#include "contact/patch/grid.h"
+#include "contact/patch/kernel.h"
+#include "contact/patch/plane_transform.h"
+
+#include <vector>
+
+namespace wheelrail {
+
+/// Two elastic half-spaces in contact on a grid of cells that are loaded uniformly each:
+/// displacement differences at the cells' centres, exact but for rounding (zero-padded FFT
+/// convolution with the closed integrals of the influence over a cell). Displacements have the
+/// grid's unit of length, tractions that of G.
+///
+/// Spectra are made when they are first needed. One object has one work buffer: use one per
+/// thread.
+class PatchHalfSpace final : public HalfSpace {
+ public:
+  PatchHalfSpace(const CellGrid &grid, const ElasticPair &pair);
+
+  const CellGrid &grid() const override { return cellGrid; }
+  const ElasticPair &elasticity() const { return pair; }
+
+  /// Normal displacement (both bodies' compression) of a pressure. Symmetric, positive definite.
+  Vector displacement(const Vector &pressure) override;
+  /// Tangential displacement difference of tractions.
+  TangentialField displacement(const TangentialField &traction) override;
+
+  /// Approximate inverses, by the symbol of the unbounded half-space: preconditioners, symmetric
+  /// and positive definite. With k the wave vector, G |k|/(2 (1 - nu)) for the normal and
+  /// (G |k|/2) [k k/(k^2 (1 - nu)) + (1 - k k/k^2)] for the tangential problem.
+  Vector tractionEstimate(const Vector &displacement) override;
+  TangentialField tractionEstimate(const TangentialField &displacement) override;
+
+  /// That of a punch under the load: its area a square with that of all cells.
+  double displacementScale(double pressureSum) const override;
+  std::unique_ptr<HalfSpace> coarser() const override;
+
+  /// Displacement of a cell under its own unit pressure, and along x or y under its own traction:
+  /// scales of displacement over traction.
+  double normalCompliance() const;
+  double tangentialCompliance() const;
+
+ private:
+  /// A quarter of a spectrum (the rest by symmetry): bin (kx, ky) at kx*(sizeY/2 + 1) + ky.
+  using Quarter = std::vector<double>;
+  void fillSpectra();
+  void fillEstimates();
+
+  CellGrid cellGrid;
+  ElasticPair pair;
+  PlaneTransform scalar, pairOfFields;         ///< zero-padded
+  PlaneTransform scalarEstimate, pairEstimate; ///< a preconditioner may wrap around
+  Quarter yy, xx, xy;                          ///< spectra of CellIntegrals
+  Quarter stiffnessXX, stiffnessYY, stiffnessXY, stiffnessZZ;
+};
+
+} // namespace wheelrail
+#endif

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef WHEELRAIL_PATCH_SUMS_H
+#define WHEELRAIL_PATCH_SUMS_H
+
+#include "contact/patch/tangential.h"
+
+namespace wheelrail {
+
+/// Integrals over the contact, in the units of the grid and of the tractions.
+struct PatchSums {
+  double forceX = 0.0, forceY = 0.0; ///< force
+  double momentZ = 0.0;              ///< integral of x qy - y qx, about the origin (not about the
+                                     ///< centre of pressure); force x length
+  double contactArea = 0.0, stickArea = 0.0, slipArea = 0.0; ///< length^2
+  /// Heat by friction in a unit of time at rolling speed 1: minus the integral of q . S/d, >= 0.
+  double frictionalPower = 0.0;
+  /// What the drive gives at rolling speed 1: -(xi Fx + eta Fy + phi Mz). In steady rolling the
+  /// exact solution has both powers equal; on a grid the heat is too small by O(cell).
+  double drivingPower = 0.0;
+
+  /// frictionalPower/drivingPower; 1 where there is no power at all.
+  double powerClosure() const;
+};
+
+PatchSums patchSums(const PatchGrid &grid, const TangentialResult &result);
+
+/// Integral of q . u/2 with the displacement of the same tractions: energy, force x length.
+double elasticEnergy(const PatchGrid &grid, const TangentialField &traction,
+                     const TangentialField &displacement);
+
+} // namespace wheelrail
+#endif

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef WHEELRAIL_PATCH_PLANE_TRANSFORM_H
+#define WHEELRAIL_PATCH_PLANE_TRANSFORM_H
+
+#include <complex>
+#include <functional>
+#include <memory>
+
+namespace wheelrail {
+
+/// Products with operators that are diagonal after a Fourier transform in the plane, of fields
+/// that are zero outside nx x ny cells. The transforms of zero rows and of rows that nobody asks
+/// for are left out, and each column is transformed, multiplied and transformed back while it is
+/// in the cache.
+///
+/// FFTW plans are FFTW_ESTIMATE, so that results do not depend on a timing and repeat to the last
+/// bit. One object has one work buffer: use one per thread.
+class PlaneTransform {
+ public:
+  using Complex = std::complex<double>;
+  /// Multiplies the column of x-frequency kx (0 .. sizeX/2): columns[f] are the sizeY values of
+  /// field f, y-frequencies in FFTW's order (0, 1, .. -1). Neither direction is normalised.
+  using Symbol = std::function<void(int kx, Complex *const *columns)>;
+
+  /// @param fields number of fields that one product takes and gives
+  /// @param sizeX, sizeY lengths of the transforms: >= nx, ny; >= 2 nx, 2 ny where the operator's
+  ///        products with the fields must not wrap around
+  PlaneTransform(int nx, int ny, int sizeX, int sizeY, int fields);
+  ~PlaneTransform();
+  PlaneTransform(PlaneTransform &&) noexcept;
+  PlaneTransform &operator=(PlaneTransform &&) noexcept;
+
+  int sizeX() const;
+  int sizeY() const;
+
+  /// @param fields nx*ny values each, x fastest; replaced by the products
+  void multiply(double *const *fields, const Symbol &symbol);
+
+ private:
+  struct Work;
+  std::unique_ptr<Work> work;
+};
+
+} // namespace wheelrail
+#endif

@@ -1,0 +1,291 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "contact/patch/tangential.h"
+
+#include "base/errors.h"
+#include "contact/patch/friction_newton.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <limits>
+
+namespace wheelrail {
+namespace {
+
+using Vector = Eigen::VectorXd;
+
+constexpr int coarsest = 24;             ///< cells of the box's shorter side, at least
+constexpr double coarseTolerance = 1e-2; ///< a start for the next grid needs no more
+
+} // namespace
+
+int TangentialResult::stickCells() const
+{
+  return static_cast<int>(std::count(state.begin(), state.end(), PatchState::Stick));
+}
+int TangentialResult::slipCells() const
+{
+  return static_cast<int>(std::count(state.begin(), state.end(), PatchState::Slip));
+}
+
+struct TangentialSolver::Work {
+  PatchGrid grid;
+  ElasticPair pair;
+  std::unique_ptr<PatchHalfSpace> space; ///< of the last box
+
+  PatchHalfSpace &spaceOn(const PatchGrid &box)
+  {
+    if (!space || space->grid().nx != box.nx || space->grid().ny != box.ny)
+      space = std::make_unique<PatchHalfSpace>(box, pair);
+    return *space;
+  }
+};
+
+TangentialSolver::TangentialSolver(const PatchGrid &grid, const ElasticPair &pair)
+    : work(std::make_unique<Work>(Work{grid, pair, nullptr}))
+{
+}
+TangentialSolver::~TangentialSolver() = default;
+TangentialSolver::TangentialSolver(TangentialSolver &&) noexcept = default;
+TangentialSolver &TangentialSolver::operator=(TangentialSolver &&) noexcept = default;
+
+const PatchGrid &TangentialSolver::grid() const
+{
+  return work->grid;
+}
+
+namespace {
+
+bool worthCoarser(const PatchGrid &grid)
+{
+  return std::max(grid.nx, grid.ny) >= 2 * coarsest;
+}
+
+/// Cells twice as long, from the same corner; one column more at the leading edge.
+PatchGrid coarseGridOf(const PatchGrid &grid)
+{
+  const bool alongY = grid.ny > 1;
+  return {{grid.nx / 2 + 1, alongY ? (grid.ny + 1) / 2 : 1, 2.0 * grid.dx,
+           alongY ? 2.0 * grid.dy : grid.dy},
+          grid.left,
+          grid.bottom};
+}
+
+/// Calls visit(fine cell, coarse cell).
+template<class Visit>
+void eachPair(const PatchGrid &grid, const PatchGrid &coarse, const Visit &visit)
+{
+  const int rows = grid.ny > 1 ? 2 : 1;
+  for (int iy = 0; iy < grid.ny; ++iy)
+    for (int ix = 0; ix < grid.nx; ++ix)
+      visit(grid.index(ix, iy), coarse.index(ix / 2, iy / rows));
+}
+
+Vector coarseMeans(const PatchGrid &grid, const PatchGrid &coarse, const Vector &fine)
+{
+  Vector sum = Vector::Zero(coarse.cells());
+  eachPair(grid, coarse, [&](int i, int k) { sum[k] += fine[i]; });
+  return sum / (grid.ny > 1 ? 4.0 : 2.0);
+}
+
+TangentialProblem coarsened(const PatchGrid &grid, const PatchGrid &coarse,
+                            const TangentialProblem &fine)
+{
+  TangentialProblem problem = fine;
+  problem.bound = coarseMeans(grid, coarse, fine.bound);
+  if (fine.previous.x.size() == grid.cells())
+    problem.previous = {coarseMeans(grid, coarse, fine.previous.x),
+                        coarseMeans(grid, coarse, fine.previous.y)};
+  return problem;
+}
+
+/// The coarse tractions with the fine cells' share of the bound.
+TangentialField refined(const PatchGrid &grid, const PatchGrid &coarse, const Vector &fineBound,
+                        const Vector &coarseBound, const TangentialField &traction)
+{
+  TangentialField fine{Vector::Zero(grid.cells()), Vector::Zero(grid.cells())};
+  eachPair(grid, coarse, [&](int i, int k) {
+    if (!(fineBound[i] > 0.0))
+      return;
+    const double share = std::isfinite(coarseBound[k]) ? fineBound[i] / coarseBound[k] : 1.0;
+    fine.x[i] = share * traction.x[k];
+    fine.y[i] = share * traction.y[k];
+  });
+  return fine;
+}
+
+/// The cells in contact and their box; the equations there, scaled.
+struct ScaledProblem {
+  SubGrid box;
+  std::vector<int> wholeIndex; ///< in the whole grid, of each cell in contact
+  double distance, tractionUnit, slipUnit;
+  double capacity = 0.0; ///< sum of the scaled bounds
+  FrictionNewton::Equations equations;
+};
+
+void checkLeadingColumn(const PatchGrid &grid, const Vector &bound)
+{
+  for (int iy = 0; iy < grid.ny; ++iy)
+    if (bound[grid.index(grid.nx - 1, iy)] > 0.0)
+      throw Error(ExitCode::BadInput,
+                  fmt::format("tangential contact: contact in the leading column (x = {}, y = {}): "
+                              "a longer box is needed",
+                              grid.x(grid.nx - 1), grid.y(iy)));
+}
+
+void setDrive(const PatchGrid &grid, const TangentialProblem &problem, ScaledProblem &scaled)
+{
+  const int n = static_cast<int>(scaled.wholeIndex.size());
+  const Creepage &creep = problem.creepage;
+  const double xi = problem.forceX ? 0.0 : creep.xi, eta = problem.forceY ? 0.0 : creep.eta;
+  const double unit = scaled.distance / scaled.slipUnit;
+  Vector &drive = scaled.equations.drive;
+  drive.resize(2 * n);
+  for (int i = 0; i < n; ++i) {
+    const int cell = scaled.wholeIndex[i];
+    const double x = grid.x(cell % grid.nx) + problem.spinPoint * scaled.distance;
+    const double y = grid.y(cell / grid.nx);
+    drive[2 * i] = unit * (xi - creep.phi * y);
+    drive[2 * i + 1] = unit * (eta + creep.phi * x);
+  }
+  const double rigid = drive.norm();
+  const bool moved =
+      problem.kind == TangentialProblem::Kind::Step && problem.previous.x.size() == grid.cells();
+  for (int i = 0; moved && i < n; ++i) {
+    drive[2 * i] -= problem.previous.x[scaled.wholeIndex[i]] / scaled.slipUnit;
+    drive[2 * i + 1] -= problem.previous.y[scaled.wholeIndex[i]] / scaled.slipUnit;
+  }
+  scaled.equations.scale = rigid > 0.0 ? rigid : drive.norm();
+}
+
+void setForces(const PatchGrid &grid, const TangentialProblem &problem, ScaledProblem &scaled)
+{
+  FrictionNewton::Equations &eq = scaled.equations;
+  const double cellForce = scaled.tractionUnit * grid.cellArea();
+  double given = 0.0;
+  for (int component : {0, 1}) {
+    const auto &force = component ? problem.forceY : problem.forceX;
+    if (!force)
+      continue;
+    eq.unknown.push_back(component);
+    eq.force.push_back(*force / cellForce);
+    given = std::hypot(given, *force / cellForce);
+  }
+  if (given >= scaled.capacity)
+    throw Error(ExitCode::BadInput, fmt::format("tangential contact: a force of {} cannot be "
+                                                "carried: friction allows less than {}",
+                                                given * cellForce, scaled.capacity * cellForce));
+  const bool limited = std::isfinite(scaled.capacity);
+  const double most = limited ? eq.bound.norm() : std::numeric_limits<double>::max();
+  if (given > 0.0)
+    eq.scale = std::max(eq.scale, limited ? most * given / scaled.capacity : given);
+  eq.scale = std::min(eq.scale, most);
+}
+
+ScaledProblem scaledProblem(const PatchGrid &grid, const TangentialProblem &problem, double G)
+{
+  ScaledProblem scaled;
+  FrictionNewton::Equations &eq = scaled.equations;
+  eq.steady = problem.kind == TangentialProblem::Kind::Steady;
+  scaled.distance = eq.steady ? grid.dx : problem.distance;
+  scaled.box = boundingBox(grid, problem.bound, eq.steady ? 1 : 0);
+  const PatchGrid &box = scaled.box.grid;
+  scaled.tractionUnit = 0.0;
+  for (int cell = 0; cell < box.cells(); ++cell) {
+    const int whole =
+        grid.index(scaled.box.firstX + cell % box.nx, scaled.box.firstY + cell / box.nx);
+    if (!(problem.bound[whole] > 0.0))
+      continue;
+    eq.cells.push_back(cell);
+    scaled.wholeIndex.push_back(whole);
+    scaled.tractionUnit = std::max(scaled.tractionUnit, problem.bound[whole]);
+  }
+  if (!std::isfinite(scaled.tractionUnit)) // without slip everything is linear
+    scaled.tractionUnit = G;
+  eq.bound.resize(static_cast<int>(eq.cells.size()));
+  for (int i = 0; i < eq.bound.size(); ++i)
+    eq.bound[i] = problem.bound[scaled.wholeIndex[i]] / scaled.tractionUnit;
+  scaled.capacity = eq.bound.sum();
+  return scaled;
+}
+
+} // namespace
+
+TangentialResult TangentialSolver::solve(const TangentialProblem &problem,
+                                         const TangentialOptions &options)
+{
+  const PatchGrid &grid = work->grid;
+  const bool steady = problem.kind == TangentialProblem::Kind::Steady;
+  if (problem.bound.size() != grid.cells() || !(steady || problem.distance > 0.0))
+    throw Error(ExitCode::Internal, "tangential contact: bound or distance do not fit the grid");
+  if (steady)
+    checkLeadingColumn(grid, problem.bound);
+  TangentialResult result;
+  result.traction.x = result.traction.y = Vector::Zero(grid.cells());
+  result.slip = result.traction;
+  result.state.assign(grid.cells(), PatchState::Apart);
+  result.creepage = problem.creepage;
+
+  ScaledProblem scaled = scaledProblem(grid, problem, work->pair.G);
+  const int n = static_cast<int>(scaled.wholeIndex.size());
+  if (n == 0)
+    return result;
+  PatchHalfSpace &space = work->spaceOn(scaled.box.grid);
+  scaled.slipUnit = scaled.tractionUnit * space.tangentialCompliance();
+  setDrive(grid, problem, scaled);
+  setForces(grid, problem, scaled);
+  if (!(scaled.equations.scale > 0.0)) { // nothing moves
+    for (int cell : scaled.wholeIndex)
+      result.state[cell] = PatchState::Stick;
+    return result;
+  }
+
+  TangentialField start = options.start;
+  Creepage creepage = problem.creepage;
+  if (start.x.size() != grid.cells() && worthCoarser(grid)) {
+    const PatchGrid coarse = coarseGridOf(grid);
+    TangentialOptions coarseOptions = options;
+    coarseOptions.tolerance = std::max(options.tolerance, coarseTolerance);
+    const TangentialProblem coarseProblem = coarsened(grid, coarse, problem);
+    TangentialSolver solver(coarse, work->pair);
+    const TangentialResult found = solver.solve(coarseProblem, coarseOptions);
+    result.coarseProducts = found.products + found.coarseProducts;
+    start = refined(grid, coarse, problem.bound, coarseProblem.bound, found.traction);
+    creepage = found.creepage;
+  }
+  const std::vector<int> unknown = scaled.equations.unknown;
+  const Vector bound = scaled.equations.bound;
+  Vector x = Vector::Zero(2 * n + static_cast<int>(unknown.size()));
+  if (start.x.size() == grid.cells())
+    for (int i = 0; i < n; ++i) {
+      x[2 * i] = start.x[scaled.wholeIndex[i]] / scaled.tractionUnit;
+      x[2 * i + 1] = start.y[scaled.wholeIndex[i]] / scaled.tractionUnit;
+    }
+  const double creepUnit = scaled.slipUnit / scaled.distance;
+  for (std::size_t j = 0; j < unknown.size(); ++j)
+    x[2 * n + j] = (unknown[j] ? creepage.eta : creepage.xi) / creepUnit;
+
+  FrictionNewton newton(space, std::move(scaled.equations));
+  const bool converged = newton.solve(x, options.tolerance, options.maxSteps);
+  result.newtonSteps = newton.steps();
+  result.products = newton.products();
+  result.residual = newton.residual();
+  if (!converged)
+    throw Error(ExitCode::NotConverged,
+                fmt::format("tangential contact: residual {:.1e} (wanted {:.1e}) after {} steps",
+                            newton.residual(), options.tolerance, newton.steps()));
+  const Vector &s = newton.slip();
+  for (int i = 0; i < n; ++i) {
+    const int cell = scaled.wholeIndex[i];
+    result.traction.x[cell] = scaled.tractionUnit * x[2 * i];
+    result.traction.y[cell] = scaled.tractionUnit * x[2 * i + 1];
+    result.slip.x[cell] = creepUnit * s[2 * i];
+    result.slip.y[cell] = creepUnit * s[2 * i + 1];
+    result.state[cell] = newton.slips(i) ? PatchState::Slip : PatchState::Stick;
+  }
+  for (std::size_t j = 0; j < unknown.size(); ++j)
+    (unknown[j] ? result.creepage.eta : result.creepage.xi) = x[2 * n + j] * creepUnit;
+  return result;
+}
+
+} // namespace wheelrail

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef WHEELRAIL_PATCH_TRANSIENT_H
+#define WHEELRAIL_PATCH_TRANSIENT_H
+
+#include "contact/patch/tangential.h"
+
+namespace wheelrail {
+
+/// A sequence of shifts and rolling steps of two bodies, each of which starts from the
+/// displacements that the one before left: contact that changes in time, with roughness that
+/// travels through it. Every cell's displacement is remembered, also outside of the contact:
+/// material that enters is deformed already.
+class TransientPatch {
+ public:
+  struct Step {
+    Eigen::VectorXd bound; ///< friction coefficient times pressure, per cell, now
+    /// Whole cells that the material travels towards smaller x; 0: a shift at rest.
+    int cells = 1;
+    /// Of a step: per distance rolled. Of a shift: the shift itself (phi: the angle).
+    Creepage creepage;
+    std::optional<double> forceX, forceY; ///< given: xi, eta are unknown
+    double spinPoint = 0.5;               ///< see TangentialProblem
+  };
+
+  /// At rest, without traction.
+  TransientPatch(const PatchGrid &grid, const ElasticPair &pair);
+
+  /// Goes on from a traction: that of steady rolling, say, or the first contact of a case.
+  void startFrom(const TangentialField &traction);
+
+  /// @throws Error BadInput: contact within `cells` columns of the leading border, where the
+  ///         incoming material's displacement is not known; and as TangentialSolver::solve. The
+  ///         sequence can then go on as if the step had not been tried.
+  TangentialResult step(const Step &step, const TangentialOptions &options = {});
+
+  const PatchGrid &grid() const { return solver_.grid(); }
+  /// Of the last step, over the whole grid.
+  const TangentialField &traction() const { return traction_; }
+  const TangentialField &displacement() const { return displacement_; }
+
+ private:
+  TangentialSolver solver_;
+  PatchHalfSpace space_;
+  TangentialField traction_, displacement_;
+};
+
+} // namespace wheelrail
+#endif
