@@ -43,7 +43,11 @@ class CaseReader {
   const std::string &word(const std::string &name) { return words(name).front(); }
   bool flag(const std::string &name) { return word(name) == "true"; }
   int integer(const std::string &name) { return static_cast<int>(number(name)); }
+  /// Of a keyword that takes a list elsewhere, where there may be one value only.
+  double single(const std::string &name);
   void require(const std::string &name) const;
+  /// A default that depends on other keywords; does nothing where the file has a value.
+  void setDefault(const std::string &name, const std::string &value);
   /// Keywords that make no sense together with something else.
   void refuse(std::initializer_list<const char *> names, const std::string &with) const;
 
