@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 # Sourced by the scripts beside it: where things are, how to speak, how to call MPI.
 # shellcheck shell=bash
 set -euo pipefail

@@ -1,39 +1,37 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: GPL-2.0-or-later
 """Dumps of LAMMPS as ParaView reads them: automata as points, links as lines, with all columns.
 
     dump_to_vtk.py friction.dump -o friction
     dump_to_vtk.py friction.dump --links links.dump -o friction
 
 DUMP is a text dump of atoms (dump custom) with the columns id, x and y (or xu, yu) and any others,
---links one of compute mca/link/local (dump local) with both IDs and any others. Writes NAME.pvd, the
-frames with their times, NAME_links.pvd likewise, and the frames (*.vtu) in the folder NAME_frames.
-A frame of links needs the automata of the same step. Links across a periodic side are left out: they
-would be drawn through the box. Of frames that stand twice in a dump, as a continued run leaves them,
-the later one counts.
-Exit codes: 0 ok, 1 no meshio, 2 usage, 3 bad input file, 5 a file cannot be written.
+--links one of compute mca/link/local (dump local) with both IDs and any others. Writes NAME.pvd,
+the frames with their times, NAME_links.pvd likewise, and the frames (*.vtu) in the folder
+NAME_frames. A frame of links needs the automata of the same step. Links across a periodic side are
+left out: they would be drawn through the box. Of frames that stand twice in a dump, as a continued
+run leaves them, the later one counts. Exit codes: 0 ok, 1 no meshio, 2 usage, 3 bad input file, 5 a
+file cannot be written.
 """
+
 import argparse
 import os
-import sys
 import tempfile
 from xml.etree import ElementTree
 
-from lammps_dump import BadDump, Dump
+from mcawr.dump import Dump
+from mcawr.errors import BadInput, Exit, complain, fail, run_script, say
+from mcawr.files import make_folder, move, write
 
 INTEGERS = {"id", "mol", "type", "proc", "procp1", "ix", "iy", "iz"}
 ENDS = [("batom1", "batom2"), ("id1", "id2")]
-
-
-def fail(code, text):
-    print(f"dump_to_vtk.py: {text}", file=sys.stderr)
-    sys.exit(code)
 
 
 def read(path):
     """(the dump, {step: number of its frame})"""
     dump = Dump(path)
     if dump.cut:
-        print(f"dump_to_vtk.py: {path}: the last frame is cut and left out", file=sys.stderr)
+        complain(f"{path}: the last frame is cut and left out")
     return dump, {frame["step"]: number for number, frame in enumerate(dump.frames)}
 
 
@@ -48,25 +46,33 @@ class Writer:
         import meshio
 
         name = f"{kind}.{frame['step']}.vtu"
-        mesh = meshio.Mesh(points, cells, point_data=point_data,
-                           cell_data={key: [values] for key, values in cell_data.items()})
+        mesh = meshio.Mesh(
+            points,
+            cells,
+            point_data=point_data,
+            cell_data={key: [values] for key, values in cell_data.items()},
+        )
         meshio.vtu.write(os.path.join(self.folder, name), mesh)
         time = frame["time"] if frame["time"] is not None else frame["step"] * self.timestep
         self.series.setdefault(collection, []).append((time, name))
 
     def finish(self):
         frames = f"{self.output}_frames"
-        os.makedirs(frames, exist_ok=True)
+        make_folder(frames)
         for collection, series in self.series.items():
             root = ElementTree.Element("VTKFile", type="Collection", version="0.1")
             listed = ElementTree.SubElement(root, "Collection")
             for time, name in series:
-                os.replace(os.path.join(self.folder, name), os.path.join(frames, name))
-                ElementTree.SubElement(listed, "DataSet", timestep=repr(time), part="0",
-                                       file=f"{os.path.basename(frames)}/{name}")
-            part = os.path.join(self.folder, "pvd")
-            ElementTree.ElementTree(root).write(part, encoding="utf-8", xml_declaration=True)
-            os.replace(part, f"{self.output}{collection}.pvd")
+                move(os.path.join(self.folder, name), os.path.join(frames, name))
+                ElementTree.SubElement(
+                    listed,
+                    "DataSet",
+                    timestep=repr(time),
+                    part="0",
+                    file=f"{os.path.basename(frames)}/{name}",
+                )
+            text = ElementTree.tostring(root, encoding="utf-8", xml_declaration=True)
+            write(f"{self.output}{collection}.pvd", text)
 
 
 def arrays(dump, number, integers):
@@ -74,13 +80,18 @@ def arrays(dump, number, integers):
     import numpy
 
     frame = dump.frames[number]
-    columns = {name: numpy.array(values, dtype=float) for name, values in dump.columns(number, frame["names"]).items()}
+    columns = {
+        name: numpy.array(values, dtype=float)
+        for name, values in dump.columns(number, frame["names"]).items()
+    }
     for name in integers & set(columns):
         values = columns[name]
         wrong = numpy.flatnonzero(values != numpy.rint(values))
         if len(wrong):
-            raise BadDump(f"{dump.path}:{frame['first'] + 1 + wrong[0]}: {name} is {values[wrong[0]]}, "
-                          "an integer is expected")
+            raise BadInput(
+                f"{dump.path}:{frame['first'] + 1 + wrong[0]}: {name} is {values[wrong[0]]}, "
+                "an integer is expected"
+            )
         columns[name] = values.astype(numpy.int64)
     return columns
 
@@ -93,12 +104,14 @@ def positions(dump, number, columns):
     axes = ["xu", "yu", "zu"] if "xu" in columns else ["x", "y", "z"]
     for name in ["id", *axes[:2]]:
         if name not in columns:
-            raise BadDump(f"{where}: column {name} is missing, the dump has: {' '.join(frame['names'])}")
+            raise BadInput(
+                f"{where}: column {name} is missing, the dump has: {' '.join(frame['names'])}"
+            )
     count = len(columns["id"])
     if count == 0:
-        raise BadDump(f"{where}: no automaton in the frame of step {frame['step']}")
+        raise BadInput(f"{where}: no automaton in the frame of step {frame['step']}")
     if len(numpy.unique(columns["id"])) < count:
-        raise BadDump(f"{where}: an ID stands twice in the frame of step {frame['step']}")
+        raise BadInput(f"{where}: an ID stands twice in the frame of step {frame['step']}")
     return numpy.column_stack([columns.get(name, numpy.zeros(count)) for name in axes])
 
 
@@ -109,8 +122,10 @@ def ends_of(dump, number, given):
     for pair in choice:
         if set(pair) <= set(frame["names"]):
             return pair
-    raise BadDump(f"{dump.path}:{frame['head'] + 1}: no columns {' or '.join(map(' '.join, choice))} "
-                  f"with the IDs of a link (--ends), the dump has: {' '.join(frame['names'])}")
+    raise BadInput(
+        f"{dump.path}:{frame['head'] + 1}: no columns {' or '.join(map(' '.join, choice))} "
+        f"with the IDs of a link (--ends), the dump has: {' '.join(frame['names'])}"
+    )
 
 
 def lines(dump, number, ends, columns, ids, points, source):
@@ -125,8 +140,11 @@ def lines(dump, number, ends, columns, ids, points, source):
         row = order[numpy.minimum(place, len(order) - 1)]
         missing = numpy.flatnonzero(ids[row] != columns[name])
         if len(missing):
-            raise BadDump(f"{dump.path}:{frame['first'] + 1 + missing[0]}: automaton {columns[name][missing[0]]} "
-                          f"does not stand in the frame of step {frame['step']} of {source}")
+            raise BadInput(
+                f"{dump.path}:{frame['first'] + 1 + missing[0]}: automaton "
+                f"{columns[name][missing[0]]} "
+                f"does not stand in the frame of step {frame['step']} of {source}"
+            )
         found.append(row)
     pairs = numpy.column_stack(found)
     box = numpy.array(frame["box"])
@@ -142,44 +160,70 @@ def convert(given, writer):
     automata, numbers = read(given.dump)
     links, link_numbers = read(given.links) if given.links else (None, {})
     if links and any(frame["triclinic"] for frame in links.frames):
-        raise BadDump(f"{links.path}: links of a triclinic box cannot be drawn")
+        raise BadInput(f"{links.path}: links of a triclinic box cannot be drawn")
     if automata.cut:  # the run may have written one dump further than the other
         link_numbers = {step: n for step, n in link_numbers.items() if step <= max(numbers)}
     for step, number in link_numbers.items():
         if step not in numbers:
-            raise BadDump(f"{links.path}:{links.frames[number]['head'] + 1}: {given.dump} has no whole frame "
-                          f"of step {step}")
+            raise BadInput(
+                f"{links.path}:{links.frames[number]['head'] + 1}: {given.dump} has no whole frame "
+                f"of step {step}"
+            )
     left_out = 0
     for step, number in sorted(numbers.items()):
         columns = arrays(automata, number, INTEGERS)
         points = positions(automata, number, columns)
         rows = numpy.arange(len(points)).reshape(-1, 1)
-        writer.frame("", "automata", automata.frames[number], points, [("vertex", rows)], columns, {})
+        writer.frame(
+            "", "automata", automata.frames[number], points, [("vertex", rows)], columns, {}
+        )
         if step in link_numbers:
             frame = links.frames[link_numbers[step]]
             ends = ends_of(links, link_numbers[step], given.ends)
             cells = arrays(links, link_numbers[step], {*INTEGERS, *ends})
-            drawn, pairs = lines(links, link_numbers[step], ends, cells, columns["id"], points, given.dump)
+            drawn, pairs = lines(
+                links, link_numbers[step], ends, cells, columns["id"], points, given.dump
+            )
             left_out += len(drawn) - len(pairs)
-            writer.frame("_links", "links", frame, points, [("line", pairs)], {},
-                         {name: values[drawn] for name, values in cells.items()})
+            writer.frame(
+                "_links",
+                "links",
+                frame,
+                points,
+                [("line", pairs)],
+                {},
+                {name: values[drawn] for name, values in cells.items()},
+            )
     said = f"{given.output}.pvd: {len(numbers)} frames"
     if links:
-        said += (f"; {given.output}_links.pvd: {len(link_numbers)} frames, {left_out} links across a periodic side "
-                 "left out")
+        said += (
+            f"; {given.output}_links.pvd: {len(link_numbers)} frames, {left_out} links across a "
+            "periodic side "
+            "left out"
+        )
     return said
 
 
 def arguments():
-    parser = argparse.ArgumentParser(description=__doc__,
-                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
+    )
     parser.add_argument("dump", metavar="DUMP")
     parser.add_argument("-o", "--output", metavar="NAME", help="[the dump's name without .dump]")
     parser.add_argument("--links", metavar="DUMP", help="dump local of compute mca/link/local")
-    parser.add_argument("--ends", nargs=2, metavar="COLUMN",
-                        help=f"columns of both IDs [{', or '.join(map(' '.join, ENDS))}]")
-    parser.add_argument("--timestep", type=float, default=1.0, metavar="DT",
-                        help="time of a step, where the dump has no times (dump_modify time yes) [1]")
+    parser.add_argument(
+        "--ends",
+        nargs=2,
+        metavar="COLUMN",
+        help=f"columns of both IDs [{', or '.join(map(' '.join, ENDS))}]",
+    )
+    parser.add_argument(
+        "--timestep",
+        type=float,
+        default=1.0,
+        metavar="DT",
+        help="time of a step, where the dump has no times (dump_modify time yes) [1]",
+    )
     given = parser.parse_args()
     if not 0 < given.timestep < float("inf"):
         parser.error(f"--timestep {given.timestep}: a number > 0 is needed")
@@ -189,21 +233,18 @@ def arguments():
 
 def main():
     given = arguments()
+    import meshio  # noqa: F401, the frames need it
+
     try:
-        import meshio  # noqa: F401, the frames need it
-    except ImportError as error:
-        fail(1, f"{error.name} is missing (Debian: apt-get install python3-{error.name}); nothing written")
-    try:
-        with tempfile.TemporaryDirectory(dir=os.path.dirname(given.output) or ".", prefix=".dump_to_vtk.") as folder:
+        beside = os.path.dirname(os.path.abspath(given.output))
+        with tempfile.TemporaryDirectory(dir=beside, prefix=".dump_to_vtk.") as folder:
             writer = Writer(given.output, folder, given.timestep)
             said = convert(given, writer)
             writer.finish()
-    except BadDump as error:
-        fail(3, error)
     except OSError as error:
-        fail(5, f"{error.filename2 or error.filename or given.output}: cannot be written: {error.strerror}")
-    print(said)
+        fail(Exit.IO, f"{given.output}: cannot be written: {error.strerror}")
+    say(said)
 
 
 if __name__ == "__main__":
-    main()
+    run_script(main)

@@ -1,4 +1,5 @@
 #!/bin/bash
+# SPDX-License-Identifier: GPL-2.0-or-later
 # Obtain LAMMPS and build lmp for the plugin, once, into a cache outside the checkout.
 set -euo pipefail
 export LC_ALL=C

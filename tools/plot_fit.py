@@ -1,25 +1,23 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: GPL-2.0-or-later
 """Figs. 7 and 8 of the paper with our points, from wr_fit's JSON.
 
     plot_fit.py law.json -o fit.png
 
 Left (Fig. 7): mu of the runs against mu of the law. Right (Fig. 8): the pressure-dependent part of
-the law, mu without its velocity term, against kappa2. Without a fitted law the paper's is used. With
-wr_fit's model eq2_kappa3 mu of the runs is brought to the law's kappa3 by the fitted power.
+the law, mu without its velocity term, against kappa2. Without a fitted law the paper's is used.
+With wr_fit's model eq2_kappa3 mu of the runs is brought to the law's kappa3 by the fitted power.
 Exit codes: 0 ok, 1 no matplotlib, 2 usage, 3 bad input file, 5 the picture cannot be written.
 """
+
 import argparse
-import json
-import os
-import sys
+
+from mcawr import plotting, tables
+from mcawr.errors import run_script
+from mcawr.files import save_figure
 
 PAPER = {"mu0": 0.15, "mu1": 0.0442, "mu2": 0.3243, "b": 0.195, "c": 0.00212}  # Eq. 3
 PAPER_RMS = 0.09
-
-
-def fail(code, text):
-    print(f"plot_fit.py: {text}", file=sys.stderr)
-    sys.exit(code)
 
 
 def contents(data):
@@ -29,18 +27,16 @@ def contents(data):
     if "kappa3" in fit:
         law["kappa3"] = fit["kappa3"]
         factors = [(fit["kappa3"] / p["kappa3"]) ** fit["parameters"]["n"]["value"] for p in points]
-        points = [{**p, **{key: None if p[key] is None else f * p[key] for key in ("mu", "mu_se")}}
-                  for f, p in zip(factors, points)]
+        points = [
+            {**p, **{key: None if p[key] is None else f * p[key] for key in ("mu", "mu_se")}}
+            for f, p in zip(factors, points)
+        ]
     return law, float(data.get("rms_relative", 0)), points, data.get("covariance")
 
 
 def read(path):
     """(law or None, its relative RMS, points, covariance) of wr_fit's JSON."""
-    try:
-        with open(path, encoding="utf-8") as file:
-            return contents(json.load(file))
-    except (OSError, ValueError, KeyError, TypeError) as error:
-        fail(3, f"{path}: not wr_fit's JSON: {error}")
+    return tables.read_json(path, "wr_fit's JSON", contents)
 
 
 def velocity_term(law, kappa1):
@@ -62,29 +58,39 @@ def static_error(law, covariance, kappa2):
 
 def draw(law, rms, points, covariance, path):
     """The picture of the contents of wr_fit's JSON."""
+    plt = plotting.pyplot()
     import numpy as np
-    import matplotlib
-    matplotlib.use("Agg")
-    import matplotlib.pyplot as plt
 
     used = [p for p in points if not p["left_out"]]
     rest = [p for p in points if p["left_out"]]
-    shown, shown_rms, name = (law, rms, "our fit") if law else (PAPER, PAPER_RMS, "Eq. 3 of the paper")
-    of_runs = "$\\mu$ of the runs" + (f", brought to $\\kappa_3$ = {law['kappa3']:.4g}" if law and "kappa3" in law else "")
+    shown, shown_rms, name = (
+        (law, rms, "our fit") if law else (PAPER, PAPER_RMS, "Eq. 3 of the paper")
+    )
+    of_runs = "$\\mu$ of the runs" + (
+        f", brought to $\\kappa_3$ = {law['kappa3']:.4g}" if law and "kappa3" in law else ""
+    )
     figure, (left, right) = plt.subplots(1, 2, figsize=(11, 4.8), constrained_layout=True)
 
     def column(rows, key):
         return np.array([np.nan if row[key] is None else row[key] for row in rows], dtype=float)
 
     def scatter(axes, rows, x, y, **style):
-        axes.errorbar(x, y, yerr=1.96 * column(rows, "mu_se"), ls="none", ms=5, lw=1, capsize=2, **style)
+        axes.errorbar(
+            x, y, yerr=1.96 * column(rows, "mu_se"), ls="none", ms=5, lw=1, capsize=2, **style
+        )
 
     def predicted(rows):
-        return static_part(shown, column(rows, "kappa2")) + velocity_term(shown, column(rows, "kappa1"))
+        return static_part(shown, column(rows, "kappa2")) + velocity_term(
+            shown, column(rows, "kappa1")
+        )
 
     for axes in (left, right):
         axes.grid(alpha=0.3)
-    filled = dict(fmt="o", color="C0", label=f"{len(used)} run{'s' * (len(used) != 1)}, 95 % of their own error")
+    filled = dict(
+        fmt="o",
+        color="C0",
+        label=f"{len(used)} run{'s' * (len(used) != 1)}, 95 % of their own error",
+    )
     hollow = dict(fmt="o", color="0.6", mfc="none", label="left out of the fit")
     if used:
         scatter(left, used, predicted(used), column(used, "mu"), **filled)
@@ -94,10 +100,22 @@ def draw(law, rms, points, covariance, path):
     top = 1.05 * np.nanmax(np.concatenate([predicted(points), bars]))
     line = np.array([0, top])
     left.plot(line, line, color="k", lw=1)
-    left.fill_between(line, (1 - shown_rms) * line, (1 + shown_rms) * line, color="C1", alpha=0.25, lw=0,
-                      label=f"$\\pm$ {100 * shown_rms:.1f} % (RMS of {name})")
-    left.set(xlim=(0, top), ylim=(0, top), xlabel=f"$\\mu$ of {name}", ylabel=of_runs,
-             title="Runs against the law (Fig. 7)")
+    left.fill_between(
+        line,
+        (1 - shown_rms) * line,
+        (1 + shown_rms) * line,
+        color="C1",
+        alpha=0.25,
+        lw=0,
+        label=f"$\\pm$ {100 * shown_rms:.1f} % (RMS of {name})",
+    )
+    left.set(
+        xlim=(0, top),
+        ylim=(0, top),
+        xlabel=f"$\\mu$ of {name}",
+        ylabel=of_runs,
+        title="Runs against the law (Fig. 7)",
+    )
     left.legend(fontsize=9, loc="lower right")
 
     reach = max(650.0, 1.1 * max(p["kappa2"] for p in points))
@@ -106,44 +124,40 @@ def draw(law, rms, points, covariance, path):
         right.plot(kappa2, static_part(law, kappa2), color="C1", lw=2, label="our fit")
         if covariance:
             error = 1.96 * static_error(law, covariance, kappa2)
-            right.fill_between(kappa2, static_part(law, kappa2) - error, static_part(law, kappa2) + error,
-                               color="C1", alpha=0.2, lw=0, label="its 95 % band")
+            right.fill_between(
+                kappa2,
+                static_part(law, kappa2) - error,
+                static_part(law, kappa2) + error,
+                color="C1",
+                alpha=0.2,
+                lw=0,
+                label="its 95 % band",
+            )
     right.plot(kappa2, static_part(PAPER, kappa2), color="k", ls="--", label="Eq. 5 of the paper")
     for rows, style in ((used, filled), (rest, hollow)):
         if rows:
             reduced = column(rows, "mu") - velocity_term(shown, column(rows, "kappa1"))
             scatter(right, rows, column(rows, "kappa2"), reduced, **{**style, "label": None})
-    right.set(xlim=(0, reach), ylim=(0, top), xlabel="$\\kappa_2 = p E/\\sigma_0^2$",
-              ylabel="$\\mu - \\mu_1\\kappa_1/(1+b\\,\\kappa_1)$",
-              title="Without the velocity term (Fig. 8)")
+    right.set(
+        xlim=(0, reach),
+        ylim=(0, top),
+        xlabel="$\\kappa_2 = p E/\\sigma_0^2$",
+        ylabel="$\\mu - \\mu_1\\kappa_1/(1+b\\,\\kappa_1)$",
+        title="Without the velocity term (Fig. 8)",
+    )
     right.legend(fontsize=9)
-    # a device, a pipe or a link is written into: a file renamed over it would take its place
-    replaced = not os.path.lexists(path) or (os.path.isfile(path) and not os.path.islink(path))
-    beside = path + ".part" if replaced else path
-    try:
-        with open(beside, "wb") as file:
-            figure.savefig(file, dpi=130, format="png")
-        if replaced:
-            os.replace(beside, path)
-    except OSError as error:
-        if replaced and os.path.exists(beside):
-            os.remove(beside)
-        fail(5, f"{path}: cannot be written: {error.strerror}")
-    plt.close(figure)
+    save_figure(figure, path)
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
+    )
     parser.add_argument("json", help="wr_fit's JSON (wr_fit -o)")
     parser.add_argument("-o", "--output", default="fit.png", metavar="PNG")
     given = parser.parse_args()
-    data = read(given.json)
-    try:
-        import matplotlib  # noqa: F401
-    except ImportError:
-        fail(1, "matplotlib is missing (Debian: apt-get install python3-matplotlib); no picture made")
-    draw(*data, given.output)
+    draw(*read(given.json), given.output)
 
 
 if __name__ == "__main__":
-    main()
+    run_script(main)

@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: GPL-2.0-or-later
 """The sheared fragment: automata of a LAMMPS text dump as discs, and the velocity profile.
 
     plot_fragment.py friction.dump -o fragment.png
@@ -18,29 +19,40 @@ The last panel is the mean of vx over each height. The dump needs the columns id
 An output that ends in .gif is an animation of all frames. Exit codes: 0 ok, 1 no matplotlib or no
 Pillow, 2 usage, 3 bad input file, 5 the picture cannot be written.
 """
+
 import argparse
 import io
 import math
-import os
-import sys
 
-from lammps_dump import BadDump, Dump
+from mcawr import plotting
+from mcawr.dump import Dump
+from mcawr.errors import BadInput, Exit, complain, fail, missing, run_script
+from mcawr.files import save_figure, write
 
 NEEDED = ("id", "type", "x", "y", "vx")
 STRIPES = 8  # across the fragment
-STATE = {name: f"c_state[{k}]" for k, name in enumerate(("links", "welds", "plastic", "intensity"), 1)}
-TITLES = {"vx": "velocity along x", "vy": "velocity along y", "links": "links", "welds": "welds",
-          "type": "blocks", "stripes": "blocks, with stripes that began vertical",
-          "plastic": "equivalent plastic strain", "intensity": "stress intensity (von Mises)"}
-LABELS = {"vx": "$v_x$ (nm/ns = m/s)", "vy": "$v_y$ (nm/ns = m/s)",
-          "links": "links of an automaton", "welds": "welds of an automaton",
-          "plastic": "plastic strain (-)", "intensity": "stress intensity (MPa)"}
+STATE = {
+    name: f"c_state[{k}]" for k, name in enumerate(("links", "welds", "plastic", "intensity"), 1)
+}
+TITLES = {
+    "vx": "velocity along x",
+    "vy": "velocity along y",
+    "links": "links",
+    "welds": "welds",
+    "type": "blocks",
+    "stripes": "blocks, with stripes that began vertical",
+    "plastic": "equivalent plastic strain",
+    "intensity": "stress intensity (von Mises)",
+}
+LABELS = {
+    "vx": "$v_x$ (nm/ns = m/s)",
+    "vy": "$v_y$ (nm/ns = m/s)",
+    "links": "links of an automaton",
+    "welds": "welds of an automaton",
+    "plastic": "plastic strain (-)",
+    "intensity": "stress intensity (MPa)",
+}
 PAINT = {1: ("#9ecae1", "#2171b5"), 2: ("#fdbe85", "#d94801")}  # type: light, dark
-
-
-def fail(code, text):
-    print(f"plot_fragment.py: {text}", file=sys.stderr)
-    sys.exit(code)
 
 
 def nearest_distance(x, y):
@@ -65,15 +77,21 @@ class Picture:
         self.names = set(NEEDED) | {p for p in given.show if p != "stripes"}
         begin = dump.columns(0, NEEDED)
         self.diameter = given.diameter or nearest_distance(begin["x"], begin["y"])
+        if self.diameter == 0:
+            raise of_space(dump, "two automata have the same x and y")
         low, high = dump.frames[0]["box"][0]
-        self.stripe = {i: int((x - low) / (high - low) * 2 * STRIPES) % 2
-                       for i, x in zip(begin["id"], begin["x"])}
+        self.stripe = {
+            i: int((x - low) / (high - low) * 2 * STRIPES) % 2
+            for i, x in zip(begin["id"], begin["x"])
+        }
         # everything that must not change within an animation
         frames = range(len(dump.frames)) if given.animated else [given.frame]
         everything = [dump.columns(k, self.names) for k in frames]
         self.low = min(min(c["y"]) for c in everything) - self.diameter
         self.high = max(max(c["y"]) for c in everything) + self.diameter
-        self.range = {p: self.limits(p, everything) for p in given.show if p not in ("stripes", "type")}
+        self.range = {
+            p: self.limits(p, everything) for p in given.show if p not in ("stripes", "type")
+        }
 
         self.lay_out(plt, (self.high - self.low) / (high - low))
 
@@ -92,9 +110,13 @@ class Picture:
             places.append(("profile", at, narrow))
             at += narrow + gap
         self.figure = plt.figure(figsize=(at, bottom + tall + top))
-        self.axes = {name: self.figure.add_axes((x / at, bottom / (bottom + tall + top), w / at,
-                                                 tall / (bottom + tall + top)), label=name)
-                     for name, x, w in places}
+        self.axes = {
+            name: self.figure.add_axes(
+                (x / at, bottom / (bottom + tall + top), w / at, tall / (bottom + tall + top)),
+                label=name,
+            )
+            for name, x, w in places
+        }
 
     def limits(self, panel, everything):
         values = sorted(v for columns in everything for v in columns[panel])
@@ -147,8 +169,10 @@ class Picture:
         discs = self.discs(axes, x, y)
         if panel in ("stripes", "type"):
             shade = self.stripe if panel == "stripes" else {}
-            paint = [PAINT.get(int(t), ("0.75", "0.45"))[shade.get(i, 0)]
-                     for i, t in zip(columns["id"], columns["type"])]
+            paint = [
+                PAINT.get(int(t), ("0.75", "0.45"))[shade.get(i, 0)]
+                for i, t in zip(columns["id"], columns["type"])
+            ]
             discs.set_facecolor([paint[k] for k in which])
         else:
             self.colour(axes, discs, panel, columns[panel], which)
@@ -162,8 +186,15 @@ class Picture:
         from matplotlib.collections import EllipseCollection
 
         size = [self.diameter] * len(x)
-        discs = EllipseCollection(size, size, [0] * len(x), units="xy", offsets=list(zip(x, y)),
-                                  offset_transform=axes.transData, linewidths=0)
+        discs = EllipseCollection(
+            size,
+            size,
+            [0] * len(x),
+            units="xy",
+            offsets=list(zip(x, y)),
+            offset_transform=axes.transData,
+            linewidths=0,
+        )
         axes.add_collection(discs)
         return discs
 
@@ -177,32 +208,24 @@ class Picture:
         discs.set_array([values[k] for k in which])
         discs.set_clim(low, high)
         beyond = (min(values) < low, max(values) > high) if not counted else (False, False)
-        extend = {(True, True): "both", (True, False): "min", (False, True): "max"}.get(beyond, "neither")
-        self.figure.colorbar(discs, cax=self.axes[panel + " bar"], label=LABELS.get(panel, panel),
-                             extend=extend, ticks=range(steps) if counted else None)
-
-
-def write_whole(path, content):
-    """The file appears whole or not at all."""
-    beside = f"{path}.part"
-    try:
-        with open(beside, "wb") as file:
-            file.write(content)
-            file.flush()
-            os.fsync(file.fileno())
-        os.replace(beside, path)
-    except OSError as error:
-        if os.path.exists(beside):
-            os.remove(beside)
-        fail(5, f"{path}: cannot be written: {error.strerror}")
+        extend = {(True, True): "both", (True, False): "min", (False, True): "max"}.get(
+            beyond, "neither"
+        )
+        self.figure.colorbar(
+            discs,
+            cax=self.axes[panel + " bar"],
+            label=LABELS.get(panel, panel),
+            extend=extend,
+            ticks=range(steps) if counted else None,
+        )
 
 
 def animate(picture, frames, rate, dpi):
     """Bytes of a GIF that shows all frames in turn, for ever."""
     try:
         from PIL import Image
-    except ImportError:
-        fail(1, "Pillow is missing (Debian: apt-get install python3-pil); no animation made")
+    except ImportError as error:
+        raise missing(error) from None
     images = []
     for number in range(frames):
         picture.show(number)
@@ -210,8 +233,14 @@ def animate(picture, frames, rate, dpi):
         picture.figure.savefig(page, dpi=dpi, format="png")
         images.append(Image.open(page).convert("P", palette=Image.Palette.ADAPTIVE))
     film = io.BytesIO()
-    images[0].save(film, format="GIF", save_all=True, append_images=images[1:],
-                   duration=round(1000 / rate), loop=0)
+    images[0].save(
+        film,
+        format="GIF",
+        save_all=True,
+        append_images=images[1:],
+        duration=round(1000 / rate),
+        loop=0,
+    )
     return film.getvalue()
 
 
@@ -223,19 +252,39 @@ def positive(word):
 
 
 def arguments():
-    parser = argparse.ArgumentParser(description=__doc__,
-                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
+    )
     parser.add_argument("dump", metavar="DUMP")
-    parser.add_argument("-o", "--output", default="fragment.png", metavar="FILE", help="*.png or *.gif")
-    parser.add_argument("--show", nargs="+", default=["stripes", "vx"], metavar="WHAT",
-                        help="panels, see above [stripes vx]")
-    parser.add_argument("--no-profile", dest="profile", action="store_false",
-                        help="without the velocity profile")
-    parser.add_argument("--frame", type=int, default=-1, help="frame of the dump, from 0 [the last]")
-    parser.add_argument("--diameter", type=positive, metavar="NM",
-                        help="of an automaton [the spacing in the first frame]")
-    parser.add_argument("--timestep", type=positive, default=5e-5, metavar="NS",
-                        help="for the title, where the dump has no time [5e-5]")
+    parser.add_argument(
+        "-o", "--output", default="fragment.png", metavar="FILE", help="*.png or *.gif"
+    )
+    parser.add_argument(
+        "--show",
+        nargs="+",
+        default=["stripes", "vx"],
+        metavar="WHAT",
+        help="panels, see above [stripes vx]",
+    )
+    parser.add_argument(
+        "--no-profile", dest="profile", action="store_false", help="without the velocity profile"
+    )
+    parser.add_argument(
+        "--frame", type=int, default=-1, help="frame of the dump, from 0 [the last]"
+    )
+    parser.add_argument(
+        "--diameter",
+        type=positive,
+        metavar="NM",
+        help="of an automaton [the spacing in the first frame]",
+    )
+    parser.add_argument(
+        "--timestep",
+        type=positive,
+        default=5e-5,
+        metavar="NS",
+        help="for the title, where the dump has no time [5e-5]",
+    )
     parser.add_argument("--rate", type=positive, default=5, help="frames per second of a GIF [5]")
     parser.add_argument("--dpi", type=positive, default=130, help="[130]")
     given = parser.parse_args()
@@ -247,43 +296,39 @@ def arguments():
 def read(path):
     dump = Dump(path, STATE)
     if dump.cut:
-        print(f"plot_fragment.py: {path}: the last frame is cut and left out", file=sys.stderr)
+        complain(f"{path}: the last frame is cut and left out")
     for frame in dump.frames:
         if frame["count"] == 0:
-            raise BadDump(f"{path}:{frame['head'] + 1}: no automaton")
+            raise BadInput(f"{path}:{frame['head'] + 1}: no automaton")
+    for name in {"z", "zu"}.intersection(dump.frames[0]["names"]):
+        heights = dump.columns(0, [name])[name]
+        if max(heights) > min(heights):
+            raise of_space(dump, f"{name} goes from {min(heights):g} to {max(heights):g}")
     return dump
+
+
+def of_space(dump, why):
+    """The error for a dump of three dimensions."""
+    return BadInput(
+        f"{dump.path}:{dump.frames[0]['head'] + 1}: {why}: only a dump of two dimensions can be "
+        "drawn; dump_to_vtk.py takes this one"
+    )
 
 
 def main():
     given = arguments()
-    try:
-        work(given)
-    except BadDump as error:
-        fail(3, error)
-
-
-def work(given):
     dump = read(given.dump)
     if not -len(dump.frames) <= given.frame < len(dump.frames):
-        fail(2, f"--frame {given.frame}: the dump has {len(dump.frames)} frames")
+        fail(Exit.USAGE, f"--frame {given.frame}: the dump has {len(dump.frames)} frames")
     for number in (0, given.frame):
         dump.columns(number, set(NEEDED) | {p for p in given.show if p != "stripes"})
-    try:
-        import matplotlib
-        matplotlib.use("Agg")
-        import matplotlib.pyplot as plt
-    except ImportError:
-        fail(1, "matplotlib is missing (Debian: apt-get install python3-matplotlib); no picture made")
-    picture = Picture(plt, dump, given)
+    picture = Picture(plotting.pyplot(), dump, given)
     if given.animated:
-        content = animate(picture, len(dump.frames), given.rate, given.dpi)
+        write(given.output, animate(picture, len(dump.frames), given.rate, given.dpi))
     else:
         picture.show(given.frame)
-        page = io.BytesIO()
-        picture.figure.savefig(page, dpi=given.dpi, format="png")
-        content = page.getvalue()
-    write_whole(given.output, content)
+        save_figure(picture.figure, given.output, given.dpi)
 
 
 if __name__ == "__main__":
-    main()
+    run_script(main)

@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: GPL-2.0-or-later
 """Friction coefficient against time with its running mean, from friction logs (*.friction).
 
     plot_friction.py run.friction -o friction.png
@@ -8,57 +9,30 @@ Grey: the rows of the log. Coloured: mean over a window centred on each row. Das
 took for the stationary part (with --points). Exit codes: 0 ok, 1 no matplotlib, 2 usage,
 3 bad input file, 5 the picture cannot be written.
 """
+
 import argparse
-import csv
 import math
 import os
-import sys
 
-
-def fail(code, text):
-    print(f"plot_friction.py: {text}", file=sys.stderr)
-    sys.exit(code)
+from mcawr import friction_log, plotting, tables
+from mcawr.errors import BadInput, Exit, fail, run_script
+from mcawr.files import save_figure
 
 
 def read_log(path):
     """(loading line, time in ns, mu) of a friction log; a cut last line is left out."""
-    import yaml
-
+    log = friction_log.read(path, ("time", "mu"))
     try:
-        with open(path, encoding="utf-8") as file:
-            lines = file.read().split("\n")
-    except (OSError, UnicodeDecodeError) as error:
-        fail(3, f"{path}: cannot be read: {error}")
-    head = [line[1:].removeprefix(" ") for line in lines if line.startswith("#")]
-    try:
-        header = yaml.safe_load("\n".join(head))
-        if header["format"] != "mca-friction 1":
-            fail(3, f"{path}: format '{header['format']}', must be 'mca-friction 1'")
-        label = (f"p = {header['loading']['pressure']:g} MPa, v = {header['loading']['velocity']:g} m/s, "
-                 f"$\\sigma_0$ = {header['material']['strength']:g} MPa")
-        names = lines[len(head)].split()
-        time, mu = names.index("time"), names.index("mu")
-    except (yaml.YAMLError, KeyError, TypeError, ValueError, IndexError):
-        fail(3, f"{path}: no friction log: its head or its column names are incomplete")
-    times, values = [], []
-    body = lines[len(head) + 1:-1]  # what follows the last end of line was cut
-    for number, line in enumerate(body, len(head) + 2):
-        words = line.split()
-        if number == len(head) + 1 + len(body) and len(words) < len(names):
-            break
-        if len(words) != len(names):
-            fail(3, f"{path}:{number}: {len(words)} columns, {len(names)} are expected")
-        try:
-            row = float(words[time]), float(words[mu])
-        except ValueError:
-            fail(3, f"{path}:{number}: not a row of numbers")
-        if not all(map(math.isfinite, row)):
-            fail(3, f"{path}:{number}: not a finite number")
-        times.append(row[0])
-        values.append(row[1])
-    if len(times) < 2:
-        fail(3, f"{path}: fewer than two rows")
-    return label, times, values
+        label = (
+            f"p = {log.head['loading']['pressure']:g} MPa, "
+            f"v = {log.head['loading']['velocity']:g} m/s, "
+            f"$\\sigma_0$ = {log.head['material']['strength']:g} MPa"
+        )
+    except (KeyError, TypeError, ValueError):
+        raise BadInput(f"{path}: no friction log: its head is incomplete") from None
+    if len(log.columns["time"]) < 2:
+        raise BadInput(f"{path}: fewer than two rows")
+    return label, log.columns["time"], log.columns["mu"]
 
 
 def running_mean(values, half):
@@ -75,33 +49,31 @@ def running_mean(values, half):
 
 def read_points(path):
     """file name -> (mu, t_start) of wr_fit's points.csv."""
-    try:
-        with open(path, newline="", encoding="utf-8") as file:
-            rows = csv.DictReader(line for line in file if not line.startswith("#"))
-            return {os.path.realpath(r["file"]): (float(r["mu"]), float(r["t_start"])) for r in rows}
-    except (OSError, KeyError, ValueError) as error:
-        fail(3, f"{path}: not wr_fit's points.csv: {error}")
+
+    def means_of(rows):
+        return {os.path.realpath(r["file"]): (float(r["mu"]), float(r["t_start"])) for r in rows}
+
+    return tables.read(path, "wr_fit's points.csv", means_of)
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
+    )
     parser.add_argument("logs", nargs="+", metavar="LOG")
     parser.add_argument("-o", "--output", default="friction.png", metavar="PNG")
-    parser.add_argument("--window", type=float, metavar="NS", help="width of the running mean [a tenth of the log]")
-    parser.add_argument("--points", metavar="CSV", help="wr_fit's points.csv: shows the stationary means")
+    parser.add_argument(
+        "--window", type=float, metavar="NS", help="width of the running mean [a tenth of the log]"
+    )
+    parser.add_argument(
+        "--points", metavar="CSV", help="wr_fit's points.csv: shows the stationary means"
+    )
     given = parser.parse_args()
     if given.window is not None and not given.window > 0:
-        fail(2, f"--window {given.window:g}: must be > 0")
+        fail(Exit.USAGE, f"--window {given.window:g}: must be > 0")
     logs = [read_log(path) for path in given.logs]
     points = read_points(given.points) if given.points else {}
-    try:
-        import matplotlib
-        matplotlib.use("Agg")
-        import matplotlib.pyplot as plt
-    except ImportError:
-        fail(1, "matplotlib is missing (Debian: apt-get install python3-matplotlib); no picture made")
-
-    figure, axes = plt.subplots(figsize=(8, 4.5), constrained_layout=True)
+    figure, axes = plotting.pyplot().subplots(figsize=(8, 4.5), constrained_layout=True)
     top = 0.0
     for number, (path, (label, times, values)) in enumerate(zip(given.logs, logs)):
         colour = f"C{number}"
@@ -109,15 +81,32 @@ def main():
         half = max(1, round(0.5 * window / (times[1] - times[0])))
         mean = running_mean(values, half)
         single = len(logs) == 1
-        axes.plot(times, values, color="0.75" if single else colour, alpha=1 if single else 0.25, lw=0.8,
-                  label="rows of the log" if single else None)
-        axes.plot(times, mean, color=colour, lw=2,
-                  label=f"running mean over {window:.3g} ns" + ("" if single else f": {label}"))
+        axes.plot(
+            times,
+            values,
+            color="0.75" if single else colour,
+            alpha=1 if single else 0.25,
+            lw=0.8,
+            label="rows of the log" if single else None,
+        )
+        axes.plot(
+            times,
+            mean,
+            color=colour,
+            lw=2,
+            label=f"running mean over {window:.3g} ns" + ("" if single else f": {label}"),
+        )
         if os.path.realpath(path) in points:
             mu, start = points[os.path.realpath(path)]
             if math.isfinite(start):
-                axes.plot([start, times[-1]], [mu, mu], color=colour, ls="--", lw=1.5,
-                          label=f"stationary part: {mu:.3f}")
+                axes.plot(
+                    [start, times[-1]],
+                    [mu, mu],
+                    color=colour,
+                    ls="--",
+                    lw=1.5,
+                    label=f"stationary part: {mu:.3f}",
+                )
         # the static peak may be several times the rest
         ordered = sorted(values)
         top = max(top, 1.3 * ordered[int(0.98 * (len(ordered) - 1))], 1.1 * max(mean))
@@ -129,15 +118,8 @@ def main():
     axes.set_ylim(low, top)
     axes.grid(alpha=0.3)
     axes.legend(fontsize=9)
-    beside = given.output + ".part"
-    try:
-        figure.savefig(beside, dpi=130, format="png")
-        os.replace(beside, given.output)
-    except OSError as error:
-        if os.path.exists(beside):
-            os.remove(beside)
-        fail(5, f"{given.output}: cannot be written: {error.strerror}")
+    save_figure(figure, given.output)
 
 
 if __name__ == "__main__":
-    main()
+    run_script(main)

@@ -1,29 +1,32 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: GPL-2.0-or-later
 """Figures of doc/howto_mechanics.md: experiments in lmp whose outcome is known exactly.
 
-    plot_mechanics.py surface -o DIR      one figure: DIR/mechanics_surface.png, numbers on the screen
-    plot_mechanics.py all -o DIR          all of them, some minutes
+    plot_mechanics.py surface -o DIR      one figure: DIR/mechanics_surface.png, numbers on the
+    screen plot_mechanics.py all -o DIR          all of them, some minutes
 
-surface  bars with free sides: stress of each row, error of Young's modulus against the number of rows
+surface  bars with free sides: stress of each row, error of Young's modulus against the number of
+         rows
 waves    phase speeds against wavelength, of the lattice and of bars
 hertz    a rigid cylinder on a block of three sizes: pressure, half-width against the load
 diagram  stress-strain diagrams in tension and shear through the points of Fig. 5, with unloading
-energy   where the work of sliding goes in 1e5 steps, and what the account misses; an elastic block, 1e6 steps
+energy   where the work of sliding goes in 1e5 steps, and what the account misses; an elastic block,
+         1e6 steps
 Exit codes: 0 ok, 1 no matplotlib, 2 usage, 5 no lmp, or files cannot be written.
 """
+
 import argparse
 import os
 import pathlib
 import sys
 import tempfile
 
+from mcawr import plotting
+from mcawr.errors import Exit, fail, run_script, say
+from mcawr.files import save_figure
+
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 sys.path.insert(0, str(ROOT / "unittest" / "MCA"))
-
-
-def fail(code, text):
-    print(f"plot_mechanics.py: {text}", file=sys.stderr)
-    sys.exit(code)
 
 
 def surface(m, np, plt, work):
@@ -35,16 +38,39 @@ def surface(m, np, plt, work):
             r = m.bar(work, n, plane)
             error.append(100 * (r["bar"] - 1))
             skinned.append(100 * (m.bar(work, n, plane, stiffer)["bar"] - 1))
-            print(f"plane {plane}, {n} rows: E of the bar {error[-1]:+.2f} %, over n - 1/3 rows "
-                  f"{100 * (r['bar'] * n / (n - 1 / 3) - 1):+.2f} %, interior E {r['interior'] - 1:+.1e}, "
-                  f"Poisson's ratio {r['poisson'] - 1:+.1e}; outermost rows {stiffer:.3f} times stiffer: "
-                  f"{skinned[-1]:+.4f} %")
+            print(
+                f"plane {plane}, {n} rows: E of the bar {error[-1]:+.2f} %, over n - 1/3 rows "
+                f"{100 * (r['bar'] * n / (n - 1 / 3) - 1):+.2f} %, interior E "
+                f"{r['interior'] - 1:+.1e}, "
+                f"Poisson's ratio {r['poisson'] - 1:+.1e}; outermost rows {stiffer:.3f} times "
+                "stiffer: "
+                f"{skinned[-1]:+.4f} %"
+            )
             if n == 10:
-                left.plot(np.arange(1, 11), r["sxx"], "o-", color=colour, label=f"$\\sigma_{{xx}}$, plane {plane}")
-                left.plot(np.arange(1, 11), r["mean"] / r["mean"][5], "s--", color=colour, mfc="none",
-                          label=f"$\\sigma_\\mathrm{{mean}}$, plane {plane}")
+                left.plot(
+                    np.arange(1, 11),
+                    r["sxx"],
+                    "o-",
+                    color=colour,
+                    label=f"$\\sigma_{{xx}}$, plane {plane}",
+                )
+                left.plot(
+                    np.arange(1, 11),
+                    r["mean"] / r["mean"][5],
+                    "s--",
+                    color=colour,
+                    mfc="none",
+                    label=f"$\\sigma_\\mathrm{{mean}}$, plane {plane}",
+                )
         right.plot(rows, error, "o", color=colour, label=f"plane {plane}")
-        right.plot(rows, skinned, "^", color=colour, mfc="none", label=f"... with a skin {stiffer:.3f} times stiffer")
+        right.plot(
+            rows,
+            skinned,
+            "^",
+            color=colour,
+            mfc="none",
+            label=f"... with a skin {stiffer:.3f} times stiffer",
+        )
     n = np.linspace(5, 42, 200)
     right.plot(n, -100 / (3 * n), "k-", lw=1, label="$-1/(3n)$")
     left.set(xlabel="row", ylabel="over the value of the solid")
@@ -57,15 +83,26 @@ def surface(m, np, plt, work):
 def waves(m, np, plt, work):
     figure, axis = plt.subplots(figsize=(5.6, 3.8))
     grid = np.geomspace(3.5, 300, 200)
-    for mode, colour, name in (("l", "tab:blue", "longitudinal"), ("s", "tab:orange", "transverse")):
+    for mode, colour, name in (
+        ("l", "tab:blue", "longitudinal"),
+        ("s", "tab:orange", "transverse"),
+    ):
         lengths = (4, 6, 8, 12, 16, 32, 64, 128)
         speeds = [m.wave_speed(work, mode, columns=n)[0] for n in lengths]
         continuum = m.wave_speed(work, mode, columns=4)[1]
         for n, c in zip(lengths, speeds):
-            print(f"{name}, {n} d: {c:.1f} m/s, {100 * (c / continuum - 1):+.3f} % of the solid's, "
-                  f"{c / m.lattice_speed(mode, n) - 1:+.1e} of the lattice's")
+            print(
+                f"{name}, {n} d: {c:.1f} m/s, {100 * (c / continuum - 1):+.3f} % of the solid's, "
+                f"{c / m.lattice_speed(mode, n) - 1:+.1e} of the lattice's"
+            )
         axis.plot(lengths, speeds, "o", color=colour, label=f"{name}, lmp")
-        axis.plot(grid, [m.lattice_speed(mode, g) for g in grid], "-", color=colour, label="lattice, exact")
+        axis.plot(
+            grid,
+            [m.lattice_speed(mode, g) for g in grid],
+            "-",
+            color=colour,
+            label="lattice, exact",
+        )
         axis.axhline(continuum, ls=":", color=colour)
     lengths, bars = (128, 256), []
     for n in lengths:
@@ -74,7 +111,12 @@ def waves(m, np, plt, work):
         bars.append(c)
     axis.plot(lengths, bars, "^", color="tab:green", label="bar with free sides, lmp")
     axis.axhline(solid, ls=":", color="tab:green")
-    axis.set(xscale="log", xlabel="wavelength / d", ylabel="phase speed, m/s (dotted: the solid)", ylim=(0, 6500))
+    axis.set(
+        xscale="log",
+        xlabel="wavelength / d",
+        ylabel="phase speed, m/s (dotted: the solid)",
+        ylim=(0, 6500),
+    )
     axis.legend(fontsize=8, loc="lower right")
     return figure
 
@@ -88,10 +130,19 @@ def hertz(m, np, plt, work):
         sizes.append(a / m.D)
         widths.append(r["half_width"] / a - 1)
         peaks.append(r["p0"] / r["hertz_p0"] - 1)
-        print(f"a = {a / m.D:.2f} d: load {r['load']:.0f} MPa nm, half-width {100 * widths[-1]:+.2f} %, "
-              f"largest pressure {100 * peaks[-1]:+.2f} %, half a distance {50 * m.D / a:.1f} %")
-        left.plot(r["x"][shown] / a, r["pressure"][shown] / r["hertz_p0"], marker, ms=4, mfc="none",
-                  label=f"a = {a / m.D:.1f} d")
+        print(
+            f"a = {a / m.D:.2f} d: load {r['load']:.0f} MPa nm, half-width "
+            f"{100 * widths[-1]:+.2f} %, "
+            f"largest pressure {100 * peaks[-1]:+.2f} %, half a distance {50 * m.D / a:.1f} %"
+        )
+        left.plot(
+            r["x"][shown] / a,
+            r["pressure"][shown] / r["hertz_p0"],
+            marker,
+            ms=4,
+            mfc="none",
+            label=f"a = {a / m.D:.1f} d",
+        )
     x = np.linspace(-1, 1, 400)
     left.plot(x, np.sqrt(1 - x * x), "k-", lw=1, label="Hertz")
     left.set(xlabel="x / a", ylabel="pressure / $p_0$")
@@ -109,31 +160,67 @@ def hertz(m, np, plt, work):
 def diagram(m, np, plt, work):
     figure, (left, right) = plt.subplots(1, 2, figsize=(9.5, 3.8))
     points = {m.Y1 / m.E: m.Y1, 0.015: m.Y2, m.BREAKING: m.STRENGTH}
-    for kind, law, style in (("tension", "radial", "-"), ("tension", "j2", "--"),
-                             ("shear", "radial", "-"), ("shear", "j2", "--")):
+    for kind, law, style in (
+        ("tension", "radial", "-"),
+        ("tension", "j2", "--"),
+        ("shear", "radial", "-"),
+        ("shear", "j2", "--"),
+    ):
         r = m.diagram(work, kind, f"plasticity {law}", every=2)
         first = min(e[0] for e in r["events"])
         whole = r["step"] <= first
         strain, stress = m.measured_diagram(r)
+        imposed = r["exx" if kind == "tension" else "shear"]
         colour = "tab:blue" if kind == "tension" else "tab:orange"
-        left.plot(100 * strain[whole], stress[whole], style, color=colour, lw=1.2, label=f"{kind}, {law}")
+        left.plot(
+            100 * strain[whole], stress[whole], style, color=colour, lw=1.2, label=f"{kind}, {law}"
+        )
         left.plot(100 * strain[whole][-1], stress[whole][-1], "x", color=colour, ms=8)
-        right.plot(100 * strain[whole], r["mean"][whole], style, color=colour, lw=1.2, label=f"{kind}, {law}")
-        print(f"{kind}, {law}: " + ", ".join(f"{np.interp(e, strain, stress):.1f} MPa at {100 * e:.3g} % (Fig. 5: {s:.1f})"
-                                            for e, s in points.items()) +
-              f"; first break at {100 * np.interp(first, r['step'], r['exx' if kind == 'tension' else 'shear']):.3f} %, "
-              f"mean stress there {r['mean'][whole][-1]:.0f} MPa")
+        right.plot(
+            100 * strain[whole],
+            r["mean"][whole],
+            style,
+            color=colour,
+            lw=1.2,
+            label=f"{kind}, {law}",
+        )
+        print(
+            f"{kind}, {law}: "
+            + ", ".join(
+                f"{np.interp(e, strain, stress):.1f} MPa at {100 * e:.3g} % (Fig. 5: {s:.1f})"
+                for e, s in points.items()
+            )
+            + f"; first break at {100 * np.interp(first, r['step'], imposed):.3f} %, "
+            f"mean stress there {r['mean'][whole][-1]:.0f} MPa"
+        )
     for kind, colour in (("tension", "tab:blue"), ("shear", "tab:orange")):
         r = m.diagram(work, kind, "plasticity radial fracture none", every=2, reverse=True)
         turn = int(np.argmax(r["exx" if kind == "tension" else "shear"]))
         sign = np.where(r["sxx" if kind == "tension" else "sxy"] < 0, -1, 1)
         strain = m.measured_diagram(r)[0]
         # past the turn, the imposed strain itself: it falls by what is elastic
-        back = strain[turn] - (r["exx"][turn] - r["exx"]) if kind == "tension" else \
-            strain[turn] - (r["shear"][turn] - r["shear"]) / np.sqrt(3)
-        left.plot(100 * back[turn:], (sign * r["equivalent"])[turn:], ":", color=colour, lw=1.2,
-                  label=f"{kind}, unloaded and reversed")
-    left.plot([100 * e for e in points], list(points.values()), "ko", mfc="none", ms=9, label="Fig. 5", zorder=5)
+        back = (
+            strain[turn] - (r["exx"][turn] - r["exx"])
+            if kind == "tension"
+            else strain[turn] - (r["shear"][turn] - r["shear"]) / np.sqrt(3)
+        )
+        left.plot(
+            100 * back[turn:],
+            (sign * r["equivalent"])[turn:],
+            ":",
+            color=colour,
+            lw=1.2,
+            label=f"{kind}, unloaded and reversed",
+        )
+    left.plot(
+        [100 * e for e in points],
+        list(points.values()),
+        "ko",
+        mfc="none",
+        ms=9,
+        label="Fig. 5",
+        zorder=5,
+    )
     left.set(xlabel="equivalent strain, % (x: first link breaks)", ylabel="equivalent stress, MPa")
     right.set(xlabel="equivalent strain, %", ylabel="mean stress, MPa")
     for axis in (left, right):
@@ -158,9 +245,14 @@ def energy(m, np, plt, work):
     right.semilogy(block["Step"][1:], swing, "o", label="elastic block: error / energy")
     right.set(xlabel="step", ylabel="error of the account")
     right.legend(fontsize=8)
-    shares = ", ".join(f"{name} {100 * part[-1] / lost[-1]:.1f} %"
-                       for name, part in zip(("plastic", "fracture", "viscous"), account[2:5]))
-    print(f"sliding, 1e5 steps: {shares}; error {missed[-1]:.1e} of what was dissipated, at most {missed.max():.1e}")
+    shares = ", ".join(
+        f"{name} {100 * part[-1] / lost[-1]:.1f} %"
+        for name, part in zip(("plastic", "fracture", "viscous"), account[2:5])
+    )
+    print(
+        f"sliding, 1e5 steps: {shares}; error {missed[-1]:.1e} of what was dissipated, at most "
+        f"{missed.max():.1e}"
+    )
     print(f"elastic block, 1e6 steps: error at most {swing.max():.1e} of its energy")
     return figure
 
@@ -171,33 +263,34 @@ FIGURES = {"surface": surface, "waves": waves, "hertz": hertz, "diagram": diagra
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("figure", choices=[*FIGURES, "all"])
-    parser.add_argument("-o", "--out", type=pathlib.Path, default=pathlib.Path("."), help="folder of the pictures")
-    parser.add_argument("--build", type=pathlib.Path, default=ROOT / "build", help="build folder with bin/lmp")
+    parser.add_argument(
+        "-o", "--out", type=pathlib.Path, default=pathlib.Path("."), help="folder of the pictures"
+    )
+    parser.add_argument(
+        "--build", type=pathlib.Path, default=ROOT / "build", help="build folder with bin/lmp"
+    )
     options = parser.parse_args()
-    try:
-        import matplotlib
-        matplotlib.use("Agg")
-        import matplotlib.pyplot as plt
-        import numpy as np
-    except ImportError as problem:
-        fail(1, f"{problem}: install python3-matplotlib")
+    plt = plotting.pyplot()
+    import numpy as np
+
     program = options.build / "bin" / "lmp"
     if not program.exists():
-        fail(5, f"no {program}: build the project first, or give --build FOLDER")
-    os.environ.update(MCA_LMP=str(program.resolve()), PROJECT_SOURCE=str(ROOT),
-                      MCA_PLUGIN=str((options.build / "lib" / "mcaplugin.so").resolve()))
+        fail(Exit.IO, f"no {program}: build the project first, or give --build FOLDER")
+    os.environ.update(
+        MCA_LMP=str(program.resolve()),
+        PROJECT_SOURCE=str(ROOT),
+        MCA_PLUGIN=str((options.build / "lib" / "mcaplugin.so").resolve()),
+    )
     import mechanics
+
     for name in FIGURES if options.figure == "all" else [options.figure]:
         with tempfile.TemporaryDirectory() as work:
             figure = FIGURES[name](mechanics, np, plt, pathlib.Path(work))
         figure.tight_layout()
         path = options.out / f"mechanics_{name}.png"
-        try:
-            figure.savefig(path, dpi=110)
-        except OSError as problem:
-            fail(5, f"cannot write {path}: {problem.strerror}")
-        print(path)
+        save_figure(figure, path, dpi=110)
+        say(path)
 
 
 if __name__ == "__main__":
-    main()
+    run_script(main)

@@ -1,36 +1,38 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: GPL-2.0-or-later
 """Figs. 4 and 6 of the paper from wr_fit's JSON: friction against pressure, velocity or viscosity.
 
     plot_series.py pressure.json --against pressure -o fig4.png
     plot_series.py velocity.json --against velocity -o fig6.png
 
-pressure: friction stress, grinding-in and stationary (Fig. 4). velocity: mu, stationary, with the static
-peak of each run (Fig. 6). viscosity, strength: mu. Bars: 95 % of each run's own error; line: Eq. 2 with the
-paper's numbers.
-Exit codes: 0 ok, 1 no matplotlib, 2 usage, 3 bad input file, 5 the picture cannot be written.
+pressure: friction stress, grinding-in and stationary (Fig. 4). velocity: mu, stationary, with the
+static peak of each run (Fig. 6). viscosity, strength: mu. Bars: 95 % of each run's own error; line:
+Eq. 2 with the paper's numbers. Exit codes: 0 ok, 1 no matplotlib, 2 usage, 3 bad input file, 5 the
+picture cannot be written.
 """
+
 import argparse
-import json
 import math
-import os
-import sys
 
-LABELS = {"pressure": "normal pressure $p$ (MPa)", "velocity": "sliding velocity $v$ (m/s)",
-          "viscosity": "viscosity $\\eta$ (Pa s)", "strength": "strength $\\sigma_0$ (MPa)"}
+from mcawr import plotting, tables
+from mcawr.errors import BadInput, run_script
+from mcawr.files import save_figure
 
-
-def fail(code, text):
-    print(f"plot_series.py: {text}", file=sys.stderr)
-    sys.exit(code)
+LABELS = {
+    "pressure": "normal pressure $p$ (MPa)",
+    "velocity": "sliding velocity $v$ (m/s)",
+    "viscosity": "viscosity $\\eta$ (Pa s)",
+    "strength": "strength $\\sigma_0$ (MPa)",
+}
 
 
 def read(path):
     """The points of wr_fit's JSON that have a standard error."""
-    try:
-        with open(path, encoding="utf-8") as file:
-            return [p for p in json.load(file)["report"]["points"] if p["mu_se"] is not None]
-    except (OSError, ValueError, KeyError, TypeError) as error:
-        fail(3, f"{path}: not wr_fit's JSON: {error}")
+
+    def points_of(data):
+        return [p for p in data["report"]["points"] if p["mu_se"] is not None]
+
+    return tables.read_json(path, "wr_fit's JSON", points_of)
 
 
 def number(value):
@@ -39,10 +41,7 @@ def number(value):
 
 def draw(points, against, path):
     """The picture of wr_fit's points, in order of the quantity on the abscissa."""
-    import matplotlib
-    matplotlib.use("Agg")
-    import matplotlib.pyplot as plt
-
+    plt = plotting.pyplot()
     points = sorted((p for p in points if p["mu_se"] is not None), key=lambda p: p[against])
     stress = against == "pressure"
     factor = [p["pressure"] if stress else 1.0 for p in points]
@@ -55,16 +54,50 @@ def draw(points, against, path):
     steady = [i for i, p in enumerate(points) if p["t_start"] is not None]
     drifting = [i for i, p in enumerate(points) if p["t_start"] is None]
     mu, error = values("mu"), [1.96 * e for e in values("mu_se")]
-    for chosen, style in ((steady, dict(fmt="o", color="C0", label="stationary part, or from a given time on")),
-                          (drifting, dict(fmt="o", color="C0", mfc="none", label="no stationary part: second half"))):
+    for chosen, style in (
+        (steady, dict(fmt="o", color="C0", label="stationary part, or from a given time on")),
+        (drifting, dict(fmt="o", color="C0", mfc="none", label="no stationary part: second half")),
+    ):
         if chosen:
-            axes.errorbar([x[i] for i in chosen], [mu[i] for i in chosen], yerr=[error[i] for i in chosen],
-                          ms=5, lw=1, capsize=2, **style)
-    axes.plot(x, values("mu_grinding_in"), "^", color="C1", ms=5, label="grinding-in (before, at most 100 ns)")
+            axes.errorbar(
+                [x[i] for i in chosen],
+                [mu[i] for i in chosen],
+                yerr=[error[i] for i in chosen],
+                ms=5,
+                lw=1,
+                capsize=2,
+                **style,
+            )
+    axes.plot(
+        x,
+        values("mu_grinding_in"),
+        "^",
+        color="C1",
+        ms=5,
+        label="grinding-in (before, at most 100 ns)",
+    )
     if against == "velocity":
-        axes.plot(x, values("mu_peak"), "v", color="C3", ms=5, label="largest row of the log (static peak)")
-    same = len({(p["strength"], p["velocity"] if against != "velocity" else 0,
-                 p["pressure"] if against != "pressure" else 0) for p in points}) == 1
+        axes.plot(
+            x,
+            values("mu_peak"),
+            "v",
+            color="C3",
+            ms=5,
+            label="largest row of the log (static peak)",
+        )
+    same = (
+        len(
+            {
+                (
+                    p["strength"],
+                    p["velocity"] if against != "velocity" else 0,
+                    p["pressure"] if against != "pressure" else 0,
+                )
+                for p in points
+            }
+        )
+        == 1
+    )
     if same or against == "strength":  # else Eq. 2 is no line over this abscissa
         axes.plot(x, values("mu_eq2"), "k--", label="Eq. 2 with the paper's numbers")
     axes.set_xlabel(LABELS[against])
@@ -77,32 +110,22 @@ def draw(points, against, path):
     axes.grid(alpha=0.3)
     handles, labels = axes.get_legend_handles_labels()
     axes.legend(handles[::-1], labels[::-1], fontsize=9)  # the stationary part first
-    beside = path + ".part"
-    try:
-        figure.savefig(beside, dpi=130, format="png")
-        os.replace(beside, path)
-    except OSError as error_:
-        if os.path.exists(beside):
-            os.remove(beside)
-        fail(5, f"{path}: cannot be written: {error_.strerror}")
-    plt.close(figure)
+    save_figure(figure, path)
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
+    )
     parser.add_argument("json", help="wr_fit's JSON (wr_fit -o)")
     parser.add_argument("--against", choices=list(LABELS), required=True)
     parser.add_argument("-o", "--output", default="series.png", metavar="PNG")
     given = parser.parse_args()
     points = read(given.json)
     if not points:
-        fail(3, f"{given.json}: no point with a standard error")
-    try:
-        import matplotlib  # noqa: F401
-    except ImportError:
-        fail(1, "matplotlib is missing (Debian: apt-get install python3-matplotlib); no picture made")
+        raise BadInput(f"{given.json}: no point with a standard error")
     draw(points, given.against, given.output)
 
 
 if __name__ == "__main__":
-    main()
+    run_script(main)

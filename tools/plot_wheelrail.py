@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: GPL-2.0-or-later
 """Figures 10, 12, 13, 14 and 15 of Bucher et al., Wear 261 (2006) 874, computed with wr_creep.
 
     plot_wheelrail.py fig14 -o DIR        one figure: DIR/fig14.png, fig14.csv and fig14.json
@@ -12,33 +13,37 @@ fig15  creep curves at high creep: fall with temperature at 10, 20 and 40 m/s
 area   real contact area and peak pressure against load
 Exit codes: 0 ok, 1 no matplotlib, 2 usage, 5 files cannot be written; otherwise that of wr_creep.
 """
+
 import argparse
-import contextlib
 import csv
+import io
 import json
 import os
 import subprocess
-import sys
 import tempfile
+
+from mcawr import plotting, tables
+from mcawr.errors import Exit, fail, run_script, say
+from mcawr.files import make_folder, save_figure, write
 
 ROOT = os.path.dirname(os.path.dirname(os.path.realpath(__file__)))
 CASE = os.path.join(ROOT, "examples", "wheelrail", "table2.yaml")
 SLOPES = (0.01, 0.02, 0.04)
-CUTOFFS = (9.39, 0.1, 0.025)  # mm; 9.39 is the one wave near 10 mm that has whole periods on the domain
-HEIGHT = 7.94                # um, rms height of the surface with slope 0.02 and cut-off 0.1 mm
+CUTOFFS = (
+    9.39,
+    0.1,
+    0.025,
+)  # mm; 9.39 is the one wave near 10 mm that has whole periods on the domain
+HEIGHT = 7.94  # um, rms height of the surface with slope 0.02 and cut-off 0.1 mm
 NOTHING = ["friction={law: constant, mu: 0.3}", "thermal=off", "speed=20 m/s", "creep=[1e-3]"]
-HALF_WIDTH = 4.697817        # mm, Table 2
-
-
-def fail(code, text):
-    print(f"plot_wheelrail.py: {text}", file=sys.stderr)
-    sys.exit(code)
+HALF_WIDTH = 4.697817  # mm, Table 2
 
 
 def rough(shortest=0.1, **amplitude):
     """The roughness keyword of a standard surface."""
     size = ", ".join(f"{name}: {value}" for name, value in amplitude.items())
-    return f"roughness={{hurst: 0.8, {size}, wavelength_min: {shortest} mm, wavelength_max: 10 mm, seed: {given.seed}}}"
+    waves = f"wavelength_min: {shortest} mm, wavelength_max: 10 mm"
+    return f"roughness={{hurst: 0.8, {size}, {waves}, seed: {given.seed}}}"
 
 
 def wr_creep(*changes):
@@ -50,15 +55,17 @@ def wr_creep(*changes):
         try:
             done = subprocess.run(command, stderr=subprocess.PIPE, text=True, check=False)
         except OSError as error:
-            fail(5, f"{given.wr_creep}: {error.strerror}; build it, or name it with --wr-creep")
+            fail(
+                Exit.IO, f"{given.wr_creep}: {error.strerror}; build it, or name it with --wr-creep"
+            )
         if done.returncode:
             fail(done.returncode, done.stderr.strip())
         speeds = {}
-        for row in rows_of(os.path.join(folder, "creep.csv")):
+        for row in tables.rows(os.path.join(folder, "creep.csv")):
             for name, value in row.items():
                 speeds.setdefault(float(row["speed"]), {}).setdefault(name, []).append(float(value))
         contact = {}
-        for row in rows_of(os.path.join(folder, "contact.csv")):
+        for row in tables.rows(os.path.join(folder, "contact.csv")):
             for name, value in row.items():
                 contact.setdefault(name, []).append(value if name == "state" else float(value))
         with open(os.path.join(folder, "summary.json"), encoding="utf-8") as file:
@@ -66,39 +73,25 @@ def wr_creep(*changes):
     return speeds, {k: v if k == "state" else np.array(v) for k, v in contact.items()}, summary
 
 
-def rows_of(path):
-    with open(path, encoding="utf-8") as file:
-        yield from csv.DictReader(line for line in file if not line.startswith("#"))
-
-
 def path_of(name):
     return os.path.join(given.output, name)
 
 
 def finish(figure, name, comment, header, rows, **facts):
-    """The picture, and its numbers as CSV and as JSON: {"figure", "comment", ..., "columns": {name: [values]}}."""
+    """The picture, and its numbers as CSV and as JSON: {"figure", "comment", ..., "columns": {name:
+    [values]}}."""
     rows = [[float(f"{v:.8g}") if isinstance(v, float) else v for v in row] for row in rows]
-    with whole_file(path_of(name + ".csv")) as file:
-        file.write(f"# {comment}\n")
-        writer = csv.writer(file, lineterminator="\n")
-        writer.writerow(header)
-        writer.writerows(rows)
-    with whole_file(path_of(name + ".json")) as file:
-        columns = dict(zip(header, map(list, zip(*rows))))
-        json.dump({"figure": name, "comment": comment, **facts, "columns": columns}, file)
-    picture = path_of(name + ".png")
-    figure.savefig(picture + ".part", dpi=150, format="png")
-    os.replace(picture + ".part", picture)
-    plt.close(figure)
-    print(f"{path_of(name)}.png, .csv, .json")
-
-
-@contextlib.contextmanager
-def whole_file(path):
-    """A file that appears when it is complete."""
-    with open(path + ".part", "w", encoding="utf-8", newline="") as file:
-        yield file
-    os.replace(path + ".part", path)
+    table = io.StringIO()
+    table.write(f"# {comment}\n")
+    writer = csv.writer(table, lineterminator="\n")
+    writer.writerow(header)
+    writer.writerows(rows)
+    write(path_of(name + ".csv"), table.getvalue())
+    columns = dict(zip(header, map(list, zip(*rows))))
+    facts = {"figure": name, "comment": comment, **facts, "columns": columns}
+    write(path_of(name + ".json"), json.dumps(facts))
+    save_figure(figure, path_of(name + ".png"), dpi=150)
+    say(f"{path_of(name)}.png, .csv, .json")
 
 
 def fig10():
@@ -111,24 +104,49 @@ def fig10():
         inside = np.abs(x) < HALF_WIDTH
         hertz = np.where(inside, 542.056 * np.sqrt(np.maximum(0, 1 - (x / HALF_WIDTH) ** 2)), 0)
         axis.plot(x, hertz, "k", lw=1, label="smooth (Hertz)")
-        facts[slope] = {k: summary["contacts"][0][k] for k in ("real_area_ratio", "peak_pressure_MPa", "micro_contacts")}
-        axis.set(xlim=(-8, 8), ylim=(0, None), xlabel="x, mm", ylabel="pressure, MPa",
-                 title=f"rms slope {slope}: real area {100 * facts[slope]['real_area_ratio']:.0f} %, "
-                       f"peak {facts[slope]['peak_pressure_MPa']:.0f} MPa")
+        facts[slope] = {
+            k: summary["contacts"][0][k]
+            for k in ("real_area_ratio", "peak_pressure_MPa", "micro_contacts")
+        }
+        axis.set(
+            xlim=(-8, 8),
+            ylim=(0, None),
+            xlabel="x, mm",
+            ylabel="pressure, MPa",
+            title=f"rms slope {slope}: real area {100 * facts[slope]['real_area_ratio']:.0f} %, "
+            f"peak {facts[slope]['peak_pressure_MPa']:.0f} MPa",
+        )
         axis.legend(fontsize=8)
         rows += [(slope, float(a), float(b)) for a, b in zip(x, p)]
     loads = np.linspace(250, 6000, 24)
     field = []
-    for load in loads:  # one domain for all loads: contact.domain counts in the load's own half-width
+    for (
+        load
+    ) in loads:  # one domain for all loads: contact.domain counts in the load's own half-width
         domain = 4 * np.sqrt(4000 / load)
-        _, contact, _ = wr_creep(*NOTHING, f"contact.load_per_length={load} N/mm", f"contact.domain={domain:.12g}",
-                                 "points=2048", rough(rms_slope=0.02))
+        _, contact, _ = wr_creep(
+            *NOTHING,
+            f"contact.load_per_length={load} N/mm",
+            f"contact.domain={domain:.12g}",
+            "points=2048",
+            rough(rms_slope=0.02),
+        )
         field.append(np.where(contact["pressure"] > 0, contact["pressure"], np.nan))
-    mesh = axes[1, 1].pcolormesh(contact["x"], loads, np.array(field), shading="nearest", cmap="magma_r", vmin=0)
+    mesh = axes[1, 1].pcolormesh(
+        contact["x"], loads, np.array(field), shading="nearest", cmap="magma_r", vmin=0
+    )
     figure.colorbar(mesh, ax=axes[1, 1], label="pressure, MPa")
-    axes[1, 1].set(xlim=(-8, 8), xlabel="x, mm", ylabel="load, N/mm", title="rms slope 0.02, growing load")
-    finish(figure, "fig10", "pressure along the contact of Table 2; x: mm; pressure: MPa",
-           ("rms_slope", "x", "pressure"), rows, contacts=facts)
+    axes[1, 1].set(
+        xlim=(-8, 8), xlabel="x, mm", ylabel="load, N/mm", title="rms slope 0.02, growing load"
+    )
+    finish(
+        figure,
+        "fig10",
+        "pressure along the contact of Table 2; x: mm; pressure: MPa",
+        ("rms_slope", "x", "pressure"),
+        rows,
+        contacts=facts,
+    )
 
 
 def fig12():
@@ -136,7 +154,9 @@ def fig12():
     levels = np.linspace(0, 6000, 301)
     columns = {}
     for cutoff in CUTOFFS:
-        _, contact, summary = wr_creep(*NOTHING, "points=8192", rough(cutoff, rms_height=f"{HEIGHT} um"))
+        _, contact, summary = wr_creep(
+            *NOTHING, "points=8192", rough(cutoff, rms_height=f"{HEIGHT} um")
+        )
         p = contact["pressure"]
         cell = contact["x"][1] - contact["x"][0]
         share = np.array([np.sum(p > level) for level in levels]) * cell / (2 * HALF_WIDTH)
@@ -145,19 +165,33 @@ def fig12():
         axis.plot(levels, 100 * share, label=f"cut-off {cutoff:g} mm: real area {100 * area:.0f} %")
     hertz = np.sqrt(np.maximum(0, 1 - (levels / 542.056) ** 2))
     axis.plot(levels, 100 * hertz, "k--", lw=1, label="smooth (Hertz)")
-    axis.set(xlabel="pressure, MPa", ylabel="area with more than this pressure, % of nominal",
-             xlim=(0, 6000), ylim=(0, None), title="Distribution of pressure over area (rms height 7.9 um)")
+    axis.set(
+        xlabel="pressure, MPa",
+        ylabel="area with more than this pressure, % of nominal",
+        xlim=(0, 6000),
+        ylim=(0, None),
+        title="Distribution of pressure over area (rms height 7.9 um)",
+    )
     axis.grid(alpha=0.3)
     axis.legend(fontsize=8)
-    finish(figure, "fig12", "share of the nominal area that carries more than the pressure (MPa), by cut-off (mm)",
-           ["pressure"] + [f"cutoff_{c:g}" for c in CUTOFFS],
-           [[float(v)] + [float(columns[c][k]) for c in CUTOFFS] for k, v in enumerate(levels)])
+    finish(
+        figure,
+        "fig12",
+        "share of the nominal area that carries more than the pressure (MPa), by cut-off (mm)",
+        ["pressure"] + [f"cutoff_{c:g}" for c in CUTOFFS],
+        [[float(v)] + [float(columns[c][k]) for c in CUTOFFS] for k, v in enumerate(levels)],
+    )
 
 
 def fig13():
     figure, axes = plt.subplots(2, 2, figsize=(10, 6), sharex=True, constrained_layout=True)
     rows = []
-    local = ["friction={law: bucher2006, local: true, velocity_term: false}", "thermal=off", "speed=20 m/s", "creep=[2e-3]"]
+    local = [
+        "friction={law: bucher2006, local: true, velocity_term: false}",
+        "thermal=off",
+        "speed=20 m/s",
+        "creep=[2e-3]",
+    ]
     for column, surface in enumerate(["roughness=none", rough(rms_slope=0.01)]):
         _, c, _ = wr_creep(*local, "points=4096", surface)
         name = "smooth" if column == 0 else "rms slope 0.01"
@@ -169,11 +203,22 @@ def fig13():
         axes[0, column].legend(fontsize=8)
         axes[1, column].plot(c["x"], c["mu"] * c["pressure"], "0.6", label="bound mu p")
         axes[1, column].plot(c["x"], c["traction"], "C3", lw=1, label="traction at creep 0.002")
-        axes[1, column].set(xlabel="x, mm (leading edge right)", ylabel="MPa", xlim=(-6, 6), ylim=(0, None))
+        axes[1, column].set(
+            xlabel="x, mm (leading edge right)", ylabel="MPa", xlim=(-6, 6), ylim=(0, None)
+        )
         axes[1, column].legend(fontsize=8)
-        rows += [(name, float(a), float(b), float(m), float(q)) for a, b, m, q in
-                 zip(c["x"], c["pressure"], c["mu"], c["traction"]) if b > 0]
-    finish(figure, "fig13", "x: mm; pressure, traction: MPa", ("surface", "x", "pressure", "mu", "traction"), rows)
+        rows += [
+            (name, float(a), float(b), float(m), float(q))
+            for a, b, m, q in zip(c["x"], c["pressure"], c["mu"], c["traction"])
+            if b > 0
+        ]
+    finish(
+        figure,
+        "fig13",
+        "x: mm; pressure, traction: MPa",
+        ("surface", "x", "pressure", "mu", "traction"),
+        rows,
+    )
 
 
 def curves(axis, cases, creep, speed, points=2048):
@@ -184,7 +229,12 @@ def curves(axis, cases, creep, speed, points=2048):
         for v, curve in by_speed.items():
             name = label.format(v=v)
             axis.plot(curve["creep"], curve["traction_ratio"], **style(v), label=name)
-            rows += [(name, c, t, h) for c, t, h in zip(curve["creep"], curve["traction_ratio"], curve["temperature_rise"])]
+            rows += [
+                (name, c, t, h)
+                for c, t, h in zip(
+                    curve["creep"], curve["traction_ratio"], curve["temperature_rise"]
+                )
+            ]
     return rows
 
 
@@ -194,14 +244,30 @@ def fig14():
     for k, surface in enumerate(["smooth"] + [f"rms slope {s}" for s in SLOPES]):
         change = "roughness=none" if k == 0 else rough(rms_slope=SLOPES[k - 1])
         for mu, line in ((0.2, ":"), (0.3, "-"), (0.4, "--")):
-            cases.append((f"{surface}, mu = {mu}", lambda v, k=k, line=line: {"color": f"C{k}", "ls": line},
-                          [change, f"friction={{law: constant, mu: {mu}}}", "thermal=off"]))
+            cases.append(
+                (
+                    f"{surface}, mu = {mu}",
+                    lambda v, k=k, line=line: {"color": f"C{k}", "ls": line},
+                    [change, f"friction={{law: constant, mu: {mu}}}", "thermal=off"],
+                )
+            )
     rows = curves(axis, cases, "{from: 0, to: 0.005, n: 51, spacing: linear}", "20 m/s")
-    axis.set(xlabel="creep", ylabel="T/N", xlim=(0, 0.005), ylim=(0, 0.42), title="Low creep, frozen roughness")
+    axis.set(
+        xlabel="creep",
+        ylabel="T/N",
+        xlim=(0, 0.005),
+        ylim=(0, 0.42),
+        title="Low creep, frozen roughness",
+    )
     axis.grid(alpha=0.3)
     axis.legend(fontsize=7, ncol=2)
-    finish(figure, "fig14", "creep curves at low creep, constant friction, frozen roughness",
-           ("curve", "creep", "traction_ratio", "temperature_rise"), rows)
+    finish(
+        figure,
+        "fig14",
+        "creep curves at low creep, constant friction, frozen roughness",
+        ("curve", "creep", "traction_ratio", "temperature_rise"),
+        rows,
+    )
 
 
 def fig15():
@@ -209,19 +275,38 @@ def fig15():
     material = "conductivity: 50 W/(m K), density: 7800 kg/m3, specific_heat: 450 J/(kg K)"
     creep = "{from: 0, to: 0.1, n: 101, spacing: linear}"
     color = {10.0: "C0", 20.0: "C1", 40.0: "C2"}
-    cases = [("smooth, {v:g} m/s", lambda v: {"color": color[v]}, [f"thermal={{{material}}}"]),
-             ("rms slope 0.02, {v:g} m/s", lambda v: {"color": color[v], "ls": "--"},
-              [f"thermal={{{material}}}", rough(rms_slope=0.02)])]
-    rows = [("averaged",) + row for row in curves(axes[0], cases, creep, "[10 m/s, 20 m/s, 40 m/s]")]
-    cases = [(label, style, changes[1:] + [f"thermal={{{material}, model: local}}", "friction={law: bucher2006, local: true}"])
-             for label, style, changes in cases]
+    cases = [
+        ("smooth, {v:g} m/s", lambda v: {"color": color[v]}, [f"thermal={{{material}}}"]),
+        (
+            "rms slope 0.02, {v:g} m/s",
+            lambda v: {"color": color[v], "ls": "--"},
+            [f"thermal={{{material}}}", rough(rms_slope=0.02)],
+        ),
+    ]
+    rows = [
+        ("averaged",) + row for row in curves(axes[0], cases, creep, "[10 m/s, 20 m/s, 40 m/s]")
+    ]
+    cases = [
+        (
+            label,
+            style,
+            changes[1:]
+            + [f"thermal={{{material}, model: local}}", "friction={law: bucher2006, local: true}"],
+        )
+        for label, style, changes in cases
+    ]
     rows += [("local",) + row for row in curves(axes[1], cases, creep, "[10 m/s, 20 m/s, 40 m/s]")]
     for axis, title in zip(axes, ("averaged law and Eq. 11", "local law and flash temperature")):
         axis.set(xlabel="creep", ylabel="T/N", xlim=(0, 0.1), ylim=(0, 0.45), title=title)
         axis.grid(alpha=0.3)
         axis.legend(fontsize=8)
-    finish(figure, "fig15", "creep curves at high creep, law bucher2006; temperature_rise: K",
-           ("friction", "curve", "creep", "traction_ratio", "temperature_rise"), rows)
+    finish(
+        figure,
+        "fig15",
+        "creep curves at high creep, law bucher2006; temperature_rise: K",
+        ("friction", "curve", "creep", "traction_ratio", "temperature_rise"),
+        rows,
+    )
 
 
 def area():
@@ -232,13 +317,25 @@ def area():
         shares, peaks = [], []
         for load in loads:
             # the profile of Table 2's domain for every load; wide enough for the largest
-            _, _, s = wr_creep(*NOTHING, f"contact.load_per_length={load} N/mm",
-                               f"contact.domain={4 * np.sqrt(4000 / load):.12g}", "points=4096", rough(rms_slope=slope))
+            _, _, s = wr_creep(
+                *NOTHING,
+                f"contact.load_per_length={load} N/mm",
+                f"contact.domain={4 * np.sqrt(4000 / load):.12g}",
+                "points=4096",
+                rough(rms_slope=slope),
+            )
             contact = s["contacts"][0]
             shares.append(contact["real_contact_length_mm"])
             peaks.append(contact["peak_pressure_MPa"])
-            rows.append((slope, float(load), contact["real_contact_length_mm"], contact["real_area_ratio"],
-                         contact["peak_pressure_MPa"]))
+            rows.append(
+                (
+                    slope,
+                    float(load),
+                    contact["real_contact_length_mm"],
+                    contact["real_area_ratio"],
+                    contact["peak_pressure_MPa"],
+                )
+            )
         axes[0].plot(loads, shares, "o-", ms=3, label=f"rms slope {slope}")
         axes[1].plot(loads, peaks, "o-", ms=3, label=f"rms slope {slope}")
     axes[0].plot(loads, 2 * HALF_WIDTH * np.sqrt(loads / 4000), "k--", label="smooth (Hertz)")
@@ -247,29 +344,48 @@ def area():
         axis.set(xscale="log", yscale="log", xlabel="load, N/mm", ylabel=label)
         axis.grid(alpha=0.3, which="both")
         axis.legend(fontsize=8)
-    finish(figure, "area", "load: N/mm; length: mm; peak: MPa",
-           ("rms_slope", "load", "real_contact_length", "real_area_ratio", "peak_pressure"), rows)
+    finish(
+        figure,
+        "area",
+        "load: N/mm; length: mm; peak: MPa",
+        ("rms_slope", "load", "real_contact_length", "real_area_ratio", "peak_pressure"),
+        rows,
+    )
 
 
-FIGURES = {"fig10": fig10, "fig12": fig12, "fig13": fig13, "fig14": fig14, "fig15": fig15, "area": area}
+FIGURES = {
+    "fig10": fig10,
+    "fig12": fig12,
+    "fig13": fig13,
+    "fig14": fig14,
+    "fig15": fig15,
+    "area": area,
+}
 
-if __name__ == "__main__":
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+
+def arguments():
+    parser = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
+    )
     parser.add_argument("figure", choices=[*FIGURES, "all"])
     parser.add_argument("-o", "--output", default=".", metavar="DIR", help="folder for the files")
     parser.add_argument("--seed", type=int, default=1, help="of the generated profiles")
-    parser.add_argument("--wr-creep", default=os.path.join(ROOT, "build", "bin", "wr_creep"), metavar="PROGRAM")
-    given = parser.parse_args()
-    try:
-        import numpy as np
-        import matplotlib
-        matplotlib.use("Agg")
-        import matplotlib.pyplot as plt
-    except ImportError as problem:
-        fail(1, f"{problem}: install python3-numpy and python3-matplotlib to get pictures")
-    try:
-        os.makedirs(given.output, exist_ok=True)
-        for figure_name in FIGURES if given.figure == "all" else [given.figure]:
-            FIGURES[figure_name]()
-    except OSError as problem:
-        fail(5, str(problem))
+    parser.add_argument(
+        "--wr-creep", default=os.path.join(ROOT, "build", "bin", "wr_creep"), metavar="PROGRAM"
+    )
+    return parser.parse_args()
+
+
+def main():
+    global given, np, plt
+    given = arguments()
+    plt = plotting.pyplot()
+    import numpy as np
+
+    make_folder(given.output)
+    for name in FIGURES if given.figure == "all" else [given.figure]:
+        FIGURES[name]()
+
+
+if __name__ == "__main__":
+    run_script(main)

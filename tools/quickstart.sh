@@ -1,5 +1,7 @@
 #!/bin/bash
+# SPDX-License-Identifier: GPL-2.0-or-later
 # Set-up and the main job: friction run -> law -> creep curves -> pictures.
+# shellcheck source=tools/common.sh
 source "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/common.sh"
 
 usage() {
@@ -78,7 +80,7 @@ END_OF_SUMMARY
   SECONDS=0
   mkdir -p "$results" 2>/dev/null || true
   [ -w "$results" ] || die 5 "cannot write the results folder '$results'"
-  cd "$results"
+  cd "$results" || exit 5
   # a failed step must not leave an older run's files
   rm -f -- friction.friction friction.dump friction.log friction.restart law.json points.csv \
     creep.csv creep.json contact.csv summary.json fragment.png friction.png creep.png

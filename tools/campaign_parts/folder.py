@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """A campaign's folder: one folder a run, and what can be told from it at any moment.
 
 NAME/run.friction.part  the log while the run is going on
@@ -7,6 +8,7 @@ NAME/run.json           parameters, input script, and every attempt with its exa
 NAME/failed.txt         why the run failed; run with --retry tries again
 NAME/lock               locked (flock) by the process that works on the run and by lmp itself
 """
+
 import fcntl
 import filecmp
 import itertools
@@ -14,59 +16,34 @@ import json
 import os
 import time
 
+from mcawr import friction_log
+from mcawr.errors import Exit, Failure
+from mcawr.files import write
+
 LOG = "run.friction"
 PART = LOG + ".part"
 CHECKPOINTS = ("run.a.restart", "run.b.restart", "run.restart")
 RESTART_END = b"LammpS RestartT\0"  # what LAMMPS writes last
 
 
-class FolderError(Exception):
+class FolderError(Failure):
     """One clear line, and the exit code that it means."""
 
-    def __init__(self, text, code=3):
-        super().__init__(text)
-        self.code = code
-
-
-def write_whole(path, text):
-    """Writes a file whole or not at all."""
-    beside = f"{path}.{os.getpid()}.tmp"
-    try:
-        with open(beside, "w", encoding="utf-8") as file:
-            file.write(text)
-            file.flush()
-            os.fsync(file.fileno())
-        os.replace(beside, path)
-    except OSError as error:
-        if os.path.exists(beside):
-            os.remove(beside)
-        raise FolderError(f"{path}: cannot be written: {error.strerror}", 5) from None
+    def __init__(self, text, code=Exit.BAD_INPUT):
+        super().__init__(code, text)
 
 
 def keep_plan(path, top):
-    """Puts the plan beside the runs that are made from it, under the first free name: a plan that stands there already,
-    an earlier one or the user's own, is never overwritten."""
+    """Puts the plan beside the runs that are made from it, under the first free name: a plan that
+    stands there already, an earlier one or the user's own, is never overwritten."""
     end = os.path.splitext(path)[1]
     for number in itertools.count(1):
         copy = os.path.join(top, f"plan.{number}{end}" if number > 1 else "plan" + end)
         if not os.path.exists(copy):
             with open(path, encoding="utf-8", newline="") as file:
-                return write_whole(copy, file.read())
+                return write(copy, file.read())
         if filecmp.cmp(path, copy, shallow=False):
             return None
-
-
-def last_rows(path, count=2):
-    """The last whole rows of a friction log as lists of words (fewer if there are fewer)."""
-    try:
-        with open(path, "rb") as file:
-            file.seek(0, os.SEEK_END)
-            size = file.tell()
-            file.seek(max(0, size - 4096))
-            lines = file.read().decode("utf-8", "replace").split("\n")[:-1]
-    except OSError:
-        return []
-    return [line.split() for line in lines if line[:1].isdigit()][-count:]
 
 
 class RunFolder:
@@ -87,7 +64,9 @@ class RunFolder:
         except (FileNotFoundError, NotADirectoryError):
             return None
         except (OSError, UnicodeDecodeError) as error:
-            raise FolderError(f"{self.file(name)}: cannot be read: {getattr(error, 'strerror', None) or error}") from None
+            raise FolderError(
+                f"{self.file(name)}: cannot be read: {getattr(error, 'strerror', None) or error}"
+            ) from None
 
     def record(self):
         """run.json; empty before the first attempt."""
@@ -101,30 +80,46 @@ class RunFolder:
                 return record
         except (ValueError, RecursionError, LookupError, TypeError):
             pass
-        raise FolderError(f"{self.file('run.json')}: is damaged (no parameters with ns, or no attempts with their commands): "
-                          "move the run's folder away to make the run again")
+        raise FolderError(
+            f"{self.file('run.json')}: is damaged (no parameters with ns, or no attempts with "
+            "their commands): "
+            "move the run's folder away to make the run again"
+        )
 
     def write_record(self, record):
-        write_whole(self.file("run.json"), json.dumps(record, indent=1) + "\n")
+        write(self.file("run.json"), json.dumps(record, indent=1) + "\n")
 
     def check_same(self):
-        """The folder belongs to this run: same parameters, where the record has them; the duration may have changed."""
+        """The folder belongs to this run: same parameters, where the record has them; the duration
+        may have changed."""
         old = self.record().get("parameters", {})
         for name, value in self.run.values.items():
-            if name in ("ns", "checkpoint", "picture", "profile") or name not in old or old[name] == value:
+            if (
+                name in ("ns", "checkpoint", "picture", "profile")
+                or name not in old
+                or old[name] == value
+            ):
                 continue
-            raise FolderError(f"{self.path}: was begun with {name} = {old[name]}, the plan says {value}: give the run "
-                              "another name or use another folder")
+            raise FolderError(
+                f"{self.path}: was begun with {name} = {old[name]}, the plan says {value}: give "
+                "the run "
+                "another name or use another folder"
+            )
 
     def check_not_shorter(self):
         """The run may be made longer than it is."""
         old, now = self.record().get("parameters", self.run.values)["ns"], self.run.values["ns"]
         if old > now and os.path.exists(self.file(LOG)):
-            raise FolderError(f"{self.path}: was run for {old:g} ns, the plan says {now:g}: "
-                              "a run can be made longer, not shorter")
+            raise FolderError(
+                f"{self.path}: was run for {old:g} ns, the plan says {now:g}: "
+                "a run can be made longer, not shorter"
+            )
 
     def is_finished(self):
-        return os.path.exists(self.file(LOG)) and self.record().get("parameters", {}).get("ns", 0) >= self.run.values["ns"]
+        return (
+            os.path.exists(self.file(LOG))
+            and self.record().get("parameters", {}).get("ns", 0) >= self.run.values["ns"]
+        )
 
     def failure(self):
         """Why the run failed; None if it did not."""
@@ -132,7 +127,8 @@ class RunFolder:
         return None if text is None else text.strip()
 
     def lock(self):
-        """The open lock file, locked; None if another process (or an lmp it left) works on the run."""
+        """The open lock file, locked; None if another process (or an lmp it left) works on the
+        run."""
         os.makedirs(self.path, exist_ok=True)
         file = open(self.file("lock"), "a", encoding="utf-8")
         for _ in range(10):  # is_locked of another process may hold it for a moment
@@ -147,7 +143,9 @@ class RunFolder:
     def is_locked(self):
         if not os.path.exists(self.file("lock")):
             return False
-        with open(self.file("lock"), encoding="utf-8") as file:  # for reading: the folder may be read-only
+        with open(
+            self.file("lock"), encoding="utf-8"
+        ) as file:  # for reading: the folder may be read-only
             try:
                 fcntl.flock(file, fcntl.LOCK_SH | fcntl.LOCK_NB)
                 return False
@@ -174,9 +172,9 @@ class RunFolder:
     def time(self):
         """ns that the log reaches."""
         log = self.log()
-        rows = last_rows(self.file(log), 1) if log else []
+        rows = friction_log.last_rows(self.file(log), 1) if log else []
         try:
-            return float(rows[-1][1]) if rows else 0.0
+            return friction_log.number_in(rows[-1], "time") if rows else 0.0
         except (ValueError, IndexError):
             return 0.0
 
@@ -201,12 +199,15 @@ class RunFolder:
         """Mean mu of the second half of the log so far; None without one. wr_fit does it better."""
         log = self.log()
         values = []
-        for number, line in enumerate((log and self.text(log) or "").split("\n")[:-1], 1):
-            row = line.split()
-            if line[:1].isdigit() and len(row) >= 6:
-                try:
-                    values.append(float(row[5]))
-                except ValueError:
-                    raise FolderError(f"{self.file(log)}:{number}: mu: '{row[5]}' is no number") from None
-        half = values[len(values) // 2:]
+        text = self.text(log) if log else None
+        for number, line in enumerate((text or "").split("\n")[:-1], 1):
+            if not friction_log.is_row(line):
+                continue
+            try:
+                values.append(friction_log.number_in(line.split(), "mu"))
+            except IndexError:  # cut
+                continue
+            except ValueError as error:
+                raise FolderError(f"{self.file(log)}:{number}: mu: {error}") from None
+        half = values[len(values) // 2 :]
         return sum(half) / len(half) if half else None

@@ -1,28 +1,33 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """YAML as a plan needs it: every value with its line, and numbers only as everybody reads them."""
+
 import math
 import re
 import typing
 
 import yaml
 
+from mcawr.errors import BadInput
+
 DEPTH = 4  # plan, runs, run, list of values, value
 NUMBER = re.compile(r"[-+]?((0|[1-9][0-9]*)(\.[0-9]*)?|\.[0-9]+)([eE][-+]?[0-9]+)?")
 
 
-class PlanError(Exception):
+class PlanError(BadInput):
     """One clear line: file, line, key, value given, what is allowed."""
 
 
 class Given(typing.NamedTuple):
-    """What a plan says, and where: None, text, a number, a list of Given, or a dict of Given. A value in a dict has
-    the line of its key."""
+    """What a plan says, and where: None, text, a number, a list of Given, or a dict of Given. A
+    value in a dict has the line of its key."""
+
     line: int
     value: object
 
 
 def scalar(text):
-    """The number that a word is, if it is a decimal one; else the word. YAML 1.1 would take 010 for 8, 1:30 for 90 and
-    1e-5 for text."""
+    """The number that a word is, if it is a decimal one; else the word. YAML 1.1 would take 010 for
+    8, 1:30 for 90 and 1e-5 for text."""
     if not NUMBER.fullmatch(text) or math.isinf(number := float(text)):
         return text
     return int(text) if text.lstrip("+-").isdecimal() and abs(number) < 2**53 else number
@@ -49,7 +54,9 @@ def _given(node, depth=0):
         if not isinstance(key, yaml.ScalarNode):
             raise yaml.MarkedYAMLError(problem="a key must be a word", problem_mark=key.start_mark)
         if key.value in result:
-            raise yaml.MarkedYAMLError(problem=f"key '{key.value}' stands twice", problem_mark=key.start_mark)
+            raise yaml.MarkedYAMLError(
+                problem=f"key '{key.value}' stands twice", problem_mark=key.start_mark
+            )
         result[key.value] = Given(key.start_mark.line + 1, _given(value, depth + 1).value)
     return Given(mark.line + 1, result)
 

@@ -1,41 +1,44 @@
-"""Finished friction logs in compact form: fewer rows, the exact command in the head; profiles as they are."""
-import itertools
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Finished friction logs in compact form: fewer rows, the exact command in the head; profiles as
+they are."""
+
 import json
 import os
 import shlex
 
+from mcawr import friction_log
+from mcawr.errors import say
+from mcawr.files import make_folder, write
+
 from . import folder as folders
 from .plan import ROOT
 
-SUMS = ("broken", "formed")
-MEANS = ("shear_stress", "normal_stress", "mu")  # of the interval; all else is the state at its end
-
 
 def packed(text, rows, command):
-    """A log whose rows are the means over `rows` rows of another; rows left over at the end are dropped. Raises
-    ValueError, with the line, for what is no log."""
-    lines = text.split("\n")[:-1]
-    head = list(itertools.takewhile(lambda line: line.startswith("#"), lines))
-    names = lines[len(head)].split() if len(lines) > len(head) else []
+    """A log whose rows are the means over `rows` rows of another; rows left over at the end are
+    dropped. Raises ValueError, with the line, for what is no log."""
+    log = friction_log.Text.of(text)
+    names = log.names
     if "mu" not in names:
-        raise ValueError(f"{len(head) + 1}: the names of the columns are missing")
+        raise ValueError(f"{len(log.head) + 1}: the names of the columns are missing")
     table = []
-    for number, line in enumerate(lines[len(head) + 1:], len(head) + 2):
+    for number, line in log.numbered_rows():
         try:
             table.append([float(word) for word in line.split()])
         except ValueError:
             table.append([])
         if len(table[-1]) != len(names):
             raise ValueError(f"{number}: '{line}' is no row of {len(names)} numbers")
-    result = head + ["# campaign: " + json.dumps({"command": command, "rows_averaged": rows}), " ".join(names)]
+    made = json.dumps({"command": command, "rows_averaged": rows})
+    result = log.head + [friction_log.CAMPAIGN + made, " ".join(names)]
     for begin in range(0, len(table) - rows + 1, rows):
-        block = table[begin:begin + rows]
+        block = table[begin : begin + rows]
         row = []
         for column, name in enumerate(names):
             values = [line[column] for line in block]
-            if name in SUMS:
+            if name in friction_log.SUMS:
                 row.append(f"{sum(values):.10g}")
-            elif name in MEANS:
+            elif name in friction_log.MEANS:
                 row.append(f"{sum(values) / rows:.7g}")
             else:
                 row.append(f"{values[-1]:.10g}")
@@ -44,26 +47,29 @@ def packed(text, rows, command):
 
 
 def portable(commands):
-    """The first of a run's commands, as long as the last one went, with lmp and the input script named as from the
-    checkout, wherever both were."""
+    """The first of a run's commands, as long as the last one went, with lmp and the input script
+    named as from the checkout, wherever both were."""
     words, last = (shlex.split(command) for command in (commands[0], commands[-1]))
     start = words.index("-in")
     words[start - 1] = "lmp"
     parts = words[start + 1].split(os.sep)
     tails = (os.path.join(*parts[k:]) for k in range(1, len(parts)))
-    words[start + 1] = next((tail for tail in tails if os.path.exists(os.path.join(ROOT, tail))), words[start + 1])
+    words[start + 1] = next(
+        (tail for tail in tails if os.path.exists(os.path.join(ROOT, tail))), words[start + 1]
+    )
     words[words.index("ns") + 1] = last[last.index("ns") + 1]
     return shlex.join(words)
 
 
 def pack(plan, top, target, rows):
-    """Packs every finished run into target/NAME.friction: all of them, or none if one cannot be packed."""
+    """Packs every finished run into target/NAME.friction: all of them, or none if one cannot be
+    packed."""
     texts, count = {}, 0
     for run in plan.runs:
         folder = folders.RunFolder(top, run)
         folder.check_same()
         if not folder.is_finished():
-            print(f"{run.name}: {folder.state()}, left out")
+            say(f"{run.name}: {folder.state()}, left out")
             continue
         log, attempts = folder.file(folders.LOG), folder.record()["attempts"]
         if why := folder.why_not_whole():
@@ -71,7 +77,9 @@ def pack(plan, top, target, rows):
         try:
             command = portable([attempt["command"] for attempt in attempts])
         except (ValueError, IndexError):
-            raise folders.FolderError(f"{folder.file('run.json')}: a command in it is no command of a run") from None
+            raise folders.FolderError(
+                f"{folder.file('run.json')}: a command in it is no command of a run"
+            ) from None
         try:
             text = texts[run.name + ".friction"] = packed(folder.text(folders.LOG), rows, command)
         except ValueError as error:
@@ -82,11 +90,8 @@ def pack(plan, top, target, rows):
             texts[run.name + ".profile"] = profile
         count += 1
     if texts:
-        try:
-            os.makedirs(target, exist_ok=True)
-        except OSError as error:
-            raise folders.FolderError(f"{target}: cannot be written: {error.strerror}", 5) from None
+        make_folder(target)
     for name, text in texts.items():
-        folders.write_whole(os.path.join(target, name), text)
-    print(f"{count} logs in {target}")
+        write(os.path.join(target, name), text)
+    say(f"{count} logs in {target}")
     return 0

@@ -1,4 +1,6 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """Plans: which friction runs a campaign consists of (YAML or CSV), checked as a whole."""
+
 import csv
 import dataclasses
 import difflib
@@ -13,12 +15,15 @@ FORMAT = "mca-campaign 1"
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.realpath(__file__))))
 SHIPPED = os.path.join(ROOT, "examples", "campaign")
 INPUT = os.path.join("examples", "friction", "in.friction")  # below ROOT
-NAME = re.compile(r"(?!plan\.)[A-Za-z0-9][A-Za-z0-9_.+-]{0,199}")  # of a folder, beside which the plan stands
+NAME = re.compile(
+    r"(?!plan\.)[A-Za-z0-9][A-Za-z0-9_.+-]{0,199}"
+)  # of a folder, beside which the plan stands
 
 
 @dataclasses.dataclass
 class Plan:
     """A named list of runs."""
+
     path: str
     title: str
     runs: list
@@ -31,16 +36,24 @@ def find(name):
     shipped = os.path.join(SHIPPED, name + ".yaml")
     if os.path.exists(shipped):
         return shipped
-    known = sorted(f[:-5] for f in os.listdir(SHIPPED) if f.endswith(".yaml")) if os.path.isdir(SHIPPED) else []
+    known = (
+        sorted(f[:-5] for f in os.listdir(SHIPPED) if f.endswith(".yaml"))
+        if os.path.isdir(SHIPPED)
+        else []
+    )
     near = difflib.get_close_matches(name, known, 1, 0.0)
-    raise PlanError(f"{name}: no such file, and no plan of that name is shipped"
-                    + (f"; the nearest known one is '{near[0]}'" if near else ""))
+    raise PlanError(
+        f"{name}: no such file, and no plan of that name is shipped"
+        + (f"; the nearest known one is '{near[0]}'" if near else "")
+    )
 
 
 def unknown(path, line, what, given, known):
     """The error for a word that is not known."""
     near = difflib.get_close_matches(given, list(known), 1, 0.0)[0]
-    return PlanError(f"{path}:{line}: unknown {what} '{shown(given)}'; the nearest known one is '{near}'")
+    return PlanError(
+        f"{path}:{line}: unknown {what} '{shown(given)}'; the nearest known one is '{near}'"
+    )
 
 
 def refused(path, line, name, value, allowed):
@@ -52,14 +65,23 @@ def _value(path, line, name, value):
     """A checked value of a key."""
     key = KEYS[name]
     if key.check is None:
-        if not isinstance(value, str) or not re.fullmatch(r"[A-Za-z0-9_./-]+( [A-Za-z0-9_./-]+)*", value):
+        if not isinstance(value, str) or not re.fullmatch(
+            r"[A-Za-z0-9_./-]+( [A-Za-z0-9_./-]+)*", value
+        ):
             raise refused(path, line, name, value, key.allowed)
         return value
     unit = f" ({key.unit})" if key.unit else ""
     if not isinstance(value, (int, float)) or not key.check(value):
         number = key.allowed if key.allowed.startswith("a ") else "a number " + key.allowed
-        raise refused(path, line, name, value, number + unit
-                      + (", written like 12 or 1.5e-5, not in quotes" if isinstance(value, str) else ""))
+        raise refused(
+            path,
+            line,
+            name,
+            value,
+            number
+            + unit
+            + (", written like 12 or 1.5e-5, not in quotes" if isinstance(value, str) else ""),
+        )
     if value != 0 and not LEAST <= abs(value) <= MOST:
         raise refused(path, line, name, value, f"of a size in {LEAST:g} .. {MOST:g}{unit}")
     return value
@@ -67,15 +89,25 @@ def _value(path, line, name, value):
 
 def _check_together(path, line, entry, values):
     """What one value allows another to be; the line is that of the key, if the run has it."""
+
     def at(name):
         return entry[name].line if name in entry else line
+
     dt = Run("", values, "").dt
     if values["ns"] < dt:
         raise refused(path, at("ns"), "ns", values["ns"], f"at least a step, {dt:g} ns")
     if values["row"] > values["ns"]:
-        raise refused(path, at("row"), "row", values["row"], f"<= ns = {values['ns']:g}, or the log has no row")
+        raise refused(
+            path,
+            at("row"),
+            "row",
+            values["row"],
+            f"<= ns = {values['ns']:g}, or the log has no row",
+        )
     if 2 * values["held"] >= values["rows"]:
-        raise refused(path, at("held"), "held", values["held"], f"less than half of rows = {values['rows']:g}")
+        raise refused(
+            path, at("held"), "held", values["held"], f"less than half of rows = {values['rows']:g}"
+        )
 
 
 def _short(value):
@@ -101,7 +133,11 @@ def _expand(path, line, entry, defaults):
         values = {**defaults, **dict(zip(given, combination))}
         _check_together(path, line, entry, values)
         suffix = "-".join(f"{n}{_short(values[n])}" for n in given if len(given[n]) > 1)
-        yield named, "-".join(filter(None, [str(label) if label is not None else None, suffix])), values
+        yield (
+            named,
+            "-".join(filter(None, [str(label) if label is not None else None, suffix])),
+            values,
+        )
 
 
 def _read_yaml(path, text):
@@ -110,7 +146,9 @@ def _read_yaml(path, text):
         raise PlanError(f"{path}:1: no plan: it must begin with 'format: {FORMAT}'")
     line, given = data["format"]
     if given != FORMAT:
-        raise PlanError(f"{path}:{line}: format: '{shown(given)}' cannot be read, must be '{FORMAT}'")
+        raise PlanError(
+            f"{path}:{line}: format: '{shown(given)}' cannot be read, must be '{FORMAT}'"
+        )
     for key, (line, value) in data.items():
         if key not in ("format", "title", "input", "defaults", "runs"):
             raise unknown(path, line, "key", key, ("format", "title", "input", "defaults", "runs"))
@@ -123,14 +161,24 @@ def _read_yaml(path, text):
         raise PlanError(f"{path}:{line}: runs: must be a list of at least one run")
     for line, entry in runs:
         if not isinstance(entry, dict):
-            raise PlanError(f"{path}:{line}: runs: '{shown(entry)}' is not a run such as {{p: 15, v: 5}}")
+            raise PlanError(
+                f"{path}:{line}: runs: '{shown(entry)}' is not a run such as {{p: 15, v: 5}}"
+            )
     absent = Given(1, None)
-    return data.get("title", absent).value or "", data.get("input", absent), data.get("defaults", absent).value or {}, runs
+    return (
+        data.get("title", absent).value or "",
+        data.get("input", absent),
+        data.get("defaults", absent).value or {},
+        runs,
+    )
 
 
 def _read_csv(path, text):
-    cells = [(number, [cell.strip() for cell in next(csv.reader([line]))])
-             for number, line in enumerate(text.splitlines(), 1) if line.strip() and not line.startswith("#")]
+    cells = [
+        (number, [cell.strip() for cell in next(csv.reader([line]))])
+        for number, line in enumerate(text.splitlines(), 1)
+        if line.strip() and not line.startswith("#")
+    ]
     if len(cells) < 2:
         raise PlanError(f"{path}:1: no run: a line of keys and at least one row are expected")
     first, names = cells[0]
@@ -144,8 +192,15 @@ def _read_csv(path, text):
         if len(row) != len(names):
             raise PlanError(f"{path}:{number}: {len(row)} columns, {len(names)} are expected")
         texts = {name for name in names if name == "name" or KEYS[name].check is None}
-        entries.append(Given(number, {name: Given(number, cell if name in texts else scalar(cell))
-                                      for name, cell in zip(names, row)}))
+        entries.append(
+            Given(
+                number,
+                {
+                    name: Given(number, cell if name in texts else scalar(cell))
+                    for name, cell in zip(names, row)
+                },
+            )
+        )
     return "", Given(1, None), {}, entries
 
 
@@ -155,7 +210,9 @@ def read(path):
         with open(path, encoding="utf-8-sig") as file:
             text = file.read()
     except (OSError, UnicodeDecodeError) as error:
-        raise PlanError(f"{path}: cannot be read: {getattr(error, 'strerror', None) or error}") from None
+        raise PlanError(
+            f"{path}: cannot be read: {getattr(error, 'strerror', None) or error}"
+        ) from None
     if not text.strip():
         raise PlanError(f"{path}: is empty")
     reader = _read_csv if path.endswith(".csv") else _read_yaml
@@ -163,26 +220,41 @@ def read(path):
         title, (script_line, script), given, entries = reader(path, text)
     except csv.Error as error:
         raise PlanError(f"{path}: not CSV: {error}") from None
-    # as the plan says it: the record of a run keeps it, and a checkout may stand elsewhere next time
+    # as the plan says it: the record of a run keeps it, and a checkout may stand elsewhere next
+    # time
     defaults = {**{name: key.default for name, key in KEYS.items()}, "input": script or INPUT}
     for name, (line, value) in given.items():
         if name not in KEYS:
             raise unknown(path, line, "key in defaults", name, KEYS)
         defaults[name] = _value(path, line, name, value)
-    program = os.path.realpath(os.path.join(os.path.dirname(os.path.realpath(path)), script) if script
-                               else os.path.join(ROOT, INPUT))
+    program = os.path.realpath(
+        os.path.join(os.path.dirname(os.path.realpath(path)), script)
+        if script
+        else os.path.join(ROOT, INPUT)
+    )
     if not os.path.isfile(program):
         raise PlanError(f"{path}:{script_line}: input: no such file: {program}")
-    expanded = [item for number, entry in entries for item in _expand(path, number, entry, defaults)]
+    expanded = [
+        item for number, entry in entries for item in _expand(path, number, entry, defaults)
+    ]
     varying = [n for n in KEYS if len({str(values[n]) for _, _, values in expanded}) > 1]
     runs, seen = [], {}
     for number, label, values in expanded:
         name = label or "-".join(f"{n}{_short(values[n])}" for n in varying) or "run"
         if not NAME.fullmatch(name):
-            raise refused(path, number, "name", name, "of letters, digits, _ . + -, begin with a letter or digit and not "
-                          "with 'plan.', and have 200 at most")
+            raise refused(
+                path,
+                number,
+                "name",
+                name,
+                "of letters, digits, _ . + -, begin with a letter or digit and not "
+                "with 'plan.', and have 200 at most",
+            )
         if name in seen:
-            raise PlanError(f"{path}:{number}: run '{name}' stands in line {seen[name]} too: give them different names")
+            raise PlanError(
+                f"{path}:{number}: run '{name}' stands in line {seen[name]} too: give them "
+                "different names"
+            )
         seen[name] = number
         runs.append(Run(name, values, program))
     return Plan(path, title, runs)

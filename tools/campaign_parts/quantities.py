@@ -1,18 +1,26 @@
-"""The quantities of a friction run, and what follows from them: step, cost, variables of the input script."""
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""The quantities of a friction run, and what follows from them: step, cost, variables of the input
+script."""
+
 import dataclasses
 import math
 
-LEAST, MOST = 1e-12, 1e12  # sizes of numbers in a plan: far outside, the step and kappa1 are no numbers any more
+LEAST, MOST = (
+    1e-12,
+    1e12,
+)  # sizes of numbers in a plan: far outside, the step and kappa1 are no numbers any more
 
 
 @dataclasses.dataclass(frozen=True)
 class Key:
-    """A quantity of a run: its default, unit, what is allowed, and its variable in the input script."""
+    """A quantity of a run: its default, unit, what is allowed, and its variable in the input
+    script."""
+
     default: object
     unit: str
     allowed: str
     check: object
-    variable: str = ""   # of in.friction; empty: handled by Run
+    variable: str = ""  # of in.friction; empty: handled by Run
     factor: float = 1.0  # plan's unit -> script's unit
 
 
@@ -35,22 +43,33 @@ KEYS = {
     "eta": Key(0.41, "Pa s", ">= 0", lambda x: x >= 0, "eta", 1e3),
     "columns": Key(40, "automata across", "a whole number >= 4", _whole(4), "columns"),
     "rows": Key(32, "rows of automata", "a whole number >= 8", _whole(8), "rows"),
-    "held": Key(1, "rows fixed at the bottom, and driven at the top", "a whole number >= 1", _whole(1), "held"),
+    "held": Key(
+        1,
+        "rows fixed at the bottom, and driven at the top",
+        "a whole number >= 1",
+        _whole(1),
+        "held",
+    ),
     "roughness": Key(3.25, "nm", ">= 0", lambda x: x >= 0, "amplitude"),
     "seed": Key(1, "", "a whole number >= 1", _whole(1), "seed"),
     "ns": Key(100.0, "ns, duration", "> 0", _positive, "ns"),
-    "laws": Key("b", "preset of pair_style mca, further keywords may follow", "words", None, "laws"),
+    "laws": Key(
+        "b", "preset of pair_style mca, further keywords may follow", "words", None, "laws"
+    ),
     "dt": Key(None, "ns, step [scaled from 5e-5 with the material]", "> 0", _positive, "dt"),
     "row": Key(0.05, "ns between rows of the log", "> 0", _positive),
     "checkpoint": Key(2.0, "ns between restart files", "> 0", _positive),
     "picture": Key(0.0, "ns between frames of the dump, 0: none", ">= 0", lambda x: x >= 0),
-    "profile": Key(0.0, "ns that each mean profile of the layer covers, 0: none", ">= 0", lambda x: x >= 0),
+    "profile": Key(
+        0.0, "ns that each mean profile of the layer covers, 0: none", ">= 0", lambda x: x >= 0
+    ),
 }
 
 
 @dataclasses.dataclass
 class Run:
     """One friction run."""
+
     name: str
     values: dict
     input: str
@@ -96,9 +115,15 @@ class Run:
         for name, key in KEYS.items():
             value = self.values[name]
             if key.variable and value is not None:
-                result[key.variable] = value if isinstance(value, str) else f"{value * key.factor:.12g}"
+                result[key.variable] = (
+                    value if isinstance(value, str) else f"{value * key.factor:.12g}"
+                )
         result["dt"] = f"{self.dt:.12g}"
-        for variable, name in (("every", "row"), ("checkpoint", "checkpoint"), ("frames", "picture")):
+        for variable, name in (
+            ("every", "row"),
+            ("checkpoint", "checkpoint"),
+            ("frames", "picture"),
+        ):
             ns = self.values[name]
             result[variable] = str(max(1, round(ns / self.dt)) if ns > 0 else 0)
         # a checkpoint at the end of a row keeps the log's rows whole

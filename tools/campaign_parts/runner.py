@@ -1,4 +1,6 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """Running the runs of a campaign: start, watch, go on after a kill, report."""
+
 import ctypes
 import datetime
 import os
@@ -8,14 +10,20 @@ import subprocess
 import sys
 import time
 
+from mcawr import errors
+from mcawr.files import write
+
 from . import folder as folders
 
-POLL = 0.25      # s between looks at the running processes
-REPORT = 60.0    # s between progress lines when the output is no terminal
+POLL = 0.25  # s between looks at the running processes
+REPORT = 60.0  # s between progress lines when the output is no terminal
 MPI_VARIABLES = ("OMPI_", "PMIX_", "PMI_", "PRTE_", "ORTE_", "MPI_LOCALRANKID", "SLURM_")
 ALLOWED = ("OMPI_ALLOW_RUN_AS_ROOT", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM")
-RANKS = (("OMPI_COMM_WORLD_RANK", "OMPI_COMM_WORLD_SIZE"), ("PMI_RANK", "PMI_SIZE"),
-         ("SLURM_PROCID", "SLURM_STEP_NUM_TASKS"))  # a batch script has a SLURM_PROCID and SLURM_NTASKS too
+RANKS = (
+    ("OMPI_COMM_WORLD_RANK", "OMPI_COMM_WORLD_SIZE"),
+    ("PMI_RANK", "PMI_SIZE"),
+    ("SLURM_PROCID", "SLURM_STEP_NUM_TASKS"),
+)  # a batch script has a SLURM_PROCID and SLURM_NTASKS too
 
 
 def place():
@@ -30,12 +38,24 @@ def place():
 def lmp_program():
     """lmp with the plugin: $MCAWR_LMP, else build/bin/lmp."""
     from .plan import ROOT
-    return os.environ.get("MCAWR_LMP") or os.path.join(os.environ.get("MCAWR_BUILD", os.path.join(ROOT, "build")), "bin/lmp")
+
+    return os.environ.get("MCAWR_LMP") or os.path.join(
+        os.environ.get("MCAWR_BUILD", os.path.join(ROOT, "build")), "bin/lmp"
+    )
 
 
 def command(run, launcher=(), go_on_from=None, attempt=1):
     """The exact command of a run, to be run in its folder."""
-    words = [*launcher, lmp_program(), "-in", run.input, "-log", f"log.{attempt}.lammps", "-screen", "none"]
+    words = [
+        *launcher,
+        lmp_program(),
+        "-in",
+        run.input,
+        "-log",
+        f"log.{attempt}.lammps",
+        "-screen",
+        "none",
+    ]
     for name, value in run.variables().items():
         words += ["-var", name, value]
     words += ["-var", "name", "run", "-var", "log", folders.PART, "-var", "pictures", "run.*.dump"]
@@ -46,8 +66,11 @@ def command(run, launcher=(), go_on_from=None, attempt=1):
 
 def _environment(nested):
     """Environment of lmp: as root too; inside mpirun, lmp must not take part in the outer job."""
-    env = {name: value for name, value in os.environ.items()
-           if not nested or not name.startswith(MPI_VARIABLES)}
+    env = {
+        name: value
+        for name, value in os.environ.items()
+        if not nested or not name.startswith(MPI_VARIABLES)
+    }
     for name in ALLOWED:
         env[name] = "1"
     env.setdefault("OMPI_MCA_rmaps_base_oversubscribe", "1")
@@ -66,8 +89,8 @@ def _now():
 
 
 def _leftovers(path):
-    """Processes of an earlier call that still work in a run's folder: mpirun takes a while to end its
-    ranks, and does not keep the lock open as lmp does."""
+    """Processes of an earlier call that still work in a run's folder: mpirun takes a while to end
+    its ranks, and does not keep the lock open as lmp does."""
     found = []
     for entry in os.listdir("/proc"):
         if not entry.isdigit():
@@ -111,15 +134,30 @@ class Attempt:
         if os.path.exists(path("failed.txt")):
             os.remove(path("failed.txt"))
         words = command(folder.run, launcher, checkpoint, number)
-        record.update(parameters=folder.run.values, kappa1=folder.run.kappa1, kappa2=folder.run.kappa2)
+        record.update(
+            parameters=folder.run.values, kappa1=folder.run.kappa1, kappa2=folder.run.kappa2
+        )
         record.setdefault("attempts", []).append(
-            {"begin": _now(), "host": os.uname().nodename, "from": checkpoint or "start", "command": shlex.join(words)})
+            {
+                "begin": _now(),
+                "host": os.uname().nodename,
+                "from": checkpoint or "start",
+                "command": shlex.join(words),
+            }
+        )
         folder.write_record(record)
         self.time_at_start = folder.time() if checkpoint else 0.0
         with open(path(f"output.{number}.txt"), "wb") as output:
-            self.process = subprocess.Popen(words, cwd=folder.path, stdin=subprocess.DEVNULL, stdout=output,
-                                            stderr=subprocess.STDOUT, env=_environment(nested),
-                                            pass_fds=[lock.fileno()], preexec_fn=_die_with_parent)
+            self.process = subprocess.Popen(
+                words,
+                cwd=folder.path,
+                stdin=subprocess.DEVNULL,
+                stdout=output,
+                stderr=subprocess.STDOUT,
+                env=_environment(nested),
+                pass_fds=[lock.fileno()],
+                preexec_fn=_die_with_parent,
+            )
         self.number = number
 
     def work(self):
@@ -140,10 +178,12 @@ class Attempt:
         elif cut := folder.why_not_whole():
             outcome, why = "failed", f"ended without an error, but {cut}"
         record = folder.record()
-        record["attempts"][-1].update(end=_now(), seconds=round(time.monotonic() - self.began, 1), outcome=why or outcome)
+        record["attempts"][-1].update(
+            end=_now(), seconds=round(time.monotonic() - self.began, 1), outcome=why or outcome
+        )
         folder.write_record(record)
         if outcome == "failed":
-            folders.write_whole(path("failed.txt"), why + "\n")
+            write(path("failed.txt"), why + "\n")
         elif outcome == "finished":
             os.replace(path(folders.PART), path(folders.LOG))
             for name in folders.CHECKPOINTS[:2]:
@@ -188,8 +228,11 @@ class Campaign:
         """Checks before anything runs."""
         program = lmp_program()
         if not os.access(program, os.X_OK):
-            raise folders.FolderError(f"{program}: lmp is not there or cannot be run: build it (tools/setup.sh) "
-                                      "or set MCAWR_LMP", 5)
+            raise folders.FolderError(
+                f"{program}: lmp is not there or cannot be run: build it (tools/setup.sh) "
+                "or set MCAWR_LMP",
+                5,
+            )
         for folder in self.folders:
             folder.check_same()
             folder.check_not_shorter()
@@ -198,6 +241,17 @@ class Campaign:
         """Runs everything; the number of runs in each state at the end."""
         for number in (signal.SIGINT, signal.SIGTERM):
             signal.signal(number, self._interrupt)
+        try:
+            self._work_through()
+        except errors.OutputLost:  # nobody takes what we say: end lmp and its records in order
+            self._interrupt()
+            self.say = lambda text: None
+            self._finish_early()
+            raise
+        self._finish_early()
+        return self._states()
+
+    def _work_through(self):
         # the longest first, so that the end is not one long run alone
         waiting = sorted(self.folders, key=lambda f: -f.run.work)
         tried = set()
@@ -216,11 +270,10 @@ class Campaign:
                 break
             self._report()
             time.sleep(POLL)
-        self._finish_early()
-        return self._states()
 
     def wait_for_others(self):
-        """Rank 0 of several waits for the runs of the others, so that its last lines are the last."""
+        """Rank 0 of several waits for the runs of the others, so that its last lines are the
+        last."""
         while not self.stop and any(f.is_locked() for f in self.folders):
             self._report()
             time.sleep(1.0)
@@ -257,14 +310,19 @@ class Campaign:
             outcome, why = attempt.end()
             if outcome == "finished":
                 mu = attempt.folder.mean_mu()
-                self.say(f"{name}: finished in {hours(seconds)}"
-                         + (f", mu of its second half {mu:.3f}" if mu is not None else ""))
+                self.say(
+                    f"{name}: finished in {hours(seconds)}"
+                    + (f", mu of its second half {mu:.3f}" if mu is not None else "")
+                )
             elif not self.stop:
                 self.say(f"{name}: {outcome}: {why}")
 
     def _states(self):
         states = [f.state() for f in self.folders]
-        return {state: states.count(state) for state in ("finished", "running", "failed", "interrupted", "waiting")}
+        return {
+            state: states.count(state)
+            for state in ("finished", "running", "failed", "interrupted", "waiting")
+        }
 
     def _interrupt(self, *_):
         self.stop = True
@@ -286,8 +344,11 @@ class Campaign:
         rate = mine * self.size / elapsed if elapsed > 0 else 0.0
         left = f"about {hours((total - reached) / rate)} left, " if rate > 0 and elapsed > 5 else ""
         failed = f", {states['failed']} failed" if states["failed"] else ""
-        return (f"{100 * reached / total:5.1f} %, {states['finished']} of {len(self.folders)} runs{failed}, "
-                f"{left}{rate / 1e6:.1f} M automaton-steps/s")
+        return (
+            f"{100 * reached / total:5.1f} %, {states['finished']} of {len(self.folders)} "
+            f"runs{failed}, "
+            f"{left}{rate / 1e6:.1f} M automaton-steps/s"
+        )
 
     def _report(self):
         now = time.monotonic()
@@ -295,4 +356,4 @@ class Campaign:
         if self.rank != 0 or now - self.last_report < (2.0 if terminal else REPORT):
             return
         self.last_report = now
-        print(("\r\033[K" if terminal else "") + self.progress(), end="" if terminal else "\n", flush=True)
+        errors.say(("\r\033[K" if terminal else "") + self.progress(), end="" if terminal else "\n")

@@ -1,4 +1,8 @@
-"""The layer and its age: figures from the profiles beside the logs, and from the whole of the logs."""
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""The layer and its age: figures from the profiles beside the logs, and from the whole of the
+logs."""
+
+import itertools
 import math
 import re
 
@@ -6,12 +10,15 @@ import numpy as np
 from matplotlib import pyplot
 
 import plot_friction
-from . import layer
-from .common import Missing, groups, head_of, run_name, save, table
+from mcawr.files import save_figure
+from mcawr.friction_log import head_of
 
-PAPER_DEPTH = 10.0          # nm, of the quasi-liquid layer
+from . import layer
+from .common import Missing, groups, run_name, table
+
+PAPER_DEPTH = 10.0  # nm, of the quasi-liquid layer
 ROUGHNESS = 3.25  # nm, of the blocks of most plans
-TIMES = ((25, 50), (50, 100), (100, 200), (200, 300), (300, 600))         # ns
+TIMES = ((25, 50), (50, 100), (100, 200), (200, 300), (300, 600))  # ns
 HIGH_TIMES = ((50, 100), (100, 200), (200, 400), (400, 600), (600, 1200))  # ns
 LOADS = (0, 0.05, 0.1, 0.15, 0.2, 0.5)  # p/sigma_0, between which runs are taken together
 AGED, BLOCK, FAST = 100, 25, 4  # ns from which mu ~ t^n is fitted, to means over so many ns; m/s
@@ -33,27 +40,52 @@ def shortest(members):
 
 
 def second_half(members, end):
-    """Cells of depth (nm) and mu of runs (point, layer) from half of the time `end` (ns) up to it; and the depth, its error, mu."""
+    """Cells of depth (nm) and mu of runs (point, layer) from half of the time `end` (ns) up to it;
+    and the depth, its error, mu."""
     depth, error = layer.mean_depth([f for _, f in members], end)
     mu, mu_error = layer.window(friction_series(p for p, _ in members), end / 2, end, 8)
     return [f"{depth:.1f} +- {error:.1f}", f"mu {mu:.3f} +- {mu_error:.3f}"], depth, error, mu
 
 
 def growth(members, axes):
-    """Rows of depth (nm) and mu of the runs (point, layer) in times (ns) that double; draws the power law of the depth, fitted to the
-    first third of the time, while the layer grows."""
+    """Rows of depth (nm) and mu of the runs (point, layer) in times (ns) that double; draws the
+    power law of the depth, fitted to the first third of the time, while the layer grows."""
     end, growing, rows = shortest(members), [], []
     depths, logs = depth_series(members), friction_series(p for p, _ in members)
     for late in (end / 12, end / 6, end / 3, 2 * end / 3, end):
         early = late / 2 if late < end else 2 * end / 3
-        (depth, error), (mu, mu_error) = layer.window(depths, early, late, 2), layer.window(logs, early, late, 8)
+        (depth, error), (mu, mu_error) = (
+            layer.window(depths, early, late, 2),
+            layer.window(logs, early, late, 8),
+        )
         growing.append((math.sqrt(early * late), depth, mu))
-        rows.append([f"{early:.3g} to {late:.3g} ns", "", f"{depth:.1f} +- {error:.1f}", f"mu {mu:.3f} +- {mu_error:.3f}"])
+        rows.append(
+            [
+                f"{early:.3g} to {late:.3g} ns",
+                "",
+                f"{depth:.1f} +- {error:.1f}",
+                f"mu {mu:.3f} +- {mu_error:.3f}",
+            ]
+        )
     time, depth, mu = np.log(growing[:3]).T
     power, factor = np.polyfit(time, depth, 1)
     line = np.linspace(0, end / 3, 100)
-    axes.plot(line, math.exp(factor) * line**power, "k", lw=1, label=f"in proportion to $t^{{{power:.2f}}}$ to {end / 3:.3g} ns")
-    return [*rows, [f"exponent of depth ~ t^n to {end / 3:.3g} ns", "", f"{power:.2f}", f"of mu {np.polyfit(time, mu, 1)[0]:.2f}"]]
+    axes.plot(
+        line,
+        math.exp(factor) * line**power,
+        "k",
+        lw=1,
+        label=f"in proportion to $t^{{{power:.2f}}}$ to {end / 3:.3g} ns",
+    )
+    return [
+        *rows,
+        [
+            f"exponent of depth ~ t^n to {end / 3:.3g} ns",
+            "",
+            f"{power:.2f}",
+            f"of mu {np.polyfit(time, mu, 1)[0]:.2f}",
+        ],
+    ]
 
 
 def with_layers(points):
@@ -61,7 +93,9 @@ def with_layers(points):
     members = [(point, layer.read(point["file"])) for point in points]
     for point, found in members:
         if found is None:
-            raise Missing(f"{point['file']}: no profile beside it (a plan with `profile` makes one)")
+            raise Missing(
+                f"{point['file']}: no profile beside it (a plan with `profile` makes one)"
+            )
     return members
 
 
@@ -72,15 +106,24 @@ def roughness_of(point):
 
 
 def fig3(report, picture):
-    """Depth of the layer, from the profiles beside the logs, and mu: against initial roughness, in times that double, against viscosity."""
+    """Depth of the layer, from the profiles beside the logs, and mu: against initial roughness, in
+    times that double, against viscosity."""
     layers = with_layers(report["report"]["points"])
     rough = [(p, f) for p, f in layers if roughness_of(p) is not None]
-    viscous = groups([(p, f) for p, f in layers if "eta" in run_name(p)], lambda x: x[0]["viscosity"])
+    viscous = groups(
+        [(p, f) for p, f in layers if "eta" in run_name(p)], lambda x: x[0]["viscosity"]
+    )
     figure, (left, right) = pyplot.subplots(1, 2, figsize=(10, 4.2), constrained_layout=True)
     rows = []
     for k, (amplitude, members) in enumerate(groups(rough, lambda x: roughness_of(x[0])).items()):
         for number, (_, found) in enumerate(members):
-            left.plot(found.time, found.depth, color=f"C{k}", lw=1, label=None if number else f"initial roughness {amplitude:g} nm")
+            left.plot(
+                found.time,
+                found.depth,
+                color=f"C{k}",
+                lw=1,
+                label=None if number else f"initial roughness {amplitude:g} nm",
+            )
         cells, *_ = second_half(members, shortest(rough))
         rows.append([f"roughness {amplitude:g} nm", f"{PAPER_DEPTH:g}", *cells])
     usual = [(p, f) for p, f in rough if roughness_of(p) == ROUGHNESS]
@@ -88,7 +131,12 @@ def fig3(report, picture):
         raise Missing(f"no run of roughness {ROUGHNESS} nm")
     rows += growth(usual, left)
     left.axhline(PAPER_DEPTH, color="k", ls="--", lw=1, label="about 10 nm (paper)")
-    left.set(xlabel="time (ns)", ylabel="depth of the layer (nm), 10 to 90 % of $v$", xlim=(0, None), ylim=(0, None))
+    left.set(
+        xlabel="time (ns)",
+        ylabel="depth of the layer (nm), 10 to 90 % of $v$",
+        xlim=(0, None),
+        ylim=(0, None),
+    )
     left.legend(fontsize=9)
     eta, depth, error, mu = [], [], [], []
     for value, members in viscous.items():
@@ -96,20 +144,36 @@ def fig3(report, picture):
         for values, one in zip((eta, depth, error, mu), (value, *found)):
             values.append(one)
         rows.append([f"viscosity {value:g} Pa s", f"{PAPER_DEPTH * value / 0.41:.1f}", *cells])
-    right.errorbar(eta, depth, yerr=1.96 * np.array(error), fmt="o", capsize=2, label="our runs, 95 %")
+    right.errorbar(
+        eta, depth, yerr=1.96 * np.array(error), fmt="o", capsize=2, label="our runs, 95 %"
+    )
     if len(eta) > 1:
         line = np.array([min(eta), max(eta)])
-        right.plot(line, PAPER_DEPTH * line / 0.41, "k--", lw=1, label="in proportion (paper: roughly)")
+        right.plot(
+            line, PAPER_DEPTH * line / 0.41, "k--", lw=1, label="in proportion (paper: roughly)"
+        )
         exponent, slope = (np.polyfit(np.log(eta), np.log(y), 1)[0] for y in (depth, mu))
-        rows.append(["exponent of depth ~ eta^n", "about 1", f"{exponent:.2f}", f"of mu (paper: 0) {slope:.2f}"])
-    right.set(xlabel="viscosity $\\eta$ (Pa s)", ylabel="depth of the layer (nm)", xscale="log", yscale="log")
+        rows.append(
+            [
+                "exponent of depth ~ eta^n",
+                "about 1",
+                f"{exponent:.2f}",
+                f"of mu (paper: 0) {slope:.2f}",
+            ]
+        )
+    right.set(
+        xlabel="viscosity $\\eta$ (Pa s)",
+        ylabel="depth of the layer (nm)",
+        xscale="log",
+        yscale="log",
+    )
     right.set_xticks(eta, [f"{value:.2g}" for value in eta])
     right.set_yticks([2, 5, 10, 20, 50], ["2", "5", "10", "20", "50"])
     right.minorticks_off()
     right.legend(fontsize=9)
     for axes in (left, right):
         axes.grid(alpha=0.3)
-    save(figure, picture)
+    save_figure(figure, picture)
     return table(["", "paper, nm", "ours, nm", ""], rows)
 
 
@@ -120,13 +184,17 @@ def rows_of(point):
 
 
 def power_of_time(series):
-    """n of y ~ t^n, its standard error, and y at 1 ns: a straight line through the logarithms of means over BLOCK ns from AGED on.
+    """n of y ~ t^n, its standard error, and y at 1 ns: a straight line through the logarithms of
+    means over BLOCK ns from AGED on.
 
     series: a pair of arrays for each run, times (ns) and y of any unit."""
     points = []
     for time, y in series:
         edges = np.arange(AGED, time[-1] * (1 + 1e-9), BLOCK) * (1 + 1e-9)
-        points += [(0.5 * (low + high), y[(time > low) & (time <= high)].mean()) for low, high in zip(edges, edges[1:])]
+        points += [
+            (0.5 * (low + high), y[(time > low) & (time <= high)].mean())
+            for low, high in itertools.pairwise(edges)
+        ]
     if not all(y > 0 for _, y in points):
         raise Missing(f"a mean over {BLOCK} ns is not above 0: no power of time")
     (n, factor), covariance = np.polyfit(*np.log(points).T, 1, cov=True)
@@ -139,66 +207,143 @@ def power_text(fit):
 
 
 def height(report, picture):
-    """Depth of the layer (nm), links of an automaton in it (over 6), its density (over that of the solid) and mu in times (ns) that
-    double, and their powers of time, for each pressure (MPa) and number of rows."""
-    panels = {"depth, nm": ("depth of the layer (nm), 10 to 90 % of $v$", 1, 2, depth_series),
-              "links/6": ("links of an automaton in the layer, over 6", 3, 2, lambda runs: [(f.time, f.linked) for _, f in runs]),
-              "density": ("density of the layer over that of the solid", 3, 2, lambda runs: [(f.time, f.density) for _, f in runs]),
-              "mu": ("$\\mu$", 3, 8, lambda runs: friction_series(p for p, _ in runs))}
+    """Depth of the layer (nm), links of an automaton in it (over 6), its density (over that of the
+    solid) and mu in times (ns) that double, and their powers of time, for each pressure (MPa) and
+    number of rows."""
+    panels = {
+        "depth, nm": ("depth of the layer (nm), 10 to 90 % of $v$", 1, 2, depth_series),
+        "links/6": (
+            "links of an automaton in the layer, over 6",
+            3,
+            2,
+            lambda runs: [(f.time, f.linked) for _, f in runs],
+        ),
+        "density": (
+            "density of the layer over that of the solid",
+            3,
+            2,
+            lambda runs: [(f.time, f.density) for _, f in runs],
+        ),
+        "mu": ("$\\mu$", 3, 8, lambda runs: friction_series(p for p, _ in runs)),
+    }
     figure, every = pyplot.subplots(2, 2, figsize=(10, 8), constrained_layout=True)
     points = [p for p in report["report"]["points"] if roughness_of(p) in (None, ROUGHNESS)]
     cases = groups(with_layers(points), lambda x: (x[0]["pressure"], rows_of(x[0])))
     rows = []
     for axes, (name, (label, digits, blocks, series_of)) in zip(every.flat, panels.items()):
         for k, ((pressure, number), members) in enumerate(cases.items()):
-            case, end, series = f"{number} rows, {pressure:g} MPa", shortest(members) * (1 + 1e-9), series_of(members)
+            case, end, series = (
+                f"{number} rows, {pressure:g} MPa",
+                shortest(members) * (1 + 1e-9),
+                series_of(members),
+            )
             if end < 2 * AGED:
                 raise Missing(f"runs of {case} end at {end:g} ns, {2 * AGED} are needed")
-            low, high, mean, error = np.array([(*ends, *layer.window(series, *ends, blocks)) for ends in HIGH_TIMES if ends[1] <= end]).T
+            low, high, mean, error = np.array(
+                [
+                    (*ends, *layer.window(series, *ends, blocks))
+                    for ends in HIGH_TIMES
+                    if ends[1] <= end
+                ]
+            ).T
             cells = [f"{value:.{digits}f} +- {its:.{digits}f}" for value, its in zip(mean, error)]
-            rows.append([f"{name}, {case}", *cells, *[""] * (len(HIGH_TIMES) - len(cells)), power_text(power_of_time(series))])
-            axes.errorbar(np.sqrt(low * high) * 1.02**(k - 2), mean, yerr=1.96 * error, fmt=f"C{k}o-", lw=0.8, ms=4, capsize=2, label=case)
+            rows.append(
+                [
+                    f"{name}, {case}",
+                    *cells,
+                    *[""] * (len(HIGH_TIMES) - len(cells)),
+                    power_text(power_of_time(series)),
+                ]
+            )
+            axes.errorbar(
+                np.sqrt(low * high) * 1.02 ** (k - 2),
+                mean,
+                yerr=1.96 * error,
+                fmt=f"C{k}o-",
+                lw=0.8,
+                ms=4,
+                capsize=2,
+                label=case,
+            )
         axes.set(xlabel="time (ns)", ylabel=label, xscale="log")
         axes.set_xticks([100, 300, 1000], ["100", "300", "1000"])
         axes.minorticks_off()
         axes.grid(alpha=0.3)
     every[0, 0].legend(fontsize=9)
-    save(figure, picture)
-    return table(["", *(f"{low} to {high} ns" for low, high in HIGH_TIMES), f"~ t^n from {AGED} ns"], rows)
+    save_figure(figure, picture)
+    return table(
+        ["", *(f"{low} to {high} ns" for low, high in HIGH_TIMES), f"~ t^n from {AGED} ns"], rows
+    )
 
 
 def by_load(points, axes):
-    """Rows of n of mu ~ t^n, the mean over the runs between loads p/sigma_0 (weights 1/s.e.^2, its standard error widened by a
-    reduced chi^2 above 1), and of how many of them wr_fit finds no stationary part; draws the runs whose n is known to 0.1."""
+    """Rows of n of mu ~ t^n, the mean over the runs between loads p/sigma_0 (weights 1/s.e.^2, its
+    standard error widened by a reduced chi^2 above 1), and of how many of them wr_fit finds no
+    stationary part; draws the runs whose n is known to 0.1."""
     found = []
     for point in points:
         series = friction_series([point])
         end = series[0][0][-1]
         if end < 2 * AGED:
             raise Missing(f"{run_name(point)} ends at {end:g} ns, {2 * AGED} are needed")
-        found.append((point["pressure"] / point["strength"], *power_of_time(series)[:2], point["t_start"] is None))
+        found.append(
+            (
+                point["pressure"] / point["strength"],
+                *power_of_time(series)[:2],
+                point["t_start"] is None,
+            )
+        )
     load, n, error, drifting = np.array(found).T
     known = error < 0.1
-    axes.errorbar(load[known], n[known], yerr=1.96 * error[known], fmt="o", ms=3, lw=0.8, color="0.6", label="runs known to 0.1, 95 %")
+    axes.errorbar(
+        load[known],
+        n[known],
+        yerr=1.96 * error[known],
+        fmt="o",
+        ms=3,
+        lw=0.8,
+        color="0.6",
+        label="runs known to 0.1, 95 %",
+    )
     rows = []
-    for low, high in zip(LOADS, LOADS[1:]):
+    for low, high in itertools.pairwise(LOADS):
         inside = (low < load) & (load <= high)
         if not inside.any():
             continue
-        weight = error[inside]**-2
+        weight = error[inside] ** -2
         mean = np.average(n[inside], weights=weight)
-        reduced = np.sum(weight * (n[inside] - mean)**2) / max(1, inside.sum() - 1)
+        reduced = np.sum(weight * (n[inside] - mean) ** 2) / max(1, inside.sum() - 1)
         its = math.sqrt(max(1, reduced) / weight.sum())
-        axes.errorbar(load[inside].mean(), mean, yerr=1.96 * its, fmt="C1s", capsize=3, label=None if rows else "their mean")
-        rows.append([f"{low:g} to {high:g}", str(inside.sum()), f"{mean:+.3f} +- {its:.3f}", f"{reduced:.1f}", f"{drifting[inside].sum():.0f}"])
+        axes.errorbar(
+            load[inside].mean(),
+            mean,
+            yerr=1.96 * its,
+            fmt="C1s",
+            capsize=3,
+            label=None if rows else "their mean",
+        )
+        rows.append(
+            [
+                f"{low:g} to {high:g}",
+                str(inside.sum()),
+                f"{mean:+.3f} +- {its:.3f}",
+                f"{reduced:.1f}",
+                f"{drifting[inside].sum():.0f}",
+            ]
+        )
     axes.axhline(0, color="k", ls="--", lw=1)
-    axes.set(xlim=(0, None), xlabel="$p/\\sigma_0$", ylabel=f"n of $\\mu \\sim t^n$ from {AGED} ns on", ylim=(-0.3, 0.3))
+    axes.set(
+        xlim=(0, None),
+        xlabel="$p/\\sigma_0$",
+        ylabel=f"n of $\\mu \\sim t^n$ from {AGED} ns on",
+        ylim=(-0.3, 0.3),
+    )
     return rows
 
 
 def ageing(report, picture):
-    """mu in times (ns) that double, and n of mu ~ t^n: at each velocity (m/s), which are drawn, and at each pressure (MPa); n against
-    the load of all runs."""
+    """mu in times (ns) that double, and n of mu ~ t^n: at each velocity (m/s), which are drawn, and
+    at each pressure (MPa); n against the load of all runs."""
     figure, (axes, right) = pyplot.subplots(1, 2, figsize=(11, 4.6), constrained_layout=True)
     points, rows, fast = report["report"]["points"], [], []
     of_steel = [p for p in points if run_name(p)[0] in "vp"]  # of `velocity` and `pressure`
@@ -208,9 +353,13 @@ def ageing(report, picture):
         end = min(time[-1] for time, _ in series)
         if end < 2 * AGED:
             raise Missing(f"runs at {case} end at {end:g} ns, {2 * AGED} are needed")
-        found = [(low, high, *layer.window(series, low, high, 8)) for low, high in TIMES if high <= end]
+        found = [
+            (low, high, *layer.window(series, low, high, 8)) for low, high in TIMES if high <= end
+        ]
         n, error, factor = fit = power_of_time(series)
-        cells = [f"{mu:.3f} +- {mu_error:.3f}" for _, _, mu, mu_error in found] + [""] * (len(TIMES) - len(found))
+        cells = [f"{mu:.3f} +- {mu_error:.3f}" for _, _, mu, mu_error in found] + [""] * (
+            len(TIMES) - len(found)
+        )
         rows.append([case, *cells, power_text(fit)])
         if of_pressures:
             continue
@@ -218,7 +367,15 @@ def ageing(report, picture):
             fast.append((n, error))
         low, high, mu, mu_error = np.array(found).T
         line = np.geomspace(AGED, end, 20)
-        axes.errorbar(np.sqrt(low * high) * 1.012**(k - 4), mu, yerr=1.96 * mu_error, fmt=f"C{k}o", ms=4, capsize=2, label=f"{velocity:g} m/s")
+        axes.errorbar(
+            np.sqrt(low * high) * 1.012 ** (k - 4),
+            mu,
+            yerr=1.96 * mu_error,
+            fmt=f"C{k}o",
+            ms=4,
+            capsize=2,
+            label=f"{velocity:g} m/s",
+        )
         axes.plot(line, factor * line**n, f"C{k}", lw=1)
     axes.set(xscale="log", yscale="log", xlabel="time (ns)", ylabel="$\\mu$, 95 %")
     axes.set_xticks([30, 100, 300], ["30", "100", "300"])
@@ -230,10 +387,21 @@ def ageing(report, picture):
     for of_both, columns in ((axes, 2), (right, 1)):
         of_both.grid(alpha=0.3)
         of_both.legend(fontsize=9, ncols=columns)
-    save(figure, picture)
-    lines = table(["mu", *(f"{low} to {high} ns" for low, high in TIMES), f"mu ~ t^n from {AGED} ns"], rows)
+    save_figure(figure, picture)
+    lines = table(
+        ["mu", *(f"{low} to {high} ns" for low, high in TIMES), f"mu ~ t^n from {AGED} ns"], rows
+    )
     n, error = np.array(fast).T
     mean, mean_error = np.average(n, weights=error**-2), math.sqrt(1 / np.sum(error**-2))
-    return [*lines, "", *table(["all materials: p/sigma_0", "runs", "mean n", "reduced chi^2", "drifting (wr_fit)"], loads), "",
-            f"{FAST:g} m/s and above, 15 MPa: n = {mean:+.3f} +- {mean_error:.3f}, mu changes by "
-            f"{100 * (2**mean - 1):+.1f} +- {100 * math.log(2) * mean_error:.1f} % when the time doubles"]
+    return [
+        *lines,
+        "",
+        *table(
+            ["all materials: p/sigma_0", "runs", "mean n", "reduced chi^2", "drifting (wr_fit)"],
+            loads,
+        ),
+        "",
+        f"{FAST:g} m/s and above, 15 MPa: n = {mean:+.3f} +- {mean_error:.3f}, mu changes by "
+        f"{100 * (2**mean - 1):+.1f} +- {100 * math.log(2) * mean_error:.1f} % when the time "
+        "doubles",
+    ]

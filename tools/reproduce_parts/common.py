@@ -1,29 +1,16 @@
-"""What the figures share: texts, means over seeds, files that appear whole."""
-import itertools
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""What the figures share: texts and means over seeds."""
+
 import math
 import os
 
 import numpy as np
-import yaml
-from matplotlib import pyplot
+
+from mcawr.errors import BadInput
 
 
-class Missing(Exception):
+class Missing(BadInput):
     """What a figure needs and is not there, in one line."""
-
-
-def write_whole(path, text):
-    """Writes a text beside and renames it."""
-    with open(path + ".part", "w", encoding="utf-8") as file:
-        file.write(text)
-    os.replace(path + ".part", path)
-
-
-def save(figure, path):
-    """Writes a picture beside and renames it."""
-    figure.savefig(path + ".part", dpi=130, format="png")
-    os.replace(path + ".part", path)
-    pyplot.close(figure)
 
 
 def run_name(point):
@@ -32,18 +19,16 @@ def run_name(point):
     return os.path.basename(folder) if name == "run.friction" else name.removesuffix(".friction")
 
 
-def head_of(log):
-    """What a friction log says of its run, by the names in its head."""
-    with open(log, encoding="utf-8") as file:
-        return yaml.safe_load("".join(line[2:] for line in itertools.takewhile(lambda line: line.startswith("#"), file)))
-
-
 def table(head, rows):
     """Lines of a table of texts, columns as wide as needed."""
     cells = [head, *rows]
     width = [max(len(row[k]) for row in cells) for k in range(len(head))]
-    return ["  ".join(c.ljust(w) if k == 0 else c.rjust(w) for k, (c, w) in enumerate(zip(row, width))).rstrip()
-            for row in cells]
+    return [
+        "  ".join(
+            c.ljust(w) if k == 0 else c.rjust(w) for k, (c, w) in enumerate(zip(row, width))
+        ).rstrip()
+        for row in cells
+    ]
 
 
 def percent(ours, paper):
@@ -71,14 +56,15 @@ def mean_of(points, key="mu"):
 
 
 def scatter_of(values, errors):
-    """Standard deviation of values over their mean, and what their own standard errors explain of it, both in %."""
+    """Standard deviation of values over their mean, and what their own standard errors explain of
+    it, both in %."""
     mean = np.mean(values)
     return 100 * np.std(values, ddof=1) / mean, 100 * math.sqrt(np.mean(np.square(errors))) / mean
 
 
 def straight_line(x, y, errors):
-    """(a, b, their standard errors) of y = a + b x: least squares with the standard errors of y and the scatter beyond them, up to 1,
-    that makes chi^2 the degrees of freedom, as wr_fit."""
+    """(a, b, their standard errors) of y = a + b x: least squares with the standard errors of y and
+    the scatter beyond them, up to 1, that makes chi^2 the degrees of freedom, as wr_fit."""
     low, high = 0.0, 1.0
     for _ in range(60):
         scatter = 0.5 * (low + high)
@@ -91,6 +77,7 @@ def straight_line(x, y, errors):
 
 
 def power_law(x, y, errors):
-    """(A, n, their standard errors) of y = A x^n: a straight line through the logarithms, with the relative standard errors of y."""
+    """(A, n, their standard errors) of y = A x^n: a straight line through the logarithms, with the
+    relative standard errors of y."""
     a, n, a_error, n_error = straight_line(np.log(x), np.log(y), errors)
     return math.exp(a), n, math.exp(a) * a_error, n_error

@@ -1,4 +1,6 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """Each figure: which plans it needs, how it is drawn, and the paper's numbers beside ours."""
+
 import dataclasses
 import math
 
@@ -7,19 +9,23 @@ from matplotlib import pyplot
 
 import plot_fit
 import plot_series
+from mcawr.files import save_figure
+
 from . import ageing, layer, rate, steps
-from .common import Missing, groups, mean_of, percent, power_law, run_name, save, scatter_of, table
+from .common import Missing, groups, mean_of, percent, power_law, run_name, scatter_of, table
 
 PAPER = plot_fit.PAPER
 PAPER_COLLAPSE = 0.035  # scatter of ten runs at equal kappas
 START = ["--start", "200"]  # ns; the runs are of 250 to 1000 ns
 FROM = f"from {START[1]} ns on"
-STEEL = 2239            # kappa3 = E/sigma_0 of the paper's weakest steel, 206 GPa over 92 MPa
+STEEL = 2239  # kappa3 = E/sigma_0 of the paper's weakest steel, 206 GPa over 92 MPa
 
 
 @dataclasses.dataclass
 class Figure:
-    """A figure: title, plans whose logs it shows, options of wr_fit, make(report, picture) -> lines."""
+    """A figure: title, plans whose logs it shows, options of wr_fit, make(report, picture) ->
+    lines."""
+
     title: str
     plans: list
     make: object
@@ -28,22 +34,41 @@ class Figure:
 
 # fig4, fig6 ---------------------------------------------------------------------------------------
 def fig4(report, picture):
-    """Friction stress (MPa) at each pressure (MPa) before and after 100 ns, means over the seeds; exponent of stress ~ p^n."""
+    """Friction stress (MPa) at each pressure (MPa) before and after 100 ns, means over the seeds;
+    exponent of stress ~ p^n."""
     points = report["report"]["points"]
     plot_series.draw(points, "pressure", picture)
     rows, pressures, stresses, errors = [], [], [], []
     for p, members in groups(points, lambda x: x["pressure"]).items():
         (mu, error), (early, _) = mean_of(members), mean_of(members, "mu_grinding_in")
         paper = members[0]["mu_eq2"] * p
-        rows.append([f"p = {p:g} MPa", f"{paper:.2f}", f"{mu * p:.3f} +- {error * p:.3f}", percent(mu * p, paper),
-                     f"{early * p:.2f}", percent(early, mu)])
+        rows.append(
+            [
+                f"p = {p:g} MPa",
+                f"{paper:.2f}",
+                f"{mu * p:.3f} +- {error * p:.3f}",
+                percent(mu * p, paper),
+                f"{early * p:.2f}",
+                percent(early, mu),
+            ]
+        )
         pressures.append(p), stresses.append(mu * p), errors.append(error / mu)
     lines = table(["friction stress, MPa", "Eq. 2", FROM, "", "first 100 ns", "over later"], rows)
     if len(pressures) > 2:
-        fit, covariance = np.polyfit(np.log(pressures), np.log(stresses), 1, w=1 / np.array(errors), cov=True)
-        paper = np.polyfit(np.log(pressures), np.log([m[0]["mu_eq2"] * p for p, m in
-                                                      groups(points, lambda x: x["pressure"]).items()]), 1)[0]
-        lines.append(f"stress ~ p^n: n = {fit[0]:.3f} +- {math.sqrt(covariance[0, 0]):.3f}, Eq. 2 {paper:.3f} (Amontons: 1)")
+        fit, covariance = np.polyfit(
+            np.log(pressures), np.log(stresses), 1, w=1 / np.array(errors), cov=True
+        )
+        paper = np.polyfit(
+            np.log(pressures),
+            np.log(
+                [m[0]["mu_eq2"] * p for p, m in groups(points, lambda x: x["pressure"]).items()]
+            ),
+            1,
+        )[0]
+        lines.append(
+            f"stress ~ p^n: n = {fit[0]:.3f} +- {math.sqrt(covariance[0, 0]):.3f}, Eq. 2 "
+            f"{paper:.3f} (Amontons: 1)"
+        )
     return lines
 
 
@@ -55,19 +80,29 @@ def fig6(report, picture):
     for v, members in groups(points, lambda x: x["velocity"]).items():
         (mu, error), (peak, _) = mean_of(members), mean_of(members, "mu_peak")
         paper = members[0]["mu_eq2"]
-        rows.append([f"v = {v:g} m/s", f"{paper:.3f}", f"{mu:.3f} +- {error:.3f}", percent(mu, paper), f"{peak:.2f}"])
+        rows.append(
+            [
+                f"v = {v:g} m/s",
+                f"{paper:.3f}",
+                f"{mu:.3f} +- {error:.3f}",
+                percent(mu, paper),
+                f"{peak:.2f}",
+            ]
+        )
     return table(["mu", "Eq. 2", FROM, "", "peak"], rows)
 
 
 # fig7 and fig8 ------------------------------------------------------------------------------------
 def fig7(report, picture):
-    """Eq. 2 fitted to our runs beside Eq. 3; its static part beside Eq. 5; our runs against the paper's law."""
+    """Eq. 2 fitted to our runs beside Eq. 3; its static part beside Eq. 5; our runs against the
+    paper's law."""
     plot_fit.draw(*plot_fit.contents(report), picture)
     return law_lines(report)
 
 
 def law_lines(report):
-    """The fitted parameters beside Eq. 3, the static part beside Eq. 5, the comparison of models."""
+    """The fitted parameters beside Eq. 3, the static part beside Eq. 5, the comparison of
+    models."""
     body, lines = report["report"], []
     if "fit" in body:
         fit = body["fit"]
@@ -75,63 +110,132 @@ def law_lines(report):
         for name, paper in {**PAPER, **({"n": 0} if "kappa3" in fit else {})}.items():
             entry = fit["parameters"][name]
             low, high = ("open" if end is None else f"{end:.3g}" for end in entry["interval"])
-            inside = all(end is None or sign * (paper - end) >= 0 for sign, end in zip((1, -1), entry["interval"]))
-            rows.append([name, f"{paper:g}", f"{entry['value']:.4g} +- {entry['standard_error']:.2g}",
-                         f"{low} .. {high}", "inside" if inside else "outside"])
-        lines += table(["Eq. 2", "Eq. 3", "our fit", f"{100 * fit['level']:g} % interval", "the paper's is"], rows)
-        lines.append(f"RMS of the points against their fit: {100 * report['rms_relative']:.1f} % (paper about 9 %), "
-                     f"{report['n']} points")
+            inside = all(
+                end is None or sign * (paper - end) >= 0
+                for sign, end in zip((1, -1), entry["interval"])
+            )
+            rows.append(
+                [
+                    name,
+                    f"{paper:g}",
+                    f"{entry['value']:.4g} +- {entry['standard_error']:.2g}",
+                    f"{low} .. {high}",
+                    "inside" if inside else "outside",
+                ]
+            )
+        lines += table(
+            ["Eq. 2", "Eq. 3", "our fit", f"{100 * fit['level']:g} % interval", "the paper's is"],
+            rows,
+        )
+        lines.append(
+            f"RMS of the points against their fit: {100 * report['rms_relative']:.1f} % (paper "
+            "about 9 %), "
+            f"{report['n']} points"
+        )
         law = {name: report[name] for name in PAPER}
         rows = []
         for kappa2 in (2.0, 50.0, 150.0, 365.0, 633.0):
             ours, paper = plot_fit.static_part(law, kappa2), plot_fit.static_part(PAPER, kappa2)
             error = float(plot_fit.static_error(law, report["covariance"], np.array([kappa2]))[0])
-            rows.append([f"kappa2 = {kappa2:g}", f"{paper:.3f}", f"{ours:.3f} +- {error:.3f}", percent(ours, paper)])
+            rows.append(
+                [
+                    f"kappa2 = {kappa2:g}",
+                    f"{paper:.3f}",
+                    f"{ours:.3f} +- {error:.3f}",
+                    percent(ours, paper),
+                ]
+            )
         lines += ["", *table(["mu for v -> 0 (Fig. 8)", "Eq. 5", "our fit", ""], rows)]
     else:
         lines.append(f"No law fitted: {report['reason']}")
     if "fit" in body and "kappa3" in body["fit"]:
-        lines.append(f"the law at kappa3 = {body['fit']['kappa3']:g}; it goes with (kappa3/{body['fit']['kappa3']:g})^n")
+        lines.append(
+            f"the law at kappa3 = {body['fit']['kappa3']:g}; it goes with "
+            f"(kappa3/{body['fit']['kappa3']:g})^n"
+        )
     paper = body["against_eq2"]
-    lines.append(f"RMS of our points against the paper's law: {100 * paper['rms_relative']:.1f} %, mean "
-                 f"{100 * paper['mean']:+.1f} % ({paper['n']} points)")
+    lines.append(
+        f"RMS of our points against the paper's law: {100 * paper['rms_relative']:.1f} %, mean "
+        f"{100 * paper['mean']:+.1f} % ({paper['n']} points)"
+    )
     for model in body["models"]:
         aicc = "-" if (delta := model.get("delta_aicc")) is None else f"{delta:+.1f}"
-        lines.append(f"  {model['model']:10} " + (f"RMS {100 * model['rms_relative']:.1f} %, AICc {aicc}"
-                                                 if "rms_relative" in model else model["why_not"]))
+        lines.append(
+            f"  {model['model']:10} "
+            + (
+                f"RMS {100 * model['rms_relative']:.1f} %, AICc {aicc}"
+                if "rms_relative" in model
+                else model["why_not"]
+            )
+        )
     return lines
 
 
 def kappa3(report, picture):
-    """mu over Eq. 2 with the paper's numbers against kappa3 = E/sigma_0, a power law through it; and wr_fit's own fit."""
+    """mu over Eq. 2 with the paper's numbers against kappa3 = E/sigma_0, a power law through it;
+    and wr_fit's own fit."""
     points = [p for p in report["report"]["points"] if not p["left_out"]]
-    x, mu, error, paper = (np.array([p[key] for p in points]) for key in ("kappa3", "mu", "mu_se", "mu_eq2"))
+    x, mu, error, paper = (
+        np.array([p[key] for p in points]) for key in ("kappa3", "mu", "mu_se", "mu_eq2")
+    )
     if len(x) < 3 or min(x) == max(x):
         raise Missing(f"{len(x)} runs of {len(set(x))} different kappa3: 3 of 2 are needed")
     factor, n, factor_error, n_error = power_law(x / STEEL, mu / paper, error / mu)
     figure, axes = pyplot.subplots(figsize=(7, 4.4), constrained_layout=True)
-    axes.errorbar(x, mu / paper, yerr=1.96 * error / paper, fmt="o", ms=4, lw=1, capsize=2, label="our runs, 95 % of their own error")
+    axes.errorbar(
+        x,
+        mu / paper,
+        yerr=1.96 * error / paper,
+        fmt="o",
+        ms=4,
+        lw=1,
+        capsize=2,
+        label="our runs, 95 % of their own error",
+    )
     line = np.geomspace(0.9 * min(x), 1.1 * max(x), 50)
-    axes.plot(line, factor * (line / STEEL) ** n, "C1", lw=2, label=f"{factor:.2f} ($\\kappa_3$/{STEEL:g})$^{{{n:.2f}}}$")
+    axes.plot(
+        line,
+        factor * (line / STEEL) ** n,
+        "C1",
+        lw=2,
+        label=f"{factor:.2f} ($\\kappa_3$/{STEEL:g})$^{{{n:.2f}}}$",
+    )
     axes.axhline(1, color="k", ls="--", lw=1, label="Eq. 2")
-    axes.set(xscale="log", yscale="log", xlabel="$\\kappa_3 = E/\\sigma_0$", ylabel="$\\mu/\\mu$(Eq. 2)", ylim=(0.25, 4))
+    axes.set(
+        xscale="log",
+        yscale="log",
+        xlabel="$\\kappa_3 = E/\\sigma_0$",
+        ylabel="$\\mu/\\mu$(Eq. 2)",
+        ylim=(0.25, 4),
+    )
     axes.set_xticks([500, 1000, 2000, 4000], ["500", "1000", "2000", "4000"])
     axes.set_yticks([0.3, 0.5, 1, 2, 3], ["0.3", "0.5", "1", "2", "3"])
     axes.grid(alpha=0.3)
     axes.legend(fontsize=9)
-    save(figure, picture)
-    rms = [100 * math.sqrt(np.mean((mu / (paper * f) - 1) ** 2)) for f in (1, factor * (x / STEEL) ** n)]
-    lines = [f"mu/mu(Eq. 2) = A (kappa3/{STEEL:g})^n: A = {factor:.3f} +- {factor_error:.3f}, n = {n:.3f} +- {n_error:.3f} (paper: 1 and 0)",
-             f"RMS of our points against Eq. 2 with the paper's numbers {rms[0]:.1f} %, against this {rms[1]:.1f} % ({len(points)} points)", ""]
+    save_figure(figure, picture)
+    rms = [
+        100 * math.sqrt(np.mean((mu / (paper * f) - 1) ** 2))
+        for f in (1, factor * (x / STEEL) ** n)
+    ]
+    lines = [
+        f"mu/mu(Eq. 2) = A (kappa3/{STEEL:g})^n: A = {factor:.3f} +- {factor_error:.3f}, n = "
+        f"{n:.3f} +- {n_error:.3f} (paper: 1 and 0)",
+        f"RMS of our points against Eq. 2 with the paper's numbers {rms[0]:.1f} %, against this "
+        f"{rms[1]:.1f} % ({len(points)} points)",
+        "",
+    ]
     return lines + law_lines(report)
 
 
 # dots: collapse, sensitivity, convergence ---------------------------------------------------------
 def dots(labels, values, errors, picture, xlabel, lines=(), band=None):
-    """A row for each label: value with its 95 % interval; vertical lines (x, style, label); a band."""
+    """A row for each label: value with its 95 % interval; vertical lines (x, style, label); a
+    band."""
     figure, axes = pyplot.subplots(figsize=(7.5, 1.2 + 0.3 * len(labels)), constrained_layout=True)
     rows = np.arange(len(labels))[::-1]
-    axes.errorbar(values, rows, xerr=1.96 * np.array(errors), fmt="o", capsize=2, label="our runs, 95 %")
+    axes.errorbar(
+        values, rows, xerr=1.96 * np.array(errors), fmt="o", capsize=2, label="our runs, 95 %"
+    )
     for x, style, label in lines:
         axes.axvline(x, **style, lw=1.2, label=label)
     if band:
@@ -139,16 +243,24 @@ def dots(labels, values, errors, picture, xlabel, lines=(), band=None):
     axes.set_yticks(rows, labels)
     axes.set(xlabel=xlabel, ylim=(-0.7, len(labels) - 0.3))
     axes.grid(alpha=0.3, axis="x")
-    axes.legend(fontsize=9, loc="upper center", bbox_to_anchor=(0.4, -0.85 / (1.2 + 0.3 * len(labels))), ncols=3)
-    save(figure, picture)
+    axes.legend(
+        fontsize=9,
+        loc="upper center",
+        bbox_to_anchor=(0.4, -0.85 / (1.2 + 0.3 * len(labels))),
+        ncols=3,
+    )
+    save_figure(figure, picture)
 
 
 def parameters(point):
     """What is varied at equal kappas: p, v, sigma_0, E, rho, eta."""
     modulus = point["kappa2"] * point["strength"] ** 2 / point["pressure"]
     density = point["kappa1"] * point["strength"] ** 2 * 1e6 / (modulus * point["velocity"] ** 2)
-    return (f"p {point['pressure']:.3g}, v {point['velocity']:.3g}, $\\sigma_0$ {point['strength']:g}, E {1e-3 * modulus:.0f}, "
-            f"$\\rho$ {1e-3 * density:.2g}, $\\eta$ {point['viscosity']:g}")
+    return (
+        f"p {point['pressure']:.3g}, v {point['velocity']:.3g}, $\\sigma_0$ "
+        f"{point['strength']:g}, E {1e-3 * modulus:.0f}, "
+        f"$\\rho$ {1e-3 * density:.2g}, $\\eta$ {point['viscosity']:g}"
+    )
 
 
 def collapse(report, picture):
@@ -158,14 +270,28 @@ def collapse(report, picture):
     if len(mu) < 2:
         raise Missing("one run has no scatter: 2 are needed")
     mean = float(np.mean(mu))
-    dots([f"{run_name(p)}: {parameters(p)}" for p in points], mu, [p["mu_se"] or math.nan for p in points], picture,
-         "friction coefficient $\\mu$",
-         [(mean, dict(color="C1"), "their mean"), (points[0]["mu_eq2"], dict(color="k", ls="--"), "Eq. 2")],
-         (mean * (1 - PAPER_COLLAPSE), mean * (1 + PAPER_COLLAPSE), "$\\pm$ 3.5 % (paper)"))
+    dots(
+        [f"{run_name(p)}: {parameters(p)}" for p in points],
+        mu,
+        [p["mu_se"] or math.nan for p in points],
+        picture,
+        "friction coefficient $\\mu$",
+        [
+            (mean, dict(color="C1"), "their mean"),
+            (points[0]["mu_eq2"], dict(color="k", ls="--"), "Eq. 2"),
+        ],
+        (mean * (1 - PAPER_COLLAPSE), mean * (1 + PAPER_COLLAPSE), "$\\pm$ 3.5 % (paper)"),
+    )
     scatter, own = scatter_of(mu, [p["mu_se"] or 0 for p in points])
-    rows = [["scatter of mu (standard deviation)", f"{100 * PAPER_COLLAPSE:.1f} %", f"{scatter:.1f} %"],
-            ["  what the runs' own errors explain", "", f"{own:.1f} %"],
-            ["mean mu", f"{points[0]['mu_eq2']:.3f}", f"{mean:.3f} +- {np.std(mu, ddof=1) / math.sqrt(len(mu)):.3f}"]]
+    rows = [
+        ["scatter of mu (standard deviation)", f"{100 * PAPER_COLLAPSE:.1f} %", f"{scatter:.1f} %"],
+        ["  what the runs' own errors explain", "", f"{own:.1f} %"],
+        [
+            "mean mu",
+            f"{points[0]['mu_eq2']:.3f}",
+            f"{mean:.3f} +- {np.std(mu, ddof=1) / math.sqrt(len(mu)):.3f}",
+        ],
+    ]
     return table([f"{len(points)} runs", "paper", "ours"], rows)
 
 
@@ -175,35 +301,54 @@ def condition_of(point):
 
 
 def sensitivity(report, picture):
-    """mu/mu(Eq. 2) for each set of laws at each condition, a mean over the seeds; root mean square and mean for each set."""
+    """mu/mu(Eq. 2) for each set of laws at each condition, a mean over the seeds; root mean square
+    and mean for each set."""
     points = [p for p in report["report"]["points"] if p["mu_se"] is not None]
     sets = groups(points, lambda p: run_name(p).split("-laws")[1].replace("_", " "))
     conditions = sorted({condition_of(p) for p in points})
     figure, axes = pyplot.subplots(figsize=(8, 4.4), constrained_layout=True)
     rows = []
     for k, (laws, members) in enumerate(sets.items()):
-        at = {c: np.array(mean_of(runs)) / runs[0]["mu_eq2"] for c, runs in groups(members, condition_of).items()}
+        at = {
+            c: np.array(mean_of(runs)) / runs[0]["mu_eq2"]
+            for c, runs in groups(members, condition_of).items()
+        }
         ratio, error = np.array([at.get(c, (math.nan, math.nan)) for c in conditions]).T
         x = np.arange(len(conditions)) + 0.1 * (k - 0.5 * (len(sets) - 1))
-        axes.errorbar(x, ratio, yerr=1.96 * np.array(error), fmt="o", ms=4, capsize=2, label=f"preset {laws}")
+        axes.errorbar(
+            x, ratio, yerr=1.96 * np.array(error), fmt="o", ms=4, capsize=2, label=f"preset {laws}"
+        )
         known = np.array([(r, e) for r, e in zip(ratio, error) if not math.isnan(r)])
         d = known[:, 0] - 1
         rms = math.sqrt(np.mean(d**2))
-        rows.append([f"preset {laws}", *(f"{r:.2f}" if not math.isnan(r) else "-" for r in ratio), f"{100 * np.mean(d):+.0f} %",
-                     f"{100 * rms:.1f} +- {100 * math.sqrt(np.sum((d * known[:, 1]) ** 2)) / (rms * len(d)):.1f} %"])
+        rows.append(
+            [
+                f"preset {laws}",
+                *(f"{r:.2f}" if not math.isnan(r) else "-" for r in ratio),
+                f"{100 * np.mean(d):+.0f} %",
+                f"{100 * rms:.1f} +- "
+                f"{100 * math.sqrt(np.sum((d * known[:, 1]) ** 2)) / (rms * len(d)):.1f} %",
+            ]
+        )
     axes.axhline(1, color="k", ls="--", lw=1, label="Eq. 2")
     first = {condition_of(p): p for p in points}
-    axes.set_xticks(range(len(conditions)), [f"{c}\n$\\kappa_1$ {first[c]['kappa1']:.2g}\n$\\kappa_2$ {first[c]['kappa2']:.3g}"
-                                             for c in conditions])
+    axes.set_xticks(
+        range(len(conditions)),
+        [
+            f"{c}\n$\\kappa_1$ {first[c]['kappa1']:.2g}\n$\\kappa_2$ {first[c]['kappa2']:.3g}"
+            for c in conditions
+        ],
+    )
     axes.set(ylabel="$\\mu/\\mu$(Eq. 2)", ylim=(0, None))
     axes.grid(alpha=0.3, axis="y")
     axes.legend(fontsize=8, ncols=2)
-    save(figure, picture)
+    save_figure(figure, picture)
     return table(["mu/mu(Eq. 2)", *conditions, "mean", "RMS"], rows)
 
 
 def convergence(report, picture):
-    """mu over that of the base size, and the depth of the layer (nm), for each size and strength (MPa)."""
+    """mu over that of the base size, and the depth of the layer (nm), for each size and strength
+    (MPa)."""
     points = report["report"]["points"]
     rows, labels, values, errors = [], [], [], []
     for strength, members in groups(points, lambda p: p["strength"]).items():
@@ -216,36 +361,96 @@ def convergence(report, picture):
             depths = [found for p in sizes[name] if (found := layer.read(p["file"]))]
             depth = "{:.1f} +- {:.1f}".format(*layer.mean_depth(depths)) if depths else ""
             difference = (mu - base[0]) / math.hypot(error, base[1])
-            rows.append([f"{strength:g} MPa: {name}", str(len(sizes[name])), f"{mu:.3f} +- {error:.3f}",
-                         "" if name == "base" else f"{percent(mu, base[0])} ({difference:+.1f} s.e.)", depth])
-            labels.append(f"{strength:g} MPa: {name}"), values.append(mu / base[0]), errors.append(error / base[0])
-    dots(labels, values, errors, picture, "$\\mu/\\mu$(base)", [(1, dict(color="k", ls="--"), "base: 40 across, 14 rows, 3 held")])
+            rows.append(
+                [
+                    f"{strength:g} MPa: {name}",
+                    str(len(sizes[name])),
+                    f"{mu:.3f} +- {error:.3f}",
+                    "" if name == "base" else f"{percent(mu, base[0])} ({difference:+.1f} s.e.)",
+                    depth,
+                ]
+            )
+            (
+                labels.append(f"{strength:g} MPa: {name}"),
+                values.append(mu / base[0]),
+                errors.append(error / base[0]),
+            )
+    dots(
+        labels,
+        values,
+        errors,
+        picture,
+        "$\\mu/\\mu$(base)",
+        [(1, dict(color="k", ls="--"), "base: 40 across, 14 rows, 3 held")],
+    )
     return table(["", "runs", "mu", "against base", "depth, nm"], rows)
 
 
 FIGURES = {
-    "fig3": Figure("Fig. 3: depth of the sliding layer (N1)", ["roughness", "viscosity"], ageing.fig3),
-    "fig4": Figure("Fig. 4: friction stress against pressure (N2)", ["pressure"], fig4, ["--grinding-in", "100", *START]),
+    "fig3": Figure(
+        "Fig. 3: depth of the sliding layer (N1)", ["roughness", "viscosity"], ageing.fig3
+    ),
+    "fig4": Figure(
+        "Fig. 4: friction stress against pressure (N2)",
+        ["pressure"],
+        fig4,
+        ["--grinding-in", "100", *START],
+    ),
     "fig6": Figure(f"Fig. 6: mu against velocity, {FROM} (N3)", ["velocity"], fig6, START),
-    "ageing": Figure("Ageing: mu against time", ["velocity", "pressure", "collapse10", "paper36"], ageing.ageing),
+    "ageing": Figure(
+        "Ageing: mu against time", ["velocity", "pressure", "collapse10", "paper36"], ageing.ageing
+    ),
     "collapse": Figure(f"Equal kappa1 and kappa2, {FROM} (N4)", ["collapse10"], collapse, START),
     "fig7": Figure(f"Figs. 7 and 8: the law, {FROM} (N5, N6)", ["paper36"], fig7, START),
-    "steel": Figure(f"The law of one material, E = 206 GPa and sigma_0 = 92 MPa, {FROM}", ["velocity", "pressure"], fig7,
-                    START),
-    "kappa3": Figure(f"The law with a third number, kappa3 = E/sigma_0, {FROM}", ["paper36", "velocity", "pressure"], kappa3,
-                     ["--model", "eq2_kappa3", "--kappa3", str(STEEL), *START]),
+    "steel": Figure(
+        f"The law of one material, E = 206 GPa and sigma_0 = 92 MPa, {FROM}",
+        ["velocity", "pressure"],
+        fig7,
+        START,
+    ),
+    "kappa3": Figure(
+        f"The law with a third number, kappa3 = E/sigma_0, {FROM}",
+        ["paper36", "velocity", "pressure"],
+        kappa3,
+        ["--model", "eq2_kappa3", "--kappa3", str(STEEL), *START],
+    ),
 }
-FIGURES |= {f"{name}-rows32": Figure(f"{figure.title}, in blocks of 32 rows", [f"{plan}-rows32" for plan in figure.plans], figure.make,
-                                     figure.options)
-            for name, figure in FIGURES.items()}
 FIGURES |= {
-    "height": Figure("The layer and mu against the height of the blocks and the pressure",
-                     ["roughness", "roughness-rows32", "height"], ageing.height),
-    "rate": Figure("mu against the shear rate of the layer, 15 MPa", ["velocity", "roughness-rows32", "height"], rate.rate),
-    "sensitivity": Figure("Sensitivity of mu to the laws, from 15 ns on", ["variants"], sensitivity, ["--start", "15"]),
-    "convergence": Figure("Size of the fragment, from 40 ns on", ["convergence"], convergence, ["--start", "40"]),
-    "timestep": Figure("Friction with plain steps against the step, from 10 ns on",
-                       ["timestep"], steps.timestep, ["--start", "10"]),
-    "corrected": Figure("Friction with plain and with corrected steps, from 10 ns on",
-                        ["timestep", "corrected"], steps.corrected, ["--start", "10"]),
+    f"{name}-rows32": Figure(
+        f"{figure.title}, in blocks of 32 rows",
+        [f"{plan}-rows32" for plan in figure.plans],
+        figure.make,
+        figure.options,
+    )
+    for name, figure in FIGURES.items()
+}
+FIGURES |= {
+    "height": Figure(
+        "The layer and mu against the height of the blocks and the pressure",
+        ["roughness", "roughness-rows32", "height"],
+        ageing.height,
+    ),
+    "rate": Figure(
+        "mu against the shear rate of the layer, 15 MPa",
+        ["velocity", "roughness-rows32", "height"],
+        rate.rate,
+    ),
+    "sensitivity": Figure(
+        "Sensitivity of mu to the laws, from 15 ns on", ["variants"], sensitivity, ["--start", "15"]
+    ),
+    "convergence": Figure(
+        "Size of the fragment, from 40 ns on", ["convergence"], convergence, ["--start", "40"]
+    ),
+    "timestep": Figure(
+        "Friction with plain steps against the step, from 10 ns on",
+        ["timestep"],
+        steps.timestep,
+        ["--start", "10"],
+    ),
+    "corrected": Figure(
+        "Friction with plain and with corrected steps, from 10 ns on",
+        ["timestep", "corrected"],
+        steps.corrected,
+        ["--start", "10"],
+    ),
 }

@@ -1,18 +1,22 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """The sliding layer of a run, from the profile beside its friction log."""
+
 import dataclasses
+import itertools
 import math
 import os
 
 import numpy as np
 
 import plot_layer
-from .common import head_of
+from mcawr.friction_log import head_of
 
 
 @dataclasses.dataclass
 class Layer:
-    """Depth (nm) of the layer, links of an automaton in it (over 6), and its density (automata in a row over those of the solid), at the
-    ends of the frames (ns)."""
+    """Depth (nm) of the layer, links of an automaton in it (over 6), and its density (automata in a
+    row over those of the solid), at the ends of the frames (ns)."""
+
     time: np.ndarray
     depth: np.ndarray
     linked: np.ndarray
@@ -25,28 +29,42 @@ def read(log):
     if not os.path.exists(profile):
         return None
     measures = [plot_layer.measure(*frame) for frame in plot_layer.read_frames(profile)]
-    step, depth, linked, automata = (np.array([m[key] for m in measures]) for key in ("step", "depth", "linked", "automata"))
+    step, depth, linked, automata = (
+        np.array([m[key] for m in measures]) for key in ("step", "depth", "linked", "automata")
+    )
     head = head_of(log)
     size = head["geometry"]
-    return Layer(step * float(head["run"]["timestep"]), depth, linked, automata * size["diameter"] / size["width"])
+    return Layer(
+        step * float(head["run"]["timestep"]),
+        depth,
+        linked,
+        automata * size["diameter"] / size["width"],
+    )
 
 
 def window(series, begin, end, blocks):
     """(mean, its standard error) of several runs over begin < time <= end (ns).
 
-    series: a pair of arrays for each run, times (ns) and values of any unit, of which every block holds one or more. The
-    error is that of the mean of all blocks, equal parts of the window: too small if values correlate over longer than one."""
+    series: a pair of arrays for each run, times (ns) and values of any unit, of which every block
+    holds one or more. The error is that of the mean of all blocks, equal parts of the window: too
+    small if values correlate over longer than one."""
     edges = np.linspace(begin, end, blocks + 1) * (1 + 1e-9)
-    means = [values[(time > low) & (time <= high)].mean()
-             for time, values in series for low, high in zip(edges, edges[1:])]
+    means = [
+        values[(time > low) & (time <= high)].mean()
+        for time, values in series
+        for low, high in itertools.pairwise(edges)
+    ]
     return float(np.mean(means)), float(np.std(means, ddof=1) / math.sqrt(len(means)))
 
 
 def mean_depth(layers, until=math.inf):
-    """(mean over the second halves of the runs up to a time in ns, its standard error from frames and runs)."""
+    """(mean over the second halves of the runs up to a time in ns, its standard error from frames
+    and runs)."""
     depths = [layer.depth[layer.time <= until * (1 + 1e-6)] for layer in layers]
-    halves = [depth[len(depth) // 2:] for depth in depths]
+    halves = [depth[len(depth) // 2 :] for depth in depths]
     means = [float(np.mean(h)) for h in halves]
-    own = math.sqrt(sum(np.var(h, ddof=1) / len(h) if len(h) > 1 else 0.0 for h in halves)) / len(halves)
+    own = math.sqrt(sum(np.var(h, ddof=1) / len(h) if len(h) > 1 else 0.0 for h in halves)) / len(
+        halves
+    )
     scatter = np.std(means, ddof=1) / math.sqrt(len(means)) if len(means) > 1 else 0.0
     return float(np.mean(means)), max(own, scatter)

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """Samples that several tests start from; made once a test file."""
 
 import math
@@ -17,7 +18,8 @@ def write_fragments(path, length=1.0):
         x = d * (k % 16 + 0.5 * (row % 2) + 0.16 * upper)
         y = h * row + 0.052 * d * upper
         atoms.append(f"{k + 1} {1 + upper} {d * length!r} 1 {x * length!r} {y * length!r} 0")
-    path.write_text(f"""two fragments
+    path.write_text(
+        f"""two fragments
 
 160 atoms
 2 atom types
@@ -27,7 +29,10 @@ def write_fragments(path, length=1.0):
 
 Atoms # sphere
 
-""" + "\n".join(atoms) + "\n")
+"""
+        + "\n".join(atoms)
+        + "\n"
+    )
     return path
 
 
@@ -38,7 +43,8 @@ def fragments(tmp_path_factory):
 
 @pytest.fixture(scope="session")
 def rough_data(tmp_path_factory):
-    """Data file of two rough blocks; ids of create_atoms depend on the ranks, those of a file not."""
+    """Data file of two rough blocks; ids of create_atoms depend on the ranks, those of a file
+    not."""
     folder = tmp_path_factory.mktemp("sample")
     lmp("in.make_rough", folder)
     return folder / "rough.data"

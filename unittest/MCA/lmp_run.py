@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """Runs lmp with our plugin for the tests, and reads what it writes."""
 
 import os
@@ -15,6 +16,7 @@ PLUGIN = os.environ["MCA_PLUGIN"]
 MPIRUN = os.environ.get("MCA_MPIRUN") or shutil.which("mpirun")
 TIMEOUT = 0.5 * float(os.environ.get("MCA_TIMEOUT", 600))  # of a run, seconds
 STEEL = pathlib.Path(os.environ["PROJECT_SOURCE"]) / "potentials" / "steel.mca"
+
 
 def periodic_block(columns=10):
     """Commands that make a periodic hexagonal block of 8 rows, without a pair style."""
@@ -89,11 +91,21 @@ def lmp(script, folder, ranks=1, env=None, check=True, launcher=LMP, **variables
             variables[name] = commands
     command = [launcher, "-in", str(path), "-log", "none"]
     for name, value in variables.items():
-        command += ["-var", name, *(map(str, value) if isinstance(value, (list, tuple)) else [str(value)])]
+        command += [
+            "-var",
+            name,
+            *(map(str, value) if isinstance(value, (list, tuple)) else [str(value)]),
+        ]
     if ranks > 1:
         command = [MPIRUN, "--oversubscribe", "--bind-to", "none", "-np", str(ranks)] + command
-    done = subprocess.run(command, cwd=folder, env=dict(ENVIRONMENT, **(env or {})), text=True,
-                          stdout=subprocess.PIPE, stderr=subprocess.PIPE, timeout=TIMEOUT)
+    done = subprocess.run(
+        command,
+        cwd=folder,
+        env=dict(ENVIRONMENT, **(env or {})),
+        text=True,
+        capture_output=True,
+        timeout=TIMEOUT,
+    )
     result = Result(done, folder)
     if check:
         assert done.returncode == 0, done.stdout[-3000:] + done.stderr[-2000:]
@@ -111,14 +123,17 @@ def fails(script, folder, *parts, **more):
 
 
 def dump(path):
-    """Frames of a custom or local dump: [(step, {column: array})], atoms in the order of their id."""
+    """Frames of a custom or local dump: [(step, {column: array})], atoms in the order of their
+    id."""
     frames, lines, k = [], pathlib.Path(path).read_text().splitlines(), 0
     while k < len(lines):
         assert lines[k] == "ITEM: TIMESTEP"
         step, n = int(lines[k + 1]), int(lines[k + 3])
         k += 8
         columns = lines[k].split()[2:]
-        data = np.array([s.split() for s in lines[k + 1:k + 1 + n]], dtype=float).reshape(n, len(columns))
+        data = np.array([s.split() for s in lines[k + 1 : k + 1 + n]], dtype=float).reshape(
+            n, len(columns)
+        )
         k += 1 + n
         if columns and columns[0] == "id":
             data = data[np.argsort(data[:, 0])]

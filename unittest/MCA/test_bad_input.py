@@ -1,8 +1,9 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """Whatever is wrong with an input: one clear ERROR line, a non-zero exit, no half-written file."""
 
 import pytest
 
-from lmp_run import STEEL, fails, lmp, periodic_block
+from lmp_run import STEEL, fails, periodic_block
 
 SAMPLE = periodic_block()
 GOOD = SAMPLE + "pair_style mca\npair_coeff * * steel.mca\nfix 1 all nve/mca\n"
@@ -25,8 +26,8 @@ def test_empty_file(tmp_path, ranks):
 
 def test_truncated_file(tmp_path):
     text = STEEL.read_text()
-    with_file(text[:text.index("viscosity   ")], tmp_path, "bad.mca", "viscosity is missing")
-    with_file(text[:text.index("yield_strain") + 5], tmp_path, "bad.mca:", "unknown keyword 'yield'")
+    with_file(text[: text.index("viscosity   ")], tmp_path, "bad.mca", "viscosity is missing")
+    with_file(text[: text.index("yield_strain") + 5], tmp_path, "bad.mca:", "unknown keyword 'yield'")
 
 
 @pytest.mark.parametrize("value", ["abc", "nan", "inf", "-92", "0", "9e999", "92MPa", "0x10"])
@@ -43,129 +44,198 @@ def test_unknown_keyword_names_the_nearest(tmp_path):
 
 @pytest.mark.parametrize("units", ["lj", "electron"])
 def test_units_without_conversion(tmp_path, units):
-    fails(SAMPLE.replace("units nano", f"units {units}") + "pair_style mca\npair_coeff * * steel.mca\n",
-          tmp_path, "steel.mca:1", "nano", f"units {units}", "allowed")
+    fails(
+        SAMPLE.replace("units nano", f"units {units}")
+        + "pair_style mca\npair_coeff * * steel.mca\n",
+        tmp_path,
+        "steel.mca:1",
+        "nano",
+        f"units {units}",
+        "allowed",
+    )
 
 
-@pytest.mark.parametrize("words,parts", [
-    ("strenght 92", ["strenght", "nearest known one is 'strength'"]),
-    ("strength", ["strength", "no value"]),
-    ("strength -5", ["strength", "-5", "allowed"]),
-    ("poissons_ratio 0.5", ["poissons_ratio", "0.5", "allowed"]),
-    ("viscosity nan", ["viscosity", "nan", "allowed"]),
-])
+@pytest.mark.parametrize(
+    "words,parts",
+    [
+        ("strenght 92", ["strenght", "nearest known one is 'strength'"]),
+        ("strength", ["strength", "no value"]),
+        ("strength -5", ["strength", "-5", "allowed"]),
+        ("poissons_ratio 0.5", ["poissons_ratio", "0.5", "allowed"]),
+        ("viscosity nan", ["viscosity", "nan", "allowed"]),
+    ],
+)
 def test_bad_override(tmp_path, words, parts):
     fails(SAMPLE + f"pair_style mca\npair_coeff * * steel.mca {words}\n", tmp_path, *parts)
 
 
-@pytest.mark.parametrize("words,parts", [
-    ("preset c", ["preset", "value c", "allowed: a, b"]),
-    ("fractur none", ["fractur", "nearest known one is 'fracture'"]),
-    ("thickness -1", ["thickness", "-1", "allowed"]),
-    ("thickness nan", ["nan"]),  # LAMMPS's own words, followed by the input line
-    ("thickness", ["thickness", "no value"]),
-    ("cutoff 0", ["cutoff", "allowed"]),
-    ("link -3", ["link", "-3", "allowed"]),
-    ("weld none", ["heal needs welds"]),
-])
+@pytest.mark.parametrize(
+    "words,parts",
+    [
+        ("preset c", ["preset", "value c", "allowed: a, b"]),
+        ("fractur none", ["fractur", "nearest known one is 'fracture'"]),
+        ("thickness -1", ["thickness", "-1", "allowed"]),
+        ("thickness nan", ["nan"]),  # LAMMPS's own words, followed by the input line
+        ("thickness", ["thickness", "no value"]),
+        ("cutoff 0", ["cutoff", "allowed"]),
+        ("link -3", ["link", "-3", "allowed"]),
+        ("weld none", ["heal needs welds"]),
+    ],
+)
 def test_bad_pair_style(tmp_path, words, parts):
     fails(SAMPLE + f"pair_style mca {words}\n", tmp_path, *parts)
 
 
 def test_cutoff_below_the_breaking_distance(tmp_path):
-    fails(SAMPLE + "pair_style mca cutoff 2.55\npair_coeff * * steel.mca\nrun 0\n", tmp_path,
-          "cutoff 2.55", "breaking distance")
+    fails(
+        SAMPLE + "pair_style mca cutoff 2.55\npair_coeff * * steel.mca\nrun 0\n",
+        tmp_path,
+        "cutoff 2.55",
+        "breaking distance",
+    )
 
 
-@pytest.mark.parametrize("words,parts", [
-    ("velocity 5", ["pressure"]),
-    ("velocity nan pressure 1", ["nan"]),
-    ("velocity 5 pressure -1", ["pressure", "-1", ">= 0"]),
-    ("velocity 5 pressure inf", ["inf"]),
-    ("velocity 5 pressur 1", ["pressur", "nearest known one is 'pressure'"]),
-    ("velocity 5 pressure 1 every 0", ["every", "0", "> 0"]),
-    ("velocity 5 pressure 1 every 2.5", ["2.5"]),
-    ("velocity v_no pressure 1", ["no equal-style variable no"]),
-    ("velocity 5 pressure", ["pressure", "no value"]),
-])
+@pytest.mark.parametrize(
+    "words,parts",
+    [
+        ("velocity 5", ["pressure"]),
+        ("velocity nan pressure 1", ["nan"]),
+        ("velocity 5 pressure -1", ["pressure", "-1", ">= 0"]),
+        ("velocity 5 pressure inf", ["inf"]),
+        ("velocity 5 pressur 1", ["pressur", "nearest known one is 'pressure'"]),
+        ("velocity 5 pressure 1 every 0", ["every", "0", "> 0"]),
+        ("velocity 5 pressure 1 every 2.5", ["2.5"]),
+        ("velocity v_no pressure 1", ["no equal-style variable no"]),
+        ("velocity 5 pressure", ["pressure", "no value"]),
+    ],
+)
 def test_bad_drive(tmp_path, words, parts):
     fails(GOOD + f"fix 2 all mca/drive {words}\nrun 1\n", tmp_path, *parts)
 
 
 @pytest.mark.parametrize("ranks", [1, 2])
 def test_unwritable_log_folder(tmp_path, ranks):
-    fails(GOOD + "fix 2 all mca/drive velocity 1 pressure 1 file no/folder/x.friction\nrun 1\n",
-          tmp_path, "no/folder/x.friction", "No such file or directory", ranks=ranks)
+    fails(
+        GOOD + "fix 2 all mca/drive velocity 1 pressure 1 file no/folder/x.friction\nrun 1\n",
+        tmp_path,
+        "no/folder/x.friction",
+        "No such file or directory",
+        ranks=ranks,
+    )
     assert not (tmp_path / "no").exists()
 
 
 def test_a_failed_run_leaves_no_half_written_log(tmp_path):
-    fails(GOOD + "fix 2 all mca/drive velocity 1 pressure 1 file x.friction\ntimestep 1\nrun 1\n",
-          tmp_path, "Timestep 1")
+    fails(
+        GOOD + "fix 2 all mca/drive velocity 1 pressure 1 file x.friction\ntimestep 1\nrun 1\n",
+        tmp_path,
+        "Timestep 1",
+    )
     assert not list(tmp_path.glob("*.tmp"))
 
 
-@pytest.mark.parametrize("command,parts", [
-    ("compute 1 all mca/atom linsk", ["linsk", "nearest known one is 'links'"]),
-    ("compute 1 all mca/link/local", ["mca/link/local", "id1"]),
-    ("compute 1 all mca/link/local sigmaa", ["sigmaa", "nearest known one is 'sigma'"]),
-    ("mca_links make all all", ["make", "create, delete"]),
-    ("mca_links create all nobody", ["nobody"]),
-    ("mca_links create all all reach nan", ["nan"]),
-    ("mca_links create all all reach -1", ["reach", "-1"]),
-    ("fix 3 all nve/mca now", ["nve/mca", "now"]),
-    ("region r mca/rough beside 0 1 1 1", ["beside", "below, above"]),
-    ("region r mca/rough below 0 -1 1 1", ["amplitude", "-1"]),
-    ("region r mca/rough below 0 1 0 1", ["correlation"]),
-    ("region r mca/rough below 0 1 1 0", ["seed"]),
-    ("pair_coeff 1 1", ["types types file.mca"]),
-])
+@pytest.mark.parametrize(
+    "command,parts",
+    [
+        ("compute 1 all mca/atom linsk", ["linsk", "nearest known one is 'links'"]),
+        ("compute 1 all mca/link/local", ["mca/link/local", "id1"]),
+        ("compute 1 all mca/link/local sigmaa", ["sigmaa", "nearest known one is 'sigma'"]),
+        ("mca_links make all all", ["make", "create, delete"]),
+        ("mca_links create all nobody", ["nobody"]),
+        ("mca_links create all all reach nan", ["nan"]),
+        ("mca_links create all all reach -1", ["reach", "-1"]),
+        ("fix 3 all nve/mca now", ["nve/mca", "now"]),
+        ("region r mca/rough beside 0 1 1 1", ["beside", "below, above"]),
+        ("region r mca/rough below 0 -1 1 1", ["amplitude", "-1"]),
+        ("region r mca/rough below 0 1 0 1", ["correlation"]),
+        ("region r mca/rough below 0 1 1 0", ["seed"]),
+        ("pair_coeff 1 1", ["types types file.mca"]),
+    ],
+)
 def test_bad_commands(tmp_path, command, parts):
     fails(GOOD + command + "\n", tmp_path, *parts)
 
 
 def test_wrong_atom_style(tmp_path):
     script = SAMPLE.replace("atom_style sphere", "atom_style atomic")
-    fails(script + "mass * 1\npair_style mca\npair_coeff * * steel.mca\nrun 0\n", tmp_path,
-          "atom style sphere")
+    fails(
+        script + "mass * 1\npair_style mca\npair_coeff * * steel.mca\nrun 0\n",
+        tmp_path,
+        "atom style sphere",
+    )
 
 
-@pytest.mark.parametrize("laws, named", [
-    ("thickness 2", "thickness"), ("plane stress plasticity none", "plane stress"), ("plasticity j2", "plasticity j2"),
-    ("link_work 1", "link_work"), ("fracture equivalent", "fracture by the local stress")])
+@pytest.mark.parametrize(
+    "laws, named",
+    [
+        ("thickness 2", "thickness"),
+        ("plane stress plasticity none", "plane stress"),
+        ("plasticity j2", "plasticity j2"),
+        ("link_work 1", "link_work"),
+        ("fracture equivalent", "fracture by the local stress"),
+    ],
+)
 def test_laws_of_the_plane_in_three_dimensions(tmp_path, laws, named):
     script = SAMPLE.replace("dimension 2", "dimension 3").replace("hex 2.5", "sc 2.5")
-    fails(script + f"pair_style mca {laws}\npair_coeff * * steel.mca\nrun 0\n", tmp_path,
-          f"{named} is for dimension 2 only")
+    fails(
+        script + f"pair_style mca {laws}\npair_coeff * * steel.mca\nrun 0\n",
+        tmp_path,
+        f"{named} is for dimension 2 only",
+    )
 
 
-@pytest.mark.parametrize("laws, parts", [
-    ("plane stress", ("plane", "stress", "needs plasticity none")),
-    ("fracture drucker-prager", ("compressive_strength", "need each other")),
-    ("fracture drucker-prager compressive_strength 0.9", ("0.9", ">= 1")),
-    ("link_work 0", ("link_work", "0", "> 0"))])
+@pytest.mark.parametrize(
+    "laws, parts",
+    [
+        ("plane stress", ("plane", "stress", "needs plasticity none")),
+        ("fracture drucker-prager", ("compressive_strength", "need each other")),
+        ("fracture drucker-prager compressive_strength 0.9", ("0.9", ">= 1")),
+        ("link_work 0", ("link_work", "0", "> 0")),
+    ],
+)
 def test_laws_that_do_not_go_together(tmp_path, laws, parts):
     fails(SAMPLE + f"pair_style mca {laws}\n", tmp_path, *parts)
 
 
 def test_packing_of_the_other_dimension(tmp_path):
     script = SAMPLE.replace("dimension 2", "dimension 3").replace("hex 2.5", "sc 2.5")
-    fails(script + "pair_style mca packing hex\npair_coeff * * steel.mca\nrun 0\n", tmp_path,
-          "packing, value hex, allowed in dimension 3")
+    fails(
+        script + "pair_style mca packing hex\npair_coeff * * steel.mca\nrun 0\n",
+        tmp_path,
+        "packing, value hex, allowed in dimension 3",
+    )
 
 
 def test_links_before_the_pair_style(tmp_path):
-    fails(SAMPLE + "pair_style zero 3\npair_coeff * *\nmca_links create all all\n", tmp_path,
-          "requires pair_style mca")
+    fails(
+        SAMPLE + "pair_style zero 3\npair_coeff * *\nmca_links create all all\n",
+        tmp_path,
+        "requires pair_style mca",
+    )
 
 
-@pytest.mark.parametrize("style", ["fix 1 all nve/mca", "fix 1 all mca/drive velocity 1 pressure 1",
-                                   "compute 1 all mca/atom mean", "compute 1 all mca/link/local id1"])
+@pytest.mark.parametrize(
+    "style",
+    [
+        "fix 1 all nve/mca",
+        "fix 1 all mca/drive velocity 1 pressure 1",
+        "compute 1 all mca/atom mean",
+        "compute 1 all mca/link/local id1",
+    ],
+)
 def test_styles_that_need_the_pair_style(tmp_path, style):
-    fails(SAMPLE + f"pair_style zero 3\npair_coeff * *\n{style}\nrun 0\n", tmp_path,
-          style.split()[3], "requires pair_style mca")
+    fails(
+        SAMPLE + f"pair_style zero 3\npair_coeff * *\n{style}\nrun 0\n",
+        tmp_path,
+        style.split()[3],
+        "requires pair_style mca",
+    )
 
 
 def test_second_style_at_a_time(tmp_path):
-    fails(SAMPLE + "pair_style hybrid/overlay mca mca\npair_coeff * * mca 1 steel.mca\n"
-          "pair_coeff * * mca 2 steel.mca\nrun 0\n", tmp_path, "Only one pair style mca at a time")
+    fails(
+        SAMPLE + "pair_style hybrid/overlay mca mca\npair_coeff * * mca 1 steel.mca\n"
+        "pair_coeff * * mca 2 steel.mca\nrun 0\n",
+        tmp_path,
+        "Only one pair style mca at a time",
+    )

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """LAMMPS's own commands on a linked sample: the physics is right, or one line says why not."""
 
 import numpy as np
@@ -37,17 +38,22 @@ def links(frame):
 
 # ---- what does no harm: the same bits
 
-@pytest.mark.parametrize("extra", [
-    "run 100\nrun 100 pre no",
-    "run 0",
-    "reset_timestep 0",
-    "group left id 1:40\nregion low block INF INF INF 10 INF INF units box\ngroup low region low",
-    "displace_atoms all move 0 0 0",
-    "atom_modify sort 50 2.0",
-    "neigh_modify every 1 delay 0 check no",
-    "write_data between.data nofix\nwrite_restart between.restart",
-    "set group lower type 1\nset group all image 0 0 0",
-])
+
+@pytest.mark.parametrize(
+    "extra",
+    [
+        "run 100\nrun 100 pre no",
+        "run 0",
+        "reset_timestep 0",
+        "group left id 1:40\nregion low block INF INF INF 10 INF INF units box\ngroup low region "
+        "low",
+        "displace_atoms all move 0 0 0",
+        "atom_modify sort 50 2.0",
+        "neigh_modify every 1 delay 0 check no",
+        "write_data between.data nofix\nwrite_restart between.restart",
+        "set group lower type 1\nset group all image 0 0 0",
+    ],
+)
 def test_harmless(whole, fragments, tmp_path, extra):
     ran = 200 if extra.startswith("run 100") else 0
     _, frame = run(tmp_path, fragments, extra=extra, steps=200 - ran, every=200)
@@ -70,6 +76,7 @@ def test_new_ids_keep_the_links(fragments, tmp_path, ranks):
 
 # ---- what removes automata
 
+
 @pytest.fixture(scope="module")
 def lower_alone(fragments, tmp_path_factory):
     return delete_upper(tmp_path_factory.mktemp("alone"), fragments, compress="no")
@@ -80,7 +87,10 @@ def delete_upper(folder, data, compress, **more):
     return by_place(run(folder, data, extra=extra, steps=100, every=100, style=ELASTIC, **more)[1])
 
 
-@pytest.mark.parametrize("ranks,newton,compress", [(1, "on", "yes"), (2, "on", "yes"), (2, "off", "yes"), (2, "on", "no")])
+@pytest.mark.parametrize(
+    "ranks,newton,compress",
+    [(1, "on", "yes"), (2, "on", "yes"), (2, "off", "yes"), (2, "on", "no")],
+)
 def test_delete_atoms(lower_alone, fragments, tmp_path, ranks, newton, compress):
     """The upper fragment goes with its links and contacts; the lower one keeps its own."""
     frame = delete_upper(tmp_path, fragments, compress, ranks=ranks, newton=newton)
@@ -93,8 +103,15 @@ def test_delete_atoms(lower_alone, fragments, tmp_path, ranks, newton, compress)
 @pytest.mark.parametrize("ranks,newton", [(1, "on"), (2, "on"), (2, "off")])
 def test_delete_atoms_within_a_fragment(fragments, tmp_path, ranks, newton):
     """One automaton inside is deleted: its six links end, a line says so, and no other ones."""
-    result, frame = run(tmp_path, fragments, steps=1, newton=newton, ranks=ranks, every=1,
-                        extra="run 10\ngroup one id 24\ndelete_atoms group one")
+    result, frame = run(
+        tmp_path,
+        fragments,
+        steps=1,
+        newton=newton,
+        ranks=ranks,
+        every=1,
+        extra="run 10\ngroup one id 24\ndelete_atoms group one",
+    )
     assert "6 links ended with automata that were deleted" in result.out
     assert len(frame["id"]) == 159
     frames = [f for _, f in dump(tmp_path / "state.dump")]
@@ -104,47 +121,89 @@ def test_delete_atoms_within_a_fragment(fragments, tmp_path, ranks, newton):
 
 def test_deleted_in_a_run(fragments, tmp_path):
     """fix evaporate takes automata out of the running simulation."""
-    result, frame = run(tmp_path, fragments, extra="region all block INF INF INF INF INF INF\n"
-                        "fix gone all evaporate 50 5 all 4711", steps=200)
+    _, frame = run(
+        tmp_path,
+        fragments,
+        extra="region all block INF INF INF INF INF INF\nfix gone all evaporate 50 5 all 4711",
+        steps=200,
+    )
     assert len(frame["id"]) == 140 and np.isfinite(frame["vx"]).all()
 
 
 # ---- what moves automata between runs
 
+
 def test_fragments_move_as_a_whole(whole, fragments, tmp_path):
     """A shift of the whole by an exactly representable vector changes no stress, and no link."""
-    _, frame = run(tmp_path, fragments, extra="displace_atoms all move 16 0 0", style=ELASTIC, fall=0)
+    _, frame = run(
+        tmp_path, fragments, extra="displace_atoms all move 16 0 0", style=ELASTIC, fall=0
+    )
     _, still = run(tmp_path / "still", fragments, style=ELASTIC, fall=0)
     assert np.abs(frame["x"] - 16 - still["x"]).max() < 1e-12 * 40
     assert np.abs(frame["c_state[1]"] - still["c_state[1]"]).max() < 1e-12 * 206000
 
 
 def test_box_grows(whole, fragments, tmp_path):
-    _, frame = run(tmp_path, fragments, extra="change_box all x final -50 90 y final -50 90 boundary f f p")
+    _, frame = run(
+        tmp_path, fragments, extra="change_box all x final -50 90 y final -50 90 boundary f f p"
+    )
     assert same(frame, whole)
 
 
 @pytest.mark.parametrize("ranks", [1, 2])
-@pytest.mark.parametrize("move", ["change_box all x scale 1.001 remap",
-                                  "displace_atoms all ramp x 0 0.1 y 0 20 units box",
-                                  "displace_atoms lower rotate 20 10 0 0 0 1 5"])
+@pytest.mark.parametrize(
+    "move",
+    [
+        "change_box all x scale 1.001 remap",
+        "displace_atoms all ramp x 0 0.1 y 0 20 units box",
+        "displace_atoms lower rotate 20 10 0 0 0 1 5",
+    ],
+)
 def test_turned_links_are_refused(fragments, tmp_path, move, ranks):
-    fails("in.fragments", tmp_path, "turned", "rad between runs", "fix deform", data=fragments, steps=10,
-          style=ELASTIC, pull=0, fall=0, ranks=ranks, extra="run 10\n" + move)
+    fails(
+        "in.fragments",
+        tmp_path,
+        "turned",
+        "rad between runs",
+        "fix deform",
+        data=fragments,
+        steps=10,
+        style=ELASTIC,
+        pull=0,
+        fall=0,
+        ranks=ranks,
+        extra="run 10\n" + move,
+    )
 
 
 @pytest.mark.parametrize("ranks", [1, 2])
 def test_torn_links_are_refused(fragments, tmp_path, ranks):
-    fails("in.fragments", tmp_path, "links of pair_style mca are stretched beyond the cutoff", data=fragments,
-          steps=10, ranks=ranks, extra="run 10\ngroup half id 1:40\ndisplace_atoms half move 0 -9 0")
+    fails(
+        "in.fragments",
+        tmp_path,
+        "links of pair_style mca are stretched beyond the cutoff",
+        data=fragments,
+        steps=10,
+        ranks=ranks,
+        extra="run 10\ngroup half id 1:40\ndisplace_atoms half move 0 -9 0",
+    )
 
 
 def test_uniform_dilation_is_right(fragments, tmp_path):
     """It turns no link: the mean stress is that of Hooke's law."""
     strain = 1e-5
     grow = f"change_box all x scale {1 + strain} y scale {1 + strain} remap units box"
-    _, frame = run(tmp_path, fragments, style=ELASTIC, steps=1, every=1, pull=0, fall=0, boundary="f f",
-                   extra="timestep 1e-6\ndelete_atoms group upper\nrun 1\n" + grow)
+    _, frame = run(
+        tmp_path,
+        fragments,
+        style=ELASTIC,
+        steps=1,
+        every=1,
+        pull=0,
+        fall=0,
+        boundary="f f",
+        extra="timestep 1e-6\ndelete_atoms group upper\nrun 1\n" + grow,
+    )
     # the middle, which the waves from the free sides have not reached
     inside = (np.abs(frame["x"] - 20) < 8) & (np.abs(frame["y"] - 2 * 2.165) < 1)
     plane = 206000 / (1 + 0.3) / (1 - 2 * 0.3) * strain  # 2 (lambda + G) strain
@@ -155,35 +214,52 @@ def test_uniform_dilation_is_right(fragments, tmp_path):
 
 # ---- what cannot be followed
 
-@pytest.mark.parametrize("extra,parts", [
-    ("minimize 0 1e-6 10 10", ["minimize", "damped run"]),
-    ("run 0\nrerun state.dump dump x y vx vy", ["rerun", "does not hold the state of links"]),
-    ("fix box all deform 1 x erate 0.1 remap x", ["fix box deform", "remap v"]),
-    ("fix box all press/berendsen x 0 0 1", ["fix box press/berendsen", "remap v"]),
-    ("replicate 2 1 1", ["replicate"]),
-    ("run_style respa 2 2", ["respa"]),
-])
+
+@pytest.mark.parametrize(
+    "extra,parts",
+    [
+        ("minimize 0 1e-6 10 10", ["minimize", "damped run"]),
+        ("run 0\nrerun state.dump dump x y vx vy", ["rerun", "does not hold the state of links"]),
+        ("fix box all deform 1 x erate 0.1 remap x", ["fix box deform", "remap v"]),
+        ("fix box all press/berendsen x 0 0 1", ["fix box press/berendsen", "remap v"]),
+        ("replicate 2 1 1", ["replicate"]),
+        ("run_style respa 2 2", ["respa"]),
+    ],
+)
 def test_refused(fragments, tmp_path, extra, parts):
-    result = fails("in.fragments", tmp_path, *(p for p in parts if p != "replicate"), data=fragments, steps=10,
-                   boundary="p s", extra=extra)
+    result = fails(
+        "in.fragments",
+        tmp_path,
+        *(p for p in parts if p != "replicate"),
+        data=fragments,
+        steps=10,
+        boundary="p s",
+        extra=extra,
+    )
     assert len(result.error_lines) == 1
 
 
 def test_short_periodic_box_is_refused(fragments, tmp_path):
-    script = periodic_block(2) + """
+    script = (
+        periodic_block(2)
+        + """
 pair_style mca
 pair_coeff * * steel.mca
 neighbor 0.4 bin
 mca_links create all all
 """
+    )
     fails(script, tmp_path, "periodic box is 5 long in direction x", "6.3")
 
 
 # ---- replicate before the links are made
 
+
 @pytest.mark.parametrize("ranks", [1, 3])
 def test_replicated_sample(tmp_path, ranks):
-    script = periodic_block() + """
+    script = (
+        periodic_block()
+        + """
 replicate 3 2 1
 pair_style mca
 pair_coeff * * steel.mca
@@ -196,6 +272,7 @@ run 0
 mca_links create all all
 run 0
 """
+    )
     without, linked = lmp(script, tmp_path, ranks=ranks).thermo
     assert without["c_sum"][-1] == 0  # a sample has no links before mca_links
     assert linked["c_sum"][-1] == 6 * 480
@@ -203,10 +280,14 @@ run 0
 
 # ---- with other styles
 
-@pytest.mark.parametrize("style,more", [
-    ("hybrid/overlay mca zero 5.0", "pair_coeff * * zero"),
-    ("hybrid/overlay mca lj/cut 3.0", "pair_coeff * * lj/cut 0 2.5"),
-])
+
+@pytest.mark.parametrize(
+    "style,more",
+    [
+        ("hybrid/overlay mca zero 5.0", "pair_coeff * * zero"),
+        ("hybrid/overlay mca lj/cut 3.0", "pair_coeff * * lj/cut 0 2.5"),
+    ],
+)
 @pytest.mark.parametrize("ranks", [1, 2])
 def test_hybrid_overlay(whole, fragments, tmp_path, style, more, ranks):
     """Together with a style that does nothing."""
@@ -217,16 +298,27 @@ def test_hybrid_overlay(whole, fragments, tmp_path, style, more, ranks):
 
 
 def test_hybrid_without_all_types_is_refused(fragments, tmp_path):
-    fails("in.fragments", tmp_path, "Pair style mca in hybrid", "between all types, not so 1 2", data=fragments,
-          name="mca", style="hybrid mca zero 5.0", more="pair_coeff 1 2 zero")
+    fails(
+        "in.fragments",
+        tmp_path,
+        "Pair style mca in hybrid",
+        "between all types, not so 1 2",
+        data=fragments,
+        name="mca",
+        style="hybrid mca zero 5.0",
+        more="pair_coeff 1 2 zero",
+    )
+
 
 # ---- who follows the forces, which `steps corrected` has to know
 
-HELD = {"free": "fix integrate all nve/mca",
-        "freeze": "fix integrate all nve/mca\nfix hold wall freeze",
-        "setforce": "fix integrate all nve/mca\nfix hold wall setforce 0 0 0",
-        "move": "fix integrate mover nve/mca\nfix hold wall move linear 0 0 0",
-        "nothing": "fix integrate mover nve/mca"}
+HELD = {
+    "free": "fix integrate all nve/mca",
+    "freeze": "fix integrate all nve/mca\nfix hold wall freeze",
+    "setforce": "fix integrate all nve/mca\nfix hold wall setforce 0 0 0",
+    "move": "fix integrate mover nve/mca\nfix hold wall move linear 0 0 0",
+    "nothing": "fix integrate mover nve/mca",
+}
 
 
 @pytest.mark.parametrize("ranks", [1, 2])
@@ -234,7 +326,8 @@ HELD = {"free": "fix integrate all nve/mca",
 def test_viscous_contact_decays(tmp_path, held, ranks):
     """v exp(-eta S t/(d m)) against what is held, twice as fast between two that are free."""
     d, eta, rho, dt, steps, v = 2.5, 410, 0.0078, 1.25e-5, 20, -0.1
-    t = lmp(f"""units nano
+    t = lmp(
+        f"""units nano
 dimension 2
 boundary f f p
 atom_style sphere
@@ -256,7 +349,12 @@ thermo_style custom step c_vx c_wall
 thermo_modify format float %20.15g
 thermo {steps}
 run {steps}
-""", tmp_path, ranks=ranks).thermo[0]
-    rate = 4 / 3 * eta / (rho * d**2) * (1 if held == "free" else 0.5)  # eta S/(d m), S = d h/sqrt(3), m = rho sqrt(3)/2 d^2 h
+""",
+        tmp_path,
+        ranks=ranks,
+    ).thermo[0]
+    rate = (
+        4 / 3 * eta / (rho * d**2) * (1 if held == "free" else 0.5)
+    )  # eta S/(d m), S = d h/sqrt(3), m = rho sqrt(3)/2 d^2 h
     assert (t["c_vx"] - t["c_wall"])[-1] == pytest.approx(v * np.exp(-rate * dt * steps), rel=5e-3)
     assert (t["c_wall"][-1] == 0) == (held != "free")

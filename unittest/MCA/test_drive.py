@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """fix mca/drive: prescribed speed, rigid layer, constant normal pressure, and its log."""
 
 import os
@@ -53,8 +54,18 @@ def test_log_describes_itself(driven):
 
 def test_log_columns(driven):
     result, _, (_, log) = driven
-    assert list(log) == ["step", "time", "displacement", "shear_stress", "normal_stress", "mu",
-                         "links", "broken", "formed", "gap"]
+    assert list(log) == [
+        "step",
+        "time",
+        "displacement",
+        "shear_stress",
+        "normal_stress",
+        "mu",
+        "links",
+        "broken",
+        "formed",
+        "gap",
+    ]
     assert (log["step"] == np.arange(50, 4001, 50)).all()
     assert np.allclose(log["time"], log["step"] * 5e-5, rtol=1e-9)
     assert np.allclose(log["displacement"], V * log["time"], rtol=1e-9)
@@ -119,9 +130,12 @@ def test_no_half_written_files(driven):
 
 
 def test_automata_that_leave_through_the_layer_are_told_of(tmp_path):
-    """One more, a little below the centres of two of the layer that it does not fit between: it is pressed out."""
-    more = ("variable x equal xcm(top,x)\nvariable y equal bound(top,ymax)-0.05\n"
-            "create_atoms 1 single $x $y 0 units box\nrun 500")
+    """One more, a little below the centres of two of the layer that it does not fit between: it is
+    pressed out."""
+    more = (
+        "variable x equal xcm(top,x)\nvariable y equal bound(top,ymax)-0.05\n"
+        "create_atoms 1 single $x $y 0 units box\nrun 500"
+    )
     result = lmp("in.driven", tmp_path, v=V, p=P, extra=more)
     assert "1 automata left the fragment through the driven layer" in result.out
     assert result.out.count("left the fragment") == 1

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """Elastic constants, waves and conservation against closed forms; per-automaton and per-link output
 against numbers that follow from a uniform strain."""
 
@@ -19,12 +20,14 @@ def hooke(xx, yy, xy):
     return np.array(s + [zz, (s[0] + s[1] + zz) / 3])
 
 
-@pytest.mark.parametrize("xx,yy,xy", [
-    (1, 0, 0), (0, 1, 0), (1, 1, 0), (1, -1, 0), (0, 0, 1), (0.3, -0.7, 0.4)])
+@pytest.mark.parametrize(
+    "xx,yy,xy", [(1, 0, 0), (0, 1, 0), (1, 1, 0), (1, -1, 0), (0, 0, 1), (0.3, -0.7, 0.4)]
+)
 @pytest.mark.parametrize("ranks", [1, 2])
 def test_periodic_block_is_hookes(tmp_path, xx, yy, xy, ranks):
-    result = lmp("in.homogeneous", tmp_path, ranks=ranks, exx=xx * STRAIN, eyy=yy * STRAIN,
-                 exy=xy * STRAIN)
+    result = lmp(
+        "in.homogeneous", tmp_path, ranks=ranks, exx=xx * STRAIN, eyy=yy * STRAIN, exy=xy * STRAIN
+    )
     frame = dump(tmp_path / "state.dump")[-1][1]
     expected, size = hooke(xx * STRAIN, yy * STRAIN, xy * STRAIN), K * STRAIN
     names = [f"c_state[{k}]" for k in range(1, 6)]
@@ -43,11 +46,13 @@ def test_periodic_block_is_hookes(tmp_path, xx, yy, xy, ranks):
 
 def test_moduli_of_a_periodic_block(tmp_path):
     """E/(1 - nu^2), nu/(1 - nu) and G from three measured stress states."""
+
     def stress(**strain):
         folder = tmp_path / "_".join(strain)
         lmp("in.homogeneous", folder, **{k: v * STRAIN for k, v in strain.items()})
         frame = dump(folder / "state.dump")[-1][1]
         return np.array([frame[f"c_state[{k}]"].mean() / STRAIN for k in (1, 2, 3)])
+
     x, y, shear = stress(exx=1), stress(eyy=1), stress(exy=0.5)
     stiffness = np.array([x[:2], y[:2]]).T
     compliance = np.linalg.inv(stiffness)
@@ -69,7 +74,7 @@ def test_output_of_links_under_uniform_strain(tmp_path):
     assert (frame["c_state[8]"] == 6).all() and (frame["c_state[9]"] == 0).all()
     assert (frame["c_state[7]"] == 0).all()
     xx, yy, xy, zz, mean = hooke(STRAIN, -0.5 * STRAIN, 0.2 * STRAIN)
-    mises = np.sqrt(0.5 * ((xx - yy)**2 + (yy - zz)**2 + (zz - xx)**2) + 3 * xy**2)
+    mises = np.sqrt(0.5 * ((xx - yy) ** 2 + (yy - zz) ** 2 + (zz - xx) ** 2) + 3 * xy**2)
     assert np.abs(frame["c_state[6]"] - mises).max() < 1e-6 * mises
     links = dump(tmp_path / "links.dump")[-1][1]
     atoms = len(frame["id"])
@@ -83,8 +88,10 @@ def test_output_of_links_under_uniform_strain(tmp_path):
         strains[angle] = (n @ eps @ n, t @ eps @ n)
     for k in range(3 * atoms):
         e, gamma = links["c_link[4]"][k], links["c_link[6]"][k]
-        assert any(abs(e - a) < 2e-6 * STRAIN and abs(gamma - b) < 2e-6 * STRAIN
-                   for a, b in strains.values())
+        assert any(
+            abs(e - a) < 2e-6 * STRAIN and abs(gamma - b) < 2e-6 * STRAIN
+            for a, b in strains.values()
+        )
         sigma = 2 * G * e + (1 - 2 * G / 3 / K) * mean
         assert links["c_link[8]"][k] == pytest.approx(sigma, abs=1e-6 * K * STRAIN)
         assert links["c_link[9]"][k] == pytest.approx(2 * G * gamma, abs=1e-6 * K * STRAIN)
@@ -110,7 +117,7 @@ def test_free_block_conserves(tmp_path, ranks):
 def test_energy_error_is_of_second_order(tmp_path):
     spread = []
     for k, dt in enumerate((8e-5, 4e-5)):
-        t = lmp("in.free_block", tmp_path / str(k), dt=dt, steps=int(round(0.08 / dt))).thermo[-1]
+        t = lmp("in.free_block", tmp_path / str(k), dt=dt, steps=round(0.08 / dt)).thermo[-1]
         total = t["PotEng"] + t["KinEng"] + t["v_turning"]
         spread.append(np.ptp(total))
     assert 3.0 < spread[0] / spread[1] < 5.0
@@ -118,7 +125,8 @@ def test_energy_error_is_of_second_order(tmp_path):
 
 @pytest.mark.parametrize("mode", ["l", "s"])
 def test_wave_speed_of_a_long_bar(tmp_path, mode):
-    """Standing wave of 64 automata in a periodic sheet: c_l = sqrt((K+4G/3)/rho), c_s = sqrt(G/rho)."""
+    """Standing wave of 64 automata in a periodic sheet: c_l = sqrt((K+4G/3)/rho), c_s =
+    sqrt(G/rho)."""
     c = np.sqrt((LAMBDA + 2 * G if mode == "l" else G) / RHO)
     length = 64 * D
     period = length / c
@@ -126,7 +134,9 @@ def test_wave_speed_of_a_long_bar(tmp_path, mode):
     amplitude, time = t["v_amplitude"], t["Step"] * 5e-5
     # from downward to downward zero crossing
     down = [k for k in range(len(time) - 1) if amplitude[k] > 0 >= amplitude[k + 1]]
-    at = [time[k] + (time[k + 1] - time[k]) * amplitude[k] / (amplitude[k] - amplitude[k + 1])
-          for k in down]
+    at = [
+        time[k] + (time[k + 1] - time[k]) * amplitude[k] / (amplitude[k] - amplitude[k + 1])
+        for k in down
+    ]
     measured = length / np.diff(at).mean()
     assert measured == pytest.approx(c, rel=0.01)

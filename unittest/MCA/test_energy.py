@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """compute mca/energy: the account closes, on any number of ranks, and goes on after a restart."""
 
 import numpy as np
@@ -5,8 +6,14 @@ import pytest
 
 from lmp_run import fails, lmp
 
-NAMES = {"c_energy[1]": "kinetic", "c_energy[2]": "elastic", "c_energy[3]": "plastic",
-         "c_energy[4]": "fracture", "c_energy[5]": "viscous", "c_energy[6]": "work"}
+NAMES = {
+    "c_energy[1]": "kinetic",
+    "c_energy[2]": "elastic",
+    "c_energy[3]": "plastic",
+    "c_energy[4]": "fracture",
+    "c_energy[5]": "viscous",
+    "c_energy[6]": "work",
+}
 
 
 def account(result, run=0):
@@ -28,7 +35,10 @@ def test_sliding_account_closes(sliding):
     for name in ("plastic", "fracture", "viscous", "work"):
         assert sliding[name][-1] > 0, name
     # each channel is more than a hundred times the bar, so that none could be missing
-    assert min(sliding[n][-1] for n in ("plastic", "fracture", "viscous")) > 1e-3 * sliding["dissipated"][-1]
+    assert (
+        min(sliding[n][-1] for n in ("plastic", "fracture", "viscous"))
+        > 1e-3 * sliding["dissipated"][-1]
+    )
     assert np.abs(sliding["error"][1:] / sliding["dissipated"][1:]).max() < 1e-6
 
 
@@ -37,13 +47,23 @@ def test_error_is_the_sum(sliding):
     assert sliding["error"] == pytest.approx(total - total[0], abs=1e-9 * sliding["work"][-1])
 
 
-@pytest.mark.parametrize("laws", ["preset a", "preset b plasticity j2", "preset b viscosity none", "preset b steps plain",
-                                  "preset b plasticity j2 steps plain"])
+@pytest.mark.parametrize(
+    "laws",
+    [
+        "preset a",
+        "preset b plasticity j2",
+        "preset b viscosity none",
+        "preset b steps plain",
+        "preset b plasticity j2 steps plain",
+    ],
+)
 def test_other_laws_close_too(laws, tmp_path):
     a = account(lmp("in.energy_sliding", tmp_path, laws=laws, steps=1000))
     assert a["dissipated"][-1] > 0
     assert np.abs(a["error"][1:] / a["dissipated"][1:]).max() < 1e-6
-    assert (a["viscous"][-1] == pytest.approx(0, abs=1e-3 * a["dissipated"][-1])) == ("viscosity none" in laws)
+    assert (a["viscous"][-1] == pytest.approx(0, abs=1e-3 * a["dissipated"][-1])) == (
+        "viscosity none" in laws
+    )
 
 
 @pytest.mark.parametrize("newton", ["on", "off"])
@@ -86,7 +106,8 @@ fix drag all viscous 36
 compute energy all mca/energy
 compute totals all pair mca
 thermo 200
-thermo_style custom step c_energy c_energy[1] c_energy[2] c_energy[3] c_energy[4] c_energy[5] c_energy[6] v_r c_totals[3]
+thermo_style custom step c_energy c_energy[1] c_energy[2] c_energy[3] c_energy[4] &
+  c_energy[5] c_energy[6] v_r c_totals[3]
 thermo_modify format float %20.15g
 run 30000
 """
@@ -102,13 +123,20 @@ run 30000
 def test_elastic_energy_stays(tmp_path, dimension):
     a = account(lmp("in.energy_elastic", tmp_path, dimension=dimension))
     assert np.ptp(a["elastic"]) > 0.1 * a["kinetic"][0]
-    assert (a["dissipated"] == pytest.approx(0, abs=1e-9 * a["kinetic"][0]))
+    assert a["dissipated"] == pytest.approx(0, abs=1e-9 * a["kinetic"][0])
     assert np.abs(a["error"]).max() < 1e-9 * a["kinetic"][0]
 
 
 def test_two_runs_and_restart_go_on(sliding, tmp_path):
     first = "run 1000\nwrite_restart half.restart"
-    b = lmp("in.energy_sliding", tmp_path, laws="preset b", steps=3000, extra="", begin=_file(tmp_path, first))
+    b = lmp(
+        "in.energy_sliding",
+        tmp_path,
+        laws="preset b",
+        steps=3000,
+        extra="",
+        begin=_file(tmp_path, first),
+    )
     whole = account(b, run=1)
     assert whole["step"][-1] == 4000
     for name in NAMES.values():
@@ -118,7 +146,8 @@ fix integrate all nve/mca
 fix hold bottom freeze
 fix drive top mca/drive velocity 5 pressure 15
 compute energy all mca/energy
-thermo_style custom step c_energy c_energy[1] c_energy[2] c_energy[3] c_energy[4] c_energy[5] c_energy[6]
+thermo_style custom step c_energy c_energy[1] c_energy[2] c_energy[3] c_energy[4] &
+  c_energy[5] c_energy[6]
 thermo_modify format float %20.15g
 run 750
 """
@@ -135,12 +164,17 @@ def _file(folder, text):
     return path
 
 
-@pytest.mark.parametrize("line, words", [
-    ("compute e all mca/energy now", ("takes no arguments", "now")),
-    ("group g id 1\ncompute e g mca/energy", ("group g", "allowed: all")),
-    ("compute e all mca/energy\ncompute f all mca/energy", ("Only one compute mca/energy",)),
-])
+@pytest.mark.parametrize(
+    "line, words",
+    [
+        ("compute e all mca/energy now", ("takes no arguments", "now")),
+        ("group g id 1\ncompute e g mca/energy", ("group g", "allowed: all")),
+        ("compute e all mca/energy\ncompute f all mca/energy", ("Only one compute mca/energy",)),
+    ],
+)
 def test_bad_input(line, words, tmp_path):
-    script = ("units nano\ndimension 2\natom_style sphere\nregion b block 0 9 0 9 -0.5 0.5\n"
-              "create_box 1 b\npair_style mca\npair_coeff * * steel.mca\n" + line + "\n")
+    script = (
+        "units nano\ndimension 2\natom_style sphere\nregion b block 0 9 0 9 -0.5 0.5\n"
+        "create_box 1 b\npair_style mca\npair_coeff * * steel.mca\n" + line + "\n"
+    )
     fails(script, tmp_path, *words)

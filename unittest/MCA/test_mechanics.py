@@ -1,5 +1,7 @@
-"""Mechanics against exact answers: the short versions of the experiments that doc/howto_mechanics.md
-shows. Bars as measured and as the issue's limits; see mechanics.py for what is done."""
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Mechanics against exact answers: the short versions of the experiments that
+doc/howto_mechanics.md shows. Bars as measured and as the issue's limits; see mechanics.py for what
+is done."""
 
 import numpy as np
 import pytest
@@ -7,8 +9,8 @@ import pytest
 import mechanics as m
 from lmp_run import dump, largest_difference, lmp
 
-
 # ---- elasticity
+
 
 @pytest.mark.parametrize("plane", ["strain", "stress"])
 def test_bar_with_free_sides(tmp_path, plane):
@@ -22,7 +24,9 @@ def test_bar_with_free_sides(tmp_path, plane):
     assert r["poisson"] == pytest.approx(1, abs=1e-4)
     assert np.abs(r["syy"][4:6]).max() < 1e-6
     ideal, excess, _ = m.surface_row(plane)
-    assert r["sxx"][0] == pytest.approx(ideal, abs=0.02) and r["sxx"][-1] == pytest.approx(r["sxx"][0])
+    assert r["sxx"][0] == pytest.approx(ideal, abs=0.02) and r["sxx"][-1] == pytest.approx(
+        r["sxx"][0]
+    )
     assert r["mean"][0] / r["mean"][5] == pytest.approx(excess, abs=0.02)
     # error of E over the nominal height, and over the height between the outermost rows' 5/6
     assert r["bar"] - 1 == pytest.approx(-0.032, abs=0.003)
@@ -34,12 +38,29 @@ def test_plane_stress_is_hookes(tmp_path, xx, yy, xy):
     """Confined tension, equal tension, shear: the stress of the solid in plane stress, nothing
     across the plane, the same for all automata."""
     strain = 1e-7
-    lmp("in.homogeneous", tmp_path, exx=xx * strain, eyy=yy * strain, exy=xy * strain, plane="stress",
-        flow="none")
+    lmp(
+        "in.homogeneous",
+        tmp_path,
+        exx=xx * strain,
+        eyy=yy * strain,
+        exy=xy * strain,
+        plane="stress",
+        flow="none",
+    )
     frame = dump(tmp_path / "state.dump")[-1][1]
     c = m.E / (1 - m.NU**2)
-    expected = np.array([c * (xx + m.NU * yy), c * (yy + m.NU * xx), 2 * m.G * xy, 0,
-                         c * (1 + m.NU) * (xx + yy) / 3]) * strain
+    expected = (
+        np.array(
+            [
+                c * (xx + m.NU * yy),
+                c * (yy + m.NU * xx),
+                2 * m.G * xy,
+                0,
+                c * (1 + m.NU) * (xx + yy) / 3,
+            ]
+        )
+        * strain
+    )
     for k in range(5):
         assert np.abs(frame[f"c_state[{k + 1}]"] - expected[k]).max() < 1e-6 * m.K * strain
 
@@ -68,6 +89,7 @@ def test_hertz(tmp_path):
 
 # ---- rigid motion, symmetries
 
+
 @pytest.mark.parametrize("block, degrees", [(False, 90), (True, 217)])
 def test_rigid_rotation_keeps_the_stress(tmp_path, block, degrees):
     assert m.turned(tmp_path, block, degrees, degrees) < 1e-8
@@ -75,10 +97,18 @@ def test_rigid_rotation_keeps_the_stress(tmp_path, block, degrees):
 
 def sheared_blocks(folder, mirror=1, shift=0.0, order=1, ratio=1):
     """Two linked blocks of unlike materials that collide askew; forces and stresses by place."""
-    atoms = [(x * m.D + (y % 2) * m.D / 2, y * m.ROW + (6.0 if y > 4 else 5.7) - 5.7, 1 + (y > 4))
-             for y in range(10) for x in range(9)][::order]
-    lines = "".join(f"create_atoms {t} single {mirror * (x - 11) + shift!r} {y!r} 0 units box\n" for x, y, t in atoms)
-    lmp(m.HEAD.format(dt=2e-5) + f"""boundary s s p
+    atoms = [
+        (x * m.D + (y % 2) * m.D / 2, y * m.ROW + (6.0 if y > 4 else 5.7) - 5.7, 1 + (y > 4))
+        for y in range(10)
+        for x in range(9)
+    ][::order]
+    lines = "".join(
+        f"create_atoms {t} single {mirror * (x - 11) + shift!r} {y!r} 0 units box\n"
+        for x, y, t in atoms
+    )
+    lmp(
+        m.HEAD.format(dt=2e-5)
+        + f"""boundary s s p
 region box block {shift - 30} {shift + 30} -5 40 -0.5 0.5 units box
 create_box 2 box
 {lines}pair_style mca
@@ -99,10 +129,13 @@ variable pf atom {mirror}*fx
 compute torque all property/atom tqz
 variable pt atom {mirror}*c_torque
 variable pxy atom {mirror}*c_state[3]
-dump final all custom 1 final.dump id v_px y v_pf fy v_pt c_state[1] c_state[2] v_pxy c_state[4] c_state[5] c_state[6]
+dump final all custom 1 final.dump id v_px y v_pf fy v_pt c_state[1] c_state[2] v_pxy &
+  c_state[4] c_state[5] c_state[6]
 dump_modify final sort id format float %.17g
 run 0
-""", folder)
+""",
+        folder,
+    )
     frame = dump(folder / "final.dump")[-1][1]
     return {name: values[::order] for name, values in frame.items()}
 
@@ -112,19 +145,30 @@ def test_mirror_translation_and_order_of_atoms(tmp_path):
     reversed: equal to round-off, grown by 400 steps of contacts that form and break."""
     start = sheared_blocks(tmp_path / "0")
     assert start["c_state[5]"].max() > 1e-4 and start["v_pf"].max() > 50
-    for name, other in {"mirror": {"mirror": -1}, "shift": {"shift": 512.0}, "order": {"order": -1}}.items():
+    for name, other in {
+        "mirror": {"mirror": -1},
+        "shift": {"shift": 512.0},
+        "order": {"order": -1},
+    }.items():
         same = sheared_blocks(tmp_path / name, **other)
         assert (same["c_state[6]"] == start["c_state[6]"]).all(), name
         bar = 1e-7 if name == "shift" else 1e-9  # 512 nm cost three digits of the strains
-        for columns in (["v_px", "y"], ["v_pf", "fy"], ["v_pt"], ["c_state[1]", "c_state[2]", "v_pxy", "c_state[4]"]):
+        for columns in (
+            ["v_px", "y"],
+            ["v_pf", "fy"],
+            ["v_pt"],
+            ["c_state[1]", "c_state[2]", "v_pxy", "c_state[4]"],
+        ):
             scale = max(np.abs(start[c]).max() for c in columns)
             assert largest_difference(same, start, columns, scale) < bar, (name, columns)
 
 
 def test_unlike_materials_stay_bounded(tmp_path):
-    """A free block of two elastic materials, G ratio 10, for 1e5 steps: its energy neither grows nor
-    fades."""
-    t = lmp(m.HEAD.format(dt=2e-5) + f"""boundary s s p
+    """A free block of two elastic materials, G ratio 10, for 1e5 steps: its energy neither grows
+    nor fades."""
+    t = lmp(
+        m.HEAD.format(dt=2e-5)
+        + f"""boundary s s p
 lattice hex {m.D}
 region box block 0 13 0 10 -0.5 0.5 units box
 create_box 2 box
@@ -147,7 +191,9 @@ thermo 100
 thermo_style custom step pe ke v_total
 thermo_modify format float %.15g
 run 100000
-""", tmp_path).thermo[-1]
+""",
+        tmp_path,
+    ).thermo[-1]
     total = t["v_total"]
     assert t["PotEng"].max() > 0.1 * total[0]
     assert np.ptp(total) < 0.02 * total[0]
@@ -156,19 +202,22 @@ run 100000
 
 # ---- plasticity, fracture
 
+
 @pytest.mark.parametrize("law", ["radial", "j2"])
 @pytest.mark.parametrize("kind", ["tension", "shear"])
 def test_diagram_runs_through_fig5(tmp_path, kind, law):
     """Strains a tenth of Fig. 5's, where the contacts' strain is linear: the three points, the
     stresses of a material point, the plastic work of the curve."""
-    r = m.diagram(tmp_path, kind, f"plasticity {law} fracture none", scale=0.1, steps=2000, every=10)
+    r = m.diagram(
+        tmp_path, kind, f"plasticity {law} fracture none", scale=0.1, steps=2000, every=10
+    )
     strain, stress = m.measured_diagram(r)
     first = int(np.argmax(r["kappa"] > 0))
     assert strain[first - 1] == pytest.approx(stress[first - 1] / m.E, rel=1e-3)
     # flow begins between the rows where the stress reaches the elastic limit
     assert stress[first - 1] < m.Y1 < 2 * stress[first - 1] - stress[first - 2]
-    curve = m.MaterialPoint(scale=0.1).yield_stress(r["kappa"][first + 1:])
-    assert np.abs(stress[first + 1:] - curve).max() < 2e-3 * m.STRENGTH
+    curve = m.MaterialPoint(scale=0.1).yield_stress(r["kappa"][first + 1 :])
+    assert np.abs(stress[first + 1 :] - curve).max() < 2e-3 * m.STRENGTH
     for point, value in ((0.0015, m.Y2), (0.004, m.STRENGTH)):
         assert np.interp(point, strain, stress) == pytest.approx(value, rel=0.01)
     reference = m.point_along(r, law == "j2", 0.1)
@@ -186,13 +235,17 @@ def test_diagram_runs_through_fig5(tmp_path, kind, law):
 @pytest.mark.parametrize("kind", ["tension", "shear"])
 def test_unloads_along_e_and_hardens_isotropically(tmp_path, kind):
     """Slope of unloading; yielding the other way begins at the stress where unloading began."""
-    r = m.diagram(tmp_path, kind, "plasticity j2 fracture none", scale=0.1, reverse=True, steps=2000)
+    r = m.diagram(
+        tmp_path, kind, "plasticity j2 fracture none", scale=0.1, reverse=True, steps=2000
+    )
     x, stress = (r["shear"], r["sxy"]) if kind == "shear" else (r["exx"], r["sxx"])
     turn = int(np.argmax(x))
     down = slice(turn + 3, turn + 30)
     slope = np.polyfit(x[down], stress[down], 1)[0]
     assert slope == pytest.approx(m.G if kind == "shear" else m.UNIAXIAL["strain"][0], rel=0.01)
-    again = np.flatnonzero(np.diff(r["kappa"][turn + 2:]) > 1e-12)[0] + turn + 3  # the first row of flow
+    again = (
+        np.flatnonzero(np.diff(r["kappa"][turn + 2 :]) > 1e-12)[0] + turn + 3
+    )  # the first row of flow
     assert r["equivalent"][again] == pytest.approx(r["equivalent"][turn], rel=0.005)
     assert stress[again] < 0 and stress[turn] > 0
 
@@ -209,7 +262,7 @@ def test_breaks_at_the_breaking_strain(tmp_path, kind):
     rx, ry = (1 + at["exx"]) * x + at["shear"] * y, (1 + at["eyy"]) * y
     distance = np.hypot(rx, ry)
     turn = np.arcsin((x * ry - y * rx) / distance)
-    intensity = np.sqrt(np.maximum(distance - 1, 0)**2 + 4 / 3 * (turn - turn.mean())**2).max()
+    intensity = np.sqrt(np.maximum(distance - 1, 0) ** 2 + 4 / 3 * (turn - turn.mean()) ** 2).max()
     assert intensity == pytest.approx(0.004, rel=2e-3)
     assert all(e[3:] == (1, -1) for e in r["events"] if e[0] == first)
     assert r["broken"][-1] > 0 and r["links"][-1] + r["broken"][-1] == r["links"][0]
@@ -219,14 +272,24 @@ def test_breaks_at_the_breaking_strain(tmp_path, kind):
 
 SPEED = 50.0  # nm/ns, 2e-4 of d in a step of 1e-5 ns
 SLOW = 1.0
-CASES = [  # linked, first distance over d, velocity of the second one along and across the axis in each phase
-    (True, 1, [(SPEED, 0)] * 4), (True, 1, [(0, SPEED)] * 4), (True, 1, [(SPEED, -SPEED)] * 4),
-    (True, 1, [(SLOW, 0)] * 4), (True, 1, [(0, SLOW)] * 4), (True, 1, [(SLOW, -SLOW)] * 4),
-    (True, 1, [(-SLOW, 0)] * 4), (True, 1, [(-SLOW, SLOW)] * 4),
-    (False, 1.001, [(-5, 0), (5, 0), (5, 0), (-8, 0)]),            # welds, heals, is torn
-    (False, 1.0, [(-1.5, 0), (0, 0), (3, 0), (-3, 0)]),            # welds, breaks in tension, welds again
-    (False, 1.0, [(-1.5, 0), (0, 5), (5, 0), (-9, 0)]),            # shears off under pressure, is worn, welds again
-    (False, 1.0, [(-1.5, 0), (0, 5), (-5, 0), (5, 0)]),            # worn, then pressed on to healing
+# linked, first distance over d, velocity of the second one along and across the axis in each phase
+CASES = [
+    (True, 1, [(SPEED, 0)] * 4),
+    (True, 1, [(0, SPEED)] * 4),
+    (True, 1, [(SPEED, -SPEED)] * 4),
+    (True, 1, [(SLOW, 0)] * 4),
+    (True, 1, [(0, SLOW)] * 4),
+    (True, 1, [(SLOW, -SLOW)] * 4),
+    (True, 1, [(-SLOW, 0)] * 4),
+    (True, 1, [(-SLOW, SLOW)] * 4),
+    (False, 1.001, [(-5, 0), (5, 0), (5, 0), (-8, 0)]),  # welds, heals, is torn
+    (False, 1.0, [(-1.5, 0), (0, 0), (3, 0), (-3, 0)]),  # welds, breaks in tension, welds again
+    (
+        False,
+        1.0,
+        [(-1.5, 0), (0, 5), (5, 0), (-9, 0)],
+    ),  # shears off under pressure, is worn, welds again
+    (False, 1.0, [(-1.5, 0), (0, 5), (-5, 0), (5, 0)]),  # worn, then pressed on to healing
 ]
 PHASES = [100, 150, 200, 150]
 
@@ -235,11 +298,21 @@ def criteria(**more):
     return lambda linked: m.PairModel(linked, **more)
 
 
-@pytest.mark.parametrize("laws, model", [
-    ("", criteria()), ("preset a", criteria(preset="a")), ("fracture stress", criteria(fracture="stress")),
-    ("fracture equivalent", criteria(fracture="equivalent")),
-    ("fracture drucker-prager compressive_strength 3", criteria(fracture="drucker-prager", ratio=3.0)),
-    ("fracture none", criteria(fracture="none"))], ids=lambda v: v if isinstance(v, str) else "")
+@pytest.mark.parametrize(
+    "laws, model",
+    [
+        ("", criteria()),
+        ("preset a", criteria(preset="a")),
+        ("fracture stress", criteria(fracture="stress")),
+        ("fracture equivalent", criteria(fracture="equivalent")),
+        (
+            "fracture drucker-prager compressive_strength 3",
+            criteria(fracture="drucker-prager", ratio=3.0),
+        ),
+        ("fracture none", criteria(fracture="none")),
+    ],
+    ids=lambda v: v if isinstance(v, str) else "",
+)
 def test_each_criterion_acts_in_its_step(tmp_path, laws, model):
     """Single pairs that are pulled, sheared and pressed: the steps in which they weld, heal, break,
     are worn and weld again, against the table of links."""
@@ -254,9 +327,11 @@ def test_each_criterion_acts_in_its_step(tmp_path, laws, model):
 
 
 def test_linking_by_plastic_work(tmp_path):
-    """A contact of an automaton that flows: it links in the first step in which the mean plastic work
-    of both automata since they touch reaches the given part of the work up to the strength."""
-    lmp(m.HEAD.format(dt=1e-5) + f"""boundary f f p
+    """A contact of an automaton that flows: it links in the first step in which the mean plastic
+    work of both automata since they touch reaches the given part of the work up to the strength."""
+    lmp(
+        m.HEAD.format(dt=1e-5)
+        + f"""boundary f f p
 region box block -10 20 -20 20 -0.5 0.5 units box
 create_box 1 box
 create_atoms 1 single 0 0 0 units box
@@ -277,21 +352,30 @@ dump work all custom 1 work.dump id c_work
 dump_modify work format float %.17g sort id
 dump events all local 1001 events.dump index f_events[*]
 run 1001
-""", tmp_path)
+""",
+        tmp_path,
+    )
     work = np.array([f["c_work"][1:].mean() for _, f in dump(tmp_path / "work.dump")])
     cell = np.sqrt(3) / 2 * m.D**2
     k2, k3 = 0.015 - m.Y2 / m.E, 0.04 - m.STRENGTH / m.E
     enough = 0.05 * cell * ((m.Y1 + m.Y2) / 2 * k2 + (m.Y2 + m.STRENGTH) / 2 * (k3 - k2))
     frame = dump(tmp_path / "events.dump")[-1][1]
-    events = [tuple(int(frame[f"f_events[{k}]"][e]) for k in range(1, 6)) for e in range(len(frame["index"]))]
+    events = [
+        tuple(int(frame[f"f_events[{k}]"][e]) for k in range(1, 6))
+        for e in range(len(frame["index"]))
+    ]
     # the work of a step is in the state of the next one
     first = int(np.argmax(work >= enough)) - 1
     assert 0 < first < 1000
     assert events == [(first, 2, 3, 0, 2)] or events == [(first, 3, 2, 0, 2)]
 
 
-# corrected steps of j2 let round-off grow by a hundredth a step, too much for a comparison of 600 steps
-LAWS = "steps plain plasticity j2 fracture drucker-prager compressive_strength 2 link_work 0.002 heal none"
+# corrected steps of j2 let round-off grow by a hundredth a step, too much for a comparison of 600
+# steps
+LAWS = (
+    "steps plain plasticity j2 fracture drucker-prager compressive_strength 2 "
+    "link_work 0.002 heal none"
+)
 OUTPUT = """neighbor 0.4 bin
 neigh_modify every 1 delay 0 check yes
 fix integrate all nve/mca
@@ -315,7 +399,8 @@ def collide(folder, ranks, parts):
     """Two blocks that collide under laws that are off by default, in as many runs as `parts` has
     numbers of steps, each of which reads the restart file of the one before."""
     for k, steps in enumerate(parts):
-        start = f"""atom_style sphere
+        start = (
+            f"""atom_style sphere
 units nano
 dimension 2
 boundary s s p
@@ -329,11 +414,17 @@ group high type 2
 mca_links create low low
 mca_links create high high
 velocity high set 60 -150 0 units box
-""" if k == 0 else f"read_restart {folder}/{k - 1}/end.restart\n"
+"""
+            if k == 0
+            else f"read_restart {folder}/{k - 1}/end.restart\n"
+        )
         result = lmp(start + OUTPUT.format(steps=steps), folder / str(k), ranks=ranks)
-    events = {tuple(int(f[f"f_events[{c}]"][m]) for c in range(1, 6))
-              for k in range(len(parts)) for _, f in dump(folder / str(k) / "events.dump")
-              for m in range(len(f["index"]))}
+    events = {
+        tuple(int(f[f"f_events[{c}]"][m]) for c in range(1, 6))
+        for k in range(len(parts))
+        for _, f in dump(folder / str(k) / "events.dump")
+        for m in range(len(f["index"]))
+    }
     events = {(step, min(i, j), max(i, j), before, after) for step, i, j, before, after in events}
     return dump(folder / str(len(parts) - 1) / "state.dump")[-1][1], events, result.thermo[-1]
 
@@ -341,7 +432,9 @@ velocity high set 60 -150 0 units box
 def test_changes_and_states_of_automata(tmp_path):
     """Broken and formed links of the automata are those of the events, their sums those of compute
     pair; three ranks and two halves with a restart in between give the same as one run."""
-    lmp(m.HEAD.format(dt=5e-5) + f"""boundary s s p
+    lmp(
+        m.HEAD.format(dt=5e-5)
+        + f"""boundary s s p
 lattice hex {m.D}
 region box block -40 80 -6 60 -0.5 0.5 units box
 create_box 2 box
@@ -351,7 +444,9 @@ create_atoms 1 region low
 create_atoms 2 region high
 set group all density 1
 write_data blocks.data
-""", tmp_path)
+""",
+        tmp_path,
+    )
     state, events, thermo = collide(tmp_path / "whole", 1, [600])
     counts = np.zeros((2, len(state["id"])))
     for _, i, j, before, after in events:
@@ -360,13 +455,19 @@ write_data blocks.data
             counts[1][a - 1] += after > 0 >= before
     assert counts[0].sum() > 20 and counts[1].sum() > 4
     t = {k: v[-1] for k, v in thermo.items()}
-    for state, others, thermo in ((state, events, thermo), collide(tmp_path / "halves", 3, [300, 300])):
+    for end, others, last in ((state, events, thermo), collide(tmp_path / "halves", 3, [300, 300])):
         assert others == events
-        assert (state["c_state[1]"] == counts[0]).all() and (state["c_state[2]"] == counts[1]).all()
-        for total, total_too in (("c_total[6]", "c_sums[3]"), ):
-            assert thermo[total][-1] == pytest.approx(thermo[total_too][-1], rel=1e-12)
-            assert thermo[total][-1] == pytest.approx(t[total], rel=1e-10) and t[total] > 0
+        assert (end["c_state[1]"] == counts[0]).all() and (end["c_state[2]"] == counts[1]).all()
+        for total, total_too in (("c_total[6]", "c_sums[3]"),):
+            assert last[total][-1] == pytest.approx(last[total_too][-1], rel=1e-12)
+            assert last[total][-1] == pytest.approx(t[total], rel=1e-10) and t[total] > 0
     first = dump(tmp_path / "whole" / "0" / "state.dump")[-1][1]
-    for columns in (["x", "y"], ["vx", "vy"], ["c_state[3]"], ["c_state[4]", "c_state[5]"], ["c_state[6]"]):
+    for columns in (
+        ["x", "y"],
+        ["vx", "vy"],
+        ["c_state[3]"],
+        ["c_state[4]", "c_state[5]"],
+        ["c_state[6]"],
+    ):
         scale = max(np.abs(first[c]).max() for c in columns)
-        assert largest_difference(state, first, columns, scale) < 1e-9, columns
+        assert largest_difference(end, first, columns, scale) < 1e-9, columns

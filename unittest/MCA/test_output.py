@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """Output for viewers, and links in data files: what is written is read back."""
 
 import numpy as np
@@ -64,7 +65,9 @@ def test_damage_counts_original_links(written, fragments, tmp_path, ranks):
     links = dict(dump(written / "links.dump"))[400]
     made = dict(dump(written / "atoms.dump"))[0]["links"]
     whole = links["original"] > 0
-    left = np.bincount(np.concatenate([links["id1"][whole], links["id2"][whole]]).astype(int), minlength=161)[1:]
+    left = np.bincount(
+        np.concatenate([links["id1"][whole], links["id2"][whole]]).astype(int), minlength=161
+    )[1:]
     assert frame["damage"] == pytest.approx(1 - left / made, abs=1e-5)
     assert (~whole).sum() > 5
     lmp("in.fragments", tmp_path, data=fragments, fall=50, steps=400, every=400, ranks=ranks)
@@ -105,18 +108,33 @@ BONDS = "mass * 1\nspecial_bonds lj 1 1 1\nbond_style zero\nbond_coeff * 2.5\n"
 def test_sample_survives_in_a_data_file(written, tmp_path, ranks, newton):
     """Read as a data file with bonds and its comments, the run goes on as if it had not stopped."""
     data = written / "middle.data"
-    script = READ.format(style="hybrid sphere bond", data=data, links=data, bonds=BONDS, newton=newton)
+    script = READ.format(
+        style="hybrid sphere bond", data=data, links=data, bonds=BONDS, newton=newton
+    )
     result = lmp(script, tmp_path, ranks=ranks)
     frames, expected = dict(dump(tmp_path / "state.dump")), dict(dump(written / "state.dump"))
-    bonds = int(next(line for line in data.read_text().splitlines() if line.endswith(" bonds")).split()[0])
+    bonds = int(
+        next(line for line in data.read_text().splitlines() if line.endswith(" bonds")).split()[0]
+    )
     assert f"Read {bonds} links" in result.out and 2 * bonds == expected[300]["c_state[6]"].sum()
     worst = {}
     for step in (300, 400):
         a, b = frames[step], expected[step]
-        for name, scale in (("x", 40), ("y", 40), ("vx", 5140), ("vy", 5140), ("c_state[1]", 206000),
-                            ("c_state[3]", 206000), ("c_state[5]", 1), ("c_state[8]", 1), ("c_state[9]", 1)):
+        for name, scale in (
+            ("x", 40),
+            ("y", 40),
+            ("vx", 5140),
+            ("vy", 5140),
+            ("c_state[1]", 206000),
+            ("c_state[3]", 206000),
+            ("c_state[5]", 1),
+            ("c_state[8]", 1),
+            ("c_state[9]", 1),
+        ):
             worst[name] = max(worst.get(name, 0), np.abs(a[name] - b[name]).max() / scale)
-        assert (a["c_state[6]"] == b["c_state[6]"]).all() and (a["c_state[7]"] == b["c_state[7]"]).all()
+        assert (a["c_state[6]"] == b["c_state[6]"]).all() and (
+            a["c_state[7]"] == b["c_state[7]"]
+        ).all()
     print(ranks, newton, worst)
     assert max(worst.values()) < 1e-12, worst
 
@@ -131,32 +149,49 @@ def test_viewers_find_a_data_file(written):
         elif words and name:
             sections.setdefault(name, []).append(words)
     head = (written / "middle.data").read_text().splitlines()
-    assert "160 atoms" in head and f"{len(sections['Bonds'])} bonds" in head and "2 bond types" in head
+    assert (
+        "160 atoms" in head and f"{len(sections['Bonds'])} bonds" in head and "2 bond types" in head
+    )
     assert len(sections["Atoms"]) == len(sections["Velocities"]) == 160
-    assert {len(row) for row in sections["Atoms"]} == {11} and {len(row) for row in sections["Bonds"]} == {4}
+    assert {len(row) for row in sections["Atoms"]} == {11} and {
+        len(row) for row in sections["Bonds"]
+    } == {4}
     assert {row[1] for row in sections["Bonds"]} == {"1", "2"}
 
 
 def test_bonds_of_any_data_file(fragments, written, tmp_path):
     """A section Bonds alone makes links without shear; atoms may come from another file."""
     text = (written / "middle.data").read_text()
-    (tmp_path / "bonds.data").write_text("\n".join(s for s in text.splitlines() if not s.startswith("#")) + "\n")
+    (tmp_path / "bonds.data").write_text(
+        "\n".join(s for s in text.splitlines() if not s.startswith("#")) + "\n"
+    )
     script = READ.format(style="sphere", data=fragments, links="bonds.data", bonds="", newton="on")
     bonds = int(next(line for line in text.splitlines() if line.endswith(" bonds")).split()[0])
     assert f"Read {bonds} links" in lmp(script, tmp_path).out
 
 
-@pytest.mark.parametrize("text,parts", [
-    ("", ["neither comments of mca_links write nor a section Bonds"]),
-    ("x\n\nBonds\n\n1 3 1 2\n", ["line 5", "allowed in Bonds"]),
-    ("x\n\nBonds\n\n1 1 1 150\n", ["1 of 1 pairs", "are not neighbors here"]),
-    ("x\n# mca-links 1\n# pair 1 2 1\n", ["line 3", "allowed: # pair"]),
-])
+@pytest.mark.parametrize(
+    "text,parts",
+    [
+        ("", ["neither comments of mca_links write nor a section Bonds"]),
+        ("x\n\nBonds\n\n1 3 1 2\n", ["line 5", "allowed in Bonds"]),
+        ("x\n\nBonds\n\n1 1 1 150\n", ["1 of 1 pairs", "are not neighbors here"]),
+        ("x\n# mca-links 1\n# pair 1 2 1\n", ["line 3", "allowed: # pair"]),
+    ],
+)
 def test_bad_links_file(fragments, tmp_path, text, parts):
     (tmp_path / "bad.data").write_text(text)
-    fails(READ.format(style="sphere", data=fragments, links="bad.data", bonds="", newton="on"), tmp_path,
-          "bad.data", *parts)
+    fails(
+        READ.format(style="sphere", data=fragments, links="bad.data", bonds="", newton="on"),
+        tmp_path,
+        "bad.data",
+        *parts,
+    )
 
 
 def test_missing_links_file(fragments, tmp_path):
-    fails(READ.format(style="sphere", data=fragments, links="no.data", bonds="", newton="on"), tmp_path, "no.data")
+    fails(
+        READ.format(style="sphere", data=fragments, links="no.data", bonds="", newton="on"),
+        tmp_path,
+        "no.data",
+    )

@@ -1,4 +1,6 @@
-"""The same trajectory and events, whatever the ranks, their shapes, newton and the neighbor lists."""
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""The same trajectory and events, whatever the ranks, their shapes, newton and the neighbor
+lists."""
 
 import numpy as np
 import pytest
@@ -7,7 +9,8 @@ from lmp_run import INPUTS, dump, friction_log, largest_difference, lmp
 
 POSITIONS = ["x", "y"]
 # Round-off of positions is a strain s of about 1e-16, which contacts that touch and part let grow.
-# It makes plastic strains s, stresses s E, forces s E d h and velocities s c: the scales of the comparison.
+# It makes plastic strains s, stresses s E, forces s E d h and velocities s c: the scales of the
+# comparison.
 PLASTIC = ["c_state[5]"]
 VELOCITIES, SOUND = ["vx", "vy"], 5140
 STRESSES, MODULUS = ["c_state[1]", "c_state[2]", "c_state[3]", "c_state[4]"], 206000
@@ -16,9 +19,16 @@ COUNTS = ["type", "c_state[6]", "c_state[7]"]
 
 
 SETTINGS = [  # ranks, newton, commands before the box, commands before the run
-    (2, "on", "", ""), (3, "on", "", ""), (4, "on", "", ""),
-    (1, "off", "", ""), (2, "off", "", ""), (3, "off", "", ""), (4, "off", "", ""),
-    (4, "on", "processors 4 1 1", ""), (4, "on", "processors 1 4 1", ""), (2, "off", "processors 1 2 1", ""),
+    (2, "on", "", ""),
+    (3, "on", "", ""),
+    (4, "on", "", ""),
+    (1, "off", "", ""),
+    (2, "off", "", ""),
+    (3, "off", "", ""),
+    (4, "off", "", ""),
+    (4, "on", "processors 4 1 1", ""),
+    (4, "on", "processors 1 4 1", ""),
+    (2, "off", "processors 1 2 1", ""),
     (3, "on", "", "fix balance all balance 100 1.0 shift xy 10 1.0"),
     (3, "off", "", "comm_style tiled"),
     (2, "on", "comm_style tiled", ""),
@@ -47,20 +57,30 @@ def events(path):
 def cases(folder, data, **more):
     """State and events of the three cases of in.cases."""
     lmp("in.cases", folder, inputs=INPUTS, data=data, **more)
-    return {c: (dump(folder / f"state.{c}.dump")[-1][1], events(folder / f"events.{c}.dump")) for c in CASES}
+    return {
+        c: (dump(folder / f"state.{c}.dump")[-1][1], events(folder / f"events.{c}.dump"))
+        for c in CASES
+    }
 
 
 def slide(folder, data, **more):
     result = lmp("in.sliding", folder, data=data, v=5, p=30, **more)
-    return (result, dump(folder / "final.dump")[-1][1], friction_log(folder / "sliding.friction")[1],
-            events(folder / "events.dump"))
+    return (
+        result,
+        dump(folder / "final.dump")[-1][1],
+        friction_log(folder / "sliding.friction")[1],
+        events(folder / "events.dump"),
+    )
 
 
 def compare(frame, serial, tolerance):
-    worst = [largest_difference(frame, serial, POSITIONS), largest_difference(frame, serial, PLASTIC, 1.0),
-             largest_difference(frame, serial, VELOCITIES, SOUND),
-             largest_difference(frame, serial, STRESSES, MODULUS),
-             largest_difference(frame, serial, FORCES, MODULUS * 2.5)]
+    worst = [
+        largest_difference(frame, serial, POSITIONS),
+        largest_difference(frame, serial, PLASTIC, 1.0),
+        largest_difference(frame, serial, VELOCITIES, SOUND),
+        largest_difference(frame, serial, STRESSES, MODULUS),
+        largest_difference(frame, serial, FORCES, MODULUS * 2.5),
+    ]
     print("positions, plastic strains, velocities, stresses, forces:", *(f"{w:.1e}" for w in worst))
     assert max(worst) < tolerance, worst
     for name in COUNTS:
@@ -103,8 +123,11 @@ def test_free_fragments(serial_cases, fragments, tmp_path, ranks, newton, before
 
 @pytest.mark.parametrize("ranks,newton,before,extra", SETTINGS[1::2])
 def test_sliding_blocks(serial, rough_data, tmp_path, ranks, newton, before, extra):
-    """Periodic, driven, with contacts that touch and part, which lets round-off grow; events as a set."""
-    _, frame, log, rows = slide(tmp_path, rough_data, ranks=ranks, newton=newton, before=before, extra=extra)
+    """Periodic, driven, with contacts that touch and part, which lets round-off grow; events as a
+    set."""
+    _, frame, log, rows = slide(
+        tmp_path, rough_data, ranks=ranks, newton=newton, before=before, extra=extra
+    )
     compare(frame, serial[1], 1e-9)
     assert rows == serial[3]
     for name in ("links", "broken", "formed"):
@@ -115,11 +138,16 @@ def test_sliding_blocks(serial, rough_data, tmp_path, ranks, newton, before, ext
 @pytest.fixture(scope="module")
 def plain(rough_data, fragments, tmp_path_factory):
     folder = tmp_path_factory.mktemp("plain")
-    return (cases(folder / "cases", fragments, scheme="plain"), slide(folder / "slide", rough_data, laws=PLAIN))
+    return (
+        cases(folder / "cases", fragments, scheme="plain"),
+        slide(folder / "slide", rough_data, laws=PLAIN),
+    )
 
 
 @pytest.mark.parametrize("ranks,newton,before,extra", [SETTINGS[0], SETTINGS[6], SETTINGS[13]])
-def test_plain_steps(plain, serial, serial_cases, rough_data, fragments, tmp_path, ranks, newton, before, extra):
+def test_plain_steps(
+    plain, serial, serial_cases, rough_data, fragments, tmp_path, ranks, newton, before, extra
+):
     """They send less; and they are another law."""
     more = dict(ranks=ranks, newton=newton, before=before, extra=extra)
     found = cases(tmp_path / "cases", fragments, scheme="plain", **more)

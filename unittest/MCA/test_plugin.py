@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """Loading the plugin: by command, by path, twice, after clear; two runs in one input."""
 
 import os
@@ -7,7 +8,9 @@ import pytest
 from lmp_run import PLUGIN, fails, lmp, periodic_block
 
 BARE = os.environ["MCA_LMP_BARE"]
-SAMPLE = periodic_block() + """pair_style mca
+SAMPLE = (
+    periodic_block()
+    + """pair_style mca
 pair_coeff * * steel.mca
 mca_links create all all
 velocity all create 1.0 4711
@@ -16,11 +19,14 @@ compute links all mca/atom links
 compute sum all reduce sum c_links
 thermo_style custom step pe c_sum
 """
+)
 
 
 def bare(script, folder, path=None, **more):
-    env = {"LAMMPS_POTENTIALS": os.path.join(os.environ["PROJECT_SOURCE"], "potentials"),
-           "LAMMPS_PLUGIN_PATH": path or ""}
+    env = {
+        "LAMMPS_POTENTIALS": os.path.join(os.environ["PROJECT_SOURCE"], "potentials"),
+        "LAMMPS_PLUGIN_PATH": path or "",
+    }
     if os.environ.get("MCA_PRELOAD"):  # a plugin with sanitizers needs their libraries first
         env.update(LD_PRELOAD=os.environ["MCA_PRELOAD"], ASAN_OPTIONS="detect_leaks=0")
     return lmp(script, folder, launcher=BARE, env=env, **more)
@@ -50,7 +56,9 @@ def test_clear_and_again(tmp_path):
     result = bare(f"{once}clear\n{once}", tmp_path, path=os.path.dirname(PLUGIN))
     first, second = result.thermo
     assert (first["PotEng"] == second["PotEng"]).all()
-    result = bare(f"plugin load {PLUGIN}\n{once}clear\nplugin load {PLUGIN}\n{once}", tmp_path / "b")
+    result = bare(
+        f"plugin load {PLUGIN}\n{once}clear\nplugin load {PLUGIN}\n{once}", tmp_path / "b"
+    )
     assert len(result.thermo) == 2
 
 
@@ -63,17 +71,30 @@ def test_two_runs_in_one_input(tmp_path, between):
 
 
 def test_unload(tmp_path):
-    script = f"plugin load {PLUGIN}\n{SAMPLE}\nrun 5\nplugin unload pair mca\npair_style zero 5.0\n" \
-             "pair_coeff * *\n"
+    script = (
+        f"plugin load {PLUGIN}\n{SAMPLE}\nrun 5\nplugin unload pair mca\npair_style zero 5.0\n"
+        "pair_coeff * *\n"
+    )
     assert bare(script, tmp_path).rc == 0
 
 
 @pytest.mark.parametrize("ranks", [1, 2])
 def test_step_above_the_critical_one_is_refused(tmp_path, ranks):
-    fails(SAMPLE + "timestep 1e-4\nrun 10\n", tmp_path, "Timestep 0.0001 is longer than the critical",
-          "8.91", ranks=ranks)
+    fails(
+        SAMPLE + "timestep 1e-4\nrun 10\n",
+        tmp_path,
+        "Timestep 0.0001 is longer than the critical",
+        "8.91",
+        ranks=ranks,
+    )
     script = SAMPLE.replace("pair_style mca", "pair_style mca steps plain")
-    fails(script + "timestep 1e-4\nrun 10\n", tmp_path, "Timestep 0.0001 is longer than the critical", "5.69", ranks=ranks)
+    fails(
+        script + "timestep 1e-4\nrun 10\n",
+        tmp_path,
+        "Timestep 0.0001 is longer than the critical",
+        "5.69",
+        ranks=ranks,
+    )
     script = SAMPLE.replace("pair_style mca", "pair_style mca viscosity none plasticity none")
     fails(script + "timestep 3e-4\nrun 10\n", tmp_path, "0.000277")
     lmp(script + "timestep 2.7e-4\nrun 10\n", tmp_path)
@@ -81,11 +102,18 @@ def test_step_above_the_critical_one_is_refused(tmp_path, ranks):
     fails(script + "run 5\ntimestep 3e-4\nrun 10\n", tmp_path, "0.000277")
     # a link that flows is pressed together until it collapses
     script = SAMPLE.replace("pair_style mca", "pair_style mca viscosity none")
-    fails(script + "timestep 1e-4\nrun 10\n", tmp_path, "pressed links 9.51", "longer than the critical one, 9.51")
+    fails(
+        script + "timestep 1e-4\nrun 10\n",
+        tmp_path,
+        "pressed links 9.51",
+        "longer than the critical one, 9.51",
+    )
     lmp(script + "timestep 9.5e-5\nrun 10\n", tmp_path)
 
 
 def test_mass_is_that_of_the_solid(tmp_path):
-    result = lmp(SAMPLE + "variable rho equal mass(all)/vol\nthermo_style custom step v_rho\nrun 0\n",
-                 tmp_path)
+    result = lmp(
+        SAMPLE + "variable rho equal mass(all)/vol\nthermo_style custom step v_rho\nrun 0\n",
+        tmp_path,
+    )
     assert result.thermo[0]["v_rho"][0] == pytest.approx(0.0078, rel=1e-6)

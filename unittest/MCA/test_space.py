@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """Three dimensions: elastic constants of the packings, a bar with free sides, conservation, ranks,
 restart, and what is refused."""
 
@@ -28,16 +29,31 @@ CELLS = {"fcc": dict(nx=4, ny=3, nz=3), "hcp": dict(nx=5, ny=3, nz=3), "sc": dic
 
 
 def strained(folder, packing, ranks=1, **strain):
-    result = lmp("in.space_homogeneous", folder, ranks=ranks, packing=packing, **CELLS[packing],
-                 **{f"e{k}": v * STRAIN for k, v in strain.items()})
+    result = lmp(
+        "in.space_homogeneous",
+        folder,
+        ranks=ranks,
+        packing=packing,
+        **CELLS[packing],
+        **{f"e{k}": v * STRAIN for k, v in strain.items()},
+    )
     frame = dump(folder / "state.dump")[-1][1]
     return result, frame, np.array([frame[name] for name in STRESS])
 
 
 @pytest.mark.parametrize("packing", CELLS)
-@pytest.mark.parametrize("strain", [
-    dict(xx=1, yy=1, zz=1), dict(yy=1), dict(xy=1), dict(xz=1), dict(yz=1),
-    dict(xx=0.3, yy=-0.7, zz=0.2, xy=0.4, xz=-0.1, yz=0.6)], ids=lambda s: "_".join(s))
+@pytest.mark.parametrize(
+    "strain",
+    [
+        dict(xx=1, yy=1, zz=1),
+        dict(yy=1),
+        dict(xy=1),
+        dict(xz=1),
+        dict(yz=1),
+        dict(xx=0.3, yy=-0.7, zz=0.2, xy=0.4, xz=-0.1, yz=0.6),
+    ],
+    ids=lambda s: "_".join(s),
+)
 def test_periodic_block_is_hookes(tmp_path, packing, strain):
     """Hydrostatic, confined tension, shears, and all at once: every automaton the same, 1e-6."""
     result, frame, stress = strained(tmp_path, packing, ranks=2 if len(strain) > 3 else 1, **strain)
@@ -50,8 +66,12 @@ def test_periodic_block_is_hookes(tmp_path, packing, strain):
     assert (frame["c_state[10]"] == (6 if packing == "sc" else 12)).all()
     last = {k: v[-1] for k, v in result.thermo[-1].items()}
     virial = -np.array([last[f"c_virial[{k}]"] for k in range(1, 7)])
-    assert np.abs(virial - [expected[i, j] for i, j in ((0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2))]
-                  ).max() < 2e-6 * size
+    assert (
+        np.abs(
+            virial - [expected[i, j] for i, j in ((0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2))]
+        ).max()
+        < 2e-6 * size
+    )
     energy = 0.5 * np.sum(expected * tensor(**strain)) * STRAIN * last["Volume"]
     assert last["PotEng"] == pytest.approx(energy, rel=1e-5)
 
@@ -64,18 +84,30 @@ def test_constants_of_the_packings(tmp_path, packing):
         _, _, stress = strained(tmp_path / name, packing, **{name: 1 if name in AXES[:3] else 0.5})
         columns.append(stress.mean(axis=1) / STRAIN)
     compliance = np.linalg.inv(np.array(columns).T)
-    found = {"E": 1 / np.diag(compliance)[:3], "G": 1 / np.diag(compliance)[3:],
-             "nu": -compliance[1:3, 0] / compliance[0, 0], "K": 1 / compliance[:3, :3].sum()}
+    found = {
+        "E": 1 / np.diag(compliance)[:3],
+        "G": 1 / np.diag(compliance)[3:],
+        "nu": -compliance[1:3, 0] / compliance[0, 0],
+        "K": 1 / compliance[:3, :3].sum(),
+    }
     print(packing, {k: np.round(v, 8).tolist() for k, v in found.items()})
     for name, value in {"E": E, "G": G, "nu": NU, "K": K}.items():
         assert found[name] == pytest.approx(value, rel=1e-5), name
 
 
 def bar(folder, packing="fcc", cells=5, **variables):
-    """Stress, strain across and modulus of the middle and of the whole of a bar, and its sides over d."""
+    """Stress, strain across and modulus of the middle and of the whole of a bar, and its sides over
+    d."""
     strain, edges = 1e-5, m.lattice(packing)[1]
-    result = lmp("in.space_bar", folder, strain=strain, packing=packing, cells=cells,
-                 long=2 if packing == "fcc" else 3, **variables)
+    result = lmp(
+        "in.space_bar",
+        folder,
+        strain=strain,
+        packing=packing,
+        cells=cells,
+        long=2 if packing == "fcc" else 3,
+        **variables,
+    )
     frame = dump(folder / "state.dump")[-1][1]
     sides = cells * edges[1:]
     middle = np.ones(len(frame["y"]), bool)
@@ -86,7 +118,11 @@ def bar(folder, packing="fcc", cells=5, **variables):
     grown = np.ptp(inner) * (math.sqrt(2) / D)
     across = grown / np.rint(grown) - 1 if packing == "fcc" else math.nan
     last = {k: v[-1] for k, v in result.thermo[-1].items()}
-    force = -last["c_virial[1]"] * last["Volume"] / ((2 if packing == "fcc" else 3) * edges[0] * D * (1 + strain))
+    force = (
+        -last["c_virial[1]"]
+        * last["Volume"]
+        / ((2 if packing == "fcc" else 3) * edges[0] * D * (1 + strain))
+    )
     return stress, across / strain, force / np.prod(sides * D) / strain, sides, strain
 
 
@@ -107,12 +143,27 @@ def test_stiffer_surface_corrects_the_bar(tmp_path, packing, missing):
 def test_bar_with_free_sides(tmp_path, cells):
     """E and nu of the interior within 0.1 %, from its stress and strain tensors; the stress across
     the middle of the bar dies away with its thickness."""
-    stress, across, whole, sides, strain = bar(tmp_path, cells=cells)
+    stress, across, whole, _, strain = bar(tmp_path, cells=cells)
     shear = (stress["xx"] - stress["yy"]) / (2 * strain * (1 - across))
     bulk = (stress["xx"] + stress["yy"] + stress["zz"]) / (3 * strain * (1 + 2 * across))
-    modulus, ratio = 9 * bulk * shear / (3 * bulk + shear), (3 * bulk - 2 * shear) / (6 * bulk + 2 * shear)
-    print(2 * cells, "layers: E", modulus, "nu", ratio, "apparent", stress["xx"] / strain, -across,
-          "across", stress["yy"] / stress["xx"], "whole bar", whole / E)
+    modulus, ratio = (
+        9 * bulk * shear / (3 * bulk + shear),
+        (3 * bulk - 2 * shear) / (6 * bulk + 2 * shear),
+    )
+    print(
+        2 * cells,
+        "layers: E",
+        modulus,
+        "nu",
+        ratio,
+        "apparent",
+        stress["xx"] / strain,
+        -across,
+        "across",
+        stress["yy"] / stress["xx"],
+        "whole bar",
+        whole / E,
+    )
     assert modulus == pytest.approx(E, rel=1e-3)
     assert ratio == pytest.approx(NU, rel=1e-3)
     assert abs(stress["yy"]) < 0.008 / cells * stress["xx"]
@@ -124,8 +175,12 @@ def test_free_block_conserves(tmp_path, ranks):
     t = lmp("in.space_free", tmp_path, ranks=ranks).thermo[-1]
     p = np.array([t[f"c_sums[{k}]"] for k in (1, 2, 3)])
     spin = np.array([t[f"c_sums[{k}]"] for k in (4, 5, 6)])
-    print("p", np.abs(p.T - p[:, 0]).max() / np.linalg.norm(p[:, 0]),
-          "L", np.abs(spin.T - spin[:, 0]).max() / np.linalg.norm(spin[:, 0]))
+    print(
+        "p",
+        np.abs(p.T - p[:, 0]).max() / np.linalg.norm(p[:, 0]),
+        "L",
+        np.abs(spin.T - spin[:, 0]).max() / np.linalg.norm(spin[:, 0]),
+    )
     assert np.abs(p.T - p[:, 0]).max() < 1e-13 * np.linalg.norm(p[:, 0])
     assert np.abs(spin.T - spin[:, 0]).max() < 1e-11 * np.linalg.norm(spin[:, 0])
     total = t["PotEng"] + t["KinEng"] + t["c_sums[7]"]
@@ -136,10 +191,15 @@ def test_free_block_conserves(tmp_path, ranks):
 
 # ---- sliding blocks: ranks and restart
 
-VECTORS = {"r": (["x", "y", "z"], None), "v": (["vx", "vy", "vz"], 5140),
-           "w": (["omegax", "omegay", "omegaz"], 5140 / D),
-           "f": (["fx", "fy", "fz"], E * D**2), "t": (["tqx", "tqy", "tqz"], E * D**3),
-           "s": (STRESS, E), "k": (["c_state[7]"], 1.0)}
+VECTORS = {
+    "r": (["x", "y", "z"], None),
+    "v": (["vx", "vy", "vz"], 5140),
+    "w": (["omegax", "omegay", "omegaz"], 5140 / D),
+    "f": (["fx", "fy", "fz"], E * D**2),
+    "t": (["tqx", "tqy", "tqz"], E * D**3),
+    "s": (STRESS, E),
+    "k": (["c_state[7]"], 1.0),
+}
 
 
 def two_blocks(path, lift):
@@ -151,11 +211,16 @@ def two_blocks(path, lift):
                 if (i + j + k) % 2:
                     continue
                 upper = j >= n[1]
-                x, y, z = (0.5 * a * c for c in (i + 0.23 * upper, j + lift * upper, k + 0.11 * upper))
+                x, y, z = (
+                    0.5 * a * c for c in (i + 0.23 * upper, j + lift * upper, k + 0.11 * upper)
+                )
                 atoms.append(f"{len(atoms) + 1} {1 + upper} {D} 1 {x!r} {y!r} {z!r}")
-    path.write_text(f"two blocks\n\n{len(atoms)} atoms\n2 atom types\n0 {n[0] * a!r} xlo xhi\n"
-                    f"-1 {n[1] * a + 1!r} ylo yhi\n0 {n[2] * a!r} zlo zhi\n\nAtoms # sphere\n\n"
-                    + "\n".join(atoms) + "\n")
+    path.write_text(
+        f"two blocks\n\n{len(atoms)} atoms\n2 atom types\n0 {n[0] * a!r} xlo xhi\n"
+        f"-1 {n[1] * a + 1!r} ylo yhi\n0 {n[2] * a!r} zlo zhi\n\nAtoms # sphere\n\n"
+        + "\n".join(atoms)
+        + "\n"
+    )
     return path
 
 
@@ -182,9 +247,18 @@ def compare(frame, other, tolerance):
         assert (frame[name] == other[name]).all(), name
 
 
-@pytest.mark.parametrize("ranks,newton,extra", [
-    (2, "on", ""), (3, "on", ""), (4, "on", ""), (1, "off", ""), (2, "off", ""), (4, "off", ""),
-    (3, "on", "comm_style tiled\nfix balance all balance 100 1.0 rcb")])
+@pytest.mark.parametrize(
+    "ranks,newton,extra",
+    [
+        (2, "on", ""),
+        (3, "on", ""),
+        (4, "on", ""),
+        (1, "off", ""),
+        (2, "off", ""),
+        (4, "off", ""),
+        (3, "on", "comm_style tiled\nfix balance all balance 100 1.0 rcb"),
+    ],
+)
 def test_same_on_all_ranks(serial, blocks, tmp_path, ranks, newton, extra):
     frame, log = slide(tmp_path, blocks, ranks=ranks, newton=newton, extra=extra)
     assert serial[1]["broken"].sum() > 10 and serial[1]["formed"].sum() > 10
@@ -204,8 +278,13 @@ def test_plain_steps(serial, blocks, tmp_path):
 def test_continues_from_a_restart_file(serial, blocks, tmp_path, ranks):
     whole, _ = slide(tmp_path / "whole", blocks, ranks=ranks, extra="restart 350 mid.*.restart")
     compare(whole, serial[0], 1e-12)
-    lmp("in.space_continue", tmp_path / "rest", ranks=ranks, steps=250,
-        restart=tmp_path / "whole" / "mid.350.restart")
+    lmp(
+        "in.space_continue",
+        tmp_path / "rest",
+        ranks=ranks,
+        steps=250,
+        restart=tmp_path / "whole" / "mid.350.restart",
+    )
     compare(dump(tmp_path / "rest" / "final.dump")[-1][1], whole, 1e-12)
 
 
@@ -218,15 +297,23 @@ thermo_modify format float %20.15g
 
 @pytest.mark.parametrize("ranks,newton", [(1, "on"), (2, "on"), (2, "off")])
 def test_account_of_the_energy(serial, blocks, tmp_path, ranks, newton):
-    """It closes while links flow, break and weld; what it misses comes from the violent first steps,
-    and falls with the step. The run itself is the same."""
-    result = lmp("in.space_sliding", tmp_path, data=blocks, ranks=ranks, newton=newton, extra=ACCOUNT)
+    """It closes while links flow, break and weld; what it misses comes from the violent first
+    steps, and falls with the step. The run itself is the same."""
+    result = lmp(
+        "in.space_sliding", tmp_path, data=blocks, ranks=ranks, newton=newton, extra=ACCOUNT
+    )
     compare(dump(tmp_path / "final.dump")[-1][1], serial[0], 1e-12)
     t = result.thermo[0]
     plastic, fracture, viscous, work = (t[f"c_energy[{k}]"] for k in (3, 4, 5, 6))
     lost = plastic + fracture + viscous
-    print("shares", plastic[-1] / lost[-1], fracture[-1] / lost[-1], viscous[-1] / lost[-1],
-          "error", np.abs(t["c_energy"][1:] / lost[1:]).max())
+    print(
+        "shares",
+        plastic[-1] / lost[-1],
+        fracture[-1] / lost[-1],
+        viscous[-1] / lost[-1],
+        "error",
+        np.abs(t["c_energy"][1:] / lost[1:]).max(),
+    )
     assert min(plastic[-1], fracture[-1], viscous[-1]) > 1e-3 * lost[-1]
     assert np.abs(t["c_energy"][1:] / lost[1:]).max() < 1e-4
     held = t["c_energy[1]"] + t["c_energy[2]"]
@@ -263,16 +350,32 @@ run 0
 """
 
 
-@pytest.mark.parametrize("dimension,keywords,more,parts", [
-    (3, "packing hex", "", ("packing", "hex", "fcc, hcp, sc")),
-    (2, "packing fcc", "", ("packing", "fcc", "hex")),
-    (3, "packing bcc", "", ("packing", "bcc", "hex, fcc, hcp, sc")),
-    (3, "packing sc thickness 2", "", ("thickness", "dimension 2")),
-    (3, "packing sc", "compute t all mca/atom theta\ncompute s all reduce sum c_t\n"
-     "thermo_style custom step c_s", ("theta", "dimension 2")),
-])
+@pytest.mark.parametrize(
+    "dimension,keywords,more,parts",
+    [
+        (3, "packing hex", "", ("packing", "hex", "fcc, hcp, sc")),
+        (2, "packing fcc", "", ("packing", "fcc", "hex")),
+        (3, "packing bcc", "", ("packing", "bcc", "hex, fcc, hcp, sc")),
+        (3, "packing sc thickness 2", "", ("thickness", "dimension 2")),
+        (
+            3,
+            "packing sc",
+            "compute t all mca/atom theta\ncompute s all reduce sum c_t\n"
+            "thermo_style custom step c_s",
+            ("theta", "dimension 2"),
+        ),
+    ],
+)
 def test_refused(tmp_path, dimension, keywords, more, parts):
     plane = dimension == 2
-    fails(SCRIPT.format(dimension=dimension, keywords=keywords, more=more,
-                        lattice="hex" if plane else "sc", z="-0.1 0.1" if plane else "0 6"),
-          tmp_path, *parts)
+    fails(
+        SCRIPT.format(
+            dimension=dimension,
+            keywords=keywords,
+            more=more,
+            lattice="hex" if plane else "sc",
+            z="-0.1 0.1" if plane else "0 6",
+        ),
+        tmp_path,
+        *parts,
+    )

@@ -1,4 +1,4 @@
-#include "fit/least_squares.h"
+#include "base/least_squares.h"
 #include "nist.h"
 
 #include <cmath>

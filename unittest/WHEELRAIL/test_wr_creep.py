@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """The command line of wr_creep: results, bad input, exit codes, interruption, documentation."""
 
 import csv
@@ -38,9 +39,20 @@ def table(path):
 
 
 def law_file(covariance):
-    return {"format": "mca-friction-law 1", "mu0": 0.15, "mu1": 0.0442, "mu2": 0.3243, "b": 0.195, "c": 0.00212,
-            "covariance": covariance, "n": 34, "rms_relative": 0.09, "kappa1_range": [0, 5],
-            "kappa2_range": [2, 1500], "source": "test"}
+    return {
+        "format": "mca-friction-law 1",
+        "mu0": 0.15,
+        "mu1": 0.0442,
+        "mu2": 0.3243,
+        "b": 0.195,
+        "c": 0.00212,
+        "covariance": covariance,
+        "n": 34,
+        "rms_relative": 0.09,
+        "kappa1_range": [0, 5],
+        "kappa2_range": [2, 1500],
+        "source": "test",
+    }
 
 
 @pytest.fixture
@@ -55,8 +67,16 @@ def test_carter_curve_and_files(case, tmp_path):
     assert done.returncode == 0, done.stderr
     exact = [0.041062583, 0.096992529, 0.175105295, 0.234338297, 0.274691536, 0.296165011, 0.3]
     rows = table(tmp_path / "out/creep.csv")
-    assert list(rows[0]) == ["speed", "creep", "traction_ratio", "traction", "mu_mean",
-                             "temperature_rise", "iterations", "stick_fraction"]
+    assert list(rows[0]) == [
+        "speed",
+        "creep",
+        "traction_ratio",
+        "traction",
+        "mu_mean",
+        "temperature_rise",
+        "iterations",
+        "stick_fraction",
+    ]
     for row, value in zip(rows, exact, strict=True):
         assert float(row["traction_ratio"]) == pytest.approx(value, abs=2e-4)
         assert float(row["traction"]) == pytest.approx(4000 * float(row["traction_ratio"]))
@@ -68,9 +88,21 @@ def test_carter_curve_and_files(case, tmp_path):
     assert summary["hertz"]["half_width_mm"] == pytest.approx(4.697817, abs=1e-6)
     assert summary["contacts"][0]["real_area_ratio"] == pytest.approx(1.0, abs=1e-5)
     curve = json.loads((tmp_path / "out/creep.json").read_text())["curves"][0]
-    for name in ("creep", "traction_ratio", "traction", "mu_mean", "temperature_rise", "stick_fraction"):
+    for name in (
+        "creep",
+        "traction_ratio",
+        "traction",
+        "mu_mean",
+        "temperature_rise",
+        "stick_fraction",
+    ):
         assert curve[name] == pytest.approx([float(row[name]) for row in rows], rel=1e-5)
-    assert sorted(os.listdir(tmp_path / "out")) == ["contact.csv", "creep.csv", "creep.json", "summary.json"]
+    assert sorted(os.listdir(tmp_path / "out")) == [
+        "contact.csv",
+        "creep.csv",
+        "creep.json",
+        "summary.json",
+    ]
 
 
 def test_example_runs_and_is_table2(tmp_path):
@@ -78,7 +110,8 @@ def test_example_runs_and_is_table2(tmp_path):
     assert (done.returncode, done.stdout, done.stderr) == (0, "", "")
     rows = [row for row in table(tmp_path / "creep.csv") if float(row["creep"]) == 0.1]
     assert [float(row["traction_ratio"]) for row in rows] == pytest.approx(
-        [0.32092491, 0.31783216, 0.31419372], abs=1e-7)
+        [0.32092491, 0.31783216, 0.31419372], abs=1e-7
+    )
 
 
 def test_every_step_of_the_profile_is_said(case, tmp_path):
@@ -96,15 +129,30 @@ def test_measured_profiles(case, tmp_path):
         lines = ["# height: um", "# position: mm"]
         lines += [f"{0.01 * i:.3f}, {((i * 7919) % 13) * 0.1:.2f}" for i in range(2500)]
         (tmp_path / f"{name}.csv").write_text("\n".join(lines), encoding="utf-8")
-    done = wr_creep(case, "-o", tmp_path / "out", "--set",
-                    "roughness={rail: rail.csv, wheel: wheel.csv, cutoff: 0.1 mm}")
+    done = wr_creep(
+        case,
+        "-o",
+        tmp_path / "out",
+        "--set",
+        "roughness={rail: rail.csv, wheel: wheel.csv, cutoff: 0.1 mm}",
+    )
     assert done.returncode == 0, done.stderr
-    for step in ("rail: as read", "rail: detrended", "wheel: filtered", "wheel: resampled",
-                 "sum of both"):
+    for step in (
+        "rail: as read",
+        "rail: detrended",
+        "wheel: filtered",
+        "wheel: resampled",
+        "sum of both",
+    ):
         assert step in done.stdout
     one = [row["traction"] for row in table(tmp_path / "out/creep.csv")]
-    done = wr_creep(case, "-o", tmp_path / "two", "--set",
-                    "roughness={rail: [wheel.csv, rail.csv], wheel: [rail.csv, wheel.csv], cutoff: 0.1 mm}")
+    done = wr_creep(
+        case,
+        "-o",
+        tmp_path / "two",
+        "--set",
+        "roughness={rail: [wheel.csv, rail.csv], wheel: [rail.csv, wheel.csv], cutoff: 0.1 mm}",
+    )
     assert done.returncode == 0 and "profile 2: wheel: filtered" in done.stdout
     two = table(tmp_path / "two/creep.csv")
     assert [row["profile"] for row in two] == ["1"] * 7 + ["2"] * 7
@@ -122,17 +170,28 @@ def test_law_file_with_covariance_gives_a_band(case, tmp_path):
     for row in table(tmp_path / "out/creep_band.csv"):
         assert float(row["standard_error"]) == pytest.approx(0.01, rel=1e-3)
         assert float(row["low"]) < float(row["traction_ratio"]) < float(row["high"])
-    assert json.loads((tmp_path / "out/creep.json").read_text())["curves"][0]["standard_error"] == pytest.approx(
-        [0.01, 0.01], rel=1e-3)
+    assert json.loads((tmp_path / "out/creep.json").read_text())["curves"][0][
+        "standard_error"
+    ] == pytest.approx([0.01, 0.01], rel=1e-3)
 
 
 def test_static_case(case, tmp_path):
     """Cattaneo, Mindlin: T/N = 0.3 x ratio, stick zone a sqrt(1 - ratio) in the middle."""
-    done = wr_creep(case, "-o", tmp_path / "out", "--set", "mode=static", "--set", "static.force_ratio=[0.19, 0.64]")
+    done = wr_creep(
+        case,
+        "-o",
+        tmp_path / "out",
+        "--set",
+        "mode=static",
+        "--set",
+        "static.force_ratio=[0.19, 0.64]",
+    )
     assert done.returncode == 0, done.stderr
     for row, ratio in zip(table(tmp_path / "out/static.csv"), (0.19, 0.64), strict=True):
         assert float(row["traction_ratio"]) == pytest.approx(0.3 * ratio)
-        assert float(row["stick_length"]) == pytest.approx(2 * 4.697817 * (1 - ratio) ** 0.5, rel=1e-4)
+        assert float(row["stick_length"]) == pytest.approx(
+            2 * 4.697817 * (1 - ratio) ** 0.5, rel=1e-4
+        )
         assert float(row["stick_centre"]) == pytest.approx(0, abs=1e-6)
     assert sorted(os.listdir(tmp_path / "out")) == ["contact.csv", "static.csv", "summary.json"]
     states = [row["state"] for row in table(tmp_path / "out/contact.csv")]
@@ -148,11 +207,12 @@ def test_periodic_case_is_westergaard(tmp_path):
     modulus, amplitude = 210e9 / (2 * (1 - 0.09)), 10e-6 * 2**0.5
     share = 2e6 / 0.01 / (math.pi * modulus * amplitude / 0.01)
     exact = 20 / math.pi * math.asin(share**0.5)
-    assert float(table(tmp_path / "static.csv")[0]["stick_length"]) == pytest.approx(exact, abs=0.01)
+    assert float(table(tmp_path / "static.csv")[0]["stick_length"]) == pytest.approx(
+        exact, abs=0.01
+    )
     summary = json.loads((tmp_path / "summary.json").read_text())
     assert summary["periodic"]["mean_pressure_MPa"] == pytest.approx(200)
-    assert summary["contacts"][0]["peak_pressure_MPa"] == pytest.approx(
-        400 / share**0.5, rel=1e-3)
+    assert summary["contacts"][0]["peak_pressure_MPa"] == pytest.approx(400 / share**0.5, rel=1e-3)
     done = wr_creep(flat, "-o", tmp_path / "bad", "--set", "mode=frozen")
     assert done.returncode == 3 and "contact.period" in done.stderr
 
@@ -161,11 +221,18 @@ def test_sampled_band(case, tmp_path):
     covariance = [[1e-4 if i == j == 0 else 0.0 for j in range(5)] for i in range(5)]
     (tmp_path / "law.json").write_text(json.dumps(law_file(covariance)), encoding="utf-8")
     case.write_text(CASE.replace("law: constant, mu: 0.3", "law: law.json"), encoding="utf-8")
-    sampled = ["--set", "creep=[0.01, 0.05]", "--set", "uncertainty={method: sampled, samples: 400}"]
+    sampled = [
+        "--set",
+        "creep=[0.01, 0.05]",
+        "--set",
+        "uncertainty={method: sampled, samples: 400}",
+    ]
     for threads in ("1", "3"):
         done = wr_creep(case, "-o", tmp_path / threads, "--threads", threads, *sampled)
         assert done.returncode == 0, done.stderr
-    assert (tmp_path / "1/creep_band.csv").read_text() == (tmp_path / "3/creep_band.csv").read_text()
+    assert (tmp_path / "1/creep_band.csv").read_text() == (
+        tmp_path / "3/creep_band.csv"
+    ).read_text()
     for row in table(tmp_path / "1/creep_band.csv"):
         assert float(row["standard_error"]) == pytest.approx(0.01, rel=0.12)
         assert float(row["high"]) - float(row["low"]) == pytest.approx(4 * 0.01, rel=0.15)
@@ -208,8 +275,12 @@ def test_bad_case_files(name, case, tmp_path):
 
 def test_bad_law_and_missing_files(case, tmp_path):
     (tmp_path / "law.json").write_text('{"format": "mca-fric', encoding="utf-8")
-    for arguments in (["missing.yaml"], [tmp_path], [case, "--set", f"friction.law={tmp_path}/law.json"],
-                      [case, "--set", "friction.law=none.json"]):
+    for arguments in (
+        ["missing.yaml"],
+        [tmp_path],
+        [case, "--set", f"friction.law={tmp_path}/law.json"],
+        [case, "--set", "friction.law=none.json"],
+    ):
         if len(arguments) > 1:
             case.write_text(CASE.replace(", mu: 0.3", ""), encoding="utf-8")
         done = wr_creep(*arguments, "-o", tmp_path / "out")
@@ -218,9 +289,13 @@ def test_bad_law_and_missing_files(case, tmp_path):
 
 
 def test_usage_errors(case):
-    for arguments, part in ((["--sett", "points=3"], "--set"), (["--set", "points"], "KEYWORD=VALUE"),
-                            (["--set", "contact.radus=1 m"], "contact.radius"),
-                            (["--threads", "0"], "threads"), (["other.yaml"], "one case file")):
+    for arguments, part in (
+        (["--sett", "points=3"], "--set"),
+        (["--set", "points"], "KEYWORD=VALUE"),
+        (["--set", "contact.radus=1 m"], "contact.radius"),
+        (["--threads", "0"], "threads"),
+        (["other.yaml"], "one case file"),
+    ):
         done = wr_creep(case, *arguments)
         assert done.returncode == 2, arguments
         assert part in done.stderr
@@ -244,10 +319,15 @@ def test_results_do_not_overwrite_inputs(case, tmp_path):
     profile.write_text("\n".join(lines), encoding="utf-8")
     law = tmp_path / "summary.json"
     law.write_text(json.dumps(law_file(None)), encoding="utf-8")
-    for file, change in ((profile, "roughness={rail: contact.csv}"), (law, "friction={law: summary.json, mu: null}")):
+    for file, change in (
+        (profile, "roughness={rail: contact.csv}"),
+        (law, "friction={law: summary.json, mu: null}"),
+    ):
         content = file.read_bytes()
         if file == law:
-            case.write_text(CASE.replace("{law: constant, mu: 0.3}", "{law: summary.json}"), encoding="utf-8")
+            case.write_text(
+                CASE.replace("{law: constant, mu: 0.3}", "{law: summary.json}"), encoding="utf-8"
+            )
         done = wr_creep(case, "-o", tmp_path, *(["--set", change] if file == profile else []))
         assert done.returncode == 2 and done.stderr.count("\n") == 1, done.stderr
         assert f"{file.name} is an input, it would be overwritten" in done.stderr
@@ -256,20 +336,45 @@ def test_results_do_not_overwrite_inputs(case, tmp_path):
 
 def test_lost_report_is_an_error(case):
     with open("/dev/full", "w", encoding="utf-8") as full:
-        done = subprocess.run([BIN, case, "--print-config"], stdout=full, stderr=subprocess.PIPE, text=True)
-    assert done.returncode == 5 and done.stderr == "wr_creep: standard output: cannot write: No space left on device\n"
+        done = subprocess.run(
+            [BIN, case, "--print-config"], stdout=full, stderr=subprocess.PIPE, text=True
+        )
+    assert (
+        done.returncode == 5
+        and done.stderr == "wr_creep: standard output: cannot write: No space left on device\n"
+    )
 
 
 def test_not_converged(case, tmp_path):
-    done = wr_creep(case, "-o", tmp_path / "out", "--set", "friction={law: bucher2006}", "--set",
-                    "thermal={conductivity: 0.01 W/(m K)}", "--set", "creep=0.9")
+    done = wr_creep(
+        case,
+        "-o",
+        tmp_path / "out",
+        "--set",
+        "friction={law: bucher2006}",
+        "--set",
+        "thermal={conductivity: 0.01 W/(m K)}",
+        "--set",
+        "creep=0.9",
+    )
     assert done.returncode == 4, done.stderr
     assert not (tmp_path / "out/creep.csv").exists()
 
 
 def test_interrupted_run_goes_on(case, tmp_path):
-    many = [case, "-o", tmp_path / "out", "--set", ROUGH, "--set", "points=2048", "--set",
-            "creep={from: 1e-4, to: 0.1, n: 8000}", "--threads", "1"]
+    many = [
+        case,
+        "-o",
+        tmp_path / "out",
+        "--set",
+        ROUGH,
+        "--set",
+        "points=2048",
+        "--set",
+        "creep={from: 1e-4, to: 0.1, n: 8000}",
+        "--threads",
+        "1",
+    ]
     running = subprocess.Popen([BIN, *map(str, many)], stderr=subprocess.PIPE, text=True)
     journal = tmp_path / "out/wr_creep.journal"
     time.sleep(1)
@@ -289,7 +394,9 @@ def test_documentation_and_program_agree():
     """Every keyword and option is documented, and every documented one exists."""
     text = DOC.read_text(encoding="utf-8")
     help_text = wr_creep("--help").stdout
-    section = help_text[help_text.index("Keywords of the case file"):help_text.index("Exit codes")]
+    section = help_text[
+        help_text.index("Keywords of the case file") : help_text.index("Exit codes")
+    ]
     keywords = set(re.findall(r"^  ([a-z][a-z_.]*) ", section, re.M))
     assert len(keywords) > 30
     documented = set(re.findall(r"^\| `([a-z][a-z_.]*)` ", text, re.M))
@@ -302,7 +409,9 @@ def test_documentation_and_program_agree():
 
 def test_table_of_keywords_has_the_programs_ranges_and_defaults():
     text, help_text = DOC.read_text(encoding="utf-8"), wr_creep("--help").stdout
-    for name, allowed, default in re.findall(r"^\| `([a-z][a-z_.]*)` \| (.*?) \| (.*?) \|", text, re.M):
+    for name, allowed, default in re.findall(
+        r"^\| `([a-z][a-z_.]*)` \| (.*?) \| (.*?) \|", text, re.M
+    ):
         line = re.search(rf"^  {re.escape(name)} +(.*)$", help_text, re.M)[1]
         wanted = allowed.replace(" or ", "|") + (f" [{default.strip('`')}]" if default else "")
         assert line == wanted, name
@@ -313,25 +422,48 @@ def test_worked_examples_of_the_help_run(tmp_path):
     (tmp_path / "table2.yaml").write_text(TABLE2.read_text(encoding="utf-8"), encoding="utf-8")
     (tmp_path / "law.json").write_text(json.dumps(law_file([[0.0] * 5] * 5)), encoding="utf-8")
     text = wr_creep("--help").stdout
-    section = text[text.index("Examples:"):text.index("Keywords of the case file")]
+    section = text[text.index("Examples:") : text.index("Keywords of the case file")]
     commands = re.findall(r"^  (wr_creep (?:.*\n {11,})*.*)$", section, re.M)
     assert len(commands) == 6
     for command in commands:
-        done = subprocess.run(command.replace("wr_creep", str(BIN), 1).replace("\n", " "), shell=True,
-                              cwd=tmp_path, capture_output=True, text=True, check=False)
+        done = subprocess.run(
+            command.replace("wr_creep", str(BIN), 1).replace("\n", " "),
+            shell=True,
+            cwd=tmp_path,
+            capture_output=True,
+            text=True,
+            check=False,
+        )
         assert done.returncode == 0, command + done.stderr
 
 
 @pytest.mark.parametrize("name", ["table2", "rough", "measured", "static", "periodic"])
 def test_examples_run(name, tmp_path):
-    done = wr_creep(SOURCE / f"examples/wheelrail/{name}.yaml", "-o", tmp_path, "-q", "--set",
-                    "creep=[1e-3, 0.1]")
+    done = wr_creep(
+        SOURCE / f"examples/wheelrail/{name}.yaml",
+        "-o",
+        tmp_path,
+        "-q",
+        "--set",
+        "creep=[1e-3, 0.1]",
+    )
     assert done.returncode == 0, done.stderr
 
 
 def test_moving_example_runs(tmp_path):
-    done = wr_creep(SOURCE / "examples/wheelrail/moving.yaml", "-o", tmp_path, "--set", "points=512", "--set",
-                    "roughness.wavelength_min=0.4 mm", "--set", "creep=[2e-4, 1e-2]", "--set", "moving.passes=2")
+    done = wr_creep(
+        SOURCE / "examples/wheelrail/moving.yaml",
+        "-o",
+        tmp_path,
+        "--set",
+        "points=512",
+        "--set",
+        "roughness.wavelength_min=0.4 mm",
+        "--set",
+        "creep=[2e-4, 1e-2]",
+        "--set",
+        "moving.passes=2",
+    )
     assert done.returncode == 0, done.stderr
     low, high = (float(row["traction_ratio"]) for row in table(tmp_path / "creep.csv"))
     assert low == pytest.approx(0.0411, rel=0.2)  # the smooth contact's; frozen: half of it
@@ -360,12 +492,30 @@ def test_pictures(case, tmp_path):
 def test_chain_from_campaign_to_creep(tmp_path):
     """Logs of Eq. 2 with noise -> law -> creep curves whose band holds those of the paper's law."""
     import sys
+
     sys.path.insert(0, str(pathlib.Path(__file__).parent))
     import friction_logs
+
     friction_logs.campaign(tmp_path / "campaign")
-    done = subprocess.run([SOURCE / "tools/campaign_to_creep.sh", tmp_path / "campaign", "-o", tmp_path / "out",
-                           "--start", "12", "--", "--set", "speed=20 m/s", "--set", "creep=[0.01, 0.1]"], check=False,
-                          capture_output=True, text=True, env={**os.environ, "MCAWR_BUILD": str(BIN.parents[1])})
+    done = subprocess.run(
+        [
+            SOURCE / "tools/campaign_to_creep.sh",
+            tmp_path / "campaign",
+            "-o",
+            tmp_path / "out",
+            "--start",
+            "12",
+            "--",
+            "--set",
+            "speed=20 m/s",
+            "--set",
+            "creep=[0.01, 0.1]",
+        ],
+        check=False,
+        capture_output=True,
+        text=True,
+        env={**os.environ, "MCAWR_BUILD": str(BIN.parents[1])},
+    )
     assert done.returncode == 0, done.stderr
     points = json.loads((tmp_path / "out/law.json").read_text())["report"]["points"]
     assert points and all(point["t_start"] == 12 for point in points)
@@ -373,7 +523,11 @@ def test_chain_from_campaign_to_creep(tmp_path):
     for row, other in zip(table(tmp_path / "out/creep_band.csv"), paper, strict=True):
         assert 0.0 < float(row["standard_error"]) < 0.05
         assert float(row["low"]) < float(other["traction_ratio"]) < float(row["high"])
-    done = subprocess.run([SOURCE / "tools/campaign_to_creep.sh", tmp_path / "none", "-o", tmp_path / "out2"],
-                          check=False, capture_output=True, text=True,
-                          env={**os.environ, "MCAWR_BUILD": str(BIN.parents[1])})
+    done = subprocess.run(
+        [SOURCE / "tools/campaign_to_creep.sh", tmp_path / "none", "-o", tmp_path / "out2"],
+        check=False,
+        capture_output=True,
+        text=True,
+        env={**os.environ, "MCAWR_BUILD": str(BIN.parents[1])},
+    )
     assert done.returncode == 3

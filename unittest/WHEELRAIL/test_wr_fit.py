@@ -1,4 +1,7 @@
-"""wr_fit's command line: results, exit codes, one clear line for every fault, files whole or not at all."""
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""wr_fit's command line: results, exit codes, one clear line for every fault, files whole or not at
+all."""
+
 import csv
 import json
 import math
@@ -18,11 +21,14 @@ PAPER = {"mu0": 0.15, "mu1": 0.0442, "mu2": 0.3243, "b": 0.195, "c": 0.00212}  #
 TOOLS = pathlib.Path(os.environ["PROJECT_SOURCE"]) / "tools"
 sys.path.insert(0, str(TOOLS))
 from campaign_parts.pack import packed  # noqa: E402
+
 PNG = b"\x89PNG\r\n\x1a\n"
 
 
 def wr_fit(*arguments, **more):
-    return subprocess.run([WR_FIT, *map(str, arguments)], capture_output=True, text=True, timeout=60, **more)
+    return subprocess.run(
+        [WR_FIT, *map(str, arguments)], capture_output=True, text=True, timeout=60, **more
+    )
 
 
 def one_line(result, code, *parts):
@@ -56,7 +62,10 @@ def log(tmp_path):
 def test_single_log_is_a_success(log, tmp_path):
     result = wr_fit(log, "-o", tmp_path / "fit.json", "--points", tmp_path / "points.csv")
     assert result.returncode == 0 and result.stderr == ""
-    assert "No law fitted: 1 point for the 5 parameters of eq2, at least 6 are needed." in result.stdout
+    assert (
+        "No law fitted: 1 point for the 5 parameters of eq2, at least 6 are needed."
+        in result.stdout
+    )
     data = json.loads((tmp_path / "fit.json").read_text())
     assert data["format"] == "mca-friction-report 1" and "mu0" not in data
     point = data["report"]["points"][0]
@@ -114,9 +123,21 @@ def test_a_run_of_two_logs_counts_once(tmp_path):
     """The longer log is fitted, and logs of other seeds are."""
     for name, seed, ns in (("a", 1, 20), ("b", 1, 30), ("c", 1, 20), ("d", 2, 20)):
         (tmp_path / f"{name}.friction").write_text(friction_logs.friction_log(seed=seed, ns=ns))
-    lines = {line.split()[0][-10]: line for line in wr_fit(tmp_path).stdout.splitlines() if ".friction " in line}
-    assert {name: "left out" in line for name, line in lines.items()} == {"a": True, "b": False, "c": True, "d": False}
-    assert f"[left out: the run of {tmp_path / 'b.friction'}]" in lines["a"] and "b.friction]" in lines["c"]
+    lines = {
+        line.split()[0][-10]: line
+        for line in wr_fit(tmp_path).stdout.splitlines()
+        if ".friction " in line
+    }
+    assert {name: "left out" in line for name, line in lines.items()} == {
+        "a": True,
+        "b": False,
+        "c": True,
+        "d": False,
+    }
+    assert (
+        f"[left out: the run of {tmp_path / 'b.friction'}]" in lines["a"]
+        and "b.friction]" in lines["c"]
+    )
 
 
 @pytest.mark.parametrize("rows", [1, 4, 6])
@@ -125,8 +146,14 @@ def test_a_copy_with_averaged_rows_counts_once(tmp_path, rows):
     whole = friction_logs.friction_log(seed=1, ns=20)
     (tmp_path / "whole.friction").write_text(whole)
     (tmp_path / "packed.friction").write_text(packed(whole, rows, "lmp -in in.friction"))
-    (tmp_path / "other.friction").write_text(packed(friction_logs.friction_log(seed=2, ns=20), rows, "lmp"))
-    lines = {line.split()[0].split("/")[-1]: line for line in wr_fit(tmp_path).stdout.splitlines() if ".friction " in line}
+    (tmp_path / "other.friction").write_text(
+        packed(friction_logs.friction_log(seed=2, ns=20), rows, "lmp")
+    )
+    lines = {
+        line.split()[0].split("/")[-1]: line
+        for line in wr_fit(tmp_path).stdout.splitlines()
+        if ".friction " in line
+    }
     out = {name for name, line in lines.items() if "left out: the run of" in line}
     assert len(out) == 1 and "other.friction" not in out
 
@@ -137,16 +164,27 @@ def test_the_longer_copy_counts_even_if_it_drifts(tmp_path):
         (tmp_path / f"{name}.friction").write_text(friction_logs.friction_log(ns=ns, drift=-0.002))
     assert "left out" not in wr_fit(tmp_path / "short.friction").stdout
     text = wr_fit(tmp_path).stdout
-    assert "[left out: no stationary part]" in text and f"[left out: the run of {tmp_path / 'long.friction'}]" in text
+    assert (
+        "[left out: no stationary part]" in text
+        and f"[left out: the run of {tmp_path / 'long.friction'}]" in text
+    )
 
 
 def test_runs_of_other_laws_are_warned_of(tmp_path):
-    for name, change in (("a", ("", "")), ("b", ("", "")), ("c", ("lammps: 20250204", "lammps: 20260701"))):
+    for name, change in (
+        ("a", ("", "")),
+        ("b", ("", "")),
+        ("c", ("lammps: 20250204", "lammps: 20260701")),
+    ):
         text = friction_logs.friction_log(seed=ord(name), preset="A" if name == "c" else "B")
         (tmp_path / f"{name}.friction").write_text(text.replace(*change))
     result = wr_fit(tmp_path, "-o", tmp_path / "fit.json")
-    one_line(result, 0, "wr_fit: warning: runs that differ in laws.preset, program.lammps are taken together",
-             f"{tmp_path}/a.friction and {tmp_path}/c.friction")
+    one_line(
+        result,
+        0,
+        "wr_fit: warning: runs that differ in laws.preset, program.lammps are taken together",
+        f"{tmp_path}/a.friction and {tmp_path}/c.friction",
+    )
     warning = result.stderr.removeprefix("wr_fit: warning: ").strip()
     assert f"Warning: {warning}.\n" in result.stdout
     assert json.loads((tmp_path / "fit.json").read_text())["report"]["warning"] == warning
@@ -163,7 +201,9 @@ def test_start_and_grinding_in_can_be_given(log, tmp_path):
 
 def test_outlier_is_reported(tmp_path):
     runs = friction_logs.campaign(tmp_path / "c", scatter=0.01)
-    (runs / "run15" / "run.friction").write_text(friction_logs.friction_log(p=15, v=2.5, factor=1.6, seed=15))
+    (runs / "run15" / "run.friction").write_text(
+        friction_logs.friction_log(p=15, v=2.5, factor=1.6, seed=15)
+    )
     result = wr_fit(runs, "-o", tmp_path / "law.json")
     assert "outlier: " + str(runs / "run15" / "run.friction") in result.stdout
     points = json.loads((tmp_path / "law.json").read_text())["report"]["points"]
@@ -173,7 +213,8 @@ def test_outlier_is_reported(tmp_path):
 def test_scatter_at_equal_kappas(tmp_path):
     for seed, (v, rho) in enumerate(((5, 7800), (2.5, 31200), (10, 1950)), 1):
         (tmp_path / f"c{seed}.friction").write_text(
-            friction_logs.friction_log(v=v, rho=rho, seed=seed, factor=1 + 0.1 * (seed - 2)))
+            friction_logs.friction_log(v=v, rho=rho, seed=seed, factor=1 + 0.1 * (seed - 2))
+        )
     text = wr_fit(tmp_path, "-o", tmp_path / "fit.json").stdout
     assert "Equal kappas: kappa1 4.746, kappa2 365.1: 3 runs" in text
     group = json.loads((tmp_path / "fit.json").read_text())["report"]["equal_kappas"][0]
@@ -181,8 +222,11 @@ def test_scatter_at_equal_kappas(tmp_path):
 
 
 def test_one_speed_is_not_identifiable(tmp_path):
-    runs = friction_logs.campaign(tmp_path / "c", velocities=(5,), strengths_and_pressures=[
-        (92, p) for p in (0.2, 1, 3, 8, 15, 20, 26, 40)])
+    runs = friction_logs.campaign(
+        tmp_path / "c",
+        velocities=(5,),
+        strengths_and_pressures=[(92, p) for p in (0.2, 1, 3, 8, 15, 20, 26, 40)],
+    )
     result = wr_fit(runs, "-o", tmp_path / "law.json", "--points", tmp_path / "points.csv")
     one_line(result, 4, "only 1 different kappa1", "eq2 needs at least 3")
     assert len(read_points(tmp_path / "points.csv")) == 8
@@ -198,10 +242,29 @@ def test_power_of_kappa3(tmp_path):
         for v in (0.5, 2.5, 5, 10):
             for strength, p in ((92, 1), (92, 26), (200, 15)):
                 number += 1
-                (tmp_path / f"r{number}.friction").write_text(friction_logs.friction_log(
-                    p=p, v=v, strength=strength, E=E, seed=number, factor=(E / strength / 2239) ** 0.3))
-    result = wr_fit(tmp_path, "--model", "eq2_kappa3", "--kappa3", 2239, "-o", tmp_path / "law.json",
-                    "--plot", tmp_path / "fit.png", "--points", tmp_path / "points.csv")
+                (tmp_path / f"r{number}.friction").write_text(
+                    friction_logs.friction_log(
+                        p=p,
+                        v=v,
+                        strength=strength,
+                        E=E,
+                        seed=number,
+                        factor=(E / strength / 2239) ** 0.3,
+                    )
+                )
+    result = wr_fit(
+        tmp_path,
+        "--model",
+        "eq2_kappa3",
+        "--kappa3",
+        2239,
+        "-o",
+        tmp_path / "law.json",
+        "--plot",
+        tmp_path / "fit.png",
+        "--points",
+        tmp_path / "points.csv",
+    )
     assert result.returncode == 0, result.stderr
     assert "] (kappa3/2239)^n, 36 points" in result.stdout
     law = json.loads((tmp_path / "law.json").read_text())
@@ -219,20 +282,58 @@ def test_power_of_kappa3(tmp_path):
     one_line(wr_fit(tmp_path, "--model", "eq2_kappa3", "--kappa3", 0), 2, "--kappa3")
 
 
-@pytest.mark.parametrize("change, parts", [
-    (lambda text: "", ["empty"]),
-    (lambda text: text.replace("mca-friction 1", "mca-friction 9"), [":1: format: 'mca-friction 9'"]),
-    (lambda text: text.replace("time: ns", "time: ps"), [":3: units: time: 'ps'", "'ns'"]),
-    (lambda text: text[:500], ["the head is not YAML"]),
-    (lambda text: text.replace("strength: 92", "strength: -92"), [":4: material: strength: '-92.0'", "> 0 (MPa)"]),
-    (lambda text: text.replace("density: 7800", "density: 1e200"), [":4: material: density: '1e200.0'"]),
-    (lambda text: text.replace("seed: 1", "seed: 1.5"), [":8: run: seed: '1.5'", "whole"]),
-    (lambda text: text.replace("{pressure", "{pressure: 20, pressure"), [":5: pressure: stands twice"]),
-    (lambda text: re.sub(r" \S+ 3456 ", " 1e308 3456 ", text), [":10: mu: '1e308' is not allowed"]),
-    (lambda text: text.replace("pressure: 15", "presure: 15"), ["'presure' is unknown", "'pressure'"]),
-    (lambda text: text.replace(" 3456 ", " nan ", 1), [":10: links: 'nan' is not a finite number"]),
-    (lambda text: text.replace(" 3456 ", " many ", 1), [":10: links: 'many'"]),
-], ids=["empty", "version", "units", "truncated", "negative", "enormous", "seed", "twice", "huge mu", "keyword", "nan", "text"])
+@pytest.mark.parametrize(
+    "change, parts",
+    [
+        (lambda text: "", ["empty"]),
+        (
+            lambda text: text.replace("mca-friction 1", "mca-friction 9"),
+            [":1: format: 'mca-friction 9'"],
+        ),
+        (lambda text: text.replace("time: ns", "time: ps"), [":3: units: time: 'ps'", "'ns'"]),
+        (lambda text: text[:500], ["the head is not YAML"]),
+        (
+            lambda text: text.replace("strength: 92", "strength: -92"),
+            [":4: material: strength: '-92.0'", "> 0 (MPa)"],
+        ),
+        (
+            lambda text: text.replace("density: 7800", "density: 1e200"),
+            [":4: material: density: '1e200.0'"],
+        ),
+        (lambda text: text.replace("seed: 1", "seed: 1.5"), [":8: run: seed: '1.5'", "whole"]),
+        (
+            lambda text: text.replace("{pressure", "{pressure: 20, pressure"),
+            [":5: pressure: stands twice"],
+        ),
+        (
+            lambda text: re.sub(r" \S+ 3456 ", " 1e308 3456 ", text),
+            [":10: mu: '1e308' is not allowed"],
+        ),
+        (
+            lambda text: text.replace("pressure: 15", "presure: 15"),
+            ["'presure' is unknown", "'pressure'"],
+        ),
+        (
+            lambda text: text.replace(" 3456 ", " nan ", 1),
+            [":10: links: 'nan' is not a finite number"],
+        ),
+        (lambda text: text.replace(" 3456 ", " many ", 1), [":10: links: 'many'"]),
+    ],
+    ids=[
+        "empty",
+        "version",
+        "units",
+        "truncated",
+        "negative",
+        "enormous",
+        "seed",
+        "twice",
+        "huge mu",
+        "keyword",
+        "nan",
+        "text",
+    ],
+)
 def test_bad_log_is_one_clear_line(log, tmp_path, change, parts):
     log.write_text(change(log.read_text()))
     out = tmp_path / "out"
@@ -258,22 +359,46 @@ def test_missing_log_and_usage(tmp_path):
     assert wr_fit("--help").returncode == 0 and "Examples:" in wr_fit("--help").stdout
 
 
-@pytest.mark.parametrize("option, value, allowed", [
-    ("--level", "95", "from 0.5 to 0.9999"), ("--level", "nan", "from 0.5 to 0.9999"),
-    ("--kappa2-min", "nan", ">= 0"), ("--kappa2-min", "inf", ">= 0"), ("--kappa3", "nan", "> 0"), ("--kappa3", "0", "> 0"),
-    ("--start", "nan", ">= 0 (ns)"), ("--start", "inf", ">= 0 (ns)"), ("--start", "-5", ">= 0 (ns)"),
-    ("--start", "abc", ">= 0 (ns)"), ("--start", "", ">= 0 (ns)"), ("--grinding-in", "nan", "> 0 (ns)"),
-    ("--grinding-in", "0", "> 0 (ns)")])
+@pytest.mark.parametrize(
+    "option, value, allowed",
+    [
+        ("--level", "95", "from 0.5 to 0.9999"),
+        ("--level", "nan", "from 0.5 to 0.9999"),
+        ("--kappa2-min", "nan", ">= 0"),
+        ("--kappa2-min", "inf", ">= 0"),
+        ("--kappa3", "nan", "> 0"),
+        ("--kappa3", "0", "> 0"),
+        ("--start", "nan", ">= 0 (ns)"),
+        ("--start", "inf", ">= 0 (ns)"),
+        ("--start", "-5", ">= 0 (ns)"),
+        ("--start", "abc", ">= 0 (ns)"),
+        ("--start", "", ">= 0 (ns)"),
+        ("--grinding-in", "nan", "> 0 (ns)"),
+        ("--grinding-in", "0", "> 0 (ns)"),
+    ],
+)
 def test_bad_option_is_one_clear_line(log, option, value, allowed):
-    one_line(wr_fit(log, option, value), 2, f"{option}: '{value}' is not allowed, must be a number {allowed}; see")
+    one_line(
+        wr_fit(log, option, value),
+        2,
+        f"{option}: '{value}' is not allowed, must be a number {allowed}; see",
+    )
 
 
 def test_text_report_holds_no_nan(runs, log, tmp_path):
-    """What is no number is "-": errors of 3 rows, AICc of few points, grinding-in before the first row."""
+    """What is no number is "-": errors of 3 rows, AICc of few points, grinding-in before the first
+    row."""
     few = tmp_path / "few"
-    friction_logs.campaign(few, velocities=(0.5, 8), strengths_and_pressures=[(92, 1), (92, 26), (200, 15)])
-    for arguments in ([log, "--start", "19.85"], [log, "--start", "0"], [few], [few, "--model", "constant"],
-                      [few / "run01", few / "run02", "--model", "constant"]):
+    friction_logs.campaign(
+        few, velocities=(0.5, 8), strengths_and_pressures=[(92, 1), (92, 26), (200, 15)]
+    )
+    for arguments in (
+        [log, "--start", "19.85"],
+        [log, "--start", "0"],
+        [few],
+        [few, "--model", "constant"],
+        [few / "run01", few / "run02", "--model", "constant"],
+    ):
         text = wr_fit(*arguments).stdout
         assert not re.search(r"\b(nan|inf)\b", text), text
         assert re.search(r" - ", text) or re.search(r"AICc +-\n", text), text
@@ -281,7 +406,9 @@ def test_text_report_holds_no_nan(runs, log, tmp_path):
 
 
 def test_constant_mu_is_stationary(tmp_path):
-    (tmp_path / "run.friction").write_text(friction_logs.friction_log(noise=0, grinding_in=0, ns=600))
+    (tmp_path / "run.friction").write_text(
+        friction_logs.friction_log(noise=0, grinding_in=0, ns=600)
+    )
     text = wr_fit(tmp_path).stdout
     assert "drifts" not in text and "left out" not in text and " 0.4418  0.0000 " in text
 
@@ -292,7 +419,11 @@ def test_unwritable_output(log, tmp_path, option):
     blocked = tmp_path / "blocked"
     blocked.write_text("a file, not a folder")
     for target in (tmp_path / "folder" / "x", blocked / "x", tmp_path):
-        result = one_line(wr_fit(log, option, target, "--points" if option == "-o" else "-o", tmp_path / "other"), 5, str(target))
+        result = one_line(
+            wr_fit(log, option, target, "--points" if option == "-o" else "-o", tmp_path / "other"),
+            5,
+            str(target),
+        )
         assert result.stdout == ""
     assert sorted(p.name for p in tmp_path.iterdir()) == ["blocked", "run.friction"]
 
@@ -302,14 +433,21 @@ def test_outputs_do_not_overwrite_logs_or_each_other(log, tmp_path, option):
     content = log.read_bytes()
     (tmp_path / "link").symlink_to(log)
     for name in (log, tmp_path / "." / "run.friction", tmp_path / "link"):
-        one_line(wr_fit(log, option, name), 2, f"{option}: {name} is an input, it would be overwritten")
+        one_line(
+            wr_fit(log, option, name), 2, f"{option}: {name} is an input, it would be overwritten"
+        )
         one_line(wr_fit(tmp_path, option, name), 2, option)
     other = "--points" if option == "-o" else "-o"
     one_line(wr_fit(log, option, "x", other, "./x", cwd=tmp_path), 2, "is the file of")
-    assert log.read_bytes() == content and sorted(p.name for p in tmp_path.iterdir()) == ["link", "run.friction"]
+    assert log.read_bytes() == content and sorted(p.name for p in tmp_path.iterdir()) == [
+        "link",
+        "run.friction",
+    ]
 
 
-@pytest.mark.parametrize("option, start", [("-o", b"{"), ("--points", b"# t_start"), ("--plot", PNG)])
+@pytest.mark.parametrize(
+    "option, start", [("-o", b"{"), ("--points", b"# t_start"), ("--plot", PNG)]
+)
 def test_a_pipe_is_written_into(log, tmp_path, option, start):
     pipe = tmp_path / "pipe"
     os.mkfifo(pipe)
@@ -326,7 +464,8 @@ def test_a_lost_report_is_an_error(log):
 
 
 def test_what_is_no_log_is_refused(log, tmp_path):
-    """A pipe would be waited for, a link to itself leads nowhere; neither is passed over in a folder."""
+    """A pipe would be waited for, a link to itself leads nowhere; neither is passed over in a
+    folder."""
     os.mkfifo(tmp_path / "p.friction")
     one_line(wr_fit(tmp_path / "p.friction"), 3, "p.friction: is no regular file")
     one_line(wr_fit(tmp_path), 3, "p.friction: is no regular file")
@@ -357,50 +496,105 @@ def test_cut_last_line_is_said(log):
 def test_pictures(runs, log, tmp_path):
     assert wr_fit(runs, "-q", "--plot", tmp_path / "fit.png").returncode == 0
     assert (tmp_path / "fit.png").read_bytes().startswith(PNG)
-    assert wr_fit(log, "-q", "--plot", tmp_path / "one.png", "--points", tmp_path / "p.csv").returncode == 0
+    assert (
+        wr_fit(log, "-q", "--plot", tmp_path / "one.png", "--points", tmp_path / "p.csv").returncode
+        == 0
+    )
     assert (tmp_path / "one.png").read_bytes().startswith(PNG)
     (tmp_path / "one.png").unlink()
-    assert wr_fit(log, "-q", "--plot", tmp_path / "one.png", env={**os.environ, "TMPDIR": "/missing"}).returncode == 0
+    assert (
+        wr_fit(
+            log, "-q", "--plot", tmp_path / "one.png", env={**os.environ, "TMPDIR": "/missing"}
+        ).returncode
+        == 0
+    )
     assert (tmp_path / "one.png").read_bytes().startswith(PNG)
-    made = subprocess.run([TOOLS / "plot_friction.py", log, "-o", tmp_path / "mu.png", "--points", tmp_path / "p.csv"],
-                          capture_output=True, text=True)
+    made = subprocess.run(
+        [
+            TOOLS / "plot_friction.py",
+            log,
+            "-o",
+            tmp_path / "mu.png",
+            "--points",
+            tmp_path / "p.csv",
+        ],
+        capture_output=True,
+        text=True,
+    )
     assert made.returncode == 0, made.stderr
     assert (tmp_path / "mu.png").read_bytes().startswith(PNG)
 
 
 def test_figures_4_and_6(tmp_path):
-    runs = friction_logs.campaign(tmp_path / "c", velocities=(2.5, 5), strengths_and_pressures=[(92, 5), (92, 15)])
+    runs = friction_logs.campaign(
+        tmp_path / "c", velocities=(2.5, 5), strengths_and_pressures=[(92, 5), (92, 15)]
+    )
     wr_fit(runs, "-q", "-o", tmp_path / "fit.json")
     for against in ("pressure", "velocity", "viscosity", "strength"):
-        made = subprocess.run([TOOLS / "plot_series.py", tmp_path / "fit.json", "--against", against, "-o",
-                               tmp_path / "x.png"], capture_output=True, text=True)
+        made = subprocess.run(
+            [
+                TOOLS / "plot_series.py",
+                tmp_path / "fit.json",
+                "--against",
+                against,
+                "-o",
+                tmp_path / "x.png",
+            ],
+            capture_output=True,
+            text=True,
+        )
         assert made.returncode == 0, made.stderr
         assert (tmp_path / "x.png").read_bytes().startswith(PNG)
         (tmp_path / "x.png").unlink()
     (tmp_path / "fit.json").write_text("{}")
-    one_line(subprocess.run([TOOLS / "plot_series.py", tmp_path / "fit.json", "--against", "velocity"],
-                            capture_output=True, text=True, cwd=tmp_path), 3, "not wr_fit's JSON")
+    one_line(
+        subprocess.run(
+            [TOOLS / "plot_series.py", tmp_path / "fit.json", "--against", "velocity"],
+            capture_output=True,
+            text=True,
+            cwd=tmp_path,
+        ),
+        3,
+        "not wr_fit's JSON",
+    )
 
 
 def test_missing_matplotlib_does_not_spoil_the_fit(log, tmp_path):
     (tmp_path / "matplotlib.py").write_text("raise ImportError('none here')\n")
-    result = wr_fit(log, "-o", tmp_path / "fit.json", "--plot", tmp_path / "fit.png",
-                    env={**os.environ, "PYTHONPATH": str(tmp_path)})
+    result = wr_fit(
+        log,
+        "-o",
+        tmp_path / "fit.json",
+        "--plot",
+        tmp_path / "fit.png",
+        env={**os.environ, "PYTHONPATH": str(tmp_path)},
+    )
     assert result.returncode == 0
     assert "matplotlib is missing" in result.stderr and "fit.png was not made" in result.stderr
     assert (tmp_path / "fit.json").exists() and not (tmp_path / "fit.png").exists()
-    other = subprocess.run([TOOLS / "plot_friction.py", log, "-o", tmp_path / "mu.png"], capture_output=True,
-                           text=True, env={**os.environ, "PYTHONPATH": str(tmp_path)})
+    other = subprocess.run(
+        [TOOLS / "plot_friction.py", log, "-o", tmp_path / "mu.png"],
+        capture_output=True,
+        text=True,
+        env={**os.environ, "PYTHONPATH": str(tmp_path)},
+    )
     one_line(other, 1, "matplotlib is missing")
 
 
 def test_plot_friction_refuses_bad_logs(log, tmp_path):
     good = log.read_text()
-    for content, part in [("", "no friction log"), (good.replace(" 3456 2 1 -0.013\n", "\n", 1), ":10: "),
-                          (good.replace(" 15.0 ", " 15.0 nan ", 1), ":10: "),
-                          (good.replace("mca-friction 1", "mca-friction 2"), "'mca-friction 2'")]:
+    for content, part in [
+        ("", "no friction log"),
+        (good.replace(" 3456 2 1 -0.013\n", "\n", 1), ":10: "),
+        (good.replace(" 15.0 ", " 15.0 nan ", 1), ":10: "),
+        (good.replace("mca-friction 1", "mca-friction 2"), "'mca-friction 2'"),
+    ]:
         log.write_text(content)
-        made = subprocess.run([TOOLS / "plot_friction.py", log, "-o", tmp_path / "mu.png"], capture_output=True, text=True)
+        made = subprocess.run(
+            [TOOLS / "plot_friction.py", log, "-o", tmp_path / "mu.png"],
+            capture_output=True,
+            text=True,
+        )
         one_line(made, 3, part)
         assert not (tmp_path / "mu.png").exists()
 

@@ -1,8 +1,10 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """Doc pages against the sources: LAMMPS's sections, every keyword on its page and none that does
 not exist, links that lead somewhere, input scripts that run.
 
 A fenced block marked ``lammps`` is a complete input script and is run; excerpts are ``text``.
 """
+
 import os
 import re
 import subprocess
@@ -14,13 +16,20 @@ import yaml
 ROOT = Path(__file__).resolve().parents[2]
 MCA = ROOT / "src" / "MCA"
 LMP = os.environ.get("MCAWR_LMP", str(ROOT / "build" / "bin" / "lmp"))
-PAGES = [ROOT / "README.md", *sorted((ROOT / "doc").glob("*.md")), *sorted((ROOT / "examples").glob("*/README.md"))]
+PAGES = [
+    ROOT / "README.md",
+    *sorted((ROOT / "doc").glob("*.md")),
+    *sorted((ROOT / "examples").glob("*/README.md")),
+]
 
 # the fourth section is named after what the kind of style has to say there
-STATE = {"fix": "Restart, fix_modify, output, run start/stop, minimize info",
-         "pair": "Mixing, shift, table, tail correction, restart, rRESPA info",
-         "compute": "Output info", "region": "Restart, output info",
-         "command": "Restart, run start/stop info"}
+STATE = {
+    "fix": "Restart, fix_modify, output, run start/stop, minimize info",
+    "pair": "Mixing, shift, table, tail correction, restart, rRESPA info",
+    "compute": "Output info",
+    "region": "Restart, output info",
+    "command": "Restart, run start/stop info",
+}
 
 
 def name(path):
@@ -36,7 +45,9 @@ def page(file):
 
 
 def without_code(text):
-    return re.sub(r"`[^`\n]*`", "", re.sub(r"^```.*?^```", "", text, flags=re.MULTILINE | re.DOTALL))
+    return re.sub(
+        r"`[^`\n]*`", "", re.sub(r"^```.*?^```", "", text, flags=re.MULTILINE | re.DOTALL)
+    )
 
 
 def section(text, title):
@@ -53,7 +64,9 @@ def styles():
     for kind, style in found:
         if style.upper() != style:
             prefix = "" if kind == "command" else f"{kind}_"
-            yield pytest.param(kind, style, f"{prefix}{style.replace('/', '_')}.md", id=f"{kind} {style}")
+            yield pytest.param(
+                kind, style, f"{prefix}{style.replace('/', '_')}.md", id=f"{kind} {style}"
+            )
 
 
 @pytest.mark.parametrize("kind, style, file", styles())
@@ -62,12 +75,20 @@ def test_sections(kind, style, file):
     title = {"pair": f"pair_style {style}", "command": style}.get(kind, f"{kind} {style}")
     assert text.splitlines()[0] == f"# {title} command"
     assert re.findall(r"^## (.+)$", without_code(text), re.MULTILINE) == [
-        "Syntax", "Examples", "Description", STATE[kind], "Restrictions", "Related commands", "Default"]
+        "Syntax",
+        "Examples",
+        "Description",
+        STATE[kind],
+        "Restrictions",
+        "Related commands",
+        "Default",
+    ]
     index = page("README.md")
     assert f"]({file})" in index
 
 
 # ---- keywords: those that a source parses, and those that the page's Syntax names
+
 
 def listed(text, what):
     """Words in *italics* of the list item "keyword = *a* or *b* ..."."""
@@ -78,14 +99,18 @@ def listed(text, what):
 
 def attributes(file):
     """The compute's table of names."""
-    return re.findall(r'"(\w+)"', re.search(r"NAMES\[ATTRIBUTES\] = \{(.*?)\};", source(file), re.DOTALL)[1])
+    return re.findall(
+        r'"(\w+)"', re.search(r"NAMES\[ATTRIBUTES\] = \{(.*?)\};", source(file), re.DOTALL)[1]
+    )
 
 
 def choices():
     """{keyword: allowed words} of the law set; thresholds allow words too."""
     text = source("laws/law_set.cpp")
-    table = {k: re.findall(r'"([\w-]+)"', words)
-             for k, words in re.findall(r'\{"(\w+)",\s+&LawSet::\w+,\s+\{(.*?)\}\}', text)}
+    table = {
+        k: re.findall(r'"([\w-]+)"', words)
+        for k, words in re.findall(r'\{"(\w+)",\s+&LawSet::\w+,\s+\{(.*?)\}\}', text)
+    }
     for keyword, stress in re.findall(r'\{"(\w+)", &LawSet::\w+, "(\w*)", [\w.:]+\}', text):
         table[keyword] = ["factor"] + [stress] * bool(stress) + ["none"]
     table["preset"] = re.findall(r'value != "(\w+)"', text)
@@ -98,12 +123,17 @@ def lengths():
 
 def test_pair_keywords():
     assert len(choices()) == 12 and len(lengths()) == 3
-    assert sorted(listed(section(page("pair_mca.md"), "Syntax"), "keyword")) == sorted([*choices(), *lengths()])
+    assert sorted(listed(section(page("pair_mca.md"), "Syntax"), "keyword")) == sorted(
+        [*choices(), *lengths()]
+    )
 
 
 def test_pair_values():
     syntax = section(page("pair_mca.md"), "Syntax")
-    written = {k: words.split(" or ") for k, words in re.findall(r"^(\w+) value = (.*)$", syntax, re.MULTILINE)}
+    written = {
+        k: words.split(" or ")
+        for k, words in re.findall(r"^(\w+) value = (.*)$", syntax, re.MULTILINE)
+    }
     for keyword, allowed in choices().items():
         assert written[keyword] == allowed, keyword
 
@@ -111,8 +141,10 @@ def test_pair_values():
 def test_pair_defaults():
     """The table of presets and the Default section are what the sources say."""
     text = page("pair_mca.md")
-    rows = {k: (a.strip(), b.strip()) for k, a, b in
-            re.findall(r"^\| \*(\w+)\* \| (.*?) \| (.*?) \|$", text, re.MULTILINE)}
+    rows = {
+        k: (a.strip(), b.strip())
+        for k, a, b in re.findall(r"^\| \*(\w+)\* \| (.*?) \| (.*?) \|$", text, re.MULTILINE)
+    }
     header = source("laws/law_set.h")
     code = dict(re.findall(r'std::string (\w+) = "([\w-]+)";', header))
     number = {"atElasticLimit": "elastic_limit", "atHardness": "hardness", "off": "none"}
@@ -128,19 +160,32 @@ def test_pair_defaults():
         assert a == set_a.get(keyword, b)
 
 
-@pytest.mark.parametrize("file, table", [("compute_mca_atom.md", "compute_mca_atom.cpp"),
-                                         ("fix_mca_events.md", "fix_mca_events.cpp"),
-                                         ("compute_mca_link_local.md", "compute_mca_link_local.cpp")])
+@pytest.mark.parametrize(
+    "file, table",
+    [
+        ("compute_mca_atom.md", "compute_mca_atom.cpp"),
+        ("fix_mca_events.md", "fix_mca_events.cpp"),
+        ("compute_mca_link_local.md", "compute_mca_link_local.cpp"),
+    ],
+)
 def test_compute_attributes(file, table):
     syntax = section(page(file), "Syntax")
     assert listed(syntax, "attribute") == attributes(table)
-    explained = [word for words in re.findall(r"^([\w,]+) = ", syntax, re.MULTILINE) for word in words.split(",")]
+    explained = [
+        word
+        for words in re.findall(r"^([\w,]+) = ", syntax, re.MULTILINE)
+        for word in words.split(",")
+    ]
     assert explained == attributes(table)
 
 
-@pytest.mark.parametrize("file, parser, pattern", [
-    ("fix_mca_drive.md", "fix_mca_drive.cpp", r'keyword == "(\w+)"'),
-    ("mca_links.md", "mca_links.cpp", r'strcmp\(arg\[iarg\], "(\w+)"\)')])
+@pytest.mark.parametrize(
+    "file, parser, pattern",
+    [
+        ("fix_mca_drive.md", "fix_mca_drive.cpp", r'keyword == "(\w+)"'),
+        ("mca_links.md", "mca_links.cpp", r'strcmp\(arg\[iarg\], "(\w+)"\)'),
+    ],
+)
 def test_keywords(file, parser, pattern):
     parsed = re.findall(pattern, source(parser))
     syntax = section(page(file), "Syntax")
@@ -150,7 +195,9 @@ def test_keywords(file, parser, pattern):
 
 def test_potential_file():
     """The table of quantities with what is allowed, and the example, which is steel.mca."""
-    coded = re.findall(r'\{"(\w+)", &Material::\w+, "([^"]+)",\s*"([^"]+)"\}', source("laws/material.cpp"))
+    coded = re.findall(
+        r'\{"(\w+)", &Material::\w+, "([^"]+)",\s*"([^"]+)"\}', source("laws/material.cpp")
+    )
     text = page("potential_file.md")
     table = re.findall(r"^\| `(\w+)` \|[^|]*\| (.*?) \| (.*?) \|$", text, re.MULTILINE)
     assert coded and table == coded
@@ -171,8 +218,13 @@ def test_friction_log():
     assert re.findall(r"^# (\w+): ", example, re.MULTILINE) == written
     for head in re.findall(r"^\| `(\w+)` \|[^|]*\|$", text, re.MULTILINE):
         assert head in written
-    shipped = (ROOT / "examples/campaign/logs/velocity/v5-seed1.friction").read_text(encoding="utf-8")
-    laws = [re.findall(r"(\w+):", re.search(r"^# laws: (.*)", log, re.MULTILINE)[1]) for log in (example, shipped)]
+    shipped = (ROOT / "examples/campaign/logs/velocity/v5-seed1.friction").read_text(
+        encoding="utf-8"
+    )
+    laws = [
+        re.findall(r"(\w+):", re.search(r"^# laws: (.*)", log, re.MULTILINE)[1])
+        for log in (example, shipped)
+    ]
     assert laws[0] == laws[1]
     packed = re.search(r"^# (campaign: {.*})", text, re.MULTILINE)[1]
     assert yaml.safe_load(packed)["campaign"].keys() == {"command", "rows_averaged"}
@@ -182,8 +234,14 @@ def test_example_variables():
     """The table of the friction example is what its script has."""
     script = (ROOT / "examples" / "friction" / "in.friction").read_text(encoding="utf-8")
     text = (ROOT / "examples" / "friction" / "README.md").read_text(encoding="utf-8")
-    default = {k: v.replace("${name}", "NAME") for k, v in
-               re.findall(r"^variable +(\w+) +(?:index|equal) +([^\s#]+) *(?:#.*)?$", script.split("\nif ")[0], re.MULTILINE)}
+    default = {
+        k: v.replace("${name}", "NAME")
+        for k, v in re.findall(
+            r"^variable +(\w+) +(?:index|equal) +([^\s#]+) *(?:#.*)?$",
+            script.split("\nif ")[0],
+            re.MULTILINE,
+        )
+    }
     table = re.findall(r"^\| `(\w+)` \| `?(.*?)`? \|", text, re.MULTILINE)
     assert default and dict(table) == default
 
@@ -196,10 +254,13 @@ def test_region_arguments():
 
 # ---- links and scripts
 
+
 def anchors(text):
     """GitHub's anchors of the headings."""
-    return [re.sub(r"[^\w\- ]", "", title.lower()).replace(" ", "-")
-            for title in re.findall(r"^#+ (.+)$", without_code(text), re.MULTILINE)]
+    return [
+        re.sub(r"[^\w\- ]", "", title.lower()).replace(" ", "-")
+        for title in re.findall(r"^#+ (.+)$", without_code(text), re.MULTILINE)
+    ]
 
 
 @pytest.mark.parametrize("path", PAGES, ids=name)
@@ -221,16 +282,26 @@ def test_blocks_are_marked(path):
     text = path.read_text(encoding="utf-8")
     fences = re.findall(r"^```(.*)$", text, re.MULTILINE)
     assert len(fences) % 2 == 0
-    assert all(fence in ("text", "lammps", "sh", "python", "yaml", "json", "csv", "bibtex") for fence in fences[::2])
+    assert all(
+        fence in ("text", "lammps", "sh", "python", "yaml", "json", "csv", "bibtex")
+        for fence in fences[::2]
+    )
     assert not any(fences[1::2])
     for block in re.findall(r"^```python\n(.*?)^```", text, re.MULTILINE | re.DOTALL):
         compile(block, path.name, "exec")
 
 
 def scripts():
-    found = [pytest.param(block, id=f"{name(path)}-{number}") for path in PAGES for number, block in
-             enumerate(re.findall(r"^```lammps\n(.*?)^```", path.read_text(encoding="utf-8"),
-                                  re.MULTILINE | re.DOTALL), 1)]
+    found = [
+        pytest.param(block, id=f"{name(path)}-{number}")
+        for path in PAGES
+        for number, block in enumerate(
+            re.findall(
+                r"^```lammps\n(.*?)^```", path.read_text(encoding="utf-8"), re.MULTILINE | re.DOTALL
+            ),
+            1,
+        )
+    ]
     assert found
     return found
 
@@ -238,10 +309,20 @@ def scripts():
 @pytest.mark.parametrize("script", scripts())
 def test_script_runs(script, tmp_path):
     (tmp_path / "in.doc").write_text(script, encoding="utf-8")
-    done = subprocess.run([LMP, "-in", "in.doc"], cwd=tmp_path, timeout=120, stdout=subprocess.PIPE,
-                          stderr=subprocess.STDOUT, text=True, check=False)
+    done = subprocess.run(
+        [LMP, "-in", "in.doc"],
+        cwd=tmp_path,
+        timeout=120,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.STDOUT,
+        text=True,
+        check=False,
+    )
     assert done.returncode == 0, done.stdout[-3000:]
     # July 2026 says so of a plugin's command when `clear` loads the plugin again
-    warnings = [line for line in done.stdout.splitlines()
-                if "WARNING" in line and "Overriding built-in command style mca_links" not in line]
+    warnings = [
+        line
+        for line in done.stdout.splitlines()
+        if "WARNING" in line and "Overriding built-in command style mca_links" not in line
+    ]
     assert "Total wall time" in done.stdout and not warnings, done.stdout[-3000:]

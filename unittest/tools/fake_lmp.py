@@ -1,15 +1,18 @@
 #!/usr/bin/python3
-"""Stands in for lmp with in.friction in the tests of tools/campaign: the same files, made in no time.
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Stands in for lmp with in.friction in the tests of tools/campaign: the same files, made in no
+time.
 
 mu depends on the step alone, so that a run which went on after a kill must give the very same log.
 v = 13 fails with a LAMMPS-like error. FAKE_LMP_ROW: seconds a row takes.
 """
+
 import os
 import sys
 import time
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.realpath(__file__)), "..", "WHEELRAIL"))
-import friction_logs  # noqa: E402
+import friction_logs
 
 END = b"LammpS RestartT\0"
 
@@ -32,12 +35,25 @@ def main():
         with open(var["restart"], "rb") as file:
             data = file.read()
         assert data.endswith(END)
-        step = int(data[:-len(END)])
+        step = int(data[: -len(END)])
         with open(var["log"], encoding="utf-8") as file:
-            kept = [line for line in file.read().split("\n")[:-1] if not line[:1].isdigit() or int(line.split()[0]) <= step]
+            kept = [
+                line
+                for line in file.read().split("\n")[:-1]
+                if not line[:1].isdigit() or int(line.split()[0]) <= step
+            ]
     else:
-        kept = [friction_logs.HEAD.format(E=var["E"], rho=float(var["rho"]) * 1e6, p=var["p"], v=var["v"],
-                                          strength=var["strength"], seed=var["seed"], preset="B").rstrip("\n")]
+        kept = [
+            friction_logs.HEAD.format(
+                E=var["E"],
+                rho=float(var["rho"]) * 1e6,
+                p=var["p"],
+                v=var["v"],
+                strength=var["strength"],
+                seed=var["seed"],
+                preset="B",
+            ).rstrip("\n")
+        ]
     with open(var["log"], "w", encoding="utf-8") as file:
         file.write("\n".join(kept) + "\n")
     number = step // checkpoint
@@ -45,8 +61,11 @@ def main():
         while step < steps:
             step += every
             mu = 0.4 + 0.1 * ((step * 7919) % 1000 / 1000 - 0.5)
-            file.write(f"{step} {step * dt:.10g} {step * dt * float(var['v']):.10g} {mu * float(var['p']):.8g} "
-                       f"{var['p']} {mu:.8g} 3456 2 1 -0.01\n")
+            file.write(
+                f"{step} {step * dt:.10g} {step * dt * float(var['v']):.10g} "
+                f"{mu * float(var['p']):.8g} "
+                f"{var['p']} {mu:.8g} 3456 2 1 -0.01\n"
+            )
             file.flush()
             time.sleep(float(os.environ.get("FAKE_LMP_ROW", "0")))
             if step % checkpoint == 0:

@@ -1,4 +1,6 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """tools/campaign: plans, running, killing and going on, failures, several workers, packing."""
+
 import ctypes
 import json
 import math
@@ -22,22 +24,35 @@ sys.path.insert(0, str(ROOT / "tools"))
 from campaign_parts import pack, plan as plans, runner  # noqa: E402
 
 HEAD = "format: mca-campaign 1\n"
-PLAN = HEAD + """title: three runs
+PLAN = (
+    HEAD
+    + """title: three runs
 defaults: {ns: 2, row: 0.05, checkpoint: 0.2}
 runs:
   - {v: [2, 5], seed: 7}
   - {name: soft, strength: 60}
 """
+)
 
 
 def environment(**more):
-    inherited = {k: v for k, v in os.environ.items() if not k.startswith(("OMPI_", "PMIX_", "PMI_", "SLURM_"))}
+    inherited = {
+        k: v
+        for k, v in os.environ.items()
+        if not k.startswith(("OMPI_", "PMIX_", "PMI_", "SLURM_"))
+    }
     return {**inherited, "MCAWR_LMP": str(FAKE), "PYTHONDONTWRITEBYTECODE": "1", **more}
 
 
 def campaign(*arguments, env=None, timeout=60):
-    return subprocess.run([CAMPAIGN, *map(str, arguments)], capture_output=True, text=True, timeout=timeout,
-                          env=env or environment(), check=False)
+    return subprocess.run(
+        [CAMPAIGN, *map(str, arguments)],
+        capture_output=True,
+        text=True,
+        timeout=timeout,
+        env=env or environment(),
+        check=False,
+    )
 
 
 def one_line(result, code, *parts):
@@ -75,26 +90,38 @@ def test_run_leaves_finished_logs_and_the_exact_commands(plan, tmp_path):
         assert len([line for line in text.split("\n") if line[:1].isdigit()]) == 40, name
         record = json.loads((out / name / "run.json").read_text())
         assert record["attempts"][0]["outcome"] == "finished"
-        assert "-var strength " + ("60" if name == "soft" else "92") in record["attempts"][0]["command"]
+        assert (
+            "-var strength " + ("60" if name == "soft" else "92")
+            in record["attempts"][0]["command"]
+        )
         assert not list((out / name).glob("run.[ab].restart"))
     assert (out / "plan.yaml").read_text() == PLAN
-    before = {p: p.stat().st_mtime_ns for p in out.rglob("*") if p.name != "plan.yaml" and p.is_file()}
+    before = {
+        p: p.stat().st_mtime_ns for p in out.rglob("*") if p.name != "plan.yaml" and p.is_file()
+    }
     again = campaign("run", plan, "-o", out)
     assert again.returncode == 0
-    assert before == {p: p.stat().st_mtime_ns for p in out.rglob("*") if p.name != "plan.yaml" and p.is_file()}
+    assert before == {
+        p: p.stat().st_mtime_ns for p in out.rglob("*") if p.name != "plan.yaml" and p.is_file()
+    }
 
 
 @pytest.mark.parametrize("moment", [0.3, 0.9, 1.7])
 def test_killed_at_any_moment_it_goes_on(plan, tmp_path, moment):
     campaign("run", plan, "-o", tmp_path / "whole")
     out = tmp_path / "out"
-    call = subprocess.Popen([CAMPAIGN, "run", plan, "-o", out, "-j", "2"], stdout=subprocess.DEVNULL,
-                            env=environment(FAKE_LMP_ROW="0.03"))
+    call = subprocess.Popen(
+        [CAMPAIGN, "run", plan, "-o", out, "-j", "2"],
+        stdout=subprocess.DEVNULL,
+        env=environment(FAKE_LMP_ROW="0.03"),
+    )
     wait_for(lambda: (out / "v2" / "run.friction.part").exists())
     time.sleep(moment)
     call.send_signal(signal.SIGKILL)
     call.wait()
-    wait_for(lambda: "running" not in campaign("status", plan, "-o", out).stdout)  # lmp dies with it
+    wait_for(
+        lambda: "running" not in campaign("status", plan, "-o", out).stdout
+    )  # lmp dies with it
     part = out / "v2" / "run.friction.part"
     if part.exists():  # a machine that dies may cut the last line
         part.write_text(part.read_text() + "2000 0.1")
@@ -120,7 +147,9 @@ def test_half_written_checkpoint_is_not_used(plan, tmp_path):
     (folder / "run.b.restart").write_bytes(b"16000" + b"LammpS Res")
     result = campaign("run", plan, "-o", out)
     assert result.returncode == 0
-    assert "run.a.restart" in json.loads((folder / "run.json").read_text())["attempts"][-1]["command"]
+    assert (
+        "run.a.restart" in json.loads((folder / "run.json").read_text())["attempts"][-1]["command"]
+    )
     assert (folder / "run.friction").read_text() == "\n".join(lines)
 
 
@@ -135,8 +164,12 @@ def test_process_left_over_by_a_killed_call_is_ended(plan, tmp_path):
 
 def test_interrupt_ends_in_order(plan, tmp_path):
     out = tmp_path / "out"
-    call = subprocess.Popen([CAMPAIGN, "run", plan, "-o", out, "-j", "1"], stdout=subprocess.PIPE, text=True,
-                            env=environment(FAKE_LMP_ROW="0.05"))
+    call = subprocess.Popen(
+        [CAMPAIGN, "run", plan, "-o", out, "-j", "1"],
+        stdout=subprocess.PIPE,
+        text=True,
+        env=environment(FAKE_LMP_ROW="0.05"),
+    )
     wait_for(lambda: list(out.glob("*/run.friction.part")))
     call.send_signal(signal.SIGINT)
     output, _ = call.communicate(timeout=20)
@@ -156,7 +189,10 @@ def test_failed_run_does_not_stop_the_others(tmp_path):
     assert "Lost atoms" in campaign("status", path, "-o", tmp_path / "out").stdout
     again = campaign("run", path, "-o", tmp_path / "out")
     assert again.returncode == 1
-    attempts = lambda: json.loads((tmp_path / "out" / "v13" / "run.json").read_text())["attempts"]
+
+    def attempts():
+        return json.loads((tmp_path / "out" / "v13" / "run.json").read_text())["attempts"]
+
     assert len(attempts()) == 1
     campaign("run", path, "-o", tmp_path / "out", "--retry")
     assert len(attempts()) == 2
@@ -164,8 +200,14 @@ def test_failed_run_does_not_stop_the_others(tmp_path):
 
 def test_one_run_a_job_and_two_calls_at_once(plan, tmp_path):
     out = tmp_path / "out"
-    calls = [subprocess.Popen([CAMPAIGN, "one", plan, "-o", out, "--index", str(k)], stdout=subprocess.DEVNULL,
-                              env=environment(FAKE_LMP_ROW="0.02")) for k in (0, 1, 2, 2)]
+    calls = [
+        subprocess.Popen(
+            [CAMPAIGN, "one", plan, "-o", out, "--index", str(k)],
+            stdout=subprocess.DEVNULL,
+            env=environment(FAKE_LMP_ROW="0.02"),
+        )
+        for k in (0, 1, 2, 2)
+    ]
     assert sorted(call.wait(timeout=60) for call in calls) in ([0, 0, 0, 0], [0, 0, 0, 6])
     assert len(logs(out)) == 3
     for name in logs(out):
@@ -176,10 +218,20 @@ def test_one_run_a_job_and_two_calls_at_once(plan, tmp_path):
 @pytest.mark.skipif(not shutil.which("mpirun"), reason="no mpirun")
 def test_under_mpirun_the_ranks_share_the_runs(plan, tmp_path):
     out = tmp_path / "out"
-    env = environment(OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1", FAKE_LMP_ROW="0.02",
-                      OMPI_MCA_rmaps_base_oversubscribe="1")
-    result = subprocess.run(["mpirun", "-np", "2", CAMPAIGN, "run", plan, "-o", out], capture_output=True, text=True,
-                            timeout=60, env=env, check=False)
+    env = environment(
+        OMPI_ALLOW_RUN_AS_ROOT="1",
+        OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1",
+        FAKE_LMP_ROW="0.02",
+        OMPI_MCA_rmaps_base_oversubscribe="1",
+    )
+    result = subprocess.run(
+        ["mpirun", "-np", "2", CAMPAIGN, "run", plan, "-o", out],
+        capture_output=True,
+        text=True,
+        timeout=60,
+        env=env,
+        check=False,
+    )
     assert result.returncode == 0, result.stdout + result.stderr
     assert result.stdout.count("3 finished") == 1
     assert len(logs(out)) == 3
@@ -207,7 +259,11 @@ def test_input_script_is_not_changed_on_the_way(plan, tmp_path):
     campaign("run", plan, "-o", out)
     longer = PLAN.replace("ns: 2", "ns: 3")
     plan.write_text(longer + "input: in.mine\n")
-    one_line(campaign("run", plan, "-o", out), 3, "was begun with input = examples/friction/in.friction, the plan says in.mine")
+    one_line(
+        campaign("run", plan, "-o", out),
+        3,
+        "was begun with input = examples/friction/in.friction, the plan says in.mine",
+    )
     for record in out.glob("*/run.json"):  # those of earlier versions do not say which it was
         data = json.loads(record.read_text())
         del data["parameters"]["input"]
@@ -217,7 +273,11 @@ def test_input_script_is_not_changed_on_the_way(plan, tmp_path):
 
 def test_a_plan_in_the_folder_is_never_overwritten(plan, tmp_path):
     out = tmp_path / "out"
-    one_line(campaign("run", plan, "-o", out, env=environment(MCAWR_LMP="/nonexistent/lmp")), 5, "lmp is not there")
+    one_line(
+        campaign("run", plan, "-o", out, env=environment(MCAWR_LMP="/nonexistent/lmp")),
+        5,
+        "lmp is not there",
+    )
     assert not out.exists()
     campaign("run", plan, "-o", out)
     other = tmp_path / "other.yaml"
@@ -258,19 +318,62 @@ def finished(tmp_path_factory):
     return top
 
 
-@pytest.mark.parametrize("damage, commands, part", [
-    (lambda a: (a / "run.json").write_text("[]"), ("status", "run", "pack"), "run.json: is damaged"),
-    (lambda a: (a / "run.json").write_text("{"), ("status", "run", "pack"), "run.json: is damaged"),
-    (lambda a: edit(a / "run.json", '"ns"', '"nn"'), ("status", "run", "pack"), "run.json: is damaged"),
-    (lambda a: edit(a / "run.json", '"attempts"', '"a"'), ("status", "run", "pack"), "run.json: is damaged"),
-    (lambda a: edit(a / "run.json", "-in", "in"), ("pack",), "run.json: a command in it is no command of a run"),
-    (lambda a: edit(a / "run.friction", "\n3000 0.15 ", "\n3000 much "), ("pack",), ":12: '3000 much"),
-    (lambda a: edit(a / "run.friction", r" 15 (\S+) 3456", " 15 rough 3456"), ("status", "pack"), "rough"),
-    (lambda a: edit(a / "run.friction", "\nstep [^\n]*", ""), ("pack",), "the names of the columns are missing"),
-    (lambda a: edit(a / "run.friction", r"(?s)\n16000 .*", "\n"), ("pack",), "the log ends at 0.75 of 2 ns"),
-    (lambda a: (a / "run.friction").write_text(""), ("pack",), "the log ends at 0 of 2 ns"),
-    (lambda a: (a / "run.friction").write_bytes(b"\xff\n"), ("status",), "run.friction: cannot be read"),
-])
+@pytest.mark.parametrize(
+    "damage, commands, part",
+    [
+        (
+            lambda a: (a / "run.json").write_text("[]"),
+            ("status", "run", "pack"),
+            "run.json: is damaged",
+        ),
+        (
+            lambda a: (a / "run.json").write_text("{"),
+            ("status", "run", "pack"),
+            "run.json: is damaged",
+        ),
+        (
+            lambda a: edit(a / "run.json", '"ns"', '"nn"'),
+            ("status", "run", "pack"),
+            "run.json: is damaged",
+        ),
+        (
+            lambda a: edit(a / "run.json", '"attempts"', '"a"'),
+            ("status", "run", "pack"),
+            "run.json: is damaged",
+        ),
+        (
+            lambda a: edit(a / "run.json", "-in", "in"),
+            ("pack",),
+            "run.json: a command in it is no command of a run",
+        ),
+        (
+            lambda a: edit(a / "run.friction", "\n3000 0.15 ", "\n3000 much "),
+            ("pack",),
+            ":12: '3000 much",
+        ),
+        (
+            lambda a: edit(a / "run.friction", r" 15 (\S+) 3456", " 15 rough 3456"),
+            ("status", "pack"),
+            "rough",
+        ),
+        (
+            lambda a: edit(a / "run.friction", "\nstep [^\n]*", ""),
+            ("pack",),
+            "the names of the columns are missing",
+        ),
+        (
+            lambda a: edit(a / "run.friction", r"(?s)\n16000 .*", "\n"),
+            ("pack",),
+            "the log ends at 0.75 of 2 ns",
+        ),
+        (lambda a: (a / "run.friction").write_text(""), ("pack",), "the log ends at 0 of 2 ns"),
+        (
+            lambda a: (a / "run.friction").write_bytes(b"\xff\n"),
+            ("status",),
+            "run.friction: cannot be read",
+        ),
+    ],
+)
 def test_damaged_folder_is_one_clear_line(finished, tmp_path, damage, commands, part):
     shutil.copytree(finished / "out", tmp_path / "out")
     damage(tmp_path / "out" / "a")
@@ -288,7 +391,16 @@ def edit(path, pattern, text):
 
 
 def test_pack_of_too_many_rows_in_one(finished, tmp_path):
-    result = campaign("pack", finished / "plan.yaml", "-o", finished / "out", "--to", tmp_path / "packed", "--rows", 41)
+    result = campaign(
+        "pack",
+        finished / "plan.yaml",
+        "-o",
+        finished / "out",
+        "--to",
+        tmp_path / "packed",
+        "--rows",
+        41,
+    )
     one_line(result, 2, "--rows 41", "has fewer rows")
     assert not (tmp_path / "packed").exists()
 
@@ -298,7 +410,9 @@ def test_a_log_without_a_row_is_no_finished_run(tmp_path):
     path.write_text(HEAD + "runs: [{name: a, ns: 1, row: 1}]\n")
     (tmp_path / "lmp").write_text("#!/bin/sh\necho '# no row' > run.friction.part\n")
     (tmp_path / "lmp").chmod(0o755)
-    result = campaign("run", path, "-o", tmp_path / "out", env=environment(MCAWR_LMP=str(tmp_path / "lmp")))
+    result = campaign(
+        "run", path, "-o", tmp_path / "out", env=environment(MCAWR_LMP=str(tmp_path / "lmp"))
+    )
     assert result.returncode == 1 and not result.stderr
     assert "a: failed: ended without an error, but the log ends at 0 of 1 ns" in result.stdout
 
@@ -312,19 +426,37 @@ def test_status_of_a_folder_that_cannot_be_written(finished, tmp_path):
 
     def obey_modes():  # as root too: prctl takes CAP_DAC_OVERRIDE from what is executed
         ctypes.CDLL(None).prctl(24, 1, 0, 0, 0)
-    result = subprocess.run([CAMPAIGN, "status", finished / "plan.yaml", "-o", tmp_path / "out"], capture_output=True,
-                            text=True, env=environment(), preexec_fn=obey_modes, check=False)
+
+    result = subprocess.run(
+        [CAMPAIGN, "status", finished / "plan.yaml", "-o", tmp_path / "out"],
+        capture_output=True,
+        text=True,
+        env=environment(),
+        preexec_fn=obey_modes,
+        check=False,
+    )
     assert result.returncode == 0, result.stderr
     assert re.search("^a +interrupted +2 ", result.stdout, re.MULTILINE)
 
 
-@pytest.mark.parametrize("variables, place", [
-    ({}, (0, 1)),
-    ({"SLURM_PROCID": "0", "SLURM_NTASKS": "32"}, (0, 1)),  # a batch script
-    ({"SLURM_PROCID": "3", "SLURM_NTASKS": "32", "SLURM_STEP_NUM_TASKS": "8"}, (3, 8)),
-    ({"SLURM_PROCID": "x", "SLURM_STEP_NUM_TASKS": "8"}, (0, 1)),
-    ({"OMPI_COMM_WORLD_RANK": "1", "OMPI_COMM_WORLD_SIZE": "2", "SLURM_PROCID": "0", "SLURM_STEP_NUM_TASKS": "1"}, (1, 2)),
-])
+@pytest.mark.parametrize(
+    "variables, place",
+    [
+        ({}, (0, 1)),
+        ({"SLURM_PROCID": "0", "SLURM_NTASKS": "32"}, (0, 1)),  # a batch script
+        ({"SLURM_PROCID": "3", "SLURM_NTASKS": "32", "SLURM_STEP_NUM_TASKS": "8"}, (3, 8)),
+        ({"SLURM_PROCID": "x", "SLURM_STEP_NUM_TASKS": "8"}, (0, 1)),
+        (
+            {
+                "OMPI_COMM_WORLD_RANK": "1",
+                "OMPI_COMM_WORLD_SIZE": "2",
+                "SLURM_PROCID": "0",
+                "SLURM_STEP_NUM_TASKS": "1",
+            },
+            (1, 2),
+        ),
+    ],
+)
 def test_place_among_the_ranks_of_a_launcher(monkeypatch, variables, place):
     for names in runner.RANKS:
         for name in names:
@@ -351,70 +483,101 @@ def test_pack_averages_rows_and_keeps_the_command(plan, tmp_path):
 
 
 def test_packed_command_is_of_any_checkout_and_of_the_whole_length():
-    begun = "/elsewhere/build/bin/lmp -in /elsewhere/examples/friction/in.friction -var p 2 -var ns 30"
-    command = pack.portable([begun, begun.replace("ns 30", "ns 100 -var continue 1 -var restart run.restart")])
+    begun = (
+        "/elsewhere/build/bin/lmp -in /elsewhere/examples/friction/in.friction -var p 2 -var ns 30"
+    )
+    command = pack.portable(
+        [begun, begun.replace("ns 30", "ns 100 -var continue 1 -var restart run.restart")]
+    )
     assert command == "lmp -in examples/friction/in.friction -var p 2 -var ns 100"
 
 
-@pytest.mark.parametrize("text, parts", [
-    ("", ["is empty"]),
-    ("runs: [", ["not YAML"]),
-    ("title: x\nruns: [{p: 1}]\n", [":1: no plan"]),
-    ("format: mca-campaign 2\nruns: [{p: 1}]\n", ["'mca-campaign 2' cannot be read"]),
-    (HEAD + "runs: []\n", ["at least one run"]),
-    (HEAD + "runs:\n  - {p: 1}\n  - {presure: 1}\n", [":4: unknown key 'presure'; the nearest known one is"]),
-    (HEAD + "defaults: {strenght: 3}\nruns: [{p: 1}]\n", [":2: unknown key in defaults 'strenght'", "'strength'"]),
-    (HEAD + "run: [{p: 1}]\n", ["unknown key 'run'", "'runs'"]),
-    (HEAD + "runs: [{p: -1}]\n", [":2: p: '-1' is not allowed, must be a number > 0 (MPa)"]),
-    (HEAD + "runs: [{p: .nan}]\n", ["p: '.nan'"]),
-    (HEAD + "runs: [{v: .inf}]\n", ["v: '.inf'"]),
-    (HEAD + "runs: [{v: fast}]\n", ["v: 'fast'"]),
-    (HEAD + "runs: [{columns: 4.5}]\n", ["columns: '4.5' is not allowed, must be a whole number >= 4"]),
-    (HEAD + "runs: [{p: []}]\n", ["p: an empty list"]),
-    (HEAD + "runs: [{p: 1, p: 2}]\n", ["key 'p' stands twice"]),
-    (HEAD + "runs: [{p: 1}, {p: 1.0}]\n", ["different names"]),
-    (HEAD + "input: absent.in\nruns: [{p: 1}]\n", [":2: input: no such file"]),
-    (HEAD + "input: ..\nruns: [{p: 1}]\n", [":2: input: no such file"]),
-    (HEAD + "input: 5\nruns: [{p: 1}]\n", [":2: input: '5' is not allowed, must be text"]),
-    (HEAD + "input: [a]\nruns: [{p: 1}]\n", [":2: input: '[...]'"]),
-    (HEAD + "title: {a: 1}\nruns: [{p: 1}]\n", [":2: title: '{...}'"]),
-    # what would be written outside the folder, or over the plan
-    (HEAD + "runs: [{name: a/b}]\n", ["name: 'a/b'"]),
-    (HEAD + "runs:\n  - p: 1\n    name: ..\n", [":4: name: '..' is not allowed"]),
-    (HEAD + "runs: [{laws: [b, ../../esc]}]\n", [":2: name: 'laws../../esc' is not allowed"]),
-    (HEAD + "runs: [{name: plan.yaml}]\n", ["name: 'plan.yaml'"]),
-    (HEAD + "runs: [{name: [a, b]}]\n", ["name: '[...]'"]),
-    # numbers that leave no step, kappa or log
-    (HEAD + "runs: [{strength: 1e-200}]\n",
-     ["strength: '1e-200' is not allowed, must be of a size in 1e-12 .. 1e+12 (MPa)"]),
-    (HEAD + "runs: [{v: 1e200}]\n", ["v: '1e+200'"]),
-    (HEAD + "runs: [{E: 1e300, rho: 1e-30}]\n", ["E: '1e+300'"]),
-    (HEAD + "runs: [{ns: 1e308}]\n", ["ns: '1e+308'"]),
-    (HEAD + "runs: [{eta: 1e308}]\n", ["eta: '1e+308'"]),
-    (HEAD + f"runs: [{{seed: 1{'0' * 400}}}]\n", ["seed: '1000", "0...' is not allowed"]),
-    (HEAD + f"runs: [{{seed: 1{'0' * 5000}}}]\n", ["seed: '1000", "0...' is not allowed"]),
-    (HEAD + "runs: [{ns: 0.1, row: 10}]\n", [":2: row: '10' is not allowed, must be <= ns = 0.1"]),
-    (HEAD + "runs: [{ns: 1e-6, row: 1e-6}]\n", ["ns: '1e-06' is not allowed, must be at least a step, 5e-05 ns"]),
-    (HEAD + "runs:\n  - rows: 8\n    held: 100\n", [":4: held: '100' is not allowed, must be less than half of rows = 8"]),
-    # numbers that YAML 1.1 reads in its own way
-    (HEAD + "runs: [{p: 010}]\n", ["p: '010' is not allowed", "written like 12 or 1.5e-5"]),
-    (HEAD + "runs: [{v: 1:30}]\n", ["v: '1:30'"]),
-    (HEAD + "runs: [{p: 1_000}]\n", ["p: '1_000'"]),
-    (HEAD + "runs: [{p: !!int x}]\n", ["p: 'x'"]),
-    (HEAD + f"runs: {'[' * 3000}\n", ["nested too deep"]),
-    (HEAD + "runs: [{p: [[1]]}]\n", [":2: not YAML: nested too deep"]),
-    (HEAD + "runs: [{p: &a [*a]}]\n", ["nested too deep"]),
-    (HEAD + "runs: [{[1]: 2}]\n", ["a key must be a word"]),
-    (HEAD + "title: \0\n", [":2: not YAML"]),
-    # the line is that of the key
-    (HEAD + "title: x\nruns:\n  - {p: 1}\ndefault: {v: 1}\n", [":5: unknown key 'default'"]),
-    (HEAD + "defaults:\n  p: 1\n  vv: 2\nruns: [{p: 1}]\n", [":4: unknown key in defaults 'vv'"]),
-    (HEAD + "defaults:\n  p: 1\n  E: -5\nruns: [{p: 1}]\n", [":4: E: '-5'"]),
-    (HEAD + "runs:\n  - p: 1\n    vv: 2\n", [":4: unknown key 'vv'"]),
-    (HEAD + "runs:\n  - p:\n    - 1\n    - -1\n", [":5: p: '-1'"]),
-    (HEAD + "runs:\n  - {p: 1}\n  -\n", [":4: runs: 'None' is not a run"]),
-    (HEAD + "title: x\ndefaults: 5\nruns: [{p: 1}]\n", [":3: defaults: '5' is not allowed"]),
-], ids=lambda value: repr(value).removeprefix(repr(HEAD)[:-1])[:60])
+@pytest.mark.parametrize(
+    "text, parts",
+    [
+        ("", ["is empty"]),
+        ("runs: [", ["not YAML"]),
+        ("title: x\nruns: [{p: 1}]\n", [":1: no plan"]),
+        ("format: mca-campaign 2\nruns: [{p: 1}]\n", ["'mca-campaign 2' cannot be read"]),
+        (HEAD + "runs: []\n", ["at least one run"]),
+        (
+            HEAD + "runs:\n  - {p: 1}\n  - {presure: 1}\n",
+            [":4: unknown key 'presure'; the nearest known one is"],
+        ),
+        (
+            HEAD + "defaults: {strenght: 3}\nruns: [{p: 1}]\n",
+            [":2: unknown key in defaults 'strenght'", "'strength'"],
+        ),
+        (HEAD + "run: [{p: 1}]\n", ["unknown key 'run'", "'runs'"]),
+        (HEAD + "runs: [{p: -1}]\n", [":2: p: '-1' is not allowed, must be a number > 0 (MPa)"]),
+        (HEAD + "runs: [{p: .nan}]\n", ["p: '.nan'"]),
+        (HEAD + "runs: [{v: .inf}]\n", ["v: '.inf'"]),
+        (HEAD + "runs: [{v: fast}]\n", ["v: 'fast'"]),
+        (
+            HEAD + "runs: [{columns: 4.5}]\n",
+            ["columns: '4.5' is not allowed, must be a whole number >= 4"],
+        ),
+        (HEAD + "runs: [{p: []}]\n", ["p: an empty list"]),
+        (HEAD + "runs: [{p: 1, p: 2}]\n", ["key 'p' stands twice"]),
+        (HEAD + "runs: [{p: 1}, {p: 1.0}]\n", ["different names"]),
+        (HEAD + "input: absent.in\nruns: [{p: 1}]\n", [":2: input: no such file"]),
+        (HEAD + "input: ..\nruns: [{p: 1}]\n", [":2: input: no such file"]),
+        (HEAD + "input: 5\nruns: [{p: 1}]\n", [":2: input: '5' is not allowed, must be text"]),
+        (HEAD + "input: [a]\nruns: [{p: 1}]\n", [":2: input: '[...]'"]),
+        (HEAD + "title: {a: 1}\nruns: [{p: 1}]\n", [":2: title: '{...}'"]),
+        # what would be written outside the folder, or over the plan
+        (HEAD + "runs: [{name: a/b}]\n", ["name: 'a/b'"]),
+        (HEAD + "runs:\n  - p: 1\n    name: ..\n", [":4: name: '..' is not allowed"]),
+        (HEAD + "runs: [{laws: [b, ../../esc]}]\n", [":2: name: 'laws../../esc' is not allowed"]),
+        (HEAD + "runs: [{name: plan.yaml}]\n", ["name: 'plan.yaml'"]),
+        (HEAD + "runs: [{name: [a, b]}]\n", ["name: '[...]'"]),
+        # numbers that leave no step, kappa or log
+        (
+            HEAD + "runs: [{strength: 1e-200}]\n",
+            ["strength: '1e-200' is not allowed, must be of a size in 1e-12 .. 1e+12 (MPa)"],
+        ),
+        (HEAD + "runs: [{v: 1e200}]\n", ["v: '1e+200'"]),
+        (HEAD + "runs: [{E: 1e300, rho: 1e-30}]\n", ["E: '1e+300'"]),
+        (HEAD + "runs: [{ns: 1e308}]\n", ["ns: '1e+308'"]),
+        (HEAD + "runs: [{eta: 1e308}]\n", ["eta: '1e+308'"]),
+        (HEAD + f"runs: [{{seed: 1{'0' * 400}}}]\n", ["seed: '1000", "0...' is not allowed"]),
+        (HEAD + f"runs: [{{seed: 1{'0' * 5000}}}]\n", ["seed: '1000", "0...' is not allowed"]),
+        (
+            HEAD + "runs: [{ns: 0.1, row: 10}]\n",
+            [":2: row: '10' is not allowed, must be <= ns = 0.1"],
+        ),
+        (
+            HEAD + "runs: [{ns: 1e-6, row: 1e-6}]\n",
+            ["ns: '1e-06' is not allowed, must be at least a step, 5e-05 ns"],
+        ),
+        (
+            HEAD + "runs:\n  - rows: 8\n    held: 100\n",
+            [":4: held: '100' is not allowed, must be less than half of rows = 8"],
+        ),
+        # numbers that YAML 1.1 reads in its own way
+        (HEAD + "runs: [{p: 010}]\n", ["p: '010' is not allowed", "written like 12 or 1.5e-5"]),
+        (HEAD + "runs: [{v: 1:30}]\n", ["v: '1:30'"]),
+        (HEAD + "runs: [{p: 1_000}]\n", ["p: '1_000'"]),
+        (HEAD + "runs: [{p: !!int x}]\n", ["p: 'x'"]),
+        (HEAD + f"runs: {'[' * 3000}\n", ["nested too deep"]),
+        (HEAD + "runs: [{p: [[1]]}]\n", [":2: not YAML: nested too deep"]),
+        (HEAD + "runs: [{p: &a [*a]}]\n", ["nested too deep"]),
+        (HEAD + "runs: [{[1]: 2}]\n", ["a key must be a word"]),
+        (HEAD + "title: \0\n", [":2: not YAML"]),
+        # the line is that of the key
+        (HEAD + "title: x\nruns:\n  - {p: 1}\ndefault: {v: 1}\n", [":5: unknown key 'default'"]),
+        (
+            HEAD + "defaults:\n  p: 1\n  vv: 2\nruns: [{p: 1}]\n",
+            [":4: unknown key in defaults 'vv'"],
+        ),
+        (HEAD + "defaults:\n  p: 1\n  E: -5\nruns: [{p: 1}]\n", [":4: E: '-5'"]),
+        (HEAD + "runs:\n  - p: 1\n    vv: 2\n", [":4: unknown key 'vv'"]),
+        (HEAD + "runs:\n  - p:\n    - 1\n    - -1\n", [":5: p: '-1'"]),
+        (HEAD + "runs:\n  - {p: 1}\n  -\n", [":4: runs: 'None' is not a run"]),
+        (HEAD + "title: x\ndefaults: 5\nruns: [{p: 1}]\n", [":3: defaults: '5' is not allowed"]),
+    ],
+    ids=lambda value: repr(value).removeprefix(repr(HEAD)[:-1])[:60],
+)
 def test_bad_plan_is_one_clear_line(tmp_path, text, parts):
     path = tmp_path / "plan.yaml"
     path.write_text(text)
@@ -426,7 +589,10 @@ def test_csv_plan(tmp_path):
     path = tmp_path / "plan.csv"
     path.write_text("# made by hand\nname,p,v,seed\none,15,5,1\ntwo,1.5,2,2\n")
     runs = plans.read(str(path)).runs
-    assert [(r.name, r.values["p"], r.values["seed"]) for r in runs] == [("one", 15, 1), ("two", 1.5, 2)]
+    assert [(r.name, r.values["p"], r.values["seed"]) for r in runs] == [
+        ("one", 15, 1),
+        ("two", 1.5, 2),
+    ]
     path.write_text("name,p,v\none,15\n")
     one_line(campaign("list", path), 3, ":2: 2 columns, 3 are expected")
     path.write_text("name,p,vv\none,15,3\n")
@@ -449,13 +615,27 @@ def test_plan_without_a_title_and_with_a_date_for_one(tmp_path):
 
 
 def test_bad_surroundings(plan, tmp_path):
-    one_line(campaign("run", plan, "-o", tmp_path / "o", env=environment(MCAWR_LMP="/nonexistent/lmp")), 5, "lmp is not there")
+    one_line(
+        campaign("run", plan, "-o", tmp_path / "o", env=environment(MCAWR_LMP="/nonexistent/lmp")),
+        5,
+        "lmp is not there",
+    )
     (tmp_path / "file").write_text("")
     one_line(campaign("run", plan, "-o", tmp_path / "file" / "o"), 5, "cannot be made")
-    one_line(campaign("run", plan, "-o", tmp_path / "o", "--launcher", "nosuchlauncher -n 2"), 5, "nosuchlauncher")
+    one_line(
+        campaign("run", plan, "-o", tmp_path / "o", "--launcher", "nosuchlauncher -n 2"),
+        5,
+        "nosuchlauncher",
+    )
     (tmp_path / "lmp").write_text("no program")
     (tmp_path / "lmp").chmod(0o755)
-    one_line(campaign("run", plan, "-o", tmp_path / "o", env=environment(MCAWR_LMP=str(tmp_path / "lmp"))), 5, "Exec format")
+    one_line(
+        campaign(
+            "run", plan, "-o", tmp_path / "o", env=environment(MCAWR_LMP=str(tmp_path / "lmp"))
+        ),
+        5,
+        "Exec format",
+    )
     one_line(campaign("list", "velocty"), 3, "the nearest known one is 'velocity'")
     assert campaign("run", plan).returncode == 2
     assert campaign("--help").returncode == 0
@@ -463,19 +643,38 @@ def test_bad_surroundings(plan, tmp_path):
 
 def test_step_follows_the_material():
     def dt(**values):
-        return plans.Run("x", {**{k: key.default for k, key in plans.KEYS.items()}, **values}, "").dt
+        return plans.Run(
+            "x", {**{k: key.default for k, key in plans.KEYS.items()}, **values}, ""
+        ).dt
+
     assert dt() == 5e-5
-    assert dt(E=4 * 206000) == 2.5e-5        # half the time of sound
-    assert dt(rho=4 * 7800) == 5e-5          # never longer
-    assert dt(eta=0.82) == 2.5e-5            # half the viscous time
+    assert dt(E=4 * 206000) == 2.5e-5  # half the time of sound
+    assert dt(rho=4 * 7800) == 5e-5  # never longer
+    assert dt(eta=0.82) == 2.5e-5  # half the viscous time
     assert dt(rho=1950) == pytest.approx(1.2e-5)
     assert dt(dt=1e-5) == 1e-5
 
 
-SHIPPED = {"paper36": 36, "collapse10": 10, "velocity": 16, "pressure": 16, "paper36-rows32": 36, "collapse10-rows32": 10,
-           "velocity-rows32": 16, "pressure-rows32": 16, "viscosity": 10, "roughness": 6, "viscosity-rows32": 10,
-           "roughness-rows32": 6, "height": 8, "smoke": 6, "variants": 48,
-           "convergence": 24, "timestep": 59, "corrected": 26}
+SHIPPED = {
+    "paper36": 36,
+    "collapse10": 10,
+    "velocity": 16,
+    "pressure": 16,
+    "paper36-rows32": 36,
+    "collapse10-rows32": 10,
+    "velocity-rows32": 16,
+    "pressure-rows32": 16,
+    "viscosity": 10,
+    "roughness": 6,
+    "viscosity-rows32": 10,
+    "roughness-rows32": 6,
+    "height": 8,
+    "smoke": 6,
+    "variants": 48,
+    "convergence": 24,
+    "timestep": 59,
+    "corrected": 26,
+}
 
 
 @pytest.mark.parametrize("name, least", SHIPPED.items())
@@ -514,27 +713,49 @@ def test_collapse10_has_one_kappa():
 
 def test_page_has_every_key_option_and_plan():
     page = (ROOT / "doc" / "campaign.md").read_text()
-    keys = dict(re.findall(r"^\| `(\w+)` \| ([^|]+) \| (?:ns|MPa|m/s|kg|Pa|Poisson|automata|rows|nm|of the|preset)[^|]*\|$",
-                           page, re.MULTILINE))
+    keys = dict(
+        re.findall(
+            r"^\| `(\w+)` \| ([^|]+) \| "
+            r"(?:ns|MPa|m/s|kg|Pa|Poisson|automata|rows|nm|of the|preset)[^|]*\|$",
+            page,
+            re.MULTILINE,
+        )
+    )
     assert list(keys) == list(plans.KEYS)
     for name, key in plans.KEYS.items():
         if key.default is not None:
-            assert keys[name] == (key.default if isinstance(key.default, str) else f"{key.default:g}")
+            assert keys[name] == (
+                key.default if isinstance(key.default, str) else f"{key.default:g}"
+            )
     options = set()
     for command in ("list", "run", "one", "status", "pack"):
-        options |= set(re.findall(r"(?<![\w-])(--?[a-z]+)", campaign(command, "--help").stdout.split("options:")[1]))
+        options |= set(
+            re.findall(
+                r"(?<![\w-])(--?[a-z]+)", campaign(command, "--help").stdout.split("options:")[1]
+            )
+        )
     syntax = page.split("## Examples")[0]
     table = set(re.findall(r"`(--?[a-z]+)`", syntax))
     assert options - {"-h", "--help", "-np"} == table
-    shipped = dict(re.findall(r"^\| `([\w-]+)` \| (\d+) \|", page.split("### Shipped plans")[1].split("###")[0], re.MULTILINE))
-    assert {n: int(k) for n, k in shipped.items()} == {n: len(plans.read(plans.find(n)).runs) for n in SHIPPED}
+    shipped = dict(
+        re.findall(
+            r"^\| `([\w-]+)` \| (\d+) \|",
+            page.split("### Shipped plans")[1].split("###")[0],
+            re.MULTILINE,
+        )
+    )
+    assert {n: int(k) for n, k in shipped.items()} == {
+        n: len(plans.read(plans.find(n)).runs) for n in SHIPPED
+    }
 
 
 @pytest.mark.skipif(not REAL.exists(), reason="lmp is not built")
 def test_real_run_goes_on_after_a_kill(tmp_path):
     path = tmp_path / "plan.yaml"
-    path.write_text(HEAD + "defaults: {columns: 12, rows: 12, roughness: 1, row: 0.01, checkpoint: 0.1}\n"
-                    "runs: [{name: tiny, ns: 0.6}]\n")
+    path.write_text(
+        HEAD + "defaults: {columns: 12, rows: 12, roughness: 1, row: 0.01, checkpoint: 0.1}\n"
+        "runs: [{name: tiny, ns: 0.6}]\n"
+    )
     env = environment(MCAWR_LMP=str(REAL))
     out = tmp_path / "out"
     call = subprocess.Popen([CAMPAIGN, "run", path, "-o", out], stdout=subprocess.DEVNULL, env=env)
@@ -549,6 +770,7 @@ def test_real_run_goes_on_after_a_kill(tmp_path):
 
     def rows(folder):
         return [line.split() for line in logs(folder)["tiny"].split("\n") if line[:1].isdigit()]
+
     assert [int(r[0]) for r in rows(out)] == [200 * i for i in range(1, 61)]
     # rounding errors have no time to grow in 0.6 ns
     for resumed, uninterrupted in zip(rows(out), rows(tmp_path / "whole")):

@@ -1,4 +1,7 @@
-"""tools/dump_to_vtk.py: what ParaView will read, read back by a parser of our own, against the dumps of a real run."""
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""tools/dump_to_vtk.py: what ParaView will read, read back by a parser of our own, against the
+dumps of a real run."""
+
 import base64
 import os
 import subprocess
@@ -46,8 +49,14 @@ LINKS = HEAD.replace("ATOMS\n3", "ENTRIES\n2") + "ITEM: ENTRIES id1 id2 sigma\n1
 def convert(tmp_path, *options, **files):
     for name, content in files.items():
         (tmp_path / f"{name}.dump").write_text(content)
-    return subprocess.run([TOOL, "a.dump", *options], cwd=tmp_path, text=True, capture_output=True, timeout=60,
-                          check=False)
+    return subprocess.run(
+        [TOOL, "a.dump", *options],
+        cwd=tmp_path,
+        text=True,
+        capture_output=True,
+        timeout=60,
+        check=False,
+    )
 
 
 def tables(path):
@@ -72,7 +81,9 @@ def tables(path):
 def vtu(path):
     """Points, cells (kind, ends), point and cell arrays of a VTK XML file of compressed blocks."""
     root = ElementTree.parse(path).getroot()
-    assert root.get("type") == "UnstructuredGrid" and root.get("compressor") == "vtkZLibDataCompressor"
+    assert (
+        root.get("type") == "UnstructuredGrid" and root.get("compressor") == "vtkZLibDataCompressor"
+    )
     piece = root.find("UnstructuredGrid/Piece")
 
     def array(node):
@@ -82,10 +93,15 @@ def vtu(path):
         sizes = np.frombuffer(base64.b64decode(text[:head]), np.uint32)[3:]
         packed, at, data = base64.b64decode(text[head:]), 0, b""
         for size in sizes:
-            data += zlib.decompress(packed[at:at + size])
+            data += zlib.decompress(packed[at : at + size])
             at += size
-        values = np.frombuffer(data, {"Float64": float, "Int64": np.int64, "Int32": np.int32}[node.get("type")])
-        return values.reshape(-1, *([int(node.get("NumberOfComponents"))] if "NumberOfComponents" in node.keys() else []))
+        values = np.frombuffer(
+            data, {"Float64": float, "Int64": np.int64, "Int32": np.int32}[node.get("type")]
+        )
+        return values.reshape(
+            -1,
+            *([int(node.get("NumberOfComponents"))] if "NumberOfComponents" in node.keys() else []),
+        )
 
     def arrays(part):
         return {node.get("Name"): array(node) for node in piece.findall(f"{part}/DataArray")}
@@ -93,20 +109,33 @@ def vtu(path):
     cells = arrays("Cells")
     count = np.diff(cells["offsets"], prepend=0)
     assert len(set(count)) == 1 and len(set(cells["types"])) == 1
-    return (arrays("Points")["Points"], cells["types"][0], cells["connectivity"].reshape(-1, count[0]),
-            arrays("PointData"), arrays("CellData"))
+    return (
+        arrays("Points")["Points"],
+        cells["types"][0],
+        cells["connectivity"].reshape(-1, count[0]),
+        arrays("PointData"),
+        arrays("CellData"),
+    )
 
 
 def collection(path):
-    return [(float(node.get("timestep")), path.parent / node.get("file"))
-            for node in ElementTree.parse(path).getroot().findall("Collection/DataSet")]
+    return [
+        (float(node.get("timestep")), path.parent / node.get("file"))
+        for node in ElementTree.parse(path).getroot().findall("Collection/DataSet")
+    ]
 
 
 @pytest.mark.skipif(not LMP.exists(), reason="lmp is not built")
 def test_frames_of_a_run(tmp_path):
     (tmp_path / "in").write_text(RUN)
-    done = subprocess.run([LMP, "-in", "in", "-log", "none"], cwd=tmp_path, text=True, capture_output=True, timeout=120,
-                          check=False)
+    done = subprocess.run(
+        [LMP, "-in", "in", "-log", "none"],
+        cwd=tmp_path,
+        text=True,
+        capture_output=True,
+        timeout=120,
+        check=False,
+    )
     assert done.returncode == 0, done.stdout[-2000:] + done.stderr
     # label and names by which OVITO's reader of dump local knows bonds
     assert "ITEM: NUMBER OF BONDS\n" in (tmp_path / "links.dump").read_text()
@@ -115,7 +144,9 @@ def test_frames_of_a_run(tmp_path):
     assert done.returncode == 0 and done.stderr == "", done.stderr
     automata, links = tables(tmp_path / "a.dump"), tables(tmp_path / "links.dump")
     assert [t for t, _ in collection(tmp_path / "view.pvd")] == [0.0, 0.005, 0.01, 0.015, 0.02]
-    for (time, path), (step, (expected, _, columns)) in zip(collection(tmp_path / "view.pvd"), automata.items()):
+    for (time, path), (step, (expected, _, columns)) in zip(
+        collection(tmp_path / "view.pvd"), automata.items()
+    ):
         assert time == expected and path.name == f"automata.{step}.vtu"
         points, kind, ends, data, _ = vtu(path)
         assert kind == 1 and (ends[:, 0] == np.arange(len(points))).all()
@@ -125,7 +156,9 @@ def test_frames_of_a_run(tmp_path):
             assert (data[name] == values).all(), name
         assert data["id"].dtype == np.int64
     counts = []
-    for (time, path), (step, (expected, box, columns)) in zip(collection(tmp_path / "view_links.pvd"), links.items()):
+    for (time, path), (step, (expected, box, columns)) in zip(
+        collection(tmp_path / "view_links.pvd"), links.items()
+    ):
         assert time == expected and path.name == f"links.{step}.vtu"
         points, kind, ends, _, data = vtu(path)
         ids, period = automata[step][2]["id"], box[0][1] - box[0][0]
@@ -141,51 +174,97 @@ def test_frames_of_a_run(tmp_path):
     assert len(counts) == 3 and all(across > 0 for _, across in counts)
     assert counts[-1][0] < counts[0][0]  # some broke
     assert f"3 frames, {sum(across for _, across in counts)} links" in done.stdout
-    assert sorted(p.name for p in tmp_path.iterdir()) == ["a.dump", "in", "links.dump", "view.pvd", "view_frames",
-                                                          "view_links.pvd"]
+    assert sorted(p.name for p in tmp_path.iterdir()) == [
+        "a.dump",
+        "in",
+        "links.dump",
+        "view.pvd",
+        "view_frames",
+        "view_links.pvd",
+    ]
 
 
 def test_small_frame(tmp_path):
-    """The pair 1 2 is near, 2 3 across the periodic side; times from the step; a step that stands twice."""
-    done = convert(tmp_path, "--links", "l.dump", "--timestep", "0.5", a=ATOMS.format(0) + ATOMS.format(4) * 2,
-                   l=LINKS.format(4))
+    """The pair 1 2 is near, 2 3 across the periodic side; times from the step; a step that stands
+    twice."""
+    done = convert(
+        tmp_path,
+        "--links",
+        "l.dump",
+        "--timestep",
+        "0.5",
+        a=ATOMS.format(0) + ATOMS.format(4) * 2,
+        l=LINKS.format(4),
+    )
     assert done.returncode == 0, done.stderr
     assert [t for t, _ in collection(tmp_path / "a.pvd")] == [0, 2]
-    (time, path), = collection(tmp_path / "a_links.pvd")
+    ((time, path),) = collection(tmp_path / "a_links.pvd")
     points, _, ends, _, data = vtu(path)
     assert time == 2 and points.tolist() == [[0, 0, 0], [2.5, 0, 0], [4.9, 2, 0]]
     assert ends.tolist() == [[1, 2]] and data["sigma"] == -5
 
 
 def test_frame_without_links(tmp_path):
-    done = convert(tmp_path, "--links", "l.dump", a=ATOMS.format(0),
-                   l=LINKS.format(0).replace("ENTRIES\n2", "ENTRIES\n0").split("1 2 -5")[0])
+    done = convert(
+        tmp_path,
+        "--links",
+        "l.dump",
+        a=ATOMS.format(0),
+        l=LINKS.format(0).replace("ENTRIES\n2", "ENTRIES\n0").split("1 2 -5")[0],
+    )
     assert done.returncode == 0, done.stderr
-    (_, path), = collection(tmp_path / "a_links.pvd")
+    ((_, path),) = collection(tmp_path / "a_links.pvd")
     piece = ElementTree.parse(path).getroot().find("UnstructuredGrid/Piece")
     assert (piece.get("NumberOfPoints"), piece.get("NumberOfCells")) == ("3", "0")
 
 
 def test_cut_frame_is_left_out(tmp_path):
-    done = convert(tmp_path, "--links", "l.dump", a=ATOMS.format(0) + ATOMS.format(4)[:120],
-                   l=LINKS.format(0) + LINKS.format(4))
+    done = convert(
+        tmp_path,
+        "--links",
+        "l.dump",
+        a=ATOMS.format(0) + ATOMS.format(4)[:120],
+        l=LINKS.format(0) + LINKS.format(4),
+    )
     assert done.returncode == 0 and done.stderr.count("\n") == 1 and "cut" in done.stderr
     assert len(collection(tmp_path / "a.pvd")) == len(collection(tmp_path / "a_links.pvd")) == 1
 
 
-@pytest.mark.parametrize("atoms, links, words", [
-    ("nonsense\n", LINKS, ["a.dump:1:"]), (ATOMS.replace(" x y", " u y"), LINKS, ["a.dump:9:", "column x"]),
-    (ATOMS.replace("ATOMS\n3", "ATOMS\n0").split("3 1 0")[0], LINKS, ["a.dump:9:", "no automaton"]),
-    (ATOMS.replace("\n1 1", "\n3 1"), LINKS, ["a.dump:9:", "ID", "twice"]),
-    (ATOMS.replace("2 2 4.9", "2.5 2 4.9"), LINKS, ["a.dump:12:", "id is 2.5"]),
-    (ATOMS, LINKS.replace("id2", "x2"), ["l.dump:9:", "--ends", "x2"]),
-    (ATOMS, LINKS.replace("2 3 0", "2 9 0"), ["l.dump:11:", " 9 "]),
-    (ATOMS, LINKS.replace("{}", "7"), ["l.dump:9:", "step 7"]),
-    (ATOMS, LINKS.replace("0.25", "nan"), ["l.dump:11:", "nan"]),
-    (ATOMS, LINKS.replace("pp ss pp", "xy xz yz pp ss pp"), ["l.dump", "triclinic"])],
-    ids=["nonsense", "no x", "empty", "ID twice", "no integer", "no ends", "no automaton", "no step", "nan", "triclinic"])
+@pytest.mark.parametrize(
+    "atoms, links, words",
+    [
+        ("nonsense\n", LINKS, ["a.dump:1:"]),
+        (ATOMS.replace(" x y", " u y"), LINKS, ["a.dump:9:", "column x"]),
+        (
+            ATOMS.replace("ATOMS\n3", "ATOMS\n0").split("3 1 0")[0],
+            LINKS,
+            ["a.dump:9:", "no automaton"],
+        ),
+        (ATOMS.replace("\n1 1", "\n3 1"), LINKS, ["a.dump:9:", "ID", "twice"]),
+        (ATOMS.replace("2 2 4.9", "2.5 2 4.9"), LINKS, ["a.dump:12:", "id is 2.5"]),
+        (ATOMS, LINKS.replace("id2", "x2"), ["l.dump:9:", "--ends", "x2"]),
+        (ATOMS, LINKS.replace("2 3 0", "2 9 0"), ["l.dump:11:", " 9 "]),
+        (ATOMS, LINKS.replace("{}", "7"), ["l.dump:9:", "step 7"]),
+        (ATOMS, LINKS.replace("0.25", "nan"), ["l.dump:11:", "nan"]),
+        (ATOMS, LINKS.replace("pp ss pp", "xy xz yz pp ss pp"), ["l.dump", "triclinic"]),
+    ],
+    ids=[
+        "nonsense",
+        "no x",
+        "empty",
+        "ID twice",
+        "no integer",
+        "no ends",
+        "no automaton",
+        "no step",
+        "nan",
+        "triclinic",
+    ],
+)
 def test_bad_dumps(tmp_path, atoms, links, words):
-    done = convert(tmp_path, "--links", "l.dump", a=atoms.replace("{}", "0"), l=links.replace("{}", "0"))
+    done = convert(
+        tmp_path, "--links", "l.dump", a=atoms.replace("{}", "0"), l=links.replace("{}", "0")
+    )
     assert done.returncode == 3 and done.stderr.count("\n") == 1 and done.stdout == ""
     assert all(word in done.stderr for word in words), done.stderr
     assert sorted(p.name for p in tmp_path.iterdir()) == ["a.dump", "l.dump"]

@@ -1,4 +1,6 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """tools/plot_fragment.py: a picture from a dump, or one clear line and no file."""
+
 import subprocess
 from pathlib import Path
 
@@ -6,8 +8,10 @@ import pytest
 
 PLOT = Path(__file__).resolve().parents[2] / "tools" / "plot_fragment.py"
 HEAD = "ITEM: TIMESTEP\n{}\nITEM: NUMBER OF ATOMS\n4\nITEM: BOX BOUNDS pp ss pp\n0 5\n0 2.2\n-1 1\n"
-FRAME = HEAD + ("ITEM: ATOMS id type x y vx c_state[1]\n1 1 0 0 0 4\n2 1 2.5 0 0 4\n"
-                "3 2 1.25 2.165 5 4\n4 2 6.25 2.165 5 4\n")
+FRAME = HEAD + (
+    "ITEM: ATOMS id type x y vx c_state[1]\n1 1 0 0 0 4\n2 1 2.5 0 0 4\n"
+    "3 2 1.25 2.165 5 4\n4 2 6.25 2.165 5 4\n"
+)
 GOOD = FRAME.format(0) + FRAME.format(20000)
 
 
@@ -15,15 +19,27 @@ def plot(tmp_path, content, *options):
     dump, picture = tmp_path / "a.dump", tmp_path / "a.png"
     if content is not None:
         dump.write_text(content)
-    done = subprocess.run([PLOT, dump, "-o", picture, *options], text=True, capture_output=True,
-                          timeout=60, check=False)
+    done = subprocess.run(
+        [PLOT, dump, "-o", picture, *options],
+        text=True,
+        capture_output=True,
+        timeout=60,
+        check=False,
+    )
     return done, picture
 
 
-TIMES = "ITEM: UNITS\nnano\nITEM: TIME\n0\n" + FRAME.format(0) + "ITEM: TIME\n1.5\n" + FRAME.format(20000)
+TIMES = (
+    "ITEM: UNITS\nnano\nITEM: TIME\n0\n"
+    + FRAME.format(0)
+    + "ITEM: TIME\n1.5\n"
+    + FRAME.format(20000)
+)
 
 
-@pytest.mark.parametrize("content", [GOOD, GOOD + FRAME.format(40000)[:150], TIMES], ids=["whole", "cut", "times"])
+@pytest.mark.parametrize(
+    "content", [GOOD, GOOD + FRAME.format(40000)[:150], TIMES], ids=["whole", "cut", "times"]
+)
 def test_picture(tmp_path, content):
     done, picture = plot(tmp_path, content)
     assert done.returncode == 0, done.stderr
@@ -31,10 +47,18 @@ def test_picture(tmp_path, content):
     assert sorted(p.name for p in tmp_path.iterdir()) == ["a.dump", "a.png"]
 
 
-@pytest.mark.parametrize("content, word", [
-    (None, "cannot be read"), ("", "no whole frame"), ("nonsense\n", ":1:"),
-    (FRAME.format("x"), ":1:"), (FRAME.format(0).replace("5 4\n", "five 4\n"), "not numbers"),
-    (FRAME.format(0).replace(" vx", " vz"), "vx"), (HEAD.format(0), "frame")])
+@pytest.mark.parametrize(
+    "content, word",
+    [
+        (None, "cannot be read"),
+        ("", "no whole frame"),
+        ("nonsense\n", ":1:"),
+        (FRAME.format("x"), ":1:"),
+        (FRAME.format(0).replace("5 4\n", "five 4\n"), "not numbers"),
+        (FRAME.format(0).replace(" vx", " vz"), "vx"),
+        (HEAD.format(0), "frame"),
+    ],
+)
 def test_bad_dump(tmp_path, content, word):
     done, picture = plot(tmp_path, content)
     assert done.returncode == 3
@@ -67,3 +91,15 @@ def test_animation(tmp_path):
     assert done.returncode == 0, done.stderr
     assert film.read_bytes()[:6] == b"GIF89a"
     assert sorted(p.name for p in tmp_path.iterdir()) == ["a.dump", "a.gif"]
+
+
+def test_dump_of_space(tmp_path):
+    """Automata above each other, in a dump with the third coordinate or without it."""
+    above = GOOD.replace("2 1 2.5 0 0 4", "2 1 0 0 0 4")
+    done, picture = plot(tmp_path, above)
+    assert done.returncode == 3 and not picture.exists()
+    assert done.stderr.count("\n") == 1 and "a.dump:9: two automata" in done.stderr
+    deep = GOOD.replace("vx c_state[1]", "vx z").replace("5 4\n", "5 2\n")
+    done, picture = plot(tmp_path, deep)
+    assert done.returncode == 3 and not picture.exists()
+    assert done.stderr.count("\n") == 1 and "z goes from 2 to 4" in done.stderr

@@ -1,4 +1,6 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """tools/plot_layer.py: the measures of known profiles, and one clear line for others."""
+
 import csv
 import subprocess
 from pathlib import Path
@@ -6,23 +8,34 @@ from pathlib import Path
 import pytest
 
 PLOT = Path(__file__).resolve().parents[2] / "tools" / "plot_layer.py"
-HEAD = "# Chunk-averaged data\n# Timestep Number-of-chunks Total-count\n# Chunk Coord1 Ncount vx c_state[1] v_upper v_away2\n"
+HEAD = """# Chunk-averaged data
+# Timestep Number-of-chunks Total-count
+# Chunk Coord1 Ncount vx c_state[1] v_upper v_away2
+"""
 
 
 def frame(step, low, high):
-    """Ten rows of height 1: still below `low`, at 5 above `high`, linear between; half linked there."""
+    """Ten rows of height 1: still below `low`, at 5 above `high`, linear between; half linked
+    there."""
     rows = []
     for k in range(10):
         share = min(max((k - low) / (high - low), 0), 1)
         inside = low < k < high
-        rows.append(f"  {k + 1} {k} 4 {5 * share} {3 if inside else 6} {share} {2 if inside else 0}")
+        rows.append(
+            f"  {k + 1} {k} 4 {5 * share} {3 if inside else 6} {share} {2 if inside else 0}"
+        )
     return f"{step} 10 40\n" + "\n".join(rows) + "\n"
 
 
 def plot(tmp_path, content, *options):
     (tmp_path / "a.profile").write_text(content)
-    return subprocess.run([PLOT, tmp_path / "a.profile", *options], text=True, capture_output=True,
-                          timeout=60, check=False)
+    return subprocess.run(
+        [PLOT, tmp_path / "a.profile", *options],
+        text=True,
+        capture_output=True,
+        timeout=60,
+        check=False,
+    )
 
 
 def test_measures_of_a_known_layer(tmp_path):
@@ -53,14 +66,23 @@ def test_automata_that_left_the_fragment_do_not_count(tmp_path):
 
 def test_reader_that_has_enough(tmp_path):
     (tmp_path / "a.profile").write_text(HEAD + frame(1000, 3, 6) + frame(2000, 2, 7))
-    done = subprocess.run(["bash", "-c", f"{PLOT} {tmp_path / 'a.profile'} | true"], text=True, capture_output=True,
-                          timeout=60, check=False)
-    assert done.stderr == ""
+    script = f"set -o pipefail; {PLOT} {tmp_path / 'a.profile'} | true"
+    done = subprocess.run(
+        ["bash", "-c", script], text=True, capture_output=True, timeout=60, check=False
+    )
+    assert done.returncode == 5
+    assert done.stderr == "plot_layer.py: standard output: cannot be written: Broken pipe\n"
 
 
-@pytest.mark.parametrize("content, word", [
-    ("", "no frame"), ("nonsense\n", ":1:"), (HEAD.replace("vx", "vz") + frame(1, 3, 6), "columns"),
-    (HEAD + frame(1, 3, 6).replace("0.0", "zero"), "cannot be read")])
+@pytest.mark.parametrize(
+    "content, word",
+    [
+        ("", "no frame"),
+        ("nonsense\n", ":1:"),
+        (HEAD.replace("vx", "vz") + frame(1, 3, 6), "columns"),
+        (HEAD + frame(1, 3, 6).replace("0.0", "zero"), "cannot be read"),
+    ],
+)
 def test_bad_profile(tmp_path, content, word):
     done = plot(tmp_path, content, "-o", tmp_path / "a.png")
     assert done.returncode == 3

@@ -1,4 +1,6 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """tools/reproduce: the paper's numbers beside those of logs whose answers are known."""
+
 import dataclasses
 import os
 import re
@@ -17,26 +19,57 @@ sys.path[:0] = [str(ROOT / "unittest" / "WHEELRAIL"), str(ROOT / "tools")]
 from campaign_parts import plan as plans  # noqa: E402
 from friction_logs import eq2, friction_log, kappas  # noqa: E402
 
-BUILD = Path(os.environ["MCAWR_TEST_LMP"]).parents[1] if "MCAWR_TEST_LMP" in os.environ else ROOT / "build"
-pytestmark = pytest.mark.skipif(not (BUILD / "bin" / "wr_fit").exists(), reason="wr_fit is not built")
+BUILD = (
+    Path(os.environ["MCAWR_TEST_LMP"]).parents[1]
+    if "MCAWR_TEST_LMP" in os.environ
+    else ROOT / "build"
+)
+pytestmark = pytest.mark.skipif(
+    not (BUILD / "bin" / "wr_fit").exists(), reason="wr_fit is not built"
+)
 
 
 def reproduce(tmp_path, *figures):
-    return subprocess.run([ROOT / "tools" / "reproduce", *figures, "--logs", tmp_path / "logs", "-o", tmp_path / "out"],
-                          env={**os.environ, "MCAWR_BUILD": str(BUILD)}, text=True, capture_output=True, timeout=120,
-                          check=False)
+    return subprocess.run(
+        [
+            ROOT / "tools" / "reproduce",
+            *figures,
+            "--logs",
+            tmp_path / "logs",
+            "-o",
+            tmp_path / "out",
+        ],
+        env={**os.environ, "MCAWR_BUILD": str(BUILD)},
+        text=True,
+        capture_output=True,
+        timeout=120,
+        check=False,
+    )
 
 
 def logs(tmp_path, name, factor=lambda run: 1.0, ns=300):
-    """Logs of a shipped plan that follow Eq. 2 with Eq. 3's numbers, times a factor, with some noise."""
+    """Logs of a shipped plan that follow Eq. 2 with Eq. 3's numbers, times a factor, with some
+    noise."""
     folder = tmp_path / "logs" / name
     folder.mkdir(parents=True)
     runs = plans.read(plans.find(name)).runs
     for number, run in enumerate(runs):
         v = run.values
-        (folder / f"{run.name}.friction").write_text(friction_log(
-            p=v["p"], v=v["v"], strength=v["strength"], E=v["E"], rho=v["rho"], seed=number + 1, ns=ns,
-            factor=factor(run), noise=0.01, phi=0, grinding_in=0.5).replace("automata: 1280", f"automata: {40 * v['rows']}"))
+        (folder / f"{run.name}.friction").write_text(
+            friction_log(
+                p=v["p"],
+                v=v["v"],
+                strength=v["strength"],
+                E=v["E"],
+                rho=v["rho"],
+                seed=number + 1,
+                ns=ns,
+                factor=factor(run),
+                noise=0.01,
+                phi=0,
+                grinding_in=0.5,
+            ).replace("automata: 1280", f"automata: {40 * v['rows']}")
+        )
     return folder, runs
 
 
@@ -44,7 +77,9 @@ def made(tmp_path, name, done):
     """The comparison, once the picture and the files are there."""
     assert done.returncode == 0, done.stderr
     assert (tmp_path / "out" / f"{name}.png").read_bytes()[:4] == b"\x89PNG"
-    assert (tmp_path / "out" / f"{name}.csv").exists() and (tmp_path / "out" / f"{name}.json").exists()
+    assert (tmp_path / "out" / f"{name}.csv").exists() and (
+        tmp_path / "out" / f"{name}.json"
+    ).exists()
     text = (tmp_path / "out" / f"{name}.txt").read_text()
     assert text.strip() == done.stdout.strip()
     return text
@@ -54,11 +89,11 @@ def line(text, begin):
     """Numbers of the line that begins so."""
     found = [row for row in text.splitlines() if row.strip().startswith(begin)]
     assert len(found) == 1, text
-    return [float(word) for word in re.findall(r"[-+]?\d+\.?\d*", found[0].strip()[len(begin):])]
+    return [float(word) for word in re.findall(r"[-+]?\d+\.?\d*", found[0].strip()[len(begin) :])]
 
 
 def test_collapse_tells_the_scatter(tmp_path):
-    _, runs = logs(tmp_path, "collapse10", lambda run: 1.1 if int(run.name[1:]) % 2 else 0.9)
+    logs(tmp_path, "collapse10", lambda run: 1.1 if int(run.name[1:]) % 2 else 0.9)
     text = made(tmp_path, "collapse", reproduce(tmp_path, "collapse"))
     paper, ours = line(text, "scatter of mu (standard deviation)")
     assert paper == 3.5 and ours == pytest.approx(100 * 0.1 * (10 / 9) ** 0.5, abs=0.2)
@@ -101,15 +136,25 @@ def test_pressure_and_velocity(tmp_path):
         assert line(fig6, f"v = {v:g} m/s")[3] == pytest.approx(-20, abs=1)
 
 
-ROWS = {0.1: (4, 5), 0.205: (4, 6), 0.41: (3, 6), 0.82: (3, 7), 1.64: (2, 7)}  # of the layer, by viscosity
+ROWS = {
+    0.1: (4, 5),
+    0.205: (4, 6),
+    0.41: (3, 6),
+    0.82: (3, 7),
+    1.64: (2, 7),
+}  # of the layer, by viscosity
 DEPTHS = {1.4: 4, 3.25: 8, 6.5: 6}  # nm, of the layer at the end, by roughness
 
 
 def profiles(folder, runs, layer, steps=6000000, frames=40):
     """A profile beside each log; layer(run, part of its time) -> first and last row that slides."""
     for run in runs:
-        (folder / f"{run.name}.profile").write_text(HEAD + "".join(
-            frame(steps * k // frames, *layer(run, k / frames)) for k in range(1, frames + 1)))
+        (folder / f"{run.name}.profile").write_text(
+            HEAD
+            + "".join(
+                frame(steps * k // frames, *layer(run, k / frames)) for k in range(1, frames + 1)
+            )
+        )
 
 
 def test_layers_of_known_depth(tmp_path):
@@ -117,10 +162,14 @@ def test_layers_of_known_depth(tmp_path):
     profiles(folder, runs, lambda run, part: ROWS[run.values["eta"]], frames=4)
     for run in runs:  # the synthetic head has one viscosity
         log = folder / f"{run.name}.friction"
-        log.write_text(log.read_text().replace("viscosity: 0.41", f"viscosity: {run.values['eta']}"))
+        log.write_text(
+            log.read_text().replace("viscosity: 0.41", f"viscosity: {run.values['eta']}")
+        )
+
     def growing(run, part):  # as sqrt(t); a row is 0.8 nm here
         half = 0.5 * DEPTHS[run.values["roughness"]] * part**0.5 / 0.8
         return 4.5 - half, 4.5 + half
+
     profiles(*logs(tmp_path, "roughness"), growing)
     text = made(tmp_path, "fig3", reproduce(tmp_path, "fig3"))
     depth, mu = line(text, "exponent of depth ~ t^n to 100 ns")
@@ -128,7 +177,9 @@ def test_layers_of_known_depth(tmp_path):
     assert line(text, "100 to 200 ns")[0] == pytest.approx(DEPTHS[3.25] * 0.5**0.5, rel=0.05)
     later = numpy.mean(numpy.sqrt(numpy.arange(21, 41) / 40))
     for amplitude, depth in DEPTHS.items():
-        assert line(text, f"roughness {amplitude:g} nm")[1] == pytest.approx(depth * later, rel=0.05)
+        assert line(text, f"roughness {amplitude:g} nm")[1] == pytest.approx(
+            depth * later, rel=0.05
+        )
     depths = {eta: line(text, f"viscosity {eta:g} Pa s")[1] for eta in ROWS}
     assert depths == pytest.approx({eta: 0.8 * (high - low) for eta, (low, high) in ROWS.items()})
     slope = numpy.polyfit(numpy.log(list(depths)), numpy.log(list(depths.values())), 1)[0]
@@ -143,8 +194,20 @@ def aged(log, n):
             head.append(text)
             continue
         step, time, way, stress, normal, mu, *rest = text.split()
-        factor = float(time)**n
-        rows.append(" ".join([step, time, way, f"{float(stress) * factor:.8g}", normal, f"{float(mu) * factor:.8g}", *rest]))
+        factor = float(time) ** n
+        rows.append(
+            " ".join(
+                [
+                    step,
+                    time,
+                    way,
+                    f"{float(stress) * factor:.8g}",
+                    normal,
+                    f"{float(mu) * factor:.8g}",
+                    *rest,
+                ]
+            )
+        )
     log.write_text("\n".join([*head, *rows]) + "\n")
 
 
@@ -163,7 +226,9 @@ def test_ageing_is_the_power_of_time(tmp_path):
     found = {}
     for row in table.splitlines()[2:]:
         case, _, cells = row.partition(" MPa")
-        found.setdefault(case, []).append([float(word) for word in re.findall(r"[-+]?\d\.\d+", cells)])
+        found.setdefault(case, []).append(
+            [float(word) for word in re.findall(r"[-+]?\d\.\d+", cells)]
+        )
     for v in (1, 2, 3, 4, 5, 6, 8, 10):
         assert found[f"{v} m/s, 15"][0][-2] == pytest.approx(-0.1 if v >= 4 else 0, abs=0.003)
     for p in (0.5, 15, 26):  # 15 MPa stands in both plans
@@ -171,53 +236,89 @@ def test_ageing_is_the_power_of_time(tmp_path):
     assert line(loads, "0 to 0.05")[1] == pytest.approx(0, abs=0.003)
     assert line(loads, "0.2 to 0.5")[1] == pytest.approx(0.2 * 2 / 9, abs=0.02)  # two of nine runs
     n, _, change, _ = line(summary, "4 m/s and above, 15 MPa: n =")
-    assert n == pytest.approx(-0.1, abs=0.002) and change == pytest.approx(100 * (2**-0.1 - 1), abs=0.2)
+    assert n == pytest.approx(-0.1, abs=0.002) and change == pytest.approx(
+        100 * (2**-0.1 - 1), abs=0.2
+    )
     early, _, late = found["8 m/s, 15"][0][2:7:2]
-    assert late / early == pytest.approx((250 / 75)**-0.1, abs=0.01)  # 50 to 100, 200 to 300 ns
+    assert late / early == pytest.approx((250 / 75) ** -0.1, abs=0.01)  # 50 to 100, 200 to 300 ns
 
 
 def test_height_of_the_blocks(tmp_path):
-    """A layer that grows as sqrt(t), twice as deep and with a tenth more friction in 48 rows; too short runs are one clear line."""
+    """A layer that grows as sqrt(t), twice as deep and with a tenth more friction in 48 rows; too
+    short runs are one clear line."""
+
     def layer(run, part):
         half = (4.4 if run.values["rows"] == 48 else 2.2) * part**0.5
         return 4.5 - half, 4.5 + half
+
     for name in ("roughness-rows32", "roughness", "height"):
-        profiles(*logs(tmp_path, name, lambda run: 1.1 if run.values["rows"] == 48 else 1.0, ns=400), layer, steps=8000000)
+        profiles(
+            *logs(tmp_path, name, lambda run: 1.1 if run.values["rows"] == 48 else 1.0, ns=400),
+            layer,
+            steps=8000000,
+        )
     text = made(tmp_path, "height", reproduce(tmp_path, "height"))
     depths = [line(text, f"depth, nm, {rows} rows, 15 MPa") for rows in (16, 24, 32, 48)]
     assert [depth[4] for depth in depths] == pytest.approx([3.04, 3.04, 3.04, 6.08], rel=0.06)
     assert [depth[6] for depth in depths] == pytest.approx([0.5] * 4, abs=0.1)
-    mu, power = numpy.transpose([line(text, f"mu, {rows} rows, 15 MPa")[4:7:2] for rows in (24, 32, 48)])
+    mu, power = numpy.transpose(
+        [line(text, f"mu, {rows} rows, 15 MPa")[4:7:2] for rows in (24, 32, 48)]
+    )
     assert power == pytest.approx([0] * 3, abs=0.005)
-    assert mu[2] / mu[0] == pytest.approx(1.1, abs=0.01) and mu[1] / mu[0] == pytest.approx(1, abs=0.01)
+    assert mu[2] / mu[0] == pytest.approx(1.1, abs=0.01) and mu[1] / mu[0] == pytest.approx(
+        1, abs=0.01
+    )
     shutil.rmtree(tmp_path / "logs" / "height")
     profiles(*logs(tmp_path, "height", ns=180), layer, steps=3600000)
     done = reproduce(tmp_path, "height")
-    assert done.returncode == 3 and done.stderr.count("\n") == 1 and "end at 180 ns, 200 are needed" in done.stderr
+    assert (
+        done.returncode == 3
+        and done.stderr.count("\n") == 1
+        and "end at 180 ns, 200 are needed" in done.stderr
+    )
 
 
 def test_rate_is_velocity_over_depth(tmp_path):
     """Layers of two depths, and mu = 0.3 + 0.2 ns times their shear rate."""
+
     def half(run):  # rows of 1 nm
         return 2.5 if run.values["rows"] == 14 else 3.5
+
     def factor(run):
         v = run.values
-        return (0.3 + 0.2 * v["v"] / (1.6 * half(run))) / eq2(*kappas(v["p"], v["v"], v["strength"]))
+        return (0.3 + 0.2 * v["v"] / (1.6 * half(run))) / eq2(
+            *kappas(v["p"], v["v"], v["strength"])
+        )
+
     for name in ("velocity", "roughness-rows32", "height"):
-        profiles(*logs(tmp_path, name, factor), lambda run, part: (4.5 - half(run), 4.5 + half(run)))
+        profiles(
+            *logs(tmp_path, name, factor), lambda run, part: (4.5 - half(run), 4.5 + half(run))
+        )
     text = made(tmp_path, "rate", reproduce(tmp_path, "rate"))
     start, _, slope, _, scatter = line(text, "mu = a + b rate: a =")[:5]
-    assert start == pytest.approx(0.3, abs=0.005) and slope == pytest.approx(0.2, abs=0.005) and scatter < 1
+    assert (
+        start == pytest.approx(0.3, abs=0.005)
+        and slope == pytest.approx(0.2, abs=0.005)
+        and scatter < 1
+    )
     assert line(text, "0.7 to 1.2 /ns")[3] == pytest.approx(0, abs=0.5)
     shutil.rmtree(tmp_path / "logs")
     for name in ("velocity", "roughness-rows32", "height"):
         profiles(*logs(tmp_path, name, ns=20), lambda run, part: (2, 7), steps=400000)
     done = reproduce(tmp_path, "rate")
-    assert done.returncode == 3 and done.stderr.count("\n") == 1 and "0 windows after 200 nm of sliding" in done.stderr
+    assert (
+        done.returncode == 3
+        and done.stderr.count("\n") == 1
+        and "0 windows after 200 nm of sliding" in done.stderr
+    )
 
 
 def test_sensitivity_and_convergence(tmp_path):
-    logs(tmp_path, "variants", lambda run: (1.4 if "second" in run.name else 1.2) if "heal" in run.name else 1.0)
+    logs(
+        tmp_path,
+        "variants",
+        lambda run: (1.4 if "second" in run.name else 1.2) if "heal" in run.name else 1.0,
+    )
     logs(tmp_path, "convergence", lambda run: 1.1 if "wide-columns20" in run.name else 1.0)
     done = reproduce(tmp_path, "sensitivity", "convergence")
     assert done.returncode == 0, done.stderr
@@ -229,8 +330,10 @@ def test_sensitivity_and_convergence(tmp_path):
 
 def test_step_extrapolated_to_none(tmp_path):
     """mu that grows by a fifth up to the usual step."""
+
     def usual(run):
         return dataclasses.replace(run, values={**run.values, "dt": None}).dt
+
     folder, runs = logs(tmp_path, "timestep", lambda run: 1 + 0.2 * run.dt / usual(run))
     for run in runs:
         log = folder / f"{run.name}.friction"
@@ -245,14 +348,21 @@ def test_step_extrapolated_to_none(tmp_path):
 
 
 def test_plain_and_corrected_steps(tmp_path):
-    """Corrected ones do not depend on the step, and lie a tenth below the plain ones at the usual one."""
+    """Corrected ones do not depend on the step, and lie a tenth below the plain ones at the usual
+    one."""
     for name in ("timestep", "corrected"):
         plain = name != "corrected"
-        folder, runs = logs(tmp_path, name, lambda run, plain=plain: 1 + 0.1 * run.dt / 5e-5 if plain else 1.0)
+        folder, runs = logs(
+            tmp_path, name, lambda run, plain=plain: 1 + 0.1 * run.dt / 5e-5 if plain else 1.0
+        )
         for run in runs:
             log = folder / f"{run.name}.friction"
             text = re.sub("timestep: [^,]*,", f"timestep: {run.dt},", log.read_text())
-            log.write_text(text if plain else text.replace("laws: {preset: B", "laws: {preset: B, steps: corrected"))
+            log.write_text(
+                text
+                if plain
+                else text.replace("laws: {preset: B", "laws: {preset: B, steps: corrected")
+            )
     text = made(tmp_path, "corrected", reproduce(tmp_path, "corrected"))
     _, quarter = line(text, "5 m/s, plain")[-2:]
     at = line(text, "5 m/s, corrected")[::2]
@@ -260,7 +370,9 @@ def test_plain_and_corrected_steps(tmp_path):
     assert line(text, "5 m/s, plain")[0] == pytest.approx(1.1 * at[1], rel=0.02) and quarter < 0.02
     for v in (1, 2, 3, 4, 6, 8, 10):
         paper, plain, _, ours, _, difference = line(text, f"{v} m/s  ")
-        assert ours == pytest.approx(paper, rel=0.02) and plain == pytest.approx(1.1 * paper, rel=0.02)
+        assert ours == pytest.approx(paper, rel=0.02) and plain == pytest.approx(
+            1.1 * paper, rel=0.02
+        )
         assert difference == pytest.approx(-9.1, abs=2)
     for log in (tmp_path / "logs" / "corrected").glob("*.friction"):
         log.write_text(log.read_text().replace(", steps: corrected", ""))
@@ -282,6 +394,7 @@ def test_missing_logs_are_one_clear_line(tmp_path):
 def test_missing_runs_are_one_clear_line(tmp_path):
     def still(run, part):
         return 4, 6
+
     for name in ("roughness", "viscosity"):
         profiles(*logs(tmp_path, name), still)
     for name in ("velocity", "pressure", "collapse10", "paper36"):
@@ -289,7 +402,10 @@ def test_missing_runs_are_one_clear_line(tmp_path):
     for pattern in ("roughness/roughness3.25-*", "velocity/v[!123]-*", "velocity/v10-*"):
         for log in (tmp_path / "logs").glob(pattern):
             log.unlink()
-    for figure, said in (("fig3", "no run of roughness 3.25 nm"), ("ageing", "no run of the plan velocity at 4 m/s or above")):
+    for figure, said in (
+        ("fig3", "no run of roughness 3.25 nm"),
+        ("ageing", "no run of the plan velocity at 4 m/s or above"),
+    ):
         done = reproduce(tmp_path, figure)
         assert done.returncode == 3 and done.stderr.count("\n") == 1 and said in done.stderr
 
@@ -297,29 +413,45 @@ def test_missing_runs_are_one_clear_line(tmp_path):
 def shipped():
     """Figures whose logs are all in the project."""
     from reproduce_parts import figures
+
     folder = ROOT / "examples" / "campaign" / "logs"
-    return [name for name, figure in figures.FIGURES.items() if all((folder / plan).is_dir() for plan in figure.plans)]
+    return [
+        name
+        for name, figure in figures.FIGURES.items()
+        if all((folder / plan).is_dir() for plan in figure.plans)
+    ]
 
 
 @pytest.mark.parametrize("name", shipped())
 def test_few_runs_are_a_figure_or_one_clear_line(name, tmp_path):
     """One log of each plan: what a campaign leaves whose other runs failed."""
     from reproduce_parts import figures
+
     for plan in figures.FIGURES[name].plans:
         log = min((ROOT / "examples" / "campaign" / "logs" / plan).glob("*.friction"))
         (tmp_path / "logs" / plan).mkdir(parents=True)
         for part in log.parent.glob(f"{log.stem}.*"):
             shutil.copy(part, tmp_path / "logs" / plan)
     done = reproduce(tmp_path, name)
-    assert done.returncode in (0, 3) and done.stderr.count("\n") == (done.returncode == 3), done.stderr
+    assert done.returncode in (0, 3) and done.stderr.count("\n") == (done.returncode == 3), (
+        done.stderr
+    )
     assert not re.search("nan|inf\\b", done.stdout), done.stdout
 
 
 @pytest.mark.parametrize("name", shipped())
 def test_pages_tell_what_the_shipped_logs_tell(name, tmp_path):
-    done = subprocess.run([ROOT / "tools" / "reproduce", name, "-o", tmp_path],
-                          env={**os.environ, "MCAWR_BUILD": str(BUILD)}, text=True, capture_output=True, timeout=120, check=False)
+    done = subprocess.run(
+        [ROOT / "tools" / "reproduce", name, "-o", tmp_path],
+        env={**os.environ, "MCAWR_BUILD": str(BUILD)},
+        text=True,
+        capture_output=True,
+        timeout=120,
+        check=False,
+    )
     assert done.returncode == 0, done.stderr
     pages = "".join((ROOT / "doc" / page).read_text() for page in ("how_close.md", "how_chosen.md"))
-    assert done.stdout.strip() in pages, f"doc/how_close.md and doc/how_chosen.md do not hold this:\n{done.stdout}"
+    assert done.stdout.strip() in pages, (
+        f"doc/how_close.md and doc/how_chosen.md do not hold this:\n{done.stdout}"
+    )
     assert f"pictures/close_{name}.png" in pages

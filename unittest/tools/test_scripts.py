@@ -1,4 +1,6 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """tools/*.sh: help, usage errors and the cache of LAMMPS, none of which builds anything."""
+
 import os
 import subprocess
 from pathlib import Path
@@ -6,15 +8,30 @@ from pathlib import Path
 import pytest
 
 TOOLS = Path(__file__).resolve().parents[2] / "tools"
-SCRIPTS = ["get_lammps.sh", "setup.sh", "quickstart.sh", "check.sh", "benchmark.py",
-           "plot_fragment.py", "plot_creep.py", "dump_to_vtk.py"]
+SCRIPTS = [
+    "get_lammps.sh",
+    "setup.sh",
+    "quickstart.sh",
+    "check.sh",
+    "benchmark.py",
+    "plot_fragment.py",
+    "plot_creep.py",
+    "dump_to_vtk.py",
+]
 
 
 def run(script, *arguments, cwd=None, **environment):
     env = {**os.environ, **{k: str(v) for k, v in environment.items()}}
     env = {k: v for k, v in env.items() if v != "None"}
-    return subprocess.run([TOOLS / script, *map(str, arguments)], cwd=cwd, env=env, text=True,
-                          capture_output=True, timeout=60, check=False)
+    return subprocess.run(
+        [TOOLS / script, *map(str, arguments)],
+        cwd=cwd,
+        env=env,
+        text=True,
+        capture_output=True,
+        timeout=60,
+        check=False,
+    )
 
 
 def one_line(done, code, *words):
@@ -39,14 +56,25 @@ def test_unknown_option(script):
     one_line(run(script, "--nonsense"), 2, "--nonsense", "--help")
 
 
-@pytest.mark.parametrize("option, value", [("--version", "20240101"), ("--jobs", "0"),
-                                           ("--jobs", "two"), ("--packages", "a;b")])
+@pytest.mark.parametrize(
+    "option, value",
+    [("--version", "20240101"), ("--jobs", "0"), ("--jobs", "two"), ("--packages", "a;b")],
+)
 def test_get_lammps_refuses_values(option, value):
     one_line(run("get_lammps.sh", option, value), 2, option, value)
 
 
-@pytest.mark.parametrize("option, value", [("--ns", "0"), ("--ns", "nan"), ("--ns", "-1"),
-                                           ("--np", "1.5"), ("--np", "0"), ("--seed", "x")])
+@pytest.mark.parametrize(
+    "option, value",
+    [
+        ("--ns", "0"),
+        ("--ns", "nan"),
+        ("--ns", "-1"),
+        ("--np", "1.5"),
+        ("--np", "0"),
+        ("--seed", "x"),
+    ],
+)
 def test_quickstart_refuses_values(option, value):
     one_line(run("quickstart.sh", option, value), 2, option, value)
 
@@ -93,7 +121,9 @@ def test_other_tarball_is_refused(tmp_path):
     assert "SHA-256" in done.stderr.splitlines()[-1]
     assert done.stdout == ""
     assert not list((tmp_path / "cache").glob("lammps-*-source"))
-    missing = run("get_lammps.sh", "--source-only", "--tarball", tmp_path / "no", MCAWR_CACHE=tmp_path)
+    missing = run(
+        "get_lammps.sh", "--source-only", "--tarball", tmp_path / "no", MCAWR_CACHE=tmp_path
+    )
     one_line(missing, 5, "--tarball", str(tmp_path / "no"))
 
 

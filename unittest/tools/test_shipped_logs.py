@@ -1,5 +1,7 @@
-"""The friction logs in examples/campaign/logs: they belong to the shipped plans, say how they were made, and are made again by
-the program as it is now."""
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""The friction logs in examples/campaign/logs: they belong to the shipped plans, say how they were
+made, and are made again by the program as it is now."""
+
 import json
 import os
 import shlex
@@ -21,7 +23,7 @@ LMP = Path(os.environ.get("MCAWR_TEST_LMP", ROOT / "build" / "bin" / "lmp"))
 def made_by(log):
     """The command in the log's head, and how many rows were averaged into one."""
     begin = "# campaign: "
-    line, = (line for line in log.read_text().splitlines() if line.startswith(begin))
+    (line,) = (line for line in log.read_text().splitlines() if line.startswith(begin))
     head = json.loads(line.removeprefix(begin))
     return shlex.split(head["command"]), head["rows_averaged"]
 
@@ -40,7 +42,21 @@ def test_logs_belong_to_their_plan(folder):
         command, _ = made_by(log)
         given = {command[k + 1]: command[k + 2] for k, word in enumerate(command) if word == "-var"}
         expected = runs[log.stem].variables()
-        for name in ("p", "v", "strength", "E", "rho", "eta", "columns", "rows", "held", "amplitude", "seed", "laws", "dt"):
+        for name in (
+            "p",
+            "v",
+            "strength",
+            "E",
+            "rho",
+            "eta",
+            "columns",
+            "rows",
+            "held",
+            "amplitude",
+            "seed",
+            "laws",
+            "dt",
+        ):
             assert given[name] == expected[name], f"{log.name}: {name}"
         assert rows(log.read_text())[-1]["time"] <= runs[log.stem].values["ns"] * (1 + 1e-9)
 
@@ -52,14 +68,27 @@ def test_first_rows_are_made_again(folder, tmp_path):
     log = min(folder.glob("*.friction"))
     command, averaged = made_by(log)
     words = [str(LMP), *command[1:]]
-    for option, value in (("-in", ROOT / words[words.index("-in") + 1]), ("ns", 0.41), ("log", "run.friction")):
+    for option, value in (
+        ("-in", ROOT / words[words.index("-in") + 1]),
+        ("ns", 0.41),
+        ("log", "run.friction"),
+    ):
         words[words.index(option) + 1] = str(value)
-    done = subprocess.run(words, cwd=tmp_path, text=True, capture_output=True, timeout=120, check=False,
-                          env={**os.environ, "OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1"})
+    done = subprocess.run(
+        words,
+        cwd=tmp_path,
+        text=True,
+        capture_output=True,
+        timeout=120,
+        check=False,
+        env={**os.environ, "OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1"},
+    )
     assert done.returncode == 0, done.stderr
     again = rows(pack.packed((tmp_path / "run.friction").read_text(), averaged, "lmp"))
     shipped = rows(log.read_text())
     assert len(again) >= 2
     for new, old in zip(again, shipped):
         for name in ("time", "shear_stress", "normal_stress", "links"):
-            assert new[name] == pytest.approx(old[name], rel=1e-4), f"{log.name} at {old['time']:g} ns: {name}"
+            assert new[name] == pytest.approx(old[name], rel=1e-4), (
+                f"{log.name} at {old['time']:g} ns: {name}"
+            )

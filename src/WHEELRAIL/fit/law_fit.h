@@ -1,7 +1,7 @@
 #ifndef WHEELRAIL_FIT_LAW_FIT_H
 #define WHEELRAIL_FIT_LAW_FIT_H
 
-#include "fit/least_squares.h"
+#include "base/least_squares.h"
 #include "law/friction_law.h"
 
 #include <array>

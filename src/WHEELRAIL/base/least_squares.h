@@ -1,5 +1,6 @@
-#ifndef WHEELRAIL_FIT_LEAST_SQUARES_H
-#define WHEELRAIL_FIT_LEAST_SQUARES_H
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef WHEELRAIL_BASE_LEAST_SQUARES_H
+#define WHEELRAIL_BASE_LEAST_SQUARES_H
 
 #include <Eigen/Core>
 

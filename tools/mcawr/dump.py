@@ -1,9 +1,9 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 """LAMMPS text dumps: of atoms (dump custom) and of local values (dump local)."""
+
 import math
 
-
-class BadDump(Exception):
-    """One line: file, line, what is wrong."""
+from .errors import BadInput
 
 
 class Dump:
@@ -22,7 +22,7 @@ class Dump:
             with open(path, encoding="utf-8") as file:
                 self.lines = file.read().splitlines()
         except (OSError, UnicodeDecodeError) as error:
-            raise BadDump(f"{path}: cannot be read: {error}") from None
+            raise BadInput(f"{path}: cannot be read: {error}") from None
         self.frames, self.cut, number = [], False, 0
         while number < len(self.lines) and not self.cut:
             frame = self._head(number)
@@ -32,7 +32,7 @@ class Dump:
                 self.frames.append(frame)
                 number = frame["first"] + frame["count"]
         if not self.frames:
-            raise BadDump(f"{path}: no whole frame in it")
+            raise BadInput(f"{path}: no whole frame in it")
 
     def _head(self, number):
         """What stands before the rows of the frame at lines[number]; None if the frame is cut."""
@@ -51,24 +51,31 @@ class Dump:
                     sides = item.split()[3:]
                     frame["periodic"] = [side == "pp" for side in sides[-3:]]
                     frame["triclinic"] = len(sides) == 6
-                    frame["box"] = [[float(word) for word in line.split()[:2]]
-                                    for line in self.lines[at + 1:at + 4]]
+                    frame["box"] = [
+                        [float(word) for word in line.split()[:2]]
+                        for line in self.lines[at + 1 : at + 4]
+                    ]
                     at += 2
                 elif item != "ITEM: UNITS":
                     raise ValueError
                 at += 2
             frame["names"] = self.lines[at].removeprefix(table).split()
             frame["head"], frame["first"] = at, at + 1
-            if not (frame["count"] >= 0 and "step" in frame and len(frame["box"]) == 3 and
-                    all(math.isfinite(a) and math.isfinite(b) and a < b for a, b in frame["box"])):
+            if not (
+                frame["count"] >= 0
+                and "step" in frame
+                and len(frame["box"]) == 3
+                and all(math.isfinite(a) and math.isfinite(b) and a < b for a, b in frame["box"])
+            ):
                 raise ValueError
         except (IndexError, ValueError, KeyError):
             if number > 0 and at + 4 >= len(self.lines):
                 return None
-            raise BadDump(f"{self.path}:{number + 1}: not a frame of a LAMMPS text dump") from None
+            raise BadInput(f"{self.path}:{number + 1}: not a frame of a LAMMPS text dump") from None
         last = frame["first"] + frame["count"]
-        if len(self.lines) < last or (frame["count"] and
-                                      len(self.lines[last - 1].split()) != len(frame["names"])):
+        if len(self.lines) < last or (
+            frame["count"] and len(self.lines[last - 1].split()) != len(frame["names"])
+        ):
             return None
         return frame
 
@@ -80,14 +87,18 @@ class Dump:
         for k in range(frame["first"], frame["first"] + frame["count"]):
             words = self.lines[k].split()
             if len(words) != len(frame["names"]):
-                raise BadDump(f"{self.path}:{k + 1}: {len(words)} values, {len(frame['names'])} are expected")
+                raise BadInput(
+                    f"{self.path}:{k + 1}: {len(words)} values, {len(frame['names'])} are expected"
+                )
             try:
                 row = {name: float(words[place]) for name, place in places.items()}
             except ValueError:
-                raise BadDump(f"{self.path}:{k + 1}: not numbers") from None
+                raise BadInput(f"{self.path}:{k + 1}: not numbers") from None
             for name, value in row.items():
                 if not math.isfinite(value):
-                    raise BadDump(f"{self.path}:{k + 1}: {name} is {value}, a finite number is expected")
+                    raise BadInput(
+                        f"{self.path}:{k + 1}: {name} is {value}, a finite number is expected"
+                    )
                 values[name].append(value)
         return values
 
@@ -95,5 +106,7 @@ class Dump:
         for spelling in (name, self.spellings.get(name)):
             if spelling in frame["names"]:
                 return frame["names"].index(spelling)
-        raise BadDump(f"{self.path}:{frame['head'] + 1}: column {name} is missing, the dump has: "
-                      f"{' '.join(frame['names'])}")
+        raise BadInput(
+            f"{self.path}:{frame['head'] + 1}: column {name} is missing, the dump has: "
+            f"{' '.join(frame['names'])}"
+        )

@@ -1,4 +1,5 @@
-#include "fit/least_squares.h"
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "base/least_squares.h"
 
 #include <Eigen/SVD>
 #include <ceres/ceres.h>

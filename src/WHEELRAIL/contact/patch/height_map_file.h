@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef WHEELRAIL_PATCH_HEIGHT_MAP_FILE_H
+#define WHEELRAIL_PATCH_HEIGHT_MAP_FILE_H
+
+#include "contact/patch/height_map.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace wheelrail {
+
+/// What a file may not know of itself. SI units.
+struct HeightMapScale {
+  double spacingX = 0.0, spacingY = 0.0; ///< m; 0: not given. Both or none
+  double heightUnit = 0.0;               ///< m that a height of 1 in the file is; 0: not given
+};
+
+/// A measured height map. The format is told by what the file begins with, not by its name:
+///
+/// | format | begins with | spacing, unit | rows |
+/// |---|---|---|---|
+/// | GSF, Gwyddion Simple Field 1.0 | "Gwyddion Simple Field 1.0" | XReal/XRes, YReal/YRes in
+/// XYUnits; ZUnits; metres where the head is silent | downwards | | ISO 25178-71 SDF, ASCII,
+/// ISO-1.0 and 2.0 | "aISO-" | Xscale, Yscale, Zscale, metres | upwards | | its forerunner |
+/// "aBCR-1.0" | the same | downwards | | npy 1.0, 2.0, 3.0; float32 or float64, either byte order,
+/// C or Fortran order | "\x93NUMPY" | `scale`, both needed | upwards | | text matrix | anything
+/// else | head, see below | upwards |
+///
+/// *Text matrix.* Head lines begin with '#':
+///   # height: um
+///   # spacing: 5 um           (or two: # spacing: 5 um, 10 um for x and y)
+///   # rows: downwards         (upwards where nothing is said)
+/// then one line for each row of points along x, numbers separated by blanks, commas, semicolons or
+/// tabs.
+///
+/// Unmeasured points are NaN in GSF and npy, BAD in SDF and "nan" in a text matrix. Infinite
+/// heights are refused in every format.
+///
+/// No length that a file states is believed before it was compared with the file's size; maps of
+/// more than 2^27 points (1 GiB) are refused. GSF and npy files must end where their data end; SDF
+/// files of binary kind, compressed or with check sums are refused.
+/// @param scale of npy files; given for a file that states its own, it is an error
+/// @throws Error (BadInput), one line: file, line or byte, what stands there, what is allowed. At
+///         least 4 x 4 points are needed.
+HeightMap readHeightMap(const std::string &path, const HeightMapScale &scale = {});
+
+/// How a measured map becomes roughness; the order of the steps is that of the members.
+struct HeightMapPreparation {
+  HeightMapScale scale;
+  bool turn = false;   ///< rows were measured across the rolling direction
+  bool mirror = false; ///< y is turned around
+  bool fill = false;   ///< fill unmeasured points (`filled`); false: they are refused
+  Form form = Form::Plane;
+  double cutoff = 0.0; ///< of the low-pass filter, m; 0: none
+};
+
+struct PreparedHeightMap {
+  HeightMap map;
+  std::vector<HeightMapStatistics> statistics; ///< after every step that was taken
+};
+
+/// Reads and prepares; the form is taken off before the holes are filled and again after, so that
+/// the fill does not carry it.
+/// @param name put before each step: "rail"
+/// @throws Error (BadInput) as readHeightMap and the steps do; with the file's name for unmeasured
+///         points that are not to be filled
+PreparedHeightMap prepareHeightMap(const std::string &path, const HeightMapPreparation &preparation,
+                                   const std::string &name);
+
+} // namespace wheelrail
+#endif

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef WHEELRAIL_CREEP_FIELD_FILES_H
+#define WHEELRAIL_CREEP_FIELD_FILES_H
+
+#include "contact/patch/grid.h"
+#include "contact/patch/tangential.h"
+
+#include <string>
+#include <vector>
+
+namespace wheelrail {
+
+/// Everything that one point of a patch contact knows of its cells; mm, N, MPa, K. Every vector has
+/// one value a cell, or none where the model does not compute it.
+struct PatchFields {
+  std::vector<PatchState> state; ///< written as 0 apart, 1 stick, 2 slip
+  Eigen::VectorXd gap;           ///< mm, of the deformed surfaces; 0 in contact
+  Eigen::VectorXd pressure;      ///< MPa
+  TangentialField traction;      ///< MPa
+  TangentialField slip;          ///< sliding/rolling speed
+  Eigen::VectorXd mu;
+  Eigen::VectorXd temperature; ///< rise, K
+};
+
+/// VTK image data (.vti, XML, version 1.0) with cell data `state`, `gap`, `pressure`, `traction`
+/// and `slip` (three components, the third 0), `mu`, `temperature`; fields that are empty are left
+/// out. Doubles, raw, appended, little endian: the numbers are those of the computation to the last
+/// bit. Opens in ParaView and with VTK's vtkXMLImageDataReader. x and y in mm.
+/// @param title one line, written as a comment with the units
+std::string vtiBytes(const PatchGrid &grid, const PatchFields &fields, const std::string &title);
+
+/// The same fields as Gwyddion Simple Fields, one file each, in SI units (m, Pa, K) and as float32:
+/// state, gap, pressure, traction_x, traction_y, slip_x, slip_y, mu, temperature.
+struct NamedBytes {
+  std::string name; ///< "pressure"
+  std::string bytes;
+};
+std::vector<NamedBytes> gsfFields(const PatchGrid &grid, const PatchFields &fields,
+                                  const std::string &title);
+
+/// Writes STEM.vti and STEM_NAME.gsf for each field, each whole or not at all.
+/// @param stem path without its ending: "out/fields_0003"
+/// @return the paths written
+/// @throws Error (Io)
+std::vector<std::string> writeFieldFiles(const std::string &stem, const PatchGrid &grid,
+                                         const PatchFields &fields, const std::string &title);
+
+} // namespace wheelrail
+#endif

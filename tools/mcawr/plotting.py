@@ -1,0 +1,16 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""matplotlib without a screen."""
+
+from .errors import missing
+
+
+def pyplot():
+    """The module matplotlib.pyplot. Raises Failure (1) without matplotlib."""
+    try:
+        import matplotlib
+
+        matplotlib.use("Agg")
+        from matplotlib import pyplot as module
+    except ImportError as error:
+        raise missing(error) from None
+    return module

@@ -1,0 +1,299 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""The one way to write a file, and how a script ends: in the package and by every script."""
+
+import json
+import os
+import resource
+import stat
+import subprocess
+import sys
+import threading
+from pathlib import Path
+
+import pytest
+
+TOOLS = Path(__file__).resolve().parents[2] / "tools"
+sys.path.insert(0, str(TOOLS))
+sys.path.insert(0, str(TOOLS.parent / "unittest" / "WHEELRAIL"))
+from test_dump_to_vtk import ATOMS  # noqa: E402
+from test_plot_creep import GOOD as CREEP  # noqa: E402
+from test_plot_fragment import GOOD as DUMP  # noqa: E402
+
+from friction_logs import friction_log  # noqa: E402
+from mcawr import errors, files  # noqa: E402
+from test_plot_layer import HEAD, frame  # noqa: E402
+
+PNG = b"\x89PNG"
+POINT = {
+    "mu": 0.4, "mu_se": 0.01, "mu_grinding_in": 0.5, "mu_peak": 1.0, "mu_eq2": 0.41,
+    "pressure": 15, "velocity": 5, "strength": 92, "viscosity": 0.41, "t_start": 5,
+    "kappa1": 4.7, "kappa2": 365, "left_out": False,
+}  # fmt: skip
+RATE = {"min": 5, "median": 6, "max": 7}
+CASE = {"style": "mca", "ranks": 1, "automata": 1600, "rate": RATE}
+BENCH = {"format": "mca-benchmark 1", "cases": [CASE]}
+FIT = json.dumps({"report": {"points": [POINT, {**POINT, "kappa2": 100, "pressure": 4}]}})
+INPUTS = {
+    "a.csv": CREEP,
+    "fit.json": FIT,
+    "bench.json": json.dumps(BENCH),
+    "a.friction": friction_log(),
+    "a.dump": DUMP,
+    "a.profile": HEAD + frame(1000, 3, 6) + frame(2000, 2, 7),
+    "atoms.dump": ATOMS.format(0),
+}
+# every script that writes a file that the user names
+WRITERS = {
+    "plot_creep.py": ["a.csv", "-o"],
+    "plot_fit.py": ["fit.json", "-o"],
+    "plot_series.py": ["fit.json", "--against", "pressure", "-o"],
+    "plot_benchmark.py": ["bench.json", "-o"],
+    "plot_friction.py": ["a.friction", "-o"],
+    "plot_fragment.py": ["a.dump", "--dpi", "40", "-o"],
+    "plot_layer.py": ["a.profile", "-o"],
+}
+
+
+@pytest.fixture(scope="module", autouse=True)
+def fonts():
+    """matplotlib's list of fonts is made now, not by a script that may write little."""
+    import matplotlib.font_manager  # noqa: F401
+
+
+@pytest.fixture
+def work(tmp_path):
+    for name, text in INPUTS.items():
+        (tmp_path / name).write_text(text)
+    return tmp_path
+
+
+def run(work, script, *words, **more):
+    command = [TOOLS / script, *map(str, words)]
+    return subprocess.run(
+        command, cwd=work, text=True, capture_output=True, timeout=120, check=False, **more
+    )
+
+
+def failed(done, script, *words):
+    """Exit code 5 and one line that says what."""
+    assert done.returncode == 5, done.stderr
+    assert done.stderr.count("\n") == 1 and done.stderr.startswith(f"{script}: "), done.stderr
+    for word in words:
+        assert word in done.stderr, done.stderr
+
+
+def names(work):
+    return sorted(path.name for path in work.iterdir())
+
+
+def small_files():
+    """As a disk that is full after 2000 bytes."""
+    resource.setrlimit(resource.RLIMIT_FSIZE, (2000, 2000))
+
+
+@pytest.fixture
+def node(tmp_path):
+    """A device of our own: as /dev/full, on which every write fails."""
+    path = tmp_path / "full"
+    try:
+        os.mknod(path, 0o666 | stat.S_IFCHR, os.makedev(1, 7))
+        with open(path, "wb"):
+            pass
+    except PermissionError:
+        return Path("/dev/full")  # which a user cannot replace
+    return path
+
+
+# ---- write()
+
+
+def test_new_file_and_old_file(tmp_path):
+    path = tmp_path / "a"
+    files.write(path, "first\n")
+    assert path.read_text() == "first\n"
+    mask = os.umask(0)
+    os.umask(mask)
+    assert stat.S_IMODE(path.stat().st_mode) == 0o666 & ~mask
+    path.chmod(0o640)
+    files.write(path, b"second\n")
+    assert path.read_text() == "second\n" and stat.S_IMODE(path.stat().st_mode) == 0o640
+    assert names(tmp_path) == ["a"]
+
+
+def test_links_stay_links(tmp_path):
+    folder = tmp_path / "far"
+    folder.mkdir()
+    (folder / "old").write_text("old")
+    for target in ("old", "new"):  # of the second there is no file yet
+        link = tmp_path / f"link to {target}"
+        link.symlink_to(folder / target)
+        files.write(link, "text")
+        assert link.is_symlink() and (folder / target).read_text() == "text"
+    assert names(folder) == ["new", "old"]
+
+
+def test_links_in_a_circle(tmp_path):
+    (tmp_path / "a").symlink_to("b")
+    (tmp_path / "b").symlink_to("a")
+    with pytest.raises(errors.Failure, match="cannot be written") as failure:
+        files.write(tmp_path / "a", "text")
+    assert failure.value.code == 5
+
+
+def test_pipe_is_written_into(tmp_path):
+    pipe = tmp_path / "pipe"
+    os.mkfifo(pipe)
+    got = []
+    reader = threading.Thread(target=lambda: got.append(pipe.read_bytes()))
+    reader.start()
+    content = b"x" * 300000  # more than a pipe holds
+    files.write(pipe, content)
+    reader.join(30)
+    assert got == [content] and pipe.is_fifo()
+
+
+def test_device_is_written_into(tmp_path, node):
+    with pytest.raises(errors.Failure, match="No space left on device"):
+        files.write(node, "text")
+    assert node.is_char_device()
+
+
+def test_folder_and_no_folder(tmp_path):
+    for path in (tmp_path, tmp_path / "no" / "a"):
+        with pytest.raises(errors.Failure, match="cannot be written") as failure:
+            files.write(path, "text")
+        assert failure.value.code == 5
+    assert names(tmp_path) == []
+
+
+def test_interrupt_leaves_the_old_file(tmp_path, monkeypatch):
+    path = tmp_path / "a"
+    path.write_text("old")
+
+    def interrupted(*_):
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(os, "fsync", interrupted)
+    with pytest.raises(KeyboardInterrupt):
+        files.write(path, "new")
+    assert path.read_text() == "old" and names(tmp_path) == ["a"]
+
+
+# ---- the scripts
+
+
+@pytest.mark.parametrize("script", WRITERS)
+def test_full_device(script, work, node):
+    done = run(work, script, *WRITERS[script], node)
+    failed(done, script, str(node), "No space left on device")
+    assert node.is_char_device() and node.stat().st_rdev == os.makedev(1, 7)
+
+
+@pytest.mark.parametrize("script", WRITERS)
+def test_full_disk(script, work):
+    (work / "a.png").write_text("of yesterday")
+    before = names(work)
+    done = run(work, script, *WRITERS[script], "a.png", preexec_fn=small_files)
+    failed(done, script, "a.png", "File too large")
+    assert names(work) == before and (work / "a.png").read_text() == "of yesterday"
+
+
+@pytest.mark.parametrize("script", WRITERS)
+def test_link_and_pipe(script, work):
+    os.mkfifo(work / "pipe")
+    (work / "link.png").symlink_to(work / "picture.png")
+    done = run(work, script, *WRITERS[script], "link.png")
+    assert done.returncode == 0, done.stderr
+    assert (work / "link.png").is_symlink()
+    assert (work / "picture.png").read_bytes()[:4] == PNG
+    got = []
+    reader = threading.Thread(target=lambda: got.append((work / "pipe").read_bytes()))
+    reader.start()
+    done = run(work, script, *WRITERS[script], "pipe")
+    reader.join(30)
+    assert done.returncode == 0 and (work / "pipe").is_fifo() and got[0][:4] == PNG
+
+
+def test_format_by_the_name(work):
+    for ending, begin in (("pdf", b"%PDF"), ("svg", b"<?xml"), ("PNG", PNG)):
+        done = run(work, "plot_friction.py", "a.friction", "-o", f"a.{ending}")
+        assert done.returncode == 0, done.stderr
+        assert (work / f"a.{ending}").read_bytes().startswith(begin)
+    done = run(work, "plot_friction.py", "a.friction", "-o", "a.doc")
+    assert done.returncode == 2 and done.stderr.count("\n") == 1 and ".doc" in done.stderr
+
+
+def test_animation_on_a_full_disk(work):
+    before = names(work)
+    done = run(
+        work, "plot_fragment.py", "a.dump", "--dpi", "60", "-o", "a.gif", preexec_fn=small_files
+    )
+    failed(done, "plot_fragment.py", "a.gif", "File too large")
+    assert names(work) == before
+
+
+def test_table_of_layers(work, node):
+    failed(run(work, "plot_layer.py", "a.profile", "--csv", node), "plot_layer.py", str(node))
+    done = run(work, "plot_layer.py", "a.profile", "--csv", "/dev/stdout")
+    assert done.returncode == 0, done.stderr
+    assert done.stdout.startswith("step,centre,depth")
+
+
+def test_vtk(work, node):
+    before = names(work)
+    done = run(work, "dump_to_vtk.py", "atoms.dump", "-o", "a", preexec_fn=lambda: small(500))
+    failed(done, "dump_to_vtk.py", "File too large")
+    assert names(work) == before
+    (work / "b.pvd").symlink_to("c.pvd")
+    assert run(work, "dump_to_vtk.py", "atoms.dump", "-o", "b").returncode == 0
+    assert (work / "b.pvd").is_symlink() and "<VTKFile" in (work / "c.pvd").read_text()
+    (work / "d.pvd").symlink_to(node)
+    failed(run(work, "dump_to_vtk.py", "atoms.dump", "-o", "d"), "dump_to_vtk.py", "d.pvd")
+    assert node.is_char_device()
+
+
+def small(size):
+    resource.setrlimit(resource.RLIMIT_FSIZE, (size, size))
+
+
+# ---- standard output
+
+SPEAKERS = [
+    ("plot_layer.py", ["a.profile"]),
+    ("dump_to_vtk.py", ["atoms.dump", "-o", "a"]),
+    ("campaign", ["list"]),
+    ("campaign", ["list", "pressure"]),
+]
+
+
+@pytest.mark.parametrize("script, words", SPEAKERS)
+def test_output_that_nobody_takes(script, words, work):
+    with open("/dev/full", "w") as full:
+        done = subprocess.run(
+            [TOOLS / script, *words],
+            cwd=work, stdout=full, stderr=subprocess.PIPE, text=True, timeout=120, check=False,
+        )  # fmt: skip
+    failed(done, script, "standard output", "No space left on device")
+    reading, writing = os.pipe()
+    os.close(reading)
+    with os.fdopen(writing, "w") as closed:
+        done = subprocess.run(
+            [TOOLS / script, *words],
+            cwd=work, stdout=closed, stderr=subprocess.PIPE, text=True, timeout=120, check=False,
+        )  # fmt: skip
+    failed(done, script, "standard output", "Broken pipe")
+
+
+@pytest.mark.parametrize("script, words", SPEAKERS)
+def test_nobody_takes_anything(script, words, work):
+    """Neither standard output nor the line that says so."""
+    with open("/dev/full", "w") as full:
+        done = subprocess.run(
+            [TOOLS / script, *words], cwd=work, stdout=full, stderr=full, timeout=120, check=False
+        )
+    assert done.returncode == 5
+
+
+def test_one_line():
+    assert errors.one_line(" a\nb\x1b[31mc\t") == "a\\nb\\x1b[31mc"
+    assert errors.one_line("µ = 0,4 – größer") == "µ = 0,4 – größer"
