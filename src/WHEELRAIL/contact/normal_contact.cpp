@@ -272,7 +272,7 @@ int PressureSearch::jump(double tolerance)
     else if (p == 0.0 && distance < -threshold)
       pressure[i] = little;
     else if (p == problem_.pressureLimit && distance > threshold)
-      pressure[i] -= little;
+      pressure[i] = std::min(p - little, std::nextafter(p, 0.0)); // little may be lost in p
     changed += pressure[i] != p;
   }
   if (changed)

@@ -14,7 +14,10 @@ using Vector = Eigen::VectorXd;
 constexpr double innerTolerance = 0.03; ///< of a Newton step's linear system
 /// r of q = P(q - r S), in units of a cell's stiffness: how far a cell's slip counts when its state
 /// is predicted. The smaller, the slower and the safer.
-constexpr double predictions[] = {0.5, 0.1, 0.02};
+constexpr struct {
+  double prediction;
+  int steps; ///< mostly 5 to 10 are enough where it converges at all
+} attempts[] = {{0.5, 20}, {0.1, 40}, {0.02, 100}};
 constexpr int restart = 30, maxInner = 120;
 
 /// GMRES (Saad, Schultz 1986) from zero, the residual measured after the left preconditioner.
@@ -231,10 +234,10 @@ double FrictionNewton::residualOf(const Vector &x)
 bool FrictionNewton::solve(Vector &x, double tolerance, int maxSteps)
 {
   const Vector start = x;
-  for (double prediction : predictions) {
-    prediction_ = prediction;
+  for (const auto &attempt : attempts) {
+    prediction_ = attempt.prediction;
     x = start;
-    if (iterate(x, tolerance, maxSteps))
+    if (iterate(x, tolerance, std::min(attempt.steps, maxSteps)))
       return true;
   }
   return false;
