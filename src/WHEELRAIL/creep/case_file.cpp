@@ -14,7 +14,8 @@ LineContactSpecification readContact(CaseReader &reader)
 {
   reader.refuse({"contact.radii", "contact.curvatures", "contact.semi_axes", "contact.spin_point",
                  "lateral", "spin", "force", "sequence", "roughness.anisotropy", "roughness.boxes",
-                 "roughness.unmeasured", "moving.start", "static.shift", "fields", "sensitivities"},
+                 "roughness.unmeasured", "roughness.spacing", "roughness.height_unit", "roughness.turn",
+                 "roughness.mirror", "moving.start", "static.shift", "fields", "sensitivities"},
                 "a line contact (contact.load_per_length)");
   for (const char *name :
        {"contact.load_per_length", "contact.youngs_modulus", "contact.poissons_ratio"})

@@ -120,6 +120,28 @@ PatchContactSpecification readContact(CaseReader &reader, bool rough)
   return contact;
 }
 
+/// What npy files do not know of themselves.
+void readScale(CaseReader &reader, const RoughPatchSpecification &surface, HeightMapScale &scale)
+{
+  const auto isNpy = [](const std::string &file) {
+    return file.size() > 4 && file.substr(file.size() - 4) == ".npy";
+  };
+  const bool any = std::any_of(surface.rail.begin(), surface.rail.end(), isNpy) ||
+                   std::any_of(surface.wheel.begin(), surface.wheel.end(), isNpy);
+  if (!any) {
+    reader.refuse({"roughness.spacing", "roughness.height_unit"},
+                  "maps that state it themselves; it is for npy files");
+    return;
+  }
+  for (const char *name : {"roughness.spacing", "roughness.height_unit"})
+    reader.require(name);
+  const std::vector<double> spacing = reader.numbers("roughness.spacing");
+  if (spacing.size() > 2)
+    reader.fail("roughness.spacing", fmt::format("{} values; one, or two for x and y, are expected",
+                                                 spacing.size()));
+  scale = {spacing.front(), spacing.back(), reader.number("roughness.height_unit")};
+}
+
 void readMeasured(CaseReader &reader, const std::string &caseFile, RoughPatchSpecification &surface)
 {
   reader.refuse({"roughness.hurst", "roughness.rms_slope", "roughness.rms_height",
@@ -139,18 +161,27 @@ void readMeasured(CaseReader &reader, const std::string &caseFile, RoughPatchSpe
     reader.fail("roughness.wheel",
                 fmt::format("{} files; as many as of roughness.rail, {}, are expected",
                             surface.wheel.size(), surface.rail.size()));
+  HeightMapPreparation common;
   if (reader.has("roughness.cutoff"))
-    surface.cutoff = reader.number("roughness.cutoff");
+    common.cutoff = reader.number("roughness.cutoff");
   const std::vector<std::string> orders = choicesOf(*findKeyword("roughness.detrend"));
   const std::string order = reader.word("roughness.detrend");
-  surface.form =
-      static_cast<int>(std::find(orders.begin(), orders.end(), order) - orders.begin()) - 1;
-  surface.fillUnmeasured = reader.word("roughness.unmeasured") == "fill";
+  constexpr Form forms[] = {Form::None, Form::Mean, Form::Plane, Form::SecondOrder};
+  common.form = forms[std::find(orders.begin(), orders.end(), order) - orders.begin()];
+  common.fill = reader.word("roughness.unmeasured") == "fill";
+  readScale(reader, surface, common.scale);
+  surface.railMap = surface.wheelMap = common;
+  const std::string turn = reader.word("roughness.turn"), mirror = reader.word("roughness.mirror");
+  surface.railMap.turn = turn == "rail" || turn == "both";
+  surface.wheelMap.turn = turn == "wheel" || turn == "both";
+  surface.railMap.mirror = mirror == "rail" || mirror == "both";
+  surface.wheelMap.mirror = mirror == "wheel" || mirror == "both";
 }
 
 void readFractal(CaseReader &reader, RoughPatchSpecification &surface)
 {
-  reader.refuse({"roughness.cutoff", "roughness.detrend", "roughness.unmeasured"},
+  reader.refuse({"roughness.cutoff", "roughness.detrend", "roughness.unmeasured",
+                 "roughness.spacing", "roughness.height_unit", "roughness.turn", "roughness.mirror"},
                 "a generated surface");
   for (const char *name :
        {"roughness.hurst", "roughness.wavelength_min", "roughness.wavelength_max"})
@@ -329,6 +360,10 @@ PatchSpecification readPatch(CaseReader &reader, const std::string &caseFile)
   if (patch.mode != PatchMode::Static)
     patch.speed = reader.numbers("speed");
   patch.fields = readFields(reader);
+  const std::size_t total = patchTasks(patch).size();
+  for (int number : patch.fields.numbers)
+    if (number > static_cast<int>(total))
+      reader.fail("fields", fmt::format("'{}' is above the number of points, {}", number, total));
   patch.sensitivities = reader.flag("sensitivities");
   return patch;
 }

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <complex>
 #include <fmt/format.h>
-#include <map>
+#include <tuple>
 
 namespace wheelrail {
 namespace {
@@ -88,18 +88,24 @@ Vector heights(const std::vector<Wave> &waves, bool onWheel, int nx, int ny)
   return sum;
 }
 
-/// Root mean square of gradient and height, known from the waves.
-PatchStatistics statisticsOf(const std::vector<Wave> &waves, double lengthX, double lengthY,
-                             double shortest)
+/// Known from the waves.
+HeightMapStatistics statisticsOf(const std::vector<Wave> &waves, double lengthX, double lengthY,
+                                 double shortest)
 {
-  double height = 0.0, slope = 0.0;
+  double height = 0.0, alongX = 0.0, alongY = 0.0;
   for (const Wave &wave : waves) {
     const double square = 0.5 * wave.amplitude * wave.amplitude;
     height += square;
-    slope += square * (std::pow(2.0 * pi * wave.i / lengthX, 2) +
-                       std::pow(2.0 * pi * wave.j / lengthY, 2));
+    alongX += square * std::pow(2.0 * pi * wave.i / lengthX, 2);
+    alongY += square * std::pow(2.0 * pi * wave.j / lengthY, 2);
   }
-  return {"generated", std::sqrt(height), std::sqrt(slope), shortest};
+  HeightMapStatistics statistics;
+  statistics.step = "generated";
+  statistics.rmsHeight = std::sqrt(height);
+  statistics.rmsSlopeX = std::sqrt(alongX);
+  statistics.rmsSlopeY = std::sqrt(alongY);
+  statistics.shortestWavelength = shortest;
+  return statistics;
 }
 
 } // namespace

@@ -58,7 +58,83 @@ void checkInside(const Place &place, int first, int n, int size, const char *dir
                             direction, low, high, size));
 }
 
+/// One measured map, from the file to cells of the box's size.
+RoughMap measuredMap(const std::string &path, const HeightMapPreparation &preparation,
+                     const std::string &name, const PatchGrid &box, double travel,
+                     RoughPatch &patch)
+{
+  HeightMapPreparation own = preparation;
+  if (path.size() < 4 || path.substr(path.size() - 4) != ".npy")
+    own.scale = {};
+  const PreparedHeightMap prepared = prepareHeightMap(path, own, name);
+  for (const HeightMapStatistics &step : prepared.statistics) {
+    patch.statistics.push_back(step);
+    if (&step == &prepared.statistics.front() && step.unmeasured > 0)
+      patch.remarks.push_back(fmt::format("roughness.unmeasured: {}: {} of {} points had no height "
+                                          "and were filled",
+                                          path, step.unmeasured,
+                                          prepared.map.nx * prepared.map.ny));
+  }
+  RoughMap map;
+  map.periodic = false;
+  // what stands still needs the middle only; what travels, all there is, from its beginning on
+  PatchGrid cells = box;
+  if (travel > 0.0)
+    cells = coveredGrid(prepared.map, box.dx, box.dy, 1.0);
+  if (cells.nx < box.nx || cells.ny < box.ny)
+    cells = box; // the message is that of `resampled`
+  map.nx = cells.nx;
+  map.ny = cells.ny;
+  map.firstY = (cells.ny - box.ny) / 2;
+  try {
+    map.height = resampled(prepared.map, cells, 1.0);
+  } catch (const Error &error) {
+    throw Error(error.code(), fmt::format("{}: {}", path, error.what()));
+  }
+  HeightMap sampledMap{map.nx, map.ny, box.dx, box.dy, map.height};
+  patch.statistics.push_back(
+      heightMapStatistics(name + ": on the cells", sampledMap, preparation.cutoff));
+  return map;
+}
+
+RoughPatch measuredPatch(const RoughPatchSpecification &specification, std::size_t index,
+                         const PatchGrid &box, double travel)
+{
+  RoughPatch patch;
+  patch.number = index + 1;
+  if (!specification.rail.empty())
+    patch.rail = measuredMap(specification.rail[index], specification.railMap, "rail", box, travel,
+                             patch);
+  if (!specification.wheel.empty())
+    patch.wheel = measuredMap(specification.wheel[index], specification.wheelMap, "wheel", box,
+                              travel, patch);
+  patch.shortestWave = std::max(specification.railMap.cutoff, specification.wheelMap.cutoff);
+  if (patch.shortestWave > 0.0 &&
+      patch.shortestWave < advisedCellsPerWave * std::max(box.dx, box.dy))
+    patch.remarks.push_back(
+        fmt::format("roughness.cutoff: waves of {:.4g} mm have {:.1f} cells; {:g} are advised",
+                    patch.shortestWave * 1e3, patch.shortestWave / std::max(box.dx, box.dy),
+                    advisedCellsPerWave));
+  if (patch.shortestWave == 0.0)
+    patch.remarks.push_back("roughness.cutoff: not given; waves of the measured maps that are "
+                            "shorter than 8 cells are not resolved");
+  return patch;
+}
+
 } // namespace
+
+RoughPatch prepareRoughPatch(const RoughPatchSpecification &specification, std::size_t index,
+                             const PatchGrid &box, double travel)
+{
+  switch (specification.kind) {
+  case RoughnessKind::Fractal:
+    return fractalPatch(specification.fractal, specification.seeds[index], box, travel);
+  case RoughnessKind::Measured:
+    return measuredPatch(specification, index, box, travel);
+  default:
+    return {};
+  }
+}
 
 Vector RoughMap::window(const PatchGrid &box, const Travel &travel) const
 {

@@ -3,7 +3,7 @@
 #define WHEELRAIL_ROUGH_PATCH_H
 
 #include "contact/line/surface.h"
-#include "contact/patch/grid.h"
+#include "contact/patch/height_map_file.h"
 
 #include <cstdint>
 #include <string>
@@ -53,19 +53,10 @@ struct RoughPatchSpecification {
   FractalPatch fractal;
   std::vector<std::uint64_t> seeds;     ///< Fractal: one surface each
   std::vector<std::string> rail, wheel; ///< Measured: files; one list may be empty
-  double cutoff = 0.0;                  ///< Measured: m; 0: none
-  int form = 1; ///< Measured: order of the polynomial taken off; below 0: none
-  bool fillUnmeasured = false; ///< Measured: fill points without a height, else refuse them
-  double spacing = 0.0;        ///< Measured, npy: m; 0: not given
+  HeightMapPreparation railMap, wheelMap; ///< Measured: the scale is that of npy files
 
   std::size_t surfaces() const;
   const char *surfaceName() const { return kind == RoughnessKind::Fractal ? "seed" : "surface"; }
-};
-
-struct PatchStatistics {
-  std::string step;                  ///< such as "rail: as read"
-  double rmsHeight, rmsSlope;        ///< m; of the gradient
-  double shortestWavelength = 0.0;   ///< m; 0: not known
 };
 
 /// Both surfaces of one contact.
@@ -73,7 +64,7 @@ struct RoughPatch {
   std::uint64_t number = 0; ///< seed, or number of the pair of maps from 1 on; 0: smooth
   RoughMap wheel, rail;
   double shortestWave = 0.0; ///< m; 0: not known
-  std::vector<PatchStatistics> statistics;
+  std::vector<HeightMapStatistics> statistics; ///< after every step of the preparation
   std::vector<std::string> remarks; ///< what was done to the maps that a user must know
 };
 

@@ -193,8 +193,8 @@ PatchStep MovingPatch::roll(TransientPatch &transient, Temperature &heat, double
                     ? sums.drivingPower * speed / (load * sliding)
                     : row.muMean;
   heat.slidingSpeed += sliding;
-  fields_ = {normal_.pressure, normal_.gap, mu, heat.values, result.traction, result.slip,
-             result.state};
+  fields_ = {result.state, normal_.gap, normal_.pressure, result.traction,
+             result.slip,  mu,          heat.values};
   return row;
 }
 

@@ -65,7 +65,7 @@ class MovingPatch {
                                   const std::function<bool()> &goOn);
 
   const std::vector<PatchStep> &series() const { return series_; }
-  const PatchFields &fields() const { return fields_; } ///< of the last step
+  const PatchFields &fields() const { return fields_; } ///< of the last step, SI
 
  private:
   struct Temperature;

@@ -60,7 +60,7 @@ struct PatchCurves {
   std::vector<PatchContact> contacts; ///< by surface, then load
   std::vector<PatchContactSummary> summaries;
   std::vector<PatchPoint> points; ///< by surface, load, speed, spin, lateral, longitudinal
-  std::map<int, PatchFields> fields;               ///< by number of the point, from 1 on
+  std::map<int, PatchFields> fields;               ///< SI, by number of the point, from 1 on
   std::map<int, std::vector<PatchStep>> series;    ///< of mode Moving, likewise
   std::vector<std::string> warnings;
   int resumed = 0;

@@ -6,6 +6,7 @@
 #include "contact/patch/tangential.h"
 #include "contact/patch/patch_half_space.h"
 #include "creep/creep_physics.h"
+#include "creep/field_files.h"
 
 #include <cmath>
 #include <optional>
@@ -45,13 +46,6 @@ struct PatchPoint {
   double tractionRatio() const { return traction() / load; }
 };
 
-/// Everything in the plane of contact, per cell; SI units.
-struct PatchFields {
-  Eigen::VectorXd pressure, gap, mu, temperature;
-  TangentialField traction, slip; ///< slip: sliding/rolling speed
-  std::vector<PatchState> state;
-};
-
 /// Load-weighted root mean square of the rigid slip, relative to the rolling speed: the creep of a
 /// contact without spin.
 double rigidSlip(const PatchGrid &grid, const Eigen::VectorXd &pressure, const Creepage &creepage);
@@ -78,7 +72,7 @@ class FrozenPatch {
   /// @throws Error (NotConverged), Error (BadInput) for a force that friction cannot carry
   PatchPoint solve(const FrictionLaw &law, double speed, const PatchDrive &drive);
 
-  const PatchFields &fields() const { return fields_; }
+  const PatchFields &fields() const { return fields_; } ///< in SI units, of the last call
 
  private:
   TangentialResult roll(const PatchDrive &drive, const Creepage &guess);

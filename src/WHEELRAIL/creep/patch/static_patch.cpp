@@ -14,8 +14,10 @@ StaticPatch solveStaticPatch(const CreepPhysics &physics, const FrictionLaw &law
   const Eigen::VectorXd zero = Eigen::VectorXd::Zero(contact.grid.cells());
   StaticPatch still;
   // nothing slides on, nothing heats
-  still.fields = {pressure, contact.normal.gap,
-                  frictionCoefficient(physics.friction, law, pressure, 0.0, zero), zero, {}, {}, {}};
+  still.fields.pressure = pressure;
+  still.fields.gap = contact.normal.gap;
+  still.fields.mu = frictionCoefficient(physics.friction, law, pressure, 0.0, zero);
+  still.fields.temperature = zero;
   TransientPatch transient(contact.grid, contact.pair);
   TransientPatch::Step step;
   step.bound = still.fields.mu.cwiseProduct(pressure);
