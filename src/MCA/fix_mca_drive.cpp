@@ -199,7 +199,8 @@ void FixMCADrive::setup(int vflag)
         else
           log.begin(path,
                     {pair->material(lowest), evaluate(pressure), evaluate(velocity), domain->xprd,
-                     thickness, pair->cell(lowest).packing.name, static_cast<long long>(atom->natoms), pair->laws().words(),
+                     thickness, pair->cell(lowest).packing.name,
+                     static_cast<long long>(atom->natoms), pair->laws().words(),
                      update->dt, every, seed, LMP_VERNUM},
                     units);
       } catch (const std::runtime_error &e) {

@@ -3,7 +3,7 @@
 #include "base/errors.h"
 #include "base/output_file.h"
 #include "base/quantity.h"
-#include "fit/fit_analysis.h"
+#include "fit/fit_report.h"
 #include "fit/friction_log.h"
 #include "fit/plot_script.h"
 #include "shared/nearest_word.h"

@@ -1,5 +1,7 @@
 #include "sample.h"
 
+#include "shared/nearest_word.h"
+
 #include <gmock/gmock.h>
 
 #include <cmath>

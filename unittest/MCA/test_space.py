@@ -267,6 +267,11 @@ def test_same_on_all_ranks(serial, blocks, tmp_path, ranks, newton, extra):
     compare(frame, serial[0], 1e-12)
 
 
+def test_the_log_names_its_packing(blocks, tmp_path):
+    lmp("in.space_sliding", tmp_path, data=blocks)
+    assert "packing: fcc, " in friction_log(tmp_path / "sliding.friction")[0]
+
+
 def test_plain_steps(serial, blocks, tmp_path):
     one, _ = slide(tmp_path / "one", blocks, scheme="plain", extra=ACCOUNT)
     two, _ = slide(tmp_path / "two", blocks, scheme="plain", ranks=2)

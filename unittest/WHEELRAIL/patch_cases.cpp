@@ -20,8 +20,7 @@ Eigen::VectorXd waves(const wheelrail::PatchGrid &grid, double rmsSlope, double 
     const double k = 2.0 * pi / length;
     const double amplitude = std::sqrt(2.0 / count) * rmsSlope / k;
     height += sampled(grid, [&](double x, double y) {
-      return amplitude *
-             std::cos(k * (std::cos(direction) * x + std::sin(direction) * y) + phase);
+      return amplitude * std::cos(k * (std::cos(direction) * x + std::sin(direction) * y) + phase);
     });
   }
   return height;

@@ -71,9 +71,9 @@ TEST(LawSpread, SamplesSeeWhatIsNotLinear)
 TEST(LawSpread, TheSeedAloneDecides)
 {
   const LawCovariance covariance = 1e-6 * LawCovariance::Identity();
-  Case input = by(UncertaintyMethod::Sampled, 50);
+  SpreadSpecification input = by(UncertaintyMethod::Sampled, 50);
   const LawSpread first(input, lawWith(covariance)), again(input, lawWith(covariance));
-  input.uncertaintySeed = 2;
+  input.seed = 2;
   const LawSpread other(input, lawWith(covariance));
   ASSERT_EQ(first.laws().size(), 51u);
   for (std::size_t k = 1; k < first.laws().size(); ++k) {

@@ -157,15 +157,13 @@ TEST(PatchCases, CreepCurveOfAWheel)
   EXPECT_NEAR(hertz.a, 6.3035, 1e-3);
   EXPECT_NEAR(hertz.hertzPressure, 641.05, 0.05);
   const double creeps[] = {4e-4, 1.2e-3, 2e-3, 2.8e-3};
-  const double forces[2][4] = {{0.2588, 0.6482, 0.8816, 0.9832}, // reference
+  const double forces[2][4] = {{0.2588, 0.6482, 0.8816, 0.9832},      // reference
                                {0.25627, 0.64231, 0.87540, 0.98071}}; // numpy program
   const int stick[] = {1182, 782, 422, 132};
   for (int level = 0; level < 2; ++level) {
     const int refined = level ? 3 : 1;
-    const PatchGrid grid =
-        centredGrid(48 * refined, 44 * refined, 2.2 * 6.30352, 2.2 * 12.60756);
-    const NormalContactResult normal =
-        pressed(grid, pair, A, hertz.curvatures.B, load);
+    const PatchGrid grid = centredGrid(48 * refined, 44 * refined, 2.2 * 6.30352, 2.2 * 12.60756);
+    const NormalContactResult normal = pressed(grid, pair, A, hertz.curvatures.B, load);
     TangentialSolver solver(grid, pair);
     TangentialOptions options;
     for (int i = 0; i < 4; ++i) {
@@ -227,8 +225,7 @@ TEST(PatchCases, OneRowOfLongCellsIsCarter)
       TangentialProblem problem;
       problem.bound = mu * normal.pressure;
       problem.creepage.xi = creeps[i] * saturation;
-      const double ratio =
-          -patchSums(grid, solver.solve(problem)).forceX / (mu * load);
+      const double ratio = -patchSums(grid, solver.solve(problem)).forceX / (mu * load);
       EXPECT_NEAR(ratio, exact[i], 4.0 / n * exact[i]); // first order
       if (n == 400) {
         EXPECT_NEAR(ratio, fine[i], halfDigit * 1e-5);

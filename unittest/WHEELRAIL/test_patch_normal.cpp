@@ -51,8 +51,7 @@ TEST(PatchNormal, HertzianEllipse)
   double before = 1.0;
   for (int n : {32, 64, 128}) {
     const PatchGrid grid = centredGrid(n, n, 3.0, 6.0);
-    const NormalContactResult normal =
-        pressed(grid, pair, h.curvatures.A, h.curvatures.B, h.load);
+    const NormalContactResult normal = pressed(grid, pair, h.curvatures.A, h.curvatures.B, h.load);
     const Vector exact = sampled(grid, [&](double x, double y) { return h.pressure(x, y); });
     const double error = (normal.pressure - exact).lpNorm<1>() / exact.lpNorm<1>();
     EXPECT_LT(error, 0.5 * before); // 9e-3, 3e-3, 1e-3: the edge is a line of cells
@@ -109,9 +108,8 @@ TEST(PatchNormal, ConditionsHoldOnRandomSurfaces)
         problem.pressureLimit = hardness * h.hertzPressure;
         const NormalContactResult result = solveNormalContact(space, problem);
         EXPECT_NEAR(result.pressure.sum(), problem.load, 1e-12 * problem.load);
-        const Vector distance =
-            problem.profile + space.displacement(result.pressure) -
-            Vector::Constant(grid.cells(), result.approach);
+        const Vector distance = problem.profile + space.displacement(result.pressure) -
+                                Vector::Constant(grid.cells(), result.approach);
         const double scale = space.displacementScale(problem.load);
         for (int i = 0; i < grid.cells(); ++i) {
           ASSERT_GE(result.pressure[i], 0.0);

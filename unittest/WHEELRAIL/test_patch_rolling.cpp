@@ -196,8 +196,7 @@ TEST(PatchRolling, FullSlidingCarriesAllFriction)
   problem.bound = sphere.bound(grid);
   const double angle = 0.3, creep = 100.0 * sphere.creepUnit();
   problem.creepage = {creep * std::cos(angle), creep * std::sin(angle), 0.0};
-  const PatchSums sums =
-      patchSums(grid, TangentialSolver(grid, sphere.pair).solve(problem));
+  const PatchSums sums = patchSums(grid, TangentialSolver(grid, sphere.pair).solve(problem));
   const double most = problem.bound.sum() * grid.cellArea();
   EXPECT_NEAR(std::hypot(sums.forceX, sums.forceY), most, 1e-3 * most);
   EXPECT_NEAR(std::atan2(-sums.forceY, -sums.forceX), angle, 1e-3);
@@ -207,8 +206,8 @@ TEST(PatchRolling, FullSlidingCarriesAllFriction)
 
 TEST(PatchRolling, ConditionsHoldCellByCell)
 {
-  // |q| <= bound; in slip |q| = bound and q against the slip; in stick no slip; and the slip is that
-  // of the definition, computed here anew
+  // |q| <= bound; in slip |q| = bound and q against the slip; in stick no slip; and the slip is
+  // that of the definition, computed here anew
   const ElasticPair pair{1.0, 0.3};
   const PatchGrid grid = centredGrid(48, 48, 3.4, 3.4);
   const Vector bound = 0.3 * roughSphere(grid, pair, 0.01).pressure;
@@ -289,8 +288,7 @@ TEST(PatchRolling, PowerClosesInFirstOrder)
     TangentialProblem problem;
     problem.bound = sphere.bound(grid);
     problem.creepage.xi = 0.2329 * sphere.creepUnit();
-    const PatchSums sums =
-        patchSums(grid, TangentialSolver(grid, sphere.pair).solve(problem));
+    const PatchSums sums = patchSums(grid, TangentialSolver(grid, sphere.pair).solve(problem));
     const double open = 1.0 - sums.powerClosure();
     EXPECT_GT(open, 0.0);
     EXPECT_LT(open, 0.56 * before);
@@ -319,8 +317,7 @@ TEST(PatchRolling, SpheresForces)
       problem.bound = sphere.bound(grid);
       problem.creepage = {c.scaled.xi * sphere.creepUnit(), c.scaled.eta * sphere.creepUnit(),
                           c.scaled.phi * sphere.creepUnit()};
-      const PatchSums sums =
-          patchSums(grid, TangentialSolver(grid, sphere.pair).solve(problem));
+      const PatchSums sums = patchSums(grid, TangentialSolver(grid, sphere.pair).solve(problem));
       value[level] << sums.forceX, sums.forceY, sums.momentZ;
     }
     const Eigen::Vector3d limit = (2.0 * value[1] - value[0]) / (sphere.mu * sphere.load);
@@ -336,10 +333,11 @@ TEST(PatchRolling, KalkersCoefficients)
   // table (1990, nu .25, a/b 1): 4.12 3.67 1.47 1.19
   const struct {
     double axes, nu, c11, c22, c23, c33;
-  } table[] = {{0.2, 0.25, 3.3751, 2.6327, 0.6027, 4.296}, {0.2, 0.3, 3.5911, 2.6400, 0.6344, 4.515},
-               {0.5, 0.25, 3.6255, 3.0125, 0.9279, 1.939}, {0.5, 0.3, 3.8215, 3.0389, 0.9525, 1.988},
-               {1.0, 0.25, 4.1128, 3.6681, 1.4657, 1.185}, {1.0, 0.3, 4.2936, 3.7273, 1.4957, 1.180},
-               {2.0, 0.25, 5.0997, 4.9079, 2.6228, 0.821}, {2.0, 0.3, 5.2731, 5.0292, 2.6851, 0.789}};
+  } table[] = {
+      {0.2, 0.25, 3.3751, 2.6327, 0.6027, 4.296}, {0.2, 0.3, 3.5911, 2.6400, 0.6344, 4.515},
+      {0.5, 0.25, 3.6255, 3.0125, 0.9279, 1.939}, {0.5, 0.3, 3.8215, 3.0389, 0.9525, 1.988},
+      {1.0, 0.25, 4.1128, 3.6681, 1.4657, 1.185}, {1.0, 0.3, 4.2936, 3.7273, 1.4957, 1.180},
+      {2.0, 0.25, 5.0997, 4.9079, 2.6228, 0.821}, {2.0, 0.3, 5.2731, 5.0292, 2.6851, 0.789}};
   for (const auto &row : table) {
     const KalkerCoefficients k = ellipseKalkerCoefficients(row.axes, row.nu);
     EXPECT_NEAR(k.c11, row.c11, 0.003 * row.c11);
@@ -360,8 +358,8 @@ TEST(PatchRolling, StiffnessOfAnEllipse)
   EXPECT_NEAR(minor, 0.848863, 1e-6);
   EXPECT_NEAR(major, 0.799664, 1e-6);
   const PatchGrid grid = centredGrid(80, 80, 2.0, 4.0);
-  const Vector inside = sampled(
-      grid, [](double x, double y) { return x * x + 0.25 * y * y < 1.0 ? 1.0 : 0.0; });
+  const Vector inside =
+      sampled(grid, [](double x, double y) { return x * x + 0.25 * y * y < 1.0 ? 1.0 : 0.0; });
   PatchHalfSpace space(grid, pair);
   NormalContactProblem punch;
   punch.profile = (inside.array() > 0.0).select(Vector::Zero(grid.cells()), 1e3);

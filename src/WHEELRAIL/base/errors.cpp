@@ -4,8 +4,7 @@
 
 namespace wheelrail {
 
-Error::Error(ExitCode code, const std::string &message)
-    : std::runtime_error(message), exitCode(code)
+Error::Error(ExitCode code, const std::string &message) : std::runtime_error(message), code_(code)
 {
 }
 
@@ -18,9 +17,9 @@ Error badInput(const std::string &file, int line, const std::string &keyword,
   if (!keyword.empty())
     text += fmt::format(": {}", keyword);
   Error error(ExitCode::BadInput, fmt::format("{}: {}", text, problem));
-  error.fileName = file;
-  error.lineNumber = line;
-  error.keywordName = keyword;
+  error.file_ = file;
+  error.line_ = line;
+  error.keyword_ = keyword;
   return error;
 }
 

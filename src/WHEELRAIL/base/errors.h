@@ -17,22 +17,23 @@ enum class ExitCode : int {
   Interrupted = 6   ///< interrupted; the same call goes on where it stopped
 };
 
-/// What a user can act on: one line that names file, line, keyword, the value given and what is
-/// allowed. The library never prints and never exits; programs print what() and exit with code().
+/// What a user can act on (bugs of ours are std::logic_error or an Error with code Internal): one
+/// line that names file, line, keyword, the value given and what is allowed. The library never
+/// prints and never exits; programs print what() and exit with code().
 class Error : public std::runtime_error {
  public:
   Error(ExitCode code, const std::string &message);
 
-  ExitCode code() const { return exitCode; }
-  const std::string &file() const { return fileName; }
-  int line() const { return lineNumber; } ///< 1-based; 0: no line
-  const std::string &keyword() const { return keywordName; }
+  ExitCode code() const { return code_; }
+  const std::string &file() const { return file_; }
+  int line() const { return line_; } ///< 1-based; 0: no line
+  const std::string &keyword() const { return keyword_; }
 
  private:
   friend Error badInput(const std::string &, int, const std::string &, const std::string &);
-  ExitCode exitCode;
-  std::string fileName, keywordName;
-  int lineNumber = 0;
+  ExitCode code_;
+  std::string file_, keyword_;
+  int line_ = 0;
 };
 
 /// A fault in an input file (exit code 3): "FILE:LINE: keyword: problem".

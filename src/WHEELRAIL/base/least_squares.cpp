@@ -54,33 +54,33 @@ bool numericalJacobian(const LeastSquaresProblem &problem, const Eigen::VectorXd
 /// The problem as Ceres asks for it.
 class Cost : public ceres::CostFunction {
  public:
-  explicit Cost(const LeastSquaresProblem &given) : problem(given)
+  explicit Cost(const LeastSquaresProblem &given) : problem_(given)
   {
-    set_num_residuals(problem.residuals);
-    mutable_parameter_block_sizes()->push_back(problem.parameters);
+    set_num_residuals(problem_.residuals);
+    mutable_parameter_block_sizes()->push_back(problem_.parameters);
   }
 
   bool Evaluate(double const *const *parameters, double *residuals,
                 double **jacobians) const override
   {
-    const Eigen::VectorXd x = Eigen::Map<const Eigen::VectorXd>(parameters[0], problem.parameters);
-    Eigen::VectorXd r(problem.residuals);
+    const Eigen::VectorXd x = Eigen::Map<const Eigen::VectorXd>(parameters[0], problem_.parameters);
+    Eigen::VectorXd r(problem_.residuals);
     Eigen::MatrixXd jacobian;
     const bool wanted = jacobians != nullptr && jacobians[0] != nullptr;
     if (wanted)
-      jacobian.setZero(problem.residuals, problem.parameters);
-    if (!problem.evaluate(x, r, wanted && problem.hasJacobian ? &jacobian : nullptr))
+      jacobian.setZero(problem_.residuals, problem_.parameters);
+    if (!problem_.evaluate(x, r, wanted && problem_.hasJacobian ? &jacobian : nullptr))
       return false;
-    if (wanted && !problem.hasJacobian && !numericalJacobian(problem, x, jacobian))
+    if (wanted && !problem_.hasJacobian && !numericalJacobian(problem_, x, jacobian))
       return false;
-    Eigen::Map<Eigen::VectorXd>(residuals, problem.residuals) = r;
+    Eigen::Map<Eigen::VectorXd>(residuals, problem_.residuals) = r;
     if (wanted)
-      Eigen::Map<RowMajor>(jacobians[0], problem.residuals, problem.parameters) = jacobian;
+      Eigen::Map<RowMajor>(jacobians[0], problem_.residuals, problem_.parameters) = jacobian;
     return true;
   }
 
  private:
-  const LeastSquaresProblem &problem;
+  const LeastSquaresProblem &problem_;
 };
 
 void checkSizes(const LeastSquaresProblem &problem, const std::vector<Eigen::VectorXd> &starts)
@@ -216,29 +216,29 @@ class ProfileEnd {
  public:
   ProfileEnd(const LeastSquaresProblem &given, const LeastSquaresSolution &solution, int parameter,
              double allowedRise)
-      : problem(given), k(parameter), minimum(solution.sumOfSquares), rise(allowedRise),
-        nearest(solution.x)
+      : problem_(given), k_(parameter), minimum_(solution.sumOfSquares), rise_(allowedRise),
+        nearest_(solution.x)
   {
-    if (problem.constant.empty())
-      problem.constant.assign(problem.parameters, false);
-    problem.constant[k] = true;
+    if (problem_.constant.empty())
+      problem_.constant.assign(problem_.parameters, false);
+    problem_.constant[k_] = true;
   }
 
   /// sqrt((S(value) - S_min)/rise): 1 at the end looked for, nearly linear in between.
   double operator()(double value)
   {
-    Eigen::VectorXd start = nearest;
-    start[k] = value;
-    const auto solution = solveLeastSquares(problem, {start});
-    nearest = solution.x;
-    return std::sqrt(std::max(0.0, solution.sumOfSquares - minimum) / rise);
+    Eigen::VectorXd start = nearest_;
+    start[k_] = value;
+    const auto solution = solveLeastSquares(problem_, {start});
+    nearest_ = solution.x;
+    return std::sqrt(std::max(0.0, solution.sumOfSquares - minimum_) / rise_);
   }
 
  private:
-  LeastSquaresProblem problem;
-  int k;
-  double minimum, rise;
-  Eigen::VectorXd nearest; // warm start
+  LeastSquaresProblem problem_;
+  int k_;
+  double minimum_, rise_;
+  Eigen::VectorXd nearest_; // warm start
 };
 
 } // namespace

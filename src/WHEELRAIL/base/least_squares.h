@@ -29,6 +29,7 @@ struct LeastSquaresProblem {
   std::vector<bool> constant; ///< parameters held at their start; empty: none
 };
 
+/// Where the solver came to; in the units of the problem.
 struct LeastSquaresSolution {
   Eigen::VectorXd x;
   double sumOfSquares = 0.0;
@@ -56,13 +57,17 @@ Identifiability analyseJacobian(const Eigen::MatrixXd &jacobian, const std::vect
 
 /// Profile-likelihood interval of parameter k: the values at which the sum of squares, minimised
 /// over the other parameters, exceeds its minimum by `rise`. An end that lies beyond a bound, or
-/// that is not met within `reach` standard errors, is open.
+/// that is not met within `reach` standard errors, is open. Ends are found to a millionth of the
+/// standard error.
 struct Interval {
   double lower = 0.0;
   double upper = 0.0;
   bool lowerOpen = false; ///< `lower` is then the bound, or -infinity
   bool upperOpen = false;
 };
+/// @param solution of solveLeastSquares; k: number of the parameter, not a constant one
+/// @param standardError > 0, of the parameter: the first stride outwards
+/// @param rise > 0, of the sum of squares; Student's t squared where residuals have unit variance
 Interval profileInterval(const LeastSquaresProblem &problem, const LeastSquaresSolution &solution,
                          int k, double standardError, double rise, double reach = 50.0);
 

@@ -2,6 +2,7 @@
 
 #include "shared/plain_number.h"
 
+#include <algorithm>
 #include <cctype>
 #include <cmath>
 #include <cstring>
@@ -51,8 +52,15 @@ double leadingNumber(const std::string &text, std::string &rest)
 {
   const std::string body = trimmed(text);
   const auto number = mcawr::leadingNumber(body);
-  if (!number)
-    throw std::invalid_argument(fmt::format("'{}' is not a finite number", text));
+  if (!number) {
+    // "nan", "inf" and 1e999 are numbers of a kind; the message says what is wrong with them
+    const auto first = std::min(body.find_first_not_of("+-."), body.size());
+    const std::string word = body.substr(first, 3);
+    const bool isOne =
+        std::isdigit(static_cast<unsigned char>(word[0])) || word == "nan" || word == "inf";
+    throw std::invalid_argument(
+        fmt::format(isOne ? "'{}' is not finite" : "'{}' is not a number", text));
+  }
   rest = trimmed(std::string(number->rest));
   return number->value;
 }

@@ -8,16 +8,28 @@
 
 namespace wheelrail {
 
+/// How a solution was reached.
 struct GmresReport {
-  int products = 0;      ///< products with the operator
+  int products = 0;      ///< products with the operator, the one for each restart included
   double residual = 0.0; ///< |b - A x| / scale
   bool converged = false;
 };
 
 /// Restarted GMRES (Saad, Schultz 1986) with a preconditioner on the right, so that the residual is
-/// the true one. `apply(v)` = A v and `precondition(v)` ~ A^-1 v.
-/// @param scale what the residual is measured against: the tolerance is relative, always
-/// @param x start on entry, solution on return
+/// the true one. Solves A x = b for any A that is not singular on the space that b lies in; rows
+/// and columns of cells that take no part may be zero where b is.
+///
+/// Nothing here knows a unit: b and A x have one unit, x and the preconditioner's results another.
+/// @param apply v -> A v, a function of Eigen::VectorXd that returns one of the same size
+/// @param precondition v -> about A^-1 v, linear, the same in every call
+/// @param b right-hand side
+/// @param x start on entry, of the size of b (zero does); solution on return
+/// @param scale > 0, in the unit of b: what |b - A x| is measured against, so that the tolerance is
+///        always relative
+/// @param tolerance of |b - A x| / scale
+/// @param restart vectors that are kept before the method starts anew; each has the size of b
+/// @param maxProducts limit of the products in all
+/// @return converged or not; never throws. A residual that is not finite ends it
 template<class Apply, class Precondition>
 GmresReport gmres(const Apply &apply, const Precondition &precondition, const Eigen::VectorXd &b,
                   Eigen::VectorXd &x, double scale, double tolerance, int restart = 60,

@@ -18,8 +18,17 @@ constexpr double rounding = 1e-14;
 constexpr int boldSets = 20;            ///< sets that may raise the energy; mostly 8 are enough
 constexpr double firstTolerance = 1e-2; ///< the first sets are wrong anyway
 
-/// The quadratic programme: minimise p.A p/2 + profile.p with 0 <= p <= limit, sum p = load; or
-/// p.A p/2 + (profile - approach).p with 0 <= p <= limit.
+/// One grid's search, as a loop of two moves: `solveInside` finds the pressures of the cells in
+/// between as if the others were fixed, then `jump` or `join` changes who is in between.
+///
+/// `jump` moves every cell that breaks its condition at once. That is bold: the energy may rise,
+/// but from a coarser grid's start 8 sets are mostly enough, however many cells there are. Now and
+/// then the sets cycle. Then `beCareful` makes every move lower the energy: `solveInside` goes only
+/// as far as that allows, and `join` takes one step of projected gradient, which cannot cycle,
+/// since no set of cells comes back at a lower energy.
+///
+/// The quadratic programme: minimise p.A p/2 + profile.p with 0 <= p <= limit, sum p = load; or,
+/// where the approach is given, p.A p/2 + (profile - approach).p with 0 <= p <= limit.
 class PressureSearch {
  public:
   PressureSearch(HalfSpace &space, const NormalContactProblem &input)

@@ -20,7 +20,7 @@ struct Case {
   /// The complete configuration as a case file: reading it gives the same case.
   std::string text;
 
-  const FrictionSpecification &friction() const;
+  const FrictionSpecification &friction() const; ///< of the task
   /// What the case reads: the law's name, measured surfaces.
   std::vector<std::string> files() const;
 };
@@ -28,17 +28,18 @@ struct Case {
 /// One keyword of the case file. The table of them is the one source of parsing, `--help`,
 /// `--print-config` and the check against the documentation.
 struct Keyword {
+  /// What a value may be; only the lists take more than one.
   enum class Kind {
-    Quantity,
+    Quantity, ///< a number with a unit that UDUNITS-2 can convert to `unit`
     QuantityList,
     Ratio, ///< a pure number, or one in per cent
     RatioList,
-    Number,
+    Number, ///< a number without a unit
     NumberList,
     Integer,
     IntegerList,
-    Switch,
-    Choice,
+    Switch, ///< true, false
+    Choice, ///< one of `choices`
     Text,
     TextList
   };
@@ -49,12 +50,16 @@ struct Keyword {
   double low, high;    ///< allowed range in `unit`; low is excluded where `lowOpen`
   bool lowOpen;
   const char *choices; ///< Choice: separated by '|'
-  const char *help;
+  const char *help;    ///< half a sentence for --help and messages
 };
 
+/// All keywords, in the order of --help and --print-config; every group together.
 const std::vector<Keyword> &keywords();
 
-/// Reads a case file and then "keyword=value" changes, the value in YAML as in the file.
+/// Reads a case file (YAML) and then "keyword=value" changes, the value in YAML as in the file.
+/// Profile and law files that are named in it are looked for from the working folder, then from the
+/// case file's; they are not read here.
+/// @return all in SI units
 /// @throws Error (BadInput) for the file, with line and keyword; Error (Usage) for changes
 Case readCase(const std::string &path, const std::vector<std::string> &changes = {});
 

@@ -25,12 +25,15 @@ class CaseReader {
  public:
   explicit CaseReader(std::string fileName) : file_(std::move(fileName)) {}
 
+  /// Reads and checks the whole file; once, before any change.
   void readFile();
   /// "keyword=value", in place of what the file says.
   void change(const std::string &text);
 
+  /// Throws what is wrong with a keyword's value, at its line of the file.
   [[noreturn]] void fail(const std::string &keyword, const std::string &problem) const;
 
+  /// Is the keyword given, in the file or by a change?
   bool has(const std::string &name) const { return entries_.count(name) > 0; }
   /// Any keyword below a group? @param group without a dot
   bool hasGroup(const std::string &group) const;
@@ -45,10 +48,12 @@ class CaseReader {
   int integer(const std::string &name) { return static_cast<int>(number(name)); }
   /// Of a keyword that takes a list elsewhere, where there may be one value only.
   double single(const std::string &name);
-  void require(const std::string &name) const;
   /// A default that depends on other keywords; does nothing where the file has a value.
   void setDefault(const std::string &name, const std::string &value);
-  /// Keywords that make no sense together with something else.
+  /// @throws Error (BadInput) unless the keyword is given
+  void require(const std::string &name) const;
+  /// @throws Error (BadInput) for a keyword that is given and makes no sense together with
+  ///         something else. @param with "contact.period: the surfaces are flat"
   void refuse(std::initializer_list<const char *> names, const std::string &with) const;
 
   /// What was used so far, as a case file.
@@ -64,6 +69,7 @@ class CaseReader {
   };
 
   [[noreturn]] void fail(int line, const std::string &keyword, const std::string &problem) const;
+  /// Takes in a node of YAML that stands at a keyword or group; "" is the whole file.
   void collect(const YAML::Node &node, const std::string &name);
   Entry entryOf(const YAML::Node &node, const Keyword &keyword) const;
   double checkedNumber(const Keyword &keyword, const std::string &word, int line) const;

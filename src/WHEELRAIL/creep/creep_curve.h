@@ -21,11 +21,11 @@ struct CurvePoint : CreepPoint {
 struct CreepCurves {
   std::vector<ContactSetup> contacts; ///< one per profile
   std::vector<CurvePoint> points;     ///< by profile, then speed, then creep
-  bool hasBand = false;
-  double redrawn = 0.0; ///< share of the sampled laws that had to be drawn again
-  ContactFields last;   ///< along the contact, of the last point
-  int resumed = 0;      ///< points taken over from an interrupted run
-  double seconds = 0.0;
+  bool hasBand = false;               ///< the law has a covariance
+  double redrawn = 0.0;               ///< share of the sampled laws that had to be drawn again
+  ContactFields last;                 ///< along the contact, of the last point
+  int resumed = 0;                    ///< points taken over from an interrupted run
+  double seconds = 0.0;               ///< that it took, contacts included
 };
 
 /// Does the roughness stay in the contact, or travel with the material?

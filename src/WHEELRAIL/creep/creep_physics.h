@@ -14,7 +14,7 @@ struct CreepPhysics {
   ThermalSpecification thermal;
   bool hardnessLimit = false; ///< pressure stops at the hardness, 3 sigma_0(Theta)
 
-  /// Does the temperature act back on friction or pressure?
+  /// Does the temperature act back on friction or pressure? If not, one pass gives the solution.
   bool hasFeedback() const;
 
   /// Pa, at a temperature rise in K; infinite without `hardnessLimit`.

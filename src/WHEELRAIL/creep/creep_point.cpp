@@ -89,6 +89,9 @@ void FrozenCreep::limitPressure()
   contact_.intervals = contactIntervals(normal, Boundary::Free);
 }
 
+// The temperature rise Theta is the unknown of a fixed point Theta -> mu, p -> T -> Theta. Friction
+// falls with strength where strength falls with Theta, so steps mostly alternate and shrink; where
+// they grow, the step is halved for good, which tames any slope that is finite.
 CreepPoint FrozenCreep::solve(const FrictionLaw &law, double speed, double creep)
 {
   const bool needsTraction = physics_.thermal.model == ThermalModel::Local ||

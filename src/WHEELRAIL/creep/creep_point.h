@@ -11,8 +11,8 @@ namespace wheelrail {
 
 /// One point of a creep curve; SI units.
 struct CreepPoint {
-  double speed = 0.0; ///< v0, m/s
-  double creep = 0.0;
+  double speed = 0.0;              ///< v0, m/s
+  double creep = 0.0;              ///< sliding / rolling speed
   double tractionRatio = 0.0;      ///< T/N
   double traction = 0.0;           ///< T, N/m
   double muMean = 0.0;             ///< load-weighted mean of mu
@@ -22,9 +22,13 @@ struct CreepPoint {
   double stickFraction = 0.0;      ///< of the cells in contact
 };
 
-/// Everything along the contact, per cell; SI units.
+/// Everything along the contact, one value per cell of the domain; SI units.
 struct ContactFields {
-  Eigen::VectorXd pressure, traction, mu, slip, temperature;
+  Eigen::VectorXd pressure;    ///< Pa, >= 0
+  Eigen::VectorXd traction;    ///< Pa, positive for positive creep
+  Eigen::VectorXd mu;          ///< friction coefficient
+  Eigen::VectorXd slip;        ///< sliding distance / rolling distance
+  Eigen::VectorXd temperature; ///< rise, K
   std::vector<Adhesion> state;
   std::vector<ContactInterval> intervals; ///< stretches in contact, in cells
 };
@@ -34,11 +38,13 @@ struct ContactFields {
 /// larger than the one before, it is halved from then on.
 class FrozenCreep {
  public:
-  /// Both must outlive the object. @param setup rolling on a Free boundary
+  /// Both must outlive the object. @param setup of a Free boundary
   FrozenCreep(const CreepPhysics &physics, const ContactSetup &setup);
 
   /// Warm from the last call: the set of stick cells and the temperature.
-  /// @throws Error (NotConverged)
+  /// @param speed v0, m/s, > 0
+  /// @param creep >= 0
+  /// @throws Error (NotConverged), Error (BadInput) when a softer contact reaches the domain's ends
   CreepPoint solve(const FrictionLaw &law, double speed, double creep);
 
   /// Of the last call; `startFrom` makes the next one start from them.

@@ -10,7 +10,10 @@
 namespace wheelrail {
 
 /// Finished pieces of a sweep on disk, so that an interrupted run goes on where it stopped. The
-/// file is written whole or not at all.
+/// file is written whole or not at all, at most every few seconds. JSON: `case`, the identity, and
+/// `pieces`, rows of numbers in the order of the members of `CurvePoint`, exact to the last bit.
+///
+/// One object for a sweep; not safe from several threads at once.
 class Journal {
  public:
   /// Results of a finished piece, by the piece's number from 0 on. What they hold is the sweep's
@@ -33,6 +36,7 @@ class Journal {
   /// Writes the pieces now. @throws Error (Io)
   void write();
 
+  /// Takes the file away: the sweep is finished.
   void remove() const;
 
  private:

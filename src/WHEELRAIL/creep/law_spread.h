@@ -11,15 +11,16 @@ namespace wheelrail {
 /// How a law's covariance is carried through to a result.
 enum class UncertaintyMethod { Linear, Sampled };
 
+/// How many laws stand for the spread.
 struct SpreadSpecification {
   UncertaintyMethod method = UncertaintyMethod::Linear;
   int samples = 0;        ///< Sampled: laws drawn, > 1
   std::uint64_t seed = 0; ///< Sampled: alone decides the draws
 };
 
-/// What the uncertainty of the law makes of a result.
+/// What the uncertainty of the law makes of a result; in the result's unit.
 struct Band {
-  double standardError = 0.0;
+  double standardError = 0.0;   ///< >= 0; 0 without a covariance
   double low = 0.0, high = 0.0; ///< 95 % interval
 };
 
@@ -31,13 +32,14 @@ struct Band {
 /// of kappa1, are drawn again.
 class LawSpread {
  public:
+  /// @param law its covariance is used, if it has one
   /// @throws Error (NotConverged) when hardly any draw is a law
   LawSpread(const SpreadSpecification &specification, const FrictionLaw &law);
 
   /// The law itself first. Just that one if it has no covariance.
   const std::vector<FrictionLaw> &laws() const { return variants_; }
   bool any() const { return variants_.size() > 1; }
-  /// @param results one for each of `laws()`, in their order
+  /// @param results the quantity in question, computed with each of `laws()`, in their order
   Band band(const std::vector<double> &results) const;
   /// Share of the draws that were drawn again.
   double redrawn() const { return redrawnShare_; }

@@ -14,18 +14,18 @@ struct MovingSpecification {
   double referenceLength = 1.0; ///< of the half-plane's free constant, in Hertz half-widths, > 0
 };
 
-/// One creep on its way through the contact.
+/// One creep on its way through the contact, as `MovingCreep` keeps it.
 struct Roller {
   double creep;
   TransientRolling rolling;
   std::optional<TravellingHeat> heat;
   Eigen::VectorXd temperature, mu; ///< per cell; K
   RollingResult result;            ///< on the window
-  struct Sums {
+  struct Sums { // of the steps' traction ratio, mean mu, stick fraction, temperature rise (K)
     double ratio = 0.0, mu = 0.0, stick = 0.0, temperature = 0.0;
   };
-  Sums pass, counted; ///< over the pass, over the last half of all
-  double hottest = 0.0;
+  Sums pass, counted;   ///< over the pass, over the last half of all
+  double hottest = 0.0; ///< K, anywhere in the last half
 };
 
 /// Transient rolling: the roughness travels with the material, one cell a step. The creeps of a
@@ -36,23 +36,29 @@ struct Roller {
 /// coefficient.
 class MovingCreep {
  public:
-  /// All must outlive the object. @param setup rolling on a Free boundary
+  /// All arguments must outlive the object.
+  /// @param setup of a Free boundary, with a measured profile kept whole
   MovingCreep(const CreepPhysics &physics, const MovingSpecification &moving,
               const FrictionLaw &law, const ContactSetup &setup);
 
-  /// @param progress called now and then; returns false to stop
+  /// @param speed v0, m/s, > 0
+  /// @param creeps sliding/rolling speed, > 0
+  /// @param progress called at every step; returns false to stop
   /// @return one point per creep; empty when stopped
   /// @throws Error (NotConverged), Error (BadInput) for a measured profile that is too short
   std::vector<CreepPoint> solve(double speed, const std::vector<double> &creeps,
                                 const std::function<bool()> &progress);
 
-  /// At the end, for the last creep.
+  /// At the end of `solve`, for the last creep; SI units.
   const ContactFields &fields() const { return contact_; }
 
  private:
+  /// The pressure of a step, warm from the one before; temperature rise in K sets the limit.
   void solvePressure(int step, double temperature);
   void fitWindow(std::vector<Roller> &rollers);
+  /// One step of one creep; `counted` steps are averaged.
   void roll(Roller &roller, double speed, bool counted);
+  /// Eq. 11 after each length of the nominal contact.
   void endPass(Roller &roller, double speed, int steps);
   CreepPoint pointOf(const Roller &roller, double speed, int steps, int counted) const;
 

@@ -17,18 +17,19 @@ namespace wheelrail {
 struct SweepOptions {
   int threads = 0;     ///< 0: as many as OpenMP gives
   std::string journal; ///< file that keeps finished pieces; empty: not resumable
-  /// What the journal belongs to: one of another identity is not used. The whole configuration.
+  /// What the journal belongs to, the whole configuration: one of another identity is not used.
   std::string identity;
   /// Called after every piece with points done and points in all; from one thread at a time.
   std::function<void(int, int)> progress;
   /// Asked often: true to stop as soon as possible. The journal then keeps what is done.
   std::function<bool()> interrupted;
 
-  int threadCount() const;
+  int threadCount() const; ///< >= 1
   bool stopped() const { return interrupted && interrupted(); }
 };
 
-/// The first exception of a parallel loop, to be thrown after it. Safe from all its threads.
+/// The first exception of a parallel loop, to be thrown after it: OpenMP lets none leave a loop.
+/// Safe from all the loop's threads.
 class FirstError {
  public:
   /// Keeps the exception that is being handled, unless there is one already.
@@ -42,7 +43,11 @@ class FirstError {
   std::atomic<bool> failed_{false};
 };
 
-/// Surfaces and normal contacts of all profiles, in parallel; arguments as of `prepareContact`.
+/// Surfaces and normal contacts of all profiles, in parallel: what every sweep begins with.
+/// @param contact, surface SI units, as of `prepareContact`
+/// @param pressureLimit Pa; infinite: elastic
+/// @param travels the material will move through the contact
+/// @return one for each of surface.profiles(), in their order
 /// @throws Error (Interrupted) when asked to stop, and what `prepareContact` throws
 std::vector<ContactSetup> prepareContacts(const LineContactSpecification &contact,
                                           const SurfaceSpecification &surface, double pressureLimit,

@@ -4,13 +4,13 @@
 #include "fit/friction_point.h"
 #include "fit/law_fit.h"
 
-#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace wheelrail {
 
+/// What wr_fit is asked for beside the logs.
 struct FitOptions {
   LawModel model = LawModel::Full;
   double level = 0.95;          ///< of the confidence intervals
@@ -41,15 +41,10 @@ struct FitAnalysis {
   std::vector<LawPoint> fitted() const;
 };
 
-/// Marks the points to leave out, fits, compares models.
+/// Marks the points to leave out, fits, compares models. That a law cannot be fitted is no error:
+/// `whyNot` says why, and the comparison holds the models that can.
+/// @param points of `frictionPoint`, at least one
 FitAnalysis analysePoints(std::vector<FrictionPoint> points, const FitOptions &options);
-
-/// The report for people.
-std::string textReport(const FitAnalysis &analysis);
-
-/// The law file (format "mca-friction-law 1", with everything else under "report"), or, when no law
-/// was fitted, the same report under format "mca-friction-report 1" with the reason.
-nlohmann::ordered_json jsonReport(const FitAnalysis &analysis);
 
 } // namespace wheelrail
 

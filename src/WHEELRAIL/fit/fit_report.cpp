@@ -1,4 +1,5 @@
-#include "fit/fit_analysis.h"
+#include "fit/fit_report.h"
+
 #include "fit/replicates.h"
 
 #include <algorithm>

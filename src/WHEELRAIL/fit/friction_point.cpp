@@ -42,16 +42,16 @@ class RowMean {
  public:
   void add(double mu)
   {
-    sum += mu;
-    absolute += std::abs(mu);
-    ++rows;
+    sum_ += mu;
+    absolute_ += std::abs(mu);
+    ++rows_;
   }
-  double mean() const { return sum / rows; }
-  double size() const { return absolute / rows; }
+  double mean() const { return sum_ / rows_; }
+  double size() const { return absolute_ / rows_; }
 
  private:
-  double sum = 0.0, absolute = 0.0;
-  int rows = 0;
+  double sum_ = 0.0, absolute_ = 0.0;
+  int rows_ = 0;
 };
 
 /// A field of a CSV line, in quotes where its own characters ask for it (RFC 4180).

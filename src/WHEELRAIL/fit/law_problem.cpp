@@ -37,7 +37,7 @@ double modelMu(const VectorXd &x, const LawPoint &point, double reference)
 
 LawProblem::LawProblem(LawModel model, const std::vector<LawPoint> &data, VectorXd deviations,
                        double kappa3)
-    : points(data), sigma(std::move(deviations)), reference(kappa3), free(parametersOf(model))
+    : points_(data), sigma_(std::move(deviations)), reference_(kappa3), free_(parametersOf(model))
 {
 }
 
@@ -45,14 +45,14 @@ LeastSquaresProblem LawProblem::make() const
 {
   LeastSquaresProblem problem;
   problem.parameters = fitParameters;
-  problem.residuals = static_cast<int>(points.size());
+  problem.residuals = static_cast<int>(points_.size());
   problem.lower = VectorXd::Constant(fitParameters, -infinity);
   problem.upper = VectorXd::Constant(fitParameters, infinity);
   for (int k : {Mu0, B, C})
     problem.lower[k] = 0.0;
   problem.upper[B] = saturation / smallest(&LawPoint::kappa1);
   problem.upper[C] = saturation / smallest(&LawPoint::kappa2);
-  for (bool isFree : free)
+  for (bool isFree : free_)
     problem.constant.push_back(!isFree);
   problem.evaluate = [this](const VectorXd &x, VectorXd &r, MatrixXd *jacobian) {
     evaluate(x, r, jacobian);
@@ -79,7 +79,7 @@ std::vector<VectorXd> LawProblem::starts(const LeastSquaresProblem &problem) con
 double LawProblem::smallest(double LawPoint::*kappa) const
 {
   double least = infinity;
-  for (const auto &p : points)
+  for (const auto &p : points_)
     if (p.*kappa > 0.0)
       least = std::min(least, p.*kappa);
   return std::isfinite(least) ? least : 1.0;
@@ -87,7 +87,7 @@ double LawProblem::smallest(double LawPoint::*kappa) const
 
 std::vector<double> LawProblem::grid(int k, double upper) const
 {
-  if (!free[k])
+  if (!free_[k])
     return {0.0};
   std::vector<double> values;
   constexpr int perDecade = 2;
@@ -104,12 +104,12 @@ std::pair<double, VectorXd> LawProblem::linearFit(double b, double c) const
   x[C] = c;
   std::vector<int> linear;
   for (int k : {Mu0, Mu1, Mu2})
-    if (free[k])
+    if (free_[k])
       linear.push_back(k);
-  VectorXd r(points.size());
-  MatrixXd jacobian(points.size(), fitParameters);
+  VectorXd r(points_.size());
+  MatrixXd jacobian(points_.size(), fitParameters);
   evaluate(x, r, &jacobian);
-  MatrixXd design(points.size(), linear.size());
+  MatrixXd design(points_.size(), linear.size());
   for (size_t j = 0; j < linear.size(); ++j)
     design.col(j) = jacobian.col(linear[j]);
   const VectorXd solution = design.colPivHouseholderQr().solve(-r);
@@ -124,14 +124,14 @@ void LawProblem::evaluate(const VectorXd &x, VectorXd &r, MatrixXd *jacobian) co
 {
   FrictionLaw law;
   setParameters(law, x);
-  for (size_t i = 0; i < points.size(); ++i) {
-    const auto &p = points[i];
-    const double weight = 1.0 / sigma[i];
-    const double mu = modelMu(x, p, reference);
+  for (size_t i = 0; i < points_.size(); ++i) {
+    const auto &p = points_[i];
+    const double weight = 1.0 / sigma_[i];
+    const double mu = modelMu(x, p, reference_);
     r[i] = weight * (mu - p.mu);
     if (!jacobian)
       continue;
-    const double logarithm = std::log(p.kappa3 / reference);
+    const double logarithm = std::log(p.kappa3 / reference_);
     const double w = weight * std::exp(x[N] * logarithm);
     const double g1 = 1.0 / (1.0 + law.b * p.kappa1);
     const double g2 = 1.0 / (1.0 + law.c * p.kappa2);

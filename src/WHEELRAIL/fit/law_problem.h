@@ -5,10 +5,10 @@
 
 namespace wheelrail {
 
-/// Place of each parameter in a vector.
+/// Place of each parameter in a vector x of all six: those of Eq. 2 and the exponent n of kappa3.
 enum LawParameter { Mu0, Mu1, Mu2, B, C, N };
 
-/// Eq. 2's parameters of a vector.
+/// Puts Eq. 2's parameters of a vector into a law; n is not part of it.
 void setParameters(FrictionLaw &law, const Eigen::VectorXd &x);
 
 /// Eq. 2 times (kappa3/reference)^n at a point, with the parameters x. reference > 0.
@@ -33,15 +33,19 @@ class LawProblem {
   std::vector<Eigen::VectorXd> starts(const LeastSquaresProblem &problem) const;
 
  private:
+  /// Smallest positive value of kappa1 or kappa2 over the points, 1 without one.
   double smallest(double LawPoint::*kappa) const;
+  /// Values of b or c to start from; just 0 where it is not fitted.
   std::vector<double> grid(int parameter, double upper) const;
+  /// Sum of squares and parameters of the best mu0, mu1, mu2 at given b and c.
   std::pair<double, Eigen::VectorXd> linearFit(double b, double c) const;
+  /// Residuals in units of the deviations, and their derivatives unless null.
   void evaluate(const Eigen::VectorXd &x, Eigen::VectorXd &r, Eigen::MatrixXd *jacobian) const;
 
-  const std::vector<LawPoint> &points;
-  Eigen::VectorXd sigma;
-  double reference;
-  std::array<bool, fitParameters> free;
+  const std::vector<LawPoint> &points_;
+  Eigen::VectorXd sigma_;
+  double reference_;
+  std::array<bool, fitParameters> free_;
 };
 
 } // namespace wheelrail

@@ -18,7 +18,8 @@ struct ReplicateGroup {
 };
 
 /// Groups of at least two points with kappa1 and kappa2 equal to a thousandth, in order of kappa1,
-/// then kappa2. Points that are left out, and points without a finite error, are not counted.
+/// then kappa2: how well runs that the law takes for the same agree. Points that are left out, and
+/// points without a finite error, are not counted.
 std::vector<ReplicateGroup> replicateGroups(const std::vector<FrictionPoint> &points);
 
 } // namespace wheelrail

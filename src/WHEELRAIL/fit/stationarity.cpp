@@ -175,6 +175,11 @@ double trendP(const std::vector<double> &values, std::size_t begin)
   return pValue(line.slope, error, noise);
 }
 
+// MSER-5 weighs the bias of an early start against the variance of a late one, but knows nothing of
+// autocorrelation: its start may lie within a slow drift. So two tests that do know have to agree,
+// one that sees a step (the first quarter against the second half), one that sees a slope; until
+// they do, the start moves on. Beyond the middle nothing is found: what is left would be too short
+// for the tests to object to anything.
 StationaryPart stationaryPart(const std::vector<double> &values)
 {
   if (values.empty())

@@ -36,22 +36,22 @@ double pressureAverage(double x)
 /// One law file being read: the parsed JSON with the text it came from, for line numbers.
 class LawFile {
  public:
-  explicit LawFile(std::string path) : fileName(std::move(path)), text(readInputFile(fileName))
+  explicit LawFile(std::string path) : fileName_(std::move(path)), text_(readInputFile(fileName_))
   {
     try {
-      json = nlohmann::json::parse(text);
+      json_ = nlohmann::json::parse(text_);
     } catch (const nlohmann::json::parse_error &error) {
-      const auto end = std::min<size_t>(error.byte, text.size());
-      const auto line = 1 + std::count(text.begin(), text.begin() + end, '\n');
-      throw badInput(fileName, static_cast<int>(line), "", "not JSON, or cut short");
+      const auto end = std::min<size_t>(error.byte, text_.size());
+      const auto line = 1 + std::count(text_.begin(), text_.begin() + end, '\n');
+      throw badInput(fileName_, static_cast<int>(line), "", "not JSON, or cut short");
     } catch (const nlohmann::json::out_of_range &) {
-      throw badInput(fileName, 0, "", "holds a number beyond the range of double precision");
+      throw badInput(fileName_, 0, "", "holds a number beyond the range of double precision");
     }
-    if (!json.is_object())
-      throw badInput(fileName, 1, "", "not a JSON object");
+    if (!json_.is_object())
+      throw badInput(fileName_, 1, "", "not a JSON object");
     // what wr_fit writes when the points do not give a law
-    if (json.contains("reason") && json["reason"].is_string())
-      throw badInput(fileName, 0, "", "no law was fitted: " + json["reason"].get<std::string>());
+    if (json_.contains("reason") && json_["reason"].is_string())
+      throw badInput(fileName_, 0, "", "no law was fitted: " + json_["reason"].get<std::string>());
     checkKeys();
   }
 
@@ -119,15 +119,15 @@ class LawFile {
 
   [[noreturn]] void fail(const std::string &key, const std::string &problem) const
   {
-    throw badInput(fileName, lineOf(key), key, problem);
+    throw badInput(fileName_, lineOf(key), key, problem);
   }
 
  private:
   const nlohmann::json &at(const char *key) const
   {
-    const auto found = json.find(key);
-    if (found == json.end())
-      throw badInput(fileName, 0, key, "is missing");
+    const auto found = json_.find(key);
+    if (found == json_.end())
+      throw badInput(fileName_, 0, key, "is missing");
     return *found;
   }
 
@@ -151,22 +151,22 @@ class LawFile {
     static const std::vector<std::string> known = {
         "format", "mu0",          "mu1",          "mu2",          "b",      "c",     "covariance",
         "n",      "rms_relative", "kappa1_range", "kappa2_range", "source", "report"};
-    for (const auto &item : json.items())
+    for (const auto &item : json_.items())
       if (std::find(known.begin(), known.end(), item.key()) == known.end())
-        throw badInput(fileName, lineOf(item.key()), "",
+        throw badInput(fileName_, lineOf(item.key()), "",
                        mcawr::unknownWord("key", item.key(), known));
   }
 
   int lineOf(const std::string &key) const
   {
-    const auto place = text.find('"' + key + '"');
+    const auto place = text_.find('"' + key + '"');
     if (place == std::string::npos)
       return 0;
-    return 1 + static_cast<int>(std::count(text.begin(), text.begin() + place, '\n'));
+    return 1 + static_cast<int>(std::count(text_.begin(), text_.begin() + place, '\n'));
   }
 
-  std::string fileName, text;
-  nlohmann::json json;
+  std::string fileName_, text_;
+  nlohmann::json json_;
 };
 
 } // namespace

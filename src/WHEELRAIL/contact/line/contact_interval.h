@@ -17,6 +17,8 @@ struct ContactInterval {
   void shift(int cells) { first += cells, last += cells, left += cells, right += cells; }
 };
 
+/// The stretches that are in contact, from left to right.
+///
 /// Intervals of cells with pressure > 0, their edges placed inside cells. Counting cells makes
 /// every interval too long by 0.35 cells on average. At an edge the pressure inside is
 /// K sqrt(distance) and the gap outside (4/3) (K/E*) distance^(3/2) (Johnson, sec. 4.2 and 5.1):

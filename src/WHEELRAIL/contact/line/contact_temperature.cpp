@@ -52,36 +52,36 @@ double meanTemperatureRise(double frictionRatio, double hertzPressure, double sl
 
 FlashTemperature::FlashTemperature(int cells, double cellSize, double speed,
                                    const ThermalMaterial &material)
-    : line(cells, fastTransformSize(2 * cells))
+    : line_(cells, fastTransformSize(2 * cells))
 {
   const double scale = flashScale(cellSize, speed, material);
-  kernel = line.spectrumOf([&](int m) { return scale * meanInverseRoot(-m); });
+  kernel_ = line_.spectrumOf([&](int m) { return scale * meanInverseRoot(-m); });
 }
 
 Eigen::VectorXd FlashTemperature::rise(const Eigen::VectorXd &heat)
 {
-  return line.multiply(heat, kernel);
+  return line_.multiply(heat, kernel_);
 }
 
 TravellingHeat::TravellingHeat(int count, double cellSize, double speed,
                                const ThermalMaterial &material)
-    : cells(count), kernel(count), history(count)
+    : cells_(count), kernel_(count), history_(count)
 {
   const double scale = flashScale(cellSize, speed, material);
-  for (int m = 0; m < cells; ++m)
-    kernel[m] = scale * meanInverseRoot(m);
+  for (int m = 0; m < cells_; ++m)
+    kernel_[m] = scale * meanInverseRoot(m);
 }
 
 std::vector<double> &TravellingHeat::historyAt(int cell)
 {
-  return history[(cell + steps) % cells];
+  return history_[(cell + steps_) % cells_];
 }
 
 void TravellingHeat::step(const Eigen::VectorXd &heat)
 {
-  ++steps;
-  historyAt(cells - 1).clear(); // new material comes in
-  for (int i = 0; i < cells; ++i) {
+  ++steps_;
+  historyAt(cells_ - 1).clear(); // new material comes in
+  for (int i = 0; i < cells_; ++i) {
     std::vector<double> &past = historyAt(i);
     if (heat[i] != 0.0 || !past.empty())
       past.push_back(heat[i]);
@@ -90,9 +90,9 @@ void TravellingHeat::step(const Eigen::VectorXd &heat)
 
 double TravellingHeat::rise(int cell) const
 {
-  const std::vector<double> &past = history[(cell + steps) % cells];
+  const std::vector<double> &past = history_[(cell + steps_) % cells_];
   const auto length = static_cast<Eigen::Index>(past.size());
-  return Eigen::Map<const Eigen::VectorXd>(past.data(), length).reverse().dot(kernel.head(length));
+  return Eigen::Map<const Eigen::VectorXd>(past.data(), length).reverse().dot(kernel_.head(length));
 }
 
 } // namespace wheelrail

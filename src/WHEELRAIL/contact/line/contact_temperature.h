@@ -55,8 +55,8 @@ class FlashTemperature {
   Eigen::VectorXd rise(const Eigen::VectorXd &heat);
 
  private:
-  Convolution line;
-  Convolution::Spectrum kernel;
+  Convolution line_;
+  Convolution::Spectrum kernel_;
 };
 
 /// The same where heat changes in time: every cell of material remembers the heat of its way
@@ -73,12 +73,12 @@ class TravellingHeat {
  private:
   std::vector<double> &historyAt(int cell);
 
-  int cells;
-  int steps = 0;
-  Eigen::VectorXd kernel; ///< influence of heat m steps ago
+  int cells_;
+  int steps_ = 0;
+  Eigen::VectorXd kernel_; ///< influence of heat m steps ago
   /// Of the material, oldest first, from the first heat on; a cell's place is (cell + steps) %
   /// cells.
-  std::vector<std::vector<double>> history;
+  std::vector<std::vector<double>> history_;
 };
 
 } // namespace wheelrail

@@ -49,40 +49,43 @@ struct Convolution::Transform {
   fftw_plan forward, backward;
 };
 
-Convolution::Convolution(int cells, int size) : n(cells), fft(std::make_unique<Transform>(size)) {}
+Convolution::Convolution(int cells, int size) : n_(cells), fft_(std::make_unique<Transform>(size))
+{
+}
 Convolution::~Convolution() = default;
 Convolution::Convolution(Convolution &&) noexcept = default;
 Convolution &Convolution::operator=(Convolution &&) noexcept = default;
 
 int Convolution::size() const
 {
-  return fft->size;
+  return fft_->size;
 }
 
 Convolution::Spectrum Convolution::spectrumOf(const std::function<double(int)> &kernel)
 {
-  std::fill(fft->real, fft->real + fft->size, 0.0);
-  for (int m = -(n - 1); m <= n - 1; ++m)
-    fft->real[(m + fft->size) % fft->size] = kernel(m);
-  fftw_execute(fft->forward);
-  Spectrum spectrum(fft->bins); // FFTW's transforms are not normalised
-  for (int m = 0; m < fft->bins; ++m)
-    spectrum[m] = std::complex<double>(fft->complex[m][0], fft->complex[m][1]) / double(fft->size);
+  std::fill(fft_->real, fft_->real + fft_->size, 0.0);
+  for (int m = -(n_ - 1); m <= n_ - 1; ++m)
+    fft_->real[(m + fft_->size) % fft_->size] = kernel(m);
+  fftw_execute(fft_->forward);
+  Spectrum spectrum(fft_->bins); // FFTW's transforms are not normalised
+  for (int m = 0; m < fft_->bins; ++m)
+    spectrum[m] =
+        std::complex<double>(fft_->complex[m][0], fft_->complex[m][1]) / double(fft_->size);
   return spectrum;
 }
 
 Convolution::Vector Convolution::multiply(const Vector &x, const Spectrum &spectrum)
 {
-  std::copy(x.data(), x.data() + n, fft->real);
-  std::fill(fft->real + n, fft->real + fft->size, 0.0);
-  fftw_execute(fft->forward);
-  for (int m = 0; m < fft->bins; ++m) {
-    const double re = fft->complex[m][0], im = fft->complex[m][1];
-    fft->complex[m][0] = re * spectrum[m].real() - im * spectrum[m].imag();
-    fft->complex[m][1] = re * spectrum[m].imag() + im * spectrum[m].real();
+  std::copy(x.data(), x.data() + n_, fft_->real);
+  std::fill(fft_->real + n_, fft_->real + fft_->size, 0.0);
+  fftw_execute(fft_->forward);
+  for (int m = 0; m < fft_->bins; ++m) {
+    const double re = fft_->complex[m][0], im = fft_->complex[m][1];
+    fft_->complex[m][0] = re * spectrum[m].real() - im * spectrum[m].imag();
+    fft_->complex[m][1] = re * spectrum[m].imag() + im * spectrum[m].real();
   }
-  fftw_execute(fft->backward);
-  return Eigen::Map<const Vector>(fft->real, n);
+  fftw_execute(fft_->backward);
+  return Eigen::Map<const Vector>(fft_->real, n_);
 }
 
 } // namespace wheelrail

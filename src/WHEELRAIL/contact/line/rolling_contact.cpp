@@ -22,28 +22,29 @@ constexpr double transientTolerance = 1e-5; ///< of the slip in the stick zone /
 class FiniteHilbertInverse {
  public:
   FiniteHilbertInverse(HalfPlane &plane, const Vector &stickCells)
-      : halfPlane(plane), stick(stickCells)
+      : halfPlane_(plane), stick_(stickCells)
   {
     const int n = plane.cells();
     Vector charge = Vector::Zero(n);
     for (int i = 1; i < n; ++i)
-      charge[i] = 0.5 * (stick[i - 1] - stick[i]);
-    weight = plane.edgeLogarithm(charge).array().exp() * stick.array();
-    inverseWeight = Vector::Zero(n);
+      charge[i] = 0.5 * (stick_[i - 1] - stick_[i]);
+    weight_ = plane.edgeLogarithm(charge).array().exp() * stick_.array();
+    inverseWeight_ = Vector::Zero(n);
     for (int i = 0; i < n; ++i)
-      if (stick[i] != 0.0)
-        inverseWeight[i] = 1.0 / weight[i];
+      if (stick_[i] != 0.0)
+        inverseWeight_[i] = 1.0 / weight_[i];
   }
 
   Vector operator()(const Vector &v) const
   {
-    return 0.25 * weight.cwiseProduct(halfPlane.stretchTransposed(v.cwiseProduct(inverseWeight)));
+    return 0.25 *
+           weight_.cwiseProduct(halfPlane_.stretchTransposed(v.cwiseProduct(inverseWeight_)));
   }
 
  private:
-  HalfPlane &halfPlane;
-  const Vector &stick;
-  Vector weight, inverseWeight;
+  HalfPlane &halfPlane_;
+  const Vector &stick_;
+  Vector weight_, inverseWeight_;
 };
 
 /// Compliance in addition to the half-plane's of edge cells that are in contact in part.
@@ -203,8 +204,8 @@ RollingResult solveFrozenRolling(HalfPlane &halfPlane, const Vector &bound, doub
 }
 
 TransientRolling::TransientRolling(HalfPlane &plane, double referenceLength)
-    : halfPlane(&plane), constant(2.0 / 3.14159265358979323846 * std::log(referenceLength)),
-      traction(Vector::Zero(plane.cells()))
+    : halfPlane_(&plane), constant_(2.0 / 3.14159265358979323846 * std::log(referenceLength)),
+      traction_(Vector::Zero(plane.cells()))
 {
 }
 
@@ -217,13 +218,13 @@ void TransientRolling::moveTo(HalfPlane &plane, int shift)
         result[i] = old[i + shift];
     return result;
   };
-  halfPlane = &plane;
-  traction = moved(traction);
+  halfPlane_ = &plane;
+  traction_ = moved(traction_);
 }
 
 Vector TransientRolling::displacement(const Vector &q)
 {
-  return halfPlane->displacement(q).array() + constant * q.sum();
+  return halfPlane_->displacement(q).array() + constant_ * q.sum();
 }
 
 int TransientRolling::solveStick(const Vector &stick, Vector &residual, Vector &q, double scale)
@@ -234,7 +235,7 @@ int TransientRolling::solveStick(const Vector &stick, Vector &residual, Vector &
   for (int step = 0; step < maxSteps; ++step) {
     if (r.norm() <= scale)
       return step;
-    const Vector z = halfPlane->tractionEstimate(r).cwiseProduct(stick);
+    const Vector z = halfPlane_->tractionEstimate(r).cwiseProduct(stick);
     const double newProduct = r.dot(z);
     direction = step ? Vector(z + newProduct / product * direction) : z;
     product = newProduct;
@@ -251,9 +252,9 @@ int TransientRolling::solveStick(const Vector &stick, Vector &residual, Vector &
 
 RollingResult TransientRolling::step(const Vector &bound, double creep)
 {
-  const int n = halfPlane->cells();
+  const int n = halfPlane_->cells();
   Vector carried = Vector::Zero(n);
-  carried.head(n - 1) = traction.tail(n - 1);
+  carried.head(n - 1) = traction_.tail(n - 1);
   Vector q = carried;
   RollingResult result;
   result.state = startStates(bound, {});
@@ -281,7 +282,7 @@ RollingResult TransientRolling::step(const Vector &bound, double creep)
       throw Error(ExitCode::NotConverged,
                   fmt::format("transient rolling: no convergence after {} active sets", set));
   }
-  traction = q;
+  traction_ = q;
   result.traction = q;
   for (int i = 0; i < n; ++i)
     if (result.state[i] == Adhesion::Apart)

@@ -72,9 +72,9 @@ class TransientRolling {
   int solveStick(const Eigen::VectorXd &stick, Eigen::VectorXd &residual, Eigen::VectorXd &q,
                  double scale);
 
-  HalfPlane *halfPlane;
-  double constant; ///< added to the influence of every cell
-  Eigen::VectorXd traction;
+  HalfPlane *halfPlane_;
+  double constant_; ///< added to the influence of every cell
+  Eigen::VectorXd traction_;
 };
 
 } // namespace wheelrail

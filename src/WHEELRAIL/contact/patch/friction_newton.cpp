@@ -11,7 +11,7 @@ namespace {
 
 using Vector = Eigen::VectorXd;
 
-constexpr double innerTolerance = 0.03; ///< of a Newton step's linear system
+constexpr double innerTolerance = 0.1; ///< of a Newton step's linear system
 /// r of q = P(q - r S), in units of a cell's stiffness: how far a cell's slip counts when its state
 /// is predicted. The smaller, the slower and the safer.
 constexpr struct {
@@ -80,31 +80,31 @@ Vector krylov(const Apply &apply, const Precondition &precondition, const Vector
 } // namespace
 
 FrictionNewton::FrictionNewton(PatchHalfSpace &halfSpace, Equations equations)
-    : space(halfSpace), eq(std::move(equations)), n(static_cast<int>(eq.cells.size())),
-      compliance(halfSpace.tangentialCompliance()),
-      upstream(n, -1), field{Vector::Zero(halfSpace.cells()), Vector::Zero(halfSpace.cells())}
+    : space_(halfSpace), eq_(std::move(equations)), n_(static_cast<int>(eq_.cells.size())),
+      compliance_(halfSpace.tangentialCompliance()),
+      upstream_(n_, -1), field_{Vector::Zero(halfSpace.cells()), Vector::Zero(halfSpace.cells())}
 {
-  const int nx = space.grid().nx;
-  for (int i = 0; i + 1 < n; ++i)
-    if (eq.cells[i + 1] == eq.cells[i] + 1 && eq.cells[i + 1] % nx != 0)
-      upstream[i] = i + 1;
+  const int nx = space_.grid().nx;
+  for (int i = 0; i + 1 < n_; ++i)
+    if (eq_.cells[i + 1] == eq_.cells[i] + 1 && eq_.cells[i + 1] % nx != 0)
+      upstream_[i] = i + 1;
 }
 
 Vector FrictionNewton::operatorB(const Vector &x)
 {
-  ++operatorProducts;
-  field.x.setZero();
-  field.y.setZero();
-  for (int i = 0; i < n; ++i) {
-    field.x[eq.cells[i]] = x[2 * i];
-    field.y[eq.cells[i]] = x[2 * i + 1];
+  ++operatorProducts_;
+  field_.x.setZero();
+  field_.y.setZero();
+  for (int i = 0; i < n_; ++i) {
+    field_.x[eq_.cells[i]] = x[2 * i];
+    field_.y[eq_.cells[i]] = x[2 * i + 1];
   }
-  const TangentialField u = space.displacement(field);
-  Vector result(2 * n);
-  const int ahead = eq.steady ? 1 : 0;
-  const double unit = 1.0 / compliance;
-  for (int i = 0; i < n; ++i) {
-    const int cell = eq.cells[i];
+  const TangentialField u = space_.displacement(field_);
+  Vector result(2 * n_);
+  const int ahead = eq_.steady ? 1 : 0;
+  const double unit = 1.0 / compliance_;
+  for (int i = 0; i < n_; ++i) {
+    const int cell = eq_.cells[i];
     double ux = u.x[cell], uy = u.y[cell];
     if (ahead) {
       ux -= u.x[cell + 1];
@@ -113,40 +113,40 @@ Vector FrictionNewton::operatorB(const Vector &x)
     result[2 * i] = unit * ux;
     result[2 * i + 1] = unit * uy;
   }
-  for (std::size_t j = 0; j < eq.unknown.size(); ++j)
-    for (int i = 0; i < n; ++i)
-      result[2 * i + eq.unknown[j]] += x[2 * n + j];
+  for (std::size_t j = 0; j < eq_.unknown.size(); ++j)
+    for (int i = 0; i < n_; ++i)
+      result[2 * i + eq_.unknown[j]] += x[2 * n_ + j];
   return result;
 }
 
 Vector FrictionNewton::evaluate(const Vector &x, Linearisation &linear)
 {
-  scaledSlip = eq.drive + operatorB(x);
-  linear.slips.assign(n, 0);
-  linear.tangent = Vector::Zero(2 * n);
-  linear.lambda = Vector::Zero(n);
+  scaledSlip_ = eq_.drive + operatorB(x);
+  linear.slips.assign(n_, 0);
+  linear.tangent = Vector::Zero(2 * n_);
+  linear.lambda = Vector::Zero(n_);
   Vector f(x.size());
-  for (int i = 0; i < n; ++i) {
-    const double zx = x[2 * i] - prediction_ * scaledSlip[2 * i],
-                 zy = x[2 * i + 1] - prediction_ * scaledSlip[2 * i + 1];
+  for (int i = 0; i < n_; ++i) {
+    const double zx = x[2 * i] - prediction_ * scaledSlip_[2 * i],
+                 zy = x[2 * i + 1] - prediction_ * scaledSlip_[2 * i + 1];
     const double length = std::hypot(zx, zy);
-    if (length <= eq.bound[i]) {
-      f[2 * i] = scaledSlip[2 * i];
-      f[2 * i + 1] = scaledSlip[2 * i + 1];
+    if (length <= eq_.bound[i]) {
+      f[2 * i] = scaledSlip_[2 * i];
+      f[2 * i + 1] = scaledSlip_[2 * i + 1];
       continue;
     }
     linear.slips[i] = 1;
-    linear.lambda[i] = eq.bound[i] / length;
+    linear.lambda[i] = eq_.bound[i] / length;
     linear.tangent[2 * i] = -zy / length;
     linear.tangent[2 * i + 1] = zx / length;
     f[2 * i] = x[2 * i] - linear.lambda[i] * zx;
     f[2 * i + 1] = x[2 * i + 1] - linear.lambda[i] * zy;
   }
-  for (std::size_t j = 0; j < eq.unknown.size(); ++j) {
-    double sum = -eq.force[j];
-    for (int i = 0; i < n; ++i)
-      sum += x[2 * i + eq.unknown[j]];
-    f[2 * n + j] = sum / std::sqrt(double(n));
+  for (std::size_t j = 0; j < eq_.unknown.size(); ++j) {
+    double sum = -eq_.force[j];
+    for (int i = 0; i < n_; ++i)
+      sum += x[2 * i + eq_.unknown[j]];
+    f[2 * n_ + j] = sum / std::sqrt(double(n_));
   }
   return f;
 }
@@ -155,7 +155,7 @@ Vector FrictionNewton::jacobian(const Linearisation &linear, const Vector &x)
 {
   Vector f = Vector(x.size());
   const Vector s = operatorB(x);
-  for (int i = 0; i < n; ++i) {
+  for (int i = 0; i < n_; ++i) {
     if (!linear.slips[i]) {
       f[2 * i] = s[2 * i];
       f[2 * i + 1] = s[2 * i + 1];
@@ -170,11 +170,11 @@ Vector FrictionNewton::jacobian(const Linearisation &linear, const Vector &x)
     f[2 * i] = x[2 * i] + change * tx;
     f[2 * i + 1] = x[2 * i + 1] + change * ty;
   }
-  for (std::size_t j = 0; j < eq.unknown.size(); ++j) {
+  for (std::size_t j = 0; j < eq_.unknown.size(); ++j) {
     double sum = 0.0;
-    for (int i = 0; i < n; ++i)
-      sum += x[2 * i + eq.unknown[j]];
-    f[2 * n + j] = sum / std::sqrt(double(n));
+    for (int i = 0; i < n_; ++i)
+      sum += x[2 * i + eq_.unknown[j]];
+    f[2 * n_ + j] = sum / std::sqrt(double(n_));
   }
   return f;
 }
@@ -182,10 +182,10 @@ Vector FrictionNewton::jacobian(const Linearisation &linear, const Vector &x)
 Vector FrictionNewton::fromLeft(const Linearisation &linear, const Vector &residual) const
 {
   Vector sum = residual;
-  if (!eq.steady)
+  if (!eq_.steady)
     return sum;
-  for (int i = n - 2; i >= 0; --i)
-    if (!linear.slips[i] && upstream[i] >= 0 && !linear.slips[i + 1]) {
+  for (int i = n_ - 2; i >= 0; --i)
+    if (!linear.slips[i] && upstream_[i] >= 0 && !linear.slips[i + 1]) {
       sum[2 * i] += sum[2 * i + 2];
       sum[2 * i + 1] += sum[2 * i + 3];
     }
@@ -194,25 +194,25 @@ Vector FrictionNewton::fromLeft(const Linearisation &linear, const Vector &resid
 
 Vector FrictionNewton::fromRight(const Linearisation &linear, const Vector &x)
 {
-  field.x.setZero();
-  field.y.setZero();
-  for (int i = 0; i < n; ++i)
+  field_.x.setZero();
+  field_.y.setZero();
+  for (int i = 0; i < n_; ++i)
     if (!linear.slips[i]) {
-      field.x[eq.cells[i]] = compliance * x[2 * i];
-      field.y[eq.cells[i]] = compliance * x[2 * i + 1];
+      field_.x[eq_.cells[i]] = compliance_ * x[2 * i];
+      field_.y[eq_.cells[i]] = compliance_ * x[2 * i + 1];
     }
-  const TangentialField q = space.tractionEstimate(field);
+  const TangentialField q = space_.tractionEstimate(field_);
   Vector result = x;
-  for (int i = 0; i < n; ++i)
+  for (int i = 0; i < n_; ++i)
     if (linear.slips[i]) {
       const double d = 1.0 - linear.lambda[i] + linear.lambda[i] * prediction_;
       result[2 * i] /= d;
       result[2 * i + 1] /= d;
     }
-  for (int i = 0; i < n; ++i)
+  for (int i = 0; i < n_; ++i)
     if (!linear.slips[i]) {
-      result[2 * i] = q.x[eq.cells[i]];
-      result[2 * i + 1] = q.y[eq.cells[i]];
+      result[2 * i] = q.x[eq_.cells[i]];
+      result[2 * i + 1] = q.y[eq_.cells[i]];
     }
   return result;
 }
@@ -228,7 +228,7 @@ Vector FrictionNewton::newtonStep(const Linearisation &linear, const Vector &, c
 double FrictionNewton::residualOf(const Vector &x)
 {
   Linearisation linear;
-  return evaluate(x, linear).norm() / eq.scale;
+  return evaluate(x, linear).norm() / eq_.scale;
 }
 
 bool FrictionNewton::solve(Vector &x, double tolerance, int maxSteps)
@@ -247,16 +247,16 @@ bool FrictionNewton::iterate(Vector &x, double tolerance, int maxSteps)
 {
   Linearisation &linear = linear_;
   static const bool verbose = std::getenv("WR_VERBOSE");
-  for (int step = 0;; ++step, ++newtonSteps) {
+  for (int step = 0;; ++step, ++newtonSteps_) {
     const Vector f = evaluate(x, linear);
-    relativeResidual = f.norm() / eq.scale;
+    relativeResidual_ = f.norm() / eq_.scale;
     if (verbose)
-      std::fprintf(stderr, "    newton %d n %d residual %.3e products %d slip %ld\n", newtonSteps,
-                   n, relativeResidual, operatorProducts,
+      std::fprintf(stderr, "    newton %d n_ %d residual %.3e products %d slip %ld\n", newtonSteps_,
+                   n_, relativeResidual_, operatorProducts_,
                    long(std::count(linear.slips.begin(), linear.slips.end(), 1)));
-    if (relativeResidual <= tolerance)
+    if (relativeResidual_ <= tolerance)
       return true;
-    if (step >= maxSteps || !std::isfinite(relativeResidual))
+    if (step >= maxSteps || !std::isfinite(relativeResidual_))
       return false;
     x += newtonStep(linear, x, f, innerTolerance);
   }

@@ -27,7 +27,7 @@ class FrictionNewton {
     double scale = 1.0;        ///< that the residual's norm is measured against
   };
 
-  FrictionNewton(PatchHalfSpace &space, Equations equations);
+  FrictionNewton(PatchHalfSpace &space_, Equations equations);
 
   /// Norm of what is left of the equations at x, relative to their scale.
   double residualOf(const Vector &x);
@@ -37,13 +37,13 @@ class FrictionNewton {
   /// @return true when the tolerance is met
   bool solve(Vector &x, double tolerance, int maxSteps);
 
-  int steps() const { return newtonSteps; }
-  int products() const { return operatorProducts; }
-  double residual() const { return relativeResidual; }
+  int steps() const { return newtonSteps_; }
+  int products() const { return operatorProducts_; }
+  double residual() const { return relativeResidual_; }
   /// Does cell i of the solution slip?
   bool slips(int i) const { return linear_.slips[i] != 0; }
   /// Scaled slip of the solution, 2 per cell.
-  const Vector &slip() const { return scaledSlip; }
+  const Vector &slip() const { return scaledSlip_; }
 
  private:
   /// Which linear system a step solves: stick, or slip along `tangent`.
@@ -62,17 +62,17 @@ class FrictionNewton {
   Vector newtonStep(const Linearisation &linear, const Vector &x, const Vector &residual,
                     double tolerance);
 
-  PatchHalfSpace &space;
-  Equations eq;
-  int n;                     ///< cells in contact
-  double compliance;         ///< of a cell under itself
-  std::vector<int> upstream; ///< position in `cells` of the cell one further in x, -1: none
-  TangentialField field;
-  Vector scaledSlip;
+  PatchHalfSpace &space_;
+  Equations eq_;
+  int n_;                     ///< cells in contact
+  double compliance_;         ///< of a cell under itself
+  std::vector<int> upstream_; ///< position in `cells` of the cell one further in x, -1: none
+  TangentialField field_;
+  Vector scaledSlip_;
   Linearisation linear_; ///< at the last x
   double prediction_ = 0.5;
-  int newtonSteps = 0, operatorProducts = 0;
-  double relativeResidual = 0.0;
+  int newtonSteps_ = 0, operatorProducts_ = 0;
+  double relativeResidual_ = 0.0;
 };
 
 } // namespace wheelrail

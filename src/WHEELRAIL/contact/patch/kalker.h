@@ -6,7 +6,8 @@
 
 namespace wheelrail {
 
-/// Sensitivity of forces and moment to creepages where nothing slips (Kalker's linear theory, 1967):
+/// Sensitivity of forces and moment to creepages where nothing slips (Kalker's linear theory,
+/// 1967):
 ///   Fx = -xx xi,  Fy = -yy eta - yz phi,  Mz = -zy eta - zz phi,
 /// in the units of grid and G. yz and zy have opposite signs and, on a contact that is symmetric in
 /// x, the same size but for the error of the cells.

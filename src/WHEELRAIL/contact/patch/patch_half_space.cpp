@@ -88,46 +88,46 @@ void forFrequencies(int sizeY, const Apply &apply)
 } // namespace
 
 PatchHalfSpace::PatchHalfSpace(const CellGrid &grid, const ElasticPair &elasticPair)
-    : cellGrid(grid), pair(elasticPair), scalar(paddedTransform(grid, 1)),
-      pairOfFields(paddedTransform(grid, 2)), scalarEstimate(wrappingTransform(grid, 1)),
-      pairEstimate(wrappingTransform(grid, 2))
+    : cellGrid_(grid), pair_(elasticPair), scalar_(paddedTransform(grid, 1)),
+      pairOfFields_(paddedTransform(grid, 2)), scalarEstimate_(wrappingTransform(grid, 1)),
+      pairEstimate_(wrappingTransform(grid, 2))
 {
 }
 
 void PatchHalfSpace::fillSpectra()
 {
-  const int sizeX = scalar.sizeX(), sizeY = scalar.sizeY();
+  const int sizeX = scalar_.sizeX(), sizeY = scalar_.sizeY();
   const int countX = sizeX / 2 + 1, countY = sizeY / 2 + 1;
-  for (Quarter *quarter : {&yy, &xx, &xy})
+  for (Quarter *quarter : {&yy_, &xx_, &xy_})
     quarter->assign(std::size_t(countX) * countY, 0.0);
-  for (int ix = 0; ix < cellGrid.nx; ++ix)
-    for (int iy = 0; iy < cellGrid.ny; ++iy) {
+  for (int ix = 0; ix < cellGrid_.nx; ++ix)
+    for (int iy = 0; iy < cellGrid_.ny; ++iy) {
       const std::size_t at = std::size_t(ix) * countY + iy;
       const CellIntegrals cell =
-          cellIntegrals(ix * cellGrid.dx, iy * cellGrid.dy, cellGrid.dx, cellGrid.dy);
-      yy[at] = cell.yy;
-      xx[at] = cell.xx;
-      xy[at] = cell.xy;
+          cellIntegrals(ix * cellGrid_.dx, iy * cellGrid_.dy, cellGrid_.dx, cellGrid_.dy);
+      yy_[at] = cell.yy;
+      xx_[at] = cell.xx;
+      xy_[at] = cell.xy;
     }
-  quarterTransform(yy, countX, countY, false);
-  quarterTransform(xx, countX, countY, false);
-  quarterTransform(xy, countX, countY, true);
-  const double scale = 1.0 / (pi * pair.G * sizeX * sizeY);
-  for (std::size_t i = 0; i < yy.size(); ++i) {
-    yy[i] *= scale;
-    xx[i] *= scale;
-    xy[i] *= -scale; // odd in both directions: the product of two factors -i
+  quarterTransform(yy_, countX, countY, false);
+  quarterTransform(xx_, countX, countY, false);
+  quarterTransform(xy_, countX, countY, true);
+  const double scale = 1.0 / (pi * pair_.G * sizeX * sizeY);
+  for (std::size_t i = 0; i < yy_.size(); ++i) {
+    yy_[i] *= scale;
+    xx_[i] *= scale;
+    xy_[i] *= -scale; // odd in both directions: the product of two factors -i
   }
 }
 
 void PatchHalfSpace::fillEstimates()
 {
-  const int sizeX = pairEstimate.sizeX(), sizeY = pairEstimate.sizeY();
+  const int sizeX = pairEstimate_.sizeX(), sizeY = pairEstimate_.sizeY();
   const int countX = sizeX / 2 + 1, countY = sizeY / 2 + 1;
-  for (Quarter *quarter : {&stiffnessXX, &stiffnessYY, &stiffnessXY, &stiffnessZZ})
+  for (Quarter *quarter : {&stiffnessXX_, &stiffnessYY_, &stiffnessXY_, &stiffnessZZ_})
     quarter->resize(std::size_t(countX) * countY);
-  const double lengthX = sizeX * cellGrid.dx, lengthY = sizeY * cellGrid.dy;
-  const double scale = pi * pair.G / (double(sizeX) * sizeY), less = 1.0 - pair.nu;
+  const double lengthX = sizeX * cellGrid_.dx, lengthY = sizeY * cellGrid_.dy;
+  const double scale = pi * pair_.G / (double(sizeX) * sizeY), less = 1.0 - pair_.nu;
   for (int kx = 0; kx < countX; ++kx)
     for (int ky = 0; ky < countY; ++ky) {
       const std::size_t at = std::size_t(kx) * countY + ky;
@@ -135,29 +135,29 @@ void PatchHalfSpace::fillEstimates()
       if (kx == 0 && ky == 0) // the mean: as a wave of twice the box
         cell.yy = cell.xx = std::max(lengthX, lengthY), cell.xy = 0.0;
       else
-        cell = periodicSpectrum(2.0 * pi * kx / lengthX, 2.0 * pi * ky / lengthY, cellGrid);
+        cell = periodicSpectrum(2.0 * pi * kx / lengthX, 2.0 * pi * ky / lengthY, cellGrid_);
       // at the highest frequency +k and -k are the same: the odd part vanishes
       if (2 * kx == sizeX || 2 * ky == sizeY)
         cell.xy = 0.0;
       const double a = less * cell.yy + cell.xx, b = cell.yy + less * cell.xx;
-      const double c = pair.nu * cell.xy, determinant = a * b - c * c;
-      stiffnessXX[at] = scale * b / determinant;
-      stiffnessYY[at] = scale * a / determinant;
-      stiffnessXY[at] = -scale * c / determinant;
-      stiffnessZZ[at] = scale / (less * (cell.yy + cell.xx));
+      const double c = pair_.nu * cell.xy, determinant = a * b - c * c;
+      stiffnessXX_[at] = scale * b / determinant;
+      stiffnessYY_[at] = scale * a / determinant;
+      stiffnessXY_[at] = -scale * c / determinant;
+      stiffnessZZ_[at] = scale / (less * (cell.yy + cell.xx));
     }
 }
 
 Vector PatchHalfSpace::displacement(const Vector &pressure)
 {
-  if (yy.empty())
+  if (yy_.empty())
     fillSpectra();
   Vector result = pressure;
   double *field = result.data();
-  const int sizeY = scalar.sizeY(), countY = sizeY / 2 + 1;
-  const double less = 1.0 - pair.nu;
-  scalar.multiply(&field, [&](int kx, Complex *const *column) {
-    const double *a = &yy[std::size_t(kx) * countY], *b = &xx[std::size_t(kx) * countY];
+  const int sizeY = scalar_.sizeY(), countY = sizeY / 2 + 1;
+  const double less = 1.0 - pair_.nu;
+  scalar_.multiply(&field, [&](int kx, Complex *const *column) {
+    const double *a = &yy_[std::size_t(kx) * countY], *b = &xx_[std::size_t(kx) * countY];
     forFrequencies(sizeY,
                    [&](int ky, int bin, double) { column[0][ky] *= less * (a[bin] + b[bin]); });
   });
@@ -166,18 +166,18 @@ Vector PatchHalfSpace::displacement(const Vector &pressure)
 
 TangentialField PatchHalfSpace::displacement(const TangentialField &traction)
 {
-  if (yy.empty())
+  if (yy_.empty())
     fillSpectra();
   TangentialField result = traction;
   double *fields[] = {result.x.data(), result.y.data()};
-  const int sizeY = pairOfFields.sizeY(), countY = sizeY / 2 + 1;
-  const double less = 1.0 - pair.nu;
-  pairOfFields.multiply(fields, [&](int kx, Complex *const *column) {
+  const int sizeY = pairOfFields_.sizeY(), countY = sizeY / 2 + 1;
+  const double less = 1.0 - pair_.nu;
+  pairOfFields_.multiply(fields, [&](int kx, Complex *const *column) {
     const std::size_t at = std::size_t(kx) * countY;
-    const double *a = &yy[at], *b = &xx[at], *c = &xy[at];
+    const double *a = &yy_[at], *b = &xx_[at], *c = &xy_[at];
     forFrequencies(sizeY, [&](int ky, int bin, double sign) {
       const Complex x = column[0][ky], y = column[1][ky];
-      const double cross = sign * pair.nu * c[bin];
+      const double cross = sign * pair_.nu * c[bin];
       column[0][ky] = (less * a[bin] + b[bin]) * x + cross * y;
       column[1][ky] = cross * x + (a[bin] + less * b[bin]) * y;
     });
@@ -187,13 +187,13 @@ TangentialField PatchHalfSpace::displacement(const TangentialField &traction)
 
 Vector PatchHalfSpace::tractionEstimate(const Vector &displacement)
 {
-  if (stiffnessZZ.empty())
+  if (stiffnessZZ_.empty())
     fillEstimates();
   Vector result = displacement;
   double *field = result.data();
-  const int sizeY = scalarEstimate.sizeY(), countY = sizeY / 2 + 1;
-  scalarEstimate.multiply(&field, [&](int kx, Complex *const *column) {
-    const double *s = &stiffnessZZ[std::size_t(kx) * countY];
+  const int sizeY = scalarEstimate_.sizeY(), countY = sizeY / 2 + 1;
+  scalarEstimate_.multiply(&field, [&](int kx, Complex *const *column) {
+    const double *s = &stiffnessZZ_[std::size_t(kx) * countY];
     forFrequencies(sizeY, [&](int ky, int bin, double) { column[0][ky] *= s[bin]; });
   });
   return result;
@@ -201,18 +201,18 @@ Vector PatchHalfSpace::tractionEstimate(const Vector &displacement)
 
 TangentialField PatchHalfSpace::tractionEstimate(const TangentialField &displacement)
 {
-  if (stiffnessZZ.empty())
+  if (stiffnessZZ_.empty())
     fillEstimates();
   TangentialField result = displacement;
   double *fields[] = {result.x.data(), result.y.data()};
-  const int sizeY = pairEstimate.sizeY(), countY = sizeY / 2 + 1;
-  pairEstimate.multiply(fields, [&](int kx, Complex *const *column) {
+  const int sizeY = pairEstimate_.sizeY(), countY = sizeY / 2 + 1;
+  pairEstimate_.multiply(fields, [&](int kx, Complex *const *column) {
     const std::size_t at = std::size_t(kx) * countY;
     forFrequencies(sizeY, [&](int ky, int bin, double sign) {
       const Complex x = column[0][ky], y = column[1][ky];
-      const double cross = sign * stiffnessXY[at + bin];
-      column[0][ky] = stiffnessXX[at + bin] * x + cross * y;
-      column[1][ky] = cross * x + stiffnessYY[at + bin] * y;
+      const double cross = sign * stiffnessXY_[at + bin];
+      column[0][ky] = stiffnessXX_[at + bin] * x + cross * y;
+      column[1][ky] = cross * x + stiffnessYY_[at + bin] * y;
     });
   });
   return result;
@@ -220,32 +220,33 @@ TangentialField PatchHalfSpace::tractionEstimate(const TangentialField &displace
 
 double PatchHalfSpace::displacementScale(double pressureSum) const
 {
-  const double area = cellGrid.dx * cellGrid.dy;
+  const double area = cellGrid_.dx * cellGrid_.dy;
   const double side = std::sqrt(area * cells());
-  return pressureSum * area * (1.0 - pair.nu) / (pi * pair.G * side);
+  return pressureSum * area * (1.0 - pair_.nu) / (pi * pair_.G * side);
 }
 
 std::unique_ptr<HalfSpace> PatchHalfSpace::coarser() const
 {
   const auto halves = [](int n) { return n == 1 || n % 2 == 0; };
-  const CellGrid &g = cellGrid;
+  const CellGrid &g = cellGrid_;
   if (std::max(g.nx, g.ny) < 2 * coarsestGrid || !halves(g.nx) || !halves(g.ny))
     return nullptr;
   const bool alongX = g.nx > 1, alongY = g.ny > 1;
   return std::make_unique<PatchHalfSpace>(CellGrid{alongX ? g.nx / 2 : 1, alongY ? g.ny / 2 : 1,
                                                    alongX ? 2.0 * g.dx : g.dx,
                                                    alongY ? 2.0 * g.dy : g.dy},
-                                          pair);
+                                          pair_);
 }
 
 double PatchHalfSpace::normalCompliance() const
 {
-  return cellInfluence(pair, cellIntegrals(0.0, 0.0, cellGrid.dx, cellGrid.dy)).zz;
+  return cellInfluence(pair_, cellIntegrals(0.0, 0.0, cellGrid_.dx, cellGrid_.dy)).zz;
 }
 
 double PatchHalfSpace::tangentialCompliance() const
 {
-  const CellInfluence own = cellInfluence(pair, cellIntegrals(0.0, 0.0, cellGrid.dx, cellGrid.dy));
+  const CellInfluence own =
+      cellInfluence(pair_, cellIntegrals(0.0, 0.0, cellGrid_.dx, cellGrid_.dy));
   return std::max(own.xx, own.yy);
 }
 

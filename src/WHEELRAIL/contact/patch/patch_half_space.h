@@ -21,8 +21,8 @@ class PatchHalfSpace final : public HalfSpace {
  public:
   PatchHalfSpace(const CellGrid &grid, const ElasticPair &pair);
 
-  const CellGrid &grid() const override { return cellGrid; }
-  const ElasticPair &elasticity() const { return pair; }
+  const CellGrid &grid() const override { return cellGrid_; }
+  const ElasticPair &elasticity() const { return pair_; }
 
   /// Normal displacement (both bodies' compression) of a pressure. Symmetric, positive definite.
   Vector displacement(const Vector &pressure) override;
@@ -50,12 +50,12 @@ class PatchHalfSpace final : public HalfSpace {
   void fillSpectra();
   void fillEstimates();
 
-  CellGrid cellGrid;
-  ElasticPair pair;
-  PlaneTransform scalar, pairOfFields;         ///< zero-padded
-  PlaneTransform scalarEstimate, pairEstimate; ///< a preconditioner may wrap around
-  Quarter yy, xx, xy;                          ///< spectra of CellIntegrals
-  Quarter stiffnessXX, stiffnessYY, stiffnessXY, stiffnessZZ;
+  CellGrid cellGrid_;
+  ElasticPair pair_;
+  PlaneTransform scalar_, pairOfFields_;         ///< zero-padded
+  PlaneTransform scalarEstimate_, pairEstimate_; ///< a preconditioner may wrap around
+  Quarter yy_, xx_, xy_;                         ///< spectra of CellIntegrals
+  Quarter stiffnessXX_, stiffnessYY_, stiffnessXY_, stiffnessZZ_;
 };
 
 } // namespace wheelrail

@@ -108,7 +108,7 @@ void PlaneTransform::Work::scatter(int firstBin, int count)
 }
 
 PlaneTransform::PlaneTransform(int nx, int ny, int sizeX, int sizeY, int fields)
-    : work(std::make_unique<Work>(nx, ny, sizeX, sizeY, fields))
+    : work_(std::make_unique<Work>(nx, ny, sizeX, sizeY, fields))
 {
 }
 PlaneTransform::~PlaneTransform() = default;
@@ -117,16 +117,16 @@ PlaneTransform &PlaneTransform::operator=(PlaneTransform &&) noexcept = default;
 
 int PlaneTransform::sizeX() const
 {
-  return work->sizeX;
+  return work_->sizeX;
 }
 int PlaneTransform::sizeY() const
 {
-  return work->sizeY;
+  return work_->sizeY;
 }
 
 void PlaneTransform::multiply(double *const *fields, const Symbol &symbol)
 {
-  Work &w = *work;
+  Work &w = *work_;
   for (int f = 0; f < w.fields; ++f)
     w.rowsForward(f, fields[f]);
   std::vector<Complex *> columns(w.fields);

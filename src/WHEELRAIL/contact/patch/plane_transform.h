@@ -14,7 +14,7 @@ namespace wheelrail {
 /// in the cache.
 ///
 /// FFTW plans are FFTW_ESTIMATE, so that results do not depend on a timing and repeat to the last
-/// bit. One object has one work buffer: use one per thread.
+/// bit. One object has one work_ buffer: use one per thread.
 class PlaneTransform {
  public:
   using Complex = std::complex<double>;
@@ -38,7 +38,7 @@ class PlaneTransform {
 
  private:
   struct Work;
-  std::unique_ptr<Work> work;
+  std::unique_ptr<Work> work_;
 };
 
 } // namespace wheelrail

@@ -42,7 +42,7 @@ struct TangentialSolver::Work {
 };
 
 TangentialSolver::TangentialSolver(const PatchGrid &grid, const ElasticPair &pair)
-    : work(std::make_unique<Work>(Work{grid, pair, nullptr}))
+    : work_(std::make_unique<Work>(Work{grid, pair, nullptr}))
 {
 }
 TangentialSolver::~TangentialSolver() = default;
@@ -51,7 +51,7 @@ TangentialSolver &TangentialSolver::operator=(TangentialSolver &&) noexcept = de
 
 const PatchGrid &TangentialSolver::grid() const
 {
-  return work->grid;
+  return work_->grid;
 }
 
 namespace {
@@ -214,7 +214,7 @@ ScaledProblem scaledProblem(const PatchGrid &grid, const TangentialProblem &prob
 TangentialResult TangentialSolver::solve(const TangentialProblem &problem,
                                          const TangentialOptions &options)
 {
-  const PatchGrid &grid = work->grid;
+  const PatchGrid &grid = work_->grid;
   const bool steady = problem.kind == TangentialProblem::Kind::Steady;
   if (problem.bound.size() != grid.cells() || !(steady || problem.distance > 0.0))
     throw Error(ExitCode::Internal, "tangential contact: bound or distance do not fit the grid");
@@ -226,11 +226,11 @@ TangentialResult TangentialSolver::solve(const TangentialProblem &problem,
   result.state.assign(grid.cells(), PatchState::Apart);
   result.creepage = problem.creepage;
 
-  ScaledProblem scaled = scaledProblem(grid, problem, work->pair.G);
+  ScaledProblem scaled = scaledProblem(grid, problem, work_->pair.G);
   const int n = static_cast<int>(scaled.wholeIndex.size());
   if (n == 0)
     return result;
-  PatchHalfSpace &space = work->spaceOn(scaled.box.grid);
+  PatchHalfSpace &space = work_->spaceOn(scaled.box.grid);
   scaled.slipUnit = scaled.tractionUnit * space.tangentialCompliance();
   setDrive(grid, problem, scaled);
   setForces(grid, problem, scaled);
@@ -247,7 +247,7 @@ TangentialResult TangentialSolver::solve(const TangentialProblem &problem,
     TangentialOptions coarseOptions = options;
     coarseOptions.tolerance = std::max(options.tolerance, coarseTolerance);
     const TangentialProblem coarseProblem = coarsened(grid, coarse, problem);
-    TangentialSolver solver(coarse, work->pair);
+    TangentialSolver solver(coarse, work_->pair);
     const TangentialResult found = solver.solve(coarseProblem, coarseOptions);
     result.coarseProducts = found.products + found.coarseProducts;
     start = refined(grid, coarse, problem.bound, coarseProblem.bound, found.traction);

@@ -63,7 +63,7 @@ struct TangentialResult {
   int slipCells() const;
 };
 
-/// Solver on one grid; keeps its work space from one call to the next. One object per thread.
+/// Solver on one grid; keeps its work_ space from one call to the next. One object per thread.
 ///
 /// Semismooth Newton (Alart, Curnier 1991) on q - P(q - r S) = 0, P the projection on the disc of
 /// radius `bound`. Its linear systems by GMRES on the cells in contact, preconditioned from the
@@ -85,7 +85,7 @@ class TangentialSolver {
 
  private:
   struct Work;
-  std::unique_ptr<Work> work;
+  std::unique_ptr<Work> work_;
 };
 
 } // namespace wheelrail

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef WHEELRAIL_PATCH_TEMPERATURE_H
+#define WHEELRAIL_PATCH_TEMPERATURE_H
+
+#include "contact/half_space.h"
+#include "contact/line/contact_temperature.h"
+
+#include <vector>
+
+namespace wheelrail {
+
+/// Flash temperature over a patch. At a large Peclet number heat flows into the depth only, not
+/// across the rolling direction: every row of cells is a line contact's problem of its own, solved
+/// by FlashTemperature without an error of the order sqrt(cell). SI units.
+class PatchFlashTemperature {
+ public:
+  /// @param grid nx and ny count; lengths are not read
+  /// @param cellLength along x, m
+  /// @param speed rolling speed, m/s
+  PatchFlashTemperature(const CellGrid &grid, double cellLength, double speed,
+                        const ThermalMaterial &material);
+
+  /// @param heat friction power per area of each cell, both bodies' together, W/m2
+  /// @return temperature rise per cell, K
+  Eigen::VectorXd rise(const Eigen::VectorXd &heat);
+
+ private:
+  CellGrid grid_;
+  FlashTemperature row_;
+};
+
+/// The same where heat changes in time (one step: the material moves on by a cell).
+class PatchTravellingHeat {
+ public:
+  PatchTravellingHeat(const CellGrid &grid, double cellLength, double speed,
+                      const ThermalMaterial &material);
+
+  void step(const Eigen::VectorXd &heat); ///< W/m2, both bodies'
+  Eigen::VectorXd rise() const;           ///< after the last step, K
+
+ private:
+  CellGrid grid_;
+  std::vector<TravellingHeat> rows_;
+};
+
+} // namespace wheelrail
+#endif

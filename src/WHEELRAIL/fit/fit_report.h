@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef WHEELRAIL_FIT_FIT_REPORT_H
+#define WHEELRAIL_FIT_FIT_REPORT_H
+
+#include "fit/fit_analysis.h"
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+
+namespace wheelrail {
+
+/// The report for people: a table of the points, the law with its intervals, the comparison of
+/// models, runs that repeat each other.
+std::string textReport(const FitAnalysis &analysis);
+
+/// The law file (format "mca-friction-law 1", with everything else under "report"), or, when no law
+/// was fitted, the same report under format "mca-friction-report 1" with the reason. Numbers that
+/// are not finite are null.
+nlohmann::ordered_json jsonReport(const FitAnalysis &analysis);
+
+} // namespace wheelrail
+
+#endif
