@@ -13,7 +13,7 @@ namespace {
 LineContactSpecification readContact(CaseReader &reader)
 {
   reader.refuse({"contact.radii", "contact.curvatures", "contact.semi_axes", "contact.spin_point",
-                 "lateral", "spin", "force", "sequence", "roughness.anisotropy", "roughness.boxes",
+                 "lateral", "spin", "force", "sequence", "roughness.stretch", "roughness.boxes",
                  "roughness.unmeasured", "roughness.spacing", "roughness.height_unit", "roughness.turn",
                  "roughness.mirror", "moving.start", "static.shift", "fields", "sensitivities"},
                 "a line contact (contact.load_per_length)");

@@ -146,7 +146,7 @@ void readMeasured(CaseReader &reader, const std::string &caseFile, RoughPatchSpe
 {
   reader.refuse({"roughness.hurst", "roughness.rms_slope", "roughness.rms_height",
                  "roughness.wavelength_min", "roughness.wavelength_max", "roughness.seed",
-                 "roughness.anisotropy", "roughness.boxes"},
+                 "roughness.stretch", "roughness.boxes"},
                 "measured maps (roughness.rail, roughness.wheel)");
   surface.kind = RoughnessKind::Measured;
   for (const auto &[name, files] :
@@ -199,9 +199,9 @@ void readFractal(CaseReader &reader, RoughPatchSpecification &surface)
   fractal.wavelengthMax = reader.number("roughness.wavelength_max");
   if (fractal.wavelengthMin > fractal.wavelengthMax)
     reader.fail("roughness.wavelength_min", "is above wavelength_max");
-  fractal.anisotropy = reader.number("roughness.anisotropy");
+  fractal.stretch = reader.number("roughness.stretch");
   if (reader.has("roughness.boxes"))
-    fractal.boxes = reader.integer("roughness.boxes");
+    surface.boxes = reader.integer("roughness.boxes");
   for (double seed : reader.numbers("roughness.seed"))
     surface.seeds.push_back(static_cast<std::uint64_t>(seed));
 }

@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <fmt/format.h>
+#include <tuple>
 
 namespace wheelrail {
 namespace {
@@ -97,6 +98,56 @@ RoughMap measuredMap(const std::string &path, const HeightMapPreparation &prepar
   return map;
 }
 
+/// Root mean squares of a periodic map, slopes between neighbours.
+HeightMapStatistics statisticsOf(const RoughMap &a, const RoughMap &b, const PatchGrid &box,
+                                 double shortest)
+{
+  HeightMap sum{a.nx, a.ny, box.dx, box.dy, a.height + b.height};
+  return heightMapStatistics("generated", sum, shortest);
+}
+
+/// Number that the surface of a body is made from.
+std::uint64_t seedOfBody(std::uint64_t seed, int body)
+{
+  constexpr std::uint64_t apart = 0x9E3779B97F4A7C15; // far from any seed that a person takes
+  return seed + static_cast<std::uint64_t>(body) * apart;
+}
+
+RoughPatch fractalPatch(const RoughPatchSpecification &specification, std::uint64_t seed,
+                        const PatchGrid &box, double travel)
+{
+  const double boxX = box.nx * box.dx;
+  const int boxes =
+      specification.boxes > 0 ? specification.boxes : 1 + static_cast<int>(travel / boxX);
+  FractalPatch fractal = specification.fractal;
+  fractal.periodX = boxes * boxX;
+  fractal.periodY = box.ny * box.dy;
+  fractal.rmsSlope /= std::sqrt(2.0);
+  fractal.rmsHeight /= std::sqrt(2.0);
+  PatchGrid cells = box;
+  cells.nx *= boxes;
+  RoughPatch patch;
+  patch.number = seed;
+  for (int body : {0, 1}) {
+    fractal.seed = seedOfBody(seed, body);
+    RoughMap &map = body == 0 ? patch.wheel : patch.rail;
+    map.nx = cells.nx;
+    map.ny = cells.ny;
+    map.height = FractalHeights(fractal).sampled(cells);
+  }
+  const double root = std::sqrt(fractal.stretch);
+  patch.shortestWave = fractal.wavelengthMin * std::min(root, 1.0 / root);
+  patch.statistics.push_back(statisticsOf(patch.wheel, patch.rail, box, patch.shortestWave));
+  for (const auto &[wave, cell, direction] :
+       {std::tuple{fractal.wavelengthMin * root, box.dx, "along x"},
+        {fractal.wavelengthMin / root, box.dy, "along y"}})
+    if (wave < advisedCellsPerWave * cell)
+      patch.remarks.push_back(fmt::format(
+          "points: waves of {:.4g} mm have {:.1f} cells {}; {:g} are advised", wave * 1e3,
+          wave / cell, direction, advisedCellsPerWave));
+  return patch;
+}
+
 RoughPatch measuredPatch(const RoughPatchSpecification &specification, std::size_t index,
                          const PatchGrid &box, double travel)
 {
@@ -128,7 +179,7 @@ RoughPatch prepareRoughPatch(const RoughPatchSpecification &specification, std::
 {
   switch (specification.kind) {
   case RoughnessKind::Fractal:
-    return fractalPatch(specification.fractal, specification.seeds[index], box, travel);
+    return fractalPatch(specification, specification.seeds[index], box, travel);
   case RoughnessKind::Measured:
     return measuredPatch(specification, index, box, travel);
   default:

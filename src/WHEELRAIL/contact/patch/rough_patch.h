@@ -4,6 +4,7 @@
 
 #include "contact/line/surface.h"
 #include "contact/patch/height_map_file.h"
+#include "contact/patch/patch_surface.h"
 
 #include <cstdint>
 #include <string>
@@ -34,24 +35,13 @@ struct RoughMap {
   Eigen::VectorXd window(const PatchGrid &box, const Travel &travel) const;
 };
 
-/// A self-affine random surface: the power spectrum of its two-dimensional heights falls as
-/// q^-(2 + 2 H), q^2 = (anisotropy kx)^2 + ky^2, between two wavelengths (across the rolling
-/// direction; along it they are `anisotropy` times as long: grooves along x where it is large).
-struct FractalPatch {
-  double hurst = 0.8;
-  double rmsSlope = 0.0;  ///< of the gradient (Sdq of ISO 25178), or
-  double rmsHeight = 0.0; ///< m (Sq); one of both is > 0
-  double wavelengthMin = 0.0, wavelengthMax = 0.0; ///< m
-  double anisotropy = 1.0;
-  /// The map's period along x in lengths of the box; 0: 1, and enough for the travel.
-  int boxes = 0;
-};
-
 /// The surfaces of both bodies.
 struct RoughPatchSpecification {
   RoughnessKind kind = RoughnessKind::None;
-  FractalPatch fractal;
-  std::vector<std::uint64_t> seeds;     ///< Fractal: one surface each
+  FractalPatch fractal; ///< of both bodies together; seed and periods are set for each surface
+  std::vector<std::uint64_t> seeds; ///< Fractal: one surface each
+  /// Fractal: the period along x in lengths of the box; 0: 1, and enough for the travel.
+  int boxes = 0;
   std::vector<std::string> rail, wheel; ///< Measured: files; one list may be empty
   HeightMapPreparation railMap, wheelMap; ///< Measured: the scale is that of npy files
 
@@ -68,22 +58,18 @@ struct RoughPatch {
   std::vector<std::string> remarks; ///< what was done to the maps that a user must know
 };
 
-/// Fewest cells to the shortest wave: below the first it is refused, below the second warned of.
-constexpr double fewestCellsPerWave = 4.0, advisedCellsPerWave = 8.0;
+/// Cells to the shortest wave; fewer are warned of.
+constexpr double advisedCellsPerWave = 8.0;
 
+/// Generated surfaces: each body has one of its own, of the same statistics and with 1/sqrt(2) of
+/// the slope and height, from numbers that the seed decides; they repeat with the height of the box
+/// and a whole number of its lengths.
 /// @param index of the surface, below surfaces()
 /// @param travel m, how far the material will move
 /// @throws Error (BadInput) for maps that cannot be read or do not fit, waves that the cells cannot
 ///         carry
 RoughPatch prepareRoughPatch(const RoughPatchSpecification &specification, std::size_t index,
                              const PatchGrid &box, double travel);
-
-/// Wheel and rail of a generated surface. Each wave belongs to one of the bodies, by lot, so that
-/// their sum is the surface of the seed, whichever way each of them travels. The seed alone decides
-/// phases and lots, wave by wave: another number of cells samples the same surface.
-/// @throws Error (BadInput) when no wave fits into the box, or the cells cannot carry the shortest
-RoughPatch fractalPatch(const FractalPatch &fractal, std::uint64_t seed, const PatchGrid &box,
-                        double travel);
 
 } // namespace wheelrail
 #endif

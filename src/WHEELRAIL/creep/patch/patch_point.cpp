@@ -53,19 +53,6 @@ Vector frictionalHeat(const TangentialResult &result, double speed)
                    result.traction.y.cwiseProduct(result.slip.y));
 }
 
-Vector flashTemperature(const PatchGrid &grid, double speed, const ThermalMaterial &material,
-                        const Vector &heat)
-{
-  FlashTemperature row(grid.nx, grid.dx, speed, material);
-  Vector rise = Vector::Zero(grid.cells());
-  for (int iy = 0; iy < grid.ny; ++iy) {
-    const Vector source = heat.segment(grid.index(0, iy), grid.nx);
-    if (source.cwiseAbs().maxCoeff() > 0.0)
-      rise.segment(grid.index(0, iy), grid.nx) = row.rise(source);
-  }
-  return rise;
-}
-
 FrozenPatch::FrozenPatch(const CreepPhysics &physics, const PatchContact &contact, double spinPoint)
     : physics_(physics), contact_(contact), spinPoint_(spinPoint),
       solver_(contact.grid, contact.pair), approach_(contact.normal.approach)
@@ -127,7 +114,10 @@ Vector FrozenPatch::temperatureFrom(double speed)
   case ThermalModel::Off:
     return Vector::Zero(n);
   case ThermalModel::Local:
-    return flashTemperature(contact_.grid, speed, thermal.material, frictionalHeat(result_, speed));
+    if (!flash_ || flashSpeed_ != speed)
+      flash_.emplace(contact_.grid, contact_.grid.dx, speed, thermal.material);
+    flashSpeed_ = speed;
+    return flash_->rise(frictionalHeat(result_, speed));
   default:
     break;
   }

@@ -3,8 +3,9 @@
 #define WHEELRAIL_CREEP_PATCH_POINT_H
 
 #include "contact/patch/patch_contact.h"
-#include "contact/patch/tangential.h"
 #include "contact/patch/patch_half_space.h"
+#include "contact/patch/patch_temperature.h"
+#include "contact/patch/tangential.h"
 #include "creep/creep_physics.h"
 #include "creep/field_files.h"
 
@@ -91,14 +92,12 @@ class FrozenPatch {
   bool warm_ = false;
   Creepage creepage_;
   std::optional<PatchHalfSpace> space_; ///< for the pressure, where it changes with temperature
+  std::optional<PatchFlashTemperature> flash_;
+  double flashSpeed_ = 0.0;
   double approach_;
   int products_ = 0;
   PatchFields fields_;
 };
-
-/// Temperature of each row along x, K. @param heat W/m2, both bodies' together
-Eigen::VectorXd flashTemperature(const PatchGrid &grid, double speed,
-                                 const ThermalMaterial &material, const Eigen::VectorXd &heat);
 
 /// Heat by friction per cell at a rolling speed, W/m2.
 Eigen::VectorXd frictionalHeat(const TangentialResult &result, double speed);
