@@ -3,8 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
 
 namespace wheelrail {
 namespace {
@@ -246,14 +244,9 @@ bool FrictionNewton::solve(Vector &x, double tolerance, int maxSteps)
 bool FrictionNewton::iterate(Vector &x, double tolerance, int maxSteps)
 {
   Linearisation &linear = linear_;
-  static const bool verbose = std::getenv("WR_VERBOSE");
   for (int step = 0;; ++step, ++newtonSteps_) {
     const Vector f = evaluate(x, linear);
     relativeResidual_ = f.norm() / eq_.scale;
-    if (verbose)
-      std::fprintf(stderr, "    newton %d n_ %d residual %.3e products %d slip %ld\n", newtonSteps_,
-                   n_, relativeResidual_, operatorProducts_,
-                   long(std::count(linear.slips.begin(), linear.slips.end(), 1)));
     if (relativeResidual_ <= tolerance)
       return true;
     if (step >= maxSteps || !std::isfinite(relativeResidual_))

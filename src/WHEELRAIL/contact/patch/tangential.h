@@ -44,9 +44,11 @@ struct TangentialProblem {
 enum class PatchState : signed char { Apart, Stick, Slip };
 
 struct TangentialOptions {
-  double tolerance = 1e-7; ///< of traction and slip, relative to bound or rigid slip
-  int maxSteps = 60;       ///< Newton steps on the finest grid
-  TangentialField start;   ///< tractions to start from; empty: coarser grids first
+  /// Of traction and slip, relative to the bound or the rigid slip. Forces are off by a tenth of it
+  /// or less.
+  double tolerance = 1e-5;
+  int maxSteps = 60;     ///< Newton steps on the finest grid
+  TangentialField start; ///< tractions to start from; empty: coarser grids first
 };
 
 struct TangentialResult {

@@ -21,6 +21,13 @@ void TransientPatch::startFrom(const TangentialField &traction)
   displacement_ = space_.displacement(traction);
 }
 
+TangentialOptions TransientPatch::defaultOptions()
+{
+  TangentialOptions options;
+  options.tolerance = 1e-4;
+  return options;
+}
+
 TangentialResult TransientPatch::step(const Step &step, const TangentialOptions &options)
 {
   const PatchGrid &g = grid();

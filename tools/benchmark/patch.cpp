@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Speed of rolling contact in three dimensions, one thread:
+//   bench_patch --benchmark_repetitions=5 --benchmark_out=patch.json
+// CPU time of a rough circular contact, nu .3, waves of a/4 to a, n x n cells over 1.7 x 2a:
+//   Steady/n      a creep 10 % above that of the tractions it starts from
+//   SteadyCold/n  the same without a start
+//   Transient/n   a step of moving roughness: normal contact, then traction
+//   Smooth/n      as Steady, a Hertzian circle over 1.1 x 2a
+#include "contact/normal_contact.h"
+#include "contact/patch/hertz_ellipse.h"
+#include "contact/patch/patch_half_space.h"
+#include "contact/patch/patch_surface.h"
+#include "contact/patch/transient.h"
+
+#include <benchmark/benchmark.h>
+
+using namespace wheelrail;
+using Vector = Eigen::VectorXd;
+
+namespace {
+
+constexpr double mu = 0.3, load = 0.01;
+const ElasticPair pair{1.0, 0.3};
+const double creepUnit = mu * load / pair.G;
+
+struct RoughContact {
+  explicit RoughContact(int n)
+      : grid(centredGrid(n, n, 3.4, 3.4)), space(grid, pair),
+        hertz(hertzEllipseOfAxes(load, pair.G / (1.0 - pair.nu), 1.0, 1.0)), heights(surface())
+  {
+  }
+  static FractalPatch surface()
+  {
+    FractalPatch s;
+    s.rmsSlope = 0.01;
+    s.wavelengthMin = 0.25;
+    s.wavelengthMax = 1.0;
+    s.periodX = s.periodY = 4.0;
+    return s;
+  }
+  /// Contact after the roughness has travelled by so many cells.
+  void press(int travelled)
+  {
+    NormalContactProblem problem;
+    problem.load = load / grid.cellArea();
+    problem.profile = sampled(grid, [&](double x, double y) { return hertz.gap(x, y); }) -
+                      heights.sampled(grid, travelled * grid.dx);
+    NormalContactOptions options;
+    if (pressure.size() > 0)
+      options.start = shifted(grid, pressure, 1);
+    pressure = solveNormalContact(space, problem, options).pressure;
+  }
+
+  PatchGrid grid;
+  PatchHalfSpace space;
+  HertzEllipse hertz;
+  FractalHeights heights;
+  Vector pressure;
+};
+
+void steady(benchmark::State &state, const PatchGrid &grid, const Vector &bound, bool warm)
+{
+  TangentialSolver solver(grid, pair);
+  TangentialProblem problem;
+  problem.bound = bound;
+  problem.creepage.xi = 0.2 * creepUnit;
+  TangentialOptions options;
+  options.start = solver.solve(problem).traction;
+  problem.creepage.xi *= 1.1;
+  if (!warm)
+    options.start = {};
+  TangentialResult result;
+  for (auto _ : state)
+    result = solver.solve(problem, options);
+  state.counters["products"] = result.products;
+  state.counters["steps"] = result.newtonSteps;
+  state.counters["cells"] = result.stickCells() + result.slipCells();
+}
+
+void Steady(benchmark::State &state)
+{
+  RoughContact contact(static_cast<int>(state.range(0)));
+  contact.press(0);
+  steady(state, contact.grid, mu * contact.pressure, true);
+}
+
+void SteadyCold(benchmark::State &state)
+{
+  RoughContact contact(static_cast<int>(state.range(0)));
+  contact.press(0);
+  steady(state, contact.grid, mu * contact.pressure, false);
+}
+
+void Smooth(benchmark::State &state)
+{
+  const int n = static_cast<int>(state.range(0));
+  const PatchGrid grid = centredGrid(n, n, 2.2, 2.2);
+  const HertzEllipse hertz = hertzEllipseOfAxes(load, pair.G / (1.0 - pair.nu), 1.0, 1.0);
+  steady(state, grid, sampled(grid, [&](double x, double y) { return mu * hertz.pressure(x, y); }),
+         true);
+}
+
+void Transient(benchmark::State &state)
+{
+  RoughContact contact(static_cast<int>(state.range(0)));
+  contact.press(0);
+  TangentialProblem frozen;
+  frozen.bound = mu * contact.pressure;
+  frozen.creepage.xi = 0.2 * creepUnit;
+  TransientPatch patch(contact.grid, pair);
+  patch.startFrom(TangentialSolver(contact.grid, pair).solve(frozen).traction);
+  TransientPatch::Step step;
+  step.creepage = frozen.creepage;
+  int travelled = 0, products = 0;
+  for (auto _ : state) {
+    contact.press(++travelled);
+    step.bound = mu * contact.pressure;
+    products += patch.step(step).products;
+  }
+  state.counters["products"] = double(products) / travelled;
+}
+
+} // namespace
+
+BENCHMARK(Steady)->Arg(256)->Arg(512)->Arg(1024)->Unit(benchmark::kMillisecond);
+BENCHMARK(SteadyCold)->Arg(256)->Arg(512)->Arg(1024)->Unit(benchmark::kMillisecond);
+BENCHMARK(Smooth)->Arg(128)->Arg(256)->Arg(512)->Arg(1024)->Unit(benchmark::kMillisecond);
+BENCHMARK(Transient)->Arg(256)->Arg(512)->Arg(1024)->Unit(benchmark::kMillisecond);
+BENCHMARK_MAIN();
