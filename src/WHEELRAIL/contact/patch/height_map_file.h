@@ -31,6 +31,7 @@ struct HeightMapScale {
 ///   # height: um
 ///   # spacing: 5 um           (or two: # spacing: 5 um, 10 um for x and y)
 ///   # rows: downwards         (upwards where nothing is said)
+///   # points: 512, 256        (may be left out; along x and y, compared with what follows)
 /// then one line for each row of points along x, numbers separated by blanks, commas, semicolons or
 /// tabs.
 ///
@@ -39,7 +40,9 @@ struct HeightMapScale {
 ///
 /// No length that a file states is believed before it was compared with the file's size; maps of
 /// more than 2^27 points (1 GiB) are refused. GSF and npy files must end where their data end; SDF
-/// files of binary kind, compressed or with check sums are refused.
+/// files of binary kind, compressed or with check sums are refused. So a file that was cut off is
+/// refused, but for a text matrix without `points`. None of the formats carries a check sum: a
+/// height that was falsified is not noticed unless it is infinite.
 /// @param scale of npy files; given for a file that states its own, it is an error
 /// @throws Error (BadInput), one line: file, line or byte, what stands there, what is allowed. At
 ///         least 4 x 4 points are needed.

@@ -14,6 +14,7 @@ constexpr const char *between = " \t,;";
 struct MatrixHead {
   double heightUnit = 0.0, spacingX = 0.0, spacingY = 0.0; // m
   bool rowsUpwards = true;
+  long columns = 0, rows = 0; ///< stated; 0: not
 };
 
 /// "# keyword: value"; other comments are free text.
@@ -32,6 +33,17 @@ void readHeadLine(const std::string &path, int number, std::string_view line, Ma
     head.spacingY = comma == std::string::npos
                         ? head.spacingX
                         : positiveLength(path, number, keyword, value.substr(comma + 1));
+  }
+  if (keyword == "points") {
+    const auto comma = value.find(',');
+    if (comma == std::string::npos)
+      throw badInput(path, number, keyword,
+                     fmt::format("'{}' must be two whole numbers, along x and y", value));
+    const std::string_view columns = trimmedView(std::string_view(value).substr(0, comma));
+    const std::string_view rows = trimmedView(std::string_view(value).substr(comma + 1));
+    head.columns = wholeNumber(path, number, keyword, std::string(columns));
+    head.rows = wholeNumber(path, number, keyword, std::string(rows));
+    checkMapSize(path, number, keyword, head.columns, head.rows);
   }
   if (keyword == "rows") {
     if (value != "upwards" && value != "downwards")
@@ -100,6 +112,10 @@ HeightMap parseMatrix(const std::string &path, const std::string &bytes)
     if (rows * columns > mostMapPoints)
       checkMapSize(path, lines.number(), "", columns, rows);
   }
+  if (head.columns > 0 && (columns != head.columns || rows != head.rows))
+    throw badInput(path, 0, "points",
+                   fmt::format("{} x {} heights; the head states {} x {}", columns, rows,
+                               head.columns, head.rows));
   checkMapSize(path, 0, "", columns, rows);
   HeightMap map{static_cast<int>(columns), static_cast<int>(rows), head.spacingX, head.spacingY,
                 Eigen::Map<const Eigen::VectorXd>(heights.data(), columns * rows) *

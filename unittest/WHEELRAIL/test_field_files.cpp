@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "base/errors.h"
+#include "base/output_file.h"
+#include "contact/patch/gsf_file.h"
+#include "creep/field_files.h"
+
+#include <cstring>
+#include <filesystem>
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+using namespace wheelrail;
+namespace fs = std::filesystem;
+
+namespace {
+
+PatchGrid theGrid()
+{
+  PatchGrid grid = centredGrid(3, 2, 1.5, 0.8);
+  grid.left = -0.25;
+  return grid;
+}
+
+PatchFields theFields()
+{
+  const PatchGrid grid = theGrid();
+  PatchFields fields;
+  fields.state.assign(6, PatchState::Apart);
+  fields.state[1] = PatchState::Stick;
+  fields.state[5] = PatchState::Slip;
+  fields.pressure = sampled(grid, [](double x, double y) { return 100.0 + 10.0 * x + y; });
+  fields.gap = Eigen::VectorXd::Constant(6, 1e-3);
+  fields.traction = {0.3 * fields.pressure, -0.1 * fields.pressure};
+  fields.slip = {Eigen::VectorXd::Constant(6, 1e-3), Eigen::VectorXd::Zero(6)};
+  fields.mu = Eigen::VectorXd::Constant(6, 0.3);
+  return fields; // without a temperature
+}
+
+/// The offset that a .vti states for an array.
+std::size_t offsetOf(const std::string &bytes, const std::string &name)
+{
+  const auto at = bytes.find("Name=\"" + name + "\"");
+  EXPECT_NE(at, std::string::npos) << name;
+  const auto number = bytes.find("offset=\"", at) + 8;
+  return std::stoul(bytes.substr(number, 20));
+}
+
+template<class Number>
+Number numberAt(const std::string &bytes, std::size_t place)
+{
+  Number number{};
+  std::memcpy(&number, bytes.data() + place, sizeof number);
+  return number;
+}
+
+} // namespace
+
+TEST(FieldFiles, VtiHoldsTheNumbersToTheLastBit)
+{
+  const PatchFields fields = theFields();
+  const std::string bytes = vtiBytes(theGrid(), fields, "creep 1e-3");
+  EXPECT_NE(bytes.find("WholeExtent=\"0 3 0 2 0 0\""), std::string::npos);
+  EXPECT_NE(bytes.find("Origin=\"-0.25 -0.40000000000000002 0\""), std::string::npos);
+  EXPECT_EQ(bytes.find("temperature\" "), std::string::npos);
+  const std::size_t data = bytes.find("encoding=\"raw\">\n_") + 17;
+  const std::size_t pressure = data + offsetOf(bytes, "pressure");
+  EXPECT_EQ(numberAt<std::uint64_t>(bytes, pressure), 48U);
+  for (int k = 0; k < 6; ++k)
+    EXPECT_EQ(numberAt<double>(bytes, pressure + 8 + 8 * k), fields.pressure[k]);
+  const std::size_t traction = data + offsetOf(bytes, "traction");
+  EXPECT_EQ(numberAt<std::uint64_t>(bytes, traction), 144U);
+  EXPECT_EQ(numberAt<double>(bytes, traction + 8 + 24 * 4), fields.traction.x[4]);
+  EXPECT_EQ(numberAt<double>(bytes, traction + 8 + 24 * 4 + 8), fields.traction.y[4]);
+  EXPECT_EQ(numberAt<double>(bytes, traction + 8 + 24 * 4 + 16), 0.0);
+  const std::size_t state = data + offsetOf(bytes, "state");
+  EXPECT_EQ(numberAt<std::uint64_t>(bytes, state), 6U);
+  EXPECT_EQ(bytes.substr(state + 8, 6), std::string("\0\1\0\0\0\2", 6));
+  EXPECT_EQ(bytes.substr(bytes.size() - 11), "</VTKFile>\n");
+}
+
+TEST(FieldFiles, ATitleCannotBreakTheFiles)
+{
+  const std::string title = "a --> b\n<!-- c\0";
+  const std::string bytes = vtiBytes(theGrid(), theFields(), title);
+  EXPECT_NE(bytes.find("<!-- a __> b <!__ c -->\n"), std::string::npos);
+  for (const NamedBytes &file : gsfFields(theGrid(), theFields(), title))
+    EXPECT_NO_THROW(parseGsf(file.name, file.bytes)) << file.name;
+}
+
+TEST(FieldFiles, GsfFieldsAreInSi)
+{
+  const PatchFields fields = theFields();
+  const auto files = gsfFields(theGrid(), fields, "");
+  std::vector<std::string> names;
+  for (const NamedBytes &file : files) {
+    names.push_back(file.name);
+    const SimpleField field = parseGsf(file.name, file.bytes);
+    EXPECT_DOUBLE_EQ(field.width, 1.5e-3);
+    EXPECT_DOUBLE_EQ(field.height, 0.8e-3);
+    EXPECT_DOUBLE_EQ(field.xOffset, -0.25e-3);
+    EXPECT_DOUBLE_EQ(field.yOffset, -0.4e-3);
+    EXPECT_EQ(field.title, file.name);
+    if (file.name == "pressure") {
+      EXPECT_EQ(field.zUnit, "Pa");
+      for (int k = 0; k < 6; ++k)
+        EXPECT_EQ(field.value[k], static_cast<float>(1e6 * fields.pressure[k]));
+    }
+    if (file.name == "state") {
+      EXPECT_EQ(field.value[5], 2.0);
+    }
+  }
+  EXPECT_EQ(names, (std::vector<std::string>{"state", "gap", "pressure", "traction_x", "traction_y",
+                                             "slip_x", "slip_y", "mu"}));
+}
+
+TEST(FieldFiles, AreWrittenWhole)
+{
+  const fs::path folder = fs::temp_directory_path() / fmt::format("wr-fields-{}", ::getpid());
+  fs::create_directories(folder);
+  const auto written = writeFieldFiles((folder / "point").string(), theGrid(), theFields(), "t");
+  EXPECT_EQ(written.size(), 9U);
+  EXPECT_EQ(readInputFile(written[0]), vtiBytes(theGrid(), theFields(), "t"));
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder), fs::directory_iterator()), 9);
+  try {
+    writeFieldFiles((folder / "absent" / "point").string(), theGrid(), theFields(), "t");
+    FAIL() << "written into no folder";
+  } catch (const Error &error) {
+    EXPECT_EQ(error.code(), ExitCode::Io);
+  }
+  fs::remove_all(folder);
+}
