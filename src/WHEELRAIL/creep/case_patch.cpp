@@ -339,6 +339,7 @@ void readStatic(CaseReader &reader, PatchSpecification &patch)
 
 PatchSpecification readPatch(CaseReader &reader, const std::string &caseFile)
 {
+  reader.refuse({"uncertainty"}, "contact.load: a contact in a point has no band");
   PatchSpecification patch;
   patch.roughness = readRoughness(reader, caseFile);
   patch.contact = readContact(reader, patch.roughness.kind != RoughnessKind::None);

@@ -15,7 +15,8 @@ namespace {
 using Vector = Eigen::VectorXd;
 
 constexpr double pi = 3.14159265358979323846;
-constexpr double temperatureTolerance = 1e-9; ///< of the strength temperature
+constexpr double temperatureTolerance = 1e-7; ///< of the strength temperature
+constexpr double tangentialTolerance = 1e-6;
 constexpr double creepTolerance = 1e-6;       ///< of a creepage that is found, relative
 constexpr int maxIterations = 100;
 
@@ -75,6 +76,7 @@ TangentialResult FrozenPatch::roll(const PatchDrive &drive, const Creepage &gues
   if (drive.forceY)
     problem.creepage.eta = guess.eta;
   TangentialOptions options;
+  options.tolerance = tangentialTolerance;
   if (warm_)
     options.start = result_.traction;
   return solver_.solve(problem, options);

@@ -6,6 +6,9 @@
 #include "creep/patch/patch_curve.h"
 
 namespace wheelrail {
+namespace {
+constexpr double tolerance = 1e-7; ///< one solve, which may be exact
+}
 
 StaticPatch solveStaticPatch(const CreepPhysics &physics, const FrictionLaw &law,
                              const PatchContact &contact, const PatchTask &task)
@@ -30,7 +33,9 @@ StaticPatch solveStaticPatch(const CreepPhysics &physics, const FrictionLaw &law
     step.forceX = -task.forceRatio * capacity;
     step.forceY = 0.0;
   }
-  const TangentialResult result = transient.step(step);
+  TangentialOptions options;
+  options.tolerance = tolerance;
+  const TangentialResult result = transient.step(step, options);
   const PatchSums sums = patchSums(contact.grid, result);
   still.fields.traction = result.traction;
   still.fields.slip = result.slip;
