@@ -5,6 +5,7 @@
 #include "base/output_file.h"
 #include "creep/case_file.h"
 #include "creep/creep_report.h"
+#include "creep/patch/patch_report.h"
 #include "shared/nearest_word.h"
 
 #include <CLI/CLI.hpp>
@@ -12,6 +13,7 @@
 #include <chrono>
 #include <csignal>
 #include <cstdio>
+#include <filesystem>
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -28,7 +30,7 @@ void askToStop(int)
 }
 
 struct Settings {
-  std::string caseFile, folder = ".";
+  std::string caseFile, folder = ".", polach;
   std::vector<std::string> changes;
   int threads = 0;
   bool quiet = false, verbose = false, printConfig = false;
@@ -98,6 +100,10 @@ void defineOptions(CLI::App &app, Settings &settings)
   app.add_option("--threads", settings.threads, "threads for the sweep [all cores]")
       ->check(CLI::Range(1, 1024))
       ->type_name("N");
+  app.add_option("--polach", settings.polach,
+                 "fit Polach's law to the curves of a contact in a point; writes FILE (JSON) and "
+                 "its points beside it (CSV)")
+      ->type_name("FILE");
   app.add_flag("--print-config", settings.printConfig, "print the complete case and stop");
   app.add_flag("-q,--quiet", settings.quiet, "nothing on the screen but errors");
   app.add_flag("-v,--verbose", settings.verbose,
@@ -155,22 +161,39 @@ void finish(const Settings &settings, const Files &files, const std::string &rep
                                   settings.folder, names));
 }
 
+/// Files that a case leaves in its folder.
+std::vector<std::string> outputNames(const Case &input)
+{
+  if (const auto *patch = std::get_if<PatchSpecification>(&input.task)) {
+    std::vector<std::string> names = fieldFileNames(*patch);
+    names.insert(names.end(), {"creep.csv", "static.csv", "series.csv", "summary.json",
+                               journalName});
+    return names;
+  }
+  if (std::holds_alternative<StaticSpecification>(input.task))
+    return {"static.csv", "contact.csv", "summary.json"};
+  return {"creep.csv",   "creep.json",   "creep_band.csv", journalName,
+          "contact.csv", "summary.json"};
+}
+
+/// The table that goes with a file of parameters: its name with the ending ".csv".
+std::string tableBeside(const std::string &path)
+{
+  return std::filesystem::path(path).replace_extension(".csv").string();
+}
+
 /// A profile or law that lies in the folder for the results must not be written over.
 void checkInputsStay(const Settings &settings, const Case &input)
 {
-  const SurfaceSpecification &surface = input.surface();
-  std::vector<std::string> inputs = {settings.caseFile, input.friction().law};
-  inputs.insert(inputs.end(), surface.rail.begin(), surface.rail.end());
-  inputs.insert(inputs.end(), surface.wheel.begin(), surface.wheel.end());
-  const bool isStatic = std::holds_alternative<StaticSpecification>(input.task);
+  std::vector<std::string> inputs = input.files();
+  inputs.push_back(settings.caseFile);
   std::vector<RequestedOutput> outputs;
-  const std::vector<std::string> names =
-      isStatic ? std::vector<std::string>{"static.csv"}
-               : std::vector<std::string>{"creep.csv", "creep.json", "creep_band.csv", journalName};
-  for (const auto &name : names)
+  for (const std::string &name : outputNames(input))
     outputs.push_back({"-o", settings.folder + "/" + name});
-  for (const auto *name : {"contact.csv", "summary.json"})
-    outputs.push_back({"-o", settings.folder + "/" + name});
+  if (!settings.polach.empty()) {
+    outputs.push_back({"--polach", settings.polach});
+    outputs.push_back({"--polach", tableBeside(settings.polach)});
+  }
   checkOutputs(outputs, inputs);
 }
 
@@ -205,6 +228,61 @@ void compute(const Settings &settings, const SweepOptions &options, const std::s
          fmt::format("{} points{}", curves.points.size(), resumed), curves.seconds);
 }
 
+/// Polach's law: parameters and the points they were fitted to.
+void fitPolachLaw(const Settings &settings, const PatchCurves &curves)
+{
+  const PolachContact contact = polachContact(curves);
+  const std::vector<PolachPoint> points = polachPoints(curves);
+  const PolachChoice choice = choosePolach(points, contact);
+  writeOutputFile(settings.polach, polachJson(choice, contact));
+  writeOutputFile(tableBeside(settings.polach), polachCsv(choice, contact, points));
+  if (settings.quiet)
+    return;
+  const PolachFit &fit = choice.best;
+  std::string text = "Polach's law:";
+  for (int k = 0; k < polachParameters; ++k) {
+    const PolachParameters &p = fit.parameters;
+    const double values[] = {p.mu0, p.A, p.B, p.kA, p.kS};
+    text += fmt::format(" {} {:.4g}", polachParameterNames[k], values[k]);
+  }
+  writeStandardOutput(fmt::format("{}; residual {:.2g} of the load; written to {} and {}\n", text,
+                                  fit.rms, settings.polach, tableBeside(settings.polach)));
+}
+
+void compute(const Settings &settings, const SweepOptions &options, const std::string &text,
+             const FrictionLaw &law, const PatchSpecification &asked)
+{
+  const PatchCurves curves = solvePatchCurves(asked, law, options);
+  for (const std::string &warning : curves.warnings)
+    fmt::print(stderr, "wr_creep: warning: {}\n", warning);
+  writeFields(settings.folder, asked, curves);
+  Files files;
+  files.emplace_back(asked.mode == PatchMode::Static ? "static.csv" : "creep.csv",
+                     patchCsv(asked, curves));
+  if (!curves.series.empty())
+    files.emplace_back("series.csv", patchSeriesCsv(curves));
+  files.emplace_back("summary.json", patchSummary(asked, text, law, curves));
+  const std::string resumed =
+      curves.resumed
+          ? fmt::format(" ({} of them from the run that was interrupted)", curves.resumed)
+          : "";
+  finish(settings, files, patchShortReport(asked, curves), patchDetailedReport(curves),
+         fmt::format("{} points{}", curves.points.size(), resumed), curves.seconds);
+  if (!settings.polach.empty())
+    fitPolachLaw(settings, curves);
+}
+
+/// --polach is for rolling contacts in a point that have steady or mean forces.
+void checkPolach(const Settings &settings, const Case &input)
+{
+  if (settings.polach.empty())
+    return;
+  const auto *patch = std::get_if<PatchSpecification>(&input.task);
+  if (!patch || patch->mode == PatchMode::Static || patch->sequence.any())
+    throw Error(ExitCode::Usage, "--polach: goes with a contact in a point (contact.load) that "
+                                 "rolls, without a sequence");
+}
+
 void run(const Settings &settings)
 {
   const Case input = readCase(settings.caseFile, settings.changes);
@@ -212,6 +290,7 @@ void run(const Settings &settings)
     writeStandardOutput(input.text);
     return;
   }
+  checkPolach(settings, input);
   const FrictionLaw law = readLaw(input.friction());
   prepareOutputFolder(settings.folder);
   checkInputsStay(settings, input);
@@ -232,8 +311,8 @@ void run(const Settings &settings)
 
 int main(int argc, char **argv)
 {
-  CLI::App app("Creep curves of rough wheel/rail contact in two dimensions: friction, temperature "
-               "and strength that depend on each other.",
+  CLI::App app("Creep curves of rough wheel/rail contact, on a line or in a point: friction, "
+               "temperature and strength that depend on each other.",
                "wr_creep");
   app.allow_extras();
   Settings settings;

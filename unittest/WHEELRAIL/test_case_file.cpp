@@ -117,7 +117,7 @@ TEST(CaseFile, NamesLineKeywordAndNearest)
   // nothing near: what there is in the group; a beginning is near
   EXPECT_TRUE(contains(messageOf(minimal + "thermal: {heat: 3}\n"),
                        "known: thermal.conductivity, thermal.density, thermal.specific_heat"));
-  EXPECT_TRUE(contains(messageOf("contact: {load: 4000 N/mm}\n"), "'contact.load_per_length'"));
+  EXPECT_TRUE(contains(messageOf("contact: {load_per_lenght: 4000 N/mm}\n"), "'contact.load_per_length'"));
 }
 
 TEST(CaseFile, BadValues)
@@ -197,9 +197,11 @@ TEST(CaseFile, StaticModeAndPeriod)
 TEST(CaseFile, SeveralProfiles)
 {
   const Case c = read(minimal + "roughness: {rail: [a.csv, b.csv], wheel: [c.csv, d.csv]}\n");
-  EXPECT_EQ(c.surface().profiles(), 2u);
-  EXPECT_TRUE(contains(c.surface().wheel[1], "d.csv"));
-  EXPECT_EQ(read(minimal).surface().profiles(), 1u);
+  const SurfaceSpecification &surface = std::get<CreepSpecification>(c.task).surface;
+  EXPECT_EQ(surface.profiles(), 2u);
+  EXPECT_TRUE(contains(surface.wheel[1], "d.csv"));
+  EXPECT_EQ(c.files().size(), 5u); // and the law
+  EXPECT_EQ(rolling(minimal).surface.profiles(), 1u);
 }
 
 TEST(CaseFile, TruncatedEmptyOrOther)

@@ -68,9 +68,10 @@ double leadingNumber(const std::string &text, std::string &rest)
 
 /// Does a unit hold a number that is no exponent ("500 N/mm" of "1 500 N/mm")? UDUNITS-2 would take
 /// it for a factor. Exponents follow a letter, or its '^', '**' or sign: m2, m^2, m**2, s-1, m^-3.
+/// The 1 of "1/mm" is none.
 bool holdsNumber(const std::string &unit)
 {
-  for (std::size_t i = 0; i < unit.size(); ++i) {
+  for (std::size_t i = unit.rfind("1/", 0) == 0 ? 2 : 0; i < unit.size(); ++i) {
     if (!std::isdigit(static_cast<unsigned char>(unit[i])))
       continue;
     std::size_t before = i;
@@ -95,6 +96,16 @@ double parseNumber(const std::string &text)
   if (!rest.empty())
     throw std::invalid_argument(fmt::format("'{}' is not a plain number", text));
   return value;
+}
+
+double parseRatio(const std::string &text)
+{
+  std::string rest;
+  const double value = leadingNumber(text, rest);
+  if (!rest.empty() && rest != "%")
+    throw std::invalid_argument(
+        fmt::format("'{}' is neither a plain number nor one with a per cent sign", text));
+  return rest.empty() ? value : value / 100.0;
 }
 
 double parseQuantity(const std::string &text, const std::string &unit)

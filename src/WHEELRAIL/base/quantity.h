@@ -11,7 +11,7 @@ namespace wheelrail {
 ///
 /// The number is decimal ("-1.5e-3"); blanks around it and before the unit are skipped. The unit is
 /// as UDUNITS-2 spells it ("kg/m3", "W/(m K)", "km/h"), but without a number of its own: "1 500
-/// N/mm" is refused, not taken for 500 N/mm.
+/// N/mm" is refused, not taken for 500 N/mm. A reciprocal is written "1/mm" or "mm-1".
 /// @param unit what the caller wants ("N/m"); "" or "1" for pure numbers, which carry no unit
 /// @return finite, in `unit`
 /// @throws std::invalid_argument that says what is wrong: no number, not finite, hexadecimal, no
@@ -23,6 +23,11 @@ double parseQuantity(const std::string &text, const std::string &unit);
 /// @return finite
 /// @throws std::invalid_argument for anything else: words, units, "0x10", nan, inf
 double parseNumber(const std::string &text);
+
+/// A plain number, or one in per cent: "0.005" and "0.5 %" are the same.
+/// @return finite
+/// @throws std::invalid_argument for anything else
+double parseRatio(const std::string &text);
 
 } // namespace wheelrail
 #endif

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "creep/case_file.h"
 
-#include "creep/case_reader.h"
+#include "creep/case_parts.h"
 
 #include <algorithm>
-#include <cmath>
-#include <filesystem>
 #include <fmt/format.h>
 #include <limits>
 
@@ -14,6 +12,11 @@ namespace {
 
 LineContactSpecification readContact(CaseReader &reader)
 {
+  reader.refuse({"contact.radii", "contact.curvatures", "contact.semi_axes", "contact.spin_point",
+                 "lateral", "spin", "force", "sequence", "roughness.stretch", "roughness.boxes",
+                 "roughness.unmeasured", "roughness.spacing", "roughness.height_unit", "roughness.turn",
+                 "roughness.mirror", "moving.start", "static.shift", "fields", "sensitivities"},
+                "a line contact (contact.load_per_length)");
   for (const char *name :
        {"contact.load_per_length", "contact.youngs_modulus", "contact.poissons_ratio"})
     reader.require(name);
@@ -27,19 +30,14 @@ LineContactSpecification readContact(CaseReader &reader)
     contact.radius = reader.number("contact.radius");
     contact.domain = reader.number("contact.domain");
   }
-  contact.youngsModulus = reader.number("contact.youngs_modulus");
-  contact.poissonsRatio = reader.number("contact.poissons_ratio");
-  contact.points = reader.integer("points");
+  contact.youngsModulus = reader.single("contact.youngs_modulus");
+  contact.poissonsRatio = reader.single("contact.poissons_ratio");
+  contact.points = static_cast<int>(reader.single("points"));
+  constexpr int fewestPoints = 32;
+  if (contact.points < fewestPoints)
+    reader.fail("points", fmt::format("'{}' is not in the allowed range of a line contact, [{}, "
+                                      "16777216]", contact.points, fewestPoints));
   return contact;
-}
-
-/// Profile and law files are named from the folder of the case file.
-std::string besideCase(const std::string &path, const std::string &caseFile)
-{
-  const std::filesystem::path given(path);
-  if (given.is_absolute() || std::filesystem::exists(given))
-    return path;
-  return (std::filesystem::path(caseFile).parent_path() / given).string();
 }
 
 void readMeasured(CaseReader &reader, const std::string &caseFile, SurfaceSpecification &surface)
@@ -103,64 +101,6 @@ SurfaceSpecification readSurface(CaseReader &reader, const std::string &caseFile
   return surface;
 }
 
-FrictionSpecification readFriction(CaseReader &reader, const std::string &caseFile)
-{
-  FrictionSpecification friction;
-  friction.law = reader.word("friction.law");
-  if (friction.isConstant()) {
-    friction.mu = reader.number("friction.mu");
-  } else {
-    if (reader.has("friction.mu"))
-      reader.fail("friction.mu", "goes with 'law: constant' only");
-    friction.local = reader.flag("friction.local");
-    friction.velocityTerm = reader.flag("friction.velocity_term");
-    friction.modulus = reader.number("friction.modulus");
-    friction.density = reader.number("friction.density");
-    if (!isBuiltinLaw(friction.law))
-      friction.law = besideCase(friction.law, caseFile);
-  }
-  friction.strength = reader.number("friction.strength");
-  friction.strengthTemperature = reader.number("friction.strength_temperature");
-  return friction;
-}
-
-ThermalSpecification readThermal(CaseReader &reader)
-{
-  ThermalSpecification thermal;
-  if (reader.has("thermal")) {
-    reader.words("thermal");
-    thermal.model = ThermalModel::Off;
-    return thermal;
-  }
-  thermal.material = {reader.number("thermal.conductivity"), reader.number("thermal.density"),
-                      reader.number("thermal.specific_heat")};
-  const std::string model = reader.word("thermal.model");
-  thermal.model = model == "local"            ? ThermalModel::Local
-                  : model == "averaged_power" ? ThermalModel::AveragedPower
-                                              : ThermalModel::Averaged;
-  return thermal;
-}
-
-std::vector<double> readCreeps(CaseReader &reader)
-{
-  if (!reader.hasGroup("creep"))
-    return reader.numbers("creep");
-  const double from = reader.number("creep.from"), to = reader.number("creep.to");
-  const int n = reader.integer("creep.n");
-  const bool logarithmic = reader.word("creep.spacing") == "log";
-  if (to < from || (n > 1 && to == from))
-    reader.fail("creep.to", "must be above creep.from");
-  if (logarithmic && !(from > 0.0))
-    reader.fail("creep.from", "must be positive when spacing is log");
-  std::vector<double> creeps;
-  for (int i = 0; i < n; ++i) {
-    const double part = n > 1 ? double(i) / (n - 1) : 0.0;
-    creeps.push_back(logarithmic ? from * std::pow(to / from, part) : from + part * (to - from));
-  }
-  creeps.back() = n > 1 ? to : from;
-  return creeps;
-}
-
 SpreadSpecification readSpread(CaseReader &reader, const FrictionSpecification &friction)
 {
   SpreadSpecification spread;
@@ -186,7 +126,11 @@ CreepSpecification readRolling(CaseReader &reader, const std::string &mode,
   rolling.mode = mode == "moving" ? RollingMode::Moving : RollingMode::Frozen;
   rolling.physics.thermal = readThermal(reader);
   rolling.speed = reader.numbers("speed");
-  rolling.creep = readCreeps(reader);
+  rolling.creep = readSeries(reader, "creep");
+  for (double creep : rolling.creep)
+    if (creep < 0.0)
+      reader.fail(reader.hasGroup("creep") ? "creep.from" : "creep",
+                  fmt::format("'{}' is not in the allowed range of a line contact, [0, 10]", creep));
   if (rolling.mode == RollingMode::Moving) {
     rolling.moving.passes = reader.integer("moving.passes");
     rolling.moving.referenceLength = reader.number("moving.reference_length");
@@ -215,10 +159,26 @@ StaticSpecification readStatic(CaseReader &reader, const LineContactSpecificatio
 
 } // namespace
 
-const SurfaceSpecification &Case::surface() const
+namespace {
+
+template<class Surfaces> void append(std::vector<std::string> &files, const Surfaces &surfaces)
 {
-  return std::visit(
-      [](const auto &asked) -> const auto & { return asked.surface; }, task);
+  files.insert(files.end(), surfaces.rail.begin(), surfaces.rail.end());
+  files.insert(files.end(), surfaces.wheel.begin(), surfaces.wheel.end());
+}
+
+} // namespace
+
+std::vector<std::string> Case::files() const
+{
+  std::vector<std::string> files = {friction().law};
+  if (const auto *patch = std::get_if<PatchSpecification>(&task))
+    append(files, patch->roughness);
+  else if (const auto *rolling = std::get_if<CreepSpecification>(&task))
+    append(files, rolling->surface);
+  else
+    append(files, std::get<StaticSpecification>(task).surface);
+  return files;
 }
 
 const FrictionSpecification &Case::friction() const
@@ -234,12 +194,17 @@ Case readCase(const std::string &path, const std::vector<std::string> &changes)
   for (const std::string &change : changes)
     reader.change(change);
 
+  Case result;
+  if (reader.has("contact.load")) {
+    result.task = readPatch(reader, path);
+    result.text = reader.configuration();
+    return result;
+  }
   const LineContactSpecification contact = readContact(reader);
   const SurfaceSpecification surface = readSurface(reader, path);
   CreepPhysics physics;
   physics.hardnessLimit = reader.flag("contact.hardness_limit");
   physics.friction = readFriction(reader, path);
-  Case result;
   const std::string mode = reader.word("mode");
   if (mode == "static")
     result.task = readStatic(reader, contact, surface, physics);

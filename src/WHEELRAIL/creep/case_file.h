@@ -3,6 +3,7 @@
 #define WHEELRAIL_CREEP_CASE_FILE_H
 
 #include "creep/creep_curve.h"
+#include "creep/patch/patch_curve.h"
 #include "creep/static_contact.h"
 
 #include <string>
@@ -14,13 +15,15 @@ namespace wheelrail {
 /// What a case file asks for, in the words of the physics, and the file itself with everything
 /// filled in.
 struct Case {
-  /// Rolling, or a tangential force without rolling (mode static).
-  std::variant<CreepSpecification, StaticSpecification> task;
+  /// A line contact that rolls, or carries a tangential force without rolling (mode static); or a
+  /// contact in a point.
+  std::variant<CreepSpecification, StaticSpecification, PatchSpecification> task;
   /// The complete configuration as a case file: reading it gives the same case.
   std::string text;
 
-  const SurfaceSpecification &surface() const;   ///< of the task
   const FrictionSpecification &friction() const; ///< of the task
+  /// What the case reads: the law's name, measured surfaces.
+  std::vector<std::string> files() const;
 };
 
 /// One keyword of the case file. The table of them is the one source of parsing, `--help`,
@@ -30,6 +33,8 @@ struct Keyword {
   enum class Kind {
     Quantity, ///< a number with a unit that UDUNITS-2 can convert to `unit`
     QuantityList,
+    Ratio, ///< a pure number, or one in per cent
+    RatioList,
     Number, ///< a number without a unit
     NumberList,
     Integer,

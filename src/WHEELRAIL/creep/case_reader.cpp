@@ -51,7 +51,7 @@ std::vector<std::string> split(const std::string &text, char separator)
 bool takesList(Kind kind)
 {
   return kind == Kind::NumberList || kind == Kind::QuantityList || kind == Kind::IntegerList ||
-         kind == Kind::TextList;
+         kind == Kind::TextList || kind == Kind::RatioList;
 }
 
 bool takesNumbers(Kind kind)
@@ -189,7 +189,8 @@ double CaseReader::checkedNumber(const Keyword &keyword, const std::string &word
 {
   double value = 0.0;
   try {
-    value = parseQuantity(word, keyword.unit);
+    const bool ratio = keyword.kind == Kind::Ratio || keyword.kind == Kind::RatioList;
+    value = ratio ? parseRatio(word) : parseQuantity(word, keyword.unit);
   } catch (const std::invalid_argument &problem) {
     fail(line, keyword.name, problem.what());
   }
@@ -227,9 +228,8 @@ void CaseReader::change(const std::string &text)
   entries_.erase(name);
   if (group != name)
     entries_.erase(group);
-  else
-    for (auto it = entries_.begin(); it != entries_.end();)
-      it = it->first.rfind(name + ".", 0) == 0 ? entries_.erase(it) : std::next(it);
+  for (auto it = entries_.begin(); it != entries_.end();)
+    it = it->first.rfind(name + ".", 0) == 0 ? entries_.erase(it) : std::next(it);
   onCommandLine_ = true;
   try {
     collect(YAML::Load(value), name);
@@ -247,9 +247,25 @@ void CaseReader::require(const std::string &name) const
 
 void CaseReader::refuse(std::initializer_list<const char *> names, const std::string &with) const
 {
-  for (const char *name : names)
+  for (const char *name : names) {
     if (has(name))
       fail(name, "does not go with " + with);
+    if (hasGroup(name)) // the first keyword that is given
+      fail(entries_.lower_bound(std::string(name) + ".")->first, "does not go with " + with);
+  }
+}
+
+void CaseReader::setDefault(const std::string &name, const std::string &value)
+{
+  if (!has(name))
+    entries_[name] = entryOf(YAML::Load(value), *findKeyword(name));
+}
+
+double CaseReader::single(const std::string &name)
+{
+  if (use(name).isList)
+    fail(name, "one value is expected, not a list");
+  return number(name);
 }
 
 const CaseReader::Entry &CaseReader::use(const std::string &name)

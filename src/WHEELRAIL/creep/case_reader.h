@@ -46,6 +46,10 @@ class CaseReader {
   const std::string &word(const std::string &name) { return words(name).front(); }
   bool flag(const std::string &name) { return word(name) == "true"; }
   int integer(const std::string &name) { return static_cast<int>(number(name)); }
+  /// Of a keyword that takes a list elsewhere, where there may be one value only.
+  double single(const std::string &name);
+  /// A default that depends on other keywords; does nothing where the file has a value.
+  void setDefault(const std::string &name, const std::string &value);
   /// @throws Error (BadInput) unless the keyword is given
   void require(const std::string &name) const;
   /// @throws Error (BadInput) for a keyword that is given and makes no sense together with

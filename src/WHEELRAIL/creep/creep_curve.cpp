@@ -14,6 +14,8 @@ namespace wheelrail {
 namespace {
 
 using Clock = std::chrono::steady_clock;
+using Json = nlohmann::json;
+
 /// Neighbouring creeps at one speed on one profile.
 struct Piece {
   std::size_t profile;
@@ -67,6 +69,40 @@ CurvePoint curvePoint(const CreepPoint &point, const ContactSetup &setup, const 
   result.profile = setup.surface.profile;
   result.band = spread.band(ratios);
   return result;
+}
+
+/// A point in the journal, and back.
+Json rowOf(const CurvePoint &p)
+{
+  return {p.speed,         p.creep,           p.tractionRatio,      p.traction,
+          p.muMean,        p.temperatureRise, p.temperatureMaximum, p.iterations,
+          p.stickFraction, p.profile,         p.band.standardError, p.band.low,
+          p.band.high};
+}
+
+CurvePoint pointFrom(const Json &j)
+{
+  CurvePoint p;
+  p.speed = j.at(0);
+  p.creep = j.at(1);
+  p.tractionRatio = j.at(2);
+  p.traction = j.at(3);
+  p.muMean = j.at(4);
+  p.temperatureRise = j.at(5);
+  p.temperatureMaximum = j.at(6);
+  p.iterations = j.at(7);
+  p.stickFraction = j.at(8);
+  p.profile = j.at(9);
+  p.band = {j.at(10), j.at(11), j.at(12)};
+  return p;
+}
+
+Json rowsOf(const std::vector<CurvePoint> &points)
+{
+  Json rows = Json::array();
+  for (const CurvePoint &point : points)
+    rows.push_back(rowOf(point));
+  return rows;
 }
 
 /// Empty when interrupted.
@@ -141,12 +177,13 @@ CreepCurves solveCreepCurves(const CreepSpecification &specification, const Fric
   Journal journal(options.journal, fmt::format("journal 2\n{}\n{}\n{}", WHEELRAIL_VERSION,
                                                options.identity, toJson(law).dump()));
   int done = 0;
-  for (const auto &[number, points] : journal.load()) {
+  for (const auto &[number, rows] : journal.load()) {
     // The last piece is always computed: its fields are not in the journal.
     if (number + 1 >= pieces.size())
       continue;
-    done += static_cast<int>(points.size());
-    results[number].points = points;
+    for (const Json &row : rows)
+      results[number].points.push_back(pointFrom(row));
+    done += static_cast<int>(rows.size());
     results[number].done = true;
   }
   curves.resumed = done;
@@ -168,7 +205,7 @@ CreepCurves solveCreepCurves(const CreepSpecification &specification, const Fric
       const std::lock_guard<std::mutex> lock(bookkeeping);
       results[k] = std::move(result);
       done += static_cast<int>(results[k].points.size());
-      journal.add(k, results[k].points);
+      journal.add(k, rowsOf(results[k].points));
       if (options.progress)
         options.progress(done, total);
     } catch (...) {

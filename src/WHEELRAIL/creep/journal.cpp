@@ -13,31 +13,6 @@ using Json = nlohmann::json;
 
 constexpr auto pause = std::chrono::seconds(2);
 
-Json toJson(const CurvePoint &p)
-{
-  return {p.speed,         p.creep,           p.tractionRatio,      p.traction,
-          p.muMean,        p.temperatureRise, p.temperatureMaximum, p.iterations,
-          p.stickFraction, p.profile,         p.band.standardError, p.band.low,
-          p.band.high};
-}
-
-CurvePoint pointFrom(const Json &j)
-{
-  CurvePoint p;
-  p.speed = j.at(0);
-  p.creep = j.at(1);
-  p.tractionRatio = j.at(2);
-  p.traction = j.at(3);
-  p.muMean = j.at(4);
-  p.temperatureRise = j.at(5);
-  p.temperatureMaximum = j.at(6);
-  p.iterations = j.at(7);
-  p.stickFraction = j.at(8);
-  p.profile = j.at(9);
-  p.band = {j.at(10), j.at(11), j.at(12)};
-  return p;
-}
-
 } // namespace
 
 Journal::Journal(std::string path, std::string identity)
@@ -52,15 +27,14 @@ const Journal::Pieces &Journal::load()
   const Json journal = Json::parse(readInputFile(path_), nullptr, false);
   if (journal.is_discarded() || journal.value("case", "") != identity_)
     return pieces_;
-  for (const auto &[key, rows] : journal["pieces"].items())
-    for (const Json &row : rows)
-      pieces_[std::stoul(key)].push_back(pointFrom(row));
+  for (const auto &[key, results] : journal["pieces"].items())
+    pieces_[std::stoul(key)] = results;
   return pieces_;
 }
 
-void Journal::add(std::size_t piece, const std::vector<CurvePoint> &points)
+void Journal::add(std::size_t piece, Json results)
 {
-  pieces_[piece] = points;
+  pieces_[piece] = std::move(results);
   if (Clock::now() - lastWrite_ >= pause)
     write();
 }
@@ -70,12 +44,8 @@ void Journal::write()
   if (path_.empty())
     return;
   Json journal = {{"case", identity_}, {"pieces", Json::object()}};
-  for (const auto &[number, points] : pieces_) {
-    Json rows = Json::array();
-    for (const CurvePoint &point : points)
-      rows.push_back(toJson(point));
-    journal["pieces"][std::to_string(number)] = rows;
-  }
+  for (const auto &[number, results] : pieces_)
+    journal["pieces"][std::to_string(number)] = results;
   writeOutputFile(path_, journal.dump());
   lastWrite_ = Clock::now();
 }

@@ -2,12 +2,10 @@
 #ifndef WHEELRAIL_CREEP_JOURNAL_H
 #define WHEELRAIL_CREEP_JOURNAL_H
 
-#include "creep/creep_curve.h"
-
 #include <chrono>
 #include <map>
+#include <nlohmann/json.hpp>
 #include <string>
-#include <vector>
 
 namespace wheelrail {
 
@@ -18,8 +16,9 @@ namespace wheelrail {
 /// One object for a sweep; not safe from several threads at once.
 class Journal {
  public:
-  /// Points of a finished piece, by the piece's number from 0 on.
-  using Pieces = std::map<std::size_t, std::vector<CurvePoint>>;
+  /// Results of a finished piece, by the piece's number from 0 on. What they hold is the sweep's
+  /// business; numbers keep all their digits.
+  using Pieces = std::map<std::size_t, nlohmann::json>;
 
   /// @param path empty: nothing is kept
   /// @param identity of what is computed; pieces of another one are not used
@@ -32,7 +31,7 @@ class Journal {
 
   /// Keeps a finished piece; writes all of them if the last time is some seconds ago.
   /// @throws Error (Io)
-  void add(std::size_t piece, const std::vector<CurvePoint> &points);
+  void add(std::size_t piece, nlohmann::json results);
 
   /// Writes the pieces now. @throws Error (Io)
   void write();

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "contact/patch/patch_contact.h"
+
+#include "base/errors.h"
+#include "contact/patch/patch_half_space.h"
+
+#include <cmath>
+#include <fmt/format.h>
+
+namespace wheelrail {
+namespace {
+
+using Vector = Eigen::VectorXd;
+constexpr double pi = 3.14159265358979323846;
+
+double shearModulus(const ElasticBody &body)
+{
+  return body.youngsModulus / (2.0 * (1.0 + body.poissonsRatio));
+}
+
+} // namespace
+
+ElasticPair combinedPair(const ElasticBody &wheel, const ElasticBody &rail)
+{
+  const double G1 = shearModulus(wheel), G2 = shearModulus(rail);
+  const double G = 2.0 / (1.0 / G1 + 1.0 / G2);
+  return {G, 0.5 * G * (wheel.poissonsRatio / G1 + rail.poissonsRatio / G2)};
+}
+
+double couplingOf(const ElasticBody &wheel, const ElasticBody &rail)
+{
+  const double G1 = shearModulus(wheel), G2 = shearModulus(rail);
+  return 0.25 * combinedPair(wheel, rail).G *
+         ((1.0 - 2.0 * wheel.poissonsRatio) / G1 - (1.0 - 2.0 * rail.poissonsRatio) / G2);
+}
+
+HertzEllipse PatchContactSpecification::hertz(double normalForce) const
+{
+  const ElasticPair pair = combinedPair(bodies[0], bodies[1]);
+  const double modulus = pair.G / (1.0 - pair.nu);
+  if (curvatures)
+    return hertzEllipse(normalForce, modulus, *curvatures);
+  return hertzEllipseOfAxes(normalForce, modulus, semiAxes[0], semiAxes[1]);
+}
+
+Vector PatchContact::gap(const Travel &wheel, const Travel &rail) const
+{
+  Vector gap = sampled(grid, [&](double x, double y) { return hertz.gap(x, y); });
+  if (!surface.wheel.isSmooth())
+    gap -= surface.wheel.window(grid, wheel);
+  if (!surface.rail.isSmooth())
+    gap -= surface.rail.window(grid, rail);
+  return gap;
+}
+
+NormalContactProblem PatchContact::problem(double pressureLimit, double normalForce,
+                                           const Travel &wheel, const Travel &rail) const
+{
+  NormalContactProblem problem;
+  problem.profile = gap(wheel, rail);
+  problem.load = normalForce / grid.cellArea();
+  problem.pressureLimit = pressureLimit;
+  return problem;
+}
+
+bool PatchContact::isNominal(int cell) const
+{
+  const double x = grid.x(cell % grid.nx) / hertz.a, y = grid.y(cell / grid.nx) / hertz.b;
+  return x * x + y * y <= 1.0;
+}
+
+double PatchContact::nominalMean(const Vector &values) const
+{
+  double sum = 0.0;
+  int inside = 0;
+  for (int i = 0; i < grid.cells(); ++i)
+    if (isNominal(i)) {
+      sum += values[i];
+      ++inside;
+    }
+  return sum / inside;
+}
+
+double PatchContact::nominalArea() const
+{
+  return pi * hertz.a * hertz.b;
+}
+
+double PatchContact::realArea(const Vector &pressure) const
+{
+  return grid.cellArea() * static_cast<double>((pressure.array() > 0.0).count());
+}
+
+void checkInsideBox(const PatchGrid &grid, const Vector &pressure)
+{
+  const auto fail = [](const char *where) {
+    throw Error(ExitCode::BadInput,
+                fmt::format("contact.domain: the contact reaches the {} border of the box of "
+                            "cells; increase it",
+                            where));
+  };
+  for (int iy = 0; iy < grid.ny; ++iy) {
+    if (pressure[grid.index(grid.nx - 1, iy)] > 0.0)
+      fail("leading");
+    if (pressure[grid.index(0, iy)] > 0.0)
+      fail("trailing");
+  }
+  for (int ix = 0; ix < grid.nx; ++ix)
+    if (pressure[grid.index(ix, 0)] > 0.0 || pressure[grid.index(ix, grid.ny - 1)] > 0.0)
+      fail("lateral");
+}
+
+PatchContact preparePatch(const PatchContactSpecification &contact,
+                          const RoughPatchSpecification &roughness, double load, std::size_t index,
+                          double pressureLimit, double travel)
+{
+  PatchContact patch;
+  patch.load = load;
+  patch.hertz = contact.hertz(load);
+  patch.pair = combinedPair(contact.bodies[0], contact.bodies[1]);
+  patch.grid = centredGrid(contact.nx, contact.ny, contact.domain * patch.hertz.a,
+                           contact.domain * patch.hertz.b);
+  patch.surface = prepareRoughPatch(roughness, index, patch.grid, travel);
+  PatchHalfSpace space(patch.grid, patch.pair);
+  patch.normal = solveNormalContact(space, patch.problem(pressureLimit, load));
+  checkInsideBox(patch.grid, patch.normal.pressure);
+  return patch;
+}
+
+} // namespace wheelrail

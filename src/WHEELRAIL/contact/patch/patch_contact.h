@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef WHEELRAIL_PATCH_CONTACT_H
+#define WHEELRAIL_PATCH_CONTACT_H
+
+#include "contact/normal_contact.h"
+#include "contact/patch/grid.h"
+#include "contact/patch/hertz_ellipse.h"
+#include "contact/patch/kernel.h"
+#include "contact/patch/rough_patch.h"
+
+#include <array>
+#include <optional>
+#include <vector>
+
+namespace wheelrail {
+
+/// One of the two bodies; Pa, > 0, and 0 to 1/2.
+struct ElasticBody {
+  double youngsModulus = 0.0, poissonsRatio = 0.0;
+};
+
+/// The half-spaces' pair whose displacement differences are those of both bodies together:
+/// 2/G = 1/G1 + 1/G2, 2 nu/G = nu1/G1 + nu2/G2 (Kalker 1990, sec. 1.7).
+ElasticPair combinedPair(const ElasticBody &wheel, const ElasticBody &rail);
+
+/// K = (G/4) [(1 - 2 nu1)/G1 - (1 - 2 nu2)/G2]: what couples the normal and the tangential problem.
+/// 0 for equal bodies, and for some unlike ones.
+double couplingOf(const ElasticBody &wheel, const ElasticBody &rail);
+
+/// The nominal contact in a point, and its box of cells; SI units.
+struct PatchContactSpecification {
+  std::vector<double> load; ///< N, > 0, at least one
+  /// Gap A x^2 + B y^2, 1/m; absent: `semiAxes` of the one load decide.
+  std::optional<GapCurvatures> curvatures;
+  std::array<double, 2> semiAxes{}; ///< a along x, b along y, m
+  std::array<ElasticBody, 2> bodies; ///< wheel, rail
+  double domain = 0.0;               ///< box / semi-axes: +- domain/2 a and +- domain/2 b, > 2
+  int nx = 0, ny = 0;                ///< cells of the box
+  double spinPoint = 0.5;            ///< `TangentialProblem::spinPoint`
+
+  HertzEllipse hertz(double normalForce) const;
+};
+
+/// What all points with one load on one pair of surfaces share; SI units.
+struct PatchContact {
+  HertzEllipse hertz;
+  ElasticPair pair;
+  PatchGrid grid;
+  double load = 0.0; ///< N
+  RoughPatch surface;
+  NormalContactResult normal; ///< at the start; Pa and m
+
+  /// Undeformed gap per cell, m. @param wheel, rail how far each of the surfaces has travelled
+  Eigen::VectorXd gap(const Travel &wheel = {}, const Travel &rail = {}) const;
+  /// @param pressureLimit Pa; infinite: elastic
+  NormalContactProblem problem(double pressureLimit, double normalForce, const Travel &wheel = {},
+                               const Travel &rail = {}) const;
+  bool isNominal(int cell) const; ///< inside the smooth contact's ellipse?
+  /// Mean over the nominal contact of a value per cell.
+  double nominalMean(const Eigen::VectorXd &values) const;
+  double nominalArea() const;                                      ///< pi ab, m^2
+  double realArea(const Eigen::VectorXd &pressure) const;          ///< m^2
+};
+
+/// Grid, surface and normal contact.
+/// @param load one of the specification's, N
+/// @param index of the surface, below roughness.surfaces()
+/// @param pressureLimit Pa; infinite: elastic
+/// @param travel how far the material will move through the contact, m; 0 where it stands
+/// @throws Error (BadInput) for surfaces that cannot be read or do not fit, for a box that the
+///         contact reaches the border of; Error (NotConverged)
+PatchContact preparePatch(const PatchContactSpecification &contact,
+                          const RoughPatchSpecification &roughness, double load, std::size_t index,
+                          double pressureLimit, double travel);
+
+/// @throws Error (BadInput) when a cell at the border of the box is in contact
+void checkInsideBox(const PatchGrid &grid, const Eigen::VectorXd &pressure);
+
+} // namespace wheelrail
+#endif

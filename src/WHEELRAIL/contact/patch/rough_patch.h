@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef WHEELRAIL_ROUGH_PATCH_H
+#define WHEELRAIL_ROUGH_PATCH_H
+
+#include "contact/line/surface.h"
+#include "contact/patch/height_map_file.h"
+#include "contact/patch/patch_surface.h"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace wheelrail {
+
+/// How far material has travelled, m: what lies at x now was at x + x of this (towards smaller x
+/// is along the way), and the same across.
+struct Travel {
+  double x = 0.0, y = 0.0;
+};
+
+/// Heights of one body on the cells of a contact, and of what else travels through it: cell (0, 0)
+/// of the contact's box is cell (firstX, firstY) of the map at the start. Heights are positive
+/// outwards from the body, m.
+struct RoughMap {
+  int nx = 0, ny = 0; ///< 0: smooth
+  int firstX = 0, firstY = 0;
+  bool periodic = true;
+  Eigen::VectorXd height;
+
+  bool isSmooth() const { return nx == 0; }
+
+  /// The box's heights after a way. Between cells Lagrange's polynomial through six of them in
+  /// each direction: of a wave of eight cells it keeps 0.1 %.
+  /// @throws Error (BadInput) when the way leads out of a map that is not periodic
+  Eigen::VectorXd window(const PatchGrid &box, const Travel &travel) const;
+};
+
+/// The surfaces of both bodies.
+struct RoughPatchSpecification {
+  RoughnessKind kind = RoughnessKind::None;
+  FractalPatch fractal; ///< of both bodies together; seed and periods are set for each surface
+  std::vector<std::uint64_t> seeds; ///< Fractal: one surface each
+  /// Fractal: the period along x in lengths of the box; 0: 1, and enough for the travel.
+  int boxes = 0;
+  std::vector<std::string> rail, wheel; ///< Measured: files; one list may be empty
+  HeightMapPreparation railMap, wheelMap; ///< Measured: the scale is that of npy files
+
+  std::size_t surfaces() const;
+  const char *surfaceName() const { return kind == RoughnessKind::Fractal ? "seed" : "surface"; }
+};
+
+/// Both surfaces of one contact.
+struct RoughPatch {
+  std::uint64_t number = 0; ///< seed, or number of the pair of maps from 1 on; 0: smooth
+  RoughMap wheel, rail;
+  double shortestWave = 0.0; ///< m; 0: not known
+  std::vector<HeightMapStatistics> statistics; ///< after every step of the preparation
+  std::vector<std::string> remarks; ///< what was done to the maps that a user must know
+};
+
+/// Cells to the shortest wave; fewer are warned of.
+constexpr double advisedCellsPerWave = 8.0;
+
+/// Generated surfaces: each body has one of its own, of the same statistics and with 1/sqrt(2) of
+/// the slope and height, from numbers that the seed decides; they repeat with the height of the box
+/// and a whole number of its lengths.
+/// @param index of the surface, below surfaces()
+/// @param travel m, how far the material will move
+/// @throws Error (BadInput) for maps that cannot be read or do not fit, waves that the cells cannot
+///         carry
+RoughPatch prepareRoughPatch(const RoughPatchSpecification &specification, std::size_t index,
+                             const PatchGrid &box, double travel);
+
+} // namespace wheelrail
+#endif

@@ -1,0 +1,246 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "creep/patch/patch_point.h"
+
+#include "base/errors.h"
+#include "contact/patch/patch_half_space.h"
+#include "contact/patch/patch_sums.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+namespace wheelrail {
+namespace {
+
+using Vector = Eigen::VectorXd;
+
+constexpr double pi = 3.14159265358979323846;
+constexpr double temperatureTolerance = 1e-7; ///< of the strength temperature
+constexpr double tangentialTolerance = 1e-6;
+constexpr double creepTolerance = 1e-6;       ///< of a creepage that is found, relative
+constexpr int maxIterations = 100;
+
+} // namespace
+
+double rigidSlip(const PatchGrid &grid, const Vector &pressure, const Creepage &creepage)
+{
+  if (creepage.phi == 0.0)
+    return std::hypot(creepage.xi, creepage.eta);
+  double squares = 0.0;
+  for (int iy = 0; iy < grid.ny; ++iy)
+    for (int ix = 0; ix < grid.nx; ++ix) {
+      const double x = creepage.xi - creepage.phi * grid.y(iy);
+      const double y = creepage.eta + creepage.phi * grid.x(ix);
+      squares += pressure[grid.index(ix, iy)] * (x * x + y * y);
+    }
+  return std::sqrt(squares / pressure.sum());
+}
+
+double meanOverEllipse()
+{
+  return std::sqrt(pi) * std::tgamma(2.25) / std::tgamma(2.75) / (0.5 * pi);
+}
+
+double meanTemperatureRise(double frictionRatio, const HertzEllipse &hertz, double slidingSpeed,
+                           double speed, const ThermalMaterial &material)
+{
+  return meanOverEllipse() * meanTemperatureRise(frictionRatio, hertz.hertzPressure, slidingSpeed,
+                                                 hertz.a, speed, material);
+}
+
+Vector frictionalHeat(const TangentialResult &result, double speed)
+{
+  return -speed * (result.traction.x.cwiseProduct(result.slip.x) +
+                   result.traction.y.cwiseProduct(result.slip.y));
+}
+
+FrozenPatch::FrozenPatch(const CreepPhysics &physics, const PatchContact &contact, double spinPoint)
+    : physics_(physics), contact_(contact), spinPoint_(spinPoint),
+      solver_(contact.grid, contact.pair), approach_(contact.normal.approach)
+{
+  fields_.pressure = contact.normal.pressure;
+  fields_.gap = contact.normal.gap;
+  fields_.temperature = Vector::Zero(contact.grid.cells());
+}
+
+TangentialResult FrozenPatch::roll(const PatchDrive &drive, const Creepage &guess)
+{
+  TangentialProblem problem;
+  problem.bound = fields_.mu.cwiseProduct(fields_.pressure);
+  problem.creepage = drive.creepage;
+  problem.forceX = drive.forceX;
+  problem.forceY = drive.forceY;
+  problem.spinPoint = spinPoint_;
+  if (drive.forceX)
+    problem.creepage.xi = guess.xi;
+  if (drive.forceY)
+    problem.creepage.eta = guess.eta;
+  TangentialOptions options;
+  options.tolerance = tangentialTolerance;
+  if (warm_)
+    options.start = result_.traction;
+  return solver_.solve(problem, options);
+}
+
+/// Warm from the last solution; from coarse grids where that does not converge.
+void FrozenPatch::rollWarmOrCold(const PatchDrive &drive)
+{
+  try {
+    result_ = roll(drive, creepage_);
+  } catch (const Error &error) {
+    if (!warm_ || error.code() != ExitCode::NotConverged)
+      throw;
+    warm_ = false;
+    result_ = roll(drive, {});
+  }
+  warm_ = true;
+  creepage_ = result_.creepage;
+  products_ += result_.products + result_.coarseProducts;
+}
+
+double FrozenPatch::meanMu() const
+{
+  return fields_.mu.dot(fields_.pressure) / fields_.pressure.sum();
+}
+
+double FrozenPatch::slidingSpeed(double speed) const
+{
+  return speed * rigidSlip(contact_.grid, fields_.pressure, creepage_);
+}
+
+Vector FrozenPatch::temperatureFrom(double speed)
+{
+  const ThermalSpecification &thermal = physics_.thermal;
+  const int n = contact_.grid.cells();
+  switch (thermal.model) {
+  case ThermalModel::Off:
+    return Vector::Zero(n);
+  case ThermalModel::Local:
+    if (!flash_ || flashSpeed_ != speed)
+      flash_.emplace(contact_.grid, contact_.grid.dx, speed, thermal.material);
+    flashSpeed_ = speed;
+    return flash_->rise(frictionalHeat(result_, speed));
+  default:
+    break;
+  }
+  const double sliding = slidingSpeed(speed);
+  double ratio = meanMu();
+  if (thermal.model == ThermalModel::AveragedPower && sliding > 0.0)
+    ratio = patchSums(contact_.grid, result_).drivingPower * speed / (contact_.load * sliding);
+  return Vector::Constant(
+      n, meanTemperatureRise(ratio, contact_.hertz, sliding, speed, thermal.material));
+}
+
+/// The hardness falls with the mean temperature of the contact: solve again where it binds.
+void FrozenPatch::limitPressure()
+{
+  const double mean = fields_.temperature.dot(fields_.pressure) / fields_.pressure.sum();
+  NormalContactOptions options;
+  options.start = fields_.pressure;
+  if (!space_)
+    space_.emplace(contact_.grid, contact_.pair);
+  const NormalContactResult normal = solveNormalContact(
+      *space_, contact_.problem(physics_.pressureLimit(mean), contact_.load), options);
+  checkInsideBox(contact_.grid, normal.pressure);
+  fields_.pressure = normal.pressure;
+  fields_.gap = normal.gap;
+  approach_ = normal.approach;
+}
+
+PatchPoint FrozenPatch::solve(const FrictionLaw &law, double speed, const PatchDrive &drive)
+{
+  const bool found = drive.forceX || drive.forceY;
+  const bool heats = physics_.hasFeedback();
+  // creepages that are not known beforehand decide the sliding speed
+  const bool slides = found && !physics_.friction.isConstant() && physics_.friction.velocityTerm;
+  const bool feedback = heats || slides;
+  const bool needsTraction = found || physics_.thermal.model == ThermalModel::Local ||
+                             physics_.thermal.model == ThermalModel::AveragedPower;
+  products_ = 0;
+  if (!drive.forceX)
+    creepage_.xi = drive.creepage.xi;
+  if (!drive.forceY)
+    creepage_.eta = drive.creepage.eta;
+  creepage_.phi = drive.creepage.phi;
+  if (!feedback)
+    fields_.temperature.setZero();
+  double part = 1.0, lastStep = 0.0;
+  int iteration = 0;
+  while (true) {
+    ++iteration;
+    if (physics_.hardnessLimit && heats && iteration > 1)
+      limitPressure();
+    const Creepage before = creepage_;
+    fields_.mu = frictionCoefficient(physics_.friction, law, fields_.pressure, slidingSpeed(speed),
+                                     fields_.temperature);
+    if (needsTraction)
+      rollWarmOrCold(drive);
+    const Vector next = temperatureFrom(speed);
+    // of the temperature, and of the creepages as a share that counts as much
+    const double heatStep = (next - fields_.temperature).cwiseAbs().maxCoeff() /
+                            (temperatureTolerance * physics_.friction.strengthTemperature);
+    const double size = std::hypot(creepage_.xi, creepage_.eta);
+    const double creepStep =
+        slides ? std::hypot(creepage_.xi - before.xi, creepage_.eta - before.eta) /
+                     (creepTolerance * size)
+               : 0.0;
+    const double step = std::max(heatStep, creepStep);
+    if (!feedback) {
+      fields_.temperature = next;
+      break;
+    }
+    if (step <= 1.0)
+      break;
+    if (iteration >= maxIterations)
+      throw Error(ExitCode::NotConverged,
+                  fmt::format("creep {:g}, lateral {:g}, spin {:g} /m at {:g} m/s: temperature and "
+                              "friction do not settle after {} iterations; the friction law falls "
+                              "too steeply there",
+                              creepage_.xi, creepage_.eta, creepage_.phi, speed, iteration));
+    if (iteration > 1 && step >= lastStep)
+      part *= 0.5;
+    lastStep = step;
+    fields_.temperature += part * (next - fields_.temperature);
+    if (slides) {
+      creepage_.xi = before.xi + part * (creepage_.xi - before.xi);
+      creepage_.eta = before.eta + part * (creepage_.eta - before.eta);
+    }
+  }
+  if (!needsTraction)
+    rollWarmOrCold(drive);
+  physics_.checkStrength(fields_.temperature.maxCoeff(), speed, creepage_.xi);
+  fields_.traction = result_.traction;
+  fields_.slip = result_.slip;
+  fields_.state = result_.state;
+  return pointOf(speed, iteration);
+}
+
+PatchPoint FrozenPatch::pointOf(double speed, int iterations) const
+{
+  const PatchSums sums = patchSums(contact_.grid, result_);
+  PatchPoint point;
+  point.surface = contact_.surface.number;
+  point.load = contact_.load;
+  point.speed = speed;
+  point.creepage = result_.creepage;
+  point.forceX = sums.forceX;
+  point.forceY = sums.forceY;
+  point.momentZ = sums.momentZ;
+  point.muMean = meanMu();
+  point.temperatureRise = contact_.nominalMean(fields_.temperature);
+  const double hottest = fields_.temperature.maxCoeff();
+  point.temperatureMaximum = physics_.thermal.model == ThermalModel::Local
+                                 ? hottest
+                                 : maximumOverMeanTemperature() / meanOverEllipse() * hottest;
+  point.iterations = iterations;
+  point.products = products_;
+  point.stickFraction = sums.stickArea / sums.contactArea;
+  point.approach = approach_;
+  point.peakPressure = fields_.pressure.maxCoeff();
+  point.realArea = contact_.realArea(fields_.pressure);
+  point.frictionalPower = sums.frictionalPower * speed;
+  point.powerClosure = sums.powerClosure();
+  return point;
+}
+
+} // namespace wheelrail

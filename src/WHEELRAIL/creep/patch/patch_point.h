@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef WHEELRAIL_CREEP_PATCH_POINT_H
+#define WHEELRAIL_CREEP_PATCH_POINT_H
+
+#include "contact/patch/patch_contact.h"
+#include "contact/patch/patch_half_space.h"
+#include "contact/patch/patch_temperature.h"
+#include "contact/patch/tangential.h"
+#include "creep/creep_physics.h"
+#include "creep/field_files.h"
+
+#include <cmath>
+#include <optional>
+
+namespace wheelrail {
+
+/// What drives a patch: creepages, or forces with unknown creepages. SI units.
+struct PatchDrive {
+  Creepage creepage;            ///< phi in 1/m; that of a given force is not read
+  std::optional<double> forceX; ///< N; given: the longitudinal creepage is unknown
+  std::optional<double> forceY; ///< N; given: the lateral creepage is unknown
+};
+
+/// One computed point; SI units.
+struct PatchPoint {
+  std::uint64_t surface = 0;               ///< seed, or number of the measured pair
+  double load = 0.0;                       ///< N
+  double speed = 0.0;                      ///< m/s
+  Creepage creepage;                       ///< given, or found
+  double forceX = 0.0, forceY = 0.0;       ///< N, on the wheel: against its slip
+  double momentZ = 0.0;                    ///< N m
+  double muMean = 0.0;                     ///< load-weighted
+  double temperatureRise = 0.0;            ///< mean over the nominal contact, K
+  double temperatureMaximum = 0.0;         ///< K
+  int iterations = 0;                      ///< of the fixed point; steps where the contact moves
+  int products = 0;                        ///< with the influence of the tractions, in all
+  double stickFraction = 0.0;              ///< of the cells in contact
+  double approach = 0.0;                   ///< m
+  double peakPressure = 0.0;               ///< Pa
+  double realArea = 0.0;                   ///< m^2
+  double frictionalPower = 0.0;            ///< W
+  double powerClosure = 1.0;               ///< frictionalPower/(-(xi Fx + eta Fy + phi Mz) v0)
+  double errorX = 0.0, errorY = 0.0;       ///< standard errors of the forces where the contact
+  double errorZ = 0.0;                     ///< moves, and of the moment
+
+  double traction() const { return std::hypot(forceX, forceY); } ///< N
+  double tractionRatio() const { return traction() / load; }
+};
+
+/// Load-weighted root mean square of the rigid slip, relative to the rolling speed: the creep of a
+/// contact without spin.
+double rigidSlip(const PatchGrid &grid, const Eigen::VectorXd &pressure, const Creepage &creepage);
+
+/// Mean over an ellipse of Eq. 11, whose rows along x are line contacts with half-lengths and
+/// pressures of their own, relative to that of the longest row: Beta(1/2, 9/4)/(pi/2).
+double meanOverEllipse();
+
+/// Mean temperature rise of an ellipse (Eq. 11, row by row), K.
+/// @param frictionRatio mu, or frictional power over load and sliding speed
+double meanTemperatureRise(double frictionRatio, const HertzEllipse &hertz, double slidingSpeed,
+                           double speed, const ThermalMaterial &material);
+
+/// Steady rolling on surfaces that stand still in the contact, with friction, temperature and
+/// strength that depend on each other: a fixed point as of the line contact (`FrozenCreep`). At a
+/// large Peclet number the rows along x do not exchange heat, so that the flash temperature of each
+/// of them is that of the line.
+class FrozenPatch {
+ public:
+  /// Both must outlive the object.
+  FrozenPatch(const CreepPhysics &physics, const PatchContact &contact, double spinPoint);
+
+  /// Warm from the last call: tractions, creepages that were found, temperature.
+  /// @throws Error (NotConverged), Error (BadInput) for a force that friction cannot carry
+  PatchPoint solve(const FrictionLaw &law, double speed, const PatchDrive &drive);
+
+  const PatchFields &fields() const { return fields_; } ///< in SI units, of the last call
+
+ private:
+  TangentialResult roll(const PatchDrive &drive, const Creepage &guess);
+  void rollWarmOrCold(const PatchDrive &drive);
+  Eigen::VectorXd temperatureFrom(double speed);
+  void limitPressure();
+  double meanMu() const;
+  double slidingSpeed(double speed) const;
+  PatchPoint pointOf(double speed, int iterations) const;
+
+  const CreepPhysics &physics_;
+  const PatchContact &contact_;
+  double spinPoint_;
+  TangentialSolver solver_;
+  TangentialResult result_;
+  bool warm_ = false;
+  Creepage creepage_;
+  std::optional<PatchHalfSpace> space_; ///< for the pressure, where it changes with temperature
+  std::optional<PatchFlashTemperature> flash_;
+  double flashSpeed_ = 0.0;
+  double approach_;
+  int products_ = 0;
+  PatchFields fields_;
+};
+
+/// Heat by friction per cell at a rolling speed, W/m2.
+Eigen::VectorXd frictionalHeat(const TangentialResult &result, double speed);
+
+} // namespace wheelrail
+#endif

@@ -1,0 +1,294 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "creep/patch/patch_report.h"
+
+#include <algorithm>
+#include <array>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+namespace wheelrail {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr double mm = 1e-3, um = 1e-6, mm2 = 1e-6, MPa = 1e6, GPa = 1e9, newtonMm = 1e-3;
+constexpr double perMm = 1e3;
+
+bool severalSurfaces(const PatchSpecification &asked)
+{
+  return asked.roughness.surfaces() > 1;
+}
+
+const char *modeName(PatchMode mode)
+{
+  return mode == PatchMode::Frozen ? "frozen" : mode == PatchMode::Moving ? "moving" : "static";
+}
+
+/// What is the same in creep.csv and static.csv.
+std::string forceCells(const PatchPoint &p)
+{
+  return fmt::format(",{:.10g},{:.10g},{:.10g},{:.10g},{:.10g},{:.10g}", p.forceX, p.forceY,
+                     p.momentZ / newtonMm, p.approach / mm, p.peakPressure / MPa,
+                     p.realArea / mm2);
+}
+
+std::string staticCsv(const PatchSpecification &asked, const PatchCurves &curves)
+{
+  std::string text =
+      "# load, forces: N; moment_z: N mm; shift_x, shift_y, approach: mm; peak_pressure: MPa; "
+      "real_area: mm2; ratios: 1\n"
+      "load,shift_x,shift_y,traction_ratio,mu_mean,stick_fraction,force_x,force_y,moment_z,"
+      "approach,peak_pressure,real_area";
+  text += severalSurfaces(asked) ? fmt::format(",{}\n", asked.roughness.surfaceName()) : "\n";
+  for (const PatchPoint &p : curves.points) {
+    text += fmt::format("{:.10g},{:.10g},{:.10g},{:.10g},{:.10g},{:.6g}", p.load,
+                        p.creepage.xi / mm, p.creepage.eta / mm, p.tractionRatio(), p.muMean,
+                        p.stickFraction);
+    text += forceCells(p);
+    text += severalSurfaces(asked) ? fmt::format(",{}\n", p.surface) : "\n";
+  }
+  return text;
+}
+
+std::string creepCsv(const PatchSpecification &asked, const PatchCurves &curves)
+{
+  const bool moving = asked.mode == PatchMode::Moving;
+  std::string text =
+      "# speed: m/s; creep, lateral, ratios: 1; spin: 1/mm; load, traction (its length), forces: "
+      "N; moment_z: N mm; temperature_rise: K, mean over the nominal contact; approach: mm; "
+      "peak_pressure: MPa; real_area: mm2; power: W; .._se: standard errors\n"
+      "speed,creep,traction_ratio,traction,mu_mean,temperature_rise,iterations,stick_fraction,"
+      "load,lateral,spin,force_x,force_y,moment_z,approach,peak_pressure,real_area,"
+      "temperature_max,power,power_closure,products";
+  text += moving ? ",force_x_se,force_y_se,moment_z_se" : "";
+  text += severalSurfaces(asked) ? fmt::format(",{}\n", asked.roughness.surfaceName()) : "\n";
+  for (const PatchPoint &p : curves.points) {
+    text += fmt::format("{:g},{:.10g},{:.10g},{:.10g},{:.10g},{:.10g},{},{:.6g}", p.speed,
+                        p.creepage.xi, p.tractionRatio(), p.traction(), p.muMean,
+                        p.temperatureRise, p.iterations, p.stickFraction);
+    text += fmt::format(",{:.10g},{:.10g},{:.10g}", p.load, p.creepage.eta, p.creepage.phi / perMm);
+    text += forceCells(p);
+    text += fmt::format(",{:.10g},{:.10g},{:.6g},{}", p.temperatureMaximum, p.frictionalPower,
+                        p.powerClosure, p.products);
+    if (moving)
+      text += fmt::format(",{:.4g},{:.4g},{:.4g}", p.errorX, p.errorY, p.errorZ / newtonMm);
+    text += severalSurfaces(asked) ? fmt::format(",{}\n", p.surface) : "\n";
+  }
+  return text;
+}
+
+Json statisticsJson(const HeightMapStatistics &s)
+{
+  return {{"step", s.step},
+          {"unmeasured", s.unmeasured},
+          {"rms_height_um", s.rmsHeight / um},
+          {"rms_slope_x", s.rmsSlopeX},
+          {"rms_slope_y", s.rmsSlopeY},
+          {"shortest_wavelength_mm", s.shortestWavelength / mm}};
+}
+
+Json contactJson(const PatchSpecification &asked, const PatchContact &c,
+                 const PatchContactSummary &summary)
+{
+  const NormalContactResult &normal = c.normal;
+  Json json = {{asked.roughness.surfaceName(), c.surface.number},
+               {"load_N", c.load},
+               {"a_mm", c.hertz.a / mm},
+               {"b_mm", c.hertz.b / mm},
+               {"hertz_pressure_MPa", c.hertz.hertzPressure / MPa},
+               {"hertz_approach_mm", c.hertz.approach / mm},
+               {"cell_size_mm", {c.grid.dx / mm, c.grid.dy / mm}},
+               {"contact_cells", normal.contactCells()},
+               {"approach_mm", normal.approach / mm},
+               {"peak_pressure_MPa", normal.peakPressure() / MPa},
+               {"real_area_mm2", c.realArea(normal.pressure) / mm2},
+               {"real_area_ratio", c.realArea(normal.pressure) / c.nominalArea()},
+               {"plastic_depth_um", normal.plasticDepth.maxCoeff() / um},
+               {"iterations", normal.iterations},
+               {"active_sets", normal.activeSets},
+               {"residual", normal.residual},
+               {"seconds", normal.seconds}};
+  Json steps = Json::array();
+  for (const HeightMapStatistics &s : c.surface.statistics)
+    steps.push_back(statisticsJson(s));
+  json["roughness"] = steps;
+  if (summary.kalker) {
+    const KalkerCoefficients &k = *summary.kalker;
+    const CreepSensitivity &s = *summary.sensitivity;
+    json["kalker"] = {{"c11", k.c11}, {"c22", k.c22}, {"c23", k.c23}, {"c33", k.c33}};
+    json["sensitivity"] = {{"force_x_creep_N", -s.xx},
+                           {"force_y_lateral_N", -s.yy},
+                           {"force_y_spin_N_mm", -s.yz / mm},
+                           {"moment_z_lateral_N_mm", -s.zy / newtonMm},
+                           {"moment_z_spin_N_mm2", -s.zz / newtonMm / mm}};
+  }
+  return json;
+}
+
+} // namespace
+
+std::string patchCsv(const PatchSpecification &asked, const PatchCurves &curves)
+{
+  return asked.mode == PatchMode::Static ? staticCsv(asked, curves) : creepCsv(asked, curves);
+}
+
+std::string patchSeriesCsv(const PatchCurves &curves)
+{
+  std::string text =
+      "# point: row of creep.csv; distance rolled: mm; time: s; units of the others as there\n"
+      "point,distance,time,load,creep,lateral,spin,force_x,force_y,moment_z,mu_mean,"
+      "temperature_rise,stick_fraction,approach,peak_pressure,real_area,power\n";
+  for (const auto &[number, steps] : curves.series) {
+    const double speed = curves.points[number - 1].speed;
+    for (const PatchStep &s : steps)
+      text += fmt::format("{},{:.8g},{:.8g},{:.10g},{:.10g},{:.10g},{:.10g},{:.10g},{:.10g},"
+                          "{:.10g},{:.8g},{:.8g},{:.6g},{:.10g},{:.8g},{:.8g},{:.8g}\n",
+                          number, s.distance / mm, s.distance / speed, s.load, s.creepage.xi,
+                          s.creepage.eta, s.creepage.phi / perMm, s.forceX, s.forceY,
+                          s.momentZ / newtonMm, s.muMean, s.temperatureRise, s.stickFraction,
+                          s.approach / mm, s.peakPressure / MPa, s.realArea / mm2,
+                          s.frictionalPower);
+  }
+  return text;
+}
+
+std::string patchSummary(const PatchSpecification &asked, const std::string &text,
+                         const FrictionLaw &law, const PatchCurves &curves)
+{
+  const PatchContact &first = curves.contacts.front();
+  Json json = {{"format", "wr_creep-summary 1"}, {"version", WHEELRAIL_VERSION}};
+  json["case"] = text;
+  json["law"] = toJson(law);
+  json["contact"] = "patch";
+  json["mode"] = modeName(asked.mode);
+  json["shear_modulus_GPa"] = first.pair.G / GPa;
+  json["poissons_ratio"] = first.pair.nu;
+  json["curvatures_per_mm"] = {first.hertz.curvatures.A / perMm, first.hertz.curvatures.B / perMm};
+  json["cells"] = {first.grid.nx, first.grid.ny};
+  const ThermalSpecification &thermal = asked.physics.thermal;
+  if (thermal.model != ThermalModel::Off)
+    json["peclet_number"] = asked.speed.front() * first.hertz.a * thermal.material.density *
+                            thermal.material.specificHeat / (2.0 * thermal.material.conductivity);
+  for (std::size_t k = 0; k < curves.contacts.size(); ++k)
+    json["contacts"].push_back(contactJson(asked, curves.contacts[k], curves.summaries[k]));
+  json["warnings"] = curves.warnings;
+  json["fields"] = Json::array();
+  for (const auto &[number, fields] : curves.fields)
+    json["fields"].push_back({{"point", number}, {"files", fieldStem(number)}});
+  json["points"] = curves.points.size();
+  json["points_resumed"] = curves.resumed;
+  json["seconds"] = curves.seconds;
+  return json.dump(2) + "\n";
+}
+
+std::string patchShortReport(const PatchSpecification &asked, const PatchCurves &curves)
+{
+  std::string text;
+  for (const PatchContact &c : curves.contacts) {
+    const std::string name =
+        severalSurfaces(asked) ? fmt::format("{} {}: ", asked.roughness.surfaceName(),
+                                             c.surface.number)
+                               : std::string();
+    text += fmt::format("{}load {:.4g} kN: Hertz: semi-axes {:.4g} x {:.4g} mm, pressure {:.4g} "
+                        "MPa; {} x {} cells of {:.4g} x {:.4g} um\n",
+                        name, c.load / 1e3, c.hertz.a / mm, c.hertz.b / mm,
+                        c.hertz.hertzPressure / MPa, c.grid.nx, c.grid.ny, c.grid.dx / um,
+                        c.grid.dy / um);
+    for (const HeightMapStatistics &s : c.surface.statistics)
+      text += fmt::format("{}{}: rms height {:.4g} um, rms slope {:.4g} along x, {:.4g} along y\n",
+                          name, s.step, s.rmsHeight / um, s.rmsSlopeX, s.rmsSlopeY);
+    text += fmt::format("{}real area {:.1f} % of the ellipse, peak pressure {:.0f} MPa\n", name,
+                        100.0 * c.realArea(c.normal.pressure) / c.nominalArea(),
+                        c.normal.peakPressure() / MPa);
+  }
+  const PatchPoint &last = curves.points.back();
+  const auto largest = std::max_element(
+      curves.points.begin(), curves.points.end(), [](const PatchPoint &a, const PatchPoint &b) {
+        return a.tractionRatio() < b.tractionRatio();
+      });
+  text += fmt::format("T/N at most {:.4f}; last point: Fx {:.5g} N, Fy {:.5g} N, Mz {:.5g} N mm, "
+                      "{:.0f} % of the contact sticks\n",
+                      largest->tractionRatio(), last.forceX, last.forceY, last.momentZ / newtonMm,
+                      100.0 * last.stickFraction);
+  return text;
+}
+
+std::string patchDetailedReport(const PatchCurves &curves)
+{
+  std::string text;
+  for (const PatchContact &c : curves.contacts)
+    text += fmt::format("normal contact: {} iterations, {} active sets, residual {:.1e}, {:.3f} s; "
+                        "plastic depth {:.3g} um\n",
+                        c.normal.iterations, c.normal.activeSets, c.normal.residual,
+                        c.normal.seconds, c.normal.plasticDepth.maxCoeff() / um);
+  int products = 0;
+  for (const PatchPoint &p : curves.points)
+    products += p.products;
+  return text + fmt::format("tangential contact: {} products with the influence of the tractions\n",
+                            products);
+}
+
+std::string fieldStem(int number)
+{
+  return fmt::format("fields_{:04d}", number);
+}
+
+std::vector<std::string> fieldFileNames(const PatchSpecification &asked)
+{
+  constexpr std::array names = {"state",  "gap",    "pressure", "traction_x", "traction_y",
+                                "slip_x", "slip_y", "mu",       "temperature"};
+  const int total = static_cast<int>(patchTasks(asked).size());
+  std::vector<std::string> files;
+  for (int number = 1; number <= total; ++number) {
+    if (!asked.fields.holds(number, total))
+      continue;
+    files.push_back(fieldStem(number) + ".vti");
+    for (const char *name : names)
+      files.push_back(fmt::format("{}_{}.gsf", fieldStem(number), name));
+  }
+  return files;
+}
+
+void writeFields(const std::string &folder, const PatchSpecification &asked,
+                 const PatchCurves &curves)
+{
+  const std::vector<PatchTask> tasks = patchTasks(asked);
+  for (const auto &[number, si] : curves.fields) {
+    PatchGrid grid = curves.contacts[tasks[number - 1].contact].grid;
+    for (double *length : {&grid.dx, &grid.dy, &grid.left, &grid.bottom})
+      *length /= mm;
+    PatchFields fields = si;
+    fields.gap /= mm;
+    fields.pressure /= MPa;
+    fields.traction.x /= MPa;
+    fields.traction.y /= MPa;
+    if (asked.mode == PatchMode::Static) { // a shift, not a speed
+      fields.slip.x /= mm;
+      fields.slip.y /= mm;
+    }
+    const PatchPoint &p = curves.points[number - 1];
+    writeFieldFiles(folder + "/" + fieldStem(number), grid, fields,
+                    fmt::format("point {}: load {:g} N, creep {:g}, lateral {:g}, spin {:g} 1/mm, "
+                                "{:g} m/s",
+                                number, p.load, p.creepage.xi, p.creepage.eta,
+                                p.creepage.phi / perMm, p.speed));
+  }
+}
+
+std::vector<PolachPoint> polachPoints(const PatchCurves &curves)
+{
+  std::vector<PolachPoint> points;
+  for (const PatchPoint &p : curves.points)
+    points.push_back(
+        {{p.creepage.xi, p.creepage.eta, p.creepage.phi / perMm, p.speed, p.load}, p.forceX, p.forceY});
+  return points;
+}
+
+PolachContact polachContact(const PatchCurves &curves)
+{
+  const PatchContact &first = curves.contacts.front();
+  return {first.pair.G / MPa, first.hertz.a / mm, first.hertz.b / mm, first.load,
+          ellipseKalkerCoefficients(first.hertz.a / first.hertz.b, first.pair.nu)};
+}
+
+} // namespace wheelrail
