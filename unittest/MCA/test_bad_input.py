@@ -167,8 +167,9 @@ def test_wrong_atom_style(tmp_path):
     )
 
 
-@pytest.mark.parametrize("laws, named", [
-    ("thickness 2", "thickness"), ("plane stress plasticity none", "plane stress")])
+@pytest.mark.parametrize(
+    "laws, named", [("thickness 2", "thickness"), ("plane stress plasticity none", "plane stress")]
+)
 def test_laws_of_the_plane_in_three_dimensions(tmp_path, laws, named):
     script = SAMPLE.replace("dimension 2", "dimension 3").replace("hex 2.5", "sc 2.5")
     fails(

@@ -142,16 +142,17 @@ TEST_P(SpaceKernelTest, EqualsTheReferenceWithEachLawSwitched)
     choices.push_back(criterion);
     choices.back().insert(choices.back().end(), {"link_work", "0.001"});
   }
-  for (const auto &choice : choices) {
-    Sample slow = randomSample(mca::packing::fcc, 7, 3, 5e-5);
-    ASSERT_EQ(slow.laws.parse(choice), "");
-    Sample fast = slow;
-    step(slow, 5e-5);
-    run(fast, 5e-5);
-    expectSame(fast, slow, 1e-12);
-    if (HasFailure())
-      FAIL() << choice[0] << " " << choice[1];
-  }
+  for (const int materials : {1, 3}) // one law, the vectorised way, and several
+    for (const auto &choice : choices) {
+      Sample slow = randomSample(mca::packing::fcc, 7, materials, 5e-5);
+      ASSERT_EQ(slow.laws.parse(choice), "");
+      Sample fast = slow;
+      step(slow, 5e-5);
+      run(fast, 5e-5);
+      expectSame(fast, slow, 1e-12);
+      if (HasFailure())
+        FAIL() << choice[0] << " " << choice[1] << ", materials " << materials;
+    }
 }
 
 TEST_P(SpaceKernelTest, EveryTransitionOccursInTheComparison)

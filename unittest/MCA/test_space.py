@@ -336,11 +336,13 @@ def test_flow_dissipates(tmp_path):
     assert np.abs(t["c_energy"][1:]).max() < 1e-4 * (plastic + fracture + viscous)[-1]
 
 
+# With heal, a pair of this sample whose links broke lies at its lattice distance to the last bit
+# when it decides on healing: rounding decides whether it touches, on one rank too. Hence heal none.
 FURTHER = [
     "plasticity j2",
     "link none link_work 0.001",
     "fracture equivalent heal none",
-    "fracture drucker-prager compressive_strength 3 link_work 0.01 plasticity j2",
+    "fracture drucker-prager compressive_strength 3 heal none link_work 0.01 plasticity j2",
 ]
 
 

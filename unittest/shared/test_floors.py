@@ -20,8 +20,18 @@ FLOORS = {
     "WHEELRAIL/law": ["WHEELRAIL/base", "WHEELRAIL/shared"],
     "WHEELRAIL/fit": ["WHEELRAIL/law", "WHEELRAIL/base", "WHEELRAIL/shared"],
     "WHEELRAIL/contact": ["WHEELRAIL/base", "WHEELRAIL/shared"],
-    "WHEELRAIL/contact/line": ["WHEELRAIL/contact", "WHEELRAIL/law", "WHEELRAIL/base", "WHEELRAIL/shared"],
-    "WHEELRAIL/contact/patch": ["WHEELRAIL/contact", "WHEELRAIL/law", "WHEELRAIL/base", "WHEELRAIL/shared"],
+    "WHEELRAIL/contact/line": [
+        "WHEELRAIL/contact",
+        "WHEELRAIL/law",
+        "WHEELRAIL/base",
+        "WHEELRAIL/shared",
+    ],
+    "WHEELRAIL/contact/patch": [
+        "WHEELRAIL/contact",
+        "WHEELRAIL/law",
+        "WHEELRAIL/base",
+        "WHEELRAIL/shared",
+    ],
     "WHEELRAIL/creep": [
         "WHEELRAIL/contact/line",
         "WHEELRAIL/contact/patch",
@@ -30,7 +40,13 @@ FLOORS = {
         "WHEELRAIL/base",
         "WHEELRAIL/shared",
     ],
-    "WHEELRAIL": ["WHEELRAIL/creep", "WHEELRAIL/fit", "WHEELRAIL/law", "WHEELRAIL/base", "WHEELRAIL/shared"],
+    "WHEELRAIL": [
+        "WHEELRAIL/creep",
+        "WHEELRAIL/fit",
+        "WHEELRAIL/law",
+        "WHEELRAIL/base",
+        "WHEELRAIL/shared",
+    ],
     # automata: laws below core below the LAMMPS styles
     "MCA/laws": ["WHEELRAIL/shared"],
     "MCA/core": ["MCA/laws", "WHEELRAIL/shared"],

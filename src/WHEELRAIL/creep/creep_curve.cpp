@@ -179,7 +179,7 @@ CreepCurves solveCreepCurves(const CreepSpecification &specification, const Fric
   int done = 0;
   for (const auto &[number, rows] : journal.load()) {
     // The last piece is always computed: its fields are not in the journal.
-    if (number + 1 >= pieces.size())
+    if (number + 1 >= pieces.size() || rows.size() != pieces[number].creeps.size())
       continue;
     for (const Json &row : rows)
       results[number].points.push_back(pointFrom(row));
@@ -200,6 +200,8 @@ CreepCurves solveCreepCurves(const CreepSpecification &specification, const Fric
       PieceResult result =
           moving ? solveMoving(physics, specification.moving, spread, setup, pieces[k], goOn)
                  : solveFrozen(physics, spread, setup, pieces[k], goOn);
+      if (!result.done)
+        continue; // interrupted: the journal must not know the piece
       if (k + 1 < pieces.size())
         result.fields = {};
       const std::lock_guard<std::mutex> lock(bookkeeping);

@@ -2,9 +2,9 @@
 #ifndef WHEELRAIL_ROUGH_PATCH_H
 #define WHEELRAIL_ROUGH_PATCH_H
 
-#include "contact/line/surface.h"
 #include "contact/patch/height_map_file.h"
 #include "contact/patch/patch_surface.h"
+#include "contact/roughness_kind.h"
 
 #include <cstdint>
 #include <string>
