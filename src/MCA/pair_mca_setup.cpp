@@ -208,8 +208,8 @@ void PairMCA::find_columns()
 {
   int is_double, values;
   for (int k = 0; k < mca::stateCount; k++)
-    columns[k] = atom->find_custom(mca::propertyName(mca::automatonStates[k]).c_str(), is_double,
-                                   values);
+    columns[k] =
+        atom->find_custom(mca::propertyName(mca::automatonStates[k]).c_str(), is_double, values);
 }
 
 /* the default packing depends on the dimension, which is known when the box is there */

@@ -36,14 +36,9 @@ struct CriterionList {
 };
 
 // clang-format off: one a line
-using FractureCriteria = CriterionList<
-    FractureByStrain,
-    FractureByStress,
-    FractureByEquivalentStress,
-    FractureByDruckerPrager,
-    FractureByEnergy,
-    FractureNever
->;
+using FractureCriteria =
+    CriterionList<FractureByStrain, FractureByStress, FractureByEquivalentStress,
+                  FractureByDruckerPrager, FractureByEnergy, FractureNever>;
 // clang-format on
 
 } // namespace mca
