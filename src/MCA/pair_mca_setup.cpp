@@ -299,7 +299,7 @@ void PairMCA::make_laws()
   std::vector<mca::Material> inside(materials);
   inside[0] = inside[1]; // types begin with 1
   for (auto &m : inside) {
-    m.youngs_modulus /= stress_unit();
+    m.youngsModulus /= stress_unit();
     m.strength /= stress_unit();
     m.viscosity /= stress_unit();
     m.density *= force->mvv2e;
@@ -311,12 +311,12 @@ double PairMCA::init_one(int i, int j)
 {
   const mca::Material &a = materials[i], &b = materials[j];
   const double d = 0.5 * (a.diameter + b.diameter);
-  const double reach = d * (1.0 + std::max(a.breaking_strain, b.breaking_strain));
+  const double reach = d * (1.0 + std::max(a.breakingStrain, b.breakingStrain));
   if (cut_user > 0.0 && cut_user < reach)
     error->all(FLERR, "Pair style mca cutoff {} is below the breaking distance {} of types {} {}",
                cut_user, reach, i, j);
   // room for links that compression of their neighbours keeps below the breaking stress
-  const double margin = 2.0 * std::max({a.breaking_strain, b.breaking_strain, 0.05});
+  const double margin = 2.0 * std::max({a.breakingStrain, b.breakingStrain, 0.05});
   return cut_user > 0.0 ? cut_user : d * (1.0 + margin);
 }
 
@@ -336,7 +336,7 @@ void PairMCA::check_step()
     if (i > 1 && materials[i] == materials[i - 1])
       continue;
     mca::Material m = materials[i];
-    m.youngs_modulus /= stress_unit();
+    m.youngsModulus /= stress_unit();
     m.density *= force->mvv2e;
     const double eta = lawset.isViscous() ? m.viscosity / stress_unit() : 0.0;
     const mca::ElasticModuli moduli = mca::elasticModuli(lawset, m);

@@ -21,14 +21,14 @@ constexpr double dt = 5e-5; // ns
 mca::Material steel()
 {
   mca::Material m;
-  m.youngs_modulus = 206000;
-  m.poissons_ratio = 0.3;
+  m.youngsModulus = 206000;
+  m.poissonsRatio = 0.3;
   m.density = 0.0078;
   m.strength = 92;
-  m.elastic_limit = 0.554;
-  m.yield_strength = 0.870;
-  m.yield_strain = 0.015;
-  m.breaking_strain = 0.04;
+  m.elasticLimit = 0.554;
+  m.yieldStrength = 0.870;
+  m.yieldStrain = 0.015;
+  m.breakingStrain = 0.04;
   m.viscosity = 410;
   m.diameter = 2.5;
   return m;

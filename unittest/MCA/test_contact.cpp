@@ -84,7 +84,7 @@ TEST(Contact, WeldsAreElastic)
 TEST(Contact, UnlikeMaterialsAnswerWithTheMeanOfBothSides)
 {
   Material hard = steel();
-  hard.youngs_modulus *= 10;
+  hard.youngsModulus *= 10;
   const PairLaw pair = noTransitions(steel(), hard);
   const ContactStress s = of(pair, link::bulk, 0.001, 0.0, 0, 0, 1, 0, 1);
   EXPECT_NEAR_(s.sigma, 0.5 * (twoG + 10 * twoG) * 0.001);

@@ -27,11 +27,11 @@ Sample randomSample(unsigned seed, int materials, const std::string &preset = "b
   s.laws = mca::LawSet::named(preset);
   s.thickness = 1.7;
   mca::Material hard = steel(), soft = steel();
-  hard.youngs_modulus *= 10;
+  hard.youngsModulus *= 10;
   hard.strength *= 6;
   hard.diameter *= 1.02;
-  soft.poissons_ratio = 0.1;
-  soft.breaking_strain = 0.05;
+  soft.poissonsRatio = 0.1;
+  soft.breakingStrain = 0.05;
   soft.viscosity = 100;
   s.materials = {steel(), hard, soft};
   s.materials.resize(materials);
@@ -477,8 +477,8 @@ TEST_P(KernelTest, UnlikeMaterialsFollowTheGradientToo)
 {
   Sample start = hexagonalBlock(steel(), 5, 5, 1);
   mca::Material hard = steel();
-  hard.youngs_modulus *= 10;
-  hard.poissons_ratio = 0.1;
+  hard.youngsModulus *= 10;
+  hard.poissonsRatio = 0.1;
   start.materials = {steel(), hard};
   start.laws.plasticity = "none";
   std::mt19937 random(22);

@@ -131,11 +131,11 @@ TEST(Plane, StressIsHookesWithoutStressAcross)
 {
   for (const double nu : {-0.3, 0.0, 0.3, 0.49}) {
     Point p;
-    p.m.poissons_ratio = nu;
+    p.m.poissonsRatio = nu;
     p.moduli = planeStressModuli(p.m.shearModulus(), p.m.bulkModulus());
     const Strain eps{3e-4, -1e-4, 2e-4};
     p.evaluate(eps, false);
-    const double E = p.m.youngs_modulus, c = E / (1 - nu * nu);
+    const double E = p.m.youngsModulus, c = E / (1 - nu * nu);
     EXPECT_NEAR(p.stress.xx, c * (eps.xx + nu * eps.yy), 1e-10);
     EXPECT_NEAR(p.stress.yy, c * (eps.yy + nu * eps.xx), 1e-10);
     EXPECT_NEAR(p.stress.xy, E / (1 + nu) * eps.xy, 1e-10);

@@ -24,7 +24,7 @@ struct CriterionList {
   static void with(int number, Work &&work)
   {
     int at = 0;
-    ((at++ == number && (work(Criteria()), true)) || ...);
+    static_cast<void>(((at++ == number && (work(Criteria()), true)) || ...));
   }
 
   /// Calls work(criterion) for all, in their order.

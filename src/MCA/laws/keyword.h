@@ -49,7 +49,7 @@ class Choice : public Words {
   {
     std::vector<std::string> all;
     for (const Option &o : Words::options)
-      all.push_back(o.word);
+      all.emplace_back(o.word);
     return all;
   }
 
