@@ -144,7 +144,7 @@ double FixMCADrive::height() const
 
 bigint FixMCADrive::count_above() const
 {
-  double own = -INFINITY, top;
+  double own = -HUGE_VAL, top;
   for (const int i : members)
     own = std::max(own, unwrapped_y(i));
   MPI_Allreduce(&own, &top, 1, MPI_DOUBLE, MPI_MAX, world);
@@ -217,7 +217,7 @@ void FixMCADrive::setup(int vflag)
   begun = true;
   above = count_above();
   // a layer that moves already keeps its velocity to the last bit
-  double range[2] = {-INFINITY, -INFINITY}, all_range[2]; // of -v_y, v_y
+  double range[2] = {-HUGE_VAL, -HUGE_VAL}, all_range[2]; // of -v_y, v_y
   for (const int i : members)
     for (const double sign : {-1.0, 1.0})
       range[sign > 0.0] = std::max(range[sign > 0.0], sign * atom->v[i][1]);

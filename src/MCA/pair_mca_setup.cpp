@@ -98,9 +98,9 @@ void PairMCA::settings(int narg, char **arg)
                                                       : nullptr;
     const bool is_packing = strcmp(arg[iarg], "packing") == 0;
     if (!own && !is_packing) {
-      words.push_back(arg[iarg]);
+      words.emplace_back(arg[iarg]);
       if (iarg + 1 < narg)
-        words.push_back(arg[++iarg]);
+        words.emplace_back(arg[++iarg]);
       continue;
     }
     if (iarg + 1 == narg)

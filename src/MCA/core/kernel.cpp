@@ -15,8 +15,7 @@
 // in a lambda, since vectors that are declared in the loop itself would be kept in memory.
 #define MCA_LOOP __attribute__((flatten))
 
-namespace mca {
-namespace MCA_ISA {
+namespace mca::MCA_ISA {
 namespace {
 
 // Returns how many links of a bulk block break by strain.
@@ -414,5 +413,4 @@ constexpr Kernel kernelOf()
 extern const Kernel plane = kernelOf<Plane>();
 extern const Kernel space = kernelOf<Space>();
 
-} // namespace MCA_ISA
-} // namespace mca
+} // namespace mca::MCA_ISA

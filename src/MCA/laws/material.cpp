@@ -37,7 +37,7 @@ std::vector<std::string> materialKeywords()
 {
   std::vector<std::string> known;
   for (const auto &q : materialQuantities())
-    known.push_back(q.keyword);
+    known.emplace_back(q.keyword);
   return known;
 }
 

@@ -15,14 +15,14 @@ namespace mca {
 struct Material {
   double youngsModulus = 0;  ///< E [stress], > 0
   double poissonsRatio = 0;  ///< nu [-], in (-1, 0.5)
-  double density = 0;         ///< rho [mass/length^3] of the solid, > 0
-  double strength = 0;        ///< sigma_0 [stress], ultimate tensile strength, > 0
+  double density = 0;        ///< rho [mass/length^3] of the solid, > 0
+  double strength = 0;       ///< sigma_0 [stress], ultimate tensile strength, > 0
   double elasticLimit = 0;   ///< sigma_y1 / sigma_0 [-], in (0, 1]
   double yieldStrength = 0;  ///< sigma_y2 / sigma_0 [-], in [elasticLimit, 1]
   double yieldStrain = 0;    ///< eps_y2 [-], total strain at which sigma_y2 is reached
   double breakingStrain = 0; ///< eps_c [-], total strain at which sigma_0 is reached
-  double viscosity = 0;       ///< eta [stress time], >= 0
-  double diameter = 0;        ///< d [length] of the automaton, > 0
+  double viscosity = 0;      ///< eta [stress time], >= 0
+  double diameter = 0;       ///< d [length] of the automaton, > 0
 
   double shearModulus() const { return youngsModulus / (2.0 * (1.0 + poissonsRatio)); }
   double bulkModulus() const { return youngsModulus / (3.0 * (1.0 - 2.0 * poissonsRatio)); }

@@ -28,7 +28,7 @@ std::string onlyOne(const CaseReader &reader, const std::vector<std::string> &na
 /// One number for both bodies, or [wheel, rail].
 std::array<double, 2> readPair(CaseReader &reader, const std::string &name, const char *meaning)
 {
-  const std::vector<double> values = reader.numbers(name);
+  std::vector<double> values = reader.numbers(name);
   if (values.size() != 2)
     reader.fail(name, fmt::format("{} values; {} are expected", values.size(), meaning));
   return {values[0], values[1]};
@@ -271,7 +271,7 @@ std::vector<double> readColumn(CaseReader &reader, const std::string &name, std:
 {
   if (!reader.has(name))
     return {};
-  const std::vector<double> values = reader.numbers(name);
+  std::vector<double> values = reader.numbers(name);
   if (values.size() != instants)
     reader.fail(name, fmt::format("{} values; one for each of the {} instants of sequence.time is "
                                   "expected",

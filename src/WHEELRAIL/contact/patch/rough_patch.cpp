@@ -167,8 +167,8 @@ RoughPatch measuredPatch(const RoughPatchSpecification &specification, std::size
                     patch.shortestWave * 1e3, patch.shortestWave / std::max(box.dx, box.dy),
                     advisedCellsPerWave));
   if (patch.shortestWave == 0.0)
-    patch.remarks.push_back("roughness.cutoff: not given; waves of the measured maps that are "
-                            "shorter than 8 cells are not resolved");
+    patch.remarks.emplace_back("roughness.cutoff: not given; waves of the measured maps that are "
+                               "shorter than 8 cells are not resolved");
   return patch;
 }
 

@@ -68,13 +68,13 @@ struct PatchCurves {
 };
 
 /// The points in the order of the results.
-std::vector<PatchTask> patchTasks(const PatchSpecification &specification);
+std::vector<PatchTask> patchTasks(const PatchSpecification &asked);
 
 /// All of them. The work is cut into pieces of a few neighbouring points, each started cold and
 /// solved in order, so that the result is the same to the last bit on one thread or many, in one go
 /// or resumed.
 /// @throws Error (Interrupted) when asked to stop, and what the points throw
-PatchCurves solvePatchCurves(const PatchSpecification &specification, const FrictionLaw &law,
+PatchCurves solvePatchCurves(const PatchSpecification &asked, const FrictionLaw &law,
                              const SweepOptions &options = {});
 
 } // namespace wheelrail
