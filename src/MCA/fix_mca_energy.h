@@ -30,7 +30,7 @@ class FixMCAEnergy : public Fix {
   void restart(char *) override;
   double memory_usage() override;
 
-  static constexpr int FLOWS = mca::EnergyAccount::channels;
+  static constexpr int FLOWS = mca::EnergyAccount::Channels;
   struct Balance {
     double kinetic, elastic, flow[FLOWS]; // of all ranks
     double error;                         // of their sum since the beginning

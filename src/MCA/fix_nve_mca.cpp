@@ -14,8 +14,7 @@ using namespace FixConst;
 
 static constexpr int THETA = mca::stateNumber("theta");
 
-FixNVEMCA::FixNVEMCA(LAMMPS *host, int narg, char **arg)
-    : Fix(host, narg, arg), pair(nullptr)
+FixNVEMCA::FixNVEMCA(LAMMPS *host, int narg, char **arg) : Fix(host, narg, arg), pair(nullptr)
 {
   if (narg != 3)
     error->all(FLERR, "Fix nve/mca takes no arguments, got {}", arg[3]);

@@ -17,7 +17,7 @@ namespace LAMMPS_NS {
 
 class MCALinks : public Command {
  public:
-  MCALinks(class LAMMPS *host) : Command(host) {}
+  explicit MCALinks(class LAMMPS *host) : Command(host) {}
   void command(int, char **) override;
 
  private:

@@ -29,7 +29,8 @@ std::string MCALinks::gathered(const std::string &own) const
   for (int r = 1; r < comm->nprocs; r++)
     starts[r] = starts[r - 1] + counts[r - 1];
   std::string all(comm->me == 0 ? starts.back() + counts.back() : 0, ' ');
-  MPI_Gatherv(own.data(), n, MPI_CHAR, &all[0], counts.data(), starts.data(), MPI_CHAR, 0, world);
+  MPI_Gatherv(own.data(), n, MPI_CHAR, all.data(), counts.data(), starts.data(), MPI_CHAR, 0,
+              world);
   return all;
 }
 
@@ -193,9 +194,9 @@ void MCALinks::read(const std::string &path)
     if (entry == file.automata.end())
       continue;
     for (const auto &[name, value] : entry->second) {
-      const auto known =
-          std::find_if(std::begin(mca::automatonStates), std::end(mca::automatonStates),
-                       [&](const mca::AutomatonState &state) { return name == state.name; });
+      const auto known = std::find_if(
+          std::begin(mca::automatonStates), std::end(mca::automatonStates),
+          [&name = name](const mca::AutomatonState &state) { return name == state.name; });
       double *values = known == std::end(mca::automatonStates)
                            ? nullptr
                            : pair->state(static_cast<int>(known - mca::automatonStates));

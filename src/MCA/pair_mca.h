@@ -22,7 +22,7 @@ class FixMCAHistory;
 
 class PairMCA : public Pair {
  public:
-  PairMCA(class LAMMPS *);
+  explicit PairMCA(class LAMMPS *);
   ~PairMCA() override;
   void compute(int, int) override;
   void settings(int, char **) override;

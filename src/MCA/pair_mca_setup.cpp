@@ -98,9 +98,9 @@ void PairMCA::settings(int narg, char **arg)
                                                       : nullptr;
     const bool is_packing = strcmp(arg[iarg], "packing") == 0;
     if (!own && !is_packing) {
-      words.push_back(arg[iarg]);
+      words.emplace_back(arg[iarg]);
       if (iarg + 1 < narg)
-        words.push_back(arg[++iarg]);
+        words.emplace_back(arg[++iarg]);
       continue;
     }
     if (iarg + 1 == narg)
@@ -208,8 +208,8 @@ void PairMCA::find_columns()
 {
   int is_double, values;
   for (int k = 0; k < mca::stateCount; k++)
-    columns[k] = atom->find_custom(mca::propertyName(mca::automatonStates[k]).c_str(), is_double,
-                                   values);
+    columns[k] =
+        atom->find_custom(mca::propertyName(mca::automatonStates[k]).c_str(), is_double, values);
 }
 
 /* the default packing depends on the dimension, which is known when the box is there */
@@ -299,7 +299,7 @@ void PairMCA::make_laws()
   std::vector<mca::Material> inside(materials);
   inside[0] = inside[1]; // types begin with 1
   for (auto &m : inside) {
-    m.youngs_modulus /= stress_unit();
+    m.youngsModulus /= stress_unit();
     m.strength /= stress_unit();
     m.viscosity /= stress_unit();
     m.density *= force->mvv2e;
@@ -311,12 +311,12 @@ double PairMCA::init_one(int i, int j)
 {
   const mca::Material &a = materials[i], &b = materials[j];
   const double d = 0.5 * (a.diameter + b.diameter);
-  const double reach = d * (1.0 + std::max(a.breaking_strain, b.breaking_strain));
+  const double reach = d * (1.0 + std::max(a.breakingStrain, b.breakingStrain));
   if (cut_user > 0.0 && cut_user < reach)
     error->all(FLERR, "Pair style mca cutoff {} is below the breaking distance {} of types {} {}",
                cut_user, reach, i, j);
   // room for links that compression of their neighbours keeps below the breaking stress
-  const double margin = 2.0 * std::max({a.breaking_strain, b.breaking_strain, 0.05});
+  const double margin = 2.0 * std::max({a.breakingStrain, b.breakingStrain, 0.05});
   return cut_user > 0.0 ? cut_user : d * (1.0 + margin);
 }
 
@@ -336,7 +336,7 @@ void PairMCA::check_step()
     if (i > 1 && materials[i] == materials[i - 1])
       continue;
     mca::Material m = materials[i];
-    m.youngs_modulus /= stress_unit();
+    m.youngsModulus /= stress_unit();
     m.density *= force->mvv2e;
     const double eta = lawset.isViscous() ? m.viscosity / stress_unit() : 0.0;
     const mca::ElasticModuli moduli = mca::elasticModuli(lawset, m);

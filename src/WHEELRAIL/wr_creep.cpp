@@ -166,14 +166,13 @@ std::vector<std::string> outputNames(const Case &input)
 {
   if (const auto *patch = std::get_if<PatchSpecification>(&input.task)) {
     std::vector<std::string> names = fieldFileNames(*patch);
-    names.insert(names.end(), {"creep.csv", "static.csv", "series.csv", "summary.json",
-                               journalName});
+    names.insert(names.end(),
+                 {"creep.csv", "static.csv", "series.csv", "summary.json", journalName});
     return names;
   }
   if (std::holds_alternative<StaticSpecification>(input.task))
     return {"static.csv", "contact.csv", "summary.json"};
-  return {"creep.csv",   "creep.json",   "creep_band.csv", journalName,
-          "contact.csv", "summary.json"};
+  return {"creep.csv", "creep.json", "creep_band.csv", journalName, "contact.csv", "summary.json"};
 }
 
 /// The table that goes with a file of parameters: its name with the ending ".csv".

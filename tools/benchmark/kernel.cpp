@@ -21,14 +21,14 @@ constexpr double dt = 5e-5; // ns
 mca::Material steel()
 {
   mca::Material m;
-  m.youngs_modulus = 206000;
-  m.poissons_ratio = 0.3;
+  m.youngsModulus = 206000;
+  m.poissonsRatio = 0.3;
   m.density = 0.0078;
   m.strength = 92;
-  m.elastic_limit = 0.554;
-  m.yield_strength = 0.870;
-  m.yield_strain = 0.015;
-  m.breaking_strain = 0.04;
+  m.elasticLimit = 0.554;
+  m.yieldStrength = 0.870;
+  m.yieldStrain = 0.015;
+  m.breakingStrain = 0.04;
   m.viscosity = 410;
   m.diameter = 2.5;
   return m;
@@ -39,57 +39,57 @@ mca::Material steel()
 class Sample {
  public:
   Sample(const mca::Kernel &kernel, const mca::Packing &packing, const int (&counts)[3])
-      : step(kernel.dimension, &kernel), n{counts[0], counts[1], counts[2]}
+      : step_(kernel.dimension, &kernel), n_{counts[0], counts[1], counts[2]}
   {
-    step.setLaws({mca::LawSet(), {steel()}, 1.0, packing});
+    step_.setLaws({mca::LawSet(), {steel()}, 1.0, packing});
     placeAutomata(mca::latticeOf(packing));
     linkNeighbours(packing);
     const std::vector<int> types(own(), 0);
-    step.begin(own(), static_cast<int>(places.size()), types.data(), 0);
+    step_.begin(own(), static_cast<int>(places_.size()), types.data(), 0);
     for (const double sign : {1.0, -1.0})
-      for (const Vector &x : places) {
-        velocities.push_back({sign * 0.01 * std::sin(x[1]), sign * 0.01 * std::cos(x[0]), 0.0});
-        spins.push_back({0.0, 0.0, sign * 0.001 * std::sin(x[0])});
+      for (const Vector &x : places_) {
+        velocities_.push_back({sign * 0.01 * std::sin(x[1]), sign * 0.01 * std::cos(x[0]), 0.0});
+        spins_.push_back({0.0, 0.0, sign * 0.001 * std::sin(x[0])});
       }
-    groups.assign(places.size(), 1);
-    zeros.assign(places.size(), 0.0);
+    groups_.assign(places_.size(), 1);
+    zeros_.assign(places_.size(), 0.0);
     run(false);
   }
 
-  int own() const { return n[0] * n[1] * n[2]; }
+  int own() const { return n_[0] * n_[1] * n_[2]; }
 
   void run(bool advance)
   {
-    turn = !turn;
-    const size_t first = turn ? places.size() : 0;
+    turn_ = !turn_;
+    const size_t first = turn_ ? places_.size() : 0;
     auto three = [](std::vector<Vector> &of, size_t from = 0) {
       return reinterpret_cast<const double(*)[3]>(of.data() + from);
     };
-    double *zero = zeros.data();
-    step.run({three(places),
-              three(velocities, first),
-              three(spins, first),
-              groups.data(),
-              1,
-              2,
-              zero,
-              zero,
-              {zero, zero, zero},
-              {zero, zero, zero}},
-             dt, advance);
-    benchmark::DoNotOptimize(step.forces().data());
+    double *zero = zeros_.data();
+    step_.run({three(places_),
+               three(velocities_, first),
+               three(spins_, first),
+               groups_.data(),
+               1,
+               2,
+               zero,
+               zero,
+               {zero, zero, zero},
+               {zero, zero, zero}},
+              dt, advance);
+    benchmark::DoNotOptimize(step_.forces().data());
   }
 
  private:
   using Vector = std::array<double, 3>;
-  mca::Step step;
-  int n[3];
-  std::vector<Vector> places;
-  std::vector<Vector> velocities, spins; // of all, then the opposite ones: shears go to and fro
-  bool turn = false;
-  std::vector<double> zeros; // nothing flows
-  std::vector<int> groups;
-  std::map<Vector3i, int> rows; // by periods from the first automaton
+  mca::Step step_;
+  int n_[3];
+  std::vector<Vector> places_;
+  std::vector<Vector> velocities_, spins_; // of all, then the opposite ones: shears go to and fro
+  bool turn_ = false;
+  std::vector<double> zeros_; // nothing flows
+  std::vector<int> groups_;
+  std::map<Vector3i, int> rows_; // by periods from the first automaton
 
   // First the automata, then the images around them.
   void placeAutomata(const mca::Lattice &lattice)
@@ -97,21 +97,21 @@ class Sample {
     const double d = steel().diameter;
     const mca::Lattice::Point *e = lattice.edges;
     for (const bool image : {false, true})
-      for (int a = -1; a <= n[0]; a++)
-        for (int b = -1; b <= n[1]; b++)
-          for (int c = -1; c <= n[2]; c++) {
+      for (int a = -1; a <= n_[0]; a++)
+        for (int b = -1; b <= n_[1]; b++)
+          for (int c = -1; c <= n_[2]; c++) {
             if ((owner({a, b, c}) != Vector3i{a, b, c}) != image)
               continue;
-            rows[{a, b, c}] = static_cast<int>(places.size());
-            places.push_back({d * (a * e[0].x + b * e[1].x + c * e[2].x),
-                              d * (a * e[0].y + b * e[1].y + c * e[2].y),
-                              d * (a * e[0].z + b * e[1].z + c * e[2].z)});
+            rows_[{a, b, c}] = static_cast<int>(places_.size());
+            places_.push_back({d * (a * e[0].x + b * e[1].x + c * e[2].x),
+                               d * (a * e[0].y + b * e[1].y + c * e[2].y),
+                               d * (a * e[0].z + b * e[1].z + c * e[2].z)});
           }
   }
 
   Vector3i owner(const Vector3i &p) const
   {
-    return {(p[0] + n[0]) % n[0], (p[1] + n[1]) % n[1], (p[2] + n[2]) % n[2]};
+    return {(p[0] + n_[0]) % n_[0], (p[1] + n_[1]) % n_[1], (p[2] + n_[2]) % n_[2]};
   }
 
   // Each pair once, from the automaton that comes first.
@@ -119,17 +119,17 @@ class Sample {
   {
     const double state[mca::LinkList::maxStateSize] = {mca::link::bulk};
     const int deep = packing.dimension == 3 ? 1 : 0;
-    mca::LinkList &links = step.links();
+    mca::LinkList &links = step_.links();
     links.reset(own() * packing.coordination / 2);
-    for (int a = 0; a < n[0]; a++)
-      for (int b = 0; b < n[1]; b++)
-        for (int c = 0; c < n[2]; c++)
+    for (int a = 0; a < n_[0]; a++)
+      for (int b = 0; b < n_[1]; b++)
+        for (int c = 0; c < n_[2]; c++)
           for (int m = 0; m < 27; m++) {
             const Vector3i there = {a + m / 9 - 1, b + m / 3 % 3 - 1, c + m % 3 - 1};
             if (!deep && there[2] != c)
               continue;
-            const int i = rows[{a, b, c}], place = rows[there], j = rows[owner(there)];
-            const Vector &x = places[i], &y = places[place];
+            const int i = rows_[{a, b, c}], place = rows_[there], j = rows_[owner(there)];
+            const Vector &x = places_[i], &y = places_[place];
             const double r = std::hypot(y[0] - x[0], y[1] - x[1], y[2] - x[2]);
             if (j <= i || r > 1.1 * steel().diameter)
               continue;

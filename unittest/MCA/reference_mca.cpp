@@ -44,19 +44,19 @@ double meanWeight(const mca::LawSet &laws, const mca::Material &m)
 
 double shearModulus(const mca::Material &m)
 {
-  return m.youngs_modulus / 2 / (1 + m.poissons_ratio);
+  return m.youngsModulus / 2 / (1 + m.poissonsRatio);
 }
 
 double bulkModulus(const mca::Material &m)
 {
-  return m.youngs_modulus / 3 / (1 - 2 * m.poissons_ratio);
+  return m.youngsModulus / 3 / (1 - 2 * m.poissonsRatio);
 }
 
 double yieldStress(const mca::Material &m, double kappa)
 {
-  const double s1 = m.elastic_limit * m.strength, s2 = m.yield_strength * m.strength;
-  const double k2 = m.yield_strain - s2 / m.youngs_modulus;
-  const double k3 = m.breaking_strain - m.strength / m.youngs_modulus;
+  const double s1 = m.elasticLimit * m.strength, s2 = m.yieldStrength * m.strength;
+  const double k2 = m.yieldStrain - s2 / m.youngsModulus;
+  const double k3 = m.breakingStrain - m.strength / m.youngsModulus;
   if (kappa < k2)
     return s1 + (s2 - s1) * kappa / k2;
   if (kappa < k3)
@@ -67,8 +67,8 @@ double yieldStress(const mca::Material &m, double kappa)
 // its integral by trapezoids between the kinks
 double plasticWork(const mca::Material &m, double kappa)
 {
-  const double k2 = m.yield_strain - m.yield_strength * m.strength / m.youngs_modulus;
-  const double k3 = m.breaking_strain - m.strength / m.youngs_modulus;
+  const double k2 = m.yieldStrain - m.yieldStrength * m.strength / m.youngsModulus;
+  const double k3 = m.breakingStrain - m.strength / m.youngsModulus;
   double sum = 0, from = 0;
   for (const double to : {std::fmin(kappa, k2), std::fmin(kappa, k3), kappa}) {
     if (to > from) {
@@ -81,7 +81,7 @@ double plasticWork(const mca::Material &m, double kappa)
 
 static double workToStrength(const mca::Material &m)
 {
-  return plasticWork(m, m.breaking_strain - m.strength / m.youngs_modulus);
+  return plasticWork(m, m.breakingStrain - m.strength / m.youngsModulus);
 }
 
 // a limit from its word
@@ -122,7 +122,7 @@ std::map<std::string, std::function<bool(const LinkView &)>> &criteria()
       {"strain",
        [](const LinkView &l) {
          const double opening = std::fmax(l.eps, 0);
-         const double limit = std::fmin(l.a.breaking_strain, l.b.breaking_strain);
+         const double limit = std::fmin(l.a.breakingStrain, l.b.breakingStrain);
          return opening * opening + 4.0 / 3 * l.gammaTotal * l.gammaTotal >= limit * limit;
        }},
       {"stress", [](const LinkView &l) { return intensityOf(l.sigma, l.tau) >= strengthOf(l); }},
@@ -143,7 +143,7 @@ double nextKind(const mca::LawSet &laws, const mca::Material &ma, const mca::Mat
 {
   const double strength = std::fmin(ma.strength, mb.strength);
   const double hardness =
-      3 * std::fmin(ma.yield_strength * ma.strength, mb.yield_strength * mb.strength);
+      3 * std::fmin(ma.yieldStrength * ma.strength, mb.yieldStrength * mb.strength);
   const bool welding = laws.weld.word() != "none";
   const bool heals = -sigma >= times(laws.heal, strength, hardness) && !bulkBreaks;
   if (kind == 1)
@@ -154,7 +154,7 @@ double nextKind(const mca::LawSet &laws, const mca::Material &ma, const mca::Mat
     return heals ? 1 : 2;
   }
   const double limitOfElasticity =
-      std::fmin(ma.elastic_limit * ma.strength, mb.elastic_limit * mb.strength);
+      std::fmin(ma.elasticLimit * ma.strength, mb.elasticLimit * mb.strength);
   const double enough = times(laws.linkWork, std::fmin(workToStrength(ma), workToStrength(mb)), 0);
   if (-sigma < times(laws.link, strength, limitOfElasticity) && work < enough)
     return 0;
@@ -197,7 +197,7 @@ bool touches(const Contact &c, const View &w)
 // lambda of Hooke's law in the plane, sigma = 2G eps + lambda tr(eps)
 double lame(const Sample &s, const mca::Material &m)
 {
-  const double E = m.youngs_modulus, nu = m.poissons_ratio;
+  const double E = m.youngsModulus, nu = m.poissonsRatio;
   if (s.laws.elasticity.word() == "pairwise")
     return 0;
   return s.laws.plane.word() == "stress" ? E * nu / (1 - nu * nu)

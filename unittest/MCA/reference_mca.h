@@ -60,7 +60,7 @@ struct Sample {
   void add(const Automaton &);
 
   /// Appends an image of automaton i.
-  void addImage(int i, double shiftX, double shiftY);
+  void addImage(int i, double sx, double sy);
 
   /// Brings the images' state to that of their originals.
   void updateImages();

@@ -4,8 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace reference {
-namespace space {
+namespace reference::space {
 
 void Sample::updateImages()
 {
@@ -335,5 +334,4 @@ void step(Sample &s, double dt)
   applyContacts(s);
 }
 
-} // namespace space
-} // namespace reference
+} // namespace reference::space

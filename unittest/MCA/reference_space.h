@@ -11,8 +11,7 @@
 
 #include <vector>
 
-namespace reference {
-namespace space {
+namespace reference::space {
 
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
@@ -65,7 +64,6 @@ struct Sample {
 /// then yielding, forces and the next state. Velocities are those of dt/2 before the positions.
 void step(Sample &, double dt);
 
-} // namespace space
-} // namespace reference
+} // namespace reference::space
 
 #endif

@@ -13,14 +13,14 @@ using reference::Sample;
 mca::Material steel()
 {
   mca::Material m;
-  m.youngs_modulus = 206000;
-  m.poissons_ratio = 0.3;
+  m.youngsModulus = 206000;
+  m.poissonsRatio = 0.3;
   m.density = 0.0078;
   m.strength = 92;
-  m.elastic_limit = 0.554;
-  m.yield_strength = 0.870;
-  m.yield_strain = 0.015;
-  m.breaking_strain = 0.04;
+  m.elasticLimit = 0.554;
+  m.yieldStrength = 0.870;
+  m.yieldStrain = 0.015;
+  m.breakingStrain = 0.04;
   m.viscosity = 410;
   m.diameter = 2.5;
   return m;
@@ -99,23 +99,23 @@ Sample periodicBlock(const mca::Material &m, int columns, int rows, double kind)
 }
 
 KernelRun::KernelRun(const mca::Kernel &kernel, const Sample &s, bool next)
-    : evaluation(2, &kernel), arrays(s.automata.size())
+    : evaluation_(2, &kernel), arrays_(s.automata.size())
 {
-  evaluation.setLaws({s.laws, s.materials, s.thickness, mca::packing::hex});
+  evaluation_.setLaws({s.laws, s.materials, s.thickness, mca::packing::hex});
   for (size_t i = 0; i < s.automata.size(); i++) {
-    arrays.types[i] = s.automata[i].type;
-    arrays.groups[i] |= s.automata[i].held ? StepArrays::held : 0;
+    arrays_.types[i] = s.automata[i].type;
+    arrays_.groups[i] |= s.automata[i].held ? StepArrays::held : 0;
   }
-  mca::LinkList &list = evaluation.links();
+  mca::LinkList &list = evaluation_.links();
   list.reset(static_cast<int>(s.contacts.size()));
   for (const auto &c : s.contacts) {
     const reference::State &state = next ? c.next : c.now;
     const double values[] = {state.kind, state.plastic, state.gamma, state.gammaTotal};
     list.add(s.owner[c.i], s.owner[c.j],
-             evaluation.laws().number(arrays.types[c.i], arrays.types[c.j]), values);
+             evaluation_.laws().number(arrays_.types[c.i], arrays_.types[c.j]), values);
     list.setPlaces(c.i, c.j);
   }
-  evaluation.begin(s.owned, static_cast<int>(s.automata.size()), arrays.types.data(), 0);
+  evaluation_.begin(s.owned, static_cast<int>(s.automata.size()), arrays_.types.data(), 0);
 }
 
 void KernelRun::step(Sample &s, double dt)
@@ -123,37 +123,37 @@ void KernelRun::step(Sample &s, double dt)
   for (size_t i = 0; i < s.automata.size(); i++) {
     const Automaton &a = s.automata[i];
     const double places[] = {a.x, a.y}, velocities[] = {a.vx, a.vy};
-    std::copy_n(places, 2, arrays.x()[i]);
-    std::copy_n(velocities, 2, arrays.v()[i]);
-    arrays.omega()[i][2] = a.omega;
-    arrays.kappa[i] = a.kappa;
-    arrays.elasticZ[i] = a.elasticZ;
+    std::copy_n(places, 2, arrays_.x()[i]);
+    std::copy_n(velocities, 2, arrays_.v()[i]);
+    arrays_.omega()[i][2] = a.omega;
+    arrays_.kappa[i] = a.kappa;
+    arrays_.elasticZ[i] = a.elasticZ;
   }
-  evaluation.run(arrays.view(), dt, dt > 0.0);
-  s.changed = static_cast<int>(evaluation.changing());
-  evaluation.commit(arrays.view());
+  evaluation_.run(arrays_.view(), dt, dt > 0.0);
+  s.changed = static_cast<int>(evaluation_.changing());
+  evaluation_.commit(arrays_.view());
 
   for (int i = 0; i < s.owned; i++) {
     Automaton &a = s.automata[i];
-    const mca::Step::Automaton state = evaluation.automaton(i);
+    const mca::Step::Automaton state = evaluation_.automaton(i);
     a.mean = state.mean;
-    a.factor = evaluation.factor(i);
-    a.kappaNext = arrays.kappa[i];
-    a.elasticZNext = arrays.elasticZ[i];
+    a.factor = evaluation_.factor(i);
+    a.kappaNext = arrays_.kappa[i];
+    a.elasticZNext = arrays_.elasticZ[i];
     a.xx = state.stress.xx;
     a.yy = state.stress.yy;
     a.xy = state.stress.xy;
     a.zz = state.stress.zz;
     a.intensity = state.intensity;
     a.energy = state.energy;
-    a.fx = evaluation.force(i).x;
-    a.fy = evaluation.force(i).y;
-    a.torque = evaluation.torque(i).z;
+    a.fx = evaluation_.force(i).x;
+    a.fy = evaluation_.force(i).y;
+    a.torque = evaluation_.torque(i).z;
   }
   for (size_t k = 0; k < s.contacts.size(); k++)
     for (const bool next : {false, true}) {
       double state[mca::LinkList::maxStateSize];
-      evaluation.links().getState(static_cast<int>(k), next, state);
+      evaluation_.links().getState(static_cast<int>(k), next, state);
       (next ? s.contacts[k].next : s.contacts[k].now) = {state[0], state[1], state[2], state[3]};
     }
 }

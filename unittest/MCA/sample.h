@@ -39,8 +39,8 @@ class KernelRun {
   void step(reference::Sample &, double dt);
 
  private:
-  mca::Step evaluation;
-  StepArrays arrays;
+  mca::Step evaluation_;
+  StepArrays arrays_;
 };
 
 /// One evaluation of the laws by a kernel from the sample's present (dt = 0) or next states.

@@ -24,7 +24,7 @@ Sample block(const mca::Packing &packing, const mca::Material &m, int n, double 
       for (int c = 0; c < n; c++)
         for (const auto &p : lattice.basis) {
           s.owner.push_back(s.owned++);
-          s.shift.push_back(Vector3d::Zero());
+          s.shift.emplace_back(Vector3d::Zero());
           s.automata.emplace_back().x = place(a, b, c) + vector(p);
         }
   for (int image = 0; periodic && image < 27; image++) {
@@ -50,24 +50,24 @@ Sample block(const mca::Packing &packing, const mca::Material &m, int n, double 
 }
 
 SpaceRun::SpaceRun(const mca::Kernel &kernel, const Sample &s, bool next)
-    : evaluation(3, &kernel), arrays(s.automata.size())
+    : evaluation_(3, &kernel), arrays_(s.automata.size())
 {
-  evaluation.setLaws({s.laws, s.materials, 1.0, s.packing});
+  evaluation_.setLaws({s.laws, s.materials, 1.0, s.packing});
   for (size_t i = 0; i < s.automata.size(); i++) {
-    arrays.types[i] = s.automata[i].type;
-    arrays.groups[i] |= s.automata[i].held ? StepArrays::held : 0;
+    arrays_.types[i] = s.automata[i].type;
+    arrays_.groups[i] |= s.automata[i].held ? StepArrays::held : 0;
   }
-  mca::LinkList &list = evaluation.links();
+  mca::LinkList &list = evaluation_.links();
   list.reset(static_cast<int>(s.contacts.size()));
   for (const auto &c : s.contacts) {
     const State &state = next ? c.next : c.now;
     const Vector3d &g = state.gamma, &t = state.gammaTotal;
     const double values[] = {state.kind, state.plastic, g.x(), g.y(), g.z(), t.x(), t.y(), t.z()};
     list.add(s.owner[c.i], s.owner[c.j],
-             evaluation.laws().number(arrays.types[c.i], arrays.types[c.j]), values);
+             evaluation_.laws().number(arrays_.types[c.i], arrays_.types[c.j]), values);
     list.setPlaces(c.i, c.j);
   }
-  evaluation.begin(s.owned, static_cast<int>(s.automata.size()), arrays.types.data(), 0);
+  evaluation_.begin(s.owned, static_cast<int>(s.automata.size()), arrays_.types.data(), 0);
 }
 
 static Vector3d vectorOf(const mca::Vector &v)
@@ -79,32 +79,32 @@ void SpaceRun::step(Sample &s, double dt)
 {
   for (size_t i = 0; i < s.automata.size(); i++) {
     const Automaton &a = s.automata[i];
-    std::copy_n(a.x.data(), 3, arrays.x()[i]);
-    std::copy_n(a.v.data(), 3, arrays.v()[i]);
-    std::copy_n(a.omega.data(), 3, arrays.omega()[i]);
-    arrays.kappa[i] = a.kappa;
+    std::copy_n(a.x.data(), 3, arrays_.x()[i]);
+    std::copy_n(a.v.data(), 3, arrays_.v()[i]);
+    std::copy_n(a.omega.data(), 3, arrays_.omega()[i]);
+    arrays_.kappa[i] = a.kappa;
   }
-  evaluation.run(arrays.view(), dt, dt > 0.0);
-  s.changed = static_cast<int>(evaluation.changing());
-  evaluation.commit(arrays.view());
+  evaluation_.run(arrays_.view(), dt, dt > 0.0);
+  s.changed = static_cast<int>(evaluation_.changing());
+  evaluation_.commit(arrays_.view());
 
   for (int i = 0; i < s.owned; i++) {
     Automaton &a = s.automata[i];
-    const mca::Step::Automaton state = evaluation.automaton(i);
+    const mca::Step::Automaton state = evaluation_.automaton(i);
     const mca::StressTensor &t = state.stress;
     a.mean = state.mean;
-    a.factor = evaluation.factor(i);
-    a.kappaNext = arrays.kappa[i];
+    a.factor = evaluation_.factor(i);
+    a.kappaNext = arrays_.kappa[i];
     a.stress << t.xx, t.xy, t.xz, t.xy, t.yy, t.yz, t.xz, t.yz, t.zz;
     a.intensity = state.intensity;
     a.energy = state.energy;
-    a.force = vectorOf(evaluation.force(i));
-    a.torque = vectorOf(evaluation.torque(i));
+    a.force = vectorOf(evaluation_.force(i));
+    a.torque = vectorOf(evaluation_.torque(i));
   }
   for (size_t k = 0; k < s.contacts.size(); k++)
     for (const bool next : {false, true}) {
       double v[mca::LinkList::maxStateSize];
-      evaluation.links().getState(static_cast<int>(k), next, v);
+      evaluation_.links().getState(static_cast<int>(k), next, v);
       (next ? s.contacts[k].next : s.contacts[k].now) = {v[0], v[1], Vector3d(v[2], v[3], v[4]),
                                                          Vector3d(v[5], v[6], v[7])};
     }

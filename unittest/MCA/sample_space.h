@@ -22,8 +22,8 @@ class SpaceRun {
   void step(reference::space::Sample &, double dt);
 
  private:
-  mca::Step evaluation;
-  StepArrays arrays;
+  mca::Step evaluation_;
+  StepArrays arrays_;
 };
 
 /// One evaluation of the laws by a kernel from the sample's present (dt = 0) or next states.

@@ -23,7 +23,7 @@ const mca::Kernel &kernel = mca::bestKernel(2);
 mca::Material material(double poissonsRatio)
 {
   mca::Material m = steel();
-  m.poissons_ratio = poissonsRatio;
+  m.poissonsRatio = poissonsRatio;
   return m;
 }
 
@@ -138,7 +138,7 @@ TEST(CriticalStep, CompressedUnlinkedLatticeIsStableBelow)
   // all six contacts damped and elastic, none linked
   mca::Material m = steel();
   m.strength = 1e5;
-  m.breaking_strain = 0.49;
+  m.breakingStrain = 0.49;
   Sample s = periodicBlock(m, 6, 6, 0);
   s.laws.link = mca::Threshold::off();
   const double width = 6 * m.diameter, height = width * std::sqrt(0.75), squeeze = 0.99;

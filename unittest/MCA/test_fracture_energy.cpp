@@ -16,7 +16,7 @@ namespace {
 // Density of elastic energy of a solid, sigma:eps/2, with Lame's constant of the laws.
 double sideOf(const reference::LinkView &l, const Material &m, double mean)
 {
-  const double E = m.youngs_modulus, nu = m.poissons_ratio, G = E / 2 / (1 + nu);
+  const double E = m.youngsModulus, nu = m.poissonsRatio, G = E / 2 / (1 + nu);
   const bool planeStress = l.laws.plane.word() == "stress";
   const double lame = l.laws.elasticity.word() == "pairwise" ? 0
                       : planeStress                          ? E * nu / (1 - nu * nu)
@@ -29,8 +29,8 @@ double sideOf(const reference::LinkView &l, const Material &m, double mean)
 const bool known = [] {
   reference::criteria()["energy"] = [](const reference::LinkView &l) {
     const double density = (sideOf(l, l.a, l.meanA) + sideOf(l, l.b, l.meanB)) / 2;
-    const double limitA = l.a.strength * l.a.strength / 2 / l.a.youngs_modulus;
-    const double limitB = l.b.strength * l.b.strength / 2 / l.b.youngs_modulus;
+    const double limitA = l.a.strength * l.a.strength / 2 / l.a.youngsModulus;
+    const double limitB = l.b.strength * l.b.strength / 2 / l.b.youngsModulus;
     return density >= std::fmin(limitA, limitB);
   };
   return true;
@@ -74,7 +74,7 @@ LinkLoad loadOf(const Eigen::Matrix3d &eps, const Eigen::Vector3d &n, double mea
 TEST(FractureEnergy, MeanOfTheContactsIsTheSolidsInUniaxialTension)
 {
   const Material m = steel();
-  const double sigma = 70, E = m.youngs_modulus, nu = m.poissons_ratio;
+  const double sigma = 70, E = m.youngsModulus, nu = m.poissonsRatio;
   ASSERT_TRUE(known);
   for (const Packing &packing : {packing::hex, packing::fcc}) {
     const bool plane = packing.dimension == 2;
@@ -94,7 +94,7 @@ TEST(FractureEnergy, BreaksABulkLinkAtTheEnergyOfTheStrength)
 {
   const Material m = steel();
   const PairLaw law = lawOf({}, packing::fcc);
-  const double limit = m.strength * m.strength / 2 / m.youngs_modulus;
+  const double limit = m.strength * m.strength / 2 / m.youngsModulus;
   EXPECT_DOUBLE_EQ(law.limits.fracture.value[0], limit);
   const double strain = std::sqrt(limit / 3 / m.shearModulus());
   for (const double factor : {1 - 1e-12, 1 + 1e-12})
@@ -117,7 +117,7 @@ TEST(FractureEnergy, TheWeakerMaterialDecides)
   ASSERT_EQ(set.parse({"fracture", "energy"}), "");
   Material tough = steel();
   tough.strength *= 3;
-  tough.youngs_modulus *= 2; // more energy all the same
+  tough.youngsModulus *= 2; // more energy all the same
   const PairLaw law = makePairLaw(set, steel(), tough, 1.0),
                 turned = makePairLaw(set, tough, steel(), 1.0);
   EXPECT_DOUBLE_EQ(law.limits.fracture.value[0], 92.0 * 92.0 / 2 / 206000);
@@ -141,7 +141,7 @@ TEST(FractureEnergy, WordsReadBack)
 TEST(FractureEnergy, LinksAlongTheTensionBreakFirst)
 {
   const Material m = steel();
-  const double E = m.youngs_modulus, nu = m.poissons_ratio;
+  const double E = m.youngsModulus, nu = m.poissonsRatio;
   for (const Kernel *kernel : supportedKernels(2)) {
     reference::Sample s = periodicBlock(m, 8, 6, 1);
     ASSERT_EQ(s.laws.parse({"fracture", "energy", "plane", "stress", "plasticity", "none"}), "");

@@ -38,11 +38,11 @@ Sample randomSample(const mca::Packing &packing, unsigned seed, int materials, d
   Sample s = block(packing, steel(), packing.coordination == 6 ? 5 : 4, 0, false, 1.5);
   s.laws = mca::LawSet::named(preset);
   mca::Material hard = steel(), soft = steel();
-  hard.youngs_modulus *= 10;
+  hard.youngsModulus *= 10;
   hard.strength *= 6;
   hard.diameter *= 1.02;
-  soft.poissons_ratio = 0.1;
-  soft.breaking_strain = 0.05;
+  soft.poissonsRatio = 0.1;
+  soft.breakingStrain = 0.05;
   soft.viscosity = 100;
   s.materials = {steel(), hard, soft};
   s.materials.resize(materials);
@@ -183,8 +183,8 @@ TEST_P(SpaceKernelTest, BulkBlocksEqualTheReference)
         Random random(8);
         Sample slow = block(mca::packing::fcc, steel(), 5, 1, false);
         slow.materials[0].strength = strength;
-        slow.materials[0].breaking_strain = breaking;
-        slow.materials[0].yield_strain = 0.4 * breaking;
+        slow.materials[0].breakingStrain = breaking;
+        slow.materials[0].yieldStrain = 0.4 * breaking;
         for (auto &a : slow.automata) {
           a.x += random.vector(0.02);
           a.v = random.vector(10);
@@ -343,7 +343,7 @@ TEST_P(SpaceKernelTest, HomogeneousStrainGivesHookesTensorEverywhere)
     for (int sample = 0; sample < 3; sample++) {
       Sample s = block(packing, steel(), 4, 1, true);
       s.laws.plasticity = "none";
-      s.materials[0].poissons_ratio = nu;
+      s.materials[0].poissonsRatio = nu;
       Matrix3d eps;
       const Vector3d a = random.vector(1e-7), b = random.vector(1e-7);
       eps << a.x(), b.x(), b.y(), b.x(), a.y(), b.z(), b.y(), b.z(), a.z();
@@ -352,7 +352,7 @@ TEST_P(SpaceKernelTest, HomogeneousStrainGivesHookesTensorEverywhere)
         at.x += at.v;
       }
       run(s, 1.0);
-      const double E = s.materials[0].youngs_modulus, G = E / 2 / (1 + nu);
+      const double E = s.materials[0].youngsModulus, G = E / 2 / (1 + nu);
       const double lambda = E * nu / (1 + nu) / (1 - 2 * nu);
       const Matrix3d hooke = lambda * eps.trace() * Matrix3d::Identity() + 2 * G * eps;
       for (int i = 0; i < s.owned; i++) {
@@ -377,8 +377,8 @@ TEST_P(SpaceKernelTest, ForceIsTheGradientOfTheEnergy)
     start.laws.plasticity = "none";
     start.laws.fracture = "none";
     mca::Material hard = steel();
-    hard.youngs_modulus *= 10;
-    hard.poissons_ratio = 0.1;
+    hard.youngsModulus *= 10;
+    hard.poissonsRatio = 0.1;
     start.materials.push_back(hard);
     for (auto &a : start.automata) {
       a.x += random.vector(0.03);

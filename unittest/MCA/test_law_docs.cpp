@@ -61,7 +61,7 @@ std::string paragraphsOf(const std::string &keyword)
   for (const std::string &line : linesOf(section(page("pair_mca.md"), "Description"))) {
     if (line.rfind("*" + keyword + "*", 0) == 0)
       inside = true;
-    else if (inside && line.rfind("*", 0) == 0 && line.find("*", 1) != std::string::npos)
+    else if (inside && line.rfind('*', 0) == 0 && line.find('*', 1) != std::string::npos)
       for (const LawSet::Keyword &other : LawSet::keywords())
         if (other.name != keyword && line.rfind("*" + other.name + "*", 0) == 0)
           inside = false;

@@ -213,11 +213,11 @@ TEST(LawSet, PairOfUnlikeMaterials)
 {
   mca::Material strong = steel(), weak = steel();
   strong.strength = 200;
-  strong.youngs_modulus = 400000;
+  strong.youngsModulus = 400000;
   strong.diameter = 3.5;
-  strong.breaking_strain = 0.05;
+  strong.breakingStrain = 0.05;
   strong.viscosity = 10;
-  weak.elastic_limit = 0.3;
+  weak.elasticLimit = 0.3;
   const LawSet set;
   const mca::PairLaw law = mca::makePairLaw(set, strong, weak, 2.0);
   EXPECT_DOUBLE_EQ(law.diameter, 3.0);

@@ -95,7 +95,7 @@ TEST(Linking, AWeldHealsUnderPressure)
 TEST(Linking, ABulkLinkBreaksAtItsStrain)
 {
   const LinkLimits b = limitsOf();
-  const double c = steel().breaking_strain;
+  const double c = steel().breakingStrain;
   EXPECT_EQ(nextOf(link::bulk, 0, 0, below(c), 0, b), link::bulk);
   EXPECT_EQ(nextOf(link::bulk, 0, 0, c, 0, b), link::worn);
   EXPECT_EQ(nextOf(link::bulk, 0, 0, above(c), 0, b), link::worn);
@@ -126,7 +126,7 @@ TEST(Linking, ACollapsedBulkLinkBreaksAndDoesNotHeal)
 TEST(Linking, NothingHealsThatWouldBreakAtOnce)
 {
   const LinkLimits b = limitsOf();
-  const double c = steel().breaking_strain, g = c * std::sqrt(0.75);
+  const double c = steel().breakingStrain, g = c * std::sqrt(0.75);
   for (double kind : {link::worn, link::weld}) {
     EXPECT_EQ(nextOf(kind, -1e6, 0, below(c), 0, b), link::bulk);
     EXPECT_EQ(nextOf(kind, -1e6, 0, above(c), 0, b), kind);

@@ -98,26 +98,26 @@ class Threads : public mca::Exchange {
     std::vector<double> message;
     for (const int row : needed)
       message.insert(message.end(), rows + row * stride, rows + row * stride + count);
-    const std::lock_guard<std::mutex> hold(other->mutex);
-    other->box.push_back(message);
-    other->arrived.notify_one();
+    const std::lock_guard<std::mutex> hold(other->mutex_);
+    other->box_.push_back(message);
+    other->arrived_.notify_one();
   }
   void finish(double *rows, int stride, int count) override
   {
-    std::unique_lock<std::mutex> hold(mutex);
-    arrived.wait(hold, [this]() { return !box.empty(); });
-    ASSERT_EQ(box.front().size(), guests.size() * count);
-    const double *value = box.front().data();
+    std::unique_lock<std::mutex> hold(mutex_);
+    arrived_.wait(hold, [this]() { return !box_.empty(); });
+    ASSERT_EQ(box_.front().size(), guests.size() * count);
+    const double *value = box_.front().data();
     for (const int row : guests)
       for (int m = 0; m < count; m++)
         rows[row * stride + m] = *value++;
-    box.pop_front();
+    box_.pop_front();
   }
 
  private:
-  std::mutex mutex;
-  std::condition_variable arrived;
-  std::deque<std::vector<double>> box;
+  std::mutex mutex_;
+  std::condition_variable arrived_;
+  std::deque<std::vector<double>> box_;
 };
 
 /// What one rank holds of the world.
@@ -388,7 +388,7 @@ TEST_P(StepTest, IsTheSameOnTwoRanks)
   for (const double kappa : one.parts[0]->arrays.kappa)
     flow = std::max(flow, kappa);
   EXPECT_EQ(flow > 1e-6, world.laws.flows());
-  for (int m = 0; m < mca::EnergyAccount::channels; m++) {
+  for (int m = 0; m < mca::EnergyAccount::Channels; m++) {
     const double whole = one.parts[0]->account.sums()[m];
     EXPECT_NEAR(two.parts[0]->account.sums()[m] + two.parts[1]->account.sums()[m], whole,
                 1e-9 * std::abs(one.parts[0]->account.sums()[mca::EnergyAccount::Plastic]));

@@ -19,7 +19,7 @@ namespace {
 Sample row(int n)
 {
   mca::Material m = steel();
-  m.youngs_modulus = 1e-6;
+  m.youngsModulus = 1e-6;
   m.strength = 1e6; // nothing links
   Sample s = hexagonalBlock(m, n, 1, 0);
   s.laws.link = mca::Threshold::off();

@@ -22,7 +22,7 @@ namespace mca {
 class EnergyAccount {
  public:
   /// Where energy goes, and (work) comes from.
-  enum Channel { Plastic, Fracture, Viscous, Work, channels };
+  enum Channel { Plastic, Fracture, Viscous, Work, Channels };
 
   /// Sums since the beginning [energy], by channel.
   const double *sums() const { return sums_; }
@@ -57,7 +57,7 @@ class EnergyAccount {
   RowArray rows_{rowLength};
   std::vector<Motion> external_; // forces and torques on own automata that are not of contacts
   std::vector<Vector> before_;   // where own automata were in the evaluation
-  double sums_[channels] = {};
+  double sums_[Channels] = {};
 
   void bookWork(int i, const Motion &);
   void bookContacts(const Step &, double dt, bool back);

@@ -15,13 +15,12 @@
 // in a lambda, since vectors that are declared in the loop itself would be kept in memory.
 #define MCA_LOOP __attribute__((flatten))
 
-namespace mca {
-namespace MCA_ISA {
+namespace mca::MCA_ISA {
 namespace {
 
 // Returns how many links of a bulk block break by strain.
 // Criterion: of bulk links; only of the ways of bulk blocks.
-template<class D, Way WAY, class Criterion>
+template<class D, Way W, class Criterion>
 MCA_LOOP double strainBlock(const Pairs &p, const Block &block, int first, int n,
                             const typename D::Time &time, const PairLaw *laws, const double *motion,
                             const double *spin, double *strains)
@@ -40,19 +39,19 @@ MCA_LOOP double strainBlock(const Pairs &p, const Block &block, int first, int n
   const typename D::Time now = time;
   // returns 1 for a link that breaks
   auto move = [=, &seen, &es, &bulks](int k) {
-    const double invDiameter = WAY == SEVERAL_LAWS ? laws[plaw[k]].invDiameter : oneInvDiameter;
+    const double invDiameter = W == SeveralLaws ? laws[plaw[k]].invDiameter : oneInvDiameter;
     double r;
     const auto moved = seen.of(k, now, r);
     const Shear growth = shearGrowth(moved);
     const Shear gamma = carriedShear(moved, gammas.get(k)) + growth;
     const double eps = r * invDiameter - 1.0;
-    const double e = WAY == PRISTINE ? eps : eps - pplastic[k];
+    const double e = W == Pristine ? eps : eps - pplastic[k];
     normals.set(k, moved.normal);
     peps[k] = eps;
-    if constexpr (onlyBulk(WAY)) {
-      const Shear total = WAY == PRISTINE ? gamma : carriedShear(moved, totals.get(k)) + growth;
+    if constexpr (onlyBulk(W)) {
+      const Shear total = W == Pristine ? gamma : carriedShear(moved, totals.get(k)) + growth;
       gammas.set(k, gamma);
-      if (WAY == BULK)
+      if (W == Bulk)
         totals.set(k, total);
       es.value[k] = e;
       bulks.value[k] = 1.0;
@@ -72,7 +71,7 @@ MCA_LOOP double strainBlock(const Pairs &p, const Block &block, int first, int n
 #pragma omp simd reduction(+ : breaking)
   for (int k = 0; k < n; k++)
     breaking += move(k);
-  if (onlyBulk(WAY) && breaking > 0.0) // what breaks under pressure becomes a viscous contact
+  if (onlyBulk(W) && breaking > 0.0) // what breaks under pressure becomes a viscous contact
     for (int k = 0; k < n; k++)
       psep[k] = dot(seen.velocity(k), normals.get(k));
   scatter(p.i + first, p.j + first, n, es, bulks, strains);
@@ -92,7 +91,7 @@ void strainPass(const Pairs &p, double dt, bool moves, const PairLaw *laws, cons
       const double breaking =
           strainBlock<D, way.way, Known>(p, block, first, n, time, laws, motion, spin, strains);
       block.breaks = breaking > 0.0;
-      if (way.way == PRISTINE && block.breaks)
+      if (way.way == Pristine && block.breaks)
         leavePristine(p, block, first, n, D::shears);
     });
   });
@@ -119,7 +118,7 @@ void meanPass(int n, const int *type, const AutomatonLaw *laws, bool oneLaw, con
   }
 }
 
-template<class D, Way WAY>
+template<class D, Way W>
 MCA_LOOP void stressBlock(const Pairs &p, int first, int n, const PairLaw *laws,
                           const double *response, double *stresses)
 {
@@ -134,16 +133,16 @@ MCA_LOOP void stressBlock(const Pairs &p, int first, int n, const PairLaw *laws,
   ofJ.gatherMeans(pj, n, response);
   const PairLaw one = laws[plaw[0]];
   auto share = [=, &one, &ofI, &ofJ, &shares](int k) {
-    const PairLaw &law = WAY == SEVERAL_LAWS ? laws[plaw[k]] : one;
-    const double e = WAY == PRISTINE ? peps[k] : peps[k] - pplastic[k];
+    const PairLaw &law = W == SeveralLaws ? laws[plaw[k]] : one;
+    const double e = W == Pristine ? peps[k] : peps[k] - pplastic[k];
     const typename D::Shear gamma = gammas.get(k);
-    const double linked = onlyBulk(WAY) ? 1.0 : link::linked(pkind[k]);
-    const double pressed = onlyBulk(WAY) || e < 0.0 ? 1.0 : 0.0;
+    const double linked = onlyBulk(W) ? 1.0 : link::linked(pkind[k]);
+    const double pressed = onlyBulk(W) || e < 0.0 ? 1.0 : 0.0;
     const double touching = linked > pressed ? linked : pressed;
     const double sigma = touching * elasticStress(law, e, ofI.mean[k], ofJ.mean[k]);
     shares.set(k, sigma, law.twoG * gamma, normals.get(k));
     shares.setSums(k, touching * e * e, dot(gamma, gamma),
-                   onlyBulk(WAY) || pkind[k] == link::bulk ? sigma : 0.0);
+                   onlyBulk(W) || pkind[k] == link::bulk ? sigma : 0.0);
   };
 #pragma omp simd
   for (int k = 0; k < n; k++)
@@ -199,7 +198,7 @@ double yieldPass(int n, const int *type, const AutomatonLaw *laws, bool oneLaw,
                 : yieldLoop<D, false>(n, type, laws, strains, stresses, kappa, kappaNext, response);
 }
 
-template<class D, Way WAY>
+template<class D, Way W>
 MCA_LOOP void returnBlock(const Pairs &p, int first, int n, const PairLaw *laws,
                           const typename D::Answers &ofI, const typename D::Answers &ofJ,
                           typename D::Shares &shares)
@@ -211,9 +210,9 @@ MCA_LOOP void returnBlock(const Pairs &p, int first, int n, const PairLaw *laws,
   const PairArray<typename D::Normal> normals(p.normal, first);
   const PairLaw one = laws[plaw[0]];
   auto share = [=, &one, &ofI, &ofJ, &shares](int k) {
-    const PairLaw &law = WAY == SEVERAL_LAWS ? laws[plaw[k]] : one;
-    const double e = WAY == PRISTINE ? peps[k] : peps[k] - pplastic[k];
-    const double bulk = onlyBulk(WAY) || pkind[k] == link::bulk ? 1.0 : 0.0;
+    const PairLaw &law = W == SeveralLaws ? laws[plaw[k]] : one;
+    const double e = W == Pristine ? peps[k] : peps[k] - pplastic[k];
+    const double bulk = onlyBulk(W) || pkind[k] == link::bulk ? 1.0 : 0.0;
     const Answer i = ofI[k], j = ofJ[k];
     const double trial = elasticStress(law, e, i.mean, j.mean);
     const double sigma = returnedStress(trial, i, j);
@@ -268,7 +267,7 @@ void secondYieldPass(int n, const int *type, const AutomatonLaw *laws, const dou
 }
 
 // LOCAL: criteria of local stress or of plastic work act.
-template<class D, Way WAY, class Criterion, bool LOCAL>
+template<class D, Way W, class Criterion, bool LOCAL>
 MCA_LOOP Changes forceBlock(const Pairs &p, int first, int n, const PairLaw *laws,
                             const double *local, const typename D::Answers &ofI,
                             const typename D::Answers &ofJ, typename D::Forces &forces)
@@ -285,7 +284,7 @@ MCA_LOOP Changes forceBlock(const Pairs &p, int first, int n, const PairLaw *law
   const PairLaw one = laws[plaw[0]];
   // returns how much of its state changes
   auto answer = [=, &one, &ofI, &ofJ, &forces](int k) {
-    const PairLaw &law = WAY == SEVERAL_LAWS ? laws[plaw[k]] : one;
+    const PairLaw &law = W == SeveralLaws ? laws[plaw[k]] : one;
     const double kind = pkind[k], plastic = pplastic[k], eps = peps[k];
     const Shear gamma = gammas.get(k);
     const Answer i = ofI[k], j = ofJ[k];
@@ -329,7 +328,7 @@ MCA_LOOP Changes forceBlock(const Pairs &p, int first, int n, const PairLaw *law
 }
 
 // Bulk links of one law of which none breaks.
-template<class D, bool PRISTINE_BLOCK, bool FLOWS>
+template<class D, bool PristineBlock, bool Flows>
 MCA_LOOP void bulkForceBlock(const Pairs &p, int first, int n, const PairLaw *laws,
                              const typename D::Answers &ofI, const typename D::Answers &ofJ,
                              typename D::Forces &forces)
@@ -342,16 +341,16 @@ MCA_LOOP void bulkForceBlock(const Pairs &p, int first, int n, const PairLaw *la
   const PairArray<typename D::Normal> normals(p.normal, first);
   const PairLaw law = laws[p.law[first]];
   auto answer = [=, &law, &ofI, &ofJ, &forces](int k) {
-    const double plastic = PRISTINE_BLOCK ? 0.0 : pplastic[k], eps = peps[k];
+    const double plastic = PristineBlock ? 0.0 : pplastic[k], eps = peps[k];
     const double trial = elasticStress(law, eps - plastic, ofI.mean[k], ofJ.mean[k]);
     const Shear gamma = gammas.get(k);
-    if (FLOWS) {
+    if (Flows) {
       const Answer i = ofI[k], j = ofJ[k];
       const double sigma = returnedStress(trial, i, j), left = returnedShare(i, j);
       kind1[k] = link::bulk;
       plastic1[k] = plastic + (trial - sigma) * law.invTwoG;
       gammas1.set(k, left * gamma);
-      totals1.set(k, PRISTINE_BLOCK ? gamma : totals.get(k));
+      totals1.set(k, PristineBlock ? gamma : totals.get(k));
       forces.set(
           k, contactForce(law, sigma, returnedShear(left, law.twoG, gamma), eps, normals.get(k)));
     } else {
@@ -374,7 +373,7 @@ double forcePass(const Pairs &p, const PairLaw *laws, const double *response, co
   withCriterion(p, laws, [&](auto criterion) {
     using C = decltype(criterion);
     eachBlock<C::strainOnly>(p, [&](Block &block, auto way, int first, int n) {
-      constexpr bool pristine = way.way == PRISTINE;
+      constexpr bool pristine = way.way == Pristine;
       const int *const pi = p.i + first, *const pj = p.j + first;
       ofI.gather(pi, n, response);
       ofJ.gather(pj, n, response);
@@ -385,7 +384,7 @@ double forcePass(const Pairs &p, const PairLaw *laws, const double *response, co
         else
           bulkForceBlock<D, pristine, false>(p, first, n, laws, ofI, ofJ, own);
       } else {
-        constexpr Way mixed = way.way == SEVERAL_LAWS ? SEVERAL_LAWS : ONE_LAW;
+        constexpr Way mixed = way.way == SeveralLaws ? SeveralLaws : OneLaw;
         Changes changes{};
         if (C::needsLocalStress || local) {
           gatherMeans<D::rows.local.length>(pi, pj, n, local, means);
@@ -414,5 +413,4 @@ constexpr Kernel kernelOf()
 extern const Kernel plane = kernelOf<Plane>();
 extern const Kernel space = kernelOf<Space>();
 
-} // namespace MCA_ISA
-} // namespace mca
+} // namespace mca::MCA_ISA

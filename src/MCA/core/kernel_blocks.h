@@ -8,23 +8,22 @@
 #include "kernel_rows.h"
 #include "laws/fracture_criteria.h"
 
-namespace mca {
-namespace MCA_ISA {
+namespace mca::MCA_ISA {
 namespace {
 
 // Ways of a block: of several laws (scalar), of one law, and of bulk links of one law that break by
 // strain only, which are most of a sample: these know no contact, viscosity or weld, and no next
 // state while nothing flows. Where none ever flowed, plastic offset and total shear are not read.
-enum Way { SEVERAL_LAWS, ONE_LAW, BULK, PRISTINE };
+enum Way { SeveralLaws, OneLaw, Bulk, Pristine };
 
 constexpr bool onlyBulk(Way way)
 {
-  return way == BULK || way == PRISTINE;
+  return way == Bulk || way == Pristine;
 }
 
-template<Way WAY>
+template<Way W>
 struct WayOf {
-  static constexpr Way way = WAY;
+  static constexpr Way way = W;
 };
 
 inline int lesser(int a, int b)
@@ -33,22 +32,22 @@ inline int lesser(int a, int b)
 }
 
 // Calls work(block, its way as a type, first pair, number of pairs) for all blocks.
-// STRAIN_ONLY: bulk links break by strain only; without it a bulk block goes the way of one law.
-template<bool STRAIN_ONLY, class Work>
+// StrainOnly: bulk links break by strain only; without it a bulk block goes the way of one law.
+template<bool StrainOnly, class Work>
 inline void eachBlock(const Pairs &p, const Work &work)
 {
   Block *block = p.blocks;
   for (int first = 0; first < p.n; first += blockLength, block++) {
     const int n = lesser(blockLength, p.n - first);
     if (block->law == Block::mixed)
-      work(*block, WayOf<SEVERAL_LAWS>(), first, n);
-    else if (!STRAIN_ONLY || !block->bulk)
-      work(*block, WayOf<ONE_LAW>(), first, n);
-    else if constexpr (STRAIN_ONLY) {
+      work(*block, WayOf<SeveralLaws>(), first, n);
+    else if (!StrainOnly || !block->bulk)
+      work(*block, WayOf<OneLaw>(), first, n);
+    else if constexpr (StrainOnly) {
       if (block->pristine)
-        work(*block, WayOf<PRISTINE>(), first, n);
+        work(*block, WayOf<Pristine>(), first, n);
       else
-        work(*block, WayOf<BULK>(), first, n);
+        work(*block, WayOf<Bulk>(), first, n);
     }
   }
 }
@@ -181,7 +180,6 @@ struct Changes {
 };
 
 } // namespace
-} // namespace MCA_ISA
-} // namespace mca
+} // namespace mca::MCA_ISA
 
 #endif

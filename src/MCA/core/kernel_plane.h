@@ -9,8 +9,7 @@
 #include "kernel_blocks.h"
 #include "laws/pair_motion.h"
 
-namespace mca {
-namespace MCA_ISA {
+namespace mca::MCA_ISA {
 namespace {
 
 struct Plane {
@@ -132,7 +131,6 @@ struct Plane {
 };
 
 } // namespace
-} // namespace MCA_ISA
-} // namespace mca
+} // namespace mca::MCA_ISA
 
 #endif

@@ -8,11 +8,12 @@
 
 #include "kernel.h"
 
-namespace mca {
-namespace MCA_ISA {
+namespace mca::MCA_ISA {
 namespace {
 
+// NOLINTNEXTLINE(modernize-use-using): the attributes belong to the declared name
 typedef double Row2 __attribute__((vector_size(16), may_alias));
+// NOLINTNEXTLINE(modernize-use-using): likewise
 typedef double Row4 __attribute__((vector_size(32), may_alias));
 
 // Values of the pairs of a block.
@@ -130,7 +131,6 @@ inline void scatter(const int *pi, const int *pj, int n, const Column &c0, const
 }
 
 } // namespace
-} // namespace MCA_ISA
-} // namespace mca
+} // namespace mca::MCA_ISA
 
 #endif

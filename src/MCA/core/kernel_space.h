@@ -8,8 +8,7 @@
 #include "kernel_blocks.h"
 #include "laws/pair_motion.h"
 
-namespace mca {
-namespace MCA_ISA {
+namespace mca::MCA_ISA {
 namespace {
 
 struct Space {
@@ -207,7 +206,6 @@ struct Space {
 };
 
 } // namespace
-} // namespace MCA_ISA
-} // namespace mca
+} // namespace mca::MCA_ISA
 
 #endif

@@ -52,7 +52,7 @@ struct LinkMaterials {
   /// sigma_0 of the weaker one [stress]
   double strength() const { return std::min(i.strength, j.strength); }
   /// eps_c of the weaker one [-]
-  double breakingStrain() const { return std::min(i.breaking_strain, j.breaking_strain); }
+  double breakingStrain() const { return std::min(i.breakingStrain, j.breakingStrain); }
 };
 
 /// Numbers that a criterion has made of the two materials, for its broken().

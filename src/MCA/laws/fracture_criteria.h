@@ -24,7 +24,7 @@ struct CriterionList {
   static void with(int number, Work &&work)
   {
     int at = 0;
-    ((at++ == number && (work(Criteria()), true)) || ...);
+    static_cast<void>(((at++ == number && (work(Criteria()), true)) || ...));
   }
 
   /// Calls work(criterion) for all, in their order.
@@ -36,14 +36,9 @@ struct CriterionList {
 };
 
 // clang-format off: one a line
-using FractureCriteria = CriterionList<
-    FractureByStrain,
-    FractureByStress,
-    FractureByEquivalentStress,
-    FractureByDruckerPrager,
-    FractureByEnergy,
-    FractureNever
->;
+using FractureCriteria =
+    CriterionList<FractureByStrain, FractureByStress, FractureByEquivalentStress,
+                  FractureByDruckerPrager, FractureByEnergy, FractureNever>;
 // clang-format on
 
 } // namespace mca

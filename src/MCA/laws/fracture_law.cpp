@@ -34,7 +34,7 @@ std::vector<std::string> FractureLaw::words()
 {
   std::vector<std::string> all;
   for (const CriterionInfo &c : criteria())
-    all.push_back(c.keyword);
+    all.emplace_back(c.keyword);
   return all;
 }
 

@@ -49,7 +49,7 @@ class Choice : public Words {
   {
     std::vector<std::string> all;
     for (const Option &o : Words::options)
-      all.push_back(o.word);
+      all.emplace_back(o.word);
     return all;
   }
 
@@ -139,8 +139,8 @@ class ThresholdLaw : public Words {
   static std::vector<std::string> words()
   {
     std::vector<std::string> all = {"none"};
-    if (Words::materialStress)
-      all.insert(all.begin(), Words::materialStress);
+    if constexpr (Words::materialStress != nullptr)
+      all.emplace(all.begin(), Words::materialStress);
     return all;
   }
 

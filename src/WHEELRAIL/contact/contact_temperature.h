@@ -64,7 +64,7 @@ class FlashTemperature {
 /// through the contact. With heat that does not change it becomes `FlashTemperature`.
 class TravellingHeat {
  public:
-  TravellingHeat(int cells, double cellSize, double speed, const ThermalMaterial &material);
+  TravellingHeat(int count, double cellSize, double speed, const ThermalMaterial &material);
 
   /// The material moves on by one cell towards smaller x and takes up heat (W/m2, both bodies').
   void step(const Eigen::VectorXd &heat);

@@ -21,7 +21,7 @@ namespace wheelrail {
 
 namespace {
 
-namespace format = mcawr::frictionLog;
+namespace format = mcawr::friction_log;
 
 // mu is printed rounded, as shear_stress is
 constexpr double muTolerance = 1e-3;

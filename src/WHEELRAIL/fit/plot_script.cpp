@@ -9,6 +9,7 @@
 #include <spawn.h>
 #include <sys/wait.h>
 
+// NOLINTNEXTLINE(readability-redundant-declaration): POSIX declares it in no header
 extern char **environ;
 
 namespace wheelrail {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <sstream>
 
-namespace mcawr::frictionLog {
+namespace mcawr::friction_log {
 
 std::string formatLine()
 {
@@ -56,4 +56,4 @@ std::string describe(Range range, const std::string &unit)
   return text.str();
 }
 
-} // namespace mcawr::frictionLog
+} // namespace mcawr::friction_log

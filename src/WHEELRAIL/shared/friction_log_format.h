@@ -11,7 +11,7 @@
 /// A log is text. It begins with lines `# SECTION: {KEY: VALUE, ...}` which, without `# `, are one
 /// YAML document, the head. Then follow one line with the names of the columns and the rows,
 /// separated by blanks. Units are those of `units` below, whatever the units of the run.
-namespace mcawr::frictionLog {
+namespace mcawr::friction_log {
 
 constexpr const char *extension = ".friction";
 constexpr const char *headMark = "#";            ///< first letter of every line of the head
@@ -112,5 +112,5 @@ constexpr std::array<const char *, Columns> columnNames = {
 /// "step time displacement ...", the line below the head.
 std::string columnLine();
 
-} // namespace mcawr::frictionLog
+} // namespace mcawr::friction_log
 #endif

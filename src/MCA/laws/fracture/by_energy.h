@@ -23,7 +23,7 @@ struct FractureByEnergy : FractureCriterion {
   /// [stress] and of both mean stresses' squares [1/stress].
   static FractureLimits limits(const LinkMaterials &m)
   {
-    auto ofStrength = [](const Material &a) { return a.strength * a.strength / a.youngs_modulus; };
+    auto ofStrength = [](const Material &a) { return a.strength * a.strength / a.youngsModulus; };
     auto ofMean = [](const ElasticModuli &a) { return 0.25 * a.D / a.bulk; };
     return {{0.5 * std::min(ofStrength(m.i), ofStrength(m.j)),
              0.5 * m.dimension * (m.moduliI.shear + m.moduliJ.shear), ofMean(m.moduliI),

@@ -2,8 +2,8 @@
 #ifndef WHEELRAIL_CONTACT_LINE_HALFPLANE_H
 #define WHEELRAIL_CONTACT_LINE_HALFPLANE_H
 
-#include "contact/half_space.h"
 #include "contact/convolution.h"
+#include "contact/half_space.h"
 
 namespace wheelrail {
 

@@ -59,7 +59,7 @@ Vector krylov(const Apply &apply, const Precondition &precondition, const Vector
       ++k;
       if (!(below > 0.0))
         break;
-      basis.push_back(w / below);
+      basis.emplace_back(w / below);
     }
     if (k == 0)
       return x;
@@ -221,12 +221,6 @@ Vector FrictionNewton::newtonStep(const Linearisation &linear, const Vector &, c
   const Vector b = fromLeft(linear, -f);
   return krylov([&](const Vector &v) { return fromLeft(linear, jacobian(linear, v)); },
                 [&](const Vector &v) { return fromRight(linear, v); }, b, tolerance);
-}
-
-double FrictionNewton::residualOf(const Vector &x)
-{
-  Linearisation linear;
-  return evaluate(x, linear).norm() / eq_.scale;
 }
 
 bool FrictionNewton::solve(Vector &x, double tolerance, int maxSteps)

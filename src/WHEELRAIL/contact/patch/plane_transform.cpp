@@ -45,11 +45,11 @@ struct PlaneTransform::Work {
   Work(const Work &) = delete;
   Work &operator=(const Work &) = delete;
 
-  Complex *planeRow(int field, int iy)
+  Complex *planeRow(int field, int iy) const
   {
     return reinterpret_cast<Complex *>(plane) + (std::size_t(field) * ny + iy) * bins;
   }
-  Complex *column(int field, int c)
+  Complex *column(int field, int c) const
   {
     return reinterpret_cast<Complex *>(block) + (std::size_t(field) * blockColumns + c) * sizeY;
   }
