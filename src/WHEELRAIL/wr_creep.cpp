@@ -308,6 +308,7 @@ void run(const Settings &settings)
 
 } // namespace
 
+// NOLINTNEXTLINE(bugprone-exception-escape): of CLI11 and fmt only, when memory is short
 int main(int argc, char **argv)
 {
   CLI::App app("Creep curves of rough wheel/rail contact, on a line or in a point: friction, "

@@ -206,6 +206,7 @@ int run(const Settings &settings)
 
 } // namespace
 
+// NOLINTNEXTLINE(bugprone-exception-escape): of CLI11 and fmt only, when memory is short
 int main(int argc, char **argv)
 {
   Settings settings;

@@ -8,6 +8,7 @@
 
 #include <vector>
 
+// NOLINTNEXTLINE(readability-identifier-naming): compiler-made, to copy arrays
 struct StepArrays {
   static constexpr int all = 1, held = 2; ///< bits of groups
   using Vector = double[3];

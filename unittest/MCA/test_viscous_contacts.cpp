@@ -10,7 +10,6 @@
 #include <cmath>
 #include <vector>
 
-using reference::Automaton;
 using reference::Sample;
 
 namespace {

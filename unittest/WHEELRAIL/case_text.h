@@ -24,7 +24,7 @@ inline wheelrail::Case read(const std::string &text, const std::vector<std::stri
   wheelrail::writeOutputFile(path, text);
   const auto remove = [&] { std::filesystem::remove(path); };
   try {
-    const wheelrail::Case result = wheelrail::readCase(path, changes);
+    wheelrail::Case result = wheelrail::readCase(path, changes);
     remove();
     return result;
   } catch (...) {

@@ -43,7 +43,7 @@ std::string goodLog(int rows = 100)
 std::string write(const std::string &content)
 {
   const auto *test = testing::UnitTest::GetInstance()->current_test_info();
-  const std::string path = testing::TempDir() + "log_" + test->name() + ".friction";
+  std::string path = testing::TempDir() + "log_" + test->name() + ".friction";
   std::ofstream(path, std::ios::binary) << content;
   return path;
 }

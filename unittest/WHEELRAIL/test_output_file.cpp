@@ -104,7 +104,7 @@ TEST_F(OutputFile, RefusesAFolderThatIsAFile)
 
 TEST_F(OutputFile, RefusesMissingEmptyAndFolderInput)
 {
-  std::ofstream(path("empty"));
+  std::ofstream{path("empty")}.close();
   EXPECT_EQ(codeOf([&] { readInputFile(path("none")); }), ExitCode::BadInput);
   EXPECT_EQ(codeOf([&] { readInputFile(path("empty")); }), ExitCode::BadInput);
   EXPECT_EQ(codeOf([&] { readInputFile(folder.string()); }), ExitCode::BadInput);
