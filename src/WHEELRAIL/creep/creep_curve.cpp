@@ -199,6 +199,8 @@ CreepCurves solveCreepCurves(const CreepSpecification &specification, const Fric
       PieceResult result =
           moving ? solveMoving(physics, specification.moving, spread, setup, pieces[k], goOn)
                  : solveFrozen(physics, spread, setup, pieces[k], goOn);
+      if (!result.done)
+        continue;
       if (k + 1 < pieces.size())
         result.fields = {};
       const std::lock_guard<std::mutex> lock(bookkeeping);
