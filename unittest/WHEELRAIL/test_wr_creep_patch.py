@@ -299,7 +299,7 @@ def test_same_digits_for_any_number_of_threads(case, tmp_path):
 def test_interrupted_runs_go_on(case, tmp_path):
     for mode in ("frozen", "moving"):
         many = [case, "-o", tmp_path / mode, "--threads", "1", "--set", f"mode={mode}", "--set", "points=40", "--set",
-                f"creep={{from: 1e-4, to: 1e-2, n: {2000 if mode == 'frozen' else 60}}}"]
+                f"creep={{from: 1e-4, to: 1e-2, n: {1500 if mode == 'frozen' else 30}}}"]
         running = subprocess.Popen([BIN, *map(str, many)], stderr=subprocess.PIPE, text=True)
         journal = tmp_path / mode / "wr_creep.journal"
         for _ in range(600):  # killed for good once something is in the journal
