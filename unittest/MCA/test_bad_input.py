@@ -27,7 +27,9 @@ def test_empty_file(tmp_path, ranks):
 def test_truncated_file(tmp_path):
     text = STEEL.read_text()
     with_file(text[: text.index("viscosity   ")], tmp_path, "bad.mca", "viscosity is missing")
-    with_file(text[: text.index("yield_strain") + 5], tmp_path, "bad.mca:", "unknown keyword 'yield'")
+    with_file(
+        text[: text.index("yield_strain") + 5], tmp_path, "bad.mca:", "unknown keyword 'yield'"
+    )
 
 
 @pytest.mark.parametrize("value", ["abc", "nan", "inf", "-92", "0", "9e999", "92MPa", "0x10"])

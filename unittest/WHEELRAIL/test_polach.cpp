@@ -171,6 +171,19 @@ TEST(Polach, ConstantFrictionIsFoundToBeConstant)
             PolachFriction::Falling);
 }
 
+/// A little too soft a curve of constant friction must not become one that falls to nothing: A and
+/// B would be fitted to the misfit.
+TEST(Polach, AFallNeedsSlipSpeedsThatShowIt)
+{
+  const PolachParameters falling{0.35, 0.4, 0.1, 0.9, 0.5};
+  auto points = curve(falling, 0.002, true, {0.2}); // slips by up to 0.04 m/s
+  const PolachFit fit = fitPolach(points, wheel, PolachFriction::Falling);
+  EXPECT_NE(fit.notIdentifiable, "");
+  EXPECT_EQ(choosePolach(points, wheel).best.friction, PolachFriction::Constant);
+  points = curve(falling, 0.002, true, {20.0, 80.0});
+  EXPECT_EQ(choosePolach(points, wheel).best.friction, PolachFriction::Falling);
+}
+
 TEST(Polach, WhatIsNotInThePointsIsSaid)
 {
   std::vector<PolachPoint> linear; // the linear part: only mu0's and the factors' combination
@@ -206,6 +219,7 @@ TEST(Polach, FilesHoldParametersAndPoints)
   EXPECT_EQ(json["kA"].get<double>(), choice.best.parameters.kA);
   EXPECT_EQ(json["standard_error"]["B"].get<double>(), choice.best.standardError[2]);
   EXPECT_EQ(json["friction"], "falling");
+  EXPECT_EQ(json["in_polachs_range"], true);
   const std::string table = polachCsv(choice, wheel, points);
   EXPECT_EQ(std::count(table.begin(), table.end(), '\n'), 2 + static_cast<int>(points.size()));
   const std::string row = table.substr(table.rfind('\n', table.size() - 2) + 1);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "creep/polach.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace wheelrail {
@@ -21,35 +22,37 @@ double spinForce(double a, double bound, double shape, double epsilon)
 
 } // namespace
 
-double polachFriction(const PolachParameters &p, double slipSpeed)
+double polachFriction(const PolachParameters &parameters, double slipSpeed)
 {
-  return p.mu0 * ((1.0 - p.A) * std::exp(-p.B * slipSpeed) + p.A);
+  return parameters.mu0 *
+         ((1.0 - parameters.A) * std::exp(-parameters.B * slipSpeed) + parameters.A);
 }
 
-PolachForce polachForce(const PolachParameters &p, const PolachContact &contact,
-                        const PolachState &at)
+PolachForce polachForce(const PolachParameters &parameters, const PolachContact &contact,
+                        const PolachState &state)
 {
-  const double growth = std::cbrt(at.load / contact.load); // Hertz
+  const double growth = std::cbrt(state.load / contact.load); // Hertz
   const double a = contact.a * growth, b = contact.b * growth;
-  const double widened = at.lateral + at.spin * a;
-  const double lateral = std::abs(widened) > std::abs(at.lateral) ? widened : at.lateral;
-  const double length = std::hypot(at.creep, lateral);
+  const double widened = state.lateral + state.spin * a;
+  const double lateral = std::abs(widened) > std::abs(state.lateral) ? widened : state.lateral;
+  const double length = std::hypot(state.creep, lateral);
   if (length == 0.0)
     return {};
-  const double s = std::hypot(at.creep, at.lateral);
-  const double bound = polachFriction(p, s * at.speed) * at.load;
+  const double s = std::hypot(state.creep, state.lateral);
+  const double bound = polachFriction(parameters, s * state.speed) * state.load;
   const KalkerCoefficients &C = contact.kalker;
-  const double c = s > 0.0 ? std::hypot(C.c11 * at.creep, C.c22 * at.lateral) / s : 0.0;
+  const double c = s > 0.0 ? std::hypot(C.c11 * state.creep, C.c22 * state.lateral) / s : 0.0;
   const double epsilon = contact.shearModulus * pi * a * b * c * length / (4.0 * bound);
-  const double adhesion = p.kA * epsilon / (1.0 + std::pow(p.kA * epsilon, 2));
-  const double force = 2.0 * bound / pi * (adhesion + std::atan(p.kS * epsilon));
+  const double adhesion = parameters.kA * epsilon / (1.0 + std::pow(parameters.kA * epsilon, 2));
+  const double force = 2.0 * bound / pi * (adhesion + std::atan(parameters.kS * epsilon));
 
   const double shape = 1.0 + 6.3 * (1.0 - std::exp(-a / b));
-  const double reduction = 0.5 * (p.kA + p.kS);
+  const double reduction = 0.5 * (parameters.kA + parameters.kS);
   const double epsilonSpin = 8.0 / 3.0 * reduction * contact.shearModulus * b * std::sqrt(a * b) *
                              C.c23 * std::abs(lateral) / (bound * shape);
-  const double spin = at.spin != 0.0 ? spinForce(a, bound, shape, epsilonSpin) * at.spin : 0.0;
-  return {-force * at.creep / length, -(force * at.lateral + spin) / length};
+  const double spin =
+      state.spin != 0.0 ? spinForce(a, bound, shape, epsilonSpin) * state.spin : 0.0;
+  return {-force * state.creep / length, -(force * state.lateral + spin) / length};
 }
 
 } // namespace wheelrail

@@ -17,6 +17,10 @@ struct PolachParameters {
   double B = 0.0;   ///< how fast it falls, s/m, >= 0
   double kA = 1.0;  ///< reduction factor of the area of adhesion, > 0; 1: clean smooth surfaces
   double kS = 1.0;  ///< reduction factor of the area of slip, > 0; Polach: kS <= kA <= 1
+
+  /// Whether kS <= kA <= 1, as Polach states it and some codes ask for. Fits are not held to it:
+  /// computed curves, rough ones above all, may lie outside.
+  bool inPolachsRange() const { return kS <= kA && kA <= 1.0; }
 };
 
 /// The elliptic contact that the law is for: at one load, from which its semi-axes follow at any
@@ -95,7 +99,9 @@ struct PolachFit {
   double worst = 0.0;           ///< largest size of a residual
   double conditionNumber = 0.0; ///< of the Jacobian with columns of length 1
   double aicc = 0.0;            ///< Akaike's criterion for small samples
-  /// Why the points do not determine the parameters; empty if they do.
+  /// Why the points do not determine the parameters: one runs to a bound that means so, the
+  /// condition number exceeds 1e6, a standard error is as large as its parameter (A: as 1). Empty
+  /// if they do.
   std::string notIdentifiable;
 };
 

@@ -139,6 +139,18 @@ class Problem {
   double peak_ = 0.0, fastest_ = 0.0; // largest force/load; largest slip speed, m/s
 };
 
+/// Names the first parameter whose standard error is as large as itself (A: as its range).
+std::string undetermined(const PolachFit &fit)
+{
+  const PolachParameters &p = fit.parameters;
+  const std::array<double, polachParameters> scale = {p.mu0, 1.0, p.B, p.kA, p.kS};
+  for (int k = 0; k < polachParameters; ++k)
+    if (fit.standardError[k] > 0.0 && fit.standardError[k] >= scale[k])
+      return fmt::format("{} is not determined: its standard error is {:.3g}",
+                         polachParameterNames[k], fit.standardError[k]);
+  return "";
+}
+
 std::string whyNot(const PolachFit &fit, const Identifiability &analysis)
 {
   if (fit.friction == PolachFriction::Falling && (fit.atBound[A] && fit.parameters.A == 1.0))
@@ -153,7 +165,7 @@ std::string whyNot(const PolachFit &fit, const Identifiability &analysis)
                          "sliding are missing, or the contact is not that of the points",
                          polachParameterNames[k]);
   if (analysis.conditionNumber <= worstCondition)
-    return "";
+    return undetermined(fit);
   std::string names;
   for (int k = 0; k < polachParameters; ++k)
     if (std::abs(analysis.weakDirection[k]) > 0.3)

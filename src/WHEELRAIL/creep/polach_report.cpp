@@ -19,6 +19,7 @@ std::string polachJson(const PolachChoice &choice, const PolachContact &contact)
     json[polachParameterNames[k]] = values[k];
   for (int k = 0; k < polachParameters; ++k)
     json["standard_error"][polachParameterNames[k]] = fit.standardError[k];
+  json["in_polachs_range"] = p.inPolachsRange(); // kS <= kA <= 1
   json["friction"] = fit.friction == PolachFriction::Falling ? "falling" : "constant";
   json["why"] = choice.reason;
   json["residuals"] = fit.residuals;

@@ -67,7 +67,7 @@ class NpyHead {
     const auto end = text_.find(quote, at_);
     if (end == std::string_view::npos)
       fail("a text without its end");
-    const std::string value(text_.substr(at_, end - at_));
+    std::string value(text_.substr(at_, end - at_));
     at_ = end + 1;
     return value;
   }
@@ -75,7 +75,7 @@ class NpyHead {
   {
     skipBlanks();
     const auto end = std::min(text_.find_first_of(" ,)}", at_), text_.size());
-    const std::string word(text_.substr(at_, end - at_));
+    std::string word(text_.substr(at_, end - at_));
     at_ = end;
     return word;
   }
