@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 # The LAMMPS that the plugin is built for and run with. In this order:
 #   LAMMPS_ROOT        a tree with src/ and a built lmp (as made by tools/get_lammps.sh, or a user's)
 #   LAMMPS_SOURCE_DIR  a source tree or its src/; LMP_EXECUTABLE says which lmp belongs to it

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
 # A finding ends the program with an error, so that a test fails.
 option(SANITIZE "build with AddressSanitizer and UndefinedBehaviorSanitizer" OFF)
 if(SANITIZE)

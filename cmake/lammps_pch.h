@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Headers that nearly every LAMMPS source includes; precompiled, they halve its build time.
 #include "atom.h"
 #include "comm.h"

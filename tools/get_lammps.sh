@@ -81,7 +81,7 @@ options="packages=$(printf '%s\n' "${packages[@]}" | sort -u | tr '\n' ' ')
 flags=$release_flags ${CXXFLAGS:-}
 compiler=$($compiler -dumpmachine 2>/dev/null || true) $($compiler -dumpfullversion 2>/dev/null || true)
 mpi=$(mpicxx -show 2>/dev/null || true)
-pch=$(cat "$pch.cmake" "$pch.h" | sha256sum)"
+pch=$(cat "$pch.cmake" "$pch.h" | grep -v SPDX-License-Identifier | sha256sum)"
 source_dir=$cache/lammps-$version-source
 prefix=$cache/lammps-$version-$(printf '%s' "$options" | sha256sum | cut -c1-12)
 complete() { [ -f "$prefix/complete" ] && [ -x "$prefix/build/lmp" ] && [ -f "$source_dir/src/version.h" ]; }

@@ -14,10 +14,10 @@ Does the set-up (tools/setup.sh), then runs the paper's chain on real input:
   3. wr_creep creep curves of Table 2's wheel/rail contact (examples/wheelrail/table2.yaml)
   4. pictures of the sheared fragment, of friction against time, of the creep curves
 and writes the results into DIR (default: results/quickstart of the checkout), replacing those of
-an earlier call. Takes about 3 minutes on 2 cores after the set-up.
+an earlier call. Takes about a minute after the set-up.
 
-  --ns T       length of the friction run in ns (default 10)
-  --np N       MPI ranks of the friction run (default 2)
+  --ns T       length of the friction run in ns (default 40)
+  --np N       MPI ranks of the friction run (default 1)
   --seed S     seed of the roughness (default 1)
   -h, --help   this text
 
@@ -25,7 +25,7 @@ Environment: as for setup.sh
 Exit codes: 0 ok, 2 usage, 5 packages, download or files; else that of the step that failed.
 HELP
 }
-ns=10 np=2 seed=1 results=$root/results/quickstart
+ns=40 np=1 seed=1 results=$root/results/quickstart
 while [ $# -gt 0 ]; do
   case $1 in
     --ns | --np | --seed)
@@ -43,7 +43,7 @@ done
 case $results in /*) ;; *) results=$PWD/$results ;; esac
 
 chain() {
-  say "1/4 sliding friction: $ns ns on $np ranks (examples/friction/in.friction)"
+  say "1/4 sliding friction: $ns ns, MPI ranks: $np (examples/friction/in.friction)"
   mpirun -np "$np" "$build/bin/lmp" -in "$root/examples/friction/in.friction" -log friction.log \
     -var ns "$ns" -var seed "$seed" -var frames 20000
   say "2/4 friction coefficient from the log"

@@ -9,10 +9,10 @@ usage() {
 Usage: setup.sh [--no-tests] [CMAKE-OPTION...]
 
 Installs the Debian packages that are missing (as root, or through sudo), obtains and builds
-LAMMPS (tools/get_lammps.sh), then configures and builds the project into build/. What is there
+LAMMPS (tools/get_lammps.sh) and ruff (tools/get_ruff.sh), then configures and builds the project into build/. What is there
 already is left alone; a second call takes seconds.
 
-  --no-tests                  build the plugin and the programs only
+  --no-tests                  build the plugin and the programs only, without what tests need
 Options that start with -D are given to CMake, for instance
   -DLAMMPS_ROOT=DIR           an existing LAMMPS with its lmp instead of a new one
   -DLAMMPS_TARBALL=FILE       Debian's lammps_*.orig.tar.?z instead of a download
@@ -24,11 +24,11 @@ Environment: MCAWR_BUILD  build folder (default: build/ of the checkout)
 Exit codes: 0 ok, 1 build failed, 2 usage, 5 packages, download or files.
 HELP
 }
-options=() targets=()
+options=() targets=() tests=1
 for arg in "$@"; do
   case $arg in
     -h | --help) usage; exit 0 ;;
-    --no-tests) targets=(--target mcaplugin wr_fit wr_creep) ;;
+    --no-tests) targets=(--target mcaplugin wr_fit wr_creep) tests='' ;;
     -D*) options+=("$arg") ;;
     *) die 2 "unknown option '$arg' (CMake options start with -D); see --help" ;;
   esac
@@ -41,6 +41,11 @@ packages=(
   python3 python3-numpy python3-matplotlib python3-yaml python3-pytest python3-meshio
   debian-archive-keyring xz-utils
 )
+if [ -n "$tests" ]; then # the gates' tools; node and npm may be there from elsewhere
+  packages+=(clang-format-14 clang-tidy-14 shellcheck)
+  command -v node >/dev/null || packages+=(nodejs)
+  command -v npm >/dev/null || packages+=(npm)
+fi
 missing_packages() {
   local p
   for p in "${packages[@]}"; do
@@ -81,6 +86,7 @@ configure() {
 }
 
 install_packages
+[ -z "$tests" ] || "$root/tools/get_ruff.sh" >/dev/null
 say "configuring $build (LAMMPS first, if it is not in the cache yet)"
 configure
 say "building"

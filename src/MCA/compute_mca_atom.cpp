@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include "compute_mca_atom.h"
 
 #include "atom.h"
@@ -12,40 +13,66 @@
 
 using namespace LAMMPS_NS;
 
-enum {
-  SXX,
-  SYY,
-  SXY,
-  SZZ,
-  SXZ,
-  SYZ,
-  MEAN,
-  INTENSITY,
-  PLASTIC,
-  LINKS,
-  WELDS,
-  DAMAGE,
-  ENERGY,
-  THETA,
-  PLASTIC_WORK,
-  BROKEN,
-  FORMED,
-  ATTRIBUTES
-};
-static const char *const NAMES[ATTRIBUTES] = {
-    "sxx",   "syy",   "sxy",    "szz",    "sxz",   "syz",          "mean",   "intensity", "plastic",
-    "links", "welds", "damage", "energy", "theta", "plastic_work", "broken", "formed"};
-static constexpr int COUNTS = 3;
+static constexpr int LINKS0 = mca::stateNumber("links0");
+enum { LINKS, WELDS, ORIGINALS, COUNTS }; // of count_links()
+
+/* Names stand on the page of this compute; those of states come from their table. */
+
+std::vector<ComputeMCAAtom::Attribute> ComputeMCAAtom::attributes()
+{
+  auto step = [this](auto &&part) {
+    return [this, part](int i) { return part(pair->automaton(i)); };
+  };
+  auto count = [this](int which) {
+    return [this, which](int i) { return counts[COUNTS * i + which]; };
+  };
+  std::vector<Attribute> all = {
+      {"sxx", step([](const auto &a) { return a.stress.xx; }), nullptr, false},
+      {"syy", step([](const auto &a) { return a.stress.yy; }), nullptr, false},
+      {"sxy", step([](const auto &a) { return a.stress.xy; }), nullptr, false},
+      {"szz", step([](const auto &a) { return a.stress.zz; }), nullptr, false},
+      {"sxz", step([](const auto &a) { return a.stress.xz; }), nullptr, false},
+      {"syz", step([](const auto &a) { return a.stress.yz; }), nullptr, false},
+      {"mean", step([](const auto &a) { return a.mean; }), nullptr, false},
+      {"intensity", step([](const auto &a) { return a.intensity; }), nullptr, false},
+      {"energy", step([](const auto &a) { return a.energy; }), nullptr, false},
+      {"plastic_work", [this](int i) { return pair->plastic_work(i); }, nullptr, false},
+      {"links", count(LINKS), nullptr, true},
+      {"welds", count(WELDS), nullptr, true},
+      {"damage", [this](int i) { return damage(i); }, nullptr, true},
+  };
+  for (int s = 0; s < mca::stateCount; s++)
+    if (const mca::AutomatonState &state = mca::automatonStates[s]; state.attribute)
+      all.push_back(
+          {state.attribute, [this, s](int i) { return pair->state(s)[i]; }, &state, false});
+  return all;
+}
+
+template<class Named>
+static std::vector<std::string> names_of(const std::vector<Named> &all)
+{
+  std::vector<std::string> names;
+  for (const auto &one : all)
+    names.push_back(one.name);
+  return names;
+}
 
 /* compute ID group mca/atom attribute ... */
 
 ComputeMCAAtom::ComputeMCAAtom(LAMMPS *host, int narg, char **arg)
-    : Compute(host, narg, arg),
-      columns(host, "Compute mca/atom", {NAMES, NAMES + ATTRIBUTES}, narg - 3, arg + 3),
-      pair(nullptr)
+    : Compute(host, narg, arg), known(attributes()),
+      columns(host, "Compute mca/atom", names_of(known), narg - 3, arg + 3), pair(nullptr)
 {
   peratom_flag = 1;
   size_peratom_cols = columns.lammps_columns();
+}
+
+bool ComputeMCAAtom::asks_for(const std::function<bool(const Attribute &)> &what) const
+{
+  for (int c = 0; c < columns.size(); c++)
+    if (what(known[columns[c]]))
+      return true;
+  return false;
 }
 
 void ComputeMCAAtom::init()
@@ -53,9 +80,11 @@ void ComputeMCAAtom::init()
   pair = dynamic_cast<PairMCA *>(force->pair_match("^mca", 0));
   if (!pair)
     error->all(FLERR, "Compute mca/atom requires pair_style mca");
-  if (columns.has(THETA) && domain->dimension == 3)
-    error->all(FLERR, "Compute mca/atom theta is for dimension 2: in space rotations do not add up "
-                      "to an angle");
+  for (int c = 0; c < columns.size(); c++)
+    if (const Attribute &a = known[columns[c]];
+        a.state && !mca::existsIn(a.state->shown, domain->dimension))
+      error->all(FLERR, "Compute mca/atom {} is for dimension {} only", a.name,
+                 domain->dimension == 2 ? 3 : 2);
 }
 
 void ComputeMCAAtom::compute_peratom()
@@ -64,60 +93,20 @@ void ComputeMCAAtom::compute_peratom()
   columns.grow(atom->nmax);
   vector_atom = columns.vector;
   array_atom = columns.array;
-  if (columns.has(BROKEN) || columns.has(FORMED))
+  if (asks_for([](const auto &a) { return a.state && a.state->upkeep == mca::Upkeep::Collected; }))
     pair->collect_changes();
-  if (columns.has(LINKS) || columns.has(WELDS) || columns.has(DAMAGE))
+  if (asks_for([](const auto &a) { return a.counted; }))
     count_links();
 
   for (int i = 0; i < atom->nlocal; i++)
     for (int c = 0; c < columns.size(); c++)
-      columns.at(i, c) = atom->mask[i] & groupbit ? value(columns[c], i) : 0.0;
+      columns.at(i, c) = atom->mask[i] & groupbit ? known[columns[c]].value(i) : 0.0;
 }
 
-double ComputeMCAAtom::value(int attribute, int i) const
+double ComputeMCAAtom::damage(int i) const
 {
-  int is_double, cols;
-  auto state = [&](const char *name) {
-    return atom->dvector[atom->find_custom(name, is_double, cols)][i];
-  };
-  switch (attribute) {
-  case SXX:
-    return pair->automaton(i).stress.xx;
-  case SYY:
-    return pair->automaton(i).stress.yy;
-  case SXY:
-    return pair->automaton(i).stress.xy;
-  case SZZ:
-    return pair->automaton(i).stress.zz;
-  case SXZ:
-    return pair->automaton(i).stress.xz;
-  case SYZ:
-    return pair->automaton(i).stress.yz;
-  case MEAN:
-    return pair->automaton(i).mean;
-  case INTENSITY:
-    return pair->automaton(i).intensity;
-  case PLASTIC:
-    return state("mca_kappa");
-  case LINKS:
-    return counts[COUNTS * i];
-  case WELDS:
-    return counts[COUNTS * i + 1];
-  case DAMAGE: {
-    const double made = state("mca_links0");
-    return made > 0.0 ? 1.0 - counts[COUNTS * i + 2] / made : 0.0;
-  }
-  case ENERGY:
-    return pair->automaton(i).energy;
-  case PLASTIC_WORK:
-    return pair->plastic_work(i);
-  case BROKEN:
-    return state("mca_broken");
-  case FORMED:
-    return state("mca_formed");
-  default:
-    return state("mca_theta");
-  }
+  const double made = pair->state(LINKS0)[i];
+  return made > 0.0 ? 1.0 - counts[COUNTS * i + ORIGINALS] / made : 0.0;
 }
 
 void ComputeMCAAtom::count_links()
@@ -129,9 +118,9 @@ void ComputeMCAAtom::count_links()
     if (!mca::link::isLinked(kind))
       continue;
     for (const int i : {p.i[k], p.j[k]}) {
-      counts[COUNTS * i] += 1.0;
-      counts[COUNTS * i + 1] += kind == mca::link::weld;
-      counts[COUNTS * i + 2] += pair->links().original(k);
+      counts[COUNTS * i + LINKS] += 1.0;
+      counts[COUNTS * i + WELDS] += kind == mca::link::weld;
+      counts[COUNTS * i + ORIGINALS] += pair->links().original(k);
     }
   }
 }

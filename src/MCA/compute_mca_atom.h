@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 /* ----------------------------------------------------------------------
    MCA-WHEELRAIL, a package for LAMMPS. GPL-2.0-or-later.
    compute mca/atom: state of automata; see doc/compute_mca_atom.md
@@ -8,8 +9,11 @@
 
 #include "compute.h"
 
+#include "core/automaton_states.h"
 #include "output_columns.h"
 
+#include <functional>
+#include <string>
 #include <vector>
 
 namespace LAMMPS_NS {
@@ -24,12 +28,22 @@ class ComputeMCAAtom : public Compute {
   double memory_usage() override;
 
  private:
+  // What can be asked for: the states of automata that are shown, and what follows from the step.
+  struct Attribute {
+    std::string name;
+    std::function<double(int)> value; // of an owned automaton
+    const mca::AutomatonState *state; // nullptr: not a state
+    bool counted;                     // needs count_links()
+  };
+  std::vector<Attribute> known;
   OutputColumns columns;
   PairMCA *pair;
   std::vector<double> counts; // of owned and ghost automata: links, welds, original links
 
+  std::vector<Attribute> attributes();
+  bool asks_for(const std::function<bool(const Attribute &)> &) const;
   void count_links();
-  double value(int attribute, int i) const;
+  double damage(int i) const;
 };
 
 } // namespace LAMMPS_NS

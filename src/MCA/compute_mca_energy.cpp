@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include "compute_mca_energy.h"
 
 #include "error.h"

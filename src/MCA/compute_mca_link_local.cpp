@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include "compute_mca_link_local.h"
 
 #include "atom.h"
@@ -59,7 +60,7 @@ bool ComputeMCALinkLocal::mine(int k) const
     return false;
   if (!(atom->mask[i] & groupbit) || !(atom->mask[j] & groupbit))
     return false;
-  return pair->on_this_rank(k);
+  return pair->step().isOurs(k);
 }
 
 void ComputeMCALinkLocal::compute_local()
@@ -84,7 +85,7 @@ void ComputeMCALinkLocal::compute_local()
 
 mca::Vector ComputeMCALinkLocal::tau(int k) const
 {
-  return pair->along_shear(k, pair->contact(k).tau);
+  return pair->step().alongShear(k, pair->contact(k).tau);
 }
 
 double ComputeMCALinkLocal::value(int attribute, int k) const
@@ -102,9 +103,9 @@ double ComputeMCALinkLocal::value(int attribute, int k) const
   case PLASTIC:
     return p.now.plastic[k];
   case GAMMA:
-    return pair->shear(p.now.gamma, k);
+    return pair->step().shear(k);
   case GAMMA_TOTAL:
-    return pair->shear(p.now.gammaTotal, k);
+    return pair->step().totalShear(k);
   case SIGMA:
     return pair->contact(k).sigma;
   case ORIGINAL:
@@ -112,11 +113,11 @@ double ComputeMCALinkLocal::value(int attribute, int k) const
   case TAU:
     return pair->contact(k).tau;
   case NX:
-    return pair->normal(k).x;
+    return pair->step().normal(k).x;
   case NY:
-    return pair->normal(k).y;
+    return pair->step().normal(k).y;
   case NZ:
-    return pair->normal(k).z;
+    return pair->step().normal(k).z;
   case TAU_X:
     return tau(k).x;
   case TAU_Y:

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include "fix_mca_drive.h"
 
 #include "atom.h"
@@ -53,7 +54,8 @@ FixMCADrive::FixMCADrive(LAMMPS *host, int narg, char **arg)
       seed = utils::bnumeric(FLERR, value, false, lmp);
     } else {
       error->all(FLERR, "Fix mca/drive: {}",
-                 mcawr::unknownWord("keyword", keyword, {"velocity", "pressure", "file", "every", "seed"}));
+                 mcawr::unknownWord("keyword", keyword,
+                                    {"velocity", "pressure", "file", "every", "seed"}));
     }
   }
   if (!has_velocity || !has_pressure)
@@ -142,7 +144,7 @@ double FixMCADrive::height() const
 
 bigint FixMCADrive::count_above() const
 {
-  double own = -INFINITY, top;
+  double own = -HUGE_VAL, top;
   for (const int i : members)
     own = std::max(own, unwrapped_y(i));
   MPI_Allreduce(&own, &top, 1, MPI_DOUBLE, MPI_MAX, world);
@@ -200,8 +202,8 @@ void FixMCADrive::setup(int vflag)
           log.begin(path,
                     {pair->material(lowest), evaluate(pressure), evaluate(velocity), domain->xprd,
                      thickness, pair->cell(lowest).packing.name,
-                     static_cast<long long>(atom->natoms), pair->laws().words(),
-                     update->dt, every, seed, LMP_VERNUM},
+                     static_cast<long long>(atom->natoms), pair->laws().words(), update->dt, every,
+                     seed, LMP_VERNUM},
                     units);
       } catch (const std::runtime_error &e) {
         problem = e.what();
@@ -215,7 +217,7 @@ void FixMCADrive::setup(int vflag)
   begun = true;
   above = count_above();
   // a layer that moves already keeps its velocity to the last bit
-  double range[2] = {-INFINITY, -INFINITY}, all_range[2]; // of -v_y, v_y
+  double range[2] = {-HUGE_VAL, -HUGE_VAL}, all_range[2]; // of -v_y, v_y
   for (const int i : members)
     for (const double sign : {-1.0, 1.0})
       range[sign > 0.0] = std::max(range[sign > 0.0], sign * atom->v[i][1]);
@@ -308,8 +310,10 @@ void FixMCADrive::write_row()
     error->all(FLERR, "Fix mca/drive: cannot append to friction log {}", path);
   if (const bigint now = count_above(); now > above) {
     if (comm->me == 0)
-      error->warning(FLERR, "Fix mca/drive: {} automata left the fragment through the driven layer: drive more rows",
-                     now - above);
+      error->warning(
+          FLERR,
+          "Fix mca/drive: {} automata left the fragment through the driven layer: drive more rows",
+          now - above);
     above = now;
   }
   shear_sum = normal_sum = samples = 0.0;

@@ -1,6 +1,8 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 /* ----------------------------------------------------------------------
    MCA-WHEELRAIL, a package for LAMMPS. GPL-2.0-or-later.
    Internal fix MCA_ENERGY: what compute mca/energy sums up over the steps
+   Glue: the account stands in core/energy_account.h
 ------------------------------------------------------------------------- */
 
 #ifndef LMP_FIX_MCA_ENERGY_H
@@ -8,9 +10,7 @@
 
 #include "fix.h"
 
-#include "laws/energy.h"
-
-#include <vector>
+#include "core/energy_account.h"
 
 namespace LAMMPS_NS {
 
@@ -26,13 +26,11 @@ class FixMCAEnergy : public Fix {
   void setup(int) override;
   void post_integrate() override;
   void end_of_step() override;
-  int pack_forward_comm(int, int *, double *, int, int *) override;
-  void unpack_forward_comm(int, int, double *) override;
   void write_restart(FILE *) override;
   void restart(char *) override;
   double memory_usage() override;
 
-  enum { PLASTIC, FRACTURE, VISCOUS, WORK, FLOWS }; // energies that pass through the sample
+  static constexpr int FLOWS = mca::EnergyAccount::Channels;
   struct Balance {
     double kinetic, elastic, flow[FLOWS]; // of all ranks
     double error;                         // of their sum since the beginning
@@ -41,25 +39,11 @@ class FixMCAEnergy : public Fix {
 
  private:
   PairMCA *pair;
-  double flow[FLOWS]; // of this rank
-  double start;       // kinetic and elastic energy when the account began
+  mca::EnergyAccount account; // of this rank
+  double start;               // kinetic and elastic energy when the account began
   bool begun;
 
-  struct Motion { // of an automaton in a step; or force and torque
-    mca::Vector way, turn;
-  };
-  std::vector<Motion> external;    // forces and torques on own automata that are not of contacts
-  std::vector<mca::Vector> before; // where own automata were at the end of the step
-  std::vector<double> rows;        // what goes between ranks, rowLength values an automaton
-
   void keep();
-  Motion step_done(int i) const;
-  mca::Vector place(int i) const;
-  void add_work(int i, const Motion &);
-  mca::ElasticStrain strain(int k, bool next) const;
-  int channel(int k) const;
-  void add_contacts(bool back);
-  double in_elastic_z(int i) const;
 };
 
 } // namespace LAMMPS_NS

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 /* ----------------------------------------------------------------------
    MCA-WHEELRAIL, a package for LAMMPS. GPL-2.0-or-later.
    fix mca/events: every link that broke, formed or healed; see doc/fix_mca_events.md

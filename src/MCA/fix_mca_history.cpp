@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include "fix_mca_history.h"
 
 #include "atom.h"
@@ -132,94 +133,133 @@ std::vector<int> FixMCAHistory::originals() const
 }
 
 /* ----------------------------------------------------------------------
-   From the automata to the new pair list, in the order of the pairs' IDs: the order of a rank's
-sums is then the same whatever LAMMPS's order of atoms, ghosts and neighbors, which changes with
-every build, restart and set-up.
+   From the automata to the new pair list.
+
+   A sum of floating-point numbers depends on its order, and LAMMPS's order of atoms, ghosts and
+   neighbors changes with every build, restart, set-up and number of ranks. So the list gets an
+   order of its own, that of the pairs' IDs: by the lower ID, then by the higher one; the automaton
+   of the lower ID is the first of its pair, on both ranks that hold it. With that a run that is
+   continued adds up the same numbers in the same order as one that was not interrupted.
+
+   Pairs of automata that other ranks need come first, in the same order, so that the step works on
+   them last, when the messages of the others are in.
+
+   Rows: a pair stands for originals. A ghost that is an image of an automaton of this rank is
+   replaced by that automaton's row, whose sums it shares, and only the place where both meet is the
+   image's. A ghost of another rank is a guest, whose values come through the halo.
 ------------------------------------------------------------------------- */
 
 void FixMCAHistory::post_neighbor()
 {
-  static constexpr double blank[mca::LinkList::maxStoredSize] = {};
-  const NeighList *list = mca->list;
-  const tagint *tag = atom->tag;
   nlocal_neigh = atom->nlocal;
   nall_neigh = nlocal_neigh + atom->nghost;
+  share_keys();
+  std::vector<Listed> pairs = listed_pairs();
+  std::vector<mca::Halo::Guest> guests;
+  const int border = borders_first(pairs, guests);
+  mca::LinkList &links = mca->links();
+  const mca::LawTables &laws = mca->step().laws();
+  links.reset(static_cast<int>(pairs.size()));
+  for (const Listed &p : pairs) {
+    const int law = laws.number(atom->type[p.i], atom->type[p.j]);
+    links.addStored(row[p.i], row[p.j], law, p.exchanged, p.stored);
+    links.setPlaces(p.i, p.j);
+  }
+  mca->begin_list(border, guests);
+}
+
+/* ghosts learn under which key partners know their original, and where it is at home */
+
+void FixMCAHistory::share_keys()
+{
   shared.resize(nall_neigh);
   for (int i = 0; i < nlocal_neigh; i++)
     shared[i] = {npartner[i] > 0 ? ubuf(partner[i][0]).d : 0.0, static_cast<double>(comm->me),
                  static_cast<double>(i)};
   comm->forward_comm(this, 3);
-  // images of automata of this rank stand for these
-  auto row = [&](int i) {
-    return shared[i].rank == comm->me ? static_cast<int>(shared[i].row) : i;
-  };
+  row.resize(nall_neigh);
+  for (int i = 0; i < nall_neigh; i++)
+    row[i] = shared[i].rank == comm->me ? static_cast<int>(shared[i].row) : i;
+}
 
-  // rows of atoms in the order of IDs, with the pairs of each in which it has the lower one
-  std::vector<int> rows(nall_neigh), place(nall_neigh);
-  std::iota(rows.begin(), rows.end(), 0);
+/* what automaton i keeps of its pair with j, or nothing; 0 is no key: a new automaton */
+
+const double *FixMCAHistory::stored(int i, int j) const
+{
+  static constexpr double blank[mca::LinkList::maxStoredSize] = {};
+  const auto key = static_cast<tagint>(ubuf(shared[j].key).i);
+  const double *state = blank;
+  for (int m = 1; m < npartner[i] && key > 0; m++)
+    if (partner[i][m] == key)
+      state = valuepartner[i] + dnum * m;
+  return state;
+}
+
+/* LAMMPS's pairs in the order of their IDs: counted, then put to the automaton of the lower ID,
+   whose few pairs are sorted by the higher one. That is linear in the number of pairs, while one
+   sort of all of them would take longer than the rest of a build. */
+
+std::vector<FixMCAHistory::Listed> FixMCAHistory::listed_pairs() const
+{
+  const NeighList *list = mca->list;
+  const tagint *tag = atom->tag;
   double **x = atom->x;
-  std::sort(rows.begin(), rows.end(), [tag, x](int a, int b) {
+  std::vector<int> by_id(nall_neigh), place(nall_neigh); // place: where an atom stands in by_id
+  std::iota(by_id.begin(), by_id.end(), 0);
+  std::sort(by_id.begin(), by_id.end(), [tag, x](int a, int b) {
     // images of one atom by their places
     return tag[a] != tag[b] ? tag[a] < tag[b]
                             : std::lexicographical_compare(x[a], x[a] + 3, x[b], x[b] + 3);
   });
   for (int k = 0; k < nall_neigh; k++)
-    place[rows[k]] = k;
-  std::vector<int> first(nall_neigh + 1, 0);
-  auto each = [&](auto &&use) {
+    place[by_id[k]] = k;
+
+  auto each_pair = [&](auto &&use) {
     for (int ii = 0; ii < list->inum; ii++) {
       const int i = list->ilist[ii];
       for (int jj = 0; jj < list->numneigh[i]; jj++) {
         const int j = list->firstneigh[i][jj] & NEIGHMASK;
-        if (tag[i] > tag[j] && j >= nlocal_neigh && row(j) < nlocal_neigh)
+        if (tag[i] > tag[j] && j >= nlocal_neigh && row[j] < nlocal_neigh)
           continue; // over a periodic face: both automata list the other's image
         tag[i] < tag[j] ? use(i, j, i, j) : use(j, i, i, j);
       }
     }
   };
-  each([&](int lower, int, int, int) { first[place[lower] + 1]++; });
+  std::vector<int> first(nall_neigh + 1, 0); // pair of each atom of by_id that has the lower ID
+  each_pair([&](int lower, int, int, int) { first[place[lower] + 1]++; });
   std::partial_sum(first.begin(), first.end(), first.begin());
-  struct Found {
-    int i, j; // the lower ID first
-    bool exchanged;
-    const double *state;
-  };
-  std::vector<Found> found(first.back());
+  std::vector<Listed> pairs(first.back());
   std::vector<int> next(first.begin(), first.end() - 1);
-  each([&](int lower, int higher, int i, int j) {
-    const tagint key = static_cast<tagint>(ubuf(shared[j].key).i);
-    const double *state = blank;
-    for (int m = 1; m < npartner[i] && key > 0; m++)
-      if (partner[i][m] == key)
-        state = valuepartner[i] + dnum * m;
-    found[next[place[lower]]++] = {lower, higher, lower != i, state};
+  each_pair([&](int lower, int higher, int i, int j) {
+    pairs[next[place[lower]]++] = {lower, higher, lower != i, stored(i, j)};
   });
   for (int k = 0; k < nall_neigh; k++)
-    std::sort(found.begin() + first[k], found.begin() + first[k + 1],
-              [tag](const Found &a, const Found &b) { return tag[a.j] < tag[b.j]; });
+    std::sort(pairs.begin() + first[k], pairs.begin() + first[k + 1],
+              [tag](const Listed &a, const Listed &b) { return tag[a.j] < tag[b.j]; });
+  return pairs;
+}
 
-  // first the pairs at the borders to other ranks: of automata that other ranks need
-  std::vector<mca::Halo::Guest> guests;
+/* An automaton that meets a guest is a guest of that one's rank in turn, which needs its values.
+   All pairs of such automata come first, so that each one's sums are made in one part of the list.
+   Returns their number. */
+
+int FixMCAHistory::borders_first(std::vector<Listed> &pairs,
+                                 std::vector<mca::Halo::Guest> &guests) const
+{
   std::vector<char> needed(nall_neigh, 0), is_guest(nall_neigh, 0);
-  for (const Found &f : found)
-    for (const auto &[i, j] : {std::pair{f.i, f.j}, std::pair{f.j, f.i}})
-      if (row(j) >= nlocal_neigh) {
-        needed[row(i)] = 1;
+  for (const Listed &p : pairs)
+    for (const auto &[i, j] : {std::pair{p.i, p.j}, std::pair{p.j, p.i}})
+      if (row[j] >= nlocal_neigh) {
+        needed[row[i]] = 1;
         is_guest[j] = 1;
       }
   for (int i = nlocal_neigh; i < nall_neigh; i++)
     if (is_guest[i])
       guests.push_back({static_cast<int>(shared[i].rank), static_cast<int>(shared[i].row), i});
-  const auto inside = std::stable_partition(found.begin(), found.end(), [&](const Found &f) {
-    return needed[row(f.i)] || needed[row(f.j)];
+  const auto inside = std::stable_partition(pairs.begin(), pairs.end(), [&](const Listed &p) {
+    return needed[row[p.i]] || needed[row[p.j]];
   });
-  mca::LinkList &links = mca->links();
-  links.reset(static_cast<int>(found.size()));
-  for (const Found &f : found) {
-    links.addStored(row(f.i), row(f.j), mca->law_number(f.i, f.j), f.exchanged, f.state);
-    links.setPlaces(f.i, f.j);
-  }
-  mca->begin_list(static_cast<int>(inside - found.begin()), guests);
+  return static_cast<int>(inside - pairs.begin());
 }
 
 void FixMCAHistory::setup_post_neighbor()
@@ -253,7 +293,7 @@ void FixMCAHistory::check_lost() const
   double own[2] = {0.0, 0.0}, all[2]; // links in the list, ends of links stored
   for (int k = 0; k < p.n; k++)
     if (mca::link::isLinked(p.now.kind[k]))
-      own[0] += mca->owned_share(k);
+      own[0] += mca->step().share(k);
   std::vector<tagint> keys, partners;
   for (int i = 0; i < atom->nlocal; i++)
     for (int m = 0; m < npartner[i]; m++)

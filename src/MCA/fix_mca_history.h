@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 /* ----------------------------------------------------------------------
    MCA-WHEELRAIL, a package for LAMMPS. GPL-2.0-or-later.
    Internal fix MCA_HISTORY: carries the state of pairs over neighbor list builds,
@@ -13,8 +14,9 @@
 #ifndef LMP_FIX_MCA_HISTORY_H
 #define LMP_FIX_MCA_HISTORY_H
 
+#include "core/halo.h"
+#include "core/link_list.h"
 #include "fix_neigh_history.h"
-#include "link_list.h"
 #include "restart_block.h"
 
 #include <vector>
@@ -46,8 +48,18 @@ class FixMCAHistory : public mca::CheckedRestart<FixNeighHistory> {
     double rank, row; // of the original
   };
   std::vector<Shared> shared;
+  std::vector<int> row;   // of owned and ghost automata: that of the original, where it is ours
+  struct Listed {         // a pair of LAMMPS's list
+    int i, j;             // atoms, the lower ID first
+    bool exchanged;       // LAMMPS's list has the higher one first, which has its state
+    const double *stored; // its state
+  };
 
   void store(bool next);
+  void share_keys();
+  const double *stored(int i, int j) const;
+  std::vector<Listed> listed_pairs() const;
+  int borders_first(std::vector<Listed> &, std::vector<mca::Halo::Guest> &) const;
   void check_period() const;
   void check_lost() const;
   void check_turned() const;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include "fix_nve_mca.h"
 
 #include "atom.h"
@@ -11,8 +12,9 @@
 using namespace LAMMPS_NS;
 using namespace FixConst;
 
-FixNVEMCA::FixNVEMCA(LAMMPS *host, int narg, char **arg)
-    : Fix(host, narg, arg), pair(nullptr), icustom_theta(-1)
+static constexpr int THETA = mca::stateNumber("theta");
+
+FixNVEMCA::FixNVEMCA(LAMMPS *host, int narg, char **arg) : Fix(host, narg, arg), pair(nullptr)
 {
   if (narg != 3)
     error->all(FLERR, "Fix nve/mca takes no arguments, got {}", arg[3]);
@@ -35,8 +37,6 @@ void FixNVEMCA::init()
   if (utils::strmatch(update->integrate_style, "^respa"))
     error->all(FLERR, "Fix nve/mca does not work with run_style respa");
   reset_dt();
-  int is_double, columns;
-  icustom_theta = atom->find_custom("mca_theta", is_double, columns);
 }
 
 void FixNVEMCA::reset_dt()
@@ -58,7 +58,7 @@ void FixNVEMCA::step()
   constexpr int first_axis = DIMENSION == 2 ? 2 : 0;
   auto *x = mca::flat(atom->x), *v = mca::flat(atom->v), *f = mca::flat(atom->f);
   auto *omega = mca::flat(atom->omega), *torque = mca::flat(atom->torque);
-  double *theta = atom->dvector[icustom_theta];
+  double *theta = pair->state(THETA);
   const int *mask = atom->mask, *type = atom->type;
   const int n = igroup == atom->firstgroup ? atom->nfirst : atom->nlocal;
   for (int i = 0; i < n; i++) {

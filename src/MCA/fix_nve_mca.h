@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 /* ----------------------------------------------------------------------
    MCA-WHEELRAIL, a package for LAMMPS. GPL-2.0-or-later.
    fix nve/mca: velocity Verlet for automata; see doc/fix_nve_mca.md
@@ -28,7 +29,6 @@ class FixNVEMCA : public Fix {
   class PairMCA *pair;
   double dtv;
   std::vector<HalfStep> halfstep; // by type
-  int icustom_theta;
 
   template<int DIMENSION, bool MOVES>
   void step();

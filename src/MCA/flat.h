@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 /// \file flat.h
 /// LAMMPS's arrays of vectors without their row pointers, which would be one more load for each
 /// automaton in the loops that every step runs.

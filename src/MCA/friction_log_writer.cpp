@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include "friction_log_writer.h"
 
 #include "shared/friction_log_format.h"
@@ -12,7 +13,7 @@
 
 namespace mca {
 
-namespace format = mcawr::frictionLog;
+namespace format = mcawr::friction_log;
 
 FrictionLogWriter::~FrictionLogWriter()
 {
@@ -92,14 +93,14 @@ class Section {
 std::string materialLine(const Material &m, const Units &u)
 {
   Section section(format::section::material);
-  section.add(format::head::youngsModulus, m.youngs_modulus * u.stress);
-  section.add(format::head::poissonsRatio, m.poissons_ratio);
+  section.add(format::head::youngsModulus, m.youngsModulus * u.stress);
+  section.add(format::head::poissonsRatio, m.poissonsRatio);
   section.add(format::head::density, m.density * u.density());
   section.add(format::head::elasticLimit, m.sigmaY1() * u.stress);
   section.add(format::head::yieldStrength, m.sigmaY2() * u.stress);
-  section.add(format::head::yieldStrain, m.yield_strain);
+  section.add(format::head::yieldStrain, m.yieldStrain);
   section.add(format::head::strength, m.strength * u.stress);
-  section.add(format::head::breakingStrain, m.breaking_strain);
+  section.add(format::head::breakingStrain, m.breakingStrain);
   section.add(format::head::viscosity, m.viscosity * u.viscosity());
   return section.line();
 }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 /// \file friction_log_writer.h
 /// Writes the friction log (format `mca-friction 1`, doc/friction_log.md). No LAMMPS type in here.
 #ifndef MCA_FRICTION_LOG_WRITER_H

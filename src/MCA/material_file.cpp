@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include "material_file.h"
 
 #include "shared/nearest_word.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 /// \file material_file.h
 /// Reads a potential file (*.mca): one named quantity a line. No LAMMPS type in here.
 #ifndef MCA_MATERIAL_FILE_H

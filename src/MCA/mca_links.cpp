@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include "mca_links.h"
 
 #include "atom.h"
@@ -68,8 +69,7 @@ void MCALinks::change(const std::function<void()> &pairs)
   pairs();
   history->store_present();
   const std::vector<int> after = history->originals();
-  int is_double, columns;
-  double *made = atom->dvector[atom->find_custom("mca_links0", is_double, columns)];
+  double *made = pair->state(mca::stateNumber("links0"));
   for (int i = 0; i < atom->nlocal; i++)
     made[i] += after[i] - before[i];
 }
@@ -114,7 +114,7 @@ void MCALinks::create_or_delete(bool create, int narg, char **arg)
                                                          p.now.plastic[k]}; // no shear
       pair->links().setState(k, state);
       pair->links().setOriginal(k, create);
-      changed += pair->owned_share(k);
+      changed += pair->step().share(k);
     }
   });
 

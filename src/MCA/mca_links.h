@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 /* ----------------------------------------------------------------------
    MCA-WHEELRAIL, a package for LAMMPS. GPL-2.0-or-later.
    command mca_links: link or unlink pairs of automata, write and read links; see doc/mca_links.md
@@ -16,7 +17,7 @@ namespace LAMMPS_NS {
 
 class MCALinks : public Command {
  public:
-  MCALinks(class LAMMPS *host) : Command(host) {}
+  explicit MCALinks(class LAMMPS *host) : Command(host) {}
   void command(int, char **) override;
 
  private:

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // mca_links write and read: links as the bonds of a LAMMPS data file. What a bond cannot hold
 // stands in comments of the file's header, which read_data and viewers skip.
 
@@ -10,6 +11,7 @@
 #include "pair_mca.h"
 #include "restart_block.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <cstring>
 #include <fstream>
@@ -19,10 +21,6 @@
 
 using namespace LAMMPS_NS;
 
-// values of automata beside position and velocity: custom properties of fix MCA_STATE
-static const char *const STATE[] = {"kappa",  "theta",  "lag_x",  "lag_y",     "lag_z",  "rest_x",
-                                    "rest_y", "rest_z", "links0", "elastic_z", "broken", "formed"};
-
 std::string MCALinks::gathered(const std::string &own) const
 {
   const int n = static_cast<int>(own.size());
@@ -31,7 +29,8 @@ std::string MCALinks::gathered(const std::string &own) const
   for (int r = 1; r < comm->nprocs; r++)
     starts[r] = starts[r - 1] + counts[r - 1];
   std::string all(comm->me == 0 ? starts.back() + counts.back() : 0, ' ');
-  MPI_Gatherv(own.data(), n, MPI_CHAR, &all[0], counts.data(), starts.data(), MPI_CHAR, 0, world);
+  MPI_Gatherv(own.data(), n, MPI_CHAR, all.data(), counts.data(), starts.data(), MPI_CHAR, 0,
+              world);
   return all;
 }
 
@@ -49,19 +48,16 @@ void MCALinks::write(const std::string &path)
                          (atom->image[i] >> IMG2BITS) - IMGMAX);
     velocities += fmt::format("{} {:.17g} {:.17g} {:.17g} {:.17g} {:.17g} {:.17g}\n", id, v[i][0],
                               v[i][1], v[i][2], omega[i][0], omega[i][1], omega[i][2]);
-    for (const char *name : STATE) {
-      int is_double, columns;
-      const int custom =
-          atom->find_custom((std::string("mca_") + name).c_str(), is_double, columns);
-      if (custom >= 0 && atom->dvector[custom][i] != 0.0)
-        automata += fmt::format("# automaton {} {} {:.17g}\n", id, name, atom->dvector[custom][i]);
-    }
+    for (int s = 0; s < mca::stateCount; s++)
+      if (const double *values = pair->state(s); values && values[i] != 0.0)
+        automata +=
+            fmt::format("# automaton {} {} {:.17g}\n", id, mca::automatonStates[s].name, values[i]);
   }
   const mca::LinkList &links = pair->links();
   const mca::Pairs &p = links.pairs();
   const int n = links.stateSize();
   for (int k = 0; k < p.n; k++) {
-    if (links.blank(k, false) || !pair->on_this_rank(k))
+    if (links.blank(k, false) || !pair->step().isOurs(k))
       continue;
     double state[mca::LinkList::maxStateSize];
     links.getState(k, false, state);
@@ -188,9 +184,9 @@ void MCALinks::read(const std::string &path)
         continue;
       links.setState(k, entry->second.state.data());
       links.setOriginal(k, entry->second.original);
-      found += pair->owned_share(k);
+      found += pair->step().share(k);
       if (mca::link::isLinked(entry->second.state[0]))
-        linked += pair->owned_share(k);
+        linked += pair->step().share(k);
     }
   });
   for (int i = 0; i < atom->nlocal; i++) {
@@ -198,11 +194,15 @@ void MCALinks::read(const std::string &path)
     if (entry == file.automata.end())
       continue;
     for (const auto &[name, value] : entry->second) {
-      int is_double, columns;
-      const int custom = atom->find_custom(("mca_" + name).c_str(), is_double, columns);
-      if (custom < 0)
+      const auto known = std::find_if(
+          std::begin(mca::automatonStates), std::end(mca::automatonStates),
+          [&name = name](const mca::AutomatonState &state) { return name == state.name; });
+      double *values = known == std::end(mca::automatonStates)
+                           ? nullptr
+                           : pair->state(static_cast<int>(known - mca::automatonStates));
+      if (!values)
         error->one(FLERR, "Command mca_links: {}: automata have no value {}", path, name);
-      atom->dvector[custom][i] = value;
+      values[i] = value;
     }
   }
   const double own[2] = {found, linked};

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Registers the styles with the LAMMPS that loads this plugin, after checking that it is the one
 // the plugin was built for: classes are shared, so another version would corrupt memory.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 /* ----------------------------------------------------------------------
    MCA-WHEELRAIL, a package for LAMMPS. GPL-2.0-or-later.
    Output of attributes that the user lists: a vector for one, an array for several
@@ -28,7 +29,7 @@ class OutputColumns : protected Pointers {
   bool has(int attribute) const;
 
   void grow(int rows); // keeps what is there
-  double &at(int row, int column) { return size() == 1 ? vector[row] : array[row][column]; }
+  double &at(int row, int column) const { return size() == 1 ? vector[row] : array[row][column]; }
   double *vector = nullptr; // one of both, after grow()
   double **array = nullptr;
   double bytes() const { return static_cast<double>(nmax * attributes.size()) * sizeof(double); }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // The part of pair style mca that serves the input script: its commands, materials, checks, restart
 // files. What a step computes stands in pair_mca.cpp.
 
@@ -11,7 +12,6 @@
 #include "fix_mca_history.h"
 #include "fix_mca_state.h"
 #include "force.h"
-#include "further_laws.h"
 #include "input.h"
 #include "laws/critical_step.h"
 #include "material_file.h"
@@ -36,12 +36,8 @@ static constexpr const char *DUMMY_STATE = "MCA_STATE_DUMMY";
 /* ---------------------------------------------------------------------- */
 
 PairMCA::PairMCA(LAMMPS *host)
-    : Pair(host), packing(nullptr), depth(0.0), cut_user(0.0), onelaw(true),
-      kernel(&mca::bestKernel(2)), integrated(0), held(0), edge(0), changes(0.0), committed(false),
-      fix_history(nullptr), icustom_kappa(-1),
-      icustom_elastic_z(-1), icustom_changes{-1, -1}, icustom_lag{-1, -1, -1}, icustom_rest{-1, -1,
-                                                                                            -1},
-      listed(-1)
+    : Pair(host), packing(nullptr), depth(0.0), cut_user(0.0), mca_step(2), integrated(0), held(0),
+      fix_history(nullptr)
 {
   single_enable = 0;
   manybody_flag = 1;
@@ -51,6 +47,7 @@ PairMCA::PairMCA(LAMMPS *host)
   centroidstressflag = CENTROID_NOTAVAIL;
   nextra = 6; // see tally()
   pvector = new double[nextra]();
+  std::fill_n(columns, mca::stateCount, -1);
 
   // placeholders, so that the internal fixes come before all fixes of the input script; they are
   // replaced in init_style(), when a restart file's contents for them are known
@@ -101,9 +98,9 @@ void PairMCA::settings(int narg, char **arg)
                                                       : nullptr;
     const bool is_packing = strcmp(arg[iarg], "packing") == 0;
     if (!own && !is_packing) {
-      words.push_back(arg[iarg]);
+      words.emplace_back(arg[iarg]);
       if (iarg + 1 < narg)
-        words.push_back(arg[++iarg]);
+        words.emplace_back(arg[++iarg]);
       continue;
     }
     if (iarg + 1 == narg)
@@ -188,38 +185,31 @@ void PairMCA::init_style()
   choose_packing();
 
   if (!fix_history) {
-    kernel = &mca::bestKernel(domain->dimension);
-    pairs = mca::LinkList(domain->dimension == 2 ? 1 : 3);
+    mca_step = mca::Step(domain->dimension);
     fix_history = dynamic_cast<FixMCAHistory *>(modify->replace_fix(
-        DUMMY_HISTORY, fmt::format("{} all MCA_HISTORY {}", FixMCAHistory::ID, pairs.storedSize()),
-        1));
+        DUMMY_HISTORY,
+        fmt::format("{} all MCA_HISTORY {}", FixMCAHistory::ID, links().storedSize()), 1));
     fix_history->attach(this);
-    const char *in_space = domain->dimension == 3 ? "d_mca_lag_z d_mca_rest_z" : "";
-    modify->replace_fix(
-        DUMMY_STATE,
-        fmt::format("{} all MCA_STATE d_mca_kappa d_mca_theta d_mca_lag_x d_mca_lag_y d_mca_rest_x "
-                    "d_mca_rest_y {} d_mca_links0 d_mca_elastic_z d_mca_broken d_mca_formed "
-                    "writedata no ghost yes",
-                    FixMCAState::ID, in_space),
-        1);
+    modify->replace_fix(DUMMY_STATE,
+                        fmt::format("{} all MCA_STATE {} writedata no ghost yes", FixMCAState::ID,
+                                    mca::propertyWords(domain->dimension)),
+                        1);
   }
-  int is_double, columns;
-  icustom_kappa = atom->find_custom("mca_kappa", is_double, columns);
-  icustom_elastic_z = atom->find_custom("mca_elastic_z", is_double, columns);
-  icustom_changes[0] = atom->find_custom("mca_broken", is_double, columns);
-  icustom_changes[1] = atom->find_custom("mca_formed", is_double, columns);
-  icustom_lag[0] = atom->find_custom("mca_lag_x", is_double, columns);
-  icustom_lag[1] = atom->find_custom("mca_lag_y", is_double, columns);
-  icustom_lag[2] = atom->find_custom("mca_lag_z", is_double, columns);
-  icustom_rest[0] = atom->find_custom("mca_rest_x", is_double, columns);
-  icustom_rest[1] = atom->find_custom("mca_rest_y", is_double, columns);
-  icustom_rest[2] = atom->find_custom("mca_rest_z", is_double, columns);
+  find_columns();
   make_laws();
 
   for (int i = 0; i < atom->nlocal; i++) {
     atom->radius[i] = 0.5 * materials[atom->type[i]].diameter;
     atom->rmass[i] = mass(atom->type[i]);
   }
+}
+
+void PairMCA::find_columns()
+{
+  int is_double, values;
+  for (int k = 0; k < mca::stateCount; k++)
+    columns[k] =
+        atom->find_custom(mca::propertyName(mca::automatonStates[k]).c_str(), is_double, values);
 }
 
 /* the default packing depends on the dimension, which is known when the box is there */
@@ -232,16 +222,10 @@ void PairMCA::choose_packing()
   if (packing->dimension != dimension)
     error->all(FLERR, "Pair style mca keyword packing, value {}, allowed in dimension {}: {}",
                packing->name, dimension, dimension == 2 ? "hex" : "fcc, hcp, sc");
-  if (dimension == 2)
-    return;
-  const char *plane_only = depth > 0.0                            ? "thickness"
-                           : lawset.plane != "strain"             ? "plane stress"
-                           : lawset.plasticity == "j2"            ? "plasticity j2"
-                           : lawset.link_work != mca::LawSet::off ? "link_work"
-                           : lawset.needsLocal()                  ? "fracture by the local stress"
-                                                                  : nullptr;
-  if (plane_only)
-    error->all(FLERR, "Pair style mca: {} is for dimension 2 only", plane_only);
+  const bool misplaced = dimension == 3 && depth > 0.0;
+  const std::string other = misplaced ? "thickness" : lawset.notInDimension(dimension);
+  if (!other.empty())
+    error->all(FLERR, "Pair style mca: {} is for dimension {} only", other, 5 - dimension);
 }
 
 mca::Cell PairMCA::cell(int type) const
@@ -312,51 +296,27 @@ double PairMCA::stress_unit() const
 
 void PairMCA::make_laws()
 {
-  const int n = atom->ntypes;
   std::vector<mca::Material> inside(materials);
+  inside[0] = inside[1]; // types begin with 1
   for (auto &m : inside) {
-    m.youngs_modulus /= stress_unit();
+    m.youngsModulus /= stress_unit();
     m.strength /= stress_unit();
     m.viscosity /= stress_unit();
     m.density *= force->mvv2e;
   }
-  const double yields = lawset.plasticity != "none" ? 1.0 : 0.0;
-  autolaw.clear();
-  for (int i = 0; i <= n; i++) {
-    const mca::Material &m = inside[i > 0 ? i : 1];
-    const mca::ElasticModuli moduli = mca::elasticModuli(lawset, m);
-    autolaw.push_back(
-        {moduli.bulk, moduli.shear, moduli.D, yields, mca::YieldCurve(m), packing->stressWeight()});
-  }
-  // types of equal materials share one law, since the kernel is fastest where a law serves many
-  pairlaw.clear();
-  lawnumber.assign((n + 1) * (n + 1), 0);
-  std::vector<std::pair<int, int>> first; // the first pair of types of each law
-  onelaw = true;
-  for (int i = 1; i <= n; i++)
-    for (int j = 1; j <= n; j++) {
-      auto same = std::find_if(first.begin(), first.end(), [&](const auto &types) {
-        return materials[types.first] == materials[i] && materials[types.second] == materials[j];
-      });
-      lawnumber[i * (n + 1) + j] = static_cast<int>(same - first.begin());
-      if (same == first.end()) {
-        first.emplace_back(i, j);
-        pairlaw.push_back(mca::makePairLaw(lawset, inside[i], inside[j], thickness(), *packing));
-      }
-      onelaw = onelaw && materials[i] == materials[j];
-    }
+  mca_step.setLaws({lawset, inside, thickness(), *packing});
 }
 
 double PairMCA::init_one(int i, int j)
 {
   const mca::Material &a = materials[i], &b = materials[j];
   const double d = 0.5 * (a.diameter + b.diameter);
-  const double reach = d * (1.0 + std::max(a.breaking_strain, b.breaking_strain));
+  const double reach = d * (1.0 + std::max(a.breakingStrain, b.breakingStrain));
   if (cut_user > 0.0 && cut_user < reach)
     error->all(FLERR, "Pair style mca cutoff {} is below the breaking distance {} of types {} {}",
                cut_user, reach, i, j);
   // room for links that compression of their neighbours keeps below the breaking stress
-  const double margin = 2.0 * std::max({a.breaking_strain, b.breaking_strain, 0.05});
+  const double margin = 2.0 * std::max({a.breakingStrain, b.breakingStrain, 0.05});
   return cut_user > 0.0 ? cut_user : d * (1.0 + margin);
 }
 
@@ -376,13 +336,13 @@ void PairMCA::check_step()
     if (i > 1 && materials[i] == materials[i - 1])
       continue;
     mca::Material m = materials[i];
-    m.youngs_modulus /= stress_unit();
+    m.youngsModulus /= stress_unit();
     m.density *= force->mvv2e;
-    const double eta = lawset.viscosity == "normal" ? m.viscosity / stress_unit() : 0.0;
+    const double eta = lawset.isViscous() ? m.viscosity / stress_unit() : 0.0;
     const mca::ElasticModuli moduli = mca::elasticModuli(lawset, m);
     const double D = moduli.D * moduli.bulk / m.bulkModulus(); // D K as the law has it
     auto limit = mca::criticalStep(m, D, eta, *packing);
-    if (lawset.plasticity == "none") // nothing is pressed that far
+    if (!lawset.flows()) // nothing is pressed that far
       limit.pressed = std::numeric_limits<double>::infinity();
     const double critical =
         std::min(lawset.centresViscosity() ? limit.centred() : limit.plain(), limit.pressed);
@@ -392,16 +352,6 @@ void PairMCA::check_step()
                  "{:.6g}, pressed links {:.6g}) of the material of type {}",
                  update->dt, critical, limit.elastic, limit.viscous, limit.pressed, i);
   }
-}
-
-double *PairMCA::kappa() const
-{
-  return atom->dvector[icustom_kappa];
-}
-
-double *PairMCA::elastic_z() const
-{
-  return atom->dvector[icustom_elastic_z];
 }
 
 /* ----------------------------------------------------------------------

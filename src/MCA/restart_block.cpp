@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include "restart_block.h"
 
 #include "comm.h"
@@ -52,7 +53,7 @@ static void broadcast(LAMMPS *lmp, std::string &text)
   unsigned long long length = text.size();
   MPI_Bcast(&length, 1, MPI_UNSIGNED_LONG_LONG, 0, lmp->world);
   text.resize(length);
-  MPI_Bcast(&text[0], static_cast<int>(length), MPI_CHAR, 0, lmp->world);
+  MPI_Bcast(text.data(), static_cast<int>(length), MPI_CHAR, 0, lmp->world);
 }
 
 std::string fileText(LAMMPS *lmp, const std::string &path, const std::string &what)
@@ -95,7 +96,7 @@ std::string readBlock(LAMMPS *lmp, FILE *fp, const char *what)
     good = fread(&head, sizeof(head), 1, fp) == 1 && head.length < longest;
     if (good) {
       text.resize(head.length);
-      good = fread(&text[0], 1, text.size(), fp) == text.size() && checksum(text) == head.sum;
+      good = fread(text.data(), 1, text.size(), fp) == text.size() && checksum(text) == head.sum;
     }
   }
   MPI_Bcast(&good, 1, MPI_INT, 0, lmp->world);
@@ -112,8 +113,7 @@ std::string readBlockBytes(LAMMPS *lmp, const char *bytes, const char *what)
 {
   Head head;
   std::memcpy(&head, bytes, sizeof(head));
-  const std::string text =
-      head.length < longest ? std::string(bytes + sizeof(head), head.length) : "";
+  std::string text = head.length < longest ? std::string(bytes + sizeof(head), head.length) : "";
   if (head.length >= longest || checksum(text) != head.sum)
     lmp->error->all(FLERR, "Restart file is damaged: the block of {} does not match its checksum",
                     what);

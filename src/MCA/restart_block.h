@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 /// \file restart_block.h
 /// Checksums for what we write to a LAMMPS restart file: a block of text with its length (global
 /// state), and the record of an automaton (state of a fix). A damaged file is refused, not read.

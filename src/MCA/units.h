@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 /// \file units.h
 /// LAMMPS's unit styles. No LAMMPS type in here.
 #ifndef MCA_UNITS_H

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // wr_creep: a case file -> creep curves of rough rolling contact. The command line only.
 
 #include "base/errors.h"
@@ -165,14 +166,13 @@ std::vector<std::string> outputNames(const Case &input)
 {
   if (const auto *patch = std::get_if<PatchSpecification>(&input.task)) {
     std::vector<std::string> names = fieldFileNames(*patch);
-    names.insert(names.end(), {"creep.csv", "static.csv", "series.csv", "summary.json",
-                               journalName});
+    names.insert(names.end(),
+                 {"creep.csv", "static.csv", "series.csv", "summary.json", journalName});
     return names;
   }
   if (std::holds_alternative<StaticSpecification>(input.task))
     return {"static.csv", "contact.csv", "summary.json"};
-  return {"creep.csv",   "creep.json",   "creep_band.csv", journalName,
-          "contact.csv", "summary.json"};
+  return {"creep.csv", "creep.json", "creep_band.csv", journalName, "contact.csv", "summary.json"};
 }
 
 /// The table that goes with a file of parameters: its name with the ending ".csv".
@@ -197,9 +197,8 @@ void checkInputsStay(const Settings &settings, const Case &input)
 }
 
 void compute(const Settings &settings, const SweepOptions &options, const std::string &text,
-             const StaticSpecification &asked)
+             const FrictionLaw &law, const StaticSpecification &asked)
 {
-  const FrictionLaw law = readLaw(asked.physics.friction);
   const StaticCases cases = solveStaticCases(asked, law, options);
   finish(settings,
          {{"static.csv", staticCsv(asked.surface, cases)},
@@ -210,9 +209,8 @@ void compute(const Settings &settings, const SweepOptions &options, const std::s
 }
 
 void compute(const Settings &settings, const SweepOptions &options, const std::string &text,
-             const CreepSpecification &asked)
+             const FrictionLaw &law, const CreepSpecification &asked)
 {
-  const FrictionLaw law = readLaw(asked.physics.friction);
   const CreepCurves curves = solveCreepCurves(asked, law, options);
   Files files = {{"creep.csv", creepCsv(asked.surface, curves)},
                  {"creep.json", creepJson(asked, curves)}};
@@ -251,9 +249,8 @@ void fitPolachLaw(const Settings &settings, const PatchCurves &curves)
 }
 
 void compute(const Settings &settings, const SweepOptions &options, const std::string &text,
-             const PatchSpecification &asked)
+             const FrictionLaw &law, const PatchSpecification &asked)
 {
-  const FrictionLaw law = readLaw(asked.physics.friction);
   const PatchCurves curves = solvePatchCurves(asked, law, options);
   for (const std::string &warning : curves.warnings)
     fmt::print(stderr, "wr_creep: warning: {}\n", warning);
@@ -293,7 +290,7 @@ void run(const Settings &settings)
     return;
   }
   checkPolach(settings, input);
-  readLaw(input.friction()); // what is wrong with it is said before folders are made
+  const FrictionLaw law = readLaw(input.friction());
   prepareOutputFolder(settings.folder);
   checkInputsStay(settings, input);
 
@@ -305,7 +302,8 @@ void run(const Settings &settings)
   options.interrupted = [] { return interruptAsked.load(); };
   if (!settings.quiet)
     options.progress = [&](int done, int total) { progress(done, total); };
-  std::visit([&](const auto &asked) { compute(settings, options, input.text, asked); }, input.task);
+  std::visit([&](const auto &asked) { compute(settings, options, input.text, law, asked); },
+             input.task);
 }
 
 } // namespace

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // wr_fit: friction logs -> friction coefficients -> the law of Eq. 2. The command line only.
 
 #include "base/errors.h"

@@ -1,141 +1,172 @@
-// The passes of src/MCA/kernel.h alone, on a linked hexagonal lattice, for each instruction set
-// that this processor runs: automaton-steps a second of each pass and of all five.
-#include "laws/law_set.h"
-#include "link_list.h"
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The step of src/MCA/core/step.h alone, that which pair_style mca runs, without LAMMPS: for each
+// instruction set that this processor runs, in the plane (hex) and in space (fcc), automaton-steps
+// a second on a linked, periodic lattice that vibrates elastically.
+#include "core/step.h"
 
 #include <benchmark/benchmark.h>
+
+#include <array>
 #include <cmath>
+#include <map>
 #include <string>
+#include <vector>
 
 namespace {
+
+using Vector3i = std::array<int, 3>;
 
 constexpr double dt = 5e-5; // ns
 
 mca::Material steel()
 {
   mca::Material m;
-  m.youngs_modulus = 206000;
-  m.poissons_ratio = 0.3;
+  m.youngsModulus = 206000;
+  m.poissonsRatio = 0.3;
   m.density = 0.0078;
   m.strength = 92;
-  m.elastic_limit = 0.554;
-  m.yield_strength = 0.870;
-  m.yield_strain = 0.015;
-  m.breaking_strain = 0.04;
+  m.elasticLimit = 0.554;
+  m.yieldStrength = 0.870;
+  m.yieldStrain = 0.015;
+  m.breakingStrain = 0.04;
   m.viscosity = 410;
   m.diameter = 2.5;
   return m;
 }
 
-// A block of columns x rows automata, linked, with a small periodic displacement and motion.
-struct Sample {
-  int n;
-  mca::LinkList pairs;
-  mca::AlignedArray motion, strains, stresses, response, forces;
-  std::vector<int> type;
-  std::vector<double> spin, kappa, kappaNext;
-  std::vector<mca::PairLaw> pairLaws;
-  std::vector<mca::AutomatonLaw> laws;
-
-  explicit Sample(int columns, int rows)
-      : n(columns * rows), type(n, 1), spin(n), kappa(n, 0.0), kappaNext(n)
+// A block of counts[0] x counts[1] x counts[2] periods of a lattice of one automaton a period, all
+// neighbours linked, and its images over the periodic faces.
+class Sample {
+ public:
+  Sample(const mca::Kernel &kernel, const mca::Packing &packing, const int (&counts)[3])
+      : step_(kernel.dimension, &kernel), n_{counts[0], counts[1], counts[2]}
   {
-    const mca::Material m = steel();
-    const mca::LawSet set;
-    pairLaws.assign(4, mca::makePairLaw(set, m, m, 1.0));
-    laws.assign(2, {m.bulkModulus(), m.shearModulus(), m.meanStressWeight(), 1.0,
-                    mca::YieldCurve(m), mca::packing::hex.stressWeight()});
-    motion.reserve(static_cast<size_t>(n) * mca::motionRow);
-    strains.reserve(static_cast<size_t>(n) * mca::strainRow);
-    stresses.reserve(static_cast<size_t>(n) * mca::stressRow);
-    response.reserve(static_cast<size_t>(n) * mca::responseRow);
-    forces.reserve(static_cast<size_t>(n) * mca::forceRow);
-    pairs.reset(3 * n);
-    const double state[] = {mca::link::bulk, 0.0, 0.0, 0.0};
-    for (int r = 0; r < rows; r++)
-      for (int c = 0; c < columns; c++) {
-        const int i = r * columns + c;
-        const double x = m.diameter * (c + 0.5 * (r % 2)), y = m.diameter * std::sqrt(0.75) * r;
-        double *row = motion.get() + i * mca::motionRow;
-        row[0] = x + 1e-5 * std::sin(x + y);
-        row[1] = y + 1e-5 * std::cos(x - y);
-        row[2] = 0.01 * std::sin(y);
-        row[3] = 0.01 * std::cos(x);
-        spin[i] = 0.001 * std::sin(x);
-        if (c + 1 < columns)
-          pairs.add(i, i + 1, 3, state);
-        if (r + 1 == rows)
-          continue;
-        const int up = i + columns - (r % 2 ? 0 : 1);
-        if (r % 2 || c > 0)
-          pairs.add(i, up, 3, state);
-        if (!(r % 2) || c + 1 < columns)
-          pairs.add(i, up + 1, 3, state);
+    step_.setLaws({mca::LawSet(), {steel()}, 1.0, packing});
+    placeAutomata(mca::latticeOf(packing));
+    linkNeighbours(packing);
+    const std::vector<int> types(own(), 0);
+    step_.begin(own(), static_cast<int>(places_.size()), types.data(), 0);
+    for (const double sign : {1.0, -1.0})
+      for (const Vector &x : places_) {
+        velocities_.push_back({sign * 0.01 * std::sin(x[1]), sign * 0.01 * std::cos(x[0]), 0.0});
+        spins_.push_back({0.0, 0.0, sign * 0.001 * std::sin(x[0])});
       }
+    groups_.assign(places_.size(), 1);
+    zeros_.assign(places_.size(), 0.0);
+    run(false);
   }
 
-  static void clear(mca::AlignedArray &a, size_t size) { std::fill_n(a.get(), size, 0.0); }
+  int own() const { return n_[0] * n_[1] * n_[2]; }
 
-  void strain(const mca::Kernel &k)
+  void run(bool advance)
   {
-    clear(strains, static_cast<size_t>(n) * mca::strainRow);
-    k.strain(pairs.pairs(), dt, true, pairLaws.data(), motion.get(), spin.data(), strains.get());
+    turn_ = !turn_;
+    const size_t first = turn_ ? places_.size() : 0;
+    auto three = [](std::vector<Vector> &of, size_t from = 0) {
+      return reinterpret_cast<const double(*)[3]>(of.data() + from);
+    };
+    double *zero = zeros_.data();
+    step_.run({three(places_),
+               three(velocities_, first),
+               three(spins_, first),
+               groups_.data(),
+               1,
+               2,
+               zero,
+               zero,
+               {zero, zero, zero},
+               {zero, zero, zero}},
+              dt, advance);
+    benchmark::DoNotOptimize(step_.forces().data());
   }
-  void mean(const mca::Kernel &k)
+
+ private:
+  using Vector = std::array<double, 3>;
+  mca::Step step_;
+  int n_[3];
+  std::vector<Vector> places_;
+  std::vector<Vector> velocities_, spins_; // of all, then the opposite ones: shears go to and fro
+  bool turn_ = false;
+  std::vector<double> zeros_; // nothing flows
+  std::vector<int> groups_;
+  std::map<Vector3i, int> rows_; // by periods from the first automaton
+
+  // First the automata, then the images around them.
+  void placeAutomata(const mca::Lattice &lattice)
   {
-    k.mean(n, type.data(), laws.data(), true, strains.get(), response.get());
+    const double d = steel().diameter;
+    const mca::Lattice::Point *e = lattice.edges;
+    for (const bool image : {false, true})
+      for (int a = -1; a <= n_[0]; a++)
+        for (int b = -1; b <= n_[1]; b++)
+          for (int c = -1; c <= n_[2]; c++) {
+            if ((owner({a, b, c}) != Vector3i{a, b, c}) != image)
+              continue;
+            rows_[{a, b, c}] = static_cast<int>(places_.size());
+            places_.push_back({d * (a * e[0].x + b * e[1].x + c * e[2].x),
+                               d * (a * e[0].y + b * e[1].y + c * e[2].y),
+                               d * (a * e[0].z + b * e[1].z + c * e[2].z)});
+          }
   }
-  void stress(const mca::Kernel &k)
+
+  Vector3i owner(const Vector3i &p) const
   {
-    clear(stresses, static_cast<size_t>(n) * mca::stressRow);
-    k.stress(pairs.pairs(), pairLaws.data(), response.get(), stresses.get());
+    return {(p[0] + n_[0]) % n_[0], (p[1] + n_[1]) % n_[1], (p[2] + n_[2]) % n_[2]};
   }
-  void yield(const mca::Kernel &k)
+
+  // Each pair once, from the automaton that comes first.
+  void linkNeighbours(const mca::Packing &packing)
   {
-    k.yield(n, type.data(), laws.data(), true, strains.get(), stresses.get(), kappa.data(),
-            kappaNext.data(), response.get());
-  }
-  void force(const mca::Kernel &k)
-  {
-    clear(forces, static_cast<size_t>(n) * mca::forceRow);
-    benchmark::DoNotOptimize(
-        k.force(pairs.pairs(), pairLaws.data(), response.get(), nullptr, forces.get()));
+    const double state[mca::LinkList::maxStateSize] = {mca::link::bulk};
+    const int deep = packing.dimension == 3 ? 1 : 0;
+    mca::LinkList &links = step_.links();
+    links.reset(own() * packing.coordination / 2);
+    for (int a = 0; a < n_[0]; a++)
+      for (int b = 0; b < n_[1]; b++)
+        for (int c = 0; c < n_[2]; c++)
+          for (int m = 0; m < 27; m++) {
+            const Vector3i there = {a + m / 9 - 1, b + m / 3 % 3 - 1, c + m % 3 - 1};
+            if (!deep && there[2] != c)
+              continue;
+            const int i = rows_[{a, b, c}], place = rows_[there], j = rows_[owner(there)];
+            const Vector &x = places_[i], &y = places_[place];
+            const double r = std::hypot(y[0] - x[0], y[1] - x[1], y[2] - x[2]);
+            if (j <= i || r > 1.1 * steel().diameter)
+              continue;
+            links.add(i, j, 0, state);
+            links.setPlaces(i, place);
+          }
   }
 };
 
-using Part = void (Sample::*)(const mca::Kernel &);
-
-void run(benchmark::State &state, const mca::Kernel &kernel, std::vector<Part> parts, int columns)
+void run(benchmark::State &state, const mca::Kernel &kernel, const mca::Packing &packing,
+         const std::array<int, 3> &counts)
 {
-  Sample sample(columns, columns);
-  for (Part part :
-       {&Sample::strain, &Sample::mean, &Sample::stress, &Sample::yield, &Sample::force})
-    (sample.*part)(kernel);
+  Sample sample(kernel, packing, {counts[0], counts[1], counts[2]});
   for (auto _ : state)
-    for (Part part : parts)
-      (sample.*part)(kernel);
-  state.counters["automaton-steps/s"] =
-      benchmark::Counter(static_cast<double>(sample.n) * static_cast<double>(state.iterations()),
-                         benchmark::Counter::kIsRate);
+    sample.run(true);
+  state.counters["automaton-steps/s"] = benchmark::Counter(
+      static_cast<double>(sample.own()) * static_cast<double>(state.iterations()),
+      benchmark::Counter::kIsRate);
 }
 
 } // namespace
 
 int main(int argc, char **argv)
 {
-  const std::vector<Part> all = {&Sample::strain, &Sample::mean, &Sample::stress, &Sample::yield,
-                                 &Sample::force};
-  const char *names[] = {"strain", "mean", "stress", "yield", "force"};
-  for (const mca::Kernel *kernel : mca::supportedKernels(2)) {
-    const std::string isa = kernel->name;
-    for (const int columns : {40, 200}) {
-      const std::string size = "/" + std::to_string(columns * columns);
-      for (size_t k = 0; k < all.size(); k++)
-        benchmark::RegisterBenchmark((isa + "/" + names[k] + size).c_str(), run, *kernel,
-                                     std::vector<Part>{all[k]}, columns);
-      benchmark::RegisterBenchmark((isa + "/all" + size).c_str(), run, *kernel, all, columns);
+  const struct {
+    const mca::Packing &packing;
+    std::array<int, 3> counts;
+  } cases[] = {{mca::packing::hex, {40, 40, 1}},
+               {mca::packing::hex, {200, 200, 1}},
+               {mca::packing::fcc, {16, 10, 10}},
+               {mca::packing::fcc, {40, 40, 25}}};
+  for (const auto &[packing, counts] : cases)
+    for (const mca::Kernel *kernel : mca::supportedKernels(packing.dimension)) {
+      const std::string name = std::string(kernel->name) + "/" + packing.name + "/" +
+                               std::to_string(counts[0] * counts[1] * counts[2]);
+      benchmark::RegisterBenchmark(name.c_str(), run, *kernel, packing, counts);
     }
-  }
   benchmark::Initialize(&argc, argv);
   benchmark::RunSpecifiedBenchmarks();
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Speed of rolling contact in three dimensions, one thread:
-//   bench_patch --benchmark_repetitions=5 --benchmark_out=patch.json
+//   wr_patch_benchmark --benchmark_repetitions=5 --benchmark_out=patch.json
 // CPU time of a rough circular contact, nu .3, waves of a/4 to a, n x n cells over 1.7 x 2a:
 //   Steady/n      a creep 10 % above that of the tractions it starts from
 //   SteadyCold/n  the same without a start

@@ -42,9 +42,9 @@ KEYS = {
     "rho": Key(7800.0, "kg/m3", "> 0", _positive, "rho", 1e-6),
     "eta": Key(0.41, "Pa s", ">= 0", lambda x: x >= 0, "eta", 1e3),
     "columns": Key(40, "automata across", "a whole number >= 4", _whole(4), "columns"),
-    "rows": Key(32, "rows of automata", "a whole number >= 8", _whole(8), "rows"),
+    "rows": Key(14, "rows of automata", "a whole number >= 8", _whole(8), "rows"),
     "held": Key(
-        1,
+        3,
         "rows fixed at the bottom, and driven at the top",
         "a whole number >= 1",
         _whole(1),

@@ -50,9 +50,9 @@ def fail(code, text):
     raise Failure(code, text)
 
 
-def missing(module):
-    """The failure for a Python package that is not installed."""
-    name = module.name.partition(".")[0]
+def missing(error, package="a Python package"):
+    """The failure for an ImportError: which package is not installed, or does not work."""
+    name = (error.name or package).partition(".")[0]
     debian = {"yaml": "python3-yaml", "PIL": "python3-pil"}.get(name, f"python3-{name}")
     return Failure(Exit.INTERNAL, f"{name} is missing (Debian: apt-get install {debian})")
 

@@ -12,5 +12,5 @@ def pyplot():
         matplotlib.use("Agg")
         from matplotlib import pyplot as module
     except ImportError as error:
-        raise missing(error) from None
+        raise missing(error, "matplotlib") from None
     return module

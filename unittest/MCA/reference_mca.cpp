@@ -1,6 +1,9 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include "reference_mca.h"
 
+#include <cctype>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 namespace reference {
@@ -36,24 +39,24 @@ void Sample::updateImages()
 
 double meanWeight(const mca::LawSet &laws, const mca::Material &m)
 {
-  return laws.elasticity == "many-body" ? 1 - 2 * shearModulus(m) / (3 * bulkModulus(m)) : 0;
+  return laws.elasticity.word() == "many-body" ? 1 - 2 * shearModulus(m) / (3 * bulkModulus(m)) : 0;
 }
 
 double shearModulus(const mca::Material &m)
 {
-  return m.youngs_modulus / 2 / (1 + m.poissons_ratio);
+  return m.youngsModulus / 2 / (1 + m.poissonsRatio);
 }
 
 double bulkModulus(const mca::Material &m)
 {
-  return m.youngs_modulus / 3 / (1 - 2 * m.poissons_ratio);
+  return m.youngsModulus / 3 / (1 - 2 * m.poissonsRatio);
 }
 
 double yieldStress(const mca::Material &m, double kappa)
 {
-  const double s1 = m.elastic_limit * m.strength, s2 = m.yield_strength * m.strength;
-  const double k2 = m.yield_strain - s2 / m.youngs_modulus;
-  const double k3 = m.breaking_strain - m.strength / m.youngs_modulus;
+  const double s1 = m.elasticLimit * m.strength, s2 = m.yieldStrength * m.strength;
+  const double k2 = m.yieldStrain - s2 / m.youngsModulus;
+  const double k3 = m.breakingStrain - m.strength / m.youngsModulus;
   if (kappa < k2)
     return s1 + (s2 - s1) * kappa / k2;
   if (kappa < k3)
@@ -62,10 +65,10 @@ double yieldStress(const mca::Material &m, double kappa)
 }
 
 // its integral by trapezoids between the kinks
-static double plasticWork(const mca::Material &m, double kappa)
+double plasticWork(const mca::Material &m, double kappa)
 {
-  const double k2 = m.yield_strain - m.yield_strength * m.strength / m.youngs_modulus;
-  const double k3 = m.breaking_strain - m.strength / m.youngs_modulus;
+  const double k2 = m.yieldStrain - m.yieldStrength * m.strength / m.youngsModulus;
+  const double k3 = m.breakingStrain - m.strength / m.youngsModulus;
   double sum = 0, from = 0;
   for (const double to : {std::fmin(kappa, k2), std::fmin(kappa, k3), kappa}) {
     if (to > from) {
@@ -78,51 +81,82 @@ static double plasticWork(const mca::Material &m, double kappa)
 
 static double workToStrength(const mca::Material &m)
 {
-  return plasticWork(m, m.breaking_strain - m.strength / m.youngs_modulus);
+  return plasticWork(m, m.breakingStrain - m.strength / m.youngsModulus);
 }
 
-static bool bulkBreaks(const mca::LawSet &laws, double strength, double limit, double intensity,
-                       double eps, double gammaTotal, double load)
+// a limit from its word
+template<class Law>
+static double times(const Law &law, double unit, double named)
 {
-  if (eps <= -0.9)
-    return true;
-  const double opening = std::fmax(eps, 0);
-  if (laws.fracture == "strain")
-    return opening * opening + 4.0 / 3 * gammaTotal * gammaTotal >= limit * limit;
-  if (laws.fracture == "stress")
-    return intensity >= strength;
-  if (laws.fracture == "equivalent" || laws.fracture == "drucker-prager")
-    return load >= strength;
-  return false;
+  const std::string word = law.word();
+  if (word == "none")
+    return std::numeric_limits<double>::infinity();
+  return std::isdigit(word[0]) ? std::stod(word) * unit : named;
+}
+
+static double strengthOf(const LinkView &l)
+{
+  return std::fmin(l.a.strength, l.b.strength);
+}
+
+// max(sigma, 0)^2 + 3 tau^2, its root
+static double intensityOf(double sigma, double tau)
+{
+  const double tension = std::fmax(sigma, 0);
+  return std::sqrt(tension * tension + 3 * tau * tau);
+}
+
+// [(a+1)/2 sigma_eq + 3(a-1)/2 sigma_mean]/a of the local stress: what it is worth as a tension
+static double tensionOf(const LinkView &l, double ratio)
+{
+  const double mean = l.stress.trace() / 3;
+  const Eigen::Matrix3d deviator = l.stress - mean * Eigen::Matrix3d::Identity();
+  const double equivalent = std::sqrt(1.5) * deviator.norm();
+  return ((ratio + 1) / 2 * equivalent + 3 * (ratio - 1) / 2 * mean) / ratio;
+}
+
+std::map<std::string, std::function<bool(const LinkView &)>> &criteria()
+{
+  static std::map<std::string, std::function<bool(const LinkView &)>> all = {
+      {"none", [](const LinkView &) { return false; }},
+      {"strain",
+       [](const LinkView &l) {
+         const double opening = std::fmax(l.eps, 0);
+         const double limit = std::fmin(l.a.breakingStrain, l.b.breakingStrain);
+         return opening * opening + 4.0 / 3 * l.gammaTotal * l.gammaTotal >= limit * limit;
+       }},
+      {"stress", [](const LinkView &l) { return intensityOf(l.sigma, l.tau) >= strengthOf(l); }},
+      {"equivalent", [](const LinkView &l) { return tensionOf(l, 1) >= strengthOf(l); }},
+      {"drucker-prager", [](const LinkView &l) {
+         return tensionOf(l, l.laws.fracture.parameter("compressive_strength")) >= strengthOf(l);
+       }}};
+  return all;
+}
+
+bool bulkBreaks(const LinkView &l)
+{
+  return l.eps <= -0.9 || criteria().at(l.laws.fracture.word())(l);
 }
 
 double nextKind(const mca::LawSet &laws, const mca::Material &ma, const mca::Material &mb,
-                double kind, double sigma, double tau, double eps, double gammaTotal, double load,
-                double work)
+                double kind, double sigma, double tau, bool bulkBreaks, double work)
 {
   const double strength = std::fmin(ma.strength, mb.strength);
-  const double limit = std::fmin(ma.breaking_strain, mb.breaking_strain);
   const double hardness =
-      3 * std::fmin(ma.yield_strength * ma.strength, mb.yield_strength * mb.strength);
-  const double healing = laws.heal == mca::LawSet::atHardness ? hardness : laws.heal * strength;
-  const bool welding = std::isfinite(laws.weld);
-  const double tension = std::fmax(sigma, 0);
-  const double intensity = std::sqrt(tension * tension + 3 * tau * tau);
-  const bool breaks = bulkBreaks(laws, strength, limit, intensity, eps, gammaTotal, load);
-  const bool heals = -sigma >= healing && !breaks;
+      3 * std::fmin(ma.yieldStrength * ma.strength, mb.yieldStrength * mb.strength);
+  const bool welding = laws.weld.word() != "none";
+  const bool heals = -sigma >= times(laws.heal, strength, hardness) && !bulkBreaks;
   if (kind == 1)
-    return breaks ? -1 : 1;
+    return bulkBreaks ? -1 : 1;
   if (kind == 2) {
-    if (intensity >= laws.weld * strength)
+    if (intensityOf(sigma, tau) >= times(laws.weld, strength, 0))
       return -1;
     return heals ? 1 : 2;
   }
-  const double threshold =
-      laws.link == mca::LawSet::atElasticLimit
-          ? std::fmin(ma.elastic_limit * ma.strength, mb.elastic_limit * mb.strength)
-          : laws.link * strength;
-  const double enough = laws.link_work * std::fmin(workToStrength(ma), workToStrength(mb));
-  if (-sigma < threshold && work < enough)
+  const double limitOfElasticity =
+      std::fmin(ma.elasticLimit * ma.strength, mb.elasticLimit * mb.strength);
+  const double enough = times(laws.linkWork, std::fmin(workToStrength(ma), workToStrength(mb)), 0);
+  if (-sigma < times(laws.link, strength, limitOfElasticity) && work < enough)
     return 0;
   if (kind == -1)
     return heals ? 1 : -1;
@@ -163,10 +197,11 @@ bool touches(const Contact &c, const View &w)
 // lambda of Hooke's law in the plane, sigma = 2G eps + lambda tr(eps)
 double lame(const Sample &s, const mca::Material &m)
 {
-  const double E = m.youngs_modulus, nu = m.poissons_ratio;
-  if (s.laws.elasticity == "pairwise")
+  const double E = m.youngsModulus, nu = m.poissonsRatio;
+  if (s.laws.elasticity.word() == "pairwise")
     return 0;
-  return s.laws.plane == "stress" ? E * nu / (1 - nu * nu) : E * nu / (1 + nu) / (1 - 2 * nu);
+  return s.laws.plane.word() == "stress" ? E * nu / (1 - nu * nu)
+                                         : E * nu / (1 + nu) / (1 - 2 * nu);
 }
 
 void moveShear(const Sample &s, Contact &c, double dt)
@@ -201,10 +236,10 @@ void collectMeans(Sample &s)
   }
   for (auto &a : s.automata) {
     const mca::Material &m = s.materials[a.type];
-    if (s.laws.plasticity == "j2")
+    if (s.laws.plasticity.word() == "j2")
       a.trace += a.elasticZ;
-    a.mean = s.laws.plane == "stress" ? 2.0 / 3 * (shearModulus(m) + lame(s, m)) * a.trace
-                                      : bulkModulus(m) * a.trace;
+    a.mean = s.laws.plane.word() == "stress" ? 2.0 / 3 * (shearModulus(m) + lame(s, m)) * a.trace
+                                             : bulkModulus(m) * a.trace;
   }
 }
 
@@ -254,7 +289,7 @@ void collectStresses(Sample &s)
     Automaton &a = s.automata[k];
     const mca::Material &m = s.materials[a.type];
     a.energy += lame(s, m) * a.trace * a.trace / 2;
-    if (s.laws.plasticity == "j2")
+    if (s.laws.plasticity.word() == "j2")
       a.energy += shearModulus(m) * a.elasticZ * a.elasticZ;
     a.energy *= std::sqrt(3.0) / 2 * m.diameter * m.diameter * s.thickness;
     a.zz = 3 * a.mean - a.xx - a.yy;
@@ -311,21 +346,21 @@ void yield(Sample &s)
   for (int k = 0; k < s.owned; k++) {
     Automaton &a = s.automata[k];
     const double limit = yieldStress(s.materials[a.type], a.kappa);
-    const bool flows = s.laws.plasticity != "none" && hasBulk[k] && a.intensity > limit;
+    const bool flows = s.laws.plasticity.word() != "none" && hasBulk[k] && a.intensity > limit;
     a.factor = flows ? limit / a.intensity : 1;
   }
   const std::vector<double> after = returnedIntensities(s);
   for (int k = 0; k < s.owned; k++) {
     Automaton &a = s.automata[k];
     const mca::Material &m = s.materials[a.type];
-    if (s.laws.steps == "corrected" && a.factor < 1) {
+    if (s.laws.steps.word() == "corrected" && a.factor < 1) {
       const double taken = a.intensity - after[k];
       const double times = taken > 0 ? (a.intensity - yieldStress(m, a.kappa)) / taken : 2;
       a.factor = std::fmax(0, 1 - (1 - a.factor) * std::fmin(2, times));
     }
     a.kappaNext = a.kappa + (1 - a.factor) * a.intensity / 3 / shearModulus(m);
     a.elasticZNext = 0;
-    if (s.laws.plasticity == "j2" && hasBulk[k]) {
+    if (s.laws.plasticity.word() == "j2" && hasBulk[k]) {
       const double p = (a.xx + a.yy + a.zz) / 3;
       const double flow = (1 - a.factor) * (a.zz - p); // stress across the plane that relaxes
       a.elasticZNext = a.elasticZ - flow / 2 / shearModulus(m);
@@ -334,10 +369,9 @@ void yield(Sample &s)
   }
 }
 
-// [(a+1)/2 sigma_eq + 3(a-1)/2 sigma_mean]/a from the deviator of the stress tensor at the contact
-double loadOf(const Sample &s, const Contact &c, const View &w, const Stress &p)
+// stress tensor at the contact along n, t and across the plane
+Eigen::Matrix3d localStress(const Sample &s, const Contact &c, const View &w, const Stress &p)
 {
-  const double a = s.laws.fracture == "drucker-prager" ? s.laws.compressive_strength : 1;
   double along = 0, across = 0;
   for (int side : {c.i, c.j}) {
     const Automaton &b = s.automata[s.owner[side]];
@@ -346,17 +380,15 @@ double loadOf(const Sample &s, const Contact &c, const View &w, const Stress &p)
     along += (b.mean + b.factor * (stress - b.mean)) / 2;
     across += (b.mean + b.factor * (b.zz - b.mean)) / 2;
   }
-  const double mean = (p.sigma + along + across) / 3;
-  const double J2 =
-      (std::pow(p.sigma - mean, 2) + std::pow(along - mean, 2) + std::pow(across - mean, 2)) / 2 +
-      p.tau * p.tau;
-  return ((a + 1) / 2 * std::sqrt(3 * J2) + 3 * (a - 1) / 2 * mean) / a;
+  Eigen::Matrix3d tensor;
+  tensor << p.sigma, p.tau, 0, p.tau, along, 0, 0, 0, across;
+  return tensor;
 }
 
 // plastic work of both automata since they are pressed together
 double workOf(const Sample &s, const Contact &c, const View &w)
 {
-  if (!std::isfinite(s.laws.link_work) || linked(c.now) || w.e >= 0)
+  if (s.laws.linkWork.word() == "none" || linked(c.now) || w.e >= 0)
     return 0;
   return c.now.gammaTotal + (s.automata[s.owner[c.i]].work + s.automata[s.owner[c.j]].work) / 2;
 }
@@ -365,7 +397,7 @@ double viscosity(const Sample &s, const Contact &c)
 {
   const mca::Material &ma = s.materials[s.automata[c.i].type];
   const mca::Material &mb = s.materials[s.automata[c.j].type];
-  return s.laws.viscosity == "normal" ? (ma.viscosity + mb.viscosity) / 2 : 0;
+  return s.laws.viscosity.word() == "normal" ? (ma.viscosity + mb.viscosity) / 2 : 0;
 }
 
 // compression and viscosity, never tension; also of a link that breaks in this step
@@ -390,8 +422,21 @@ void applyContact(Sample &s, Contact &c)
   const double twoG = shearModulus(ma) + shearModulus(mb);
 
   c.next = c.now;
-  c.next.kind = nextKind(s.laws, ma, mb, c.now.kind, p.sigma, p.tau, w.eps, c.now.gammaTotal,
-                         loadOf(s, c, w, p), workOf(s, c, w));
+  const LinkView load = {s.laws,
+                         ma,
+                         mb,
+                         2,
+                         w.eps,
+                         linked(c.now) ? c.now.gammaTotal : 0,
+                         w.e - (c.now.kind == 1 ? (p.trial - p.sigma) / twoG : 0),
+                         p.tau / twoG,
+                         p.sigma,
+                         p.tau,
+                         s.automata[s.owner[c.i]].mean,
+                         s.automata[s.owner[c.j]].mean,
+                         localStress(s, c, w, p)};
+  c.next.kind =
+      nextKind(s.laws, ma, mb, c.now.kind, p.sigma, p.tau, bulkBreaks(load), workOf(s, c, w));
   if (c.now.kind == 1)
     c.next.plastic += (p.trial - p.sigma) / twoG;
   c.next.gamma = p.tau / twoG;
@@ -466,7 +511,7 @@ void step(Sample &s, double dt)
   for (auto &c : s.contacts)
     c.speed = oldSpeed(s, c);
   applyContacts(s);
-  if (s.laws.steps != "corrected")
+  if (s.laws.steps.word() != "corrected")
     return;
   for (auto &c : s.contacts)
     c.speed = presentSpeed(s, c, dt);

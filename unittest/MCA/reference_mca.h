@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 /// \file reference_mca.h
 /// Slow, obvious MCA: one struct an automaton, one a contact, plain loops, the trigonometry of the
 /// textbook. It is written from the equations, not from the kernel, which is held against it.
@@ -6,6 +7,11 @@
 
 #include "laws/law_set.h"
 
+#include <Eigen/Dense>
+
+#include <functional>
+#include <map>
+#include <string>
 #include <vector>
 
 namespace reference {
@@ -54,7 +60,7 @@ struct Sample {
   void add(const Automaton &);
 
   /// Appends an image of automaton i.
-  void addImage(int i, double shiftX, double shiftY);
+  void addImage(int i, double sx, double sy);
 
   /// Brings the images' state to that of their originals.
   void updateImages();
@@ -71,12 +77,31 @@ double meanWeight(const mca::LawSet &, const mca::Material &);
 /// Fig. 5 against plastic strain.
 double yieldStress(const mca::Material &, double kappa);
 
-/// The kind of a contact after a step in which it has these stresses and strains.
-/// \param load  local stress of the criteria equivalent and drucker-prager, reduced to tension
+/// Plastic work per volume, the area below the yield curve.
+double plasticWork(const mca::Material &, double kappa);
+
+/// A contact as a criterion of fracture sees it, after the returns. In space shears are lengths.
+struct LinkView {
+  const mca::LawSet &laws;
+  const mca::Material &a, &b;
+  int dimension;
+  double eps, gammaTotal; ///< total strains
+  double e, gamma;        ///< elastic strains
+  double sigma, tau;      ///< stresses
+  double meanA, meanB;    ///< mean stresses of both automata
+  Eigen::Matrix3d stress; ///< local stress tensor, in any frame
+};
+
+/// The criteria of bulk links by their words. A test of a new one adds its own.
+std::map<std::string, std::function<bool(const LinkView &)>> &criteria();
+
+/// Whether it breaks as a bulk link: by the criterion of its laws, or it has collapsed.
+bool bulkBreaks(const LinkView &);
+
+/// The kind of a contact after a step in which it has these stresses.
 /// \param work  plastic work per volume while pressed together
 double nextKind(const mca::LawSet &, const mca::Material &, const mca::Material &, double kind,
-                double sigma, double tau, double eps, double gammaTotal, double load = 0,
-                double work = 0);
+                double sigma, double tau, bool bulkBreaks, double work);
 
 /// One evaluation of the laws: takes over the next state when dt > 0, moves the shear on by dt,
 /// then yielding, forces and the next state. Velocities are those of dt/2 before the positions.

@@ -1,10 +1,10 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include "reference_space.h"
 
 #include <algorithm>
 #include <cmath>
 
-namespace reference {
-namespace space {
+namespace reference::space {
 
 void Sample::updateImages()
 {
@@ -54,7 +54,7 @@ void moveShear(const Sample &s, Contact &c, double dt)
   if (dt > 0)
     c.now = c.next;
   if (!linked(c.now)) {
-    c.now.gamma = c.now.gammaTotal = Vector3d::Zero();
+    c.now.gamma = Vector3d::Zero(); // gammaTotal holds the plastic work while pressed together
     return;
   }
   const Automaton &a = s.automata[c.i], &b = s.automata[c.j];
@@ -146,7 +146,7 @@ void collectStresses(Sample &s)
     a.intensity = intensityOf(a.stress);
     const double limit = yieldStress(m, a.kappa);
     a.centre /= std::max(bulks[k], 1);
-    const bool flows = s.laws.plasticity == "radial" && bulks[k] > 0 && a.intensity > limit;
+    const bool flows = s.laws.plasticity.word() != "none" && bulks[k] > 0 && a.intensity > limit;
     a.factor = flows ? limit / a.intensity : 1;
   }
 }
@@ -183,20 +183,45 @@ void yieldAgain(Sample &s)
   for (int k = 0; k < s.owned; k++) {
     Automaton &a = s.automata[k];
     const mca::Material &m = s.materials[a.type];
-    if (s.laws.steps == "corrected" && a.factor < 1) {
+    if (s.laws.steps.word() == "corrected" && a.factor < 1) {
       const double taken = a.intensity - intensityOf(after[k]);
       const double times = taken > 0 ? (a.intensity - yieldStress(m, a.kappa)) / taken : 2;
       a.factor = std::fmax(0, 1 - (1 - a.factor) * std::fmin(2, times));
     }
     a.kappaNext = a.kappa + (1 - a.factor) * a.intensity / 3 / shearModulus(m);
+    a.work = plasticWork(m, a.kappaNext) - plasticWork(m, a.kappa);
   }
+}
+
+// stress tensor at the contact: what its normal and shear stress make, and in its face the mean of
+// both automata, whose deviators the returns have shortened
+Matrix3d localStress(const Sample &s, const Contact &c, const View &w, double sigma,
+                     const Vector3d &tau)
+{
+  const Matrix3d face = Matrix3d::Identity() - w.n * w.n.transpose();
+  Matrix3d mean = Matrix3d::Zero();
+  for (int side : {c.i, c.j}) {
+    const Automaton &a = s.automata[s.owner[side]];
+    const Matrix3d pressure = a.stress.trace() / 3 * Matrix3d::Identity();
+    mean += (pressure + a.factor * (a.stress - pressure)) / 2;
+  }
+  return face * mean * face + sigma * w.n * w.n.transpose() + w.n * tau.transpose() +
+         tau * w.n.transpose();
+}
+
+// plastic work of both automata since they are pressed together
+double workOf(const Sample &s, const Contact &c, const View &w)
+{
+  if (s.laws.linkWork.word() == "none" || linked(c.now) || w.e >= 0)
+    return 0;
+  return c.now.gammaTotal.x() + (s.automata[s.owner[c.i]].work + s.automata[s.owner[c.j]].work) / 2;
 }
 
 double viscosity(const Sample &s, const Contact &c)
 {
   const mca::Material &ma = s.materials[s.automata[c.i].type];
   const mca::Material &mb = s.materials[s.automata[c.j].type];
-  return s.laws.viscosity == "normal" ? (ma.viscosity + mb.viscosity) / 2 : 0;
+  return s.laws.viscosity.word() == "normal" ? (ma.viscosity + mb.viscosity) / 2 : 0;
 }
 
 double contactArea(const Sample &s, const View &w)
@@ -214,13 +239,28 @@ void applyContact(Sample &s, Contact &c)
   contactStresses(s, c, w, trial, sigma, tau);
   const double twoG = shearModulus(ma) + shearModulus(mb);
   c.next = c.now;
-  c.next.kind =
-      nextKind(s.laws, ma, mb, c.now.kind, sigma, tau.norm(), w.eps, c.now.gammaTotal.norm());
+  const double work = workOf(s, c, w);
+  const LinkView load = {s.laws,
+                         ma,
+                         mb,
+                         3,
+                         w.eps,
+                         linked(c.now) ? c.now.gammaTotal.norm() : 0,
+                         w.e - (c.now.kind == 1 ? (trial - sigma) / twoG : 0),
+                         tau.norm() / twoG,
+                         sigma,
+                         tau.norm(),
+                         a.mean,
+                         b.mean,
+                         localStress(s, c, w, sigma, tau)};
+  c.next.kind = nextKind(s.laws, ma, mb, c.now.kind, sigma, tau.norm(), bulkBreaks(load), work);
   if (c.now.kind == 1)
     c.next.plastic += (trial - sigma) / twoG;
   c.next.gamma = tau / twoG;
   if (!linked(c.now) || !linked(c.next))
     c.next.gamma = c.next.gammaTotal = Vector3d::Zero();
+  if (!linked(c.next))
+    c.next.gammaTotal.x() = work;
   if (!linked(c.next) && w.eps > std::fmax(c.next.plastic, 0))
     c.next.plastic = 0;
   if (c.next.kind != c.now.kind)
@@ -287,12 +327,11 @@ void step(Sample &s, double dt)
   for (auto &c : s.contacts)
     c.speed = oldSpeed(s, c);
   applyContacts(s);
-  if (s.laws.steps != "corrected")
+  if (s.laws.steps.word() != "corrected")
     return;
   for (auto &c : s.contacts)
     c.speed = presentSpeed(s, c, dt);
   applyContacts(s);
 }
 
-} // namespace space
-} // namespace reference
+} // namespace reference::space

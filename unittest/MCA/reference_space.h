@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 /// \file reference_space.h
 /// Slow, obvious MCA in space, the sibling of reference_mca.h: written from the equations with the
 /// rotations of Eigen, not from the kernel, which is held against it.
@@ -10,8 +11,7 @@
 
 #include <vector>
 
-namespace reference {
-namespace space {
+namespace reference::space {
 
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
@@ -25,7 +25,8 @@ struct Automaton {
 
   // results of a step; force and torque are those of all contacts
   double mean = 0, intensity = 0, factor = 1, kappaNext = 0, energy = 0;
-  double centre = 0; // mean normal stress of the bulk links
+  double centre = 0; ///< mean normal stress of the bulk links
+  double work = 0;   ///< plastic work per volume of the step
   Matrix3d stress = Matrix3d::Zero();
   Vector3d force{0, 0, 0}, torque{0, 0, 0};
 };
@@ -63,7 +64,6 @@ struct Sample {
 /// then yielding, forces and the next state. Velocities are those of dt/2 before the positions.
 void step(Sample &, double dt);
 
-} // namespace space
-} // namespace reference
+} // namespace reference::space
 
 #endif

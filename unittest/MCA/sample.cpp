@@ -1,8 +1,5 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include "sample.h"
-
-#include "further_laws.h"
-#include "link_list.h"
-#include "viscous_contacts.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,14 +13,14 @@ using reference::Sample;
 mca::Material steel()
 {
   mca::Material m;
-  m.youngs_modulus = 206000;
-  m.poissons_ratio = 0.3;
+  m.youngsModulus = 206000;
+  m.poissonsRatio = 0.3;
   m.density = 0.0078;
   m.strength = 92;
-  m.elastic_limit = 0.554;
-  m.yield_strength = 0.870;
-  m.yield_strain = 0.015;
-  m.breaking_strain = 0.04;
+  m.elasticLimit = 0.554;
+  m.yieldStrength = 0.870;
+  m.yieldStrain = 0.015;
+  m.breakingStrain = 0.04;
   m.viscosity = 410;
   m.diameter = 2.5;
   return m;
@@ -37,6 +34,17 @@ std::string steelText()
   for (const auto &q : mca::materialQuantities())
     text << q.keyword << " " << steel().*q.value << "\n";
   return text.str();
+}
+
+std::vector<std::vector<std::string>> fractureWords()
+{
+  std::vector<std::vector<std::string>> all;
+  for (const auto &criterion : mca::FractureLaw::criteria()) {
+    all.push_back({"fracture", criterion.keyword});
+    if (criterion.parameter)
+      all.back().insert(all.back().end(), {criterion.parameter, "3"});
+  }
+  return all;
 }
 
 static void place(Sample &s, const mca::Material &m, int columns, int rows)
@@ -90,143 +98,64 @@ Sample periodicBlock(const mca::Material &m, int columns, int rows, double kind)
   return s;
 }
 
-static void clear(mca::AlignedArray &array, int n)
+KernelRun::KernelRun(const mca::Kernel &kernel, const Sample &s, bool next)
+    : evaluation_(2, &kernel), arrays_(s.automata.size())
 {
-  array.reserve(n);
-  std::fill_n(array.get(), n, 0.0);
-}
-
-// what images collected goes to their originals, what these answer to the images
-static void addUp(const Sample &s, const mca::AlignedArray &array, int row)
-{
-  for (size_t i = s.owned; i < s.automata.size(); i++)
-    for (int m = 0; m < row; m++)
-      array.get()[row * s.owner[i] + m] += array.get()[row * i + m];
-}
-
-static void passOn(const Sample &s, const mca::AlignedArray &array, int row)
-{
-  for (size_t i = s.owned; i < s.automata.size(); i++)
-    std::copy_n(array.get() + row * s.owner[i], row, array.get() + row * i);
-}
-
-KernelRun::KernelRun(const mca::Kernel &chosen, const Sample &s, bool next)
-    : kernel(chosen), twice(s.laws.returnsTwice()), centres(s.laws.centresViscosity()),
-      j2(s.laws.plasticity == "j2"), needsLocal(s.laws.needsLocal())
-{
-  const int types = static_cast<int>(s.materials.size());
-  for (const auto &a : s.materials) {
-    const mca::ElasticModuli moduli = mca::elasticModuli(s.laws, a);
-    own.push_back({moduli.bulk, moduli.shear, moduli.D, s.laws.plasticity != "none" ? 1.0 : 0.0,
-                   mca::YieldCurve(a), mca::packing::hex.stressWeight()});
-    for (const auto &b : s.materials)
-      table.push_back(mca::makePairLaw(s.laws, a, b, s.thickness));
+  evaluation_.setLaws({s.laws, s.materials, s.thickness, mca::packing::hex});
+  for (size_t i = 0; i < s.automata.size(); i++) {
+    arrays_.types[i] = s.automata[i].type;
+    arrays_.groups[i] |= s.automata[i].held ? StepArrays::held : 0;
   }
+  mca::LinkList &list = evaluation_.links();
   list.reset(static_cast<int>(s.contacts.size()));
   for (const auto &c : s.contacts) {
     const reference::State &state = next ? c.next : c.now;
     const double values[] = {state.kind, state.plastic, state.gamma, state.gammaTotal};
-    list.add(c.i, c.j, s.automata[c.i].type * types + s.automata[c.j].type, values);
+    list.add(s.owner[c.i], s.owner[c.j],
+             evaluation_.laws().number(arrays_.types[c.i], arrays_.types[c.j]), values);
+    list.setPlaces(c.i, c.j);
   }
+  evaluation_.begin(s.owned, static_cast<int>(s.automata.size()), arrays_.types.data(), 0);
 }
 
 void KernelRun::step(Sample &s, double dt)
 {
-  const int n = static_cast<int>(s.automata.size());
-  const bool oneLaw = s.materials.size() == 1;
-  if (dt > 0.0)
-    list.advance();
-  std::vector<double> spin, kappa, kappaNext(s.owned), elasticZ, elasticZNext(s.owned);
-  std::vector<int> type, groups; // 1: all, 2: held
-  mca::AlignedArray motion, strains, stresses, response, taken, local, forces, centred;
-  clear(local, n * mca::localRow);
-  clear(motion, n * mca::motionRow);
-  clear(strains, n * mca::strainRow);
-  clear(stresses, n * mca::stressRow);
-  clear(response, n * mca::responseRow);
-  clear(forces, n * mca::forceRow);
-  for (int i = 0; i < n; i++) {
+  for (size_t i = 0; i < s.automata.size(); i++) {
     const Automaton &a = s.automata[i];
-    const double values[] = {a.x, a.y, a.vx, a.vy};
-    spin.push_back(a.omega);
-    groups.push_back(a.held ? 3 : 1);
-    std::copy_n(values, 4, motion.get() + mca::motionRow * i);
-    if (i >= s.owned)
-      continue;
-    kappa.push_back(a.kappa);
-    elasticZ.push_back(a.elasticZ);
-    type.push_back(a.type);
+    const double places[] = {a.x, a.y}, velocities[] = {a.vx, a.vy};
+    std::copy_n(places, 2, arrays_.x()[i]);
+    std::copy_n(velocities, 2, arrays_.v()[i]);
+    arrays_.omega()[i][2] = a.omega;
+    arrays_.kappa[i] = a.kappa;
+    arrays_.elasticZ[i] = a.elasticZ;
   }
-
-  const mca::Pairs &p = list.pairs();
-  kernel.strain(p, dt, dt > 0.0, table.data(), motion.get(), spin.data(), strains.get());
-  addUp(s, strains, mca::strainRow);
-  kernel.mean(s.owned, type.data(), own.data(), oneLaw, strains.get(), response.get());
-  if (j2)
-    mca::addElasticZ(s.owned, type.data(), own.data(), elasticZ.data(), response.get());
-  passOn(s, response, mca::responseRow);
-  kernel.stress(p, table.data(), response.get(), stresses.get());
-  addUp(s, stresses, mca::stressRow);
-  kernel.yield(s.owned, type.data(), own.data(), oneLaw, strains.get(), stresses.get(),
-               kappa.data(), kappaNext.data(), response.get());
-  passOn(s, response, mca::responseRow);
-  if (twice) {
-    clear(taken, n * mca::stressRow);
-    kernel.returns(p, table.data(), response.get(), taken.get());
-    addUp(s, taken, mca::stressRow);
-    kernel.yieldAgain(s.owned, type.data(), own.data(), stresses.get(), taken.get(), kappa.data(),
-                      kappaNext.data(), response.get());
-    passOn(s, response, mca::responseRow);
-  }
-  if (j2)
-    mca::flowElasticZ(s.owned, type.data(), own.data(), strains.get(), stresses.get(),
-                      response.get(), elasticZ.data(), elasticZNext.data());
-  if (needsLocal)
-    mca::showLocal(s.owned, type.data(), own.data(), stresses.get(), response.get(), kappa.data(),
-                   kappaNext.data(), local.get());
-  passOn(s, local, mca::localRow);
-  s.changed = static_cast<int>(kernel.force(p, table.data(), response.get(),
-                                            needsLocal ? local.get() : nullptr, forces.get()));
-  addUp(s, forces, mca::forceRow);
-  clear(centred, n * mca::forceRow);
-  if (centres) {
-    passOn(s, forces, mca::forceRow);
-    mca::ViscousContacts viscous;
-    viscous.add(p, {&kernel, dt, table.data(), response.get(), forces.get(), groups.data(), 1, 2});
-    viscous.addForces(kernel, centred.get());
-    addUp(s, centred, mca::forceRow);
-  }
+  evaluation_.run(arrays_.view(), dt, dt > 0.0);
+  s.changed = static_cast<int>(evaluation_.changing());
+  evaluation_.commit(arrays_.view());
 
   for (int i = 0; i < s.owned; i++) {
     Automaton &a = s.automata[i];
-    const double *row = stresses.get() + mca::stressRow * i;
-    const double *f = forces.get() + mca::forceRow * i;
-    const mca::AutomatonLaw &law = own[a.type];
-    a.mean = response.get()[mca::responseRow * i];
-    a.factor = response.get()[mca::responseRow * i + 1];
-    a.kappaNext = kappaNext[i];
-    a.elasticZNext = elasticZNext[i];
-    const mca::StressTensor t = mca::automatonStress(row[0], row[1], row[2], a.mean);
-    a.xx = t.xx;
-    a.yy = t.yy;
-    a.xy = t.xy;
-    a.zz = t.zz;
-    a.intensity = mca::stressIntensity(t);
-    a.energy = (mca::energyDensity(row[3], a.mean, law.shearModulus, law.bulkModulus, law.D) +
-                law.shearModulus * elasticZ[i] * elasticZ[i]) *
-               mca::Cell{mca::packing::hex, s.materials[a.type].diameter, s.thickness}.cellVolume();
-    a.fx = f[0] + centred.get()[mca::forceRow * i];
-    a.fy = f[1] + centred.get()[mca::forceRow * i + 1];
-    a.torque = f[2];
+    const mca::Step::Automaton state = evaluation_.automaton(i);
+    a.mean = state.mean;
+    a.factor = evaluation_.factor(i);
+    a.kappaNext = arrays_.kappa[i];
+    a.elasticZNext = arrays_.elasticZ[i];
+    a.xx = state.stress.xx;
+    a.yy = state.stress.yy;
+    a.xy = state.stress.xy;
+    a.zz = state.stress.zz;
+    a.intensity = state.intensity;
+    a.energy = state.energy;
+    a.fx = evaluation_.force(i).x;
+    a.fy = evaluation_.force(i).y;
+    a.torque = evaluation_.torque(i).z;
   }
-  for (int k = 0; k < p.n; k++) {
-    Contact &c = s.contacts[k];
+  for (size_t k = 0; k < s.contacts.size(); k++)
     for (const bool next : {false, true}) {
       double state[mca::LinkList::maxStateSize];
-      list.getState(k, next, state);
-      (next ? c.next : c.now) = {state[0], state[1], state[2], state[3]};
+      evaluation_.links().getState(static_cast<int>(k), next, state);
+      (next ? s.contacts[k].next : s.contacts[k].now) = {state[0], state[1], state[2], state[3]};
     }
-  }
 }
 
 void kernelStep(const mca::Kernel &kernel, Sample &s, double dt)

@@ -1,10 +1,11 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 /// \file sample.h
-/// Materials and samples that several tests share, and the kernel run on a reference::Sample.
+/// Materials and samples that several tests share, and the step run on a reference::Sample.
 #ifndef SAMPLE_H
 #define SAMPLE_H
 
-#include "link_list.h"
 #include "reference_mca.h"
+#include "step_arrays.h"
 
 #include <iosfwd>
 #include <string>
@@ -15,6 +16,10 @@ mca::Material steel();
 /// The same as the text of a potential file.
 std::string steelText();
 
+/// Each criterion of bulk links as keywords and values: fracture with its word, and where it has a
+/// number of its own, that number as 3.
+std::vector<std::vector<std::string>> fractureWords();
+
 /// A hexagonal block of `columns` x `rows` automata of the first material, rows along x, every
 /// pair closer than `reach` diameters a contact with the given kind of link (0: none).
 reference::Sample hexagonalBlock(const mca::Material &, int columns, int rows, double kind,
@@ -23,7 +28,8 @@ reference::Sample hexagonalBlock(const mca::Material &, int columns, int rows, d
 /// The same, periodic in both directions (rows must be even).
 reference::Sample periodicBlock(const mca::Material &, int columns, int rows, double kind);
 
-/// A kernel on a reference::Sample, with its own pair list that lives on from step to step.
+/// The production step on a reference::Sample, with its own pair list that lives on from step to
+/// step.
 class KernelRun {
  public:
   /// \param next  begins with the next states of the sample's contacts, not the present ones
@@ -33,11 +39,8 @@ class KernelRun {
   void step(reference::Sample &, double dt);
 
  private:
-  const mca::Kernel &kernel;
-  bool twice, centres, j2, needsLocal;
-  std::vector<mca::AutomatonLaw> own;
-  std::vector<mca::PairLaw> table;
-  mca::LinkList list;
+  mca::Step evaluation_;
+  StepArrays arrays_;
 };
 
 /// One evaluation of the laws by a kernel from the sample's present (dt = 0) or next states.

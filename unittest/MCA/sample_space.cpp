@@ -1,6 +1,5 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include "sample_space.h"
-
-#include "viscous_contacts.h"
 
 #include <algorithm>
 
@@ -25,7 +24,7 @@ Sample block(const mca::Packing &packing, const mca::Material &m, int n, double 
       for (int c = 0; c < n; c++)
         for (const auto &p : lattice.basis) {
           s.owner.push_back(s.owned++);
-          s.shift.push_back(Vector3d::Zero());
+          s.shift.emplace_back(Vector3d::Zero());
           s.automata.emplace_back().x = place(a, b, c) + vector(p);
         }
   for (int image = 0; periodic && image < 27; image++) {
@@ -50,124 +49,62 @@ Sample block(const mca::Packing &packing, const mca::Material &m, int n, double 
   return s;
 }
 
-static void clear(mca::AlignedArray &array, size_t n)
+SpaceRun::SpaceRun(const mca::Kernel &kernel, const Sample &s, bool next)
+    : evaluation_(3, &kernel), arrays_(s.automata.size())
 {
-  array.reserve(n);
-  std::fill_n(array.get(), n, 0.0);
-}
-
-// what images collected goes to their originals, what these answer to the images
-static void addUp(const Sample &s, const mca::AlignedArray &array, int row)
-{
-  for (size_t i = s.owned; i < s.automata.size(); i++)
-    for (int m = 0; m < row; m++)
-      array.get()[row * s.owner[i] + m] += array.get()[row * i + m];
-}
-
-static void passOn(const Sample &s, const mca::AlignedArray &array, int row)
-{
-  for (size_t i = s.owned; i < s.automata.size(); i++)
-    std::copy_n(array.get() + row * s.owner[i], row, array.get() + row * i);
-}
-
-SpaceRun::SpaceRun(const mca::Kernel &chosen, const Sample &s, bool next)
-    : kernel(chosen), twice(s.laws.returnsTwice()), centres(s.laws.centresViscosity()), list(3)
-{
-  const bool many = s.laws.elasticity == "many-body";
-  const int types = static_cast<int>(s.materials.size());
-  for (const auto &a : s.materials) {
-    own.push_back({a.bulkModulus(), a.shearModulus(), many ? a.meanStressWeight() : 0.0,
-                   s.laws.plasticity == "radial" ? 1.0 : 0.0, mca::YieldCurve(a),
-                   s.packing.stressWeight()});
-    for (const auto &b : s.materials)
-      table.push_back(mca::makePairLaw(s.laws, a, b, 1.0, s.packing));
+  evaluation_.setLaws({s.laws, s.materials, 1.0, s.packing});
+  for (size_t i = 0; i < s.automata.size(); i++) {
+    arrays_.types[i] = s.automata[i].type;
+    arrays_.groups[i] |= s.automata[i].held ? StepArrays::held : 0;
   }
+  mca::LinkList &list = evaluation_.links();
   list.reset(static_cast<int>(s.contacts.size()));
   for (const auto &c : s.contacts) {
     const State &state = next ? c.next : c.now;
     const Vector3d &g = state.gamma, &t = state.gammaTotal;
     const double values[] = {state.kind, state.plastic, g.x(), g.y(), g.z(), t.x(), t.y(), t.z()};
-    list.add(c.i, c.j, s.automata[c.i].type * types + s.automata[c.j].type, values);
+    list.add(s.owner[c.i], s.owner[c.j],
+             evaluation_.laws().number(arrays_.types[c.i], arrays_.types[c.j]), values);
+    list.setPlaces(c.i, c.j);
   }
+  evaluation_.begin(s.owned, static_cast<int>(s.automata.size()), arrays_.types.data(), 0);
+}
+
+static Vector3d vectorOf(const mca::Vector &v)
+{
+  return {v.x, v.y, v.z};
 }
 
 void SpaceRun::step(Sample &s, double dt)
 {
-  const size_t n = s.automata.size();
-  const mca::RowLengths &row = kernel.rows;
-  const bool oneLaw = s.materials.size() == 1;
-  if (dt > 0.0)
-    list.advance();
-  std::vector<double> kappa, kappaNext(s.owned), spin;
-  std::vector<int> type, groups; // 1: all, 2: held
-  mca::AlignedArray motion, strains, stresses, response, taken, forces, centred;
-  clear(motion, n * row.motion);
-  clear(strains, n * row.strain);
-  clear(stresses, n * row.stress);
-  clear(response, n * row.response);
-  clear(forces, n * row.force);
-  for (size_t i = 0; i < n; i++) {
+  for (size_t i = 0; i < s.automata.size(); i++) {
     const Automaton &a = s.automata[i];
-    const double values[] = {a.x.x(), a.x.y(), a.x.z(),     a.v.x(),
-                             a.v.y(), a.v.z(), a.omega.x(), a.omega.y()};
-    std::copy_n(values, row.motion, motion.get() + row.motion * i);
-    spin.push_back(a.omega.z());
-    groups.push_back(a.held ? 3 : 1);
-    kappa.push_back(a.kappa);
-    type.push_back(a.type);
+    std::copy_n(a.x.data(), 3, arrays_.x()[i]);
+    std::copy_n(a.v.data(), 3, arrays_.v()[i]);
+    std::copy_n(a.omega.data(), 3, arrays_.omega()[i]);
+    arrays_.kappa[i] = a.kappa;
   }
-
-  const mca::Pairs &p = list.pairs();
-  kernel.strain(p, dt, dt > 0.0, table.data(), motion.get(), spin.data(), strains.get());
-  addUp(s, strains, row.strain);
-  kernel.mean(s.owned, type.data(), own.data(), oneLaw, strains.get(), response.get());
-  passOn(s, response, row.response);
-  kernel.stress(p, table.data(), response.get(), stresses.get());
-  addUp(s, stresses, row.stress);
-  kernel.yield(s.owned, type.data(), own.data(), oneLaw, strains.get(), stresses.get(),
-               kappa.data(), kappaNext.data(), response.get());
-  passOn(s, response, row.response);
-  if (twice) {
-    clear(taken, n * row.stress);
-    kernel.returns(p, table.data(), response.get(), taken.get());
-    addUp(s, taken, row.stress);
-    kernel.yieldAgain(s.owned, type.data(), own.data(), stresses.get(), taken.get(), kappa.data(),
-                      kappaNext.data(), response.get());
-    passOn(s, response, row.response);
-  }
-  s.changed =
-      static_cast<int>(kernel.force(p, table.data(), response.get(), nullptr, forces.get()));
-  addUp(s, forces, row.force);
-  clear(centred, n * row.force);
-  if (centres) {
-    passOn(s, forces, row.force);
-    mca::ViscousContacts viscous;
-    viscous.add(p, {&kernel, dt, table.data(), response.get(), forces.get(), groups.data(), 1, 2});
-    viscous.addForces(kernel, centred.get());
-    addUp(s, centred, row.force);
-  }
+  evaluation_.run(arrays_.view(), dt, dt > 0.0);
+  s.changed = static_cast<int>(evaluation_.changing());
+  evaluation_.commit(arrays_.view());
 
   for (int i = 0; i < s.owned; i++) {
     Automaton &a = s.automata[i];
-    const double *sums = stresses.get() + row.stress * i, *f = forces.get() + row.force * i;
-    const mca::AutomatonLaw &law = own[a.type];
-    a.mean = response.get()[row.response * i];
-    a.factor = response.get()[row.response * i + 1];
-    a.kappaNext = kappaNext[i];
-    const mca::StressTensor t = mca::weighted(sums, law.weight);
+    const mca::Step::Automaton state = evaluation_.automaton(i);
+    const mca::StressTensor &t = state.stress;
+    a.mean = state.mean;
+    a.factor = evaluation_.factor(i);
+    a.kappaNext = arrays_.kappa[i];
     a.stress << t.xx, t.xy, t.xz, t.xy, t.yy, t.yz, t.xz, t.yz, t.zz;
-    a.intensity = mca::stressIntensity(t);
-    a.energy =
-        mca::energyDensity(sums[6], a.mean, law.shearModulus, law.bulkModulus, law.D, law.weight) *
-        mca::Cell{s.packing, s.materials[a.type].diameter}.cellVolume();
-    const double *more = centred.get() + row.force * i;
-    a.force = Vector3d(f[0] + more[0], f[1] + more[1], f[2] + more[2]);
-    a.torque = Vector3d(f[3], f[4], f[5]);
+    a.intensity = state.intensity;
+    a.energy = state.energy;
+    a.force = vectorOf(evaluation_.force(i));
+    a.torque = vectorOf(evaluation_.torque(i));
   }
-  for (int k = 0; k < p.n; k++)
+  for (size_t k = 0; k < s.contacts.size(); k++)
     for (const bool next : {false, true}) {
       double v[mca::LinkList::maxStateSize];
-      list.getState(k, next, v);
+      evaluation_.links().getState(static_cast<int>(k), next, v);
       (next ? s.contacts[k].next : s.contacts[k].now) = {v[0], v[1], Vector3d(v[2], v[3], v[4]),
                                                          Vector3d(v[5], v[6], v[7])};
     }

@@ -1,17 +1,18 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 /// \file sample_space.h
-/// Samples in space that several tests share, and the kernel run on them.
+/// Samples in space that several tests share, and the step run on them.
 #ifndef SAMPLE_SPACE_H
 #define SAMPLE_SPACE_H
 
-#include "link_list.h"
 #include "reference_space.h"
+#include "step_arrays.h"
 
 /// A block of n x n x n primitive cells of the packing, every pair closer than `reach` diameters a
 /// contact with the given kind of link; open, or periodic with images of all automata around it.
 reference::space::Sample block(const mca::Packing &, const mca::Material &, int n, double kind,
                                bool periodic, double reach = 1.1);
 
-/// A kernel on a Sample, with its own pair list that lives on from step to step.
+/// The production step on a Sample, with its own pair list that lives on from step to step.
 class SpaceRun {
  public:
   /// \param next  begins with the next states of the sample's contacts, not the present ones
@@ -21,11 +22,8 @@ class SpaceRun {
   void step(reference::space::Sample &, double dt);
 
  private:
-  const mca::Kernel &kernel;
-  bool twice, centres;
-  std::vector<mca::AutomatonLaw> own;
-  std::vector<mca::PairLaw> table;
-  mca::LinkList list;
+  mca::Step evaluation_;
+  StepArrays arrays_;
 };
 
 /// One evaluation of the laws by a kernel from the sample's present (dt = 0) or next states.

@@ -168,14 +168,7 @@ def test_wrong_atom_style(tmp_path):
 
 
 @pytest.mark.parametrize(
-    "laws, named",
-    [
-        ("thickness 2", "thickness"),
-        ("plane stress plasticity none", "plane stress"),
-        ("plasticity j2", "plasticity j2"),
-        ("link_work 1", "link_work"),
-        ("fracture equivalent", "fracture by the local stress"),
-    ],
+    "laws, named", [("thickness 2", "thickness"), ("plane stress plasticity none", "plane stress")]
 )
 def test_laws_of_the_plane_in_three_dimensions(tmp_path, laws, named):
     script = SAMPLE.replace("dimension 2", "dimension 3").replace("hex 2.5", "sc 2.5")

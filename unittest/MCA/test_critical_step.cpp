@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // The critical step against brute force: eigenvalues of a finite periodic lattice whose stiffness
 // is measured with the kernel, and integrated lattices just below and just above the limit.
 #include "laws/critical_step.h"
@@ -22,14 +23,14 @@ const mca::Kernel &kernel = mca::bestKernel(2);
 mca::Material material(double poissonsRatio)
 {
   mca::Material m = steel();
-  m.poissons_ratio = poissonsRatio;
+  m.poissonsRatio = poissonsRatio;
   return m;
 }
 
 double criticalElastic(const Sample &s)
 {
   const mca::Material &m = s.materials[0];
-  const bool many = s.laws.elasticity == "many-body";
+  const bool many = s.laws.elasticity.is(mca::Elasticity::ManyBody);
   return mca::criticalStep(m, many ? m.meanStressWeight() : 0.0, 0.0).elastic;
 }
 
@@ -125,7 +126,8 @@ TEST(CriticalStep, EqualsTheEigenvaluesOfAFiniteLattice)
 TEST(CriticalStep, LatticeIsStableBelowAndUnstableAbove)
 {
   Sample s = periodicBlock(steel(), 6, 6, 1);
-  s.laws.plasticity = s.laws.fracture = "none"; // the mode that grows turns the automata
+  s.laws.plasticity = "none";
+  s.laws.fracture = "none"; // the mode that grows turns the automata
   const double limit = criticalElastic(s);
   EXPECT_LT(growth(s, 0.99 * limit, 3000), 3.0);
   EXPECT_GT(growth(s, 1.02 * limit, 3000), 100.0);
@@ -136,9 +138,9 @@ TEST(CriticalStep, CompressedUnlinkedLatticeIsStableBelow)
   // all six contacts damped and elastic, none linked
   mca::Material m = steel();
   m.strength = 1e5;
-  m.breaking_strain = 0.49;
+  m.breakingStrain = 0.49;
   Sample s = periodicBlock(m, 6, 6, 0);
-  s.laws.link = mca::LawSet::off;
+  s.laws.link = mca::Threshold::off();
   const double width = 6 * m.diameter, height = width * std::sqrt(0.75), squeeze = 0.99;
   for (int i = 0; i < s.owned; i++) {
     s.automata[i].x *= squeeze;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include "laws/contact.h"
 #include "sample.h"
 
@@ -48,11 +49,11 @@ TEST(Elasticity, HomogeneousStrainGivesHookesTensorInPlaneStrain)
   std::uniform_real_distribution<> strain(-0.01, 0.01), nu(-0.9, 0.49), angle(0, 6.3);
   for (int sample = 0; sample < 200; sample++) {
     Material m = steel();
-    m.poissons_ratio = nu(random);
+    m.poissonsRatio = nu(random);
     const Tensor eps{strain(random), strain(random), strain(random)};
     double mean;
     const StressTensor s = homogeneous(m, eps, angle(random), mean);
-    const double E = m.youngs_modulus, v = m.poissons_ratio;
+    const double E = m.youngsModulus, v = m.poissonsRatio;
     const double lambda = E * v / (1 + v) / (1 - 2 * v), G = E / 2 / (1 + v);
     const double trace = eps.xx + eps.yy, scale = (std::abs(lambda) + 2 * G) * 0.01 * 1e-12;
     EXPECT_NEAR(s.xx, lambda * trace + 2 * G * eps.xx, scale);

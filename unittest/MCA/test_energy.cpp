@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // The book-keeping of a contact's energy against closed forms.
 #include "laws/energy.h"
 #include "laws/law_set.h"

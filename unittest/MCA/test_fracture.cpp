@@ -1,8 +1,10 @@
-#include "laws/fracture.h"
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "laws/fracture_criteria.h"
 #include "laws/plasticity.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -39,7 +41,9 @@ TEST(Fracture, EquivalentStressIsVonMisesInAnyFrame)
     const double nx = std::cos(angle), ny = std::sin(angle);
     const double sigma = s.xx * nx * nx + s.yy * ny * ny + 2 * s.xy * nx * ny;
     const double tau = (s.yy - s.xx) * nx * ny + s.xy * (nx * nx - ny * ny);
-    const LocalStress local = localStress(sigma, tau, s.xx, s.yy, s.xy, mean, nx, ny);
+    LocalStress local = faceStress(automatonStress(s.xx, s.yy, s.xy, mean), PlaneVector{nx, ny});
+    local.sigma = sigma;
+    local.tau = tau;
     EXPECT_NEAR(local.along, s.xx + s.yy - sigma, 1e-12);
     EXPECT_NEAR(local.across, s.zz, 1e-12);
     EXPECT_TRUE(reaches(local, druckerPrager(strength * (1 - 1e-12), 1.0)));
@@ -47,10 +51,44 @@ TEST(Fracture, EquivalentStressIsVonMisesInAnyFrame)
   }
 }
 
+TEST(Fracture, EquivalentStressIsVonMisesInSpaceInAnyFrame)
+{
+  const StressTensor s{80, -30, 25, 10, -15, 40};
+  const double strength = stressIntensity(s);
+  for (const Vector &direction :
+       {Vector{1, 0, 0}, Vector{0, 0, 1}, Vector{1, 2, -3}, Vector{-0.3, 0.1, 0.2}}) {
+    const Vector n = 1.0 / length(direction) * direction;
+    const Vector t = {s.xx * n.x + s.xy * n.y + s.xz * n.z, s.xy * n.x + s.yy * n.y + s.yz * n.z,
+                      s.xz * n.x + s.yz * n.y + s.zz * n.z};
+    LocalStress local = faceStress(s, n);
+    local.sigma = dot(t, n);
+    local.tau = length(t - local.sigma * n);
+    EXPECT_NEAR(local.sigma + local.along + local.across, s.xx + s.yy + s.zz, 1e-12);
+    EXPECT_TRUE(reaches(local, druckerPrager(strength * (1 - 1e-12), 1.0)));
+    EXPECT_FALSE(reaches(local, druckerPrager(strength * (1 + 1e-12), 1.0)));
+  }
+}
+
+TEST(Fracture, AFaceUnderPressureHasTwoEqualPrincipalStresses)
+{
+  const LocalStress face = faceStress(StressTensor{-7, -7, 0, -7}, Vector{0.6, 0.0, 0.8});
+  EXPECT_NEAR(face.along, -7, 1e-6); // the root of a difference that rounding leaves
+  EXPECT_NEAR(face.across, -7, 1e-6);
+}
+
+TEST(Fracture, FaceOfThePlaneIsThatOfSpace)
+{
+  const StressTensor s{80, -30, 25, 10};
+  const LocalStress plane = faceStress(s, PlaneVector{0.6, 0.8});
+  const LocalStress space = faceStress(s, Vector{0.6, 0.8, 0.0});
+  EXPECT_NEAR(std::max(plane.along, plane.across), space.along, 1e-12);
+  EXPECT_NEAR(std::min(plane.along, plane.across), space.across, 1e-12);
+}
+
 TEST(Fracture, DruckerPragerHoldsBothStrengths)
 {
   const double tensile = 92, ratio = 3;
-  const StressLimit limit = druckerPrager(tensile, ratio);
+  const FractureLimits limit = druckerPrager(tensile, ratio);
   const auto uniaxial = [&](double sigma) { return reaches({sigma, 0, 0, 0}, limit); };
   EXPECT_FALSE(uniaxial(tensile * (1 - 1e-12)));
   EXPECT_TRUE(uniaxial(tensile * (1 + 1e-12)));
@@ -67,5 +105,5 @@ TEST(Fracture, DruckerPragerHoldsBothStrengths)
   EXPECT_FALSE(reaches({apex - 1e-9, 0, apex - 1e-9, apex - 1e-9}, limit));
   EXPECT_TRUE(reaches({apex + 1e-9, 0, apex + 1e-9, apex + 1e-9}, limit));
   EXPECT_FALSE(reaches({-1e9, 0, -1e9, -1e9}, limit));
-  EXPECT_FALSE(reaches({1e9, 1e9, 0, 0}, {1.0, 0.0, std::numeric_limits<double>::infinity()}));
+  EXPECT_FALSE(reaches({1e9, 1e9, 0, 0}, {{1.0, 0.0, std::numeric_limits<double>::infinity()}}));
 }

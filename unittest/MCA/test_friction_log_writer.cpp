@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include "friction_log_writer.h"
 
 #include "sample.h"

@@ -1,5 +1,6 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Run by mpirun on any number of ranks.
-#include "halo.h"
+#include "core/halo.h"
 
 #include <gtest/gtest.h>
 
@@ -30,7 +31,7 @@ std::vector<Halo::Guest> guestsOf(int me, int ranks, int times)
 }
 
 /// Which ranks are of one node; each other one is of its own.
-enum class Node { everyRank, allButTheLast, none };
+enum class Node { EveryRank, AllButTheLast, None };
 
 class HaloTest : public testing::TestWithParam<Node> {};
 
@@ -40,7 +41,7 @@ TEST_P(HaloTest, BringsTheValuesOfEachGuest)
   MPI_Comm_rank(MPI_COMM_WORLD, &me);
   MPI_Comm_size(MPI_COMM_WORLD, &ranks);
   const Node node = GetParam();
-  Halo halo(node == Node::everyRank || (node == Node::allButTheLast && me < ranks - 1));
+  Halo halo(node == Node::EveryRank || (node == Node::AllButTheLast && me < ranks - 1));
   int wrong = 0;
   for (const int times : {1, 7, 40, 2, 0, 3}) {
     const auto guests = guestsOf(me, ranks, times);
@@ -64,7 +65,7 @@ TEST_P(HaloTest, BringsTheValuesOfEachGuest)
 }
 
 INSTANTIATE_TEST_SUITE_P(SharedMemoryMessagesOrBoth, HaloTest,
-                         testing::Values(Node::everyRank, Node::allButTheLast, Node::none));
+                         testing::Values(Node::EveryRank, Node::AllButTheLast, Node::None));
 
 } // namespace
 

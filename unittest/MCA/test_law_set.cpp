@@ -1,8 +1,12 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include "sample.h"
 
 #include <gmock/gmock.h>
 
-using mca::LawSet;
+#include <algorithm>
+#include <limits>
+
+using namespace mca;
 using testing::HasSubstr;
 
 namespace {
@@ -21,18 +25,15 @@ LawSet parsed(const std::vector<std::string> &words)
 
 void expectSame(const LawSet &a, const LawSet &b)
 {
-  EXPECT_EQ(a.preset, b.preset);
-  EXPECT_EQ(a.plane, b.plane);
-  EXPECT_EQ(a.elasticity, b.elasticity);
-  EXPECT_EQ(a.plasticity, b.plasticity);
-  EXPECT_EQ(a.fracture, b.fracture);
-  EXPECT_EQ(a.viscosity, b.viscosity);
-  EXPECT_EQ(a.steps, b.steps);
-  EXPECT_EQ(a.link, b.link);
-  EXPECT_EQ(a.weld, b.weld);
-  EXPECT_EQ(a.heal, b.heal);
-  EXPECT_EQ(a.link_work, b.link_work);
-  EXPECT_EQ(a.compressive_strength, b.compressive_strength);
+  EXPECT_EQ(a.words(), b.words());
+}
+
+// value of a keyword as its word
+std::string wordOf(const LawSet &set, const std::string &keyword)
+{
+  const std::vector<std::string> words = set.words();
+  const auto at = std::find(words.begin(), words.end(), keyword);
+  return at == words.end() ? "no such keyword" : *(at + 1);
 }
 
 } // namespace
@@ -40,51 +41,113 @@ void expectSame(const LawSet &a, const LawSet &b)
 TEST(LawSet, Presets)
 {
   const LawSet a = parsed({"preset", "a"}), b = parsed({});
-  EXPECT_EQ(a.link, 2.35);
-  EXPECT_EQ(a.weld, LawSet::off);
-  EXPECT_EQ(a.heal, LawSet::off);
-  EXPECT_EQ(b.link, LawSet::atElasticLimit);
-  EXPECT_EQ(b.weld, 1.0);
-  EXPECT_EQ(b.heal, LawSet::atHardness);
+  EXPECT_EQ(a.link.threshold().factor(), 2.35);
+  EXPECT_TRUE(a.weld.isOff());
+  EXPECT_TRUE(a.heal.isOff());
+  EXPECT_TRUE(b.link.threshold().isOfMaterial());
+  EXPECT_EQ(b.weld.threshold().factor(), 1.0);
+  EXPECT_TRUE(b.heal.threshold().isOfMaterial());
   for (const auto &set : {a, b}) {
-    EXPECT_EQ(set.elasticity, "many-body");
-    EXPECT_EQ(set.plasticity, "radial");
-    EXPECT_EQ(set.fracture, "strain");
-    EXPECT_EQ(set.viscosity, "normal");
-    EXPECT_EQ(set.steps, "corrected");
-    EXPECT_EQ(set.plane, "strain");
-    EXPECT_EQ(set.link_work, LawSet::off);
+    EXPECT_TRUE(set.elasticity.is(Elasticity::ManyBody));
+    EXPECT_TRUE(set.plasticity.is(Plasticity::Radial));
+    EXPECT_EQ(set.fracture.word(), "strain");
+    EXPECT_TRUE(set.viscosity.is(ViscosityLaw::Normal));
+    EXPECT_TRUE(set.steps.is(Steps::Corrected));
+    EXPECT_TRUE(set.plane.is(PlaneCondition::Strain));
+    EXPECT_TRUE(set.linkWork.isOff());
     EXPECT_FALSE(set.needsLocal());
   }
   expectSame(parsed({"preset", "b"}), b);
 }
 
+TEST(LawSet, WordsOfRestartFilesAndLogs)
+{
+  const std::vector<std::string> b = {"preset",
+                                      "b",
+                                      "plane",
+                                      "strain",
+                                      "elasticity",
+                                      "many-body",
+                                      "plasticity",
+                                      "radial",
+                                      "fracture",
+                                      "strain",
+                                      "viscosity",
+                                      "normal",
+                                      "steps",
+                                      "corrected",
+                                      "link",
+                                      "elastic_limit",
+                                      "weld",
+                                      "1",
+                                      "heal",
+                                      "hardness",
+                                      "link_work",
+                                      "none",
+                                      "compressive_strength",
+                                      "none"};
+  EXPECT_EQ(parsed({}).words(), b);
+}
+
 TEST(LawSet, EachKeyword)
 {
-  EXPECT_EQ(parsed({"elasticity", "pairwise"}).elasticity, "pairwise");
-  EXPECT_EQ(parsed({"plasticity", "none"}).plasticity, "none");
-  EXPECT_EQ(parsed({"fracture", "stress"}).fracture, "stress");
-  EXPECT_EQ(parsed({"fracture", "none"}).fracture, "none");
-  EXPECT_EQ(parsed({"viscosity", "none"}).viscosity, "none");
-  EXPECT_EQ(parsed({"steps", "plain"}).steps, "plain");
-  EXPECT_EQ(parsed({"link", "1.25"}).link, 1.25);
-  EXPECT_EQ(parsed({"link", "none"}).link, LawSet::off);
-  EXPECT_EQ(parsed({"preset", "a", "link", "elastic_limit"}).link, LawSet::atElasticLimit);
-  EXPECT_EQ(parsed({"weld", "0.554"}).weld, 0.554);
-  EXPECT_EQ(parsed({"heal", "none"}).heal, LawSet::off);
-  EXPECT_EQ(parsed({"heal", "2.35"}).heal, 2.35);
-  EXPECT_EQ(parsed({"heal", "2.35", "heal", "hardness"}).heal, LawSet::atHardness);
-  EXPECT_EQ(parsed({"plane", "stress", "plasticity", "none"}).plane, "stress");
-  EXPECT_EQ(parsed({"plasticity", "j2"}).plasticity, "j2");
+  const std::vector<std::vector<std::string>> choices = {
+      {"elasticity", "pairwise"}, {"plasticity", "none"}, {"plasticity", "j2"},
+      {"fracture", "stress"},     {"fracture", "none"},   {"viscosity", "none"},
+      {"steps", "plain"},         {"link", "1.25"},       {"link", "none"},
+      {"weld", "0.554"},          {"heal", "none"},       {"heal", "2.35"},
+      {"link_work", "0.5"}};
+  for (const auto &pair : choices)
+    EXPECT_EQ(wordOf(parsed(pair), pair[0]), pair[1]);
+  EXPECT_EQ(parsed({"link", "1.25"}).link.threshold().factor(), 1.25);
+  EXPECT_TRUE(parsed({"preset", "a", "link", "elastic_limit"}).link.threshold().isOfMaterial());
+  EXPECT_TRUE(parsed({"heal", "2.35", "heal", "hardness"}).heal.threshold().isOfMaterial());
+  EXPECT_EQ(wordOf(parsed({"plane", "stress", "plasticity", "none"}), "plane"), "stress");
   EXPECT_TRUE(parsed({"fracture", "equivalent"}).needsLocal());
   EXPECT_TRUE(parsed({"fracture", "drucker-prager", "compressive_strength", "3"}).needsLocal());
   EXPECT_TRUE(parsed({"link", "none", "link_work", "0.5"}).needsLocal());
 }
 
+TEST(LawSet, AnswersWhatFollowsFromTheWords)
+{
+  EXPECT_TRUE(parsed({}).flows());
+  EXPECT_TRUE(parsed({}).returnsTwice());
+  EXPECT_TRUE(parsed({}).centresViscosity());
+  EXPECT_FALSE(parsed({"plasticity", "none"}).flows());
+  EXPECT_FALSE(parsed({"plasticity", "none"}).returnsTwice());
+  EXPECT_FALSE(parsed({"steps", "plain"}).returnsTwice());
+  EXPECT_FALSE(parsed({"steps", "plain"}).centresViscosity());
+  EXPECT_FALSE(parsed({"viscosity", "none"}).isViscous());
+  EXPECT_FALSE(parsed({"viscosity", "none"}).centresViscosity());
+  EXPECT_TRUE(parsed({"plasticity", "j2"}).strainsAcross(2));
+  EXPECT_FALSE(parsed({"plasticity", "j2"}).strainsAcross(3));
+  EXPECT_FALSE(parsed({}).strainsAcross(2));
+}
+
+TEST(LawSet, OnlyPlaneStressIsOfThePlane)
+{
+  const LawSet stress = parsed({"plane", "stress", "plasticity", "none"});
+  EXPECT_EQ(stress.notInDimension(2), "");
+  EXPECT_EQ(stress.notInDimension(3), "plane stress");
+  for (const std::vector<std::string> &words : std::vector<std::vector<std::string>>{
+           {}, {"plasticity", "j2"}, {"fracture", "equivalent"}, {"link_work", "1"}})
+    EXPECT_EQ(parsed(words).notInDimension(3), "");
+}
+
+TEST(LawSet, AnUnknownWordIsNotAssigned)
+{
+  LawSet set;
+  set.plasticity = "j2";
+  EXPECT_TRUE(set.plasticity.is(Plasticity::J2));
+  EXPECT_THROW(set.plasticity = "soft", std::invalid_argument);
+  EXPECT_THROW(set.fracture = "soft", std::invalid_argument);
+  EXPECT_TRUE(set.plasticity.is(Plasticity::J2));
+}
+
 TEST(LawSet, APresetResetsWhatStandsBeforeIt)
 {
   expectSame(parsed({"link", "7", "elasticity", "pairwise", "preset", "b"}), LawSet());
-  EXPECT_EQ(parsed({"preset", "b", "link", "7"}).link, 7);
+  EXPECT_EQ(parsed({"preset", "b", "link", "7"}).link.threshold().factor(), 7);
 }
 
 TEST(LawSet, BadValuesNameKeywordValueAndWhatIsAllowed)
@@ -150,11 +213,11 @@ TEST(LawSet, PairOfUnlikeMaterials)
 {
   mca::Material strong = steel(), weak = steel();
   strong.strength = 200;
-  strong.youngs_modulus = 400000;
+  strong.youngsModulus = 400000;
   strong.diameter = 3.5;
-  strong.breaking_strain = 0.05;
+  strong.breakingStrain = 0.05;
   strong.viscosity = 10;
-  weak.elastic_limit = 0.3;
+  weak.elasticLimit = 0.3;
   const LawSet set;
   const mca::PairLaw law = mca::makePairLaw(set, strong, weak, 2.0);
   EXPECT_DOUBLE_EQ(law.diameter, 3.0);
@@ -164,12 +227,12 @@ TEST(LawSet, PairOfUnlikeMaterials)
   EXPECT_DOUBLE_EQ(law.twoGj, 2 * weak.shearModulus());
   EXPECT_DOUBLE_EQ(law.Dj, weak.meanStressWeight());
   EXPECT_DOUBLE_EQ(law.viscosity, 210);
-  EXPECT_DOUBLE_EQ(law.limits.bulkStrain2, 0.04 * 0.04); // the weaker one decides
+  EXPECT_EQ(law.limits.criterion, 0);
+  EXPECT_DOUBLE_EQ(law.limits.fracture.value[0], 0.04 * 0.04); // the weaker one decides
   EXPECT_DOUBLE_EQ(law.limits.weldIntensity2, 92.0 * 92.0);
   EXPECT_DOUBLE_EQ(law.limits.linkPressure, 0.3 * 92);
   EXPECT_DOUBLE_EQ(law.limits.healPressure, 3.0 * 0.870 * 92);
   EXPECT_EQ(law.limits.linkedKind, mca::link::weld);
-  EXPECT_EQ(law.limits.bulkIntensity2, LawSet::off);
   const mca::PairLaw turned = mca::makePairLaw(set, weak, strong, 2.0);
   EXPECT_EQ(turned.twoGi, law.twoGj);
   EXPECT_EQ(turned.limits.linkPressure, law.limits.linkPressure);
@@ -182,14 +245,16 @@ TEST(LawSet, SwitchedOffLawsHaveInfiniteLimits)
   };
   EXPECT_EQ(law({"elasticity", "pairwise"}).Di, 0.0);
   EXPECT_EQ(law({"viscosity", "none"}).viscosity, 0.0);
-  EXPECT_EQ(law({"link", "none"}).limits.linkPressure, LawSet::off);
-  EXPECT_EQ(law({"heal", "none"}).limits.healPressure, LawSet::off);
+  const double never = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(law({"link", "none"}).limits.linkPressure, never);
+  EXPECT_EQ(law({"heal", "none"}).limits.healPressure, never);
   EXPECT_EQ(law({"preset", "a"}).limits.linkedKind, mca::link::bulk);
-  const auto none = law({"fracture", "none"}).limits, stress = law({"fracture", "stress"}).limits;
-  EXPECT_EQ(none.bulkStrain2, LawSet::off);
-  EXPECT_EQ(none.bulkIntensity2, LawSet::off);
-  EXPECT_EQ(none.bulkStress.limit, LawSet::off);
-  EXPECT_EQ(none.linkWork, LawSet::off);
-  EXPECT_EQ(stress.bulkStrain2, LawSet::off);
-  EXPECT_DOUBLE_EQ(stress.bulkIntensity2, 92.0 * 92.0);
+  EXPECT_EQ(law({}).limits.linkWork, never);
+  EXPECT_EQ(law({}).limits.countsWork, 0.0);
+  EXPECT_EQ(law({"link_work", "0.5"}).limits.countsWork, 1.0);
+  EXPECT_DOUBLE_EQ(law({"fracture", "stress"}).limits.fracture.value[0], 92.0 * 92.0);
+  LinkLoad torn{};
+  torn.eps = torn.gammaTotal = torn.sigma = torn.tau = 1e9;
+  EXPECT_FALSE(bulkBreaks(law({"fracture", "none"}).limits, torn));
+  EXPECT_TRUE(bulkBreaks(law({"fracture", "strain"}).limits, torn));
 }

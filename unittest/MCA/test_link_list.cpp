@@ -1,4 +1,5 @@
-#include "link_list.h"
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "core/link_list.h"
 
 #include <gtest/gtest.h>
 

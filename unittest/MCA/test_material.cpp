@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include "sample.h"
 
 #include "shared/nearest_word.h"
@@ -32,9 +33,9 @@ TEST(Material, DerivedModuliAreThoseOfElasticity)
 {
   const Material m = steel();
   const double G = m.shearModulus(), K = m.bulkModulus();
-  EXPECT_NEAR(9 * K * G / (3 * K + G), m.youngs_modulus, 1e-9);
-  EXPECT_NEAR((3 * K - 2 * G) / (6 * K + 2 * G), m.poissons_ratio, 1e-15);
-  EXPECT_NEAR(m.meanStressWeight(), 3 * m.poissons_ratio / (1 + m.poissons_ratio), 1e-15);
+  EXPECT_NEAR(9 * K * G / (3 * K + G), m.youngsModulus, 1e-9);
+  EXPECT_NEAR((3 * K - 2 * G) / (6 * K + 2 * G), m.poissonsRatio, 1e-15);
+  EXPECT_NEAR(m.meanStressWeight(), 3 * m.poissonsRatio / (1 + m.poissonsRatio), 1e-15);
 }
 
 TEST(Material, ThreePointsOfFig5)
@@ -42,8 +43,8 @@ TEST(Material, ThreePointsOfFig5)
   const Material m = steel(); // Table 1: 51 MPa, 80 MPa at 1.5 %, 92 MPa at 4 %
   EXPECT_NEAR(m.sigmaY1(), 51.0, 0.05);
   EXPECT_NEAR(m.sigmaY2(), 80.0, 0.05);
-  EXPECT_NEAR(m.plasticStrainY2() + m.sigmaY2() / m.youngs_modulus, 0.015, 1e-16);
-  EXPECT_NEAR(m.plasticStrainUltimate() + m.strength / m.youngs_modulus, 0.04, 1e-16);
+  EXPECT_NEAR(m.plasticStrainY2() + m.sigmaY2() / m.youngsModulus, 0.015, 1e-16);
+  EXPECT_NEAR(m.plasticStrainUltimate() + m.strength / m.youngsModulus, 0.04, 1e-16);
 }
 
 TEST(Material, EachRangeIsChecked)
@@ -54,7 +55,7 @@ TEST(Material, EachRangeIsChecked)
     std::vector<double> good, bad;
   };
   const Material m = steel();
-  const double elastic2 = m.sigmaY2() / m.youngs_modulus, elastic3 = m.strength / m.youngs_modulus;
+  const double elastic2 = m.sigmaY2() / m.youngsModulus, elastic3 = m.strength / m.youngsModulus;
   const double shortest = m.plasticStrainY2() + elastic3; // breaking strain of no last piece
   const std::vector<Limit> limits = {
       {"youngs_modulus", {1e12}, {0.0, -1.0}},
@@ -87,7 +88,7 @@ TEST(Material, EachRangeIsChecked)
 
 TEST(Material, YieldStrengthBelowTheElasticLimitIsRefused)
 {
-  EXPECT_NE(checked(&Material::yield_strength, 0.5), "");
+  EXPECT_NE(checked(&Material::yieldStrength, 0.5), "");
 }
 
 TEST(Material, NearestKeywordOfAMisspelling)

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include "material_file.h"
 
 #include "sample.h"
@@ -122,12 +123,12 @@ TEST(MaterialFile, OtherUnits)
   for (const std::string style : {"nano", "si", "cgs", "micro", "metal", "real"}) {
     const Material m = mca::readMaterial(steelText(), "x.mca", style);
     const mca::Units u = *mca::findUnits(style);
-    EXPECT_NEAR(m.youngs_modulus * u.stress, 206000, 1e-9) << style;
+    EXPECT_NEAR(m.youngsModulus * u.stress, 206000, 1e-9) << style;
     EXPECT_NEAR(m.density * u.density(), 7800, 1e-10) << style;
     EXPECT_NEAR(m.viscosity * u.viscosity(), 0.41, 1e-14) << style;
     EXPECT_NEAR(m.diameter * u.length, 2.5, 1e-14) << style;
-    EXPECT_EQ(m.poissons_ratio, 0.3);
-    EXPECT_EQ(m.yield_strength, 0.870);
+    EXPECT_EQ(m.poissonsRatio, 0.3);
+    EXPECT_EQ(m.yieldStrength, 0.870);
   }
   const std::string allowed =
       ", allowed: any two of nano, si, cgs, micro, metal, real, or lj in both";

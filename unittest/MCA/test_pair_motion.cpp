@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // The shear of a pair in space against rotations by Eigen, and against the plane's law.
 #include "laws/elasticity.h"
 #include "laws/pair_motion.h"

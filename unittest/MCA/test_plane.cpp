@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Plane strain and plane stress of one automaton: Hooke's law, and plastic flow against a
 // material point that is integrated in three dimensions with small implicit steps.
 #include "laws/plane.h"
@@ -40,9 +41,9 @@ struct Point {
     const double M = back.factor, twoG = 2 * moduli.shear;
     kappa += back.strain;
     for (int k = 0; k < 6; k++) {
-      const double sigma = normalResponse(e[k], twoG, moduli.D, mean);
+      const double sigma = normalResponse(e_[k], twoG, moduli.D, mean);
       plastic[k] += (1 - M) * (sigma - mean) / twoG;
-      plasticShear[k] += (1 - M) * gamma[k];
+      plasticShear[k] += (1 - M) * gamma_[k];
     }
     if (volumePreserving)
       elasticZ = elasticZAfter(elasticZ, stress.zz, mean, M, twoG);
@@ -59,7 +60,7 @@ struct Point {
   }
 
  private:
-  std::array<double, 6> e{}, gamma{};
+  std::array<double, 6> e_{}, gamma_{};
 
   void average(const Strain &eps)
   {
@@ -67,16 +68,16 @@ struct Point {
     double sum = 0;
     for (int k = 0; k < 6; k++) {
       const double nx = std::cos(k * pi / 3), ny = std::sin(k * pi / 3);
-      e[k] = eps.xx * nx * nx + eps.yy * ny * ny + 2 * eps.xy * nx * ny - plastic[k];
-      gamma[k] = (eps.yy - eps.xx) * nx * ny + eps.xy * (nx * nx - ny * ny) - plasticShear[k];
-      sum += e[k];
+      e_[k] = eps.xx * nx * nx + eps.yy * ny * ny + 2 * eps.xy * nx * ny - plastic[k];
+      gamma_[k] = (eps.yy - eps.xx) * nx * ny + eps.xy * (nx * nx - ny * ny) - plasticShear[k];
+      sum += e_[k];
     }
     mean = meanStress(sum, moduli.bulk) + moduli.bulk * elasticZ;
     stress = {0, 0, 0, 0};
     for (int k = 0; k < 6; k++) {
       const double nx = std::cos(k * pi / 3), ny = std::sin(k * pi / 3);
-      const double sigma = normalResponse(e[k], twoG, moduli.D, mean);
-      const StressTensor s = stressShare(sigma, twoG * gamma[k], nx, ny);
+      const double sigma = normalResponse(e_[k], twoG, moduli.D, mean);
+      const StressTensor s = stressShare(sigma, twoG * gamma_[k], nx, ny);
       stress = {stress.xx + s.xx, stress.yy + s.yy, stress.xy + s.xy, 0};
     }
     stress = automatonStress(stress.xx, stress.yy, stress.xy, mean);
@@ -130,11 +131,11 @@ TEST(Plane, StressIsHookesWithoutStressAcross)
 {
   for (const double nu : {-0.3, 0.0, 0.3, 0.49}) {
     Point p;
-    p.m.poissons_ratio = nu;
+    p.m.poissonsRatio = nu;
     p.moduli = planeStressModuli(p.m.shearModulus(), p.m.bulkModulus());
     const Strain eps{3e-4, -1e-4, 2e-4};
     p.evaluate(eps, false);
-    const double E = p.m.youngs_modulus, c = E / (1 - nu * nu);
+    const double E = p.m.youngsModulus, c = E / (1 - nu * nu);
     EXPECT_NEAR(p.stress.xx, c * (eps.xx + nu * eps.yy), 1e-10);
     EXPECT_NEAR(p.stress.yy, c * (eps.yy + nu * eps.xx), 1e-10);
     EXPECT_NEAR(p.stress.xy, E / (1 + nu) * eps.xy, 1e-10);

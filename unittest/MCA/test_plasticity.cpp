@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include "sample.h"
 
 #include <gtest/gtest.h>
@@ -14,8 +15,8 @@ TEST(Plasticity, YieldCurveRunsThroughFig5)
     const YieldCurve curve(m);
     EXPECT_DOUBLE_EQ(curve(0.0), 0.554 * strength);
     // total strain = plastic strain + stress/E
-    const double k2 = 0.015 - 0.870 * strength / m.youngs_modulus;
-    const double k3 = 0.040 - strength / m.youngs_modulus;
+    const double k2 = 0.015 - 0.870 * strength / m.youngsModulus;
+    const double k3 = 0.040 - strength / m.youngsModulus;
     EXPECT_NEAR(curve(k2), 0.870 * strength, 1e-11);
     EXPECT_NEAR(curve(k3), strength, 1e-11);
     EXPECT_NEAR(curve(k2 / 2), (0.554 + 0.870) / 2 * strength, 1e-11);
@@ -40,7 +41,7 @@ TEST(Plasticity, YieldCurveRisesWithoutJumps)
 TEST(Plasticity, FlatPieceIsAllowed)
 {
   Material m = steel();
-  m.elastic_limit = m.yield_strength = 1.0;
+  m.elasticLimit = m.yieldStrength = 1.0;
   ASSERT_EQ(checkMaterial(m), "");
   const YieldCurve curve(m);
   for (const double kappa : {0.0, 0.01, 0.03, 1.0})

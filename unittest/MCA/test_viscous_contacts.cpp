@@ -1,7 +1,6 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 // Viscous contacts in time: the motion of a row of automata against the exact solution, and the
 // order of its error in the step.
-#include "viscous_contacts.h"
-
 #include "sample.h"
 
 #include <gtest/gtest.h>
@@ -20,10 +19,10 @@ namespace {
 Sample row(int n)
 {
   mca::Material m = steel();
-  m.youngs_modulus = 1e-6;
+  m.youngsModulus = 1e-6;
   m.strength = 1e6; // nothing links
   Sample s = hexagonalBlock(m, n, 1, 0);
-  s.laws.link = mca::LawSet::off;
+  s.laws.link = mca::Threshold::off();
   s.laws.steps = "corrected";
   for (int i = 0; i < n; i++)
     s.automata[i].x *= 0.99;

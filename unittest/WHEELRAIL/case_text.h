@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #ifndef WHEELRAIL_CASE_TEXT_H
 #define WHEELRAIL_CASE_TEXT_H
 

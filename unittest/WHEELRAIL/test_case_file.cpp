@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include "base/errors.h"
 #include "case_text.h"
 
@@ -116,7 +117,8 @@ TEST(CaseFile, NamesLineKeywordAndNearest)
   // nothing near: what there is in the group; a beginning is near
   EXPECT_TRUE(contains(messageOf(minimal + "thermal: {heat: 3}\n"),
                        "known: thermal.conductivity, thermal.density, thermal.specific_heat"));
-  EXPECT_TRUE(contains(messageOf("contact: {load_per_lenght: 4000 N/mm}\n"), "'contact.load_per_length'"));
+  EXPECT_TRUE(
+      contains(messageOf("contact: {load_per_lenght: 4000 N/mm}\n"), "'contact.load_per_length'"));
 }
 
 TEST(CaseFile, BadValues)

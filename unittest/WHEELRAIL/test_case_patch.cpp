@@ -110,16 +110,20 @@ TEST(CasePatch, MapsTravel)
   RoughMap map;
   map.nx = map.ny = 32;
   map.height.resize(32 * 32);
-  const auto wave = [](double x, double y) { return std::cos(0.25 * M_PI * (x + 2.0)) + 0.1 * std::sin(0.25 * M_PI * y); };
+  const auto wave = [](double x, double y) {
+    return std::cos(0.25 * M_PI * (x + 2.0)) + 0.1 * std::sin(0.25 * M_PI * y);
+  };
   for (int iy = 0; iy < 32; ++iy)
     for (int ix = 0; ix < 32; ++ix)
       map.height[ix + 32 * iy] = wave(ix, iy);
-  for (const Travel travel : {Travel{0.0, 0.0}, {5.0, 0.0}, {37.0, -3.0}, {2.3, 0.6}, {-1.7, 40.5}}) {
+  for (const Travel travel :
+       {Travel{0.0, 0.0}, {5.0, 0.0}, {37.0, -3.0}, {2.3, 0.6}, {-1.7, 40.5}}) {
     const Eigen::VectorXd seen = map.window(box, travel);
     double worst = 0.0;
     for (int iy = 0; iy < 16; ++iy)
       for (int ix = 0; ix < 16; ++ix)
-        worst = std::max(worst, std::abs(seen[box.index(ix, iy)] - wave(ix + travel.x, iy + travel.y)));
+        worst =
+            std::max(worst, std::abs(seen[box.index(ix, iy)] - wave(ix + travel.x, iy + travel.y)));
     const bool whole = travel.x == std::floor(travel.x) && travel.y == std::floor(travel.y);
     EXPECT_LT(worst, whole ? 1e-12 : 2e-3) << travel.x;
   }

@@ -1,4 +1,5 @@
-#include "contact/line/contact_temperature.h"
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "contact/contact_temperature.h"
 #include "contact_cases.h"
 
 #include <gtest/gtest.h>

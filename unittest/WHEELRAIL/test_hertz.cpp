@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include "contact/hertz.h"
 
 #include <gtest/gtest.h>

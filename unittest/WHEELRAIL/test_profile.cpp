@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include "base/errors.h"
 #include "base/output_file.h"
 #include "base/random_number.h"

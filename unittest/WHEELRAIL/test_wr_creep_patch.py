@@ -69,14 +69,25 @@ def creep_rows(case, out, *changes, **options):
 # Printed results of CONTACT (Vollebregt; github.com/eve70a/CONTACT, d431cdb), an independent program
 # for the same equations on the same grids; half a unit of the last digit and a tenth.
 
+
 def test_creep_curve_of_a_wheel_against_contact(tmp_path):
     path = tmp_path / "wheel.yaml"
-    path.write_text(f"contact: {{load: 106700 N, semi_axes: [6.30352 mm, 12.60756 mm], {STEEL}}}\n"
-                    "friction: {law: constant, mu: 0.33}\nthermal: off\nspeed: 1 m/s\npoints: [48, 44]\n"
-                    "creep: [0.04 %, 0.12 %, 0.2 %, 2.8e-3]\n", encoding="utf-8")
+    path.write_text(
+        f"contact: {{load: 106700 N, semi_axes: [6.30352 mm, 12.60756 mm], {STEEL}}}\n"
+        "friction: {law: constant, mu: 0.33}\nthermal: off\nspeed: 1 m/s\npoints: [48, 44]\n"
+        "creep: [0.04 %, 0.12 %, 0.2 %, 2.8e-3]\n",
+        encoding="utf-8",
+    )
     rows = creep_rows(path, tmp_path / "out")
-    assert -numbers(rows, "force_x") / (0.33 * 106700) == pytest.approx([0.2588, 0.6482, 0.8816, 0.9832], abs=5.5e-5)
-    assert [round(1384 * share) for share in numbers(rows, "stick_fraction")] == [1182, 782, 422, 132]
+    assert -numbers(rows, "force_x") / (0.33 * 106700) == pytest.approx(
+        [0.2588, 0.6482, 0.8816, 0.9832], abs=5.5e-5
+    )
+    assert [round(1384 * share) for share in numbers(rows, "stick_fraction")] == [
+        1182,
+        782,
+        422,
+        132,
+    ]
     assert numbers(rows, "peak_pressure") == pytest.approx(641.05, rel=0.01)
     assert numbers(rows, "approach") == pytest.approx(7.6516e-2, rel=2e-3)
     contact = json.loads((tmp_path / "out/summary.json").read_text())["contacts"][0]
@@ -88,10 +99,13 @@ def test_creep_curve_of_a_wheel_against_contact(tmp_path):
 
 def test_lateral_creep_and_spin_against_contact(tmp_path):
     path = tmp_path / "spin.yaml"
-    path.write_text(f"contact: {{load: 82 kN, semi_axes: [8 mm, 4 mm], {STEEL}, spin_point: 0.16666666666666667}}\n"
-                    "friction: {law: constant, mu: 0.3}\nthermal: off\nspeed: 30 m/s\npoints: [44, 44]\n"
-                    "creep: 0\nlateral: -0.0625 %\nspin: 6.25e-4 1/mm\n", encoding="utf-8")
-    row, = creep_rows(path, tmp_path / "out")
+    path.write_text(
+        f"contact: {{load: 82 kN, semi_axes: [8 mm, 4 mm], {STEEL}, spin_point: 0.16666666666666667}}\n"
+        "friction: {law: constant, mu: 0.3}\nthermal: off\nspeed: 30 m/s\npoints: [44, 44]\n"
+        "creep: 0\nlateral: -0.0625 %\nspin: 6.25e-4 1/mm\n",
+        encoding="utf-8",
+    )
+    (row,) = creep_rows(path, tmp_path / "out")
     assert float(row["force_y"]) / (0.3 * 82000) == pytest.approx(-0.6074, abs=5.5e-5)
     assert float(row["moment_z"]) == pytest.approx(-4.821e4, abs=5.5)
     assert float(row["peak_pressure"]) == pytest.approx(1223, abs=0.55)
@@ -103,11 +117,14 @@ def test_lateral_creep_and_spin_against_contact(tmp_path):
 def test_cattaneo_shift_against_contact(tmp_path):
     """One shift from rest under a force; curvatures, and loads in N and lengths in mm of G = 200 MPa."""
     path = tmp_path / "cattaneo.yaml"
-    path.write_text("contact: {load: 9.1954 N, curvatures: [0.01 1/mm, 0.01 1/mm], youngs_modulus: 568 MPa,\n"
-                    "          poissons_ratio: 0.42, domain: 2.53333333333333}\nmode: static\n"
-                    "static: {force_ratio: 0.875}\nfriction: {law: constant, mu: 0.4}\npoints: 19\n", encoding="utf-8")
+    path.write_text(
+        "contact: {load: 9.1954 N, curvatures: [0.01 1/mm, 0.01 1/mm], youngs_modulus: 568 MPa,\n"
+        "          poissons_ratio: 0.42, domain: 2.53333333333333}\nmode: static\n"
+        "static: {force_ratio: 0.875}\nfriction: {law: constant, mu: 0.4}\npoints: 19\n",
+        encoding="utf-8",
+    )
     run(path, tmp_path / "out")
-    row, = table(tmp_path / "out/static.csv")
+    (row,) = table(tmp_path / "out/static.csv")
     assert float(row["force_x"]) == pytest.approx(-0.875 * 0.4 * 9.1954, rel=1e-6)
     # the cells are CONTACT's but for a difference of 1e-5 in the box
     assert float(row["shift_x"]) == pytest.approx(8.155e-3, abs=2e-6)
@@ -117,14 +134,19 @@ def test_cattaneo_shift_against_contact(tmp_path):
 
 def test_forces_find_the_creepages(case, tmp_path):
     """The creepages that belong to forces give these forces again."""
-    row, = creep_rows(case, tmp_path / "given", "lateral=-0.04 %", "spin=1e-4 1/mm")
-    text = CASE.replace("creep: [1e-3]", f"force: {{longitudinal: {row['force_x']} N, lateral: {row['force_y']} N}}\n"
-                        "spin: 1e-4 1/mm")
+    (row,) = creep_rows(case, tmp_path / "given", "lateral=-0.04 %", "spin=1e-4 1/mm")
+    text = CASE.replace(
+        "creep: [1e-3]",
+        f"force: {{longitudinal: {row['force_x']} N, lateral: {row['force_y']} N}}\n"
+        "spin: 1e-4 1/mm",
+    )
     case.write_text(text, encoding="utf-8")
-    found, = creep_rows(case, tmp_path / "found")
+    (found,) = creep_rows(case, tmp_path / "found")
     assert float(found["creep"]) == pytest.approx(1e-3, rel=1e-4)
     assert float(found["lateral"]) == pytest.approx(-4e-4, rel=1e-4)
-    case.write_text(text.replace("force: {longitudinal: -", "force: {longitudinal: -9"), encoding="utf-8")
+    case.write_text(
+        text.replace("force: {longitudinal: -", "force: {longitudinal: -9"), encoding="utf-8"
+    )
     run(case, tmp_path / "more", code=3)
 
 
@@ -135,57 +157,92 @@ def test_signs_and_per_cent(case, tmp_path):
     assert numbers(rows, "traction_ratio") == pytest.approx(abs(force) / 1e4, rel=1e-6)
     rows = creep_rows(case, tmp_path / "series", "creep={from: -1e-4, to: -1e-2, n: 3}")
     assert numbers(rows, "creep") == pytest.approx([-1e-4, -1e-3, -1e-2])
-    assert len(creep_rows(case, tmp_path / "grid", "creep=[0, 1e-3]", "lateral={from: -1e-3, to: 1e-3, n: 3}",
-                          "spin=[0 1/m, 0.1 1/m]", "speed=[10 m/s, 20 m/s]")) == 24
+    assert (
+        len(
+            creep_rows(
+                case,
+                tmp_path / "grid",
+                "creep=[0, 1e-3]",
+                "lateral={from: -1e-3, to: 1e-3, n: 3}",
+                "spin=[0 1/m, 0.1 1/m]",
+                "speed=[10 m/s, 20 m/s]",
+            )
+        )
+        == 24
+    )
 
 
 def test_several_loads(case, tmp_path):
-    radii = CASE.replace("load: 10 kN, semi_axes: [3 mm, 4 mm]",
-                         "load: [10 kN, 80 kN], radii: {wheel_rolling: 0.5 m, rail_profile: 0.3 m}")
+    radii = CASE.replace(
+        "load: 10 kN, semi_axes: [3 mm, 4 mm]",
+        "load: [10 kN, 80 kN], radii: {wheel_rolling: 0.5 m, rail_profile: 0.3 m}",
+    )
     case.write_text(radii, encoding="utf-8")
     run(case, tmp_path / "out")
     contacts = json.loads((tmp_path / "out/summary.json").read_text())["contacts"]
-    assert contacts[1]["a_mm"] == pytest.approx(2 * contacts[0]["a_mm"])  # Hertz: third root of the load
+    assert contacts[1]["a_mm"] == pytest.approx(
+        2 * contacts[0]["a_mm"]
+    )  # Hertz: third root of the load
     assert contacts[1]["hertz_pressure_MPa"] == pytest.approx(2 * contacts[0]["hertz_pressure_MPa"])
 
 
 def test_frozen_and_moving_agree_where_they_must(case, tmp_path):
     """Smooth contact: whatever travels, it is the steady state; rough and fully sliding: mu N."""
-    frozen, = creep_rows(case, tmp_path / "frozen")
-    moving, = creep_rows(case, tmp_path / "moving", "mode=moving")
+    (frozen,) = creep_rows(case, tmp_path / "frozen")
+    (moving,) = creep_rows(case, tmp_path / "moving", "mode=moving")
     assert float(moving["force_x"]) == pytest.approx(float(frozen["force_x"]), rel=1e-4)
-    rest, = creep_rows(case, tmp_path / "rest", "mode=moving", "moving.start=rest", "moving.passes=8")
+    (rest,) = creep_rows(
+        case, tmp_path / "rest", "mode=moving", "moving.start=rest", "moving.passes=8"
+    )
     assert float(rest["force_x"]) == pytest.approx(float(frozen["force_x"]), rel=3e-3)
-    sliding, = creep_rows(case, tmp_path / "rough", "mode=moving", "roughness=" + ROUGH.replace("0.01", "0.002"), "creep=0.3")
+    (sliding,) = creep_rows(
+        case,
+        tmp_path / "rough",
+        "mode=moving",
+        "roughness=" + ROUGH.replace("0.01", "0.002"),
+        "creep=0.3",
+    )
     assert float(sliding["force_x"]) == pytest.approx(-0.3 * 1e4, rel=1e-4)
     assert float(sliding["force_x_se"]) < 1.0
 
 
 def test_roughness_costs_stiffness_when_frozen_and_little_when_moving(case, tmp_path):
     """The finding of the two-dimensional model, in three dimensions: small creep, rough surface."""
-    changes = ["creep=1e-5", "friction.mu=1", "points=96", "contact.domain=3", "contact.semi_axes=[6 mm, 6 mm]",
-               "contact.load=45 kN", "roughness={hurst: 0.8, rms_slope: 0.01, wavelength_min: 1.5 mm, wavelength_max: 6 mm}"]
-    smooth, = creep_rows(case, tmp_path / "smooth", *[c for c in changes if "roughness" not in c])
-    frozen, = creep_rows(case, tmp_path / "frozen", *changes)
-    moving, = creep_rows(case, tmp_path / "moving", *changes, "mode=moving")
+    changes = [
+        "creep=1e-5",
+        "friction.mu=1",
+        "points=96",
+        "contact.domain=3",
+        "contact.semi_axes=[6 mm, 6 mm]",
+        "contact.load=45 kN",
+        "roughness={hurst: 0.8, rms_slope: 0.01, wavelength_min: 1.5 mm, wavelength_max: 6 mm}",
+    ]
+    (smooth,) = creep_rows(case, tmp_path / "smooth", *[c for c in changes if "roughness" not in c])
+    (frozen,) = creep_rows(case, tmp_path / "frozen", *changes)
+    (moving,) = creep_rows(case, tmp_path / "moving", *changes, "mode=moving")
     assert float(frozen["real_area"]) < float(smooth["real_area"])
     loss = [float(row["force_x"]) / float(smooth["force_x"]) for row in (frozen, moving)]
     assert loss[0] < 0.9 and loss[0] < loss[1] < 1.05
     assert 0 < float(moving["force_x_se"]) < 0.1 * abs(float(moving["force_x"]))
     series = table(tmp_path / "moving/series.csv")
-    half = series[len(series) // 2:]
+    half = series[len(series) // 2 :]
     assert numbers(half, "force_x").mean() == pytest.approx(float(moving["force_x"]))
 
 
 def test_sequence(case, tmp_path):
-    text = CASE.replace("creep: [1e-3]", "mode: moving\nmoving: {start: rest}\nsequence: {time: [0 s, 1 ms, 2 ms],\n"
-                        "  load: [10 kN, 10 kN, 14 kN], creep: [0, 0.2 %, 0.2 %]}").replace("load: 10 kN,", "load: 10 kN, domain: 2.8,", 1)
+    text = CASE.replace(
+        "creep: [1e-3]",
+        "mode: moving\nmoving: {start: rest}\nsequence: {time: [0 s, 1 ms, 2 ms],\n"
+        "  load: [10 kN, 10 kN, 14 kN], creep: [0, 0.2 %, 0.2 %]}",
+    ).replace("load: 10 kN,", "load: 10 kN, domain: 2.8,", 1)
     case.write_text(text, encoding="utf-8")
     run(case, tmp_path / "out")
     series = table(tmp_path / "out/series.csv")
     seconds, load, creep = (numbers(series, name) for name in ("time", "load", "creep"))
     assert seconds[-1] == pytest.approx(2e-3, rel=0.01)
-    assert creep == pytest.approx(numpy.interp(seconds, [0, 1e-3, 2e-3], [0, 2e-3, 2e-3]), abs=1e-12)
+    assert creep == pytest.approx(
+        numpy.interp(seconds, [0, 1e-3, 2e-3], [0, 2e-3, 2e-3]), abs=1e-12
+    )
     assert load == pytest.approx(numpy.interp(seconds, [0, 1e-3, 2e-3], [1e4, 1e4, 1.4e4]))
     assert numbers(series, "peak_pressure")[-1] > 1.05 * numbers(series, "peak_pressure")[0]
     assert numbers(series, "force_x")[-1] == pytest.approx(-0.3 * load[-1], rel=0.1)
@@ -195,7 +252,9 @@ def test_full_sliding_with_a_local_law(case, tmp_path):
     """Eq. 5 with the Hertzian pressure of each cell has an exact mean: mu0 + mu2 J3."""
     law = "friction={law: bucher2006, local: true, velocity_term: false, strength: 1000 MPa}"
     load = 2 / 3 * numpy.pi * 3 * 4 * 500.0  # N of p0 = 500 MPa
-    row, = creep_rows(case, tmp_path / "out", law, f"contact.load={load} N", "creep=0.3", "points=128")
+    (row,) = creep_rows(
+        case, tmp_path / "out", law, f"contact.load={load} N", "creep=0.3", "points=128"
+    )
     assert float(row["mu_mean"]) == pytest.approx(0.42904433, abs=2e-4)
     assert float(row["traction_ratio"]) == pytest.approx(float(row["mu_mean"]), rel=1e-4)
 
@@ -204,19 +263,32 @@ def test_temperature_of_an_ellipse(case, tmp_path):
     """Full sliding with mu: Eq. 11 row by row, by the formula and by the flash temperatures."""
     mean = {}
     for model in ("averaged", "averaged_power", "local"):
-        row, = creep_rows(case, tmp_path / model, "creep=0.2", "points=160", f"thermal={{model: {model}}}")
+        (row,) = creep_rows(
+            case, tmp_path / model, "creep=0.2", "points=160", f"thermal={{model: {model}}}"
+        )
         mean[model] = float(row["temperature_rise"])
     assert mean["averaged_power"] == pytest.approx(mean["averaged"], rel=1e-3)
     assert mean["local"] == pytest.approx(mean["averaged"], rel=0.01)
     p0 = 1.5 * 1e4 / (numpy.pi * 3e-3 * 4e-3)
-    row = 8 * 2**0.5 / (15 * numpy.pi**0.5) * 0.3 * p0 * 0.2 * 20 * (3e-3 / (50 * 7800 * 450 * 20)) ** 0.5
+    row = (
+        8
+        * 2**0.5
+        / (15 * numpy.pi**0.5)
+        * 0.3
+        * p0
+        * 0.2
+        * 20
+        * (3e-3 / (50 * 7800 * 450 * 20)) ** 0.5
+    )
     eta = numpy.linspace(-1, 1, 200001)
     share = numpy.trapz((1 - eta**2) ** 1.25, eta) / (numpy.pi / 2)
     assert mean["averaged"] == pytest.approx(share * row, rel=1e-6)
 
 
 def test_hardness_limits_the_pressure(case, tmp_path):
-    row, = creep_rows(case, tmp_path / "out", "contact.hardness_limit=true", "friction.strength=100 MPa")
+    (row,) = creep_rows(
+        case, tmp_path / "out", "contact.hardness_limit=true", "friction.strength=100 MPa"
+    )
     assert float(row["peak_pressure"]) == pytest.approx(300)
     assert float(row["real_area"]) > numpy.pi * 12
     summary = json.loads((tmp_path / "out/summary.json").read_text())
@@ -226,11 +298,14 @@ def test_hardness_limits_the_pressure(case, tmp_path):
 
 def test_unlike_bodies_that_do_not_couple(case, tmp_path):
     """Incompressible bodies of any stiffness: half-spaces of the mean compliance."""
-    both = CASE.replace("youngs_modulus: 209.92 GPa, poissons_ratio: 0.28", "youngs_modulus: 3 GPa, poissons_ratio: 0.5")
+    both = CASE.replace(
+        "youngs_modulus: 209.92 GPa, poissons_ratio: 0.28",
+        "youngs_modulus: 3 GPa, poissons_ratio: 0.5",
+    )
     case.write_text(both, encoding="utf-8")
-    one, = creep_rows(case, tmp_path / "one")
+    (one,) = creep_rows(case, tmp_path / "one")
     case.write_text(both.replace("3 GPa", "[2 GPa, 6 GPa]"), encoding="utf-8")
-    two, = creep_rows(case, tmp_path / "two")
+    (two,) = creep_rows(case, tmp_path / "two")
     assert float(two["force_x"]) == pytest.approx(float(one["force_x"]), rel=1e-6)
     done = run(case, tmp_path / "bad", "contact.poissons_ratio=[0.3, 0.3]", code=3)
     assert "contact.youngs_modulus" in done.stderr
@@ -240,12 +315,16 @@ def gsf_map(path, seed, nx=96, ny=80, spacing=0.2e-3, holes=False):
     """A map in the form that Gwyddion writes."""
     draw = numpy.random.default_rng(seed)
     x, y = numpy.meshgrid(numpy.arange(nx) * spacing, numpy.arange(ny) * spacing)
-    z = sum(0.2e-6 * numpy.cos(2 * numpy.pi * (x * kx + y * ky) + phase)
-            for kx, ky, phase in draw.uniform(-200, 200, (20, 3)))
+    z = sum(
+        0.2e-6 * numpy.cos(2 * numpy.pi * (x * kx + y * ky) + phase)
+        for kx, ky, phase in draw.uniform(-200, 200, (20, 3))
+    )
     if holes:
         z[10:12, 20:23] = numpy.nan
-    head = (f"Gwyddion Simple Field 1.0\nXRes = {nx}\nYRes = {ny}\nXReal = {nx * spacing}\nYReal = {ny * spacing}\n"
-            "XYUnits = m\nZUnits = m\n").encode()
+    head = (
+        f"Gwyddion Simple Field 1.0\nXRes = {nx}\nYRes = {ny}\nXReal = {nx * spacing}\nYReal = {ny * spacing}\n"
+        "XYUnits = m\nZUnits = m\n"
+    ).encode()
     head += b"\0" * (4 - len(head) % 4)
     path.write_bytes(head + z.astype("<f4").tobytes())
 
@@ -258,8 +337,8 @@ def test_measured_maps(case, tmp_path):
     assert "6 of 7680 points had no height" in done.stderr
     for step in ("rail: as read", "wheel: on the cells"):
         assert step in done.stdout
-    rough, = table(tmp_path / "out/creep.csv")
-    smooth, = creep_rows(case, tmp_path / "smooth", "contact.domain=2.6")
+    (rough,) = table(tmp_path / "out/creep.csv")
+    (smooth,) = creep_rows(case, tmp_path / "smooth", "contact.domain=2.6")
     assert float(rough["real_area"]) != float(smooth["real_area"])
     done = run(case, tmp_path / "refused", maps.replace("fill", "refuse"), code=3)
     assert "wheel.gsf" in done.stderr and done.stderr.count("\n") == 1
@@ -270,12 +349,22 @@ def test_measured_maps(case, tmp_path):
 
 
 def test_fields_and_polach(case, tmp_path):
-    run(case, tmp_path / "out", "fields=[1, 4]", "creep={from: 1e-4, to: 1e-1, n: 8}", "thermal={model: local}",
-        options=("--polach", tmp_path / "polach.json"))
+    run(
+        case,
+        tmp_path / "out",
+        "fields=[1, 4]",
+        "creep={from: 1e-4, to: 1e-1, n: 8}",
+        "thermal={model: local}",
+        options=("--polach", tmp_path / "polach.json"),
+    )
     files = sorted(path.name for path in (tmp_path / "out").iterdir())
-    assert "fields_0001.vti" in files and "fields_0004_pressure.gsf" in files and "fields_0002.vti" not in files
+    assert (
+        "fields_0001.vti" in files
+        and "fields_0004_pressure.gsf" in files
+        and "fields_0002.vti" not in files
+    )
     raw = (tmp_path / "out/fields_0004_pressure.gsf").read_bytes()
-    data = numpy.frombuffer(raw[-32 * 32 * 4:], "<f4").reshape(32, 32)
+    data = numpy.frombuffer(raw[-32 * 32 * 4 :], "<f4").reshape(32, 32)
     row = table(tmp_path / "out/creep.csv")[3]
     assert data.max() == pytest.approx(1e6 * float(row["peak_pressure"]), rel=1e-6)
     law = json.loads((tmp_path / "polach.json").read_text())
@@ -287,8 +376,14 @@ def test_fields_and_polach(case, tmp_path):
 
 
 def test_same_digits_for_any_number_of_threads(case, tmp_path):
-    changes = [f"roughness={ROUGH[:-1]}, seed: [1, 2]}}", "contact.domain=3", "creep={from: 1e-4, to: 1e-2, n: 10}",
-               "speed=[10 m/s, 30 m/s]", "thermal={model: local}", "friction={law: bucher2006, local: true}"]
+    changes = [
+        f"roughness={ROUGH[:-1]}, seed: [1, 2]}}",
+        "contact.domain=3",
+        "creep={from: 1e-4, to: 1e-2, n: 10}",
+        "speed=[10 m/s, 30 m/s]",
+        "thermal={model: local}",
+        "friction={law: bucher2006, local: true}",
+    ]
     case.write_text(CASE.replace("law: constant, mu: 0.3", "law: bucher2006"), encoding="utf-8")
     for threads in ("1", "3"):
         run(case, tmp_path / threads, *changes, options=("--threads", threads))
@@ -298,8 +393,19 @@ def test_same_digits_for_any_number_of_threads(case, tmp_path):
 
 def test_interrupted_runs_go_on(case, tmp_path):
     for mode in ("frozen", "moving"):
-        many = [case, "-o", tmp_path / mode, "--threads", "1", "--set", f"mode={mode}", "--set", "points=40", "--set",
-                f"creep={{from: 1e-4, to: 1e-2, n: {1500 if mode == 'frozen' else 30}}}"]
+        many = [
+            case,
+            "-o",
+            tmp_path / mode,
+            "--threads",
+            "1",
+            "--set",
+            f"mode={mode}",
+            "--set",
+            "points=40",
+            "--set",
+            f"creep={{from: 1e-4, to: 1e-2, n: {1500 if mode == 'frozen' else 30}}}",
+        ]
         running = subprocess.Popen([BIN, *map(str, many)], stderr=subprocess.PIPE, text=True)
         journal = tmp_path / mode / "wr_creep.journal"
         for _ in range(600):  # killed for good once something is in the journal
@@ -317,49 +423,139 @@ def test_interrupted_runs_go_on(case, tmp_path):
         whole = wr_creep(*many[:1], "-o", tmp_path / (mode + "2"), *many[3:])
         assert whole.returncode == 0
         for name in ("creep.csv", "series.csv") if mode == "moving" else ("creep.csv",):
-            assert (tmp_path / mode / name).read_bytes() == (tmp_path / (mode + "2") / name).read_bytes()
+            assert (tmp_path / mode / name).read_bytes() == (
+                tmp_path / (mode + "2") / name
+            ).read_bytes()
 
 
 BAD = {
-    "load unit": ({"10 kN": "10 kN/m"}, ":1: contact.load: '10 kN/m': 'kN/m' is of another dimension than N"),
+    "load unit": (
+        {"10 kN": "10 kN/m"},
+        ":1: contact.load: '10 kN/m': 'kN/m' is of another dimension than N",
+    ),
     "no shape": ({"semi_axes: [3 mm, 4 mm], ": ""}, "contact.radii: is missing"),
-    "two shapes": ({"semi_axes": "curvatures: [1 1/m, 1 1/m], semi_axes"}, "contact.semi_axes: does not go with contact.curvatures"),
-    "line key": ({"semi_axes": "radius: 0.5 m, semi_axes"}, "contact.radius: does not go with contact.load"),
-    "both loads": ({"load:": "load_per_length: 1 N/mm, load:"}, "contact.load_per_length: does not go with"),
-    "three axes": ({"[3 mm, 4 mm]": "[3 mm, 4 mm, 5 mm]"}, "contact.semi_axes: 3 values; [a, b] are expected"),
-    "flat": ({"semi_axes: [3 mm, 4 mm]": "radii: {wheel_rolling: 0.5 m}"}, "add up to 0 1/m; above 0 is needed"),
-    "hollow": ({"semi_axes: [3 mm, 4 mm]": "radii: {wheel_rolling: 0.5 m, wheel_profile: -0.2 m, rail_profile: 0.3 m}"},
-               "contact.radii"),
-    "zero radius": ({"semi_axes: [3 mm, 4 mm]": "radii: {wheel_rolling: 0.5 m, rail_profile: 0 m}"}, "'0' is not allowed"),
-    "radius name": ({"semi_axes: [3 mm, 4 mm]": "radii: {wheel_roling: 0.5 m}"}, "'contact.radii.wheel_rolling'"),
+    "two shapes": (
+        {"semi_axes": "curvatures: [1 1/m, 1 1/m], semi_axes"},
+        "contact.semi_axes: does not go with contact.curvatures",
+    ),
+    "line key": (
+        {"semi_axes": "radius: 0.5 m, semi_axes"},
+        "contact.radius: does not go with contact.load",
+    ),
+    "both loads": (
+        {"load:": "load_per_length: 1 N/mm, load:"},
+        "contact.load_per_length: does not go with",
+    ),
+    "three axes": (
+        {"[3 mm, 4 mm]": "[3 mm, 4 mm, 5 mm]"},
+        "contact.semi_axes: 3 values; [a, b] are expected",
+    ),
+    "flat": (
+        {"semi_axes: [3 mm, 4 mm]": "radii: {wheel_rolling: 0.5 m}"},
+        "add up to 0 1/m; above 0 is needed",
+    ),
+    "hollow": (
+        {
+            "semi_axes: [3 mm, 4 mm]": "radii: {wheel_rolling: 0.5 m, wheel_profile: -0.2 m, rail_profile: 0.3 m}"
+        },
+        "contact.radii",
+    ),
+    "zero radius": (
+        {"semi_axes: [3 mm, 4 mm]": "radii: {wheel_rolling: 0.5 m, rail_profile: 0 m}"},
+        "'0' is not allowed",
+    ),
+    "radius name": (
+        {"semi_axes: [3 mm, 4 mm]": "radii: {wheel_roling: 0.5 m}"},
+        "'contact.radii.wheel_rolling'",
+    ),
     "points": ({"[32, 32]": "[32, 32, 32]"}, ":6: points: 3 values"),
     "few points": ({"[32, 32]": "[32, 4]"}, "'4' is not in the allowed range [8,"),
-    "creep": ({"creep: [1e-3]": "creep: 1 mm"}, "neither a plain number nor one with a per cent sign"),
-    "creep range": ({"creep: [1e-3]": "creep: 2000 %"}, "'2000 %' is not in the allowed range [-10, 10]"),
+    "creep": (
+        {"creep: [1e-3]": "creep: 1 mm"},
+        "neither a plain number nor one with a per cent sign",
+    ),
+    "creep range": (
+        {"creep: [1e-3]": "creep: 2000 %"},
+        "'2000 %' is not in the allowed range [-10, 10]",
+    ),
     "spin unit": ({"creep: [1e-3]": "creep: 0\nspin: 0.1"}, "'0.1' has no unit; one like 1/m"),
-    "series": ({"creep: [1e-3]": "creep: {from: -1e-3, to: 1e-3, n: 3}"}, "creep.from: must be positive when spacing is log"),
-    "creep and force": ({"creep: [1e-3]": "creep: 0\nforce: {longitudinal: 1 N}"}, "creep: does not go with force.longitudinal"),
-    "sequence frozen": ({"creep: [1e-3]": "creep: 0\nsequence: {time: [0 s, 1 s]}"}, "mode moving is needed"),
-    "sequence order": ({"creep: [1e-3]": "mode: moving\ncreep: 0\nsequence: {time: [0 s, 2 s, 1 s]}"}, "sequence.time: at least two instants"),
-    "sequence column": ({"creep: [1e-3]": "mode: moving\ncreep: 0\nsequence: {time: [0 s, 1 s], load: [1 N]}"}, "sequence.load: 1 values"),
+    "series": (
+        {"creep: [1e-3]": "creep: {from: -1e-3, to: 1e-3, n: 3}"},
+        "creep.from: must be positive when spacing is log",
+    ),
+    "creep and force": (
+        {"creep: [1e-3]": "creep: 0\nforce: {longitudinal: 1 N}"},
+        "creep: does not go with force.longitudinal",
+    ),
+    "sequence frozen": (
+        {"creep: [1e-3]": "creep: 0\nsequence: {time: [0 s, 1 s]}"},
+        "mode moving is needed",
+    ),
+    "sequence order": (
+        {"creep: [1e-3]": "mode: moving\ncreep: 0\nsequence: {time: [0 s, 2 s, 1 s]}"},
+        "sequence.time: at least two instants",
+    ),
+    "sequence column": (
+        {"creep: [1e-3]": "mode: moving\ncreep: 0\nsequence: {time: [0 s, 1 s], load: [1 N]}"},
+        "sequence.load: 1 values",
+    ),
     "static": ({"creep: [1e-3]": "mode: static"}, "static.force_ratio: is missing"),
-    "shift": ({"creep: [1e-3]": "mode: static\nstatic: {shift: 1 um}"}, "static.shift: 1 values; [x, y] are expected"),
-    "start": ({"creep: [1e-3]": "mode: moving\ncreep: 0\nmoving: {start: shift}"}, "moving.start: 'shift' needs force"),
-    "constant": ({"creep: [1e-3]": "mode: moving\ncreep: 0\nmoving: {reference_length: 1}"}, "moving.reference_length: does not go with"),
-    "fields": ({"fields: none": "fields: first"}, "fields: 'first' is not allowed; none, last, all"),
-    "fields number": ({"fields: none": "fields: [2]"}, "fields: '2' is above the number of points, 1"),
-    "roughness": ({"creep: [1e-3]": "creep: 0\nroughness: {hurst: 0.8, rms_slope: 0.1, wavelength_min: 1 mm}"}, "wavelength_max: is missing"),
-    "npy scale": ({"creep: [1e-3]": "creep: 0\nroughness: {rail: a.npy}"}, "roughness.spacing: is missing"),
-    "scale": ({"creep: [1e-3]": "creep: 0\nroughness: {rail: a.gsf, spacing: 1 um}"}, "it is for npy files"),
+    "shift": (
+        {"creep: [1e-3]": "mode: static\nstatic: {shift: 1 um}"},
+        "static.shift: 1 values; [x, y] are expected",
+    ),
+    "start": (
+        {"creep: [1e-3]": "mode: moving\ncreep: 0\nmoving: {start: shift}"},
+        "moving.start: 'shift' needs force",
+    ),
+    "constant": (
+        {"creep: [1e-3]": "mode: moving\ncreep: 0\nmoving: {reference_length: 1}"},
+        "moving.reference_length: does not go with",
+    ),
+    "fields": (
+        {"fields: none": "fields: first"},
+        "fields: 'first' is not allowed; none, last, all",
+    ),
+    "fields number": (
+        {"fields: none": "fields: [2]"},
+        "fields: '2' is above the number of points, 1",
+    ),
+    "roughness": (
+        {
+            "creep: [1e-3]": "creep: 0\nroughness: {hurst: 0.8, rms_slope: 0.1, wavelength_min: 1 mm}"
+        },
+        "wavelength_max: is missing",
+    ),
+    "npy scale": (
+        {"creep: [1e-3]": "creep: 0\nroughness: {rail: a.npy}"},
+        "roughness.spacing: is missing",
+    ),
+    "scale": (
+        {"creep: [1e-3]": "creep: 0\nroughness: {rail: a.gsf, spacing: 1 um}"},
+        "it is for npy files",
+    ),
     "bodies": ({"0.28": "[0.28, 0.3, 0.3]"}, "contact.poissons_ratio: 3 values"),
     "coupled": ({"0.28": "[0.28, 0.3]"}, "couple the normal and the tangential problem"),
-    "domain": ({"load: 10 kN": "load: 10 kN, domain: 1"}, "contact.domain: '1' is not in the allowed range"),
+    "domain": (
+        {"load: 10 kN": "load: 10 kN, domain: 1"},
+        "contact.domain: '1' is not in the allowed range",
+    ),
     "hopeless force": ({"creep: [1e-3]": "force: {longitudinal: 4 kN}"}, "force"),
     "missing map": ({"creep: [1e-3]": "creep: 0\nroughness: {rail: a.gsf}"}, "a.gsf"),
-    "fine waves": ({"creep: [1e-3]": "creep: 0\nroughness: {hurst: 0.8, rms_slope: 0.01, wavelength_min: 0.5 mm, "
-                    "wavelength_max: 4 mm}"}, "points: cells"),
-    "waves": ({"creep: [1e-3]": "creep: 0\nroughness: {hurst: 0.8, rms_slope: 0.01, wavelength_min: 90 mm, "
-               "wavelength_max: 99 mm}"}, "roughness: no wave"),
+    "fine waves": (
+        {
+            "creep: [1e-3]": "creep: 0\nroughness: {hurst: 0.8, rms_slope: 0.01, wavelength_min: 0.5 mm, "
+            "wavelength_max: 4 mm}"
+        },
+        "points: cells",
+    ),
+    "waves": (
+        {
+            "creep: [1e-3]": "creep: 0\nroughness: {hurst: 0.8, rms_slope: 0.01, wavelength_min: 90 mm, "
+            "wavelength_max: 99 mm}"
+        },
+        "roughness: no wave",
+    ),
 }
 
 
@@ -379,35 +575,71 @@ def test_bad_cases(name, case, tmp_path):
 
 def test_keywords_of_a_patch_are_refused_on_a_line(tmp_path):
     line = SOURCE / "examples/wheelrail/table2.yaml"
-    for change in ("lateral=0.1", "spin=1 1/m", "force.lateral=1 N", "fields=all", "contact.semi_axes=[1 mm, 1 mm]",
-                   "roughness.stretch=2", "moving.start=rest"):
+    for change in (
+        "lateral=0.1",
+        "spin=1 1/m",
+        "force.lateral=1 N",
+        "fields=all",
+        "contact.semi_axes=[1 mm, 1 mm]",
+        "roughness.stretch=2",
+        "moving.start=rest",
+    ):
         done = wr_creep(line, "-o", tmp_path, "--set", change)
-        assert done.returncode in (2, 3) and "does not go with a line contact" in done.stderr, done.stderr
-    for change, text in (("creep=-0.1", "[0, 10]"), ("points=16", "[32,"), ("points=[64, 64]", "not a list"),
-                         ("contact.youngs_modulus=[1 GPa, 2 GPa]", "not a list")):
+        assert done.returncode in (2, 3) and "does not go with a line contact" in done.stderr, (
+            done.stderr
+        )
+    for change, text in (
+        ("creep=-0.1", "[0, 10]"),
+        ("points=16", "[32,"),
+        ("points=[64, 64]", "not a list"),
+        ("contact.youngs_modulus=[1 GPa, 2 GPa]", "not a list"),
+    ):
         done = wr_creep(line, "-o", tmp_path, "--set", change)
         assert done.returncode in (2, 3) and text in done.stderr, done.stderr
 
 
 def test_what_is_refused_or_warned_of(case, tmp_path):
-    done = run(case, tmp_path / "box", "contact.hardness_limit=true", "friction.strength=75 MPa", "contact.domain=2.11", code=3)
-    assert re.search("contact.domain: the contact reaches the (leading|trailing|lateral) border", done.stderr)
-    done = run(case, tmp_path / "fine", "roughness=" + ROUGH.replace("2.6 mm", "1.5 mm"), "contact.domain=3")
+    done = run(
+        case,
+        tmp_path / "box",
+        "contact.hardness_limit=true",
+        "friction.strength=75 MPa",
+        "contact.domain=2.11",
+        code=3,
+    )
+    assert re.search(
+        "contact.domain: the contact reaches the (leading|trailing|lateral) border", done.stderr
+    )
+    done = run(
+        case,
+        tmp_path / "fine",
+        "roughness=" + ROUGH.replace("2.6 mm", "1.5 mm"),
+        "contact.domain=3",
+    )
     assert "wr_creep: warning: points: waves of 1.5 mm have" in done.stderr
     assert json.loads((tmp_path / "fine/summary.json").read_text())["warnings"]
     # heat that leaves no strength: the fixed point has no solution there
     hot = CASE.replace("law: constant, mu: 0.3", "law: bucher2006").replace(
-        "thermal: off", "thermal: {conductivity: 0.01 W/(m K), model: local}")
+        "thermal: off", "thermal: {conductivity: 0.01 W/(m K), model: local}"
+    )
     case.write_text(hot, encoding="utf-8")
     done = run(case, tmp_path / "hot", "creep=0.9", code=4)
     assert done.stderr.count("\n") == 1
 
 
 def test_print_config_is_a_case_file(case, tmp_path):
-    first = wr_creep(case, "--print-config", "--set", "contact.radii={wheel_rolling: 0.5 m, rail_profile: 0.3 m}", "--set",
-                     "contact.load=20 kN")
+    first = wr_creep(
+        case,
+        "--print-config",
+        "--set",
+        "contact.radii={wheel_rolling: 0.5 m, rail_profile: 0.3 m}",
+        "--set",
+        "contact.load=20 kN",
+    )
     assert first.returncode == 3  # two shapes
-    first = wr_creep(case, "--print-config", "--set", "lateral=[0.5 %, -0.5 %]", "--set", f"roughness={ROUGH}")
+    first = wr_creep(
+        case, "--print-config", "--set", "lateral=[0.5 %, -0.5 %]", "--set", f"roughness={ROUGH}"
+    )
     assert first.returncode == 0 and "domain: 3.4" in first.stdout, first.stderr
     (tmp_path / "again.yaml").write_text(first.stdout, encoding="utf-8")
     assert wr_creep(tmp_path / "again.yaml", "--print-config").stdout == first.stdout
@@ -426,24 +658,34 @@ def random_case(seed):
     n, mode = draw.randint(32, 48), draw.choice(["frozen", "frozen", "moving"])
     rough = draw.random() < 0.75
     domain = 3.6 if rough else 2.2
-    text = (f"contact: {{load: {2 / 3 * 3.14159 * a * b * pressure * 1e3:.5g} N, semi_axes: [{a:.4g} mm, {b:.4g} mm], "
-            f"youngs_modulus: 210 GPa, poissons_ratio: {draw.choice([0, 0.3, 0.5])}, domain: {domain}, "
-            f"hardness_limit: {draw.choice(['true', 'false'])}}}\npoints: [{n}, {draw.randint(n, 48)}]\n"
-            f"creep: [{draw.choice([-1, 0, 1]) * creep:.4g}, {creep:.4g}]\nlateral: {draw.uniform(-1, 1) * creep:.4g}\n"
-            f"spin: {draw.choice([0, 1, 1, 10]) * draw.uniform(-1, 1) * creep / a:.4g} 1/mm\n"
-            f"speed: {between(1, 60):.4g} m/s\nfields: none\nsensitivities: false\nmode: {mode}\n")
+    text = (
+        f"contact: {{load: {2 / 3 * 3.14159 * a * b * pressure * 1e3:.5g} N, semi_axes: [{a:.4g} mm, {b:.4g} mm], "
+        f"youngs_modulus: 210 GPa, poissons_ratio: {draw.choice([0, 0.3, 0.5])}, domain: {domain}, "
+        f"hardness_limit: {draw.choice(['true', 'false'])}}}\npoints: [{n}, {draw.randint(n, 48)}]\n"
+        f"creep: [{draw.choice([-1, 0, 1]) * creep:.4g}, {creep:.4g}]\nlateral: {draw.uniform(-1, 1) * creep:.4g}\n"
+        f"spin: {draw.choice([0, 1, 1, 10]) * draw.uniform(-1, 1) * creep / a:.4g} 1/mm\n"
+        f"speed: {between(1, 60):.4g} m/s\nfields: none\nsensitivities: false\nmode: {mode}\n"
+    )
     if mode == "moving":
         text += f"moving: {{passes: 2, start: {draw.choice(['steady', 'rest'])}}}\n"
     if rough:
         shortest = 8 * domain * max(a, b) / n  # against the slope at the edge of the smooth contact
-        text += (f"roughness: {{hurst: {draw.uniform(0.3, 1):.3g}, rms_slope: {0.02 * pressure * between(0.02, 0.5):.3g}, "
-                 f"wavelength_min: {shortest:.4g} mm, wavelength_max: {4 * shortest:.4g} mm, seed: {seed}}}\n")
+        text += (
+            f"roughness: {{hurst: {draw.uniform(0.3, 1):.3g}, rms_slope: {0.02 * pressure * between(0.02, 0.5):.3g}, "
+            f"wavelength_min: {shortest:.4g} mm, wavelength_max: {4 * shortest:.4g} mm, seed: {seed}}}\n"
+        )
     if draw.random() < 0.4:
         text += f"friction: {{law: constant, mu: {between(0.05, 1):.3g}}}\n"
     else:
         text += f"friction: {{law: bucher2006, local: {draw.choice(['true', 'false'])}}}\n"
-    text += draw.choice(["thermal: off\n", "thermal: {model: averaged}\n", "thermal: {model: averaged_power}\n",
-                         "thermal: {model: local}\n"])
+    text += draw.choice(
+        [
+            "thermal: off\n",
+            "thermal: {model: averaged}\n",
+            "thermal: {model: averaged_power}\n",
+            "thermal: {model: local}\n",
+        ]
+    )
     return text
 
 
@@ -473,6 +715,16 @@ def test_random_cases_converge_or_say_why(tmp_path):
 
 @pytest.mark.parametrize("name", ["patch", "patch_rough"])
 def test_examples_run(name, tmp_path):
-    done = wr_creep(SOURCE / f"examples/wheelrail/{name}.yaml", "-o", tmp_path, "-q", "--set", "points=48", "--set",
-                    "creep=[0.1 %, 1 %]", "--set", "roughness=none")
+    done = wr_creep(
+        SOURCE / f"examples/wheelrail/{name}.yaml",
+        "-o",
+        tmp_path,
+        "-q",
+        "--set",
+        "points=48",
+        "--set",
+        "creep=[0.1 %, 1 %]",
+        "--set",
+        "roughness=none",
+    )
     assert done.returncode == 0, done.stderr

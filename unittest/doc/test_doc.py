@@ -104,66 +104,41 @@ def attributes(file):
     )
 
 
-def choices():
-    """{keyword: allowed words} of the law set; thresholds allow words too."""
-    text = source("laws/law_set.cpp")
-    table = {
-        k: re.findall(r'"([\w-]+)"', words)
-        for k, words in re.findall(r'\{"(\w+)",\s+&LawSet::\w+,\s+\{(.*?)\}\}', text)
-    }
-    for keyword, stress in re.findall(r'\{"(\w+)", &LawSet::\w+, "(\w*)", [\w.:]+\}', text):
-        table[keyword] = ["factor"] + [stress] * bool(stress) + ["none"]
-    table["preset"] = re.findall(r'value != "(\w+)"', text)
-    return table
-
-
-def lengths():
-    return re.findall(r'strcmp\(arg\[iarg\], "(\w+)"\)', source("pair_mca_setup.cpp"))
+def pair_values():
+    """{keyword: what it takes} of the Syntax section; unittest/MCA/test_law_docs.cpp holds it
+    against the laws."""
+    syntax = section(page("pair_mca.md"), "Syntax")
+    return dict(re.findall(r"^(\w+) value = (.*)$", syntax, re.MULTILINE))
 
 
 def test_pair_keywords():
-    assert len(choices()) == 12 and len(lengths()) == 3
-    assert sorted(listed(section(page("pair_mca.md"), "Syntax"), "keyword")) == sorted(
-        [*choices(), *lengths()]
-    )
-
-
-def test_pair_values():
+    parsed = re.findall(r'strcmp\(arg\[iarg\], "(\w+)"\)', source("pair_mca_setup.cpp"))
+    assert len(parsed) == 3 and set(parsed) <= pair_values().keys()
     syntax = section(page("pair_mca.md"), "Syntax")
-    written = {
-        k: words.split(" or ")
-        for k, words in re.findall(r"^(\w+) value = (.*)$", syntax, re.MULTILINE)
-    }
-    for keyword, allowed in choices().items():
-        assert written[keyword] == allowed, keyword
+    assert sorted(listed(syntax, "keyword")) == sorted(pair_values())
 
 
 def test_pair_defaults():
-    """The table of presets and the Default section are what the sources say."""
+    """The Default section says what the table of presets has for preset b."""
     text = page("pair_mca.md")
-    rows = {
-        k: (a.strip(), b.strip())
-        for k, a, b in re.findall(r"^\| \*(\w+)\* \| (.*?) \| (.*?) \|$", text, re.MULTILINE)
-    }
-    header = source("laws/law_set.h")
-    code = dict(re.findall(r'std::string (\w+) = "([\w-]+)";', header))
-    number = {"atElasticLimit": "elastic_limit", "atHardness": "hardness", "off": "none"}
-    code.update({k: number.get(v, v) for k, v in re.findall(r"double (\w+) = ([\w.]+);", header)})
-    default = section(text, "Default")
-    for keyword, value in code.items():
-        assert f"{keyword} = {value}" in " ".join(default.split())
-        if keyword != "preset":
-            assert rows[keyword][1] == value
-    only_a = re.search(r'if \(preset == "a"\) \{(.*?)\}', source("laws/law_set.cpp"), re.DOTALL)[1]
-    set_a = {k: number.get(v, v) for k, v in re.findall(r"set\.(\w+) = ([\w.]+);", only_a)}
-    for keyword, (a, b) in rows.items():
-        assert a == set_a.get(keyword, b)
+    rows = dict(re.findall(r"^\| \*(\w+)\* \| .*? \| (.*?) \|$", text, re.MULTILINE))
+    default = " ".join(section(text, "Default").split())
+    assert len(rows) > 8 and rows.keys() <= pair_values().keys()
+    for keyword, value in [("preset", "b"), *rows.items()]:
+        assert f"{keyword} = {value}" in default, keyword
+
+
+def explained(syntax):
+    return [
+        word
+        for words in re.findall(r"^([\w,]+) = ", syntax, re.MULTILINE)
+        for word in words.split(",")
+    ]
 
 
 @pytest.mark.parametrize(
     "file, table",
     [
-        ("compute_mca_atom.md", "compute_mca_atom.cpp"),
         ("fix_mca_events.md", "fix_mca_events.cpp"),
         ("compute_mca_link_local.md", "compute_mca_link_local.cpp"),
     ],
@@ -171,12 +146,28 @@ def test_pair_defaults():
 def test_compute_attributes(file, table):
     syntax = section(page(file), "Syntax")
     assert listed(syntax, "attribute") == attributes(table)
-    explained = [
-        word
-        for words in re.findall(r"^([\w,]+) = ", syntax, re.MULTILINE)
-        for word in words.split(",")
-    ]
-    assert explained == attributes(table)
+    assert explained(syntax) == attributes(table)
+
+
+def test_atom_attributes():
+    """compute mca/atom shows what it finds itself and the states of automata."""
+    states = re.findall(
+        r'\{"\w+",\s+In::\w+,\s+Upkeep::\w+,\s+(nullptr|"\w+"),\s+In::(\w+),\s+"(.*?)",\s+"(.*?)"\}',
+        source("core/automaton_states.h"),
+    )
+    assert len(states) == 12
+    shown = {name.strip('"'): words for name, *words in states if name != "nullptr"}
+    found = re.findall(r'^      \{"(\w+)", ', source("compute_mca_atom.cpp"), re.MULTILINE)
+    assert len(found) == 13 and len(shown) == 4
+    syntax = section(page("compute_mca_atom.md"), "Syntax")
+    assert sorted(listed(syntax, "attribute")) == sorted([*found, *shown])
+    assert explained(syntax) == listed(syntax, "attribute")
+    for name, (dimensions, unit, meaning) in shown.items():
+        line = f"{name} = {meaning}" + (f" ({unit})" if unit else "")
+        line += {"Both": "", "Plane": ", dimension 2 only", "Space": ", dimension 3 only"}[
+            dimensions
+        ]
+        assert line in syntax.splitlines(), name
 
 
 @pytest.mark.parametrize(
@@ -207,7 +198,7 @@ def test_potential_file():
 
 def test_friction_log():
     """Columns and head as the format's one description for C++ has them."""
-    schema = source("../shared/friction_log_format.h")
+    schema = (ROOT / "src/WHEELRAIL/shared/friction_log_format.h").read_text(encoding="utf-8")
     columns = re.findall(r'"(\w+)"', re.search(r"columnNames = {(.*?)}", schema, re.DOTALL)[1])
     text = page("friction_log.md")
     assert re.findall(r"^\| `(\w+)` \|[^|]*\|[^|]*\|$", text, re.MULTILINE) == columns

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 #include <limits>
 
-using namespace mcawr::frictionLog;
+using namespace mcawr::friction_log;
 
 TEST(FrictionLogFormat, Lines)
 {

@@ -106,6 +106,28 @@ def test_run_leaves_finished_logs_and_the_exact_commands(plan, tmp_path):
     }
 
 
+def test_output_that_nobody_takes(plan, tmp_path):
+    """`campaign run ... | head -1` does not end as if all was done, leaves no lmp, and goes on."""
+    out = tmp_path / "out"
+    script = 'set -o pipefail; "$0" run "$1" -o "$2" -j 1 | head -1'
+    done = subprocess.run(
+        ["bash", "-c", script, CAMPAIGN, plan, out],
+        capture_output=True,
+        text=True,
+        timeout=60,
+        env=environment(FAKE_LMP_ROW="0.02"),
+        check=False,
+    )
+    assert done.stdout.startswith("three runs: 3 runs in")
+    one_line(done, 5, "standard output", "Broken pipe")
+    assert len(logs(out)) < 3
+    for record in out.glob("*/run.json"):
+        assert json.loads(record.read_text())["attempts"][-1]["outcome"]  # it was ended in order
+    assert "running" not in campaign("status", plan, "-o", out).stdout
+    again = campaign("run", plan, "-o", out)
+    assert again.returncode == 0 and sorted(logs(out)) == ["soft", "v2", "v5"]
+
+
 @pytest.mark.parametrize("moment", [0.3, 0.9, 1.7])
 def test_killed_at_any_moment_it_goes_on(plan, tmp_path, moment):
     campaign("run", plan, "-o", tmp_path / "whole")

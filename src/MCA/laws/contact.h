@@ -1,5 +1,8 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 /// \file contact.h
-/// Stresses of one contact of two automata, from its state and their responses.
+/// One contact of two automata: its stresses, what it turns into, its force and its next state,
+/// from its present state and what both automata answer. The same in the plane and in space, where
+/// shears are vectors: their lengths decide, and the stress acts along them.
 ///
 /// Any consistent set of units; dimensions stand in brackets. Branch-free.
 #ifndef MCA_LAWS_CONTACT_H
@@ -23,6 +26,27 @@ struct PairLaw {
   LinkLimits limits;
 };
 
+/// The present state of a contact and its strains. Of an unlinked one both shears are 0.
+struct Contact {
+  double kind;       ///< link::worn, none, bulk or weld
+  double eps;        ///< total normal strain r/d - 1 [-]
+  double plastic;    ///< plastic offset of it [-]
+  double gamma;      ///< elastic shear [-], in space its length
+  double gammaTotal; ///< total shear since linking [-], in space its length
+  double separation; ///< normal velocity of j seen from i [length/time]
+};
+
+/// What an automaton answers its contacts.
+struct Answer {
+  double mean;   ///< mean stress [stress]
+  double factor; ///< M of the radial return [-]
+  /// What the normal stresses of its bulk links return to [stress]: in the plane the mean stress,
+  /// in space the mean of sigma over its bulk links. Both are the same where all contacts are bulk
+  /// links; elsewhere only the latter makes sure that flow dissipates, since what the automaton
+  /// contributes is (1-M)/(2G) sum sigma (sigma - centre).
+  double centre;
+};
+
 /// Elastic normal stress of a touching contact [stress]: the mean of both sides' responses.
 /// \param e            elastic normal strain r/d - 1 - plastic offset [-]
 /// \param meanI,meanJ  mean stresses of the automata [stress]
@@ -32,21 +56,38 @@ inline double elasticStress(const PairLaw &law, double e, double meanI, double m
                 normalResponse(e, law.twoGj, law.Dj, meanJ));
 }
 
-/// What the normal stresses of bulk links of both automata return to [stress]: in the plane the
-/// mean stress of the automaton, in space the mean of sigma over its bulk links. Both are the same
-/// where all contacts are bulk links; elsewhere only the latter makes sure that flow dissipates,
-/// since what the automaton contributes is (1-M)/(2G) sum sigma (sigma - centre).
-struct ReturnCentre {
-  double i, j;
-};
-
 /// Normal stress of a bulk link after the radial return of its automata [stress]:
 /// sigma - [ (1-M_i)(sigma - centre_i) + (1-M_j)(sigma - centre_j) ]/2.
-/// \param factorI,factorJ  M of both automata [-]
-inline double returnedStress(double sigma, double centreI, double factorI, double centreJ,
-                             double factorJ)
+inline double returnedStress(double sigma, const Answer &i, const Answer &j)
 {
-  return sigma - 0.5 * ((1.0 - factorI) * (sigma - centreI) + (1.0 - factorJ) * (sigma - centreJ));
+  return sigma -
+         0.5 * ((1.0 - i.factor) * (sigma - i.centre) + (1.0 - j.factor) * (sigma - j.centre));
+}
+
+/// What the return leaves of the shear of a bulk link [-].
+inline double returnedShare(const Answer &i, const Answer &j)
+{
+  return 0.5 * (i.factor + j.factor);
+}
+
+/// Elastic stresses of a contact [stress], tension positive.
+struct ElasticStresses {
+  double trial;      ///< elastic normal stress before the radial return
+  double sigma, tau; ///< after it, which decide on the next kind
+};
+
+inline ElasticStresses elasticStresses(const PairLaw &law, const Contact &c, const Answer &i,
+                                       const Answer &j)
+{
+  const double e = c.eps - c.plastic;
+  const bool isBulk = c.kind == link::bulk;
+  const double linked = link::linked(c.kind), pressed = e < 0.0 ? 1.0 : 0.0;
+  const double trial = elasticStress(law, e, i.mean, j.mean);
+  const double returned = returnedStress(trial, i, j);
+  const double elasticShear = law.twoG * c.gamma;
+  const double returnedShear = returnedShare(i, j) * elasticShear;
+  const double touching = linked > pressed ? linked : pressed;
+  return {trial, isBulk ? returned : touching * trial, isBulk ? returnedShear : elasticShear};
 }
 
 /// Stresses of a contact [stress], tension positive, and what it turns into.
@@ -57,56 +98,145 @@ struct ContactStress {
   double kindNext;      ///< kind from the next step on
 };
 
-/// \param kind        link::worn, none, bulk or weld
-/// \param eps         total normal strain r/d - 1 [-]
-/// \param plastic     plastic offset of it [-]
-/// \param gamma       elastic shear [-]
-/// \param gammaTotal  total shear since linking [-]
-/// \param separation  normal velocity of j seen from i [length/time]
-/// \param meanI,meanJ      mean stresses of the automata [stress]
-/// \param factorI,factorJ  factors M of their radial returns [-]
-/// \tparam LOCAL  the criteria of local stress and of plastic work act; they need
-/// \param around  stresses along and across the contact; see localStress()
-/// \param work    plastic work per volume while pressed together, this step included [stress]
-template<bool LOCAL = false>
-inline ContactStress contactStress(const PairLaw &law, double kind, double eps, double plastic,
-                                   double gamma, double gammaTotal, double separation, double meanI,
-                                   double factorI, double meanJ, double factorJ,
-                                   const ReturnCentre &centre, const LocalStress &around = {},
-                                   double work = 0.0)
+/// The stresses of a contact whose next kind is known.
+inline ContactStress contactStress(const PairLaw &law, const Contact &c, const ElasticStresses &s,
+                                   double kindNext)
 {
-  const double e = eps - plastic;
-  const bool isBulk = kind == link::bulk;
-  const double linked = link::linked(kind), pressed = e < 0.0 ? 1.0 : 0.0;
-  const double trial = elasticStress(law, e, meanI, meanJ);
-  const double returned = returnedStress(trial, centre.i, factorI, centre.j, factorJ);
-  const double elasticShear = law.twoG * gamma;
-  const double returnedShear = 0.5 * (factorI + factorJ) * elasticShear;
-  const double touching = linked > pressed ? linked : pressed;
-  const double sigma = isBulk ? returned : touching * trial;
-  const double tau = isBulk ? returnedShear : elasticShear;
-  const LocalStress local = {sigma, tau, around.along, around.across};
-  const bool overloaded = LOCAL && reaches(local, law.limits.bulkStress);
-  const bool worked = LOCAL && work >= law.limits.linkWork;
-  const double kindNext =
-      nextKind(kind, sigma, tau, eps, gammaTotal, law.limits, overloaded, worked);
-
-  const double holds = linked * link::linked(kindNext);
-  const double viscous = unlinkedStress(trial, law.viscosity, separation, law.invDiameter);
-  const double normal = holds * sigma + (1.0 - holds) * pressed * viscous;
-  const double shear = holds * tau;
-  return {trial, sigma, tau, normal, shear, kindNext};
+  const double pressed = c.eps - c.plastic < 0.0 ? 1.0 : 0.0;
+  const double holds = link::linked(c.kind) * link::linked(kindNext);
+  const double viscous = unlinkedStress(s.trial, law.viscosity, c.separation, law.invDiameter);
+  const double normal = holds * s.sigma + (1.0 - holds) * pressed * viscous;
+  const double shear = holds * s.tau;
+  return {s.trial, s.sigma, s.tau, normal, shear, kindNext};
 }
 
-/// The same in the plane.
-template<bool LOCAL = false>
-inline ContactStress contactStress(const PairLaw &law, double kind, double eps, double plastic,
-                                   double gamma, double gammaTotal, double separation, double meanI,
-                                   double factorI, double meanJ, double factorJ,
-                                   const LocalStress &around = {}, double work = 0.0)
+inline ContactStress contactStress(const PairLaw &law, const Contact &c, const Answer &i,
+                                   const Answer &j, double kindNext)
 {
-  return contactStress<LOCAL>(law, kind, eps, plastic, gamma, gammaTotal, separation, meanI,
-                              factorI, meanJ, factorJ, ReturnCentre{meanI, meanJ}, around, work);
+  return contactStress(law, c, elasticStresses(law, c, i, j), kindNext);
+}
+
+/// What a criterion sees of a contact as if it were a bulk link.
+/// \param face  of faceStress(), for criteria that need the local stress
+inline LinkLoad linkLoad(const PairLaw &law, const Contact &c, const ElasticStresses &s,
+                         const Answer &i, const Answer &j, const LocalStress &face)
+{
+  return {c.eps,
+          c.gammaTotal,
+          c.eps - c.plastic - (c.kind == link::bulk ? (s.trial - s.sigma) * law.invTwoG : 0.0),
+          s.tau * law.invTwoG,
+          s.sigma,
+          s.tau,
+          i.mean,
+          j.mean,
+          {s.sigma, s.tau, face.along, face.across}};
+}
+
+/// The same, and decides on the next kind.
+/// \tparam Criterion  of FractureCriteria, by which bulk links break
+/// \param worked      the plastic work reaches linkWork
+template<class Criterion>
+inline ContactStress contactStress(const PairLaw &law, const Contact &c, const Answer &i,
+                                   const Answer &j, const LocalStress &face = {},
+                                   bool worked = false)
+{
+  const ElasticStresses s = elasticStresses(law, c, i, j);
+  const bool bulkBreaks = breaks<Criterion>(linkLoad(law, c, s, i, j, face), law.limits.fracture);
+  return contactStress(law, c, s, nextKind(c.kind, s.sigma, s.tau, bulkBreaks, law.limits, worked));
+}
+
+/// The size of a shear by which laws decide: in the plane a signed number, in space a length.
+inline double shearSize(double shear)
+{
+  return shear;
+}
+
+inline double shearSize(const Vector &shear)
+{
+  return length(shear);
+}
+
+/// Elastic shear stress of a bulk link after the return [stress].
+inline double returnedShear(double left, double twoG, double gamma)
+{
+  return left * (twoG * gamma);
+}
+
+inline Vector returnedShear(double left, double twoG, const Vector &gamma)
+{
+  return (left * twoG) * gamma;
+}
+
+/// How the shear of a contact goes on: what is left of it, and the stress that acts along it.
+template<class Shear>
+struct ShearAnswer {
+  double left;  ///< exactly 1 where nothing flows [-]
+  Shear acting; ///< [stress]
+};
+
+/// \param s     of a contact with the shear's size
+/// \param left  of the shear, by the returns of both automata [-]
+inline ShearAnswer<double> shearAnswer(const PairLaw &, double /*gamma*/, double /*size*/,
+                                       const ContactStress &s, double left)
+{
+  return {left, s.shear};
+}
+
+inline ShearAnswer<Vector> shearAnswer(const PairLaw &law, const Vector &gamma, double size,
+                                       const ContactStress &s, double /*left*/)
+{
+  const double divisor = size > 0.0 ? law.twoG * size : 1.0;
+  return {s.tau / divisor, s.shear / divisor * law.twoG * gamma};
+}
+
+/// What a contact is from the next step on.
+template<class Shear>
+struct NextState {
+  double plastic;
+  Shear gamma, gammaTotal;
+};
+
+/// \param left  of its shear [-]; see shearAnswer()
+template<class Shear>
+inline NextState<Shear> nextState(const PairLaw &law, const Contact &c, const ContactStress &s,
+                                  const Shear &gamma, const Shear &gammaTotal, double left)
+{
+  // conditions as factors of 0 or 1, which vectorise
+  const double linkedNext = link::linked(s.kindNext), stays = link::linked(c.kind) * linkedNext;
+  const double flow = c.kind == link::bulk ? (s.trial - s.sigma) * law.invTwoG : 0.0;
+  const double dented = c.plastic + flow;
+  // once apart, both surfaces are whole again
+  const double apart = c.eps > (dented > 0.0 ? dented : 0.0) ? 1.0 - linkedNext : 0.0;
+  return {(1.0 - apart) * dented, (stays * left) * gamma, stays * gammaTotal};
+}
+
+/// Force and torque of a contact on its first automaton; the second one has the opposite force and
+/// the same torque.
+struct PlaneForce {
+  double x, y;   ///< [force]
+  double torque; ///< [force length]
+};
+
+struct SpaceForce {
+  Vector force, torque;
+};
+
+/// The shear force acts along t at the distance r; its moment tau S d/2 keeps U's gradient exact.
+/// \param normal,shear  stresses that make the force [stress]
+/// \param n             unit normal [-]
+inline PlaneForce contactForce(const PairLaw &law, double normal, double shear, double eps,
+                               const PlaneVector &n)
+{
+  const double fn = normal * law.area, ft = shear * law.area / (1.0 + eps);
+  return {fn * n.x - ft * n.y, fn * n.y + ft * n.x, 0.5 * shear * law.area * law.diameter};
+}
+
+/// In space the moment is (d/2) n x tau S.
+inline SpaceForce contactForce(const PairLaw &law, double normal, const Vector &shear, double eps,
+                               const Vector &n)
+{
+  return {law.area * (normal * n + 1.0 / (1.0 + eps) * shear),
+          0.5 * law.area * law.diameter * cross(n, shear)};
 }
 
 } // namespace mca

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 /// \file critical_step.h
 /// The longest stable step of the explicit integration of a perfect packing.
 #ifndef MCA_LAWS_CRITICAL_STEP_H

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 /// \file elasticity.h
 /// Many-body elasticity of movable cellular automata in plane strain and in space.
 ///

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 /// \file energy.h
 /// Where the energy of a contact goes: exact book-keeping for the leap-frog steps of LAMMPS.
 ///

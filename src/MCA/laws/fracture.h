@@ -1,33 +1,93 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 /// \file fracture.h
-/// When a link breaks. The paper does not state its criterion; these are exchangeable.
+/// When a bulk link breaks. The paper does not state its criterion; those of laws/fracture/ are
+/// exchangeable, and fracture_criteria.h lists them. Here stands what they are made of.
 ///
-/// Any consistent set of units; dimensions stand in brackets. Branch-free: a criterion that is
-/// switched off has an infinite limit.
+/// A criterion is a type derived from FractureCriterion with
+///     static constexpr const char *keyword;  // the word after keyword fracture
+///     static FractureLimits limits(const LinkMaterials &);
+///     template<class Load> static bool broken(const Load &, const FractureLimits &);
+/// where broken() is called for each link in a loop that has to vectorise: no branch (| and & for
+/// || and &&, ?: for if) and no call but of inline functions. It reads from the load what it needs;
+/// what it does not read costs nothing. A LinkLoad has all; one that says `strainOnly` is asked
+/// with a LinkStrain, too.
+///
+/// Any consistent set of units; dimensions stand in brackets.
 #ifndef MCA_LAWS_FRACTURE_H
 #define MCA_LAWS_FRACTURE_H
 
 #include "elasticity.h"
+#include "material.h"
+#include "plane.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
 
 namespace mca {
 
-/// Squared strain intensity of a link for the geometric criterion [-]:
-/// max(eps, 0)^2 + (4/3) gamma^2 >= eps_c^2 breaks it.
-/// \param eps         total normal strain r/d - 1 [-]
-/// \param gammaTotal  total shear since linking, not reduced by plasticity [-]
-inline double strainIntensity2(double eps, double gammaTotal)
-{
-  const double opening = eps > 0.0 ? eps : 0.0;
-  return opening * opening + (4.0 / 3.0) * gammaTotal * gammaTotal;
-}
+/// What a criterion needs unless it says otherwise.
+struct FractureCriterion {
+  /// It knows from the strains alone whether a link breaks, before any stress is known. Links of
+  /// such a criterion go the kernel's shortest way.
+  static constexpr bool strainOnly = false;
+  /// It reads LinkLoad::local, for which both automata have to show their averaged stresses.
+  static constexpr bool needsLocalStress = false;
+  /// It acts in space, too, not only in the plane.
+  static constexpr bool inSpace = true;
+  /// Keyword of a number of its own, a multiple of the strength; nullptr: none.
+  static constexpr const char *parameter = nullptr;
+  /// What the number must be beyond > 0, in words; and whether it is.
+  static constexpr const char *parameterRange = "> 0";
+  static bool accepts(double /*parameter*/) { return true; }
+};
 
-/// The same of a shear in space.
-inline double strainIntensity2(double eps, const Vector &gammaTotal)
-{
-  const double opening = eps > 0.0 ? eps : 0.0;
-  return opening * opening + (4.0 / 3.0) * dot(gammaTotal, gammaTotal);
-}
+/// The two materials that a link joins.
+struct LinkMaterials {
+  const Material &i, &j;
+  ElasticModuli moduliI, moduliJ; ///< under the laws of the plane or of space
+  int dimension;                  ///< 2 or 3
+  double parameter;               ///< number of the criterion's own keyword; 1 where it has none
 
-/// A bulk link that is pressed together further than this has collapsed and breaks [-].
+  /// sigma_0 of the weaker one [stress]
+  double strength() const { return std::min(i.strength, j.strength); }
+  /// eps_c of the weaker one [-]
+  double breakingStrain() const { return std::min(i.breakingStrain, j.breakingStrain); }
+};
+
+/// Numbers that a criterion has made of the two materials, for its broken().
+struct FractureLimits {
+  double value[4];
+};
+
+/// Stress tensor where two automata meet, in the frame of the contact (after Psakhie, Shilko,
+/// Smolin et al., Frattura ed Integrita Strutturale 24 (2013) 26, not compared with its text):
+/// sigma and the length tau of the shear stress are those of the contact. What acts along its face
+/// is the mean of both automata: in the plane along its line and across the plane, in space the two
+/// principal stresses of the face. All [stress].
+struct LocalStress {
+  double sigma, tau, along, across;
+};
+
+/// Strains of a link.
+/// \tparam Shear  a number, or in space a vector
+template<class Shear>
+struct LinkStrain {
+  double eps;       ///< total normal strain r/d - 1 [-]
+  Shear gammaTotal; ///< total shear since linking, not reduced by plasticity [-]
+};
+
+/// All that is known of a link after the radial return; in space shears are lengths of vectors.
+struct LinkLoad {
+  double eps, gammaTotal; ///< as in LinkStrain [-]
+  double e, gamma;        ///< elastic normal strain and shear [-]
+  double sigma, tau;      ///< stresses [stress]
+  double meanI, meanJ;    ///< mean stresses of both automata [stress]
+  LocalStress local;      ///< for criteria that say needsLocalStress
+};
+
+/// A bulk link that is pressed together further than this has collapsed and breaks, whatever the
+/// criterion [-].
 ///
 /// Under pressure a bulk link flows without end, but at r -> 0 its axis turns by v_t dt/r in a
 /// step, so that its shear is as stiff as 1/r^2: with the weight w of packing.h steps are unstable
@@ -36,68 +96,42 @@ inline double strainIntensity2(double eps, const Vector &gammaTotal)
 /// (critical_step.h).
 constexpr double collapseStrain = -0.9;
 
-/// Whether a bulk link breaks by its strain.
-/// \param gammaTotal      total shear since linking [-], in space a vector
-/// \param breakingStrain2  eps_c^2 [-]
-template<class Shear>
-inline bool breaksByStrain(double eps, const Shear &gammaTotal, double breakingStrain2)
+/// Whether a bulk link breaks, by this criterion or by collapse.
+template<class Criterion, class Load>
+inline bool breaks(const Load &load, const FractureLimits &limits)
 {
-  return (strainIntensity2(eps, gammaTotal) >= breakingStrain2) | (eps <= collapseStrain);
+  return Criterion::broken(load, limits) | (load.eps <= collapseStrain);
 }
 
-/// Squared stress intensity of a link [stress^2]: max(sigma, 0)^2 + 3 tau^2 >= strength^2 breaks
-/// it (a brittle weld, or any link under the stress criterion).
+/// Squared stress intensity of a link [stress^2]: max(sigma, 0)^2 + 3 tau^2.
 inline double linkIntensity2(double sigma, double tau)
 {
   const double opening = sigma > 0.0 ? sigma : 0.0;
   return opening * opening + 3.0 * tau * tau;
 }
 
-/// Stress tensor where two automata meet, in the frame of the contact (after Psakhie, Shilko,
-/// Smolin et al., Frattura ed Integrita Strutturale 24 (2013) 26, not compared with its text):
-/// sigma and tau are those of the contact, what acts along its face and across the plane is the
-/// mean of both automata. All [stress].
-struct LocalStress {
-  double sigma, tau, along, across;
-};
-
-/// \param sigma,tau  stresses of the contact after the radial return [stress]
-/// \param xx,yy,xy   mean of both automata's averaged stresses after it [stress]
-/// \param mean       mean of both automata's mean stresses [stress]
-/// \param nx,ny      unit normal of the contact [-]
-inline LocalStress localStress(double sigma, double tau, double xx, double yy, double xy,
-                               double mean, double nx, double ny)
+/// What acts along the face of a contact in the plane and across the plane; sigma and tau are 0.
+/// \param s  mean of both automata's averaged stresses after the return [stress]
+/// \param n  unit normal of the contact [-]
+inline LocalStress faceStress(const StressTensor &s, const PlaneVector &n)
 {
-  return {sigma, tau, xx * ny * ny + yy * nx * nx - 2.0 * xy * nx * ny, 3.0 * mean - xx - yy};
+  return {0.0, 0.0, s.xx * n.y * n.y + s.yy * n.x * n.x - 2.0 * s.xy * n.x * n.y, s.zz};
 }
 
-/// Limits of a criterion on the local stress, in the form of Drucker and Prager:
-///     (a+1)/2 sigma_eq + (3/2)(a-1) sigma_mean >= sigma_c,   a = sigma_c/sigma_t,
-/// with the compressive and tensile strength sigma_c, sigma_t: the cone sigma_eq = A + B sigma_mean
-/// through both uniaxial states, A = 2 sigma_c sigma_t/(sigma_c + sigma_t),
-/// B = -3 (sigma_c - sigma_t)/(sigma_c + sigma_t). a = 1 is the criterion of the equivalent stress,
-/// sigma_eq >= sigma_t. An infinite limit switches it off.
-struct StressLimit {
-  double equivalent2; ///< ((a+1)/2)^2 [-]
-  double mean;        ///< (3/2)(a-1) [-]
-  double limit;       ///< sigma_c [stress]
-};
-
-/// \param tensile  sigma_t [stress], > 0
-/// \param ratio    a [-], >= 1
-inline StressLimit druckerPrager(double tensile, double ratio)
+/// The same in space. With P = 1 - n n the face has the stress P s P, whose trace is tr s - n.s.n
+/// and whose square is s:s - 2 |s n|^2 + (n.s.n)^2; its principal stresses follow from both.
+inline LocalStress faceStress(const StressTensor &s, const Vector &n)
 {
-  return {0.25 * (ratio + 1.0) * (ratio + 1.0), 1.5 * (ratio - 1.0), ratio * tensile};
-}
-
-/// Whether the criterion is met.
-inline bool reaches(const LocalStress &s, const StressLimit &limit)
-{
-  const double mean = (s.sigma + s.along + s.across) / 3.0;
-  const double a = s.sigma - s.along, b = s.along - s.across, c = s.across - s.sigma;
-  const double equivalent2 = 0.5 * (a * a + b * b + c * c) + 3.0 * s.tau * s.tau;
-  const double rest = limit.limit - limit.mean * mean;
-  return (rest <= 0.0) | (limit.equivalent2 * equivalent2 >= rest * rest);
+  const Vector t = {s.xx * n.x + s.xy * n.y + s.xz * n.z, s.xy * n.x + s.yy * n.y + s.yz * n.z,
+                    s.xz * n.x + s.yz * n.y + s.zz * n.z};
+  const double across = dot(t, n);
+  const double half = 0.5 * (s.xx + s.yy + s.zz - across);
+  const double square = s.xx * s.xx + s.yy * s.yy + s.zz * s.zz +
+                        2.0 * (s.xy * s.xy + s.xz * s.xz + s.yz * s.yz) - 2.0 * dot(t, t) +
+                        across * across;
+  const double rest = 0.5 * square - half * half;
+  const double radius = std::sqrt(rest > 0.0 ? rest : 0.0);
+  return {0.0, 0.0, half + radius, half - radius};
 }
 
 } // namespace mca

@@ -1,78 +1,103 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include "law_set.h"
 
 #include "shared/nearest_word.h"
-#include "shared/plain_number.h"
 
 #include <algorithm>
-#include <charconv>
-#include <cmath>
+#include <functional>
 
 namespace mca {
 
-static std::string shortest(double value)
+namespace {
+
+// A keyword with the functions that read and write its value in a LawSet.
+struct Entry {
+  LawSet::Keyword keyword;
+  std::function<bool(LawSet &, const std::string &)> take;
+  std::function<std::string(const LawSet &)> word;
+};
+
+template<class Words>
+constexpr bool takesNumber(const ThresholdLaw<Words> &)
 {
-  if (value == LawSet::off)
-    return "none";
-  if (value == LawSet::atElasticLimit)
-    return "elastic_limit";
-  if (value == LawSet::atHardness)
-    return "hardness";
-  char text[32];
-  return std::string(text, std::to_chars(text, text + sizeof(text), value).ptr);
+  return true;
 }
 
-namespace {
-struct Choice {
-  const char *keyword;
-  std::string LawSet::*value;
-  std::vector<std::string> allowed;
-};
-struct Threshold {
-  const char *keyword;
-  double LawSet::*value;
-  std::string material; // word for a stress of the material, if the threshold takes one
-  double materialValue;
-};
-const std::vector<Choice> &choices()
+template<class Law>
+constexpr bool takesNumber(const Law &)
 {
-  static const std::vector<Choice> table = {
-      {"plane", &LawSet::plane, {"strain", "stress"}},
-      {"elasticity", &LawSet::elasticity, {"many-body", "pairwise"}},
-      {"plasticity", &LawSet::plasticity, {"radial", "j2", "none"}},
-      {"fracture", &LawSet::fracture, {"strain", "stress", "equivalent", "drucker-prager", "none"}},
-      {"viscosity", &LawSet::viscosity, {"normal", "none"}},
-      {"steps", &LawSet::steps, {"corrected", "plain"}},
-  };
-  return table;
+  return false;
 }
-const std::vector<Threshold> &thresholds()
+
+// the law of type L in a set
+template<class L, class Set>
+auto &lawOf(Set &set)
 {
-  static const std::vector<Threshold> table = {
-      {"link", &LawSet::link, "elastic_limit", LawSet::atElasticLimit},
-      {"weld", &LawSet::weld, "", 0.0},
-      {"heal", &LawSet::heal, "hardness", LawSet::atHardness},
-      {"link_work", &LawSet::link_work, "", 0.0},
-      {"compressive_strength", &LawSet::compressive_strength, "", 0.0},
-  };
-  return table;
+  using Pointer = std::conditional_t<std::is_const_v<Set>, const L *, L *>;
+  Pointer found = nullptr;
+  LawSet::eachLaw(set, [&](auto &law) {
+    if constexpr (std::is_same_v<std::decay_t<decltype(law)>, L>)
+      found = &law;
+  });
+  return *found;
 }
-std::string joined(const std::vector<std::string> &words)
+
+std::vector<Entry> makeTable()
 {
-  std::string all;
-  for (const auto &word : words)
-    all += (all.empty() ? "" : ", ") + word;
+  std::vector<Entry> all;
+  LawSet set;
+  LawSet::eachLaw(set, [&](auto &law) {
+    using L = std::decay_t<decltype(law)>;
+    all.push_back({{L::keyword, L::words(), takesNumber(law), L::allowed()},
+                   [](LawSet &s, const std::string &word) { return lawOf<L>(s).take(word); },
+                   [](const LawSet &s) { return lawOf<L>(s).word(); }});
+  });
+  for (int k = 0; k < FractureCriteria::size; k++)
+    if (const char *name = FractureLaw::criteria()[k].parameter)
+      all.push_back(
+          {{name, {"none"}, true, Threshold::allowed(nullptr)},
+           [k](LawSet &s, const std::string &word) { return s.fracture.takeParameter(k, word); },
+           [k](const LawSet &s) { return s.fracture.parameterWord(k); }});
   return all;
 }
+
+const std::vector<Entry> &table()
+{
+  static const std::vector<Entry> entries = makeTable();
+  return entries;
+}
+
+const LawSet::Keyword presets = {"preset", {"a", "b"}, false, "a, b"};
+
+// what does not go together
+std::string conflictIn(const LawSet &s)
+{
+  if (!s.heal.isOff() && s.weld.isOff())
+    return "keyword heal needs welds: give weld a value";
+  if (s.plane.is(PlaneCondition::Stress) && s.flows())
+    return "keyword plane, value stress, needs plasticity none: the return of plasticity " +
+           s.plasticity.word() + " is that of plane strain";
+  return s.fracture.problem();
+}
+
 } // namespace
+
+std::vector<LawSet::Keyword> LawSet::keywords()
+{
+  std::vector<Keyword> all = {presets};
+  for (const Entry &e : table())
+    all.push_back(e.keyword);
+  return all;
+}
 
 LawSet LawSet::named(const std::string &preset)
 {
   LawSet set;
   set.preset = preset;
   if (preset == "a") {
-    set.link = 2.35;
-    set.weld = off;
-    set.heal = off;
+    set.link = Threshold::times(2.35);
+    set.weld = Threshold::off();
+    set.heal = Threshold::off();
   }
   return set;
 }
@@ -87,76 +112,57 @@ std::string LawSet::parse(const std::vector<std::string> &words)
     auto bad = [&](const std::string &allowed) {
       return "keyword " + keyword + ", value " + value + ", allowed: " + allowed;
     };
-    if (keyword == "preset") {
-      if (value != "a" && value != "b")
-        return bad("a, b");
+    if (keyword == presets.name) {
+      if (std::find(presets.words.begin(), presets.words.end(), value) == presets.words.end())
+        return bad(presets.allowed);
       *this = named(value);
       continue;
     }
-    auto choice = std::find_if(choices().begin(), choices().end(),
-                               [&](const Choice &c) { return keyword == c.keyword; });
-    if (choice != choices().end()) {
-      const auto &allowed = choice->allowed;
-      if (std::find(allowed.begin(), allowed.end(), value) == allowed.end())
-        return bad(joined(allowed));
-      this->*choice->value = value;
-      continue;
-    }
-    auto threshold = std::find_if(thresholds().begin(), thresholds().end(),
-                                  [&](const Threshold &t) { return keyword == t.keyword; });
-    if (threshold == thresholds().end()) {
-      std::vector<std::string> known = {"thickness", "cutoff", "preset"};
-      for (const auto &c : choices())
-        known.push_back(c.keyword);
-      for (const auto &t : thresholds())
-        known.push_back(t.keyword);
+    const auto entry = std::find_if(table().begin(), table().end(),
+                                    [&](const Entry &e) { return keyword == e.keyword.name; });
+    if (entry == table().end()) {
+      std::vector<std::string> known = {"thickness", "cutoff", presets.name};
+      for (const Entry &e : table())
+        known.push_back(e.keyword.name);
       return mcawr::unknownWord("keyword", keyword, known);
     }
-    const auto number = mcawr::plainNumber(value);
-    if (value == "none")
-      this->*threshold->value = off;
-    else if (!value.empty() && value == threshold->material)
-      this->*threshold->value = threshold->materialValue;
-    else if (number && *number > 0.0)
-      this->*threshold->value = *number;
-    else
-      return bad("a multiple of the strength > 0, " +
-                 (threshold->material.empty() ? "" : threshold->material + ", ") + "none");
+    if (!entry->take(*this, value))
+      return bad(entry->keyword.allowed);
   }
-  if (heal != off && weld == off)
-    return "keyword heal needs welds: give weld a value";
-  if (plane == "stress" && plasticity != "none")
-    return "keyword plane, value stress, needs plasticity none: the return of plasticity " +
-           plasticity + " is that of plane strain";
-  if ((fracture == "drucker-prager") != (compressive_strength != off))
-    return "keyword compressive_strength and fracture drucker-prager need each other";
-  if (compressive_strength < 1.0)
-    return "keyword compressive_strength, value " + shortest(compressive_strength) +
-           ", allowed: a multiple of the strength >= 1";
-  return "";
+  return conflictIn(*this);
 }
 
 std::vector<std::string> LawSet::words() const
 {
-  std::vector<std::string> all = {"preset", preset};
-  for (const auto &c : choices())
-    all.insert(all.end(), {c.keyword, this->*c.value});
-  for (const auto &t : thresholds())
-    all.insert(all.end(), {t.keyword, shortest(this->*t.value)});
+  std::vector<std::string> all = {presets.name, preset};
+  for (const Entry &e : table())
+    all.insert(all.end(), {e.keyword.name, e.word(*this)});
   return all;
 }
 
-bool LawSet::needsLocal() const
+std::string LawSet::notInDimension(int dimension) const
 {
-  return fracture == "equivalent" || fracture == "drucker-prager" || link_work != off;
+  std::string first;
+  eachLaw(*this, [&](const auto &law) {
+    if (first.empty() && !law.actsIn(dimension))
+      first = std::string(law.keyword) + " " + law.word();
+  });
+  return first;
 }
 
 ElasticModuli elasticModuli(const LawSet &set, const Material &m)
 {
-  const bool stress = set.plane == "stress";
-  if (set.elasticity == "pairwise") // the law of a solid whose Lame constant is 0
+  const bool stress = set.plane.is(PlaneCondition::Stress);
+  if (set.elasticity.is(Elasticity::Pairwise)) // the law of a solid whose Lame constant is 0
     return {m.shearModulus(), stress ? 2.0 / 3.0 * m.shearModulus() : m.bulkModulus(), 0.0};
   return (stress ? planeStressModuli : planeStrainModuli)(m.shearModulus(), m.bulkModulus());
+}
+
+AutomatonLaw makeAutomatonLaw(const LawSet &set, const Material &m, const Packing &packing)
+{
+  const ElasticModuli moduli = elasticModuli(set, m);
+  return {moduli.bulk,   moduli.shear,          moduli.D, set.flows() ? 1.0 : 0.0,
+          YieldCurve(m), packing.stressWeight()};
 }
 
 // plastic work per volume up to the strength [stress]
@@ -165,13 +171,29 @@ static double workToStrength(const Material &m)
   return YieldCurve(m).work(m.plasticStrainUltimate());
 }
 
+static LinkLimits makeLinkLimits(const LawSet &set, const Material &i, const Material &j,
+                                 int dimension)
+{
+  const LinkMaterials materials = {i,         j,  elasticModuli(set, i), elasticModuli(set, j),
+                                   dimension, 1.0};
+  const double strength = materials.strength();
+  const double weld = set.weld.threshold().limit(strength);
+  LinkLimits limits;
+  limits.fracture = set.fracture.limits(materials);
+  limits.criterion = set.fracture.number();
+  limits.weldIntensity2 = weld * weld;
+  limits.linkPressure = set.link.threshold().limit(strength, LinkLaw::stress(i, j));
+  limits.healPressure = set.heal.threshold().limit(strength, HealLaw::stress(i, j));
+  limits.linkedKind = set.weld.isOff() ? link::bulk : link::weld;
+  limits.countsWork = set.linkWork.isOff() ? 0.0 : 1.0;
+  limits.linkWork = set.linkWork.threshold().limit(std::min(workToStrength(i), workToStrength(j)));
+  return limits;
+}
+
 PairLaw makePairLaw(const LawSet &set, const Material &i, const Material &j, double thickness,
                     const Packing &packing)
 {
   const double diameter = 0.5 * (i.diameter + j.diameter);
-  const double weaker = std::min(i.strength, j.strength);
-  const double strain = std::min(i.breaking_strain, j.breaking_strain);
-  auto squared = [](double value) { return value * value; };
   PairLaw law;
   law.diameter = diameter;
   law.invDiameter = 1.0 / diameter;
@@ -182,22 +204,10 @@ PairLaw makePairLaw(const LawSet &set, const Material &i, const Material &j, dou
   law.invTwoG = 1.0 / law.twoG;
   law.Di = elasticModuli(set, i).D;
   law.Dj = elasticModuli(set, j).D;
-  law.viscosity = set.viscosity == "normal" ? 0.5 * (i.viscosity + j.viscosity) : 0.0;
+  law.viscosity = set.isViscous() ? 0.5 * (i.viscosity + j.viscosity) : 0.0;
   law.invMassI = 1.0 / Cell{packing, i.diameter, thickness}.mass(i.density);
   law.invMassJ = 1.0 / Cell{packing, j.diameter, thickness}.mass(j.density);
-  law.limits.bulkStrain2 = set.fracture == "strain" ? squared(strain) : LawSet::off;
-  law.limits.bulkIntensity2 = set.fracture == "stress" ? squared(weaker) : LawSet::off;
-  law.limits.weldIntensity2 = squared(set.weld * weaker);
-  law.limits.linkPressure =
-      set.link == LawSet::atElasticLimit ? std::min(i.sigmaY1(), j.sigmaY1()) : set.link * weaker;
-  law.limits.healPressure =
-      set.heal == LawSet::atHardness ? 3.0 * std::min(i.sigmaY2(), j.sigmaY2()) : set.heal * weaker;
-  law.limits.linkedKind = set.weld == LawSet::off ? link::bulk : link::weld;
-  law.limits.bulkStress = set.fracture == "equivalent" ? druckerPrager(weaker, 1.0)
-                          : set.fracture == "drucker-prager"
-                              ? druckerPrager(weaker, set.compressive_strength)
-                              : StressLimit{1.0, 0.0, LawSet::off};
-  law.limits.linkWork = set.link_work * std::min(workToStrength(i), workToStrength(j));
+  law.limits = makeLinkLimits(set, i, j, packing.dimension);
   return law;
 }
 

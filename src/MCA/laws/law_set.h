@@ -1,39 +1,61 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 /// \file law_set.h
 /// Which laws act: the keywords of pair_style mca and their presets. No LAMMPS type in here.
 #ifndef MCA_LAWS_LAW_SET_H
 #define MCA_LAWS_LAW_SET_H
 
+#include "automaton_law.h"
 #include "contact.h"
+#include "fracture_law.h"
+#include "law_keywords.h"
 #include "material.h"
 #include "plane.h"
 
-#include <limits>
 #include <string>
 #include <vector>
 
 namespace mca {
 
-/// A choice of exchangeable laws. Thresholds are multiples of the strength sigma_0; infinity
-/// switches a transition off; negative values stand for a stress of the material.
+/// A choice of exchangeable laws, each a type that knows its keyword. By default set B.
 struct LawSet {
-  static constexpr double off = std::numeric_limits<double>::infinity();
-  static constexpr double atElasticLimit = -1.0; ///< sigma_y1
-  static constexpr double atHardness = -2.0;     ///< 3 sigma_y2 (Tabor)
-
   std::string preset = "b";
-  std::string plane = "strain";         ///< or stress: what holds across the plane
-  std::string elasticity = "many-body"; ///< or pairwise: plane Poisson's ratio 0
-  std::string plasticity = "radial";    ///< or j2: volume-preserving, or none
-  std::string fracture = "strain";      ///< of bulk links: strain, stress, equivalent,
-                                        ///< drucker-prager or none
-  double compressive_strength = off;    ///< of drucker-prager
-  double link = atElasticLimit;         ///< compression that links an unlinked contact
-  double weld = 1.0;                    ///< strength of welds; off: contacts become bulk links
-  double heal = atHardness;             ///< compression that turns a weld into a bulk link
-  double link_work = off;               ///< plastic work that links an unlinked contact, a multiple
-                                        ///< of that up to the strength
-  std::string viscosity = "normal";     ///< or none
-  std::string steps = "corrected";      ///< secondReturn(), centredSeparation(); or plain
+  PlaneCondition plane;
+  Elasticity elasticity;
+  Plasticity plasticity;
+  FractureLaw fracture;
+  ViscosityLaw viscosity;
+  Steps steps;
+  LinkLaw link;
+  WeldLaw weld;
+  HealLaw heal;
+  LinkWorkLaw linkWork;
+
+  /// Calls visit(law) for each law: the one table of keywords, in the order of words().
+  template<class Set, class Visit>
+  static void eachLaw(Set &set, Visit &&visit)
+  {
+    visit(set.plane);
+    visit(set.elasticity);
+    visit(set.plasticity);
+    visit(set.fracture);
+    visit(set.viscosity);
+    visit(set.steps);
+    visit(set.link);
+    visit(set.weld);
+    visit(set.heal);
+    visit(set.linkWork);
+  }
+
+  /// A keyword with what it takes.
+  struct Keyword {
+    std::string name;
+    std::vector<std::string> words; ///< beside a number, if it takes one
+    bool takesNumber;               ///< > 0
+    std::string allowed;            ///< for messages
+  };
+
+  /// All keywords of laws in the order of words(), preset first.
+  static std::vector<Keyword> keywords();
 
   /// Set A (one kind of link), set B (bulk links and welds, the default).
   static LawSet named(const std::string &preset);
@@ -45,19 +67,40 @@ struct LawSet {
   /// The same as keyword-value pairs that parse() reads back.
   std::vector<std::string> words() const;
 
+  /// Whether automata flow.
+  bool flows() const { return !plasticity.is(Plasticity::None); }
+
+  /// Whether each automaton has an elastic strain across the plane, which flow changes: with
+  /// plasticity j2 in the plane. In space the return keeps the volume without one.
+  /// \param dimension  2 or 3
+  bool strainsAcross(int dimension) const
+  {
+    return dimension == 2 && plasticity.is(Plasticity::J2);
+  }
+
+  /// Whether unlinked contacts are viscous.
+  bool isViscous() const { return !viscosity.is(ViscosityLaw::None); }
+
   /// Whether a law needs more of both automata than their mean stress and return: their averaged
   /// stress and their plastic work in the step.
-  bool needsLocal() const;
+  bool needsLocal() const { return fracture.criterion().needsLocalStress || !linkWork.isOff(); }
 
   /// Whether an automaton's return is done twice.
-  bool returnsTwice() const { return steps == "corrected" && plasticity != "none"; }
+  bool returnsTwice() const { return steps.is(Steps::Corrected) && flows(); }
 
   /// Whether viscous contacts see the velocity of their step.
-  bool centresViscosity() const { return steps == "corrected" && viscosity != "none"; }
+  bool centresViscosity() const { return steps.is(Steps::Corrected) && isViscous(); }
+
+  /// The first of these laws that does not act in this dimension, as its keyword and value; empty
+  /// if all do.
+  std::string notInDimension(int dimension) const;
 };
 
 /// Moduli of a material under these laws.
 ElasticModuli elasticModuli(const LawSet &, const Material &);
+
+/// Laws of an automaton of this material.
+AutomatonLaw makeAutomatonLaw(const LawSet &, const Material &, const Packing & = packing::hex);
 
 /// Laws of an ordered pair of materials; of unlike materials the weaker decides fracture and
 /// linking. \param thickness h [length] of a plane packing

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 /// \file linking.h
 /// The two kinds of link and the transitions between them.
 ///
@@ -6,13 +7,11 @@
 /// averaged body while a fresh cold weld is only as strong as its own contact, until it heals.
 ///
 /// Any consistent set of units; dimensions stand in brackets. Branch-free: a transition that is
-/// switched off has an infinite limit.
+/// switched off has a limit that no stress reaches, infinity.
 #ifndef MCA_LAWS_LINKING_H
 #define MCA_LAWS_LINKING_H
 
 #include "fracture.h"
-
-#include <limits>
 
 namespace mca {
 
@@ -38,29 +37,16 @@ inline double linked(double kind)
 
 /// Limits of the transitions of one pair of materials.
 struct LinkLimits {
-  double bulkStrain2;     ///< eps_c^2 [-]: a bulk link breaks at this squared strain intensity
-  double bulkIntensity2;  ///< [stress^2]: ... or at this squared stress intensity
-  double weldIntensity2;  ///< [stress^2]: a weld breaks at this squared stress intensity
-  double linkPressure;    ///< [stress]: elastic compression that links an unlinked contact
-  double healPressure;    ///< [stress]: ... that turns a weld or a worn contact into a bulk link
-  double linkedKind;      ///< what an unlinked contact becomes: link::bulk or link::weld
-  StressLimit bulkStress; ///< a bulk link breaks at this local stress
-  double linkWork;        ///< [stress]: plastic work per volume of its automata while they were
-                          ///< pressed together that links an unlinked contact
+  FractureLimits fracture; ///< of the criterion by which bulk links break
+  int criterion;           ///< its number in FractureCriteria; the same for all pairs of a run
+  double weldIntensity2;   ///< [stress^2]: a weld breaks at this squared stress intensity
+  double linkPressure;     ///< [stress]: elastic compression that links an unlinked contact
+  double healPressure;     ///< [stress]: ... that turns a weld or a worn contact into a bulk link
+  double linkedKind;       ///< what an unlinked contact becomes: link::bulk or link::weld
+  double countsWork;       ///< 1 where contacts link by plastic work, too, else 0
+  double linkWork;         ///< [stress]: plastic work per volume of its automata while they were
+                           ///< pressed together that links an unlinked contact
 };
-
-/// Whether breaksByStrain() alone decides when a bulk link breaks.
-inline bool breaksByStrainOnly(const LinkLimits &limit)
-{
-  constexpr double off = std::numeric_limits<double>::infinity();
-  return limit.bulkIntensity2 == off && limit.bulkStress.limit == off;
-}
-
-/// Whether contacts link by plastic work.
-inline bool hasLinkWork(const LinkLimits &limit)
-{
-  return limit.linkWork < std::numeric_limits<double>::infinity();
-}
 
 /// The kind of a pair after a step.
 ///
@@ -71,17 +57,12 @@ inline bool hasLinkWork(const LinkLimits &limit)
 /// link at once.
 /// \param kind        kind during the step
 /// \param sigma,tau   elastic stresses of the contact, after plastic return [stress]
-/// \param eps         total normal strain r/d - 1 [-]
-/// \param gammaTotal  total shear since linking [-]
-/// \param overloaded  the local stress reaches bulkStress
+/// \param bulkBreaks  it would break as a bulk link; see breaks() of fracture.h
 /// \param worked      the plastic work reaches linkWork
-inline double nextKind(double kind, double sigma, double tau, double eps, double gammaTotal,
-                       const LinkLimits &limit, bool overloaded = false, bool worked = false)
+inline double nextKind(double kind, double sigma, double tau, bool bulkBreaks,
+                       const LinkLimits &limit, bool worked = false)
 {
-  const double intensity2 = linkIntensity2(sigma, tau);
-  const bool bulkBreaks = breaksByStrain(eps, gammaTotal, limit.bulkStrain2) |
-                          (intensity2 >= limit.bulkIntensity2) | overloaded;
-  const bool weldBreaks = intensity2 >= limit.weldIntensity2;
+  const bool weldBreaks = linkIntensity2(sigma, tau) >= limit.weldIntensity2;
   const bool heals = (-sigma >= limit.healPressure) & !bulkBreaks;
   const bool pressed = (-sigma >= limit.linkPressure) | worked;
   const double ifBulk = bulkBreaks ? link::worn : link::bulk;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include "material.h"
 
 #include <algorithm>
@@ -9,15 +10,15 @@ namespace mca {
 const std::vector<MaterialQuantity> &materialQuantities()
 {
   static const std::vector<MaterialQuantity> table = {
-      {"youngs_modulus", &Material::youngs_modulus, "stress", "> 0"},
-      {"poissons_ratio", &Material::poissons_ratio, "-", "> -1 and < 0.5"},
+      {"youngs_modulus", &Material::youngsModulus, "stress", "> 0"},
+      {"poissons_ratio", &Material::poissonsRatio, "-", "> -1 and < 0.5"},
       {"density", &Material::density, "mass/volume", "> 0"},
       {"strength", &Material::strength, "stress", "> 0"},
-      {"elastic_limit", &Material::elastic_limit, "of strength", "> 0 and <= yield_strength"},
-      {"yield_strength", &Material::yield_strength, "of strength", ">= elastic_limit and <= 1"},
-      {"yield_strain", &Material::yield_strain, "-",
+      {"elastic_limit", &Material::elasticLimit, "of strength", "> 0 and <= yield_strength"},
+      {"yield_strength", &Material::yieldStrength, "of strength", ">= elastic_limit and <= 1"},
+      {"yield_strain", &Material::yieldStrain, "-",
        "> the elastic strain there and < breaking_strain"},
-      {"breaking_strain", &Material::breaking_strain, "-", "> yield_strain and < 0.5"},
+      {"breaking_strain", &Material::breakingStrain, "-", "> yield_strain and < 0.5"},
       {"viscosity", &Material::viscosity, "stress time", ">= 0"},
       {"diameter", &Material::diameter, "length", "> 0"},
   };
@@ -36,7 +37,7 @@ std::vector<std::string> materialKeywords()
 {
   std::vector<std::string> known;
   for (const auto &q : materialQuantities())
-    known.push_back(q.keyword);
+    known.emplace_back(q.keyword);
   return known;
 }
 
@@ -57,24 +58,24 @@ std::string checkMaterial(const Material &m)
   for (const auto &q : materialQuantities())
     if (!std::isfinite(m.*q.value))
       return bad(q.keyword, m.*q.value);
-  if (m.youngs_modulus <= 0)
-    return bad("youngs_modulus", m.youngs_modulus);
-  if (m.poissons_ratio <= -1 || m.poissons_ratio >= 0.5)
-    return bad("poissons_ratio", m.poissons_ratio);
+  if (m.youngsModulus <= 0)
+    return bad("youngs_modulus", m.youngsModulus);
+  if (m.poissonsRatio <= -1 || m.poissonsRatio >= 0.5)
+    return bad("poissons_ratio", m.poissonsRatio);
   if (m.density <= 0)
     return bad("density", m.density);
   if (m.strength <= 0)
     return bad("strength", m.strength);
-  if (m.yield_strength <= 0 || m.yield_strength > 1)
-    return bad("yield_strength", m.yield_strength);
-  if (m.elastic_limit <= 0 || m.elastic_limit > m.yield_strength)
-    return bad("elastic_limit", m.elastic_limit);
-  if (m.breaking_strain >= 0.5)
-    return bad("breaking_strain", m.breaking_strain);
+  if (m.yieldStrength <= 0 || m.yieldStrength > 1)
+    return bad("yield_strength", m.yieldStrength);
+  if (m.elasticLimit <= 0 || m.elasticLimit > m.yieldStrength)
+    return bad("elastic_limit", m.elasticLimit);
+  if (m.breakingStrain >= 0.5)
+    return bad("breaking_strain", m.breakingStrain);
   if (m.plasticStrainY2() <= 0)
-    return bad("yield_strain", m.yield_strain);
+    return bad("yield_strain", m.yieldStrain);
   if (m.plasticStrainUltimate() <= m.plasticStrainY2())
-    return bad("breaking_strain", m.breaking_strain);
+    return bad("breaking_strain", m.breakingStrain);
   if (m.viscosity < 0)
     return bad("viscosity", m.viscosity);
   if (m.diameter <= 0)

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 /// \file material.h
 /// The homogeneous material of a movable cellular automaton (Table 1 and Fig. 5 of Bucher et al.,
 /// Wear 261 (2006) 874).
@@ -12,30 +13,30 @@
 namespace mca {
 
 struct Material {
-  double youngs_modulus = 0;  ///< E [stress], > 0
-  double poissons_ratio = 0;  ///< nu [-], in (-1, 0.5)
-  double density = 0;         ///< rho [mass/length^3] of the solid, > 0
-  double strength = 0;        ///< sigma_0 [stress], ultimate tensile strength, > 0
-  double elastic_limit = 0;   ///< sigma_y1 / sigma_0 [-], in (0, 1]
-  double yield_strength = 0;  ///< sigma_y2 / sigma_0 [-], in [elastic_limit, 1]
-  double yield_strain = 0;    ///< eps_y2 [-], total strain at which sigma_y2 is reached
-  double breaking_strain = 0; ///< eps_c [-], total strain at which sigma_0 is reached
-  double viscosity = 0;       ///< eta [stress time], >= 0
-  double diameter = 0;        ///< d [length] of the automaton, > 0
+  double youngsModulus = 0;  ///< E [stress], > 0
+  double poissonsRatio = 0;  ///< nu [-], in (-1, 0.5)
+  double density = 0;        ///< rho [mass/length^3] of the solid, > 0
+  double strength = 0;       ///< sigma_0 [stress], ultimate tensile strength, > 0
+  double elasticLimit = 0;   ///< sigma_y1 / sigma_0 [-], in (0, 1]
+  double yieldStrength = 0;  ///< sigma_y2 / sigma_0 [-], in [elasticLimit, 1]
+  double yieldStrain = 0;    ///< eps_y2 [-], total strain at which sigma_y2 is reached
+  double breakingStrain = 0; ///< eps_c [-], total strain at which sigma_0 is reached
+  double viscosity = 0;      ///< eta [stress time], >= 0
+  double diameter = 0;       ///< d [length] of the automaton, > 0
 
-  double shearModulus() const { return youngs_modulus / (2.0 * (1.0 + poissons_ratio)); }
-  double bulkModulus() const { return youngs_modulus / (3.0 * (1.0 - 2.0 * poissons_ratio)); }
+  double shearModulus() const { return youngsModulus / (2.0 * (1.0 + poissonsRatio)); }
+  double bulkModulus() const { return youngsModulus / (3.0 * (1.0 - 2.0 * poissonsRatio)); }
 
   /// D = 1 - 2G/(3K) [-], the weight of the mean stress in Hooke's law seen along a contact
   double meanStressWeight() const { return 1.0 - 2.0 * shearModulus() / (3.0 * bulkModulus()); }
 
-  double sigmaY1() const { return elastic_limit * strength; }
-  double sigmaY2() const { return yield_strength * strength; }
+  double sigmaY1() const { return elasticLimit * strength; }
+  double sigmaY2() const { return yieldStrength * strength; }
 
   /// Equivalent plastic strain at sigma_y2 and at sigma_0: the diagram's total strain less the
   /// elastic part [-]
-  double plasticStrainY2() const { return yield_strain - sigmaY2() / youngs_modulus; }
-  double plasticStrainUltimate() const { return breaking_strain - strength / youngs_modulus; }
+  double plasticStrainY2() const { return yieldStrain - sigmaY2() / youngsModulus; }
+  double plasticStrainUltimate() const { return breakingStrain - strength / youngsModulus; }
 
   bool operator==(const Material &) const;
 };

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 /// \file packing.h
 /// Geometry of the packing of movable cellular automata: what one automaton's cell holds and
 /// through which area it meets a neighbour.

@@ -1,13 +1,14 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 /// \file pair_motion.h
-/// How the shear of a pair in space follows the motion of its two automata.
+/// How the shear of a pair follows the motion of its two automata, in the plane and in space.
 ///
-/// In a step the material of the pair turns by the rotation Q, the mean of what both automata turn,
+/// In the plane the shear is a number that grows by elasticity.h's shearIncrement(). In space: in a
+/// step the material of the pair turns by the rotation Q, the mean of what both automata turn,
 /// and its axis from n_old to n. The shear, a vector perpendicular to the axis, is first turned
 /// with the material, then with the axis from Q n_old to n on the shortest way, and grows by the
 /// angle of that last turn: the rotation of the axis that the material does not share. So it is
 /// unchanged, exactly and for steps of any size, when the pair turns like a rigid body, also about
-/// its own axis. In the plane this is elasticity.h's shearIncrement() along t, n turned by +90
-/// degrees.
+/// its own axis. Along t, n turned by +90 degrees, a motion in a plane gives the plane's number.
 ///
 /// Exchange of both automata turns n and the shear round.
 ///
@@ -16,9 +17,46 @@
 #ifndef MCA_LAWS_PAIR_MOTION_H
 #define MCA_LAWS_PAIR_MOTION_H
 
+#include "elasticity.h"
 #include "vector.h"
 
 namespace mca {
+
+/// Motion of a pair in the plane in a step.
+struct PlaneMotion {
+  double r;           ///< distance at the end [length]
+  PlaneVector normal; ///< n at the end [-]
+  double growth;      ///< of the shear along t, n turned by +90 degrees [-]
+};
+
+/// \param distance  place of j seen from i [length]
+/// \param velocity  of j seen from i, of the step [length/time]
+/// \param turns     sum of both automata's angular velocities [1/time]
+/// \param dt        the step [time]
+/// \param moves     1, or 0: nothing moves on (set-up); all else is the same to the last bit
+inline PlaneMotion pairMotion(const PlaneVector &distance, const PlaneVector &velocity,
+                              double turns, double dt, double moves)
+{
+  const double dx = distance.x, dy = distance.y, dvx = velocity.x, dvy = velocity.y;
+  const double r2 = dx * dx + dy * dy, r = std::sqrt(r2);
+  const double stepN = (dvx * dx + dvy * dy) * dt, stepT = (dvy * dx - dvx * dy) * dt; // times r
+  const double inverse = 1.0 / (r2 * (r2 - stepN)); // one division for both
+  const double invR = r * (r2 - stepN) * inverse;
+  const double turn = axisRotation(stepT * r2 * inverse);
+  return {r, {dx * invR, dy * invR}, moves * shearIncrement(turn, turns * dt)};
+}
+
+/// A shear at the end of the step, before it grows [-]: a number is carried as it is.
+inline double carriedShear(const PlaneMotion &, double gamma)
+{
+  return gamma;
+}
+
+/// Growth of the shear in the step [-].
+inline double shearGrowth(const PlaneMotion &m)
+{
+  return m.growth;
+}
 
 /// Gibbs's vector tan(|phi|/2) phi/|phi| of a rotation by |phi| [rad] about phi, by its series
 /// (below 1e-12 up to 0.03 rad).

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 /// \file plane.h
 /// Plane strain and plane stress: the moduli that stand for the third direction, and the elastic
 /// strain across the plane that volume-preserving flow needs.

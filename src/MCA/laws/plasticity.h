@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 /// \file plasticity.h
 /// Plasticity of an automaton: von Mises stress, the three-piece curve of Fig. 5 of Bucher et al.
 /// (2006) with isotropic hardening, radial return of its contacts.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 /// \file roughness.h
 /// A random rough profile, periodic in x. No LAMMPS type in here.
 #ifndef MCA_LAWS_ROUGHNESS_H

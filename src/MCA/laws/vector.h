@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 /// \file vector.h
 /// Vectors in space for the inner loops; values only, so that loops over them vectorise.
 #ifndef MCA_LAWS_VECTOR_H
@@ -10,6 +11,22 @@ namespace mca {
 struct Vector {
   double x, y, z;
 };
+
+/// In the plane.
+struct PlaneVector {
+  double x, y;
+};
+
+/// Of numbers: so that a shear may be one.
+inline double dot(double a, double b)
+{
+  return a * b;
+}
+
+inline double dot(const PlaneVector &a, const PlaneVector &b)
+{
+  return a.x * b.x + a.y * b.y;
+}
 
 inline Vector operator+(const Vector &a, const Vector &b)
 {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 /// \file viscosity.h
 /// Viscous resistance of two unlinked automata in contact.
 #ifndef MCA_LAWS_VISCOSITY_H

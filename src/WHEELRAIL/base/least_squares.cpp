@@ -285,6 +285,7 @@ Interval profileInterval(const LeastSquaresProblem &problem, const LeastSquaresS
   };
   Interval interval;
   const bool bounded = problem.lower.size() > 0;
+  // NOLINTNEXTLINE(bugprone-narrowing-conversions): an infinity of double, of no other type
   findEnd(-1.0, bounded ? problem.lower[k] : -infinity, interval.lower, interval.lowerOpen);
   findEnd(1.0, problem.upper.size() > 0 ? problem.upper[k] : infinity, interval.upper,
           interval.upperOpen);

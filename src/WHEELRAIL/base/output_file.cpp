@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include "base/output_file.h"
 
 #include "base/errors.h"
@@ -26,26 +27,26 @@ namespace fs = std::filesystem;
 class OpenFile {
  public:
   OpenFile(const std::string &path, bool isTemporary)
-      : name(path),
-        descriptor(::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666)),
-        temporary(isTemporary && descriptor >= 0)
+      : name_(path),
+        descriptor_(::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666)),
+        temporary_(isTemporary && descriptor_ >= 0)
   {
   }
   OpenFile(const OpenFile &) = delete;
   OpenFile &operator=(const OpenFile &) = delete;
   ~OpenFile()
   {
-    if (descriptor >= 0)
-      ::close(descriptor);
-    if (temporary)
-      ::unlink(name.c_str());
+    if (descriptor_ >= 0)
+      ::close(descriptor_);
+    if (temporary_)
+      ::unlink(name_.c_str());
   }
-  bool isOpen() const { return descriptor >= 0; }
-  bool write(const std::string &content)
+  bool isOpen() const { return descriptor_ >= 0; }
+  bool write(const std::string &content) const
   {
     std::size_t done = 0;
     while (done < content.size()) {
-      const ssize_t n = ::write(descriptor, content.data() + done, content.size() - done);
+      const ssize_t n = ::write(descriptor_, content.data() + done, content.size() - done);
       if (n < 0 && errno == EINTR)
         continue;
       if (n <= 0)
@@ -57,23 +58,23 @@ class OpenFile {
   /// On the disk, or refused by it.
   bool close()
   {
-    const bool synced = !temporary || ::fsync(descriptor) == 0; // a pipe cannot be synced
-    const int closed = ::close(descriptor);
-    descriptor = -1;
+    const bool synced = !temporary_ || ::fsync(descriptor_) == 0; // a pipe cannot be synced
+    const int closed = ::close(descriptor_);
+    descriptor_ = -1;
     return synced && closed == 0;
   }
   bool renameTo(const std::string &target)
   {
-    if (::rename(name.c_str(), target.c_str()) != 0)
+    if (::rename(name_.c_str(), target.c_str()) != 0)
       return false;
-    temporary = false;
+    temporary_ = false;
     return true;
   }
 
  private:
-  std::string name;
-  int descriptor;
-  bool temporary;
+  std::string name_;
+  int descriptor_;
+  bool temporary_;
 };
 
 /// Where the content of `path` is written first.

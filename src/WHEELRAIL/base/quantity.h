@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #ifndef WHEELRAIL_BASE_QUANTITY_H
 #define WHEELRAIL_BASE_QUANTITY_H
 

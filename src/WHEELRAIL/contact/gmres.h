@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #ifndef WHEELRAIL_CONTACT_GMRES_H
 #define WHEELRAIL_CONTACT_GMRES_H
 
@@ -76,7 +77,7 @@ GmresReport gmres(const Apply &apply, const Precondition &precondition, const Ei
       ++k;
       if (!(below > 0.0))
         break; // the solution lies in the space built so far
-      basis.push_back(w / below);
+      basis.emplace_back(w / below);
     }
     if (k == 0)
       return report;

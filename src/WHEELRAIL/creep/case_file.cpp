@@ -14,8 +14,9 @@ LineContactSpecification readContact(CaseReader &reader)
 {
   reader.refuse({"contact.radii", "contact.curvatures", "contact.semi_axes", "contact.spin_point",
                  "lateral", "spin", "force", "sequence", "roughness.stretch", "roughness.boxes",
-                 "roughness.unmeasured", "roughness.spacing", "roughness.height_unit", "roughness.turn",
-                 "roughness.mirror", "moving.start", "static.shift", "fields", "sensitivities"},
+                 "roughness.unmeasured", "roughness.spacing", "roughness.height_unit",
+                 "roughness.turn", "roughness.mirror", "moving.start", "static.shift", "fields",
+                 "sensitivities"},
                 "a line contact (contact.load_per_length)");
   for (const char *name :
        {"contact.load_per_length", "contact.youngs_modulus", "contact.poissons_ratio"})
@@ -36,7 +37,8 @@ LineContactSpecification readContact(CaseReader &reader)
   constexpr int fewestPoints = 32;
   if (contact.points < fewestPoints)
     reader.fail("points", fmt::format("'{}' is not in the allowed range of a line contact, [{}, "
-                                      "16777216]", contact.points, fewestPoints));
+                                      "16777216]",
+                                      contact.points, fewestPoints));
   return contact;
 }
 
@@ -129,8 +131,9 @@ CreepSpecification readRolling(CaseReader &reader, const std::string &mode,
   rolling.creep = readSeries(reader, "creep");
   for (double creep : rolling.creep)
     if (creep < 0.0)
-      reader.fail(reader.hasGroup("creep") ? "creep.from" : "creep",
-                  fmt::format("'{}' is not in the allowed range of a line contact, [0, 10]", creep));
+      reader.fail(
+          reader.hasGroup("creep") ? "creep.from" : "creep",
+          fmt::format("'{}' is not in the allowed range of a line contact, [0, 10]", creep));
   if (rolling.mode == RollingMode::Moving) {
     rolling.moving.passes = reader.integer("moving.passes");
     rolling.moving.referenceLength = reader.number("moving.reference_length");
@@ -161,7 +164,8 @@ StaticSpecification readStatic(CaseReader &reader, const LineContactSpecificatio
 
 namespace {
 
-template<class Surfaces> void append(std::vector<std::string> &files, const Surfaces &surfaces)
+template<class Surfaces>
+void append(std::vector<std::string> &files, const Surfaces &surfaces)
 {
   files.insert(files.end(), surfaces.rail.begin(), surfaces.rail.end());
   files.insert(files.end(), surfaces.wheel.begin(), surfaces.wheel.end());

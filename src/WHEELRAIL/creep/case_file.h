@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #ifndef WHEELRAIL_CREEP_CASE_FILE_H
 #define WHEELRAIL_CREEP_CASE_FILE_H
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include "creep/case_file.h"
 
 #include <limits>
@@ -124,7 +125,8 @@ const std::vector<Keyword> &keywords()
       {"lateral.n", Kind::Integer, "1", "", 1, 1e6, false, "", "number of them"},
       {"lateral.spacing", Kind::Choice, "1", "linear", 0, 0, false, "log|linear", "of them"},
       {"spin", Kind::QuantityList, "1/m", "0 1/m", -inf, inf, false, "",
-       "point: spin, turn of the wheel against the rail over the length rolled; a list; or the keywords below"},
+       "point: spin, turn of the wheel against the rail over the length rolled; a list; or the "
+       "keywords below"},
       {"spin.from", Kind::Quantity, "1/m", "", -inf, inf, false, "", "first spin"},
       {"spin.to", Kind::Quantity, "1/m", "", -inf, inf, false, "", "last spin"},
       {"spin.n", Kind::Integer, "1", "", 1, 1e6, false, "", "number of them"},

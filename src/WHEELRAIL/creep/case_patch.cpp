@@ -10,7 +10,8 @@
 namespace wheelrail {
 namespace {
 
-/// What a list of keywords that decide one thing is called in a message, and which of them is there.
+/// What a list of keywords that decide one thing is called in a message, and which of them is
+/// there.
 std::string onlyOne(const CaseReader &reader, const std::vector<std::string> &names)
 {
   std::string given;
@@ -27,7 +28,7 @@ std::string onlyOne(const CaseReader &reader, const std::vector<std::string> &na
 /// One number for both bodies, or [wheel, rail].
 std::array<double, 2> readPair(CaseReader &reader, const std::string &name, const char *meaning)
 {
-  const std::vector<double> values = reader.numbers(name);
+  std::vector<double> values = reader.numbers(name);
   if (values.size() != 2)
     reader.fail(name, fmt::format("{} values; {} are expected", values.size(), meaning));
   return {values[0], values[1]};
@@ -85,8 +86,8 @@ void readPoints(CaseReader &reader, PatchContactSpecification &contact)
   reader.setDefault("points", "128");
   const std::vector<double> points = reader.numbers("points");
   if (points.size() > 2)
-    reader.fail("points", fmt::format("{} values; [nx, ny] or one number is expected",
-                                      points.size()));
+    reader.fail("points",
+                fmt::format("{} values; [nx, ny] or one number is expected", points.size()));
   contact.nx = static_cast<int>(std::min<double>(points.front(), most + 1));
   contact.ny = static_cast<int>(std::min<double>(points.back(), most + 1));
   if (std::max(contact.nx, contact.ny) > most)
@@ -137,8 +138,8 @@ void readScale(CaseReader &reader, const RoughPatchSpecification &surface, Heigh
     reader.require(name);
   const std::vector<double> spacing = reader.numbers("roughness.spacing");
   if (spacing.size() > 2)
-    reader.fail("roughness.spacing", fmt::format("{} values; one, or two for x and y, are expected",
-                                                 spacing.size()));
+    reader.fail("roughness.spacing",
+                fmt::format("{} values; one, or two for x and y, are expected", spacing.size()));
   scale = {spacing.front(), spacing.back(), reader.number("roughness.height_unit")};
 }
 
@@ -181,7 +182,8 @@ void readMeasured(CaseReader &reader, const std::string &caseFile, RoughPatchSpe
 void readFractal(CaseReader &reader, RoughPatchSpecification &surface)
 {
   reader.refuse({"roughness.cutoff", "roughness.detrend", "roughness.unmeasured",
-                 "roughness.spacing", "roughness.height_unit", "roughness.turn", "roughness.mirror"},
+                 "roughness.spacing", "roughness.height_unit", "roughness.turn",
+                 "roughness.mirror"},
                 "a generated surface");
   for (const char *name :
        {"roughness.hurst", "roughness.wavelength_min", "roughness.wavelength_max"})
@@ -223,9 +225,9 @@ FieldSelection readFields(CaseReader &reader)
   FieldSelection fields;
   const std::vector<std::string> words = reader.words("fields");
   const auto bad = [&](const std::string &word) {
-    reader.fail("fields",
-                fmt::format("'{}' is not allowed; none, last, all, or numbers of points from 1 on",
-                            word));
+    reader.fail(
+        "fields",
+        fmt::format("'{}' is not allowed; none, last, all, or numbers of points from 1 on", word));
   };
   if (words.size() == 1 && (words[0] == "none" || words[0] == "last" || words[0] == "all")) {
     fields.kind = words[0] == "none"   ? FieldSelection::Kind::None
@@ -258,8 +260,8 @@ void readDrive(CaseReader &reader, PatchSpecification &patch)
     reader.refuse({"lateral", "sequence.lateral"}, "force.lateral: the lateral creep is found");
     patch.forceY = reader.numbers("force.lateral");
   } else {
-    patch.lateral = patch.mode == PatchMode::Static ? std::vector<double>{0.0}
-                                                    : readSeries(reader, "lateral");
+    patch.lateral =
+        patch.mode == PatchMode::Static ? std::vector<double>{0.0} : readSeries(reader, "lateral");
   }
   patch.spin =
       patch.mode == PatchMode::Static ? std::vector<double>{0.0} : readSeries(reader, "spin");
@@ -269,7 +271,7 @@ std::vector<double> readColumn(CaseReader &reader, const std::string &name, std:
 {
   if (!reader.has(name))
     return {};
-  const std::vector<double> values = reader.numbers(name);
+  std::vector<double> values = reader.numbers(name);
   if (values.size() != instants)
     reader.fail(name, fmt::format("{} values; one for each of the {} instants of sequence.time is "
                                   "expected",

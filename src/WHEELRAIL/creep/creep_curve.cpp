@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include "creep/creep_curve.h"
 
 #include "base/errors.h"
@@ -178,7 +179,7 @@ CreepCurves solveCreepCurves(const CreepSpecification &specification, const Fric
   int done = 0;
   for (const auto &[number, rows] : journal.load()) {
     // The last piece is always computed: its fields are not in the journal.
-    if (number + 1 >= pieces.size())
+    if (number + 1 >= pieces.size() || rows.size() != pieces[number].creeps.size())
       continue;
     for (const Json &row : rows)
       results[number].points.push_back(pointFrom(row));
@@ -200,7 +201,7 @@ CreepCurves solveCreepCurves(const CreepSpecification &specification, const Fric
           moving ? solveMoving(physics, specification.moving, spread, setup, pieces[k], goOn)
                  : solveFrozen(physics, spread, setup, pieces[k], goOn);
       if (!result.done)
-        continue;
+        continue; // interrupted: the journal must not know the piece
       if (k + 1 < pieces.size())
         result.fields = {};
       const std::lock_guard<std::mutex> lock(bookkeeping);

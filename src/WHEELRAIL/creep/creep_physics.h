@@ -2,7 +2,7 @@
 #ifndef WHEELRAIL_CREEP_CREEP_PHYSICS_H
 #define WHEELRAIL_CREEP_CREEP_PHYSICS_H
 
-#include "contact/line/contact_temperature.h"
+#include "contact/contact_temperature.h"
 #include "law/contact_friction.h"
 
 namespace wheelrail {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include "creep/moving_creep.h"
 
 #include "base/errors.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include "fit/fit_analysis.h"
 
 #include "base/errors.h"

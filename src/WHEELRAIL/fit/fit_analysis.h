@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #ifndef WHEELRAIL_FIT_FIT_ANALYSIS_H
 #define WHEELRAIL_FIT_FIT_ANALYSIS_H
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include "fit/fit_report.h"
 
 #include "fit/replicates.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include "fit/friction_log.h"
 
 #include "base/errors.h"
@@ -20,7 +21,7 @@ namespace wheelrail {
 
 namespace {
 
-namespace format = mcawr::frictionLog;
+namespace format = mcawr::friction_log;
 
 // mu is printed rounded, as shear_stress is
 constexpr double muTolerance = 1e-3;

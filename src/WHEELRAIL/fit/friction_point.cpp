@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include "fit/friction_point.h"
 
 #include "base/errors.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #ifndef WHEELRAIL_FIT_LAW_FIT_H
 #define WHEELRAIL_FIT_LAW_FIT_H
 

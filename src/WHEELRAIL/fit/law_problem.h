@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #ifndef WHEELRAIL_FIT_LAW_PROBLEM_H
 #define WHEELRAIL_FIT_LAW_PROBLEM_H
 
@@ -22,7 +23,7 @@ class LawProblem {
   /// @param deviations standard deviation of each point, > 0
   /// @param kappa3 reference of the model Kappa3, > 0
   /// The points must outlive the problem.
-  LawProblem(LawModel model, const std::vector<LawPoint> &points, Eigen::VectorXd deviations,
+  LawProblem(LawModel model, const std::vector<LawPoint> &data, Eigen::VectorXd deviations,
              double kappa3);
 
   /// For solveLeastSquares; refers to *this.
@@ -36,7 +37,7 @@ class LawProblem {
   /// Smallest positive value of kappa1 or kappa2 over the points, 1 without one.
   double smallest(double LawPoint::*kappa) const;
   /// Values of b or c to start from; just 0 where it is not fitted.
-  std::vector<double> grid(int parameter, double upper) const;
+  std::vector<double> grid(int k, double upper) const;
   /// Sum of squares and parameters of the best mu0, mu1, mu2 at given b and c.
   std::pair<double, Eigen::VectorXd> linearFit(double b, double c) const;
   /// Residuals in units of the deviations, and their derivatives unless null.

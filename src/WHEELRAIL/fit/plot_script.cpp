@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include "fit/plot_script.h"
 
 #include <cerrno>
@@ -8,6 +9,7 @@
 #include <spawn.h>
 #include <sys/wait.h>
 
+// NOLINTNEXTLINE(readability-redundant-declaration): POSIX declares it in no header
 extern char **environ;
 
 namespace wheelrail {

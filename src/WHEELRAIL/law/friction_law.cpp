@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include "law/friction_law.h"
 
 #include "base/errors.h"
@@ -181,20 +182,20 @@ double kappa2(double pressure, double modulus, double strength)
   return pressure * modulus / (strength * strength);
 }
 
-double FrictionLaw::operator()(double k1, double k2) const
+double FrictionLaw::operator()(double kappa1, double kappa2) const
 {
-  return staticPart(k2) + mu1 * k1 / (1.0 + b * k1);
+  return staticPart(kappa2) + mu1 * kappa1 / (1.0 + b * kappa1);
 }
 
-double FrictionLaw::staticPart(double k2) const
+double FrictionLaw::staticPart(double kappa2) const
 {
-  return mu0 + mu2 / (1.0 + c * k2);
+  return mu0 + mu2 / (1.0 + c * kappa2);
 }
 
-double FrictionLaw::averaged(double k1, double modulus, double strength) const
+double FrictionLaw::averaged(double kappa1, double modulus, double strength) const
 {
   const double x = hardnessOverStrength * c * modulus / strength;
-  return mu0 + mu1 * k1 / (1.0 + b * k1) + 2.0 * mu2 * pressureAverage(x);
+  return mu0 + mu1 * kappa1 / (1.0 + b * kappa1) + 2.0 * mu2 * pressureAverage(x);
 }
 
 FrictionLaw bucher2006()

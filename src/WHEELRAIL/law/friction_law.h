@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #ifndef WHEELRAIL_LAW_FRICTION_LAW_H
 #define WHEELRAIL_LAW_FRICTION_LAW_H
 

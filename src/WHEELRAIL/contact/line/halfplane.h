@@ -1,8 +1,9 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #ifndef WHEELRAIL_CONTACT_LINE_HALFPLANE_H
 #define WHEELRAIL_CONTACT_LINE_HALFPLANE_H
 
+#include "contact/convolution.h"
 #include "contact/half_space.h"
-#include "contact/line/convolution.h"
 
 namespace wheelrail {
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #ifndef WHEELRAIL_CONTACT_LINE_PROFILE_H
 #define WHEELRAIL_CONTACT_LINE_PROFILE_H
 

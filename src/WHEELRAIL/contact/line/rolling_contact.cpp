@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #include "contact/line/rolling_contact.h"
 
 #include "base/errors.h"
@@ -47,10 +48,19 @@ class FiniteHilbertInverse {
   Vector weight_, inverseWeight_;
 };
 
-/// Compliance in addition to the half-plane's of edge cells that are in contact in part.
+/// Compliance in addition to the half-plane's of the cells at the edges of the contact.
+///
+/// A cell's load acts at its centre and its equation holds half a cell further on: as a load at
+/// 1/4 and an equation at 3/4 of a panel that reaches from 1/4 cell behind the centre to 3/4 before
+/// it. The contact's edges are seen from these panels, a quarter of a cell further back; taken at
+/// the cells' faces, the leading edge would lie 1/4 cell too far ahead and T be too large in the
+/// first order of the cell size. A panel of which only the share w is in contact gets the
+/// compliance 2 (1 - w)/w, which is negative for the trailing one that is longer than a cell.
 Vector edgeCompliance(const std::vector<ContactInterval> &contact, int cells)
 {
   constexpr double pi = 3.14159265358979323846;
+  constexpr double panelShift = 0.25;
+  constexpr double leastShare = 0.01; ///< of a panel: what has less carries nothing
   Vector compliance = Vector::Zero(cells);
   const auto ofShare = [](double share) { return (1.0 - share) / share; };
   for (const ContactInterval &interval : contact) {
@@ -58,8 +68,12 @@ Vector edgeCompliance(const std::vector<ContactInterval> &contact, int cells)
       compliance[interval.first] = 4.0 / pi * ofShare(interval.length());
       continue;
     }
-    compliance[interval.first] = 2.0 * ofShare(interval.first + 0.5 - interval.left);
-    compliance[interval.last] = 2.0 * ofShare(interval.right - interval.last + 0.5);
+    const double ahead = interval.right - interval.last + 0.5 - panelShift;
+    const double behind = interval.first + 0.5 - interval.left + panelShift;
+    compliance[interval.first] = 2.0 * ofShare(behind);
+    compliance[interval.last] = 2.0 * ofShare(std::max(ahead, leastShare));
+    if (ahead < 0.0 && interval.last - interval.first > 1)
+      compliance[interval.last - 1] = 2.0 * ofShare(1.0 + ahead);
   }
   return compliance;
 }

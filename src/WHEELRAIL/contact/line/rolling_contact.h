@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
 #ifndef WHEELRAIL_CONTACT_LINE_ROLLING_CONTACT_H
 #define WHEELRAIL_CONTACT_LINE_ROLLING_CONTACT_H
 
@@ -41,11 +42,14 @@ struct RollingResult {
 /// Sets {stick, slip, backward slip} are tried until none changes, on coarser grids first. On a set
 /// the equation is a finite Hilbert transform; GMRES with FFT products solves it, preconditioned by
 /// the continuous inverse w H (1/w), w = prod sqrt((leading_j - x)/(x - trailing_j)), so that it
-/// needs about 15 products whatever n is. An edge cell of which only the share w is in contact gets
-/// the compliance 2 (1 - w)/w in addition (4 (1 - w)/(pi w) where it is the only cell): with it the
-/// initial slope is (pi E*/4) x contact length with the edges inside the cells. From the staggered
+/// needs about 15 products whatever n is.
+///
+/// With the edges of the contact inside their cells (`RollingOptions::contact`) the force is of
+/// second order in the cell size; without them each cell counts as a whole and it is of first
+/// order. An edge cell of whose panel only the share w is in contact gets the compliance
+/// 2 (1 - w)/w in addition (4 (1 - w)/(pi w) where it is the only cell), from the staggered
 /// operator's inverse: the product of the solutions with rolling to either side is pi/8 in an edge
-/// cell, the inverse's diagonal 1/2.
+/// cell, the inverse's diagonal 1/2. The initial slope then is (pi E*/4) x contact length.
 /// @param bound friction coefficient times pressure per cell, >= 0; 0 outside the contact
 /// @param creep >= 0
 /// @throws Error (NotConverged)

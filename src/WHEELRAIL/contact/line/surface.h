@@ -3,14 +3,13 @@
 #define WHEELRAIL_CONTACT_LINE_SURFACE_H
 
 #include "contact/line/profile.h"
+#include "contact/roughness_kind.h"
 
 #include <cstdint>
 #include <string>
 #include <vector>
 
 namespace wheelrail {
-
-enum class RoughnessKind { None, Fractal, Measured };
 
 /// The rough surfaces of a line contact: generated profiles, one for each seed, or measured ones.
 struct SurfaceSpecification {

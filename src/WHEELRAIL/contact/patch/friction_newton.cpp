@@ -59,7 +59,7 @@ Vector krylov(const Apply &apply, const Precondition &precondition, const Vector
       ++k;
       if (!(below > 0.0))
         break;
-      basis.push_back(w / below);
+      basis.emplace_back(w / below);
     }
     if (k == 0)
       return x;
@@ -223,13 +223,39 @@ Vector FrictionNewton::newtonStep(const Linearisation &linear, const Vector &, c
                 [&](const Vector &v) { return fromRight(linear, v); }, b, tolerance);
 }
 
-double FrictionNewton::residualOf(const Vector &x)
+bool FrictionNewton::solve(Vector &x, double tolerance, int maxSteps)
 {
-  Linearisation linear;
-  return evaluate(x, linear).norm() / eq_.scale;
+  const Vector start = x;
+  if (tryAttempts(x, tolerance, maxSteps))
+    return true;
+  if (eq_.unknown.empty())
+    return false;
+  // A force far from that of the start: go there by parts
+  constexpr double smallestPart = 1.0 / 64.0;
+  const std::vector<double> goal = eq_.force;
+  std::vector<double> base(goal.size(), 0.0);
+  for (std::size_t j = 0; j < goal.size(); ++j)
+    for (int i = 0; i < n_; ++i)
+      base[j] += std::clamp(start[2 * i + eq_.unknown[j]], -eq_.bound[i], eq_.bound[i]);
+  Vector reachedAt = start;
+  double reached = 0.0, part = 0.5;
+  while (reached < 1.0 && part >= smallestPart) {
+    const double next = std::min(1.0, reached + part);
+    for (std::size_t j = 0; j < goal.size(); ++j)
+      eq_.force[j] = next == 1.0 ? goal[j] : base[j] + next * (goal[j] - base[j]);
+    x = reachedAt;
+    if (tryAttempts(x, tolerance, maxSteps)) {
+      reachedAt = x;
+      reached = next;
+    } else {
+      part *= 0.5;
+    }
+  }
+  eq_.force = goal;
+  return reached == 1.0;
 }
 
-bool FrictionNewton::solve(Vector &x, double tolerance, int maxSteps)
+bool FrictionNewton::tryAttempts(Vector &x, double tolerance, int maxSteps)
 {
   const Vector start = x;
   for (const auto &attempt : attempts) {

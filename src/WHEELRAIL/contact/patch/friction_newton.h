@@ -27,10 +27,7 @@ class FrictionNewton {
     double scale = 1.0;        ///< that the residual's norm is measured against
   };
 
-  FrictionNewton(PatchHalfSpace &space_, Equations equations);
-
-  /// Norm of what is left of the equations at x, relative to their scale.
-  double residualOf(const Vector &x);
+  FrictionNewton(PatchHalfSpace &halfSpace, Equations equations);
 
   /// @param x start on entry, solution on return
   /// @param maxSteps Newton steps of one attempt; a second and a third are more careful
@@ -53,13 +50,14 @@ class FrictionNewton {
     Vector lambda;  ///< bound/|q - S| in slip
   };
 
+  bool tryAttempts(Vector &x, double tolerance, int maxSteps);
   bool iterate(Vector &x, double tolerance, int maxSteps);
   Vector operatorB(const Vector &x);
   Vector evaluate(const Vector &x, Linearisation &linear);
   Vector jacobian(const Linearisation &linear, const Vector &x);
   Vector fromLeft(const Linearisation &linear, const Vector &residual) const;
   Vector fromRight(const Linearisation &linear, const Vector &x);
-  Vector newtonStep(const Linearisation &linear, const Vector &x, const Vector &residual,
+  Vector newtonStep(const Linearisation &linear, const Vector &x, const Vector &f,
                     double tolerance);
 
   PatchHalfSpace &space_;

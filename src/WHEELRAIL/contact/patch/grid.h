@@ -44,7 +44,7 @@ struct SubGrid {
 
   Eigen::VectorXd part(const PatchGrid &whole, const Eigen::VectorXd &field) const;
   /// Writes the part's values into a field over the whole grid.
-  void put(const PatchGrid &whole, const Eigen::VectorXd &part, Eigen::VectorXd &field) const;
+  void put(const PatchGrid &whole, const Eigen::VectorXd &values, Eigen::VectorXd &field) const;
 };
 
 /// The smallest box with all cells where `mask` > 0, widened by `leading` columns towards larger x

@@ -32,7 +32,7 @@ struct PatchContactSpecification {
   std::vector<double> load; ///< N, > 0, at least one
   /// Gap A x^2 + B y^2, 1/m; absent: `semiAxes` of the one load decide.
   std::optional<GapCurvatures> curvatures;
-  std::array<double, 2> semiAxes{}; ///< a along x, b along y, m
+  std::array<double, 2> semiAxes{};  ///< a along x, b along y, m
   std::array<ElasticBody, 2> bodies; ///< wheel, rail
   double domain = 0.0;               ///< box / semi-axes: +- domain/2 a and +- domain/2 b, > 2
   int nx = 0, ny = 0;                ///< cells of the box
@@ -58,8 +58,8 @@ struct PatchContact {
   bool isNominal(int cell) const; ///< inside the smooth contact's ellipse?
   /// Mean over the nominal contact of a value per cell.
   double nominalMean(const Eigen::VectorXd &values) const;
-  double nominalArea() const;                                      ///< pi ab, m^2
-  double realArea(const Eigen::VectorXd &pressure) const;          ///< m^2
+  double nominalArea() const;                             ///< pi ab, m^2
+  double realArea(const Eigen::VectorXd &pressure) const; ///< m^2
 };
 
 /// Grid, surface and normal contact.

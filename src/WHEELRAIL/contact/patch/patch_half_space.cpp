@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "contact/patch/patch_half_space.h"
 
-#include "contact/line/convolution.h"
+#include "contact/convolution.h"
 
 #include <cmath>
 #include <fftw3.h>

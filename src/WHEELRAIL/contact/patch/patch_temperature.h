@@ -2,8 +2,8 @@
 #ifndef WHEELRAIL_PATCH_TEMPERATURE_H
 #define WHEELRAIL_PATCH_TEMPERATURE_H
 
+#include "contact/contact_temperature.h"
 #include "contact/half_space.h"
-#include "contact/line/contact_temperature.h"
 
 #include <vector>
 

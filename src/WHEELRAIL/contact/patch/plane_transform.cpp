@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "contact/patch/plane_transform.h"
 
-#include "contact/line/convolution.h"
+#include "contact/convolution.h"
 
 #include <algorithm>
 #include <fftw3.h>
@@ -45,11 +45,11 @@ struct PlaneTransform::Work {
   Work(const Work &) = delete;
   Work &operator=(const Work &) = delete;
 
-  Complex *planeRow(int field, int iy)
+  Complex *planeRow(int field, int iy) const
   {
     return reinterpret_cast<Complex *>(plane) + (std::size_t(field) * ny + iy) * bins;
   }
-  Complex *column(int field, int c)
+  Complex *column(int field, int c) const
   {
     return reinterpret_cast<Complex *>(block) + (std::size_t(field) * blockColumns + c) * sizeY;
   }

@@ -142,9 +142,9 @@ RoughPatch fractalPatch(const RoughPatchSpecification &specification, std::uint6
        {std::tuple{fractal.wavelengthMin * root, box.dx, "along x"},
         {fractal.wavelengthMin / root, box.dy, "along y"}})
     if (wave < advisedCellsPerWave * cell)
-      patch.remarks.push_back(fmt::format(
-          "points: waves of {:.4g} mm have {:.1f} cells {}; {:g} are advised", wave * 1e3,
-          wave / cell, direction, advisedCellsPerWave));
+      patch.remarks.push_back(
+          fmt::format("points: waves of {:.4g} mm have {:.1f} cells {}; {:g} are advised",
+                      wave * 1e3, wave / cell, direction, advisedCellsPerWave));
   return patch;
 }
 
@@ -154,8 +154,8 @@ RoughPatch measuredPatch(const RoughPatchSpecification &specification, std::size
   RoughPatch patch;
   patch.number = index + 1;
   if (!specification.rail.empty())
-    patch.rail = measuredMap(specification.rail[index], specification.railMap, "rail", box, travel,
-                             patch);
+    patch.rail =
+        measuredMap(specification.rail[index], specification.railMap, "rail", box, travel, patch);
   if (!specification.wheel.empty())
     patch.wheel = measuredMap(specification.wheel[index], specification.wheelMap, "wheel", box,
                               travel, patch);
@@ -167,8 +167,8 @@ RoughPatch measuredPatch(const RoughPatchSpecification &specification, std::size
                     patch.shortestWave * 1e3, patch.shortestWave / std::max(box.dx, box.dy),
                     advisedCellsPerWave));
   if (patch.shortestWave == 0.0)
-    patch.remarks.push_back("roughness.cutoff: not given; waves of the measured maps that are "
-                            "shorter than 8 cells are not resolved");
+    patch.remarks.emplace_back("roughness.cutoff: not given; waves of the measured maps that are "
+                               "shorter than 8 cells are not resolved");
   return patch;
 }
 

@@ -2,9 +2,9 @@
 #ifndef WHEELRAIL_ROUGH_PATCH_H
 #define WHEELRAIL_ROUGH_PATCH_H
 
-#include "contact/line/surface.h"
 #include "contact/patch/height_map_file.h"
 #include "contact/patch/patch_surface.h"
+#include "contact/roughness_kind.h"
 
 #include <cstdint>
 #include <string>
@@ -42,7 +42,7 @@ struct RoughPatchSpecification {
   std::vector<std::uint64_t> seeds; ///< Fractal: one surface each
   /// Fractal: the period along x in lengths of the box; 0: 1, and enough for the travel.
   int boxes = 0;
-  std::vector<std::string> rail, wheel; ///< Measured: files; one list may be empty
+  std::vector<std::string> rail, wheel;   ///< Measured: files; one list may be empty
   HeightMapPreparation railMap, wheelMap; ///< Measured: the scale is that of npy files
 
   std::size_t surfaces() const;
@@ -53,9 +53,9 @@ struct RoughPatchSpecification {
 struct RoughPatch {
   std::uint64_t number = 0; ///< seed, or number of the pair of maps from 1 on; 0: smooth
   RoughMap wheel, rail;
-  double shortestWave = 0.0; ///< m; 0: not known
+  double shortestWave = 0.0;                   ///< m; 0: not known
   std::vector<HeightMapStatistics> statistics; ///< after every step of the preparation
-  std::vector<std::string> remarks; ///< what was done to the maps that a user must know
+  std::vector<std::string> remarks;            ///< what was done to the maps that a user must know
 };
 
 /// Cells to the shortest wave; fewer are warned of.

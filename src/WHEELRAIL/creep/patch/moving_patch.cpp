@@ -92,7 +92,8 @@ MovingPatch::MovingPatch(const CreepPhysics &physics, const MovingPatchSpecifica
                          const PatchContact &contact, double spinPoint)
     : physics_(physics), moving_(moving), sequence_(sequence), law_(law), contact_(contact),
       spinPoint_(spinPoint), space_(contact.grid, contact.pair), normal_(contact.normal),
-      passSteps_(static_cast<int>(std::ceil(2.0 * contact.hertz.a / contact.grid.dx * (1.0 - 1e-12))))
+      passSteps_(
+          static_cast<int>(std::ceil(2.0 * contact.hertz.a / contact.grid.dx * (1.0 - 1e-12))))
 {
 }
 
@@ -111,9 +112,9 @@ void MovingPatch::begin(TransientPatch &transient, double speed, const PatchDriv
     return;
   }
   TransientPatch::Step shift;
-  shift.bound =
-      frictionCoefficient(physics_.friction, law_, normal_.pressure, 0.0,
-                          Vector::Zero(contact_.grid.cells())).cwiseProduct(normal_.pressure);
+  shift.bound = frictionCoefficient(physics_.friction, law_, normal_.pressure, 0.0,
+                                    Vector::Zero(contact_.grid.cells()))
+                    .cwiseProduct(normal_.pressure);
   shift.cells = 0;
   shift.forceX = drive.forceX.value_or(0.0);
   shift.forceY = drive.forceY.value_or(0.0);
@@ -135,16 +136,16 @@ void MovingPatch::press(int step, double load, double distance, const Creepage &
     return;
   NormalContactOptions options;
   options.tolerance = pressureTolerance;
-  options.start = smooth ? normal_.pressure
-                         : shifted(contact_.grid, normal_.pressure, step > 0 ? 1 : 0);
+  options.start =
+      smooth ? normal_.pressure : shifted(contact_.grid, normal_.pressure, step > 0 ? 1 : 0);
   const double mean = fields_.temperature.dot(normal_.pressure) / normal_.pressure.sum();
   try {
     normal_ = solveNormalContact(
         space_, contact_.problem(physics_.pressureLimit(mean), load, wheel_, rail_), options);
     checkInsideBox(contact_.grid, normal_.pressure);
   } catch (const Error &error) {
-    throw Error(error.code(), fmt::format("{} (after {:.4g} mm of rolling)", error.what(),
-                                          distance * 1e3));
+    throw Error(error.code(),
+                fmt::format("{} (after {:.4g} mm of rolling)", error.what(), distance * 1e3));
   }
 }
 

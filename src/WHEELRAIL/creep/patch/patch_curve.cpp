@@ -92,8 +92,8 @@ double longestWay(const PatchSpecification &asked, double load)
     return 0.0;
   double way = 0.0, fastest = 0.0;
   for (double speed : asked.speed)
-    way = std::max(way, rolledDistance(asked.moving, asked.sequence, asked.contact.hertz(load),
-                                       speed));
+    way = std::max(way,
+                   rolledDistance(asked.moving, asked.sequence, asked.contact.hertz(load), speed));
   for (const auto *creeps : {&asked.creep, &asked.sequence.creep})
     for (double creep : *creeps)
       fastest = std::max(fastest, std::abs(creep));
@@ -107,8 +107,7 @@ PatchContactSummary summaryOf(const PatchSpecification &asked, const PatchContac
     return summary;
   TangentialSolver solver(contact.grid, contact.pair);
   summary.sensitivity = creepSensitivity(solver, contact.normal.pressure);
-  summary.kalker =
-      kalkerCoefficients(*summary.sensitivity, contact.pair.G, contact.nominalArea());
+  summary.kalker = kalkerCoefficients(*summary.sensitivity, contact.pair.G, contact.nominalArea());
   return summary;
 }
 

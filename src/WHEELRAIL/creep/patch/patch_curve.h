@@ -29,14 +29,14 @@ struct PatchSpecification {
   RoughPatchSpecification roughness;
   CreepPhysics physics;
   PatchMode mode = PatchMode::Frozen;
-  MovingPatchSpecification moving;         ///< of mode Moving
-  PatchSequence sequence;                  ///< of mode Moving
-  std::vector<double> creep, lateral;      ///< -; one value each where the force is given
-  std::vector<double> spin;                ///< 1/m
-  std::vector<double> forceX, forceY;      ///< N; empty: the creepage is given
-  std::vector<double> forceRatio;          ///< Static: -Fx/(sum of mu p), below 1
+  MovingPatchSpecification moving;          ///< of mode Moving
+  PatchSequence sequence;                   ///< of mode Moving
+  std::vector<double> creep, lateral;       ///< -; one value each where the force is given
+  std::vector<double> spin;                 ///< 1/m
+  std::vector<double> forceX, forceY;       ///< N; empty: the creepage is given
+  std::vector<double> forceRatio;           ///< Static: -Fx/(sum of mu p), below 1
   std::vector<std::array<double, 2>> shift; ///< Static: of the wheel against the rail, m
-  std::vector<double> speed;               ///< m/s
+  std::vector<double> speed;                ///< m/s
   FieldSelection fields;
   bool sensitivities = true; ///< Kalker's coefficients of every contact
 };
@@ -59,22 +59,22 @@ struct PatchContactSummary {
 struct PatchCurves {
   std::vector<PatchContact> contacts; ///< by surface, then load
   std::vector<PatchContactSummary> summaries;
-  std::vector<PatchPoint> points; ///< by surface, load, speed, spin, lateral, longitudinal
-  std::map<int, PatchFields> fields;               ///< SI, by number of the point, from 1 on
-  std::map<int, std::vector<PatchStep>> series;    ///< of mode Moving, likewise
+  std::vector<PatchPoint> points;    ///< by surface, load, speed, spin, lateral, longitudinal
+  std::map<int, PatchFields> fields; ///< SI, by number of the point, from 1 on
+  std::map<int, std::vector<PatchStep>> series; ///< of mode Moving, likewise
   std::vector<std::string> warnings;
   int resumed = 0;
   double seconds = 0.0;
 };
 
 /// The points in the order of the results.
-std::vector<PatchTask> patchTasks(const PatchSpecification &specification);
+std::vector<PatchTask> patchTasks(const PatchSpecification &asked);
 
 /// All of them. The work is cut into pieces of a few neighbouring points, each started cold and
 /// solved in order, so that the result is the same to the last bit on one thread or many, in one go
 /// or resumed.
 /// @throws Error (Interrupted) when asked to stop, and what the points throw
-PatchCurves solvePatchCurves(const PatchSpecification &specification, const FrictionLaw &law,
+PatchCurves solvePatchCurves(const PatchSpecification &asked, const FrictionLaw &law,
                              const SweepOptions &options = {});
 
 } // namespace wheelrail

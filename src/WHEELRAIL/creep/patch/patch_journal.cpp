@@ -9,17 +9,34 @@ namespace {
 using Json = nlohmann::json;
 
 /// Every number of a point, in a fixed order: written and read through the same list.
-template<class Point, class Visit> void eachNumber(Point &p, const Visit &visit)
+template<class Point, class Visit>
+void eachNumber(Point &p, const Visit &visit)
 {
-  for (auto *value : {&p.load, &p.speed, &p.creepage.xi, &p.creepage.eta, &p.creepage.phi,
-                      &p.forceX, &p.forceY, &p.momentZ, &p.muMean, &p.temperatureRise,
-                      &p.temperatureMaximum, &p.stickFraction, &p.approach, &p.peakPressure,
-                      &p.realArea, &p.frictionalPower, &p.powerClosure, &p.errorX, &p.errorY,
+  for (auto *value : {&p.load,
+                      &p.speed,
+                      &p.creepage.xi,
+                      &p.creepage.eta,
+                      &p.creepage.phi,
+                      &p.forceX,
+                      &p.forceY,
+                      &p.momentZ,
+                      &p.muMean,
+                      &p.temperatureRise,
+                      &p.temperatureMaximum,
+                      &p.stickFraction,
+                      &p.approach,
+                      &p.peakPressure,
+                      &p.realArea,
+                      &p.frictionalPower,
+                      &p.powerClosure,
+                      &p.errorX,
+                      &p.errorY,
                       &p.errorZ})
     visit(*value);
 }
 
-template<class Step, class Visit> void eachNumberOfStep(Step &s, const Visit &visit)
+template<class Step, class Visit>
+void eachNumberOfStep(Step &s, const Visit &visit)
 {
   for (auto *value :
        {&s.distance, &s.load, &s.creepage.xi, &s.creepage.eta, &s.creepage.phi, &s.forceX,

@@ -17,7 +17,7 @@ using Vector = Eigen::VectorXd;
 constexpr double pi = 3.14159265358979323846;
 constexpr double temperatureTolerance = 1e-7; ///< of the strength temperature
 constexpr double tangentialTolerance = 1e-6;
-constexpr double creepTolerance = 1e-6;       ///< of a creepage that is found, relative
+constexpr double creepTolerance = 1e-6; ///< of a creepage that is found, relative
 constexpr int maxIterations = 100;
 
 } // namespace

@@ -23,25 +23,25 @@ struct PatchDrive {
 
 /// One computed point; SI units.
 struct PatchPoint {
-  std::uint64_t surface = 0;               ///< seed, or number of the measured pair
-  double load = 0.0;                       ///< N
-  double speed = 0.0;                      ///< m/s
-  Creepage creepage;                       ///< given, or found
-  double forceX = 0.0, forceY = 0.0;       ///< N, on the wheel: against its slip
-  double momentZ = 0.0;                    ///< N m
-  double muMean = 0.0;                     ///< load-weighted
-  double temperatureRise = 0.0;            ///< mean over the nominal contact, K
-  double temperatureMaximum = 0.0;         ///< K
-  int iterations = 0;                      ///< of the fixed point; steps where the contact moves
-  int products = 0;                        ///< with the influence of the tractions, in all
-  double stickFraction = 0.0;              ///< of the cells in contact
-  double approach = 0.0;                   ///< m
-  double peakPressure = 0.0;               ///< Pa
-  double realArea = 0.0;                   ///< m^2
-  double frictionalPower = 0.0;            ///< W
-  double powerClosure = 1.0;               ///< frictionalPower/(-(xi Fx + eta Fy + phi Mz) v0)
-  double errorX = 0.0, errorY = 0.0;       ///< standard errors of the forces where the contact
-  double errorZ = 0.0;                     ///< moves, and of the moment
+  std::uint64_t surface = 0;         ///< seed, or number of the measured pair
+  double load = 0.0;                 ///< N
+  double speed = 0.0;                ///< m/s
+  Creepage creepage;                 ///< given, or found
+  double forceX = 0.0, forceY = 0.0; ///< N, on the wheel: against its slip
+  double momentZ = 0.0;              ///< N m
+  double muMean = 0.0;               ///< load-weighted
+  double temperatureRise = 0.0;      ///< mean over the nominal contact, K
+  double temperatureMaximum = 0.0;   ///< K
+  int iterations = 0;                ///< of the fixed point; steps where the contact moves
+  int products = 0;                  ///< with the influence of the tractions, in all
+  double stickFraction = 0.0;        ///< of the cells in contact
+  double approach = 0.0;             ///< m
+  double peakPressure = 0.0;         ///< Pa
+  double realArea = 0.0;             ///< m^2
+  double frictionalPower = 0.0;      ///< W
+  double powerClosure = 1.0;         ///< frictionalPower/(-(xi Fx + eta Fy + phi Mz) v0)
+  double errorX = 0.0, errorY = 0.0; ///< standard errors of the forces where the contact
+  double errorZ = 0.0;               ///< moves, and of the moment
 
   double traction() const { return std::hypot(forceX, forceY); } ///< N
   double tractionRatio() const { return traction() / load; }

@@ -28,8 +28,7 @@ const char *modeName(PatchMode mode)
 std::string forceCells(const PatchPoint &p)
 {
   return fmt::format(",{:.10g},{:.10g},{:.10g},{:.10g},{:.10g},{:.10g}", p.forceX, p.forceY,
-                     p.momentZ / newtonMm, p.approach / mm, p.peakPressure / MPa,
-                     p.realArea / mm2);
+                     p.momentZ / newtonMm, p.approach / mm, p.peakPressure / MPa, p.realArea / mm2);
 }
 
 std::string staticCsv(const PatchSpecification &asked, const PatchCurves &curves)
@@ -41,9 +40,9 @@ std::string staticCsv(const PatchSpecification &asked, const PatchCurves &curves
       "approach,peak_pressure,real_area";
   text += severalSurfaces(asked) ? fmt::format(",{}\n", asked.roughness.surfaceName()) : "\n";
   for (const PatchPoint &p : curves.points) {
-    text += fmt::format("{:.10g},{:.10g},{:.10g},{:.10g},{:.10g},{:.6g}", p.load,
-                        p.creepage.xi / mm, p.creepage.eta / mm, p.tractionRatio(), p.muMean,
-                        p.stickFraction);
+    text +=
+        fmt::format("{:.10g},{:.10g},{:.10g},{:.10g},{:.10g},{:.6g}", p.load, p.creepage.xi / mm,
+                    p.creepage.eta / mm, p.tractionRatio(), p.muMean, p.stickFraction);
     text += forceCells(p);
     text += severalSurfaces(asked) ? fmt::format(",{}\n", p.surface) : "\n";
   }
@@ -64,8 +63,8 @@ std::string creepCsv(const PatchSpecification &asked, const PatchCurves &curves)
   text += severalSurfaces(asked) ? fmt::format(",{}\n", asked.roughness.surfaceName()) : "\n";
   for (const PatchPoint &p : curves.points) {
     text += fmt::format("{:g},{:.10g},{:.10g},{:.10g},{:.10g},{:.10g},{},{:.6g}", p.speed,
-                        p.creepage.xi, p.tractionRatio(), p.traction(), p.muMean,
-                        p.temperatureRise, p.iterations, p.stickFraction);
+                        p.creepage.xi, p.tractionRatio(), p.traction(), p.muMean, p.temperatureRise,
+                        p.iterations, p.stickFraction);
     text += fmt::format(",{:.10g},{:.10g},{:.10g}", p.load, p.creepage.eta, p.creepage.phi / perMm);
     text += forceCells(p);
     text += fmt::format(",{:.10g},{:.10g},{:.6g},{}", p.temperatureMaximum, p.frictionalPower,
@@ -141,13 +140,13 @@ std::string patchSeriesCsv(const PatchCurves &curves)
   for (const auto &[number, steps] : curves.series) {
     const double speed = curves.points[number - 1].speed;
     for (const PatchStep &s : steps)
-      text += fmt::format("{},{:.8g},{:.8g},{:.10g},{:.10g},{:.10g},{:.10g},{:.10g},{:.10g},"
-                          "{:.10g},{:.8g},{:.8g},{:.6g},{:.10g},{:.8g},{:.8g},{:.8g}\n",
-                          number, s.distance / mm, s.distance / speed, s.load, s.creepage.xi,
-                          s.creepage.eta, s.creepage.phi / perMm, s.forceX, s.forceY,
-                          s.momentZ / newtonMm, s.muMean, s.temperatureRise, s.stickFraction,
-                          s.approach / mm, s.peakPressure / MPa, s.realArea / mm2,
-                          s.frictionalPower);
+      text +=
+          fmt::format("{},{:.8g},{:.8g},{:.10g},{:.10g},{:.10g},{:.10g},{:.10g},{:.10g},"
+                      "{:.10g},{:.8g},{:.8g},{:.6g},{:.10g},{:.8g},{:.8g},{:.8g}\n",
+                      number, s.distance / mm, s.distance / speed, s.load, s.creepage.xi,
+                      s.creepage.eta, s.creepage.phi / perMm, s.forceX, s.forceY,
+                      s.momentZ / newtonMm, s.muMean, s.temperatureRise, s.stickFraction,
+                      s.approach / mm, s.peakPressure / MPa, s.realArea / mm2, s.frictionalPower);
   }
   return text;
 }
@@ -186,14 +185,14 @@ std::string patchShortReport(const PatchSpecification &asked, const PatchCurves 
   std::string text;
   for (const PatchContact &c : curves.contacts) {
     const std::string name =
-        severalSurfaces(asked) ? fmt::format("{} {}: ", asked.roughness.surfaceName(),
-                                             c.surface.number)
-                               : std::string();
-    text += fmt::format("{}load {:.4g} kN: Hertz: semi-axes {:.4g} x {:.4g} mm, pressure {:.4g} "
-                        "MPa; {} x {} cells of {:.4g} x {:.4g} um\n",
-                        name, c.load / 1e3, c.hertz.a / mm, c.hertz.b / mm,
-                        c.hertz.hertzPressure / MPa, c.grid.nx, c.grid.ny, c.grid.dx / um,
-                        c.grid.dy / um);
+        severalSurfaces(asked)
+            ? fmt::format("{} {}: ", asked.roughness.surfaceName(), c.surface.number)
+            : std::string();
+    text +=
+        fmt::format("{}load {:.4g} kN: Hertz: semi-axes {:.4g} x {:.4g} mm, pressure {:.4g} "
+                    "MPa; {} x {} cells of {:.4g} x {:.4g} um\n",
+                    name, c.load / 1e3, c.hertz.a / mm, c.hertz.b / mm, c.hertz.hertzPressure / MPa,
+                    c.grid.nx, c.grid.ny, c.grid.dx / um, c.grid.dy / um);
     for (const HeightMapStatistics &s : c.surface.statistics)
       text += fmt::format("{}{}: rms height {:.4g} um, rms slope {:.4g} along x, {:.4g} along y\n",
                           name, s.step, s.rmsHeight / um, s.rmsSlopeX, s.rmsSlopeY);
@@ -202,10 +201,10 @@ std::string patchShortReport(const PatchSpecification &asked, const PatchCurves 
                         c.normal.peakPressure() / MPa);
   }
   const PatchPoint &last = curves.points.back();
-  const auto largest = std::max_element(
-      curves.points.begin(), curves.points.end(), [](const PatchPoint &a, const PatchPoint &b) {
-        return a.tractionRatio() < b.tractionRatio();
-      });
+  const auto largest = std::max_element(curves.points.begin(), curves.points.end(),
+                                        [](const PatchPoint &a, const PatchPoint &b) {
+                                          return a.tractionRatio() < b.tractionRatio();
+                                        });
   text += fmt::format("T/N at most {:.4f}; last point: Fx {:.5g} N, Fy {:.5g} N, Mz {:.5g} N mm, "
                       "{:.0f} % of the contact sticks\n",
                       largest->tractionRatio(), last.forceX, last.forceY, last.momentZ / newtonMm,
@@ -279,8 +278,9 @@ std::vector<PolachPoint> polachPoints(const PatchCurves &curves)
 {
   std::vector<PolachPoint> points;
   for (const PatchPoint &p : curves.points)
-    points.push_back(
-        {{p.creepage.xi, p.creepage.eta, p.creepage.phi / perMm, p.speed, p.load}, p.forceX, p.forceY});
+    points.push_back({{p.creepage.xi, p.creepage.eta, p.creepage.phi / perMm, p.speed, p.load},
+                      p.forceX,
+                      p.forceY});
   return points;
 }
 

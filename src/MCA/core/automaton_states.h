@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+/// \file automaton_states.h
+/// What an automaton carries with it beside place, velocity and angular velocity: one table, from
+/// which follow the custom properties of LAMMPS that hold these values, the words of restart files
+/// and of mca_links files, and the attributes of compute mca/atom.
+///
+/// All of them move with their automaton between ranks, stand in restart files with a checksum and
+/// in the files of mca_links, and end with it; a new automaton begins with 0. A state that is added
+/// is a line of this table, beside the code that uses it, as
+/// `pair->state(mca::stateNumber("kappa"))[i]`, and, if it is shown, its line on the page of
+/// compute mca/atom. The order of the lines is that of restart files.
+#ifndef MCA_AUTOMATON_STATES_H
+#define MCA_AUTOMATON_STATES_H
+
+#include <iterator>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+namespace mca {
+
+/// Dimensions in which something exists.
+enum class In { None, Plane, Space, Both };
+
+inline constexpr bool existsIn(In dimensions, int dimension)
+{
+  return dimensions == In::Both || dimensions == (dimension == 2 ? In::Plane : In::Space);
+}
+
+/// When a state is up to date.
+enum class Upkeep {
+  EveryStep, ///< after each step
+  Commands,  ///< always: only commands change it
+  Collected, ///< after PairMCA::collect_changes(); a step keeps what it adds
+  EndOfRun   ///< after a run and when a restart file is written, for the next set-up
+};
+
+/// A number that each automaton carries.
+struct AutomatonState {
+  const char *name;      ///< of the property, d_mca_NAME, and in the files of mca_links
+  In exists;             ///< dimensions in which automata carry it
+  Upkeep upkeep;         ///< when it is up to date
+  const char *attribute; ///< its name in compute mca/atom; nullptr: not shown there
+  In shown;              ///< dimensions in which it is shown
+  const char *unit;      ///< as the pages name it; empty for a plain number
+  const char *meaning;   ///< as the page of compute mca/atom says it
+};
+
+inline constexpr AutomatonState automatonStates[] = {
+    {"kappa", In::Both, Upkeep::EveryStep, "plastic", In::Both, "", "equivalent plastic strain"},
+    {"theta", In::Both, Upkeep::EveryStep, "theta", In::Plane, "radians",
+     "angle of rotation since the beginning"},
+    {"lag_x", In::Both, Upkeep::EndOfRun, nullptr, In::None, "velocity units",
+     "velocity less that which the forces saw"},
+    {"lag_y", In::Both, Upkeep::EndOfRun, nullptr, In::None, "velocity units", "the same along y"},
+    {"rest_x", In::Both, Upkeep::EndOfRun, nullptr, In::None, "velocity units",
+     "what rounding took from the lag"},
+    {"rest_y", In::Both, Upkeep::EndOfRun, nullptr, In::None, "velocity units", "the same along y"},
+    {"lag_z", In::Space, Upkeep::EndOfRun, nullptr, In::None, "velocity units", "the same along z"},
+    {"rest_z", In::Space, Upkeep::EndOfRun, nullptr, In::None, "velocity units",
+     "the same along z"},
+    {"links0", In::Both, Upkeep::Commands, nullptr, In::None, "", "number of original links"},
+    {"elastic_z", In::Both, Upkeep::EveryStep, nullptr, In::None, "",
+     "elastic strain across the plane"},
+    {"broken", In::Both, Upkeep::Collected, "broken", In::Both, "",
+     "number of its links that broke"},
+    {"formed", In::Both, Upkeep::Collected, "formed", In::Both, "",
+     "number of links that it formed by contact"},
+};
+
+inline constexpr int stateCount = static_cast<int>(std::size(automatonStates));
+
+/// Number of a state in the table; a name that is not there does not compile where the number is
+/// a constexpr, and is a std::logic_error elsewhere.
+constexpr int stateNumber(std::string_view name)
+{
+  for (int k = 0; k < stateCount; k++)
+    if (name == automatonStates[k].name)
+      return k;
+  throw std::logic_error("automata have no such state");
+}
+
+/// Name of the custom property of LAMMPS that holds a state, as atom->find_custom() wants it.
+inline std::string propertyName(const AutomatonState &state)
+{
+  return std::string("mca_") + state.name;
+}
+
+/// Words of fix property/atom for all states of a dimension.
+inline std::string propertyWords(int dimension)
+{
+  std::string words;
+  for (const AutomatonState &state : automatonStates)
+    if (existsIn(state.exists, dimension))
+      words += (words.empty() ? "d_" : " d_") + propertyName(state);
+  return words;
+}
+
+} // namespace mca
+
+#endif

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "energy_account.h"
+
+#include "laws/pair_motion.h"
+
+namespace mca {
+
+static Vector vectorOf(const double *values)
+{
+  return {values[0], values[1], values[2]};
+}
+
+static void store(const Vector &v, double *values)
+{
+  values[0] = v.x;
+  values[1] = v.y;
+  values[2] = v.z;
+}
+
+// Elastic strains of pair k in the present or the next state at the present place.
+static ElasticStrain strainOf(const Step &step, int k, bool next)
+{
+  double state[LinkList::maxStateSize];
+  step.links().getState(k, next, state);
+  const bool linked = link::isLinked(state[0]);
+  const double e = step.links().pairs().eps[k] - state[1];
+  const double shear = step.dimension() == 2 ? state[2] : length(vectorOf(state + 2));
+  return {touchingStrain(linked, e), linked ? shear : 0.0};
+}
+
+// Where the energy goes that pair k dissipates.
+static EnergyAccount::Channel channelOf(const Step &step, int k)
+{
+  double now[LinkList::maxStateSize], next[LinkList::maxStateSize];
+  step.links().getState(k, false, now);
+  step.links().getState(k, true, next);
+  const bool was = link::isLinked(now[0]), is = link::isLinked(next[0]);
+  return was && !is ? EnergyAccount::Fracture
+         : was      ? EnergyAccount::Plastic
+                    : EnergyAccount::Viscous;
+}
+
+void EnergyAccount::keep(const Step &step, const double (*x)[3], const double (*f)[3],
+                         const double (*torque)[3])
+{
+  rows_.resize(step.rows());
+  rows_.clear();
+  const Pairs &p = step.links().pairs();
+  for (int k = 0; k < p.n; k++) {
+    const double e = strainOf(step, k, true).normal;
+    rows_.row(p.i[k])[meanAt] += e;
+    rows_.row(p.j[k])[meanAt] += e;
+  }
+  const int own = step.own();
+  external_.resize(own);
+  before_.resize(own);
+  for (int i = 0; i < own; i++) {
+    const AutomatonLaw &law = step.laws().automata[step.type(i)];
+    external_[i] = {vectorOf(f[i]) - step.force(i), vectorOf(torque[i]) - step.torque(i)};
+    before_[i] = vectorOf(x[i]);
+    double &mean = rows_.row(i)[meanAt];
+    mean = meanStress(mean, law.bulkModulus, law.weight);
+    if (step.laws().flowsAcross)
+      mean += law.bulkModulus * step.elasticZNext(i);
+  }
+}
+
+void EnergyAccount::bookWork(int i, const Motion &moved)
+{
+  sums_[Work] += 0.5 * (dot(external_[i].way, moved.way) + dot(external_[i].turn, moved.turn));
+}
+
+void EnergyAccount::bookSecondHalf(const Step &step, double dt)
+{
+  for (int i = 0; i < step.own(); i++)
+    bookWork(i, {dt * step.velocity(i), dt * step.spin(i)});
+  bookContacts(step, dt, true);
+}
+
+void EnergyAccount::bookFirstHalf(const Step &step, const double (*x)[3], const double (*omega)[3],
+                                  double dt)
+{
+  for (int i = 0; i < step.own(); i++) {
+    const Motion moved = {vectorOf(x[i]) - before_[i], dt * vectorOf(omega[i])};
+    store(moved.way, rows_.row(i) + wayAt);
+    store(moved.turn, rows_.row(i) + turnAt);
+    bookWork(i, moved);
+    sums_[Plastic] += elasticZLoss(step, i);
+  }
+  step.exchange().begin(rows_.data(), rowLength, rowLength);
+  step.exchange().finish(rows_.data(), rowLength, rowLength);
+  bookContacts(step, dt, false);
+}
+
+// What the contacts dissipate in the second half of the step just done (back), or in the first half
+// of the coming one and by the change of state before it. Of either step the evaluation knows one
+// end; `sign` looks from there to the other one.
+void EnergyAccount::bookContacts(const Step &step, double dt, bool back)
+{
+  const Pairs &p = step.links().pairs();
+  const double sign = back ? 1.0 : -1.0;
+  auto moved = [&](int i) {
+    const double *row = rows_.row(i);
+    return back ? Motion{dt * step.velocity(i), dt * step.spin(i)}
+                : Motion{vectorOf(row + wayAt), vectorOf(row + turnAt)};
+  };
+  for (int k = 0; k < p.n; k++) {
+    const int i = p.i[k], j = p.j[k];
+    const PairLaw &law = step.law(k);
+    const Motion mi = moved(i), mj = moved(j);
+    const Vector distance = step.place(p.placeJ[k]) - step.place(p.placeI[k]);
+    const Vector way = sign * (mj.way - mi.way);
+    const PairMotion motion =
+        pairMotion(distance, 1.0 / length(distance), way, 0.5 * sign * (mi.turn + mj.turn));
+    const double eps = p.eps[k], other = length(distance - way) * law.invDiameter - 1.0;
+    const double growth = sign * dot(shearGrowth(motion), step.alongShear(k, 1.0));
+
+    double state[LinkList::maxStateSize];
+    step.links().getState(k, !back, state);
+    const bool linked = link::isLinked(state[0]);
+    const ElasticStrain total = {sign * (eps - other), growth};
+    const ElasticStrain here = strainOf(step, k, !back);
+    const double there = touchingStrain(linked, other - state[1]);
+    const ElasticStrain elastic = {sign * (here.normal - there), linked ? total.shear : 0.0};
+    const double means[2] = {step.mean(i), step.mean(j)};
+    const double next[2] = {rows_.row(i)[meanAt], rows_.row(j)[meanAt]};
+    const ContactStress s = step.contact(k);
+    double loss = stepLoss(law, s.normal, s.shear, here, back ? means : next, total, elastic);
+    if (!back)
+      loss += changeLoss(law, strainOf(step, k, false), here, means, next);
+    sums_[channelOf(step, k)] += loss * law.area * law.diameter * step.share(k);
+  }
+}
+
+// What the change of the elastic strain across the plane sets free (plasticity j2).
+double EnergyAccount::elasticZLoss(const Step &step, int i) const
+{
+  if (!step.laws().flowsAcross)
+    return 0.0;
+  const int type = step.type(i);
+  const AutomatonLaw &law = step.laws().automata[type];
+  const double now = step.elasticZ(i), next = step.elasticZNext(i);
+  const double twoG = 2.0 * law.shearModulus;
+  const double first = normalResponse(now, twoG, law.D, step.mean(i));
+  const double last = normalResponse(next, twoG, law.D, rows_.row(i)[meanAt]);
+  return 0.5 * (first + last) * (now - next) * step.laws().volumes[type];
+}
+
+double EnergyAccount::bytes() const
+{
+  return rows_.bytes() + static_cast<double>(external_.capacity() * sizeof(Motion) +
+                                             before_.capacity() * sizeof(Vector));
+}
+
+} // namespace mca

@@ -1,0 +1,416 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The passes, for the plane and for space. Compiled once for each instruction set; MCA_ISA names
+// the set and its namespace. Everything a pass calls is inlined into it (see CMakeLists.txt), so no
+// function compiled for a newer processor can be picked up by an older one.
+//
+// The physics stands in laws/. Here a block's pairs are gathered to columns, a loop applies the
+// laws to each, and the results are added to both automata. Each loop exists once for each way that
+// a block may go, with all that the way knows left out by the compiler.
+#include "kernel_plane.h"
+#include "kernel_space.h"
+
+#include <cmath>
+
+// Inlines all that a function calls: loops vectorise only then. What a loop does to a pair stands
+// in a lambda, since vectors that are declared in the loop itself would be kept in memory.
+#define MCA_LOOP __attribute__((flatten))
+
+namespace mca::MCA_ISA {
+namespace {
+
+// Returns how many links of a bulk block break by strain.
+// Criterion: of bulk links; only of the ways of bulk blocks.
+template<class D, Way W, class Criterion>
+MCA_LOOP double strainBlock(const Pairs &p, const Block &block, int first, int n,
+                            const typename D::Time &time, const PairLaw *laws, const double *motion,
+                            const double *spin, double *strains)
+{
+  using Shear = typename D::Shear;
+  const int *const plaw = p.law + first;
+  const double *const pkind = p.now.kind + first, *const pplastic = p.now.plastic + first;
+  const PairArray<Shear> gammas(p.now.gamma, first), totals(p.now.gammaTotal, first);
+  const PairArray<typename D::Normal> normals(p.normal, first);
+  double *const peps = p.eps + first, *const psep = p.separation + first;
+  typename D::Motion seen;
+  Column es, bulks;
+  seen.gather(placesI(p, block, first), placesJ(p, block, first), n, motion, spin);
+  const double oneInvDiameter = laws[plaw[0]].invDiameter;
+  const FractureLimits limits = laws[plaw[0]].limits.fracture;
+  const typename D::Time now = time;
+  // returns 1 for a link that breaks
+  auto move = [=, &seen, &es, &bulks](int k) {
+    const double invDiameter = W == SeveralLaws ? laws[plaw[k]].invDiameter : oneInvDiameter;
+    double r;
+    const auto moved = seen.of(k, now, r);
+    const Shear growth = shearGrowth(moved);
+    const Shear gamma = carriedShear(moved, gammas.get(k)) + growth;
+    const double eps = r * invDiameter - 1.0;
+    const double e = W == Pristine ? eps : eps - pplastic[k];
+    normals.set(k, moved.normal);
+    peps[k] = eps;
+    if constexpr (onlyBulk(W)) {
+      const Shear total = W == Pristine ? gamma : carriedShear(moved, totals.get(k)) + growth;
+      gammas.set(k, gamma);
+      if (W == Bulk)
+        totals.set(k, total);
+      es.value[k] = e;
+      bulks.value[k] = 1.0;
+      return breaks<Criterion>(LinkStrain<Shear>{eps, total}, limits) ? 1.0 : 0.0;
+    } else {
+      const Shear old = totals.get(k), total = carriedShear(moved, old) + growth;
+      const double linked = link::linked(pkind[k]), pressed = e < 0.0 ? 1.0 : 0.0;
+      gammas.set(k, choose(linked, gamma, Shear{}));
+      totals.set(k, choose(linked, total, old));
+      psep[k] = dot(seen.velocity(k), moved.normal);
+      es.value[k] = (linked > pressed ? linked : pressed) * e;
+      bulks.value[k] = pkind[k] == link::bulk ? 1.0 : 0.0;
+      return 0.0;
+    }
+  };
+  double breaking = 0.0;
+#pragma omp simd reduction(+ : breaking)
+  for (int k = 0; k < n; k++)
+    breaking += move(k);
+  if (onlyBulk(W) && breaking > 0.0) // what breaks under pressure becomes a viscous contact
+    for (int k = 0; k < n; k++)
+      psep[k] = dot(seen.velocity(k), normals.get(k));
+  scatter(p.i + first, p.j + first, n, es, bulks, strains);
+  return breaking;
+}
+
+template<class D>
+void strainPass(const Pairs &p, double dt, bool moves, const PairLaw *laws, const double *motion,
+                const double *spin, double *strains)
+{
+  const typename D::Time time(dt, moves);
+  withCriterion(p, laws, [&](auto criterion) {
+    using C = decltype(criterion);
+    // all that do not decide by strain have the same loops
+    using Known = std::conditional_t<C::strainOnly, C, void>;
+    eachBlock<C::strainOnly>(p, [&](Block &block, auto way, int first, int n) {
+      const double breaking =
+          strainBlock<D, way.way, Known>(p, block, first, n, time, laws, motion, spin, strains);
+      block.breaks = breaking > 0.0;
+      if (way.way == Pristine && block.breaks)
+        leavePristine(p, block, first, n, D::shears);
+    });
+  });
+}
+
+template<class D>
+void meanPass(int n, const int *type, const AutomatonLaw *laws, bool oneLaw, const double *strains,
+              double *response)
+{
+  constexpr RowLayout::Strain from = D::rows.strain;
+  constexpr RowLayout::Response to = D::rows.response;
+  auto mean = [=](int i, double bulkModulus, double weight) {
+    response[to.length * i + to.mean] =
+        meanStress(strains[from.length * i + from.sum], bulkModulus, weight);
+  };
+  if (oneLaw && n > 0) {
+    const double bulkModulus = laws[type[0]].bulkModulus, weight = laws[type[0]].weight;
+#pragma omp simd
+    for (int i = 0; i < n; i++)
+      mean(i, bulkModulus, weight);
+  } else {
+    for (int i = 0; i < n; i++)
+      mean(i, laws[type[i]].bulkModulus, laws[type[i]].weight);
+  }
+}
+
+template<class D, Way W>
+MCA_LOOP void stressBlock(const Pairs &p, int first, int n, const PairLaw *laws,
+                          const double *response, double *stresses)
+{
+  const int *const pi = p.i + first, *const pj = p.j + first, *const plaw = p.law + first;
+  const double *const pkind = p.now.kind + first, *const pplastic = p.now.plastic + first;
+  const double *const peps = p.eps + first;
+  const PairArray<typename D::Shear> gammas(p.now.gamma, first);
+  const PairArray<typename D::Normal> normals(p.normal, first);
+  typename D::Answers ofI, ofJ;
+  typename D::Shares shares;
+  ofI.gatherMeans(pi, n, response);
+  ofJ.gatherMeans(pj, n, response);
+  const PairLaw one = laws[plaw[0]];
+  auto share = [=, &one, &ofI, &ofJ, &shares](int k) {
+    const PairLaw &law = W == SeveralLaws ? laws[plaw[k]] : one;
+    const double e = W == Pristine ? peps[k] : peps[k] - pplastic[k];
+    const typename D::Shear gamma = gammas.get(k);
+    const double linked = onlyBulk(W) ? 1.0 : link::linked(pkind[k]);
+    const double pressed = onlyBulk(W) || e < 0.0 ? 1.0 : 0.0;
+    const double touching = linked > pressed ? linked : pressed;
+    const double sigma = touching * elasticStress(law, e, ofI.mean[k], ofJ.mean[k]);
+    shares.set(k, sigma, law.twoG * gamma, normals.get(k));
+    shares.setSums(k, touching * e * e, dot(gamma, gamma),
+                   onlyBulk(W) || pkind[k] == link::bulk ? sigma : 0.0);
+  };
+#pragma omp simd
+  for (int k = 0; k < n; k++)
+    share(k);
+  shares.scatter(pi, pj, n, stresses);
+}
+
+template<class D>
+void stressPass(const Pairs &p, const PairLaw *laws, const double *response, double *stresses)
+{
+  withStrainOnly(p, laws, [&](auto strainOnly) {
+    eachBlock<strainOnly.value>(p, [&](Block &, auto way, int first, int n) {
+      stressBlock<D, way.way>(p, first, n, laws, response, stresses);
+    });
+  });
+}
+
+template<class D, bool ONE>
+MCA_LOOP double yieldLoop(int n, const int *type, const AutomatonLaw *laws, const double *strains,
+                          const double *stresses, const double *kappa, double *kappaNext,
+                          double *response)
+{
+  constexpr RowLayout rows = D::rows;
+  const AutomatonLaw one = laws[type[0]];
+  double flowing = 0.0;
+#pragma omp simd reduction(+ : flowing)
+  for (int i = 0; i < n; i++) {
+    const AutomatonLaw &law = ONE ? one : laws[type[i]];
+    const double *const row = stresses + rows.stress.length * i;
+    double *const answer = response + rows.response.length * i;
+    const StressTensor s = D::averaged(law, row + rows.stress.tensor, answer[rows.response.mean]);
+    const RadialReturn back =
+        radialReturn(stressIntensity(s), law.curve(kappa[i]), law.shearModulus);
+    // without a bulk link there is nothing that could flow
+    const double bulks = strains[rows.strain.length * i + rows.strain.bulks];
+    const double flows = law.yields * bulks > 0.0 ? 1.0 : 0.0;
+    kappaNext[i] = kappa[i] + flows * back.strain;
+    answer[rows.response.factor] = flows * back.factor + (1.0 - flows);
+    D::setCentre(answer, row, bulks);
+    flowing += kappaNext[i] == kappa[i] ? 0.0 : 1.0;
+  }
+  return flowing;
+}
+
+template<class D>
+double yieldPass(int n, const int *type, const AutomatonLaw *laws, bool oneLaw,
+                 const double *strains, const double *stresses, const double *kappa,
+                 double *kappaNext, double *response)
+{
+  if (n == 0)
+    return 0.0;
+  return oneLaw ? yieldLoop<D, true>(n, type, laws, strains, stresses, kappa, kappaNext, response)
+                : yieldLoop<D, false>(n, type, laws, strains, stresses, kappa, kappaNext, response);
+}
+
+template<class D, Way W>
+MCA_LOOP void returnBlock(const Pairs &p, int first, int n, const PairLaw *laws,
+                          const typename D::Answers &ofI, const typename D::Answers &ofJ,
+                          typename D::Shares &shares)
+{
+  const int *const plaw = p.law + first;
+  const double *const pkind = p.now.kind + first, *const pplastic = p.now.plastic + first;
+  const double *const peps = p.eps + first;
+  const PairArray<typename D::Shear> gammas(p.now.gamma, first);
+  const PairArray<typename D::Normal> normals(p.normal, first);
+  const PairLaw one = laws[plaw[0]];
+  auto share = [=, &one, &ofI, &ofJ, &shares](int k) {
+    const PairLaw &law = W == SeveralLaws ? laws[plaw[k]] : one;
+    const double e = W == Pristine ? peps[k] : peps[k] - pplastic[k];
+    const double bulk = onlyBulk(W) || pkind[k] == link::bulk ? 1.0 : 0.0;
+    const Answer i = ofI[k], j = ofJ[k];
+    const double trial = elasticStress(law, e, i.mean, j.mean);
+    const double sigma = returnedStress(trial, i, j);
+    const double tau = bulk * (returnedShare(i, j) - 1.0) * law.twoG;
+    shares.set(k, bulk * (sigma - trial), tau * gammas.get(k), normals.get(k));
+  };
+#pragma omp simd
+  for (int k = 0; k < n; k++)
+    share(k);
+}
+
+template<class D>
+void returnPass(const Pairs &p, const PairLaw *laws, const double *response, double *taken)
+{
+  typename D::Answers ofI, ofJ;
+  typename D::Shares shares{};
+  withStrainOnly(p, laws, [&](auto strainOnly) {
+    eachBlock<strainOnly.value>(p, [&](Block &, auto way, int first, int n) {
+      const int *const pi = p.i + first, *const pj = p.j + first;
+      ofI.gather(pi, n, response);
+      ofJ.gather(pj, n, response);
+      if (allOne(n, ofI.factor, ofJ.factor))
+        return;
+      returnBlock<D, way.way>(p, first, n, laws, ofI, ofJ, shares);
+      shares.scatterTensors(pi, pj, n, taken);
+    });
+  });
+}
+
+template<class D>
+void secondYieldPass(int n, const int *type, const AutomatonLaw *laws, const double *stresses,
+                     const double *taken, const double *kappa, double *kappaNext, double *response)
+{
+  constexpr RowLayout rows = D::rows;
+  for (int i = 0; i < n; i++) {
+    double *const answer = response + rows.response.length * i;
+    const double factor = answer[rows.response.factor], mean = answer[rows.response.mean];
+    if (factor == 1.0)
+      continue;
+    const AutomatonLaw &law = laws[type[i]];
+    const double *const row = stresses + rows.stress.length * i + rows.stress.tensor;
+    const double *const less = taken + rows.stress.length * i + rows.stress.tensor;
+    double after[rows.components];
+    for (int m = 0; m < rows.components; m++)
+      after[m] = row[m] + less[m];
+    const RadialReturn back = secondReturn(factor, stressIntensity(D::averaged(law, row, mean)),
+                                           stressIntensity(D::averaged(law, after, mean)),
+                                           law.curve(kappa[i]), law.shearModulus);
+    kappaNext[i] = kappa[i] + back.strain;
+    answer[rows.response.factor] = back.factor;
+  }
+}
+
+// LOCAL: criteria of local stress or of plastic work act.
+template<class D, Way W, class Criterion, bool LOCAL>
+MCA_LOOP Changes forceBlock(const Pairs &p, int first, int n, const PairLaw *laws,
+                            const double *local, const typename D::Answers &ofI,
+                            const typename D::Answers &ofJ, typename D::Forces &forces)
+{
+  using Shear = typename D::Shear;
+  constexpr RowLayout::Local at = D::rows.local;
+  const int *const plaw = p.law + first;
+  const double *const pkind = p.now.kind + first, *const pplastic = p.now.plastic + first;
+  const double *const peps = p.eps + first, *const psep = p.separation + first;
+  double *const kind1 = p.next.kind + first, *const plastic1 = p.next.plastic + first;
+  const PairArray<Shear> gammas(p.now.gamma, first), totals(p.now.gammaTotal, first);
+  const PairArray<Shear> gammas1(p.next.gamma, first), totals1(p.next.gammaTotal, first);
+  const PairArray<typename D::Normal> normals(p.normal, first);
+  const PairLaw one = laws[plaw[0]];
+  // returns how much of its state changes
+  auto answer = [=, &one, &ofI, &ofJ, &forces](int k) {
+    const PairLaw &law = W == SeveralLaws ? laws[plaw[k]] : one;
+    const double kind = pkind[k], plastic = pplastic[k], eps = peps[k];
+    const Shear gamma = gammas.get(k);
+    const Answer i = ofI[k], j = ofJ[k];
+    const double linked = link::linked(kind);
+    const Shear stored = totals.get(k), total = linked * stored; // else it holds plastic work
+    LocalStress face = {};
+    double work = 0.0;
+    if (LOCAL) {
+      const double *const row = local + at.length * k;
+      const double pressed = eps < plastic ? 1.0 : 0.0;
+      if (Criterion::needsLocalStress)
+        face = faceStress(D::localTensor(row + at.tensor, 0.5 * (i.mean + j.mean)), normals.get(k));
+      work = (1.0 - linked) * pressed * law.limits.countsWork *
+             (firstComponent(stored) + row[at.work]);
+    }
+    const double size = shearSize(gamma);
+    const Contact c = {kind, eps, plastic, size, shearSize(total), psep[k]};
+    const ContactStress s =
+        contactStress<Criterion>(law, c, i, j, face, LOCAL && work >= law.limits.linkWork);
+    // exactly the same where nothing flows, so that a pair's way does not depend on its block
+    const double left = kind == link::bulk ? returnedShare(i, j) : 1.0;
+    const ShearAnswer<Shear> shear = shearAnswer(law, gamma, size, s, left);
+    NextState<Shear> next = nextState(law, c, s, gamma, total, shear.left);
+    firstComponent(next.gammaTotal) += (1.0 - link::linked(s.kindNext)) * work;
+    kind1[k] = s.kindNext;
+    plastic1[k] = next.plastic;
+    gammas1.set(k, next.gamma);
+    totals1.set(k, next.gammaTotal);
+    forces.set(k, contactForce(law, s.normal, shear.acting, eps, normals.get(k)));
+    return (kind == s.kindNext ? 0.0 : 1.0) + (plastic == next.plastic ? 0.0 : 1.0) +
+           (equal(gamma, next.gamma) ? 0.0 : 1.0) + (equal(stored, next.gammaTotal) ? 0.0 : 1.0);
+  };
+  double kinds = 0.0, states = 0.0;
+#pragma omp simd reduction(+ : states)
+  for (int k = 0; k < n; k++)
+    states += answer(k);
+#pragma omp simd reduction(+ : kinds)
+  for (int k = 0; k < n; k++)
+    kinds += pkind[k] == kind1[k] ? 0.0 : 1.0;
+  return {kinds, states};
+}
+
+// Bulk links of one law of which none breaks.
+template<class D, bool PristineBlock, bool Flows>
+MCA_LOOP void bulkForceBlock(const Pairs &p, int first, int n, const PairLaw *laws,
+                             const typename D::Answers &ofI, const typename D::Answers &ofJ,
+                             typename D::Forces &forces)
+{
+  using Shear = typename D::Shear;
+  const double *const pplastic = p.now.plastic + first, *const peps = p.eps + first;
+  double *const kind1 = p.next.kind + first, *const plastic1 = p.next.plastic + first;
+  const PairArray<Shear> gammas(p.now.gamma, first), totals(p.now.gammaTotal, first);
+  const PairArray<Shear> gammas1(p.next.gamma, first), totals1(p.next.gammaTotal, first);
+  const PairArray<typename D::Normal> normals(p.normal, first);
+  const PairLaw law = laws[p.law[first]];
+  auto answer = [=, &law, &ofI, &ofJ, &forces](int k) {
+    const double plastic = PristineBlock ? 0.0 : pplastic[k], eps = peps[k];
+    const double trial = elasticStress(law, eps - plastic, ofI.mean[k], ofJ.mean[k]);
+    const Shear gamma = gammas.get(k);
+    if (Flows) {
+      const Answer i = ofI[k], j = ofJ[k];
+      const double sigma = returnedStress(trial, i, j), left = returnedShare(i, j);
+      kind1[k] = link::bulk;
+      plastic1[k] = plastic + (trial - sigma) * law.invTwoG;
+      gammas1.set(k, left * gamma);
+      totals1.set(k, PristineBlock ? gamma : totals.get(k));
+      forces.set(
+          k, contactForce(law, sigma, returnedShear(left, law.twoG, gamma), eps, normals.get(k)));
+    } else {
+      forces.set(k, contactForce(law, trial, law.twoG * gamma, eps, normals.get(k)));
+    }
+  };
+#pragma omp simd
+  for (int k = 0; k < n; k++)
+    answer(k);
+}
+
+template<class D>
+double forcePass(const Pairs &p, const PairLaw *laws, const double *response, const double *local,
+                 double *forces)
+{
+  typename D::Answers ofI, ofJ;
+  typename D::Forces own;
+  alignas(64) double means[blockLength * D::rows.local.length];
+  double changed = 0.0;
+  withCriterion(p, laws, [&](auto criterion) {
+    using C = decltype(criterion);
+    eachBlock<C::strainOnly>(p, [&](Block &block, auto way, int first, int n) {
+      constexpr bool pristine = way.way == Pristine;
+      const int *const pi = p.i + first, *const pj = p.j + first;
+      ofI.gather(pi, n, response);
+      ofJ.gather(pj, n, response);
+      if (onlyBulk(way.way) && !block.breaks) {
+        block.moves = !allOne(n, ofI.factor, ofJ.factor);
+        if (block.moves)
+          bulkForceBlock<D, pristine, true>(p, first, n, laws, ofI, ofJ, own);
+        else
+          bulkForceBlock<D, pristine, false>(p, first, n, laws, ofI, ofJ, own);
+      } else {
+        constexpr Way mixed = way.way == SeveralLaws ? SeveralLaws : OneLaw;
+        Changes changes{};
+        if (C::needsLocalStress || local) {
+          gatherMeans<D::rows.local.length>(pi, pj, n, local, means);
+          changes = forceBlock<D, mixed, C, true>(p, first, n, laws, means, ofI, ofJ, own);
+        } else if constexpr (!C::needsLocalStress) {
+          changes = forceBlock<D, mixed, C, false>(p, first, n, laws, nullptr, ofI, ofJ, own);
+        }
+        block.moves = changes.states > 0.0;
+        changed += changes.kinds;
+      }
+      own.scatter(pi, pj, n, forces);
+    });
+  });
+  return changed;
+}
+
+template<class D>
+constexpr Kernel kernelOf()
+{
+  return {MCA_ISA_NAME,  D::rows.dimension, D::rows,       strainPass<D>,      meanPass<D>,
+          stressPass<D>, yieldPass<D>,      returnPass<D>, secondYieldPass<D>, forcePass<D>};
+}
+
+} // namespace
+
+extern const Kernel plane = kernelOf<Plane>();
+extern const Kernel space = kernelOf<Space>();
+
+} // namespace mca::MCA_ISA

@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+/// \file kernel_blocks.h
+/// The ways of a block of pairs through a pass, and the arrays of its pairs. For the kernel's
+/// source only.
+#ifndef MCA_KERNEL_BLOCKS_H
+#define MCA_KERNEL_BLOCKS_H
+
+#include "kernel_rows.h"
+#include "laws/fracture_criteria.h"
+
+namespace mca::MCA_ISA {
+namespace {
+
+// Ways of a block: of several laws (scalar), of one law, and of bulk links of one law that break by
+// strain only, which are most of a sample: these know no contact, viscosity or weld, and no next
+// state while nothing flows. Where none ever flowed, plastic offset and total shear are not read.
+enum Way { SeveralLaws, OneLaw, Bulk, Pristine };
+
+constexpr bool onlyBulk(Way way)
+{
+  return way == Bulk || way == Pristine;
+}
+
+template<Way W>
+struct WayOf {
+  static constexpr Way way = W;
+};
+
+inline int lesser(int a, int b)
+{
+  return a < b ? a : b;
+}
+
+// Calls work(block, its way as a type, first pair, number of pairs) for all blocks.
+// StrainOnly: bulk links break by strain only; without it a bulk block goes the way of one law.
+template<bool StrainOnly, class Work>
+inline void eachBlock(const Pairs &p, const Work &work)
+{
+  Block *block = p.blocks;
+  for (int first = 0; first < p.n; first += blockLength, block++) {
+    const int n = lesser(blockLength, p.n - first);
+    if (block->law == Block::mixed)
+      work(*block, WayOf<SeveralLaws>(), first, n);
+    else if (!StrainOnly || !block->bulk)
+      work(*block, WayOf<OneLaw>(), first, n);
+    else if constexpr (StrainOnly) {
+      if (block->pristine)
+        work(*block, WayOf<Pristine>(), first, n);
+      else
+        work(*block, WayOf<Bulk>(), first, n);
+    }
+  }
+}
+
+// Calls work(criterion) for the one of all pairs; laws of a run have one criterion.
+template<class Work>
+inline void withCriterion(const Pairs &p, const PairLaw *laws, const Work &work)
+{
+  if (p.n > 0)
+    FractureCriteria::with(laws[p.law[0]].limits.criterion, work);
+}
+
+// The same for passes to which only matters whether it decides by strain: work(true or false).
+template<class Work>
+inline void withStrainOnly(const Pairs &p, const PairLaw *laws, const Work &work)
+{
+  withCriterion(p, laws, [&](auto criterion) {
+    work(std::bool_constant<decltype(criterion)::strainOnly>());
+  });
+}
+
+// Rows of motion where the pairs of a block meet.
+inline const int *placesI(const Pairs &p, const Block &block, int first)
+{
+  return (block.across ? p.placeI : p.i) + first;
+}
+
+inline const int *placesJ(const Pairs &p, const Block &block, int first)
+{
+  return (block.across ? p.placeJ : p.j) + first;
+}
+
+// A quantity of a block's pairs: numbers in one array, or vectors in two or three.
+template<class Value>
+struct PairArray;
+
+template<>
+struct PairArray<double> {
+  double *x;
+
+  PairArray(double *const *arrays, int first) : x(arrays[0] + first) {}
+  double get(int k) const { return x[k]; }
+  void set(int k, double v) const { x[k] = v; }
+};
+
+template<>
+struct PairArray<PlaneVector> {
+  double *x, *y;
+
+  PairArray(double *const *arrays, int first) : x(arrays[0] + first), y(arrays[1] + first) {}
+  PlaneVector get(int k) const { return {x[k], y[k]}; }
+  void set(int k, const PlaneVector &v) const
+  {
+    x[k] = v.x;
+    y[k] = v.y;
+  }
+};
+
+template<>
+struct PairArray<Vector> {
+  double *x, *y, *z;
+
+  PairArray(double *const *arrays, int first)
+      : x(arrays[0] + first), y(arrays[1] + first), z(arrays[2] + first)
+  {
+  }
+  Vector get(int k) const { return {x[k], y[k], z[k]}; }
+  void set(int k, const Vector &v) const
+  {
+    x[k] = v.x;
+    y[k] = v.y;
+    z[k] = v.z;
+  }
+};
+
+// One of two values without a branch: the first where `first` is 1, the second where it is 0. The
+// forms differ, since each leaves its loop's other terms as they are, to the last bit.
+inline double choose(double first, double a, double b)
+{
+  return first > 0.0 ? a : b;
+}
+
+inline Vector choose(double first, const Vector &a, const Vector &b)
+{
+  return first * a + (1.0 - first) * b;
+}
+
+inline bool equal(double a, double b)
+{
+  return a == b;
+}
+
+inline bool equal(const Vector &a, const Vector &b)
+{
+  return (a.x == b.x) & (a.y == b.y) & (a.z == b.z);
+}
+
+// Of an unlinked contact the first component of the total shear holds its plastic work.
+inline const double &firstComponent(const double &a)
+{
+  return a;
+}
+
+inline const double &firstComponent(const Vector &a)
+{
+  return a.x;
+}
+
+inline double &firstComponent(double &a)
+{
+  return a;
+}
+
+inline double &firstComponent(Vector &a)
+{
+  return a.x;
+}
+
+// Brings the whole state of a block up to date, whose links will not be alike any more.
+inline void leavePristine(const Pairs &p, Block &block, int first, int n, int shears)
+{
+  for (int m = 0; m < shears; m++)
+    for (int k = first; k < first + n; k++)
+      p.now.gammaTotal[m][k] = p.now.gamma[m][k];
+  block.pristine = false;
+}
+
+struct Changes {
+  double kinds, states; // pairs whose kind, whose state as a whole changes
+};
+
+} // namespace
+} // namespace mca::MCA_ISA
+
+#endif

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+/// \file kernel_rows.h
+/// Rows of the per-automaton arrays as vectors of the compiler: one load, one addition, one store.
+/// For the kernel's source only, which is compiled once for each instruction set; everything here
+/// is inlined into it.
+#ifndef MCA_KERNEL_ROWS_H
+#define MCA_KERNEL_ROWS_H
+
+#include "kernel.h"
+
+namespace mca::MCA_ISA {
+namespace {
+
+// NOLINTNEXTLINE(modernize-use-using): the attributes belong to the declared name
+typedef double Row2 __attribute__((vector_size(16), may_alias));
+// NOLINTNEXTLINE(modernize-use-using): likewise
+typedef double Row4 __attribute__((vector_size(32), may_alias));
+
+// Values of the pairs of a block.
+struct alignas(64) Column {
+  double value[blockLength];
+  double &operator[](int k) { return value[k]; }
+  double operator[](int k) const { return value[k]; }
+};
+
+template<class Row>
+inline Row *rowOf(double *array, int i)
+{
+  return reinterpret_cast<Row *>(array) + i;
+}
+
+template<class Row>
+inline const Row *rowOf(const double *array, int i)
+{
+  return reinterpret_cast<const Row *>(array) + i;
+}
+
+// Four rows of four become four columns of four and back: shuffles are much cheaper than the
+// element-wise loads and stores that strided loops would make.
+inline void transpose(Row4 &a, Row4 &b, Row4 &c, Row4 &d)
+{
+  const Row4 ab0 = __builtin_shufflevector(a, b, 0, 4, 2, 6);
+  const Row4 ab1 = __builtin_shufflevector(a, b, 1, 5, 3, 7);
+  const Row4 cd0 = __builtin_shufflevector(c, d, 0, 4, 2, 6);
+  const Row4 cd1 = __builtin_shufflevector(c, d, 1, 5, 3, 7);
+  a = __builtin_shufflevector(ab0, cd0, 0, 1, 4, 5);
+  b = __builtin_shufflevector(ab1, cd1, 0, 1, 4, 5);
+  c = __builtin_shufflevector(ab0, cd0, 2, 3, 6, 7);
+  d = __builtin_shufflevector(ab1, cd1, 2, 3, 6, 7);
+}
+
+// Rows of two values of one automaton of each pair, as columns.
+inline void gather(const int *index, int n, const double *rows, Column &c0, Column &c1)
+{
+  for (int k = 0; k < n; k += 2) {
+    const Row2 a = *rowOf<Row2>(rows, index[k]), b = *rowOf<Row2>(rows, index[k + 1]);
+    *rowOf<Row2>(c0.value + k, 0) = __builtin_shufflevector(a, b, 0, 2);
+    *rowOf<Row2>(c1.value + k, 0) = __builtin_shufflevector(a, b, 1, 3);
+  }
+}
+
+// Four rows of four, one of each of four pairs, as four columns.
+inline void store(Row4 *r, int k, Column &c0, Column &c1, Column &c2, Column &c3)
+{
+  transpose(r[0], r[1], r[2], r[3]);
+  *rowOf<Row4>(c0.value + k, 0) = r[0];
+  *rowOf<Row4>(c1.value + k, 0) = r[1];
+  *rowOf<Row4>(c2.value + k, 0) = r[2];
+  *rowOf<Row4>(c3.value + k, 0) = r[3];
+}
+
+// Means of a row of both automata of each pair.
+template<int LENGTH>
+inline void gatherMeans(const int *pi, const int *pj, int n, const double *rows, double *means)
+{
+  static_assert(LENGTH % 4 == 0);
+  constexpr int parts = LENGTH / 4;
+  for (int k = 0; k < n; k++)
+    for (int m = 0; m < parts; m++)
+      *rowOf<Row4>(means, parts * k + m) =
+          0.5 * (*rowOf<Row4>(rows, parts * pi[k] + m) + *rowOf<Row4>(rows, parts * pj[k] + m));
+}
+
+inline bool allOne(int n, const Column &a, const Column &b)
+{
+  double below = 0.0;
+#pragma omp simd reduction(+ : below)
+  for (int k = 0; k < n; k++)
+    below += (1.0 - a[k]) + (1.0 - b[k]);
+  return below == 0.0;
+}
+
+// Adds rows to both automata of successive pairs, with the given signs to the second one.
+template<class Row>
+inline void addRows(const int *pi, const int *pj, int n, const Row *rows, const Row &signs,
+                    double *sums)
+{
+  for (int m = 0; m < n; m++) {
+    *rowOf<Row>(sums, pi[m]) += rows[m];
+    *rowOf<Row>(sums, pj[m]) += rows[m] * signs;
+  }
+}
+
+// Adds the columns of each pair as a row to both of its automata.
+inline void scatter(const int *pi, const int *pj, int n, const Column &c0, const Column &c1,
+                    const Column &c2, const Column &c3, const Row4 &signs, double *sums)
+{
+  for (int k = 0; k < n; k += 4) {
+    Row4 r[4] = {*rowOf<Row4>(c0.value + k, 0), *rowOf<Row4>(c1.value + k, 0),
+                 *rowOf<Row4>(c2.value + k, 0), *rowOf<Row4>(c3.value + k, 0)};
+    transpose(r[0], r[1], r[2], r[3]);
+    if (k + 4 <= n)
+      addRows(pi + k, pj + k, 4, r, signs, sums);
+    else
+      addRows(pi + k, pj + k, n - k, r, signs, sums);
+  }
+}
+
+inline void scatter(const int *pi, const int *pj, int n, const Column &c0, const Column &c1,
+                    double *sums)
+{
+  const Row2 same = {1.0, 1.0};
+  for (int k = 0; k < n; k += 2) {
+    const Row2 a = *rowOf<Row2>(c0.value + k, 0), b = *rowOf<Row2>(c1.value + k, 0);
+    const Row2 r[2] = {__builtin_shufflevector(a, b, 0, 2), __builtin_shufflevector(a, b, 1, 3)};
+    if (k + 2 <= n)
+      addRows(pi + k, pj + k, 2, r, same, sums);
+    else
+      addRows(pi + k, pj + k, 1, r, same, sums);
+  }
+}
+
+} // namespace
+} // namespace mca::MCA_ISA
+
+#endif

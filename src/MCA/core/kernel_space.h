@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+/// \file kernel_space.h
+/// What the kernel does otherwise in space than in the plane: rows of eight values, the shear a
+/// vector. kernel_plane.h is its sibling, with the same names. For the kernel's source only.
+#ifndef MCA_KERNEL_SPACE_H
+#define MCA_KERNEL_SPACE_H
+
+#include "kernel_blocks.h"
+#include "laws/pair_motion.h"
+
+namespace mca::MCA_ISA {
+namespace {
+
+struct Space {
+  static constexpr RowLayout rows = spaceRows;
+  static constexpr int shears = 3;
+  using Shear = Vector;
+  using Normal = Vector;
+
+  // The step of the strain pass; normals do not depend on it.
+  struct Time {
+    double dt, half;
+    Time(double step, bool moving) : dt(moving ? step : 0.0), half(0.5 * dt) {}
+  };
+
+  // Rows of eight values as two of four.
+  static const Row4 &half(const double *array, int i, int which)
+  {
+    return *rowOf<Row4>(array, 2 * i + which);
+  }
+
+  // Motion of j seen from i and the sum of both angular velocities of each pair, as columns. Pairs
+  // past n are made up of the last one.
+  struct Motion {
+    Column x, y, z, vx, vy, vz, wx, wy, wz;
+
+    void gather(const int *pi, const int *pj, int n, const double *motion, const double *spin)
+    {
+      const Row4 signs = {-1.0, -1.0, 1.0, 1.0};
+      for (int k = 0; k < n; k += 4) {
+        Row4 a[4], b[4];
+        for (int m = 0; m < 4; m++) {
+          const int i = pi[k + m], j = pj[k + m];
+          a[m] = half(motion, j, 0) - half(motion, i, 0);
+          b[m] = half(motion, j, 1) + signs * half(motion, i, 1);
+          wz[k + m] = spin[i] + spin[j];
+        }
+        store(a, k, x, y, z, vx);
+        store(b, k, vy, vz, wx, wy);
+      }
+    }
+
+    Vector velocity(int k) const { return {vx[k], vy[k], vz[k]}; }
+
+    // Also gives the distance.
+    PairMotion of(int k, const Time &time, double &r) const
+    {
+      const Vector distance = {x[k], y[k], z[k]}, omegas = {wx[k], wy[k], wz[k]};
+      // the root and the division side by side
+      const double r2 = dot(distance, distance);
+      r = std::sqrt(r2);
+      const double invR = r * (1.0 / r2);
+      return pairMotion(distance, invR, time.dt * velocity(k), time.half * omegas);
+    }
+  };
+
+  // Answers of one automaton of each pair. Pairs past n are made up of the last one.
+  struct Answers {
+    Column mean, factor, centre;
+
+    void gather(const int *index, int n, const double *response)
+    {
+      for (int k = 0; k < n; k += 4) {
+        Row4 r[4];
+        for (int m = 0; m < 4; m++)
+          r[m] = *rowOf<Row4>(response, index[k + m]);
+        transpose(r[0], r[1], r[2], r[3]);
+        *rowOf<Row4>(mean.value + k, 0) = r[0];
+        *rowOf<Row4>(factor.value + k, 0) = r[1];
+        *rowOf<Row4>(centre.value + k, 0) = r[2];
+      }
+    }
+    void gatherMeans(const int *index, int n, const double *response)
+    {
+      for (int k = 0; k < n; k++)
+        mean[k] = response[rows.response.length * index[k] + rows.response.mean];
+    }
+    Answer operator[](int k) const { return {mean[k], factor[k], centre[k]}; }
+  };
+
+  // Eight values of each pair, which go as a row to both of its automata: the first TURNED of them
+  // with the opposite sign to the second one.
+  struct Row8 {
+    Column c[8];
+
+    template<int TURNED>
+    void scatter(const int *pi, const int *pj, int n, double *sums) const
+    {
+      Row4 signs[2];
+      for (int m = 0; m < 8; m++)
+        signs[m / 4][m % 4] = m < TURNED ? -1.0 : 1.0;
+      // pairs come sorted by i, so that its sum stays in registers
+      int last = pi[0];
+      Row4 sumA = {}, sumB = {};
+      auto flush = [&]() {
+        *rowOf<Row4>(sums, 2 * last) += sumA;
+        *rowOf<Row4>(sums, 2 * last + 1) += sumB;
+      };
+      for (int k = 0; k < n; k += 4) {
+        Row4 a[4], b[4];
+        for (int m = 0; m < 4; m++) {
+          a[m] = *rowOf<Row4>(c[m].value + k, 0);
+          b[m] = *rowOf<Row4>(c[4 + m].value + k, 0);
+        }
+        transpose(a[0], a[1], a[2], a[3]);
+        transpose(b[0], b[1], b[2], b[3]);
+        const int end = lesser(4, n - k);
+        for (int m = 0; m < end; m++) {
+          if (pi[k + m] != last) {
+            flush();
+            last = pi[k + m];
+            sumA = sumB = Row4{};
+          }
+          sumA += a[m];
+          sumB += b[m];
+          const int j = 2 * pj[k + m];
+          *rowOf<Row4>(sums, j) += signs[0] * a[m];
+          *rowOf<Row4>(sums, j + 1) += signs[1] * b[m];
+        }
+      }
+      flush();
+    }
+  };
+
+  // What each pair adds to the averaged stresses of both of its automata.
+  struct Shares {
+    Row8 row;
+
+    void set(int k, double sigma, const Vector &tau, const Vector &n)
+    {
+      const StressTensor s = stressShare(sigma, tau, n);
+      row.c[0][k] = s.xx;
+      row.c[1][k] = s.yy;
+      row.c[2][k] = s.xy;
+      row.c[3][k] = s.zz;
+      row.c[4][k] = s.xz;
+      row.c[5][k] = s.yz;
+    }
+    void setSums(int k, double e2, double gamma2, double bulkSigma)
+    {
+      row.c[rows.stress.squares][k] = e2 + gamma2;
+      row.c[rows.stress.bulkSum][k] = bulkSigma;
+    }
+    void scatter(const int *pi, const int *pj, int n, double *sums) const
+    {
+      row.scatter<0>(pi, pj, n, sums);
+    }
+    // Without the sums.
+    void scatterTensors(const int *pi, const int *pj, int n, double *sums) const
+    {
+      row.scatter<0>(pi, pj, n, sums);
+    }
+  };
+
+  // Forces and torques of each pair; the last two columns are unused.
+  struct Forces {
+    Row8 row;
+
+    Forces()
+    {
+      for (int k = 0; k < blockLength; k++)
+        row.c[6][k] = row.c[7][k] = 0.0;
+    }
+    void set(int k, const SpaceForce &f)
+    {
+      row.c[0][k] = f.force.x;
+      row.c[1][k] = f.force.y;
+      row.c[2][k] = f.force.z;
+      row.c[3][k] = f.torque.x;
+      row.c[4][k] = f.torque.y;
+      row.c[5][k] = f.torque.z;
+    }
+    void scatter(const int *pi, const int *pj, int n, double *sums) const
+    {
+      row.scatter<3>(pi, pj, n, sums);
+    }
+  };
+
+  // Averaged stress tensor of an automaton.
+  static StressTensor averaged(const AutomatonLaw &law, const double *tensor, double /*mean*/)
+  {
+    return weighted(tensor, law.weight);
+  }
+
+  // The centre of the return is the mean of sigma over the bulk links.
+  static void setCentre(double *response, const double *stress, double bulks)
+  {
+    response[rows.response.centre] = stress[rows.stress.bulkSum] / (bulks > 0.0 ? bulks : 1.0);
+  }
+
+  // The tensor of a row of local.
+  static StressTensor localTensor(const double *tensor, double /*mean*/)
+  {
+    return {tensor[0], tensor[1], tensor[2], tensor[3], tensor[4], tensor[5]};
+  }
+};
+
+} // namespace
+} // namespace mca::MCA_ISA
+
+#endif

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+/// \file law_tables.h
+/// The laws of a sample as the passes of a step read them: one entry a type of automaton, one an
+/// unlike pair of materials.
+#ifndef MCA_LAW_TABLES_H
+#define MCA_LAW_TABLES_H
+
+#include "kernel.h"
+#include "laws/law_set.h"
+
+#include <vector>
+
+namespace mca {
+
+/// Made anew whenever a law or a material changes; a list of pairs holds numbers of its entries.
+/// One consistent set of units, in which a stress is an energy per volume and mass times
+/// acceleration a force.
+struct LawTables {
+  LawTables() = default;
+
+  /// \param materials  by type; types of equal materials share their laws, since the kernel is
+  ///                   fastest where one law serves many pairs
+  /// \param thickness  h [length] of a plane packing; 1 in space
+  LawTables(const LawSet &, const std::vector<Material> &materials, double thickness,
+            const Packing &);
+
+  std::vector<AutomatonLaw> automata; ///< by type
+  std::vector<double> volumes;        ///< of a cell [volume], by type
+  std::vector<PairLaw> pairs;         ///< of ordered pairs of unlike materials
+  bool oneMaterial = true;            ///< the materials of all types are equal
+
+  // which of the passes that are not always needed act
+  bool returnsTwice = false;     ///< radial returns see those of the neighbours
+  bool centresViscosity = false; ///< viscous contacts see the velocity of their step
+  bool flowsAcross = false;      ///< plasticity j2: there is an elastic strain across the plane
+  bool needsLocal = false;       ///< criteria of local stress or plastic work
+
+  /// In `pairs`, of automata of two types.
+  int number(int typeI, int typeJ) const { return numbers[typeI * types() + typeJ]; }
+  int types() const { return static_cast<int>(automata.size()); }
+
+  std::vector<int> numbers; ///< by typeI * types() + typeJ
+};
+
+} // namespace mca
+
+#endif

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+/// \file link_list.h
+/// The pair list in the kernel's form: one array a quantity, in the order of LAMMPS's half
+/// neighbor list.
+#ifndef MCA_LINK_LIST_H
+#define MCA_LINK_LIST_H
+
+#include "kernel.h"
+#include "row_array.h"
+
+#include <vector>
+
+namespace mca {
+
+/// Owns the arrays of a Pairs view.
+class LinkList {
+ public:
+  /// \param shears  shear components of a pair: 1 in the plane, 3 in space
+  explicit LinkList(int shears = 1);
+
+  /// State of a pair that the kernel knows: kind, plastic, gamma, gammaTotal.
+  int stateSize() const { return 2 + 2 * shears_; }
+  static constexpr int maxStateSize = 2 + 2 * maxShears;
+
+  /// What is kept with the automata while there is no pair list: the state, 1 for an original link,
+  /// and the normal (up to its sign), by which a pair that was turned between runs is known.
+  int storedSize() const { return stateSize() + 4; }
+  static constexpr int maxStoredSize = maxStateSize + 4;
+
+  /// Empties the list and makes room for n pairs.
+  void reset(int n);
+
+  /// Appends a pair; its state becomes both the present and the next one.
+  void add(int i, int j, int law, const double *state);
+
+  /// The same with all that is kept, storedSize() values.
+  /// \param exchanged  kept as the pair (j, i)
+  void addStored(int i, int j, int law, bool exchanged, const double *stored);
+
+  /// The last pair meets over a periodic face.
+  /// \param placeI,placeJ  rows of motion of the images that meet
+  void setPlaces(int placeI, int placeJ);
+
+  /// Copies what is kept of pair k, with the present (or the next) state, to storedSize() doubles.
+  /// \param exchanged  as the pair (j, i): in space its shears turn round
+  void getStored(int k, bool next, bool exchanged, double *stored) const;
+
+  /// Nothing of this pair needs to be kept.
+  bool blank(int k, bool next) const;
+
+  /// A link of the sample as it was made, not one that formed later; it ends with its breaking.
+  bool original(int k) const { return original_[k] > 0.0; }
+  void setOriginal(int k, bool is) { original_[k] = is ? 1.0 : 0.0; }
+
+  /// Present and next states, normals and strains; complete for readers.
+  const Pairs &pairs() const
+  {
+    if (stale_)
+      completeAll();
+    return view_;
+  }
+
+  /// n pairs from the first one of a block on, for the kernel.
+  Pairs part(int first, int n);
+
+  int size() const { return view_.n; }
+
+  /// Rows of both automata of pair k.
+  int i(int k) const { return i_[k]; }
+  int j(int k) const { return j_[k]; }
+
+  /// Makes the next state the present one.
+  void advance();
+
+  /// Copies the present (or the next) state of pair k to stateSize() doubles.
+  void getState(int k, bool next, double *state) const;
+
+  /// Sets both the present and the next state of pair k.
+  void setState(int k, const double *state);
+
+  double bytes() const;
+
+ private:
+  int shears_;
+  AlignedArray values_; // of all pairs, one quantity after the other
+  std::vector<int> i_, j_, placeI_, placeJ_, law_;
+  std::vector<double> original_;
+  std::vector<Block> blocks_;
+  mutable bool stale_ = false;       // the kernel may have changed what pairs() completes
+  std::vector<double *> now_, next_; // the arrays of both states, in the order of getState()
+  Pairs view_{};
+
+  void complete(int block) const;
+  void completeAll() const;
+  void exchange(double *state) const;
+};
+
+} // namespace mca
+
+#endif

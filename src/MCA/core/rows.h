@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+/// \file rows.h
+/// Rows of the per-automaton arrays: how long they are and where in them each quantity stands. The
+/// only place that knows; whoever reads a row takes its offsets from here.
+///
+/// Each array is plain doubles, one row an automaton, 64-byte aligned, so that an automaton costs
+/// at most one cache line. Dimensions stand in brackets; any consistent set of units.
+#ifndef MCA_ROWS_H
+#define MCA_ROWS_H
+
+namespace mca {
+
+/// Lengths and offsets in one dimension, all counted in doubles.
+struct RowLayout {
+  /// What the strain pass sees of an automaton.
+  struct Motion {
+    int length;
+    int place;    ///< `dimension` values [length]
+    int velocity; ///< `dimension` values [length/time]
+    int spin;     ///< in space the first two components of the angular velocity [1/time]; the last
+                  ///< one has an array of its own. In the plane none, and it equals length
+  } motion;
+  /// Sums over the contacts of an automaton, by the strain pass.
+  struct Strain {
+    int length;
+    int sum;   ///< of the elastic normal strains [-]
+    int bulks; ///< number of bulk links
+  } strain;
+  /// Sums over the contacts of an automaton, by the stress pass.
+  struct Stress {
+    int length;
+    int tensor;  ///< `components` values: xx, yy, xy, in space zz, xz, yz, too [stress]; in the
+                 ///< plane averaged, in space without the packing's weight
+    int squares; ///< e^2 + gamma^2 [-]
+    int bulkSum; ///< in space the normal stresses of the bulk links [stress]; in the plane none,
+                 ///< and it equals length
+  } stress;
+  /// What an automaton answers its contacts.
+  struct Response {
+    int length;
+    int mean;    ///< mean stress [stress]
+    int factor;  ///< M of the radial return [-]
+    int centre;  ///< what normal stresses of bulk links return to [stress]: in the plane the mean
+                 ///< stress itself, in space the mean over its bulk links
+    int answers; ///< so many values from `factor` on are new after a return
+  } response;
+  /// Sums over the contacts of an automaton, by the force pass.
+  struct Force {
+    int length;
+    int force;  ///< `dimension` values [force]
+    int torque; ///< one value in the plane, three in space [force length]
+  } force;
+  /// What an automaton shows to criteria of local stress and of plastic work.
+  struct Local {
+    int length;
+    int tensor; ///< `components` values: averaged stress tensor after the return [stress]
+    int work;   ///< plastic work per volume of the step [stress]
+  } local;
+  int dimension;
+  int components; ///< of a symmetric stress tensor in a row: 3 or 6
+};
+
+constexpr RowLayout planeRows = {
+    {4, 0, 2, 4}, {2, 0, 1}, {4, 0, 3, 4}, {2, 0, 1, 0, 1}, {4, 0, 2}, {4, 0, 3}, 2, 3};
+constexpr RowLayout spaceRows = {
+    {8, 0, 3, 6}, {2, 0, 1}, {8, 0, 6, 7}, {4, 0, 1, 2, 2}, {8, 0, 3}, {8, 0, 6}, 3, 6};
+
+} // namespace mca
+
+#endif

@@ -1,0 +1,273 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The sequence of passes. What a step answers afterwards stands in step_answers.cpp.
+#include "step.h"
+
+#include "further_laws.h"
+
+#include <algorithm>
+
+namespace mca {
+
+// Automata at a time of the yield pass: without flow their state stays as it is, untouched.
+static constexpr int yieldLength = 256;
+
+static Exchange nobody; // of a step that is alone
+
+Step::Step(int dimension, const Kernel *kernel)
+    : kernel_(kernel ? kernel : &bestKernel(dimension)), exchange_(&nobody),
+      links_(dimension == 2 ? 1 : 3), motion_(layout().motion.length),
+      strains_(layout().strain.length), stresses_(layout().stress.length),
+      response_(layout().response.length), forces_(layout().force.length),
+      local_(layout().local.length), linkChanges_(2)
+{
+}
+
+void Step::begin(int own, int all, const int *types, int border)
+{
+  begun_ = committed_ = true;
+  changing_ = 0.0;
+  flowing_.clear();
+  types_.assign(types, types + own);
+  border_ = std::min((border + blockLength - 1) / blockLength * blockLength, links_.size());
+  const int summed = exchange_->alone() ? own : all; // images only give places
+  for (RowArray *of : {&motion_, &spin_})
+    of->resize(all);
+  for (RowArray *of : {&strains_, &stresses_, &response_, &forces_})
+    of->resize(summed);
+  local_.resize(laws_.needsLocal ? summed : 0);
+  kappaNext_.resize(own);
+  for (RowArray *of : {&elasticZ_, &elasticZNext_})
+    of->resize(laws_.flowsAcross ? own : 0);
+  linkChanges_.resize(own);
+  linkChanges_.clear();
+}
+
+// What other ranks need is on its way while the inside of the sample is worked on; the pairs at the
+// borders, which need what the others answer, come last in a pass.
+void Step::run(const Automata &a, double dt, bool advance)
+{
+  if (advance) {
+    commit(a);
+    links_.advance();
+  }
+  committed_ = false;
+
+  const PairLaw *laws = laws_.pairs.data();
+  const RowLayout::Response &row = layout().response;
+  double *const response = response_.data(), *const answers = response + row.factor;
+  const Pairs border = links_.part(0, border_);
+  const Pairs inside = links_.part(border_, links_.size() - border_);
+  packMotion(a, advance);
+
+  strains_.clear();
+  kernel_->strain(links_.part(0, links_.size()), dt, advance, laws, motion_.data(), spin_.data(),
+                  strains_.data());
+  findMeans(a);
+  exchange_->begin(response, row.length, 1);
+
+  stresses_.clear();
+  kernel_->stress(inside, laws, response, stresses_.data());
+  exchange_->finish(response, row.length, 1);
+  kernel_->stress(border, laws, response, stresses_.data());
+
+  findReturns(a);
+  if (laws_.returnsTwice)
+    yieldAgain(a, border, inside);
+  const double *around = showLocal(a);
+  exchange_->begin(answers, row.length, row.answers);
+
+  forces_.clear();
+  changing_ = kernel_->force(inside, laws, response, around, forces_.data());
+  exchange_->finish(answers, row.length, row.answers);
+  changing_ += kernel_->force(border, laws, response, around, forces_.data());
+  if (laws_.centresViscosity)
+    centreViscosity(a, dt, border, inside);
+}
+
+// Within a step forces see the velocities of half a step ago. In set-up the lag that they had when
+// the forces of this step were computed gives them again, so that viscous forces do not change; the
+// rest makes that exact, where the lag is a rounded difference.
+void Step::packMotion(const Automata &a, bool advance)
+{
+  dimension() == 2 ? packPlane(a, advance) : packSpace(a, advance);
+}
+
+void Step::packPlane(const Automata &a, bool advance)
+{
+  constexpr RowLayout::Motion at = planeRows.motion;
+  double *row = motion_.data(), *turn = spin_.data();
+  const double *lagX = a.lag[0], *lagY = a.lag[1], *restX = a.rest[0], *restY = a.rest[1];
+  const int all = motion_.rows();
+  for (int i = 0; i < all; i++, row += at.length) {
+    row[at.place] = a.x[i][0];
+    row[at.place + 1] = a.x[i][1];
+    row[at.velocity] = advance ? a.v[i][0] : a.v[i][0] - lagX[i] - restX[i];
+    row[at.velocity + 1] = advance ? a.v[i][1] : a.v[i][1] - lagY[i] - restY[i];
+    turn[i] = a.omega[i][2];
+  }
+}
+
+void Step::packSpace(const Automata &a, bool advance)
+{
+  constexpr RowLayout::Motion at = spaceRows.motion;
+  double *row = motion_.data(), *turn = spin_.data();
+  const int all = motion_.rows();
+  for (int i = 0; i < all; i++, row += at.length) {
+    for (int m = 0; m < 3; m++) {
+      row[at.place + m] = a.x[i][m];
+      row[at.velocity + m] = a.v[i][m];
+    }
+    row[at.spin] = a.omega[i][0];
+    row[at.spin + 1] = a.omega[i][1];
+    turn[i] = a.omega[i][2];
+  }
+  for (int m = 0; m < 3 && !advance; m++) {
+    const double *lag = a.lag[m], *rest = a.rest[m];
+    row = motion_.data() + at.velocity + m;
+    for (int i = 0; i < all; i++, row += at.length)
+      *row = *row - lag[i] - rest[i];
+  }
+}
+
+void Step::keepLag(const Automata &a) const
+{
+  for (int m = 0; m < dimension(); m++) {
+    const double *row = motion_.data() + layout().motion.velocity + m;
+    for (int i = 0; i < own(); i++, row += motion_.length()) {
+      a.lag[m][i] = a.v[i][m] - *row;
+      a.rest[m][i] = a.v[i][m] - a.lag[m][i] - *row;
+    }
+  }
+}
+
+void Step::findMeans(const Automata &a)
+{
+  kernel_->mean(own(), types_.data(), laws_.automata.data(), laws_.oneMaterial, strains_.data(),
+                response_.data());
+  if (!laws_.flowsAcross)
+    return;
+  std::copy_n(a.elasticZ, own(), elasticZ_.data());
+  addElasticZ(own(), types_.data(), laws_.automata.data(), elasticZ_.data(), response_.data());
+}
+
+void Step::findReturns(const Automata &a)
+{
+  flowing_.clear();
+  for (int from = 0; from < own(); from += yieldLength)
+    yield(a.kappa, from, std::min(from + yieldLength, own()));
+}
+
+// Radial returns of a range of automata. Where none flows, which is most of a sample, kappaNext is
+// not written: the present state stays.
+void Step::yield(const double *kappa, int from, int to)
+{
+  double next[yieldLength];
+  const bool flows = kernel_->yield(to - from, types_.data() + from, laws_.automata.data(),
+                                    laws_.oneMaterial, strains_.row(from), stresses_.row(from),
+                                    kappa + from, next, response_.row(from)) > 0.0;
+  if (flows)
+    flowing_.emplace_back(from, to);
+  if (flows || laws_.needsLocal)
+    std::copy_n(next, to - from, kappaNext_.row(from));
+}
+
+// The same again, now that the returns of neighbours are known; these are on their way. What flows
+// on this rank is a neighbour's affair, too, hence only one rank alone may pass over it.
+void Step::yieldAgain(const Automata &a, const Pairs &border, const Pairs &inside)
+{
+  if (exchange_->alone() && flowing_.empty())
+    return;
+  const RowLayout::Response &row = layout().response;
+  double *const response = response_.data(), *const answers = response + row.factor;
+  exchange_->begin(answers, row.length, row.answers);
+  RowArray &taken = forces_; // which are not needed before the force pass
+  static_assert(planeRows.stress.length == planeRows.force.length &&
+                spaceRows.stress.length == spaceRows.force.length);
+  taken.clear();
+  kernel_->returns(inside, laws_.pairs.data(), response, taken.data());
+  exchange_->finish(answers, row.length, row.answers);
+  kernel_->returns(border, laws_.pairs.data(), response, taken.data());
+  for (const auto &[from, to] : flowing_)
+    kernel_->yieldAgain(to - from, types_.data() + from, laws_.automata.data(), stresses_.row(from),
+                        taken.row(from), a.kappa + from, kappaNext_.row(from), response_.row(from));
+}
+
+// What laws that are off by default need: the elastic strain across the plane of the next step, and
+// what automata show to the criteria of their contacts; nullptr where there is none.
+const double *Step::showLocal(const Automata &a)
+{
+  const AutomatonLaw *laws = laws_.automata.data();
+  if (laws_.flowsAcross)
+    flowElasticZ(own(), types_.data(), laws, strains_.data(), stresses_.data(), response_.data(),
+                 elasticZ_.data(), elasticZNext_.data());
+  if (!laws_.needsLocal)
+    return nullptr;
+  mca::showLocal(layout(), own(), types_.data(), laws, stresses_.data(), response_.data(), a.kappa,
+                 kappaNext_.data(), local_.data());
+  exchange_->begin(local_.data(), local_.length(), local_.length());
+  exchange_->finish(local_.data(), local_.length(), local_.length());
+  return local_.data();
+}
+
+// What forces change in half a step, of both automata of a viscous contact.
+void Step::centreViscosity(const Automata &a, double dt, const Pairs &border, const Pairs &inside)
+{
+  double *const forces = forces_.data();
+  exchange_->begin(forces, forces_.length(), dimension());
+  const ViscousContacts::Conditions now = {kernel_, dt,       laws_.pairs.data(), response_.data(),
+                                           forces,  a.groups, a.integrated,       a.held};
+  viscous_.clear();
+  viscous_.add(inside, now);
+  exchange_->finish(forces, forces_.length(), dimension());
+  viscous_.add(border, now);
+  viscous_.addForces(*kernel_, forces);
+}
+
+// Changes count when their step's outcome is taken over: once, also those of the first step,
+// whatever runs and restart files the steps belong to.
+bool Step::commit(const Automata &a)
+{
+  if (committed_)
+    return false;
+  changed_.clear();
+  if (changing_ > 0.0)
+    findChanges();
+  changing_ = 0.0;
+  for (const auto &[from, to] : flowing_)
+    std::copy(kappaNext_.row(from), kappaNext_.row(to), a.kappa + from);
+  if (laws_.flowsAcross)
+    std::copy_n(elasticZNext_.data(), elasticZNext_.rows(), a.elasticZ);
+  return committed_ = true;
+}
+
+void Step::findChanges()
+{
+  const Pairs p = links_.part(0, links_.size());
+  for (int k = 0; k < p.n; k++) {
+    if (!p.blocks[k / blockLength].moves)
+      continue;
+    const double before = p.now.kind[k], after = p.next.kind[k];
+    const bool was = link::isLinked(before), is = link::isLinked(after);
+    if (before == after || (!was && !is))
+      continue;
+    (was && is ? events_.healed : was ? events_.broken : events_.formed) += share(k);
+    if (!is)
+      links_.setOriginal(k, false);
+    if (was != is)
+      for (const int i : {p.i[k], p.j[k]})
+        if (i < own()) // else the owner holds the pair, too
+          linkChanges_.row(i)[was ? 0 : 1] += 1.0;
+    changed_.push_back({k, before, after});
+  }
+}
+
+void Step::takeChanges(double *broken, double *formed)
+{
+  for (int i = 0; i < own(); i++) {
+    broken[i] += linkChanges_.row(i)[0];
+    formed[i] += linkChanges_.row(i)[1];
+  }
+  linkChanges_.clear();
+}
+
+} // namespace mca

@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+/// \file step.h
+/// One evaluation of the laws of a sample: from places, velocities and the present state of
+/// automata and pairs to forces, torques and the next state.
+///
+/// Rank by rank: a step knows the automata that its rank owns, which are the first rows, and the
+/// guests, which others own; what these answer comes through an Exchange. It owns its rows, which
+/// are plain arrays of stated length, the list of pairs and the tables of laws, and keeps no
+/// pointer to what it is given. No LAMMPS type in here.
+///
+/// Invariants:
+/// - The forces are a pure function of places, velocities and the present state. What flow,
+///   fracture and linking change goes to the next state, which commit() makes the present one. So a
+///   restarted run computes the forces of its first step again, to the last bit.
+/// - Sums are taken in the order of the list of pairs. A list in the same order gives the same
+/// sums,
+///   whatever the order of LAMMPS's atoms and neighbors.
+/// - A pair of two ranks is in the list of both, with the same first automaton, and both decide
+///   alike on its next state.
+///
+/// One consistent set of units, in which a stress is an energy per volume and mass times
+/// acceleration a force; dimensions stand in brackets.
+#ifndef MCA_STEP_H
+#define MCA_STEP_H
+
+#include "exchange.h"
+#include "kernel.h"
+#include "law_tables.h"
+#include "laws/elasticity.h"
+#include "laws/vector.h"
+#include "link_list.h"
+#include "viscous_contacts.h"
+
+#include <utility>
+#include <vector>
+
+namespace mca {
+
+/// The automata as their owner keeps them, for one call. Vectors have three components, also in the
+/// plane, where z of places and velocities and x, y of spins are not read.
+struct Automata {
+  const double (*x)[3];     ///< places [length], of all rows
+  const double (*v)[3];     ///< velocities [length/time], of all rows
+  const double (*omega)[3]; ///< angular velocities [1/time], of all rows
+  const int *groups;        ///< bits, of all rows
+  /// Automata with a bit of `integrated` and none of `held` follow the forces; the others keep
+  /// their velocity, whatever acts on them.
+  int integrated, held;
+  double *kappa;    ///< equivalent plastic strain [-], of own automata
+  double *elasticZ; ///< elastic strain across the plane [-], of own automata
+  /// By how much the velocities differ from those that the present forces saw, which are of half a
+  /// step before: `lag`, and `rest`, what rounding took from it [length/time]. One array a
+  /// dimension, of all rows. Written by keepLag(), read in set-up.
+  double *lag[3], *rest[3];
+};
+
+class Step {
+ public:
+  /// \param dimension  2 or 3
+  /// \param kernel     of this dimension; nullptr: the fastest that this processor runs
+  explicit Step(int dimension, const Kernel *kernel = nullptr);
+
+  int dimension() const { return kernel_->dimension; }
+
+  // ---- what it is made of
+
+  /// \param tables  replace the former ones; the list holds numbers of them
+  void setLaws(LawTables tables) { laws_ = std::move(tables); }
+  const LawTables &laws() const { return laws_; }
+
+  /// \param exchange  outlives the step; without a call the step is alone
+  void setExchange(Exchange &exchange) { exchange_ = &exchange; }
+  Exchange &exchange() const { return *exchange_; }
+
+  /// The list of pairs, with their present and next states.
+  LinkList &links() { return links_; }
+  const LinkList &links() const { return links_; }
+
+  /// The list was made anew, of present states. What the old one led to is dropped: it was taken
+  /// over by commit() and takeChanges(), or is found again in set-up.
+  /// \param own     automata of this rank
+  /// \param all     rows with those of guests and periodic images, at which pairs may meet
+  /// \param types   of own automata, numbers in the tables of laws
+  /// \param border  so many first pairs may have guests; the others wait for no message
+  void begin(int own, int all, const int *types, int border);
+
+  /// Rows of own automata, of the present list.
+  int own() const { return static_cast<int>(types_.size()); }
+
+  /// Rows that are in pairs: of own automata, and unless the step is alone of all others.
+  int rows() const { return response_.rows(); }
+
+  /// No list was made yet.
+  bool empty() const { return !begun_; }
+
+  // ---- what it does
+
+  /// One evaluation; called by all ranks.
+  /// \param dt       the step [time]
+  /// \param advance  true: the automata have moved by dt, and what the last evaluation led to
+  ///                 becomes present. false: set-up, the same forces as before
+  void run(const Automata &, double dt, bool advance);
+
+  /// Makes the next state of the automata the present one and finds the pairs that change their
+  /// kind. The pairs themselves go on by LinkList::advance() or a new list.
+  /// \return false if this was done since the last run()
+  bool commit(const Automata &);
+
+  /// After a step: writes lag and rest of own automata.
+  void keepLag(const Automata &) const;
+
+  /// Pairs, on this rank, whose next state is of another kind.
+  double changing() const { return changing_; }
+
+  /// A pair whose kind changed, linked before or after or both.
+  struct Change {
+    int pair;
+    double before, after; ///< kinds
+  };
+  /// By the last commit().
+  const std::vector<Change> &changes() const { return changed_; }
+
+  /// Adds the links broken and formed of each own automaton since the last call or begin().
+  void takeChanges(double *broken, double *formed);
+
+  // ---- what it answers, of the last evaluation
+
+  const RowLayout &layout() const { return kernel_->rows; }
+
+  /// Forces and torques [force, force length] of own automata, in rows as layout() says.
+  const RowArray &forces() const { return forces_; }
+
+  /// The state of automaton i in this evaluation.
+  struct Automaton {
+    StressTensor stress;    ///< averaged, elastic, before the return [stress]
+    double mean, intensity; ///< mean stress, stress intensity [stress]
+    double energy;          ///< elastic energy [energy]
+  };
+  /// \throw std::out_of_range  not an own automaton; the same below
+  Automaton automaton(int i) const;
+  Vector force(int i) const;    ///< [force]
+  Vector torque(int i) const;   ///< [force length]
+  double elasticZ(int i) const; ///< elastic strain across the plane [-]
+  double elasticZNext(int i) const;
+  int type(int i) const { return types_.at(i); }
+
+  /// Plastic work [energy] of an automaton of this type that has flowed by kappa [-].
+  double plasticWork(int type, double kappa) const
+  {
+    return laws_.automata[type].curve.work(kappa) * laws_.volumes[type];
+  }
+
+  // of all rows that are in pairs
+  Vector place(int row) const;    ///< where it was [length]; of images, too
+  Vector velocity(int row) const; ///< that the forces saw [length/time]
+  Vector spin(int row) const;     ///< [1/time]
+  double mean(int row) const;     ///< mean stress [stress]
+  double factor(int row) const;   ///< M of the radial return [-]
+
+  // of pair k
+  const PairLaw &law(int k) const { return laws_.pairs[links_.pairs().law[k]]; }
+  ContactStress contact(int k) const;          ///< [stress]; shears are lengths of vectors in space
+  Vector contactForce(int k) const;            ///< on its first automaton [force]
+  Vector normal(int k) const;                  ///< unit vector to its second automaton [-]
+  Vector alongShear(int k, double size) const; ///< of this size, along the shear
+  double shear(int k) const;                   ///< elastic shear [-]
+  double totalShear(int k) const;              ///< since linking, not reduced by plasticity [-]
+  double distance(int k) const;                ///< [length]
+
+  /// 1, or 1/2 for a pair that two ranks hold.
+  double share(int k) const;
+
+  /// Of a pair that two ranks hold, true on one of them.
+  bool isOurs(int k) const;
+
+  /// Of this rank; pairs that two ranks hold count half on each.
+  struct Count {
+    double links = 0.0, welds = 0.0;                 ///< at present
+    double broken = 0.0, formed = 0.0, healed = 0.0; ///< since the step was made
+  };
+  Count count() const;
+
+  double bytes() const;
+
+ private:
+  const Kernel *kernel_;
+  Exchange *exchange_;
+  LawTables laws_;
+  LinkList links_;
+  int border_ = 0; // so many first pairs may have guests; whole blocks
+  bool begun_ = false, committed_ = false;
+  std::vector<int> types_;
+
+  RowArray motion_, spin_;                                  // of all rows
+  RowArray strains_, stresses_, response_, forces_, local_; // of rows that are in pairs
+  RowArray kappaNext_, elasticZ_, elasticZNext_;            // of own automata
+  RowArray linkChanges_; // broken and formed of own automata, since takeChanges()
+  ViscousContacts viscous_;
+
+  std::vector<std::pair<int, int>> flowing_; // ranges of rows whose equivalent plastic strain grows
+  double changing_ = 0.0;                    // pairs whose next state is another kind
+  std::vector<Change> changed_;
+  Count events_; // links and welds stay 0
+
+  void packMotion(const Automata &, bool advance);
+  void packPlane(const Automata &, bool advance);
+  void packSpace(const Automata &, bool advance);
+  void findMeans(const Automata &);
+  void findReturns(const Automata &);
+  void yield(const double *kappa, int from, int to);
+  void yieldAgain(const Automata &, const Pairs &border, const Pairs &inside);
+  const double *showLocal(const Automata &);
+  void centreViscosity(const Automata &, double dt, const Pairs &border, const Pairs &inside);
+  void findChanges();
+};
+
+} // namespace mca
+
+#endif

@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "step.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace mca {
+
+// A vector of one component is along z.
+static Vector vectorOf(const double *values, int components)
+{
+  if (components == 1)
+    return {0.0, 0.0, values[0]};
+  return {values[0], values[1], components == 3 ? values[2] : 0.0};
+}
+
+Step::Automaton Step::automaton(int i) const
+{
+  const int type = types_.at(i);
+  const AutomatonLaw &law = laws_.automata[type];
+  const double *row = stresses_.at(i), *tensor = row + layout().stress.tensor;
+  const double average = mean(i), z = elasticZ(i);
+  const StressTensor s = dimension() == 2
+                             ? automatonStress(tensor[0], tensor[1], tensor[2], average)
+                             : weighted(tensor, law.weight);
+  const double density = energyDensity(row[layout().stress.squares], average, law.shearModulus,
+                                       law.bulkModulus, law.D, law.weight) +
+                         law.shearModulus * z * z;
+  return {s, average, stressIntensity(s), density * laws_.volumes[type]};
+}
+
+Vector Step::force(int i) const
+{
+  return vectorOf(forces_.at(i) + layout().force.force, dimension());
+}
+
+Vector Step::torque(int i) const
+{
+  return vectorOf(forces_.at(i) + layout().force.torque, dimension() == 2 ? 1 : 3);
+}
+
+double Step::elasticZ(int i) const
+{
+  return laws_.flowsAcross ? *elasticZ_.at(i) : 0.0;
+}
+
+double Step::elasticZNext(int i) const
+{
+  return laws_.flowsAcross ? *elasticZNext_.at(i) : 0.0;
+}
+
+Vector Step::place(int row) const
+{
+  return vectorOf(motion_.at(row) + layout().motion.place, dimension());
+}
+
+Vector Step::velocity(int row) const
+{
+  return vectorOf(motion_.at(row) + layout().motion.velocity, dimension());
+}
+
+Vector Step::spin(int row) const
+{
+  const double last = *spin_.at(row);
+  if (dimension() == 2)
+    return {0.0, 0.0, last};
+  const double *first = motion_.at(row) + layout().motion.spin;
+  return {first[0], first[1], last};
+}
+
+double Step::mean(int row) const
+{
+  return response_.at(row)[layout().response.mean];
+}
+
+double Step::factor(int row) const
+{
+  return response_.at(row)[layout().response.factor];
+}
+
+Vector Step::normal(int k) const
+{
+  double *const *n = links_.pairs().normal;
+  return {n[0][k], n[1][k], dimension() == 2 ? 0.0 : n[2][k]};
+}
+
+// The elastic or the total shear as a vector; in the plane its only component is along t.
+static double sizeOf(double *const *shears, int k, int dimension)
+{
+  return dimension == 2 ? shears[0][k] : length(Vector{shears[0][k], shears[1][k], shears[2][k]});
+}
+
+double Step::shear(int k) const
+{
+  return sizeOf(links_.pairs().now.gamma, k, dimension());
+}
+
+double Step::totalShear(int k) const
+{
+  return sizeOf(links_.pairs().now.gammaTotal, k, dimension());
+}
+
+Vector Step::alongShear(int k, double size) const
+{
+  const Vector n = normal(k);
+  if (dimension() == 2)
+    return {-size * n.y, size * n.x, 0.0};
+  const double *const *of = links_.pairs().now.gamma;
+  const Vector gamma = {of[0][k], of[1][k], of[2][k]};
+  const double size0 = length(gamma);
+  return size0 > 0.0 ? size / size0 * gamma : Vector{0.0, 0.0, 0.0};
+}
+
+ContactStress Step::contact(int k) const
+{
+  const Pairs &p = links_.pairs();
+  const RowLayout::Response &at = layout().response;
+  const double *ri = response_.at(p.i[k]), *rj = response_.at(p.j[k]);
+  const bool moves = p.blocks[k / blockLength].moves;
+  return contactStress(
+      law(k), {p.now.kind[k], p.eps[k], p.now.plastic[k], shear(k), totalShear(k), p.separation[k]},
+      {ri[at.mean], ri[at.factor], ri[at.centre]}, {rj[at.mean], rj[at.factor], rj[at.centre]},
+      moves ? p.next.kind[k] : p.now.kind[k]);
+}
+
+Vector Step::contactForce(int k) const
+{
+  const ContactStress s = contact(k);
+  const Vector stress =
+      s.normal * normal(k) + 1.0 / (1.0 + links_.pairs().eps[k]) * alongShear(k, s.shear);
+  return law(k).area * stress;
+}
+
+double Step::distance(int k) const
+{
+  return law(k).diameter * (1.0 + links_.pairs().eps[k]);
+}
+
+double Step::share(int k) const
+{
+  return std::max(links_.i(k), links_.j(k)) < own() ? 1.0 : 0.5;
+}
+
+// The first automaton of a pair is the same on both ranks.
+bool Step::isOurs(int k) const
+{
+  return links_.i(k) < own();
+}
+
+Step::Count Step::count() const
+{
+  Count c = events_;
+  const Pairs &p = links_.pairs();
+  for (int k = 0; k < p.n; k++) {
+    if (link::isLinked(p.now.kind[k]))
+      c.links += share(k);
+    if (p.now.kind[k] == link::weld)
+      c.welds += share(k);
+  }
+  return c;
+}
+
+double Step::bytes() const
+{
+  double sum = links_.bytes();
+  for (const RowArray *rows : {&motion_, &spin_, &strains_, &stresses_, &response_, &forces_,
+                               &local_, &kappaNext_, &elasticZ_, &elasticZNext_, &linkChanges_})
+    sum += rows->bytes();
+  return sum;
+}
+
+} // namespace mca

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "viscous_contacts.h"
+
+#include <algorithm>
+
+namespace mca {
+
+void ViscousContacts::add(const Pairs &p, const Conditions &step)
+{
+  const int dimension = step.kernel->dimension;
+  const RowLayout &rows = step.kernel->rows;
+  const double half = 0.5 * step.dt;
+  auto follows = [&step](int i) {
+    const int bits = step.groups[i];
+    return (bits & step.integrated) && !(bits & step.held) ? 1.0 : 0.0;
+  };
+  for (int first = 0; first < p.n; first += blockLength) {
+    const Block &block = p.blocks[first / blockLength];
+    if (block.bulk && !block.moves)
+      continue;
+    const double *const kindNext = block.moves ? p.next.kind : p.now.kind;
+    const int last = std::min(first + blockLength, p.n);
+    for (int k = first; k < last; k++) {
+      const bool holds = link::isLinked(p.now.kind[k]) & link::isLinked(kindNext[k]);
+      const double e = p.eps[k] - p.now.plastic[k];
+      if (holds | (e >= 0.0))
+        continue;
+      const PairLaw &law = step.laws[p.law[k]];
+      const int i = p.i[k], j = p.j[k];
+      const double moveI = half * law.invMassI * follows(i);
+      const double moveJ = half * law.invMassJ * follows(j);
+      const double *const forceI = step.forces + static_cast<size_t>(i) * rows.force.length;
+      const double *const forceJ = step.forces + static_cast<size_t>(j) * rows.force.length;
+      double kick = 0.0;
+      for (int m = 0; m < dimension; m++)
+        kick += p.normal[m][k] * (moveJ * forceJ[m] - moveI * forceI[m]);
+      const double damping = law.viscosity * law.area * law.invDiameter * (moveI + moveJ);
+      const double before = p.separation[k], now = centredSeparation(before, kick, damping);
+      p.separation[k] = now;
+
+      const double trial =
+          elasticStress(law, e, step.response[static_cast<size_t>(i) * rows.response.length],
+                        step.response[static_cast<size_t>(j) * rows.response.length]);
+      const double more = unlinkedStress(trial, law.viscosity, now, law.invDiameter) -
+                          unlinkedStress(trial, law.viscosity, before, law.invDiameter);
+      Contact c = {i, j, {}};
+      for (int m = 0; m < dimension; m++)
+        c.force[m] = more * law.area * p.normal[m][k];
+      contacts_.push_back(c);
+    }
+  }
+}
+
+void ViscousContacts::addForces(const Kernel &kernel, double *forces) const
+{
+  const size_t stride = kernel.rows.force.length;
+  for (const Contact &c : contacts_)
+    for (int m = 0; m < kernel.dimension; m++) {
+      forces[c.i * stride + m] += c.force[m];
+      forces[c.j * stride + m] -= c.force[m];
+    }
+}
+
+} // namespace mca

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+/// \file automaton_law.h
+/// What the passes over automata need of the laws of one material.
+#ifndef MCA_LAWS_AUTOMATON_LAW_H
+#define MCA_LAWS_AUTOMATON_LAW_H
+
+#include "plasticity.h"
+
+namespace mca {
+
+/// Laws of one material as an automaton's own; made by makeAutomatonLaw() of law_set.h.
+struct AutomatonLaw {
+  double bulkModulus, shearModulus; ///< K, G [stress]
+  double D;                         ///< 1 - 2G/(3K), or 0 for the pairwise law [-]; for energies
+  double yields;                    ///< 1 with radial return, 0 without
+  YieldCurve curve;
+  double weight; ///< q S/V of the packing [-]
+};
+
+} // namespace mca
+
+#endif

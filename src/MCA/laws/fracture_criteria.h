@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+/// \file fracture_criteria.h
+/// The criteria of bulk links: the one list from which come the words of keyword fracture with
+/// their messages and restart files, the check against the documentation, and the kernel's loops,
+/// which are compiled for each criterion. A new one is a header in laws/fracture/, its line here,
+/// its test and its paragraph.
+#ifndef MCA_LAWS_FRACTURE_CRITERIA_H
+#define MCA_LAWS_FRACTURE_CRITERIA_H
+
+#include "fracture/by_energy.h"
+#include "fracture/by_local_stress.h"
+#include "fracture/by_strain.h"
+#include "fracture/by_stress.h"
+#include "fracture/never.h"
+
+namespace mca {
+
+template<class... Criteria>
+struct CriterionList {
+  static constexpr int size = sizeof...(Criteria);
+
+  /// Calls work(criterion) for the criterion of this number.
+  template<class Work>
+  static void with(int number, Work &&work)
+  {
+    int at = 0;
+    static_cast<void>(((at++ == number && (work(Criteria()), true)) || ...));
+  }
+
+  /// Calls work(criterion) for all, in their order.
+  template<class Work>
+  static void each(Work &&work)
+  {
+    (work(Criteria()), ...);
+  }
+};
+
+// clang-format off: one a line
+using FractureCriteria =
+    CriterionList<FractureByStrain, FractureByStress, FractureByEquivalentStress,
+                  FractureByDruckerPrager, FractureByEnergy, FractureNever>;
+// clang-format on
+
+} // namespace mca
+
+#endif

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef WHEELRAIL_CONTACT_LINE_CONTACT_TEMPERATURE_H
+#define WHEELRAIL_CONTACT_LINE_CONTACT_TEMPERATURE_H
+
+#include "contact/convolution.h"
+
+#include <vector>
+
+namespace wheelrail {
+
+/// Heat from friction between two equal bodies that each take half of it, at a large Peclet number
+/// v0 a/(2 kappa) (1600 for Table 2 at 10 m/s). SI units.
+struct ThermalMaterial {
+  double conductivity; ///< W/(m K)
+  double density;      ///< kg/m3
+  double specificHeat; ///< J/(kg K)
+};
+
+/// Where the temperature of the contact comes from.
+enum class ThermalModel {
+  Off,           ///< no temperature
+  Averaged,      ///< Eq. 11: mean rise of a Hertzian contact that slides as a whole
+  AveragedPower, ///< Eq. 11 with the frictional power T/N in place of mu
+  Local          ///< `FlashTemperature`, `TravellingHeat`
+};
+
+struct ThermalSpecification {
+  ThermalModel model = ThermalModel::Averaged;
+  ThermalMaterial material{}; ///< of both bodies; not used by Off
+};
+
+/// Eq. 11's coefficient, exactly 8 sqrt(2)/(15 sqrt(pi)) = 0.425538 (the paper rounds to 0.426).
+double meanTemperatureCoefficient();
+
+/// Maximum of Eq. 11's temperature over its mean, 0.61730992/0.42553843.
+double maximumOverMeanTemperature();
+
+/// Eq. 11: mean temperature rise over a Hertzian line contact,
+/// coefficient x frictionRatio x p0 x slidingSpeed x sqrt(a/(lambda rho c_p v0)), K.
+/// @param frictionRatio mu when everything slides (Eq. 11 as printed); T/N is the exact frictional
+///        power below full sliding
+double meanTemperatureRise(double frictionRatio, double hertzPressure, double slidingSpeed,
+                           double halfWidth, double speed, const ThermalMaterial &material);
+
+/// Flash temperature of a heated stretch that moves along a half-space at speed v0:
+///   Theta(x) = integral over s > x of q(s)/2 / sqrt(pi lambda rho c_p v0 (s - x)) ds.
+/// Heat is uniform on each cell and Theta is its mean over a cell: both integrals are exact, so
+/// that the mean over the contact has no error of order sqrt(h), as point sources have.
+class FlashTemperature {
+ public:
+  /// n cells of size `cellSize` (m); the leading edge is at the last cell.
+  FlashTemperature(int cells, double cellSize, double speed, const ThermalMaterial &material);
+
+  /// @param heat friction power per area of each cell, both bodies' together, W/m2
+  /// @return temperature rise per cell, K
+  Eigen::VectorXd rise(const Eigen::VectorXd &heat);
+
+ private:
+  Convolution line_;
+  Convolution::Spectrum kernel_;
+};
+
+/// The same where heat changes in time: every cell of material remembers the heat of its way
+/// through the contact. With heat that does not change it becomes `FlashTemperature`.
+class TravellingHeat {
+ public:
+  TravellingHeat(int count, double cellSize, double speed, const ThermalMaterial &material);
+
+  /// The material moves on by one cell towards smaller x and takes up heat (W/m2, both bodies').
+  void step(const Eigen::VectorXd &heat);
+  /// Temperature rise of a cell after the last step, K.
+  double rise(int cell) const;
+
+ private:
+  std::vector<double> &historyAt(int cell);
+
+  int cells_;
+  int steps_ = 0;
+  Eigen::VectorXd kernel_; ///< influence of heat m steps ago
+  /// Of the material, oldest first, from the first heat on; a cell's place is (cell + steps) %
+  /// cells.
+  std::vector<std::vector<double>> history_;
+};
+
+} // namespace wheelrail
+#endif

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "shared/friction_log_format.h"
+
+#include <cmath>
+#include <sstream>
+
+namespace mcawr::friction_log {
+
+std::string formatLine()
+{
+  return std::string(headMark) + " format: " + format;
+}
+
+std::string columnLine()
+{
+  std::string line;
+  for (const char *name : columnNames)
+    line += (line.empty() ? "" : " ") + std::string(name);
+  return line;
+}
+
+bool isIn(Range range, double value)
+{
+  const bool ordinary = value >= 1.0 / largest && value <= largest;
+  switch (range) {
+  case Range::Positive:
+    return ordinary;
+  case Range::NotNegative:
+    return value == 0.0 || ordinary;
+  case Range::PoissonsRatio:
+    return value > -1.0 && value < 0.5;
+  case Range::Whole:
+    return value >= 0.0 && value <= largest && value == std::floor(value);
+  }
+  return false;
+}
+
+std::string describe(Range range, const std::string &unit)
+{
+  std::ostringstream text;
+  const std::string inUnit = unit.empty() ? "" : " (" + unit + ")";
+  switch (range) {
+  case Range::Positive:
+    text << "> 0" << inUnit << ", " << 1.0 / largest << " to " << largest;
+    break;
+  case Range::NotNegative:
+    text << ">= 0" << inUnit << ", 0 or " << 1.0 / largest << " to " << largest;
+    break;
+  case Range::PoissonsRatio:
+    text << "in -1 .. 0.5";
+    break;
+  case Range::Whole:
+    text << ">= 0, whole, at most " << largest;
+    break;
+  }
+  return text.str();
+}
+
+} // namespace mcawr::friction_log

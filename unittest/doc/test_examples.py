@@ -1,0 +1,174 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""The examples against their pages and the plans: one geometry, commands that run where they stand,
+every variable set from outside."""
+
+import os
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+import yaml
+
+ROOT = Path(__file__).resolve().parents[2]
+LMP = os.environ.get("MCAWR_LMP", str(ROOT / "build" / "bin" / "lmp"))
+FRICTION = ROOT / "examples" / "friction"
+SPACE = ROOT / "examples" / "space"
+
+sys.path.insert(0, str(ROOT / "tools"))
+from campaign_parts import plan as plans  # noqa: E402
+
+
+def script_variables(script):
+    """Default of each variable that the script's head lets one set; of style index only, since
+    LAMMPS refuses a command-line value for any other style."""
+    head = script.read_text(encoding="utf-8").split("\nunits ")[0]
+    found = re.findall(r"^variable +(\w+) +(\w+) +(\S+)", head, re.MULTILINE)
+    assert {style for _, style, _ in found} == {"index"}
+    return {name: default for name, _, default in found}
+
+
+def run(script, folder, values):
+    words = [word for name, value in values.items() for word in ("-var", name, str(value))]
+    done = subprocess.run(
+        [LMP, "-in", script, *words],
+        cwd=folder,
+        timeout=120,
+        text=True,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.STDOUT,
+        check=False,
+    )
+    assert done.returncode == 0 and "WARNING" not in done.stdout, done.stdout[-3000:]
+    return (folder / "log.lammps").read_text(encoding="utf-8")
+
+
+def head_of(log):
+    lines = log.read_text(encoding="utf-8").splitlines(True)
+    return yaml.safe_load("".join(line[2:] for line in lines if line[0] == "#"))
+
+
+def steps_of(log):
+    lines = log.read_text(encoding="utf-8").splitlines()
+    return [int(line.split()[0]) for line in lines if line[0].isdigit()]
+
+
+def test_plans_and_example_have_the_same_defaults():
+    script = script_variables(FRICTION / "in.friction")
+    for name, key in plans.KEYS.items():
+        if key.variable and key.default is not None and name != "ns":
+            word = isinstance(key.default, str)
+            default = key.default if word else f"{key.default * key.factor:.12g}"
+            assert script[key.variable] == default, name
+
+
+def test_first_script_is_of_the_same_geometry(tmp_path):
+    """The README's: rows, rows held and driven, roughness of the example, half as long."""
+    readme = (ROOT / "README.md").read_text(encoding="utf-8")
+    script = re.search(r"^```lammps\n(.*?)^```", readme, re.MULTILINE | re.DOTALL)[1]
+    (tmp_path / "in.first").write_text(script, encoding="utf-8")
+    example = script_variables(FRICTION / "in.friction")
+    rows, held = int(example["rows"]), int(example["held"])
+    columns = int(example["columns"]) // 2
+    for seed in range(1, 6):  # both blocks take it: neither overlap nor gap
+        log = run("in.first", tmp_path, {"seed": seed})
+        found = re.findall(r"^(\d+) atoms in group (\w+)$", log, re.MULTILINE)
+        count = {name: int(number) for number, name in found}
+        assert count["lower"] + count["upper"] == rows * columns
+        assert count["bottom"] == count["top"] == held * columns
+        lines = re.findall(r"^region +\w+ mca/rough \w+ (\S+) (\S+) \S+ (\d+)", log, re.MULTILINE)
+        assert set(lines) == {("14.07", example["amplitude"], str(seed))}
+
+
+@pytest.mark.parametrize(
+    "page", sorted(ROOT.glob("examples/*/README.md")), ids=lambda path: path.parent.name
+)
+def test_commands_find_their_programs(page):
+    """From the folder of the page, unless it says that they are run from the top folder."""
+    text = page.read_text(encoding="utf-8")
+    start = ROOT if "From the top folder of the checkout" in text else page.parent
+    for block in re.findall(r"^```sh\n(.*?)^```", text, re.MULTILINE | re.DOTALL):
+        for program in re.findall(r"(?<!\S)(\S*(?:build/bin|tools)/\S+)", block):
+            target = Path(os.path.normpath(start / program))
+            assert target.parent in (ROOT / "build" / "bin", ROOT / "tools")
+            assert target.parent.name == "bin" or target.exists()
+        for name in re.findall(r"-in (\S+)", block):
+            assert (start / name).exists()
+
+
+def test_every_variable_of_the_friction_example(tmp_path):
+    given = {
+        "p": 7,
+        "v": 3,
+        "strength": 120,
+        "seed": 5,
+        "ns": 0.02,
+        "laws": "a weld 0.7",
+        "E": 180000,
+        "nu": 0.25,
+        "rho": 0.009,
+        "eta": 300,
+        "columns": 16,
+        "rows": 12,
+        "held": 2,
+        "amplitude": 1.5,
+        "d": 3,
+        "every": 50,
+        "dt": 4e-05,
+        "name": "other",
+        "log": "mine.friction",
+        "pictures": "mine.*.dump",
+        "frames": 250,
+        "profile": 200,
+        "checkpoint": 300,
+        "continue": 0,
+        "restart": "other.restart",
+    }
+    defaults = script_variables(FRICTION / "in.friction")
+    assert given.keys() == defaults.keys()
+    assert all(str(given[name]) != defaults[name] for name in given if name != "continue")
+    log = run(FRICTION / "in.friction", tmp_path, given)
+    assert re.findall(r"^(\d+) atoms in group (?:bottom|top)$", log, re.MULTILINE) == ["32", "32"]
+    line = re.findall(r"mca/rough below (\S+) (\S+) (\S+) 5 units box", log)[-1]
+    assert list(map(float, line)) == pytest.approx([3 * 3**0.5 / 2 * 11 / 2, 1.5, 6])
+    head = head_of(tmp_path / "mine.friction")
+    material = head["material"]
+    assert (material["youngs_modulus"], material["poissons_ratio"]) == (180000, 0.25)
+    assert [material[name] for name in ("density", "strength", "viscosity")] == [9000, 120, 0.3]
+    assert head["loading"] == {"pressure": 7, "velocity": 3}
+    geometry = head["geometry"]
+    assert (geometry["width"], geometry["diameter"], geometry["automata"]) == (48, 3, 192)
+    assert (head["laws"]["preset"], head["laws"]["weld"]) == ("a", 0.7)
+    assert head["run"] == {"timestep": 4e-05, "every": 50, "seed": 5}
+    assert steps_of(tmp_path / "mine.friction") == list(range(50, 501, 50))
+    assert {path.name for path in tmp_path.iterdir()} == {
+        "log.lammps",
+        "mine.friction",
+        "mine.0.dump",
+        "mine.250.dump",
+        "mine.500.dump",
+        "other.profile",
+        "other.a.restart",
+        "other.restart",
+    }
+    profile = (tmp_path / "other.profile").read_text(encoding="utf-8")
+    assert re.findall(r"^(\d+) \d+ \d+$", profile, re.MULTILINE) == ["200", "400"]
+    run(FRICTION / "in.friction", tmp_path, {**given, "ns": 0.03, "continue": 1})
+    assert steps_of(tmp_path / "mine.friction") == list(range(50, 751, 50))
+
+
+def test_every_variable_of_the_bar(tmp_path):
+    """Each changes the box, the strain or the stress; the table of the page is the script's."""
+    defaults = script_variables(SPACE / "in.bar")
+    page = (SPACE / "README.md").read_text(encoding="utf-8")
+    assert dict(re.findall(r"^\| `(\w+)` \| `(.*?)` \|", page, re.MULTILINE)) == defaults
+    shown = {}
+    others = {"strength": 184, "cells": 3, "strain": 0.002, "rate": 0.2, "skin": "yes", "d": 3}
+    for name, value in {"": "", **others}.items():
+        log = run(SPACE / "in.bar", tmp_path, {"strain": 0.0025, **({name: value} if name else {})})
+        box = re.search(r"^Created orthogonal box = (.*)$", log, re.MULTILINE)[1]
+        strain, stress = re.findall(r"^ +\d+ +(\S+) +(\S+) .*$", log, re.MULTILINE)[-1]
+        assert float(strain) == pytest.approx(value if name == "strain" else 0.0025, rel=1e-6)
+        shown[name] = (box, strain, stress)
+    assert set(shown) == {"", *defaults} and len(set(shown.values())) == len(shown)
