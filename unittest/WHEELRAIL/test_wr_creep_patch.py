@@ -404,7 +404,7 @@ def test_interrupted_runs_go_on(case, tmp_path):
             "--set",
             "points=40",
             "--set",
-            f"creep={{from: 1e-4, to: 1e-2, n: {2000 if mode == 'frozen' else 60}}}",
+            f"creep={{from: 1e-4, to: 1e-2, n: {1500 if mode == 'frozen' else 30}}}",
         ]
         running = subprocess.Popen([BIN, *map(str, many)], stderr=subprocess.PIPE, text=True)
         journal = tmp_path / mode / "wr_creep.journal"
