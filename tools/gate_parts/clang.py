@@ -139,9 +139,10 @@ class Texts:
 
 
 def check_tidy(files, options):
-    """Findings of clang-tidy in all files that are compiled, and in the headers they include.
+    """Findings of clang-tidy in what is compiled of src and tools, and in the headers they include.
 
-    A header given alone stands for all files that include it.
+    Unit tests are left out: they would take as long again. A header given alone stands for all
+    files that include it.
     """
     program = _program("clang-tidy")
     wanted = set(files["c++"])
@@ -159,7 +160,8 @@ def check_tidy(files, options):
     keys = {
         path: unit.key(texts, lists)
         for path, unit in units.items()
-        if path.is_relative_to(ROOT) and wanted.intersection(unit.headers(texts))
+        if any(path.is_relative_to(ROOT / folder) for folder in ("src", "tools"))
+        and wanted.intersection(unit.headers(texts))
     }
     memory = options.build / "gates" / "clang-tidy.json"
     clean = json.loads(memory.read_text(encoding="utf-8")) if memory.is_file() else {}

@@ -164,8 +164,9 @@ TEST(FractureEnergy, LinksAlongTheTensionBreakFirst)
       row.meanI = row.meanJ = strain * E / 3;
       const double before = density;
       density = FractureByEnergy::density(row, limits);
-      if (s.changed > 0)
+      if (s.changed > 0) {
         EXPECT_LT(before, limits.value[0] * (1 + 1e-9));
+      }
     }
     EXPECT_GE(density, limits.value[0] * (1 - 1e-9));
     EXPECT_EQ(s.changed, 48); // one link of each automaton lies along the tension

@@ -59,7 +59,7 @@ def test_clean(project):
         ("ruff", "a.py", "os.name", "os . name", "src/a.py:7:1: format", True),
         ("ruff", "a.py", "import os\nimport sys", "import sys\nimport os", "py:4:1: I001", True),
         ("ruff", "a.py", "sys.argv", "sys.argv, x", "src/a.py:7:26: F821", False),
-        ("ruff", "a.py", "Nothing", "No" * 60, "src/a.py:2:101: E501", False),
+        ("ruff", "a.py", "Nothing", "No " * 60 + "no", "src/a.py:2:101: E501", False),
         ("shellcheck", "a.sh", '"$1"', "$1", "src/a.sh:3:6: note", False),
         ("spdx", "a.sh", SPDX, "GPL", "src/a.sh:2:1: spdx", True),
         ("spdx", "a.h", f"// {SPDX}\n", "", "src/a.h:1:1: spdx", True),
