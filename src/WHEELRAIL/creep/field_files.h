@@ -35,6 +35,7 @@ struct NamedBytes {
   std::string name; ///< "pressure"
   std::string bytes;
 };
+/// @param title one line, put into each file
 std::vector<NamedBytes> gsfFields(const PatchGrid &grid, const PatchFields &fields,
                                   const std::string &title);
 

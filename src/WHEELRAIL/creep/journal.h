@@ -37,6 +37,7 @@ class Journal {
   void write();
 
   /// Takes the file away: the sweep is finished.
+  /// A file that is not there, or cannot be removed, is no error.
   void remove() const;
 
  private:

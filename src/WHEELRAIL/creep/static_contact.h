@@ -7,6 +7,7 @@
 
 namespace wheelrail {
 
+/// Dimensionless: the half-plane's unit of stress is E*.
 struct StaticTraction {
   Eigen::VectorXd traction;           ///< per cell, in E*
   std::vector<ContactInterval> stick; ///< where nothing slips
@@ -18,6 +19,9 @@ struct StaticTraction {
 /// more normal contact.
 /// @param normal solution of `problem`, elastic where forceRatio > 0
 /// @param forceRatio T/(mu N) in [0, 1)
+/// @param mu > 0, the same everywhere
+/// @return traction positive along the force; its sum is forceRatio mu N up to the tolerance
+/// @throws Error (NotConverged) as `solveNormalContact`
 StaticTraction staticTraction(HalfPlane &halfPlane, const NormalContactProblem &problem,
                               const NormalContactResult &normal, double mu, double forceRatio);
 
@@ -31,6 +35,7 @@ struct StaticSpecification {
 };
 
 /// One force on one profile; SI units.
+/// Lengths are along x; a rough contact may stick in many places.
 struct StaticPoint {
   std::uint64_t profile = 0;
   double forceRatio = 0.0;    ///< T/(mu N)
@@ -41,6 +46,7 @@ struct StaticPoint {
   double stickCentre = 0.0; ///< m, mean place of what sticks; 0: middle of the computed length
 };
 
+/// Complete, or `solveStaticCases` has thrown.
 struct StaticCases {
   std::vector<ContactSetup> contacts; ///< one per profile
   std::vector<StaticPoint> points;    ///< by profile, then force
