@@ -39,6 +39,10 @@ double maximumOverMeanTemperature();
 /// coefficient x frictionRatio x p0 x slidingSpeed x sqrt(a/(lambda rho c_p v0)), K.
 /// @param frictionRatio mu when everything slides (Eq. 11 as printed); T/N is the exact frictional
 ///        power below full sliding
+/// @param hertzPressure p0, Pa
+/// @param slidingSpeed creep times v0, m/s
+/// @param halfWidth a, m
+/// @param speed v0, m/s, > 0
 double meanTemperatureRise(double frictionRatio, double hertzPressure, double slidingSpeed,
                            double halfWidth, double speed, const ThermalMaterial &material);
 
@@ -46,6 +50,7 @@ double meanTemperatureRise(double frictionRatio, double hertzPressure, double sl
 ///   Theta(x) = integral over s > x of q(s)/2 / sqrt(pi lambda rho c_p v0 (s - x)) ds.
 /// Heat is uniform on each cell and Theta is its mean over a cell: both integrals are exact, so
 /// that the mean over the contact has no error of order sqrt(h), as point sources have.
+/// One object has one work buffer: use one per thread.
 class FlashTemperature {
  public:
   /// n cells of size `cellSize` (m); the leading edge is at the last cell.
@@ -62,8 +67,10 @@ class FlashTemperature {
 
 /// The same where heat changes in time: every cell of material remembers the heat of its way
 /// through the contact. With heat that does not change it becomes `FlashTemperature`.
+/// Memory and time of a step grow with the number of cells that have taken up heat.
 class TravellingHeat {
  public:
+  /// At the start all material is cold. Arguments as of `FlashTemperature`.
   TravellingHeat(int count, double cellSize, double speed, const ThermalMaterial &material);
 
   /// The material moves on by one cell towards smaller x and takes up heat (W/m2, both bodies').

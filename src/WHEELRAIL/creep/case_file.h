@@ -25,7 +25,7 @@ struct Case {
 
   const FrictionSpecification &friction() const; ///< of the task
   /// What the case reads: the law's name, measured surfaces.
-  /// Paths as they will be opened, for messages and for copies of a case.
+  /// A built-in law stands here with its name, a file with the path that will be opened.
   std::vector<std::string> files() const;
 };
 

@@ -38,8 +38,7 @@ struct Roller {
 /// are means over the last half of the passes. Eq. 11's temperature follows the mean of the pass
 /// before; the local one is carried along by the material and is a cell behind in the friction
 /// coefficient.
-/// Lengths are those of the nominal (Hertz) contact: one pass is 2a. From rest the transient has
-/// died away to about 1 % after three passes.
+/// Lengths are those of the nominal (Hertz) contact: one pass is 2a long.
 class MovingCreep {
  public:
   /// All arguments must outlive the object.

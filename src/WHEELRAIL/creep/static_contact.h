@@ -19,9 +19,9 @@ struct StaticTraction {
 /// more normal contact.
 /// @param normal solution of `problem`, elastic where forceRatio > 0
 /// @param forceRatio T/(mu N) in [0, 1)
-/// @param mu > 0, the same everywhere
+/// @param mu >= 0, the same everywhere
 /// @return traction positive along the force; its sum is forceRatio mu N up to the tolerance
-/// @throws Error (NotConverged) as `solveNormalContact`
+/// @throws Error (BadInput) for another force ratio, and what `solveNormalContact` throws
 StaticTraction staticTraction(HalfPlane &halfPlane, const NormalContactProblem &problem,
                               const NormalContactResult &normal, double mu, double forceRatio);
 

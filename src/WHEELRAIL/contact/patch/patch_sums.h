@@ -22,9 +22,12 @@ struct PatchSums {
   double powerClosure() const;
 };
 
+/// @param result of `TangentialSolver` or `TransientPatch` on this grid
+/// @return forces on the wheel, against its slip; multiply the powers by v0 for a power in W
 PatchSums patchSums(const PatchGrid &grid, const TangentialResult &result);
 
 /// Integral of q . u/2 with the displacement of the same tractions: energy, force x length.
+/// @param displacement of `PatchHalfSpace::displacement` for these tractions
 double elasticEnergy(const PatchGrid &grid, const TangentialField &traction,
                      const TangentialField &displacement);
 

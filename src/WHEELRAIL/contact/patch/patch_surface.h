@@ -11,6 +11,7 @@ namespace wheelrail {
 /// A self-affine random surface in two dimensions: a sum of waves with random phases whose power
 /// spectrum falls as k^-2(1 + H) between two wavelengths.
 struct FractalPatch {
+  /// H, in (0, 1): the larger, the smoother the surface looks at short wavelengths.
   double hurst = 0.8;
   double rmsSlope = 0.0;  ///< root mean square of the gradient's length; one of rmsSlope and
   double rmsHeight = 0.0; ///< rmsHeight (length) is > 0 and decides the amplitude
@@ -24,6 +25,8 @@ struct FractalPatch {
 
 /// The waves of a FractalPatch. Phase and amplitude of each depend on (seed, wave) only: any grid,
 /// at any place, samples the same surface, and a surface that has moved by any distance is exact.
+/// Random numbers are counted, not drawn in turn, so that the surface does not depend on the
+/// highest wave either.
 class FractalHeights {
  public:
   /// @throws Error (BadInput) when no wave with a whole number of periods lies between the
@@ -34,8 +37,10 @@ class FractalHeights {
   /// @throws Error (BadInput) for cells too long for the shortest wave, four a wave
   Eigen::VectorXd sampled(const PatchGrid &grid, double travelled = 0.0) const;
 
+  /// Of the surface after scaling; one of the two is the value that was asked for.
   double rmsHeight() const { return rmsHeight_; }
   double rmsSlope() const { return rmsSlope_; }
+  /// Number of the waves between the two wavelengths.
   int waves() const { return waves_; }
 
  private:
@@ -49,6 +54,7 @@ class FractalHeights {
 
 /// Heights that travel through the box: a map over more columns than the box (or as many), that
 /// repeats along x. Wheel and rail have one each; each moves at its own speed.
+/// For surfaces that are too large to be summed up anew from their waves at each step.
 class TravellingMap {
  public:
   /// @param map over `columns` x ny cells of the box's size, x fastest; column 0 is the box's first
@@ -57,6 +63,8 @@ class TravellingMap {
 
   /// What lies in the box after the surface has moved by so many cells towards smaller x. Whole
   /// numbers are exact; between them a straight line between neighbours.
+  /// @param cells any number, negative ones too
+  /// @return one height for each cell of the box
   Eigen::VectorXd at(double cells) const;
 
  private:

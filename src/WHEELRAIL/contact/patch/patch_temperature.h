@@ -12,6 +12,8 @@ namespace wheelrail {
 /// Flash temperature over a patch. At a large Peclet number heat flows into the depth only, not
 /// across the rolling direction: every row of cells is a line contact's problem of its own, solved
 /// by FlashTemperature without an error of the order sqrt(cell). SI units.
+/// The sums over a row are those of the line contact, so that grids of any width give the line's
+/// temperature row by row. One object has one work buffer: use one per thread.
 class PatchFlashTemperature {
  public:
   /// @param grid nx and ny count; lengths are not read
@@ -22,6 +24,7 @@ class PatchFlashTemperature {
 
   /// @param heat friction power per area of each cell, both bodies' together, W/m2
   /// @return temperature rise per cell, K
+  /// Steady: heat and speed do not change while the material goes through the contact.
   Eigen::VectorXd rise(const Eigen::VectorXd &heat);
 
  private:
@@ -30,11 +33,15 @@ class PatchFlashTemperature {
 };
 
 /// The same where heat changes in time (one step: the material moves on by a cell).
+/// With heat that does not change it becomes `PatchFlashTemperature`, once every row of material
+/// has gone through the box.
 class PatchTravellingHeat {
  public:
+  /// At the start no cell has taken up heat. Arguments as of `PatchFlashTemperature`.
   PatchTravellingHeat(const CellGrid &grid, double cellLength, double speed,
                       const ThermalMaterial &material);
 
+  /// Material moves towards smaller x; what enters at the largest x is cold.
   void step(const Eigen::VectorXd &heat); ///< W/m2, both bodies'
   Eigen::VectorXd rise() const;           ///< after the last step, K
 
