@@ -30,6 +30,7 @@ struct ThermalSpecification {
 };
 
 /// Eq. 11's coefficient, exactly 8 sqrt(2)/(15 sqrt(pi)) = 0.425538 (the paper rounds to 0.426).
+/// A pure number, of the profile of heat that a Hertzian pressure makes.
 double meanTemperatureCoefficient();
 
 /// Maximum of Eq. 11's temperature over its mean, 0.61730992/0.42553843.
@@ -67,7 +68,7 @@ class FlashTemperature {
 
 /// The same where heat changes in time: every cell of material remembers the heat of its way
 /// through the contact. With heat that does not change it becomes `FlashTemperature`.
-/// Memory and time of a step grow with the number of cells that have taken up heat.
+/// Each cell of material keeps one number for every step since its first heat.
 class TravellingHeat {
  public:
   /// At the start all material is cold. Arguments as of `FlashTemperature`.
@@ -76,6 +77,7 @@ class TravellingHeat {
   /// The material moves on by one cell towards smaller x and takes up heat (W/m2, both bodies').
   void step(const Eigen::VectorXd &heat);
   /// Temperature rise of a cell after the last step, K.
+  /// @param cell 0 .. n - 1, as they lie in the contact now
   double rise(int cell) const;
 
  private:

@@ -41,6 +41,7 @@ class Convolution {
   Convolution(Convolution &&) noexcept;
   Convolution &operator=(Convolution &&) noexcept;
 
+  /// Number of values that a product takes and gives.
   int cells() const { return n_; }
   /// Of the transforms.
   int size() const;                           ///< of the transforms

@@ -48,8 +48,8 @@ GmresReport gmres(const Apply &apply, const Precondition &precondition, const Ei
   using Eigen::VectorXd;
   GmresReport report;
   while (true) {
-    /// The true residual, computed anew at each restart: rounding in the recurrence does not add
-    /// up.
+    // The true residual, computed anew at each restart: rounding in the recurrence does not add
+    // up.
     VectorXd r = b - apply(x);
     double beta = r.norm();
     ++report.products;
@@ -59,8 +59,8 @@ GmresReport gmres(const Apply &apply, const Precondition &precondition, const Ei
       return report;
 
     std::vector<VectorXd> basis{r / beta};
-    /// Upper Hessenberg matrix, turned into a triangle by Givens rotations column by column; |g[k]|
-    /// is the residual after k columns.
+    // Upper Hessenberg matrix, turned into a triangle by Givens rotations column by column; |g[k]|
+    // is the residual after k columns.
     Eigen::MatrixXd h = Eigen::MatrixXd::Zero(restart + 1, restart);
     VectorXd cosines(restart), sines(restart), g = VectorXd::Zero(restart + 1);
     g[0] = beta;
@@ -94,7 +94,7 @@ GmresReport gmres(const Apply &apply, const Precondition &precondition, const Ei
     }
     if (k == 0)
       return report;
-    /// Least-squares solution in the basis, then the step in x.
+    // Least-squares solution in the basis, then the step in x.
     const VectorXd y =
         h.topLeftCorner(k, k).template triangularView<Eigen::Upper>().solve(g.head(k));
     VectorXd sum = VectorXd::Zero(b.size());

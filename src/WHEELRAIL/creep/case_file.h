@@ -34,6 +34,7 @@ struct Case {
 /// Units in a case file may be any that UDUNITS-2 converts; the program goes on in SI units.
 struct Keyword {
   /// What a value may be; only the lists take more than one.
+  /// Form and range are checked when a value is read, before its meaning.
   enum class Kind {
     Quantity, ///< a number with a unit that UDUNITS-2 can convert to `unit`
     QuantityList,
@@ -48,6 +49,7 @@ struct Keyword {
     Text,
     TextList
   };
+  /// Group and word; at most one dot.
   const char *name; ///< with dots: "contact.radius"
   Kind kind;
   const char *unit;    ///< SI unit for UDUNITS-2; "1": pure number
@@ -55,6 +57,7 @@ struct Keyword {
   double low, high;    ///< allowed range in `unit`; low is excluded where `lowOpen`
   bool lowOpen;
   const char *choices; ///< Choice: separated by '|'
+  /// Also in the documentation of the keywords.
   const char *help;    ///< half a sentence for --help and messages
 };
 

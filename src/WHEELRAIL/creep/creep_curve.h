@@ -57,6 +57,8 @@ struct CreepSpecification {
 /// @param law of the specification's friction (`readLaw`); its covariance, if it has one, is
 ///        carried through (`LawSpread`)
 /// @throws Error (Interrupted) when asked to stop, and what the points throw
+/// @param options threads, journal, progress, interruption; none of them changes a number
+/// @return points in the order of the specification: creep changes fastest
 CreepCurves solveCreepCurves(const CreepSpecification &specification, const FrictionLaw &law,
                              const SweepOptions &options = {});
 

@@ -37,11 +37,13 @@ std::string contactCsv(const StaticCases &cases);
 /// @param text the complete case file
 std::string summaryJson(const CreepSpecification &asked, const std::string &text,
                         const FrictionLaw &law, const CreepCurves &curves);
+/// The same for forces without rolling.
 std::string summaryJson(const StaticSpecification &asked, const std::string &text,
                         const FrictionLaw &law, const StaticCases &cases);
 
 /// What was computed, for the screen: profiles after every step, contacts, curves.
 std::string shortReport(const CreepSpecification &asked, const CreepCurves &curves);
+/// The same for forces without rolling.
 std::string shortReport(const StaticSpecification &asked, const StaticCases &cases);
 
 /// How the normal contacts were solved, for the screen.

@@ -53,7 +53,9 @@ class LawSpread {
   double redrawn() const { return redrawnShare_; }
 
  private:
+  /// Two laws for each parameter, up and down.
   void addNeighbours();
+  /// Draws from the normal distribution, by the root of the correlation matrix.
   void addSamples(int samples, std::uint64_t seed);
 
   UncertaintyMethod method_;

@@ -43,6 +43,7 @@ class MovingCreep {
  public:
   /// All arguments must outlive the object.
   /// @param setup of a Free boundary, with a measured profile kept whole
+  /// @param law not read where friction is constant
   MovingCreep(const CreepPhysics &physics, const MovingSpecification &moving,
               const FrictionLaw &law, const ContactSetup &setup);
 
@@ -61,12 +62,15 @@ class MovingCreep {
 
  private:
   /// The pressure of a step, warm from the one before; temperature rise in K sets the limit.
+  /// @param step number of cells that the profile has moved
   void solvePressure(int step, double temperature);
   /// Makes the window large enough for the cells in contact and moves every roller's state along.
   void fitWindow(std::vector<Roller> &rollers);
   /// One step of one creep; `counted` steps are averaged.
+  /// @param speed v0, m/s
   void roll(Roller &roller, double speed, bool counted);
   /// Eq. 11 after each length of the nominal contact.
+  /// @param steps of the length, for the mean
   void endPass(Roller &roller, double speed, int steps);
   /// Means over the `counted` steps of all `steps`.
   CreepPoint pointOf(const Roller &roller, double speed, int steps, int counted) const;

@@ -39,6 +39,7 @@ struct StaticSpecification {
 struct StaticPoint {
   std::uint64_t profile = 0;
   double forceRatio = 0.0;    ///< T/(mu N)
+  /// mu times the force ratio.
   double tractionRatio = 0.0; ///< T/N
   double traction = 0.0;      ///< T, N/m
   double mu = 0.0;
@@ -56,6 +57,8 @@ struct StaticCases {
 
 /// All forces on all profiles, free or periodic.
 /// @throws Error as the normal contact does, Error (Interrupted)
+/// @param law gives mu at sliding speed 0 and no temperature rise
+/// @param options threads, progress, interruption; there is no journal here
 StaticCases solveStaticCases(const StaticSpecification &specification, const FrictionLaw &law,
                              const SweepOptions &options = {});
 

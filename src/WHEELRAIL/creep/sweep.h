@@ -21,8 +21,10 @@ struct SweepOptions {
   int threads = 0;     ///< 0: as many as OpenMP gives
   std::string journal; ///< file that keeps finished pieces; empty: not resumable
   /// What the journal belongs to, the whole configuration: one of another identity is not used.
+  /// Program version and law belong to it too, so that a journal of another one starts anew.
   std::string identity;
   /// Called after every piece with points done and points in all; from one thread at a time.
+  /// Not called where it is empty.
   std::function<void(int, int)> progress;
   /// Asked often: true to stop as soon as possible. The journal then keeps what is done.
   std::function<bool()> interrupted;
@@ -57,6 +59,7 @@ class FirstError {
 /// @param travels the material will move through the contact
 /// @return one for each of surface.profiles(), in their order
 /// @throws Error (Interrupted) when asked to stop, and what `prepareContact` throws
+/// The profiles do not influence each other: each thread prepares whole contacts.
 std::vector<ContactSetup> prepareContacts(const LineContactSpecification &contact,
                                           const SurfaceSpecification &surface, double pressureLimit,
                                           bool travels, const SweepOptions &options);

@@ -13,7 +13,9 @@ namespace wheelrail {
 
 /// What one friction log says: mu of its stationary part at (kappa1, kappa2, kappa3).
 struct FrictionPoint {
+  /// Path of the log, as given.
   std::string file;
+  /// Dimensionless pressure, velocity and modulus of Eq. 2 (Bucher et al. 2006), from the head.
   double kappa1 = 0.0;
   double kappa2 = 0.0;
   double kappa3 = 0.0;
@@ -31,6 +33,7 @@ struct FrictionPoint {
   double velocity = 0.0;        ///< m/s
   double strength = 0.0;        ///< MPa
   double viscosity = 0.0;       ///< Pa s
+  /// Of the log's head.
   long seed = 0;
   std::map<std::string, std::string> madeBy; ///< FrictionLog::madeBy
   /// Steps and mu of the first rows, at most 1000: they tell one run from another.
@@ -39,9 +42,11 @@ struct FrictionPoint {
   std::string note;    ///< why there is no stationary part, or that a cut line was dropped
   std::string leftOut; ///< why the point is not fitted; empty: it is
 
+  /// Was a stationary part found?
   bool stationary() const { return tStart == tStart; }
 };
 
+/// Times are those of the log's column `time`, ns.
 struct PointOptions {
   /// Start of the part that is averaged, ns; absent: found by stationaryPart.
   std::optional<double> start;
@@ -53,13 +58,17 @@ struct PointOptions {
 /// Whether two points come from one run, of which one log may be longer, or have rows that are
 /// means over several of the other's: the same kappas, seed, laws and program, and the same mean of
 /// mu, within the rounding of the logs, between all steps at which both have a row.
+/// For leaving out a point that would count twice.
 bool sameRun(const FrictionPoint &a, const FrictionPoint &b);
 
 /// The point of one log. @throws Error (BadInput) if `start` lies beyond the end of the log
+/// mu is the mean of the column over the stationary part, its error from `seriesMean`.
+/// @param log with at least one row
 FrictionPoint frictionPoint(const FrictionLog &log, const PointOptions &options);
 
 /// points.csv: a comment line with the units, a line of column names, one row a point:
 /// file,kappa1,kappa2,mu,muSe,nEff,tStart,muGrindingIn,muEq2,kappa3.
+/// Standard errors that are not known, and times of parts that were not found, are written as nan.
 std::string pointsAsCsv(const std::vector<FrictionPoint> &points);
 
 } // namespace wheelrail

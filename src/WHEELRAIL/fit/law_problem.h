@@ -10,9 +10,11 @@ namespace wheelrail {
 enum LawParameter { Mu0, Mu1, Mu2, B, C, N };
 
 /// Puts Eq. 2's parameters of a vector into a law; n is not part of it.
+/// @param x six values, mu0, mu1, mu2, b, c, n
 void setParameters(FrictionLaw &law, const Eigen::VectorXd &x);
 
 /// Eq. 2 times (kappa3/reference)^n at a point, with the parameters x. reference > 0.
+/// @return a pure number, > 0 for sensible parameters; with n = 0 the reference plays no part
 double modelMu(const Eigen::VectorXd &x, const LawPoint &point, double reference);
 
 /// What a model fits, as a weighted least-squares problem in (mu0, mu1, mu2, b, c, n), with
@@ -27,10 +29,12 @@ class LawProblem {
              double kappa3);
 
   /// For solveLeastSquares; refers to *this.
+  /// The object must outlive what it returns.
   LeastSquaresProblem make() const;
 
   /// Starts: n = 0 and a grid over b and c with the linear parameters by linear least squares, the
   /// best three.
+  /// @param problem of `make`, which judges the candidates
   std::vector<Eigen::VectorXd> starts(const LeastSquaresProblem &problem) const;
 
  private:

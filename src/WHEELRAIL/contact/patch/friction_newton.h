@@ -76,7 +76,7 @@ class FrictionNewton {
   Vector fromLeft(const Linearisation &linear, const Vector &residual) const;
   /// The half-space's approximate inverse on the cells that stick.
   Vector fromRight(const Linearisation &linear, const Vector &x);
-  /// The linear system by GMRES, solved no more sharply than the step deserves.
+  /// The linear system by GMRES, to a tenth of its right-hand side.
   Vector newtonStep(const Linearisation &linear, const Vector &x, const Vector &f,
                     double tolerance);
 

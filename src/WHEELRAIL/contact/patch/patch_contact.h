@@ -61,6 +61,7 @@ struct PatchContact {
   /// @param normalForce N
   NormalContactProblem problem(double pressureLimit, double normalForce, const Travel &wheel = {},
                                const Travel &rail = {}) const;
+  /// @param cell index in the grid; its centre decides
   bool isNominal(int cell) const; ///< inside the smooth contact's ellipse?
   /// Mean over the nominal contact of a value per cell.
   /// The cells count whose centres lie inside the ellipse.

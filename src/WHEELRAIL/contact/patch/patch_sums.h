@@ -19,6 +19,8 @@ struct PatchSums {
   double drivingPower = 0.0;
 
   /// frictionalPower/drivingPower; 1 where there is no power at all.
+  /// A measure of the grid: 0.80, 0.89, 0.94, 0.97 on a circle with 16, 32, 64, 128 cells a
+  /// diameter.
   double powerClosure() const;
 };
 

@@ -11,7 +11,7 @@ namespace wheelrail {
 /// A self-affine random surface in two dimensions: a sum of waves with random phases whose power
 /// spectrum falls as k^-2(1 + H) between two wavelengths.
 struct FractalPatch {
-  /// H, in (0, 1): the larger, the smoother the surface looks at short wavelengths.
+  /// H, 0 to 1: the larger, the smoother the surface looks at short wavelengths.
   double hurst = 0.8;
   double rmsSlope = 0.0;  ///< root mean square of the gradient's length; one of rmsSlope and
   double rmsHeight = 0.0; ///< rmsHeight (length) is > 0 and decides the amplitude
@@ -54,7 +54,6 @@ class FractalHeights {
 
 /// Heights that travel through the box: a map over more columns than the box (or as many), that
 /// repeats along x. Wheel and rail have one each; each moves at its own speed.
-/// For surfaces that are too large to be summed up anew from their waves at each step.
 class TravellingMap {
  public:
   /// @param map over `columns` x ny cells of the box's size, x fastest; column 0 is the box's first

@@ -43,6 +43,7 @@ class PatchTravellingHeat {
 
   /// Material moves towards smaller x; what enters at the largest x is cold.
   void step(const Eigen::VectorXd &heat); ///< W/m2, both bodies'
+  /// One value a cell, x fastest, also behind the contact.
   Eigen::VectorXd rise() const;           ///< after the last step, K
 
  private:

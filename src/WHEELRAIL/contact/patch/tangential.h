@@ -12,6 +12,7 @@ namespace wheelrail {
 
 /// Rigid slip of the bodies, divided by the rolling speed.
 struct Creepage {
+  /// Signs: xi and eta > 0 give forces to negative x and y.
   double xi = 0.0;  ///< longitudinal, -
   double eta = 0.0; ///< lateral, -
   double phi = 0.0; ///< spin, 1/length
@@ -54,6 +55,7 @@ struct TangentialOptions {
 };
 
 struct TangentialResult {
+  /// Of the body that the creepage belongs to; one value a cell, 0 outside of the contact.
   TangentialField traction;
   TangentialField slip; ///< S/d in contact, 0 elsewhere
   std::vector<PatchState> state;
@@ -66,6 +68,7 @@ struct TangentialResult {
 
   /// Number of cells in that state.
   int stickCells() const;
+  /// Together with stickCells() all cells in contact.
   int slipCells() const;
 };
 
@@ -76,7 +79,7 @@ struct TangentialResult {
 /// left by the sum along each stick segment, the inverse of the upwind difference u(x) - u(x + d),
 /// and from the right by the half-space's symbol, so that the number of products does not grow with
 /// the grid.
-/// What has no slip anywhere (an infinite bound) is linear, and no friction cone is needed.
+/// Where the bound is infinite everywhere nothing slips, and the problem is linear.
 class TangentialSolver {
  public:
   /// @param pair of `combinedPair`
