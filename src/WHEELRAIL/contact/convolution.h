@@ -13,6 +13,7 @@
 namespace wheelrail {
 
 /// Smallest even 2^a 3^b 5^c 7^d >= n: a length that FFTW transforms fast.
+/// @param n >= 1
 int fastTransformSize(int n);
 
 /// FFTW's planner is the one part of it that is not thread-safe: hold this while plans are made or

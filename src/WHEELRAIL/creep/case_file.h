@@ -58,7 +58,7 @@ struct Keyword {
   bool lowOpen;
   const char *choices; ///< Choice: separated by '|'
   /// Also in the documentation of the keywords.
-  const char *help;    ///< half a sentence for --help and messages
+  const char *help; ///< half a sentence for --help and messages
 };
 
 /// All keywords, in the order of --help and --print-config; every group together.

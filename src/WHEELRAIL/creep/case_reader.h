@@ -44,6 +44,7 @@ class CaseReader {
   /// Is the keyword given, in the file or by a change?
   bool has(const std::string &name) const { return entries_.count(name) > 0; }
   /// Any keyword below a group? @param group without a dot
+  /// @return true for "creep" where creep.from is given
   bool hasGroup(const std::string &group) const;
 
   /// The value with its default filled in and recorded for `configuration`. Quantities are in the
@@ -98,6 +99,7 @@ class CaseReader {
 };
 
 /// The table's row of a keyword; null for other words.
+/// @param name with dots, as in the table: "contact.radius"
 const Keyword *findKeyword(const std::string &name);
 
 /// The words that a keyword of kind Choice allows.

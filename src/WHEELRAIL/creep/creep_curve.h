@@ -45,8 +45,9 @@ struct CreepSpecification {
   CreepPhysics physics;
   RollingMode mode = RollingMode::Frozen;
   MovingSpecification moving; ///< of mode Moving
-  std::vector<double> creep;  ///< sliding/rolling speed, >= 0, at least one
-  std::vector<double> speed;  ///< rolling speeds v0, m/s, > 0, at least one
+  /// The order of the lists is that of the results.
+  std::vector<double> creep; ///< sliding/rolling speed, >= 0, at least one
+  std::vector<double> speed; ///< rolling speeds v0, m/s, > 0, at least one
   /// How a covariance of the law becomes a band of T/N.
   SpreadSpecification spread;
 };

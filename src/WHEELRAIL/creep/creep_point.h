@@ -24,6 +24,7 @@ struct CreepPoint {
 };
 
 /// Everything along the contact, one value per cell of the domain; SI units.
+/// Cells lie as in `ContactSetup`, from the trailing to the leading side.
 struct ContactFields {
   Eigen::VectorXd pressure;    ///< Pa, >= 0
   Eigen::VectorXd traction;    ///< Pa, positive for positive creep
@@ -43,6 +44,7 @@ struct ContactFields {
 class FrozenCreep {
  public:
   /// Both must outlive the object. @param setup of a Free boundary
+  /// Starts from the normal contact of the setup, without traction and temperature.
   FrozenCreep(const CreepPhysics &physics, const ContactSetup &setup);
 
   /// Warm from the last call: the set of stick cells and the temperature.
@@ -56,6 +58,7 @@ class FrozenCreep {
   /// Of the last call; `startFrom` makes the next one start from them.
   /// SI units, over the whole domain.
   const ContactFields &fields() const { return contact_; }
+  /// @param fields of a point nearby, on the same domain
   void startFrom(const ContactFields &fields) { contact_ = fields; }
 
  private:

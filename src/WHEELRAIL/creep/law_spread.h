@@ -15,6 +15,7 @@ namespace wheelrail {
 enum class UncertaintyMethod { Linear, Sampled };
 
 /// How many laws stand for the spread.
+/// Both numbers are read by the sampled method only.
 struct SpreadSpecification {
   UncertaintyMethod method = UncertaintyMethod::Linear;
   int samples = 0;        ///< Sampled: laws drawn, > 1

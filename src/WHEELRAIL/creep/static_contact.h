@@ -38,7 +38,7 @@ struct StaticSpecification {
 /// Lengths are along x; a rough contact may stick in many places.
 struct StaticPoint {
   std::uint64_t profile = 0;
-  double forceRatio = 0.0;    ///< T/(mu N)
+  double forceRatio = 0.0; ///< T/(mu N)
   /// mu times the force ratio.
   double tractionRatio = 0.0; ///< T/N
   double traction = 0.0;      ///< T, N/m

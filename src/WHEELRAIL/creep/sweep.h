@@ -21,7 +21,7 @@ struct SweepOptions {
   int threads = 0;     ///< 0: as many as OpenMP gives
   std::string journal; ///< file that keeps finished pieces; empty: not resumable
   /// What the journal belongs to, the whole configuration: one of another identity is not used.
-  /// Program version and law belong to it too, so that a journal of another one starts anew.
+  /// The journal adds the program version and the law: those of another run are not used either.
   std::string identity;
   /// Called after every piece with points done and points in all; from one thread at a time.
   /// Not called where it is empty.

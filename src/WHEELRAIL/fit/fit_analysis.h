@@ -12,6 +12,7 @@
 namespace wheelrail {
 
 /// What wr_fit is asked for beside the logs.
+/// Kappas are pure numbers: kappa2 = p E/sigma_0^2, kappa3 = E/sigma_0.
 struct FitOptions {
   /// What `fit` is; the comparison runs through all models.
   LawModel model = LawModel::Full;
@@ -26,10 +27,12 @@ struct FitOptions {
 struct ModelComparison {
   LawModel model = LawModel::Full;
   std::optional<LawFit> fit;
+  /// Empty if it was; a fit whose parameters cannot be told apart counts as none.
   std::string whyNot; ///< why it could not be fitted
 };
 
 /// Everything that wr_fit finds out.
+/// A second log of the same run is left out, so that it does not count twice: the longer one stays.
 struct FitAnalysis {
   FitOptions options;
   std::vector<FrictionPoint> points; ///< all; leftOut says which are not fitted

@@ -12,10 +12,11 @@
 namespace wheelrail {
 
 /// What one friction log says: mu of its stationary part at (kappa1, kappa2, kappa3).
+/// mu and kappas are pure numbers; the run's own numbers stand beside them for the report.
 struct FrictionPoint {
   /// Path of the log, as given.
   std::string file;
-  /// Dimensionless pressure, velocity and modulus of Eq. 2 (Bucher et al. 2006), from the head.
+  /// From the head: rho E v^2/sigma_0^2, p E/sigma_0^2 (Eq. 2, Bucher et al. 2006), E/sigma_0.
   double kappa1 = 0.0;
   double kappa2 = 0.0;
   double kappa3 = 0.0;
@@ -59,6 +60,7 @@ struct PointOptions {
 /// means over several of the other's: the same kappas, seed, laws and program, and the same mean of
 /// mu, within the rounding of the logs, between all steps at which both have a row.
 /// For leaving out a point that would count twice.
+/// @return false for replicates: runs that differ in seed only
 bool sameRun(const FrictionPoint &a, const FrictionPoint &b);
 
 /// The point of one log. @throws Error (BadInput) if `start` lies beyond the end of the log
@@ -68,7 +70,7 @@ FrictionPoint frictionPoint(const FrictionLog &log, const PointOptions &options)
 
 /// points.csv: a comment line with the units, a line of column names, one row a point:
 /// file,kappa1,kappa2,mu,muSe,nEff,tStart,muGrindingIn,muEq2,kappa3.
-/// Standard errors that are not known, and times of parts that were not found, are written as nan.
+/// tStart is nan where no stationary part was found, muGrindingIn where there was no grinding-in.
 std::string pointsAsCsv(const std::vector<FrictionPoint> &points);
 
 } // namespace wheelrail

@@ -14,7 +14,7 @@ namespace wheelrail {
 
 /// One point to fit: mu at (kappa1, kappa2, kappa3) with the standard error of mu (>= 0, finite).
 struct LawPoint {
-  /// Kappas >= 0 and finite, as in Eq. 2; pure numbers.
+  /// rho E v^2/sigma_0^2 and p E/sigma_0^2, as in Eq. 2; >= 0, finite.
   double kappa1 = 0.0;
   double kappa2 = 0.0;
   double mu = 0.0;

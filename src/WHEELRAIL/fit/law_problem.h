@@ -7,6 +7,7 @@
 namespace wheelrail {
 
 /// Place of each parameter in a vector x of all six: those of Eq. 2 and the exponent n of kappa3.
+/// b and mu1 belong to kappa1, c and mu2 to kappa2.
 enum LawParameter { Mu0, Mu1, Mu2, B, C, N };
 
 /// Puts Eq. 2's parameters of a vector into a law; n is not part of it.
@@ -20,6 +21,7 @@ double modelMu(const Eigen::VectorXd &x, const LawPoint &point, double reference
 /// What a model fits, as a weighted least-squares problem in (mu0, mu1, mu2, b, c, n), with
 /// analytic derivatives. Bounds: mu0, b, c >= 0; b and c at most a hundred times the inverse of the
 /// smallest positive kappa, where their terms are constant.
+/// All parameters and residuals are dimensionless.
 class LawProblem {
  public:
   /// @param deviations standard deviation of each point, > 0

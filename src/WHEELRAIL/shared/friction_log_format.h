@@ -29,6 +29,7 @@ std::string formatLine();
 namespace section {
 /// Name and version of what wrote the log.
 constexpr const char *program = "program";
+/// The table `units` below, so that a log can be read without this program.
 constexpr const char *units = "units";
 /// Elastic constants, strength, density, viscosity of the automata.
 constexpr const char *material = "material";
@@ -68,6 +69,7 @@ constexpr double largest = 1e12;
 /// @param value in the unit of its `HeadNumber`
 bool isIn(Range range, double value);
 /// The range in words: "> 0 (MPa), 1e-12 to 1e+12". @param unit empty for pure numbers
+/// @return a half-sentence for messages: what is allowed
 std::string describe(Range range, const std::string &unit);
 
 /// A number in the head.
@@ -84,25 +86,29 @@ namespace head {
 constexpr HeadNumber youngsModulus = {section::material, "youngs_modulus", "MPa", Range::Positive};
 constexpr HeadNumber poissonsRatio = {section::material, "poissons_ratio", "",
                                       Range::PoissonsRatio};
+/// rho and eta of the material; without viscosity its number is 0.
 constexpr HeadNumber density = {section::material, "density", "kg/m3", Range::Positive};
-/// sigma_0 of the paper (Bucher et al. 2006): E/sigma_0 is kappa3, p/sigma_0 goes into kappa1.
+/// sigma_0 of the paper (Bucher et al. 2006), which all kappas are made with: kappa3 = E/sigma_0.
 constexpr HeadNumber strength = {section::material, "strength", "MPa", Range::Positive};
 constexpr HeadNumber viscosity = {section::material, "viscosity", "Pa s", Range::NotNegative};
-/// Normal stress that the run prescribes; mu is the mean shear stress over it.
+/// Normal stress p that the run prescribes, > 0: kappa2 = p E/sigma_0^2.
 constexpr HeadNumber pressure = {section::loading, "pressure", "MPa", Range::Positive};
-/// Of the driven layer; 0 for runs at rest.
+/// Of the driven layer, v: kappa1 = rho E v^2/sigma_0^2.
 constexpr HeadNumber velocity = {section::loading, "velocity", "m/s", Range::NotNegative};
 /// Of the random numbers; runs that differ in it only are replicates.
 constexpr HeadNumber seed = {section::run, "seed", "", Range::Whole};
 /// Those that say more about the run.
+/// First and second yield stress of the response function and the strains that go with them.
 constexpr HeadNumber elasticLimit = {section::material, "elastic_limit", "MPa", Range::Positive};
 constexpr HeadNumber yieldStrength = {section::material, "yield_strength", "MPa", Range::Positive};
 constexpr HeadNumber yieldStrain = {section::material, "yield_strain", "", Range::Positive};
 constexpr HeadNumber breakingStrain = {section::material, "breaking_strain", "", Range::Positive};
+/// Sample along x and across, and diameter of an automaton, all in nm; then number of automata.
 constexpr HeadNumber width = {section::geometry, "width", "nm", Range::Positive};
 constexpr HeadNumber thickness = {section::geometry, "thickness", "nm", Range::Positive};
 constexpr HeadNumber diameter = {section::geometry, "diameter", "nm", Range::Positive};
 constexpr HeadNumber automata = {section::geometry, "automata", "", Range::Whole};
+/// Time step of the run, and steps from one row to the next.
 constexpr HeadNumber timestep = {section::run, "timestep", "ns", Range::Positive};
 constexpr HeadNumber every = {section::run, "every", "", Range::Whole};
 } // namespace head
@@ -126,11 +132,13 @@ enum Column {
   Gap,          ///< nm
   Columns
 };
+/// Element k is the name of Column k.
 constexpr std::array<const char *, Columns> columnNames = {
     "step", "time",  "displacement", "shear_stress", "normal_stress",
     "mu",   "links", "broken",       "formed",       "gap"};
 
 /// "step time displacement ...", the line below the head.
+/// A reader finds its columns by this line: further ones may be added without a new format.
 std::string columnLine();
 
 } // namespace mcawr::friction_log

@@ -23,10 +23,10 @@ class FrictionNewton {
   struct Equations {
     /// B = A - A moved by a cell; false: B = A.
     bool steady = true;
-    std::vector<int> cells;    ///< in contact: indices in the half-space's grid
+    std::vector<int> cells; ///< in contact: indices in the half-space's grid
     /// Friction coefficient times pressure, in units of the traction's unit; infinite: no slip at
     /// all.
-    Vector bound;              ///< scaled, of each of them
+    Vector bound; ///< scaled, of each of them
     /// Rigid slip less the displacement that was there before, in units of the slip's unit.
     Vector drive;              ///< 2 per cell
     std::vector<int> unknown;  ///< components (0: x, 1: y) whose force is given
@@ -42,6 +42,7 @@ class FrictionNewton {
   /// @param maxSteps Newton steps of one attempt; a second and a third are more careful
   /// @return true when the tolerance is met
   /// @param tolerance of the residual's norm, relative to `scale`
+  /// Where no attempt converges and forces are given, they are approached in parts.
   bool solve(Vector &x, double tolerance, int maxSteps);
 
   /// Newton steps of all attempts.
@@ -51,6 +52,7 @@ class FrictionNewton {
   /// Relative to `scale`.
   double residual() const { return relativeResidual_; }
   /// Does cell i of the solution slip?
+  /// @param i position in `Equations::cells`
   bool slips(int i) const { return linear_.slips[i] != 0; }
   /// Scaled slip of the solution, 2 per cell.
   const Vector &slip() const { return scaledSlip_; }

@@ -10,6 +10,7 @@ namespace wheelrail {
 /// everywhere (with tractions in force per length squared of that unit: mm, N and MPa, for
 /// example); nothing in the solvers depends on the choice.
 struct PatchGrid : CellGrid {
+  /// With `centredGrid` the origin is the middle of the box, about which moments are taken.
   double left = 0.0;   ///< x of the box's border at ix = 0 (the trailing side)
   double bottom = 0.0; ///< y of the box's border at iy = 0
 

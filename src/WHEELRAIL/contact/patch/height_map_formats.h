@@ -34,6 +34,7 @@ constexpr long mostMapPoints = 1L << 27;
 void checkMapSize(const std::string &path, int line, const std::string &keyword, long nx, long ny);
 
 /// A whole number >= 0 that a head states. @throws Error (BadInput)
+/// @param keyword as the head has it, for the message
 long wholeNumber(const std::string &path, int line, const std::string &keyword,
                  const std::string &text);
 
@@ -43,6 +44,7 @@ double positiveLength(const std::string &path, int line, const std::string &keyw
                       const std::string &text);
 
 /// A decimal number that fills the whole text; finite. @return whether it is one
+/// @param value set only if it is one
 bool readDecimal(std::string_view text, double &value);
 
 /// Without blanks at either end.
@@ -54,6 +56,7 @@ class LineReader {
  public:
   explicit LineReader(std::string_view text) : rest_(text) {}
   /// @return false at the end
+  /// @param line a view into the text, set unless the text is at its end
   bool next(std::string_view &line);
   int number() const { return number_; } ///< of the line last given
 

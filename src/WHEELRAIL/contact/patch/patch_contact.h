@@ -66,7 +66,7 @@ struct PatchContact {
   /// Mean over the nominal contact of a value per cell.
   /// The cells count whose centres lie inside the ellipse.
   double nominalMean(const Eigen::VectorXd &values) const;
-  double nominalArea() const;                             ///< pi ab, m^2
+  double nominalArea() const; ///< pi ab, m^2
   /// All cells with pressure, each with its whole area.
   double realArea(const Eigen::VectorXd &pressure) const; ///< m^2
 };

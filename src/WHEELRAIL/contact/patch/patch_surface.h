@@ -20,6 +20,7 @@ struct FractalPatch {
   /// The wavelengths' limits hold for the isotropic surface that is stretched so.
   double stretch = 1.0;
   double periodX = 0.0, periodY = 0.0; ///< the surface repeats with these lengths, > 0
+  /// Alone decides the phases; surfaces of different seeds are independent.
   std::uint64_t seed = 1;
 };
 
@@ -31,6 +32,7 @@ class FractalHeights {
  public:
   /// @throws Error (BadInput) when no wave with a whole number of periods lies between the
   ///         wavelengths, or neither or both of rmsSlope and rmsHeight are given
+  /// @param surface periods and wavelengths in one unit, > 0; heights come in the same unit
   explicit FractalHeights(const FractalPatch &surface);
 
   /// Heights at the cells' centres, moved: those of the surface at (x + travelled, y).

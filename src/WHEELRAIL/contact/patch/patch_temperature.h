@@ -25,6 +25,7 @@ class PatchFlashTemperature {
   /// @param heat friction power per area of each cell, both bodies' together, W/m2
   /// @return temperature rise per cell, K
   /// Steady: heat and speed do not change while the material goes through the contact.
+  /// Mean over each cell, exact for heat that is uniform on the cells; 0 ahead of the first heat.
   Eigen::VectorXd rise(const Eigen::VectorXd &heat);
 
  private:
@@ -42,9 +43,10 @@ class PatchTravellingHeat {
                       const ThermalMaterial &material);
 
   /// Material moves towards smaller x; what enters at the largest x is cold.
+  /// @param heat now, one value a cell, x fastest
   void step(const Eigen::VectorXd &heat); ///< W/m2, both bodies'
   /// One value a cell, x fastest, also behind the contact.
-  Eigen::VectorXd rise() const;           ///< after the last step, K
+  Eigen::VectorXd rise() const; ///< after the last step, K
 
  private:
   CellGrid grid_;

@@ -76,6 +76,7 @@ constexpr double advisedCellsPerWave = 8.0;
 /// @param travel m, how far the material will move
 /// @throws Error (BadInput) for maps that cannot be read or do not fit, waves that the cells cannot
 ///         carry
+/// @param box cells and lengths in m
 RoughPatch prepareRoughPatch(const RoughPatchSpecification &specification, std::size_t index,
                              const PatchGrid &box, double travel);
 

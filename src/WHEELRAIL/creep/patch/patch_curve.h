@@ -68,7 +68,7 @@ struct PatchContactSummary {
   std::optional<CreepSensitivity> sensitivity; ///< N, N m, N m^2 per unit of creepage
   /// Dimensionless: divided by G and powers of the area, as Kalker 1990 tabulates C11, C22, C23,
   /// C33.
-  std::optional<KalkerCoefficients> kalker;    ///< with the nominal ellipse's area
+  std::optional<KalkerCoefficients> kalker; ///< with the nominal ellipse's area
 };
 
 /// What a sweep gives.

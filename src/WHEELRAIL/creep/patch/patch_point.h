@@ -23,6 +23,7 @@ struct PatchDrive {
 };
 
 /// One computed point; SI units.
+/// What is not computed keeps the value here: the errors where nothing moves, for example.
 struct PatchPoint {
   std::uint64_t surface = 0;         ///< seed, or number of the measured pair
   double load = 0.0;                 ///< N
@@ -101,6 +102,7 @@ class FrozenPatch {
   double meanMu() const;
   /// Root mean square of the rigid slip times the rolling speed, m/s.
   double slidingSpeed(double speed) const;
+  /// Sums of the last solution; iterations of the fixed point.
   PatchPoint pointOf(double speed, int iterations) const;
 
   const CreepPhysics &physics_;

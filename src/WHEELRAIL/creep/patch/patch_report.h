@@ -45,7 +45,8 @@ void writeFields(const std::string &folder, const PatchSpecification &asked,
 /// The computed points as those of Polach's law, and the contact it needs.
 /// In mm, N and m/s, with the signs of the solvers: forces against the creepages.
 std::vector<PolachPoint> polachPoints(const PatchCurves &curves);
-/// Of the first contact: shear modulus and nominal ellipse (mm, N, MPa), with Kalker's coefficients of that ellipse.
+/// Of the first contact: shear modulus and nominal ellipse (mm, N, MPa), with Kalker's coefficients
+/// of that ellipse.
 PolachContact polachContact(const PatchCurves &curves);
 
 } // namespace wheelrail
