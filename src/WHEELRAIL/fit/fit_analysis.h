@@ -53,7 +53,7 @@ struct FitAnalysis {
 /// `whyNot` says why, and the comparison holds the models that can.
 /// @param points of `frictionPoint`, at least one
 /// @param options of the command line, ranges checked there
-/// @return never without `points`; either `fit` or `whyNot` is set
+/// @return with either `fit` or `whyNot`, and one comparison for each of `lawModels`
 FitAnalysis analysePoints(std::vector<FrictionPoint> points, const FitOptions &options);
 
 } // namespace wheelrail

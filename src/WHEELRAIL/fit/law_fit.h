@@ -36,7 +36,7 @@ constexpr std::array<LawModel, 5> lawModels = {
     LawModel::Constant, LawModel::Velocity, LawModel::Pressure, LawModel::Full, LawModel::Kappa3};
 
 /// Name on the command line and in files: constant, velocity, eq4, eq2, eq2_kappa3.
-/// A static text.
+/// Never null; lives as long as the program.
 const char *nameOf(LawModel model);
 /// Number of parameters of a fit: those of Eq. 2 and n.
 constexpr int fitParameters = lawParameters + 1;

@@ -15,7 +15,7 @@ enum LawParameter { Mu0, Mu1, Mu2, B, C, N };
 void setParameters(FrictionLaw &law, const Eigen::VectorXd &x);
 
 /// Eq. 2 times (kappa3/reference)^n at a point, with the parameters x. reference > 0.
-/// @return a pure number, > 0 for sensible parameters; with n = 0 the reference plays no part
+/// @return mu, a pure number; with n = 0 the reference plays no part
 double modelMu(const Eigen::VectorXd &x, const LawPoint &point, double reference);
 
 /// What a model fits, as a weighted least-squares problem in (mu0, mu1, mu2, b, c, n), with

@@ -12,10 +12,9 @@ namespace wheelrail {
 /// A scatter much above `expected` says that runs differ by more than their errors tell: too short,
 /// or by a parameter that the law leaves out.
 struct ReplicateGroup {
-  /// Of the group's first point; the others differ by a thousandth at most.
+  /// Of the group's first point; rho E v^2/sigma_0^2 and p E/sigma_0^2.
   double kappa1 = 0.0;
   double kappa2 = 0.0;
-  /// Three or more say something about the scatter, two little.
   int n = 0;             ///< runs, >= 2
   double mu = 0.0;       ///< their mean
   double scatter = 0.0;  ///< standard deviation of mu between the runs, relative to the mean

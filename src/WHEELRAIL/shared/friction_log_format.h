@@ -37,7 +37,7 @@ constexpr const char *material = "material";
 constexpr const char *loading = "loading";
 /// Packing, size of the automata and of the sample.
 constexpr const char *geometry = "geometry";
-/// Interaction laws of the run, by name and number.
+/// Interaction laws of the run: what was chosen, by keyword.
 constexpr const char *laws = "laws";
 /// Seed, time step and number of steps to a row.
 constexpr const char *run = "run";
@@ -103,7 +103,7 @@ constexpr HeadNumber elasticLimit = {section::material, "elastic_limit", "MPa", 
 constexpr HeadNumber yieldStrength = {section::material, "yield_strength", "MPa", Range::Positive};
 constexpr HeadNumber yieldStrain = {section::material, "yield_strain", "", Range::Positive};
 constexpr HeadNumber breakingStrain = {section::material, "breaking_strain", "", Range::Positive};
-/// Sample along x and across, and diameter of an automaton, all in nm; then number of automata.
+/// Size of the sample and diameter of an automaton, nm; number of automata.
 constexpr HeadNumber width = {section::geometry, "width", "nm", Range::Positive};
 constexpr HeadNumber thickness = {section::geometry, "thickness", "nm", Range::Positive};
 constexpr HeadNumber diameter = {section::geometry, "diameter", "nm", Range::Positive};
@@ -138,7 +138,7 @@ constexpr std::array<const char *, Columns> columnNames = {
     "mu",   "links", "broken",       "formed",       "gap"};
 
 /// "step time displacement ...", the line below the head.
-/// A reader finds its columns by this line: further ones may be added without a new format.
+/// A reader finds its columns by the names in this line, whatever their order.
 std::string columnLine();
 
 } // namespace mcawr::friction_log

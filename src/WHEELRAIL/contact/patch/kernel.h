@@ -32,7 +32,7 @@ CellIntegrals cellIntegrals(double x, double y, double dx, double dy);
 struct CellInfluence {
   double zz, xx, yy, xy;
 };
-/// @param integrals of `cellIntegrals`; no error: all values are finite
+/// @param integrals of `cellIntegrals` at that distance
 CellInfluence cellInfluence(const ElasticPair &pair, const CellIntegrals &integrals);
 
 } // namespace wheelrail

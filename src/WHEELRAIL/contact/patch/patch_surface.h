@@ -26,8 +26,7 @@ struct FractalPatch {
 
 /// The waves of a FractalPatch. Phase and amplitude of each depend on (seed, wave) only: any grid,
 /// at any place, samples the same surface, and a surface that has moved by any distance is exact.
-/// Random numbers are counted, not drawn in turn, so that the surface does not depend on the
-/// highest wave either.
+/// Random numbers are counted, not drawn in turn, so that a phase depends on no other wave.
 class FractalHeights {
  public:
   /// @throws Error (BadInput) when no wave with a whole number of periods lies between the

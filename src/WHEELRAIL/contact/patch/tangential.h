@@ -55,7 +55,7 @@ struct TangentialOptions {
 };
 
 struct TangentialResult {
-  /// Of the body that the creepage belongs to; one value a cell, 0 outside of the contact.
+  /// On the wheel, against its slip; one value a cell, 0 outside of the contact.
   TangentialField traction;
   TangentialField slip; ///< S/d in contact, 0 elsewhere
   std::vector<PatchState> state;
