@@ -14,8 +14,8 @@ namespace wheelrail {
 
 /// What a case file asks for, in the words of the physics, and the file itself with everything
 /// filled in.
-/// Everything was checked when it was read: a Case can be computed, unless a file that it names
-/// turns out to be wrong.
+/// Values and their combinations were checked when it was read; files that it names were not
+/// opened.
 struct Case {
   /// A line contact that rolls, or carries a tangential force without rolling (mode static); or a
   /// contact in a point.
@@ -57,8 +57,7 @@ struct Keyword {
   double low, high;    ///< allowed range in `unit`; low is excluded where `lowOpen`
   bool lowOpen;
   const char *choices; ///< Choice: separated by '|'
-  /// Also in the documentation of the keywords.
-  const char *help; ///< half a sentence for --help and messages
+  const char *help;    ///< half a sentence for --help and messages
 };
 
 /// All keywords, in the order of --help and --print-config; every group together.
