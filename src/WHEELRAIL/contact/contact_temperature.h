@@ -30,6 +30,7 @@ struct ThermalSpecification {
 };
 
 /// Eq. 11's coefficient, exactly 8 sqrt(2)/(15 sqrt(pi)) = 0.425538 (the paper rounds to 0.426).
+/// A pure number, of the profile of heat that a Hertzian pressure makes.
 double meanTemperatureCoefficient();
 
 /// Maximum of Eq. 11's temperature over its mean, 0.61730992/0.42553843.
@@ -39,6 +40,10 @@ double maximumOverMeanTemperature();
 /// coefficient x frictionRatio x p0 x slidingSpeed x sqrt(a/(lambda rho c_p v0)), K.
 /// @param frictionRatio mu when everything slides (Eq. 11 as printed); T/N is the exact frictional
 ///        power below full sliding
+/// @param hertzPressure p0, Pa
+/// @param slidingSpeed creep times v0, m/s
+/// @param halfWidth a, m
+/// @param speed v0, m/s, > 0
 double meanTemperatureRise(double frictionRatio, double hertzPressure, double slidingSpeed,
                            double halfWidth, double speed, const ThermalMaterial &material);
 
@@ -46,6 +51,7 @@ double meanTemperatureRise(double frictionRatio, double hertzPressure, double sl
 ///   Theta(x) = integral over s > x of q(s)/2 / sqrt(pi lambda rho c_p v0 (s - x)) ds.
 /// Heat is uniform on each cell and Theta is its mean over a cell: both integrals are exact, so
 /// that the mean over the contact has no error of order sqrt(h), as point sources have.
+/// One object has one work buffer: use one per thread.
 class FlashTemperature {
  public:
   /// n cells of size `cellSize` (m); the leading edge is at the last cell.
@@ -62,13 +68,16 @@ class FlashTemperature {
 
 /// The same where heat changes in time: every cell of material remembers the heat of its way
 /// through the contact. With heat that does not change it becomes `FlashTemperature`.
+/// Each cell of material keeps one number for every step since its first heat.
 class TravellingHeat {
  public:
+  /// At the start all material is cold. Arguments as of `FlashTemperature`.
   TravellingHeat(int count, double cellSize, double speed, const ThermalMaterial &material);
 
   /// The material moves on by one cell towards smaller x and takes up heat (W/m2, both bodies').
   void step(const Eigen::VectorXd &heat);
   /// Temperature rise of a cell after the last step, K.
+  /// @param cell 0 .. n - 1, as they lie in the contact now
   double rise(int cell) const;
 
  private:

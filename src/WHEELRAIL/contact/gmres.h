@@ -10,6 +10,7 @@
 namespace wheelrail {
 
 /// How a solution was reached.
+/// Whether the tolerance was met is for the caller to judge: nothing here throws or prints.
 struct GmresReport {
   int products = 0;      ///< products with the operator, the one for each restart included
   double residual = 0.0; ///< |b - A x| / scale
@@ -31,6 +32,14 @@ struct GmresReport {
 /// @param restart vectors that are kept before the method starts anew; each has the size of b
 /// @param maxProducts limit of the products in all
 /// @return converged or not; never throws. A residual that is not finite ends it
+/// Scale the unknowns so that b is of order `scale`: a tolerance that is absolute for a right-hand
+/// side near 1e-8 would end the iteration early and in silence.
+/// The cost is one product, one preconditioning and k inner products in the step k after a restart;
+/// memory is restart + 1 vectors of the size of b.
+/// A preconditioner that is only roughly the inverse does no harm to the result: the residual is
+/// that of the system without it.
+/// The method ends early where the space of products is exhausted, which gives the exact solution,
+/// or where no direction is left (report.converged is then false).
 template<class Apply, class Precondition>
 GmresReport gmres(const Apply &apply, const Precondition &precondition, const Eigen::VectorXd &b,
                   Eigen::VectorXd &x, double scale, double tolerance, int restart = 60,
@@ -39,6 +48,8 @@ GmresReport gmres(const Apply &apply, const Precondition &precondition, const Ei
   using Eigen::VectorXd;
   GmresReport report;
   while (true) {
+    // The true residual, computed anew at each restart: rounding in the recurrence does not add
+    // up.
     VectorXd r = b - apply(x);
     double beta = r.norm();
     ++report.products;
@@ -48,6 +59,8 @@ GmresReport gmres(const Apply &apply, const Precondition &precondition, const Ei
       return report;
 
     std::vector<VectorXd> basis{r / beta};
+    // Upper Hessenberg matrix, turned into a triangle by Givens rotations column by column; |g[k]|
+    // is the residual after k columns.
     Eigen::MatrixXd h = Eigen::MatrixXd::Zero(restart + 1, restart);
     VectorXd cosines(restart), sines(restart), g = VectorXd::Zero(restart + 1);
     g[0] = beta;
@@ -81,6 +94,7 @@ GmresReport gmres(const Apply &apply, const Precondition &precondition, const Ei
     }
     if (k == 0)
       return report;
+    // Least-squares solution in the basis, then the step in x.
     const VectorXd y =
         h.topLeftCorner(k, k).template triangularView<Eigen::Upper>().solve(g.head(k));
     VectorXd sum = VectorXd::Zero(b.size());

@@ -5,6 +5,7 @@
 namespace wheelrail {
 
 /// 1/E* = 2 (1 - nu^2)/E of two equal bodies; the unit of E. E > 0, -1 < nu < 1/2.
+/// @return E*, in the unit of E: E/(2 (1 - nu^2))
 double contactModulus(double youngsModulus, double poissonsRatio);
 
 /// Smooth line contact of cylinders (Hertz 1882; Johnson, Contact Mechanics, sec. 4.2). SI units,
@@ -32,10 +33,13 @@ struct Carter {
   double tractionRatio(double creep) const;        ///< T/N
   double stickHalfLengthRatio(double creep) const; ///< half-length of the stick zone / a
 };
+/// @param mu > 0
 Carter carter(const HertzContact &contact, double mu);
 
 /// dT/dcreep at creep 0 for any roughness that is fixed in the contact frame: (pi E*/4) x real
 /// contact length, N/m; from full stick on every micro-contact, whatever the friction.
+/// @param modulus E*, Pa
+/// @param realContactLength sum of the lengths in contact, m
 double initialSlope(double modulus, double realContactLength);
 
 } // namespace wheelrail

@@ -48,6 +48,7 @@ struct NormalContactResult {
   double residual = 0.0; ///< estimated pressure error / mean pressure in contact
   double seconds = 0.0;
 
+  /// Cells with pressure, plastic ones included.
   int contactCells() const;
   double peakPressure() const { return pressure.maxCoeff(); }
 };

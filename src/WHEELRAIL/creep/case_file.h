@@ -14,6 +14,8 @@ namespace wheelrail {
 
 /// What a case file asks for, in the words of the physics, and the file itself with everything
 /// filled in.
+/// Values and their combinations were checked when it was read; files that it names were not
+/// opened.
 struct Case {
   /// A line contact that rolls, or carries a tangential force without rolling (mode static); or a
   /// contact in a point.
@@ -23,13 +25,16 @@ struct Case {
 
   const FrictionSpecification &friction() const; ///< of the task
   /// What the case reads: the law's name, measured surfaces.
+  /// A built-in law stands here with its name, a file with the path that will be opened.
   std::vector<std::string> files() const;
 };
 
 /// One keyword of the case file. The table of them is the one source of parsing, `--help`,
 /// `--print-config` and the check against the documentation.
+/// Units in a case file may be any that UDUNITS-2 converts; the program goes on in SI units.
 struct Keyword {
   /// What a value may be; only the lists take more than one.
+  /// Form and range are checked when a value is read, before its meaning.
   enum class Kind {
     Quantity, ///< a number with a unit that UDUNITS-2 can convert to `unit`
     QuantityList,
@@ -44,6 +49,7 @@ struct Keyword {
     Text,
     TextList
   };
+  /// Group and word; at most one dot.
   const char *name; ///< with dots: "contact.radius"
   Kind kind;
   const char *unit;    ///< SI unit for UDUNITS-2; "1": pure number
@@ -55,6 +61,7 @@ struct Keyword {
 };
 
 /// All keywords, in the order of --help and --print-config; every group together.
+/// @return the same table in every call; it lives as long as the program
 const std::vector<Keyword> &keywords();
 
 /// Reads a case file (YAML) and then "keyword=value" changes, the value in YAML as in the file.
@@ -62,6 +69,8 @@ const std::vector<Keyword> &keywords();
 /// case file's; they are not read here.
 /// @return all in SI units
 /// @throws Error (BadInput) for the file, with line and keyword; Error (Usage) for changes
+/// @param path of the case file
+/// @param changes of --set, later ones over earlier ones
 Case readCase(const std::string &path, const std::vector<std::string> &changes = {});
 
 } // namespace wheelrail

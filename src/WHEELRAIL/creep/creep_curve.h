@@ -13,12 +13,14 @@
 namespace wheelrail {
 
 /// A point with the profile it belongs to and, if the law has a covariance, the band of its T/N.
+/// The band is in units of T/N; without a covariance it stays 0.
 struct CurvePoint : CreepPoint {
   std::uint64_t profile = 0; ///< seed, or number of the measured profile from 1 on
   Band band;
 };
 
 /// What a sweep gives.
+/// Complete, or `solveCreepCurves` has thrown. SI units.
 struct CreepCurves {
   std::vector<ContactSetup> contacts; ///< one per profile
   std::vector<CurvePoint> points;     ///< by profile, then speed, then creep
@@ -30,17 +32,23 @@ struct CreepCurves {
 };
 
 /// Does the roughness stay in the contact, or travel with the material?
+/// Frozen lowers the initial slope in proportion to the real contact length: (pi E*/4) times that
+/// length. With travelling roughness the slope is nearly that of the smooth contact.
 enum class RollingMode { Frozen, Moving };
 
 /// A sweep of creeps and speeds over profiles, all of it; SI units.
 struct CreepSpecification {
   LineContactSpecification contact; ///< rolling needs a radius: no period
+  /// Roughness and profiles: each profile gives a curve of its own.
   SurfaceSpecification surface;
+  /// Friction law, temperature and limit of the pressure.
   CreepPhysics physics;
   RollingMode mode = RollingMode::Frozen;
   MovingSpecification moving; ///< of mode Moving
-  std::vector<double> creep;  ///< sliding/rolling speed, >= 0, at least one
-  std::vector<double> speed;  ///< rolling speeds v0, m/s, > 0, at least one
+  /// The order of the lists is that of the results.
+  std::vector<double> creep; ///< sliding/rolling speed, >= 0, at least one
+  std::vector<double> speed; ///< rolling speeds v0, m/s, > 0, at least one
+  /// How a covariance of the law becomes a band of T/N.
   SpreadSpecification spread;
 };
 
@@ -50,6 +58,8 @@ struct CreepSpecification {
 /// @param law of the specification's friction (`readLaw`); its covariance, if it has one, is
 ///        carried through (`LawSpread`)
 /// @throws Error (Interrupted) when asked to stop, and what the points throw
+/// @param options threads, journal, progress, interruption; none of them changes a number
+/// @return points in the order of the specification: creep changes fastest
 CreepCurves solveCreepCurves(const CreepSpecification &specification, const FrictionLaw &law,
                              const SweepOptions &options = {});
 

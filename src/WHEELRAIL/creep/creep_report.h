@@ -18,15 +18,18 @@ namespace wheelrail {
 std::string creepCsv(const SurfaceSpecification &surface, const CreepCurves &curves);
 
 /// creep.json: the same and the band, a list for each column of each curve.
+/// Numbers are those of creep.csv, in the same units.
 std::string creepJson(const CreepSpecification &asked, const CreepCurves &curves);
 
 /// creep_band.csv: T/N with its standard error and 95 % interval from the covariance of the law.
+/// Only for curves with `hasBand`; rows as in creep.csv.
 std::string creepBandCsv(const SurfaceSpecification &surface, const CreepCurves &curves);
 
 /// static.csv: one row for each force on each profile.
 std::string staticCsv(const SurfaceSpecification &surface, const StaticCases &cases);
 
 /// contact.csv: along the contact, of the last point; mm and MPa.
+/// One row a cell of the domain, by x.
 std::string contactCsv(const CreepCurves &curves);
 std::string contactCsv(const StaticCases &cases);
 
@@ -34,14 +37,17 @@ std::string contactCsv(const StaticCases &cases);
 /// @param text the complete case file
 std::string summaryJson(const CreepSpecification &asked, const std::string &text,
                         const FrictionLaw &law, const CreepCurves &curves);
+/// The same for forces without rolling.
 std::string summaryJson(const StaticSpecification &asked, const std::string &text,
                         const FrictionLaw &law, const StaticCases &cases);
 
 /// What was computed, for the screen: profiles after every step, contacts, curves.
 std::string shortReport(const CreepSpecification &asked, const CreepCurves &curves);
+/// The same for forces without rolling.
 std::string shortReport(const StaticSpecification &asked, const StaticCases &cases);
 
 /// How the normal contacts were solved, for the screen.
+/// Iterations, active sets and residuals, one line a contact.
 std::string detailedReport(const SurfaceSpecification &surface,
                            const std::vector<ContactSetup> &contacts);
 

@@ -12,12 +12,14 @@ namespace wheelrail {
 
 /// Everything that one point of a patch contact knows of its cells; mm, N, MPa, K. Every vector has
 /// one value a cell, or none where the model does not compute it.
+/// Cells are those of the grid that goes with them, x fastest.
 struct PatchFields {
   std::vector<PatchState> state; ///< written as 0 apart, 1 stick, 2 slip
   Eigen::VectorXd gap;           ///< mm, of the deformed surfaces; 0 in contact
   Eigen::VectorXd pressure;      ///< MPa
   TangentialField traction;      ///< MPa
   TangentialField slip;          ///< sliding/rolling speed
+  /// Friction coefficient, a pure number, >= 0.
   Eigen::VectorXd mu;
   Eigen::VectorXd temperature; ///< rise, K
 };
@@ -35,6 +37,7 @@ struct NamedBytes {
   std::string name; ///< "pressure"
   std::string bytes;
 };
+/// @param title one line, put into each file
 std::vector<NamedBytes> gsfFields(const PatchGrid &grid, const PatchFields &fields,
                                   const std::string &title);
 
@@ -42,6 +45,7 @@ std::vector<NamedBytes> gsfFields(const PatchGrid &grid, const PatchFields &fiel
 /// @param stem path without its ending: "out/fields_0003"
 /// @return the paths written
 /// @throws Error (Io)
+/// @param title for both formats, one line
 std::vector<std::string> writeFieldFiles(const std::string &stem, const PatchGrid &grid,
                                          const PatchFields &fields, const std::string &title);
 

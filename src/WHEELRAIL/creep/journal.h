@@ -22,6 +22,7 @@ class Journal {
 
   /// @param path empty: nothing is kept
   /// @param identity of what is computed; pieces of another one are not used
+  /// No file is opened or written yet.
   Journal(std::string path, std::string identity);
 
   /// What the file holds, from now on kept with what is added; nothing where there is no file, or
@@ -31,12 +32,15 @@ class Journal {
 
   /// Keeps a finished piece; writes all of them if the last time is some seconds ago.
   /// @throws Error (Io)
+  /// @param piece number from 0 on; an earlier result of the same piece is replaced
+  /// @param results any JSON value
   void add(std::size_t piece, nlohmann::json results);
 
   /// Writes the pieces now. @throws Error (Io)
   void write();
 
   /// Takes the file away: the sweep is finished.
+  /// A file that is not there, or cannot be removed, is no error.
   void remove() const;
 
  private:

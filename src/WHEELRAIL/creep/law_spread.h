@@ -10,9 +10,12 @@
 namespace wheelrail {
 
 /// How a law's covariance is carried through to a result.
+/// Linear is exact to first order in the standard errors, symmetric, and costs two results for each
+/// parameter; Sampled shows asymmetry too and costs `samples` results.
 enum class UncertaintyMethod { Linear, Sampled };
 
 /// How many laws stand for the spread.
+/// Both numbers are read by the sampled method only.
 struct SpreadSpecification {
   UncertaintyMethod method = UncertaintyMethod::Linear;
   int samples = 0;        ///< Sampled: laws drawn, > 1
@@ -20,6 +23,7 @@ struct SpreadSpecification {
 };
 
 /// What the uncertainty of the law makes of a result; in the result's unit.
+/// Linear: half-width 1.96 standard errors; Sampled: quantiles.
 struct Band {
   double standardError = 0.0;   ///< >= 0; 0 without a covariance
   double low = 0.0, high = 0.0; ///< 95 % interval
@@ -39,14 +43,20 @@ class LawSpread {
 
   /// The law itself first. Just that one if it has no covariance.
   const std::vector<FrictionLaw> &laws() const { return variants_; }
+  /// Does the law have a covariance to be carried through?
   bool any() const { return variants_.size() > 1; }
   /// @param results the quantity in question, computed with each of `laws()`, in their order
+  /// @return in the unit of `results`
   Band band(const std::vector<double> &results) const;
   /// Share of the draws that were drawn again.
+  /// 0 with the linear method. A large share says that the covariance reaches far into what is no
+  /// law.
   double redrawn() const { return redrawnShare_; }
 
  private:
+  /// Two laws for each parameter, up and down.
   void addNeighbours();
+  /// Draws from the normal distribution, by the root of the correlation matrix.
   void addSamples(int samples, std::uint64_t seed);
 
   UncertaintyMethod method_;

@@ -16,9 +16,12 @@ struct MovingSpecification {
 };
 
 /// One creep on its way through the contact, as `MovingCreep` keeps it.
+/// Sums are divided by the number of steps only when the point is made.
 struct Roller {
   double creep;
+  /// Traction and displacements that the last step left.
   TransientRolling rolling;
+  /// Of the local model only.
   std::optional<TravellingHeat> heat;
   Eigen::VectorXd temperature, mu; ///< per cell; K
   RollingResult result;            ///< on the window
@@ -35,10 +38,12 @@ struct Roller {
 /// are means over the last half of the passes. Eq. 11's temperature follows the mean of the pass
 /// before; the local one is carried along by the material and is a cell behind in the friction
 /// coefficient.
+/// Lengths are those of the nominal (Hertz) contact: one pass is 2a long.
 class MovingCreep {
  public:
   /// All arguments must outlive the object.
   /// @param setup of a Free boundary, with a measured profile kept whole
+  /// @param law not read where friction is constant
   MovingCreep(const CreepPhysics &physics, const MovingSpecification &moving,
               const FrictionLaw &law, const ContactSetup &setup);
 
@@ -47,20 +52,27 @@ class MovingCreep {
   /// @param progress called at every step; returns false to stop
   /// @return one point per creep; empty when stopped
   /// @throws Error (NotConverged), Error (BadInput) for a measured profile that is too short
+  /// Begins anew with every call: with the profile at its start and no traction.
   std::vector<CreepPoint> solve(double speed, const std::vector<double> &creeps,
                                 const std::function<bool()> &progress);
 
   /// At the end of `solve`, for the last creep; SI units.
+  /// Of the last step, over the whole domain.
   const ContactFields &fields() const { return contact_; }
 
  private:
   /// The pressure of a step, warm from the one before; temperature rise in K sets the limit.
+  /// @param step number of cells that the profile has moved
   void solvePressure(int step, double temperature);
+  /// Makes the window large enough for the cells in contact and moves every roller's state along.
   void fitWindow(std::vector<Roller> &rollers);
   /// One step of one creep; `counted` steps are averaged.
+  /// @param speed v0, m/s
   void roll(Roller &roller, double speed, bool counted);
   /// Eq. 11 after each length of the nominal contact.
+  /// @param steps of the length, for the mean
   void endPass(Roller &roller, double speed, int steps);
+  /// Means over the `counted` steps of all `steps`.
   CreepPoint pointOf(const Roller &roller, double speed, int steps, int counted) const;
 
   const CreepPhysics &physics_;

@@ -7,6 +7,7 @@
 
 namespace wheelrail {
 
+/// Dimensionless: the half-plane's unit of stress is E*.
 struct StaticTraction {
   Eigen::VectorXd traction;           ///< per cell, in E*
   std::vector<ContactInterval> stick; ///< where nothing slips
@@ -18,6 +19,9 @@ struct StaticTraction {
 /// more normal contact.
 /// @param normal solution of `problem`, elastic where forceRatio > 0
 /// @param forceRatio T/(mu N) in [0, 1)
+/// @param mu >= 0, the same everywhere
+/// @return traction positive along the force; its sum is forceRatio mu N up to the tolerance
+/// @throws Error (BadInput) for another force ratio, and what `solveNormalContact` throws
 StaticTraction staticTraction(HalfPlane &halfPlane, const NormalContactProblem &problem,
                               const NormalContactResult &normal, double mu, double forceRatio);
 
@@ -31,9 +35,11 @@ struct StaticSpecification {
 };
 
 /// One force on one profile; SI units.
+/// Lengths are along x; a rough contact may stick in many places.
 struct StaticPoint {
   std::uint64_t profile = 0;
-  double forceRatio = 0.0;    ///< T/(mu N)
+  double forceRatio = 0.0; ///< T/(mu N)
+  /// mu times the force ratio.
   double tractionRatio = 0.0; ///< T/N
   double traction = 0.0;      ///< T, N/m
   double mu = 0.0;
@@ -41,6 +47,7 @@ struct StaticPoint {
   double stickCentre = 0.0; ///< m, mean place of what sticks; 0: middle of the computed length
 };
 
+/// Complete, or `solveStaticCases` has thrown.
 struct StaticCases {
   std::vector<ContactSetup> contacts; ///< one per profile
   std::vector<StaticPoint> points;    ///< by profile, then force
@@ -50,6 +57,8 @@ struct StaticCases {
 
 /// All forces on all profiles, free or periodic.
 /// @throws Error as the normal contact does, Error (Interrupted)
+/// @param law gives mu at sliding speed 0 and no temperature rise
+/// @param options threads, progress, interruption; there is no journal here
 StaticCases solveStaticCases(const StaticSpecification &specification, const FrictionLaw &law,
                              const SweepOptions &options = {});
 

@@ -12,7 +12,9 @@
 namespace wheelrail {
 
 /// What wr_fit is asked for beside the logs.
+/// Kappas are pure numbers: kappa2 = p E/sigma_0^2, kappa3 = E/sigma_0.
 struct FitOptions {
+  /// What `fit` is; the comparison runs through all models.
   LawModel model = LawModel::Full;
   double level = 0.95;          ///< of the confidence intervals
   double kappa3 = 0.0;          ///< reference of the model Kappa3; 0: geometric mean of the points
@@ -21,13 +23,16 @@ struct FitOptions {
 };
 
 /// One line of the model comparison.
+/// Compared by AICc over the same points: the smaller, the better.
 struct ModelComparison {
   LawModel model = LawModel::Full;
   std::optional<LawFit> fit;
+  /// Empty if it was; a fit whose parameters cannot be told apart counts as none.
   std::string whyNot; ///< why it could not be fitted
 };
 
 /// Everything that wr_fit finds out.
+/// A second log of the same run is left out, so that it does not count twice: the longer one stays.
 struct FitAnalysis {
   FitOptions options;
   std::vector<FrictionPoint> points; ///< all; leftOut says which are not fitted
@@ -36,15 +41,19 @@ struct FitAnalysis {
   std::string mixture; ///< one line if runs of other laws or programs are taken together
   /// There are enough points, but they do not determine the parameters.
   bool notIdentifiable = false;
+  /// All of `lawModels`, in their order.
   std::vector<ModelComparison> models;
 
   /// The points that are fitted, in order.
+  /// Points without a reason in `leftOut`.
   std::vector<LawPoint> fitted() const;
 };
 
 /// Marks the points to leave out, fits, compares models. That a law cannot be fitted is no error:
 /// `whyNot` says why, and the comparison holds the models that can.
 /// @param points of `frictionPoint`, at least one
+/// @param options of the command line, ranges checked there
+/// @return with either `fit` or `whyNot`, and one comparison for each of `lawModels`
 FitAnalysis analysePoints(std::vector<FrictionPoint> points, const FitOptions &options);
 
 } // namespace wheelrail

@@ -12,8 +12,11 @@
 namespace wheelrail {
 
 /// What one friction log says: mu of its stationary part at (kappa1, kappa2, kappa3).
+/// mu and kappas are pure numbers; the run's own numbers stand beside them for the report.
 struct FrictionPoint {
+  /// Path of the log, as given.
   std::string file;
+  /// From the head: rho E v^2/sigma_0^2, p E/sigma_0^2 (Eq. 2, Bucher et al. 2006), E/sigma_0.
   double kappa1 = 0.0;
   double kappa2 = 0.0;
   double kappa3 = 0.0;
@@ -31,6 +34,7 @@ struct FrictionPoint {
   double velocity = 0.0;        ///< m/s
   double strength = 0.0;        ///< MPa
   double viscosity = 0.0;       ///< Pa s
+  /// Of the log's head.
   long seed = 0;
   std::map<std::string, std::string> madeBy; ///< FrictionLog::madeBy
   /// Steps and mu of the first rows, at most 1000: they tell one run from another.
@@ -39,9 +43,11 @@ struct FrictionPoint {
   std::string note;    ///< why there is no stationary part, or that a cut line was dropped
   std::string leftOut; ///< why the point is not fitted; empty: it is
 
+  /// Was a stationary part found?
   bool stationary() const { return tStart == tStart; }
 };
 
+/// Times are those of the log's column `time`, ns.
 struct PointOptions {
   /// Start of the part that is averaged, ns; absent: found by stationaryPart.
   std::optional<double> start;
@@ -53,13 +59,18 @@ struct PointOptions {
 /// Whether two points come from one run, of which one log may be longer, or have rows that are
 /// means over several of the other's: the same kappas, seed, laws and program, and the same mean of
 /// mu, within the rounding of the logs, between all steps at which both have a row.
+/// For leaving out a point that would count twice.
+/// @return false for replicates: runs that differ in seed only
 bool sameRun(const FrictionPoint &a, const FrictionPoint &b);
 
 /// The point of one log. @throws Error (BadInput) if `start` lies beyond the end of the log
+/// mu is the mean of the column over the stationary part, its error from `seriesMean`.
+/// @param log with at least one row
 FrictionPoint frictionPoint(const FrictionLog &log, const PointOptions &options);
 
 /// points.csv: a comment line with the units, a line of column names, one row a point:
 /// file,kappa1,kappa2,mu,muSe,nEff,tStart,muGrindingIn,muEq2,kappa3.
+/// tStart is nan where no stationary part was found, muGrindingIn where there was no grinding-in.
 std::string pointsAsCsv(const std::vector<FrictionPoint> &points);
 
 } // namespace wheelrail

@@ -14,6 +14,7 @@ namespace wheelrail {
 
 /// One point to fit: mu at (kappa1, kappa2, kappa3) with the standard error of mu (>= 0, finite).
 struct LawPoint {
+  /// rho E v^2/sigma_0^2 and p E/sigma_0^2, as in Eq. 2; >= 0, finite.
   double kappa1 = 0.0;
   double kappa2 = 0.0;
   double mu = 0.0;
@@ -35,6 +36,7 @@ constexpr std::array<LawModel, 5> lawModels = {
     LawModel::Constant, LawModel::Velocity, LawModel::Pressure, LawModel::Full, LawModel::Kappa3};
 
 /// Name on the command line and in files: constant, velocity, eq4, eq2, eq2_kappa3.
+/// Never null; lives as long as the program.
 const char *nameOf(LawModel model);
 /// Number of parameters of a fit: those of Eq. 2 and n.
 constexpr int fitParameters = lawParameters + 1;
@@ -82,6 +84,7 @@ struct Obstacle {
   std::string reason;
   bool tooFew = false; ///< more points would help whatever they are
 };
+/// Asks for more points than parameters and for as many different kappas as the terms need.
 Obstacle obstacleTo(LawModel model, const std::vector<LawPoint> &points);
 
 /// Weighted least squares with mu0, b, c >= 0, started from the best places of a grid over b and c

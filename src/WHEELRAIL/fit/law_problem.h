@@ -7,17 +7,21 @@
 namespace wheelrail {
 
 /// Place of each parameter in a vector x of all six: those of Eq. 2 and the exponent n of kappa3.
+/// b and mu1 belong to kappa1, c and mu2 to kappa2.
 enum LawParameter { Mu0, Mu1, Mu2, B, C, N };
 
 /// Puts Eq. 2's parameters of a vector into a law; n is not part of it.
+/// @param x six values, mu0, mu1, mu2, b, c, n
 void setParameters(FrictionLaw &law, const Eigen::VectorXd &x);
 
 /// Eq. 2 times (kappa3/reference)^n at a point, with the parameters x. reference > 0.
+/// @return mu, a pure number; with n = 0 the reference plays no part
 double modelMu(const Eigen::VectorXd &x, const LawPoint &point, double reference);
 
 /// What a model fits, as a weighted least-squares problem in (mu0, mu1, mu2, b, c, n), with
 /// analytic derivatives. Bounds: mu0, b, c >= 0; b and c at most a hundred times the inverse of the
 /// smallest positive kappa, where their terms are constant.
+/// All parameters and residuals are dimensionless.
 class LawProblem {
  public:
   /// @param deviations standard deviation of each point, > 0
@@ -27,10 +31,12 @@ class LawProblem {
              double kappa3);
 
   /// For solveLeastSquares; refers to *this.
+  /// The object must outlive what it returns.
   LeastSquaresProblem make() const;
 
   /// Starts: n = 0 and a grid over b and c with the linear parameters by linear least squares, the
   /// best three.
+  /// @param problem of `make`, which judges the candidates
   std::vector<Eigen::VectorXd> starts(const LeastSquaresProblem &problem) const;
 
  private:

@@ -11,8 +11,11 @@
 /// A log is text. It begins with lines `# SECTION: {KEY: VALUE, ...}` which, without `# `, are one
 /// YAML document, the head. Then follow one line with the names of the columns and the rows,
 /// separated by blanks. Units are those of `units` below, whatever the units of the run.
+/// Everything here is a constant or a plain function, so that both programs are built from one
+/// text; a change of the format needs a new number in `format`.
 namespace mcawr::friction_log {
 
+/// Ending of a log's file name.
 constexpr const char *extension = ".friction";
 constexpr const char *headMark = "#";            ///< first letter of every line of the head
 constexpr const char *format = "mca-friction 1"; ///< value of the first line, `# format: ...`
@@ -22,17 +25,26 @@ std::string formatLine();
 
 /// Sections of the head, in the order in which they are written; the first line, `format`, is
 /// before them, and `tools/campaign pack` adds `campaign` after them.
+/// Each section is one line of the head.
 namespace section {
+/// Name and version of what wrote the log.
 constexpr const char *program = "program";
+/// The table `units` below, so that a log can be read without this program.
 constexpr const char *units = "units";
+/// Elastic constants, strength, density, viscosity of the automata.
 constexpr const char *material = "material";
+/// Prescribed pressure and sliding velocity.
 constexpr const char *loading = "loading";
+/// Packing, size of the automata and of the sample.
 constexpr const char *geometry = "geometry";
+/// Interaction laws of the run: what was chosen, by keyword.
 constexpr const char *laws = "laws";
+/// Seed, time step and number of steps to a row.
 constexpr const char *run = "run";
 } // namespace section
 
 /// Units of a quantity in the head's section `units`.
+/// One system for all logs: numbers near 1 for samples of nanometres that slide at metres a second.
 struct Unit {
   const char *quantity, *unit;
 };
@@ -44,6 +56,7 @@ constexpr std::array<Unit, 6> units = {{{"time", "ns"},
                                         {"viscosity", "Pa s"}}};
 
 /// What a number of the head or of a row may be.
+/// Every range refuses what is not finite.
 enum class Range {
   Positive,      ///< 1/largest to largest
   NotNegative,   ///< 0, or 1/largest to largest
@@ -53,11 +66,15 @@ enum class Range {
 /// Far beyond any run in these units; products of several such numbers do not overflow.
 constexpr double largest = 1e12;
 
+/// @param value in the unit of its `HeadNumber`
 bool isIn(Range range, double value);
 /// The range in words: "> 0 (MPa), 1e-12 to 1e+12". @param unit empty for pure numbers
+/// @return a half-sentence for messages: what is allowed
 std::string describe(Range range, const std::string &unit);
 
 /// A number in the head.
+/// The reader refuses a number outside its range with file, line, key, value and `describe`'s
+/// words.
 struct HeadNumber {
   const char *section, *key;
   const char *unit; ///< empty: pure number
@@ -65,24 +82,33 @@ struct HeadNumber {
 };
 /// Those that a reader needs; every log has them except `run: seed`.
 namespace head {
+/// E and Poisson's ratio: elastic constants of the material, of all automata alike.
 constexpr HeadNumber youngsModulus = {section::material, "youngs_modulus", "MPa", Range::Positive};
 constexpr HeadNumber poissonsRatio = {section::material, "poissons_ratio", "",
                                       Range::PoissonsRatio};
+/// rho and eta of the material; without viscosity its number is 0.
 constexpr HeadNumber density = {section::material, "density", "kg/m3", Range::Positive};
+/// sigma_0 of the paper (Bucher et al. 2006), which all kappas are made with: kappa3 = E/sigma_0.
 constexpr HeadNumber strength = {section::material, "strength", "MPa", Range::Positive};
 constexpr HeadNumber viscosity = {section::material, "viscosity", "Pa s", Range::NotNegative};
+/// Normal stress p that the run prescribes, > 0: kappa2 = p E/sigma_0^2.
 constexpr HeadNumber pressure = {section::loading, "pressure", "MPa", Range::Positive};
+/// Of the driven layer, v: kappa1 = rho E v^2/sigma_0^2.
 constexpr HeadNumber velocity = {section::loading, "velocity", "m/s", Range::NotNegative};
+/// Of the random numbers; runs that differ in it only are replicates.
 constexpr HeadNumber seed = {section::run, "seed", "", Range::Whole};
 /// Those that say more about the run.
+/// First and second yield stress of the response function and the strains that go with them.
 constexpr HeadNumber elasticLimit = {section::material, "elastic_limit", "MPa", Range::Positive};
 constexpr HeadNumber yieldStrength = {section::material, "yield_strength", "MPa", Range::Positive};
 constexpr HeadNumber yieldStrain = {section::material, "yield_strain", "", Range::Positive};
 constexpr HeadNumber breakingStrain = {section::material, "breaking_strain", "", Range::Positive};
+/// Size of the sample and diameter of an automaton, nm; number of automata.
 constexpr HeadNumber width = {section::geometry, "width", "nm", Range::Positive};
 constexpr HeadNumber thickness = {section::geometry, "thickness", "nm", Range::Positive};
 constexpr HeadNumber diameter = {section::geometry, "diameter", "nm", Range::Positive};
 constexpr HeadNumber automata = {section::geometry, "automata", "", Range::Whole};
+/// Time step of the run, and steps from one row to the next.
 constexpr HeadNumber timestep = {section::run, "timestep", "ns", Range::Positive};
 constexpr HeadNumber every = {section::run, "every", "", Range::Whole};
 } // namespace head
@@ -92,6 +118,7 @@ constexpr const char *packingKey = "packing";
 constexpr std::array<const char *, 2> madeBySections = {section::program, section::laws};
 
 /// Columns of a row in the order in which they are written; a reader goes by their names.
+/// A row is the mean over, or the state at the end of, the steps since the row before.
 enum Column {
   Step,         ///< strictly increasing, evenly spaced, whole, >= 0
   Time,         ///< ns, end of the row's interval
@@ -105,11 +132,13 @@ enum Column {
   Gap,          ///< nm
   Columns
 };
+/// Element k is the name of Column k.
 constexpr std::array<const char *, Columns> columnNames = {
     "step", "time",  "displacement", "shear_stress", "normal_stress",
     "mu",   "links", "broken",       "formed",       "gap"};
 
 /// "step time displacement ...", the line below the head.
+/// A reader finds its columns by the names in this line, whatever their order.
 std::string columnLine();
 
 } // namespace mcawr::friction_log

@@ -13,31 +13,46 @@ namespace wheelrail {
 ///   S = drive + sum_j c_j direction_j + B q,  q = P(q - S),  sum of component j of q = force_j
 /// B = A (a step), or A - A moved by a cell (steady). A vector holds x and y of each cell in
 /// contact, then the unknown creepages c_j (none, one or two).
+/// Semismooth Newton (Alart, Curnier 1991); P is the projection on the disc of radius `bound`. The
+/// state of a cell (stick or slip) is predicted from q - r S, r the `prediction_`; a smaller r is
+/// slower and safer.
 class FrictionNewton {
  public:
   using Vector = Eigen::VectorXd;
 
   struct Equations {
+    /// B = A - A moved by a cell; false: B = A.
     bool steady = true;
-    std::vector<int> cells;    ///< in contact: indices in the half-space's grid
-    Vector bound;              ///< scaled, of each of them
+    std::vector<int> cells; ///< in contact: indices in the half-space's grid
+    /// Friction coefficient times pressure, in units of the traction's unit; infinite: no slip at
+    /// all.
+    Vector bound; ///< scaled, of each of them
+    /// Rigid slip less the displacement that was there before, in units of the slip's unit.
     Vector drive;              ///< 2 per cell
     std::vector<int> unknown;  ///< components (0: x, 1: y) whose force is given
     std::vector<double> force; ///< scaled: sum of the scaled tractions
     double scale = 1.0;        ///< that the residual's norm is measured against
   };
 
+  /// @param halfSpace on the box of the cells in contact; must outlive the object. Steady: with a
+  ///         column more at the leading edge than the contact
   FrictionNewton(PatchHalfSpace &halfSpace, Equations equations);
 
   /// @param x start on entry, solution on return
   /// @param maxSteps Newton steps of one attempt; a second and a third are more careful
   /// @return true when the tolerance is met
+  /// @param tolerance of the residual's norm, relative to `scale`
+  /// Where no attempt converges and forces are given, they are approached in parts.
   bool solve(Vector &x, double tolerance, int maxSteps);
 
+  /// Newton steps of all attempts.
   int steps() const { return newtonSteps_; }
+  /// Products with B, those of the inner iterations included.
   int products() const { return operatorProducts_; }
+  /// Relative to `scale`.
   double residual() const { return relativeResidual_; }
   /// Does cell i of the solution slip?
+  /// @param i position in `Equations::cells`
   bool slips(int i) const { return linear_.slips[i] != 0; }
   /// Scaled slip of the solution, 2 per cell.
   const Vector &slip() const { return scaledSlip_; }
@@ -50,13 +65,20 @@ class FrictionNewton {
     Vector lambda;  ///< bound/|q - S| in slip
   };
 
+  /// Attempts with ever smaller `prediction_`, until one converges.
   bool tryAttempts(Vector &x, double tolerance, int maxSteps);
   bool iterate(Vector &x, double tolerance, int maxSteps);
+  /// Slip that tractions and unknown creepages make, without the drive.
   Vector operatorB(const Vector &x);
+  /// The residual at x: S where a cell sticks, q - P(q - r S) where it slips, forces last.
   Vector evaluate(const Vector &x, Linearisation &linear);
+  /// Product of the residual's derivative with x.
   Vector jacobian(const Linearisation &linear, const Vector &x);
+  /// Steady: sums along each stick segment, the inverse of the upwind difference.
   Vector fromLeft(const Linearisation &linear, const Vector &residual) const;
+  /// The half-space's approximate inverse on the cells that stick.
   Vector fromRight(const Linearisation &linear, const Vector &x);
+  /// The linear system by GMRES, to a tenth of its right-hand side.
   Vector newtonStep(const Linearisation &linear, const Vector &x, const Vector &f,
                     double tolerance);
 

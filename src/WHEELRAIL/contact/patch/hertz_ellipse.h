@@ -9,6 +9,7 @@ namespace wheelrail {
 struct EllipticIntegrals {
   double K, E, D, B;
 };
+/// @param m the parameter, not the modulus k
 EllipticIntegrals ellipticIntegrals(double m);
 
 /// Gap A x^2 + B y^2 between two bodies that touch in a point; 1/length, both > 0.
@@ -44,6 +45,7 @@ double curvatureRatio(double axesRatio);
 
 /// All arguments > 0.
 HertzEllipse hertzEllipse(double load, double modulus, const GapCurvatures &curvatures);
+/// Of given semi-axes: the curvatures are those that belong to them under the load.
 HertzEllipse hertzEllipseOfAxes(double load, double modulus, double a, double b);
 
 } // namespace wheelrail

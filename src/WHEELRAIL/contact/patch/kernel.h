@@ -22,12 +22,17 @@ struct CellIntegrals {
 
 /// Near the cell the antiderivatives at its four corners, x asinh(y/|x|), y asinh(x/|y|) and -r;
 /// far away, where their differences would cancel, Gauss's quadrature. Relative error 1e-12.
+/// @param x, y centre to the point, any sign; (0, 0) is the cell itself
+/// @param dx, dy > 0, in the unit of x and y
 CellIntegrals cellIntegrals(double x, double y, double dx, double dy);
 
 /// Displacement differences (both bodies') at a distance (x, y) from a cell with unit traction.
+/// Length per traction. zz = (1 - nu)/(pi G) (yy + xx), xx = [(1 - nu) yy + xx]/(pi G), yy likewise
+/// with both exchanged, xy = nu xy/(pi G), with the integrals on the right.
 struct CellInfluence {
   double zz, xx, yy, xy;
 };
+/// @param integrals of `cellIntegrals` at that distance
 CellInfluence cellInfluence(const ElasticPair &pair, const CellIntegrals &integrals);
 
 } // namespace wheelrail

@@ -21,10 +21,12 @@ struct ElasticBody {
 
 /// The half-spaces' pair whose displacement differences are those of both bodies together:
 /// 2/G = 1/G1 + 1/G2, 2 nu/G = nu1/G1 + nu2/G2 (Kalker 1990, sec. 1.7).
+/// @return Pa and -; equal bodies give their own G and nu
 ElasticPair combinedPair(const ElasticBody &wheel, const ElasticBody &rail);
 
 /// K = (G/4) [(1 - 2 nu1)/G1 - (1 - 2 nu2)/G2]: what couples the normal and the tangential problem.
 /// 0 for equal bodies, and for some unlike ones.
+/// Between -1/2 and 1/2. The solvers leave it out.
 double couplingOf(const ElasticBody &wheel, const ElasticBody &rail);
 
 /// The nominal contact in a point, and its box of cells; SI units.
@@ -38,6 +40,8 @@ struct PatchContactSpecification {
   int nx = 0, ny = 0;                ///< cells of the box
   double spinPoint = 0.5;            ///< `TangentialProblem::spinPoint`
 
+  /// @param normalForce N, > 0
+  /// @return the smooth contact under it; SI units
   HertzEllipse hertz(double normalForce) const;
 };
 
@@ -51,14 +55,19 @@ struct PatchContact {
   NormalContactResult normal; ///< at the start; Pa and m
 
   /// Undeformed gap per cell, m. @param wheel, rail how far each of the surfaces has travelled
+  /// Smooth gap less both bodies' heights.
   Eigen::VectorXd gap(const Travel &wheel = {}, const Travel &rail = {}) const;
   /// @param pressureLimit Pa; infinite: elastic
+  /// @param normalForce N
   NormalContactProblem problem(double pressureLimit, double normalForce, const Travel &wheel = {},
                                const Travel &rail = {}) const;
+  /// @param cell index in the grid; its centre decides
   bool isNominal(int cell) const; ///< inside the smooth contact's ellipse?
   /// Mean over the nominal contact of a value per cell.
+  /// The cells count whose centres lie inside the ellipse.
   double nominalMean(const Eigen::VectorXd &values) const;
-  double nominalArea() const;                             ///< pi ab, m^2
+  double nominalArea() const; ///< pi ab, m^2
+  /// All cells with pressure, each with its whole area.
   double realArea(const Eigen::VectorXd &pressure) const; ///< m^2
 };
 
@@ -74,6 +83,7 @@ PatchContact preparePatch(const PatchContactSpecification &contact,
                           double pressureLimit, double travel);
 
 /// @throws Error (BadInput) when a cell at the border of the box is in contact
+/// The message names the border: leading, trailing or lateral.
 void checkInsideBox(const PatchGrid &grid, const Eigen::VectorXd &pressure);
 
 } // namespace wheelrail

@@ -17,11 +17,16 @@ namespace wheelrail {
 ///
 /// Spectra are made when they are first needed. One object has one work buffer: use one per
 /// thread.
+/// A product with pressures takes one transform forth and back, one with tractions two, on a grid
+/// of twice the cells each way.
 class PatchHalfSpace final : public HalfSpace {
  public:
+  /// @param grid cells of any shape; ny = 1 is a row of cells, not a plane problem
+  /// @param pair G > 0 and nu of `combinedPair`; for unlike bodies the coupling is left out
   PatchHalfSpace(const CellGrid &grid, const ElasticPair &pair);
 
   const CellGrid &grid() const override { return cellGrid_; }
+  /// As given to the constructor.
   const ElasticPair &elasticity() const { return pair_; }
 
   /// Normal displacement (both bodies' compression) of a pressure. Symmetric, positive definite.
@@ -37,17 +42,22 @@ class PatchHalfSpace final : public HalfSpace {
 
   /// That of a punch under the load: its area a square with that of all cells.
   double displacementScale(double pressureSum) const override;
+  /// Null where the longer side has fewer than 64 cells, or a number of cells (other than 1) is
+  /// odd.
   std::unique_ptr<HalfSpace> coarser() const override;
 
   /// Displacement of a cell under its own unit pressure, and along x or y under its own traction:
   /// scales of displacement over traction.
+  /// Length per unit of traction; the tangential one is the larger of both directions.
   double normalCompliance() const;
   double tangentialCompliance() const;
 
  private:
   /// A quarter of a spectrum (the rest by symmetry): bin (kx, ky) at kx*(sizeY/2 + 1) + ky.
   using Quarter = std::vector<double>;
+  /// Spectra of the influence, by cosine and sine transforms of a quarter each.
   void fillSpectra();
+  /// Symbols of the inverse; the mean, whose symbol is 0, counts as a wave of twice the box.
   void fillEstimates();
 
   CellGrid cellGrid_;

@@ -19,12 +19,17 @@ struct PatchSums {
   double drivingPower = 0.0;
 
   /// frictionalPower/drivingPower; 1 where there is no power at all.
+  /// A measure of the grid: 0.80, 0.89, 0.94, 0.97 on a circle with 16, 32, 64, 128 cells a
+  /// diameter.
   double powerClosure() const;
 };
 
+/// @param result of `TangentialSolver` or `TransientPatch` on this grid
+/// @return forces on the wheel, against its slip; multiply the powers by v0 for a power in W
 PatchSums patchSums(const PatchGrid &grid, const TangentialResult &result);
 
 /// Integral of q . u/2 with the displacement of the same tractions: energy, force x length.
+/// @param displacement of `PatchHalfSpace::displacement` for these tractions
 double elasticEnergy(const PatchGrid &grid, const TangentialField &traction,
                      const TangentialField &displacement);
 

@@ -15,6 +15,8 @@ namespace wheelrail {
 ///
 /// FFTW plans are FFTW_ESTIMATE, so that results do not depend on a timing and repeat to the last
 /// bit. One object has one work_ buffer: use one per thread.
+/// Units come in by fields and symbol; the transforms are not normalised, so that a symbol includes
+/// 1/(sizeX sizeY).
 class PlaneTransform {
  public:
   using Complex = std::complex<double>;
@@ -30,10 +32,14 @@ class PlaneTransform {
   PlaneTransform(PlaneTransform &&) noexcept;
   PlaneTransform &operator=(PlaneTransform &&) noexcept;
 
+  /// As given to the constructor; a length of `fastTransformSize` is fast.
   int sizeX() const;
   int sizeY() const;
 
   /// @param fields nx*ny values each, x fastest; replaced by the products
+  /// @param symbol called once for each kx from 0 on; negative ones follow from the fields' being
+  ///         real
+  /// @return nothing: what lies beyond nx x ny cells of the product is dropped
   void multiply(double *const *fields, const Symbol &symbol);
 
  private:

@@ -14,6 +14,7 @@ namespace wheelrail {
 
 /// How far material has travelled, m: what lies at x now was at x + x of this (towards smaller x
 /// is along the way), and the same across.
+/// Both surfaces of a rolling contact travel by nearly the same way.
 struct Travel {
   double x = 0.0, y = 0.0;
 };
@@ -21,17 +22,22 @@ struct Travel {
 /// Heights of one body on the cells of a contact, and of what else travels through it: cell (0, 0)
 /// of the contact's box is cell (firstX, firstY) of the map at the start. Heights are positive
 /// outwards from the body, m.
+/// Larger than the box where the material travels; a map that is not periodic must hold the whole
+/// way.
 struct RoughMap {
   int nx = 0, ny = 0; ///< 0: smooth
   int firstX = 0, firstY = 0;
   bool periodic = true;
   Eigen::VectorXd height;
 
+  /// No heights at all.
   bool isSmooth() const { return nx == 0; }
 
   /// The box's heights after a way. Between cells Lagrange's polynomial through six of them in
   /// each direction: of a wave of eight cells it keeps 0.1 %.
   /// @throws Error (BadInput) when the way leads out of a map that is not periodic
+  /// @param travel m; whole cells are exact
+  /// @return one height for each cell of the box, m
   Eigen::VectorXd window(const PatchGrid &box, const Travel &travel) const;
 };
 
@@ -45,6 +51,7 @@ struct RoughPatchSpecification {
   std::vector<std::string> rail, wheel;   ///< Measured: files; one list may be empty
   HeightMapPreparation railMap, wheelMap; ///< Measured: the scale is that of npy files
 
+  /// Number of seeds or of pairs of maps; 1 where the contact is smooth.
   std::size_t surfaces() const;
   const char *surfaceName() const { return kind == RoughnessKind::Fractal ? "seed" : "surface"; }
 };
@@ -59,6 +66,7 @@ struct RoughPatch {
 };
 
 /// Cells to the shortest wave; fewer are warned of.
+/// Eight leave an error of about 5 % in the slope with frozen, 0.5 % with moving roughness.
 constexpr double advisedCellsPerWave = 8.0;
 
 /// Generated surfaces: each body has one of its own, of the same statistics and with 1/sqrt(2) of
@@ -68,6 +76,7 @@ constexpr double advisedCellsPerWave = 8.0;
 /// @param travel m, how far the material will move
 /// @throws Error (BadInput) for maps that cannot be read or do not fit, waves that the cells cannot
 ///         carry
+/// @param box cells and lengths in m
 RoughPatch prepareRoughPatch(const RoughPatchSpecification &specification, std::size_t index,
                              const PatchGrid &box, double travel);
 

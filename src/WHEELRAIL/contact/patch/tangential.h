@@ -12,6 +12,7 @@ namespace wheelrail {
 
 /// Rigid slip of the bodies, divided by the rolling speed.
 struct Creepage {
+  /// Signs: xi and eta > 0 give forces to negative x and y.
   double xi = 0.0;  ///< longitudinal, -
   double eta = 0.0; ///< lateral, -
   double phi = 0.0; ///< spin, 1/length
@@ -23,6 +24,7 @@ struct Creepage {
 /// u the displacement difference of the tractions q and u' that before. Where the bodies stick,
 /// S = 0 and |q| <= bound; where they slip, |q| = bound and q points against S (so that xi > 0
 /// gives a force to negative x).
+/// Units: any consistent set, with G of the half-spaces in force per length squared.
 struct TangentialProblem {
   enum class Kind {
     Steady, ///< u' = u: fixed pattern of contact, material flows through it; d is one cell
@@ -41,6 +43,7 @@ struct TangentialProblem {
   double spinPoint = 0.5;
 };
 
+/// Of a cell: outside of the contact (bound 0), without slip, or with |q| = bound.
 enum class PatchState : signed char { Apart, Stick, Slip };
 
 struct TangentialOptions {
@@ -52,6 +55,7 @@ struct TangentialOptions {
 };
 
 struct TangentialResult {
+  /// On the wheel, against its slip; one value a cell, 0 outside of the contact.
   TangentialField traction;
   TangentialField slip; ///< S/d in contact, 0 elsewhere
   std::vector<PatchState> state;
@@ -59,9 +63,12 @@ struct TangentialResult {
   int newtonSteps = 0;    ///< on the finest grid
   int products = 0;       ///< with the influence of the tractions, on the finest grid
   int coarseProducts = 0; ///< on all coarser grids together
+  /// Relative, as `TangentialOptions::tolerance`; of the finest grid.
   double residual = 0.0;
 
+  /// Number of cells in that state.
   int stickCells() const;
+  /// Together with stickCells() all cells in contact.
   int slipCells() const;
 };
 
@@ -72,17 +79,22 @@ struct TangentialResult {
 /// left by the sum along each stick segment, the inverse of the upwind difference u(x) - u(x + d),
 /// and from the right by the half-space's symbol, so that the number of products does not grow with
 /// the grid.
+/// Where the bound is infinite everywhere nothing slips, and the problem is linear.
 class TangentialSolver {
  public:
+  /// @param pair of `combinedPair`
   TangentialSolver(const PatchGrid &grid, const ElasticPair &pair);
   ~TangentialSolver();
   TangentialSolver(TangentialSolver &&) noexcept;
   TangentialSolver &operator=(TangentialSolver &&) noexcept;
 
+  /// As given to the constructor.
   const PatchGrid &grid() const;
 
   /// @throws Error BadInput: contact in the leading column (steady rolling: no material comes in
   ///         from outside the box); a force that friction cannot carry. NotConverged.
+  /// Without a start it solves the same problem on grids of half the cells first, down to 24 cells
+  /// a side. Zero bound everywhere gives zero traction, not an error.
   TangentialResult solve(const TangentialProblem &problem, const TangentialOptions &options = {});
 
  private:

@@ -10,8 +10,11 @@ namespace wheelrail {
 /// displacements that the one before left: contact that changes in time, with roughness that
 /// travels through it. Every cell's displacement is remembered, also outside of the contact:
 /// material that enters is deformed already.
+/// Units are those of the grid and of G. The state is traction and displacement over the whole
+/// grid; a step replaces both.
 class TransientPatch {
  public:
+  /// For a rolling step d is `cells` times dx.
   struct Step {
     Eigen::VectorXd bound; ///< friction coefficient times pressure, per cell, now
     /// Whole cells that the material travels towards smaller x; 0: a shift at rest.
@@ -26,6 +29,7 @@ class TransientPatch {
   TransientPatch(const PatchGrid &grid, const ElasticPair &pair);
 
   /// Goes on from a traction: that of steady rolling, say, or the first contact of a case.
+  /// @param traction one value a cell; its displacement is computed
   void startFrom(const TangentialField &traction);
 
   /// A step's tolerance of 1e-4 leaves less than 1e-5 in the forces, in the mean over steps too.
@@ -34,10 +38,13 @@ class TransientPatch {
   /// @throws Error BadInput: contact within `cells` columns of the leading border, where the
   ///         incoming material's displacement is not known; and as TangentialSolver::solve. The
   ///         sequence can then go on as if the step had not been tried.
+  /// @return as of `TangentialSolver::solve`; slip is per distance rolled, of a shift the slip
+  ///         itself
   TangentialResult step(const Step &step, const TangentialOptions &options = defaultOptions());
 
   const PatchGrid &grid() const { return solver_.grid(); }
   /// Of the last step, over the whole grid.
+  /// Zero outside of the contact; the displacement is not.
   const TangentialField &traction() const { return traction_; }
   const TangentialField &displacement() const { return displacement_; }
 

@@ -26,53 +26,86 @@ struct MovingPatchSpecification {
 /// Load and creepages at instants of a sequence, linear between them; SI units. Lists that are
 /// empty stay as the point has them, others are as long as `time`.
 struct PatchSequence {
+  /// Lists of other lengths are a programming error: the case reader refuses them before.
   std::vector<double> time; ///< s, increasing from 0 on; empty: no sequence
+  /// Normal force (N, > 0), xi and eta (sliding/rolling speed) and phi (1/m) at these instants.
   std::vector<double> load, creep, lateral, spin;
 
   bool any() const { return !time.empty(); }
   /// A list's value at a time; `constant` where it is empty.
+  /// @param values one of the lists above
+  /// @param seconds since the start; beyond the last instant the last value holds
   double at(const std::vector<double> &values, double seconds, double constant) const;
 };
 
 /// One step of the time series; SI units.
+/// Forces are those on the wheel, against its slip; powers are friction's heat. A step is one cell
+/// of rolling, so that row k of a series ends at k + 1 cells.
 struct PatchStep {
   double distance = 0.0; ///< rolled at the end of the step, m
+  /// Normal force at the end of the step, N.
   double load = 0.0;
+  /// Given, or found where a force is given; phi in 1/m.
   Creepage creepage;
+  /// N, N, and N m about the origin of the box.
   double forceX = 0.0, forceY = 0.0, momentZ = 0.0;
+  /// Load-weighted mean of mu; mean rise over the nominal ellipse, K; share of the contact that
+  /// sticks.
   double muMean = 0.0, temperatureRise = 0.0, stickFraction = 0.0;
+  /// m, Pa, m^2 and W, of this step.
   double approach = 0.0, peakPressure = 0.0, realArea = 0.0, frictionalPower = 0.0;
 };
 
 /// Standard error of the mean of a series that is correlated, from the means of `batches` equal
 /// parts (Law, Kelton, Simulation Modeling and Analysis, sec. 9.5.3). 0 for fewer than two.
+/// @param series as long as one likes; values beyond a whole number of batches are left out at its
+///         start
+/// @param batches number of equal parts, at least 2; each should be longer than the correlation
+/// @return in the unit of the series
 double batchError(const std::vector<double> &series, int batches);
 
 /// Transient rolling: both surfaces travel through the contact at their own speeds, wheel
 /// (1 - xi/2) and rail (1 + xi/2) along x and -+ eta/2 across; spin turns neither of them. Each
 /// step is one cell long. Forces are means over the last half of the passes, their standard errors
 /// from the means of single passes; the point of a sequence is its last step.
+/// The normal contact is solved again at each step where the surfaces are rough, the load changes
+/// or the hardness depends on temperature; it starts from the pressure moved by a cell. Eq. 11's
+/// temperature follows the mean of the length 2a before, the local one is carried along by the
+/// material and is a cell behind in the friction coefficient.
 class MovingPatch {
  public:
   /// All must outlive the object.
+  /// @param contact its surfaces must reach far enough for the way: see `preparePatch`'s travel
+  /// @param spinPoint `TangentialProblem::spinPoint`, 0 .. 1
   MovingPatch(const CreepPhysics &physics, const MovingPatchSpecification &moving,
               const PatchSequence &sequence, const FrictionLaw &law, const PatchContact &contact,
               double spinPoint);
 
   /// @param goOn asked at each step; false to stop
   /// @return nothing when stopped
+  /// Each call begins anew: at the place, the pressure and the `RollingStart` of the specification.
+  /// @param speed v0, m/s, > 0
+  /// @param drive creepages or forces; a sequence's lists take the place of its creepages
+  /// @throws Error (NotConverged); Error (BadInput) for contact at the border of the box, for a
+  ///         force that friction cannot carry, for a way that leads out of a measured map
   std::optional<PatchPoint> solve(double speed, const PatchDrive &drive,
                                   const std::function<bool()> &goOn);
 
+  /// All steps of the last call, in order; SI units.
   const std::vector<PatchStep> &series() const { return series_; }
   const PatchFields &fields() const { return fields_; } ///< of the last step, SI
 
  private:
+  /// Rise per cell, and what Eq. 11 needs of the pass.
   struct Temperature;
+  /// The traction and the creepages that the first step goes on from.
   void begin(TransientPatch &transient, double speed, const PatchDrive &drive);
+  /// Moves both surfaces by a step and solves the normal contact there; distance (m) for messages.
   void press(int step, double load, double distance, const Creepage &creepage);
+  /// Friction, traction and heat of one step under the present pressure.
   PatchStep roll(TransientPatch &transient, Temperature &heat, double speed,
                  const PatchDrive &drive, double distance, double load);
+  /// Means over the last half of the series; of a sequence its last step.
   PatchPoint pointOf(double speed) const;
 
   const CreepPhysics &physics_;
@@ -92,6 +125,9 @@ class MovingPatch {
 };
 
 /// Distance that a point rolls, m.
+/// `passes` lengths 2a, or of a sequence its last instant times the speed.
+/// @param hertz in m
+/// @param speed m/s
 double rolledDistance(const MovingPatchSpecification &moving, const PatchSequence &sequence,
                       const HertzEllipse &hertz, double speed);
 

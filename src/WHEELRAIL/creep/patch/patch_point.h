@@ -15,6 +15,7 @@
 namespace wheelrail {
 
 /// What drives a patch: creepages, or forces with unknown creepages. SI units.
+/// Where both forces are given, both creepages are found; the spin is always given.
 struct PatchDrive {
   Creepage creepage;            ///< phi in 1/m; that of a given force is not read
   std::optional<double> forceX; ///< N; given: the longitudinal creepage is unknown
@@ -22,6 +23,7 @@ struct PatchDrive {
 };
 
 /// One computed point; SI units.
+/// What is not computed keeps the value here: the errors where nothing moves, for example.
 struct PatchPoint {
   std::uint64_t surface = 0;         ///< seed, or number of the measured pair
   double load = 0.0;                 ///< N
@@ -44,19 +46,28 @@ struct PatchPoint {
   double errorZ = 0.0;               ///< moves, and of the moment
 
   double traction() const { return std::hypot(forceX, forceY); } ///< N
+  /// Size of the tangential force over the load, >= 0.
   double tractionRatio() const { return traction() / load; }
 };
 
 /// Load-weighted root mean square of the rigid slip, relative to the rolling speed: the creep of a
 /// contact without spin.
+/// @param pressure per cell, any unit, with a sum > 0
+/// @param creepage phi in 1/unit of the grid's length; without spin the result is the length of
+///         (xi, eta), whatever the pressure
 double rigidSlip(const PatchGrid &grid, const Eigen::VectorXd &pressure, const Creepage &creepage);
 
 /// Mean over an ellipse of Eq. 11, whose rows along x are line contacts with half-lengths and
 /// pressures of their own, relative to that of the longest row: Beta(1/2, 9/4)/(pi/2).
+/// A pure number, 0.795: where Eq. 11 is used, the mean over the ellipse is that much of the mean
+/// over the longest row.
 double meanOverEllipse();
 
 /// Mean temperature rise of an ellipse (Eq. 11, row by row), K.
 /// @param frictionRatio mu, or frictional power over load and sliding speed
+/// @param hertz a along x (m) and p0 (Pa) of the smooth contact are read
+/// @param slidingSpeed m/s
+/// @param speed v0, m/s, > 0
 double meanTemperatureRise(double frictionRatio, const HertzEllipse &hertz, double slidingSpeed,
                            double speed, const ThermalMaterial &material);
 
@@ -64,24 +75,34 @@ double meanTemperatureRise(double frictionRatio, const HertzEllipse &hertz, doub
 /// strength that depend on each other: a fixed point as of the line contact (`FrozenCreep`). At a
 /// large Peclet number the rows along x do not exchange heat, so that the flash temperature of each
 /// of them is that of the line.
+/// The unknowns of the fixed point are the temperature rise and, where forces are given and
+/// friction falls with sliding speed, the creepages. A step that comes out no smaller than the one
+/// before is halved from then on.
 class FrozenPatch {
  public:
   /// Both must outlive the object.
+  /// @param spinPoint `TangentialProblem::spinPoint`
   FrozenPatch(const CreepPhysics &physics, const PatchContact &contact, double spinPoint);
 
   /// Warm from the last call: tractions, creepages that were found, temperature.
   /// @throws Error (NotConverged), Error (BadInput) for a force that friction cannot carry
+  /// @param speed v0, m/s, > 0
+  /// @param drive a force that is given must be below the sum of mu p
   PatchPoint solve(const FrictionLaw &law, double speed, const PatchDrive &drive);
 
   const PatchFields &fields() const { return fields_; } ///< in SI units, of the last call
 
  private:
+  /// One tangential problem under the present bound; unknown creepages are searched from `guess`.
   TangentialResult roll(const PatchDrive &drive, const Creepage &guess);
   void rollWarmOrCold(const PatchDrive &drive);
+  /// Rise per cell that the present traction causes, K; one value everywhere with Eq. 11.
   Eigen::VectorXd temperatureFrom(double speed);
   void limitPressure();
   double meanMu() const;
+  /// Root mean square of the rigid slip times the rolling speed, m/s.
   double slidingSpeed(double speed) const;
+  /// Sums of the last solution; iterations of the fixed point.
   PatchPoint pointOf(double speed, int iterations) const;
 
   const CreepPhysics &physics_;
@@ -100,6 +121,9 @@ class FrozenPatch {
 };
 
 /// Heat by friction per cell at a rolling speed, W/m2.
+/// -v0 q . s with the traction q (Pa) and the slip s relative to rolling; both bodies' together, as
+/// `PatchFlashTemperature` takes it. About >= 0: q points against s.
+/// @param speed v0, m/s
 Eigen::VectorXd frictionalHeat(const TangentialResult &result, double speed);
 
 } // namespace wheelrail

@@ -14,9 +14,11 @@ namespace wheelrail {
 /// m/s, W and K, said once in the file.
 
 /// creep.csv: one row a point; the line contact's columns come first. Mode static: static.csv.
+/// Points are numbered in the order of the rows, from 1 on.
 std::string patchCsv(const PatchSpecification &asked, const PatchCurves &curves);
 
 /// series.csv of mode moving: one row a step of every point.
+/// The means in creep.csv are over the last half of these rows.
 std::string patchSeriesCsv(const PatchCurves &curves);
 
 /// summary.json: case, law, contacts with Kalker's coefficients, warnings, time.
@@ -25,7 +27,9 @@ std::string patchSummary(const PatchSpecification &asked, const std::string &tex
                          const FrictionLaw &law, const PatchCurves &curves);
 
 /// What was computed, for the screen.
+/// Hertz and cells of every contact, surfaces after each step of their preparation, largest T/N.
 std::string patchShortReport(const PatchSpecification &asked, const PatchCurves &curves);
+/// How the normal contacts were solved, and the products that the tangential ones took.
 std::string patchDetailedReport(const PatchCurves &curves);
 
 /// Names of the fields' files without their endings, by number of the point: "fields_0003".
@@ -33,11 +37,16 @@ std::string fieldStem(int number);
 /// All files that the selected fields make, without the folder.
 std::vector<std::string> fieldFileNames(const PatchSpecification &asked);
 /// Writes them. @throws Error (Io)
+/// One .vti and several .gsf files for each selected point, converted from SI to the files' units.
+/// @param folder that exists
 void writeFields(const std::string &folder, const PatchSpecification &asked,
                  const PatchCurves &curves);
 
 /// The computed points as those of Polach's law, and the contact it needs.
+/// In mm, N and m/s, with the signs of the solvers: forces against the creepages.
 std::vector<PolachPoint> polachPoints(const PatchCurves &curves);
+/// Of the first contact: shear modulus and nominal ellipse (mm, N, MPa), with Kalker's coefficients
+/// of that ellipse.
 PolachContact polachContact(const PatchCurves &curves);
 
 } // namespace wheelrail

@@ -10,13 +10,21 @@ struct PatchTask;
 
 /// One shift from rest, without rolling. The point's creepage is the shift in m; its frictional
 /// power and speed are 0.
+/// Friction is that of sliding speed 0 and no temperature rise: nothing slides on, nothing heats.
+/// Below full sliding this is the problem of Cattaneo (1938) and Mindlin (1949), solved on the
+/// cells, so that any surface and any direction will do.
 struct StaticPatch {
+  /// SI units; forces are those on the wheel.
   PatchPoint point;
+  /// Traction and state after the shift; `slip` is the slip in m.
   PatchFields fields;
 };
 
 /// @param task its forces, its force ratio, or its shift
 /// @throws Error (NotConverged), Error (BadInput) for a force that friction cannot carry
+/// A force ratio above 0 comes first: it is put in as Fx = -ratio times the sum of mu p, Fy = 0.
+/// Then given forces, whose shift is found; else the shift of the task.
+/// @param contact its normal contact is taken as it is
 StaticPatch solveStaticPatch(const CreepPhysics &physics, const FrictionLaw &law,
                              const PatchContact &contact, const PatchTask &task);
 
