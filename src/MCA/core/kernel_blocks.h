@@ -16,16 +16,19 @@ namespace {
 // state while nothing flows. Where none ever flowed, plastic offset and total shear are not read.
 enum Way { SeveralLaws, OneLaw, Bulk, Pristine };
 
+// Whether all pairs of a block of this way are bulk links of one law.
 constexpr bool onlyBulk(Way way)
 {
   return way == Bulk || way == Pristine;
 }
 
 template<Way W>
+// A way as a type, so that a generic lambda can take it as a constant.
 struct WayOf {
   static constexpr Way way = W;
 };
 
+// The lesser of two numbers, inlined into code for one instruction set; std::min might not be.
 inline int lesser(int a, int b)
 {
   return a < b ? a : b;
@@ -34,6 +37,9 @@ inline int lesser(int a, int b)
 // Calls work(block, its way as a type, first pair, number of pairs) for all blocks.
 // StrainOnly: bulk links break by strain only; without it a bulk block goes the way of one law.
 template<bool StrainOnly, class Work>
+// Calls work(block, its way as a type, first pair, number of pairs) for all blocks in their order.
+// The number is blockLength but for the last block. StrainOnly: bulk links break by strain only;
+// without it a bulk block goes the way of one law.
 inline void eachBlock(const Pairs &p, const Work &work)
 {
   Block *block = p.blocks;
@@ -54,6 +60,8 @@ inline void eachBlock(const Pairs &p, const Work &work)
 
 // Calls work(criterion) for the one of all pairs; laws of a run have one criterion.
 template<class Work>
+// Calls work(criterion) with an object of the criterion's type. Laws of a run have one criterion,
+// so that of the first pair holds for all; without pairs nothing is called.
 inline void withCriterion(const Pairs &p, const PairLaw *laws, const Work &work)
 {
   if (p.n > 0)
@@ -69,7 +77,10 @@ inline void withStrainOnly(const Pairs &p, const PairLaw *laws, const Work &work
   });
 }
 
-// Rows of motion where the pairs of a block meet.
+// Rows of motion where the pairs of a block meet: those of periodic images for a block across a
+// face, else those of the automata themselves. placesI() is of the first automaton, placesJ() of
+// the second.
+// \param first  first pair of the block
 inline const int *placesI(const Pairs &p, const Block &block, int first)
 {
   return (block.across ? p.placeI : p.i) + first;
@@ -82,9 +93,13 @@ inline const int *placesJ(const Pairs &p, const Block &block, int first)
 
 // A quantity of a block's pairs: numbers in one array, or vectors in two or three.
 template<class Value>
+// A quantity of a block's pairs: numbers in one array, or vectors in two or three. get() and set()
+// take the number of a pair within the block, from 0; the constructor takes the arrays of all
+// pairs, one for each component, and the first pair of the block.
 struct PairArray;
 
 template<>
+// One number a pair, as the shear in the plane.
 struct PairArray<double> {
   double *x;
 
@@ -94,6 +109,7 @@ struct PairArray<double> {
 };
 
 template<>
+// Two numbers a pair, as the normal in the plane.
 struct PairArray<PlaneVector> {
   double *x, *y;
 
@@ -107,6 +123,7 @@ struct PairArray<PlaneVector> {
 };
 
 template<>
+// Three numbers a pair, as normals and shears in space.
 struct PairArray<Vector> {
   double *x, *y, *z;
 
@@ -135,6 +152,7 @@ inline Vector choose(double first, const Vector &a, const Vector &b)
   return first * a + (1.0 - first) * b;
 }
 
+// Whether two shears are equal in all components; +0 and -0 are. Without a branch.
 inline bool equal(double a, double b)
 {
   return a == b;
@@ -146,6 +164,8 @@ inline bool equal(const Vector &a, const Vector &b)
 }
 
 // Of an unlinked contact the first component of the total shear holds its plastic work.
+// In the plane the number itself, in space x; the unit is then that of the work per volume
+// [stress].
 inline const double &firstComponent(const double &a)
 {
   return a;
@@ -166,7 +186,10 @@ inline double &firstComponent(Vector &a)
   return a.x;
 }
 
-// Brings the whole state of a block up to date, whose links will not be alike any more.
+// Brings the whole state of a block up to date, whose links will not be alike any more: the total
+// shear, which a pristine block does not keep, becomes a copy of the elastic one.
+// \param first,n  pairs of the block
+// \param shears   components of a shear
 inline void leavePristine(const Pairs &p, Block &block, int first, int n, int shears)
 {
   for (int m = 0; m < shears; m++)
@@ -175,6 +198,7 @@ inline void leavePristine(const Pairs &p, Block &block, int first, int n, int sh
   block.pristine = false;
 }
 
+// What a pass over a block has changed, counted as doubles, since loops add them up as vectors.
 struct Changes {
   double kinds, states; // pairs whose kind, whose state as a whole changes
 };
