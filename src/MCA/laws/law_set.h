@@ -32,6 +32,7 @@ struct LawSet {
 
   /// Calls visit(law) for each law: the one table of keywords, in the order of words().
   template<class Set, class Visit>
+  /// \param set  a LawSet, const or not; visit gets its members so
   static void eachLaw(Set &set, Visit &&visit)
   {
     visit(set.plane);
