@@ -49,7 +49,8 @@ struct AutomatonState {
 };
 
 /// The table. Its first names are those of doc/laws.md: kappa of Plasticity; elastic_z is e_zz of
-/// plasticity j2. lag and rest belong to the time integration by fix nve/mca.
+/// plasticity j2. lag and rest are what pair_mca keeps of
+/// the velocities between runs.
 inline constexpr AutomatonState automatonStates[] = {
     {"kappa", In::Both, Upkeep::EveryStep, "plastic", In::Both, "", "equivalent plastic strain"},
     {"theta", In::Both, Upkeep::EveryStep, "theta", In::Plane, "radians",

@@ -28,6 +28,7 @@ struct Option {
 /// A law of which one of several kinds holds; the first one by default.
 /// \tparam Words  has `keyword`, `options` and an enumeration `Kind` of them, in their order
 template<class Words>
+/// Keyword and words come from the base, so that a law is declared once, in law_keywords.h.
 class Choice : public Words {
  public:
   /// The enumeration of the law; its values count from 0 in the order of Words::options.
@@ -86,6 +87,7 @@ class Choice : public Words {
   }
 
  private:
+  /// The first option is the default.
   Kind kind_ = static_cast<Kind>(0);
 };
 
@@ -157,6 +159,7 @@ class Threshold {
 /// nullptr)
 ///                and `initial()`, its default
 template<class Words>
+/// Keyword, material stress and default come from the base, as with Choice.
 class ThresholdLaw : public Words {
  public:
   /// The limit as it was given.

@@ -55,10 +55,12 @@ struct LawSet {
     std::string allowed;            ///< for messages
   };
 
-  /// All keywords of laws in the order of words(), preset first.
+  /// All keywords of laws in the order of words(), preset first, for messages and for the check
+  /// against the documentation.
   static std::vector<Keyword> keywords();
 
-  /// Set A (one kind of link), set B (bulk links and welds, the default).
+  /// Set "a" (one kind of link, at 2.35 sigma_0, no welds) or set "b" (bulk links and welds, the
+  /// default); any other name gives the laws of set b.
   static LawSet named(const std::string &preset);
 
   /// Takes keyword-value pairs as given to pair_style; a preset resets all that stands before it.
@@ -68,7 +70,7 @@ struct LawSet {
   /// The same as keyword-value pairs that parse() reads back.
   std::vector<std::string> words() const;
 
-  /// Whether automata flow.
+  /// Whether automata flow: all but plasticity none.
   bool flows() const { return !plasticity.is(Plasticity::None); }
 
   /// Whether each automaton has an elastic strain across the plane, which flow changes: with
@@ -97,7 +99,8 @@ struct LawSet {
   std::string notInDimension(int dimension) const;
 };
 
-/// Moduli of a material under these laws.
+/// Moduli of a material under these laws: of plane strain, plane stress or space, with D = 0 for
+/// the pairwise law.
 ElasticModuli elasticModuli(const LawSet &, const Material &);
 
 /// Laws of an automaton of this material.

@@ -13,11 +13,13 @@ namespace mca {
 
 /// In space, along the axes x, y, z of the simulation box.
 struct Vector {
+  /// Components in the order of the axes; an aggregate, so {x, y, z} makes one.
   double x, y, z;
 };
 
 /// In the plane: along x and y; z is the axis about which automata turn.
 struct PlaneVector {
+  /// Components; {x, y} makes one.
   double x, y;
 };
 
