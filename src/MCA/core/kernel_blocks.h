@@ -2,6 +2,9 @@
 /// \file kernel_blocks.h
 /// The ways of a block of pairs through a pass, and the arrays of its pairs. For the kernel's
 /// source only.
+/// A block of up to blockLength pairs goes through a pass in one of four ways. A way is a template
+/// argument, so that what it knows of its pairs (one law, no contacts, no plastic offset) is left
+/// out of its loop by the compiler. The results of a pair do not depend on the way.
 #ifndef MCA_KERNEL_BLOCKS_H
 #define MCA_KERNEL_BLOCKS_H
 
@@ -86,6 +89,7 @@ inline const int *placesI(const Pairs &p, const Block &block, int first)
   return (block.across ? p.placeI : p.i) + first;
 }
 
+// Likewise of the second automaton.
 inline const int *placesJ(const Pairs &p, const Block &block, int first)
 {
   return (block.across ? p.placeJ : p.j) + first;
@@ -142,11 +146,13 @@ struct PairArray<Vector> {
 
 // One of two values without a branch: the first where `first` is 1, the second where it is 0. The
 // forms differ, since each leaves its loop's other terms as they are, to the last bit.
+// first: 1 or 0, as double. In the plane, shears are plain numbers [-].
 inline double choose(double first, double a, double b)
 {
   return first > 0.0 ? a : b;
 }
 
+// In space: a sum of both, each with its factor.
 inline Vector choose(double first, const Vector &a, const Vector &b)
 {
   return first * a + (1.0 - first) * b;

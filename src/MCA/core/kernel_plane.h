@@ -3,6 +3,10 @@
 /// What the kernel does otherwise in the plane than in space: rows gathered and scattered, the
 /// shear a number. kernel_space.h is its sibling, with the same names. For the kernel's source
 /// only.
+/// The equations stand in doc/laws.md. gather() reads rows of automata into columns, one value of
+/// each pair of a block, over which the pass's loop runs as vectors, and scatter() adds columns to
+/// the rows of both automata. k counts pairs within the block; pi and pj are the rows of both
+/// automata, n is the number of pairs.
 #ifndef MCA_KERNEL_PLANE_H
 #define MCA_KERNEL_PLANE_H
 

@@ -3,6 +3,10 @@
 /// Rows of the per-automaton arrays as vectors of the compiler: one load, one addition, one store.
 /// For the kernel's source only, which is compiled once for each instruction set; everything here
 /// is inlined into it.
+/// A block's pairs are gathered from rows, one an automaton, to columns, one a quantity, and what
+/// is found is scattered back. Arrays of row numbers have three more entries than pairs (Pairs), so
+/// that loops over whole twos and fours may read on; what these give is not added to any automaton.
+/// Rows are 64-byte aligned arrays of doubles (row_array.h), and offsets in them stand in rows.h.
 #ifndef MCA_KERNEL_ROWS_H
 #define MCA_KERNEL_ROWS_H
 

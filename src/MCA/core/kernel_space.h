@@ -2,6 +2,10 @@
 /// \file kernel_space.h
 /// What the kernel does otherwise in space than in the plane: rows of eight values, the shear a
 /// vector. kernel_plane.h is its sibling, with the same names. For the kernel's source only.
+/// The equations stand in doc/laws.md, Three dimensions. Each struct handles one block: gather()
+/// reads rows of automata into columns, one value of each pair, over which the pass's loop runs as
+/// vectors, and scatter() adds columns to the rows of both automata. k counts pairs within the
+/// block; pi and pj are the rows of both automata, n is the number of pairs.
 #ifndef MCA_KERNEL_SPACE_H
 #define MCA_KERNEL_SPACE_H
 

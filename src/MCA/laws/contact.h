@@ -5,6 +5,9 @@
 /// shears are vectors: their lengths decide, and the stress acts along them.
 ///
 /// Any consistent set of units; dimensions stand in brackets. Branch-free.
+/// Order in a step: elasticStresses(), the criterion and nextKind() of linking.h, contactStress(),
+/// then contactForce() and nextState(). Tension is positive. Equations: doc/laws.md. Of an
+/// automaton a contact knows only its Answer, so that contacts may be worked on in any order.
 #ifndef MCA_LAWS_CONTACT_H
 #define MCA_LAWS_CONTACT_H
 

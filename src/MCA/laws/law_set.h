@@ -18,6 +18,7 @@ namespace mca {
 
 /// A choice of exchangeable laws, each a type that knows its keyword. By default set B.
 struct LawSet {
+  /// As given; the laws below may differ from it, as later keywords change them.
   std::string preset = "b";
   PlaneCondition plane;
   Elasticity elasticity;
@@ -64,6 +65,8 @@ struct LawSet {
   static LawSet named(const std::string &preset);
 
   /// Takes keyword-value pairs as given to pair_style; a preset resets all that stands before it.
+  /// What does not go together is an error: heal without weld, plane stress with flow, a criterion
+  /// of fracture without its number.
   /// \return an empty string, or one line: keyword, value, what is allowed.
   std::string parse(const std::vector<std::string> &words);
 
@@ -104,10 +107,12 @@ struct LawSet {
 ElasticModuli elasticModuli(const LawSet &, const Material &);
 
 /// Laws of an automaton of this material.
+/// \param packing  its contact weight q S/V [-] goes into the averaged stress
 AutomatonLaw makeAutomatonLaw(const LawSet &, const Material &, const Packing & = packing::hex);
 
 /// Laws of an ordered pair of materials; of unlike materials the weaker decides fracture and
-/// linking. \param thickness h [length] of a plane packing
+/// linking, and diameter and viscosity are means (doc/laws.md, Unlike materials).
+/// \param thickness  h [length] of a plane packing, > 0
 PairLaw makePairLaw(const LawSet &, const Material &i, const Material &j, double thickness,
                     const Packing & = packing::hex);
 

@@ -4,6 +4,9 @@
 /// (2006) with isotropic hardening, radial return of its contacts.
 ///
 /// Any consistent set of units; dimensions stand in brackets. Branch-free.
+/// Flow is isotropic: one number an automaton, the equivalent plastic strain kappa >= 0, says how
+/// far it has hardened. Equations: doc/laws.md, Plasticity and Corrected steps; the return of
+/// contacts themselves is returnedStress() of contact.h.
 #ifndef MCA_LAWS_PLASTICITY_H
 #define MCA_LAWS_PLASTICITY_H
 
