@@ -25,8 +25,8 @@ constexpr bool onlyBulk(Way way)
   return way == Bulk || way == Pristine;
 }
 
-template<Way W>
 // A way as a type, so that a generic lambda can take it as a constant.
+template<Way W>
 struct WayOf {
   static constexpr Way way = W;
 };
@@ -37,12 +37,10 @@ inline int lesser(int a, int b)
   return a < b ? a : b;
 }
 
-// Calls work(block, its way as a type, first pair, number of pairs) for all blocks.
-// StrainOnly: bulk links break by strain only; without it a bulk block goes the way of one law.
-template<bool StrainOnly, class Work>
 // Calls work(block, its way as a type, first pair, number of pairs) for all blocks in their order.
 // The number is blockLength but for the last block. StrainOnly: bulk links break by strain only;
 // without it a bulk block goes the way of one law.
+template<bool StrainOnly, class Work>
 inline void eachBlock(const Pairs &p, const Work &work)
 {
   Block *block = p.blocks;
@@ -61,10 +59,9 @@ inline void eachBlock(const Pairs &p, const Work &work)
   }
 }
 
-// Calls work(criterion) for the one of all pairs; laws of a run have one criterion.
-template<class Work>
 // Calls work(criterion) with an object of the criterion's type. Laws of a run have one criterion,
 // so that of the first pair holds for all; without pairs nothing is called.
+template<class Work>
 inline void withCriterion(const Pairs &p, const PairLaw *laws, const Work &work)
 {
   if (p.n > 0)
@@ -95,15 +92,14 @@ inline const int *placesJ(const Pairs &p, const Block &block, int first)
   return (block.across ? p.placeJ : p.j) + first;
 }
 
-// A quantity of a block's pairs: numbers in one array, or vectors in two or three.
-template<class Value>
 // A quantity of a block's pairs: numbers in one array, or vectors in two or three. get() and set()
 // take the number of a pair within the block, from 0; the constructor takes the arrays of all
 // pairs, one for each component, and the first pair of the block.
+template<class Value>
 struct PairArray;
 
-template<>
 // One number a pair, as the shear in the plane.
+template<>
 struct PairArray<double> {
   double *x;
 
@@ -112,8 +108,8 @@ struct PairArray<double> {
   void set(int k, double v) const { x[k] = v; }
 };
 
-template<>
 // Two numbers a pair, as the normal in the plane.
+template<>
 struct PairArray<PlaneVector> {
   double *x, *y;
 
@@ -126,8 +122,8 @@ struct PairArray<PlaneVector> {
   }
 };
 
-template<>
 // Three numbers a pair, as normals and shears in space.
+template<>
 struct PairArray<Vector> {
   double *x, *y, *z;
 

@@ -79,12 +79,11 @@ inline void store(Row4 *r, int k, Column &c0, Column &c1, Column &c2, Column &c3
   *rowOf<Row4>(c3.value + k, 0) = r[3];
 }
 
-// Means of a row of both automata of each pair.
-template<int LENGTH>
 // Means of a row of both automata of each pair, for criteria that see both sides.
 // \tparam LENGTH  values of a row, a multiple of 4
 // \param rows     LENGTH values an automaton
 // \param means    LENGTH values for each of the n pairs, written
+template<int LENGTH>
 inline void gatherMeans(const int *pi, const int *pj, int n, const double *rows, double *means)
 {
   static_assert(LENGTH % 4 == 0);
@@ -106,12 +105,11 @@ inline bool allOne(int n, const Column &a, const Column &b)
   return below == 0.0;
 }
 
-// Adds rows to both automata of successive pairs, with the given signs to the second one.
-template<class Row>
 // Adds rows to both automata of n successive pairs. The order is that of the pairs, so that sums
 // are the same with every instruction set.
 // \param rows   one of each pair
 // \param signs  factors of +1 or -1 for what the second automaton gets
+template<class Row>
 inline void addRows(const int *pi, const int *pj, int n, const Row *rows, const Row &signs,
                     double *sums)
 {

@@ -120,14 +120,9 @@ struct Space {
   struct Row8 {
     Column c[8];
 
-    // Adds the rows to both automata of each of n pairs. The sum of a run of pairs with the same i
-    // is kept in registers and written once; the order of additions is that of the pairs, whatever
-    // the instruction set.
-    // \param pi,pj  rows of both automata
-    // \param sums   eight values an automaton, added to
-    template<int TURNED>
     // Adds tensors and sums to both automata, with the same sign: a stress does not depend on the
     // side.
+    template<int TURNED>
     void scatter(const int *pi, const int *pj, int n, double *sums) const
     {
       Row4 signs[2];

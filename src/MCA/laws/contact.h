@@ -217,10 +217,9 @@ inline ShearAnswer<Vector> shearAnswer(const PairLaw &law, const Vector &gamma, 
   return {s.tau / divisor, s.shear / divisor * law.twoG * gamma};
 }
 
-/// What a contact is from the next step on.
-template<class Shear>
 /// What a contact is from the next step on: plastic offset of the normal strain, elastic shear and
 /// total shear [-].
+template<class Shear>
 struct NextState {
   double plastic;
   Shear gamma, gammaTotal;

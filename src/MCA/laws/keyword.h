@@ -25,10 +25,8 @@ struct Option {
   bool inSpace = true; ///< acts in space, too, not only in the plane
 };
 
-/// A law of which one of several kinds holds; the first one by default.
-/// \tparam Words  has `keyword`, `options` and an enumeration `Kind` of them, in their order
-template<class Words>
 /// Keyword and words come from the base, so that a law is declared once, in law_keywords.h.
+template<class Words>
 class Choice : public Words {
  public:
   /// The enumeration of the law; its values count from 0 in the order of Words::options.
@@ -154,12 +152,8 @@ class Threshold {
   double factor_;
 };
 
-/// A law that is one threshold.
-/// \tparam Words  has `keyword`, `materialStress` (the name of a stress of the material, or
-/// nullptr)
-///                and `initial()`, its default
-template<class Words>
 /// Keyword, material stress and default come from the base, as with Choice.
+template<class Words>
 class ThresholdLaw : public Words {
  public:
   /// The limit as it was given.
