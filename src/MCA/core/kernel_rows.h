@@ -105,8 +105,7 @@ inline bool allOne(int n, const Column &a, const Column &b)
   return below == 0.0;
 }
 
-// Adds rows to both automata of n successive pairs. The order is that of the pairs, so that sums
-// are the same with every instruction set.
+// Adds rows to both automata of n successive pairs. The order is that of the pairs.
 // \param rows   one of each pair
 // \param signs  factors of +1 or -1 for what the second automaton gets
 template<class Row>

@@ -120,8 +120,10 @@ struct Space {
   struct Row8 {
     Column c[8];
 
-    // Adds tensors and sums to both automata, with the same sign: a stress does not depend on the
-    // side.
+    // Adds the rows to both automata of each of n pairs. The sum of a run of pairs with the same i
+    // is kept in registers and written once; the order of additions is that of the pairs.
+    // \param pi,pj  rows of both automata
+    // \param sums   eight values an automaton, added to
     template<int TURNED>
     void scatter(const int *pi, const int *pj, int n, double *sums) const
     {
@@ -186,9 +188,8 @@ struct Space {
       row.c[rows.stress.squares][k] = e2 + gamma2;
       row.c[rows.stress.bulkSum][k] = bulkSigma;
     }
-    // Adds them to both automata: the force with the opposite sign to the second one, the torque
-    // with the same sign.
-    // \param sums  rows.force.length values an automaton, added to
+    // Adds tensors and sums to both automata with the same sign: a stress does not depend on the
+    // side.
     void scatter(const int *pi, const int *pj, int n, double *sums) const
     {
       row.scatter<0>(pi, pj, n, sums);
@@ -220,6 +221,9 @@ struct Space {
       row.c[4][k] = f.torque.y;
       row.c[5][k] = f.torque.z;
     }
+    // Adds them to both automata: the force with the opposite sign to the second one, the torque
+    // with the same sign.
+    // \param sums  rows.force.length values an automaton, added to
     void scatter(const int *pi, const int *pj, int n, double *sums) const
     {
       row.scatter<3>(pi, pj, n, sums);

@@ -25,7 +25,9 @@ struct Option {
   bool inSpace = true; ///< acts in space, too, not only in the plane
 };
 
-/// Keyword and words come from the base, so that a law is declared once, in law_keywords.h.
+/// A law of which one of several kinds holds; the first one by default. Keyword and words come from
+/// the base, so that a law is declared once, in law_keywords.h.
+/// \tparam Words  has `keyword`, `options` and an enumeration `Kind` of them, in their order
 template<class Words>
 class Choice : public Words {
  public:
@@ -152,7 +154,9 @@ class Threshold {
   double factor_;
 };
 
-/// Keyword, material stress and default come from the base, as with Choice.
+/// A law that is one threshold. Keyword, material stress and default come from the base.
+/// \tparam Words  has `keyword`, `materialStress` (the name of a stress of the material, or
+///                nullptr) and `initial()`, its default
 template<class Words>
 class ThresholdLaw : public Words {
  public:

@@ -31,6 +31,7 @@ struct LawSet {
   HealLaw heal;
   LinkWorkLaw linkWork;
 
+  /// Calls visit(law) for each law: the one table of keywords, in the order of words().
   /// \param set  a LawSet, const or not; visit gets its members so
   template<class Set, class Visit>
   static void eachLaw(Set &set, Visit &&visit)
