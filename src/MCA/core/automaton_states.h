@@ -19,9 +19,11 @@
 
 namespace mca {
 
-/// Dimensions in which something exists.
+/// Dimensions in which something exists: in none, in the plane, in space, in both.
 enum class In { None, Plane, Space, Both };
 
+/// Whether that is so in this dimension.
+/// \param dimension  2 or 3; all but 2 counts as space
 inline constexpr bool existsIn(In dimensions, int dimension)
 {
   return dimensions == In::Both || dimensions == (dimension == 2 ? In::Plane : In::Space);
@@ -46,6 +48,9 @@ struct AutomatonState {
   const char *meaning;   ///< as the page of compute mca/atom says it
 };
 
+/// The table. Its first names are those of doc/laws.md: kappa of Plasticity; elastic_z is e_zz of
+/// plasticity j2. lag and rest are what pair_mca keeps of
+/// the velocities between runs.
 inline constexpr AutomatonState automatonStates[] = {
     {"kappa", In::Both, Upkeep::EveryStep, "plastic", In::Both, "", "equivalent plastic strain"},
     {"theta", In::Both, Upkeep::EveryStep, "theta", In::Plane, "radians",
@@ -68,10 +73,13 @@ inline constexpr AutomatonState automatonStates[] = {
      "number of links that it formed by contact"},
 };
 
+/// Number of lines of the table.
 inline constexpr int stateCount = static_cast<int>(std::size(automatonStates));
 
-/// Number of a state in the table; a name that is not there does not compile where the number is
-/// a constexpr, and is a std::logic_error elsewhere.
+/// Number of a state in the table, from 0; a name that is not there does not compile where the
+/// number is a constexpr.
+/// \param name  without the prefix mca_
+/// \throw std::logic_error  there is no such state, and the number is no constexpr
 constexpr int stateNumber(std::string_view name)
 {
   for (int k = 0; k < stateCount; k++)
@@ -80,13 +88,16 @@ constexpr int stateNumber(std::string_view name)
   throw std::logic_error("automata have no such state");
 }
 
-/// Name of the custom property of LAMMPS that holds a state, as atom->find_custom() wants it.
+/// Name of the custom property of LAMMPS that holds a state, "mca_NAME", as atom->find_custom()
+/// wants it. All are of LAMMPS's type double.
 inline std::string propertyName(const AutomatonState &state)
 {
   return std::string("mca_") + state.name;
 }
 
-/// Words of fix property/atom for all states of a dimension.
+/// Words of fix property/atom for all states of a dimension: "d_mca_NAME" with blanks in between,
+/// in the order of the table.
+/// \param dimension  2 or 3
 inline std::string propertyWords(int dimension)
 {
   std::string words;

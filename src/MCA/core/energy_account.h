@@ -25,7 +25,9 @@ class EnergyAccount {
   enum Channel { Plastic, Fracture, Viscous, Work, Channels };
 
   /// Sums since the beginning [energy], by channel.
+  /// Of this rank alone: the account of the sample is the sum over all ranks.
   const double *sums() const { return sums_; }
+  /// Sets a sum, as a restart file has it [energy].
   void setSum(Channel channel, double value) { sums_[channel] = value; }
 
   /// After an evaluation: remembers what is needed of it. Arrays are of own automata.
@@ -43,6 +45,7 @@ class EnergyAccount {
   /// \param omega  angular velocities in the coming step [1/time]
   void bookFirstHalf(const Step &, const double (*x)[3], const double (*omega)[3], double dt);
 
+  /// Memory held [bytes].
   double bytes() const;
 
  private:
@@ -59,8 +62,11 @@ class EnergyAccount {
   std::vector<Vector> before_;   // where own automata were in the evaluation
   double sums_[Channels] = {};
 
+  /// Half a step's work of the outer forces and torques on automaton i along this motion.
   void bookWork(int i, const Motion &);
+  /// What all contacts dissipate in half a step; back: of the step just done.
   void bookContacts(const Step &, double dt, bool back);
+  /// Energy that the change of e_zz sets free with plasticity j2 [energy]; else 0.
   double elasticZLoss(const Step &, int i) const;
 };
 

@@ -2,6 +2,9 @@
 /// \file kernel_blocks.h
 /// The ways of a block of pairs through a pass, and the arrays of its pairs. For the kernel's
 /// source only.
+/// A block of up to blockLength pairs goes through a pass in one of four ways. A way is a template
+/// argument, so that what it knows of its pairs (one law, no contacts, no plastic offset) is left
+/// out of its loop by the compiler. The results of a pair do not depend on the way.
 #ifndef MCA_KERNEL_BLOCKS_H
 #define MCA_KERNEL_BLOCKS_H
 
@@ -16,23 +19,27 @@ namespace {
 // state while nothing flows. Where none ever flowed, plastic offset and total shear are not read.
 enum Way { SeveralLaws, OneLaw, Bulk, Pristine };
 
+// Whether all pairs of a block of this way are bulk links of one law.
 constexpr bool onlyBulk(Way way)
 {
   return way == Bulk || way == Pristine;
 }
 
+// A way as a type, so that a generic lambda can take it as a constant.
 template<Way W>
 struct WayOf {
   static constexpr Way way = W;
 };
 
+// The lesser of two numbers, inlined into code for one instruction set; std::min might not be.
 inline int lesser(int a, int b)
 {
   return a < b ? a : b;
 }
 
-// Calls work(block, its way as a type, first pair, number of pairs) for all blocks.
-// StrainOnly: bulk links break by strain only; without it a bulk block goes the way of one law.
+// Calls work(block, its way as a type, first pair, number of pairs) for all blocks in their order.
+// The number is blockLength but for the last block. StrainOnly: bulk links break by strain only;
+// without it a bulk block goes the way of one law.
 template<bool StrainOnly, class Work>
 inline void eachBlock(const Pairs &p, const Work &work)
 {
@@ -52,7 +59,8 @@ inline void eachBlock(const Pairs &p, const Work &work)
   }
 }
 
-// Calls work(criterion) for the one of all pairs; laws of a run have one criterion.
+// Calls work(criterion) with an object of the criterion's type. Laws of a run have one criterion,
+// so that of the first pair holds for all; without pairs nothing is called.
 template<class Work>
 inline void withCriterion(const Pairs &p, const PairLaw *laws, const Work &work)
 {
@@ -69,21 +77,28 @@ inline void withStrainOnly(const Pairs &p, const PairLaw *laws, const Work &work
   });
 }
 
-// Rows of motion where the pairs of a block meet.
+// Rows of motion where the pairs of a block meet: those of periodic images for a block across a
+// face, else those of the automata themselves. placesI() is of the first automaton, placesJ() of
+// the second.
+// \param first  first pair of the block
 inline const int *placesI(const Pairs &p, const Block &block, int first)
 {
   return (block.across ? p.placeI : p.i) + first;
 }
 
+// Likewise of the second automaton.
 inline const int *placesJ(const Pairs &p, const Block &block, int first)
 {
   return (block.across ? p.placeJ : p.j) + first;
 }
 
-// A quantity of a block's pairs: numbers in one array, or vectors in two or three.
+// A quantity of a block's pairs: numbers in one array, or vectors in two or three. get() and set()
+// take the number of a pair within the block, from 0; the constructor takes the arrays of all
+// pairs, one for each component, and the first pair of the block.
 template<class Value>
 struct PairArray;
 
+// One number a pair, as the shear in the plane.
 template<>
 struct PairArray<double> {
   double *x;
@@ -93,6 +108,7 @@ struct PairArray<double> {
   void set(int k, double v) const { x[k] = v; }
 };
 
+// Two numbers a pair, as the normal in the plane.
 template<>
 struct PairArray<PlaneVector> {
   double *x, *y;
@@ -106,6 +122,7 @@ struct PairArray<PlaneVector> {
   }
 };
 
+// Three numbers a pair, as normals and shears in space.
 template<>
 struct PairArray<Vector> {
   double *x, *y, *z;
@@ -125,16 +142,19 @@ struct PairArray<Vector> {
 
 // One of two values without a branch: the first where `first` is 1, the second where it is 0. The
 // forms differ, since each leaves its loop's other terms as they are, to the last bit.
+// first: 1 or 0, as double. In the plane, shears are plain numbers [-].
 inline double choose(double first, double a, double b)
 {
   return first > 0.0 ? a : b;
 }
 
+// In space: a sum of both, each with its factor.
 inline Vector choose(double first, const Vector &a, const Vector &b)
 {
   return first * a + (1.0 - first) * b;
 }
 
+// Whether two shears are equal in all components; +0 and -0 are. Without a branch.
 inline bool equal(double a, double b)
 {
   return a == b;
@@ -146,6 +166,8 @@ inline bool equal(const Vector &a, const Vector &b)
 }
 
 // Of an unlinked contact the first component of the total shear holds its plastic work.
+// In the plane the number itself, in space x; the unit is then that of the work per volume
+// [stress].
 inline const double &firstComponent(const double &a)
 {
   return a;
@@ -166,7 +188,10 @@ inline double &firstComponent(Vector &a)
   return a.x;
 }
 
-// Brings the whole state of a block up to date, whose links will not be alike any more.
+// Brings the whole state of a block up to date, whose links will not be alike any more: the total
+// shear, which a pristine block does not keep, becomes a copy of the elastic one.
+// \param first,n  pairs of the block
+// \param shears   components of a shear
 inline void leavePristine(const Pairs &p, Block &block, int first, int n, int shears)
 {
   for (int m = 0; m < shears; m++)
@@ -175,6 +200,7 @@ inline void leavePristine(const Pairs &p, Block &block, int first, int n, int sh
   block.pristine = false;
 }
 
+// What a pass over a block has changed, counted as doubles, since loops add them up as vectors.
 struct Changes {
   double kinds, states; // pairs whose kind, whose state as a whole changes
 };

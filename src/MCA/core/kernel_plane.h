@@ -3,6 +3,10 @@
 /// What the kernel does otherwise in the plane than in space: rows gathered and scattered, the
 /// shear a number. kernel_space.h is its sibling, with the same names. For the kernel's source
 /// only.
+/// The equations stand in doc/laws.md. gather() reads rows of automata into columns, one value of
+/// each pair of a block, over which the pass's loop runs as vectors, and scatter() adds columns to
+/// the rows of both automata. k counts pairs within the block; pi and pj are the rows of both
+/// automata, n is the number of pairs.
 #ifndef MCA_KERNEL_PLANE_H
 #define MCA_KERNEL_PLANE_H
 
@@ -13,22 +17,30 @@ namespace mca::MCA_ISA {
 namespace {
 
 struct Plane {
+  // Where a quantity stands in its row; rows.h.
   static constexpr RowLayout rows = planeRows;
+  // Components of a shear of PairState that exist.
   static constexpr int shears = 1;
+  // A shear or shear stress of a pair along t, the normal turned by +90 degrees.
   using Shear = double;
+  // The unit normal of a pair, from i to j.
   using Normal = PlaneVector;
 
-  // The step of the strain pass.
+  // The step of the strain pass: dt [time], and a factor that is 1, or 0 at set-up, when nothing
+  // moves on. A factor, since distances and normals then come out the same to the last bit.
   struct Time {
     double dt, moves;
     Time(double step, bool moving) : dt(step), moves(moving ? 1.0 : 0.0) {}
   };
 
-  // Motion of j seen from i and the sum of both spins of each pair, as columns. Works on whole
-  // fours: Pairs are padded.
+  // Motion of j seen from i and the sum of both spins of each pair, as columns: place [length],
+  // velocity [length/time], spins [1/time]. Works on whole fours: Pairs are padded.
   struct Motion {
     Column x, y, vx, vy, spins;
 
+    // Reads the rows of four pairs at a time.
+    // \param motion  rows.motion.length values an automaton: place and velocity
+    // \param spin    angular velocity of each automaton about z [1/time]
     void gather(const int *pi, const int *pj, int n, const double *motion, const double *spin)
     {
       for (int k = 0; k < n; k += 4) {
@@ -42,9 +54,11 @@ struct Plane {
       }
     }
 
+    // Velocity of j seen from i of pair k of the block [length/time].
     PlaneVector velocity(int k) const { return {vx[k], vy[k]}; }
 
-    // Also gives the distance.
+    // Motion of pair k in the step; also gives the distance.
+    // \param r  set to the distance at the end of the step [length]
     PlaneMotion of(int k, const Time &time, double &r) const
     {
       const PlaneMotion moved =
@@ -54,25 +68,34 @@ struct Plane {
     }
   };
 
-  // Answers of one automaton of each pair.
+  // Answers of one automaton of each pair: mean stress [stress] and factor M of the return [-].
   struct Answers {
     Column mean, factor;
 
+    // Both values.
+    // \param index     row of the automaton of each pair: Pairs::i or Pairs::j
+    // \param response  rows.response.length values an automaton
     void gather(const int *index, int n, const double *response)
     {
       mca::MCA_ISA::gather(index, n, response, mean, factor);
     }
+    // The same: a row of two values is read in one load, so there is nothing to save.
     void gatherMeans(const int *index, int n, const double *response)
     {
       gather(index, n, response);
     }
+    // What the automaton of pair k answers. Normal stresses return to the mean stress (MCA).
     Answer operator[](int k) const { return {mean[k], factor[k], mean[k]}; }
   };
 
-  // What each pair adds to the averaged stresses of both of its automata.
+  // What each pair adds to the averaged stresses of both of its automata [stress], with the weight
+  // 1/3 of the hexagonal packing in it, and its squared strains [-].
   struct Shares {
     Column xx, yy, xy, squares;
 
+    // The share of pair k in the tensor.
+    // \param sigma,tau  normal and shear stress of the contact [stress]
+    // \param n          its unit normal [-]
     void set(int k, double sigma, double tau, const PlaneVector &n)
     {
       const StressTensor s = stressShare(sigma, tau, n.x, n.y);
@@ -80,16 +103,21 @@ struct Plane {
       yy[k] = s.yy;
       xy[k] = s.xy;
     }
+    // Squares of the elastic strains of pair k [-]. No sum of bulk stresses: the centre is the
+    // mean.
     void setSums(int k, double e2, double gamma2, double /*bulkSigma*/)
     {
       squares[k] = e2 + gamma2;
     }
+    // Adds tensors and squares to both automata, with the same sign.
+    // \param sums  rows.stress.length values an automaton, added to
     void scatter(const int *pi, const int *pj, int n, double *sums) const
     {
       const Row4 same = {1.0, 1.0, 1.0, 1.0};
       mca::MCA_ISA::scatter(pi, pj, n, xx, yy, xy, squares, same, sums);
     }
-    // Without the sums.
+    // For the return pass. The fourth value of a row, that of the squares, is of no use there; xy
+    // fills its column.
     void scatterTensors(const int *pi, const int *pj, int n, double *sums) const
     {
       const Row4 same = {1.0, 1.0, 1.0, 1.0};
@@ -97,16 +125,20 @@ struct Plane {
     }
   };
 
-  // Forces and torques of each pair.
+  // Forces [force] and torques [force length] of each pair on its first automaton.
   struct Forces {
     Column x, y, torque;
 
+    // Force and torque of pair k of the block.
     void set(int k, const PlaneForce &f)
     {
       x[k] = f.x;
       y[k] = f.y;
       torque[k] = f.torque;
     }
+    // Adds them to both automata: forces with the opposite sign to the second one, torques with the
+    // same. The fourth value of a row is unused and takes the torque again.
+    // \param sums  rows.force.length values an automaton, added to
     void scatter(const int *pi, const int *pj, int n, double *sums) const
     {
       const Row4 turned = {-1.0, -1.0, 1.0, 1.0};
@@ -114,16 +146,19 @@ struct Plane {
     }
   };
 
-  // Averaged stress tensor of an automaton.
+  // Averaged stress tensor of an automaton [stress]: sigma_zz = 3 mean - sigma_xx - sigma_yy.
+  // \param tensor  xx, yy, xy of the stress pass [stress]
+  // \param mean    mean stress of the automaton [stress]
   static StressTensor averaged(const AutomatonLaw &, const double *tensor, double mean)
   {
     return automatonStress(tensor[0], tensor[1], tensor[2], mean);
   }
 
-  // In the plane the centre of the return is the mean stress itself.
+  // In the plane the centre of the return is the mean stress itself, so a row has no place for it.
   static void setCentre(double * /*response*/, const double * /*stress*/, double /*bulks*/) {}
 
-  // The tensor of a row of local.
+  // The tensor of a row of local, or of the mean of two rows, with the mean stress that goes with
+  // it [stress].
   static StressTensor localTensor(const double *tensor, double mean)
   {
     return automatonStress(tensor[0], tensor[1], tensor[2], mean);

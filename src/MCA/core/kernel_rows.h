@@ -3,6 +3,10 @@
 /// Rows of the per-automaton arrays as vectors of the compiler: one load, one addition, one store.
 /// For the kernel's source only, which is compiled once for each instruction set; everything here
 /// is inlined into it.
+/// A block's pairs are gathered from rows, one an automaton, to columns, one a quantity, and what
+/// is found is scattered back. Arrays of row numbers have three more entries than pairs (Pairs), so
+/// that loops over whole twos and fours may read on; what these give is not added to any automaton.
+/// Rows are 64-byte aligned arrays of doubles (row_array.h), and offsets in them stand in rows.h.
 #ifndef MCA_KERNEL_ROWS_H
 #define MCA_KERNEL_ROWS_H
 
@@ -16,13 +20,15 @@ typedef double Row2 __attribute__((vector_size(16), may_alias));
 // NOLINTNEXTLINE(modernize-use-using): likewise
 typedef double Row4 __attribute__((vector_size(32), may_alias));
 
-// Values of the pairs of a block.
+// One value of each pair of a block, on a cache-line boundary: loops over k are plain vector loads.
 struct alignas(64) Column {
   double value[blockLength];
   double &operator[](int k) { return value[k]; }
   double operator[](int k) const { return value[k]; }
 };
 
+// Row i of an array whose rows have the length of Row. The array is 64-byte aligned (RowArray), so
+// that each row is aligned, too.
 template<class Row>
 inline Row *rowOf(double *array, int i)
 {
@@ -35,7 +41,7 @@ inline const Row *rowOf(const double *array, int i)
   return reinterpret_cast<const Row *>(array) + i;
 }
 
-// Four rows of four become four columns of four and back: shuffles are much cheaper than the
+// Four rows of four become four columns of four and back. Shuffles are much cheaper than the
 // element-wise loads and stores that strided loops would make.
 inline void transpose(Row4 &a, Row4 &b, Row4 &c, Row4 &d)
 {
@@ -49,7 +55,9 @@ inline void transpose(Row4 &a, Row4 &b, Row4 &c, Row4 &d)
   d = __builtin_shufflevector(ab1, cd1, 2, 3, 6, 7);
 }
 
-// Rows of two values of one automaton of each pair, as columns.
+// Rows of two values of one automaton of each pair, as columns; works on whole twos.
+// \param index  row of that automaton for each of n pairs; one more is read where n is odd
+// \param rows   two values an automaton
 inline void gather(const int *index, int n, const double *rows, Column &c0, Column &c1)
 {
   for (int k = 0; k < n; k += 2) {
@@ -60,6 +68,8 @@ inline void gather(const int *index, int n, const double *rows, Column &c0, Colu
 }
 
 // Four rows of four, one of each of four pairs, as four columns.
+// \param r  the rows, which are transposed in place
+// \param k  first of the four pairs in the block, a multiple of 4
 inline void store(Row4 *r, int k, Column &c0, Column &c1, Column &c2, Column &c3)
 {
   transpose(r[0], r[1], r[2], r[3]);
@@ -69,7 +79,10 @@ inline void store(Row4 *r, int k, Column &c0, Column &c1, Column &c2, Column &c3
   *rowOf<Row4>(c3.value + k, 0) = r[3];
 }
 
-// Means of a row of both automata of each pair.
+// Means of a row of both automata of each pair, for criteria that see both sides.
+// \tparam LENGTH  values of a row, a multiple of 4
+// \param rows     LENGTH values an automaton
+// \param means    LENGTH values for each of the n pairs, written
 template<int LENGTH>
 inline void gatherMeans(const int *pi, const int *pj, int n, const double *rows, double *means)
 {
@@ -81,6 +94,8 @@ inline void gatherMeans(const int *pi, const int *pj, int n, const double *rows,
           0.5 * (*rowOf<Row4>(rows, parts * pi[k] + m) + *rowOf<Row4>(rows, parts * pj[k] + m));
 }
 
+// Whether no automaton of these n pairs flows: all factors M are exactly 1. M is at most 1, so the
+// sum of what is missing is 0 only if nothing is.
 inline bool allOne(int n, const Column &a, const Column &b)
 {
   double below = 0.0;
@@ -90,7 +105,9 @@ inline bool allOne(int n, const Column &a, const Column &b)
   return below == 0.0;
 }
 
-// Adds rows to both automata of successive pairs, with the given signs to the second one.
+// Adds rows to both automata of n successive pairs. The order is that of the pairs.
+// \param rows   one of each pair
+// \param signs  factors of +1 or -1 for what the second automaton gets
 template<class Row>
 inline void addRows(const int *pi, const int *pj, int n, const Row *rows, const Row &signs,
                     double *sums)
@@ -101,7 +118,10 @@ inline void addRows(const int *pi, const int *pj, int n, const Row *rows, const 
   }
 }
 
-// Adds the columns of each pair as a row to both of its automata.
+// Adds the four columns of each pair as a row to both of its automata.
+// \param n      number of pairs; the rest of a last four is not added
+// \param signs  factors of +1 or -1 for what the second automaton gets
+// \param sums   four values an automaton, added to
 inline void scatter(const int *pi, const int *pj, int n, const Column &c0, const Column &c1,
                     const Column &c2, const Column &c3, const Row4 &signs, double *sums)
 {
@@ -116,6 +136,7 @@ inline void scatter(const int *pi, const int *pj, int n, const Column &c0, const
   }
 }
 
+// The same of two columns, with the same sign for both automata; sums have two values an automaton.
 inline void scatter(const int *pi, const int *pj, int n, const Column &c0, const Column &c1,
                     double *sums)
 {

@@ -2,6 +2,10 @@
 /// \file kernel_space.h
 /// What the kernel does otherwise in space than in the plane: rows of eight values, the shear a
 /// vector. kernel_plane.h is its sibling, with the same names. For the kernel's source only.
+/// The equations stand in doc/laws.md, Three dimensions. Each struct handles one block: gather()
+/// reads rows of automata into columns, one value of each pair, over which the pass's loop runs as
+/// vectors, and scatter() adds columns to the rows of both automata. k counts pairs within the
+/// block; pi and pj are the rows of both automata, n is the number of pairs.
 #ifndef MCA_KERNEL_SPACE_H
 #define MCA_KERNEL_SPACE_H
 
@@ -12,28 +16,43 @@ namespace mca::MCA_ISA {
 namespace {
 
 struct Space {
+  // Where a quantity stands in its row; rows.h.
   static constexpr RowLayout rows = spaceRows;
+  // Components of a shear of PairState that exist.
   static constexpr int shears = 3;
+  // A shear or shear stress of a pair, perpendicular to its normal.
   using Shear = Vector;
+  // The unit normal of a pair, from i to j.
   using Normal = Vector;
 
-  // The step of the strain pass; normals do not depend on it.
+  // The step of the strain pass: dt [time], 0 at set-up, and half of it for the mean of two angular
+  // velocities. Without motion both are 0, which leaves shears as they are; normals do not depend
+  // on it.
   struct Time {
     double dt, half;
     Time(double step, bool moving) : dt(moving ? step : 0.0), half(0.5 * dt) {}
   };
 
-  // Rows of eight values as two of four.
+  // Rows of eight values as two of four: place and first component of the velocity, the rest of the
+  // velocity and the first two components of the angular velocity (rows.h, Motion).
+  // \param i      number of the row
+  // \param which  0: the first half, 1: the second one
   static const Row4 &half(const double *array, int i, int which)
   {
     return *rowOf<Row4>(array, 2 * i + which);
   }
 
-  // Motion of j seen from i and the sum of both angular velocities of each pair, as columns. Pairs
-  // past n are made up of the last one.
+  // Motion of j seen from i and the sum of both angular velocities of each pair, as columns: place
+  // [length], velocity [length/time], sum of angular velocities [1/time]. Pairs past n are made up
+  // of the last one.
   struct Motion {
     Column x, y, z, vx, vy, vz, wx, wy, wz;
 
+    // Reads the rows of four pairs at a time. The signs make differences of places and velocities
+    // and sums of angular velocities in the same addition; the third component of the angular
+    // velocity comes from its own array.
+    // \param motion  rows.motion.length values an automaton
+    // \param spin    third component of the angular velocity of each automaton [1/time]
     void gather(const int *pi, const int *pj, int n, const double *motion, const double *spin)
     {
       const Row4 signs = {-1.0, -1.0, 1.0, 1.0};
@@ -50,9 +69,11 @@ struct Space {
       }
     }
 
+    // Velocity of j seen from i of pair k of the block [length/time].
     Vector velocity(int k) const { return {vx[k], vy[k], vz[k]}; }
 
-    // Also gives the distance.
+    // Motion of pair k in the step, for carriedShear() and shearGrowth(); also gives the distance.
+    // \param r  set to the distance at the end of the step [length]
     PairMotion of(int k, const Time &time, double &r) const
     {
       const Vector distance = {x[k], y[k], z[k]}, omegas = {wx[k], wy[k], wz[k]};
@@ -64,10 +85,14 @@ struct Space {
     }
   };
 
-  // Answers of one automaton of each pair. Pairs past n are made up of the last one.
+  // Answers of one automaton of each pair [stress], factor [-]; see Answer of contact.h. Pairs past
+  // n are made up of the last one.
   struct Answers {
     Column mean, factor, centre;
 
+    // All three values, by transposing the rows of four pairs.
+    // \param index     row of the automaton of each pair: Pairs::i or Pairs::j
+    // \param response  rows.response.length values an automaton
     void gather(const int *index, int n, const double *response)
     {
       for (int k = 0; k < n; k += 4) {
@@ -80,11 +105,13 @@ struct Space {
         *rowOf<Row4>(centre.value + k, 0) = r[2];
       }
     }
+    // The mean stresses alone, for the stress pass, when the other values are not known yet.
     void gatherMeans(const int *index, int n, const double *response)
     {
       for (int k = 0; k < n; k++)
         mean[k] = response[rows.response.length * index[k] + rows.response.mean];
     }
+    // What the automaton of pair k of the block answers.
     Answer operator[](int k) const { return {mean[k], factor[k], centre[k]}; }
   };
 
@@ -93,6 +120,10 @@ struct Space {
   struct Row8 {
     Column c[8];
 
+    // Adds the rows to both automata of each of n pairs. The sum of a run of pairs with the same i
+    // is kept in registers and written once; the order of additions is that of the pairs.
+    // \param pi,pj  rows of both automata
+    // \param sums   eight values an automaton, added to
     template<int TURNED>
     void scatter(const int *pi, const int *pj, int n, double *sums) const
     {
@@ -132,10 +163,14 @@ struct Space {
     }
   };
 
-  // What each pair adds to the averaged stresses of both of its automata.
+  // What each pair adds to the averaged stresses of both of its automata: sigma n n + (n tau + tau
+  // n)/2 [stress] in six components, and two sums. The weight of the packing is left to averaged().
   struct Shares {
     Row8 row;
 
+    // The share of pair k in the tensor.
+    // \param sigma,tau  normal and shear stress of the contact [stress]
+    // \param n          its unit normal [-]
     void set(int k, double sigma, const Vector &tau, const Vector &n)
     {
       const StressTensor s = stressShare(sigma, tau, n);
@@ -146,23 +181,28 @@ struct Space {
       row.c[4][k] = s.xz;
       row.c[5][k] = s.yz;
     }
+    // The sums of pair k: squares of the elastic strains [-], and sigma of a bulk link, else 0
+    // [stress].
     void setSums(int k, double e2, double gamma2, double bulkSigma)
     {
       row.c[rows.stress.squares][k] = e2 + gamma2;
       row.c[rows.stress.bulkSum][k] = bulkSigma;
     }
+    // Adds tensors and sums to both automata with the same sign: a stress does not depend on the
+    // side.
     void scatter(const int *pi, const int *pj, int n, double *sums) const
     {
       row.scatter<0>(pi, pj, n, sums);
     }
-    // Without the sums.
+    // For the return pass, whose shares have no sums: it leaves the last two columns at 0.
     void scatterTensors(const int *pi, const int *pj, int n, double *sums) const
     {
       row.scatter<0>(pi, pj, n, sums);
     }
   };
 
-  // Forces and torques of each pair; the last two columns are unused.
+  // Forces [force] and torques [force length] of each pair on its first automaton; the last two
+  // columns are unused and stay 0.
   struct Forces {
     Row8 row;
 
@@ -171,6 +211,7 @@ struct Space {
       for (int k = 0; k < blockLength; k++)
         row.c[6][k] = row.c[7][k] = 0.0;
     }
+    // Force and torque of pair k of the block.
     void set(int k, const SpaceForce &f)
     {
       row.c[0][k] = f.force.x;
@@ -180,25 +221,31 @@ struct Space {
       row.c[4][k] = f.torque.y;
       row.c[5][k] = f.torque.z;
     }
+    // Adds them to both automata: the force with the opposite sign to the second one, the torque
+    // with the same sign.
+    // \param sums  rows.force.length values an automaton, added to
     void scatter(const int *pi, const int *pj, int n, double *sums) const
     {
       row.scatter<3>(pi, pj, n, sums);
     }
   };
 
-  // Averaged stress tensor of an automaton.
+  // Averaged stress tensor of an automaton [stress] from a row of the stress pass: the sum over its
+  // contacts times the packing's weight (doc/laws.md, Three dimensions). The mean is not needed.
   static StressTensor averaged(const AutomatonLaw &law, const double *tensor, double /*mean*/)
   {
     return weighted(tensor, law.weight);
   }
 
-  // The centre of the return is the mean of sigma over the bulk links.
+  // The centre of the return is the mean of sigma over the bulk links [stress], 0 without any; only
+  // then does flow dissipate in each automaton.
+  // \param bulks  number of its bulk links
   static void setCentre(double *response, const double *stress, double bulks)
   {
     response[rows.response.centre] = stress[rows.stress.bulkSum] / (bulks > 0.0 ? bulks : 1.0);
   }
 
-  // The tensor of a row of local.
+  // The tensor of a row of local, or of the mean of two rows [stress].
   static StressTensor localTensor(const double *tensor, double /*mean*/)
   {
     return {tensor[0], tensor[1], tensor[2], tensor[3], tensor[4], tensor[5]};

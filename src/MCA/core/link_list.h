@@ -13,6 +13,8 @@
 namespace mca {
 
 /// Owns the arrays of a Pairs view.
+/// Pairs are numbered from 0 in the order in which they were added. Each array ends with three
+/// copies of the last pair's rows, since the kernel gathers four pairs at a time.
 class LinkList {
  public:
   /// \param shears  shear components of a pair: 1 in the plane, 3 in space
@@ -27,17 +29,21 @@ class LinkList {
   int storedSize() const { return stateSize() + 4; }
   static constexpr int maxStoredSize = maxStateSize + 4;
 
-  /// Empties the list and makes room for n pairs.
+  /// Empties the list and makes room for n pairs. More than n must not be added.
+  /// \throw std::bad_alloc  there is not so much memory
   void reset(int n);
 
   /// Appends a pair; its state becomes both the present and the next one.
+  /// \param i,j    rows of both automata
+  /// \param law    number in the table of PairLaw
+  /// \param state  stateSize() values: kind, plastic offset, elastic shears, total shears
   void add(int i, int j, int law, const double *state);
 
   /// The same with all that is kept, storedSize() values.
   /// \param exchanged  kept as the pair (j, i)
   void addStored(int i, int j, int law, bool exchanged, const double *stored);
 
-  /// The last pair meets over a periodic face.
+  /// The last pair that was added meets over a periodic face; otherwise its places are i and j.
   /// \param placeI,placeJ  rows of motion of the images that meet
   void setPlaces(int placeI, int placeJ);
 
@@ -45,14 +51,17 @@ class LinkList {
   /// \param exchanged  as the pair (j, i): in space its shears turn round
   void getStored(int k, bool next, bool exchanged, double *stored) const;
 
-  /// Nothing of this pair needs to be kept.
+  /// Nothing of this pair needs to be kept: all values of its state are 0, as of a pair that never
+  /// was in contact.
   bool blank(int k, bool next) const;
 
   /// A link of the sample as it was made, not one that formed later; it ends with its breaking.
   bool original(int k) const { return original_[k] > 0.0; }
+  /// Makes pair k an original link, or not.
   void setOriginal(int k, bool is) { original_[k] = is ? 1.0 : 0.0; }
 
-  /// Present and next states, normals and strains; complete for readers.
+  /// Present and next states, normals and strains; complete for readers. Only the next states of
+  /// blocks that move are held (Block::moves): getState() reads either.
   const Pairs &pairs() const
   {
     if (stale_)
@@ -60,24 +69,28 @@ class LinkList {
     return view_;
   }
 
-  /// n pairs from the first one of a block on, for the kernel.
+  /// n pairs from the first one of a block on, for the kernel, which may change their states.
+  /// \param first  a multiple of blockLength
   Pairs part(int first, int n);
 
+  /// Number of pairs.
   int size() const { return view_.n; }
 
   /// Rows of both automata of pair k.
   int i(int k) const { return i_[k]; }
   int j(int k) const { return j_[k]; }
 
-  /// Makes the next state the present one.
+  /// Makes the next state the present one; only blocks that move are copied.
   void advance();
 
-  /// Copies the present (or the next) state of pair k to stateSize() doubles.
+  /// Copies the present (or the next) state of pair k to stateSize() doubles, in the order of
+  /// add().
   void getState(int k, bool next, double *state) const;
 
-  /// Sets both the present and the next state of pair k.
+  /// Sets both the present and the next state of pair k, in the order of add().
   void setState(int k, const double *state);
 
+  /// Memory held [bytes].
   double bytes() const;
 
  private:
@@ -90,8 +103,10 @@ class LinkList {
   std::vector<double *> now_, next_; // the arrays of both states, in the order of getState()
   Pairs view_{};
 
+  /// Gives the pairs of a pristine block their total shears, which equal the elastic ones.
   void complete(int block) const;
   void completeAll() const;
+  /// Turns the shears of a state round, as exchange of i and j does in space.
   void exchange(double *state) const;
 };
 

@@ -60,8 +60,10 @@ struct RowLayout {
   int components; ///< of a symmetric stress tensor in a row: 3 or 6
 };
 
+/// In the plane: rows of 2 or 4 values.
 constexpr RowLayout planeRows = {
     {4, 0, 2, 4}, {2, 0, 1}, {4, 0, 3, 4}, {2, 0, 1, 0, 1}, {4, 0, 2}, {4, 0, 3}, 2, 3};
+/// In space: rows of 2, 4 or 8 values; some have values that are not used, for whole vectors.
 constexpr RowLayout spaceRows = {
     {8, 0, 3, 6}, {2, 0, 1}, {8, 0, 6, 7}, {4, 0, 1, 2, 2}, {8, 0, 3}, {8, 0, 6}, 3, 6};
 

@@ -2,6 +2,8 @@
 /// \file viscous_contacts.h
 /// The viscous forces of a step with the velocities of that step: the force pass knows those of
 /// half a step ago. No LAMMPS type in here.
+/// Equations: doc/laws.md, Corrected steps; centredSeparation() of laws/viscosity.h. Only with
+/// steps corrected and a viscosity, see LawSet::centresViscosity().
 #ifndef MCA_VISCOUS_CONTACTS_H
 #define MCA_VISCOUS_CONTACTS_H
 
@@ -17,9 +19,12 @@ class ViscousContacts {
  public:
   /// What a step knows of its automata, in rows as the kernel has them.
   struct Conditions {
+    /// Of this dimension; its row lengths are those of the arrays below.
     const Kernel *kernel;
     double dt; ///< [time]
+    /// Table of PairLaw, indexed by Pairs::law.
     const PairLaw *laws;
+    /// Rows of what automata answer; the mean stress is read.
     const double *response;
     const double *forces; ///< of the force pass, complete on both automata of a pair
     const int *groups;    ///< bits of each automaton
@@ -28,14 +33,20 @@ class ViscousContacts {
     int integrated, held;
   };
 
+  /// Forgets the contacts of the last step.
   void clear() { contacts_.clear(); }
 
   /// Collects the viscous ones of these pairs, and centres their velocities Pairs::separation.
+  /// Viscous are contacts that are pressed, e < 0, and unlinked or break in this step. Called after
+  /// the force pass of all pairs, as it needs the whole force on both automata.
   void add(const Pairs &, const Conditions &);
 
+  /// Adds to both automata of each contact what the centred velocity changes of its force.
+  /// \param forces  rows.force.length values an automaton [force]
   void addForces(const Kernel &, double *forces) const;
 
  private:
+  /// A viscous contact: rows of both automata and the change of its force.
   struct Contact {
     int i, j;
     double force[3]; ///< on i

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 /// \file automaton_law.h
 /// What the passes over automata need of the laws of one material.
+/// Any consistent set of units; dimensions stand in brackets. Equations: doc/laws.md.
 #ifndef MCA_LAWS_AUTOMATON_LAW_H
 #define MCA_LAWS_AUTOMATON_LAW_H
 

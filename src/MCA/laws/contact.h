@@ -5,6 +5,9 @@
 /// shears are vectors: their lengths decide, and the stress acts along them.
 ///
 /// Any consistent set of units; dimensions stand in brackets. Branch-free.
+/// Order in a step: elasticStresses(), the criterion and nextKind() of linking.h, contactStress(),
+/// then contactForce() and nextState(). Tension is positive. Equations: doc/laws.md. Of an
+/// automaton a contact knows only its Answer, so that contacts may be worked on in any order.
 #ifndef MCA_LAWS_CONTACT_H
 #define MCA_LAWS_CONTACT_H
 
@@ -47,7 +50,8 @@ struct Answer {
   double centre;
 };
 
-/// Elastic normal stress of a touching contact [stress]: the mean of both sides' responses.
+/// Elastic normal stress of a contact that touches [stress], tension positive: the mean of both
+/// sides' responses sigma_i = 2G e + D sigma_mean,i (doc/laws.md, Elasticity; Psakhie et al. 2011).
 /// \param e            elastic normal strain r/d - 1 - plastic offset [-]
 /// \param meanI,meanJ  mean stresses of the automata [stress]
 inline double elasticStress(const PairLaw &law, double e, double meanI, double meanJ)
@@ -56,15 +60,18 @@ inline double elasticStress(const PairLaw &law, double e, double meanI, double m
                 normalResponse(e, law.twoGj, law.Dj, meanJ));
 }
 
-/// Normal stress of a bulk link after the radial return of its automata [stress]:
-/// sigma - [ (1-M_i)(sigma - centre_i) + (1-M_j)(sigma - centre_j) ]/2.
+/// Normal stress of a bulk link after the radial return of its automata [stress],
+///     sigma - [ (1-M_i)(sigma - centre_i) + (1-M_j)(sigma - centre_j) ]/2
+/// (doc/laws.md, Plasticity).
+/// \param sigma  elastic normal stress before it [stress]
+/// \param i,j    what both automata answer
 inline double returnedStress(double sigma, const Answer &i, const Answer &j)
 {
   return sigma -
          0.5 * ((1.0 - i.factor) * (sigma - i.centre) + (1.0 - j.factor) * (sigma - j.centre));
 }
 
-/// What the return leaves of the shear of a bulk link [-].
+/// What the return leaves of the shear of a bulk link [-], (M_i + M_j)/2: 1 where neither flows.
 inline double returnedShare(const Answer &i, const Answer &j)
 {
   return 0.5 * (i.factor + j.factor);
@@ -76,6 +83,10 @@ struct ElasticStresses {
   double sigma, tau; ///< after it, which decide on the next kind
 };
 
+/// Stresses of a contact before and after the return. Linked contacts bear tension, too; an
+/// unlinked one has a stress only while it is pressed, e < 0. Only bulk links are returned.
+/// \param c    present state and strains; the shear is its size
+/// \param i,j  what both automata answer
 inline ElasticStresses elasticStresses(const PairLaw &law, const Contact &c, const Answer &i,
                                        const Answer &j)
 {
@@ -98,7 +109,11 @@ struct ContactStress {
   double kindNext;      ///< kind from the next step on
 };
 
-/// The stresses of a contact whose next kind is known.
+/// The stresses of a contact whose next kind is known. A link that holds has its elastic stresses;
+/// one that breaks in this step, or a pair that was unlinked, has compression with viscosity and no
+/// shear.
+/// \param s         of elasticStresses() [stress]
+/// \param kindNext  what it is from the next step on
 inline ContactStress contactStress(const PairLaw &law, const Contact &c, const ElasticStresses &s,
                                    double kindNext)
 {
@@ -110,14 +125,17 @@ inline ContactStress contactStress(const PairLaw &law, const Contact &c, const E
   return {s.trial, s.sigma, s.tau, normal, shear, kindNext};
 }
 
+/// The same from what both automata answer.
 inline ContactStress contactStress(const PairLaw &law, const Contact &c, const Answer &i,
                                    const Answer &j, double kindNext)
 {
   return contactStress(law, c, elasticStresses(law, c, i, j), kindNext);
 }
 
-/// What a criterion sees of a contact as if it were a bulk link.
-/// \param face  of faceStress(), for criteria that need the local stress
+/// What a criterion sees of a contact as if it were a bulk link. Its elastic strains are those
+/// after the return: what flowed is taken off the normal strain, the shear is tau/2G.
+/// \param s     of elasticStresses() [stress]
+/// \param face  of faceStress(), for criteria that need the local stress [stress]
 inline LinkLoad linkLoad(const PairLaw &law, const Contact &c, const ElasticStresses &s,
                          const Answer &i, const Answer &j, const LocalStress &face)
 {
@@ -132,8 +150,9 @@ inline LinkLoad linkLoad(const PairLaw &law, const Contact &c, const ElasticStre
           {s.sigma, s.tau, face.along, face.across}};
 }
 
-/// The same, and decides on the next kind.
+/// The same, and decides on the next kind by nextKind() of linking.h.
 /// \tparam Criterion  of FractureCriteria, by which bulk links break
+/// \param face        of faceStress() [stress]; only for criteria that need the local stress
 /// \param worked      the plastic work reaches linkWork
 template<class Criterion>
 inline ContactStress contactStress(const PairLaw &law, const Contact &c, const Answer &i,
@@ -145,7 +164,8 @@ inline ContactStress contactStress(const PairLaw &law, const Contact &c, const A
   return contactStress(law, c, s, nextKind(c.kind, s.sigma, s.tau, bulkBreaks, law.limits, worked));
 }
 
-/// The size of a shear by which laws decide: in the plane a signed number, in space a length.
+/// The size of a shear by which laws decide: in the plane a signed number, in space a length >= 0.
+/// Either has the dimension of the shear.
 inline double shearSize(double shear)
 {
   return shear;
@@ -157,11 +177,15 @@ inline double shearSize(const Vector &shear)
 }
 
 /// Elastic shear stress of a bulk link after the return [stress].
+/// \param left   of returnedShare() [-]
+/// \param twoG   mean 2G of both sides [stress]
+/// \param gamma  elastic shear [-]
 inline double returnedShear(double left, double twoG, double gamma)
 {
   return left * (twoG * gamma);
 }
 
+/// The same in space, along the shear.
 inline Vector returnedShear(double left, double twoG, const Vector &gamma)
 {
   return (left * twoG) * gamma;
@@ -174,6 +198,7 @@ struct ShearAnswer {
   Shear acting; ///< [stress]
 };
 
+/// In the plane: the stress is that of the contact, with its sign.
 /// \param s     of a contact with the shear's size
 /// \param left  of the shear, by the returns of both automata [-]
 inline ShearAnswer<double> shearAnswer(const PairLaw &, double /*gamma*/, double /*size*/,
@@ -182,6 +207,9 @@ inline ShearAnswer<double> shearAnswer(const PairLaw &, double /*gamma*/, double
   return {left, s.shear};
 }
 
+/// In space: both stresses, which are lengths, act along the shear; without a shear there are none.
+/// \param gamma  elastic shear before the return [-]
+/// \param size   its length [-]
 inline ShearAnswer<Vector> shearAnswer(const PairLaw &law, const Vector &gamma, double size,
                                        const ContactStress &s, double /*left*/)
 {
@@ -189,7 +217,8 @@ inline ShearAnswer<Vector> shearAnswer(const PairLaw &law, const Vector &gamma, 
   return {s.tau / divisor, s.shear / divisor * law.twoG * gamma};
 }
 
-/// What a contact is from the next step on.
+/// What a contact is from the next step on: plastic offset of the normal strain, elastic shear and
+/// total shear [-].
 template<class Shear>
 struct NextState {
   double plastic;
@@ -210,20 +239,24 @@ inline NextState<Shear> nextState(const PairLaw &law, const Contact &c, const Co
   return {(1.0 - apart) * dented, (stays * left) * gamma, stays * gammaTotal};
 }
 
-/// Force and torque of a contact on its first automaton; the second one has the opposite force and
-/// the same torque.
+/// Force and torque of a contact on its first automaton, in the plane; the second one has the
+/// opposite force and the same torque, so that momentum and angular momentum are kept (doc/laws.md,
+/// Elasticity).
 struct PlaneForce {
   double x, y;   ///< [force]
   double torque; ///< [force length]
 };
 
+/// The same in space: [force], [force length].
 struct SpaceForce {
   Vector force, torque;
 };
 
-/// The shear force acts along t at the distance r; its moment tau S d/2 keeps U's gradient exact.
-/// \param normal,shear  stresses that make the force [stress]
-/// \param n             unit normal [-]
+/// Force sigma S n + tau S (d/r) t and torque tau S d/2. The shear force acts along t at the
+/// distance r; its moment keeps U's gradient exact (elasticity.h).
+/// \param normal,shear  stresses that make the force [stress], tension positive
+/// \param eps           total normal strain r/d - 1 [-], > -1
+/// \param n             unit normal from i to j [-]
 inline PlaneForce contactForce(const PairLaw &law, double normal, double shear, double eps,
                                const PlaneVector &n)
 {
@@ -232,6 +265,7 @@ inline PlaneForce contactForce(const PairLaw &law, double normal, double shear, 
 }
 
 /// In space the moment is (d/2) n x tau S.
+/// \param shear  shear stress, perpendicular to n [stress]
 inline SpaceForce contactForce(const PairLaw &law, double normal, const Vector &shear, double eps,
                                const Vector &n)
 {

@@ -15,11 +15,17 @@
 
 namespace mca {
 
+/// Types in an order that gives each a number, from 0: the numbers are those of
+/// FractureLaw::number() and LinkLimits::criterion. Restart files have words, not numbers, so that
+/// the order may change.
 template<class... Criteria>
 struct CriterionList {
+  /// Number of criteria.
   static constexpr int size = sizeof...(Criteria);
 
-  /// Calls work(criterion) for the criterion of this number.
+  /// Calls work(criterion) with an object of the type that has this number, so that a generic
+  /// lambda is compiled for each criterion. A number that is not in the list calls nothing.
+  /// \param number  0 to size - 1
   template<class Work>
   static void with(int number, Work &&work)
   {
@@ -27,7 +33,7 @@ struct CriterionList {
     static_cast<void>(((at++ == number && (work(Criteria()), true)) || ...));
   }
 
-  /// Calls work(criterion) for all, in their order.
+  /// Calls work(criterion) for all, in their order, as for a table of their properties.
   template<class Work>
   static void each(Work &&work)
   {

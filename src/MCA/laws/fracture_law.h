@@ -13,46 +13,68 @@
 
 namespace mca {
 
-/// What is known of a criterion without its type.
+/// What is known of a criterion without its type: the static members of FractureCriterion
+/// (fracture.h), one row of the table criteria().
 struct CriterionInfo {
+  /// The word after keyword fracture.
   const char *keyword;
+  /// It decides by strain alone; it reads the local stress; it acts in space, too.
   bool strainOnly, needsLocalStress, inSpace;
   const char *parameter; ///< its own keyword, or nullptr
+  /// What its number has to be, in words, and whether a number is that.
   const char *parameterRange;
   bool (*accepts)(double);
 };
 
+/// The choice of one criterion. Values of the criteria's own keywords are kept for all criteria,
+/// since they may be given before the word of fracture itself; problem() says what does not fit.
 class FractureLaw {
  public:
   static constexpr const char *keyword = "fracture";
 
-  /// Of all criteria, in the order of FractureCriteria.
+  /// The table of all criteria, in the order of FractureCriteria.
   static const std::array<CriterionInfo, FractureCriteria::size> &criteria();
 
   int number() const { return number_; } ///< in FractureCriteria
+  /// The row of the chosen criterion.
   const CriterionInfo &criterion() const { return criteria()[number_]; }
+  /// Its word; by default that of the first criterion, "strain".
   std::string word() const { return criterion().keyword; }
+  /// Chooses the criterion of this word.
+  /// \return false if there is no such word; nothing changes then
   bool take(const std::string &word);
+  /// The words of all criteria, in the order of FractureCriteria.
   static std::vector<std::string> words();
+  /// The same with commas, for messages.
   static std::string allowed();
+  /// Whether the chosen criterion acts in this dimension, 2 or 3.
   bool actsIn(int dimension) const { return dimension == 2 || criterion().inSpace; }
 
-  /// Its number, or "none".
+  /// The number of a criterion's own keyword as a word that takeParameter() reads back exactly, or
+  /// "none".
+  /// \param criterion  its number in FractureCriteria; not checked
   std::string parameterWord(int criterion) const { return parameter_[criterion].word(nullptr); }
+  /// Reads the number of a criterion's own keyword: a multiple of the strength > 0, or "none".
+  /// Whether the criterion accepts it is up to problem().
+  /// \return false for a bad word; nothing changes then
   bool takeParameter(int criterion, const std::string &word)
   {
     return parameter_[criterion].take(word, nullptr);
   }
 
-  /// The number given by this keyword of a criterion.
+  /// The number given by this keyword of a criterion [-].
+  /// \param name  such as "compressive_strength"
   /// \throw std::invalid_argument  no criterion has it
   /// \throw std::logic_error  it was not given
   double parameter(const std::string &name) const;
 
-  /// \return an empty string, or one line: what is wrong with the criterion's number
+  /// Whether criterion and numbers fit: the chosen criterion has its number, in its range, and no
+  /// other criterion was given one.
+  /// \return an empty string, or one line: keyword, value, what is allowed
   std::string problem() const;
 
-  /// \param materials  their `parameter` is set here
+  /// The limits of the chosen criterion for links of these two materials, for breaks().
+  /// \param materials  their `parameter` is set here: the number given, 1 without one
   FractureLimits limits(LinkMaterials materials) const;
 
   /// \throw std::invalid_argument  there is no such word
@@ -64,7 +86,9 @@ class FractureLaw {
   }
 
  private:
+  /// In FractureCriteria.
   int number_ = 0;
+  /// By criterion; off where its keyword was not given.
   std::vector<Threshold> parameter_ =
       std::vector<Threshold>(FractureCriteria::size, Threshold::off());
 };

@@ -2,6 +2,11 @@
 /// \file keyword.h
 /// What the keywords of pair_style mca are made of: a choice among words, and a threshold. A law is
 /// a small type derived from one of them; law_set.h puts them together. No LAMMPS type in here.
+/// Choice and ThresholdLaw have the same functions, so that one table of law_set.h serves all
+/// keywords: take() reads a word, word() gives it back for restart files, allowed() fills error
+/// messages, and actsIn() says whether the present value has a meaning in the plane or in space.
+/// take() does not throw on a bad word of the input: the caller makes the message, which names the
+/// keyword.
 #ifndef MCA_LAWS_KEYWORD_H
 #define MCA_LAWS_KEYWORD_H
 
@@ -20,17 +25,23 @@ struct Option {
   bool inSpace = true; ///< acts in space, too, not only in the plane
 };
 
-/// A law of which one of several kinds holds; the first one by default.
+/// A law of which one of several kinds holds; the first one by default. Keyword and words come from
+/// the base, so that a law is declared once, in law_keywords.h.
 /// \tparam Words  has `keyword`, `options` and an enumeration `Kind` of them, in their order
 template<class Words>
 class Choice : public Words {
  public:
+  /// The enumeration of the law; its values count from 0 in the order of Words::options.
   using Kind = typename Words::Kind;
 
+  /// The kind that holds.
   Kind kind() const { return kind_; }
+  /// Whether this kind holds.
   bool is(Kind kind) const { return kind_ == kind; }
+  /// Its word, which take() reads back.
   std::string word() const { return Words::options[kind_].word; }
 
+  /// Makes the kind of this word hold. Words are compared exactly, with their case.
   /// \return false if there is no such word; nothing changes then
   bool take(const std::string &word)
   {
@@ -45,6 +56,8 @@ class Choice : public Words {
     return false;
   }
 
+  /// Words that it takes beside a number: the stress of the material, if it has one, and "none".
+  /// All words in the order of Words::options; the first one is the default.
   static std::vector<std::string> words()
   {
     std::vector<std::string> all;
@@ -74,20 +87,30 @@ class Choice : public Words {
   }
 
  private:
+  /// The first option is the default.
   Kind kind_ = static_cast<Kind>(0);
 };
 
 /// A limit that is switched off, a multiple of something, or a named stress of the material.
+/// It carries no unit: that comes in limit(), where the stresses of the material are known.
+/// Multiples are > 0; take() sees to that, times() does not.
 class Threshold {
  public:
+  /// No limit: what it would switch on never happens. The word is "none".
   static Threshold off() { return Threshold(Kind::Off, 0.0); }
+  /// A multiple of the unit of limit().
+  /// \param factor  [-], > 0
   static Threshold times(double factor) { return Threshold(Kind::Factor, factor); }
+  /// The stress of the material that a keyword names, such as its elastic limit.
   static Threshold ofMaterial() { return Threshold(Kind::OfMaterial, 0.0); }
 
+  /// Whether there is no limit.
   bool isOff() const { return kind_ == Kind::Off; }
+  /// Whether the limit is the named stress of the material.
   bool isOfMaterial() const { return kind_ == Kind::OfMaterial; }
 
-  /// \throw std::logic_error  it is no multiple
+  /// The number [-] of a multiple.
+  /// \throw std::logic_error  it is no multiple: it is off, or the named stress
   double factor() const
   {
     if (kind_ != Kind::Factor)
@@ -95,9 +118,11 @@ class Threshold {
     return factor_;
   }
 
-  /// The limit in numbers, for comparisons; infinity, which nothing reaches, where it is off.
-  /// \param unit        what it is a multiple of
-  /// \param ofMaterial  the named stress
+  /// The limit in numbers, for comparisons; infinity, which nothing reaches, where it is off, so
+  /// that inner loops need no branch for it.
+  /// \param unit        what it is a multiple of, for most keywords the strength sigma_0 [stress]
+  /// \param ofMaterial  the named stress [stress]; not used by a threshold that has none
+  /// \return the limit in the dimension of unit
   double limit(double unit, double ofMaterial = 0.0) const
   {
     return isOff()          ? std::numeric_limits<double>::infinity()
@@ -105,16 +130,23 @@ class Threshold {
                             : factor_ * unit;
   }
 
+  /// Equal in kind and number; numbers are compared exactly.
   bool operator==(const Threshold &o) const { return kind_ == o.kind_ && factor_ == o.factor_; }
   bool operator!=(const Threshold &o) const { return !(*this == o); }
 
-  /// As a word that take() reads back exactly.
+  /// As a word that take() reads back to the last bit: "none", the name, or the shortest decimal
+  /// number.
   /// \param name  of the material's stress; nullptr: it takes none
   std::string word(const char *name) const;
+  /// Reads "none", the name, or a plain number.
+  /// \param name  as in word()
+  /// \return false if the word is none of these or its number is not > 0; nothing changes then
   bool take(const std::string &word, const char *name);
+  /// What take() takes, for messages: "a multiple of the strength > 0, NAME, none".
   static std::string allowed(const char *name);
 
  private:
+  /// What factor_ means: it is 0 unless the kind is Factor.
   enum class Kind { Off, Factor, OfMaterial };
   Threshold(Kind kind, double factor) : kind_(kind), factor_(factor) {}
 
@@ -122,17 +154,22 @@ class Threshold {
   double factor_;
 };
 
-/// A law that is one threshold.
+/// A law that is one threshold. Keyword, material stress and default come from the base.
 /// \tparam Words  has `keyword`, `materialStress` (the name of a stress of the material, or
-/// nullptr)
-///                and `initial()`, its default
+///                nullptr) and `initial()`, its default
 template<class Words>
 class ThresholdLaw : public Words {
  public:
+  /// The limit as it was given.
   const Threshold &threshold() const { return threshold_; }
+  /// Whether what this law would do never happens.
   bool isOff() const { return threshold_.isOff(); }
+  /// Its value as a word that take() reads back exactly; see Threshold::word().
   std::string word() const { return threshold_.word(Words::materialStress); }
+  /// Reads a value; see Threshold::take().
+  /// \return false for a bad word; nothing changes then
   bool take(const std::string &word) { return threshold_.take(word, Words::materialStress); }
+  /// What take() takes, for messages.
   static std::string allowed() { return Threshold::allowed(Words::materialStress); }
 
   /// Words beside the number.
@@ -144,8 +181,10 @@ class ThresholdLaw : public Words {
     return all;
   }
 
+  /// Thresholds act in the plane and in space.
   bool actsIn(int /*dimension*/) const { return true; }
 
+  /// For presets and tests: sets the limit without a word.
   ThresholdLaw &operator=(const Threshold &threshold)
   {
     threshold_ = threshold;

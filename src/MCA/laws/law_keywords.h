@@ -6,91 +6,118 @@
 #ifndef MCA_LAWS_LAW_KEYWORDS_H
 #define MCA_LAWS_LAW_KEYWORDS_H
 
+/// Pages: doc/pair_mca.md has the keywords, doc/laws.md the equations and their sources. The first
+/// word of each is the default, which is preset b; what does not go together is refused by
+/// law_set.h.
 #include "keyword.h"
 
 #include <algorithm>
 
 namespace mca {
 
-/// What holds across the plane; plane.h.
+/// What holds across the plane; plane.h. With strain the thickness stays, and sigma_zz follows from
+/// Hooke's law; with stress sigma_zz = 0, and K and D are those of plane stress. Stress has no
+/// meaning in space and needs plasticity none, since the return is that of plane strain.
 struct PlaneWords {
   static constexpr const char *keyword = "plane";
   enum Kind { Strain, Stress };
   static constexpr Option options[] = {{"strain"}, {"stress", false}};
 };
+/// Keyword plane: "strain" (default) or "stress".
 using PlaneCondition = Choice<PlaneWords>;
 
-/// With many-body a mean stress of all contacts, pairwise without: plane Poisson's ratio 0;
-/// elasticity.h.
+/// Normal stress of a contact; elasticity.h. With many-body it is 2G e + D sigma_mean, sigma_mean
+/// the mean stress of all contacts of an automaton (Psakhie et al., Phys. Mesomech. 14 (2011) 224).
+/// Pairwise has D = 0: then sigma = 2G e, and the plane Poisson's ratio is 0 whatever nu is.
 struct ElasticityWords {
   static constexpr const char *keyword = "elasticity";
   enum Kind { ManyBody, Pairwise };
   static constexpr Option options[] = {{"many-body"}, {"pairwise"}};
 };
+/// Keyword elasticity: "many-body" (default) or "pairwise".
 using Elasticity = Choice<ElasticityWords>;
 
-/// Flow of automata; plasticity.h, plane.h. In space radial keeps the volume, and j2 is the same.
+/// Flow of automata; plasticity.h, plane.h. Radial returns the stresses of bulk links by the factor
+/// M = Y/sigma_int and changes the volume in the plane; j2 keeps it by an elastic strain across the
+/// plane. In space radial keeps the volume, and j2 is the same. None: M = 1, the material is
+/// elastic.
 struct PlasticityWords {
   static constexpr const char *keyword = "plasticity";
   enum Kind { Radial, J2, None };
   static constexpr Option options[] = {{"radial"}, {"j2"}, {"none"}};
 };
+/// Keyword plasticity: "radial" (default), "j2" or "none".
 using Plasticity = Choice<PlasticityWords>;
 
-/// Of unlinked contacts; viscosity.h.
+/// Viscosity of unlinked contacts; viscosity.h. Normal resists the normal velocity with eta v_n/d
+/// [stress], never as tension (Bucher et al. 2006, Table 1; the direction is our choice). None is
+/// without damping, as if eta were 0. Links have no viscosity.
 struct ViscosityWords {
   static constexpr const char *keyword = "viscosity";
   enum Kind { Normal, None };
   static constexpr Option options[] = {{"normal"}, {"none"}};
 };
+/// Keyword viscosity: "normal" (default) or "none".
 using ViscosityLaw = Choice<ViscosityWords>;
 
-/// secondReturn() and centredSeparation(), or neither.
+/// Whether two things that a Verlet step knows too late are taken again. Corrected: secondReturn()
+/// of plasticity.h and centredSeparation() of viscosity.h, which lets friction depend less on the
+/// step and makes longer steps stable. Plain: neither.
 struct StepsWords {
   static constexpr const char *keyword = "steps";
   enum Kind { Corrected, Plain };
   static constexpr Option options[] = {{"corrected"}, {"plain"}};
 };
+/// Keyword steps: "corrected" (default) or "plain".
 using Steps = Choice<StepsWords>;
 
 // The transitions of linking.h; multiples of the strength sigma_0 of the weaker material.
 
-/// Compression that links an unlinked contact.
+/// Compression that links an unlinked contact: -sigma >= limit. The transition is ours, Bucher et
+/// al. leave it open; by default at the elastic limit sigma_y1 of the weaker material.
 struct LinkWords {
   static constexpr const char *keyword = "link", *materialStress = "elastic_limit";
   static Threshold initial() { return Threshold::ofMaterial(); }
-  /// sigma_y1 [stress]
+  /// sigma_y1 of the weaker material [stress], the limit of "elastic_limit"
   static double stress(const Material &i, const Material &j)
   {
     return std::min(i.sigmaY1(), j.sigmaY1());
   }
 };
+/// Keyword link: "elastic_limit" (default), a multiple of sigma_0 > 0, or "none".
 using LinkLaw = ThresholdLaw<LinkWords>;
 
-/// Strength of welds; off: contacts become bulk links at once.
+/// Strength of welds: max(sigma, 0)^2 + 3 tau^2 reaches the square of this multiple of sigma_0, by
+/// default of 1. Off: contacts become bulk links at once, and keyword heal has to be off, too.
 struct WeldWords {
   static constexpr const char *keyword = "weld", *materialStress = nullptr;
   static Threshold initial() { return Threshold::times(1.0); }
 };
+/// Keyword weld: a multiple of sigma_0 > 0 (default 1), or "none".
 using WeldLaw = ThresholdLaw<WeldWords>;
 
-/// Compression that turns a weld into a bulk link.
+/// Compression that turns a weld or a worn contact into a bulk link, by default the hardness. Off:
+/// welds never become bulk links.
 struct HealWords {
   static constexpr const char *keyword = "heal", *materialStress = "hardness";
   static Threshold initial() { return Threshold::ofMaterial(); }
-  /// 3 sigma_y2 (Tabor) [stress]
+  /// The hardness 3 sigma_y2 (Tabor) of the material with the lower sigma_y2 [stress]
   static double stress(const Material &i, const Material &j)
   {
     return 3.0 * std::min(i.sigmaY2(), j.sigmaY2());
   }
 };
+/// Keyword heal: "hardness" (default), a multiple of sigma_0 > 0, or "none".
 using HealLaw = ThresholdLaw<HealWords>;
 
-/// Plastic work that links an unlinked contact, a multiple of that up to the strength.
+/// Plastic work per volume that links an unlinked contact, beside pressure: a multiple of that up
+/// to the strength, the area below the yield curve. The mean work of both automata counts, since
+/// they are pressed together. Off by default; the criterion is ours.
 struct LinkWorkWords {
   static constexpr const char *keyword = "link_work", *materialStress = nullptr;
   static Threshold initial() { return Threshold::off(); }
 };
+/// Keyword link_work: a multiple > 0, or "none" (default).
 using LinkWorkLaw = ThresholdLaw<LinkWorkWords>;
 
 } // namespace mca

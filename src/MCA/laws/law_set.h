@@ -18,6 +18,7 @@ namespace mca {
 
 /// A choice of exchangeable laws, each a type that knows its keyword. By default set B.
 struct LawSet {
+  /// As given; the laws below may differ from it, as later keywords change them.
   std::string preset = "b";
   PlaneCondition plane;
   Elasticity elasticity;
@@ -31,6 +32,7 @@ struct LawSet {
   LinkWorkLaw linkWork;
 
   /// Calls visit(law) for each law: the one table of keywords, in the order of words().
+  /// \param set  a LawSet, const or not; visit gets its members so
   template<class Set, class Visit>
   static void eachLaw(Set &set, Visit &&visit)
   {
@@ -54,20 +56,24 @@ struct LawSet {
     std::string allowed;            ///< for messages
   };
 
-  /// All keywords of laws in the order of words(), preset first.
+  /// All keywords of laws in the order of words(), preset first, for messages and for the check
+  /// against the documentation.
   static std::vector<Keyword> keywords();
 
-  /// Set A (one kind of link), set B (bulk links and welds, the default).
+  /// Set "a" (one kind of link, at 2.35 sigma_0, no welds) or set "b" (bulk links and welds, the
+  /// default); any other name gives the laws of set b.
   static LawSet named(const std::string &preset);
 
   /// Takes keyword-value pairs as given to pair_style; a preset resets all that stands before it.
+  /// What does not go together is an error: heal without weld, plane stress with flow, a criterion
+  /// of fracture without its number.
   /// \return an empty string, or one line: keyword, value, what is allowed.
   std::string parse(const std::vector<std::string> &words);
 
   /// The same as keyword-value pairs that parse() reads back.
   std::vector<std::string> words() const;
 
-  /// Whether automata flow.
+  /// Whether automata flow: all but plasticity none.
   bool flows() const { return !plasticity.is(Plasticity::None); }
 
   /// Whether each automaton has an elastic strain across the plane, which flow changes: with
@@ -96,14 +102,17 @@ struct LawSet {
   std::string notInDimension(int dimension) const;
 };
 
-/// Moduli of a material under these laws.
+/// Moduli of a material under these laws: of plane strain, plane stress or space, with D = 0 for
+/// the pairwise law.
 ElasticModuli elasticModuli(const LawSet &, const Material &);
 
 /// Laws of an automaton of this material.
+/// \param packing  its contact weight q S/V [-] goes into the averaged stress
 AutomatonLaw makeAutomatonLaw(const LawSet &, const Material &, const Packing & = packing::hex);
 
 /// Laws of an ordered pair of materials; of unlike materials the weaker decides fracture and
-/// linking. \param thickness h [length] of a plane packing
+/// linking, and diameter and viscosity are means (doc/laws.md, Unlike materials).
+/// \param thickness  h [length] of a plane packing, > 0
 PairLaw makePairLaw(const LawSet &, const Material &i, const Material &j, double thickness,
                     const Packing & = packing::hex);
 

@@ -12,6 +12,8 @@
 
 namespace mca {
 
+/// Values of one line of the potential file. checkMaterial() has the allowed ranges, and all other
+/// functions of a material rely on it.
 struct Material {
   double youngsModulus = 0;  ///< E [stress], > 0
   double poissonsRatio = 0;  ///< nu [-], in (-1, 0.5)
@@ -24,13 +26,17 @@ struct Material {
   double viscosity = 0;      ///< eta [stress time], >= 0
   double diameter = 0;       ///< d [length] of the automaton, > 0
 
+  /// G = E/[2(1 + nu)] [stress]
   double shearModulus() const { return youngsModulus / (2.0 * (1.0 + poissonsRatio)); }
+  /// K = E/[3(1 - 2 nu)] [stress]
   double bulkModulus() const { return youngsModulus / (3.0 * (1.0 - 2.0 * poissonsRatio)); }
 
   /// D = 1 - 2G/(3K) [-], the weight of the mean stress in Hooke's law seen along a contact
   double meanStressWeight() const { return 1.0 - 2.0 * shearModulus() / (3.0 * bulkModulus()); }
 
+  /// Elastic limit sigma_y1 [stress], where flow begins.
   double sigmaY1() const { return elasticLimit * strength; }
+  /// Yield strength sigma_y2 [stress], the second point of the diagram.
   double sigmaY2() const { return yieldStrength * strength; }
 
   /// Equivalent plastic strain at sigma_y2 and at sigma_0: the diagram's total strain less the
@@ -38,6 +44,7 @@ struct Material {
   double plasticStrainY2() const { return yieldStrain - sigmaY2() / youngsModulus; }
   double plasticStrainUltimate() const { return breakingStrain - strength / youngsModulus; }
 
+  /// Equal in all values, exactly.
   bool operator==(const Material &) const;
 };
 

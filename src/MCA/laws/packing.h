@@ -29,14 +29,19 @@ struct Packing {
 
 namespace packing {
 constexpr double sqrt2 = 1.41421356237309504880, sqrt3 = 1.73205080756887729353;
+/// hexagonal, of the plane: V = (sqrt(3)/2) d^2 h
 constexpr Packing hex = {"hex", 2, 6, 0.5 * sqrt3, 1.0 / 8.0};
+/// face-centred cubic: V = d^3/sqrt(2)
 constexpr Packing fcc = {"fcc", 3, 12, 0.5 * sqrt2, 1.0 / 10.0};
+/// hexagonal close-packed: the numbers of fcc, another lattice
 constexpr Packing hcp = {"hcp", 3, 12, 0.5 * sqrt2, 1.0 / 10.0};
+/// simple cubic: V = d^3
 constexpr Packing sc = {"sc", 3, 6, 1.0, 1.0 / 10.0};
+/// In the order of messages.
 constexpr Packing all[] = {hex, fcc, hcp, sc};
 } // namespace packing
 
-/// The packing of this name, or nullptr.
+/// The packing of this name, compared exactly, or nullptr if there is none.
 const Packing *findPacking(const char *name);
 
 /// A lattice of the packing with d = 1: places of its automata in one period and the three edges of
@@ -45,7 +50,9 @@ struct Lattice {
   struct Point {
     double x, y, z;
   };
+  /// Places [d] within the period.
   std::vector<Point> basis;
+  /// Edges of the period [d].
   Point edges[3];
 };
 Lattice latticeOf(const Packing &);

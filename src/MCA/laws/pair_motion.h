@@ -22,14 +22,16 @@
 
 namespace mca {
 
-/// Motion of a pair in the plane in a step.
+/// Motion of a pair in the plane in a step, all that the shear and the force need of it.
 struct PlaneMotion {
   double r;           ///< distance at the end [length]
   PlaneVector normal; ///< n at the end [-]
   double growth;      ///< of the shear along t, n turned by +90 degrees [-]
 };
 
-/// \param distance  place of j seen from i [length]
+/// Motion of a pair from what it is at the end of the step and its velocity in the step
+/// (doc/laws.md, Strains of a pair).
+/// \param distance  place of j seen from i at the end of the step [length], not 0
 /// \param velocity  of j seen from i, of the step [length/time]
 /// \param turns     sum of both automata's angular velocities [1/time]
 /// \param dt        the step [time]
@@ -52,30 +54,32 @@ inline double carriedShear(const PlaneMotion &, double gamma)
   return gamma;
 }
 
-/// Growth of the shear in the step [-].
+/// Growth of the shear in the step [-], an angle: half the engineering shear strain.
 inline double shearGrowth(const PlaneMotion &m)
 {
   return m.growth;
 }
 
 /// Gibbs's vector tan(|phi|/2) phi/|phi| of a rotation by |phi| [rad] about phi, by its series
-/// (below 1e-12 up to 0.03 rad).
+/// (below 1e-12 up to 0.03 rad). It needs no division by |phi|, so no rotation is a case like any
+/// other.
 inline Vector gibbsVector(const Vector &phi)
 {
   const double h2 = 0.25 * dot(phi, phi);
   return 0.5 * (1.0 + h2 * (1.0 / 3.0 + h2 * (2.0 / 15.0 + h2 * (17.0 / 315.0)))) * phi;
 }
 
-/// What a rotation changes of a vector, Q a - a.
+/// What a rotation changes of a vector, Q a - a, in the dimension of a.
 /// \param gibbs  Gibbs's vector b of the rotation [-]
-/// \param twice  2/(1 + b^2)
+/// \param twice  2/(1 + b^2) [-]
 inline Vector turnOf(const Vector &a, const Vector &gibbs, double twice)
 {
   const Vector c = cross(gibbs, a);
   return twice * (c + cross(gibbs, c));
 }
 
-/// (1 - q)^(-1/2) - 1 by its series (below 1e-12 of itself up to q = 0.06).
+/// (1 - q)^(-1/2) - 1 by its series (below 1e-12 of itself up to q = 0.06): r/r_old - 1 of a
+/// distance with (r_old/r)^2 = 1 - q.
 inline double lengtheningBy(double q)
 {
   constexpr double c[] = {1.0 / 2.0,          3.0 / 8.0,         5.0 / 16.0,
@@ -90,7 +94,7 @@ inline double lengtheningBy(double q)
   return q * (low + q4 * (middle + q4 * high));
 }
 
-/// Motion of a pair in a step.
+/// Motion of a pair in space in a step, all that the shear needs of it.
 struct PairMotion {
   Vector normal; ///< n at the end [-]
   Vector gibbs;  ///< of the material's rotation [-]
@@ -99,9 +103,10 @@ struct PairMotion {
   double slip2;  ///< slip^2
 };
 
-/// \param distance  place of j seen from i [length]
+/// Motion of a pair in space (doc/laws.md, Three dimensions).
+/// \param distance  place of j seen from i at the end of the step [length]
 /// \param invR      1 over its length [1/length]
-/// \param step      what it has changed in the step [length]
+/// \param step      what it has changed in the step [length]; much less than the distance
 /// \param phi       mean rotation of both automata in the step [rad]
 inline PairMotion pairMotion(const Vector &distance, double invR, const Vector &step,
                              const Vector &phi)
@@ -120,7 +125,9 @@ inline PairMotion pairMotion(const Vector &distance, double invR, const Vector &
   return m;
 }
 
-/// A shear at the end of the step, before it grows [-].
+/// A shear at the end of the step, before it grows [-]: turned by Q, then from Q n_old to n on the
+/// shortest way. Its length stays, and it is perpendicular to n afterwards if it was to n_old.
+/// \param gamma  the shear at the beginning of the step [-]
 inline Vector carriedShear(const PairMotion &m, const Vector &gamma)
 {
   const Vector turned = gamma + turnOf(gamma, m.gibbs, m.twice);

@@ -4,6 +4,9 @@
 /// (2006) with isotropic hardening, radial return of its contacts.
 ///
 /// Any consistent set of units; dimensions stand in brackets. Branch-free.
+/// Flow is isotropic: one number an automaton, the equivalent plastic strain kappa >= 0, says how
+/// far it has hardened. Equations: doc/laws.md, Plasticity and Corrected steps; the return of
+/// contacts themselves is returnedStress() of contact.h.
 #ifndef MCA_LAWS_PLASTICITY_H
 #define MCA_LAWS_PLASTICITY_H
 
@@ -14,7 +17,7 @@
 
 namespace mca {
 
-/// Von Mises stress intensity of a stress tensor [stress].
+/// Von Mises stress intensity of a stress tensor [stress], >= 0: sqrt(3/2 s:s) of its deviator s.
 inline double stressIntensity(const StressTensor &s)
 {
   const double a = s.xx - s.yy, b = s.yy - s.zz, c = s.zz - s.xx;
@@ -27,6 +30,9 @@ struct YieldCurve {
   double y1, rise2, rise3;    ///< sigma_y1, sigma_y2 - sigma_y1, sigma_0 - sigma_y2 [stress]
   double strain2, inv2, inv3; ///< plastic strain at sigma_y2 and 1/length of both pieces [-]
 
+  /// The curve of a material that checkMaterial() accepts: its three points have to be in order,
+  /// else the divisions give no numbers. Plastic strains are the diagram's total strains less the
+  /// elastic part.
   explicit YieldCurve(const Material &m)
       : y1(m.sigmaY1()), rise2(m.sigmaY2() - m.sigmaY1()), rise3(m.strength - m.sigmaY2()),
         strain2(m.plasticStrainY2()), inv2(1.0 / m.plasticStrainY2()),
@@ -34,15 +40,16 @@ struct YieldCurve {
   {
   }
 
+  /// Yield stress Y(kappa) [stress]: sigma_y1 at 0, never above sigma_0.
   /// \param kappa equivalent plastic strain [-], >= 0
-  /// \return yield stress [stress]
   double operator()(double kappa) const
   {
     const double s = kappa * inv2, t = (kappa - strain2) * inv3;
     return y1 + rise2 * (s < 1.0 ? s : 1.0) + rise3 * (t < 0.0 ? 0.0 : t < 1.0 ? t : 1.0);
   }
 
-  /// Plastic work per volume up to kappa, the integral of sigma_Y [stress].
+  /// Plastic work per volume up to kappa, the integral of the yield stress [stress]; rises with
+  /// kappa.
   double work(double kappa) const
   {
     return y1 * kappa + rise2 * rampIntegral(kappa, inv2) +
@@ -64,9 +71,11 @@ struct RadialReturn {
   double strain; ///< increment of the equivalent plastic strain [-]
 };
 
+/// The return of an automaton by its own yield stress: M = Y/sigma_int and the plastic strain
+/// (sigma_int - Y)/(3G) where it yields, 1 and 0 elsewhere (doc/laws.md, Plasticity).
 /// \param intensity     trial stress intensity [stress]
 /// \param yieldStress   sigma_Y at the present plastic strain [stress]
-/// \param shearModulus  G [stress]
+/// \param shearModulus  G [stress], > 0
 inline RadialReturn radialReturn(double intensity, double yieldStress, double shearModulus)
 {
   const bool yields = intensity > yieldStress;

@@ -16,6 +16,8 @@
 
 namespace mca {
 
+/// Keyword fracture, value energy (doc/laws.md, Links). The criterion is ours: Bucher et al. state
+/// none. Energy has no sign, so a link breaks under compression, too.
 struct FractureByEnergy : FractureCriterion {
   static constexpr const char *keyword = "energy";
 
@@ -30,13 +32,16 @@ struct FractureByEnergy : FractureCriterion {
              ofMean(m.moduliJ)}};
   }
 
-  /// psi [stress]
+  /// psi [stress], the elastic energy of the link per volume, >= 0.
+  /// \param load    elastic strains [-] and mean stresses [stress] after the return
+  /// \param limits  of limits()
   static double density(const LinkLoad &load, const FractureLimits &limits)
   {
     return limits.value[1] * (load.e * load.e + load.gamma * load.gamma) +
            limits.value[2] * load.meanI * load.meanI + limits.value[3] * load.meanJ * load.meanJ;
   }
 
+  /// Whether psi reaches the limit. Needs a LinkLoad: stresses after the return have to be known.
   template<class Load>
   static bool broken(const Load &load, const FractureLimits &limits)
   {

@@ -22,7 +22,10 @@ inline FractureLimits druckerPrager(double tensile, double ratio)
   return {{0.25 * (ratio + 1.0) * (ratio + 1.0), 1.5 * (ratio - 1.0), ratio * tensile}};
 }
 
-/// Whether the criterion is met.
+/// Whether the criterion is met, without a root and without a branch: both sides are squared where
+/// the right one is positive, and it is met anyhow where that is not.
+/// \param s       stress tensor in the frame of the contact [stress], tension positive
+/// \param limits  of druckerPrager()
 inline bool reaches(const LocalStress &s, const FractureLimits &limits)
 {
   const double equivalentFactor2 = limits.value[0], meanFactor = limits.value[1];
@@ -33,19 +36,23 @@ inline bool reaches(const LocalStress &s, const FractureLimits &limits)
   return (rest <= 0.0) | (equivalentFactor2 * equivalent2 >= rest * rest);
 }
 
-/// compressive_strength times the strength in compression, the strength in tension.
+/// Keyword fracture, value drucker-prager: keyword compressive_strength, >= 1, is the strength in
+/// compression over that in tension, which is sigma_0 of the weaker material.
 struct FractureByDruckerPrager : FractureCriterion {
   static constexpr const char *keyword = "drucker-prager";
   static constexpr bool needsLocalStress = true;
   static constexpr const char *parameter = "compressive_strength";
   static constexpr const char *parameterRange = ">= 1";
+  /// Whether a ratio of strengths [-] has a meaning: the cone opens to compression, not to tension.
   static bool accepts(double ratio) { return ratio >= 1.0; }
 
+  /// Limits of this pair, of unlike materials with the lower strength; m.parameter is a [-].
   static FractureLimits limits(const LinkMaterials &m)
   {
     return druckerPrager(m.strength(), m.parameter);
   }
 
+  /// Whether the local stress of this link reaches the cone; needs a LinkLoad.
   template<class Load>
   static bool broken(const Load &load, const FractureLimits &limits)
   {
@@ -53,12 +60,17 @@ struct FractureByDruckerPrager : FractureCriterion {
   }
 };
 
+/// Keyword fracture, value equivalent: the von Mises stress of the local tensor reaches sigma_0 of
+/// the weaker material. It is Drucker and Prager's criterion with equal strengths, a = 1, so that
+/// it has no number of its own and pressure does not count.
 struct FractureByEquivalentStress : FractureCriterion {
   static constexpr const char *keyword = "equivalent";
   static constexpr bool needsLocalStress = true;
 
+  /// Limits of this pair, of unlike materials with the lower strength.
   static FractureLimits limits(const LinkMaterials &m) { return druckerPrager(m.strength(), 1.0); }
 
+  /// Whether the local von Mises stress reaches the strength; needs a LinkLoad.
   template<class Load>
   static bool broken(const Load &load, const FractureLimits &limits)
   {

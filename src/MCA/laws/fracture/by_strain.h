@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 /// \file by_strain.h
 /// fracture strain: max(eps, 0)^2 + (4/3) gamma_total^2 >= eps_c^2, geometric.
+/// The default. The paper (Bucher et al. 2006) gives eps_c as the strain at which sigma_0 is
+/// reached, but no criterion; this one is ours. Plastic flow does not lower the strain that counts.
 #ifndef MCA_LAWS_FRACTURE_BY_STRAIN_H
 #define MCA_LAWS_FRACTURE_BY_STRAIN_H
 
@@ -17,22 +19,30 @@ inline double strainIntensity2(double eps, double gammaTotal)
   return opening * opening + (4.0 / 3.0) * gammaTotal * gammaTotal;
 }
 
-/// The same of a shear in space.
+/// The same of a shear in space, whose length counts [-].
+/// \param eps         total normal strain r/d - 1 [-]
+/// \param gammaTotal  total shear since linking, perpendicular to the normal [-]
 inline double strainIntensity2(double eps, const Vector &gammaTotal)
 {
   const double opening = eps > 0.0 ? eps : 0.0;
   return opening * opening + (4.0 / 3.0) * dot(gammaTotal, gammaTotal);
 }
 
+/// Keyword fracture, value strain. It reads strains only, so that the strain pass can decide and
+/// most blocks take the kernel's short way.
 struct FractureByStrain : FractureCriterion {
   static constexpr const char *keyword = "strain";
   static constexpr bool strainOnly = true;
 
+  /// eps_c^2 [-], of unlike materials with the smaller eps_c.
   static FractureLimits limits(const LinkMaterials &m)
   {
     return {{m.breakingStrain() * m.breakingStrain()}};
   }
 
+  /// Whether the squared intensity reaches the limit. Compression does not count, but collapse
+  /// does, which breaks() of fracture.h adds.
+  /// \param load  a LinkLoad or a LinkStrain
   template<class Load>
   static bool broken(const Load &load, const FractureLimits &limits)
   {

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 /// \file by_stress.h
 /// fracture stress: the link's own tension and shear, max(sigma, 0)^2 + 3 tau^2 >= sigma_0^2.
+/// It sees one contact, not the averaged stress of its automata, and uses the stresses of the
+/// contact after the radial return. Welds break by the same intensity (linking.h). The criterion is
+/// ours.
 #ifndef MCA_LAWS_FRACTURE_BY_STRESS_H
 #define MCA_LAWS_FRACTURE_BY_STRESS_H
 
@@ -8,11 +11,15 @@
 
 namespace mca {
 
+/// Keyword fracture, value stress.
 struct FractureByStress : FractureCriterion {
   static constexpr const char *keyword = "stress";
 
+  /// sigma_0^2 [stress^2], of unlike materials with the lower sigma_0.
   static FractureLimits limits(const LinkMaterials &m) { return {{m.strength() * m.strength()}}; }
 
+  /// Whether the squared intensity reaches the limit. Compression alone never breaks a link.
+  /// \param load  a LinkLoad: sigma and the length tau of the shear stress [stress]
   template<class Load>
   static bool broken(const Load &load, const FractureLimits &limits)
   {
