@@ -66,7 +66,7 @@ def creep_rows(case, out, *changes, **options):
     return table(out / "creep.csv")
 
 
-# Printed results of CONTACT (Vollebregt; github.com/eve70a/CONTACT, d431cdb), an independent program
+# Printed results of CONTACT (Vollebregt; eve70a/CONTACT, d431cdb), an independent program
 # for the same equations on the same grids; half a unit of the last digit and a tenth.
 
 
@@ -100,7 +100,8 @@ def test_creep_curve_of_a_wheel_against_contact(tmp_path):
 def test_lateral_creep_and_spin_against_contact(tmp_path):
     path = tmp_path / "spin.yaml"
     path.write_text(
-        f"contact: {{load: 82 kN, semi_axes: [8 mm, 4 mm], {STEEL}, spin_point: 0.16666666666666667}}\n"
+        f"contact: {{load: 82 kN, semi_axes: [8 mm, 4 mm], "
+        f"{STEEL}, spin_point: 0.16666666666666667}}\n"
         "friction: {law: constant, mu: 0.3}\nthermal: off\nspeed: 30 m/s\npoints: [44, 44]\n"
         "creep: 0\nlateral: -0.0625 %\nspin: 6.25e-4 1/mm\n",
         encoding="utf-8",
@@ -115,7 +116,7 @@ def test_lateral_creep_and_spin_against_contact(tmp_path):
 
 
 def test_cattaneo_shift_against_contact(tmp_path):
-    """One shift from rest under a force; curvatures, and loads in N and lengths in mm of G = 200 MPa."""
+    """One shift from rest under a force; curvatures, and loads in N, lengths in mm, G = 200 MPa."""
     path = tmp_path / "cattaneo.yaml"
     path.write_text(
         "contact: {load: 9.1954 N, curvatures: [0.01 1/mm, 0.01 1/mm], youngs_modulus: 568 MPa,\n"
@@ -322,7 +323,8 @@ def gsf_map(path, seed, nx=96, ny=80, spacing=0.2e-3, holes=False):
     if holes:
         z[10:12, 20:23] = numpy.nan
     head = (
-        f"Gwyddion Simple Field 1.0\nXRes = {nx}\nYRes = {ny}\nXReal = {nx * spacing}\nYReal = {ny * spacing}\n"
+        f"Gwyddion Simple Field 1.0\nXRes = {nx}\nYRes = {ny}\n"
+        f"XReal = {nx * spacing}\nYReal = {ny * spacing}\n"
         "XYUnits = m\nZUnits = m\n"
     ).encode()
     head += b"\0" * (4 - len(head) % 4)
@@ -456,7 +458,8 @@ BAD = {
     ),
     "hollow": (
         {
-            "semi_axes: [3 mm, 4 mm]": "radii: {wheel_rolling: 0.5 m, wheel_profile: -0.2 m, rail_profile: 0.3 m}"
+            "semi_axes: [3 mm, 4 mm]": "radii: {wheel_rolling: 0.5 m, "
+            "wheel_profile: -0.2 m, rail_profile: 0.3 m}"
         },
         "contact.radii",
     ),
@@ -522,7 +525,8 @@ BAD = {
     ),
     "roughness": (
         {
-            "creep: [1e-3]": "creep: 0\nroughness: {hurst: 0.8, rms_slope: 0.1, wavelength_min: 1 mm}"
+            "creep: [1e-3]": "creep: 0\n"
+            "roughness: {hurst: 0.8, rms_slope: 0.1, wavelength_min: 1 mm}"
         },
         "wavelength_max: is missing",
     ),
@@ -544,14 +548,16 @@ BAD = {
     "missing map": ({"creep: [1e-3]": "creep: 0\nroughness: {rail: a.gsf}"}, "a.gsf"),
     "fine waves": (
         {
-            "creep: [1e-3]": "creep: 0\nroughness: {hurst: 0.8, rms_slope: 0.01, wavelength_min: 0.5 mm, "
+            "creep: [1e-3]": "creep: 0\n"
+            "roughness: {hurst: 0.8, rms_slope: 0.01, wavelength_min: 0.5 mm, "
             "wavelength_max: 4 mm}"
         },
         "points: cells",
     ),
     "waves": (
         {
-            "creep: [1e-3]": "creep: 0\nroughness: {hurst: 0.8, rms_slope: 0.01, wavelength_min: 90 mm, "
+            "creep: [1e-3]": "creep: 0\n"
+            "roughness: {hurst: 0.8, rms_slope: 0.01, wavelength_min: 90 mm, "
             "wavelength_max: 99 mm}"
         },
         "roughness: no wave",
@@ -659,10 +665,13 @@ def random_case(seed):
     rough = draw.random() < 0.75
     domain = 3.6 if rough else 2.2
     text = (
-        f"contact: {{load: {2 / 3 * 3.14159 * a * b * pressure * 1e3:.5g} N, semi_axes: [{a:.4g} mm, {b:.4g} mm], "
+        f"contact: {{load: {2 / 3 * 3.14159 * a * b * pressure * 1e3:.5g} N, "
+        f"semi_axes: [{a:.4g} mm, {b:.4g} mm], "
         f"youngs_modulus: 210 GPa, poissons_ratio: {draw.choice([0, 0.3, 0.5])}, domain: {domain}, "
-        f"hardness_limit: {draw.choice(['true', 'false'])}}}\npoints: [{n}, {draw.randint(n, 48)}]\n"
-        f"creep: [{draw.choice([-1, 0, 1]) * creep:.4g}, {creep:.4g}]\nlateral: {draw.uniform(-1, 1) * creep:.4g}\n"
+        f"hardness_limit: {draw.choice(['true', 'false'])}}}\n"
+        f"points: [{n}, {draw.randint(n, 48)}]\n"
+        f"creep: [{draw.choice([-1, 0, 1]) * creep:.4g}, {creep:.4g}]\n"
+        f"lateral: {draw.uniform(-1, 1) * creep:.4g}\n"
         f"spin: {draw.choice([0, 1, 1, 10]) * draw.uniform(-1, 1) * creep / a:.4g} 1/mm\n"
         f"speed: {between(1, 60):.4g} m/s\nfields: none\nsensitivities: false\nmode: {mode}\n"
     )
@@ -671,8 +680,10 @@ def random_case(seed):
     if rough:
         shortest = 8 * domain * max(a, b) / n  # against the slope at the edge of the smooth contact
         text += (
-            f"roughness: {{hurst: {draw.uniform(0.3, 1):.3g}, rms_slope: {0.02 * pressure * between(0.02, 0.5):.3g}, "
-            f"wavelength_min: {shortest:.4g} mm, wavelength_max: {4 * shortest:.4g} mm, seed: {seed}}}\n"
+            f"roughness: {{hurst: {draw.uniform(0.3, 1):.3g}, "
+            f"rms_slope: {0.02 * pressure * between(0.02, 0.5):.3g}, "
+            f"wavelength_min: {shortest:.4g} mm, "
+            f"wavelength_max: {4 * shortest:.4g} mm, seed: {seed}}}\n"
         )
     if draw.random() < 0.4:
         text += f"friction: {{law: constant, mu: {between(0.05, 1):.3g}}}\n"
@@ -690,7 +701,8 @@ def random_case(seed):
 
 
 def test_random_cases_converge_or_say_why(tmp_path):
-    """Rough, spin, high creep, limits, frozen and moving: an answer or one clear line, and no half of a file."""
+    """Rough, spin, high creep, limits, frozen and moving: an answer or one clear line, never half
+    a file."""
     answers, refusals = 0, []
     for seed in range(1, RANDOM_CASES + 1):
         path, out = tmp_path / f"{seed}.yaml", tmp_path / f"out{seed}"
