@@ -90,7 +90,7 @@ void defineOptions(CLI::App &app, Settings &settings)
       ->type_name("FILE");
   std::vector<std::string> models;
   for (LawModel model : lawModels)
-    models.push_back(nameOf(model));
+    models.emplace_back(nameOf(model));
   app.add_option("--model", settings.model,
                  "law to fit: eq2, eq4 (no velocity term), velocity (no pressure term), constant, "
                  "eq2_kappa3 (eq2 times a power of kappa3 = E/sigma_0)")

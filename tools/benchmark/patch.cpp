@@ -2,10 +2,10 @@
 // Speed of rolling contact in three dimensions, one thread:
 //   wr_patch_benchmark --benchmark_repetitions=5 --benchmark_out=patch.json
 // CPU time of a rough circular contact, nu .3, waves of a/4 to a, n x n cells over 1.7 x 2a:
-//   Steady/n      a creep 10 % above that of the tractions it starts from
-//   SteadyCold/n  the same without a start
-//   Transient/n   a step of moving roughness: normal contact, then traction
-//   Smooth/n      as Steady, a Hertzian circle over 1.1 x 2a
+//   steady/n      a creep 10 % above that of the tractions it starts from
+//   steadyCold/n  the same without a start
+//   transient/n   a step of moving roughness: normal contact, then traction
+//   smooth/n      as steady, a Hertzian circle over 1.1 x 2a
 #include "contact/normal_contact.h"
 #include "contact/patch/hertz_ellipse.h"
 #include "contact/patch/patch_half_space.h"
@@ -77,21 +77,21 @@ void steady(benchmark::State &state, const PatchGrid &grid, const Vector &bound,
   state.counters["cells"] = result.stickCells() + result.slipCells();
 }
 
-void Steady(benchmark::State &state)
+void steady(benchmark::State &state)
 {
   RoughContact contact(static_cast<int>(state.range(0)));
   contact.press(0);
   steady(state, contact.grid, mu * contact.pressure, true);
 }
 
-void SteadyCold(benchmark::State &state)
+void steadyCold(benchmark::State &state)
 {
   RoughContact contact(static_cast<int>(state.range(0)));
   contact.press(0);
   steady(state, contact.grid, mu * contact.pressure, false);
 }
 
-void Smooth(benchmark::State &state)
+void smooth(benchmark::State &state)
 {
   const int n = static_cast<int>(state.range(0));
   const PatchGrid grid = centredGrid(n, n, 2.2, 2.2);
@@ -100,7 +100,7 @@ void Smooth(benchmark::State &state)
          true);
 }
 
-void Transient(benchmark::State &state)
+void transient(benchmark::State &state)
 {
   RoughContact contact(static_cast<int>(state.range(0)));
   contact.press(0);
@@ -122,8 +122,8 @@ void Transient(benchmark::State &state)
 
 } // namespace
 
-BENCHMARK(Steady)->Arg(256)->Arg(512)->Arg(1024)->Unit(benchmark::kMillisecond);
-BENCHMARK(SteadyCold)->Arg(256)->Arg(512)->Arg(1024)->Unit(benchmark::kMillisecond);
-BENCHMARK(Smooth)->Arg(128)->Arg(256)->Arg(512)->Arg(1024)->Unit(benchmark::kMillisecond);
-BENCHMARK(Transient)->Arg(256)->Arg(512)->Arg(1024)->Unit(benchmark::kMillisecond);
+BENCHMARK(steady)->Arg(256)->Arg(512)->Arg(1024)->Unit(benchmark::kMillisecond);
+BENCHMARK(steadyCold)->Arg(256)->Arg(512)->Arg(1024)->Unit(benchmark::kMillisecond);
+BENCHMARK(smooth)->Arg(128)->Arg(256)->Arg(512)->Arg(1024)->Unit(benchmark::kMillisecond);
+BENCHMARK(transient)->Arg(256)->Arg(512)->Arg(1024)->Unit(benchmark::kMillisecond);
 BENCHMARK_MAIN();

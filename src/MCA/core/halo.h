@@ -89,9 +89,9 @@ class Halo : public Exchange {
   void makeBoxes(std::vector<long> &at);
   /// A box in the window of a rank of this node.
   /// \param nodeRank  the rank within the node
-  /// \param line      the box's first cache line there
+  /// \param first     the box's first cache line there
   /// \param automata  so many automata are in its messages
-  Box boxAt(int nodeRank, long line, std::size_t automata) const;
+  Box boxAt(int nodeRank, long first, std::size_t automata) const;
 };
 
 } // namespace mca

@@ -284,11 +284,13 @@ Interval profileInterval(const LeastSquaresProblem &problem, const LeastSquaresS
     end = 0.5 * (bracket.first + bracket.second);
   };
   Interval interval;
-  const bool bounded = problem.lower.size() > 0;
-  // NOLINTNEXTLINE(bugprone-narrowing-conversions): an infinity of double, of no other type
-  findEnd(-1.0, bounded ? problem.lower[k] : -infinity, interval.lower, interval.lowerOpen);
-  findEnd(1.0, problem.upper.size() > 0 ? problem.upper[k] : infinity, interval.upper,
-          interval.upperOpen);
+  double lowest = -infinity, highest = infinity;
+  if (problem.lower.size() > 0)
+    lowest = problem.lower[k];
+  if (problem.upper.size() > 0)
+    highest = problem.upper[k];
+  findEnd(-1.0, lowest, interval.lower, interval.lowerOpen);
+  findEnd(1.0, highest, interval.upper, interval.upperOpen);
   return interval;
 }
 
