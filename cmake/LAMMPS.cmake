@@ -5,7 +5,9 @@
 #   neither            tools/get_lammps.sh obtains and builds LAMMPS_RELEASE, once, in its cache
 #                      (from LAMMPS_TARBALL if that is given)
 # Gives: target lammps_headers, LAMMPS_SOURCE_DIR (the src/ folder), LAMMPS_VERSION (20250204),
-# LMP_EXECUTABLE, and build/bin/lmp, which runs that lmp with the plugin loaded.
+# LMP_EXECUTABLE, and build/bin/lmp, which runs that lmp with the plugin loaded. If
+# tools/get_lammps.sh made that lmp, LAMMPS_BUILT_HERE is true, and LAMMPS_LIBRARY is its library,
+# LAMMPS_PYTHON the folder that holds its Python module; build/env.sh makes both found.
 set(LAMMPS_ROOT "" CACHE PATH "LAMMPS tree with src/ and a built lmp")
 set(LAMMPS_SOURCE_DIR "" CACHE PATH "LAMMPS source tree, or its src/")
 set(LAMMPS_TARBALL "" CACHE FILEPATH "Debian's lammps_*.orig.tar.?z, instead of downloading it")
@@ -114,10 +116,22 @@ if(MCAWR_NATIVE)
   target_compile_options(lammps_headers INTERFACE -march=native)
 endif()
 
-# ---- build/bin/lmp: that lmp, with the plugin loaded at its start
+# ---- build/bin/lmp: that lmp, with the plugin loaded at its start; build/env.sh
+set(_plugins "$prefix/lib")
+set(_potentials "${PROJECT_SOURCE_DIR}/potentials")
+set(LAMMPS_BUILT_HERE FALSE)
+set(LAMMPS_PYTHON "")
 if(_lmp)
   cmake_path(ABSOLUTE_PATH _lmp NORMALIZE)
   set(LMP_EXECUTABLE "${_lmp}")
+  set(_program "${_lmp}")
+  cmake_path(GET _lmp PARENT_PATH _folder)
+  cmake_path(GET _folder PARENT_PATH _folder)
+  if(EXISTS "${_folder}/complete" AND EXISTS "${_folder}/python/lammps/liblammps.so")
+    set(LAMMPS_BUILT_HERE TRUE)
+    set(LAMMPS_PYTHON "${_folder}/python")
+    file(REAL_PATH "${LAMMPS_PYTHON}/lammps/liblammps.so" LAMMPS_LIBRARY)
+  endif()
   set(_preload "")
   if(SANITIZE)
     # lmp itself is not instrumented, so the sanitizers' libraries have to come first
@@ -131,4 +145,8 @@ if(_lmp)
                  FILE_PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE
                                   WORLD_READ WORLD_EXECUTE)
 endif()
+set(_up "")
+set(_plugins "$_mcawr/lib")
+set(_python "${LAMMPS_PYTHON}:${PROJECT_SOURCE_DIR}/tools")
+configure_file("${PROJECT_SOURCE_DIR}/cmake/env.sh.in" "${PROJECT_BINARY_DIR}/env.sh" @ONLY)
 message(STATUS "LAMMPS ${_date} (${LAMMPS_SIZES}, ${_mpi}): ${LAMMPS_SOURCE_DIR}, lmp: ${_lmp}")

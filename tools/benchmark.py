@@ -2,7 +2,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Speed of the plugin beside LAMMPS's own styles, on the same lattice and in the same run."""
 
-import argparse
 import dataclasses
 import datetime
 import json
@@ -17,7 +16,8 @@ import tempfile
 import time
 from pathlib import Path
 
-from mcawr.errors import Exit, fail, run_script, say
+from mcawr.command_line import Parser, file_name, number_in, whole_in
+from mcawr.errors import Exit, complain, fail, run_script, say
 from mcawr.files import write
 
 ROOT = Path(__file__).resolve().parent.parent
@@ -278,10 +278,10 @@ def mpi_environment():
 
 def progress(text):
     """One line on a terminal that overwrites itself, lines elsewhere."""
-    if sys.stderr.isatty():
+    if sys.stderr and sys.stderr.isatty():
         print(f"\r\x1b[K{text}", end="", file=sys.stderr, flush=True)
-    else:
-        print(text, file=sys.stderr, flush=True)
+    elif text:
+        complain(text)
 
 
 def spread(values):
@@ -359,43 +359,47 @@ def processor():
 
 
 def arguments():
-    parser = argparse.ArgumentParser(description=__doc__, epilog=HELP)
+    parser = Parser(__doc__ + "\n\n" + HELP)
     parser.add_argument(
         "--build",
-        type=Path,
+        type=file_name,
         default=os.environ.get("MCAWR_BUILD", ROOT / "build"),
         help="build folder with bin/lmp (default: build/ of the checkout)",
     )
     parser.add_argument(
-        "--rounds", type=int, default=5, help="runs of each case in turns (default 5)"
+        "--rounds", type=whole_in(1, 1000), default=5, help="runs of each case in turns (default 5)"
     )
     parser.add_argument(
         "--scale",
-        type=float,
+        type=number_in(1e-3, 1e3),
         default=1,
         help="factor on the number of steps (default 1: about two minutes in all)",
     )
     parser.add_argument("--styles", nargs="+", choices=STYLES, default=list(STYLES))
-    parser.add_argument("--sizes", nargs="+", type=int, choices=SIZES, default=[1600, 40000])
-    parser.add_argument("--ranks", nargs="+", type=int, default=[1, 2])
+    parser.add_argument(
+        "--sizes", nargs="+", type=whole_in(1, 10**9), choices=SIZES, default=[1600, 40000]
+    )
+    parser.add_argument("--ranks", nargs="+", type=whole_in(1, 1024), default=[1, 2])
     parser.add_argument(
         "--partitions",
-        type=int,
+        type=whole_in(0, 1024),
         default=0,
         metavar="N",
         help="also N copies at once as LAMMPS partitions (default 0: none)",
     )
     parser.add_argument(
-        "-o", "--output", type=Path, help="JSON file (default: bench_mca.json in the build folder)"
+        "-o",
+        "--output",
+        type=file_name,
+        help="JSON file (default: bench_mca.json in the build folder)",
     )
     args = parser.parse_args()
     args.build = Path(args.build).resolve()
-    args.output = (args.output or args.build / "bench_mca.json").resolve()
-    if args.rounds < 1 or not args.scale > 0 or min(args.ranks) < 1 or args.partitions < 0:
-        parser.error("--rounds, --scale and --ranks must be positive, --partitions not negative")
-    if not os.access(args.build / "bin" / "lmp", os.X_OK):
+    args.output = os.path.abspath(args.output or args.build / "bench_mca.json")
+    lmp = args.build / "bin" / "lmp"
+    if not (lmp.is_file() and os.access(lmp, os.X_OK)):
         fail(Exit.IO, f"no lmp in {args.build / 'bin'}: run tools/setup.sh, or give --build DIR")
-    if not os.access(args.output.parent, os.W_OK):
+    if not (os.access(os.path.dirname(args.output), os.W_OK) or os.access(args.output, os.W_OK)):
         fail(Exit.IO, f"cannot write {args.output}")
     return args
 

@@ -4,7 +4,10 @@
 set -euo pipefail
 
 root=$(dirname "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")")
-build=${MCAWR_BUILD:-$root/build}
+# in an installed tree (root: PREFIX/share/mca-wheelrail) the programs are in PREFIX/bin
+build=$root/build
+[ ! -f "$root/VERSION" ] || build=$(dirname "$(dirname "$root")")
+build=${MCAWR_BUILD:-$build}
 case $build in /*) ;; *) build=$PWD/$build ;; esac
 script=$(basename "$0")
 

@@ -14,14 +14,15 @@ run leaves them, the later one counts. Exit codes: 0 ok, 1 no meshio, 2 usage, 3
 file cannot be written.
 """
 
-import argparse
 import os
+import pathlib
 import tempfile
 from xml.etree import ElementTree
 
+from mcawr.command_line import Parser, file_name, number_in
 from mcawr.dump import Dump
 from mcawr.errors import BadInput, Exit, complain, fail, run_script, say
-from mcawr.files import make_folder, move, write
+from mcawr.files import make_folder, write_all
 
 INTEGERS = {"id", "mol", "type", "proc", "procp1", "ix", "iy", "iz"}
 ENDS = [("batom1", "batom2"), ("id1", "id2")]
@@ -59,11 +60,12 @@ class Writer:
     def finish(self):
         frames = f"{self.output}_frames"
         make_folder(frames)
+        files = {}
         for collection, series in self.series.items():
             root = ElementTree.Element("VTKFile", type="Collection", version="0.1")
             listed = ElementTree.SubElement(root, "Collection")
             for time, name in series:
-                move(os.path.join(self.folder, name), os.path.join(frames, name))
+                files[os.path.join(frames, name)] = pathlib.Path(self.folder, name)
                 ElementTree.SubElement(
                     listed,
                     "DataSet",
@@ -72,7 +74,8 @@ class Writer:
                     file=f"{os.path.basename(frames)}/{name}",
                 )
             text = ElementTree.tostring(root, encoding="utf-8", xml_declaration=True)
-            write(f"{self.output}{collection}.pvd", text)
+            files[f"{self.output}{collection}.pvd"] = text
+        write_all(files)
 
 
 def arrays(dump, number, integers):
@@ -111,7 +114,7 @@ def positions(dump, number, columns):
     if count == 0:
         raise BadInput(f"{where}: no automaton in the frame of step {frame['step']}")
     if len(numpy.unique(columns["id"])) < count:
-        raise BadInput(f"{where}: an ID stands twice in the frame of step {frame['step']}")
+        raise BadInput(f"{where}: an ID appears twice in the frame of step {frame['step']}")
     return numpy.column_stack([columns.get(name, numpy.zeros(count)) for name in axes])
 
 
@@ -166,8 +169,8 @@ def convert(given, writer):
     for step, number in link_numbers.items():
         if step not in numbers:
             raise BadInput(
-                f"{links.path}:{links.frames[number]['head'] + 1}: {given.dump} has no whole frame "
-                f"of step {step}"
+                f"{links.path}:{links.frames[number]['head'] + 1}: {given.dump} has no complete "
+                f"frame of step {step}"
             )
     left_out = 0
     for step, number in sorted(numbers.items()):
@@ -205,12 +208,14 @@ def convert(given, writer):
 
 
 def arguments():
-    parser = argparse.ArgumentParser(
-        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
+    parser = Parser(__doc__)
+    parser.add_argument("dump", type=file_name, metavar="DUMP")
+    parser.add_argument(
+        "-o", "--output", type=file_name, metavar="NAME", help="[the dump's name without .dump]"
     )
-    parser.add_argument("dump", metavar="DUMP")
-    parser.add_argument("-o", "--output", metavar="NAME", help="[the dump's name without .dump]")
-    parser.add_argument("--links", metavar="DUMP", help="dump local of compute mca/link/local")
+    parser.add_argument(
+        "--links", type=file_name, metavar="DUMP", help="dump local of compute mca/link/local"
+    )
     parser.add_argument(
         "--ends",
         nargs=2,
@@ -219,15 +224,17 @@ def arguments():
     )
     parser.add_argument(
         "--timestep",
-        type=float,
+        type=number_in(),
         default=1.0,
         metavar="DT",
         help="time of a step, where the dump has no times (dump_modify time yes) [1]",
     )
     given = parser.parse_args()
-    if not 0 < given.timestep < float("inf"):
-        parser.error(f"--timestep {given.timestep}: a number > 0 is needed")
     given.output = given.output or given.dump.removesuffix(".dump")
+    if not os.path.basename(given.output):
+        parser.error(f"-o {given.output}: the name of a file without its ending is needed")
+    if given.ends and not given.links:
+        parser.error("--ends: is for --links")
     return given
 
 

@@ -10,13 +10,15 @@ Usage: get_lammps.sh [options]
 
 Obtains the source of LAMMPS (Debian's source package, through this machine's own apt
 configuration, in a private apt folder: no root, no change to the system), checks signature and
-SHA-256, unpacks what is needed and builds lmp with a shared library. Both are kept in a cache;
-a second call finds them and returns at once. The last line on standard output is the folder
-that holds src/ and build/lmp; everything else goes to standard error.
+SHA-256, unpacks what is needed and builds lmp with a shared library, and beside it the Python
+module lammps. All is kept in a cache; a second call finds it and returns at once. The last line on
+standard output is the folder that holds src/, build/lmp and python/lammps; everything else goes to
+standard error.
 
   --version N        20250204 (default: the stable release of 4 Feb 2025) or 20260704
   --tarball FILE     take this lammps_*.orig.tar.?z instead of downloading one
-  --packages "A B"   LAMMPS packages to build (default: PLUGIN GRANULAR BPM MOLECULE)
+  --packages "A B"   LAMMPS packages to build (default: BPM EXTRA-COMPUTE EXTRA-DUMP EXTRA-FIX
+                     EXTRA-MOLECULE EXTRA-PAIR GRANULAR MISC MOLECULE PLUGIN RIGID)
   --source-only      only fetch and unpack; prints the folder that holds src/
   --print            print the folder only, do nothing; exit code 1 if it is not complete yet
   --jobs N           compile jobs at once (default: one a core, at most one per GB of memory)
@@ -31,7 +33,9 @@ HELP
 say() { printf 'get_lammps: %s\n' "$*" >&2; }
 die() { local code=$1; shift; printf 'get_lammps: error: %s\n' "$*" >&2; exit "$code"; }
 
-version=20250204 tarball='' packages='PLUGIN GRANULAR BPM MOLECULE' mode=build jobs=''
+version=20250204 tarball='' mode=build jobs=''
+packages='BPM EXTRA-COMPUTE EXTRA-DUMP EXTRA-FIX EXTRA-MOLECULE EXTRA-PAIR GRANULAR MISC MOLECULE'
+packages+=' PLUGIN RIGID'
 while [ $# -gt 0 ]; do
   case $1 in
     --version|--tarball|--packages|--jobs)
@@ -77,18 +81,24 @@ case $cache in /*) ;; *) cache=$PWD/$cache ;; esac
 
 compiler=${CXX:-c++}
 release_flags='-O2 -DNDEBUG'
+configuration=(-DBUILD_SHARED_LIBS=ON -DBUILD_MPI=ON -DBUILD_OMP=OFF -DBUILD_TOOLS=OFF
+  -DCMAKE_BUILD_RPATH_USE_ORIGIN=ON # lmp finds its library wherever both are moved together
+  -DBUILD_DOC=OFF -DENABLE_TESTING=OFF -DDOWNLOAD_POTENTIALS=OFF -DLAMMPS_SIZES=smallbig
+  -DWITH_JPEG=OFF -DWITH_PNG=OFF -DWITH_FFMPEG=OFF -DWITH_GZIP=OFF -DWITH_CURL=OFF)
 options="packages=$(printf '%s\n' "${packages[@]}" | sort -u | tr '\n' ' ')
+configuration=${configuration[*]}
 flags=$release_flags ${CXXFLAGS:-}
 compiler=$($compiler -dumpmachine 2>/dev/null || true) $($compiler -dumpfullversion 2>/dev/null || true)
 mpi=$(mpicxx -show 2>/dev/null || true)
 pch=$(cat "$pch.cmake" "$pch.h" | grep -v SPDX-License-Identifier | sha256sum)"
+have_source() { [ -f "$source_dir/src/version.h" ] && [ -f "$source_dir/python/lammps/core.py" ]; }
 source_dir=$cache/lammps-$version-source
 prefix=$cache/lammps-$version-$(printf '%s' "$options" | sha256sum | cut -c1-12)
-complete() { [ -f "$prefix/complete" ] && [ -x "$prefix/build/lmp" ] && [ -f "$source_dir/src/version.h" ]; }
+complete() { [ -f "$prefix/complete" ] && [ -x "$prefix/build/lmp" ] && have_source; }
 
 case $mode in
   print) printf '%s\n' "$prefix"; complete || exit 1; exit 0 ;;
-  source) if [ -f "$source_dir/src/version.h" ]; then printf '%s\n' "$source_dir"; exit 0; fi ;;
+  source) if have_source; then printf '%s\n' "$source_dir"; exit 0; fi ;;
   build) if complete; then say "LAMMPS $version is in the cache"; printf '%s\n' "$prefix"; exit 0; fi ;;
 esac
 
@@ -170,7 +180,7 @@ get_source() {
   check_tarball "$file"
   rm -rf "$work/tree"; mkdir "$work/tree"
   local members=() m strip=()
-  for m in src cmake doc/lammps.1 LICENSE README; do members+=("$top$m"); done
+  for m in src cmake python doc/lammps.1 LICENSE README; do members+=("$top$m"); done
   [ -z "$top" ] || strip=(--strip-components=1)
   tar -xf "$file" -C "$work/tree" "${strip[@]}" "${members[@]}" \
     || die 5 "cannot unpack '$file'"
@@ -192,20 +202,23 @@ build() {
   local args=(-S "$source_dir/cmake" -B "$prefix/build" -G Ninja -DCMAKE_BUILD_TYPE=Release
     "-DCMAKE_CXX_COMPILER=$compiler" "-DCMAKE_CXX_FLAGS_RELEASE=$release_flags"
     "-DCMAKE_PROJECT_lammps_INCLUDE=$prefix/lammps_pch.cmake"
-    -DBUILD_SHARED_LIBS=ON -DBUILD_MPI=ON -DBUILD_OMP=OFF -DBUILD_TOOLS=OFF -DBUILD_DOC=OFF
-    -DENABLE_TESTING=OFF -DDOWNLOAD_POTENTIALS=OFF -DLAMMPS_SIZES=smallbig
-    -DWITH_JPEG=OFF -DWITH_PNG=OFF -DWITH_FFMPEG=OFF -DWITH_GZIP=OFF -DWITH_CURL=OFF)
+    "${configuration[@]}")
   local p
   for p in "${packages[@]}"; do args+=("-DPKG_$p=ON"); done
   say "configuring LAMMPS $version with ${packages[*]} (log: $log)"
   cmake "${args[@]}" >"$log" 2>&1 || { tail -n 20 "$log" >&2; die 1 "LAMMPS does not configure; log: $log"; }
-  say "building lmp with $jobs jobs: 5 minutes on 2 cores; an interrupted build goes on where it was"
+  say "building lmp with $jobs jobs: 5 minutes on 2 cores; an interrupted build continues where it stopped"
   NINJA_STATUS='[%f/%t %es] ' ninja -C "$prefix/build" -j "$jobs" >&2 \
     || die 1 "LAMMPS does not build; the message is above"
   "$prefix/build/lmp" -h >"$prefix/lmp_help" 2>&1 || { tail "$prefix/lmp_help" >&2; die 1 "the new lmp does not run"; }
   for p in "${packages[@]}"; do
     grep -qw -e "$p" "$prefix/lmp_help" || die 1 "the new lmp lacks package $p"
   done
+  # the Python module looks for the library beside itself
+  rm -rf "$prefix/python"
+  mkdir "$prefix/python"
+  cp -r "$source_dir/python/lammps" "$prefix/python/"
+  ln -s ../../build/liblammps.so.0 "$prefix/python/lammps/liblammps.so"
   # objects and the precompiled header are of no use any more
   rm -rf "$prefix/build/CMakeFiles" "$prefix/build/.ninja_deps" "$prefix/build/.ninja_log"
   printf 'LAMMPS %s\n%s\n' "$version" "$options" >"$prefix/complete.tmp"
@@ -214,7 +227,7 @@ build() {
 }
 
 { # one block, read as a whole: a change of this file during a build does no harm
-  [ -f "$source_dir/src/version.h" ] || get_source
+  have_source || get_source
   if [ $mode = source ]; then printf '%s\n' "$source_dir"; exit 0; fi
   complete || build
   printf '%s\n' "$prefix"

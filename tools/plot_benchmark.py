@@ -10,11 +10,10 @@ largest. Exit codes: 0 ok, 1 no matplotlib, 2 usage, 3 bad input file, 5 the pic
 written.
 """
 
-import argparse
-
 from mcawr import plotting, tables
-from mcawr.errors import run_script
-from mcawr.files import save_figure
+from mcawr.command_line import Parser, file_name
+from mcawr.errors import BadInput, run_script
+from mcawr.files import check_apart, save_figure
 
 FORMAT = "mca-benchmark 1"
 
@@ -27,25 +26,35 @@ def read_cases(path):
             raise ValueError(f"format '{content['format']}', must be '{FORMAT}'")
         lines = {}
         for case in content["cases"]:
-            rate = case["rate"]
-            times = tuple(1e3 / rate[name] for name in ("median", "max", "min"))
-            lines.setdefault((case["style"], case["ranks"]), []).append((case["automata"], *times))
+            rates = [tables.number(case["rate"][name]) for name in ("median", "max", "min")]
+            size, ranks = (tables.number(case[name]) for name in ("automata", "ranks"))
+            if min(size, ranks, *rates) <= 0:
+                raise ValueError("automata, ranks and rates must be > 0")
+            line = lines.setdefault((str(case["style"]), ranks), [])
+            line.append((size, *(1e3 / rate for rate in rates)))
         return {key: sorted(values) for key, values in lines.items()}
 
-    return tables.read_json(path, "a benchmark file", cases_of)
+    cases = tables.read_json(path, "a benchmark file", cases_of)
+    if not cases:
+        raise BadInput(f"{path}: no case")
+    return cases
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
-    parser.add_argument("file", help="JSON of tools/benchmark.py")
-    parser.add_argument("-o", "--output", required=True, help="picture (.png, .pdf, .svg)")
+    parser = Parser(__doc__)
+    parser.add_argument("file", type=file_name, help="JSON of tools/benchmark.py")
+    parser.add_argument(
+        "-o", "--output", type=file_name, required=True, help="picture (.png, .pdf, .svg)"
+    )
     args = parser.parse_args()
+    check_apart([args.file], [args.output])
+    lines = read_cases(args.file)
     figure, axes = plotting.pyplot().subplots(figsize=(6.4, 4.0), layout="constrained")
     marks = iter("os^Dv<>")
-    for (style, ranks), values in read_cases(args.file).items():
+    for (style, ranks), values in lines.items():
         size, median, least, most = zip(*values)
         bars = [[m - a for m, a in zip(median, least)], [b - m for m, b in zip(median, most)]]
-        label = f"{style}, {ranks} rank{'s' * (ranks > 1)}"
+        label = f"{style}, {ranks:g} rank{'s' * (ranks > 1)}"
         axes.errorbar(size, median, bars, marker=next(marks, "o"), capsize=3, label=label)
     axes.set(xscale="log", xlabel="automata", ylabel="time of an automaton-step [ns]")
     axes.set_ylim(bottom=0)

@@ -6,31 +6,33 @@
     plot_creep.py own/creep.csv paper/creep.csv --label "own law" --label paper -o both.png
 
 One curve for each speed (and seed) of each file. Where creep_band.csv lies beside a file, its 95 %
-interval from the uncertainty of the friction law is shaded.
+interval from the uncertainty of the friction law is shaded; several are drawn as bars, at places of
+their own, so that they can be told apart. Creep is on a logarithmic axis unless some of it is
+negative.
 Exit codes: 0 ok, 1 no matplotlib, 2 usage, 3 bad input file, 5 the picture cannot be written.
 """
 
-import argparse
 import os
 
 from mcawr import plotting, tables
+from mcawr.command_line import Parser, file_name
 from mcawr.errors import BadInput, run_script
-from mcawr.files import save_figure
+from mcawr.files import check_apart, save_figure
 
 STYLES = ["-", "--", ":", "-."]
+BARS = 10  # along a band
 
 
-def read(path):
+def read(path, columns):
     """{(speed, seed): {column: [numbers]}} of a CSV file of wr_creep."""
 
     def curves_of(rows):
         curves = {}
         for row in rows:
-            key = (float(row["speed"]), row.get("seed", ""))
+            key = (row.number("speed"), row.get("seed", ""))
             curve = curves.setdefault(key, {})
-            for name, value in row.items():
-                if name != "seed":
-                    curve.setdefault(name, []).append(float(value))
+            for column in columns:
+                curve.setdefault(column, []).append(row.number(column))
         return curves
 
     curves = tables.read(path, "a creep.csv of wr_creep", curves_of)
@@ -41,29 +43,45 @@ def read(path):
 
 def band_of(path):
     band = os.path.join(os.path.dirname(path), "creep_band.csv")
-    return read(band) if os.path.exists(band) else {}
+    return read(band, ("creep", "low", "high")) if os.path.exists(band) else {}
 
 
-def draw(axes, path, label, style):
-    curves, bands = read(path), band_of(path)
+def curves_of(path, label, style):
+    """[(values, band or None, style of the line)] of a file."""
+    curves, bands = read(path, ("creep", "traction_ratio")), band_of(path)
     speeds = sorted({speed for speed, _ in curves})
-    for (speed, seed), curve in curves.items():
-        color = f"C{speeds.index(speed)}"
-        name = " ".join(filter(None, [label, f"{speed:g} m/s", seed and f"seed {seed}"]))
-        axes.plot(curve["creep"], curve["traction_ratio"], style, color=color, label=name)
-        if (speed, seed) in bands:
-            band = bands[speed, seed]
-            axes.fill_between(
-                band["creep"], band["low"], band["high"], color=color, alpha=0.2, lw=0
-            )
+    return [
+        (
+            curve,
+            bands.get((speed, seed)),
+            {
+                "color": f"C{speeds.index(speed)}",
+                "ls": style,
+                "label": " ".join(filter(None, [label, f"{speed:g} m/s", seed and f"seed {seed}"])),
+            },
+        )
+        for (speed, seed), curve in curves.items()
+    ]
+
+
+def draw_band(axes, band, color, number, count):
+    """A shade for a single band; bars for several, each at other places than those of the
+    others."""
+    if count == 1:
+        axes.fill_between(band["creep"], band["low"], band["high"], color=color, alpha=0.2, lw=0)
+        return
+    every = max(count, len(band["creep"]) // BARS)
+    chosen = slice(number * every // count, None, every)
+    creep, low, high = (band[name][chosen] for name in ("creep", "low", "high"))
+    middle = [0.5 * (a + b) for a, b in zip(low, high)]
+    half = [0.5 * (b - a) for a, b in zip(low, high)]
+    axes.errorbar(creep, middle, half, fmt="none", color=color, lw=1.1, capsize=2.5)
 
 
 def main():
-    parser = argparse.ArgumentParser(
-        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
-    )
-    parser.add_argument("csv", nargs="+", help="creep.csv of wr_creep")
-    parser.add_argument("-o", "--output", default="creep.png", metavar="PNG")
+    parser = Parser(__doc__)
+    parser.add_argument("csv", nargs="+", type=file_name, help="creep.csv of wr_creep")
+    parser.add_argument("-o", "--output", type=file_name, default="creep.png", metavar="PNG")
     parser.add_argument(
         "--label", action="append", default=[], help="name of a file's curves, in order"
     )
@@ -71,16 +89,27 @@ def main():
         "--linear", action="store_true", help="linear instead of logarithmic creep axis"
     )
     given = parser.parse_args()
+    if len(given.label) > len(given.csv):
+        parser.error(f"--label: {len(given.label)} names for {len(given.csv)} files")
+    check_apart(given.csv, [given.output])
     figure, axes = plotting.pyplot().subplots(figsize=(7, 4.5), constrained_layout=True)
+    curves = []
     for k, path in enumerate(given.csv):
-        draw(axes, path, given.label[k] if k < len(given.label) else "", STYLES[k % len(STYLES)])
-    if not given.linear:
+        label = given.label[k] if k < len(given.label) else ""
+        curves += curves_of(path, label, STYLES[k % len(STYLES)])
+    banded = [curve for curve in curves if curve[1]]
+    for number, (_, band, style) in enumerate(banded):
+        draw_band(axes, band, style["color"], number, len(banded))
+    for values, _, style in curves:
+        axes.plot(values["creep"], values["traction_ratio"], **style)
+    least = min(min(values["creep"]) for values, _, _ in curves)
+    if not given.linear and least >= 0:  # a logarithm would hide what is negative
         axes.set_xscale("log")
     axes.set(
         xlabel="creep, sliding/rolling speed",
         ylabel="traction / load, T/N",
-        ylim=(0, None),
-        title="Creep-force curves",
+        ylim=(0, None) if least >= 0 else None,
+        title="Creep-force curves" + (" with 95 % of the law's uncertainty" if banded else ""),
     )
     axes.grid(alpha=0.3)
     axes.legend(fontsize=8)

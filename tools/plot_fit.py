@@ -4,39 +4,58 @@
 
     plot_fit.py law.json -o fit.png
 
-Left (Fig. 7): mu of the runs against mu of the law. Right (Fig. 8): the pressure-dependent part of
+Left (Fig. 7): mu of the runs against mu of the law; runs that differ in their seed only are one
+point, as in the fit. Right (Fig. 8): the pressure-dependent part of
 the law, mu without its velocity term, against kappa2. Without a fitted law the paper's is used.
 With wr_fit's model eq2_kappa3 mu of the runs is brought to the law's kappa3 by the fitted power.
 Exit codes: 0 ok, 1 no matplotlib, 2 usage, 3 bad input file, 5 the picture cannot be written.
 """
 
-import argparse
-
 from mcawr import plotting, tables
+from mcawr.command_line import Parser, file_name
 from mcawr.errors import run_script
-from mcawr.files import save_figure
+from mcawr.files import check_apart, save_figure
 
 PAPER = {"mu0": 0.15, "mu1": 0.0442, "mu2": 0.3243, "b": 0.195, "c": 0.00212}  # Eq. 3
 PAPER_RMS = 0.09
 
 
+def points_of(data):
+    """What is fitted, replicas as one point, and the runs that are left out, of wr_fit's JSON."""
+    report = tables.checked_report(data)["report"]
+    names = ("kappa1", "kappa2", "kappa3", "mu", "mu_se")
+    fitted = [
+        {**{name: tables.number(c[name]) for name in names}, "left_out": "", "runs": len(c["runs"])}
+        for c in report["conditions"]
+    ]
+    return fitted + [{**p, "runs": 1} for p in report["points"] if p["left_out"]]
+
+
 def contents(data):
     """(law or None, its relative RMS, points, covariance) of wr_fit's JSON."""
-    law = {name: float(data[name]) for name in PAPER} if "mu0" in data else None
-    points, fit = data["report"]["points"], data["report"].get("fit", {})
+    law = {name: tables.number(data[name]) for name in PAPER} if "mu0" in data else None
+    points, fit = points_of(data), data["report"].get("fit", {})
+    if not points:
+        raise ValueError("it holds no point")
     if "kappa3" in fit:
-        law["kappa3"] = fit["kappa3"]
-        factors = [(fit["kappa3"] / p["kappa3"]) ** fit["parameters"]["n"]["value"] for p in points]
+        law["kappa3"] = tables.number(fit["kappa3"])
+        exponent = tables.number(fit["parameters"]["n"]["value"])
+        factors = [(law["kappa3"] / tables.number(p["kappa3"])) ** exponent for p in points]
         points = [
             {**p, **{key: None if p[key] is None else f * p[key] for key in ("mu", "mu_se")}}
             for f, p in zip(factors, points)
         ]
-    return law, float(data.get("rms_relative", 0)), points, data.get("covariance")
+    covariance = data.get("covariance")
+    if covariance is not None:
+        covariance = [[tables.number(x) for x in row] for row in covariance]
+        if [len(row) for row in covariance] != 5 * [5]:
+            raise ValueError("covariance: 5 rows of 5 numbers are expected")
+    return law, tables.number(data.get("rms_relative", 0)), points, covariance
 
 
 def read(path):
     """(law or None, its relative RMS, points, covariance) of wr_fit's JSON."""
-    return tables.read_json(path, "wr_fit's JSON", contents)
+    return tables.read_fit(path, contents)
 
 
 def velocity_term(law, kappa1):
@@ -56,13 +75,14 @@ def static_error(law, covariance, kappa2):
     return np.sqrt(np.einsum("ik,ij,jk->k", gradient, np.array(covariance), gradient))
 
 
-def draw(law, rms, points, covariance, path):
-    """The picture of the contents of wr_fit's JSON."""
+def draw(law, rms, points, covariance, path, kind="png"):
+    """The picture of the contents of wr_fit's JSON; kind: its format if the path has no ending."""
     plt = plotting.pyplot()
     import numpy as np
 
     used = [p for p in points if not p["left_out"]]
     rest = [p for p in points if p["left_out"]]
+    runs = sum(p["runs"] for p in used)
     shown, shown_rms, name = (
         (law, rms, "our fit") if law else (PAPER, PAPER_RMS, "Eq. 3 of the paper")
     )
@@ -89,7 +109,7 @@ def draw(law, rms, points, covariance, path):
     filled = dict(
         fmt="o",
         color="C0",
-        label=f"{len(used)} run{'s' * (len(used) != 1)}, 95 % of their own error",
+        label=f"{runs} run{'s' * (runs != 1)}, {len(used)} condition{'s' * (len(used) != 1)}, 95 %",
     )
     hollow = dict(fmt="o", color="0.6", mfc="none", label="left out of the fit")
     if used:
@@ -146,17 +166,19 @@ def draw(law, rms, points, covariance, path):
         title="Without the velocity term (Fig. 8)",
     )
     right.legend(fontsize=9)
-    save_figure(figure, path)
+    save_figure(figure, path, kind=kind)
 
 
 def main():
-    parser = argparse.ArgumentParser(
-        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
+    parser = Parser(__doc__)
+    parser.add_argument("json", type=file_name, help="wr_fit's JSON (wr_fit -o)")
+    parser.add_argument("-o", "--output", type=file_name, default="fit.png", metavar="PNG")
+    parser.add_argument(
+        "--format", default="png", metavar="ENDING", help="of a picture whose name has no ending"
     )
-    parser.add_argument("json", help="wr_fit's JSON (wr_fit -o)")
-    parser.add_argument("-o", "--output", default="fit.png", metavar="PNG")
     given = parser.parse_args()
-    draw(*read(given.json), given.output)
+    check_apart([given.json], [given.output])
+    draw(*read(given.json), given.output, given.format)
 
 
 if __name__ == "__main__":

@@ -20,17 +20,19 @@ An output that ends in .gif is an animation of all frames. Exit codes: 0 ok, 1 n
 Pillow, 2 usage, 3 bad input file, 5 the picture cannot be written.
 """
 
-import argparse
 import io
 import math
 
 from mcawr import plotting
+from mcawr.command_line import Parser, file_name, number_in, whole_in
 from mcawr.dump import Dump
 from mcawr.errors import BadInput, Exit, complain, fail, missing, run_script
-from mcawr.files import save_figure, write
+from mcawr.files import check_apart, check_size, save_figure, write
 
 NEEDED = ("id", "type", "x", "y", "vx")
+HEIGHTS = {"z", "zu", "zs", "zsu"}
 STRIPES = 8  # across the fragment
+MOST_LINKS = 100  # of an automaton; a contact of discs has 6
 STATE = {
     name: f"c_state[{k}]" for k, name in enumerate(("links", "welds", "plastic", "intensity"), 1)
 }
@@ -76,10 +78,17 @@ class Picture:
         self.dump, self.given = dump, given
         self.names = set(NEEDED) | {p for p in given.show if p != "stripes"}
         begin = dump.columns(0, NEEDED)
-        self.diameter = given.diameter or nearest_distance(begin["x"], begin["y"])
-        if self.diameter == 0:
+        spacing = nearest_distance(begin["x"], begin["y"])
+        if spacing == 0:
             raise of_space(dump, "two automata have the same x and y")
-        low, high = dump.frames[0]["box"][0]
+        (low, high), _, (back, front) = dump.frames[0]["box"]
+        if not HEIGHTS & set(dump.frames[0]["names"]) and front - back > 2 * spacing:
+            raise of_space(
+                dump, f"the box goes from z = {back:g} to {front:g}, and there is no column z"
+            )
+        self.diameter = given.diameter or spacing
+        if self.diameter > high - low:
+            fail(Exit.USAGE, f"--diameter {self.diameter:g}: the box is {high - low:g} wide")
         self.stripe = {
             i: int((x - low) / (high - low) * 2 * STRIPES) % 2
             for i, x in zip(begin["id"], begin["x"])
@@ -121,6 +130,11 @@ class Picture:
     def limits(self, panel, everything):
         values = sorted(v for columns in everything for v in columns[panel])
         if panel in ("links", "welds"):
+            if values[0] < 0 or values[-1] > MOST_LINKS:
+                raise BadInput(
+                    f"{self.dump.path}: {panel} from {values[0]:g} to {values[-1]:g}: 0 to "
+                    f"{MOST_LINKS} of an automaton are expected"
+                )
             return -0.5, max(values[-1], 6 if panel == "links" else 1) + 0.5
         # single debris may fly much faster than all the rest
         low, high = (values[round(q * (len(values) - 1))] for q in (0.01, 0.99))
@@ -227,6 +241,7 @@ def animate(picture, frames, rate, dpi):
     except ImportError as error:
         raise missing(error) from None
     images = []
+    check_size(picture.figure, dpi)
     for number in range(frames):
         picture.show(number)
         page = io.BytesIO()
@@ -244,20 +259,16 @@ def animate(picture, frames, rate, dpi):
     return film.getvalue()
 
 
-def positive(word):
-    value = float(word)
-    if not (math.isfinite(value) and value > 0):
-        raise argparse.ArgumentTypeError(f"'{word}': a number > 0 is needed")
-    return value
-
-
 def arguments():
-    parser = argparse.ArgumentParser(
-        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
-    )
-    parser.add_argument("dump", metavar="DUMP")
+    parser = Parser(__doc__)
+    parser.add_argument("dump", type=file_name, metavar="DUMP")
     parser.add_argument(
-        "-o", "--output", default="fragment.png", metavar="FILE", help="*.png or *.gif"
+        "-o",
+        "--output",
+        type=file_name,
+        default="fragment.png",
+        metavar="FILE",
+        help="*.png or *.gif",
     )
     parser.add_argument(
         "--show",
@@ -270,24 +281,30 @@ def arguments():
         "--no-profile", dest="profile", action="store_false", help="without the velocity profile"
     )
     parser.add_argument(
-        "--frame", type=int, default=-1, help="frame of the dump, from 0 [the last]"
+        "--frame",
+        type=whole_in(-(10**9), 10**9),
+        default=-1,
+        help="frame of the dump, from 0, or from the end, -1 [the last]",
     )
     parser.add_argument(
         "--diameter",
-        type=positive,
+        type=number_in(),
         metavar="NM",
         help="of an automaton [the spacing in the first frame]",
     )
     parser.add_argument(
         "--timestep",
-        type=positive,
+        type=number_in(),
         default=5e-5,
         metavar="NS",
         help="for the title, where the dump has no time [5e-5]",
     )
-    parser.add_argument("--rate", type=positive, default=5, help="frames per second of a GIF [5]")
-    parser.add_argument("--dpi", type=positive, default=130, help="[130]")
+    parser.add_argument(
+        "--rate", type=number_in(0.1, 50), default=5, help="frames per second of a GIF [5]"
+    )
+    parser.add_argument("--dpi", type=number_in(10, 1200), default=130, help="[130]")
     given = parser.parse_args()
+    check_apart([given.dump], [given.output])
     given.show = list(dict.fromkeys(given.show))
     given.animated = given.output.lower().endswith(".gif")
     return given
@@ -300,10 +317,10 @@ def read(path):
     for frame in dump.frames:
         if frame["count"] == 0:
             raise BadInput(f"{path}:{frame['head'] + 1}: no automaton")
-    for name in {"z", "zu"}.intersection(dump.frames[0]["names"]):
-        heights = dump.columns(0, [name])[name]
-        if max(heights) > min(heights):
-            raise of_space(dump, f"{name} goes from {min(heights):g} to {max(heights):g}")
+    for height in sorted(HEIGHTS.intersection(dump.frames[0]["names"])):
+        values = dump.columns(0, [height])[height]
+        if max(values) > min(values):
+            raise of_space(dump, f"{height} goes from {min(values):g} to {max(values):g}")
     return dump
 
 

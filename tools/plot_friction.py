@@ -10,13 +10,13 @@ took for the stationary part (with --points). Exit codes: 0 ok, 1 no matplotlib,
 3 bad input file, 5 the picture cannot be written.
 """
 
-import argparse
 import math
 import os
 
 from mcawr import friction_log, plotting, tables
-from mcawr.errors import BadInput, Exit, fail, run_script
-from mcawr.files import save_figure
+from mcawr.command_line import Parser, file_name, number_in
+from mcawr.errors import BadInput, run_script
+from mcawr.files import check_apart, save_figure
 
 
 def read_log(path):
@@ -29,7 +29,7 @@ def read_log(path):
             f"$\\sigma_0$ = {log.head['material']['strength']:g} MPa"
         )
     except (KeyError, TypeError, ValueError):
-        raise BadInput(f"{path}: no friction log: its head is incomplete") from None
+        raise BadInput(f"{path}: not a friction log: its head is incomplete") from None
     if len(log.columns["time"]) < 2:
         raise BadInput(f"{path}: fewer than two rows")
     return label, log.columns["time"], log.columns["mu"]
@@ -51,26 +51,35 @@ def read_points(path):
     """file name -> (mu, t_start) of wr_fit's points.csv."""
 
     def means_of(rows):
-        return {os.path.realpath(r["file"]): (float(r["mu"]), float(r["t_start"])) for r in rows}
+        return {
+            os.path.realpath(row["file"]): (
+                row.number("mu"),
+                math.nan if row["t_start"] == "nan" else row.number("t_start"),
+            )
+            for row in rows
+        }
 
     return tables.read(path, "wr_fit's points.csv", means_of)
 
 
 def main():
-    parser = argparse.ArgumentParser(
-        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
-    )
-    parser.add_argument("logs", nargs="+", metavar="LOG")
-    parser.add_argument("-o", "--output", default="friction.png", metavar="PNG")
+    parser = Parser(__doc__)
+    parser.add_argument("logs", nargs="+", type=file_name, metavar="LOG")
+    parser.add_argument("-o", "--output", type=file_name, default="friction.png", metavar="PNG")
     parser.add_argument(
-        "--window", type=float, metavar="NS", help="width of the running mean [a tenth of the log]"
+        "--window",
+        type=number_in(unit="ns"),
+        metavar="NS",
+        help="width of the running mean [a tenth of the log]",
     )
     parser.add_argument(
-        "--points", metavar="CSV", help="wr_fit's points.csv: shows the stationary means"
+        "--points",
+        type=file_name,
+        metavar="CSV",
+        help="wr_fit's points.csv: shows the stationary means",
     )
     given = parser.parse_args()
-    if given.window is not None and not given.window > 0:
-        fail(Exit.USAGE, f"--window {given.window:g}: must be > 0")
+    check_apart([*given.logs, *filter(None, [given.points])], [given.output])
     logs = [read_log(path) for path in given.logs]
     points = read_points(given.points) if given.points else {}
     figure, axes = plotting.pyplot().subplots(figsize=(8, 4.5), constrained_layout=True)

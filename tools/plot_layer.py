@@ -15,56 +15,79 @@ Times are those of the ends of the frames. Mixing is - where the share does not 
 Exit codes: 0 ok, 1 no matplotlib, 2 usage, 3 bad input file, 5 a file cannot be written.
 """
 
-import argparse
 import csv
 import io
 import math
 
 from mcawr import plotting
+from mcawr.command_line import Parser, file_name, number_in
 from mcawr.errors import BadInput, run_script, say
-from mcawr.files import save_figure, write
+from mcawr.files import check_apart, picture, read_text, write_all
+from mcawr.numbers import decimal, whole
+from mcawr.tables import LARGEST
 
 COLUMNS = ["vx", "c_state[1]", "v_upper", "v_away2"]
 
 
 def read_frames(path):
-    """[(step, {column: values from bottom to top})] of rows that hold automata."""
+    """[(step, {column: values from bottom to top})] of rows that hold automata. Raises
+    BadInput."""
     import numpy
 
     frames, names = {}, None
-    try:
-        with open(path, encoding="utf-8") as file:
-            lines = iter(file.read().splitlines())
-        for number, line in enumerate(lines, 1):
-            words = line.split()
-            if line.startswith("# Chunk Coord1"):
-                names = words[2:]
-                if names[:2] != ["Coord1", "Ncount"] or names[2:] != COLUMNS:
-                    raise BadInput(
-                        f"{path}:{number}: columns '{' '.join(names)}', must be "
-                        f"'Coord1 Ncount {' '.join(COLUMNS)}'"
-                    )
-            elif words and not line.startswith("#"):
-                if names is None or len(words) != 3:
-                    raise BadInput(f"{path}:{number}: '{line}' where a frame should begin")
-                rows = numpy.array(
-                    [next(lines).split()[1:] for _ in range(int(words[1]))], dtype=float
+    lines, at = read_text(path).split("\n")[:-1], 0
+    while at < len(lines):
+        line, words = lines[at], lines[at].split()
+        at += 1
+        if line.startswith("# Chunk Coord1"):
+            names = words[2:]
+            if names != ["Coord1", "Ncount", *COLUMNS]:
+                raise BadInput(
+                    f"{path}:{at}: columns '{' '.join(names)}', must be "
+                    f"'Coord1 Ncount {' '.join(COLUMNS)}'"
                 )
-                if rows.shape[1:] != (len(names),):
-                    raise BadInput(
-                        f"{path}: the frame of step {words[0]} has rows of {rows.shape[1:]} columns"
-                    )
-                rows = rows[rows[:, 1] > 0]
-                frames[int(words[0])] = dict(
-                    zip(names, rows.T)
-                )  # made again after a kill: the later one
-    except StopIteration:
-        pass  # the last frame is being written
-    except (OSError, UnicodeDecodeError, ValueError) as error:
-        raise BadInput(f"{path}: cannot be read: {error}") from None
+        elif words and not line.startswith("#"):
+            step, count = frame_head(f"{path}:{at}", line, names)
+            rows = []
+            # a frame that a kill cut short ends at the head of the run that went on
+            while len(rows) < count and at < len(lines) and "#" not in lines[at]:
+                at += 1
+                rows.append(row(f"{path}:{at}", lines[at - 1], names))
+            if len(rows) < count:
+                continue
+            rows = numpy.array(rows)
+            rows = rows[rows[:, 1] > 0]
+            if not len(rows):
+                raise BadInput(f"{path}:{at}: no automaton in the frame of step {step}")
+            frames[step] = dict(zip(names, rows.T))  # made again after a kill: the later one
     if not frames:
         raise BadInput(f"{path}: no frame")
     return sorted(frames.items())
+
+
+def frame_head(where, line, names):
+    """(step, number of rows) of the line that begins a frame."""
+    words = line.split()
+    try:
+        if names is not None and len(words) == 3 and whole(words[1]) > 0:
+            return whole(words[0]), whole(words[1])
+    except ValueError:
+        pass
+    raise BadInput(f"{where}: '{line[:60]}' where a frame should begin")
+
+
+def row(where, line, names):
+    """The numbers of a row after its own number."""
+    words = line.split()[1:]
+    if len(words) != len(names):
+        raise BadInput(f"{where}: {len(words) + 1} columns, {len(names) + 1} are expected")
+    try:
+        values = [decimal(word) for word in words]
+    except ValueError as error:
+        raise BadInput(f"{where}: {error}") from None
+    if max(map(abs, values)) > LARGEST:
+        raise BadInput(f"{where}: a number beyond +-{LARGEST:g}")
+    return values
 
 
 def crossing(y, values, level, last):
@@ -90,8 +113,24 @@ def fragment(frame):
     return {name: values[full[0] : full[-1] + 1] for name, values in frame.items()}
 
 
+def measures(path):
+    """What each frame of a file says of the layer. Raises BadInput."""
+    table = []
+    for step, frame in read_frames(path):
+        found = measure(step, frame)
+        if math.isnan(found["depth"]):
+            raise BadInput(
+                f"{path}: step {step}: no sliding layer: the velocity does not pass 10 and 90 % of "
+                "the top row's on the way up"
+            )
+        table.append(found)
+    return table
+
+
 def measure(step, frame):
-    """What a frame says of the layer."""
+    """What a frame says of the layer; depth and mixed are nan where a level is not passed."""
+    import numpy
+
     frame = fragment(frame)
     y, speed = frame["Coord1"], frame["vx"]
     low, high = (
@@ -102,7 +141,7 @@ def measure(step, frame):
         low, high = high, low
     inside = (y >= low) & (y <= high)
     if not inside.any():
-        inside = abs(y - 0.5 * (low + high)) == abs(y - 0.5 * (low + high)).min()
+        inside = numpy.arange(len(y)) == numpy.argmin(abs(y - 0.5 * (low + high)))
     weight = frame["Ncount"][inside] / frame["Ncount"][inside].sum()
     first, end = (
         crossing(y, frame["v_upper"], level, last) for level, last in ((0.1, False), (0.9, True))
@@ -118,15 +157,16 @@ def measure(step, frame):
     }
 
 
-def write_table(path, table):
+def table_text(table):
     text = io.StringIO(newline="")
     writer = csv.DictWriter(text, table[0])
     writer.writeheader()
     writer.writerows(table)
-    write(path, text.getvalue())
+    return text.getvalue()
 
 
 def draw(path, frames, table, step, length, time):
+    """Bytes of the picture."""
     figure, (left, middle, right) = plotting.pyplot().subplots(
         1, 3, figsize=(10.5, 3.8), layout="constrained"
     )
@@ -156,7 +196,7 @@ def draw(path, frames, table, step, length, time):
     right.set(xlabel=f"time [{time}]", ylabel=f"depth [{length}]")
     right.set_ylim(bottom=0)
     right.legend(fontsize=8)
-    save_figure(figure, path, dpi=140)
+    return picture(figure, path, dpi=140)
 
 
 def show(table):
@@ -174,14 +214,15 @@ def show(table):
 
 
 def main():
-    parser = argparse.ArgumentParser(
-        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
-    )
-    parser.add_argument("file", help="profile file of in.friction")
-    parser.add_argument("-o", "--output", help="picture (.png, .pdf, .svg)")
-    parser.add_argument("--csv", help="table with a row for each frame")
+    parser = Parser(__doc__)
+    parser.add_argument("file", type=file_name, help="profile file of in.friction")
+    parser.add_argument("-o", "--output", type=file_name, help="picture (.png, .pdf, .svg)")
+    parser.add_argument("--csv", type=file_name, help="table with a row for each frame")
     parser.add_argument(
-        "--step", type=float, default=5e-5, help="length of a step (default: 5e-5 ns)"
+        "--step",
+        type=number_in(unit="ns"),
+        default=5e-5,
+        help="length of a step (default: 5e-5 ns)",
     )
     parser.add_argument(
         "--units",
@@ -191,12 +232,14 @@ def main():
         help="names of the units for the picture (default: nm ns)",
     )
     args = parser.parse_args()
-    frames = read_frames(args.file)
-    table = [measure(*frame) for frame in frames]
+    check_apart([args.file], [args.output, args.csv])
+    frames, table = read_frames(args.file), measures(args.file)
+    files = {}
     if args.csv:
-        write_table(args.csv, table)
+        files[args.csv] = table_text(table)
     if args.output:
-        draw(args.output, frames, table, args.step, *args.units)
+        files[args.output] = draw(args.output, frames, table, args.step, *args.units)
+    write_all(files)
     show(table)
 
 

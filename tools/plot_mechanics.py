@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Figures of doc/howto_mechanics.md: experiments in lmp whose outcome is known exactly.
 
-    plot_mechanics.py surface -o DIR      one figure: DIR/mechanics_surface.png, numbers on the
-    screen plot_mechanics.py all -o DIR          all of them, some minutes
+    plot_mechanics.py surface -o DIR      one figure, DIR/mechanics_surface.png, and its numbers
+    plot_mechanics.py all -o DIR          all of them, some minutes
 
 surface  bars with free sides: stress of each row, error of Young's modulus against the number of
          rows
@@ -15,15 +15,15 @@ energy   where the work of sliding goes in 1e5 steps, and what the account misse
 Exit codes: 0 ok, 1 no matplotlib, 2 usage, 5 no lmp, or files cannot be written.
 """
 
-import argparse
 import os
 import pathlib
 import sys
 import tempfile
 
 from mcawr import plotting
+from mcawr.command_line import Parser, file_name
 from mcawr.errors import Exit, fail, run_script, say
-from mcawr.files import save_figure
+from mcawr.files import make_folder, save_figure
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 sys.path.insert(0, str(ROOT / "unittest" / "MCA"))
@@ -38,7 +38,7 @@ def surface(m, np, plt, work):
             r = m.bar(work, n, plane)
             error.append(100 * (r["bar"] - 1))
             skinned.append(100 * (m.bar(work, n, plane, stiffer)["bar"] - 1))
-            print(
+            say(
                 f"plane {plane}, {n} rows: E of the bar {error[-1]:+.2f} %, over n - 1/3 rows "
                 f"{100 * (r['bar'] * n / (n - 1 / 3) - 1):+.2f} %, interior E "
                 f"{r['interior'] - 1:+.1e}, "
@@ -91,7 +91,7 @@ def waves(m, np, plt, work):
         speeds = [m.wave_speed(work, mode, columns=n)[0] for n in lengths]
         continuum = m.wave_speed(work, mode, columns=4)[1]
         for n, c in zip(lengths, speeds):
-            print(
+            say(
                 f"{name}, {n} d: {c:.1f} m/s, {100 * (c / continuum - 1):+.3f} % of the solid's, "
                 f"{c / m.lattice_speed(mode, n) - 1:+.1e} of the lattice's"
             )
@@ -107,7 +107,7 @@ def waves(m, np, plt, work):
     lengths, bars = (128, 256), []
     for n in lengths:
         c, solid = m.wave_speed(work, "bar", columns=n, rows=20, free=True)
-        print(f"bar of 20 rows, {n} d: {c:.1f} m/s, {100 * (c / solid - 1):+.2f} % of the plate's")
+        say(f"bar of 20 rows, {n} d: {c:.1f} m/s, {100 * (c / solid - 1):+.2f} % of the plate's")
         bars.append(c)
     axis.plot(lengths, bars, "^", color="tab:green", label="bar with free sides, lmp")
     axis.axhline(solid, ls=":", color="tab:green")
@@ -130,7 +130,7 @@ def hertz(m, np, plt, work):
         sizes.append(a / m.D)
         widths.append(r["half_width"] / a - 1)
         peaks.append(r["p0"] / r["hertz_p0"] - 1)
-        print(
+        say(
             f"a = {a / m.D:.2f} d: load {r['load']:.0f} MPa nm, half-width "
             f"{100 * widths[-1]:+.2f} %, "
             f"largest pressure {100 * peaks[-1]:+.2f} %, half a distance {50 * m.D / a:.1f} %"
@@ -184,7 +184,7 @@ def diagram(m, np, plt, work):
             lw=1.2,
             label=f"{kind}, {law}",
         )
-        print(
+        say(
             f"{kind}, {law}: "
             + ", ".join(
                 f"{np.interp(e, strain, stress):.1f} MPa at {100 * e:.3g} % (Fig. 5: {s:.1f})"
@@ -249,11 +249,11 @@ def energy(m, np, plt, work):
         f"{name} {100 * part[-1] / lost[-1]:.1f} %"
         for name, part in zip(("plastic", "fracture", "viscous"), account[2:5])
     )
-    print(
+    say(
         f"sliding, 1e5 steps: {shares}; error {missed[-1]:.1e} of what was dissipated, at most "
         f"{missed.max():.1e}"
     )
-    print(f"elastic block, 1e6 steps: error at most {swing.max():.1e} of its energy")
+    say(f"elastic block, 1e6 steps: error at most {swing.max():.1e} of its energy")
     return figure
 
 
@@ -261,25 +261,31 @@ FIGURES = {"surface": surface, "waves": waves, "hertz": hertz, "diagram": diagra
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser = Parser(__doc__)
     parser.add_argument("figure", choices=[*FIGURES, "all"])
     parser.add_argument(
-        "-o", "--out", type=pathlib.Path, default=pathlib.Path("."), help="folder of the pictures"
+        "-o", "--out", type=file_name, default=".", metavar="DIR", help="folder of the pictures"
     )
     parser.add_argument(
-        "--build", type=pathlib.Path, default=ROOT / "build", help="build folder with bin/lmp"
+        "--build",
+        type=file_name,
+        default=ROOT / "build",
+        metavar="DIR",
+        help="build folder with bin/lmp [build/ of the checkout]",
     )
     options = parser.parse_args()
+    build = pathlib.Path(options.build).resolve()
     plt = plotting.pyplot()
     import numpy as np
 
-    program = options.build / "bin" / "lmp"
-    if not program.exists():
+    program = build / "bin" / "lmp"
+    if not (program.is_file() and os.access(program, os.X_OK)):
         fail(Exit.IO, f"no {program}: build the project first, or give --build FOLDER")
+    make_folder(options.out)
     os.environ.update(
-        MCA_LMP=str(program.resolve()),
+        MCA_LMP=str(program),
         PROJECT_SOURCE=str(ROOT),
-        MCA_PLUGIN=str((options.build / "lib" / "mcaplugin.so").resolve()),
+        MCA_PLUGIN=str(build / "lib" / "mcaplugin.so"),
     )
     import mechanics
 
@@ -287,7 +293,7 @@ def main():
         with tempfile.TemporaryDirectory() as work:
             figure = FIGURES[name](mechanics, np, plt, pathlib.Path(work))
         figure.tight_layout()
-        path = options.out / f"mechanics_{name}.png"
+        path = os.path.join(options.out, f"mechanics_{name}.png")
         save_figure(figure, path, dpi=110)
         say(path)
 

@@ -16,12 +16,12 @@ transient  forces over load and share of stick against the distance rolled, one 
 Exit codes: 0 ok, 1 no matplotlib, 2 usage, 3 bad input file, 5 the picture cannot be written.
 """
 
-import argparse
 import os
 
 from mcawr import fields, plotting, tables
+from mcawr.command_line import Parser, file_name
 from mcawr.errors import BadInput, run_script
-from mcawr.files import save_figure
+from mcawr.files import check_apart, save_figure
 
 MOST_ARROWS = 24  # of the traction, along the longer side
 
@@ -141,7 +141,7 @@ def draw_fields(given):
         axes[row, 0].set_ylabel("y, mm")
         figure.colorbar(image, ax=list(axes[row]), label=f"{name}, MPa", extend="max")
     figure.suptitle("Blue line: border of stick; arrows: direction of the traction", fontsize=10)
-    save_figure(figure, given.output or "fields.png", dpi=150)
+    save_figure(figure, given.output, dpi=150)
 
 
 def draw_friction(given):
@@ -169,7 +169,7 @@ def draw_friction(given):
         handles=lines, fontsize=8, ncols=3, loc="lower right", bbox_to_anchor=(1.0, 1.0)
     )
     figure.colorbar(image, ax=list(axes[0]), label="local friction coefficient", shrink=0.75)
-    save_figure(figure, given.output or "friction.png", dpi=150)
+    save_figure(figure, given.output, dpi=150)
 
 
 def along(axis, data, row, mu_limits, most):
@@ -201,7 +201,7 @@ def read_points(path, what, needed):
     """Columns of numbers. Raises BadInput."""
 
     def columns_of(rows):
-        return {name: np.array([float(row[name]) for row in rows]) for name in needed(rows)}
+        return {key: np.array([row.number(key) for row in rows]) for key in needed(rows)}
 
     columns = tables.read(path, what, columns_of)
     if not columns or not len(next(iter(columns.values()))):
@@ -258,7 +258,7 @@ def draw_curves(given):
     for coordinate in varied:
         for column, label in PANELS[coordinate]:
             draw_panel(next(place), given, files, law, coordinate, column, label)
-    save_figure(figure, given.output or "curves.png", dpi=150)
+    save_figure(figure, given.output, dpi=150)
 
 
 def polach_columns(_):
@@ -332,7 +332,7 @@ def draw_transient(given):
         axis.grid(alpha=0.3)
     if axes[0].get_legend_handles_labels()[0]:
         axes[0].legend(fontsize=8)
-    save_figure(figure, given.output or "transient.png", dpi=150)
+    save_figure(figure, given.output, dpi=150)
 
 
 PICTURES = {
@@ -344,21 +344,30 @@ PICTURES = {
 
 
 def main():
-    parser = argparse.ArgumentParser(
-        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
-    )
+    parser = Parser(__doc__)
     commands = parser.add_subparsers(dest="picture", required=True, metavar="PICTURE")
     for name, (_, files) in PICTURES.items():
         command = commands.add_parser(name)
-        command.add_argument("files", nargs="+", metavar="FILE", help=files)
-        command.add_argument("-o", "--output", metavar="PNG", help=f"default: {name}.png")
+        command.add_argument("files", nargs="+", type=file_name, metavar="FILE", help=files)
+        command.add_argument(
+            "-o",
+            "--output",
+            type=file_name,
+            default=f"{name}.png",
+            metavar="PNG",
+            help="[%(default)s]",
+        )
         command.add_argument(
             "--label", action="append", default=[], help="name of a file, in order"
         )
         if name == "curves":
-            command.add_argument("--polach", metavar="CSV", help="table of wr_creep --polach")
+            command.add_argument(
+                "--polach", type=file_name, metavar="CSV", help="table of wr_creep --polach"
+            )
             command.add_argument("--log", action="store_true", help="logarithmic creepages")
     given = parser.parse_args()
+    read = [*given.files, *filter(None, [getattr(given, "polach", None)])]
+    check_apart(read, [given.output])
     global plt, np
     plt = plotting.pyplot()
     import numpy as np

@@ -1,22 +1,29 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Figs. 4 and 6 of the paper from wr_fit's JSON: friction against pressure, velocity or viscosity.
+"""Friction against pressure, velocity, viscosity or strength, from wr_fit's JSON: picture, table.
 
     plot_series.py pressure.json --against pressure -o fig4.png
-    plot_series.py velocity.json --against velocity -o fig6.png
+    plot_series.py velocity.json --against velocity -o fig6.png --csv fig6.csv
+    plot_series.py law.json --against strength --mu -o strength.png
 
-pressure: friction stress, grinding-in and stationary (Fig. 4). velocity: mu, stationary, with the
-static peak of each run (Fig. 6). viscosity, strength: mu. Bars: 95 % of each run's own error; line:
-Eq. 2 with the paper's numbers. Exit codes: 0 ok, 1 no matplotlib, 2 usage, 3 bad input file, 5 the
-picture cannot be written.
+Runs that differ in their seed only are one point: the mean, with 95 % by the runs' own errors or by
+the scatter between the seeds, whichever is larger; the runs are the small dots. Where other
+quantities vary too there is a line for each of their values. pressure: the friction stress, as in
+Fig. 4 of the paper (with --mu: mu); velocity: mu, and above it the largest row of the logs, the
+static peak (Fig. 6); viscosity, strength: mu. Grinding-in: the mean before the stationary part, at
+most 100 ns. Dashed: Eq. 2 with the paper's numbers. --csv: a row for each condition. Exit codes: 0
+ok, 1 no matplotlib, 2 usage, 3 bad input file, 5 a file cannot be written.
 """
 
-import argparse
+import csv
+import io
 import math
 
 from mcawr import plotting, tables
+from mcawr.command_line import Parser, file_name
 from mcawr.errors import BadInput, run_script
-from mcawr.files import save_figure
+from mcawr.files import check_apart, picture, save_figure, write_all
+from mcawr.replicas import groups, mean_of, spread_of
 
 LABELS = {
     "pressure": "normal pressure $p$ (MPa)",
@@ -24,107 +31,172 @@ LABELS = {
     "viscosity": "viscosity $\\eta$ (Pa s)",
     "strength": "strength $\\sigma_0$ (MPa)",
 }
+NAMES = {"pressure": "$p$ = {:g} MPa", "velocity": "$v$ = {:g} m/s"}
+NAMES |= {"strength": "$\\sigma_0$ = {:g} MPa", "youngs_modulus": "$E$ = {:g} GPa"}
+NAMES |= {"viscosity": "$\\eta$ = {:g} Pa s"}
+MOST_LINES = 10
+
+
+def condition_of(point):
+    """{quantity: value} of all that a run was given but the seed; MPa, m/s, Pa s, E in GPa."""
+    values = {name: point[name] for name in LABELS}
+    values["youngs_modulus"] = 1e-3 * point["kappa3"] * point["strength"]
+    return {name: float(f"{value:.5g}") for name, value in values.items()}
+
+
+def conditions(points):
+    """[(condition, the runs of it)]"""
+    found = groups(points, lambda point: tuple(condition_of(point).items()))
+    return [(dict(key), members) for key, members in found.items()]
 
 
 def read(path):
-    """The points of wr_fit's JSON that have a standard error."""
-
-    def points_of(data):
-        return [p for p in data["report"]["points"] if p["mu_se"] is not None]
-
-    return tables.read_json(path, "wr_fit's JSON", points_of)
-
-
-def number(value):
-    return math.nan if value is None else value
+    """The points of wr_fit's JSON that have a standard error. Raises BadInput."""
+    points = [p for p in tables.fit_report(path)["report"]["points"] if p["mu_se"] is not None]
+    if not points:
+        raise BadInput(f"{path}: no point with a standard error")
+    return points
 
 
-def draw(points, against, path):
-    """The picture of wr_fit's points, in order of the quantity on the abscissa."""
-    plt = plotting.pyplot()
-    points = sorted((p for p in points if p["mu_se"] is not None), key=lambda p: p[against])
-    stress = against == "pressure"
-    factor = [p["pressure"] if stress else 1.0 for p in points]
-    x = [p[against] for p in points]
-    figure, axes = plt.subplots(figsize=(7, 4.8), constrained_layout=True)
+def table_text(points):
+    """CSV: a row for each condition."""
+    text = io.StringIO(newline="")
+    text.write(
+        "# MPa, m/s, Pa s, E in GPa; mu_se: the larger of own_error (the runs' own) and scatter "
+        "(between seeds), standard errors of the mean\n"
+    )
+    writer = csv.writer(text, lineterminator="\n")
+    names = [*LABELS, "youngs_modulus"]
+    writer.writerow([*names, "runs", "mu", "mu_se", "own_error", "scatter", "mu_eq2", "mu_peak"])
+    for condition, members in conditions(points):
+        mean, own, scatter = spread_of(members)
+        numbers = (mean, mean_of(members)[1], own, scatter, members[0]["mu_eq2"])
+        peak = mean_of(members, "mu_peak")[0]
+        writer.writerow(
+            [f"{condition[name]:g}" for name in names]
+            + [len(members)]
+            + ["" if math.isnan(x) else f"{x:.5g}" for x in (*numbers, peak)]
+        )
+    return text.getvalue()
+
+
+def lines_of(points, against):
+    """{what is the same along a line: [(x, runs)]}"""
+    found = {}
+    for condition, members in conditions(points):
+        x = condition.pop(against)
+        found.setdefault(tuple(condition.items()), []).append((x, members))
+    return dict(sorted(found.items()))
+
+
+def name_of(line, lines):
+    """What tells a line from the others."""
+    differ = [k for k in range(len(line)) if len({other[k] for other in lines}) > 1]
+    return ", ".join(NAMES[line[k][0]].format(line[k][1]) for k in differ)
+
+
+def draw_line(axes, line, colour, name, stress, single):
+    """Means with their errors, runs, grinding-in, Eq. 2 of one line."""
+    x = [at for at, _ in line]
+    factor = x if stress else [1.0] * len(x)
 
     def values(key):
-        return [number(p[key]) * f for p, f in zip(points, factor)]
+        return [f * mean_of(members, key)[0] for f, (_, members) in zip(factor, line)]
 
-    steady = [i for i, p in enumerate(points) if p["t_start"] is not None]
-    drifting = [i for i, p in enumerate(points) if p["t_start"] is None]
-    mu, error = values("mu"), [1.96 * e for e in values("mu_se")]
-    for chosen, style in (
-        (steady, dict(fmt="o", color="C0", label="stationary part, or from a given time on")),
-        (drifting, dict(fmt="o", color="C0", mfc="none", label="no stationary part: second half")),
+    means, errors = values("mu"), [1.96 * f * mean_of(m)[1] for f, (_, m) in zip(factor, line)]
+    if any(len(members) > 1 for _, members in line):
+        runs = [(at, f * p["mu"]) for f, (at, members) in zip(factor, line) for p in members]
+        axes.plot(
+            *zip(*runs),
+            ".",
+            color=colour,
+            alpha=0.45,
+            ms=5,
+            label="single runs" if single else None,
+        )
+    steady = [all(p["t_start"] is not None for p in members) for _, members in line]
+    for wanted, fill, what in (
+        (True, colour, "mean of the later part, 95 %"),
+        (False, "none", "second half: no stationary part"),
     ):
+        chosen = [k for k, found in enumerate(steady) if found == wanted]
         if chosen:
             axes.errorbar(
-                [x[i] for i in chosen],
-                [mu[i] for i in chosen],
-                yerr=[error[i] for i in chosen],
-                ms=5,
-                lw=1,
-                capsize=2,
-                **style,
+                *([column[k] for k in chosen] for column in (x, means, errors)),
+                fmt="o",
+                ms=4.5,
+                lw=1.4,
+                capsize=3,
+                color=colour,
+                mfc=fill,
+                label=what if single else name if wanted or not any(steady) else None,
             )
-    axes.plot(
-        x,
-        values("mu_grinding_in"),
-        "^",
-        color="C1",
-        ms=5,
-        label="grinding-in (before, at most 100 ns)",
-    )
-    if against == "velocity":
+    if single:
         axes.plot(
-            x,
-            values("mu_peak"),
-            "v",
-            color="C3",
-            ms=5,
-            label="largest row of the log (static peak)",
+            x, values("mu_grinding_in"), "^", color="C1", ms=5, label="mean of the part before it"
         )
-    same = (
-        len(
-            {
-                (
-                    p["strength"],
-                    p["velocity"] if against != "velocity" else 0,
-                    p["pressure"] if against != "pressure" else 0,
-                )
-                for p in points
-            }
+    label = "Eq. 2 with the paper's numbers" if single else None
+    axes.plot(x, values("mu_eq2"), "--", color="k" if single else colour, lw=1.2, label=label)
+
+
+def figure_of(points, against, stress):
+    """The figure of wr_fit's points, in order of the quantity on the abscissa."""
+    lines = lines_of(points, against)
+    if len(lines) > MOST_LINES:
+        raise BadInput(f"{len(lines)} lines against {against}, {MOST_LINES} can be told apart")
+    plt = plotting.pyplot()
+    if against == "velocity":
+        figure, (top, axes) = plt.subplots(
+            2, 1, figsize=(7, 5.6), sharex=True, layout="constrained", height_ratios=(1, 2.6)
         )
-        == 1
-    )
-    if same or against == "strength":  # else Eq. 2 is no line over this abscissa
-        axes.plot(x, values("mu_eq2"), "k--", label="Eq. 2 with the paper's numbers")
-    axes.set_xlabel(LABELS[against])
+    else:
+        figure, axes = plt.subplots(figsize=(7, 4.8), layout="constrained")
+    single = len(lines) == 1
+    for k, (key, line) in enumerate(lines.items()):
+        draw_line(axes, line, f"C{k}", name_of(key, lines), stress, single)
+        if against == "velocity":
+            peaks = [mean_of(members, "mu_peak")[0] for _, members in line]
+            top.plot([x for x, _ in line], peaks, "v-", color=f"C{k}", lw=0.8, ms=5)
+    axes.set(xlabel=LABELS[against])
     axes.set_ylabel("friction stress (MPa)" if stress else "friction coefficient $\\mu$")
-    if against == "viscosity":
+    if against == "viscosity" and min(point["viscosity"] for point in points) > 0:
         axes.set_xscale("log")
     else:
         axes.set_xlim(left=0)
-    axes.set_ylim(bottom=0)
+    if stress:
+        axes.set_ylim(bottom=0)
+    else:
+        axes.margins(y=0.15)  # errors are small beside mu: its axis does not begin at 0
+    if against == "velocity":
+        top.set(ylabel="static peak", ylim=(0, 1.1 * max(p["mu_peak"] for p in points)))
+        top.grid(alpha=0.3)
     axes.grid(alpha=0.3)
     handles, labels = axes.get_legend_handles_labels()
     axes.legend(handles[::-1], labels[::-1], fontsize=9)  # the stationary part first
-    save_figure(figure, path)
+    return figure
+
+
+def draw(points, against, path):
+    """Writes the picture of wr_fit's points that have a standard error."""
+    known = [point for point in points if point["mu_se"] is not None]
+    save_figure(figure_of(known, against, against == "pressure"), path)
 
 
 def main():
-    parser = argparse.ArgumentParser(
-        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
-    )
-    parser.add_argument("json", help="wr_fit's JSON (wr_fit -o)")
+    parser = Parser(__doc__)
+    parser.add_argument("json", type=file_name, help="wr_fit's JSON (wr_fit -o)")
     parser.add_argument("--against", choices=list(LABELS), required=True)
-    parser.add_argument("-o", "--output", default="series.png", metavar="PNG")
+    parser.add_argument("-o", "--output", type=file_name, default="series.png", metavar="PNG")
+    parser.add_argument("--mu", action="store_true", help="mu, not the stress, against pressure")
+    parser.add_argument("--csv", type=file_name, help="table with a row for each condition")
     given = parser.parse_args()
+    check_apart([given.json], [given.output, given.csv])
     points = read(given.json)
-    if not points:
-        raise BadInput(f"{given.json}: no point with a standard error")
-    draw(points, given.against, given.output)
+    stress = given.against == "pressure" and not given.mu
+    files = {given.output: picture(figure_of(points, given.against, stress), given.output)}
+    if given.csv:
+        files[given.csv] = table_text(points)
+    write_all(files)
 
 
 if __name__ == "__main__":

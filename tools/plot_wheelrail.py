@@ -14,7 +14,6 @@ area   real contact area and peak pressure against load
 Exit codes: 0 ok, 1 no matplotlib, 2 usage, 5 files cannot be written; otherwise that of wr_creep.
 """
 
-import argparse
 import csv
 import io
 import json
@@ -22,9 +21,10 @@ import os
 import subprocess
 import tempfile
 
-from mcawr import plotting, tables
-from mcawr.errors import Exit, fail, run_script, say
-from mcawr.files import make_folder, save_figure, write
+from mcawr import plotting, programs, tables
+from mcawr.command_line import Parser, file_name, whole_in
+from mcawr.errors import Exit, fail, fail_as, run_script, say
+from mcawr.files import make_folder, picture, write_all
 
 ROOT = os.path.dirname(os.path.dirname(os.path.realpath(__file__)))
 CASE = os.path.join(ROOT, "examples", "wheelrail", "table2.yaml")
@@ -53,23 +53,25 @@ def wr_creep(*changes):
         for change in changes:
             command += ["--set", change]
         try:
-            done = subprocess.run(command, stderr=subprocess.PIPE, text=True, check=False)
+            done = subprocess.run(
+                command, stderr=subprocess.PIPE, text=True, errors="replace", check=False
+            )
         except OSError as error:
             fail(
                 Exit.IO, f"{given.wr_creep}: {error.strerror}; build it, or name it with --wr-creep"
             )
         if done.returncode:
-            fail(done.returncode, done.stderr.strip())
-        speeds = {}
+            fail_as(given.wr_creep, done)
+        speeds, contact = {}, {}
         for row in tables.rows(os.path.join(folder, "creep.csv")):
-            for name, value in row.items():
-                speeds.setdefault(float(row["speed"]), {}).setdefault(name, []).append(float(value))
-        contact = {}
+            for name in row:
+                speeds.setdefault(row.number("speed"), {}).setdefault(name, []).append(
+                    row.number(name)
+                )
         for row in tables.rows(os.path.join(folder, "contact.csv")):
             for name, value in row.items():
-                contact.setdefault(name, []).append(value if name == "state" else float(value))
-        with open(os.path.join(folder, "summary.json"), encoding="utf-8") as file:
-            summary = json.load(file)
+                contact.setdefault(name, []).append(value if name == "state" else row.number(name))
+        summary = tables.read_json(os.path.join(folder, "summary.json"), "a summary", dict)
     return speeds, {k: v if k == "state" else np.array(v) for k, v in contact.items()}, summary
 
 
@@ -86,11 +88,15 @@ def finish(figure, name, comment, header, rows, **facts):
     writer = csv.writer(table, lineterminator="\n")
     writer.writerow(header)
     writer.writerows(rows)
-    write(path_of(name + ".csv"), table.getvalue())
     columns = dict(zip(header, map(list, zip(*rows))))
     facts = {"figure": name, "comment": comment, **facts, "columns": columns}
-    write(path_of(name + ".json"), json.dumps(facts))
-    save_figure(figure, path_of(name + ".png"), dpi=150)
+    write_all(
+        {
+            path_of(name + ".csv"): table.getvalue(),
+            path_of(name + ".json"): json.dumps(facts),
+            path_of(name + ".png"): picture(figure, path_of(name + ".png"), dpi=150),
+        }
+    )
     say(f"{path_of(name)}.png, .csv, .json")
 
 
@@ -340,9 +346,16 @@ def area():
         axes[1].plot(loads, peaks, "o-", ms=3, label=f"rms slope {slope}")
     axes[0].plot(loads, 2 * HALF_WIDTH * np.sqrt(loads / 4000), "k--", label="smooth (Hertz)")
     axes[1].plot(loads, 542.056 * np.sqrt(loads / 4000), "k--", label="smooth (Hertz)")
-    for axis, label in zip(axes, ("real contact length, mm", "peak pressure, MPa")):
+    loads_shown = (200, 500, 1000, 2000, 5000)
+    for axis, label, shown in (
+        (axes[0], "real contact length, mm", (0.1, 0.2, 0.5, 1, 2, 5, 10)),
+        (axes[1], "peak pressure, MPa", (100, 200, 500, 1000, 2000, 5000)),
+    ):
         axis.set(xscale="log", yscale="log", xlabel="load, N/mm", ylabel=label)
-        axis.grid(alpha=0.3, which="both")
+        axis.set_xticks(loads_shown, map(str, loads_shown))
+        axis.set_yticks(shown, map(str, shown))
+        axis.minorticks_off()
+        axis.grid(alpha=0.3)
         axis.legend(fontsize=8)
     finish(
         figure,
@@ -364,14 +377,16 @@ FIGURES = {
 
 
 def arguments():
-    parser = argparse.ArgumentParser(
-        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
-    )
+    parser = Parser(__doc__)
     parser.add_argument("figure", choices=[*FIGURES, "all"])
-    parser.add_argument("-o", "--output", default=".", metavar="DIR", help="folder for the files")
-    parser.add_argument("--seed", type=int, default=1, help="of the generated profiles")
     parser.add_argument(
-        "--wr-creep", default=os.path.join(ROOT, "build", "bin", "wr_creep"), metavar="PROGRAM"
+        "-o", "--output", type=file_name, default=".", metavar="DIR", help="folder for the files"
+    )
+    parser.add_argument(
+        "--seed", type=whole_in(0, 2**31 - 1), default=1, help="of the generated profiles [1]"
+    )
+    parser.add_argument(
+        "--wr-creep", type=file_name, default=programs.program("wr_creep"), metavar="PROGRAM"
     )
     return parser.parse_args()
 

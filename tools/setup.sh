@@ -8,9 +8,9 @@ usage() {
   cat <<'HELP'
 Usage: setup.sh [--no-tests] [CMAKE-OPTION...]
 
-Installs the Debian packages that are missing (as root, or through sudo), obtains and builds
-LAMMPS (tools/get_lammps.sh) and ruff (tools/get_ruff.sh), then configures and builds the project into build/. What is there
-already is left alone; a second call takes seconds.
+Installs the Debian packages that are missing (as root, or through sudo), obtains and builds LAMMPS
+(tools/get_lammps.sh) and obtains ruff (tools/get_ruff.sh), then configures and builds the project
+in build/. What is there already is left alone; a second call takes seconds.
 
   --no-tests                  build the plugin and the programs only, without what tests need
 Options that start with -D are given to CMake, for instance
@@ -41,8 +41,9 @@ packages=(
   python3 python3-numpy python3-matplotlib python3-yaml python3-pytest python3-meshio
   debian-archive-keyring xz-utils
 )
-if [ -n "$tests" ]; then # the gates' tools; node and npm may be there from elsewhere
+if [ -n "$tests" ]; then # the gates' tools, the site's; node and npm may be there from elsewhere
   packages+=(clang-format-14 clang-tidy-14 shellcheck)
+  packages+=(python3-sphinx python3-myst-parser furo libjs-mathjax)
   command -v node >/dev/null || packages+=(nodejs)
   command -v npm >/dev/null || packages+=(npm)
 fi

@@ -5,7 +5,6 @@
 #include "comm.h"
 #include "domain.h"
 #include "error.h"
-#include "force.h"
 #include "pair_mca.h"
 #include "update.h"
 
@@ -77,9 +76,7 @@ bool ComputeMCAAtom::asks_for(const std::function<bool(const Attribute &)> &what
 
 void ComputeMCAAtom::init()
 {
-  pair = dynamic_cast<PairMCA *>(force->pair_match("^mca", 0));
-  if (!pair)
-    error->all(FLERR, "Compute mca/atom requires pair_style mca");
+  pair = PairMCA::find(lmp, "Compute mca/atom");
   for (int c = 0; c < columns.size(); c++)
     if (const Attribute &a = known[columns[c]];
         a.state && !mca::existsIn(a.state->shown, domain->dimension))
@@ -89,6 +86,8 @@ void ComputeMCAAtom::init()
 
 void ComputeMCAAtom::compute_peratom()
 {
+  pair = PairMCA::find(lmp, "Compute mca/atom"); // it may have gone since init()
+  pair->check_internal_fixes();
   invoked_peratom = update->ntimestep;
   columns.grow(atom->nmax);
   vector_atom = columns.vector;

@@ -3,29 +3,26 @@
 
 #include "error.h"
 #include "fix_mca_energy.h"
-#include "force.h"
 #include "modify.h"
+#include "pair_mca.h"
 #include "update.h"
 
 using namespace LAMMPS_NS;
 
-ComputeMCAEnergy::ComputeMCAEnergy(LAMMPS *host, int narg, char **arg)
-    : Compute(host, narg, arg), account(nullptr)
+ComputeMCAEnergy::ComputeMCAEnergy(LAMMPS *host, int narg, char **arg) : Compute(host, narg, arg)
 {
   if (narg != 3)
     error->all(FLERR, "Compute mca/energy takes no arguments, got {}", arg[3]);
   if (igroup != 0)
     error->all(FLERR, "Compute mca/energy: group {}, allowed: all", arg[1]);
-  if (!force->pair_match("^mca", 0))
-    error->all(FLERR, "Compute mca/energy requires pair_style mca");
+  PairMCA::find(lmp, "Compute mca/energy");
   if (modify->get_fix_by_id(FixMCAEnergy::ID))
     error->all(FLERR, "Only one compute mca/energy at a time allowed");
   scalar_flag = vector_flag = 1;
   size_vector = 6;
   extscalar = extvector = 1;
   vector = new double[size_vector];
-  account = dynamic_cast<FixMCAEnergy *>(
-      modify->add_fix(fmt::format("{} all {}", FixMCAEnergy::ID, FixMCAEnergy::ID)));
+  modify->add_fix(fmt::format("{} all {}", FixMCAEnergy::ID, FixMCAEnergy::ID));
 }
 
 ComputeMCAEnergy::~ComputeMCAEnergy()
@@ -35,16 +32,30 @@ ComputeMCAEnergy::~ComputeMCAEnergy()
     modify->delete_fix(FixMCAEnergy::ID);
 }
 
+/* commands can take it away at any time */
+
+FixMCAEnergy &ComputeMCAEnergy::account() const
+{
+  auto *fix = dynamic_cast<FixMCAEnergy *>(modify->get_fix_by_id(FixMCAEnergy::ID));
+  if (!fix)
+    error->all(FLERR,
+               "Fix {}, which sums up for compute mca/energy, is gone: it must not be unfixed or "
+               "unloaded",
+               FixMCAEnergy::ID);
+  PairMCA::find(lmp, "Compute mca/energy")->check_internal_fixes();
+  return *fix;
+}
+
 double ComputeMCAEnergy::compute_scalar()
 {
   invoked_scalar = update->ntimestep;
-  return scalar = account->balance().error;
+  return scalar = account().balance().error;
 }
 
 void ComputeMCAEnergy::compute_vector()
 {
   invoked_vector = update->ntimestep;
-  const FixMCAEnergy::Balance b = account->balance();
+  const FixMCAEnergy::Balance b = account().balance();
   vector[0] = b.kinetic;
   vector[1] = b.elastic;
   for (int m = 0; m < FixMCAEnergy::FLOWS; m++)

@@ -11,16 +11,26 @@
 
 namespace LAMMPS_NS {
 
+/// Command compute mca/energy: the account of the whole sample, over all ranks [energy]. Scalar:
+/// its error. Vector of six: kinetic, elastic, dissipated by flow, by breaking, by viscosity, and
+/// the work of outer forces. One at a time, for group all.
 class ComputeMCAEnergy : public Compute {
  public:
   ComputeMCAEnergy(class LAMMPS *, int, char **);
+  /// The account ends with it.
   ~ComputeMCAEnergy() override;
-  void init() override {}
+  /// Stops LAMMPS where the account is gone.
+  void init() override { account(); }
+  /// The error of the account [energy], 0 but for the rotation of contacts within a step and
+  /// round-off.
   double compute_scalar() override;
+  /// Called by all ranks, in a step whose forces are known.
   void compute_vector() override;
 
  private:
-  class FixMCAEnergy *account;
+  /// Owned by LAMMPS; made in the constructor, deleted with this compute. Looked up each time,
+  /// since commands can take it away; then LAMMPS stops with one line.
+  class FixMCAEnergy &account() const;
 };
 
 } // namespace LAMMPS_NS

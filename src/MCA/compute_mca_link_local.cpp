@@ -3,7 +3,6 @@
 
 #include "atom.h"
 #include "error.h"
-#include "force.h"
 #include "pair_mca.h"
 #include "update.h"
 
@@ -45,9 +44,7 @@ ComputeMCALinkLocal::ComputeMCALinkLocal(LAMMPS *host, int narg, char **arg)
 
 void ComputeMCALinkLocal::init()
 {
-  pair = dynamic_cast<PairMCA *>(force->pair_match("^mca", 0));
-  if (!pair)
-    error->all(FLERR, "Compute mca/link/local requires pair_style mca");
+  pair = PairMCA::find(lmp, "Compute mca/link/local");
 }
 
 /* linked, both in the group, and counted by one rank only */
@@ -65,6 +62,8 @@ bool ComputeMCALinkLocal::mine(int k) const
 
 void ComputeMCALinkLocal::compute_local()
 {
+  pair = PairMCA::find(lmp, "Compute mca/link/local"); // it may have gone since init()
+  pair->check_internal_fixes();
   invoked_local = update->ntimestep;
   const mca::Pairs &p = pair->links().pairs();
   size_local_rows = 0;

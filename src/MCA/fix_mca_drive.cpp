@@ -1,16 +1,20 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "fix_mca_drive.h"
 
+#include "arguments.h"
 #include "atom.h"
 #include "comm.h"
 #include "domain.h"
+#include "dump.h"
 #include "error.h"
 #include "force.h"
 #include "group.h"
 #include "input.h"
+#include "modify.h"
+#include "output.h"
 #include "pair_mca.h"
-#include "platform.h"
 #include "restart_block.h"
+#include "shared/friction_log_format.h"
 #include "shared/nearest_word.h"
 #include "update.h"
 #include "variable.h"
@@ -18,7 +22,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
-#include <sstream>
 #include <stdexcept>
 
 using namespace LAMMPS_NS;
@@ -27,11 +30,15 @@ using namespace FixConst;
 /* fix ID group mca/drive velocity V pressure P [file F] [every N] [seed S] */
 
 FixMCADrive::FixMCADrive(LAMMPS *host, int narg, char **arg)
-    : Fix(host, narg, arg), every(1000), seed(0), pair(nullptr), begun(false), restarted(false),
-      area(0.0), split(false), mass(0.0), shear(0.0), normal(0.0), start_height(0.0),
-      displacement(0.0), work(0.0), shear_sum(0.0), normal_sum(0.0), samples(0.0),
-      broken_before(0.0), formed_before(0.0)
+    : Fix(host, narg, arg), every(1000), seed(0), pair(nullptr), begun(false),
+      restarted(false), past{-1, 0}, largest_velocity(0.0), largest_pressure(0.0),
+      least_strength(0.0), area(0.0), split(false), mass(0.0), shear(0.0), normal(0.0),
+      start_height(0.0), displacement(0.0), work(0.0), shear_sum(0.0), normal_sum(0.0),
+      samples(0.0), broken_before(0.0), formed_before(0.0)
 {
+  namespace format = mcawr::friction_log; // as the readers of the log take it
+  const auto most_steps = static_cast<bigint>(format::largest);
+  const auto largest_seed = static_cast<bigint>(format::largestWhole);
   bool has_velocity = false, has_pressure = false;
   for (int iarg = 3; iarg < narg; iarg += 2) {
     const std::string keyword = arg[iarg];
@@ -47,11 +54,9 @@ FixMCADrive::FixMCADrive(LAMMPS *host, int narg, char **arg)
     } else if (keyword == "file") {
       path = value;
     } else if (keyword == "every") {
-      every = utils::bnumeric(FLERR, value, false, lmp);
-      if (every <= 0)
-        error->all(FLERR, "Fix mca/drive every is {}, allowed: a whole number of steps > 0", value);
+      every = mca::wholeNumber(lmp, "Fix mca/drive every", value, 1, most_steps);
     } else if (keyword == "seed") {
-      seed = utils::bnumeric(FLERR, value, false, lmp);
+      seed = mca::wholeNumber(lmp, "Fix mca/drive seed", value, -largest_seed, largest_seed);
     } else {
       error->all(FLERR, "Fix mca/drive: {}",
                  mcawr::unknownWord("keyword", keyword,
@@ -82,13 +87,10 @@ FixMCADrive::Setting FixMCADrive::parse_setting(const char *keyword, const char 
   Setting s;
   if (utils::strmatch(word, "^v_"))
     s.variable = word + 2;
-  else {
-    s.value = utils::numeric(FLERR, word, false, lmp);
-    const bool pressure_like = strcmp(keyword, "pressure") == 0;
-    if (!std::isfinite(s.value) || (pressure_like && s.value < 0.0))
-      error->all(FLERR, "Fix mca/drive {} is {}, allowed: a finite number{}", keyword, word,
-                 pressure_like ? " >= 0" : "");
-  }
+  else
+    s.value = mca::number(
+        lmp, fmt::format("Fix mca/drive {}", keyword), word,
+        strcmp(keyword, "pressure") == 0 ? mca::Sign::NotNegative : mca::Sign::Any, " or v_name");
   return s;
 }
 
@@ -99,9 +101,7 @@ int FixMCADrive::setmask()
 
 void FixMCADrive::init()
 {
-  pair = dynamic_cast<PairMCA *>(force->pair_match("^mca", 0));
-  if (!pair)
-    error->all(FLERR, "Fix mca/drive requires pair_style mca");
+  pair = PairMCA::find(lmp, "Fix mca/drive");
   if (group->count(igroup) == 0)
     error->all(FLERR, "Fix mca/drive: group {} is empty", group->names[igroup]);
   for (const Setting &s : {velocity, pressure})
@@ -110,16 +110,69 @@ void FixMCADrive::init()
       if (found < 0 || !input->variable->equalstyle(found))
         error->all(FLERR, "Fix mca/drive: no equal-style variable {}", s.variable);
     }
+  check_layer();
+  find_limits();
 }
 
-double FixMCADrive::evaluate(Setting &s)
+/* the layer is this fix's alone, and something moves it by the velocities that this fix gives */
+
+void FixMCADrive::check_layer() const
 {
-  if (!s.variable.empty()) {
-    s.value = input->variable->compute_equal(input->variable->find(s.variable.c_str()));
-    if (!std::isfinite(s.value))
-      error->all(FLERR, "Fix mca/drive: variable {} is {}", s.variable, s.value);
+  for (const Fix *other : modify->get_fix_by_style("^mca/drive$")) {
+    bigint part = 0, both;
+    for (int i = 0; i < atom->nlocal && other != this; i++)
+      part += (atom->mask[i] & groupbit) && (atom->mask[i] & other->groupbit);
+    MPI_Allreduce(&part, &both, 1, MPI_LMP_BIGINT, MPI_SUM, world);
+    if (both > 0)
+      error->all(FLERR, "Fix mca/drive {} and {}: both drive {} automata, allowed: none", id,
+                 other->id, both);
   }
-  return s.value;
+  bigint part = 0, resting;
+  for (int i = 0; i < atom->nlocal; i++)
+    part += (atom->mask[i] & groupbit) && !pair->is_integrated(i);
+  MPI_Allreduce(&part, &resting, 1, MPI_LMP_BIGINT, MPI_SUM, world);
+  if (resting > 0)
+    error->all(FLERR,
+               "Fix mca/drive {}: nothing moves {} of the {} automata of group {}, whose "
+               "displacement it counts: put them into the group of fix nve/mca",
+               id, resting, group->count(igroup), group->names[igroup]);
+}
+
+/* loads that no sample of any of the materials stands: velocity of sound, Young's modulus */
+
+void FixMCADrive::find_limits()
+{
+  largest_velocity = largest_pressure = 0.0;
+  least_strength = HUGE_VAL;
+  for (int type = 1; type <= atom->ntypes; type++) {
+    largest_velocity = std::max(largest_velocity, pair->wave_speed(type));
+    least_strength = std::min(least_strength, pair->material(type).strength);
+    largest_pressure = std::max(largest_pressure, pair->material(type).youngsModulus);
+  }
+}
+
+/* both settings of now */
+
+void FixMCADrive::evaluate()
+{
+  evaluate(velocity);
+  evaluate(pressure);
+  if (!(std::abs(velocity.value) < largest_velocity))
+    error->all(FLERR,
+               "Fix mca/drive velocity is {} in step {}, allowed: below the speed of sound, "
+               "{:.6g}",
+               velocity.value, update->ntimestep, largest_velocity);
+  if (!(pressure.value >= 0.0 && pressure.value < largest_pressure))
+    error->all(FLERR,
+               "Fix mca/drive pressure is {} in step {}, allowed: >= 0 and below Young's modulus, "
+               "{:.6g}",
+               pressure.value, update->ntimestep, largest_pressure);
+}
+
+void FixMCADrive::evaluate(Setting &s) const
+{
+  if (!s.variable.empty())
+    s.value = input->variable->compute_equal(input->variable->find(s.variable.c_str()));
 }
 
 /* y of an automaton of this rank, length units, not folded back into the box */
@@ -187,33 +240,13 @@ void FixMCADrive::setup(int vflag)
 
   if (!begun && !restarted)
     start_height = height();
-  if (!path.empty() && !begun) {
-    int first_type = atom->ntypes + 1, lowest;
-    for (int i = 0; i < atom->nlocal; i++)
-      if ((atom->mask[i] & groupbit) && atom->type[i] < first_type)
-        first_type = atom->type[i];
-    MPI_Allreduce(&first_type, &lowest, 1, MPI_INT, MPI_MIN, world);
-    std::string problem;
-    if (comm->me == 0) {
-      try {
-        if (restarted && platform::file_is_readable(path))
-          log.resume(path, update->ntimestep);
-        else
-          log.begin(path,
-                    {pair->material(lowest), evaluate(pressure), evaluate(velocity), domain->xprd,
-                     thickness, pair->cell(lowest).packing.name,
-                     static_cast<long long>(atom->natoms), pair->laws().words(), update->dt, every,
-                     seed, LMP_VERNUM},
-                    units);
-      } catch (const std::runtime_error &e) {
-        problem = e.what();
-      }
-    }
-    int failed = problem.empty() ? 0 : 1;
-    MPI_Bcast(&failed, 1, MPI_INT, 0, world);
-    if (failed)
-      error->all(FLERR, "Fix mca/drive: {}", comm->me == 0 ? problem : "see rank 0");
-  }
+  evaluate();
+  if (!begun && pressure.value > least_strength && comm->me == 0)
+    error->warning(FLERR,
+                   "Fix mca/drive pressure {:.6g} is above the strength of a material, {:.6g}",
+                   pressure.value, least_strength);
+  if (!path.empty())
+    open_log(thickness);
   begun = true;
   above = count_above();
   // a layer that moves already keeps its velocity to the last bit
@@ -226,6 +259,80 @@ void FixMCADrive::setup(int vflag)
   if (all_range[0] == -all_range[1])
     for (const int i : members)
       atom->v[i][1] = all_range[1];
+}
+
+/* begun, continued after a restart, or gone on with in a further run of the input script */
+
+void FixMCADrive::open_log(double thickness)
+{
+  int first_type = atom->ntypes + 1, lowest;
+  for (int i = 0; i < atom->nlocal; i++)
+    if ((atom->mask[i] & groupbit) && atom->type[i] < first_type)
+      first_type = atom->type[i];
+  MPI_Allreduce(&first_type, &lowest, 1, MPI_INT, MPI_MIN, world);
+  mca::LogHeader header = {pair->material(lowest),
+                           pressure.value,
+                           velocity.value,
+                           domain->xprd,
+                           thickness,
+                           pair->cell(lowest).packing.name,
+                           static_cast<long long>(atom->natoms),
+                           pair->laws().words(),
+                           update->dt,
+                           every,
+                           seed,
+                           LMP_VERNUM,
+                           {}};
+  namespace head = mcawr::friction_log::head;
+  for (const auto &[varies, key] : {std::pair{!pressure.variable.empty(), head::pressure.key},
+                                    {!velocity.variable.empty(), head::velocity.key},
+                                    {!domain->xperiodic, head::width.key},
+                                    {!domain->zperiodic, head::thickness.key}})
+    if (varies)
+      header.varying.emplace_back(key);
+  std::string problem, note;
+  if (comm->me == 0) {
+    for (const Dump *dump : output->get_dump_list())
+      if (mcawr::isReplaced(path) && mcawr::isSameFile(path, dump->filename))
+        problem = fmt::format("friction log {}: it is also the file of dump {}", path, dump->id);
+    try {
+      if (!problem.empty())
+        throw std::runtime_error(problem);
+      if (begun)
+        log.check(header, units);
+      else if (restarted && past.number >= 0)
+        note = log.resume(path, header, units, update->ntimestep, past);
+      else
+        log.begin(path, header, units, update->ntimestep, lmp->restart_ver >= 0);
+    } catch (const std::runtime_error &e) {
+      problem = e.what();
+    }
+    if (!note.empty())
+      error->warning(FLERR, "Fix mca/drive: {}", note);
+  }
+  stop_if(problem);
+  dt_of_log = update->dt;
+}
+
+/* of all ranks, when rank 0 has a problem */
+
+void FixMCADrive::stop_if(const std::string &problem)
+{
+  int failed = problem.empty() ? 0 : 1;
+  MPI_Bcast(&failed, 1, MPI_INT, 0, world);
+  if (failed) // rank 0 prints
+    error->all(FLERR, "Fix mca/drive: {}", problem);
+}
+
+/* the time of a row is its step times the timestep */
+
+void FixMCADrive::reset_dt()
+{
+  if (begun && !path.empty() && update->dt != dt_of_log)
+    error->all(FLERR,
+               "Fix mca/drive: timestep {} while friction log {} is open, allowed: {}, as in its "
+               "head; give another file after unfix",
+               update->dt, path, dt_of_log);
 }
 
 /* ----------------------------------------------------------------------
@@ -249,8 +356,8 @@ void FixMCADrive::post_force(int /*vflag*/)
   if (split)
     MPI_Allreduce(MPI_IN_PLACE, sums, 3, MPI_DOUBLE, MPI_SUM, world);
 
-  const double speed = evaluate(velocity);
-  const double load = evaluate(pressure) * area / force->nktv2p;
+  evaluate();
+  const double speed = velocity.value, load = pressure.value * area / force->nktv2p;
   const double per_mass = (sums[1] - load) / mass, vy = sums[2] / mass;
   for (const int i : members) {
     f[i][0] = f[i][2] = v[i][2] = 0.0;
@@ -289,9 +396,10 @@ double FixMCADrive::sum(double part) const
 
 void FixMCADrive::write_row()
 {
+  pair->check_sample();
   const Totals all = totals();
   const double gap = height() - start_height;
-  int failed = 0;
+  std::string problem;
   if (comm->me == 0) {
     const double s = all.shear_sum / samples, n = all.normal_sum / samples;
     try {
@@ -301,13 +409,10 @@ void FixMCADrive::write_row()
                  pressure.value > 0.0 ? s / pressure.value : 0.0, all.links,
                  all.broken - broken_before, all.formed - formed_before, gap * units.length});
     } catch (const std::runtime_error &e) {
-      failed = 1;
-      utils::logmesg(lmp, "{}\n", e.what());
+      problem = e.what();
     }
   }
-  MPI_Bcast(&failed, 1, MPI_INT, 0, world);
-  if (failed)
-    error->all(FLERR, "Fix mca/drive: cannot append to friction log {}", path);
+  stop_if(problem);
   if (const bigint now = count_above(); now > above) {
     if (comm->me == 0)
       error->warning(
@@ -358,20 +463,27 @@ void FixMCADrive::write_restart(FILE *fp)
   keep_parts();
   if (comm->me != 0)
     return;
-  const std::string text =
-      mca::exactText({start_height, displacement, all.work, all.shear_sum, all.normal_sum, samples,
-                      broken_before - all.broken, formed_before - all.formed});
-  const std::string bytes = mca::blockBytes(text);
-  const int size = static_cast<int>(bytes.size());
-  fwrite(&size, sizeof(int), 1, fp);
-  fwrite(bytes.data(), 1, size, fp);
+  mca::LogRows rows = log.rows();
+  if (!log.isOpen())
+    rows.number = -1;
+  mca::writeFixBlock(
+      fp, mca::textOf({start_height, displacement, all.work, all.shear_sum, all.normal_sum, samples,
+                       broken_before - all.broken, formed_before - all.formed, rows}));
 }
 
 void FixMCADrive::restart(char *buf)
 {
-  std::istringstream text(mca::readBlockBytes(lmp, buf, "fix mca/drive"));
-  text >> start_height >> displacement >> work >> shear_sum >> normal_sum >> samples >>
-      broken_before >> formed_before;
+  const std::string text = mca::fixBlockText(lmp, buf, "fix mca/drive");
+  const auto state = mca::readOrStop(lmp, [&] { return mca::driveStateIn(text); });
+  start_height = state.startHeight;
+  displacement = state.displacement;
+  work = state.work;
+  shear_sum = state.shearSum;
+  normal_sum = state.normalSum;
+  samples = state.samples;
+  broken_before = state.brokenBefore;
+  formed_before = state.formedBefore;
+  past = state.rows;
   keep_parts();
   restarted = true;
 }

@@ -18,59 +18,124 @@ namespace LAMMPS_NS {
 
 class PairMCA;
 
+/// Command fix mca/drive: the group is a rigid layer with a prescribed velocity in x and a constant
+/// pressure in y; it writes the friction log and gives a scalar, the friction coefficient of the
+/// step, and a vector of six. Behind all fixes that set forces; fix nve/mca moves the layer.
 class FixMCADrive : public Fix {
  public:
   FixMCADrive(class LAMMPS *, int, char **);
   int setmask() override;
+  /// Checks group and variables; stops LAMMPS with one line where one is missing.
   void init() override;
   void setup_post_neighbor() override;
+  /// Finds the automata of the layer on this rank, in the order of their IDs, so that sums do not
+  /// depend on LAMMPS's order of atoms.
   void post_neighbor() override;
+  /// Area, mass and start height of the layer; begins the log or continues it after a restart.
   void setup(int) override;
+  /// Takes the stresses on the layer from the forces of this step, then makes these forces, and
+  /// velocities, those of a rigid body.
   void post_force(int) override;
+  /// Stops LAMMPS where the step changes while a log is open.
+  void reset_dt() override;
+  /// Sums up displacement, work and stresses; writes a row each `every` steps.
   void end_of_step() override;
+  /// Shear stress over the prescribed pressure in this step [-]; 0 without pressure.
   double compute_scalar() override;
+  /// 0 to 5: shear and normal stress [pressure], friction coefficient [-], displacement [length],
+  /// rise of the layer [length], work [energy]. Called by all ranks.
   double compute_vector(int) override;
+  /// State of the layer and the sums of the row in progress, with a checksum. Afterwards the sums
+  /// are on rank 0, as in the run that continues.
   void write_restart(FILE *) override;
+  /// Reads them; a damaged block stops LAMMPS with one line.
   void restart(char *) override;
 
  private:
-  struct Setting { // a number or an equal-style variable
+  /// A number or an equal-style variable, which is evaluated in each step; `value` is the last one.
+  struct Setting {
     std::string variable;
     double value = 0.0;
   };
   Setting velocity, pressure;
   std::string path;
+  /// Steps in a row of the log, > 0; and a number that its head notes.
   bigint every, seed;
 
   PairMCA *pair;
+  /// Open on rank 0 only, where `file` was given.
   mca::FrictionLogWriter log;
+  /// Factors of the run's units to nm, ns, MPa; found in the constructor, which stops where a log
+  /// is asked for and there are none.
   mca::Units units;
-  bool begun;     // the log's first row, or the state of a restart file, is there
-  bool restarted; // state came from a restart file
+  /// A set-up was done: the start height is known, and the log has its head.
+  bool begun;
+  /// State came from a restart file.
+  bool restarted;
+  /// Rows of the log of the run that wrote the restart file; number -1: it had no log.
+  mca::LogRows past;
+  /// The step when the log was opened [time].
+  double dt_of_log = 0.0;
+  /// Bounds of the loading, of all materials: the fastest wave [velocity], the largest Young's
+  /// modulus and the smallest strength [pressure].
+  double largest_velocity, largest_pressure, least_strength;
 
-  std::vector<int> members; // own automata of the layer, since the last exchange of automata
-  double area;              // nominal contact area: box length in x times that in z, or thickness
-  bool split;               // the layer has automata on several ranks
-  double mass;              // of the layer
-  double shear, normal;     // this rank's part of the stresses on the layer now, pressure units
-  double start_height;      // of the layer
+  /// Own automata of the layer, since the last exchange of automata.
+  std::vector<int> members;
+  /// Nominal contact area [length^2]: box length in x times that in z, or thickness.
+  double area;
+  /// The layer has automata on several ranks, which then add up its forces in each step.
+  bool split;
+  /// Of the layer, over all ranks [mass].
+  double mass;
+  /// This rank's part of the stresses on the layer now [pressure]: tau = -sum F_x/A, sigma_n = sum
+  /// F_y/A.
+  double shear, normal;
+  /// Of the layer in its first set-up [length]; kept in restart files.
+  double start_height;
+  /// Of the layer in x since its first set-up [length]: the sum of V dt.
   double displacement;
-  double work, shear_sum, normal_sum;  // this rank's parts, the sums since the last row
-  double samples;                      // since the last row
-  double broken_before, formed_before; // events until the last row
-  bigint above;                        // automata above the layer that are known of
+  /// This rank's parts: work [energy] since the beginning, sums of stresses [pressure] since the
+  /// last row.
+  double work, shear_sum, normal_sum;
+  /// Number of steps since the last row.
+  double samples;
+  /// Events of the sample until the last row; negative after a restart, since the counters begin
+  /// anew.
+  double broken_before, formed_before;
+  /// Automata above the layer that are known of, so that each is told of once.
+  bigint above;
 
-  double evaluate(Setting &);
+  /// Stops LAMMPS where another drive has automata of the layer, or nothing moves them.
+  void check_layer() const;
+  void find_limits();
+  /// Begins the log, continues it after a restart, or makes sure that a further run fits its head.
+  /// \param thickness  of the sample [length]
+  void open_log(double thickness);
+  /// Stops all ranks when rank 0 has a problem.
+  void stop_if(const std::string &problem);
+  /// Both settings in this step; stops LAMMPS where they are out of bounds.
+  void evaluate();
+  void evaluate(Setting &) const;
+  /// Of a word of the command: v_name, or a finite number, of `pressure` >= 0; else LAMMPS stops.
   Setting parse_setting(const char *keyword, const char *word);
+  /// y of an own automaton, not folded back into the box [length].
   double unwrapped_y(int i) const;
+  /// Mean height of the layer [length]; called by all ranks.
   double height() const;
+  /// Automata of others whose centres are higher than the highest of the layer, on all ranks.
   bigint count_above() const;
+  /// Means of the row, events in it; warns of automata that left the fragment. All ranks stop where
+  /// the log cannot be written.
   void write_row();
-  struct Totals { // of all ranks
+  /// Of all ranks: links now, events since the pair style was created, and the parts above.
+  struct Totals {
     double links, broken, formed, work, shear_sum, normal_sum;
   };
   Totals totals() const;
+  /// Over all ranks.
   double sum(double part) const;
+  /// Sums that all ranks know become the first one's.
   void keep_parts();
 };
 

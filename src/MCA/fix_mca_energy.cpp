@@ -10,7 +10,7 @@
 #include "restart_block.h"
 #include "update.h"
 
-#include <sstream>
+#include <cstring>
 
 using namespace LAMMPS_NS;
 using namespace FixConst;
@@ -18,6 +18,8 @@ using namespace FixConst;
 FixMCAEnergy::FixMCAEnergy(LAMMPS *host, int narg, char **arg)
     : Fix(host, narg, arg), pair(nullptr), start(0.0), begun(false)
 {
+  if (strcmp(id, ID) != 0)
+    error->all(FLERR, "Fix {} is internal to compute mca/energy, which makes it itself", ID);
   nevery = 1;
   restart_global = 1;
 }
@@ -29,9 +31,7 @@ int FixMCAEnergy::setmask()
 
 void FixMCAEnergy::init()
 {
-  pair = dynamic_cast<PairMCA *>(force->pair_match("^mca", 0));
-  if (!pair)
-    error->all(FLERR, "Compute mca/energy requires pair_style mca");
+  pair = PairMCA::find(lmp, "Compute mca/energy");
 }
 
 void FixMCAEnergy::setup(int /*vflag*/)
@@ -77,6 +77,7 @@ FixMCAEnergy::Balance FixMCAEnergy::balance()
     own[1] += pair->step().automaton(i).energy;
   }
   own[0] *= force->mvv2e;
+  own[1] -= account.released();
   for (int m = 0; m < FLOWS; m++)
     own[2 + m] = account.sums()[m];
   MPI_Allreduce(own, all, 2 + FLOWS, MPI_DOUBLE, MPI_SUM, world);
@@ -96,22 +97,19 @@ void FixMCAEnergy::write_restart(FILE *fp)
   MPI_Allreduce(account.sums(), values.data() + 1, FLOWS, MPI_DOUBLE, MPI_SUM, world);
   if (comm->me != 0)
     return;
-  const std::string bytes = mca::blockBytes(mca::exactText(values));
-  const int size = static_cast<int>(bytes.size());
-  fwrite(&size, sizeof(int), 1, fp);
-  fwrite(bytes.data(), 1, size, fp);
+  mca::writeFixBlock(fp, mca::exactText(values));
 }
 
 void FixMCAEnergy::restart(char *buf)
 {
-  std::istringstream text(mca::readBlockBytes(lmp, buf, "compute mca/energy"));
-  text >> start;
-  for (int m = 0; m < FLOWS; m++) {
-    double sum;
-    text >> sum;
-    // each rank goes on from its own sum
-    account.setSum(static_cast<mca::EnergyAccount::Channel>(m), comm->me == 0 ? sum : 0.0);
-  }
+  const char *const what = "compute mca/energy";
+  const std::string text = mca::fixBlockText(lmp, buf, what);
+  const std::vector<double> values =
+      mca::readOrStop(lmp, [&] { return mca::numbersIn(text, 1 + FLOWS, what); });
+  start = values[0];
+  for (int m = 0; m < FLOWS; m++) // each rank goes on from its own sum
+    account.setSum(static_cast<mca::EnergyAccount::Channel>(m),
+                   comm->me == 0 ? values[1 + m] : 0.0);
   begun = true;
 }
 

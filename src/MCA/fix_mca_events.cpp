@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "fix_mca_events.h"
 
+#include "arguments.h"
 #include "atom.h"
 #include "error.h"
-#include "force.h"
 #include "pair_mca.h"
 #include "update.h"
 
@@ -21,9 +21,7 @@ FixMCAEvents::FixMCAEvents(LAMMPS *host, int narg, char **arg)
       columns(host, "Fix mca/events", {NAMES, NAMES + ATTRIBUTES}, narg - 4, arg + 4),
       pair(nullptr), collected(0)
 {
-  local_freq = utils::inumeric(FLERR, arg[3], false, lmp);
-  if (local_freq <= 0)
-    error->all(FLERR, "Fix mca/events: N is {}, allowed: a whole number of steps > 0", arg[3]);
+  local_freq = static_cast<int>(mca::wholeNumber(lmp, "Fix mca/events N", arg[3], 1, MAXSMALLINT));
   local_flag = 1;
   size_local_cols = columns.lammps_columns();
   size_local_rows = 0;
@@ -36,12 +34,12 @@ int FixMCAEvents::setmask()
 
 void FixMCAEvents::init()
 {
-  pair = dynamic_cast<PairMCA *>(force->pair_match("^mca", 0));
-  if (!pair)
-    error->all(FLERR, "Fix mca/events requires pair_style mca");
+  pair = PairMCA::find(lmp, "Fix mca/events");
 }
 
-/* rows are kept until the step of output; the next step begins anew */
+/* What a step leads to is taken over at the beginning of the next one, where the pair style lists
+   it (PairMCA::record_events()), so events of step n come here in step n + 1. Rows are kept until
+   the step of output; the next step begins anew. */
 
 void FixMCAEvents::post_force(int /*vflag*/)
 {

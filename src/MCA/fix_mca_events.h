@@ -15,18 +15,26 @@ namespace LAMMPS_NS {
 
 class PairMCA;
 
+/// Command fix mca/events: gathers PairMCA::last_events() and gives them each N steps as a local
+/// vector or array, one row an event, on the rank that listed it. Events of a step are seen in the
+/// next one; both automata have to be in the group.
 class FixMCAEvents : public Fix {
  public:
   FixMCAEvents(class LAMMPS *, int, char **);
   int setmask() override;
+  /// Stops LAMMPS without pair_style mca, which is found anew here.
   void init() override;
+  /// After the evaluation, which took the last step's outcome over.
   void post_force(int) override;
+  /// Of the rows on this rank [bytes].
   double memory_usage() override;
 
  private:
+  /// Rows of the events since the last output; begun anew in the step after it.
   OutputColumns columns;
   PairMCA *pair;
-  int collected; // rows since the last output
+  /// Rows since the last output.
+  int collected;
 };
 
 } // namespace LAMMPS_NS

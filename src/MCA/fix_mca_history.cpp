@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <numeric>
 
 using namespace LAMMPS_NS;
@@ -23,6 +24,9 @@ FixMCAHistory::FixMCAHistory(LAMMPS *host, int narg, char **arg)
   // the list holds every pair within the cutoff, touching or not, without LAMMPS's contact bit
   use_bit_flag = 0;
   comm_forward = 3;
+  restart_file = 1; // write_restart_file() is called when the file is whole
+  if (strcmp(id, ID) != 0)
+    error->all(FLERR, "Fix {} is internal to pair_style mca, which makes it itself", ID);
 }
 
 void FixMCAHistory::attach(PairMCA *owner)
@@ -35,13 +39,23 @@ void FixMCAHistory::attach(PairMCA *owner)
 
 void FixMCAHistory::pre_exchange()
 {
+  mca->check_sample(); // before LAMMPS folds places into the box, which may not end
   mca->commit();
   mca->collect_changes();
   store(true);
 }
 
-/* the next run's set-up, or that of a restart, recomputes the forces of this step, hence needs the
-   state that made them */
+/* ----------------------------------------------------------------------
+   Which of the two states goes to the atoms. A pair has the present state, which made the forces of
+   this step, and the next one, to which flow, fracture and linking lead and which becomes present
+   at the beginning of the following step.
+   A rebuild of the list in a run stands at that very place, after commit(): it carries the next
+   state, which the new list has as its present one (pre_exchange()).
+   The end of a run and a restart file stand behind the step: the set-up that follows evaluates the
+   laws once more at the same places, with the velocities that the forces saw (keep_lag()), and
+   finds the same forces and the same next state, to the last bit. So they carry the present state;
+   with the next one it would be taken over a step too early.
+------------------------------------------------------------------------- */
 
 void FixMCAHistory::store_present()
 {
@@ -51,6 +65,7 @@ void FixMCAHistory::store_present()
 
 void FixMCAHistory::post_run()
 {
+  mca->check_sample();
   mca->keep_lag();
   store_present();
 }
@@ -64,6 +79,11 @@ void FixMCAHistory::write_restart(FILE *fp)
     int size = 0;
     fwrite(&size, sizeof(int), 1, fp);
   }
+}
+
+void FixMCAHistory::write_restart_file(const char *path)
+{
+  mca->close_restart_file(path);
 }
 
 /* ----------------------------------------------------------------------
@@ -147,6 +167,9 @@ std::vector<int> FixMCAHistory::originals() const
    Rows: a pair stands for originals. A ghost that is an image of an automaton of this rank is
    replaced by that automaton's row, whose sums it shares, and only the place where both meet is the
    image's. A ghost of another rank is a guest, whose values come through the halo.
+
+   So: tell the ghosts who they are, list each pair once with the state that its automata brought,
+   sort, put the pairs at the borders first, fill the step's list, and tell the step and the halo.
 ------------------------------------------------------------------------- */
 
 void FixMCAHistory::post_neighbor()
@@ -241,7 +264,8 @@ std::vector<FixMCAHistory::Listed> FixMCAHistory::listed_pairs() const
 
 /* An automaton that meets a guest is a guest of that one's rank in turn, which needs its values.
    All pairs of such automata come first, so that each one's sums are made in one part of the list.
-   Returns their number. */
+   A pass works on the rest, the inside, while messages are on their way, and on these last. The
+   partition is stable: within both parts the order of IDs stays. Returns their number. */
 
 int FixMCAHistory::borders_first(std::vector<Listed> &pairs,
                                  std::vector<mca::Halo::Guest> &guests) const
@@ -268,6 +292,7 @@ void FixMCAHistory::setup_post_neighbor()
   post_neighbor();
   check_lost();
   check_turned();
+  mca->check_start();
 }
 
 /* states are found by the partner's ID, so no automaton may meet two images of another one */

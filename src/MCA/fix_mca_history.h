@@ -25,43 +25,93 @@ namespace LAMMPS_NS {
 
 class PairMCA;
 
+/// The list of pairs follows LAMMPS's neighbor list, and the state of pairs follows the automata.
+/// Two places hold it: in a run the list of the step (PairMCA::links()), else the atoms, in
+/// FixNeighHistory's storage, as one record of LinkList::storedSize() doubles for each partner that
+/// an automaton has more than nothing with. pre_exchange() goes from the list to the atoms,
+/// post_neighbor() back.
 class FixMCAHistory : public mca::CheckedRestart<FixNeighHistory> {
  public:
   static constexpr const char *ID = "MCA_HISTORY";
 
   FixMCAHistory(class LAMMPS *, int, char **);
+  /// The pair style whose pairs it keeps; once, right after it was made.
   void attach(PairMCA *);
+  /// In set-up: as post_neighbor(), and checks what commands between runs did to links: a box below
+  /// twice the cutoff, automata moved out of reach of their links, links that were turned. Each
+  /// stops LAMMPS with one line; links of deleted automata end, with a line in the log. Then the
+  /// pair style looks at the sample, PairMCA::check_start().
   void setup_post_neighbor() override;
+  /// Before atoms migrate and the list is built anew: what the step just done leads to goes to the
+  /// atoms.
   void pre_exchange() override;
+  /// The list of pairs anew, in the order of IDs, from the states that came with the atoms.
   void post_neighbor() override;
+  /// The present state goes to the atoms: set-up of the next run computes the forces of this step
+  /// again.
   void post_run() override;
+  /// Makes the records of restart files hold the present state; LAMMPS packs them from the atoms
+  /// afterwards.
   void write_restart(FILE *) override;
+  /// The file is whole: the pair style puts its checksum there.
+  void write_restart_file(const char *path) override;
+  /// Of `shared`: three doubles an automaton, key, rank and row.
   int pack_forward_comm(int, int *, double *, int, int *) override;
   void unpack_forward_comm(int, int, double *) override;
-  void store_present();               // the pairs' present state, without that of a step
-  std::vector<int> originals() const; // original links of owned automata, as stored
+  /// The pairs' present state goes to the atoms, without that of a step: after commands that change
+  /// links.
+  void store_present();
+  /// Number of original links of each owned automaton, as stored with the atoms; see
+  /// store_present().
+  std::vector<int> originals() const;
+
+ protected:
+  bool isSound(const mca::Record &record) const override
+  {
+    return mca::isPartnerRecord(record, dnum);
+  }
 
  private:
   PairMCA *mca;
-  struct Shared {     // of owned and ghost automata
-    double key;       // by which partners know the automaton
-    double rank, row; // of the original
+  /// Of owned and ghost automata, so that ghosts know their original.
+  struct Shared {
+    /// By which partners know the automaton: its ID when the states were stored, as the bits of a
+    /// tagint; 0: a new automaton. IDs may change between runs, keys do not.
+    double key;
+    /// Of the original: the rank that owns it and the atom's number there.
+    double rank, row;
   };
   std::vector<Shared> shared;
-  std::vector<int> row;   // of owned and ghost automata: that of the original, where it is ours
-  struct Listed {         // a pair of LAMMPS's list
-    int i, j;             // atoms, the lower ID first
-    bool exchanged;       // LAMMPS's list has the higher one first, which has its state
-    const double *stored; // its state
+  /// Of owned and ghost automata: the row of the original, where it is ours, else its own number.
+  std::vector<int> row;
+  /// A pair of LAMMPS's list.
+  struct Listed {
+    /// Atoms, the lower ID first.
+    int i, j;
+    /// LAMMPS's list has the higher one first, which has its state.
+    bool exchanged;
+    /// Its state, storedSize() doubles kept with the atoms.
+    const double *stored;
   };
 
+  /// From the list to both automata of each pair, where they are owned.
+  /// \param next  the next states, else the present ones
   void store(bool next);
+  /// Fills `shared` of ghosts and `row`; a message between ranks.
   void share_keys();
+  /// What automaton i keeps of its pair with j; zeros where it has nothing.
   const double *stored(int i, int j) const;
+  /// LAMMPS's pairs, each once on a rank, by the lower ID, then by the higher one.
   std::vector<Listed> listed_pairs() const;
+  /// Puts pairs of automata that other ranks need first, without another change of order, and finds
+  /// the guests.
+  /// \return number of these pairs
   int borders_first(std::vector<Listed> &, std::vector<mca::Halo::Guest> &) const;
+  /// States are found by the partner's ID, so no automaton may meet two images of another one.
   void check_period() const;
+  /// No link may have left the list but with its automata.
   void check_lost() const;
+  /// No link may have turned between runs, since its shear would not have followed.
   void check_turned() const;
 };
 

@@ -31,9 +31,7 @@ int FixNVEMCA::setmask()
 
 void FixNVEMCA::init()
 {
-  pair = dynamic_cast<PairMCA *>(force->pair_match("^mca", 0));
-  if (!pair)
-    error->all(FLERR, "Fix nve/mca requires pair_style mca");
+  pair = PairMCA::find(lmp, "Fix nve/mca");
   if (utils::strmatch(update->integrate_style, "^respa"))
     error->all(FLERR, "Fix nve/mca does not work with run_style respa");
   reset_dt();

@@ -13,23 +13,35 @@
 
 namespace LAMMPS_NS {
 
+/// Command fix nve/mca: velocity Verlet for places, velocities and angular velocities of the group,
+/// and in the plane for the state theta. Mass and moment of inertia are those of the packing's
+/// cell, by type, not LAMMPS's of a disc or ball.
 class FixNVEMCA : public Fix {
  public:
   FixNVEMCA(class LAMMPS *, int, char **);
+  /// Both halves of a Verlet step; before the forces and after them.
   int setmask() override;
+  /// Needs pair_style mca, and no rRESPA; stops LAMMPS with one line otherwise.
   void init() override;
+  /// Half a step of the velocities, a step of places and angles.
   void initial_integrate(int) override;
+  /// The other half step of the velocities, with the new forces.
   void final_integrate() override;
+  /// At the beginning of a run and whenever the timestep changes.
   void reset_dt() override;
 
  private:
-  struct HalfStep { // half a step over mass and moment of inertia
+  /// Half a step over mass and moment of inertia, in units that make a velocity of a force.
+  struct HalfStep {
     double over_mass, over_inertia;
   };
   class PairMCA *pair;
+  /// The step [time].
   double dtv;
-  std::vector<HalfStep> halfstep; // by type
+  /// By type, [0] unused.
+  std::vector<HalfStep> halfstep;
 
+  /// Both of them; MOVES: places and angles, too.
   template<int DIMENSION, bool MOVES>
   void step();
 };

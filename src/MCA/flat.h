@@ -7,7 +7,9 @@
 
 namespace mca {
 
-/// x, v, f, omega or torque of class Atom as n x 3 doubles that follow each other.
+/// x, v, f, omega or torque of class Atom as n x 3 doubles that follow each other; LAMMPS allocates
+/// them so. Valid until LAMMPS grows the array.
+/// \return nullptr where the atom style has no such array
 inline double (*flat(double **array))[3]
 {
   return array ? reinterpret_cast<double(*)[3]>(array[0]) : nullptr;

@@ -2,173 +2,162 @@
 #include "friction_log_writer.h"
 
 #include "shared/friction_log_format.h"
+#include "shared/plain_number.h"
+#include "shared/printable.h"
 
-#include <cerrno>
-#include <cstdlib>
-#include <cstring>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
 #include <fstream>
 #include <sstream>
 #include <stdexcept>
-#include <unistd.h>
+#include <vector>
 
 namespace mca {
 
 namespace format = mcawr::friction_log;
 
-FrictionLogWriter::~FrictionLogWriter()
-{
-  close();
-}
-
-void FrictionLogWriter::close()
-{
-  if (file_)
-    std::fclose(file_);
-  file_ = nullptr;
-}
-
-[[noreturn]] static void fail(const std::string &what, const std::string &path)
-{
-  throw std::runtime_error("cannot " + what + " friction log " + path + ": " +
-                           std::strerror(errno));
-}
-
-// The log appears whole: written beside, then renamed over what stood there; then open to append.
-void FrictionLogWriter::replaceBy(const std::string &text)
-{
-  const std::string beside = path_ + ".tmp";
-  std::FILE *out = std::fopen(beside.c_str(), "w");
-  if (!out)
-    fail("write", path_);
-  const bool written = std::fwrite(text.data(), 1, text.size(), out) == text.size() &&
-                       std::fflush(out) == 0 && fsync(fileno(out)) == 0;
-  std::fclose(out);
-  if (!written || std::rename(beside.c_str(), path_.c_str()) != 0) {
-    std::remove(beside.c_str());
-    fail("write", path_);
-  }
-  file_ = std::fopen(path_.c_str(), "a");
-  if (!file_)
-    fail("append to", path_);
-}
-
-// YAML 1.1 takes a number with an exponent for text unless it has a point
-static std::string number(double value)
-{
-  std::ostringstream text;
-  text.precision(12);
-  text << value;
-  std::string word = text.str();
-  const auto exponent = word.find('e');
-  if (exponent != std::string::npos && word.find('.') == std::string::npos)
-    word.insert(exponent, ".0");
-  return word;
-}
-
 namespace {
 
-/// One line of the head, "# NAME: {KEY: VALUE, ...}".
-class Section {
- public:
-  explicit Section(const std::string &name) : line_(std::string(format::headMark) + " " + name) {}
-
-  void add(const std::string &key, const std::string &value)
-  {
-    line_ += (empty_ ? ": {" : ", ") + key + ": " + value;
-    empty_ = false;
-  }
-  void add(const format::HeadNumber &what, double value) { add(what.key, number(value)); }
-  void add(const format::HeadNumber &what, long long value)
-  {
-    add(what.key, std::to_string(value));
-  }
-
-  std::string line() const { return line_ + (empty_ ? ": {}\n" : "}\n"); }
-
- private:
-  std::string line_;
-  bool empty_ = true;
-};
-
-std::string materialLine(const Material &m, const Units &u)
+[[noreturn]] void fail(const std::string &path, const std::string &problem)
 {
-  Section section(format::section::material);
-  section.add(format::head::youngsModulus, m.youngsModulus * u.stress);
-  section.add(format::head::poissonsRatio, m.poissonsRatio);
-  section.add(format::head::density, m.density * u.density());
-  section.add(format::head::elasticLimit, m.sigmaY1() * u.stress);
-  section.add(format::head::yieldStrength, m.sigmaY2() * u.stress);
-  section.add(format::head::yieldStrain, m.yieldStrain);
-  section.add(format::head::strength, m.strength * u.stress);
-  section.add(format::head::breakingStrain, m.breakingStrain);
-  section.add(format::head::viscosity, m.viscosity * u.viscosity());
-  return section.line();
+  throw std::runtime_error(mcawr::printable("friction log " + path + ": " + problem));
 }
 
-std::string headOf(const LogHeader &h, const Units &u)
+/// What a file under the name of a log holds.
+struct Contents {
+  std::string head;                                    ///< lines before the one of the columns
+  std::vector<std::pair<long long, std::string>> rows; ///< step and line
+};
+
+// Devices and pipes hold nothing that could be read again.
+bool isThere(const std::string &path)
 {
-  namespace names = format::section;
-  Section program(names::program), units(names::units), loading(names::loading),
-      geometry(names::geometry), laws(names::laws), run(names::run);
-  program.add("name", "mca-wheelrail");
-  program.add("version", MCA_VERSION);
-  program.add("lammps", std::to_string(h.lammpsVersion));
-  for (const auto &[quantity, unit] : format::units)
-    units.add(quantity, unit);
-  loading.add(format::head::pressure, h.pressure * u.stress);
-  loading.add(format::head::velocity, h.velocity * u.velocity());
-  geometry.add(format::head::width, h.width * u.length);
-  geometry.add(format::head::thickness, h.thickness * u.length);
-  geometry.add(format::head::diameter, h.material.diameter * u.length);
-  geometry.add(format::packingKey, h.packing);
-  geometry.add(format::head::automata, h.automata);
-  for (size_t k = 0; k + 1 < h.laws.size(); k += 2)
-    laws.add(h.laws[k], h.laws[k + 1]);
-  run.add(format::head::timestep, h.timestep * u.time);
-  run.add(format::head::every, h.every);
-  run.add(format::head::seed, h.seed);
-  return format::formatLine() + "\n" + program.line() + units.line() + materialLine(h.material, u) +
-         loading.line() + geometry.line() + laws.line() + run.line();
+  std::error_code ignored;
+  return std::filesystem::is_regular_file(path, ignored) &&
+         std::filesystem::file_size(path, ignored) > 0;
+}
+
+long long stepOf(const std::string &line, int number, const std::string &path)
+{
+  std::istringstream words(line);
+  std::vector<double> values;
+  for (std::string word; words >> word;) {
+    const auto value = mcawr::plainNumber(word);
+    if (!value)
+      fail(path, "line " + std::to_string(number) + ": '" + word + "' is not a finite number");
+    values.push_back(*value);
+  }
+  if (values.size() != format::Columns || !format::isIn(format::Range::Whole, values[format::Step]))
+    fail(path, "line " + std::to_string(number) + " is not a row of " +
+                   std::to_string(format::Columns) + " numbers that begin with a step");
+  return static_cast<long long>(values[format::Step]);
+}
+
+Contents read(const std::string &path)
+{
+  std::ifstream in(path);
+  std::string line;
+  if (!std::getline(in, line) || line != format::formatLine())
+    fail(path, "its first line is not '" + format::formatLine() + "'");
+  Contents all = {line + "\n", {}};
+  int number = 1;
+  while (std::getline(in, line) && ++number && line.compare(0, 1, format::headMark) == 0)
+    all.head += line + "\n";
+  if (line != format::columnLine())
+    fail(path, "line " + std::to_string(number) + " is not '" + format::columnLine() + "'");
+  while (std::getline(in, line) && ++number)
+    if (!in.eof()) // else no newline: the machine stopped while it was written
+      all.rows.emplace_back(stepOf(line, number, path), line);
+  return all;
+}
+
+std::string rowsWord(LogRows rows)
+{
+  return rows.number == 0 ? "no row"
+                          : std::to_string(rows.number) + " rows, the last one of step " +
+                                std::to_string(rows.last);
 }
 
 } // namespace
 
-void FrictionLogWriter::begin(const std::string &path, const LogHeader &header, const Units &units)
+void FrictionLogWriter::begin(const std::string &path, const LogHeader &header, const Units &units,
+                              long long step, bool isRestart)
 {
-  close();
+  if (isThere(path)) {
+    if (isRestart)
+      fail(path, "it exists, and the restart file holds no log of that name for this fix; give "
+                 "the fix its former ID and file, or another file");
+    const Contents old = read(path);
+    if (!old.rows.empty() && old.rows.front().first <= step)
+      fail(path, "it exists and has rows from step " + std::to_string(old.rows.front().first) +
+                     " on, which this run, at step " + std::to_string(step) +
+                     ", would not make again; give another file");
+  }
   path_ = path;
-  replaceBy(headOf(header, units) + format::columnLine() + "\n");
+  head_ = headOf(header, units);
+  rows_ = {};
+  file_.begin(path, head_ + format::columnLine() + "\n");
 }
 
-void FrictionLogWriter::resume(const std::string &path, long long step)
+std::string FrictionLogWriter::resume(const std::string &path, const LogHeader &header,
+                                      const Units &units, long long step, LogRows rows)
 {
-  close();
-  path_ = path;
-  std::ifstream in(path);
-  if (!in)
-    fail("continue", path);
-  std::string kept, line;
-  if (!std::getline(in, line) || line != format::formatLine())
-    throw std::runtime_error("cannot continue friction log " + path + ": its first line is not '" +
-                             format::formatLine() + "'");
-  kept = line + "\n";
-  while (std::getline(in, line)) {
-    const bool isRow = !line.empty() && line[0] >= '0' && line[0] <= '9';
-    const bool cutShort = in.eof(); // no newline: the machine stopped while it was written
-    if (isRow && (cutShort || std::strtoll(line.c_str(), nullptr, 10) > step))
-      continue;
-    kept += line + "\n";
+  std::error_code ignored;
+  if (!std::filesystem::is_regular_file(path, ignored)) {
+    begin(path, header, units, step, true);
+    return rows.number == 0 ? ""
+                            : "friction log " + path + " with " + rowsWord(rows) +
+                                  " is not there, a new one begins";
   }
-  replaceBy(kept);
+  const Contents old = read(path);
+  path_ = path;
+  head_ = old.head;
+  check(header, units);
+  LogRows kept;
+  std::string text = head_ + format::columnLine() + "\n";
+  for (const auto &[at, line] : old.rows) {
+    if (at > step)
+      break;
+    if (kept.number > 0 && at != kept.last + header.every)
+      fail(path, "rows are missing or repeated between the steps " + std::to_string(kept.last) +
+                     " and " + std::to_string(at));
+    kept = {kept.number + 1, at};
+    text += line + "\n";
+  }
+  if (kept.number != rows.number || kept.last != rows.last)
+    fail(path, "it has " + rowsWord(kept) + " up to step " + std::to_string(step) +
+                   ", the run that wrote the restart file had " + rowsWord(rows) +
+                   ": it is another log or rows are missing; give another file to begin anew");
+  rows_ = kept;
+  file_.begin(path, text);
+  const std::string before = versionsIn(head_), now = versionsIn(headOf(header, units));
+  return before == now ? ""
+                       : "friction log " + path + " was begun by " + before + ", this is " + now;
+}
+
+void FrictionLogWriter::check(const LogHeader &header, const Units &units) const
+{
+  const std::string difference = differenceFrom(head_, header, units);
+  if (!difference.empty())
+    fail(path_, "its head does not fit: " + difference + "; give another file");
 }
 
 void FrictionLogWriter::write(const LogRow &r)
 {
-  std::fprintf(file_, "%lld %.10g %.10g %.8g %.8g %.8g %.10g %.10g %.10g %.8g\n", r.step, r.time,
-               r.displacement, r.shearStress, r.normalStress, r.mu, r.links, r.broken, r.formed,
-               r.gap);
-  if (std::fflush(file_) != 0)
-    fail("append to", path_);
+  const double values[] = {r.time,  r.displacement, r.shearStress, r.normalStress, r.mu,
+                           r.links, r.broken,       r.formed,      r.gap};
+  if (!std::all_of(std::begin(values), std::end(values), format::isInRow))
+    fail(path_, "the row of step " + std::to_string(r.step) + " has numbers that are not finite");
+  std::array<char, 512> line; // ten numbers of at most 24 letters
+  std::snprintf(line.data(), line.size(),
+                "%lld %.10g %.10g %.8g %.8g %.8g %.10g %.10g %.10g %.8g\n", r.step, r.time,
+                r.displacement, r.shearStress, r.normalStress, r.mu, r.links, r.broken, r.formed,
+                r.gap);
+  file_.append(line.data());
+  rows_ = {rows_.number + 1, r.step};
 }
 
 } // namespace mca

@@ -1,57 +1,73 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 /// \file friction_log_writer.h
 /// Writes the friction log (format `mca-friction 1`, doc/friction_log.md). No LAMMPS type in here.
+/// Errors are a std::runtime_error with one line that names the file; a file that exists is left as
+/// it was then.
 #ifndef MCA_FRICTION_LOG_WRITER_H
 #define MCA_FRICTION_LOG_WRITER_H
 
-#include "laws/material.h"
-#include "units.h"
+#include "friction_log_head.h"
+#include "shared/output_file.h"
 
-#include <cstdio>
 #include <string>
-#include <vector>
 
 namespace mca {
 
-/// Everything that the log says about its run; in units of the run.
-struct LogHeader {
-  Material material;
-  double pressure, velocity; ///< loading
-  double width, thickness;   ///< geometry
-  std::string packing;       ///< its name: hex, fcc, hcp, sc
-  long long automata;
-  std::vector<std::string> laws; ///< keyword-value pairs of pair_style
-  double timestep;
-  long long every, seed;
-  int lammpsVersion;
-};
-
-/// One row, in units of the log.
+/// One row, in units of the log: ns, nm, MPa. Stresses and mu are means over the row's steps,
+/// broken and formed the links of the row, `links` those that hold now, gap the rise of the layer
+/// since the beginning.
 struct LogRow {
+  /// Of the row's end; rows are sorted by it, and resume() looks at it.
   long long step;
+  /// ns since step 0, nm of the layer since its first set-up, MPa, MPa, [-].
   double time, displacement, shearStress, normalStress, mu;
+  /// Of the whole sample, all ranks; gap in nm.
   double links, broken, formed, gap;
 };
 
+/// Which rows a log has: how many, and the step of the last one.
+struct LogRows {
+  long long number = 0, last = 0;
+};
+
+/// The file of one log, on the rank that writes. After begin() or resume() it is open until the
+/// end.
 class FrictionLogWriter {
  public:
-  ~FrictionLogWriter();
+  /// Begins a new log: its whole head at once.
+  /// \param units      from those of the header to those of the log
+  /// \param step       of the run; a log with rows until there is not replaced, they would be lost
+  /// \param isRestart  the run goes on from a restart file: no file is replaced at all
+  /// \throw std::runtime_error  also for a number that no reader takes, for a file with other
+  ///                            contents, and for one that another writer has open
+  void begin(const std::string &path, const LogHeader &, const Units &, long long step,
+             bool isRestart);
 
-  /// Begins a new log (whole header at once), or continues one: rows after `step` are dropped.
-  /// \throws std::runtime_error with one line when the file cannot be written or continued
-  void begin(const std::string &path, const LogHeader &, const Units &);
-  void resume(const std::string &path, long long step);
+  /// Goes on with a log; rows after `step`, and a last row that was cut, are dropped. The head
+  /// stays as it is.
+  /// \param rows  which are there up to `step`
+  /// \return empty, or a line that tells of what differs and does not matter
+  /// \throw std::runtime_error  also where head or rows are not those of this run
+  std::string resume(const std::string &path, const LogHeader &, const Units &, long long step,
+                     LogRows rows);
 
-  /// Appends a row and flushes it.
+  /// In a further run of the same input script.
+  /// \throw std::runtime_error  this run has another head
+  void check(const LogHeader &, const Units &) const;
+
+  /// Appends a row.
+  /// \throw std::runtime_error  also for a number that is not finite; nothing is appended then
   void write(const LogRow &);
 
-  bool isOpen() const { return file_ != nullptr; }
+  /// Whether write() has a file.
+  bool isOpen() const { return file_.isOpen(); }
+  /// Of the file.
+  LogRows rows() const { return rows_; }
 
  private:
-  std::FILE *file_ = nullptr;
-  std::string path_;
-  void close();
-  void replaceBy(const std::string &text);
+  mcawr::GrowingFile file_;
+  std::string path_, head_;
+  LogRows rows_;
 };
 
 } // namespace mca

@@ -78,7 +78,7 @@ Material readMaterial(const std::string &text, const std::string &name, const st
     if (words >> more)
       throw MaterialError(where + keyword + " has more than one value: '" + more + "'");
     if (!seen.insert(keyword).second)
-      throw MaterialError(where + keyword + " stands twice");
+      throw MaterialError(where + keyword + " appears twice");
     material.*q.value = finiteNumber(q, value, where);
   }
   for (const auto &q : materialQuantities())

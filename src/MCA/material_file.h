@@ -5,6 +5,7 @@
 #define MCA_MATERIAL_FILE_H
 
 #include "laws/material.h"
+#include "shared/printable.h"
 
 #include <stdexcept>
 #include <string>
@@ -13,8 +14,10 @@
 namespace mca {
 
 /// One line that says what is wrong: file, line, keyword, value, what is allowed.
+/// What it quotes of a file is made printable.
 class MaterialError : public std::runtime_error {
-  using std::runtime_error::runtime_error;
+ public:
+  explicit MaterialError(const std::string &line) : std::runtime_error(mcawr::printable(line)) {}
 };
 
 /// \param text   the whole file. The first line holds `UNITS: style` (and DATE, CITATION); then
@@ -26,7 +29,9 @@ class MaterialError : public std::runtime_error {
 Material readMaterial(const std::string &text, const std::string &name, const std::string &units);
 
 /// Takes keyword-value pairs over those of a file (pair_coeff) and checks the result.
-/// \throws MaterialError
+/// \param words  keyword, value, keyword, value, ... in the same units as the material; a keyword
+///               may stand twice, the last one counts
+/// \throws MaterialError  as above; without file and line
 Material overrideMaterial(Material, const std::vector<std::string> &words);
 
 } // namespace mca

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "mca_links.h"
 
+#include "arguments.h"
 #include "atom.h"
 #include "comm.h"
 #include "domain.h"
 #include "error.h"
 #include "fix_mca_history.h"
-#include "force.h"
 #include "group.h"
 #include "modify.h"
 #include "neighbor.h"
@@ -21,9 +21,7 @@ using namespace LAMMPS_NS;
 
 void MCALinks::command(int narg, char **arg)
 {
-  pair = dynamic_cast<PairMCA *>(force->pair_match("^mca", 0));
-  if (!pair)
-    error->all(FLERR, "Command mca_links requires pair_style mca");
+  pair = PairMCA::find(lmp, "Command mca_links");
   const std::string style = narg > 0 ? arg[0] : "";
   if (style == "create" || style == "delete") {
     if (narg < 3)
@@ -88,9 +86,7 @@ void MCALinks::create_or_delete(bool create, int narg, char **arg)
     if (strcmp(arg[iarg], "reach") != 0 || iarg + 1 == narg)
       error->all(FLERR, "Command mca_links: unknown keyword {} or no value, allowed: reach factor",
                  arg[iarg]);
-    reach = utils::numeric(FLERR, arg[iarg + 1], false, lmp);
-    if (!(reach > 0.0) || !std::isfinite(reach))
-      error->all(FLERR, "Command mca_links reach is {}, allowed: > 0", arg[iarg + 1]);
+    reach = mca::number(lmp, "Command mca_links reach", arg[iarg + 1], mca::Sign::Positive);
   }
 
   double changed = 0.0;

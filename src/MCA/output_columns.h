@@ -14,9 +14,14 @@
 
 namespace LAMMPS_NS {
 
+/// Rows by columns of doubles for computes and fixes: LAMMPS wants a plain vector where one
+/// attribute is asked for, and an array otherwise.
 class OutputColumns : protected Pointers {
  public:
-  // the words are arg[0] to arg[narg-1], each one of `known`
+  /// \param style  for messages, such as "Compute mca/atom"
+  /// \param known  all words; what is stored is the number in this list
+  /// \param arg    words arg[0] to arg[narg - 1], each one of `known`; another one, or none at all,
+  ///               stops LAMMPS with one line that names the nearest or all
   OutputColumns(LAMMPS *, const std::string &style, const std::vector<std::string> &known, int narg,
                 char **arg);
   ~OutputColumns() override;
@@ -24,18 +29,28 @@ class OutputColumns : protected Pointers {
   OutputColumns &operator=(const OutputColumns &) = delete;
 
   int size() const { return static_cast<int>(attributes.size()); }
-  int lammps_columns() const { return size() == 1 ? 0 : size(); } // 0 says vector
-  int operator[](int column) const { return attributes[column]; } // number in `known`
+  /// What LAMMPS's size_..._cols wants: 0 says vector.
+  int lammps_columns() const { return size() == 1 ? 0 : size(); }
+  /// Number of a column's attribute in `known`.
+  int operator[](int column) const { return attributes[column]; }
+  /// Whether one of the columns shows this attribute, a number in `known`.
   bool has(int attribute) const;
 
-  void grow(int rows); // keeps what is there
+  /// Room for so many rows, with an eighth more; keeps what is there. Pointers that LAMMPS was
+  /// given end here: they are set after it.
+  void grow(int rows);
+  /// Neither is checked; rows below that of the last grow().
   double &at(int row, int column) const { return size() == 1 ? vector[row] : array[row][column]; }
-  double *vector = nullptr; // one of both, after grow()
+  /// One of both, after grow(); owned.
+  double *vector = nullptr;
   double **array = nullptr;
+  /// Memory held [bytes].
   double bytes() const { return static_cast<double>(nmax * attributes.size()) * sizeof(double); }
 
  private:
+  /// Of each column, in `known`.
   std::vector<int> attributes;
+  /// Rows there is room for.
   int nmax = 0;
 };
 

@@ -14,6 +14,8 @@
 
 using namespace LAMMPS_NS;
 
+static constexpr int SAMPLE_CHECK = 100; // steps from one to the next
+
 static constexpr int KAPPA = mca::stateNumber("kappa");
 static constexpr int ELASTIC_Z = mca::stateNumber("elastic_z");
 static constexpr int BROKEN = mca::stateNumber("broken");
@@ -22,6 +24,11 @@ static constexpr int LAG[] = {mca::stateNumber("lag_x"), mca::stateNumber("lag_y
                               mca::stateNumber("lag_z")};
 static constexpr int REST[] = {mca::stateNumber("rest_x"), mca::stateNumber("rest_y"),
                                mca::stateNumber("rest_z")};
+static constexpr int SPIN_LAG[] = {mca::stateNumber("spin_lag_x"), mca::stateNumber("spin_lag_y"),
+                                   mca::stateNumber("spin_lag_z")};
+static constexpr int SPIN_REST[] = {mca::stateNumber("spin_rest_x"),
+                                    mca::stateNumber("spin_rest_y"),
+                                    mca::stateNumber("spin_rest_z")};
 
 /* ----------------------------------------------------------------------
    In set-up nothing moves on; in a step the state that the last one led to is taken over first.
@@ -30,11 +37,18 @@ static constexpr int REST[] = {mca::stateNumber("rest_x"), mca::stateNumber("res
 void PairMCA::compute(int eflag, int vflag)
 {
   ev_init(eflag, vflag);
+  check_internal_fixes();
   const bool advance = update->whichflag == 1 && !update->setupflag;
   if (advance)
     commit();
   mca_step.run(automata(), update->dt, advance);
   add_forces();
+  if (!told_of_stress && update->whichflag == 1) {
+    told_of_stress = true;
+    warn_of_stress();
+  }
+  if (advance && update->ntimestep % SAMPLE_CHECK == 0)
+    check_sample();
   if (eflag_either || vflag_either)
     tally();
 }
@@ -52,10 +66,16 @@ mca::Automata PairMCA::automata() const
                      state(KAPPA),
                      state(ELASTIC_Z),
                      {},
+                     {},
+                     {},
                      {}};
   for (int m = 0; m < domain->dimension; m++) {
     a.lag[m] = state(LAG[m]);
     a.rest[m] = state(REST[m]);
+  }
+  for (int m = 0; m < 3; m++) {
+    a.spinLag[m] = state(SPIN_LAG[m]);
+    a.spinRest[m] = state(SPIN_REST[m]);
   }
   return a;
 }
@@ -149,15 +169,16 @@ void PairMCA::commit()
     record_events();
 }
 
-/* with what the rows and pairs of this list stand for, before it changes */
+/* With what the rows and pairs of this list stand for, before it changes: commit() comes before
+   the atoms migrate. Of a pair that two ranks hold the one of its first automaton records it. */
 
 void PairMCA::record_events()
 {
   happened.clear();
-  const mca::Pairs &p = links().pairs();
+  const mca::LinkList &pairs = links();
   double **x = atom->x;
   for (const mca::Step::Change &change : mca_step.changes()) {
-    const int k = change.pair, i = p.i[k], j = p.j[k];
+    const int k = change.pair, i = pairs.i(k), j = pairs.j(k);
     if (!mca_step.isOurs(k))
       continue;
     Event e{update->ntimestep - 1,
@@ -167,7 +188,11 @@ void PairMCA::record_events()
             {},
             {atom->mask[i], atom->mask[j]}};
     for (int m = 0; m < 3; m++)
-      e.x[m] = 0.5 * (x[p.placeI[k]][m] + x[p.placeJ[k]][m]);
+      e.x[m] = 0.5 * (x[pairs.placeI(k)][m] + x[pairs.placeJ(k)][m]);
+    for (int m = 0; m < 3; m++) // far from the box LAMMPS's folding would not end
+      if (!(std::abs(e.x[m] - domain->boxlo[m]) < 1e3 * domain->prd[m]))
+        error->one(FLERR, "Automata {} {}: their place is {:.6g}, far outside the box, in step {}",
+                   e.tag[0], e.tag[1], e.x[m], update->ntimestep);
     domain->remap(e.x);
     happened.push_back(e);
   }

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "region_mca_rough.h"
 
+#include "arguments.h"
 #include "domain.h"
 #include "error.h"
 
+#include <cmath>
 #include <cstring>
 
 using namespace LAMMPS_NS;
@@ -21,16 +23,23 @@ RegionMCARough::RegionMCARough(LAMMPS *host, int narg, char **arg) : Region(host
                       "its period");
   options(narg - 7, &arg[7]);
   below = strcmp(arg[2], "below") == 0;
-  height = yscale * utils::numeric(FLERR, arg[3], false, lmp);
-  const double amplitude = yscale * utils::numeric(FLERR, arg[4], false, lmp);
-  const double correlation = xscale * utils::numeric(FLERR, arg[5], false, lmp);
-  const bigint seed = utils::bnumeric(FLERR, arg[6], false, lmp);
-  if (!(amplitude >= 0.0))
-    error->all(FLERR, "Region mca/rough amplitude is {}, allowed: >= 0", arg[4]);
-  if (!(correlation > 0.0))
-    error->all(FLERR, "Region mca/rough correlation is {}, allowed: > 0", arg[5]);
-  if (seed <= 0)
-    error->all(FLERR, "Region mca/rough seed is {}, allowed: a whole number > 0", arg[6]);
+  const std::string what = "Region mca/rough ";
+  height = yscale * mca::number(lmp, what + "height", arg[3]);
+  const double amplitude =
+      yscale * mca::number(lmp, what + "amplitude", arg[4], mca::Sign::NotNegative);
+  const double correlation =
+      xscale * mca::number(lmp, what + "correlation", arg[5], mca::Sign::Positive);
+  const bigint seed = mca::wholeNumber(lmp, what + "seed", arg[6], 1, MAXBIGINT);
+  for (const double length : {height, amplitude})
+    if (!(std::abs(length) < mca::RoughProfile::most * domain->xprd))
+      error->all(FLERR, "Region mca/rough height {} or amplitude {}, allowed: below {} box lengths",
+                 arg[3], arg[4], mca::RoughProfile::most);
+  const double least = domain->xprd / mca::RoughProfile::most;
+  if (!(correlation >= least && correlation <= domain->xprd))
+    error->all(FLERR,
+               "Region mca/rough correlation is '{}', {:.6g} in length units, allowed: from 1/{} "
+               "of the box's length in x to that length, {:.6g} to {:.6g}",
+               arg[5], correlation, mca::RoughProfile::most, least, domain->xprd);
   profile = std::make_unique<mca::RoughProfile>(domain->xprd, amplitude, correlation, seed);
 
   bboxflag = 0;

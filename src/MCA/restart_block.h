@@ -1,50 +1,60 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 /// \file restart_block.h
-/// Checksums for what we write to a LAMMPS restart file: a block of text with its length (global
-/// state), and the record of an automaton (state of a fix). A damaged file is refused, not read.
+/// What restart_format.h reads, on all ranks of a LAMMPS, which stops with one line where a part of
+/// the file is damaged.
 #ifndef LMP_MCA_RESTART_BLOCK_H
 #define LMP_MCA_RESTART_BLOCK_H
 
 #include "atom.h"
 #include "error.h"
+#include "restart_format.h"
 
 #include <cstdio>
 #include <string>
-#include <vector>
 
 namespace mca {
 
-/// FNV-1a checksum of 64 bits (Fowler, Noll, Vo; RFC draft-eastlake-fnv).
-unsigned long long checksum(const void *bytes, size_t n);
-
-/// Numbers as text that reads back to the same bits.
-std::string exactText(const std::vector<double> &values);
-
-/// The whole file on all ranks; rank 0 reads. Stops LAMMPS with one line when that fails.
+/// The whole file on all ranks; rank 0 reads. Called by all ranks. Stops LAMMPS with one line when
+/// that fails.
+/// \param path  empty: as if the file could not be opened
 /// \param what  names the file in the message
 std::string fileText(LAMMPS_NS::LAMMPS *lmp, const std::string &path, const std::string &what);
 
-/// Rank 0 writes.
-void writeBlock(FILE *fp, const std::string &text);
+/// Rank 0 reads the whole restart file against its checksum, and goes on behind it; called by all.
+/// \param fp  open on rank 0, at the place of FileSeal
+void checkSeal(LAMMPS_NS::LAMMPS *lmp, FILE *fp);
 
-/// Rank 0 reads, all ranks get the text. Stops LAMMPS with one line when the block is damaged.
-/// \param what names the block in the message
-std::string readBlock(LAMMPS_NS::LAMMPS *lmp, FILE *fp, const char *what);
+/// Rank 0 reads a block, all ranks get its text; called by all.
+/// \param fp    open on rank 0, at the block's beginning; afterwards behind its end
+/// \param what  names the block in the message
+std::string blockText(LAMMPS_NS::LAMMPS *lmp, FILE *fp, const char *what);
 
-/// A block that was written by blockBytes() to memory (global state of fixes): the same check.
-std::string blockBytes(const std::string &text);
-std::string readBlockBytes(LAMMPS_NS::LAMMPS *lmp, const char *bytes, const char *what);
+/// The text of a fix's block, of less than 4 kB. LAMMPS does not tell how long its memory is; the
+/// checksum of the file has made sure that it is as it was written.
+/// \param bytes  of LAMMPS, on every rank; the block begins there
+std::string fixBlockText(LAMMPS_NS::LAMMPS *lmp, const char *bytes, const char *what);
 
-/// Checksum of an automaton's record and of its ID, as a double that is a whole number.
-double recordChecksum(const double *values, int n, LAMMPS_NS::tagint id);
+/// What a function of restart_format.h reads; its RestartError stops LAMMPS. Called by all ranks.
+template<class Read>
+auto readOrStop(LAMMPS_NS::LAMMPS *lmp, Read read)
+{
+  try {
+    return read();
+  } catch (const RestartError &error) {
+    lmp->error->all(FLERR, "{}", error.what());
+  }
+}
 
-/// A fix with per-automaton state whose records in restart files end with a checksum. Base is a
-/// LAMMPS fix that packs its records in LAMMPS's way: the number of values comes first.
+/// A fix with per-automaton state whose records in restart files end with a checksum. The ID is in
+/// it, so that a record that came to another automaton is found, too.
+/// \tparam Base  a LAMMPS fix that packs its records in LAMMPS's way: the number of values comes
+///               first
 template<class Base>
 class CheckedRestart : public Base {
  public:
   using Base::Base;
 
+  /// \return length of the record in doubles, the checksum included
   int pack_restart(int i, double *buf) override
   {
     const int n = Base::pack_restart(i, buf);
@@ -53,30 +63,33 @@ class CheckedRestart : public Base {
     return n + 1;
   }
 
+  /// Checks the record before Base sees it; what is damaged stops LAMMPS with the ID of the atom.
+  /// \param i    own atom
+  /// \param nth  number of this fix's record among those of the atom, in atom->extra
   void unpack_restart(int i, int nth) override
   {
-    const double *record = this->atom->extra[i];
-    const double *const end = record + this->atom->nextra_store;
-    auto fits = [&end](const double *r) { return r < end && r[0] >= 2.0 && r[0] <= end - r; };
-    bool good = fits(record);
-    for (int m = 0; m < nth && good; m++) {
-      record += static_cast<int>(record[0]);
-      good = fits(record);
-    }
-    if (good) {
-      const int n = static_cast<int>(record[0]) - 1;
-      good = record[n] == recordChecksum(record, n, this->atom->tag[i]);
-    }
-    if (!good)
+    const LAMMPS_NS::Atom &own = *this->atom;
+    const auto record = checkedRecord(own.extra[i], own.nextra_store, nth, own.tag[i]);
+    if (!record)
       this->error->one(FLERR,
                        "Restart file is damaged: the {} record of atom {} does not match its "
                        "checksum",
-                       this->style, this->atom->tag[i]);
+                       this->style, own.tag[i]);
+    if (!isSound(*record))
+      this->error->one(FLERR,
+                       "Restart file is damaged: the {} record of atom {} is of another length, or "
+                       "holds what is no state",
+                       this->style, own.tag[i]);
     Base::unpack_restart(i, nth);
   }
 
+  /// One double more than Base's.
   int size_restart(int i) override { return Base::size_restart(i) + 1; }
   int maxsize_restart() override { return Base::maxsize_restart() + 1; }
+
+ protected:
+  /// Whether Base can take the record.
+  virtual bool isSound(const Record &) const = 0;
 };
 
 } // namespace mca

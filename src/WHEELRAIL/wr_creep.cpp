@@ -3,24 +3,32 @@
 
 #include "base/errors.h"
 #include "base/output_file.h"
+#include "base/program.h"
+#include "base/result_text.h"
+#include "base/version.h"
 #include "creep/case_file.h"
 #include "creep/creep_report.h"
 #include "creep/patch/patch_report.h"
-#include "shared/nearest_word.h"
+#include "creep/patch/patch_table.h"
+#include "shared/output_file.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <csignal>
 #include <cstdio>
 #include <filesystem>
 #include <fmt/format.h>
+#include <optional>
+#include <string>
 #include <unistd.h>
 
 using namespace wheelrail;
 
 namespace {
 
+constexpr const char *programName = "wr_creep";
 constexpr const char *journalName = "wr_creep.journal";
 
 std::atomic<bool> interruptAsked{false};
@@ -30,15 +38,15 @@ void askToStop(int)
 }
 
 struct Settings {
-  std::string caseFile, folder = ".", polach;
+  std::string caseFile, folder = ".", polach, table;
   std::vector<std::string> changes;
   int threads = 0;
   bool quiet = false, verbose = false, printConfig = false;
 };
 
-std::string rangeOf(const Keyword &keyword)
+/// What a keyword allows, of any kind.
+std::string allowedOf(const Keyword &keyword)
 {
-  const std::string unit = std::string(keyword.unit) == "1" ? "" : std::string(" ") + keyword.unit;
   switch (keyword.kind) {
   case Keyword::Kind::Choice:
     return keyword.choices;
@@ -48,7 +56,7 @@ std::string rangeOf(const Keyword &keyword)
   case Keyword::Kind::TextList:
     return "TEXT";
   default:
-    return fmt::format("{}{}, {}]{}", keyword.lowOpen ? "(" : "[", keyword.low, keyword.high, unit);
+    return rangeOf(keyword);
   }
 }
 
@@ -74,23 +82,24 @@ Examples:
 Keywords of the case file (and of --set), allowed values, defaults:
 )";
   for (const Keyword &keyword : keywords()) {
-    text += fmt::format("  {:<30} {}", keyword.name, rangeOf(keyword));
+    text += fmt::format("  {:<30} {}", keyword.name, allowedOf(keyword));
     if (*keyword.initial)
       text += fmt::format(" [{}]", keyword.initial);
     text += fmt::format("\n  {:<30}   {}\n", "", keyword.help);
   }
   return text + R"(
 Exit codes: 0 ok, 1 internal, 2 usage, 3 bad input file, 4 not converged, 5 input/output,
-6 interrupted (the same command goes on where it stopped).
+6 interrupted (run the same command again to continue).
 )";
 }
 
 void defineOptions(CLI::App &app, Settings &settings)
 {
-  app.set_version_flag("--version", "wr_creep " WHEELRAIL_VERSION);
+  app.set_version_flag("--version", std::string("wr_creep ") + versionText);
   app.footer(footer());
   app.add_option("CASE", settings.caseFile, "case file (YAML)")->required();
   app.add_option("-o,--output", settings.folder, "folder for the results")
+      ->check(nameOption())
       ->type_name("DIR")
       ->capture_default_str();
   app.add_option("--set", settings.changes, "change a keyword: contact.radius=\"0.46 m\"")
@@ -98,29 +107,22 @@ void defineOptions(CLI::App &app, Settings &settings)
       ->take_all()
       ->allow_extra_args(false);
   app.add_option("--threads", settings.threads, "threads for the sweep [all cores]")
-      ->check(CLI::Range(1, 1024))
+      ->check(wholeNumberOption(1, 1024))
       ->type_name("N");
   app.add_option("--polach", settings.polach,
                  "fit Polach's law to the curves of a contact in a point; writes FILE (JSON) and "
                  "its points beside it (CSV)")
+      ->check(nameOption())
+      ->type_name("FILE");
+  app.add_option("--table", settings.table,
+                 "write the forces of a contact in a point as a table over load, speed, spin, "
+                 "lateral and creep, for a multibody code (CSV)")
+      ->check(nameOption())
       ->type_name("FILE");
   app.add_flag("--print-config", settings.printConfig, "print the complete case and stop");
-  app.add_flag("-q,--quiet", settings.quiet, "nothing on the screen but errors");
+  app.add_flag("-q,--quiet", settings.quiet, "nothing on the screen but errors and warnings");
   app.add_flag("-v,--verbose", settings.verbose,
                "iterations, residual and time of every normal contact too");
-}
-
-/// What to say of arguments that are no option: the nearest option there is.
-std::string unknownOption(const CLI::App &app)
-{
-  std::vector<std::string> known;
-  for (const auto *option : app.get_options())
-    for (const auto &name : option->get_lnames())
-      known.push_back("--" + name);
-  for (const auto &given : app.remaining())
-    if (given.substr(0, 1) == "-")
-      return mcawr::unknownWord("option", given, known);
-  return "one case file is expected";
 }
 
 /// Progress on stderr: one line that is written over on a terminal, a line now and then elsewhere.
@@ -132,8 +134,8 @@ class Progress {
     if (done < total && now - last_ < pause_)
       return;
     last_ = now;
-    fmt::print(stderr, "{}wr_creep: {} of {} points{}", onTerminal_ ? "\r" : "", done, total,
-               onTerminal_ && done < total ? "" : "\n");
+    std::fprintf(stderr, "%s%s: %d of %d points%s", onTerminal_ ? "\r" : "", programName, done,
+                 total, onTerminal_ && done < total ? "" : "\n");
     std::fflush(stderr);
   }
 
@@ -143,22 +145,59 @@ class Progress {
   std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
 };
 
-using Files = std::vector<std::pair<std::string, std::string>>; ///< name, content
+/// What a sweep says of itself when its files are in place.
+struct Report {
+  std::string text, details; ///< for the screen; the second with --verbose
+  std::string count;         ///< "21 points"
+  double seconds;
+};
 
-/// Writes the files, then says what was computed.
-void finish(const Settings &settings, const Files &files, const std::string &report,
-            const std::string &details, const std::string &count, double seconds)
-{
-  std::string names;
-  for (const auto &[name, content] : files) {
-    writeOutputFile(settings.folder + "/" + name, content);
-    names += (names.empty() ? "" : ", ") + name;
+/// The files of a case, and the report that is printed after they have appeared.
+class Results {
+ public:
+  explicit Results(const Settings &settings) : settings_(settings) {}
+
+  void add(const std::string &name, const std::string &content)
+  {
+    files.add(settings_.folder + "/" + name, content);
+    names_ += (names_.empty() ? "" : ", ") + name;
   }
-  if (settings.quiet)
-    return;
-  writeStandardOutput(fmt::format("{}{}{} in {:.2f} s; written to {}/: {}\n",
-                                  settings.verbose ? details : "", report, count, seconds,
-                                  settings.folder, names));
+  void addTable(const std::string &name, const std::string &content)
+  {
+    add(name, finiteTable(name, content));
+  }
+  /// Puts all files in place, and only then takes the journal away.
+  void finish(const Report &report, const Journal &journal)
+  {
+    files.commit();
+    journal.remove();
+    if (!settings_.quiet)
+      writeStandardOutput(fmt::format("{}{}{} in {:.2f} s; written to {}/: {}\n",
+                                      settings_.verbose ? report.details : "", report.text,
+                                      report.count, report.seconds, settings_.folder, names_));
+  }
+
+  mcawr::OutputFiles files;
+
+ private:
+  const Settings &settings_;
+  std::string names_;
+};
+
+/// A program run: what is asked for, and with what.
+struct Task {
+  const Settings &settings;
+  const SweepOptions &options;
+  Journal &journal;
+  const std::string &text; ///< of the case
+  const FrictionLaw &law;
+};
+
+std::string countOf(std::size_t points, int resumed)
+{
+  return fmt::format("{} points{}", points,
+                     resumed ? fmt::format(" ({} of them from a run that ended early)", resumed)
+                             : "");
 }
 
 /// Files that a case leaves in its folder.
@@ -166,13 +205,48 @@ std::vector<std::string> outputNames(const Case &input)
 {
   if (const auto *patch = std::get_if<PatchSpecification>(&input.task)) {
     std::vector<std::string> names = fieldFileNames(*patch);
-    names.insert(names.end(),
-                 {"creep.csv", "static.csv", "series.csv", "summary.json", journalName});
+    names.insert(names.end(), {"creep.csv", "creep_band.csv", "static.csv", "series.csv",
+                               "summary.json", journalName});
     return names;
   }
-  if (std::holds_alternative<StaticSpecification>(input.task))
-    return {"static.csv", "contact.csv", "summary.json"};
-  return {"creep.csv", "creep.json", "creep_band.csv", journalName, "contact.csv", "summary.json"};
+  std::vector<std::string> names = {"creep.csv", "creep.json", "creep_band.csv", journalName,
+                                    "summary.json"};
+  const auto addContacts = [&](const FieldSelection &fields, std::size_t points) {
+    const int total = static_cast<int>(points);
+    for (int number = 1; number <= total; ++number)
+      if (fields.holds(number, total))
+        names.push_back(contactFileName(fields, number));
+  };
+  if (const auto *still = std::get_if<StaticSpecification>(&input.task)) {
+    names = {"static.csv", "summary.json"};
+    addContacts(still->fields, still->forceRatio.size() * still->surface.profiles());
+  } else {
+    const auto &rolling = std::get<CreepSpecification>(input.task);
+    addContacts(rolling.fields,
+                rolling.creep.size() * rolling.speed.size() * rolling.surface.profiles());
+  }
+  return names;
+}
+
+void warn(const std::vector<std::string> &warnings)
+{
+  for (const std::string &warning : warnings)
+    complain(programName, "warning: " + warning);
+}
+
+/// Names the points that have no results, when those of the others are in place.
+/// @throws Error (NotConverged) if there are any
+void reportFailures(const std::vector<std::string> &failures, std::size_t points)
+{
+  constexpr std::size_t most = 10;
+  for (std::size_t k = 0; k < std::min(most, failures.size()); ++k)
+    complain(programName, failures[k]);
+  if (!failures.empty())
+    throw Error(ExitCode::NotConverged,
+                fmt::format("{} of {} points did not converge and {} left out{}; the others are "
+                            "written",
+                            failures.size(), points, failures.size() == 1 ? "is" : "are",
+                            failures.size() > most ? " (summary.json names all)" : ""));
 }
 
 /// The table that goes with a file of parameters: its name with the ending ".csv".
@@ -193,50 +267,55 @@ void checkInputsStay(const Settings &settings, const Case &input)
     outputs.push_back({"--polach", settings.polach});
     outputs.push_back({"--polach", tableBeside(settings.polach)});
   }
+  if (!settings.table.empty())
+    outputs.push_back({"--table", settings.table});
   checkOutputs(outputs, inputs);
 }
 
-void compute(const Settings &settings, const SweepOptions &options, const std::string &text,
-             const FrictionLaw &law, const StaticSpecification &asked)
+void compute(const Task &task, const StaticSpecification &asked)
 {
-  const StaticCases cases = solveStaticCases(asked, law, options);
-  finish(settings,
-         {{"static.csv", staticCsv(asked.surface, cases)},
-          {"contact.csv", contactCsv(cases)},
-          {"summary.json", summaryJson(asked, text, law, cases)}},
-         shortReport(asked, cases), detailedReport(asked.surface, cases.contacts),
-         fmt::format("{} forces", cases.points.size()), cases.seconds);
+  const StaticCases cases = solveStaticCases(asked, task.law, task.options);
+  warn(cases.warnings);
+  Results results(task.settings);
+  results.addTable("static.csv", staticCsv(asked.surface, cases));
+  for (const NamedTable &table : contactTables(asked, cases))
+    results.addTable(table.name, table.text);
+  results.add("summary.json", summaryJson(asked, task.text, task.law, cases));
+  results.finish({shortReport(asked, cases), detailedReport(asked.surface, cases.contacts),
+                  fmt::format("{} forces", cases.points.size()), cases.seconds},
+                 task.journal);
 }
 
-void compute(const Settings &settings, const SweepOptions &options, const std::string &text,
-             const FrictionLaw &law, const CreepSpecification &asked)
+void compute(const Task &task, const CreepSpecification &asked)
 {
-  const CreepCurves curves = solveCreepCurves(asked, law, options);
-  Files files = {{"creep.csv", creepCsv(asked.surface, curves)},
-                 {"creep.json", creepJson(asked, curves)}};
+  const CreepCurves curves = solveCreepCurves(asked, task.law, task.options);
+  warn(curves.warnings);
+  Results results(task.settings);
+  results.addTable("creep.csv", creepCsv(asked.surface, curves));
+  results.add("creep.json", creepJson(asked, curves));
   if (curves.hasBand)
-    files.emplace_back("creep_band.csv", creepBandCsv(asked.surface, curves));
-  files.emplace_back("contact.csv", contactCsv(curves));
-  files.emplace_back("summary.json", summaryJson(asked, text, law, curves));
-  const std::string resumed =
-      curves.resumed
-          ? fmt::format(" ({} of them from the run that was interrupted)", curves.resumed)
-          : "";
-  finish(settings, files, shortReport(asked, curves),
-         detailedReport(asked.surface, curves.contacts),
-         fmt::format("{} points{}", curves.points.size(), resumed), curves.seconds);
+    results.addTable("creep_band.csv", creepBandCsv(asked.surface, curves));
+  for (const NamedTable &table : contactTables(asked, curves))
+    results.addTable(table.name, table.text);
+  results.add("summary.json", summaryJson(asked, task.text, task.law, curves));
+  results.finish({shortReport(asked, curves), detailedReport(asked.surface, curves.contacts),
+                  countOf(curves.points.size(), curves.resumed), curves.seconds},
+                 task.journal);
+  reportFailures(failures(curves), curves.points.size());
 }
 
 /// Polach's law: parameters and the points they were fitted to.
-void fitPolachLaw(const Settings &settings, const PatchCurves &curves)
+/// @return what to print of it
+std::string addPolachLaw(const Settings &settings, const PatchCurves &curves,
+                         mcawr::OutputFiles &files)
 {
   const PolachContact contact = polachContact(curves);
   const std::vector<PolachPoint> points = polachPoints(curves);
   const PolachChoice choice = choosePolach(points, contact);
-  writeOutputFile(settings.polach, polachJson(choice, contact));
-  writeOutputFile(tableBeside(settings.polach), polachCsv(choice, contact, points));
-  if (settings.quiet)
-    return;
+  const std::string table = tableBeside(settings.polach);
+  const std::string parameters = polachJson(choice, contact);
+  files.add(table, finiteTable(table, polachCsv(choice, contact, points)));
+  files.add(settings.polach, parameters);
   const PolachFit &fit = choice.best;
   std::string text = "Polach's law:";
   for (int k = 0; k < polachParameters; ++k) {
@@ -244,31 +323,56 @@ void fitPolachLaw(const Settings &settings, const PatchCurves &curves)
     const double values[] = {p.mu0, p.A, p.B, p.kA, p.kS};
     text += fmt::format(" {} {:.4g}", polachParameterNames[k], values[k]);
   }
-  writeStandardOutput(fmt::format("{}; residual {:.2g} of the load; written to {} and {}\n", text,
-                                  fit.rms, settings.polach, tableBeside(settings.polach)));
+  return fmt::format("{}; residual {:.2g} of the load; written to {} and {}\n", text, fit.rms,
+                     settings.polach, table);
 }
 
-void compute(const Settings &settings, const SweepOptions &options, const std::string &text,
-             const FrictionLaw &law, const PatchSpecification &asked)
+void compute(const Task &task, const PatchSpecification &asked)
 {
-  const PatchCurves curves = solvePatchCurves(asked, law, options);
-  for (const std::string &warning : curves.warnings)
-    fmt::print(stderr, "wr_creep: warning: {}\n", warning);
-  writeFields(settings.folder, asked, curves);
-  Files files;
-  files.emplace_back(asked.mode == PatchMode::Static ? "static.csv" : "creep.csv",
-                     patchCsv(asked, curves));
+  const Settings &settings = task.settings;
+  const PatchCurves curves = solvePatchCurves(asked, task.law, task.options);
+  warn(curves.warnings);
+  Results results(settings);
+  addFields(results.files, settings.folder, asked, curves);
+  results.addTable(asked.mode == PatchMode::Static ? "static.csv" : "creep.csv",
+                   patchCsv(asked, curves));
+  if (curves.hasBand)
+    results.addTable("creep_band.csv", patchBandCsv(asked, curves));
   if (!curves.series.empty())
-    files.emplace_back("series.csv", patchSeriesCsv(curves));
-  files.emplace_back("summary.json", patchSummary(asked, text, law, curves));
-  const std::string resumed =
-      curves.resumed
-          ? fmt::format(" ({} of them from the run that was interrupted)", curves.resumed)
-          : "";
-  finish(settings, files, patchShortReport(asked, curves), patchDetailedReport(curves),
-         fmt::format("{} points{}", curves.points.size(), resumed), curves.seconds);
-  if (!settings.polach.empty())
-    fitPolachLaw(settings, curves);
+    results.addTable("series.csv", patchSeriesCsv(curves));
+  results.add("summary.json", patchSummary(asked, task.text, task.law, curves));
+  // curves to which no law can be fitted are results all the same
+  std::string polach, table;
+  std::optional<Error> noPolach;
+  try {
+    if (!settings.polach.empty())
+      polach = addPolachLaw(settings, curves, results.files);
+  } catch (const Error &error) {
+    noPolach = error;
+  }
+  if (!settings.table.empty()) {
+    results.files.add(settings.table, finiteTable(settings.table, patchTable(asked, curves)));
+    table = fmt::format("table of {} points written to {}\n", curves.points.size(), settings.table);
+  }
+  results.finish({patchShortReport(asked, curves), patchDetailedReport(curves),
+                  countOf(curves.points.size(), curves.resumed), curves.seconds},
+                 task.journal);
+  if (!settings.quiet)
+    writeStandardOutput(table + polach);
+  if (noPolach)
+    throw Error(*noPolach);
+  reportFailures(failures(curves), curves.points.size());
+}
+
+/// --table is for rolling contacts in a point over a grid of creepages.
+void checkTable(const Settings &settings, const Case &input)
+{
+  if (settings.table.empty())
+    return;
+  const auto *patch = std::get_if<PatchSpecification>(&input.task);
+  if (!patch)
+    throw Error(ExitCode::Usage, "--table: goes with a contact in a point (contact.load)");
+  checkPatchTable(*patch);
 }
 
 /// --polach is for rolling contacts in a point that have steady or mean forces.
@@ -290,55 +394,50 @@ void run(const Settings &settings)
     return;
   }
   checkPolach(settings, input);
+  checkTable(settings, input);
   const FrictionLaw law = readLaw(input.friction());
+  const std::string identity = input.identity();
   prepareOutputFolder(settings.folder);
   checkInputsStay(settings, input);
+  if (!law.note.empty() && !settings.quiet)
+    complain(programName, "note: " + law.note);
 
   Progress progress;
+  Journal journal(settings.folder + "/" + journalName, identity,
+                  [](const std::string &line) { complain(programName, "warning: " + line); });
   SweepOptions options;
   options.threads = settings.threads;
-  options.journal = settings.folder + "/" + journalName;
-  options.identity = input.text;
+  options.journal = &journal;
   options.interrupted = [] { return interruptAsked.load(); };
   if (!settings.quiet)
     options.progress = [&](int done, int total) { progress(done, total); };
-  std::visit([&](const auto &asked) { compute(settings, options, input.text, law, asked); },
-             input.task);
+  const Task task{settings, options, journal, input.text, law};
+  try {
+    std::visit([&](const auto &asked) { compute(task, asked); }, input.task);
+  } catch (const mcawr::OutputError &error) {
+    throw Error(ExitCode::Io,
+                fmt::format("{}; no result is written{}", error.what(), journal.whatIsKept()));
+  }
+}
+
+int body(int argc, char **argv)
+{
+  CLI::App app("Creep curves of rough wheel/rail contact, on a line or in a point: friction, "
+               "temperature and strength that depend on each other.",
+               programName);
+  Settings settings;
+  defineOptions(app, settings);
+  if (const auto code = parseCommandLine(app, argc, argv, "one case file is expected"))
+    return *code;
+  std::signal(SIGINT, askToStop);
+  std::signal(SIGTERM, askToStop);
+  run(settings);
+  return static_cast<int>(ExitCode::Ok);
 }
 
 } // namespace
 
-// NOLINTNEXTLINE(bugprone-exception-escape): of CLI11 and fmt only, when memory is short
 int main(int argc, char **argv)
 {
-  CLI::App app("Creep curves of rough wheel/rail contact, on a line or in a point: friction, "
-               "temperature and strength that depend on each other.",
-               "wr_creep");
-  app.allow_extras();
-  Settings settings;
-  defineOptions(app, settings);
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError &error) {
-    if (error.get_exit_code() == 0)
-      return app.exit(error);
-    fmt::print(stderr, "wr_creep: {} (see wr_creep --help)\n", error.what());
-    return static_cast<int>(ExitCode::Usage);
-  }
-  if (!app.remaining().empty()) {
-    fmt::print(stderr, "wr_creep: {} (see wr_creep --help)\n", unknownOption(app));
-    return static_cast<int>(ExitCode::Usage);
-  }
-  std::signal(SIGINT, askToStop);
-  std::signal(SIGTERM, askToStop);
-  try {
-    run(settings);
-  } catch (const Error &error) {
-    fmt::print(stderr, "wr_creep: {}\n", error.what());
-    return static_cast<int>(error.code());
-  } catch (const std::exception &error) {
-    fmt::print(stderr, "wr_creep: internal error: {}\n", error.what());
-    return static_cast<int>(ExitCode::Internal);
-  }
-  return static_cast<int>(ExitCode::Ok);
+  return runProgram(programName, body, argc, argv);
 }

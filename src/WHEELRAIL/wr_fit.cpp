@@ -3,24 +3,27 @@
 
 #include "base/errors.h"
 #include "base/output_file.h"
+#include "base/program.h"
 #include "base/quantity.h"
+#include "base/result_text.h"
+#include "base/version.h"
 #include "fit/fit_report.h"
 #include "fit/friction_log.h"
 #include "fit/plot_script.h"
-#include "shared/nearest_word.h"
+#include "law/law_checksum.h"
+#include "shared/output_file.h"
 
 #include <CLI/CLI.hpp>
+#include <filesystem>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
-
-#include <cstdio>
-#include <sys/mman.h>
-#include <unistd.h>
+#include <string>
 
 using namespace wheelrail;
 
 namespace {
 
+constexpr const char *programName = "wr_fit";
 constexpr const char *examples = R"(
 Examples:
   wr_fit run.friction
@@ -78,15 +81,19 @@ bool isLevel(double x)
 
 void defineOptions(CLI::App &app, Settings &settings)
 {
-  app.set_version_flag("--version", "wr_fit " WHEELRAIL_VERSION);
+  app.set_version_flag("--version", std::string("wr_fit ") + versionText);
   app.footer(examples);
   app.add_option("LOG", settings.logs, "friction logs, or folders that are searched for *.friction")
       ->required();
   app.add_option("-o,--output", settings.json,
                  "JSON: the law file with the report; only the report when no law is fitted")
+      ->check(nameOption())
       ->type_name("FILE");
-  app.add_option("--points", settings.points, "CSV: one row a run")->type_name("FILE");
+  app.add_option("--points", settings.points, "CSV: one row a run")
+      ->check(nameOption())
+      ->type_name("FILE");
   app.add_option("--plot", settings.plot, "PNG: Figs. 7 and 8 with these points (matplotlib)")
+      ->check(nameOption())
       ->type_name("FILE");
   std::vector<std::string> models;
   for (LawModel model : lawModels)
@@ -123,53 +130,41 @@ void defineOptions(CLI::App &app, Settings &settings)
   app.add_flag("-q,--quiet", settings.quiet, "no report on the screen");
 }
 
-/// What to say of arguments that are no option: the nearest option there is.
-std::string unknownOption(const CLI::App &app)
-{
-  std::vector<std::string> known;
-  for (const auto *option : app.get_options())
-    for (const auto &name : option->get_lnames())
-      known.push_back("--" + name);
-  for (const auto &given : app.remaining())
-    if (given.substr(0, 1) == "-")
-      return mcawr::unknownWord("option", given, known);
-  return "unexpected argument";
-}
-
-/// Reads all logs; all that is wrong with them is reported together.
+/// Reads all logs; all that is wrong with them is reported together, the last by the exception.
 std::vector<FrictionPoint> readPoints(const std::vector<std::string> &files,
                                       const PointOptions &options)
 {
   std::vector<FrictionPoint> points;
-  std::string problems;
+  std::vector<Error> problems;
   for (const auto &file : files) {
     try {
       const auto log = readFrictionLog(file);
       if (!log.note.empty())
-        fmt::print(stderr, "wr_fit: {}\n", log.note);
+        complain(programName, log.note);
       points.push_back(frictionPoint(log, options));
     } catch (const Error &error) {
       if (error.code() != ExitCode::BadInput)
         throw;
-      problems += (problems.empty() ? "" : "\nwr_fit: ") + std::string(error.what());
+      problems.push_back(error);
     }
   }
-  if (!problems.empty())
-    throw Error(ExitCode::BadInput, problems);
-  return points;
+  if (problems.empty())
+    return points;
+  for (std::size_t k = 0; k + 1 < problems.size(); ++k)
+    complain(programName, problems[k].what());
+  throw Error(problems.back());
 }
 
-void plot(const Settings &settings, const std::string &json)
+/// The picture of the same JSON that -o gets.
+/// @return why there is none; empty: it was added
+std::string addPicture(const std::string &path, const std::string &json,
+                       mcawr::OutputFiles &results)
 {
-  // the picture is drawn from the same JSON that -o gets: a file in memory, which the script
-  // inherits
-  const int memory = memfd_create("wr_fit", 0);
-  const auto data = fmt::format("/proc/self/fd/{}", memory);
-  writeOutputFile(data, json);
-  const auto problem = runPlotScript("plot_fit.py", {data, "-o", settings.plot});
-  close(memory);
-  if (!problem.empty())
-    fmt::print(stderr, "wr_fit: {} was not made: {}; all else was\n", settings.plot, problem);
+  const auto ending = std::filesystem::path(path).extension().string();
+  const Picture picture = makePicture("plot_fit.py", json, ending);
+  if (picture.problem.empty())
+    results.add(path, picture.bytes);
+  return picture.problem;
 }
 
 int run(const Settings &settings)
@@ -187,54 +182,46 @@ int run(const Settings &settings)
 
   const auto analysis = analysePoints(readPoints(files, settings.point), settings.fit);
   if (!analysis.mixture.empty())
-    fmt::print(stderr, "wr_fit: warning: {}\n", analysis.mixture);
-  const auto json = jsonReport(analysis).dump(2) + "\n";
+    complain(programName, "warning: " + analysis.mixture);
+  const auto json = withChecksum(jsonText("report", jsonReport(analysis)));
+  mcawr::OutputFiles results; // together or not at all
+  std::string noPicture;
+  if (!settings.plot.empty())
+    noPicture = addPicture(settings.plot, json, results);
   if (!settings.points.empty())
-    writeOutputFile(settings.points, pointsAsCsv(analysis.points));
+    results.add(settings.points, pointsAsCsv(analysis.points));
   if (!settings.json.empty())
-    writeOutputFile(settings.json, json);
+    results.add(settings.json, json);
+  results.commit();
   if (!settings.quiet)
     writeStandardOutput(textReport(analysis));
-  if (!settings.plot.empty())
-    plot(settings, json);
-  if (!analysis.notIdentifiable)
-    return static_cast<int>(ExitCode::Ok);
-  fmt::print(stderr, "wr_fit: {} cannot be fitted: {}\n", nameOf(settings.fit.model),
-             analysis.whyNot);
-  return static_cast<int>(ExitCode::NotConverged);
+  if (analysis.notIdentifiable)
+    complain(programName,
+             fmt::format("{} cannot be fitted: {}", nameOf(settings.fit.model), analysis.whyNot));
+  if (!noPicture.empty())
+    throw Error(ExitCode::Io,
+                fmt::format("{} was not made: {}; all else was", settings.plot, noPicture));
+  return static_cast<int>(analysis.notIdentifiable ? ExitCode::NotConverged : ExitCode::Ok);
 }
 
-} // namespace
-
-// NOLINTNEXTLINE(bugprone-exception-escape): of CLI11 and fmt only, when memory is short
-int main(int argc, char **argv)
+int body(int argc, char **argv)
 {
   Settings settings;
   CLI::App app{"Friction logs (*.friction) -> friction coefficients with standard errors, and the "
                "law mu(kappa1, kappa2) of Eq. 2 fitted to them.",
-               "wr_fit"};
+               programName};
   defineOptions(app, settings);
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::Success &success) {
-    return app.exit(success); // --help, --version
-  } catch (const CLI::ExtrasError &) {
-    fmt::print(stderr, "wr_fit: {}; see wr_fit --help\n", unknownOption(app));
-    return static_cast<int>(ExitCode::Usage);
-  } catch (const CLI::ParseError &error) {
-    fmt::print(stderr, "wr_fit: {}; see wr_fit --help\n", error.what());
-    return static_cast<int>(ExitCode::Usage);
-  }
+  if (const auto code = parseCommandLine(app, argc, argv, "unexpected argument"))
+    return *code;
   for (LawModel model : lawModels)
     if (settings.model == nameOf(model))
       settings.fit.model = model;
-  try {
-    return run(settings);
-  } catch (const Error &error) {
-    fmt::print(stderr, "wr_fit: {}\n", error.what());
-    return static_cast<int>(error.code());
-  } catch (const std::exception &error) {
-    fmt::print(stderr, "wr_fit: internal error: {}\n", error.what());
-    return static_cast<int>(ExitCode::Internal);
-  }
+  return run(settings);
+}
+
+} // namespace
+
+int main(int argc, char **argv)
+{
+  return runProgram(programName, body, argc, argv);
 }

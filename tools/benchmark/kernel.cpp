@@ -75,7 +75,9 @@ class Sample {
                zero,
                zero,
                {zero, zero, zero},
-               {zero, zero, zero}},
+               {zero, zero, zero},
+               {},
+               {}},
               dt, advance);
     benchmark::DoNotOptimize(step_.forces().data());
   }

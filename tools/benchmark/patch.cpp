@@ -6,6 +6,8 @@
 //   steadyCold/n  the same without a start
 //   transient/n   a step of moving roughness: normal contact, then traction
 //   smooth/n      as steady, a Hertzian circle over 1.1 x 2a
+//   wheel/n       a wheel's ellipse, n x 0.92 n cells over 1.1 x its axes, creep 1.2e-3, from
+//                 nothing: influence of the cells, normal contact, traction
 #include "contact/normal_contact.h"
 #include "contact/patch/hertz_ellipse.h"
 #include "contact/patch/patch_half_space.h"
@@ -120,10 +122,35 @@ void transient(benchmark::State &state)
   state.counters["products"] = double(products) / travelled;
 }
 
+/// The case of unittest/WHEELRAIL/test_patch_cases.cpp whose curve CONTACT publishes.
+void wheel(benchmark::State &state)
+{
+  const ElasticPair steel{82000.0, 0.28};
+  const double friction = 0.33, force = 106700.0, A = 0.8e-3;
+  const HertzEllipse hertz =
+      hertzEllipse(force, steel.G / (1.0 - steel.nu), {A, A / curvatureRatio(0.5)});
+  const int nx = static_cast<int>(state.range(0));
+  const PatchGrid grid = centredGrid(nx, nx * 11 / 12, 2.2 * hertz.a, 2.2 * hertz.b);
+  TangentialResult result;
+  for (auto _ : state) {
+    PatchHalfSpace space(grid, steel);
+    NormalContactProblem normal;
+    normal.profile = sampled(grid, [&](double x, double y) { return hertz.gap(x, y); });
+    normal.load = force / grid.cellArea();
+    TangentialProblem problem;
+    problem.bound = friction * solveNormalContact(space, normal).pressure;
+    problem.creepage.xi = 1.2e-3;
+    result = TangentialSolver(grid, steel).solve(problem);
+  }
+  state.counters["products"] = result.products;
+  state.counters["cells"] = result.stickCells() + result.slipCells();
+}
+
 } // namespace
 
 BENCHMARK(steady)->Arg(256)->Arg(512)->Arg(1024)->Unit(benchmark::kMillisecond);
 BENCHMARK(steadyCold)->Arg(256)->Arg(512)->Arg(1024)->Unit(benchmark::kMillisecond);
 BENCHMARK(smooth)->Arg(128)->Arg(256)->Arg(512)->Arg(1024)->Unit(benchmark::kMillisecond);
 BENCHMARK(transient)->Arg(256)->Arg(512)->Arg(1024)->Unit(benchmark::kMillisecond);
+BENCHMARK(wheel)->Arg(292)->Unit(benchmark::kMillisecond);
 BENCHMARK_MAIN();

@@ -4,25 +4,33 @@
 NAME/run.friction.part  the log while the run is going on
 NAME/run.friction       the log of a finished run: its appearance is what makes a run finished
 NAME/run.{a,b}.restart  checkpoints, written by turns; run.restart: the end of a finished run
-NAME/run.json           parameters, input script, and every attempt with its exact command
+NAME/run.json           parameters, checksums of the input script, of the potential files that it
+                        names and of what a finished run left, every attempt with its exact command
 NAME/failed.txt         why the run failed; run with --retry tries again
 NAME/lock               locked (flock) by the process that works on the run and by lmp itself
 """
 
 import fcntl
 import filecmp
+import hashlib
 import itertools
 import json
+import math
 import os
+import re
 import time
 
 from mcawr import friction_log
-from mcawr.errors import Exit, Failure
-from mcawr.files import write
+from mcawr.errors import BadInput, Exit, Failure
+from mcawr.files import read_bytes, read_text, write
+
+from .plan import ROOT
 
 LOG = "run.friction"
 PART = LOG + ".part"
 CHECKPOINTS = ("run.a.restart", "run.b.restart", "run.restart")
+RESULTS = (LOG, "run.profile", "run.restart")  # what a finished run leaves
+AGAIN = "move the run's folder away to make the run again"
 RESTART_END = b"LammpS RestartT\0"  # what LAMMPS writes last
 
 
@@ -46,6 +54,48 @@ def keep_plan(path, top):
             return None
 
 
+def checksum(content):
+    return hashlib.sha256(content).hexdigest()
+
+
+def inputs_of(run):
+    """{name: checksum} of a run's input script and of the potential files that it names, as far as
+    they are found where LAMMPS looks for them."""
+    script = read_bytes(run.input)
+    found = {run.values["input"]: checksum(script)}
+    folders = os.environ.get("LAMMPS_POTENTIALS", "").split(os.pathsep)
+    for name in sorted(set(re.findall(r"\S+\.mca\b", script.decode("utf-8", "replace")))):
+        for folder in filter(None, [*folders, os.path.join(ROOT, "potentials")]):
+            if os.path.isfile(os.path.join(folder, name)):
+                found[name] = checksum(read_bytes(os.path.join(folder, name)))
+                break
+    return found
+
+
+def _checksum_of(record):
+    return checksum(json.dumps(record, sort_keys=True).encode())
+
+
+def _check_head(run, head):
+    """The head of a log is that of this run. Raises BadInput."""
+    wanted = (
+        ("loading", "pressure", "p"),
+        ("loading", "velocity", "v"),
+        ("material", "strength", "strength"),
+        ("material", "youngs_modulus", "E"),
+        ("material", "density", "rho"),
+    )
+    for section, key, name in wanted:
+        try:
+            given = float(head[section][key])
+        except (LookupError, TypeError, ValueError):
+            raise BadInput(f"{PART}: its head has no {section}: {key}") from None
+        if not math.isclose(given, run.values[name], rel_tol=1e-4):
+            raise BadInput(
+                f"{PART}: its head says {key} {given:g}, the plan {name} {run.values[name]:g}"
+            )
+
+
 class RunFolder:
     """What there is of one run."""
 
@@ -56,60 +106,64 @@ class RunFolder:
     def file(self, name):
         return os.path.join(self.path, name)
 
+    def has(self, name):
+        return os.path.exists(self.file(name))
+
     def text(self, name):
-        """What stands in a file; None without the file."""
-        try:
-            with open(self.file(name), encoding="utf-8") as file:
-                return file.read()
-        except (FileNotFoundError, NotADirectoryError):
-            return None
-        except (OSError, UnicodeDecodeError) as error:
-            raise FolderError(
-                f"{self.file(name)}: cannot be read: {getattr(error, 'strerror', None) or error}"
-            ) from None
+        """What stands in a file; None without the file. Raises BadInput."""
+        return read_text(self.file(name)) if self.has(name) else None
 
     def record(self):
-        """run.json; empty before the first attempt."""
+        """run.json; empty before the first attempt. Raises FolderError if it is not as it was
+        written."""
         text = self.text("run.json")
         if text is None:
             return {}
         try:
             record = json.loads(text)
-            begun = isinstance(record["parameters"]["ns"], (int, float)) and record["attempts"]
-            if begun and all(isinstance(attempt["command"], str) for attempt in record["attempts"]):
+            if record.pop("checksum") == _checksum_of(record):
                 return record
-        except (ValueError, RecursionError, LookupError, TypeError):
+        except (ValueError, RecursionError, LookupError, TypeError, AttributeError):
             pass
         raise FolderError(
-            f"{self.file('run.json')}: is damaged (no parameters with ns, or no attempts with "
-            "their commands): "
-            "move the run's folder away to make the run again"
+            f"{self.file('run.json')}: is damaged, or was edited (its checksum does not fit): "
+            f"{AGAIN}"
         )
 
     def write_record(self, record):
+        record = {**record, "checksum": _checksum_of(record)}
         write(self.file("run.json"), json.dumps(record, indent=1) + "\n")
 
     def check_same(self):
-        """The folder belongs to this run: same parameters, where the record has them; the duration
-        may have changed."""
-        old = self.record().get("parameters", {})
+        """The folder belongs to this run: same parameters (the duration may have changed), input
+        script and potential files; what a finished run left is as it left it."""
+        record, log = self.record(), self.log()
+        if not record:
+            if log:
+                raise FolderError(f"{self.file('run.json')}: is missing beside {log}: {AGAIN}")
+            return
+        begun, elsewhere = f"{self.path}: was begun with", "give the run another name or folder"
         for name, value in self.run.values.items():
-            if (
-                name in ("ns", "checkpoint", "picture", "profile")
-                or name not in old
-                or old[name] == value
-            ):
+            old = record["parameters"].get(name)
+            if name in ("ns", "checkpoint", "picture", "profile", "material") or old == value:
                 continue
-            raise FolderError(
-                f"{self.path}: was begun with {name} = {old[name]}, the plan says {value}: give "
-                "the run "
-                "another name or use another folder"
-            )
+            raise FolderError(f"{begun} {name} = {old}, the plan says {value}: {elsewhere}")
+        now = inputs_of(self.run)
+        for name in {**record["inputs"], **now}:
+            if record["inputs"].get(name) != now.get(name):
+                raise FolderError(f"{begun} another {name}, its content has changed: {elsewhere}")
+        results = record.get("results", {LOG: None}) if log == LOG else {}
+        for name, known in results.items():
+            if not self.has(name) or checksum(read_bytes(self.file(name))) != known:
+                raise FolderError(
+                    f"{self.file(name)}: is damaged, or was changed since the run finished (the "
+                    f"checksum in run.json does not fit): {AGAIN}"
+                )
 
     def check_not_shorter(self):
         """The run may be made longer than it is."""
         old, now = self.record().get("parameters", self.run.values)["ns"], self.run.values["ns"]
-        if old > now and os.path.exists(self.file(LOG)):
+        if old > now and self.has(LOG):
             raise FolderError(
                 f"{self.path}: was run for {old:g} ns, the plan says {now:g}: "
                 "a run can be made longer, not shorter"
@@ -117,7 +171,7 @@ class RunFolder:
 
     def is_finished(self):
         return (
-            os.path.exists(self.file(LOG))
+            self.has(LOG)
             and self.record().get("parameters", {}).get("ns", 0) >= self.run.values["ns"]
         )
 
@@ -141,7 +195,7 @@ class RunFolder:
         return None
 
     def is_locked(self):
-        if not os.path.exists(self.file("lock")):
+        if not self.has("lock"):
             return False
         with open(
             self.file("lock"), encoding="utf-8"
@@ -152,22 +206,35 @@ class RunFolder:
             except BlockingIOError:
                 return True
 
+    def checksums(self):
+        """{name: checksum} of what a finished run leaves, its log under its last name."""
+        return {
+            name: checksum(read_bytes(self.file(now)))
+            for name in RESULTS
+            if self.has(now := PART if name == LOG else name)
+        }
+
+    def is_whole(self, name):
+        """Whether a restart file was written to its end."""
+        try:
+            with open(self.file(name), "rb") as file:
+                file.seek(-len(RESTART_END), os.SEEK_END)
+                return file.read() == RESTART_END
+        except OSError:
+            return False
+
     def checkpoint(self):
         """The newest restart file that was written to its end; None if there is none."""
-        found = []
-        for name in CHECKPOINTS:
-            try:
-                with open(self.file(name), "rb") as file:
-                    file.seek(-len(RESTART_END), os.SEEK_END)
-                    if file.read() == RESTART_END:
-                        found.append((os.fstat(file.fileno()).st_mtime_ns, name))
-            except OSError:
-                continue
+        found = [
+            (os.stat(self.file(name)).st_mtime_ns, name)
+            for name in CHECKPOINTS
+            if self.is_whole(name)
+        ]
         return max(found)[1] if found else None
 
     def log(self):
         """Name of the log there is, finished or not; None if there is none."""
-        return next((name for name in (PART, LOG) if os.path.exists(self.file(name))), None)
+        return next((name for name in (PART, LOG) if self.has(name)), None)
 
     def time(self):
         """ns that the log reaches."""
@@ -178,12 +245,46 @@ class RunFolder:
         except (ValueError, IndexError):
             return 0.0
 
-    def why_not_whole(self):
-        """Why the log is not that of a whole run, as it was last begun; None if it is."""
-        reached, end = self.time(), self.record()["parameters"]["ns"]
-        if reached > 0 and reached >= end - 1.5 * max(self.run.values["row"], self.run.dt):
-            return None
-        return f"the log ends at {reached:g} of {end:g} ns"
+    def why_damaged(self):
+        """Why the run cannot go on from the log that it wrote so far; None if it can."""
+        try:
+            _check_head(self.run, friction_log.read(self.file(PART)).head)
+        except BadInput as error:
+            return str(error)
+        return None
+
+    def why_not_finished(self):
+        """Why a run whose lmp ended without an error is none that a law may rest on; None if it
+        is one."""
+        values, path = self.run.values, self.file(PART)
+        try:
+            log = friction_log.read(path)
+            _check_head(self.run, log.head)
+        except BadInput as error:
+            return str(error)
+        time, end = log.columns["time"], self.record()["parameters"]["ns"]
+        row = max(values["row"], self.run.dt)
+        if not time or time[-1] < end - 1.5 * row:
+            return f"the log ends at {time[-1] if time else 0:g} of {end:g} ns"
+        if time[0] > 1.5 * row:
+            return f"the log begins at {time[0]:g} ns: rows are missing"
+        if not log.columns["links"][-1] > 0:
+            return "no link is left"
+        half = slice(len(time) // 2, None)
+        mu, normal = (
+            math.fsum(column) / len(column)
+            for column in (log.columns[name][half] for name in ("mu", "normal_stress"))
+        )
+        if mu == 0:
+            return "mu of its second half is 0: nothing slides on anything"
+        if abs(normal - values["p"]) > self.run.slack(end):
+            return (
+                f"the mean normal stress of its second half is {normal:.4g} MPa under a pressure "
+                f"of {values['p']:g} MPa: the blocks do not carry it"
+            )
+        if self.has("run.restart") and not self.is_whole("run.restart"):
+            return "run.restart is incomplete"
+        return None
 
     def state(self):
         """finished, running, failed, interrupted or waiting."""

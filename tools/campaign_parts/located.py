@@ -55,7 +55,7 @@ def _given(node, depth=0):
             raise yaml.MarkedYAMLError(problem="a key must be a word", problem_mark=key.start_mark)
         if key.value in result:
             raise yaml.MarkedYAMLError(
-                problem=f"key '{key.value}' stands twice", problem_mark=key.start_mark
+                problem=f"key '{key.value}' appears twice", problem_mark=key.start_mark
             )
         result[key.value] = Given(key.start_mark.line + 1, _given(value, depth + 1).value)
     return Given(mark.line + 1, result)

@@ -7,28 +7,19 @@ import os
 import shlex
 
 from mcawr import friction_log
-from mcawr.errors import say
-from mcawr.files import make_folder, write
+from mcawr.errors import Exit, say
+from mcawr.files import make_folder, write_all
 
 from . import folder as folders
 from .plan import ROOT
 
 
 def packed(text, rows, command):
-    """A log whose rows are the means over `rows` rows of another; rows left over at the end are
-    dropped. Raises ValueError, with the line, for what is no log."""
+    """A whole log whose rows are the means over `rows` rows of another; rows left over at the end
+    are dropped."""
     log = friction_log.Text.of(text)
     names = log.names
-    if "mu" not in names:
-        raise ValueError(f"{len(log.head) + 1}: the names of the columns are missing")
-    table = []
-    for number, line in log.numbered_rows():
-        try:
-            table.append([float(word) for word in line.split()])
-        except ValueError:
-            table.append([])
-        if len(table[-1]) != len(names):
-            raise ValueError(f"{number}: '{line}' is no row of {len(names)} numbers")
+    table = [[float(word) for word in line.split()] for line in log.rows]
     made = json.dumps({"command": command, "rows_averaged": rows})
     result = log.head + [friction_log.CAMPAIGN + made, " ".join(names)]
     for begin in range(0, len(table) - rows + 1, rows):
@@ -71,27 +62,18 @@ def pack(plan, top, target, rows):
         if not folder.is_finished():
             say(f"{run.name}: {folder.state()}, left out")
             continue
-        log, attempts = folder.file(folders.LOG), folder.record()["attempts"]
-        if why := folder.why_not_whole():
-            raise folders.FolderError(f"{log}: {why}: remove it, and 'campaign run' makes it again")
-        try:
-            command = portable([attempt["command"] for attempt in attempts])
-        except (ValueError, IndexError):
-            raise folders.FolderError(
-                f"{folder.file('run.json')}: a command in it is no command of a run"
-            ) from None
-        try:
-            text = texts[run.name + ".friction"] = packed(folder.text(folders.LOG), rows, command)
-        except ValueError as error:
-            raise folders.FolderError(f"{log}:{error}") from None
+        command = portable([attempt["command"] for attempt in folder.record()["attempts"]])
+        text = packed(folder.text(folders.LOG), rows, command)
         if not text.split("\n")[-2][:1].isdigit():
-            raise folders.FolderError(f"--rows {rows}: {log} has fewer rows", 2)
+            raise folders.FolderError(
+                f"--rows {rows}: {folder.file(folders.LOG)} has fewer rows", Exit.USAGE
+            )
+        texts[os.path.join(target, run.name + ".friction")] = text
         if profile := folder.text("run.profile"):
-            texts[run.name + ".profile"] = profile
+            texts[os.path.join(target, run.name + ".profile")] = profile
         count += 1
     if texts:
         make_folder(target)
-    for name, text in texts.items():
-        write(os.path.join(target, name), text)
+    write_all(texts)
     say(f"{count} logs in {target}")
     return 0

@@ -3,11 +3,13 @@
 
 import csv
 import dataclasses
-import difflib
 import itertools
 import os
 import re
 
+from mcawr.words import known_words
+
+from . import material
 from .located import Given, PlanError, read_yaml, scalar, shown
 from .quantities import KEYS, LEAST, MOST, Run
 
@@ -41,19 +43,14 @@ def find(name):
         if os.path.isdir(SHIPPED)
         else []
     )
-    near = difflib.get_close_matches(name, known, 1, 0.0)
     raise PlanError(
-        f"{name}: no such file, and no plan of that name is shipped"
-        + (f"; the nearest known one is '{near[0]}'" if near else "")
+        f"{name}: no such file, and no plan of that name is shipped{known_words(name, known)}"
     )
 
 
 def unknown(path, line, what, given, known):
     """The error for a word that is not known."""
-    near = difflib.get_close_matches(given, list(known), 1, 0.0)[0]
-    return PlanError(
-        f"{path}:{line}: unknown {what} '{shown(given)}'; the nearest known one is '{near}'"
-    )
+    return PlanError(f"{path}:{line}: unknown {what} '{shown(given)}'{known_words(given, known)}")
 
 
 def refused(path, line, name, value, allowed):
@@ -93,6 +90,30 @@ def _check_together(path, line, entry, values):
     def at(name):
         return entry[name].line if name in entry else line
 
+    def check(right, name, allowed):
+        if not right:
+            raise refused(path, at(name), name, values[name], allowed)
+
+    E, strength = values["E"], values["strength"]
+    elastic = values["yield_strength"] * strength / E
+    check(values["p"] < E, "p", f"< E = {E:g} (MPa)")
+    check(values["yield_strength"] <= 1, "yield_strength", "<= 1 (of the strength)")
+    check(
+        values["elastic_limit"] <= values["yield_strength"],
+        "elastic_limit",
+        f"<= yield_strength = {values['yield_strength']:g}",
+    )
+    check(
+        values["yield_strain"] > elastic,
+        "yield_strain",
+        f"> the elastic strain there, {elastic:.4g}",
+    )
+    check(
+        values["yield_strain"] - elastic + strength / E < values["breaking_strain"] < 0.5,
+        "breaking_strain",
+        f"> {values['yield_strain'] - elastic + strength / E:.4g}, where the plastic strain begins "
+        "to rise above that at yield_strain, and < 0.5",
+    )
     dt = Run("", values, "").dt
     if values["ns"] < dt:
         raise refused(path, at("ns"), "ns", values["ns"], f"at least a step, {dt:g} ns")
@@ -114,6 +135,22 @@ def _short(value):
     return value.replace(" ", "_") if isinstance(value, str) else f"{value:g}"
 
 
+def _suffix(name, value):
+    """A value in the name of a run."""
+    if name == "material":
+        return os.path.basename(value).removesuffix(".mca")
+    return name + _short(value)
+
+
+def _material(path, line, name):
+    """{key: value} of a potential file, looked for beside the plan and in potentials."""
+    places = (os.path.dirname(os.path.realpath(path)), os.path.join(ROOT, "potentials"))
+    for place in places:
+        if os.path.isfile(os.path.join(place, name)):
+            return material.read(os.path.join(place, name))
+    raise PlanError(f"{path}:{line}: material: no file {name} beside the plan, nor in {places[1]}")
+
+
 def _expand(path, line, entry, defaults):
     """All runs of an entry: a list of values stands for each of them in turn."""
     given = {}
@@ -130,9 +167,13 @@ def _expand(path, line, entry, defaults):
     if isinstance(label, (list, dict)):
         raise refused(path, named, "name", label, "a word")
     for combination in itertools.product(*given.values()):
-        values = {**defaults, **dict(zip(given, combination))}
+        values = dict(zip(given, combination))
+        solid = {}
+        if "material" in values:
+            solid = _material(path, entry["material"].line, values["material"])
+        values = {**defaults, **solid, **values}
         _check_together(path, line, entry, values)
-        suffix = "-".join(f"{n}{_short(values[n])}" for n in given if len(given[n]) > 1)
+        suffix = "-".join(_suffix(n, values[n]) for n in given if len(given[n]) > 1)
         yield (
             named,
             "-".join(filter(None, [str(label) if label is not None else None, suffix])),
@@ -143,7 +184,7 @@ def _expand(path, line, entry, defaults):
 def _read_yaml(path, text):
     data = read_yaml(path, text).value
     if not isinstance(data, dict) or "format" not in data:
-        raise PlanError(f"{path}:1: no plan: it must begin with 'format: {FORMAT}'")
+        raise PlanError(f"{path}:1: not a plan: it must begin with 'format: {FORMAT}'")
     line, given = data["format"]
     if given != FORMAT:
         raise PlanError(
@@ -186,7 +227,7 @@ def _read_csv(path, text):
         if name not in KEYS and name != "name":
             raise unknown(path, first, "column", name, list(KEYS) + ["name"])
         if names.count(name) > 1:
-            raise PlanError(f"{path}:{first}: column '{name}' stands twice")
+            raise PlanError(f"{path}:{first}: column '{name}' appears twice")
     entries = []
     for number, row in cells[1:]:
         if len(row) != len(names):
@@ -223,10 +264,14 @@ def read(path):
     # as the plan says it: the record of a run keeps it, and a checkout may stand elsewhere next
     # time
     defaults = {**{name: key.default for name, key in KEYS.items()}, "input": script or INPUT}
+    stated = {}
     for name, (line, value) in given.items():
         if name not in KEYS:
             raise unknown(path, line, "key in defaults", name, KEYS)
-        defaults[name] = _value(path, line, name, value)
+        stated[name] = _value(path, line, name, value)
+    if "material" in stated:
+        defaults.update(_material(path, given["material"].line, stated["material"]))
+    defaults.update(stated)
     program = os.path.realpath(
         os.path.join(os.path.dirname(os.path.realpath(path)), script)
         if script
@@ -238,9 +283,13 @@ def read(path):
         item for number, entry in entries for item in _expand(path, number, entry, defaults)
     ]
     varying = [n for n in KEYS if len({str(values[n]) for _, _, values in expanded}) > 1]
+    if "material" in varying:  # its name stands for its quantities
+        solid = [key for key, _ in material.QUANTITIES.values()]
+        stated_ones = {n for _, entry in entries for n in entry}
+        varying = [n for n in varying if n not in solid or n in stated_ones]
     runs, seen = [], {}
     for number, label, values in expanded:
-        name = label or "-".join(f"{n}{_short(values[n])}" for n in varying) or "run"
+        name = label or "-".join(_suffix(n, values[n]) for n in varying) or "run"
         if not NAME.fullmatch(name):
             raise refused(
                 path,

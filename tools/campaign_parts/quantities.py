@@ -41,6 +41,12 @@ KEYS = {
     "nu": Key(0.3, "", "in -1 .. 0.5", lambda x: -1 < x < 0.5, "nu"),
     "rho": Key(7800.0, "kg/m3", "> 0", _positive, "rho", 1e-6),
     "eta": Key(0.41, "Pa s", ">= 0", lambda x: x >= 0, "eta", 1e3),
+    "elastic_limit": Key(0.554, "of the strength", "> 0", _positive, "elastic_limit"),
+    "yield_strength": Key(0.87, "of the strength", "> 0", _positive, "yield_strength"),
+    "yield_strain": Key(0.015, "total strain", "> 0", _positive, "yield_strain"),
+    "breaking_strain": Key(0.04, "total strain", "> 0", _positive, "breaking_strain"),
+    "d": Key(2.5, "nm", "> 0", _positive, "d"),
+    "material": Key("steel.mca", "potential file", "the name of a potential file", None),
     "columns": Key(40, "automata across", "a whole number >= 4", _whole(4), "columns"),
     "rows": Key(14, "rows of automata", "a whole number >= 8", _whole(8), "rows"),
     "held": Key(
@@ -86,15 +92,29 @@ class Run:
         v = self.values
         return v["p"] * v["E"] / v["strength"] ** 2
 
+    def slack(self, ns):
+        """How far the mean normal stress (MPa) of the second half of a run may be from its
+        pressure: 5 %, and what blocks that fall the height of their roughness and bounce ten times
+        do to a short mean."""
+        v = self.values
+        mass = v["rho"] * 1e-9 * v["rows"] * v["d"] * math.sqrt(3) / 2  # kg/m2
+        fall = math.sqrt(2e-9 * (v["roughness"] + v["d"]) * mass / (v["p"] * 1e6)) * 1e9  # ns
+        return v["p"] * (0.05 + 10 * fall / (0.5 * ns))
+
     @property
     def dt(self):
-        """Step in ns: as given, else 5e-5 scaled with the time of sound and the viscous time of the
-        material, rounded down to two digits."""
+        """Step in ns: as given, else 5e-5 scaled with the time of sound and the viscous time of an
+        automaton, rounded down to two digits."""
         if self.values["dt"] is not None:
             return self.values["dt"]
         base, v = {name: key.default for name, key in KEYS.items()}, self.values
-        sound = math.sqrt(base["E"] / base["rho"]) / math.sqrt(v["E"] / v["rho"])
-        viscous = math.inf if v["eta"] == 0 else (v["rho"] / v["eta"]) / (base["rho"] / base["eta"])
+        size = v["d"] / base["d"]
+        sound = size * math.sqrt(base["E"] / base["rho"]) / math.sqrt(v["E"] / v["rho"])
+        viscous = (
+            math.inf
+            if v["eta"] == 0
+            else size**2 * (v["rho"] / v["eta"]) / (base["rho"] / base["eta"])
+        )
         dt = 5e-5 * min(1.0, sound, viscous)
         unit = 10.0 ** (math.floor(math.log10(dt)) - 1)
         return float(f"{math.floor(dt / unit * (1 + 1e-9)) * unit:.6g}")

@@ -10,7 +10,7 @@ import subprocess
 import sys
 import time
 
-from mcawr import errors
+from mcawr import errors, programs
 from mcawr.files import write
 
 from . import folder as folders
@@ -36,12 +36,8 @@ def place():
 
 
 def lmp_program():
-    """lmp with the plugin: $MCAWR_LMP, else build/bin/lmp."""
-    from .plan import ROOT
-
-    return os.environ.get("MCAWR_LMP") or os.path.join(
-        os.environ.get("MCAWR_BUILD", os.path.join(ROOT, "build")), "bin/lmp"
-    )
+    """lmp with the plugin: $MCAWR_LMP, else build/bin/lmp or that of the installed tree."""
+    return os.environ.get("MCAWR_LMP") or programs.program("lmp")
 
 
 def command(run, launcher=(), go_on_from=None, attempt=1):
@@ -82,6 +78,25 @@ def _die_with_parent():
     """In the child: SIGTERM when the campaign dies, so that a kill of it leaves no lmp behind."""
     pr_set_pdeathsig = 1
     ctypes.CDLL(None).prctl(pr_set_pdeathsig, signal.SIGTERM)
+
+
+# what ends a run from outside; any other signal is a fault of the run
+OUTSIDE = {signal.SIGHUP, signal.SIGINT, signal.SIGKILL, signal.SIGTERM, signal.SIGXCPU}
+FULL = ("No space left on device", "Disk quota exceeded", "File too large")
+
+
+def is_full(path, why=""):
+    """Whether a failure is that of a full disk."""
+    if any(text in str(why) for text in FULL):
+        return True
+    disk = os.statvfs(path)
+    return disk.f_bavail * disk.f_frsize < 65536
+
+
+def _killed_by(code):
+    """The signal behind an exit code of lmp or of what started it; None if there is none."""
+    number = -code if code < 0 else code - 128
+    return signal.Signals(number) if number in set(signal.Signals) else None
 
 
 def _now():
@@ -128,15 +143,22 @@ class Attempt:
         record = folder.record()
         number = len(record.get("attempts", [])) + 1
         path = folder.file
-        if os.path.exists(path(folders.LOG)):  # finished, and made longer since
+        if folder.has(folders.LOG):  # finished, and made longer since
             os.replace(path(folders.LOG), path(folders.PART))
-        checkpoint = folder.checkpoint() if os.path.exists(path(folders.PART)) else None
-        if os.path.exists(path("failed.txt")):
+        checkpoint = folder.checkpoint() if folder.has(folders.PART) else None
+        self.anew = folder.why_damaged() if checkpoint else None
+        if self.anew:
+            checkpoint = None
+        if folder.has("failed.txt"):
             os.remove(path("failed.txt"))
         words = command(folder.run, launcher, checkpoint, number)
         record.update(
-            parameters=folder.run.values, kappa1=folder.run.kappa1, kappa2=folder.run.kappa2
+            parameters=folder.run.values,
+            kappa1=folder.run.kappa1,
+            kappa2=folder.run.kappa2,
+            inputs=folders.inputs_of(folder.run),
         )
+        record.pop("results", None)
         record.setdefault("attempts", []).append(
             {
                 "begin": _now(),
@@ -158,7 +180,13 @@ class Attempt:
                 pass_fds=[lock.fileno()],
                 preexec_fn=_die_with_parent,
             )
-        self.number = number
+        self.number, self.stopped = number, False
+
+    def stop(self):
+        """Ends lmp, if it has not ended yet."""
+        if self.process.poll() is None:
+            self.stopped = True
+            self.process.terminate()
 
     def work(self):
         """Automaton-steps done in this attempt."""
@@ -166,30 +194,49 @@ class Attempt:
         share = (self.folder.time() - self.time_at_start) / values["ns"]
         return max(0.0, share) * self.folder.run.work
 
-    def end(self):
-        """'finished', 'failed' or 'interrupted', once lmp has ended."""
+    def outcome(self):
+        """('finished', 'failed', 'interrupted' or 'full': the disk is, why)."""
         code = self.process.returncode
+        if self.stopped:
+            return "interrupted", "ended with the campaign"
+        if killer := _killed_by(code):
+            if killer in OUTSIDE:
+                return "interrupted", f"killed by {killer.name}"
+            why = self.error() or f"ended by {killer.name}"
+        elif code:
+            why = self.error() or f"exit code {code}"
+        else:
+            cut = self.folder.why_not_finished()
+            why = cut and f"ended without an error, but {cut}"
+        if not why:
+            return "finished", None
+        return ("full" if is_full(self.folder.path, why) else "failed"), why
+
+    def end(self):
+        """outcome(), once lmp has ended, with all that it means for the folder."""
         folder, path = self.folder, self.folder.file
-        outcome, why = "finished", None
-        if code < 0 or code in (128 + signal.SIGKILL, 128 + signal.SIGTERM, 128 + signal.SIGINT):
-            outcome, why = "interrupted", f"killed ({code})"
-        elif code != 0:
-            outcome, why = "failed", self.error() or f"exit code {code}"
-        elif cut := folder.why_not_whole():
-            outcome, why = "failed", f"ended without an error, but {cut}"
-        record = folder.record()
-        record["attempts"][-1].update(
-            end=_now(), seconds=round(time.monotonic() - self.began, 1), outcome=why or outcome
-        )
-        folder.write_record(record)
-        if outcome == "failed":
-            write(path("failed.txt"), why + "\n")
-        elif outcome == "finished":
-            os.replace(path(folders.PART), path(folders.LOG))
-            for name in folders.CHECKPOINTS[:2]:
-                if os.path.exists(path(name)):
-                    os.remove(path(name))
-        self.lock.close()
+        outcome, why = self.outcome()
+        try:
+            record = folder.record()
+            record["attempts"][-1].update(
+                end=_now(), seconds=round(time.monotonic() - self.began, 1), outcome=why or outcome
+            )
+            if outcome == "finished":
+                record["results"] = folder.checksums()
+            if outcome == "failed":
+                write(path("failed.txt"), why + "\n")
+            folder.write_record(record)
+            if outcome == "finished":
+                os.replace(path(folders.PART), path(folders.LOG))
+                for name in folders.CHECKPOINTS[:2]:
+                    if folder.has(name):
+                        os.remove(path(name))
+        except (OSError, errors.Failure) as error:
+            if not is_full(folder.path, error):
+                raise
+            outcome, why = "full", str(error)
+        finally:
+            self.lock.close()
         return outcome, why
 
     def error(self):
@@ -215,6 +262,7 @@ class Campaign:
     """Works through the runs of a plan in one folder."""
 
     def __init__(self, top, runs, jobs=1, launcher=(), retry=False, say=print):
+        self.top = top
         self.folders = [folders.RunFolder(top, run) for run in runs]
         self.jobs, self.launcher, self.retry, self.say = jobs, list(launcher), retry, say
         self.rank, self.size = place()
@@ -223,11 +271,12 @@ class Campaign:
         self.began = time.monotonic()
         self.last_report = self.began
         self.stop = False
+        self.full = None  # why the disk is
 
     def prepare(self):
         """Checks before anything runs."""
         program = lmp_program()
-        if not os.access(program, os.X_OK):
+        if not (os.path.isfile(program) and os.access(program, os.X_OK)):
             raise folders.FolderError(
                 f"{program}: lmp is not there or cannot be run: build it (tools/setup.sh) "
                 "or set MCAWR_LMP",
@@ -243,12 +292,16 @@ class Campaign:
             signal.signal(number, self._interrupt)
         try:
             self._work_through()
-        except errors.OutputLost:  # nobody takes what we say: end lmp and its records in order
+        except (OSError, errors.Failure) as error:  # end lmp and its records in order
             self._interrupt()
             self.say = lambda text: None
             self._finish_early()
+            if is_full(self.top, error):
+                self._say_full(error)
             raise
         self._finish_early()
+        if self.full:
+            self._say_full(self.full)
         return self._states()
 
     def _work_through(self):
@@ -297,6 +350,8 @@ class Campaign:
             return
         attempt = Attempt(folder, lock, self.launcher, nested=self.size > 1 and not self.launcher)
         self.active.append(attempt)
+        if attempt.anew:
+            self.say(f"{folder.run.name}: begins anew, its log is damaged: {attempt.anew}")
         if attempt.time_at_start:
             self.say(f"{folder.run.name}: goes on from {attempt.time_at_start:.4g} ns")
 
@@ -314,6 +369,9 @@ class Campaign:
                     f"{name}: finished in {hours(seconds)}"
                     + (f", mu of its second half {mu:.3f}" if mu is not None else "")
                 )
+            elif outcome == "full":
+                self._interrupt()
+                self.full = self.full or why
             elif not self.stop:
                 self.say(f"{name}: {outcome}: {why}")
 
@@ -327,9 +385,15 @@ class Campaign:
     def _interrupt(self, *_):
         self.stop = True
 
+    def _say_full(self, why):
+        errors.fail(
+            errors.Exit.IO,
+            f"{self.top}: the disk is full ({why}): make room and run the same command again",
+        )
+
     def _finish_early(self):
         for attempt in self.active:
-            attempt.process.terminate()
+            attempt.stop()
         for attempt in list(self.active):
             attempt.process.wait()
         self._collect()

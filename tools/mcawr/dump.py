@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """LAMMPS text dumps: of atoms (dump custom) and of local values (dump local)."""
 
-import math
-
 from .errors import BadInput
+from .files import read_text
+from .numbers import decimal, whole
+from .tables import LARGEST
 
 
 class Dump:
@@ -18,11 +19,7 @@ class Dump:
     def __init__(self, path, spellings=None):
         """spellings: {name: the other name under which a column may stand}."""
         self.path, self.spellings = path, spellings or {}
-        try:
-            with open(path, encoding="utf-8") as file:
-                self.lines = file.read().splitlines()
-        except (OSError, UnicodeDecodeError) as error:
-            raise BadInput(f"{path}: cannot be read: {error}") from None
+        self.lines = read_text(path).split("\n")[:-1]  # what follows the last end of line was cut
         self.frames, self.cut, number = [], False, 0
         while number < len(self.lines) and not self.cut:
             frame = self._head(number)
@@ -32,7 +29,7 @@ class Dump:
                 self.frames.append(frame)
                 number = frame["first"] + frame["count"]
         if not self.frames:
-            raise BadInput(f"{path}: no whole frame in it")
+            raise BadInput(f"{path}: no complete frame in it")
 
     def _head(self, number):
         """What stands before the rows of the frame at lines[number]; None if the frame is cut."""
@@ -41,18 +38,18 @@ class Dump:
             while table is None or not self.lines[at].startswith(table):
                 item, value = self.lines[at], self.lines[at + 1]
                 if item == "ITEM: TIMESTEP":
-                    frame["step"] = int(value)
+                    frame["step"] = whole(value)
                 elif item == "ITEM: TIME":
-                    frame["time"] = float(value)
+                    frame["time"] = decimal(value)
                 elif item.startswith("ITEM: NUMBER OF "):
-                    frame["count"] = int(value)
+                    frame["count"] = whole(value)
                     table = "ITEM: " + item.removeprefix("ITEM: NUMBER OF ") + " "
                 elif item.startswith("ITEM: BOX BOUNDS"):
                     sides = item.split()[3:]
                     frame["periodic"] = [side == "pp" for side in sides[-3:]]
                     frame["triclinic"] = len(sides) == 6
                     frame["box"] = [
-                        [float(word) for word in line.split()[:2]]
+                        [decimal(word) for word in line.split()[:2]]
                         for line in self.lines[at + 1 : at + 4]
                     ]
                     at += 2
@@ -65,7 +62,7 @@ class Dump:
                 frame["count"] >= 0
                 and "step" in frame
                 and len(frame["box"]) == 3
-                and all(math.isfinite(a) and math.isfinite(b) and a < b for a, b in frame["box"])
+                and all(-LARGEST < a < b < LARGEST for a, b in frame["box"])
             ):
                 raise ValueError
         except (IndexError, ValueError, KeyError):
@@ -91,15 +88,16 @@ class Dump:
                     f"{self.path}:{k + 1}: {len(words)} values, {len(frame['names'])} are expected"
                 )
             try:
-                row = {name: float(words[place]) for name, place in places.items()}
+                for name, place in places.items():
+                    value = float(words[place])
+                    if not -LARGEST < value < LARGEST or "_" in words[place]:
+                        raise ValueError
+                    values[name].append(value)
             except ValueError:
-                raise BadInput(f"{self.path}:{k + 1}: not numbers") from None
-            for name, value in row.items():
-                if not math.isfinite(value):
-                    raise BadInput(
-                        f"{self.path}:{k + 1}: {name} is {value}, a finite number is expected"
-                    )
-                values[name].append(value)
+                raise BadInput(
+                    f"{self.path}:{k + 1}: {name} is '{words[place][:40]}', a number within "
+                    f"+-{LARGEST:g} is expected"
+                ) from None
         return values
 
     def _place(self, frame, name):

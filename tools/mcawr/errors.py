@@ -2,8 +2,15 @@
 """How a script ends: one clear line and an exit code, the same for all programs of the project."""
 
 import enum
+import errno
 import os
+import signal
 import sys
+import traceback
+
+from . import programs
+
+TOOLS = os.path.dirname(os.path.dirname(os.path.realpath(__file__)))
 
 
 class Exit(enum.IntEnum):
@@ -50,6 +57,14 @@ def fail(code, text):
     raise Failure(code, text)
 
 
+def fail_as(program, done):
+    """Ends the script as a program that it called ended: with its exit code and its last line.
+    Raises Failure."""
+    code = done.returncode if done.returncode > 0 else Exit.INTERNAL
+    last = (done.stderr.strip() or f"{program}: ended with code {done.returncode}").splitlines()[-1]
+    raise Failure(code, last)
+
+
 def missing(error, package="a Python package"):
     """The failure for an ImportError: which package is not installed, or does not work."""
     name = (error.name or package).partition(".")[0]
@@ -59,8 +74,11 @@ def missing(error, package="a Python package"):
 
 def complain(text):
     """One line on standard error, if anybody takes it."""
+    if sys.stderr is None:  # closed by the caller
+        return
     try:
-        print(f"{os.path.basename(sys.argv[0])}: {one_line(text)}", file=sys.stderr, flush=True)
+        program = os.path.basename(sys.argv[0])
+        print(f"{program}: {one_line(text)}", file=sys.stderr, flush=True)
     except OSError:
         _discard(sys.stderr)
 
@@ -68,6 +86,8 @@ def complain(text):
 def say(text, end="\n"):
     """Prints, and makes sure that it arrives. Raises OutputLost."""
     try:
+        if sys.stdout is None:  # closed by the caller
+            raise OSError(errno.EBADF, os.strerror(errno.EBADF))
         print(text, end=end, flush=True)
     except OSError as error:
         _discard(sys.stdout)
@@ -78,40 +98,70 @@ def _discard(stream):
     """What a stream still holds goes nowhere: else the interpreter would try again at its end."""
     try:
         os.dup2(os.open(os.devnull, os.O_WRONLY), stream.fileno())
-    except (OSError, ValueError):
+    except (AttributeError, OSError, ValueError):
         pass
+
+
+def _internal(error):
+    """The failure for an error that nothing else takes: what, and where in our sources."""
+    ours = [f for f in traceback.extract_tb(error.__traceback__) if f.filename.startswith(TOOLS)]
+    at = f"{os.path.relpath(ours[-1].filename, TOOLS)}:{ours[-1].lineno}: " if ours else ""
+    return Failure(
+        Exit.INTERNAL,
+        f"internal error: {at}{type(error).__name__}: {error}; please report it "
+        "(MCAWR_TRACEBACK=1 shows where)",
+    )
+
+
+def _end(*_):
+    raise KeyboardInterrupt
 
 
 def run_script(main):
     """Calls main() and ends the script: with its return value (None: 0), or with one line.
 
-    What main prints is written out here, so that a full disk or a closed pipe is noticed.
+    With --version as the only argument the script prints its name, version and commit instead.
+    What main prints is written out here, so that a full disk or a closed pipe is noticed. SIGTERM
+    ends it as Ctrl-C does: in order.
     """
+    signal.signal(signal.SIGTERM, _end)
     try:
-        code = main() or Exit.OK
+        if sys.argv[1:] == ["--version"]:
+            say(f"{os.path.basename(sys.argv[0])} {programs.version()}")
+            code = Exit.OK
+        else:
+            code = main() or Exit.OK
     except SystemExit as end:  # argparse: --help, or a usage error
         code = end.code
     except Failure as failure:
         complain(failure)
         code = failure.code
-    except ImportError as error:
-        if not error.name:
-            raise
-        complain(missing(error))
-        code = Exit.INTERNAL
     except KeyboardInterrupt:
         complain("interrupted")
         code = Exit.INTERRUPTED
-    except OSError as error:
-        # of print(), which names no file
-        text = f"{error.filename or 'standard output'}: {error.strerror or error}"
-        complain(text)
-        code = Exit.IO
+    except MemoryError:
+        complain("out of memory")
+        code = Exit.INTERNAL
+    except Exception as error:
+        if os.environ.get("MCAWR_TRACEBACK"):
+            raise
+        failure = _failure_of(error)
+        complain(failure)
+        code = failure.code
     try:
-        sys.stdout.flush()
+        if sys.stdout is not None:
+            sys.stdout.flush()
     except OSError as error:
         _discard(sys.stdout)
         if code in (None, Exit.OK):
             complain(OutputLost(error))
             code = Exit.IO
     sys.exit(code)
+
+
+def _failure_of(error):
+    if isinstance(error, ImportError) and error.name:
+        return missing(error)
+    if isinstance(error, OSError) and error.filename is not None:
+        return Failure(Exit.IO, f"{error.filename}: {error.strerror or error}")
+    return _internal(error)

@@ -1,12 +1,14 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The one way to write a file: whole or not at all."""
+"""The one way to write a file, whole or not at all, and to read one."""
 
 import contextlib
 import io
 import os
+import pathlib
+import secrets
 import stat
 
-from .errors import Exit, Failure
+from .errors import BadInput, Exit, Failure
 
 
 def _cannot(path, error):
@@ -16,6 +18,8 @@ def _cannot(path, error):
 def _target(path):
     """(what is written, its permissions or None) of a regular file or a new one, through links;
     None of a device, a pipe or a socket, and of the names of open files (/dev/stdout)."""
+    if path.endswith(os.sep):
+        raise IsADirectoryError(21, "Is a directory", path)
     folder = os.path.realpath(os.path.dirname(path) or ".")
     if folder == "/dev" or folder.startswith(("/dev/fd", "/proc/")):
         return None
@@ -32,10 +36,44 @@ def _target(path):
     return os.path.realpath(path), stat.S_IMODE(mode)
 
 
-def _write_all(descriptor, content):
+def _write_into(path, content):
+    """Into a device or a pipe."""
+    descriptor = os.open(path, os.O_WRONLY | os.O_CLOEXEC)
+    try:
+        _write_bytes(descriptor, content)
+    finally:
+        os.close(descriptor)
+
+
+def _write_bytes(descriptor, content):
     view = memoryview(content)
     while view:
         view = view[os.write(descriptor, view) :]
+
+
+def _write_beside(target, permissions, content):
+    """Name of a new file in the target's folder that holds the content."""
+    folder, name = os.path.split(target)
+    beside = os.path.join(folder, f".{name[:50]}.{secrets.token_hex(4)}.part")
+    flags = os.O_WRONLY | os.O_CREAT | os.O_EXCL | os.O_CLOEXEC
+    descriptor = os.open(beside, flags, 0o666)
+    try:
+        try:
+            _write_bytes(descriptor, content)
+            if permissions is not None:
+                os.fchmod(descriptor, permissions)
+            os.fsync(descriptor)
+        finally:
+            os.close(descriptor)
+    except BaseException:  # also an interrupt
+        _remove(beside)
+        raise
+    return beside
+
+
+def _remove(path):
+    with contextlib.suppress(OSError):
+        os.remove(path)
 
 
 def write(path, content):
@@ -45,53 +83,84 @@ def write(path, content):
     permissions; after a failure it is what it was, and nothing is left beside it. A device or a
     pipe is written into: a file renamed over it would take its place. Raises Failure (5).
     """
-    content = content.encode() if isinstance(content, str) else content
-    path = os.fspath(path)
+    write_all({path: content})
+
+
+def write_all(contents):
+    """Writes several files, as write does: all of them or none (only a failing rename, or what a
+    device has taken already, cannot be undone).
+
+    contents: {path: text, bytes or the pathlib.Path of a finished file, which is moved there}.
+    Raises Failure (5).
+    """
+    beside, into, path = [], [], None
     try:
-        target = _target(path)
-        if target is None:
-            descriptor = os.open(path, os.O_WRONLY | os.O_CLOEXEC)
-            try:
-                _write_all(descriptor, content)
-            finally:
-                os.close(descriptor)
-        else:
-            _replace(*target, content)
+        for path, content in contents.items():
+            target = _target(os.fspath(path))
+            if target and isinstance(content, pathlib.Path) and _same_disk(content, target[0]):
+                beside.append((path, content, target[0]))
+            elif target:
+                beside.append((path, _write_beside(*target, _bytes_of(content)), target[0]))
+            else:
+                into.append((path, _bytes_of(content)))
+        for path, content in into:
+            _write_into(path, content)
+        while beside:
+            path, part, target = beside[0]
+            os.replace(part, target)
+            beside.pop(0)
     except OSError as error:
         raise _cannot(path, error) from None
+    finally:
+        for _, part, _ in beside:
+            _remove(part)
 
 
-def _replace(target, permissions, content):
-    folder, name = os.path.split(target)
-    beside = os.path.join(folder, f".{name[:50]}.{os.getpid()}.part")
-    flags = os.O_WRONLY | os.O_CREAT | os.O_EXCL | os.O_CLOEXEC
-    descriptor = os.open(beside, flags, 0o666)
+def _bytes_of(content):
+    if isinstance(content, pathlib.Path):
+        return content.read_bytes()
+    return content.encode() if isinstance(content, str) else content
+
+
+def _same_disk(source, target):
+    return source.stat().st_dev == os.stat(os.path.dirname(target)).st_dev
+
+
+def check_apart(inputs, outputs):
+    """No output (None: not asked for) is an input or another output. Raises Failure (2)."""
+    places = {os.path.realpath(path): "is read too" for path in inputs}
+    for path in outputs:
+        if path is None or (os.path.exists(path) and not os.path.isfile(path)):
+            continue
+        if wrong := places.get(os.path.realpath(path)):
+            raise Failure(Exit.USAGE, f"{path}: cannot be written: {wrong}: give another name")
+        places[os.path.realpath(path)] = "is the name of another result"
+
+
+def read_bytes(path):
+    """What stands in a regular file; of a device or a pipe there might be no end. Raises
+    BadInput."""
     try:
-        try:
-            _write_all(descriptor, content)
-            if permissions is not None:
-                os.fchmod(descriptor, permissions)
-            os.fsync(descriptor)
-        finally:
-            os.close(descriptor)
-        os.replace(beside, target)
-    except BaseException:  # also an interrupt
-        with contextlib.suppress(OSError):
-            os.remove(beside)
-        raise
-
-
-def move(source, path):
-    """Puts a finished file in the place of path, as write does. Raises Failure (5)."""
-    try:
-        target = _target(path)
-        if target is None:
-            with open(source, "rb") as file:
-                write(path, file.read())
-        else:
-            os.replace(source, target[0])
+        with open(path, "rb", opener=open_now) as file:
+            if not stat.S_ISREG(os.fstat(file.fileno()).st_mode):
+                raise BadInput(f"{path}: cannot be read: is not a regular file")
+            return file.read()
     except OSError as error:
-        raise _cannot(path, error) from None
+        raise BadInput(f"{path}: cannot be read: {error.strerror}") from None
+
+
+def open_now(path, flags):
+    """An opener that does not wait for somebody to write into a pipe."""
+    return os.open(path, flags | os.O_NONBLOCK)
+
+
+def read_text(path):
+    """The text of a regular file, UTF-8, lines ended by \\n. Raises BadInput."""
+    try:
+        text = read_bytes(path).decode("utf-8-sig")
+    except UnicodeDecodeError as error:
+        raise BadInput(f"{path}: cannot be read: byte {error.start + 1} is not UTF-8") from None
+    return text.replace("\r\n", "\n")
 
 
 def make_folder(path):
@@ -102,18 +171,35 @@ def make_folder(path):
         raise Failure(Exit.IO, f"{path}: cannot be made: {error.strerror}") from None
 
 
-def save_figure(figure, path, dpi=130):
-    """Writes a figure of matplotlib, in the format that the name ends in (without an ending: PNG),
-    and closes it. Raises Failure: 2 for a format that there is not, else 5."""
+def check_size(figure, dpi):
+    """Raises Failure (2) where a picture would have more than a hundred million points."""
+    width, height = (size * dpi for size in figure.get_size_inches())
+    if not width * height <= 1e8:
+        raise Failure(Exit.USAGE, f"a picture of {width:.4g} x {height:.4g} points is too large")
+
+
+def picture(figure, path, dpi=130, kind="png"):
+    """Bytes of a figure of matplotlib in the format that the path ends in (without an ending:
+    kind); closes it. Raises Failure: 2 for a format that there is not, 3 for what cannot be
+    drawn."""
     from matplotlib import pyplot
 
-    kind = os.path.splitext(path)[1].lstrip(".").lower() or "png"
+    kind = (os.path.splitext(path)[1].lstrip(".") or kind).lower()
     known = figure.canvas.get_supported_filetypes()
     if kind not in known:
         raise Failure(
-            Exit.USAGE, f"{path}: '.{kind}' is no picture; known: {' '.join(sorted(known))}"
+            Exit.USAGE, f"{path}: '.{kind}' is not a picture; known: {' '.join(sorted(known))}"
         )
+    check_size(figure, dpi)
     page = io.BytesIO()
-    figure.savefig(page, dpi=dpi, format=kind)
+    try:
+        figure.savefig(page, dpi=dpi, format=kind)
+    except (ValueError, ArithmeticError, RuntimeError) as error:  # sizes, formulas in labels
+        raise Failure(Exit.BAD_INPUT, f"{path}: cannot be drawn: {error}") from None
     pyplot.close(figure)
-    write(path, page.getvalue())
+    return page.getvalue()
+
+
+def save_figure(figure, path, dpi=130, kind="png"):
+    """Writes a figure of matplotlib and closes it. Raises Failure, as picture and write do."""
+    write(path, picture(figure, path, dpi, kind))

@@ -7,10 +7,11 @@ stresses in MPa, lengths in nm, whatever the units of the run.
 
 import dataclasses
 import itertools
-import math
 import os
 
 from .errors import BadInput
+from .files import open_now, read_text
+from .numbers import decimal, whole
 
 FORMAT = "mca-friction 1"
 COLUMNS = (
@@ -25,6 +26,8 @@ COLUMNS = (
     "formed",  # in it
     "gap",  # nm, at its end
 )
+LARGEST = 1e12  # of any number; the reader for C++ has the same
+SPACING = 0.02  # tolerance of the time between rows, which is printed rounded
 MEANS = ("shear_stress", "normal_stress", "mu")  # over the interval of a row
 SUMS = ("broken", "formed")  # over the interval of a row; all others are the state at its end
 CAMPAIGN = "# campaign: "  # line of the head with JSON: command, rows_averaged; of packed logs
@@ -37,7 +40,7 @@ def is_row(line):
 
 def number_in(words, name):
     """A column of a row that is split into words. Raises IndexError, ValueError."""
-    return float(words[COLUMNS.index(name)])
+    return decimal(words[COLUMNS.index(name)])
 
 
 @dataclasses.dataclass
@@ -70,14 +73,6 @@ class FrictionLog:
     columns: dict
 
 
-def _text_of(path):
-    try:
-        with open(path, encoding="utf-8") as file:
-            return file.read()
-    except (OSError, UnicodeDecodeError) as error:
-        raise BadInput(f"{path}: cannot be read: {error}") from None
-
-
 def _head(path, lines):
     """The head as YAML gives it. Raises BadInput."""
     import yaml
@@ -88,51 +83,69 @@ def _head(path, lines):
             raise BadInput(f"{path}: format '{head['format']}', must be '{FORMAT}'")
     except (yaml.YAMLError, KeyError, TypeError, ValueError, RecursionError):
         raise BadInput(
-            f"{path}: no friction log: its head or its column names are incomplete"
+            f"{path}: not a friction log: its head or its column names are incomplete"
         ) from None
     return head
 
 
 def head_of(path):
     """What the head of a log says of its run, without the rows. Raises BadInput."""
-    try:
-        with open(path, encoding="utf-8") as file:
-            return _head(path, itertools.takewhile(lambda line: line.startswith("#"), file))
-    except (OSError, UnicodeDecodeError) as error:
-        raise BadInput(f"{path}: cannot be read: {error}") from None
+    return _head(path, Text.of(read_text(path)).head)
 
 
 def read(path, names=COLUMNS):
-    """A log with these columns; a last row that was cut is left out. Raises BadInput."""
-    text = Text.of(_text_of(path))
+    """A log with these columns; a last row that was cut is left out. Raises BadInput, with the
+    line: also where rows are missing."""
+    text = Text.of(read_text(path))
     head = _head(path, text.head)
-    if not set(names) <= set(text.names):
-        raise BadInput(f"{path}: no friction log: its head or its column names are incomplete")
-    places = {name: text.names.index(name) for name in names}
-    columns = {name: [] for name in names}
+    needed = dict.fromkeys(("step", "time", *names))
+    for name in needed:
+        if text.names.count(name) != 1:
+            raise BadInput(f"{path}:{len(text.head) + 1}: not a friction log: no column '{name}'")
+    places = {name: text.names.index(name) for name in needed}
+    columns = {name: [] for name in needed}
     for number, line in text.numbered_rows():
         words = line.split()
-        last = number == len(text.head) + 1 + len(text.rows)
-        if last and len(words) < len(text.names):
+        if len(words) < len(text.names) and number == len(text.head) + 1 + len(text.rows):
             break
         if len(words) != len(text.names):
             raise BadInput(f"{path}:{number}: {len(words)} columns, {len(text.names)} are expected")
-        try:
-            row = {name: float(words[place]) for name, place in places.items()}
-        except ValueError:
-            raise BadInput(f"{path}:{number}: not a row of numbers") from None
-        if not all(map(math.isfinite, row.values())):
-            raise BadInput(f"{path}:{number}: not a finite number")
-        for name, value in row.items():
-            columns[name].append(value)
-    return FrictionLog(head, columns)
+        for name, place in places.items():
+            columns[name].append(_value(f"{path}:{number}: {name}", words[place], name == "step"))
+        _check_spacing(f"{path}:{number}", columns["step"], columns["time"])
+    return FrictionLog(head, {name: columns[name] for name in names})
+
+
+def _value(where, word, is_whole):
+    try:
+        value = whole(word) if is_whole else decimal(word)
+    except ValueError as error:
+        raise BadInput(f"{where}: {error}") from None
+    if abs(value) > LARGEST:
+        raise BadInput(f"{where}: '{word}' is not within +-{LARGEST:g}")
+    return value
+
+
+def _check_spacing(where, steps, times):
+    """The last row follows the one before as the second follows the first."""
+    if len(steps) < 2:
+        return
+    step, time = steps[-1] - steps[-2], times[-1] - times[-2]
+    if step <= 0 or time <= 0:
+        raise BadInput(f"{where}: step {steps[-1]} follows {steps[-2]}: must increase")
+    every, interval = steps[1] - steps[0], times[1] - times[0]
+    if step != every or abs(time - interval) > SPACING * interval:
+        raise BadInput(
+            f"{where}: {step} steps and {time:.4g} ns after the row before, {every} and "
+            f"{interval:.4g} ns at the start of the log: rows are missing, or too many"
+        )
 
 
 def last_rows(path, count):
     """The last whole rows of a log that may be growing, as lists of words (fewer if there are
     fewer, none if it cannot be read)."""
     try:
-        with open(path, "rb") as file:
+        with open(path, "rb", opener=open_now) as file:
             file.seek(0, os.SEEK_END)
             file.seek(max(0, file.tell() - 4096))
             lines = file.read().decode("utf-8", "replace").split("\n")[:-1]

@@ -3,17 +3,54 @@
 
 import csv
 import json
+import zlib
 
-from .errors import BadInput
+from .errors import BadInput, complain
+from .files import read_text
+from .numbers import decimal, finite
+
+LARGEST = 1e100  # of a number in a table or a report: beyond, its square is none
+
+
+class Row(dict):
+    """{column: text} of a line of a CSV file."""
+
+    line = 0
+
+    def number(self, name):
+        """A column as a number. Raises ValueError with the line and the column."""
+        text = self[name]
+        try:
+            if abs(value := decimal(text)) <= LARGEST:
+                return value
+        except ValueError:
+            pass
+        raise ValueError(
+            f"line {self.line}: {name}: '{text[:40]}' is not a decimal number within +-{LARGEST:g}"
+        )
 
 
 def rows(path):
-    """Rows of a CSV file, as {column: text}; lines that begin with # are comments.
+    """Rows of a CSV file; lines that begin with # are comments.
 
-    Raises OSError, UnicodeDecodeError.
+    Raises BadInput, csv.Error, ValueError.
     """
-    with open(path, newline="", encoding="utf-8") as file:
-        return list(csv.DictReader(line for line in file if not line.startswith("#")))
+    found, names = [], None
+    for number, line in enumerate(read_text(path).split("\n"), 1):
+        if line.startswith("#") or not line.strip():
+            continue
+        cells = next(csv.reader([line]))
+        if names is None:
+            names = cells
+            if len(set(names)) < len(names):
+                raise ValueError(f"line {number}: a column appears twice")
+            continue
+        if len(cells) != len(names):
+            raise ValueError(f"line {number}: {len(cells)} cells, {len(names)} are expected")
+        row = Row(zip(names, cells))
+        row.line = number
+        found.append(row)
+    return found
 
 
 def read(path, what, convert):
@@ -24,11 +61,22 @@ def read(path, what, convert):
 def read_json(path, what, convert):
     """convert() of the contents of a JSON file. Raises BadInput: 'PATH: not WHAT: why'."""
 
-    def load():
-        with open(path, encoding="utf-8") as file:
-            return convert(json.load(file))
+    return _checked(path, what, lambda: convert(_json(read_text(path))))
 
-    return _checked(path, what, load)
+
+def _json(text):
+    return json.loads(text, parse_constant=_no_number)
+
+
+def _no_number(word):
+    raise ValueError(f"{word} is not a finite number")
+
+
+def number(value):
+    """A value of a JSON file as a number. Raises TypeError, ValueError."""
+    if abs(value := finite(value)) > LARGEST:
+        raise ValueError(f"{value:g} is not within +-{LARGEST:g}")
+    return value
 
 
 def _checked(path, what, read_it):
@@ -36,18 +84,65 @@ def _checked(path, what, read_it):
         return read_it()
     except KeyError as error:
         raise BadInput(f"{path}: not {what}: {error} is missing") from None
-    except OSError as error:
-        raise BadInput(f"{path}: cannot be read: {error.strerror}") from None
-    except (ValueError, TypeError, AttributeError, ArithmeticError, RecursionError) as error:
+    except (
+        ArithmeticError, AttributeError, LookupError, RecursionError, TypeError, ValueError,
+        csv.Error,
+    ) as error:  # fmt: skip
         raise BadInput(f"{path}: not {what}: {error}") from None
 
 
+POINT = (
+    "kappa1", "kappa2", "kappa3", "mu", "mu_eq2", "mu_peak", "pressure", "velocity", "strength",
+    "viscosity",
+)  # fmt: skip
+POINT_OPEN = ("mu_se", "t_start", "mu_grinding_in")  # null where there is none
+
+
+def read_fit(path, convert):
+    """convert() of wr_fit's JSON, a law file or a report, after its checksum. Raises BadInput."""
+
+    def load():
+        text = read_text(path)
+        data = _json(text)
+        if "checksum" in data and not fits_checksum(text):
+            raise ValueError(
+                f"checksum: {data['checksum']} does not fit: the file was changed since wr_fit "
+                "wrote it; to use one that was edited, remove this line"
+            )
+        return convert(data), "checksum" in data
+
+    found, is_sealed = _checked(path, "wr_fit's JSON", load)
+    if not is_sealed:
+        complain(f"note: {path}: no checksum: a damaged number would not be noticed")
+    return found
+
+
+def fits_checksum(text):
+    """Whether the line of the checksum of wr_fit's JSON is there, as wr_fit wrote it, and fits:
+    CRC-32 of all other lines."""
+    begin, end = text.find('\n  "checksum": "') + 1, 0
+    if begin:
+        end = text.find("\n", begin) + 1
+    others = text[:begin] + text[end:]
+    return bool(end) and text[begin:end] == f'  "checksum": "{zlib.crc32(others.encode()):08x}",\n'
+
+
 def fit_report(path):
-    """wr_fit's JSON as a dict with report.points. Raises BadInput."""
+    """wr_fit's JSON as a dict with report.points, whose numbers are numbers. Raises BadInput."""
+    return read_fit(path, checked_report)
 
-    def check(data):
-        if not isinstance(data["report"]["points"], list):
-            raise TypeError("report.points is no list")
-        return data
 
-    return read_json(path, "wr_fit's JSON", check)
+def checked_report(data):
+    """wr_fit's JSON. Raises KeyError, TypeError, ValueError where a number of a point is none."""
+    points = data["report"]["points"]
+    if not isinstance(points, list):
+        raise TypeError("report.points is not a list")
+    for k, point in enumerate(points, 1):
+        for name in (*POINT, *POINT_OPEN):
+            if name in POINT_OPEN and point[name] is None:
+                continue
+            try:
+                number(point[name])
+            except (TypeError, ValueError) as error:
+                raise ValueError(f"point {k}: {name}: {error}") from None
+    return data

@@ -12,9 +12,10 @@ from matplotlib import pyplot
 import plot_friction
 from mcawr.files import save_figure
 from mcawr.friction_log import head_of
+from mcawr.replicas import groups
 
 from . import layer
-from .common import Missing, groups, run_name, table
+from .common import Missing, run_name, table
 
 PAPER_DEPTH = 10.0  # nm, of the quasi-liquid layer
 ROUGHNESS = 3.25  # nm, of the blocks of most plans
@@ -229,8 +230,9 @@ def height(report, picture):
     figure, every = pyplot.subplots(2, 2, figsize=(10, 8), constrained_layout=True)
     points = [p for p in report["report"]["points"] if roughness_of(p) in (None, ROUGHNESS)]
     cases = groups(with_layers(points), lambda x: (x[0]["pressure"], rows_of(x[0])))
-    rows = []
+    lines, powers = [], {}
     for axes, (name, (label, digits, blocks, series_of)) in zip(every.flat, panels.items()):
+        rows = []
         for k, ((pressure, number), members) in enumerate(cases.items()):
             case, end, series = (
                 f"{number} rows, {pressure:g} MPa",
@@ -247,14 +249,8 @@ def height(report, picture):
                 ]
             ).T
             cells = [f"{value:.{digits}f} +- {its:.{digits}f}" for value, its in zip(mean, error)]
-            rows.append(
-                [
-                    f"{name}, {case}",
-                    *cells,
-                    *[""] * (len(HIGH_TIMES) - len(cells)),
-                    power_text(power_of_time(series)),
-                ]
-            )
+            rows.append([case, *cells, *[""] * (len(HIGH_TIMES) - len(cells))])
+            powers.setdefault(case, []).append(power_text(power_of_time(series)))
             axes.errorbar(
                 np.sqrt(low * high) * 1.02 ** (k - 2),
                 mean,
@@ -269,11 +265,11 @@ def height(report, picture):
         axes.set_xticks([100, 300, 1000], ["100", "300", "1000"])
         axes.minorticks_off()
         axes.grid(alpha=0.3)
+        lines += [*table([name, *(f"{low} to {high} ns" for low, high in HIGH_TIMES)], rows), ""]
     every[0, 0].legend(fontsize=9)
     save_figure(figure, picture)
-    return table(
-        ["", *(f"{low} to {high} ns" for low, high in HIGH_TIMES), f"~ t^n from {AGED} ns"], rows
-    )
+    head = [f"n of ~ t^n from {AGED} ns on", *panels]
+    return [*lines, *table(head, [[case, *cells] for case, cells in powers.items()])]
 
 
 def by_load(points, axes):
@@ -345,7 +341,7 @@ def ageing(report, picture):
     """mu in times (ns) that double, and n of mu ~ t^n: at each velocity (m/s), which are drawn, and
     at each pressure (MPa); n against the load of all runs."""
     figure, (axes, right) = pyplot.subplots(1, 2, figsize=(11, 4.6), constrained_layout=True)
-    points, rows, fast = report["report"]["points"], [], []
+    points, rows, powers, fast = report["report"]["points"], [], [], []
     of_steel = [p for p in points if run_name(p)[0] in "vp"]  # of `velocity` and `pressure`
     cases = groups(of_steel, lambda p: (run_name(p).startswith("p"), p["velocity"], p["pressure"]))
     for k, ((of_pressures, velocity, pressure), members) in enumerate(cases.items()):
@@ -360,7 +356,8 @@ def ageing(report, picture):
         cells = [f"{mu:.3f} +- {mu_error:.3f}" for _, _, mu, mu_error in found] + [""] * (
             len(TIMES) - len(found)
         )
-        rows.append([case, *cells, power_text(fit)])
+        rows.append([case, *cells])
+        powers.append([case, power_text(fit)])
         if of_pressures:
             continue
         if velocity >= FAST:
@@ -377,7 +374,7 @@ def ageing(report, picture):
             label=f"{velocity:g} m/s",
         )
         axes.plot(line, factor * line**n, f"C{k}", lw=1)
-    axes.set(xscale="log", yscale="log", xlabel="time (ns)", ylabel="$\\mu$, 95 %")
+    axes.set(xscale="log", yscale="log", xlabel="time (ns)", ylabel="$\\mu$ with its 95 % interval")
     axes.set_xticks([30, 100, 300], ["30", "100", "300"])
     axes.set_yticks([0.3, 0.35, 0.4, 0.45, 0.5], ["0.3", "0.35", "0.4", "0.45", "0.5"])
     axes.minorticks_off()
@@ -388,9 +385,11 @@ def ageing(report, picture):
         of_both.grid(alpha=0.3)
         of_both.legend(fontsize=9, ncols=columns)
     save_figure(figure, picture)
-    lines = table(
-        ["mu", *(f"{low} to {high} ns" for low, high in TIMES), f"mu ~ t^n from {AGED} ns"], rows
-    )
+    lines = [
+        *table(["mu", *(f"{low} to {high} ns" for low, high in TIMES)], rows),
+        "",
+        *table([f"mu ~ t^n from {AGED} ns on", "n"], powers),
+    ]
     n, error = np.array(fast).T
     mean, mean_error = np.average(n, weights=error**-2), math.sqrt(1 / np.sum(error**-2))
     return [

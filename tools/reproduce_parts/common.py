@@ -36,25 +36,6 @@ def percent(ours, paper):
     return f"{100 * (ours / paper - 1):+.1f} %"
 
 
-def groups(points, key):
-    """{key(point): points} in order of the key."""
-    found = {}
-    for point in points:
-        found.setdefault(key(point), []).append(point)
-    return dict(sorted(found.items()))
-
-
-def mean_of(points, key="mu"):
-    """(mean over replicas, its standard error: the larger of what the runs' own errors and their
-    scatter say)."""
-    values = [p[key] for p in points if p[key] is not None]
-    if not values:
-        return math.nan, math.nan
-    own = math.sqrt(sum((p["mu_se"] or 0) ** 2 for p in points)) / len(points)
-    scatter = np.std(values, ddof=1) / math.sqrt(len(values)) if len(values) > 1 else 0.0
-    return float(np.mean(values)), max(own, scatter)
-
-
 def scatter_of(values, errors):
     """Standard deviation of values over their mean, and what their own standard errors explain of
     it, both in %."""

@@ -3,6 +3,7 @@
 
 import dataclasses
 import math
+import re
 
 import numpy as np
 from matplotlib import pyplot
@@ -10,9 +11,10 @@ from matplotlib import pyplot
 import plot_fit
 import plot_series
 from mcawr.files import save_figure
+from mcawr.replicas import groups, mean_of
 
 from . import ageing, layer, rate, steps
-from .common import Missing, groups, mean_of, percent, power_law, run_name, scatter_of, table
+from .common import Missing, percent, power_law, run_name, scatter_of, table
 
 PAPER = plot_fit.PAPER
 PAPER_COLLAPSE = 0.035  # scatter of ten runs at equal kappas
@@ -128,9 +130,9 @@ def law_lines(report):
             rows,
         )
         lines.append(
-            f"RMS of the points against their fit: {100 * report['rms_relative']:.1f} % (paper "
+            f"RMS of the runs against their fit: {100 * report['rms_relative']:.1f} % (paper "
             "about 9 %), "
-            f"{report['n']} points"
+            f"{report['n']} conditions"
         )
         law = {name: report[name] for name in PAPER}
         rows = []
@@ -155,8 +157,8 @@ def law_lines(report):
         )
     paper = body["against_eq2"]
     lines.append(
-        f"RMS of our points against the paper's law: {100 * paper['rms_relative']:.1f} %, mean "
-        f"{100 * paper['mean']:+.1f} % ({paper['n']} points)"
+        f"RMS of our runs against the paper's law: {100 * paper['rms_relative']:.1f} %, mean "
+        f"{100 * paper['mean']:+.1f} % ({paper['n']} conditions)"
     )
     for model in body["models"]:
         aicc = "-" if (delta := model.get("delta_aicc")) is None else f"{delta:+.1f}"
@@ -174,12 +176,12 @@ def law_lines(report):
 def kappa3(report, picture):
     """mu over Eq. 2 with the paper's numbers against kappa3 = E/sigma_0, a power law through it;
     and wr_fit's own fit."""
-    points = [p for p in report["report"]["points"] if not p["left_out"]]
+    points = report["report"]["conditions"]
     x, mu, error, paper = (
         np.array([p[key] for p in points]) for key in ("kappa3", "mu", "mu_se", "mu_eq2")
     )
     if len(x) < 3 or min(x) == max(x):
-        raise Missing(f"{len(x)} runs of {len(set(x))} different kappa3: 3 of 2 are needed")
+        raise Missing(f"{len(x)} conditions of {len(set(x))} different kappa3: 3 of 2 are needed")
     factor, n, factor_error, n_error = power_law(x / STEEL, mu / paper, error / mu)
     figure, axes = pyplot.subplots(figsize=(7, 4.4), constrained_layout=True)
     axes.errorbar(
@@ -190,7 +192,7 @@ def kappa3(report, picture):
         ms=4,
         lw=1,
         capsize=2,
-        label="our runs, 95 % of their own error",
+        label="our runs, replicas as one point, 95 %",
     )
     line = np.geomspace(0.9 * min(x), 1.1 * max(x), 50)
     axes.plot(
@@ -220,8 +222,8 @@ def kappa3(report, picture):
     lines = [
         f"mu/mu(Eq. 2) = A (kappa3/{STEEL:g})^n: A = {factor:.3f} +- {factor_error:.3f}, n = "
         f"{n:.3f} +- {n_error:.3f} (paper: 1 and 0)",
-        f"RMS of our points against Eq. 2 with the paper's numbers {rms[0]:.1f} %, against this "
-        f"{rms[1]:.1f} % ({len(points)} points)",
+        f"RMS of our runs against Eq. 2 with the paper's numbers {rms[0]:.1f} %, against this "
+        f"{rms[1]:.1f} % ({len(points)} conditions)",
         "",
     ]
     return lines + law_lines(report)
@@ -346,13 +348,26 @@ def sensitivity(report, picture):
     return table(["mu/mu(Eq. 2)", *conditions, "mean", "RMS"], rows)
 
 
+def size_of(run):
+    """What a run of the plan convergence is called in figures: `20 across` of wide-columns20."""
+    name = run.split("-strength")[0]
+    for pattern, text in (
+        ("base$", "base"),
+        (r"wide-columns(\d+)$", r"\1 across"),
+        (r"high-rows(\d+)$", r"\1 rows"),
+        ("thick$", "5 rows held"),
+    ):
+        name = re.sub(pattern, text, name)
+    return name
+
+
 def convergence(report, picture):
     """mu over that of the base size, and the depth of the layer (nm), for each size and strength
     (MPa)."""
     points = report["report"]["points"]
     rows, labels, values, errors = [], [], [], []
     for strength, members in groups(points, lambda p: p["strength"]).items():
-        sizes = groups(members, lambda p: run_name(p).split("-strength")[0])
+        sizes = groups(members, lambda p: size_of(run_name(p)))
         if "base" not in sizes:
             raise Missing(f"no run of the base size at {strength:g} MPa")
         base = mean_of(sizes["base"])
@@ -387,21 +402,19 @@ def convergence(report, picture):
 
 
 FIGURES = {
-    "fig3": Figure(
-        "Fig. 3: depth of the sliding layer (N1)", ["roughness", "viscosity"], ageing.fig3
-    ),
+    "fig3": Figure("Fig. 3: depth of the sliding layer", ["roughness", "viscosity"], ageing.fig3),
     "fig4": Figure(
-        "Fig. 4: friction stress against pressure (N2)",
+        "Fig. 4: friction stress against pressure",
         ["pressure"],
         fig4,
         ["--grinding-in", "100", *START],
     ),
-    "fig6": Figure(f"Fig. 6: mu against velocity, {FROM} (N3)", ["velocity"], fig6, START),
+    "fig6": Figure(f"Fig. 6: mu against velocity, {FROM}", ["velocity"], fig6, START),
     "ageing": Figure(
         "Ageing: mu against time", ["velocity", "pressure", "collapse10", "paper36"], ageing.ageing
     ),
-    "collapse": Figure(f"Equal kappa1 and kappa2, {FROM} (N4)", ["collapse10"], collapse, START),
-    "fig7": Figure(f"Figs. 7 and 8: the law, {FROM} (N5, N6)", ["paper36"], fig7, START),
+    "collapse": Figure(f"Equal kappa1 and kappa2, {FROM}", ["collapse10"], collapse, START),
+    "fig7": Figure(f"Figs. 7 and 8: the law, {FROM}", ["paper36"], fig7, START),
     "steel": Figure(
         f"The law of one material, E = 206 GPa and sigma_0 = 92 MPa, {FROM}",
         ["velocity", "pressure"],

@@ -28,7 +28,7 @@ def read(log):
     profile = log.removesuffix(".friction") + ".profile"
     if not os.path.exists(profile):
         return None
-    measures = [plot_layer.measure(*frame) for frame in plot_layer.read_frames(profile)]
+    measures = plot_layer.measures(profile)
     step, depth, linked, automata = (
         np.array([m[key] for m in measures]) for key in ("step", "depth", "linked", "automata")
     )

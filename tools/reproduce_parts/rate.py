@@ -7,9 +7,10 @@ import numpy as np
 from matplotlib import pyplot
 
 from mcawr.files import save_figure
+from mcawr.replicas import groups
 
 from . import ageing, layer
-from .common import Missing, groups, straight_line, table
+from .common import Missing, straight_line, table
 
 TIMES = (
     (25, 50),

@@ -9,8 +9,9 @@ from matplotlib import pyplot
 
 from mcawr.files import save_figure
 from mcawr.friction_log import head_of
+from mcawr.replicas import groups, mean_of
 
-from .common import Missing, groups, mean_of, percent, run_name, scatter_of, table
+from .common import Missing, percent, run_name, scatter_of, table
 
 
 def step_of(log):
@@ -105,9 +106,9 @@ def timestep(report, picture):
             ["mu", "kappa3", "Eq. 2", "usual step", "half", "a quarter", "", "none (line)"], rows
         ),
         "",
-        f"Scatter of the {len(equal)} at equal kappa1 and kappa2: usual step {spread:.1f} % (own "
-        f"errors {own:.1f} %), "
-        f"a quarter {spread_quarter:.1f} % ({own_quarter:.1f} %)",
+        f"Scatter of the {len(equal)} at equal kappa1 and kappa2: usual step {spread:.1f} % "
+        f"(own errors {own:.1f} %),",
+        f"a quarter of it {spread_quarter:.1f} % ({own_quarter:.1f} %)",
     ]
 
 

@@ -163,6 +163,20 @@ double nextKind(const mca::LawSet &laws, const mca::Material &ma, const mca::Mat
   return welding ? 2 : 1;
 }
 
+double wornKind(const mca::LawSet &laws, double kind, double next, double e, bool far, double slid)
+{
+  const std::string rule = laws.worn.word();
+  if (rule == "unloaded")
+    return next;
+  if (kind > 0) // a link
+    return rule == "now" && next == -1 ? 0 : next;
+  if (kind == 0)
+    return next;
+  if (far || rule == "now" || (rule == "slid" && slid >= 1) || (rule == "apart" && e >= 0))
+    return 0;
+  return next == 1 && rule != "never" ? 1 : -1;
+}
+
 namespace {
 
 struct View { // geometry of a contact
@@ -397,7 +411,7 @@ double viscosity(const Sample &s, const Contact &c)
 {
   const mca::Material &ma = s.materials[s.automata[c.i].type];
   const mca::Material &mb = s.materials[s.automata[c.j].type];
-  return s.laws.viscosity.word() == "normal" ? (ma.viscosity + mb.viscosity) / 2 : 0;
+  return s.laws.viscosity.word() == "none" ? 0 : (ma.viscosity + mb.viscosity) / 2;
 }
 
 // compression and viscosity, never tension; also of a link that breaks in this step
@@ -406,6 +420,12 @@ double unlinkedNormal(const Sample &s, const Contact &c, const View &w, const St
   if (w.e >= 0)
     return 0;
   return std::fmin(0, p.trial + viscosity(s, c) * c.speed / w.d);
+}
+
+// along t, of the second surface's motion past the first
+double slipStress(const Sample &s, const Contact &c, const View &w)
+{
+  return s.laws.viscosity.word() == "both" && w.e < 0 ? viscosity(s, c) * c.slip / w.d : 0;
 }
 
 double contactArea(const Sample &s, const View &w)
@@ -437,6 +457,10 @@ void applyContact(Sample &s, Contact &c)
                          localStress(s, c, w, p)};
   c.next.kind =
       nextKind(s.laws, ma, mb, c.now.kind, p.sigma, p.tau, bulkBreaks(load), workOf(s, c, w));
+  const bool slides = s.laws.worn.word() == "slid" && c.now.kind == -1;
+  const double slid = slides ? c.now.gammaTotal + c.way / w.d : 0;
+  const bool far = w.eps >= std::fmax(ma.breakingStrain, mb.breakingStrain);
+  c.next.kind = wornKind(s.laws, c.now.kind, c.next.kind, w.e, far, slid);
   if (c.now.kind == 1)
     c.next.plastic += (p.trial - p.sigma) / twoG;
   c.next.gamma = p.tau / twoG;
@@ -444,6 +468,8 @@ void applyContact(Sample &s, Contact &c)
     c.next.gamma = c.next.gammaTotal = 0;
   if (!linked(c.next))
     c.next.gammaTotal = workOf(s, c, w);
+  if (slides)
+    c.next.gammaTotal = c.next.kind == -1 ? slid : 0;
   if (!linked(c.next) && w.eps > std::fmax(c.next.plastic, 0))
     c.next.plastic = 0;
   if (c.next.kind != c.now.kind)
@@ -453,14 +479,15 @@ void applyContact(Sample &s, Contact &c)
   const bool holds = linked(c.now) && linked(c.next);
   const double normal = holds ? p.sigma : unlinkedNormal(s, c, w, p), tau = holds ? p.tau : 0;
   const double fn = normal * S, ft = tau * S * w.d / w.r;
-  const double fx = fn * w.nx + ft * w.tx, fy = fn * w.ny + ft * w.ty;
+  const double drag = holds ? 0 : slipStress(s, c, w) * S;
+  const double fx = fn * w.nx + (ft + drag) * w.tx, fy = fn * w.ny + (ft + drag) * w.ty;
   Automaton &a = s.automata[s.owner[c.i]], &b = s.automata[s.owner[c.j]];
   a.fx += fx;
   a.fy += fy;
   b.fx -= fx;
   b.fy -= fy;
-  a.torque += w.d / 2 * tau * S;
-  b.torque += w.d / 2 * tau * S;
+  a.torque += w.d / 2 * tau * S + w.r / 2 * drag;
+  b.torque += w.d / 2 * tau * S + w.r / 2 * drag;
 }
 
 void applyContacts(Sample &s)
@@ -472,31 +499,39 @@ void applyContacts(Sample &s)
     applyContact(s, c);
 }
 
-// the normal velocity dt/2 ago
-double oldSpeed(const Sample &s, const Contact &c)
+// the velocities dt/2 ago
+void setOldSpeeds(const Sample &s, Contact &c, double dt)
 {
   const View w = view(s, c);
   const Automaton &a = s.automata[c.i], &b = s.automata[c.j];
-  return (b.vx - a.vx) * w.nx + (b.vy - a.vy) * w.ny;
+  c.speed = (b.vx - a.vx) * w.nx + (b.vy - a.vy) * w.ny;
+  c.slip = (b.vx - a.vx) * w.tx + (b.vy - a.vy) * w.ty - w.r / 2 * (a.omega + b.omega);
+  c.way = std::abs(c.slip) * dt;
 }
 
-// the present one, from the forces that the old ones make
-double presentSpeed(const Sample &s, const Contact &c, double dt)
+// the present ones, from the forces that the old ones make
+void setPresentSpeeds(const Sample &s, Contact &c, double dt)
 {
   const View w = view(s, c);
-  double kick = 0, perMass = 0;
+  double kick = 0, perMass = 0, slipKick = 0, perInertia = 0;
   for (int side : {c.i, c.j}) {
     const Automaton &a = s.automata[s.owner[side]];
     const mca::Material &m = s.materials[a.type];
     if (a.held)
       continue;
     const double mass = m.density * std::sqrt(3.0) / 2 * m.diameter * m.diameter * s.thickness;
-    const double pull = a.fx * w.nx + a.fy * w.ny;
-    kick += (side == c.j ? 1 : -1) * pull / mass * dt / 2;
+    const double inertia = mass * m.diameter * m.diameter / 8, sign = side == c.j ? 1 : -1;
+    kick += sign * (a.fx * w.nx + a.fy * w.ny) / mass * dt / 2;
+    slipKick += sign * (a.fx * w.tx + a.fy * w.ty) / mass * dt / 2;
+    slipKick -= w.r / 2 * a.torque / inertia * dt / 2;
     perMass += 1 / mass;
+    perInertia += 1 / inertia;
   }
-  const double rate = viscosity(s, c) * contactArea(s, w) / w.d * perMass;
-  return oldSpeed(s, c) + kick / (1 + rate * dt / 2);
+  const double damping = viscosity(s, c) * contactArea(s, w) / w.d;
+  const double rate = damping * perMass;
+  const double slipRate = damping * (perMass + w.r * w.r / 4 * perInertia);
+  c.speed += kick / (1 + rate * dt / 2);
+  c.slip += slipKick / (1 + slipRate * dt / 2);
 }
 
 } // namespace
@@ -509,12 +544,12 @@ void step(Sample &s, double dt)
   collectStresses(s);
   yield(s);
   for (auto &c : s.contacts)
-    c.speed = oldSpeed(s, c);
+    setOldSpeeds(s, c, dt);
   applyContacts(s);
   if (s.laws.steps.word() != "corrected")
     return;
   for (auto &c : s.contacts)
-    c.speed = presentSpeed(s, c, dt);
+    setPresentSpeeds(s, c, dt);
   applyContacts(s);
 }
 

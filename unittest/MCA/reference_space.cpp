@@ -221,7 +221,7 @@ double viscosity(const Sample &s, const Contact &c)
 {
   const mca::Material &ma = s.materials[s.automata[c.i].type];
   const mca::Material &mb = s.materials[s.automata[c.j].type];
-  return s.laws.viscosity.word() == "normal" ? (ma.viscosity + mb.viscosity) / 2 : 0;
+  return s.laws.viscosity.word() == "none" ? 0 : (ma.viscosity + mb.viscosity) / 2;
 }
 
 double contactArea(const Sample &s, const View &w)
@@ -254,26 +254,33 @@ void applyContact(Sample &s, Contact &c)
                          b.mean,
                          localStress(s, c, w, sigma, tau)};
   c.next.kind = nextKind(s.laws, ma, mb, c.now.kind, sigma, tau.norm(), bulkBreaks(load), work);
+  const bool slides = s.laws.worn.word() == "slid" && c.now.kind == -1;
+  const double slid = slides ? c.now.gammaTotal.x() + c.way / w.d : 0;
+  const bool far = w.eps >= std::fmax(ma.breakingStrain, mb.breakingStrain);
+  c.next.kind = wornKind(s.laws, c.now.kind, c.next.kind, w.e, far, slid);
   if (c.now.kind == 1)
     c.next.plastic += (trial - sigma) / twoG;
   c.next.gamma = tau / twoG;
   if (!linked(c.now) || !linked(c.next))
     c.next.gamma = c.next.gammaTotal = Vector3d::Zero();
   if (!linked(c.next))
-    c.next.gammaTotal.x() = work;
+    c.next.gammaTotal.x() = slides && c.next.kind == -1 ? slid : work;
   if (!linked(c.next) && w.eps > std::fmax(c.next.plastic, 0))
     c.next.plastic = 0;
   if (c.next.kind != c.now.kind)
     s.changed++;
 
   // compression and viscosity of what is not linked any more, never tension
+  Vector3d drag(0, 0, 0);
   if (!linked(c.now) || !linked(c.next)) {
     sigma = w.e < 0 ? std::fmin(0, trial + viscosity(s, c) * c.speed / w.d) : 0;
     tau.setZero();
+    if (w.e < 0 && s.laws.viscosity.word() == "both")
+      drag = viscosity(s, c) / w.d * c.slip;
   }
   const double S = contactArea(s, w);
-  const Vector3d force = S * (sigma * w.n + w.d / w.r * tau);
-  const Vector3d torque = w.d / 2 * S * w.n.cross(tau);
+  const Vector3d force = S * (sigma * w.n + w.d / w.r * tau + drag);
+  const Vector3d torque = S * w.n.cross(w.d / 2 * tau + w.r / 2 * drag);
   a.force += force;
   b.force -= force;
   a.torque += torque;
@@ -291,28 +298,45 @@ void applyContacts(Sample &s)
     applyContact(s, c);
 }
 
-// the normal velocity dt/2 ago
-double oldSpeed(const Sample &s, const Contact &c)
+// of both surfaces where they touch
+void setSpeeds(Contact &c, const View &w, const Vector3d &v, const Vector3d &omegas)
 {
-  return (s.automata[c.j].v - s.automata[c.i].v).dot(view(s, c).n);
+  const Vector3d surface = v - w.r / 2 * omegas.cross(w.n);
+  c.speed = surface.dot(w.n);
+  c.slip = surface - c.speed * w.n;
 }
 
-// the present one, from the forces that the old ones make
-double presentSpeed(const Sample &s, const Contact &c, double dt)
+// the velocities dt/2 ago
+void setOldSpeeds(const Sample &s, Contact &c, double dt)
+{
+  const Automaton &a = s.automata[c.i], &b = s.automata[c.j];
+  setSpeeds(c, view(s, c), b.v - a.v, a.omega + b.omega);
+  c.way = c.slip.norm() * dt;
+}
+
+// the present ones, from the forces that the old ones make
+void setPresentSpeeds(const Sample &s, Contact &c, double dt)
 {
   const View w = view(s, c);
-  double kick = 0, perMass = 0;
+  double perMass = 0, perInertia = 0;
+  Vector3d moved(0, 0, 0), turned(0, 0, 0);
   for (int side : {c.i, c.j}) {
     const Automaton &a = s.automata[s.owner[side]];
     const mca::Material &m = s.materials[a.type];
     if (a.held)
       continue;
     const double mass = m.density * cellVolume(s.packing) * std::pow(m.diameter, 3);
-    kick += (side == c.j ? 1 : -1) * a.force.dot(w.n) / mass * dt / 2;
+    const double inertia = mass * m.diameter * m.diameter / 10;
+    moved += (side == c.j ? 1 : -1) * a.force / mass * dt / 2;
+    turned += a.torque / inertia * dt / 2;
     perMass += 1 / mass;
+    perInertia += 1 / inertia;
   }
-  const double rate = viscosity(s, c) * contactArea(s, w) / w.d * perMass;
-  return oldSpeed(s, c) + kick / (1 + rate * dt / 2);
+  const double damping = viscosity(s, c) * contactArea(s, w) / w.d;
+  Contact kick;
+  setSpeeds(kick, w, moved, turned);
+  c.speed += kick.speed / (1 + damping * perMass * dt / 2);
+  c.slip += kick.slip / (1 + damping * (perMass + w.r * w.r / 4 * perInertia) * dt / 2);
 }
 
 } // namespace
@@ -325,12 +349,12 @@ void step(Sample &s, double dt)
   collectStresses(s);
   yieldAgain(s);
   for (auto &c : s.contacts)
-    c.speed = oldSpeed(s, c);
+    setOldSpeeds(s, c, dt);
   applyContacts(s);
   if (s.laws.steps.word() != "corrected")
     return;
   for (auto &c : s.contacts)
-    c.speed = presentSpeed(s, c, dt);
+    setPresentSpeeds(s, c, dt);
   applyContacts(s);
 }
 

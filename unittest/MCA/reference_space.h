@@ -40,7 +40,9 @@ struct State {
 struct Contact {
   int i = 0, j = 0;
   State now, next;
-  double speed = 0; ///< normal velocity of j seen from i that its viscosity sees
+  double speed = 0;       ///< normal velocity of j seen from i that its viscosity sees
+  Vector3d slip{0, 0, 0}; ///< and of its surface past that of i
+  double way = 0;         ///< that this slides in the step, with the velocities of half a step ago
 };
 
 /// Automata beyond the first `owned` are periodic images, as in the plane.

@@ -1,9 +1,12 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Whatever is wrong with an input: one clear ERROR line, a non-zero exit, no half-written file."""
 
+import os
+import resource
+
 import pytest
 
-from lmp_run import STEEL, fails, periodic_block
+from lmp_run import STEEL, fails, lmp, periodic_block
 
 SAMPLE = periodic_block()
 GOOD = SAMPLE + "pair_style mca\npair_coeff * * steel.mca\nfix 1 all nve/mca\n"
@@ -77,7 +80,7 @@ def test_bad_override(tmp_path, words, parts):
         ("preset c", ["preset", "value c", "allowed: a, b"]),
         ("fractur none", ["fractur", "nearest known one is 'fracture'"]),
         ("thickness -1", ["thickness", "-1", "allowed"]),
-        ("thickness nan", ["nan"]),  # LAMMPS's own words, followed by the input line
+        ("thickness nan", ["Pair style mca thickness is 'nan'", "> 0"]),
         ("thickness", ["thickness", "no value"]),
         ("cutoff 0", ["cutoff", "allowed"]),
         ("link -3", ["link", "-3", "allowed"]),
@@ -101,12 +104,15 @@ def test_cutoff_below_the_breaking_distance(tmp_path):
     "words,parts",
     [
         ("velocity 5", ["pressure"]),
-        ("velocity nan pressure 1", ["nan"]),
+        ("velocity nan pressure 1", ["velocity is 'nan'", "finite number or v_name"]),
         ("velocity 5 pressure -1", ["pressure", "-1", ">= 0"]),
-        ("velocity 5 pressure inf", ["inf"]),
+        ("velocity 5 pressure inf", ["pressure is 'inf'", ">= 0 or v_name"]),
         ("velocity 5 pressur 1", ["pressur", "nearest known one is 'pressure'"]),
-        ("velocity 5 pressure 1 every 0", ["every", "0", "> 0"]),
-        ("velocity 5 pressure 1 every 2.5", ["2.5"]),
+        ("velocity 5 pressure 1 every 0", ["every is '0'", "a whole number from 1 to"]),
+        ("velocity 5 pressure 1 every 2.5", ["every is '2.5'", "a whole number from 1 to"]),
+        ("velocity 5 pressure 1 every 1e3", ["every is '1e3'"]),
+        ("velocity 5 pressure 1 seed 1e3", ["seed is '1e3'", "a whole number from -9"]),
+        ("velocity 5 pressure 1 seed 99999999999999999999", ["seed is '9"]),
         ("velocity v_no pressure 1", ["no equal-style variable no"]),
         ("velocity 5 pressure", ["pressure", "no value"]),
     ],
@@ -144,7 +150,7 @@ def test_a_failed_run_leaves_no_half_written_log(tmp_path):
         ("compute 1 all mca/link/local sigmaa", ["sigmaa", "nearest known one is 'sigma'"]),
         ("mca_links make all all", ["make", "create, delete"]),
         ("mca_links create all nobody", ["nobody"]),
-        ("mca_links create all all reach nan", ["nan"]),
+        ("mca_links create all all reach nan", ["reach is 'nan'", "> 0"]),
         ("mca_links create all all reach -1", ["reach", "-1"]),
         ("fix 3 all nve/mca now", ["nve/mca", "now"]),
         ("region r mca/rough beside 0 1 1 1", ["beside", "below, above"]),
@@ -156,6 +162,92 @@ def test_a_failed_run_leaves_no_half_written_log(tmp_path):
 )
 def test_bad_commands(tmp_path, command, parts):
     fails(GOOD + command + "\n", tmp_path, *parts)
+
+
+NO_NUMBERS = ["abc", "0x10", '"1 500"', "nan", "inf", "5nm", '""']
+
+
+@pytest.mark.parametrize("word", NO_NUMBERS)
+@pytest.mark.parametrize(
+    "command, what",
+    [
+        ("pair_style mca thickness {}", "Pair style mca thickness is"),
+        ("pair_style mca cutoff {}", "Pair style mca cutoff is"),
+        ("pair_style mca link {}", "keyword link"),
+        ("pair_coeff * * steel.mca strength {}", "strength is"),
+        ("pair_coeff {} 1 steel.mca", "Pair_coeff of mca: I is"),
+        ("pair_coeff 1 {} steel.mca", "Pair_coeff of mca: J is"),
+        ("fix 2 all mca/drive velocity {} pressure 1", "Fix mca/drive velocity is"),
+        ("fix 2 all mca/drive velocity 1 pressure {}", "Fix mca/drive pressure is"),
+        ("fix 2 all mca/drive velocity 1 pressure 1 every {}", "Fix mca/drive every is"),
+        ("fix 2 all mca/drive velocity 1 pressure 1 seed {}", "Fix mca/drive seed is"),
+        ("fix 2 all mca/events {} step", "Fix mca/events N is"),
+        ("mca_links create all all reach {}", "Command mca_links reach is"),
+        ("region r mca/rough below {} 1 1 1", "Region mca/rough height is"),
+        ("region r mca/rough below 0 {} 1 1", "Region mca/rough amplitude is"),
+        ("region r mca/rough below 0 1 {} 1", "Region mca/rough correlation is"),
+        ("region r mca/rough below 0 1 1 {}", "Region mca/rough seed is"),
+    ],
+)
+def test_words_that_are_no_number(every_refusal, command, what, word):
+    """Ours names style, keyword, value and what is allowed, never LAMMPS's general words."""
+    line = every_refusal(command.format(word))
+    assert what in line and word.strip('"') in line and "allowed" in line, line
+
+
+@pytest.fixture(scope="module")
+def every_refusal(tmp_path_factory):
+    """The ERROR line of a command after a good sample."""
+    folder = tmp_path_factory.mktemp("refusals")
+
+    def line(command):
+        (answer,) = fails(GOOD + command + "\n", folder, "").error_lines
+        return answer
+
+    return line
+
+
+@pytest.mark.parametrize(
+    "correlation, part",
+    [("1e-10", "from 1/4000"), ("0.006", "from 1/4000"), ("26", "to that length, 0.00625 to 25")],
+)
+def test_rough_line_of_too_many_waves(tmp_path, correlation, part):
+    fails(
+        GOOD + f"region r mca/rough below 0 1 {correlation} 1 units box\n",
+        tmp_path,
+        f"correlation is '{correlation}'",
+        part,
+    )
+
+
+def test_rough_line_of_most_waves_is_made_in_time(tmp_path):
+    """Of 5000 waves, 80000 heights of the line are looked at to find the largest."""
+    start = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
+    lmp(GOOD + "region r mca/rough below 0 1 0.00626 1 units box\n", tmp_path)
+    most = 10 * float(os.environ.get("MCAWR_TIME_FACTOR", "1"))  # 1.1 s; with a cosine a wave 20 s
+    assert resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime - start < most
+
+
+@pytest.mark.parametrize(
+    "line",
+    [
+        "# pair 1 2 1 1 0 0 nan",
+        "# pair 1 2 1 1 0 0 0x1",
+        "# pair 1 2 1 1 0 0 0 7",
+        "# pair 1 2 3 1 0 0 0",
+        "# pair 1 2 1 2 0 0 0",
+        "# pair 1 1 1 1 0 0 0",
+        "# pair -1 2 1 1 0 0 0",
+        "# pair 1 2 1 1 0 0",
+        "# automaton 1 kappa inf",
+        "# automaton 1.5 kappa 0",
+        "# automaton 1 kappa 1e-3 1",
+    ],
+)
+def test_links_of_a_damaged_file(tmp_path, line):
+    text = "title\n\n# mca-links 2: pair\n# pair 1 3 1 1 0 0 0\n" + line + "\n"
+    (tmp_path / "bad.data").write_text(text)
+    fails(GOOD + "mca_links read bad.data\n", tmp_path, f"bad.data: line 5: {line}", "allowed")
 
 
 def test_wrong_atom_style(tmp_path):

@@ -150,14 +150,24 @@ TEST(CriticalStep, CompressedUnlinkedLatticeIsStableBelow)
     s.shiftX[k] = std::round(s.shiftX[k] / width) * width * squeeze;
     s.shiftY[k] = std::round(s.shiftY[k] / height) * height * squeeze;
   }
-  for (const double eta : {0.0, 41.0, 100.0, 150.0, 410.0}) {
-    s.materials[0].viscosity = eta;
-    const mca::CriticalStep limit = mca::criticalStep(m, m.meanStressWeight(), eta);
-    s.laws.steps = "plain";
-    EXPECT_LT(growth(s, 0.99 * limit.plain(), 3000), 3.0) << "viscosity " << eta;
-    s.laws.steps = "corrected";
-    EXPECT_LT(growth(s, 0.99 * limit.centred(), 3000), 3.0) << "viscosity " << eta;
-  }
+  const double turned = 1 / (squeeze * squeeze); // arms are shorter
+  for (const bool slips : {false, true})
+    for (const double eta : {0.0, 41.0, 100.0, 150.0, 410.0}) {
+      s.materials[0].viscosity = eta;
+      s.laws.viscosity = slips ? "both" : "normal";
+      const mca::CriticalStep limit =
+          mca::criticalStep(m, m.meanStressWeight(), eta, mca::packing::hex, slips);
+      s.laws.steps = "plain";
+      EXPECT_LT(growth(s, 0.99 * limit.plain(), 3000), 3.0) << "viscosity " << eta;
+      s.laws.steps = "corrected";
+      EXPECT_LT(growth(s, 0.99 * limit.centred(), 3000), 3.0) << "viscosity " << eta;
+      if (!slips || eta < 410.0)
+        continue;
+      // what turns has no other stiffness
+      EXPECT_GT(growth(s, 1.02 * turned * limit.centred(), 3000), 100.0);
+      s.laws.steps = "plain";
+      EXPECT_GT(growth(s, 1.02 * turned * limit.viscous, 3000), 100.0);
+    }
 }
 
 TEST(CriticalStep, PressedLinkIsStableBelowAndUnstableAbove)
@@ -195,4 +205,19 @@ TEST(CriticalStep, ViscousLimitOfThePapersSteel)
   EXPECT_NEAR(limit.viscous, 5.9e-5, 0.1e-5);
   EXPECT_LT(limit.plain(), limit.viscous);
   EXPECT_NEAR(limit.centred(), 1.5 * limit.viscous, 1e-12); // a contact's own part is a third
+}
+
+TEST(CriticalStep, SlipIsDampedByTheSmallMomentOfInertia)
+{
+  // a disc has J = m d^2/8: lambda = 24 c/m; a ball m d^2/10, and two thirds of 12 contacts
+  const mca::Material m = steel();
+  const double D = m.meanStressWeight(), eta = m.viscosity;
+  for (const auto &[packing, faster, own] :
+       {std::tuple{mca::packing::hex, 4.0, 0.25}, std::tuple{mca::packing::fcc, 5.0, 0.175}}) {
+    const auto normal = mca::criticalStep(m, D, eta, packing);
+    const auto both = mca::criticalStep(m, D, eta, packing, true);
+    EXPECT_NEAR(both.viscous, normal.viscous / faster, 1e-12 * normal.viscous);
+    EXPECT_NEAR(both.centred(), both.viscous / (1 - own), 1e-9 * both.viscous);
+    EXPECT_EQ(both.elastic, normal.elastic);
+  }
 }

@@ -130,11 +130,15 @@ def test_no_half_written_files(driven):
 
 
 def test_automata_that_leave_through_the_layer_are_told_of(tmp_path):
-    """One more, a little below the centres of two of the layer that it does not fit between: it is
-    pressed out."""
+    """One of the layer gives its place, a little below the others, to a loose one that is thrown
+    upwards."""
     more = (
-        "variable x equal xcm(top,x)\nvariable y equal bound(top,ymax)-0.05\n"
-        "create_atoms 1 single $x $y 0 units box\nrun 500"
+        "variable top equal bound(top,ymax)\nvariable x equal xcm(one,x)\n"
+        "region one block 20 22.4 10 INF INF INF units box\ngroup one region one\n"
+        "group one intersect one top\n"
+        "variable x1 equal $x\nvariable y1 equal ${top}-0.05\n"
+        "delete_atoms group one\ncreate_atoms 1 single ${x1} ${y1} 0 units box\n"
+        "group loose subtract all low high\nvelocity loose set 8 50 0\nrun 500"
     )
     result = lmp("in.driven", tmp_path, v=V, p=P, extra=more)
     assert "1 automata left the fragment through the driven layer" in result.out

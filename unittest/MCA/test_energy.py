@@ -1,10 +1,12 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """compute mca/energy: the account closes, on any number of ranks, and goes on after a restart."""
 
+import re
+
 import numpy as np
 import pytest
 
-from lmp_run import fails, lmp
+from lmp_run import STEEL, fails, lmp
 
 NAMES = {
     "c_energy[1]": "kinetic",
@@ -55,10 +57,13 @@ def test_error_is_the_sum(sliding):
         "preset b viscosity none",
         "preset b steps plain",
         "preset b plasticity j2 steps plain",
+        "preset b viscosity both",
+        "preset b viscosity both steps plain",
     ],
 )
 def test_other_laws_close_too(laws, tmp_path):
-    a = account(lmp("in.energy_sliding", tmp_path, laws=laws, steps=1000))
+    dt = 1.25e-5 if "both" in laws else 5e-5
+    a = account(lmp("in.energy_sliding", tmp_path, laws=laws, steps=1000, dt=dt))
     assert a["dissipated"][-1] > 0
     assert np.abs(a["error"][1:] / a["dissipated"][1:]).max() < 1e-6
     assert (a["viscous"][-1] == pytest.approx(0, abs=1e-3 * a["dissipated"][-1])) == (
@@ -119,6 +124,45 @@ run 30000
     assert table["v_r"].min() > 0.09 * 2.5  # an elastic contact from then on
 
 
+def test_breaking_takes_nothing_back(tmp_path):
+    """A notched plate pulled apart, every step of it: what links pay as they break is theirs."""
+    script = """units nano
+dimension 2
+boundary s s p
+atom_style sphere
+timestep 5e-5
+lattice hex 2.5
+region box block 0 $(16*2.5) 0 $(14*2.5*sqrt(3)/2) -0.5 0.5 units box
+create_box 1 box
+create_atoms 1 box
+region notch block INF $(5*2.5) $(6.6*2.5*sqrt(3)/2) $(7.4*2.5*sqrt(3)/2) INF INF units box
+delete_atoms region notch
+region ends block INF INF $(0.5*2.5) $(12.5*2.5*sqrt(3)/2) INF INF units box side out
+group ends region ends
+pair_style mca
+pair_coeff * * steel.mca
+neighbor 0.4 bin
+mca_links create all all
+velocity all ramp vy -5 5 y 0 $(13*2.5*sqrt(3)/2) units box
+fix integrate all nve/mca
+fix hold ends setforce 0 0 0
+compute energy all mca/energy
+compute totals all pair mca
+thermo 1
+thermo_style custom step c_energy[1] c_energy[2] c_energy[3] c_energy[4] c_energy[5] c_energy[6] &
+  c_energy c_totals[3]
+thermo_modify format float %20.15g
+run 4000
+"""
+    result = lmp(script, tmp_path)
+    a, broken = account(result), result.thermo[0]["c_totals[3]"]
+    steps = np.diff(a["fracture"])
+    print("paid", a["fracture"][-1], "by", broken[-1], "links, taken back", steps[steps < 0].sum())
+    assert broken[-1] > 30
+    assert -steps[steps < 0].sum() < 1e-3 * a["fracture"][-1]
+    assert np.abs(a["error"]).max() < 1e-6 * a["dissipated"][-1]
+
+
 @pytest.mark.parametrize("dimension", [2, 3])
 def test_elastic_energy_stays(tmp_path, dimension):
     a = account(lmp("in.energy_elastic", tmp_path, dimension=dimension))
@@ -156,6 +200,26 @@ run 750
     for name in NAMES.values():
         assert go_on[name][-1] == pytest.approx(whole[name][reference], rel=1e-9), name
     assert abs(go_on["error"][-1]) < 1e-6 * go_on["dissipated"][-1]
+
+
+@pytest.mark.parametrize("ranks", [1, 2])
+def test_first_script_of_the_readme(ranks, tmp_path):
+    """Periodic, with ghosts of the own rank. The sanitizers see a read past an array here."""
+    readme = (STEEL.parents[1] / "README.md").read_text(encoding="utf-8")
+    script = re.search(r"^```lammps\n(.*?)^```", readme, re.MULTILINE | re.DOTALL)[1]
+    columns = "c_energy " + " ".join(f"c_energy[{k}]" for k in range(1, 7))
+    begin, run = script.rsplit("run ", 1)
+    a = account(
+        lmp(
+            begin
+            + "compute energy all mca/energy\nthermo_modify norm no\n"
+            + f"thermo_style custom step {columns}\nthermo 100\nrun {run}",
+            tmp_path,
+            ranks=ranks,
+        )
+    )
+    assert a["step"][-1] == 2000 and a["dissipated"][-1] > 0 and a["work"][-1] > 0
+    assert np.abs(a["error"][1:]).max() < 1e-6 * a["work"][-1]
 
 
 def _file(folder, text):

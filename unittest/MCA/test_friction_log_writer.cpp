@@ -5,9 +5,12 @@
 
 #include <gmock/gmock.h>
 
+#include <cmath>
+#include <fcntl.h>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
+#include <sys/stat.h>
 #include <unistd.h>
 
 using testing::HasSubstr;
@@ -79,7 +82,7 @@ TEST_F(FrictionLogWriterTest, HeaderThenColumnsThenRows)
 {
   mca::FrictionLogWriter log;
   EXPECT_FALSE(log.isOpen());
-  log.begin(path, header(), units);
+  log.begin(path, header(), units, 0, false);
   EXPECT_TRUE(log.isOpen());
   log.write(row(1000));
   log.write(row(2000));
@@ -101,7 +104,7 @@ TEST_F(FrictionLogWriterTest, TheHeadNamesThePackingOfTheRun)
     mca::LogHeader h = header();
     h.packing = packing;
     mca::FrictionLogWriter log;
-    log.begin(path, h, units);
+    log.begin(path, h, units, 0, false);
     EXPECT_THAT(text(), HasSubstr(std::string("diameter: 2.5, packing: ") + packing +
                                   ", automata: 1280}\n"));
   }
@@ -125,19 +128,45 @@ TEST_F(FrictionLogWriterTest, UnitsOfTheRunBecomeThoseOfTheLog)
   EXPECT_DOUBLE_EQ(410 * units.viscosity(), 0.41);
 }
 
-TEST_F(FrictionLogWriterTest, ResumeDropsLaterRowsAndACutLastLine)
-{
+// What a further run of the same loading finds after these steps.
+class ContinuedLogTest : public FrictionLogWriterTest {
+ protected:
+  void SetUp() override
+  {
+    FrictionLogWriterTest::SetUp();
+    write(5);
+  }
+
+  void write(int number) const
   {
     mca::FrictionLogWriter log;
-    log.begin(path, header(), units);
-    for (long long step = 1000; step <= 5000; step += 1000)
-      log.write(row(step));
+    log.begin(path, header(), units, 0, false);
+    for (long long k = 1; k <= number; k++)
+      log.write(row(1000 * k));
   }
+
+  std::string problemOf(const mca::LogHeader &h, long long step, mca::LogRows there) const
+  {
+    const std::string before = text();
+    mca::FrictionLogWriter log;
+    try {
+      log.resume(path, h, units, step, there);
+    } catch (const std::runtime_error &e) {
+      EXPECT_EQ(text(), before) << "a log that is refused is left as it was";
+      return e.what();
+    }
+    return "";
+  }
+};
+
+TEST_F(ContinuedLogTest, DropsLaterRowsAndACutLastLine)
+{
   const std::string head = text().substr(0, text().find("\n1000 ") + 1);
   std::ofstream(path, std::ios::app) << "6000 0.3 1.5"; // the machine stopped here
   {
     mca::FrictionLogWriter log;
-    log.resume(path, 3000);
+    EXPECT_EQ(log.resume(path, header(), units, 3000, {3, 3000}), "");
+    EXPECT_EQ(log.rows().number, 3);
     log.write(row(4000));
   }
   ASSERT_EQ(rows().size(), 4u);
@@ -146,9 +175,122 @@ TEST_F(FrictionLogWriterTest, ResumeDropsLaterRowsAndACutLastLine)
   EXPECT_EQ(text().back(), '\n');
 
   std::ofstream(path, std::ios::app) << "4500 0.2"; // cut short, but not later than the step
-  mca::FrictionLogWriter again;
-  again.resume(path, 9000);
+  EXPECT_EQ(problemOf(header(), 4700, {4, 4000}), "");
   EXPECT_EQ(rows().size(), 4u);
+}
+
+TEST_F(ContinuedLogTest, RefusesRowsThatAreMissing)
+{
+  EXPECT_THAT(problemOf(header(), 7500, {7, 7000}),
+              HasSubstr("it has 5 rows, the last one of step 5000 up to step 7500, the run that "
+                        "wrote the restart file had 7 rows, the last one of step 7000"));
+  EXPECT_THAT(problemOf(header(), 900, {4, 4000}), HasSubstr("it has no row up to step 900"));
+  std::string cut = text();
+  const size_t third = cut.find("\n3000 ");
+  cut.erase(third, cut.find('\n', third + 1) - third);
+  std::ofstream(path, std::ios::trunc) << cut;
+  EXPECT_THAT(problemOf(header(), 5000, {5, 5000}), HasSubstr("between the steps 2000 and 4000"));
+  EXPECT_THAT(problemOf(header(), 5000, {4, 5000}), HasSubstr("between the steps 2000 and 4000"));
+}
+
+TEST_F(ContinuedLogTest, RefusesRowsThatAreDamaged)
+{
+  const std::string good = text();
+  for (const char *word : {"nan", "0x10", "1e999", "7.5.1", ""}) {
+    std::string damaged = good;
+    damaged.replace(damaged.find(" 7.5 "), 5, std::string(" ") + word + " ");
+    std::ofstream(path, std::ios::trunc) << damaged;
+    EXPECT_THAT(problemOf(header(), 5000, {5, 5000}), HasSubstr("line 10")) << word;
+  }
+}
+
+TEST_F(ContinuedLogTest, RefusesAnotherHead)
+{
+  const auto differing = [](auto &&change) {
+    mca::LogHeader h = header();
+    change(h);
+    return h;
+  };
+  const std::vector<std::pair<mca::LogHeader, std::string>> cases = {
+      {differing([](auto &h) { h.material.strength = 552; }),
+       "material: elastic_limit is"}, // a ratio of the strength, hence another one, too
+      {differing([](auto &h) { h.material.youngsModulus = 70000; }),
+       "material: youngs_modulus is 206000 in the log, 70000 in this run"},
+      {differing([](auto &h) { h.pressure = 26; }), "loading: pressure is 15 in the log, 26"},
+      {differing([](auto &h) { h.velocity = 6; }), "loading: velocity"},
+      {differing([](auto &h) { h.width = 120; }), "geometry: width"},
+      {differing([](auto &h) { h.packing = "sc"; }), "geometry: packing is hex in the log, sc"},
+      {differing([](auto &h) { h.laws[3] = "2.35"; }), "laws: link is elastic_limit"},
+      {differing([](auto &h) { h.laws.resize(2); }), "laws: link is elastic_limit in the log, not"},
+      {differing([](auto &h) { h.timestep = 2e-5; }), "run: timestep"},
+      {differing([](auto &h) { h.every = 500; }), "run: every is 1000 in the log, 500"},
+      {differing([](auto &h) { h.seed = 4; }), "run: seed is 3 in the log, 4 in this run"},
+  };
+  for (const auto &[h, part] : cases)
+    EXPECT_THAT(problemOf(h, 5000, {5, 5000}), HasSubstr("its head does not fit: " + part));
+}
+
+TEST_F(ContinuedLogTest, TakesWhatMayDiffer)
+{
+  mca::LogHeader h = header();
+  h.automata += 1;
+  h.width *= 1.0 + 1e-12;
+  h.pressure = 26;
+  h.varying = {"pressure"};
+  EXPECT_EQ(problemOf(h, 5000, {5, 5000}), "");
+  h.lammpsVersion = 20260704;
+  mca::FrictionLogWriter log;
+  EXPECT_THAT(log.resume(path, h, units, 5000, {5, 5000}), HasSubstr("lammps 20250204, this is"));
+}
+
+TEST_F(ContinuedLogTest, ALogThatIsNotThereBeginsAnewAndSaysSo)
+{
+  fs::remove(path);
+  mca::FrictionLogWriter log;
+  EXPECT_THAT(log.resume(path, header(), units, 5000, {5, 5000}), HasSubstr("a new one begins"));
+  EXPECT_EQ(log.rows().number, 0);
+}
+
+TEST_F(ContinuedLogTest, ANewLogErasesNoRowsThatItsRunWillNotMake)
+{
+  const std::string before = text();
+  const auto problemOfNew = [&](long long step, bool isRestart) {
+    mca::FrictionLogWriter log;
+    try {
+      log.begin(path, header(), units, step, isRestart);
+    } catch (const std::runtime_error &e) {
+      return std::string(e.what());
+    }
+    return std::string();
+  };
+  EXPECT_THAT(problemOfNew(0, true), HasSubstr("the restart file holds no log of that name"));
+  EXPECT_THAT(problemOfNew(1000, false), HasSubstr("it exists and has rows from step 1000 on"));
+  EXPECT_EQ(text(), before);
+  EXPECT_EQ(problemOfNew(999, false), "");
+  EXPECT_EQ(rows().size(), 0u);
+  std::ofstream(path, std::ios::trunc) << "units nano\n";
+  EXPECT_THAT(problemOfNew(0, false), HasSubstr("its first line is not"));
+  EXPECT_EQ(text(), "units nano\n");
+}
+
+TEST_F(ContinuedLogTest, HasOneWriter)
+{
+  mca::FrictionLogWriter one, other;
+  one.resume(path, header(), units, 5000, {5, 5000});
+  EXPECT_THROW(other.resume(path, header(), units, 5000, {5, 5000}), std::runtime_error);
+  EXPECT_THROW(other.begin(path, header(), units, 0, false), std::runtime_error);
+  one.write(row(6000));
+  EXPECT_EQ(rows().size(), 6u);
+}
+
+TEST_F(ContinuedLogTest, AFurtherRunOfTheInputHasTheSameHead)
+{
+  mca::FrictionLogWriter log;
+  log.begin(path, header(), units, 0, false);
+  EXPECT_NO_THROW(log.check(header(), units));
+  mca::LogHeader h = header();
+  h.material.viscosity = 100;
+  EXPECT_THROW(log.check(h, units), std::runtime_error);
 }
 
 TEST_F(FrictionLogWriterTest, ResumeRefusesAForeignFile)
@@ -157,7 +299,7 @@ TEST_F(FrictionLogWriterTest, ResumeRefusesAForeignFile)
   const std::string before = text();
   mca::FrictionLogWriter log;
   try {
-    log.resume(path, 100);
+    log.resume(path, header(), units, 100, {});
     FAIL() << "no error";
   } catch (const std::runtime_error &e) {
     EXPECT_THAT(e.what(), HasSubstr(path.string()));
@@ -165,7 +307,60 @@ TEST_F(FrictionLogWriterTest, ResumeRefusesAForeignFile)
   }
   EXPECT_EQ(text(), before); // left as it was
   std::ofstream(path, std::ios::trunc).close();
-  EXPECT_THROW(log.resume(path, 100), std::runtime_error) << "an empty file is no log";
+  EXPECT_THROW(log.resume(path, header(), units, 100, {}), std::runtime_error)
+      << "an empty file is no log";
+}
+
+// friction_log_format.h has one range for this writer and for wr_fit.
+TEST_F(FrictionLogWriterTest, WritesNoNumberThatNoReaderTakes)
+{
+  const std::vector<std::pair<void (*)(mca::LogHeader &), std::string>> cases = {
+      {[](mca::LogHeader &h) { h.every = -1; },
+       "every is -1, allowed in a friction log: >= 0, whole"},
+      {[](mca::LogHeader &h) { h.velocity = -1e13; },
+       "velocity is -1.0e+13, allowed in a friction"},
+      {[](mca::LogHeader &h) { h.pressure = -1; },
+       "pressure is -1, allowed in a friction log: >= 0"},
+      {[](mca::LogHeader &h) { h.pressure = NAN; }, "pressure is nan"},
+      {[](mca::LogHeader &h) { h.timestep = -1e-5; }, "timestep is -1.0e-05"},
+      {[](mca::LogHeader &h) { h.material.youngsModulus = 1e13; }, "youngs_modulus is 1.0e+13"},
+  };
+  for (const auto &[change, part] : cases) {
+    mca::LogHeader h = header();
+    change(h);
+    mca::FrictionLogWriter log;
+    try {
+      log.begin(path, h, units, 0, false);
+      FAIL() << part;
+    } catch (const std::runtime_error &e) {
+      EXPECT_THAT(e.what(), HasSubstr(part));
+    }
+    EXPECT_FALSE(fs::exists(path));
+  }
+  mca::FrictionLogWriter log;
+  log.begin(path, header(), units, 0, false);
+  mca::LogRow bad = row(1000);
+  bad.mu = NAN;
+  EXPECT_THROW(log.write(bad), std::runtime_error);
+  EXPECT_EQ(rows().size(), 0u);
+}
+
+TEST_F(FrictionLogWriterTest, LinksAndPipesStay)
+{
+  const fs::path real = folder / "real";
+  fs::create_symlink(real, path);
+  mca::FrictionLogWriter log;
+  log.begin(path, header(), units, 0, false);
+  log.write(row(1000));
+  EXPECT_TRUE(fs::is_symlink(path));
+  EXPECT_EQ(rows().size(), 1u);
+  fs::remove(path);
+  ASSERT_EQ(::mkfifo(path.c_str(), 0600), 0);
+  const int reader = ::open(path.c_str(), O_RDONLY | O_NONBLOCK);
+  log.begin(path, header(), units, 0, false);
+  log.write(row(1000));
+  ::close(reader);
+  EXPECT_TRUE(fs::is_fifo(path));
 }
 
 TEST_F(FrictionLogWriterTest, UnwritableFolder)
@@ -173,13 +368,12 @@ TEST_F(FrictionLogWriterTest, UnwritableFolder)
   mca::FrictionLogWriter log;
   const std::string missing = folder / "no" / "x.friction";
   try {
-    log.begin(missing, header(), units);
+    log.begin(missing, header(), units, 0, false);
     FAIL() << "no error";
   } catch (const std::runtime_error &e) {
-    EXPECT_EQ(std::string(e.what()),
-              "cannot write friction log " + missing + ": No such file or directory");
+    EXPECT_EQ(std::string(e.what()), missing + ": cannot write: No such file or directory");
   }
-  EXPECT_THROW(log.resume(missing, 0), std::runtime_error);
+  EXPECT_THROW(log.resume(missing, header(), units, 0, {}), std::runtime_error);
   EXPECT_FALSE(fs::exists(folder / "no"));
 }
 
@@ -187,7 +381,7 @@ TEST_F(FrictionLogWriterTest, AFolderInTheWayLeavesNothingBehind)
 {
   fs::create_directories(path);
   mca::FrictionLogWriter log;
-  EXPECT_THROW(log.begin(path, header(), units), std::runtime_error);
+  EXPECT_THROW(log.begin(path, header(), units, 0, false), std::runtime_error);
   EXPECT_FALSE(fs::exists(path.string() + ".tmp"));
 }
 
@@ -195,7 +389,7 @@ TEST_F(FrictionLogWriterTest, BeginReplacesAnOldLog)
 {
   for (int k = 0; k < 2; k++) {
     mca::FrictionLogWriter log;
-    log.begin(path, header(), units);
+    log.begin(path, header(), units, 0, false);
     log.write(row(1000));
   }
   EXPECT_EQ(rows().size(), 1u);

@@ -87,6 +87,8 @@ TEST(LawSet, WordsOfRestartFilesAndLogs)
                                       "compressive_strength",
                                       "none"};
   EXPECT_EQ(parsed({}).words(), b);
+  EXPECT_EQ(parsed({"worn", "apart", "worn", "unloaded"}).words(), b); // as logs always were
+  EXPECT_THAT(parsed({"worn", "apart"}).words(), testing::IsSupersetOf({"worn", "apart"}));
 }
 
 TEST(LawSet, EachKeyword)
@@ -94,9 +96,9 @@ TEST(LawSet, EachKeyword)
   const std::vector<std::vector<std::string>> choices = {
       {"elasticity", "pairwise"}, {"plasticity", "none"}, {"plasticity", "j2"},
       {"fracture", "stress"},     {"fracture", "none"},   {"viscosity", "none"},
-      {"steps", "plain"},         {"link", "1.25"},       {"link", "none"},
-      {"weld", "0.554"},          {"heal", "none"},       {"heal", "2.35"},
-      {"link_work", "0.5"}};
+      {"viscosity", "both"},      {"steps", "plain"},     {"link", "1.25"},
+      {"link", "none"},           {"weld", "0.554"},      {"heal", "none"},
+      {"heal", "2.35"},           {"link_work", "0.5"},   {"worn", "never"}};
   for (const auto &pair : choices)
     EXPECT_EQ(wordOf(parsed(pair), pair[0]), pair[1]);
   EXPECT_EQ(parsed({"link", "1.25"}).link.threshold().factor(), 1.25);
@@ -158,7 +160,8 @@ TEST(LawSet, BadValuesNameKeywordValueAndWhatIsAllowed)
   EXPECT_EQ(problemOf({"plasticity", "x"}),
             "keyword plasticity, value x, allowed: radial, j2, none");
   EXPECT_THAT(problemOf({"fracture", "x"}), HasSubstr("allowed: strain, stress"));
-  EXPECT_EQ(problemOf({"viscosity", "0"}), "keyword viscosity, value 0, allowed: normal, none");
+  EXPECT_EQ(problemOf({"viscosity", "0"}),
+            "keyword viscosity, value 0, allowed: normal, both, none");
   for (const char *keyword : {"link", "weld", "heal", "link_work", "compressive_strength"})
     for (const char *value : {"0", "-1", "nan", "inf", "2x", "x", "1e999"})
       EXPECT_THAT(problemOf({keyword, value}),
@@ -190,6 +193,9 @@ TEST(LawSet, HealingNeedsWelds)
 {
   EXPECT_THAT(problemOf({"weld", "none"}), HasSubstr("heal needs welds"));
   EXPECT_EQ(problemOf({"weld", "none", "heal", "none"}), "");
+  EXPECT_THAT(problemOf({"worn", "slid", "link_work", "0.5"}),
+              HasSubstr("worn, value slid, needs link_work none"));
+  EXPECT_EQ(problemOf({"worn", "apart", "link_work", "0.5"}), "");
 }
 
 TEST(LawSet, WordsReadBack)

@@ -113,7 +113,7 @@ TEST(MaterialFile, UnknownKeywordNamesTheNearest)
 TEST(MaterialFile, TwiceOrTwoValues)
 {
   EXPECT_EQ(problemOf(changed("strength 92", "strength 92\nstrength 93")),
-            "x.mca:6: strength stands twice");
+            "x.mca:6: strength appears twice");
   EXPECT_EQ(problemOf(changed("strength 92", "strength 92 MPa")),
             "x.mca:5: strength has more than one value: 'MPa'");
 }

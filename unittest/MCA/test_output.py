@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Output for viewers, and links in data files: what is written is read back."""
 
+import re
+
 import numpy as np
 import pytest
 
@@ -171,12 +173,39 @@ def test_bonds_of_any_data_file(fragments, written, tmp_path):
 
 
 @pytest.mark.parametrize(
+    "old, new",
+    [
+        (r"(\nAtoms # hybrid\n\n\d+ \d+ \S+)", r"\g<1>1"),  # a place
+        (r"\n# pair .*", ""),
+        (r"\n# automaton (\d+) kappa ", r"\n# automaton \1 theta "),
+        (r"\n\S+ \S+ \S+ \S+\n$", "\n"),  # cut
+        (r"# mca-links 2", "# mca-links 1"),
+        (r"# mca-links 2", "# mca-linkz 2"),
+        (r"# checksum", "# checksun"),
+        (r"# checksum .*\n", ""),
+        (r"# checksum .", "# checksum g"),
+    ],
+)
+def test_a_changed_links_file_is_refused(fragments, written, tmp_path, old, new):
+    text = (written / "middle.data").read_text()
+    changed = re.sub(old, new, text, count=1)
+    assert changed != text
+    (tmp_path / "bad.data").write_text(changed)
+    fails(
+        READ.format(style="sphere", data=fragments, links="bad.data", bonds="", newton="on"),
+        tmp_path,
+        "bad.data",
+        "checksum",
+    )
+
+
+@pytest.mark.parametrize(
     "text,parts",
     [
         ("", ["neither comments of mca_links write nor a section Bonds"]),
         ("x\n\nBonds\n\n1 3 1 2\n", ["line 5", "allowed in Bonds"]),
         ("x\n\nBonds\n\n1 1 1 150\n", ["1 of 1 pairs", "are not neighbors here"]),
-        ("x\n# mca-links 1\n# pair 1 2 1\n", ["line 3", "allowed: # pair"]),
+        ("x\n# mca-links 2\n# pair 1 2 1\n", ["line 3", "allowed: # pair"]),
     ],
 )
 def test_bad_links_file(fragments, tmp_path, text, parts):

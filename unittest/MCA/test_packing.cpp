@@ -7,6 +7,7 @@
 
 #include <Eigen/Dense>
 
+#include <algorithm>
 #include <cmath>
 
 using namespace mca;
@@ -126,4 +127,35 @@ TEST(Packing, PlaneOnesAreProportionalToTheThickness)
   EXPECT_DOUBLE_EQ(thick.contactArea(), 4 * thin.contactArea());
   EXPECT_DOUBLE_EQ(thick.inertia(1.0), 4 * thin.inertia(1.0));
   EXPECT_EQ((Cell{packing::fcc, 2.5, 4.0}.cellVolume()), (Cell{packing::fcc, 2.5}.cellVolume()));
+}
+
+// the farthest place of the period from all centres, by a grid of its edges
+TEST(Packing, HoleIsTheFarthestPlaceFromAllCentres)
+{
+  for (const mca::Packing &packing : mca::packing::all) {
+    const mca::Lattice lattice = mca::latticeOf(packing);
+    constexpr int grid = 24; // of which thirds, quarters and halves hold the holes
+    const int layers = packing.dimension == 2 ? 1 : grid;
+    const auto &[a, b, c] = lattice.edges;
+    double farthest = 0.0;
+    for (int i = 0; i < grid; i++)
+      for (int j = 0; j < grid; j++)
+        for (int k = 0; k < layers; k++) {
+          double nearest = HUGE_VAL;
+          for (const auto &p : lattice.basis)
+            for (int m = 0; m < 27; m++) {
+              if (packing.dimension == 2 && m / 9 != 1)
+                continue;
+              const double u = static_cast<double>(i) / grid + m % 3 - 1;
+              const double v = static_cast<double>(j) / grid + m / 3 % 3 - 1;
+              const double w =
+                  packing.dimension == 2 ? 0.0 : static_cast<double>(k) / grid + m / 9 - 1;
+              nearest = std::min(nearest, std::hypot(u * a.x + v * b.x + w * c.x - p.x,
+                                                     u * a.y + v * b.y + w * c.y - p.y,
+                                                     u * a.z + v * b.z + w * c.z - p.z));
+            }
+          farthest = std::max(farthest, nearest);
+        }
+    EXPECT_NEAR(farthest, packing.hole, 1e-12) << packing.name;
+  }
 }

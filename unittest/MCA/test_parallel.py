@@ -40,6 +40,7 @@ SETTINGS = [  # ranks, newton, commands before the box, commands before the run
 ]
 CASES = ["elastic", "plastic", "all"]
 PLAIN = "b steps plain"  # preset and keyword of in.sliding
+SLIPPING, SLIP_STEP = "b viscosity both", "timestep 1.5e-5"
 
 
 def events(path):
@@ -133,6 +134,24 @@ def test_sliding_blocks(serial, rough_data, tmp_path, ranks, newton, before, ext
     for name in ("links", "broken", "formed"):
         assert (log[name] == serial[2][name]).all(), name
     assert largest_difference(log, serial[2], ["shear_stress", "normal_stress", "gap"]) < 1e-6
+
+
+@pytest.mark.parametrize("ranks,newton,before,extra", [SETTINGS[0], SETTINGS[6], SETTINGS[13]])
+def test_viscosity_along_both_directions(
+    slipping, serial, rough_data, tmp_path, ranks, newton, before, extra
+):
+    """Torques of other ranks matter, too; and it is another law."""
+    more = dict(ranks=ranks, newton=newton, before=before, extra=f"{extra}\n{SLIP_STEP}")
+    _, frame, _, rows = slide(tmp_path, rough_data, laws=SLIPPING, **more)
+    compare(frame, slipping[1], 1e-10)
+    assert rows == slipping[3] and len(rows) > 10
+    assert largest_difference(frame, serial[1], VELOCITIES, SOUND) > 1e-6
+
+
+@pytest.fixture(scope="module")
+def slipping(rough_data, tmp_path_factory):
+    folder = tmp_path_factory.mktemp("slipping")
+    return slide(folder, rough_data, laws=SLIPPING, extra=SLIP_STEP)
 
 
 @pytest.fixture(scope="module")

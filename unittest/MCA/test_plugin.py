@@ -97,7 +97,11 @@ def test_step_above_the_critical_one_is_refused(tmp_path, ranks):
     )
     script = SAMPLE.replace("pair_style mca", "pair_style mca viscosity none plasticity none")
     fails(script + "timestep 3e-4\nrun 10\n", tmp_path, "0.000277")
-    lmp(script + "timestep 2.7e-4\nrun 10\n", tmp_path)
+    stable = script + "timestep 2.7e-4\nrun 10\n"
+    words = "Timestep 0.00027 is 0.97 of the critical one of elasticity, 0.000277"
+    assert words in lmp(stable, tmp_path).out  # but not exact where links break
+    assert words not in lmp(stable.replace("mca vis", "mca fracture none vis"), tmp_path).out
+    assert "of elasticity" not in lmp(script + "timestep 1.3e-4\nrun 10\n", tmp_path).out
     # also when it grows during the input
     fails(script + "run 5\ntimestep 3e-4\nrun 10\n", tmp_path, "0.000277")
     # a link that flows is pressed together until it collapses
@@ -109,6 +113,10 @@ def test_step_above_the_critical_one_is_refused(tmp_path, ranks):
         "longer than the critical one, 9.51",
     )
     lmp(script + "timestep 9.5e-5\nrun 10\n", tmp_path)
+    # slip is damped by the small moment of inertia
+    script = SAMPLE.replace("pair_style mca", "pair_style mca viscosity both")
+    fails(script + "timestep 2e-5\nrun 10\n", tmp_path, "the critical one, 1.98", "viscous 1.48")
+    lmp(script + "timestep 1.95e-5\nrun 10\n", tmp_path)
 
 
 def test_mass_is_that_of_the_solid(tmp_path):

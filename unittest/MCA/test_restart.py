@@ -93,9 +93,14 @@ def test_continues_to_the_same_bits(written, tmp_path, ranks):
     ).stat().st_size
 
 
+@pytest.mark.parametrize(
+    "laws", ["b steps plain", "b viscosity both", "b viscosity both steps plain", "b worn slid"]
+)
 @pytest.mark.parametrize("ranks", [1, 2])
-def test_plain_steps_continue_to_the_same_bits(rough_data, tmp_path, ranks):
+def test_other_laws_continue_to_the_same_bits(rough_data, tmp_path, ranks, laws):
     every = "restart 250 mid.*.restart"
+    if "both" in laws:
+        every += "\ntimestep 1.25e-5"
     lmp(
         "in.sliding",
         tmp_path / "whole",
@@ -103,7 +108,7 @@ def test_plain_steps_continue_to_the_same_bits(rough_data, tmp_path, ranks):
         data=rough_data,
         steps=STEPS,
         every=100,
-        laws="b steps plain",
+        laws=laws,
         extra=every,
     )
     go_on(
@@ -328,7 +333,8 @@ def test_read_write_read(written, fragments, tmp_path):
                 steps=-1,
                 after=f"write_restart again{k}.restart",
             )
-        return ((folder / f"again{k}.restart").read_bytes() for k in (1, 2))
+        files = ((folder / f"again{k}.restart").read_bytes() for k in (1, 2))
+        return (without_seal(data) for data in files)
 
     def box(name):
         out = lmp(
@@ -365,6 +371,71 @@ def test_read_write_read(written, fragments, tmp_path):
     assert a == b
 
 
+MARK = b"mca-restart 2:\n\0"
+
+
+def without_seal(data):
+    """The checksum of the whole file, behind its mark, is that of the numbers that differ."""
+    place = data.index(MARK) + len(MARK)
+    assert data.count(MARK) == 1 and data[place : place + 8] != bytes(8)
+    return data[:place] + data[place + 8 :]
+
+
+def refused(data, folder, *parts):
+    (folder / "bad.restart").write_bytes(data)
+    return fails("in.continue", folder, *parts, restart="bad.restart", steps=0)
+
+
+def test_no_flipped_bit_is_taken(written, tmp_path):
+    """Anywhere in the file; what LAMMPS reads before us it may refuse itself."""
+    data = (written[1] / "mid.250.restart").read_bytes()
+    ours = data.index(MARK)
+    random = np.random.default_rng(24)
+    spread = random.integers(ours, len(data), 30), random.integers(0, ours, 15)
+    for place in map(int, np.concatenate(spread)):
+        damaged = bytearray(data)
+        damaged[place] ^= 1 << int(random.integers(8))
+        (tmp_path / "bad.restart").write_bytes(damaged)
+        result = lmp("in.continue", tmp_path, restart="bad.restart", steps=0, check=False)
+        assert result.rc != 0, f"bit flipped in byte {place}, pair style from {ours}"
+        if place >= ours:
+            (line,) = result.error_lines
+            assert "Restart file is damaged" in line, place
+
+
+@pytest.mark.parametrize(
+    "name", [b"MCA_HISTORY\0", b"MCA_STATE\0", b"drive\0", b"mca/drive\0", b"MCA_STATE\0\n"]
+)
+def test_a_flipped_name_or_length_is_refused(written, tmp_path, name):
+    """Of the fixes' states: without them links would vanish, or a log begin anew."""
+    data = (written[1] / "mid.250.restart").read_bytes()
+    for place in [m.start() for m in re.finditer(re.escape(name), data)]:
+        # a letter; bytes of the lengths of the name and of the state behind it
+        for byte in (place, place - 4, place + len(name), place + len(name) + 1):
+            damaged = bytearray(data)
+            damaged[byte] ^= 2
+            refused(damaged, tmp_path, "Restart file is damaged", "checksum")
+
+
+def test_files_without_checksum_are_refused(written, tmp_path):
+    data = (written[1] / "mid.250.restart").read_bytes()
+    place = data.index(MARK) + len(MARK)
+    refused(data[:place] + bytes(8) + data[place + 8 :], tmp_path, "not written to its end")
+    refused(data[: place - len(MARK)] + data[place + 8 :], tmp_path, "of another version")
+
+
+def test_parts_of_a_file_are_checked(rough_data, tmp_path):
+    """A file in several parts: the base by its checksum, records by theirs."""
+    lmp("in.sliding", tmp_path, data=rough_data, steps=100, extra="restart 100 part.%.*.restart")
+    more = dict(restart="part.%.100.restart", steps=0)
+    lmp("in.continue", tmp_path, **more)
+    base = tmp_path / "part.base.100.restart"
+    data = bytearray(base.read_bytes())
+    data[len(data) // 2] ^= 8
+    base.write_bytes(data)
+    fails("in.continue", tmp_path, "Restart file is damaged", "checksum", **more)
+
+
 def places(data):
     """Of the text blocks of the pair style: laws and materials."""
     text = [m.start() for m in re.finditer(rb"preset b |206000 0\.2999", data)]
@@ -381,19 +452,23 @@ def test_flipped_byte_in_our_block_is_refused(written, tmp_path):
         fails("in.continue", tmp_path, "damaged", "checksum", restart="bad.restart", steps=1)
 
 
-def test_flipped_bit_in_a_record_is_refused(written, tmp_path):
-    """Bits of the records of pairs (MCA_HISTORY) and of automata (MCA_STATE)."""
-    data = (written[1] / "mid.250.restart").read_bytes()
+def test_flipped_bit_in_a_record_is_refused(rough_data, tmp_path):
+    """Bits of the records of pairs (MCA_HISTORY) and of automata (MCA_STATE), in a part of a file,
+    which no checksum of the whole holds."""
+    lmp("in.sliding", tmp_path, data=rough_data, steps=250, extra="restart 250 part.%.*.restart")
+    part = tmp_path / "part.0.250.restart"
+    more = dict(restart="part.%.250.restart", steps=0, check=False)
+    data = part.read_bytes()
     refused = {"MCA_HISTORY": 0, "MCA_STATE": 0}
     random = np.random.default_rng(7)
     # a kind of link in a record of pairs, a number of original links in one of state
     for value in (1.0, 6.0):
         found = [m.start() for m in re.finditer(re.escape(np.array([value]).tobytes()), data)]
-        for place in random.choice([f for f in found if f > len(data) // 4], 8, replace=False):
+        for place in random.choice(found, 8, replace=False):
             damaged = bytearray(data)
             damaged[place] ^= 4
-            (tmp_path / "bad.restart").write_bytes(damaged)
-            result = lmp("in.continue", tmp_path, restart="bad.restart", steps=0, check=False)
+            part.write_bytes(damaged)
+            result = lmp("in.continue", tmp_path, **more)
             for line in result.error_lines:
                 for name in refused:
                     refused[name] += f"damaged: the {name} record of atom" in line

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <random>
 #include <vector>
 
 using mca::RoughProfile;
@@ -91,4 +92,30 @@ TEST(Roughness, ShortPeriodStillHasAWave)
   for (int k = 0; k < 1000; k++)
     largest = std::max(largest, std::abs(h(k / 1000.0)));
   EXPECT_NEAR(largest, 2.0, 0.05);
+}
+
+// the sum of the page, term by term
+TEST(Roughness, IsTheSumOfItsWaves)
+{
+  for (const double l : {5.0, 0.5}) {
+    const unsigned seed = 3;
+    std::mt19937_64 random(seed);
+    const double pi = std::acos(-1.0);
+    const int waves = static_cast<int>(8.0 * length / (2.0 * pi * l));
+    std::vector<double> phase(waves);
+    for (double &p : phase)
+      p = 2.0 * pi * std::ldexp(static_cast<double>(random() >> 11), -53);
+    const auto slow = [&](double x) {
+      double sum = 0.0;
+      for (int k = 1; k <= waves; k++) {
+        const double q = 2.0 * pi * k / length;
+        sum += std::exp(-q * l * q * l / 8.0) * std::cos(q * x + phase[k - 1]);
+      }
+      return sum;
+    };
+    const RoughProfile fast(length, 1.0, l, seed);
+    const double scale = fast(1.0) / slow(1.0);
+    for (double x = 0; x < length; x += 9.7)
+      EXPECT_NEAR(fast(x), scale * slow(x), 1e-11) << x; // round-off of `waves` terms of one
+  }
 }

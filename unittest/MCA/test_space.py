@@ -338,7 +338,10 @@ def test_flow_dissipates(tmp_path):
 
 # With heal, a pair of this sample whose links broke lies at its lattice distance to the last bit
 # when it decides on healing: rounding decides whether it touches, on one rank too. Hence heal none.
+SLIP = "viscosity both"
 FURTHER = [
+    SLIP,
+    "worn slid",
     "plasticity j2",
     "link none link_work 0.001",
     "fracture equivalent heal none",
@@ -350,24 +353,27 @@ FURTHER = [
 def test_further_laws(blocks, tmp_path, laws):
     """The account closes, two ranks do the same as one, and so does a run from a restart file."""
     scheme = "corrected " + laws
-    result = lmp("in.space_sliding", tmp_path / "one", data=blocks, scheme=scheme, extra=ACCOUNT)
+    step = "timestep 1.25e-5\n" if laws == SLIP else ""
+    # its shorter steps give round-off more of the violent beginning, 4e-12 (default laws: 1.5e-12)
+    steps, tolerance = (1800, 1e-11) if laws == SLIP else (600, 1e-12)
+    more = dict(scheme=scheme, steps=steps)
+    result = lmp("in.space_sliding", tmp_path / "one", data=blocks, extra=step + ACCOUNT, **more)
     one = dump(tmp_path / "one" / "final.dump")[-1][1]
     t = result.thermo[0]
     lost = sum(t[f"c_energy[{k}]"] for k in (3, 4, 5))
     assert np.abs(t["c_energy"][1:] / lost[1:]).max() < 1e-4
     log = friction_log(tmp_path / "one" / "sliding.friction")[1]
     assert log["broken"].sum() > 10 and log["formed"].sum() > 10
-    two, _ = slide(
-        tmp_path / "two", blocks, scheme=scheme, ranks=2, extra="restart 350 mid.*.restart"
-    )
-    compare(two, one, 1e-12)
+    extra = f"{step}restart {steps - 250} mid.*.restart"
+    two, _ = slide(tmp_path / "two", blocks, ranks=2, extra=extra, **more)
+    compare(two, one, tolerance)
     lmp(
         "in.space_continue",
         tmp_path / "rest",
         steps=250,
-        restart=tmp_path / "two" / "mid.350.restart",
+        restart=tmp_path / "two" / f"mid.{steps - 250}.restart",
     )
-    compare(dump(tmp_path / "rest" / "final.dump")[-1][1], two, 1e-12)
+    compare(dump(tmp_path / "rest" / "final.dump")[-1][1], two, tolerance)
 
 
 def test_j2_is_radial(serial, blocks, tmp_path):

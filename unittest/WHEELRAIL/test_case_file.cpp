@@ -2,6 +2,7 @@
 #include "base/errors.h"
 #include "case_text.h"
 
+#include <cmath>
 #include <gtest/gtest.h>
 
 using namespace wheelrail;
@@ -201,7 +202,7 @@ TEST(CaseFile, SeveralProfiles)
   const SurfaceSpecification &surface = std::get<CreepSpecification>(c.task).surface;
   EXPECT_EQ(surface.profiles(), 2u);
   EXPECT_TRUE(contains(surface.wheel[1], "d.csv"));
-  EXPECT_EQ(c.files().size(), 5u); // and the law
+  EXPECT_EQ(c.files().size(), 4u); // the law is built in
   EXPECT_EQ(rolling(minimal).surface.profiles(), 1u);
 }
 
@@ -219,5 +220,93 @@ TEST(CaseFile, TableOfKeywordsIsSound)
   for (const Keyword &keyword : keywords()) {
     EXPECT_GT(std::string(keyword.help).size(), 3u) << keyword.name;
     EXPECT_LE(keyword.low, keyword.high) << keyword.name;
+    EXPECT_TRUE(std::isfinite(keyword.low) && std::isfinite(keyword.high)) << keyword.name;
   }
+}
+
+TEST(CaseFile, EveryNumberHasARangeThatTheMessageSays)
+{
+  using Kind = Keyword::Kind;
+  for (const Keyword &keyword : keywords()) {
+    if (keyword.kind == Kind::Switch || keyword.kind == Kind::Choice ||
+        keyword.kind == Kind::Text || keyword.kind == Kind::TextList)
+      continue;
+    const std::string unit = std::string(keyword.unit) == "1" ? "" : keyword.unit;
+    for (const char *number : {"1e308", "-1e308", "1e999", "-1e-999", "nan", "0x10", "1 500"}) {
+      const std::string change = fmt::format("{}={} {}", keyword.name, number, unit);
+      const std::string message = messageOf(minimal, {change}, ExitCode::Usage);
+      EXPECT_TRUE(contains(message, keyword.name)) << change << ": " << message;
+      EXPECT_TRUE(contains(message, rangeOf(keyword))) << change << ": " << message;
+    }
+    const std::string change = fmt::format("{}=1e-308 {}", keyword.name, unit);
+    if (keyword.low > 0.0 || keyword.smallest > 0.0) {
+      EXPECT_TRUE(contains(messageOf(minimal, {change}, ExitCode::Usage), rangeOf(keyword)))
+          << change;
+    }
+  }
+}
+
+TEST(CaseFile, ContactsHaveCells)
+{
+  const std::string message =
+      messageOf(minimal, {"contact.domain=100", "points=32"}, ExitCode::BadInput);
+  EXPECT_TRUE(contains(message, "points: 32 on a contact.domain of 100 leave 0.64 cells"))
+      << message;
+  EXPECT_TRUE(contains(message, "200 points")) << message;
+  EXPECT_EQ(messageOf(minimal, {"contact.domain=100", "points=200"}), "");
+  const std::string point = "contact: {load: 80 kN, curvatures: [1 1/m, 2 1/m],\n"
+                            "          youngs_modulus: 210 GPa, poissons_ratio: 0.3}\n"
+                            "creep: 1e-3\nthermal: off\n";
+  EXPECT_TRUE(contains(messageOf(point, {"contact.domain=100", "points=[300, 32]"}), "points: 32"));
+  EXPECT_EQ(messageOf(point, {"contact.domain=100", "points=[300, 200]"}), "");
+}
+
+TEST(CaseFile, ListsThatMultiplyHaveALimit)
+{
+  const std::string many = "creep={from: 1e-4, to: 1e-2, n: 1000000}";
+  EXPECT_EQ(messageOf(minimal, {many}), "");
+  EXPECT_TRUE(contains(messageOf(minimal, {many, "speed=[1 m/s, 2 m/s, 3 m/s, 4 m/s, 5 m/s, 6 m/s, "
+                                                 "7 m/s, 8 m/s, 9 m/s, 10 m/s, 11 m/s]"}),
+                       "creep.n: all lists together make 1.1e+07 points; at most 1e+07"));
+}
+
+TEST(CaseFile, EllipsesThatAreAlmostALineAreRefused)
+{
+  const auto with = [](const std::string &shape) {
+    return "contact: {load: 80 kN, " + shape +
+           ", youngs_modulus: 210 GPa, poissons_ratio: 0.3}\ncreep: 1e-3\nthermal: off\n";
+  };
+  EXPECT_TRUE(contains(messageOf(with("semi_axes: [1 m, 1e-8 m]")), "contact.semi_axes: a/b"));
+  EXPECT_TRUE(
+      contains(messageOf(with("curvatures: [1 1/m, 1e-8 1/m]")), "contact.curvatures: A/B"));
+  EXPECT_TRUE(contains(messageOf(with("radii: {wheel_rolling: 1e-3 m, rail_profile: 1e6 m}")),
+                       "contact.radii: A/B"));
+}
+
+TEST(CaseFile, ControlCharactersAreShownAndReadBack)
+{
+  const std::string message = messageOf(minimal + "\"a\\e[31m\\nb\": 1\n");
+  EXPECT_TRUE(contains(message, "'a\\x1b[31m\\nb'")) << message;
+  EXPECT_FALSE(contains(message, "\x1b")) << message;
+  const Case odd = read(minimal + "roughness: {rail: \"a\\e[2J\\n b.csv\"}\n");
+  EXPECT_FALSE(contains(odd.text, "\x1b"));
+  EXPECT_EQ(read(odd.text).text, odd.text);
+  EXPECT_EQ(read(odd.text).files(), odd.files());
+  EXPECT_TRUE(contains(messageOf(minimal, {"=3"}, ExitCode::Usage), "KEYWORD=VALUE"));
+}
+
+TEST(CaseFile, IsKnownByTheContentOfItsFiles)
+{
+  const std::string file =
+      (std::filesystem::temp_directory_path() / fmt::format("wr-rail-{}.csv", ::getpid())).string();
+  const auto identity = [&](const std::string &content) {
+    writeOutputFile(file, content);
+    return read(minimal + "roughness: {rail: " + file + "}\n").identity();
+  };
+  const std::string first = identity("1\n");
+  EXPECT_EQ(identity("1\n"), first);
+  EXPECT_NE(identity("2\n"), first);
+  EXPECT_NE(identity("1\n\n"), first);
+  std::filesystem::remove(file);
+  EXPECT_EQ(read(minimal).identity(), read(minimal).text);
 }

@@ -4,6 +4,7 @@
 #include "contact/patch/gsf_file.h"
 #include "creep/field_files.h"
 
+#include <cmath>
 #include <cstring>
 #include <filesystem>
 #include <fmt/format.h>
@@ -114,19 +115,33 @@ TEST(FieldFiles, GsfFieldsAreInSi)
                                              "slip_x", "slip_y", "mu"}));
 }
 
-TEST(FieldFiles, AreWrittenWhole)
+TEST(FieldFiles, AppearWithTheOtherResults)
 {
   const fs::path folder = fs::temp_directory_path() / fmt::format("wr-fields-{}", ::getpid());
   fs::create_directories(folder);
-  const auto written = writeFieldFiles((folder / "point").string(), theGrid(), theFields(), "t");
-  EXPECT_EQ(written.size(), 9U);
-  EXPECT_EQ(readInputFile(written[0]), vtiBytes(theGrid(), theFields(), "t"));
+  const std::string stem = (folder / "point").string();
+  mcawr::OutputFiles files;
+  addFieldFiles(files, stem, theGrid(), theFields(), "t");
+  EXPECT_FALSE(fs::exists(stem + ".vti"));
+  files.commit();
+  EXPECT_EQ(readInputFile(stem + ".vti"), vtiBytes(theGrid(), theFields(), "t"));
   EXPECT_EQ(std::distance(fs::directory_iterator(folder), fs::directory_iterator()), 9);
-  try {
-    writeFieldFiles((folder / "absent" / "point").string(), theGrid(), theFields(), "t");
-    FAIL() << "written into no folder";
-  } catch (const Error &error) {
-    EXPECT_EQ(error.code(), ExitCode::Io);
-  }
+  EXPECT_THROW(
+      addFieldFiles(files, (folder / "absent" / "point").string(), theGrid(), theFields(), "t"),
+      mcawr::OutputError);
   fs::remove_all(folder);
+}
+
+TEST(FieldFiles, OfWhatIsNotFiniteAreRefused)
+{
+  PatchFields fields = theFields();
+  fields.traction.y[3] = NAN;
+  mcawr::OutputFiles files;
+  try {
+    addFieldFiles(files, "point", theGrid(), fields, "t");
+    FAIL() << "nan was accepted";
+  } catch (const Error &error) {
+    EXPECT_EQ(error.code(), ExitCode::NotConverged);
+    EXPECT_STREQ(error.what(), "point: traction is not finite everywhere");
+  }
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "base/errors.h"
 #include "law/friction_law.h"
+#include "law/law_checksum.h"
 
 #include <cmath>
 #include <fstream>
@@ -153,9 +154,42 @@ TEST(LawFile, readsBackWhatItWrote)
   EXPECT_EQ(*back.covariance, *law.covariance);
   EXPECT_EQ(back.n, 34);
   EXPECT_EQ(back.kappa2Range, law.kappa2Range);
+  EXPECT_EQ(back.kappa3Range, law.kappa3Range);
+  EXPECT_EQ(back.fittedOn, law.fittedOn);
+  EXPECT_FALSE(back.kappa3);
   EXPECT_EQ(back.source, law.source);
   EXPECT_EQ(readFrictionLaw("bucher2006").mu1, 0.0442);
   EXPECT_FALSE(readFrictionLaw(write(toJson(bucher2006()).dump())).covariance);
+}
+
+TEST(LawFile, whereItComesFromMayBeMissing)
+{
+  const std::string bare = R"({"format": "mca-friction-law 1",
+    "mu0": 0.15, "mu1": 0.0442, "mu2": 0.3243, "b": 0.195, "c": 0.00212})";
+  const std::string path = write(bare);
+  const FrictionLaw law = readFrictionLaw(path);
+  EXPECT_EQ(law(1.0, 100.0), bucher2006()(1.0, 100.0));
+  EXPECT_EQ(law.source, path);
+  EXPECT_EQ(law.n, 0);
+  EXPECT_FALSE(law.covariance || law.kappa1Range || law.kappa2Range || law.kappa3Range);
+  EXPECT_TRUE(law.fittedOn.empty());
+  EXPECT_EQ(readFrictionLaw(write(toJson(law).dump())).mu2, law.mu2);
+}
+
+TEST(LawFile, saysWhatItWasFittedOn)
+{
+  const FrictionLaw paper = bucher2006();
+  EXPECT_NEAR((*paper.kappa3Range)[0], 373.2, 0.1); // Table 1: 206 GPa, 92 to 552 MPa
+  EXPECT_NEAR((*paper.kappa3Range)[1], 2239.1, 0.1);
+  EXPECT_EQ(toJson(paper)["fitted_on"]["pressure"], (nlohmann::ordered_json{0.5, 26.0}));
+  FrictionLaw law = paper;
+  law.kappa3 = 229.0;
+  EXPECT_EQ(*readFrictionLaw(write(toJson(law).dump())).kappa3, 229.0);
+  expectContains(problemOf(lawWith("kappa3", 0)), "kappa3: 0 is not allowed, must be > 0");
+  expectContains(problemOf(lawWith("kappa3_range", {5, 4})), "kappa3_range: [5, 4] is not a range");
+  expectContains(problemOf(lawWith("fitted_on", {{"presure", {1, 2}}})),
+                 "fitted_on: unknown key 'presure'; the nearest known one is 'pressure'");
+  expectContains(problemOf(lawWith("fitted_on", 7)), "fitted_on: ranges");
 }
 
 TEST(LawFile, badContentIsOneClearLine)
@@ -189,6 +223,84 @@ TEST(LawFile, badContentIsOneClearLine)
   EXPECT_THROW(readFrictionLaw("/nonexistent/law.json"), Error);
 }
 
+TEST(LawFile, keysThatStandTwiceAreRefused)
+{
+  const auto whole = toJson(bucher2006()).dump(1);
+  auto twice = whole;
+  twice.insert(twice.find("\"mu1\""), "\"mu0\": 0.3,\n ");
+  expectContains(problemOf(twice), "mu0: appears twice");
+  auto below = whole; // in what is skipped, too
+  below.replace(below.rfind('}'), 1, ", \"report\": {\"a\": {\"x\": 1, \"x\": 2}}}");
+  expectContains(problemOf(below), "x: appears twice");
+  auto apart = whole; // the same key of two objects is none
+  apart.replace(apart.rfind('}'), 1, ", \"report\": [{\"x\": 1}, {\"x\": 2, \"mu0\": 1}]}");
+  EXPECT_EQ(problemOf(apart), "");
+}
+
+TEST(LawFile, numbersHaveARange)
+{
+  for (const char *n :
+       {"18446744073709551615", "2147483648", "1e3", "-1", "18446744073709551616"}) {
+    auto text = toJson(bucher2006()).dump(1);
+    text.replace(text.find("34"), 2, n);
+    expectContains(problemOf(text), "n: a whole number from 0 to 2147483647 is expected, not ");
+  }
+  for (const char *key : {"mu0", "mu1", "mu2", "b", "c", "rms_relative"})
+    for (double x : {1e308, 1e101, -1e308})
+      expectContains(problemOf(lawWith(key, x)), std::string(key) + ": ");
+  expectContains(problemOf(lawWith("kappa1_range", {0, 1e308})), "must be within +-1e+100");
+}
+
+TEST(LawFile, covarianceIsPositiveSemiDefinite)
+{
+  const auto problemWith = [](const LawCovariance &covariance) {
+    auto law = bucher2006();
+    law.covariance = covariance;
+    return problemOf(toJson(law).dump());
+  };
+  LawCovariance covariance = LawCovariance::Zero();
+  covariance.diagonal() << 1e-4, 1e-6, 1e-4, 1e-2, 1e-12; // as different as parameters are
+  covariance(0, 4) = covariance(4, 0) = 0.999 * 1e-8;
+  EXPECT_EQ(problemWith(covariance), "");
+  EXPECT_EQ(problemWith(LawCovariance::Zero()), "");
+  covariance(0, 4) = covariance(4, 0) = 1.01e-8;
+  expectContains(problemWith(covariance), "is not positive semi-definite");
+  covariance(0, 4) = 1e-8;
+  covariance(4, 0) = 0.99e-8;
+  expectContains(problemWith(covariance), "is not symmetric");
+  covariance(4, 0) = covariance(0, 4) = 0.0;
+  covariance(4, 4) = -1e-12;
+  expectContains(problemWith(covariance), "negative variance");
+  covariance(4, 4) = 0.0;
+  covariance(4, 0) = covariance(0, 4) = 1e-20;
+  expectContains(problemWith(covariance), "whose variance is 0");
+  // pairs that agree one by one, but not all three
+  covariance = LawCovariance::Identity();
+  covariance(0, 1) = covariance(1, 0) = covariance(1, 2) = covariance(2, 1) = 0.9;
+  covariance(0, 2) = covariance(2, 0) = -0.9;
+  expectContains(problemWith(covariance), "is not positive semi-definite");
+}
+
+TEST(LawFile, deepNestingIsRefused)
+{
+  for (const char *bracket : {"[", "{\"a\":"}) {
+    std::string deep = toJson(bucher2006()).dump();
+    deep.back() = ',';
+    deep += "\"report\": ";
+    for (int k = 0; k < 200000; ++k)
+      deep += bracket;
+    expectContains(problemOf(deep), "is nested deeper than 32 levels");
+  }
+}
+
+TEST(LawFile, whatItSaysIsShownNotObeyed)
+{
+  const auto problem = problemOf(lawWith("\x1b[31m\nmu", 1));
+  expectContains(problem, "unknown key '\\x1b[31m\\nmu'");
+  EXPECT_EQ(problem.find('\x1b'), std::string::npos);
+  expectContains(problemOf(lawWith("mu0", std::string(5000, 'x'))), "xxx ...");
+}
+
 TEST(LawFile, reportWithoutLawSaysSo)
 {
   nlohmann::ordered_json report;
@@ -196,4 +308,44 @@ TEST(LawFile, reportWithoutLawSaysSo)
   report["reason"] = "1 point";
   report["report"] = {};
   expectContains(problemOf(report.dump(1)), "no law was fitted: 1 point");
+}
+
+TEST(LawFile, checksumFindsEveryFlippedBit)
+{
+  auto law = bucher2006();
+  law.covariance = LawCovariance::Identity() * 1e-3;
+  auto json = toJson(law);
+  json["report"] = {{"points", {{{"mu", 0.4}}}}};
+  const std::string text = withChecksum(json.dump(2) + "\n");
+  EXPECT_EQ(readFrictionLaw(write(text)).note, "");
+  EXPECT_TRUE(fitsChecksum(text));
+  for (size_t k = 0; k < text.size(); ++k)
+    for (int bit = 0; bit < 8; ++bit) {
+      std::string flipped = text;
+      flipped[k] = static_cast<char>(flipped[k] ^ (1 << bit));
+      EXPECT_NE(problemOf(flipped), "") << "byte " << k << ", bit " << bit;
+    }
+}
+
+TEST(LawFile, anEditedLawIsReadWithoutItsChecksum)
+{
+  std::string text = withChecksum(toJson(bucher2006()).dump(2) + "\n");
+  text.replace(text.find("0.15"), 4, "0.16");
+  const std::string problem = problemOf(text);
+  expectContains(problem, ".json:3: checksum: ");
+  expectContains(problem, "does not fit: the file was changed since wr_fit wrote it; to use a law "
+                          "that was edited, remove this line");
+  const auto begin = text.find("  \"checksum\"");
+  text.erase(begin, text.find('\n', begin) + 1 - begin);
+  const auto law = readFrictionLaw(write(text));
+  EXPECT_EQ(law.mu0, 0.16);
+  expectContains(law.note, ".json: no checksum");
+  EXPECT_EQ(readFrictionLaw("bucher2006").note, "");
+}
+
+TEST(LawFile, aChecksumThatIsNoneIsRefused)
+{
+  for (const char *value : {"\"\"", "5", "null", "\"00000000\"", "[]"})
+    expectContains(problemOf(lawWith("checksum", nlohmann::ordered_json::parse(value))),
+                   "does not fit");
 }

@@ -3,6 +3,7 @@
 #include "fit/friction_log.h"
 #include "fit/friction_point.h"
 #include "fit/replicates.h"
+#include "shared/friction_log_format.h"
 
 #include <cmath>
 #include <filesystem>
@@ -126,7 +127,7 @@ TEST(FrictionLog, cutLastLineIsDroppedAndSaid)
 TEST(FrictionLog, badHeadIsOneClearLine)
 {
   expectContains(problemOf(""), "empty");
-  expectContains(problemOf("hello\n"), "no friction log");
+  expectContains(problemOf("hello\n"), "not a friction log");
   expectContains(problemOf(head), "cut short");
   expectContains(problemOf(head.substr(0, 300)), "not YAML");
   expectContains(problemOf(head + columns), "no row");
@@ -139,7 +140,7 @@ TEST(FrictionLog, badHeadIsOneClearLine)
                  "nearest known one is 'youngs_modulus'");
   expectContains(
       problemOf(replaced(goodLog(), "pressure: 15", "pressure: -15")),
-      ":5: loading: pressure: '-15' is not allowed, must be a number > 0 (MPa), 1e-12 to "
+      ":5: loading: pressure: '-15' is not allowed, must be a number >= 0 (MPa), 0 or 1e-12 to "
       "1e+12");
   expectContains(problemOf(replaced(goodLog(), "strength: 92", "strength: nan")), "'nan'");
   expectContains(problemOf(replaced(goodLog(), "density: 7800", "density: heavy")), "'heavy'");
@@ -148,21 +149,54 @@ TEST(FrictionLog, badHeadIsOneClearLine)
   expectContains(problemOf(replaced(goodLog(), "206000", "1e305")),
                  ":4: material: youngs_modulus: '1e305'");
   expectContains(problemOf(replaced(goodLog(), "velocity: 5", "velocity: 1e200")),
-                 ":5: loading: velocity: '1e200' is not allowed, must be a number >= 0 (m/s), 0 or "
-                 "1e-12 to 1e+12");
+                 ":5: loading: velocity: '1e200' is not allowed, must be a number of either sign "
+                 "(m/s), 0 or 1e-12 to 1e+12");
   expectContains(problemOf(replaced(goodLog(), "strength: 92", "strength: 1e-200")), "'1e-200'");
-  for (const char *seed : {"1.5", "1e300", "-1"})
-    expectContains(problemOf(replaced(goodLog(), "seed: 7", std::string("seed: ") + seed)),
-                   fmt::format(":8: run: seed: '{}' is not allowed, must be a number >= 0, whole, "
-                               "at most 1e+12",
-                               seed));
+  for (const char *seed : {"1.5", "1e300", "-9007199254740993", "0x10"})
+    expectContains(
+        problemOf(replaced(goodLog(), "seed: 7", std::string("seed: ") + seed)),
+        fmt::format(":8: run: seed: '{}' is not allowed, must be a number that is whole, "
+                    "-9e+15 to 9e+15",
+                    seed));
   expectContains(problemOf(replaced(goodLog(), "{pressure", "{pressure: 20, pressure")),
-                 ":5: pressure: stands twice in the head");
+                 ":5: pressure: appears twice in the head");
   expectContains(problemOf(replaced(goodLog(), "# run", "# loading: {pressure: 20}\n# run")),
-                 ":8: loading: stands twice in the head");
+                 ":8: loading: appears twice in the head");
   expectContains(problemOf(replaced(goodLog(), "shear_stress", "shear_strain")),
                  ":9: column 'shear_stress' is missing; the nearest of those given is "
                  "'shear_strain'");
+}
+
+TEST(FrictionLog, whatTheDriveMayWriteIsRead)
+{
+  namespace format = mcawr::friction_log;
+  EXPECT_EQ(readFrictionLog(write(replaced(goodLog(), "seed: 7", "seed: -1"))).seed, -1);
+  // driven backwards: shear stress and mu are negative, the friction coefficient is not
+  std::string backwards = replaced(head, "velocity: 5", "velocity: -5") + columns;
+  for (int i = 1; i <= 100; ++i)
+    backwards += row(i, -0.4);
+  const auto log = readFrictionLog(write(backwards));
+  EXPECT_EQ(log.velocity, -5.0);
+  EXPECT_DOUBLE_EQ(log.mu[99], 0.4);
+  EXPECT_DOUBLE_EQ(log.kappa1(), readFrictionLog(write(goodLog())).kappa1());
+  // without pressure the plugin writes mu = 0, whatever the shear stress
+  std::string unpressed = replaced(head, "pressure: 15", "pressure: 0") + columns;
+  unpressed += "1000 0.05 0.25 0.3 0.1 0 3456 2 1 0\n2000 0.1 0.5 -0.3 0.1 0 3456 2 1 0\n";
+  EXPECT_EQ(readFrictionLog(write(unpressed)).kappa2(), 0.0);
+  EXPECT_EQ(readFrictionLog(write(unpressed)).mu, (std::vector<double>{0.0, 0.0}));
+  // the ends of every range are read back
+  const auto withPressure = [&](double p) {
+    return readFrictionLog(write(replaced(head, "pressure: 15", fmt::format("pressure: {}", p)) +
+                                 columns + "1000 1e12 -1e12 0 0 0 0 0 0 1e12\n"));
+  };
+  for (double p : {0.0, 1.0 / format::largest, format::largest})
+    EXPECT_EQ(withPressure(p).pressure, p);
+}
+
+TEST(FrictionLog, whatRanIsKeysAndValues)
+{
+  for (const char *laws : {"[1, 2]", "B", "{preset: [B]}", "{[a]: b}", "&x {a: *x}"})
+    expectContains(problemOf(replaced(goodLog(), "{preset: B}", laws)), ":7: laws: ");
 }
 
 TEST(FrictionLog, badRowsAreOneClearLine)

@@ -244,6 +244,27 @@ TEST(HeightMapFile, SdfFaults)
   expectRefused(replaced(sdf, "ModDate = ", "ModDate "), {":4:", "name = value"});
 }
 
+TEST(HeightMapFile, LengthsBeyondAnySurfaceAreRefused)
+{
+  const std::string allowed = "must be within +-1000 m";
+  expectRefused(replaced(matrix, "height: um", "height: Gm"), {"height", allowed});
+  expectRefused(replaced(sdf, "Zscale = 1.0e-006", "Zscale = 1e308"), {"height", allowed});
+  expectRefused(withHead(gsfBytes(theField()), "ZUnits = m", "ZUnits = Gm"), {"height", allowed});
+  expectRefused(replaced(matrix, "2 um, 3 um", "2 um, 1e-300 m"), {"spacing", "[1e-12, 1000] m"});
+  expectRefused(replaced(sdf, "Xscale = 2", "Xscale = 1e300 ; 2"), {"spacing", "[1e-12, 1000] m"});
+}
+
+TEST(HeightMapFile, KeysThatStandTwiceAreRefused)
+{
+  for (const char *line : {"# height: mm", "# spacing: 2 um", "# points: 5, 4"}) {
+    const std::string twice = std::string(line) + "\n" + line + "\n# spacing: 1 um\n# height: um\n";
+    expectRefused(twice + matrix.substr(matrix.rfind("um\n") + 3), {"appears twice"});
+  }
+  for (const char *name : {"NumPoints", "NUMPROFILES", "Xscale", "yscale", "Zscale"})
+    expectRefused(replaced(sdf, "Compression = 0", fmt::format("{} = 4\r\nCompression = 0", name)),
+                  {"appears twice"});
+}
+
 TEST(HeightMapFile, TextMatrix)
 {
   const HeightMap map = mapOfBytes(matrix);
@@ -266,6 +287,14 @@ TEST(HeightMapFile, TextMatrix)
   expectRefused(matrix.substr(0, matrix.find("20,")) + "# end\n", {"head", "before"});
   expectRefused("# height: um\n# spacing: 1 um\n1 2 3\n4 5 6\n7 8 9\n", {"3 x 3", "4 x 4"});
   expectRefused(std::string("a\0b", 3), {"byte 1", "unknown kind"});
+}
+
+/// Numbers that are good alone, but not times their unit.
+TEST(HeightMapFile, BeyondDoublePrecision)
+{
+  expectRefused(replaced(sdf, "Zscale = 1.0e-006", "Zscale = 1e308"), {"height", "must be within"});
+  expectRefused(withHead(gsfBytes(theField()), "XReal = ", "XReal = 5e-324\nComment = "),
+                {"spacing", "0 m is not in the allowed range"});
 }
 
 /// Wherever a file is cut off, it is refused: nothing is read beyond the end.

@@ -254,6 +254,23 @@ TEST(LeastSquares, collinearColumnsAreSeen)
   EXPECT_LT(analyseJacobian(jacobian, {false, true, false}).conditionNumber, 10.0);
 }
 
+TEST(LeastSquares, residualsThatAreNotFiniteArePassedOverInSilence)
+{
+  auto problem = decay(std::vector<double>(10, 1.0));
+  const auto finite = problem.evaluate;
+  problem.evaluate = [&](const VectorXd &x, VectorXd &r, Eigen::MatrixXd *jacobian) {
+    finite(x, r, jacobian);
+    r[3] = NAN;
+    return true;
+  };
+  testing::internal::CaptureStderr();
+  const auto solution = solveLeastSquares(problem, {VectorXd::Ones(2)});
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+  EXPECT_FALSE(solution.converged);
+  EXPECT_EQ(solution.message.find("nan"), std::string::npos) << solution.message;
+  EXPECT_EQ(analyseJacobian(solution.jacobian, {false, false}).conditionNumber, INFINITY);
+}
+
 TEST(LeastSquares, messageIsPartOfASentence)
 {
   auto problem = decay(std::vector<double>(10, 1.0));

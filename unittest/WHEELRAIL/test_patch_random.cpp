@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Random cases over the whole range of what a user may ask: they converge, whatever the roughness,
 // the share of the area in contact, Poisson's ratio, the friction, the creepages, the hardness
-// limit and the friction's scatter from cell to cell are. (Two hundred were run in development.)
+// limit and the friction's scatter from cell to cell are. (290 were run in development.)
 #include "base/errors.h"
 #include "contact/patch/transient.h"
 #include "patch_cases.h"
@@ -9,6 +9,7 @@
 #include <cmath>
 #include <gtest/gtest.h>
 #include <random>
+#include <vector>
 
 using namespace wheelrail;
 using namespace patch_cases;
@@ -57,12 +58,36 @@ Contact randomContact(RandomCase &draw, unsigned seed)
   return c;
 }
 
+double fieldNorm(const TangentialField &field)
+{
+  return std::hypot(field.x.norm(), field.y.norm());
+}
+
+/// Of the slip that the creepages alone make on the cells in contact. Where cells stick, the
+/// solver leaves a slip of at most its tolerance times this norm, which against the traction makes
+/// a power of either sign.
+double rigidSlipNorm(const Contact &c, const Creepage &creepage)
+{
+  TangentialField slip{Vector::Zero(c.grid.cells()), Vector::Zero(c.grid.cells())};
+  for (int i = 0; i < c.grid.cells(); ++i)
+    if (c.bound[i] > 0.0) {
+      slip.x[i] = creepage.xi - creepage.phi * c.grid.y(i / c.grid.nx);
+      slip.y[i] = creepage.eta + creepage.phi * (c.grid.x(i % c.grid.nx) + 0.5 * c.grid.dx);
+    }
+  return fieldNorm(slip);
+}
+
 } // namespace
 
 TEST(PatchRandom, Converges)
 {
   int refused = 0;
-  for (unsigned seed = 1; seed <= 24; ++seed) {
+  // 161: four cells that all stick under much spin; 241, 244: forces that jump by 80 % of what
+  // friction carries
+  std::vector<unsigned> seeds{161, 241, 244};
+  for (unsigned seed = 1; seed <= 24; ++seed)
+    seeds.push_back(seed);
+  for (const unsigned seed : seeds) {
     RandomCase draw(seed);
     const Contact c = randomContact(draw, seed);
     const double creep = c.mu * c.load / c.pair.G * draw.between(1e-3, 10.0);
@@ -78,7 +103,8 @@ TEST(PatchRandom, Converges)
       TangentialSolver solver(c.grid, c.pair);
       const TangentialResult frozen = solver.solve(steady);
       const PatchSums sums = patchSums(c.grid, frozen);
-      EXPECT_GE(sums.frictionalPower, -1e-6 * capacity * creep);
+      EXPECT_GE(sums.frictionalPower, -TangentialOptions().tolerance * fieldNorm(frozen.traction) *
+                                          rigidSlipNorm(c, creepage) * c.grid.cellArea());
       EXPECT_LT(frozen.products, 120);
       const double share = std::hypot(sums.forceX, sums.forceY) / capacity;
       if (share < 0.99) { // beyond, the force hardly depends on the creepage

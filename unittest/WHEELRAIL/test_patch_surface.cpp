@@ -123,4 +123,8 @@ TEST(PatchTemperature, RowsAreLineContacts)
     const double exact = meanTemperatureRise(mu, width * p0, slide, width * a, speed, steel);
     EXPECT_NEAR(sum / cells, exact, 0.01 * exact);
   }
+  // The hottest place is in the middle row, a line contact of N' = pi a p0/2
+  const double hottest =
+      maximumOverMeanTemperature() * meanTemperatureRise(mu, p0, slide, a, speed, steel);
+  EXPECT_NEAR(theta.maxCoeff(), hottest, 0.003 * hottest);
 }

@@ -102,7 +102,7 @@ TEST(FractalProfile, RefusesWavesTheCellsCannotCarry)
 {
   EXPECT_THROW(fractalProfile(standard(), 512, 20e-3), Error);
   FractalSurface surface = standard();
-  surface.wavelengthMin = surface.wavelengthMax = 7e-3; // 20/7 is no whole number
+  surface.wavelengthMin = surface.wavelengthMax = 7e-3; // 20/7 is not a whole number
   EXPECT_THROW(fractalProfile(surface, 512, 20e-3), Error);
 }
 
@@ -151,8 +151,11 @@ TEST(ReadProfile, BadFilesGiveOneClearLine)
   EXPECT_NE(messageOf("# height: um\n" + column(40)).find("spacing"), std::string::npos);
   EXPECT_NE(messageOf("# height: K\n" + column(40)).find(":1: height: "), std::string::npos);
   EXPECT_NE(messageOf("# height: um\n# spacing: 5\n" + column(40)).find(":2: "), std::string::npos);
-  EXPECT_NE(messageOf("# height: um\n# spacing: -5 um\n" + column(40)).find("positive"),
-            std::string::npos);
+  for (const char *spacing : {"-5 um", "0 m", "1e-300 m", "1e300 m"})
+    EXPECT_NE(messageOf(std::string("# height: um\n# spacing: ") + spacing + "\n" + column(40))
+                  .find("allowed range [1e-12, 1000] m"),
+              std::string::npos)
+        << spacing;
   EXPECT_NE(messageOf(header + "1\n2\nthree\n").find(":5: 'three'"), std::string::npos);
   EXPECT_NE(messageOf(header + "1\nnan\n").find("finite"), std::string::npos);
   EXPECT_NE(messageOf(header + "1\ninf\n").find("finite"), std::string::npos);
@@ -160,6 +163,47 @@ TEST(ReadProfile, BadFilesGiveOneClearLine)
   EXPECT_NE(messageOf(header + "1\n2\n3\n").find("at least 16"), std::string::npos);
   EXPECT_NE(messageOf(header).find("0 points"), std::string::npos);
   EXPECT_NE(messageOf("# height: um\n# position: mm\n1 1\n0.5 1\n").find("increase"),
+            std::string::npos);
+}
+
+TEST(ReadProfile, EmptyCellsAreRefused)
+{
+  const std::string one = "# height: um\n# spacing: 5 um\n";
+  const std::string two = "# height: um\n# position: mm\n";
+  EXPECT_NE(messageOf(one + ",\n" + column(40)).find(":3: column 1 is empty"), std::string::npos);
+  EXPECT_NE(messageOf(one + ";;;\n" + column(40)).find(":3: column 1 is empty"), std::string::npos);
+  EXPECT_NE(messageOf(one + "1,\n" + column(40)).find(":3: column 2 is empty"), std::string::npos);
+  EXPECT_NE(messageOf(two + "0, ,1\n").find(":3: column 2 is empty"), std::string::npos);
+  EXPECT_NE(messageOf(two + " , 1\n").find(":3: column 1 is empty"), std::string::npos);
+}
+
+TEST(ReadProfile, SeparatorsMayHaveBlanks)
+{
+  for (const char *between : {",", ", ", " , ", ";", "\t", "   "}) {
+    std::string text = "# height: um\n# position: mm\n";
+    for (int i = 0; i < 20; ++i)
+      text += fmt::format("{}{}{}\n", 0.01 * i, between, i % 3);
+    EXPECT_EQ(messageOf(text), "") << between;
+  }
+}
+
+TEST(ReadProfile, TheHeadIsGivenOnce)
+{
+  const std::string head = "# height: um\n# spacing: 5 um\n";
+  EXPECT_NE(messageOf(head + "# height: mm\n" + column(40)).find(":3: height: is given once"),
+            std::string::npos);
+  EXPECT_NE(messageOf(head + column(20) + "# height: mm\n" + column(20)).find("is given once"),
+            std::string::npos);
+  EXPECT_EQ(messageOf(head + column(20) + "# pause: none of ours\n" + column(20)), "");
+}
+
+TEST(ReadProfile, NumbersBeyondAnySurfaceAreRefused)
+{
+  const std::string head = "# height: m\n# position: m\n";
+  EXPECT_NE(messageOf(head + "0 1e308\n").find(":3: height: 1e+308 is not allowed"),
+            std::string::npos);
+  EXPECT_NE(messageOf(head + "-1e308 0\n1e308 0\n").find(":3: position: "), std::string::npos);
+  EXPECT_NE(messageOf(head + "0 0\n1e-308 0\n").find("does not increase by 1e-12 m"),
             std::string::npos);
 }
 

@@ -42,3 +42,15 @@ TEST(Quantity, PlainNumbersAreDecimal)
   for (const char *text : {"0x10", "0X1p4", "1 500", "1_500", "16 m", "nan", "", "infinity"})
     EXPECT_THROW(parseNumber(text), std::invalid_argument) << text;
 }
+
+TEST(Quantity, SaysInOneLineWhatIsWrong)
+{
+  for (const char *text : {"1 \x1b[31m", "\n", "5 m\nN", "nan\r"}) {
+    try {
+      parseQuantity(text, "N/m");
+      FAIL() << text;
+    } catch (const std::invalid_argument &problem) {
+      EXPECT_EQ(std::string(problem.what()).find_first_of("\x1b\n\r"), std::string::npos);
+    }
+  }
+}

@@ -71,7 +71,7 @@ TEST(StaticCases, SmoothAndRough)
   EXPECT_EQ(rough.points[1].profile, 2u);
   EXPECT_NEAR(rough.points[1].mu, 0.328667, 1e-6); // Eq. 8: nothing slides, nothing heats
   EXPECT_LT(rough.points[0].stickLength, rough.contacts[0].realContactLength());
-  const ContactFields &f = rough.last;
+  const ContactFields &f = rough.fields.at(2);
   for (int i = 0; i < f.traction.size(); ++i) {
     const double bound = f.mu[i] * f.pressure[i];
     EXPECT_LE(f.traction[i], bound * (1.0 + 1e-9));
@@ -98,6 +98,6 @@ TEST(StaticCases, PeriodicIsWestergaard)
   EXPECT_NEAR(cases.points[0].stickLength, length(2e6), 1e-3 * period);
   EXPECT_NEAR(cases.points[1].stickLength, length(1e6), 1e-3 * period);
   EXPECT_NEAR(cases.contacts[0].realContactLength(), length(2e6), 1e-3 * period);
-  EXPECT_NEAR(cases.last.pressure.maxCoeff(), 2.0 * std::sqrt(2e6 / period * full),
-              1e-3 * cases.last.pressure.maxCoeff());
+  EXPECT_NEAR(cases.fields.at(2).pressure.maxCoeff(), 2.0 * std::sqrt(2e6 / period * full),
+              1e-3 * cases.fields.at(2).pressure.maxCoeff());
 }

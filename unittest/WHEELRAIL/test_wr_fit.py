@@ -43,7 +43,10 @@ def one_line(result, code, *parts):
 def read_points(path):
     lines = path.read_text().splitlines()
     assert lines[0].startswith("#")
-    assert lines[1] == "file,kappa1,kappa2,mu,mu_se,n_eff,t_start,mu_grinding_in,mu_eq2,kappa3"
+    assert lines[1] == (
+        "file,kappa1,kappa2,mu,mu_se,n_eff,t_start,mu_grinding_in,mu_eq2,kappa3,"
+        "pressure,velocity,strength,youngs_modulus,viscosity,seed"
+    )
     return list(csv.DictReader(lines[1:]))
 
 
@@ -76,6 +79,9 @@ def test_single_log_is_a_success(log, tmp_path):
     assert math.isclose(point["mu_eq2"], friction_logs.eq2(kappa1, kappa2), rel_tol=1e-12)
     assert abs(point["mu"] - point["mu_eq2"]) < 4 * point["mu_se"]
     assert point["mu_grinding_in"] > point["mu"]
+    condition = {"pressure": 15, "velocity": 5, "strength": 92, "viscosity": 0.41, "seed": 1}
+    for key, value in {**condition, "youngs_modulus": 206000}.items():
+        assert float(row[key]) == value, key
     for key in ("kappa1", "kappa2", "mu", "mu_se", "t_start", "mu_grinding_in", "mu_eq2"):
         assert math.isclose(float(row[key]), point[key], rel_tol=1e-3), key
 
@@ -206,8 +212,51 @@ def test_outlier_is_reported(tmp_path):
     )
     result = wr_fit(runs, "-o", tmp_path / "law.json")
     assert "outlier: " + str(runs / "run15" / "run.friction") in result.stdout
-    points = json.loads((tmp_path / "law.json").read_text())["report"]["points"]
-    assert [p["file"].split("/")[-2] for p in points if p.get("outlier")] == ["run15"]
+    report = json.loads((tmp_path / "law.json").read_text())["report"]
+    (outlier,) = [c for c in report["conditions"] if c["outlier"]]
+    assert [report["points"][k]["file"].split("/")[-2] for k in outlier["runs"]] == ["run15"]
+
+
+def test_replicas_are_one_point_of_the_fit(tmp_path):
+    """Three seeds of each condition, 10 % apart: one point each, whose error holds that."""
+    number = 0
+    for v in (0.5, 2.5, 5, 10):
+        for strength, p in ((92, 1), (92, 15), (200, 15)):
+            for factor in (0.9, 1.0, 1.1):
+                number += 1
+                (tmp_path / f"r{number}.friction").write_text(
+                    friction_logs.friction_log(
+                        p=p, v=v, strength=strength, seed=number, factor=factor
+                    )
+                )
+    done = wr_fit(tmp_path, "-o", tmp_path / "law.json", "--plot", tmp_path / "fit.png")
+    assert done.returncode == 0, done.stderr
+    assert "36 runs of 12 conditions; those that differ in the seed only" in done.stdout
+    law = json.loads((tmp_path / "law.json").read_text())
+    report = law["report"]
+    assert law["n"] == 12 and len(report["conditions"]) == 12 and len(report["points"]) == 36
+    assert "12 conditions from 36 of 36 runs" in law["source"]
+    for condition in report["conditions"]:
+        runs = [report["points"][k] for k in condition["runs"]]
+        assert len(runs) == 3 and len({p["seed"] for p in runs}) == 3
+        mu = [p["mu"] for p in runs]
+        assert math.isclose(condition["mu"], sum(mu) / 3)
+        spread = math.sqrt(sum((x - condition["mu"]) ** 2 for x in mu) / 2 / 3)
+        assert math.isclose(condition["mu_se"], spread) and condition["own_error"] < spread
+        assert "residual" in condition and "residual" not in runs[0]
+    assert law["kappa3_range"] == pytest.approx([1030, 206000 / 92])
+    assert law["fitted_on"] == {
+        "pressure": [1, 15],
+        "velocity": [0.5, 10],
+        "strength": [92, 200],
+        "youngs_modulus": pytest.approx([206000, 206000]),
+        "density": [7800, 7800],
+        "viscosity": [0.41, 0.41],
+    }
+    # the same runs under another law of the simulation are other conditions
+    text = (tmp_path / "r1.friction").read_text().replace("preset: B", "preset: A")
+    (tmp_path / "r1.friction").write_text(text)
+    assert "36 runs of 13 conditions" in wr_fit(tmp_path).stdout
 
 
 def test_scatter_at_equal_kappas(tmp_path):
@@ -269,6 +318,7 @@ def test_power_of_kappa3(tmp_path):
     assert "] (kappa3/2239)^n, 36 points" in result.stdout
     law = json.loads((tmp_path / "law.json").read_text())
     fit = law["report"]["fit"]
+    assert law["kappa3"] == 2239 and law["kappa3_range"][0] == pytest.approx(103000 / 200)
     assert fit["kappa3"] == 2239 and law["source"].endswith("model eq2_kappa3 at kappa3 = 2239")
     low, high = fit["parameters"]["n"]["interval"]
     assert low < 0.3 < high and high - low < 0.1
@@ -303,7 +353,7 @@ def test_power_of_kappa3(tmp_path):
         (lambda text: text.replace("seed: 1", "seed: 1.5"), [":8: run: seed: '1.5'", "whole"]),
         (
             lambda text: text.replace("{pressure", "{pressure: 20, pressure"),
-            [":5: pressure: stands twice"],
+            [":5: pressure: appears twice"],
         ),
         (
             lambda text: re.sub(r" \S+ 3456 ", " 1e308 3456 ", text),
@@ -438,7 +488,7 @@ def test_outputs_do_not_overwrite_logs_or_each_other(log, tmp_path, option):
         )
         one_line(wr_fit(tmp_path, option, name), 2, option)
     other = "--points" if option == "-o" else "-o"
-    one_line(wr_fit(log, option, "x", other, "./x", cwd=tmp_path), 2, "is the file of")
+    one_line(wr_fit(log, option, "x", other, "./x", cwd=tmp_path), 2, "is also the file of")
     assert log.read_bytes() == content and sorted(p.name for p in tmp_path.iterdir()) == [
         "link",
         "run.friction",
@@ -467,8 +517,8 @@ def test_what_is_no_log_is_refused(log, tmp_path):
     """A pipe would be waited for, a link to itself leads nowhere; neither is passed over in a
     folder."""
     os.mkfifo(tmp_path / "p.friction")
-    one_line(wr_fit(tmp_path / "p.friction"), 3, "p.friction: is no regular file")
-    one_line(wr_fit(tmp_path), 3, "p.friction: is no regular file")
+    one_line(wr_fit(tmp_path / "p.friction"), 3, "p.friction: is not a regular file")
+    one_line(wr_fit(tmp_path), 3, "p.friction: is not a regular file")
     (tmp_path / "p.friction").unlink()
     (tmp_path / "l.friction").symlink_to("l.friction")
     one_line(wr_fit(tmp_path), 3, "l.friction: is a link that leads to no file")
@@ -569,7 +619,7 @@ def test_missing_matplotlib_does_not_spoil_the_fit(log, tmp_path):
         tmp_path / "fit.png",
         env={**os.environ, "PYTHONPATH": str(tmp_path)},
     )
-    assert result.returncode == 0
+    assert result.returncode == 5
     assert "matplotlib is missing" in result.stderr and "fit.png was not made" in result.stderr
     assert (tmp_path / "fit.json").exists() and not (tmp_path / "fit.png").exists()
     other = subprocess.run(
@@ -584,7 +634,7 @@ def test_missing_matplotlib_does_not_spoil_the_fit(log, tmp_path):
 def test_plot_friction_refuses_bad_logs(log, tmp_path):
     good = log.read_text()
     for content, part in [
-        ("", "no friction log"),
+        ("", "not a friction log"),
         (good.replace(" 3456 2 1 -0.013\n", "\n", 1), ":10: "),
         (good.replace(" 15.0 ", " 15.0 nan ", 1), ":10: "),
         (good.replace("mca-friction 1", "mca-friction 2"), "'mca-friction 2'"),

@@ -31,3 +31,24 @@ TEST(FrictionLogFormat, Ranges)
   EXPECT_EQ(describe(Range::Positive, "MPa"), "> 0 (MPa), 1e-12 to 1e+12");
   EXPECT_EQ(describe(Range::NotNegative, ""), ">= 0, 0 or 1e-12 to 1e+12");
 }
+
+TEST(FrictionLogFormat, RangesOfEitherSignAndOfRows)
+{
+  const double infinity = std::numeric_limits<double>::infinity();
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  for (double x : {0.0, 1.0, 1.0 / largest, largest}) {
+    EXPECT_TRUE(isIn(Range::Signed, x)) << x;
+    EXPECT_TRUE(isIn(Range::Signed, -x)) << x;
+  }
+  for (double x : {1e-13, -1e-308, 2e12, -1e308, infinity, nan})
+    EXPECT_FALSE(isIn(Range::Signed, x)) << x;
+  for (double x : {-largestWhole, -1.0, 0.0, largestWhole})
+    EXPECT_TRUE(isIn(Range::SignedWhole, x)) << x;
+  for (double x : {1.5, 2.0 * largestWhole, -infinity, nan})
+    EXPECT_FALSE(isIn(Range::SignedWhole, x)) << x;
+  EXPECT_TRUE(isInRow(-largest));
+  EXPECT_FALSE(isInRow(1.1 * largest));
+  EXPECT_FALSE(isInRow(nan));
+  EXPECT_EQ(describe(Range::Signed, "m/s"), "of either sign (m/s), 0 or 1e-12 to 1e+12");
+  EXPECT_EQ(describe(Range::SignedWhole, ""), "that is whole, -9e+15 to 9e+15");
+}

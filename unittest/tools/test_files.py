@@ -8,9 +8,11 @@ import stat
 import subprocess
 import sys
 import threading
+import time
 from pathlib import Path
 
 import pytest
+from script_calls import with_checksum
 
 TOOLS = Path(__file__).resolve().parents[2] / "tools"
 sys.path.insert(0, str(TOOLS))
@@ -27,12 +29,14 @@ PNG = b"\x89PNG"
 POINT = {
     "mu": 0.4, "mu_se": 0.01, "mu_grinding_in": 0.5, "mu_peak": 1.0, "mu_eq2": 0.41,
     "pressure": 15, "velocity": 5, "strength": 92, "viscosity": 0.41, "t_start": 5,
-    "kappa1": 4.7, "kappa2": 365, "left_out": False,
+    "kappa1": 4.7, "kappa2": 365, "kappa3": 2239, "left_out": False,
 }  # fmt: skip
 RATE = {"min": 5, "median": 6, "max": 7}
 CASE = {"style": "mca", "ranks": 1, "automata": 1600, "rate": RATE}
 BENCH = {"format": "mca-benchmark 1", "cases": [CASE]}
-FIT = json.dumps({"report": {"points": [POINT, {**POINT, "kappa2": 100, "pressure": 4}]}})
+POINTS = [POINT, {**POINT, "kappa2": 100, "pressure": 4}]
+CONDITIONS = [{**point, "runs": [k]} for k, point in enumerate(POINTS)]
+FIT = with_checksum({"report": {"points": POINTS, "conditions": CONDITIONS}})
 INPUTS = {
     "a.csv": CREEP,
     "fit.json": FIT,
@@ -130,6 +134,20 @@ def test_links_stay_links(tmp_path):
         files.write(link, "text")
         assert link.is_symlink() and (folder / target).read_text() == "text"
     assert names(folder) == ["new", "old"]
+
+
+def test_several_files_or_none(tmp_path, node):
+    """Also into a device, which takes its own before a file is replaced."""
+    (tmp_path / "a").write_text("old")
+    for last in (node, tmp_path / "no" / "b", tmp_path):
+        with pytest.raises(errors.Failure, match="cannot be written"):
+            files.write_all({tmp_path / "a": "new", tmp_path / "b": "new", last: "new"})
+        assert (tmp_path / "a").read_text() == "old" and not (tmp_path / "b").exists()
+    done = tmp_path / "done"
+    done.write_text("c")
+    files.write_all({tmp_path / "a": "new", str(tmp_path / "b"): b"bytes", tmp_path / "c": done})
+    assert [(tmp_path / name).read_text() for name in "abc"] == ["new", "bytes", "c"]
+    assert [name for name in names(tmp_path) if name != "full"] == ["a", "b", "c"]
 
 
 def test_links_in_a_circle(tmp_path):
@@ -239,6 +257,35 @@ def test_table_of_layers(work, node):
     assert done.stdout.startswith("step,centre,depth")
 
 
+def test_table_and_picture_together(work):
+    """Both or none."""
+    before = names(work)
+    words = ["a.profile", "--csv", "a.csv.new", "-o", "no/a.png"]
+    failed(run(work, "plot_layer.py", *words), "plot_layer.py", "no/a.png")
+    assert names(work) == before
+
+
+@pytest.mark.parametrize("script", WRITERS)
+def test_what_is_read_is_not_written_over(script, work):
+    (given, *more) = WRITERS[script]
+    (work / "link.png").symlink_to(given)
+    for output in (given, f"./{given}", "link.png"):
+        done = run(work, script, given, *more, output)
+        assert done.returncode == 2 and "is read too" in done.stderr, done.stderr
+        assert done.stderr.count("\n") == 1 and (work / given).read_text() == INPUTS[given]
+    if script == "plot_layer.py":
+        done = run(work, script, given, "--csv", "b", "-o", "b")
+        assert done.returncode == 2 and "another result" in done.stderr
+
+
+@pytest.mark.parametrize("script", WRITERS)
+def test_folders_are_no_files(script, work):
+    (work / "folder.png").mkdir()
+    for output in ("folder.png", "new.png/", "no/a.png", "a" * 300):
+        failed(run(work, script, *WRITERS[script], output), script, output)
+    assert list((work / "folder.png").iterdir()) == []
+
+
 def test_vtk(work, node):
     before = names(work)
     done = run(work, "dump_to_vtk.py", "atoms.dump", "-o", "a", preexec_fn=lambda: small(500))
@@ -282,6 +329,48 @@ def test_output_that_nobody_takes(script, words, work):
             cwd=work, stdout=closed, stderr=subprocess.PIPE, text=True, timeout=120, check=False,
         )  # fmt: skip
     failed(done, script, "standard output", "Broken pipe")
+
+
+@pytest.mark.parametrize("script, words", SPEAKERS)
+def test_closed_outputs(script, words, work):
+    """As the shell's >&- and 2>&- leave them."""
+    command = " ".join(str(word) for word in [TOOLS / script, *words])
+    shell = dict(shell=True, cwd=work, text=True, timeout=120, check=False)
+    done = subprocess.run(command + " >&-", stderr=subprocess.PIPE, **shell)
+    failed(done, script, "standard output: cannot be written")
+    done = subprocess.run(command + " >&- 2>&-", **shell)
+    assert done.returncode == 5
+    done = subprocess.run(command + " 2>&-", stdout=subprocess.PIPE, **shell)
+    assert done.returncode == 0 and done.stdout
+
+
+def test_terminated(work):
+    """In order: nothing is left."""
+    os.mkfifo(work / "pipe")  # nobody reads: the script waits
+    before = names(work)
+    command = [TOOLS / "plot_friction.py", "a.friction", "-o", "pipe"]
+    process = subprocess.Popen(command, cwd=work, stderr=subprocess.PIPE, text=True)
+    time.sleep(3)
+    process.terminate()
+    _, said = process.communicate(timeout=20)
+    assert process.returncode == 6 and said == "plot_friction.py: interrupted\n"
+    assert names(work) == before
+
+
+def test_errors_that_nothing_takes(monkeypatch, capsys):
+    """One line that says where; the whole of it on demand."""
+
+    def main():
+        raise ZeroDivisionError("by nothing")
+
+    with pytest.raises(SystemExit) as end:
+        errors.run_script(main)
+    said = capsys.readouterr().err
+    assert end.value.code == 1 and said.count("\n") == 1
+    assert "internal error" in said and "ZeroDivisionError: by nothing" in said
+    monkeypatch.setenv("MCAWR_TRACEBACK", "1")
+    with pytest.raises(ZeroDivisionError):
+        errors.run_script(main)
 
 
 @pytest.mark.parametrize("script, words", SPEAKERS)

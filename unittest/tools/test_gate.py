@@ -38,7 +38,12 @@ def gate(project, *words, **environment):
     return subprocess.run(
         [project / "tools" / "gate", *words],
         cwd=project,
-        env={**os.environ, "PYTHONDONTWRITEBYTECODE": "1", **environment},
+        env={
+            **os.environ,
+            "PYTHONDONTWRITEBYTECODE": "1",
+            "MCAWR_BUILD": str(project / "build"),  # not the one that these tests are of
+            **environment,
+        },
         text=True,
         capture_output=True,
         timeout=120,

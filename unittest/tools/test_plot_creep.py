@@ -5,6 +5,8 @@ import subprocess
 from pathlib import Path
 
 import pytest
+from matplotlib import collections
+from script_calls import load
 
 PLOT = Path(__file__).resolve().parents[2] / "tools" / "plot_creep.py"
 HEAD = (
@@ -43,3 +45,31 @@ def test_bad_table(tmp_path, content):
     assert done.returncode == 3
     assert done.stderr.count("\n") == 1 and "creep.csv" in done.stderr
     assert not picture.exists()
+
+
+def test_bands_of_several_curves_can_be_told_apart(tmp_path):
+    """By bars, none of which stands where one of another band does."""
+    from matplotlib import pyplot
+
+    module = load("plot_creep.py")
+    creep = [1e-4 * 1.1**k for k in range(60)]
+    band = {"creep": creep, "low": [0.1] * 60, "high": [0.2] * 60}
+    figure, axes = pyplot.subplots()
+    for number in range(3):
+        module.draw_band(axes, band, f"C{number}", number, 3)
+    bars = [
+        {segment[0][0] for segment in lines.get_segments()}
+        for lines in axes.collections
+        if isinstance(lines, collections.LineCollection)
+    ]
+    assert [len(places) for places in bars] == [10, 10, 10]
+    assert not bars[0] & bars[1] and not bars[1] & bars[2] and not bars[0] & bars[2]
+    pyplot.close(figure)
+
+
+def test_negative_creep(call, tmp_path):
+    """On a linear axis: a logarithmic one would hide it."""
+    (tmp_path / "creep.csv").write_text(GOOD + "20,-1e-3,-0.2,800,0.33,3,3,0.6\n")
+    code, _, err = call("plot_creep.py", tmp_path / "creep.csv", "-o", tmp_path / "a.png")
+    assert code == 0 and err == ""
+    call.refused(2, "plot_creep.py", tmp_path / "creep.csv", "--label", "a", "--label", "b")

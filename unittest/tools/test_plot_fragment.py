@@ -51,10 +51,10 @@ def test_picture(tmp_path, content):
     "content, word",
     [
         (None, "cannot be read"),
-        ("", "no whole frame"),
+        ("", "no complete frame"),
         ("nonsense\n", ":1:"),
         (FRAME.format("x"), ":1:"),
-        (FRAME.format(0).replace("5 4\n", "five 4\n"), "not numbers"),
+        (FRAME.format(0).replace("5 4\n", "five 4\n"), "vx is 'five'"),
         (FRAME.format(0).replace(" vx", " vz"), "vx"),
         (HEAD.format(0), "frame"),
     ],

@@ -80,7 +80,7 @@ def test_reader_that_has_enough(tmp_path):
         ("", "no frame"),
         ("nonsense\n", ":1:"),
         (HEAD.replace("vx", "vz") + frame(1, 3, 6), "columns"),
-        (HEAD + frame(1, 3, 6).replace("0.0", "zero"), "cannot be read"),
+        (HEAD + frame(1, 3, 6).replace("0.0", "zero"), ":8: 'zero' is not a finite"),
     ],
 )
 def test_bad_profile(tmp_path, content, word):

@@ -108,9 +108,14 @@ def test_picture(tmp_path, arguments):
     "arguments,changed,words",
     [
         (("fields", "c.vti"), {}, "c.vti"),
-        (("fields", "a.vti"), {"a_vti": b"no image"}, "no VTK image data"),
+        (("fields", "a.vti"), {"a_vti": b"no image"}, "not VTK image data"),
         (("fields", "a.vti"), {"a_vti": FILES["a.vti"][:2000]}, "need"),
         (("fields", "a.vti"), {"a_vti": FILES["a.vti"].replace(b"0 24 0", b"0 99 0")}, "99 x 16"),
+        (
+            ("fields", "a.vti"),
+            {"a_vti": FILES["a.vti"].replace(b'offset="0"', b"")},
+            "whole number",
+        ),
         (("friction", "a.vti"), {"a_vti": vti(contact(mu=False))}, "holds no mu"),
         (("fields", "a.vti"), {"a_vti": vti({**contact(), "pressure": np.zeros((NY, NX))})}, "con"),
         (("curves", "creep.csv"), {"creep_csv": POINTS}, "no points"),

@@ -11,6 +11,7 @@ TOOLS = Path(__file__).resolve().parents[2] / "tools"
 SCRIPTS = [
     "get_lammps.sh",
     "get_ruff.sh",
+    "build_docs.sh",
     "setup.sh",
     "quickstart.sh",
     "check.sh",

@@ -19,7 +19,8 @@
 
 namespace mca {
 
-/// Dimensions in which something exists: in none, in the plane, in space, in both.
+/// Dimensions in which something exists: in none, in the plane, in space, in both. None is for what
+/// compute mca/atom does not show.
 enum class In { None, Plane, Space, Both };
 
 /// Whether that is so in this dimension.
@@ -33,11 +34,15 @@ inline constexpr bool existsIn(In dimensions, int dimension)
 enum class Upkeep {
   EveryStep, ///< after each step
   Commands,  ///< always: only commands change it
-  Collected, ///< after PairMCA::collect_changes(); a step keeps what it adds
-  EndOfRun   ///< after a run and when a restart file is written, for the next set-up
+  /// After PairMCA::collect_changes(); a step keeps what it adds.
+  Collected,
+  /// After a run and when a restart file is written, for the next set-up.
+  EndOfRun
 };
 
-/// A number that each automaton carries.
+/// A number that each automaton carries: a column of LAMMPS's custom values, type double, of own
+/// automata and ghosts. PairMCA::state() gives it, nullptr where the state does not exist in the
+/// dimension of the run.
 struct AutomatonState {
   const char *name;      ///< of the property, d_mca_NAME, and in the files of mca_links
   In exists;             ///< dimensions in which automata carry it
@@ -46,15 +51,20 @@ struct AutomatonState {
   In shown;              ///< dimensions in which it is shown
   const char *unit;      ///< as the pages name it; empty for a plain number
   const char *meaning;   ///< as the page of compute mca/atom says it
+  bool always = true;    ///< false: carried only where laws see angular velocities
 };
 
 /// The table. Its first names are those of doc/laws.md: kappa of Plasticity; elastic_z is e_zz of
-/// plasticity j2. lag and rest are what pair_mca keeps of
-/// the velocities between runs.
+/// plasticity j2. lag and rest are what pair_mca keeps of the velocities between runs; of angular
+/// velocities only where forces depend on them.
 inline constexpr AutomatonState automatonStates[] = {
+    /// Begins with 0 and only grows; Step::commit() adds what the yield passes found.
     {"kappa", In::Both, Upkeep::EveryStep, "plastic", In::Both, "", "equivalent plastic strain"},
+    /// Moved on by fix nve/mca, in the plane only: in space it stays 0.
     {"theta", In::Both, Upkeep::EveryStep, "theta", In::Plane, "radians",
      "angle of rotation since the beginning"},
+    /// Of keepLag() of core/step.h: with them the set-up of the next run, whose velocities are half
+    /// a step later than those of the last forces, computes these forces again to the last bit.
     {"lag_x", In::Both, Upkeep::EndOfRun, nullptr, In::None, "velocity units",
      "velocity less that which the forces saw"},
     {"lag_y", In::Both, Upkeep::EndOfRun, nullptr, In::None, "velocity units", "the same along y"},
@@ -64,20 +74,36 @@ inline constexpr AutomatonState automatonStates[] = {
     {"lag_z", In::Space, Upkeep::EndOfRun, nullptr, In::None, "velocity units", "the same along z"},
     {"rest_z", In::Space, Upkeep::EndOfRun, nullptr, In::None, "velocity units",
      "the same along z"},
+    /// Counted by mca_links create and read, less by delete; the damage of compute mca/atom is the
+    /// share of them that no longer holds.
     {"links0", In::Both, Upkeep::Commands, nullptr, In::None, "", "number of original links"},
+    /// e_zz of plasticity j2 in the plane; 0 elsewhere and of an automaton without a bulk link.
     {"elastic_z", In::Both, Upkeep::EveryStep, nullptr, In::None, "",
      "elastic strain across the plane"},
+    /// Each link that breaks or forms counts once at either of its automata.
     {"broken", In::Both, Upkeep::Collected, "broken", In::Both, "",
      "number of its links that broke"},
     {"formed", In::Both, Upkeep::Collected, "formed", In::Both, "",
      "number of links that it formed by contact"},
+    {"spin_lag_x", In::Space, Upkeep::EndOfRun, nullptr, In::None, "radians/time",
+     "angular velocity less that which the forces saw", false},
+    {"spin_lag_y", In::Space, Upkeep::EndOfRun, nullptr, In::None, "radians/time",
+     "the same about y", false},
+    {"spin_lag_z", In::Both, Upkeep::EndOfRun, nullptr, In::None, "radians/time",
+     "the same about z", false},
+    {"spin_rest_x", In::Space, Upkeep::EndOfRun, nullptr, In::None, "radians/time",
+     "what rounding took from the lag", false},
+    {"spin_rest_y", In::Space, Upkeep::EndOfRun, nullptr, In::None, "radians/time",
+     "the same about y", false},
+    {"spin_rest_z", In::Both, Upkeep::EndOfRun, nullptr, In::None, "radians/time",
+     "the same about z", false},
 };
 
-/// Number of lines of the table.
+/// Number of lines of the table, of those of both dimensions.
 inline constexpr int stateCount = static_cast<int>(std::size(automatonStates));
 
 /// Number of a state in the table, from 0; a name that is not there does not compile where the
-/// number is a constexpr.
+/// number is a constexpr. In loops the number is taken once, before them.
 /// \param name  without the prefix mca_
 /// \throw std::logic_error  there is no such state, and the number is no constexpr
 constexpr int stateNumber(std::string_view name)
@@ -89,20 +115,21 @@ constexpr int stateNumber(std::string_view name)
 }
 
 /// Name of the custom property of LAMMPS that holds a state, "mca_NAME", as atom->find_custom()
-/// wants it. All are of LAMMPS's type double.
+/// wants it; dumps show it as d_mca_NAME. All are of LAMMPS's type double.
 inline std::string propertyName(const AutomatonState &state)
 {
   return std::string("mca_") + state.name;
 }
 
-/// Words of fix property/atom for all states of a dimension: "d_mca_NAME" with blanks in between,
-/// in the order of the table.
+/// Words of fix property/atom for the states of a dimension: "d_mca_NAME" with blanks in between,
+/// in the order of the table, hence in that of restart files.
 /// \param dimension  2 or 3
-inline std::string propertyWords(int dimension)
+/// \param always     those that are always carried, or the others
+inline std::string propertyWords(int dimension, bool always = true)
 {
   std::string words;
   for (const AutomatonState &state : automatonStates)
-    if (existsIn(state.exists, dimension))
+    if (existsIn(state.exists, dimension) && state.always == always)
       words += (words.empty() ? "d_" : " d_") + propertyName(state);
   return words;
 }

@@ -3,6 +3,9 @@
 
 #include "laws/pair_motion.h"
 
+#include <algorithm>
+#include <numeric>
+
 namespace mca {
 
 static Vector vectorOf(const double *values)
@@ -63,6 +66,33 @@ void EnergyAccount::keep(const Step &step, const double (*x)[3], const double (*
     if (step.laws().flowsAcross)
       mean += law.bulkModulus * step.elasticZNext(i);
   }
+  step.exchange().begin(rows_.data() + meanAt, rowLength, 1);
+  step.exchange().finish(rows_.data() + meanAt, rowLength, 1);
+  findReleased(step);
+}
+
+void EnergyAccount::findReleased(const Step &step)
+{
+  std::fill_n(released_, Channels, 0.0);
+  for (int i = 0; i < step.own(); i++)
+    released_[Plastic] += elasticZLoss(step, i);
+  const Pairs &p = step.links().pairs();
+  for (int k = 0; k < p.n; k++) {
+    if (!p.blocks[k / blockLength].moves)
+      continue; // both states are the same
+    const int i = p.i[k], j = p.j[k];
+    const double means[2] = {step.mean(i), step.mean(j)};
+    const double next[2] = {rows_.row(i)[meanAt], rows_.row(j)[meanAt]};
+    const PairLaw &law = step.law(k);
+    released_[channelOf(step, k)] +=
+        changeLoss(law, strainOf(step, k, false), strainOf(step, k, true), means, next) * law.area *
+        law.diameter * step.share(k);
+  }
+}
+
+double EnergyAccount::released() const
+{
+  return std::accumulate(released_, released_ + Channels, 0.0);
 }
 
 void EnergyAccount::bookWork(int i, const Motion &moved)
@@ -75,6 +105,8 @@ void EnergyAccount::bookSecondHalf(const Step &step, double dt)
   for (int i = 0; i < step.own(); i++)
     bookWork(i, {dt * step.velocity(i), dt * step.spin(i)});
   bookContacts(step, dt, true);
+  for (int m = 0; m < Channels; m++)
+    sums_[m] += released_[m];
 }
 
 void EnergyAccount::bookFirstHalf(const Step &step, const double (*x)[3], const double (*omega)[3],
@@ -85,16 +117,15 @@ void EnergyAccount::bookFirstHalf(const Step &step, const double (*x)[3], const 
     store(moved.way, rows_.row(i) + wayAt);
     store(moved.turn, rows_.row(i) + turnAt);
     bookWork(i, moved);
-    sums_[Plastic] += elasticZLoss(step, i);
   }
-  step.exchange().begin(rows_.data(), rowLength, rowLength);
-  step.exchange().finish(rows_.data(), rowLength, rowLength);
+  step.exchange().begin(rows_.data(), rowLength, meanAt);
+  step.exchange().finish(rows_.data(), rowLength, meanAt);
   bookContacts(step, dt, false);
 }
 
 // What the contacts dissipate in the second half of the step just done (back), or in the first half
-// of the coming one and by the change of state before it. Of either step the evaluation knows one
-// end; `sign` looks from there to the other one.
+// of the coming one. Of either step the evaluation knows one end; `sign` looks from there to the
+// other one.
 void EnergyAccount::bookContacts(const Step &step, double dt, bool back)
 {
   const Pairs &p = step.links().pairs();
@@ -126,8 +157,11 @@ void EnergyAccount::bookContacts(const Step &step, double dt, bool back)
     const double next[2] = {rows_.row(i)[meanAt], rows_.row(j)[meanAt]};
     const ContactStress s = step.contact(k);
     double loss = stepLoss(law, s.normal, s.shear, here, back ? means : next, total, elastic);
-    if (!back)
-      loss += changeLoss(law, strainOf(step, k, false), here, means, next);
+    if (step.laws().resistsSlip) {
+      const double arm = 0.5 * length(distance);
+      const Vector slip = slipOf(step.normal(k), mj.way - mi.way, mi.turn + mj.turn, arm);
+      loss += slipLoss(law, step.slipStress(k), slip);
+    }
     sums_[channelOf(step, k)] += loss * law.area * law.diameter * step.share(k);
   }
 }

@@ -6,8 +6,10 @@
 ///
 /// A step from one evaluation of the laws to the next has two halves: the first one belongs to the
 /// forces at its beginning, the second one to those at its end. So an evaluation is followed by the
-/// second half of the step that led to it, and then, when the automata have moved on, by the first
-/// half of the coming step, which also books what the change of state sets free.
+/// second half of the step that led to it and by what its change of state sets free, and then, when
+/// the automata have moved on, by the first half of the coming step. Both of the former together:
+/// a link that breaks has no force at the end of its last step, so that the work of that half step
+/// alone would count as less than nothing.
 #ifndef MCA_ENERGY_ACCOUNT_H
 #define MCA_ENERGY_ACCOUNT_H
 
@@ -21,7 +23,9 @@ namespace mca {
 /// The account of one rank: its automata, and half of what contacts with guests dissipate.
 class EnergyAccount {
  public:
-  /// Where energy goes, and (work) comes from.
+  /// Where energy goes, and (work) comes from: a link that breaks in the step pays into Fracture,
+  /// an unlinked contact into Viscous, any other link and the change of e_zz into Plastic. Channels
+  /// is their number.
   enum Channel { Plastic, Fracture, Viscous, Work, Channels };
 
   /// Sums since the beginning [energy], by channel.
@@ -30,17 +34,22 @@ class EnergyAccount {
   /// Sets a sum, as a restart file has it [energy].
   void setSum(Channel channel, double value) { sums_[channel] = value; }
 
-  /// After an evaluation: remembers what is needed of it. Arrays are of own automata.
+  /// Elastic energy that the change of state after the evaluation sets free [energy], on this rank:
+  /// what the automata hold afterwards is theirs in the evaluation less this.
+  double released() const;
+
+  /// After an evaluation: remembers what is needed of it. Arrays are of own automata. Called by all
+  /// ranks.
   /// \param x         places [length]
   /// \param f,torque  all that acts on them [force, force length], that of contacts included
   void keep(const Step &, const double (*x)[3], const double (*f)[3], const double (*torque)[3]);
 
-  /// After keep(), of a step that was done: its second half.
+  /// After keep(), of a step that was done: its second half, and the change of state after it.
   /// \param dt  the step [time]
   void bookSecondHalf(const Step &, double dt);
 
-  /// The automata have moved on, nothing else has changed: the first half of the coming step, and
-  /// the change of state before it. Called by all ranks.
+  /// The automata have moved on, nothing else has changed: the first half of the coming step.
+  /// Called by all ranks.
   /// \param x      places [length] of own automata
   /// \param omega  angular velocities in the coming step [1/time]
   void bookFirstHalf(const Step &, const double (*x)[3], const double (*omega)[3], double dt);
@@ -53,19 +62,27 @@ class EnergyAccount {
   struct Motion {
     Vector way, turn;
   };
-  /// What goes between ranks, a row of all automata that are in pairs: way and turn in the coming
-  /// step, and the mean stress that the next state will have.
+  /// What goes between ranks, a row of all automata that are in pairs: way [length] and turn [rad]
+  /// in the coming step; and the mean stress [stress] that the next state has.
   static constexpr int wayAt = 0, turnAt = 3, meanAt = 6, rowLength = 7;
   static_assert(rowLength <= Exchange::mostValues);
   RowArray rows_{rowLength};
-  std::vector<Motion> external_; // forces and torques on own automata that are not of contacts
-  std::vector<Vector> before_;   // where own automata were in the evaluation
+  /// Forces and torques on own automata that are not of contacts [force, force length].
+  std::vector<Motion> external_;
+  /// Where own automata were in the evaluation [length].
+  std::vector<Vector> before_;
+  /// By channel, of this rank [energy].
   double sums_[Channels] = {};
+  /// What the change of state after the evaluation sets free, by channel, of this rank [energy].
+  double released_[Channels] = {};
 
   /// Half a step's work of the outer forces and torques on automaton i along this motion.
+  /// \param i  own automaton, of which keep() knows the forces
   void bookWork(int i, const Motion &);
   /// What all contacts dissipate in half a step; back: of the step just done.
   void bookContacts(const Step &, double dt, bool back);
+  /// What the change of state sets free.
+  void findReleased(const Step &);
   /// Energy that the change of e_zz sets free with plasticity j2 [energy]; else 0.
   double elasticZLoss(const Step &, int i) const;
 };

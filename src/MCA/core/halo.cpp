@@ -155,7 +155,12 @@ static void unpack(const std::vector<int> &automata, const double *in, int strid
       rows[static_cast<size_t>(row) * stride + k] = *in++;
 }
 
-// A message is written over only after its reader has begun the next one, hence has read it.
+// Message m stands in half m % 2 of a box, and its count is stored after its values (release), read
+// before them (acquire). Two halves are enough, without a word from reader to writer: a rank writes
+// message m + 2 over message m only after its finish() of m + 1, which waited until its neighbour
+// had begun m + 1, hence had finished m and read it. Neighbours wait for each other even where
+// values go one way only: each has a box for the other, with a count alone if it has nothing to
+// say.
 void Halo::begin(const double *rows, int stride, int count)
 {
   messages_++;

@@ -25,12 +25,15 @@ class Halo : public Exchange {
  public:
   /// An automaton that another rank owns, and the row of its values here.
   struct Guest {
-    int rank, home; ///< owner, and the row there
+    /// Its owner, never this rank, and the row there, below the owner's number of own automata.
+    int rank, home;
+    /// Row here, from this rank's number of own automata on.
     int row;
   };
 
+  /// No MPI yet: that begins with build().
   /// \param shares  false: MPI messages to and from all ranks, as if this one were alone on its
-  /// node
+  ///                node
   explicit Halo(bool shares = true) : shares_(shares) {}
   /// Frees the shared window and the communicator of the node; has to come before
   /// MPI_Finalize.
@@ -39,25 +42,34 @@ class Halo : public Exchange {
   Halo &operator=(const Halo &) = delete;
 
   /// Tells all ranks what this one needs; called by all of them, and again whenever the lists of
-  /// pairs are made anew. The window is kept as long as it is large enough.
-  /// \param comm    communicator of the sample; the same one in all calls
-  /// \param guests  automata of other ranks, each once; none is allowed
+  /// pairs are made anew. The window is kept as long as it is large enough. No message may be on
+  /// its way.
+  /// \param comm    communicator of the sample; the same one in all calls, and it outlives the halo
+  /// \param guests  automata of other ranks, each once; none is allowed. Copied.
   void build(MPI_Comm comm, const std::vector<Guest> &guests);
 
-  /// One rank alone, or not built yet; then messages need not be sent.
+  /// One rank alone, or not built yet; then messages need not be sent. A rank without guests among
+  /// others is not alone: others may need its values.
   bool alone() const override { return onNode_.size() <= 1; }
   /// Writes or sends the values of own automata that other ranks need; see Exchange::begin().
-  /// Returns without waiting for a reader: each box has room for two messages.
+  /// Returns without waiting for a reader: each box has room for two messages. The values are
+  /// copied, so that `rows` may change before finish().
   void begin(const double *rows, int stride, int count) override;
-  /// Waits for the values of all guests and stores them in their rows. It spins for some 10 us,
-  /// then leaves the core to others, since there may be more ranks than cores.
+  /// Waits for the values of all guests and stores them in their rows; all other rows stay. It
+  /// spins for some 10 us, then leaves the core to others, since there may be more ranks than
+  /// cores.
+  /// \param stride,count  those of the begin() before
   void finish(double *rows, int stride, int count) override;
 
  private:
   /// Two messages in the memory of their writer, since the next one may come before this is read;
   /// taken in turns. All are nullptr for ranks of other nodes.
   struct Box {
-    std::atomic<std::uint64_t> *written; ///< number of messages
+    /// Number of messages written since build(), the last one included. Stored with release after
+    /// the values, read with acquire before them.
+    std::atomic<std::uint64_t> *written;
+    /// Those of message m are in values[m % 2], `count` each automaton, in the order of
+    /// Neighbour::needed.
     double *values[2];
   };
   /// A rank with which this one exchanges values, in either or both directions.

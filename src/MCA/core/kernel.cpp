@@ -266,6 +266,9 @@ void secondYieldPass(int n, const int *type, const AutomatonLaw *laws, const dou
   }
 }
 
+// One block, pair by pair without a branch: stresses after the return, the next kind, the force and
+// the next state. All next states are written; whether they count is what the sums of differences
+// say.
 // LOCAL: criteria of local stress or of plastic work act.
 template<class D, Way W, class Criterion, bool LOCAL>
 MCA_LOOP Changes forceBlock(const Pairs &p, int first, int n, const PairLaw *laws,
@@ -327,7 +330,8 @@ MCA_LOOP Changes forceBlock(const Pairs &p, int first, int n, const PairLaw *law
   return {kinds, states};
 }
 
-// Bulk links of one law of which none breaks.
+// Bulk links of one law of which none breaks. Without flow nothing but the force is written; the
+// next state is the present one.
 template<class D, bool PristineBlock, bool Flows>
 MCA_LOOP void bulkForceBlock(const Pairs &p, int first, int n, const PairLaw *laws,
                              const typename D::Answers &ofI, const typename D::Answers &ofJ,

@@ -10,7 +10,7 @@
 ///   return pass (pairs)      what these returns take from the averaged stress tensors
 ///   second yield (automata)  the returns again, with what the neighbours' took
 ///   force pass (pairs)       stresses after the return, forces, the next state of the links
-/// What viscous contacts change after that stands in viscous_contacts.h.
+/// What viscous contacts change after that stands in viscous_contacts.h and slip_viscosity.h.
 /// Between them LAMMPS adds up what several ranks hold of an automaton.
 ///
 /// No LAMMPS type in here. The forces of a step are a pure function of positions, velocities and
@@ -38,96 +38,134 @@ constexpr int blockLength = 128;
 /// Most shear components of a pair: one in the plane, a vector in space.
 constexpr int maxShears = 3;
 
-/// State of the pairs that outlives a step, one value a pair. In the plane only the first component
-/// of the shears exists.
+/// State of the pairs that outlives a step, one value a pair, each array on its own. In the plane
+/// only the first component of the shears exists, the others are nullptr. Owned by LinkList.
 struct PairState {
-  double *kind;                  ///< link::worn, none, bulk or weld
-  double *plastic;               ///< plastic offset of the normal strain [-]
-  double *gamma[maxShears];      ///< elastic shear [-]
-  double *gammaTotal[maxShears]; ///< shear since linking, not reduced by plasticity [-]; the first
-                                 ///< of an unlinked contact: plastic work per volume while pressed
-                                 ///< together, where a law needs it [stress]
+  /// link::worn, none, bulk or weld, as a double, so that loops vectorise.
+  double *kind;
+  /// Plastic offset of the normal strain [-]; e = eps - plastic. An unlinked pair keeps it until
+  /// eps > max(plastic, 0).
+  double *plastic;
+  /// Elastic shear [-], along t in the plane, a vector perpendicular to the normal in space; 0
+  /// without a link.
+  double *gamma[maxShears];
+  /// Shear since linking, not reduced by plasticity [-]; the first of an unlinked contact: plastic
+  /// work per volume while pressed together, where a law needs it [stress]. Out of date in pristine
+  /// blocks.
+  double *gammaTotal[maxShears];
 };
 
-/// What is known of all pairs of a block, so that most blocks take a short way.
+/// What is known of all pairs of a block, so that most blocks take a short way. It never changes a
+/// result, only the time that it takes. LinkList sets law, bulk, pristine and across, the strain
+/// pass `breaks`, the force pass `moves`; LinkList::advance() brings bulk and pristine up to date.
 struct Block {
   static constexpr int mixed = -1;
-  int law;       ///< number of the law of all its pairs, or mixed
-  bool bulk;     ///< all its pairs are bulk links
-  bool pristine; ///< ... that never flowed: plastic is 0, and gammaTotal equals gamma, which alone
-                 ///< is kept up to date
-  bool breaks;   ///< one of them reaches the breaking strain in this step
-  bool moves;    ///< the next state differs from the present one; only then is it held in `next`
-  bool across;   ///< one of them meets over a periodic face; else placeI, placeJ equal i, j
+  int law;   ///< number of the law of all its pairs, or mixed
+  bool bulk; ///< all its pairs are bulk links
+  /// ... that never flowed: plastic is 0, and gammaTotal equals gamma, which alone is kept up to
+  /// date.
+  bool pristine;
+  /// One of them reaches the breaking strain in this step; of bulk blocks under a criterion by
+  /// strain.
+  bool breaks;
+  bool moves;  ///< the next state differs from the present one; only then is it held in `next`
+  bool across; ///< one of them meets over a periodic face; else placeI, placeJ equal i, j
 };
 
-/// The pair list; arrays have `n` values, row numbers three more, which repeat the last pair.
+/// The pair list, or a part of it from a block's first pair on; arrays have `n` values, row numbers
+/// three more, which repeat the last pair, so that loops may gather by fours. A view: LinkList owns
+/// the arrays, and the view holds until the list is made anew. eps, normal and separation are those
+/// of the last strain pass, `next` that of the last force pass.
 struct Pairs {
   int n;
-  const int *i, *j;           ///< row numbers of the two automata
+  /// Row numbers of the two automata, whose sums the pair adds to. Lists of a run are sorted by the
+  /// lower ID, that of i, so that successive pairs mostly share it.
+  const int *i, *j;
   const int *placeI, *placeJ; ///< rows of motion where they meet: of images, over a periodic face
-  const int *law;             ///< number in the table of PairLaw
+  /// Number in the table of PairLaw, below LawTables::pairs.size().
+  const int *law;
   PairState now, next;
-  double *normal[3];  ///< unit normal from i to j [-]; two components in the plane
+  /// Unit normal from i to j [-]; in the plane two components, the third is 0.
+  double *normal[3];
   double *eps;        ///< total normal strain r/d - 1 [-]
   double *separation; ///< normal velocity of j seen from i [length/time]; not of bulk blocks; of
                       ///< half a step ago, until viscous contacts are centred
   Block *blocks;      ///< of blockLength pairs each
 };
 
-/// Moves the shear on by one step and adds each contact's strain to both of its automata.
+/// Moves the shear on by one step and adds each contact's strain to both of its automata. Pairs of
+/// guests are computed from the guests' places and velocities, which LAMMPS's own communication has
+/// brought.
 /// \param dt       the step [time]
 /// \param moves    false keeps the state as it is (set-up); all else is the same to the last bit
 /// \param laws     table of PairLaw
-/// \param motion   rows.motion.length values an automaton
-/// \param spin     angular velocity of each automaton [1/time]
+/// \param motion   rows.motion.length values an automaton, also of images and guests
+/// \param spin     angular velocity of each automaton about z, in space its third component
+///                 [1/time]
 /// \param strains  rows.strain.length values an automaton, added to
 using StrainPass = void(const Pairs &, double dt, bool moves, const PairLaw *laws,
                         const double *motion, const double *spin, double *strains);
 
-/// Mean stress of each automaton.
+/// Mean stress of each automaton, sigma_mean = K w sum e.
+/// \param n         own automata; what guests answer comes from their owners
 /// \param type      material number of each automaton, used to index laws
 /// \param oneLaw    the materials of all automata are equal: laws[type[0]] serves all
+/// \param strains   of the strain pass
 /// \param response  rows.response.length values an automaton; the mean stress is written
 using MeanPass = void(int n, const int *type, const AutomatonLaw *laws, bool oneLaw,
                       const double *strains, double *response);
 
-/// Adds the elastic stress of each contact to the averaged stress of both of its automata.
+/// Adds the elastic stress of each contact, before any return, to the averaged stress of both of
+/// its automata.
+/// \param response  the mean stresses of both automata are read, hence of guests, too
 /// \param stresses  rows.stress.length values an automaton, added to
 using StressPass = void(const Pairs &, const PairLaw *laws, const double *response,
                         double *stresses);
 
-/// Stress intensity and radial return of each automaton.
+/// Stress intensity and radial return of each automaton, radialReturn() of laws/plasticity.h; an
+/// automaton without a bulk link does not flow.
+/// \param strains    the number of bulk links is read
+/// \param stresses   the averaged stress is read
 /// \param kappa      equivalent plastic strain [-]
-/// \param kappaNext  the same at the beginning of the next step
-/// \param response   the factor M is written
-/// \return how many automata flow: without any, kappaNext equals kappa
+/// \param kappaNext  the same at the beginning of the next step, written for all n
+/// \param response   the factor M is written, and in space the centre
+/// \return how many automata flow, a whole number: without any, kappaNext equals kappa
 using YieldPass = double(int n, const int *type, const AutomatonLaw *laws, bool oneLaw,
                          const double *strains, const double *stresses, const double *kappa,
                          double *kappaNext, double *response);
 
 /// Adds what the radial returns take from the elastic stresses of bulk links to both of their
 /// automata. Blocks in which no automaton flows are passed over.
-/// \param taken  rows.stress.length values an automaton, added to; only the tensor is
+/// \param response  mean, factor and centre of both automata are read, hence of guests, too
+/// \param taken     rows.stress.length values an automaton, added to; only the tensor has a meaning
 using ReturnPass = void(const Pairs &, const PairLaw *laws, const double *response, double *taken);
 
-/// The radial return of each automaton that flows, once more; see secondReturn().
-/// \param taken  of the return pass
+/// The radial return of each automaton that flows, once more; see secondReturn(). The others, with
+/// a factor of 1, keep all that they have.
+/// \param taken      of the return pass, complete on these automata
+/// \param kappaNext  written where an automaton flows
+/// \param response   the factor M is read and written
 using SecondYieldPass = void(int n, const int *type, const AutomatonLaw *laws,
                              const double *stresses, const double *taken, const double *kappa,
                              double *kappaNext, double *response);
 
-/// Stresses of the contacts, forces and torques on both automata, next state.
-/// \param local   rows.local.length values an automaton, or nullptr where no law needs them
-/// \param forces  rows.force.length values an automaton, added to
-/// \return how many pairs change their kind
+/// Stresses of the contacts, forces and torques on both automata, next state. Next states are
+/// written of blocks in which anything may change; Block::moves says where they differ from the
+/// present ones.
+/// \param response  complete rows of both automata, hence of guests, too
+/// \param local     rows.local.length values an automaton, or nullptr where no law needs them
+/// \param forces    rows.force.length values an automaton, added to
+/// \return how many pairs change their kind, a whole number
 using ForcePass = double(const Pairs &, const PairLaw *laws, const double *response,
                          const double *local, double *forces);
 
-/// The passes compiled for one instruction set.
+/// The passes compiled for one instruction set and one dimension. All kernels of a dimension
+/// compute the same, but for the last bits of sums and products that an instruction set contracts.
 struct Kernel {
+  /// The instruction set, as benchmarks and tests print it: baseline, avx2, avx512.
   const char *name;
   int dimension;
+  /// Lengths and offsets of all rows that the passes are given.
   RowLayout rows;
   StrainPass *strain;
   MeanPass *mean;
@@ -148,10 +186,12 @@ namespace avx512 {
 extern const Kernel plane, space;
 }
 
-/// The fastest kernel of this dimension that this processor runs.
+/// The fastest kernel of this dimension that this processor runs; it lives as long as the program.
+/// \param dimension  2 or 3; all but 2 counts as space
 const Kernel &bestKernel(int dimension);
 
-/// All kernels of this dimension that this processor runs, the baseline first.
+/// All kernels of this dimension that this processor runs, the baseline first, the fastest last. On
+/// processors other than x86-64 there is the baseline alone.
 std::vector<const Kernel *> supportedKernels(int dimension);
 
 } // namespace mca

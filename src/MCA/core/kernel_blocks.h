@@ -17,9 +17,11 @@ namespace {
 // Ways of a block: of several laws (scalar), of one law, and of bulk links of one law that break by
 // strain only, which are most of a sample: these know no contact, viscosity or weld, and no next
 // state while nothing flows. Where none ever flowed, plastic offset and total shear are not read.
+// Block says which way holds.
 enum Way { SeveralLaws, OneLaw, Bulk, Pristine };
 
-// Whether all pairs of a block of this way are bulk links of one law.
+// Whether all pairs of a block of this way are bulk links of one law: no kind is read, nothing is
+// unlinked.
 constexpr bool onlyBulk(Way way)
 {
   return way == Bulk || way == Pristine;
@@ -31,15 +33,20 @@ struct WayOf {
   static constexpr Way way = W;
 };
 
-// The lesser of two numbers, inlined into code for one instruction set; std::min might not be.
+// The lesser of two numbers. Of its own, since std::min compiled here for a new processor could be
+// the copy that the linker keeps for all, also for code that runs on an old one.
 inline int lesser(int a, int b)
 {
   return a < b ? a : b;
 }
 
-// Calls work(block, its way as a type, first pair, number of pairs) for all blocks in their order.
-// The number is blockLength but for the last block. StrainOnly: bulk links break by strain only;
-// without it a bulk block goes the way of one law.
+// Calls work(block, its way as a type, first pair, number of pairs) for all blocks in their order,
+// one after the other: the decision is taken once for 128 pairs. The number is blockLength but for
+// the last block, where columns hold the last pair again or what is left of the block before.
+// \tparam StrainOnly  bulk links break by strain only; without it a bulk block goes the way of one
+//                     law
+// \param p     a whole list or a part of it that begins with a block
+// \param work  a generic lambda, compiled for each way; it may change the block's flags
 template<bool StrainOnly, class Work>
 inline void eachBlock(const Pairs &p, const Work &work)
 {
@@ -60,7 +67,8 @@ inline void eachBlock(const Pairs &p, const Work &work)
 }
 
 // Calls work(criterion) with an object of the criterion's type. Laws of a run have one criterion,
-// so that of the first pair holds for all; without pairs nothing is called.
+// so that of the first pair holds for all; without pairs nothing is called. One decision a pass.
+// \param laws  table of PairLaw
 template<class Work>
 inline void withCriterion(const Pairs &p, const PairLaw *laws, const Work &work)
 {
@@ -94,11 +102,12 @@ inline const int *placesJ(const Pairs &p, const Block &block, int first)
 
 // A quantity of a block's pairs: numbers in one array, or vectors in two or three. get() and set()
 // take the number of a pair within the block, from 0; the constructor takes the arrays of all
-// pairs, one for each component, and the first pair of the block.
+// pairs, one for each component, and the first pair of the block. Captured by value in a loop's
+// lambda, so that the pointers stay in registers.
 template<class Value>
 struct PairArray;
 
-// One number a pair, as the shear in the plane.
+// One number a pair, as the shear in the plane: the only array that exists is that of component 0.
 template<>
 struct PairArray<double> {
   double *x;
@@ -108,7 +117,7 @@ struct PairArray<double> {
   void set(int k, double v) const { x[k] = v; }
 };
 
-// Two numbers a pair, as the normal in the plane.
+// Two numbers a pair, as the normal in the plane; of three arrays the first two.
 template<>
 struct PairArray<PlaneVector> {
   double *x, *y;
@@ -142,19 +151,22 @@ struct PairArray<Vector> {
 
 // One of two values without a branch: the first where `first` is 1, the second where it is 0. The
 // forms differ, since each leaves its loop's other terms as they are, to the last bit.
-// first: 1 or 0, as double. In the plane, shears are plain numbers [-].
+// \param first  1 or 0, as double: link::linked() and the like
+// \param a,b    both are computed. In the plane, shears are plain numbers [-].
 inline double choose(double first, double a, double b)
 {
   return first > 0.0 ? a : b;
 }
 
-// In space: a sum of both, each with its factor.
+// In space: a sum of both, each with its factor. Both have to be finite, else 0 times the other one
+// is none.
 inline Vector choose(double first, const Vector &a, const Vector &b)
 {
   return first * a + (1.0 - first) * b;
 }
 
-// Whether two shears are equal in all components; +0 and -0 are. Without a branch.
+// Whether two shears are equal in all components; +0 and -0 are, and what is no number is not.
+// Without a branch.
 inline bool equal(double a, double b)
 {
   return a == b;
@@ -165,9 +177,9 @@ inline bool equal(const Vector &a, const Vector &b)
   return (a.x == b.x) & (a.y == b.y) & (a.z == b.z);
 }
 
-// Of an unlinked contact the first component of the total shear holds its plastic work.
-// In the plane the number itself, in space x; the unit is then that of the work per volume
-// [stress].
+// Of an unlinked contact the first component of the total shear holds its plastic work per volume
+// while pressed together [stress], PairState::gammaTotal. In the plane that is the number itself,
+// in space x.
 inline const double &firstComponent(const double &a)
 {
   return a;
@@ -189,7 +201,9 @@ inline double &firstComponent(Vector &a)
 }
 
 // Brings the whole state of a block up to date, whose links will not be alike any more: the total
-// shear, which a pristine block does not keep, becomes a copy of the elastic one.
+// shear, which a pristine block does not keep, becomes a copy of the elastic one. Called by the
+// strain pass, when a link of the block breaks, before any later pass reads the total shear.
+// \param p        pairs of the pass; first counts from their beginning
 // \param first,n  pairs of the block
 // \param shears   components of a shear
 inline void leavePristine(const Pairs &p, Block &block, int first, int n, int shears)
@@ -201,6 +215,8 @@ inline void leavePristine(const Pairs &p, Block &block, int first, int n, int sh
 }
 
 // What a pass over a block has changed, counted as doubles, since loops add them up as vectors.
+// kinds > 0 has events looked for when the step is taken over, states > 0 has the next state copied
+// then.
 struct Changes {
   double kinds, states; // pairs whose kind, whose state as a whole changes
 };

@@ -16,6 +16,8 @@
 namespace mca::MCA_ISA {
 namespace {
 
+// The traits of the plane: what the passes of kernel.cpp take as their argument D. Names and
+// signatures are those of Space.
 struct Plane {
   // Where a quantity stands in its row; rows.h.
   static constexpr RowLayout rows = planeRows;
@@ -27,7 +29,8 @@ struct Plane {
   using Normal = PlaneVector;
 
   // The step of the strain pass: dt [time], and a factor that is 1, or 0 at set-up, when nothing
-  // moves on. A factor, since distances and normals then come out the same to the last bit.
+  // moves on. A factor, since distances and normals then come out the same to the last bit; so do
+  // the forces of a run that goes on from a restart file.
   struct Time {
     double dt, moves;
     Time(double step, bool moving) : dt(step), moves(moving ? 1.0 : 0.0) {}
@@ -38,7 +41,10 @@ struct Plane {
   struct Motion {
     Column x, y, vx, vy, spins;
 
-    // Reads the rows of four pairs at a time.
+    // Reads the rows of four pairs at a time: place and velocity of an automaton are one vector of
+    // four.
+    // \param pi,pj   Pairs::placeI and placeJ, or i and j: rows of images for pairs over a periodic
+    //                face
     // \param motion  rows.motion.length values an automaton: place and velocity
     // \param spin    angular velocity of each automaton about z [1/time]
     void gather(const int *pi, const int *pj, int n, const double *motion, const double *spin)
@@ -58,7 +64,9 @@ struct Plane {
     PlaneVector velocity(int k) const { return {vx[k], vy[k]}; }
 
     // Motion of pair k in the step; also gives the distance.
-    // \param r  set to the distance at the end of the step [length]
+    // \param time  of this pass
+    // \param r     set to the distance at the end of the step [length]
+    // \return for carriedShear() and shearGrowth() of laws/pair_motion.h, with the normal
     PlaneMotion of(int k, const Time &time, double &r) const
     {
       const PlaneMotion moved =
@@ -68,7 +76,8 @@ struct Plane {
     }
   };
 
-  // Answers of one automaton of each pair: mean stress [stress] and factor M of the return [-].
+  // Answers of one automaton of each pair: mean stress [stress] and factor M of the return [-]; the
+  // rows RowLayout::Response. One object for the first automata, one for the second ones.
   struct Answers {
     Column mean, factor;
 
@@ -93,8 +102,8 @@ struct Plane {
   struct Shares {
     Column xx, yy, xy, squares;
 
-    // The share of pair k in the tensor.
-    // \param sigma,tau  normal and shear stress of the contact [stress]
+    // The share of pair k in the tensor, stressShare() of laws/elasticity.h.
+    // \param sigma,tau  normal and shear stress of the contact [stress], tension positive
     // \param n          its unit normal [-]
     void set(int k, double sigma, double tau, const PlaneVector &n)
     {
@@ -103,8 +112,9 @@ struct Plane {
       yy[k] = s.yy;
       xy[k] = s.xy;
     }
-    // Squares of the elastic strains of pair k [-]. No sum of bulk stresses: the centre is the
-    // mean.
+    // Squares of the elastic strains of pair k [-], for the energy of its automata. No sum of bulk
+    // stresses: the centre is the mean.
+    // \param e2  0 of a pair that does not touch
     void setSums(int k, double e2, double gamma2, double /*bulkSigma*/)
     {
       squares[k] = e2 + gamma2;
@@ -125,7 +135,8 @@ struct Plane {
     }
   };
 
-  // Forces [force] and torques [force length] of each pair on its first automaton.
+  // Forces [force] and torques [force length] of each pair on its first automaton; the torque is
+  // about z.
   struct Forces {
     Column x, y, torque;
 
@@ -146,9 +157,11 @@ struct Plane {
     }
   };
 
-  // Averaged stress tensor of an automaton [stress]: sigma_zz = 3 mean - sigma_xx - sigma_yy.
-  // \param tensor  xx, yy, xy of the stress pass [stress]
-  // \param mean    mean stress of the automaton [stress]
+  // Averaged stress tensor of an automaton [stress]: sigma_zz = 3 mean - sigma_xx - sigma_yy. The
+  // weight of the packing is in the shares already.
+  // \param tensor  xx, yy, xy of the stress pass [stress]; less what was returned, for the second
+  //                yield pass
+  // \param mean    mean stress of the automaton [stress]; the return does not change it
   static StressTensor averaged(const AutomatonLaw &, const double *tensor, double mean)
   {
     return automatonStress(tensor[0], tensor[1], tensor[2], mean);
@@ -159,6 +172,8 @@ struct Plane {
 
   // The tensor of a row of local, or of the mean of two rows, with the mean stress that goes with
   // it [stress].
+  // \param tensor  xx, yy, xy after the return, the weight in them [stress]
+  // \param mean    mean stress, which the return leaves as it is [stress]
   static StressTensor localTensor(const double *tensor, double mean)
   {
     return automatonStress(tensor[0], tensor[1], tensor[2], mean);

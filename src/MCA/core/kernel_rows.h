@@ -7,6 +7,12 @@
 /// is found is scattered back. Arrays of row numbers have three more entries than pairs (Pairs), so
 /// that loops over whole twos and fours may read on; what these give is not added to any automaton.
 /// Rows are 64-byte aligned arrays of doubles (row_array.h), and offsets in them stand in rows.h.
+///
+///     rows of automata in memory                   columns of a block on the stack
+///     row pi[k], pj[k]:  a b c d    gather() ->    a of pair 0, 1, 2 ... 127
+///                                                  b of pair 0, 1, 2 ... 127, and so on
+///                                                  the pass's loop over k: laws/
+///     row pi[k], pj[k] += a b c d   <- scatter()   results of pair 0, 1, 2 ... 127
 #ifndef MCA_KERNEL_ROWS_H
 #define MCA_KERNEL_ROWS_H
 
@@ -21,6 +27,7 @@ typedef double Row2 __attribute__((vector_size(16), may_alias));
 typedef double Row4 __attribute__((vector_size(32), may_alias));
 
 // One value of each pair of a block, on a cache-line boundary: loops over k are plain vector loads.
+// On the stack, 1 KiB each.
 struct alignas(64) Column {
   double value[blockLength];
   double &operator[](int k) { return value[k]; }
@@ -28,13 +35,15 @@ struct alignas(64) Column {
 };
 
 // Row i of an array whose rows have the length of Row. The array is 64-byte aligned (RowArray), so
-// that each row is aligned, too.
+// that each row is aligned, too. may_alias lets the compiler see the doubles and the vector as the
+// same memory.
 template<class Row>
 inline Row *rowOf(double *array, int i)
 {
   return reinterpret_cast<Row *>(array) + i;
 }
 
+// The same of rows that are only read.
 template<class Row>
 inline const Row *rowOf(const double *array, int i)
 {
@@ -42,7 +51,8 @@ inline const Row *rowOf(const double *array, int i)
 }
 
 // Four rows of four become four columns of four and back. Shuffles are much cheaper than the
-// element-wise loads and stores that strided loops would make.
+// element-wise loads and stores that strided loops would make. Eight of them: two rows at a time,
+// then halves.
 inline void transpose(Row4 &a, Row4 &b, Row4 &c, Row4 &d)
 {
   const Row4 ab0 = __builtin_shufflevector(a, b, 0, 4, 2, 6);
@@ -58,6 +68,8 @@ inline void transpose(Row4 &a, Row4 &b, Row4 &c, Row4 &d)
 // Rows of two values of one automaton of each pair, as columns; works on whole twos.
 // \param index  row of that automaton for each of n pairs; one more is read where n is odd
 // \param rows   two values an automaton
+// \param c0,c1  first and second values; entry k is of pair k, the rest up to a whole two of the
+//               last pair
 inline void gather(const int *index, int n, const double *rows, Column &c0, Column &c1)
 {
   for (int k = 0; k < n; k += 2) {
@@ -68,8 +80,9 @@ inline void gather(const int *index, int n, const double *rows, Column &c0, Colu
 }
 
 // Four rows of four, one of each of four pairs, as four columns.
-// \param r  the rows, which are transposed in place
-// \param k  first of the four pairs in the block, a multiple of 4
+// \param r   the rows, which are transposed in place
+// \param k   first of the four pairs in the block, a multiple of 4
+// \param c0  the first value of each row, and so on
 inline void store(Row4 *r, int k, Column &c0, Column &c1, Column &c2, Column &c3)
 {
   transpose(r[0], r[1], r[2], r[3]);
@@ -80,9 +93,9 @@ inline void store(Row4 *r, int k, Column &c0, Column &c1, Column &c2, Column &c3
 }
 
 // Means of a row of both automata of each pair, for criteria that see both sides.
-// \tparam LENGTH  values of a row, a multiple of 4
-// \param rows     LENGTH values an automaton
-// \param means    LENGTH values for each of the n pairs, written
+// \tparam LENGTH  values of a row, a multiple of 4: rows.local.length
+// \param rows     LENGTH values an automaton, of guests, too
+// \param means    LENGTH values for each of the n pairs, written; 32-byte aligned
 template<int LENGTH>
 inline void gatherMeans(const int *pi, const int *pj, int n, const double *rows, double *means)
 {
@@ -95,7 +108,8 @@ inline void gatherMeans(const int *pi, const int *pj, int n, const double *rows,
 }
 
 // Whether no automaton of these n pairs flows: all factors M are exactly 1. M is at most 1, so the
-// sum of what is missing is 0 only if nothing is.
+// sum of what is missing is 0 only if nothing is. A sum, since a loop that may end early does not
+// vectorise.
 inline bool allOne(int n, const Column &a, const Column &b)
 {
   double below = 0.0;
@@ -105,9 +119,12 @@ inline bool allOne(int n, const Column &a, const Column &b)
   return below == 0.0;
 }
 
-// Adds rows to both automata of n successive pairs. The order is that of the pairs.
+// Adds rows to both automata of n successive pairs. The order is that of the pairs: an automaton
+// may be in several of them, so this is no vector loop over pairs, and sums come out the same on
+// any processor.
 // \param rows   one of each pair
 // \param signs  factors of +1 or -1 for what the second automaton gets
+// \param sums   a Row an automaton, added to
 template<class Row>
 inline void addRows(const int *pi, const int *pj, int n, const Row *rows, const Row &signs,
                     double *sums)
@@ -118,9 +135,12 @@ inline void addRows(const int *pi, const int *pj, int n, const Row *rows, const 
   }
 }
 
-// Adds the four columns of each pair as a row to both of its automata.
+// Adds the four columns of each pair as a row to both of its automata: one load and one store of
+// each automaton for four quantities, instead of four.
 // \param n      number of pairs; the rest of a last four is not added
-// \param signs  factors of +1 or -1 for what the second automaton gets
+// \param c0     what goes to the first value of a row, and so on; read up to a whole four
+// \param signs  factors of +1 or -1 for what the second automaton gets: -1 of what has a direction
+//               seen from i
 // \param sums   four values an automaton, added to
 inline void scatter(const int *pi, const int *pj, int n, const Column &c0, const Column &c1,
                     const Column &c2, const Column &c3, const Row4 &signs, double *sums)
@@ -136,7 +156,8 @@ inline void scatter(const int *pi, const int *pj, int n, const Column &c0, const
   }
 }
 
-// The same of two columns, with the same sign for both automata; sums have two values an automaton.
+// The same of two columns, with the same sign for both automata: strains do not depend on the side.
+// \param sums  two values an automaton, added to
 inline void scatter(const int *pi, const int *pj, int n, const Column &c0, const Column &c1,
                     double *sums)
 {

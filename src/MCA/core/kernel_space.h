@@ -15,6 +15,8 @@
 namespace mca::MCA_ISA {
 namespace {
 
+// The traits of space: what the passes of kernel.cpp take as their argument D. Names and signatures
+// are those of Plane.
 struct Space {
   // Where a quantity stands in its row; rows.h.
   static constexpr RowLayout rows = spaceRows;
@@ -26,15 +28,16 @@ struct Space {
   using Normal = Vector;
 
   // The step of the strain pass: dt [time], 0 at set-up, and half of it for the mean of two angular
-  // velocities. Without motion both are 0, which leaves shears as they are; normals do not depend
-  // on it.
+  // velocities. Without motion both are 0, which leaves shears as they are, exactly (pairMotion()
+  // of laws/pair_motion.h); normals do not depend on it.
   struct Time {
     double dt, half;
     Time(double step, bool moving) : dt(moving ? step : 0.0), half(0.5 * dt) {}
   };
 
   // Rows of eight values as two of four: place and first component of the velocity, the rest of the
-  // velocity and the first two components of the angular velocity (rows.h, Motion).
+  // velocity and the first two components of the angular velocity (rows.h, Motion); vectors of
+  // eight are not on all processors.
   // \param i      number of the row
   // \param which  0: the first half, 1: the second one
   static const Row4 &half(const double *array, int i, int which)
@@ -51,6 +54,8 @@ struct Space {
     // Reads the rows of four pairs at a time. The signs make differences of places and velocities
     // and sums of angular velocities in the same addition; the third component of the angular
     // velocity comes from its own array.
+    // \param pi,pj   Pairs::placeI and placeJ, or i and j: rows of images for pairs over a periodic
+    //                face
     // \param motion  rows.motion.length values an automaton
     // \param spin    third component of the angular velocity of each automaton [1/time]
     void gather(const int *pi, const int *pj, int n, const double *motion, const double *spin)
@@ -73,7 +78,8 @@ struct Space {
     Vector velocity(int k) const { return {vx[k], vy[k], vz[k]}; }
 
     // Motion of pair k in the step, for carriedShear() and shearGrowth(); also gives the distance.
-    // \param r  set to the distance at the end of the step [length]
+    // \param time  of this pass
+    // \param r     set to the distance at the end of the step [length]
     PairMotion of(int k, const Time &time, double &r) const
     {
       const Vector distance = {x[k], y[k], z[k]}, omegas = {wx[k], wy[k], wz[k]};
@@ -105,13 +111,15 @@ struct Space {
         *rowOf<Row4>(centre.value + k, 0) = r[2];
       }
     }
-    // The mean stresses alone, for the stress pass, when the other values are not known yet.
+    // The mean stresses alone, for the stress pass, when the other values are not known yet: a row
+    // is longer than what it needs.
     void gatherMeans(const int *index, int n, const double *response)
     {
       for (int k = 0; k < n; k++)
         mean[k] = response[rows.response.length * index[k] + rows.response.mean];
     }
-    // What the automaton of pair k of the block answers.
+    // What the automaton of pair k of the block answers; after gather(), while gatherMeans() gives
+    // the mean alone.
     Answer operator[](int k) const { return {mean[k], factor[k], centre[k]}; }
   };
 
@@ -121,9 +129,11 @@ struct Space {
     Column c[8];
 
     // Adds the rows to both automata of each of n pairs. The sum of a run of pairs with the same i
-    // is kept in registers and written once; the order of additions is that of the pairs.
-    // \param pi,pj  rows of both automata
-    // \param sums   eight values an automaton, added to
+    // is kept in registers and written once, which saves most of the loads and stores of i; the
+    // order of additions is that of the pairs.
+    // \tparam TURNED  so many first values go to the second automaton with the opposite sign
+    // \param pi,pj    rows of both automata; n > 0
+    // \param sums     eight values an automaton, added to
     template<int TURNED>
     void scatter(const int *pi, const int *pj, int n, double *sums) const
     {
@@ -164,13 +174,15 @@ struct Space {
   };
 
   // What each pair adds to the averaged stresses of both of its automata: sigma n n + (n tau + tau
-  // n)/2 [stress] in six components, and two sums. The weight of the packing is left to averaged().
+  // n)/2 [stress] in six components, xx, yy, xy, zz, xz, yz, and two sums. The weight of the
+  // packing is left to averaged(), once an automaton instead of once a pair.
   struct Shares {
     Row8 row;
 
-    // The share of pair k in the tensor.
-    // \param sigma,tau  normal and shear stress of the contact [stress]
-    // \param n          its unit normal [-]
+    // The share of pair k in the tensor, stressShare() of laws/elasticity.h.
+    // \param sigma  normal stress of the contact [stress], tension positive
+    // \param tau    its shear stress [stress], perpendicular to n
+    // \param n      its unit normal [-]
     void set(int k, double sigma, const Vector &tau, const Vector &n)
     {
       const StressTensor s = stressShare(sigma, tau, n);
@@ -181,8 +193,9 @@ struct Space {
       row.c[4][k] = s.xz;
       row.c[5][k] = s.yz;
     }
-    // The sums of pair k: squares of the elastic strains [-], and sigma of a bulk link, else 0
-    // [stress].
+    // The sums of pair k.
+    // \param e2,gamma2  squares of the elastic strains [-], 0 of a pair that does not touch
+    // \param bulkSigma  sigma of a bulk link, else 0 [stress]: for the centre of the return
     void setSums(int k, double e2, double gamma2, double bulkSigma)
     {
       row.c[rows.stress.squares][k] = e2 + gamma2;
@@ -201,8 +214,8 @@ struct Space {
     }
   };
 
-  // Forces [force] and torques [force length] of each pair on its first automaton; the last two
-  // columns are unused and stay 0.
+  // Forces [force] and torques [force length] of each pair on its first automaton, three components
+  // each; the last two columns are unused and stay 0.
   struct Forces {
     Row8 row;
 
@@ -232,14 +245,17 @@ struct Space {
 
   // Averaged stress tensor of an automaton [stress] from a row of the stress pass: the sum over its
   // contacts times the packing's weight (doc/laws.md, Three dimensions). The mean is not needed.
+  // \param tensor  xx, yy, xy, zz, xz, yz [stress], without the weight
   static StressTensor averaged(const AutomatonLaw &law, const double *tensor, double /*mean*/)
   {
     return weighted(tensor, law.weight);
   }
 
   // The centre of the return is the mean of sigma over the bulk links [stress], 0 without any; only
-  // then does flow dissipate in each automaton.
-  // \param bulks  number of its bulk links
+  // then does flow dissipate in each automaton (doc/laws.md, Three dimensions).
+  // \param response  row of the automaton, written
+  // \param stress    its row of the stress pass
+  // \param bulks     number of its bulk links
   static void setCentre(double *response, const double *stress, double bulks)
   {
     response[rows.response.centre] = stress[rows.stress.bulkSum] / (bulks > 0.0 ? bulks : 1.0);

@@ -19,8 +19,9 @@ struct LawTables {
   LawTables() = default;
 
   /// \param materials  by type; types of equal materials share their laws, since the kernel is
-  ///                   fastest where one law serves many pairs
-  /// \param thickness  h [length] of a plane packing; 1 in space
+  ///                   fastest where one law serves many pairs. In units in which a stress is an
+  ///                   energy per volume
+  /// \param thickness  h [length] of a plane packing, > 0; 1 in space
   LawTables(const LawSet &, const std::vector<Material> &materials, double thickness,
             const Packing &);
 
@@ -32,10 +33,15 @@ struct LawTables {
   // which of the passes that are not always needed act
   bool returnsTwice = false;     ///< radial returns see those of the neighbours
   bool centresViscosity = false; ///< viscous contacts see the velocity of their step
+  bool resistsSlip = false;      ///< viscosity acts along the tangent, too
+  bool seesSpins = false;        ///< a law sees slip, hence angular velocities
+  WornRule worn;                 ///< of contacts whose link broke
   bool flowsAcross = false;      ///< plasticity j2: there is an elastic strain across the plane
   bool needsLocal = false;       ///< criteria of local stress or plastic work
 
-  /// In `pairs`, of automata of two types.
+  /// In `pairs`, of automata of two types; (i, j) and (j, i) are two entries where the materials
+  /// differ.
+  /// \param typeI,typeJ  0 to types() - 1; not checked
   int number(int typeI, int typeJ) const { return numbers[typeI * types() + typeJ]; }
   int types() const { return static_cast<int>(automata.size()); }
 

@@ -86,7 +86,11 @@ void LinkList::setPlaces(int placeI, int placeJ)
     blocks_.back().across = true;
 }
 
-// of blocks that never flowed the kernel keeps the elastic shear only
+// Of blocks that never flowed (pristine) the kernel keeps the elastic shear only, since the total
+// one equals it: arrays that need be neither read nor written for most of a sample. Readers get
+// both: part(), by which the kernel comes in, marks the list as stale, and the first reader
+// afterwards copies. A block stays pristine until its first change of state is taken over
+// (advance()) or one of its links breaks, when the kernel copies (leavePristine()).
 void LinkList::completeAll() const
 {
   for (size_t b = 0; b < blocks_.size(); b++)
@@ -162,6 +166,8 @@ bool LinkList::blank(int k, bool next) const
   return std::all_of(state, state + stateSize(), [](double value) { return value == 0.0; });
 }
 
+// Where nothing flows, breaks, links or heals, the next state is the present one, whatever its
+// arrays hold: such a block costs nothing here.
 void LinkList::advance()
 {
   for (size_t b = 0; b < blocks_.size(); b++) {

@@ -12,24 +12,28 @@
 
 namespace mca {
 
-/// Owns the arrays of a Pairs view.
-/// Pairs are numbered from 0 in the order in which they were added. Each array ends with three
-/// copies of the last pair's rows, since the kernel gathers four pairs at a time.
+/// Owns the arrays of a Pairs view. Pairs are numbered from 0 in the order in which they were
+/// added, which is the order of all sums. Each array of row numbers ends with three copies of the
+/// last pair's, since the kernel gathers four pairs at a time. Filled by reset() and add(), when
+/// LAMMPS has built its neighbor list; numbers and views hold until the next reset(). Numbers of
+/// pairs are not checked.
 class LinkList {
  public:
   /// \param shears  shear components of a pair: 1 in the plane, 3 in space
   explicit LinkList(int shears = 1);
 
-  /// State of a pair that the kernel knows: kind, plastic, gamma, gammaTotal.
+  /// State of a pair that the kernel knows: kind, plastic, gamma, gammaTotal; 4 doubles in the
+  /// plane, 8 in space.
   int stateSize() const { return 2 + 2 * shears_; }
   static constexpr int maxStateSize = 2 + 2 * maxShears;
 
   /// What is kept with the automata while there is no pair list: the state, 1 for an original link,
-  /// and the normal (up to its sign), by which a pair that was turned between runs is known.
+  /// and the normal (up to its sign), by which a pair that was turned between runs is known. In
+  /// doubles: 8 in the plane, 12 in space.
   int storedSize() const { return stateSize() + 4; }
   static constexpr int maxStoredSize = maxStateSize + 4;
 
-  /// Empties the list and makes room for n pairs. More than n must not be added.
+  /// Empties the list and makes room for n pairs. More than n must not be added. Memory only grows.
   /// \throw std::bad_alloc  there is not so much memory
   void reset(int n);
 
@@ -39,7 +43,7 @@ class LinkList {
   /// \param state  stateSize() values: kind, plastic offset, elastic shears, total shears
   void add(int i, int j, int law, const double *state);
 
-  /// The same with all that is kept, storedSize() values.
+  /// The same with all that is kept, storedSize() values, as getStored() wrote them.
   /// \param exchanged  kept as the pair (j, i)
   void addStored(int i, int j, int law, bool exchanged, const double *stored);
 
@@ -52,7 +56,8 @@ class LinkList {
   void getStored(int k, bool next, bool exchanged, double *stored) const;
 
   /// Nothing of this pair needs to be kept: all values of its state are 0, as of a pair that never
-  /// was in contact.
+  /// was in contact. A pair that is not in the list of the last build begins so.
+  /// \param next  of the next state, else of the present one
   bool blank(int k, bool next) const;
 
   /// A link of the sample as it was made, not one that formed later; it ends with its breaking.
@@ -69,25 +74,32 @@ class LinkList {
     return view_;
   }
 
-  /// n pairs from the first one of a block on, for the kernel, which may change their states.
+  /// n pairs from the first one of a block on, for the kernel, which may change their states. From
+  /// then on the list counts as changed, and pairs() completes it again.
   /// \param first  a multiple of blockLength
+  /// \param n      whole blocks, or as many as there are up to the end of the list
   Pairs part(int first, int n);
 
-  /// Number of pairs.
+  /// Number of pairs added since reset().
   int size() const { return view_.n; }
 
   /// Rows of both automata of pair k.
   int i(int k) const { return i_[k]; }
   int j(int k) const { return j_[k]; }
+  /// Rows of the images of both that meet: i and j but for pairs over a periodic face.
+  int placeI(int k) const { return placeI_[k]; }
+  int placeJ(int k) const { return placeJ_[k]; }
 
-  /// Makes the next state the present one; only blocks that move are copied.
+  /// Makes the next state the present one; only blocks that move are copied, and then no longer
+  /// move. Once a step, before its strain pass.
   void advance();
 
   /// Copies the present (or the next) state of pair k to stateSize() doubles, in the order of
-  /// add().
+  /// add(). The next one of a block that does not move is the present one.
   void getState(int k, bool next, double *state) const;
 
-  /// Sets both the present and the next state of pair k, in the order of add().
+  /// Sets both the present and the next state of pair k, in the order of add(). The block's way
+  /// follows.
   void setState(int k, const double *state);
 
   /// Memory held [bytes].
@@ -103,7 +115,8 @@ class LinkList {
   std::vector<double *> now_, next_; // the arrays of both states, in the order of getState()
   Pairs view_{};
 
-  /// Gives the pairs of a pristine block their total shears, which equal the elastic ones.
+  /// Gives the pairs of a pristine block their total shears, which equal the elastic ones. Const,
+  /// since no reader sees a difference.
   void complete(int block) const;
   void completeAll() const;
   /// Turns the shears of a state round, as exchange of i and j does in space.

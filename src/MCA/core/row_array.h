@@ -10,29 +10,19 @@
 #include <cstddef>
 #include <cstdlib>
 #include <memory>
-#include <new>
-#include <stdexcept>
-#include <string>
 
 namespace mca {
 
-/// Uninitialised doubles on a cache-line boundary; grows only, and growing loses what is there.
+/// Uninitialised doubles on a cache-line boundary; grows only, and growing loses what is there. A
+/// vector would fill them and give no promise of their place.
 class AlignedArray {
  public:
   /// First value, 64-byte aligned; nullptr before the first reserve() of more than 0.
   double *get() const { return data_.get(); }
   /// Makes room for n doubles, with an eighth more and in whole cache lines where it has to grow,
   /// so that a sample that grows slowly does so rarely.
-  /// \throw std::bad_alloc  there is not so much memory
-  void reserve(size_t n)
-  {
-    if (n <= size_)
-      return;
-    size_ = (n + n / 8 + 7) / 8 * 8;
-    data_.reset(static_cast<double *>(std::aligned_alloc(64, size_ * sizeof(double))));
-    if (!data_)
-      throw std::bad_alloc();
-  }
+  /// \throw std::bad_alloc  there is not so much memory; the array is of no use then
+  void reserve(size_t n);
   /// Memory held [bytes].
   double bytes() const { return static_cast<double>(size_ * sizeof(double)); }
 
@@ -41,12 +31,15 @@ class AlignedArray {
   struct Free {
     void operator()(double *p) const { std::free(p); }
   };
+  /// Owns the memory; moved, not copied.
   std::unique_ptr<double, Free> data_;
   /// Number of doubles there is room for.
   size_t size_ = 0;
 };
 
-/// Rows of `length` values, one row an automaton. What a row holds stands in rows.h.
+/// Rows of `length` values, one row an automaton. What a row holds stands in rows.h. The kernel
+/// reads rows as vectors of two or four doubles, which is why the first value stands on a cache
+/// line.
 class RowArray {
  public:
   /// \param length  values of a row; 1 for one quantity an automaton
@@ -62,7 +55,7 @@ class RowArray {
     values_.reserve(size());
   }
 
-  /// Sets all values of all rows to 0.
+  /// Sets all values of all rows to 0, those of padding, too: before a pass that adds up.
   void clear() { std::fill_n(values_.get(), size(), 0.0); }
 
   /// Number of rows, as given to resize().
@@ -72,7 +65,8 @@ class RowArray {
   /// Number of values of all rows together.
   size_t size() const { return static_cast<size_t>(rows_) * static_cast<size_t>(length_); }
 
-  /// All values, for loops whose bounds are rows().
+  /// All values, for loops whose bounds are rows(). The same until resize() has to grow. Values may
+  /// be changed through a const array, as through a pointer.
   double *data() const { return values_.get(); }
 
   /// First of the length() values of row i, for loops whose bounds are rows(); not checked.
@@ -81,15 +75,10 @@ class RowArray {
     return values_.get() + static_cast<size_t>(i) * static_cast<size_t>(length_);
   }
 
-  /// First value of row i, for questions from outside, where i may be wrong.
+  /// First value of row i, for questions from outside, where i may be wrong; loops take row().
   /// \param i  number of an automaton's row, from 0
-  /// \throw std::out_of_range  there is no such row
-  const double *at(int i) const
-  {
-    if (i < 0 || i >= rows_)
-      throw std::out_of_range("row " + std::to_string(i) + " of " + std::to_string(rows_));
-    return row(i);
-  }
+  /// \throw std::out_of_range  there is no such row; says which and how many there are
+  const double *at(int i) const;
 
   /// Memory held [bytes], for the account of memory that LAMMPS prints.
   double bytes() const { return values_.bytes(); }

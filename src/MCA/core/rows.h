@@ -10,7 +10,8 @@
 
 namespace mca {
 
-/// Lengths and offsets in one dimension, all counted in doubles.
+/// Lengths and offsets in one dimension, all counted in doubles. A length is the stride from one
+/// automaton to the next; values of a row that no offset names are padding and may hold anything.
 struct RowLayout {
   /// What the strain pass sees of an automaton.
   struct Motion {
@@ -60,10 +61,25 @@ struct RowLayout {
   int components; ///< of a symmetric stress tensor in a row: 3 or 6
 };
 
-/// In the plane: rows of 2 or 4 values.
+/// In the plane: rows of 2 or 4 values; - is not used, x and y are the components of vectors, zz of
+/// the tensors follows from the mean.
+///
+///     motion     x  y  vx  vy             and one array of spins
+///     strain     sum  bulks
+///     stress     xx  yy  xy  squares
+///     response   mean  factor             the centre is the mean
+///     force      fx  fy  torque  -
+///     local      xx  yy  xy  work
 constexpr RowLayout planeRows = {
     {4, 0, 2, 4}, {2, 0, 1}, {4, 0, 3, 4}, {2, 0, 1, 0, 1}, {4, 0, 2}, {4, 0, 3}, 2, 3};
 /// In space: rows of 2, 4 or 8 values; some have values that are not used, for whole vectors.
+///
+///     motion     x  y  z  vx  vy  vz  wx  wy      and one array of wz
+///     strain     sum  bulks
+///     stress     xx  yy  xy  zz  xz  yz  squares  bulkSum
+///     response   mean  factor  centre  -
+///     force      fx  fy  fz  tx  ty  tz  -  -
+///     local      xx  yy  xy  zz  xz  yz  work  -
 constexpr RowLayout spaceRows = {
     {8, 0, 3, 6}, {2, 0, 1}, {8, 0, 6, 7}, {4, 0, 1, 2, 2}, {8, 0, 3}, {8, 0, 6}, 3, 6};
 

@@ -3,6 +3,7 @@
 #include "step.h"
 
 #include "further_laws.h"
+#include "worn_contacts.h"
 
 #include <algorithm>
 
@@ -43,7 +44,13 @@ void Step::begin(int own, int all, const int *types, int border)
 }
 
 // What other ranks need is on its way while the inside of the sample is worked on; the pairs at the
-// borders, which need what the others answer, come last in a pass.
+// borders, which need what the others answer, come last in a pass. They are the first of the list,
+// rounded up to whole blocks, and all pairs of an automaton that a rank shares are among them: its
+// sums are complete on its owner, so that no part of a sum goes between ranks. The strain
+// pass needs no message: places and velocities of ghosts came with LAMMPS's own. Messages are: mean
+// stresses; the returns, and once more where they are done twice; what criteria of local stress
+// see; forces, where viscous contacts see the velocity of their step. All ranks have the same laws,
+// so that all send the same ones.
 void Step::run(const Automata &a, double dt, bool advance)
 {
   if (advance) {
@@ -80,16 +87,30 @@ void Step::run(const Automata &a, double dt, bool advance)
   changing_ = kernel_->force(inside, laws, response, around, forces_.data());
   exchange_->finish(answers, row.length, row.answers);
   changing_ += kernel_->force(border, laws, response, around, forces_.data());
+  if (!laws_.worn.is(WornRule::Unloaded))
+    changing_ += applyWornRule(laws_.worn, links_.part(0, links_.size()), surfaces(), dt);
+  if (laws_.resistsSlip)
+    resistSlip();
   if (laws_.centresViscosity)
     centreViscosity(a, dt, border, inside);
 }
 
 // Within a step forces see the velocities of half a step ago. In set-up the lag that they had when
 // the forces of this step were computed gives them again, so that viscous forces do not change; the
-// rest makes that exact, where the lag is a rounded difference.
+// rest makes that exact, where the lag is a rounded difference. Angular velocities matter to a
+// set-up only where laws see slip.
 void Step::packMotion(const Automata &a, bool advance)
 {
   dimension() == 2 ? packPlane(a, advance) : packSpace(a, advance);
+  for (int m = 0; m < 3 && laws_.seesSpins && !advance; m++)
+    if (const double *lag = a.spinLag[m], *rest = a.spinRest[m]; lag)
+      for (int i = 0; i < spin_.rows(); i++)
+        spinOf(i, m) = spinOf(i, m) - lag[i] - rest[i];
+}
+
+double &Step::spinOf(int row, int component)
+{
+  return component == 2 ? *spin_.row(row) : motion_.row(row)[layout().motion.spin + component];
 }
 
 void Step::packPlane(const Automata &a, bool advance)
@@ -129,6 +150,11 @@ void Step::packSpace(const Automata &a, bool advance)
   }
 }
 
+static double component(const Vector &v, int m)
+{
+  return m == 0 ? v.x : m == 1 ? v.y : v.z;
+}
+
 void Step::keepLag(const Automata &a) const
 {
   for (int m = 0; m < dimension(); m++) {
@@ -138,6 +164,13 @@ void Step::keepLag(const Automata &a) const
       a.rest[m][i] = a.v[i][m] - a.lag[m][i] - *row;
     }
   }
+  for (int m = 0; m < 3; m++)
+    if (double *lag = a.spinLag[m], *rest = a.spinRest[m]; lag)
+      for (int i = 0; i < own(); i++) {
+        const double seen = component(spin(i), m);
+        lag[i] = a.omega[i][m] - seen;
+        rest[i] = a.omega[i][m] - lag[i] - seen;
+      }
 }
 
 void Step::findMeans(const Automata &a)
@@ -150,6 +183,10 @@ void Step::findMeans(const Automata &a)
   addElasticZ(own(), types_.data(), laws_.automata.data(), elasticZ_.data(), response_.data());
 }
 
+// The return mapping is explicit: an automaton's trial stress and its yield stress give M, and each
+// bulk link takes the mean of what M of both sides answers, in the force pass. No automaton waits
+// for the outcome of its neighbours; steps corrected repeats it once with what that outcome was
+// (yieldAgain()). kappa grows in the next state, so that all automata flow by the same present one.
 void Step::findReturns(const Automata &a)
 {
   flowing_.clear();
@@ -209,18 +246,36 @@ const double *Step::showLocal(const Automata &a)
   return local_.data();
 }
 
-// What forces change in half a step, of both automata of a viscous contact.
+Surfaces Step::surfaces() const
+{
+  return {*kernel_, laws_.pairs.data(), motion_.data(), spin_.data()};
+}
+
+void Step::resistSlip()
+{
+  slip_.find(links_.part(0, links_.size()), surfaces());
+  slip_.addForces(*kernel_, forces_.data());
+}
+
+// What forces change in half a step, of both automata of a viscous contact; torques, too, where it
+// resists slip.
 void Step::centreViscosity(const Automata &a, double dt, const Pairs &border, const Pairs &inside)
 {
   double *const forces = forces_.data();
-  exchange_->begin(forces, forces_.length(), dimension());
+  const int torques = dimension() == 2 ? 1 : 3;
+  const int needed = laws_.resistsSlip ? layout().force.torque + torques : dimension();
+  exchange_->begin(forces, forces_.length(), needed);
   const ViscousContacts::Conditions now = {kernel_, dt,       laws_.pairs.data(), response_.data(),
                                            forces,  a.groups, a.integrated,       a.held};
   viscous_.clear();
   viscous_.add(inside, now);
-  exchange_->finish(forces, forces_.length(), dimension());
+  exchange_->finish(forces, forces_.length(), needed);
   viscous_.add(border, now);
+  if (laws_.resistsSlip)
+    slip_.centre(now);
   viscous_.addForces(*kernel_, forces);
+  if (laws_.resistsSlip)
+    slip_.addForces(*kernel_, forces);
 }
 
 // Changes count when their step's outcome is taken over: once, also those of the first step,
@@ -240,6 +295,9 @@ bool Step::commit(const Automata &a)
   return committed_ = true;
 }
 
+// Events are found here and not in the force pass, whose loops only count them: most steps have
+// none, and then no pair is looked at. Both ranks of a pair find the same change, each counts its
+// share, and each counts the ends that it owns.
 void Step::findChanges()
 {
   const Pairs p = links_.part(0, links_.size());

@@ -29,6 +29,7 @@
 #include "laws/elasticity.h"
 #include "laws/vector.h"
 #include "link_list.h"
+#include "slip_viscosity.h"
 #include "viscous_contacts.h"
 
 #include <utility>
@@ -37,38 +38,55 @@
 namespace mca {
 
 /// The automata as their owner keeps them, for one call. Vectors have three components, also in the
-/// plane, where z of places and velocities and x, y of spins are not read.
+/// plane, where z of places and velocities and x, y of spins are not read. Own automata are the
+/// rows 0 to own - 1; behind them come those of guests and images, as LAMMPS's ghosts do. All
+/// belong to the caller.
 struct Automata {
   const double (*x)[3];     ///< places [length], of all rows
   const double (*v)[3];     ///< velocities [length/time], of all rows
   const double (*omega)[3]; ///< angular velocities [1/time], of all rows
-  const int *groups;        ///< bits, of all rows
+  /// Bits of LAMMPS's groups, of all rows; read where viscous contacts are centred.
+  const int *groups;
   /// Automata with a bit of `integrated` and none of `held` follow the forces; the others keep
   /// their velocity, whatever acts on them.
   int integrated, held;
-  double *kappa;    ///< equivalent plastic strain [-], of own automata
-  double *elasticZ; ///< elastic strain across the plane [-], of own automata
+  /// Equivalent plastic strain [-], of own automata; read by run(), written by commit().
+  double *kappa;
+  /// Elastic strain across the plane [-], of own automata; read by run(), written by commit(), both
+  /// only where LawTables::flowsAcross.
+  double *elasticZ;
   /// By how much the velocities differ from those that the present forces saw, which are of half a
   /// step before: `lag`, and `rest`, what rounding took from it [length/time]. One array a
   /// dimension, of all rows. Written by keepLag(), read in set-up.
   double *lag[3], *rest[3];
+  /// The same of the angular velocities [1/time], where laws see slip; else, and of the components
+  /// that a dimension does not have, nullptr.
+  double *spinLag[3], *spinRest[3];
 };
 
+/// The step of one rank. Order of calls: setLaws(), setExchange(); for each new list
+/// links().reset() and add(), then begin(); then run() for set-up and for each step, commit() by
+/// run() or, before the list changes, by the caller. What it answers is of the last run(). Rows and
+/// pairs are numbered from 0; numbers of pairs are not checked.
 class Step {
  public:
-  /// \param dimension  2 or 3
+  /// \param dimension  2 or 3; all but 2 counts as space
   /// \param kernel     of this dimension; nullptr: the fastest that this processor runs
   explicit Step(int dimension, const Kernel *kernel = nullptr);
 
+  /// 2 or 3.
   int dimension() const { return kernel_->dimension; }
 
   // ---- what it is made of
 
-  /// \param tables  replace the former ones; the list holds numbers of them
+  /// Replaces the laws. The list of pairs holds numbers of their entries: it has to be made anew
+  /// where their number or order changes.
+  /// \param tables  in units in which a stress is an energy per volume
   void setLaws(LawTables tables) { laws_ = std::move(tables); }
   const LawTables &laws() const { return laws_; }
 
-  /// \param exchange  outlives the step; without a call the step is alone
+  /// \param exchange  outlives the step; without a call the step is alone. Before the begin() of
+  ///                  the list that has guests
   void setExchange(Exchange &exchange) { exchange_ = &exchange; }
   Exchange &exchange() const { return *exchange_; }
 
@@ -77,11 +95,13 @@ class Step {
   const LinkList &links() const { return links_; }
 
   /// The list was made anew, of present states. What the old one led to is dropped: it was taken
-  /// over by commit() and takeChanges(), or is found again in set-up.
+  /// over by commit() and takeChanges(), or is found again in set-up. Sizes all rows; sums come
+  /// with the next run().
   /// \param own     automata of this rank
   /// \param all     rows with those of guests and periodic images, at which pairs may meet
-  /// \param types   of own automata, numbers in the tables of laws
-  /// \param border  so many first pairs may have guests; the others wait for no message
+  /// \param types   of own automata, numbers in the tables of laws; copied
+  /// \param border  so many first pairs may have guests; the others wait for no message. Rounded up
+  ///                to whole blocks
   void begin(int own, int all, const int *types, int border);
 
   /// Rows of own automata, of the present list.
@@ -95,63 +115,84 @@ class Step {
 
   // ---- what it does
 
-  /// One evaluation; called by all ranks.
-  /// \param dt       the step [time]
+  /// One evaluation; called by all ranks, with the same dt and advance.
+  /// \param dt       the step [time], > 0; CriticalStep says how long it may be, which is not
+  ///                 checked here
   /// \param advance  true: the automata have moved by dt, and what the last evaluation led to
-  ///                 becomes present. false: set-up, the same forces as before
+  ///                 becomes present. false: set-up, the same forces as before: velocities less lag
+  ///                 and rest, and no shear grows
   void run(const Automata &, double dt, bool advance);
 
   /// Makes the next state of the automata the present one and finds the pairs that change their
-  /// kind. The pairs themselves go on by LinkList::advance() or a new list.
-  /// \return false if this was done since the last run()
+  /// kind. The pairs themselves go on by LinkList::advance() or a new list. run() does it with
+  /// advance; a caller does it first where it needs changes() or will make the list anew.
+  /// \return false if this was done since the last run(); then nothing changes
   bool commit(const Automata &);
 
-  /// After a step: writes lag and rest of own automata.
+  /// After a step: writes lag and rest of own automata, velocity now less the one that the forces
+  /// saw. The rest is what the subtraction rounded off, so that v - lag - rest is that velocity
+  /// exactly.
   void keepLag(const Automata &) const;
 
-  /// Pairs, on this rank, whose next state is of another kind.
+  /// Pairs, on this rank, whose next state is of another kind; those of two ranks count on both. 0
+  /// after commit().
   double changing() const { return changing_; }
 
-  /// A pair whose kind changed, linked before or after or both.
+  /// A pair whose kind changed, linked before or after or both: a break, a new link, or one that
+  /// healed.
   struct Change {
     int pair;
     double before, after; ///< kinds
   };
-  /// By the last commit().
+  /// By the last commit(); until the next one. Pairs of two ranks are in the lists of both, see
+  /// isOurs().
   const std::vector<Change> &changes() const { return changed_; }
 
-  /// Adds the links broken and formed of each own automaton since the last call or begin().
+  /// Adds the links broken and formed of each own automaton since the last call or begin(), and
+  /// begins to count anew. Called before the list changes, else they are lost.
+  /// \param broken,formed  of own automata, added to; a link counts at both of its ends
   void takeChanges(double *broken, double *formed);
 
   // ---- what it answers, of the last evaluation
 
   const RowLayout &layout() const { return kernel_->rows; }
 
-  /// Forces and torques [force, force length] of own automata, in rows as layout() says.
+  /// Forces and torques [force, force length] of own automata, in rows as layout() says. Those of
+  /// contacts only; rows behind them hold parts that are not complete.
   const RowArray &forces() const { return forces_; }
 
-  /// The state of automaton i in this evaluation.
+  /// The state of automaton i in this evaluation. Stresses are energies per volume, tension
+  /// positive.
   struct Automaton {
     StressTensor stress;    ///< averaged, elastic, before the return [stress]
     double mean, intensity; ///< mean stress, stress intensity [stress]
-    double energy;          ///< elastic energy [energy]
+    /// Elastic energy [energy], also that of e_zz; before the return, as the stress.
+    double energy;
   };
   /// \throw std::out_of_range  not an own automaton; the same below
   Automaton automaton(int i) const;
-  Vector force(int i) const;    ///< [force]
-  Vector torque(int i) const;   ///< [force length]
-  double elasticZ(int i) const; ///< elastic strain across the plane [-]
+  /// Force of all contacts on it [force]; z is 0 in the plane.
+  Vector force(int i) const;
+  /// Torque of all contacts on it [force length]; only z in the plane.
+  Vector torque(int i) const;
+  /// Elastic strain across the plane [-], in this evaluation and in the next; 0 without plasticity
+  /// j2.
+  double elasticZ(int i) const;
   double elasticZNext(int i) const;
+  /// Number of its material in the tables of laws.
   int type(int i) const { return types_.at(i); }
 
-  /// Plastic work [energy] of an automaton of this type that has flowed by kappa [-].
+  /// Plastic work [energy] of an automaton of this type that has flowed by kappa [-]: V times the
+  /// area below the yield curve up to there.
   double plasticWork(int type, double kappa) const
   {
     return laws_.automata[type].curve.work(kappa) * laws_.volumes[type];
   }
 
-  // of all rows that are in pairs
-  Vector place(int row) const;    ///< where it was [length]; of images, too
+  /// Where a row of a pair was [length]; of images, too. This and what follows to factor() is of
+  /// all rows that are in pairs.
+  /// \throw std::out_of_range  there is no such row
+  Vector place(int row) const;
   Vector velocity(int row) const; ///< that the forces saw [length/time]
   Vector spin(int row) const;     ///< [1/time]
   double mean(int row) const;     ///< mean stress [stress]
@@ -159,7 +200,9 @@ class Step {
 
   // of pair k
   const PairLaw &law(int k) const { return laws_.pairs[links_.pairs().law[k]]; }
-  ContactStress contact(int k) const;          ///< [stress]; shears are lengths of vectors in space
+  ContactStress contact(int k) const; ///< [stress]; shears are lengths of vectors in space
+  /// Its viscous shear stress (viscosity both), which contact() has not [stress].
+  Vector slipStress(int k) const { return slip_.stress(k); }
   Vector contactForce(int k) const;            ///< on its first automaton [force]
   Vector normal(int k) const;                  ///< unit vector to its second automaton [-]
   Vector alongShear(int k, double size) const; ///< of this size, along the shear
@@ -196,6 +239,7 @@ class Step {
   RowArray kappaNext_, elasticZ_, elasticZNext_;            // of own automata
   RowArray linkChanges_; // broken and formed of own automata, since takeChanges()
   ViscousContacts viscous_;
+  SlipViscosity slip_;
 
   std::vector<std::pair<int, int>> flowing_; // ranges of rows whose equivalent plastic strain grows
   double changing_ = 0.0;                    // pairs whose next state is another kind
@@ -205,11 +249,14 @@ class Step {
   void packMotion(const Automata &, bool advance);
   void packPlane(const Automata &, bool advance);
   void packSpace(const Automata &, bool advance);
+  double &spinOf(int row, int component);
   void findMeans(const Automata &);
   void findReturns(const Automata &);
   void yield(const double *kappa, int from, int to);
   void yieldAgain(const Automata &, const Pairs &border, const Pairs &inside);
   const double *showLocal(const Automata &);
+  Surfaces surfaces() const;
+  void resistSlip();
   void centreViscosity(const Automata &, double dt, const Pairs &border, const Pairs &inside);
   void findChanges();
 };

@@ -128,7 +128,7 @@ Vector Step::contactForce(int k) const
   const ContactStress s = contact(k);
   const Vector stress =
       s.normal * normal(k) + 1.0 / (1.0 + links_.pairs().eps[k]) * alongShear(k, s.shear);
-  return law(k).area * stress;
+  return law(k).area * (stress + slipStress(k));
 }
 
 double Step::distance(int k) const
@@ -162,7 +162,7 @@ Step::Count Step::count() const
 
 double Step::bytes() const
 {
-  double sum = links_.bytes();
+  double sum = links_.bytes() + slip_.bytes();
   for (const RowArray *rows : {&motion_, &spin_, &strains_, &stresses_, &response_, &forces_,
                                &local_, &kappaNext_, &elasticZ_, &elasticZNext_, &linkChanges_})
     sum += rows->bytes();

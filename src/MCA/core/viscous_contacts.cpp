@@ -10,25 +10,19 @@ void ViscousContacts::add(const Pairs &p, const Conditions &step)
   const int dimension = step.kernel->dimension;
   const RowLayout &rows = step.kernel->rows;
   const double half = 0.5 * step.dt;
-  auto follows = [&step](int i) {
-    const int bits = step.groups[i];
-    return (bits & step.integrated) && !(bits & step.held) ? 1.0 : 0.0;
-  };
   for (int first = 0; first < p.n; first += blockLength) {
     const Block &block = p.blocks[first / blockLength];
     if (block.bulk && !block.moves)
       continue;
-    const double *const kindNext = block.moves ? p.next.kind : p.now.kind;
     const int last = std::min(first + blockLength, p.n);
     for (int k = first; k < last; k++) {
-      const bool holds = link::isLinked(p.now.kind[k]) & link::isLinked(kindNext[k]);
-      const double e = p.eps[k] - p.now.plastic[k];
-      if (holds | (e >= 0.0))
+      if (!isViscous(p, block, k))
         continue;
+      const double e = p.eps[k] - p.now.plastic[k];
       const PairLaw &law = step.laws[p.law[k]];
       const int i = p.i[k], j = p.j[k];
-      const double moveI = half * law.invMassI * follows(i);
-      const double moveJ = half * law.invMassJ * follows(j);
+      const double moveI = half * law.invMassI * step.follows(i);
+      const double moveJ = half * law.invMassJ * step.follows(j);
       const double *const forceI = step.forces + static_cast<size_t>(i) * rows.force.length;
       const double *const forceJ = step.forces + static_cast<size_t>(j) * rows.force.length;
       double kick = 0.0;

@@ -13,8 +13,20 @@
 
 namespace mca {
 
+/// Whether pair k of a block is a viscous contact in this step: pressed, e < 0, and unlinked or
+/// breaking. After the force pass.
+inline bool isViscous(const Pairs &p, const Block &block, int k)
+{
+  if (block.bulk && !block.moves)
+    return false;
+  const double next = block.moves ? p.next.kind[k] : p.now.kind[k];
+  return !(link::isLinked(p.now.kind[k]) & link::isLinked(next)) &
+         (p.eps[k] - p.now.plastic[k] < 0.0);
+}
+
 /// The viscous contacts of a step, which few pairs are. First all are collected, while the forces
-/// are still those of the force pass; then what their velocities change is added to these.
+/// are still those of the force pass; then what their velocities change is added to these. The
+/// order within a step is clear(), add() for each part of the list, addForces().
 class ViscousContacts {
  public:
   /// What a step knows of its automata, in rows as the kernel has them.
@@ -31,6 +43,12 @@ class ViscousContacts {
     /// Automata with a bit of `integrated` and none of `held` follow the forces; the others keep
     /// their velocity, whatever acts on them.
     int integrated, held;
+
+    /// 1 for an automaton that follows the forces, else 0.
+    double follows(int i) const
+    {
+      return (groups[i] & integrated) && !(groups[i] & held) ? 1.0 : 0.0;
+    }
   };
 
   /// Forgets the contacts of the last step.
@@ -49,7 +67,9 @@ class ViscousContacts {
   /// A viscous contact: rows of both automata and the change of its force.
   struct Contact {
     int i, j;
-    double force[3]; ///< on i
+    /// Change of the force on i [force]; that on j is its opposite, since viscosity acts along the
+    /// normal and there is no torque.
+    double force[3];
   };
   std::vector<Contact> contacts_;
 };

@@ -13,9 +13,11 @@ namespace mca {
 struct AutomatonLaw {
   double bulkModulus, shearModulus; ///< K, G [stress]
   double D;                         ///< 1 - 2G/(3K), or 0 for the pairwise law [-]; for energies
-  double yields;                    ///< 1 with radial return, 0 without
+  /// 1 with radial return, 0 without; a factor in a loop without branches.
+  double yields;
   YieldCurve curve;
-  double weight; ///< q S/V of the packing [-]
+  /// q S/V of the packing [-], the weight of a contact in the averaged stress.
+  double weight;
 };
 
 } // namespace mca

@@ -17,32 +17,57 @@
 
 namespace mca {
 
-/// Laws of one ordered pair of materials (i, j).
+/// Laws of one ordered pair of materials (i, j): all that a loop over contacts reads of both. Made
+/// by makePairLaw() of law_set.h; LawTables::pairs has both (i, j) and (j, i) of unlike materials,
+/// so that no loop exchanges sides. Of unlike materials d and eta are the means and S is that of
+/// the mean d (doc/laws.md, Unlike materials). All numbers are finite but the limits of transitions
+/// that are switched off, which are infinite.
 struct PairLaw {
   double diameter, invDiameter; ///< d [length], 1/d
-  double area;                  ///< contact area S [length^2]
-  double twoGi, twoGj;          ///< 2G of both sides [stress]
-  double twoG, invTwoG;         ///< their mean [stress], and 1/mean
-  double Di, Dj;                ///< weight of the mean stress of both sides [-]
-  double viscosity;             ///< eta [stress time]
-  double invMassI, invMassJ;    ///< 1/m of both sides [1/mass]
+  /// Contact area S of the packing for this d [length^2]; it holds the thickness h in the plane.
+  double area;
+  /// 2G of both sides [stress], > 0.
+  double twoGi, twoGj;
+  /// Their mean [stress], and 1/mean: the shear stiffness of the contact, and what makes strains of
+  /// returned stresses.
+  double twoG, invTwoG;
+  /// Weight of the mean stress of both sides [-]; 0 with elasticity pairwise.
+  double Di, Dj;
+  /// eta [stress time], >= 0; 0 where viscosity none is chosen.
+  double viscosity;
+  /// 1/m of both sides [1/mass], m = rho V of the cell; what holds an automaton is not known here.
+  double invMassI, invMassJ;
+  /// When links break, form and heal; strengths are those of the weaker material.
   LinkLimits limits;
+  double invInertiaI, invInertiaJ; ///< 1/J of both sides [1/(mass length^2)]
+  double breakingStrain;           ///< eps_c of the tougher material [-]
 };
 
-/// The present state of a contact and its strains. Of an unlinked one both shears are 0.
+/// The present state of a contact and its strains, as its laws see them. Of an unlinked one both
+/// shears are 0: what PairState keeps in their place, plastic work, is no shear and is taken out
+/// before.
 struct Contact {
-  double kind;       ///< link::worn, none, bulk or weld
-  double eps;        ///< total normal strain r/d - 1 [-]
-  double plastic;    ///< plastic offset of it [-]
-  double gamma;      ///< elastic shear [-], in space its length
-  double gammaTotal; ///< total shear since linking [-], in space its length
-  double separation; ///< normal velocity of j seen from i [length/time]
+  double kind; ///< link::worn, none, bulk or weld
+  /// Total normal strain r/d - 1 [-], > -1.
+  double eps;
+  /// Plastic offset of it [-]; the elastic strain is eps - plastic.
+  double plastic;
+  /// Elastic shear [-], an angle along t, in space the length of the vector.
+  double gamma;
+  /// Total shear since linking [-], not reduced by flow, in space the length of the vector.
+  double gammaTotal;
+  /// Normal velocity of j seen from i [length/time], > 0 when they part. Only unlinked contacts and
+  /// links that break in this step read it.
+  double separation;
 };
 
-/// What an automaton answers its contacts.
+/// What an automaton answers its contacts: all that a contact knows of it, a row
+/// RowLayout::Response. Known after the yield pass; for automata of other ranks after the message
+/// that follows.
 struct Answer {
-  double mean;   ///< mean stress [stress]
-  double factor; ///< M of the radial return [-]
+  double mean; ///< mean stress [stress]
+  /// M of the radial return [-], in [0, 1]; exactly 1 where the automaton does not flow.
+  double factor;
   /// What the normal stresses of its bulk links return to [stress]: in the plane the mean stress,
   /// in space the mean of sigma over its bulk links. Both are the same where all contacts are bulk
   /// links; elsewhere only the latter makes sure that flow dissipates, since what the automaton
@@ -62,7 +87,9 @@ inline double elasticStress(const PairLaw &law, double e, double meanI, double m
 
 /// Normal stress of a bulk link after the radial return of its automata [stress],
 ///     sigma - [ (1-M_i)(sigma - centre_i) + (1-M_j)(sigma - centre_j) ]/2
-/// (doc/laws.md, Plasticity).
+/// (doc/laws.md, Plasticity; Psakhie et al., Phys. Mesomech. 14 (2011) 224, with the mean of both
+/// sides). Each side takes half, so that an automaton that flows alone is returned by half of what
+/// its own yield stress asks for; see secondReturn().
 /// \param sigma  elastic normal stress before it [stress]
 /// \param i,j    what both automata answer
 inline double returnedStress(double sigma, const Answer &i, const Answer &j)
@@ -71,22 +98,29 @@ inline double returnedStress(double sigma, const Answer &i, const Answer &j)
          0.5 * ((1.0 - i.factor) * (sigma - i.centre) + (1.0 - j.factor) * (sigma - j.centre));
 }
 
-/// What the return leaves of the shear of a bulk link [-], (M_i + M_j)/2: 1 where neither flows.
+/// What the return leaves of the shear of a bulk link [-], (M_i + M_j)/2: 1 where neither flows, in
+/// which case no digit of the shear changes.
 inline double returnedShare(const Answer &i, const Answer &j)
 {
   return 0.5 * (i.factor + j.factor);
 }
 
-/// Elastic stresses of a contact [stress], tension positive.
+/// Elastic stresses of a contact [stress], tension positive; without viscosity.
 struct ElasticStresses {
-  double trial;      ///< elastic normal stress before the radial return
-  double sigma, tau; ///< after it, which decide on the next kind
+  /// Elastic normal stress before the radial return, also of a pair that is apart, where it acts on
+  /// nothing.
+  double trial;
+  /// After it, which decide on the next kind. sigma of an unlinked pair that is apart is 0; tau is
+  /// that of the shear given, a signed number in the plane and a length >= 0 in space.
+  double sigma, tau;
 };
 
 /// Stresses of a contact before and after the return. Linked contacts bear tension, too; an
-/// unlinked one has a stress only while it is pressed, e < 0. Only bulk links are returned.
-/// \param c    present state and strains; the shear is its size
+/// unlinked one has a stress only while it is pressed, e < 0. Only bulk links are returned: welds
+/// are brittle.
+/// \param c    present state and strains; gamma is its size
 /// \param i,j  what both automata answer
+/// \return numbers for any finite input; conditions are selected, not branched on
 inline ElasticStresses elasticStresses(const PairLaw &law, const Contact &c, const Answer &i,
                                        const Answer &j)
 {
@@ -101,17 +135,21 @@ inline ElasticStresses elasticStresses(const PairLaw &law, const Contact &c, con
   return {trial, isBulk ? returned : touching * trial, isBulk ? returnedShear : elasticShear};
 }
 
-/// Stresses of a contact [stress], tension positive, and what it turns into.
+/// Stresses of a contact [stress], tension positive, and what it turns into. Their shears are along
+/// t in the plane, with their sign, and in space the length along the present shear.
 struct ContactStress {
-  double trial;         ///< elastic normal stress before the radial return
-  double sigma, tau;    ///< elastic stresses after it, which decide on the next kind
-  double normal, shear; ///< what makes the force: with viscosity, and none of a link that breaks
-  double kindNext;      ///< kind from the next step on
+  double trial;      ///< elastic normal stress before the radial return
+  double sigma, tau; ///< elastic stresses after it, which decide on the next kind
+  /// What makes the force: with viscosity, and without tension and shear of a link that breaks.
+  double normal, shear;
+  /// Kind from the next step on. A link that is new has no force of a link in this step.
+  double kindNext;
 };
 
 /// The stresses of a contact whose next kind is known. A link that holds has its elastic stresses;
 /// one that breaks in this step, or a pair that was unlinked, has compression with viscosity and no
-/// shear.
+/// shear. So the force depends on the present state alone, and on the breaking that follows from
+/// it; linking and healing act from the next step on.
 /// \param s         of elasticStresses() [stress]
 /// \param kindNext  what it is from the next step on
 inline ContactStress contactStress(const PairLaw &law, const Contact &c, const ElasticStresses &s,
@@ -126,6 +164,8 @@ inline ContactStress contactStress(const PairLaw &law, const Contact &c, const E
 }
 
 /// The same from what both automata answer.
+/// \param kindNext  as nextKind() of linking.h found it for this very evaluation, as for the
+///                  questions of Step::contact(), which do not decide again
 inline ContactStress contactStress(const PairLaw &law, const Contact &c, const Answer &i,
                                    const Answer &j, double kindNext)
 {
@@ -133,9 +173,12 @@ inline ContactStress contactStress(const PairLaw &law, const Contact &c, const A
 }
 
 /// What a criterion sees of a contact as if it were a bulk link. Its elastic strains are those
-/// after the return: what flowed is taken off the normal strain, the shear is tau/2G.
+/// after the return: what flowed is taken off the normal strain, the shear is tau/2G. Welds and
+/// unlinked contacts are asked, too: what would break at once as a bulk link does not heal.
 /// \param s     of elasticStresses() [stress]
-/// \param face  of faceStress(), for criteria that need the local stress [stress]
+/// \param i,j   what both automata answer; the mean stresses are handed on
+/// \param face  of faceStress(), for criteria that need the local stress [stress]; its sigma and
+///              tau are not read, those of the contact take their places
 inline LinkLoad linkLoad(const PairLaw &law, const Contact &c, const ElasticStresses &s,
                          const Answer &i, const Answer &j, const LocalStress &face)
 {
@@ -150,10 +193,13 @@ inline LinkLoad linkLoad(const PairLaw &law, const Contact &c, const ElasticStre
           {s.sigma, s.tau, face.along, face.across}};
 }
 
-/// The same, and decides on the next kind by nextKind() of linking.h.
+/// The same, and decides on the next kind by nextKind() of linking.h. The kernel's force pass is
+/// this function for all pairs but those of blocks of bulk links of which none breaks by its
+/// strain.
 /// \tparam Criterion  of FractureCriteria, by which bulk links break
-/// \param face        of faceStress() [stress]; only for criteria that need the local stress
-/// \param worked      the plastic work reaches linkWork
+/// \param c       with the size of its shears, and the separation that the force pass knows
+/// \param face    of faceStress() [stress]; only for criteria that need the local stress
+/// \param worked  the plastic work reaches LinkLimits::linkWork; false where no law counts it
 template<class Criterion>
 inline ContactStress contactStress(const PairLaw &law, const Contact &c, const Answer &i,
                                    const Answer &j, const LocalStress &face = {},
@@ -164,8 +210,8 @@ inline ContactStress contactStress(const PairLaw &law, const Contact &c, const A
   return contactStress(law, c, s, nextKind(c.kind, s.sigma, s.tau, bulkBreaks, law.limits, worked));
 }
 
-/// The size of a shear by which laws decide: in the plane a signed number, in space a length >= 0.
-/// Either has the dimension of the shear.
+/// The size of a shear by which laws decide: in the plane the signed number itself, of which
+/// criteria take the square, in space a length >= 0. Either has the dimension of the shear.
 inline double shearSize(double shear)
 {
   return shear;
@@ -176,7 +222,8 @@ inline double shearSize(const Vector &shear)
   return length(shear);
 }
 
-/// Elastic shear stress of a bulk link after the return [stress].
+/// Elastic shear stress of a bulk link after the return [stress], for blocks in which no link
+/// breaks.
 /// \param left   of returnedShare() [-]
 /// \param twoG   mean 2G of both sides [stress]
 /// \param gamma  elastic shear [-]
@@ -185,22 +232,27 @@ inline double returnedShear(double left, double twoG, double gamma)
   return left * (twoG * gamma);
 }
 
-/// The same in space, along the shear.
+/// The same in space: a vector along the shear, whose direction stays.
 inline Vector returnedShear(double left, double twoG, const Vector &gamma)
 {
   return (left * twoG) * gamma;
 }
 
 /// How the shear of a contact goes on: what is left of it, and the stress that acts along it.
+/// \tparam Shear  a number in the plane, a Vector in space
 template<class Shear>
 struct ShearAnswer {
-  double left;  ///< exactly 1 where nothing flows [-]
-  Shear acting; ///< [stress]
+  /// Factor of the elastic shear from the next step on, while the pair stays linked [-]; exactly 1
+  /// where nothing flows.
+  double left;
+  /// What makes the force [stress]; 0 of an unlinked contact and of a link that breaks.
+  Shear acting;
 };
 
 /// In the plane: the stress is that of the contact, with its sign.
 /// \param s     of a contact with the shear's size
-/// \param left  of the shear, by the returns of both automata [-]
+/// \param left  of the shear, by the returns of both automata [-]; of returnedShare() for bulk
+///              links, else 1
 inline ShearAnswer<double> shearAnswer(const PairLaw &, double /*gamma*/, double /*size*/,
                                        const ContactStress &s, double left)
 {
@@ -208,8 +260,10 @@ inline ShearAnswer<double> shearAnswer(const PairLaw &, double /*gamma*/, double
 }
 
 /// In space: both stresses, which are lengths, act along the shear; without a shear there are none.
-/// \param gamma  elastic shear before the return [-]
-/// \param size   its length [-]
+/// The share that is left is found from the stresses, so that it agrees with them to rounding.
+/// \param gamma  elastic shear before the return [-], perpendicular to the normal
+/// \param size   its length [-], >= 0
+/// \param s      of a contact with this length as its gamma
 inline ShearAnswer<Vector> shearAnswer(const PairLaw &law, const Vector &gamma, double size,
                                        const ContactStress &s, double /*left*/)
 {
@@ -218,14 +272,21 @@ inline ShearAnswer<Vector> shearAnswer(const PairLaw &law, const Vector &gamma, 
 }
 
 /// What a contact is from the next step on: plastic offset of the normal strain, elastic shear and
-/// total shear [-].
+/// total shear [-]. Its kind is ContactStress::kindNext.
 template<class Shear>
 struct NextState {
   double plastic;
   Shear gamma, gammaTotal;
 };
 
-/// \param left  of its shear [-]; see shearAnswer()
+/// The next state (doc/laws.md, Plasticity and Links). The offset takes what flowed, (trial -
+/// sigma)/2G; an unlinked pair keeps it until its automata are apart, eps > max(offset, 0), and
+/// both surfaces are whole again. Shears last only while a link lasts: a new link begins with none,
+/// a healed weld keeps both.
+/// \param s           of this contact
+/// \param gamma       elastic shear at this step, before the return [-]
+/// \param gammaTotal  total shear since linking [-]; 0 of an unlinked contact
+/// \param left        of its elastic shear [-]; see shearAnswer()
 template<class Shear>
 inline NextState<Shear> nextState(const PairLaw &law, const Contact &c, const ContactStress &s,
                                   const Shear &gamma, const Shear &gammaTotal, double left)
@@ -243,17 +304,19 @@ inline NextState<Shear> nextState(const PairLaw &law, const Contact &c, const Co
 /// opposite force and the same torque, so that momentum and angular momentum are kept (doc/laws.md,
 /// Elasticity).
 struct PlaneForce {
-  double x, y;   ///< [force]
-  double torque; ///< [force length]
+  double x, y; ///< [force]
+  /// About z, positive from x to y [force length].
+  double torque;
 };
 
-/// The same in space: [force], [force length].
+/// The same in space: [force], [force length]; both along the axes of the box.
 struct SpaceForce {
   Vector force, torque;
 };
 
-/// Force sigma S n + tau S (d/r) t and torque tau S d/2. The shear force acts along t at the
-/// distance r; its moment keeps U's gradient exact (elasticity.h).
+/// Force sigma S n + tau S (d/r) t and torque tau S d/2. The shear force acts along t, n turned by
+/// +90 degrees, at the distance r; its moment tau S d is what both torques balance, and d/r keeps
+/// the force the gradient of U (elasticity.h).
 /// \param normal,shear  stresses that make the force [stress], tension positive
 /// \param eps           total normal strain r/d - 1 [-], > -1
 /// \param n             unit normal from i to j [-]
@@ -264,8 +327,8 @@ inline PlaneForce contactForce(const PairLaw &law, double normal, double shear, 
   return {fn * n.x - ft * n.y, fn * n.y + ft * n.x, 0.5 * shear * law.area * law.diameter};
 }
 
-/// In space the moment is (d/2) n x tau S.
-/// \param shear  shear stress, perpendicular to n [stress]
+/// The same in space, where the moment is (d/2) n x tau S on either automaton.
+/// \param shear  shear stress [stress], perpendicular to n: a part along n would be a normal stress
 inline SpaceForce contactForce(const PairLaw &law, double normal, const Vector &shear, double eps,
                                const Vector &n)
 {

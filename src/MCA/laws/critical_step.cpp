@@ -109,7 +109,29 @@ static double pressedStep(const Material &m, const Packing &packing)
                          (1.0 / (r * r) + turning));
 }
 
-CriticalStep criticalStep(const Material &m, double D, double viscosity, const Packing &packing)
+// What is damped fastest: its rate lambda [c/m], and the part of it that is one contact's own.
+struct Damping {
+  double rate, own;
+};
+
+// Without slip: an automaton moves against all its neighbours.
+static Damping dampingOfMoves(const Packing &packing)
+{
+  const double share = static_cast<double>(packing.dimension) / packing.coordination; // D/N
+  return {2.0 / share, share};
+}
+
+// With slip: all automata turn alike, each contact slips by d omega x n. Since J is small that
+// decays faster than any motion of the centres: for all modes, 2 N c/m bounds their part.
+static Damping dampingOfTurns(const Packing &packing)
+{
+  const double across = packing.dimension == 2 ? 1.0 : 2.0 / 3.0; // mean square of omega x n/omega
+  const double contacts = across * packing.coordination;
+  return {0.5 * contacts / packing.inertia, (1.0 + 4.0 * packing.inertia) / contacts};
+}
+
+CriticalStep criticalStep(const Material &m, double D, double viscosity, const Packing &packing,
+                          bool slips)
 {
   // A grid over the reciprocal cell that holds the zone's corners and the middles of its sides and
   // faces, where the largest frequencies lie. Phases of the lattice's edges; opposite wave vectors
@@ -131,13 +153,12 @@ CriticalStep criticalStep(const Material &m, double D, double viscosity, const P
         largest = std::max(largest, squaredFrequency(m, D, packing, neighbours,
                                                      static_cast<int>(lattice.basis.size()), wave));
       }
+  const Damping fastest = slips ? dampingOfTurns(packing) : dampingOfMoves(packing);
   const Cell cell{packing, m.diameter};
   const double damping = viscosity * cell.contactArea() / m.diameter;
-  const double viscous =
-      damping > 0.0 ? packing.dimension * cell.mass(m.density) / (packing.coordination * damping)
-                    : std::numeric_limits<double>::infinity();
-  const double own = static_cast<double>(packing.dimension) / packing.coordination;
-  return {2.0 / std::sqrt(largest), viscous, pressedStep(m, packing), own};
+  const double viscous = damping > 0.0 ? 2.0 * cell.mass(m.density) / (fastest.rate * damping)
+                                       : std::numeric_limits<double>::infinity();
+  return {2.0 / std::sqrt(largest), viscous, pressedStep(m, packing), fastest.own};
 }
 
 double CriticalStep::plain() const

@@ -23,14 +23,17 @@
 
 namespace mca {
 
-/// Symmetric stress tensor [stress]; in the plane xz = yz = 0.
+/// Symmetric stress tensor [stress], tension positive, along the axes of the box; in the plane xz =
+/// yz = 0, and zz is what the plane's condition makes it.
 struct StressTensor {
   double xx, yy, xy, zz, xz = 0.0, yz = 0.0;
 };
 
-/// sigma_mean = K w sum e = K tr(eps) [stress].
-/// \param sumStrain    sum of the elastic normal strains of the contacts [-]
-/// \param bulkModulus  K [stress]
+/// sigma_mean = K w sum e = K tr(eps) [stress], since sum n n = (N/D) 1 over the contacts of an
+/// automaton inside. Where contacts are missing, at a surface, the sum has fewer terms and the
+/// stress is lower.
+/// \param sumStrain    sum of the elastic normal strains of the contacts that touch [-]
+/// \param bulkModulus  K [stress]; K' of planeStressModuli() under plane stress
 /// \param weight       w of the packing [-]
 inline double meanStress(double sumStrain, double bulkModulus,
                          double weight = packing::hex.stressWeight())
@@ -39,7 +42,8 @@ inline double meanStress(double sumStrain, double bulkModulus,
 }
 
 /// One contact's share of the averaged stress (1/V) sum_j q S n (sigma n + tau t) of either of its
-/// automata, symmetrised [stress]; t is n turned by +90 degrees, zz is left 0.
+/// automata, symmetrised [stress]; t is n turned by +90 degrees, zz is left 0. Both automata get
+/// the same share: n and t turn round together, and a stress does not see it.
 /// \param sigma,tau  stresses of the contact [stress]
 /// \param nx,ny      unit normal from the first to the second automaton [-]
 inline StressTensor stressShare(double sigma, double tau, double nx, double ny)
@@ -62,8 +66,9 @@ inline StressTensor stressShare(double sigma, const Vector &tau, const Vector &n
           sigma * n.y * n.z + 0.5 * (n.y * tau.z + n.z * tau.y)};
 }
 
-/// Stress tensor of an automaton in space [stress].
-/// \param sums    of its contacts' shares: xx, yy, xy, zz, xz, yz [stress]
+/// Stress tensor of an automaton in space [stress]. Nothing is assumed of any direction, so that
+/// sides without contacts bear none.
+/// \param sums    six sums of its contacts' shares: xx, yy, xy, zz, xz, yz [stress]
 /// \param weight  w of the packing [-]
 inline StressTensor weighted(const double *sums, double weight)
 {
@@ -71,21 +76,29 @@ inline StressTensor weighted(const double *sums, double weight)
           weight * sums[3], weight * sums[4], weight * sums[5]};
 }
 
-/// Stress tensor of an automaton from the sum of its contacts' shares: plane strain,
-/// sigma_zz = 3 sigma_mean - sigma_xx - sigma_yy [stress].
+/// Stress tensor of an automaton in the plane from the sums of its contacts' shares [stress]:
+/// sigma_zz = 3 sigma_mean - sigma_xx - sigma_yy, in plane strain that of Hooke's law, 0 with the
+/// moduli of plane stress.
+/// \param xx,yy,xy  sums of stressShare(), with the weight of the packing in them [stress]
+/// \param mean      sigma_mean of the automaton, with K e_zz of plasticity j2 in it [stress]
 inline StressTensor automatonStress(double xx, double yy, double xy, double mean)
 {
   return {xx, yy, xy, 3.0 * mean - xx - yy};
 }
 
-/// One side's normal response sigma_i = 2G e + D sigma_mean,i [stress].
+/// One side's normal response sigma_i = 2G e + D sigma_mean,i [stress] (Psakhie et al. 2011,
+/// Hooke's law along n).
+/// \param e     elastic normal strain of the contact [-]
+/// \param mean  mean stress of this side's automaton, of this step [stress]
 inline double normalResponse(double e, double twoG, double D, double mean)
 {
   return twoG * e + D * mean;
 }
 
-/// Elastic energy of an automaton per volume [stress], from sums over its contacts.
-/// \param sumSquares  sum_j (e^2 + gamma^2) [-]
+/// Elastic energy of an automaton per volume [stress], >= 0 for D >= 0, from sums over its
+/// contacts. Each contact is in the sums of both of its automata.
+/// \param sumSquares  sum_j (e^2 + gamma^2) [-], of contacts that touch
+/// \param mean        mean stress [stress]
 /// \param D           weight of the mean stress [-]
 /// \param weight      w of the packing [-]
 inline double energyDensity(double sumSquares, double mean, double shearModulus, double bulkModulus,
@@ -94,8 +107,9 @@ inline double energyDensity(double sumSquares, double mean, double shearModulus,
   return weight * shearModulus * sumSquares + D * mean * mean / (2.0 * bulkModulus);
 }
 
-/// Rotation of a pair's axis during one step [rad], exact for straight motion: the angle from
-/// r(t - dt) to r(t), arctan(stepT/(r - stepN)), by its series (below 1e-12 up to 0.03 rad).
+/// Rotation of a pair's axis during one step [rad], exact for straight motion: the angle from r(t -
+/// dt) to r(t), arctan(stepT/(r - stepN)), by its series up to the seventh power, which vectorises
+/// (below 1e-12 up to 0.03 rad).
 /// \param slope  relative displacement of the step along t over the former distance along n [-]
 inline double axisRotation(double slope)
 {
@@ -104,8 +118,10 @@ inline double axisRotation(double slope)
 }
 
 /// Increment of the shear of a contact [-]: the axis' rotation less the mean rotation of the two
-/// automata, so that a rigid rotation of the pair leaves no shear at any distance r.
-/// \param turns  sum of the rotations of both automata in the step [rad]
+/// automata, so that a rigid rotation of the pair leaves no shear at any distance r (doc/laws.md,
+/// Strains of a pair).
+/// \param axisTurn  of axisRotation() [rad]
+/// \param turns     sum of the rotations of both automata in the step [rad]
 inline double shearIncrement(double axisTurn, double turns)
 {
   return axisTurn - 0.5 * turns;

@@ -42,7 +42,8 @@ struct FractureCriterion {
   static bool accepts(double /*parameter*/) { return true; }
 };
 
-/// The two materials that a link joins.
+/// The two materials that a link joins, for FractureCriterion's limits(). Holds references: for the
+/// call only.
 struct LinkMaterials {
   const Material &i, &j;
   ElasticModuli moduliI, moduliJ; ///< under the laws of the plane or of space
@@ -55,7 +56,9 @@ struct LinkMaterials {
   double breakingStrain() const { return std::min(i.breakingStrain, j.breakingStrain); }
 };
 
-/// Numbers that a criterion has made of the two materials, for its broken().
+/// Numbers that a criterion has made of the two materials, for its broken(); what each of the four
+/// means is the criterion's own affair, and those that it does not use are not read. Made once for
+/// each pair of materials, so that a loop over links divides nothing.
 struct FractureLimits {
   double value[4];
 };
@@ -69,7 +72,7 @@ struct LocalStress {
   double sigma, tau, along, across;
 };
 
-/// Strains of a link.
+/// Strains of a link, all that is known in the strain pass, before any stress.
 /// \tparam Shear  a number, or in space a vector
 template<class Shear>
 struct LinkStrain {
@@ -97,13 +100,20 @@ struct LinkLoad {
 constexpr double collapseStrain = -0.9;
 
 /// Whether a bulk link breaks, by this criterion or by collapse.
+/// \tparam Criterion  one of FractureCriteria
+/// \tparam Load       LinkLoad, or LinkStrain for a criterion that says strainOnly
+/// \param limits      of this very criterion's limits(); those of another are numbers without a
+///                    meaning
 template<class Criterion, class Load>
 inline bool breaks(const Load &load, const FractureLimits &limits)
 {
   return Criterion::broken(load, limits) | (load.eps <= collapseStrain);
 }
 
-/// Squared stress intensity of a link [stress^2]: max(sigma, 0)^2 + 3 tau^2.
+/// Squared stress intensity of a link [stress^2]: max(sigma, 0)^2 + 3 tau^2, the von Mises form of
+/// one contact's tension and shear; compression does not count.
+/// \param sigma  normal stress [stress], tension positive
+/// \param tau    shear stress [stress], its sign or direction does not count
 inline double linkIntensity2(double sigma, double tau)
 {
   const double opening = sigma > 0.0 ? sigma : 0.0;
@@ -119,7 +129,8 @@ inline LocalStress faceStress(const StressTensor &s, const PlaneVector &n)
 }
 
 /// The same in space. With P = 1 - n n the face has the stress P s P, whose trace is tr s - n.s.n
-/// and whose square is s:s - 2 |s n|^2 + (n.s.n)^2; its principal stresses follow from both.
+/// and whose square is s:s - 2 |s n|^2 + (n.s.n)^2; its principal stresses, in descending order,
+/// follow from both. A square that rounding makes negative counts as 0.
 inline LocalStress faceStress(const StressTensor &s, const Vector &n)
 {
   const Vector t = {s.xx * n.x + s.xy * n.y + s.xz * n.z, s.xy * n.x + s.yy * n.y + s.yz * n.z,

@@ -80,6 +80,13 @@ FractureLimits FractureLaw::limits(LinkMaterials materials) const
   return limits;
 }
 
+FractureLaw &FractureLaw::operator=(const std::string &word)
+{
+  if (!take(word))
+    throw std::invalid_argument("fracture " + word);
+  return *this;
+}
+
 bool bulkBreaks(const LinkLimits &limits, const LinkLoad &load)
 {
   bool broken = false;

@@ -30,6 +30,7 @@ struct CriterionInfo {
 /// since they may be given before the word of fracture itself; problem() says what does not fit.
 class FractureLaw {
  public:
+  /// The keyword itself, as the laws of law_keywords.h have it.
   static constexpr const char *keyword = "fracture";
 
   /// The table of all criteria, in the order of FractureCriteria.
@@ -40,7 +41,8 @@ class FractureLaw {
   const CriterionInfo &criterion() const { return criteria()[number_]; }
   /// Its word; by default that of the first criterion, "strain".
   std::string word() const { return criterion().keyword; }
-  /// Chooses the criterion of this word.
+  /// Chooses the criterion of this word; a number given before stays and is looked at by problem().
+  /// \param word  compared exactly, with its case
   /// \return false if there is no such word; nothing changes then
   bool take(const std::string &word);
   /// The words of all criteria, in the order of FractureCriteria.
@@ -77,13 +79,9 @@ class FractureLaw {
   /// \param materials  their `parameter` is set here: the number given, 1 without one
   FractureLimits limits(LinkMaterials materials) const;
 
-  /// \throw std::invalid_argument  there is no such word
-  FractureLaw &operator=(const std::string &word)
-  {
-    if (!take(word))
-      throw std::invalid_argument("fracture " + word);
-    return *this;
-  }
+  /// For presets and tests.
+  /// \throw std::invalid_argument  there is no such word; nothing changes then
+  FractureLaw &operator=(const std::string &word);
 
  private:
   /// In FractureCriteria.
@@ -93,9 +91,11 @@ class FractureLaw {
       std::vector<Threshold>(FractureCriteria::size, Threshold::off());
 };
 
-/// Whether a bulk link breaks, by the criterion of these limits or by collapse; for few links.
-/// Loops take breaks<Criterion>() instead.
+/// Limits of all transitions of a pair; linking.h.
 struct LinkLimits;
+/// Whether a bulk link breaks, by the criterion of these limits or by collapse; for few links,
+/// since it looks for the criterion each time. Loops take breaks<Criterion>() instead.
+/// \param load  of linkLoad() [-], [stress]
 bool bulkBreaks(const LinkLimits &, const LinkLoad &);
 
 } // namespace mca

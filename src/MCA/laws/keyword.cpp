@@ -4,8 +4,23 @@
 #include "shared/plain_number.h"
 
 #include <charconv>
+#include <limits>
 
 namespace mca {
+
+double Threshold::factor() const
+{
+  if (kind_ != Kind::Factor)
+    throw std::logic_error("this threshold is no multiple");
+  return factor_;
+}
+
+double Threshold::limit(double unit, double ofMaterial) const
+{
+  return isOff()          ? std::numeric_limits<double>::infinity()
+         : isOfMaterial() ? ofMaterial
+                          : factor_ * unit;
+}
 
 std::string Threshold::word(const char *name) const
 {

@@ -12,14 +12,14 @@
 
 #include "material.h"
 
-#include <limits>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
 namespace mca {
 
-/// One word that a keyword takes.
+/// One word that a keyword takes. Words are those of the input script and of restart files, so that
+/// a word that changes its meaning makes old files mean something else.
 struct Option {
   const char *word;
   bool inSpace = true; ///< acts in space, too, not only in the plane
@@ -27,22 +27,26 @@ struct Option {
 
 /// A law of which one of several kinds holds; the first one by default. Keyword and words come from
 /// the base, so that a law is declared once, in law_keywords.h.
-/// \tparam Words  has `keyword`, `options` and an enumeration `Kind` of them, in their order
+/// \tparam Words  has `keyword`, `options`, an array of Option with at least one, and an
+///                enumeration `Kind` of them, in their order
 template<class Words>
 class Choice : public Words {
  public:
   /// The enumeration of the law; its values count from 0 in the order of Words::options.
   using Kind = typename Words::Kind;
 
-  /// The kind that holds.
+  /// The kind that holds; the first of the options until take() or operator= chooses another.
   Kind kind() const { return kind_; }
-  /// Whether this kind holds.
+  /// Whether this kind holds. Laws are asked in set-up only; what loops read of them are numbers
+  /// (PairLaw, AutomatonLaw).
   bool is(Kind kind) const { return kind_ == kind; }
   /// Its word, which take() reads back.
   std::string word() const { return Words::options[kind_].word; }
 
-  /// Makes the kind of this word hold. Words are compared exactly, with their case.
-  /// \return false if there is no such word; nothing changes then
+  /// Makes the kind of this word hold.
+  /// \param word  compared exactly, with its case
+  /// \return false if there is no such word; nothing changes then, and the caller makes the message
+  /// from allowed()
   bool take(const std::string &word)
   {
     int number = 0;
@@ -56,8 +60,8 @@ class Choice : public Words {
     return false;
   }
 
-  /// Words that it takes beside a number: the stress of the material, if it has one, and "none".
-  /// All words in the order of Words::options; the first one is the default.
+  /// All words in the order of Words::options; the first one is the default. For messages about a
+  /// misspelt word and for the check against the documentation.
   static std::vector<std::string> words()
   {
     std::vector<std::string> all;
@@ -75,10 +79,12 @@ class Choice : public Words {
     return all;
   }
 
-  /// Whether it acts in this dimension, 2 or 3.
+  /// Whether the present kind has a meaning in this dimension, 2 or 3. What has none is an error of
+  /// the input, found by LawSet::notInDimension() when the box is known.
   bool actsIn(int dimension) const { return dimension == 2 || Words::options[kind_].inSpace; }
 
-  /// \throw std::invalid_argument  there is no such word
+  /// For presets and tests.
+  /// \throw std::invalid_argument  there is no such word; nothing changes then
   Choice &operator=(const std::string &word)
   {
     if (!take(word))
@@ -91,9 +97,10 @@ class Choice : public Words {
   Kind kind_ = static_cast<Kind>(0);
 };
 
-/// A limit that is switched off, a multiple of something, or a named stress of the material.
-/// It carries no unit: that comes in limit(), where the stresses of the material are known.
-/// Multiples are > 0; take() sees to that, times() does not.
+/// A limit that is switched off, a multiple of something, or a named stress of the material,
+/// without a number that stands for "off": three kinds of which one holds. It carries no unit: that
+/// comes in limit(), where the stresses of the material are known. Multiples are > 0; take() sees
+/// to that, times() does not.
 class Threshold {
  public:
   /// No limit: what it would switch on never happens. The word is "none".
@@ -111,26 +118,18 @@ class Threshold {
 
   /// The number [-] of a multiple.
   /// \throw std::logic_error  it is no multiple: it is off, or the named stress
-  double factor() const
-  {
-    if (kind_ != Kind::Factor)
-      throw std::logic_error("this threshold is no multiple");
-    return factor_;
-  }
+  double factor() const;
 
   /// The limit in numbers, for comparisons; infinity, which nothing reaches, where it is off, so
   /// that inner loops need no branch for it.
-  /// \param unit        what it is a multiple of, for most keywords the strength sigma_0 [stress]
+  /// \param unit        what it is a multiple of, for most keywords the strength sigma_0 [stress],
+  ///                    > 0
   /// \param ofMaterial  the named stress [stress]; not used by a threshold that has none
   /// \return the limit in the dimension of unit
-  double limit(double unit, double ofMaterial = 0.0) const
-  {
-    return isOff()          ? std::numeric_limits<double>::infinity()
-           : isOfMaterial() ? ofMaterial
-                            : factor_ * unit;
-  }
+  double limit(double unit, double ofMaterial = 0.0) const;
 
-  /// Equal in kind and number; numbers are compared exactly.
+  /// Equal in kind and number; numbers are compared exactly, so that a limit that was written by
+  /// word() and read by take() is equal to the first one.
   bool operator==(const Threshold &o) const { return kind_ == o.kind_ && factor_ == o.factor_; }
   bool operator!=(const Threshold &o) const { return !(*this == o); }
 
@@ -138,7 +137,8 @@ class Threshold {
   /// number.
   /// \param name  of the material's stress; nullptr: it takes none
   std::string word(const char *name) const;
-  /// Reads "none", the name, or a plain number.
+  /// Reads "none", the name, or a plain number: digits with point and exponent, the whole word; no
+  /// inf, no nan, no expression.
   /// \param name  as in word()
   /// \return false if the word is none of these or its number is not > 0; nothing changes then
   bool take(const std::string &word, const char *name);
@@ -148,6 +148,7 @@ class Threshold {
  private:
   /// What factor_ means: it is 0 unless the kind is Factor.
   enum class Kind { Off, Factor, OfMaterial };
+  /// \param factor  0 unless the kind is Factor
   Threshold(Kind kind, double factor) : kind_(kind), factor_(factor) {}
 
   Kind kind_;
@@ -160,7 +161,7 @@ class Threshold {
 template<class Words>
 class ThresholdLaw : public Words {
  public:
-  /// The limit as it was given.
+  /// The limit as it was given; Threshold::limit() makes a stress of it.
   const Threshold &threshold() const { return threshold_; }
   /// Whether what this law would do never happens.
   bool isOff() const { return threshold_.isOff(); }
@@ -172,7 +173,7 @@ class ThresholdLaw : public Words {
   /// What take() takes, for messages.
   static std::string allowed() { return Threshold::allowed(Words::materialStress); }
 
-  /// Words beside the number.
+  /// All words beside the number.
   static std::vector<std::string> words()
   {
     std::vector<std::string> all = {"none"};
@@ -184,7 +185,7 @@ class ThresholdLaw : public Words {
   /// Thresholds act in the plane and in space.
   bool actsIn(int /*dimension*/) const { return true; }
 
-  /// For presets and tests: sets the limit without a word.
+  /// For presets and tests: sets the limit without a word, also one that take() would refuse.
   ThresholdLaw &operator=(const Threshold &threshold)
   {
     threshold_ = threshold;

@@ -15,9 +15,10 @@
 
 namespace mca {
 
-/// What holds across the plane; plane.h. With strain the thickness stays, and sigma_zz follows from
-/// Hooke's law; with stress sigma_zz = 0, and K and D are those of plane stress. Stress has no
-/// meaning in space and needs plasticity none, since the return is that of plane strain.
+/// What holds across the plane; plane.h and doc/laws.md, Elasticity. With strain the thickness
+/// stays, and sigma_zz follows from Hooke's law; with stress sigma_zz = 0, and K and D are those of
+/// plane stress. Stress has no meaning in space and needs plasticity none, since the return is that
+/// of plane strain; LawSet::parse() refuses it otherwise.
 struct PlaneWords {
   static constexpr const char *keyword = "plane";
   enum Kind { Strain, Stress };
@@ -37,10 +38,11 @@ struct ElasticityWords {
 /// Keyword elasticity: "many-body" (default) or "pairwise".
 using Elasticity = Choice<ElasticityWords>;
 
-/// Flow of automata; plasticity.h, plane.h. Radial returns the stresses of bulk links by the factor
-/// M = Y/sigma_int and changes the volume in the plane; j2 keeps it by an elastic strain across the
-/// plane. In space radial keeps the volume, and j2 is the same. None: M = 1, the material is
-/// elastic.
+/// Flow of automata (Psakhie et al., Phys. Mesomech. 14 (2011) 224); plasticity.h, plane.h. Radial
+/// returns the stresses of bulk links by the factor M = Y/sigma_int and changes the volume in the
+/// plane; j2 keeps it by an elastic strain across the plane, the automaton state elastic_z. In
+/// space radial keeps the volume, and j2 is the same. None: M = 1, the material is elastic, and a
+/// step may be longer, since no link is pressed to collapse.
 struct PlasticityWords {
   static constexpr const char *keyword = "plasticity";
   enum Kind { Radial, J2, None };
@@ -50,19 +52,21 @@ struct PlasticityWords {
 using Plasticity = Choice<PlasticityWords>;
 
 /// Viscosity of unlinked contacts; viscosity.h. Normal resists the normal velocity with eta v_n/d
-/// [stress], never as tension (Bucher et al. 2006, Table 1; the direction is our choice). None is
-/// without damping, as if eta were 0. Links have no viscosity.
+/// [stress], never as tension (Bucher et al. 2006, Table 1, "proportional to their relative
+/// velocity"; the direction is our choice). Both also resists the slip of the two surfaces, with
+/// the same eta. None is without damping, as if eta were 0. Links have no viscosity.
 struct ViscosityWords {
   static constexpr const char *keyword = "viscosity";
-  enum Kind { Normal, None };
-  static constexpr Option options[] = {{"normal"}, {"none"}};
+  enum Kind { Normal, Both, None };
+  static constexpr Option options[] = {{"normal"}, {"both"}, {"none"}};
 };
-/// Keyword viscosity: "normal" (default) or "none".
+/// Keyword viscosity: "normal" (default), "both" or "none".
 using ViscosityLaw = Choice<ViscosityWords>;
 
-/// Whether two things that a Verlet step knows too late are taken again. Corrected: secondReturn()
-/// of plasticity.h and centredSeparation() of viscosity.h, which lets friction depend less on the
-/// step and makes longer steps stable. Plain: neither.
+/// Whether two things that a Verlet step knows too late are taken again (doc/laws.md, Corrected
+/// steps). Corrected: secondReturn() of plasticity.h, one more pass over pairs and a message
+/// between ranks, and centredSeparation() of viscosity.h, one message; friction depends less on the
+/// step and longer steps are stable. Plain: neither.
 struct StepsWords {
   static constexpr const char *keyword = "steps";
   enum Kind { Corrected, Plain };
@@ -71,14 +75,18 @@ struct StepsWords {
 /// Keyword steps: "corrected" (default) or "plain".
 using Steps = Choice<StepsWords>;
 
-// The transitions of linking.h; multiples of the strength sigma_0 of the weaker material.
-
-/// Compression that links an unlinked contact: -sigma >= limit. The transition is ours, Bucher et
-/// al. leave it open; by default at the elastic limit sigma_y1 of the weaker material.
+/// The first of the transitions of linking.h, whose multiples are of the strength sigma_0 of the
+/// weaker material; "none" makes the limit infinite: nothing reaches it.
+///
+/// Compression that links an unlinked contact: -sigma >= limit; a worn contact has to be unloaded
+/// below it first. The transition is ours, Bucher et al. leave it open; by default at the elastic
+/// limit sigma_y1 of the weaker material. Preset a: 2.35 sigma_0, fitted to the paper's friction at
+/// sigma_0 = 92 MPa.
 struct LinkWords {
   static constexpr const char *keyword = "link", *materialStress = "elastic_limit";
   static Threshold initial() { return Threshold::ofMaterial(); }
-  /// sigma_y1 of the weaker material [stress], the limit of "elastic_limit"
+  /// sigma_y1 of the weaker material [stress], the limit of "elastic_limit".
+  /// \param i,j  both materials; the order does not count
   static double stress(const Material &i, const Material &j)
   {
     return std::min(i.sigmaY1(), j.sigmaY1());
@@ -88,7 +96,8 @@ struct LinkWords {
 using LinkLaw = ThresholdLaw<LinkWords>;
 
 /// Strength of welds: max(sigma, 0)^2 + 3 tau^2 reaches the square of this multiple of sigma_0, by
-/// default of 1. Off: contacts become bulk links at once, and keyword heal has to be off, too.
+/// default of 1; ours. Off: contacts become bulk links at once, and keyword heal has to be off,
+/// too, which LawSet::parse() sees to. Preset a has it off.
 struct WeldWords {
   static constexpr const char *keyword = "weld", *materialStress = nullptr;
   static Threshold initial() { return Threshold::times(1.0); }
@@ -96,12 +105,14 @@ struct WeldWords {
 /// Keyword weld: a multiple of sigma_0 > 0 (default 1), or "none".
 using WeldLaw = ThresholdLaw<WeldWords>;
 
-/// Compression that turns a weld or a worn contact into a bulk link, by default the hardness. Off:
-/// welds never become bulk links.
+/// Compression that turns a weld or a worn contact into a bulk link, by default the hardness; ours.
+/// Off: welds never become bulk links, and worn contacts have to be unloaded before they link
+/// again.
 struct HealWords {
   static constexpr const char *keyword = "heal", *materialStress = "hardness";
   static Threshold initial() { return Threshold::ofMaterial(); }
-  /// The hardness 3 sigma_y2 (Tabor) of the material with the lower sigma_y2 [stress]
+  /// The hardness 3 sigma_y2 (Tabor, The Hardness of Metals, 1951) of the material with the lower
+  /// sigma_y2 [stress], the limit of "hardness".
   static double stress(const Material &i, const Material &j)
   {
     return 3.0 * std::min(i.sigmaY2(), j.sigmaY2());
@@ -110,9 +121,24 @@ struct HealWords {
 /// Keyword heal: "hardness" (default), a multiple of sigma_0 > 0, or "none".
 using HealLaw = ThresholdLaw<HealWords>;
 
+/// When a contact whose link broke is as good as one that never was linked: as soon as it is
+/// unloaded below the limit of keyword link (linking.h); now, in the step after the one that
+/// breaks; when its surfaces have slid by one diameter; when it is apart; or never. At the breaking
+/// distance it is forgotten by any rule. Until then it is worn, and links only by healing, if at
+/// all (worn_contacts.h). The rules are ours.
+struct WornWords {
+  static constexpr const char *keyword = "worn";
+  enum Kind { Unloaded, Now, Slid, Apart, Never };
+  static constexpr Option options[] = {{"unloaded"}, {"now"}, {"slid"}, {"apart"}, {"never"}};
+};
+/// Keyword worn: "unloaded" (default), "now", "slid", "apart" or "never".
+using WornRule = Choice<WornWords>;
+
 /// Plastic work per volume that links an unlinked contact, beside pressure: a multiple of that up
-/// to the strength, the area below the yield curve. The mean work of both automata counts, since
-/// they are pressed together. Off by default; the criterion is ours.
+/// to the strength, the area below the yield curve; of unlike materials the lower one. The mean
+/// work of both automata counts, since they are pressed together without a break. Off by default;
+/// the criterion is ours. It needs one more message between ranks, of what automata have worked in
+/// the step.
 struct LinkWorkWords {
   static constexpr const char *keyword = "link_work", *materialStress = nullptr;
   static Threshold initial() { return Threshold::off(); }

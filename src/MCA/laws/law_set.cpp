@@ -77,6 +77,10 @@ std::string conflictIn(const LawSet &s)
   if (s.plane.is(PlaneCondition::Stress) && s.flows())
     return "keyword plane, value stress, needs plasticity none: the return of plasticity " +
            s.plasticity.word() + " is that of plane strain";
+  if (s.worn.is(WornRule::Slid) && !s.linkWork.isOff())
+    return "keyword worn, value slid, needs link_work none: a contact remembers one of both, how "
+           "far "
+           "it has slid or its plastic work";
   return s.fracture.problem();
 }
 
@@ -135,8 +139,9 @@ std::string LawSet::parse(const std::vector<std::string> &words)
 std::vector<std::string> LawSet::words() const
 {
   std::vector<std::string> all = {presets.name, preset};
-  for (const Entry &e : table())
-    all.insert(all.end(), {e.keyword.name, e.word(*this)});
+  for (const Entry &e : table()) // logs and restart files of the usual rule do not name it
+    if (e.keyword.name != WornRule::keyword || !worn.is(WornRule::Unloaded))
+      all.insert(all.end(), {e.keyword.name, e.word(*this)});
   return all;
 }
 
@@ -207,6 +212,9 @@ PairLaw makePairLaw(const LawSet &set, const Material &i, const Material &j, dou
   law.viscosity = set.isViscous() ? 0.5 * (i.viscosity + j.viscosity) : 0.0;
   law.invMassI = 1.0 / Cell{packing, i.diameter, thickness}.mass(i.density);
   law.invMassJ = 1.0 / Cell{packing, j.diameter, thickness}.mass(j.density);
+  law.invInertiaI = 1.0 / Cell{packing, i.diameter, thickness}.inertia(i.density);
+  law.invInertiaJ = 1.0 / Cell{packing, j.diameter, thickness}.inertia(j.density);
+  law.breakingStrain = std::max(i.breakingStrain, j.breakingStrain);
   law.limits = makeLinkLimits(set, i, j, packing.dimension);
   return law;
 }

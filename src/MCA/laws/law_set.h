@@ -16,7 +16,8 @@
 
 namespace mca {
 
-/// A choice of exchangeable laws, each a type that knows its keyword. By default set B.
+/// A choice of exchangeable laws, each a type that knows its keyword. By default set B. A value
+/// like any other: it is copied, and what loops need of it is made from it by the functions below.
 struct LawSet {
   /// As given; the laws below may differ from it, as later keywords change them.
   std::string preset = "b";
@@ -29,6 +30,7 @@ struct LawSet {
   LinkLaw link;
   WeldLaw weld;
   HealLaw heal;
+  WornRule worn;
   LinkWorkLaw linkWork;
 
   /// Calls visit(law) for each law: the one table of keywords, in the order of words().
@@ -45,19 +47,23 @@ struct LawSet {
     visit(set.link);
     visit(set.weld);
     visit(set.heal);
+    visit(set.worn);
     visit(set.linkWork);
   }
 
-  /// A keyword with what it takes.
+  /// A keyword with what it takes, as error messages and the check against doc/pair_mca.md want it.
   struct Keyword {
+    /// As in the input script.
     std::string name;
     std::vector<std::string> words; ///< beside a number, if it takes one
-    bool takesNumber;               ///< > 0
-    std::string allowed;            ///< for messages
+    /// Beside the words it takes a number, which is > 0.
+    bool takesNumber;
+    std::string allowed; ///< for messages
   };
 
-  /// All keywords of laws in the order of words(), preset first, for messages and for the check
-  /// against the documentation.
+  /// All keywords of laws in the order of words(), preset first, then those of eachLaw(), then the
+  /// criteria's own numbers (compressive_strength). packing, thickness and cutoff are no laws;
+  /// PairMCA::settings() has them.
   static std::vector<Keyword> keywords();
 
   /// Set "a" (one kind of link, at 2.35 sigma_0, no welds) or set "b" (bulk links and welds, the
@@ -67,17 +73,22 @@ struct LawSet {
   /// Takes keyword-value pairs as given to pair_style; a preset resets all that stands before it.
   /// What does not go together is an error: heal without weld, plane stress with flow, a criterion
   /// of fracture without its number.
-  /// \return an empty string, or one line: keyword, value, what is allowed.
+  /// \param words  keyword, value, keyword, value, ...; those before a bad one have been taken, so
+  ///               that the set is of no use after an error
+  /// \return an empty string, or one line: keyword, value, what is allowed, or for a misspelt
+  /// keyword the nearest one
   std::string parse(const std::vector<std::string> &words);
 
-  /// The same as keyword-value pairs that parse() reads back.
+  /// The same as keyword-value pairs that parse() reads back, to the last bit of each number: what
+  /// restart files and the heads of friction logs hold. The preset comes first, all others follow.
   std::vector<std::string> words() const;
 
-  /// Whether automata flow: all but plasticity none.
+  /// Whether automata flow: all but plasticity none. The longest step depends on it, too.
   bool flows() const { return !plasticity.is(Plasticity::None); }
 
   /// Whether each automaton has an elastic strain across the plane, which flow changes: with
-  /// plasticity j2 in the plane. In space the return keeps the volume without one.
+  /// plasticity j2 in the plane. In space the return keeps the volume without one. It costs two
+  /// passes over automata.
   /// \param dimension  2 or 3
   bool strainsAcross(int dimension) const
   {
@@ -87,32 +98,47 @@ struct LawSet {
   /// Whether unlinked contacts are viscous.
   bool isViscous() const { return !viscosity.is(ViscosityLaw::None); }
 
+  /// Whether their viscosity resists slip, too.
+  bool resistsSlip() const { return viscosity.is(ViscosityLaw::Both); }
+
+  /// Whether a law sees the slip of surfaces, and with it angular velocities.
+  bool seesSpins() const { return resistsSlip() || worn.is(WornRule::Slid); }
+
   /// Whether a law needs more of both automata than their mean stress and return: their averaged
-  /// stress and their plastic work in the step.
+  /// stress and their plastic work in the step, RowLayout::Local, which cost a message between
+  /// ranks.
   bool needsLocal() const { return fracture.criterion().needsLocalStress || !linkWork.isOff(); }
 
-  /// Whether an automaton's return is done twice.
+  /// Whether an automaton's return is done twice, by secondReturn().
   bool returnsTwice() const { return steps.is(Steps::Corrected) && flows(); }
 
-  /// Whether viscous contacts see the velocity of their step.
+  /// Whether viscous contacts see the velocity of their step, by centredSeparation().
   bool centresViscosity() const { return steps.is(Steps::Corrected) && isViscous(); }
 
-  /// The first of these laws that does not act in this dimension, as its keyword and value; empty
-  /// if all do.
+  /// The first of these laws that does not act in this dimension, as its keyword and value, such as
+  /// "plane stress"; empty if all do. The box, hence the dimension, may come after the keywords: so
+  /// this is no part of parse().
+  /// \param dimension  2 or 3
   std::string notInDimension(int dimension) const;
 };
 
-/// Moduli of a material under these laws: of plane strain, plane stress or space, with D = 0 for
-/// the pairwise law.
+/// Moduli of a material under these laws: of plane strain (and space) or of plane stress. The
+/// pairwise law has D = 0, and with plane stress K' = 2G/3, that of a solid whose Lame constant is
+/// 0.
 ElasticModuli elasticModuli(const LawSet &, const Material &);
 
-/// Laws of an automaton of this material.
-/// \param packing  its contact weight q S/V [-] goes into the averaged stress
+/// Laws of an automaton of this material, for passes over automata.
+/// \param material  that checkMaterial() accepts, in units in which a stress is an energy per
+///                  volume
+/// \param packing   its contact weight q S/V [-] goes into the averaged stress
 AutomatonLaw makeAutomatonLaw(const LawSet &, const Material &, const Packing & = packing::hex);
 
 /// Laws of an ordered pair of materials; of unlike materials the weaker decides fracture and
-/// linking, and diameter and viscosity are means (doc/laws.md, Unlike materials).
-/// \param thickness  h [length] of a plane packing, > 0
+/// linking, and diameter and viscosity are means (doc/laws.md, Unlike materials). The same units as
+/// for makeAutomatonLaw().
+/// \param i,j        of the first and the second automaton of a pair
+/// \param thickness  h [length] of a plane packing, > 0; not used in space
+/// \param packing    its contact area S and cell volume V
 PairLaw makePairLaw(const LawSet &, const Material &i, const Material &j, double thickness,
                     const Packing & = packing::hex);
 

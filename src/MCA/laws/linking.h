@@ -23,9 +23,16 @@ constexpr double none = 0.0;  ///< unlinked: compression and viscosity only
 constexpr double bulk = 1.0;  ///< elastic-plastic, breaks by the bulk criterion
 constexpr double weld = 2.0;  ///< elastic-brittle
 
+/// Whether the pair bears tension and shear: a bulk link or a weld.
 inline bool isLinked(double kind)
 {
   return kind > none;
+}
+
+/// Whether a number that was read is one of the kinds.
+inline bool isKind(double number)
+{
+  return number == worn || number == none || number == bulk || number == weld;
 }
 
 /// 1 for a linked kind, else 0: a factor, since loops over conditions as factors vectorise.
@@ -35,7 +42,8 @@ inline double linked(double kind)
 }
 } // namespace link
 
-/// Limits of the transitions of one pair of materials.
+/// Limits of the transitions of one pair of materials, doc/laws.md, Links; the same for (i, j) and
+/// (j, i). Infinity is no code here: a stress is compared with it and does not reach it.
 struct LinkLimits {
   FractureLimits fracture; ///< of the criterion by which bulk links break
   int criterion;           ///< its number in FractureCriteria; the same for all pairs of a run

@@ -40,7 +40,7 @@ struct Material {
   double sigmaY2() const { return yieldStrength * strength; }
 
   /// Equivalent plastic strain at sigma_y2 and at sigma_0: the diagram's total strain less the
-  /// elastic part [-]
+  /// elastic part [-]; > 0 and in this order where checkMaterial() accepts the material.
   double plasticStrainY2() const { return yieldStrain - sigmaY2() / youngsModulus; }
   double plasticStrainUltimate() const { return breakingStrain - strength / youngsModulus; }
 
@@ -48,26 +48,31 @@ struct Material {
   bool operator==(const Material &) const;
 };
 
-/// One row of the table from which the potential file, the keywords of pair_coeff, the restart
-/// file and the documentation are made.
+/// One row of the table from which the potential file, the keywords of pair_coeff, the restart file
+/// and the documentation are made. Adding a quantity is a line of the table, a member of Material
+/// and its check.
 struct MaterialQuantity {
   const char *keyword;
   double Material::*value;
+  /// As the pages name it, and as unit conversion knows it: "stress", "length", "-" and so on.
   const char *dimension;
+  /// Its range in words, for messages.
   const char *allowed;
 };
 
 /// All quantities of a material, in the order of the potential file.
 const std::vector<MaterialQuantity> &materialQuantities();
 
-/// The table's row of this keyword, or nullptr.
+/// The table's row of this keyword, compared exactly, or nullptr.
 const MaterialQuantity *findMaterialQuantity(const std::string &keyword);
 
 /// The keywords of the table.
 std::vector<std::string> materialKeywords();
 
-/// Checks each value's range and the order of the diagram's three points.
-/// \return an empty string, or one line: keyword, value, what is allowed.
+/// Checks each value's range and the order of the diagram's three points; a value that is not
+/// finite is refused.
+/// \return an empty string, or one line: keyword, value, what is allowed; of several faults the
+/// first
 std::string checkMaterial(const Material &);
 
 } // namespace mca

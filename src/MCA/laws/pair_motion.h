@@ -22,7 +22,8 @@
 
 namespace mca {
 
-/// Motion of a pair in the plane in a step, all that the shear and the force need of it.
+/// Motion of a pair in the plane in a step, all that the shear and the force need of it; of
+/// pairMotion() below, for one pair at a time.
 struct PlaneMotion {
   double r;           ///< distance at the end [length]
   PlaneVector normal; ///< n at the end [-]
@@ -30,9 +31,11 @@ struct PlaneMotion {
 };
 
 /// Motion of a pair from what it is at the end of the step and its velocity in the step
-/// (doc/laws.md, Strains of a pair).
+/// (doc/laws.md, Strains of a pair; MCA). The way is straight, with the velocity of half a step
+/// ago, which is the one that Verlet moved it by: so the former place is distance - velocity dt.
 /// \param distance  place of j seen from i at the end of the step [length], not 0
-/// \param velocity  of j seen from i, of the step [length/time]
+/// \param velocity  of j seen from i, of the step [length/time]; the way along n less than the
+///                  distance
 /// \param turns     sum of both automata's angular velocities [1/time]
 /// \param dt        the step [time]
 /// \param moves     1, or 0: nothing moves on (set-up); all else is the same to the last bit
@@ -48,13 +51,15 @@ inline PlaneMotion pairMotion(const PlaneVector &distance, const PlaneVector &ve
   return {r, {dx * invR, dy * invR}, moves * shearIncrement(turn, turns * dt)};
 }
 
-/// A shear at the end of the step, before it grows [-]: a number is carried as it is.
+/// A shear at the end of the step, before it grows [-]: a number is carried as it is, since t turns
+/// with the pair.
 inline double carriedShear(const PlaneMotion &, double gamma)
 {
   return gamma;
 }
 
-/// Growth of the shear in the step [-], an angle: half the engineering shear strain.
+/// Growth of the shear in the step [-], an angle: half the engineering shear strain. Elastic and
+/// total shear grow alike.
 inline double shearGrowth(const PlaneMotion &m)
 {
   return m.growth;
@@ -63,13 +68,15 @@ inline double shearGrowth(const PlaneMotion &m)
 /// Gibbs's vector tan(|phi|/2) phi/|phi| of a rotation by |phi| [rad] about phi, by its series
 /// (below 1e-12 up to 0.03 rad). It needs no division by |phi|, so no rotation is a case like any
 /// other.
+/// \param phi  rotation vector [rad], along its axis
 inline Vector gibbsVector(const Vector &phi)
 {
   const double h2 = 0.25 * dot(phi, phi);
   return 0.5 * (1.0 + h2 * (1.0 / 3.0 + h2 * (2.0 / 15.0 + h2 * (17.0 / 315.0)))) * phi;
 }
 
-/// What a rotation changes of a vector, Q a - a, in the dimension of a.
+/// What a rotation changes of a vector, Q a - a, in the dimension of a: 2/(1 + b^2) (b x a + b x (b
+/// x a)), Rodrigues' formula. Without a rotation it is exactly 0.
 /// \param gibbs  Gibbs's vector b of the rotation [-]
 /// \param twice  2/(1 + b^2) [-]
 inline Vector turnOf(const Vector &a, const Vector &gibbs, double twice)
@@ -79,7 +86,9 @@ inline Vector turnOf(const Vector &a, const Vector &gibbs, double twice)
 }
 
 /// (1 - q)^(-1/2) - 1 by its series (below 1e-12 of itself up to q = 0.06): r/r_old - 1 of a
-/// distance with (r_old/r)^2 = 1 - q.
+/// distance with (r_old/r)^2 = 1 - q. The difference itself, not a root less 1, so that a small q
+/// loses no digits.
+/// \param q  [-], |q| well below 1; 0 gives 0 exactly
 inline double lengtheningBy(double q)
 {
   constexpr double c[] = {1.0 / 2.0,          3.0 / 8.0,         5.0 / 16.0,
@@ -94,7 +103,8 @@ inline double lengtheningBy(double q)
   return q * (low + q4 * (middle + q4 * high));
 }
 
-/// Motion of a pair in space in a step, all that the shear needs of it.
+/// Motion of a pair in space in a step, all that the shear needs of it. The place before the step
+/// does not appear: everything is made of the end of the step and of what changed.
 struct PairMotion {
   Vector normal; ///< n at the end [-]
   Vector gibbs;  ///< of the material's rotation [-]
@@ -103,11 +113,14 @@ struct PairMotion {
   double slip2;  ///< slip^2
 };
 
-/// Motion of a pair in space (doc/laws.md, Three dimensions).
-/// \param distance  place of j seen from i at the end of the step [length]
-/// \param invR      1 over its length [1/length]
+/// Motion of a pair in space (doc/laws.md, Three dimensions); in a plane it is the plane's law.
+/// Steps are taken for small: the series hold 1e-12 up to rotations of 0.03 rad in a step.
+/// \param distance  place of j seen from i at the end of the step [length], not 0
+/// \param invR      1 over its length [1/length]; given, since the caller has the length, too
 /// \param step      what it has changed in the step [length]; much less than the distance
 /// \param phi       mean rotation of both automata in the step [rad]
+/// \return with step = 0 and phi = 0 a slip of exactly 0: carriedShear() and shearGrowth() change
+/// nothing
 inline PairMotion pairMotion(const Vector &distance, double invR, const Vector &step,
                              const Vector &phi)
 {
@@ -127,6 +140,7 @@ inline PairMotion pairMotion(const Vector &distance, double invR, const Vector &
 
 /// A shear at the end of the step, before it grows [-]: turned by Q, then from Q n_old to n on the
 /// shortest way. Its length stays, and it is perpendicular to n afterwards if it was to n_old.
+/// Shear stresses and the total shear turn in the same way.
 /// \param gamma  the shear at the beginning of the step [-]
 inline Vector carriedShear(const PairMotion &m, const Vector &gamma)
 {
@@ -137,7 +151,7 @@ inline Vector carriedShear(const PairMotion &m, const Vector &gamma)
 }
 
 /// Growth of the shear in the step [-]: the angle between Q n_old and n, along the axis' way at its
-/// end; by the series of the arcsine (below 1e-12 up to 0.03 rad).
+/// end; by the series of the arcsine (below 1e-12 up to 0.03 rad). Perpendicular to n.
 inline Vector shearGrowth(const PairMotion &m)
 {
   const double s2 = m.slip2 * (1.0 - 0.25 * m.slip2); // squared sine of the angle

@@ -24,9 +24,12 @@ inline ElasticModuli planeStrainModuli(double shear, double bulk)
   return {shear, bulk, 1.0 - 2.0 * shear / (3.0 * bulk)};
 }
 
-/// Plane stress: Hooke's law in the plane is sigma = 2G eps + l' tr(eps), l' = 2Gl/(l + 2G),
-/// l = K - 2G/3. With K' = (2/3)(G + l') and D = l'/K' the mean stress K' tr(eps) is
-/// (sigma_xx + sigma_yy)/3, so that sigma_zz = 3 sigma_mean - sigma_xx - sigma_yy is 0.
+/// Plane stress: Hooke's law in the plane is sigma = 2G eps + l' tr(eps), l' = 2Gl/(l + 2G), l = K
+/// - 2G/3. With K' = (2/3)(G + l') and D = l'/K' the mean stress K' tr(eps) is (sigma_xx +
+/// sigma_yy)/3, so that sigma_zz = 3 sigma_mean - sigma_xx - sigma_yy is 0 (doc/laws.md,
+/// Elasticity).
+/// \param shear  G [stress], > 0
+/// \param bulk   K of the solid [stress], > 0
 inline ElasticModuli planeStressModuli(double shear, double bulk)
 {
   const double lame = bulk - 2.0 * shear / 3.0;

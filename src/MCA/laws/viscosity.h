@@ -4,14 +4,19 @@
 #ifndef MCA_LAWS_VISCOSITY_H
 #define MCA_LAWS_VISCOSITY_H
 
+#include "vector.h"
+
 namespace mca {
 
-/// Normal stress of an unlinked contact [stress]: elastic part and F = (eta/sqrt(3)) v_n h over
-/// the contact area d h/sqrt(3), never tensile.
+/// Normal stress of an unlinked contact [stress]: elastic part and F = (eta/sqrt(3)) v_n h over the
+/// contact area d h/sqrt(3), hence eta v_n/d, never tensile (Bucher et al. 2006, Table 1; the
+/// direction is our choice). In space the same stress acts on the packing's S.
 /// \param elastic     elastic normal stress [stress], tension positive
-/// \param viscosity   eta [stress time]
-/// \param separation  normal velocity of the second automaton seen from the first [length/time]
+/// \param viscosity   eta [stress time], >= 0
+/// \param separation  normal velocity of the second automaton seen from the first [length/time], >
+///                    0 when they part
 /// \param invDiameter 1/d [1/length]
+/// \return <= 0
 inline double unlinkedStress(double elastic, double viscosity, double separation,
                              double invDiameter)
 {
@@ -30,6 +35,29 @@ inline double unlinkedStress(double elastic, double viscosity, double separation
 inline double centredSeparation(double separation, double kick, double damping)
 {
   return separation + kick / (1.0 + damping);
+}
+
+/// Velocity of the second surface seen from the first at the contact point, which lies midway
+/// [length/time], perpendicular to n; or what displacements and rotations, or accelerations, make
+/// of it. A pair that turns like a rigid body does not slip. With viscosity both a contact that is
+/// pressed has the shear stress eta slip/d, per velocity the same as normal stress has: it resists
+/// the relative velocity of its surfaces in any direction alike. Its force has the arm r/2 about
+/// both centres and dissipates S eta/d slip^2.
+/// \param n         unit normal from the first to the second automaton [-]
+/// \param velocity  of the second automaton seen from the first [length/time]
+/// \param spins     sum of both angular velocities [1/time]
+/// \param arm       from a centre to the contact point, r/2 [length]
+inline Vector slipOf(const Vector &n, const Vector &velocity, const Vector &spins, double arm)
+{
+  return velocity - dot(n, velocity) * n - arm * cross(spins, n);
+}
+
+/// Slip velocity at the time of its step, as centredSeparation().
+/// \param kick     change of the slip in half a step by the forces and torques with the old one
+/// \param damping  eta S/d [1/m_i + 1/m_j + arm^2 (1/J_i + 1/J_j)] dt/2 [-]
+inline Vector centred(const Vector &slip, const Vector &kick, double damping)
+{
+  return slip + 1.0 / (1.0 + damping) * kick;
 }
 
 } // namespace mca

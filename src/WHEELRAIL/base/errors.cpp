@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "base/errors.h"
 
+#include "shared/printable.h"
+
 #include <fmt/format.h>
 
 namespace wheelrail {
 
-Error::Error(ExitCode code, const std::string &message) : std::runtime_error(message), code_(code)
+Error::Error(ExitCode code, const std::string &message)
+    : std::runtime_error(mcawr::printable(message)), code_(code)
 {
 }
 

@@ -19,15 +19,20 @@ enum class ExitCode : int {
 };
 
 /// What a user can act on (bugs of ours are std::logic_error or an Error with code Internal): one
-/// line that names file, line, keyword, the value given and what is allowed. The library never
-/// prints and never exits; programs print what() and exit with code().
+/// line that names file, line, keyword, the value given and what is allowed. Whatever the message
+/// quotes of a file is made printable (`mcawr::printable`). The library never prints and never
+/// exits; programs print what() and exit with code().
 class Error : public std::runtime_error {
  public:
+  /// A fault that belongs to no place in a file; for one that does, use `badInput`.
+  /// @param message the whole line as the user reads it, without an end of line
   Error(ExitCode code, const std::string &message);
 
-  ExitCode code() const { return code_; }
+  ExitCode code() const { return code_; } ///< what the program exits with
+  /// Path of the faulty file as it was given; empty: the fault is in no file.
   const std::string &file() const { return file_; }
   int line() const { return line_; } ///< 1-based; 0: no line
+  /// "contact.radius"; empty: none. What these three hold stands in what() too.
   const std::string &keyword() const { return keyword_; }
 
  private:
@@ -38,9 +43,11 @@ class Error : public std::runtime_error {
 };
 
 /// A fault in an input file (exit code 3): "FILE:LINE: keyword: problem".
+/// @param file path as the user gave it
 /// @param line 1-based, 0 when the fault belongs to the file as a whole
 /// @param keyword may be empty
 /// @param problem says the value given, what is allowed, and in which unit
+/// @return the error, to be thrown by the caller
 Error badInput(const std::string &file, int line, const std::string &keyword,
                const std::string &problem);
 

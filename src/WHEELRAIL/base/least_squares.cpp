@@ -9,6 +9,8 @@
 #include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
 #include <cstdint>
+#include <fmt/format.h>
+#include <glog/logging.h>
 #include <limits>
 #include <stdexcept>
 
@@ -73,6 +75,9 @@ class Cost : public ceres::CostFunction {
       return false;
     if (wanted && !problem_.hasJacobian && !numericalJacobian(problem_, x, jacobian))
       return false;
+    // Ceres would print all of them
+    if (!r.allFinite() || !jacobian.allFinite())
+      return false;
     Eigen::Map<Eigen::VectorXd>(residuals, problem_.residuals) = r;
     if (wanted)
       Eigen::Map<RowMajor>(jacobians[0], problem_.residuals, problem_.parameters) = jacobian;
@@ -126,13 +131,15 @@ LeastSquaresSolution solveFrom(const LeastSquaresProblem &problem, const Eigen::
   options.parameter_tolerance = 1e-14;
   options.logging_type = ceres::SILENT;
   options.max_num_consecutive_invalid_steps = 50;
+  FLAGS_minloglevel = google::GLOG_FATAL; // errors are said by us, in our words
   ceres::Solver::Summary summary;
   ceres::Solve(options, &ceresProblem, &summary);
   solution.sumOfSquares = 2.0 * summary.final_cost;
   solution.converged = summary.termination_type == ceres::CONVERGENCE;
-  solution.message = summary.message;
-  if (!solution.message.empty() && solution.message.back() == '.')
-    solution.message.pop_back();
+  if (!solution.converged)
+    solution.message = summary.termination_type == ceres::NO_CONVERGENCE
+                           ? fmt::format("{} steps are not enough", options.max_num_iterations)
+                           : "there are no finite residuals near the best parameters found";
   return solution;
 }
 
@@ -159,6 +166,7 @@ LeastSquaresSolution solveLeastSquares(const LeastSquaresProblem &problem,
   for (const auto &start : starts) {
     auto solution = solveFrom(problem, start);
     const bool better = solution.sumOfSquares < best.sumOfSquares;
+    // whatever comes first, then what converged, then what is lower
     if (best.x.size() == 0 || (solution.converged && !best.converged) ||
         (better && solution.converged == best.converged))
       best = std::move(solution);
@@ -180,6 +188,8 @@ Identifiability analyseJacobian(const Eigen::MatrixXd &jacobian, const std::vect
   if (free.empty())
     return result;
 
+  // Columns of length 1: a condition number that no unit of a parameter changes. (J'J)^-1 = V S^-2
+  // V' from the singular values; forming J'J would square the condition number.
   const auto k = static_cast<Eigen::Index>(free.size());
   Eigen::MatrixXd scaled(jacobian.rows(), k);
   Eigen::VectorXd length(k);
@@ -188,13 +198,15 @@ Identifiability analyseJacobian(const Eigen::MatrixXd &jacobian, const std::vect
     scaled.col(j) = length[j] > 0.0 ? Eigen::VectorXd(jacobian.col(free[j]) / length[j])
                                     : Eigen::VectorXd::Zero(jacobian.rows());
   }
+  if (!scaled.allFinite()) {
+    result.conditionNumber = infinity;
+    return result;
+  }
   const Eigen::JacobiSVD<Eigen::MatrixXd> svd(scaled, Eigen::ComputeThinU | Eigen::ComputeThinV);
   const auto &values = svd.singularValues();
   const bool wide = jacobian.rows() < k; // fewer data than parameters
   const double least = wide ? 0.0 : values[k - 1];
   result.conditionNumber = least > 0.0 ? values[0] / least : infinity;
-  if (!std::isfinite(scaled.sum()))
-    result.conditionNumber = infinity;
   const Eigen::VectorXd weak = svd.matrixV().col(svd.matrixV().cols() - 1);
   for (Eigen::Index j = 0; j < k; ++j)
     result.weakDirection[free[j]] = weak[j];
@@ -243,6 +255,11 @@ class ProfileEnd {
 
 } // namespace
 
+// The curve S(x_k), minimised over the other parameters, is a parabola where the problem is linear;
+// its root, which `ProfileEnd` gives, is then a straight line through the best value (the profile t
+// of Bates and Watts, Nonlinear Regression Analysis, 1988, ch. 6) and nearly one elsewhere. Strides
+// of growing length lead out of the interval, then a bracketing search closes in between values
+// that were computed; each minimum is the start of the next.
 Interval profileInterval(const LeastSquaresProblem &problem, const LeastSquaresSolution &solution,
                          int k, double standardError, double rise, double reach)
 {

@@ -18,28 +18,30 @@ using Residuals =
 
 /// Minimise sum r_i(x)^2 within lower <= x <= upper.
 struct LeastSquaresProblem {
-  int parameters = 0;
-  int residuals = 0;
-  Residuals evaluate;
+  int parameters = 0; ///< length of x, >= 1
+  int residuals = 0;  ///< length of r, >= 1
+  Residuals evaluate; ///< called from one thread
   /// false: `evaluate` is never given a Jacobian to fill; it is taken from extrapolated
   /// central differences.
   bool hasJacobian = true;
-  Eigen::VectorXd lower; ///< empty: no bounds; else one per parameter, -infinity allowed
-  Eigen::VectorXd upper;
+  Eigen::VectorXd lower;      ///< empty: no bounds; else one per parameter, -infinity allowed
+  Eigen::VectorXd upper;      ///< likewise, +infinity allowed
   std::vector<bool> constant; ///< parameters held at their start; empty: none
 };
 
 /// Where the solver came to; in the units of the problem.
 struct LeastSquaresSolution {
-  Eigen::VectorXd x;
-  double sumOfSquares = 0.0;
-  bool converged = false;
-  std::string message;      ///< the solver's own words, without a full stop
-  Eigen::MatrixXd jacobian; ///< at x; empty unless asked for
+  Eigen::VectorXd x;         ///< best parameters found, within the bounds
+  double sumOfSquares = 0.0; ///< sum r_i(x)^2
+  bool converged = false;    ///< to the rounding of double precision
+  std::string message;       ///< why it did not, without a full stop; empty: it did
+  Eigen::MatrixXd jacobian;  ///< dr_i/dx_j at x; nan where it cannot be computed there
 };
 
-/// Solves from each start (Ceres, Levenberg-Marquardt, dense QR) and keeps the best solution.
+/// Solves from each start (Ceres, Levenberg-Marquardt, dense QR) and keeps the best solution; one
+/// that converged is better than one that did not.
 /// @param starts at least one, within the bounds
+/// @return the best, converged or not: `converged` is for the caller to look at
 /// @throws std::invalid_argument if sizes disagree
 LeastSquaresSolution solveLeastSquares(const LeastSquaresProblem &problem,
                                        const std::vector<Eigen::VectorXd> &starts);
@@ -52,7 +54,11 @@ struct Identifiability {
                                  ///< that the data determine worst
 };
 
-/// From the Jacobian at a solution; parameters with isFixed (held, or at a bound) are left out.
+/// From the Jacobian at a solution, by singular values; independent of the parameters' units.
+/// @param jacobian residuals x parameters; residuals of unit variance make the covariance a true
+/// one
+/// @param isFixed one per parameter: held, or at a bound; those are left out
+/// @return a covariance of zeros where the condition number is infinite
 Identifiability analyseJacobian(const Eigen::MatrixXd &jacobian, const std::vector<bool> &isFixed);
 
 /// Profile-likelihood interval of parameter k: the values at which the sum of squares, minimised
@@ -60,14 +66,15 @@ Identifiability analyseJacobian(const Eigen::MatrixXd &jacobian, const std::vect
 /// that is not met within `reach` standard errors, is open. Ends are found to a millionth of the
 /// standard error.
 struct Interval {
-  double lower = 0.0;
-  double upper = 0.0;
+  double lower = 0.0;     ///< in the unit of the parameter, as is `upper`
+  double upper = 0.0;     ///< >= lower
   bool lowerOpen = false; ///< `lower` is then the bound, or -infinity
-  bool upperOpen = false;
+  bool upperOpen = false; ///< `upper` likewise, or +infinity
 };
 /// @param solution of solveLeastSquares; k: number of the parameter, not a constant one
 /// @param standardError > 0, of the parameter: the first stride outwards
 /// @param rise > 0, of the sum of squares; Student's t squared where residuals have unit variance
+/// @param reach in standard errors: how far an end is looked for
 Interval profileInterval(const LeastSquaresProblem &problem, const LeastSquaresSolution &solution,
                          int k, double standardError, double rise, double reach = 50.0);
 

@@ -11,13 +11,12 @@ namespace wheelrail {
 /// @throws Error (BadInput) when it is missing, a folder, empty or cannot be read
 std::string readInputFile(const std::string &path);
 
-/// Writes a file whole or not at all: a temporary file beside it, fsync, rename. Whatever stood
-/// under `path` before stays untouched until the new content is safely on disk. A device, a pipe or
-/// a link (/dev/stdout) is written into instead: a file renamed over it would take its place.
+/// Writes a file whole or not at all, as shared/output_file.h does.
 /// @throws Error (Io) with the system's reason; the temporary file is removed
 void writeOutputFile(const std::string &path, const std::string &content);
 
-/// Prints, and makes sure that it arrived: a full disk is an error here too.
+/// Prints lines, and makes sure that they arrived: a full disk is an error here too. Control
+/// characters that came in with a name are shown, not obeyed (`mcawr::printableLines`).
 /// @throws Error (Io)
 void writeStandardOutput(const std::string &text);
 

@@ -2,6 +2,7 @@
 #include "base/quantity.h"
 
 #include "shared/plain_number.h"
+#include "shared/printable.h"
 
 #include <algorithm>
 #include <cctype>
@@ -28,6 +29,12 @@ struct ConverterDeleter {
 using Unit = std::unique_ptr<ut_unit, UnitDeleter>;
 
 std::mutex udunitsMutex; // the library keeps global state
+
+/// What is wrong with a text, as one line that shows it.
+[[noreturn]] void refuse(const std::string &problem)
+{
+  throw std::invalid_argument(mcawr::printable(problem));
+}
 
 ut_system *unitSystem()
 {
@@ -57,10 +64,10 @@ double leadingNumber(const std::string &text, std::string &rest)
     // "nan", "inf" and 1e999 are numbers of a kind; the message says what is wrong with them
     const auto first = std::min(body.find_first_not_of("+-."), body.size());
     const std::string word = body.substr(first, 3);
-    const bool isOne =
-        std::isdigit(static_cast<unsigned char>(word[0])) || word == "nan" || word == "inf";
-    throw std::invalid_argument(
-        fmt::format(isOne ? "'{}' is not finite" : "'{}' is not a number", text));
+    if (std::isdigit(static_cast<unsigned char>(word[0])))
+      refuse(fmt::format("'{}' is beyond the range of double precision", text));
+    refuse(fmt::format(
+        word == "nan" || word == "inf" ? "'{}' is not finite" : "'{}' is not a number", text));
   }
   rest = trimmed(std::string(number->rest));
   return number->value;
@@ -94,7 +101,7 @@ double parseNumber(const std::string &text)
   std::string rest;
   const double value = leadingNumber(text, rest);
   if (!rest.empty())
-    throw std::invalid_argument(fmt::format("'{}' is not a plain number", text));
+    refuse(fmt::format("'{}' is not a plain number", text));
   return value;
 }
 
@@ -103,8 +110,7 @@ double parseRatio(const std::string &text)
   std::string rest;
   const double value = leadingNumber(text, rest);
   if (!rest.empty() && rest != "%")
-    throw std::invalid_argument(
-        fmt::format("'{}' is neither a plain number nor one with a per cent sign", text));
+    refuse(fmt::format("'{}' is neither a plain number nor one with a per cent sign", text));
   return rest.empty() ? value : value / 100.0;
 }
 
@@ -115,11 +121,10 @@ double parseQuantity(const std::string &text, const std::string &unit)
   std::string rest;
   const double value = leadingNumber(text, rest);
   if (rest.empty())
-    throw std::invalid_argument(fmt::format("'{}' has no unit; one like {} is needed", text, unit));
+    refuse(fmt::format("'{}' has no unit; one like {} is needed", text, unit));
   if (holdsNumber(rest))
-    throw std::invalid_argument(
-        fmt::format("'{}' is not one number with a unit like {}; '{}' holds a second number", text,
-                    unit, rest));
+    refuse(fmt::format("'{}' is not one number with a unit like {}; '{}' holds a second number",
+                       text, unit, rest));
 
   const std::lock_guard<std::mutex> lock(udunitsMutex);
   const Unit given(ut_parse(unitSystem(), rest.c_str(), UT_UTF8));
@@ -127,18 +132,18 @@ double parseQuantity(const std::string &text, const std::string &unit)
   if (!wanted)
     throw std::logic_error(fmt::format("UDUNITS-2 does not know '{}'", unit));
   if (!given)
-    throw std::invalid_argument(fmt::format("'{}': '{}' is not a unit", text, rest));
+    refuse(fmt::format("'{}': '{}' is not a unit", text, rest));
   if (!ut_are_convertible(given.get(), wanted.get()))
-    throw std::invalid_argument(
-        fmt::format("'{}': '{}' is of another dimension than {}", text, rest, unit));
+    refuse(fmt::format("'{}': '{}' is of another dimension than {}", text, rest, unit));
   const std::unique_ptr<cv_converter, ConverterDeleter> converter(
       ut_get_converter(given.get(), wanted.get()));
+  // 0 of a unit with an offset is not 0 of the other: 0 degC is 273.15 K
   if (cv_convert_double(converter.get(), 0.0) != 0.0)
-    throw std::invalid_argument(
+    refuse(
         fmt::format("'{}': a difference in {} is needed, not a scale with an offset", text, unit));
   const double converted = cv_convert_double(converter.get(), value);
   if (!std::isfinite(converted))
-    throw std::invalid_argument(fmt::format("'{}' is not finite in {}", text, unit));
+    refuse(fmt::format("'{}' is not finite in {}", text, unit));
   return converted;
 }
 

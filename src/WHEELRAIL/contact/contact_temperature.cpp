@@ -78,6 +78,9 @@ std::vector<double> &TravellingHeat::historyAt(int cell)
   return history_[(cell + steps_) % cells_];
 }
 
+// Histories stay where they are while the material moves: after k steps the cell i of the contact
+// is what began as cell i + k, so that the one that has left at the trailing side is the one that
+// comes in, with its memory cleared.
 void TravellingHeat::step(const Eigen::VectorXd &heat)
 {
   ++steps_;

@@ -17,8 +17,7 @@ namespace wheelrail {
 int fastTransformSize(int n);
 
 /// FFTW's planner is the one part of it that is not thread-safe: hold this while plans are made or
-/// destroyed.
-/// Transforms themselves need no lock.
+/// destroyed. Transforms themselves need no lock.
 std::mutex &fftwPlannerMutex();
 
 /// Products with Toeplitz matrices of n cells by FFTW, y_i = sum_j kernel(i - j) x_j: how the
@@ -44,8 +43,7 @@ class Convolution {
 
   /// Number of values that a product takes and gives.
   int cells() const { return n_; }
-  /// Of the transforms.
-  int size() const;                           ///< of the transforms
+  int size() const;                           ///< length of the transforms
   int bins() const { return size() / 2 + 1; } ///< of a spectrum
 
   /// Spectrum (already divided by the size, since FFTW's transforms are not normalised) of

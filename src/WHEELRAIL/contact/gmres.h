@@ -9,12 +9,12 @@
 
 namespace wheelrail {
 
-/// How a solution was reached.
-/// Whether the tolerance was met is for the caller to judge: nothing here throws or prints.
+/// How a solution was reached. Whether it is good enough is for the caller to judge: nothing here
+/// throws or prints.
 struct GmresReport {
-  int products = 0;      ///< products with the operator, the one for each restart included
-  double residual = 0.0; ///< |b - A x| / scale
-  bool converged = false;
+  int products = 0;       ///< products with the operator, the one for each restart included
+  double residual = 0.0;  ///< |b - A x| / scale, of the product computed last: the true one
+  bool converged = false; ///< residual <= tolerance
 };
 
 /// Restarted GMRES (Saad, Schultz 1986) with a preconditioner on the right, so that the residual is
@@ -32,14 +32,18 @@ struct GmresReport {
 /// @param restart vectors that are kept before the method starts anew; each has the size of b
 /// @param maxProducts limit of the products in all
 /// @return converged or not; never throws. A residual that is not finite ends it
-/// Scale the unknowns so that b is of order `scale`: a tolerance that is absolute for a right-hand
-/// side near 1e-8 would end the iteration early and in silence.
-/// The cost is one product, one preconditioning and k inner products in the step k after a restart;
+///
+/// *Scale.* Choose `scale` of the order of |b|: a tolerance that is absolute would end the
+/// iteration early and in silence for a right-hand side near 1e-8.
+///
+/// *Cost.* One product, one preconditioning and k inner products in the step k after a restart;
 /// memory is restart + 1 vectors of the size of b.
-/// A preconditioner that is only roughly the inverse does no harm to the result: the residual is
-/// that of the system without it.
-/// The method ends early where the space of products is exhausted, which gives the exact solution,
-/// or where no direction is left (report.converged is then false).
+///
+/// *Preconditioner.* One that is only roughly the inverse does no harm to the result: the residual
+/// is that of the system without it.
+///
+/// *End.* Early where the space of products is exhausted, which gives the exact solution, or where
+/// no direction is left (report.converged is then false).
 template<class Apply, class Precondition>
 GmresReport gmres(const Apply &apply, const Precondition &precondition, const Eigen::VectorXd &b,
                   Eigen::VectorXd &x, double scale, double tolerance, int restart = 60,
@@ -66,6 +70,7 @@ GmresReport gmres(const Apply &apply, const Precondition &precondition, const Ei
     g[0] = beta;
     int k = 0;
     while (k < restart && std::abs(g[k]) > tolerance * scale && report.products < maxProducts) {
+      // Arnoldi: the next direction, made orthogonal to those before.
       VectorXd w = apply(precondition(basis[k]));
       ++report.products;
       for (int j = 0; j <= k; ++j) { // modified Gram-Schmidt
@@ -79,6 +84,8 @@ GmresReport gmres(const Apply &apply, const Precondition &precondition, const Ei
         h(j, k) = cosines[j] * above + sines[j] * h(j + 1, k);
         h(j + 1, k) = -sines[j] * above + cosines[j] * h(j + 1, k);
       }
+      // One more rotation takes the element below the diagonal away. A column of zeros has none:
+      // the operator is singular on this space.
       const double length = std::hypot(h(k, k), below);
       if (!(length > 0.0))
         break;

@@ -28,8 +28,8 @@ struct TangentialField {
 /// Two elastic half-spaces that touch in a plane, seen through the cells of a grid, each of which
 /// is loaded uniformly: all that the solvers of contact need to know of elasticity.
 ///
-/// Implemented by the line contact's `HalfPlane` (ny = 1, plane strain); one over a patch of cells
-/// does the same for surfaces of two dimensions. Solvers that are written against this interface
+/// Implemented by the line contact's `HalfPlane` (ny = 1, plane strain) and by `PatchHalfSpace` for
+/// surfaces of two dimensions. Solvers that are written against this interface
 /// (`solveNormalContact`) serve both.
 ///
 /// *Units.* Any consistent set: displacements have the unit of `grid().dx`, tractions that of the
@@ -37,9 +37,9 @@ struct TangentialField {
 /// so that its tractions are dimensionless. A solver may not rely on any of them.
 ///
 /// *Displacements* are differences between the two bodies, positive where the surfaces move apart
-/// under pressure, and those of a particle of body 1 along the traction that acts on it. The
-/// bodies' materials are equal, so that pressure causes no tangential displacement and tangential
-/// traction no normal one.
+/// under pressure, and those of a particle of body 1 along the traction that acts on it. Of
+/// unlike bodies pressure causes a tangential displacement, too, and tangential traction a normal
+/// one; that is no part of this class (on a patch: `PatchCoupling`).
 ///
 /// *Shape.* Every vector has `grid().cells()` values; other sizes are a programming error.
 ///

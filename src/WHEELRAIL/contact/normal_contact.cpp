@@ -22,6 +22,10 @@ constexpr double firstTolerance = 1e-2; ///< the first sets are wrong anyway
 /// One grid's search, as a loop of two moves: `solveInside` finds the pressures of the cells in
 /// between as if the others were fixed, then `jump` or `join` changes who is in between.
 ///
+/// That the mean gap of the cells in between stands for the unknown approach is Polonsky and Keer's
+/// (Wear 231 (1999) 206). Unlike theirs, the set stays as it is while conjugate gradients run, so
+/// that they remain conjugate and the preconditioner may be cut to the set.
+///
 /// `jump` moves every cell that breaks its condition at once. That is bold: the energy may rise,
 /// but from a coarser grid's start 8 sets are mostly enough, however many cells there are. Now and
 /// then the sets cycle. Then `beCareful` makes every move lower the energy: `solveInside` goes only
@@ -106,7 +110,7 @@ Vector PressureSearch::projected(const Vector &wanted, const Vector &free) const
   // clamp(wanted - shift) carries the load at one shift; Newton on a piecewise linear, monotone
   // function, kept between bounds
   const double highest = std::min(problem_.pressureLimit, problem_.load);
-  double low = -highest, high = highest;
+  double low = -highest, high = highest; // too much is carried at `low`, nothing at `high`
   for (int i = 0; i < n_; ++i) {
     if (free[i] == 0.0)
       continue;
@@ -127,7 +131,7 @@ Vector PressureSearch::projected(const Vector &wanted, const Vector &free) const
     if (std::abs(excess) <= rounding * problem_.load)
       break;
     (excess > 0.0 ? low : high) = shift;
-    const double moving =
+    const double moving = // minus the slope: how many cells follow the shift
         (free.array() * ((p.array() > 0.0 && p.array() < problem_.pressureLimit)).cast<double>())
             .sum();
     const double newton = shift + excess / moving;
@@ -144,6 +148,8 @@ bool PressureSearch::descend(const Vector &direction, const Vector &free, double
     const Vector wanted = pressure + part * length * direction;
     const Vector target = projected(wanted, free);
     const Vector step = target - pressure;
+    // The energy is quadratic: its change is slope + step.A step/2 exactly. Where the load is kept
+    // the steps' sum is 0 and the approach drops out.
     const double slope = step.dot(gap) - approach * step.sum();
     const Vector change = halfSpace_.displacement(step);
     if (!(slope + 0.5 * step.dot(change) < sufficient * slope))
@@ -172,6 +178,9 @@ int PressureSearch::solveInside(double tolerance, int maxSteps)
 
   Vector total = Vector::Zero(n_), direction = Vector::Zero(n_), current = gap;
   double product = 0.0; // residual . preconditioned residual
+  // At the solution the gap of every free cell is the approach, the multiplier of the condition
+  // that the load is kept. It is not known before: each step takes the mean gap for it, which makes
+  // the residual's sum zero, and takes the multiple of `unit` off that makes the step's sum zero.
   int step = 0;
   for (;; ++step) {
     if (!problem_.approach)
@@ -180,6 +189,7 @@ int PressureSearch::solveInside(double tolerance, int maxSteps)
     Vector z = halfSpace_.tractionEstimate(r).cwiseProduct(free);
     if (!problem_.approach)
       z -= z.sum() / unitSum * unit;
+    // The preconditioner turns what is left of the gap into the pressure that it is worth.
     const double meanPressure =
         (problem_.approach ? (pressure + total).sum() : problem_.load) / contact;
     residual = std::sqrt(z.squaredNorm() / cells) / std::abs(meanPressure);
@@ -234,6 +244,7 @@ int PressureSearch::join(double tolerance)
   }
   if (!broken)
     return 0;
+  // As far as the minimum along `active` if no limit were met; `descend` shortens it where one is.
   const double curvature = active.dot(halfSpace_.displacement(active));
   const double length = active.squaredNorm() / std::abs(curvature);
   return descend(slope, Vector::Ones(n_), length) ? broken : 0;
@@ -268,6 +279,8 @@ void PressureSearch::balance()
   gap = problem_.profile + halfSpace_.displacement(pressure);
 }
 
+// A cell that joins gets next to nothing, for the cells in between are told by 0 < p < limit: the
+// next `solveInside` gives it what it carries.
 int PressureSearch::jump(double tolerance)
 {
   const double threshold = tolerance * halfSpace_.displacementScale(load()),
@@ -305,7 +318,7 @@ NormalContactProblem coarsened(const NormalContactProblem &fine, const CellGrid 
 {
   NormalContactProblem coarse = fine;
   coarse.profile = coarseMean(grid, coarseGrid, fine.profile);
-  coarse.load = fine.load * coarseGrid.cells() / grid.cells();
+  coarse.load = fine.load * coarseGrid.cells() / grid.cells(); // a sum of pressures, not a force
   return coarse;
 }
 
@@ -349,6 +362,8 @@ NormalContactResult solveOnGrids(HalfSpace &halfSpace, const NormalContactProble
                   fmt::format("normal contact: no convergence after {} active sets, {} iterations, "
                               "residual {:.2e} (wanted {:.2e})",
                               set, iterations, search.residual, options.tolerance));
+    // Ten times tighter with each set, in full as soon as the set stands: only a set that stays
+    // when its pressures are exact is the solution.
     tolerance = std::max(options.tolerance, changed ? 0.1 * tolerance : 0.0);
   }
 

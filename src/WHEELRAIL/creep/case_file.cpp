@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "creep/case_file.h"
 
+#include "base/checksum.h"
+#include "base/output_file.h"
 #include "creep/case_parts.h"
 
 #include <algorithm>
@@ -10,19 +12,33 @@
 namespace wheelrail {
 namespace {
 
+/// N/m, given as such or as a load on a width.
+double readLoadPerLength(CaseReader &reader)
+{
+  if (!reader.has("contact.width")) {
+    reader.require("contact.load_per_length");
+    return reader.number("contact.load_per_length");
+  }
+  reader.refuse({"contact.load_per_length"}, "contact.width: contact.load is spread over it");
+  if (!reader.has("contact.load"))
+    reader.fail("contact.width", "needs contact.load, which is spread over it, in place of "
+                                 "contact.load_per_length");
+  return reader.single("contact.load") / reader.number("contact.width");
+}
+
 LineContactSpecification readContact(CaseReader &reader)
 {
   reader.refuse({"contact.radii", "contact.curvatures", "contact.semi_axes", "contact.spin_point",
-                 "lateral", "spin", "force", "sequence", "roughness.stretch", "roughness.boxes",
-                 "roughness.unmeasured", "roughness.spacing", "roughness.height_unit",
-                 "roughness.turn", "roughness.mirror", "moving.start", "static.shift", "fields",
-                 "sensitivities"},
-                "a line contact (contact.load_per_length)");
-  for (const char *name :
-       {"contact.load_per_length", "contact.youngs_modulus", "contact.poissons_ratio"})
-    reader.require(name);
+                 "contact.edges", "lateral", "spin", "force", "sequence", "roughness.stretch",
+                 "roughness.boxes", "roughness.unmeasured", "roughness.spacing",
+                 "roughness.height_unit", "roughness.turn", "roughness.mirror", "moving.start",
+                 "static.shift", "sensitivities"},
+                reader.has("contact.width") ? "a line contact (contact.width)"
+                                            : "a line contact (contact.load_per_length)");
   LineContactSpecification contact;
-  contact.load = reader.number("contact.load_per_length");
+  contact.load = readLoadPerLength(reader);
+  for (const char *name : {"contact.youngs_modulus", "contact.poissons_ratio"})
+    reader.require(name);
   if (reader.has("contact.period")) {
     reader.refuse({"contact.radius", "contact.domain"}, "contact.period: the surfaces are flat");
     contact.period = reader.number("contact.period");
@@ -39,6 +55,8 @@ LineContactSpecification readContact(CaseReader &reader)
     reader.fail("points", fmt::format("'{}' is not in the allowed range of a line contact, [{}, "
                                       "16777216]",
                                       contact.points, fewestPoints));
+  if (contact.period == 0.0)
+    requireCellsInContact(reader, contact.points, contact.domain);
   return contact;
 }
 
@@ -48,47 +66,18 @@ void readMeasured(CaseReader &reader, const std::string &caseFile, SurfaceSpecif
                  "roughness.wavelength_min", "roughness.wavelength_max", "roughness.seed"},
                 "measured profiles (roughness.rail, roughness.wheel)");
   surface.kind = RoughnessKind::Measured;
-  if (reader.has("roughness.rail"))
-    surface.rail = reader.words("roughness.rail");
-  if (reader.has("roughness.wheel"))
-    surface.wheel = reader.words("roughness.wheel");
-  if (!surface.rail.empty() && !surface.wheel.empty() &&
-      surface.rail.size() != surface.wheel.size())
-    reader.fail("roughness.wheel",
-                fmt::format("{} files; as many as of roughness.rail, {}, are expected",
-                            surface.wheel.size(), surface.rail.size()));
-  for (auto *files : {&surface.rail, &surface.wheel})
-    for (std::string &file : *files)
-      file = besideCase(file, caseFile);
-  if (reader.has("roughness.cutoff"))
-    surface.cutoff = reader.number("roughness.cutoff");
-  const std::vector<std::string> orders = choicesOf(*findKeyword("roughness.detrend"));
-  const std::string order = reader.word("roughness.detrend");
-  surface.detrend =
-      static_cast<int>(std::find(orders.begin(), orders.end(), order) - orders.begin()) - 1;
+  const MeasuredSurfaces measured = readMeasuredSurfaces(reader, caseFile);
+  surface.rail = measured.rail;
+  surface.wheel = measured.wheel;
+  surface.cutoff = measured.cutoff;
+  surface.detrend = measured.detrend - 1;
 }
 
 void readFractal(CaseReader &reader, SurfaceSpecification &surface)
 {
   reader.refuse({"roughness.cutoff", "roughness.detrend"}, "a generated profile");
-  for (const char *name :
-       {"roughness.hurst", "roughness.wavelength_min", "roughness.wavelength_max"})
-    reader.require(name);
   surface.kind = RoughnessKind::Fractal;
-  FractalSurface &fractal = surface.fractal;
-  fractal.hurst = reader.number("roughness.hurst");
-  if (reader.has("roughness.rms_slope") == reader.has("roughness.rms_height"))
-    reader.fail("roughness", "one of rms_slope and rms_height is needed, not both");
-  if (reader.has("roughness.rms_slope"))
-    fractal.rmsSlope = reader.number("roughness.rms_slope");
-  else
-    fractal.rmsHeight = reader.number("roughness.rms_height");
-  fractal.wavelengthMin = reader.number("roughness.wavelength_min");
-  fractal.wavelengthMax = reader.number("roughness.wavelength_max");
-  if (fractal.wavelengthMin > fractal.wavelengthMax)
-    reader.fail("roughness.wavelength_min", "is above wavelength_max");
-  for (double seed : reader.numbers("roughness.seed"))
-    surface.seeds.push_back(static_cast<std::uint64_t>(seed));
+  surface.seeds = readFractalWaves(reader, surface.fractal);
 }
 
 SurfaceSpecification readSurface(CaseReader &reader, const std::string &caseFile)
@@ -101,19 +90,6 @@ SurfaceSpecification readSurface(CaseReader &reader, const std::string &caseFile
   else
     readFractal(reader, surface);
   return surface;
-}
-
-SpreadSpecification readSpread(CaseReader &reader, const FrictionSpecification &friction)
-{
-  SpreadSpecification spread;
-  if (friction.isConstant())
-    return spread; // no covariance
-  if (reader.word("uncertainty.method") == "linear")
-    return spread;
-  spread.method = UncertaintyMethod::Sampled;
-  spread.samples = reader.integer("uncertainty.samples");
-  spread.seed = static_cast<std::uint64_t>(reader.number("uncertainty.seed"));
-  return spread;
 }
 
 CreepSpecification readRolling(CaseReader &reader, const std::string &mode,
@@ -129,16 +105,15 @@ CreepSpecification readRolling(CaseReader &reader, const std::string &mode,
   rolling.physics.thermal = readThermal(reader);
   rolling.speed = reader.numbers("speed");
   rolling.creep = readSeries(reader, "creep");
-  for (double creep : rolling.creep)
-    if (creep < 0.0)
-      reader.fail(
-          reader.hasGroup("creep") ? "creep.from" : "creep",
-          fmt::format("'{}' is not in the allowed range of a line contact, [0, 10]", creep));
+  requireFewPoints(reader, double(rolling.creep.size()) * double(rolling.speed.size()) *
+                               double(surface.profiles()));
   if (rolling.mode == RollingMode::Moving) {
     rolling.moving.passes = reader.integer("moving.passes");
     rolling.moving.referenceLength = reader.number("moving.reference_length");
   }
   rolling.spread = readSpread(reader, physics.friction);
+  rolling.fields =
+      readFields(reader, rolling.creep.size() * rolling.speed.size() * rolling.surface.profiles());
   return rolling;
 }
 
@@ -146,17 +121,19 @@ CreepSpecification readRolling(CaseReader &reader, const std::string &mode,
 StaticSpecification readStatic(CaseReader &reader, const LineContactSpecification &contact,
                                const SurfaceSpecification &surface, const CreepPhysics &physics)
 {
-  StaticSpecification still{contact, surface, physics, {}};
+  StaticSpecification still{contact, surface, physics, {}, {}};
   still.physics.thermal.model = ThermalModel::Off;
   reader.require("static.force_ratio");
   still.forceRatio = reader.numbers("static.force_ratio");
   if (physics.friction.local)
-    reader.fail("friction.local",
-                "mode static needs one friction coefficient for the whole contact: false");
+    reader.fail(physics.friction.isTable() ? "friction.law" : "friction.local",
+                fmt::format("mode static needs one friction coefficient for the whole contact: {}",
+                            physics.friction.isTable() ? "no table" : "false"));
   if (physics.hardnessLimit &&
       *std::max_element(still.forceRatio.begin(), still.forceRatio.end()) > 0.0)
     reader.fail("contact.hardness_limit",
                 "mode static needs elastic contact, false, for a static.force_ratio above 0");
+  still.fields = readFields(reader, still.forceRatio.size() * still.surface.profiles());
   return still;
 }
 
@@ -175,7 +152,9 @@ void append(std::vector<std::string> &files, const Surfaces &surfaces)
 
 std::vector<std::string> Case::files() const
 {
-  std::vector<std::string> files = {friction().law};
+  std::vector<std::string> files;
+  if (friction().isFile())
+    files.push_back(friction().law);
   if (const auto *patch = std::get_if<PatchSpecification>(&task))
     append(files, patch->roughness);
   else if (const auto *rolling = std::get_if<CreepSpecification>(&task))
@@ -183,6 +162,16 @@ std::vector<std::string> Case::files() const
   else
     append(files, std::get<StaticSpecification>(task).surface);
   return files;
+}
+
+std::string Case::identity() const
+{
+  std::string identity = text;
+  for (const std::string &file : files()) {
+    const std::string content = readInputFile(file);
+    identity += fmt::format("{}: {} bytes, {}\n", file, content.size(), checksum(content));
+  }
+  return identity;
 }
 
 const FrictionSpecification &Case::friction() const
@@ -199,7 +188,7 @@ Case readCase(const std::string &path, const std::vector<std::string> &changes)
     reader.change(change);
 
   Case result;
-  if (reader.has("contact.load")) {
+  if (reader.has("contact.load") && !reader.has("contact.width")) {
     result.task = readPatch(reader, path);
     result.text = reader.configuration();
     return result;

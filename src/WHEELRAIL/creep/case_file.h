@@ -24,9 +24,12 @@ struct Case {
   std::string text;
 
   const FrictionSpecification &friction() const; ///< of the task
-  /// What the case reads: the law's name, measured surfaces.
-  /// A built-in law stands here with its name, a file with the path that will be opened.
+  /// Files that the case reads, by the path that will be opened: law, measured surfaces.
   std::vector<std::string> files() const;
+  /// All that decides the results, for a journal: the text, and the content of the files it names
+  /// as checksums. Reads them.
+  /// @throws Error (BadInput) for a file that cannot be read
+  std::string identity() const;
 };
 
 /// One keyword of the case file. The table of them is the one source of parsing, `--help`,
@@ -54,11 +57,15 @@ struct Keyword {
   Kind kind;
   const char *unit;    ///< SI unit for UDUNITS-2; "1": pure number
   const char *initial; ///< value that is used when it is not given; "": none
-  double low, high;    ///< allowed range in `unit`; low is excluded where `lowOpen`
-  bool lowOpen;
+  double low, high;    ///< allowed range in `unit`, finite, both ends included
+  /// Where the range holds 0: how far from it any other number has to be. 0: any distance.
+  double smallest;
   const char *choices; ///< Choice: separated by '|'
   const char *help;    ///< half a sentence for --help and messages
 };
+
+/// The range of a keyword that takes numbers, in words: "[-10, 10], 0 and beyond 1e-12 1/m".
+std::string rangeOf(const Keyword &keyword);
 
 /// All keywords, in the order of --help and --print-config; every group together.
 /// @return the same table in every call; it lives as long as the program

@@ -51,6 +51,17 @@ double radiusOf(CaseReader &reader, const std::string &name)
   return radius;
 }
 
+/// Ellipses that are almost a line are beyond the series of their integrals.
+void requireRatio(const CaseReader &reader, const std::string &name, const char *what, double ratio,
+                  double most)
+{
+  if (!(ratio >= 1.0 / most && ratio <= most))
+    reader.fail(name,
+                fmt::format("{} = {:.3g} is not in the allowed range [{}, {}]; a line contact "
+                            "has contact.load_per_length",
+                            what, ratio, 1.0 / most, most));
+}
+
 void readShape(CaseReader &reader, PatchContactSpecification &contact)
 {
   const std::string shape =
@@ -60,6 +71,7 @@ void readShape(CaseReader &reader, PatchContactSpecification &contact)
                                  "contact.load");
   if (shape == "contact.semi_axes") {
     contact.semiAxes = readPair(reader, shape, "[a, b]");
+    requireRatio(reader, shape, "a/b", contact.semiAxes[0] / contact.semiAxes[1], 1e4);
     if (contact.load.size() > 1)
       reader.fail(shape, "goes with one contact.load; give radii or curvatures for several");
     // the sequence's loads need the curvatures
@@ -78,6 +90,7 @@ void readShape(CaseReader &reader, PatchContactSpecification &contact)
                               "(for two straight profiles there is contact.load_per_length)",
                               2.0 * contact.curvatures->B));
   }
+  requireRatio(reader, shape, "A/B", contact.curvatures->A / contact.curvatures->B, 1e6);
 }
 
 void readPoints(CaseReader &reader, PatchContactSpecification &contact)
@@ -92,12 +105,13 @@ void readPoints(CaseReader &reader, PatchContactSpecification &contact)
   contact.ny = static_cast<int>(std::min<double>(points.back(), most + 1));
   if (std::max(contact.nx, contact.ny) > most)
     reader.fail("points", fmt::format("more than {} cells along a side of the box", most));
+  requireCellsInContact(reader, std::min(contact.nx, contact.ny), contact.domain);
 }
 
 PatchContactSpecification readContact(CaseReader &reader, bool rough)
 {
   reader.refuse({"contact.load_per_length", "contact.radius", "contact.period"},
-                "contact.load: a contact in a point");
+                "contact.load: a contact in a point (with contact.width: a line contact)");
   for (const char *name : {"contact.youngs_modulus", "contact.poissons_ratio"})
     reader.require(name);
   PatchContactSpecification contact;
@@ -106,18 +120,13 @@ PatchContactSpecification readContact(CaseReader &reader, bool rough)
   const auto poissons = readBodies(reader, "contact.poissons_ratio");
   for (int body : {0, 1})
     contact.bodies[body] = {youngs[body], poissons[body]};
-  constexpr double negligible = 1e-9; // coupling, next to 1
-  if (std::abs(couplingOf(contact.bodies[0], contact.bodies[1])) > negligible)
-    reader.fail("contact.youngs_modulus",
-                fmt::format("wheel and rail couple the normal and the tangential problem (K = "
-                            "{:.3g}); bodies with the same (1 - 2 nu)/G are allowed",
-                            couplingOf(contact.bodies[0], contact.bodies[1])));
   readShape(reader, contact);
   // rough contact reaches further than the smooth one
   reader.setDefault("contact.domain", rough ? "3.4" : "2.2");
   contact.domain = reader.number("contact.domain");
   readPoints(reader, contact);
   contact.spinPoint = reader.number("contact.spin_point");
+  contact.edgesInside = reader.word("contact.edges") == "inside";
   return contact;
 }
 
@@ -150,25 +159,13 @@ void readMeasured(CaseReader &reader, const std::string &caseFile, RoughPatchSpe
                  "roughness.stretch", "roughness.boxes"},
                 "measured maps (roughness.rail, roughness.wheel)");
   surface.kind = RoughnessKind::Measured;
-  for (const auto &[name, files] :
-       {std::pair{"roughness.rail", &surface.rail}, {"roughness.wheel", &surface.wheel}}) {
-    if (reader.has(name))
-      *files = reader.words(name);
-    for (std::string &file : *files)
-      file = besideCase(file, caseFile);
-  }
-  if (!surface.rail.empty() && !surface.wheel.empty() &&
-      surface.rail.size() != surface.wheel.size())
-    reader.fail("roughness.wheel",
-                fmt::format("{} files; as many as of roughness.rail, {}, are expected",
-                            surface.wheel.size(), surface.rail.size()));
+  const MeasuredSurfaces measured = readMeasuredSurfaces(reader, caseFile);
+  surface.rail = measured.rail;
+  surface.wheel = measured.wheel;
   HeightMapPreparation common;
-  if (reader.has("roughness.cutoff"))
-    common.cutoff = reader.number("roughness.cutoff");
-  const std::vector<std::string> orders = choicesOf(*findKeyword("roughness.detrend"));
-  const std::string order = reader.word("roughness.detrend");
+  common.cutoff = measured.cutoff;
   constexpr Form forms[] = {Form::None, Form::Mean, Form::Plane, Form::SecondOrder};
-  common.form = forms[std::find(orders.begin(), orders.end(), order) - orders.begin()];
+  common.form = forms[measured.detrend];
   common.fill = reader.word("roughness.unmeasured") == "fill";
   readScale(reader, surface, common.scale);
   surface.railMap = surface.wheelMap = common;
@@ -185,27 +182,12 @@ void readFractal(CaseReader &reader, RoughPatchSpecification &surface)
                  "roughness.spacing", "roughness.height_unit", "roughness.turn",
                  "roughness.mirror"},
                 "a generated surface");
-  for (const char *name :
-       {"roughness.hurst", "roughness.wavelength_min", "roughness.wavelength_max"})
-    reader.require(name);
   surface.kind = RoughnessKind::Fractal;
   FractalPatch &fractal = surface.fractal;
-  fractal.hurst = reader.number("roughness.hurst");
-  if (reader.has("roughness.rms_slope") == reader.has("roughness.rms_height"))
-    reader.fail("roughness", "one of rms_slope and rms_height is needed, not both");
-  if (reader.has("roughness.rms_slope"))
-    fractal.rmsSlope = reader.number("roughness.rms_slope");
-  else
-    fractal.rmsHeight = reader.number("roughness.rms_height");
-  fractal.wavelengthMin = reader.number("roughness.wavelength_min");
-  fractal.wavelengthMax = reader.number("roughness.wavelength_max");
-  if (fractal.wavelengthMin > fractal.wavelengthMax)
-    reader.fail("roughness.wavelength_min", "is above wavelength_max");
+  surface.seeds = readFractalWaves(reader, fractal);
   fractal.stretch = reader.number("roughness.stretch");
   if (reader.has("roughness.boxes"))
     surface.boxes = reader.integer("roughness.boxes");
-  for (double seed : reader.numbers("roughness.seed"))
-    surface.seeds.push_back(static_cast<std::uint64_t>(seed));
 }
 
 RoughPatchSpecification readRoughness(CaseReader &reader, const std::string &caseFile)
@@ -220,32 +202,9 @@ RoughPatchSpecification readRoughness(CaseReader &reader, const std::string &cas
   return surface;
 }
 
-FieldSelection readFields(CaseReader &reader)
-{
-  FieldSelection fields;
-  const std::vector<std::string> words = reader.words("fields");
-  const auto bad = [&](const std::string &word) {
-    reader.fail(
-        "fields",
-        fmt::format("'{}' is not allowed; none, last, all, or numbers of points from 1 on", word));
-  };
-  if (words.size() == 1 && (words[0] == "none" || words[0] == "last" || words[0] == "all")) {
-    fields.kind = words[0] == "none"   ? FieldSelection::Kind::None
-                  : words[0] == "last" ? FieldSelection::Kind::Last
-                                       : FieldSelection::Kind::All;
-    return fields;
-  }
-  fields.kind = FieldSelection::Kind::Numbers;
-  for (const std::string &word : words) {
-    if (word.empty() || word.size() > 9 ||
-        word.find_first_not_of("0123456789") != std::string::npos || std::stoi(word) < 1)
-      bad(word);
-    fields.numbers.push_back(std::stoi(word));
-  }
-  return fields;
-}
-
 /// Creepages, or the forces in their place.
+/// A list that is not read (mode static, or a sequence has its own) holds one 0, so that the loops
+/// over the points run once.
 void readDrive(CaseReader &reader, PatchSpecification &patch)
 {
   if (reader.has("force.longitudinal")) {
@@ -284,8 +243,6 @@ PatchSequence readSequence(CaseReader &reader, const PatchSpecification &patch)
   PatchSequence sequence;
   if (!reader.hasGroup("sequence"))
     return sequence;
-  if (patch.mode != PatchMode::Moving)
-    reader.refuse({"sequence"}, "this mode; mode moving is needed");
   reader.require("sequence.time");
   sequence.time = reader.numbers("sequence.time");
   if (sequence.time.size() < 2 || sequence.time.front() != 0.0 ||
@@ -297,7 +254,8 @@ PatchSequence readSequence(CaseReader &reader, const PatchSpecification &patch)
   sequence.creep = readColumn(reader, "sequence.creep", n);
   sequence.lateral = readColumn(reader, "sequence.lateral", n);
   sequence.spin = readColumn(reader, "sequence.spin", n);
-  reader.refuse({"moving.passes"}, "sequence: its last instant ends the rolling");
+  if (patch.mode == PatchMode::Moving)
+    reader.refuse({"moving.passes"}, "sequence: its last instant ends the rolling");
   return sequence;
 }
 
@@ -313,6 +271,7 @@ void readMoving(CaseReader &reader, PatchSpecification &patch)
     if (!patch.sequence.spin.empty())
       reader.refuse({"spin"}, "sequence.spin");
   } else {
+    reader.setDefault("moving.passes", "12"); // ten of them make a standard error
     patch.moving.passes = reader.integer("moving.passes");
   }
   const std::string start = reader.word("moving.start");
@@ -326,7 +285,13 @@ void readMoving(CaseReader &reader, PatchSpecification &patch)
 void readStatic(CaseReader &reader, PatchSpecification &patch)
 {
   patch.physics.thermal.model = ThermalModel::Off;
-  reader.refuse({"sequence"}, "mode static");
+  patch.sequence = readSequence(reader, patch);
+  if (patch.sequence.any()) {
+    reader.require("sequence.load");
+    for (const char *name : {"sequence.creep", "sequence.lateral", "sequence.spin"})
+      reader.refuse({name}, "mode static");
+    reader.refuse({"static.shift"}, "sequence: a force ratio or forces");
+  }
   const std::string given = onlyOne(reader, {"static.force_ratio", "static.shift", "force"});
   if (given.empty())
     reader.fail("static.force_ratio", "is missing: a force ratio, a shift (static.shift) or forces "
@@ -341,7 +306,6 @@ void readStatic(CaseReader &reader, PatchSpecification &patch)
 
 PatchSpecification readPatch(CaseReader &reader, const std::string &caseFile)
 {
-  reader.refuse({"uncertainty"}, "contact.load: a contact in a point has no band");
   PatchSpecification patch;
   patch.roughness = readRoughness(reader, caseFile);
   patch.contact = readContact(reader, patch.roughness.kind != RoughnessKind::None);
@@ -351,22 +315,26 @@ PatchSpecification readPatch(CaseReader &reader, const std::string &caseFile)
   patch.mode = mode == "frozen"   ? PatchMode::Frozen
                : mode == "moving" ? PatchMode::Moving
                                   : PatchMode::Static;
-  if (patch.mode == PatchMode::Static)
+  if (patch.mode == PatchMode::Static) {
+    reader.refuse({"uncertainty"}, "mode static: it has no band");
     readStatic(reader, patch);
-  else
+  } else {
     patch.physics.thermal = readThermal(reader);
+    patch.spread = readSpread(reader, patch.physics.friction);
+  }
   if (patch.mode == PatchMode::Moving)
     readMoving(reader, patch);
-  else
-    reader.refuse({"sequence"}, "mode " + mode + ": mode moving is needed");
+  else if (patch.mode == PatchMode::Frozen)
+    reader.refuse({"sequence"}, "mode frozen: mode moving or static is needed");
   readDrive(reader, patch);
   if (patch.mode != PatchMode::Static)
     patch.speed = reader.numbers("speed");
-  patch.fields = readFields(reader);
-  const std::size_t total = patchTasks(patch).size();
-  for (int number : patch.fields.numbers)
-    if (number > static_cast<int>(total))
-      reader.fail("fields", fmt::format("'{}' is above the number of points, {}", number, total));
+  double points = double(patch.roughness.surfaces());
+  for (const auto *list : {&patch.contact.load, &patch.speed, &patch.spin, &patch.lateral,
+                           &patch.forceY, &patch.creep, &patch.forceX, &patch.forceRatio})
+    points *= double(std::max<std::size_t>(1, list->size()));
+  requireFewPoints(reader, points);
+  patch.fields = readFields(reader, patchTasks(patch).size());
   patch.sensitivities = reader.flag("sensitivities");
   return patch;
 }

@@ -65,14 +65,22 @@ bool takesWholeNumbers(Kind kind)
   return kind == Kind::Integer || kind == Kind::IntegerList;
 }
 
+/// A value as YAML: plain, or in double quotes where its characters ask for it.
 std::string quoted(const std::string &item)
 {
-  const bool plain =
-      !item.empty() && item.find_first_of(":#{}[],&*?|<>=!%@`'\"\\") == std::string::npos;
+  const auto isControl = [](char c) { return static_cast<unsigned char>(c) < ' ' || c == '\x7f'; };
+  const bool plain = !item.empty() && item.front() != ' ' && item.back() != ' ' && item != "-" &&
+                     item.rfind("- ", 0) != 0 &&
+                     item.find_first_of(":#{}[],&*?|<>=!%@`'\"\\") == std::string::npos &&
+                     std::none_of(item.begin(), item.end(), isControl);
   if (plain)
     return item;
   std::string text = "\"";
   for (char c : item) {
+    if (isControl(c)) {
+      text += fmt::format("\\x{:02x}", static_cast<unsigned char>(c));
+      continue;
+    }
     if (c == '"' || c == '\\')
       text += '\\';
     text += c;
@@ -93,6 +101,14 @@ const Keyword *findKeyword(const std::string &name)
 std::vector<std::string> choicesOf(const Keyword &keyword)
 {
   return split(keyword.kind == Kind::Switch ? "true|false" : keyword.choices, '|');
+}
+
+std::string rangeOf(const Keyword &keyword)
+{
+  std::string range = fmt::format("[{:.10g}, {:.10g}]", keyword.low, keyword.high);
+  if (keyword.smallest > 0.0)
+    range += fmt::format(", 0 and beyond {}", keyword.smallest);
+  return std::string(keyword.unit) == "1" ? range : fmt::format("{} {}", range, keyword.unit);
 }
 
 void CaseReader::fail(int line, const std::string &keyword, const std::string &problem) const
@@ -192,15 +208,15 @@ double CaseReader::checkedNumber(const Keyword &keyword, const std::string &word
     const bool ratio = keyword.kind == Kind::Ratio || keyword.kind == Kind::RatioList;
     value = ratio ? parseRatio(word) : parseQuantity(word, keyword.unit);
   } catch (const std::invalid_argument &problem) {
-    fail(line, keyword.name, problem.what());
+    fail(line, keyword.name, fmt::format("{}; allowed: {}", problem.what(), rangeOf(keyword)));
   }
   if (takesWholeNumbers(keyword.kind) && value != std::floor(value))
-    fail(line, keyword.name, fmt::format("'{}' is not a whole number", word));
-  if (value < keyword.low || value > keyword.high || (keyword.lowOpen && value == keyword.low))
     fail(line, keyword.name,
-         fmt::format("'{}' is not in the allowed range {}{}, {}] {}", word,
-                     keyword.lowOpen ? "(" : "[", keyword.low, keyword.high,
-                     std::string(keyword.unit) == "1" ? "" : keyword.unit));
+         fmt::format("'{}' is not a whole number; allowed: {}", word, rangeOf(keyword)));
+  const bool isTooSmall = value != 0.0 && std::abs(value) < keyword.smallest;
+  if (value < keyword.low || value > keyword.high || isTooSmall)
+    fail(line, keyword.name,
+         fmt::format("'{}' is not in the allowed range {}", word, rangeOf(keyword)));
   return value;
 }
 
@@ -220,7 +236,7 @@ void CaseReader::checkWord(const Keyword &keyword, const std::string &word, int 
 void CaseReader::change(const std::string &text)
 {
   const auto equals = text.find('=');
-  if (equals == std::string::npos)
+  if (equals == std::string::npos || equals == 0)
     throw Error(ExitCode::Usage, fmt::format("--set {}: KEYWORD=VALUE is expected", text));
   const std::string name = text.substr(0, equals), value = text.substr(equals + 1);
   // "creep=[...]" replaces creep.from etc., "roughness.seed=2" ends "roughness: none"
@@ -268,6 +284,8 @@ double CaseReader::single(const std::string &name)
   return number(name);
 }
 
+// A default goes through the same checks as a value of the file, and both end in `used_`: what
+// `configuration` writes is what was computed with.
 const CaseReader::Entry &CaseReader::use(const std::string &name)
 {
   const auto given = entries_.find(name);

@@ -2,12 +2,10 @@
 #include "creep/creep_curve.h"
 
 #include "base/errors.h"
-#include "creep/journal.h"
 
 #include <algorithm>
 #include <chrono>
-#include <fmt/format.h>
-#include <mutex>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 namespace wheelrail {
@@ -18,10 +16,10 @@ using Json = nlohmann::json;
 
 /// Neighbouring creeps at one speed on one profile.
 struct Piece {
+  std::size_t first; ///< place of its first point among all
   std::size_t profile;
   double speed;
   std::vector<double> creeps;
-  int firstPoint;
 };
 
 /// Creeps that are solved one after the other. Rolling creeps of mode moving share the pressures,
@@ -39,33 +37,78 @@ std::vector<Piece> cutIntoPieces(const CreepSpecification &specification)
   const std::size_t length = creepsInPiece(specification);
   const std::vector<double> &creeps = specification.creep;
   std::vector<Piece> pieces;
-  int point = 0;
+  std::size_t points = 0;
   for (std::size_t profile = 0; profile < specification.surface.profiles(); ++profile)
-    for (double speed : specification.speed)
+    for (double speed : specification.speed) {
       for (std::size_t k = 0; k < creeps.size(); k += length) {
         const auto end = std::min(k + length, creeps.size());
-        pieces.push_back({profile,
+        pieces.push_back({points + k,
+                          profile,
                           speed,
                           {creeps.begin() + static_cast<std::ptrdiff_t>(k),
-                           creeps.begin() + static_cast<std::ptrdiff_t>(end)},
-                          point});
-        point += static_cast<int>(end - k);
+                           creeps.begin() + static_cast<std::ptrdiff_t>(end)}});
       }
+      points += creeps.size();
+    }
   return pieces;
 }
 
 /// What a finished piece leaves.
 struct PieceResult {
-  bool done = false;
   std::vector<CurvePoint> points;
-  ContactFields fields;
+  std::map<int, ContactFields> fields;
 };
 
-CurvePoint curvePoint(const CreepPoint &point, const ContactSetup &setup, const LawSpread &spread,
-                      const std::vector<double> &ratios)
+/// What belongs to all pieces.
+struct Work {
+  const CreepSpecification &asked;
+  const LawSpread &spread;
+  std::size_t total; ///< number of points
+
+  bool keeps(std::size_t point) const
+  {
+    return asked.fields.holds(static_cast<int>(point) + 1, static_cast<int>(total));
+  }
+};
+
+/// The mirror image of a solution for the creep's size, where the creep is negative.
+void turnToSign(double creep, CreepPoint &point)
+{
+  if (!(creep < 0.0))
+    return;
+  point.creep = creep;
+  point.tractionRatio = -point.tractionRatio;
+  point.traction = -point.traction;
+}
+ContactFields turnedToSign(double creep, ContactFields fields)
+{
+  if (creep < 0.0) {
+    fields.traction = -fields.traction;
+    fields.slip = -fields.slip;
+  }
+  return fields;
+}
+
+CurvePoint failedPoint(const ContactSetup &setup, double speed, double creep, const Error &error)
+{
+  CurvePoint point;
+  point.speed = speed;
+  point.creep = creep;
+  point.profile = setup.surface.profile;
+  point.failure = error.what();
+  return point;
+}
+
+/// @param creep as asked for; `point` and `ratios` are of its size
+CurvePoint curvePoint(double creep, const CreepPoint &point, const ContactSetup &setup,
+                      const LawSpread &spread, std::vector<double> ratios)
 {
   CurvePoint result;
   static_cast<CreepPoint &>(result) = point;
+  turnToSign(creep, result);
+  if (creep < 0.0)
+    for (double &ratio : ratios)
+      ratio = -ratio;
   result.profile = setup.surface.profile;
   result.band = spread.band(ratios);
   return result;
@@ -74,10 +117,26 @@ CurvePoint curvePoint(const CreepPoint &point, const ContactSetup &setup, const 
 /// A point in the journal, and back.
 Json rowOf(const CurvePoint &p)
 {
-  return {p.speed,         p.creep,           p.tractionRatio,      p.traction,
-          p.muMean,        p.temperatureRise, p.temperatureMaximum, p.iterations,
-          p.stickFraction, p.profile,         p.band.standardError, p.band.low,
-          p.band.high};
+  return {p.speed,
+          p.creep,
+          p.tractionRatio,
+          p.traction,
+          p.muMean,
+          p.temperatureRise,
+          p.temperatureMaximum,
+          p.iterations,
+          p.stickFraction,
+          p.profile,
+          p.band.standardError,
+          p.band.low,
+          p.band.high,
+          p.failure,
+          p.use.any,
+          p.use.kappa1,
+          p.use.kappa2,
+          p.use.kappa3,
+          p.use.pressure,
+          p.use.speed};
 }
 
 CurvePoint pointFrom(const Json &j)
@@ -94,6 +153,8 @@ CurvePoint pointFrom(const Json &j)
   p.stickFraction = j.at(8);
   p.profile = j.at(9);
   p.band = {j.at(10), j.at(11), j.at(12)};
+  p.failure = j.at(13);
+  p.use = {j.at(14), j.at(15), j.at(16), j.at(17), j.at(18), j.at(19)};
   return p;
 }
 
@@ -105,56 +166,116 @@ Json rowsOf(const std::vector<CurvePoint> &points)
   return rows;
 }
 
-/// Empty when interrupted.
-PieceResult solveMoving(const CreepPhysics &physics, const MovingSpecification &specification,
-                        const LawSpread &spread, const ContactSetup &setup, const Piece &piece,
-                        const std::function<bool()> &goOn)
+/// Creeps of one call share the pressures. Empty when interrupted.
+/// @param creeps some of the piece's, from place `first` among all points on
+PieceResult rollTogether(const Work &work, const ContactSetup &setup, double speed,
+                         const std::vector<double> &creeps, std::size_t first,
+                         const std::function<bool()> &goOn)
 {
   PieceResult result;
+  std::vector<double> sizes;
+  for (const double creep : creeps)
+    sizes.push_back(std::abs(creep));
   std::vector<std::vector<CreepPoint>> perLaw;
-  for (const FrictionLaw &law : spread.laws()) {
-    MovingCreep moving(physics, specification, law, setup);
-    perLaw.push_back(moving.solve(piece.speed, piece.creeps, goOn));
+  for (const FrictionLaw &law : work.spread.laws()) {
+    MovingCreep moving(work.asked.physics, work.asked.moving, law, setup);
+    perLaw.push_back(moving.solve(speed, sizes, goOn));
     if (perLaw.back().empty())
       return {};
-    if (perLaw.size() == 1)
-      result.fields = moving.fields();
+    if (perLaw.size() > 1)
+      continue;
+    for (std::size_t k = 0; k < creeps.size(); ++k)
+      if (work.keeps(first + k))
+        result.fields[static_cast<int>(first + k) + 1] = turnedToSign(creeps[k], moving.fields(k));
   }
-  for (std::size_t k = 0; k < piece.creeps.size(); ++k) {
+  for (std::size_t k = 0; k < creeps.size(); ++k) {
     std::vector<double> ratios;
     for (const auto &points : perLaw)
       ratios.push_back(points[k].tractionRatio);
-    result.points.push_back(curvePoint(perLaw[0][k], setup, spread, ratios));
+    result.points.push_back(curvePoint(creeps[k], perLaw[0][k], setup, work.spread, ratios));
   }
-  result.done = true;
   return result;
 }
 
-/// The law itself warm from creep to creep, the others from its solution. Empty when interrupted.
-PieceResult solveFrozen(const CreepPhysics &physics, const LawSpread &spread,
-                        const ContactSetup &setup, const Piece &piece,
+/// Where the creeps of a piece do not all converge, each rolls alone, which changes none of its
+/// numbers. Empty when interrupted.
+PieceResult solveMoving(const Work &work, const ContactSetup &setup, const Piece &piece,
+                        const std::function<bool()> &goOn)
+{
+  try {
+    return rollTogether(work, setup, piece.speed, piece.creeps, piece.first, goOn);
+  } catch (const Error &error) {
+    if (error.code() != ExitCode::NotConverged)
+      throw;
+  }
+  PieceResult result;
+  for (std::size_t k = 0; k < piece.creeps.size(); ++k)
+    try {
+      PieceResult one =
+          rollTogether(work, setup, piece.speed, {piece.creeps[k]}, piece.first + k, goOn);
+      if (one.points.empty())
+        return {};
+      result.points.push_back(one.points.front());
+      result.fields.merge(one.fields);
+    } catch (const Error &error) {
+      if (error.code() != ExitCode::NotConverged)
+        throw;
+      result.points.push_back(failedPoint(setup, piece.speed, piece.creeps[k], error));
+    }
+  return result;
+}
+
+/// One creep with the law and with those near it, which start from the law's solution: neighbours
+/// differ little from it. Its fields are what the next creep starts from.
+/// @return nothing when interrupted
+std::optional<CurvePoint> solveCreep(const Work &work, const ContactSetup &setup,
+                                     FrozenCreep &frozen, double speed, double creep,
+                                     const std::function<bool()> &goOn)
+{
+  std::vector<double> ratios;
+  CreepPoint point;
+  ContactFields fields;
+  for (const FrictionLaw &law : work.spread.laws()) {
+    if (!goOn())
+      return std::nullopt;
+    const CreepPoint solved = frozen.solve(law, speed, std::abs(creep));
+    if (ratios.empty()) {
+      point = solved;
+      point.use = frozen.use(speed, std::abs(creep));
+      fields = frozen.fields();
+    } else {
+      frozen.startFrom(fields);
+    }
+    ratios.push_back(solved.tractionRatio);
+  }
+  return curvePoint(creep, point, setup, work.spread, ratios);
+}
+
+/// Warm from creep to creep. Empty when interrupted.
+PieceResult solveFrozen(const Work &work, const ContactSetup &setup, const Piece &piece,
                         const std::function<bool()> &goOn)
 {
   PieceResult result;
-  FrozenCreep frozen(physics, setup);
-  for (double creep : piece.creeps) {
-    std::vector<double> ratios;
-    CreepPoint point;
-    for (const FrictionLaw &law : spread.laws()) {
-      if (!goOn())
+  std::optional<FrozenCreep> frozen;
+  for (std::size_t k = 0; k < piece.creeps.size(); ++k) {
+    const double creep = piece.creeps[k];
+    if (!frozen)
+      frozen.emplace(work.asked.physics, setup);
+    try {
+      const auto point = solveCreep(work, setup, *frozen, piece.speed, creep, goOn);
+      if (!point)
         return {};
-      const CreepPoint solved = frozen.solve(law, piece.speed, creep);
-      if (ratios.empty()) {
-        point = solved;
-        result.fields = frozen.fields();
-      } else {
-        frozen.startFrom(result.fields);
-      }
-      ratios.push_back(solved.tractionRatio);
+      result.points.push_back(*point);
+      if (work.keeps(piece.first + k))
+        result.fields[static_cast<int>(piece.first + k) + 1] =
+            turnedToSign(creep, frozen->fields());
+    } catch (const Error &error) {
+      if (error.code() != ExitCode::NotConverged)
+        throw;
+      result.points.push_back(failedPoint(setup, piece.speed, creep, error));
+      frozen.reset();
     }
-    result.points.push_back(curvePoint(point, setup, spread, ratios));
   }
-  result.done = true;
   return result;
 }
 
@@ -172,61 +293,41 @@ CreepCurves solveCreepCurves(const CreepSpecification &specification, const Fric
                                     physics.pressureLimit(0.0), moving, options);
   const LawSpread spread(specification.spread, law);
   const std::vector<Piece> pieces = cutIntoPieces(specification);
-  const int total = pieces.back().firstPoint + static_cast<int>(pieces.back().creeps.size());
   std::vector<PieceResult> results(pieces.size());
-  Journal journal(options.journal, fmt::format("journal 2\n{}\n{}\n{}", WHEELRAIL_VERSION,
-                                               options.identity, toJson(law).dump()));
-  int done = 0;
-  for (const auto &[number, rows] : journal.load()) {
-    // The last piece is always computed: its fields are not in the journal.
-    if (number + 1 >= pieces.size() || rows.size() != pieces[number].creeps.size())
-      continue;
+  Sweep sweep;
+  for (const Piece &piece : pieces)
+    sweep.points.push_back(static_cast<int>(piece.creeps.size()));
+  const Work work{specification, spread, pieces.back().first + pieces.back().creeps.size()};
+  // fields are not in the journal
+  sweep.leavesMore = [&](std::size_t k) {
+    for (std::size_t i = 0; i < pieces[k].creeps.size(); ++i)
+      if (work.keeps(pieces[k].first + i))
+        return true;
+    return false;
+  };
+  sweep.solve = [&](std::size_t k, const std::function<bool()> &goOn) {
+    const ContactSetup &setup = curves.contacts[pieces[k].profile];
+    results[k] = moving ? solveMoving(work, setup, pieces[k], goOn)
+                        : solveFrozen(work, setup, pieces[k], goOn);
+    return !results[k].points.empty();
+  };
+  sweep.rows = [&](std::size_t k) { return rowsOf(results[k].points); };
+  sweep.takeRows = [&](std::size_t k, const Json &rows) {
     for (const Json &row : rows)
-      results[number].points.push_back(pointFrom(row));
-    done += static_cast<int>(rows.size());
-    results[number].done = true;
-  }
-  curves.resumed = done;
+      results[k].points.push_back(pointFrom(row));
+    return results[k].points.size();
+  };
+  curves.resumed = runSweep(sweep, options);
 
-  FirstError error;
-  std::mutex bookkeeping;
-  const auto goOn = [&] { return !options.stopped() && !error.any(); };
-#pragma omp parallel for schedule(dynamic) num_threads(options.threadCount())
-  for (std::size_t k = 0; k < pieces.size(); ++k) {
-    if (results[k].done || !goOn())
-      continue;
-    try {
-      const ContactSetup &setup = curves.contacts[pieces[k].profile];
-      PieceResult result =
-          moving ? solveMoving(physics, specification.moving, spread, setup, pieces[k], goOn)
-                 : solveFrozen(physics, spread, setup, pieces[k], goOn);
-      if (!result.done)
-        continue; // interrupted: the journal must not know the piece
-      if (k + 1 < pieces.size())
-        result.fields = {};
-      const std::lock_guard<std::mutex> lock(bookkeeping);
-      results[k] = std::move(result);
-      done += static_cast<int>(results[k].points.size());
-      journal.add(k, rowsOf(results[k].points));
-      if (options.progress)
-        options.progress(done, total);
-    } catch (...) {
-      error.take();
-    }
-  }
-  if (options.stopped() || error.any())
-    journal.write();
-  error.rethrow();
-  if (options.stopped() && done < total)
-    throw Error(
-        ExitCode::Interrupted,
-        fmt::format("interrupted after {} of {} points; the same command goes on from there", done,
-                    total));
-  journal.remove();
-
-  for (const PieceResult &result : results)
+  for (PieceResult &result : results) {
     curves.points.insert(curves.points.end(), result.points.begin(), result.points.end());
-  curves.last = std::move(results.back().fields);
+    curves.fields.merge(result.fields);
+  }
+  requireAnyPoint(curves.points);
+  for (const CurvePoint &point : curves.points)
+    curves.use.include(point.use);
+  if (const std::string warning = lawWarning(physics.friction, law, curves.use); !warning.empty())
+    curves.warnings.push_back(warning);
   curves.hasBand = spread.any();
   curves.redrawn = spread.redrawn();
   curves.seconds = std::chrono::duration<double>(Clock::now() - begin).count();

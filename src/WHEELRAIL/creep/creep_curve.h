@@ -3,11 +3,14 @@
 #define WHEELRAIL_CREEP_CREEP_CURVE_H
 
 #include "creep/creep_point.h"
+#include "creep/field_selection.h"
 #include "creep/law_spread.h"
 #include "creep/moving_creep.h"
 #include "creep/sweep.h"
 
 #include <cstdint>
+#include <map>
+#include <string>
 #include <vector>
 
 namespace wheelrail {
@@ -17,18 +20,24 @@ namespace wheelrail {
 struct CurvePoint : CreepPoint {
   std::uint64_t profile = 0; ///< seed, or number of the measured profile from 1 on
   Band band;
+  std::string failure; ///< why it was not computed: speed, creep and profile only; or empty
+
+  bool converged() const { return failure.empty(); }
 };
 
 /// What a sweep gives.
-/// Complete, or `solveCreepCurves` has thrown. SI units.
+/// Every point is there, converged or not, or `solveCreepCurves` has thrown. SI units.
 struct CreepCurves {
   std::vector<ContactSetup> contacts; ///< one per profile
   std::vector<CurvePoint> points;     ///< by profile, then speed, then creep
   bool hasBand = false;               ///< the law has a covariance
   double redrawn = 0.0;               ///< share of the sampled laws that had to be drawn again
-  ContactFields last;                 ///< along the contact, of the last point
-  int resumed = 0;                    ///< points taken over from an interrupted run
-  double seconds = 0.0;               ///< that it took, contacts included
+  /// Along the contact, by number of the point, from 1 on: those that were asked for and converged.
+  std::map<int, ContactFields> fields;
+  LawUse use;                        ///< where all points together asked for mu
+  std::vector<std::string> warnings; ///< one line each
+  int resumed = 0;                   ///< points taken over from an interrupted run
+  double seconds = 0.0;              ///< that it took, contacts included
 };
 
 /// Does the roughness stay in the contact, or travel with the material?
@@ -46,18 +55,24 @@ struct CreepSpecification {
   RollingMode mode = RollingMode::Frozen;
   MovingSpecification moving; ///< of mode Moving
   /// The order of the lists is that of the results.
-  std::vector<double> creep; ///< sliding/rolling speed, >= 0, at least one
+  std::vector<double> creep; ///< sliding/rolling speed, at least one; negative: the wheel brakes
   std::vector<double> speed; ///< rolling speeds v0, m/s, > 0, at least one
   /// How a covariance of the law becomes a band of T/N.
   SpreadSpecification spread;
+  FieldSelection fields; ///< points whose fields along the contact are kept
 };
 
 /// All creeps at all speeds on all profiles. The work is cut into pieces of a few neighbouring
 /// creeps, each started cold and solved in order, whatever the number of threads: so the result is
-/// the same to the last bit on one thread or many, in one go or resumed.
+/// the same to the last bit on one thread or many, in one go or resumed. A negative creep is the
+/// mirror image of the positive one: the same friction, heat and pressure, traction and slip turned
+/// around. A point that does not converge leaves the others untouched; the next one of its piece
+/// starts cold.
 /// @param law of the specification's friction (`readLaw`); its covariance, if it has one, is
 ///        carried through (`LawSpread`)
-/// @throws Error (Interrupted) when asked to stop, and what the points throw
+/// @throws Error (Interrupted) when asked to stop, Error (NotConverged) where no point converges,
+/// and
+///         what else the points throw
 /// @param options threads, journal, progress, interruption; none of them changes a number
 /// @return points in the order of the specification: creep changes fastest
 CreepCurves solveCreepCurves(const CreepSpecification &specification, const FrictionLaw &law,

@@ -10,7 +10,7 @@ namespace wheelrail {
 
 bool CreepPhysics::hasFeedback() const
 {
-  return thermal.model != ThermalModel::Off && (!friction.isConstant() || hardnessLimit);
+  return thermal.model != ThermalModel::Off && (friction.isScaled() || hardnessLimit);
 }
 
 double CreepPhysics::pressureLimit(double temperatureRise) const

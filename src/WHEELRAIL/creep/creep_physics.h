@@ -17,8 +17,8 @@ struct CreepPhysics {
   bool hardnessLimit = false; ///< pressure stops at the hardness, 3 sigma_0(Theta)
 
   /// Does the temperature act back on friction or pressure? If not, one pass gives the solution.
-  /// True where there is a thermal model, and either the friction comes from a law or the pressure
-  /// has a limit.
+  /// True where there is a thermal model, and either the friction falls with the strength or the
+  /// pressure has a limit.
   bool hasFeedback() const;
 
   /// Pa, at a temperature rise in K; infinite without `hardnessLimit`.

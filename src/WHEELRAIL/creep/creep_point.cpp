@@ -29,6 +29,8 @@ FrozenCreep::FrozenCreep(const CreepPhysics &physics, const ContactSetup &setup)
 void FrozenCreep::roll(double creep)
 {
   const std::vector<ContactInterval> &intervals = contact_.intervals;
+  // Traction outside of the contact is zero: only the window around it is computed. The window
+  // never shrinks, for its spectra are kept.
   const int needed = intervals.back().last - intervals.front().first + 1;
   if (!window_ || window_->cells() < needed)
     window_.emplace(std::min(setup_.cells, fastTransformSize(2 * needed) / 2), Boundary::Free);
@@ -146,6 +148,11 @@ CreepPoint FrozenCreep::solve(const FrictionLaw &law, double speed, double creep
   point.stickFraction =
       double(std::count(contact_.state.begin(), contact_.state.end(), Adhesion::Stick)) / touching;
   return point;
+}
+
+LawUse FrozenCreep::use(double speed, double creep) const
+{
+  return lawUse(physics_.friction, contact_.pressure, creep * speed, contact_.temperature);
 }
 
 } // namespace wheelrail

@@ -5,6 +5,7 @@
 #include "contact/line/contact_setup.h"
 #include "contact/line/rolling_contact.h"
 #include "creep/creep_physics.h"
+#include "law/law_use.h"
 
 #include <optional>
 
@@ -21,6 +22,7 @@ struct CreepPoint {
   double temperatureMaximum = 0.0; ///< K; that of Eq. 11's profile where Eq. 11 is the model
   int iterations = 0;              ///< of the fixed point mu - T - Theta - sigma_0
   double stickFraction = 0.0;      ///< of the cells in contact
+  LawUse use;                      ///< in mode moving: where mu was asked for in the last step
 };
 
 /// Everything along the contact, one value per cell of the domain; SI units.
@@ -54,6 +56,9 @@ class FrozenCreep {
   /// @param law not read where friction is constant
   /// @return the point, its fields in `fields()`
   CreepPoint solve(const FrictionLaw &law, double speed, double creep);
+
+  /// Where the last call asked its law for mu. @param speed, creep those of the call
+  LawUse use(double speed, double creep) const;
 
   /// Of the last call; `startFrom` makes the next one start from them.
   /// SI units, over the whole domain.

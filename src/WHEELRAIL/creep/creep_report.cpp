@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "creep/creep_report.h"
 
+#include "base/result_text.h"
+
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <functional>
 #include <nlohmann/json.hpp>
 
 namespace wheelrail {
@@ -37,19 +40,24 @@ std::string profileCell(const SurfaceSpecification &surface, std::uint64_t profi
   return surface.profiles() > 1 ? fmt::format(",{}\n", profile) : "\n";
 }
 
-/// One curve: points of one profile at one speed.
+/// One curve: points of one profile at one speed, those that converged; at least one.
 struct Curve {
   const ContactSetup *contact;
-  const CurvePoint *first, *last; ///< both included
+  std::vector<const CurvePoint *> points;
 };
 
 std::vector<Curve> curvesOf(const CreepSpecification &asked, const CreepCurves &curves)
 {
   std::vector<Curve> list;
   const std::size_t n = asked.creep.size(), speeds = asked.speed.size();
-  for (std::size_t k = 0; k < curves.contacts.size() * speeds; ++k)
-    list.push_back(
-        {&curves.contacts[k / speeds], &curves.points[k * n], &curves.points[k * n + n - 1]});
+  for (std::size_t k = 0; k < curves.contacts.size() * speeds; ++k) {
+    Curve curve{&curves.contacts[k / speeds], {}};
+    for (std::size_t i = k * n; i < (k + 1) * n; ++i)
+      if (curves.points[i].converged())
+        curve.points.push_back(&curves.points[i]);
+    if (!curve.points.empty())
+      list.push_back(curve);
+  }
   return list;
 }
 
@@ -88,18 +96,19 @@ Json contactJson(const SurfaceSpecification &surface, const ContactSetup &c)
 
 Json curveJson(const SurfaceSpecification &surface, const Curve &curve)
 {
-  const CurvePoint *peak =
-      std::max_element(curve.first, curve.last + 1, [](const CurvePoint &a, const CurvePoint &b) {
-        return a.tractionRatio < b.tractionRatio;
+  const CurvePoint &last = *curve.points.back();
+  const CurvePoint &peak = **std::max_element(
+      curve.points.begin(), curve.points.end(), [](const CurvePoint *a, const CurvePoint *b) {
+        return std::abs(a->tractionRatio) < std::abs(b->tractionRatio);
       });
-  return {{surface.profileName(), curve.contact->surface.profile},
-          {"speed_m_s", curve.first->speed},
-          {"peak_traction_ratio", peak->tractionRatio},
-          {"creep_at_peak", peak->creep},
-          {"last_creep", curve.last->creep},
-          {"last_over_peak",
-           peak->tractionRatio > 0.0 ? curve.last->tractionRatio / peak->tractionRatio : 0.0},
-          {"highest_temperature_K", curve.last->temperatureMaximum}};
+  return {
+      {surface.profileName(), curve.contact->surface.profile},
+      {"speed_m_s", last.speed},
+      {"peak_traction_ratio", peak.tractionRatio},
+      {"creep_at_peak", peak.creep},
+      {"last_creep", last.creep},
+      {"last_over_peak", peak.tractionRatio != 0.0 ? last.tractionRatio / peak.tractionRatio : 0.0},
+      {"highest_temperature_K", last.temperatureMaximum}};
 }
 
 } // namespace
@@ -113,6 +122,8 @@ std::string creepCsv(const SurfaceSpecification &surface, const CreepCurves &cur
       "stick_fraction";
   text += profileColumn(surface);
   for (const CurvePoint &p : curves.points) {
+    if (!p.converged())
+      continue;
     text += fmt::format("{:g},{:.10g},{:.10g},{:.10g},{:.10g},{:.10g},{},{:.6g}", p.speed, p.creep,
                         p.tractionRatio, p.traction / newtonPerMm, p.muMean, p.temperatureRise,
                         p.iterations, p.stickFraction);
@@ -129,8 +140,8 @@ std::string creepJson(const CreepSpecification &asked, const CreepCurves &curves
                {"curves", Json::array()}};
   for (const Curve &curve : curvesOf(asked, curves)) {
     Json one = {{surface.profileName(), curve.contact->surface.profile},
-                {"speed", curve.first->speed}};
-    for (const CurvePoint *p = curve.first; p <= curve.last; ++p) {
+                {"speed", curve.points.front()->speed}};
+    for (const CurvePoint *p : curve.points) {
       one["creep"].push_back(p->creep);
       one["traction_ratio"].push_back(p->tractionRatio);
       one["traction"].push_back(p->traction / newtonPerMm);
@@ -146,7 +157,7 @@ std::string creepJson(const CreepSpecification &asked, const CreepCurves &curves
     }
     json["curves"].push_back(one);
   }
-  return json.dump() + "\n";
+  return jsonText("creep.json", json, -1);
 }
 
 std::string creepBandCsv(const SurfaceSpecification &surface, const CreepCurves &curves)
@@ -156,6 +167,8 @@ std::string creepBandCsv(const SurfaceSpecification &surface, const CreepCurves 
                      "speed,creep,traction_ratio,standard_error,low,high";
   text += profileColumn(surface);
   for (const CurvePoint &p : curves.points) {
+    if (!p.converged())
+      continue;
     text += fmt::format("{:g},{:.10g},{:.10g},{:.6g},{:.10g},{:.10g}", p.speed, p.creep,
                         p.tractionRatio, p.band.standardError, p.band.low, p.band.high);
     text += profileCell(surface, p.profile);
@@ -165,13 +178,18 @@ std::string creepBandCsv(const SurfaceSpecification &surface, const CreepCurves 
 
 namespace {
 
-std::string contactTable(const ContactSetup &setup, const ContactFields &f, const std::string &what)
+/// @param fields null: the point did not converge
+std::string contactTable(const ContactSetup &setup, const ContactFields *fields,
+                         const std::string &what)
 {
   std::string text =
-      fmt::format("# {}; x: mm, leading edge at the largest x; pressure, traction: MPa; slip: "
+      fmt::format("# {}{}; x: mm, leading edge at the largest x; pressure, traction: MPa; slip: "
                   "sliding/rolling speed; temperature: K\n"
                   "x,pressure,traction,mu,slip,state,temperature\n",
-                  what);
+                  what, fields ? "" : ", which did not converge");
+  if (!fields)
+    return text;
+  const ContactFields &f = *fields;
   for (int i = 0; i < setup.cells; ++i)
     text += fmt::format("{:.9g},{:.9g},{:.9g},{:.9g},{:.6g},{},{:.6g}\n", setup.position(i) / mm,
                         f.pressure[i] / MPa, f.traction[i] / MPa, f.mu[i], f.slip[i],
@@ -179,19 +197,62 @@ std::string contactTable(const ContactSetup &setup, const ContactFields &f, cons
   return text;
 }
 
-} // namespace
-
-std::string contactCsv(const CreepCurves &curves)
+/// The fields of every point that was asked for, each under its name.
+/// @param what words for the first line of a point
+template<class Curves, class Point>
+std::vector<NamedTable> contactTables(const FieldSelection &asked, const Curves &curves,
+                                      const std::vector<Point> &points,
+                                      const std::function<std::string(const Point &)> &what)
 {
-  const CurvePoint &point = curves.points.back();
-  return contactTable(curves.contacts.back(), curves.last,
-                      fmt::format("speed {:g} m/s, creep {:g}", point.speed, point.creep));
+  std::vector<NamedTable> tables;
+  const int total = static_cast<int>(points.size());
+  const std::size_t pointsOfContact = points.size() / curves.contacts.size();
+  for (int number = 1; number <= total; ++number) {
+    if (!asked.holds(number, total))
+      continue;
+    const auto found = curves.fields.find(number);
+    const auto place = static_cast<std::size_t>(number - 1);
+    tables.push_back({contactFileName(asked, number),
+                      contactTable(curves.contacts[place / pointsOfContact],
+                                   found == curves.fields.end() ? nullptr : &found->second,
+                                   what(points[place]))});
+  }
+  return tables;
 }
 
-std::string contactCsv(const StaticCases &cases)
+std::string placeOf(const CurvePoint &point)
 {
-  return contactTable(cases.contacts.back(), cases.last,
-                      fmt::format("static, T/(mu N) = {:g}", cases.points.back().forceRatio));
+  return fmt::format("speed {:g} m/s, creep {:g}", point.speed, point.creep);
+}
+
+} // namespace
+
+std::string contactFileName(const FieldSelection &asked, int number)
+{
+  return asked.kind == FieldSelection::Kind::Last ? "contact.csv"
+                                                  : fmt::format("contact_{:04d}.csv", number);
+}
+
+std::vector<NamedTable> contactTables(const CreepSpecification &asked, const CreepCurves &curves)
+{
+  return contactTables<CreepCurves, CurvePoint>(asked.fields, curves, curves.points, placeOf);
+}
+
+std::vector<NamedTable> contactTables(const StaticSpecification &asked, const StaticCases &cases)
+{
+  return contactTables<StaticCases, StaticPoint>(
+      asked.fields, cases, cases.points, [](const StaticPoint &point) {
+        return fmt::format("static, T/(mu N) = {:g}", point.forceRatio);
+      });
+}
+
+std::vector<std::string> failures(const CreepCurves &curves)
+{
+  std::vector<std::string> lines;
+  for (std::size_t k = 0; k < curves.points.size(); ++k)
+    if (const CurvePoint &point = curves.points[k]; !point.converged())
+      lines.push_back(fmt::format("point {} ({}): {}", k + 1, placeOf(point), point.failure));
+  return lines;
 }
 
 std::string staticCsv(const SurfaceSpecification &surface, const StaticCases &cases)
@@ -211,15 +272,20 @@ std::string staticCsv(const SurfaceSpecification &surface, const StaticCases &ca
 
 namespace {
 
-/// What every summary begins with: case, law, nominal contact, contacts.
-Json summaryHead(const SurfaceSpecification &surface, const std::string &text,
-                 const FrictionLaw &law, const std::vector<ContactSetup> &contacts)
+/// What every summary begins with: case, law and its use, nominal contact, contacts.
+template<class Curves>
+Json summaryHead(const SurfaceSpecification &surface, const FrictionSpecification &friction,
+                 const std::string &text, const FrictionLaw &law, const Curves &curves)
 {
+  const std::vector<ContactSetup> &contacts = curves.contacts;
   const ContactSetup &first = contacts.front();
   const HertzContact &hertz = first.hertz;
   Json json = {{"format", "wr_creep-summary 1"}, {"version", WHEELRAIL_VERSION}};
   json["case"] = text;
-  json["law"] = toJson(law);
+  json["law"] = toJson(friction, law);
+  if (curves.use.any)
+    json["law_use"] = toJson(friction, curves.use);
+  json["warnings"] = curves.warnings;
   if (first.boundary == Boundary::Periodic)
     json["periodic"] = {{"period_mm", 2.0 * hertz.halfWidth / mm},
                         {"mean_pressure_MPa", hertz.hertzPressure / MPa},
@@ -273,7 +339,7 @@ std::string profileReport(const SurfaceSpecification &surface, const ContactSetu
 std::string summaryJson(const CreepSpecification &asked, const std::string &text,
                         const FrictionLaw &law, const CreepCurves &curves)
 {
-  Json json = summaryHead(asked.surface, text, law, curves.contacts);
+  Json json = summaryHead(asked.surface, asked.physics.friction, text, law, curves);
   const ThermalSpecification &thermal = asked.physics.thermal;
   if (thermal.model != ThermalModel::Off)
     json["hertz"]["peclet_number"] = asked.speed.front() * curves.contacts.front().hertz.halfWidth *
@@ -285,16 +351,17 @@ std::string summaryJson(const CreepSpecification &asked, const std::string &text
     json["uncertainty"] = {{"samples", asked.spread.samples},
                            {"seed", asked.spread.seed},
                            {"redrawn_share", curves.redrawn}};
+  json["not_converged"] = failures(curves);
   json["points"] = curves.points.size();
   json["points_resumed"] = curves.resumed;
   json["seconds"] = curves.seconds;
-  return json.dump(2) + "\n";
+  return jsonText("summary.json", json);
 }
 
 std::string summaryJson(const StaticSpecification &asked, const std::string &text,
                         const FrictionLaw &law, const StaticCases &cases)
 {
-  Json json = summaryHead(asked.surface, text, law, cases.contacts);
+  Json json = summaryHead(asked.surface, asked.physics.friction, text, law, cases);
   for (const StaticPoint &p : cases.points)
     json["forces"].push_back({{asked.surface.profileName(), p.profile},
                               {"force_ratio", p.forceRatio},
@@ -305,7 +372,7 @@ std::string summaryJson(const StaticSpecification &asked, const std::string &tex
                               {"stick_centre_mm", p.stickCentre / mm}});
   json["points"] = cases.points.size();
   json["seconds"] = cases.seconds;
-  return json.dump(2) + "\n";
+  return jsonText("summary.json", json);
 }
 
 std::string shortReport(const CreepSpecification &asked, const CreepCurves &curves)
@@ -317,10 +384,10 @@ std::string shortReport(const CreepSpecification &asked, const CreepCurves &curv
       text += profileReport(asked.surface, *curve.contact);
     last = curve.contact;
     const Json j = curveJson(asked.surface, curve);
-    text +=
-        fmt::format("{:g} m/s: T/N at most {:.4f} (creep {:.4g}), {:.4f} at creep {:g}\n",
-                    curve.first->speed, j["peak_traction_ratio"].get<double>(),
-                    j["creep_at_peak"].get<double>(), curve.last->tractionRatio, curve.last->creep);
+    text += fmt::format("{:g} m/s: T/N at most {:.4f} (creep {:.4g}), {:.4f} at creep {:g}\n",
+                        curve.points.front()->speed, j["peak_traction_ratio"].get<double>(),
+                        j["creep_at_peak"].get<double>(), curve.points.back()->tractionRatio,
+                        curve.points.back()->creep);
   }
   return text;
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "creep/field_files.h"
 
-#include "base/output_file.h"
+#include "base/errors.h"
 #include "contact/patch/gsf_file.h"
 
 #include <cstdint>
@@ -154,18 +154,35 @@ std::vector<NamedBytes> gsfFields(const PatchGrid &grid, const PatchFields &fiel
   return files;
 }
 
-std::vector<std::string> writeFieldFiles(const std::string &stem, const PatchGrid &grid,
-                                         const PatchFields &fields, const std::string &title)
+namespace {
+
+void checkFinite(const std::string &stem, const PatchFields &fields)
 {
-  std::vector<std::string> written;
-  const auto write = [&](const std::string &path, const std::string &bytes) {
-    writeOutputFile(path, bytes);
-    written.push_back(path);
+  const std::pair<const char *, const Vector *> all[] = {
+      {"gap", &fields.gap},
+      {"pressure", &fields.pressure},
+      {"traction", &fields.traction.x},
+      {"traction", &fields.traction.y},
+      {"slip", &fields.slip.x},
+      {"slip", &fields.slip.y},
+      {"mu", &fields.mu},
+      {"temperature", &fields.temperature},
   };
-  write(stem + ".vti", vtiBytes(grid, fields, title));
+  for (const auto &[name, values] : all)
+    if (!values->allFinite())
+      throw Error(ExitCode::NotConverged,
+                  fmt::format("{}: {} is not finite everywhere", stem, name));
+}
+
+} // namespace
+
+void addFieldFiles(mcawr::OutputFiles &files, const std::string &stem, const PatchGrid &grid,
+                   const PatchFields &fields, const std::string &title)
+{
+  checkFinite(stem, fields);
+  files.add(stem + ".vti", vtiBytes(grid, fields, title));
   for (const NamedBytes &file : gsfFields(grid, fields, title))
-    write(fmt::format("{}_{}.gsf", stem, file.name), file.bytes);
-  return written;
+    files.add(fmt::format("{}_{}.gsf", stem, file.name), file.bytes);
 }
 
 } // namespace wheelrail

@@ -4,6 +4,7 @@
 
 #include "contact/patch/grid.h"
 #include "contact/patch/tangential.h"
+#include "shared/output_file.h"
 
 #include <string>
 #include <vector>
@@ -26,8 +27,9 @@ struct PatchFields {
 
 /// VTK image data (.vti, XML, version 1.0) with cell data `state`, `gap`, `pressure`, `traction`
 /// and `slip` (three components, the third 0), `mu`, `temperature`; fields that are empty are left
-/// out. Doubles, raw, appended, little endian: the numbers are those of the computation to the last
-/// bit. Opens in ParaView and with VTK's vtkXMLImageDataReader. x and y in mm.
+/// out. Doubles (`state`: bytes), raw, appended, little endian: the numbers are those of the
+/// computation to the last bit. Opens in ParaView and with VTK's vtkXMLImageDataReader. x and y in
+/// mm.
 /// @param title one line, written as a comment with the units
 std::string vtiBytes(const PatchGrid &grid, const PatchFields &fields, const std::string &title);
 
@@ -41,13 +43,12 @@ struct NamedBytes {
 std::vector<NamedBytes> gsfFields(const PatchGrid &grid, const PatchFields &fields,
                                   const std::string &title);
 
-/// Writes STEM.vti and STEM_NAME.gsf for each field, each whole or not at all.
+/// Adds STEM.vti and STEM_NAME.gsf for each field to files that will appear together.
 /// @param stem path without its ending: "out/fields_0003"
-/// @return the paths written
-/// @throws Error (Io)
 /// @param title for both formats, one line
-std::vector<std::string> writeFieldFiles(const std::string &stem, const PatchGrid &grid,
-                                         const PatchFields &fields, const std::string &title);
+/// @throws mcawr::OutputError; Error (NotConverged) for a field that is not finite
+void addFieldFiles(mcawr::OutputFiles &files, const std::string &stem, const PatchGrid &grid,
+                   const PatchFields &fields, const std::string &title);
 
 } // namespace wheelrail
 #endif

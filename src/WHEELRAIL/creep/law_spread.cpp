@@ -39,7 +39,8 @@ bool isLaw(const FrictionLaw &law)
   constexpr double anyPressure = 1e300;
   if (law.b < 0.0 || law.c < 0.0)
     return false;
-  for (double k1 : {0.0, law.kappa1Range[1]}) // monotone in both: the corners are the extremes
+  for (double k1 : {0.0, law.kappa1Range.value_or(
+                             Range{})[1]}) // monotone in both: the corners are the extremes
     for (double k2 : {0.0, anyPressure})
       if (!(law(k1, k2) > 0.0))
         return false;
@@ -119,6 +120,8 @@ void LawSpread::addSamples(int samples, std::uint64_t seed)
   redrawnShare_ = 1.0 - double(samples) / double(draws);
 }
 
+// Linear: the standard error is sqrt(d.C d), d the central differences by the parameters and C the
+// covariance, so that correlated parameters may make up for each other, as they do in a fit.
 Band LawSpread::band(const std::vector<double> &results) const
 {
   const double value = results.front();

@@ -58,6 +58,7 @@ void MovingCreep::fitWindow(std::vector<Roller> &rollers)
     first = std::min(first, windowBegin_);
     end = std::max(end, windowBegin_ + window_->cells());
   }
+  // Room to both sides as far as a fast transform gives it, so that it seldom has to grow.
   const int cells = std::min(setup_.cells, fastTransformSize(2 * (end - first)) / 2);
   const int begin = std::clamp((first + end - cells) / 2, 0, setup_.cells - cells);
   window_.emplace(cells, Boundary::Free);
@@ -125,9 +126,17 @@ CreepPoint MovingCreep::pointOf(const Roller &roller, double speed, int steps, i
       roller.heat ? roller.hottest : maximumOverMeanTemperature() * roller.hottest;
   point.iterations = steps;
   point.stickFraction = roller.counted.stick / counted;
+  point.use =
+      lawUse(physics_.friction, contact_.pressure, roller.creep * speed, roller.temperature);
   return point;
 }
 
+// A step is one cell of rolling: the profile is read a cell further on, which moves its asperities
+// a cell towards smaller x. All that belongs to the material moves with it: the pressure (as a
+// start of the normal contact only), the traction (`TransientRolling`), the temperature. Creeps do
+// not change the pressure, so that one normal contact a step serves all of them; only where a
+// hardness falls with temperature does the warmest of them decide, and the sweep then calls with
+// one creep.
 std::vector<CreepPoint> MovingCreep::solve(double speed, const std::vector<double> &creeps,
                                            const std::function<bool()> &progress)
 {
@@ -150,6 +159,7 @@ std::vector<CreepPoint> MovingCreep::solve(double speed, const std::vector<doubl
       warmest = std::max(warmest, setup_.nominalMean(roller.temperature));
     solvePressure(step, warmest);
     fitWindow(rollers);
+    // once, in the first step: a roller needs the window, and the window the first pressure
     for (std::size_t k = rollers.size(); k < creeps.size(); ++k) {
       rollers.push_back({creeps[k],
                          TransientRolling(*window_, reference),
@@ -174,20 +184,28 @@ std::vector<CreepPoint> MovingCreep::solve(double speed, const std::vector<doubl
   std::vector<CreepPoint> points;
   for (const Roller &roller : rollers)
     points.push_back(pointOf(roller, speed, steps, steps - steps / 2));
-  const Roller &last = rollers.back();
-  const int cells = window_->cells();
-  contact_.mu = last.mu;
-  contact_.temperature = last.temperature;
-  if (last.heat)
-    for (int i = 0; i < setup_.cells; ++i)
-      contact_.temperature[i] = last.heat->rise(i);
-  contact_.traction = contact_.slip = Vector::Zero(setup_.cells);
-  contact_.traction.segment(windowBegin_, cells) = last.result.traction * hertz.modulus;
-  contact_.slip.segment(windowBegin_, cells) = last.result.slip;
-  contact_.state.assign(setup_.cells, Adhesion::Apart);
-  std::copy(last.result.state.begin(), last.result.state.end(),
-            contact_.state.begin() + windowBegin_);
+  fields_.clear();
+  for (const Roller &roller : rollers)
+    fields_.push_back(fieldsOf(roller));
   return points;
+}
+
+ContactFields MovingCreep::fieldsOf(const Roller &roller) const
+{
+  ContactFields fields = contact_;
+  const int cells = window_->cells();
+  fields.mu = roller.mu;
+  fields.temperature = roller.temperature;
+  if (roller.heat)
+    for (int i = 0; i < setup_.cells; ++i)
+      fields.temperature[i] = roller.heat->rise(i);
+  fields.traction = fields.slip = Vector::Zero(setup_.cells);
+  fields.traction.segment(windowBegin_, cells) = roller.result.traction * setup_.hertz.modulus;
+  fields.slip.segment(windowBegin_, cells) = roller.result.slip;
+  fields.state.assign(setup_.cells, Adhesion::Apart);
+  std::copy(roller.result.state.begin(), roller.result.state.end(),
+            fields.state.begin() + windowBegin_);
+  return fields;
 }
 
 } // namespace wheelrail

@@ -56,9 +56,9 @@ class MovingCreep {
   std::vector<CreepPoint> solve(double speed, const std::vector<double> &creeps,
                                 const std::function<bool()> &progress);
 
-  /// At the end of `solve`, for the last creep; SI units.
-  /// Of the last step, over the whole domain.
-  const ContactFields &fields() const { return contact_; }
+  /// At the end of `solve`, in its last step, over the whole domain; SI units.
+  /// @param creep place in the list of creeps
+  const ContactFields &fields(std::size_t creep) const { return fields_.at(creep); }
 
  private:
   /// The pressure of a step, warm from the one before; temperature rise in K sets the limit.
@@ -74,6 +74,7 @@ class MovingCreep {
   void endPass(Roller &roller, double speed, int steps);
   /// Means over the `counted` steps of all `steps`.
   CreepPoint pointOf(const Roller &roller, double speed, int steps, int counted) const;
+  ContactFields fieldsOf(const Roller &roller) const;
 
   const CreepPhysics &physics_;
   const MovingSpecification &moving_;
@@ -83,7 +84,8 @@ class MovingCreep {
   std::optional<HalfPlane> window_; ///< for the traction: the cells in contact and a few more
   int windowBegin_ = 0;
   NormalContactResult normal_;
-  ContactFields contact_;
+  ContactFields contact_;             ///< its pressure
+  std::vector<ContactFields> fields_; ///< of every creep
 };
 
 } // namespace wheelrail

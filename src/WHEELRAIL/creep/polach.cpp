@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "creep/polach.h"
 
+#include "law/contact_friction.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -24,13 +26,14 @@ double spinForce(double a, double bound, double shape, double epsilon)
 
 double polachFriction(const PolachParameters &parameters, double slipSpeed)
 {
-  return parameters.mu0 *
-         ((1.0 - parameters.A) * std::exp(-parameters.B * slipSpeed) + parameters.A);
+  return FallingFriction{parameters.mu0, parameters.A, parameters.B}(slipSpeed);
 }
 
 PolachForce polachForce(const PolachParameters &parameters, const PolachContact &contact,
                         const PolachState &state)
 {
+  // s_yC = eta + phi a, unless the spin makes the lateral creep smaller: then eta alone. s_C has it
+  // in place of eta (Polach 1999); friction goes by the slip without spin.
   const double growth = std::cbrt(state.load / contact.load); // Hertz
   const double a = contact.a * growth, b = contact.b * growth;
   const double widened = state.lateral + state.spin * a;

@@ -151,6 +151,8 @@ std::string undetermined(const PolachFit &fit)
   return "";
 }
 
+/// A parameter that runs to its bound is named first, for there standard errors mean nothing; then
+/// those that the points do not tell apart, or one whose error is as large as itself.
 std::string whyNot(const PolachFit &fit, const Identifiability &analysis)
 {
   if (fit.friction == PolachFriction::Falling && (fit.atBound[A] && fit.parameters.A == 1.0))

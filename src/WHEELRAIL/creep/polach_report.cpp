@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include "base/result_text.h"
 #include "creep/polach.h"
 
 #include <fmt/format.h>
@@ -32,7 +33,7 @@ std::string polachJson(const PolachChoice &choice, const PolachContact &contact)
                      {"c11", contact.kalker.c11},
                      {"c22", contact.kalker.c22},
                      {"c23", contact.kalker.c23}};
-  return json.dump(2) + "\n";
+  return jsonText("Polach's law", json);
 }
 
 std::string polachCsv(const PolachChoice &choice, const PolachContact &contact,

@@ -47,6 +47,10 @@ StaticTraction staticTraction(HalfPlane &halfPlane, const NormalContactProblem &
                 fmt::format("static tangential force: T/(mu N) = {} is not in [0, 1)", forceRatio));
   if (forceRatio == 0.0)
     return {Vector::Zero(normal.pressure.size()), contactIntervals(normal, halfPlane.boundary())};
+  // Pressure and traction have the same influence, and inside the contact under N - T/mu both
+  // pressures follow the same profile: the difference moves it as a whole, so it sticks. Outside of
+  // it |q| = mu p (Ciavarella, Int. J. Solids Struct. 35 (1998) 2349; Jaeger, J. Tribol. 120 (1998)
+  // 677).
   NormalContactProblem unloaded = problem;
   unloaded.load *= 1.0 - forceRatio;
   const NormalContactResult stuck = solveNormalContact(halfPlane, unloaded);
@@ -67,9 +71,12 @@ StaticCases solveStaticCases(const StaticSpecification &specification, const Fri
     const Vector mu =
         frictionCoefficient(specification.physics.friction, law, setup.normal.pressure, 0.0,
                             Vector::Zero(setup.cells)); // nothing slides, nothing heats
+    cases.use.include(lawUse(specification.physics.friction, setup.normal.pressure, 0.0,
+                             Vector::Zero(setup.cells)));
     for (double force : specification.forceRatio) {
       if (options.stopped())
-        throw Error(ExitCode::Interrupted, "interrupted; mode static begins anew");
+        throw Error(ExitCode::Interrupted,
+                    "interrupted; mode static starts again from the beginning");
       const StaticTraction result =
           staticTraction(halfPlane, setup.problem(limit), setup.normal, mu[0], force);
       StaticPoint point;
@@ -81,11 +88,16 @@ StaticCases solveStaticCases(const StaticSpecification &specification, const Fri
       point.stickLength = contactLength(result.stick) * setup.cellSize;
       point.stickCentre = setup.position(0) + centreOf(result.stick) * setup.cellSize;
       cases.points.push_back(point);
-      cases.last = fieldsOf(setup, result, mu);
+      const int number = static_cast<int>(cases.points.size());
+      if (specification.fields.holds(number, total))
+        cases.fields[number] = fieldsOf(setup, result, mu);
       if (options.progress)
         options.progress(static_cast<int>(cases.points.size()), total);
     }
   }
+  if (const std::string warning = lawWarning(specification.physics.friction, law, cases.use);
+      !warning.empty())
+    cases.warnings.push_back(warning);
   cases.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   return cases;
 }

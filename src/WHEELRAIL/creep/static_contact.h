@@ -3,7 +3,12 @@
 #define WHEELRAIL_CREEP_STATIC_CONTACT_H
 
 #include "creep/creep_point.h"
+#include "creep/field_selection.h"
 #include "creep/sweep.h"
+
+#include <map>
+#include <string>
+#include <vector>
 
 namespace wheelrail {
 
@@ -32,6 +37,7 @@ struct StaticSpecification {
   CreepPhysics physics;           ///< friction not local, no temperature; no hardness limit where a
                                   ///< force ratio is above 0
   std::vector<double> forceRatio; ///< T/(mu N), in [0, 1), at least one
+  FieldSelection fields;          ///< points whose fields along the contact are kept
 };
 
 /// One force on one profile; SI units.
@@ -51,7 +57,10 @@ struct StaticPoint {
 struct StaticCases {
   std::vector<ContactSetup> contacts; ///< one per profile
   std::vector<StaticPoint> points;    ///< by profile, then force
-  ContactFields last;                 ///< along the contact, of the last point
+  /// Along the contact, by number of the point, from 1 on: those that were asked for.
+  std::map<int, ContactFields> fields;
+  LawUse use;                        ///< where the law was asked for mu
+  std::vector<std::string> warnings; ///< one line each
   double seconds = 0.0;
 };
 

@@ -2,13 +2,12 @@
 #ifndef WHEELRAIL_CREEP_SWEEP_H
 #define WHEELRAIL_CREEP_SWEEP_H
 
+#include "base/errors.h"
 #include "contact/line/contact_setup.h"
+#include "creep/journal.h"
 
-#include <atomic>
-#include <exception>
 #include <functional>
-#include <mutex>
-#include <string>
+#include <nlohmann/json_fwd.hpp>
 #include <vector>
 
 namespace wheelrail {
@@ -18,11 +17,10 @@ namespace wheelrail {
 /// order nor the number of threads matters.
 struct SweepOptions {
   /// Upper limit of the threads that share the pieces.
-  int threads = 0;     ///< 0: as many as OpenMP gives
-  std::string journal; ///< file that keeps finished pieces; empty: not resumable
-  /// What the journal belongs to, the whole configuration: one of another identity is not used.
-  /// The journal adds the program version and the law: those of another run are not used either.
-  std::string identity;
+  int threads = 0; ///< 0: as many as OpenMP gives
+  /// Keeps finished pieces, and gives back those of a run that ended early; null: not resumable. It
+  /// is not removed: that is for who has put the results in place.
+  Journal *journal = nullptr;
   /// Called after every piece with points done and points in all; from one thread at a time.
   /// Not called where it is empty.
   std::function<void(int, int)> progress;
@@ -35,31 +33,49 @@ struct SweepOptions {
   bool stopped() const { return interrupted && interrupted(); }
 };
 
-/// The first exception of a parallel loop, to be thrown after it: OpenMP lets none leave a loop.
-/// Safe from all the loop's threads.
-/// Which exception is the first depends on the threads; a loop asks `any()` and does no more work.
-class FirstError {
- public:
-  /// Keeps the exception that is being handled, unless there is one already.
-  void take();
-  /// Is one kept? Cheap enough to ask at every turn of a loop.
-  bool any() const { return failed_; }
-  /// Throws the exception that was kept, with its type; for the thread that ran the loop.
-  void rethrow() const; ///< does nothing when there is none
-
- private:
-  std::mutex mutex_;
-  std::exception_ptr error_;
-  std::atomic<bool> failed_{false};
+/// A sweep cut into pieces that share nothing. Results stay with the caller, who keeps them by the
+/// piece's number; functions are called from several threads, for different pieces.
+struct Sweep {
+  std::vector<int> points; ///< of each piece
+  /// Solves a piece. @return false when interrupted (goOn() is false)
+  std::function<bool(std::size_t piece, const std::function<bool()> &goOn)> solve;
+  /// All numbers of a solved piece, and the way back. @return number of points taken
+  /// null where the journal is not to know the piece.
+  std::function<nlohmann::json(std::size_t)> rows;
+  std::function<std::size_t(std::size_t, const nlohmann::json &)> takeRows;
+  /// Does a piece leave more than its rows, so that it is solved whatever the journal has?
+  std::function<bool(std::size_t)> leavesMore;
 };
 
-/// Surfaces and normal contacts of all profiles, in parallel: what every sweep begins with.
+/// Solves all pieces in parallel, but for those that the journal has.
+/// @return number of points that were taken over from the journal
+/// @throws Error (Interrupted) when asked to stop; Error (NotConverged) for a result that is not
+///         finite; what the pieces throw. The journal is written before
+int runSweep(const Sweep &sweep, const SweepOptions &options);
+
+/// A sweep whose points all failed has no result.
+/// @param points with `converged()` and `failure`
+/// @throws Error (NotConverged) with the first point's reason unless one of them converged
+template<class Point>
+void requireAnyPoint(const std::vector<Point> &points)
+{
+  for (const Point &point : points)
+    if (point.converged())
+      return;
+  throw Error(ExitCode::NotConverged, points.front().failure);
+}
+
+/// action(0) to action(count - 1) in parallel: what every sweep begins with.
+/// @throws Error (Interrupted) when asked to stop; the first that an action throws
+void prepareAll(std::size_t count, const SweepOptions &options,
+                const std::function<void(std::size_t)> &action);
+
+/// Surfaces and normal contacts of all profiles of a line contact.
 /// @param contact, surface SI units, as of `prepareContact`
 /// @param pressureLimit Pa; infinite: elastic
 /// @param travels the material will move through the contact
 /// @return one for each of surface.profiles(), in their order
-/// @throws Error (Interrupted) when asked to stop, and what `prepareContact` throws
-/// The profiles do not influence each other: each thread prepares whole contacts.
+/// @throws what `prepareAll` and `prepareContact` throw
 std::vector<ContactSetup> prepareContacts(const LineContactSpecification &contact,
                                           const SurfaceSpecification &surface, double pressureLimit,
                                           bool travels, const SweepOptions &options);

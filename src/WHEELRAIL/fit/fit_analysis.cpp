@@ -73,9 +73,8 @@ std::string mixtureOf(const std::vector<FrictionPoint> &points)
 std::vector<LawPoint> FitAnalysis::fitted() const
 {
   std::vector<LawPoint> result;
-  for (const auto &p : points)
-    if (p.leftOut.empty())
-      result.push_back({p.kappa1, p.kappa2, p.mu, p.muSe, p.kappa3});
+  for (const auto &condition : conditions)
+    result.push_back(condition.point);
   return result;
 }
 
@@ -90,6 +89,7 @@ FitAnalysis analysePoints(std::vector<FrictionPoint> points, const FitOptions &o
       p.leftOut = whyLeftOut(p, options);
   analysis.mixture = mixtureOf(analysis.points);
 
+  analysis.conditions = conditionsOf(analysis.points);
   const auto used = analysis.fitted();
   const auto obstacle = obstacleTo(options.model, used);
   if (obstacle.reason.empty()) {

@@ -2,6 +2,7 @@
 #ifndef WHEELRAIL_FIT_FIT_ANALYSIS_H
 #define WHEELRAIL_FIT_FIT_ANALYSIS_H
 
+#include "fit/fit_condition.h"
 #include "fit/friction_point.h"
 #include "fit/law_fit.h"
 
@@ -36,16 +37,17 @@ struct ModelComparison {
 struct FitAnalysis {
   FitOptions options;
   std::vector<FrictionPoint> points; ///< all; leftOut says which are not fitted
-  std::optional<LawFit> fit;         ///< its vectors run over the points that are not left out
-  std::string whyNot;                ///< why there is no fit
-  std::string mixture; ///< one line if runs of other laws or programs are taken together
+  /// What is fitted: the points that are not left out, replicas as one.
+  std::vector<FitCondition> conditions;
+  std::optional<LawFit> fit; ///< its vectors run over the conditions
+  std::string whyNot;        ///< why there is no fit
+  std::string mixture;       ///< one line if runs of other laws or programs are taken together
   /// There are enough points, but they do not determine the parameters.
   bool notIdentifiable = false;
   /// All of `lawModels`, in their order.
   std::vector<ModelComparison> models;
 
-  /// The points that are fitted, in order.
-  /// Points without a reason in `leftOut`.
+  /// The points of the conditions, in order.
   std::vector<LawPoint> fitted() const;
 };
 

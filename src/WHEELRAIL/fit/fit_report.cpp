@@ -2,6 +2,7 @@
 #include "fit/fit_report.h"
 
 #include "fit/replicates.h"
+#include "shared/printable.h"
 
 #include <algorithm>
 #include <cmath>
@@ -28,6 +29,34 @@ double standardError(const LawFit &fit, int k)
   return k < lawParameters ? std::sqrt((*fit.law.covariance)(k, k)) : fit.exponentError;
 }
 
+/// Number of runs that are fitted.
+std::size_t runsOf(const FitAnalysis &analysis)
+{
+  std::size_t runs = 0;
+  for (const auto &condition : analysis.conditions)
+    runs += condition.runs.size();
+  return runs;
+}
+
+/// Ranges of what the fitted runs were made of, by the names and in the units of
+/// `fittedQuantities`.
+std::map<std::string, Range> fittedOn(const FitAnalysis &analysis)
+{
+  std::map<std::string, Range> ranges;
+  for (const auto &condition : analysis.conditions) {
+    const FrictionPoint &p = analysis.points[condition.runs.front()];
+    const std::pair<const char *, double> values[] = {
+        {"pressure", p.pressure}, {"velocity", std::abs(p.velocity)},
+        {"strength", p.strength}, {"youngs_modulus", p.youngsModulus()},
+        {"density", p.density},   {"viscosity", p.viscosity}};
+    for (const auto &[name, value] : values) {
+      const auto range = ranges.try_emplace(name, Range{value, value}).first;
+      range->second = {std::min(range->second[0], value), std::max(range->second[1], value)};
+    }
+  }
+  return ranges;
+}
+
 /// JSON has no nan and no infinity.
 Json finite(double x)
 {
@@ -43,7 +72,7 @@ double leastAicc(const FitAnalysis &analysis)
   return least;
 }
 
-/// Our points against the paper's law: root mean square and mean of mu/Eq. 2 - 1.
+/// Our conditions against the paper's law: root mean square and mean of mu/Eq. 2 - 1.
 struct AgainstPaper {
   int n = 0;
   double rms = 0.0;
@@ -53,10 +82,9 @@ struct AgainstPaper {
 AgainstPaper againstPaper(const FitAnalysis &analysis)
 {
   AgainstPaper result;
-  for (const auto &p : analysis.points) {
-    if (!p.leftOut.empty())
-      continue;
-    const double difference = p.mu / p.muEq2 - 1.0;
+  for (const auto &condition : analysis.conditions) {
+    const double paper = analysis.points[condition.runs.front()].muEq2;
+    const double difference = condition.point.mu / paper - 1.0;
     ++result.n;
     result.mean += difference;
     result.rms += difference * difference;
@@ -78,18 +106,19 @@ std::string pointLines(const FitAnalysis &analysis)
 {
   size_t width = 4;
   for (const auto &p : analysis.points)
-    width = std::max(width, p.file.size());
+    width = std::max(width, mcawr::printable(p.file).size());
   std::string text =
       fmt::format("{:<{}} {:>9} {:>9} {:>7} {:>7} {:>6} {:>8} {:>8} {:>7}\n", "file", width,
                   "kappa1", "kappa2", "mu", "+-", "n_eff", "t_start", "grinding", "Eq. 2");
   for (const auto &p : analysis.points) {
     text += fmt::format("{:<{}} {:>9.4g} {:>9.4g} {:>7.4f} {:>7} {:>6.0f} {:>8} {:>8} {:>7.4f}",
-                        p.file, width, p.kappa1, p.kappa2, p.mu, shown("{:.4f}", p.muSe), p.nEff,
-                        shown("{:.4g}", p.tStart), shown("{:.4f}", p.muGrindingIn), p.muEq2);
+                        mcawr::printable(p.file), width, p.kappa1, p.kappa2, p.mu,
+                        shown("{:.4f}", p.muSe), p.nEff, shown("{:.4g}", p.tStart),
+                        shown("{:.4f}", p.muGrindingIn), p.muEq2);
     if (!p.note.empty())
-      text += "  " + p.note;
+      text += "  " + mcawr::printable(p.note);
     if (!p.leftOut.empty())
-      text += fmt::format("  [left out: {}]", p.leftOut);
+      text += fmt::format("  [left out: {}]", mcawr::printable(p.leftOut));
     text += "\n";
   }
   return text;
@@ -113,6 +142,15 @@ std::string intervalText(const Interval &interval)
                 : fmt::format("{:.4g}", value);
   };
   return end(interval.lower, interval.lowerOpen) + " .. " + end(interval.upper, interval.upperOpen);
+}
+
+/// "a.friction and 2 other seeds"
+std::string filesOf(const FitAnalysis &analysis, const FitCondition &condition)
+{
+  const std::string first = mcawr::printable(analysis.points[condition.runs.front()].file);
+  const std::size_t others = condition.runs.size() - 1;
+  return others == 0 ? first
+                     : fmt::format("{} and {} other seed{}", first, others, others == 1 ? "" : "s");
 }
 
 std::string fitLines(const FitAnalysis &analysis)
@@ -141,14 +179,14 @@ std::string fitLines(const FitAnalysis &analysis)
                   100.0 * fit.law.rmsRelative, 100.0 * fit.scatter, fit.chiSquared, fit.freedom,
                   fit.conditionNumber);
   std::string outliers;
-  size_t i = 0;
-  for (const auto &p : analysis.points) {
-    if (!p.leftOut.empty())
+  for (size_t i = 0; i < analysis.conditions.size(); ++i) {
+    if (std::abs(fit.studentised[i]) <= outlierLimit)
       continue;
-    if (std::abs(fit.studentised[i]) > outlierLimit)
-      outliers += fmt::format("  outlier: {}: mu {:.4f}, fit {:.4f}, {:.1f} standard deviations\n",
-                              p.file, p.mu, p.mu / (1.0 + fit.residuals[i]), fit.studentised[i]);
-    ++i;
+    const FitCondition &condition = analysis.conditions[i];
+    const double mu = condition.point.mu;
+    outliers += fmt::format("  outlier: {}: mu {:.4f}, fit {:.4f}, {:.1f} standard deviations\n",
+                            filesOf(analysis, condition), mu, mu / (1.0 + fit.residuals[i]),
+                            fit.studentised[i]);
   }
   return text + (outliers.empty()
                      ? fmt::format("  no outlier beyond {:.0f} standard deviations\n", outlierLimit)
@@ -196,6 +234,35 @@ Json pointJson(const FrictionPoint &p)
   return json;
 }
 
+/// What a condition's runs share, their mean, and what the fit makes of it.
+Json conditionJson(const FitAnalysis &analysis, std::size_t i)
+{
+  const FitCondition &condition = analysis.conditions[i];
+  const FrictionPoint &first = analysis.points[condition.runs.front()];
+  Json json = {{"kappa1", first.kappa1},
+               {"kappa2", first.kappa2},
+               {"kappa3", first.kappa3},
+               {"mu", condition.point.mu},
+               {"mu_se", condition.point.muSe},
+               {"own_error", condition.ownError},
+               {"scatter", finite(condition.scatter)},
+               {"mu_eq2", first.muEq2},
+               {"runs", Json::array()},
+               {"pressure", first.pressure},
+               {"velocity", first.velocity},
+               {"strength", first.strength},
+               {"viscosity", first.viscosity}};
+  for (const std::size_t run : condition.runs)
+    json["runs"].push_back(run);
+  if (!analysis.fit)
+    return json;
+  json["residual"] = analysis.fit->residuals[i];
+  json["studentised"] = analysis.fit->studentised[i];
+  json["leverage"] = analysis.fit->leverage[i];
+  json["outlier"] = std::abs(analysis.fit->studentised[i]) > outlierLimit;
+  return json;
+}
+
 Json fitJson(const FitAnalysis &analysis)
 {
   const auto &fit = *analysis.fit;
@@ -234,18 +301,11 @@ Json reportBody(const FitAnalysis &analysis)
   if (!analysis.mixture.empty())
     report["warning"] = analysis.mixture;
   report["points"] = Json::array();
-  size_t i = 0;
-  for (const auto &p : analysis.points) {
-    auto entry = pointJson(p);
-    if (analysis.fit && p.leftOut.empty()) {
-      entry["residual"] = analysis.fit->residuals[i];
-      entry["studentised"] = analysis.fit->studentised[i];
-      entry["leverage"] = analysis.fit->leverage[i];
-      entry["outlier"] = std::abs(analysis.fit->studentised[i]) > outlierLimit;
-      ++i;
-    }
-    report["points"].push_back(entry);
-  }
+  for (const auto &p : analysis.points)
+    report["points"].push_back(pointJson(p));
+  report["conditions"] = Json::array();
+  for (size_t i = 0; i < analysis.conditions.size(); ++i)
+    report["conditions"].push_back(conditionJson(analysis, i));
   const auto paper = againstPaper(analysis);
   report["against_eq2"] = {{"n", paper.n}, {"rms_relative", paper.rms}, {"mean", paper.mean}};
   report["equal_kappas"] = Json::array();
@@ -280,18 +340,22 @@ Json reportBody(const FitAnalysis &analysis)
 std::string textReport(const FitAnalysis &analysis)
 {
   auto text = pointLines(analysis);
+  if (const auto n = analysis.conditions.size(); n > 0)
+    text += fmt::format("{} run{} of {} condition{}; those that differ in the seed only are one "
+                        "point\n",
+                        runsOf(analysis), runsOf(analysis) == 1 ? "" : "s", n, n == 1 ? "" : "s");
   const auto paper = againstPaper(analysis);
   if (paper.n > 0)
     text += fmt::format("Against Eq. 2 with the paper's numbers: RMS {:.1f} %, mean {:+.1f} % ({} "
-                        "point{})\n",
+                        "condition{})\n",
                         100.0 * paper.rms, 100.0 * paper.mean, paper.n, paper.n == 1 ? "" : "s");
   text += replicateLines(analysis);
   if (!analysis.mixture.empty())
-    text += fmt::format("Warning: {}.\n", analysis.mixture);
+    text += fmt::format("Warning: {}.\n", mcawr::printable(analysis.mixture));
   if (analysis.fit)
     text += fitLines(analysis);
   else
-    text += fmt::format("No law fitted: {}.\n", analysis.whyNot);
+    text += fmt::format("No law fitted: {}.\n", mcawr::printable(analysis.whyNot));
   if (analysis.fit || analysis.notIdentifiable)
     text += modelLines(analysis);
   return text;
@@ -302,8 +366,10 @@ Json jsonReport(const FitAnalysis &analysis)
   Json json;
   if (analysis.fit) {
     FrictionLaw law = analysis.fit->law;
-    law.source = fmt::format("wr_fit {}, {} of {} points, model {}", WHEELRAIL_VERSION, law.n,
-                             analysis.points.size(), nameOf(analysis.fit->model));
+    law.source =
+        fmt::format("wr_fit {}, {} conditions from {} of {} runs, model {}", WHEELRAIL_VERSION,
+                    law.n, runsOf(analysis), analysis.points.size(), nameOf(analysis.fit->model));
+    law.fittedOn = fittedOn(analysis);
     if (analysis.fit->reference > 0.0)
       law.source += fmt::format(" at kappa3 = {:.8g}", analysis.fit->reference);
     json = toJson(law);

@@ -69,7 +69,7 @@ class Header {
     if (!root_.IsMap())
       throw badInput(
           fileName_, 1, "",
-          fmt::format("no friction log: the head must begin with '{}'", format::formatLine()));
+          fmt::format("not a friction log: the head must begin with '{}'", format::formatLine()));
     checkKeys(root_);
     for (const auto &entry : root_)
       if (entry.second.IsMap())
@@ -114,12 +114,24 @@ class Header {
     return root_[section] && root_[section].IsMap() && root_[section][key];
   }
 
+  /// A section as it stands there; empty where there is none.
+  std::string wording(const std::string &section) const
+  {
+    return root_[section] ? YAML::Dump(root_[section]) : std::string();
+  }
+
   /// Adds the values of a section under "section.key".
   void collect(const std::string &section, std::map<std::string, std::string> &values) const
   {
-    if (root_[section] && root_[section].IsMap())
-      for (const auto &entry : root_[section])
-        values[section + "." + entry.first.Scalar()] = entry.second.Scalar();
+    if (!root_[section])
+      return;
+    if (!root_[section].IsMap())
+      throw badInput(fileName_, line(section), section, "{key: value, ...} expected");
+    for (const auto &entry : root_[section]) {
+      if (!entry.first.IsScalar() || !entry.second.IsScalar())
+        throw badInput(fileName_, line(section), section, "one value for each key is expected");
+      values[section + "." + entry.first.Scalar()] = entry.second.Scalar();
+    }
   }
 
  private:
@@ -129,7 +141,7 @@ class Header {
     for (const auto &entry : map)
       if (!seen.insert(entry.first.Scalar()).second)
         throw badInput(fileName_, lineOf(entry.first), entry.first.Scalar(),
-                       "stands twice in the head");
+                       "appears twice in the head");
   }
 
   static int lineOf(const YAML::Node &node) { return node.Mark().line + 1; }
@@ -177,6 +189,10 @@ void readHeader(const Header &header, FrictionLog &log)
     log.seed = static_cast<long>(header.number(format::head::seed));
   for (const auto *section : format::madeBySections)
     header.collect(section, log.madeBy);
+  for (const auto *section : format::conditionSections)
+    log.condition[section] = header.wording(section);
+  if (header.has(format::section::run, format::timestepKey))
+    log.condition[format::timestepKey] = header.text(format::section::run, format::timestepKey);
 }
 
 /// Where each of our columns stands; further columns are allowed and skipped.
@@ -206,7 +222,7 @@ double readNumber(const FrictionLog &log, int line, size_t column, std::string_v
   if (!x)
     throw badInput(log.file, line, format::columnNames[column],
                    fmt::format("'{}' is not a finite number", word));
-  if (std::abs(*x) > format::largest)
+  if (!format::isInRow(*x))
     throw badInput(
         log.file, line, format::columnNames[column],
         fmt::format("'{}' is not allowed, must be within +-{:g}", word, format::largest));
@@ -236,7 +252,7 @@ void addRow(FrictionLog &log, int line, const std::array<double, format::Columns
                                    every, interval));
     }
   }
-  const double expected = row[format::ShearStress] / log.pressure;
+  const double expected = log.pressure > 0.0 ? row[format::ShearStress] / log.pressure : 0.0;
   if (std::abs(row[format::Mu] - expected) > muTolerance * (1.0 + std::abs(expected)))
     throw badInput(log.file, line, "mu",
                    fmt::format("{} is not shear_stress/pressure = {:.6g} with the pressure of {} "
@@ -244,7 +260,7 @@ void addRow(FrictionLog &log, int line, const std::array<double, format::Columns
                                row[format::Mu], expected, log.pressure));
   log.step.push_back(step);
   log.time.push_back(row[format::Time]);
-  log.mu.push_back(row[format::Mu]);
+  log.mu.push_back(log.velocity < 0.0 ? -row[format::Mu] : row[format::Mu]);
 }
 
 void dropStateBeforeFirstStep(FrictionLog &log)
@@ -305,7 +321,7 @@ FrictionLog readFrictionLog(const std::string &path)
   log.file = path;
   std::error_code ignored;
   if (std::filesystem::exists(path, ignored) && !std::filesystem::is_regular_file(path, ignored))
-    throw badInput(path, 0, "", "is no regular file"); // reading a pipe might never end
+    throw badInput(path, 0, "", "is not a regular file"); // reading a pipe might never end
   const auto text = readInputFile(path);
   const auto lines = splitLines(text);
   const bool lastLineEnded = text.back() == '\n';

@@ -19,16 +19,21 @@ struct FrictionLog {
   double density = 0.0;       ///< kg/m3, > 0
   double strength = 0.0;      ///< sigma_0, MPa, > 0
   double viscosity = 0.0;     ///< Pa s, >= 0
-  double pressure = 0.0;      ///< prescribed normal pressure, MPa, > 0
-  double velocity = 0.0;      ///< speed of the driven layer, m/s, >= 0
+  double pressure = 0.0;      ///< prescribed normal pressure, MPa, >= 0
+  double velocity = 0.0;      ///< of the driven layer along x, m/s, of either sign
   long seed = 0;              ///< of the roughness; 0 if the log states none
   /// What computed the run, as in the head: "program.lammps" -> "20250204", "laws.steps" ->
   /// "corrected" and so on; empty if the head has neither section.
   std::map<std::string, std::string> madeBy;
+  /// What was simulated, word by word: the head's sections material, loading and geometry by their
+  /// names, and its "timestep". With `madeBy` all of the head that decides a run, but for the seed.
+  std::map<std::string, std::string> condition;
 
   std::vector<long> step;   ///< strictly increasing, evenly spaced
   std::vector<double> time; ///< ns, end of the row's interval
-  std::vector<double> mu;   ///< shear_stress / pressure
+  /// shear_stress / pressure, 0 at pressure 0; positive where it opposes the velocity, so that a
+  /// layer that is driven backwards has the same friction.
+  std::vector<double> mu;
 
   /// One line for the user when a cut last line was dropped, else empty.
   std::string note;

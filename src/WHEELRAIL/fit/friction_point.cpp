@@ -80,9 +80,11 @@ FrictionPoint frictionPoint(const FrictionLog &log, const PointOptions &options)
   point.velocity = log.velocity;
   point.strength = log.strength;
   point.viscosity = log.viscosity;
+  point.density = log.density;
   point.muPeak = *std::max_element(log.mu.begin(), log.mu.end());
   point.seed = log.seed;
   point.madeBy = log.madeBy;
+  point.condition = log.condition;
   const auto rows = std::min(firstRows, log.mu.size());
   point.firstStep.assign(log.step.begin(), log.step.begin() + rows);
   point.firstMu.assign(log.mu.begin(), log.mu.begin() + rows);
@@ -129,6 +131,8 @@ bool sameRun(const FrictionPoint &a, const FrictionPoint &b)
   if (a.kappa1 != b.kappa1 || a.kappa2 != b.kappa2 || a.kappa3 != b.kappa3 || a.seed != b.seed ||
       a.madeBy != b.madeBy)
     return false;
+  // Rows of the one log may be means over several rows of the other. Both are added up until they
+  // reach a step that both have; there the means must agree, and the sums begin anew.
   constexpr double rounding = 1e-6; // logs have seven digits
   RowMean ofA, ofB;
   bool compared = false;
@@ -150,13 +154,17 @@ bool sameRun(const FrictionPoint &a, const FrictionPoint &b)
 
 std::string pointsAsCsv(const std::vector<FrictionPoint> &points)
 {
-  std::string text = "# t_start in ns (nan: no stationary part found, mu of the second half); the "
-                     "rest is dimensionless\n"
-                     "file,kappa1,kappa2,mu,mu_se,n_eff,t_start,mu_grinding_in,mu_eq2,kappa3\n";
+  std::string text = "# t_start in ns (nan: no stationary part found, mu of the second half), "
+                     "pressure, strength and youngs_modulus in MPa, velocity in m/s, viscosity in "
+                     "Pa s; the rest is dimensionless\n"
+                     "file,kappa1,kappa2,mu,mu_se,n_eff,t_start,mu_grinding_in,mu_eq2,kappa3,"
+                     "pressure,velocity,strength,youngs_modulus,viscosity,seed\n";
   for (const auto &p : points)
-    text += fmt::format("{},{:.8g},{:.8g},{:.6g},{:.4g},{:.4g},{:.6g},{:.6g},{:.6g},{:.8g}\n",
+    text += fmt::format("{},{:.8g},{:.8g},{:.6g},{:.4g},{:.4g},{:.6g},{:.6g},{:.6g},{:.8g},"
+                        "{:.8g},{:.8g},{:.8g},{:.8g},{:.8g},{}\n",
                         csvField(p.file), p.kappa1, p.kappa2, p.mu, p.muSe, p.nEff, p.tStart,
-                        p.muGrindingIn, p.muEq2, p.kappa3);
+                        p.muGrindingIn, p.muEq2, p.kappa3, p.pressure, p.velocity, p.strength,
+                        p.youngsModulus(), p.viscosity, p.seed);
   return text;
 }
 

@@ -34,15 +34,19 @@ struct FrictionPoint {
   double velocity = 0.0;        ///< m/s
   double strength = 0.0;        ///< MPa
   double viscosity = 0.0;       ///< Pa s
+  double density = 0.0;         ///< kg/m3
   /// Of the log's head.
   long seed = 0;
   std::map<std::string, std::string> madeBy; ///< FrictionLog::madeBy
+  /// FrictionLog::condition
+  std::map<std::string, std::string> condition;
   /// Steps and mu of the first rows, at most 1000: they tell one run from another.
   std::vector<long> firstStep;
   std::vector<double> firstMu;
   std::string note;    ///< why there is no stationary part, or that a cut line was dropped
   std::string leftOut; ///< why the point is not fitted; empty: it is
 
+  double youngsModulus() const { return kappa3 * strength; } ///< MPa
   /// Was a stationary part found?
   bool stationary() const { return tStart == tStart; }
 };
@@ -69,8 +73,10 @@ bool sameRun(const FrictionPoint &a, const FrictionPoint &b);
 FrictionPoint frictionPoint(const FrictionLog &log, const PointOptions &options);
 
 /// points.csv: a comment line with the units, a line of column names, one row a point:
-/// file,kappa1,kappa2,mu,muSe,nEff,tStart,muGrindingIn,muEq2,kappa3.
-/// tStart is nan where no stationary part was found, muGrindingIn where there was no grinding-in.
+/// file,kappa1,kappa2,mu,mu_se,n_eff,t_start,mu_grinding_in,mu_eq2,kappa3,pressure,velocity,
+/// strength,youngs_modulus,viscosity,seed.
+/// t_start (ns) is nan where no stationary part was found, mu_grinding_in where there was no
+/// grinding-in; stresses in MPa, velocity in m/s, viscosity in Pa s, the rest is dimensionless.
 std::string pointsAsCsv(const std::vector<FrictionPoint> &points);
 
 } // namespace wheelrail

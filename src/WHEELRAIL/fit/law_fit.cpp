@@ -92,6 +92,9 @@ double scatterFor(const std::vector<LawPoint> &points, const VectorXd &fitted, d
 /// -2 ln likelihood of normal residuals, at the scatter that maximises it.
 double minusTwoLogLikelihood(const std::vector<LawPoint> &points, const VectorXd &fitted)
 {
+  // Profile likelihood: the fitted mu stay, the scatter is chosen anew. The fit's own scatter makes
+  // chi^2 equal to the degrees of freedom; the likelihood, which AICc compares, has its maximum at
+  // a somewhat smaller one.
   const auto value = [&](double logScatter) {
     const VectorXd sigma = deviations(points, fitted, std::exp(logScatter));
     double sum = 0.0;
@@ -135,6 +138,15 @@ void checkPoints(const std::vector<LawPoint> &points)
       throw std::invalid_argument("fitLaw: a point is not finite or negative");
 }
 
+Range rangeOf(const std::vector<LawPoint> &points, double LawPoint::*number)
+{
+  const auto [least, largest] =
+      std::minmax_element(points.begin(), points.end(), [&](const LawPoint &p, const LawPoint &q) {
+        return p.*number < q.*number;
+      });
+  return {*least.*number, *largest.*number};
+}
+
 std::string explainWeakness(const LawFit &fit, const VectorXd &x, const Identifiability &analysis,
                             const LeastSquaresProblem &problem)
 {
@@ -158,6 +170,8 @@ std::string explainWeakness(const LawFit &fit, const VectorXd &x, const Identifi
       analysis.conditionNumber, worstCondition);
 }
 
+/// The hat matrix' diagonal h_i = j_i C j_i', the share of point i in its own fitted value, takes
+/// that much variance off the residual: sigma_i^2 (1 - h_i).
 void fillResiduals(LawFit &fit, const std::vector<LawPoint> &points, const VectorXd &fitted,
                    const VectorXd &sigma, const MatrixXd &jacobian, const MatrixXd &covariance)
 {
@@ -249,7 +263,9 @@ LawFit fitLaw(LawModel model, const std::vector<LawPoint> &points, double level,
   if (reference == 0.0)
     reference = geometricMean(points);
 
-  // weights depend on the fit and on the scatter, both on the weights: repeat until they agree
+  // Weights depend on the fit and on the scatter, both on the weights: repeat until they agree. The
+  // scatter is relative to the fitted mu, not to the measured one, so that a point does not weigh
+  // more because it happened to come out low.
   VectorXd fitted(n);
   for (int i = 0; i < n; ++i)
     fitted[i] = std::max(points[i].mu, 1e-3);
@@ -309,12 +325,11 @@ LawFit fitLaw(LawModel model, const std::vector<LawPoint> &points, double level,
     held[k] = held[k] || fit.atBound[k];
   fillResiduals(fit, points, fitted, sigma, solution.jacobian,
                 analyseJacobian(solution.jacobian, held).covariance);
-  const auto byKappa1 = [](const LawPoint &p, const LawPoint &q) { return p.kappa1 < q.kappa1; };
-  const auto byKappa2 = [](const LawPoint &p, const LawPoint &q) { return p.kappa2 < q.kappa2; };
-  const auto [low1, high1] = std::minmax_element(points.begin(), points.end(), byKappa1);
-  const auto [low2, high2] = std::minmax_element(points.begin(), points.end(), byKappa2);
-  fit.law.kappa1Range = {low1->kappa1, high1->kappa1};
-  fit.law.kappa2Range = {low2->kappa2, high2->kappa2};
+  fit.law.kappa1Range = rangeOf(points, &LawPoint::kappa1);
+  fit.law.kappa2Range = rangeOf(points, &LawPoint::kappa2);
+  fit.law.kappa3Range = rangeOf(points, &LawPoint::kappa3);
+  if (model == LawModel::Kappa3)
+    fit.law.kappa3 = reference;
 
   const int k = countParameters(model) + 1; // and the scatter
   fit.aicc = n > k + 1 ? minusTwoLogLikelihood(points, fitted) + 2.0 * k +

@@ -62,6 +62,8 @@ LeastSquaresProblem LawProblem::make() const
   return problem;
 }
 
+// Eq. 2 is linear in mu0, mu1 and mu2 once b and c are given, which leaves a plane to be searched:
+// a grid of it, two values a decade, finds the valley that a single start would have to hit.
 std::vector<VectorXd> LawProblem::starts(const LeastSquaresProblem &problem) const
 {
   std::vector<std::pair<double, VectorXd>> candidates;
@@ -107,6 +109,7 @@ std::pair<double, VectorXd> LawProblem::linearFit(double b, double c) const
   for (int k : {Mu0, Mu1, Mu2})
     if (free_[k])
       linear.push_back(k);
+  // at mu0 = mu1 = mu2 = 0 the residuals are minus the data and the derivatives the design matrix
   VectorXd r(points_.size());
   MatrixXd jacobian(points_.size(), fitParameters);
   evaluate(x, r, &jacobian);

@@ -2,9 +2,12 @@
 #include "law/contact_friction.h"
 
 #include "base/errors.h"
+#include "law/friction_table.h"
 
 #include <algorithm>
+#include <cmath>
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 namespace wheelrail {
 
@@ -22,14 +25,47 @@ double FrictionSpecification::hardnessAt(double temperatureRise) const
   return hardnessOverStrength * strengthAt(temperatureRise);
 }
 
+double FallingFriction::operator()(double slidingSpeed) const
+{
+  return mu0 * ((1.0 - A) * std::exp(-B * slidingSpeed) + A);
+}
+
+bool FrictionSpecification::isTable() const
+{
+  constexpr std::string_view ending = ".csv";
+  return law.size() > ending.size() &&
+         law.compare(law.size() - ending.size(), ending.size(), ending) == 0;
+}
+
 FrictionLaw readLaw(const FrictionSpecification &friction)
 {
-  if (!friction.isConstant())
+  if (friction.isScaled())
     return readFrictionLaw(friction.law);
   FrictionLaw law;
-  law.mu0 = friction.mu;
   law.source = friction.law;
+  if (friction.isTable())
+    law.table = std::make_shared<const FrictionTable>(readFrictionTable(friction.law));
+  else
+    law.mu0 = friction.isFalling() ? friction.falling.mu0 : friction.mu;
   return law;
+}
+
+nlohmann::ordered_json toJson(const FrictionSpecification &friction, const FrictionLaw &law)
+{
+  constexpr double MPa = 1e6;
+  if (friction.isFalling())
+    return {{"format", "polach"},
+            {"mu0", friction.falling.mu0},
+            {"A", friction.falling.A},
+            {"B_s_m", friction.falling.B}};
+  if (!law.table)
+    return toJson(law);
+  const FrictionTable &table = *law.table;
+  return {{"format", "table"},
+          {"source", law.source},
+          {"pressure_MPa", {table.pressure.front() / MPa, table.pressure.back() / MPa}},
+          {"speed_m_s", {table.speed.front(), table.speed.back()}},
+          {"mu", {table.mu.minCoeff(), table.mu.maxCoeff()}}};
 }
 
 Vector frictionCoefficient(const FrictionSpecification &friction, const FrictionLaw &law,
@@ -38,12 +74,21 @@ Vector frictionCoefficient(const FrictionSpecification &friction, const Friction
   const auto n = pressure.size();
   if (friction.isConstant())
     return Vector::Constant(n, friction.mu);
+  if (friction.isFalling())
+    return Vector::Constant(n, friction.falling(std::abs(slidingSpeed)));
+  if (law.table) {
+    Vector mu(n);
+    for (Eigen::Index i = 0; i < n; ++i)
+      mu[i] = (*law.table)(pressure[i], std::abs(slidingSpeed));
+    return mu;
+  }
   const double speed = friction.velocityTerm ? slidingSpeed : 0.0;
   const auto kappa1At = [&](double strength) {
     return kappa1(friction.density, friction.modulus, speed, strength);
   };
   Vector mu(n);
   for (Eigen::Index i = 0; i < n; ++i) {
+    // the mean over all pressures depends on temperature only, which mostly is one for all cells
     if (i > 0 && !friction.local && temperature[i] == temperature[i - 1]) {
       mu[i] = mu[i - 1];
       continue;

@@ -5,15 +5,20 @@
 #include <Eigen/Core>
 
 #include <array>
+#include <map>
+#include <memory>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 
 namespace wheelrail {
 
+struct FrictionTable;
+
 /// Number of parameters of Eq. 2, in the order mu0, mu1, mu2, b, c used for every covariance.
 constexpr int lawParameters = 5;
 using LawCovariance = Eigen::Matrix<double, lawParameters, lawParameters>;
+using Range = std::array<double, 2>; ///< least and largest value
 
 /// kappa1 = rho E v^2 / sigma_0^2: (impact stress of the moving layer / strength)^2.
 /// SI units: kg/m3, Pa, m/s, Pa; dimensionless result, >= 0.
@@ -35,11 +40,21 @@ struct FrictionLaw {
 
   /// Covariance of (mu0, mu1, mu2, b, c); absent where the source states none.
   std::optional<LawCovariance> covariance;
-  int n = 0;                                      ///< points that were fitted
-  double rmsRelative = 0.0;                       ///< root mean square of (mu - fit)/fit
-  std::array<double, 2> kappa1Range = {0.0, 0.0}; ///< range of the fitted points
-  std::array<double, 2> kappa2Range = {0.0, 0.0}; ///< range of the fitted points
-  std::string source;                             ///< where the numbers come from
+  int n = 0;                ///< points that were fitted; 0: the source does not say
+  double rmsRelative = 0.0; ///< root mean square of (mu - fit)/fit
+  /// Ranges of the fitted points, kappa3 = E/sigma_0; absent where the source states none.
+  std::optional<Range> kappa1Range, kappa2Range, kappa3Range;
+  /// The kappa3 that the law is for, where mu was found to depend on it; absent: mu was taken not
+  /// to depend on it.
+  std::optional<double> kappa3;
+  /// Ranges of what the points were made of, by the names in `fittedQuantities`; those that the
+  /// source does not state are missing.
+  std::map<std::string, Range> fittedOn;
+  std::string source; ///< where the numbers come from
+  /// A line for the user about the file that it was read from: it has no checksum. Else empty.
+  std::string note;
+  /// What `frictionCoefficient` reads in place of Eq. 2 where the friction is a table; else null.
+  std::shared_ptr<const FrictionTable> table;
 
   /// Eq. 2. kappa1, kappa2 >= 0.
   double operator()(double kappa1, double kappa2) const;
@@ -55,19 +70,29 @@ struct FrictionLaw {
   double averaged(double kappa1, double modulus, double strength) const;
 };
 
-/// Eq. 3: the paper's fit to its 34 points. The paper states no covariance.
+/// Quantities of the runs that a law was fitted to: pressure, strength, youngs_modulus in MPa,
+/// velocity in m/s, density in kg/m3, viscosity in Pa s.
+constexpr std::array<const char *, 6> fittedQuantities = {
+    "pressure", "velocity", "strength", "youngs_modulus", "density", "viscosity"};
+
+/// Eq. 3: the paper's fit to its 34 points, with the ranges that the paper states: p and v of sec.
+/// 2, strengths and the modulus of Table 1. It varied modulus, density and viscosity too, and does
+/// not say how far; kappa3Range is that of Table 1. The paper states no covariance.
 FrictionLaw bucher2006();
 
 /// Is this the name of a law that needs no file?
 bool isBuiltinLaw(const std::string &name);
 
 /// The built-in law `bucher2006`, or a law file as wr_fit writes it (JSON, format
-/// "mca-friction-law 1"). The key "report" may hold anything and is skipped.
+/// "mca-friction-law 1"). Needed are the format and the five parameters; all else says where they
+/// come from and may be missing, "checksum" too. The key "report" may hold anything and is skipped.
 /// @throws Error (BadInput) naming file, line and key for what is missing, of the wrong type, out
-///         of range, not finite or unknown
+///         of range (all numbers within +-1e100), unknown, given twice or nested too deep, for a
+///         covariance that is not symmetric and positive semi-definite, and for a checksum
+///         (law_checksum.h) that does not fit the file
 FrictionLaw readFrictionLaw(const std::string &path);
 
-/// The law file's content. `readFrictionLaw` reads it back to the last bit.
+/// The law file's content without its checksum. `readFrictionLaw` reads it back to the last bit.
 nlohmann::ordered_json toJson(const FrictionLaw &law);
 
 } // namespace wheelrail

@@ -21,18 +21,27 @@ std::string columnLine()
 
 bool isIn(Range range, double value)
 {
-  const bool ordinary = value >= 1.0 / largest && value <= largest;
+  const auto isOrdinary = [](double x) { return x >= 1.0 / largest && x <= largest; };
   switch (range) {
   case Range::Positive:
-    return ordinary;
+    return isOrdinary(value);
   case Range::NotNegative:
-    return value == 0.0 || ordinary;
+    return value == 0.0 || isOrdinary(value);
+  case Range::Signed:
+    return value == 0.0 || isOrdinary(std::abs(value));
   case Range::PoissonsRatio:
     return value > -1.0 && value < 0.5;
   case Range::Whole:
     return value >= 0.0 && value <= largest && value == std::floor(value);
+  case Range::SignedWhole:
+    return std::abs(value) <= largestWhole && value == std::floor(value);
   }
   return false;
+}
+
+bool isInRow(double value)
+{
+  return std::abs(value) <= largest;
 }
 
 std::string describe(Range range, const std::string &unit)
@@ -46,11 +55,17 @@ std::string describe(Range range, const std::string &unit)
   case Range::NotNegative:
     text << ">= 0" << inUnit << ", 0 or " << 1.0 / largest << " to " << largest;
     break;
+  case Range::Signed:
+    text << "of either sign" << inUnit << ", 0 or " << 1.0 / largest << " to " << largest;
+    break;
   case Range::PoissonsRatio:
     text << "in -1 .. 0.5";
     break;
   case Range::Whole:
     text << ">= 0, whole, at most " << largest;
+    break;
+  case Range::SignedWhole:
+    text << "that is whole, " << -largestWhole << " to " << largestWhole;
     break;
   }
   return text.str();

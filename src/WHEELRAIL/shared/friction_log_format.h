@@ -60,14 +60,22 @@ constexpr std::array<Unit, 6> units = {{{"time", "ns"},
 enum class Range {
   Positive,      ///< 1/largest to largest
   NotNegative,   ///< 0, or 1/largest to largest
+  Signed,        ///< 0, or 1/largest to largest of either sign
   PoissonsRatio, ///< between -1 and 1/2, both excluded
-  Whole          ///< a whole number from 0 to largest
+  Whole,         ///< a whole number from 0 to largest
+  SignedWhole    ///< a whole number of either sign, at most largestWhole
 };
 /// Far beyond any run in these units; products of several such numbers do not overflow.
 constexpr double largest = 1e12;
+/// Below 2^53, so that a double holds every whole number up to it.
+constexpr double largestWhole = 9e15;
 
+/// One test for both sides: the plugin writes no log with a number outside its range, and wr_fit
+/// reads every log whose numbers are within theirs.
 /// @param value in the unit of its `HeadNumber`
 bool isIn(Range range, double value);
+/// The same for the numbers of a row: finite, within +-largest; `Step` is whole and >= 0.
+bool isInRow(double value);
 /// The range in words: "> 0 (MPa), 1e-12 to 1e+12". @param unit empty for pure numbers
 /// @return a half-sentence for messages: what is allowed
 std::string describe(Range range, const std::string &unit);
@@ -91,12 +99,13 @@ constexpr HeadNumber density = {section::material, "density", "kg/m3", Range::Po
 /// sigma_0 of the paper (Bucher et al. 2006), which all kappas are made with: kappa3 = E/sigma_0.
 constexpr HeadNumber strength = {section::material, "strength", "MPa", Range::Positive};
 constexpr HeadNumber viscosity = {section::material, "viscosity", "Pa s", Range::NotNegative};
-/// Normal stress p that the run prescribes, > 0: kappa2 = p E/sigma_0^2.
-constexpr HeadNumber pressure = {section::loading, "pressure", "MPa", Range::Positive};
-/// Of the driven layer, v: kappa1 = rho E v^2/sigma_0^2.
-constexpr HeadNumber velocity = {section::loading, "velocity", "m/s", Range::NotNegative};
+/// Normal stress p that the run prescribes: kappa2 = p E/sigma_0^2. At 0 the column mu is 0.
+constexpr HeadNumber pressure = {section::loading, "pressure", "MPa", Range::NotNegative};
+/// Of the driven layer along x, v: kappa1 = rho E v^2/sigma_0^2. The layer may be driven backwards;
+/// shear stress and mu are negative then.
+constexpr HeadNumber velocity = {section::loading, "velocity", "m/s", Range::Signed};
 /// Of the random numbers; runs that differ in it only are replicates.
-constexpr HeadNumber seed = {section::run, "seed", "", Range::Whole};
+constexpr HeadNumber seed = {section::run, "seed", "", Range::SignedWhole};
 /// Those that say more about the run.
 /// First and second yield stress of the response function and the strains that go with them.
 constexpr HeadNumber elasticLimit = {section::material, "elastic_limit", "MPa", Range::Positive};
@@ -116,6 +125,11 @@ constexpr HeadNumber every = {section::run, "every", "", Range::Whole};
 constexpr const char *packingKey = "packing";
 /// Sections that tell what computed the run: a reader keeps them word by word.
 constexpr std::array<const char *, 2> madeBySections = {section::program, section::laws};
+/// What is simulated: runs that agree in these sections, in those above and in the time step are
+/// replicas of one condition.
+constexpr std::array<const char *, 3> conditionSections = {section::material, section::loading,
+                                                           section::geometry};
+constexpr const char *timestepKey = "timestep"; ///< of the section `run`, ns
 
 /// Columns of a row in the order in which they are written; a reader goes by their names.
 /// A row is the mean over, or the state at the end of, the steps since the row before.

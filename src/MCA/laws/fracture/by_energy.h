@@ -19,10 +19,13 @@ namespace mca {
 /// Keyword fracture, value energy (doc/laws.md, Links). The criterion is ours: Bucher et al. state
 /// none. Energy has no sign, so a link breaks under compression, too.
 struct FractureByEnergy : FractureCriterion {
+  /// All else is as FractureCriterion has it: it needs more than strains, but no local stress, acts
+  /// in plane and space, and has no number of its own.
   static constexpr const char *keyword = "energy";
 
   /// The limit [stress], of unlike materials the lower one, and the factors of e^2 + gamma^2
-  /// [stress] and of both mean stresses' squares [1/stress].
+  /// [stress] and of both mean stresses' squares [1/stress]: value[0] to value[3] in this order.
+  /// \param m  with the moduli of the plane or of space; m.parameter is not read
   static FractureLimits limits(const LinkMaterials &m)
   {
     auto ofStrength = [](const Material &a) { return a.strength * a.strength / a.youngsModulus; };
@@ -32,7 +35,8 @@ struct FractureByEnergy : FractureCriterion {
              ofMean(m.moduliJ)}};
   }
 
-  /// psi [stress], the elastic energy of the link per volume, >= 0.
+  /// psi [stress], the elastic energy of the link per volume, >= 0 for D >= 0. Exchange of both
+  /// automata leaves it as it is, so that two ranks decide alike.
   /// \param load    elastic strains [-] and mean stresses [stress] after the return
   /// \param limits  of limits()
   static double density(const LinkLoad &load, const FractureLimits &limits)
@@ -41,7 +45,8 @@ struct FractureByEnergy : FractureCriterion {
            limits.value[2] * load.meanI * load.meanI + limits.value[3] * load.meanJ * load.meanJ;
   }
 
-  /// Whether psi reaches the limit. Needs a LinkLoad: stresses after the return have to be known.
+  /// Whether psi reaches the limit. Needs a LinkLoad: stresses after the return have to be known,
+  /// so that all blocks go the kernel's longer way.
   template<class Load>
   static bool broken(const Load &load, const FractureLimits &limits)
   {

@@ -14,17 +14,20 @@
 
 namespace mca {
 
-/// Limits of the criterion: ((a+1)/2)^2 [-], (3/2)(a-1) [-], sigma_c [stress].
+/// Limits of the criterion: ((a+1)/2)^2 [-], (3/2)(a-1) [-], sigma_c [stress], as value[0] to
+/// value[2]. From A and B above, multiplied by (a+1)/2, so that the right side is sigma_c alone.
 /// \param tensile  sigma_t [stress], > 0
-/// \param ratio    a [-], >= 1
+/// \param ratio    a [-], >= 1; 1 gives the criterion of the equivalent stress
 inline FractureLimits druckerPrager(double tensile, double ratio)
 {
   return {{0.25 * (ratio + 1.0) * (ratio + 1.0), 1.5 * (ratio - 1.0), ratio * tensile}};
 }
 
 /// Whether the criterion is met, without a root and without a branch: both sides are squared where
-/// the right one is positive, and it is met anyhow where that is not.
-/// \param s       stress tensor in the frame of the contact [stress], tension positive
+/// the right one is positive, and it is met anyhow where that is not: a mean tension beyond the tip
+/// of the cone.
+/// \param s       stress tensor in the frame of the contact [stress], tension positive: sigma and
+///                tau on its face, along and across on the other two
 /// \param limits  of druckerPrager()
 inline bool reaches(const LocalStress &s, const FractureLimits &limits)
 {
@@ -37,22 +40,31 @@ inline bool reaches(const LocalStress &s, const FractureLimits &limits)
 }
 
 /// Keyword fracture, value drucker-prager: keyword compressive_strength, >= 1, is the strength in
-/// compression over that in tension, which is sigma_0 of the weaker material.
+/// compression over that in tension, which is sigma_0 of the weaker material (Drucker and Prager's
+/// cone; that the local tensor is put in follows Psakhie, Shilko, Smolin et al., Frattura ed
+/// Integrita Strutturale 24 (2013) 26). In uniaxial tension a link breaks at sigma_0, in
+/// compression at a sigma_0; a test holds both.
 struct FractureByDruckerPrager : FractureCriterion {
+  /// It reads LinkLoad::local, so that automata show their averaged stresses, a message between
+  /// ranks.
   static constexpr const char *keyword = "drucker-prager";
   static constexpr bool needsLocalStress = true;
   static constexpr const char *parameter = "compressive_strength";
   static constexpr const char *parameterRange = ">= 1";
   /// Whether a ratio of strengths [-] has a meaning: the cone opens to compression, not to tension.
+  /// FractureLaw::problem() asks.
   static bool accepts(double ratio) { return ratio >= 1.0; }
 
-  /// Limits of this pair, of unlike materials with the lower strength; m.parameter is a [-].
+  /// Limits of this pair, of unlike materials with the lower strength.
+  /// \param m  m.parameter is the ratio a [-]; FractureLaw::problem() has seen to a >= 1
   static FractureLimits limits(const LinkMaterials &m)
   {
     return druckerPrager(m.strength(), m.parameter);
   }
 
-  /// Whether the local stress of this link reaches the cone; needs a LinkLoad.
+  /// Whether the local stress of this link reaches the cone.
+  /// \param load    a LinkLoad whose `local` is filled [stress]
+  /// \param limits  of limits()
   template<class Load>
   static bool broken(const Load &load, const FractureLimits &limits)
   {
@@ -67,10 +79,12 @@ struct FractureByEquivalentStress : FractureCriterion {
   static constexpr const char *keyword = "equivalent";
   static constexpr bool needsLocalStress = true;
 
-  /// Limits of this pair, of unlike materials with the lower strength.
+  /// Limits of this pair, of unlike materials with the lower strength; m.parameter is not read.
   static FractureLimits limits(const LinkMaterials &m) { return druckerPrager(m.strength(), 1.0); }
 
-  /// Whether the local von Mises stress reaches the strength; needs a LinkLoad.
+  /// Whether the local von Mises stress reaches the strength, whatever the pressure.
+  /// \param load    a LinkLoad whose `local` is filled [stress]
+  /// \param limits  of limits()
   template<class Load>
   static bool broken(const Load &load, const FractureLimits &limits)
   {

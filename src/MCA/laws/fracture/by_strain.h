@@ -10,7 +10,8 @@
 
 namespace mca {
 
-/// Squared strain intensity of a link [-]: max(eps, 0)^2 + (4/3) gamma^2.
+/// Squared strain intensity of a link [-]: max(eps, 0)^2 + (4/3) gamma^2. gamma is half the
+/// engineering shear strain, for which 4/3 gamma^2 is von Mises' weight.
 /// \param eps         total normal strain r/d - 1 [-]
 /// \param gammaTotal  total shear since linking, not reduced by plasticity [-]
 inline double strainIntensity2(double eps, double gammaTotal)
@@ -29,12 +30,14 @@ inline double strainIntensity2(double eps, const Vector &gammaTotal)
 }
 
 /// Keyword fracture, value strain. It reads strains only, so that the strain pass can decide and
-/// most blocks take the kernel's short way.
+/// most blocks take the kernel's short way. A link under shear alone breaks at gamma_total = 0.87
+/// eps_c.
 struct FractureByStrain : FractureCriterion {
+  /// The word in the input script, the default of keyword fracture.
   static constexpr const char *keyword = "strain";
   static constexpr bool strainOnly = true;
 
-  /// eps_c^2 [-], of unlike materials with the smaller eps_c.
+  /// eps_c^2 [-], of unlike materials with the smaller eps_c, as value[0]; the other three are 0.
   static FractureLimits limits(const LinkMaterials &m)
   {
     return {{m.breakingStrain() * m.breakingStrain()}};
@@ -42,7 +45,9 @@ struct FractureByStrain : FractureCriterion {
 
   /// Whether the squared intensity reaches the limit. Compression does not count, but collapse
   /// does, which breaks() of fracture.h adds.
-  /// \param load  a LinkLoad or a LinkStrain
+  /// \param load    a LinkLoad or a LinkStrain [-]; shears are numbers or, of LinkStrain in space,
+  ///                vectors
+  /// \param limits  of limits()
   template<class Load>
   static bool broken(const Load &load, const FractureLimits &limits)
   {

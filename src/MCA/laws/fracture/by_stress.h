@@ -11,15 +11,19 @@
 
 namespace mca {
 
-/// Keyword fracture, value stress.
+/// Keyword fracture, value stress. Decides in the force pass, when the stresses are known, so that
+/// all blocks go the kernel's longer way.
 struct FractureByStress : FractureCriterion {
   static constexpr const char *keyword = "stress";
 
-  /// sigma_0^2 [stress^2], of unlike materials with the lower sigma_0.
+  /// sigma_0^2 [stress^2], of unlike materials with the lower sigma_0, as value[0].
   static FractureLimits limits(const LinkMaterials &m) { return {{m.strength() * m.strength()}}; }
 
-  /// Whether the squared intensity reaches the limit. Compression alone never breaks a link.
-  /// \param load  a LinkLoad: sigma and the length tau of the shear stress [stress]
+  /// Whether the squared intensity reaches the limit. Compression alone never breaks a link; shear
+  /// alone does at sigma_0/sqrt(3).
+  /// \param load    a LinkLoad: sigma and the length tau of the shear stress [stress], after the
+  ///                return
+  /// \param limits  of limits()
   template<class Load>
   static bool broken(const Load &load, const FractureLimits &limits)
   {

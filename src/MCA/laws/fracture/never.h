@@ -10,15 +10,18 @@
 
 namespace mca {
 
-/// Keyword fracture, value none. It counts as one by strain, for the kernel's short way.
+/// Keyword fracture, value none. It counts as one by strain, for the kernel's short way: collapse
+/// is seen in the strain pass.
 struct FractureNever : FractureCriterion {
+  /// The word in the input script is none, as of all keywords that switch something off.
   static constexpr const char *keyword = "none";
   static constexpr bool strainOnly = true;
 
-  /// No limits: broken() reads none.
+  /// No limits: broken() reads none, so all are 0.
   static FractureLimits limits(const LinkMaterials &) { return {}; }
 
   /// Never; breaks() of fracture.h still lets a link collapse at eps <= collapseStrain.
+  /// \param load  not read: a LinkLoad or a LinkStrain
   template<class Load>
   static bool broken(const Load &, const FractureLimits &)
   {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "contact/line/contact_interval.h"
 
+#include "contact/edge_share.h"
+
 #include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
@@ -35,7 +37,7 @@ std::optional<double> fittedInset(const Vector &pressure, int edge, int inward, 
   const Vector c = basis.householderQr().solve(squares);
   if ((basis * c - squares).norm() > trustedMisfit * squares.norm())
     return std::nullopt;
-  double t = 0.0;
+  double t = 0.0; // Newton from the edge cell's centre
   for (int step = 0; step < 8; ++step) {
     const double slope = c[1] + t * (2.0 * c[2] + 3.0 * c[3] * t);
     if (!(slope > 0.0))
@@ -45,17 +47,11 @@ std::optional<double> fittedInset(const Vector &pressure, int edge, int inward, 
   return std::clamp(t + 0.5, -0.5, 0.9);
 }
 
-/// The same from the pressure p of the edge cell and the gap g of its neighbour: with the edge s
-/// cells outside the edge cell's centre, p = K sqrt(s) and g = (4/3) K (1 - s)^(3/2), so that
-/// y = 1 - s solves y^3 + k y = k with k = (3 g/(4 p))^2.
+/// The same from the pressure of the edge cell and the gap of its neighbour.
 double localInset(double pressure, double gap)
 {
-  const double k = std::pow(0.75 * gap / pressure, 2);
-  if (!(k > 0.0))
-    return -0.5;
-  const double y = 2.0 * std::sqrt(k / 3.0) * std::sinh(std::asinh(1.5 * std::sqrt(3.0 / k)) / 3.0);
   constexpr double farthest = 0.49; // some of the cell stays
-  return std::min(y - 0.5, farthest);
+  return std::min(shareApart(pressure, gap) - 0.5, farthest);
 }
 
 } // namespace
@@ -65,6 +61,8 @@ std::vector<ContactInterval> contactIntervals(const NormalContactResult &contact
   const Vector &pressure = contact.pressure;
   const int n = static_cast<int>(pressure.size());
   const auto inset = [&](int edge, int inward, int cells) {
+    // 0, the cell's outer face, where nothing is known of the edge: at the end of the line, at a
+    // periodic line without a gap, at the pressure limit.
     int outside = edge - inward;
     if (boundary == Boundary::Periodic)
       outside = (outside + n) % n;

@@ -43,7 +43,8 @@ double cellInfluence(double m)
   return -(2.0 / pi) * integral;
 }
 
-// Cyclic convolution needs room for offsets -(n-1) .. n-1.
+// A line with free ends takes twice the cells: the cyclic convolution needs room for offsets
+// -(n-1) .. n-1.
 HalfPlane::HalfPlane(int cells, Boundary boundary, double poissonsRatio, double cellSize)
     : boundary_(boundary), cellGrid_{cells, 1, cellSize, cellSize}, poissonsRatio_(poissonsRatio),
       line_(cells, boundary == Boundary::Free ? fastTransformSize(2 * cells) : cells)
@@ -58,6 +59,8 @@ void HalfPlane::fillPeriodicSpectra()
   if (boundary_ == Boundary::Periodic)
     compliance_.assign(bins, 0.0);
   stiffness_.assign(bins, 0.0);
+  // A line with free ends gets its preconditioner here as well: as if it repeated with the
+  // padded length.
   for (int m = 1; m < bins; ++m) {
     const double symbol = periodicSymbol(2.0 * pi * m / size);
     if (boundary_ == Boundary::Periodic)
@@ -84,6 +87,7 @@ TangentialField HalfPlane::displacement(const TangentialField &q)
 {
   return {displacement(q.x), displacement(q.y) / (1.0 - poissonsRatio_)};
 }
+// Derivative of the logarithm for loads at the centres, half-way between them: 1/(m + 1/2).
 HalfPlane::Vector HalfPlane::stretch(const Vector &q)
 {
   return multiply(q, stretching_, [](int m) { return 2.0 / (pi * (m + 0.5)); });

@@ -22,6 +22,8 @@ using Vector = Eigen::VectorXd;
 constexpr double pi = 3.14159265358979323846;
 constexpr int fewestPoints = 16;
 constexpr double fewestCellsPerWave = 4.0;
+constexpr double largestPlace = 1e3;      ///< of heights and positions, m
+constexpr double smallestSpacing = 1e-12; ///< of points, m
 
 std::string trimmed(const std::string &text)
 {
@@ -37,7 +39,8 @@ struct ProfileHeader {
 };
 
 /// "# keyword: value"; other comments are free text.
-void readHeaderLine(const std::string &line, const std::string &path, int number,
+/// @param isHead no numbers have been read yet
+void readHeaderLine(const std::string &line, const std::string &path, int number, bool isHead,
                     ProfileHeader &header)
 {
   const auto colon = line.find(':');
@@ -45,35 +48,63 @@ void readHeaderLine(const std::string &line, const std::string &path, int number
     return;
   const std::string keyword = trimmed(line.substr(1, colon - 1));
   const std::string value = trimmed(line.substr(colon + 1));
+  double *target = keyword == "height"     ? &header.heightUnit
+                   : keyword == "position" ? &header.positionUnit
+                   : keyword == "spacing"  ? &header.spacing
+                                           : nullptr;
+  if (!target)
+    return;
+  if (!isHead || *target != 0.0)
+    throw badInput(path, number, keyword, "is given once, before the numbers");
   try {
-    if (keyword == "height")
-      header.heightUnit = parseQuantity("1 " + value, "m");
-    if (keyword == "position")
-      header.positionUnit = parseQuantity("1 " + value, "m");
-    if (keyword == "spacing")
-      header.spacing = parseQuantity(value, "m");
+    *target = parseQuantity(target == &header.spacing ? value : "1 " + value, "m");
   } catch (const std::invalid_argument &problem) {
     throw badInput(path, number, keyword, problem.what());
   }
-  if (keyword == "spacing" && !(header.spacing > 0.0))
-    throw badInput(path, number, keyword, fmt::format("'{}' must be positive", value));
+  if (target == &header.spacing && !(*target >= smallestSpacing && *target <= largestPlace))
+    throw badInput(path, number, keyword,
+                   fmt::format("'{}' is not in the allowed range [{}, {}] m", value,
+                               smallestSpacing, largestPlace));
 }
 
-std::vector<double> numbersOf(std::string line, const std::string &path, int number)
+/// Cells of a line, between commas, semicolons or white space; a missing one is empty.
+std::vector<std::string> cellsOf(const std::string &line)
 {
-  for (char &c : line)
-    if (c == ',' || c == ';')
-      c = ' ';
-  std::istringstream words(line);
-  std::vector<double> values;
-  for (std::string word; words >> word;) {
-    try {
-      values.push_back(parseNumber(word));
-    } catch (const std::invalid_argument &problem) {
-      throw badInput(path, number, "", problem.what());
-    }
+  constexpr const char *blanks = " \t";
+  std::vector<std::string> cells;
+  for (std::size_t at = 0;;) {
+    const std::size_t begin = std::min(line.find_first_not_of(blanks, at), line.size());
+    const std::size_t end = std::min(line.find_first_of(" \t,;", begin), line.size());
+    cells.push_back(line.substr(begin, end - begin));
+    const std::size_t next = line.find_first_not_of(blanks, end);
+    if (next == std::string::npos)
+      return cells;
+    at = line[next] == ',' || line[next] == ';' ? next + 1 : next;
   }
+}
+
+/// The numbers of a line, in file's units.
+std::vector<double> numbersOf(const std::string &line, const std::string &path, int number)
+{
+  std::vector<double> values;
+  for (const std::string &cell : cellsOf(line))
+    try {
+      values.push_back(parseNumber(cell));
+    } catch (const std::invalid_argument &problem) {
+      throw badInput(path, number, "",
+                     cell.empty() ? fmt::format("column {} is empty", values.size() + 1)
+                                  : problem.what());
+    }
   return values;
+}
+
+/// A height or a position in m, within what a profile may hold.
+double inMetres(double value, double unit, const std::string &path, int number, const char *keyword)
+{
+  if (!(std::abs(value * unit) <= largestPlace))
+    throw badInput(path, number, keyword,
+                   fmt::format("{} is not allowed, must be within +-{} m", value, largestPlace));
+  return value * unit;
 }
 
 /// Value at `place` (in points) on the straight lines between points.
@@ -135,7 +166,7 @@ Profile readProfile(const std::string &path)
     if (line.empty())
       continue;
     if (line[0] == '#') {
-      readHeaderLine(line, path, number, header);
+      readHeaderLine(line, path, number, columns == 0, header);
       continue;
     }
     const std::vector<double> values = numbersOf(line, path, number);
@@ -154,11 +185,15 @@ Profile readProfile(const std::string &path)
                      fmt::format("{} columns; one (height) or two (position, height) are allowed, "
                                  "the same in every line",
                                  values.size()));
-    if (columns == 2 && !first.empty() && values[0] * header.positionUnit <= first.back())
-      throw badInput(path, number, "position", fmt::format("{} does not increase", values[0]));
-    if (columns == 2)
-      first.push_back(values[0] * header.positionUnit);
-    second.push_back(values.back() * header.heightUnit);
+    if (columns == 2) {
+      const double x = inMetres(values[0], header.positionUnit, path, number, "position");
+      if (!first.empty() && x < first.back() + smallestSpacing)
+        throw badInput(
+            path, number, "position",
+            fmt::format("{} does not increase by {} m or more", values[0], smallestSpacing));
+      first.push_back(x);
+    }
+    second.push_back(inMetres(values.back(), header.heightUnit, path, number, "height"));
   }
   if (static_cast<int>(second.size()) < fewestPoints)
     throw badInput(path, 0, "",
@@ -229,20 +264,21 @@ Profile resampled(const Profile &profile, int cells, double cellSize)
 
 Profile fractalProfile(const FractalSurface &surface, int cells, double length)
 {
-  const int longest = static_cast<int>(std::ceil(length / surface.wavelengthMax * (1.0 - 1e-12)));
-  const int shortest = static_cast<int>(std::floor(length / surface.wavelengthMin * (1.0 + 1e-12)));
-  if (longest > shortest)
+  const double fewestWaves = std::ceil(length / surface.wavelengthMax * (1.0 - 1e-12));
+  const double mostWaves = std::floor(length / surface.wavelengthMin * (1.0 + 1e-12));
+  if (fewestWaves > mostWaves)
     throw Error(ExitCode::BadInput,
                 fmt::format("roughness: no wave between {} and {} mm has a whole number of periods "
                             "in {} mm",
                             surface.wavelengthMin * 1e3, surface.wavelengthMax * 1e3,
                             length * 1e3));
-  if (cells < fewestCellsPerWave * shortest)
+  if (cells < fewestCellsPerWave * mostWaves)
     throw Error(ExitCode::BadInput,
                 fmt::format("points: {} points on {} mm cannot carry waves of {} mm; at least {} "
                             "are needed, ten to a wave are better",
                             cells, length * 1e3, surface.wavelengthMin * 1e3,
-                            static_cast<int>(fewestCellsPerWave * shortest)));
+                            fewestCellsPerWave * mostWaves));
+  const int longest = static_cast<int>(fewestWaves), shortest = static_cast<int>(mostWaves);
   double squares = 0.0; // of what the amplitude is scaled by: mean square of slope or height
   std::vector<double> amplitude(shortest + 1, 0.0);
   for (int k = std::max(1, longest); k <= shortest; ++k) {

@@ -38,11 +38,11 @@ ProfileStatistics profileStatistics(const std::string &step, const Profile &prof
 ///   # height: um                 and either
 ///   # spacing: 5 um              (then one column: heights), or
 ///   # position: mm               (then two columns: position, height; increasing positions)
-/// Columns are separated by commas, semicolons or white space. Unequal positions are interpolated
-/// to equal ones of the same number.
-/// @throws Error (BadInput) with file and line: missing or wrong units, text where a number is
-///         expected, nan, inf, a wrong number of columns, positions that do not increase, fewer
-///         than 16 points
+/// Columns are separated by white space, or by a comma or semicolon. Unequal positions are
+/// interpolated to equal ones of the same number.
+/// @throws Error (BadInput) with file and line: units that are missing, wrong or given twice, text
+///         or nothing where a number is expected, nan, inf, a number beyond 1000 m, a wrong number
+///         of columns, positions that do not increase, fewer than 16 points
 Profile readProfile(const std::string &path);
 
 /// Takes off the least-squares polynomial of this order: 0 mean, 1 line, 2 parabola (the form of

@@ -19,7 +19,13 @@ constexpr double coarseTolerance = 1e-4;    ///< a start for the next grid needs
 constexpr double limitMargin = 1e-9;        ///< rounding of |q| against the bound
 constexpr double transientTolerance = 1e-5; ///< of the slip in the stick zone / creep
 
-/// Inverse of the finite Hilbert transform on the stick intervals, bounded at their leading edges.
+/// Inverse of the finite Hilbert transform on the stick intervals, bounded at their leading edges:
+/// q = w H' (v/w)/4, w = prod sqrt((leading_j - x)/(x - trailing_j)) (Soehngen's inversion;
+/// Johnson, Contact Mechanics, sec. 2.7). The weight vanishes at a leading edge, where the traction
+/// of rolling begins at zero, and is infinite where a stick zone ends, as the traction is there
+/// until the zone has its right length. On the staggered grid H H' = 4 holds to the last bit on an
+/// unbounded line; cut to the intervals it is an inverse but for the error of the cells, which
+/// GMRES removes.
 class FiniteHilbertInverse {
  public:
   FiniteHilbertInverse(HalfPlane &plane, const Vector &stickCells)
@@ -88,7 +94,10 @@ bool slips(Adhesion state)
   return state == Adhesion::Slip || state == Adhesion::BackwardSlip;
 }
 
-/// Moves cells between stick and slip. @return number of cells that changed
+/// Moves cells between stick and slip: a cell that sticks beyond its bound slips from now on, with
+/// the traction's sign; a cell that slips against its traction sticks. All at once, as in a
+/// primal-dual active set; `threshold` keeps the rounding of slips near zero from moving a cell to
+/// and fro. @return number of cells that changed
 int updateStates(const Vector &bound, const Vector &traction, const Vector &slip, double threshold,
                  std::vector<Adhesion> &state)
 {
@@ -169,6 +178,9 @@ RollingResult solveFrozenRolling(HalfPlane &halfPlane, const Vector &bound, doub
     return result;
   }
 
+  // On given states the problem is linear: where a cell slips its traction is the bound, where it
+  // sticks the stretch of both is the creep. So each turn solves for the sticking cells' traction
+  // and asks every cell whether its state still holds. Warm from the last turn's traction.
   const Vector edge = edgeCompliance(options.contact, n);
   const auto stretch = [&](const Vector &q) {
     return Vector(halfPlane.stretch(q) + edge.cwiseProduct(q));
@@ -236,6 +248,8 @@ void TransientRolling::moveTo(HalfPlane &plane, int shift)
   traction_ = moved(traction_);
 }
 
+// The constant makes displacements those against a point `referenceLength` cells away: without it
+// a tangential force that changes would move the far ends of a half-plane by an unknown amount.
 Vector TransientRolling::displacement(const Vector &q)
 {
   return halfPlane_->displacement(q).array() + constant_ * q.sum();
@@ -264,6 +278,10 @@ int TransientRolling::solveStick(const Vector &stick, Vector &residual, Vector &
       fmt::format("transient rolling: conjugate gradients stopped after {} steps", maxSteps));
 }
 
+// The displacement that the material brings along is that of the former traction moved by a cell,
+// for the half-plane is the same everywhere: nothing but the traction needs to be remembered.
+// On given states the slip is linear in the traction of the cells that stick, with an operator
+// that is symmetric: conjugate gradients instead of the GMRES of steady rolling.
 RollingResult TransientRolling::step(const Vector &bound, double creep)
 {
   const int n = halfPlane_->cells();

@@ -6,6 +6,8 @@
 namespace wheelrail {
 namespace {
 
+constexpr double mostCells = 1 << 26; ///< of a profile that travels; the rest of it is not used
+
 /// One measured profile, from the file to the cells; every step leaves its statistics.
 Eigen::VectorXd measuredRoughness(const SurfaceSpecification &specification,
                                   const std::string &name, const std::string &path, int cells,
@@ -21,7 +23,8 @@ Eigen::VectorXd measuredRoughness(const SurfaceSpecification &specification,
     statistics.push_back(profileStatistics(name + ": filtered", profile, specification.cutoff));
   }
   const double usable = profile.length() - profile.spacing;
-  const int wanted = whole ? std::max(cells, static_cast<int>(usable / cellSize)) : cells;
+  const double most = std::min(usable / cellSize, mostCells);
+  const int wanted = whole ? std::max(cells, static_cast<int>(most)) : cells;
   profile = resampled(profile, wanted, cellSize);
   statistics.push_back(profileStatistics(name + ": resampled", profile, specification.cutoff));
   return profile.height;

@@ -16,6 +16,9 @@ namespace wheelrail {
 /// Semismooth Newton (Alart, Curnier 1991); P is the projection on the disc of radius `bound`. The
 /// state of a cell (stick or slip) is predicted from q - r S, r the `prediction_`; a smaller r is
 /// slower and safer.
+///
+/// Derivative of a slipping cell's equation with z = q - r S, lambda = bound/|z| and the tangent t
+/// at z: dq - lambda t (t . dz). Derivative of a sticking cell's: dS.
 class FrictionNewton {
  public:
   using Vector = Eigen::VectorXd;
@@ -24,11 +27,13 @@ class FrictionNewton {
     /// B = A - A moved by a cell; false: B = A.
     bool steady = true;
     std::vector<int> cells; ///< in contact: indices in the half-space's grid
-    /// Friction coefficient times pressure, in units of the traction's unit; infinite: no slip at
-    /// all.
-    Vector bound; ///< scaled, of each of them
-    /// Rigid slip less the displacement that was there before, in units of the slip's unit.
-    Vector drive;              ///< 2 per cell
+    /// Friction coefficient times pressure of each of them, scaled; infinite: no slip at all.
+    Vector bound;
+    /// Rigid slip less the displacement that was there before, scaled; 2 per cell.
+    Vector drive;
+    /// Scaled slip that a cell's own traction makes beyond the half-spaces', 3 per cell: xx, yy,
+    /// xy; empty: none.
+    Vector edge;
     std::vector<int> unknown;  ///< components (0: x, 1: y) whose force is given
     std::vector<double> force; ///< scaled: sum of the scaled tractions
     double scale = 1.0;        ///< that the residual's norm is measured against
@@ -38,11 +43,11 @@ class FrictionNewton {
   ///         column more at the leading edge than the contact
   FrictionNewton(PatchHalfSpace &halfSpace, Equations equations);
 
-  /// @param x start on entry, solution on return
-  /// @param maxSteps Newton steps of one attempt; a second and a third are more careful
-  /// @return true when the tolerance is met
-  /// @param tolerance of the residual's norm, relative to `scale`
   /// Where no attempt converges and forces are given, they are approached in parts.
+  /// @param x start on entry, solution on return: 2 per cell, then the unknown creepages, scaled
+  /// @param tolerance of the residual's norm, relative to `scale`
+  /// @param maxSteps Newton steps of one attempt; a second and a third are more careful
+  /// @return true when the tolerance is met; never throws
   bool solve(Vector &x, double tolerance, int maxSteps);
 
   /// Newton steps of all attempts.
@@ -62,9 +67,14 @@ class FrictionNewton {
   struct Linearisation {
     std::vector<char> slips;
     Vector tangent; ///< 2 per cell, unit length in slip
-    Vector lambda;  ///< bound/|q - S| in slip
+    Vector lambda;  ///< bound/|q - r S| in slip
+    /// How much more a cell's slip gives way along the tangent than its surface does under its own
+    /// traction, (1 - lambda)/(lambda r): slip must turn with the traction.
+    Vector softness;
   };
 
+  /// r of cell i.
+  double predictionOf(int i) const { return prediction_ * stiffness_[i]; }
   /// Attempts with ever smaller `prediction_`, until one converges.
   bool tryAttempts(Vector &x, double tolerance, int maxSteps);
   bool iterate(Vector &x, double tolerance, int maxSteps);
@@ -76,16 +86,19 @@ class FrictionNewton {
   Vector jacobian(const Linearisation &linear, const Vector &x);
   /// Steady: sums along each stick segment, the inverse of the upwind difference.
   Vector fromLeft(const Linearisation &linear, const Vector &residual) const;
-  /// The half-space's approximate inverse on the cells that stick.
+  /// Approximate inverse: the half-space's where cells stick; along the tangent of slip that of a
+  /// half-space under a soft layer, where the softness is of the size of its own.
   Vector fromRight(const Linearisation &linear, const Vector &x);
-  /// The linear system by GMRES, to a tenth of its right-hand side.
-  Vector newtonStep(const Linearisation &linear, const Vector &x, const Vector &f,
-                    double tolerance);
+  void fillStick(const Linearisation &linear, const Vector &x, Vector &result);
+  void fillSlip(const Linearisation &linear, const Vector &x, Vector &result);
+  /// The linear system by GMRES. @param tolerance relative to its right-hand side
+  Vector newtonStep(const Linearisation &linear, const Vector &f, double tolerance);
 
   PatchHalfSpace &space_;
   Equations eq_;
   int n_;                     ///< cells in contact
   double compliance_;         ///< of a cell under itself
+  Vector stiffness_;          ///< of a cell with its edge, in units of a cell's without one
   std::vector<int> upstream_; ///< position in `cells` of the cell one further in x, -1: none
   TangentialField field_;
   Vector scaledSlip_;

@@ -38,7 +38,7 @@ Head parseHead(const std::string &path, std::string_view text)
       throw badInput(path, lines.number(), "", "a line of the head must be 'name = value'");
     const Entry entry{std::string(trimmedView(line.substr(sign + 1))), lines.number()};
     if (!head.emplace(name, entry).second)
-      throw badInput(path, lines.number(), name, "stands twice in the head");
+      throw badInput(path, lines.number(), name, "appears twice in the head");
   }
   return head;
 }
@@ -67,7 +67,7 @@ double numberOf(const std::string &path, const Head &head, const std::string &na
   if (!readDecimal(found->second.value, value) || (positive && !(value > 0.0)))
     throw badInput(
         path, found->second.line, name,
-        fmt::format("'{}' is no {}number", found->second.value, positive ? "positive " : ""));
+        fmt::format("'{}' is not a {}number", found->second.value, positive ? "positive " : ""));
   return value;
 }
 
@@ -103,6 +103,7 @@ std::string gsfBytes(const SimpleField &field)
     bytes += fmt::format("ZUnits = {}\n", field.zUnit);
   if (!field.title.empty())
     bytes += fmt::format("Title = {}\n", field.title);
+  // One to four NUL bytes: the head ends with at least one, the data begin at a multiple of four.
   bytes.append(4 - bytes.size() % 4, '\0');
   bytes.reserve(bytes.size() + 4 * static_cast<std::size_t>(field.value.size()));
   for (int iy = field.ny - 1; iy >= 0; --iy)

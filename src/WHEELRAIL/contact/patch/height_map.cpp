@@ -144,6 +144,8 @@ HeightMap withoutForm(const HeightMap &map, Form form)
   const int n = termsOf(form);
   if (n == 0)
     return map;
+  // Normal equations: with Legendre's polynomials they are nearly diagonal unless large parts are
+  // not measured, and the pivots tell where the measured points do not determine the form.
   Eigen::MatrixXd normal = Eigen::MatrixXd::Zero(n, n);
   Vector right = Vector::Zero(n);
   for (int iy = 0; iy < map.ny; ++iy)
@@ -338,6 +340,8 @@ double beginningOf(int points, double spacing, double border, double step, int c
 
 } // namespace
 
+// The bilinear surface is a product of straight lines in x and in y, and so is its mean over a
+// cell: weights of each direction by itself, first across the rows, then along them.
 Vector resampled(const HeightMap &map, const PatchGrid &grid, double lengthUnit, double shiftX,
                  double shiftY)
 {

@@ -61,7 +61,7 @@ long wholeNumber(const std::string &path, int line, const std::string &keyword,
   long value = -1;
   const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (fault != std::errc() || end != text.data() + text.size() || value < 0)
-    throw badInput(path, line, keyword, fmt::format("'{}' is no whole number >= 0", text));
+    throw badInput(path, line, keyword, fmt::format("'{}' is not a whole number >= 0", text));
   return value;
 }
 
@@ -88,7 +88,24 @@ void checkMapSize(const std::string &path, int line, const std::string &keyword,
                                fewestMapPoints, fewestMapPoints, mostMapPoints));
 }
 
-HeightMap readHeightMap(const std::string &path, const HeightMapScale &scale)
+namespace {
+
+/// Whatever the format: lengths beyond any surface would overflow in its statistics.
+void checkRange(const std::string &path, const HeightMap &map)
+{
+  constexpr double smallestSpacing = 1e-12, largest = 1e3; // m
+  for (const double spacing : {map.dx, map.dy})
+    if (!(spacing >= smallestSpacing && spacing <= largest))
+      throw badInput(path, 0, "spacing",
+                     fmt::format("{} m is not in the allowed range [{}, {}] m", spacing,
+                                 smallestSpacing, largest));
+  for (const double height : map.height)
+    if (std::abs(height) > largest) // nan: not measured
+      throw badInput(path, 0, "height",
+                     fmt::format("{} m is not allowed, must be within +-{} m", height, largest));
+}
+
+HeightMap parsedMap(const std::string &path, const HeightMapScale &scale)
 {
   std::error_code ignored;
   const auto size = std::filesystem::file_size(path, ignored);
@@ -110,6 +127,15 @@ HeightMap readHeightMap(const std::string &path, const HeightMapScale &scale)
     throw badInput(path, 0, fmt::format("byte {}", bytes.find('\0')),
                    "a binary file of unknown kind; GSF, SDF (ASCII), npy and text are read");
   return parseMatrix(path, bytes);
+}
+
+} // namespace
+
+HeightMap readHeightMap(const std::string &path, const HeightMapScale &scale)
+{
+  HeightMap map = parsedMap(path, scale);
+  checkRange(path, map);
+  return map;
 }
 
 PreparedHeightMap prepareHeightMap(const std::string &path, const HeightMapPreparation &preparation,

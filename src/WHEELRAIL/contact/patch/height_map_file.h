@@ -18,14 +18,15 @@ struct HeightMapScale {
 
 /// A measured height map. The format is told by what the file begins with, not by its name:
 ///
-/// | format | begins with | spacing, unit | rows |
-/// |---|---|---|---|
-/// | GSF, Gwyddion Simple Field 1.0 | "Gwyddion Simple Field 1.0" | XReal/XRes, YReal/YRes in
-/// XYUnits; ZUnits; metres where the head is silent | downwards | | ISO 25178-71 SDF, ASCII,
-/// ISO-1.0 and 2.0 | "aISO-" | Xscale, Yscale, Zscale, metres | upwards | | its forerunner |
-/// "aBCR-1.0" | the same | downwards | | npy 1.0, 2.0, 3.0; float32 or float64, either byte order,
-/// C or Fortran order | "\x93NUMPY" | `scale`, both needed | upwards | | text matrix | anything
-/// else | head, see below | upwards |
+/// - GSF, Gwyddion Simple Field 1.0, begins with "Gwyddion Simple Field 1.0". Spacing is XReal/XRes
+///   and YReal/YRes in XYUnits, heights are in ZUnits; the head must state all of them. Rows run
+///   downwards.
+/// - SDF of ISO 25178-71 in ASCII, ISO-1.0 and 2.0, begins with "aISO-". Xscale, Yscale and Zscale
+///   are in metres. Rows run upwards.
+/// - Its forerunner begins with "aBCR-1.0". The same, but rows run downwards.
+/// - npy 1.0, 2.0, 3.0 begins with "\x93NUMPY": float32 or float64 in either byte order, C or
+///   Fortran order. Spacing and unit come from `scale`; both are needed. Rows run upwards.
+/// - Anything else is a text matrix with a head, see below. Rows run upwards unless it says so.
 ///
 /// *Text matrix.* Head lines begin with '#':
 ///   # height: um
@@ -35,8 +36,9 @@ struct HeightMapScale {
 /// then one line for each row of points along x, numbers separated by blanks, commas, semicolons or
 /// tabs.
 ///
-/// Unmeasured points are NaN in GSF and npy, BAD in SDF and "nan" in a text matrix. Infinite
-/// heights are refused in every format.
+/// Unmeasured points are NaN in GSF and npy, BAD in SDF and "nan" in a text matrix. In every format
+/// heights beyond 1000 m, infinite ones among them, and spacings outside of 1e-12 to 1000 m are
+/// refused, and so is a key of the head that appears twice.
 ///
 /// No length that a file states is believed before it was compared with the file's size; maps of
 /// more than 2^27 points (1 GiB) are refused. GSF and npy files must end where their data end; SDF

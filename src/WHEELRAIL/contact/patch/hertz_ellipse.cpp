@@ -80,6 +80,8 @@ double curvatureRatio(double ratio)
   return ratio <= 1.0 ? steep : 1.0 / steep;
 }
 
+// Bisection, for the curvatures' ratio is monotone in the semi-axes'; halving the logarithms'
+// interval finds thin ellipses as fast as round ones.
 double axesRatio(double ratio)
 {
   const double steep = std::max(ratio, 1.0 / ratio);

@@ -31,6 +31,8 @@ KalkerCoefficients onGrid(double axesRatio, double nu, int cells)
 CreepSensitivity creepSensitivity(TangentialSolver &solver, const Eigen::VectorXd &contact)
 {
   TangentialProblem problem;
+  // An infinite bound: no cell slips and the forces are linear in the creepages, so that any size
+  // of theirs gives the derivative.
   problem.bound = (contact.array() > 0.0)
                       .select(Eigen::VectorXd::Constant(contact.size(),
                                                         std::numeric_limits<double>::infinity()),
@@ -55,6 +57,7 @@ KalkerCoefficients kalkerCoefficients(const CreepSensitivity &s, double G, doubl
 
 KalkerCoefficients ellipseKalkerCoefficients(double axesRatio, double nu, int cells)
 {
+  // The error is of first order in the cells' length: half the length, half the error.
   const KalkerCoefficients coarse = onGrid(axesRatio, nu, cells / 2);
   const KalkerCoefficients fine = onGrid(axesRatio, nu, cells);
   return {2.0 * fine.c11 - coarse.c11, 2.0 * fine.c22 - coarse.c22, 2.0 * fine.c23 - coarse.c23,

@@ -4,11 +4,13 @@
 
 namespace wheelrail {
 
-/// Two half-spaces of the same shear modulus G (> 0, force per area) and Poisson's ratio nu
-/// (0 <= nu <= 1/2). Of equal bodies, normal and tangential problem do not influence each other.
+/// Two half-spaces by what their displacement differences need: a shear modulus G (> 0, force per
+/// area) and Poisson's ratio nu (0 <= nu <= 1/2) of both together, and K (-1/2 .. 1/2), by which
+/// the normal and the tangential problem influence each other. K = 0 for equal bodies.
 struct ElasticPair {
   double G = 0.0;
   double nu = 0.0;
+  double K = 0.0;
 };
 
 /// Integrals over a cell of dx x dy, centred at a distance (x, y), that make up its influence
@@ -34,6 +36,16 @@ struct CellInfluence {
 };
 /// @param integrals of `cellIntegrals` at that distance
 CellInfluence cellInfluence(const ElasticPair &pair, const CellIntegrals &integrals);
+
+/// Integrals over the cell of x/r^2 and y/r^2, a length each: what couples pressure and tangential
+/// displacement, traction and normal displacement of unlike bodies, times K/(pi G) (Kalker 1990,
+/// sec. 1.7). Relative error 1e-12 of 1/r's integral.
+/// @param x, y centre to the point @param dx, dy > 0
+struct CouplingIntegrals {
+  double x; ///< of x/r^2; odd in x, even in y
+  double y; ///< of y/r^2
+};
+CouplingIntegrals couplingIntegrals(double x, double y, double dx, double dy);
 
 } // namespace wheelrail
 #endif

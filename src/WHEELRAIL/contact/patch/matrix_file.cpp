@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 #include <limits>
+#include <set>
 
 namespace wheelrail {
 
@@ -14,7 +15,8 @@ constexpr const char *between = " \t,;";
 struct MatrixHead {
   double heightUnit = 0.0, spacingX = 0.0, spacingY = 0.0; // m
   bool rowsUpwards = true;
-  long columns = 0, rows = 0; ///< stated; 0: not
+  long columns = 0, rows = 0;  ///< stated; 0: not
+  std::set<std::string> given; ///< keywords so far
 };
 
 /// "# keyword: value"; other comments are free text.
@@ -25,6 +27,9 @@ void readHeadLine(const std::string &path, int number, std::string_view line, Ma
     return;
   const std::string keyword(trimmedView(line.substr(1, colon - 1)));
   const std::string value(trimmedView(line.substr(colon + 1)));
+  for (const char *known : {"height", "spacing", "points", "rows"})
+    if (keyword == known && !head.given.insert(keyword).second)
+      throw badInput(path, number, keyword, "appears twice in the head");
   if (keyword == "height")
     head.heightUnit = positiveLength(path, number, keyword, "1 " + value);
   if (keyword == "spacing") {

@@ -13,6 +13,8 @@ namespace wheelrail {
 namespace {
 
 /// The head of an npy file: the literal of a Python dictionary with three entries of known kinds.
+/// Any order of entries, blanks and a last comma, as numpy's own reader takes them; nothing is
+/// evaluated.
 class NpyHead {
  public:
   NpyHead(const std::string &path, std::string_view text, std::size_t offset)
@@ -141,7 +143,7 @@ std::pair<std::size_t, std::size_t> headOf(const std::string &path, const std::s
 {
   constexpr std::size_t beforeLength = 8; // magic, version
   if (bytes.size() < beforeLength + 4)
-    throw badInput(path, 0, "", fmt::format("{} bytes are no npy file", bytes.size()));
+    throw badInput(path, 0, "", fmt::format("{} bytes are not an npy file", bytes.size()));
   const int major = static_cast<unsigned char>(bytes[6]);
   if (major < 1 || major > 3)
     throw badInput(path, 0, "byte 6", fmt::format("version {}; 1, 2 and 3 are read", major));

@@ -22,16 +22,12 @@ double shearModulus(const ElasticBody &body)
 
 ElasticPair combinedPair(const ElasticBody &wheel, const ElasticBody &rail)
 {
+  constexpr double rounding = 1e-9;
   const double G1 = shearModulus(wheel), G2 = shearModulus(rail);
+  const double nu1 = wheel.poissonsRatio, nu2 = rail.poissonsRatio;
   const double G = 2.0 / (1.0 / G1 + 1.0 / G2);
-  return {G, 0.5 * G * (wheel.poissonsRatio / G1 + rail.poissonsRatio / G2)};
-}
-
-double couplingOf(const ElasticBody &wheel, const ElasticBody &rail)
-{
-  const double G1 = shearModulus(wheel), G2 = shearModulus(rail);
-  return 0.25 * combinedPair(wheel, rail).G *
-         ((1.0 - 2.0 * wheel.poissonsRatio) / G1 - (1.0 - 2.0 * rail.poissonsRatio) / G2);
+  const double K = 0.25 * G * ((1.0 - 2.0 * nu1) / G1 - (1.0 - 2.0 * nu2) / G2);
+  return {G, 0.5 * G * (nu1 / G1 + nu2 / G2), std::abs(K) > rounding ? K : 0.0};
 }
 
 HertzEllipse PatchContactSpecification::hertz(double normalForce) const
@@ -61,6 +57,11 @@ NormalContactProblem PatchContact::problem(double pressureLimit, double normalFo
   problem.load = normalForce / grid.cellArea();
   problem.pressureLimit = pressureLimit;
   return problem;
+}
+
+EdgeCompliance PatchContact::edge(const Vector &pressure, const Vector &gap) const
+{
+  return edgesInside ? edgeCompliance(grid, pair, pressure, gap) : EdgeCompliance{};
 }
 
 bool PatchContact::isNominal(int cell) const
@@ -116,6 +117,7 @@ PatchContact preparePatch(const PatchContactSpecification &contact,
 {
   PatchContact patch;
   patch.load = load;
+  patch.edgesInside = contact.edgesInside;
   patch.hertz = contact.hertz(load);
   patch.pair = combinedPair(contact.bodies[0], contact.bodies[1]);
   patch.grid = centredGrid(contact.nx, contact.ny, contact.domain * patch.hertz.a,

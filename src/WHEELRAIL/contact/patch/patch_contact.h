@@ -3,6 +3,7 @@
 #define WHEELRAIL_PATCH_CONTACT_H
 
 #include "contact/normal_contact.h"
+#include "contact/patch/edge_compliance.h"
 #include "contact/patch/grid.h"
 #include "contact/patch/hertz_ellipse.h"
 #include "contact/patch/kernel.h"
@@ -20,14 +21,11 @@ struct ElasticBody {
 };
 
 /// The half-spaces' pair whose displacement differences are those of both bodies together:
-/// 2/G = 1/G1 + 1/G2, 2 nu/G = nu1/G1 + nu2/G2 (Kalker 1990, sec. 1.7).
-/// @return Pa and -; equal bodies give their own G and nu
+/// 2/G = 1/G1 + 1/G2, 2 nu/G = nu1/G1 + nu2/G2, and what couples the normal and the tangential
+/// problem, K = (G/4) [(1 - 2 nu1)/G1 - (1 - 2 nu2)/G2] (Kalker 1990, sec. 1.7).
+/// @return Pa and -; equal bodies give their own G and nu and K = 0, as do some unlike ones. A K
+///         that is rounding only is 0
 ElasticPair combinedPair(const ElasticBody &wheel, const ElasticBody &rail);
-
-/// K = (G/4) [(1 - 2 nu1)/G1 - (1 - 2 nu2)/G2]: what couples the normal and the tangential problem.
-/// 0 for equal bodies, and for some unlike ones.
-/// Between -1/2 and 1/2. The solvers leave it out.
-double couplingOf(const ElasticBody &wheel, const ElasticBody &rail);
 
 /// The nominal contact in a point, and its box of cells; SI units.
 struct PatchContactSpecification {
@@ -39,6 +37,7 @@ struct PatchContactSpecification {
   double domain = 0.0;               ///< box / semi-axes: +- domain/2 a and +- domain/2 b, > 2
   int nx = 0, ny = 0;                ///< cells of the box
   double spinPoint = 0.5;            ///< `TangentialProblem::spinPoint`
+  bool edgesInside = false;          ///< leading edges inside their cells: see `edgeCompliance`
 
   /// @param normalForce N, > 0
   /// @return the smooth contact under it; SI units
@@ -53,6 +52,7 @@ struct PatchContact {
   double load = 0.0; ///< N
   RoughPatch surface;
   NormalContactResult normal; ///< at the start; Pa and m
+  bool edgesInside = false;   ///< of the specification
 
   /// Undeformed gap per cell, m. @param wheel, rail how far each of the surfaces has travelled
   /// Smooth gap less both bodies' heights.
@@ -61,6 +61,8 @@ struct PatchContact {
   /// @param normalForce N
   NormalContactProblem problem(double pressureLimit, double normalForce, const Travel &wheel = {},
                                const Travel &rail = {}) const;
+  /// Of the leading edges under a pressure; empty where cells count as a whole.
+  EdgeCompliance edge(const Eigen::VectorXd &pressure, const Eigen::VectorXd &gap) const;
   /// @param cell index in the grid; its centre decides
   bool isNominal(int cell) const; ///< inside the smooth contact's ellipse?
   /// Mean over the nominal contact of a value per cell.

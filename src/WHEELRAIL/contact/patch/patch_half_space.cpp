@@ -4,57 +4,15 @@
 #include "contact/convolution.h"
 
 #include <cmath>
-#include <fftw3.h>
-#include <mutex>
 
 namespace wheelrail {
 namespace {
 
 using Vector = Eigen::VectorXd;
 using Complex = PlaneTransform::Complex;
-using Quarter = std::vector<double>;
 
 constexpr int coarsestGrid = 32; ///< cells of the longer side
 constexpr double pi = 3.14159265358979323846;
-
-PlaneTransform paddedTransform(const CellGrid &grid, int fields)
-{
-  return PlaneTransform(grid.nx, grid.ny, fastTransformSize(2 * grid.nx),
-                        fastTransformSize(2 * grid.ny), fields);
-}
-
-PlaneTransform wrappingTransform(const CellGrid &grid, int fields)
-{
-  return PlaneTransform(grid.nx, grid.ny, fastTransformSize(grid.nx), fastTransformSize(grid.ny),
-                        fields);
-}
-
-/// In place: values at offsets (ix, iy) >= 0 of a kernel that is even (or odd, with real spectrum
-/// up to the sign) in both directions -> its spectrum at frequencies (kx, ky) >= 0. rows: x.
-void quarterTransform(Quarter &values, int countX, int countY, bool odd)
-{
-  // RODFT00 leaves out the zeros at offset 0 and half the size.
-  const int skip = odd ? 1 : 0, n = countX - 2 * skip, m = countY - 2 * skip;
-  if (n < 1 || m < 1)
-    return;
-  double *buffer = fftw_alloc_real(std::size_t(n) * m);
-  const fftw_r2r_kind kind = odd ? FFTW_RODFT00 : FFTW_REDFT00;
-  fftw_plan plan;
-  {
-    const std::lock_guard<std::mutex> lock(fftwPlannerMutex());
-    plan = fftw_plan_r2r_2d(n, m, buffer, buffer, kind, kind, FFTW_ESTIMATE);
-  }
-  for (int i = 0; i < n; ++i)
-    for (int j = 0; j < m; ++j)
-      buffer[std::size_t(i) * m + j] = values[std::size_t(i + skip) * countY + j + skip];
-  fftw_execute(plan);
-  for (int i = 0; i < n; ++i)
-    for (int j = 0; j < m; ++j)
-      values[std::size_t(i + skip) * countY + j + skip] = buffer[std::size_t(i) * m + j];
-  const std::lock_guard<std::mutex> lock(fftwPlannerMutex());
-  fftw_destroy_plan(plan);
-  fftw_free(buffer);
-}
 
 /// Spectra of the three integrals where the cells repeat with the transform's period: those of the
 /// unbounded plane summed over aliases. Each falls as |k|^-3, so that the nearest few are enough.
@@ -76,27 +34,36 @@ CellIntegrals periodicSpectrum(double kx, double ky, const CellGrid &grid)
   return sum;
 }
 
-/// Calls `apply(bin, mirrored, value of column 0, ..)` along a column of frequencies.
-template<class Apply>
-void forFrequencies(int sizeY, const Apply &apply)
-{
-  const int half = sizeY / 2;
-  for (int ky = 0; ky < sizeY; ++ky)
-    ky <= half ? apply(ky, ky, 1.0) : apply(ky, sizeY - ky, -1.0);
-}
-
 } // namespace
 
 PatchHalfSpace::PatchHalfSpace(const CellGrid &grid, const ElasticPair &elasticPair)
-    : cellGrid_(grid), pair_(elasticPair), scalar_(paddedTransform(grid, 1)),
-      pairOfFields_(paddedTransform(grid, 2)), scalarEstimate_(wrappingTransform(grid, 1)),
-      pairEstimate_(wrappingTransform(grid, 2))
+    : cellGrid_(grid), pair_(elasticPair)
 {
 }
 
+PlaneTransform &PatchHalfSpace::padded(int fields)
+{
+  std::optional<PlaneTransform> &transform = padded_[fields - 1];
+  if (!transform)
+    transform.emplace(paddedTransform(cellGrid_.nx, cellGrid_.ny, fields));
+  return *transform;
+}
+
+PlaneTransform &PatchHalfSpace::wrapping(int fields)
+{
+  std::optional<PlaneTransform> &transform = wrapping_[fields - 1];
+  if (!transform)
+    transform.emplace(cellGrid_.nx, cellGrid_.ny, fastTransformSize(cellGrid_.nx),
+                      fastTransformSize(cellGrid_.ny), fields);
+  return *transform;
+}
+
+// Influence at a distance of whole cells is even in x and y (xy: odd in both), so a quarter of the
+// plane holds all of it, and cosine (sine) transforms give the quarter of its spectrum.
 void PatchHalfSpace::fillSpectra()
 {
-  const int sizeX = scalar_.sizeX(), sizeY = scalar_.sizeY();
+  const int sizeX = fastTransformSize(2 * cellGrid_.nx),
+            sizeY = fastTransformSize(2 * cellGrid_.ny);
   const int countX = sizeX / 2 + 1, countY = sizeY / 2 + 1;
   for (Quarter *quarter : {&yy_, &xx_, &xy_})
     quarter->assign(std::size_t(countX) * countY, 0.0);
@@ -109,9 +76,9 @@ void PatchHalfSpace::fillSpectra()
       xx_[at] = cell.xx;
       xy_[at] = cell.xy;
     }
-  quarterTransform(yy_, countX, countY, false);
-  quarterTransform(xx_, countX, countY, false);
-  quarterTransform(xy_, countX, countY, true);
+  quarterTransform(yy_, countX, countY, false, false);
+  quarterTransform(xx_, countX, countY, false, false);
+  quarterTransform(xy_, countX, countY, true, true);
   const double scale = 1.0 / (pi * pair_.G * sizeX * sizeY);
   for (std::size_t i = 0; i < yy_.size(); ++i) {
     yy_[i] *= scale;
@@ -122,7 +89,7 @@ void PatchHalfSpace::fillSpectra()
 
 void PatchHalfSpace::fillEstimates()
 {
-  const int sizeX = pairEstimate_.sizeX(), sizeY = pairEstimate_.sizeY();
+  const int sizeX = fastTransformSize(cellGrid_.nx), sizeY = fastTransformSize(cellGrid_.ny);
   const int countX = sizeX / 2 + 1, countY = sizeY / 2 + 1;
   for (Quarter *quarter : {&stiffnessXX_, &stiffnessYY_, &stiffnessXY_, &stiffnessZZ_})
     quarter->resize(std::size_t(countX) * countY);
@@ -141,6 +108,7 @@ void PatchHalfSpace::fillEstimates()
         cell.xy = 0.0;
       const double a = less * cell.yy + cell.xx, b = cell.yy + less * cell.xx;
       const double c = pair_.nu * cell.xy, determinant = a * b - c * c;
+      // inverse of the symmetric 2 x 2 matrix that a wave's tractions are multiplied by
       stiffnessXX_[at] = scale * b / determinant;
       stiffnessYY_[at] = scale * a / determinant;
       stiffnessXY_[at] = -scale * c / determinant;
@@ -154,9 +122,10 @@ Vector PatchHalfSpace::displacement(const Vector &pressure)
     fillSpectra();
   Vector result = pressure;
   double *field = result.data();
-  const int sizeY = scalar_.sizeY(), countY = sizeY / 2 + 1;
+  PlaneTransform &transform = padded(1);
+  const int sizeY = transform.sizeY(), countY = sizeY / 2 + 1;
   const double less = 1.0 - pair_.nu;
-  scalar_.multiply(&field, [&](int kx, Complex *const *column) {
+  transform.multiply(&field, [&](int kx, Complex *const *column) {
     const double *a = &yy_[std::size_t(kx) * countY], *b = &xx_[std::size_t(kx) * countY];
     forFrequencies(sizeY,
                    [&](int ky, int bin, double) { column[0][ky] *= less * (a[bin] + b[bin]); });
@@ -170,9 +139,10 @@ TangentialField PatchHalfSpace::displacement(const TangentialField &traction)
     fillSpectra();
   TangentialField result = traction;
   double *fields[] = {result.x.data(), result.y.data()};
-  const int sizeY = pairOfFields_.sizeY(), countY = sizeY / 2 + 1;
+  PlaneTransform &transform = padded(2);
+  const int sizeY = transform.sizeY(), countY = sizeY / 2 + 1;
   const double less = 1.0 - pair_.nu;
-  pairOfFields_.multiply(fields, [&](int kx, Complex *const *column) {
+  transform.multiply(fields, [&](int kx, Complex *const *column) {
     const std::size_t at = std::size_t(kx) * countY;
     const double *a = &yy_[at], *b = &xx_[at], *c = &xy_[at];
     forFrequencies(sizeY, [&](int ky, int bin, double sign) {
@@ -191,8 +161,9 @@ Vector PatchHalfSpace::tractionEstimate(const Vector &displacement)
     fillEstimates();
   Vector result = displacement;
   double *field = result.data();
-  const int sizeY = scalarEstimate_.sizeY(), countY = sizeY / 2 + 1;
-  scalarEstimate_.multiply(&field, [&](int kx, Complex *const *column) {
+  PlaneTransform &transform = wrapping(1);
+  const int sizeY = transform.sizeY(), countY = sizeY / 2 + 1;
+  transform.multiply(&field, [&](int kx, Complex *const *column) {
     const double *s = &stiffnessZZ_[std::size_t(kx) * countY];
     forFrequencies(sizeY, [&](int ky, int bin, double) { column[0][ky] *= s[bin]; });
   });
@@ -205,14 +176,46 @@ TangentialField PatchHalfSpace::tractionEstimate(const TangentialField &displace
     fillEstimates();
   TangentialField result = displacement;
   double *fields[] = {result.x.data(), result.y.data()};
-  const int sizeY = pairEstimate_.sizeY(), countY = sizeY / 2 + 1;
-  pairEstimate_.multiply(fields, [&](int kx, Complex *const *column) {
+  PlaneTransform &transform = wrapping(2);
+  const int sizeY = transform.sizeY(), countY = sizeY / 2 + 1;
+  transform.multiply(fields, [&](int kx, Complex *const *column) {
     const std::size_t at = std::size_t(kx) * countY;
     forFrequencies(sizeY, [&](int ky, int bin, double sign) {
       const Complex x = column[0][ky], y = column[1][ky];
       const double cross = sign * stiffnessXY_[at + bin];
       column[0][ky] = stiffnessXX_[at + bin] * x + cross * y;
       column[1][ky] = cross * x + stiffnessYY_[at + bin] * y;
+    });
+  });
+  return result;
+}
+
+TangentialField PatchHalfSpace::softenedEstimate(const TangentialField &displacement, double D,
+                                                 bool rolling)
+{
+  if (stiffnessZZ_.empty())
+    fillEstimates();
+  TangentialField result = displacement;
+  double *fields[] = {result.x.data(), result.y.data()};
+  PlaneTransform &transform = wrapping(2);
+  const int sizeX = transform.sizeX(), sizeY = transform.sizeY();
+  const int countY = sizeY / 2 + 1;
+  const double bins = double(sizeX) * sizeY; // the stiffnesses contain 1/bins
+  transform.multiply(fields, [&](int kx, Complex *const *column) {
+    const std::size_t at = std::size_t(kx) * countY;
+    const Complex ahead = rolling ? 1.0 - std::polar(1.0, 2.0 * pi * kx / sizeX) : 1.0;
+    forFrequencies(sizeY, [&](int ky, int bin, double sign) {
+      // K (D K + ahead)^-1 with the stiffness K = A^-1
+      const double xx = stiffnessXX_[at + bin], yy = stiffnessYY_[at + bin];
+      const double xy = sign * stiffnessXY_[at + bin], soft = D * bins;
+      const Complex a = soft * xx + ahead, b = soft * yy + ahead;
+      const double c = soft * xy;
+      const Complex determinant = a * b - c * c;
+      const Complex scale = std::conj(determinant) / std::norm(determinant);
+      const Complex x = column[0][ky], y = column[1][ky];
+      const Complex u = scale * (b * x - c * y), v = scale * (a * y - c * x);
+      column[0][ky] = xx * u + xy * v;
+      column[1][ky] = xy * u + yy * v;
     });
   });
   return result;

@@ -5,7 +5,7 @@ namespace wheelrail {
 
 double PatchSums::powerClosure() const
 {
-  return drivingPower == 0.0 && frictionalPower == 0.0 ? 1.0 : frictionalPower / drivingPower;
+  return drivingPower == 0.0 ? 1.0 : frictionalPower / drivingPower;
 }
 
 PatchSums patchSums(const PatchGrid &grid, const TangentialResult &result)
@@ -28,6 +28,16 @@ PatchSums patchSums(const PatchGrid &grid, const TangentialResult &result)
   sums.drivingPower =
       -(creep.xi * sums.forceX + creep.eta * sums.forceY + creep.phi * sums.momentZ);
   return sums;
+}
+
+double couplingPower(const PatchGrid &grid, const TangentialField &traction,
+                     const TangentialField &imposed, const TangentialField &before)
+{
+  if (imposed.x.size() == 0)
+    return 0.0;
+  return -grid.cellArea() / grid.dx *
+         (traction.x.dot(imposed.x - shifted(grid, before.x, 1)) +
+          traction.y.dot(imposed.y - shifted(grid, before.y, 1)));
 }
 
 double elasticEnergy(const PatchGrid &grid, const TangentialField &traction,

@@ -14,8 +14,9 @@ struct PatchSums {
   double contactArea = 0.0, stickArea = 0.0, slipArea = 0.0; ///< length^2
   /// Heat by friction in a unit of time at rolling speed 1: minus the integral of q . S/d, >= 0.
   double frictionalPower = 0.0;
-  /// What the drive gives at rolling speed 1: -(xi Fx + eta Fy + phi Mz). In steady rolling the
-  /// exact solution has both powers equal; on a grid the heat is too small by O(cell).
+  /// What the drive gives at rolling speed 1: -(xi Fx + eta Fy + phi Mz), of unlike bodies and
+  /// `couplingPower`. In steady rolling the exact solution has both powers equal; on a grid the
+  /// heat is too small by O(cell).
   double drivingPower = 0.0;
 
   /// frictionalPower/drivingPower; 1 where there is no power at all.
@@ -27,6 +28,15 @@ struct PatchSums {
 /// @param result of `TangentialSolver` or `TransientPatch` on this grid
 /// @return forces on the wheel, against its slip; multiply the powers by v0 for a power in W
 PatchSums patchSums(const PatchGrid &grid, const TangentialResult &result);
+
+/// Unlike bodies: what the pressure gives through the displacements that it imposes, at rolling
+/// speed 1; minus the integral of q . (c(x) - c'(x + dx))/dx. In steady rolling it is the power of
+/// the rolling resistance, the moment of a pressure that the traction has made lopsided.
+/// @param imposed, before displacements of `PatchCoupling::tangential` now and a step of one cell
+///        earlier; empty where the bodies do not couple
+/// @return force; add it to `PatchSums::drivingPower`
+double couplingPower(const PatchGrid &grid, const TangentialField &traction,
+                     const TangentialField &imposed, const TangentialField &before);
 
 /// Integral of q . u/2 with the displacement of the same tractions: energy, force x length.
 /// @param displacement of `PatchHalfSpace::displacement` for these tractions

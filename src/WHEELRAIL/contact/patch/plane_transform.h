@@ -5,6 +5,7 @@
 #include <complex>
 #include <functional>
 #include <memory>
+#include <vector>
 
 namespace wheelrail {
 
@@ -14,7 +15,7 @@ namespace wheelrail {
 /// in the cache.
 ///
 /// FFTW plans are FFTW_ESTIMATE, so that results do not depend on a timing and repeat to the last
-/// bit. One object has one work_ buffer: use one per thread.
+/// bit. One object has one work buffer: use one per thread.
 /// Units come in by fields and symbol; the transforms are not normalised, so that a symbol includes
 /// 1/(sizeX sizeY).
 class PlaneTransform {
@@ -46,6 +47,29 @@ class PlaneTransform {
   struct Work;
   std::unique_ptr<Work> work_;
 };
+
+/// A transform of nx x ny cells whose products do not wrap around.
+/// @param fields as of `PlaneTransform`
+PlaneTransform paddedTransform(int nx, int ny, int fields);
+
+/// A quarter of a spectrum or of a kernel, the rest by symmetry: (kx, ky) at
+/// kx*(sizeY/2 + 1) + ky, both from 0 on.
+using Quarter = std::vector<double>;
+
+/// In place: values at offsets (ix, iy) >= 0 of a kernel that is even or odd in each direction ->
+/// its spectrum at frequencies (kx, ky) >= 0, without the factor -i for each odd direction. Rows:
+/// x.
+/// @param countX, countY half the transform's sizes plus one
+void quarterTransform(Quarter &values, int countX, int countY, bool oddX, bool oddY);
+
+/// Calls `apply(ky, place in a quarter's column, sign of the frequency)` along a column.
+template<class Apply>
+void forFrequencies(int sizeY, const Apply &apply)
+{
+  const int half = sizeY / 2;
+  for (int ky = 0; ky < sizeY; ++ky)
+    ky <= half ? apply(ky, ky, 1.0) : apply(ky, sizeY - ky, -1.0);
+}
 
 } // namespace wheelrail
 #endif

@@ -46,6 +46,18 @@ long wrapped(long i, long n)
   return ((i % n) + n) % n;
 }
 
+/// The cells of an interpolation, in a map that repeats: a place's weights belong to them.
+/// @param first cell of the map at part 0 of the place
+std::array<long, points> cellsOf(const Place &place, long first, long n)
+{
+  std::array<long, points> cells{};
+  for (int k = 0; k < points; ++k) {
+    const long i = first + place.whole + k - 2;
+    cells[k] = i >= 0 && i < n ? i : wrapped(i, n); // mostly inside: divisions are slow
+  }
+  return cells;
+}
+
 /// Are the first and the last cell that a window of n cells takes inside of the map?
 void checkInside(const Place &place, int first, int n, int size, const char *direction)
 {
@@ -86,6 +98,9 @@ RoughMap measuredMap(const std::string &path, const HeightMapPreparation &prepar
     cells = box; // the message is that of `resampled`
   map.nx = cells.nx;
   map.ny = cells.ny;
+  // room at the border that goes out first: for the interpolation, and for what spin turns back
+  if (travel > 0.0)
+    map.firstX = std::clamp(cells.nx - box.nx, 0, points / 2 + box.nx / 50);
   map.firstY = (cells.ny - box.ny) / 2;
   try {
     map.height = resampled(prepared.map, cells, 1.0);
@@ -120,6 +135,13 @@ RoughPatch fractalPatch(const RoughPatchSpecification &specification, std::uint6
   const int boxes =
       specification.boxes > 0 ? specification.boxes : 1 + static_cast<int>(travel / boxX);
   FractalPatch fractal = specification.fractal;
+  // `FractalHeights` counts all waves before it looks at the cells: no more than they could carry
+  const double root = std::sqrt(fractal.stretch);
+  if (fractal.wavelengthMin * root < box.dx || fractal.wavelengthMin < box.dy * root)
+    throw Error(ExitCode::BadInput,
+                fmt::format("points: cells of {} x {} cannot carry waves of {} (roughness."
+                            "wavelength_min); four cells a wave are needed, eight are better",
+                            box.dx, box.dy, fractal.wavelengthMin));
   fractal.periodX = boxes * boxX;
   fractal.periodY = box.ny * box.dy;
   fractal.rmsSlope /= std::sqrt(2.0);
@@ -135,7 +157,6 @@ RoughPatch fractalPatch(const RoughPatchSpecification &specification, std::uint6
     map.ny = cells.ny;
     map.height = FractalHeights(fractal).sampled(cells);
   }
-  const double root = std::sqrt(fractal.stretch);
   patch.shortestWave = fractal.wavelengthMin * std::min(root, 1.0 / root);
   patch.statistics.push_back(statisticsOf(patch.wheel, patch.rail, box, patch.shortestWave));
   for (const auto &[wave, cell, direction] :
@@ -187,7 +208,9 @@ RoughPatch prepareRoughPatch(const RoughPatchSpecification &specification, std::
   }
 }
 
-Vector RoughMap::window(const PatchGrid &box, const Travel &travel) const
+// Whole steps copy, without a weight for any neighbour: surfaces that travel by cells stay the same
+// to the last bit, and a map that just covers the way will do.
+Vector RoughMap::straightWindow(const PatchGrid &box, const Travel &travel) const
 {
   const Place px = placeOf(travel.x / box.dx), py = placeOf(travel.y / box.dy);
   if (!periodic) {
@@ -222,6 +245,56 @@ Vector RoughMap::window(const PatchGrid &box, const Travel &travel) const
           result[box.index(ix, iy)] +=
               py.weight[k] * row[static_cast<std::size_t>(iy + k) * box.nx + ix];
   return result;
+}
+
+Vector RoughMap::turnedWindow(const PatchGrid &box, const Travel &travel) const
+{
+  Vector result(box.cells());
+  for (int ix = 0; ix < box.nx; ++ix) {
+    const Place across = placeOf((travel.y - travel.aside[ix]) / box.dy);
+    for (int iy = 0; iy < box.ny; ++iy) {
+      const Place along = placeOf((travel.x + box.y(iy) * travel.turn[ix]) / box.dx);
+      if (!periodic) {
+        checkInside(along, firstX + ix, 1, nx, "along the rolling direction");
+        checkInside(across, firstY + iy, 1, ny, "across the rolling direction");
+      }
+      const std::array<long, points> columns = cellsOf(along, firstX + ix, nx);
+      const std::array<long, points> rows = cellsOf(across, firstY + iy, ny);
+      double sum = 0.0;
+      for (int k = 0; k < points; ++k) {
+        const double *row = height.data() + rows[k] * nx;
+        double inRow = 0.0;
+        for (int j = 0; j < points; ++j)
+          inRow += along.weight[j] * row[columns[j]];
+        sum += across.weight[k] * inRow;
+      }
+      result[box.index(ix, iy)] = sum;
+    }
+  }
+  return result;
+}
+
+Vector RoughMap::window(const PatchGrid &box, const Travel &travel) const
+{
+  return travel.turn.size() == 0 ? straightWindow(box, travel) : turnedWindow(box, travel);
+}
+
+// The material of a column was in the next one before the step; half of the step on either side of
+// the border between them.
+void Travel::roll(const PatchGrid &box, double wayX, double wayY, double turning)
+{
+  x += wayX;
+  y += wayY;
+  if (turn.size() == 0 && turning == 0.0)
+    return;
+  if (turn.size() == 0)
+    turn = aside = Vector::Zero(box.nx);
+  const double angle = turning * box.dx;
+  for (int ix = 0; ix + 1 < box.nx; ++ix) {
+    turn[ix] = turn[ix + 1] + angle;
+    aside[ix] = aside[ix + 1] + angle * (box.x(ix) + 0.5 * box.dx);
+  }
+  turn[box.nx - 1] = aside[box.nx - 1] = 0.0;
 }
 
 std::size_t RoughPatchSpecification::surfaces() const

@@ -12,11 +12,23 @@
 
 namespace wheelrail {
 
-/// How far material has travelled, m: what lies at x now was at x + x of this (towards smaller x
-/// is along the way), and the same across.
-/// Both surfaces of a rolling contact travel by nearly the same way.
+/// How far the material of one body has travelled: what lies at (x, y) now is the map's at
+/// (x + this x + y turn, y + this y - aside), to first order in the creepages.
+/// Both surfaces of a rolling contact travel by nearly the same way along x. Spin turns them about
+/// the origin while they are in the box, against each other: the angle and the way aside belong to
+/// the material of a column and move on with it. What comes in at the leading border has neither,
+/// so that nothing piles up from one length of the contact to the next, and a wheel's or a rail's
+/// lay stays along the way.
 struct Travel {
-  double x = 0.0, y = 0.0;
+  double x = 0.0, y = 0.0; ///< m; towards smaller x is along the way
+  Eigen::VectorXd turn;    ///< rad, per column of the box; empty: nothing turns
+  Eigen::VectorXd aside;   ///< m towards larger y, per column; as long as `turn`
+
+  /// One more step of a cell, with the velocity (-wayX - turning dx y, -wayY + turning dx x).
+  /// @param wayX, wayY of the step, m
+  /// @param turning this body's share of the spin, 1/m: the angle by which it turns (from x to y)
+  ///        over the distance rolled
+  void roll(const PatchGrid &box, double wayX, double wayY, double turning);
 };
 
 /// Heights of one body on the cells of a contact, and of what else travels through it: cell (0, 0)
@@ -34,11 +46,16 @@ struct RoughMap {
   bool isSmooth() const { return nx == 0; }
 
   /// The box's heights after a way. Between cells Lagrange's polynomial through six of them in
-  /// each direction: of a wave of eight cells it keeps 0.1 %.
+  /// each direction: waves of eight cells come out at most 0.1 % too low.
   /// @throws Error (BadInput) when the way leads out of a map that is not periodic
-  /// @param travel m; whole cells are exact
+  /// @param travel whole cells without a turn are exact
   /// @return one height for each cell of the box, m
   Eigen::VectorXd window(const PatchGrid &box, const Travel &travel) const;
+
+ private:
+  Eigen::VectorXd straightWindow(const PatchGrid &box, const Travel &travel) const;
+  /// Every cell at a place of its own.
+  Eigen::VectorXd turnedWindow(const PatchGrid &box, const Travel &travel) const;
 };
 
 /// The surfaces of both bodies.

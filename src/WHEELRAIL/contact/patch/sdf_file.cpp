@@ -46,6 +46,14 @@ void readEntry(const std::string &path, int line, std::string_view name, std::st
                SdfHead &head)
 {
   const std::string text(value);
+  const std::pair<const char *, bool> given[] = {{"NumPoints", head.points >= 0},
+                                                 {"NumProfiles", head.profiles >= 0},
+                                                 {"Xscale", head.xScale > 0.0},
+                                                 {"Yscale", head.yScale > 0.0},
+                                                 {"Zscale", head.zScale > 0.0}};
+  for (const auto &[known, isGiven] : given)
+    if (isGiven && sameWord(name, known))
+      throw badInput(path, line, known, "appears twice in the head");
   if (sameWord(name, "NumPoints"))
     head.points = wholeNumber(path, line, "NumPoints", text);
   else if (sameWord(name, "NumProfiles"))

@@ -14,7 +14,7 @@ namespace {
 
 using Vector = Eigen::VectorXd;
 
-constexpr int coarsest = 24;       ///< cells of the box's shorter side, at least
+constexpr int coarsest = 24;       ///< cells of the grid's longer side, at least
 constexpr double forceShare = 0.1; ///< of the tolerance, where forces are prescribed and to be met
 constexpr double coarseTolerance = 1e-2; ///< a start for the next grid needs no more
 
@@ -62,7 +62,8 @@ bool worthCoarser(const PatchGrid &grid)
   return std::max(grid.nx, grid.ny) >= 2 * coarsest;
 }
 
-/// Cells twice as long, from the same corner; one column more at the leading edge.
+/// Cells twice as long, from the same corner; one column more at the leading edge, for it has to
+/// stay free of contact however the columns fall together.
 PatchGrid coarseGridOf(const PatchGrid &grid)
 {
   const bool alongY = grid.ny > 1;
@@ -82,6 +83,7 @@ void eachPair(const PatchGrid &grid, const PatchGrid &coarse, const Visit &visit
       visit(grid.index(ix, iy), coarse.index(ix / 2, iy / rows));
 }
 
+/// Of tractions: what is outside of the fine grid counts as zero.
 Vector coarseMeans(const PatchGrid &grid, const PatchGrid &coarse, const Vector &fine)
 {
   Vector sum = Vector::Zero(coarse.cells());
@@ -89,29 +91,71 @@ Vector coarseMeans(const PatchGrid &grid, const PatchGrid &coarse, const Vector 
   return sum / (grid.ny > 1 ? 4.0 : 2.0);
 }
 
+/// Of displacements, over the fine cells that there are; empty stays empty.
+TangentialField coarseDisplacement(const PatchGrid &grid, const PatchGrid &coarse,
+                                   const TangentialField &fine)
+{
+  if (fine.x.size() != grid.cells())
+    return {};
+  Vector count = Vector::Zero(coarse.cells());
+  TangentialField sum{count, count};
+  eachPair(grid, coarse, [&](int i, int k) {
+    sum.x[k] += fine.x[i];
+    sum.y[k] += fine.y[i];
+    count[k] += 1.0;
+  });
+  count = count.cwiseMax(1.0);
+  return {sum.x.cwiseQuotient(count), sum.y.cwiseQuotient(count)};
+}
+
 TangentialProblem coarsened(const PatchGrid &grid, const PatchGrid &coarse,
                             const TangentialProblem &fine)
 {
   TangentialProblem problem = fine;
   problem.bound = coarseMeans(grid, coarse, fine.bound);
-  if (fine.previous.x.size() == grid.cells())
-    problem.previous = {coarseMeans(grid, coarse, fine.previous.x),
-                        coarseMeans(grid, coarse, fine.previous.y)};
+  problem.previous = coarseDisplacement(grid, coarse, fine.previous);
+  problem.imposed = coarseDisplacement(grid, coarse, fine.imposed);
+  problem.edge = {};
   return problem;
 }
 
-/// The coarse tractions with the fine cells' share of the bound.
+/// The coarse tractions over their bound, linear between the middles of the coarse cells in
+/// contact, times the fine bound: steps would slip by the size of the creep.
 TangentialField refined(const PatchGrid &grid, const PatchGrid &coarse, const Vector &fineBound,
                         const Vector &coarseBound, const TangentialField &traction)
 {
   TangentialField fine{Vector::Zero(grid.cells()), Vector::Zero(grid.cells())};
-  eachPair(grid, coarse, [&](int i, int k) {
-    if (!(fineBound[i] > 0.0))
-      return;
-    const double share = std::isfinite(coarseBound[k]) ? fineBound[i] / coarseBound[k] : 1.0;
-    fine.x[i] = share * traction.x[k];
-    fine.y[i] = share * traction.y[k];
-  });
+  const int rows = grid.ny > 1 ? 2 : 1;
+  const auto inContact = [&](int ix, int iy) {
+    return ix >= 0 && ix < coarse.nx && iy >= 0 && iy < coarse.ny &&
+           coarseBound[coarse.index(ix, iy)] > 0.0;
+  };
+  for (int iy = 0; iy < grid.ny; ++iy)
+    for (int ix = 0; ix < grid.nx; ++ix) {
+      const int i = grid.index(ix, iy);
+      if (!(fineBound[i] > 0.0))
+        continue;
+      const int nearX = ix / 2, nearY = iy / rows;
+      const int farX = nearX + (ix % 2 ? 1 : -1), farY = nearY + (rows == 1 ? 0 : iy % 2 ? 1 : -1);
+      const struct {
+        int ix, iy;
+        double weight;
+      } corners[] = {
+          {nearX, nearY, 9.0}, {farX, nearY, 3.0}, {nearX, farY, 3.0}, {farX, farY, 1.0}};
+      double weights = 0.0, x = 0.0, y = 0.0;
+      for (const auto &corner : corners) {
+        if (!inContact(corner.ix, corner.iy))
+          continue;
+        const int k = coarse.index(corner.ix, corner.iy);
+        const double share = std::isfinite(coarseBound[k]) ? 1.0 / coarseBound[k] : 1.0;
+        weights += corner.weight;
+        x += corner.weight * share * traction.x[k];
+        y += corner.weight * share * traction.y[k];
+      }
+      const double scale = (std::isfinite(fineBound[i]) ? fineBound[i] : 1.0) / weights;
+      fine.x[i] = scale * x;
+      fine.y[i] = scale * y;
+    }
   return fine;
 }
 
@@ -134,6 +178,9 @@ void checkLeadingColumn(const PatchGrid &grid, const Vector &bound)
                               grid.x(grid.nx - 1), grid.y(iy)));
 }
 
+/// Rigid slip over the distance d, less the displacement u' of a step: all of S that the traction
+/// sought does not change. Creepages that are unknown are left out; `FrictionNewton` adds them.
+/// The residual is measured against the rigid slip, or against u' where that is all there is.
 void setDrive(const PatchGrid &grid, const TangentialProblem &problem, ScaledProblem &scaled)
 {
   const int n = static_cast<int>(scaled.wholeIndex.size());
@@ -149,16 +196,44 @@ void setDrive(const PatchGrid &grid, const TangentialProblem &problem, ScaledPro
     drive[2 * i] = unit * (xi - creep.phi * y);
     drive[2 * i + 1] = unit * (eta + creep.phi * x);
   }
-  const double rigid = drive.norm();
-  const bool moved =
-      problem.kind == TangentialProblem::Kind::Step && problem.previous.x.size() == grid.cells();
-  for (int i = 0; moved && i < n; ++i) {
-    drive[2 * i] -= problem.previous.x[scaled.wholeIndex[i]] / scaled.slipUnit;
-    drive[2 * i + 1] -= problem.previous.y[scaled.wholeIndex[i]] / scaled.slipUnit;
+  double given = drive.norm();
+  const bool steady = scaled.equations.steady;
+  const auto add = [&](const TangentialField &field, int ahead, double sign) {
+    if (field.x.size() != grid.cells())
+      return;
+    const double part = sign / scaled.slipUnit;
+    for (int i = 0; i < n; ++i) {
+      drive[2 * i] += part * field.x[scaled.wholeIndex[i] + ahead];
+      drive[2 * i + 1] += part * field.y[scaled.wholeIndex[i] + ahead];
+    }
+  };
+  add(problem.imposed, 0, 1.0);
+  if (steady) {
+    add(problem.imposed, 1, -1.0);
+    given = std::max(given, drive.norm());
+  } else {
+    add(problem.previous, 0, -1.0);
   }
-  scaled.equations.scale = rigid > 0.0 ? rigid : drive.norm();
+  scaled.equations.scale = given > 0.0 ? given : drive.norm();
 }
 
+void setEdge(const TangentialProblem &problem, double compliance, ScaledProblem &scaled)
+{
+  if (problem.edge.xx.size() != problem.bound.size())
+    return;
+  const int n = static_cast<int>(scaled.wholeIndex.size());
+  scaled.equations.edge.resize(3 * n);
+  for (int i = 0; i < n; ++i) {
+    const int cell = scaled.wholeIndex[i];
+    scaled.equations.edge[3 * i] = problem.edge.xx[cell] / compliance;
+    scaled.equations.edge[3 * i + 1] = problem.edge.yy[cell] / compliance;
+    scaled.equations.edge[3 * i + 2] = problem.edge.xy[cell] / compliance;
+  }
+}
+
+/// Forces in units of a cell's. Where they are more than the rigid slip, the residual is measured
+/// against the tractions that carry them, spread as the bound is; never against more than the
+/// bound.
 void setForces(const PatchGrid &grid, const TangentialProblem &problem, ScaledProblem &scaled)
 {
   FrictionNewton::Equations &eq = scaled.equations;
@@ -183,6 +258,9 @@ void setForces(const PatchGrid &grid, const TangentialProblem &problem, ScaledPr
   eq.scale = std::min(eq.scale, most);
 }
 
+/// Tractions in units of the largest bound, on the smallest box around the contact: outside of it
+/// there is no traction, and transforms cost by the box. Steady rolling needs the displacement one
+/// column ahead of the contact too.
 ScaledProblem scaledProblem(const PatchGrid &grid, const TangentialProblem &problem, double G)
 {
   ScaledProblem scaled;
@@ -234,6 +312,7 @@ TangentialResult TangentialSolver::solve(const TangentialProblem &problem,
   PatchHalfSpace &space = work_->spaceOn(scaled.box.grid);
   scaled.slipUnit = scaled.tractionUnit * space.tangentialCompliance();
   setDrive(grid, problem, scaled);
+  setEdge(problem, space.tangentialCompliance(), scaled);
   setForces(grid, problem, scaled);
   if (!(scaled.equations.scale > 0.0)) { // nothing moves
     for (int cell : scaled.wholeIndex)

@@ -18,10 +18,16 @@ struct Creepage {
   double phi = 0.0; ///< spin, 1/length
 };
 
-/// Tangential contact of two equal half-spaces under a known bound of the traction. Over a distance
+/// Symmetric 2 x 2 matrices, one a cell; see `edgeCompliance`.
+struct EdgeCompliance {
+  Eigen::VectorXd xx, yy, xy; ///< displacement over traction
+};
+
+/// Tangential contact of two half-spaces under a known bound of the traction. Over a distance
 /// d (length) the bodies slip at a cell by
 ///   S = d (xi - phi y, eta + phi (x + c d)) + u(x) - u'(x + d),
-/// u the displacement difference of the tractions q and u' that before. Where the bodies stick,
+/// u the displacement difference of the tractions q (and of the pressure, where the bodies are
+/// unlike) and u' that before. Where the bodies stick,
 /// S = 0 and |q| <= bound; where they slip, |q| = bound and q points against S (so that xi > 0
 /// gives a force to negative x).
 /// Units: any consistent set, with G of the half-spaces in force per length squared.
@@ -39,6 +45,10 @@ struct TangentialProblem {
   std::optional<double> forceY; ///< given: eta is unknown
   double distance = 0.0;        ///< d of a step, > 0; for a shift 1, with the shift as creepage
   TangentialField previous;     ///< u'(x + d) at the cells, of a step; empty: zero
+  /// The part of u that is not of the tractions: `PatchCoupling::tangential`. Empty: zero.
+  TangentialField imposed;
+  /// Compliance of edge cells beyond the half-spaces', per cell; empty: none.
+  EdgeCompliance edge;
   /// c: where in the step the spin's lever is taken; 1/2 is the midpoint. (CONTACT takes 1/6.)
   double spinPoint = 0.5;
 };
@@ -72,13 +82,13 @@ struct TangentialResult {
   int slipCells() const;
 };
 
-/// Solver on one grid; keeps its work_ space from one call to the next. One object per thread.
+/// Solver on one grid; keeps its work space from one call to the next. One object per thread.
 ///
 /// Semismooth Newton (Alart, Curnier 1991) on q - P(q - r S) = 0, P the projection on the disc of
 /// radius `bound`. Its linear systems by GMRES on the cells in contact, preconditioned from the
 /// left by the sum along each stick segment, the inverse of the upwind difference u(x) - u(x + d),
-/// and from the right by the half-space's symbol, so that the number of products does not grow with
-/// the grid.
+/// and from the right by the half-space's symbol, in slip under a soft layer, so that the number of
+/// products hardly grows with the grid.
 /// Where the bound is infinite everywhere nothing slips, and the problem is linear.
 class TangentialSolver {
  public:
@@ -91,10 +101,13 @@ class TangentialSolver {
   /// As given to the constructor.
   const PatchGrid &grid() const;
 
+  /// Without a start it solves the same problem on grids of half the cells first, as long as the
+  /// longer side has 48 cells. Zero bound everywhere gives zero traction, not an error.
+  /// @return fields over the whole grid, forces and creepages in the units of the problem
   /// @throws Error BadInput: contact in the leading column (steady rolling: no material comes in
-  ///         from outside the box); a force that friction cannot carry. NotConverged.
-  /// Without a start it solves the same problem on grids of half the cells first, down to 24 cells
-  /// a side. Zero bound everywhere gives zero traction, not an error.
+  ///         from outside the box); a force that friction cannot carry. NotConverged: with the
+  ///         residual. Internal: a bound of another size than the grid, a step
+  ///         without a distance
   TangentialResult solve(const TangentialProblem &problem, const TangentialOptions &options = {});
 
  private:

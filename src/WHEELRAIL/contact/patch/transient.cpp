@@ -15,10 +15,14 @@ TransientPatch::TransientPatch(const PatchGrid &grid, const ElasticPair &pair)
   traction_.x = traction_.y = displacement_.x = displacement_.y = Vector::Zero(grid.cells());
 }
 
-void TransientPatch::startFrom(const TangentialField &traction)
+void TransientPatch::startFrom(const TangentialField &traction, const TangentialField &imposed)
 {
   traction_ = traction;
   displacement_ = space_.displacement(traction);
+  if (imposed.x.size() == displacement_.x.size()) {
+    displacement_.x += imposed.x;
+    displacement_.y += imposed.y;
+  }
 }
 
 TangentialOptions TransientPatch::defaultOptions()
@@ -30,6 +34,18 @@ TangentialOptions TransientPatch::defaultOptions()
 
 TangentialResult TransientPatch::step(const Step &step, const TangentialOptions &options)
 {
+  TangentialResult result = attempt(step, options);
+  accept(step, result);
+  return result;
+}
+
+void TransientPatch::accept(const Step &step, const TangentialResult &result)
+{
+  startFrom(result.traction, step.imposed);
+}
+
+TangentialResult TransientPatch::attempt(const Step &step, const TangentialOptions &options)
+{
   const PatchGrid &g = grid();
   if (step.bound.size() != g.cells() || step.cells < 0)
     throw Error(ExitCode::Internal, "transient contact: bound or step do not fit the grid");
@@ -40,6 +56,9 @@ TangentialResult TransientPatch::step(const Step &step, const TangentialOptions 
                     fmt::format("transient contact: contact at x = {}, within a step's length of "
                                 "the leading border {}: a longer box is needed",
                                 g.x(ix), g.left + g.nx * g.dx));
+  // The material brings its displacement along, so u'(x + d) is the former field read d further
+  // ahead; the traction moved likewise is the start. A shift at rest (no cells) moves nothing, and
+  // its creepage is the shift itself: d = 1, without a lever of its own for the spin.
   TangentialProblem problem;
   problem.kind = TangentialProblem::Kind::Step;
   problem.bound = step.bound;
@@ -50,15 +69,15 @@ TangentialResult TransientPatch::step(const Step &step, const TangentialOptions 
   problem.spinPoint = step.cells ? step.spinPoint : 0.0;
   problem.previous.x = shifted(g, displacement_.x, step.cells);
   problem.previous.y = shifted(g, displacement_.y, step.cells);
+  problem.imposed = step.imposed;
+  if (step.cells == 1)
+    problem.edge = step.edge;
   TangentialOptions warm = options;
   if (warm.start.x.size() == 0) {
     warm.start.x = shifted(g, traction_.x, step.cells);
     warm.start.y = shifted(g, traction_.y, step.cells);
   }
-  TangentialResult result = solver_.solve(problem, warm);
-  traction_ = result.traction;
-  displacement_ = space_.displacement(traction_);
-  return result;
+  return solver_.solve(problem, warm);
 }
 
 } // namespace wheelrail

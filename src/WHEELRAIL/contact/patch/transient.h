@@ -23,14 +23,18 @@ class TransientPatch {
     Creepage creepage;
     std::optional<double> forceX, forceY; ///< given: xi, eta are unknown
     double spinPoint = 0.5;               ///< see TangentialProblem
+    TangentialField imposed;              ///< see TangentialProblem
+    EdgeCompliance edge;                  ///< see TangentialProblem; of a step of one cell
   };
 
   /// At rest, without traction.
+  /// @param pair K is not read: what couples unlike bodies is imposed
   TransientPatch(const PatchGrid &grid, const ElasticPair &pair);
 
   /// Goes on from a traction: that of steady rolling, say, or the first contact of a case.
   /// @param traction one value a cell; its displacement is computed
-  void startFrom(const TangentialField &traction);
+  /// @param imposed as of a step
+  void startFrom(const TangentialField &traction, const TangentialField &imposed = {});
 
   /// A step's tolerance of 1e-4 leaves less than 1e-5 in the forces, in the mean over steps too.
   static TangentialOptions defaultOptions();
@@ -41,6 +45,10 @@ class TransientPatch {
   /// @return as of `TangentialSolver::solve`; slip is per distance rolled, of a shift the slip
   ///         itself
   TangentialResult step(const Step &step, const TangentialOptions &options = defaultOptions());
+  /// The two halves of `step`: a solution that leaves the state as it was, and making one the
+  /// state. Steps are tried more than once where pressure and traction influence each other.
+  TangentialResult attempt(const Step &step, const TangentialOptions &options = defaultOptions());
+  void accept(const Step &step, const TangentialResult &result);
 
   const PatchGrid &grid() const { return solver_.grid(); }
   /// Of the last step, over the whole grid.

@@ -37,6 +37,9 @@ double PatchSequence::at(const std::vector<double> &values, double seconds, doub
   return values[k - 1] + part * (values[k] - values[k - 1]);
 }
 
+// Neighbouring steps are alike, means of whole passes much less so: their scatter over
+// sqrt(batches) is the error of the mean without a model of the correlation. Few batches make a
+// rough error: n of them know it to 1/sqrt(2 (n - 1)), and Student's t takes the place of 1.96.
 double batchError(const std::vector<double> &series, int batches)
 {
   if (batches < 2 || static_cast<int>(series.size()) < batches)
@@ -51,6 +54,11 @@ double batchError(const std::vector<double> &series, int batches)
   for (double value : means)
     squares += (value - mean) * (value - mean);
   return std::sqrt(squares / (batches - 1) / batches);
+}
+
+int MovingPatchSpecification::discardedPasses() const
+{
+  return std::min(start == RollingStart::Steady ? 2 : 4, passes / 2);
 }
 
 double rolledDistance(const MovingPatchSpecification &moving, const PatchSequence &sequence,
@@ -91,7 +99,8 @@ MovingPatch::MovingPatch(const CreepPhysics &physics, const MovingPatchSpecifica
                          const PatchSequence &sequence, const FrictionLaw &law,
                          const PatchContact &contact, double spinPoint)
     : physics_(physics), moving_(moving), sequence_(sequence), law_(law), contact_(contact),
-      spinPoint_(spinPoint), space_(contact.grid, contact.pair), normal_(contact.normal),
+      spinPoint_(spinPoint), space_(contact.grid, contact.pair),
+      coupling_(contact.grid, contact.pair), normal_(contact.normal),
       passSteps_(
           static_cast<int>(std::ceil(2.0 * contact.hertz.a / contact.grid.dx * (1.0 - 1e-12))))
 {
@@ -101,12 +110,19 @@ MovingPatch::MovingPatch(const CreepPhysics &physics, const MovingPatchSpecifica
 void MovingPatch::begin(TransientPatch &transient, double speed, const PatchDrive &drive)
 {
   creepage_ = drive.creepage;
-  if (moving_.start == RollingStart::Rest)
+  const TangentialField none{Vector::Zero(contact_.grid.cells()),
+                             Vector::Zero(contact_.grid.cells())};
+  imposed_ = coupling_.tangential(normal_.pressure);
+  if (moving_.start == RollingStart::Rest) {
+    transient.startFrom(none, imposed_); // pressed together without friction
     return;
+  }
   if (moving_.start == RollingStart::Steady) {
     FrozenPatch steady(physics_, contact_, spinPoint_);
     const PatchPoint point = steady.solve(law_, speed, drive);
-    transient.startFrom(steady.fields().traction);
+    normal_.pressure = steady.fields().pressure;
+    imposed_ = coupling_.tangential(normal_.pressure);
+    transient.startFrom(steady.fields().traction, imposed_);
     creepage_ = point.creepage;
     products_ += point.products;
     return;
@@ -118,30 +134,45 @@ void MovingPatch::begin(TransientPatch &transient, double speed, const PatchDriv
   shift.cells = 0;
   shift.forceX = drive.forceX.value_or(0.0);
   shift.forceY = drive.forceY.value_or(0.0);
+  shift.imposed = imposed_;
   products_ += transient.step(shift).products;
 }
 
-void MovingPatch::press(int step, double load, double distance, const Creepage &creepage)
+// Of the rigid slip (xi - phi y, eta + phi x), half is put on each body: the wheel's surface runs
+// by xi/2 slower than the contact travels, the rail's by xi/2 faster, and they turn by phi/2
+// against each other, so that their asperities pass each other as the slip has it. The mean of both
+// goes straight, as the displacements do that are carried along. Between cells the maps are
+// interpolated
+// (`RoughMap::window`).
+void MovingPatch::travel(const Creepage &creepage)
 {
-  if (step > 0) {
-    const double way = contact_.grid.dx;
-    wheel_ = {wheel_.x + way * (1.0 - 0.5 * creepage.xi), wheel_.y - 0.5 * way * creepage.eta};
-    rail_ = {rail_.x + way * (1.0 + 0.5 * creepage.xi), rail_.y + 0.5 * way * creepage.eta};
-  }
+  const PatchGrid &grid = contact_.grid;
+  const double alongX = 0.5 * grid.dx * creepage.xi, alongY = 0.5 * grid.dx * creepage.eta;
+  wheel_.roll(grid, grid.dx - alongX, -alongY, 0.5 * creepage.phi);
+  rail_.roll(grid, grid.dx + alongX, alongY, -0.5 * creepage.phi);
+}
+
+bool MovingPatch::pressureStays(double load) const
+{
   const RoughPatch &surface = contact_.surface;
-  const bool smooth = surface.wheel.isSmooth() && surface.rail.isSmooth();
   const double former = normal_.pressure.sum() * contact_.grid.cellArea();
-  const bool sameLoad = std::abs(load - former) <= 1e-12 * load;
-  if (smooth && sameLoad && !(physics_.hardnessLimit && physics_.hasFeedback()))
-    return;
+  return surface.wheel.isSmooth() && surface.rail.isSmooth() && !coupling_.any() &&
+         std::abs(load - former) <= 1e-12 * load &&
+         !(physics_.hardnessLimit && physics_.hasFeedback());
+}
+
+void MovingPatch::press(double load, double distance, const Vector &start, const Vector &opening)
+{
   NormalContactOptions options;
   options.tolerance = pressureTolerance;
-  options.start =
-      smooth ? normal_.pressure : shifted(contact_.grid, normal_.pressure, step > 0 ? 1 : 0);
+  options.start = start;
   const double mean = fields_.temperature.dot(normal_.pressure) / normal_.pressure.sum();
+  NormalContactProblem problem =
+      contact_.problem(physics_.pressureLimit(mean), load, wheel_, rail_);
+  if (opening.size() > 0)
+    problem.profile += opening;
   try {
-    normal_ = solveNormalContact(
-        space_, contact_.problem(physics_.pressureLimit(mean), load, wheel_, rail_), options);
+    normal_ = solveNormalContact(space_, problem, options);
     checkInsideBox(contact_.grid, normal_.pressure);
   } catch (const Error &error) {
     throw Error(error.code(),
@@ -149,6 +180,9 @@ void MovingPatch::press(int step, double load, double distance, const Creepage &
   }
 }
 
+// What depends on the traction that is sought is taken from the step before, the temperature and
+// the creepages that belong to given forces: one tangential problem a step, where steady rolling
+// needs a fixed point.
 PatchStep MovingPatch::roll(TransientPatch &transient, Temperature &heat, double speed,
                             const PatchDrive &drive, double distance, double load)
 {
@@ -166,13 +200,27 @@ PatchStep MovingPatch::roll(TransientPatch &transient, Temperature &heat, double
   if (!heat.rows.empty()) // what the friction coefficient sees is a cell behind
     heat.values = shifted(grid, heat.values, 1);
   physics_.checkStrength(heat.values.maxCoeff(), speed, step.creepage.xi);
-  const Vector mu =
-      frictionCoefficient(physics_.friction, law_, normal_.pressure, sliding, heat.values);
-  step.bound = mu.cwiseProduct(normal_.pressure);
-  const TangentialResult result = transient.step(step);
+  Vector mu;
+  TangentialOptions options = TransientPatch::defaultOptions();
+  const auto slide = [&] {
+    mu = frictionCoefficient(physics_.friction, law_, normal_.pressure, sliding, heat.values);
+    step.bound = mu.cwiseProduct(normal_.pressure);
+    step.imposed = coupling_.tangential(normal_.pressure);
+    step.edge = contact_.edge(normal_.pressure, normal_.gap);
+    TangentialResult tried = transient.attempt(step, options);
+    options.start = tried.traction;
+    products_ += tried.products + tried.coarseProducts;
+    return tried;
+  };
+  const TangentialResult result =
+      coupling_.settle(normal_.pressure, slide, [&](const Vector &opening) {
+        press(load, distance, normal_.pressure, opening);
+      });
+  transient.accept(step, result);
   creepage_ = result.creepage;
-  products_ += result.products + result.coarseProducts;
-  const PatchSums sums = patchSums(grid, result);
+  PatchSums sums = patchSums(grid, result);
+  sums.drivingPower += couplingPower(grid, result.traction, step.imposed, imposed_);
+  imposed_ = step.imposed;
   if (!heat.rows.empty())
     heat.step(contact_, frictionalHeat(result, speed), normal_.pressure);
 
@@ -190,6 +238,7 @@ PatchStep MovingPatch::roll(TransientPatch &transient, Temperature &heat, double
   row.peakPressure = normal_.peakPressure();
   row.realArea = contact_.realArea(normal_.pressure);
   row.frictionalPower = sums.frictionalPower * speed;
+  row.drivingPower = sums.drivingPower * speed;
   heat.ratio += physics_.thermal.model == ThermalModel::AveragedPower && sliding > 0.0
                     ? sums.drivingPower * speed / (load * sliding)
                     : row.muMean;
@@ -230,12 +279,17 @@ std::optional<PatchPoint> MovingPatch::solve(double speed, const PatchDrive &dri
       begin(transient, speed, first);
     }
     const double load = sequence_.at(sequence_.load, time, contact_.load);
-    Creepage travel = now.creepage; // those that are not known: of the step before
+    Creepage creepage = now.creepage; // those that are not known: of the step before
     if (drive.forceX)
-      travel.xi = creepage_.xi;
+      creepage.xi = creepage_.xi;
     if (drive.forceY)
-      travel.eta = creepage_.eta;
-    press(step + 1, load, distance, travel);
+      creepage.eta = creepage_.eta;
+    travel(creepage);
+    if (!pressureStays(load)) {
+      const bool smooth = contact_.surface.wheel.isSmooth() && contact_.surface.rail.isSmooth();
+      press(load, distance, smooth ? normal_.pressure : shifted(grid, normal_.pressure, 1),
+            coupling_.normal(transient.traction()));
+    }
     series_.push_back(roll(transient, heat, speed, now, distance, load));
     hottest_ = std::max(hottest_, heat.values.maxCoeff());
     if ((step + 1) % passSteps_ == 0) {
@@ -253,7 +307,10 @@ std::optional<PatchPoint> MovingPatch::solve(double speed, const PatchDrive &dri
 PatchPoint MovingPatch::pointOf(double speed) const
 {
   // a sequence has no steady part: its last step stands for it
-  const std::size_t counted = sequence_.any() ? 1 : series_.size() - series_.size() / 2;
+  const int batches = sequence_.any() ? 0 : moving_.passes - moving_.discardedPasses();
+  const std::size_t counted =
+      sequence_.any() ? 1
+                      : static_cast<std::size_t>(batches) * static_cast<std::size_t>(passSteps_);
   const auto column = [&](auto value) {
     std::vector<double> values;
     for (std::size_t k = series_.size() - counted; k < series_.size(); ++k)
@@ -263,7 +320,6 @@ PatchPoint MovingPatch::pointOf(double speed) const
   const auto mean = [&](double PatchStep::*member) {
     return meanOf(column([&](const PatchStep &s) { return s.*member; }));
   };
-  const int batches = static_cast<int>(counted) / passSteps_;
   const auto error = [&](double PatchStep::*member) {
     return batchError(column([&](const PatchStep &s) { return s.*member; }), batches);
   };
@@ -289,13 +345,13 @@ PatchPoint MovingPatch::pointOf(double speed) const
   point.peakPressure = mean(&PatchStep::peakPressure);
   point.realArea = mean(&PatchStep::realArea);
   point.frictionalPower = mean(&PatchStep::frictionalPower);
-  const double driving = -speed * meanOf(column([](const PatchStep &s) {
-    return s.creepage.xi * s.forceX + s.creepage.eta * s.forceY + s.creepage.phi * s.momentZ;
-  }));
+  const double driving = mean(&PatchStep::drivingPower);
   point.powerClosure = driving == 0.0 ? 1.0 : point.frictionalPower / driving;
   point.errorX = error(&PatchStep::forceX);
   point.errorY = error(&PatchStep::forceY);
   point.errorZ = error(&PatchStep::momentZ);
+  const double sliding = speed * rigidSlip(contact_.grid, fields_.pressure, creepage_);
+  point.use = lawUse(physics_.friction, fields_.pressure, sliding, fields_.temperature);
   return point;
 }
 

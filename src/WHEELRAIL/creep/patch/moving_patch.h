@@ -18,15 +18,18 @@ enum class RollingStart {
 
 /// What transient rolling needs beside its drive.
 struct MovingPatchSpecification {
-  int passes = 4; ///< lengths 2a of the nominal contact that are rolled, >= 2; the means are over
-                  ///< the last half
+  int passes = 12; ///< lengths 2a of the nominal contact that are rolled, >= 2
   RollingStart start = RollingStart::Steady;
+
+  /// Passes at the start that the means leave out: 2, or 4 where the rolling does not begin with
+  /// the traction of steady rolling, and at most half of all.
+  int discardedPasses() const;
 };
 
 /// Load and creepages at instants of a sequence, linear between them; SI units. Lists that are
-/// empty stay as the point has them, others are as long as `time`.
+/// empty stay as the point has them, others are as long as `time`: the case reader refuses lists of
+/// other lengths.
 struct PatchSequence {
-  /// Lists of other lengths are a programming error: the case reader refuses them before.
   std::vector<double> time; ///< s, increasing from 0 on; empty: no sequence
   /// Normal force (N, > 0), xi and eta (sliding/rolling speed) and phi (1/m) at these instants.
   std::vector<double> load, creep, lateral, spin;
@@ -54,6 +57,7 @@ struct PatchStep {
   double muMean = 0.0, temperatureRise = 0.0, stickFraction = 0.0;
   /// m, Pa, m^2 and W, of this step.
   double approach = 0.0, peakPressure = 0.0, realArea = 0.0, frictionalPower = 0.0;
+  double drivingPower = 0.0; ///< W; see `PatchSums::drivingPower`
 };
 
 /// Standard error of the mean of a series that is correlated, from the means of `batches` equal
@@ -65,13 +69,14 @@ struct PatchStep {
 double batchError(const std::vector<double> &series, int batches);
 
 /// Transient rolling: both surfaces travel through the contact at their own speeds, wheel
-/// (1 - xi/2) and rail (1 + xi/2) along x and -+ eta/2 across; spin turns neither of them. Each
-/// step is one cell long. Forces are means over the last half of the passes, their standard errors
-/// from the means of single passes; the point of a sequence is its last step.
-/// The normal contact is solved again at each step where the surfaces are rough, the load changes
-/// or the hardness depends on temperature; it starts from the pressure moved by a cell. Eq. 11's
-/// temperature follows the mean of the length 2a before, the local one is carried along by the
-/// material and is a cell behind in the friction coefficient.
+/// (1 - xi/2) and rail (1 + xi/2) along x and -+ eta/2 across, and turn by +- phi/2 on their way
+/// through the box (`Travel`). Each step is one cell long. Forces are means over the passes that
+/// are not discarded, their standard errors from the means of single passes; the point of a
+/// sequence is its last step. The normal contact is solved again at each step where the surfaces
+/// are rough, the load changes, the hardness depends on temperature or the bodies are unlike; it
+/// starts from the pressure moved by a cell. Eq. 11's temperature follows the mean of the length 2a
+/// before, the local one is carried along by the material and is a cell behind in the friction
+/// coefficient.
 class MovingPatch {
  public:
   /// All must outlive the object.
@@ -100,12 +105,18 @@ class MovingPatch {
   struct Temperature;
   /// The traction and the creepages that the first step goes on from.
   void begin(TransientPatch &transient, double speed, const PatchDrive &drive);
-  /// Moves both surfaces by a step and solves the normal contact there; distance (m) for messages.
-  void press(int step, double load, double distance, const Creepage &creepage);
+  /// Moves both surfaces by a step.
+  void travel(const Creepage &creepage);
+  /// Is the pressure of the step before still that under this load?
+  bool pressureStays(double load) const;
+  /// The normal contact where the surfaces are now; distance (m) for messages.
+  /// @param start pressure to begin with @param opening of the gap by the traction, or empty
+  void press(double load, double distance, const Eigen::VectorXd &start,
+             const Eigen::VectorXd &opening);
   /// Friction, traction and heat of one step under the present pressure.
   PatchStep roll(TransientPatch &transient, Temperature &heat, double speed,
                  const PatchDrive &drive, double distance, double load);
-  /// Means over the last half of the series; of a sequence its last step.
+  /// Means over what is not discarded of the series; of a sequence its last step.
   PatchPoint pointOf(double speed) const;
 
   const CreepPhysics &physics_;
@@ -115,7 +126,9 @@ class MovingPatch {
   const PatchContact &contact_;
   double spinPoint_;
   PatchHalfSpace space_;
+  PatchCoupling coupling_;
   NormalContactResult normal_;
+  TangentialField imposed_; ///< by the pressure of unlike bodies, at the step before
   Travel wheel_, rail_;
   Creepage creepage_; ///< of the last step
   int passSteps_, products_ = 0;

@@ -2,14 +2,11 @@
 #include "creep/patch/patch_curve.h"
 
 #include "base/errors.h"
-#include "creep/journal.h"
 #include "creep/patch/patch_journal.h"
-#include "creep/patch/static_patch.h"
+#include "creep/patch/patch_piece.h"
 
 #include <algorithm>
 #include <chrono>
-#include <fmt/format.h>
-#include <mutex>
 #include <nlohmann/json.hpp>
 
 namespace wheelrail {
@@ -19,70 +16,19 @@ using Clock = std::chrono::steady_clock;
 
 constexpr std::size_t creepsInPiece = 8; ///< solved one after the other, warm
 
-/// Neighbouring points of one contact at one speed.
-struct Piece {
-  std::size_t first, count;
-};
-
-std::vector<Piece> cutIntoPieces(const PatchSpecification &specification,
-                                 const std::vector<PatchTask> &tasks)
+/// Steady rolling goes from creep to creep, so neighbours share a piece; the points of the other
+/// modes begin anew, and each is a piece. The cut depends on the case only, never on the threads.
+std::vector<PatchPiece> cutIntoPieces(const PatchSpecification &specification,
+                                      const std::vector<PatchTask> &tasks)
 {
   const std::size_t row = specification.mode == PatchMode::Frozen
                               ? std::max(specification.creep.size(), specification.forceX.size())
                               : 1;
-  std::vector<Piece> pieces;
+  std::vector<PatchPiece> pieces;
   for (std::size_t first = 0; first < tasks.size(); first += row)
     for (std::size_t k = 0; k < row; k += creepsInPiece)
       pieces.push_back({first + k, std::min(creepsInPiece, row - k)});
   return pieces;
-}
-
-struct PieceResult {
-  bool done = false;
-  std::vector<PatchPoint> points;
-  std::map<int, PatchFields> fields;
-  std::map<int, std::vector<PatchStep>> series;
-};
-
-/// Empty when interrupted.
-PieceResult solvePiece(const PatchSpecification &asked, const FrictionLaw &law,
-                       const PatchContact &contact, const std::vector<PatchTask> &tasks,
-                       const Piece &piece, const std::function<bool()> &goOn)
-{
-  PieceResult result;
-  const double spinPoint = asked.contact.spinPoint;
-  std::optional<FrozenPatch> frozen;
-  std::optional<MovingPatch> moving;
-  for (std::size_t k = piece.first; k < piece.first + piece.count; ++k) {
-    if (!goOn())
-      return {};
-    const PatchTask &task = tasks[k];
-    const int number = static_cast<int>(k) + 1;
-    const bool keeps = asked.fields.holds(number, static_cast<int>(tasks.size()));
-    if (asked.mode == PatchMode::Static) {
-      const StaticPatch still = solveStaticPatch(asked.physics, law, contact, task);
-      result.points.push_back(still.point);
-      if (keeps)
-        result.fields[number] = still.fields;
-    } else if (asked.mode == PatchMode::Moving) {
-      moving.emplace(asked.physics, asked.moving, asked.sequence, law, contact, spinPoint);
-      const std::optional<PatchPoint> point = moving->solve(task.speed, task.drive, goOn);
-      if (!point)
-        return {};
-      result.points.push_back(*point);
-      result.series[number] = moving->series();
-      if (keeps)
-        result.fields[number] = moving->fields();
-    } else {
-      if (!frozen)
-        frozen.emplace(asked.physics, contact, spinPoint);
-      result.points.push_back(frozen->solve(law, task.speed, task.drive));
-      if (keeps)
-        result.fields[number] = frozen->fields();
-    }
-  }
-  result.done = true;
-  return result;
 }
 
 /// Longest way of any point with this load, m: all of them share the surfaces.
@@ -97,7 +43,7 @@ double longestWay(const PatchSpecification &asked, double load)
   for (const auto *creeps : {&asked.creep, &asked.sequence.creep})
     for (double creep : *creeps)
       fastest = std::max(fastest, std::abs(creep));
-  return way * (1.0 + 0.5 * fastest);
+  return way * (1.0 + 0.5 * fastest); // of the faster surface, which has half of the creep
 }
 
 PatchContactSummary summaryOf(const PatchSpecification &asked, const PatchContact &contact)
@@ -116,24 +62,12 @@ void prepare(const PatchSpecification &asked, const SweepOptions &options, Patch
   const std::vector<double> &loads = asked.contact.load;
   curves.contacts.resize(asked.roughness.surfaces() * loads.size());
   curves.summaries.resize(curves.contacts.size());
-  FirstError error;
-#pragma omp parallel for schedule(dynamic) num_threads(options.threadCount())
-  for (std::size_t k = 0; k < curves.contacts.size(); ++k) {
-    if (error.any() || options.stopped())
-      continue;
-    try {
-      const double load = loads[k % loads.size()];
-      curves.contacts[k] = preparePatch(asked.contact, asked.roughness, load, k / loads.size(),
-                                        asked.physics.pressureLimit(0.0), longestWay(asked, load));
-      curves.summaries[k] = summaryOf(asked, curves.contacts[k]);
-    } catch (...) {
-      error.take();
-    }
-  }
-  error.rethrow();
-  if (options.stopped())
-    throw Error(ExitCode::Interrupted,
-                "interrupted before the first point; the same command goes on");
+  prepareAll(curves.contacts.size(), options, [&](std::size_t k) {
+    const double load = loads[k % loads.size()];
+    curves.contacts[k] = preparePatch(asked.contact, asked.roughness, load, k / loads.size(),
+                                      asked.physics.pressureLimit(0.0), longestWay(asked, load));
+    curves.summaries[k] = summaryOf(asked, curves.contacts[k]);
+  });
   for (const PatchContact &contact : curves.contacts)
     for (const std::string &remark : contact.surface.remarks)
       if (std::find(curves.warnings.begin(), curves.warnings.end(), remark) ==
@@ -141,30 +75,39 @@ void prepare(const PatchSpecification &asked, const SweepOptions &options, Patch
         curves.warnings.push_back(remark);
 }
 
-/// Does a piece leave more than its rows, so that it is computed even if the journal has them?
-bool leavesFields(const PatchSpecification &asked, const Piece &piece, std::size_t total)
+/// The fields of a piece go into files beside the journal: their checksums, by number of the point.
+nlohmann::json attachFields(const PatchPieceResult &result, const Journal &journal)
 {
-  for (std::size_t k = piece.first; k < piece.first + piece.count; ++k)
-    if (asked.fields.holds(static_cast<int>(k) + 1, static_cast<int>(total)))
-      return true;
-  return false;
+  nlohmann::json checksums = nlohmann::json::object();
+  for (const auto &[number, fields] : result.fields)
+    checksums[std::to_string(number)] = journal.attach(number, patchFieldsBytes(fields));
+  return checksums;
+}
+
+/// @return whether all fields of the piece are there
+bool takeFields(const nlohmann::json &checksums, const Journal &journal, int cells,
+                PatchPieceResult &result)
+{
+  for (const auto &[key, checksum] : checksums.items()) {
+    const int number = std::stoi(key);
+    const std::optional<std::string> bytes = journal.attached(number, checksum);
+    std::optional<PatchFields> fields;
+    if (bytes)
+      fields = patchFieldsFrom(*bytes, cells);
+    if (!fields)
+      return false;
+    result.fields[number] = std::move(*fields);
+  }
+  return true;
+}
+
+FrictionLaw withoutCovariance(FrictionLaw law)
+{
+  law.covariance.reset();
+  return law;
 }
 
 } // namespace
-
-bool FieldSelection::holds(int number, int total) const
-{
-  switch (kind) {
-  case Kind::None:
-    return false;
-  case Kind::Last:
-    return number == total;
-  case Kind::All:
-    return true;
-  default:
-    return std::find(numbers.begin(), numbers.end(), number) != numbers.end();
-  }
-}
 
 namespace {
 
@@ -223,7 +166,7 @@ std::vector<PatchTask> patchTasks(const PatchSpecification &asked)
     } else {
       for (double speed : asked.speed)
         for (const PatchDrive &drive : drivesOf(asked))
-          tasks.push_back({contact, speed, drive, 0.0});
+          tasks.push_back({contact, speed, drive, std::nullopt});
     }
   return tasks;
 }
@@ -235,60 +178,56 @@ PatchCurves solvePatchCurves(const PatchSpecification &asked, const FrictionLaw 
   PatchCurves curves;
   prepare(asked, options, curves);
   const std::vector<PatchTask> tasks = patchTasks(asked);
-  const std::vector<Piece> pieces = cutIntoPieces(asked, tasks);
-  const int total = static_cast<int>(tasks.size());
-  std::vector<PieceResult> results(pieces.size());
-  Journal journal(options.journal, fmt::format("patch journal 1\n{}\n{}\n{}", WHEELRAIL_VERSION,
-                                               options.identity, toJson(law).dump()));
-  int done = 0;
-  for (const auto &[number, rows] : journal.load()) {
-    if (number >= pieces.size() || leavesFields(asked, pieces[number], tasks.size()))
-      continue; // fields are not in the journal
-    results[number].points = patchPointsFrom(rows.at("points"));
-    results[number].series = patchSeriesFrom(rows.at("series"));
-    results[number].done = true;
-    done += static_cast<int>(results[number].points.size());
-  }
-  curves.resumed = done;
+  const std::vector<PatchPiece> pieces = cutIntoPieces(asked, tasks);
+  const auto contactOf = [&](std::size_t piece) -> const PatchContact & {
+    return curves.contacts[tasks[pieces[piece].first].contact];
+  };
+  std::vector<PatchPieceResult> results(pieces.size());
+  std::vector<nlohmann::json> checksums(pieces.size(), nlohmann::json::object());
+  const LawSpread spread = asked.mode == PatchMode::Static ? LawSpread({}, withoutCovariance(law))
+                                                           : LawSpread(asked.spread, law);
+  Sweep sweep;
+  for (const PatchPiece &piece : pieces)
+    sweep.points.push_back(static_cast<int>(piece.count));
+  sweep.leavesMore = [](std::size_t) { return false; };
+  sweep.solve = [&](std::size_t k, const std::function<bool()> &goOn) {
+    results[k] = solvePatchPiece(asked, spread, contactOf(k), tasks, pieces[k], goOn);
+    if (results[k].points.empty())
+      return false;
+    if (options.journal)
+      checksums[k] = attachFields(results[k], *options.journal);
+    return true;
+  };
+  sweep.rows = [&](std::size_t k) -> nlohmann::json {
+    for (const auto &[number, checksum] : checksums[k].items())
+      if (checksum == "") // no room for its fields: nothing of the piece is kept
+        return nullptr;
+    return {{"points", patchPointsJson(results[k].points)},
+            {"series", patchSeriesJson(results[k].series)},
+            {"fields", checksums[k]}};
+  };
+  sweep.takeRows = [&](std::size_t k, const nlohmann::json &rows) {
+    results[k].points = patchPointsFrom(rows.at("points"));
+    results[k].series = patchSeriesFrom(rows.at("series"));
+    const bool complete =
+        takeFields(rows.at("fields"), *options.journal, contactOf(k).grid.cells(), results[k]);
+    return complete ? results[k].points.size() : 0;
+  };
+  curves.resumed = runSweep(sweep, options);
 
-  FirstError error;
-  std::mutex bookkeeping;
-  const auto goOn = [&] { return !options.stopped() && !error.any(); };
-#pragma omp parallel for schedule(dynamic) num_threads(options.threadCount())
-  for (std::size_t k = 0; k < pieces.size(); ++k) {
-    if (results[k].done || !goOn())
-      continue;
-    try {
-      const PatchContact &contact = curves.contacts[tasks[pieces[k].first].contact];
-      PieceResult result = solvePiece(asked, law, contact, tasks, pieces[k], goOn);
-      if (!result.done)
-        continue;
-      const std::lock_guard<std::mutex> lock(bookkeeping);
-      results[k] = std::move(result);
-      done += static_cast<int>(results[k].points.size());
-      journal.add(k, {{"points", patchPointsJson(results[k].points)},
-                      {"series", patchSeriesJson(results[k].series)}});
-      if (options.progress)
-        options.progress(done, total);
-    } catch (...) {
-      error.take();
-    }
-  }
-  if (options.stopped() || error.any())
-    journal.write();
-  error.rethrow();
-  if (options.stopped() && done < total)
-    throw Error(
-        ExitCode::Interrupted,
-        fmt::format("interrupted after {} of {} points; the same command goes on from there", done,
-                    total));
-  journal.remove();
-
-  for (PieceResult &result : results) {
+  for (PatchPieceResult &result : results) {
     curves.points.insert(curves.points.end(), result.points.begin(), result.points.end());
     curves.fields.merge(result.fields);
     curves.series.merge(result.series);
   }
+  for (const PatchPoint &point : curves.points)
+    curves.use.include(point.use);
+  if (const std::string warning = lawWarning(asked.physics.friction, law, curves.use);
+      !warning.empty())
+    curves.warnings.push_back(warning);
+  curves.hasBand = spread.any();
+  curves.redrawn = spread.redrawn();
+  requireAnyPoint(curves.points);
   curves.seconds = std::chrono::duration<double>(Clock::now() - begin).count();
   return curves;
 }

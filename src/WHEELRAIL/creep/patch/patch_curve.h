@@ -3,6 +3,7 @@
 #define WHEELRAIL_CREEP_PATCH_CURVE_H
 
 #include "contact/patch/kalker.h"
+#include "creep/field_selection.h"
 #include "creep/patch/moving_patch.h"
 #include "creep/sweep.h"
 
@@ -16,17 +17,6 @@ namespace wheelrail {
 /// with the material, or do not roll at all. In frozen and static mode time plays no part.
 enum class PatchMode { Frozen, Moving, Static };
 
-/// Which points leave their fields.
-struct FieldSelection {
-  enum class Kind { None, Last, All, Numbers };
-  Kind kind = Kind::Last;
-  std::vector<int> numbers; ///< from 1 on, in the order of creep.csv
-
-  /// @param number of the point, from 1 on
-  /// @param total number of points in all, which decides Last
-  bool holds(int number, int total) const;
-};
-
 /// A sweep over a contact in a point: everything with everything. SI units.
 /// Every list has at least one value where its mode reads it. Of creepage and force of one
 /// direction only one is given; in mode static only one of force ratio, shift and forces.
@@ -38,7 +28,7 @@ struct PatchSpecification {
   CreepPhysics physics;
   PatchMode mode = PatchMode::Frozen;
   MovingPatchSpecification moving;          ///< of mode Moving
-  PatchSequence sequence;                   ///< of mode Moving
+  PatchSequence sequence;                   ///< Moving; Static: its loads, one after the other
   std::vector<double> creep, lateral;       ///< -; one value each where the force is given
   std::vector<double> spin;                 ///< 1/m
   std::vector<double> forceX, forceY;       ///< N; empty: the creepage is given
@@ -48,6 +38,8 @@ struct PatchSpecification {
   /// Points whose fields are kept and written; each costs eight doubles a cell.
   FieldSelection fields;
   bool sensitivities = true; ///< Kalker's coefficients of every contact
+  /// How a covariance of the law becomes bands; not of mode Static.
+  SpreadSpecification spread;
 };
 
 /// One point of the sweep before it is computed.
@@ -56,8 +48,8 @@ struct PatchTask {
   std::size_t contact; ///< index in PatchCurves::contacts
   double speed = 0.0;  ///< m/s; 0 in mode static
   PatchDrive drive;    ///< Static: the shift as creepage, m
-  /// Static: -Fx/(sum of mu p); 0 where forces or a shift are given.
-  double forceRatio = 0.0;
+  /// Static: -Fx/(sum of mu p); absent where forces or a shift are given.
+  std::optional<double> forceRatio;
 };
 
 /// What a contact of one load and one pair of surfaces is by itself.
@@ -77,7 +69,12 @@ struct PatchCurves {
   std::vector<PatchContact> contacts; ///< by surface, then load
   /// One for each of `contacts`.
   std::vector<PatchContactSummary> summaries;
-  std::vector<PatchPoint> points;    ///< by surface, load, speed, spin, lateral, longitudinal
+  /// By surface, load, speed, spin, lateral, longitudinal; those that did not converge too, at
+  /// least one that did.
+  std::vector<PatchPoint> points;
+  LawUse use;                        ///< where all points together asked for mu
+  bool hasBand = false;              ///< the law has a covariance
+  double redrawn = 0.0;              ///< share of the sampled laws that had to be drawn again
   std::map<int, PatchFields> fields; ///< SI, by number of the point, from 1 on
   std::map<int, std::vector<PatchStep>> series; ///< of mode Moving, likewise
   /// One line each, every line once: what was done to the maps, for example.
@@ -96,7 +93,8 @@ std::vector<PatchTask> patchTasks(const PatchSpecification &asked);
 /// All of them. The work is cut into pieces of a few neighbouring points, each started cold and
 /// solved in order, so that the result is the same to the last bit on one thread or many, in one go
 /// or resumed.
-/// @throws Error (Interrupted) when asked to stop, and what the points throw
+/// @throws Error (Interrupted) when asked to stop, and what the points throw; Error (NotConverged)
+///         where no point at all converges
 /// @param law of the specification's friction (`readLaw`)
 /// @param options threads, journal, progress; none of them changes a number
 PatchCurves solvePatchCurves(const PatchSpecification &asked, const FrictionLaw &law,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "creep/patch/patch_journal.h"
 
+#include <cstring>
 #include <initializer_list>
 
 namespace wheelrail {
@@ -33,6 +34,14 @@ void eachNumber(Point &p, const Visit &visit)
                       &p.errorY,
                       &p.errorZ})
     visit(*value);
+  for (auto *range : {&p.use.kappa1, &p.use.kappa2, &p.use.kappa3, &p.use.pressure, &p.use.speed})
+    for (auto &value : *range)
+      visit(value);
+  for (auto *band : {&p.bands.tractionRatio, &p.bands.x, &p.bands.y, &p.bands.momentZ}) {
+    visit(band->standardError);
+    visit(band->low);
+    visit(band->high);
+  }
 }
 
 template<class Step, class Visit>
@@ -41,9 +50,20 @@ void eachNumberOfStep(Step &s, const Visit &visit)
   for (auto *value :
        {&s.distance, &s.load, &s.creepage.xi, &s.creepage.eta, &s.creepage.phi, &s.forceX,
         &s.forceY, &s.momentZ, &s.muMean, &s.temperatureRise, &s.stickFraction, &s.approach,
-        &s.peakPressure, &s.realArea, &s.frictionalPower})
+        &s.peakPressure, &s.realArea, &s.frictionalPower, &s.drivingPower})
     visit(*value);
 }
+
+/// All fields of a point in a fixed order but for its states; each has one value a cell.
+template<class Fields, class Visit>
+void eachField(Fields &f, const Visit &visit)
+{
+  for (auto *field : {&f.gap, &f.pressure, &f.traction.x, &f.traction.y, &f.slip.x, &f.slip.y,
+                      &f.mu, &f.temperature})
+    visit(*field);
+}
+
+constexpr std::size_t fieldsOfPoint = 8;
 
 } // namespace
 
@@ -51,7 +71,7 @@ Json patchPointsJson(const std::vector<PatchPoint> &points)
 {
   Json rows = Json::array();
   for (const PatchPoint &point : points) {
-    Json row = {point.surface, point.iterations, point.products};
+    Json row = {point.surface, point.iterations, point.products, point.failure, point.use.any};
     eachNumber(point, [&](double value) { row.push_back(value); });
     rows.push_back(row);
   }
@@ -66,7 +86,9 @@ std::vector<PatchPoint> patchPointsFrom(const Json &rows)
     point.surface = row.at(0);
     point.iterations = row.at(1);
     point.products = row.at(2);
-    std::size_t k = 3;
+    point.failure = row.at(3);
+    point.use.any = row.at(4);
+    std::size_t k = 5;
     eachNumber(point, [&](double &value) { value = row.at(k++); });
     points.push_back(point);
   }
@@ -99,6 +121,36 @@ std::map<int, std::vector<PatchStep>> patchSeriesFrom(const Json &series)
       all[std::stoi(number)].push_back(step);
     }
   return all;
+}
+
+std::string patchFieldsBytes(const PatchFields &fields)
+{
+  std::string bytes;
+  for (PatchState state : fields.state)
+    bytes.push_back(static_cast<char>(state));
+  eachField(fields, [&](const Eigen::VectorXd &field) {
+    const std::size_t begin = bytes.size(), size = sizeof(double) * field.size();
+    bytes.resize(begin + size);
+    std::memcpy(&bytes[begin], field.data(), size);
+  });
+  return bytes;
+}
+
+std::optional<PatchFields> patchFieldsFrom(const std::string &bytes, int cells)
+{
+  const auto count = static_cast<std::size_t>(cells);
+  if (bytes.size() != count * (1 + fieldsOfPoint * sizeof(double)))
+    return std::nullopt;
+  PatchFields fields;
+  for (std::size_t k = 0; k < count; ++k)
+    fields.state.push_back(static_cast<PatchState>(bytes[k]));
+  std::size_t begin = count;
+  eachField(fields, [&](Eigen::VectorXd &field) {
+    field.resize(cells);
+    std::memcpy(field.data(), &bytes[begin], count * sizeof(double));
+    begin += count * sizeof(double);
+  });
+  return fields;
 }
 
 } // namespace wheelrail

@@ -3,7 +3,6 @@
 
 #include "base/errors.h"
 #include "contact/patch/patch_half_space.h"
-#include "contact/patch/patch_sums.h"
 
 #include <algorithm>
 #include <cmath>
@@ -36,6 +35,9 @@ double rigidSlip(const PatchGrid &grid, const Vector &pressure, const Creepage &
   return std::sqrt(squares / pressure.sum());
 }
 
+// A row at y has the half-length a r and the pressure p0 r, r = sqrt(1 - y^2/b^2), so that Eq. 11
+// gives it r^1.5 of the middle row's mean. Weighted with its length: integral of r^2.5 over that of
+// r, Beta(1/2, 9/4)/(pi/2).
 double meanOverEllipse()
 {
   return std::sqrt(pi) * std::tgamma(2.25) / std::tgamma(2.75) / (0.5 * pi);
@@ -56,7 +58,8 @@ Vector frictionalHeat(const TangentialResult &result, double speed)
 
 FrozenPatch::FrozenPatch(const CreepPhysics &physics, const PatchContact &contact, double spinPoint)
     : physics_(physics), contact_(contact), spinPoint_(spinPoint),
-      solver_(contact.grid, contact.pair), approach_(contact.normal.approach)
+      solver_(contact.grid, contact.pair), coupling_(contact.grid, contact.pair),
+      approach_(contact.normal.approach)
 {
   fields_.pressure = contact.normal.pressure;
   fields_.gap = contact.normal.gap;
@@ -71,6 +74,9 @@ TangentialResult FrozenPatch::roll(const PatchDrive &drive, const Creepage &gues
   problem.forceX = drive.forceX;
   problem.forceY = drive.forceY;
   problem.spinPoint = spinPoint_;
+  imposed_ = coupling_.tangential(fields_.pressure);
+  problem.imposed = imposed_;
+  problem.edge = contact_.edge(fields_.pressure, fields_.gap);
   if (drive.forceX)
     problem.creepage.xi = guess.xi;
   if (drive.forceY)
@@ -126,35 +132,54 @@ Vector FrozenPatch::temperatureFrom(double speed)
   const double sliding = slidingSpeed(speed);
   double ratio = meanMu();
   if (thermal.model == ThermalModel::AveragedPower && sliding > 0.0)
-    ratio = patchSums(contact_.grid, result_).drivingPower * speed / (contact_.load * sliding);
+    ratio = sums().drivingPower * speed / (contact_.load * sliding);
   return Vector::Constant(
       n, meanTemperatureRise(ratio, contact_.hertz, sliding, speed, thermal.material));
 }
 
-/// The hardness falls with the mean temperature of the contact: solve again where it binds.
-void FrozenPatch::limitPressure()
+/// The hardness falls with the mean temperature of the contact; unlike bodies' traction opens or
+/// closes the gap.
+void FrozenPatch::renewPressure()
 {
   const double mean = fields_.temperature.dot(fields_.pressure) / fields_.pressure.sum();
   NormalContactOptions options;
   options.start = fields_.pressure;
   if (!space_)
     space_.emplace(contact_.grid, contact_.pair);
-  const NormalContactResult normal = solveNormalContact(
-      *space_, contact_.problem(physics_.pressureLimit(mean), contact_.load), options);
+  NormalContactProblem problem = contact_.problem(physics_.pressureLimit(mean), contact_.load);
+  if (coupling_.any())
+    problem.profile += coupling_.normal(result_.traction);
+  const NormalContactResult normal = solveNormalContact(*space_, problem, options);
   checkInsideBox(contact_.grid, normal.pressure);
   fields_.pressure = normal.pressure;
   fields_.gap = normal.gap;
   approach_ = normal.approach;
 }
 
+void FrozenPatch::failToSettle(double speed, int iterations, bool friction) const
+{
+  throw Error(ExitCode::NotConverged,
+              fmt::format("creep {:g}, lateral {:g}, spin {:g} /m at {:g} m/s: {} do not settle "
+                          "after {} iterations; {} there",
+                          creepage_.xi, creepage_.eta, creepage_.phi, speed,
+                          friction ? "temperature and friction" : "pressure and traction",
+                          iterations,
+                          friction ? "the friction law falls too steeply"
+                                   : "the bodies are too unlike for the friction"));
+}
+
+// A fixed point as in `FrozenCreep::solve`: temperature -> mu, pressure -> traction -> temperature.
+// Where forces are given and mu depends on speed, the sliding speed belongs to it too. Both steps
+// are counted in units of their tolerances, and the larger one decides on the end and on halving.
 PatchPoint FrozenPatch::solve(const FrictionLaw &law, double speed, const PatchDrive &drive)
 {
   const bool found = drive.forceX || drive.forceY;
   const bool heats = physics_.hasFeedback();
   // creepages that are not known beforehand decide the sliding speed
   const bool slides = found && !physics_.friction.isConstant() && physics_.friction.velocityTerm;
-  const bool feedback = heats || slides;
-  const bool needsTraction = found || physics_.thermal.model == ThermalModel::Local ||
+  const bool couples = coupling_.any();
+  const bool feedback = heats || slides || couples;
+  const bool needsTraction = found || couples || physics_.thermal.model == ThermalModel::Local ||
                              physics_.thermal.model == ThermalModel::AveragedPower;
   products_ = 0;
   if (!drive.forceX)
@@ -168,8 +193,11 @@ PatchPoint FrozenPatch::solve(const FrictionLaw &law, double speed, const PatchD
   int iteration = 0;
   while (true) {
     ++iteration;
-    if (physics_.hardnessLimit && heats && iteration > 1)
-      limitPressure();
+    const Vector formerPressure = fields_.pressure;
+    if (((physics_.hardnessLimit && heats) || couples) && iteration > 1)
+      renewPressure();
+    const bool pressed =
+        !couples || (iteration > 1 && PatchCoupling::settled(formerPressure, fields_.pressure));
     const Creepage before = creepage_;
     fields_.mu = frictionCoefficient(physics_.friction, law, fields_.pressure, slidingSpeed(speed),
                                      fields_.temperature);
@@ -189,15 +217,11 @@ PatchPoint FrozenPatch::solve(const FrictionLaw &law, double speed, const PatchD
       fields_.temperature = next;
       break;
     }
-    if (step <= 1.0)
+    if (step <= 1.0 && pressed)
       break;
     if (iteration >= maxIterations)
-      throw Error(ExitCode::NotConverged,
-                  fmt::format("creep {:g}, lateral {:g}, spin {:g} /m at {:g} m/s: temperature and "
-                              "friction do not settle after {} iterations; the friction law falls "
-                              "too steeply there",
-                              creepage_.xi, creepage_.eta, creepage_.phi, speed, iteration));
-    if (iteration > 1 && step >= lastStep)
+      failToSettle(speed, iteration, step > 1.0);
+    if (iteration > 1 && step > 1.0 && step >= lastStep)
       part *= 0.5;
     lastStep = step;
     fields_.temperature += part * (next - fields_.temperature);
@@ -215,9 +239,16 @@ PatchPoint FrozenPatch::solve(const FrictionLaw &law, double speed, const PatchD
   return pointOf(speed, iteration);
 }
 
+PatchSums FrozenPatch::sums() const
+{
+  PatchSums sums = patchSums(contact_.grid, result_);
+  sums.drivingPower += couplingPower(contact_.grid, result_.traction, imposed_, imposed_);
+  return sums;
+}
+
 PatchPoint FrozenPatch::pointOf(double speed, int iterations) const
 {
-  const PatchSums sums = patchSums(contact_.grid, result_);
+  const PatchSums sums = this->sums();
   PatchPoint point;
   point.surface = contact_.surface.number;
   point.load = contact_.load;
@@ -240,6 +271,7 @@ PatchPoint FrozenPatch::pointOf(double speed, int iterations) const
   point.realArea = contact_.realArea(fields_.pressure);
   point.frictionalPower = sums.frictionalPower * speed;
   point.powerClosure = sums.powerClosure();
+  point.use = lawUse(physics_.friction, fields_.pressure, slidingSpeed(speed), fields_.temperature);
   return point;
 }
 

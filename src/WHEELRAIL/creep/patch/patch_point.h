@@ -3,14 +3,19 @@
 #define WHEELRAIL_CREEP_PATCH_POINT_H
 
 #include "contact/patch/patch_contact.h"
+#include "contact/patch/patch_coupling.h"
 #include "contact/patch/patch_half_space.h"
+#include "contact/patch/patch_sums.h"
 #include "contact/patch/patch_temperature.h"
 #include "contact/patch/tangential.h"
 #include "creep/creep_physics.h"
 #include "creep/field_files.h"
+#include "creep/law_spread.h"
+#include "law/law_use.h"
 
 #include <cmath>
 #include <optional>
+#include <string>
 
 namespace wheelrail {
 
@@ -20,6 +25,13 @@ struct PatchDrive {
   Creepage creepage;            ///< phi in 1/m; that of a given force is not read
   std::optional<double> forceX; ///< N; given: the longitudinal creepage is unknown
   std::optional<double> forceY; ///< N; given: the lateral creepage is unknown
+};
+
+/// What the covariance of the friction law leaves undetermined of a point; SI units, 0 without one.
+struct PatchBands {
+  Band tractionRatio;
+  Band x, y; ///< of the force along x and y (N), or of the creepage there where the force is given
+  Band momentZ;
 };
 
 /// One computed point; SI units.
@@ -41,10 +53,14 @@ struct PatchPoint {
   double peakPressure = 0.0;         ///< Pa
   double realArea = 0.0;             ///< m^2
   double frictionalPower = 0.0;      ///< W
-  double powerClosure = 1.0;         ///< frictionalPower/(-(xi Fx + eta Fy + phi Mz) v0)
+  double powerClosure = 1.0;         ///< frictionalPower over what the drive gives
   double errorX = 0.0, errorY = 0.0; ///< standard errors of the forces where the contact
   double errorZ = 0.0;               ///< moves, and of the moment
+  PatchBands bands;
+  LawUse use;          ///< where mu was asked for; in mode moving in the last step
+  std::string failure; ///< why it was not computed: the numbers are none; or empty
 
+  bool converged() const { return failure.empty(); }
   double traction() const { return std::hypot(forceX, forceY); } ///< N
   /// Size of the tangential force over the load, >= 0.
   double tractionRatio() const { return traction() / load; }
@@ -76,7 +92,8 @@ double meanTemperatureRise(double frictionRatio, const HertzEllipse &hertz, doub
 /// large Peclet number the rows along x do not exchange heat, so that the flash temperature of each
 /// of them is that of the line.
 /// The unknowns of the fixed point are the temperature rise and, where forces are given and
-/// friction falls with sliding speed, the creepages. A step that comes out no smaller than the one
+/// friction falls with sliding speed, the creepages; of unlike bodies the pressure, too, which the
+/// traction changes. A step that comes out no smaller than the one
 /// before is halved from then on.
 class FrozenPatch {
  public:
@@ -98,11 +115,16 @@ class FrozenPatch {
   void rollWarmOrCold(const PatchDrive &drive);
   /// Rise per cell that the present traction causes, K; one value everywhere with Eq. 11.
   Eigen::VectorXd temperatureFrom(double speed);
-  void limitPressure();
+  /// The normal contact anew, with what traction and temperature change in it.
+  void renewPressure();
+  /// @param friction the law is at fault, or else the coupling of unlike bodies
+  [[noreturn]] void failToSettle(double speed, int iterations, bool friction) const;
   double meanMu() const;
   /// Root mean square of the rigid slip times the rolling speed, m/s.
   double slidingSpeed(double speed) const;
-  /// Sums of the last solution; iterations of the fixed point.
+  /// Of the last solution, with what unlike bodies' pressure gives.
+  PatchSums sums() const;
+  /// Iterations of the fixed point.
   PatchPoint pointOf(double speed, int iterations) const;
 
   const CreepPhysics &physics_;
@@ -110,9 +132,11 @@ class FrozenPatch {
   double spinPoint_;
   TangentialSolver solver_;
   TangentialResult result_;
+  TangentialField imposed_; ///< by the pressure of unlike bodies, in `result_`
   bool warm_ = false;
   Creepage creepage_;
-  std::optional<PatchHalfSpace> space_; ///< for the pressure, where it changes with temperature
+  std::optional<PatchHalfSpace> space_; ///< for the pressure, where it changes
+  PatchCoupling coupling_;
   std::optional<PatchFlashTemperature> flash_;
   double flashSpeed_ = 0.0;
   double approach_;

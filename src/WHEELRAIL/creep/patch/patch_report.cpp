@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "creep/patch/patch_report.h"
 
+#include "base/result_text.h"
+
 #include <algorithm>
 #include <array>
 #include <fmt/format.h>
+#include <iterator>
 #include <nlohmann/json.hpp>
 
 namespace wheelrail {
@@ -40,6 +43,8 @@ std::string staticCsv(const PatchSpecification &asked, const PatchCurves &curves
       "approach,peak_pressure,real_area";
   text += severalSurfaces(asked) ? fmt::format(",{}\n", asked.roughness.surfaceName()) : "\n";
   for (const PatchPoint &p : curves.points) {
+    if (!p.converged())
+      continue;
     text +=
         fmt::format("{:.10g},{:.10g},{:.10g},{:.10g},{:.10g},{:.6g}", p.load, p.creepage.xi / mm,
                     p.creepage.eta / mm, p.tractionRatio(), p.muMean, p.stickFraction);
@@ -47,6 +52,13 @@ std::string staticCsv(const PatchSpecification &asked, const PatchCurves &curves
     text += severalSurfaces(asked) ? fmt::format(",{}\n", p.surface) : "\n";
   }
   return text;
+}
+
+/// A quantity with its standard error and 95 % interval.
+std::string bandCells(double value, const Band &band, double unit)
+{
+  return fmt::format(",{:.10g},{:.6g},{:.10g},{:.10g}", value / unit, band.standardError / unit,
+                     band.low / unit, band.high / unit);
 }
 
 std::string creepCsv(const PatchSpecification &asked, const PatchCurves &curves)
@@ -62,6 +74,8 @@ std::string creepCsv(const PatchSpecification &asked, const PatchCurves &curves)
   text += moving ? ",force_x_se,force_y_se,moment_z_se" : "";
   text += severalSurfaces(asked) ? fmt::format(",{}\n", asked.roughness.surfaceName()) : "\n";
   for (const PatchPoint &p : curves.points) {
+    if (!p.converged())
+      continue;
     text += fmt::format("{:g},{:.10g},{:.10g},{:.10g},{:.10g},{:.10g},{},{:.6g}", p.speed,
                         p.creepage.xi, p.tractionRatio(), p.traction(), p.muMean, p.temperatureRise,
                         p.iterations, p.stickFraction);
@@ -131,6 +145,31 @@ std::string patchCsv(const PatchSpecification &asked, const PatchCurves &curves)
   return asked.mode == PatchMode::Static ? staticCsv(asked, curves) : creepCsv(asked, curves);
 }
 
+std::string patchBandCsv(const PatchSpecification &asked, const PatchCurves &curves)
+{
+  const bool givesX = !asked.forceX.empty(), givesY = !asked.forceY.empty();
+  std::string text =
+      "# T/N, force, creepage or moment with its standard error and 95 % interval from the "
+      "covariance of the friction law; speed: m/s; spin: 1/mm; load, forces: N; moment_z: N mm\n"
+      "speed,creep,traction_ratio,standard_error,low,high,load,lateral,spin";
+  for (const char *name :
+       {givesX ? "found_creep" : "force_x", givesY ? "found_lateral" : "force_y", "moment_z"})
+    text += fmt::format(",{0},{0}_standard_error,{0}_low,{0}_high", name);
+  text += severalSurfaces(asked) ? fmt::format(",{}\n", asked.roughness.surfaceName()) : "\n";
+  for (const PatchPoint &p : curves.points) {
+    if (!p.converged())
+      continue;
+    text += fmt::format("{:g},{:.10g}", p.speed, p.creepage.xi);
+    text += bandCells(p.tractionRatio(), p.bands.tractionRatio, 1.0);
+    text += fmt::format(",{:.10g},{:.10g},{:.10g}", p.load, p.creepage.eta, p.creepage.phi / perMm);
+    text += bandCells(givesX ? p.creepage.xi : p.forceX, p.bands.x, 1.0);
+    text += bandCells(givesY ? p.creepage.eta : p.forceY, p.bands.y, 1.0);
+    text += bandCells(p.momentZ, p.bands.momentZ, newtonMm);
+    text += severalSurfaces(asked) ? fmt::format(",{}\n", p.surface) : "\n";
+  }
+  return text;
+}
+
 std::string patchSeriesCsv(const PatchCurves &curves)
 {
   std::string text =
@@ -157,11 +196,14 @@ std::string patchSummary(const PatchSpecification &asked, const std::string &tex
   const PatchContact &first = curves.contacts.front();
   Json json = {{"format", "wr_creep-summary 1"}, {"version", WHEELRAIL_VERSION}};
   json["case"] = text;
-  json["law"] = toJson(law);
+  json["law"] = toJson(asked.physics.friction, law);
+  if (curves.use.any)
+    json["law_use"] = toJson(asked.physics.friction, curves.use);
   json["contact"] = "patch";
   json["mode"] = modeName(asked.mode);
   json["shear_modulus_GPa"] = first.pair.G / GPa;
   json["poissons_ratio"] = first.pair.nu;
+  json["coupling"] = first.pair.K;
   json["curvatures_per_mm"] = {first.hertz.curvatures.A / perMm, first.hertz.curvatures.B / perMm};
   json["cells"] = {first.grid.nx, first.grid.ny};
   const ThermalSpecification &thermal = asked.physics.thermal;
@@ -170,14 +212,19 @@ std::string patchSummary(const PatchSpecification &asked, const std::string &tex
                             thermal.material.specificHeat / (2.0 * thermal.material.conductivity);
   for (std::size_t k = 0; k < curves.contacts.size(); ++k)
     json["contacts"].push_back(contactJson(asked, curves.contacts[k], curves.summaries[k]));
+  if (curves.hasBand && asked.spread.method == UncertaintyMethod::Sampled)
+    json["uncertainty"] = {{"samples", asked.spread.samples},
+                           {"seed", asked.spread.seed},
+                           {"redrawn_share", curves.redrawn}};
   json["warnings"] = curves.warnings;
   json["fields"] = Json::array();
   for (const auto &[number, fields] : curves.fields)
     json["fields"].push_back({{"point", number}, {"files", fieldStem(number)}});
+  json["not_converged"] = failures(curves);
   json["points"] = curves.points.size();
   json["points_resumed"] = curves.resumed;
   json["seconds"] = curves.seconds;
-  return json.dump(2) + "\n";
+  return jsonText("summary.json", json);
 }
 
 std::string patchShortReport(const PatchSpecification &asked, const PatchCurves &curves)
@@ -200,11 +247,14 @@ std::string patchShortReport(const PatchSpecification &asked, const PatchCurves 
                         100.0 * c.realArea(c.normal.pressure) / c.nominalArea(),
                         c.normal.peakPressure() / MPa);
   }
-  const PatchPoint &last = curves.points.back();
-  const auto largest = std::max_element(curves.points.begin(), curves.points.end(),
-                                        [](const PatchPoint &a, const PatchPoint &b) {
-                                          return a.tractionRatio() < b.tractionRatio();
-                                        });
+  std::vector<PatchPoint> points;
+  std::copy_if(curves.points.begin(), curves.points.end(), std::back_inserter(points),
+               [](const PatchPoint &point) { return point.converged(); });
+  const PatchPoint &last = points.back();
+  const auto largest =
+      std::max_element(points.begin(), points.end(), [](const PatchPoint &a, const PatchPoint &b) {
+        return a.tractionRatio() < b.tractionRatio();
+      });
   text += fmt::format("T/N at most {:.4f}; last point: Fx {:.5g} N, Fy {:.5g} N, Mz {:.5g} N mm, "
                       "{:.0f} % of the contact sticks\n",
                       largest->tractionRatio(), last.forceX, last.forceY, last.momentZ / newtonMm,
@@ -225,6 +275,19 @@ std::string patchDetailedReport(const PatchCurves &curves)
     products += p.products;
   return text + fmt::format("tangential contact: {} products with the influence of the tractions\n",
                             products);
+}
+
+std::vector<std::string> failures(const PatchCurves &curves)
+{
+  std::vector<std::string> lines;
+  for (std::size_t k = 0; k < curves.points.size(); ++k)
+    if (const PatchPoint &p = curves.points[k]; !p.converged())
+      lines.push_back(
+          fmt::format("point {} (load {:g} N, creep {:g}, lateral {:g}, spin {:g} 1/mm, "
+                      "{:g} m/s): {}",
+                      k + 1, p.load, p.creepage.xi, p.creepage.eta, p.creepage.phi / perMm, p.speed,
+                      p.failure));
+  return lines;
 }
 
 std::string fieldStem(int number)
@@ -248,8 +311,8 @@ std::vector<std::string> fieldFileNames(const PatchSpecification &asked)
   return files;
 }
 
-void writeFields(const std::string &folder, const PatchSpecification &asked,
-                 const PatchCurves &curves)
+void addFields(mcawr::OutputFiles &files, const std::string &folder,
+               const PatchSpecification &asked, const PatchCurves &curves)
 {
   const std::vector<PatchTask> tasks = patchTasks(asked);
   for (const auto &[number, si] : curves.fields) {
@@ -266,11 +329,11 @@ void writeFields(const std::string &folder, const PatchSpecification &asked,
       fields.slip.y /= mm;
     }
     const PatchPoint &p = curves.points[number - 1];
-    writeFieldFiles(folder + "/" + fieldStem(number), grid, fields,
-                    fmt::format("point {}: load {:g} N, creep {:g}, lateral {:g}, spin {:g} 1/mm, "
-                                "{:g} m/s",
-                                number, p.load, p.creepage.xi, p.creepage.eta,
-                                p.creepage.phi / perMm, p.speed));
+    addFieldFiles(files, folder + "/" + fieldStem(number), grid, fields,
+                  fmt::format("point {}: load {:g} N, creep {:g}, lateral {:g}, spin {:g} 1/mm, "
+                              "{:g} m/s",
+                              number, p.load, p.creepage.xi, p.creepage.eta, p.creepage.phi / perMm,
+                              p.speed));
   }
 }
 
@@ -278,9 +341,10 @@ std::vector<PolachPoint> polachPoints(const PatchCurves &curves)
 {
   std::vector<PolachPoint> points;
   for (const PatchPoint &p : curves.points)
-    points.push_back({{p.creepage.xi, p.creepage.eta, p.creepage.phi / perMm, p.speed, p.load},
-                      p.forceX,
-                      p.forceY});
+    if (p.converged())
+      points.push_back({{p.creepage.xi, p.creepage.eta, p.creepage.phi / perMm, p.speed, p.load},
+                        p.forceX,
+                        p.forceY});
   return points;
 }
 

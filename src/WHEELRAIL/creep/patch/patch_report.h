@@ -14,11 +14,16 @@ namespace wheelrail {
 /// m/s, W and K, said once in the file.
 
 /// creep.csv: one row a point; the line contact's columns come first. Mode static: static.csv.
-/// Points are numbered in the order of the rows, from 1 on.
+/// One row for each point that converged; points are numbered in the order of the sweep, from 1 on.
 std::string patchCsv(const PatchSpecification &asked, const PatchCurves &curves);
 
+/// creep_band.csv: T/N, forces and moment, or creepages that were found, with what the covariance
+/// of the law leaves undetermined of them. The line contact's columns come first.
+/// @param curves with `hasBand`
+std::string patchBandCsv(const PatchSpecification &asked, const PatchCurves &curves);
+
 /// series.csv of mode moving: one row a step of every point.
-/// The means in creep.csv are over the last half of these rows.
+/// The means in creep.csv are over these rows without the passes that are discarded.
 std::string patchSeriesCsv(const PatchCurves &curves);
 
 /// summary.json: case, law, contacts with Kalker's coefficients, warnings, time.
@@ -32,15 +37,19 @@ std::string patchShortReport(const PatchSpecification &asked, const PatchCurves 
 /// How the normal contacts were solved, and the products that the tangential ones took.
 std::string patchDetailedReport(const PatchCurves &curves);
 
+/// The points that did not converge, one line each: number, what was asked for, reason.
+std::vector<std::string> failures(const PatchCurves &curves);
+
 /// Names of the fields' files without their endings, by number of the point: "fields_0003".
 std::string fieldStem(int number);
 /// All files that the selected fields make, without the folder.
 std::vector<std::string> fieldFileNames(const PatchSpecification &asked);
-/// Writes them. @throws Error (Io)
-/// One .vti and several .gsf files for each selected point, converted from SI to the files' units.
+/// Adds them to the files of the results: one .vti and several .gsf files for each selected point,
+/// converted from SI to the files' units.
 /// @param folder that exists
-void writeFields(const std::string &folder, const PatchSpecification &asked,
-                 const PatchCurves &curves);
+/// @throws what `addFieldFiles` throws
+void addFields(mcawr::OutputFiles &files, const std::string &folder,
+               const PatchSpecification &asked, const PatchCurves &curves);
 
 /// The computed points as those of Polach's law, and the contact it needs.
 /// In mm, N and m/s, with the signs of the solvers: forces against the creepages.

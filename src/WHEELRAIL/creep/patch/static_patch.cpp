@@ -1,59 +1,151 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "creep/patch/static_patch.h"
 
+#include "base/errors.h"
 #include "contact/patch/patch_sums.h"
 #include "contact/patch/transient.h"
 #include "creep/patch/patch_curve.h"
 
+#include <fmt/format.h>
+
 namespace wheelrail {
 namespace {
-constexpr double tolerance = 1e-7; ///< one solve, which may be exact
-}
 
-StaticPatch solveStaticPatch(const CreepPhysics &physics, const FrictionLaw &law,
-                             const PatchContact &contact, const PatchTask &task)
-{
-  const Eigen::VectorXd &pressure = contact.normal.pressure;
-  const Eigen::VectorXd zero = Eigen::VectorXd::Zero(contact.grid.cells());
-  StaticPatch still;
-  // nothing slides on, nothing heats
-  still.fields.pressure = pressure;
-  still.fields.gap = contact.normal.gap;
-  still.fields.mu = frictionCoefficient(physics.friction, law, pressure, 0.0, zero);
-  still.fields.temperature = zero;
-  TransientPatch transient(contact.grid, contact.pair);
-  TransientPatch::Step step;
-  step.bound = still.fields.mu.cwiseProduct(pressure);
-  step.cells = 0;
-  step.creepage = task.drive.creepage;
-  step.forceX = task.drive.forceX;
-  step.forceY = task.drive.forceY;
-  const double capacity = step.bound.sum() * contact.grid.cellArea();
-  if (task.forceRatio > 0.0) {
-    step.forceX = -task.forceRatio * capacity;
+using Vector = Eigen::VectorXd;
+
+constexpr double tolerance = 1e-7; ///< one solve, which may be exact
+
+/// Loads and shifts of one point, one after the other.
+class StaticSteps {
+ public:
+  StaticSteps(const CreepPhysics &physics, const FrictionLaw &law, const PatchContact &contact,
+              const PatchTask &task)
+      : physics_(physics), law_(law), contact_(contact), task_(task),
+        space_(contact.grid, contact.pair), coupling_(contact.grid, contact.pair),
+        transient_(contact.grid, contact.pair), normal_(contact.normal), load_(contact.load)
+  {
+    options_.tolerance = tolerance;
+  }
+
+  /// From the state before to this load.
+  void press(double load)
+  {
+    if (load != load_)
+      solveNormal(load, coupling_.normal(transient_.traction()));
+    load_ = load;
+    TransientPatch::Step step;
+    step.cells = 0;
+    step.creepage = task_.drive.creepage;
+    options_.start = transient_.traction();
+    const auto slide = [&] {
+      setFriction(step);
+      TangentialResult tried = transient_.attempt(step, options_);
+      products_ += tried.products + tried.coarseProducts;
+      options_.start = tried.traction;
+      return tried;
+    };
+    result_ = coupling_.settle(normal_.pressure, slide,
+                               [&](const Vector &opening) { solveNormal(load, opening); });
+    transient_.accept(step, result_);
+    shift_.xi += result_.creepage.xi;
+    shift_.eta += result_.creepage.eta;
+  }
+
+  StaticPatch result() const;
+
+ private:
+  void solveNormal(double load, const Vector &opening)
+  {
+    NormalContactOptions options;
+    options.start = normal_.pressure;
+    NormalContactProblem problem = contact_.problem(physics_.pressureLimit(0.0), load);
+    if (opening.size() > 0)
+      problem.profile += opening;
+    normal_ = solveNormalContact(space_, problem, options);
+    checkInsideBox(contact_.grid, normal_.pressure);
+  }
+
+  /// What the pressure decides in a step: bound, force, displacement.
+  void setFriction(TransientPatch::Step &step)
+  {
+    // nothing slides on, nothing heats
+    mu_ = frictionCoefficient(physics_.friction, law_, normal_.pressure, 0.0,
+                              Vector::Zero(contact_.grid.cells()));
+    step.bound = mu_.cwiseProduct(normal_.pressure);
+    step.imposed = coupling_.tangential(normal_.pressure);
+    step.forceX = task_.drive.forceX;
+    step.forceY = task_.drive.forceY;
+    if (!task_.forceRatio)
+      return;
+    step.forceX = -*task_.forceRatio * step.bound.sum() * contact_.grid.cellArea();
     step.forceY = 0.0;
   }
-  TangentialOptions options;
-  options.tolerance = tolerance;
-  const TangentialResult result = transient.step(step, options);
-  const PatchSums sums = patchSums(contact.grid, result);
-  still.fields.traction = result.traction;
-  still.fields.slip = result.slip;
-  still.fields.state = result.state;
+
+  const CreepPhysics &physics_;
+  const FrictionLaw &law_;
+  const PatchContact &contact_;
+  const PatchTask &task_;
+  PatchHalfSpace space_;
+  PatchCoupling coupling_;
+  TransientPatch transient_;
+  NormalContactResult normal_;
+  TangentialOptions options_;
+  TangentialResult result_;
+  Vector mu_;
+  Creepage shift_;
+  double load_;
+  int products_ = 0;
+};
+
+StaticPatch StaticSteps::result() const
+{
+  const PatchSums sums = patchSums(contact_.grid, result_);
+  StaticPatch still;
+  still.fields = {result_.state,
+                  normal_.gap,
+                  normal_.pressure,
+                  result_.traction,
+                  result_.slip,
+                  mu_,
+                  Vector::Zero(contact_.grid.cells())};
   PatchPoint &point = still.point;
-  point.surface = contact.surface.number;
-  point.load = contact.load;
-  point.creepage = result.creepage;
+  point.surface = contact_.surface.number;
+  point.load = load_;
+  point.creepage = shift_;
   point.forceX = sums.forceX;
   point.forceY = sums.forceY;
   point.momentZ = sums.momentZ;
-  point.muMean = capacity / (pressure.sum() * contact.grid.cellArea());
-  point.products = result.products + result.coarseProducts;
+  point.muMean = mu_.dot(normal_.pressure) / normal_.pressure.sum();
+  point.products = products_;
   point.stickFraction = sums.stickArea / sums.contactArea;
-  point.approach = contact.normal.approach;
-  point.peakPressure = contact.normal.peakPressure();
-  point.realArea = contact.realArea(pressure);
+  point.approach = normal_.approach;
+  point.peakPressure = normal_.peakPressure();
+  point.realArea = contact_.realArea(normal_.pressure);
+  point.use = lawUse(physics_.friction, normal_.pressure, 0.0, still.fields.temperature);
   return still;
+}
+
+} // namespace
+
+std::optional<StaticPatch> solveStaticPatch(const CreepPhysics &physics, const FrictionLaw &law,
+                                            const PatchContact &contact, const PatchTask &task,
+                                            const std::vector<double> &loads,
+                                            const std::function<bool()> &goOn)
+{
+  StaticSteps steps(physics, law, contact, task);
+  if (loads.empty())
+    steps.press(contact.load);
+  for (std::size_t k = 0; k < loads.size(); ++k) {
+    if (!goOn())
+      return std::nullopt;
+    try {
+      steps.press(loads[k]);
+    } catch (const Error &error) {
+      throw Error(error.code(), fmt::format("{} (at load {} of sequence.load, {:g} N)",
+                                            error.what(), k + 1, loads[k]));
+    }
+  }
+  return steps.result();
 }
 
 } // namespace wheelrail

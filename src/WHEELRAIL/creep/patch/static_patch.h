@@ -4,13 +4,18 @@
 
 #include "creep/patch/patch_point.h"
 
+#include <functional>
+#include <vector>
+
 namespace wheelrail {
 
 struct PatchTask;
 
-/// One shift from rest, without rolling. The point's creepage is the shift in m; its frictional
-/// power and speed are 0.
+/// Shifts from rest, without rolling: one, or a sequence of loads each of which goes on from the
+/// one before, so that what slipped stays slipped. The point's creepage is the shift in m, of a
+/// sequence the sum of all; its frictional power and speed are 0.
 /// Friction is that of sliding speed 0 and no temperature rise: nothing slides on, nothing heats.
+/// Pressure and traction of unlike bodies are solved by turns.
 /// Below full sliding this is the problem of Cattaneo (1938) and Mindlin (1949), solved on the
 /// cells, so that any surface and any direction will do.
 struct StaticPatch {
@@ -22,11 +27,16 @@ struct StaticPatch {
 
 /// @param task its forces, its force ratio, or its shift
 /// @throws Error (NotConverged), Error (BadInput) for a force that friction cannot carry
-/// A force ratio above 0 comes first: it is put in as Fx = -ratio times the sum of mu p, Fy = 0.
-/// Then given forces, whose shift is found; else the shift of the task.
-/// @param contact its normal contact is taken as it is
-StaticPatch solveStaticPatch(const CreepPhysics &physics, const FrictionLaw &law,
-                             const PatchContact &contact, const PatchTask &task);
+/// A force ratio comes first: it is put in as Fx = -ratio times the sum of mu p, Fy = 0. Then given
+/// forces, whose shift is found; else the shift of the task.
+/// @param contact its normal contact is the first that is tried
+/// @param loads N, of the sequence; empty: the contact's alone
+/// @param goOn asked at each load
+/// @return nothing when stopped
+std::optional<StaticPatch> solveStaticPatch(const CreepPhysics &physics, const FrictionLaw &law,
+                                            const PatchContact &contact, const PatchTask &task,
+                                            const std::vector<double> &loads,
+                                            const std::function<bool()> &goOn);
 
 } // namespace wheelrail
 #endif

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "slip_viscosity.h"
+
+#include <algorithm>
+
+namespace mca {
+
+// Vectors of rows: in the plane z of places and velocities is 0, and spins and torques are along z.
+static Vector inPlaneOrSpace(const double *values, int dimension)
+{
+  return {values[0], values[1], dimension == 2 ? 0.0 : values[2]};
+}
+
+static Vector aboutAxes(const double *values, int dimension)
+{
+  return dimension == 2 ? Vector{0.0, 0.0, values[0]} : Vector{values[0], values[1], values[2]};
+}
+
+void SlipViscosity::find(const Pairs &p, const Surfaces &surfaces)
+{
+  contacts_.clear();
+  for (int k = 0; k < p.n; k++) {
+    if (!isViscous(p, p.blocks[k / blockLength], k))
+      continue;
+    const PairLaw &law = surfaces.laws[p.law[k]];
+    contacts_.push_back({k,
+                         p.i[k],
+                         p.j[k],
+                         p.law[k],
+                         law.viscosity * law.invDiameter,
+                         law.area,
+                         surfaces.arm(p, k),
+                         surfaces.normal(p, k),
+                         surfaces.slip(p, k),
+                         {0.0, 0.0, 0.0}});
+  }
+}
+
+void SlipViscosity::centre(const ViscousContacts::Conditions &step)
+{
+  const int dimension = step.kernel->dimension;
+  const RowLayout::Force &at = step.kernel->rows.force;
+  const double half = 0.5 * step.dt;
+  for (Contact &c : contacts_) {
+    const double *rowI = step.forces + static_cast<size_t>(c.i) * at.length;
+    const double *rowJ = step.forces + static_cast<size_t>(c.j) * at.length;
+    const double halfI = half * step.follows(c.i), halfJ = half * step.follows(c.j);
+    const PairLaw &law = step.laws[c.law];
+    const double moveI = halfI * law.invMassI, moveJ = halfJ * law.invMassJ;
+    const double turnI = halfI * law.invInertiaI, turnJ = halfJ * law.invInertiaJ;
+    const Vector moved = moveJ * inPlaneOrSpace(rowJ + at.force, dimension) -
+                         moveI * inPlaneOrSpace(rowI + at.force, dimension);
+    const Vector turned = turnI * aboutAxes(rowI + at.torque, dimension) +
+                          turnJ * aboutAxes(rowJ + at.torque, dimension);
+    const double damping = c.viscosity * c.area * (moveI + moveJ + c.arm * c.arm * (turnI + turnJ));
+    c.slip = centred(c.slip, slipOf(c.normal, moved, turned, c.arm), damping);
+  }
+}
+
+void SlipViscosity::addForces(const Kernel &kernel, double *forces)
+{
+  const RowLayout::Force &at = kernel.rows.force;
+  for (Contact &c : contacts_) {
+    const Vector force = c.area * (c.viscosity * c.slip), more = force - c.force;
+    const Vector torque = c.arm * cross(c.normal, more); // the same on both
+    c.force = force;
+    const double push[] = {more.x, more.y, more.z}, turn[] = {torque.x, torque.y, torque.z};
+    double *const rowI = forces + static_cast<size_t>(c.i) * at.length;
+    double *const rowJ = forces + static_cast<size_t>(c.j) * at.length;
+    for (int m = 0; m < kernel.dimension; m++) {
+      rowI[at.force + m] += push[m];
+      rowJ[at.force + m] -= push[m];
+    }
+    for (int m = kernel.dimension == 2 ? 2 : 0, n = 0; m < 3; m++, n++) {
+      rowI[at.torque + n] += turn[m];
+      rowJ[at.torque + n] += turn[m];
+    }
+  }
+}
+
+Vector SlipViscosity::stress(int k) const
+{
+  const auto found = std::lower_bound(contacts_.begin(), contacts_.end(), k,
+                                      [](const Contact &c, int pair) { return c.pair < pair; });
+  return found != contacts_.end() && found->pair == k ? found->viscosity * found->slip
+                                                      : Vector{0.0, 0.0, 0.0};
+}
+
+} // namespace mca

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+/// \file slip_viscosity.h
+/// The viscous resistance to slip of a step (viscosity both): what unlinked contacts that are
+/// pressed add along their tangent to the forces of the force pass, with its torque. One code for
+/// the plane and for space, since few pairs are viscous. No LAMMPS type in here.
+/// Equations: doc/laws.md, Viscosity and Corrected steps; laws/viscosity.h.
+#ifndef MCA_SLIP_VISCOSITY_H
+#define MCA_SLIP_VISCOSITY_H
+
+#include "surfaces.h"
+#include "viscous_contacts.h"
+
+#include <vector>
+
+namespace mca {
+
+/// The contacts of a step that resist slip. First all are found, with the velocities that the force
+/// pass saw; then, in corrected steps, these are centred with the whole forces of both automata.
+class SlipViscosity {
+ public:
+  /// Finds the viscous ones of all pairs and their slip velocities of half a step ago.
+  void find(const Pairs &, const Surfaces &);
+
+  /// The slip velocities at the time of the step.
+  /// \param step  with the forces and torques, complete on both automata, that the velocities
+  ///              before make
+  void centre(const ViscousContacts::Conditions &step);
+
+  /// Brings forces and torques of both automata of each contact up to its slip velocity.
+  /// \param forces  rows.force.length values an automaton, added to
+  void addForces(const Kernel &, double *forces);
+
+  /// Shear stress of pair k on the face of its first automaton [stress]; 0 where it resists none.
+  Vector stress(int k) const;
+
+  /// Memory held [bytes].
+  double bytes() const { return static_cast<double>(contacts_.capacity() * sizeof(Contact)); }
+
+ private:
+  struct Contact {
+    int pair, i, j;   ///< number in the list, rows of both automata
+    int law;          ///< number in the table of PairLaw
+    double viscosity; ///< eta/d [stress time/length]
+    double area;      ///< S [length^2]
+    double arm;       ///< from a centre to the contact point, r/2 [length]
+    Vector normal;    ///< from i to j [-]
+    Vector slip;      ///< [length/time]
+    Vector force;     ///< on i, that forces have already [force]
+  };
+  std::vector<Contact> contacts_; // in the order of the list
+};
+
+} // namespace mca
+
+#endif

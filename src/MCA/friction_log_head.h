@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+/// \file friction_log_head.h
+/// The head of the friction log (format `mca-friction 1`, doc/friction_log.md): what it says of its
+/// run, and whether a log's head is that of a run. No LAMMPS type in here.
+#ifndef MCA_FRICTION_LOG_HEAD_H
+#define MCA_FRICTION_LOG_HEAD_H
+
+#include "laws/material.h"
+#include "units.h"
+
+#include <string>
+#include <vector>
+
+namespace mca {
+
+/// Everything that the log says about its run, in units of the run; the log has it in nm, ns, MPa
+/// and SI.
+struct LogHeader {
+  /// In the run's units; its values go to the head one by one.
+  Material material;
+  /// Loading: normal pressure [stress] and sliding velocity; of variables the first values.
+  double pressure, velocity;
+  /// Geometry [length]: box length in x, and h of the discs or the box length in z.
+  double width, thickness;
+  /// Its name: hex, fcc, hcp, sc.
+  std::string packing;
+  /// In the whole sample.
+  long long automata;
+  /// Keyword-value pairs as LawSet::words() gives them; an odd last word is left out.
+  std::vector<std::string> laws;
+  /// [time]
+  double timestep;
+  /// Steps in a row; what the input script calls the seed of its roughness.
+  long long every, seed;
+  /// As LAMMPS counts it, a date YYYYMMDD.
+  int lammpsVersion;
+  /// Keys whose value is the first one only: a loading given by a variable, a width that follows
+  /// the automata.
+  std::vector<std::string> varying = {};
+};
+
+/// The lines of the head, in the units of the log.
+/// \throw std::runtime_error  a number that no reader takes (friction_log_format.h), with its range
+std::string headOf(const LogHeader &, const Units &);
+
+/// What keeps a log from going on with this run.
+/// \param head  the log's lines before that of the columns
+/// \return empty, or one line: what is in the log and what in the run. Numbers agree to 1e-9. The
+///         versions, the number of automata and what varies may differ.
+std::string differenceFrom(const std::string &head, const LogHeader &, const Units &);
+
+/// Version of the program, and of LAMMPS, in a head, for messages.
+std::string versionsIn(const std::string &head);
+
+} // namespace mca
+
+#endif

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef WHEELRAIL_CONTACT_FFTW_MEMORY_H
+#define WHEELRAIL_CONTACT_FFTW_MEMORY_H
+
+#include "contact/convolution.h"
+
+#include <cstddef>
+#include <fftw3.h>
+#include <memory>
+#include <new>
+#include <type_traits>
+
+/// Arrays and plans of FFTW that end with their owner.
+namespace wheelrail {
+
+struct FftwFree {
+  void operator()(void *array) const { fftw_free(array); }
+};
+struct FftwDestroy {
+  void operator()(fftw_plan plan) const
+  {
+    const std::lock_guard<std::mutex> lock(fftwPlannerMutex());
+    fftw_destroy_plan(plan);
+  }
+};
+/// n doubles, or fftw_complex numbers; not set.
+template<class Number>
+using FftwArray = std::unique_ptr<Number[], FftwFree>;
+using FftwPlan = std::unique_ptr<std::remove_pointer_t<fftw_plan>, FftwDestroy>;
+
+/// @throws std::bad_alloc
+template<class Number>
+FftwArray<Number> fftwArray(std::size_t n)
+{
+  auto *array = static_cast<Number *>(fftw_malloc(n * sizeof(Number)));
+  if (!array)
+    throw std::bad_alloc();
+  return FftwArray<Number>(array);
+}
+
+/// A plan made by `make`, a call of FFTW's planner.
+///
+/// FFTW ends the program where memory fails it within a plan. What a plan of `length` takes is
+/// therefore asked for before.
+/// @param length of the transforms
+/// @throws std::bad_alloc
+template<class Make>
+FftwPlan fftwPlan(int length, const Make &make)
+{
+  constexpr std::size_t least = 1 << 20; // bytes; trees of plans, and code that is loaded
+  constexpr std::size_t each = 64;       // bytes; twiddle factors and buffers, with room
+  fftwArray<char>(least + each * static_cast<std::size_t>(length));
+  const std::lock_guard<std::mutex> lock(fftwPlannerMutex());
+  FftwPlan plan(make());
+  if (!plan)
+    throw std::bad_alloc();
+  return plan;
+}
+
+} // namespace wheelrail
+#endif

@@ -1,0 +1,33 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Runs of one condition with several seeds: their mean, and how far it is known."""
+
+import math
+
+
+def groups(points, key):
+    """{key(point): points} in order of the key."""
+    found = {}
+    for point in points:
+        found.setdefault(key(point), []).append(point)
+    return dict(sorted(found.items()))
+
+
+def spread_of(points, key="mu"):
+    """(mean over the points, standard error of it by the runs' own errors, the same by their
+    scatter; nan of a single run)."""
+    values = [p[key] for p in points if p[key] is not None]
+    if not values:
+        return math.nan, math.nan, math.nan
+    mean = math.fsum(values) / len(values)
+    own = math.sqrt(sum((p["mu_se"] or 0) ** 2 for p in points)) / len(points)
+    if len(values) < 2:
+        return mean, own, math.nan
+    variance = sum((value - mean) ** 2 for value in values) / (len(values) - 1)
+    return mean, own, math.sqrt(variance / len(values))
+
+
+def mean_of(points, key="mu"):
+    """(mean over the points, its standard error: the larger of what the runs' own errors and their
+    scatter say)."""
+    mean, own, scatter = spread_of(points, key)
+    return mean, own if math.isnan(scatter) else max(own, scatter)

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The rules for contacts whose link broke: a pair that is pressed, slides, is unloaded and parts,
+// by the kernel and by the reference.
+#include "sample.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+#include <memory>
+#include <string>
+
+namespace {
+
+constexpr double worn = -1, none = 0, bulk = 1, weld = 2;
+constexpr double dt = 1e-5;
+
+/// A pair on a circle: its kinds from step to step.
+class Pair {
+ public:
+  /// \param kind  at the beginning
+  Pair(const std::string &rule, double kind) : slow_(hexagonalBlock(steel(), 2, 1, kind))
+  {
+    slow_.laws.worn = rule;
+    fast_ = slow_;
+    run_ = std::make_unique<KernelRun>(mca::bestKernel(2), fast_, false);
+  }
+
+  /// A step that ends with the elastic normal strain e and slides by `way` diameters.
+  /// \return the kind that it leads to
+  double step(double e, double way = 0.0)
+  {
+    angle_ += way / (1.0 + e);
+    const double r = 2.5 * (1.0 + e), x = r * std::cos(angle_), y = r * std::sin(angle_);
+    for (reference::Sample *s : {&slow_, &fast_}) {
+      reference::Automaton &b = s->automata[1];
+      b.vx = -2.5 * way / dt * std::sin(angle_);
+      b.vy = 2.5 * way / dt * std::cos(angle_);
+      b.x = x;
+      b.y = y;
+    }
+    reference::step(slow_, dt);
+    run_->step(fast_, dt);
+    EXPECT_EQ(fast_.contacts[0].next.kind, slow_.contacts[0].next.kind);
+    EXPECT_NEAR(fast_.contacts[0].next.gammaTotal, slow_.contacts[0].next.gammaTotal, 1e-12);
+    EXPECT_EQ(fast_.changed, slow_.changed);
+    return fast_.contacts[0].next.kind;
+  }
+
+ private:
+  reference::Sample slow_, fast_;
+  std::unique_ptr<KernelRun> run_;
+  double angle_ = 0.0;
+};
+
+// 198 GPa times the strain: linking at 51 MPa, the hardness is 240 MPa
+constexpr double linking = -5e-4, unloaded = -1e-4, apart = 1e-4, healing = -2e-3;
+const char *const rules[] = {"unloaded", "now", "slid", "apart", "never"};
+
+TEST(WornContacts, ABrokenLinkIsWornOrNot)
+{
+  for (const std::string rule : rules) {
+    Pair pair(rule, weld);
+    EXPECT_EQ(pair.step(linking), weld) << rule;
+    EXPECT_EQ(pair.step(linking, 0.02), rule == "now" ? none : worn) << rule; // it breaks by shear
+    EXPECT_EQ(pair.step(linking), rule == "now" ? weld : worn) << rule;
+  }
+}
+
+TEST(WornContacts, SlideByOneDiameter)
+{
+  for (const std::string rule : rules) {
+    Pair pair(rule, worn);
+    if (rule == "now") { // as a change of laws leaves it
+      EXPECT_EQ(pair.step(linking, 0.1), none);
+      continue;
+    }
+    for (int k = 0; k < 9; k++)
+      EXPECT_EQ(pair.step(linking, k % 2 ? -0.1 : 0.1), worn) << rule << ", step " << k;
+    EXPECT_EQ(pair.step(linking, 0.11), rule == "slid" ? none : worn) << rule;
+    EXPECT_EQ(pair.step(linking, 0.1), rule == "slid" ? weld : worn) << rule;
+  }
+}
+
+TEST(WornContacts, UnloadedAndApart)
+{
+  const std::map<std::string, std::pair<double, double>> expected = {{"unloaded", {none, none}},
+                                                                     {"slid", {worn, worn}},
+                                                                     {"apart", {worn, none}},
+                                                                     {"never", {worn, worn}}};
+  for (const auto &[rule, kinds] : expected) {
+    Pair pair(rule, worn);
+    EXPECT_EQ(pair.step(unloaded), kinds.first) << rule;
+    EXPECT_EQ(pair.step(apart), kinds.second) << rule;
+    EXPECT_EQ(pair.step(linking), kinds.second == none ? weld : worn) << rule;
+  }
+}
+
+TEST(WornContacts, AreForgottenAtTheBreakingDistance)
+{
+  for (const std::string rule : {"slid", "never"}) {
+    Pair pair(rule, worn);
+    EXPECT_EQ(pair.step(0.0399), worn) << rule;
+    EXPECT_EQ(pair.step(linking), worn) << rule;
+    EXPECT_EQ(pair.step(0.0401), none) << rule;
+    EXPECT_EQ(pair.step(linking), weld) << rule;
+  }
+}
+
+TEST(WornContacts, HealUnlessNever)
+{
+  for (const std::string rule : rules) {
+    Pair pair(rule, worn);
+    const double expected = rule == "now" ? none : rule == "never" ? worn : bulk;
+    EXPECT_EQ(pair.step(healing), expected) << rule;
+  }
+}
+
+TEST(WornContacts, ALinkThatFormsHasNotSlid)
+{
+  Pair pair("slid", worn);
+  for (int k = 0; k < 5; k++)
+    pair.step(linking, 0.1);
+  EXPECT_EQ(pair.step(healing), bulk);
+  EXPECT_EQ(pair.step(healing), bulk); // without a total shear of 0.5, which would break it
+}
+
+} // namespace

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "fit/fit_analysis.h"
+#include "fit/fit_condition.h"
+
+#include <cmath>
+#include <gtest/gtest.h>
+#include <random>
+
+using namespace wheelrail;
+
+namespace {
+
+FrictionPoint run(double kappa1, double kappa2, double mu, double muSe, long seed)
+{
+  FrictionPoint point;
+  point.kappa1 = kappa1;
+  point.kappa2 = kappa2;
+  point.kappa3 = 2239.0;
+  point.mu = mu;
+  point.muSe = muSe;
+  point.seed = seed;
+  point.tStart = 0.0;
+  point.strength = 92.0;
+  point.condition = {{"material", "steel"}, {"timestep", "5e-05"}};
+  point.madeBy = {{"laws.preset", "b"}};
+  return point;
+}
+
+} // namespace
+
+TEST(FitCondition, ReplicasAreOnePointWithTheScatterOfTheSeeds)
+{
+  std::vector<FrictionPoint> points = {run(1, 10, 0.40, 0.003, 1), run(2, 10, 0.50, 0.003, 1),
+                                       run(1, 10, 0.44, 0.004, 2), run(1, 10, 0.9, 0.1, 3)};
+  points[3].leftOut = "no stationary part";
+  const auto conditions = conditionsOf(points);
+  ASSERT_EQ(conditions.size(), 2u);
+  EXPECT_EQ(conditions[0].runs, (std::vector<std::size_t>{0, 2}));
+  EXPECT_DOUBLE_EQ(conditions[0].point.mu, 0.42);
+  EXPECT_DOUBLE_EQ(conditions[0].ownError, 0.0025); // sqrt(0.003^2 + 0.004^2)/2
+  EXPECT_NEAR(conditions[0].scatter, 0.02, 1e-15);  // of two: half their difference
+  EXPECT_EQ(conditions[0].point.muSe, conditions[0].scatter);
+  EXPECT_EQ(conditions[1].point.muSe, 0.003);
+  EXPECT_TRUE(std::isnan(conditions[1].scatter));
+  // seeds that agree by chance do not make the mean surer than the runs are
+  points[2].mu = points[0].mu;
+  EXPECT_EQ(conditionsOf(points)[0].point.muSe, 0.0025);
+}
+
+TEST(FitCondition, AnotherMaterialLawOrStepIsAnotherCondition)
+{
+  for (const char *what : {"kappa3", "material", "timestep", "laws"}) {
+    std::vector<FrictionPoint> points = {run(1, 10, 0.4, 0.003, 1), run(1, 10, 0.4, 0.003, 2)};
+    ASSERT_EQ(conditionsOf(points).size(), 1u);
+    if (std::string(what) == "kappa3")
+      points[1].kappa3 = 2000.0;
+    else if (std::string(what) == "laws")
+      points[1].madeBy["laws.preset"] = "a";
+    else
+      points[1].condition[what] = "other";
+    EXPECT_EQ(conditionsOf(points).size(), 2u) << what;
+  }
+}
+
+// 36 conditions on Eq. 3, each with a deviation of 6 % of its own that all of its seeds share, and
+// 5 % between the seeds; the runs' own errors are 0.5 %. Counted as independent points the four
+// seeds make the parameters look nearly twice as sure as they are.
+TEST(FitCondition, StandardErrorsHoldTheScatterOfSeedsAndConditions)
+{
+  const FrictionLaw truth = bucher2006();
+  std::mt19937_64 generator(5);
+  std::normal_distribution<double> normal;
+  constexpr int campaigns = 120, seeds = 4;
+  double spread = 0.0, stated = 0.0, statedOfRuns = 0.0;
+  int fitted = 0;
+  for (int campaign = 0; campaign < campaigns; ++campaign) {
+    std::vector<FrictionPoint> points;
+    std::vector<LawPoint> runs;
+    for (double k1 : {0.02, 0.3, 1.0, 3.0, 8.0, 19.0})
+      for (double k2 : {2.0, 20.0, 80.0, 200.0, 400.0, 633.0}) {
+        const double shared = 1.0 + 0.06 * normal(generator);
+        for (int seed = 1; seed <= seeds; ++seed) {
+          const double mu = truth(k1, k2) * shared * (1.0 + 0.05 * normal(generator));
+          points.push_back(run(k1, k2, mu, 0.005 * mu, seed));
+          runs.push_back({k1, k2, mu, 0.005 * mu, 2239.0});
+        }
+      }
+    std::vector<LawPoint> conditions;
+    for (const FitCondition &condition : conditionsOf(points))
+      conditions.push_back(condition.point);
+    ASSERT_EQ(conditions.size(), 36u);
+    const LawFit fit = fitLaw(LawModel::Full, conditions, 0.0);
+    const LawFit ofRuns = fitLaw(LawModel::Full, runs, 0.0);
+    // mu of the law at a usual place: the parameters themselves go with each other
+    const auto error = [](const LawFit &f) {
+      const double g1 = 1.0 / (1.0 + f.law.b), g2 = 1.0 / (1.0 + f.law.c * 200.0);
+      Eigen::Matrix<double, 5, 1> d;
+      d << 1.0, g1, g2, -f.law.mu1 * g1 * g1, -f.law.mu2 * 200.0 * g2 * g2;
+      return std::sqrt(d.dot(*f.law.covariance * d));
+    };
+    spread += std::pow(fit.law(1.0, 200.0) - truth(1.0, 200.0), 2);
+    stated += error(fit);
+    statedOfRuns += error(ofRuns);
+    ++fitted;
+  }
+  spread = std::sqrt(spread / fitted);
+  EXPECT_NEAR(stated / fitted / spread, 1.0, 0.2); // 120 campaigns: +- 6.5 %
+  EXPECT_LT(statedOfRuns / fitted, 0.75 * spread);
+}
+
+TEST(FitCondition, TheAnalysisFitsConditions)
+{
+  const FrictionLaw truth = bucher2006();
+  std::vector<FrictionPoint> points;
+  for (double k1 : {0.02, 1.0, 8.0})
+    for (double k2 : {2.0, 80.0, 633.0})
+      for (long seed : {1, 2})
+        points.push_back(run(k1, k2, truth(k1, k2) * (seed == 1 ? 0.98 : 1.02), 0.002, seed));
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    points[i].firstStep = {1};
+    points[i].firstMu = {points[i].mu};
+  }
+  const FitAnalysis analysis = analysePoints(points, {});
+  ASSERT_TRUE(analysis.fit) << analysis.whyNot;
+  EXPECT_EQ(analysis.conditions.size(), 9u);
+  EXPECT_EQ(analysis.fit->law.n, 9);
+  EXPECT_EQ(analysis.fit->residuals.size(), 9u);
+  EXPECT_NEAR(analysis.fit->law(1.0, 80.0), truth(1.0, 80.0), 1e-6);
+  EXPECT_GT(std::sqrt((*analysis.fit->law.covariance)(0, 0)), 0.0);
+  EXPECT_EQ(*analysis.fit->law.kappa3Range, (Range{2239.0, 2239.0}));
+}

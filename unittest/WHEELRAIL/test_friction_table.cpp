@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "base/errors.h"
+#include "law/contact_friction.h"
+#include "law/friction_table.h"
+
+#include <cmath>
+#include <fstream>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+using namespace wheelrail;
+
+namespace {
+
+const std::string head = "# pressure: MPa\n# speed: km/h\n";
+const std::string good = head + "# measured by nobody\nspeed, mu, pressure\n"
+                                "0, 0.5, 100\n36, 0.4, 100\n0, 0.3, 300\n36, 0.1, 300\n";
+
+std::string write(const std::string &content)
+{
+  const auto *test = testing::UnitTest::GetInstance()->current_test_info();
+  const std::string path = testing::TempDir() + "table_" + test->name() + ".csv";
+  std::ofstream(path) << content;
+  return path;
+}
+
+std::string problemOf(const std::string &content)
+{
+  try {
+    readFrictionTable(write(content));
+  } catch (const Error &error) {
+    EXPECT_EQ(error.code(), ExitCode::BadInput);
+    EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos);
+    return error.what();
+  }
+  return "";
+}
+
+void expectContains(const std::string &text, const std::string &part)
+{
+  EXPECT_NE(text.find(part), std::string::npos) << "'" << text << "' lacks '" << part << "'";
+}
+
+} // namespace
+
+TEST(FrictionTable, IsBilinearAndConstantBeyondItsBorder)
+{
+  const FrictionTable table = readFrictionTable(write(good));
+  EXPECT_EQ(table.pressure, (std::vector<double>{1e8, 3e8}));
+  EXPECT_EQ(table.speed.front(), 0.0);
+  EXPECT_NEAR(table.speed.back(), 10.0, 1e-12);
+  EXPECT_DOUBLE_EQ(table(1e8, 0.0), 0.5);
+  EXPECT_NEAR(table(3e8, 10.0), 0.1, 1e-15);
+  EXPECT_NEAR(table(2e8, 5.0), (0.5 + 0.4 + 0.3 + 0.1) / 4.0, 1e-12);
+  EXPECT_NEAR(table(1.5e8, 2.0), 0.75 * (0.5 - 0.1 * 0.2) + 0.25 * (0.3 - 0.2 * 0.2), 1e-12);
+  EXPECT_DOUBLE_EQ(table(0.0, 0.0), 0.5);
+  EXPECT_NEAR(table(9e9, 99.0), 0.1, 1e-15);
+  EXPECT_NEAR(table(0.0, 99.0), 0.4, 1e-15);
+  // one pressure: mu of the speed alone
+  const FrictionTable row =
+      readFrictionTable(write(head + "pressure,speed,mu\n5,0,0.3\n5,36,0.2\n"));
+  EXPECT_NEAR(row(1e12, 5.0), 0.25, 1e-12);
+}
+
+TEST(FrictionTable, BadContentIsOneClearLine)
+{
+  expectContains(problemOf(""), "empty");
+  expectContains(problemOf(head + "pressure,speed,mu\n"), "holds no row of numbers");
+  expectContains(problemOf("pressure,speed,mu\n1,2,0.3\n"), ":1: pressure: no line '# pressure: ");
+  expectContains(problemOf("# pressure: m/s\n" + good), ":1: pressure: ");
+  expectContains(problemOf(head + head + good), "is given once");
+  expectContains(problemOf(head + "pressure,velocity,mu\n"), "unknown column 'velocity'; known: ");
+  expectContains(problemOf(head + "pressure,speed\n"), "the column 'mu' is needed");
+  expectContains(problemOf(head + "pressure,speed,mu,mu\n"), "the column 'mu' is needed, once");
+  const std::string names = head + "pressure,speed,mu\n";
+  expectContains(problemOf(names + "1,2\n"), ":4: 2 cells; 3 are expected");
+  expectContains(problemOf(names + "1,2,x\n"), ":4: mu: 'x' is not a number");
+  expectContains(problemOf(names + "1,2,0\n"),
+                 "mu: '0' is not allowed, must be > 0 and at most 10");
+  expectContains(problemOf(names + "-1,2,0.3\n"), "pressure: '-1' is not allowed");
+  expectContains(problemOf(names + "1,2,nan\n"), ":4: mu: ");
+  expectContains(problemOf(names + "1,2,0.3\n1,2,0.4\n"),
+                 ":5: this pressure and speed stand twice");
+  expectContains(problemOf(names + "1,2,0.3\n3,4,0.4\n"),
+                 "has no mu at a pressure of 1 MPa and a speed of 4 km/h");
+}
+
+TEST(FrictionTable, IsAFrictionOfTheContact)
+{
+  FrictionSpecification friction;
+  friction.law = write(good);
+  ASSERT_TRUE(friction.isTable() && friction.isFile() && !friction.isScaled());
+  const FrictionLaw law = readLaw(friction);
+  Eigen::VectorXd pressure(3), cold = Eigen::VectorXd::Zero(3);
+  pressure << 0.0, 2e8, 3e8;
+  const Eigen::VectorXd mu = frictionCoefficient(friction, law, pressure, -5.0, cold);
+  for (int i = 0; i < 3; ++i)
+    EXPECT_DOUBLE_EQ(mu[i], (*law.table)(pressure[i], 5.0));
+  EXPECT_EQ(toJson(friction, law)["pressure_MPa"], (nlohmann::ordered_json{100.0, 300.0}));
+}
+
+TEST(FrictionLaw, PolachsFormFallsWithTheSlidingSpeed)
+{
+  FrictionSpecification friction;
+  friction.law = "polach";
+  friction.falling = {0.4, 0.25, 0.6};
+  const FrictionLaw law = readLaw(friction);
+  const Eigen::VectorXd pressure = Eigen::VectorXd::Constant(2, 1e9);
+  const Eigen::VectorXd cold = Eigen::VectorXd::Zero(2);
+  for (double w : {0.0, 0.5, 3.0, 1e3})
+    for (double sign : {1.0, -1.0})
+      EXPECT_DOUBLE_EQ(frictionCoefficient(friction, law, pressure, sign * w, cold)[1],
+                       0.4 * (0.75 * std::exp(-0.6 * w) + 0.25));
+  EXPECT_FALSE(friction.isFile());
+}

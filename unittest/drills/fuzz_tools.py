@@ -1,0 +1,120 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Fuzzing of the readers of the scripts: falsified files, each of which is refused with one line
+(BadInput) or read."""
+
+import json
+import os
+import pathlib
+import random
+import signal
+import tempfile
+
+from drill import HANG, ROOT, Drill, inputs
+
+from campaign_parts import material, plan as plans
+from mcawr import dump, errors, fields, friction_log, tables
+
+WORDS = [
+    b"nan", b"inf", b"-1", b"0", b"1e308", b"1e309", b"99999999999999999999", b"0x10", b"", b"\n",
+    b",", b"#", b"[" * 2000, b"{", b"- " * 500, b"\x00", b"\xff\xfe", b"\xc3\xa9", b"'", b'"',
+    b"ITEM: ", b"null", b"!!python/object:x ", b"&a [*a]", b"<", b"\x1b[31m",
+]  # fmt: skip
+
+
+def falsified(corpus, generator):
+    """One of the corpus with 1 to 6 changes."""
+    data = bytearray(generator.choice(corpus))
+    for _ in range(generator.choice((1, 1, 1, 2, 6))):
+        at, width = generator.randrange(len(data) + 1), generator.choice((0, 1, 4, 40, 400))
+        what = generator.randrange(5)
+        if what == 0 and at < len(data):
+            data[at] ^= 1 << generator.randrange(8)
+        elif what == 1:
+            data[at : at + width] = generator.choice(WORDS)
+        elif what == 2:
+            del data[at : at + max(width, 1)]
+        elif what == 3:
+            data[at:at] = data[at : at + width] * generator.choice((1, 2, 50))
+        elif what == 4:
+            other = generator.choice(corpus)
+            begin = generator.randrange(len(other))
+            data[at : at + width] = other[begin : begin + width]
+    return bytes(data)
+
+
+def read_dump(path):
+    """All columns of all frames."""
+    read = dump.Dump(path)
+    for number, frame in enumerate(read.frames):
+        read.columns(number, [name for name in frame["names"] if name not in ("element", "mol")])
+
+
+def read_log(path):
+    """A friction log, three ways."""
+    friction_log.last_rows(path, 3)
+    friction_log.head_of(path)
+    friction_log.read(path)
+
+
+def shipped(folder, pattern):
+    """Contents of files of the project."""
+    return [path.read_bytes() for path in sorted((ROOT / folder).glob(pattern))]
+
+
+def readers():
+    """{name: (good files, function of a path)}."""
+    import plot_benchmark
+    import plot_creep
+    from script_calls import with_checksum
+    from test_plot_patch import contact, vti
+
+    import plot_fit
+    import plot_layer
+
+    text = {name: content.encode() for name, content in inputs().items()}
+    lines = text["a.friction"].splitlines(keepends=True)
+    sealed = with_checksum(json.loads(text["fit.json"])).encode()
+    return {
+        "dump": ([text["a.dump"], text["atoms.dump"]], read_dump),
+        "friction_log": ([b"".join(lines[:30])], read_log),
+        "vti": ([vti(contact())[:4000], vti(contact())], fields.read_vti),
+        "fit": ([text["fit.json"], sealed], plot_fit.read),
+        "table": ([text["a.csv"]], lambda path: tables.read(path, "a table", list)),
+        "creep": ([text["a.csv"]], lambda path: plot_creep.read(path, ("creep",))),
+        "profile": ([text["a.profile"]], plot_layer.read_frames),
+        "benchmark": ([text["bench.json"]], plot_benchmark.read_cases),
+        "material": (shipped("potentials", "*.mca"), material.read),
+        "plan": (shipped("examples/campaign", "*.yaml"), plans.read),
+    }
+
+
+def main():
+    """All readers."""
+    tables.complain = lambda _: None  # notes of files without a checksum
+    drill = Drill(__doc__, 1000, "files for each reader; 1000000 in the table of doc/testing.md")
+    path = pathlib.Path(tempfile.mkdtemp(dir=drill.folder)) / "x.yaml"
+    for name, (corpus, read) in readers().items():
+        if not drill.wanted(name):
+            continue
+        for number in range(drill.given.count):
+            generator = random.Random(f"{drill.given.seed} {number}")
+            path.write_bytes(falsified(corpus, generator))
+            signal.alarm(int(HANG))  # ends the drill
+            try:
+                read(str(path))
+                drill.count(name, "accepted")
+            except errors.BadInput as error:
+                if len(errors.one_line(error)) > 3000:
+                    drill.fault(name, f"file {number}: a message of {len(str(error))} letters")
+                else:
+                    drill.count(name, "refused")
+            except Exception as error:  # whatever else is a fault of the reader
+                drill.fault(name, f"file {number}: {type(error).__name__}: {error}"[:300])
+    signal.alarm(0)
+    os.remove(path)
+    drill.end()
+
+
+if __name__ == "__main__":
+    main()

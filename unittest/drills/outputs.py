@@ -1,0 +1,263 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Every program and script that writes a file, where it cannot or where it must not replace what
+is there: a full disk, devices, pipes, links, folders, files without permission, a closed output.
+
+A full disk is a tmpfs of a few pages in a mount namespace of its own. Devices are nodes made for
+the drill; where that is not allowed the drill says so and uses /dev/full, which nobody can replace.
+"""
+
+import os
+import shutil
+import stat
+import subprocess
+import threading
+
+from drill import Drill, problem, run
+from writing import all_writers, contents, good_run, inputs_in, unlike
+
+PAGE = 4096
+# the disk, the inputs on another one, the command on it; then what is left on it
+ON_DISK = """mount -t tmpfs -o size="$SIZE" none "$DISK" || exit 77
+cp -a "$INPUTS/." "$WORK/" && cd "$WORK" && ln -s "$DISK" disk
+"$@"
+status=$?
+cp -a "$DISK/." "$LEFT/"
+exit $status
+"""
+UNSHARE = ["unshare", "--map-root-user", "--mount", "sh", "-c"]
+
+
+def can_mount(folder):
+    """Whether a file system can be mounted for one command."""
+    done = run([*UNSHARE, f"mount -t tmpfs -o size=4k none '{folder}'"], folder)
+    return done.code == 0
+
+
+class Full:
+    """Runs of writers on a full disk."""
+
+    def __init__(self, drill, inputs):
+        self.drill, self.inputs = drill, inputs
+        self.mounts = can_mount(drill.new_folder("mount"))
+        if not self.mounts:
+            print("full disk: no file system can be mounted here; files are limited instead")
+
+    def run(self, writer, size):
+        """Runs with room for so many bytes. Returns (how it ended, folder with what is left)."""
+        left, work = self.drill.new_folder("left"), self.drill.new_folder("work")
+        command = writer.command(self.drill, "disk/x" if self.mounts else "x")
+        if self.mounts:
+            env = dict(
+                os.environ, SIZE=str(size), DISK=self.drill.new_folder("disk"),
+                INPUTS=self.inputs, WORK=work, LEFT=left, OMP_NUM_THREADS="1", MPLBACKEND="agg",
+                OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1",
+            )  # fmt: skip
+            return run([*UNSHARE, ON_DISK, "sh", *command], work, env=env), left
+        shutil.copytree(self.inputs, work, dirs_exist_ok=True)
+        before = set(work.iterdir())
+
+        def limit():
+            import resource
+            import signal
+
+            signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
+            resource.setrlimit(resource.RLIMIT_FSIZE, (size, size))
+
+        done = run(command, work, preexec_fn=limit, restore_signals=False)
+        for path in set(work.iterdir()) - before:
+            shutil.move(path, left)
+        return done, left
+
+    def drill_writer(self, writer, good):
+        """A disk with no room, with room for some of the files, and one with room enough."""
+        total = sum(len(content) + PAGE for content in good.values())
+        sizes = sorted({PAGE, total // 3 // PAGE * PAGE + PAGE, total // PAGE * PAGE - PAGE})
+        for size in sizes:
+            if size < PAGE:
+                continue
+            done, left = self.run(writer, size)
+            kind, what = "full disk", f"{writer.name}, {size} bytes"
+            wrong = problem(done) or unlike(writer, good, contents(writer, left, "x"))
+            names = {str(path.relative_to(left)) for path in left.rglob("*") if path.is_file()}
+            kept = {name for name in names if name.startswith("x/wr_creep.journal")}
+            extra = names - set(writer.names("x")) - kept
+            whole = contents(writer, left, "x").keys() == good.keys()
+            if wrong:
+                self.drill.fault(kind, f"{what}: {wrong}")
+            elif done.code == 0 and not whole:
+                self.drill.fault(kind, f"{what}: exit code 0 without the files")
+            elif done.code != 0 and extra and writer.name != "dump_to_vtk":
+                self.drill.fault(kind, f"{what}: leaves {sorted(extra)}")
+            elif done.code != 0 and "x" not in done.line and "disk" not in done.line:
+                self.drill.fault(kind, f"{what}: does not name the file: {done.line}")
+            else:
+                self.drill.count(kind, "written" if done.code == 0 else "refused")
+
+
+class Nodes:
+    """Devices that the drill makes for itself."""
+
+    def __init__(self, folder):
+        self.folder = folder
+        self.own = True
+        try:
+            self.make("try", 3)
+            with open(folder / "try", "wb"):
+                pass
+        except PermissionError:
+            self.own = False
+            print("devices: no node can be made here; /dev/null and /dev/full instead")
+
+    def make(self, name, minor):
+        """A node as /dev/null (3) or /dev/full (7); a link to those where none can be made."""
+        path = self.folder / name
+        path.unlink(missing_ok=True)
+        if self.own:
+            os.mknod(path, 0o666 | stat.S_IFCHR, os.makedev(1, minor))
+        else:
+            path.symlink_to({3: "/dev/null", 7: "/dev/full"}[minor])
+        return path
+
+
+def drill_nodes(drill, writer, work, nodes):
+    """A device that takes everything, one that is full, and links to both."""
+    for minor, name, code in ((3, "null", 0), (7, "full", 5)):
+        for link in (False, True):
+            path = nodes.make(f"{name}", minor)
+            given = path
+            if link:
+                given = nodes.folder / f"link-{name}"
+                given.unlink(missing_ok=True)
+                given.symlink_to(path)
+            done = run(writer.command(drill, given), work)
+            kind, what = "device", f"{writer.name} on {name}{' by a link' if link else ''}"
+            wrong = problem(done)
+            if wrong:
+                drill.fault(kind, f"{what}: {wrong}")
+            elif not path.is_char_device() or (link and not given.is_symlink()):
+                drill.fault(kind, f"{what}: is a regular file now")
+            elif (done.code == 0) != (code == 0):
+                drill.fault(kind, f"{what}: exit code {done.code}: {done.line}")
+            else:
+                drill.count(kind, "written into" if code == 0 else "refused")
+
+
+def drill_pipe(drill, writer, work, good):
+    """A pipe with a reader gets all the bytes; one whose reader leaves ends the program."""
+    pipe = drill.new_folder("pipe") / "pipe"
+    os.mkfifo(pipe)
+    got = []
+
+    def read():
+        got.append(pipe.read_bytes())
+
+    reader = threading.Thread(target=read, daemon=True)
+    reader.start()
+    done = run(writer.command(drill, pipe), work)
+    reader.join(1.0)
+    if reader.is_alive():  # nobody opened the pipe: let the reader go
+        os.close(os.open(pipe, os.O_RDWR | os.O_NONBLOCK))
+        reader.join(1.0)
+    content = good[writer.outputs[0]]
+    wrong = problem(done)
+    if wrong:
+        drill.fault("pipe", f"{writer.name}: {wrong}")
+    elif not pipe.is_fifo():
+        drill.fault("pipe", f"{writer.name}: is a regular file now")
+    elif done.code == 0 and got != [content]:
+        drill.fault("pipe", f"{writer.name}: {len(content)} bytes did not arrive as they are")
+    else:
+        drill.count("pipe", "written into" if done.code == 0 else "refused")
+
+
+def drill_places(drill, writer, work, good):
+    """A link to a file, a folder of that name, no such folder, and an empty name."""
+    folder = drill.new_folder("places")
+    if not writer.grows:  # a log is begun where there is nothing
+        (folder / "far").write_text("old")
+    (folder / "link").symlink_to("far")
+    (folder / "taken").mkdir()
+    done = run(writer.command(drill, folder / "link"), work)
+    if problem(done) or done.code != 0 or not (folder / "link").is_symlink():
+        drill.fault("link", f"{writer.name}: {problem(done) or done.line or 'the link is gone'}")
+    elif (folder / "far").read_bytes() != good[writer.outputs[0]]:
+        drill.fault("link", f"{writer.name}: the file behind it is another than it should be")
+    else:
+        drill.count("link", "written through")
+    for what, path in (("folder", "taken"), ("no folder", "no/x"), ("empty name", "")):
+        done = run(writer.command(drill, folder / path if path else ""), work)
+        wrong = problem(done)
+        if wrong:
+            drill.fault(what, f"{writer.name}: {wrong}")
+        elif done.code == 0:
+            drill.fault(what, f"{writer.name}: exit code 0")
+        elif (folder / "no").exists() or list((folder / "taken").iterdir()):
+            drill.fault(what, f"{writer.name}: leaves files")
+        else:
+            drill.count(what, "refused")
+
+
+SPEAKERS = {
+    "wr_fit": ["logs"],
+    "wr_creep": ["case.yaml", "-o", "spoken"],
+    "wr_creep --print-config": ["case.yaml", "--print-config"],
+    "wr_creep --help": ["--help"],
+    "wr_fit --help": ["--help"],
+    "plot_layer.py": ["a.profile"],
+    "dump_to_vtk.py": ["atoms.dump", "-o", "spoken"],
+    "campaign": ["list"],
+    "campaign list": ["list", "pressure"],
+}
+
+
+def drill_speakers(drill, work):
+    """Standard output on a full device or closed, and standard error too."""
+    for name, words in SPEAKERS.items():
+        command = [drill.program(name.split()[0]), *words]
+        for both in (False, True):
+            with open("/dev/full", "wb") as full:
+                error = full if both else subprocess.PIPE
+                done = run(command, work, stdout=full, stderr=error)
+            wrong = "" if both and done.code in range(1, 7) else problem(done)
+            if wrong or done.code == 0:
+                drill.fault("standard output", f"{name}, full: {wrong or 'exit code 0'}")
+            else:
+                drill.count("standard output", "refused")
+        reading, writing = os.pipe()
+        os.close(reading)
+        with os.fdopen(writing, "wb") as closed:
+            done = run(command, work, stdout=closed)
+        # SIGPIPE ends a program of the shell without a word, as it ends cat
+        wrong = "" if done.code == -13 else problem(done)
+        if wrong or done.code == 0:
+            drill.fault("standard output", f"{name}, closed pipe: {wrong or 'exit code 0'}")
+        else:
+            drill.count("standard output", "refused")
+
+
+def main():
+    """All writers on all outputs."""
+    drill = Drill(__doc__, 1000, "writers that are drilled, the first ones")
+    inputs, work = drill.new_folder("inputs"), drill.new_folder("work")
+    inputs_in(inputs, drill)
+    shutil.copytree(inputs, work, dirs_exist_ok=True)
+    full, nodes = Full(drill, inputs), Nodes(drill.new_folder("nodes"))
+    for writer in all_writers()[: drill.given.count]:
+        if not drill.wanted(writer.name):
+            continue
+        good = good_run(
+            writer, work, drill, f"good-{writer.name.replace(' ', '-').replace('/', '-')}"
+        )
+        full.drill_writer(writer, good)
+        if writer.plain:
+            drill_nodes(drill, writer, work, nodes)
+            drill_pipe(drill, writer, work, good)
+            drill_places(drill, writer, work, good)
+    if drill.wanted("standard output"):
+        drill_speakers(drill, work)
+    drill.end()
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,297 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "readers.h"
+
+#include "memory_file.h"
+
+#include "base/errors.h"
+#include "base/output_file.h"
+#include "base/quantity.h"
+#include "contact/line/profile.h"
+#include "contact/patch/gsf_file.h"
+#include "contact/patch/height_map_file.h"
+#include "creep/case_file.h"
+#include "creep/journal.h"
+#include "creep/patch/patch_journal.h"
+#include "fit/friction_log.h"
+#include "law/friction_law.h"
+#include "law/law_checksum.h"
+#include "shared/printable.h"
+
+#include <cmath>
+#include <filesystem>
+#include <fmt/format.h>
+#include <fstream>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+using namespace wheelrail;
+
+namespace {
+
+const std::string source = PROJECT_SOURCE;
+
+const std::string &fileWith(const std::string &bytes)
+{
+  static const MemoryFile file("drill");
+  return file.holding(bytes);
+}
+
+/// Turns what the reader may throw into Refused.
+template<class Read>
+std::function<void(const std::string &)> refusing(Read read, bool isCommandLine = false)
+{
+  return [=](const std::string &bytes) {
+    try {
+      read(bytes);
+    } catch (const Error &error) {
+      const bool usual =
+          error.code() == ExitCode::BadInput || (isCommandLine && error.code() == ExitCode::Usage);
+      require(usual, fmt::format("exit code {}: {}", static_cast<int>(error.code()), error.what()));
+      throw Refused(error.what());
+    }
+  };
+}
+
+std::string firstLines(const std::string &text, int count)
+{
+  std::size_t end = 0;
+  while (count-- > 0 && end != std::string::npos)
+    end = text.find('\n', end + 1);
+  return text.substr(0, end == std::string::npos ? end : end + 1);
+}
+
+std::vector<std::string> firstLines(std::vector<std::string> texts, int count)
+{
+  for (std::string &text : texts)
+    text = firstLines(text, count);
+  return texts;
+}
+
+// ---- what the programs of wheel and rail read
+
+FrictionLaw lawWithCovariance()
+{
+  FrictionLaw law = bucher2006();
+  law.covariance = 1e-4 * LawCovariance::Identity();
+  law.kappa1Range = {0.05, 18.7};
+  return law;
+}
+
+void readLawFile(const std::string &bytes)
+{
+  const FrictionLaw law = readFrictionLaw(fileWith(bytes));
+  const std::string text = toJson(law).dump();
+  require(toJson(readFrictionLaw(fileWith(text))).dump() == text, "another law when read again");
+}
+
+/// Falsified as wr_fit wrote it: the same law, or refused; without the line of its checksum noted.
+void readSealedLaw(const std::string &bytes)
+{
+  static const std::string written = toJson(lawWithCovariance()).dump();
+  const FrictionLaw law = readFrictionLaw(fileWith(bytes));
+  require(!law.note.empty() || toJson(law).dump() == written, "another law than was written");
+}
+
+void readCaseFile(const std::string &bytes)
+{
+  const std::string text = readCase(fileWith(bytes)).text;
+  require(readCase(fileWith(text)).text == text, "another case when read again:\n" + text);
+}
+
+/// Contacts along a line and in a point, as shipped and with every default.
+std::vector<std::string> cases()
+{
+  std::vector<std::string> texts = filesOf("examples/wheelrail", ".yaml");
+  for (std::size_t k = 0, shipped = texts.size(); k < shipped; k++)
+    texts.push_back(readCase(fileWith(texts[k])).text);
+  return texts;
+}
+
+void readCaseChange(const std::string &bytes)
+{
+  static const MemoryFile good("case");
+  static const std::string path =
+      good.holding(readInputFile(source + "/examples/wheelrail/table2.yaml"));
+  const std::string text = readCase(path, {bytes}).text;
+  require(readCase(fileWith(text)).text == text, "another case when read again");
+}
+
+void readSurfaceProfile(const std::string &bytes)
+{
+  const Profile profile = readProfile(fileWith(bytes));
+  require(profile.spacing > 0.0 && std::isfinite(profile.length()) && profile.height.size() >= 16 &&
+              profile.height.allFinite(),
+          "a profile with a spacing or heights that are none");
+}
+
+void readMap(const std::string &bytes, const HeightMapScale &scale)
+{
+  const HeightMap map = readHeightMap(fileWith(bytes), scale);
+  require(map.nx >= 4 && map.ny >= 4 &&
+              map.height.size() == static_cast<Eigen::Index>(map.nx) * map.ny && map.dx > 0.0 &&
+              map.dy > 0.0 && std::isfinite(map.dx) && std::isfinite(map.dy),
+          "a map without size or spacing");
+  for (const double height : map.height)
+    require(!std::isinf(height), "a map with an infinite height");
+}
+
+void readLog(const std::string &bytes)
+{
+  const FrictionLog log = readFrictionLog(fileWith(bytes));
+  require(log.mu.size() == log.step.size() && log.time.size() == log.step.size(),
+          "columns of unlike length");
+  for (std::size_t k = 0; k < log.step.size(); k++)
+    require(std::isfinite(log.mu[k]) && std::isfinite(log.time[k]) &&
+                (k == 0 || log.step[k] > log.step[k - 1]),
+            "a row that is none");
+  require(std::isfinite(log.kappa1()) && std::isfinite(log.kappa2()) && std::isfinite(log.kappa3()),
+          "a kappa that is no number");
+}
+
+Journal::Pieces piecesOfAJournal()
+{
+  Journal::Pieces pieces;
+  for (std::size_t k = 0; k < 3; k++)
+    pieces[k] = {{10.0, 0.001 * static_cast<double>(k + 1), 0.3, 1.2e6, 0.4, 12.5, 33.0, 7, 0.25, 0,
+                  0.0, 0.0, 0.0}};
+  return pieces;
+}
+
+std::string journalBytes(const Journal::Pieces &pieces)
+{
+  const MemoryFile file("journal");
+  Journal journal(file.path, "the case", [](const std::string &) {});
+  for (const auto &[number, results] : pieces)
+    journal.add(number, results);
+  journal.write();
+  return readInputFile(file.path);
+}
+
+/// Whatever stands there: the pieces that were written, or some of them and a warning.
+void readJournalFile(const std::string &bytes)
+{
+  static const Journal::Pieces written = piecesOfAJournal();
+  std::string warning;
+  Journal journal(fileWith(bytes), "the case", [&](const std::string &line) { warning = line; });
+  const Journal::Pieces found = journal.load();
+  for (const auto &[number, results] : found) {
+    const auto piece = written.find(number);
+    require(piece != written.end() && piece->second == results,
+            fmt::format("another piece than was written: {}", number));
+  }
+  if (!warning.empty())
+    throw Refused(warning);
+}
+
+/// Points and time series of a piece, as a journal holds them for a contact in a point.
+std::string patchPiece()
+{
+  PatchPoint point;
+  point.surface = 1;
+  point.iterations = 12;
+  point.load = 1e5;
+  point.creepage.xi = 1.0 / 3.0;
+  PatchStep step;
+  step.distance = 0.25;
+  return nlohmann::json{{"points", patchPointsJson({point, point})},
+                        {"series", patchSeriesJson({{3, {step, step}}})}}
+      .dump();
+}
+
+/// As a sweep takes over a piece whose checksum fits: what it throws there is another kind of
+/// piece.
+void readPatchPoints(const std::string &bytes)
+{
+  const auto json = nlohmann::json::parse(bytes, nullptr, false);
+  try {
+    const auto points = patchPointsFrom(json.at("points"));
+    const auto series = patchSeriesFrom(json.at("series"));
+    require(patchPointsFrom(patchPointsJson(points)).size() == points.size() &&
+                patchSeriesFrom(patchSeriesJson(series)).size() == series.size(),
+            "other points when read again");
+  } catch (const nlohmann::json::exception &error) {
+    throw Refused(mcawr::printable(error.what()));
+  } catch (const std::logic_error &) {
+    throw Refused("a key that is no number");
+  }
+}
+
+void readQuantity(const std::string &bytes)
+{
+  try {
+    require(std::isfinite(parseQuantity(bytes, "N/m")), "a quantity that is not finite");
+  } catch (const std::invalid_argument &error) {
+    throw Refused(mcawr::printable(error.what())); // as every Error makes it
+  }
+}
+
+} // namespace
+
+std::vector<std::string> filesOf(const std::string &folder, const std::string &ending)
+{
+  std::vector<std::string> paths, contents;
+  for (const auto &entry : std::filesystem::directory_iterator(source + "/" + folder))
+    if (entry.path().extension() == ending)
+      paths.push_back(entry.path());
+  std::sort(paths.begin(), paths.end());
+  for (const std::string &path : paths)
+    contents.push_back(readInputFile(path));
+  return contents;
+}
+
+std::vector<Reader> wheelrailReaders()
+{
+  const HeightMapScale micrometres{2e-6, 3e-6, 1e-6};
+  SimpleField field;
+  field.nx = 5;
+  field.ny = 4;
+  field.width = 10e-6;
+  field.height = 12e-6;
+  field.xyUnit = field.zUnit = "m";
+  field.title = "drill";
+  field.value = Eigen::VectorXd::LinSpaced(20, -1e-6, 1e-6);
+  field.value[13] = std::numeric_limits<double>::quiet_NaN();
+  const std::string sdf =
+      "aISO-1.0\r\nManufacID = ISOTC213\r\nCreateDate = 040120220853\r\nModDate = 050320231353\r\n"
+      "NumPoints = 5\r\nNumProfiles = 4\r\nXscale = 2.0e-006\r\nYscale = 3.0e-006\r\n"
+      "Zscale = 1.0e-006\r\nZresolution = 1.0e-009\r\nCompression = 0\r\nDataType = 7\r\n"
+      "CheckType = 0\r\n*\r\n 0.0 1.0 2.0 3.0 4.0\r\n1e1 11 12 13 14\r\n20 21 22 BAD\r\n 24 +30 "
+      "31\r\n32 33 34 ; the last ones\r\n*\r\nOperator = nobody\r\n*\r\n";
+  const std::string matrix = "# measured on a rail\n# height: um\n# spacing: 2 um, 3 um\n"
+                             "# points: 5, 4\n0 1 2 3 4\n10;11;12;13;14\n20,21,22,nan,24\n"
+                             "30\t31\t32\t33\t34\n";
+  const auto map = [](const HeightMapScale &scale) {
+    return refusing([=](const std::string &bytes) { readMap(bytes, scale); });
+  };
+  const auto logs = firstLines(filesOf("examples/campaign/logs/pressure", ".friction"), 30);
+  const auto profiles = firstLines(filesOf("examples/wheelrail", ".csv"), 40);
+  std::vector<std::string> columns = profiles;
+  columns.emplace_back(
+      "# height: um\n# spacing: 5 um\n1\n2\n3\n4\n5\n6\n7\n8\n9\n8\n7\n6\n5\n4\n3\n"
+      "2\n1\n");
+  return {
+      {"law",
+       {toJson(bucher2006()).dump(2) + "\n", toJson(lawWithCovariance()).dump(2) + "\n"},
+       refusing(readLawFile)},
+      {"sealed_law",
+       {withChecksum(toJson(lawWithCovariance()).dump(2) + "\n")},
+       refusing(readSealedLaw)},
+      {"case", cases(), refusing(readCaseFile)},
+      {"case_change",
+       {"speed=20 m/s", "creep=[0.001, 0.01, 5 %]", "contact.radius=460 mm", "points=64",
+        "roughness={hurst: 0.8, rms_slope: 0.02, wavelength_min: 0.1 mm, wavelength_max: 10 mm, "
+        "seed: [1, 2]}",
+        "friction={law: constant, mu: 0.3}", "thermal=off"},
+       refusing(readCaseChange, true)},
+      {"profile", columns, refusing(readSurfaceProfile)},
+      {"gsf", {gsfBytes(field)}, map({})},
+      {"sdf", {sdf}, map({})},
+      {"matrix", {matrix}, map({})},
+      {"npy", filesOf("unittest/WHEELRAIL/data/maps", ".npy"), map(micrometres)},
+      {"friction_log", logs, refusing(readLog)},
+      {"journal", {journalBytes(piecesOfAJournal())}, refusing(readJournalFile)},
+      {"patch_points", {patchPiece()}, readPatchPoints},
+      {"quantity", {"4000 N/mm", "1.5e3 kN/m", "-3 N/m", "7 lbf/inch"}, readQuantity},
+  };
+}

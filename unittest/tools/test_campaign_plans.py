@@ -1,0 +1,326 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""tools/campaign: plans, shipped ones among them, and the page."""
+
+import os
+import re
+
+import pytest
+
+from campaign_calls import HEAD, ROOT, campaign, one_line
+from campaign_parts import plan as plans
+
+
+@pytest.mark.parametrize(
+    "text, parts",
+    [
+        ("", ["is empty"]),
+        ("runs: [", ["not YAML"]),
+        ("title: x\nruns: [{p: 1}]\n", [":1: not a plan"]),
+        ("format: mca-campaign 2\nruns: [{p: 1}]\n", ["'mca-campaign 2' cannot be read"]),
+        (HEAD + "runs: []\n", ["at least one run"]),
+        (
+            HEAD + "runs:\n  - {p: 1}\n  - {presure: 1}\n",
+            [":4: unknown key 'presure'; known: p, v, strength, "],
+        ),
+        (
+            HEAD + "defaults: {strenght: 3}\nruns: [{p: 1}]\n",
+            [":2: unknown key in defaults 'strenght'", "'strength'"],
+        ),
+        (HEAD + "run: [{p: 1}]\n", ["unknown key 'run'", "'runs'"]),
+        (HEAD + "runs: [{p: -1}]\n", [":2: p: '-1' is not allowed, must be a number > 0 (MPa)"]),
+        (HEAD + "runs: [{p: .nan}]\n", ["p: '.nan'"]),
+        (
+            HEAD + "runs:\n  - v: 1\n    p: 1.0e9\n",
+            [":4: p: '1000000000.0' is not allowed, must be < E = 206000 (MPa)"],
+        ),
+        (HEAD + "runs: [{p: 1 500}]\n", ["p: '1 500' is not allowed"]),
+        (HEAD + "runs: [{p: 0x10}]\n", ["p: '0x10' is not allowed"]),
+        (HEAD + "runs: [{v: .inf}]\n", ["v: '.inf'"]),
+        (HEAD + "runs: [{v: fast}]\n", ["v: 'fast'"]),
+        (
+            HEAD + "runs: [{columns: 4.5}]\n",
+            ["columns: '4.5' is not allowed, must be a whole number >= 4"],
+        ),
+        (HEAD + "runs: [{p: []}]\n", ["p: an empty list"]),
+        (HEAD + "runs: [{p: 1, p: 2}]\n", ["key 'p' appears twice"]),
+        (HEAD + "runs: [{p: 1}, {p: 1.0}]\n", ["different names"]),
+        (HEAD + "input: absent.in\nruns: [{p: 1}]\n", [":2: input: no such file"]),
+        (HEAD + "input: ..\nruns: [{p: 1}]\n", [":2: input: no such file"]),
+        (HEAD + "input: 5\nruns: [{p: 1}]\n", [":2: input: '5' is not allowed, must be text"]),
+        (HEAD + "input: [a]\nruns: [{p: 1}]\n", [":2: input: '[...]'"]),
+        (HEAD + "title: {a: 1}\nruns: [{p: 1}]\n", [":2: title: '{...}'"]),
+        # what would be written outside the folder, or over the plan
+        (HEAD + "runs: [{name: a/b}]\n", ["name: 'a/b'"]),
+        (HEAD + "runs:\n  - p: 1\n    name: ..\n", [":4: name: '..' is not allowed"]),
+        (HEAD + "runs: [{laws: [b, ../../esc]}]\n", [":2: name: 'laws../../esc' is not allowed"]),
+        (HEAD + "runs: [{name: plan.yaml}]\n", ["name: 'plan.yaml'"]),
+        (HEAD + "runs: [{name: [a, b]}]\n", ["name: '[...]'"]),
+        # numbers that leave no step, kappa or log
+        (
+            HEAD + "runs: [{strength: 1e-200}]\n",
+            ["strength: '1e-200' is not allowed, must be of a size in 1e-12 .. 1e+12 (MPa)"],
+        ),
+        (HEAD + "runs: [{v: 1e200}]\n", ["v: '1e+200'"]),
+        (HEAD + "runs: [{E: 1e300, rho: 1e-30}]\n", ["E: '1e+300'"]),
+        (HEAD + "runs: [{ns: 1e308}]\n", ["ns: '1e+308'"]),
+        (HEAD + "runs: [{eta: 1e308}]\n", ["eta: '1e+308'"]),
+        (HEAD + f"runs: [{{seed: 1{'0' * 400}}}]\n", ["seed: '1000", "0...' is not allowed"]),
+        (HEAD + f"runs: [{{seed: 1{'0' * 5000}}}]\n", ["seed: '1000", "0...' is not allowed"]),
+        (
+            HEAD + "runs: [{ns: 0.1, row: 10}]\n",
+            [":2: row: '10' is not allowed, must be <= ns = 0.1"],
+        ),
+        (
+            HEAD + "runs: [{ns: 1e-6, row: 1e-6}]\n",
+            ["ns: '1e-06' is not allowed, must be at least a step, 5e-05 ns"],
+        ),
+        (
+            HEAD + "runs:\n  - rows: 8\n    held: 100\n",
+            [":4: held: '100' is not allowed, must be less than half of rows = 8"],
+        ),
+        # numbers that YAML 1.1 reads in its own way
+        (HEAD + "runs: [{p: 010}]\n", ["p: '010' is not allowed", "written like 12 or 1.5e-5"]),
+        (HEAD + "runs: [{v: 1:30}]\n", ["v: '1:30'"]),
+        (HEAD + "runs: [{p: 1_000}]\n", ["p: '1_000'"]),
+        (HEAD + "runs: [{p: !!int x}]\n", ["p: 'x'"]),
+        (HEAD + f"runs: {'[' * 3000}\n", ["nested too deep"]),
+        (HEAD + "runs: [{p: [[1]]}]\n", [":2: not YAML: nested too deep"]),
+        (HEAD + "runs: [{p: &a [*a]}]\n", ["nested too deep"]),
+        (HEAD + "runs: [{[1]: 2}]\n", ["a key must be a word"]),
+        (HEAD + "title: \0\n", [":2: not YAML"]),
+        # the line is that of the key
+        (HEAD + "title: x\nruns:\n  - {p: 1}\ndefault: {v: 1}\n", [":5: unknown key 'default'"]),
+        (
+            HEAD + "defaults:\n  p: 1\n  vv: 2\nruns: [{p: 1}]\n",
+            [":4: unknown key in defaults 'vv'"],
+        ),
+        (HEAD + "defaults:\n  p: 1\n  E: -5\nruns: [{p: 1}]\n", [":4: E: '-5'"]),
+        (HEAD + "runs:\n  - p: 1\n    vv: 2\n", [":4: unknown key 'vv'"]),
+        (HEAD + "runs:\n  - p:\n    - 1\n    - -1\n", [":5: p: '-1'"]),
+        (HEAD + "runs:\n  - {p: 1}\n  -\n", [":4: runs: 'None' is not a run"]),
+        (HEAD + "title: x\ndefaults: 5\nruns: [{p: 1}]\n", [":3: defaults: '5' is not allowed"]),
+    ],
+    ids=lambda value: repr(value).removeprefix(repr(HEAD)[:-1])[:60],
+)
+def test_bad_plan_is_one_clear_line(tmp_path, text, parts):
+    path = tmp_path / "plan.yaml"
+    path.write_text(text)
+    one_line(campaign("run", path, "-o", tmp_path / "out"), 3, str(path), *parts)
+    assert not (tmp_path / "out").exists()
+
+
+def test_csv_plan(tmp_path):
+    path = tmp_path / "plan.csv"
+    path.write_text("# made by hand\nname,p,v,seed\none,15,5,1\ntwo,1.5,2,2\n")
+    runs = plans.read(str(path)).runs
+    assert [(r.name, r.values["p"], r.values["seed"]) for r in runs] == [
+        ("one", 15, 1),
+        ("two", 1.5, 2),
+    ]
+    path.write_text("name,p,v\none,15\n")
+    one_line(campaign("list", path), 3, ":2: 2 columns, 3 are expected")
+    path.write_text("name,p,vv\none,15,3\n")
+    one_line(campaign("list", path), 3, ":1: unknown column 'vv'; known: p, v, strength, ")
+    path.write_text("name,p\none,much\n")
+    one_line(campaign("list", path), 3, ":2: p: 'much' is not allowed, must be a number > 0 (MPa)")
+    path.write_text("name,p,p\none,1,2\n")
+    one_line(campaign("list", path), 3, ":1: column 'p' appears twice")
+    path.write_text("name,p\none,010\n")
+    one_line(campaign("list", path), 3, ":2: p: '010' is not allowed")
+
+
+def test_plan_without_a_title_and_with_a_date_for_one(tmp_path):
+    path = tmp_path / "plan.yaml"
+    for given, title in (("", ""), (" 2001-99-99", "2001-99-99")):
+        path.write_text(HEAD + f"title:{given}\nruns: [{{p: [1, 1.5e1, .5]}}]\n")
+        plan = plans.read(str(path))
+        assert plan.title == title
+        assert [run.values["p"] for run in plan.runs] == [1, 15.0, 0.5]
+
+
+def test_step_follows_the_material():
+    def dt(**values):
+        return plans.Run(
+            "x", {**{k: key.default for k, key in plans.KEYS.items()}, **values}, ""
+        ).dt
+
+    assert dt() == 5e-5
+    assert dt(E=4 * 206000) == 2.5e-5  # half the time of sound
+    assert dt(rho=4 * 7800) == 5e-5  # never longer
+    assert dt(eta=0.82) == 2.5e-5  # half the viscous time
+    assert dt(rho=1950) == pytest.approx(1.2e-5)
+    assert dt(dt=1e-5) == 1e-5
+
+
+SHIPPED = {
+    "paper36": 36,
+    "collapse10": 10,
+    "velocity": 16,
+    "pressure": 16,
+    "paper36-rows32": 36,
+    "collapse10-rows32": 10,
+    "velocity-rows32": 16,
+    "pressure-rows32": 16,
+    "viscosity": 10,
+    "roughness": 6,
+    "viscosity-rows32": 10,
+    "roughness-rows32": 6,
+    "height": 8,
+    "smoke": 6,
+    "variants": 48,
+    "convergence": 24,
+    "timestep": 59,
+    "corrected": 26,
+    "own-material": 10,
+}
+
+
+@pytest.mark.parametrize("name, least", SHIPPED.items())
+def test_shipped_plans(name, least):
+    plan = plans.read(plans.find(name))
+    assert len(plan.runs) >= least and plan.title
+    assert campaign("list", name).returncode == 0
+
+
+ALUMINIUM = (ROOT / "examples" / "campaign" / "aluminium.mca").read_text()
+SI = """# UNITS: si
+youngs_modulus 70e9
+poissons_ratio 0.33
+density 2700
+strength 300e6
+elastic_limit 0.7
+yield_strength 0.9
+yield_strain 0.02
+breaking_strain 0.1
+viscosity 0.41
+diameter 2.5e-9
+"""
+
+
+def test_own_material(tmp_path):
+    """From a file in any of its units; defaults, file and run each go before the one before."""
+    runs = plans.read(plans.find("own-material")).runs
+    known = {"E": 70000, "nu": 0.33, "rho": 2700, "strength": 300, "elastic_limit": 0.7}
+    known |= {"yield_strength": 0.9, "yield_strain": 0.02, "breaking_strain": 0.1, "eta": 0.41}
+    for run in runs:
+        assert {name: run.values[name] for name in known} == known and run.values["d"] == 2.5
+    (tmp_path / "si.mca").write_text(SI)
+    path = tmp_path / "plan.yaml"
+    path.write_text(
+        HEAD + "defaults: {material: si.mca, nu: 0.2}\n"
+        "runs: [{strength: [200, 300]}, {material: [steel.mca, si.mca], v: 7}, {E: 60000}]\n"
+    )
+    found = {run.name: run.values for run in plans.read(str(path)).runs}
+    assert list(found)[:4] == ["strength200", "strength300", "steel", "si"]
+    assert found["strength300"] == {**found["strength300"], **known, "nu": 0.2}
+    assert found["strength200"]["strength"] == 200 and found["strength200"]["rho"] == 2700
+    assert found["steel"]["E"] == 206000 and found["steel"]["nu"] == 0.3
+    variables = plans.read(str(path)).runs[0].variables()
+    assert variables["rho"] == "0.0027" and variables["eta"] == "410" and variables["d"] == "2.5"
+    assert variables["breaking_strain"] == "0.1"
+
+
+def test_steel_is_the_default(tmp_path):
+    """What a plan takes without a material is what potentials/steel.mca says."""
+    path = tmp_path / "plan.yaml"
+    path.write_text(HEAD + "runs: [{name: a}, {name: b, material: steel.mca}]\n")
+    first, second = plans.read(str(path)).runs
+    assert first.values == second.values and first.dt == second.dt == 5e-5
+
+
+@pytest.mark.parametrize(
+    "text, part",
+    [
+        (None, ":2: material: no file own.mca beside the plan"),
+        ("", "own.mca:1: 'UNITS: STYLE'"),
+        ("# UNITS: lj\n", "own.mca:1: 'UNITS: STYLE' with nano"),
+        ("# UNITS:\n", "own.mca:1:"),
+        ("# UNITS: nano\n", "own.mca: youngs_modulus is missing"),
+        (ALUMINIUM.replace("density", "densty"), "own.mca:6: unknown keyword 'densty'"),
+        (ALUMINIUM.replace("300 ", "nan "), "own.mca:7: strength: 'nan' is not allowed"),
+        (ALUMINIUM.replace("300 ", "0x10 "), "own.mca:7: strength: '0x10'"),
+        (ALUMINIUM.replace("300 ", "1 500 "), "own.mca:7: strength: '1 500'"),
+        (ALUMINIUM.replace("300 ", "-3 "), "own.mca:7: strength: '-3'"),
+        (ALUMINIUM.replace("300 ", "# "), "own.mca:7: strength: ''"),
+        (ALUMINIUM + "density 1\n", "own.mca:14: density appears twice"),
+        (ALUMINIUM.replace("0.33", "0.5"), "must be a number in -1 .. 0.5"),
+        (ALUMINIUM.replace("0.9 ", "1.1 "), "yield_strength: '1.1' is not allowed, must be <= 1"),
+        (ALUMINIUM.replace("0.7 ", "0.95 "), "elastic_limit: '0.95'"),
+        (ALUMINIUM.replace("0.02 ", "0.003 "), "yield_strain: '0.003'"),
+        (ALUMINIUM.replace("0.1 ", "0.02 "), "breaking_strain: '0.02'"),
+        (ALUMINIUM.replace("0.1 ", "0.5 "), "breaking_strain: '0.5'"),
+        (ALUMINIUM.replace("70000 ", "10 "), "p: '15.0' is not allowed, must be < E = 10 (MPa)"),
+    ],
+)
+def test_bad_material(tmp_path, text, part):
+    if text is not None:
+        (tmp_path / "own.mca").write_text(text)
+    path = tmp_path / "plan.yaml"
+    path.write_text(HEAD + "runs: [{material: own.mca}]\n")
+    one_line(campaign("run", path, "-o", tmp_path / "out"), 3, part)
+    assert not (tmp_path / "out").exists()
+
+
+def test_a_folder_does_not_hide_the_plan_of_its_name(tmp_path, monkeypatch):
+    (tmp_path / "paper36").mkdir()
+    monkeypatch.chdir(tmp_path)
+    assert plans.find("paper36") == os.path.join(plans.SHIPPED, "paper36.yaml")
+
+
+def test_paper36_covers_the_papers_ranges():
+    runs = plans.read(plans.find("paper36")).runs
+    assert len(runs) == 36
+    kappa1, kappa2 = sorted(r.kappa1 for r in runs), sorted(r.kappa2 for r in runs)
+    assert kappa1[0] < 0.1 and kappa1[-1] == pytest.approx(19, rel=0.01)
+    assert kappa2[0] == pytest.approx(2, rel=0.05) and kappa2[-1] == pytest.approx(633, rel=0.01)
+    for key, low, high in (("p", 0.5, 26), ("v", 1, 10), ("strength", 92, 552)):
+        values = [r.values[key] for r in runs]
+        assert min(values) == low and max(values) == high
+    for key in ("E", "rho", "eta"):
+        assert len({r.values[key] for r in runs}) >= 3
+
+
+def test_collapse10_has_one_kappa():
+    runs = plans.read(plans.find("collapse10")).runs
+    assert len(runs) == 10
+    for run in runs:
+        assert run.kappa1 == pytest.approx(runs[0].kappa1, rel=1e-3)
+        assert run.kappa2 == pytest.approx(runs[0].kappa2, rel=1e-3)
+
+
+def test_page_has_every_key_option_and_plan():
+    page = (ROOT / "doc" / "campaign.md").read_text()
+    keys = dict(
+        re.findall(
+            r"^\| `(\w+)` \| ([^|]+) \| "
+            r"(?:ns|MPa|m/s|kg|Pa|Poisson|automata|rows|nm|of the|total|preset|potential)[^|]*\|$",
+            page,
+            re.MULTILINE,
+        )
+    )
+    assert list(keys) == list(plans.KEYS)
+    for name, key in plans.KEYS.items():
+        if key.default is not None:
+            assert keys[name] == (
+                key.default if isinstance(key.default, str) else f"{key.default:g}"
+            )
+    options = set()
+    for command in ("list", "run", "one", "status", "pack"):
+        options |= set(
+            re.findall(
+                r"(?<![\w-])(--?[a-z]+)", campaign(command, "--help").stdout.split("options:")[1]
+            )
+        )
+    syntax = page.split("## Examples")[0]
+    table = set(re.findall(r"`(--?[a-z]+)`", syntax))
+    assert options - {"-h", "--help", "-np"} == table
+    shipped = dict(
+        re.findall(
+            r"^\| `([\w-]+)` \| (\d+) \|",
+            page.split("### Shipped plans")[1].split("###")[0],
+            re.MULTILINE,
+        )
+    )
+    assert {n: int(k) for n, k in shipped.items()} == {
+        n: len(plans.read(plans.find(n)).runs) for n in SHIPPED
+    }

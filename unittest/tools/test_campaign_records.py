@@ -1,0 +1,183 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""tools/campaign: what its folder says of the runs, damaged or not; packing."""
+
+import ctypes
+import math
+import re
+import shutil
+import subprocess
+
+import pytest
+
+from campaign_calls import CAMPAIGN, HEAD, PLAN, campaign, edit, environment, logs, one_line
+from campaign_parts import pack
+
+
+def test_a_plan_in_the_folder_is_never_overwritten(plan, tmp_path):
+    out = tmp_path / "out"
+    one_line(
+        campaign("run", plan, "-o", out, env=environment(MCAWR_LMP="/nonexistent/lmp")),
+        5,
+        "lmp is not there",
+    )
+    assert not out.exists()
+    campaign("run", plan, "-o", out)
+    other = tmp_path / "other.yaml"
+    other.write_text(PLAN.replace("seed: 7", "seed: 8"))
+    one_line(campaign("run", other, "-o", out), 3, "was begun with seed = 7")
+    assert [p.name for p in out.glob("plan*")] == ["plan.yaml"]
+    other.write_text(HEAD + "runs: [{name: more, ns: 1}]\n")
+    for _ in range(2):
+        assert campaign("run", other, "-o", out).returncode == 0
+        assert (out / "plan.yaml").read_text() == PLAN
+        assert (out / "plan.2.yaml").read_text() == other.read_text()
+    assert len(list(out.glob("plan*"))) == 2
+    assert campaign("run", other, "-o", tmp_path).returncode == 0
+    assert plan.read_text() == PLAN and (tmp_path / "plan.2.yaml").exists()
+
+
+def test_the_exit_code_does_not_depend_on_the_folders_name(plan, tmp_path):
+    out = tmp_path / "mylmp_written"
+    campaign("run", plan, "-o", out)
+    plan.write_text(PLAN.replace("seed: 7", "seed: 8"))
+    for words in (["run"], ["status"], ["pack", "--to", tmp_path / "packed"]):
+        one_line(campaign(*words, plan, "-o", out), 3, "was begun with seed = 7, the plan says 8")
+    assert not (tmp_path / "packed").exists()
+
+
+def test_a_folder_that_is_not_there(plan, tmp_path):
+    for words in (["status"], ["pack", "--to", tmp_path / "packed"]):
+        one_line(campaign(*words, plan, "-o", tmp_path / "missing"), 3, "missing: no such folder")
+    assert [p.name for p in tmp_path.iterdir()] == ["plan.yaml"]
+
+
+@pytest.mark.parametrize(
+    "damage, commands, part",
+    [
+        (
+            lambda a: (a / "run.json").write_text("[]"),
+            ("status", "run", "pack"),
+            "run.json: is damaged",
+        ),
+        (
+            lambda a: (a / "run.json").write_text("{"),
+            ("status", "run", "pack"),
+            "run.json: is damaged",
+        ),
+        (
+            lambda a: edit(a / "run.json", '"ns"', '"nn"'),
+            ("status", "run", "pack"),
+            "run.json: is damaged",
+        ),
+        (
+            lambda a: edit(a / "run.json", '"attempts"', '"a"'),
+            ("status", "run", "pack"),
+            "run.json: is damaged",
+        ),
+        *(
+            (damage, ("status", "run", "pack"), "run.json: is damaged, or was edited")
+            for damage in (
+                lambda a: edit(a / "run.json", "-in", "in"),
+                lambda a: edit(a / "run.json", '"p": 15.0', '"p": 25.0'),
+                lambda a: edit(a / "run.json", '"outcome": "finished"', '"outcome": "failed"'),
+                lambda a: edit(a / "run.json", '"checksum": "', '"checksum": "0'),
+                lambda a: edit(a / "run.json", '"run.friction": "', '"run.frictio": "'),
+                lambda a: (a / "run.json").write_text('{"checksum": 5}'),
+            )
+        ),
+        *(
+            (damage, ("status", "run", "pack"), "run.friction: is damaged, or was changed")
+            for damage in (
+                lambda a: edit(a / "run.friction", "\n3000 0.15 ", "\n3000 much "),
+                lambda a: edit(a / "run.friction", r" 15 (\S+) 3456", " 15 0.25 3456"),
+                lambda a: edit(a / "run.friction", "\nstep [^\n]*", ""),
+                lambda a: edit(a / "run.friction", r"\n4000 [^\n]*", ""),
+                lambda a: edit(a / "run.friction", r"(?s)\n16000 .*", "\n"),
+                lambda a: (a / "run.friction").write_text(""),
+                lambda a: (a / "run.friction").write_bytes(b"\xff\n"),
+            )
+        ),
+        (
+            lambda a: (a / "run.restart").write_bytes(b"40000LammpS Restart_\0"),
+            ("status", "run", "pack"),
+            "run.restart: is damaged",
+        ),
+        (lambda a: (a / "run.restart").unlink(), ("status", "run"), "run.restart: is damaged"),
+        (
+            lambda a: (a / "run.json").unlink(),
+            ("status", "run", "pack"),
+            "run.json: is missing beside run.friction",
+        ),
+    ],
+)
+def test_damaged_folder_is_one_clear_line(finished, tmp_path, damage, commands, part):
+    shutil.copytree(finished / "out", tmp_path / "out")
+    damage(tmp_path / "out" / "a")
+    for command in commands:
+        more = ["--to", tmp_path / "packed"] if command == "pack" else []
+        result = campaign(command, finished / "plan.yaml", "-o", tmp_path / "out", *more)
+        one_line(result, 3, str(tmp_path / "out" / "a"), part)
+    assert not (tmp_path / "packed").exists()
+
+
+def test_pack_of_too_many_rows_in_one(finished, tmp_path):
+    result = campaign(
+        "pack",
+        finished / "plan.yaml",
+        "-o",
+        finished / "out",
+        "--to",
+        tmp_path / "packed",
+        "--rows",
+        41,
+    )
+    one_line(result, 2, "--rows 41", "has fewer rows")
+    assert not (tmp_path / "packed").exists()
+
+
+def test_status_of_a_folder_that_cannot_be_written(finished, tmp_path):
+    shutil.copytree(finished / "out", tmp_path / "out")
+    folder = tmp_path / "out" / "a"
+    (folder / "run.friction").rename(folder / "run.friction.part")
+    (folder / "lock").chmod(0o444)
+    folder.chmod(0o555)
+
+    def obey_modes():  # as root too: prctl takes CAP_DAC_OVERRIDE from what is executed
+        ctypes.CDLL(None).prctl(24, 1, 0, 0, 0)
+
+    result = subprocess.run(
+        [CAMPAIGN, "status", finished / "plan.yaml", "-o", tmp_path / "out"],
+        capture_output=True,
+        text=True,
+        env=environment(),
+        preexec_fn=obey_modes,
+        check=False,
+    )
+    assert result.returncode == 0, result.stderr
+    assert re.search("^a +interrupted +2 ", result.stdout, re.MULTILINE)
+
+
+def test_pack_averages_rows_and_keeps_the_command(plan, tmp_path):
+    out = tmp_path / "out"
+    campaign("run", plan, "-o", out)
+    result = campaign("pack", plan, "-o", out, "--to", tmp_path / "packed", "--rows", 4)
+    assert result.returncode == 0, result.stderr
+    whole = [line.split() for line in logs(out)["v2"].split("\n") if line[:1].isdigit()]
+    text = (tmp_path / "packed" / "v2.friction").read_text()
+    rows = [line.split() for line in text.split("\n") if line[:1].isdigit()]
+    assert len(rows) == 10
+    assert rows[0][0] == whole[3][0]
+    assert math.isclose(float(rows[0][5]), sum(float(r[5]) for r in whole[:4]) / 4, rel_tol=1e-6)
+    assert float(rows[0][7]) == 8
+    assert '"command": "lmp -in examples/friction/in.friction' in text
+    assert str(tmp_path) not in text
+
+
+def test_packed_command_is_of_any_checkout_and_of_the_whole_length():
+    begun = (
+        "/elsewhere/build/bin/lmp -in /elsewhere/examples/friction/in.friction -var p 2 -var ns 30"
+    )
+    command = pack.portable(
+        [begun, begun.replace("ns 30", "ns 100 -var continue 1 -var restart run.restart")]
+    )
+    assert command == "lmp -in examples/friction/in.friction -var p 2 -var ns 100"

@@ -1,0 +1,38 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Numbers as everybody reads them."""
+
+import sys
+from pathlib import Path
+
+import pytest
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "tools"))
+from mcawr import numbers
+
+NONE = ["", "x", "nan", "inf", "-inf", "1e999", "0x10", "1_000", "1 500", "²", "٣", "1,5", "--1"]
+
+
+def test_decimal_numbers():
+    texts = ("12", "-1.5e-3", "+.5", "1.", " 7 ", "010", "1E5")
+    assert [numbers.decimal(text) for text in texts] == [12, -1.5e-3, 0.5, 1, 7, 10, 1e5]
+
+
+@pytest.mark.parametrize("text", NONE)
+def test_what_is_no_number(text):
+    for read in (numbers.decimal, numbers.whole):
+        with pytest.raises(ValueError, match="number"):
+            read(text)
+
+
+def test_whole_numbers():
+    assert [numbers.whole(text) for text in ("0", "-3", "+12")] == [0, -3, 12]
+    for text in ("1.0", "1e3", "9" * 30):
+        with pytest.raises(ValueError, match="not a whole number"):
+            numbers.whole(text)
+
+
+@pytest.mark.parametrize("value", [True, None, "1", [1], 10**400, float("nan")])
+def test_values_of_json(value):
+    with pytest.raises((TypeError, ValueError)):
+        numbers.finite(value)
+    assert numbers.finite(3) == 3

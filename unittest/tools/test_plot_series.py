@@ -1,0 +1,82 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""tools/plot_series.py: one point for the runs of a condition, its table, its picture."""
+
+import csv
+import math
+
+import pytest
+from script_calls import load, with_checksum
+from test_files import POINT
+
+
+def point(mu, p=15.0, v=5.0, strength=92.0, se=0.003, **more):
+    values = {"mu": mu, "mu_se": se, "pressure": p, "velocity": v, "strength": strength}
+    return {**POINT, **values, "kappa3": 206000.0 / strength, **more}
+
+
+@pytest.fixture
+def series(call, tmp_path, monkeypatch):
+    """series(points, *words): (exit code, rows of the table, what was complained of)."""
+    monkeypatch.chdir(tmp_path)
+
+    def run(points, *words):
+        (tmp_path / "a.png").unlink(missing_ok=True)
+        (tmp_path / "fit.json").write_text(with_checksum({"report": {"points": points}}))
+        code, _, err = call("plot_series.py", "fit.json", *words, "-o", "a.png", "--csv", "a.csv")
+        if code:
+            assert err.count("\n") == 1 and not (tmp_path / "a.png").exists()
+            return code, None, err
+        assert (tmp_path / "a.png").read_bytes()[:4] == b"\x89PNG"
+        lines = [row for row in (tmp_path / "a.csv").read_text().splitlines() if row[0] != "#"]
+        return code, list(csv.DictReader(lines)), err
+
+    return run
+
+
+def test_seeds_are_one_point(series):
+    points = [point(0.40), point(0.44), point(0.5, v=10.0), point(0.6, v=2.0, se=None)]
+    code, rows, _ = series(points, "--against", "velocity")
+    assert code == 0 and [row["velocity"] for row in rows] == ["5", "10"]
+    first, second = rows
+    assert first["runs"] == "2" and float(first["mu"]) == pytest.approx(0.42)
+    assert float(first["own_error"]) == pytest.approx(0.003 / math.sqrt(2), rel=1e-4)
+    assert float(first["scatter"]) == pytest.approx(0.02, rel=1e-4)  # 0.0283 over sqrt(2)
+    assert first["mu_se"] == first["scatter"]  # the larger one
+    assert second["runs"] == "1" and second["scatter"] == "" and second["mu_se"] == "0.003"
+    assert float(second["youngs_modulus"]) == pytest.approx(206)
+
+
+def test_other_quantities_are_lines(series):
+    points = [point(0.4 + 0.01 * p, p=p, strength=s) for p in (1.0, 5.0) for s in (92.0, 200.0)]
+    for words in (["--against", "pressure"], ["--against", "pressure", "--mu"]):
+        code, rows, _ = series(points, *words)
+        assert code == 0 and len(rows) == 4
+    module = load("plot_series.py")
+    lines = module.lines_of(points, "pressure")
+    assert len(lines) == 2 and [len(line) for line in lines.values()] == [2, 2]
+    assert [module.name_of(line, lines) for line in lines] == [
+        "$\\sigma_0$ = 92 MPa",
+        "$\\sigma_0$ = 200 MPa",
+    ]
+    code, _, err = series([point(0.4, p=p) for p in range(1, 12)], "--against", "velocity")
+    assert code == 3 and "11 lines against velocity" in err
+
+
+def test_no_point_with_an_error(series):
+    code, _, err = series([point(0.4, se=None)], "--against", "velocity")
+    assert code == 3 and "no point with a standard error" in err
+
+
+def test_peaks_do_not_flatten_the_rest():
+    """The static peak is several times mu: it stands on an axis of its own."""
+    module = load("plot_series.py")
+    points = [point(0.36 + 0.015 * v, v=v, mu_peak=2.0, mu_grinding_in=0.45) for v in (1.0, 10.0)]
+    figure = module.figure_of(points, "velocity", False)
+    top, axes = figure.axes
+    low, high = axes.get_ylim()
+    assert 0.3 < low < 0.375 and 0.5 < high < 0.6
+    assert top.get_ylim()[1] > 2.0
+    (bars,) = (c for c in axes.containers)
+    (stems,) = bars[2]
+    heights = [part[1][1] - part[0][1] for part in stems.get_segments()]
+    assert heights == pytest.approx([2 * 1.96 * 0.003] * 2)
