@@ -16,6 +16,7 @@
 #include <fstream>
 #include <sys/mman.h>
 #include <sys/resource.h>
+#include <sys/time.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -44,7 +45,7 @@ Falsifies good files and has them read: every one is refused with one line, or r
 Exit codes: 0 nothing found, 1 something was, 2 usage.
 )";
 
-constexpr unsigned hang = 30;            // seconds for one file
+constexpr time_t hang = 30;              // seconds of processor time for one file
 constexpr rlim_t mostMemory = 4UL << 30; // bytes; far beyond what a file of this size needs
 
 struct Settings {
@@ -114,7 +115,8 @@ void work(const Reader &reader, const Settings &settings, std::uint64_t first, T
   Mutator mutate(reader.corpus, settings.seed);
   for (std::uint64_t k = first; k < settings.executions; k++) {
     tally.number = k;
-    alarm(hang);
+    const itimerval limit = {{0, 0}, {hang, 0}};
+    setitimer(ITIMER_PROF, &limit, nullptr);
     bool accepted;
     const std::string fault = faultOf(reader, mutate(k), accepted);
     if (fault.empty())
@@ -161,7 +163,7 @@ bool drill(const Reader &reader, const Settings &settings)
       std::printf("  %s, execution %llu: %s\n", reader.name.c_str(),
                   static_cast<unsigned long long>(tally->number),
                   !WIFSIGNALED(status)          ? "a sanitizer's finding"
-                  : WTERMSIG(status) == SIGALRM ? "hangs"
+                  : WTERMSIG(status) == SIGPROF ? "hangs"
                                                 : strsignal(WTERMSIG(status)));
     tally->number++;
   }

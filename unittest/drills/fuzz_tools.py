@@ -12,7 +12,8 @@ import tempfile
 
 from drill import HANG, ROOT, Drill, inputs
 
-from campaign_parts import material, plan as plans
+from campaign_parts import folder, material, plan as plans
+from campaign_parts.quantities import Run
 from mcawr import dump, errors, fields, friction_log, tables
 
 WORDS = [
@@ -57,9 +58,27 @@ def read_log(path):
     friction_log.read(path)
 
 
-def shipped(folder, pattern):
+def run_record():
+    """What a campaign keeps of a finished run, and run.json with it."""
+    record = {"parameters": {"p": 15, "v": 5.0, "ns": 80}, "inputs": {"in.friction": "1f"},
+              "results": {"run.friction": "2e"}, "attempts": 1}  # fmt: skip
+    with tempfile.TemporaryDirectory() as top:
+        kept = folder.RunFolder(top, Run(".", {}, ""))
+        kept.write_record(record)
+        return record, pathlib.Path(kept.file("run.json")).read_bytes()
+
+
+def read_run_record(path, record):
+    """run.json: the record that was written, or refused."""
+    top = os.path.dirname(path)
+    os.replace(path, os.path.join(top, "run.json"))
+    if folder.RunFolder(top, Run(".", {}, "")).record() != record:
+        raise AssertionError("another record than was written")
+
+
+def shipped(where, pattern):
     """Contents of files of the project."""
-    return [path.read_bytes() for path in sorted((ROOT / folder).glob(pattern))]
+    return [path.read_bytes() for path in sorted((ROOT / where).glob(pattern))]
 
 
 def readers():
@@ -75,6 +94,7 @@ def readers():
     text = {name: content.encode() for name, content in inputs().items()}
     lines = text["a.friction"].splitlines(keepends=True)
     sealed = with_checksum(json.loads(text["fit.json"])).encode()
+    record, kept = run_record()
     return {
         "dump": ([text["a.dump"], text["atoms.dump"]], read_dump),
         "friction_log": ([b"".join(lines[:30])], read_log),
@@ -86,6 +106,7 @@ def readers():
         "benchmark": ([text["bench.json"]], plot_benchmark.read_cases),
         "material": (shipped("potentials", "*.mca"), material.read),
         "plan": (shipped("examples/campaign", "*.yaml"), plans.read),
+        "run": ([kept], lambda path: read_run_record(path, record)),
     }
 
 
@@ -100,19 +121,18 @@ def main():
         for number in range(drill.given.count):
             generator = random.Random(f"{drill.given.seed} {number}")
             path.write_bytes(falsified(corpus, generator))
-            signal.alarm(int(HANG))  # ends the drill
+            signal.setitimer(signal.ITIMER_PROF, HANG)  # processor time; ends the drill
             try:
                 read(str(path))
                 drill.count(name, "accepted")
-            except errors.BadInput as error:
+            except (errors.BadInput, folder.FolderError) as error:
                 if len(errors.one_line(error)) > 3000:
                     drill.fault(name, f"file {number}: a message of {len(str(error))} letters")
                 else:
                     drill.count(name, "refused")
             except Exception as error:  # whatever else is a fault of the reader
                 drill.fault(name, f"file {number}: {type(error).__name__}: {error}"[:300])
-    signal.alarm(0)
-    os.remove(path)
+    signal.setitimer(signal.ITIMER_PROF, 0)
     drill.end()
 
 

@@ -10,6 +10,7 @@
 #include "contact/patch/gsf_file.h"
 #include "contact/patch/height_map_file.h"
 #include "creep/case_file.h"
+#include "creep/curve_journal.h"
 #include "creep/journal.h"
 #include "creep/patch/patch_journal.h"
 #include "fit/friction_log.h"
@@ -217,6 +218,30 @@ void readPatchPoints(const std::string &bytes)
   }
 }
 
+/// Points of a piece of a contact along a line.
+std::string curvePiece()
+{
+  CurvePoint point;
+  point.speed = 10.0;
+  point.creep = 1.0 / 3.0;
+  point.iterations = 7;
+  CurvePoint failed;
+  failed.failure = "no convergence";
+  return curvePointsJson({point, failed}).dump();
+}
+
+/// As `readPatchPoints`.
+void readCurvePoints(const std::string &bytes)
+{
+  try {
+    const auto points = curvePointsFrom(nlohmann::json::parse(bytes, nullptr, false));
+    require(curvePointsFrom(curvePointsJson(points)).size() == points.size(),
+            "other points when read again");
+  } catch (const nlohmann::json::exception &error) {
+    throw Refused(mcawr::printable(error.what()));
+  }
+}
+
 void readQuantity(const std::string &bytes)
 {
   try {
@@ -291,6 +316,7 @@ std::vector<Reader> wheelrailReaders()
       {"npy", filesOf("unittest/WHEELRAIL/data/maps", ".npy"), map(micrometres)},
       {"friction_log", logs, refusing(readLog)},
       {"journal", {journalBytes(piecesOfAJournal())}, refusing(readJournalFile)},
+      {"curve_points", {curvePiece()}, readCurvePoints},
       {"patch_points", {patchPiece()}, readPatchPoints},
       {"quantity", {"4000 N/mm", "1.5e3 kN/m", "-3 N/m", "7 lbf/inch"}, readQuantity},
   };

@@ -2,6 +2,7 @@
 #include "creep/creep_curve.h"
 
 #include "base/errors.h"
+#include "creep/curve_journal.h"
 
 #include <algorithm>
 #include <chrono>
@@ -12,7 +13,6 @@ namespace wheelrail {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-using Json = nlohmann::json;
 
 /// Neighbouring creeps at one speed on one profile.
 struct Piece {
@@ -112,58 +112,6 @@ CurvePoint curvePoint(double creep, const CreepPoint &point, const ContactSetup 
   result.profile = setup.surface.profile;
   result.band = spread.band(ratios);
   return result;
-}
-
-/// A point in the journal, and back.
-Json rowOf(const CurvePoint &p)
-{
-  return {p.speed,
-          p.creep,
-          p.tractionRatio,
-          p.traction,
-          p.muMean,
-          p.temperatureRise,
-          p.temperatureMaximum,
-          p.iterations,
-          p.stickFraction,
-          p.profile,
-          p.band.standardError,
-          p.band.low,
-          p.band.high,
-          p.failure,
-          p.use.any,
-          p.use.kappa1,
-          p.use.kappa2,
-          p.use.kappa3,
-          p.use.pressure,
-          p.use.speed};
-}
-
-CurvePoint pointFrom(const Json &j)
-{
-  CurvePoint p;
-  p.speed = j.at(0);
-  p.creep = j.at(1);
-  p.tractionRatio = j.at(2);
-  p.traction = j.at(3);
-  p.muMean = j.at(4);
-  p.temperatureRise = j.at(5);
-  p.temperatureMaximum = j.at(6);
-  p.iterations = j.at(7);
-  p.stickFraction = j.at(8);
-  p.profile = j.at(9);
-  p.band = {j.at(10), j.at(11), j.at(12)};
-  p.failure = j.at(13);
-  p.use = {j.at(14), j.at(15), j.at(16), j.at(17), j.at(18), j.at(19)};
-  return p;
-}
-
-Json rowsOf(const std::vector<CurvePoint> &points)
-{
-  Json rows = Json::array();
-  for (const CurvePoint &point : points)
-    rows.push_back(rowOf(point));
-  return rows;
 }
 
 /// Creeps of one call share the pressures. Empty when interrupted.
@@ -311,10 +259,9 @@ CreepCurves solveCreepCurves(const CreepSpecification &specification, const Fric
                         : solveFrozen(work, setup, pieces[k], goOn);
     return !results[k].points.empty();
   };
-  sweep.rows = [&](std::size_t k) { return rowsOf(results[k].points); };
-  sweep.takeRows = [&](std::size_t k, const Json &rows) {
-    for (const Json &row : rows)
-      results[k].points.push_back(pointFrom(row));
+  sweep.rows = [&](std::size_t k) { return curvePointsJson(results[k].points); };
+  sweep.takeRows = [&](std::size_t k, const nlohmann::json &rows) {
+    results[k].points = curvePointsFrom(rows);
     return results[k].points.size();
   };
   curves.resumed = runSweep(sweep, options);
