@@ -13,7 +13,6 @@ from unittest.mock import ANY
 import pytest
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "WHEELRAIL"))
-from script_calls import with_checksum
 from test_dump_to_vtk import ATOMS, LINKS
 from test_files import BENCH, FIT, INPUTS
 from test_plot_patch import FILES
@@ -135,7 +134,7 @@ def test_checksum_of_a_fit(call, tmp_path, monkeypatch, script, words):
     """A changed number is found; without the line it counts, with a note."""
     monkeypatch.chdir(tmp_path)
     path = tmp_path / "law.json"
-    text = with_checksum(json.loads(FIT))
+    text = FIT
     path.write_text(text)
     assert call(script, path, *words, "-o", "a.png") == (0, ANY, "")
     line = re.search(r'  "checksum": .*\n', text)[0]
