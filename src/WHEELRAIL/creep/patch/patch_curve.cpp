@@ -200,8 +200,7 @@ PatchCurves solvePatchCurves(const PatchSpecification &asked, const FrictionLaw 
   };
   sweep.rows = [&](std::size_t k) -> nlohmann::json {
     for (const auto &[number, checksum] : checksums[k].items())
-      if (checksum.get<std::string>()
-              .empty()) // no room for its fields: nothing of the piece is kept
+      if (checksum.get<std::string>().empty()) // no room for it: nothing of the piece is kept
         return nullptr;
     return {{"points", patchPointsJson(results[k].points)},
             {"series", patchSeriesJson(results[k].series)},
