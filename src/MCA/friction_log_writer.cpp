@@ -50,9 +50,10 @@ long long stepOf(const std::string &line, int number, const std::string &path)
       fail(path, "line " + std::to_string(number) + ": '" + word + "' is not a finite number");
     values.push_back(*value);
   }
-  if (values.size() != format::Columns || !format::isIn(format::Range::Whole, values[format::Step]))
+  if (values.size() != format::columnsWritten ||
+      !format::isIn(format::Range::Whole, values[format::Step]))
     fail(path, "line " + std::to_string(number) + " is not a row of " +
-                   std::to_string(format::Columns) + " numbers that begin with a step");
+                   std::to_string(format::columnsWritten) + " numbers that begin with a step");
   return static_cast<long long>(values[format::Step]);
 }
 
@@ -68,9 +69,21 @@ Contents read(const std::string &path)
     all.head += line + "\n";
   if (line != format::columnLine())
     fail(path, "line " + std::to_string(number) + " is not '" + format::columnLine() + "'");
-  while (std::getline(in, line) && ++number)
-    if (!in.eof()) // else no newline: the machine stopped while it was written
-      all.rows.emplace_back(stepOf(line, number, path), line);
+  mcawr::RunningChecksum sum;
+  sum.add(all.head + line + "\n");
+  while (std::getline(in, line) && ++number) {
+    if (in.eof()) // no newline: the machine stopped while it was written
+      break;
+    const long long step = stepOf(line, number, path);
+    const std::size_t check = line.rfind(' ') + 1;
+    sum.add(line.substr(0, check));
+    if (line.substr(check) != std::to_string(sum.value()))
+      fail(path, "line " + std::to_string(number) + ": check: " + line.substr(check) +
+                     " does not fit: the head, or a row up to here, was changed since it was "
+                     "written; give another file");
+    sum.add(line.substr(check) + "\n");
+    all.rows.emplace_back(step, line);
+  }
   return all;
 }
 
@@ -99,7 +112,14 @@ void FrictionLogWriter::begin(const std::string &path, const LogHeader &header, 
   path_ = path;
   head_ = headOf(header, units);
   rows_ = {};
-  file_.begin(path, head_ + format::columnLine() + "\n");
+  open(head_ + format::columnLine() + "\n");
+}
+
+void FrictionLogWriter::open(const std::string &text)
+{
+  file_.begin(path_, text);
+  sum_ = {};
+  sum_.add(text);
 }
 
 std::string FrictionLogWriter::resume(const std::string &path, const LogHeader &header,
@@ -121,9 +141,6 @@ std::string FrictionLogWriter::resume(const std::string &path, const LogHeader &
   for (const auto &[at, line] : old.rows) {
     if (at > step)
       break;
-    if (kept.number > 0 && at != kept.last + header.every)
-      fail(path, "rows are missing or repeated between the steps " + std::to_string(kept.last) +
-                     " and " + std::to_string(at));
     kept = {kept.number + 1, at};
     text += line + "\n";
   }
@@ -132,7 +149,7 @@ std::string FrictionLogWriter::resume(const std::string &path, const LogHeader &
                    ", the run that wrote the restart file had " + rowsWord(rows) +
                    ": it is another log or rows are missing; give another file to begin anew");
   rows_ = kept;
-  file_.begin(path, text);
+  open(text);
   const std::string before = versionsIn(head_), now = versionsIn(headOf(header, units));
   return before == now ? ""
                        : "friction log " + path + " was begun by " + before + ", this is " + now;
@@ -152,11 +169,15 @@ void FrictionLogWriter::write(const LogRow &r)
   if (!std::all_of(std::begin(values), std::end(values), format::isInRow))
     fail(path_, "the row of step " + std::to_string(r.step) + " has numbers that are not finite");
   std::array<char, 512> line; // ten numbers of at most 24 letters
-  std::snprintf(line.data(), line.size(),
-                "%lld %.10g %.10g %.8g %.8g %.8g %.10g %.10g %.10g %.8g\n", r.step, r.time,
-                r.displacement, r.shearStress, r.normalStress, r.mu, r.links, r.broken, r.formed,
-                r.gap);
-  file_.append(line.data());
+  std::snprintf(line.data(), line.size(), "%lld %.10g %.10g %.8g %.8g %.8g %.10g %.10g %.10g %.8g ",
+                r.step, r.time, r.displacement, r.shearStress, r.normalStress, r.mu, r.links,
+                r.broken, r.formed, r.gap);
+  mcawr::RunningChecksum sum = sum_;
+  sum.add(line.data());
+  const std::string check = std::to_string(sum.value()) + "\n";
+  file_.append(line.data() + check);
+  sum.add(check);
+  sum_ = sum;
   rows_ = {rows_.number + 1, r.step};
 }
 

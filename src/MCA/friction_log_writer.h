@@ -8,6 +8,7 @@
 
 #include "friction_log_head.h"
 #include "shared/output_file.h"
+#include "shared/running_checksum.h"
 
 #include <string>
 
@@ -65,9 +66,12 @@ class FrictionLogWriter {
   LogRows rows() const { return rows_; }
 
  private:
+  void open(const std::string &text);
+
   mcawr::GrowingFile file_;
   std::string path_, head_;
   LogRows rows_;
+  mcawr::RunningChecksum sum_; ///< of what is in the file
 };
 
 } // namespace mca

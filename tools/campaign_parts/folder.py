@@ -32,6 +32,8 @@ CHECKPOINTS = ("run.a.restart", "run.b.restart", "run.restart")
 RESULTS = (LOG, "run.profile", "run.restart")  # what a finished run leaves
 AGAIN = "move the run's folder away to make the run again"
 RESTART_END = b"LammpS RestartT\0"  # what LAMMPS writes last
+SEAL = b"mca-restart 2:\n\0"  # of pair_style mca; its checksum follows, written after all else
+UNSEALED = bytes(8)
 
 
 class FolderError(Failure):
@@ -215,13 +217,13 @@ class RunFolder:
         }
 
     def is_whole(self, name):
-        """Whether a restart file was written to its end."""
+        """Whether a restart file was written to its end, and has its checksum."""
         try:
             with open(self.file(name), "rb") as file:
-                file.seek(-len(RESTART_END), os.SEEK_END)
-                return file.read() == RESTART_END
+                content = file.read()
         except OSError:
             return False
+        return content.endswith(RESTART_END) and SEAL + UNSEALED not in content
 
     def checkpoint(self):
         """The newest restart file that was written to its end; None if there is none."""

@@ -18,10 +18,11 @@ def packed(text, rows, command):
     """A whole log whose rows are the means over `rows` rows of another; rows left over at the end
     are dropped."""
     log = friction_log.Text.of(text)
-    names = log.names
-    table = [[float(word) for word in line.split()] for line in log.rows]
+    names = [name for name in log.names if name != friction_log.CHECK]
+    table = [[float(word) for word in line.split()[: len(names)]] for line in log.rows]
     made = json.dumps({"command": command, "rows_averaged": rows})
-    result = log.head + [friction_log.CAMPAIGN + made, " ".join(names)]
+    result = [*log.head, friction_log.CAMPAIGN + made, " ".join([*names, friction_log.CHECK])]
+    checks = friction_log.Checks(result)
     for begin in range(0, len(table) - rows + 1, rows):
         block = table[begin : begin + rows]
         row = []
@@ -33,7 +34,7 @@ def packed(text, rows, command):
                 row.append(f"{sum(values) / rows:.7g}")
             else:
                 row.append(f"{values[-1]:.10g}")
-        result.append(" ".join(row))
+        result.append(checks.of(" ".join(row)))
     return "\n".join(result) + "\n"
 
 

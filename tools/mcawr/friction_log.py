@@ -8,6 +8,7 @@ stresses in MPa, lengths in nm, whatever the units of the run.
 import dataclasses
 import itertools
 import os
+import zlib
 
 from .errors import BadInput
 from .files import open_now, read_text
@@ -26,6 +27,7 @@ COLUMNS = (
     "formed",  # in it
     "gap",  # nm, at its end
 )
+CHECK = "check"  # column behind them: CRC-32 of all bytes before the number; may be missing
 LARGEST = 1e12  # of any number; the reader for C++ has the same
 SPACING = 0.02  # tolerance of the time between rows, which is printed rounded
 MEANS = ("shear_stress", "normal_stress", "mu")  # over the interval of a row
@@ -63,6 +65,30 @@ class Text:
     def numbered_rows(self):
         """(number in the file, from 1; line) of each row."""
         return enumerate(self.rows, len(self.head) + 2)
+
+
+class Checks:
+    """The numbers of the column check, row by row."""
+
+    def __init__(self, lines):
+        """lines: of the head, and the names of the columns."""
+        self._sum = 0
+        for line in lines:
+            self._add(f"{line}\n")
+
+    def _add(self, text):
+        self._sum = zlib.crc32(text.encode(), self._sum)
+
+    def of(self, row):
+        """The next row, without its number, with it."""
+        self._add(f"{row} ")
+        line = f"{row} {self._sum}"
+        self._add(f"{self._sum}\n")
+        return line
+
+    def fits(self, line):
+        """Whether the next row is as it was written."""
+        return self.of(line.rpartition(" ")[0]) == line
 
 
 @dataclasses.dataclass
@@ -104,12 +130,17 @@ def read(path, names=COLUMNS):
             raise BadInput(f"{path}:{len(text.head) + 1}: not a friction log: no column '{name}'")
     places = {name: text.names.index(name) for name in needed}
     columns = {name: [] for name in needed}
+    checks = Checks([*text.head, " ".join(text.names)]) if text.names[-1] == CHECK else None
     for number, line in text.numbered_rows():
         words = line.split()
-        if len(words) < len(text.names) and number == len(text.head) + 1 + len(text.rows):
-            break
         if len(words) != len(text.names):
             raise BadInput(f"{path}:{number}: {len(words)} columns, {len(text.names)} are expected")
+        if checks and not checks.fits(line):
+            raise BadInput(
+                f"{path}:{number}: {CHECK}: '{words[-1]}' does not fit: the head, or a row up to "
+                f"here, was changed since it was written (without the column '{CHECK}' it is read "
+                "all the same)"
+            )
         for name, place in places.items():
             columns[name].append(_value(f"{path}:{number}: {name}", words[place], name == "step"))
         _check_spacing(f"{path}:{number}", columns["step"], columns["time"])

@@ -65,6 +65,7 @@ def test_log_columns(driven):
         "broken",
         "formed",
         "gap",
+        "check",
     ]
     assert (log["step"] == np.arange(50, 4001, 50)).all()
     assert np.allclose(log["time"], log["step"] * 5e-5, rtol=1e-9)

@@ -93,7 +93,7 @@ TEST_F(FrictionLogWriterTest, HeaderThenColumnsThenRows)
   EXPECT_THAT(text(), HasSubstr("# laws: {preset: b, link: elastic_limit}"));
   EXPECT_THAT(text(),
               HasSubstr("\nstep time displacement shear_stress normal_stress mu links broken "
-                        "formed gap\n1000 0.05 0.25 7.5 15 0.5 3000 4 5 -0.1\n2000 "));
+                        "formed gap check\n1000 0.05 0.25 7.5 15 0.5 3000 4 5 -0.1 "));
   EXPECT_EQ(rows().size(), 2u);
   EXPECT_FALSE(fs::exists(path.string() + ".tmp"));
 }
@@ -189,8 +189,39 @@ TEST_F(ContinuedLogTest, RefusesRowsThatAreMissing)
   const size_t third = cut.find("\n3000 ");
   cut.erase(third, cut.find('\n', third + 1) - third);
   std::ofstream(path, std::ios::trunc) << cut;
-  EXPECT_THAT(problemOf(header(), 5000, {5, 5000}), HasSubstr("between the steps 2000 and 4000"));
-  EXPECT_THAT(problemOf(header(), 5000, {4, 5000}), HasSubstr("between the steps 2000 and 4000"));
+  for (const mca::LogRows there : {mca::LogRows{5, 5000}, mca::LogRows{4, 5000}})
+    EXPECT_THAT(problemOf(header(), 5000, there), HasSubstr("line 12: check: "));
+}
+
+TEST_F(ContinuedLogTest, RefusesABitThatWasFlipped)
+{
+  const std::string good = text();
+  for (size_t at = 0; at < good.size(); at++) {
+    std::string damaged = good;
+    damaged[at] = static_cast<char>(damaged[at] ^ 1);
+    std::ofstream(path, std::ios::trunc) << damaged;
+    EXPECT_NE(problemOf(header(), 5000, {5, 5000}), "") << "byte " << at;
+  }
+}
+
+TEST_F(ContinuedLogTest, TheCheckIsThatOfAllBytesBefore)
+{
+  std::ofstream(path, std::ios::app) << "6000 0.3 1.5";
+  {
+    mca::FrictionLogWriter log;
+    log.resume(path, header(), units, 3000, {3, 3000});
+    log.write(row(4000));
+  }
+  const std::string all = text();
+  size_t end = all.find("\n1000 ");
+  for (int k = 0; k < 4; k++) {
+    end = all.find('\n', end + 1);
+    const size_t begin = all.rfind(' ', end) + 1;
+    mcawr::RunningChecksum sum;
+    sum.add(all.substr(0, begin));
+    EXPECT_EQ(all.substr(begin, end - begin), std::to_string(sum.value())) << "row " << k;
+  }
+  EXPECT_EQ(end + 1, all.size());
 }
 
 TEST_F(ContinuedLogTest, RefusesRowsThatAreDamaged)

@@ -431,7 +431,7 @@ def test_parts_of_a_file_are_checked(rough_data, tmp_path):
     lmp("in.continue", tmp_path, **more)
     base = tmp_path / "part.base.100.restart"
     data = bytearray(base.read_bytes())
-    data[len(data) // 2] ^= 8
+    data[data.index(b"preset b ")] ^= 8
     base.write_bytes(data)
     fails("in.continue", tmp_path, "Restart file is damaged", "checksum", **more)
 

@@ -4,6 +4,7 @@
 #include "fit/friction_point.h"
 #include "fit/replicates.h"
 #include "shared/friction_log_format.h"
+#include "shared/running_checksum.h"
 
 #include <cmath>
 #include <filesystem>
@@ -113,13 +114,13 @@ TEST(FrictionLog, furtherColumnsAndWindowsLineEndsAreRead)
 
 TEST(FrictionLog, cutLastLineIsDroppedAndSaid)
 {
-  for (const std::string &end :
-       {std::string("101000 5.05 25"), row(101, 0.4).substr(0, 30), std::string("101000 5.05\n")}) {
+  for (const std::string &end : {std::string("101000 5.05 25"), row(101, 0.4).substr(0, 30)}) {
     const auto log = readFrictionLog(write(goodLog() + end));
     EXPECT_EQ(log.mu.size(), 100u);
     expectContains(log.note, ":110: the last line was cut");
   }
-  // but not if something else is wrong too
+  // but not one that has its end, and not if something else is wrong too
+  expectContains(problemOf(goodLog() + "101000 5.05\n"), ":110: 2 columns");
   expectContains(problemOf(replaced(goodLog(), row(50, 0.41), "50000 2.5\n") + "101000 5.0"),
                  ":59:");
 }
@@ -197,6 +198,30 @@ TEST(FrictionLog, whatRanIsKeysAndValues)
 {
   for (const char *laws : {"[1, 2]", "B", "{preset: [B]}", "{[a]: b}", "&x {a: *x}"})
     expectContains(problemOf(replaced(goodLog(), "{preset: B}", laws)), ":7: laws: ");
+}
+
+TEST(FrictionLog, theCheckFindsWhatWasChanged)
+{
+  std::string good = replaced(head + columns, "gap\n", "gap check\n");
+  const std::size_t names = good.rfind("step");
+  for (int i = 1; i <= 3; ++i) {
+    good += row(i, 0.4 + 1e-9 * i);
+    good.back() = ' ';
+    mcawr::RunningChecksum sum;
+    sum.add(good);
+    good += std::to_string(sum.value()) + "\n";
+  }
+  EXPECT_EQ(readFrictionLog(write(good)).mu.size(), 3u);
+  EXPECT_EQ(readFrictionLog(write(good.substr(0, good.size() - 5))).mu.size(), 2u);
+  for (std::size_t at = 0; at < good.size() - 1; ++at)
+    if (at < names ||
+        good.find('\n', names) < at) { // names: what they call is not there, or another
+      std::string changed = good;
+      changed[at] = static_cast<char>(changed[at] ^ 1);
+      EXPECT_NE(problemOf(changed), "read without complaint") << "byte " << at;
+    }
+  expectContains(problemOf(replaced(good, " 0.400000002 ", " 0.400000003 ")), ":11: check: 3");
+  expectContains(problemOf(replaced(good, " seed: 7}", " seed: 8}")), ":10: check: ");
 }
 
 TEST(FrictionLog, badRowsAreOneClearLine)

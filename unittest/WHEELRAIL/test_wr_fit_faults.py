@@ -137,7 +137,7 @@ def test_what_logs_say_is_shown_not_obeyed(tmp_path):
     for seed in (1, 2):
         text = friction_logs.friction_log(seed=seed)
         text = text.replace("{preset: B}", f"{{{quoted}: {seed}}}")
-        (tmp_path / f"{seed}{evil}.friction").write_text(text + "1 2 3\n")
+        (tmp_path / f"{seed}{evil}.friction").write_text(text + "1 2 3")
     done = wr_fit(tmp_path, "-o", tmp_path / "fit.json")
     assert done.returncode == 0 and "are taken together" in done.stderr
     assert len(done.stderr.splitlines()) == 3  # two cut lines, one warning

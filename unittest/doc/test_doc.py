@@ -8,6 +8,7 @@ A fenced block marked ``lammps`` is a complete input script and is run; excerpts
 import os
 import re
 import subprocess
+import zlib
 from pathlib import Path
 
 import pytest
@@ -202,6 +203,7 @@ def test_friction_log():
     """Columns and head as the format's one description for C++ has them."""
     schema = (ROOT / "src/WHEELRAIL/shared/friction_log_format.h").read_text(encoding="utf-8")
     columns = re.findall(r'"(\w+)"', re.search(r"columnNames = {(.*?)}", schema, re.DOTALL)[1])
+    columns.append(re.search(r'checkName = "(\w+)"', schema)[1])
     text = page("friction_log.md")
     assert re.findall(r"^\| `(\w+)` \|[^|]*\|[^|]*\|$", text, re.MULTILINE) == columns
     assert f"\n{' '.join(columns)}\n" in text
@@ -209,6 +211,8 @@ def test_friction_log():
     written = ["format"] + re.findall(r'"(\w+)"', sections)
     example = re.search(r"^```text\n(.*?)^```", text, re.MULTILINE | re.DOTALL)[1]
     assert re.findall(r"^# (\w+): ", example, re.MULTILINE) == written
+    head, _, check = example.rstrip("\n").rpartition(" ")
+    assert int(check) == zlib.crc32(f"{head} ".encode())
     for head in re.findall(r"^\| `(\w+)` \|[^|]*\|$", text, re.MULTILINE):
         assert head in written
     shipped = (ROOT / "examples/campaign/logs/velocity/v5-seed1.friction").read_text(

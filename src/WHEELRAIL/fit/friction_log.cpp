@@ -7,6 +7,7 @@
 #include "shared/friction_log_format.h"
 #include "shared/nearest_word.h"
 #include "shared/plain_number.h"
+#include "shared/running_checksum.h"
 
 #include <algorithm>
 #include <array>
@@ -263,6 +264,41 @@ void addRow(FrictionLog &log, int line, const std::array<double, format::Columns
   log.mu.push_back(log.velocity < 0.0 ? -row[format::Mu] : row[format::Mu]);
 }
 
+/// The column `check`: whether all before it is as it was written.
+class RowCheck {
+ public:
+  /// @param text of the whole file, which has to outlive this
+  /// @param names of the columns
+  RowCheck(const std::string &path, std::string_view text,
+           const std::vector<std::string_view> &names)
+      : path_(path), text_(text),
+        place_(std::find(names.begin(), names.end(), format::checkName) - names.begin())
+  {
+  }
+  /// @param words of a row, within the text, in the order of the file's rows
+  void row(int line, const std::vector<std::string_view> &words)
+  {
+    if (place_ >= words.size())
+      return;
+    const std::string_view word = words[place_];
+    const auto end = static_cast<std::size_t>(word.data() - text_.data());
+    sum_.add(text_.substr(done_, end - done_));
+    done_ = end;
+    if (word != std::to_string(sum_.value()))
+      throw badInput(
+          path_, line, format::checkName,
+          fmt::format("{} does not fit: the head, or a row up to here, was changed since "
+                      "it was written (without the column '{}' it is read all the same)",
+                      word, format::checkName));
+  }
+
+ private:
+  std::string path_;
+  std::string_view text_;
+  std::size_t place_, done_ = 0;
+  mcawr::RunningChecksum sum_; ///< of the first `done_` bytes
+};
+
 void dropStateBeforeFirstStep(FrictionLog &log)
 {
   if (log.step.empty() || log.step.front() != 0)
@@ -338,20 +374,22 @@ FrictionLog readFrictionLog(const std::string &path)
   if (i == lines.size() || (i + 1 == lines.size() && !lastLineEnded))
     throw badInput(path, static_cast<int>(lines.size()), "", "cut short: no line of column names");
   const auto place = readColumns(log, static_cast<int>(i + 1), lines[i]);
-  const auto width = splitWords(lines[i]).size();
+  const auto names = splitWords(lines[i]);
+  RowCheck check(path, text, names);
 
   for (++i; i < lines.size(); ++i) {
     const int number = static_cast<int>(i + 1);
     const bool last = i + 1 == lines.size();
     const auto words = splitWords(lines[i]);
-    if (last && (!lastLineEnded || words.size() < width)) {
+    if (last && !lastLineEnded) {
       log.note = fmt::format("{}:{}: the last line was cut while it was written; it is left out",
                              path, number);
       break;
     }
-    if (words.size() != width)
+    if (words.size() != names.size())
       throw badInput(path, number, "",
-                     fmt::format("{} columns, {} are expected", words.size(), width));
+                     fmt::format("{} columns, {} are expected", words.size(), names.size()));
+    check.row(number, words);
     std::array<double, format::Columns> row{};
     for (size_t c = 0; c < format::Columns; ++c)
       row[c] = readNumber(log, number, c, words[place[c]]);

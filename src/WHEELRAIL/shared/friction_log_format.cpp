@@ -15,8 +15,8 @@ std::string columnLine()
 {
   std::string line;
   for (const char *name : columnNames)
-    line += (line.empty() ? "" : " ") + std::string(name);
-  return line;
+    line += name + std::string(" ");
+  return line + checkName;
 }
 
 bool isIn(Range range, double value)

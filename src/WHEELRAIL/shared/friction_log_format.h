@@ -151,7 +151,13 @@ constexpr std::array<const char *, Columns> columnNames = {
     "step", "time",  "displacement", "shear_stress", "normal_stress",
     "mu",   "links", "broken",       "formed",       "gap"};
 
-/// "step time displacement ...", the line below the head.
+/// Name of the column behind these, which finds damage and what was changed: CRC-32
+/// (`RunningChecksum`) of all bytes of the file before the number, which is decimal. Readers take
+/// logs without it.
+constexpr const char *checkName = "check";
+constexpr int columnsWritten = Columns + 1; ///< with it
+
+/// "step time displacement ... check", the line below the head.
 /// A reader finds its columns by the names in this line, whatever their order.
 std::string columnLine();
 
