@@ -164,6 +164,50 @@ def test_every_variable_of_the_friction_example(tmp_path):
     assert steps_of(tmp_path / "mine.friction") == list(range(50, 751, 50))
 
 
+@pytest.mark.parametrize("name", ["notched", "brazilian", "scratch"])
+def test_tables_of_variables_are_those_of_the_script(name):
+    folder = ROOT / "examples" / name
+    page = (folder / "README.md").read_text(encoding="utf-8")
+    table = re.findall(r"^\| `(\w+)` \| `(.*?)` \|", page, re.MULTILINE)
+    assert dict(table) == script_variables(folder / f"in.{name}")
+
+
+def test_notched_plates_have_one_toughness(tmp_path):
+    """Of two depths in a smaller plate, and that of the page."""
+    page = (ROOT / "examples/notched/README.md").read_text(encoding="utf-8")
+    shown = float(re.search(r"^\| 10 \|.*\| ([\d.]+) \|$", page, re.MULTILINE)[1])
+    for notch in (4, 8):
+        values = {"notch": notch, "columns": 40, "rows": 60, "rate": 6e-4, "after": 0.04}
+        log = run(ROOT / "examples/notched/in.notched", tmp_path, values)
+        toughness = float(re.search(r"^notches of .* = (\S+) strength d", log, re.MULTILINE)[1])
+        assert toughness == pytest.approx(shown, rel=0.06)
+    frames = (tmp_path / "notched.dump").read_text(encoding="utf-8").count("ITEM: TIMESTEP")
+    assert frames == 2
+
+
+def test_weaker_half_of_the_disc_decides(tmp_path):
+    """And what Drucker and Prager's limit says of stresses of s and -3s, within the flats' share."""
+    split = {}
+    for name, value in {"E": 206000, "strength2": 184, "strength": 46}.items():
+        values = {"radius": 40, "rate": 5e-3, "after": 0.002, "strength2": 92, name: value}
+        log = run(ROOT / "examples/brazilian/in.brazilian", tmp_path, values)
+        split[name] = float(re.search(r"^2P/\(pi D h\) = (\S+) MPa", log, re.MULTILINE)[1])
+    assert split["E"] == pytest.approx(1.337 / 0.894 * 92, rel=0.06)
+    assert split["strength2"] == pytest.approx(split["E"], rel=0.02)
+    assert split["strength"] == pytest.approx(split["E"] / 2, rel=0.06)
+
+
+def test_scratch(tmp_path):
+    values = {"columns": 40, "rows": 12, "depth": 2.5, "length": 5, "radius": 7.5, "laws": "a"}
+    log = run(ROOT / "examples/scratch/in.scratch", tmp_path, values)
+    hardness = float(re.search(r"^depth 2.5 nm: hardness (\S+) MPa", log, re.MULTILINE)[1])
+    mu, lost = re.search(
+        r"^scratch over 5 nm: friction (\S+), links lost (\d+)", log, re.MULTILINE
+    ).groups()
+    assert 0.5 * 92 < hardness < 4 * 92
+    assert 0.0 < float(mu) < 3.0 and int(lost) > 0
+
+
 def test_every_variable_of_the_bar(tmp_path):
     """Each changes the box, the strain or the stress; the table of the page is the script's."""
     defaults = script_variables(SPACE / "in.bar")
