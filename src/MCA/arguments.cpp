@@ -6,6 +6,7 @@
 #include "shared/plain_number.h"
 
 #include <charconv>
+#include <cmath>
 #include <optional>
 
 using namespace LAMMPS_NS;
@@ -28,14 +29,17 @@ double number(LAMMPS *lmp, const std::string &what, const std::string &word, Sig
               const std::string &more)
 {
   const auto value = mcawr::plainNumber(word);
-  const bool fits =
-      value && (sign == Sign::Any || *value > 0.0 || (sign == Sign::NotNegative && *value == 0.0));
+  constexpr double largest = 1e60;
+  const double size = value ? std::abs(*value) : largest;
+  const bool ordinary = size <= largest && size >= 1.0 / largest;
+  const bool fits = value && (*value == 0.0 ? sign != Sign::Positive
+                                            : ordinary && (sign == Sign::Any || *value > 0.0));
   if (!fits)
-    lmp->error->all(FLERR, "{} is '{}', allowed: a finite number{}{}", what, word,
+    lmp->error->all(FLERR, "{} is '{}', allowed: a finite number{}{}{}", what, word,
                     sign == Sign::Positive      ? " > 0"
                     : sign == Sign::NotNegative ? " >= 0"
                                                 : "",
-                    more);
+                    more, value && !ordinary ? ", of size 1e-60 to 1e60" : "");
   return *value;
 }
 

@@ -19,7 +19,7 @@ namespace mca {
 /// Which numbers are taken.
 enum class Sign { Any, NotNegative, Positive };
 
-/// A number.
+/// A number whose size is 0 or 1e-60 to 1e60: products of a few do not overflow.
 /// \param what  style and keyword, "Fix mca/drive pressure"
 /// \param more  what is allowed beside it, for the message: " (MPa) or v_name"
 double number(LAMMPS_NS::LAMMPS *, const std::string &what, const std::string &word,

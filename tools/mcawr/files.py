@@ -8,7 +8,7 @@ import pathlib
 import secrets
 import stat
 
-from .errors import BadInput, Exit, Failure
+from .errors import BadInput, Exit, Failure, one_line
 
 
 def _cannot(path, error):
@@ -183,6 +183,7 @@ def picture(figure, path, dpi=130, kind="png"):
     kind); closes it. Raises Failure: 2 for a format that there is not, 3 for what cannot be
     drawn."""
     from matplotlib import pyplot
+    from matplotlib.text import Text
 
     kind = (os.path.splitext(path)[1].lstrip(".") or kind).lower()
     known = figure.canvas.get_supported_filetypes()
@@ -191,6 +192,8 @@ def picture(figure, path, dpi=130, kind="png"):
             Exit.USAGE, f"{path}: '.{kind}' is not a picture; known: {' '.join(sorted(known))}"
         )
     check_size(figure, dpi)
+    for text in figure.findobj(Text):  # of files and of the command line
+        text.set_text("\n".join(map(one_line, text.get_text().split("\n"))))
     page = io.BytesIO()
     try:
         figure.savefig(page, dpi=dpi, format=kind)

@@ -83,7 +83,8 @@ TEST(MaterialFile, Truncated)
 TEST(MaterialFile, NotANumber)
 {
   const std::string line = problemOf(changed("density 0.0077999999999999996", "density 7.8g"));
-  EXPECT_EQ(line, "x.mca:4: density is '7.8g', allowed: a finite number > 0 [mass/volume]");
+  EXPECT_EQ(line, "x.mca:4: density is '7.8g', allowed: a finite number > 0, 1e-60 to "
+                  "1e60 [mass/volume]");
   for (const char *value : {"nan", "inf", "-inf", "1e999", "0x", "--1", "seven"})
     EXPECT_THAT(problemOf(changed("strength 92", std::string("strength ") + value)),
                 HasSubstr(std::string("strength is '") + value + "', allowed: a finite number > 0"))

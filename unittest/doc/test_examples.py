@@ -186,7 +186,7 @@ def test_notched_plates_have_one_toughness(tmp_path):
 
 
 def test_weaker_half_of_the_disc_decides(tmp_path):
-    """And what Drucker and Prager's limit says of stresses of s and -3s, within the flats' share."""
+    """And the limit is that of stresses of s and -3s by Drucker and Prager."""
     split = {}
     for name, value in {"E": 206000, "strength2": 184, "strength": 46}.items():
         values = {"radius": 40, "rate": 5e-3, "after": 0.002, "strength2": 92, name: value}

@@ -73,3 +73,10 @@ def test_negative_creep(call, tmp_path):
     code, _, err = call("plot_creep.py", tmp_path / "creep.csv", "-o", tmp_path / "a.png")
     assert code == 0 and err == ""
     call.refused(2, "plot_creep.py", tmp_path / "creep.csv", "--label", "a", "--label", "b")
+
+
+def test_control_characters_in_labels_are_shown_not_drawn(call, tmp_path):
+    """matplotlib would warn of each on two lines."""
+    (tmp_path / "creep.csv").write_text(GOOD)
+    words = ("--label", "\x1b[31mred", "-o", tmp_path / "a.png")
+    assert call("plot_creep.py", tmp_path / "creep.csv", *words)[::2] == (0, "")

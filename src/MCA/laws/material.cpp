@@ -7,20 +7,28 @@
 
 namespace mca {
 
+namespace {
+constexpr const char *positive = "> 0, 1e-60 to 1e60"; // products of a few do not overflow
+bool isPositive(double x)
+{
+  return x >= 1e-60 && x <= 1e60;
+}
+} // namespace
+
 const std::vector<MaterialQuantity> &materialQuantities()
 {
   static const std::vector<MaterialQuantity> table = {
-      {"youngs_modulus", &Material::youngsModulus, "stress", "> 0"},
+      {"youngs_modulus", &Material::youngsModulus, "stress", positive},
       {"poissons_ratio", &Material::poissonsRatio, "-", "> -1 and < 0.5"},
-      {"density", &Material::density, "mass/volume", "> 0"},
-      {"strength", &Material::strength, "stress", "> 0"},
+      {"density", &Material::density, "mass/volume", positive},
+      {"strength", &Material::strength, "stress", positive},
       {"elastic_limit", &Material::elasticLimit, "of strength", "> 0 and <= yield_strength"},
       {"yield_strength", &Material::yieldStrength, "of strength", ">= elastic_limit and <= 1"},
       {"yield_strain", &Material::yieldStrain, "-",
        "> the elastic strain there and < breaking_strain"},
       {"breaking_strain", &Material::breakingStrain, "-", "> yield_strain and < 0.5"},
-      {"viscosity", &Material::viscosity, "stress time", ">= 0"},
-      {"diameter", &Material::diameter, "length", "> 0"},
+      {"viscosity", &Material::viscosity, "stress time", ">= 0, 0 or 1e-60 to 1e60"},
+      {"diameter", &Material::diameter, "length", positive},
   };
   return table;
 }
@@ -58,13 +66,13 @@ std::string checkMaterial(const Material &m)
   for (const auto &q : materialQuantities())
     if (!std::isfinite(m.*q.value))
       return bad(q.keyword, m.*q.value);
-  if (m.youngsModulus <= 0)
+  if (!isPositive(m.youngsModulus))
     return bad("youngs_modulus", m.youngsModulus);
   if (m.poissonsRatio <= -1 || m.poissonsRatio >= 0.5)
     return bad("poissons_ratio", m.poissonsRatio);
-  if (m.density <= 0)
+  if (!isPositive(m.density))
     return bad("density", m.density);
-  if (m.strength <= 0)
+  if (!isPositive(m.strength))
     return bad("strength", m.strength);
   if (m.yieldStrength <= 0 || m.yieldStrength > 1)
     return bad("yield_strength", m.yieldStrength);
@@ -76,9 +84,9 @@ std::string checkMaterial(const Material &m)
     return bad("yield_strain", m.yieldStrain);
   if (m.plasticStrainUltimate() <= m.plasticStrainY2())
     return bad("breaking_strain", m.breakingStrain);
-  if (m.viscosity < 0)
+  if (m.viscosity != 0 && !isPositive(m.viscosity))
     return bad("viscosity", m.viscosity);
-  if (m.diameter <= 0)
+  if (!isPositive(m.diameter))
     return bad("diameter", m.diameter);
   return "";
 }
