@@ -13,6 +13,11 @@ set(CPACK_SOURCE_PACKAGE_FILE_NAME ${PROJECT_NAME}-${PROJECT_VERSION})
 set(CPACK_SOURCE_IGNORE_FILES "^${PROJECT_SOURCE_DIR}/(build|results|\\.git)" "/__pycache__/"
     "/\\.pytest_cache/")
 
+# the archive holds no git, so its commit goes into a file
+file(WRITE "${PROJECT_BINARY_DIR}/archive_commit.cmake"
+     "if(NOT CPACK_INSTALL_CMAKE_PROJECTS)\n  file(WRITE \"\${CMAKE_INSTALL_PREFIX}/COMMIT\" \"${MCAWR_COMMIT}\\n\")\nendif()\n")
+set(CPACK_INSTALL_SCRIPTS "${PROJECT_BINARY_DIR}/archive_commit.cmake")
+
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION science)
 # libraries: as dpkg-shlibdeps finds them, liblammps is in the package

@@ -68,6 +68,9 @@ def test_source_archive(tmp_path):
     (archive,) = tmp_path.glob("*.tar.gz")
     with tarfile.open(archive) as file:
         names = {name.partition("/")[2] for name in file.getnames()}
+        (top,) = {name.partition("/")[0] for name in file.getnames()}
+        commit = file.extractfile(f"{top}/COMMIT").read().decode().strip()
+    assert f"({commit})" in run(BUILD / "bin/wr_fit", "--version", folder=tmp_path)
     root = Path(__file__).resolve().parents[2]
     words = ["git", "-C", str(root), "ls-files"]
     listed = subprocess.run(words, text=True, capture_output=True, check=False)
