@@ -395,7 +395,8 @@ void unpackPartners(const mca::Record &record)
 void readRecords(const std::string &bytes)
 {
   std::vector<double> values(bytes.size() / sizeof(double)); // no more than there is
-  std::memcpy(values.data(), bytes.data(), values.size() * sizeof(double));
+  if (!values.empty())
+    std::memcpy(values.data(), bytes.data(), values.size() * sizeof(double));
   for (int number = 0; number < 2; number++) {
     const auto place = mca::recordNumber(values.data(), values.size(), number);
     if (!place)

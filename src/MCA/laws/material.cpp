@@ -8,7 +8,7 @@
 namespace mca {
 
 namespace {
-constexpr const char *positive = "> 0, 1e-60 to 1e60"; // products of a few do not overflow
+// Products of a few do not overflow.
 bool isPositive(double x)
 {
   return x >= 1e-60 && x <= 1e60;
@@ -18,17 +18,17 @@ bool isPositive(double x)
 const std::vector<MaterialQuantity> &materialQuantities()
 {
   static const std::vector<MaterialQuantity> table = {
-      {"youngs_modulus", &Material::youngsModulus, "stress", positive},
+      {"youngs_modulus", &Material::youngsModulus, "stress", "> 0, 1e-60 to 1e60"},
       {"poissons_ratio", &Material::poissonsRatio, "-", "> -1 and < 0.5"},
-      {"density", &Material::density, "mass/volume", positive},
-      {"strength", &Material::strength, "stress", positive},
+      {"density", &Material::density, "mass/volume", "> 0, 1e-60 to 1e60"},
+      {"strength", &Material::strength, "stress", "> 0, 1e-60 to 1e60"},
       {"elastic_limit", &Material::elasticLimit, "of strength", "> 0 and <= yield_strength"},
       {"yield_strength", &Material::yieldStrength, "of strength", ">= elastic_limit and <= 1"},
       {"yield_strain", &Material::yieldStrain, "-",
        "> the elastic strain there and < breaking_strain"},
       {"breaking_strain", &Material::breakingStrain, "-", "> yield_strain and < 0.5"},
       {"viscosity", &Material::viscosity, "stress time", ">= 0, 0 or 1e-60 to 1e60"},
-      {"diameter", &Material::diameter, "length", positive},
+      {"diameter", &Material::diameter, "length", "> 0, 1e-60 to 1e60"},
   };
   return table;
 }
