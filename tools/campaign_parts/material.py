@@ -7,6 +7,7 @@ from mcawr.files import read_text
 from mcawr.numbers import decimal
 from mcawr.words import known_words
 
+from .located import shown
 from .quantities import KEYS
 
 # keyword of the file: (key of the plan, dimension)
@@ -37,7 +38,9 @@ def read(path):
     head = lines[0].split()
     units = head[head.index("UNITS:") + 1] if "UNITS:" in head[:-1] else None
     if units not in UNITS:
-        raise BadInput(f"{path}:1: 'UNITS: STYLE' with {', '.join(UNITS)} is needed, not '{units}'")
+        raise BadInput(
+            f"{path}:1: 'UNITS: STYLE' with {', '.join(UNITS)} is needed, not '{shown(units)}'"
+        )
     found = {}
     for number, line in enumerate(lines[1:], 2):
         words = line.partition("#")[0].split()
@@ -46,7 +49,8 @@ def read(path):
         keyword, *value = words
         if keyword not in QUANTITIES:
             raise BadInput(
-                f"{path}:{number}: unknown keyword '{keyword}'{known_words(keyword, QUANTITIES)}"
+                f"{path}:{number}: unknown keyword '{shown(keyword)}'"
+                f"{known_words(keyword, QUANTITIES)}"
             )
         key, dimension = QUANTITIES[keyword]
         if key in found:
@@ -59,7 +63,8 @@ def read(path):
                 raise ValueError
         except ValueError:
             raise BadInput(
-                f"{path}:{number}: {keyword}: '{' '.join(value)}' is not allowed, must be {allowed}"
+                f"{path}:{number}: {keyword}: '{shown(' '.join(value))}' is not allowed, must be "
+                f"{allowed}"
             ) from None
     for keyword, (key, _) in QUANTITIES.items():
         if key not in found:

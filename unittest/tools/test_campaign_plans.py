@@ -242,6 +242,8 @@ def test_steel_is_the_default(tmp_path):
         (ALUMINIUM.replace("300 ", "1 500 "), "own.mca:7: strength: '1 500'"),
         (ALUMINIUM.replace("300 ", "-3 "), "own.mca:7: strength: '-3'"),
         (ALUMINIUM.replace("300 ", "# "), "own.mca:7: strength: ''"),
+        (ALUMINIUM.replace("300 ", "3" * 5000 + " "), f"strength: '{'3' * 57}...' is not allowed"),
+        (ALUMINIUM.replace("density", "d" * 5000), f"unknown keyword '{'d' * 57}...'"),
         (ALUMINIUM + "density 1\n", "own.mca:14: density appears twice"),
         (ALUMINIUM.replace("0.33", "0.5"), "must be a number in -1 .. 0.5"),
         (ALUMINIUM.replace("0.9 ", "1.1 "), "yield_strength: '1.1' is not allowed, must be <= 1"),
