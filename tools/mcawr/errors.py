@@ -34,10 +34,14 @@ class Failure(Exception):
 
 
 class BadInput(Failure):
-    """What is wrong in an input file: file, line, what stands there and what is allowed."""
+    """What is wrong in an input file: file, line, what stands there and what is allowed; of a long
+    text, which what stands there may be, beginning and end."""
 
     def __init__(self, text):
-        super().__init__(Exit.BAD_INPUT, text)
+        text = str(text)
+        super().__init__(
+            Exit.BAD_INPUT, text if len(text) <= 1000 else f"{text[:700]} ... {text[-200:]}"
+        )
 
 
 class OutputLost(Failure):

@@ -114,7 +114,9 @@ def main():
     """All readers."""
     tables.complain = lambda _: None  # notes of files without a checksum
     drill = Drill(__doc__, 1000, "files for each reader; 1000000 in the table of doc/testing.md")
-    path = pathlib.Path(tempfile.mkdtemp(dir=drill.folder)) / "x.yaml"
+    memory = "/dev/shm" if os.access("/dev/shm", os.W_OK) else drill.folder  # six times as fast
+    folder_of_one = tempfile.TemporaryDirectory(prefix="drill-", dir=memory)
+    path = pathlib.Path(folder_of_one.name) / "x.yaml"
     for name, (corpus, read) in readers().items():
         if not drill.wanted(name):
             continue
@@ -133,6 +135,7 @@ def main():
             except Exception as error:  # whatever else is a fault of the reader
                 drill.fault(name, f"file {number}: {type(error).__name__}: {error}"[:300])
     signal.setitimer(signal.ITIMER_PROF, 0)
+    folder_of_one.cleanup()
     drill.end()
 
 

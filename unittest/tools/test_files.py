@@ -386,3 +386,11 @@ def test_nobody_takes_anything(script, words, work):
 def test_one_line():
     assert errors.one_line(" a\nb\x1b[31mc\t") == "a\\nb\\x1b[31mc"
     assert errors.one_line("µ = 0,4 – größer") == "µ = 0,4 – größer"
+
+
+def test_long_texts_of_files_are_cut_in_messages():
+    text = f"a.vti: 'Float{'[' * 5000}64' is no type: Float32, Float64"
+    message = str(errors.BadInput(text))
+    assert len(message) < 1000 and message.startswith("a.vti: 'Float[")
+    assert message.endswith("Float32, Float64")
+    assert str(errors.BadInput(text[:900])) == text[:900]
