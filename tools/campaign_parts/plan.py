@@ -289,7 +289,8 @@ def read(path):
         varying = [n for n in varying if n not in solid or n in stated_ones]
     runs, seen = [], {}
     for number, label, values in expanded:
-        name = label or "-".join(_suffix(n, values[n]) for n in varying) or "run"
+        told = [_suffix(n, values[n]) for n in varying if values[n] is not None]
+        name = label or "-".join(told) or "run"
         if not NAME.fullmatch(name):
             raise refused(
                 path,

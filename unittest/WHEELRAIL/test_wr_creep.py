@@ -1,58 +1,16 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The command line of wr_creep: results, bad input, exit codes, interruption, documentation."""
+"""The command line of wr_creep: results, bad input, exit codes, interruption."""
 
-import csv
 import json
 import math
 import os
-import pathlib
 import re
 import signal
 import subprocess
 import time
 
 import pytest
-
-BIN = pathlib.Path(os.environ["WHEELRAIL_BIN"]) / "wr_creep"
-SOURCE = pathlib.Path(os.environ["PROJECT_SOURCE"])
-TABLE2 = SOURCE / "examples/wheelrail/table2.yaml"
-DOC = SOURCE / "doc/wr_creep.md"
-
-CASE = """\
-contact: {load_per_length: 4000 N/mm, radius: 0.5 m, youngs_modulus: 210 GPa, poissons_ratio: 0.3}
-friction: {law: constant, mu: 0.3}
-thermal: off
-speed: 20 m/s
-creep: [2e-4, 5e-4, 1e-3, 1.5e-3, 2e-3, 2.5e-3, 3e-3]
-points: 1000
-"""
-ROUGH = "roughness={hurst: 0.8, rms_slope: 0.02, wavelength_min: 0.1 mm, wavelength_max: 10 mm}"
-
-
-def wr_creep(*arguments, **options):
-    return subprocess.run([BIN, *map(str, arguments)], capture_output=True, text=True, **options)
-
-
-def table(path):
-    with open(path, encoding="utf-8") as file:
-        return list(csv.DictReader(line for line in file if not line.startswith("#")))
-
-
-def law_file(covariance):
-    return {
-        "format": "mca-friction-law 1",
-        "mu0": 0.15,
-        "mu1": 0.0442,
-        "mu2": 0.3243,
-        "b": 0.195,
-        "c": 0.00212,
-        "covariance": covariance,
-        "n": 34,
-        "rms_relative": 0.09,
-        "kappa1_range": [0, 5],
-        "kappa2_range": [2, 1500],
-        "source": "test",
-    }
+from line_runs import BIN, CASE, ROUGH, SOURCE, TABLE2, law_file, table, wr_creep
 
 
 @pytest.fixture
@@ -586,146 +544,3 @@ def test_interrupted_run_goes_on(case, tmp_path):
     summary = json.loads((tmp_path / "out/summary.json").read_text())
     assert summary["points"] == 8000 and summary["points_resumed"] > 0
     assert not journal.exists()
-
-
-def test_documentation_and_program_agree():
-    """Every keyword and option is documented, and every documented one exists."""
-    text = DOC.read_text(encoding="utf-8")
-    help_text = wr_creep("--help").stdout
-    section = help_text[
-        help_text.index("Keywords of the case file") : help_text.index("Exit codes")
-    ]
-    keywords = set(re.findall(r"^  ([a-z][a-zA-Z0-9_.]*) ", section, re.M))
-    assert len(keywords) > 30
-    documented = set(re.findall(r"^\| `([a-z][a-zA-Z0-9_.]*)` ", text, re.M))
-    assert documented == keywords
-    options = set(re.findall(r"--[a-z][a-z-]+", help_text[: help_text.index("Examples:")]))
-    assert set(re.findall(r"^\* `(?:-\w, )?(--[a-z][a-z-]+)", text, re.M)) == options
-    for code in range(7):
-        assert re.search(rf"^\| {code} \|", text, re.M), code
-
-
-def test_table_of_keywords_has_the_programs_ranges_and_defaults():
-    text, help_text = DOC.read_text(encoding="utf-8"), wr_creep("--help").stdout
-    for name, allowed, default in re.findall(
-        r"^\| `([a-z][a-zA-Z0-9_.]*)` \| (.*?) \| (.*?) \|", text, re.M
-    ):
-        line = re.search(rf"^  {re.escape(name)} +(.*)$", help_text, re.M)[1]
-        wanted = allowed.replace(" or ", "|") + (f" [{default.strip('`')}]" if default else "")
-        assert line == wanted, name
-
-
-def test_worked_examples_of_the_help_run(tmp_path):
-    """Every `wr_creep ...` of --help, on this folder's copies of the files it names."""
-    (tmp_path / "table2.yaml").write_text(TABLE2.read_text(encoding="utf-8"), encoding="utf-8")
-    (tmp_path / "law.json").write_text(json.dumps(law_file([[0.0] * 5] * 5)), encoding="utf-8")
-    text = wr_creep("--help").stdout
-    section = text[text.index("Examples:") : text.index("Keywords of the case file")]
-    commands = re.findall(r"^  (wr_creep (?:.*\n {11,})*.*)$", section, re.M)
-    assert len(commands) == 6
-    for command in commands:
-        done = subprocess.run(
-            command.replace("wr_creep", str(BIN), 1).replace("\n", " "),
-            shell=True,
-            cwd=tmp_path,
-            capture_output=True,
-            text=True,
-            check=False,
-        )
-        assert done.returncode == 0, command + done.stderr
-
-
-@pytest.mark.parametrize("name", ["table2", "rough", "measured", "static", "periodic"])
-def test_examples_run(name, tmp_path):
-    done = wr_creep(
-        SOURCE / f"examples/wheelrail/{name}.yaml",
-        "-o",
-        tmp_path,
-        "-q",
-        "--set",
-        "creep=[1e-3, 0.1]",
-    )
-    assert done.returncode == 0, done.stderr
-
-
-def test_moving_example_runs(tmp_path):
-    done = wr_creep(
-        SOURCE / "examples/wheelrail/moving.yaml",
-        "-o",
-        tmp_path,
-        "--set",
-        "points=512",
-        "--set",
-        "roughness.wavelength_min=0.4 mm",
-        "--set",
-        "creep=[2e-4, 1e-2]",
-        "--set",
-        "moving.passes=2",
-    )
-    assert done.returncode == 0, done.stderr
-    low, high = (float(row["traction_ratio"]) for row in table(tmp_path / "creep.csv"))
-    assert low == pytest.approx(0.0411, rel=0.2)  # the smooth contact's; frozen: half of it
-    assert high == pytest.approx(0.3)
-
-
-def test_pictures(case, tmp_path):
-    """plot_creep.py and one figure of plot_wheelrail.py, where matplotlib is there."""
-    pytest.importorskip("matplotlib")
-    wr_creep(case, "-o", tmp_path, "-q")
-    plot = [SOURCE / "tools/plot_creep.py", tmp_path / "creep.csv", "-o", tmp_path / "creep.png"]
-    assert subprocess.run(plot, check=False).returncode == 0
-    assert (tmp_path / "creep.png").stat().st_size > 10000
-    (tmp_path / "creep.csv").write_text("speed,creep\n1,x\n", encoding="utf-8")
-    assert subprocess.run(plot, check=False, capture_output=True).returncode == 3
-    figure = [SOURCE / "tools/plot_wheelrail.py", "fig13", "-o", tmp_path, "--wr-creep", BIN]
-    assert subprocess.run(figure, check=False).returncode == 0
-    assert (tmp_path / "fig13.png").stat().st_size > 10000
-    numbers = json.loads((tmp_path / "fig13.json").read_text())
-    rows = table(tmp_path / "fig13.csv")
-    assert list(rows[0]) == list(numbers["columns"]) and len(rows) > 1000
-    assert [float(row["mu"]) for row in rows] == numbers["columns"]["mu"]
-    assert sorted(path.suffix for path in tmp_path.glob("fig13*")) == [".csv", ".json", ".png"]
-
-
-def test_chain_from_campaign_to_creep(tmp_path):
-    """Logs of Eq. 2 with noise -> law -> creep curves whose band holds those of the paper's law."""
-    import sys
-
-    sys.path.insert(0, str(pathlib.Path(__file__).parent))
-    import friction_logs
-
-    friction_logs.campaign(tmp_path / "campaign")
-    done = subprocess.run(
-        [
-            SOURCE / "tools/campaign_to_creep.sh",
-            tmp_path / "campaign",
-            "-o",
-            tmp_path / "out",
-            "--start",
-            "12",
-            "--",
-            "--set",
-            "speed=20 m/s",
-            "--set",
-            "creep=[0.01, 0.1]",
-        ],
-        check=False,
-        capture_output=True,
-        text=True,
-        env={**os.environ, "MCAWR_BUILD": str(BIN.parents[1])},
-    )
-    assert done.returncode == 0, done.stderr
-    points = json.loads((tmp_path / "out/law.json").read_text())["report"]["points"]
-    assert points and all(point["t_start"] == 12 for point in points)
-    paper = table(tmp_path / "out/paper/creep.csv")
-    for row, other in zip(table(tmp_path / "out/creep_band.csv"), paper, strict=True):
-        assert 0.0 < float(row["standard_error"]) < 0.05
-        assert float(row["low"]) < float(other["traction_ratio"]) < float(row["high"])
-    done = subprocess.run(
-        [SOURCE / "tools/campaign_to_creep.sh", tmp_path / "none", "-o", tmp_path / "out2"],
-        check=False,
-        capture_output=True,
-        text=True,
-        env={**os.environ, "MCAWR_BUILD": str(BIN.parents[1])},
-    )
-    assert done.returncode == 3

@@ -109,6 +109,12 @@ def test_bad_plan_is_one_clear_line(tmp_path, text, parts):
     assert not (tmp_path / "out").exists()
 
 
+def test_a_step_that_some_runs_leave_to_the_material(tmp_path):
+    path = tmp_path / "plan.yaml"
+    path.write_text("format: mca-campaign 1\nruns:\n  - {v: 5, dt: 1e-5}\n  - {v: 2}\n")
+    assert [run.name for run in plans.read(str(path)).runs] == ["v5-dt1e-05", "v2"]
+
+
 def test_csv_plan(tmp_path):
     path = tmp_path / "plan.csv"
     path.write_text("# made by hand\nname,p,v,seed\none,15,5,1\ntwo,1.5,2,2\n")

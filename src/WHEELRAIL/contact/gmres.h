@@ -4,7 +4,9 @@
 
 #include <Eigen/Core>
 
+#include <algorithm>
 #include <cmath>
+#include <type_traits>
 #include <vector>
 
 namespace wheelrail {
@@ -16,6 +18,107 @@ struct GmresReport {
   double residual = 0.0;  ///< |b - A x| / scale, of the product computed last: the true one
   bool converged = false; ///< residual <= tolerance
 };
+
+/// Vectors of a Krylov space. In single precision they take half the memory, and half the time
+/// where that is what limits; enough where the step need not be known to better than about 1e-5.
+template<class Scalar>
+using KrylovVector = Eigen::Matrix<Scalar, Eigen::Dynamic, 1>;
+
+/// a b, of single precision summed in parts in double: its error is that of 4096 terms.
+template<class Scalar>
+double innerProduct(const KrylovVector<Scalar> &a, const KrylovVector<Scalar> &b)
+{
+  if constexpr (std::is_same_v<Scalar, double>)
+    return a.dot(b);
+  double sum = 0.0;
+  constexpr Eigen::Index part = 4096;
+  for (Eigen::Index i = 0; i < a.size(); i += part) {
+    const Eigen::Index length = std::min(part, a.size() - i);
+    sum += a.segment(i, length).dot(b.segment(i, length));
+  }
+  return sum;
+}
+
+/// Length of a vector.
+template<class Scalar>
+double lengthOf(const KrylovVector<Scalar> &a)
+{
+  if constexpr (std::is_same_v<Scalar, double>)
+    return a.norm();
+  return std::sqrt(innerProduct<Scalar>(a, a));
+}
+
+/// What one Krylov space gives.
+struct GmresCycle {
+  Eigen::VectorXd step;  ///< to add to x, before the preconditioner; empty: no direction is left
+  double residual = 0.0; ///< |b - A x| after it, as the recurrence has it
+  int products = 0;
+};
+
+/// One cycle of GMRES (Saad, Schultz 1986), preconditioned on the right, from the residual r of the
+/// x that it starts from.
+/// @tparam Scalar in which the space is kept
+/// @param apply, precondition as `gmres` takes them
+/// @param goal length of the residual at which it ends, in the unit of r
+/// @param vectors of the space, at most; at least 1
+/// @param maxProducts at most
+template<class Scalar, class Apply, class Precondition>
+GmresCycle gmresCycle(const Apply &apply, const Precondition &precondition,
+                      const Eigen::VectorXd &r, double goal, int vectors, int maxProducts)
+{
+  using Eigen::VectorXd;
+  using Basis = KrylovVector<Scalar>;
+  GmresCycle cycle;
+  const double beta = r.norm();
+  std::vector<Basis> basis{(r / beta).template cast<Scalar>()};
+  // Upper Hessenberg matrix, turned into a triangle by Givens rotations column by column; |g[k]|
+  // is the residual after k columns.
+  Eigen::MatrixXd h = Eigen::MatrixXd::Zero(vectors + 1, vectors);
+  VectorXd cosines(vectors), sines(vectors), g = VectorXd::Zero(vectors + 1);
+  g[0] = beta;
+  int k = 0;
+  while (k < vectors && std::abs(g[k]) > goal && cycle.products < maxProducts) {
+    // Arnoldi: the next direction, made orthogonal to those before.
+    Basis w =
+        apply(precondition(VectorXd(basis[k].template cast<double>()))).template cast<Scalar>();
+    ++cycle.products;
+    for (int j = 0; j <= k; ++j) { // modified Gram-Schmidt
+      h(j, k) = innerProduct<Scalar>(w, basis[j]);
+      w -= Scalar(h(j, k)) * basis[j];
+    }
+    h(k + 1, k) = lengthOf<Scalar>(w);
+    const double below = h(k + 1, k);
+    for (int j = 0; j < k; ++j) { // the rotations so far
+      const double above = h(j, k);
+      h(j, k) = cosines[j] * above + sines[j] * h(j + 1, k);
+      h(j + 1, k) = -sines[j] * above + cosines[j] * h(j + 1, k);
+    }
+    // One more rotation takes the element below the diagonal away. A column of zeros has none:
+    // the operator is singular on this space.
+    const double length = std::hypot(h(k, k), below);
+    if (!(length > 0.0))
+      break;
+    cosines[k] = h(k, k) / length;
+    sines[k] = below / length;
+    h(k, k) = length;
+    g[k + 1] = -sines[k] * g[k];
+    g[k] *= cosines[k];
+    ++k;
+    if (!(below > 0.0))
+      break; // the solution lies in the space built so far
+    if (k < vectors)
+      basis.emplace_back(w / Scalar(below));
+  }
+  cycle.residual = std::abs(g[k]);
+  if (k == 0)
+    return cycle;
+  // Least-squares solution in the basis.
+  const VectorXd y = h.topLeftCorner(k, k).template triangularView<Eigen::Upper>().solve(g.head(k));
+  cycle.step = y[0] * basis[0].template cast<double>();
+  for (int j = 1; j < k; ++j)
+    cycle.step += y[j] * basis[j].template cast<double>();
+  return cycle;
+}
 
 /// Restarted GMRES (Saad, Schultz 1986) with a preconditioner on the right, so that the residual is
 /// the true one. Solves A x = b for any A that is not singular on the space that b lies in; rows
@@ -49,65 +152,22 @@ GmresReport gmres(const Apply &apply, const Precondition &precondition, const Ei
                   Eigen::VectorXd &x, double scale, double tolerance, int restart = 60,
                   int maxProducts = 600)
 {
-  using Eigen::VectorXd;
   GmresReport report;
   while (true) {
     // The true residual, computed anew at each restart: rounding in the recurrence does not add
     // up.
-    VectorXd r = b - apply(x);
-    double beta = r.norm();
+    const Eigen::VectorXd r = b - apply(x);
     ++report.products;
-    report.residual = beta / scale;
+    report.residual = r.norm() / scale;
     report.converged = report.residual <= tolerance;
-    if (report.converged || report.products >= maxProducts || !std::isfinite(beta))
+    if (report.converged || report.products >= maxProducts || !std::isfinite(report.residual))
       return report;
-
-    std::vector<VectorXd> basis{r / beta};
-    // Upper Hessenberg matrix, turned into a triangle by Givens rotations column by column; |g[k]|
-    // is the residual after k columns.
-    Eigen::MatrixXd h = Eigen::MatrixXd::Zero(restart + 1, restart);
-    VectorXd cosines(restart), sines(restart), g = VectorXd::Zero(restart + 1);
-    g[0] = beta;
-    int k = 0;
-    while (k < restart && std::abs(g[k]) > tolerance * scale && report.products < maxProducts) {
-      // Arnoldi: the next direction, made orthogonal to those before.
-      VectorXd w = apply(precondition(basis[k]));
-      ++report.products;
-      for (int j = 0; j <= k; ++j) { // modified Gram-Schmidt
-        h(j, k) = w.dot(basis[j]);
-        w -= h(j, k) * basis[j];
-      }
-      h(k + 1, k) = w.norm();
-      const double below = h(k + 1, k);
-      for (int j = 0; j < k; ++j) { // the rotations so far
-        const double above = h(j, k);
-        h(j, k) = cosines[j] * above + sines[j] * h(j + 1, k);
-        h(j + 1, k) = -sines[j] * above + cosines[j] * h(j + 1, k);
-      }
-      // One more rotation takes the element below the diagonal away. A column of zeros has none:
-      // the operator is singular on this space.
-      const double length = std::hypot(h(k, k), below);
-      if (!(length > 0.0))
-        break;
-      cosines[k] = h(k, k) / length;
-      sines[k] = below / length;
-      h(k, k) = length;
-      g[k + 1] = -sines[k] * g[k];
-      g[k] *= cosines[k];
-      ++k;
-      if (!(below > 0.0))
-        break; // the solution lies in the space built so far
-      basis.emplace_back(w / below);
-    }
-    if (k == 0)
+    const GmresCycle cycle = gmresCycle<double>(apply, precondition, r, tolerance * scale, restart,
+                                                maxProducts - report.products);
+    report.products += cycle.products;
+    if (cycle.step.size() == 0)
       return report;
-    // Least-squares solution in the basis, then the step in x.
-    const VectorXd y =
-        h.topLeftCorner(k, k).template triangularView<Eigen::Upper>().solve(g.head(k));
-    VectorXd sum = VectorXd::Zero(b.size());
-    for (int j = 0; j < k; ++j)
-      sum += y[j] * basis[j];
-    x += precondition(sum);
+    x += precondition(cycle.step);
   }
 }
 

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <cstring>
 #include <fmt/format.h>
+#include <functional>
 
 namespace wheelrail {
 
@@ -36,47 +37,62 @@ void appendLittleEndian(std::string &bytes, double value)
   appendLittleEndian(bytes, bits);
 }
 
-/// The arrays of a VTK XML file: their descriptions, and their blocks of bytes, each after its
-/// length.
+/// The arrays of a VTK XML file: their descriptions, which stand before all of them, and their
+/// blocks of bytes, each after its length. It refers to what is added.
 class AppendedArrays {
  public:
   void add(const char *name, const Vector &values)
   {
-    if (values.size() == 0)
-      return;
-    begin(name, "Float64", 1, 8 * values.size());
-    for (const double v : values)
-      appendLittleEndian(blocks_, v);
+    add(name, "Float64", 1, 8 * values.size(), [&values](std::string &bytes) {
+      for (const double v : values)
+        appendLittleEndian(bytes, v);
+    });
   }
   void add(const char *name, const TangentialField &field)
   {
-    if (field.x.size() == 0)
-      return;
-    begin(name, "Float64", 3, 24 * field.x.size());
-    for (Eigen::Index k = 0; k < field.x.size(); ++k)
-      for (const double v : {field.x[k], field.y[k], 0.0})
-        appendLittleEndian(blocks_, v);
+    add(name, "Float64", 3, 24 * field.x.size(), [&field](std::string &bytes) {
+      for (Eigen::Index k = 0; k < field.x.size(); ++k)
+        for (const double v : {field.x[k], field.y[k], 0.0})
+          appendLittleEndian(bytes, v);
+    });
   }
   void add(const char *name, const std::vector<PatchState> &state)
   {
-    if (state.empty())
-      return;
-    begin(name, "UInt8", 1, static_cast<Eigen::Index>(state.size()));
-    for (const PatchState s : state)
-      blocks_ += static_cast<char>(s);
+    add(name, "UInt8", 1, static_cast<Eigen::Index>(state.size()), [&state](std::string &bytes) {
+      for (const PatchState s : state)
+        bytes += static_cast<char>(s);
+    });
   }
   const std::string &descriptions() const { return descriptions_; }
-  const std::string &blocks() const { return blocks_; }
+  /// Of all blocks together.
+  std::size_t size() const { return size_; }
+  void appendTo(std::string &bytes) const
+  {
+    for (const Block &block : blocks_) {
+      appendLittleEndian(bytes, block.bytes);
+      block.fill(bytes);
+    }
+  }
 
  private:
-  void begin(const char *name, const char *type, int components, Eigen::Index bytes)
+  struct Block {
+    std::uint64_t bytes;
+    std::function<void(std::string &)> fill;
+  };
+  void add(const char *name, const char *type, int components, Eigen::Index bytes,
+           std::function<void(std::string &)> fill)
   {
+    if (bytes == 0)
+      return;
     descriptions_ += fmt::format("        <DataArray type=\"{}\" Name=\"{}\" "
                                  "NumberOfComponents=\"{}\" format=\"appended\" offset=\"{}\"/>\n",
-                                 type, name, components, blocks_.size());
-    appendLittleEndian(blocks_, static_cast<std::uint64_t>(bytes));
+                                 type, name, components, size_);
+    blocks_.push_back({static_cast<std::uint64_t>(bytes), std::move(fill)});
+    size_ += sizeof(std::uint64_t) + static_cast<std::size_t>(bytes);
   }
-  std::string descriptions_, blocks_;
+  std::string descriptions_;
+  std::vector<Block> blocks_;
+  std::size_t size_ = 0;
 };
 
 /// Text that may stand in an XML comment: without "--" and without an end of line.
@@ -114,8 +130,10 @@ std::string vtiBytes(const PatchGrid &grid, const PatchFields &fields, const std
                       fields.pressure.size() > 0 ? " Scalars=\"pressure\"" : "");
   text += arrays.descriptions();
   text += "      </CellData>\n    </Piece>\n  </ImageData>\n  <AppendedData encoding=\"raw\">\n_";
-  text += arrays.blocks();
-  text += "\n  </AppendedData>\n</VTKFile>\n";
+  const std::string tail = "\n  </AppendedData>\n</VTKFile>\n";
+  text.reserve(text.size() + arrays.size() + tail.size()); // it may be most of the memory
+  arrays.appendTo(text);
+  text += tail;
   return text;
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "contact/patch/friction_newton.h"
 
+#include "contact/gmres.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -25,10 +27,10 @@ constexpr double softest = 3.0;
 constexpr double leastSoftness = 1e-3; ///< in the mean of the logarithms
 constexpr int restart = 30, maxInner = 120;
 
-/// GMRES (Saad, Schultz 1986) from zero, the residual measured after the left preconditioner. A
-/// step of Newton's method needs no more than a tenth of it: what is missing is the next step's,
-/// and so is the judgement whether the residual itself is small. It never fails; it gives what it
-/// has.
+/// A step of Newton's method by GMRES from zero, the residual measured after the left
+/// preconditioner. It needs no more than `tightTolerance` of it, which single precision gives: what
+/// is missing is the next step's, and so is the judgement whether the residual itself is small. It
+/// never fails; it gives what it has.
 template<class Apply, class Precondition>
 Vector krylov(const Apply &apply, const Precondition &precondition, const Vector &b,
               double tolerance)
@@ -36,53 +38,19 @@ Vector krylov(const Apply &apply, const Precondition &precondition, const Vector
   Vector x = Vector::Zero(b.size()), r = b;
   const double goal = tolerance * b.norm();
   int products = 0;
-  while (true) {
-    const double beta = r.norm();
-    if (!(beta > goal) || products >= maxInner)
+  while (r.norm() > goal && products < maxInner) {
+    const GmresCycle cycle =
+        gmresCycle<float>(apply, precondition, r, goal, restart, maxInner - products);
+    if (cycle.step.size() == 0)
       return x;
-    std::vector<Vector> basis{r / beta};
-    Eigen::MatrixXd h = Eigen::MatrixXd::Zero(restart + 1, restart);
-    Vector cosines(restart), sines(restart), g = Vector::Zero(restart + 1);
-    g[0] = beta;
-    int k = 0;
-    while (k < restart && std::abs(g[k]) > goal && products < maxInner) {
-      Vector w = apply(precondition(basis[k]));
-      ++products;
-      for (int j = 0; j <= k; ++j) {
-        h(j, k) = w.dot(basis[j]);
-        w -= h(j, k) * basis[j];
-      }
-      const double below = w.norm();
-      for (int j = 0; j < k; ++j) {
-        const double above = h(j, k);
-        h(j, k) = cosines[j] * above + sines[j] * h(j + 1, k);
-        h(j + 1, k) = -sines[j] * above + cosines[j] * h(j + 1, k);
-      }
-      const double length = std::hypot(h(k, k), below);
-      if (!(length > 0.0))
-        break;
-      cosines[k] = h(k, k) / length;
-      sines[k] = below / length;
-      h(k, k) = length;
-      g[k + 1] = -sines[k] * g[k];
-      g[k] *= cosines[k];
-      ++k;
-      if (!(below > 0.0))
-        break;
-      basis.emplace_back(w / below);
-    }
-    if (k == 0)
-      return x;
-    const Vector y = h.topLeftCorner(k, k).template triangularView<Eigen::Upper>().solve(g.head(k));
-    Vector sum = y[0] * basis[0];
-    for (int j = 1; j < k; ++j)
-      sum += y[j] * basis[j];
-    x += precondition(sum);
-    if (std::abs(g[k]) <= goal || products >= maxInner)
+    x += precondition(cycle.step);
+    products += cycle.products;
+    if (cycle.residual <= goal || products >= maxInner)
       return x;
     r = b - apply(x);
     ++products;
   }
+  return x;
 }
 
 } // namespace
@@ -291,7 +259,7 @@ Vector FrictionNewton::newtonStep(const Linearisation &linear, const Vector &f, 
 bool FrictionNewton::solve(Vector &x, double tolerance, int maxSteps)
 {
   const Vector start = x;
-  if (tryAttempts(x, tolerance, maxSteps))
+  if (tryAttempts(start, x, tolerance, maxSteps))
     return true;
   if (eq_.unknown.empty())
     return false;
@@ -308,8 +276,7 @@ bool FrictionNewton::solve(Vector &x, double tolerance, int maxSteps)
     const double next = std::min(1.0, reached + part);
     for (std::size_t j = 0; j < goal.size(); ++j)
       eq_.force[j] = next == 1.0 ? goal[j] : base[j] + next * (goal[j] - base[j]);
-    x = reachedAt;
-    if (tryAttempts(x, tolerance, maxSteps)) {
+    if (tryAttempts(reachedAt, x, tolerance, maxSteps)) {
       reachedAt = x;
       reached = next;
     } else {
@@ -320,9 +287,8 @@ bool FrictionNewton::solve(Vector &x, double tolerance, int maxSteps)
   return reached == 1.0;
 }
 
-bool FrictionNewton::tryAttempts(Vector &x, double tolerance, int maxSteps)
+bool FrictionNewton::tryAttempts(const Vector &start, Vector &x, double tolerance, int maxSteps)
 {
-  const Vector start = x;
   for (const auto &attempt : attempts) {
     prediction_ = eq_.steady ? attempt.rolling : attempt.step;
     x = start;

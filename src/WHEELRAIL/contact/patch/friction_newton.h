@@ -76,7 +76,7 @@ class FrictionNewton {
   /// r of cell i.
   double predictionOf(int i) const { return prediction_ * stiffness_[i]; }
   /// Attempts with ever smaller `prediction_`, until one converges.
-  bool tryAttempts(Vector &x, double tolerance, int maxSteps);
+  bool tryAttempts(const Vector &start, Vector &x, double tolerance, int maxSteps);
   bool iterate(Vector &x, double tolerance, int maxSteps);
   /// Slip that tractions and unknown creepages make, without the drive.
   Vector operatorB(const Vector &x);

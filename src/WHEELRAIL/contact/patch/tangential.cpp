@@ -300,23 +300,28 @@ TangentialResult TangentialSolver::solve(const TangentialProblem &problem,
   if (steady)
     checkLeadingColumn(grid, problem.bound);
   TangentialResult result;
-  result.traction.x = result.traction.y = Vector::Zero(grid.cells());
-  result.slip = result.traction;
-  result.state.assign(grid.cells(), PatchState::Apart);
   result.creepage = problem.creepage;
+  const auto fill = [&](PatchState inContact, const std::vector<int> &cells) {
+    result.traction.x = result.traction.y = Vector::Zero(grid.cells());
+    result.slip = result.traction;
+    result.state.assign(grid.cells(), PatchState::Apart);
+    for (int cell : cells)
+      result.state[cell] = inContact;
+  };
 
   ScaledProblem scaled = scaledProblem(grid, problem, work_->pair.G);
   const int n = static_cast<int>(scaled.wholeIndex.size());
-  if (n == 0)
+  if (n == 0) {
+    fill(PatchState::Apart, {});
     return result;
+  }
   PatchHalfSpace &space = work_->spaceOn(scaled.box.grid);
   scaled.slipUnit = scaled.tractionUnit * space.tangentialCompliance();
   setDrive(grid, problem, scaled);
   setEdge(problem, space.tangentialCompliance(), scaled);
   setForces(grid, problem, scaled);
   if (!(scaled.equations.scale > 0.0)) { // nothing moves
-    for (int cell : scaled.wholeIndex)
-      result.state[cell] = PatchState::Stick;
+    fill(PatchState::Stick, scaled.wholeIndex);
     return result;
   }
 
@@ -334,13 +339,13 @@ TangentialResult TangentialSolver::solve(const TangentialProblem &problem,
     creepage = found.creepage;
   }
   const std::vector<int> unknown = scaled.equations.unknown;
-  const Vector bound = scaled.equations.bound;
   Vector x = Vector::Zero(2 * n + static_cast<int>(unknown.size()));
   if (start.x.size() == grid.cells())
     for (int i = 0; i < n; ++i) {
       x[2 * i] = start.x[scaled.wholeIndex[i]] / scaled.tractionUnit;
       x[2 * i + 1] = start.y[scaled.wholeIndex[i]] / scaled.tractionUnit;
     }
+  start = {}; // on a fine grid each field counts
   const double creepUnit = scaled.slipUnit / scaled.distance;
   for (std::size_t j = 0; j < unknown.size(); ++j)
     x[2 * n + j] = (unknown[j] ? creepage.eta : creepage.xi) / creepUnit;
@@ -355,6 +360,7 @@ TangentialResult TangentialSolver::solve(const TangentialProblem &problem,
     throw Error(ExitCode::NotConverged,
                 fmt::format("tangential contact: residual {:.1e} (wanted {:.1e}) after {} steps",
                             newton.residual(), tolerance, newton.steps()));
+  fill(PatchState::Stick, scaled.wholeIndex);
   const Vector &s = newton.slip();
   for (int i = 0; i < n; ++i) {
     const int cell = scaled.wholeIndex[i];
@@ -362,7 +368,8 @@ TangentialResult TangentialSolver::solve(const TangentialProblem &problem,
     result.traction.y[cell] = scaled.tractionUnit * x[2 * i + 1];
     result.slip.x[cell] = creepUnit * s[2 * i];
     result.slip.y[cell] = creepUnit * s[2 * i + 1];
-    result.state[cell] = newton.slips(i) ? PatchState::Slip : PatchState::Stick;
+    if (newton.slips(i))
+      result.state[cell] = PatchState::Slip;
   }
   for (std::size_t j = 0; j < unknown.size(); ++j)
     (unknown[j] ? result.creepage.eta : result.creepage.xi) = x[2 * n + j] * creepUnit;

@@ -84,7 +84,8 @@ TangentialResult FrozenPatch::roll(const PatchDrive &drive, const Creepage &gues
   TangentialOptions options;
   options.tolerance = tangentialTolerance;
   if (warm_)
-    options.start = result_.traction;
+    options.start = std::move(result_.traction);
+  result_ = {}; // on a fine grid each field counts
   return solver_.solve(problem, options);
 }
 
@@ -182,6 +183,7 @@ PatchPoint FrozenPatch::solve(const FrictionLaw &law, double speed, const PatchD
   const bool needsTraction = found || couples || physics_.thermal.model == ThermalModel::Local ||
                              physics_.thermal.model == ThermalModel::AveragedPower;
   products_ = 0;
+  fields_.traction = fields_.slip = {};
   if (!drive.forceX)
     creepage_.xi = drive.creepage.xi;
   if (!drive.forceY)
