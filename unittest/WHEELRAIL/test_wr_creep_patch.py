@@ -457,25 +457,28 @@ def random_case(seed):
 
 
 def test_random_cases_converge_or_say_why(tmp_path):
-    """Rough, spin, high creep, limits, frozen and moving: an answer or one clear line, never half
-    a file."""
+    """Rough, spin, high creep, limits, frozen and moving: an answer or one clear line, for each of
+    the two points of a case or for the whole of it, never half a file."""
     answers, refusals = 0, []
     for seed in range(1, RANDOM_CASES + 1):
         path, out = tmp_path / f"{seed}.yaml", tmp_path / f"out{seed}"
         path.write_text(random_case(seed), encoding="utf-8")
         done = wr_creep(path, "-o", out, "-q", timeout=120)
         assert done.returncode in (0, 3, 4), (seed, done.stderr)
-        if done.returncode == 0:
-            answers += 1
+        lines = [line for line in done.stderr.splitlines() if "warning" not in line]
+        missing = [line for line in lines if line.startswith("wr_creep: point ")]
+        if done.returncode == 0 or len(missing) == 1:
             rows = table(out / "creep.csv")
-            assert len(rows) == 2
+            assert len(rows) == 2 - len(missing) and len(lines) == 2 * len(missing), done.stderr
             for row in rows:
                 assert all(numpy.isfinite(float(value)) for value in row.values()), seed
                 assert float(row["traction_ratio"]) <= float(row["mu_mean"]) * (1 + 1e-5), seed
         else:
-            lines = [line for line in done.stderr.splitlines() if "warning" not in line]
             assert len(lines) == 1, done.stderr
             assert not (out / "creep.csv").exists()
+        if done.returncode == 0:
+            answers += 1
+        else:
             refusals.append((seed, lines[0]))
     print(*refusals, sep="\n")
     assert answers >= 0.85 * RANDOM_CASES, refusals

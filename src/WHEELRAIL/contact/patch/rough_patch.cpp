@@ -164,7 +164,7 @@ RoughPatch fractalPatch(const RoughPatchSpecification &specification, std::uint6
         {fractal.wavelengthMin / root, box.dy, "along y"}})
     if (wave < advisedCellsPerWave * cell)
       patch.remarks.push_back(
-          fmt::format("points: waves of {:.4g} mm have {:.1f} cells {}; {:g} are advised",
+          fmt::format("points: waves of {:.4g} mm have {:.3g} cells {}; {:g} are advised",
                       wave * 1e3, wave / cell, direction, advisedCellsPerWave));
   return patch;
 }
@@ -184,7 +184,7 @@ RoughPatch measuredPatch(const RoughPatchSpecification &specification, std::size
   if (patch.shortestWave > 0.0 &&
       patch.shortestWave < advisedCellsPerWave * std::max(box.dx, box.dy))
     patch.remarks.push_back(
-        fmt::format("roughness.cutoff: waves of {:.4g} mm have {:.1f} cells; {:g} are advised",
+        fmt::format("roughness.cutoff: waves of {:.4g} mm have {:.3g} cells; {:g} are advised",
                     patch.shortestWave * 1e3, patch.shortestWave / std::max(box.dx, box.dy),
                     advisedCellsPerWave));
   if (patch.shortestWave == 0.0)
