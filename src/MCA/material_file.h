@@ -7,6 +7,7 @@
 #include "laws/material.h"
 #include "shared/printable.h"
 
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -21,12 +22,23 @@ class MaterialError : public std::runtime_error {
 };
 
 /// \param text   the whole file. The first line holds `UNITS: style` (and DATE, CITATION); then
-///               `keyword value` a line, `#` begins a comment, every keyword exactly once.
+///               `keyword value` a line, `#` begins a comment, every keyword exactly once. With a
+///               line `temperature T1 T2 ...` a keyword may have as many values as there are
+///               temperatures; in between they are linear
 /// \param name   for messages
 /// \param units  LAMMPS's unit style in force
-/// \return values in these units, all of them checked
+/// \param temperature  at which the material is wanted [temperature], within those of the file;
+///                     needed where the file has temperatures, refused where it has none
+/// \return values in these units, all of them checked, at every temperature of the file
 /// \throws MaterialError
-Material readMaterial(const std::string &text, const std::string &name, const std::string &units);
+Material readMaterial(const std::string &text, const std::string &name, const std::string &units,
+                      std::optional<double> temperature = {});
+
+/// Takes the pairs `temperature T` out of keyword-value pairs of pair_coeff.
+/// \param words  without these pairs on return
+/// \return the last one's value [temperature], > 0; none where there is none
+/// \throws MaterialError
+std::optional<double> takeTemperature(std::vector<std::string> &words);
 
 /// Takes keyword-value pairs over those of a file (pair_coeff) and checks the result.
 /// \param words  keyword, value, keyword, value, ... in the same units as the material; a keyword

@@ -128,7 +128,8 @@ void PairMCA::settings(int narg, char **arg)
   cut_user = cut;
 }
 
-/* pair_coeff I J file.mca [quantity value] ...; materials belong to types, so I = J as ranges */
+/* pair_coeff I J file.mca [temperature T] [quantity value] ...; materials belong to types, so I = J
+ * as ranges */
 
 void PairMCA::coeff(int narg, char **arg)
 {
@@ -148,8 +149,10 @@ void PairMCA::coeff(int narg, char **arg)
     const std::string text =
         mca::fileText(lmp, utils::get_potential_file_path(arg[2]),
                       fmt::format("potential file {} (nor in LAMMPS_POTENTIALS)", arg[2]));
-    material = mca::readMaterial(text, arg[2], update->unit_style);
-    material = mca::overrideMaterial(material, std::vector<std::string>(arg + 3, arg + narg));
+    std::vector<std::string> words(arg + 3, arg + narg);
+    const std::optional<double> temperature = mca::takeTemperature(words);
+    material = mca::readMaterial(text, arg[2], update->unit_style, temperature);
+    material = mca::overrideMaterial(material, words);
   } catch (const mca::MaterialError &e) {
     error->all(FLERR, "Pair_coeff of mca: {}", e.what());
   }

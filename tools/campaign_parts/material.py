@@ -2,6 +2,9 @@
 """Potential files (doc/potential_file.md) for plans: the quantities of a material in the plan's
 units."""
 
+import bisect
+import itertools
+
 from mcawr.errors import BadInput
 from mcawr.files import read_text
 from mcawr.numbers import decimal
@@ -32,8 +35,83 @@ UNITS = {
 }
 
 
-def read(path):
-    """{key of the plan: value}. Raises BadInput, with the line."""
+def _values(path, number, keyword, words, key, factor):
+    """The numbers of a line, in the unit of the plan's key."""
+    found = []
+    for text in words or [""]:
+        try:
+            value = float(f"{decimal(text) * factor:.12g}")
+            if not KEYS[key].check(value):
+                raise ValueError
+        except ValueError:
+            raise BadInput(
+                f"{path}:{number}: {keyword}: '{shown(text)}' is not allowed, must be a number "
+                f"{KEYS[key].allowed}"
+            ) from None
+        found.append(value)
+    return found
+
+
+def _lines(path, lines, units):
+    """{key of the plan: (line, values)}; of `temperature`, too."""
+    known = {**QUANTITIES, "temperature": ("temperature", "")}
+    found = {}
+    for number, line in enumerate(lines, 2):
+        words = line.partition("#")[0].split()
+        if not words:
+            continue
+        keyword, *values = words
+        if keyword not in known:
+            raise BadInput(
+                f"{path}:{number}: unknown keyword '{shown(keyword)}'{known_words(keyword, known)}"
+            )
+        key, dimension = known[keyword]
+        if key in found:
+            raise BadInput(f"{path}:{number}: {keyword} appears twice")
+        factor = UNITS[units].get(dimension, 1.0)
+        found[key] = (number, _values(path, number, keyword, values, key, factor))
+    return found
+
+
+def _check_counts(path, found, temperatures):
+    """Every quantity is there, once or once for each temperature."""
+    for keyword, (key, _) in QUANTITIES.items():
+        if key not in found:
+            raise BadInput(f"{path}: {keyword} is missing")
+        number, values = found[key]
+        if len(values) not in (1, len(temperatures)):
+            allowed = f"1 or {len(temperatures)}, as many as temperature"
+            raise BadInput(
+                f"{path}:{number}: {keyword} has {len(values)} values, allowed: "
+                + (allowed if temperatures else "one, or a line temperature with as many")
+            )
+
+
+def _check_temperatures(path, number, temperatures):
+    """At least two that rise."""
+    if len(temperatures) < 2:
+        raise BadInput(f"{path}:{number}: temperature has one value, allowed: two or more")
+    for before, after in itertools.pairwise(temperatures):
+        if after <= before:
+            raise BadInput(
+                f"{path}:{number}: temperature {after:g} stands after {before:g}, allowed: values "
+                "that rise"
+            )
+
+
+def _at(temperature, temperatures, values):
+    """Linear between the temperatures."""
+    if len(values) == 1:
+        return values[0]
+    upper = max(1, bisect.bisect_left(temperatures, temperature))
+    t0, t1 = temperatures[upper - 1 : upper + 1]
+    share = (temperature - t0) / (t1 - t0)
+    return float(f"{(1 - share) * values[upper - 1] + share * values[upper]:.12g}")
+
+
+def read(path, temperature=None):
+    """{key of the plan: value} at a temperature (K), which a file that has temperatures needs and
+    no other may have. Raises BadInput, with the line."""
     lines = read_text(path).split("\n")
     head = lines[0].split()
     units = head[head.index("UNITS:") + 1] if "UNITS:" in head[:-1] else None
@@ -41,32 +119,20 @@ def read(path):
         raise BadInput(
             f"{path}:1: 'UNITS: STYLE' with {', '.join(UNITS)} is needed, not '{shown(units)}'"
         )
-    found = {}
-    for number, line in enumerate(lines[1:], 2):
-        words = line.partition("#")[0].split()
-        if not words:
-            continue
-        keyword, *value = words
-        if keyword not in QUANTITIES:
-            raise BadInput(
-                f"{path}:{number}: unknown keyword '{shown(keyword)}'"
-                f"{known_words(keyword, QUANTITIES)}"
-            )
-        key, dimension = QUANTITIES[keyword]
-        if key in found:
-            raise BadInput(f"{path}:{number}: {keyword} appears twice")
-        allowed = f"a number {KEYS[key].allowed}"
-        try:
-            (text,) = value
-            found[key] = float(f"{decimal(text) * UNITS[units].get(dimension, 1.0):.12g}")
-            if not KEYS[key].check(found[key]):
-                raise ValueError
-        except ValueError:
-            raise BadInput(
-                f"{path}:{number}: {keyword}: '{shown(' '.join(value))}' is not allowed, must be "
-                f"{allowed}"
-            ) from None
-    for keyword, (key, _) in QUANTITIES.items():
-        if key not in found:
-            raise BadInput(f"{path}: {keyword} is missing")
-    return found
+    found = _lines(path, lines[1:], units)
+    number, temperatures = found.pop("temperature", (None, []))
+    if number:
+        _check_temperatures(path, number, temperatures)
+    _check_counts(path, found, temperatures)
+    if temperature is None and temperatures:
+        raise BadInput(
+            f"{path}: temperature is missing, allowed: {temperatures[0]:g} to {temperatures[-1]:g}"
+        )
+    if temperature is not None and not temperatures:
+        raise BadInput(f"{path}: has no line temperature, the plan says {temperature:g}")
+    if temperatures and not temperatures[0] <= temperature <= temperatures[-1]:
+        raise BadInput(
+            f"{path}: temperature {temperature:g}, allowed: {temperatures[0]:g} to "
+            f"{temperatures[-1]:g}"
+        )
+    return {key: _at(temperature, temperatures, values) for key, (_, values) in found.items()}

@@ -142,16 +142,27 @@ def _suffix(name, value):
     return name + _short(value)
 
 
-def _material(path, line, name):
+def _material(path, line, name, temperature):
     """{key: value} of a potential file, looked for beside the plan and in potentials."""
     places = (os.path.dirname(os.path.realpath(path)), os.path.join(ROOT, "potentials"))
     for place in places:
         if os.path.isfile(os.path.join(place, name)):
-            return material.read(os.path.join(place, name))
+            return material.read(os.path.join(place, name), temperature)
     raise PlanError(f"{path}:{line}: material: no file {name} beside the plan, nor in {places[1]}")
 
 
-def _expand(path, line, entry, defaults):
+def _solid(path, line, of_run, stated):
+    """Two dictionaries of the quantities that a potential file gives: below what the plan's
+    defaults state, and above, where the run has a file or a temperature of its own."""
+    name = of_run.get("material", stated.get("material"))
+    temperature = of_run.get("temperature", stated.get("temperature"))
+    if name is None and temperature is None:
+        return {}, {}
+    found = _material(path, line, name or KEYS["material"].default, temperature)
+    return ({}, found) if {"material", "temperature"} & set(of_run) else (found, {})
+
+
+def _expand(path, line, entry, defaults, stated):
     """All runs of an entry: a list of values stands for each of them in turn."""
     given = {}
     for name, (at, value) in entry.items():
@@ -168,10 +179,9 @@ def _expand(path, line, entry, defaults):
         raise refused(path, named, "name", label, "a word")
     for combination in itertools.product(*given.values()):
         values = dict(zip(given, combination))
-        solid = {}
-        if "material" in values:
-            solid = _material(path, entry["material"].line, values["material"])
-        values = {**defaults, **solid, **values}
+        at = entry["material"].line if "material" in entry else line
+        below, above = _solid(path, at, values, stated)
+        values = {**defaults, **below, **stated, **above, **values}
         _check_together(path, line, entry, values)
         suffix = "-".join(_suffix(n, values[n]) for n in given if len(given[n]) > 1)
         yield (
@@ -269,9 +279,6 @@ def read(path):
         if name not in KEYS:
             raise unknown(path, line, "key in defaults", name, KEYS)
         stated[name] = _value(path, line, name, value)
-    if "material" in stated:
-        defaults.update(_material(path, given["material"].line, stated["material"]))
-    defaults.update(stated)
     program = os.path.realpath(
         os.path.join(os.path.dirname(os.path.realpath(path)), script)
         if script
@@ -280,10 +287,10 @@ def read(path):
     if not os.path.isfile(program):
         raise PlanError(f"{path}:{script_line}: input: no such file: {program}")
     expanded = [
-        item for number, entry in entries for item in _expand(path, number, entry, defaults)
+        item for number, entry in entries for item in _expand(path, number, entry, defaults, stated)
     ]
     varying = [n for n in KEYS if len({str(values[n]) for _, _, values in expanded}) > 1]
-    if "material" in varying:  # its name stands for its quantities
+    if {"material", "temperature"} & set(varying):  # they stand for its quantities
         solid = [key for key, _ in material.QUANTITIES.values()]
         stated_ones = {n for _, entry in entries for n in entry}
         varying = [n for n in varying if n not in solid or n in stated_ones]

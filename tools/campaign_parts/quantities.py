@@ -47,6 +47,7 @@ KEYS = {
     "breaking_strain": Key(0.04, "total strain", "> 0", _positive, "breaking_strain"),
     "d": Key(2.5, "nm", "> 0", _positive, "d"),
     "material": Key("steel.mca", "potential file", "the name of a potential file", None),
+    "temperature": Key(None, "K, of a potential file that has temperatures", "> 0", _positive),
     "columns": Key(40, "automata across", "a whole number >= 4", _whole(4), "columns"),
     "rows": Key(14, "rows of automata", "a whole number >= 8", _whole(8), "rows"),
     "held": Key(

@@ -13,7 +13,7 @@ import plot_series
 from mcawr.files import save_figure
 from mcawr.replicas import groups, mean_of
 
-from . import ageing, layer, rate, steps
+from . import ageing, layer, rate, steps, temperature as heat
 from .common import Missing, percent, power_law, run_name, scatter_of, table
 
 PAPER = plot_fit.PAPER
@@ -447,6 +447,12 @@ FIGURES |= {
         "mu against the shear rate of the layer, 15 MPa",
         ["velocity", "roughness-rows32", "height"],
         rate.rate,
+    ),
+    "temperature": Figure(
+        "Friction of a rail steel against temperature, from 75 ns on",
+        ["temperature"],
+        heat.temperature,
+        ["--start", "75"],
     ),
     "sensitivity": Figure(
         "Sensitivity of mu to the laws, from 15 ns on", ["variants"], sensitivity, ["--start", "15"]

@@ -60,6 +60,16 @@ def test_units_without_conversion(tmp_path, units):
     )
 
 
+@pytest.mark.parametrize("words", ["", "temperature 292", "temperature 873.1"])
+def test_temperature_that_the_file_has_not(tmp_path, words):
+    fails(
+        SAMPLE + f"pair_style mca\npair_coeff * * rail_steel.mca {words}\n",
+        tmp_path,
+        "keyword temperature is",
+        "allowed with rail_steel.mca: 293 to 873",
+    )
+
+
 @pytest.mark.parametrize(
     "words,parts",
     [
@@ -68,6 +78,8 @@ def test_units_without_conversion(tmp_path, units):
         ("strength -5", ["strength", "-5", "allowed"]),
         ("poissons_ratio 0.5", ["poissons_ratio", "0.5", "allowed"]),
         ("viscosity nan", ["viscosity", "nan", "allowed"]),
+        ("temperature 300", ["needs a file with a line temperature, which steel.mca has not"]),
+        ("temperature", ["keyword temperature has no value"]),
     ],
 )
 def test_bad_override(tmp_path, words, parts):
@@ -175,6 +187,7 @@ NO_NUMBERS = ["abc", "0x10", '"1 500"', "nan", "inf", "5nm", '""']
         ("pair_style mca cutoff {}", "Pair style mca cutoff is"),
         ("pair_style mca link {}", "keyword link"),
         ("pair_coeff * * steel.mca strength {}", "strength is"),
+        ("pair_coeff * * rail_steel.mca temperature {}", "temperature is"),
         ("pair_coeff {} 1 steel.mca", "Pair_coeff of mca: I is"),
         ("pair_coeff 1 {} steel.mca", "Pair_coeff of mca: J is"),
         ("fix 2 all mca/drive velocity {} pressure 1", "Fix mca/drive velocity is"),

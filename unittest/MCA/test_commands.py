@@ -358,3 +358,23 @@ run {steps}
     )  # eta S/(d m), S = d h/sqrt(3), m = rho sqrt(3)/2 d^2 h
     assert (t["c_vx"] - t["c_wall"])[-1] == pytest.approx(v * np.exp(-rate * dt * steps), rel=5e-3)
     assert (t["c_wall"][-1] == 0) == (held != "free")
+
+
+def test_material_at_a_temperature(tmp_path):
+    """Between two temperatures of the file: the quantities given one by one, to the last bit."""
+    # rail_steel.mca at 723 K is half of 673 K and half of 773 K
+    words = "youngs_modulus 133900 strength 640.8 elastic_limit 0.440769 yield_strength 1 "
+    words += "yield_strain 0.02 breaking_strain 0.04"
+    strained = "displace_atoms all ramp y 0 0.3 y 0 20 units box\nfix 1 all nve/mca\n"
+    stress = []
+    for case, coeff in enumerate(("rail_steel.mca temperature 723", f"steel.mca {words}")):
+        result = lmp(
+            periodic_block()
+            + f"pair_style mca\npair_coeff * * {coeff}\nmca_links create all all\n{strained}"
+            + "thermo_style custom step pyy pxx\nthermo_modify format float %.15g\nrun 20\n",
+            tmp_path / str(case),
+        )
+        stress.append(result.thermo[0])
+    assert stress[0]["Pyy"][-1] != 0.0
+    for name in ("Pyy", "Pxx"):
+        assert stress[0][name] == pytest.approx(stress[1][name], rel=1e-12)

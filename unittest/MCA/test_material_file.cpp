@@ -22,6 +22,30 @@ std::string problemOf(const std::string &text, const std::string &units = "nano"
   return "";
 }
 
+/// steelText() at three temperatures, two of whose strengths are given.
+std::string softening(const std::string &last = "40")
+{
+  std::string text = steelText();
+  const std::string from = "strength 92";
+  return text.replace(text.find(from), from.size(),
+                      "temperature 300 600 900\nstrength 92 80 " + last);
+}
+
+Material softened(std::optional<double> temperature, const std::string &last = "40")
+{
+  return mca::readMaterial(softening(last), "x.mca", "nano", temperature);
+}
+
+std::string softenedProblem(std::optional<double> temperature, const std::string &last = "40")
+{
+  try {
+    softened(temperature, last);
+  } catch (const mca::MaterialError &e) {
+    return e.what();
+  }
+  return "";
+}
+
 std::string changed(const std::string &from, const std::string &to)
 {
   std::string text = steelText();
@@ -115,8 +139,10 @@ TEST(MaterialFile, TwiceOrTwoValues)
 {
   EXPECT_EQ(problemOf(changed("strength 92", "strength 92\nstrength 93")),
             "x.mca:6: strength appears twice");
-  EXPECT_EQ(problemOf(changed("strength 92", "strength 92 MPa")),
-            "x.mca:5: strength has more than one value: 'MPa'");
+  EXPECT_EQ(problemOf(changed("strength 92", "strength 92 93")),
+            "x.mca:5: strength has 2 values, allowed: one, or a line temperature with as many");
+  EXPECT_THAT(problemOf(changed("strength 92", "strength 92 MPa")),
+              HasSubstr("x.mca:5: strength is 'MPa', allowed: a finite number > 0"));
 }
 
 TEST(MaterialFile, OtherUnits)
@@ -160,4 +186,64 @@ TEST(MaterialFile, OverrideTakesPrecedenceAndIsChecked)
   EXPECT_THAT(overrideProblem({"density", "-1"}), HasSubstr("density is -1, allowed: > 0"));
   // together with the rest of the material: sigma_0/E beyond the breaking strain
   EXPECT_NE(overrideProblem({"strength", "20000"}), "");
+}
+
+TEST(MaterialFile, Temperatures)
+{
+  Material expected = steel();
+  EXPECT_TRUE(softened(300.0) == expected);
+  expected.strength = 80;
+  EXPECT_TRUE(softened(600.0) == expected); // to the last bit
+  expected.strength = 40;
+  EXPECT_TRUE(softened(900.0) == expected);
+  EXPECT_DOUBLE_EQ(softened(450.0).strength, 86.0);
+  EXPECT_DOUBLE_EQ(softened(825.0).strength, 50.0);
+  EXPECT_EQ(softened(825.0).viscosity, steel().viscosity);
+  // converted like all other values
+  EXPECT_NEAR(mca::readMaterial(softening(), "x.mca", "si", 825.0).strength, 50e6, 1e-6);
+}
+
+TEST(MaterialFile, TemperaturesThatAreWrong)
+{
+  EXPECT_EQ(softenedProblem({}), "keyword temperature is missing, allowed with x.mca: 300 to 900");
+  EXPECT_EQ(softenedProblem(299.0), "keyword temperature is 299, allowed with x.mca: 300 to 900");
+  EXPECT_EQ(softenedProblem(901.0), "keyword temperature is 901, allowed with x.mca: 300 to 900");
+  EXPECT_EQ(softenedProblem(300.0, "40 30"),
+            "x.mca:6: strength has 4 values, allowed: 1 or 3, as many as temperature");
+  // each column is a material, whichever is asked for
+  EXPECT_THAT(softenedProblem(300.0, "0"),
+              HasSubstr("x.mca: at temperature 900: strength is 0, allowed: > 0"));
+  const auto wrong = [](const std::string &line) {
+    return problemOf(changed("strength 92", line + "\nstrength 92"));
+  };
+  EXPECT_EQ(wrong("temperature 300"),
+            "x.mca:5: temperature has one value, allowed: at least two that rise");
+  EXPECT_EQ(wrong("temperature 300 300"),
+            "x.mca:5: temperature 300 stands after 300, allowed: values that rise");
+  EXPECT_EQ(wrong("temperature -1 300"),
+            "x.mca:5: temperature is '-1', allowed: a finite number > 0 [temperature]");
+  EXPECT_EQ(wrong("temperature"), "x.mca:5: temperature has no value, allowed: > 0");
+  EXPECT_EQ(wrong("temprature 1 2"),
+            "x.mca:5: unknown keyword 'temprature'; the nearest known one is 'temperature'");
+  try {
+    mca::readMaterial(steelText(), "x.mca", "nano", 300.0);
+    FAIL();
+  } catch (const mca::MaterialError &e) {
+    EXPECT_STREQ(e.what(),
+                 "keyword temperature needs a file with a line temperature, which x.mca has not");
+  }
+}
+
+TEST(MaterialFile, TemperatureAmongKeywords)
+{
+  std::vector<std::string> words = {"strength", "50", "temperature", "400", "viscosity", "0"};
+  EXPECT_EQ(mca::takeTemperature(words), 400.0);
+  EXPECT_THAT(words, testing::ElementsAre("strength", "50", "viscosity", "0"));
+  EXPECT_FALSE(mca::takeTemperature(words));
+  for (const char *value : {"0", "nan", "x"}) {
+    words = {"temperature", value};
+    EXPECT_THROW(mca::takeTemperature(words), mca::MaterialError) << value;
+  }
+  words = {"temperature"};
+  EXPECT_THROW(mca::takeTemperature(words), mca::MaterialError);
 }

@@ -75,6 +75,12 @@ def read_run_record(path, record):
         raise AssertionError("another record than was written")
 
 
+def read_material(path):
+    """A potential file, where it has temperatures at one of them."""
+    hot = b"\ntemperature" in pathlib.Path(path).read_bytes()
+    material.read(path, 450.0 if hot else None)
+
+
 def shipped(where, pattern):
     """Contents of files of the project."""
     return [path.read_bytes() for path in sorted((ROOT / where).glob(pattern))]
@@ -103,7 +109,7 @@ def readers():
         "creep": ([text["a.csv"]], lambda path: plot_creep.read(path, ("creep",))),
         "profile": ([text["a.profile"]], plot_layer.read_frames),
         "benchmark": ([text["bench.json"]], plot_benchmark.read_cases),
-        "material": (shipped("potentials", "*.mca"), material.read),
+        "material": (shipped("potentials", "*.mca"), read_material),
         # the long ones have nothing that these have not, and take ten times as long
         "plan": ([p for p in shipped("examples/campaign", "*.yaml") if len(p) < 700], plans.read),
         "run": ([kept], lambda path: read_run_record(path, record)),

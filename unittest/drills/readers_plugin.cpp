@@ -57,8 +57,11 @@ mca::Material checked(const mca::Material &material)
 
 void readPotential(const std::string &bytes)
 {
+  std::optional<double> temperature;
+  if (bytes.find("\ntemperature") != std::string::npos)
+    temperature = 450.0;
   for (const char *units : {"nano", "si"})
-    checked(mca::readMaterial(bytes, "drill.mca", units));
+    checked(mca::readMaterial(bytes, "drill.mca", units, temperature));
 }
 
 std::vector<std::string> wordsOf(const std::string &text)
@@ -72,7 +75,9 @@ std::vector<std::string> wordsOf(const std::string &text)
 
 void readQuantities(const std::string &bytes)
 {
-  checked(mca::overrideMaterial(steel(), wordsOf(bytes)));
+  std::vector<std::string> words = wordsOf(bytes);
+  mca::takeTemperature(words);
+  checked(mca::overrideMaterial(steel(), words));
 }
 
 void readLaws(const std::string &bytes)

@@ -178,6 +178,7 @@ SHIPPED = {
     "timestep": 59,
     "corrected": 26,
     "own-material": 10,
+    "temperature": 15,
 }
 
 
@@ -226,6 +227,63 @@ def test_own_material(tmp_path):
     assert variables["breaking_strain"] == "0.1"
 
 
+SOFTENING = SI.replace("strength 300e6", "strength 300e6 200e6 100e6").replace(
+    "youngs_modulus", "temperature 300 600 900\nyoungs_modulus"
+)
+
+
+def test_material_at_temperatures(tmp_path):
+    """Linear between those of the file; a run's temperature goes before what the defaults state."""
+    (tmp_path / "soft.mca").write_text(SOFTENING)
+    path = tmp_path / "plan.yaml"
+    path.write_text(
+        HEAD + "defaults: {material: soft.mca, temperature: 600, nu: 0.2}\n"
+        "runs: [{v: 7}, {temperature: [300, 450, 900]}, {temperature: 900, strength: 50}]\n"
+    )
+    runs = plans.read(str(path)).runs
+    strengths = [(run.values["temperature"], run.values["strength"]) for run in runs]
+    assert strengths == [(600, 200), (300, 300), (450, 250), (900, 100), (900, 50)]
+    assert [run.values["nu"] for run in runs] == [0.2, 0.33, 0.33, 0.33, 0.33]
+    assert runs[2].name == "temperature450" and runs[2].values["rho"] == 2700
+    assert runs[2].variables()["strength"] == "250" and "temperature" not in runs[2].variables()
+
+
+@pytest.mark.parametrize(
+    "text, run, part",
+    [
+        (SOFTENING, "v: 7", "soft.mca: temperature is missing, allowed: 300 to 900"),
+        (SOFTENING, "temperature: 299", "soft.mca: temperature 299, allowed: 300 to 900"),
+        (SI, "temperature: 300", "soft.mca: has no line temperature, the plan says 300"),
+        (
+            SOFTENING.replace(" 600", ""),
+            "temperature: 300",
+            "strength has 3 values, allowed: 1 or 2",
+        ),
+        (SOFTENING.replace("600", "300"), "temperature: 300", "temperature 300 stands after 300"),
+        (SOFTENING.replace("600 900", ""), "temperature: 300", ":2: temperature has one value"),
+        (
+            SOFTENING,
+            "temperature: cold",
+            "temperature: 'cold' is not allowed, must be a number > 0",
+        ),
+    ],
+)
+def test_bad_temperatures(text, run, part, tmp_path):
+    (tmp_path / "soft.mca").write_text(text)
+    path = tmp_path / "plan.yaml"
+    path.write_text(HEAD + "defaults: {material: soft.mca}\nruns: [{" + run + "}]\n")
+    one_line(campaign("list", path), 3, part)
+
+
+def test_rail_steel_is_the_same_for_plan_and_plugin():
+    """potentials/rail_steel.mca at its temperatures: the factors of EN 1993-1-2."""
+    found = [plans.material.read(str(ROOT / "potentials/rail_steel.mca"), t) for t in (293, 773)]
+    assert found[0]["strength"] == 900 and found[0]["E"] == 206000
+    assert found[1]["E"] == pytest.approx(0.6 * 206000)
+    assert found[1]["strength"] * found[1]["yield_strength"] == pytest.approx(0.78 * 720)
+    assert found[1]["strength"] * found[1]["elastic_limit"] == pytest.approx(0.36 * 720, rel=1e-4)
+
+
 def test_steel_is_the_default(tmp_path):
     """What a plan takes without a material is what potentials/steel.mca says."""
     path = tmp_path / "plan.yaml"
@@ -245,7 +303,7 @@ def test_steel_is_the_default(tmp_path):
         (ALUMINIUM.replace("density", "densty"), "own.mca:6: unknown keyword 'densty'"),
         (ALUMINIUM.replace("300 ", "nan "), "own.mca:7: strength: 'nan' is not allowed"),
         (ALUMINIUM.replace("300 ", "0x10 "), "own.mca:7: strength: '0x10'"),
-        (ALUMINIUM.replace("300 ", "1 500 "), "own.mca:7: strength: '1 500'"),
+        (ALUMINIUM.replace("300 ", "1 500 "), "own.mca:7: strength has 2 values, allowed: one, or"),
         (ALUMINIUM.replace("300 ", "-3 "), "own.mca:7: strength: '-3'"),
         (ALUMINIUM.replace("300 ", "# "), "own.mca:7: strength: ''"),
         (ALUMINIUM.replace("300 ", "3" * 5000 + " "), f"strength: '{'3' * 57}...' is not allowed"),
@@ -301,7 +359,8 @@ def test_page_has_every_key_option_and_plan():
     keys = dict(
         re.findall(
             r"^\| `(\w+)` \| ([^|]+) \| "
-            r"(?:ns|MPa|m/s|kg|Pa|Poisson|automata|rows|nm|of the|total|preset|potential)[^|]*\|$",
+            r"(?:ns|MPa|m/s|kg|Pa|Poisson|automata|rows|nm|of the|total|preset|potential|K,)"
+            r"[^|]*\|$",
             page,
             re.MULTILINE,
         )

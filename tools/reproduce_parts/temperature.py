@@ -1,0 +1,98 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Friction of a rail steel against temperature, beside Eqs. 2, 9 and 10."""
+
+import os
+
+import numpy as np
+from matplotlib import pyplot
+
+from campaign_parts import material, plan
+from campaign_parts.quantities import Run
+from mcawr.files import save_figure
+from mcawr.replicas import groups, mean_of
+from plot_fit import PAPER, static_part, velocity_term
+
+from .common import Missing, table
+
+STRENGTH_TEMPERATURE = 1250.0  # K of temperature rise that leaves no strength, Eq. 10
+LIMIT = 3.0  # pressures of Eq. 9 go up to so many strengths, the hardness
+
+
+def eq2(values):
+    """Eq. 2 with the paper's parameters at the quantities of a run."""
+    run = Run("", values, "")
+    return static_part(PAPER, run.kappa2) + velocity_term(PAPER, run.kappa1)
+
+
+def eq9(values):
+    """Eq. 9: the mean of Eq. 2 over a rough contact, pressures uniform in 0 .. 3 sigma_0, weighted
+    with the load."""
+    run = Run("", {**values, "p": LIMIT * values["strength"]}, "")
+    k = PAPER["c"] * run.kappa2
+    mean = 2 * (1 / k - np.log1p(k) / k**2)
+    return PAPER["mu0"] + PAPER["mu2"] * mean + velocity_term(PAPER, run.kappa1)
+
+
+def by_eq10(values, cold, temperature):
+    """The quantities with the strength of Eq. 10, the modulus of the cold."""
+    softer = 1 - (temperature - cold["temperature"]) / STRENGTH_TEMPERATURE
+    return {**values, "strength": cold["strength"] * softer, "E": cold["E"]}
+
+
+def temperature_of(point, runs):
+    """The temperature (K) of the plan's run with the point's strength and modulus, which no log's
+    head tells by itself."""
+    for values in runs:
+        same = (values["strength"], values["E"] / values["strength"])
+        if np.allclose(same, (point["strength"], point["kappa3"]), rtol=1e-4):
+            return values["temperature"]
+    raise Missing(f"{point['file']}: not a run of the plan 'temperature'")
+
+
+def temperature(report, picture):
+    """mu at each temperature, means over the seeds, beside Eq. 2 with the strengths of the
+    potential file and of Eq. 10, and beside Eq. 9 with Eq. 10."""
+    runs = [run.values for run in plan.read(plan.find("temperature")).runs]
+    cold = min(runs, key=lambda values: values["temperature"])
+    found = groups(report["report"]["points"], lambda point: temperature_of(point, runs))
+    names = ["Eq. 2", "Eq. 2 with Eq. 10", "Eq. 9 with Eq. 10"]
+
+    def laws(at, values):
+        softer = by_eq10(values, cold, at)
+        return eq2(values), eq2(softer), eq9(softer)
+
+    grid = np.linspace(min(found), max(found), 59)
+    file = os.path.join(plan.ROOT, "potentials", cold["material"])
+    curves = np.array([laws(at, {**cold, **material.read(file, at)}) for at in grid]).T
+    figure, axes = pyplot.subplots(figsize=(7, 4.6), constrained_layout=True)
+    styles = zip(names, ("with the strengths of the file", "", ""), ("-", "--", ":"), curves)
+    for name, more, style, curve in styles:
+        axes.plot(grid, curve, style, color="0.4", label=f"{name} {more}".strip())
+    rows = []
+    for at, members in found.items():
+        mu, error = mean_of(members)
+        axes.plot([at] * len(members), [p["mu"] for p in members], "o", mfc="none", color="C0")
+        axes.errorbar(at, mu, yerr=1.96 * error, fmt="s", color="C0", capsize=3)
+        values = next(values for values in runs if values["temperature"] == at)
+        each = "  ".join(f"{p['mu']:.3f}" for p in sorted(members, key=lambda p: p["seed"]))
+        rows.append(
+            [
+                f"{at:g} K",
+                f"{values['strength']:.0f}",
+                f"{values['E'] / 1000:.0f}",
+                f"{members[0]['kappa2']:.1f}",
+                f"{mu:.3f} +- {error:.3f}",
+                each,
+                *(f"{law:.3f}" for law in laws(at, values)),
+            ]
+        )
+    axes.plot([], [], "o", mfc="none", color="C0", label="a run")
+    axes.errorbar([], [], yerr=[], fmt="s", color="C0", capsize=3, label="mean, 95 %")
+    axes.set(xlabel="temperature (K)", ylabel=r"$\mu$")
+    axes.set_ylim(bottom=0)
+    axes.grid(alpha=0.3)
+    axes.legend(fontsize=9)
+    save_figure(figure, picture)
+    pyplot.close(figure)
+    head = ["", "sigma_0, MPa", "E, GPa", "kappa2", "mu", "of each seed", *names]
+    return table(head, rows)
