@@ -449,7 +449,7 @@ FIGURES |= {
         rate.rate,
     ),
     "temperature": Figure(
-        "Friction of a rail steel against temperature, from 75 ns on",
+        "Friction of a rail steel (MPa, GPa) against temperature, from 75 ns on",
         ["temperature"],
         heat.temperature,
         ["--start", "75"],

@@ -72,7 +72,7 @@ def temperature(report, picture):
     for at, members in found.items():
         mu, error = mean_of(members)
         axes.plot([at] * len(members), [p["mu"] for p in members], "o", mfc="none", color="C0")
-        axes.errorbar(at, mu, yerr=1.96 * error, fmt="s", color="C0", capsize=3)
+        axes.errorbar(at, mu, yerr=error, fmt="s", color="C0", capsize=3)
         values = next(values for values in runs if values["temperature"] == at)
         each = "  ".join(f"{p['mu']:.3f}" for p in sorted(members, key=lambda p: p["seed"]))
         rows.append(
@@ -87,12 +87,12 @@ def temperature(report, picture):
             ]
         )
     axes.plot([], [], "o", mfc="none", color="C0", label="a run")
-    axes.errorbar([], [], yerr=[], fmt="s", color="C0", capsize=3, label="mean, 95 %")
+    axes.errorbar([], [], yerr=[], fmt="s", color="C0", capsize=3, label="mean, standard error")
     axes.set(xlabel="temperature (K)", ylabel=r"$\mu$")
-    axes.set_ylim(bottom=0)
+    axes.set_ylim(0, 0.65)
     axes.grid(alpha=0.3)
-    axes.legend(fontsize=9)
+    axes.legend(fontsize=9, loc="upper right", ncols=2)
     save_figure(figure, picture)
     pyplot.close(figure)
-    head = ["", "sigma_0, MPa", "E, GPa", "kappa2", "mu", "of each seed", *names]
+    head = ["", "sigma_0", "E", "kappa2", "mu", "of each seed", "Eq. 2", "Eqs. 2, 10", "Eqs. 9, 10"]
     return table(head, rows)
