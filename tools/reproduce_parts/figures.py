@@ -13,7 +13,7 @@ import plot_series
 from mcawr.files import save_figure
 from mcawr.replicas import groups, mean_of
 
-from . import ageing, layer, rate, steps, temperature as heat
+from . import ageing, layer, rate, space as three, steps, temperature as heat
 from .common import Missing, percent, power_law, run_name, scatter_of, table
 
 PAPER = plot_fit.PAPER
@@ -453,6 +453,12 @@ FIGURES |= {
         ["temperature"],
         heat.temperature,
         ["--start", "75"],
+    ),
+    "space": Figure(
+        "Friction in three dimensions, from 50 ns on",
+        ["space", "velocity", "pressure", "paper36"],
+        three.space,
+        ["--start", "50"],
     ),
     "sensitivity": Figure(
         "Sensitivity of mu to the laws, from 15 ns on", ["variants"], sensitivity, ["--start", "15"]

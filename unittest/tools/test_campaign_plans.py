@@ -179,6 +179,7 @@ SHIPPED = {
     "corrected": 26,
     "own-material": 10,
     "temperature": 15,
+    "space": 16,
 }
 
 

@@ -1,0 +1,91 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Friction in three dimensions beside that in the plane and Eq. 2."""
+
+import numpy as np
+from matplotlib import pyplot
+
+from mcawr.files import save_figure
+from mcawr.friction_log import head_of
+from mcawr.replicas import groups, mean_of
+
+from . import layer
+from .common import Missing, percent, table
+
+QUANTITIES = {"velocity": "v (m/s)", "pressure": "p (MPa)", "strength": r"$\sigma_0$ (MPa)"}
+
+
+def condition(point):
+    """Velocity (m/s), pressure (MPa), strength (MPa)."""
+    return tuple(point[name] for name in QUANTITIES)
+
+
+def conditions(points):
+    """{condition: points} of the runs in space and of those in the plane that share one."""
+    found = groups(
+        points, lambda p: (head_of(p["file"])["geometry"]["packing"] == "hex", *condition(p))
+    )
+    inside = {key[1:]: members for key, members in found.items() if not key[0]}
+    plane = {key[1:]: members for key, members in found.items() if key[0] and key[1:] in inside}
+    if not inside:
+        raise Missing("no friction log of three dimensions")
+    return inside, plane
+
+
+def depth_of(members):
+    """(mean depth of the layer in nm over the second halves, its standard error) or None."""
+    layers = [read for p in members if (read := layer.read(p["file"])) is not None]
+    return layer.mean_depth(layers) if layers else None
+
+
+def draw(inside, plane, picture):
+    """mu against each quantity that is varied alone: space, plane, Eq. 2."""
+    base = tuple(np.median(column) for column in zip(*inside))
+    figure, panels = pyplot.subplots(1, 3, figsize=(10, 3.8), sharey=True, constrained_layout=True)
+    for k, (axes, label) in enumerate(zip(panels, QUANTITIES.values())):
+        alone = [c for c in inside if all(c[m] == base[m] for m in range(3) if m != k)]
+        x = [c[k] for c in alone]
+        axes.plot(x, [inside[c][0]["mu_eq2"] for c in alone], "-", color="0.4", label="Eq. 2")
+        for name, found, style in (("space", inside, "s"), ("plane", plane, "o")):
+            known = [c for c in alone if c in found]
+            means = [mean_of(found[c]) for c in known]
+            axes.errorbar(
+                [c[k] for c in known],
+                [mu for mu, _ in means],
+                yerr=[error for _, error in means],
+                fmt=style,
+                mfc="none" if name == "plane" else None,
+                capsize=3,
+                label=name,
+            )
+        axes.set_xlabel(label)
+        axes.grid(alpha=0.3)
+    panels[0].set_ylabel(r"$\mu$")
+    panels[0].set_ylim(bottom=0)
+    panels[0].legend()
+    save_figure(figure, picture)
+    pyplot.close(figure)
+
+
+def space(report, picture):
+    """mu in space and in the plane at the same pressure, velocity and strength, beside Eq. 2, and
+    the depth of the layer in space; means over the seeds."""
+    inside, plane = conditions(report["report"]["points"])
+    draw(inside, plane, picture)
+    rows = []
+    for key, members in inside.items():
+        mu, error = mean_of(members)
+        paper = members[0]["mu_eq2"]
+        flat = "{:.3f} +- {:.3f}".format(*mean_of(plane[key])) if key in plane else "-"
+        depth = depth_of(members)
+        rows.append(
+            [
+                "{:g} m/s, {:g} MPa, sigma_0 {:g} MPa".format(*key),
+                str(len(members)),
+                f"{mu:.3f} +- {error:.3f}",
+                flat,
+                f"{paper:.3f}",
+                percent(mu, paper),
+                "-" if depth is None else "{:.1f} +- {:.1f}".format(*depth),
+            ]
+        )
+    return table(["", "seeds", "space", "plane", "Eq. 2", "", "depth, nm"], rows)
