@@ -211,7 +211,7 @@ def test_scratch(tmp_path):
 def test_every_variable_of_the_bar(tmp_path):
     """Each changes the box, the strain or the stress; the table of the page is the script's."""
     defaults = script_variables(SPACE / "in.bar")
-    page = (SPACE / "README.md").read_text(encoding="utf-8")
+    page = (SPACE / "README.md").read_text(encoding="utf-8").split("## Friction")[0]
     assert dict(re.findall(r"^\| `(\w+)` \| `(.*?)` \|", page, re.MULTILINE)) == defaults
     shown = {}
     others = {"strength": 184, "cells": 3, "strain": 0.002, "rate": 0.2, "skin": "yes", "d": 3}
@@ -222,3 +222,19 @@ def test_every_variable_of_the_bar(tmp_path):
         assert float(strain) == pytest.approx(value if name == "strain" else 0.0025, rel=1e-6)
         shown[name] = (box, strain, stress)
     assert set(shown) == {"", *defaults} and len(set(shown.values())) == len(shown)
+
+
+def test_friction_in_space(tmp_path):
+    """The variables of the friction example and one more; a run that goes on after its restart
+    file."""
+    defaults, plane = (script_variables(where / "in.friction") for where in (SPACE, FRICTION))
+    other = {"columns": "20", "rows": "28", "depth": "8"}
+    assert defaults == {**plane, **other}
+    values = {"columns": 8, "rows": 14, "depth": 4, "every": 100, "seed": 3, "v": 7, "frames": 0}
+    run(SPACE / "in.friction", tmp_path, {**values, "ns": 0.02})
+    log = tmp_path / "friction.friction"
+    head = head_of(log)
+    assert head["geometry"]["packing"] == "fcc" and head["geometry"]["automata"] == 8 * 14 * 4 / 2
+    assert head["loading"]["velocity"] == 7 and head["run"]["seed"] == 3
+    run(SPACE / "in.friction", tmp_path, {**values, "ns": 0.04, "continue": 1})
+    assert steps_of(log) == list(range(100, 900, 100))
