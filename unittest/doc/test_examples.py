@@ -21,12 +21,12 @@ from campaign_parts import plan as plans  # noqa: E402
 
 
 def script_variables(script):
-    """Default of each variable that the script's head lets one set; of style index only, since
-    LAMMPS refuses a command-line value for any other style."""
+    """Default of each variable that the script's head lets one set; of style index, since LAMMPS
+    refuses a command-line value for any other style (equal: computed from these)."""
     head = script.read_text(encoding="utf-8").split("\nunits ")[0]
     found = re.findall(r"^variable +(\w+) +(\w+) +(\S+)", head, re.MULTILINE)
-    assert {style for _, style, _ in found} == {"index"}
-    return {name: default for name, _, default in found}
+    assert {style for _, style, _ in found} <= {"index", "equal"}
+    return {name: default for name, style, default in found if style == "index"}
 
 
 def run(script, folder, values):
@@ -231,6 +231,7 @@ def test_friction_in_space(tmp_path):
     other = {"columns": "20", "rows": "28", "depth": "8"}
     assert defaults == {**plane, **other}
     values = {"columns": 8, "rows": 14, "depth": 4, "every": 100, "seed": 3, "v": 7, "frames": 0}
+    values.update(profile=200, checkpoint=200)
     run(SPACE / "in.friction", tmp_path, {**values, "ns": 0.02})
     log = tmp_path / "friction.friction"
     head = head_of(log)
@@ -238,3 +239,7 @@ def test_friction_in_space(tmp_path):
     assert head["loading"]["velocity"] == 7 and head["run"]["seed"] == 3
     run(SPACE / "in.friction", tmp_path, {**values, "ns": 0.04, "continue": 1})
     assert steps_of(log) == list(range(100, 900, 100))
+    heads = re.findall(
+        r"^(\d+) \d+ [\d.]+$", (tmp_path / "friction.profile").read_text(), re.MULTILINE
+    )
+    assert list(map(int, heads)) == [200, 400, 600, 800]
