@@ -64,13 +64,15 @@ def test_logs_belong_to_their_plan(folder):
 @pytest.mark.skipif(not LMP.exists(), reason="lmp is not built")
 @pytest.mark.parametrize("folder", FOLDERS, ids=lambda path: path.name)
 def test_first_row_is_made_again(folder, tmp_path):
-    """Later rows are of a chaotic motion, which the last bit of another machine changes."""
+    """Later rows are of a chaotic motion, which the last bit of another machine changes: by 1e-2
+    after 1 ns."""
     log = min(folder.glob("*.friction"))
     command, averaged = made_by(log)
+    old = rows(log.read_text())[0]
     words = [str(LMP), *command[1:]]
     for option, value in (
         ("-in", ROOT / words[words.index("-in") + 1]),
-        ("ns", 0.21),
+        ("ns", 1.01 * old["time"]),
         ("log", "run.friction"),
     ):
         words[words.index(option) + 1] = str(value)
@@ -85,6 +87,6 @@ def test_first_row_is_made_again(folder, tmp_path):
     )
     assert done.returncode == 0, done.stderr
     new = rows(pack.packed((tmp_path / "run.friction").read_text(), averaged, "lmp"))[0]
-    old = rows(log.read_text())[0]
+    chaos = 1e-4 if old["time"] < 0.3 else 0.03
     for name in ("time", "shear_stress", "normal_stress", "links"):
-        assert new[name] == pytest.approx(old[name], rel=1e-4), f"{log.name}: {name}"
+        assert new[name] == pytest.approx(old[name], rel=chaos), f"{log.name}: {name}"
