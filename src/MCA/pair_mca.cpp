@@ -17,7 +17,6 @@ using namespace LAMMPS_NS;
 static constexpr int SAMPLE_CHECK = 100; // steps from one to the next
 
 static constexpr int KAPPA = mca::stateNumber("kappa");
-static constexpr int ELASTIC_Z = mca::stateNumber("elastic_z");
 static constexpr int BROKEN = mca::stateNumber("broken");
 static constexpr int FORMED = mca::stateNumber("formed");
 static constexpr int LAG[] = {mca::stateNumber("lag_x"), mca::stateNumber("lag_y"),
@@ -64,7 +63,6 @@ mca::Automata PairMCA::automata() const
                      integrated,
                      held,
                      state(KAPPA),
-                     state(ELASTIC_Z),
                      {},
                      {},
                      {},

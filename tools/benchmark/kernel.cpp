@@ -73,7 +73,6 @@ class Sample {
                1,
                2,
                zero,
-               zero,
                {zero, zero, zero},
                {zero, zero, zero},
                {},

@@ -278,8 +278,8 @@ def mean_turn(exx, eyy, shear):
 
 class MaterialPoint:
     """Plane strain along a strain path, small implicit steps: J2 flow with isotropic hardening in
-    three dimensions or, without flow across the plane, what plasticity radial does instead. The
-    curve's strains are those of the steel times `scale`."""
+    the plane alone, which keeps the area, or what plasticity radial does instead. The curve's
+    strains are those of the steel times `scale`."""
 
     def __init__(self, preserving=True, scale=1.0):
         self.preserving, self.scale, self.kappa = preserving, scale, 0.0
@@ -296,6 +296,11 @@ class MaterialPoint:
         e = np.array([xx, yy, 0, xy]) - self.flow
         mean = K * e[:3].sum()
         s = 2 * G * (e - np.array([1, 1, 1, 0]) * e[:3].sum() / 3)
+        if self.preserving:
+            mean, s = (
+                mean + (s[0] + s[1]) / 2,
+                np.array([s[0] - s[1], s[1] - s[0], 0, 2 * s[3]]) / 2,
+            )
         q = np.sqrt(1.5 * (s[:3] @ s[:3] + 2 * s[3] ** 2))
         lower, upper = 0.0, q / (3 * G) if q > self.yield_stress(self.kappa) else 0.0
         while upper - lower > 1e-13:
@@ -304,11 +309,12 @@ class MaterialPoint:
                 (d, upper) if q - 3 * G * d > self.yield_stress(self.kappa + d) else (lower, d)
             )
         flow = 1.5 * upper * s / q if q > 0 else 0 * s
-        if not self.preserving:
-            flow[2] = 0.0
+        flow[2] = 0.0
         self.flow = self.flow + flow
         self.kappa += upper
         self.stress = s * (1 - 3 * G * upper / q if q > 0 else 1) + mean * np.array([1, 1, 1, 0])
+        if self.preserving:
+            self.stress[2] = (K - 2 * G / 3) * (xx + yy)  # nothing flows across the plane
         return self.stress
 
 

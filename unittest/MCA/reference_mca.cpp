@@ -163,6 +163,12 @@ double nextKind(const mca::LawSet &laws, const mca::Material &ma, const mca::Mat
   return welding ? 2 : 1;
 }
 
+double stretched(double sigma, double twoG, double times, double squareBefore, double squareAfter)
+{
+  const double less = twoG * times * (squareAfter - squareBefore);
+  return sigma > 0 ? sigma - std::clamp(less, 0.0, sigma) : sigma - std::clamp(less, sigma, 0.0);
+}
+
 double wornKind(const mca::LawSet &laws, double kind, double next, double e, bool far, double slid)
 {
   const std::string rule = laws.worn.word();
@@ -250,11 +256,15 @@ void collectMeans(Sample &s)
   }
   for (auto &a : s.automata) {
     const mca::Material &m = s.materials[a.type];
-    if (s.laws.plasticity.word() == "j2")
-      a.trace += a.elasticZ;
     a.mean = s.laws.plane.word() == "stress" ? 2.0 / 3 * (shearModulus(m) + lame(s, m)) * a.trace
                                              : bulkModulus(m) * a.trace;
   }
+}
+
+// whether it flows with its automata
+bool flows(const Sample &s, const Contact &c, const View &w)
+{
+  return c.now.kind == 1 || (s.laws.flow.word() == "contacts" && !linked(c.now) && w.e < 0);
 }
 
 // elastic stresses of a touching contact: the mean of what both sides answer
@@ -277,9 +287,11 @@ void addShare(Automaton &a, const View &w, double sigma, double tau)
   a.xy += (w.nx * fy + w.ny * fx) / 2 / 3;
 }
 
-// von Mises from the deviator
-double intensityOf(const Automaton &a)
+// von Mises from the deviator, or from the largest shear in the plane
+double intensityOf(const Sample &s, const Automaton &a)
 {
+  if (s.laws.plasticity.word() == "j2")
+    return std::sqrt(3.0) * std::hypot((a.xx - a.yy) / 2, a.xy);
   const double p = (a.xx + a.yy + a.zz) / 3;
   return std::sqrt(1.5 * (std::pow(a.xx - p, 2) + std::pow(a.yy - p, 2) + std::pow(a.zz - p, 2) +
                           2 * a.xy * a.xy));
@@ -287,6 +299,9 @@ double intensityOf(const Automaton &a)
 
 void collectStresses(Sample &s)
 {
+  std::vector<int> flowing(s.owned, 0);
+  for (auto &a : s.automata)
+    a.centre = 0;
   for (const auto &c : s.contacts) {
     const View w = view(s, c);
     if (!touches(c, w))
@@ -297,17 +312,20 @@ void collectStresses(Sample &s)
       Automaton &a = s.automata[s.owner[side]];
       addShare(a, w, sigma, tau);
       a.energy += shearModulus(s.materials[a.type]) / 3 * (w.e * w.e + c.now.gamma * c.now.gamma);
+      if (flows(s, c, w)) {
+        flowing[s.owner[side]]++;
+        a.centre += sigma;
+      }
     }
   }
   for (int k = 0; k < s.owned; k++) {
     Automaton &a = s.automata[k];
     const mca::Material &m = s.materials[a.type];
     a.energy += lame(s, m) * a.trace * a.trace / 2;
-    if (s.laws.plasticity.word() == "j2")
-      a.energy += shearModulus(m) * a.elasticZ * a.elasticZ;
     a.energy *= std::sqrt(3.0) / 2 * m.diameter * m.diameter * s.thickness;
     a.zz = 3 * a.mean - a.xx - a.yy;
-    a.intensity = intensityOf(a);
+    a.intensity = intensityOf(s, a);
+    a.centre = s.laws.plasticity.word() == "j2" ? a.centre / std::max(flowing[k], 1) : a.mean;
   }
 }
 
@@ -323,10 +341,22 @@ Stress contactStresses(const Sample &s, const Contact &c, const View &w)
     return out;
   elasticStresses(s, c, w, out.trial, out.tau);
   out.sigma = out.trial;
-  if (c.now.kind == 1) {
-    out.sigma -=
-        ((1 - a.factor) * (out.trial - a.mean) + (1 - b.factor) * (out.trial - b.mean)) / 2;
-    out.tau *= (a.factor + b.factor) / 2;
+  if (!flows(s, c, w))
+    return out;
+  out.sigma -=
+      ((1 - a.factor) * (out.trial - a.centre) + (1 - b.factor) * (out.trial - b.centre)) / 2;
+  const double left = (a.factor + b.factor) / 2;
+  out.tau *= left;
+  if (s.laws.plasticity.word() == "j2" && linked(c.now))
+    out.sigma =
+        stretched(out.sigma, shearModulus(s.materials[a.type]) + shearModulus(s.materials[b.type]),
+                  3.0 / 2, std::pow(c.now.gammaTotal - c.now.gamma, 2),
+                  std::pow(c.now.gammaTotal - left * c.now.gamma, 2));
+  if (!linked(c.now)) { // neither pulls nor lengthens beyond the breaking strain
+    const mca::Material &ma = s.materials[a.type], &mb = s.materials[b.type];
+    const double room = std::fmax(ma.breakingStrain, mb.breakingStrain) - c.now.plastic;
+    const double twoG = shearModulus(ma) + shearModulus(mb);
+    out.sigma = std::fmin(0, std::fmax(out.sigma, out.trial - twoG * std::fmax(room, 0)));
   }
   return out;
 }
@@ -346,22 +376,22 @@ std::vector<double> returnedIntensities(const Sample &s)
   std::vector<double> all;
   for (auto &a : after) {
     a.zz = 3 * a.mean - a.xx - a.yy;
-    all.push_back(intensityOf(a));
+    all.push_back(intensityOf(s, a));
   }
   return all;
 }
 
 void yield(Sample &s)
 {
-  std::vector<bool> hasBulk(s.owned, false);
+  std::vector<bool> canFlow(s.owned, false);
   for (const auto &c : s.contacts)
-    if (c.now.kind == 1)
-      hasBulk[s.owner[c.i]] = hasBulk[s.owner[c.j]] = true;
+    if (flows(s, c, view(s, c)))
+      canFlow[s.owner[c.i]] = canFlow[s.owner[c.j]] = true;
   for (int k = 0; k < s.owned; k++) {
     Automaton &a = s.automata[k];
     const double limit = yieldStress(s.materials[a.type], a.kappa);
-    const bool flows = s.laws.plasticity.word() != "none" && hasBulk[k] && a.intensity > limit;
-    a.factor = flows ? limit / a.intensity : 1;
+    const bool yields = s.laws.plasticity.word() != "none" && canFlow[k] && a.intensity > limit;
+    a.factor = yields ? limit / a.intensity : 1;
   }
   const std::vector<double> after = returnedIntensities(s);
   for (int k = 0; k < s.owned; k++) {
@@ -373,12 +403,6 @@ void yield(Sample &s)
       a.factor = std::fmax(0, 1 - (1 - a.factor) * std::fmin(2, times));
     }
     a.kappaNext = a.kappa + (1 - a.factor) * a.intensity / 3 / shearModulus(m);
-    a.elasticZNext = 0;
-    if (s.laws.plasticity.word() == "j2" && hasBulk[k]) {
-      const double p = (a.xx + a.yy + a.zz) / 3;
-      const double flow = (1 - a.factor) * (a.zz - p); // stress across the plane that relaxes
-      a.elasticZNext = a.elasticZ - flow / 2 / shearModulus(m);
-    }
     a.work = plasticWork(m, a.kappaNext) - plasticWork(m, a.kappa);
   }
 }
@@ -391,8 +415,10 @@ Eigen::Matrix3d localStress(const Sample &s, const Contact &c, const View &w, co
     const Automaton &b = s.automata[s.owner[side]];
     const double stress =
         b.xx * w.tx * w.tx + b.yy * w.ty * w.ty + 2 * b.xy * w.tx * w.ty; // before the return
-    along += (b.mean + b.factor * (stress - b.mean)) / 2;
-    across += (b.mean + b.factor * (b.zz - b.mean)) / 2;
+    const bool inPlane = s.laws.plasticity.word() == "j2"; // what acts across it does not flow
+    const double centre = inPlane ? (b.xx + b.yy) / 2 : b.mean;
+    along += (centre + b.factor * (stress - centre)) / 2;
+    across += (inPlane ? b.zz : b.mean + b.factor * (b.zz - b.mean)) / 2;
   }
   Eigen::Matrix3d tensor;
   tensor << p.sigma, p.tau, 0, p.tau, along, 0, 0, 0, across;
@@ -419,7 +445,8 @@ double unlinkedNormal(const Sample &s, const Contact &c, const View &w, const St
 {
   if (w.e >= 0)
     return 0;
-  return std::fmin(0, p.trial + viscosity(s, c) * c.speed / w.d);
+  const double sigma = linked(c.now) ? p.trial : p.sigma;
+  return std::fmin(0, sigma + viscosity(s, c) * c.speed / w.d);
 }
 
 // along t, of the second surface's motion past the first
@@ -448,7 +475,7 @@ void applyContact(Sample &s, Contact &c)
                          2,
                          w.eps,
                          linked(c.now) ? c.now.gammaTotal : 0,
-                         w.e - (c.now.kind == 1 ? (p.trial - p.sigma) / twoG : 0),
+                         w.e - (flows(s, c, w) ? (p.trial - p.sigma) / twoG : 0),
                          p.tau / twoG,
                          p.sigma,
                          p.tau,
@@ -461,7 +488,7 @@ void applyContact(Sample &s, Contact &c)
   const double slid = slides ? c.now.gammaTotal + c.way / w.d : 0;
   const bool far = w.eps >= std::fmax(ma.breakingStrain, mb.breakingStrain);
   c.next.kind = wornKind(s.laws, c.now.kind, c.next.kind, w.e, far, slid);
-  if (c.now.kind == 1)
+  if (flows(s, c, w))
     c.next.plastic += (p.trial - p.sigma) / twoG;
   c.next.gamma = p.tau / twoG;
   if (!linked(c.now) || !linked(c.next))

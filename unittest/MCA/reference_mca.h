@@ -22,11 +22,10 @@ struct Automaton {
   int type = 0;      ///< number in the table of materials
   bool held = false; ///< keeps its velocity, whatever acts on it
   double kappa = 0;
-  double elasticZ = 0; ///< elastic strain across the plane (plasticity j2)
 
   // results of a step; forces and torque are those of all contacts
   double mean = 0, xx = 0, yy = 0, xy = 0, zz = 0, intensity = 0, factor = 1, kappaNext = 0;
-  double elasticZNext = 0, trace = 0, work = 0;
+  double centre = 0, trace = 0, work = 0;
   double energy = 0, fx = 0, fy = 0, torque = 0;
 };
 
@@ -81,6 +80,10 @@ double yieldStress(const mca::Material &, double kappa);
 
 /// Plastic work per volume, the area below the yield curve.
 double plasticWork(const mca::Material &, double kappa);
+
+/// Normal stress of a linked contact that lengthens by `times` the growth of its squared plastic
+/// shear, as far as that brings the stress nearer to 0.
+double stretched(double sigma, double twoG, double times, double squareBefore, double squareAfter);
 
 /// A contact as a criterion of fracture sees it, after the returns. In space shears are lengths.
 struct LinkView {

@@ -43,6 +43,12 @@ bool touches(const Contact &c, const View &w)
   return linked(c.now) || w.e < 0;
 }
 
+// whether it flows with its automata
+bool flows(const Sample &s, const Contact &c, const View &w)
+{
+  return c.now.kind == 1 || (s.laws.flow.word() == "contacts" && !linked(c.now) && w.e < 0);
+}
+
 // volume of a cell in units of d^3, from the packings' lattice constants
 double cellVolume(const mca::Packing &p)
 {
@@ -119,7 +125,7 @@ double intensityOf(const Matrix3d &stress)
 void collectStresses(Sample &s)
 {
   const double weight = 3.0 / s.packing.coordination;
-  std::vector<int> bulks(s.owned, 0);
+  std::vector<int> flowing(s.owned, 0);
   for (const auto &c : s.contacts) {
     const View w = view(s, c);
     if (!touches(c, w))
@@ -132,8 +138,8 @@ void collectStresses(Sample &s)
       a.stress += shareOf(s, w, sigma, tau);
       a.energy +=
           weight * shearModulus(s.materials[a.type]) * (w.e * w.e + c.now.gamma.squaredNorm());
-      if (c.now.kind == 1) {
-        bulks[s.owner[side]]++;
+      if (flows(s, c, w)) {
+        flowing[s.owner[side]]++;
         a.centre += sigma;
       }
     }
@@ -145,13 +151,13 @@ void collectStresses(Sample &s)
     a.energy *= cellVolume(s.packing) * std::pow(m.diameter, 3);
     a.intensity = intensityOf(a.stress);
     const double limit = yieldStress(m, a.kappa);
-    a.centre /= std::max(bulks[k], 1);
-    const bool flows = s.laws.plasticity.word() != "none" && bulks[k] > 0 && a.intensity > limit;
-    a.factor = flows ? limit / a.intensity : 1;
+    a.centre /= std::max(flowing[k], 1);
+    const bool yields = s.laws.plasticity.word() != "none" && flowing[k] > 0 && a.intensity > limit;
+    a.factor = yields ? limit / a.intensity : 1;
   }
 }
 
-// elastic stresses, and those of a bulk link after the returns of both automata
+// elastic stresses, and those of a contact that flows after the returns of both automata
 void contactStresses(const Sample &s, const Contact &c, const View &w, double &trial, double &sigma,
                      Vector3d &tau)
 {
@@ -162,9 +168,20 @@ void contactStresses(const Sample &s, const Contact &c, const View &w, double &t
     return;
   elasticStresses(s, c, w, trial, tau);
   sigma = trial;
-  if (c.now.kind == 1) {
-    sigma -= ((1 - a.factor) * (trial - a.centre) + (1 - b.factor) * (trial - b.centre)) / 2;
-    tau *= (a.factor + b.factor) / 2;
+  if (!flows(s, c, w))
+    return;
+  sigma -= ((1 - a.factor) * (trial - a.centre) + (1 - b.factor) * (trial - b.centre)) / 2;
+  const double left = (a.factor + b.factor) / 2;
+  tau *= left;
+  if (s.laws.plasticity.word() == "j2" && linked(c.now))
+    sigma = stretched(sigma, shearModulus(s.materials[a.type]) + shearModulus(s.materials[b.type]),
+                      4.0 / 3, (c.now.gammaTotal - c.now.gamma).squaredNorm(),
+                      (c.now.gammaTotal - left * c.now.gamma).squaredNorm());
+  if (!linked(c.now)) { // neither pulls nor lengthens beyond the breaking strain
+    const mca::Material &ma = s.materials[a.type], &mb = s.materials[b.type];
+    const double room = std::fmax(ma.breakingStrain, mb.breakingStrain) - c.now.plastic;
+    const double twoG = shearModulus(ma) + shearModulus(mb);
+    sigma = std::fmin(0, std::fmax(sigma, trial - twoG * std::fmax(room, 0)));
   }
 }
 
@@ -246,7 +263,7 @@ void applyContact(Sample &s, Contact &c)
                          3,
                          w.eps,
                          linked(c.now) ? c.now.gammaTotal.norm() : 0,
-                         w.e - (c.now.kind == 1 ? (trial - sigma) / twoG : 0),
+                         w.e - (flows(s, c, w) ? (trial - sigma) / twoG : 0),
                          tau.norm() / twoG,
                          sigma,
                          tau.norm(),
@@ -258,7 +275,7 @@ void applyContact(Sample &s, Contact &c)
   const double slid = slides ? c.now.gammaTotal.x() + c.way / w.d : 0;
   const bool far = w.eps >= std::fmax(ma.breakingStrain, mb.breakingStrain);
   c.next.kind = wornKind(s.laws, c.now.kind, c.next.kind, w.e, far, slid);
-  if (c.now.kind == 1)
+  if (flows(s, c, w))
     c.next.plastic += (trial - sigma) / twoG;
   c.next.gamma = tau / twoG;
   if (!linked(c.now) || !linked(c.next))
@@ -273,7 +290,8 @@ void applyContact(Sample &s, Contact &c)
   // compression and viscosity of what is not linked any more, never tension
   Vector3d drag(0, 0, 0);
   if (!linked(c.now) || !linked(c.next)) {
-    sigma = w.e < 0 ? std::fmin(0, trial + viscosity(s, c) * c.speed / w.d) : 0;
+    const double pressed = linked(c.now) ? trial : sigma;
+    sigma = w.e < 0 ? std::fmin(0, pressed + viscosity(s, c) * c.speed / w.d) : 0;
     tau.setZero();
     if (w.e < 0 && s.laws.viscosity.word() == "both")
       drag = viscosity(s, c) / w.d * c.slip;

@@ -14,12 +14,11 @@ struct StepArrays {
   using Vector = double[3];
   std::vector<double> places, velocities, spins; ///< three values each
   std::vector<int> types, groups;
-  std::vector<double> kappa, elasticZ, lag[3], rest[3], spinLag[3], spinRest[3];
+  std::vector<double> kappa, lag[3], rest[3], spinLag[3], spinRest[3];
 
   /// Of n rows, all values 0 and every automaton moved by its forces.
   explicit StepArrays(size_t n = 0)
-      : places(3 * n), velocities(3 * n), spins(3 * n), types(n), groups(n, all), kappa(n),
-        elasticZ(n)
+      : places(3 * n), velocities(3 * n), spins(3 * n), types(n), groups(n, all), kappa(n)
   {
     for (auto *of : {lag, rest, spinLag, spinRest})
       for (int m = 0; m < 3; m++)
@@ -40,7 +39,6 @@ struct StepArrays {
             all,
             held,
             kappa.data(),
-            elasticZ.data(),
             {lag[0].data(), lag[1].data(), lag[2].data()},
             {rest[0].data(), rest[1].data(), rest[2].data()},
             {spinLag[0].data(), spinLag[1].data(), spinLag[2].data()},

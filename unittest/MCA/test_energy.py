@@ -53,10 +53,11 @@ def test_error_is_the_sum(sliding):
     "laws",
     [
         "preset a",
-        "preset b plasticity j2",
+        "preset b flow contacts",
+        "preset b plasticity j2 flow contacts",
         "preset b viscosity none",
         "preset b steps plain",
-        "preset b plasticity j2 steps plain",
+        "preset b plasticity j2 flow contacts steps plain",
         "preset b viscosity both",
         "preset b viscosity both steps plain",
     ],

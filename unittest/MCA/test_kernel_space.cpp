@@ -126,23 +126,27 @@ TEST_P(SpaceKernelTest, EqualsTheReference)
 
 TEST_P(SpaceKernelTest, EqualsTheReferenceWithEachLawSwitched)
 {
-  std::vector<std::vector<std::string>> choices = {{"elasticity", "pairwise"},
-                                                   {"plasticity", "none"},
-                                                   {"plasticity", "j2"},
-                                                   {"plasticity", "j2", "link_work", "0.001"},
-                                                   {"viscosity", "none"},
-                                                   {"viscosity", "both"},
-                                                   {"viscosity", "both", "steps", "plain"},
-                                                   {"worn", "now"},
-                                                   {"worn", "slid"},
-                                                   {"worn", "apart", "link_work", "0.001"},
-                                                   {"worn", "never"},
-                                                   {"heal", "none", "weld", "none"},
-                                                   {"link", "none"},
-                                                   {"link", "0.9"},
-                                                   {"weld", "0.3", "heal", "0.1"},
-                                                   {"link", "none", "link_work", "0.001"},
-                                                   {"steps", "plain", "link_work", "0.001"}};
+  std::vector<std::vector<std::string>> choices = {
+      {"elasticity", "pairwise"},
+      {"plasticity", "none"},
+      {"plasticity", "j2"},
+      {"plasticity", "j2", "flow", "contacts"},
+      {"plasticity", "j2", "flow", "contacts", "link_work", "0.001"},
+      {"flow", "contacts"},
+      {"flow", "contacts", "viscosity", "both"},
+      {"viscosity", "none"},
+      {"viscosity", "both"},
+      {"viscosity", "both", "steps", "plain"},
+      {"worn", "now"},
+      {"worn", "slid"},
+      {"worn", "apart", "link_work", "0.001"},
+      {"worn", "never"},
+      {"heal", "none", "weld", "none"},
+      {"link", "none"},
+      {"link", "0.9"},
+      {"weld", "0.3", "heal", "0.1"},
+      {"link", "none", "link_work", "0.001"},
+      {"steps", "plain", "link_work", "0.001"}};
   for (const auto &criterion : fractureWords()) {
     choices.push_back(criterion);
     choices.push_back(criterion);
@@ -494,6 +498,7 @@ TEST_P(SpaceKernelTest, FlowOfAllAlikeKeepsTheVolume)
     for (const bool sheared : {false, true}) {
       Sample s = block(mca::packing::fcc, steel(), 4, 1, true), twin = s;
       s.laws.plasticity = plasticity;
+      s.laws.flow = "contacts";
       twin.laws.plasticity = "none";
       Matrix3d rate = Matrix3d::Zero();
       if (sheared)
@@ -518,8 +523,11 @@ TEST_P(SpaceKernelTest, FlowOfAllAlikeKeepsTheVolume)
         EXPECT_LT(a.factor, 1);
         EXPECT_GT(a.kappa, 1e-3);
         EXPECT_GT(b.intensity, 3 * a.intensity);
-        EXPECT_NEAR(a.mean, b.mean, 1e-9 * yieldStress);
         EXPECT_NEAR(a.stress.trace() / 3, a.mean, 1e-9 * yieldStress);
+        if (plasticity == "j2") // and takes off what contacts lengthen as they rotate
+          EXPECT_LT(std::abs(a.mean), 0.15 * b.mean);
+        else
+          EXPECT_NEAR(a.mean, b.mean, 1e-9 * yieldStress);
       }
     }
 }
@@ -529,7 +537,6 @@ TEST_P(SpaceKernelTest, FlowOfAnySampleKeepsTheSumOfItsStrains)
   // automata that flow beside others that do not, with welds and open contacts among their links
   for (const std::string steps : {"corrected", "plain"}) {
     Sample s = randomSample(mca::packing::fcc, 9, 1, 5e-5);
-    s.laws.plasticity = "j2";
     s.laws.fracture = "none"; // a link that breaks may forget its offset
     s.laws.steps = steps;
     run(s, 5e-5);

@@ -89,16 +89,19 @@ TEST(LawSet, WordsOfRestartFilesAndLogs)
   EXPECT_EQ(parsed({}).words(), b);
   EXPECT_EQ(parsed({"worn", "apart", "worn", "unloaded"}).words(), b); // as logs always were
   EXPECT_THAT(parsed({"worn", "apart"}).words(), testing::IsSupersetOf({"worn", "apart"}));
+  EXPECT_EQ(parsed({"flow", "contacts", "flow", "links"}).words(), b);
+  EXPECT_THAT(parsed({"flow", "contacts"}).words(), testing::IsSupersetOf({"flow", "contacts"}));
 }
 
 TEST(LawSet, EachKeyword)
 {
   const std::vector<std::vector<std::string>> choices = {
       {"elasticity", "pairwise"}, {"plasticity", "none"}, {"plasticity", "j2"},
-      {"fracture", "stress"},     {"fracture", "none"},   {"viscosity", "none"},
-      {"viscosity", "both"},      {"steps", "plain"},     {"link", "1.25"},
-      {"link", "none"},           {"weld", "0.554"},      {"heal", "none"},
-      {"heal", "2.35"},           {"link_work", "0.5"},   {"worn", "never"}};
+      {"flow", "contacts"},       {"fracture", "stress"}, {"fracture", "none"},
+      {"viscosity", "none"},      {"viscosity", "both"},  {"steps", "plain"},
+      {"link", "1.25"},           {"link", "none"},       {"weld", "0.554"},
+      {"heal", "none"},           {"heal", "2.35"},       {"link_work", "0.5"},
+      {"worn", "never"}};
   for (const auto &pair : choices)
     EXPECT_EQ(wordOf(parsed(pair), pair[0]), pair[1]);
   EXPECT_EQ(parsed({"link", "1.25"}).link.threshold().factor(), 1.25);
@@ -121,9 +124,8 @@ TEST(LawSet, AnswersWhatFollowsFromTheWords)
   EXPECT_FALSE(parsed({"steps", "plain"}).centresViscosity());
   EXPECT_FALSE(parsed({"viscosity", "none"}).isViscous());
   EXPECT_FALSE(parsed({"viscosity", "none"}).centresViscosity());
-  EXPECT_TRUE(parsed({"plasticity", "j2"}).strainsAcross(2));
-  EXPECT_FALSE(parsed({"plasticity", "j2"}).strainsAcross(3));
-  EXPECT_FALSE(parsed({}).strainsAcross(2));
+  EXPECT_TRUE(parsed({"plasticity", "j2"}).keepsVolume());
+  EXPECT_FALSE(parsed({"flow", "contacts"}).keepsVolume());
 }
 
 TEST(LawSet, OnlyPlaneStressIsOfThePlane)
@@ -131,8 +133,12 @@ TEST(LawSet, OnlyPlaneStressIsOfThePlane)
   const LawSet stress = parsed({"plane", "stress", "plasticity", "none"});
   EXPECT_EQ(stress.notInDimension(2), "");
   EXPECT_EQ(stress.notInDimension(3), "plane stress");
-  for (const std::vector<std::string> &words : std::vector<std::vector<std::string>>{
-           {}, {"plasticity", "j2"}, {"fracture", "equivalent"}, {"link_work", "1"}})
+  for (const std::vector<std::string> &words :
+       std::vector<std::vector<std::string>>{{},
+                                             {"plasticity", "j2"},
+                                             {"flow", "contacts"},
+                                             {"fracture", "equivalent"},
+                                             {"link_work", "1"}})
     EXPECT_EQ(parsed(words).notInDimension(3), "");
 }
 

@@ -203,7 +203,7 @@ run 100000
 # ---- plasticity, fracture
 
 
-@pytest.mark.parametrize("law", ["radial", "j2"])
+@pytest.mark.parametrize("law", ["radial", "j2 flow contacts"])
 @pytest.mark.parametrize("kind", ["tension", "shear"])
 def test_diagram_runs_through_fig5(tmp_path, kind, law):
     """Strains a tenth of Fig. 5's, where the contacts' strain is linear: the three points, the
@@ -220,9 +220,11 @@ def test_diagram_runs_through_fig5(tmp_path, kind, law):
     assert np.abs(stress[first + 1 :] - curve).max() < 2e-3 * m.STRENGTH
     for point, value in ((0.0015, m.Y2), (0.004, m.STRENGTH)):
         assert np.interp(point, strain, stress) == pytest.approx(value, rel=0.01)
-    reference = m.point_along(r, law == "j2", 0.1)
+    reference = m.point_along(r, "j2" in law, 0.1)
+    # the material point feels what contacts lengthen as they rotate; j2 takes most of it off
+    near = 0.05 if "j2" in law else 0.01
     for k, name in enumerate(["sxx", "syy", "szz", "sxy"]):
-        assert np.abs(r[name] - reference[:, k]).max() < 0.01 * m.STRENGTH, name
+        assert np.abs(r[name] - reference[:, k]).max() < near * m.STRENGTH, name
     assert r["kappa"][-1] == pytest.approx(reference[-1, 4], rel=0.005)
     # plastic work: the integral of the curve
     cell, kappa = np.sqrt(3) / 2 * m.D**2, np.linspace(0, r["kappa"][-1], 20001)
@@ -236,7 +238,12 @@ def test_diagram_runs_through_fig5(tmp_path, kind, law):
 def test_unloads_along_e_and_hardens_isotropically(tmp_path, kind):
     """Slope of unloading; yielding the other way begins at the stress where unloading began."""
     r = m.diagram(
-        tmp_path, kind, "plasticity j2 fracture none", scale=0.1, reverse=True, steps=2000
+        tmp_path,
+        kind,
+        "plasticity j2 flow contacts fracture none",
+        scale=0.1,
+        reverse=True,
+        steps=2000,
     )
     x, stress = (r["shear"], r["sxy"]) if kind == "shear" else (r["exx"], r["sxx"])
     turn = int(np.argmax(x))
@@ -246,7 +253,7 @@ def test_unloads_along_e_and_hardens_isotropically(tmp_path, kind):
     again = (
         np.flatnonzero(np.diff(r["kappa"][turn + 2 :]) > 1e-12)[0] + turn + 3
     )  # the first row of flow
-    assert r["equivalent"][again] == pytest.approx(r["equivalent"][turn], rel=0.005)
+    assert r["equivalent"][again] == pytest.approx(r["equivalent"][turn], rel=0.01)
     assert stress[again] < 0 and stress[turn] > 0
 
 
@@ -370,10 +377,8 @@ run 1001
     assert events == [(first, 2, 3, 0, 2)] or events == [(first, 3, 2, 0, 2)]
 
 
-# corrected steps of j2 let round-off grow by a hundredth a step, too much for a comparison of 600
-# steps
 LAWS = (
-    "steps plain plasticity j2 fracture drucker-prager compressive_strength 2 "
+    "plasticity j2 flow contacts fracture drucker-prager compressive_strength 2 "
     "link_work 0.002 heal none"
 )
 OUTPUT = """neighbor 0.4 bin

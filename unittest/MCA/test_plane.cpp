@@ -27,7 +27,7 @@ struct Point {
   ElasticModuli moduli = planeStrainModuli(m.shearModulus(), m.bulkModulus());
   bool volumePreserving = true;
   std::array<double, 6> plastic{}, plasticShear{};
-  double elasticZ = 0, kappa = 0;
+  double kappa = 0;
   StressTensor stress{};
   double mean = 0;
 
@@ -37,26 +37,27 @@ struct Point {
     if (!flows)
       return;
     const YieldCurve curve(m);
-    const RadialReturn back = radialReturn(stressIntensity(stress), curve(kappa), moduli.shear);
+    const StressTensor yielding =
+        volumePreserving ? flowStress(stress.xx, stress.yy, stress.xy) : stress;
+    const RadialReturn back = radialReturn(stressIntensity(yielding), curve(kappa), moduli.shear);
     const double M = back.factor, twoG = 2 * moduli.shear;
+    const double centre = volumePreserving ? (stress.xx + stress.yy) / 2 : mean;
     kappa += back.strain;
     for (int k = 0; k < 6; k++) {
       const double sigma = normalResponse(e_[k], twoG, moduli.D, mean);
-      plastic[k] += (1 - M) * (sigma - mean) / twoG;
+      plastic[k] += (1 - M) * (sigma - centre) / twoG;
       plasticShear[k] += (1 - M) * gamma_[k];
     }
-    if (volumePreserving)
-      elasticZ = elasticZAfter(elasticZ, stress.zz, mean, M, twoG);
     average(eps); // the state after the return
   }
 
-  /// Plastic strain: that of the contacts in the plane, -e_zz across it.
+  /// Sum of the plastic strains in the plane.
   double plasticVolume() const
   {
     double sum = 0;
     for (const double p : plastic)
       sum += p / 3;
-    return sum - elasticZ;
+    return sum;
   }
 
  private:
@@ -72,7 +73,7 @@ struct Point {
       gamma_[k] = (eps.yy - eps.xx) * nx * ny + eps.xy * (nx * nx - ny * ny) - plasticShear[k];
       sum += e_[k];
     }
-    mean = meanStress(sum, moduli.bulk) + moduli.bulk * elasticZ;
+    mean = meanStress(sum, moduli.bulk);
     stress = {0, 0, 0, 0};
     for (int k = 0; k < 6; k++) {
       const double nx = std::cos(k * pi / 3), ny = std::sin(k * pi / 3);
@@ -84,23 +85,19 @@ struct Point {
   }
 };
 
-/// J2 flow with isotropic hardening in plane strain, three dimensions, implicit steps.
+/// J2 flow with isotropic hardening in the plane alone, implicit steps.
 struct Reference {
   Material m = steel();
   double kappa = 0;
-  std::array<double, 4> plastic{}; // xx, yy, zz, xy
+  double plastic = 0, plasticShear = 0; // (xx - yy)/2, xy
   StressTensor stress{};
 
   void strain(const Strain &eps)
   {
-    const double G = m.shearModulus(), K = m.bulkModulus();
-    const std::array<double, 4> e = {eps.xx - plastic[0], eps.yy - plastic[1], -plastic[2],
-                                     eps.xy - plastic[3]};
-    const double trace = e[0] + e[1] + e[2];
-    std::array<double, 4> s;
-    for (int k = 0; k < 4; k++)
-      s[k] = 2 * G * (e[k] - (k < 3 ? trace / 3 : 0));
-    const double q = std::sqrt(1.5 * (s[0] * s[0] + s[1] * s[1] + s[2] * s[2] + 2 * s[3] * s[3]));
+    const double G = m.shearModulus(), K = m.bulkModulus(), area = eps.xx + eps.yy;
+    double half = 2 * G * ((eps.xx - eps.yy) / 2 - plastic);
+    double shear = 2 * G * (eps.xy - plasticShear);
+    const double q = std::sqrt(3.0) * std::hypot(half, shear);
     const YieldCurve curve(m);
     double lower = 0, upper = q / (3 * G); // q - 3G d = Y(kappa + d)
     if (q <= curve(kappa))
@@ -109,13 +106,14 @@ struct Reference {
       const double d = 0.5 * (lower + upper);
       (q - 3 * G * d > curve(kappa + d) ? lower : upper) = d;
     }
-    const double d = upper;
-    for (int k = 0; k < 4; k++) {
-      plastic[k] += q > 0 ? 1.5 * d * s[k] / q : 0;
-      s[k] *= q > 0 ? 1 - 3 * G * d / q : 1;
-    }
-    kappa += d;
-    stress = {s[0] + K * trace, s[1] + K * trace, s[3], s[2] + K * trace};
+    const double left = q > 0 ? 1 - 3 * G * upper / q : 1;
+    plastic += (1 - left) * half / (2 * G);
+    plasticShear += (1 - left) * shear / (2 * G);
+    half *= left;
+    shear *= left;
+    kappa += upper;
+    const double pressure = (K + G / 3) * area; // nothing flows across the plane
+    stress = {pressure + half, pressure - half, shear, (K - 2 * G / 3) * area};
   }
 };
 

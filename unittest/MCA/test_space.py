@@ -203,7 +203,9 @@ VECTORS = {
 
 
 def two_blocks(path, lift):
-    """Data file of two fcc blocks, the upper one beside the lower one's lattice, and lifted."""
+    """Data file of two fcc blocks, the upper one beside the lower one's lattice, and lifted. Each
+    automaton is a little off its place, so that no pair comes back to the lattice's distance to the
+    last bit: rounding would decide whether it touches."""
     a, atoms, n = D * math.sqrt(2), [], (4, 6, 3)
     for i in range(2 * n[0]):
         for j in range(2 * n[1]):
@@ -212,7 +214,8 @@ def two_blocks(path, lift):
                     continue
                 upper = j >= n[1]
                 x, y, z = (
-                    0.5 * a * c for c in (i + 0.23 * upper, j + lift * upper, k + 0.11 * upper)
+                    0.5 * a * c + 1e-6 * math.sin(37.0 * len(atoms) + c)
+                    for c in (i + 0.23 * upper, j + lift * upper, k + 0.11 * upper)
                 )
                 atoms.append(f"{len(atoms) + 1} {1 + upper} {D} 1 {x!r} {y!r} {z!r}")
     path.write_text(
@@ -336,16 +339,15 @@ def test_flow_dissipates(tmp_path):
     assert np.abs(t["c_energy"][1:]).max() < 1e-4 * (plastic + fracture + viscous)[-1]
 
 
-# With heal, a pair of this sample whose links broke lies at its lattice distance to the last bit
-# when it decides on healing: rounding decides whether it touches, on one rank too. Hence heal none.
 SLIP = "viscosity both"
 FURTHER = [
     SLIP,
     "worn slid",
-    "plasticity j2",
+    "flow contacts",
+    "plasticity j2 flow contacts",
     "link none link_work 0.001",
-    "fracture equivalent heal none",
-    "fracture drucker-prager compressive_strength 3 heal none link_work 0.01 plasticity j2",
+    "fracture equivalent",
+    "fracture drucker-prager compressive_strength 3 link_work 0.01",
 ]
 
 
@@ -354,8 +356,8 @@ def test_further_laws(blocks, tmp_path, laws):
     """The account closes, two ranks do the same as one, and so does a run from a restart file."""
     scheme = "corrected " + laws
     step = "timestep 1.25e-5\n" if laws == SLIP else ""
-    # its shorter steps give round-off more of the violent beginning, 4e-12 (default laws: 1.5e-12)
-    steps, tolerance = (1800, 1e-11) if laws == SLIP else (600, 1e-12)
+    # its shorter steps give round-off more of the violent beginning
+    steps, tolerance = (1000, 1e-11) if laws == SLIP else (600, 1e-12)
     more = dict(scheme=scheme, steps=steps)
     result = lmp("in.space_sliding", tmp_path / "one", data=blocks, extra=step + ACCOUNT, **more)
     one = dump(tmp_path / "one" / "final.dump")[-1][1]
@@ -374,13 +376,6 @@ def test_further_laws(blocks, tmp_path, laws):
         restart=tmp_path / "two" / f"mid.{steps - 250}.restart",
     )
     compare(dump(tmp_path / "rest" / "final.dump")[-1][1], two, tolerance)
-
-
-def test_j2_is_radial(serial, blocks, tmp_path):
-    frame, _ = slide(tmp_path, blocks, scheme="corrected plasticity j2")
-    for columns, _ in VECTORS.values():
-        for column in columns:
-            assert (frame[column] == serial[0][column]).all(), column
 
 
 # ---- refused

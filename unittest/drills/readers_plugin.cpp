@@ -161,7 +161,7 @@ std::string linksText()
     comments += mca::pairLine(pair + 1, pair + 2, state, planeState, pair % 2 == 0);
     pair++;
   }
-  for (const char *name : {"kappa", "theta", "links0", "elastic_z", "spin_lag_z"})
+  for (const char *name : {"kappa", "theta", "links0", "spin_lag_z"})
     comments += mca::automatonLine(3, mca::stateNumber(name), 6.0 / 7.0);
   std::string text = mca::linksHead(
       "5 atoms\n1 atom types\n2 bonds\n2 bond types\n0 25 xlo xhi\n0 17 ylo yhi\n-0.5 0.5 zlo "
@@ -428,7 +428,8 @@ std::vector<Reader> pluginReaders()
        {"strength 92 youngs_modulus 2.06e5", "viscosity 0.41 diameter 2.5 density 7800"},
        refusing(readQuantities)},
       {"pair_style",
-       {"preset a", "preset b plasticity j2 steps plain", "plane stress plasticity none",
+       {"preset a", "preset b plasticity j2 flow contacts steps plain",
+        "plane stress plasticity none",
         "fracture drucker-prager compressive_strength 1.5 link_work 2",
         "link 2.35 weld none heal "
         "none"},
@@ -438,7 +439,7 @@ std::vector<Reader> pluginReaders()
       {"sealed_links", {mca::sealedLinks(linksText())}, refusing(readSealedLinks)},
       {"restart_laws",
        {mca::textOf(settings({"preset", "a"}, "hex")),
-        mca::textOf(settings({"preset", "b", "plasticity", "j2", "steps", "plain"}, "hex")),
+        mca::textOf(settings({"preset", "b", "plasticity", "j2", "flow", "contacts"}, "hex")),
         mca::textOf(settings({"link", "2.35", "weld", "none", "heal", "none"}, "fcc"))},
        refusing(readSettings)},
       {"restart_materials", {mca::textOf({steel(), steel()})}, refusing(readMaterials)},

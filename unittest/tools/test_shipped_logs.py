@@ -64,8 +64,8 @@ def test_logs_belong_to_their_plan(folder):
 @pytest.mark.skipif(not LMP.exists(), reason="lmp is not built")
 @pytest.mark.parametrize("folder", FOLDERS, ids=lambda path: path.name)
 def test_first_row_is_made_again(folder, tmp_path):
-    """Later rows are of a chaotic motion, which the last bit of another machine changes: by 1e-2
-    after 1 ns."""
+    """Later rows are of a chaotic motion, which the last bit of another machine changes: after
+    1 ns by 5 %, under 150 MPa after 0.2 ns by 1 %."""
     log = min(folder.glob("*.friction"))
     command, averaged = made_by(log)
     old = rows(log.read_text())[0]
@@ -87,6 +87,7 @@ def test_first_row_is_made_again(folder, tmp_path):
     )
     assert done.returncode == 0, done.stderr
     new = rows(pack.packed((tmp_path / "run.friction").read_text(), averaged, "lmp"))[0]
-    chaos = 1e-4 if old["time"] < 0.3 else 0.03
+    pressure = float(command[command.index("p") + 1])
+    chaos = 1e-4 if old["time"] < 0.3 and pressure < 100 else 0.1
     for name in ("time", "shear_stress", "normal_stress", "links"):
         assert new[name] == pytest.approx(old[name], rel=chaos), f"{log.name}: {name}"

@@ -54,9 +54,8 @@ struct AutomatonState {
   bool always = true;    ///< false: carried only where laws see angular velocities
 };
 
-/// The table. Its first names are those of doc/laws.md: kappa of Plasticity; elastic_z is e_zz of
-/// plasticity j2. lag and rest are what pair_mca keeps of the velocities between runs; of angular
-/// velocities only where forces depend on them.
+/// The table. kappa is that of Plasticity in doc/laws.md; lag and rest are what pair_mca keeps of
+/// the velocities between runs; of angular velocities only where forces depend on them.
 inline constexpr AutomatonState automatonStates[] = {
     /// Begins with 0 and only grows; Step::commit() adds what the yield passes found.
     {"kappa", In::Both, Upkeep::EveryStep, "plastic", In::Both, "", "equivalent plastic strain"},
@@ -77,9 +76,6 @@ inline constexpr AutomatonState automatonStates[] = {
     /// Counted by mca_links create and read, less by delete; the damage of compute mca/atom is the
     /// share of them that no longer holds.
     {"links0", In::Both, Upkeep::Commands, nullptr, In::None, "", "number of original links"},
-    /// e_zz of plasticity j2 in the plane; 0 elsewhere and of an automaton without a bulk link.
-    {"elastic_z", In::Both, Upkeep::EveryStep, nullptr, In::None, "",
-     "elastic strain across the plane"},
     /// Each link that breaks or forms counts once at either of its automata.
     {"broken", In::Both, Upkeep::Collected, "broken", In::Both, "",
      "number of its links that broke"},

@@ -31,7 +31,7 @@ static ElasticStrain strainOf(const Step &step, int k, bool next)
   return {touchingStrain(linked, e), linked ? shear : 0.0};
 }
 
-// Where the energy goes that pair k dissipates.
+// Where the energy goes that pair k dissipates as it moves.
 static EnergyAccount::Channel channelOf(const Step &step, int k)
 {
   double now[LinkList::maxStateSize], next[LinkList::maxStateSize];
@@ -63,8 +63,6 @@ void EnergyAccount::keep(const Step &step, const double (*x)[3], const double (*
     before_[i] = vectorOf(x[i]);
     double &mean = rows_.row(i)[meanAt];
     mean = meanStress(mean, law.bulkModulus, law.weight);
-    if (step.laws().flowsAcross)
-      mean += law.bulkModulus * step.elasticZNext(i);
   }
   step.exchange().begin(rows_.data() + meanAt, rowLength, 1);
   step.exchange().finish(rows_.data() + meanAt, rowLength, 1);
@@ -74,8 +72,6 @@ void EnergyAccount::keep(const Step &step, const double (*x)[3], const double (*
 void EnergyAccount::findReleased(const Step &step)
 {
   std::fill_n(released_, Channels, 0.0);
-  for (int i = 0; i < step.own(); i++)
-    released_[Plastic] += elasticZLoss(step, i);
   const Pairs &p = step.links().pairs();
   for (int k = 0; k < p.n; k++) {
     if (!p.blocks[k / blockLength].moves)
@@ -84,7 +80,9 @@ void EnergyAccount::findReleased(const Step &step)
     const double means[2] = {step.mean(i), step.mean(j)};
     const double next[2] = {rows_.row(i)[meanAt], rows_.row(j)[meanAt]};
     const PairLaw &law = step.law(k);
-    released_[channelOf(step, k)] +=
+    const Channel channel = channelOf(step, k);
+    // unlinked contacts change by flow alone
+    released_[channel == Viscous ? Plastic : channel] +=
         changeLoss(law, strainOf(step, k, false), strainOf(step, k, true), means, next) * law.area *
         law.diameter * step.share(k);
   }
@@ -164,20 +162,6 @@ void EnergyAccount::bookContacts(const Step &step, double dt, bool back)
     }
     sums_[channelOf(step, k)] += loss * law.area * law.diameter * step.share(k);
   }
-}
-
-// What the change of the elastic strain across the plane sets free (plasticity j2).
-double EnergyAccount::elasticZLoss(const Step &step, int i) const
-{
-  if (!step.laws().flowsAcross)
-    return 0.0;
-  const int type = step.type(i);
-  const AutomatonLaw &law = step.laws().automata[type];
-  const double now = step.elasticZ(i), next = step.elasticZNext(i);
-  const double twoG = 2.0 * law.shearModulus;
-  const double first = normalResponse(now, twoG, law.D, step.mean(i));
-  const double last = normalResponse(next, twoG, law.D, rows_.row(i)[meanAt]);
-  return 0.5 * (first + last) * (now - next) * step.laws().volumes[type];
 }
 
 double EnergyAccount::bytes() const

@@ -83,8 +83,6 @@ class EnergyAccount {
   void bookContacts(const Step &, double dt, bool back);
   /// What the change of state sets free.
   void findReleased(const Step &);
-  /// Energy that the change of e_zz sets free with plasticity j2 [energy]; else 0.
-  double elasticZLoss(const Step &, int i) const;
 };
 
 } // namespace mca

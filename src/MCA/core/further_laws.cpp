@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "further_laws.h"
 
-#include "laws/plane.h"
-
 namespace mca {
 
 static StressTensor averagedStress(const RowLayout &rows, const AutomatonLaw &law,
@@ -13,40 +11,18 @@ static StressTensor averagedStress(const RowLayout &rows, const AutomatonLaw &la
                              : weighted(t, law.weight);
 }
 
-void addElasticZ(int n, const int *type, const AutomatonLaw *laws, const double *elasticZ,
-                 double *response)
-{
-  constexpr RowLayout::Response row = planeRows.response;
-  for (int i = 0; i < n; i++)
-    response[row.length * i + row.mean] += laws[type[i]].bulkModulus * elasticZ[i];
-}
-
-void flowElasticZ(int n, const int *type, const AutomatonLaw *laws, const double *strains,
-                  const double *stresses, const double *response, const double *elasticZ,
-                  double *elasticZNext)
-{
-  constexpr RowLayout rows = planeRows;
-  for (int i = 0; i < n; i++) {
-    const AutomatonLaw &law = laws[type[i]];
-    const double *answer = response + rows.response.length * i;
-    const bool holds = strains[rows.strain.length * i + rows.strain.bulks] > 0.0;
-    const StressTensor s = averagedStress(rows, law, stresses + rows.stress.length * i, answer);
-    const double after = elasticZAfter(elasticZ[i], s.zz, answer[rows.response.mean],
-                                       answer[rows.response.factor], 2.0 * law.shearModulus);
-    elasticZNext[i] = holds ? after : 0.0;
-  }
-}
-
-void showLocal(const RowLayout &rows, int n, const int *type, const AutomatonLaw *laws,
-               const double *stresses, const double *response, const double *kappa,
-               const double *kappaNext, double *local)
+void showLocal(const RowLayout &rows, bool keepsVolume, int n, const int *type,
+               const AutomatonLaw *laws, const double *stresses, const double *response,
+               const double *kappa, const double *kappaNext, double *local)
 {
   for (int i = 0; i < n; i++) {
     const AutomatonLaw &law = laws[type[i]];
     const double *answer = response + rows.response.length * i;
     const StressTensor s = averagedStress(rows, law, stresses + rows.stress.length * i, answer);
     const bool plane = rows.dimension == 2;
-    const double mean = plane ? answer[rows.response.mean] : (s.xx + s.yy + s.zz) / 3.0;
+    const double mean = !plane        ? (s.xx + s.yy + s.zz) / 3.0
+                        : keepsVolume ? 0.5 * (s.xx + s.yy)
+                                      : answer[rows.response.mean];
     const double factor = answer[rows.response.factor];
     double *row = local + rows.local.length * i, *tensor = row + rows.local.tensor;
     tensor[0] = mean + factor * (s.xx - mean);

@@ -32,13 +32,14 @@ MCA_LOOP double strainBlock(const Pairs &p, const Block &block, int first, int n
   const PairArray<typename D::Normal> normals(p.normal, first);
   double *const peps = p.eps + first, *const psep = p.separation + first;
   typename D::Motion seen;
-  Column es, bulks;
+  Column es, flow;
   seen.gather(placesI(p, block, first), placesJ(p, block, first), n, motion, spin);
   const double oneInvDiameter = laws[plaw[0]].invDiameter;
+  const double oneContactsFlow = laws[plaw[0]].contactsFlow;
   const FractureLimits limits = laws[plaw[0]].limits.fracture;
   const typename D::Time now = time;
   // returns 1 for a link that breaks
-  auto move = [=, &seen, &es, &bulks](int k) {
+  auto move = [=, &seen, &es, &flow](int k) {
     const double invDiameter = W == SeveralLaws ? laws[plaw[k]].invDiameter : oneInvDiameter;
     double r;
     const auto moved = seen.of(k, now, r);
@@ -54,7 +55,7 @@ MCA_LOOP double strainBlock(const Pairs &p, const Block &block, int first, int n
       if (W == Bulk)
         totals.set(k, total);
       es.value[k] = e;
-      bulks.value[k] = 1.0;
+      flow.value[k] = 1.0;
       return breaks<Criterion>(LinkStrain<Shear>{eps, total}, limits) ? 1.0 : 0.0;
     } else {
       const Shear old = totals.get(k), total = carriedShear(moved, old) + growth;
@@ -63,7 +64,8 @@ MCA_LOOP double strainBlock(const Pairs &p, const Block &block, int first, int n
       totals.set(k, choose(linked, total, old));
       psep[k] = dot(seen.velocity(k), moved.normal);
       es.value[k] = (linked > pressed ? linked : pressed) * e;
-      bulks.value[k] = pkind[k] == link::bulk ? 1.0 : 0.0;
+      flow.value[k] =
+          flowing(W == SeveralLaws ? laws[plaw[k]].contactsFlow : oneContactsFlow, pkind[k], e);
       return 0.0;
     }
   };
@@ -74,7 +76,7 @@ MCA_LOOP double strainBlock(const Pairs &p, const Block &block, int first, int n
   if (onlyBulk(W) && breaking > 0.0) // what breaks under pressure becomes a viscous contact
     for (int k = 0; k < n; k++)
       psep[k] = dot(seen.velocity(k), normals.get(k));
-  scatter(p.i + first, p.j + first, n, es, bulks, strains);
+  scatter(p.i + first, p.j + first, n, es, flow, strains);
   return breaking;
 }
 
@@ -142,7 +144,7 @@ MCA_LOOP void stressBlock(const Pairs &p, int first, int n, const PairLaw *laws,
     const double sigma = touching * elasticStress(law, e, ofI.mean[k], ofJ.mean[k]);
     shares.set(k, sigma, law.twoG * gamma, normals.get(k));
     shares.setSums(k, touching * e * e, dot(gamma, gamma),
-                   onlyBulk(W) || pkind[k] == link::bulk ? sigma : 0.0);
+                   onlyBulk(W) ? sigma : flowing(law.contactsFlow, pkind[k], e) * sigma);
   };
 #pragma omp simd
   for (int k = 0; k < n; k++)
@@ -176,12 +178,12 @@ MCA_LOOP double yieldLoop(int n, const int *type, const AutomatonLaw *laws, cons
     const StressTensor s = D::averaged(law, row + rows.stress.tensor, answer[rows.response.mean]);
     const RadialReturn back =
         radialReturn(stressIntensity(s), law.curve(kappa[i]), law.shearModulus);
-    // without a bulk link there is nothing that could flow
-    const double bulks = strains[rows.strain.length * i + rows.strain.bulks];
-    const double flows = law.yields * bulks > 0.0 ? 1.0 : 0.0;
+    // without a contact that flows with it an automaton cannot flow
+    const double contacts = strains[rows.strain.length * i + rows.strain.flowing];
+    const double flows = law.yields * contacts > 0.0 ? 1.0 : 0.0;
     kappaNext[i] = kappa[i] + flows * back.strain;
     answer[rows.response.factor] = flows * back.factor + (1.0 - flows);
-    D::setCentre(answer, row, bulks);
+    D::setCentre(answer, row, contacts);
     flowing += kappaNext[i] == kappa[i] ? 0.0 : 1.0;
   }
   return flowing;
@@ -206,18 +208,24 @@ MCA_LOOP void returnBlock(const Pairs &p, int first, int n, const PairLaw *laws,
   const int *const plaw = p.law + first;
   const double *const pkind = p.now.kind + first, *const pplastic = p.now.plastic + first;
   const double *const peps = p.eps + first;
-  const PairArray<typename D::Shear> gammas(p.now.gamma, first);
+  const PairArray<typename D::Shear> gammas(p.now.gamma, first), totals(p.now.gammaTotal, first);
   const PairArray<typename D::Normal> normals(p.normal, first);
   const PairLaw one = laws[plaw[0]];
   auto share = [=, &one, &ofI, &ofJ, &shares](int k) {
     const PairLaw &law = W == SeveralLaws ? laws[plaw[k]] : one;
     const double e = W == Pristine ? peps[k] : peps[k] - pplastic[k];
-    const double bulk = onlyBulk(W) || pkind[k] == link::bulk ? 1.0 : 0.0;
+    const double linked = onlyBulk(W) ? 1.0 : link::linked(pkind[k]);
+    const double flows = onlyBulk(W) ? 1.0 : flowing(law.contactsFlow, pkind[k], e);
     const Answer i = ofI[k], j = ofJ[k];
+    const double left = returnedShare(i, j);
+    const typename D::Shear gamma = gammas.get(k);
+    const double stretch =
+        D::stretch(left, gamma, [&] { return W == Pristine ? gamma : linked * totals.get(k); });
     const double trial = elasticStress(law, e, i.mean, j.mean);
-    const double sigma = returnedStress(trial, i, j);
-    const double tau = bulk * (returnedShare(i, j) - 1.0) * law.twoG;
-    shares.set(k, bulk * (sigma - trial), tau * gammas.get(k), normals.get(k));
+    const double plastic = W == Pristine ? 0.0 : pplastic[k];
+    const double sigma = flowedStress(law, trial, plastic, stretch, linked, i, j);
+    const double tau = flows * (left - 1.0) * law.twoG;
+    shares.set(k, flows * (sigma - trial), tau * gamma, normals.get(k));
   };
 #pragma omp simd
   for (int k = 0; k < n; k++)
@@ -303,12 +311,13 @@ MCA_LOOP Changes forceBlock(const Pairs &p, int first, int n, const PairLaw *law
       work = (1.0 - linked) * pressed * law.limits.countsWork *
              (firstComponent(stored) + row[at.work]);
     }
-    const double size = shearSize(gamma);
-    const Contact c = {kind, eps, plastic, size, shearSize(total), psep[k]};
+    const double size = shearSize(gamma), share = returnedShare(i, j);
+    const double stretch = D::stretch(share, gamma, [&] { return total; });
+    const Contact c = {kind, eps, plastic, size, shearSize(total), psep[k], stretch};
     const ContactStress s =
         contactStress<Criterion>(law, c, i, j, face, LOCAL && work >= law.limits.linkWork);
     // exactly the same where nothing flows, so that a pair's way does not depend on its block
-    const double left = kind == link::bulk ? returnedShare(i, j) : 1.0;
+    const double left = flowing(law.contactsFlow, kind, eps - plastic) > 0.0 ? share : 1.0;
     const ShearAnswer<Shear> shear = shearAnswer(law, gamma, size, s, left);
     NextState<Shear> next = nextState(law, c, s, gamma, total, shear.left);
     firstComponent(next.gammaTotal) += (1.0 - link::linked(s.kindNext)) * work;
@@ -350,11 +359,14 @@ MCA_LOOP void bulkForceBlock(const Pairs &p, int first, int n, const PairLaw *la
     const Shear gamma = gammas.get(k);
     if (Flows) {
       const Answer i = ofI[k], j = ofJ[k];
-      const double sigma = returnedStress(trial, i, j), left = returnedShare(i, j);
+      const double left = returnedShare(i, j);
+      const Shear total = PristineBlock ? gamma : totals.get(k);
+      const double stretch = D::stretch(left, gamma, [&] { return total; });
+      const double sigma = flowedStress(law, trial, plastic, stretch, 1.0, i, j);
       kind1[k] = link::bulk;
       plastic1[k] = plastic + (trial - sigma) * law.invTwoG;
       gammas1.set(k, left * gamma);
-      totals1.set(k, PristineBlock ? gamma : totals.get(k));
+      totals1.set(k, total);
       forces.set(
           k, contactForce(law, sigma, returnedShear(left, law.twoG, gamma), eps, normals.get(k)));
     } else {
@@ -406,15 +418,18 @@ double forcePass(const Pairs &p, const PairLaw *laws, const double *response, co
 }
 
 template<class D>
-constexpr Kernel kernelOf()
+constexpr Kernel kernelOf(const Kernel *keepsVolume)
 {
-  return {MCA_ISA_NAME,  D::rows.dimension, D::rows,       strainPass<D>,      meanPass<D>,
-          stressPass<D>, yieldPass<D>,      returnPass<D>, secondYieldPass<D>, forcePass<D>};
+  return {MCA_ISA_NAME,       D::rows.dimension, D::rows,      strainPass<D>,
+          meanPass<D>,        stressPass<D>,     yieldPass<D>, returnPass<D>,
+          secondYieldPass<D>, forcePass<D>,      keepsVolume};
 }
+
+constexpr Kernel planeJ2 = kernelOf<PlaneJ2>(nullptr), spaceJ2 = kernelOf<SpaceJ2>(nullptr);
 
 } // namespace
 
-extern const Kernel plane = kernelOf<Plane>();
-extern const Kernel space = kernelOf<Space>();
+extern const Kernel plane = kernelOf<Plane>(&planeJ2);
+extern const Kernel space = kernelOf<Space>(&spaceJ2);
 
 } // namespace mca::MCA_ISA

@@ -123,18 +123,18 @@ using StressPass = void(const Pairs &, const PairLaw *laws, const double *respon
                         double *stresses);
 
 /// Stress intensity and radial return of each automaton, radialReturn() of laws/plasticity.h; an
-/// automaton without a bulk link does not flow.
-/// \param strains    the number of bulk links is read
+/// automaton without a contact that flows with it does not flow.
+/// \param strains    the number of these contacts is read
 /// \param stresses   the averaged stress is read
 /// \param kappa      equivalent plastic strain [-]
 /// \param kappaNext  the same at the beginning of the next step, written for all n
-/// \param response   the factor M is written, and in space the centre
+/// \param response   the factor M is written, and the centre where the rows have one
 /// \return how many automata flow, a whole number: without any, kappaNext equals kappa
 using YieldPass = double(int n, const int *type, const AutomatonLaw *laws, bool oneLaw,
                          const double *strains, const double *stresses, const double *kappa,
                          double *kappaNext, double *response);
 
-/// Adds what the radial returns take from the elastic stresses of bulk links to both of their
+/// Adds what the returns take from the elastic stresses of contacts that flow to both of their
 /// automata. Blocks in which no automaton flows are passed over.
 /// \param response  mean, factor and centre of both automata are read, hence of guests, too
 /// \param taken     rows.stress.length values an automaton, added to; only the tensor has a meaning
@@ -174,6 +174,8 @@ struct Kernel {
   ReturnPass *returns;
   SecondYieldPass *yieldAgain;
   ForcePass *force;
+  /// The passes of plasticity j2; nullptr in these themselves. Only rows of response may differ.
+  const Kernel *keepsVolume;
 };
 
 namespace baseline {

@@ -33,13 +33,6 @@ struct WayOf {
   static constexpr Way way = W;
 };
 
-// The lesser of two numbers. Of its own, since std::min compiled here for a new processor could be
-// the copy that the linker keeps for all, also for code that runs on an old one.
-inline int lesser(int a, int b)
-{
-  return a < b ? a : b;
-}
-
 // Calls work(block, its way as a type, first pair, number of pairs) for all blocks in their order,
 // one after the other: the decision is taken once for 128 pairs. The number is blockLength but for
 // the last block, where columns hold the last pair again or what is left of the block before.

@@ -23,6 +23,13 @@ struct Plane {
   static constexpr RowLayout rows = planeRows;
   // Components of a shear of PairState that exist.
   static constexpr int shears = 1;
+  // Stretch of a contact by its plastic shear: 0, but with j2.
+  // \param total  a function that gives the total shear, which is not asked for here
+  template<class Total>
+  static double stretch(double /*left*/, double /*gamma*/, const Total & /*total*/)
+  {
+    return 0.0;
+  }
   // A shear or shear stress of a pair along t, the normal turned by +90 degrees.
   using Shear = double;
   // The unit normal of a pair, from i to j.
@@ -112,13 +119,10 @@ struct Plane {
       yy[k] = s.yy;
       xy[k] = s.xy;
     }
-    // Squares of the elastic strains of pair k [-], for the energy of its automata. No sum of bulk
+    // Squares of the elastic strains of pair k [-], for the energy of its automata. No sum of
     // stresses: the centre is the mean.
     // \param e2  0 of a pair that does not touch
-    void setSums(int k, double e2, double gamma2, double /*bulkSigma*/)
-    {
-      squares[k] = e2 + gamma2;
-    }
+    void setSums(int k, double e2, double gamma2, double /*flowing*/) { squares[k] = e2 + gamma2; }
     // Adds tensors and squares to both automata, with the same sign.
     // \param sums  rows.stress.length values an automaton, added to
     void scatter(const int *pi, const int *pj, int n, double *sums) const
@@ -168,7 +172,7 @@ struct Plane {
   }
 
   // In the plane the centre of the return is the mean stress itself, so a row has no place for it.
-  static void setCentre(double * /*response*/, const double * /*stress*/, double /*bulks*/) {}
+  static void setCentre(double * /*response*/, const double * /*stress*/, double /*contacts*/) {}
 
   // The tensor of a row of local, or of the mean of two rows, with the mean stress that goes with
   // it [stress].
@@ -177,6 +181,81 @@ struct Plane {
   static StressTensor localTensor(const double *tensor, double mean)
   {
     return automatonStress(tensor[0], tensor[1], tensor[2], mean);
+  }
+};
+
+// The same with plasticity j2, for flow that keeps the volume.
+struct PlaneJ2 : Plane {
+  static constexpr RowLayout rows = planeJ2Rows;
+
+  // Each contact returns to the mean over those of the automaton that flow.
+  struct Answers {
+    Column mean, factor, centre;
+
+    void gather(const int *index, int n, const double *response)
+    {
+      mca::MCA_ISA::gather(index, n, response, mean, factor, centre);
+    }
+    void gatherMeans(const int *index, int n, const double *response)
+    {
+      for (int k = 0; k < n; k++)
+        mean[k] = response[rows.response.length * index[k] + rows.response.mean];
+    }
+    Answer operator[](int k) const { return {mean[k], factor[k], centre[k]}; }
+  };
+
+  // As of Plane, with one more sum; unused columns stay 0.
+  struct Shares {
+    Row8 row;
+
+    Shares()
+    {
+      for (int m = rows.stress.flowing + 1; m < rows.stress.length; m++)
+        for (int k = 0; k < blockLength; k++)
+          row.c[m][k] = 0.0;
+    }
+    void set(int k, double sigma, double tau, const PlaneVector &n)
+    {
+      const StressTensor s = stressShare(sigma, tau, n.x, n.y);
+      row.c[0][k] = s.xx;
+      row.c[1][k] = s.yy;
+      row.c[2][k] = s.xy;
+    }
+    // \param flowing  sigma of a contact that flows with them, else 0 [stress]
+    void setSums(int k, double e2, double gamma2, double flowing)
+    {
+      row.c[rows.stress.squares][k] = e2 + gamma2;
+      row.c[rows.stress.flowing][k] = flowing;
+    }
+    void scatter(const int *pi, const int *pj, int n, double *sums) const
+    {
+      row.scatter<0>(pi, pj, n, sums);
+    }
+    // For the return pass, which leaves the sums at what they are; nobody reads them.
+    void scatterTensors(const int *pi, const int *pj, int n, double *sums) const
+    {
+      row.scatter<0>(pi, pj, n, sums);
+    }
+  };
+
+  // Of flow in the plane alone the stress across it is the mean of those in it, so that the
+  // intensity is sqrt(3) times the largest shear stress.
+  static StressTensor averaged(const AutomatonLaw &, const double *tensor, double /*mean*/)
+  {
+    return flowStress(tensor[0], tensor[1], tensor[2]);
+  }
+
+  // The mean of sigma over the contacts that flow [stress], 0 without any.
+  static void setCentre(double *response, const double *stress, double contacts)
+  {
+    response[rows.response.centre] =
+        stress[rows.stress.flowing] / (contacts > 0.0 ? contacts : 1.0);
+  }
+
+  template<class Total>
+  static double stretch(double left, double gamma, const Total &total)
+  {
+    return shearStretch(planeStretch, left, gamma, total());
   }
 };
 

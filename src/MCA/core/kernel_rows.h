@@ -65,6 +65,13 @@ inline void transpose(Row4 &a, Row4 &b, Row4 &c, Row4 &d)
   d = __builtin_shufflevector(ab1, cd1, 2, 3, 6, 7);
 }
 
+// The lesser of two numbers. Of its own, since std::min compiled here for a new processor could be
+// the copy that the linker keeps for all, also for code that runs on an old one.
+inline int lesser(int a, int b)
+{
+  return a < b ? a : b;
+}
+
 // Rows of two values of one automaton of each pair, as columns; works on whole twos.
 // \param index  row of that automaton for each of n pairs; one more is read where n is odd
 // \param rows   two values an automaton
@@ -76,6 +83,20 @@ inline void gather(const int *index, int n, const double *rows, Column &c0, Colu
     const Row2 a = *rowOf<Row2>(rows, index[k]), b = *rowOf<Row2>(rows, index[k + 1]);
     *rowOf<Row2>(c0.value + k, 0) = __builtin_shufflevector(a, b, 0, 2);
     *rowOf<Row2>(c1.value + k, 0) = __builtin_shufflevector(a, b, 1, 3);
+  }
+}
+
+// The first three of rows of four values; works on whole fours, by transposing them.
+inline void gather(const int *index, int n, const double *rows, Column &c0, Column &c1, Column &c2)
+{
+  for (int k = 0; k < n; k += 4) {
+    Row4 r[4];
+    for (int m = 0; m < 4; m++)
+      r[m] = *rowOf<Row4>(rows, index[k + m]);
+    transpose(r[0], r[1], r[2], r[3]);
+    *rowOf<Row4>(c0.value + k, 0) = r[0];
+    *rowOf<Row4>(c1.value + k, 0) = r[1];
+    *rowOf<Row4>(c2.value + k, 0) = r[2];
   }
 }
 
@@ -171,6 +192,56 @@ inline void scatter(const int *pi, const int *pj, int n, const Column &c0, const
       addRows(pi + k, pj + k, 1, r, same, sums);
   }
 }
+
+// Eight values of each pair, which go as a row to both of its automata: the first TURNED of them
+// with the opposite sign to the second one.
+struct Row8 {
+  Column c[8];
+
+  // Adds the rows to both automata of each of n pairs. The sum of a run of pairs with the same i
+  // is kept in registers and written once, which saves most of the loads and stores of i; the
+  // order of additions is that of the pairs.
+  // \tparam TURNED  so many first values go to the second automaton with the opposite sign
+  // \param pi,pj    rows of both automata; n > 0
+  // \param sums     eight values an automaton, added to
+  template<int TURNED>
+  void scatter(const int *pi, const int *pj, int n, double *sums) const
+  {
+    Row4 signs[2];
+    for (int m = 0; m < 8; m++)
+      signs[m / 4][m % 4] = m < TURNED ? -1.0 : 1.0;
+    // pairs come sorted by i, so that its sum stays in registers
+    int last = pi[0];
+    Row4 sumA = {}, sumB = {};
+    auto flush = [&]() {
+      *rowOf<Row4>(sums, 2 * last) += sumA;
+      *rowOf<Row4>(sums, 2 * last + 1) += sumB;
+    };
+    for (int k = 0; k < n; k += 4) {
+      Row4 a[4], b[4];
+      for (int m = 0; m < 4; m++) {
+        a[m] = *rowOf<Row4>(c[m].value + k, 0);
+        b[m] = *rowOf<Row4>(c[4 + m].value + k, 0);
+      }
+      transpose(a[0], a[1], a[2], a[3]);
+      transpose(b[0], b[1], b[2], b[3]);
+      const int end = lesser(4, n - k);
+      for (int m = 0; m < end; m++) {
+        if (pi[k + m] != last) {
+          flush();
+          last = pi[k + m];
+          sumA = sumB = Row4{};
+        }
+        sumA += a[m];
+        sumB += b[m];
+        const int j = 2 * pj[k + m];
+        *rowOf<Row4>(sums, j) += signs[0] * a[m];
+        *rowOf<Row4>(sums, j + 1) += signs[1] * b[m];
+      }
+    }
+    flush();
+  }
+};
 
 } // namespace
 } // namespace mca::MCA_ISA

@@ -22,6 +22,13 @@ struct Space {
   static constexpr RowLayout rows = spaceRows;
   // Components of a shear of PairState that exist.
   static constexpr int shears = 3;
+  // Stretch of a contact by its plastic shear: 0, but with j2.
+  // \param total  a function that gives the total shear, which is not asked for here
+  template<class Total>
+  static double stretch(double /*left*/, const Vector & /*gamma*/, const Total & /*total*/)
+  {
+    return 0.0;
+  }
   // A shear or shear stress of a pair, perpendicular to its normal.
   using Shear = Vector;
   // The unit normal of a pair, from i to j.
@@ -96,20 +103,12 @@ struct Space {
   struct Answers {
     Column mean, factor, centre;
 
-    // All three values, by transposing the rows of four pairs.
+    // All three values.
     // \param index     row of the automaton of each pair: Pairs::i or Pairs::j
     // \param response  rows.response.length values an automaton
     void gather(const int *index, int n, const double *response)
     {
-      for (int k = 0; k < n; k += 4) {
-        Row4 r[4];
-        for (int m = 0; m < 4; m++)
-          r[m] = *rowOf<Row4>(response, index[k + m]);
-        transpose(r[0], r[1], r[2], r[3]);
-        *rowOf<Row4>(mean.value + k, 0) = r[0];
-        *rowOf<Row4>(factor.value + k, 0) = r[1];
-        *rowOf<Row4>(centre.value + k, 0) = r[2];
-      }
+      mca::MCA_ISA::gather(index, n, response, mean, factor, centre);
     }
     // The mean stresses alone, for the stress pass, when the other values are not known yet: a row
     // is longer than what it needs.
@@ -121,56 +120,6 @@ struct Space {
     // What the automaton of pair k of the block answers; after gather(), while gatherMeans() gives
     // the mean alone.
     Answer operator[](int k) const { return {mean[k], factor[k], centre[k]}; }
-  };
-
-  // Eight values of each pair, which go as a row to both of its automata: the first TURNED of them
-  // with the opposite sign to the second one.
-  struct Row8 {
-    Column c[8];
-
-    // Adds the rows to both automata of each of n pairs. The sum of a run of pairs with the same i
-    // is kept in registers and written once, which saves most of the loads and stores of i; the
-    // order of additions is that of the pairs.
-    // \tparam TURNED  so many first values go to the second automaton with the opposite sign
-    // \param pi,pj    rows of both automata; n > 0
-    // \param sums     eight values an automaton, added to
-    template<int TURNED>
-    void scatter(const int *pi, const int *pj, int n, double *sums) const
-    {
-      Row4 signs[2];
-      for (int m = 0; m < 8; m++)
-        signs[m / 4][m % 4] = m < TURNED ? -1.0 : 1.0;
-      // pairs come sorted by i, so that its sum stays in registers
-      int last = pi[0];
-      Row4 sumA = {}, sumB = {};
-      auto flush = [&]() {
-        *rowOf<Row4>(sums, 2 * last) += sumA;
-        *rowOf<Row4>(sums, 2 * last + 1) += sumB;
-      };
-      for (int k = 0; k < n; k += 4) {
-        Row4 a[4], b[4];
-        for (int m = 0; m < 4; m++) {
-          a[m] = *rowOf<Row4>(c[m].value + k, 0);
-          b[m] = *rowOf<Row4>(c[4 + m].value + k, 0);
-        }
-        transpose(a[0], a[1], a[2], a[3]);
-        transpose(b[0], b[1], b[2], b[3]);
-        const int end = lesser(4, n - k);
-        for (int m = 0; m < end; m++) {
-          if (pi[k + m] != last) {
-            flush();
-            last = pi[k + m];
-            sumA = sumB = Row4{};
-          }
-          sumA += a[m];
-          sumB += b[m];
-          const int j = 2 * pj[k + m];
-          *rowOf<Row4>(sums, j) += signs[0] * a[m];
-          *rowOf<Row4>(sums, j + 1) += signs[1] * b[m];
-        }
-      }
-      flush();
-    }
   };
 
   // What each pair adds to the averaged stresses of both of its automata: sigma n n + (n tau + tau
@@ -195,11 +144,12 @@ struct Space {
     }
     // The sums of pair k.
     // \param e2,gamma2  squares of the elastic strains [-], 0 of a pair that does not touch
-    // \param bulkSigma  sigma of a bulk link, else 0 [stress]: for the centre of the return
-    void setSums(int k, double e2, double gamma2, double bulkSigma)
+    // \param flowing    sigma of a contact that flows with them, else 0 [stress]: for the centre of
+    //                   the return
+    void setSums(int k, double e2, double gamma2, double flowing)
     {
       row.c[rows.stress.squares][k] = e2 + gamma2;
-      row.c[rows.stress.bulkSum][k] = bulkSigma;
+      row.c[rows.stress.flowing][k] = flowing;
     }
     // Adds tensors and sums to both automata with the same sign: a stress does not depend on the
     // side.
@@ -251,20 +201,30 @@ struct Space {
     return weighted(tensor, law.weight);
   }
 
-  // The centre of the return is the mean of sigma over the bulk links [stress], 0 without any; only
-  // then does flow dissipate in each automaton (doc/laws.md, Three dimensions).
+  // The centre of the return is the mean of sigma over the contacts that flow [stress], 0 without
+  // any; only then does flow dissipate in each automaton (doc/laws.md, Three dimensions).
   // \param response  row of the automaton, written
   // \param stress    its row of the stress pass
-  // \param bulks     number of its bulk links
-  static void setCentre(double *response, const double *stress, double bulks)
+  // \param contacts  number of those that flow with it
+  static void setCentre(double *response, const double *stress, double contacts)
   {
-    response[rows.response.centre] = stress[rows.stress.bulkSum] / (bulks > 0.0 ? bulks : 1.0);
+    response[rows.response.centre] =
+        stress[rows.stress.flowing] / (contacts > 0.0 ? contacts : 1.0);
   }
 
   // The tensor of a row of local, or of the mean of two rows [stress].
   static StressTensor localTensor(const double *tensor, double /*mean*/)
   {
     return {tensor[0], tensor[1], tensor[2], tensor[3], tensor[4], tensor[5]};
+  }
+};
+
+// The same with plasticity j2: volume that large shear feigns is taken off.
+struct SpaceJ2 : Space {
+  template<class Total>
+  static double stretch(double left, const Vector &gamma, const Total &total)
+  {
+    return shearStretch(spaceStretch, left, gamma, total());
   }
 };
 

@@ -10,7 +10,7 @@ LawTables::LawTables(const LawSet &laws, const std::vector<Material> &materials,
                      const Packing &packing)
     : returnsTwice(laws.returnsTwice()), centresViscosity(laws.centresViscosity()),
       resistsSlip(laws.resistsSlip()), seesSpins(laws.seesSpins()), worn(laws.worn),
-      flowsAcross(laws.strainsAcross(packing.dimension)), needsLocal(laws.needsLocal())
+      keepsVolume(laws.keepsVolume()), needsLocal(laws.needsLocal())
 {
   for (const Material &m : materials) {
     automata.push_back(makeAutomatonLaw(laws, m, packing));

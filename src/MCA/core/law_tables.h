@@ -36,7 +36,7 @@ struct LawTables {
   bool resistsSlip = false;      ///< viscosity acts along the tangent, too
   bool seesSpins = false;        ///< a law sees slip, hence angular velocities
   WornRule worn;                 ///< of contacts whose link broke
-  bool flowsAcross = false;      ///< plasticity j2: there is an elastic strain across the plane
+  bool keepsVolume = false;      ///< plasticity j2: passes of their own
   bool needsLocal = false;       ///< criteria of local stress or plastic work
 
   /// In `pairs`, of automata of two types; (i, j) and (j, i) are two entries where the materials

@@ -24,8 +24,8 @@ struct RowLayout {
   /// Sums over the contacts of an automaton, by the strain pass.
   struct Strain {
     int length;
-    int sum;   ///< of the elastic normal strains [-]
-    int bulks; ///< number of bulk links
+    int sum;     ///< of the elastic normal strains [-]
+    int flowing; ///< number of contacts that flow with it
   } strain;
   /// Sums over the contacts of an automaton, by the stress pass.
   struct Stress {
@@ -33,16 +33,16 @@ struct RowLayout {
     int tensor;  ///< `components` values: xx, yy, xy, in space zz, xz, yz, too [stress]; in the
                  ///< plane averaged, in space without the packing's weight
     int squares; ///< e^2 + gamma^2 [-]
-    int bulkSum; ///< in space the normal stresses of the bulk links [stress]; in the plane none,
-                 ///< and it equals length
+    int flowing; ///< the normal stresses of the contacts that flow with it [stress]; in the plane
+                 ///< only with j2, else it equals length
   } stress;
   /// What an automaton answers its contacts.
   struct Response {
     int length;
     int mean;    ///< mean stress [stress]
     int factor;  ///< M of the radial return [-]
-    int centre;  ///< what normal stresses of bulk links return to [stress]: in the plane the mean
-                 ///< stress itself, in space the mean over its bulk links
+    int centre;  ///< what normal stresses of its contacts return to [stress]: in the plane the
+                 ///< mean stress itself, in space and with j2 the mean over those that flow
     int answers; ///< so many values from `factor` on are new after a return
   } response;
   /// Sums over the contacts of an automaton, by the force pass.
@@ -65,18 +65,24 @@ struct RowLayout {
 /// the tensors follows from the mean.
 ///
 ///     motion     x  y  vx  vy             and one array of spins
-///     strain     sum  bulks
+///     strain     sum  flowing
 ///     stress     xx  yy  xy  squares
 ///     response   mean  factor             the centre is the mean
 ///     force      fx  fy  torque  -
 ///     local      xx  yy  xy  work
 constexpr RowLayout planeRows = {
     {4, 0, 2, 4}, {2, 0, 1}, {4, 0, 3, 4}, {2, 0, 1, 0, 1}, {4, 0, 2}, {4, 0, 3}, 2, 3};
+/// In the plane with plasticity j2: as in space the centre is of its own.
+///
+///     stress     xx  yy  xy  squares  flowing  -  -  -
+///     response   mean  factor  centre  -
+constexpr RowLayout planeJ2Rows = {
+    {4, 0, 2, 4}, {2, 0, 1}, {8, 0, 3, 4}, {4, 0, 1, 2, 2}, {4, 0, 2}, {4, 0, 3}, 2, 3};
 /// In space: rows of 2, 4 or 8 values; some have values that are not used, for whole vectors.
 ///
 ///     motion     x  y  z  vx  vy  vz  wx  wy      and one array of wz
-///     strain     sum  bulks
-///     stress     xx  yy  xy  zz  xz  yz  squares  bulkSum
+///     strain     sum  flowing
+///     stress     xx  yy  xy  zz  xz  yz  squares  flowing
 ///     response   mean  factor  centre  -
 ///     force      fx  fy  fz  tx  ty  tz  -  -
 ///     local      xx  yy  xy  zz  xz  yz  work  -

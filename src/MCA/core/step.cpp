@@ -15,12 +15,23 @@ static constexpr int yieldLength = 256;
 static Exchange nobody; // of a step that is alone
 
 Step::Step(int dimension, const Kernel *kernel)
-    : kernel_(kernel ? kernel : &bestKernel(dimension)), exchange_(&nobody),
+    : usual_(kernel ? kernel : &bestKernel(dimension)), kernel_(usual_), exchange_(&nobody),
       links_(dimension == 2 ? 1 : 3), motion_(layout().motion.length),
       strains_(layout().strain.length), stresses_(layout().stress.length),
       response_(layout().response.length), forces_(layout().force.length),
       local_(layout().local.length), linkChanges_(2)
 {
+}
+
+void Step::setLaws(LawTables tables)
+{
+  laws_ = std::move(tables);
+  kernel_ = laws_.keepsVolume ? usual_->keepsVolume : usual_;
+  for (const auto &[of, length] :
+       {std::pair(&response_, layout().response.length),
+        std::pair(&stresses_, layout().stress.length), std::pair(&taken_, layout().stress.length)})
+    if (of->length() != length)
+      *of = RowArray(length);
 }
 
 void Step::begin(int own, int all, const int *types, int border)
@@ -36,9 +47,8 @@ void Step::begin(int own, int all, const int *types, int border)
   for (RowArray *of : {&strains_, &stresses_, &response_, &forces_})
     of->resize(summed);
   local_.resize(laws_.needsLocal ? summed : 0);
+  taken_.resize(forces_.length() == stresses_.length() ? 0 : summed);
   kappaNext_.resize(own);
-  for (RowArray *of : {&elasticZ_, &elasticZNext_})
-    of->resize(laws_.flowsAcross ? own : 0);
   linkChanges_.resize(own);
   linkChanges_.clear();
 }
@@ -69,7 +79,7 @@ void Step::run(const Automata &a, double dt, bool advance)
   strains_.clear();
   kernel_->strain(links_.part(0, links_.size()), dt, advance, laws, motion_.data(), spin_.data(),
                   strains_.data());
-  findMeans(a);
+  findMeans();
   exchange_->begin(response, row.length, 1);
 
   stresses_.clear();
@@ -173,14 +183,10 @@ void Step::keepLag(const Automata &a) const
       }
 }
 
-void Step::findMeans(const Automata &a)
+void Step::findMeans()
 {
   kernel_->mean(own(), types_.data(), laws_.automata.data(), laws_.oneMaterial, strains_.data(),
                 response_.data());
-  if (!laws_.flowsAcross)
-    return;
-  std::copy_n(a.elasticZ, own(), elasticZ_.data());
-  addElasticZ(own(), types_.data(), laws_.automata.data(), elasticZ_.data(), response_.data());
 }
 
 // The return mapping is explicit: an automaton's trial stress and its yield stress give M, and each
@@ -217,9 +223,8 @@ void Step::yieldAgain(const Automata &a, const Pairs &border, const Pairs &insid
   const RowLayout::Response &row = layout().response;
   double *const response = response_.data(), *const answers = response + row.factor;
   exchange_->begin(answers, row.length, row.answers);
-  RowArray &taken = forces_; // which are not needed before the force pass
-  static_assert(planeRows.stress.length == planeRows.force.length &&
-                spaceRows.stress.length == spaceRows.force.length);
+  // the forces are not needed before the force pass
+  RowArray &taken = forces_.length() == stresses_.length() ? forces_ : taken_;
   taken.clear();
   kernel_->returns(inside, laws_.pairs.data(), response, taken.data());
   exchange_->finish(answers, row.length, row.answers);
@@ -229,18 +234,13 @@ void Step::yieldAgain(const Automata &a, const Pairs &border, const Pairs &insid
                         taken.row(from), a.kappa + from, kappaNext_.row(from), response_.row(from));
 }
 
-// What laws that are off by default need: the elastic strain across the plane of the next step, and
-// what automata show to the criteria of their contacts; nullptr where there is none.
+// What automata show to the criteria of their contacts; nullptr where these need nothing.
 const double *Step::showLocal(const Automata &a)
 {
-  const AutomatonLaw *laws = laws_.automata.data();
-  if (laws_.flowsAcross)
-    flowElasticZ(own(), types_.data(), laws, strains_.data(), stresses_.data(), response_.data(),
-                 elasticZ_.data(), elasticZNext_.data());
   if (!laws_.needsLocal)
     return nullptr;
-  mca::showLocal(layout(), own(), types_.data(), laws, stresses_.data(), response_.data(), a.kappa,
-                 kappaNext_.data(), local_.data());
+  mca::showLocal(layout(), laws_.keepsVolume, own(), types_.data(), laws_.automata.data(),
+                 stresses_.data(), response_.data(), a.kappa, kappaNext_.data(), local_.data());
   exchange_->begin(local_.data(), local_.length(), local_.length());
   exchange_->finish(local_.data(), local_.length(), local_.length());
   return local_.data();
@@ -290,8 +290,6 @@ bool Step::commit(const Automata &a)
   changing_ = 0.0;
   for (const auto &[from, to] : flowing_)
     std::copy(kappaNext_.row(from), kappaNext_.row(to), a.kappa + from);
-  if (laws_.flowsAcross)
-    std::copy_n(elasticZNext_.data(), elasticZNext_.rows(), a.elasticZ);
   return committed_ = true;
 }
 

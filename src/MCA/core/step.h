@@ -52,9 +52,6 @@ struct Automata {
   int integrated, held;
   /// Equivalent plastic strain [-], of own automata; read by run(), written by commit().
   double *kappa;
-  /// Elastic strain across the plane [-], of own automata; read by run(), written by commit(), both
-  /// only where LawTables::flowsAcross.
-  double *elasticZ;
   /// By how much the velocities differ from those that the present forces saw, which are of half a
   /// step before: `lag`, and `rest`, what rounding took from it [length/time]. One array a
   /// dimension, of all rows. Written by keepLag(), read in set-up.
@@ -79,10 +76,10 @@ class Step {
 
   // ---- what it is made of
 
-  /// Replaces the laws. The list of pairs holds numbers of their entries: it has to be made anew
-  /// where their number or order changes.
-  /// \param tables  in units in which a stress is an energy per volume
-  void setLaws(LawTables tables) { laws_ = std::move(tables); }
+  /// Replaces the laws, before begin(). The list of pairs holds numbers of their entries: it has to
+  /// be made anew where their number or order changes. \param tables  in units in which a stress is
+  /// an energy per volume
+  void setLaws(LawTables tables);
   const LawTables &laws() const { return laws_; }
 
   /// \param exchange  outlives the step; without a call the step is alone. Before the begin() of
@@ -164,9 +161,11 @@ class Step {
   /// The state of automaton i in this evaluation. Stresses are energies per volume, tension
   /// positive.
   struct Automaton {
-    StressTensor stress;    ///< averaged, elastic, before the return [stress]
-    double mean, intensity; ///< mean stress, stress intensity [stress]
-    /// Elastic energy [energy], also that of e_zz; before the return, as the stress.
+    StressTensor stress; ///< averaged, elastic, before the return [stress]
+    double mean;         ///< mean stress [stress]
+    /// By which it yields [stress]: of `stress`, in the plane with plasticity j2 of flowStress().
+    double intensity;
+    /// Elastic energy [energy]; before the return, as the stress.
     double energy;
   };
   /// \throw std::out_of_range  not an own automaton; the same below
@@ -175,10 +174,6 @@ class Step {
   Vector force(int i) const;
   /// Torque of all contacts on it [force length]; only z in the plane.
   Vector torque(int i) const;
-  /// Elastic strain across the plane [-], in this evaluation and in the next; 0 without plasticity
-  /// j2.
-  double elasticZ(int i) const;
-  double elasticZNext(int i) const;
   /// Number of its material in the tables of laws.
   int type(int i) const { return types_.at(i); }
 
@@ -226,7 +221,7 @@ class Step {
   double bytes() const;
 
  private:
-  const Kernel *kernel_;
+  const Kernel *usual_, *kernel_; // of the dimension; of the laws
   Exchange *exchange_;
   LawTables laws_;
   LinkList links_;
@@ -236,7 +231,8 @@ class Step {
 
   RowArray motion_, spin_;                                  // of all rows
   RowArray strains_, stresses_, response_, forces_, local_; // of rows that are in pairs
-  RowArray kappaNext_, elasticZ_, elasticZNext_;            // of own automata
+  RowArray taken_;       // by returns; of the same rows, where it cannot be in the place of forces_
+  RowArray kappaNext_;   // of own automata
   RowArray linkChanges_; // broken and formed of own automata, since takeChanges()
   ViscousContacts viscous_;
   SlipViscosity slip_;
@@ -250,7 +246,7 @@ class Step {
   void packPlane(const Automata &, bool advance);
   void packSpace(const Automata &, bool advance);
   double &spinOf(int row, int component);
-  void findMeans(const Automata &);
+  void findMeans();
   void findReturns(const Automata &);
   void yield(const double *kappa, int from, int to);
   void yieldAgain(const Automata &, const Pairs &border, const Pairs &inside);

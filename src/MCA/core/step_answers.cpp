@@ -19,14 +19,15 @@ Step::Automaton Step::automaton(int i) const
   const int type = types_.at(i);
   const AutomatonLaw &law = laws_.automata[type];
   const double *row = stresses_.at(i), *tensor = row + layout().stress.tensor;
-  const double average = mean(i), z = elasticZ(i);
+  const double average = mean(i);
   const StressTensor s = dimension() == 2
                              ? automatonStress(tensor[0], tensor[1], tensor[2], average)
                              : weighted(tensor, law.weight);
   const double density = energyDensity(row[layout().stress.squares], average, law.shearModulus,
-                                       law.bulkModulus, law.D, law.weight) +
-                         law.shearModulus * z * z;
-  return {s, average, stressIntensity(s), density * laws_.volumes[type]};
+                                       law.bulkModulus, law.D, law.weight);
+  const bool inPlane = dimension() == 2 && laws_.keepsVolume;
+  const double intensity = stressIntensity(inPlane ? flowStress(s.xx, s.yy, s.xy) : s);
+  return {s, average, intensity, density * laws_.volumes[type]};
 }
 
 Vector Step::force(int i) const
@@ -37,16 +38,6 @@ Vector Step::force(int i) const
 Vector Step::torque(int i) const
 {
   return vectorOf(forces_.at(i) + layout().force.torque, dimension() == 2 ? 1 : 3);
-}
-
-double Step::elasticZ(int i) const
-{
-  return laws_.flowsAcross ? *elasticZ_.at(i) : 0.0;
-}
-
-double Step::elasticZNext(int i) const
-{
-  return laws_.flowsAcross ? *elasticZNext_.at(i) : 0.0;
 }
 
 Vector Step::place(int row) const
@@ -84,10 +75,15 @@ Vector Step::normal(int k) const
   return {n[0][k], n[1][k], dimension() == 2 ? 0.0 : n[2][k]};
 }
 
-// The elastic or the total shear as a vector; in the plane its only component is along t.
+static Vector vectorAt(double *const *shears, int k)
+{
+  return {shears[0][k], shears[1][k], shears[2][k]};
+}
+
+// The elastic or the total shear; in the plane its only component is along t.
 static double sizeOf(double *const *shears, int k, int dimension)
 {
-  return dimension == 2 ? shears[0][k] : length(Vector{shears[0][k], shears[1][k], shears[2][k]});
+  return dimension == 2 ? shears[0][k] : length(vectorAt(shears, k));
 }
 
 double Step::shear(int k) const
@@ -105,8 +101,8 @@ Vector Step::alongShear(int k, double size) const
   const Vector n = normal(k);
   if (dimension() == 2)
     return {-size * n.y, size * n.x, 0.0};
-  const double *const *of = links_.pairs().now.gamma;
-  const Vector gamma = {of[0][k], of[1][k], of[2][k]};
+  double *const *of = links_.pairs().now.gamma;
+  const Vector gamma = vectorAt(of, k);
   const double size0 = length(gamma);
   return size0 > 0.0 ? size / size0 * gamma : Vector{0.0, 0.0, 0.0};
 }
@@ -116,11 +112,19 @@ ContactStress Step::contact(int k) const
   const Pairs &p = links_.pairs();
   const RowLayout::Response &at = layout().response;
   const double *ri = response_.at(p.i[k]), *rj = response_.at(p.j[k]);
+  const Answer i = {ri[at.mean], ri[at.factor], ri[at.centre]},
+               j = {rj[at.mean], rj[at.factor], rj[at.centre]};
   const bool moves = p.blocks[k / blockLength].moves;
+  const double kind = p.now.kind[k], left = returnedShare(i, j);
+  double stretch = 0.0;
+  if (laws_.keepsVolume && link::isLinked(kind))
+    stretch = dimension() == 2
+                  ? shearStretch(planeStretch, left, p.now.gamma[0][k], p.now.gammaTotal[0][k])
+                  : shearStretch(spaceStretch, left, vectorAt(p.now.gamma, k),
+                                 vectorAt(p.now.gammaTotal, k));
   return contactStress(
-      law(k), {p.now.kind[k], p.eps[k], p.now.plastic[k], shear(k), totalShear(k), p.separation[k]},
-      {ri[at.mean], ri[at.factor], ri[at.centre]}, {rj[at.mean], rj[at.factor], rj[at.centre]},
-      moves ? p.next.kind[k] : p.now.kind[k]);
+      law(k), {kind, p.eps[k], p.now.plastic[k], shear(k), totalShear(k), p.separation[k], stretch},
+      i, j, moves ? p.next.kind[k] : kind);
 }
 
 Vector Step::contactForce(int k) const
@@ -164,7 +168,7 @@ double Step::bytes() const
 {
   double sum = links_.bytes() + slip_.bytes();
   for (const RowArray *rows : {&motion_, &spin_, &strains_, &stresses_, &response_, &forces_,
-                               &local_, &kappaNext_, &elasticZ_, &elasticZNext_, &linkChanges_})
+                               &local_, &taken_, &kappaNext_, &linkChanges_})
     sum += rows->bytes();
   return sum;
 }

@@ -18,7 +18,6 @@ void ViscousContacts::add(const Pairs &p, const Conditions &step)
     for (int k = first; k < last; k++) {
       if (!isViscous(p, block, k))
         continue;
-      const double e = p.eps[k] - p.now.plastic[k];
       const PairLaw &law = step.laws[p.law[k]];
       const int i = p.i[k], j = p.j[k];
       const double moveI = half * law.invMassI * step.follows(i);
@@ -32,11 +31,10 @@ void ViscousContacts::add(const Pairs &p, const Conditions &step)
       const double before = p.separation[k], now = centredSeparation(before, kick, damping);
       p.separation[k] = now;
 
-      const double trial =
-          elasticStress(law, e, step.response[static_cast<size_t>(i) * rows.response.length],
-                        step.response[static_cast<size_t>(j) * rows.response.length]);
-      const double more = unlinkedStress(trial, law.viscosity, now, law.invDiameter) -
-                          unlinkedStress(trial, law.viscosity, before, law.invDiameter);
+      const double sigma = viscousStress(law, p.now.kind[k], p.eps[k], p.now.plastic[k],
+                                         step.answer(i), step.answer(j));
+      const double more = unlinkedStress(sigma, law.viscosity, now, law.invDiameter) -
+                          unlinkedStress(sigma, law.viscosity, before, law.invDiameter);
       Contact c = {i, j, {}};
       for (int m = 0; m < dimension; m++)
         c.force[m] = more * law.area * p.normal[m][k];

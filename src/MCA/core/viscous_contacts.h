@@ -36,13 +36,21 @@ class ViscousContacts {
     double dt; ///< [time]
     /// Table of PairLaw, indexed by Pairs::law.
     const PairLaw *laws;
-    /// Rows of what automata answer; the mean stress is read.
+    /// Rows of what automata answer.
     const double *response;
     const double *forces; ///< of the force pass, complete on both automata of a pair
     const int *groups;    ///< bits of each automaton
     /// Automata with a bit of `integrated` and none of `held` follow the forces; the others keep
     /// their velocity, whatever acts on them.
     int integrated, held;
+
+    /// What automaton i answers.
+    Answer answer(int i) const
+    {
+      const RowLayout::Response &at = kernel->rows.response;
+      const double *row = response + static_cast<size_t>(i) * at.length;
+      return {row[at.mean], row[at.factor], row[at.centre]};
+    }
 
     /// 1 for an automaton that follows the forces, else 0.
     double follows(int i) const

@@ -13,6 +13,7 @@
 
 #include "linking.h"
 #include "plasticity.h"
+#include "vector.h"
 #include "viscosity.h"
 
 namespace mca {
@@ -33,6 +34,8 @@ struct PairLaw {
   double twoG, invTwoG;
   /// Weight of the mean stress of both sides [-]; 0 with elasticity pairwise.
   double Di, Dj;
+  /// 1 where unlinked contacts flow with their automata, too (flow contacts), else 0.
+  double contactsFlow;
   /// eta [stress time], >= 0; 0 where viscosity none is chosen.
   double viscosity;
   /// 1/m of both sides [1/mass], m = rho V of the cell; what holds an automaton is not known here.
@@ -59,6 +62,8 @@ struct Contact {
   /// Normal velocity of j seen from i [length/time], > 0 when they part. Only unlinked contacts and
   /// links that break in this step read it.
   double separation;
+  /// By which plastic shear lengthens it in this step [-], of shearStretch(); 0 but with j2.
+  double stretch = 0.0;
 };
 
 /// What an automaton answers its contacts: all that a contact knows of it, a row
@@ -68,12 +73,22 @@ struct Answer {
   double mean; ///< mean stress [stress]
   /// M of the radial return [-], in [0, 1]; exactly 1 where the automaton does not flow.
   double factor;
-  /// What the normal stresses of its bulk links return to [stress]: in the plane the mean stress,
-  /// in space the mean of sigma over its bulk links. Both are the same where all contacts are bulk
-  /// links; elsewhere only the latter makes sure that flow dissipates, since what the automaton
-  /// contributes is (1-M)/(2G) sum sigma (sigma - centre).
+  /// What the normal stresses of its contacts return to [stress]: with radial in the plane the mean
+  /// stress, else the mean of sigma over the contacts that flow. Only the latter makes sure that
+  /// flow dissipates, since what the automaton contributes is (1-M)/(2G) sum sigma (sigma -
+  /// centre), and that the sum of their strains stays, hence the volume.
   double centre;
 };
+
+/// 1 for a contact that flows with its automata, else 0: a bulk link, with flow contacts an
+/// unlinked one that is pressed, too. Welds are brittle. \param contactsFlow  of its PairLaw \param
+/// kind          of the contact, see link \param e             its elastic normal strain [-]
+inline double flowing(double contactsFlow, double kind, double e)
+{
+  const double bulk = kind == link::bulk ? 1.0 : 0.0, pressed = e < 0.0 ? 1.0 : 0.0;
+  const double flows = contactsFlow * pressed * (1.0 - link::linked(kind));
+  return bulk > flows ? bulk : flows;
+}
 
 /// Elastic normal stress of a contact that touches [stress], tension positive: the mean of both
 /// sides' responses sigma_i = 2G e + D sigma_mean,i (doc/laws.md, Elasticity; Psakhie et al. 2011).
@@ -105,6 +120,43 @@ inline double returnedShare(const Answer &i, const Answer &j)
   return 0.5 * (i.factor + j.factor);
 }
 
+/// By how much a contact has to lengthen so that plastic shear of its surroundings keeps their
+/// volume [-] (doc/laws.md, Plasticity; ours). Contacts carry their shear with them as they rotate:
+/// a simple shear g stretches those of an automaton by (3/16) g^2 in the mean over the directions
+/// of a plane, by (2/15) g^2 in space, and shears them by g^2/8 and g^2/10 in the mean square. So
+/// lengthening by 3/2 or 4/3 of the square of its plastic shear takes that off.
+/// \param times  planeStretch or spaceStretch [-]
+/// \param left   of returnedShare() [-]: (1 - left) gamma flows in this step
+/// \param gamma  elastic shear [-], a number in the plane, a Vector in space
+/// \param total  total shear since linking [-]
+/// \return times ((total - left gamma)^2 - (total - gamma)^2)
+constexpr double planeStretch = 1.5, spaceStretch = 4.0 / 3.0;
+template<class Shear>
+inline double shearStretch(double times, double left, const Shear &gamma, const Shear &total)
+{
+  return times * (1.0 - left) * (2.0 * dot(gamma, total) - (1.0 + left) * dot(gamma, gamma));
+}
+
+/// Normal stress of a contact that flows [stress]: after the return, and with its stretch, as far
+/// as that brings it nearer to 0, so that it dissipates. An unlinked contact never pulls, and flow
+/// lengthens it up to the breaking strain at most: farther apart two automata do not touch.
+/// \param trial    before the return [stress]
+/// \param plastic  plastic offset of its normal strain [-]
+/// \param stretch  of shearStretch() [-]
+/// \param linked   1 or 0
+inline double flowedStress(const PairLaw &law, double trial, double plastic, double stretch,
+                           double linked, const Answer &i, const Answer &j)
+{
+  const double returned = returnedStress(trial, i, j);
+  const double above = returned > 0.0 ? returned : 0.0, below = returned - above;
+  const double less = law.twoG * stretch, most = less < above ? less : above;
+  const double sigma = returned - (most > below ? most : below);
+  const double room = law.breakingStrain - plastic;
+  const double lowest = trial - law.twoG * (room > 0.0 ? room : 0.0);
+  const double pressed = sigma > lowest ? sigma : lowest;
+  return linked > 0.0 ? sigma : pressed < 0.0 ? pressed : 0.0;
+}
+
 /// Elastic stresses of a contact [stress], tension positive; without viscosity.
 struct ElasticStresses {
   /// Elastic normal stress before the radial return, also of a pair that is apart, where it acts on
@@ -116,8 +168,7 @@ struct ElasticStresses {
 };
 
 /// Stresses of a contact before and after the return. Linked contacts bear tension, too; an
-/// unlinked one has a stress only while it is pressed, e < 0. Only bulk links are returned: welds
-/// are brittle.
+/// unlinked one has a stress only while it is pressed, e < 0. Those of flowing() are returned.
 /// \param c    present state and strains; gamma is its size
 /// \param i,j  what both automata answer
 /// \return numbers for any finite input; conditions are selected, not branched on
@@ -125,14 +176,26 @@ inline ElasticStresses elasticStresses(const PairLaw &law, const Contact &c, con
                                        const Answer &j)
 {
   const double e = c.eps - c.plastic;
-  const bool isBulk = c.kind == link::bulk;
+  const double flows = flowing(law.contactsFlow, c.kind, e);
   const double linked = link::linked(c.kind), pressed = e < 0.0 ? 1.0 : 0.0;
   const double trial = elasticStress(law, e, i.mean, j.mean);
-  const double returned = returnedStress(trial, i, j);
+  const double returned = flowedStress(law, trial, c.plastic, c.stretch, linked, i, j);
   const double elasticShear = law.twoG * c.gamma;
   const double returnedShear = returnedShare(i, j) * elasticShear;
   const double touching = linked > pressed ? linked : pressed;
-  return {trial, isBulk ? returned : touching * trial, isBulk ? returnedShear : elasticShear};
+  return {trial, flows > 0.0 ? returned : touching * trial,
+          flows > 0.0 ? returnedShear : elasticShear};
+}
+
+/// Elastic normal stress on which the viscosity of a contact acts that is pressed and unlinked, or
+/// breaks in this step [stress]: after the return, but of a link that breaks the one before.
+/// \param kind         present kind
+/// \param eps,plastic  its normal strain and plastic offset [-]
+inline double viscousStress(const PairLaw &law, double kind, double eps, double plastic,
+                            const Answer &i, const Answer &j)
+{
+  const ElasticStresses s = elasticStresses(law, {kind, eps, plastic, 0.0, 0.0, 0.0}, i, j);
+  return link::isLinked(kind) ? s.trial : s.sigma;
 }
 
 /// Stresses of a contact [stress], tension positive, and what it turns into. Their shears are along
@@ -157,7 +220,8 @@ inline ContactStress contactStress(const PairLaw &law, const Contact &c, const E
 {
   const double pressed = c.eps - c.plastic < 0.0 ? 1.0 : 0.0;
   const double holds = link::linked(c.kind) * link::linked(kindNext);
-  const double viscous = unlinkedStress(s.trial, law.viscosity, c.separation, law.invDiameter);
+  const double viscous = unlinkedStress(link::linked(c.kind) > 0.0 ? s.trial : s.sigma,
+                                        law.viscosity, c.separation, law.invDiameter);
   const double normal = holds * s.sigma + (1.0 - holds) * pressed * viscous;
   const double shear = holds * s.tau;
   return {s.trial, s.sigma, s.tau, normal, shear, kindNext};
@@ -172,6 +236,14 @@ inline ContactStress contactStress(const PairLaw &law, const Contact &c, const A
   return contactStress(law, c, elasticStresses(law, c, i, j), kindNext);
 }
 
+/// What of its normal strain flows in the step [-]: 0 of a contact that does not flow.
+/// \param trial,sigma  normal stress before and after the return [stress]
+inline double flowOf(const PairLaw &law, const Contact &c, double trial, double sigma)
+{
+  return flowing(law.contactsFlow, c.kind, c.eps - c.plastic) > 0.0 ? (trial - sigma) * law.invTwoG
+                                                                    : 0.0;
+}
+
 /// What a criterion sees of a contact as if it were a bulk link. Its elastic strains are those
 /// after the return: what flowed is taken off the normal strain, the shear is tau/2G. Welds and
 /// unlinked contacts are asked, too: what would break at once as a bulk link does not heal.
@@ -184,7 +256,7 @@ inline LinkLoad linkLoad(const PairLaw &law, const Contact &c, const ElasticStre
 {
   return {c.eps,
           c.gammaTotal,
-          c.eps - c.plastic - (c.kind == link::bulk ? (s.trial - s.sigma) * law.invTwoG : 0.0),
+          c.eps - c.plastic - flowOf(law, c, s.trial, s.sigma),
           s.tau * law.invTwoG,
           s.sigma,
           s.tau,
@@ -293,7 +365,7 @@ inline NextState<Shear> nextState(const PairLaw &law, const Contact &c, const Co
 {
   // conditions as factors of 0 or 1, which vectorise
   const double linkedNext = link::linked(s.kindNext), stays = link::linked(c.kind) * linkedNext;
-  const double flow = c.kind == link::bulk ? (s.trial - s.sigma) * law.invTwoG : 0.0;
+  const double flow = flowOf(law, c, s.trial, s.sigma);
   const double dented = c.plastic + flow;
   // once apart, both surfaces are whole again
   const double apart = c.eps > (dented > 0.0 ? dented : 0.0) ? 1.0 - linkedNext : 0.0;

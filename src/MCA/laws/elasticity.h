@@ -80,10 +80,19 @@ inline StressTensor weighted(const double *sums, double weight)
 /// sigma_zz = 3 sigma_mean - sigma_xx - sigma_yy, in plane strain that of Hooke's law, 0 with the
 /// moduli of plane stress.
 /// \param xx,yy,xy  sums of stressShare(), with the weight of the packing in them [stress]
-/// \param mean      sigma_mean of the automaton, with K e_zz of plasticity j2 in it [stress]
+/// \param mean      sigma_mean of the automaton [stress]
 inline StressTensor automatonStress(double xx, double yy, double xy, double mean)
 {
   return {xx, yy, xy, 3.0 * mean - xx - yy};
+}
+
+/// The stress by which an automaton yields in the plane with plasticity j2: sigma_zz is the mean of
+/// sigma_xx and sigma_yy, as in a solid that flows in plane strain and keeps its volume. Its
+/// intensity is sqrt(3) times the largest shear stress in the plane.
+/// \param xx,yy,xy  as above
+inline StressTensor flowStress(double xx, double yy, double xy)
+{
+  return {xx, yy, xy, 0.5 * (xx + yy)};
 }
 
 /// One side's normal response sigma_i = 2G e + D sigma_mean,i [stress] (Psakhie et al. 2011,

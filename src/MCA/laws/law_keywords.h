@@ -38,11 +38,13 @@ struct ElasticityWords {
 /// Keyword elasticity: "many-body" (default) or "pairwise".
 using Elasticity = Choice<ElasticityWords>;
 
-/// Flow of automata (Psakhie et al., Phys. Mesomech. 14 (2011) 224); plasticity.h, plane.h. Radial
-/// returns the stresses of bulk links by the factor M = Y/sigma_int and changes the volume in the
-/// plane; j2 keeps it by an elastic strain across the plane, the automaton state elastic_z. In
-/// space radial keeps the volume, and j2 is the same. None: M = 1, the material is elastic, and a
-/// step may be longer, since no link is pressed to collapse.
+/// Flow of automata (Psakhie et al., Phys. Mesomech. 14 (2011) 224); plasticity.h. Radial returns
+/// the stresses of contacts by the factor M = Y/sigma_int and changes the volume in the plane. J2
+/// keeps the volume: in the plane automata yield by the largest shear in it, as a solid does that
+/// flows in plane strain, and normal stresses return to their mean over the contacts that flow; in
+/// the plane and in space links also lengthen by what their rotation in large shear feigns
+/// (contact.h, shearStretch()). None: M = 1, the material is elastic, and a step may be longer,
+/// since no link is pressed to collapse.
 struct PlasticityWords {
   static constexpr const char *keyword = "plasticity";
   enum Kind { Radial, J2, None };
@@ -50,6 +52,17 @@ struct PlasticityWords {
 };
 /// Keyword plasticity: "radial" (default), "j2" or "none".
 using Plasticity = Choice<PlasticityWords>;
+
+/// Which contacts of an automaton flow with it: its bulk links, or unlinked contacts that are
+/// pressed, too; welds are brittle. Bucher et al. (2006), Fig. 5, is the response of an automaton;
+/// whether of all its contacts is not said.
+struct FlowWords {
+  static constexpr const char *keyword = "flow";
+  enum Kind { Links, Contacts };
+  static constexpr Option options[] = {{"links"}, {"contacts"}};
+};
+/// Keyword flow: "links" (default) or "contacts".
+using FlowLaw = Choice<FlowWords>;
 
 /// Viscosity of unlinked contacts; viscosity.h. Normal resists the normal velocity with eta v_n/d
 /// [stress], never as tension (Bucher et al. 2006, Table 1, "proportional to their relative

@@ -139,8 +139,12 @@ std::string LawSet::parse(const std::vector<std::string> &words)
 std::vector<std::string> LawSet::words() const
 {
   std::vector<std::string> all = {presets.name, preset};
-  for (const Entry &e : table()) // logs and restart files of the usual rule do not name it
-    if (e.keyword.name != WornRule::keyword || !worn.is(WornRule::Unloaded))
+  const auto isUsual = [&](const std::string &name) { // logs and restart files do not name it
+    return (name == WornRule::keyword && worn.is(WornRule::Unloaded)) ||
+           (name == FlowLaw::keyword && flow.is(FlowLaw::Links));
+  };
+  for (const Entry &e : table())
+    if (!isUsual(e.keyword.name))
       all.insert(all.end(), {e.keyword.name, e.word(*this)});
   return all;
 }
@@ -209,6 +213,7 @@ PairLaw makePairLaw(const LawSet &set, const Material &i, const Material &j, dou
   law.invTwoG = 1.0 / law.twoG;
   law.Di = elasticModuli(set, i).D;
   law.Dj = elasticModuli(set, j).D;
+  law.contactsFlow = set.flow.is(FlowLaw::Contacts) ? 1.0 : 0.0;
   law.viscosity = set.isViscous() ? 0.5 * (i.viscosity + j.viscosity) : 0.0;
   law.invMassI = 1.0 / Cell{packing, i.diameter, thickness}.mass(i.density);
   law.invMassJ = 1.0 / Cell{packing, j.diameter, thickness}.mass(j.density);

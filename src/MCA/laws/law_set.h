@@ -24,6 +24,7 @@ struct LawSet {
   PlaneCondition plane;
   Elasticity elasticity;
   Plasticity plasticity;
+  FlowLaw flow;
   FractureLaw fracture;
   ViscosityLaw viscosity;
   Steps steps;
@@ -41,6 +42,7 @@ struct LawSet {
     visit(set.plane);
     visit(set.elasticity);
     visit(set.plasticity);
+    visit(set.flow);
     visit(set.fracture);
     visit(set.viscosity);
     visit(set.steps);
@@ -86,14 +88,8 @@ struct LawSet {
   /// Whether automata flow: all but plasticity none. The longest step depends on it, too.
   bool flows() const { return !plasticity.is(Plasticity::None); }
 
-  /// Whether each automaton has an elastic strain across the plane, which flow changes: with
-  /// plasticity j2 in the plane. In space the return keeps the volume without one. It costs two
-  /// passes over automata.
-  /// \param dimension  2 or 3
-  bool strainsAcross(int dimension) const
-  {
-    return dimension == 2 && plasticity.is(Plasticity::J2);
-  }
+  /// Whether flow keeps the volume in the plane, too, and in large shear: plasticity j2.
+  bool keepsVolume() const { return plasticity.is(Plasticity::J2); }
 
   /// Whether unlinked contacts are viscous.
   bool isViscous() const { return !viscosity.is(ViscosityLaw::None); }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 /// \file plane.h
-/// Plane strain and plane stress: the moduli that stand for the third direction, and the elastic
-/// strain across the plane that volume-preserving flow needs.
+/// Plane strain and plane stress: the moduli that stand for the third direction.
 ///
 /// Any consistent set of units; dimensions stand in brackets. No LAMMPS type in here.
 #ifndef MCA_LAWS_PLANE_H
@@ -36,23 +35,6 @@ inline ElasticModuli planeStressModuli(double shear, double bulk)
   const double plane = 2.0 * shear * lame / (lame + 2.0 * shear);
   const double reduced = 2.0 / 3.0 * (shear + plane);
   return {shear, reduced, plane / reduced};
-}
-
-/// Elastic strain e_zz across the plane after a step, in plane strain [-].
-///
-/// The total strain across the plane is 0, so what flows there is taken from e_zz. With
-/// sigma_mean = (K/3) sum e + K e_zz the return sigma <- mean + M (sigma - mean) is that of
-/// J2 plasticity: the offsets of the contacts, sum (1-M)(sigma - mean)/(2G), and e_zz together
-/// leave sigma_mean, hence the volume, as it was.
-/// \param elasticZ  e_zz in this step [-]
-/// \param stressZ   sigma_zz before the return [stress]
-/// \param mean      mean stress [stress]
-/// \param factor    M of the radial return [-]
-/// \param twoG      2G [stress]
-inline double elasticZAfter(double elasticZ, double stressZ, double mean, double factor,
-                            double twoG)
-{
-  return elasticZ - (1.0 - factor) * (stressZ - mean) / twoG;
 }
 
 } // namespace mca

@@ -7,8 +7,8 @@
 /// automaton all of whose contacts are strained like this one, the mean of both sides:
 ///     psi = 1/2 sum_{i,j} [ dim G (e^2 + gamma^2) + D sigma_mean^2/(2K) ],
 /// and its mean over the contacts of an automaton in a homogeneous packing is the energy density of
-/// the solid: sigma^2/(2E) in uniaxial tension. e and gamma are elastic, after the return. The part
-/// of the elastic strain across the plane (plasticity j2) is not in it.
+/// the solid: sigma^2/(2E) in uniaxial tension. e and gamma are elastic, after the
+/// return.
 #ifndef MCA_LAWS_FRACTURE_BY_ENERGY_H
 #define MCA_LAWS_FRACTURE_BY_ENERGY_H
 
