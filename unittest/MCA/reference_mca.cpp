@@ -554,7 +554,9 @@ void setPresentSpeeds(const Sample &s, Contact &c, double dt)
     perMass += 1 / mass;
     perInertia += 1 / inertia;
   }
-  const double damping = viscosity(s, c) * contactArea(s, w) / w.d;
+  // with slip three times a contact's own, a quarter of what damps the turning of all
+  const double many = s.laws.viscosity.word() == "both" ? 3 : 1;
+  const double damping = many * viscosity(s, c) * contactArea(s, w) / w.d;
   const double rate = damping * perMass;
   const double slipRate = damping * (perMass + w.r * w.r / 4 * perInertia);
   c.speed += kick / (1 + rate * dt / 2);

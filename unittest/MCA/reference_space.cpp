@@ -350,7 +350,10 @@ void setPresentSpeeds(const Sample &s, Contact &c, double dt)
     perMass += 1 / mass;
     perInertia += 1 / inertia;
   }
-  const double damping = viscosity(s, c) * contactArea(s, w) / w.d;
+  // with slip three quarters of what damps the turning of all, in contacts' own parts of it
+  const bool slips = s.laws.viscosity.word() == "both";
+  const double many = slips ? 0.75 / (1.4 / (s.packing.coordination * 2 / 3.0)) : 1;
+  const double damping = many * viscosity(s, c) * contactArea(s, w) / w.d;
   Contact kick;
   setSpeeds(kick, w, moved, turned);
   c.speed += kick.speed / (1 + damping * perMass * dt / 2);

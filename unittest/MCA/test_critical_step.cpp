@@ -163,8 +163,8 @@ TEST(CriticalStep, CompressedUnlinkedLatticeIsStableBelow)
       EXPECT_LT(growth(s, 0.99 * limit.centred(), 3000), 3.0) << "viscosity " << eta;
       if (!slips || eta < 410.0)
         continue;
-      // what turns has no other stiffness
-      EXPECT_GT(growth(s, 1.02 * turned * limit.centred(), 3000), 100.0);
+      // what turns has no other stiffness: 8/lambda; with shorter arms a little more is centred
+      EXPECT_GT(growth(s, 1.04 * turned * 4 * limit.viscous, 3000), 100.0);
       s.laws.steps = "plain";
       EXPECT_GT(growth(s, 1.02 * turned * limit.viscous, 3000), 100.0);
     }
@@ -214,10 +214,12 @@ TEST(CriticalStep, SlipIsDampedByTheSmallMomentOfInertia)
   const double D = m.meanStressWeight(), eta = m.viscosity;
   for (const auto &[packing, faster, own] :
        {std::tuple{mca::packing::hex, 4.0, 0.25}, std::tuple{mca::packing::fcc, 5.0, 0.175}}) {
+    EXPECT_NEAR(packing.ownSlipShare(), own, 1e-15);
     const auto normal = mca::criticalStep(m, D, eta, packing);
     const auto both = mca::criticalStep(m, D, eta, packing, true);
     EXPECT_NEAR(both.viscous, normal.viscous / faster, 1e-12 * normal.viscous);
-    EXPECT_NEAR(both.centred(), both.viscous / (1 - own), 1e-9 * both.viscous);
+    EXPECT_LT(both.centred(), 4 * both.viscous); // where elasticity lets it
+    EXPECT_GT(both.centred(), 3.7 * both.viscous);
     EXPECT_EQ(both.elastic, normal.elastic);
   }
 }

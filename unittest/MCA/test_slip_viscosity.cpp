@@ -150,7 +150,7 @@ TEST(Slip, OfAPairDecaysAsTheExactOneToSecondOrder)
     const double coarse = std::abs(leftInThePlane(time, 8, held) - exact);
     const double fine = std::abs(leftInThePlane(time, 16, held) - exact);
     EXPECT_NEAR(coarse / fine, 4.0, 0.5) << (held ? "one held" : "both free");
-    EXPECT_LT(coarse, 0.01 * exact);
+    EXPECT_LT(coarse, 0.015 * exact); // neighbours are centred that a pair does not have
   }
 }
 

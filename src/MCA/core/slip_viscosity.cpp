@@ -52,7 +52,8 @@ void SlipViscosity::centre(const ViscousContacts::Conditions &step)
                          moveI * inPlaneOrSpace(rowI + at.force, dimension);
     const Vector turned = turnI * aboutAxes(rowI + at.torque, dimension) +
                           turnJ * aboutAxes(rowJ + at.torque, dimension);
-    const double damping = c.viscosity * c.area * (moveI + moveJ + c.arm * c.arm * (turnI + turnJ));
+    const double damping =
+        law.centring * c.viscosity * c.area * (moveI + moveJ + c.arm * c.arm * (turnI + turnJ));
     c.slip = centred(c.slip, slipOf(c.normal, moved, turned, c.arm), damping);
   }
 }

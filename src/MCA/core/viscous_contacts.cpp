@@ -27,7 +27,8 @@ void ViscousContacts::add(const Pairs &p, const Conditions &step)
       double kick = 0.0;
       for (int m = 0; m < dimension; m++)
         kick += p.normal[m][k] * (moveJ * forceJ[m] - moveI * forceI[m]);
-      const double damping = law.viscosity * law.area * law.invDiameter * (moveI + moveJ);
+      const double damping =
+          law.centring * law.viscosity * law.area * law.invDiameter * (moveI + moveJ);
       const double before = p.separation[k], now = centredSeparation(before, kick, damping);
       p.separation[k] = now;
 

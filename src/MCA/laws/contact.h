@@ -44,6 +44,9 @@ struct PairLaw {
   LinkLimits limits;
   double invInertiaI, invInertiaJ; ///< 1/J of both sides [1/(mass length^2)]
   double breakingStrain;           ///< eps_c of the tougher material [-]
+  /// How many times its own damping a viscous contact takes at the new velocity [-]: 1; where it
+  /// resists slip, so many that neighbours' dampings are in it, centredSlipShare in all.
+  double centring;
 };
 
 /// The present state of a contact and its strains, as its laws see them. Of an unlinked one both

@@ -2,6 +2,7 @@
 #include "critical_step.h"
 
 #include "fracture.h"
+#include "viscosity.h"
 
 #include <Eigen/Dense>
 #include <algorithm>
@@ -109,9 +110,9 @@ static double pressedStep(const Material &m, const Packing &packing)
                          (1.0 / (r * r) + turning));
 }
 
-// What is damped fastest: its rate lambda [c/m], and the part of it that is one contact's own.
+// What is damped fastest: its rate lambda [c/m], and the part of it that is centred.
 struct Damping {
-  double rate, own;
+  double rate, share;
 };
 
 // Without slip: an automaton moves against all its neighbours.
@@ -125,9 +126,7 @@ static Damping dampingOfMoves(const Packing &packing)
 // decays faster than any motion of the centres: for all modes, 2 N c/m bounds their part.
 static Damping dampingOfTurns(const Packing &packing)
 {
-  const double across = packing.dimension == 2 ? 1.0 : 2.0 / 3.0; // mean square of omega x n/omega
-  const double contacts = across * packing.coordination;
-  return {0.5 * contacts / packing.inertia, (1.0 + 4.0 * packing.inertia) / contacts};
+  return {0.5 * packing.slippingContacts() / packing.inertia, centredSlipShare};
 }
 
 CriticalStep criticalStep(const Material &m, double D, double viscosity, const Packing &packing,
@@ -158,7 +157,7 @@ CriticalStep criticalStep(const Material &m, double D, double viscosity, const P
   const double damping = viscosity * cell.contactArea() / m.diameter;
   const double viscous = damping > 0.0 ? 2.0 * cell.mass(m.density) / (fastest.rate * damping)
                                        : std::numeric_limits<double>::infinity();
-  return {2.0 / std::sqrt(largest), viscous, pressedStep(m, packing), fastest.own};
+  return {2.0 / std::sqrt(largest), viscous, pressedStep(m, packing), fastest.share};
 }
 
 double CriticalStep::plain() const
@@ -167,7 +166,7 @@ double CriticalStep::plain() const
   return elastic / (s + std::sqrt(1.0 + s * s));
 }
 
-// A mode of frequency omega and damping rate lambda' <= lambda, with s = own lambda dt/2 and
+// A mode of frequency omega and damping rate lambda' <= lambda, with s = share lambda dt/2 and
 // q = lambda' dt/(2 (1 + s)), is stable while q < 1 and (omega^2 dt^2 + 2 lambda' dt)(1 - q) < 4.
 // At the lambda' that is worst the latter is (dt/elastic)^2 + (sqrt(1 + s) - 1)^2 < 1.
 double CriticalStep::centred() const
@@ -175,10 +174,10 @@ double CriticalStep::centred() const
   double stable = 0.0, unstable = elastic;
   for (int k = 0; k < 60; k++) {
     const double dt = 0.5 * (stable + unstable), u = dt / elastic;
-    const double more = std::sqrt(1.0 + own * dt / viscous) - 1.0;
+    const double more = std::sqrt(1.0 + share * dt / viscous) - 1.0;
     (u * u + more * more < 1.0 ? stable : unstable) = dt;
   }
-  return std::min(unstable, viscous / (1.0 - own));
+  return std::min(unstable, viscous / (1.0 - share));
 }
 
 } // namespace mca

@@ -18,7 +18,8 @@ struct CriticalStep {
                   ///< the plane and 2/3 in space
   double pressed; ///< 2/omega of the shear of a link that is pressed together until it collapses,
                   ///< which only plastic flow allows
-  double own;     ///< a contact's share in lambda [-]: D/N, or of slip (1 + 4J/(m d^2))/(f N)
+  double share;   ///< the part of lambda that centred velocities take at the new velocity [-]: a
+                  ///< contact's own, D/N, or with slip centredSlipShare
 
   /// Elasticity and viscosity acting on the same contacts, the forces knowing the velocity of half
   /// a step ago, hence damping shortens the step: omega^2 dt^2 + 2 lambda dt = 4 [time]. It does

@@ -219,6 +219,7 @@ PairLaw makePairLaw(const LawSet &set, const Material &i, const Material &j, dou
   law.invMassJ = 1.0 / Cell{packing, j.diameter, thickness}.mass(j.density);
   law.invInertiaI = 1.0 / Cell{packing, i.diameter, thickness}.inertia(i.density);
   law.invInertiaJ = 1.0 / Cell{packing, j.diameter, thickness}.inertia(j.density);
+  law.centring = set.resistsSlip() ? centredSlipShare / packing.ownSlipShare() : 1.0;
   law.breakingStrain = std::max(i.breakingStrain, j.breakingStrain);
   law.limits = makeLinkLimits(set, i, j, packing.dimension);
   return law;

@@ -28,6 +28,16 @@ struct Packing {
 
   /// q S/V = D/N [-]: the weight of one contact in the averaged stress tensor
   constexpr double stressWeight() const { return static_cast<double>(dimension) / coordination; }
+
+  /// How many of its N contacts resist that all automata turn alike [-], f N: each one slips by
+  /// d omega x n, which about an axis in space is two thirds of a turn's square in the mean.
+  constexpr double slippingContacts() const
+  {
+    return dimension == 2 ? coordination : 2.0 / 3.0 * coordination;
+  }
+
+  /// A contact's own part in the damping of that turning [-]: (1 + 4 J/(m d^2))/(f N).
+  constexpr double ownSlipShare() const { return (1.0 + 4.0 * inertia) / slippingContacts(); }
 };
 
 /// The packings that keyword packing knows. In the plane the densest one, in space both densest

@@ -24,6 +24,12 @@ inline double unlinkedStress(double elastic, double viscosity, double separation
   return total < 0.0 ? total : 0.0;
 }
 
+/// What part of the fastest damping of a packing centred velocities take at the new velocity where
+/// contacts resist slip [-]. A contact's own part (Packing::ownSlipShare()) would do for accuracy;
+/// this one allows the longest step, 8/lambda, since a mode is stable while the part is at least
+/// 1 - 2/(lambda dt) and at most 6/(lambda dt) (doc/laws.md, Corrected steps; ours).
+constexpr double centredSlipShare = 0.75;
+
 /// Normal velocity of a viscous contact at the time of its step [length/time]. Explicit steps know
 /// the one of half a step ago; what the forces with that one change in half a step is added. The
 /// contact's own damping, by far the stiffest part of that change, is taken at the new velocity.
@@ -31,7 +37,7 @@ inline double unlinkedStress(double elastic, double viscosity, double separation
 /// a step with x = 2 damping, where the exact motion keeps exp(-x).
 /// \param separation  the one of half a step ago [length/time]
 /// \param kick        its change in half a step by these forces [length/time]
-/// \param damping     eta S/d (1/m_i + 1/m_j) dt/2 [-]
+/// \param damping     eta S/d (1/m_i + 1/m_j) dt/2 [-], PairLaw::centring times
 inline double centredSeparation(double separation, double kick, double damping)
 {
   return separation + kick / (1.0 + damping);
@@ -54,7 +60,8 @@ inline Vector slipOf(const Vector &n, const Vector &velocity, const Vector &spin
 
 /// Slip velocity at the time of its step, as centredSeparation().
 /// \param kick     change of the slip in half a step by the forces and torques with the old one
-/// \param damping  eta S/d [1/m_i + 1/m_j + arm^2 (1/J_i + 1/J_j)] dt/2 [-]
+/// \param damping  eta S/d [1/m_i + 1/m_j + arm^2 (1/J_i + 1/J_j)] dt/2 [-], PairLaw::centring
+/// times
 inline Vector centred(const Vector &slip, const Vector &kick, double damping)
 {
   return slip + 1.0 / (1.0 + damping) * kick;
