@@ -356,7 +356,7 @@ Stress contactStresses(const Sample &s, const Contact &c, const View &w)
     const mca::Material &ma = s.materials[a.type], &mb = s.materials[b.type];
     const double room = std::fmax(ma.breakingStrain, mb.breakingStrain) - c.now.plastic;
     const double twoG = shearModulus(ma) + shearModulus(mb);
-    out.sigma = std::fmin(0, std::fmax(out.sigma, out.trial - twoG * std::fmax(room, 0)));
+    out.sigma = std::fmax(std::fmin(out.sigma, 0), out.trial - twoG * std::fmax(room, 0));
   }
   return out;
 }

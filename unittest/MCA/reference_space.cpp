@@ -181,7 +181,7 @@ void contactStresses(const Sample &s, const Contact &c, const View &w, double &t
     const mca::Material &ma = s.materials[a.type], &mb = s.materials[b.type];
     const double room = std::fmax(ma.breakingStrain, mb.breakingStrain) - c.now.plastic;
     const double twoG = shearModulus(ma) + shearModulus(mb);
-    sigma = std::fmin(0, std::fmax(sigma, trial - twoG * std::fmax(room, 0)));
+    sigma = std::fmax(std::fmin(sigma, 0), trial - twoG * std::fmax(room, 0));
   }
 }
 

@@ -74,6 +74,25 @@ TEST(Contact, YieldingAutomataReturnTheirBulkLinks)
   EXPECT_CLOSE(turned.tau, s.tau);
 }
 
+TEST(Contact, FlowLengthensAnUnlinkedContactUpToTheBreakingStrain)
+{
+  LawSet set;
+  ASSERT_EQ(set.parse({"flow", "contacts"}), "");
+  const PairLaw flows = makePairLaw(set, steel(), steel(), 1.0);
+  const double most = steel().breakingStrain, e = -1e-4;
+  // its automata pull, or press it by more than its own strain does
+  for (const double mean : {1e3, 1e4, -1e3, -1e4})
+    for (const double plastic : {-0.01, 0.01, 0.999 * most, most, 1.01 * most}) {
+      const Answer side = {mean, 0.2, mean};
+      const Contact c = {link::none, plastic + e, plastic, 0.0, 0.0, 0.0};
+      const ContactStress s = contactStress<FractureByStrain>(flows, c, side, side);
+      const double next = nextState(flows, c, s, 0.0, 0.0, 1.0).plastic;
+      EXPECT_LE(next, std::max(plastic, most) * (1 + 1e-12)) << mean << ", " << plastic;
+      EXPECT_LE(std::abs(s.sigma), std::abs(s.trial) + (mean < 0 ? 0.8 * std::abs(mean) : 0.0));
+      EXPECT_LE(s.normal, 0.0);
+    }
+}
+
 TEST(Contact, WeldsAreElastic)
 {
   const ContactStress s = of(law, link::weld, 0.001, 0.0002, 7.0, 10, 0.1, 20, 0.2);

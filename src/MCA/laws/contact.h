@@ -141,8 +141,10 @@ inline double shearStretch(double times, double left, const Shear &gamma, const 
 }
 
 /// Normal stress of a contact that flows [stress]: after the return, and with its stretch, as far
-/// as that brings it nearer to 0, so that it dissipates. An unlinked contact never pulls, and flow
-/// lengthens it up to the breaking strain at most: farther apart two automata do not touch.
+/// as that brings it nearer to 0, so that it dissipates. An unlinked contact flows towards 0 at
+/// most, since it does not pull, and flow lengthens it up to the breaking strain at most: farther
+/// apart two automata do not touch. What it has above 0 then, where the mean stress of its automata
+/// pulls, makes no force.
 /// \param trial    before the return [stress]
 /// \param plastic  plastic offset of its normal strain [-]
 /// \param stretch  of shearStretch() [-]
@@ -156,8 +158,8 @@ inline double flowedStress(const PairLaw &law, double trial, double plastic, dou
   const double sigma = returned - (most > below ? most : below);
   const double room = law.breakingStrain - plastic;
   const double lowest = trial - law.twoG * (room > 0.0 ? room : 0.0);
-  const double pressed = sigma > lowest ? sigma : lowest;
-  return linked > 0.0 ? sigma : pressed < 0.0 ? pressed : 0.0;
+  const double pressed = sigma < 0.0 ? sigma : 0.0;
+  return linked > 0.0 ? sigma : pressed > lowest ? pressed : lowest;
 }
 
 /// Elastic stresses of a contact [stress], tension positive; without viscosity.
