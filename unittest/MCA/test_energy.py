@@ -72,6 +72,23 @@ def test_other_laws_close_too(laws, tmp_path):
     )
 
 
+@pytest.mark.parametrize("laws", ["", "viscosity both"])
+def test_flow_dissipates(laws, tmp_path):
+    """What flows about the mean of what flows makes no energy, contacts that are pressed beside
+    links and welds too: in no 50 steps."""
+    a = account(
+        lmp(
+            "in.energy_sliding",
+            tmp_path,
+            laws=f"preset b plasticity j2 flow contacts {laws}",
+            steps=4000,
+            dt=4e-5,
+        )
+    )
+    assert a["plastic"][-1] > 0.3 * a["dissipated"][-1]
+    assert np.diff(a["plastic"]).min() > -1e-3 * a["plastic"][-1]
+
+
 @pytest.mark.parametrize("newton", ["on", "off"])
 def test_ranks_share_the_account(sliding, newton, tmp_path):
     a = account(lmp("in.energy_sliding", tmp_path, ranks=2, laws="preset b", newton=newton))

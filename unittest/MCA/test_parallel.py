@@ -179,3 +179,31 @@ def test_plain_steps(
     for corrected in (serial[1], serial_cases["plastic"][0]):
         other = frame if corrected is serial[1] else found["plastic"][0]
         assert largest_difference(other, corrected, PLASTIC, 1.0) > 1e-6
+
+
+FLOWING = "b plasticity j2 flow contacts"
+
+
+@pytest.fixture(scope="module")
+def flowing(rough_data, fragments, tmp_path_factory):
+    folder = tmp_path_factory.mktemp("flowing")
+    return (
+        cases(folder / "cases", fragments, scheme=f"corrected {FLOWING[2:]}"),
+        slide(folder / "slide", rough_data, laws=FLOWING),
+    )
+
+
+@pytest.mark.parametrize("ranks,newton,before,extra", [SETTINGS[0], SETTINGS[6], SETTINGS[13]])
+def test_flow_that_keeps_the_volume(
+    flowing, serial, rough_data, fragments, tmp_path, ranks, newton, before, extra
+):
+    """Centres of the return cross ranks, too: as near as with radial; and it is another law."""
+    more = dict(ranks=ranks, newton=newton, before=before, extra=extra)
+    found = cases(tmp_path / "cases", fragments, scheme=f"corrected {FLOWING[2:]}", **more)
+    for case, (frame, rows) in flowing[0].items():
+        compare(found[case][0], frame, 1e-12)
+        assert found[case][1] == rows
+    _, frame, _, rows = slide(tmp_path / "slide", rough_data, laws=FLOWING, **more)
+    compare(frame, flowing[1][1], 1e-9)
+    assert rows == flowing[1][3] and len(rows) > 10
+    assert largest_difference(frame, serial[1], PLASTIC, 1.0) > 1e-6

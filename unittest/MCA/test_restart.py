@@ -94,7 +94,14 @@ def test_continues_to_the_same_bits(written, tmp_path, ranks):
 
 
 @pytest.mark.parametrize(
-    "laws", ["b steps plain", "b viscosity both", "b viscosity both steps plain", "b worn slid"]
+    "laws",
+    [
+        "b steps plain",
+        "b viscosity both",
+        "b viscosity both steps plain",
+        "b worn slid",
+        "b plasticity j2 flow contacts",
+    ],
 )
 @pytest.mark.parametrize("ranks", [1, 2])
 def test_other_laws_continue_to_the_same_bits(rough_data, tmp_path, ranks, laws):
