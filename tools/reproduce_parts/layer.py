@@ -4,11 +4,11 @@
 import dataclasses
 import itertools
 import math
-import os
 
 import numpy as np
 
 import plot_layer
+from mcawr.files import is_there
 from mcawr.friction_log import head_of
 
 
@@ -26,7 +26,7 @@ class Layer:
 def read(log):
     """The layer of a run; None without a profile beside the log."""
     profile = log.removesuffix(".friction") + ".profile"
-    if not os.path.exists(profile):
+    if not is_there(profile):
         return None
     measures = plot_layer.measures(profile)
     step, depth, linked, automata = (

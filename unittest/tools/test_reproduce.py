@@ -18,6 +18,7 @@ ROOT = Path(__file__).resolve().parents[2]
 sys.path[:0] = [str(ROOT / "unittest" / "WHEELRAIL"), str(ROOT / "tools")]
 from campaign_parts import plan as plans  # noqa: E402
 from friction_logs import eq2, friction_log, kappas  # noqa: E402
+from mcawr import archive  # noqa: E402
 
 BUILD = (
     Path(os.environ["MCAWR_TEST_LMP"]).parents[1]
@@ -398,6 +399,27 @@ def test_missing_logs_are_one_clear_line(tmp_path):
     assert not (tmp_path / "out" / "fig3.png").exists()
 
 
+def test_archives_tell_what_their_files_tell(tmp_path):
+    """Logs and profiles; an archive beside a folder of the same plan is refused."""
+    for name in ("roughness", "viscosity"):
+        profiles(*logs(tmp_path, name), lambda run, part: (4, 6))
+    text = made(tmp_path, "fig3", reproduce(tmp_path, "fig3"))
+    for folder in sorted((tmp_path / "logs").iterdir()):
+        members = {path.name: path.read_text() for path in folder.iterdir()}
+        (tmp_path / "logs" / (folder.name + archive.ENDING)).write_bytes(archive.pack(members))
+        done = reproduce(tmp_path, "fig3")
+        assert done.returncode == 3 and done.stderr.count("\n") == 1
+        assert "is there beside" in done.stderr and "only one of them may be" in done.stderr
+        shutil.rmtree(folder)
+    assert made(tmp_path, "fig3", reproduce(tmp_path, "fig3")) == text
+    points = (tmp_path / "out" / "fig3.csv").read_text()
+    assert f"{tmp_path}/logs/roughness.tar.xz/roughness1.4-seed1.friction," in points
+    (tmp_path / "logs" / "roughness.tar.xz").write_bytes(b"\xfd7zXZ\0")
+    done = reproduce(tmp_path, "fig3")
+    assert done.returncode == 3 and done.stderr.count("\n") == 1
+    assert "roughness.tar.xz: cannot be unpacked: is damaged or cut" in done.stderr
+
+
 def test_missing_runs_are_one_clear_line(tmp_path):
     def still(run, part):
         return 4, 6
@@ -425,7 +447,7 @@ def shipped():
     return [
         name
         for name, figure in figures.FIGURES.items()
-        if all((folder / plan).is_dir() for plan in figure.plans)
+        if all((folder / (plan + archive.ENDING)).is_file() for plan in figure.plans)
     ]
 
 
@@ -435,10 +457,13 @@ def test_few_runs_are_a_figure_or_one_clear_line(name, tmp_path):
     from reproduce_parts import figures
 
     for plan in figures.FIGURES[name].plans:
-        log = min((ROOT / "examples" / "campaign" / "logs" / plan).glob("*.friction"))
+        path = ROOT / "examples" / "campaign" / "logs" / (plan + archive.ENDING)
+        members = archive.unpack(path, path.read_bytes())
+        run = min(name for name in members if name.endswith(".friction")).removesuffix(".friction")
         (tmp_path / "logs" / plan).mkdir(parents=True)
-        for part in log.parent.glob(f"{log.stem}.*"):
-            shutil.copy(part, tmp_path / "logs" / plan)
+        for ending in (".friction", ".profile"):
+            if run + ending in members:
+                (tmp_path / "logs" / plan / (run + ending)).write_bytes(members[run + ending])
     done = reproduce(tmp_path, name)
     assert done.returncode in (0, 3) and done.stderr.count("\n") == (done.returncode == 3), (
         done.stderr
