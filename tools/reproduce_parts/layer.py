@@ -14,13 +14,10 @@ from mcawr.friction_log import head_of
 
 @dataclasses.dataclass
 class Layer:
-    """Depth (nm) of the layer, links of an automaton in it (over 6), and its density (automata in a
-    row over those of the solid), at the ends of the frames (ns)."""
+    """Depth (nm) of the layer at the ends of the frames (ns)."""
 
     time: np.ndarray
     depth: np.ndarray
-    linked: np.ndarray
-    density: np.ndarray
 
 
 def read(log):
@@ -29,17 +26,8 @@ def read(log):
     if not is_there(profile):
         return None
     measures = plot_layer.measures(profile)
-    step, depth, linked, automata = (
-        np.array([m[key] for m in measures]) for key in ("step", "depth", "linked", "automata")
-    )
-    head = head_of(log)
-    size = head["geometry"]
-    return Layer(
-        step * float(head["run"]["timestep"]),
-        depth,
-        linked,
-        automata * size["diameter"] / size["width"],
-    )
+    step, depth = (np.array([m[key] for m in measures]) for key in ("step", "depth"))
+    return Layer(step * float(head_of(log)["run"]["timestep"]), depth)
 
 
 def window(series, begin, end, blocks):

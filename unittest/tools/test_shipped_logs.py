@@ -46,6 +46,12 @@ def rows(text):
     return [dict(zip(table[0], map(float, row))) for row in table[1:]]
 
 
+def test_an_archive_a_plan_and_nothing_else():
+    others = {path.name for path in LOGS.iterdir()} - {name + archive.ENDING for name in PLANS}
+    assert others == {"README.md"}
+    assert sum(path.stat().st_size for path in LOGS.iterdir()) < 10e6
+
+
 @pytest.mark.parametrize("plan", PLANS)
 def test_logs_belong_to_their_plan(plan):
     runs = {run.name: run for run in plans.read(plans.find(plan)).runs}
@@ -53,6 +59,8 @@ def test_logs_belong_to_their_plan(plan):
     assert logs and set(logs) <= set(runs)
     for name, log in logs.items():
         command, _ = made_by(log)
+        script = Path(command[command.index("-in") + 1])
+        assert (ROOT / script).is_file() and not script.is_absolute(), name
         given = {command[k + 1]: command[k + 2] for k, word in enumerate(command) if word == "-var"}
         expected = runs[name].variables()
         for key in (
