@@ -149,7 +149,7 @@ GOOD = tar("a.friction", "b.friction")
 PLAIN = "is not allowed, must be a file with a plain name"
 DAMAGED = "is damaged or cut"
 WRONG = {
-    "empty": (b"", "is not compressed by xz"),
+    "empty": (b"", "bad.tar.xz: "),
     "text": (LOG.encode(), "is not compressed by xz"),
     "not compressed": (GOOD, "is not compressed by xz"),
     "lzma": (lzma.compress(GOOD, format=lzma.FORMAT_ALONE), "is not compressed by xz"),

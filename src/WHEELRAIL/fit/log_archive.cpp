@@ -2,17 +2,19 @@
 #include "fit/log_archive.h"
 
 #include "base/errors.h"
+#include "base/output_file.h"
 #include "shared/friction_log_format.h"
 
 #include <algorithm>
 #include <archive.h>
 #include <archive_entry.h>
-#include <array>
+#include <cerrno>
 #include <filesystem>
 #include <fmt/format.h>
-#include <fstream>
 #include <memory>
+#include <new>
 #include <set>
+#include <string_view>
 #include <vector>
 
 namespace wheelrail {
@@ -30,36 +32,42 @@ struct Free {
 };
 using Reader = std::unique_ptr<archive, Free>;
 
+Reader newReader()
+{
+  Reader reader(archive_read_new());
+  if (!reader)
+    throw std::bad_alloc();
+  return reader;
+}
+
 Error cannotUnpack(const std::string &path, const std::string &why)
 {
   return badInput(path, 0, "", "cannot be unpacked: " + why);
 }
 
+/// What the last call of libarchive failed at.
+/// @throws std::bad_alloc where it was not the archive's fault
 Error damaged(const std::string &path, archive *reader)
 {
+  if (archive_errno(reader) == ENOMEM)
+    throw std::bad_alloc();
   const char *reason = archive_error_string(reader);
   return cannotUnpack(
       path, fmt::format("is damaged or cut{}{}", reason ? ": " : "", reason ? reason : ""));
 }
 
-bool isXz(const std::string &path)
-{
-  constexpr std::array<char, 6> magic = {'\xFD', '7', 'z', 'X', 'Z', '\0'};
-  std::array<char, magic.size()> begin{};
-  std::ifstream file(path, std::ios::binary);
-  return file.read(begin.data(), begin.size()) && begin == magic;
-}
-
 /// The tar file, unpacked to its end, where xz has its checksums.
 std::string unpackXz(const std::string &path)
 {
-  if (!isXz(path))
+  constexpr std::string_view magic = "\xFD\x37zXZ";
+  const std::string packed = readInputFile(path);
+  if (packed.compare(0, magic.size(), magic) != 0)
     throw cannotUnpack(path, "is not compressed by xz");
-  Reader reader(archive_read_new());
+  const Reader reader = newReader();
   archive_read_support_filter_xz(reader.get());
   archive_read_support_format_raw(reader.get()); // one member: all bytes
   archive_entry *entry = nullptr;
-  if (archive_read_open_filename(reader.get(), path.c_str(), mebibyte) != ARCHIVE_OK ||
+  if (archive_read_open_memory(reader.get(), packed.data(), packed.size()) != ARCHIVE_OK ||
       archive_read_next_header(reader.get(), &entry) != ARCHIVE_OK)
     throw damaged(path, reader.get());
   std::string tar;
@@ -123,7 +131,7 @@ std::map<std::string, std::string> logsOfTar(const std::string &path, const std:
       !std::all_of(tar.end() - endMark, tar.end(), [](char c) { return c == '\0'; }))
     throw cannotUnpack(path, "is not a whole tar file: its end is missing");
 
-  Reader reader(archive_read_new());
+  const Reader reader = newReader();
   archive_read_support_format_tar(reader.get());
   if (archive_read_open_memory(reader.get(), tar.data(), tar.size()) != ARCHIVE_OK)
     throw damaged(path, reader.get());
