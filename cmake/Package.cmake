@@ -27,7 +27,7 @@ if(LAMMPS_BUILT_HERE)
 endif()
 set(CPACK_DEBIAN_PACKAGE_DEPENDS "openmpi-bin, python3, python3-matplotlib, python3-numpy, python3-yaml")
 set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "python3-meshio")
-string(JOIN ", " CPACK_DEBIAN_PACKAGE_SUGGESTS cmake g++ libboost-dev libceres-dev libcli11-dev
-       libeigen3-dev libfftw3-dev libfmt-dev libudunits2-dev libyaml-cpp-dev nlohmann-json3-dev
-       pkg-config)
+string(JOIN ", " CPACK_DEBIAN_PACKAGE_SUGGESTS cmake g++ libarchive-dev libboost-dev libceres-dev
+       libcli11-dev libeigen3-dev libfftw3-dev libfmt-dev libudunits2-dev libyaml-cpp-dev
+       nlohmann-json3-dev pkg-config)
 include(CPack)

@@ -1,6 +1,6 @@
 #!/bin/bash
 # SPDX-License-Identifier: GPL-2.0-or-later
-# From a folder of friction logs to creep curves with the uncertainty of the law carried through.
+# From friction logs to creep curves with the uncertainty of the law carried through.
 # shellcheck source=tools/common.sh
 source "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/common.sh"
 
@@ -8,7 +8,8 @@ usage() {
   cat <<'HELP'
 Usage: campaign_to_creep.sh CAMPAIGN... [-o DIR] [--case CASE.yaml] [--start NS] [-- OPTIONS OF wr_creep]
 
-CAMPAIGN are folders with friction logs (*.friction), as tools/campaign leaves them, or logs. Then
+CAMPAIGN are friction logs (*.friction), folders with them, as tools/campaign run leaves them, or
+archives of them (*.tar.xz), as tools/campaign pack does. Then
   1. wr_fit    the law of Eq. 2 with its covariance        DIR/law.json, points.csv, fit.png
   2. wr_creep  the case with this law and its uncertainty  DIR/creep.csv, creep_band.csv, ...
                and with the paper's law for comparison     DIR/paper/creep.csv, ...
@@ -25,8 +26,8 @@ CAMPAIGN are folders with friction logs (*.friction), as tools/campaign leaves t
 wr_creep warns where the case needs the law outside of what it was fitted on; its page says what
 that may mean.
 Examples: campaign_to_creep.sh runs -o out -- --set speed="20 m/s"
-          campaign_to_creep.sh examples/campaign/logs/{velocity,pressure}
-          campaign_to_creep.sh examples/campaign/logs/{velocity,pressure,paper36} --kappa3 206
+          campaign_to_creep.sh examples/campaign/logs/{velocity,pressure}.tar.xz
+          campaign_to_creep.sh examples/campaign/logs/{velocity,pressure,paper36}.tar.xz --kappa3 206
 
 Environment: MCAWR_BUILD, the build folder (default: build of the checkout)
 Exit codes: 0 ok, 2 usage; else that of the step that failed (4: the logs do not determine the law).
@@ -66,7 +67,7 @@ while [ $# -gt 0 ]; do
       ;;
   esac
 done
-[ ${#campaigns[@]} -gt 0 ] || die 2 "a folder with friction logs is needed; see --help"
+[ ${#campaigns[@]} -gt 0 ] || die 2 "a folder or an archive with friction logs is needed; see --help"
 mkdir -p "$results" || exit 5
 
 fit() { # LOGS AND OPTIONS: the law and its points
@@ -84,7 +85,7 @@ if ! has_law; then
   $or_shipped || die 4 "${campaigns[*]}: too few points for a law; see $results/law.json"
   shipped=$root/examples/campaign/logs
   echo "These logs do not give a law: the law of the shipped runs is taken ($shipped)"
-  fit "$shipped/velocity" "$shipped/pressure" --start 200 -q || exit $?
+  fit "$shipped/velocity.tar.xz" "$shipped/pressure.tar.xz" --start 200 -q || exit $?
   label="law of the shipped runs"
 fi
 echo "2/3 wr_creep $case"

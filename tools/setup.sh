@@ -36,8 +36,8 @@ done
 
 packages=(
   g++ cmake ninja-build pkg-config libopenmpi-dev openmpi-bin
-  libcli11-dev libfmt-dev libyaml-cpp-dev nlohmann-json3-dev libeigen3-dev libfftw3-dev
-  libceres-dev libudunits2-dev libboost-dev libgtest-dev libgmock-dev libbenchmark-dev
+  libarchive-dev libcli11-dev libfmt-dev libyaml-cpp-dev nlohmann-json3-dev libeigen3-dev
+  libfftw3-dev libceres-dev libudunits2-dev libboost-dev libgtest-dev libgmock-dev libbenchmark-dev
   python3 python3-numpy python3-matplotlib python3-yaml python3-pytest python3-meshio
   debian-archive-keyring xz-utils
 )

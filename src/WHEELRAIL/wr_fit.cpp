@@ -8,7 +8,7 @@
 #include "base/result_text.h"
 #include "base/version.h"
 #include "fit/fit_report.h"
-#include "fit/friction_log.h"
+#include "fit/found_logs.h"
 #include "fit/plot_script.h"
 #include "law/law_checksum.h"
 #include "shared/output_file.h"
@@ -30,6 +30,8 @@ Examples:
       the friction coefficient of one run, beside Eq. 2 (one log is no law: exit code 0)
   wr_fit campaign/ -o law.json --points points.csv --plot fit.png
       all *.friction below a folder: points, fitted law, Figs. 7 and 8
+  wr_fit paper36.tar.xz -o law.json
+      all *.friction of an archive of tools/campaign pack
   wr_fit campaign/ --model eq4 -o static.json
       the law without its velocity term, e.g. for runs at one speed
   wr_fit run.friction --start 40 --grinding-in 100
@@ -83,7 +85,9 @@ void defineOptions(CLI::App &app, Settings &settings)
 {
   app.set_version_flag("--version", std::string("wr_fit ") + versionText);
   app.footer(examples);
-  app.add_option("LOG", settings.logs, "friction logs, or folders that are searched for *.friction")
+  app.add_option(
+         "LOG", settings.logs,
+         "friction logs, archives of them (*.tar.xz), or folders that are searched for *.friction")
       ->required();
   app.add_option("-o,--output", settings.json,
                  "JSON: the law file with the report; only the report when no law is fitted")
@@ -131,14 +135,14 @@ void defineOptions(CLI::App &app, Settings &settings)
 }
 
 /// Reads all logs; all that is wrong with them is reported together, the last by the exception.
-std::vector<FrictionPoint> readPoints(const std::vector<std::string> &files,
+std::vector<FrictionPoint> readPoints(const std::vector<FoundLog> &logs,
                                       const PointOptions &options)
 {
   std::vector<FrictionPoint> points;
   std::vector<Error> problems;
-  for (const auto &file : files) {
+  for (const auto &found : logs) {
     try {
-      const auto log = readFrictionLog(file);
+      const auto log = found.read();
       if (!log.note.empty())
         complain(programName, log.note);
       points.push_back(frictionPoint(log, options));
@@ -172,7 +176,10 @@ int run(const Settings &settings)
   if (settings.fit.kappa3 > 0.0 && settings.fit.model != LawModel::Kappa3)
     throw Error(ExitCode::Usage, fmt::format("--kappa3: goes with --model {} only, not with {}",
                                              nameOf(LawModel::Kappa3), settings.model));
-  const auto files = findFrictionLogs(settings.logs);
+  const auto logs = findFrictionLogs(settings.logs);
+  std::vector<std::string> files;
+  for (const auto &log : logs)
+    files.push_back(log.onDisk());
   std::vector<RequestedOutput> outputs;
   for (const auto &[option, path] : std::vector<RequestedOutput>{
            {"-o", settings.json}, {"--points", settings.points}, {"--plot", settings.plot}})
@@ -180,7 +187,7 @@ int run(const Settings &settings)
       outputs.push_back({option, path});
   checkOutputs(outputs, files);
 
-  const auto analysis = analysePoints(readPoints(files, settings.point), settings.fit);
+  const auto analysis = analysePoints(readPoints(logs, settings.point), settings.fit);
   if (!analysis.mixture.empty())
     complain(programName, "warning: " + analysis.mixture);
   const auto json = withChecksum(jsonText("report", jsonReport(analysis)));

@@ -1,14 +1,14 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Finished friction logs in compact form: fewer rows, the exact command in the head; profiles as
-they are."""
+"""Finished friction logs in compact form, one archive a plan: fewer rows, the exact command in the
+head; profiles as they are."""
 
 import json
 import os
 import shlex
 
-from mcawr import friction_log
+from mcawr import archive, friction_log
 from mcawr.errors import Exit, say
-from mcawr.files import make_folder, write_all
+from mcawr.files import write
 
 from . import folder as folders
 from .plan import ROOT
@@ -54,9 +54,9 @@ def portable(commands):
 
 
 def pack(plan, top, target, rows):
-    """Packs every finished run into target/NAME.friction: all of them, or none if one cannot be
-    packed."""
-    texts, count = {}, 0
+    """Packs every finished run as NAME.friction, and its profile as NAME.profile, into the archive
+    target: all of them, or none if one cannot be packed; no archive without a finished run."""
+    members, count = {}, 0
     for run in plan.runs:
         folder = folders.RunFolder(top, run)
         folder.check_same()
@@ -69,12 +69,13 @@ def pack(plan, top, target, rows):
             raise folders.FolderError(
                 f"--rows {rows}: {folder.file(folders.LOG)} has fewer rows", Exit.USAGE
             )
-        texts[os.path.join(target, run.name + ".friction")] = text
+        members[run.name + ".friction"] = text
         if profile := folder.text("run.profile"):
-            texts[os.path.join(target, run.name + ".profile")] = profile
+            members[run.name + ".profile"] = profile
         count += 1
-    if texts:
-        make_folder(target)
-    write_all(texts)
+    if not members:
+        say(f"{target} is not written: no run is finished")
+        return 0
+    write(target, archive.pack(members))
     say(f"{count} logs in {target}")
     return 0

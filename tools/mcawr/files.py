@@ -2,12 +2,14 @@
 """The one way to write a file, whole or not at all, and to read one."""
 
 import contextlib
+import functools
 import io
 import os
 import pathlib
 import secrets
 import stat
 
+from . import archive
 from .errors import BadInput, Exit, Failure, one_line
 
 
@@ -128,7 +130,7 @@ def _same_disk(source, target):
 
 def check_apart(inputs, outputs):
     """No output (None: not asked for) is an input or another output. Raises Failure (2)."""
-    places = {os.path.realpath(path): "is read too" for path in inputs}
+    places = {os.path.realpath(_on_disk(path)): "is read too" for path in inputs}
     for path in outputs:
         if path is None or (os.path.exists(path) and not os.path.isfile(path)):
             continue
@@ -138,8 +140,37 @@ def check_apart(inputs, outputs):
 
 
 def read_bytes(path):
-    """What stands in a regular file; of a device or a pipe there might be no end. Raises
-    BadInput."""
+    """What stands in a regular file, or in one of an archive like paper36.tar.xz/r01.friction.
+    Raises BadInput."""
+    found = archive.inside(os.fspath(path))
+    if not found:
+        return _read_file(path)
+    try:
+        return _members(found[0])[found[1]]
+    except KeyError:
+        raise BadInput(f"{path}: cannot be read: no such file in the archive") from None
+
+
+def is_there(path):
+    """Whether read_bytes finds such a file; raises BadInput for an archive that it cannot read."""
+    found = archive.inside(os.fspath(path))
+    return found[1] in _members(found[0]) if found else os.path.exists(path)
+
+
+@functools.cache
+def _members(path):
+    """All that an archive holds; it is unpacked once."""
+    return archive.unpack(path, _read_file(path))
+
+
+def _on_disk(path):
+    """The file that a path leads to: the archive of one in an archive."""
+    found = archive.inside(os.fspath(path))
+    return found[0] if found else path
+
+
+def _read_file(path):
+    """Of a regular file only: of a device or a pipe there might be no end."""
     try:
         with open(path, "rb", opener=open_now) as file:
             if not stat.S_ISREG(os.fstat(file.fileno()).st_mode):
@@ -155,7 +186,8 @@ def open_now(path, flags):
 
 
 def read_text(path):
-    """The text of a regular file, UTF-8, lines ended by \\n. Raises BadInput."""
+    """The text of a regular file or of one in an archive, UTF-8, lines ended by \\n. Raises
+    BadInput."""
     try:
         text = read_bytes(path).decode("utf-8-sig")
     except UnicodeDecodeError as error:

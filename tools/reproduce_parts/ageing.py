@@ -11,7 +11,6 @@ from matplotlib import pyplot
 
 import plot_friction
 from mcawr.files import save_figure
-from mcawr.friction_log import head_of
 from mcawr.replicas import groups
 
 from . import layer
@@ -20,7 +19,6 @@ from .common import Missing, run_name, table
 PAPER_DEPTH = 10.0  # nm, of the quasi-liquid layer
 ROUGHNESS = 3.25  # nm, of the blocks of most plans
 TIMES = ((25, 50), (50, 100), (100, 200), (200, 300), (300, 600))  # ns
-HIGH_TIMES = ((50, 100), (100, 200), (200, 400), (400, 600), (600, 1200))  # ns
 LOADS = (0, 0.05, 0.1, 0.15, 0.2, 0.5)  # p/sigma_0, between which runs are taken together
 AGED, BLOCK, FAST = 100, 25, 4  # ns from which mu ~ t^n is fitted, to means over so many ns; m/s
 
@@ -178,12 +176,6 @@ def fig3(report, picture):
     return table(["", "paper, nm", "ours, nm", ""], rows)
 
 
-def rows_of(point):
-    """Rows of automata of a run, from the head of its log."""
-    size = head_of(point["file"])["geometry"]
-    return round(size["automata"] * size["diameter"] / size["width"])
-
-
 def power_of_time(series):
     """n of y ~ t^n, its standard error, and y at 1 ns: a straight line through the logarithms of
     means over BLOCK ns from AGED on.
@@ -200,76 +192,6 @@ def power_of_time(series):
         raise Missing(f"a mean over {BLOCK} ns is not above 0: no power of time")
     (n, factor), covariance = np.polyfit(*np.log(points).T, 1, cov=True)
     return n, math.sqrt(covariance[0, 0]), math.exp(factor)
-
-
-def power_text(fit):
-    """Cell of what power_of_time found."""
-    return f"{fit[0]:+.3f} +- {fit[1]:.3f}"
-
-
-def height(report, picture):
-    """Depth of the layer (nm), links of an automaton in it (over 6), its density (over that of the
-    solid) and mu in times (ns) that double, and their powers of time, for each pressure (MPa) and
-    number of rows."""
-    panels = {
-        "depth, nm": ("depth of the layer (nm), 10 to 90 % of $v$", 1, 2, depth_series),
-        "links/6": (
-            "links of an automaton in the layer, over 6",
-            3,
-            2,
-            lambda runs: [(f.time, f.linked) for _, f in runs],
-        ),
-        "density": (
-            "density of the layer over that of the solid",
-            3,
-            2,
-            lambda runs: [(f.time, f.density) for _, f in runs],
-        ),
-        "mu": ("$\\mu$", 3, 8, lambda runs: friction_series(p for p, _ in runs)),
-    }
-    figure, every = pyplot.subplots(2, 2, figsize=(10, 8), constrained_layout=True)
-    points = [p for p in report["report"]["points"] if roughness_of(p) in (None, ROUGHNESS)]
-    cases = groups(with_layers(points), lambda x: (x[0]["pressure"], rows_of(x[0])))
-    lines, powers = [], {}
-    for axes, (name, (label, digits, blocks, series_of)) in zip(every.flat, panels.items()):
-        rows = []
-        for k, ((pressure, number), members) in enumerate(cases.items()):
-            case, end, series = (
-                f"{number} rows, {pressure:g} MPa",
-                shortest(members) * (1 + 1e-9),
-                series_of(members),
-            )
-            if end < 2 * AGED:
-                raise Missing(f"runs of {case} end at {end:g} ns, {2 * AGED} are needed")
-            low, high, mean, error = np.array(
-                [
-                    (*ends, *layer.window(series, *ends, blocks))
-                    for ends in HIGH_TIMES
-                    if ends[1] <= end
-                ]
-            ).T
-            cells = [f"{value:.{digits}f} +- {its:.{digits}f}" for value, its in zip(mean, error)]
-            rows.append([case, *cells, *[""] * (len(HIGH_TIMES) - len(cells))])
-            powers.setdefault(case, []).append(power_text(power_of_time(series)))
-            axes.errorbar(
-                np.sqrt(low * high) * 1.02 ** (k - 2),
-                mean,
-                yerr=1.96 * error,
-                fmt=f"C{k}o-",
-                lw=0.8,
-                ms=4,
-                capsize=2,
-                label=case,
-            )
-        axes.set(xlabel="time (ns)", ylabel=label, xscale="log")
-        axes.set_xticks([100, 300, 1000], ["100", "300", "1000"])
-        axes.minorticks_off()
-        axes.grid(alpha=0.3)
-        lines += [*table([name, *(f"{low} to {high} ns" for low, high in HIGH_TIMES)], rows), ""]
-    every[0, 0].legend(fontsize=9)
-    save_figure(figure, picture)
-    head = [f"n of ~ t^n from {AGED} ns on", *panels]
-    return [*lines, *table(head, [[case, *cells] for case, cells in powers.items()])]
 
 
 def by_load(points, axes):
@@ -352,12 +274,12 @@ def ageing(report, picture):
         found = [
             (low, high, *layer.window(series, low, high, 8)) for low, high in TIMES if high <= end
         ]
-        n, error, factor = fit = power_of_time(series)
+        n, error, factor = power_of_time(series)
         cells = [f"{mu:.3f} +- {mu_error:.3f}" for _, _, mu, mu_error in found] + [""] * (
             len(TIMES) - len(found)
         )
         rows.append([case, *cells])
-        powers.append([case, power_text(fit)])
+        powers.append([case, f"{n:+.3f} +- {error:.3f}"])
         if of_pressures:
             continue
         if velocity >= FAST:

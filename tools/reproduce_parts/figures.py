@@ -13,7 +13,7 @@ import plot_series
 from mcawr.files import save_figure
 from mcawr.replicas import groups, mean_of
 
-from . import ageing, layer, rate, space as three, steps, temperature as heat
+from . import ageing, layer, space as three, temperature as heat
 from .common import Missing, percent, power_law, run_name, scatter_of, table
 
 PAPER = plot_fit.PAPER
@@ -229,7 +229,7 @@ def kappa3(report, picture):
     return lines + law_lines(report)
 
 
-# dots: collapse, sensitivity, convergence ---------------------------------------------------------
+# dots: collapse, convergence ----------------------------------------------------------------------
 def dots(labels, values, errors, picture, xlabel, lines=(), band=None):
     """A row for each label: value with its 95 % interval; vertical lines (x, style, label); a
     band."""
@@ -295,57 +295,6 @@ def collapse(report, picture):
         ],
     ]
     return table([f"{len(points)} runs", "paper", "ours"], rows)
-
-
-def condition_of(point):
-    """`c1` of c1-lawsb and of its second seed, c1-second-lawsb."""
-    return run_name(point).split("-")[0]
-
-
-def sensitivity(report, picture):
-    """mu/mu(Eq. 2) for each set of laws at each condition, a mean over the seeds; root mean square
-    and mean for each set."""
-    points = [p for p in report["report"]["points"] if p["mu_se"] is not None]
-    sets = groups(points, lambda p: run_name(p).split("-laws")[1].replace("_", " "))
-    conditions = sorted({condition_of(p) for p in points})
-    figure, axes = pyplot.subplots(figsize=(8, 4.4), constrained_layout=True)
-    rows = []
-    for k, (laws, members) in enumerate(sets.items()):
-        at = {
-            c: np.array(mean_of(runs)) / runs[0]["mu_eq2"]
-            for c, runs in groups(members, condition_of).items()
-        }
-        ratio, error = np.array([at.get(c, (math.nan, math.nan)) for c in conditions]).T
-        x = np.arange(len(conditions)) + 0.1 * (k - 0.5 * (len(sets) - 1))
-        axes.errorbar(
-            x, ratio, yerr=1.96 * np.array(error), fmt="o", ms=4, capsize=2, label=f"preset {laws}"
-        )
-        known = np.array([(r, e) for r, e in zip(ratio, error) if not math.isnan(r)])
-        d = known[:, 0] - 1
-        rms = math.sqrt(np.mean(d**2))
-        rows.append(
-            [
-                f"preset {laws}",
-                *(f"{r:.2f}" if not math.isnan(r) else "-" for r in ratio),
-                f"{100 * np.mean(d):+.0f} %",
-                f"{100 * rms:.1f} +- "
-                f"{100 * math.sqrt(np.sum((d * known[:, 1]) ** 2)) / (rms * len(d)):.1f} %",
-            ]
-        )
-    axes.axhline(1, color="k", ls="--", lw=1, label="Eq. 2")
-    first = {condition_of(p): p for p in points}
-    axes.set_xticks(
-        range(len(conditions)),
-        [
-            f"{c}\n$\\kappa_1$ {first[c]['kappa1']:.2g}\n$\\kappa_2$ {first[c]['kappa2']:.3g}"
-            for c in conditions
-        ],
-    )
-    axes.set(ylabel="$\\mu/\\mu$(Eq. 2)", ylim=(0, None))
-    axes.grid(alpha=0.3, axis="y")
-    axes.legend(fontsize=8, ncols=2)
-    save_figure(figure, picture)
-    return table(["mu/mu(Eq. 2)", *conditions, "mean", "RMS"], rows)
 
 
 def size_of(run):
@@ -427,27 +376,6 @@ FIGURES = {
         kappa3,
         ["--model", "eq2_kappa3", "--kappa3", str(STEEL), *START],
     ),
-}
-FIGURES |= {
-    f"{name}-rows32": Figure(
-        f"{figure.title}, in blocks of 32 rows",
-        [f"{plan}-rows32" for plan in figure.plans],
-        figure.make,
-        figure.options,
-    )
-    for name, figure in FIGURES.items()
-}
-FIGURES |= {
-    "height": Figure(
-        "The layer and mu against the height of the blocks and the pressure",
-        ["roughness", "roughness-rows32", "height"],
-        ageing.height,
-    ),
-    "rate": Figure(
-        "mu against the shear rate of the layer, 15 MPa",
-        ["velocity", "roughness-rows32", "height"],
-        rate.rate,
-    ),
     "temperature": Figure(
         "Friction of a rail steel (MPa, GPa) against temperature, from 75 ns on",
         ["temperature"],
@@ -460,22 +388,7 @@ FIGURES |= {
         three.space,
         ["--start", "50"],
     ),
-    "sensitivity": Figure(
-        "Sensitivity of mu to the laws, from 15 ns on", ["variants"], sensitivity, ["--start", "15"]
-    ),
     "convergence": Figure(
         "Size of the fragment, from 40 ns on", ["convergence"], convergence, ["--start", "40"]
-    ),
-    "timestep": Figure(
-        "Friction with plain steps against the step, from 10 ns on",
-        ["timestep"],
-        steps.timestep,
-        ["--start", "10"],
-    ),
-    "corrected": Figure(
-        "Friction with plain and with corrected steps, from 10 ns on",
-        ["timestep", "corrected"],
-        steps.corrected,
-        ["--start", "10"],
     ),
 }

@@ -4,42 +4,30 @@
 import dataclasses
 import itertools
 import math
-import os
 
 import numpy as np
 
 import plot_layer
+from mcawr.files import is_there
 from mcawr.friction_log import head_of
 
 
 @dataclasses.dataclass
 class Layer:
-    """Depth (nm) of the layer, links of an automaton in it (over 6), and its density (automata in a
-    row over those of the solid), at the ends of the frames (ns)."""
+    """Depth (nm) of the layer at the ends of the frames (ns)."""
 
     time: np.ndarray
     depth: np.ndarray
-    linked: np.ndarray
-    density: np.ndarray
 
 
 def read(log):
     """The layer of a run; None without a profile beside the log."""
     profile = log.removesuffix(".friction") + ".profile"
-    if not os.path.exists(profile):
+    if not is_there(profile):
         return None
     measures = plot_layer.measures(profile)
-    step, depth, linked, automata = (
-        np.array([m[key] for m in measures]) for key in ("step", "depth", "linked", "automata")
-    )
-    head = head_of(log)
-    size = head["geometry"]
-    return Layer(
-        step * float(head["run"]["timestep"]),
-        depth,
-        linked,
-        automata * size["diameter"] / size["width"],
-    )
+    step, depth = (np.array([m[key] for m in measures]) for key in ("step", "depth"))
+    return Layer(step * float(head_of(log)["run"]["timestep"]), depth)
 
 
 def window(series, begin, end, blocks):

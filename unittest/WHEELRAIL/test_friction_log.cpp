@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "base/errors.h"
+#include "fit/found_logs.h"
 #include "fit/friction_log.h"
 #include "fit/friction_point.h"
 #include "fit/replicates.h"
@@ -128,6 +129,7 @@ TEST(FrictionLog, cutLastLineIsDroppedAndSaid)
 TEST(FrictionLog, badHeadIsOneClearLine)
 {
   expectContains(problemOf(""), "empty");
+  EXPECT_THROW(parseFrictionLog("a.tar.xz/a.friction", ""), Error);
   expectContains(problemOf("hello\n"), "not a friction log");
   expectContains(problemOf(head), "cut short");
   expectContains(problemOf(head.substr(0, 300)), "not YAML");
@@ -257,8 +259,10 @@ TEST(FrictionLog, foldersAreSearchedAndNothingCountsTwice)
   const auto files =
       findFrictionLogs({(folder / "z.friction").string(), folder.string(), folder.string() + "/b"});
   ASSERT_EQ(files.size(), 2u);
-  EXPECT_EQ(fs::path(files[0]).filename(), "z.friction");
-  EXPECT_EQ(fs::path(files[1]).filename(), "run.friction");
+  EXPECT_EQ(fs::path(files[0].file).filename(), "z.friction");
+  EXPECT_EQ(fs::path(files[1].file).filename(), "run.friction");
+  EXPECT_EQ(files[1].onDisk(), files[1].file);
+  EXPECT_EQ(files[1].read().mu.size(), 100u);
   fs::create_directories(folder / "empty");
   EXPECT_THROW(findFrictionLogs({(folder / "empty").string()}), Error);
   EXPECT_THROW(findFrictionLogs({(folder / "absent").string()}), Error);

@@ -175,7 +175,7 @@ CALLS = [
     ("campaign", ["list", "plan.yaml"], 1, ()),
     ("campaign", ["status", "-o", "out", "plan.yaml"], 3, ()),
     ("campaign", ["run", "-o", "out", "plan.yaml"], 3, ()),
-    ("campaign", ["pack", "-o", "out", "--to", "packed", "plan.yaml"], 5, ()),
+    ("campaign", ["pack", "-o", "out", "--to", "packed.tar.xz", "plan.yaml"], 5, ()),
     ("gate", ["spdx"], 0, ("--build",)),
     ("campaign_to_creep.sh", ["logs", "-o", "out"], 0, ()),
 ]

@@ -4,6 +4,7 @@
 (BadInput) or read."""
 
 import json
+import lzma
 import os
 import pathlib
 import random
@@ -14,7 +15,7 @@ from drill import HANG, ROOT, Drill, inputs
 
 from campaign_parts import folder, material, plan as plans
 from campaign_parts.quantities import Run
-from mcawr import dump, errors, fields, friction_log, tables
+from mcawr import archive, dump, errors, fields, friction_log, tables
 
 WORDS = [
     b"nan", b"inf", b"-1", b"0", b"1e308", b"1e309", b"99999999999999999999", b"0x10", b"", b"\n",
@@ -55,6 +56,17 @@ def read_log(path):
     """A friction log, two ways."""
     friction_log.last_rows(path, 3)
     friction_log.read(path)
+
+
+def read_archive(path, packed):
+    """An archive: behind the checksums of xz, what was packed."""
+    if archive.unpack(path, pathlib.Path(path).read_bytes()) != packed:
+        raise AssertionError("other members than were packed")
+
+
+def read_tar(path):
+    """What stands behind these checksums."""
+    archive.unpack(path, lzma.compress(pathlib.Path(path).read_bytes(), preset=0))
 
 
 def run_record():
@@ -100,9 +112,13 @@ def readers():
     lines = text["a.friction"].splitlines(keepends=True)
     sealed = with_checksum(json.loads(text["fit.json"])).encode()
     record, kept = run_record()
+    members = {name: content[:900] for name, content in text.items()}
+    packed = archive.pack({name: content.decode() for name, content in members.items()})
     return {
         "dump": ([text["a.dump"], text["atoms.dump"]], read_dump),
         "friction_log": ([b"".join(lines[:15])], read_log),
+        "archive": ([packed], lambda path: read_archive(path, members)),
+        "sealed_archive": ([lzma.decompress(packed)], read_tar),
         "vti": ([vti(contact())[:4000], vti(contact())], fields.read_vti),
         "fit": ([text["fit.json"], sealed], plot_fit.read),
         "table": ([text["a.csv"]], lambda path: tables.read(path, "a table", list)),

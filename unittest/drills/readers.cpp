@@ -14,6 +14,7 @@
 #include "creep/journal.h"
 #include "creep/patch/patch_journal.h"
 #include "fit/friction_log.h"
+#include "fit/log_archive.h"
 #include "law/friction_law.h"
 #include "law/law_checksum.h"
 #include "shared/printable.h"
@@ -23,6 +24,7 @@
 #include <fmt/format.h>
 #include <fstream>
 #include <limits>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
@@ -148,6 +150,54 @@ void readLog(const std::string &bytes)
             "a row that is none");
   require(std::isfinite(log.kappa1()) && std::isfinite(log.kappa2()) && std::isfinite(log.kappa3()),
           "a kappa that is no number");
+}
+
+/// A tar file of two logs: heads of members (names, sizes, checksums) and contents in whole blocks.
+std::string tarOfLogs(const std::string &log)
+{
+  constexpr std::size_t block = 512;
+  std::string tar;
+  for (const char *name : {"a.friction", "b.friction"}) {
+    std::string head(block, '\0');
+    const auto set = [&](std::size_t at, const std::string &text) {
+      head.replace(at, text.size(), text);
+    };
+    set(0, name);
+    set(100, "0000644");
+    set(108, "0000000");
+    set(116, "0000000");
+    set(124, fmt::format("{:011o}", log.size()));
+    set(136, "00000000000");
+    set(156, "0");
+    set(257, "ustar");
+    set(263, "00");
+    set(148, std::string(8, ' '));
+    unsigned sum = 0;
+    for (const char c : head)
+      sum += static_cast<unsigned char>(c);
+    set(148, fmt::format("{:06o}", sum) + std::string(1, '\0'));
+    tar += head + log;
+    tar.resize((tar.size() + block - 1) / block * block, '\0');
+  }
+  return tar + std::string(2 * block, '\0');
+}
+
+const std::string shippedArchive = source + "/examples/campaign/logs/temperature.tar.xz";
+
+/// Behind the checksums of xz: the logs that were packed.
+void readArchive(const std::string &bytes)
+{
+  static const auto packed = readLogArchive(shippedArchive);
+  require(readLogArchive(fileWith(bytes)) == packed, "other logs than were packed");
+}
+
+/// Logs are texts of any kind here: each is a part of the archive.
+void readTar(const std::string &bytes)
+{
+  for (const auto &[name, text] : logsOfTar("drill.tar.xz", bytes)) {
+    require(name.find('/') == std::string::npos, "a name with a slash");
+    require(text.size() <= bytes.size(), "a log that is larger than the archive");
+  }
 }
 
 Journal::Pieces piecesOfAJournal()
@@ -289,7 +339,11 @@ std::vector<Reader> wheelrailReaders()
   const auto map = [](const HeightMapScale &scale) {
     return refusing([=](const std::string &bytes) { readMap(bytes, scale); });
   };
-  const auto logs = firstLines(filesOf("examples/campaign/logs/pressure", ".friction"), 30);
+  std::vector<std::string> logs;
+  for (const auto &[name, text] :
+       readLogArchive(source + "/examples/campaign/logs/pressure.tar.xz"))
+    logs.push_back(text);
+  logs = firstLines(logs, 30);
   const auto profiles = firstLines(filesOf("examples/wheelrail", ".csv"), 40);
   std::vector<std::string> columns = profiles;
   columns.emplace_back(
@@ -315,6 +369,8 @@ std::vector<Reader> wheelrailReaders()
       {"matrix", {matrix}, map({})},
       {"npy", filesOf("unittest/WHEELRAIL/data/maps", ".npy"), map(micrometres)},
       {"friction_log", logs, refusing(readLog)},
+      {"archive", {readInputFile(shippedArchive)}, refusing(readArchive)},
+      {"sealed_archive", {tarOfLogs(logs.front())}, refusing(readTar)},
       {"journal", {journalBytes(piecesOfAJournal())}, refusing(readJournalFile)},
       {"curve_points", {curvePiece()}, readCurvePoints},
       {"patch_points", {patchPiece()}, readPatchPoints},

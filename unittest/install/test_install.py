@@ -112,7 +112,7 @@ def test_reproduce(tree, tmp_path):
     """wr_fit is found by the script, and the script by `wr_fit --plot`."""
     out = run(tree / "bin/mca-reproduce", "fig4", "-o", "figures", folder=tmp_path)
     assert out and (tmp_path / "figures/fig4.png").exists()
-    logs = tree / "share/mca-wheelrail/examples/campaign/logs/velocity"
+    logs = tree / "share/mca-wheelrail/examples/campaign/logs/velocity.tar.xz"
     words = (logs, "--model", "constant", "-o", "law.json", "--plot", "fit.png", "-q")
     run(tree / "bin/wr_fit", *words, folder=tmp_path)
     assert (tmp_path / "fit.png").exists()

@@ -55,7 +55,14 @@ def test_package_runs(package, tmp_path):
 def test_dependencies(package, tmp_path):
     """What the programs load, and what the scripts import."""
     words = re.findall(r"[a-z][a-z0-9.+-]+", run("dpkg-deb", "-f", package, "Depends", folder="/"))
-    for name in ("libc6", "libcholmod3", "libopenmpi3", "libfftw3-double3", "libudunits2-0"):
+    for name in (
+        "libc6",
+        "libcholmod3",
+        "libopenmpi3",
+        "libfftw3-double3",
+        "libarchive13",
+        "libudunits2-0",
+    ):
         assert name in words
     for name in ("python3-numpy", "python3-matplotlib", "python3-yaml", "openmpi-bin"):
         assert name in words

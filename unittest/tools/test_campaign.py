@@ -246,7 +246,7 @@ def test_input_script_is_not_changed_on_the_way(plan, tmp_path):
     assert campaign("run", mine, "-o", out, env=env).returncode == 0
     assert campaign("status", mine, "-o", out, env=env).returncode == 0
     (potentials / "mine.mca").write_text("two\n")
-    for words in (["run"], ["status"], ["pack", "--to", tmp_path / "packed"]):
+    for words in (["run"], ["status"], ["pack", "--to", tmp_path / "packed.tar.xz"]):
         line = "was begun with another mine.mca, its content has changed"
         one_line(campaign(*words, mine, "-o", out, env=env), 3, line)
     (potentials / "mine.mca").write_text("one\n")

@@ -11,6 +11,7 @@ import pytest
 
 from campaign_calls import CAMPAIGN, HEAD, PLAN, campaign, edit, environment, logs, one_line
 from campaign_parts import pack
+from mcawr import archive
 
 
 def test_a_plan_in_the_folder_is_never_overwritten(plan, tmp_path):
@@ -40,13 +41,13 @@ def test_the_exit_code_does_not_depend_on_the_folders_name(plan, tmp_path):
     out = tmp_path / "mylmp_written"
     campaign("run", plan, "-o", out)
     plan.write_text(PLAN.replace("seed: 7", "seed: 8"))
-    for words in (["run"], ["status"], ["pack", "--to", tmp_path / "packed"]):
+    for words in (["run"], ["status"], ["pack", "--to", tmp_path / "packed.tar.xz"]):
         one_line(campaign(*words, plan, "-o", out), 3, "was begun with seed = 7, the plan says 8")
-    assert not (tmp_path / "packed").exists()
+    assert not (tmp_path / "packed.tar.xz").exists()
 
 
 def test_a_folder_that_is_not_there(plan, tmp_path):
-    for words in (["status"], ["pack", "--to", tmp_path / "packed"]):
+    for words in (["status"], ["pack", "--to", tmp_path / "packed.tar.xz"]):
         one_line(campaign(*words, plan, "-o", tmp_path / "missing"), 3, "missing: no such folder")
     assert [p.name for p in tmp_path.iterdir()] == ["plan.yaml"]
 
@@ -114,10 +115,10 @@ def test_damaged_folder_is_one_clear_line(finished, tmp_path, damage, commands, 
     shutil.copytree(finished / "out", tmp_path / "out")
     damage(tmp_path / "out" / "a")
     for command in commands:
-        more = ["--to", tmp_path / "packed"] if command == "pack" else []
+        more = ["--to", tmp_path / "packed.tar.xz"] if command == "pack" else []
         result = campaign(command, finished / "plan.yaml", "-o", tmp_path / "out", *more)
         one_line(result, 3, str(tmp_path / "out" / "a"), part)
-    assert not (tmp_path / "packed").exists()
+    assert not (tmp_path / "packed.tar.xz").exists()
 
 
 def test_pack_of_too_many_rows_in_one(finished, tmp_path):
@@ -127,12 +128,12 @@ def test_pack_of_too_many_rows_in_one(finished, tmp_path):
         "-o",
         finished / "out",
         "--to",
-        tmp_path / "packed",
+        tmp_path / "packed.tar.xz",
         "--rows",
         41,
     )
     one_line(result, 2, "--rows 41", "has fewer rows")
-    assert not (tmp_path / "packed").exists()
+    assert not (tmp_path / "packed.tar.xz").exists()
 
 
 def test_status_of_a_folder_that_cannot_be_written(finished, tmp_path):
@@ -160,10 +161,13 @@ def test_status_of_a_folder_that_cannot_be_written(finished, tmp_path):
 def test_pack_averages_rows_and_keeps_the_command(plan, tmp_path):
     out = tmp_path / "out"
     campaign("run", plan, "-o", out)
-    result = campaign("pack", plan, "-o", out, "--to", tmp_path / "packed", "--rows", 4)
+    result = campaign("pack", plan, "-o", out, "--to", tmp_path / "packed.tar.xz", "--rows", 4)
     assert result.returncode == 0, result.stderr
     whole = [line.split() for line in logs(out)["v2"].split("\n") if line[:1].isdigit()]
-    text = (tmp_path / "packed" / "v2.friction").read_text()
+    assert result.stdout.endswith(f"3 logs in {tmp_path / 'packed.tar.xz'}\n")
+    members = archive.unpack("packed", (tmp_path / "packed.tar.xz").read_bytes())
+    assert list(members) == sorted(f"{name}.friction" for name in logs(out))
+    text = members["v2.friction"].decode()
     rows = [line.split() for line in text.split("\n") if line[:1].isdigit()]
     assert len(rows) == 10
     assert rows[0][0] == whole[3][0]
@@ -171,6 +175,43 @@ def test_pack_averages_rows_and_keeps_the_command(plan, tmp_path):
     assert float(rows[0][7]) == 8
     assert '"command": "lmp -in examples/friction/in.friction' in text
     assert str(tmp_path) not in text
+
+
+def test_equal_runs_make_equal_archives(finished, tmp_path):
+    """Of logs and profiles, in order of names; an old archive is replaced as a whole, or stays."""
+    shutil.copytree(finished / "out", tmp_path / "out")
+    (tmp_path / "out" / "a" / "run.profile").write_text("# profile\n")
+    made = []
+    for target in ("one.tar.xz", "two.tar.xz"):
+        (tmp_path / target).write_bytes(b"old")
+        words = ("pack", finished / "plan.yaml", "-o", tmp_path / "out", "--to", tmp_path / target)
+        one_line(campaign(*words, "--rows", 41), 2, "has fewer rows")
+        assert (tmp_path / target).read_bytes() == b"old"
+        assert campaign(*words).returncode == 0
+        made.append((tmp_path / target).read_bytes())
+    assert made[0] == made[1]
+    members = archive.unpack("one", made[0])
+    assert list(members) == ["a.friction", "a.profile"]
+    assert members["a.profile"] == b"# profile\n"
+    target = tmp_path / "no" / "a.tar.xz"
+    one_line(campaign(*words[:-1], target), 5, f"{target}: cannot be written")
+
+
+def test_an_archive_ends_in_tar_xz(finished, tmp_path):
+    for name in ("packed", "packed.tar", "packed.tar.gz", "packed.tar.xz/", "packed.TAR.XZ"):
+        words = ("pack", finished / "plan.yaml", "-o", finished / "out", "--to")
+        said = "is not allowed, must be the name of an archive, like plan.tar.xz"
+        one_line(campaign(*words, f"{tmp_path}/{name}"), 2, f"/{name}' {said}")
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_without_a_finished_run_there_is_no_archive(plan, tmp_path):
+    (tmp_path / "out").mkdir()
+    target = tmp_path / "packed.tar.xz"
+    result = campaign("pack", plan, "-o", tmp_path / "out", "--to", target)
+    assert result.returncode == 0, result.stderr
+    assert result.stdout.endswith(f"{target} is not written: no run is finished\n")
+    assert not target.exists()
 
 
 def test_packed_command_is_of_any_checkout_and_of_the_whole_length():

@@ -57,7 +57,10 @@ OPTIONS = {
         ["smoke", "-o", "out", "--index", "0"],
         {"--index": [w for w in WHOLE if w != "0"]},
     ),
-    "campaign pack": (["smoke", "-o", "out", "--to", "to"], {"--to": [""], "--rows": WHOLE}),
+    "campaign pack": (
+        ["smoke", "-o", "out", "--to", "to.tar.xz"],
+        {"--to": ["", "to"], "--rows": WHOLE},
+    ),
 }
 
 

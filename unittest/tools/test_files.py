@@ -22,7 +22,7 @@ from test_plot_creep import GOOD as CREEP  # noqa: E402
 from test_plot_fragment import GOOD as DUMP  # noqa: E402
 
 from friction_logs import friction_log  # noqa: E402
-from mcawr import errors, files  # noqa: E402
+from mcawr import archive, errors, files  # noqa: E402
 from test_plot_layer import HEAD, frame  # noqa: E402
 
 PNG = b"\x89PNG"
@@ -195,6 +195,51 @@ def test_interrupt_leaves_the_old_file(tmp_path, monkeypatch):
     with pytest.raises(KeyboardInterrupt):
         files.write(path, "new")
     assert path.read_text() == "old" and names(tmp_path) == ["a"]
+
+
+# ---- files in archives
+
+
+@pytest.fixture
+def packed(work):
+    names = ("a.friction", "a.profile")
+    (work / "a.tar.xz").write_bytes(archive.pack({name: INPUTS[name] for name in names}))
+    return work
+
+
+def test_a_file_in_an_archive_is_read(packed, monkeypatch):
+    """The archive is unpacked once."""
+    unpack, calls = archive.unpack, []
+    monkeypatch.setattr(archive, "unpack", lambda *words: calls.append(words) or unpack(*words))
+    for name in ("a.friction", "a.profile"):
+        path = packed / "a.tar.xz" / name
+        assert files.is_there(path) and files.read_text(path) == INPUTS[name]
+    assert not files.is_there(packed / "a.tar.xz" / "b.friction")
+    assert files.is_there(packed / "a.tar.xz") and not files.is_there(packed / "b")
+    for name in ("b.friction", "..", "a.friction/a"):
+        with pytest.raises(errors.BadInput, match="cannot be read") as refused:
+            files.read_bytes(f"{packed}/a.tar.xz/{name}")
+        assert refused.value.code == 3
+    assert len(calls) == 1
+    with pytest.raises(errors.BadInput, match=r"no\.tar\.xz: cannot be read: No such file"):
+        files.read_bytes(f"{packed}/no.tar.xz/a.friction")
+    (packed / "folder.tar.xz").mkdir()
+    (packed / "folder.tar.xz" / "a").write_text("text")
+    assert files.read_text(packed / "folder.tar.xz" / "a") == "text"
+
+
+def test_scripts_draw_what_is_in_an_archive(packed):
+    for script, name in (("plot_friction.py", "a.friction"), ("plot_layer.py", "a.profile")):
+        pictures = [packed / "loose.png", packed / "packed.png"]
+        for path, picture in zip((name, f"a.tar.xz/{name}"), pictures):
+            done = run(packed, script, path, "-o", picture)
+            assert done.returncode == 0, done.stderr
+        assert pictures[0].read_bytes() == pictures[1].read_bytes()
+        done = run(packed, script, f"a.tar.xz/{name}", "-o", "a.tar.xz")
+        assert done.returncode == 2 and "a.tar.xz: cannot be written: is read too" in done.stderr
+        done = run(packed, script, f"a.tar.xz/no.{name}")
+        assert done.returncode == 3 and done.stderr.count("\n") == 1
+        assert "no such file in the archive" in done.stderr
 
 
 # ---- the scripts

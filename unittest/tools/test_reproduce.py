@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """tools/reproduce: the paper's numbers beside those of logs whose answers are known."""
 
-import dataclasses
 import os
 import re
 import shutil
@@ -17,7 +16,8 @@ from test_plot_layer import HEAD, frame
 ROOT = Path(__file__).resolve().parents[2]
 sys.path[:0] = [str(ROOT / "unittest" / "WHEELRAIL"), str(ROOT / "tools")]
 from campaign_parts import plan as plans  # noqa: E402
-from friction_logs import eq2, friction_log, kappas  # noqa: E402
+from friction_logs import friction_log  # noqa: E402
+from mcawr import archive  # noqa: E402
 
 BUILD = (
     Path(os.environ["MCAWR_TEST_LMP"]).parents[1]
@@ -68,7 +68,7 @@ def logs(tmp_path, name, factor=lambda run: 1.0, ns=300):
                 noise=0.01,
                 phi=0,
                 grinding_in=0.5,
-            ).replace("automata: 1280", f"automata: {40 * v['rows']}")
+            )
         )
     return folder, runs
 
@@ -146,13 +146,13 @@ ROWS = {
 DEPTHS = {1.4: 4, 3.25: 8, 6.5: 6}  # nm, of the layer at the end, by roughness
 
 
-def profiles(folder, runs, layer, steps=6000000, frames=40):
+def profiles(folder, runs, layer, frames=40):
     """A profile beside each log; layer(run, part of its time) -> first and last row that slides."""
     for run in runs:
         (folder / f"{run.name}.profile").write_text(
             HEAD
             + "".join(
-                frame(steps * k // frames, *layer(run, k / frames)) for k in range(1, frames + 1)
+                frame(6000000 * k // frames, *layer(run, k / frames)) for k in range(1, frames + 1)
             )
         )
 
@@ -212,16 +212,16 @@ def aged(log, n):
 
 
 def test_ageing_is_the_power_of_time(tmp_path):
-    folder, runs = logs(tmp_path, "velocity-rows32", ns=400)
+    folder, runs = logs(tmp_path, "velocity", ns=400)
     for run in runs:
         aged(folder / f"{run.name}.friction", -0.1 if run.values["v"] >= 4 else 0.0)
-    logs(tmp_path, "pressure-rows32")
-    logs(tmp_path, "collapse10-rows32")
-    folder, runs = logs(tmp_path, "paper36-rows32")
+    logs(tmp_path, "pressure")
+    logs(tmp_path, "collapse10")
+    folder, runs = logs(tmp_path, "paper36")
     for run in runs:
         if run.values["p"] / run.values["strength"] > 0.2:
             aged(folder / f"{run.name}.friction", 0.2)
-    text = made(tmp_path, "ageing-rows32", reproduce(tmp_path, "ageing-rows32"))
+    text = made(tmp_path, "ageing", reproduce(tmp_path, "ageing"))
     table, powers, loads, summary = text.strip().split("\n\n")
 
     def cases(lines):
@@ -248,143 +248,10 @@ def test_ageing_is_the_power_of_time(tmp_path):
     assert late / early == pytest.approx((250 / 75) ** -0.1, abs=0.01)  # 50 to 100, 200 to 300 ns
 
 
-def test_height_of_the_blocks(tmp_path):
-    """A layer that grows as sqrt(t), twice as deep and with a tenth more friction in 48 rows; too
-    short runs are one clear line."""
-
-    def layer(run, part):
-        half = (4.4 if run.values["rows"] == 48 else 2.2) * part**0.5
-        return 4.5 - half, 4.5 + half
-
-    for name in ("roughness-rows32", "roughness", "height"):
-        profiles(
-            *logs(tmp_path, name, lambda run: 1.1 if run.values["rows"] == 48 else 1.0, ns=400),
-            layer,
-            steps=8000000,
-        )
-    text = made(tmp_path, "height", reproduce(tmp_path, "height"))
-    tables = {part.split("  ")[0].splitlines()[-1]: part for part in text.strip().split("\n\n")}
-    depths = [line(tables["depth, nm"], f"{rows} rows, 15 MPa") for rows in (16, 24, 32, 48)]
-    assert [depth[4] for depth in depths] == pytest.approx([3.04, 3.04, 3.04, 6.08], rel=0.06)
-    powers = numpy.array(
-        [line(tables["n of ~ t^n from 100 ns on"], f"{r} rows, 15 MPa") for r in (16, 24, 32, 48)]
-    )
-    assert powers[:, 0] == pytest.approx([0.5] * 4, abs=0.1)
-    mu = [line(tables["mu"], f"{rows} rows, 15 MPa")[4] for rows in (24, 32, 48)]
-    assert powers[1:, 6] == pytest.approx([0] * 3, abs=0.005)
-    assert mu[2] / mu[0] == pytest.approx(1.1, abs=0.01) and mu[1] / mu[0] == pytest.approx(
-        1, abs=0.01
-    )
-    shutil.rmtree(tmp_path / "logs" / "height")
-    profiles(*logs(tmp_path, "height", ns=180), layer, steps=3600000)
-    done = reproduce(tmp_path, "height")
-    assert (
-        done.returncode == 3
-        and done.stderr.count("\n") == 1
-        and "end at 180 ns, 200 are needed" in done.stderr
-    )
-
-
-def test_rate_is_velocity_over_depth(tmp_path):
-    """Layers of two depths, and mu = 0.3 + 0.2 ns times their shear rate."""
-
-    def half(run):  # rows of 1 nm
-        return 2.5 if run.values["rows"] == 14 else 3.5
-
-    def factor(run):
-        v = run.values
-        return (0.3 + 0.2 * v["v"] / (1.6 * half(run))) / eq2(
-            *kappas(v["p"], v["v"], v["strength"])
-        )
-
-    for name in ("velocity", "roughness-rows32", "height"):
-        profiles(
-            *logs(tmp_path, name, factor), lambda run, part: (4.5 - half(run), 4.5 + half(run))
-        )
-    text = made(tmp_path, "rate", reproduce(tmp_path, "rate"))
-    start, _, slope, _, scatter = line(text, "mu = a + b rate: a =")[:5]
-    assert (
-        start == pytest.approx(0.3, abs=0.005)
-        and slope == pytest.approx(0.2, abs=0.005)
-        and scatter < 1
-    )
-    assert line(text, "0.7 to 1.2 /ns")[3] == pytest.approx(0, abs=0.5)
-    shutil.rmtree(tmp_path / "logs")
-    for name in ("velocity", "roughness-rows32", "height"):
-        profiles(*logs(tmp_path, name, ns=20), lambda run, part: (2, 7), steps=400000)
-    done = reproduce(tmp_path, "rate")
-    assert (
-        done.returncode == 3
-        and done.stderr.count("\n") == 1
-        and "0 windows after 200 nm of sliding" in done.stderr
-    )
-
-
-def test_sensitivity_and_convergence(tmp_path):
-    logs(
-        tmp_path,
-        "variants",
-        lambda run: (1.4 if "second" in run.name else 1.2) if "heal" in run.name else 1.0,
-    )
+def test_convergence(tmp_path):
     logs(tmp_path, "convergence", lambda run: 1.1 if "wide-columns20" in run.name else 1.0)
-    done = reproduce(tmp_path, "sensitivity", "convergence")
-    assert done.returncode == 0, done.stderr
-    laws = (tmp_path / "out" / "sensitivity.txt").read_text()
-    assert line(laws, "preset b heal 2.35")[-2] == pytest.approx(30, abs=1)
-    sizes = (tmp_path / "out" / "convergence.txt").read_text()
-    assert line(sizes, "92 MPa: 20 across")[3] == pytest.approx(10, abs=1)
-
-
-def test_step_extrapolated_to_none(tmp_path):
-    """mu that grows by a fifth up to the usual step."""
-
-    def usual(run):
-        return dataclasses.replace(run, values={**run.values, "dt": None}).dt
-
-    folder, runs = logs(tmp_path, "timestep", lambda run: 1 + 0.2 * run.dt / usual(run))
-    for run in runs:
-        log = folder / f"{run.name}.friction"
-        log.write_text(re.sub("timestep: [^,]*,", f"timestep: {run.dt},", log.read_text()))
-    text = made(tmp_path, "timestep", reproduce(tmp_path, "timestep"))
-    for case in ("v1", "v5", "v10"):
-        _, paper, _, _, _, _, _, _, difference, none, _ = line(text, case + " ")
-        assert none == pytest.approx(paper, rel=0.02)
-        assert difference == pytest.approx(100 * (1.05 / 1.2 - 1), abs=2)
-    for case in ("p26", "c04"):
-        assert line(text, case + " ")[-1] == pytest.approx(100 * (1.05 / 1.2 - 1), abs=2)
-
-
-def test_plain_and_corrected_steps(tmp_path):
-    """Corrected ones do not depend on the step, and lie a tenth below the plain ones at the usual
-    one."""
-    for name in ("timestep", "corrected"):
-        plain = name != "corrected"
-        folder, runs = logs(
-            tmp_path, name, lambda run, plain=plain: 1 + 0.1 * run.dt / 5e-5 if plain else 1.0
-        )
-        for run in runs:
-            log = folder / f"{run.name}.friction"
-            text = re.sub("timestep: [^,]*,", f"timestep: {run.dt},", log.read_text())
-            log.write_text(
-                text
-                if plain
-                else text.replace("laws: {preset: B", "laws: {preset: B, steps: corrected")
-            )
-    text = made(tmp_path, "corrected", reproduce(tmp_path, "corrected"))
-    _, quarter = line(text, "5 m/s, plain")[-2:]
-    at = line(text, "5 m/s, corrected")[::2]
-    assert len(at) == 4 and at == pytest.approx([at[0]] * 4, rel=0.02)
-    assert line(text, "5 m/s, plain")[0] == pytest.approx(1.1 * at[1], rel=0.02) and quarter < 0.02
-    for v in (1, 2, 3, 4, 6, 8, 10):
-        paper, plain, _, ours, _, difference = line(text, f"{v} m/s  ")
-        assert ours == pytest.approx(paper, rel=0.02) and plain == pytest.approx(
-            1.1 * paper, rel=0.02
-        )
-        assert difference == pytest.approx(-9.1, abs=2)
-    for log in (tmp_path / "logs" / "corrected").glob("*.friction"):
-        log.write_text(log.read_text().replace(", steps: corrected", ""))
-    done = reproduce(tmp_path, "corrected")
-    assert done.returncode == 3 and "steps corrected" in done.stderr
+    text = made(tmp_path, "convergence", reproduce(tmp_path, "convergence"))
+    assert line(text, "92 MPa: 20 across")[3] == pytest.approx(10, abs=1)
 
 
 def test_missing_logs_are_one_clear_line(tmp_path):
@@ -396,6 +263,27 @@ def test_missing_logs_are_one_clear_line(tmp_path):
     done = reproduce(tmp_path, "fig3")
     assert done.returncode == 3 and done.stderr.count("\n") == 1 and "profile" in done.stderr
     assert not (tmp_path / "out" / "fig3.png").exists()
+
+
+def test_archives_tell_what_their_files_tell(tmp_path):
+    """Logs and profiles; an archive beside a folder of the same plan is refused."""
+    for name in ("roughness", "viscosity"):
+        profiles(*logs(tmp_path, name), lambda run, part: (4, 6))
+    text = made(tmp_path, "fig3", reproduce(tmp_path, "fig3"))
+    for folder in sorted((tmp_path / "logs").iterdir()):
+        members = {path.name: path.read_text() for path in folder.iterdir()}
+        (tmp_path / "logs" / (folder.name + archive.ENDING)).write_bytes(archive.pack(members))
+        done = reproduce(tmp_path, "fig3")
+        assert done.returncode == 3 and done.stderr.count("\n") == 1
+        assert "is there beside" in done.stderr and "only one of them may be" in done.stderr
+        shutil.rmtree(folder)
+    assert made(tmp_path, "fig3", reproduce(tmp_path, "fig3")) == text
+    points = (tmp_path / "out" / "fig3.csv").read_text()
+    assert f"{tmp_path}/logs/roughness.tar.xz/roughness1.4-seed1.friction," in points
+    (tmp_path / "logs" / "roughness.tar.xz").write_bytes(b"\xfd7zXZ\0")
+    done = reproduce(tmp_path, "fig3")
+    assert done.returncode == 3 and done.stderr.count("\n") == 1
+    assert "roughness.tar.xz: cannot be unpacked: is damaged or cut" in done.stderr
 
 
 def test_missing_runs_are_one_clear_line(tmp_path):
@@ -425,7 +313,7 @@ def shipped():
     return [
         name
         for name, figure in figures.FIGURES.items()
-        if all((folder / plan).is_dir() for plan in figure.plans)
+        if all((folder / (plan + archive.ENDING)).is_file() for plan in figure.plans)
     ]
 
 
@@ -435,10 +323,13 @@ def test_few_runs_are_a_figure_or_one_clear_line(name, tmp_path):
     from reproduce_parts import figures
 
     for plan in figures.FIGURES[name].plans:
-        log = min((ROOT / "examples" / "campaign" / "logs" / plan).glob("*.friction"))
+        path = ROOT / "examples" / "campaign" / "logs" / (plan + archive.ENDING)
+        members = archive.unpack(path, path.read_bytes())
+        run = min(name for name in members if name.endswith(".friction")).removesuffix(".friction")
         (tmp_path / "logs" / plan).mkdir(parents=True)
-        for part in log.parent.glob(f"{log.stem}.*"):
-            shutil.copy(part, tmp_path / "logs" / plan)
+        for ending in (".friction", ".profile"):
+            if run + ending in members:
+                (tmp_path / "logs" / plan / (run + ending)).write_bytes(members[run + ending])
     done = reproduce(tmp_path, name)
     assert done.returncode in (0, 3) and done.stderr.count("\n") == (done.returncode == 3), (
         done.stderr

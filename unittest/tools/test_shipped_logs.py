@@ -14,16 +14,29 @@ import pytest
 ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "tools"))
 from campaign_parts import pack, plan as plans  # noqa: E402
+from mcawr import archive  # noqa: E402
 
 LOGS = ROOT / "examples" / "campaign" / "logs"
-FOLDERS = sorted(path for path in LOGS.iterdir() if path.is_dir())
+PLANS = sorted(path.name.removesuffix(archive.ENDING) for path in LOGS.glob("*.tar.xz"))
 LMP = Path(os.environ.get("MCAWR_TEST_LMP", ROOT / "build" / "bin" / "lmp"))
 
 
+def logs_of(plan):
+    """{run: text} of the shipped logs of a plan."""
+    path = LOGS / (plan + archive.ENDING)
+    members = archive.unpack(path, path.read_bytes())
+    assert {os.path.splitext(name)[1] for name in members} <= {".friction", ".profile"}
+    return {
+        name.removesuffix(".friction"): text.decode()
+        for name, text in members.items()
+        if name.endswith(".friction")
+    }
+
+
 def made_by(log):
-    """The command in the log's head, and how many rows were averaged into one."""
+    """The command in a log's head, and how many rows were averaged into one."""
     begin = "# campaign: "
-    (line,) = (line for line in log.read_text().splitlines() if line.startswith(begin))
+    (line,) = (line for line in log.splitlines() if line.startswith(begin))
     head = json.loads(line.removeprefix(begin))
     return shlex.split(head["command"]), head["rows_averaged"]
 
@@ -33,16 +46,24 @@ def rows(text):
     return [dict(zip(table[0], map(float, row))) for row in table[1:]]
 
 
-@pytest.mark.parametrize("folder", FOLDERS, ids=lambda path: path.name)
-def test_logs_belong_to_their_plan(folder):
-    runs = {run.name: run for run in plans.read(plans.find(folder.name)).runs}
-    logs = sorted(folder.glob("*.friction"))
-    assert logs and {log.stem for log in logs} <= set(runs)
-    for log in logs:
+def test_an_archive_a_plan_and_nothing_else():
+    others = {path.name for path in LOGS.iterdir()} - {name + archive.ENDING for name in PLANS}
+    assert others == {"README.md"}
+    assert sum(path.stat().st_size for path in LOGS.iterdir()) < 10e6
+
+
+@pytest.mark.parametrize("plan", PLANS)
+def test_logs_belong_to_their_plan(plan):
+    runs = {run.name: run for run in plans.read(plans.find(plan)).runs}
+    logs = logs_of(plan)
+    assert logs and set(logs) <= set(runs)
+    for name, log in logs.items():
         command, _ = made_by(log)
+        script = Path(command[command.index("-in") + 1])
+        assert (ROOT / script).is_file() and not script.is_absolute(), name
         given = {command[k + 1]: command[k + 2] for k, word in enumerate(command) if word == "-var"}
-        expected = runs[log.stem].variables()
-        for name in (
+        expected = runs[name].variables()
+        for key in (
             "p",
             "v",
             "strength",
@@ -57,18 +78,18 @@ def test_logs_belong_to_their_plan(folder):
             "laws",
             "dt",
         ):
-            assert given[name] == expected[name], f"{log.name}: {name}"
-        assert rows(log.read_text())[-1]["time"] <= runs[log.stem].values["ns"] * (1 + 1e-9)
+            assert given[key] == expected[key], f"{name}: {key}"
+        assert rows(log)[-1]["time"] <= runs[name].values["ns"] * (1 + 1e-9)
 
 
 @pytest.mark.skipif(not LMP.exists(), reason="lmp is not built")
-@pytest.mark.parametrize("folder", FOLDERS, ids=lambda path: path.name)
-def test_first_row_is_made_again(folder, tmp_path):
+@pytest.mark.parametrize("plan", PLANS)
+def test_first_row_is_made_again(plan, tmp_path):
     """Later rows are of a chaotic motion, which the last bit of another machine changes: after
     1 ns by 5 %, under 150 MPa after 0.2 ns by 1 %."""
-    log = min(folder.glob("*.friction"))
+    run, log = min(logs_of(plan).items())
     command, averaged = made_by(log)
-    old = rows(log.read_text())[0]
+    old = rows(log)[0]
     words = [str(LMP), *command[1:]]
     for option, value in (
         ("-in", ROOT / words[words.index("-in") + 1]),
@@ -90,4 +111,4 @@ def test_first_row_is_made_again(folder, tmp_path):
     pressure = float(command[command.index("p") + 1])
     chaos = 1e-4 if old["time"] < 0.3 and pressure < 100 else 0.1
     for name in ("time", "shear_stress", "normal_stress", "links"):
-        assert new[name] == pytest.approx(old[name], rel=chaos), f"{log.name}: {name}"
+        assert new[name] == pytest.approx(old[name], rel=chaos), f"{run}: {name}"

@@ -308,24 +308,6 @@ void dropStateBeforeFirstStep(FrictionLog &log)
   log.mu.erase(log.mu.begin());
 }
 
-/// All *.friction below a folder, whatever they are: one that cannot be read must not be missed.
-void search(const std::filesystem::path &folder, std::vector<std::string> &found)
-{
-  namespace fs = std::filesystem;
-  std::error_code error, ignored;
-  for (fs::directory_iterator entry(folder, error), end; !error && entry != end;
-       entry.increment(error)) {
-    if (entry->is_directory(ignored)) {
-      if (!entry->is_symlink(ignored)) // it may lead back here
-        search(entry->path(), found);
-    } else if (entry->path().extension() == format::extension) {
-      found.push_back(entry->path().string());
-    }
-  }
-  if (error)
-    throw badInput(folder.string(), 0, "", "cannot be searched: " + error.message());
-}
-
 } // namespace
 
 double FrictionLog::kappa1() const
@@ -353,12 +335,18 @@ double FrictionLog::interval() const
 
 FrictionLog readFrictionLog(const std::string &path)
 {
-  FrictionLog log;
-  log.file = path;
   std::error_code ignored;
   if (std::filesystem::exists(path, ignored) && !std::filesystem::is_regular_file(path, ignored))
     throw badInput(path, 0, "", "is not a regular file"); // reading a pipe might never end
-  const auto text = readInputFile(path);
+  return parseFrictionLog(path, readInputFile(path));
+}
+
+FrictionLog parseFrictionLog(const std::string &file, const std::string &text)
+{
+  if (text.empty())
+    throw badInput(file, 0, "", "is empty");
+  FrictionLog log;
+  log.file = file;
   const auto lines = splitLines(text);
   const bool lastLineEnded = text.back() == '\n';
 
@@ -370,12 +358,12 @@ FrictionLog readFrictionLog(const std::string &path)
       line.remove_prefix(1);
     yaml.append(line).append("\n");
   }
-  readHeader(Header(path, yaml), log);
+  readHeader(Header(file, yaml), log);
   if (i == lines.size() || (i + 1 == lines.size() && !lastLineEnded))
-    throw badInput(path, static_cast<int>(lines.size()), "", "cut short: no line of column names");
+    throw badInput(file, static_cast<int>(lines.size()), "", "cut short: no line of column names");
   const auto place = readColumns(log, static_cast<int>(i + 1), lines[i]);
   const auto names = splitWords(lines[i]);
-  RowCheck check(path, text, names);
+  RowCheck check(file, text, names);
 
   for (++i; i < lines.size(); ++i) {
     const int number = static_cast<int>(i + 1);
@@ -383,11 +371,11 @@ FrictionLog readFrictionLog(const std::string &path)
     const auto words = splitWords(lines[i]);
     if (last && !lastLineEnded) {
       log.note = fmt::format("{}:{}: the last line was cut while it was written; it is left out",
-                             path, number);
+                             file, number);
       break;
     }
     if (words.size() != names.size())
-      throw badInput(path, number, "",
+      throw badInput(file, number, "",
                      fmt::format("{} columns, {} are expected", words.size(), names.size()));
     check.row(number, words);
     std::array<double, format::Columns> row{};
@@ -397,39 +385,8 @@ FrictionLog readFrictionLog(const std::string &path)
   }
   dropStateBeforeFirstStep(log);
   if (log.step.empty())
-    throw badInput(path, static_cast<int>(lines.size()), "", "holds no row after step 0");
+    throw badInput(file, static_cast<int>(lines.size()), "", "holds no row after step 0");
   return log;
-}
-
-std::vector<std::string> findFrictionLogs(const std::vector<std::string> &paths)
-{
-  namespace fs = std::filesystem;
-  std::vector<std::string> files;
-  for (const auto &path : paths) {
-    std::error_code error;
-    if (!fs::is_directory(path, error)) {
-      if (!fs::exists(path, error))
-        throw badInput(path, 0, "", "no such file or folder");
-      files.push_back(path);
-      continue;
-    }
-    std::vector<std::string> found;
-    search(path, found);
-    if (found.empty())
-      throw badInput(path, 0, "", "this folder holds no *.friction file");
-    std::sort(found.begin(), found.end());
-    files.insert(files.end(), found.begin(), found.end());
-  }
-  // a log named twice (itself and its folder) must not count twice
-  std::vector<std::string> unique;
-  std::set<fs::path> seen;
-  for (const auto &file : files) {
-    std::error_code error;
-    const auto place = fs::weakly_canonical(file, error);
-    if (seen.insert(error ? fs::path(file) : place).second)
-      unique.push_back(file);
-  }
-  return unique;
 }
 
 } // namespace wheelrail

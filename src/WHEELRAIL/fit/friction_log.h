@@ -53,11 +53,11 @@ struct FrictionLog {
 ///         or are unevenly spaced, mu that is not shear_stress/pressure, no row at all
 FrictionLog readFrictionLog(const std::string &path);
 
-/// The logs named on a command line: files as they are, folders replaced by all *.friction below
-/// them in alphabetical order; a file that is named twice counts once.
-/// @throws Error (BadInput) for a path that does not exist, a folder that cannot be read, and one
-///         without a log
-std::vector<std::string> findFrictionLogs(const std::vector<std::string> &paths);
+/// The log that stands in a text, as readFrictionLog reads one.
+/// @param file what the text is called in messages, and in `FrictionLog::file`
+/// @param text of the whole log
+/// @throws Error (BadInput) for all that a text can have wrong; an empty one, too
+FrictionLog parseFrictionLog(const std::string &file, const std::string &text);
 
 } // namespace wheelrail
 
