@@ -8,7 +8,7 @@ import numpy as np
 from matplotlib import pyplot
 
 from mcawr.files import save_figure
-from mcawr.replicas import groups, spread_of
+from mcawr.replicas import groups, mean_of
 
 from . import layer
 from .common import Missing, run_name, table
@@ -16,7 +16,7 @@ from .common import Missing, run_name, table
 EQUAL = ("base", "thin", "thick", "soft", "stiff", "smooth")  # kappa1 = 2.571, kappa2 = 123.6
 BESIDE = ("slow", "dense", "strong")
 BEGIN, END, BLOCKS = 75.0, 150.0, 5  # ns of the averages, blocks of the layer's depth
-FOURFOLD = math.log(4.0)  # thick has four times the viscosity of thin, stiff four times soft's E/sigma_0
+FOURFOLD = math.log(4.0)  # viscosity of thick over thin, E/sigma_0 of stiff over soft
 
 
 @dataclasses.dataclass
@@ -41,20 +41,12 @@ def condition_of(point):
     return run_name(point).split("-")[0]
 
 
-def mean_of_seeds(members):
-    """mu by the scatter of the seeds: runs of one condition differ by more than their own errors
-    say."""
-    mean, _, scatter = spread_of(members)
-    return Mean(mean, scatter)
-
-
 def depth_of(members):
-    """Depth of the layer (nm) over the averages' time, the error from the scatter of the seeds."""
+    """Depth of the layer (nm) over the averages' time, the error from blocks of it."""
     layers = [found for p in members if (found := layer.read(p["file"])) is not None]
-    depths = [layer.window([(at.time, at.depth)], BEGIN, END, BLOCKS)[0] for at in layers]
-    if len(depths) < 2:
-        return None
-    return Mean(float(np.mean(depths)), float(np.std(depths, ddof=1) / math.sqrt(len(depths))))
+    if not layers:
+        raise Missing(f"{members[0]['file']}: no profile beside it")
+    return Mean(*layer.window([(at.time, at.depth) for at in layers], BEGIN, END, BLOCKS))
 
 
 def scatter_at_equal(mu):
@@ -114,12 +106,13 @@ def laws(report, picture):
     sets, depths, paper = {}, {}, {}
     for name, members in groups(points, set_of).items():
         found = groups(members, condition_of)
-        if set(found) != {*EQUAL, *BESIDE} or min(map(len, found.values())) < 2:
-            raise Missing(f"laws '{name}': not every condition has two runs or more")
-        sets[name] = {c: mean_of_seeds(found[c]) for c in found}
+        if missing := {*EQUAL, *BESIDE} - set(found):
+            raise Missing(f"laws '{name}': no run of condition '{min(missing)}'")
+        sets[name] = {c: Mean(*mean_of(found[c])) for c in found}
         depths[name] = {c: depth_of(found[c]) for c in found}
         paper |= {c: found[c][0]["mu_eq2"] for c in found}
     draw(sets, paper, picture)
+    conditions = [*EQUAL, *BESIDE]
     rows, values = [], []
     for name, mu in sets.items():
         size, error = scatter_at_equal(mu)
@@ -131,20 +124,14 @@ def laws(report, picture):
                 f"{100 * size:.1f} +- {100 * error:.1f} %",
                 "{:+.2f} +- {:.2f}".format(*exponent(mu["thin"], mu["thick"])),
                 "{:+.2f} +- {:.2f}".format(*exponent(mu["soft"], mu["stiff"])),
-                "{:+.2f} +- {:.2f}".format(*exponent(depth["thin"], depth["thick"]))
-                if depth["thin"] and depth["thick"]
-                else "-",
-                f"{depth['base'].value:.1f}" if depth["base"] else "-",
+                "{:+.2f} +- {:.2f}".format(*exponent(depth["thin"], depth["thick"])),
+                f"{depth['base'].value:.1f} +- {depth['base'].error:.1f}",
                 f"{mu['smooth'].value / mu['base'].value:.2f} +- "
                 f"{math.hypot(mu['smooth'].relative, mu['base'].relative):.2f}",
                 f"{100 * rms:.1f} +- {100 * rms_error:.1f} %",
             ]
         )
-        values.append([name, *(f"{mu[c].value:.3f} +- {mu[c].error:.3f}" for c in [*EQUAL, *BESIDE])])
-    head = ["", "scatter", "eta", "E/sigma_0", "depth, eta", "depth, nm", "smooth/base", "RMS, Eq. 2"]
-    conditions = [*EQUAL, *BESIDE]
-    return [
-        *table(head, rows),
-        "",
-        *table(["mu", *conditions], [["Eq. 2", *(f"{paper[c]:.3f}" for c in conditions)], *values]),
-    ]
+        values.append([name, *(f"{mu[c].value:.3f} +- {mu[c].error:.3f}" for c in conditions)])
+    names = ("scatter", "eta", "E/sigma_0", "depth, eta", "depth, nm", "smooth/base", "RMS, Eq. 2")
+    papers = ["Eq. 2", *(f"{paper[c]:.3f}" for c in conditions)]
+    return [*table(["", *names], rows), "", *table(["mu", *conditions], [papers, *values])]
