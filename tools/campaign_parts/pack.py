@@ -7,8 +7,8 @@ import os
 import shlex
 
 from mcawr import archive, friction_log
-from mcawr.errors import Exit, say
-from mcawr.files import write
+from mcawr.errors import BadInput, Exit, say
+from mcawr.files import is_there, read_text, write
 
 from . import folder as folders
 from .plan import ROOT
@@ -53,13 +53,57 @@ def portable(commands):
     return shlex.join(words)
 
 
-def pack(plan, top, target, rows):
+def _made_with(path):
+    """{name: value} of the input script's variables in the command of a packed log. Raises
+    BadInput."""
+    for line in friction_log.Text.of(read_text(path)).head:
+        if line.startswith(friction_log.CAMPAIGN):
+            try:
+                made = json.loads(line.removeprefix(friction_log.CAMPAIGN))
+                words = shlex.split(made["command"])
+                at = [k for k, word in enumerate(words[:-2]) if word == "-var"]
+                return {words[k + 1]: words[k + 2] for k in at}
+            except (ValueError, RecursionError, LookupError, TypeError, AttributeError):
+                break
+    raise BadInput(f"{path}: not a packed log: its head has no command")
+
+
+def members_of(plan, path):
+    """{run's name: {member: text}} of the plan's runs whose logs stand in an archive. Raises
+    BadInput: it cannot be read, or one of them was made with other values than the plan's."""
+    if path is None:
+        return {}
+    found = {}
+    for run in plan.runs:
+        names = [f"{run.name}.{end}" for end in ("friction", "profile")]
+        texts = {name: read_text(f"{path}/{name}") for name in names if is_there(f"{path}/{name}")}
+        if names[0] not in texts:
+            continue
+        made = _made_with(f"{path}/{names[0]}")
+        for name, value in run.variables().items():
+            if made.get(name, value) != value:
+                raise BadInput(
+                    f"{path}/{names[0]}: made with {name} '{made[name]}', the plan's run has "
+                    f"'{value}'"
+                )
+        found[run.name] = texts
+    return found
+
+
+def pack(plan, top, target, rows, earlier):
     """Packs every finished run as NAME.friction, and its profile as NAME.profile, into the archive
-    target: all of them, or none if one cannot be packed; no archive without a finished run."""
-    members, count = {}, 0
+    target: all of them, or none if one cannot be packed; no archive without a finished run.
+
+    earlier: an archive from which the plan's other runs are taken over, or None.
+    """
+    members, before, count = {}, members_of(plan, earlier), 0
     for run in plan.runs:
         folder = folders.RunFolder(top, run)
         folder.check_same()
+        if not folder.is_finished() and run.name in before:
+            members |= before[run.name]
+            count += 1
+            continue
         if not folder.is_finished():
             say(f"{run.name}: {folder.state()}, left out")
             continue

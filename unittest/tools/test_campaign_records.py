@@ -197,6 +197,36 @@ def test_equal_runs_make_equal_archives(finished, tmp_path):
     one_line(campaign(*words[:-1], target), 5, f"{target}: cannot be written")
 
 
+def test_a_campaign_goes_on_from_an_archive(plan, tmp_path):
+    """What is packed is neither made nor lost; what was made with other values is refused."""
+    first, more, all_of_them = (tmp_path / f"{name}.tar.xz" for name in ("one", "more", "all"))
+    campaign("one", plan, "-o", tmp_path / "out", "--index", 0)
+    campaign("pack", plan, "-o", tmp_path / "out", "--to", first)
+    result = campaign("run", plan, "-o", tmp_path / "rest", "--packed", first)
+    assert result.returncode == 0 and f"1 of the runs are in {first}, left out" in result.stdout
+    assert len(logs(tmp_path / "rest")) == 2
+    words = ("pack", plan, "-o", tmp_path / "rest", "--to")
+    assert campaign(*words, more, "--packed", first).returncode == 0
+    campaign("run", plan, "-o", tmp_path / "whole")
+    campaign("pack", plan, "-o", tmp_path / "whole", "--to", all_of_them)
+    assert more.read_bytes() == all_of_them.read_bytes()
+    result = campaign("run", plan, "-o", tmp_path / "none", "--packed", more)
+    assert result.returncode == 0 and not (tmp_path / "none").exists()
+
+    other = tmp_path / "other.yaml"
+    other.write_text(PLAN.replace("seed: 7", "seed: 8"))
+    words = ("run", other, "-o", tmp_path / "no", "--packed", first)
+    one_line(campaign(*words), 3, "made with seed '7', the plan's run has '8'")
+    one_line(campaign("run", plan, "-o", tmp_path / "no", "--packed", other), 2, "must be the name")
+    names = archive.unpack("one", first.read_bytes())
+    (tmp_path / "bad.tar.xz").write_bytes(archive.pack(dict.fromkeys(names, "# no\n")))
+    one_line(
+        campaign("run", plan, "-o", tmp_path / "no", "--packed", tmp_path / "bad.tar.xz"),
+        3,
+        "not a packed log",
+    )
+
+
 def test_an_archive_ends_in_tar_xz(finished, tmp_path):
     for name in ("packed", "packed.tar", "packed.tar.gz", "packed.tar.xz/", "packed.TAR.XZ"):
         words = ("pack", finished / "plan.yaml", "-o", finished / "out", "--to")
