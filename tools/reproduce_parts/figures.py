@@ -13,7 +13,7 @@ import plot_series
 from mcawr.files import save_figure
 from mcawr.replicas import groups, mean_of
 
-from . import ageing, layer, space as three, temperature as heat
+from . import ageing, laws, layer, space as three, temperature as heat
 from .common import Missing, percent, power_law, run_name, scatter_of, table
 
 PAPER = plot_fit.PAPER
@@ -387,6 +387,12 @@ FIGURES = {
         ["space", "velocity", "pressure", "paper36"],
         three.space,
         ["--start", "50"],
+    ),
+    "laws": Figure(
+        f"Sets of laws crossed, from {laws.BEGIN:g} ns on",
+        ["laws"],
+        laws.laws,
+        ["--start", f"{laws.BEGIN:g}"],
     ),
     "convergence": Figure(
         "Size of the fragment, from 40 ns on", ["convergence"], convergence, ["--start", "40"]

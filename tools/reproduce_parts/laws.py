@@ -33,8 +33,14 @@ class Mean:
 
 
 def set_of(point):
-    """`b plasticity j2` of base-seed1-lawsb_plasticity_j2."""
-    return run_name(point).split("-laws")[1].replace("_", " ")
+    """`b j2 contacts both`, the values without their keywords, of
+    base-seed1-lawsb_plasticity_j2_flow_contacts_viscosity_both."""
+    preset, *words = run_name(point).split("-laws")[1].split("_")
+    return " ".join([preset, *words[1::2]])
+
+
+def with_error(value, error):
+    return f"{value:+.2f} +- {error:.2f}"
 
 
 def condition_of(point):
@@ -80,10 +86,10 @@ def draw(sets, paper, picture):
         x = np.arange(len(conditions)) + 0.1 * (k - 0.5 * (len(sets) - 1))
         axes.errorbar(
             x,
-            [mu[c].value / paper[c] for c in conditions],
-            yerr=[mu[c].error / paper[c] for c in conditions],
+            [mu[c].value / paper[c] if c in mu else math.nan for c in conditions],
+            yerr=[mu[c].error / paper[c] if c in mu else math.nan for c in conditions],
             fmt="os^v"[k % 4],
-            mfc="none" if "viscosity both" in name else None,
+            mfc="none" if "both" in name else None,
             color=f"C{k % 4}",
             ms=4,
             capsize=2,
@@ -101,37 +107,51 @@ def draw(sets, paper, picture):
 def laws(report, picture):
     """Of each set of laws: the scatter at equal kappa1 and kappa2, the exponents of mu in the
     viscosity and in E/sigma_0, of the layer's depth in the viscosity, mu of a third of the
-    roughness over that of the base, and the distance from Eq. 2 over all conditions; mu at each."""
+    roughness over that of the base, and the distance from Eq. 2 over all conditions; mu at each (-:
+    not run)."""
     points = report["report"]["points"]
     sets, depths, paper = {}, {}, {}
     for name, members in groups(points, set_of).items():
         found = groups(members, condition_of)
-        if missing := {*EQUAL, *BESIDE} - set(found):
+        if missing := set(EQUAL) - set(found):
             raise Missing(f"laws '{name}': no run of condition '{min(missing)}'")
         sets[name] = {c: Mean(*mean_of(found[c])) for c in found}
         depths[name] = {c: depth_of(found[c]) for c in found}
         paper |= {c: found[c][0]["mu_eq2"] for c in found}
     draw(sets, paper, picture)
     conditions = [*EQUAL, *BESIDE]
-    rows, values = [], []
+    mus, layers, values, errors = [], [], [], []
     for name, mu in sets.items():
         size, error = scatter_at_equal(mu)
-        rms, rms_error = distance(mu, paper)
-        depth = depths[name]
-        rows.append(
+        away = distance(mu, paper) if set(BESIDE) <= set(mu) else None
+        mus.append(
             [
                 name,
                 f"{100 * size:.1f} +- {100 * error:.1f} %",
-                "{:+.2f} +- {:.2f}".format(*exponent(mu["thin"], mu["thick"])),
-                "{:+.2f} +- {:.2f}".format(*exponent(mu["soft"], mu["stiff"])),
-                "{:+.2f} +- {:.2f}".format(*exponent(depth["thin"], depth["thick"])),
-                f"{depth['base'].value:.1f} +- {depth['base'].error:.1f}",
-                f"{mu['smooth'].value / mu['base'].value:.2f} +- "
-                f"{math.hypot(mu['smooth'].relative, mu['base'].relative):.2f}",
-                f"{100 * rms:.1f} +- {100 * rms_error:.1f} %",
+                with_error(*exponent(mu["thin"], mu["thick"])),
+                with_error(*exponent(mu["soft"], mu["stiff"])),
+                f"{100 * away[0]:.1f} +- {100 * away[1]:.1f} %" if away else "-",
             ]
         )
-        values.append([name, *(f"{mu[c].value:.3f} +- {mu[c].error:.3f}" for c in conditions)])
-    names = ("scatter", "eta", "E/sigma_0", "depth, eta", "depth, nm", "smooth/base", "RMS, Eq. 2")
-    papers = ["Eq. 2", *(f"{paper[c]:.3f}" for c in conditions)]
-    return [*table(["", *names], rows), "", *table(["mu", *conditions], [papers, *values])]
+        depth, smooth = depths[name], mu["smooth"].value / mu["base"].value
+        smooth_error = smooth * math.hypot(mu["smooth"].relative, mu["base"].relative)
+        layers.append(
+            [
+                name,
+                f"{depth['base'].value:.1f} +- {depth['base'].error:.1f}",
+                with_error(*exponent(depth["thin"], depth["thick"])),
+                f"{smooth:.2f} +- {smooth_error:.2f}",
+            ]
+        )
+        values.append([name, *(f"{mu[c].value:.3f}" if c in mu else "-" for c in conditions)])
+        errors.append([name, *(f"{mu[c].error:.3f}" if c in mu else "-" for c in conditions)])
+    values.append(["Eq. 2", *(f"{paper[c]:.3f}" if c in paper else "-" for c in conditions)])
+    return [
+        *table(["mu of a set", "scatter", "n of eta", "n of E/sigma_0", "RMS from Eq. 2"], mus),
+        "",
+        *table(["its layer", "depth, nm", "n of eta", "mu smooth/base"], layers),
+        "",
+        *table(["mu", *conditions], values),
+        "",
+        *table(["its standard error", *conditions], errors),
+    ]
