@@ -107,22 +107,27 @@ TEST(LawDocs, DescriptionHasAParagraphOfEveryKeywordWithItsWords)
 
 TEST(LawDocs, TableOfPresetsIsThatOfTheLaws)
 {
-  std::map<std::string, std::pair<std::string, std::string>> rows;
+  const std::vector<std::string> presets = {"a", "b", "c"};
+  std::map<std::string, std::vector<std::string>> rows; // word of each preset
   for (const std::string &line : linesOf(section(page("pair_mca.md"), "Description")))
     if (line.rfind("| *", 0) == 0) {
-      const auto cells = split(line, " | ");
-      ASSERT_EQ(cells.size(), 3u) << line;
-      rows[cells[0].substr(3, cells[0].size() - 4)] = {cells[1], split(cells[2], " |")[0]};
+      auto cells = split(line, " | ");
+      ASSERT_EQ(cells.size(), 1 + presets.size()) << line;
+      cells.back() = split(cells.back(), " |")[0];
+      rows[cells[0].substr(3, cells[0].size() - 4)] = {cells.begin() + 1, cells.end()};
     }
-  const std::vector<std::string> a = LawSet::named("a").words(), b = LawSet::named("b").words();
-  for (size_t k = 2; k < a.size(); k += 2) { // after the preset itself
-    auto same = [](const std::string &written, const std::string &word) {
-      return written == word || (std::isdigit(word[0]) && std::stod(written) == std::stod(word));
-    };
-    EXPECT_TRUE(same(rows[a[k]].first, a[k + 1])) << a[k] << ": " << rows[a[k]].first;
-    EXPECT_TRUE(same(rows[b[k]].second, b[k + 1])) << b[k] << ": " << rows[b[k]].second;
+  for (size_t p = 0; p < presets.size(); p++) {
+    const std::vector<std::string> words = LawSet::named(presets[p]).words();
+    for (size_t k = 2; k < words.size(); k += 2) { // after the preset itself
+      const std::string &word = words[k + 1];
+      ASSERT_EQ(rows.count(words[k]), 1u) << words[k];
+      const std::string &written = rows[words[k]][p];
+      EXPECT_TRUE(written == word ||
+                  (std::isdigit(word[0]) && std::stod(written) == std::stod(word)))
+          << words[k] << ": " << written;
+    }
   }
-  EXPECT_EQ(rows.size(), a.size() / 2 - 1);
+  EXPECT_EQ(rows.size(), LawSet::named("c").words().size() / 2 - 1);
 }
 
 TEST(LawDocs, PageOfTheLawsHasEveryCriterion)

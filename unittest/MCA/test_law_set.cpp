@@ -40,7 +40,7 @@ std::string wordOf(const LawSet &set, const std::string &keyword)
 
 TEST(LawSet, Presets)
 {
-  const LawSet a = parsed({"preset", "a"}), b = parsed({});
+  const LawSet a = parsed({"preset", "a"}), b = parsed({}), c = parsed({"preset", "c"});
   EXPECT_EQ(a.link.threshold().factor(), 2.35);
   EXPECT_TRUE(a.weld.isOff());
   EXPECT_TRUE(a.heal.isOff());
@@ -58,6 +58,12 @@ TEST(LawSet, Presets)
     EXPECT_FALSE(set.needsLocal());
   }
   expectSame(parsed({"preset", "b"}), b);
+  // c is b whose contacts flow, too, and resist slip
+  LawSet same = parsed({"flow", "contacts", "viscosity", "both"});
+  same.preset = "c";
+  expectSame(c, same);
+  EXPECT_TRUE(c.flow.is(FlowLaw::Contacts));
+  EXPECT_TRUE(c.resistsSlip());
 }
 
 TEST(LawSet, WordsOfRestartFilesAndLogs)
@@ -160,7 +166,7 @@ TEST(LawSet, APresetResetsWhatStandsBeforeIt)
 
 TEST(LawSet, BadValuesNameKeywordValueAndWhatIsAllowed)
 {
-  EXPECT_EQ(problemOf({"preset", "c"}), "keyword preset, value c, allowed: a, b");
+  EXPECT_EQ(problemOf({"preset", "d"}), "keyword preset, value d, allowed: a, b, c");
   EXPECT_EQ(problemOf({"elasticity", "linear"}),
             "keyword elasticity, value linear, allowed: many-body, pairwise");
   EXPECT_EQ(problemOf({"plasticity", "x"}),
@@ -210,6 +216,8 @@ TEST(LawSet, WordsReadBack)
            {},
            {"preset", "a"},
            {"preset", "a", "link", "0.1"},
+           {"preset", "c"},
+           {"preset", "c", "flow", "links"},
            {"elasticity", "pairwise", "plasticity", "none", "fracture", "none", "viscosity",
             "none"},
            {"link", "2.35", "weld", "0.33333333333333331", "heal", "none"},

@@ -154,7 +154,8 @@ def test_step_follows_the_material():
     assert dt(E=4 * 206000) == 2.5e-5  # half the time of sound
     assert dt(rho=4 * 7800) == 5e-5  # never longer
     assert dt(eta=0.82) == 2.5e-5  # half the viscous time
-    assert dt(laws="b viscosity both") == 4e-5  # slip is damped, too
+    assert dt(laws="b viscosity both") == dt(laws="c weld 0.7") == 4e-5  # slip is damped, too
+    assert dt(laws="c viscosity normal") == 5e-5
     assert dt(laws="b viscosity both", eta=0.041) == 5e-5
     assert dt(rho=1950) == pytest.approx(1.2e-5)
     assert dt(dt=1e-5) == 1e-5

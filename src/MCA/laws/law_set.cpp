@@ -67,7 +67,7 @@ const std::vector<Entry> &table()
   return entries;
 }
 
-const LawSet::Keyword presets = {"preset", {"a", "b"}, false, "a, b"};
+const LawSet::Keyword presets = {"preset", {"a", "b", "c"}, false, "a, b, c"};
 
 // what does not go together
 std::string conflictIn(const LawSet &s)
@@ -102,6 +102,9 @@ LawSet LawSet::named(const std::string &preset)
     set.link = Threshold::times(2.35);
     set.weld = Threshold::off();
     set.heal = Threshold::off();
+  } else if (preset == "c") {
+    set.flow = "contacts";
+    set.viscosity = "both";
   }
   return set;
 }
@@ -141,7 +144,8 @@ std::vector<std::string> LawSet::words() const
   std::vector<std::string> all = {presets.name, preset};
   const auto isUsual = [&](const std::string &name) { // logs and restart files do not name it
     return (name == WornRule::keyword && worn.is(WornRule::Unloaded)) ||
-           (name == FlowLaw::keyword && flow.is(FlowLaw::Links));
+           (name == FlowLaw::keyword && flow.is(FlowLaw::Links) &&
+            named(preset).flow.is(FlowLaw::Links));
   };
   for (const Entry &e : table())
     if (!isUsual(e.keyword.name))

@@ -2,8 +2,8 @@
 /// \file linking.h
 /// The two kinds of link and the transitions between them.
 ///
-/// The paper leaves the criteria open. Two presets come near its results: set A has one kind of
-/// link and one threshold; set B (default) follows the picture that the bulk is strong as an
+/// The paper leaves the criteria open. Presets come near its results: set A has one kind of link
+/// and one threshold; sets B (default) and C follow the picture that the bulk is strong as an
 /// averaged body while a fresh cold weld is only as strong as its own contact, until it heals.
 ///
 /// Any consistent set of units; dimensions stand in brackets. Branch-free: a transition that is
