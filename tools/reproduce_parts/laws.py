@@ -15,6 +15,7 @@ from .common import Missing, run_name, table
 
 EQUAL = ("base", "thin", "thick", "soft", "stiff", "smooth")  # kappa1 = 2.571, kappa2 = 123.6
 BESIDE = ("slow", "dense", "strong")
+COLOURS = ("0.5", "C0", "C1", "C3")  # nothing more, contacts, both, contacts and both
 BEGIN, END, BLOCKS = 75.0, 150.0, 5  # ns of the averages, blocks of the layer's depth
 FOURFOLD = math.log(4.0)  # viscosity of thick over thin, E/sigma_0 of stiff over soft
 
@@ -88,10 +89,10 @@ def draw(sets, paper, picture):
             x,
             [mu[c].value / paper[c] if c in mu else math.nan for c in conditions],
             yerr=[mu[c].error / paper[c] if c in mu else math.nan for c in conditions],
-            fmt="os^v"[k % 4],
-            mfc="none" if "both" in name else None,
-            color=f"C{k % 4}",
-            ms=4,
+            fmt="s" if "j2" in name else "o",
+            mfc="none" if "j2" in name else None,
+            color=COLOURS[("contacts" in name) + 2 * ("both" in name)],
+            ms=5,
             capsize=2,
             label=name,
         )
@@ -100,7 +101,7 @@ def draw(sets, paper, picture):
     axes.set_xticks(range(len(conditions)), conditions)
     axes.set(ylabel=r"$\mu/\mu$(Eq. 2)", ylim=(0, None))
     axes.grid(alpha=0.3, axis="y")
-    axes.legend(fontsize=8, ncols=2)
+    axes.legend(fontsize=9, ncols=5, loc="lower center")
     save_figure(figure, picture)
 
 

@@ -173,7 +173,7 @@ SHIPPED = {
     "own-material": 10,
     "temperature": 15,
     "space": 16,
-    "laws": 216,
+    "laws": 126,
 }
 
 
