@@ -89,7 +89,7 @@ def test_bad_override(tmp_path, words, parts):
 @pytest.mark.parametrize(
     "words,parts",
     [
-        ("preset c", ["preset", "value c", "allowed: a, b"]),
+        ("preset d", ["preset", "value d", "allowed: a, b, c"]),
         ("fractur none", ["fractur", "nearest known one is 'fracture'"]),
         ("thickness -1", ["thickness", "-1", "allowed"]),
         ("thickness nan", ["Pair style mca thickness is 'nan'", "> 0"]),
