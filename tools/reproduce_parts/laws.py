@@ -41,6 +41,7 @@ def set_of(point):
 
 
 def with_error(value, error):
+    """An exponent and its standard error, as text."""
     return f"{value:+.2f} +- {error:.2f}"
 
 
