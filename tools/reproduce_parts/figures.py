@@ -266,35 +266,55 @@ def parameters(point):
 
 
 def collapse(report, picture):
-    """Scatter of mu over runs at equal kappa1 and kappa2, over its mean."""
-    points = report["report"]["points"]
-    mu = [p["mu"] for p in points]
-    if len(mu) < 2:
-        raise Missing("one run has no scatter: 2 are needed")
-    mean = float(np.mean(mu))
+    """Scatter of mu, a mean over the seeds, over runs at equal kappa1 and kappa2, over its mean."""
+    found = groups(report["report"]["points"], lambda p: run_name(p).split("-seed")[0])
+    if len(found) < 2:
+        raise Missing("one condition has no scatter: 2 are needed")
+    first = {name: members[0] for name, members in found.items()}
+    mu, errors = zip(*(mean_of(members) for members in found.values()))
+    mean, paper = float(np.mean(mu)), next(iter(first.values()))["mu_eq2"]
     dots(
-        [f"{run_name(p)}: {parameters(p)}" for p in points],
+        [f"{name}: {parameters(p)}" for name, p in first.items()],
         mu,
-        [p["mu_se"] or math.nan for p in points],
+        errors,
         picture,
         "friction coefficient $\\mu$",
         [
             (mean, dict(color="C1"), "their mean"),
-            (points[0]["mu_eq2"], dict(color="k", ls="--"), "Eq. 2"),
+            (paper, dict(color="k", ls="--"), "Eq. 2"),
         ],
         (mean * (1 - PAPER_COLLAPSE), mean * (1 + PAPER_COLLAPSE), "$\\pm$ 3.5 % (paper)"),
     )
-    scatter, own = scatter_of(mu, [p["mu_se"] or 0 for p in points])
+    scatter, own = scatter_of(mu, errors)
     rows = [
         ["scatter of mu (standard deviation)", f"{100 * PAPER_COLLAPSE:.1f} %", f"{scatter:.1f} %"],
-        ["  what the runs' own errors explain", "", f"{own:.1f} %"],
+        ["  what the errors of the means explain", "", f"{own:.1f} %"],
         [
             "mean mu",
-            f"{points[0]['mu_eq2']:.3f}",
+            f"{paper:.3f}",
             f"{mean:.3f} +- {np.std(mu, ddof=1) / math.sqrt(len(mu)):.3f}",
         ],
     ]
-    return table([f"{len(points)} runs", "paper", "ours"], rows)
+    if len(mu) > 3:
+        rows += power_rows(first.values(), mu)
+    return table([f"{len(mu)} conditions", "paper", "ours"], rows)
+
+
+def power_rows(points, mu):
+    """The exponents of mu in E/sigma_0 and in eta v/sigma_0, by least squares of the logarithms,
+    with standard errors from what is left."""
+    columns = [
+        [math.log(p["kappa3"]), math.log(p["viscosity"] * p["velocity"] / p["strength"]), 1.0]
+        for p in points
+    ]
+    matrix, y = np.array(columns), np.log(mu)
+    found, *_ = np.linalg.lstsq(matrix, y, rcond=None)
+    left = np.sum((y - matrix @ found) ** 2) / (len(y) - 3)
+    errors = np.sqrt(np.diag(left * np.linalg.inv(matrix.T @ matrix)))
+    names = ("mu ~ (E/sigma_0)^n: n", "mu ~ (eta v/(d sigma_0))^n: n")
+    return [
+        [name, "0", f"{n:+.2f} +- {error:.2f}"] for name, n, error in zip(names, found, errors)
+    ]
 
 
 def size_of(run):
@@ -393,6 +413,12 @@ FIGURES = {
         ["laws"],
         laws.laws,
         ["--start", f"{laws.BEGIN:g}"],
+    ),
+    "laws-links": Figure(
+        f"Worn contacts and the criterion of breaking, from {laws.LINKS_BEGIN:g} ns on",
+        ["laws-links", "laws"],
+        laws.links,
+        ["--start", f"{laws.LINKS_BEGIN:g}"],
     ),
     "convergence": Figure(
         "Size of the fragment, from 40 ns on", ["convergence"], convergence, ["--start", "40"]

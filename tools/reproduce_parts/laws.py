@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Sets of laws crossed: which rubs alike at equal kappa1 and kappa2, and how near to Eq. 2."""
+"""Sets of laws crossed: which rubs alike at equal kappa1 and kappa2, and how near to Eq. 2. Of the
+plan laws all of them; of the plan laws-links the best of them with other rules for links."""
 
 import dataclasses
 import math
@@ -16,7 +17,12 @@ from .common import Missing, run_name, table
 EQUAL = ("base", "thin", "thick", "soft", "stiff", "smooth")  # kappa1 = 2.571, kappa2 = 123.6
 BESIDE = ("slow", "dense", "strong")
 COLOURS = ("0.5", "C0", "C1", "C3")  # nothing more, contacts, both, contacts and both
-BEGIN, END, BLOCKS = 75.0, 150.0, 5  # ns of the averages, blocks of the layer's depth
+SCREENED = EQUAL[:-1]  # of the plan laws-links
+BEGIN, END = 75.0, 150.0  # ns, of the averages of the plan laws
+LINKS_BEGIN, LINKS_END = 50.0, 100.0  # of the plan laws-links
+BLOCKS = 5  # of the layer's depth
+BEST = "b contacts both"  # preset c
+RULES = ("now", "slid", "apart", "never")  # for worn contacts, beside unloaded
 FOURFOLD = math.log(4.0)  # viscosity of thick over thin, E/sigma_0 of stiff over soft
 
 
@@ -49,21 +55,21 @@ def condition_of(point):
     return run_name(point).split("-")[0]
 
 
-def depth_of(members):
-    """Depth of the layer (nm) over the averages' time, the error from blocks of it."""
+def depth_of(members, window):
+    """Depth of the layer (nm) in a window (ns), the error from blocks of it."""
     layers = [found for p in members if (found := layer.read(p["file"])) is not None]
     if not layers:
         raise Missing(f"{members[0]['file']}: no profile beside it")
-    return Mean(*layer.window([(at.time, at.depth) for at in layers], BEGIN, END, BLOCKS))
+    return Mean(*layer.window([(at.time, at.depth) for at in layers], *window, BLOCKS))
 
 
-def scatter_at_equal(mu):
+def scatter_at_equal(mu, equal):
     """(root mean square of ln(mu/mean) over the conditions of equal kappas, its standard error)."""
-    logs = np.log([mu[c].value for c in EQUAL])
+    logs = np.log([mu[c].value for c in equal])
     away = logs - logs.mean()
     size = math.sqrt(np.mean(away**2))
-    error = math.sqrt(sum((d * mu[c].relative) ** 2 for d, c in zip(away, EQUAL))) / (6 * size)
-    return size, error
+    error = math.sqrt(sum((d * mu[c].relative) ** 2 for d, c in zip(away, equal)))
+    return size, error / (len(equal) * size)
 
 
 def distance(mu, paper):
@@ -80,25 +86,35 @@ def exponent(small, large):
     return n, math.hypot(small.relative, large.relative) / FOURFOLD
 
 
-def draw(sets, paper, picture):
+def style_of_laws(name):
+    """Colour and marker: what flows and resists slip, and which plasticity."""
+    colour = COLOURS[("contacts" in name) + 2 * ("both" in name)]
+    return dict(color=colour, **(dict(fmt="s", mfc="none") if "j2" in name else dict(fmt="o")))
+
+
+def style_of_links(name):
+    """Colour and marker: when a worn contact may link again, and the criterion of breaking."""
+    colour = next((f"C{k}" for k, rule in enumerate(RULES) if rule in name), "0.5")
+    return dict(color=colour, **(dict(fmt="s", mfc="none") if "energy" in name else dict(fmt="o")))
+
+
+def draw(sets, paper, conditions, style, picture):
     """mu over Eq. 2 at each condition, a row of points for each set."""
     figure, axes = pyplot.subplots(figsize=(10, 5), constrained_layout=True)
-    conditions = [*EQUAL, *BESIDE]
     for k, (name, mu) in enumerate(sets.items()):
         x = np.arange(len(conditions)) + 0.1 * (k - 0.5 * (len(sets) - 1))
         axes.errorbar(
             x,
             [mu[c].value / paper[c] if c in mu else math.nan for c in conditions],
             yerr=[mu[c].error / paper[c] if c in mu else math.nan for c in conditions],
-            fmt="s" if "j2" in name else "o",
-            mfc="none" if "j2" in name else None,
-            color=COLOURS[("contacts" in name) + 2 * ("both" in name)],
             ms=5,
             capsize=2,
             label=name,
+            **style(name),
         )
     axes.axhline(1, color="k", ls="--", lw=1, label="Eq. 2")
-    axes.axvline(len(EQUAL) - 0.5, color="0.7", lw=1)
+    if conditions[-1] in BESIDE:
+        axes.axvline(len(EQUAL) - 0.5, color="0.7", lw=1)
     axes.set_xticks(range(len(conditions)), conditions)
     axes.set(ylabel=r"$\mu/\mu$(Eq. 2)", ylim=(0, None))
     axes.grid(alpha=0.3, axis="y")
@@ -106,54 +122,102 @@ def draw(sets, paper, picture):
     save_figure(figure, picture)
 
 
-def laws(report, picture):
-    """Of each set of laws: the scatter at equal kappa1 and kappa2, the exponents of mu in the
-    viscosity and in E/sigma_0, of the layer's depth in the viscosity, mu of a third of the
-    roughness over that of the base, and the distance from Eq. 2 over all conditions; mu at each (-:
-    not run)."""
-    points = report["report"]["points"]
+def means(points, equal, window):
+    """Of each set {condition: mean of mu}, the same of the layer's depth, and {condition: mu of
+    Eq. 2}."""
     sets, depths, paper = {}, {}, {}
     for name, members in groups(points, set_of).items():
         found = groups(members, condition_of)
-        if missing := set(EQUAL) - set(found):
+        if missing := set(equal) - set(found):
             raise Missing(f"laws '{name}': no run of condition '{min(missing)}'")
         sets[name] = {c: Mean(*mean_of(found[c])) for c in found}
-        depths[name] = {c: depth_of(found[c]) for c in found}
+        depths[name] = {c: depth_of(found[c], window) for c in found}
         paper |= {c: found[c][0]["mu_eq2"] for c in found}
-    draw(sets, paper, picture)
-    conditions = [*EQUAL, *BESIDE]
-    mus, layers, values, errors = [], [], [], []
+    return sets, depths, paper
+
+
+def invariances(sets, depths, equal):
+    """Rows of the tables of mu and of the layer."""
+    mus, layers = [], []
     for name, mu in sets.items():
-        size, error = scatter_at_equal(mu)
-        away = distance(mu, paper) if set(BESIDE) <= set(mu) else None
+        size, error = scatter_at_equal(mu, equal)
         mus.append(
             [
                 name,
                 f"{100 * size:.1f} +- {100 * error:.1f} %",
                 with_error(*exponent(mu["thin"], mu["thick"])),
                 with_error(*exponent(mu["soft"], mu["stiff"])),
-                f"{100 * away[0]:.1f} +- {100 * away[1]:.1f} %" if away else "-",
             ]
         )
-        depth, smooth = depths[name], mu["smooth"].value / mu["base"].value
-        smooth_error = smooth * math.hypot(mu["smooth"].relative, mu["base"].relative)
+        depth = depths[name]
         layers.append(
             [
                 name,
                 f"{depth['base'].value:.1f} +- {depth['base'].error:.1f}",
                 with_error(*exponent(depth["thin"], depth["thick"])),
-                f"{smooth:.2f} +- {smooth_error:.2f}",
             ]
         )
+    return mus, layers
+
+
+def values_of(sets, paper, conditions):
+    """Lines of the tables of mu and of its standard error at each condition."""
+    values, errors = [], []
+    for name, mu in sets.items():
         values.append([name, *(f"{mu[c].value:.3f}" if c in mu else "-" for c in conditions)])
         errors.append([name, *(f"{mu[c].error:.3f}" if c in mu else "-" for c in conditions)])
     values.append(["Eq. 2", *(f"{paper[c]:.3f}" if c in paper else "-" for c in conditions)])
+    return [
+        *table(["mu", *conditions], values),
+        "",
+        *table(["its standard error", *conditions], errors),
+    ]
+
+
+def laws(report, picture):
+    """Of each set of laws: the scatter at equal kappa1 and kappa2, the exponents of mu in the
+    viscosity and in E/sigma_0, of the layer's depth in the viscosity, mu of a third of the
+    roughness over that of the base, and the distance from Eq. 2 over all conditions; mu at each (-:
+    not run)."""
+    conditions = [*EQUAL, *BESIDE]
+    sets, depths, paper = means(report["report"]["points"], EQUAL, (BEGIN, END))
+    draw(sets, paper, conditions, style_of_laws, picture)
+    mus, layers = invariances(sets, depths, EQUAL)
+    for row, layer_row, mu in zip(mus, layers, sets.values()):
+        away = distance(mu, paper) if set(BESIDE) <= set(mu) else None
+        row.append(f"{100 * away[0]:.1f} +- {100 * away[1]:.1f} %" if away else "-")
+        smooth = mu["smooth"].value / mu["base"].value
+        error = smooth * math.hypot(mu["smooth"].relative, mu["base"].relative)
+        layer_row.append(f"{smooth:.2f} +- {error:.2f}")
     return [
         *table(["mu of a set", "scatter", "n of eta", "n of E/sigma_0", "RMS from Eq. 2"], mus),
         "",
         *table(["its layer", "depth, nm", "n of eta", "mu smooth/base"], layers),
         "",
-        *table(["mu", *conditions], values),
+        *values_of(sets, paper, conditions),
+    ]
+
+
+def links(report, picture):
+    """Preset c with each rule for worn contacts and each criterion of breaking: the scatter at
+    equal kappa1 and kappa2, the exponents; mu at each (-: not run)."""
+    points = [
+        p
+        for p in report["report"]["points"]
+        if set_of(p).startswith("c")
+        or (set_of(p) == BEST and "-seed1-" in run_name(p) and condition_of(p) in SCREENED)
+    ]
+    sets, depths, paper = means(points, SCREENED[:1], (LINKS_BEGIN, LINKS_END))
+    if BEST not in sets:
+        raise Missing(f"no run of laws '{BEST}' in the plan laws")
+    sets, depths = ({"c": found.pop(BEST), **found} for found in (sets, depths))
+    draw(sets, paper, SCREENED, style_of_links, picture)
+    whole = {name: mu for name, mu in sets.items() if set(SCREENED) <= set(mu)}
+    mus, layers = invariances(whole, depths, SCREENED)
+    return [
+        *table(["mu of a set", "scatter", "n of eta", "n of E/sigma_0"], mus),
         "",
-        *table(["its standard error", *conditions], errors),
+        *table(["its layer", "depth, nm", "n of eta"], layers),
+        "",
+        *values_of(sets, paper, SCREENED),
     ]

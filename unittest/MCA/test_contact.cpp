@@ -14,7 +14,7 @@ namespace {
 PairLaw noTransitions(const Material &a, const Material &b)
 {
   LawSet set;
-  EXPECT_EQ(set.parse({"link", "none", "weld", "1e9", "heal", "none"}), "");
+  EXPECT_EQ(set.parse({"flow", "links", "link", "none", "weld", "1e9", "heal", "none"}), "");
   return makePairLaw(set, a, b, 1.0);
 }
 

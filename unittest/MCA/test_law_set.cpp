@@ -40,7 +40,7 @@ std::string wordOf(const LawSet &set, const std::string &keyword)
 
 TEST(LawSet, Presets)
 {
-  const LawSet a = parsed({"preset", "a"}), b = parsed({}), c = parsed({"preset", "c"});
+  const LawSet a = parsed({"preset", "a"}), b = parsed({"preset", "b"}), c = parsed({});
   EXPECT_EQ(a.link.threshold().factor(), 2.35);
   EXPECT_TRUE(a.weld.isOff());
   EXPECT_TRUE(a.heal.isOff());
@@ -51,15 +51,16 @@ TEST(LawSet, Presets)
     EXPECT_TRUE(set.elasticity.is(Elasticity::ManyBody));
     EXPECT_TRUE(set.plasticity.is(Plasticity::Radial));
     EXPECT_EQ(set.fracture.word(), "strain");
+    EXPECT_TRUE(set.flow.is(FlowLaw::Links));
     EXPECT_TRUE(set.viscosity.is(ViscosityLaw::Normal));
     EXPECT_TRUE(set.steps.is(Steps::Corrected));
     EXPECT_TRUE(set.plane.is(PlaneCondition::Strain));
     EXPECT_TRUE(set.linkWork.isOff());
     EXPECT_FALSE(set.needsLocal());
   }
-  expectSame(parsed({"preset", "b"}), b);
+  expectSame(parsed({"preset", "c"}), c);
   // c is b whose contacts flow, too, and resist slip
-  LawSet same = parsed({"flow", "contacts", "viscosity", "both"});
+  LawSet same = parsed({"preset", "b", "flow", "contacts", "viscosity", "both"});
   same.preset = "c";
   expectSame(c, same);
   EXPECT_TRUE(c.flow.is(FlowLaw::Contacts));
@@ -92,19 +93,20 @@ TEST(LawSet, WordsOfRestartFilesAndLogs)
                                       "none",
                                       "compressive_strength",
                                       "none"};
-  EXPECT_EQ(parsed({}).words(), b);
-  EXPECT_EQ(parsed({"worn", "apart", "worn", "unloaded"}).words(), b); // as logs always were
+  EXPECT_EQ(parsed({"preset", "b"}).words(), b);
+  EXPECT_EQ(parsed({"preset", "b", "worn", "apart", "worn", "unloaded"}).words(), b);
   EXPECT_THAT(parsed({"worn", "apart"}).words(), testing::IsSupersetOf({"worn", "apart"}));
-  EXPECT_EQ(parsed({"flow", "contacts", "flow", "links"}).words(), b);
-  EXPECT_THAT(parsed({"flow", "contacts"}).words(), testing::IsSupersetOf({"flow", "contacts"}));
+  EXPECT_EQ(parsed({"preset", "b", "flow", "contacts", "flow", "links"}).words(), b);
+  EXPECT_THAT(parsed({}).words(), testing::IsSupersetOf({"flow", "contacts"}));
+  EXPECT_THAT(parsed({"flow", "links"}).words(), testing::IsSupersetOf({"flow", "links"}));
 }
 
 TEST(LawSet, EachKeyword)
 {
   const std::vector<std::vector<std::string>> choices = {
       {"elasticity", "pairwise"}, {"plasticity", "none"}, {"plasticity", "j2"},
-      {"flow", "contacts"},       {"fracture", "stress"}, {"fracture", "none"},
-      {"viscosity", "none"},      {"viscosity", "both"},  {"steps", "plain"},
+      {"flow", "links"},          {"fracture", "stress"}, {"fracture", "none"},
+      {"viscosity", "none"},      {"viscosity", "normal"},  {"steps", "plain"},
       {"link", "1.25"},           {"link", "none"},       {"weld", "0.554"},
       {"heal", "none"},           {"heal", "2.35"},       {"link_work", "0.5"},
       {"worn", "never"}};
@@ -160,7 +162,7 @@ TEST(LawSet, AnUnknownWordIsNotAssigned)
 
 TEST(LawSet, APresetResetsWhatStandsBeforeIt)
 {
-  expectSame(parsed({"link", "7", "elasticity", "pairwise", "preset", "b"}), LawSet());
+  expectSame(parsed({"link", "7", "elasticity", "pairwise", "preset", "c"}), LawSet());
   EXPECT_EQ(parsed({"preset", "b", "link", "7"}).link.threshold().factor(), 7);
 }
 
@@ -173,7 +175,7 @@ TEST(LawSet, BadValuesNameKeywordValueAndWhatIsAllowed)
             "keyword plasticity, value x, allowed: radial, j2, none");
   EXPECT_THAT(problemOf({"fracture", "x"}), HasSubstr("allowed: strain, stress"));
   EXPECT_EQ(problemOf({"viscosity", "0"}),
-            "keyword viscosity, value 0, allowed: normal, both, none");
+            "keyword viscosity, value 0, allowed: both, normal, none");
   for (const char *keyword : {"link", "weld", "heal", "link_work", "compressive_strength"})
     for (const char *value : {"0", "-1", "nan", "inf", "2x", "x", "1e999"})
       EXPECT_THAT(problemOf({keyword, value}),

@@ -57,8 +57,8 @@ reference::Sample moving(unsigned seed)
 TEST(Slip, ResistanceTakesEnergyAndKeepsBothMomenta)
 {
   for (unsigned seed = 1; seed <= 5; seed++) {
-    reference::Sample normal = moving(seed), both = normal;
-    both.laws.viscosity = "both";
+    reference::Sample both = moving(seed), normal = both;
+    normal.laws.viscosity = "normal";
     kernelStep(mca::bestKernel(2), normal, 0.0);
     kernelStep(mca::bestKernel(2), both, 0.0);
     double power = 0, fx = 0, fy = 0, torque = 0, scale = 0, lost = 0;

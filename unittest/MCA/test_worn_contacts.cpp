@@ -21,6 +21,7 @@ class Pair {
   /// \param kind  at the beginning
   Pair(const std::string &rule, double kind) : slow_(hexagonalBlock(steel(), 2, 1, kind))
   {
+    slow_.laws.flow = "links"; // a pair alone that flows is never pressed up to the hardness
     slow_.laws.worn = rule;
     fast_ = slow_;
     run_ = std::make_unique<KernelRun>(mca::bestKernel(2), fast_, false);

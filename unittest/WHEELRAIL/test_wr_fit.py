@@ -146,6 +146,15 @@ def test_a_run_of_two_logs_counts_once(tmp_path):
     )
 
 
+def test_two_seeds_that_gave_the_same_blocks_count_once(tmp_path):
+    log = friction_logs.friction_log(seed=1, ns=20)
+    (tmp_path / "a.friction").write_text(log)
+    (tmp_path / "b.friction").write_text(log.replace("seed: 1}", "seed: 2}"))
+    text = wr_fit(tmp_path).stdout
+    first = tmp_path / "a.friction"
+    assert f"[left out: the run of {first}, whose other seed gave the same blocks]" in text
+
+
 @pytest.mark.parametrize("rows", [1, 4, 6])
 def test_a_copy_with_averaged_rows_counts_once(tmp_path, rows):
     """As tools/campaign packs it; another seed with the same head otherwise is another run."""

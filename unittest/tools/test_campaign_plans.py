@@ -72,7 +72,7 @@ from campaign_parts import plan as plans
         ),
         (
             HEAD + "runs: [{ns: 1e-6, row: 1e-6}]\n",
-            ["ns: '1e-06' is not allowed, must be at least a step, 5e-05 ns"],
+            ["ns: '1e-06' is not allowed, must be at least a step, 4e-05 ns"],
         ),
         (
             HEAD + "runs:\n  - rows: 8\n    held: 100\n",
@@ -150,20 +150,21 @@ def test_step_follows_the_material():
             "x", {**{k: key.default for k, key in plans.KEYS.items()}, **values}, ""
         ).dt
 
-    assert dt() == 5e-5
     assert dt(E=4 * 206000) == 2.5e-5  # half the time of sound
+    assert dt() == dt(laws="c weld 0.7") == 4e-5  # slip is damped, too
     assert dt(rho=4 * 7800) == 5e-5  # never longer
-    assert dt(eta=0.82) == 2.5e-5  # half the viscous time
-    assert dt(laws="b viscosity both") == dt(laws="c weld 0.7") == 4e-5  # slip is damped, too
+    assert dt(eta=0.82) == 2e-5  # half the viscous time
+    assert dt(laws="b") == 5e-5 and dt(laws="b", eta=0.82) == 2.5e-5
+    assert dt(laws="b viscosity both") == 4e-5
     assert dt(laws="c viscosity normal") == 5e-5
     assert dt(laws="b viscosity both", eta=0.041) == 5e-5
-    assert dt(rho=1950) == pytest.approx(1.2e-5)
+    assert dt(rho=1950) == 1e-5 and dt(laws="b", rho=1950) == pytest.approx(1.2e-5)
     assert dt(dt=1e-5) == 1e-5
 
 
 SHIPPED = {
     "paper36": 36,
-    "collapse10": 10,
+    "collapse10": 30,
     "velocity": 16,
     "pressure": 16,
     "viscosity": 10,
@@ -173,7 +174,8 @@ SHIPPED = {
     "own-material": 10,
     "temperature": 15,
     "space": 16,
-    "laws": 126,
+    "laws": 120,
+    "laws-links": 45,
 }
 
 
@@ -284,7 +286,7 @@ def test_steel_is_the_default(tmp_path):
     path = tmp_path / "plan.yaml"
     path.write_text(HEAD + "runs: [{name: a}, {name: b, material: steel.mca}]\n")
     first, second = plans.read(str(path)).runs
-    assert first.values == second.values and first.dt == second.dt == 5e-5
+    assert first.values == second.values and first.dt == second.dt == 4e-5
 
 
 @pytest.mark.parametrize(
@@ -343,10 +345,12 @@ def test_paper36_covers_the_papers_ranges():
 
 def test_collapse10_has_one_kappa():
     runs = plans.read(plans.find("collapse10")).runs
-    assert len(runs) == 10
+    assert len(runs) == 30 and len({run.name.split("-")[0] for run in runs}) == 10
     for run in runs:
         assert run.kappa1 == pytest.approx(runs[0].kappa1, rel=1e-3)
         assert run.kappa2 == pytest.approx(runs[0].kappa2, rel=1e-3)
+        for key, low, high in (("p", 0.5, 26), ("v", 1, 10), ("strength", 92, 552)):
+            assert low <= run.values[key] <= high  # the paper's ranges
 
 
 def test_page_has_every_key_option_and_plan():

@@ -58,10 +58,10 @@ using Plasticity = Choice<PlasticityWords>;
 /// whether of all its contacts is not said.
 struct FlowWords {
   static constexpr const char *keyword = "flow";
-  enum Kind { Links, Contacts };
-  static constexpr Option options[] = {{"links"}, {"contacts"}};
+  enum Kind { Contacts, Links };
+  static constexpr Option options[] = {{"contacts"}, {"links"}};
 };
-/// Keyword flow: "links" (default) or "contacts".
+/// Keyword flow: "contacts" (default) or "links".
 using FlowLaw = Choice<FlowWords>;
 
 /// Viscosity of unlinked contacts; viscosity.h. Normal resists the normal velocity with eta v_n/d
@@ -70,10 +70,10 @@ using FlowLaw = Choice<FlowWords>;
 /// the same eta. None is without damping, as if eta were 0. Links have no viscosity.
 struct ViscosityWords {
   static constexpr const char *keyword = "viscosity";
-  enum Kind { Normal, Both, None };
-  static constexpr Option options[] = {{"normal"}, {"both"}, {"none"}};
+  enum Kind { Both, Normal, None };
+  static constexpr Option options[] = {{"both"}, {"normal"}, {"none"}};
 };
-/// Keyword viscosity: "normal" (default), "both" or "none".
+/// Keyword viscosity: "both" (default), "normal" or "none".
 using ViscosityLaw = Choice<ViscosityWords>;
 
 /// Whether two things that a Verlet step knows too late are taken again (doc/laws.md, Corrected

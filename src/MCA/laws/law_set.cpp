@@ -98,13 +98,14 @@ LawSet LawSet::named(const std::string &preset)
 {
   LawSet set;
   set.preset = preset;
+  if (preset == "a" || preset == "b") {
+    set.flow = "links";
+    set.viscosity = "normal";
+  }
   if (preset == "a") {
     set.link = Threshold::times(2.35);
     set.weld = Threshold::off();
     set.heal = Threshold::off();
-  } else if (preset == "c") {
-    set.flow = "contacts";
-    set.viscosity = "both";
   }
   return set;
 }

@@ -16,11 +16,11 @@
 
 namespace mca {
 
-/// A choice of exchangeable laws, each a type that knows its keyword. By default set B. A value
+/// A choice of exchangeable laws, each a type that knows its keyword. By default set C. A value
 /// like any other: it is copied, and what loops need of it is made from it by the functions below.
 struct LawSet {
   /// As given; the laws below may differ from it, as later keywords change them.
-  std::string preset = "b";
+  std::string preset = "c";
   PlaneCondition plane;
   Elasticity elasticity;
   Plasticity plasticity;
@@ -68,8 +68,9 @@ struct LawSet {
   /// PairMCA::settings() has them.
   static std::vector<Keyword> keywords();
 
-  /// Set "a" (one kind of link, at 2.35 sigma_0, no welds) or set "b" (bulk links and welds, the
-  /// default); any other name gives the laws of set b.
+  /// Set "a" (one kind of link, at 2.35 sigma_0, no welds), set "b" (bulk links and welds) or set
+  /// "c" (b whose unlinked contacts flow and resist slip, the default); any other name gives the
+  /// laws of set c.
   static LawSet named(const std::string &preset);
 
   /// Takes keyword-value pairs as given to pair_style; a preset resets all that stands before it.

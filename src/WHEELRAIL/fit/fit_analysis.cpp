@@ -36,7 +36,8 @@ void leaveOutCopies(std::vector<FrictionPoint> &points)
         continue;
       const bool longer = second.duration > first.duration;
       (longer ? first : second).leftOut =
-          fmt::format("the run of {}", (longer ? second : first).file);
+          fmt::format("the run of {}{}", (longer ? second : first).file,
+                      first.seed == second.seed ? "" : ", whose other seed gave the same blocks");
     }
 }
 

@@ -128,8 +128,7 @@ FrictionPoint frictionPoint(const FrictionLog &log, const PointOptions &options)
 
 bool sameRun(const FrictionPoint &a, const FrictionPoint &b)
 {
-  if (a.kappa1 != b.kappa1 || a.kappa2 != b.kappa2 || a.kappa3 != b.kappa3 || a.seed != b.seed ||
-      a.madeBy != b.madeBy)
+  if (a.kappa1 != b.kappa1 || a.kappa2 != b.kappa2 || a.kappa3 != b.kappa3 || a.madeBy != b.madeBy)
     return false;
   // Rows of the one log may be means over several rows of the other. Both are added up until they
   // reach a step that both have; there the means must agree, and the sums begin anew.

@@ -61,10 +61,10 @@ struct PointOptions {
 };
 
 /// Whether two points come from one run, of which one log may be longer, or have rows that are
-/// means over several of the other's: the same kappas, seed, laws and program, and the same mean of
-/// mu, within the rounding of the logs, between all steps at which both have a row.
+/// means over several of the other's: the same kappas, laws and program, and the same mean of mu,
+/// within the rounding of the logs, between all steps at which both have a row. Two seeds of a
+/// roughness so small that it moves no automaton to the other block are one run, too.
 /// For leaving out a point that would count twice.
-/// @return false for replicates: runs that differ in seed only
 bool sameRun(const FrictionPoint &a, const FrictionPoint &b);
 
 /// The point of one log. @throws Error (BadInput) if `start` lies beyond the end of the log
