@@ -352,11 +352,13 @@ Stress contactStresses(const Sample &s, const Contact &c, const View &w)
         stretched(out.sigma, shearModulus(s.materials[a.type]) + shearModulus(s.materials[b.type]),
                   3.0 / 2, std::pow(c.now.gammaTotal - c.now.gamma, 2),
                   std::pow(c.now.gammaTotal - left * c.now.gamma, 2));
-  if (!linked(c.now)) { // neither pulls nor lengthens beyond the breaking strain
+  if (!linked(c.now)) { // neither pulls, nor lengthens or shortens without a limit
     const mca::Material &ma = s.materials[a.type], &mb = s.materials[b.type];
     const double room = std::fmax(ma.breakingStrain, mb.breakingStrain) - c.now.plastic;
     const double twoG = shearModulus(ma) + shearModulus(mb);
+    const double depth = 0.9 + c.now.plastic;
     out.sigma = std::fmax(std::fmin(out.sigma, 0), out.trial - twoG * std::fmax(room, 0));
+    out.sigma = std::fmin(out.sigma, out.trial + twoG * std::fmax(depth, 0));
   }
   return out;
 }

@@ -177,11 +177,13 @@ void contactStresses(const Sample &s, const Contact &c, const View &w, double &t
     sigma = stretched(sigma, shearModulus(s.materials[a.type]) + shearModulus(s.materials[b.type]),
                       4.0 / 3, (c.now.gammaTotal - c.now.gamma).squaredNorm(),
                       (c.now.gammaTotal - left * c.now.gamma).squaredNorm());
-  if (!linked(c.now)) { // neither pulls nor lengthens beyond the breaking strain
+  if (!linked(c.now)) { // neither pulls, nor lengthens or shortens without a limit
     const mca::Material &ma = s.materials[a.type], &mb = s.materials[b.type];
     const double room = std::fmax(ma.breakingStrain, mb.breakingStrain) - c.now.plastic;
     const double twoG = shearModulus(ma) + shearModulus(mb);
+    const double depth = 0.9 + c.now.plastic;
     sigma = std::fmax(std::fmin(sigma, 0), trial - twoG * std::fmax(room, 0));
+    sigma = std::fmin(sigma, trial + twoG * std::fmax(depth, 0));
   }
 }
 

@@ -338,7 +338,7 @@ create_atoms 1 single -1.2 0 0
 create_atoms 2 single $(0.99*{d}-1.2) 0 0
 group wall type 1
 group mover type 2
-pair_style mca plasticity none fracture none link none heal none weld none steps corrected
+pair_style mca viscosity normal plasticity none fracture none link none heal none weld none
 pair_coeff * * steel.mca youngs_modulus 1e-3 strength 1e-5 viscosity {eta} density {rho}
 neighbor 0.4 bin
 velocity mover set {v} 0 0

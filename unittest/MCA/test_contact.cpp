@@ -74,7 +74,7 @@ TEST(Contact, YieldingAutomataReturnTheirBulkLinks)
   EXPECT_CLOSE(turned.tau, s.tau);
 }
 
-TEST(Contact, FlowLengthensAnUnlinkedContactUpToTheBreakingStrain)
+TEST(Contact, FlowOfAnUnlinkedContactEndsAtTheBreakingStrainAndAtCollapse)
 {
   LawSet set;
   ASSERT_EQ(set.parse({"flow", "contacts"}), "");
@@ -82,12 +82,14 @@ TEST(Contact, FlowLengthensAnUnlinkedContactUpToTheBreakingStrain)
   const double most = steel().breakingStrain, e = -1e-4;
   // its automata pull, or press it by more than its own strain does
   for (const double mean : {1e3, 1e4, -1e3, -1e4})
-    for (const double plastic : {-0.01, 0.01, 0.999 * most, most, 1.01 * most}) {
+    for (const double plastic :
+         {-0.95, -0.9, -0.899, -0.01, 0.01, 0.999 * most, most, 1.01 * most}) {
       const Answer side = {mean, 0.2, mean};
       const Contact c = {link::none, plastic + e, plastic, 0.0, 0.0, 0.0};
       const ContactStress s = contactStress<FractureByStrain>(flows, c, side, side);
       const double next = nextState(flows, c, s, 0.0, 0.0, 1.0).plastic;
       EXPECT_LE(next, std::max(plastic, most) * (1 + 1e-12)) << mean << ", " << plastic;
+      EXPECT_GE(next, std::min(plastic, -0.9) * (1 + 1e-12)) << mean << ", " << plastic;
       EXPECT_LE(std::abs(s.sigma), std::abs(s.trial) + (mean < 0 ? 0.8 * std::abs(mean) : 0.0));
       EXPECT_LE(s.normal, 0.0);
     }

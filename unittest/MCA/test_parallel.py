@@ -158,7 +158,7 @@ def slipping(rough_data, tmp_path_factory):
 def plain(rough_data, fragments, tmp_path_factory):
     folder = tmp_path_factory.mktemp("plain")
     return (
-        cases(folder / "cases", fragments, scheme="plain"),
+        cases(folder / "cases", fragments, scheme="plain viscosity normal"),
         slide(folder / "slide", rough_data, laws=PLAIN),
     )
 
@@ -169,7 +169,7 @@ def test_plain_steps(
 ):
     """They send less; and they are another law."""
     more = dict(ranks=ranks, newton=newton, before=before, extra=extra)
-    found = cases(tmp_path / "cases", fragments, scheme="plain", **more)
+    found = cases(tmp_path / "cases", fragments, scheme="plain viscosity normal", **more)
     for case, (frame, rows) in plain[0].items():
         compare(found[case][0], frame, 1e-12)
         assert found[case][1] == rows

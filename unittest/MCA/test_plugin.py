@@ -87,7 +87,7 @@ def test_step_above_the_critical_one_is_refused(tmp_path, ranks):
         "8.91",
         ranks=ranks,
     )
-    script = SAMPLE.replace("pair_style mca", "pair_style mca steps plain")
+    script = SAMPLE.replace("pair_style mca", "pair_style mca viscosity normal steps plain")
     fails(
         script + "timestep 1e-4\nrun 10\n",
         tmp_path,
@@ -114,9 +114,8 @@ def test_step_above_the_critical_one_is_refused(tmp_path, ranks):
     )
     lmp(script + "timestep 9.5e-5\nrun 10\n", tmp_path)
     # slip is damped by the small moment of inertia
-    script = SAMPLE.replace("pair_style mca", "pair_style mca viscosity both")
-    fails(script + "timestep 5.8e-5\nrun 10\n", tmp_path, "the critical one, 5.7", "viscous 1.48")
-    lmp(script + "timestep 5.7e-5\nrun 10\n", tmp_path)
+    fails(SAMPLE + "timestep 5.8e-5\nrun 10\n", tmp_path, "the critical one, 5.7", "viscous 1.48")
+    lmp(SAMPLE + "timestep 5.7e-5\nrun 10\n", tmp_path)
 
 
 def test_mass_is_that_of_the_solid(tmp_path):

@@ -276,8 +276,8 @@ def test_the_log_names_its_packing(blocks, tmp_path):
 
 
 def test_plain_steps(serial, blocks, tmp_path):
-    one, _ = slide(tmp_path / "one", blocks, scheme="plain", extra=ACCOUNT)
-    two, _ = slide(tmp_path / "two", blocks, scheme="plain", ranks=2)
+    one, _ = slide(tmp_path / "one", blocks, scheme="plain viscosity normal", extra=ACCOUNT)
+    two, _ = slide(tmp_path / "two", blocks, scheme="plain viscosity normal", ranks=2)
     compare(two, one, 1e-12)
     assert largest_difference(one, serial[0], ["c_state[7]"], 1.0) > 1e-6
 

@@ -144,7 +144,8 @@ inline double shearStretch(double times, double left, const Shear &gamma, const 
 /// as that brings it nearer to 0, so that it dissipates. An unlinked contact flows towards 0 at
 /// most, since it does not pull, and flow lengthens it up to the breaking strain at most: farther
 /// apart two automata do not touch. What it has above 0 then, where the mean stress of its automata
-/// pulls, makes no force.
+/// pulls, makes no force. Nor does flow shorten it further than a link, collapseStrain: nearer
+/// together it is elastic, and two automata never come to lie on each other.
 /// \param trial    before the return [stress]
 /// \param plastic  plastic offset of its normal strain [-]
 /// \param stretch  of shearStretch() [-]
@@ -158,8 +159,11 @@ inline double flowedStress(const PairLaw &law, double trial, double plastic, dou
   const double sigma = returned - (most > below ? most : below);
   const double room = law.breakingStrain - plastic;
   const double lowest = trial - law.twoG * (room > 0.0 ? room : 0.0);
+  const double depth = plastic - collapseStrain;
+  const double highest = trial + law.twoG * (depth > 0.0 ? depth : 0.0);
   const double pressed = sigma < 0.0 ? sigma : 0.0;
-  return linked > 0.0 ? sigma : pressed > lowest ? pressed : lowest;
+  const double least = pressed > lowest ? pressed : lowest;
+  return linked > 0.0 ? sigma : least < highest ? least : highest;
 }
 
 /// Elastic stresses of a contact [stress], tension positive; without viscosity.
