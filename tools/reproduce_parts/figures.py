@@ -380,9 +380,11 @@ FIGURES = {
     ),
     "fig6": Figure(f"Fig. 6: mu against velocity, {FROM}", ["velocity"], fig6, START),
     "ageing": Figure(
-        "Ageing: mu against time", ["velocity", "pressure", "collapse10", "paper36"], ageing.ageing
+        "Ageing: mu against time", ["velocity", "pressure", "paper36"], ageing.ageing
     ),
-    "collapse": Figure(f"Equal kappa1 and kappa2, {FROM}", ["collapse10"], collapse, START),
+    "collapse": Figure(
+        "Equal kappa1 and kappa2, from 50 ns on", ["collapse10"], collapse, ["--start", "50"]
+    ),
     "fig7": Figure(f"Figs. 7 and 8: the law, {FROM}", ["paper36"], fig7, START),
     "steel": Figure(
         f"The law of one material, E = 206 GPa and sigma_0 = 92 MPa, {FROM}",

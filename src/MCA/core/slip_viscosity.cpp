@@ -19,9 +19,7 @@ static Vector aboutAxes(const double *values, int dimension)
 void SlipViscosity::find(const Pairs &p, const Surfaces &surfaces)
 {
   contacts_.clear();
-  for (int k = 0; k < p.n; k++) {
-    if (!isViscous(p, p.blocks[k / blockLength], k))
-      continue;
+  eachViscous(p, [&](int k) {
     const PairLaw &law = surfaces.laws[p.law[k]];
     contacts_.push_back({k,
                          p.i[k],
@@ -33,7 +31,7 @@ void SlipViscosity::find(const Pairs &p, const Surfaces &surfaces)
                          surfaces.normal(p, k),
                          surfaces.slip(p, k),
                          {0.0, 0.0, 0.0}});
-  }
+  });
 }
 
 void SlipViscosity::centre(const ViscousContacts::Conditions &step)

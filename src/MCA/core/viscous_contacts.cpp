@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "viscous_contacts.h"
 
-#include <algorithm>
-
 namespace mca {
 
 void ViscousContacts::add(const Pairs &p, const Conditions &step)
@@ -10,38 +8,30 @@ void ViscousContacts::add(const Pairs &p, const Conditions &step)
   const int dimension = step.kernel->dimension;
   const RowLayout &rows = step.kernel->rows;
   const double half = 0.5 * step.dt;
-  for (int first = 0; first < p.n; first += blockLength) {
-    const Block &block = p.blocks[first / blockLength];
-    if (block.bulk && !block.moves)
-      continue;
-    const int last = std::min(first + blockLength, p.n);
-    for (int k = first; k < last; k++) {
-      if (!isViscous(p, block, k))
-        continue;
-      const PairLaw &law = step.laws[p.law[k]];
-      const int i = p.i[k], j = p.j[k];
-      const double moveI = half * law.invMassI * step.follows(i);
-      const double moveJ = half * law.invMassJ * step.follows(j);
-      const double *const forceI = step.forces + static_cast<size_t>(i) * rows.force.length;
-      const double *const forceJ = step.forces + static_cast<size_t>(j) * rows.force.length;
-      double kick = 0.0;
-      for (int m = 0; m < dimension; m++)
-        kick += p.normal[m][k] * (moveJ * forceJ[m] - moveI * forceI[m]);
-      const double damping =
-          law.centring * law.viscosity * law.area * law.invDiameter * (moveI + moveJ);
-      const double before = p.separation[k], now = centredSeparation(before, kick, damping);
-      p.separation[k] = now;
+  eachViscous(p, [&](int k) {
+    const PairLaw &law = step.laws[p.law[k]];
+    const int i = p.i[k], j = p.j[k];
+    const double moveI = half * law.invMassI * step.follows(i);
+    const double moveJ = half * law.invMassJ * step.follows(j);
+    const double *const forceI = step.forces + static_cast<size_t>(i) * rows.force.length;
+    const double *const forceJ = step.forces + static_cast<size_t>(j) * rows.force.length;
+    double kick = 0.0;
+    for (int m = 0; m < dimension; m++)
+      kick += p.normal[m][k] * (moveJ * forceJ[m] - moveI * forceI[m]);
+    const double damping =
+        law.centring * law.viscosity * law.area * law.invDiameter * (moveI + moveJ);
+    const double before = p.separation[k], now = centredSeparation(before, kick, damping);
+    p.separation[k] = now;
 
-      const double sigma = viscousStress(law, p.now.kind[k], p.eps[k], p.now.plastic[k],
-                                         step.answer(i), step.answer(j));
-      const double more = unlinkedStress(sigma, law.viscosity, now, law.invDiameter) -
-                          unlinkedStress(sigma, law.viscosity, before, law.invDiameter);
-      Contact c = {i, j, {}};
-      for (int m = 0; m < dimension; m++)
-        c.force[m] = more * law.area * p.normal[m][k];
-      contacts_.push_back(c);
-    }
-  }
+    const double sigma = viscousStress(law, p.now.kind[k], p.eps[k], p.now.plastic[k],
+                                       step.answer(i), step.answer(j));
+    const double more = unlinkedStress(sigma, law.viscosity, now, law.invDiameter) -
+                        unlinkedStress(sigma, law.viscosity, before, law.invDiameter);
+    Contact c = {i, j, {}};
+    for (int m = 0; m < dimension; m++)
+      c.force[m] = more * law.area * p.normal[m][k];
+    contacts_.push_back(c);
+  });
 }
 
 void ViscousContacts::addForces(const Kernel &kernel, double *forces) const

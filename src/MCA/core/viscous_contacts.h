@@ -9,19 +9,33 @@
 
 #include "kernel.h"
 
+#include <algorithm>
 #include <vector>
 
 namespace mca {
 
 /// Whether pair k of a block is a viscous contact in this step: pressed, e < 0, and unlinked or
-/// breaking. After the force pass.
+/// breaking. After the force pass; no block of bulk links that none of its pairs leaves has one.
 inline bool isViscous(const Pairs &p, const Block &block, int k)
 {
-  if (block.bulk && !block.moves)
-    return false;
   const double next = block.moves ? p.next.kind[k] : p.now.kind[k];
   return !(link::isLinked(p.now.kind[k]) & link::isLinked(next)) &
          (p.eps[k] - p.now.plastic[k] < 0.0);
+}
+
+/// Calls visit(k) for each viscous contact of this step, in the order of the pairs.
+template<class Visit>
+void eachViscous(const Pairs &p, Visit &&visit)
+{
+  for (int first = 0; first < p.n; first += blockLength) {
+    const Block &block = p.blocks[first / blockLength];
+    if (block.bulk && !block.moves)
+      continue;
+    const int last = std::min(first + blockLength, p.n);
+    for (int k = first; k < last; k++)
+      if (isViscous(p, block, k))
+        visit(k);
+  }
 }
 
 /// The viscous contacts of a step, which few pairs are. First all are collected, while the forces
