@@ -295,9 +295,9 @@ def arguments():
     parser.add_argument(
         "--timestep",
         type=number_in(),
-        default=5e-5,
+        default=4e-5,
         metavar="NS",
-        help="for the title, where the dump has no time [5e-5]",
+        help="for the title, where the dump has no time [4e-5]",
     )
     parser.add_argument(
         "--rate", type=number_in(0.1, 50), default=5, help="frames per second of a GIF [5]"

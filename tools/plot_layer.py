@@ -221,8 +221,8 @@ def main():
     parser.add_argument(
         "--step",
         type=number_in(unit="ns"),
-        default=5e-5,
-        help="length of a step (default: 5e-5 ns)",
+        default=4e-5,
+        help="length of a step (default: 4e-5 ns)",
     )
     parser.add_argument(
         "--units",

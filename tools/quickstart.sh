@@ -46,7 +46,7 @@ case $results in /*) ;; *) results=$PWD/$results ;; esac
 chain() {
   say "1/4 sliding friction: $ns ns, MPI ranks: $np (examples/friction/in.friction)"
   mpirun -np "$np" "$build/bin/lmp" -in "$root/examples/friction/in.friction" -log friction.log \
-    -var ns "$ns" -var seed "$seed" -var frames 20000
+    -var ns "$ns" -var seed "$seed" -var frames 25000
   say "2/4 friction coefficient from the log"
   "$build/bin/wr_fit" friction.friction -o friction.json --points points.csv
   say "3/4 law and creep curves (tools/campaign_to_creep.sh, examples/wheelrail/table2.yaml)"
