@@ -203,7 +203,7 @@ void PairMCA::init_style()
                                         FixMCAState::ID, mca::propertyWords(domain->dimension)),
                             1);
   }
-  if (lawset.seesSpins() && !fix_spins)
+  if (lawset.resistsSlip() && !fix_spins)
     fix_spins = modify->add_fix(fmt::format("{} all MCA_STATE {} writedata no ghost yes",
                                             FixMCAState::SPINS,
                                             mca::propertyWords(domain->dimension, false)));

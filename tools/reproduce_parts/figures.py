@@ -417,7 +417,7 @@ FIGURES = {
         ["--start", f"{laws.BEGIN:g}"],
     ),
     "laws-links": Figure(
-        f"Worn contacts and the criterion of breaking, from {laws.LINKS_BEGIN:g} ns on",
+        f"Laws of links, from {laws.LINKS_BEGIN:g} ns on",
         ["laws-links", "laws"],
         laws.links,
         ["--start", f"{laws.LINKS_BEGIN:g}"],

@@ -17,12 +17,10 @@ from .common import Missing, run_name, table
 EQUAL = ("base", "thin", "thick", "soft", "stiff", "smooth")  # kappa1 = 2.571, kappa2 = 123.6
 BESIDE = ("slow", "dense", "strong")
 COLOURS = ("0.5", "C0", "C1", "C3")  # nothing more, contacts, both, contacts and both
-SCREENED = EQUAL[:-1]  # of the plan laws-links
 BEGIN, END = 75.0, 150.0  # ns, of the averages of the plan laws
 LINKS_BEGIN, LINKS_END = 50.0, 100.0  # of the plan laws-links
 BLOCKS = 5  # of the layer's depth
-BEST = "b contacts both"  # preset c
-RULES = ("now", "slid", "apart", "never")  # for worn contacts, beside unloaded
+BEST = "b contacts both"  # of the plan laws; with worn never preset c
 FOURFOLD = math.log(4.0)  # viscosity of thick over thin, E/sigma_0 of stiff over soft
 
 
@@ -63,13 +61,13 @@ def depth_of(members, window):
     return Mean(*layer.window([(at.time, at.depth) for at in layers], *window, BLOCKS))
 
 
-def scatter_at_equal(mu, equal):
+def scatter_at_equal(mu):
     """(root mean square of ln(mu/mean) over the conditions of equal kappas, its standard error)."""
-    logs = np.log([mu[c].value for c in equal])
+    logs = np.log([mu[c].value for c in EQUAL])
     away = logs - logs.mean()
     size = math.sqrt(np.mean(away**2))
-    error = math.sqrt(sum((d * mu[c].relative) ** 2 for d, c in zip(away, equal)))
-    return size, error / (len(equal) * size)
+    error = math.sqrt(sum((d * mu[c].relative) ** 2 for d, c in zip(away, EQUAL)))
+    return size, error / (len(EQUAL) * size)
 
 
 def distance(mu, paper):
@@ -93,9 +91,8 @@ def style_of_laws(name):
 
 
 def style_of_links(name):
-    """Colour and marker: when a worn contact may link again, and the criterion of breaking."""
-    colour = next((f"C{k}" for k, rule in enumerate(RULES) if rule in name), "0.5")
-    return dict(color=colour, **(dict(fmt="s", mfc="none") if "energy" in name else dict(fmt="o")))
+    """Colour: whether worn contacts link again, and at which stress welds break."""
+    return dict(fmt="o", color=f"C{('0.554' in name) + 2 * ('never' in name)}")
 
 
 def draw(sets, paper, conditions, style, picture):
@@ -113,8 +110,7 @@ def draw(sets, paper, conditions, style, picture):
             **style(name),
         )
     axes.axhline(1, color="k", ls="--", lw=1, label="Eq. 2")
-    if conditions[-1] in BESIDE:
-        axes.axvline(len(EQUAL) - 0.5, color="0.7", lw=1)
+    axes.axvline(len(EQUAL) - 0.5, color="0.7", lw=1)
     axes.set_xticks(range(len(conditions)), conditions)
     axes.set(ylabel=r"$\mu/\mu$(Eq. 2)", ylim=(0, None))
     axes.grid(alpha=0.3, axis="y")
@@ -122,42 +118,16 @@ def draw(sets, paper, conditions, style, picture):
     save_figure(figure, picture)
 
 
-def means(points, equal, window):
-    """Of each set {condition: mean of mu}, the same of the layer's depth, and {condition: mu of
-    Eq. 2}."""
+def means(points, window):
+    """Of each set {condition: mean of mu}, the same of the layer's depth (nm) in a window (ns), and
+    {condition: mu of Eq. 2}."""
     sets, depths, paper = {}, {}, {}
     for name, members in groups(points, set_of).items():
         found = groups(members, condition_of)
-        if missing := set(equal) - set(found):
-            raise Missing(f"laws '{name}': no run of condition '{min(missing)}'")
         sets[name] = {c: Mean(*mean_of(found[c])) for c in found}
         depths[name] = {c: depth_of(found[c], window) for c in found}
         paper |= {c: found[c][0]["mu_eq2"] for c in found}
     return sets, depths, paper
-
-
-def invariances(sets, depths, equal):
-    """Rows of the tables of mu and of the layer."""
-    mus, layers = [], []
-    for name, mu in sets.items():
-        size, error = scatter_at_equal(mu, equal)
-        mus.append(
-            [
-                name,
-                f"{100 * size:.1f} +- {100 * error:.1f} %",
-                with_error(*exponent(mu["thin"], mu["thick"])),
-                with_error(*exponent(mu["soft"], mu["stiff"])),
-            ]
-        )
-        depth = depths[name]
-        layers.append(
-            [
-                name,
-                f"{depth['base'].value:.1f} +- {depth['base'].error:.1f}",
-                with_error(*exponent(depth["thin"], depth["thick"])),
-            ]
-        )
-    return mus, layers
 
 
 def values_of(sets, paper, conditions):
@@ -174,21 +144,41 @@ def values_of(sets, paper, conditions):
     ]
 
 
-def laws(report, picture):
-    """Of each set of laws: the scatter at equal kappa1 and kappa2, the exponents of mu in the
-    viscosity and in E/sigma_0, of the layer's depth in the viscosity, mu of a third of the
-    roughness over that of the base, and the distance from Eq. 2 over all conditions; mu at each (-:
-    not run)."""
+def compared(points, window, style, picture):
+    """Draws the sets; tables of the scatter at equal kappa1 and kappa2, the exponents of mu in the
+    viscosity and in E/sigma_0, the distance from Eq. 2 over all conditions (-: not all were run),
+    the layer's depth, its exponent in the viscosity, mu of a third of the roughness over that of
+    the base; mu at each condition."""
     conditions = [*EQUAL, *BESIDE]
-    sets, depths, paper = means(report["report"]["points"], EQUAL, (BEGIN, END))
-    draw(sets, paper, conditions, style_of_laws, picture)
-    mus, layers = invariances(sets, depths, EQUAL)
-    for row, layer_row, mu in zip(mus, layers, sets.values()):
+    sets, depths, paper = means(points, window)
+    draw(sets, paper, conditions, style, picture)
+    mus, layers = [], []
+    for name, mu in sets.items():
+        if not set(EQUAL) <= set(mu):
+            continue
+        size, error = scatter_at_equal(mu)
         away = distance(mu, paper) if set(BESIDE) <= set(mu) else None
-        row.append(f"{100 * away[0]:.1f} +- {100 * away[1]:.1f} %" if away else "-")
-        smooth = mu["smooth"].value / mu["base"].value
-        error = smooth * math.hypot(mu["smooth"].relative, mu["base"].relative)
-        layer_row.append(f"{smooth:.2f} +- {error:.2f}")
+        depth, smooth = depths[name], mu["smooth"].value / mu["base"].value
+        smooth_error = smooth * math.hypot(mu["smooth"].relative, mu["base"].relative)
+        mus.append(
+            [
+                name,
+                f"{100 * size:.1f} +- {100 * error:.1f} %",
+                with_error(*exponent(mu["thin"], mu["thick"])),
+                with_error(*exponent(mu["soft"], mu["stiff"])),
+                f"{100 * away[0]:.1f} +- {100 * away[1]:.1f} %" if away else "-",
+            ]
+        )
+        layers.append(
+            [
+                name,
+                f"{depth['base'].value:.1f} +- {depth['base'].error:.1f}",
+                with_error(*exponent(depth["thin"], depth["thick"])),
+                f"{smooth:.2f} +- {smooth_error:.2f}",
+            ]
+        )
+    if not mus:
+        raise Missing(f"no set of laws has a run of each of {', '.join(EQUAL)}")
     return [
         *table(["mu of a set", "scatter", "n of eta", "n of E/sigma_0", "RMS from Eq. 2"], mus),
         "",
@@ -198,26 +188,12 @@ def laws(report, picture):
     ]
 
 
+def laws(report, picture):
+    """The sets of the plan laws."""
+    return compared(report["report"]["points"], (BEGIN, END), style_of_laws, picture)
+
+
 def links(report, picture):
-    """Preset c with each rule for worn contacts and each criterion of breaking: the scatter at
-    equal kappa1 and kappa2, the exponents; mu at each (-: not run)."""
-    points = [
-        p
-        for p in report["report"]["points"]
-        if set_of(p).startswith("c")
-        or (set_of(p) == BEST and "-seed1-" in run_name(p) and condition_of(p) in SCREENED)
-    ]
-    sets, depths, paper = means(points, SCREENED[:1], (LINKS_BEGIN, LINKS_END))
-    if BEST not in sets:
-        raise Missing(f"no run of laws '{BEST}' in the plan laws")
-    sets, depths = ({"c": found.pop(BEST), **found} for found in (sets, depths))
-    draw(sets, paper, SCREENED, style_of_links, picture)
-    whole = {name: mu for name, mu in sets.items() if set(SCREENED) <= set(mu)}
-    mus, layers = invariances(whole, depths, SCREENED)
-    return [
-        *table(["mu of a set", "scatter", "n of eta", "n of E/sigma_0"], mus),
-        "",
-        *table(["its layer", "depth, nm", "n of eta"], layers),
-        "",
-        *values_of(sets, paper, SCREENED),
-    ]
+    """The best of these sets, and the same with other laws of links, of the plan laws-links."""
+    points = [p for p in report["report"]["points"] if set_of(p).startswith(BEST)]
+    return compared(points, (LINKS_BEGIN, LINKS_END), style_of_links, picture)

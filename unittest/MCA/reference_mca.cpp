@@ -169,18 +169,11 @@ double stretched(double sigma, double twoG, double times, double squareBefore, d
   return sigma > 0 ? sigma - std::clamp(less, 0.0, sigma) : sigma - std::clamp(less, sigma, 0.0);
 }
 
-double wornKind(const mca::LawSet &laws, double kind, double next, double e, bool far, double slid)
+double wornKind(const mca::LawSet &laws, double kind, double next, bool far)
 {
-  const std::string rule = laws.worn.word();
-  if (rule == "unloaded")
+  if (kind != -1 || laws.worn.word() == "unloaded")
     return next;
-  if (kind > 0) // a link
-    return rule == "now" && next == -1 ? 0 : next;
-  if (kind == 0)
-    return next;
-  if (far || rule == "now" || (rule == "slid" && slid >= 1) || (rule == "apart" && e >= 0))
-    return 0;
-  return next == 1 && rule != "never" ? 1 : -1;
+  return far ? 0 : -1;
 }
 
 namespace {
@@ -486,10 +479,8 @@ void applyContact(Sample &s, Contact &c)
                          localStress(s, c, w, p)};
   c.next.kind =
       nextKind(s.laws, ma, mb, c.now.kind, p.sigma, p.tau, bulkBreaks(load), workOf(s, c, w));
-  const bool slides = s.laws.worn.word() == "slid" && c.now.kind == -1;
-  const double slid = slides ? c.now.gammaTotal + c.way / w.d : 0;
   const bool far = w.eps >= std::fmax(ma.breakingStrain, mb.breakingStrain);
-  c.next.kind = wornKind(s.laws, c.now.kind, c.next.kind, w.e, far, slid);
+  c.next.kind = wornKind(s.laws, c.now.kind, c.next.kind, far);
   if (flows(s, c, w))
     c.next.plastic += (p.trial - p.sigma) / twoG;
   c.next.gamma = p.tau / twoG;
@@ -497,8 +488,6 @@ void applyContact(Sample &s, Contact &c)
     c.next.gamma = c.next.gammaTotal = 0;
   if (!linked(c.next))
     c.next.gammaTotal = workOf(s, c, w);
-  if (slides)
-    c.next.gammaTotal = c.next.kind == -1 ? slid : 0;
   if (!linked(c.next) && w.eps > std::fmax(c.next.plastic, 0))
     c.next.plastic = 0;
   if (c.next.kind != c.now.kind)
@@ -535,7 +524,6 @@ void setOldSpeeds(const Sample &s, Contact &c, double dt)
   const Automaton &a = s.automata[c.i], &b = s.automata[c.j];
   c.speed = (b.vx - a.vx) * w.nx + (b.vy - a.vy) * w.ny;
   c.slip = (b.vx - a.vx) * w.tx + (b.vy - a.vy) * w.ty - w.r / 2 * (a.omega + b.omega);
-  c.way = std::abs(c.slip) * dt;
 }
 
 // the present ones, from the forces that the old ones make

@@ -39,7 +39,6 @@ struct Contact {
   State now, next;
   double speed = 0; ///< normal velocity of j seen from i that its viscosity sees
   double slip = 0;  ///< and of its surface along t
-  double way = 0;   ///< that this slides in the step, with the velocities of half a step ago
 };
 
 /// Automata beyond the first `owned` are periodic images: `owner` names their original, whose
@@ -109,10 +108,8 @@ double nextKind(const mca::LawSet &, const mca::Material &, const mca::Material 
                 double sigma, double tau, bool bulkBreaks, double work);
 
 /// The rule for worn contacts, in the place of what nextKind() says.
-/// \param e     elastic normal strain
-/// \param far   beyond the breaking distance of the tougher material
-/// \param slid  diameters slid since its link broke, this step included
-double wornKind(const mca::LawSet &, double kind, double next, double e, bool far, double slid);
+/// \param far  beyond the breaking distance of the tougher material
+double wornKind(const mca::LawSet &, double kind, double next, bool far);
 
 /// One evaluation of the laws: takes over the next state when dt > 0, moves the shear on by dt,
 /// then yielding, forces and the next state. Velocities are those of dt/2 before the positions.

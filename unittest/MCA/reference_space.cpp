@@ -273,17 +273,15 @@ void applyContact(Sample &s, Contact &c)
                          b.mean,
                          localStress(s, c, w, sigma, tau)};
   c.next.kind = nextKind(s.laws, ma, mb, c.now.kind, sigma, tau.norm(), bulkBreaks(load), work);
-  const bool slides = s.laws.worn.word() == "slid" && c.now.kind == -1;
-  const double slid = slides ? c.now.gammaTotal.x() + c.way / w.d : 0;
   const bool far = w.eps >= std::fmax(ma.breakingStrain, mb.breakingStrain);
-  c.next.kind = wornKind(s.laws, c.now.kind, c.next.kind, w.e, far, slid);
+  c.next.kind = wornKind(s.laws, c.now.kind, c.next.kind, far);
   if (flows(s, c, w))
     c.next.plastic += (trial - sigma) / twoG;
   c.next.gamma = tau / twoG;
   if (!linked(c.now) || !linked(c.next))
     c.next.gamma = c.next.gammaTotal = Vector3d::Zero();
   if (!linked(c.next))
-    c.next.gammaTotal.x() = slides && c.next.kind == -1 ? slid : work;
+    c.next.gammaTotal.x() = work;
   if (!linked(c.next) && w.eps > std::fmax(c.next.plastic, 0))
     c.next.plastic = 0;
   if (c.next.kind != c.now.kind)
@@ -331,7 +329,6 @@ void setOldSpeeds(const Sample &s, Contact &c, double dt)
 {
   const Automaton &a = s.automata[c.i], &b = s.automata[c.j];
   setSpeeds(c, view(s, c), b.v - a.v, a.omega + b.omega);
-  c.way = c.slip.norm() * dt;
 }
 
 // the present ones, from the forces that the old ones make

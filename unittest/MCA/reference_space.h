@@ -42,7 +42,6 @@ struct Contact {
   State now, next;
   double speed = 0;       ///< normal velocity of j seen from i that its viscosity sees
   Vector3d slip{0, 0, 0}; ///< and of its surface past that of i
-  double way = 0;         ///< that this slides in the step, with the velocities of half a step ago
 };
 
 /// Automata beyond the first `owned` are periodic images, as in the plane.

@@ -59,8 +59,9 @@ TEST(LawSet, Presets)
     EXPECT_FALSE(set.needsLocal());
   }
   expectSame(parsed({"preset", "c"}), c);
-  // c is b whose contacts flow, too, and resist slip
-  LawSet same = parsed({"preset", "b", "flow", "contacts", "viscosity", "both"});
+  // c is b whose contacts flow, too, resist slip and stay worn
+  LawSet same =
+      parsed({"preset", "b", "flow", "contacts", "viscosity", "both", "worn", "never"});
   same.preset = "c";
   expectSame(c, same);
   EXPECT_TRUE(c.flow.is(FlowLaw::Contacts));
@@ -94,8 +95,9 @@ TEST(LawSet, WordsOfRestartFilesAndLogs)
                                       "compressive_strength",
                                       "none"};
   EXPECT_EQ(parsed({"preset", "b"}).words(), b);
-  EXPECT_EQ(parsed({"preset", "b", "worn", "apart", "worn", "unloaded"}).words(), b);
-  EXPECT_THAT(parsed({"worn", "apart"}).words(), testing::IsSupersetOf({"worn", "apart"}));
+  EXPECT_EQ(parsed({"preset", "b", "worn", "never", "worn", "unloaded"}).words(), b);
+  EXPECT_THAT(parsed({}).words(), testing::IsSupersetOf({"worn", "never"}));
+  EXPECT_THAT(parsed({"worn", "unloaded"}).words(), testing::IsSupersetOf({"worn", "unloaded"}));
   EXPECT_EQ(parsed({"preset", "b", "flow", "contacts", "flow", "links"}).words(), b);
   EXPECT_THAT(parsed({}).words(), testing::IsSupersetOf({"flow", "contacts"}));
   EXPECT_THAT(parsed({"flow", "links"}).words(), testing::IsSupersetOf({"flow", "links"}));
@@ -109,7 +111,7 @@ TEST(LawSet, EachKeyword)
       {"viscosity", "none"},      {"viscosity", "normal"},  {"steps", "plain"},
       {"link", "1.25"},           {"link", "none"},       {"weld", "0.554"},
       {"heal", "none"},           {"heal", "2.35"},       {"link_work", "0.5"},
-      {"worn", "never"}};
+      {"worn", "unloaded"}};
   for (const auto &pair : choices)
     EXPECT_EQ(wordOf(parsed(pair), pair[0]), pair[1]);
   EXPECT_EQ(parsed({"link", "1.25"}).link.threshold().factor(), 1.25);
@@ -207,9 +209,6 @@ TEST(LawSet, HealingNeedsWelds)
 {
   EXPECT_THAT(problemOf({"weld", "none"}), HasSubstr("heal needs welds"));
   EXPECT_EQ(problemOf({"weld", "none", "heal", "none"}), "");
-  EXPECT_THAT(problemOf({"worn", "slid", "link_work", "0.5"}),
-              HasSubstr("worn, value slid, needs link_work none"));
-  EXPECT_EQ(problemOf({"worn", "apart", "link_work", "0.5"}), "");
 }
 
 TEST(LawSet, WordsReadBack)

@@ -14,7 +14,7 @@ const double strength = 92;
 
 LinkLimits limitsOf(const std::vector<std::string> &words = {})
 {
-  LawSet set;
+  LawSet set = LawSet::named("b");
   EXPECT_EQ(set.parse(words), "");
   return makePairLaw(set, steel(), steel(), 1.0).limits;
 }
@@ -28,7 +28,7 @@ double nextOf(double kind, double sigma, double tau, double eps, double gammaTot
   load.gammaTotal = gammaTotal;
   load.sigma = sigma;
   load.tau = tau;
-  return nextKind(kind, sigma, tau, bulkBreaks(limits, load), limits, worked);
+  return nextKind(kind, sigma, tau, eps, bulkBreaks(limits, load), limits, worked);
 }
 
 double below(double x)
@@ -132,7 +132,7 @@ TEST(Linking, NothingHealsThatWouldBreakAtOnce)
     EXPECT_EQ(nextOf(kind, -1e6, 0, above(c), 0, b), kind);
     EXPECT_EQ(nextOf(kind, -1e6, 0, 0, below(g), b), link::bulk);
     EXPECT_EQ(nextOf(kind, -1e6, 0, 0, above(g), b), kind);
-    EXPECT_EQ(nextKind(kind, -1e6, 0, true, b), kind); // whatever the criterion
+    EXPECT_EQ(nextKind(kind, -1e6, 0, 0, true, b), kind); // whatever the criterion
   }
 }
 
@@ -172,13 +172,26 @@ TEST(Linking, AWornContactIsUnloadedBeforeItLinksAgain)
   EXPECT_TRUE(link::isLinked(link::weld));
 }
 
+TEST(Linking, AWornContactThatNeverLinksIsForgottenAtTheBreakingStrain)
+{
+  const LinkLimits c = limitsOf({"worn", "never"});
+  const double most = steel().breakingStrain;
+  for (double sigma : {-1e6, -above(steel().sigmaY1()), 0.0}) {
+    EXPECT_EQ(nextOf(link::worn, sigma, 0, -0.01, 0, c), link::worn);
+    EXPECT_EQ(nextOf(link::worn, sigma, 0, below(most), 0, c), link::worn);
+  }
+  EXPECT_EQ(nextOf(link::worn, 0, 0, most, 0, c), link::none);
+  EXPECT_EQ(nextOf(link::worn, -1e6, 0, most, 0, c), link::none); // pressed all the same
+  EXPECT_EQ(nextOf(link::none, 0, 0, -0.01, 0, c), link::none);
+}
+
 TEST(Linking, LocalStressBreaksABulkLinkOnly)
 {
   const LinkLimits limits = limitsOf({"fracture", "equivalent"});
   EXPECT_EQ(nextOf(link::bulk, 0, 0, 0.3, 0.3, limits), link::bulk); // strain does not
-  EXPECT_EQ(nextKind(link::bulk, 0, 0, true, limits), link::worn);
-  EXPECT_EQ(nextKind(link::weld, 0, 0, true, limits), link::weld);
-  EXPECT_EQ(nextKind(link::none, 0, 0, true, limits), link::none);
+  EXPECT_EQ(nextKind(link::bulk, 0, 0, 0, true, limits), link::worn);
+  EXPECT_EQ(nextKind(link::weld, 0, 0, 0, true, limits), link::weld);
+  EXPECT_EQ(nextKind(link::none, 0, 0, 0, true, limits), link::none);
 }
 
 TEST(Linking, PlasticWorkLinksAsPressureDoes)

@@ -303,7 +303,7 @@ def test_automata_at_one_place(tmp_path):
 )
 def test_internal_fixes_that_are_gone(tmp_path, command, fix, use):
     computes = "compute state all mca/atom plastic links\ncompute e all mca/energy\n"
-    block = BLOCK.replace("pair_style mca", "pair_style mca worn slid")
+    block = BLOCK
     script = block + computes + f"thermo_style custom step c_e\nrun 10\n{command}\n{use}\n"
     result = fails(script, tmp_path, f"Fix {fix}, ", "is gone")
     assert result.rc > 0  # no signal

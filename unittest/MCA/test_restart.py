@@ -99,7 +99,7 @@ def test_continues_to_the_same_bits(written, tmp_path, ranks):
         "b steps plain",
         "b viscosity both",
         "b viscosity both steps plain",
-        "b worn slid",
+        "b worn never",
         "b plasticity j2 flow contacts",
     ],
 )

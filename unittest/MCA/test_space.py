@@ -342,7 +342,7 @@ def test_flow_dissipates(tmp_path):
 SLIP = "viscosity both"
 FURTHER = [
     SLIP,
-    "worn slid",
+    "worn unloaded",
     "flow contacts",
     "plasticity j2 flow contacts",
     "link none link_work 0.001",

@@ -502,9 +502,9 @@ INSTANTIATE_TEST_SUITE_P(Laws, StepTest,
                                          Case{3, {"plasticity", "j2", "flow", "contacts"}},
                                          Case{2, {"fracture", "equivalent"}},
                                          Case{2, {"plasticity", "none"}},
-                                         Case{2, {"viscosity", "both"}}, Case{2, {"worn", "slid"}},
+                                         Case{2, {"viscosity", "normal"}}, Case{2, {"preset", "b"}},
                                          Case{3, {}}, Case{3, {"steps", "plain"}},
-                                         Case{3, {"viscosity", "both"}}, Case{3, {"worn", "slid"}}),
+                                         Case{3, {"viscosity", "normal"}}, Case{3, {"preset", "b"}}),
                          name);
 
 TEST(EnergyAccount, ABreakingLinkPaysInTheStepInWhichItBreaks)

@@ -175,7 +175,7 @@ SHIPPED = {
     "temperature": 15,
     "space": 16,
     "laws": 120,
-    "laws-links": 63,
+    "laws-links": 54,
 }
 
 

@@ -9,7 +9,7 @@ namespace mca {
 LawTables::LawTables(const LawSet &laws, const std::vector<Material> &materials, double thickness,
                      const Packing &packing)
     : returnsTwice(laws.returnsTwice()), centresViscosity(laws.centresViscosity()),
-      resistsSlip(laws.resistsSlip()), seesSpins(laws.seesSpins()), worn(laws.worn),
+      resistsSlip(laws.resistsSlip()),
       keepsVolume(laws.keepsVolume()), needsLocal(laws.needsLocal())
 {
   for (const Material &m : materials) {

@@ -34,8 +34,6 @@ struct LawTables {
   bool returnsTwice = false;     ///< radial returns see those of the neighbours
   bool centresViscosity = false; ///< viscous contacts see the velocity of their step
   bool resistsSlip = false;      ///< viscosity acts along the tangent, too
-  bool seesSpins = false;        ///< a law sees slip, hence angular velocities
-  WornRule worn;                 ///< of contacts whose link broke
   bool keepsVolume = false;      ///< plasticity j2: passes of their own
   bool needsLocal = false;       ///< criteria of local stress or plastic work
 

@@ -3,7 +3,6 @@
 #include "step.h"
 
 #include "further_laws.h"
-#include "worn_contacts.h"
 
 #include <algorithm>
 
@@ -97,8 +96,6 @@ void Step::run(const Automata &a, double dt, bool advance)
   changing_ = kernel_->force(inside, laws, response, around, forces_.data());
   exchange_->finish(answers, row.length, row.answers);
   changing_ += kernel_->force(border, laws, response, around, forces_.data());
-  if (!laws_.worn.is(WornRule::Unloaded))
-    changing_ += applyWornRule(laws_.worn, links_.part(0, links_.size()), surfaces(), dt);
   if (laws_.resistsSlip)
     resistSlip();
   if (laws_.centresViscosity)
@@ -112,7 +109,7 @@ void Step::run(const Automata &a, double dt, bool advance)
 void Step::packMotion(const Automata &a, bool advance)
 {
   dimension() == 2 ? packPlane(a, advance) : packSpace(a, advance);
-  for (int m = 0; m < 3 && laws_.seesSpins && !advance; m++)
+  for (int m = 0; m < 3 && laws_.resistsSlip && !advance; m++)
     if (const double *lag = a.spinLag[m], *rest = a.spinRest[m]; lag)
       for (int i = 0; i < spin_.rows(); i++)
         spinOf(i, m) = spinOf(i, m) - lag[i] - rest[i];

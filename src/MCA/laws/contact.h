@@ -43,7 +43,6 @@ struct PairLaw {
   /// When links break, form and heal; strengths are those of the weaker material.
   LinkLimits limits;
   double invInertiaI, invInertiaJ; ///< 1/J of both sides [1/(mass length^2)]
-  double breakingStrain;           ///< eps_c of the tougher material [-]
   /// How many times its own damping a viscous contact takes at the new velocity [-]: 1; where it
   /// resists slip, so many that neighbours' dampings are in it, centredSlipShare in all.
   double centring;
@@ -157,7 +156,7 @@ inline double flowedStress(const PairLaw &law, double trial, double plastic, dou
   const double above = returned > 0.0 ? returned : 0.0, below = returned - above;
   const double less = law.twoG * stretch, most = less < above ? less : above;
   const double sigma = returned - (most > below ? most : below);
-  const double room = law.breakingStrain - plastic;
+  const double room = law.limits.breakingStrain - plastic;
   const double lowest = trial - law.twoG * (room > 0.0 ? room : 0.0);
   const double depth = plastic - collapseStrain;
   const double highest = trial + law.twoG * (depth > 0.0 ? depth : 0.0);
@@ -288,7 +287,8 @@ inline ContactStress contactStress(const PairLaw &law, const Contact &c, const A
 {
   const ElasticStresses s = elasticStresses(law, c, i, j);
   const bool bulkBreaks = breaks<Criterion>(linkLoad(law, c, s, i, j, face), law.limits.fracture);
-  return contactStress(law, c, s, nextKind(c.kind, s.sigma, s.tau, bulkBreaks, law.limits, worked));
+  return contactStress(
+      law, c, s, nextKind(c.kind, s.sigma, s.tau, c.eps, bulkBreaks, law.limits, worked));
 }
 
 /// The size of a shear by which laws decide: in the plane the signed number itself, of which

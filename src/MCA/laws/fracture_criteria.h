@@ -7,7 +7,6 @@
 #ifndef MCA_LAWS_FRACTURE_CRITERIA_H
 #define MCA_LAWS_FRACTURE_CRITERIA_H
 
-#include "fracture/by_energy.h"
 #include "fracture/by_local_stress.h"
 #include "fracture/by_strain.h"
 #include "fracture/by_stress.h"
@@ -50,7 +49,7 @@ struct CriterionList {
 /// The list. Its first one, by strain, is the default of keyword fracture.
 using FractureCriteria =
     CriterionList<FractureByStrain, FractureByStress, FractureByEquivalentStress,
-                  FractureByDruckerPrager, FractureByEnergy, FractureNever>;
+                  FractureByDruckerPrager, FractureNever>;
 // clang-format on
 
 } // namespace mca

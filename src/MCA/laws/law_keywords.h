@@ -91,8 +91,8 @@ using Steps = Choice<StepsWords>;
 /// The first of the transitions of linking.h, whose multiples are of the strength sigma_0 of the
 /// weaker material; "none" makes the limit infinite: nothing reaches it.
 ///
-/// Compression that links an unlinked contact: -sigma >= limit; a worn contact has to be unloaded
-/// below it first. The transition is ours, Bucher et al. leave it open; by default at the elastic
+/// Compression that links an unlinked contact: -sigma >= limit; of a worn contact keyword worn
+/// decides. The transition is ours, Bucher et al. leave it open; by default at the elastic
 /// limit sigma_y1 of the weaker material. Preset a: 2.35 sigma_0, fitted to the paper's friction at
 /// sigma_0 = 92 MPa.
 struct LinkWords {
@@ -134,17 +134,15 @@ struct HealWords {
 /// Keyword heal: "hardness" (default), a multiple of sigma_0 > 0, or "none".
 using HealLaw = ThresholdLaw<HealWords>;
 
-/// When a contact whose link broke is as good as one that never was linked: as soon as it is
-/// unloaded below the limit of keyword link (linking.h); now, in the step after the one that
-/// breaks; when its surfaces have slid by one diameter; when it is apart; or never. At the breaking
-/// distance it is forgotten by any rule. Until then it is worn, and links only by healing, if at
-/// all (worn_contacts.h). The rules are ours.
+/// When a contact whose link broke is as good as one that never was linked (linking.h): never, or
+/// as soon as it is unloaded below the limit of keyword link; until then it links only by healing,
+/// with never not at all. At the breaking distance it is forgotten by both rules, which are ours.
 struct WornWords {
   static constexpr const char *keyword = "worn";
-  enum Kind { Unloaded, Now, Slid, Apart, Never };
-  static constexpr Option options[] = {{"unloaded"}, {"now"}, {"slid"}, {"apart"}, {"never"}};
+  enum Kind { Never, Unloaded };
+  static constexpr Option options[] = {{"never"}, {"unloaded"}};
 };
-/// Keyword worn: "unloaded" (default), "now", "slid", "apart" or "never".
+/// Keyword worn: "never" (default) or "unloaded".
 using WornRule = Choice<WornWords>;
 
 /// Plastic work per volume that links an unlinked contact, beside pressure: a multiple of that up

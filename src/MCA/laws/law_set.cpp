@@ -77,10 +77,6 @@ std::string conflictIn(const LawSet &s)
   if (s.plane.is(PlaneCondition::Stress) && s.flows())
     return "keyword plane, value stress, needs plasticity none: the return of plasticity " +
            s.plasticity.word() + " is that of plane strain";
-  if (s.worn.is(WornRule::Slid) && !s.linkWork.isOff())
-    return "keyword worn, value slid, needs link_work none: a contact remembers one of both, how "
-           "far "
-           "it has slid or its plastic work";
   return s.fracture.problem();
 }
 
@@ -101,6 +97,7 @@ LawSet LawSet::named(const std::string &preset)
   if (preset == "a" || preset == "b") {
     set.flow = "links";
     set.viscosity = "normal";
+    set.worn = "unloaded";
   }
   if (preset == "a") {
     set.link = Threshold::times(2.35);
@@ -144,7 +141,8 @@ std::vector<std::string> LawSet::words() const
 {
   std::vector<std::string> all = {presets.name, preset};
   const auto isUsual = [&](const std::string &name) { // logs and restart files do not name it
-    return (name == WornRule::keyword && worn.is(WornRule::Unloaded)) ||
+    return (name == WornRule::keyword && worn.is(WornRule::Unloaded) &&
+            named(preset).worn.is(WornRule::Unloaded)) ||
            (name == FlowLaw::keyword && flow.is(FlowLaw::Links) &&
             named(preset).flow.is(FlowLaw::Links));
   };
@@ -199,6 +197,8 @@ static LinkLimits makeLinkLimits(const LawSet &set, const Material &i, const Mat
   limits.linkPressure = set.link.threshold().limit(strength, LinkLaw::stress(i, j));
   limits.healPressure = set.heal.threshold().limit(strength, HealLaw::stress(i, j));
   limits.linkedKind = set.weld.isOff() ? link::bulk : link::weld;
+  limits.unloads = set.worn.is(WornRule::Unloaded) ? 1.0 : 0.0;
+  limits.breakingStrain = std::max(i.breakingStrain, j.breakingStrain);
   limits.countsWork = set.linkWork.isOff() ? 0.0 : 1.0;
   limits.linkWork = set.linkWork.threshold().limit(std::min(workToStrength(i), workToStrength(j)));
   return limits;
@@ -225,7 +225,6 @@ PairLaw makePairLaw(const LawSet &set, const Material &i, const Material &j, dou
   law.invInertiaI = 1.0 / Cell{packing, i.diameter, thickness}.inertia(i.density);
   law.invInertiaJ = 1.0 / Cell{packing, j.diameter, thickness}.inertia(j.density);
   law.centring = set.resistsSlip() ? centredSlipShare / packing.ownSlipShare() : 1.0;
-  law.breakingStrain = std::max(i.breakingStrain, j.breakingStrain);
   law.limits = makeLinkLimits(set, i, j, packing.dimension);
   return law;
 }

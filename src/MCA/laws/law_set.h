@@ -69,7 +69,7 @@ struct LawSet {
   static std::vector<Keyword> keywords();
 
   /// Set "a" (one kind of link, at 2.35 sigma_0, no welds), set "b" (bulk links and welds) or set
-  /// "c" (b whose unlinked contacts flow and resist slip, the default); any other name gives the
+  /// "c" (b whose unlinked contacts flow, resist slip and stay worn, the default); any other name gives the
   /// laws of set c.
   static LawSet named(const std::string &preset);
 
@@ -97,9 +97,6 @@ struct LawSet {
 
   /// Whether their viscosity resists slip, too.
   bool resistsSlip() const { return viscosity.is(ViscosityLaw::Both); }
-
-  /// Whether a law sees the slip of surfaces, and with it angular velocities.
-  bool seesSpins() const { return resistsSlip() || worn.is(WornRule::Slid); }
 
   /// Whether a law needs more of both automata than their mean stress and return: their averaged
   /// stress and their plastic work in the step, RowLayout::Local, which cost a message between

@@ -51,6 +51,9 @@ struct LinkLimits {
   double linkPressure;     ///< [stress]: elastic compression that links an unlinked contact
   double healPressure;     ///< [stress]: ... that turns a weld or a worn contact into a bulk link
   double linkedKind;       ///< what an unlinked contact becomes: link::bulk or link::weld
+  double unloads;          ///< 1 where a worn contact may heal and is as good as others once it is
+                           ///< unloaded, 0 where it stays worn up to the breaking strain
+  double breakingStrain;   ///< eps_c of the tougher material [-]
   double countsWork;       ///< 1 where contacts link by plastic work, too, else 0
   double linkWork;         ///< [stress]: plastic work per volume of its automata while they were
                            ///< pressed together that links an unlinked contact
@@ -59,15 +62,17 @@ struct LinkLimits {
 /// The kind of a pair after a step.
 ///
 /// An unlinked contact links when its pressure *reaches* linkPressure: one that is still above it
-/// when its link breaks is worn: it has to be unloaded first, or be pressed on to healPressure.
-/// Were it free to link again at once, a sliding weld would break and form every few steps, and
+/// when its link breaks is worn: it has to be unloaded first, or be pressed on to healPressure, or
+/// by the rule "never" be apart by the breaking strain, at which it is forgotten by any rule. Were
+/// it free to link again at once, a sliding weld would break and form every few steps, and
 /// friction would depend on the step. For the same reason nothing heals that would break as a bulk
 /// link at once.
 /// \param kind        kind during the step
 /// \param sigma,tau   elastic stresses of the contact, after plastic return [stress]
+/// \param eps         its normal strain [-]
 /// \param bulkBreaks  it would break as a bulk link; see breaks() of fracture.h
 /// \param worked      the plastic work reaches linkWork
-inline double nextKind(double kind, double sigma, double tau, bool bulkBreaks,
+inline double nextKind(double kind, double sigma, double tau, double eps, bool bulkBreaks,
                        const LinkLimits &limit, bool worked = false)
 {
   const bool weldBreaks = linkIntensity2(sigma, tau) >= limit.weldIntensity2;
@@ -77,9 +82,12 @@ inline double nextKind(double kind, double sigma, double tau, bool bulkBreaks,
   const double ifHealing = heals ? link::bulk : link::weld;
   const double ifWeld = weldBreaks ? link::worn : ifHealing;
   const double ifLinked = kind == link::bulk ? ifBulk : ifWeld;
-  const double ifWorn = heals ? link::bulk : link::worn;
-  const double ifPressed = kind == link::worn ? ifWorn : limit.linkedKind;
-  const double ifUnlinked = pressed ? ifPressed : link::none;
+  const bool unloads = limit.unloads > 0.0;
+  const double ifKept = unloads & heals ? link::bulk : link::worn;
+  const bool stays = unloads ? pressed : eps < limit.breakingStrain;
+  const double ifWorn = stays ? ifKept : link::none;
+  const double ifFresh = pressed ? limit.linkedKind : link::none;
+  const double ifUnlinked = kind == link::worn ? ifWorn : ifFresh;
   return kind > link::none ? ifLinked : ifUnlinked;
 }
 
