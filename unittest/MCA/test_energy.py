@@ -236,7 +236,7 @@ def test_first_script_of_the_readme(ranks, tmp_path):
             ranks=ranks,
         )
     )
-    assert a["step"][-1] == 2000 and a["dissipated"][-1] > 0 and a["work"][-1] > 0
+    assert a["step"][-1] == 2500 and a["dissipated"][-1] > 0 and a["work"][-1] > 0
     assert np.abs(a["error"][1:]).max() < 1e-6 * a["work"][-1]
 
 

@@ -30,7 +30,16 @@ dump_modify links {named(LINKS, "links")}
 run 300
 mca_links write middle.data
 """
-    lmp("in.fragments", folder, data=fragments, fall=50, steps=100, every=100, extra=output)
+    lmp(
+        "in.fragments",
+        folder,
+        data=fragments,
+        style="mca preset b",
+        fall=50,
+        steps=100,
+        every=100,
+        extra=output,
+    )
     return folder
 
 
@@ -72,7 +81,8 @@ def test_damage_counts_original_links(written, fragments, tmp_path, ranks):
     )[1:]
     assert frame["damage"] == pytest.approx(1 - left / made, abs=1e-5)
     assert (~whole).sum() > 5
-    lmp("in.fragments", tmp_path, data=fragments, fall=50, steps=400, every=400, ranks=ranks)
+    more = dict(style="mca preset b", fall=50, steps=400, every=400, ranks=ranks)
+    lmp("in.fragments", tmp_path, data=fragments, **more)
     again = dump(tmp_path / "state.dump")[-1][1]
     assert again["c_state[9]"] == pytest.approx(frame["damage"], abs=1e-5)
 
@@ -88,7 +98,7 @@ atom_style {style}
 timestep 5e-5
 read_data {data}
 {bonds}
-pair_style mca
+pair_style mca preset b
 pair_coeff * * steel.mca
 pair_coeff 2 2 steel.mca strength 138 youngs_modulus 150000
 neighbor 0.4 bin

@@ -38,4 +38,17 @@ def test_sets_tell_their_invariances(tmp_path):
     for name in {run.name for run in runs if run.name.startswith("soft")}:
         (folder / f"{name}.friction").unlink()
     done = reproduce(tmp_path, "laws")
-    assert done.returncode == 3 and "no run of condition 'soft'" in done.stderr
+    assert done.returncode == 3 and "no set of laws has a run of each of base, thin" in done.stderr
+
+
+def test_laws_of_links_stand_beside_the_best_set(tmp_path):
+    """Sets of which not all conditions were run are in the tables of mu alone."""
+    for plan in ("laws", "laws-links"):
+        profiles(*logs(tmp_path, plan, ns=150), lambda run, part: (3, 6), frames=30)
+    text = made(tmp_path, "laws-links", reproduce(tmp_path, "laws-links"))
+    first, _, third, _ = text.split("\n\n")
+    for name in ("b contacts both", "b contacts both never", "b contacts both 0.554"):
+        assert line(first, f"{name}  ")[0] < 1 and len(line(third, f"{name}  ")) == 9
+    crossed = "b contacts both 0.554 never  "
+    assert crossed not in first and len(line(third, crossed)) == 4
+    assert "j2" not in text
