@@ -279,21 +279,14 @@ def collapse(report, picture):
         errors,
         picture,
         "friction coefficient $\\mu$",
-        [
-            (mean, dict(color="C1"), "their mean"),
-            (paper, dict(color="k", ls="--"), "Eq. 2"),
-        ],
+        [(mean, dict(color="C1"), "their mean"), (paper, dict(color="k", ls="--"), "Eq. 2")],
         (mean * (1 - PAPER_COLLAPSE), mean * (1 + PAPER_COLLAPSE), "$\\pm$ 3.5 % (paper)"),
     )
     scatter, own = scatter_of(mu, errors)
     rows = [
         ["scatter of mu (standard deviation)", f"{100 * PAPER_COLLAPSE:.1f} %", f"{scatter:.1f} %"],
         ["  what the errors of the means explain", "", f"{own:.1f} %"],
-        [
-            "mean mu",
-            f"{paper:.3f}",
-            f"{mean:.3f} +- {np.std(mu, ddof=1) / math.sqrt(len(mu)):.3f}",
-        ],
+        ["mean mu", f"{paper:.3f}", f"{mean:.3f} +- {np.std(mu, ddof=1) / math.sqrt(len(mu)):.3f}"],
     ]
     if len(mu) > 3:
         rows += power_rows(first.values(), mu)
@@ -312,9 +305,7 @@ def power_rows(points, mu):
     left = np.sum((y - matrix @ found) ** 2) / (len(y) - 3)
     errors = np.sqrt(np.diag(left * np.linalg.inv(matrix.T @ matrix)))
     names = ("mu ~ (E/sigma_0)^n: n", "mu ~ (eta v/(d sigma_0))^n: n")
-    return [
-        [name, "0", f"{n:+.2f} +- {error:.2f}"] for name, n, error in zip(names, found, errors)
-    ]
+    return [[name, "0", f"{n:+.2f} +- {error:.2f}"] for name, n, error in zip(names, found, errors)]
 
 
 def size_of(run):
@@ -379,12 +370,8 @@ FIGURES = {
         ["--grinding-in", "100", *START],
     ),
     "fig6": Figure(f"Fig. 6: mu against velocity, {FROM}", ["velocity"], fig6, START),
-    "ageing": Figure(
-        "Ageing: mu against time", ["velocity", "pressure", "paper36"], ageing.ageing
-    ),
-    "collapse": Figure(
-        "Equal kappa1 and kappa2, from 50 ns on", ["collapse10"], collapse, ["--start", "50"]
-    ),
+    "ageing": Figure("Ageing: mu against time", ["velocity", "pressure", "paper36"], ageing.ageing),
+    "collapse": Figure(f"Equal kappa1 and kappa2, {FROM}", ["collapse10"], collapse, START),
     "fig7": Figure(f"Figs. 7 and 8: the law, {FROM}", ["paper36"], fig7, START),
     "steel": Figure(
         f"The law of one material, E = 206 GPa and sigma_0 = 92 MPa, {FROM}",

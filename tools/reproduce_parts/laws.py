@@ -20,7 +20,7 @@ COLOURS = ("0.5", "C0", "C1", "C3")  # nothing more, contacts, both, contacts an
 BEGIN, END = 75.0, 150.0  # ns, of the averages of the plan laws
 LINKS_BEGIN, LINKS_END = 50.0, 100.0  # of the plan laws-links
 BLOCKS = 5  # of the layer's depth
-BEST = "b contacts both"  # of the plan laws; with worn never preset c
+BEST = "b contacts both"  # of the plan laws; with weld 0.554 preset c
 FOURFOLD = math.log(4.0)  # viscosity of thick over thin, E/sigma_0 of stiff over soft
 
 

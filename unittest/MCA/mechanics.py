@@ -354,7 +354,7 @@ region box block -6 {columns * D + 10} -6 {rows * ROW + 6} -0.5 0.5 units box
 create_box 1 box
 region body block -0.1 {columns * D - 0.6} -0.1 {rows * ROW - 0.1} -0.5 0.5 units box
 create_atoms 1 region body
-pair_style mca viscosity none {laws}
+pair_style mca preset b viscosity none {laws}
 pair_coeff * * {file}
 neighbor 0.4 bin
 neigh_modify every 1 delay 0 check yes

@@ -148,13 +148,13 @@ double nextKind(const mca::LawSet &laws, const mca::Material &ma, const mca::Mat
   const bool heals = -sigma >= times(laws.heal, strength, hardness) && !bulkBreaks;
   if (kind == 1)
     return bulkBreaks ? -1 : 1;
+  const double limitOfElasticity =
+      std::fmin(ma.elasticLimit * ma.strength, mb.elasticLimit * mb.strength);
   if (kind == 2) {
-    if (intensityOf(sigma, tau) >= times(laws.weld, strength, 0))
+    if (intensityOf(sigma, tau) >= times(laws.weld, strength, limitOfElasticity))
       return -1;
     return heals ? 1 : 2;
   }
-  const double limitOfElasticity =
-      std::fmin(ma.elasticLimit * ma.strength, mb.elasticLimit * mb.strength);
   const double enough = times(laws.linkWork, std::fmin(workToStrength(ma), workToStrength(mb)), 0);
   if (-sigma < times(laws.link, strength, limitOfElasticity) && work < enough)
     return 0;

@@ -128,8 +128,9 @@ TEST_P(KernelTest, EqualsTheReferenceWithEachLawSwitched)
       {"viscosity", "none"},
       {"viscosity", "both"},
       {"viscosity", "both", "steps", "plain"},
-      {"worn", "unloaded"},
+      {"worn", "never"},
       {"worn", "never", "link_work", "0.001"},
+      {"weld", "1"},
       {"preset", "b"},
       {"steps", "corrected"},
       {"steps", "corrected", "viscosity", "none"},
@@ -215,7 +216,6 @@ TEST_P(KernelTest, KeptListFollowsTheReference)
   // a linked block, so large that whole blocks of pairs stay elastic, that is sheared and torn
   // apart at one end: links flow, break, touch and weld
   Sample slow = hexagonalBlock(steel(), 40, 30, 1, 1.3);
-  slow.laws.worn = "unloaded";
   for (auto &c : slow.contacts) {
     const Automaton &a = slow.automata[c.i], &b = slow.automata[c.j];
     if (std::hypot(b.x - a.x, b.y - a.y) > 1.1 * 2.5)

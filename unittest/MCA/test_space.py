@@ -339,7 +339,7 @@ def test_flow_dissipates(tmp_path):
     assert np.abs(t["c_energy"][1:]).max() < 1e-4 * (plastic + fracture + viscous)[-1]
 
 
-SLIP = "flow contacts viscosity both worn never"  # preset c
+SLIP = "flow contacts viscosity both weld elastic_limit"  # preset c
 FURTHER = [
     SLIP,
     "worn never",

@@ -504,7 +504,8 @@ INSTANTIATE_TEST_SUITE_P(Laws, StepTest,
                                          Case{2, {"plasticity", "none"}},
                                          Case{2, {"viscosity", "normal"}}, Case{2, {"preset", "b"}},
                                          Case{3, {}}, Case{3, {"steps", "plain"}},
-                                         Case{3, {"viscosity", "normal"}}, Case{3, {"preset", "b"}}),
+                                         Case{3, {"viscosity", "normal"}},
+                                         Case{3, {"preset", "b"}}),
                          name);
 
 TEST(EnergyAccount, ABreakingLinkPaysInTheStepInWhichItBreaks)

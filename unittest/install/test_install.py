@@ -134,7 +134,7 @@ def test_python(tree, tmp_path):
     words = (sys.executable, "-c", f"import sys; sys.path.append(sys.argv[1])\n{code}")
     run("bash", "-c", source, "-", *words, share / "examples/python", folder=tmp_path)
     series = np.load(tmp_path / "series.npy")
-    assert series.shape == (100, 3)
+    assert series.shape == (125, 3)
     time, tau, mu = series.T
     assert time == pytest.approx(np.arange(1, 101) * 0.005)
     assert mu == pytest.approx(tau / 15)

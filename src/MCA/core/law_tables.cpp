@@ -9,8 +9,8 @@ namespace mca {
 LawTables::LawTables(const LawSet &laws, const std::vector<Material> &materials, double thickness,
                      const Packing &packing)
     : returnsTwice(laws.returnsTwice()), centresViscosity(laws.centresViscosity()),
-      resistsSlip(laws.resistsSlip()),
-      keepsVolume(laws.keepsVolume()), needsLocal(laws.needsLocal())
+      resistsSlip(laws.resistsSlip()), keepsVolume(laws.keepsVolume()),
+      needsLocal(laws.needsLocal())
 {
   for (const Material &m : materials) {
     automata.push_back(makeAutomatonLaw(laws, m, packing));

@@ -287,8 +287,8 @@ inline ContactStress contactStress(const PairLaw &law, const Contact &c, const A
 {
   const ElasticStresses s = elasticStresses(law, c, i, j);
   const bool bulkBreaks = breaks<Criterion>(linkLoad(law, c, s, i, j, face), law.limits.fracture);
-  return contactStress(
-      law, c, s, nextKind(c.kind, s.sigma, s.tau, c.eps, bulkBreaks, law.limits, worked));
+  return contactStress(law, c, s,
+                       nextKind(c.kind, s.sigma, s.tau, c.eps, bulkBreaks, law.limits, worked));
 }
 
 /// The size of a shear by which laws decide: in the plane the signed number itself, of which

@@ -108,14 +108,17 @@ struct LinkWords {
 /// Keyword link: "elastic_limit" (default), a multiple of sigma_0 > 0, or "none".
 using LinkLaw = ThresholdLaw<LinkWords>;
 
-/// Strength of welds: max(sigma, 0)^2 + 3 tau^2 reaches the square of this multiple of sigma_0, by
-/// default of 1; ours. Off: contacts become bulk links at once, and keyword heal has to be off,
-/// too, which LawSet::parse() sees to. Preset a has it off.
+/// Strength of welds: max(sigma, 0)^2 + 3 tau^2 reaches the square of this stress, by default of
+/// the elastic limit sigma_y1 of the weaker material, at which they form, too; ours. Preset b: of
+/// the strength. Off: contacts become bulk links at once, and keyword heal has to be off, too,
+/// which LawSet::parse() sees to. Preset a has it off.
 struct WeldWords {
-  static constexpr const char *keyword = "weld", *materialStress = nullptr;
-  static Threshold initial() { return Threshold::times(1.0); }
+  static constexpr const char *keyword = "weld", *materialStress = "elastic_limit";
+  static Threshold initial() { return Threshold::ofMaterial(); }
+  /// As of keyword link [stress].
+  static double stress(const Material &i, const Material &j) { return LinkWords::stress(i, j); }
 };
-/// Keyword weld: a multiple of sigma_0 > 0 (default 1), or "none".
+/// Keyword weld: "elastic_limit" (default), a multiple of sigma_0 > 0, or "none".
 using WeldLaw = ThresholdLaw<WeldWords>;
 
 /// Compression that turns a weld or a worn contact into a bulk link, by default the hardness; ours.
@@ -134,15 +137,15 @@ struct HealWords {
 /// Keyword heal: "hardness" (default), a multiple of sigma_0 > 0, or "none".
 using HealLaw = ThresholdLaw<HealWords>;
 
-/// When a contact whose link broke is as good as one that never was linked (linking.h): never, or
-/// as soon as it is unloaded below the limit of keyword link; until then it links only by healing,
+/// When a contact whose link broke is as good as one that never was linked (linking.h): as soon as
+/// it is unloaded below the limit of keyword link, or never; until then it links only by healing,
 /// with never not at all. At the breaking distance it is forgotten by both rules, which are ours.
 struct WornWords {
   static constexpr const char *keyword = "worn";
-  enum Kind { Never, Unloaded };
-  static constexpr Option options[] = {{"never"}, {"unloaded"}};
+  enum Kind { Unloaded, Never };
+  static constexpr Option options[] = {{"unloaded"}, {"never"}};
 };
-/// Keyword worn: "never" (default) or "unloaded".
+/// Keyword worn: "unloaded" (default) or "never".
 using WornRule = Choice<WornWords>;
 
 /// Plastic work per volume that links an unlinked contact, beside pressure: a multiple of that up

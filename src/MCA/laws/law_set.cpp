@@ -97,7 +97,7 @@ LawSet LawSet::named(const std::string &preset)
   if (preset == "a" || preset == "b") {
     set.flow = "links";
     set.viscosity = "normal";
-    set.worn = "unloaded";
+    set.weld = Threshold::times(1.0);
   }
   if (preset == "a") {
     set.link = Threshold::times(2.35);
@@ -141,8 +141,7 @@ std::vector<std::string> LawSet::words() const
 {
   std::vector<std::string> all = {presets.name, preset};
   const auto isUsual = [&](const std::string &name) { // logs and restart files do not name it
-    return (name == WornRule::keyword && worn.is(WornRule::Unloaded) &&
-            named(preset).worn.is(WornRule::Unloaded)) ||
+    return (name == WornRule::keyword && worn.is(WornRule::Unloaded)) ||
            (name == FlowLaw::keyword && flow.is(FlowLaw::Links) &&
             named(preset).flow.is(FlowLaw::Links));
   };
@@ -189,7 +188,7 @@ static LinkLimits makeLinkLimits(const LawSet &set, const Material &i, const Mat
   const LinkMaterials materials = {i,         j,  elasticModuli(set, i), elasticModuli(set, j),
                                    dimension, 1.0};
   const double strength = materials.strength();
-  const double weld = set.weld.threshold().limit(strength);
+  const double weld = set.weld.threshold().limit(strength, WeldLaw::stress(i, j));
   LinkLimits limits;
   limits.fracture = set.fracture.limits(materials);
   limits.criterion = set.fracture.number();
