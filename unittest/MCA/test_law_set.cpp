@@ -60,7 +60,8 @@ TEST(LawSet, Presets)
   }
   expectSame(parsed({"preset", "c"}), c);
   // c is b whose contacts flow, too, and resist slip, and whose welds break where they form
-  LawSet same = parsed({"preset", "b", "flow", "contacts", "viscosity", "both", "weld", "elastic_limit"});
+  LawSet same =
+      parsed({"preset", "b", "flow", "contacts", "viscosity", "both", "weld", "elastic_limit"});
   same.preset = "c";
   expectSame(c, same);
   EXPECT_TRUE(c.flow.is(FlowLaw::Contacts));
@@ -248,7 +249,7 @@ TEST(LawSet, PairOfUnlikeMaterials)
   EXPECT_DOUBLE_EQ(law.viscosity, 210);
   EXPECT_EQ(law.limits.criterion, 0);
   EXPECT_DOUBLE_EQ(law.limits.fracture.value[0], 0.04 * 0.04); // the weaker one decides
-  EXPECT_DOUBLE_EQ(law.limits.weldIntensity2, 92.0 * 92.0);
+  EXPECT_DOUBLE_EQ(law.limits.weldIntensity2, law.limits.linkPressure * law.limits.linkPressure);
   EXPECT_DOUBLE_EQ(law.limits.linkPressure, 0.3 * 92);
   EXPECT_DOUBLE_EQ(law.limits.healPressure, 3.0 * 0.870 * 92);
   EXPECT_EQ(law.limits.linkedKind, mca::link::weld);

@@ -19,7 +19,7 @@ HEAD = "format: mca-campaign 1\n"
 PLAN = (
     HEAD
     + """title: three runs
-defaults: {ns: 2, row: 0.05, checkpoint: 0.2}
+defaults: {laws: b, ns: 2, row: 0.05, checkpoint: 0.2}
 runs:
   - {v: [2, 5], seed: 7}
   - {name: soft, strength: 60}

@@ -18,7 +18,7 @@ def plan(tmp_path):
 def finished(tmp_path_factory):
     """A finished run, and its plan; copied before it is damaged."""
     top = tmp_path_factory.mktemp("finished")
-    (top / "plan.yaml").write_text(HEAD + "runs: [{name: a, ns: 2}]\n")
+    (top / "plan.yaml").write_text(HEAD + "runs: [{name: a, laws: b, ns: 2}]\n")
     assert campaign("run", top / "plan.yaml", "-o", top / "out").returncode == 0
     return top
 

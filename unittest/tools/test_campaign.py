@@ -267,7 +267,7 @@ def test_input_script_is_not_changed_on_the_way(plan, tmp_path):
 def test_a_run_does_not_go_on_from_a_damaged_log(tmp_path, damage, why):
     """Said, and made again from its beginning."""
     path, out = tmp_path / "plan.yaml", tmp_path / "out"
-    path.write_text(HEAD + "runs: [{name: a, ns: 2, checkpoint: 0.2}]\n")
+    path.write_text(HEAD + "runs: [{name: a, laws: b, ns: 2, checkpoint: 0.2}]\n")
     assert campaign("run", path, "-o", out).returncode == 0
     log, part = out / "a" / "run.friction", out / "a" / "run.friction.part"
     whole = log.read_text()
@@ -403,7 +403,8 @@ def test_bad_surroundings(plan, tmp_path):
 def test_real_run_goes_on_after_a_kill(tmp_path):
     path = tmp_path / "plan.yaml"
     path.write_text(
-        HEAD + "defaults: {columns: 12, rows: 12, roughness: 1, row: 0.01, checkpoint: 0.1}\n"
+        HEAD
+        + "defaults: {laws: b, columns: 12, rows: 12, roughness: 1, row: 0.01, checkpoint: 0.1}\n"
         "runs: [{name: tiny, ns: 0.6}]\n"
     )
     env = environment(MCAWR_LMP=str(REAL))

@@ -69,8 +69,8 @@ struct LawSet {
   static std::vector<Keyword> keywords();
 
   /// Set "a" (one kind of link, at 2.35 sigma_0, no welds), set "b" (bulk links and welds) or set
-  /// "c" (b whose unlinked contacts flow and resist slip and whose welds are weaker, the default); any other name
-  /// gives the laws of set c.
+  /// "c" (b whose unlinked contacts flow and resist slip and whose welds are weaker, the default);
+  /// any other name gives the laws of set c.
   static LawSet named(const std::string &preset);
 
   /// Takes keyword-value pairs as given to pair_style; a preset resets all that stands before it.
