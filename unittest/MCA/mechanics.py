@@ -354,7 +354,7 @@ region box block -6 {columns * D + 10} -6 {rows * ROW + 6} -0.5 0.5 units box
 create_box 1 box
 region body block -0.1 {columns * D - 0.6} -0.1 {rows * ROW - 0.1} -0.5 0.5 units box
 create_atoms 1 region body
-pair_style mca preset b viscosity none {laws}
+pair_style mca viscosity none {laws}
 pair_coeff * * {file}
 neighbor 0.4 bin
 neigh_modify every 1 delay 0 check yes
@@ -586,7 +586,7 @@ def pair_events(folder, cases, laws, phases_steps, model):
         + f"""boundary s s p
 region box block -10 30 -10 {20 * len(cases)} -0.5 0.5 units box
 create_box 1 box
-pair_style mca cutoff 3.5 viscosity none plasticity none {laws}
+pair_style mca cutoff 3.5 preset b viscosity none plasticity none {laws}
 pair_coeff * * steel.mca
 neighbor 0.4 bin
 neigh_modify every 1 delay 0 check yes

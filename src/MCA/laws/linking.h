@@ -83,7 +83,7 @@ inline double nextKind(double kind, double sigma, double tau, double eps, bool b
   const double ifWeld = weldBreaks ? link::worn : ifHealing;
   const double ifLinked = kind == link::bulk ? ifBulk : ifWeld;
   const bool unloads = limit.unloads > 0.0;
-  const double ifKept = unloads & heals ? link::bulk : link::worn;
+  const double ifKept = (unloads & heals) ? link::bulk : link::worn;
   const bool stays = unloads ? pressed : eps < limit.breakingStrain;
   const double ifWorn = stays ? ifKept : link::none;
   const double ifFresh = pressed ? limit.linkedKind : link::none;
