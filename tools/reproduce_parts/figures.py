@@ -370,7 +370,9 @@ FIGURES = {
         ["--grinding-in", "100", *START],
     ),
     "fig6": Figure(f"Fig. 6: mu against velocity, {FROM}", ["velocity"], fig6, START),
-    "ageing": Figure("Ageing: mu against time", ["velocity", "pressure", "paper36"], ageing.ageing),
+    "ageing": Figure(
+        "Ageing: mu against time", ["velocity", "pressure", "collapse10", "paper36"], ageing.ageing
+    ),
     "collapse": Figure(f"Equal kappa1 and kappa2, {FROM}", ["collapse10"], collapse, START),
     "fig7": Figure(f"Figs. 7 and 8: the law, {FROM}", ["paper36"], fig7, START),
     "steel": Figure(

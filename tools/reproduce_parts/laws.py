@@ -16,6 +16,7 @@ from .common import Missing, run_name, table
 
 EQUAL = ("base", "thin", "thick", "soft", "stiff", "smooth")  # kappa1 = 2.571, kappa2 = 123.6
 BESIDE = ("slow", "dense", "strong")
+CONDITIONS = (*EQUAL, *BESIDE)
 COLOURS = ("0.5", "C0", "C1", "C3")  # nothing more, contacts, both, contacts and both
 BEGIN, END = 75.0, 150.0  # ns, of the averages of the plan laws
 LINKS_BEGIN, LINKS_END = 50.0, 100.0  # of the plan laws-links
@@ -95,15 +96,15 @@ def style_of_links(name):
     return dict(fmt="o", color=f"C{('0.554' in name) + 2 * ('never' in name)}")
 
 
-def draw(sets, paper, conditions, style, picture):
+def draw(sets, paper, style, picture):
     """mu over Eq. 2 at each condition, a row of points for each set."""
     figure, axes = pyplot.subplots(figsize=(10, 5), constrained_layout=True)
     for k, (name, mu) in enumerate(sets.items()):
-        x = np.arange(len(conditions)) + 0.1 * (k - 0.5 * (len(sets) - 1))
+        x = np.arange(len(CONDITIONS)) + 0.1 * (k - 0.5 * (len(sets) - 1))
         axes.errorbar(
             x,
-            [mu[c].value / paper[c] if c in mu else math.nan for c in conditions],
-            yerr=[mu[c].error / paper[c] if c in mu else math.nan for c in conditions],
+            [mu[c].value / paper[c] if c in mu else math.nan for c in CONDITIONS],
+            yerr=[mu[c].error / paper[c] if c in mu else math.nan for c in CONDITIONS],
             ms=5,
             capsize=2,
             label=name,
@@ -111,7 +112,7 @@ def draw(sets, paper, conditions, style, picture):
         )
     axes.axhline(1, color="k", ls="--", lw=1, label="Eq. 2")
     axes.axvline(len(EQUAL) - 0.5, color="0.7", lw=1)
-    axes.set_xticks(range(len(conditions)), conditions)
+    axes.set_xticks(range(len(CONDITIONS)), CONDITIONS)
     axes.set(ylabel=r"$\mu/\mu$(Eq. 2)", ylim=(0, None))
     axes.grid(alpha=0.3, axis="y")
     axes.legend(fontsize=9, ncols=5, loc="lower center")
@@ -130,17 +131,17 @@ def means(points, window):
     return sets, depths, paper
 
 
-def values_of(sets, paper, conditions):
+def values_of(sets, paper):
     """Lines of the tables of mu and of its standard error at each condition."""
     values, errors = [], []
     for name, mu in sets.items():
-        values.append([name, *(f"{mu[c].value:.3f}" if c in mu else "-" for c in conditions)])
-        errors.append([name, *(f"{mu[c].error:.3f}" if c in mu else "-" for c in conditions)])
-    values.append(["Eq. 2", *(f"{paper[c]:.3f}" if c in paper else "-" for c in conditions)])
+        values.append([name, *(f"{mu[c].value:.3f}" if c in mu else "-" for c in CONDITIONS)])
+        errors.append([name, *(f"{mu[c].error:.3f}" if c in mu else "-" for c in CONDITIONS)])
+    values.append(["Eq. 2", *(f"{paper[c]:.3f}" if c in paper else "-" for c in CONDITIONS)])
     return [
-        *table(["mu", *conditions], values),
+        *table(["mu", *CONDITIONS], values),
         "",
-        *table(["its standard error", *conditions], errors),
+        *table(["its standard error", *CONDITIONS], errors),
     ]
 
 
@@ -149,9 +150,8 @@ def compared(points, window, style, picture):
     viscosity and in E/sigma_0, the distance from Eq. 2 over all conditions (-: not all were run),
     the layer's depth, its exponent in the viscosity, mu of a third of the roughness over that of
     the base; mu at each condition."""
-    conditions = [*EQUAL, *BESIDE]
     sets, depths, paper = means(points, window)
-    draw(sets, paper, conditions, style, picture)
+    draw(sets, paper, style, picture)
     mus, layers = [], []
     for name, mu in sets.items():
         if not set(EQUAL) <= set(mu):
@@ -184,7 +184,7 @@ def compared(points, window, style, picture):
         "",
         *table(["its layer", "depth, nm", "n of eta", "mu smooth/base"], layers),
         "",
-        *values_of(sets, paper, conditions),
+        *values_of(sets, paper),
     ]
 
 

@@ -223,6 +223,7 @@ def test_ageing_is_the_power_of_time(tmp_path):
     for run in runs:
         aged(folder / f"{run.name}.friction", -0.1 if run.values["v"] >= 4 else 0.0)
     logs(tmp_path, "pressure")
+    logs(tmp_path, "collapse10")
     folder, runs = logs(tmp_path, "paper36")
     for run in runs:
         if run.values["p"] / run.values["strength"] > 0.2:
@@ -245,7 +246,7 @@ def test_ageing_is_the_power_of_time(tmp_path):
     for p in (0.5, 15, 26):  # 15 MPa stands in both plans
         assert n[f"5 m/s, {p:g}"][-1][0] == pytest.approx(0, abs=0.003)
     assert line(loads, "0 to 0.05")[1] == pytest.approx(0, abs=0.003)
-    assert line(loads, "0.2 to 0.5")[1] == pytest.approx(0.2 * 2 / 6, abs=0.02)  # two of six runs
+    assert line(loads, "0.2 to 0.5")[1] == pytest.approx(0.2 * 2 / 9, abs=0.02)  # two of nine runs
     power, _, change, _ = line(summary, "4 m/s and above, 15 MPa: n =")
     assert power == pytest.approx(-0.1, abs=0.002) and change == pytest.approx(
         100 * (2**-0.1 - 1), abs=0.2
@@ -298,7 +299,7 @@ def test_missing_runs_are_one_clear_line(tmp_path):
 
     for name in ("roughness", "viscosity"):
         profiles(*logs(tmp_path, name), still)
-    for name in ("velocity", "pressure", "paper36"):
+    for name in ("velocity", "pressure", "collapse10", "paper36"):
         logs(tmp_path, name)
     for pattern in ("roughness/roughness3.25-*", "velocity/v[!123]-*", "velocity/v10-*"):
         for log in (tmp_path / "logs").glob(pattern):
