@@ -16,22 +16,25 @@ static Vector aboutAxes(const double *values, int dimension)
   return dimension == 2 ? Vector{0.0, 0.0, values[0]} : Vector{values[0], values[1], values[2]};
 }
 
-void SlipViscosity::find(const Pairs &p, const Surfaces &surfaces)
+// Contacts are written in their place: copies of whole ones would wait for their parts.
+void SlipViscosity::begin(const Pairs &p, ViscousPairs::Range viscous, const Surfaces &surfaces)
 {
-  contacts_.clear();
-  eachViscous(p, [&](int k) {
+  contacts_.resize(viscous.size());
+  Contact *c = contacts_.data();
+  for (const int k : viscous) {
     const PairLaw &law = surfaces.laws[p.law[k]];
-    contacts_.push_back({k,
-                         p.i[k],
-                         p.j[k],
-                         p.law[k],
-                         law.viscosity * law.invDiameter,
-                         law.area,
-                         surfaces.arm(p, k),
-                         surfaces.normal(p, k),
-                         surfaces.slip(p, k),
-                         {0.0, 0.0, 0.0}});
-  });
+    c->pair = k;
+    c->i = p.i[k];
+    c->j = p.j[k];
+    c->law = p.law[k];
+    c->viscosity = law.viscosity * law.invDiameter;
+    c->area = law.area;
+    c->arm = surfaces.arm(p, k);
+    c->normal = surfaces.normal(p, k);
+    c->slip = surfaces.slip(p, k);
+    c->force = {0.0, 0.0, 0.0};
+    c++;
+  }
 }
 
 void SlipViscosity::centre(const ViscousContacts::Conditions &step)

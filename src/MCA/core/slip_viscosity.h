@@ -18,8 +18,8 @@ namespace mca {
 /// pass saw; then, in corrected steps, these are centred with the whole forces of both automata.
 class SlipViscosity {
  public:
-  /// Finds the viscous ones of all pairs and their slip velocities of half a step ago.
-  void find(const Pairs &, const Surfaces &);
+  /// Begins a step with its viscous pairs and their slip velocities of half a step ago.
+  void begin(const Pairs &, ViscousPairs::Range, const Surfaces &);
 
   /// The slip velocities at the time of the step.
   /// \param step  with the forces and torques, complete on both automata, that the velocities

@@ -96,10 +96,14 @@ void Step::run(const Automata &a, double dt, bool advance)
   changing_ = kernel_->force(inside, laws, response, around, forces_.data());
   exchange_->finish(answers, row.length, row.answers);
   changing_ += kernel_->force(border, laws, response, around, forces_.data());
+  if (!laws_.resistsSlip && !laws_.centresViscosity)
+    return;
+  const Pairs pairs = links_.part(0, links_.size());
+  viscousPairs_.find(pairs);
   if (laws_.resistsSlip)
-    resistSlip();
+    resistSlip(pairs);
   if (laws_.centresViscosity)
-    centreViscosity(a, dt, border, inside);
+    centreViscosity(pairs, a, dt);
 }
 
 // Within a step forces see the velocities of half a step ago. In set-up the lag that they had when
@@ -248,15 +252,15 @@ Surfaces Step::surfaces() const
   return {*kernel_, laws_.pairs.data(), motion_.data(), spin_.data()};
 }
 
-void Step::resistSlip()
+void Step::resistSlip(const Pairs &pairs)
 {
-  slip_.find(links_.part(0, links_.size()), surfaces());
+  slip_.begin(pairs, viscousPairs_.all(), surfaces());
   slip_.addForces(*kernel_, forces_.data());
 }
 
 // What forces change in half a step, of both automata of a viscous contact; torques, too, where it
 // resists slip.
-void Step::centreViscosity(const Automata &a, double dt, const Pairs &border, const Pairs &inside)
+void Step::centreViscosity(const Pairs &pairs, const Automata &a, double dt)
 {
   double *const forces = forces_.data();
   const int torques = dimension() == 2 ? 1 : 3;
@@ -265,9 +269,9 @@ void Step::centreViscosity(const Automata &a, double dt, const Pairs &border, co
   const ViscousContacts::Conditions now = {kernel_, dt,       laws_.pairs.data(), response_.data(),
                                            forces,  a.groups, a.integrated,       a.held};
   viscous_.clear();
-  viscous_.add(inside, now);
+  viscous_.add(pairs, viscousPairs_.from(border_), now);
   exchange_->finish(forces, forces_.length(), needed);
-  viscous_.add(border, now);
+  viscous_.add(pairs, viscousPairs_.before(border_), now);
   if (laws_.resistsSlip)
     slip_.centre(now);
   viscous_.addForces(*kernel_, forces);

@@ -234,6 +234,7 @@ class Step {
   RowArray taken_;       // by returns; of the same rows, where it cannot be in the place of forces_
   RowArray kappaNext_;   // of own automata
   RowArray linkChanges_; // broken and formed of own automata, since takeChanges()
+  ViscousPairs viscousPairs_;
   ViscousContacts viscous_;
   SlipViscosity slip_;
 
@@ -252,8 +253,8 @@ class Step {
   void yieldAgain(const Automata &, const Pairs &border, const Pairs &inside);
   const double *showLocal(const Automata &);
   Surfaces surfaces() const;
-  void resistSlip();
-  void centreViscosity(const Automata &, double dt, const Pairs &border, const Pairs &inside);
+  void resistSlip(const Pairs &);
+  void centreViscosity(const Pairs &, const Automata &, double dt);
   void findChanges();
 };
 

@@ -1,14 +1,51 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "viscous_contacts.h"
 
+#include <algorithm>
+
 namespace mca {
 
-void ViscousContacts::add(const Pairs &p, const Conditions &step)
+// Each number is written where the next one belongs, and counts if its pair is viscous: without a
+// branch, as nothing foretells which pairs are. No block of bulk links that none leaves has one.
+void ViscousPairs::find(const Pairs &p)
+{
+  if (numbers_.size() < static_cast<size_t>(p.n))
+    numbers_.resize(p.n);
+  int *const numbers = numbers_.data();
+  int count = 0;
+  for (int first = 0; first < p.n; first += blockLength) {
+    const Block &block = p.blocks[first / blockLength];
+    if (block.bulk && !block.moves)
+      continue;
+    const double *const next = block.moves ? p.next.kind : p.now.kind;
+    const int last = std::min(first + blockLength, p.n);
+    for (int k = first; k < last; k++) {
+      numbers[count] = k;
+      count += !(link::isLinked(p.now.kind[k]) & link::isLinked(next[k])) &
+               (p.eps[k] - p.now.plastic[k] < 0.0);
+    }
+  }
+  count_ = count;
+}
+
+ViscousPairs::Range ViscousPairs::before(int pair) const
+{
+  return {all().first, std::lower_bound(all().first, all().last, pair)};
+}
+
+ViscousPairs::Range ViscousPairs::from(int pair) const
+{
+  return {before(pair).last, all().last};
+}
+
+void ViscousContacts::add(const Pairs &p, ViscousPairs::Range viscous, const Conditions &step)
 {
   const int dimension = step.kernel->dimension;
   const RowLayout &rows = step.kernel->rows;
   const double half = 0.5 * step.dt;
-  eachViscous(p, [&](int k) {
+  size_t number = contacts_.size();
+  contacts_.resize(number + viscous.size());
+  for (const int k : viscous) {
     const PairLaw &law = step.laws[p.law[k]];
     const int i = p.i[k], j = p.j[k];
     const double moveI = half * law.invMassI * step.follows(i);
@@ -27,11 +64,12 @@ void ViscousContacts::add(const Pairs &p, const Conditions &step)
                                        step.answer(i), step.answer(j));
     const double more = unlinkedStress(sigma, law.viscosity, now, law.invDiameter) -
                         unlinkedStress(sigma, law.viscosity, before, law.invDiameter);
-    Contact c = {i, j, {}};
+    Contact &c = contacts_[number++];
+    c.i = i;
+    c.j = j;
     for (int m = 0; m < dimension; m++)
       c.force[m] = more * law.area * p.normal[m][k];
-    contacts_.push_back(c);
-  });
+  }
 }
 
 void ViscousContacts::addForces(const Kernel &kernel, double *forces) const

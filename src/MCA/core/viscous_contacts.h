@@ -9,34 +9,32 @@
 
 #include "kernel.h"
 
-#include <algorithm>
 #include <vector>
 
 namespace mca {
 
-/// Whether pair k of a block is a viscous contact in this step: pressed, e < 0, and unlinked or
-/// breaking. After the force pass; no block of bulk links that none of its pairs leaves has one.
-inline bool isViscous(const Pairs &p, const Block &block, int k)
-{
-  const double next = block.moves ? p.next.kind[k] : p.now.kind[k];
-  return !(link::isLinked(p.now.kind[k]) & link::isLinked(next)) &
-         (p.eps[k] - p.now.plastic[k] < 0.0);
-}
+/// The numbers of the viscous pairs of a step, in the order of the list: pressed, e < 0, and
+/// unlinked or breaking.
+class ViscousPairs {
+ public:
+  /// Of all pairs, after their force pass.
+  void find(const Pairs &);
 
-/// Calls visit(k) for each viscous contact of this step, in the order of the pairs.
-template<class Visit>
-void eachViscous(const Pairs &p, Visit &&visit)
-{
-  for (int first = 0; first < p.n; first += blockLength) {
-    const Block &block = p.blocks[first / blockLength];
-    if (block.bulk && !block.moves)
-      continue;
-    const int last = std::min(first + blockLength, p.n);
-    for (int k = first; k < last; k++)
-      if (isViscous(p, block, k))
-        visit(k);
-  }
-}
+  /// A range of them, for loops.
+  struct Range {
+    const int *first, *last;
+    const int *begin() const { return first; }
+    const int *end() const { return last; }
+    int size() const { return static_cast<int>(last - first); }
+  };
+  Range all() const { return {numbers_.data(), numbers_.data() + count_}; }
+  Range before(int pair) const; ///< those of lower number than this pair
+  Range from(int pair) const;   ///< this pair and those behind it
+
+ private:
+  std::vector<int> numbers_; // the first count_; the rest has no meaning
+  int count_ = 0;
+};
 
 /// The viscous contacts of a step, which few pairs are. First all are collected, while the forces
 /// are still those of the force pass; then what their velocities change is added to these. The
@@ -76,10 +74,9 @@ class ViscousContacts {
   /// Forgets the contacts of the last step.
   void clear() { contacts_.clear(); }
 
-  /// Collects the viscous ones of these pairs, and centres their velocities Pairs::separation.
-  /// Viscous are contacts that are pressed, e < 0, and unlinked or break in this step. Called after
+  /// Collects these viscous pairs, and centres their velocities Pairs::separation. Called after
   /// the force pass of all pairs, as it needs the whole force on both automata.
-  void add(const Pairs &, const Conditions &);
+  void add(const Pairs &, ViscousPairs::Range, const Conditions &);
 
   /// Adds to both automata of each contact what the centred velocity changes of its force.
   /// \param forces  rows.force.length values an automaton [force]
