@@ -59,25 +59,39 @@ void SlipViscosity::centre(const ViscousContacts::Conditions &step)
   }
 }
 
-void SlipViscosity::addForces(const Kernel &kernel, double *forces)
+// A template, since loops over axes take three times as long.
+template<int dimension>
+void SlipViscosity::addForces(const RowLayout::Force &at, double *forces)
 {
-  const RowLayout::Force &at = kernel.rows.force;
   for (Contact &c : contacts_) {
     const Vector force = c.area * (c.viscosity * c.slip), more = force - c.force;
     const Vector torque = c.arm * cross(c.normal, more); // the same on both
     c.force = force;
-    const double push[] = {more.x, more.y, more.z}, turn[] = {torque.x, torque.y, torque.z};
-    double *const rowI = forces + static_cast<size_t>(c.i) * at.length;
-    double *const rowJ = forces + static_cast<size_t>(c.j) * at.length;
-    for (int m = 0; m < kernel.dimension; m++) {
-      rowI[at.force + m] += push[m];
-      rowJ[at.force + m] -= push[m];
-    }
-    for (int m = kernel.dimension == 2 ? 2 : 0, n = 0; m < 3; m++, n++) {
-      rowI[at.torque + n] += turn[m];
-      rowJ[at.torque + n] += turn[m];
-    }
+    const auto add = [&](int row, double sign) {
+      double *const values = forces + static_cast<size_t>(row) * at.length;
+      double *const push = values + at.force, *const turn = values + at.torque;
+      push[0] += sign * more.x;
+      push[1] += sign * more.y;
+      if constexpr (dimension == 2)
+        turn[0] += torque.z;
+      else {
+        push[2] += sign * more.z;
+        turn[0] += torque.x;
+        turn[1] += torque.y;
+        turn[2] += torque.z;
+      }
+    };
+    add(c.i, 1.0);
+    add(c.j, -1.0);
   }
+}
+
+void SlipViscosity::addForces(const Kernel &kernel, double *forces)
+{
+  if (kernel.dimension == 2)
+    addForces<2>(kernel.rows.force, forces);
+  else
+    addForces<3>(kernel.rows.force, forces);
 }
 
 Vector SlipViscosity::stress(int k) const

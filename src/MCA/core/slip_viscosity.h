@@ -48,6 +48,9 @@ class SlipViscosity {
     Vector force;     ///< on i, that forces have already [force]
   };
   std::vector<Contact> contacts_; // in the order of the list
+
+  template<int dimension>
+  void addForces(const RowLayout::Force &, double *forces);
 };
 
 } // namespace mca
