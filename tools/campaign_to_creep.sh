@@ -18,8 +18,9 @@ archives of them (*.tar.xz), as tools/campaign pack does. Then
   -o DIR         results (default: results/creep of the checkout; installed: creep)
   --case CASE    case file (default: examples/wheelrail/table2.yaml)
   --start NS     average the logs from this time on (default: wr_fit looks for the stationary part)
-  --kappa3 K     fit how mu goes with kappa3 = E/sigma_0, too, and take the law for this one:
-                 206 is that of the wheel's steel in table2.yaml, the logs need several materials
+  --model NAME   law to fit, a model of wr_fit (default: eq2)
+  --kappa3 K     with a model that has a power of kappa3 = E/sigma_0: take the law for this one; 206
+                 is that of the wheel's steel in table2.yaml, the logs need several materials
   --or-shipped   where the logs do not give a law, say so and take that of the runs that are
                  shipped (examples/campaign/logs, velocity and pressure: one material)
   -h, --help     this text
@@ -27,7 +28,8 @@ wr_creep warns where the case needs the law outside of what it was fitted on; it
 that may mean.
 Examples: campaign_to_creep.sh runs -o out -- --set speed="20 m/s"
           campaign_to_creep.sh examples/campaign/logs/{velocity,pressure}.tar.xz
-          campaign_to_creep.sh examples/campaign/logs/{velocity,pressure,paper36}.tar.xz --kappa3 206
+          campaign_to_creep.sh examples/campaign/logs/{velocity,pressure,paper36}.tar.xz \
+            --model velocity_kappa3 --kappa3 206
 
 Environment: MCAWR_BUILD, the build folder (default: build of the checkout)
 Exit codes: 0 ok, 2 usage; else that of the step that failed (4: the logs do not determine the law).
@@ -38,13 +40,14 @@ campaigns=() fit_options=() or_shipped=false results=$root/results/creep case=$r
 [ ! -f "$root/VERSION" ] || results=$PWD/creep # an installed tree
 while [ $# -gt 0 ]; do
   case $1 in
-    -o | --case | --start | --kappa3)
+    -o | --case | --start | --model | --kappa3)
       [ $# -ge 2 ] || die 2 "$1 needs a value; see --help"
       case $1 in
         -o) results=$2 ;;
         --case) case=$2 ;;
         --start) fit_options+=(--start "$2") ;;
-        --kappa3) fit_options+=(--model eq2_kappa3 --kappa3 "$2") ;;
+        --model) fit_options+=(--model "$2") ;;
+        --kappa3) fit_options+=(--kappa3 "$2") ;;
       esac
       shift 2
       ;;
@@ -85,7 +88,7 @@ if ! has_law; then
   $or_shipped || die 4 "${campaigns[*]}: too few points for a law; see $results/law.json"
   shipped=$root/examples/campaign/logs
   echo "These logs do not give a law: the law of the shipped runs is taken ($shipped)"
-  fit "$shipped/velocity.tar.xz" "$shipped/pressure.tar.xz" --start 200 -q || exit $?
+  fit "$shipped/velocity.tar.xz" "$shipped/pressure.tar.xz" --start 50 -q || exit $?
   label="law of the shipped runs"
 fi
 echo "2/3 wr_creep $case"

@@ -104,12 +104,12 @@ void defineOptions(CLI::App &app, Settings &settings)
     models.emplace_back(nameOf(model));
   app.add_option("--model", settings.model,
                  "law to fit: eq2, eq4 (no velocity term), velocity (no pressure term), constant, "
-                 "eq2_kappa3 (eq2 times a power of kappa3 = E/sigma_0)")
+                 "eq2_kappa3 and velocity_kappa3 (times a power of kappa3 = E/sigma_0)")
       ->check(CLI::IsMember(models))
       ->type_name("MODEL")
       ->capture_default_str();
   app.add_option("--kappa3", settings.fit.kappa3,
-                 "with eq2_kappa3: E/sigma_0 of the material that the law file is for "
+                 "with a power of kappa3: E/sigma_0 of the material that the law file is for "
                  "[geometric mean of the points]")
       ->check(number("> 0", isPositive))
       ->type_name("NUMBER");
@@ -173,9 +173,11 @@ std::string addPicture(const std::string &path, const std::string &json,
 
 int run(const Settings &settings)
 {
-  if (settings.fit.kappa3 > 0.0 && settings.fit.model != LawModel::Kappa3)
-    throw Error(ExitCode::Usage, fmt::format("--kappa3: goes with --model {} only, not with {}",
-                                             nameOf(LawModel::Kappa3), settings.model));
+  if (settings.fit.kappa3 > 0.0 && !hasKappa3(settings.fit.model))
+    throw Error(ExitCode::Usage,
+                fmt::format("--kappa3: goes with --model {} or {}, not with {}",
+                            nameOf(LawModel::Kappa3), nameOf(LawModel::VelocityKappa3),
+                            settings.model));
   const auto logs = findFrictionLogs(settings.logs);
   std::vector<std::string> files;
   for (const auto &log : logs)

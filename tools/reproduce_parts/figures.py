@@ -13,12 +13,12 @@ import plot_series
 from mcawr.files import save_figure
 from mcawr.replicas import groups, mean_of
 
-from . import ageing, laws, layer, space as three, temperature as heat
+from . import ageing, laws, layer, presets, space as three, temperature as heat
 from .common import Missing, percent, power_law, run_name, scatter_of, table
 
 PAPER = plot_fit.PAPER
 PAPER_COLLAPSE = 0.035  # scatter of ten runs at equal kappas
-START = ["--start", "200"]  # ns; the runs are of 250 to 1000 ns
+START = ["--start", "50"]  # ns; the runs are of 100 to 200 ns
 FROM = f"from {START[1]} ns on"
 STEEL = 2239  # kappa3 = E/sigma_0 of the paper's weakest steel, 206 GPa over 92 MPa
 
@@ -36,8 +36,8 @@ class Figure:
 
 # fig4, fig6 ---------------------------------------------------------------------------------------
 def fig4(report, picture):
-    """Friction stress (MPa) at each pressure (MPa) before and after 100 ns, means over the seeds;
-    exponent of stress ~ p^n."""
+    """Friction stress (MPa) at each pressure (MPa) in the first 50 ns and after, means over the
+    seeds; exponent of stress ~ p^n."""
     points = report["report"]["points"]
     plot_series.draw(points, "pressure", picture)
     rows, pressures, stresses, errors = [], [], [], []
@@ -55,7 +55,9 @@ def fig4(report, picture):
             ]
         )
         pressures.append(p), stresses.append(mu * p), errors.append(error / mu)
-    lines = table(["friction stress, MPa", "Eq. 2", FROM, "", "first 100 ns", "over later"], rows)
+    lines = table(
+        ["friction stress, MPa", "Eq. 2", FROM, "", f"first {START[1]} ns", "over later"], rows
+    )
     if len(pressures) > 2:
         fit, covariance = np.polyfit(
             np.log(pressures), np.log(stresses), 1, w=1 / np.array(errors), cov=True
@@ -109,8 +111,8 @@ def law_lines(report):
     if "fit" in body:
         fit = body["fit"]
         rows = []
-        for name, paper in {**PAPER, **({"n": 0} if "kappa3" in fit else {})}.items():
-            entry = fit["parameters"][name]
+        for name, entry in fit["parameters"].items():
+            paper = PAPER.get(name, 0)
             low, high = ("open" if end is None else f"{end:.3g}" for end in entry["interval"])
             inside = all(
                 end is None or sign * (paper - end) >= 0
@@ -163,7 +165,7 @@ def law_lines(report):
     for model in body["models"]:
         aicc = "-" if (delta := model.get("delta_aicc")) is None else f"{delta:+.1f}"
         lines.append(
-            f"  {model['model']:10} "
+            f"  {model['model']:15} "
             + (
                 f"RMS {100 * model['rms_relative']:.1f} %, AICc {aicc}"
                 if "rms_relative" in model
@@ -362,18 +364,24 @@ def convergence(report, picture):
 
 
 FIGURES = {
-    "fig3": Figure("Fig. 3: depth of the sliding layer", ["roughness", "viscosity"], ageing.fig3),
+    "fig3": Figure(
+        "Fig. 3: depth of the sliding layer",
+        ["roughness", "viscosity", "equal-kappas"],
+        ageing.fig3,
+    ),
     "fig4": Figure(
         "Fig. 4: friction stress against pressure",
         ["pressure"],
         fig4,
-        ["--grinding-in", "100", *START],
+        ["--grinding-in", START[1], *START],
     ),
     "fig6": Figure(f"Fig. 6: mu against velocity, {FROM}", ["velocity"], fig6, START),
     "ageing": Figure(
-        "Ageing: mu against time", ["velocity", "pressure", "collapse10", "paper36"], ageing.ageing
+        "Ageing: mu against time",
+        ["velocity", "pressure", "equal-kappas", "paper36"],
+        ageing.ageing,
     ),
-    "collapse": Figure(f"Equal kappa1 and kappa2, {FROM}", ["collapse10"], collapse, START),
+    "collapse": Figure(f"Equal kappa1 and kappa2, {FROM}", ["equal-kappas"], collapse, START),
     "fig7": Figure(f"Figs. 7 and 8: the law, {FROM}", ["paper36"], fig7, START),
     "steel": Figure(
         f"The law of one material, E = 206 GPa and sigma_0 = 92 MPa, {FROM}",
@@ -381,21 +389,27 @@ FIGURES = {
         fig7,
         START,
     ),
+    "presets": Figure(
+        f"One steel with preset b and preset c, {FROM}",
+        ["velocity", "pressure", "preset-b"],
+        presets.presets,
+        START,
+    ),
     "kappa3": Figure(
         f"The law with a third number, kappa3 = E/sigma_0, {FROM}",
         ["paper36", "velocity", "pressure"],
         kappa3,
-        ["--model", "eq2_kappa3", "--kappa3", str(STEEL), *START],
+        ["--model", "velocity_kappa3", "--kappa3", str(STEEL), *START],
     ),
     "temperature": Figure(
-        "Friction of a rail steel (MPa, GPa) against temperature, from 75 ns on",
+        f"Friction of a rail steel (MPa, GPa) against temperature, {FROM}",
         ["temperature"],
         heat.temperature,
-        ["--start", "75"],
+        START,
     ),
     "space": Figure(
-        "Friction in three dimensions, from 50 ns on",
-        ["space", "velocity", "pressure", "paper36"],
+        "Friction in three dimensions with preset b, from 50 ns on",
+        ["space", "preset-b"],
         three.space,
         ["--start", "50"],
     ),
@@ -412,6 +426,9 @@ FIGURES = {
         ["--start", f"{laws.LINKS_BEGIN:g}"],
     ),
     "convergence": Figure(
-        "Size of the fragment, from 40 ns on", ["convergence"], convergence, ["--start", "40"]
+        "Size of the fragment with preset b, from 40 ns on",
+        ["convergence"],
+        convergence,
+        ["--start", "40"],
     ),
 }

@@ -79,6 +79,23 @@ TEST(LawFit, powerOfKappa3)
   EXPECT_NEAR(fitLaw(LawModel::Kappa3, points).reference / std::exp(mean), 1.0, 1e-12);
 }
 
+TEST(LawFit, powerOfKappa3WithoutPressure)
+{
+  auto points = designWithKappa3();
+  for (auto &p : points)
+    p.mu = (0.43 + 0.0053 * p.kappa1 / (1.0 + 0.02 * p.kappa1)) * std::pow(p.kappa3 / 2000.0, 0.12);
+  const auto fit = fitLaw(LawModel::VelocityKappa3, points, 0.95, 2000.0);
+  const std::array<double, lawParameters> truth = {0.43, 0.0053, 0.0, 0.02, 0.0};
+  const auto found = valuesOf(fit.law);
+  for (int k = 0; k < lawParameters; ++k)
+    EXPECT_NEAR(found[k], truth[k], 1e-6 * (truth[k] + 1e-3)) << fitParameterNames[k];
+  EXPECT_NEAR(fit.exponent, 0.12, 1e-7);
+  EXPECT_EQ(fit.law.kappa3, 2000.0);
+  EXPECT_EQ(fit.freedom, 32);
+  EXPECT_EQ(fit.notIdentifiable, "");
+  EXPECT_LT(fit.aicc, fitLaw(LawModel::Velocity, points, 0.0).aicc);
+}
+
 TEST(LawFit, intervalOfTheExponentCovers)
 {
   std::mt19937_64 generator(11);
@@ -234,7 +251,7 @@ TEST(LawFit, tooFewAndCollinearPointsAreNamed)
   obstacle = obstacleTo(LawModel::Full, points);
   EXPECT_FALSE(obstacle.tooFew);
   EXPECT_EQ(obstacle.reason,
-            "the points have only 1 different kappa1 (1 to 1), eq2 needs at least 3");
+            "the points have only 1 different kappa1 (1 to 1), at least 3 are needed");
   EXPECT_EQ(obstacleTo(LawModel::Pressure, points).reason, "");
 
   // kappa1 and kappa2 on one line, with mu a straight function of them: nothing tells mu1 from mu2

@@ -198,7 +198,7 @@ std::string modelLines(const FitAnalysis &analysis)
   std::string text = "Models (AICc relative to the best; more than 10 above it: no support)\n";
   const double least = leastAicc(analysis);
   for (const auto &m : analysis.models) {
-    text += fmt::format("  {:<10}", nameOf(m.model));
+    text += fmt::format("  {:<15}", nameOf(m.model));
     if (m.fit)
       text += fmt::format(" RMS {:>6.2f} %  AICc {:>8}\n", 100.0 * m.fit->law.rmsRelative,
                           shown("{:+.1f}", m.fit->aicc - least));

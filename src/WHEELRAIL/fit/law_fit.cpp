@@ -158,7 +158,7 @@ std::string explainWeakness(const LawFit &fit, const VectorXd &x, const Identifi
   }
   const auto free = parametersOf(fit.model);
   if (free[C] && fit.atBound[C])
-    return "c runs to 0: mu does not depend on kappa2, so that mu0 and mu2 cannot be told apart";
+    return "c runs to 0: mu does not depend on kappa2, mu0 and mu2 cannot be told apart";
   if (analysis.conditionNumber <= worstCondition)
     return "";
   std::string names;
@@ -200,6 +200,8 @@ const char *nameOf(LawModel model)
     return "velocity";
   case LawModel::Pressure:
     return "eq4";
+  case LawModel::VelocityKappa3:
+    return "velocity_kappa3";
   case LawModel::Full:
     return "eq2";
   case LawModel::Kappa3:
@@ -208,12 +210,17 @@ const char *nameOf(LawModel model)
   throw std::logic_error("nameOf: no such model");
 }
 
+bool hasKappa3(LawModel model)
+{
+  return model == LawModel::VelocityKappa3 || model == LawModel::Kappa3;
+}
+
 std::array<bool, fitParameters> parametersOf(LawModel model)
 {
-  const bool all = model == LawModel::Full || model == LawModel::Kappa3;
-  const bool velocity = all || model == LawModel::Velocity;
-  const bool pressure = all || model == LawModel::Pressure;
-  return {true, velocity, pressure, velocity, pressure, model == LawModel::Kappa3};
+  const bool velocity = model != LawModel::Constant && model != LawModel::Pressure;
+  const bool pressure =
+      model == LawModel::Pressure || model == LawModel::Full || model == LawModel::Kappa3;
+  return {true, velocity, pressure, velocity, pressure, hasKappa3(model)};
 }
 
 Obstacle obstacleTo(LawModel model, const std::vector<LawPoint> &points)
@@ -234,11 +241,10 @@ Obstacle obstacleTo(LawModel model, const std::vector<LawPoint> &points)
     const int different = countDifferent(values);
     if (different >= leastDifferent)
       return "";
-    return fmt::format("the points have only {} different {} ({:.4g} to {:.4g}), {} needs at least "
-                       "{}",
+    return fmt::format("the points have only {} different {} ({:.4g} to {:.4g}), at least {} are "
+                       "needed",
                        different, name, *std::min_element(values.begin(), values.end()),
-                       *std::max_element(values.begin(), values.end()), nameOf(model),
-                       leastDifferent);
+                       *std::max_element(values.begin(), values.end()), leastDifferent);
   };
   // a saturating term has two parameters beside the constant
   auto reason = look(Mu1, "kappa1", 3, [](const LawPoint &p) { return p.kappa1; });
@@ -313,7 +319,7 @@ LawFit fitLaw(LawModel model, const std::vector<LawPoint> &points, double level,
   fit.conditionNumber = analysis.conditionNumber;
   fit.notIdentifiable = explainWeakness(fit, solution.x, analysis, problem);
   fit.law.covariance = analysis.covariance.topLeftCorner<lawParameters, lawParameters>();
-  if (model == LawModel::Kappa3) {
+  if (hasKappa3(model)) {
     fit.reference = reference;
     fit.exponent = solution.x[N];
     fit.exponentError = std::sqrt(analysis.covariance(N, N));
@@ -328,7 +334,7 @@ LawFit fitLaw(LawModel model, const std::vector<LawPoint> &points, double level,
   fit.law.kappa1Range = rangeOf(points, &LawPoint::kappa1);
   fit.law.kappa2Range = rangeOf(points, &LawPoint::kappa2);
   fit.law.kappa3Range = rangeOf(points, &LawPoint::kappa3);
-  if (model == LawModel::Kappa3)
+  if (hasKappa3(model))
     fit.law.kappa3 = reference;
 
   const int k = countParameters(model) + 1; // and the scatter

@@ -27,19 +27,23 @@ enum class LawModel {
   Constant, ///< mu0
   Velocity, ///< mu0, mu1, b
   Pressure, ///< mu0, mu2, c: Eq. 4
-  Full,     ///< mu0, mu1, mu2, b, c: Eq. 2
-  Kappa3    ///< the same and n: Eq. 2 times (kappa3/reference)^n; ours, not the paper's
+  VelocityKappa3, ///< those of Velocity and n: times (kappa3/reference)^n; ours, not the paper's
+  Full,           ///< mu0, mu1, mu2, b, c: Eq. 2
+  Kappa3          ///< the same and n
 };
 
 /// All models, from the smallest to the largest one.
-constexpr std::array<LawModel, 5> lawModels = {
-    LawModel::Constant, LawModel::Velocity, LawModel::Pressure, LawModel::Full, LawModel::Kappa3};
+constexpr std::array<LawModel, 6> lawModels = {
+    LawModel::Constant,       LawModel::Velocity, LawModel::Pressure,
+    LawModel::VelocityKappa3, LawModel::Full,     LawModel::Kappa3};
 
-/// Name on the command line and in files: constant, velocity, eq4, eq2, eq2_kappa3.
+/// Name on the command line and in files: constant, velocity, eq4, velocity_kappa3, eq2, eq2_kappa3.
 /// Never null; lives as long as the program.
 const char *nameOf(LawModel model);
 /// Number of parameters of a fit: those of Eq. 2 and n.
 constexpr int fitParameters = lawParameters + 1;
+/// Whether the model has a power of kappa3.
+bool hasKappa3(LawModel model);
 /// Which of mu0, mu1, mu2, b, c, n the model fits.
 std::array<bool, fitParameters> parametersOf(LawModel model);
 /// Names of the parameters, in their order.
@@ -56,7 +60,7 @@ constexpr std::array<const char *, fitParameters> fitParameterNames = {"mu0", "m
 /// leverage, which says how far the fit follows each point.
 struct LawFit {
   LawModel model = LawModel::Full;
-  FrictionLaw law;              ///< with the model Kappa3: at the reference
+  FrictionLaw law;              ///< with a power of kappa3: at the reference
   double exponent = 0.0;        ///< n
   double exponentError = 0.0;   ///< its standard error
   double reference = 0.0;       ///< kappa3 at which the law holds; 0: at any
@@ -90,9 +94,8 @@ Obstacle obstacleTo(LawModel model, const std::vector<LawPoint> &points);
 /// Weighted least squares with mu0, b, c >= 0, started from the best places of a grid over b and c
 /// with the linear parameters solved for.
 /// @param level of the confidence intervals, 0 < level < 1; 0: none are computed
-/// @param reference kappa3 > 0 at which the law of the model Kappa3 is to hold; 0: the geometric
-/// mean
-///        of the points
+/// @param reference kappa3 > 0 at which the law is to hold where the model has a power of it; 0: the
+///        geometric mean of the points
 /// @throws Error (NotConverged) if obstacleTo names an obstacle or the solver does not converge
 /// @throws std::invalid_argument for values that are not finite, negative kappas, negative errors
 LawFit fitLaw(LawModel model, const std::vector<LawPoint> &points, double level = 0.95,

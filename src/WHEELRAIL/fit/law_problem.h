@@ -25,7 +25,7 @@ double modelMu(const Eigen::VectorXd &x, const LawPoint &point, double reference
 class LawProblem {
  public:
   /// @param deviations standard deviation of each point, > 0
-  /// @param kappa3 reference of the model Kappa3, > 0
+  /// @param kappa3 reference of a model with a power of kappa3, > 0
   /// The points must outlive the problem.
   LawProblem(LawModel model, const std::vector<LawPoint> &data, Eigen::VectorXd deviations,
              double kappa3);
