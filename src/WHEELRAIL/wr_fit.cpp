@@ -174,10 +174,9 @@ std::string addPicture(const std::string &path, const std::string &json,
 int run(const Settings &settings)
 {
   if (settings.fit.kappa3 > 0.0 && !hasKappa3(settings.fit.model))
-    throw Error(ExitCode::Usage,
-                fmt::format("--kappa3: goes with --model {} or {}, not with {}",
-                            nameOf(LawModel::Kappa3), nameOf(LawModel::VelocityKappa3),
-                            settings.model));
+    throw Error(ExitCode::Usage, fmt::format("--kappa3: goes with --model {} or {}, not with {}",
+                                             nameOf(LawModel::Kappa3),
+                                             nameOf(LawModel::VelocityKappa3), settings.model));
   const auto logs = findFrictionLogs(settings.logs);
   std::vector<std::string> files;
   for (const auto &log : logs)

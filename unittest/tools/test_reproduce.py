@@ -16,7 +16,7 @@ from test_plot_layer import HEAD, frame
 ROOT = Path(__file__).resolve().parents[2]
 sys.path[:0] = [str(ROOT / "unittest" / "WHEELRAIL"), str(ROOT / "tools")]
 from campaign_parts import plan as plans  # noqa: E402
-from friction_logs import friction_log  # noqa: E402
+from friction_logs import eq2, friction_log  # noqa: E402
 from mcawr import archive  # noqa: E402
 
 BUILD = (
@@ -123,11 +123,22 @@ def test_law_with_a_third_number(tmp_path):
     assert line(text, "RMS of our runs against the paper's law:")[0] < 0.5
     assert all(abs(line(text, f"kappa2 = {kappa2}")[-1]) < 1 for kappa2 in (2, 150, 633))
     text = made(tmp_path, "kappa3", reproduce(tmp_path, "kappa3"))
-    assert all(abs(line(text, f"kappa2 = {kappa2}")[-1]) < 1 for kappa2 in (2, 150, 633))
-    assert line(text, "n")[1] == pytest.approx(0.25, abs=0.01)
-    assert "at kappa3 = 2239" in text
     factor, _, n, _ = line(text, "mu/mu(Eq. 2) = A (kappa3/2239)^n: A =")[:4]
     assert factor == pytest.approx(1, abs=0.01) and n == pytest.approx(0.25, abs=0.01)
+
+
+def test_law_of_speed_and_a_third_number(tmp_path):
+    def factor(run):
+        power = (run.values["E"] / run.values["strength"] / 2239) ** 0.1
+        return (0.43 + 0.006 * run.kappa1) * power / eq2(run.kappa1, run.kappa2)
+
+    for plan in ("paper36", "velocity", "pressure"):
+        logs(tmp_path, plan, factor)
+    text = made(tmp_path, "kappa3", reproduce(tmp_path, "kappa3"))
+    assert line(text, "mu0")[1] == pytest.approx(0.43, abs=0.002)
+    assert line(text, "mu1")[1] == pytest.approx(0.006, abs=0.0003)
+    assert line(text, "n    ")[1] == pytest.approx(0.1, abs=0.005)
+    assert "at kappa3 = 2239" in text
 
 
 def test_pressure_and_velocity(tmp_path):

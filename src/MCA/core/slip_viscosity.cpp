@@ -60,7 +60,7 @@ void SlipViscosity::centre(const ViscousContacts::Conditions &step)
 }
 
 // A template, since loops over axes take three times as long.
-template<int dimension>
+template<int Dimension>
 void SlipViscosity::addForces(const RowLayout::Force &at, double *forces)
 {
   for (Contact &c : contacts_) {
@@ -72,7 +72,7 @@ void SlipViscosity::addForces(const RowLayout::Force &at, double *forces)
       double *const push = values + at.force, *const turn = values + at.torque;
       push[0] += sign * more.x;
       push[1] += sign * more.y;
-      if constexpr (dimension == 2)
+      if constexpr (Dimension == 2)
         turn[0] += torque.z;
       else {
         push[2] += sign * more.z;

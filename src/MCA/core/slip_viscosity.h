@@ -49,7 +49,7 @@ class SlipViscosity {
   };
   std::vector<Contact> contacts_; // in the order of the list
 
-  template<int dimension>
+  template<int Dimension>
   void addForces(const RowLayout::Force &, double *forces);
 };
 
