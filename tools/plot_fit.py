@@ -7,7 +7,7 @@
 Left (Fig. 7): mu of the runs against mu of the law; runs that differ in their seed only are one
 point, as in the fit. Right (Fig. 8): the pressure-dependent part of
 the law, mu without its velocity term, against kappa2. Without a fitted law the paper's is used.
-With wr_fit's model eq2_kappa3 mu of the runs is brought to the law's kappa3 by the fitted power.
+With a power of kappa3 in wr_fit's model, mu of the runs is brought to the law's kappa3 by it.
 Exit codes: 0 ok, 1 no matplotlib, 2 usage, 3 bad input file, 5 the picture cannot be written.
 """
 

@@ -94,9 +94,8 @@ Obstacle obstacleTo(LawModel model, const std::vector<LawPoint> &points);
 /// Weighted least squares with mu0, b, c >= 0, started from the best places of a grid over b and c
 /// with the linear parameters solved for.
 /// @param level of the confidence intervals, 0 < level < 1; 0: none are computed
-/// @param reference kappa3 > 0 at which the law is to hold where the model has a power of it; 0:
-/// the
-///        geometric mean of the points
+/// @param reference kappa3 > 0 at which the law is to hold where the model has a power of it;
+///        0: the geometric mean of the points
 /// @throws Error (NotConverged) if obstacleTo names an obstacle or the solver does not converge
 /// @throws std::invalid_argument for values that are not finite, negative kappas, negative errors
 LawFit fitLaw(LawModel model, const std::vector<LawPoint> &points, double level = 0.95,
