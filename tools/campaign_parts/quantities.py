@@ -58,6 +58,13 @@ KEYS = {
         _whole(1),
         "held",
     ),
+    "depth": Key(
+        None,
+        "layers along z, of an input script in space",
+        "a whole number >= 2",
+        _whole(2),
+        "depth",
+    ),
     "roughness": Key(3.25, "nm", ">= 0", lambda x: x >= 0, "amplitude"),
     "seed": Key(1, "", "a whole number >= 1", _whole(1), "seed"),
     "ns": Key(100.0, "ns, duration", "> 0", _positive, "ns"),
@@ -130,8 +137,10 @@ class Run:
 
     @property
     def work(self):
-        """Automaton-steps: what the run costs."""
-        return self.steps * self.values["columns"] * self.values["rows"]
+        """Automaton-steps: what the run costs. In the fcc packing of examples/space every other
+        site of a layer is empty."""
+        v = self.values
+        return self.steps * v["columns"] * v["rows"] * (v["depth"] or 2) // 2
 
     def variables(self):
         """Variables of the input script, in the script's units."""

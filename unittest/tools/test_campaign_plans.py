@@ -187,6 +187,16 @@ def test_shipped_plans(name, least):
     assert campaign("list", name).returncode == 0
 
 
+def test_work_counts_the_automata():
+    """Automaton-steps, of a plane fragment and of the blocks of examples/space (its log has the
+    number)."""
+    space, plane = (plans.read(plans.find(name)).runs[0] for name in ("space", "velocity"))
+    log = (ROOT / "examples" / "space" / "log.friction.2").read_text()
+    automata = int(re.search(r"steps with (\d+) atoms", log).group(1))
+    assert space.work == automata * space.steps and space.variables()["depth"] == "8"
+    assert plane.work == 40 * 14 * plane.steps and "depth" not in plane.variables()
+
+
 ALUMINIUM = (ROOT / "examples" / "campaign" / "aluminium.mca").read_text()
 SI = """# UNITS: si
 youngs_modulus 70e9
@@ -359,7 +369,7 @@ def test_page_has_every_key_option_and_plan():
     keys = dict(
         re.findall(
             r"^\| `(\w+)` \| ([^|]+) \| "
-            r"(?:ns|MPa|m/s|kg|Pa|Poisson|automata|rows|nm|of the|total|preset|potential|K,)"
+            r"(?:ns|MPa|m/s|kg|Pa|Poisson|automata|rows|layers|nm|of the|total|preset|potential|K,)"
             r"[^|]*\|$",
             page,
             re.MULTILINE,
