@@ -408,10 +408,10 @@ FIGURES = {
         START,
     ),
     "space": Figure(
-        "Friction in three dimensions with preset b, from 50 ns on",
-        ["space", "preset-b"],
+        "Friction in three dimensions and in the plane, from 30 ns on",
+        ["space", "velocity", "pressure", "paper36"],
         three.space,
-        ["--start", "50"],
+        ["--start", "30"],
     ),
     "laws": Figure(
         f"Sets of laws crossed, from {laws.BEGIN:g} ns on",
