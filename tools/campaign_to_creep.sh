@@ -18,6 +18,7 @@ archives of them (*.tar.xz), as tools/campaign pack does. Then
   -o DIR         results (default: results/creep of the checkout; installed: creep)
   --case CASE    case file (default: examples/wheelrail/table2.yaml)
   --start NS     average the logs from this time on (default: wr_fit looks for the stationary part)
+  --start-distance NM  and from this distance of sliding on
   --model NAME   law to fit, a model of wr_fit (default: eq2)
   --kappa3 K     with a model that has a power of kappa3 = E/sigma_0: take the law for this one; 206
                  is that of the wheel's steel in table2.yaml, the logs need several materials
@@ -40,14 +41,12 @@ campaigns=() fit_options=() or_shipped=false results=$root/results/creep case=$r
 [ ! -f "$root/VERSION" ] || results=$PWD/creep # an installed tree
 while [ $# -gt 0 ]; do
   case $1 in
-    -o | --case | --start | --model | --kappa3)
+    -o | --case | --start | --start-distance | --model | --kappa3)
       [ $# -ge 2 ] || die 2 "$1 needs a value; see --help"
       case $1 in
         -o) results=$2 ;;
         --case) case=$2 ;;
-        --start) fit_options+=(--start "$2") ;;
-        --model) fit_options+=(--model "$2") ;;
-        --kappa3) fit_options+=(--kappa3 "$2") ;;
+        *) fit_options+=("$1" "$2") ;;
       esac
       shift 2
       ;;
@@ -88,7 +87,7 @@ if ! has_law; then
   $or_shipped || die 4 "${campaigns[*]}: too few points for a law; see $results/law.json"
   shipped=$root/examples/campaign/logs
   echo "These logs do not give a law: the law of the shipped runs is taken ($shipped)"
-  fit "$shipped/velocity.tar.xz" "$shipped/pressure.tar.xz" --start 50 -q || exit $?
+  fit "$shipped/velocity.tar.xz" "$shipped/pressure.tar.xz" --start 50 --start-distance 250 -q || exit $?
   label="law of the shipped runs"
 fi
 echo "2/3 wr_creep $case"

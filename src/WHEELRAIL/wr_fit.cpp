@@ -127,6 +127,10 @@ void defineOptions(CLI::App &app, Settings &settings)
                  "average from this time on (ns) instead of looking for the stationary part")
       ->check(number(">= 0 (ns)", isNotNegative))
       ->type_name("NUMBER");
+  app.add_option("--start-distance", settings.point.startDistance,
+                 "the same as a distance of sliding (nm); with --start, the later of both")
+      ->check(number(">= 0 (nm)", isNotNegative))
+      ->type_name("NUMBER");
   app.add_option("--grinding-in", settings.point.grindingIn,
                  "end of the grinding-in (ns) [start of the stationary part, at most 100]")
       ->check(number("> 0 (ns)", isPositive))

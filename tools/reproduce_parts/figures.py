@@ -18,8 +18,8 @@ from .common import Missing, percent, power_law, run_name, scatter_of, table
 
 PAPER = plot_fit.PAPER
 PAPER_COLLAPSE = 0.035  # scatter of ten runs at equal kappas
-START = ["--start", "50"]  # ns; the runs are of 100 to 200 ns
-FROM = f"from {START[1]} ns on"
+START = ["--start", "50", "--start-distance", "250"]  # ns, nm; each run slides 500 nm or more
+FROM = f"from {START[1]} ns and {START[3]} nm on"
 STEEL = 2239  # kappa3 = E/sigma_0 of the paper's weakest steel, 206 GPa over 92 MPa
 
 
@@ -56,7 +56,7 @@ def fig4(report, picture):
         )
         pressures.append(p), stresses.append(mu * p), errors.append(error / mu)
     lines = table(
-        ["friction stress, MPa", "Eq. 2", FROM, "", f"first {START[1]} ns", "over later"], rows
+        ["friction stress, MPa", "Eq. 2", "later", "", f"first {START[1]} ns", "over later"], rows
     )
     if len(pressures) > 2:
         fit, covariance = np.polyfit(
@@ -93,7 +93,7 @@ def fig6(report, picture):
                 f"{peak:.2f}",
             ]
         )
-    return table(["mu", "Eq. 2", FROM, "", "peak"], rows)
+    return table(["mu", "Eq. 2", "ours", "", "peak"], rows)
 
 
 # fig7 and fig8 ------------------------------------------------------------------------------------
@@ -310,47 +310,52 @@ def power_rows(points, mu):
     return [[name, "0", f"{n:+.2f} +- {error:.2f}"] for name, n, error in zip(names, found, errors)]
 
 
-def size_of(run):
-    """What a run of the plan convergence is called in figures: `20 across` of wide-columns20."""
-    name = run.split("-strength")[0]
-    for pattern, text in (
-        ("base$", "base"),
-        (r"wide-columns(\d+)$", r"\1 across"),
-        (r"high-rows(\d+)$", r"\1 rows"),
-        ("thick$", "5 rows held"),
-    ):
-        name = re.sub(pattern, text, name)
-    return name
+SIZES = {
+    "base": "base",
+    "wide20": "20 across",
+    "wide80": "80 across",
+    "rows12": "12 rows",
+    "rows20": "20 rows",
+    "rows20-thin": "20 rows, half the viscosity",
+    "rows20-thick": "20 rows, twice the viscosity",
+    "held5": "5 rows held",
+    "fine": "half the step",
+}  # of the plan convergence, in the order of figures
+
+
+def size_of(point):
+    """The key in SIZES of a run: `wide20` of wide20-strength92-seed1, `fine` of fine-v10-seed1."""
+    return re.sub(r"-(strength|v|seed)\d.*", "", run_name(point))
 
 
 def convergence(report, picture):
-    """mu over that of the base size, and the depth of the layer (nm), for each size and strength
-    (MPa)."""
+    """mu over that of the base size, and the depth of the layer (nm), for each size at a strength
+    (MPa) and velocity (m/s)."""
     points = report["report"]["points"]
     rows, labels, values, errors = [], [], [], []
-    for strength, members in groups(points, lambda p: p["strength"]).items():
-        sizes = groups(members, lambda p: size_of(run_name(p)))
+    for (strength, v), members in groups(points, lambda p: (p["strength"], p["velocity"])).items():
+        sizes = groups(members, size_of)
         if "base" not in sizes:
-            raise Missing(f"no run of the base size at {strength:g} MPa")
+            raise Missing(f"no run of the base size at {strength:g} MPa, {v:g} m/s")
+        if strange := sizes.keys() - SIZES:
+            raise Missing(f"not of the plan convergence: {', '.join(sorted(strange))}")
         base = mean_of(sizes["base"])
-        for name in sorted(sizes, key=lambda n: (n != "base", n)):
-            mu, error = mean_of(sizes[name])
-            depths = [found for p in sizes[name] if (found := layer.read(p["file"]))]
+        for size in (size for size in SIZES if size in sizes):
+            mu, error = mean_of(sizes[size])
+            depths = [found for p in sizes[size] if (found := layer.read(p["file"]))]
             depth = "{:.1f} +- {:.1f}".format(*layer.mean_depth(depths)) if depths else ""
             difference = (mu - base[0]) / math.hypot(error, base[1])
+            labels.append(f"{strength:g} MPa, {v:g} m/s: {SIZES[size]}")
+            values.append(mu / base[0])
+            errors.append(error / base[0])
             rows.append(
                 [
-                    f"{strength:g} MPa: {name}",
-                    str(len(sizes[name])),
+                    labels[-1],
+                    str(len(sizes[size])),
                     f"{mu:.3f} +- {error:.3f}",
-                    "" if name == "base" else f"{percent(mu, base[0])} ({difference:+.1f} s.e.)",
+                    "" if size == "base" else f"{percent(mu, base[0])} ({difference:+.1f} s.e.)",
                     depth,
                 ]
-            )
-            (
-                labels.append(f"{strength:g} MPa: {name}"),
-                values.append(mu / base[0]),
-                errors.append(error / base[0]),
             )
     dots(
         labels,
@@ -358,7 +363,7 @@ def convergence(report, picture):
         errors,
         picture,
         "$\\mu/\\mu$(base)",
-        [(1, dict(color="k", ls="--"), "base: 40 across, 14 rows, 3 held")],
+        [(1, dict(color="k", ls="--"), "base: 40 across, 14 rows, 3 held, 4e-5 ns")],
     )
     return table(["", "runs", "mu", "against base", "depth, nm"], rows)
 
@@ -408,10 +413,10 @@ FIGURES = {
         START,
     ),
     "space": Figure(
-        "Friction in three dimensions and in the plane, from 30 ns on",
+        "Friction in three dimensions and in the plane, from 50 ns on",
         ["space", "velocity", "pressure", "paper36"],
         three.space,
-        ["--start", "30"],
+        ["--start", "50"],
     ),
     "laws": Figure(
         f"Sets of laws crossed, from {laws.BEGIN:g} ns on",
@@ -426,7 +431,7 @@ FIGURES = {
         ["--start", f"{laws.LINKS_BEGIN:g}"],
     ),
     "convergence": Figure(
-        "Size of the fragment with preset b, from 40 ns on",
+        "Size of the fragment and time step, from 40 ns on",
         ["convergence"],
         convergence,
         ["--start", "40"],

@@ -51,7 +51,7 @@ def draw(inside, plane, picture):
             axes.errorbar(
                 [c[k] for c in known],
                 [mu for mu, _ in means],
-                yerr=[error for _, error in means],
+                yerr=[1.96 * error for _, error in means],
                 fmt=style,
                 mfc="none" if name == "plane" else None,
                 capsize=3,

@@ -214,6 +214,22 @@ def test_start_and_grinding_in_can_be_given(log, tmp_path):
     one_line(wr_fit(log, "--start", 30), 3, "the log ends at 20 ns, before the start of 30 ns")
 
 
+@pytest.mark.parametrize("start, begin", [(None, 12), (10, 12), (15, 15)])
+def test_start_can_be_a_distance(log, tmp_path, start, begin):
+    """60 nm at 5 m/s, or a later time."""
+    more = [] if start is None else ["--start", start]
+    points = tmp_path / "points.csv"
+    assert wr_fit(log, "--start-distance", 60, *more, "--points", points).returncode == 0
+    (of_distance,) = read_points(points)
+    wr_fit(log, "--start", begin, "--points", points)
+    assert of_distance == read_points(points)[0] and float(of_distance["t_start"]) == begin
+    one_line(
+        wr_fit(log, "--start-distance", 150, *more),
+        3,
+        "the log ends at 20 ns, before the start of 30 ns",
+    )
+
+
 def test_outlier_is_reported(tmp_path):
     runs = friction_logs.campaign(tmp_path / "c", scatter=0.01)
     (runs / "run15" / "run.friction").write_text(
@@ -432,6 +448,7 @@ def test_missing_log_and_usage(tmp_path):
         ("--start", "-5", ">= 0 (ns)"),
         ("--start", "abc", ">= 0 (ns)"),
         ("--start", "", ">= 0 (ns)"),
+        ("--start-distance", "-5", ">= 0 (nm)"),
         ("--grinding-in", "nan", "> 0 (ns)"),
         ("--grinding-in", "0", "> 0 (ns)"),
     ],

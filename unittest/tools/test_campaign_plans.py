@@ -170,7 +170,7 @@ SHIPPED = {
     "viscosity": 2,
     "roughness": 6,
     "smoke": 6,
-    "convergence": 24,
+    "convergence": 36,
     "own-material": 10,
     "temperature": 15,
     "space": 16,
@@ -185,6 +185,14 @@ def test_shipped_plans(name, least):
     plan = plans.read(plans.find(name))
     assert len(plan.runs) >= least and plan.title
     assert campaign("list", name).returncode == 0
+
+
+@pytest.mark.parametrize(
+    "name", ["paper36", "equal-kappas", "velocity", "pressure", "viscosity", "roughness"]
+)
+def test_runs_of_figures_slide_500_nm(name):
+    for run in plans.read(plans.find(name)).runs:
+        assert run.values["v"] * run.values["ns"] >= 499.9, run.name
 
 
 def test_work_counts_the_automata():

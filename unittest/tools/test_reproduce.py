@@ -263,9 +263,10 @@ def test_ageing_is_the_power_of_time(tmp_path):
 
 
 def test_convergence(tmp_path):
-    logs(tmp_path, "convergence", lambda run: 1.1 if "wide-columns20" in run.name else 1.0)
+    logs(tmp_path, "convergence", lambda run: 1.1 if "wide20" in run.name else 1.0)
     text = made(tmp_path, "convergence", reproduce(tmp_path, "convergence"))
-    assert line(text, "92 MPa: 20 across")[3] == pytest.approx(10, abs=1)
+    assert line(text, "92 MPa, 5 m/s: 20 across")[3] == pytest.approx(10, abs=1)
+    assert line(text, "92 MPa, 10 m/s: half the step")[3] == pytest.approx(0, abs=1)
 
 
 def test_missing_logs_are_one_clear_line(tmp_path):

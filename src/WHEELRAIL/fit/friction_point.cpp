@@ -28,6 +28,16 @@ std::size_t firstRowAfter(const FrictionLog &log, double time)
   return row - log.time.begin();
 }
 
+/// The time that `start` and `startDistance` ask for, ns; absent: neither was given.
+std::optional<double> startAskedFor(const FrictionLog &log, const PointOptions &options)
+{
+  if (!options.startDistance)
+    return options.start;
+  const double distance = *options.startDistance;
+  const double time = distance > 0.0 ? distance / std::abs(log.velocity) : 0.0; // nm/(m/s) = ns
+  return std::max(options.start.value_or(0.0), time);
+}
+
 double meanBefore(const FrictionLog &log, double time)
 {
   const double slack = 1e-6 * log.interval();
@@ -96,15 +106,15 @@ FrictionPoint frictionPoint(const FrictionLog &log, const PointOptions &options)
 
   SeriesMean mean;
   double start = 0.0;
-  if (options.start) {
-    const auto first = firstRowAfter(log, *options.start);
+  if (const auto asked = startAskedFor(log, options)) {
+    const auto first = firstRowAfter(log, *asked);
     if (first == log.time.size())
       throw badInput(log.file, 0, "",
                      fmt::format("the log ends at {:.4g} ns, before the start of {:.4g} ns that "
                                  "was asked for",
-                                 log.time.back(), *options.start));
+                                 log.time.back(), *asked));
     mean = seriesMean(log.mu, first, log.mu.size());
-    start = *options.start;
+    start = *asked;
     point.tStart = start;
   } else {
     const auto part = stationaryPart(log.mu);

@@ -55,6 +55,8 @@ struct FrictionPoint {
 struct PointOptions {
   /// Start of the part that is averaged, ns; absent: found by stationaryPart.
   std::optional<double> start;
+  /// The same as a distance of sliding, nm; with both, the later of them.
+  std::optional<double> startDistance;
   /// End of the grinding-in, ns; absent: the start of the stationary part, at most 100 ns (the
   /// window of the paper's Fig. 4).
   std::optional<double> grindingIn;
@@ -67,7 +69,7 @@ struct PointOptions {
 /// For leaving out a point that would count twice.
 bool sameRun(const FrictionPoint &a, const FrictionPoint &b);
 
-/// The point of one log. @throws Error (BadInput) if `start` lies beyond the end of the log
+/// The point of one log. @throws Error (BadInput) if the start lies beyond the end of the log
 /// mu is the mean of the column over the stationary part, its error from `seriesMean`.
 /// @param log with at least one row
 FrictionPoint frictionPoint(const FrictionLog &log, const PointOptions &options);
