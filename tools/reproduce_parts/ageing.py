@@ -18,7 +18,7 @@ from .common import Missing, power_law, run_name, table
 
 PAPER_DEPTH = 10.0  # nm, of the quasi-liquid layer
 ROUGHNESS = 3.25  # nm, of the blocks of most plans
-TIMES = ((10, 25), (25, 50), (50, 100), (100, 200))  # ns
+TIMES = ((10, 25), (25, 50), (50, 100), (100, 200), (200, 500))  # ns
 LOADS = (0, 0.05, 0.1, 0.15, 0.2, 0.5)  # p/sigma_0, between which runs are taken together
 NOISY = 0.2  # standard error of mu over mu
 ALMOST = 1.01  # rows of compact logs may end a little before their run
@@ -187,9 +187,8 @@ def fig3(report, picture):
     return table(["", "paper, nm", "ours, nm", ""], rows)
 
 
-def power_of_time(series):
-    """n of y ~ t^n, its standard error, and y at 1 ns: a straight line through the logarithms of
-    means over BLOCK ns from AGED on.
+def blocks_of(series):
+    """Times (ns) and means over BLOCK ns from AGED on, a pair for each block.
 
     series: a pair of arrays for each run, times (ns) and y of any unit."""
     points = []
@@ -199,6 +198,13 @@ def power_of_time(series):
             (0.5 * (low + high), y[(time > low) & (time <= high)].mean())
             for low, high in itertools.pairwise(edges)
         ]
+    return points
+
+
+def power_of_time(series):
+    """n of y ~ t^n, its standard error, and y at 1 ns: a straight line through the logarithms of
+    the blocks of a series."""
+    points = blocks_of(series)
     if not all(y > 0 for _, y in points):
         raise Missing(f"a mean over {BLOCK} ns is not above 0: no power of time")
     (n, factor), covariance = np.polyfit(*np.log(points).T, 1, cov=True)
@@ -208,16 +214,16 @@ def power_of_time(series):
 def by_load(points, axes):
     """Rows of n of mu ~ t^n, the mean over the runs between loads p/sigma_0 (weights 1/s.e.^2, its
     standard error widened by a reduced chi^2 above 1), and of how many of them wr_fit finds no
-    stationary part, but for those whose mu is not known to NOISY; draws the runs whose n is known
-    to 0.1."""
+    stationary part, but for those whose mu is not known to NOISY or is not above 0 in a block;
+    draws the runs whose n is known to 0.1."""
     found = []
     for point in points:
-        if point["mu_se"] > NOISY * point["mu"]:
-            continue
         series = friction_series([point])
         end = series[0][0][-1]
         if end * ALMOST < 2 * AGED:
             raise Missing(f"{run_name(point)} ends at {end:g} ns, {2 * AGED} are needed")
+        if point["mu_se"] > NOISY * point["mu"] or min(y for _, y in blocks_of(series)) <= 0:
+            continue
         found.append(
             (
                 point["pressure"] / point["strength"],
@@ -311,7 +317,7 @@ def ageing(report, picture):
         )
         axes.plot(line, factor * line**n, f"C{k}", lw=1)
     axes.set(xscale="log", yscale="log", xlabel="time (ns)", ylabel="$\\mu$ with its 95 % interval")
-    axes.set_xticks([20, 50, 100, 150], ["20", "50", "100", "150"])
+    axes.set_xticks([20, 50, 100, 200, 500], ["20", "50", "100", "200", "500"])
     axes.set_yticks([0.3, 0.4, 0.5, 0.6, 0.7], ["0.3", "0.4", "0.5", "0.6", "0.7"])
     axes.minorticks_off()
     if not fast:

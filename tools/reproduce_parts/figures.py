@@ -392,7 +392,7 @@ FIGURES = {
         f"The law of one material, E = 206 GPa and sigma_0 = 92 MPa, {FROM}",
         ["velocity", "pressure"],
         fig7,
-        START,
+        ["--model", "velocity", *START],
     ),
     "presets": Figure(
         f"One steel with preset b and preset c, {FROM}",

@@ -109,7 +109,7 @@ def test_collapse_tells_what_it_goes_with(tmp_path):
 
 
 def test_law_is_the_papers(tmp_path):
-    logs(tmp_path, "paper36")
+    logs(tmp_path, "paper36", ns=500)
     text = made(tmp_path, "fig7", reproduce(tmp_path, "fig7"))
     assert len([row for row in text.splitlines() if row.endswith(" inside")]) >= 4
     assert line(text, "RMS of our runs against the paper's law:")[0] < 0.5
@@ -121,7 +121,6 @@ def test_law_with_a_third_number(tmp_path):
         logs(tmp_path, plan, lambda run: (run.values["E"] / run.values["strength"] / 2239) ** 0.25)
     text = made(tmp_path, "steel", reproduce(tmp_path, "steel"))
     assert line(text, "RMS of our runs against the paper's law:")[0] < 0.5
-    assert all(abs(line(text, f"kappa2 = {kappa2}")[-1]) < 1 for kappa2 in (2, 150, 633))
     text = made(tmp_path, "kappa3", reproduce(tmp_path, "kappa3"))
     factor, _, n, _ = line(text, "mu/mu(Eq. 2) = A (kappa3/2239)^n: A =")[:4]
     assert factor == pytest.approx(1, abs=0.01) and n == pytest.approx(0.25, abs=0.01)
@@ -134,6 +133,9 @@ def test_law_of_speed_and_a_third_number(tmp_path):
 
     for plan in ("paper36", "velocity", "pressure"):
         logs(tmp_path, plan, factor)
+    text = made(tmp_path, "steel", reproduce(tmp_path, "steel"))
+    assert line(text, "mu0")[1] == pytest.approx(0.43, abs=0.002)
+    assert line(text, "kappa2 = 633")[1] == pytest.approx(0.43, abs=0.002)
     text = made(tmp_path, "kappa3", reproduce(tmp_path, "kappa3"))
     assert line(text, "mu0")[1] == pytest.approx(0.43, abs=0.002)
     assert line(text, "mu1")[1] == pytest.approx(0.006, abs=0.0003)
