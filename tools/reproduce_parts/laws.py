@@ -17,6 +17,7 @@ from .common import Missing, run_name, table
 EQUAL = ("base", "thin", "thick", "soft", "stiff", "smooth")  # kappa1 = 2.571, kappa2 = 123.6
 BESIDE = ("slow", "dense", "strong")
 CONDITIONS = (*EQUAL, *BESIDE)
+SCREENED = ("base", *BESIDE)
 COLOURS = ("0.5", "C0", "C1", "C3")  # nothing more, contacts, both, contacts and both
 BEGIN, END = 75.0, 150.0  # ns, of the averages of the plan laws
 LINKS_BEGIN, LINKS_END = 50.0, 100.0  # of the plan laws-links
@@ -39,10 +40,11 @@ class Mean:
 
 
 def set_of(point):
-    """`b j2 contacts both`, the values without their keywords, of
+    """`b j2 contacts both`, the values without their keywords but for heal, of
     base-seed1-lawsb_plasticity_j2_flow_contacts_viscosity_both."""
     preset, *words = run_name(point).split("-laws")[1].split("_")
-    return " ".join([preset, *words[1::2]])
+    pairs = zip(words[::2], words[1::2])
+    return " ".join([preset, *(f"heal {v}" if key == "heal" else v for key, v in pairs)])
 
 
 def with_error(value, error):
@@ -92,8 +94,10 @@ def style_of_laws(name):
 
 
 def style_of_links(name):
-    """Colour: whether worn contacts link again, and at which stress welds break."""
-    return dict(fmt="o", color=f"C{('0.554' in name) + 2 * ('never' in name)}")
+    """Colour: whether worn contacts link again, and at which stress welds break; open squares:
+    where they heal at the strength."""
+    colour = f"C{('0.554' in name) + 2 * ('never' in name)}"
+    return dict(color=colour, **(dict(fmt="s", mfc="none") if "heal" in name else dict(fmt="o")))
 
 
 def draw(sets, paper, style, picture):
@@ -115,7 +119,7 @@ def draw(sets, paper, style, picture):
     axes.set_xticks(range(len(CONDITIONS)), CONDITIONS)
     axes.set(ylabel=r"$\mu/\mu$(Eq. 2)", ylim=(0, None))
     axes.grid(alpha=0.3, axis="y")
-    axes.legend(fontsize=9, ncols=5, loc="lower center")
+    axes.legend(fontsize=9, ncols=4, loc="lower center")
     save_figure(figure, picture)
 
 
@@ -188,6 +192,19 @@ def compared(points, window, style, picture):
     ]
 
 
+def screening(points):
+    """Lines of a table: the distance from Eq. 2 of each set over base, slow, dense and strong, by
+    the first seed alone, by which the plan laws-links chose."""
+    chosen = []
+    for name, members in groups(points, set_of).items():
+        first = [p for p in members if "-seed1-" in run_name(p)]
+        mu = {condition_of(p): Mean(*mean_of([p])) for p in first if condition_of(p) in SCREENED}
+        if len(mu) == len(SCREENED):
+            size, error = distance(mu, {condition_of(p): p["mu_eq2"] for p in first})
+            chosen.append([name, f"{100 * size:.0f} +- {100 * error:.0f} %"])
+    return table([f"{', '.join(SCREENED)}, seed 1", "RMS from Eq. 2"], chosen)
+
+
 def laws(report, picture):
     """The sets of the plan laws."""
     return compared(report["report"]["points"], (BEGIN, END), style_of_laws, picture)
@@ -196,4 +213,5 @@ def laws(report, picture):
 def links(report, picture):
     """The best of these sets, and the same with other laws of links, of the plan laws-links."""
     points = [p for p in report["report"]["points"] if set_of(p).startswith(BEST)]
-    return compared(points, (LINKS_BEGIN, LINKS_END), style_of_links, picture)
+    lines = compared(points, (LINKS_BEGIN, LINKS_END), style_of_links, picture)
+    return [*lines, "", *screening(points)]

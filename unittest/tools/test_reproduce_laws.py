@@ -41,14 +41,22 @@ def test_sets_tell_their_invariances(tmp_path):
     assert done.returncode == 3 and "no set of laws has a run of each of base, thin" in done.stderr
 
 
+def half_more_where_welds_heal(run):
+    return 1.5 if "heal" in run.values["laws"] else 1.0
+
+
 def test_laws_of_links_stand_beside_the_best_set(tmp_path):
-    """Sets of which not all conditions were run are in the tables of mu alone."""
+    """Sets of which not all conditions were run are in the tables of mu and of the screening."""
     for plan in ("laws", "laws-links"):
-        profiles(*logs(tmp_path, plan, ns=150), lambda run, part: (3, 6), frames=30)
+        found = logs(tmp_path, plan, half_more_where_welds_heal, ns=150)
+        profiles(*found, lambda run, part: (3, 6), frames=30)
     text = made(tmp_path, "laws-links", reproduce(tmp_path, "laws-links"))
-    first, _, third, _ = text.split("\n\n")
+    first, _, third, _, screened = text.split("\n\n")
     for name in ("b contacts both", "b contacts both never", "b contacts both 0.554"):
         assert line(first, f"{name}  ")[0] < 1 and len(line(third, f"{name}  ")) == 9
+        assert line(screened, f"{name}  ")[0] < 2
     crossed = "b contacts both 0.554 never  "
     assert crossed not in first and len(line(third, crossed)) == 4
+    for more in ("", "0.554 ", "never ", "0.554 never "):
+        assert line(screened, f"b contacts both {more}heal 1 ")[0] == pytest.approx(50, abs=2)
     assert "j2" not in text
