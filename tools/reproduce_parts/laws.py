@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Sets of laws crossed: which rubs alike at equal kappa1 and kappa2, and how near to Eq. 2. Of the
-plan laws all of them; of the plan laws-links the best of them with other rules for links."""
+plan laws all of them; of the plan laws-links the best of them, and these with other rules for
+links."""
 
 import dataclasses
 import math
@@ -95,20 +96,21 @@ def style_of_laws(name):
 
 def style_of_links(name):
     """Colour: whether worn contacts link again, and at which stress welds break; open squares:
-    where they heal at the strength."""
+    plasticity j2."""
     colour = f"C{('0.554' in name) + 2 * ('never' in name)}"
-    return dict(color=colour, **(dict(fmt="s", mfc="none") if "heal" in name else dict(fmt="o")))
+    return dict(color=colour, **(dict(fmt="s", mfc="none") if "j2" in name else dict(fmt="o")))
 
 
 def draw(sets, paper, style, picture):
-    """mu over Eq. 2 at each condition, a row of points for each set."""
+    """mu over Eq. 2 at each condition, a row of points for each set that ran in all of them."""
+    sets = {name: mu for name, mu in sets.items() if set(CONDITIONS) <= set(mu)}
     figure, axes = pyplot.subplots(figsize=(10, 5), constrained_layout=True)
     for k, (name, mu) in enumerate(sets.items()):
         x = np.arange(len(CONDITIONS)) + 0.1 * (k - 0.5 * (len(sets) - 1))
         axes.errorbar(
             x,
-            [mu[c].value / paper[c] if c in mu else math.nan for c in CONDITIONS],
-            yerr=[mu[c].error / paper[c] if c in mu else math.nan for c in CONDITIONS],
+            [mu[c].value / paper[c] for c in CONDITIONS],
+            yerr=[mu[c].error / paper[c] for c in CONDITIONS],
             ms=5,
             capsize=2,
             label=name,
@@ -211,7 +213,12 @@ def laws(report, picture):
 
 
 def links(report, picture):
-    """The best of these sets, and the same with other laws of links, of the plan laws-links."""
-    points = [p for p in report["report"]["points"] if set_of(p).startswith(BEST)]
+    """The best of these sets, and this and others with other laws of links, of the plan
+    laws-links."""
+    points = [
+        p
+        for p in report["report"]["points"]
+        if set_of(p) == BEST or any(law in run_name(p) for law in ("_weld_", "_worn_", "_heal_"))
+    ]
     lines = compared(points, (LINKS_BEGIN, LINKS_END), style_of_links, picture)
     return [*lines, "", *screening(points)]

@@ -175,8 +175,8 @@ SHIPPED = {
     "temperature": 15,
     "space": 16,
     "preset-b": 33,
-    "laws": 120,
-    "laws-links": 70,
+    "laws": 152,
+    "laws-links": 119,
 }
 
 

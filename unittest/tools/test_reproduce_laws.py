@@ -59,4 +59,4 @@ def test_laws_of_links_stand_beside_the_best_set(tmp_path):
     assert crossed not in first and len(line(third, crossed)) == 4
     for more in ("", "0.554 ", "never ", "0.554 never "):
         assert line(screened, f"b contacts both {more}heal 1 ")[0] == pytest.approx(50, abs=2)
-    assert "j2" not in text
+    assert len(line(third, "b j2 0.554  ")) == 9 and "b j2  " not in text
