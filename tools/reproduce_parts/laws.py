@@ -88,17 +88,21 @@ def exponent(small, large):
     return n, math.hypot(small.relative, large.relative) / FOURFOLD
 
 
+def marker_of(name):
+    """Open squares: plasticity j2."""
+    return dict(fmt="s", mfc="none") if "j2" in name else dict(fmt="o")
+
+
 def style_of_laws(name):
-    """Colour and marker: what flows and resists slip, and which plasticity."""
+    """Colour: what flows and resists slip."""
     colour = COLOURS[("contacts" in name) + 2 * ("both" in name)]
-    return dict(color=colour, **(dict(fmt="s", mfc="none") if "j2" in name else dict(fmt="o")))
+    return dict(color=colour, **marker_of(name))
 
 
 def style_of_links(name):
-    """Colour: whether worn contacts link again, and at which stress welds break; open squares:
-    plasticity j2."""
+    """Colour: whether worn contacts link again, and at which stress welds break."""
     colour = f"C{('0.554' in name) + 2 * ('never' in name)}"
-    return dict(color=colour, **(dict(fmt="s", mfc="none") if "j2" in name else dict(fmt="o")))
+    return dict(color=colour, **marker_of(name))
 
 
 def draw(sets, paper, style, picture):
