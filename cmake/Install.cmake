@@ -38,7 +38,8 @@ if(BUILD_WHEELRAIL)
   install(TARGETS wheelrail mcawr_shared EXPORT wheelrail ARCHIVE DESTINATION ${_lib})
   install(EXPORT wheelrail FILE wheelrailTargets.cmake NAMESPACE wheelrail::
           DESTINATION lib/cmake/wheelrail)
-  install(DIRECTORY src/WHEELRAIL/ DESTINATION include/wheelrail FILES_MATCHING PATTERN "*.h")
+  install(DIRECTORY src/WHEELRAIL/ src/shared DESTINATION include/wheelrail
+          FILES_MATCHING PATTERN "*.h")
   configure_package_config_file(cmake/wheelrailConfig.cmake.in "${_written}/wheelrailConfig.cmake"
                                 INSTALL_DESTINATION lib/cmake/wheelrail)
   write_basic_package_version_file("${_written}/wheelrailConfigVersion.cmake"

@@ -9,7 +9,7 @@
 
 #include "fix.h"
 
-#include "friction_log_writer.h"
+#include "files/friction_log_writer.h"
 
 #include <string>
 #include <vector>

@@ -7,7 +7,7 @@
 #include "comm.h"
 #include "domain.h"
 #include "error.h"
-#include "links_text.h"
+#include "files/links_text.h"
 #include "pair_mca.h"
 #include "restart_block.h"
 #include "shared/output_file.h"

@@ -8,12 +8,12 @@
 #include "comm.h"
 #include "domain.h"
 #include "error.h"
+#include "files/units.h"
 #include "fix_mca_history.h"
 #include "fix_mca_state.h"
 #include "force.h"
 #include "group.h"
 #include "modify.h"
-#include "units.h"
 #include "update.h"
 
 #include <algorithm>

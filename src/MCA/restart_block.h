@@ -7,7 +7,7 @@
 
 #include "atom.h"
 #include "error.h"
-#include "restart_format.h"
+#include "files/restart_format.h"
 
 #include <cstdio>
 #include <string>

@@ -2,8 +2,8 @@
 // wr_creep: a case file -> creep curves of rough rolling contact. The command line only.
 
 #include "base/errors.h"
-#include "base/output_file.h"
 #include "base/program.h"
+#include "base/program_files.h"
 #include "base/result_text.h"
 #include "base/version.h"
 #include "creep/case_file.h"

@@ -2,8 +2,8 @@
 // wr_fit: friction logs -> friction coefficients -> the law of Eq. 2. The command line only.
 
 #include "base/errors.h"
-#include "base/output_file.h"
 #include "base/program.h"
+#include "base/program_files.h"
 #include "base/quantity.h"
 #include "base/result_text.h"
 #include "base/version.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "friction_log_writer.h"
+#include "files/friction_log_writer.h"
 
 #include "sample.h"
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "material_file.h"
+#include "files/material_file.h"
 
+#include "files/units.h"
 #include "sample.h"
-#include "units.h"
 
 #include <gmock/gmock.h>
 

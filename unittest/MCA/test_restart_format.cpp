@@ -2,8 +2,8 @@
 // What restart files and files of mca_links hold behind their checksums: read back to the last bit,
 // and refused where it is damaged though the checksum fits.
 #include "core/automaton_states.h"
-#include "links_text.h"
-#include "restart_format.h"
+#include "files/links_text.h"
+#include "files/restart_format.h"
 #include "sample.h"
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 #ifndef WHEELRAIL_CASE_TEXT_H
 #define WHEELRAIL_CASE_TEXT_H
 
-#include "base/output_file.h"
+#include "base/program_files.h"
 #include "creep/case_file.h"
 
 #include <filesystem>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "base/errors.h"
-#include "base/output_file.h"
+#include "base/program_files.h"
 #include "contact/patch/gsf_file.h"
 #include "creep/field_files.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "base/checksum.h"
-#include "base/output_file.h"
+#include "base/program_files.h"
 #include "base/version.h"
 #include "creep/journal.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "base/errors.h"
-#include "base/output_file.h"
+#include "base/program_files.h"
 #include "base/random_number.h"
 #include "contact/line/profile.h"
 

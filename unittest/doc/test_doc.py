@@ -205,7 +205,7 @@ def test_potential_file():
 
 def test_friction_log():
     """Columns and head as the format's one description for C++ has them."""
-    schema = (ROOT / "src/WHEELRAIL/shared/friction_log_format.h").read_text(encoding="utf-8")
+    schema = (ROOT / "src/shared/friction_log_format.h").read_text(encoding="utf-8")
     columns = re.findall(r'"(\w+)"', re.search(r"columnNames = {(.*?)}", schema, re.DOTALL)[1])
     columns.append(re.search(r'checkName = "(\w+)"', schema)[1])
     text = page("friction_log.md")

@@ -4,7 +4,7 @@
 #include "memory_file.h"
 
 #include "base/errors.h"
-#include "base/output_file.h"
+#include "base/program_files.h"
 #include "base/quantity.h"
 #include "contact/line/profile.h"
 #include "contact/patch/gsf_file.h"

@@ -5,12 +5,12 @@
 
 #include "core/automaton_states.h"
 #include "core/link_list.h"
-#include "friction_log_writer.h"
+#include "files/friction_log_writer.h"
+#include "files/links_text.h"
+#include "files/material_file.h"
+#include "files/restart_format.h"
 #include "laws/law_set.h"
 #include "laws/linking.h"
-#include "links_text.h"
-#include "material_file.h"
-#include "restart_format.h"
 #include "shared/printable.h"
 
 #include <algorithm>

@@ -14,23 +14,23 @@ import pytest
 SOURCE = Path(os.environ.get("PROJECT_SOURCE", Path(__file__).resolve().parents[2])) / "src"
 
 FLOORS = {
-    "WHEELRAIL/shared": [],
+    "shared": [],
     # wheel and rail: base below law below fit and contact below creep
-    "WHEELRAIL/base": ["WHEELRAIL/shared"],
-    "WHEELRAIL/law": ["WHEELRAIL/base", "WHEELRAIL/shared"],
-    "WHEELRAIL/fit": ["WHEELRAIL/law", "WHEELRAIL/base", "WHEELRAIL/shared"],
-    "WHEELRAIL/contact": ["WHEELRAIL/base", "WHEELRAIL/shared"],
+    "WHEELRAIL/base": ["shared"],
+    "WHEELRAIL/law": ["WHEELRAIL/base", "shared"],
+    "WHEELRAIL/fit": ["WHEELRAIL/law", "WHEELRAIL/base", "shared"],
+    "WHEELRAIL/contact": ["WHEELRAIL/base", "shared"],
     "WHEELRAIL/contact/line": [
         "WHEELRAIL/contact",
         "WHEELRAIL/law",
         "WHEELRAIL/base",
-        "WHEELRAIL/shared",
+        "shared",
     ],
     "WHEELRAIL/contact/patch": [
         "WHEELRAIL/contact",
         "WHEELRAIL/law",
         "WHEELRAIL/base",
-        "WHEELRAIL/shared",
+        "shared",
     ],
     "WHEELRAIL/creep": [
         "WHEELRAIL/contact/line",
@@ -38,23 +38,24 @@ FLOORS = {
         "WHEELRAIL/contact",
         "WHEELRAIL/law",
         "WHEELRAIL/base",
-        "WHEELRAIL/shared",
+        "shared",
     ],
     "WHEELRAIL": [
         "WHEELRAIL/creep",
         "WHEELRAIL/fit",
         "WHEELRAIL/law",
         "WHEELRAIL/base",
-        "WHEELRAIL/shared",
+        "shared",
     ],
-    # automata: laws below core below the LAMMPS styles
-    "MCA/laws": ["WHEELRAIL/shared"],
-    "MCA/core": ["MCA/laws", "WHEELRAIL/shared"],
-    "MCA": ["MCA/core", "MCA/laws", "WHEELRAIL/shared"],
+    # automata: laws below core below files below the LAMMPS styles
+    "MCA/laws": ["shared"],
+    "MCA/core": ["MCA/laws", "shared"],
+    "MCA/files": ["MCA/core", "MCA/laws", "shared"],
+    "MCA": ["MCA/files", "MCA/core", "MCA/laws", "shared"],
 }
 # below these no header of LAMMPS and none of MPI, but for the files named
-WITHOUT_HOST = {"MCA/laws": [], "MCA/core": ["halo.cpp", "halo.h"]}
-ROOTS = [SOURCE / "WHEELRAIL", SOURCE / "MCA"]  # of include paths
+WITHOUT_HOST = {"MCA/laws": [], "MCA/core": ["halo.cpp", "halo.h"], "MCA/files": []}
+ROOTS = [SOURCE, SOURCE / "WHEELRAIL", SOURCE / "MCA"]  # of include paths
 INCLUDE = re.compile(r'^\s*#\s*include\s+([<"])([^>"]+)[>"]', re.MULTILINE)
 
 
@@ -153,7 +154,7 @@ def test_the_check_sees_a_wrong_arrow(tmp_path, monkeypatch):
         (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
         (tmp_path / name).write_text(text)
     monkeypatch.setattr(module, "SOURCE", tmp_path)
-    monkeypatch.setattr(module, "ROOTS", [tmp_path / "WHEELRAIL", tmp_path / "MCA"])
+    monkeypatch.setattr(module, "ROOTS", [tmp_path, tmp_path / "WHEELRAIL", tmp_path / "MCA"])
     with pytest.raises(AssertionError, match="law may not include WHEELRAIL/contact"):
         test_includes_point_down()
     with pytest.raises(AssertionError, match=r"c\.h includes atom\.h"):

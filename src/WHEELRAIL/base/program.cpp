@@ -2,7 +2,7 @@
 #include "base/program.h"
 
 #include "base/errors.h"
-#include "base/output_file.h"
+#include "base/program_files.h"
 #include "shared/nearest_word.h"
 #include "shared/output_file.h"
 #include "shared/printable.h"

@@ -2,7 +2,7 @@
 #include "creep/case_file.h"
 
 #include "base/checksum.h"
-#include "base/output_file.h"
+#include "base/program_files.h"
 #include "creep/case_parts.h"
 
 #include <algorithm>

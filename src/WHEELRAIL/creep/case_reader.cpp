@@ -2,7 +2,7 @@
 #include "creep/case_reader.h"
 
 #include "base/errors.h"
-#include "base/output_file.h"
+#include "base/program_files.h"
 #include "base/quantity.h"
 #include "shared/nearest_word.h"
 

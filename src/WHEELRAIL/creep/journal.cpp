@@ -3,7 +3,7 @@
 
 #include "base/checksum.h"
 #include "base/errors.h"
-#include "base/output_file.h"
+#include "base/program_files.h"
 #include "base/version.h"
 #include "shared/output_file.h"
 

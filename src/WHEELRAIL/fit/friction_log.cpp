@@ -2,7 +2,7 @@
 #include "fit/friction_log.h"
 
 #include "base/errors.h"
-#include "base/output_file.h"
+#include "base/program_files.h"
 #include "law/friction_law.h"
 #include "shared/friction_log_format.h"
 #include "shared/nearest_word.h"

@@ -2,7 +2,7 @@
 #include "fit/log_archive.h"
 
 #include "base/errors.h"
-#include "base/output_file.h"
+#include "base/program_files.h"
 #include "shared/friction_log_format.h"
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 #include "law/friction_law.h"
 
 #include "base/errors.h"
-#include "base/output_file.h"
+#include "base/program_files.h"
 #include "law/law_checksum.h"
 #include "shared/nearest_word.h"
 

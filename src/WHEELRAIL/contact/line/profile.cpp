@@ -2,7 +2,7 @@
 #include "contact/line/profile.h"
 
 #include "base/errors.h"
-#include "base/output_file.h"
+#include "base/program_files.h"
 #include "base/quantity.h"
 #include "base/random_number.h"
 

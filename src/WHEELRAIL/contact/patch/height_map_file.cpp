@@ -2,7 +2,7 @@
 #include "contact/patch/height_map_file.h"
 
 #include "base/errors.h"
-#include "base/output_file.h"
+#include "base/program_files.h"
 #include "base/quantity.h"
 #include "contact/patch/height_map_formats.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "units.h"
+#include "files/units.h"
 
 #include <map>
 

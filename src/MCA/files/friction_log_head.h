@@ -5,8 +5,8 @@
 #ifndef MCA_FRICTION_LOG_HEAD_H
 #define MCA_FRICTION_LOG_HEAD_H
 
+#include "files/units.h"
 #include "laws/material.h"
-#include "units.h"
 
 #include <string>
 #include <vector>

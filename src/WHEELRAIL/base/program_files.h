@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#ifndef WHEELRAIL_BASE_OUTPUT_FILE_H
-#define WHEELRAIL_BASE_OUTPUT_FILE_H
+#ifndef WHEELRAIL_BASE_PROGRAM_FILES_H
+#define WHEELRAIL_BASE_PROGRAM_FILES_H
 
 #include <string>
 #include <vector>

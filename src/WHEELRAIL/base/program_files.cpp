@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "base/output_file.h"
+#include "base/program_files.h"
 
 #include "base/errors.h"
 #include "shared/output_file.h"

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "material_file.h"
+#include "files/material_file.h"
 
+#include "files/units.h"
 #include "shared/nearest_word.h"
 #include "shared/plain_number.h"
-#include "units.h"
 
 #include <algorithm>
 #include <cmath>

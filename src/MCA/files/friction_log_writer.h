@@ -6,7 +6,7 @@
 #ifndef MCA_FRICTION_LOG_WRITER_H
 #define MCA_FRICTION_LOG_WRITER_H
 
-#include "friction_log_head.h"
+#include "files/friction_log_head.h"
 #include "shared/output_file.h"
 #include "shared/running_checksum.h"
 

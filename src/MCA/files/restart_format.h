@@ -7,7 +7,7 @@
 #ifndef MCA_RESTART_FORMAT_H
 #define MCA_RESTART_FORMAT_H
 
-#include "friction_log_writer.h"
+#include "files/friction_log_writer.h"
 #include "laws/law_set.h"
 #include "laws/material.h"
 #include "laws/packing.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "restart_format.h"
+#include "files/restart_format.h"
 
 #include "laws/linking.h"
 #include "shared/plain_number.h"

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "links_text.h"
+#include "files/links_text.h"
 
 #include "core/automaton_states.h"
+#include "files/restart_format.h"
 #include "laws/linking.h"
-#include "restart_format.h"
 #include "shared/plain_number.h"
 #include "shared/printable.h"
 
