@@ -54,7 +54,7 @@ LABELS = {
     "plastic": "plastic strain (-)",
     "intensity": "stress intensity (MPa)",
 }
-PAINT = {1: ("#9ecae1", "#2171b5"), 2: ("#fdbe85", "#d94801")}  # type: light, dark
+PAINT = {1: ("#9ecae1", "#2171b5"), 2: ("#fdbe85", "#d94801")}  # of each type light and dark
 
 
 def nearest_distance(x, y):

@@ -71,7 +71,9 @@ def surface_row(plane):
     weight = NU / (1 - 2 * NU) if plane == "strain" else NU / (1 - NU)  # lambda / 2G
     # sums over the contacts of e and of e^2 + gamma^2, over 3
     four, six = (2.5 - 1.5 * ratio) / 3, 1 - ratio
-    energy = ((2.5 + 1.5 * ratio**2) / 3 + weight * four**2) / (1 + ratio**2 + weight * six**2)
+    energy = ((2.5 + 1.5 * ratio**2) / 3 + weight * four**2) / (
+        1 + ratio**2 + weight * six**2
+    )
     return 5 / 6, four / six, energy
 
 

@@ -171,7 +171,9 @@ def test_periodic_case_is_westergaard(tmp_path):
     )
     summary = json.loads((tmp_path / "summary.json").read_text())
     assert summary["periodic"]["mean_pressure_MPa"] == pytest.approx(200)
-    assert summary["contacts"][0]["peak_pressure_MPa"] == pytest.approx(400 / share**0.5, rel=1e-3)
+    assert summary["contacts"][0]["peak_pressure_MPa"] == pytest.approx(
+        400 / share**0.5, rel=1e-3
+    )
     done = wr_creep(flat, "-o", tmp_path / "bad", "--set", "mode=frozen")
     assert done.returncode == 3 and "contact.period" in done.stderr
 

@@ -174,9 +174,9 @@ def test_keywords_of_a_patch_are_refused_on_a_line(tmp_path):
         "moving.start=rest",
     ):
         done = wr_creep(line, "-o", tmp_path, "--set", change)
-        assert done.returncode in (2, 3) and "does not go with a line contact" in done.stderr, (
-            done.stderr
-        )
+        assert (
+            done.returncode in (2, 3) and "does not go with a line contact" in done.stderr
+        ), done.stderr
     for change, text in (
         ("creep=-11", "[-10, 10]"),
         ("points=16", "[32,"),

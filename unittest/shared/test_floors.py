@@ -20,18 +20,8 @@ FLOORS = {
     "WHEELRAIL/law": ["WHEELRAIL/base", "shared"],
     "WHEELRAIL/fit": ["WHEELRAIL/law", "WHEELRAIL/base", "shared"],
     "WHEELRAIL/contact": ["WHEELRAIL/base", "shared"],
-    "WHEELRAIL/contact/line": [
-        "WHEELRAIL/contact",
-        "WHEELRAIL/law",
-        "WHEELRAIL/base",
-        "shared",
-    ],
-    "WHEELRAIL/contact/patch": [
-        "WHEELRAIL/contact",
-        "WHEELRAIL/law",
-        "WHEELRAIL/base",
-        "shared",
-    ],
+    "WHEELRAIL/contact/line": ["WHEELRAIL/contact", "WHEELRAIL/law", "WHEELRAIL/base", "shared"],
+    "WHEELRAIL/contact/patch": ["WHEELRAIL/contact", "WHEELRAIL/law", "WHEELRAIL/base", "shared"],
     "WHEELRAIL/creep": [
         "WHEELRAIL/contact/line",
         "WHEELRAIL/contact/patch",
@@ -40,13 +30,7 @@ FLOORS = {
         "WHEELRAIL/base",
         "shared",
     ],
-    "WHEELRAIL": [
-        "WHEELRAIL/creep",
-        "WHEELRAIL/fit",
-        "WHEELRAIL/law",
-        "WHEELRAIL/base",
-        "shared",
-    ],
+    "WHEELRAIL": ["WHEELRAIL/creep", "WHEELRAIL/fit", "WHEELRAIL/law", "WHEELRAIL/base", "shared"],
     # automata: laws below core below files below the LAMMPS styles
     "MCA/laws": ["shared"],
     "MCA/core": ["MCA/laws", "shared"],

@@ -348,9 +348,9 @@ def test_few_runs_are_a_figure_or_one_clear_line(name, tmp_path):
             if run + ending in members:
                 (tmp_path / "logs" / plan / (run + ending)).write_bytes(members[run + ending])
     done = reproduce(tmp_path, name)
-    assert done.returncode in (0, 3) and done.stderr.count("\n") == (done.returncode == 3), (
-        done.stderr
-    )
+    assert done.returncode in (0, 3) and done.stderr.count("\n") == (
+        done.returncode == 3
+    ), done.stderr
     assert not re.search("nan|inf\\b", done.stdout), done.stdout
 
 
