@@ -11,8 +11,9 @@ Usage: check.sh [--sanitize] [CTEST-OPTION...]
 Does the set-up (tools/setup.sh), then runs all tests: GoogleTest and pytest, through CTest.
 Fails if a test fails, is skipped or disabled, or if there is none. Options are given to ctest,
 for instance -R hertz (only the tests with that name). The output is kept in build/check.log.
+No test needs root; the form of the sources is held by tools/gate, which is no part of this.
 
-  --sanitize  all but the gates in a build of its own, build-sanitize/, with AddressSanitizer and
+  --sanitize  in a build of its own, build-sanitize/, with AddressSanitizer and
               UndefinedBehaviorSanitizer; a finding fails its test. About ten times as long
 
 Environment: as for setup.sh
@@ -26,7 +27,6 @@ case ${1:-} in
     shift
     [ -n "${MCAWR_BUILD:-}" ] || build=$root/build-sanitize
     options=(-DSANITIZE=ON -DCMAKE_BUILD_TYPE=RelWithDebInfo)
-    set -- -LE gate "$@"
     ;;
 esac
 export MCAWR_BUILD=$build

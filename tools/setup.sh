@@ -6,13 +6,14 @@ source "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/common.sh"
 
 usage() {
   cat <<'HELP'
-Usage: setup.sh [--no-tests] [CMAKE-OPTION...]
+Usage: setup.sh [--no-tests | --gates] [CMAKE-OPTION...]
 
 Installs the Debian packages that are missing (as root, or through sudo), obtains and builds LAMMPS
-(tools/get_lammps.sh) and obtains ruff (tools/get_ruff.sh), then configures and builds the project
-in build/. What is there already is left alone; a second call takes seconds.
+(tools/get_lammps.sh), then configures and builds the project in build/. What is there already is
+left alone; a second call takes seconds.
 
   --no-tests                  build the plugin and the programs only, without what tests need
+  --gates                     install the tools of tools/gate, too
 Options that start with -D are given to CMake, for instance
   -DLAMMPS_ROOT=DIR           an existing LAMMPS with its lmp instead of a new one
   -DLAMMPS_TARBALL=FILE       Debian's lammps_*.orig.tar.?z instead of a download
@@ -24,11 +25,12 @@ Environment: MCAWR_BUILD  build folder (default: build/ of the checkout)
 Exit codes: 0 ok, 1 build failed, 2 usage, 5 packages, download or files.
 HELP
 }
-options=() targets=() tests=1
+options=() targets=() tests=1 gates=''
 for arg in "$@"; do
   case $arg in
     -h | --help) usage; exit 0 ;;
     --no-tests) targets=(--target mcaplugin wr_fit wr_creep) tests='' ;;
+    --gates) gates=1 ;;
     -D*) options+=("$arg") ;;
     *) die 2 "unknown option '$arg' (CMake options start with -D); see --help" ;;
   esac
@@ -40,13 +42,10 @@ packages=(
   libfftw3-dev libceres-dev libudunits2-dev libboost-dev libgtest-dev libgmock-dev libbenchmark-dev
   python3 python3-numpy python3-matplotlib python3-yaml python3-pytest python3-meshio
   debian-archive-keyring xz-utils
+  dpkg-dev file # for cpack -G DEB
 )
-if [ -n "$tests" ]; then # the gates' tools, the site's; node and npm may be there from elsewhere
-  packages+=(clang-format-14 clang-tidy-14 shellcheck)
-  packages+=(python3-sphinx python3-myst-parser furo libjs-mathjax)
-  command -v node >/dev/null || packages+=(nodejs)
-  command -v npm >/dev/null || packages+=(npm)
-fi
+[ -z "$tests" ] || packages+=(python3-sphinx python3-myst-parser furo libjs-mathjax) # the site
+[ -z "$gates" ] || packages+=(black flake8 mypy clang-format-14 clang-tidy-14 shellcheck git)
 missing_packages() {
   local p
   for p in "${packages[@]}"; do
@@ -87,7 +86,6 @@ configure() {
 }
 
 install_packages
-[ -z "$tests" ] || "$root/tools/get_ruff.sh" >/dev/null
 say "configuring $build (LAMMPS first, if it is not in the cache yet)"
 configure
 say "building"

@@ -5,14 +5,7 @@ import pathlib
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 FOLDERS = ("src", "unittest", "tools", "cmake", "examples", ".ci")
-SUFFIXES = {
-    ".cpp": "c++",
-    ".h": "c++",
-    ".js": "javascript",
-    ".py": "python",
-    ".sh": "shell",
-    ".cmake": "cmake",
-}
+SUFFIXES = {".cpp": "c++", ".h": "c++", ".py": "python", ".sh": "shell", ".cmake": "cmake"}
 INTERPRETERS = {"python3": "python", "bash": "shell", "sh": "shell"}
 
 

@@ -6,7 +6,7 @@ from mcawr.files import write
 from .sources import shown
 
 LINE = "SPDX-License-Identifier: GPL-2.0-or-later"
-COMMENT = {"c++": "//", "javascript": "//"}  # all others: #
+COMMENT = {"c++": "//"}  # all others: #
 
 
 def check(files, options):

@@ -135,8 +135,8 @@ def run_script(main):
             code = Exit.OK
         else:
             code = main() or Exit.OK
-    except SystemExit as end:  # argparse: --help, or a usage error
-        code = end.code
+    except SystemExit as leave:  # argparse: --help, or a usage error
+        code = leave.code
     except Failure as failure:
         complain(failure)
         code = failure.code
@@ -149,9 +149,9 @@ def run_script(main):
     except Exception as error:
         if os.environ.get("MCAWR_TRACEBACK"):
             raise
-        failure = _failure_of(error)
-        complain(failure)
-        code = failure.code
+        end = _failure_of(error)
+        complain(end)
+        code = end.code
     try:
         if sys.stdout is not None:
             sys.stdout.flush()

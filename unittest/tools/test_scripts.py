@@ -10,7 +10,6 @@ import pytest
 TOOLS = Path(__file__).resolve().parents[2] / "tools"
 SCRIPTS = [
     "get_lammps.sh",
-    "get_ruff.sh",
     "build_docs.sh",
     "setup.sh",
     "quickstart.sh",
@@ -53,7 +52,7 @@ def test_help(script, tmp_path):
     assert list(tmp_path.iterdir()) == []
 
 
-@pytest.mark.parametrize("script", ["get_lammps.sh", "get_ruff.sh", "setup.sh", "quickstart.sh"])
+@pytest.mark.parametrize("script", ["get_lammps.sh", "setup.sh", "quickstart.sh"])
 def test_unknown_option(script):
     one_line(run(script, "--nonsense"), 2, "--nonsense", "--help")
 
@@ -131,14 +130,3 @@ def test_other_tarball_is_refused(tmp_path):
 
 def test_benchmark_without_lmp(tmp_path):
     one_line(run("benchmark.py", "--build", tmp_path), 5, "lmp", str(tmp_path))
-
-
-def test_other_ruff_is_refused(tmp_path):
-    wrong = tmp_path / "ruff.tgz"
-    wrong.write_bytes(b"not ruff")
-    cache = tmp_path / "cache"
-    assert run("get_ruff.sh", "--print", MCAWR_CACHE=cache).returncode == 1
-    one_line(run("get_ruff.sh", "--tarball", wrong, MCAWR_CACHE=cache), 5, "SHA-256", str(wrong))
-    missing = run("get_ruff.sh", "--tarball", tmp_path / "no", MCAWR_CACHE=cache)
-    one_line(missing, 5, "--tarball", str(tmp_path / "no"))
-    assert [path.name for path in cache.iterdir()] == ["ruff.lock"]

@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""tools/gate over a small project of its own: what is wrong is found, mended, and remembered."""
+"""tools/gate over a small project of its own: what is wrong is found, mended, and remembered.
+
+No part of ctest, since it needs the gates' tools: `python3 -m pytest unittest/gates`."""
 
 import json
 import os
@@ -15,14 +17,17 @@ HEADER = f"// {SPDX}\nint twice(int value);\n"
 SOURCE = f'// {SPDX}\n#include "a.h"\n\nint twice(int value)\n{{\n  return 2 * value;\n}}\n'
 SCRIPT = f'#!/bin/bash\n# {SPDX}\necho "$1"\n'
 PYTHON = f'# {SPDX}\n"""Nothing."""\n\nimport os\nimport sys\n\nprint(os.name, sys.argv)\n'
+TYPED = f"# {SPDX}\n\nVALUE: int = 1 + 1\n"
+CONFIGURATION = (".clang-tidy", ".clang-format", ".flake8", "pyproject.toml")
 
 
 @pytest.fixture
 def project(tmp_path):
     for name in ("tools/mcawr", "tools/gate_parts"):
         shutil.copytree(ROOT / name, tmp_path / name)
-    for name in ("tools/gate", "tools/get_ruff.sh", ".clang-tidy", ".clang-format", "ruff.toml"):
+    for name in ("tools/gate", *CONFIGURATION):
         shutil.copy(ROOT / name, tmp_path / name)
+    (tmp_path / "tools" / "typed.py").write_text(TYPED)
     (tmp_path / "src").mkdir()
     (tmp_path / "build").mkdir()
     (tmp_path / "CMakeLists.txt").write_text(f"# {SPDX}\n")
@@ -31,7 +36,20 @@ def project(tmp_path):
     entry = {"directory": str(tmp_path / "build"), "file": str(tmp_path / "src" / "a.cpp")}
     entry["command"] = f"c++ -std=c++17 -c {entry['file']}"
     (tmp_path / "build" / "compile_commands.json").write_text(json.dumps([entry]))
+    git(tmp_path, "init", "-q", "-b", "main")
+    commit(tmp_path, "Begin")  # what is on main is not looked at
+    git(tmp_path, "switch", "-q", "-c", "branch")
     return tmp_path
+
+
+def git(project, *words):
+    identity = ("-c", "user.name=a", "-c", "user.email=a@b")
+    command = ["git", "-C", project, *identity, *words]
+    return subprocess.run(command, check=True, text=True, capture_output=True).stdout
+
+
+def commit(project, message):
+    git(project, "commit", "-q", "--allow-empty", "-m", message)
 
 
 def gate(project, *words, **environment):
@@ -54,17 +72,17 @@ def gate(project, *words, **environment):
 def test_clean(project):
     done = gate(project)
     assert done.returncode == 0, done.stdout + done.stderr
-    assert done.stdout.count(": 0 findings\n") == 5
+    assert done.stdout.count(": 0 findings\n") == 8
 
 
 @pytest.mark.parametrize(
     "name, file, old, new, finding, mended",
     [
         ("clang-format", "a.cpp", "return 2", "return  2", "src/a.cpp:6:9: format", True),
-        ("ruff", "a.py", "os.name", "os . name", "src/a.py:7:1: format", True),
-        ("ruff", "a.py", "import os\nimport sys", "import sys\nimport os", "py:4:1: I001", True),
-        ("ruff", "a.py", "sys.argv", "sys.argv, x", "src/a.py:7:26: F821", False),
-        ("ruff", "a.py", "Nothing", "No " * 60 + "no", "src/a.py:2:101: E501", False),
+        ("black", "a.py", "os.name", "os . name", "src/a.py:7:1: format", True),
+        ("flake8", "a.py", "sys.argv", "sys.argv, x", "src/a.py:7:26: F821", False),
+        ("flake8", "a.py", "Nothing", "No " * 60 + "no", "src/a.py:2:101: E501", False),
+        ("mypy", "../tools/typed.py", "1 + 1", '1 + ""', "tools/typed.py:3:18: error", False),
         ("shellcheck", "a.sh", '"$1"', "$1", "src/a.sh:3:6: note", False),
         ("spdx", "a.sh", SPDX, "GPL", "src/a.sh:2:1: spdx", True),
         ("spdx", "a.h", f"// {SPDX}\n", "", "src/a.h:1:1: spdx", True),
@@ -83,6 +101,40 @@ def test_finding(project, name, file, old, new, finding, mended):
     again = gate(project, name, "--fix")
     assert again.returncode == (0 if mended else 1)
     assert (gate(project, name).returncode == 0) == mended
+
+
+@pytest.mark.parametrize(
+    "message, finding",
+    [
+        ("Short\n\nWhy it is so.", ""),
+        ("L" * 72 + "\n\nWhy.", ""),
+        ("L" * 73 + "\n\nWhy.", "subject: 73 columns, at most 72"),
+        ("Short", "body: there is none"),
+        ("Short\nat once why", "the line after the subject must be empty"),
+    ],
+)
+def test_commits(project, message, finding):
+    before = git(project, "rev-parse", "HEAD").strip()
+    commit(project, message)
+    commit(project, "After it\n\nIs good.")
+    done = gate(project, "commits")
+    assert done.returncode == bool(finding) and finding in done.stdout
+    number = git(project, "rev-parse", "--short", "HEAD~").strip()
+    assert done.stdout.count(f"commit {number}: ") == bool(finding)
+    assert gate(project, "commits", "--base", before).returncode == bool(finding)
+    assert gate(project, "commits", "--base", "HEAD~").returncode == 0  # it is older
+    git(project, "branch", "-f", "main", "branch")
+    assert gate(project, "commits").returncode == 0  # nothing of it is to come
+    git(project, "update-ref", "refs/remotes/origin/main", before)  # upstream comes first
+    assert gate(project, "commits").returncode == bool(finding)
+
+
+def test_nothing_to_compare_with(project):
+    git(project, "branch", "-D", "main")
+    done = gate(project, "commits")
+    assert done.returncode == 2 and "--base" in done.stderr and done.stderr.count("\n") == 1
+    done = gate(project, "commits", "--base", "nonsense")
+    assert done.returncode == 2 and "nonsense" in done.stderr
 
 
 def test_tidy_remembers(project):
@@ -116,7 +168,7 @@ def test_tidy_remembers(project):
 def test_usage(project):
     done = gate(project, "nonsense")
     assert done.returncode == 2 and "clang-tidy" in done.stderr
-    done = gate(project, "ruff", "--", "no.py")
+    done = gate(project, "black", "--", "no.py")
     assert done.returncode == 2 and done.stderr == "gate: no.py: no such file\n"
     (project / "build" / "compile_commands.json").unlink()
     done = gate(project, "clang-tidy")
@@ -127,6 +179,6 @@ def test_tool_is_missing(project):
     """No quiet pass without the tool."""
     (project / "bin").mkdir()
     (project / "bin" / "python3").symlink_to("/usr/bin/python3")
-    for name in ("clang-format", "clang-tidy", "shellcheck"):
+    for name in ("clang-format", "clang-tidy", "shellcheck", "black", "flake8", "mypy"):
         done = gate(project, name, PATH=str(project / "bin"))
         assert done.returncode == 1 and f"apt-get install {name}" in done.stderr
