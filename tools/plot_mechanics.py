@@ -26,7 +26,6 @@ from mcawr.errors import Exit, fail, run_script, say
 from mcawr.files import make_folder, save_figure
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
-sys.path.insert(0, str(ROOT / "unittest" / "MCA"))
 
 
 def surface(m, np, plt, work):
@@ -287,6 +286,7 @@ def main():
         PROJECT_SOURCE=str(ROOT),
         MCA_PLUGIN=str(build / "lib" / "mcaplugin.so"),
     )
+    sys.path.append(str(ROOT / "unittest" / "MCA"))  # the experiments are those of the tests
     import mechanics
 
     for name in FIGURES if options.figure == "all" else [options.figure]:

@@ -3,11 +3,12 @@
 
 import json
 import os
-import pathlib
 import re
 import subprocess
 
 import pytest
+
+import friction_logs
 from line_runs import BIN, CASE, DOC, SOURCE, TABLE2, law_file, table, wr_creep
 
 
@@ -119,11 +120,6 @@ def test_pictures(case, tmp_path):
 
 def test_chain_from_campaign_to_creep(tmp_path):
     """Logs of Eq. 2 with noise -> law -> creep curves whose band holds those of the paper's law."""
-    import sys
-
-    sys.path.insert(0, str(pathlib.Path(__file__).parent))
-    import friction_logs
-
     friction_logs.campaign(tmp_path / "campaign")
     done = subprocess.run(
         [

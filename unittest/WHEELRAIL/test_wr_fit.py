@@ -9,18 +9,16 @@ import os
 import pathlib
 import re
 import subprocess
-import sys
 import tempfile
 
 import pytest
 
 import friction_logs
+from campaign_parts.pack import packed
 
 WR_FIT = pathlib.Path(os.environ["WHEELRAIL_BIN"]) / "wr_fit"
 PAPER = {"mu0": 0.15, "mu1": 0.0442, "mu2": 0.3243, "b": 0.195, "c": 0.00212}  # Eq. 3
 TOOLS = pathlib.Path(os.environ["PROJECT_SOURCE"]) / "tools"
-sys.path.insert(0, str(TOOLS))
-from campaign_parts.pack import packed  # noqa: E402
 
 PNG = b"\x89PNG\r\n\x1a\n"
 

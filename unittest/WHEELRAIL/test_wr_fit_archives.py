@@ -8,17 +8,15 @@ import lzma
 import os
 import pathlib
 import subprocess
-import sys
 import tarfile
 
 import pytest
 
 import friction_logs
+from mcawr import archive
+from mcawr.errors import BadInput
 
 WR_FIT = pathlib.Path(os.environ["WHEELRAIL_BIN"]) / "wr_fit"
-sys.path.insert(0, str(pathlib.Path(os.environ["PROJECT_SOURCE"]) / "tools"))
-from mcawr import archive  # noqa: E402
-from mcawr.errors import BadInput  # noqa: E402
 
 SPEEDS = {"v10": 10.0, "v2": 2.0, "v5": 5.0}  # in order of names
 LOG = friction_logs.friction_log()

@@ -8,16 +8,15 @@ A fenced block marked ``lammps`` is a complete input script and is run; excerpts
 import os
 import re
 import subprocess
-import sys
 import zlib
 from pathlib import Path
 
 import pytest
 import yaml
 
+from mcawr.files import read_text
+
 ROOT = Path(__file__).resolve().parents[2]
-sys.path.insert(0, str(ROOT / "tools"))
-from mcawr.files import read_text  # noqa: E402
 
 MCA = ROOT / "src" / "MCA"
 LMP = os.environ.get("MCAWR_LMP", str(ROOT / "build" / "bin" / "lmp"))

@@ -5,19 +5,17 @@ every variable set from outside."""
 import os
 import re
 import subprocess
-import sys
 from pathlib import Path
 
 import pytest
 import yaml
 
+from campaign_parts import plan as plans
+
 ROOT = Path(__file__).resolve().parents[2]
 LMP = os.environ.get("MCAWR_LMP", str(ROOT / "build" / "bin" / "lmp"))
 FRICTION = ROOT / "examples" / "friction"
 SPACE = ROOT / "examples" / "space"
-
-sys.path.insert(0, str(ROOT / "tools"))
-from campaign_parts import plan as plans  # noqa: E402
 
 
 def script_variables(script):

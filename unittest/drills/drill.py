@@ -16,9 +16,8 @@ import tempfile
 sys.dont_write_bytecode = True
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 TOOLS = ROOT / "tools"
-for folder in ("tools", "WHEELRAIL"):  # samples of the tests
-    sys.path.insert(0, str(ROOT / "unittest" / folder))
-sys.path.insert(0, str(TOOLS))
+# drills are scripts, so that pytest's pythonpath (pyproject.toml) does not reach them
+sys.path += [str(TOOLS), str(ROOT / "unittest" / "tools")]
 
 HANG = 120.0 * float(os.environ.get("MCAWR_TIME_FACTOR", "1"))  # seconds for one run
 CODES = range(7)  # exit codes of our programs

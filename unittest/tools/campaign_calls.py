@@ -5,7 +5,6 @@ import os
 import pathlib
 import re
 import subprocess
-import sys
 import time
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
@@ -13,7 +12,6 @@ CAMPAIGN = ROOT / "tools" / "campaign"
 FAKE = pathlib.Path(__file__).with_name("fake_lmp.py")
 REAL = pathlib.Path(os.environ.get("MCAWR_TEST_LMP", ROOT / "build" / "bin" / "lmp"))
 
-sys.path.insert(0, str(ROOT / "tools"))
 
 HEAD = "format: mca-campaign 1\n"
 PLAN = (

@@ -11,7 +11,6 @@ import os
 import sys
 import time
 
-sys.path.insert(0, os.path.join(os.path.dirname(os.path.realpath(__file__)), "..", "WHEELRAIL"))
 import friction_logs
 
 END = b"LammpS RestartT\0"

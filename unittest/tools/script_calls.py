@@ -10,9 +10,9 @@ from pathlib import Path
 
 import pytest
 
+from mcawr import errors
+
 TOOLS = Path(__file__).resolve().parents[2] / "tools"
-sys.path.insert(0, str(TOOLS))
-from mcawr import errors  # noqa: E402
 
 
 def with_checksum(data):

@@ -6,25 +6,21 @@ import os
 import resource
 import stat
 import subprocess
-import sys
 import threading
 import time
 from pathlib import Path
 
 import pytest
+
+from friction_logs import friction_log
+from mcawr import archive, errors, files
 from script_calls import with_checksum
+from test_dump_to_vtk import ATOMS
+from test_plot_creep import GOOD as CREEP
+from test_plot_fragment import GOOD as DUMP
+from test_plot_layer import HEAD, frame
 
 TOOLS = Path(__file__).resolve().parents[2] / "tools"
-sys.path.insert(0, str(TOOLS))
-sys.path.insert(0, str(TOOLS.parent / "unittest" / "WHEELRAIL"))
-from test_dump_to_vtk import ATOMS  # noqa: E402
-from test_plot_creep import GOOD as CREEP  # noqa: E402
-from test_plot_fragment import GOOD as DUMP  # noqa: E402
-
-from friction_logs import friction_log  # noqa: E402
-from mcawr import archive, errors, files  # noqa: E402
-from test_plot_layer import HEAD, frame  # noqa: E402
-
 PNG = b"\x89PNG"
 POINT = {
     "mu": 0.4, "mu_se": 0.01, "mu_grinding_in": 0.5, "mu_peak": 1.0, "mu_eq2": 0.41,

@@ -6,18 +6,14 @@ import json
 import os
 import re
 import stat
-import sys
-from pathlib import Path
 from unittest.mock import ANY
 
 import pytest
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "WHEELRAIL"))
+from mcawr import files
 from test_dump_to_vtk import ATOMS, LINKS
 from test_files import BENCH, FIT, INPUTS
 from test_plot_patch import FILES
-
-from mcawr import files
 
 AGAINST = ("--against", "pressure")
 READERS = {  # script: its words, {} for the file; the file that it takes

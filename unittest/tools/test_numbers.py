@@ -1,12 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Numbers as everybody reads them."""
 
-import sys
-from pathlib import Path
-
 import pytest
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "tools"))
 from mcawr import numbers
 
 NONE = ["", "x", "nan", "inf", "-inf", "1e999", "0x10", "1_000", "1 500", "²", "٣", "1,5", "--1"]

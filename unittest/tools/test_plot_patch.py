@@ -2,16 +2,15 @@
 """tools/plot_patch.py: pictures from fields and tables of a 3D contact, or one clear line."""
 
 import subprocess
-import sys
 from pathlib import Path
 
 import numpy as np
 import pytest
 
+from mcawr import fields
+from mcawr.errors import BadInput
+
 TOOLS = Path(__file__).resolve().parents[2] / "tools"
-sys.path.insert(0, str(TOOLS))
-from mcawr import fields  # noqa: E402
-from mcawr.errors import BadInput  # noqa: E402
 
 NX, NY = 24, 16
 

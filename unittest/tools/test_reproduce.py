@@ -5,19 +5,17 @@ import os
 import re
 import shutil
 import subprocess
-import sys
 from pathlib import Path
 
 import numpy
 import pytest
 
+from campaign_parts import plan as plans
+from friction_logs import eq2, friction_log
+from mcawr import archive
 from test_plot_layer import HEAD, frame
 
 ROOT = Path(__file__).resolve().parents[2]
-sys.path[:0] = [str(ROOT / "unittest" / "WHEELRAIL"), str(ROOT / "tools")]
-from campaign_parts import plan as plans  # noqa: E402
-from friction_logs import eq2, friction_log  # noqa: E402
-from mcawr import archive  # noqa: E402
 
 BUILD = (
     Path(os.environ["MCAWR_TEST_LMP"]).parents[1]

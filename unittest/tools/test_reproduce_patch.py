@@ -5,16 +5,15 @@ the page beside the shipped tables."""
 import json
 import os
 import re
-import sys
 from pathlib import Path
 
 import pytest
+
+from mcawr.errors import Failure
+from reproduce_parts import patch_runs as runs
 from script_calls import Caller
 
 ROOT = Path(__file__).resolve().parents[2]
-sys.path.insert(0, str(ROOT / "tools"))
-from mcawr.errors import Failure  # noqa: E402
-from reproduce_parts import patch_runs as runs  # noqa: E402
 
 BUILD = (
     Path(os.environ["MCAWR_TEST_LMP"]).parents[1]

@@ -6,15 +6,14 @@ import json
 import os
 import shlex
 import subprocess
-import sys
 from pathlib import Path
 
 import pytest
 
+from campaign_parts import pack, plan as plans
+from mcawr import archive
+
 ROOT = Path(__file__).resolve().parents[2]
-sys.path.insert(0, str(ROOT / "tools"))
-from campaign_parts import pack, plan as plans  # noqa: E402
-from mcawr import archive  # noqa: E402
 
 LOGS = ROOT / "examples" / "campaign" / "logs"
 PLANS = sorted(path.name.removesuffix(archive.ENDING) for path in LOGS.glob("*.tar.xz"))

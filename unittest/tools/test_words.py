@@ -1,12 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Help for misspelt words: the cases of unittest/shared/test_nearest_word.cpp."""
 
-import sys
-from pathlib import Path
-
 import pytest
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "tools"))
 from mcawr.words import edit_distance, known_words, nearest
 
 MATERIAL = ["youngs_modulus", "poissons_ratio", "density", "strength", "yield_strain", "viscosity"]
