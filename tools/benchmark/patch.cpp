@@ -9,10 +9,10 @@
 //   wheel/n       a wheel's ellipse, n x 0.92 n cells over 1.1 x its axes, creep 1.2e-3, from
 //                 nothing: influence of the cells, normal contact, traction
 #include "contact/normal_contact.h"
-#include "contact/patch/hertz_ellipse.h"
-#include "contact/patch/patch_half_space.h"
-#include "contact/patch/patch_surface.h"
-#include "contact/patch/transient.h"
+#include "contact/patch/elasticity/hertz_ellipse.h"
+#include "contact/patch/elasticity/patch_half_space.h"
+#include "contact/patch/solvers/transient.h"
+#include "contact/patch/surfaces/patch_surface.h"
 
 #include <benchmark/benchmark.h>
 

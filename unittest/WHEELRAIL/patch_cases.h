@@ -3,11 +3,11 @@
 #define WHEELRAIL_PATCH_CASES_H
 
 #include "contact/normal_contact.h"
-#include "contact/patch/grid.h"
-#include "contact/patch/hertz_ellipse.h"
-#include "contact/patch/patch_half_space.h"
-#include "contact/patch/patch_sums.h"
-#include "contact/patch/tangential.h"
+#include "contact/patch/elasticity/grid.h"
+#include "contact/patch/elasticity/hertz_ellipse.h"
+#include "contact/patch/elasticity/patch_half_space.h"
+#include "contact/patch/solvers/patch_sums.h"
+#include "contact/patch/solvers/tangential.h"
 
 #include <optional>
 

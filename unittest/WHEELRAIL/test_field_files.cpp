@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "base/errors.h"
 #include "base/program_files.h"
-#include "contact/patch/gsf_file.h"
+#include "contact/patch/formats/gsf_file.h"
 #include "creep/field_files.h"
 
 #include <cmath>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "base/errors.h"
 #include "base/random_number.h"
-#include "contact/patch/height_map.h"
+#include "contact/patch/surfaces/height_map_steps.h"
 
 #include <cmath>
 #include <gtest/gtest.h>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "base/errors.h"
 #include "base/program_files.h"
-#include "contact/patch/gsf_file.h"
-#include "contact/patch/height_map_file.h"
+#include "contact/patch/formats/gsf_file.h"
+#include "contact/patch/surfaces/height_map_preparation.h"
 
 #include <cmath>
 #include <cstring>

@@ -3,7 +3,7 @@
 // shipped examples cattaneo, bench1 and the like with their reference outputs), an independent
 // program for the same equations on the same grids: numbers agree to the digits it prints, and so
 // does every cell's state.
-#include "contact/patch/transient.h"
+#include "contact/patch/solvers/transient.h"
 #include "patch_cases.h"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Unlike bodies: pressure and tangential traction influence each other. Exact statements of the
 // influence, the printed results of an independent program, and what must hold of rolling.
-#include "contact/patch/patch_coupling.h"
+#include "contact/patch/solvers/patch_coupling.h"
 #include "creep/patch/moving_patch.h"
 #include "creep/patch/patch_curve.h"
 #include "creep/patch/static_patch.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Leading edges inside their cells: what the forces gain, and what must not change.
-#include "contact/patch/edge_compliance.h"
-#include "contact/patch/transient.h"
+#include "contact/patch/solvers/edge_compliance.h"
+#include "contact/patch/solvers/transient.h"
 #include "patch_cases.h"
 
 #include <cmath>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Rolling contact in three dimensions against closed formulas and against sums that hold on any
 // grid: Hertz, full sliding under a law that depends on pressure, stiffness of rough patches.
-#include "contact/patch/kalker.h"
-#include "contact/patch/transient.h"
+#include "contact/patch/solvers/kalker.h"
+#include "contact/patch/solvers/transient.h"
 #include "law/contact_friction.h"
 #include "patch_cases.h"
 

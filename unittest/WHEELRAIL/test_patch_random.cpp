@@ -3,7 +3,7 @@
 // the share of the area in contact, Poisson's ratio, the friction, the creepages, the hardness
 // limit and the friction's scatter from cell to cell are. (290 were run in development.)
 #include "base/errors.h"
-#include "contact/patch/transient.h"
+#include "contact/patch/solvers/transient.h"
 #include "patch_cases.h"
 
 #include <cmath>

@@ -2,8 +2,8 @@
 // Statements that hold exactly for rolling contact in three dimensions, and the error of the cells
 // where they hold in the limit.
 #include "base/errors.h"
-#include "contact/patch/kalker.h"
-#include "contact/patch/transient.h"
+#include "contact/patch/solvers/kalker.h"
+#include "contact/patch/solvers/transient.h"
 #include "patch_cases.h"
 
 #include <Eigen/Dense>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "base/errors.h"
-#include "contact/patch/patch_surface.h"
-#include "contact/patch/patch_temperature.h"
+#include "contact/patch/solvers/patch_temperature.h"
+#include "contact/patch/surfaces/patch_surface.h"
 #include "patch_cases.h"
 
 #include <cmath>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Surfaces that travel through the contact and turn on their way, against particles that are
 // followed one by one; what the means of mode moving leave out.
-#include "contact/patch/rough_patch.h"
+#include "contact/patch/surfaces/rough_patch.h"
 #include "creep/patch/moving_patch.h"
 
 #include <gtest/gtest.h>

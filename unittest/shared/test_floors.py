@@ -13,6 +13,9 @@ import pytest
 
 SOURCE = Path(os.environ.get("PROJECT_SOURCE", Path(__file__).resolve().parents[2])) / "src"
 
+PATCH_ROOMS = [
+    f"WHEELRAIL/contact/patch/{room}" for room in ("solvers", "surfaces", "elasticity", "formats")
+]
 FLOORS = {
     "shared": [],
     # wheel and rail: base below law below fit and contact below creep
@@ -21,10 +24,27 @@ FLOORS = {
     "WHEELRAIL/fit": ["WHEELRAIL/law", "WHEELRAIL/base", "shared"],
     "WHEELRAIL/contact": ["WHEELRAIL/base", "shared"],
     "WHEELRAIL/contact/line": ["WHEELRAIL/contact", "WHEELRAIL/law", "WHEELRAIL/base", "shared"],
-    "WHEELRAIL/contact/patch": ["WHEELRAIL/contact", "WHEELRAIL/law", "WHEELRAIL/base", "shared"],
+    # the rooms of the patch, and above them what puts one contact together
+    "WHEELRAIL/contact/patch/formats": ["WHEELRAIL/base", "shared"],
+    "WHEELRAIL/contact/patch/elasticity": ["WHEELRAIL/contact", "WHEELRAIL/base", "shared"],
+    "WHEELRAIL/contact/patch/solvers": [
+        "WHEELRAIL/contact/patch/elasticity",
+        "WHEELRAIL/contact",
+        "WHEELRAIL/base",
+        "shared",
+    ],
+    "WHEELRAIL/contact/patch/surfaces": [
+        "WHEELRAIL/contact/patch/elasticity",
+        "WHEELRAIL/contact/patch/formats",
+        "WHEELRAIL/contact",
+        "WHEELRAIL/base",
+        "shared",
+    ],
+    "WHEELRAIL/contact/patch": [*PATCH_ROOMS, "WHEELRAIL/contact", "WHEELRAIL/base", "shared"],
     "WHEELRAIL/creep": [
         "WHEELRAIL/contact/line",
         "WHEELRAIL/contact/patch",
+        *PATCH_ROOMS,
         "WHEELRAIL/contact",
         "WHEELRAIL/law",
         "WHEELRAIL/base",

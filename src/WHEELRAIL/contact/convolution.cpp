@@ -7,12 +7,6 @@
 
 namespace wheelrail {
 
-std::mutex &fftwPlannerMutex()
-{
-  static std::mutex mutex;
-  return mutex;
-}
-
 int fastTransformSize(int n)
 {
   for (int size = std::max(n, 2);; ++size) {

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#ifndef WHEELRAIL_CONTACT_LINE_CONVOLUTION_H
-#define WHEELRAIL_CONTACT_LINE_CONVOLUTION_H
+#ifndef WHEELRAIL_CONTACT_CONVOLUTION_H
+#define WHEELRAIL_CONTACT_CONVOLUTION_H
 
 #include <Eigen/Core>
 
 #include <complex>
 #include <functional>
 #include <memory>
-#include <mutex>
 #include <vector>
 
 namespace wheelrail {
@@ -15,10 +14,6 @@ namespace wheelrail {
 /// Smallest even 2^a 3^b 5^c 7^d >= n: a length that FFTW transforms fast.
 /// @param n >= 1
 int fastTransformSize(int n);
-
-/// FFTW's planner is the one part of it that is not thread-safe: hold this while plans are made or
-/// destroyed. Transforms themselves need no lock.
-std::mutex &fftwPlannerMutex();
 
 /// Products with Toeplitz matrices of n cells by FFTW, y_i = sum_j kernel(i - j) x_j: how the
 /// influence of cells on each other is computed in n log n. A pure number; units come in by kernel

@@ -2,16 +2,23 @@
 #ifndef WHEELRAIL_CONTACT_FFTW_MEMORY_H
 #define WHEELRAIL_CONTACT_FFTW_MEMORY_H
 
-#include "contact/convolution.h"
-
 #include <cstddef>
 #include <fftw3.h>
 #include <memory>
+#include <mutex>
 #include <new>
 #include <type_traits>
 
 /// Arrays and plans of FFTW that end with their owner.
 namespace wheelrail {
+
+/// FFTW's planner is the one part of it that is not thread-safe: hold this while plans are made or
+/// destroyed. Transforms themselves need no lock.
+inline std::mutex &fftwPlannerMutex()
+{
+  static std::mutex mutex;
+  return mutex;
+}
 
 struct FftwFree {
   void operator()(void *array) const { fftw_free(array); }

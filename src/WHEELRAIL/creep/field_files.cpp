@@ -2,7 +2,7 @@
 #include "creep/field_files.h"
 
 #include "base/errors.h"
-#include "contact/patch/gsf_file.h"
+#include "contact/patch/formats/gsf_file.h"
 
 #include <cstdint>
 #include <cstring>

@@ -2,8 +2,8 @@
 #ifndef WHEELRAIL_CREEP_FIELD_FILES_H
 #define WHEELRAIL_CREEP_FIELD_FILES_H
 
-#include "contact/patch/grid.h"
-#include "contact/patch/tangential.h"
+#include "contact/patch/elasticity/grid.h"
+#include "contact/patch/solvers/tangential.h"
 #include "shared/output_file.h"
 
 #include <string>

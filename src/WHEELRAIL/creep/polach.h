@@ -2,7 +2,7 @@
 #ifndef WHEELRAIL_CREEP_POLACH_H
 #define WHEELRAIL_CREEP_POLACH_H
 
-#include "contact/patch/kalker.h"
+#include "contact/patch/solvers/kalker.h"
 
 #include <array>
 #include <string>

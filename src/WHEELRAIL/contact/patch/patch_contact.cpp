@@ -2,7 +2,7 @@
 #include "contact/patch/patch_contact.h"
 
 #include "base/errors.h"
-#include "contact/patch/patch_half_space.h"
+#include "contact/patch/elasticity/patch_half_space.h"
 
 #include <cmath>
 #include <fmt/format.h>

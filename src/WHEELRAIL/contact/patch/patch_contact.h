@@ -3,11 +3,11 @@
 #define WHEELRAIL_PATCH_CONTACT_H
 
 #include "contact/normal_contact.h"
-#include "contact/patch/edge_compliance.h"
-#include "contact/patch/grid.h"
-#include "contact/patch/hertz_ellipse.h"
-#include "contact/patch/kernel.h"
-#include "contact/patch/rough_patch.h"
+#include "contact/patch/elasticity/cell_influence.h"
+#include "contact/patch/elasticity/grid.h"
+#include "contact/patch/elasticity/hertz_ellipse.h"
+#include "contact/patch/solvers/edge_compliance.h"
+#include "contact/patch/surfaces/rough_patch.h"
 
 #include <array>
 #include <optional>

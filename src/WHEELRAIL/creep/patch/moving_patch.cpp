@@ -2,7 +2,7 @@
 #include "creep/patch/moving_patch.h"
 
 #include "base/errors.h"
-#include "contact/patch/patch_sums.h"
+#include "contact/patch/solvers/patch_sums.h"
 
 #include <algorithm>
 #include <cmath>

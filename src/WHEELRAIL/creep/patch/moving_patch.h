@@ -2,7 +2,7 @@
 #ifndef WHEELRAIL_CREEP_MOVING_PATCH_H
 #define WHEELRAIL_CREEP_MOVING_PATCH_H
 
-#include "contact/patch/transient.h"
+#include "contact/patch/solvers/transient.h"
 #include "creep/patch/patch_point.h"
 
 #include <functional>

@@ -2,7 +2,7 @@
 #ifndef WHEELRAIL_CREEP_PATCH_CURVE_H
 #define WHEELRAIL_CREEP_PATCH_CURVE_H
 
-#include "contact/patch/kalker.h"
+#include "contact/patch/solvers/kalker.h"
 #include "creep/field_selection.h"
 #include "creep/patch/moving_patch.h"
 #include "creep/sweep.h"

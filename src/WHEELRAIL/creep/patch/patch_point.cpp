@@ -2,7 +2,7 @@
 #include "creep/patch/patch_point.h"
 
 #include "base/errors.h"
-#include "contact/patch/patch_half_space.h"
+#include "contact/patch/elasticity/patch_half_space.h"
 
 #include <algorithm>
 #include <cmath>

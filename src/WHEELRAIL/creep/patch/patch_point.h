@@ -2,12 +2,12 @@
 #ifndef WHEELRAIL_CREEP_PATCH_POINT_H
 #define WHEELRAIL_CREEP_PATCH_POINT_H
 
+#include "contact/patch/elasticity/patch_half_space.h"
 #include "contact/patch/patch_contact.h"
-#include "contact/patch/patch_coupling.h"
-#include "contact/patch/patch_half_space.h"
-#include "contact/patch/patch_sums.h"
-#include "contact/patch/patch_temperature.h"
-#include "contact/patch/tangential.h"
+#include "contact/patch/solvers/patch_coupling.h"
+#include "contact/patch/solvers/patch_sums.h"
+#include "contact/patch/solvers/patch_temperature.h"
+#include "contact/patch/solvers/tangential.h"
 #include "creep/creep_physics.h"
 #include "creep/field_files.h"
 #include "creep/law_spread.h"

@@ -2,8 +2,8 @@
 #include "creep/patch/static_patch.h"
 
 #include "base/errors.h"
-#include "contact/patch/patch_sums.h"
-#include "contact/patch/transient.h"
+#include "contact/patch/solvers/patch_sums.h"
+#include "contact/patch/solvers/transient.h"
 #include "creep/patch/patch_curve.h"
 
 #include <fmt/format.h>

@@ -1,0 +1,256 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "contact/patch/elasticity/patch_half_space.h"
+
+#include "contact/convolution.h"
+
+#include <cmath>
+
+namespace wheelrail {
+namespace {
+
+using Vector = Eigen::VectorXd;
+using Complex = PlaneTransform::Complex;
+
+constexpr int coarsestGrid = 32; ///< cells of the longer side
+constexpr double pi = 3.14159265358979323846;
+
+/// Spectra of the three integrals where the cells repeat with the transform's period: those of the
+/// unbounded plane summed over aliases. Each falls as |k|^-3, so that the nearest few are enough.
+CellIntegrals periodicSpectrum(double kx, double ky, const CellGrid &grid)
+{
+  constexpr int aliases = 1;
+  const auto sinc = [](double x) { return x == 0.0 ? 1.0 : std::sin(x) / x; };
+  CellIntegrals sum{0.0, 0.0, 0.0};
+  for (int m = -aliases; m <= aliases; ++m)
+    for (int n = -aliases; n <= aliases; ++n) {
+      const double u = kx + 2.0 * pi * m / grid.dx, v = ky + 2.0 * pi * n / grid.dy;
+      const double k2 = u * u + v * v;
+      const double factor =
+          2.0 * pi * sinc(0.5 * u * grid.dx) * sinc(0.5 * v * grid.dy) / (k2 * std::sqrt(k2));
+      sum.yy += factor * u * u;
+      sum.xx += factor * v * v;
+      sum.xy -= factor * u * v;
+    }
+  return sum;
+}
+
+} // namespace
+
+PatchHalfSpace::PatchHalfSpace(const CellGrid &grid, const ElasticPair &elasticPair)
+    : cellGrid_(grid), pair_(elasticPair)
+{
+}
+
+PlaneTransform &PatchHalfSpace::padded(int fields)
+{
+  std::optional<PlaneTransform> &transform = padded_[fields - 1];
+  if (!transform)
+    transform.emplace(paddedTransform(cellGrid_.nx, cellGrid_.ny, fields));
+  return *transform;
+}
+
+PlaneTransform &PatchHalfSpace::wrapping(int fields)
+{
+  std::optional<PlaneTransform> &transform = wrapping_[fields - 1];
+  if (!transform)
+    transform.emplace(cellGrid_.nx, cellGrid_.ny, fastTransformSize(cellGrid_.nx),
+                      fastTransformSize(cellGrid_.ny), fields);
+  return *transform;
+}
+
+// Influence at a distance of whole cells is even in x and y (xy: odd in both), so a quarter of the
+// plane holds all of it, and cosine (sine) transforms give the quarter of its spectrum.
+void PatchHalfSpace::fillSpectra()
+{
+  const int sizeX = fastTransformSize(2 * cellGrid_.nx),
+            sizeY = fastTransformSize(2 * cellGrid_.ny);
+  const int countX = sizeX / 2 + 1, countY = sizeY / 2 + 1;
+  for (Quarter *quarter : {&yy_, &xx_, &xy_})
+    quarter->assign(std::size_t(countX) * countY, 0.0);
+  for (int ix = 0; ix < cellGrid_.nx; ++ix)
+    for (int iy = 0; iy < cellGrid_.ny; ++iy) {
+      const std::size_t at = std::size_t(ix) * countY + iy;
+      const CellIntegrals cell =
+          cellIntegrals(ix * cellGrid_.dx, iy * cellGrid_.dy, cellGrid_.dx, cellGrid_.dy);
+      yy_[at] = cell.yy;
+      xx_[at] = cell.xx;
+      xy_[at] = cell.xy;
+    }
+  quarterTransform(yy_, countX, countY, false, false);
+  quarterTransform(xx_, countX, countY, false, false);
+  quarterTransform(xy_, countX, countY, true, true);
+  const double scale = 1.0 / (pi * pair_.G * sizeX * sizeY);
+  for (std::size_t i = 0; i < yy_.size(); ++i) {
+    yy_[i] *= scale;
+    xx_[i] *= scale;
+    xy_[i] *= -scale; // odd in both directions: the product of two factors -i
+  }
+}
+
+void PatchHalfSpace::fillEstimates()
+{
+  const int sizeX = fastTransformSize(cellGrid_.nx), sizeY = fastTransformSize(cellGrid_.ny);
+  const int countX = sizeX / 2 + 1, countY = sizeY / 2 + 1;
+  for (Quarter *quarter : {&stiffnessXX_, &stiffnessYY_, &stiffnessXY_, &stiffnessZZ_})
+    quarter->resize(std::size_t(countX) * countY);
+  const double lengthX = sizeX * cellGrid_.dx, lengthY = sizeY * cellGrid_.dy;
+  const double scale = pi * pair_.G / (double(sizeX) * sizeY), less = 1.0 - pair_.nu;
+  for (int kx = 0; kx < countX; ++kx)
+    for (int ky = 0; ky < countY; ++ky) {
+      const std::size_t at = std::size_t(kx) * countY + ky;
+      CellIntegrals cell;
+      if (kx == 0 && ky == 0) // the mean: as a wave of twice the box
+        cell.yy = cell.xx = std::max(lengthX, lengthY), cell.xy = 0.0;
+      else
+        cell = periodicSpectrum(2.0 * pi * kx / lengthX, 2.0 * pi * ky / lengthY, cellGrid_);
+      // at the highest frequency +k and -k are the same: the odd part vanishes
+      if (2 * kx == sizeX || 2 * ky == sizeY)
+        cell.xy = 0.0;
+      const double a = less * cell.yy + cell.xx, b = cell.yy + less * cell.xx;
+      const double c = pair_.nu * cell.xy, determinant = a * b - c * c;
+      // inverse of the symmetric 2 x 2 matrix that a wave's tractions are multiplied by
+      stiffnessXX_[at] = scale * b / determinant;
+      stiffnessYY_[at] = scale * a / determinant;
+      stiffnessXY_[at] = -scale * c / determinant;
+      stiffnessZZ_[at] = scale / (less * (cell.yy + cell.xx));
+    }
+}
+
+Vector PatchHalfSpace::displacement(const Vector &pressure)
+{
+  if (yy_.empty())
+    fillSpectra();
+  Vector result = pressure;
+  double *field = result.data();
+  PlaneTransform &transform = padded(1);
+  const int sizeY = transform.sizeY(), countY = sizeY / 2 + 1;
+  const double less = 1.0 - pair_.nu;
+  transform.multiply(&field, [&](int kx, Complex *const *column) {
+    const double *a = &yy_[std::size_t(kx) * countY], *b = &xx_[std::size_t(kx) * countY];
+    forFrequencies(sizeY,
+                   [&](int ky, int bin, double) { column[0][ky] *= less * (a[bin] + b[bin]); });
+  });
+  return result;
+}
+
+TangentialField PatchHalfSpace::displacement(const TangentialField &traction)
+{
+  if (yy_.empty())
+    fillSpectra();
+  TangentialField result = traction;
+  double *fields[] = {result.x.data(), result.y.data()};
+  PlaneTransform &transform = padded(2);
+  const int sizeY = transform.sizeY(), countY = sizeY / 2 + 1;
+  const double less = 1.0 - pair_.nu;
+  transform.multiply(fields, [&](int kx, Complex *const *column) {
+    const std::size_t at = std::size_t(kx) * countY;
+    const double *a = &yy_[at], *b = &xx_[at], *c = &xy_[at];
+    forFrequencies(sizeY, [&](int ky, int bin, double sign) {
+      const Complex x = column[0][ky], y = column[1][ky];
+      const double cross = sign * pair_.nu * c[bin];
+      column[0][ky] = (less * a[bin] + b[bin]) * x + cross * y;
+      column[1][ky] = cross * x + (a[bin] + less * b[bin]) * y;
+    });
+  });
+  return result;
+}
+
+Vector PatchHalfSpace::tractionEstimate(const Vector &displacement)
+{
+  if (stiffnessZZ_.empty())
+    fillEstimates();
+  Vector result = displacement;
+  double *field = result.data();
+  PlaneTransform &transform = wrapping(1);
+  const int sizeY = transform.sizeY(), countY = sizeY / 2 + 1;
+  transform.multiply(&field, [&](int kx, Complex *const *column) {
+    const double *s = &stiffnessZZ_[std::size_t(kx) * countY];
+    forFrequencies(sizeY, [&](int ky, int bin, double) { column[0][ky] *= s[bin]; });
+  });
+  return result;
+}
+
+TangentialField PatchHalfSpace::tractionEstimate(const TangentialField &displacement)
+{
+  if (stiffnessZZ_.empty())
+    fillEstimates();
+  TangentialField result = displacement;
+  double *fields[] = {result.x.data(), result.y.data()};
+  PlaneTransform &transform = wrapping(2);
+  const int sizeY = transform.sizeY(), countY = sizeY / 2 + 1;
+  transform.multiply(fields, [&](int kx, Complex *const *column) {
+    const std::size_t at = std::size_t(kx) * countY;
+    forFrequencies(sizeY, [&](int ky, int bin, double sign) {
+      const Complex x = column[0][ky], y = column[1][ky];
+      const double cross = sign * stiffnessXY_[at + bin];
+      column[0][ky] = stiffnessXX_[at + bin] * x + cross * y;
+      column[1][ky] = cross * x + stiffnessYY_[at + bin] * y;
+    });
+  });
+  return result;
+}
+
+TangentialField PatchHalfSpace::softenedEstimate(const TangentialField &displacement, double D,
+                                                 bool rolling)
+{
+  if (stiffnessZZ_.empty())
+    fillEstimates();
+  TangentialField result = displacement;
+  double *fields[] = {result.x.data(), result.y.data()};
+  PlaneTransform &transform = wrapping(2);
+  const int sizeX = transform.sizeX(), sizeY = transform.sizeY();
+  const int countY = sizeY / 2 + 1;
+  const double bins = double(sizeX) * sizeY; // the stiffnesses contain 1/bins
+  transform.multiply(fields, [&](int kx, Complex *const *column) {
+    const std::size_t at = std::size_t(kx) * countY;
+    const Complex ahead = rolling ? 1.0 - std::polar(1.0, 2.0 * pi * kx / sizeX) : 1.0;
+    forFrequencies(sizeY, [&](int ky, int bin, double sign) {
+      // K (D K + ahead)^-1 with the stiffness K = A^-1
+      const double xx = stiffnessXX_[at + bin], yy = stiffnessYY_[at + bin];
+      const double xy = sign * stiffnessXY_[at + bin], soft = D * bins;
+      const Complex a = soft * xx + ahead, b = soft * yy + ahead;
+      const double c = soft * xy;
+      const Complex determinant = a * b - c * c;
+      const Complex scale = std::conj(determinant) / std::norm(determinant);
+      const Complex x = column[0][ky], y = column[1][ky];
+      const Complex u = scale * (b * x - c * y), v = scale * (a * y - c * x);
+      column[0][ky] = xx * u + xy * v;
+      column[1][ky] = xy * u + yy * v;
+    });
+  });
+  return result;
+}
+
+double PatchHalfSpace::displacementScale(double pressureSum) const
+{
+  const double area = cellGrid_.dx * cellGrid_.dy;
+  const double side = std::sqrt(area * cells());
+  return pressureSum * area * (1.0 - pair_.nu) / (pi * pair_.G * side);
+}
+
+std::unique_ptr<HalfSpace> PatchHalfSpace::coarser() const
+{
+  const auto halves = [](int n) { return n == 1 || n % 2 == 0; };
+  const CellGrid &g = cellGrid_;
+  if (std::max(g.nx, g.ny) < 2 * coarsestGrid || !halves(g.nx) || !halves(g.ny))
+    return nullptr;
+  const bool alongX = g.nx > 1, alongY = g.ny > 1;
+  return std::make_unique<PatchHalfSpace>(CellGrid{alongX ? g.nx / 2 : 1, alongY ? g.ny / 2 : 1,
+                                                   alongX ? 2.0 * g.dx : g.dx,
+                                                   alongY ? 2.0 * g.dy : g.dy},
+                                          pair_);
+}
+
+double PatchHalfSpace::normalCompliance() const
+{
+  return cellInfluence(pair_, cellIntegrals(0.0, 0.0, cellGrid_.dx, cellGrid_.dy)).zz;
+}
+
+double PatchHalfSpace::tangentialCompliance() const
+{
+  const CellInfluence own =
+      cellInfluence(pair_, cellIntegrals(0.0, 0.0, cellGrid_.dx, cellGrid_.dy));
+  return std::max(own.xx, own.yy);
+}
+
+} // namespace wheelrail

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "base/errors.h"
+#include "contact/patch/formats/height_map_formats.h"
+
+#include <fmt/format.h>
+#include <limits>
+#include <set>
+
+namespace wheelrail {
+
+namespace {
+
+constexpr const char *between = " \t,;";
+
+struct MatrixHead {
+  double heightUnit = 0.0, spacingX = 0.0, spacingY = 0.0; // m
+  bool rowsUpwards = true;
+  long columns = 0, rows = 0;  ///< stated; 0: not
+  std::set<std::string> given; ///< keywords so far
+};
+
+/// "# keyword: value"; other comments are free text.
+void readHeadLine(const std::string &path, int number, std::string_view line, MatrixHead &head)
+{
+  const auto colon = line.find(':');
+  if (colon == std::string_view::npos)
+    return;
+  const std::string keyword(trimmedView(line.substr(1, colon - 1)));
+  const std::string value(trimmedView(line.substr(colon + 1)));
+  for (const char *known : {"height", "spacing", "points", "rows"})
+    if (keyword == known && !head.given.insert(keyword).second)
+      throw badInput(path, number, keyword, "appears twice in the head");
+  if (keyword == "height")
+    head.heightUnit = positiveLength(path, number, keyword, "1 " + value);
+  if (keyword == "spacing") {
+    const auto comma = value.find(',');
+    head.spacingX = positiveLength(path, number, keyword, value.substr(0, comma));
+    head.spacingY = comma == std::string::npos
+                        ? head.spacingX
+                        : positiveLength(path, number, keyword, value.substr(comma + 1));
+  }
+  if (keyword == "points") {
+    const auto comma = value.find(',');
+    if (comma == std::string::npos)
+      throw badInput(path, number, keyword,
+                     fmt::format("'{}' must be two whole numbers, along x and y", value));
+    const std::string_view columns = trimmedView(std::string_view(value).substr(0, comma));
+    const std::string_view rows = trimmedView(std::string_view(value).substr(comma + 1));
+    head.columns = wholeNumber(path, number, keyword, std::string(columns));
+    head.rows = wholeNumber(path, number, keyword, std::string(rows));
+    checkMapSize(path, number, keyword, head.columns, head.rows);
+  }
+  if (keyword == "rows") {
+    if (value != "upwards" && value != "downwards")
+      throw badInput(path, number, keyword,
+                     fmt::format("'{}'; upwards and downwards are allowed", value));
+    head.rowsUpwards = value == "upwards";
+  }
+}
+
+void checkHead(const std::string &path, int number, const MatrixHead &head)
+{
+  if (head.heightUnit == 0.0)
+    throw badInput(path, number, "height", "no line '# height: UNIT' before the numbers");
+  if (head.spacingX == 0.0)
+    throw badInput(path, number, "spacing", "no line '# spacing: NUMBER UNIT' before the numbers");
+}
+
+/// Adds the numbers of a line. @return how many
+long readRow(const std::string &path, int number, std::string_view line,
+             std::vector<double> &heights)
+{
+  long count = 0;
+  for (auto first = line.find_first_not_of(between); first != std::string_view::npos;
+       first = line.find_first_not_of(between)) {
+    line.remove_prefix(first);
+    const std::string_view word = line.substr(0, line.find_first_of(between));
+    line.remove_prefix(word.size());
+    double value = std::numeric_limits<double>::quiet_NaN();
+    if (word != "nan" && word != "NaN" && word != "NAN" && !readDecimal(word, value))
+      throw badInput(path, number, fmt::format("column {}", count + 1),
+                     fmt::format("'{}' is neither a finite number nor nan", word));
+    heights.push_back(value);
+    ++count;
+  }
+  return count;
+}
+
+} // namespace
+
+HeightMap parseMatrix(const std::string &path, const std::string &bytes)
+{
+  LineReader lines(bytes);
+  MatrixHead head;
+  std::vector<double> heights;
+  long columns = 0, rows = 0;
+  std::string_view raw;
+  while (lines.next(raw)) {
+    const std::string_view line = trimmedView(raw);
+    if (line.empty())
+      continue;
+    if (line.front() == '#') {
+      if (rows > 0)
+        throw badInput(path, lines.number(), "", "the head must stand before the numbers");
+      readHeadLine(path, lines.number(), line, head);
+      continue;
+    }
+    const long found = readRow(path, lines.number(), line, heights);
+    if (rows == 0) {
+      columns = found;
+      checkHead(path, lines.number(), head);
+    }
+    if (found != columns)
+      throw badInput(path, lines.number(), "",
+                     fmt::format("{} columns; the first row has {}", found, columns));
+    ++rows;
+    if (rows * columns > mostMapPoints)
+      checkMapSize(path, lines.number(), "", columns, rows);
+  }
+  if (head.columns > 0 && (columns != head.columns || rows != head.rows))
+    throw badInput(path, 0, "points",
+                   fmt::format("{} x {} heights; the head states {} x {}", columns, rows,
+                               head.columns, head.rows));
+  checkMapSize(path, 0, "", columns, rows);
+  HeightMap map{static_cast<int>(columns), static_cast<int>(rows), head.spacingX, head.spacingY,
+                Eigen::Map<const Eigen::VectorXd>(heights.data(), columns * rows) *
+                    head.heightUnit};
+  return head.rowsUpwards ? map : mirrored(map);
+}
+
+} // namespace wheelrail

@@ -1,0 +1,322 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "contact/patch/solvers/friction_newton.h"
+
+#include "contact/gmres.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace wheelrail {
+namespace {
+
+using Vector = Eigen::VectorXd;
+
+/// Of a Newton step's linear system: nothing is gained by a better solution before every cell's
+/// state is right, but much by one Krylov space for the rest of the way afterwards.
+constexpr double innerTolerance = 0.1, tightTolerance = 1e-3, innerShare = 0.3;
+/// r of q = P(q - r S), in units of a cell's stiffness: how far a cell's slip counts when its state
+/// is predicted. The smaller, the slower and the safer. Of a step, whose S is that of all
+/// wavelengths together, a larger one lets the states of a fine grid go to and fro.
+struct Attempt {
+  double rolling, step; ///< the prediction
+  int steps;            ///< mostly 5 to 10 are enough where it converges at all
+};
+constexpr Attempt attempts[] = {{0.5, 0.1, 20}, {0.1, 0.02, 40}, {0.02, 0.005, 100}};
+/// Softer slip (see `Linearisation::softness`) hardly feels the half-space: 2 to 5 serve as well.
+constexpr double softest = 3.0;
+constexpr double leastSoftness = 1e-3; ///< in the mean of the logarithms
+constexpr int restart = 30, maxInner = 120;
+
+/// A step of Newton's method by GMRES from zero, the residual measured after the left
+/// preconditioner. It needs no more than `tightTolerance` of it, which single precision gives: what
+/// is missing is the next step's, and so is the judgement whether the residual itself is small. It
+/// never fails; it gives what it has.
+template<class Apply, class Precondition>
+Vector krylov(const Apply &apply, const Precondition &precondition, const Vector &b,
+              double tolerance)
+{
+  Vector x = Vector::Zero(b.size()), r = b;
+  const double goal = tolerance * b.norm();
+  int products = 0;
+  while (r.norm() > goal && products < maxInner) {
+    const GmresCycle cycle =
+        gmresCycle<float>(apply, precondition, r, goal, restart, maxInner - products);
+    if (cycle.step.size() == 0)
+      return x;
+    x += precondition(cycle.step);
+    products += cycle.products;
+    if (cycle.residual <= goal || products >= maxInner)
+      return x;
+    r = b - apply(x);
+    ++products;
+  }
+  return x;
+}
+
+} // namespace
+
+FrictionNewton::FrictionNewton(PatchHalfSpace &halfSpace, Equations equations)
+    : space_(halfSpace), eq_(std::move(equations)), n_(static_cast<int>(eq_.cells.size())),
+      compliance_(halfSpace.tangentialCompliance()),
+      upstream_(n_, -1), field_{Vector::Zero(halfSpace.cells()), Vector::Zero(halfSpace.cells())}
+{
+  stiffness_ = Vector::Ones(n_);
+  for (int i = 0; 3 * i < eq_.edge.size(); ++i)
+    stiffness_[i] = 1.0 / (1.0 + std::max({0.0, eq_.edge[3 * i], eq_.edge[3 * i + 1]}));
+  // cells are numbered with x running fastest: the one upstream is the next in the list, if any
+  const int nx = space_.grid().nx;
+  for (int i = 0; i + 1 < n_; ++i)
+    if (eq_.cells[i + 1] == eq_.cells[i] + 1 && eq_.cells[i + 1] % nx != 0)
+      upstream_[i] = i + 1;
+}
+
+Vector FrictionNewton::operatorB(const Vector &x)
+{
+  ++operatorProducts_;
+  field_.x.setZero();
+  field_.y.setZero();
+  for (int i = 0; i < n_; ++i) {
+    field_.x[eq_.cells[i]] = x[2 * i];
+    field_.y[eq_.cells[i]] = x[2 * i + 1];
+  }
+  const TangentialField u = space_.displacement(field_);
+  Vector result(2 * n_);
+  // Steady rolling: u(x) - u(x + d), the displacement a cell upstream, where the material was.
+  const int ahead = eq_.steady ? 1 : 0;
+  const double unit = 1.0 / compliance_;
+  for (int i = 0; i < n_; ++i) {
+    const int cell = eq_.cells[i];
+    double ux = u.x[cell], uy = u.y[cell];
+    if (ahead) {
+      ux -= u.x[cell + 1];
+      uy -= u.y[cell + 1];
+    }
+    result[2 * i] = unit * ux;
+    result[2 * i + 1] = unit * uy;
+  }
+  if (eq_.edge.size() > 0)
+    for (int i = 0; i < n_; ++i) {
+      result[2 * i] += eq_.edge[3 * i] * x[2 * i] + eq_.edge[3 * i + 2] * x[2 * i + 1];
+      result[2 * i + 1] += eq_.edge[3 * i + 2] * x[2 * i] + eq_.edge[3 * i + 1] * x[2 * i + 1];
+    }
+  for (std::size_t j = 0; j < eq_.unknown.size(); ++j)
+    for (int i = 0; i < n_; ++i)
+      result[2 * i + eq_.unknown[j]] += x[2 * n_ + j];
+  return result;
+}
+
+// A cell sticks where q - r S lies within the disc of its bound. There q - P(q - r S) is r S; the
+// factor is left out. The equations of given forces are divided by sqrt(n), so that they do not
+// outweigh those of the cells.
+Vector FrictionNewton::evaluate(const Vector &x, Linearisation &linear)
+{
+  scaledSlip_ = eq_.drive + operatorB(x);
+  linear.slips.assign(n_, 0);
+  linear.tangent = Vector::Zero(2 * n_);
+  linear.lambda = linear.softness = Vector::Zero(n_);
+  Vector f(x.size());
+  for (int i = 0; i < n_; ++i) {
+    const double r = predictionOf(i);
+    const double zx = x[2 * i] - r * scaledSlip_[2 * i],
+                 zy = x[2 * i + 1] - r * scaledSlip_[2 * i + 1];
+    const double length = std::hypot(zx, zy);
+    if (length <= eq_.bound[i]) {
+      f[2 * i] = scaledSlip_[2 * i];
+      f[2 * i + 1] = scaledSlip_[2 * i + 1];
+      continue;
+    }
+    linear.slips[i] = 1;
+    linear.lambda[i] = eq_.bound[i] / length;
+    linear.softness[i] = (1.0 - linear.lambda[i]) / (linear.lambda[i] * r);
+    linear.tangent[2 * i] = -zy / length;
+    linear.tangent[2 * i + 1] = zx / length;
+    f[2 * i] = x[2 * i] - linear.lambda[i] * zx;
+    f[2 * i + 1] = x[2 * i + 1] - linear.lambda[i] * zy;
+  }
+  for (std::size_t j = 0; j < eq_.unknown.size(); ++j) {
+    double sum = -eq_.force[j];
+    for (int i = 0; i < n_; ++i)
+      sum += x[2 * i + eq_.unknown[j]];
+    f[2 * n_ + j] = sum / std::sqrt(double(n_));
+  }
+  return f;
+}
+
+Vector FrictionNewton::jacobian(const Linearisation &linear, const Vector &x)
+{
+  Vector f = Vector(x.size());
+  const Vector s = operatorB(x);
+  for (int i = 0; i < n_; ++i) {
+    if (!linear.slips[i]) {
+      f[2 * i] = s[2 * i];
+      f[2 * i + 1] = s[2 * i + 1];
+      continue;
+    }
+    // q - lambda (q - r S) along the circle, q itself across it
+    const double tx = linear.tangent[2 * i], ty = linear.tangent[2 * i + 1];
+    const double lambda = linear.lambda[i];
+    const double along = tx * x[2 * i] + ty * x[2 * i + 1];
+    const double alongS = tx * s[2 * i] + ty * s[2 * i + 1];
+    const double change = -lambda * (along - predictionOf(i) * alongS);
+    f[2 * i] = x[2 * i] + change * tx;
+    f[2 * i + 1] = x[2 * i + 1] + change * ty;
+  }
+  for (std::size_t j = 0; j < eq_.unknown.size(); ++j) {
+    double sum = 0.0;
+    for (int i = 0; i < n_; ++i)
+      sum += x[2 * i + eq_.unknown[j]];
+    f[2 * n_ + j] = sum / std::sqrt(double(n_));
+  }
+  return f;
+}
+
+Vector FrictionNewton::fromLeft(const Linearisation &linear, const Vector &residual) const
+{
+  Vector sum = residual;
+  if (!eq_.steady)
+    return sum;
+  for (int i = n_ - 2; i >= 0; --i)
+    if (!linear.slips[i] && upstream_[i] >= 0 && !linear.slips[i + 1]) {
+      sum[2 * i] += sum[2 * i + 2];
+      sum[2 * i + 1] += sum[2 * i + 3];
+    }
+  return sum;
+}
+
+// Where a cell slips, about the diagonal of its equation along the circle, with S taken for as much
+// as q: in units of the cell's own compliance it nearly is.
+Vector FrictionNewton::fromRight(const Linearisation &linear, const Vector &x)
+{
+  Vector result = x;
+  fillStick(linear, x, result);
+  fillSlip(linear, x, result);
+  return result;
+}
+
+void FrictionNewton::fillStick(const Linearisation &linear, const Vector &x, Vector &result)
+{
+  field_.x.setZero();
+  field_.y.setZero();
+  for (int i = 0; i < n_; ++i)
+    if (!linear.slips[i]) {
+      field_.x[eq_.cells[i]] = compliance_ * x[2 * i];
+      field_.y[eq_.cells[i]] = compliance_ * x[2 * i + 1];
+    }
+  const TangentialField q = space_.tractionEstimate(field_);
+  for (int i = 0; i < n_; ++i)
+    if (!linear.slips[i]) {
+      result[2 * i] = q.x[eq_.cells[i]];
+      result[2 * i + 1] = q.y[eq_.cells[i]];
+    }
+}
+
+void FrictionNewton::fillSlip(const Linearisation &linear, const Vector &x, Vector &result)
+{
+  const auto along = [&](int i, double vx, double vy) {
+    return linear.tangent[2 * i] * vx + linear.tangent[2 * i + 1] * vy;
+  };
+  const auto setAlong = [&](int i, double value) {
+    const double change = value - along(i, result[2 * i], result[2 * i + 1]);
+    result[2 * i] += change * linear.tangent[2 * i];
+    result[2 * i + 1] += change * linear.tangent[2 * i + 1];
+  };
+  field_.x.setZero();
+  field_.y.setZero();
+  double logarithms = 0.0;
+  int count = 0;
+  for (int i = 0; i < n_; ++i) {
+    if (!linear.slips[i])
+      continue;
+    // the row, over lambda r: softness q + S along the tangent
+    const double softness = linear.softness[i];
+    const double wanted = along(i, x[2 * i], x[2 * i + 1]) / (linear.lambda[i] * predictionOf(i));
+    if (softness >= softest) {
+      setAlong(i, wanted / (softness + 1.0));
+      continue;
+    }
+    const int cell = eq_.cells[i];
+    field_.x[cell] = compliance_ * wanted * linear.tangent[2 * i];
+    field_.y[cell] = compliance_ * wanted * linear.tangent[2 * i + 1];
+    logarithms += std::log(std::max(softness, leastSoftness));
+    ++count;
+  }
+  if (count == 0)
+    return;
+  const double mean = std::exp(logarithms / count);
+  const TangentialField q = space_.softenedEstimate(field_, mean * compliance_, eq_.steady);
+  for (int i = 0; i < n_; ++i)
+    if (linear.slips[i] && linear.softness[i] < softest)
+      setAlong(i, along(i, q.x[eq_.cells[i]], q.y[eq_.cells[i]]));
+}
+
+Vector FrictionNewton::newtonStep(const Linearisation &linear, const Vector &f, double tolerance)
+{
+  const Vector b = fromLeft(linear, -f);
+  return krylov([&](const Vector &v) { return fromLeft(linear, jacobian(linear, v)); },
+                [&](const Vector &v) { return fromRight(linear, v); }, b, tolerance);
+}
+
+bool FrictionNewton::solve(Vector &x, double tolerance, int maxSteps)
+{
+  const Vector start = x;
+  if (tryAttempts(start, x, tolerance, maxSteps))
+    return true;
+  if (eq_.unknown.empty())
+    return false;
+  // A force far from that of the start: go there by parts
+  constexpr double smallestPart = 1.0 / 64.0;
+  const std::vector<double> goal = eq_.force;
+  std::vector<double> base(goal.size(), 0.0);
+  for (std::size_t j = 0; j < goal.size(); ++j) // what the start carries within its bounds
+    for (int i = 0; i < n_; ++i)
+      base[j] += std::clamp(start[2 * i + eq_.unknown[j]], -eq_.bound[i], eq_.bound[i]);
+  Vector reachedAt = start;
+  double reached = 0.0, part = 0.5;
+  while (reached < 1.0 && part >= smallestPart) {
+    const double next = std::min(1.0, reached + part);
+    for (std::size_t j = 0; j < goal.size(); ++j)
+      eq_.force[j] = next == 1.0 ? goal[j] : base[j] + next * (goal[j] - base[j]);
+    if (tryAttempts(reachedAt, x, tolerance, maxSteps)) {
+      reachedAt = x;
+      reached = next;
+    } else {
+      part *= 0.5;
+    }
+  }
+  eq_.force = goal;
+  return reached == 1.0;
+}
+
+bool FrictionNewton::tryAttempts(const Vector &start, Vector &x, double tolerance, int maxSteps)
+{
+  for (const auto &attempt : attempts) {
+    prediction_ = eq_.steady ? attempt.rolling : attempt.step;
+    x = start;
+    if (iterate(x, tolerance, std::min(attempt.steps, maxSteps)))
+      return true;
+  }
+  return false;
+}
+
+// Full steps without a line search: the norm of a residual with kinks may have to rise on the way.
+// What does not converge is tried again with a smaller r.
+bool FrictionNewton::iterate(Vector &x, double tolerance, int maxSteps)
+{
+  Linearisation &linear = linear_;
+  std::vector<char> former;
+  for (int step = 0;; ++step, ++newtonSteps_) {
+    const Vector f = evaluate(x, linear);
+    relativeResidual_ = f.norm() / eq_.scale;
+    if (relativeResidual_ <= tolerance)
+      return true;
+    if (step >= maxSteps || !std::isfinite(relativeResidual_))
+      return false;
+    const double goal = innerShare * tolerance / relativeResidual_;
+    x += newtonStep(linear, f,
+                    linear.slips == former ? std::clamp(goal, tightTolerance, innerTolerance)
+                                           : innerTolerance);
+    former = linear.slips;
+  }
+}
+
+} // namespace wheelrail

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "contact/patch/solvers/transient.h"
+
+#include "base/errors.h"
+
+#include <fmt/format.h>
+
+namespace wheelrail {
+
+using Vector = Eigen::VectorXd;
+
+TransientPatch::TransientPatch(const PatchGrid &grid, const ElasticPair &pair)
+    : solver_(grid, pair), space_(grid, pair)
+{
+  traction_.x = traction_.y = displacement_.x = displacement_.y = Vector::Zero(grid.cells());
+}
+
+void TransientPatch::startFrom(const TangentialField &traction, const TangentialField &imposed)
+{
+  traction_ = traction;
+  displacement_ = space_.displacement(traction);
+  if (imposed.x.size() == displacement_.x.size()) {
+    displacement_.x += imposed.x;
+    displacement_.y += imposed.y;
+  }
+}
+
+TangentialOptions TransientPatch::defaultOptions()
+{
+  TangentialOptions options;
+  options.tolerance = 1e-4;
+  return options;
+}
+
+TangentialResult TransientPatch::step(const Step &step, const TangentialOptions &options)
+{
+  TangentialResult result = attempt(step, options);
+  accept(step, result);
+  return result;
+}
+
+void TransientPatch::accept(const Step &step, const TangentialResult &result)
+{
+  startFrom(result.traction, step.imposed);
+}
+
+TangentialResult TransientPatch::attempt(const Step &step, const TangentialOptions &options)
+{
+  const PatchGrid &g = grid();
+  if (step.bound.size() != g.cells() || step.cells < 0)
+    throw Error(ExitCode::Internal, "transient contact: bound or step do not fit the grid");
+  for (int iy = 0; iy < g.ny; ++iy)
+    for (int ix = std::max(0, g.nx - step.cells); ix < g.nx; ++ix)
+      if (step.bound[g.index(ix, iy)] > 0.0)
+        throw Error(ExitCode::BadInput,
+                    fmt::format("transient contact: contact at x = {}, within a step's length of "
+                                "the leading border {}: a longer box is needed",
+                                g.x(ix), g.left + g.nx * g.dx));
+  // The material brings its displacement along, so u'(x + d) is the former field read d further
+  // ahead; the traction moved likewise is the start. A shift at rest (no cells) moves nothing, and
+  // its creepage is the shift itself: d = 1, without a lever of its own for the spin.
+  TangentialProblem problem;
+  problem.kind = TangentialProblem::Kind::Step;
+  problem.bound = step.bound;
+  problem.creepage = step.creepage;
+  problem.forceX = step.forceX;
+  problem.forceY = step.forceY;
+  problem.distance = step.cells ? step.cells * g.dx : 1.0;
+  problem.spinPoint = step.cells ? step.spinPoint : 0.0;
+  problem.previous.x = shifted(g, displacement_.x, step.cells);
+  problem.previous.y = shifted(g, displacement_.y, step.cells);
+  problem.imposed = step.imposed;
+  if (step.cells == 1)
+    problem.edge = step.edge;
+  TangentialOptions warm = options;
+  if (warm.start.x.size() == 0) {
+    warm.start.x = shifted(g, traction_.x, step.cells);
+    warm.start.y = shifted(g, traction_.y, step.cells);
+  }
+  return solver_.solve(problem, warm);
+}
+
+} // namespace wheelrail
