@@ -3,7 +3,7 @@
 #define WHEELRAIL_CASE_TEXT_H
 
 #include "base/program_files.h"
-#include "creep/case_file.h"
+#include "creep/case/case_file.h"
 
 #include <filesystem>
 #include <fmt/format.h>

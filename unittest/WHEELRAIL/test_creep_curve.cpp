@@ -2,7 +2,7 @@
 #include "base/errors.h"
 #include "case_text.h"
 #include "contact/hertz.h"
-#include "creep/creep_curve.h"
+#include "creep/line/creep_curve.h"
 
 #include <atomic>
 #include <cstdio>

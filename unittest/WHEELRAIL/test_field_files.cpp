@@ -2,7 +2,7 @@
 #include "base/errors.h"
 #include "base/program_files.h"
 #include "contact/patch/formats/gsf_file.h"
-#include "creep/field_files.h"
+#include "creep/patch/field_files.h"
 
 #include <cmath>
 #include <cstring>

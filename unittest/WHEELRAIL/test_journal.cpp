@@ -2,7 +2,7 @@
 #include "base/checksum.h"
 #include "base/program_files.h"
 #include "base/version.h"
-#include "creep/journal.h"
+#include "creep/sweep/journal.h"
 
 #include <filesystem>
 #include <fstream>

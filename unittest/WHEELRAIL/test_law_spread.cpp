@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "base/errors.h"
-#include "creep/law_spread.h"
+#include "creep/sweep/law_spread.h"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 #include "base/errors.h"
 #include "case_text.h"
 #include "contact_cases.h"
-#include "creep/static_contact.h"
+#include "creep/line/static_contact.h"
 
 #include <gtest/gtest.h>
 

@@ -41,8 +41,18 @@ FLOORS = {
         "shared",
     ],
     "WHEELRAIL/contact/patch": [*PATCH_ROOMS, "WHEELRAIL/contact", "WHEELRAIL/base", "shared"],
-    "WHEELRAIL/creep": [
+    # creep: the sweep knows no contact, line and patch do not know each other, cases know both
+    "WHEELRAIL/creep/sweep": ["WHEELRAIL/contact", "WHEELRAIL/law", "WHEELRAIL/base", "shared"],
+    "WHEELRAIL/creep/line": [
+        "WHEELRAIL/creep/sweep",
         "WHEELRAIL/contact/line",
+        "WHEELRAIL/contact",
+        "WHEELRAIL/law",
+        "WHEELRAIL/base",
+        "shared",
+    ],
+    "WHEELRAIL/creep/patch": [
+        "WHEELRAIL/creep/sweep",
         "WHEELRAIL/contact/patch",
         *PATCH_ROOMS,
         "WHEELRAIL/contact",
@@ -50,7 +60,24 @@ FLOORS = {
         "WHEELRAIL/base",
         "shared",
     ],
-    "WHEELRAIL": ["WHEELRAIL/creep", "WHEELRAIL/fit", "WHEELRAIL/law", "WHEELRAIL/base", "shared"],
+    "WHEELRAIL/creep/case": [
+        "WHEELRAIL/creep/line",
+        "WHEELRAIL/creep/patch",
+        "WHEELRAIL/creep/sweep",
+        "WHEELRAIL/law",
+        "WHEELRAIL/base",
+        "shared",
+    ],
+    "WHEELRAIL": [
+        "WHEELRAIL/creep/case",
+        "WHEELRAIL/creep/line",
+        "WHEELRAIL/creep/patch",
+        "WHEELRAIL/creep/sweep",
+        "WHEELRAIL/fit",
+        "WHEELRAIL/law",
+        "WHEELRAIL/base",
+        "shared",
+    ],
     # automata: laws below core below files below the LAMMPS styles
     "MCA/laws": ["shared"],
     "MCA/core": ["MCA/laws", "shared"],

@@ -3,9 +3,9 @@
 #define WHEELRAIL_CREEP_PATCH_CURVE_H
 
 #include "contact/patch/solvers/kalker.h"
-#include "creep/field_selection.h"
 #include "creep/patch/moving_patch.h"
-#include "creep/sweep.h"
+#include "creep/sweep/field_selection.h"
+#include "creep/sweep/sweep.h"
 
 #include <map>
 #include <string>

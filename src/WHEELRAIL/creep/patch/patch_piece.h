@@ -2,8 +2,8 @@
 #ifndef WHEELRAIL_CREEP_PATCH_PIECE_H
 #define WHEELRAIL_CREEP_PATCH_PIECE_H
 
-#include "creep/law_spread.h"
 #include "creep/patch/patch_curve.h"
+#include "creep/sweep/law_spread.h"
 
 namespace wheelrail {
 

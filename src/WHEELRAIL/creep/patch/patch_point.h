@@ -8,9 +8,9 @@
 #include "contact/patch/solvers/patch_sums.h"
 #include "contact/patch/solvers/patch_temperature.h"
 #include "contact/patch/solvers/tangential.h"
-#include "creep/creep_physics.h"
-#include "creep/field_files.h"
-#include "creep/law_spread.h"
+#include "creep/patch/field_files.h"
+#include "creep/sweep/creep_physics.h"
+#include "creep/sweep/law_spread.h"
 #include "law/law_use.h"
 
 #include <cmath>

@@ -3,7 +3,7 @@
 #define WHEELRAIL_CREEP_PATCH_REPORT_H
 
 #include "creep/patch/patch_curve.h"
-#include "creep/polach.h"
+#include "creep/patch/polach.h"
 
 #include <string>
 #include <vector>

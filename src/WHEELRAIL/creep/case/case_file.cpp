@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "creep/case/case_file.h"
+
+#include "base/checksum.h"
+#include "base/program_files.h"
+#include "creep/case/common_groups.h"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <limits>
+
+namespace wheelrail {
+namespace {
+
+/// N/m, given as such or as a load on a width.
+double readLoadPerLength(CaseReader &reader)
+{
+  if (!reader.has("contact.width")) {
+    reader.require("contact.load_per_length");
+    return reader.number("contact.load_per_length");
+  }
+  reader.refuse({"contact.load_per_length"}, "contact.width: contact.load is spread over it");
+  if (!reader.has("contact.load"))
+    reader.fail("contact.width", "needs contact.load, which is spread over it, in place of "
+                                 "contact.load_per_length");
+  return reader.single("contact.load") / reader.number("contact.width");
+}
+
+LineContactSpecification readContact(CaseReader &reader)
+{
+  reader.refuse({"contact.radii", "contact.curvatures", "contact.semi_axes", "contact.spin_point",
+                 "contact.edges", "lateral", "spin", "force", "sequence", "roughness.stretch",
+                 "roughness.boxes", "roughness.unmeasured", "roughness.spacing",
+                 "roughness.height_unit", "roughness.turn", "roughness.mirror", "moving.start",
+                 "static.shift", "sensitivities"},
+                reader.has("contact.width") ? "a line contact (contact.width)"
+                                            : "a line contact (contact.load_per_length)");
+  LineContactSpecification contact;
+  contact.load = readLoadPerLength(reader);
+  for (const char *name : {"contact.youngs_modulus", "contact.poissons_ratio"})
+    reader.require(name);
+  if (reader.has("contact.period")) {
+    reader.refuse({"contact.radius", "contact.domain"}, "contact.period: the surfaces are flat");
+    contact.period = reader.number("contact.period");
+    contact.radius = std::numeric_limits<double>::infinity();
+  } else {
+    contact.radius = reader.number("contact.radius");
+    contact.domain = reader.number("contact.domain");
+  }
+  contact.youngsModulus = reader.single("contact.youngs_modulus");
+  contact.poissonsRatio = reader.single("contact.poissons_ratio");
+  contact.points = static_cast<int>(reader.single("points"));
+  constexpr int fewestPoints = 32;
+  if (contact.points < fewestPoints)
+    reader.fail("points", fmt::format("'{}' is not in the allowed range of a line contact, [{}, "
+                                      "16777216]",
+                                      contact.points, fewestPoints));
+  if (contact.period == 0.0)
+    requireCellsInContact(reader, contact.points, contact.domain);
+  return contact;
+}
+
+void readMeasured(CaseReader &reader, const std::string &caseFile, SurfaceSpecification &surface)
+{
+  reader.refuse({"roughness.hurst", "roughness.rms_slope", "roughness.rms_height",
+                 "roughness.wavelength_min", "roughness.wavelength_max", "roughness.seed"},
+                "measured profiles (roughness.rail, roughness.wheel)");
+  surface.kind = RoughnessKind::Measured;
+  const MeasuredSurfaces measured = readMeasuredSurfaces(reader, caseFile);
+  surface.rail = measured.rail;
+  surface.wheel = measured.wheel;
+  surface.cutoff = measured.cutoff;
+  surface.detrend = measured.detrend - 1;
+}
+
+void readFractal(CaseReader &reader, SurfaceSpecification &surface)
+{
+  reader.refuse({"roughness.cutoff", "roughness.detrend"}, "a generated profile");
+  surface.kind = RoughnessKind::Fractal;
+  surface.seeds = readFractalWaves(reader, surface.fractal);
+}
+
+SurfaceSpecification readSurface(CaseReader &reader, const std::string &caseFile)
+{
+  SurfaceSpecification surface;
+  if (!reader.hasGroup("roughness"))
+    reader.words("roughness");
+  else if (reader.has("roughness.rail") || reader.has("roughness.wheel"))
+    readMeasured(reader, caseFile, surface);
+  else
+    readFractal(reader, surface);
+  return surface;
+}
+
+CreepSpecification readRolling(CaseReader &reader, const std::string &mode,
+                               const LineContactSpecification &contact,
+                               const SurfaceSpecification &surface, const CreepPhysics &physics)
+{
+  reader.refuse({"contact.period"}, "mode " + mode + ": rolling needs a radius");
+  CreepSpecification rolling;
+  rolling.contact = contact;
+  rolling.surface = surface;
+  rolling.physics = physics;
+  rolling.mode = mode == "moving" ? RollingMode::Moving : RollingMode::Frozen;
+  rolling.physics.thermal = readThermal(reader);
+  rolling.speed = reader.numbers("speed");
+  rolling.creep = readSeries(reader, "creep");
+  requireFewPoints(reader, double(rolling.creep.size()) * double(rolling.speed.size()) *
+                               double(surface.profiles()));
+  if (rolling.mode == RollingMode::Moving) {
+    rolling.moving.passes = reader.integer("moving.passes");
+    rolling.moving.referenceLength = reader.number("moving.reference_length");
+  }
+  rolling.spread = readSpread(reader, physics.friction);
+  rolling.fields =
+      readFields(reader, rolling.creep.size() * rolling.speed.size() * rolling.surface.profiles());
+  return rolling;
+}
+
+/// What rolling needs, temperature included, is left alone: nothing slides for long.
+StaticSpecification readStatic(CaseReader &reader, const LineContactSpecification &contact,
+                               const SurfaceSpecification &surface, const CreepPhysics &physics)
+{
+  StaticSpecification still{contact, surface, physics, {}, {}};
+  still.physics.thermal.model = ThermalModel::Off;
+  reader.require("static.force_ratio");
+  still.forceRatio = reader.numbers("static.force_ratio");
+  if (physics.friction.local)
+    reader.fail(physics.friction.isTable() ? "friction.law" : "friction.local",
+                fmt::format("mode static needs one friction coefficient for the whole contact: {}",
+                            physics.friction.isTable() ? "no table" : "false"));
+  if (physics.hardnessLimit &&
+      *std::max_element(still.forceRatio.begin(), still.forceRatio.end()) > 0.0)
+    reader.fail("contact.hardness_limit",
+                "mode static needs elastic contact, false, for a static.force_ratio above 0");
+  still.fields = readFields(reader, still.forceRatio.size() * still.surface.profiles());
+  return still;
+}
+
+} // namespace
+
+namespace {
+
+template<class Surfaces>
+void append(std::vector<std::string> &files, const Surfaces &surfaces)
+{
+  files.insert(files.end(), surfaces.rail.begin(), surfaces.rail.end());
+  files.insert(files.end(), surfaces.wheel.begin(), surfaces.wheel.end());
+}
+
+} // namespace
+
+std::vector<std::string> Case::files() const
+{
+  std::vector<std::string> files;
+  if (friction().isFile())
+    files.push_back(friction().law);
+  if (const auto *patch = std::get_if<PatchSpecification>(&task))
+    append(files, patch->roughness);
+  else if (const auto *rolling = std::get_if<CreepSpecification>(&task))
+    append(files, rolling->surface);
+  else
+    append(files, std::get<StaticSpecification>(task).surface);
+  return files;
+}
+
+std::string Case::identity() const
+{
+  std::string identity = text;
+  for (const std::string &file : files()) {
+    const std::string content = readInputFile(file);
+    identity += fmt::format("{}: {} bytes, {}\n", file, content.size(), checksum(content));
+  }
+  return identity;
+}
+
+const FrictionSpecification &Case::friction() const
+{
+  return std::visit(
+      [](const auto &asked) -> const auto & { return asked.physics.friction; }, task);
+}
+
+Case readCase(const std::string &path, const std::vector<std::string> &changes)
+{
+  CaseReader reader(path);
+  reader.readFile();
+  for (const std::string &change : changes)
+    reader.change(change);
+
+  Case result;
+  if (reader.has("contact.load") && !reader.has("contact.width")) {
+    result.task = readPatch(reader, path);
+    result.text = reader.configuration();
+    return result;
+  }
+  const LineContactSpecification contact = readContact(reader);
+  const SurfaceSpecification surface = readSurface(reader, path);
+  CreepPhysics physics;
+  physics.hardnessLimit = reader.flag("contact.hardness_limit");
+  physics.friction = readFriction(reader, path);
+  const std::string mode = reader.word("mode");
+  if (mode == "static")
+    result.task = readStatic(reader, contact, surface, physics);
+  else
+    result.task = readRolling(reader, mode, contact, surface, physics);
+  result.text = reader.configuration();
+  return result;
+}
+
+} // namespace wheelrail

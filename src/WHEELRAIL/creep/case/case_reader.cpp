@@ -1,0 +1,330 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "creep/case/case_reader.h"
+
+#include "base/errors.h"
+#include "base/program_files.h"
+#include "base/quantity.h"
+#include "shared/nearest_word.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <sstream>
+#include <stdexcept>
+#include <yaml-cpp/yaml.h>
+
+namespace wheelrail {
+namespace {
+
+using Kind = Keyword::Kind;
+
+bool isGroup(const std::string &name)
+{
+  return std::any_of(keywords().begin(), keywords().end(), [&](const Keyword &keyword) {
+    return std::string(keyword.name).rfind(name + ".", 0) == 0;
+  });
+}
+
+std::vector<std::string> knownNames()
+{
+  std::vector<std::string> names;
+  for (const Keyword &keyword : keywords()) {
+    const std::string name = keyword.name;
+    const std::string group = name.substr(0, name.find('.'));
+    names.push_back(name);
+    if (group != name && std::find(names.begin(), names.end(), group) == names.end())
+      names.push_back(group);
+  }
+  return names;
+}
+
+std::vector<std::string> split(const std::string &text, char separator)
+{
+  std::vector<std::string> parts;
+  std::istringstream in(text);
+  for (std::string part; std::getline(in, part, separator);)
+    parts.push_back(part);
+  return parts;
+}
+
+bool takesList(Kind kind)
+{
+  return kind == Kind::NumberList || kind == Kind::QuantityList || kind == Kind::IntegerList ||
+         kind == Kind::TextList || kind == Kind::RatioList;
+}
+
+bool takesNumbers(Kind kind)
+{
+  return kind != Kind::Text && kind != Kind::TextList && kind != Kind::Choice &&
+         kind != Kind::Switch;
+}
+
+bool takesWholeNumbers(Kind kind)
+{
+  return kind == Kind::Integer || kind == Kind::IntegerList;
+}
+
+/// A value as YAML: plain, or in double quotes where its characters ask for it.
+std::string quoted(const std::string &item)
+{
+  const auto isControl = [](char c) { return static_cast<unsigned char>(c) < ' ' || c == '\x7f'; };
+  const bool plain = !item.empty() && item.front() != ' ' && item.back() != ' ' && item != "-" &&
+                     item.rfind("- ", 0) != 0 &&
+                     item.find_first_of(":#{}[],&*?|<>=!%@`'\"\\") == std::string::npos &&
+                     std::none_of(item.begin(), item.end(), isControl);
+  if (plain)
+    return item;
+  std::string text = "\"";
+  for (char c : item) {
+    if (isControl(c)) {
+      text += fmt::format("\\x{:02x}", static_cast<unsigned char>(c));
+      continue;
+    }
+    if (c == '"' || c == '\\')
+      text += '\\';
+    text += c;
+  }
+  return text + "\"";
+}
+
+} // namespace
+
+const Keyword *findKeyword(const std::string &name)
+{
+  for (const Keyword &keyword : keywords())
+    if (name == keyword.name)
+      return &keyword;
+  return nullptr;
+}
+
+std::vector<std::string> choicesOf(const Keyword &keyword)
+{
+  return split(keyword.kind == Kind::Switch ? "true|false" : keyword.choices, '|');
+}
+
+std::string rangeOf(const Keyword &keyword)
+{
+  std::string range = fmt::format("[{:.10g}, {:.10g}]", keyword.low, keyword.high);
+  if (keyword.smallest > 0.0)
+    range += fmt::format(", 0 and beyond {}", keyword.smallest);
+  return std::string(keyword.unit) == "1" ? range : fmt::format("{} {}", range, keyword.unit);
+}
+
+void CaseReader::fail(int line, const std::string &keyword, const std::string &problem) const
+{
+  if (line > 0 || !onCommandLine_)
+    throw badInput(file_, line, keyword, problem);
+  throw Error(ExitCode::Usage, fmt::format("--set {}: {}", keyword, problem));
+}
+
+void CaseReader::fail(const std::string &keyword, const std::string &problem) const
+{
+  const auto found = entries_.find(keyword);
+  throw badInput(file_, found == entries_.end() ? 0 : found->second.line, keyword, problem);
+}
+
+bool CaseReader::hasGroup(const std::string &group) const
+{
+  const auto next = entries_.lower_bound(group + ".");
+  return next != entries_.end() && next->first.rfind(group + ".", 0) == 0;
+}
+
+void CaseReader::readFile()
+{
+  const std::string text = readInputFile(file_);
+  try {
+    const YAML::Node root = YAML::Load(text);
+    if (!root.IsMap())
+      throw badInput(file_, 0, "", "is not a case file: 'keyword: value' lines are expected");
+    collect(root, "");
+  } catch (const YAML::Exception &problem) {
+    throw badInput(file_, problem.mark.line + 1, "", problem.msg);
+  }
+}
+
+void CaseReader::collect(const YAML::Node &node, const std::string &name)
+{
+  const int line = onCommandLine_ ? 0 : node.Mark().line + 1;
+  if (!name.empty() && !findKeyword(name) && !isGroup(name))
+    fail(line, name, mcawr::unknownWord("keyword", name, knownNames()));
+  if (node.IsMap()) {
+    if (!name.empty() && !isGroup(name))
+      fail(line, name, "has no keywords below it; a value is expected");
+    for (const auto &pair : node) {
+      const std::string key = pair.first.as<std::string>();
+      const std::string full = name.empty() ? key : name + "." + key;
+      const int keyLine = onCommandLine_ ? 0 : pair.first.Mark().line + 1;
+      if (!findKeyword(full) && !isGroup(full))
+        fail(keyLine, full, mcawr::unknownWord("keyword", full, knownNames()));
+      if (has(full) || hasGroup(full))
+        fail(keyLine, full, "is given twice");
+      collect(pair.second, full);
+    }
+    return;
+  }
+  if (name.empty())
+    fail(line, "", "is not a case file: 'keyword: value' lines are expected");
+  const Keyword *keyword = findKeyword(name);
+  if (!keyword)
+    fail(line, name, "is not a value: it has keywords below it");
+  Entry entry = entryOf(node, *keyword);
+  entry.line = line;
+  entries_[name] = std::move(entry);
+}
+
+CaseReader::Entry CaseReader::entryOf(const YAML::Node &node, const Keyword &keyword) const
+{
+  const int line = onCommandLine_ ? 0 : node.Mark().line + 1;
+  Entry entry;
+  entry.isList = node.IsSequence();
+  if (entry.isList) {
+    for (const YAML::Node &item : node) {
+      if (!item.IsScalar())
+        fail(line, keyword.name, "a list of plain values is expected");
+      entry.words.push_back(item.Scalar());
+    }
+    if (entry.words.empty())
+      fail(line, keyword.name, "the list is empty");
+    if (!takesList(keyword.kind))
+      fail(line, keyword.name, "one value is expected, not a list");
+  } else {
+    if (!node.IsScalar() || node.Scalar().empty())
+      fail(line, keyword.name, "has no value");
+    entry.words.push_back(node.Scalar());
+  }
+  for (const std::string &word : entry.words)
+    if (takesNumbers(keyword.kind))
+      entry.numbers.push_back(checkedNumber(keyword, word, line));
+    else
+      checkWord(keyword, word, line);
+  return entry;
+}
+
+double CaseReader::checkedNumber(const Keyword &keyword, const std::string &word, int line) const
+{
+  double value = 0.0;
+  try {
+    const bool ratio = keyword.kind == Kind::Ratio || keyword.kind == Kind::RatioList;
+    value = ratio ? parseRatio(word) : parseQuantity(word, keyword.unit);
+  } catch (const std::invalid_argument &problem) {
+    fail(line, keyword.name, fmt::format("{}; allowed: {}", problem.what(), rangeOf(keyword)));
+  }
+  if (takesWholeNumbers(keyword.kind) && value != std::floor(value))
+    fail(line, keyword.name,
+         fmt::format("'{}' is not a whole number; allowed: {}", word, rangeOf(keyword)));
+  const bool isTooSmall = value != 0.0 && std::abs(value) < keyword.smallest;
+  if (value < keyword.low || value > keyword.high || isTooSmall)
+    fail(line, keyword.name,
+         fmt::format("'{}' is not in the allowed range {}", word, rangeOf(keyword)));
+  return value;
+}
+
+void CaseReader::checkWord(const Keyword &keyword, const std::string &word, int line) const
+{
+  if (keyword.kind != Kind::Choice && keyword.kind != Kind::Switch)
+    return;
+  const std::vector<std::string> allowed = choicesOf(keyword);
+  if (std::find(allowed.begin(), allowed.end(), word) != allowed.end())
+    return;
+  const std::string nearest = mcawr::nearestWord(word, allowed);
+  fail(line, keyword.name,
+       fmt::format("'{}' is not allowed; {}{}", word, fmt::join(allowed, ", "),
+                   nearest.empty() ? "" : fmt::format("; nearest: '{}'", nearest)));
+}
+
+void CaseReader::change(const std::string &text)
+{
+  const auto equals = text.find('=');
+  if (equals == std::string::npos || equals == 0)
+    throw Error(ExitCode::Usage, fmt::format("--set {}: KEYWORD=VALUE is expected", text));
+  const std::string name = text.substr(0, equals), value = text.substr(equals + 1);
+  // "creep=[...]" replaces creep.from etc., "roughness.seed=2" ends "roughness: none"
+  const std::string group = name.substr(0, name.find('.'));
+  entries_.erase(name);
+  if (group != name)
+    entries_.erase(group);
+  for (auto it = entries_.begin(); it != entries_.end();)
+    it = it->first.rfind(name + ".", 0) == 0 ? entries_.erase(it) : std::next(it);
+  onCommandLine_ = true;
+  try {
+    collect(YAML::Load(value), name);
+  } catch (const YAML::Exception &problem) {
+    fail(0, name, problem.msg);
+  }
+  onCommandLine_ = false;
+}
+
+void CaseReader::require(const std::string &name) const
+{
+  if (!has(name))
+    throw badInput(file_, 0, name, fmt::format("is missing ({})", findKeyword(name)->help));
+}
+
+void CaseReader::refuse(std::initializer_list<const char *> names, const std::string &with) const
+{
+  for (const char *name : names) {
+    if (has(name))
+      fail(name, "does not go with " + with);
+    if (hasGroup(name)) // the first keyword that is given
+      fail(entries_.lower_bound(std::string(name) + ".")->first, "does not go with " + with);
+  }
+}
+
+void CaseReader::setDefault(const std::string &name, const std::string &value)
+{
+  if (!has(name))
+    entries_[name] = entryOf(YAML::Load(value), *findKeyword(name));
+}
+
+double CaseReader::single(const std::string &name)
+{
+  if (use(name).isList)
+    fail(name, "one value is expected, not a list");
+  return number(name);
+}
+
+// A default goes through the same checks as a value of the file, and both end in `used_`: what
+// `configuration` writes is what was computed with.
+const CaseReader::Entry &CaseReader::use(const std::string &name)
+{
+  const auto given = entries_.find(name);
+  if (given != entries_.end())
+    return used_[name] = given->second;
+  const Keyword &keyword = *findKeyword(name);
+  if (std::string(keyword.initial).empty())
+    require(name);
+  return used_[name] = entryOf(YAML::Load(keyword.initial), keyword);
+}
+
+std::string CaseReader::configuration() const
+{
+  std::string text, openGroup;
+  for (const Keyword &keyword : keywords()) {
+    const auto found = used_.find(keyword.name);
+    if (found == used_.end())
+      continue;
+    const Entry &entry = found->second;
+    std::string name = keyword.name;
+    std::string indent;
+    const auto dot = name.find('.');
+    if (dot != std::string::npos) {
+      const std::string group = name.substr(0, dot);
+      if (group != openGroup)
+        text += group + ":\n";
+      openGroup = group;
+      name = name.substr(dot + 1);
+      indent = "  ";
+    } else {
+      openGroup.clear();
+    }
+    std::vector<std::string> parts;
+    for (const std::string &item : entry.words)
+      parts.push_back(quoted(item));
+    const std::string value = fmt::format("{}", fmt::join(parts, ", "));
+    text += indent + name + ": " + (entry.isList ? "[" + value + "]" : value) + "\n";
+  }
+  return text;
+}
+
+} // namespace wheelrail

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef WHEELRAIL_CREEP_CASE_CASE_READER_H
+#define WHEELRAIL_CREEP_CASE_CASE_READER_H
+
+#include "creep/case/case_file.h"
+
+#include <initializer_list>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace YAML {
+class Node;
+}
+
+namespace wheelrail {
+
+/// The values of a case file and of the changes from the command line, each checked against its
+/// keyword in the table when it comes in: form, unit, range. What values mean together is none of
+/// its business (case_file.cpp).
+///
+/// Everything that is wrong is an Error (BadInput) with file, line and keyword, or an Error (Usage)
+/// that names --set.
+/// Order of use: `readFile`, any number of `change`, then the values. What is read is recorded, so
+/// that `configuration` can write it out with every default filled in.
+class CaseReader {
+ public:
+  /// @param fileName path as messages name it; the file is not opened yet
+  explicit CaseReader(std::string fileName) : file_(std::move(fileName)) {}
+
+  /// Reads and checks the whole file; once, before any change.
+  /// A word that is no keyword is an error that names the nearest one; so is a keyword given twice.
+  void readFile();
+  /// "keyword=value", in place of what the file says.
+  /// A change of a group's name ends what stands below it ("creep=[..]" ends creep.from), and a
+  /// change below a group ends a plain value of the group ("roughness.seed=2" ends "roughness:
+  /// none").
+  void change(const std::string &text);
+
+  /// Throws what is wrong with a keyword's value, at its line of the file.
+  /// @param problem rest of the sentence: "must be above creep.from"
+  [[noreturn]] void fail(const std::string &keyword, const std::string &problem) const;
+
+  /// Is the keyword given, in the file or by a change?
+  bool has(const std::string &name) const { return entries_.count(name) > 0; }
+  /// Any keyword below a group? @param group without a dot
+  /// @return true for "creep" where creep.from is given
+  bool hasGroup(const std::string &group) const;
+
+  /// The value with its default filled in and recorded for `configuration`. Quantities are in the
+  /// keyword's SI unit. A keyword without a default has to be there.
+  /// Words as they stand in the file; choices and switches were checked against the table.
+  const std::vector<std::string> &words(const std::string &name) { return use(name).words; }
+  const std::vector<double> &numbers(const std::string &name) { return use(name).numbers; }
+  /// The first value where there are several: meant for keywords that take just one.
+  double number(const std::string &name) { return numbers(name).front(); }
+  const std::string &word(const std::string &name) { return words(name).front(); }
+  bool flag(const std::string &name) { return word(name) == "true"; }
+  int integer(const std::string &name) { return static_cast<int>(number(name)); }
+  /// Of a keyword that takes a list elsewhere, where there may be one value only.
+  double single(const std::string &name);
+  /// A default that depends on other keywords; does nothing where the file has a value.
+  /// @param value in YAML, with its unit: checked as if it stood in the file
+  void setDefault(const std::string &name, const std::string &value);
+  /// @throws Error (BadInput) unless the keyword is given
+  void require(const std::string &name) const;
+  /// @throws Error (BadInput) for a keyword that is given and makes no sense together with
+  ///         something else. @param with "contact.period: the surfaces are flat"
+  void refuse(std::initializer_list<const char *> names, const std::string &with) const;
+
+  /// What was used so far, as a case file.
+  /// Keywords in the order of the table; numbers in the words in which they were given.
+  std::string configuration() const;
+
+ private:
+  /// A value as it stands in the file or on the command line, and the numbers it holds.
+  struct Entry {
+    std::vector<std::string> words;
+    std::vector<double> numbers; ///< in the keyword's unit; empty where it takes words
+    bool isList = false;
+    int line = 0; ///< 0: from the command line
+  };
+
+  [[noreturn]] void fail(int line, const std::string &keyword, const std::string &problem) const;
+  /// Takes in a node of YAML that stands at a keyword or group; "" is the whole file.
+  void collect(const YAML::Node &node, const std::string &name);
+  /// Checks a value, or each of a list, against the keyword's form.
+  Entry entryOf(const YAML::Node &node, const Keyword &keyword) const;
+  /// The number in the keyword's unit, within its range.
+  double checkedNumber(const Keyword &keyword, const std::string &word, int line) const;
+  /// Of kinds Choice and Switch: one of the words that are allowed.
+  void checkWord(const Keyword &keyword, const std::string &word, int line) const;
+  /// The value or its default, from now on part of `configuration`.
+  const Entry &use(const std::string &name);
+
+  std::string file_;
+  bool onCommandLine_ = false;
+  std::map<std::string, Entry> entries_, used_;
+};
+
+/// The table's row of a keyword; null for other words.
+/// @param name with dots, as in the table: "contact.radius"
+const Keyword *findKeyword(const std::string &name);
+
+/// The words that a keyword of kind Choice allows.
+/// @param keyword of kind Choice, or Switch, which allows true and false
+std::vector<std::string> choicesOf(const Keyword &keyword);
+
+} // namespace wheelrail
+#endif

@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "creep/case/common_groups.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fmt/format.h>
+
+namespace wheelrail {
+
+std::string besideCase(const std::string &path, const std::string &caseFile)
+{
+  const std::filesystem::path given(path);
+  std::error_code ignored; // what cannot be looked at is named where it is read
+  if (given.is_absolute() || std::filesystem::exists(given, ignored))
+    return path;
+  return (std::filesystem::path(caseFile).parent_path() / given).string();
+}
+
+void requireCellsInContact(const CaseReader &reader, int points, double domain)
+{
+  constexpr double fewest = 4.0;
+  const double cells = 2.0 * points / domain;
+  if (cells < fewest)
+    reader.fail("points",
+                fmt::format("{} on a contact.domain of {} leave {:.3g} cells for the width of the "
+                            "contact; at least {} are needed: {} points, or a smaller domain",
+                            points, domain, cells, fewest, std::ceil(0.5 * fewest * domain)));
+}
+
+void requireFewPoints(const CaseReader &reader, double points)
+{
+  constexpr double most = 1e7;
+  if (points > most)
+    reader.fail(
+        reader.hasGroup("creep") ? "creep.n" : "creep",
+        fmt::format("all lists together make {:g} points; at most {:g} are allowed", points, most));
+}
+
+MeasuredSurfaces readMeasuredSurfaces(CaseReader &reader, const std::string &caseFile)
+{
+  MeasuredSurfaces surfaces;
+  for (const auto &[name, files] :
+       {std::pair{"roughness.rail", &surfaces.rail}, {"roughness.wheel", &surfaces.wheel}}) {
+    if (reader.has(name))
+      *files = reader.words(name);
+    for (std::string &file : *files)
+      file = besideCase(file, caseFile);
+  }
+  if (!surfaces.rail.empty() && !surfaces.wheel.empty() &&
+      surfaces.rail.size() != surfaces.wheel.size())
+    reader.fail("roughness.wheel",
+                fmt::format("{} files; as many as of roughness.rail, {}, are expected",
+                            surfaces.wheel.size(), surfaces.rail.size()));
+  if (reader.has("roughness.cutoff"))
+    surfaces.cutoff = reader.number("roughness.cutoff");
+  const std::vector<std::string> orders = choicesOf(*findKeyword("roughness.detrend"));
+  const std::string order = reader.word("roughness.detrend");
+  surfaces.detrend =
+      static_cast<int>(std::find(orders.begin(), orders.end(), order) - orders.begin());
+  return surfaces;
+}
+
+FrictionSpecification readFriction(CaseReader &reader, const std::string &caseFile)
+{
+  FrictionSpecification friction;
+  friction.law = reader.word("friction.law");
+  if (!friction.isConstant() && reader.has("friction.mu"))
+    reader.fail("friction.mu", "goes with 'law: constant' only");
+  for (const char *name : {"friction.mu0", "friction.A", "friction.B"})
+    if (!friction.isFalling() && reader.has(name))
+      reader.fail(name, "goes with 'law: polach' only");
+  if (friction.isConstant())
+    friction.mu = reader.number("friction.mu");
+  if (friction.isFalling())
+    friction.falling = {reader.number("friction.mu0"), reader.number("friction.A"),
+                        reader.number("friction.B")};
+  if (friction.isTable())
+    friction.local = true;
+  if (friction.isScaled()) {
+    friction.local = reader.flag("friction.local");
+    friction.velocityTerm = reader.flag("friction.velocity_term");
+    friction.modulus = reader.number("friction.modulus");
+    friction.density = reader.number("friction.density");
+  }
+  if (friction.isFile())
+    friction.law = besideCase(friction.law, caseFile);
+  friction.strength = reader.number("friction.strength");
+  friction.strengthTemperature = reader.number("friction.strength_temperature");
+  return friction;
+}
+
+ThermalSpecification readThermal(CaseReader &reader)
+{
+  ThermalSpecification thermal;
+  if (reader.has("thermal")) {
+    reader.words("thermal");
+    thermal.model = ThermalModel::Off;
+    return thermal;
+  }
+  thermal.material = {reader.number("thermal.conductivity"), reader.number("thermal.density"),
+                      reader.number("thermal.specific_heat")};
+  const std::string model = reader.word("thermal.model");
+  thermal.model = model == "local"            ? ThermalModel::Local
+                  : model == "averaged_power" ? ThermalModel::AveragedPower
+                                              : ThermalModel::Averaged;
+  return thermal;
+}
+
+FieldSelection readFields(CaseReader &reader, std::size_t total)
+{
+  FieldSelection fields;
+  const std::vector<std::string> words = reader.words("fields");
+  const auto bad = [&](const std::string &word) {
+    reader.fail(
+        "fields",
+        fmt::format("'{}' is not allowed; none, last, all, or numbers of points from 1 on", word));
+  };
+  if (words.size() == 1 && (words[0] == "none" || words[0] == "last" || words[0] == "all")) {
+    fields.kind = words[0] == "none"   ? FieldSelection::Kind::None
+                  : words[0] == "last" ? FieldSelection::Kind::Last
+                                       : FieldSelection::Kind::All;
+    return fields;
+  }
+  fields.kind = FieldSelection::Kind::Numbers;
+  for (const std::string &word : words) {
+    if (word.empty() || word.size() > 9 ||
+        word.find_first_not_of("0123456789") != std::string::npos || std::stoi(word) < 1)
+      bad(word);
+    fields.numbers.push_back(std::stoi(word));
+    if (fields.numbers.back() > static_cast<int>(total))
+      reader.fail("fields", fmt::format("'{}' is above the number of points, {}", word, total));
+  }
+  return fields;
+}
+
+SpreadSpecification readSpread(CaseReader &reader, const FrictionSpecification &friction)
+{
+  SpreadSpecification spread;
+  if (!friction.isScaled())
+    return spread; // no covariance
+  if (reader.word("uncertainty.method") == "linear")
+    return spread;
+  spread.method = UncertaintyMethod::Sampled;
+  spread.samples = reader.integer("uncertainty.samples");
+  spread.seed = static_cast<std::uint64_t>(reader.number("uncertainty.seed"));
+  return spread;
+}
+
+std::vector<double> readSeries(CaseReader &reader, const std::string &name)
+{
+  if (!reader.hasGroup(name))
+    return reader.numbers(name);
+  const double from = reader.number(name + ".from"), to = reader.number(name + ".to");
+  const int n = reader.integer(name + ".n");
+  const bool logarithmic = reader.word(name + ".spacing") == "log";
+  const bool negative = from < 0.0 && to < 0.0; // a series away from 0 on that side
+  if (n > 1 && to == from)
+    reader.fail(name + ".to", "must be above " + name + ".from");
+  if (negative ? logarithmic && to > from : to < from)
+    reader.fail(name + ".to", negative ? "must be below " + name + ".from when spacing is log"
+                                       : "must be above " + name + ".from");
+  if (logarithmic && !negative && !(from > 0.0))
+    reader.fail(name + ".from", "must be positive when spacing is log");
+  std::vector<double> values;
+  for (int i = 0; i < n; ++i) {
+    const double part = n > 1 ? double(i) / (n - 1) : 0.0;
+    values.push_back(logarithmic ? from * std::pow(to / from, part) : from + part * (to - from));
+  }
+  values.back() = n > 1 ? to : from;
+  return values;
+}
+
+} // namespace wheelrail

@@ -1,0 +1,342 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "creep/case/common_groups.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <limits>
+#include <stdexcept>
+
+namespace wheelrail {
+namespace {
+
+/// What a list of keywords that decide one thing is called in a message, and which of them is
+/// there.
+std::string onlyOne(const CaseReader &reader, const std::vector<std::string> &names)
+{
+  std::string given;
+  for (const std::string &name : names) {
+    if (!reader.has(name) && !reader.hasGroup(name))
+      continue;
+    if (!given.empty())
+      reader.fail(name, "does not go with " + given);
+    given = name;
+  }
+  return given;
+}
+
+/// One number for both bodies, or [wheel, rail].
+std::array<double, 2> readPair(CaseReader &reader, const std::string &name, const char *meaning)
+{
+  std::vector<double> values = reader.numbers(name);
+  if (values.size() != 2)
+    reader.fail(name, fmt::format("{} values; {} are expected", values.size(), meaning));
+  return {values[0], values[1]};
+}
+
+std::array<double, 2> readBodies(CaseReader &reader, const std::string &name)
+{
+  if (reader.numbers(name).size() == 1)
+    return {reader.number(name), reader.number(name)};
+  return readPair(reader, name, "one for both bodies, or [wheel, rail],");
+}
+
+double radiusOf(CaseReader &reader, const std::string &name)
+{
+  if (!reader.has(name))
+    return std::numeric_limits<double>::infinity();
+  const double radius = reader.number(name);
+  if (radius == 0.0)
+    reader.fail(name, "'0' is not allowed; positive, or negative where hollow");
+  return radius;
+}
+
+/// Ellipses that are almost a line are beyond the series of their integrals.
+void requireRatio(const CaseReader &reader, const std::string &name, const char *what, double ratio,
+                  double most)
+{
+  if (!(ratio >= 1.0 / most && ratio <= most))
+    reader.fail(name,
+                fmt::format("{} = {:.3g} is not in the allowed range [{}, {}]; a line contact "
+                            "has contact.load_per_length",
+                            what, ratio, 1.0 / most, most));
+}
+
+void readShape(CaseReader &reader, PatchContactSpecification &contact)
+{
+  const std::string shape =
+      onlyOne(reader, {"contact.radii", "contact.curvatures", "contact.semi_axes"});
+  if (shape.empty())
+    reader.fail("contact.radii", "is missing: radii, curvatures or semi_axes are needed beside "
+                                 "contact.load");
+  if (shape == "contact.semi_axes") {
+    contact.semiAxes = readPair(reader, shape, "[a, b]");
+    requireRatio(reader, shape, "a/b", contact.semiAxes[0] / contact.semiAxes[1], 1e4);
+    if (contact.load.size() > 1)
+      reader.fail(shape, "goes with one contact.load; give radii or curvatures for several");
+    // the sequence's loads need the curvatures
+    contact.curvatures = contact.hertz(contact.load.front()).curvatures;
+  } else if (shape == "contact.curvatures") {
+    const auto [A, B] = readPair(reader, shape, "[A, B]");
+    contact.curvatures = GapCurvatures{A, B};
+  } else {
+    reader.require("contact.radii.wheel_rolling");
+    contact.curvatures = gapOfRadii(reader.number("contact.radii.wheel_rolling"),
+                                    radiusOf(reader, "contact.radii.wheel_profile"),
+                                    radiusOf(reader, "contact.radii.rail_profile"));
+    if (!(contact.curvatures->B > 0.0))
+      reader.fail("contact.radii",
+                  fmt::format("the transverse curvatures add up to {:g} 1/m; above 0 is needed "
+                              "(for two straight profiles there is contact.load_per_length)",
+                              2.0 * contact.curvatures->B));
+  }
+  requireRatio(reader, shape, "A/B", contact.curvatures->A / contact.curvatures->B, 1e6);
+}
+
+void readPoints(CaseReader &reader, PatchContactSpecification &contact)
+{
+  constexpr int most = 1 << 14; // a side
+  reader.setDefault("points", "128");
+  const std::vector<double> points = reader.numbers("points");
+  if (points.size() > 2)
+    reader.fail("points",
+                fmt::format("{} values; [nx, ny] or one number is expected", points.size()));
+  contact.nx = static_cast<int>(std::min<double>(points.front(), most + 1));
+  contact.ny = static_cast<int>(std::min<double>(points.back(), most + 1));
+  if (std::max(contact.nx, contact.ny) > most)
+    reader.fail("points", fmt::format("more than {} cells along a side of the box", most));
+  requireCellsInContact(reader, std::min(contact.nx, contact.ny), contact.domain);
+}
+
+PatchContactSpecification readContact(CaseReader &reader, bool rough)
+{
+  reader.refuse({"contact.load_per_length", "contact.radius", "contact.period"},
+                "contact.load: a contact in a point (with contact.width: a line contact)");
+  for (const char *name : {"contact.youngs_modulus", "contact.poissons_ratio"})
+    reader.require(name);
+  PatchContactSpecification contact;
+  contact.load = reader.numbers("contact.load");
+  const auto youngs = readBodies(reader, "contact.youngs_modulus");
+  const auto poissons = readBodies(reader, "contact.poissons_ratio");
+  for (int body : {0, 1})
+    contact.bodies[body] = {youngs[body], poissons[body]};
+  readShape(reader, contact);
+  // rough contact reaches further than the smooth one
+  reader.setDefault("contact.domain", rough ? "3.4" : "2.2");
+  contact.domain = reader.number("contact.domain");
+  readPoints(reader, contact);
+  contact.spinPoint = reader.number("contact.spin_point");
+  contact.edgesInside = reader.word("contact.edges") == "inside";
+  return contact;
+}
+
+/// What npy files do not know of themselves.
+void readScale(CaseReader &reader, const RoughPatchSpecification &surface, HeightMapScale &scale)
+{
+  const auto isNpy = [](const std::string &file) {
+    return file.size() > 4 && file.substr(file.size() - 4) == ".npy";
+  };
+  const bool any = std::any_of(surface.rail.begin(), surface.rail.end(), isNpy) ||
+                   std::any_of(surface.wheel.begin(), surface.wheel.end(), isNpy);
+  if (!any) {
+    reader.refuse({"roughness.spacing", "roughness.height_unit"},
+                  "maps that state it themselves; it is for npy files");
+    return;
+  }
+  for (const char *name : {"roughness.spacing", "roughness.height_unit"})
+    reader.require(name);
+  const std::vector<double> spacing = reader.numbers("roughness.spacing");
+  if (spacing.size() > 2)
+    reader.fail("roughness.spacing",
+                fmt::format("{} values; one, or two for x and y, are expected", spacing.size()));
+  scale = {spacing.front(), spacing.back(), reader.number("roughness.height_unit")};
+}
+
+void readMeasured(CaseReader &reader, const std::string &caseFile, RoughPatchSpecification &surface)
+{
+  reader.refuse({"roughness.hurst", "roughness.rms_slope", "roughness.rms_height",
+                 "roughness.wavelength_min", "roughness.wavelength_max", "roughness.seed",
+                 "roughness.stretch", "roughness.boxes"},
+                "measured maps (roughness.rail, roughness.wheel)");
+  surface.kind = RoughnessKind::Measured;
+  const MeasuredSurfaces measured = readMeasuredSurfaces(reader, caseFile);
+  surface.rail = measured.rail;
+  surface.wheel = measured.wheel;
+  HeightMapPreparation common;
+  common.cutoff = measured.cutoff;
+  constexpr Form forms[] = {Form::None, Form::Mean, Form::Plane, Form::SecondOrder};
+  common.form = forms[measured.detrend];
+  common.fill = reader.word("roughness.unmeasured") == "fill";
+  readScale(reader, surface, common.scale);
+  surface.railMap = surface.wheelMap = common;
+  const std::string turn = reader.word("roughness.turn"), mirror = reader.word("roughness.mirror");
+  surface.railMap.turn = turn == "rail" || turn == "both";
+  surface.wheelMap.turn = turn == "wheel" || turn == "both";
+  surface.railMap.mirror = mirror == "rail" || mirror == "both";
+  surface.wheelMap.mirror = mirror == "wheel" || mirror == "both";
+}
+
+void readFractal(CaseReader &reader, RoughPatchSpecification &surface)
+{
+  reader.refuse({"roughness.cutoff", "roughness.detrend", "roughness.unmeasured",
+                 "roughness.spacing", "roughness.height_unit", "roughness.turn",
+                 "roughness.mirror"},
+                "a generated surface");
+  surface.kind = RoughnessKind::Fractal;
+  FractalPatch &fractal = surface.fractal;
+  surface.seeds = readFractalWaves(reader, fractal);
+  fractal.stretch = reader.number("roughness.stretch");
+  if (reader.has("roughness.boxes"))
+    surface.boxes = reader.integer("roughness.boxes");
+}
+
+RoughPatchSpecification readRoughness(CaseReader &reader, const std::string &caseFile)
+{
+  RoughPatchSpecification surface;
+  if (!reader.hasGroup("roughness"))
+    reader.words("roughness");
+  else if (reader.has("roughness.rail") || reader.has("roughness.wheel"))
+    readMeasured(reader, caseFile, surface);
+  else
+    readFractal(reader, surface);
+  return surface;
+}
+
+/// Creepages, or the forces in their place.
+/// A list that is not read (mode static, or a sequence has its own) holds one 0, so that the loops
+/// over the points run once.
+void readDrive(CaseReader &reader, PatchSpecification &patch)
+{
+  if (reader.has("force.longitudinal")) {
+    reader.refuse({"creep", "sequence.creep"}, "force.longitudinal: the creep is found");
+    patch.forceX = reader.numbers("force.longitudinal");
+  } else if (patch.mode != PatchMode::Static && !reader.has("sequence.creep")) {
+    patch.creep = readSeries(reader, "creep");
+  } else {
+    patch.creep = {0.0};
+  }
+  if (reader.has("force.lateral")) {
+    reader.refuse({"lateral", "sequence.lateral"}, "force.lateral: the lateral creep is found");
+    patch.forceY = reader.numbers("force.lateral");
+  } else {
+    patch.lateral =
+        patch.mode == PatchMode::Static ? std::vector<double>{0.0} : readSeries(reader, "lateral");
+  }
+  patch.spin =
+      patch.mode == PatchMode::Static ? std::vector<double>{0.0} : readSeries(reader, "spin");
+}
+
+std::vector<double> readColumn(CaseReader &reader, const std::string &name, std::size_t instants)
+{
+  if (!reader.has(name))
+    return {};
+  std::vector<double> values = reader.numbers(name);
+  if (values.size() != instants)
+    reader.fail(name, fmt::format("{} values; one for each of the {} instants of sequence.time is "
+                                  "expected",
+                                  values.size(), instants));
+  return values;
+}
+
+PatchSequence readSequence(CaseReader &reader, const PatchSpecification &patch)
+{
+  PatchSequence sequence;
+  if (!reader.hasGroup("sequence"))
+    return sequence;
+  reader.require("sequence.time");
+  sequence.time = reader.numbers("sequence.time");
+  if (sequence.time.size() < 2 || sequence.time.front() != 0.0 ||
+      std::adjacent_find(sequence.time.begin(), sequence.time.end(), std::greater_equal<>()) !=
+          sequence.time.end())
+    reader.fail("sequence.time", "at least two instants are needed, from 0 on, that increase");
+  const std::size_t n = sequence.time.size();
+  sequence.load = readColumn(reader, "sequence.load", n);
+  sequence.creep = readColumn(reader, "sequence.creep", n);
+  sequence.lateral = readColumn(reader, "sequence.lateral", n);
+  sequence.spin = readColumn(reader, "sequence.spin", n);
+  if (patch.mode == PatchMode::Moving)
+    reader.refuse({"moving.passes"}, "sequence: its last instant ends the rolling");
+  return sequence;
+}
+
+void readMoving(CaseReader &reader, PatchSpecification &patch)
+{
+  reader.refuse({"moving.reference_length"}, "a contact in a point: it has no free constant");
+  patch.sequence = readSequence(reader, patch);
+  if (patch.sequence.any()) {
+    if (!patch.sequence.creep.empty())
+      reader.refuse({"creep"}, "sequence.creep");
+    if (!patch.sequence.lateral.empty())
+      reader.refuse({"lateral"}, "sequence.lateral");
+    if (!patch.sequence.spin.empty())
+      reader.refuse({"spin"}, "sequence.spin");
+  } else {
+    reader.setDefault("moving.passes", "12"); // ten of them make a standard error
+    patch.moving.passes = reader.integer("moving.passes");
+  }
+  const std::string start = reader.word("moving.start");
+  patch.moving.start = start == "steady" ? RollingStart::Steady
+                       : start == "rest" ? RollingStart::Rest
+                                         : RollingStart::Shift;
+  if (patch.moving.start == RollingStart::Shift && !reader.hasGroup("force"))
+    reader.fail("moving.start", "'shift' needs force.longitudinal or force.lateral");
+}
+
+void readStatic(CaseReader &reader, PatchSpecification &patch)
+{
+  patch.physics.thermal.model = ThermalModel::Off;
+  patch.sequence = readSequence(reader, patch);
+  if (patch.sequence.any()) {
+    reader.require("sequence.load");
+    for (const char *name : {"sequence.creep", "sequence.lateral", "sequence.spin"})
+      reader.refuse({name}, "mode static");
+    reader.refuse({"static.shift"}, "sequence: a force ratio or forces");
+  }
+  const std::string given = onlyOne(reader, {"static.force_ratio", "static.shift", "force"});
+  if (given.empty())
+    reader.fail("static.force_ratio", "is missing: a force ratio, a shift (static.shift) or forces "
+                                      "(force) are needed in mode static");
+  if (given == "static.force_ratio")
+    patch.forceRatio = reader.numbers(given);
+  if (given == "static.shift")
+    patch.shift.push_back(readPair(reader, given, "[x, y]"));
+}
+
+} // namespace
+
+PatchSpecification readPatch(CaseReader &reader, const std::string &caseFile)
+{
+  PatchSpecification patch;
+  patch.roughness = readRoughness(reader, caseFile);
+  patch.contact = readContact(reader, patch.roughness.kind != RoughnessKind::None);
+  patch.physics.hardnessLimit = reader.flag("contact.hardness_limit");
+  patch.physics.friction = readFriction(reader, caseFile);
+  const std::string mode = reader.word("mode");
+  patch.mode = mode == "frozen"   ? PatchMode::Frozen
+               : mode == "moving" ? PatchMode::Moving
+                                  : PatchMode::Static;
+  if (patch.mode == PatchMode::Static) {
+    reader.refuse({"uncertainty"}, "mode static: it has no band");
+    readStatic(reader, patch);
+  } else {
+    patch.physics.thermal = readThermal(reader);
+    patch.spread = readSpread(reader, patch.physics.friction);
+  }
+  if (patch.mode == PatchMode::Moving)
+    readMoving(reader, patch);
+  else if (patch.mode == PatchMode::Frozen)
+    reader.refuse({"sequence"}, "mode frozen: mode moving or static is needed");
+  readDrive(reader, patch);
+  if (patch.mode != PatchMode::Static)
+    patch.speed = reader.numbers("speed");
+  double points = double(patch.roughness.surfaces());
+  for (const auto *list : {&patch.contact.load, &patch.speed, &patch.spin, &patch.lateral,
+                           &patch.forceY, &patch.creep, &patch.forceX, &patch.forceRatio})
+    points *= double(std::max<std::size_t>(1, list->size()));
+  requireFewPoints(reader, points);
+  patch.fields = readFields(reader, patchTasks(patch).size());
+  patch.sensitivities = reader.flag("sensitivities");
+  return patch;
+}
+
+} // namespace wheelrail

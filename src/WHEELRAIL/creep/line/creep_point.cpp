@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "creep/line/creep_point.h"
+
+#include "base/errors.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+namespace wheelrail {
+namespace {
+
+using Vector = Eigen::VectorXd;
+
+constexpr double temperatureTolerance = 1e-9; ///< of the strength temperature
+constexpr int maxIterations = 100;
+
+} // namespace
+
+FrozenCreep::FrozenCreep(const CreepPhysics &physics, const ContactSetup &setup)
+    : physics_(physics), setup_(setup)
+{
+  contact_.intervals = contactIntervals(setup_.normal, Boundary::Free);
+  contact_.pressure = setup_.normal.pressure * setup_.hertz.modulus;
+  contact_.traction = contact_.temperature = contact_.slip = Vector::Zero(setup_.cells);
+  contact_.state.assign(setup_.cells, Adhesion::Apart);
+}
+
+void FrozenCreep::roll(double creep)
+{
+  const std::vector<ContactInterval> &intervals = contact_.intervals;
+  // Traction outside of the contact is zero: only the window around it is computed. The window
+  // never shrinks, for its spectra are kept.
+  const int needed = intervals.back().last - intervals.front().first + 1;
+  if (!window_ || window_->cells() < needed)
+    window_.emplace(std::min(setup_.cells, fastTransformSize(2 * needed) / 2), Boundary::Free);
+  const int cells = window_->cells();
+  const int first = std::min(intervals.front().first, setup_.cells - cells);
+  const double modulus = setup_.hertz.modulus;
+
+  RollingOptions options;
+  options.start.assign(contact_.state.begin() + first, contact_.state.begin() + first + cells);
+  options.startTraction = contact_.traction.segment(first, cells) / modulus;
+  options.contact = intervals;
+  for (ContactInterval &interval : options.contact)
+    interval.shift(-first);
+  const Vector bound = contact_.mu.cwiseProduct(contact_.pressure).segment(first, cells) / modulus;
+  const RollingResult result = solveFrozenRolling(*window_, bound, creep, options);
+  contact_.traction.setZero();
+  contact_.slip.setZero();
+  contact_.state.assign(setup_.cells, Adhesion::Apart);
+  contact_.traction.segment(first, cells) = result.traction * modulus;
+  contact_.slip.segment(first, cells) = result.slip;
+  std::copy(result.state.begin(), result.state.end(), contact_.state.begin() + first);
+}
+
+double FrozenCreep::meanMu() const
+{
+  return contact_.mu.dot(contact_.pressure) / contact_.pressure.sum();
+}
+
+Vector FrozenCreep::temperatureFrom(double speed, double creep)
+{
+  const int n = setup_.cells;
+  if (physics_.thermal.model == ThermalModel::Off)
+    return Vector::Zero(n);
+  if (physics_.thermal.model == ThermalModel::Local) {
+    if (!flash_ || flashSpeed_ != speed)
+      flash_.emplace(n, setup_.cellSize, speed, physics_.thermal.material);
+    flashSpeed_ = speed;
+    return flash_->rise(contact_.traction.cwiseProduct(contact_.slip) * speed);
+  }
+  const double ratio =
+      physics_.thermal.model == ThermalModel::Averaged ? meanMu() : tractionRatio();
+  return Vector::Constant(n, meanTemperatureRise(ratio, setup_.hertz.hertzPressure, creep * speed,
+                                                 setup_.hertz.halfWidth, speed,
+                                                 physics_.thermal.material));
+}
+
+/// The hardness falls with the mean temperature of the contact: solve again where it binds.
+void FrozenCreep::limitPressure()
+{
+  const double mean = contact_.temperature.dot(contact_.pressure) / contact_.pressure.sum();
+  NormalContactOptions options;
+  options.start = contact_.pressure / setup_.hertz.modulus;
+  if (!domain_)
+    domain_.emplace(setup_.cells, Boundary::Free);
+  const NormalContactResult normal =
+      solveNormalContact(*domain_, setup_.problem(physics_.pressureLimit(mean)), options);
+  checkInsideDomain(normal.pressure);
+  contact_.pressure = normal.pressure * setup_.hertz.modulus;
+  contact_.intervals = contactIntervals(normal, Boundary::Free);
+}
+
+// The temperature rise Theta is the unknown of a fixed point Theta -> mu, p -> T -> Theta. Friction
+// falls with strength where strength falls with Theta, so steps mostly alternate and shrink; where
+// they grow, the step is halved for good, which tames any slope that is finite.
+CreepPoint FrozenCreep::solve(const FrictionLaw &law, double speed, double creep)
+{
+  const bool needsTraction = physics_.thermal.model == ThermalModel::Local ||
+                             physics_.thermal.model == ThermalModel::AveragedPower;
+  const bool feedback = physics_.hasFeedback();
+  double part = 1.0, lastStep = 0.0;
+  int iteration = 1;
+  for (;; ++iteration) {
+    if (physics_.hardnessLimit && iteration > 1)
+      limitPressure();
+    contact_.mu = frictionCoefficient(physics_.friction, law, contact_.pressure, creep * speed,
+                                      contact_.temperature);
+    if (needsTraction)
+      roll(creep);
+    const Vector next = temperatureFrom(speed, creep);
+    const double step = (next - contact_.temperature).cwiseAbs().maxCoeff();
+    if (!feedback) {
+      contact_.temperature = next;
+      break;
+    }
+    if (step <= temperatureTolerance * physics_.friction.strengthTemperature)
+      break;
+    if (iteration >= maxIterations)
+      throw Error(ExitCode::NotConverged,
+                  fmt::format("creep {} at {} m/s: temperature and friction do not settle after {} "
+                              "iterations (last step {:.2e} K)",
+                              creep, speed, iteration, step));
+    if (iteration > 1 && step >= lastStep)
+      part *= 0.5;
+    lastStep = step;
+    contact_.temperature += part * (next - contact_.temperature);
+  }
+  if (!needsTraction)
+    roll(creep);
+  const double hottest = contact_.temperature.maxCoeff();
+  physics_.checkStrength(hottest, speed, creep);
+
+  CreepPoint point;
+  point.speed = speed;
+  point.creep = creep;
+  point.tractionRatio = tractionRatio();
+  point.traction = point.tractionRatio * setup_.hertz.load;
+  point.muMean = meanMu();
+  point.temperatureRise = setup_.nominalMean(contact_.temperature);
+  point.temperatureMaximum = physics_.thermal.model == ThermalModel::Local
+                                 ? hottest
+                                 : maximumOverMeanTemperature() * hottest;
+  point.iterations = iteration;
+  const auto touching = std::count_if(contact_.state.begin(), contact_.state.end(),
+                                      [](Adhesion s) { return s != Adhesion::Apart; });
+  point.stickFraction =
+      double(std::count(contact_.state.begin(), contact_.state.end(), Adhesion::Stick)) / touching;
+  return point;
+}
+
+LawUse FrozenCreep::use(double speed, double creep) const
+{
+  return lawUse(physics_.friction, contact_.pressure, creep * speed, contact_.temperature);
+}
+
+} // namespace wheelrail

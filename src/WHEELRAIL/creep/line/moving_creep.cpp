@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "creep/line/moving_creep.h"
+
+#include "base/errors.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+namespace wheelrail {
+namespace {
+
+using Vector = Eigen::VectorXd;
+
+constexpr double pressureTolerance = 1e-5; ///< the next step shifts the pressure by a cell anyway
+
+/// Moved along with the material by one cell; what comes in is 0.
+Vector movedAlong(const Vector &values)
+{
+  Vector moved = Vector::Zero(values.size());
+  moved.head(values.size() - 1) = values.tail(values.size() - 1);
+  return moved;
+}
+
+} // namespace
+
+MovingCreep::MovingCreep(const CreepPhysics &physics, const MovingSpecification &moving,
+                         const FrictionLaw &law, const ContactSetup &setup)
+    : physics_(physics), moving_(moving), law_(law), setup_(setup),
+      domain_(setup.cells, Boundary::Free), normal_(setup.normal)
+{
+}
+
+void MovingCreep::solvePressure(int step, double temperature)
+{
+  NormalContactOptions options;
+  options.tolerance = pressureTolerance;
+  options.start = step ? movedAlong(normal_.pressure) : normal_.pressure;
+  normal_ = solveNormalContact(domain_, setup_.problem(physics_.pressureLimit(temperature), step),
+                               options);
+  checkInsideDomain(normal_.pressure);
+  contact_.pressure = normal_.pressure * setup_.hertz.modulus;
+}
+
+/// Makes the window as large as this step's contact needs (never at the domain's ends); it never
+/// shrinks.
+void MovingCreep::fitWindow(std::vector<Roller> &rollers)
+{
+  int first = 0, last = setup_.cells - 1;
+  while (!(normal_.pressure[first + 1] > 0.0))
+    ++first; // one cell more: traction leaves the contact there
+  while (!(normal_.pressure[last] > 0.0))
+    --last;
+  int end = last + 1;
+  if (window_) {
+    if (first >= windowBegin_ && end <= windowBegin_ + window_->cells())
+      return;
+    first = std::min(first, windowBegin_);
+    end = std::max(end, windowBegin_ + window_->cells());
+  }
+  // Room to both sides as far as a fast transform gives it, so that it seldom has to grow.
+  const int cells = std::min(setup_.cells, fastTransformSize(2 * (end - first)) / 2);
+  const int begin = std::clamp((first + end - cells) / 2, 0, setup_.cells - cells);
+  window_.emplace(cells, Boundary::Free);
+  for (Roller &roller : rollers)
+    roller.rolling.moveTo(*window_, begin - windowBegin_);
+  windowBegin_ = begin;
+}
+
+void MovingCreep::roll(Roller &roller, double speed, bool counted)
+{
+  const Vector &p = contact_.pressure;
+  const int cells = window_->cells();
+  if (roller.heat)
+    roller.temperature = movedAlong(roller.temperature);
+  physics_.checkStrength(roller.temperature.maxCoeff(), speed, roller.creep);
+  roller.mu =
+      frictionCoefficient(physics_.friction, law_, p, roller.creep * speed, roller.temperature);
+  roller.result = roller.rolling.step(
+      roller.mu.cwiseProduct(normal_.pressure).segment(windowBegin_, cells), roller.creep);
+  const double ratio = roller.result.force() / normal_.pressure.sum();
+  const double mu = roller.mu.dot(p) / p.sum();
+  roller.pass.ratio += ratio;
+  roller.pass.mu += mu;
+  if (roller.heat) {
+    Vector heat = Vector::Zero(setup_.cells);
+    heat.segment(windowBegin_, cells) =
+        roller.result.traction.cwiseProduct(roller.result.slip) * (setup_.hertz.modulus * speed);
+    roller.heat->step(heat);
+    for (int i = 0; i < setup_.cells; ++i)
+      if (setup_.isNominal(i) || (i >= windowBegin_ && i < windowBegin_ + cells))
+        roller.temperature[i] = roller.heat->rise(i);
+  }
+  if (!counted)
+    return;
+  roller.counted.ratio += ratio;
+  roller.counted.mu += mu;
+  roller.counted.stick += roller.result.stickFraction();
+  roller.counted.temperature += setup_.nominalMean(roller.temperature);
+  roller.hottest = std::max(roller.hottest, roller.temperature.maxCoeff());
+}
+
+void MovingCreep::endPass(Roller &roller, double speed, int steps)
+{
+  if (physics_.thermal.model == ThermalModel::Averaged ||
+      physics_.thermal.model == ThermalModel::AveragedPower) {
+    const double heat =
+        physics_.thermal.model == ThermalModel::Averaged ? roller.pass.mu : roller.pass.ratio;
+    roller.temperature.setConstant(meanTemperatureRise(heat / steps, setup_.hertz.hertzPressure,
+                                                       roller.creep * speed, setup_.hertz.halfWidth,
+                                                       speed, physics_.thermal.material));
+  }
+  roller.pass = {};
+}
+
+CreepPoint MovingCreep::pointOf(const Roller &roller, double speed, int steps, int counted) const
+{
+  CreepPoint point;
+  point.speed = speed;
+  point.creep = roller.creep;
+  point.tractionRatio = roller.counted.ratio / counted;
+  point.traction = point.tractionRatio * setup_.hertz.load;
+  point.muMean = roller.counted.mu / counted;
+  point.temperatureRise = roller.counted.temperature / counted;
+  point.temperatureMaximum =
+      roller.heat ? roller.hottest : maximumOverMeanTemperature() * roller.hottest;
+  point.iterations = steps;
+  point.stickFraction = roller.counted.stick / counted;
+  point.use =
+      lawUse(physics_.friction, contact_.pressure, roller.creep * speed, roller.temperature);
+  return point;
+}
+
+// A step is one cell of rolling: the profile is read a cell further on, which moves its asperities
+// a cell towards smaller x. All that belongs to the material moves with it: the pressure (as a
+// start of the normal contact only), the traction (`TransientRolling`), the temperature. Creeps do
+// not change the pressure, so that one normal contact a step serves all of them; only where a
+// hardness falls with temperature does the warmest of them decide, and the sweep then calls with
+// one creep.
+std::vector<CreepPoint> MovingCreep::solve(double speed, const std::vector<double> &creeps,
+                                           const std::function<bool()> &progress)
+{
+  const HertzContact &hertz = setup_.hertz;
+  const int pass = static_cast<int>(std::ceil(2.0 * hertz.halfWidth / setup_.cellSize));
+  const int steps = moving_.passes * pass;
+  if (steps > setup_.longestTravel())
+    throw Error(
+        ExitCode::BadInput,
+        fmt::format("mode moving: {} passes need a profile of {:.3g} mm, there are {:.3g} mm",
+                    moving_.passes, (setup_.cells + steps) * setup_.cellSize * 1e3,
+                    (setup_.cells + setup_.longestTravel()) * setup_.cellSize * 1e3));
+  const double reference = moving_.referenceLength * hertz.halfWidth / setup_.cellSize;
+  std::vector<Roller> rollers;
+  for (int step = 0; step < steps; ++step) {
+    if (!progress())
+      return {};
+    double warmest = 0.0;
+    for (const Roller &roller : rollers)
+      warmest = std::max(warmest, setup_.nominalMean(roller.temperature));
+    solvePressure(step, warmest);
+    fitWindow(rollers);
+    // once, in the first step: a roller needs the window, and the window the first pressure
+    for (std::size_t k = rollers.size(); k < creeps.size(); ++k) {
+      rollers.push_back({creeps[k],
+                         TransientRolling(*window_, reference),
+                         {},
+                         Vector::Zero(setup_.cells),
+                         {},
+                         {},
+                         {},
+                         {},
+                         0.0});
+      if (physics_.thermal.model == ThermalModel::Local)
+        rollers.back().heat.emplace(setup_.cells, setup_.cellSize, speed,
+                                    physics_.thermal.material);
+    }
+    for (Roller &roller : rollers) {
+      roll(roller, speed, step >= steps / 2);
+      if ((step + 1) % pass == 0)
+        endPass(roller, speed, pass);
+    }
+  }
+
+  std::vector<CreepPoint> points;
+  for (const Roller &roller : rollers)
+    points.push_back(pointOf(roller, speed, steps, steps - steps / 2));
+  fields_.clear();
+  for (const Roller &roller : rollers)
+    fields_.push_back(fieldsOf(roller));
+  return points;
+}
+
+ContactFields MovingCreep::fieldsOf(const Roller &roller) const
+{
+  ContactFields fields = contact_;
+  const int cells = window_->cells();
+  fields.mu = roller.mu;
+  fields.temperature = roller.temperature;
+  if (roller.heat)
+    for (int i = 0; i < setup_.cells; ++i)
+      fields.temperature[i] = roller.heat->rise(i);
+  fields.traction = fields.slip = Vector::Zero(setup_.cells);
+  fields.traction.segment(windowBegin_, cells) = roller.result.traction * setup_.hertz.modulus;
+  fields.slip.segment(windowBegin_, cells) = roller.result.slip;
+  fields.state.assign(setup_.cells, Adhesion::Apart);
+  std::copy(roller.result.state.begin(), roller.result.state.end(),
+            fields.state.begin() + windowBegin_);
+  return fields;
+}
+
+} // namespace wheelrail

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef WHEELRAIL_CREEP_LINE_MOVING_CREEP_H
+#define WHEELRAIL_CREEP_LINE_MOVING_CREEP_H
+
+#include "creep/line/creep_point.h"
+
+#include <functional>
+#include <optional>
+
+namespace wheelrail {
+
+/// What transient rolling needs beside the creeps.
+struct MovingSpecification {
+  int passes = 4;               ///< lengths of the nominal contact that are rolled, >= 2
+  double referenceLength = 1.0; ///< of the half-plane's free constant, in Hertz half-widths, > 0
+};
+
+/// One creep on its way through the contact, as `MovingCreep` keeps it.
+/// Sums are divided by the number of steps only when the point is made.
+struct Roller {
+  double creep;
+  /// Traction and displacements that the last step left.
+  TransientRolling rolling;
+  /// Of the local model only.
+  std::optional<TravellingHeat> heat;
+  Eigen::VectorXd temperature, mu; ///< per cell; K
+  RollingResult result;            ///< on the window
+  struct Sums { // of the steps' traction ratio, mean mu, stick fraction, temperature rise (K)
+    double ratio = 0.0, mu = 0.0, stick = 0.0, temperature = 0.0;
+  };
+  Sums pass, counted;   ///< over the pass, over the last half of all
+  double hottest = 0.0; ///< K, anywhere in the last half
+};
+
+/// Transient rolling: the roughness travels with the material, one cell a step. The creeps of a
+/// call share the pressures and are rolled together; they do not influence each other, so a
+/// pressure limit that depends on temperature wants one creep a call. Traction, friction and stick
+/// are means over the last half of the passes. Eq. 11's temperature follows the mean of the pass
+/// before; the local one is carried along by the material and is a cell behind in the friction
+/// coefficient.
+/// Lengths are those of the nominal (Hertz) contact: one pass is 2a long.
+class MovingCreep {
+ public:
+  /// All arguments must outlive the object.
+  /// @param setup of a Free boundary, with a measured profile kept whole
+  /// @param law not read where friction is constant
+  MovingCreep(const CreepPhysics &physics, const MovingSpecification &moving,
+              const FrictionLaw &law, const ContactSetup &setup);
+
+  /// @param speed v0, m/s, > 0
+  /// @param creeps sliding/rolling speed, > 0
+  /// @param progress called at every step; returns false to stop
+  /// @return one point per creep; empty when stopped
+  /// @throws Error (NotConverged), Error (BadInput) for a measured profile that is too short
+  /// Begins anew with every call: with the profile at its start and no traction.
+  std::vector<CreepPoint> solve(double speed, const std::vector<double> &creeps,
+                                const std::function<bool()> &progress);
+
+  /// At the end of `solve`, in its last step, over the whole domain; SI units.
+  /// @param creep place in the list of creeps
+  const ContactFields &fields(std::size_t creep) const { return fields_.at(creep); }
+
+ private:
+  /// The pressure of a step, warm from the one before; temperature rise in K sets the limit.
+  /// @param step number of cells that the profile has moved
+  void solvePressure(int step, double temperature);
+  /// Makes the window large enough for the cells in contact and moves every roller's state along.
+  void fitWindow(std::vector<Roller> &rollers);
+  /// One step of one creep; `counted` steps are averaged.
+  /// @param speed v0, m/s
+  void roll(Roller &roller, double speed, bool counted);
+  /// Eq. 11 after each length of the nominal contact.
+  /// @param steps of the length, for the mean
+  void endPass(Roller &roller, double speed, int steps);
+  /// Means over the `counted` steps of all `steps`.
+  CreepPoint pointOf(const Roller &roller, double speed, int steps, int counted) const;
+  ContactFields fieldsOf(const Roller &roller) const;
+
+  const CreepPhysics &physics_;
+  const MovingSpecification &moving_;
+  const FrictionLaw &law_;
+  const ContactSetup &setup_;
+  HalfPlane domain_;                ///< for the pressure
+  std::optional<HalfPlane> window_; ///< for the traction: the cells in contact and a few more
+  int windowBegin_ = 0;
+  NormalContactResult normal_;
+  ContactFields contact_;             ///< its pressure
+  std::vector<ContactFields> fields_; ///< of every creep
+};
+
+} // namespace wheelrail
+#endif

@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "creep/patch/field_files.h"
+
+#include "base/errors.h"
+#include "contact/patch/formats/gsf_file.h"
+
+#include <cstdint>
+#include <cstring>
+#include <fmt/format.h>
+#include <functional>
+
+namespace wheelrail {
+
+namespace {
+
+using Vector = Eigen::VectorXd;
+constexpr double mm = 1e-3, MPa = 1e6; // in SI
+
+Vector stateNumbers(const std::vector<PatchState> &state)
+{
+  Vector numbers(static_cast<Eigen::Index>(state.size()));
+  for (std::size_t k = 0; k < state.size(); ++k)
+    numbers[static_cast<Eigen::Index>(k)] = static_cast<double>(state[k]);
+  return numbers;
+}
+
+void appendLittleEndian(std::string &bytes, std::uint64_t bits)
+{
+  for (int k = 0; k < 8; ++k)
+    bytes += static_cast<char>(bits >> 8 * k & 0xff);
+}
+
+void appendLittleEndian(std::string &bytes, double value)
+{
+  std::uint64_t bits = 0;
+  std::memcpy(&bits, &value, sizeof bits);
+  appendLittleEndian(bytes, bits);
+}
+
+/// The arrays of a VTK XML file: their descriptions, which stand before all of them, and their
+/// blocks of bytes, each after its length. It refers to what is added.
+class AppendedArrays {
+ public:
+  void add(const char *name, const Vector &values)
+  {
+    add(name, "Float64", 1, 8 * values.size(), [&values](std::string &bytes) {
+      for (const double v : values)
+        appendLittleEndian(bytes, v);
+    });
+  }
+  void add(const char *name, const TangentialField &field)
+  {
+    add(name, "Float64", 3, 24 * field.x.size(), [&field](std::string &bytes) {
+      for (Eigen::Index k = 0; k < field.x.size(); ++k)
+        for (const double v : {field.x[k], field.y[k], 0.0})
+          appendLittleEndian(bytes, v);
+    });
+  }
+  void add(const char *name, const std::vector<PatchState> &state)
+  {
+    add(name, "UInt8", 1, static_cast<Eigen::Index>(state.size()), [&state](std::string &bytes) {
+      for (const PatchState s : state)
+        bytes += static_cast<char>(s);
+    });
+  }
+  const std::string &descriptions() const { return descriptions_; }
+  /// Of all blocks together.
+  std::size_t size() const { return size_; }
+  void appendTo(std::string &bytes) const
+  {
+    for (const Block &block : blocks_) {
+      appendLittleEndian(bytes, block.bytes);
+      block.fill(bytes);
+    }
+  }
+
+ private:
+  struct Block {
+    std::uint64_t bytes;
+    std::function<void(std::string &)> fill;
+  };
+  void add(const char *name, const char *type, int components, Eigen::Index bytes,
+           std::function<void(std::string &)> fill)
+  {
+    if (bytes == 0)
+      return;
+    descriptions_ += fmt::format("        <DataArray type=\"{}\" Name=\"{}\" "
+                                 "NumberOfComponents=\"{}\" format=\"appended\" offset=\"{}\"/>\n",
+                                 type, name, components, size_);
+    blocks_.push_back({static_cast<std::uint64_t>(bytes), std::move(fill)});
+    size_ += sizeof(std::uint64_t) + static_cast<std::size_t>(bytes);
+  }
+  std::string descriptions_;
+  std::vector<Block> blocks_;
+  std::size_t size_ = 0;
+};
+
+/// Text that may stand in an XML comment: without "--" and without an end of line.
+std::string commentText(std::string text)
+{
+  for (char &c : text)
+    if (c == '-' || static_cast<unsigned char>(c) < ' ')
+      c = c == '-' ? '_' : ' ';
+  return text;
+}
+
+} // namespace
+
+std::string vtiBytes(const PatchGrid &grid, const PatchFields &fields, const std::string &title)
+{
+  AppendedArrays arrays;
+  arrays.add("state", fields.state);
+  arrays.add("gap", fields.gap);
+  arrays.add("pressure", fields.pressure);
+  arrays.add("traction", fields.traction);
+  arrays.add("slip", fields.slip);
+  arrays.add("mu", fields.mu);
+  arrays.add("temperature", fields.temperature);
+  const std::string extent = fmt::format("0 {} 0 {} 0 0", grid.nx, grid.ny);
+  std::string text = "<?xml version=\"1.0\"?>\n";
+  text += fmt::format("<!-- {} -->\n", commentText(title));
+  text += "<!-- x, y, gap: mm; pressure, traction: MPa; slip: sliding/rolling speed; temperature: "
+          "K; state: 0 apart, 1 stick, 2 slip; material enters at the largest x -->\n";
+  text += "<VTKFile type=\"ImageData\" version=\"1.0\" byte_order=\"LittleEndian\" "
+          "header_type=\"UInt64\">\n";
+  text += fmt::format("  <ImageData WholeExtent=\"{}\" Origin=\"{:.17g} {:.17g} 0\" "
+                      "Spacing=\"{:.17g} {:.17g} 1\">\n",
+                      extent, grid.left, grid.bottom, grid.dx, grid.dy);
+  text += fmt::format("    <Piece Extent=\"{}\">\n      <CellData{}>\n", extent,
+                      fields.pressure.size() > 0 ? " Scalars=\"pressure\"" : "");
+  text += arrays.descriptions();
+  text += "      </CellData>\n    </Piece>\n  </ImageData>\n  <AppendedData encoding=\"raw\">\n_";
+  const std::string tail = "\n  </AppendedData>\n</VTKFile>\n";
+  text.reserve(text.size() + arrays.size() + tail.size()); // it may be most of the memory
+  arrays.appendTo(text);
+  text += tail;
+  return text;
+}
+
+std::vector<NamedBytes> gsfFields(const PatchGrid &grid, const PatchFields &fields,
+                                  const std::string &title)
+{
+  std::vector<NamedBytes> files;
+  SimpleField field;
+  field.nx = grid.nx;
+  field.ny = grid.ny;
+  field.width = grid.nx * grid.dx * mm;
+  field.height = grid.ny * grid.dy * mm;
+  field.xOffset = grid.left * mm;
+  field.yOffset = -(grid.bottom + grid.ny * grid.dy) * mm;
+  field.xyUnit = "m";
+  const auto add = [&](const char *name, const Vector &values, double unit, const char *unitName) {
+    if (values.size() == 0)
+      return;
+    field.value = values * unit;
+    field.zUnit = unitName;
+    field.title = title.empty() ? name : fmt::format("{}: {}", name, title);
+    for (char &c : field.title)
+      if (static_cast<unsigned char>(c) < ' ') // one line of the head
+        c = ' ';
+    files.push_back({name, gsfBytes(field)});
+  };
+  add("state", stateNumbers(fields.state), 1.0, "");
+  add("gap", fields.gap, mm, "m");
+  add("pressure", fields.pressure, MPa, "Pa");
+  add("traction_x", fields.traction.x, MPa, "Pa");
+  add("traction_y", fields.traction.y, MPa, "Pa");
+  add("slip_x", fields.slip.x, 1.0, "");
+  add("slip_y", fields.slip.y, 1.0, "");
+  add("mu", fields.mu, 1.0, "");
+  add("temperature", fields.temperature, 1.0, "K");
+  return files;
+}
+
+namespace {
+
+void checkFinite(const std::string &stem, const PatchFields &fields)
+{
+  const std::pair<const char *, const Vector *> all[] = {
+      {"gap", &fields.gap},
+      {"pressure", &fields.pressure},
+      {"traction", &fields.traction.x},
+      {"traction", &fields.traction.y},
+      {"slip", &fields.slip.x},
+      {"slip", &fields.slip.y},
+      {"mu", &fields.mu},
+      {"temperature", &fields.temperature},
+  };
+  for (const auto &[name, values] : all)
+    if (!values->allFinite())
+      throw Error(ExitCode::NotConverged,
+                  fmt::format("{}: {} is not finite everywhere", stem, name));
+}
+
+} // namespace
+
+void addFieldFiles(mcawr::OutputFiles &files, const std::string &stem, const PatchGrid &grid,
+                   const PatchFields &fields, const std::string &title)
+{
+  checkFinite(stem, fields);
+  files.add(stem + ".vti", vtiBytes(grid, fields, title));
+  for (const NamedBytes &file : gsfFields(grid, fields, title))
+    files.add(fmt::format("{}_{}.gsf", stem, file.name), file.bytes);
+}
+
+} // namespace wheelrail

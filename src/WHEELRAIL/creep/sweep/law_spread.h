@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef WHEELRAIL_CREEP_SWEEP_LAW_SPREAD_H
+#define WHEELRAIL_CREEP_SWEEP_LAW_SPREAD_H
+
+#include "law/friction_law.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace wheelrail {
+
+/// How a law's covariance is carried through to a result.
+/// Linear is exact to first order in the standard errors, symmetric, and costs two results for each
+/// parameter; Sampled shows asymmetry too and costs `samples` results.
+enum class UncertaintyMethod { Linear, Sampled };
+
+/// How many laws stand for the spread.
+/// Both numbers are read by the sampled method only.
+struct SpreadSpecification {
+  UncertaintyMethod method = UncertaintyMethod::Linear;
+  int samples = 0;        ///< Sampled: laws drawn, > 1
+  std::uint64_t seed = 0; ///< Sampled: alone decides the draws
+};
+
+/// What the uncertainty of the law makes of a result; in the result's unit.
+/// Linear: half-width 1.96 standard errors; Sampled: quantiles.
+struct Band {
+  double standardError = 0.0;   ///< >= 0; 0 without a covariance
+  double low = 0.0, high = 0.0; ///< 95 % interval
+};
+
+/// A law and others near it, with which a result is computed again to see how well the law
+/// determines it. Linear: the law with each parameter a tenth of its standard error up and down;
+/// the band is that of the derivatives and the covariance. Sampled: draws from the normal
+/// distribution with the law's covariance; the band is their standard deviation and quantiles.
+/// Draws that are no law, b or c < 0 (a pole) or mu <= 0 at some pressure within the fitted range
+/// of kappa1, are drawn again.
+class LawSpread {
+ public:
+  /// @param law its covariance is used, if it has one
+  /// @throws Error (NotConverged) when hardly any draw is a law
+  LawSpread(const SpreadSpecification &specification, const FrictionLaw &law);
+
+  /// The law itself first. Just that one if it has no covariance.
+  const std::vector<FrictionLaw> &laws() const { return variants_; }
+  /// Does the law have a covariance to be carried through?
+  bool any() const { return variants_.size() > 1; }
+  /// @param results the quantity in question, computed with each of `laws()`, in their order
+  /// @return in the unit of `results`
+  Band band(const std::vector<double> &results) const;
+  /// Share of the draws that were drawn again.
+  /// 0 with the linear method. A large share says that the covariance reaches far into what is no
+  /// law.
+  double redrawn() const { return redrawnShare_; }
+
+ private:
+  /// Two laws for each parameter, up and down.
+  void addNeighbours();
+  /// Draws from the normal distribution, by the root of the correlation matrix.
+  void addSamples(int samples, std::uint64_t seed);
+
+  UncertaintyMethod method_;
+  std::vector<FrictionLaw> variants_;
+  double redrawnShare_ = 0.0;
+};
+
+} // namespace wheelrail
+#endif
