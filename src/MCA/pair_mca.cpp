@@ -56,17 +56,14 @@ void PairMCA::compute(int eflag, int vflag)
 
 mca::Automata PairMCA::automata() const
 {
-  mca::Automata a = {mca::flat(atom->x),
-                     mca::flat(atom->v),
-                     mca::flat(atom->omega),
-                     atom->mask,
-                     integrated,
-                     held,
-                     state(KAPPA),
-                     {},
-                     {},
-                     {},
-                     {}};
+  mca::Automata a{};
+  a.x = mca::flat(atom->x);
+  a.v = mca::flat(atom->v);
+  a.omega = mca::flat(atom->omega);
+  a.groups = atom->mask;
+  a.integrated = integrated;
+  a.held = held;
+  a.kappa = state(KAPPA);
   for (int m = 0; m < domain->dimension; m++) {
     a.lag[m] = state(LAG[m]);
     a.rest[m] = state(REST[m]);
@@ -179,12 +176,14 @@ void PairMCA::record_events()
     const int k = change.pair, i = pairs.i(k), j = pairs.j(k);
     if (!mca_step.isOurs(k))
       continue;
-    Event e{update->ntimestep - 1,
-            {atom->tag[i], atom->tag[j]},
-            change.before,
-            change.after,
-            {},
-            {atom->mask[i], atom->mask[j]}};
+    Event e{};
+    e.step = update->ntimestep - 1;
+    e.before = change.before;
+    e.after = change.after;
+    for (const auto &[end, automaton] : {std::pair(0, i), std::pair(1, j)}) {
+      e.tag[end] = atom->tag[automaton];
+      e.mask[end] = atom->mask[automaton];
+    }
     for (int m = 0; m < 3; m++)
       e.x[m] = 0.5 * (x[pairs.placeI(k)][m] + x[pairs.placeJ(k)][m]);
     for (int m = 0; m < 3; m++) // far from the box LAMMPS's folding would not end

@@ -32,17 +32,21 @@ struct StepArrays {
   /// For one call.
   mca::Automata view()
   {
-    return {x(),
-            v(),
-            omega(),
-            groups.data(),
-            all,
-            held,
-            kappa.data(),
-            {lag[0].data(), lag[1].data(), lag[2].data()},
-            {rest[0].data(), rest[1].data(), rest[2].data()},
-            {spinLag[0].data(), spinLag[1].data(), spinLag[2].data()},
-            {spinRest[0].data(), spinRest[1].data(), spinRest[2].data()}};
+    mca::Automata a{};
+    a.x = x();
+    a.v = v();
+    a.omega = omega();
+    a.groups = groups.data();
+    a.integrated = all;
+    a.held = held;
+    a.kappa = kappa.data();
+    for (int m = 0; m < 3; m++) {
+      a.lag[m] = lag[m].data();
+      a.rest[m] = rest[m].data();
+      a.spinLag[m] = spinLag[m].data();
+      a.spinRest[m] = spinRest[m].data();
+    }
+    return a;
   }
 };
 

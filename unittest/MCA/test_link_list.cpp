@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "core/link_list.h"
+#include "laws/linking.h"
 
 #include <gtest/gtest.h>
 

@@ -142,6 +142,35 @@ def test_the_table_has_no_circle():
         below(floor, [])
 
 
+def module_of(file):
+    """A header and its source are one module."""
+    return file.relative_to(SOURCE).with_suffix("").as_posix()
+
+
+def circles(tree):
+    """Modules below this folder that include each other, directly or through others."""
+    includes = {}
+    for file, _, _, other in arrows():
+        if other is not None and module_of(other) != module_of(file):
+            includes.setdefault(module_of(file), set()).add(module_of(other))
+
+    def reach(module, seen):
+        for other in includes.get(module, ()):
+            if other not in seen:
+                seen.add(other)
+                reach(other, seen)
+        return seen
+
+    below = {module: reach(module, set()) for module in includes if module.startswith(f"{tree}/")}
+    return [module for module, seen in below.items() if module in seen]
+
+
+@pytest.mark.parametrize("tree", ["shared", "MCA"])
+def test_includes_point_down_inside_folders(tree):
+    """Where a part includes what is made of it, there is a circle."""
+    assert not circles(tree)
+
+
 def test_wheelrail_and_shared_name_every_header_of_theirs():
     """A misspelt or moved header would otherwise pass for somebody else's."""
     wrong = [
@@ -173,7 +202,7 @@ def test_programs_are_command_lines_only():
 
 def test_the_check_sees_a_wrong_arrow(tmp_path, monkeypatch):
     """The test itself can fail: a law that includes a contact, a law of the automata that includes
-    a header of LAMMPS."""
+    a header of LAMMPS, a part that includes the whole."""
     import sys
 
     module = sys.modules[__name__]
@@ -181,6 +210,9 @@ def test_the_check_sees_a_wrong_arrow(tmp_path, monkeypatch):
         "WHEELRAIL/law/a.h": '#include "contact/b.h"\n',
         "WHEELRAIL/contact/b.h": "",
         "MCA/laws/c.h": '#include "atom.h"\n',
+        "MCA/core/whole.cpp": '#include "part.h"\n',
+        "MCA/core/whole.h": "",
+        "MCA/core/part.h": '#include "whole.h"\n',
     }.items():
         (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
         (tmp_path / name).write_text(text)
@@ -190,3 +222,4 @@ def test_the_check_sees_a_wrong_arrow(tmp_path, monkeypatch):
         test_includes_point_down()
     with pytest.raises(AssertionError, match=r"c\.h includes atom\.h"):
         test_no_host_below("MCA/laws")
+    assert circles("MCA") == ["MCA/core/part", "MCA/core/whole"]

@@ -8,11 +8,6 @@
 
 namespace mca {
 
-static Vector vectorOf(const double *values)
-{
-  return {values[0], values[1], values[2]};
-}
-
 static void store(const Vector &v, double *values)
 {
   values[0] = v.x;

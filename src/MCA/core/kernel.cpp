@@ -6,6 +6,8 @@
 // The physics stands in laws/. Here a block's pairs are gathered to columns, a loop applies the
 // laws to each, and the results are added to both automata. Each loop exists once for each way that
 // a block may go, with all that the way knows left out by the compiler.
+#include "kernel.h"
+
 #include "kernel_plane.h"
 #include "kernel_space.h"
 
@@ -420,9 +422,19 @@ double forcePass(const Pairs &p, const PairLaw *laws, const double *response, co
 template<class D>
 constexpr Kernel kernelOf(const Kernel *keepsVolume)
 {
-  return {MCA_ISA_NAME,       D::rows.dimension, D::rows,      strainPass<D>,
-          meanPass<D>,        stressPass<D>,     yieldPass<D>, returnPass<D>,
-          secondYieldPass<D>, forcePass<D>,      keepsVolume};
+  Kernel k{};
+  k.name = MCA_ISA_NAME;
+  k.dimension = D::rows.dimension;
+  k.rows = D::rows;
+  k.strain = strainPass<D>;
+  k.mean = meanPass<D>;
+  k.stress = stressPass<D>;
+  k.yield = yieldPass<D>;
+  k.returns = returnPass<D>;
+  k.yieldAgain = secondYieldPass<D>;
+  k.force = forcePass<D>;
+  k.keepsVolume = keepsVolume;
+  return k;
 }
 
 constexpr Kernel planeJ2 = kernelOf<PlaneJ2>(nullptr), spaceJ2 = kernelOf<SpaceJ2>(nullptr);

@@ -9,6 +9,7 @@
 #define MCA_KERNEL_BLOCKS_H
 
 #include "kernel_rows.h"
+#include "laws/contact.h"
 #include "laws/fracture_criteria.h"
 
 namespace mca::MCA_ISA {

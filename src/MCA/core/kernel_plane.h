@@ -11,7 +11,9 @@
 #define MCA_KERNEL_PLANE_H
 
 #include "kernel_blocks.h"
+#include "laws/automaton_law.h"
 #include "laws/pair_motion.h"
+#include "rows.h"
 
 namespace mca::MCA_ISA {
 namespace {

@@ -16,7 +16,7 @@
 #ifndef MCA_KERNEL_ROWS_H
 #define MCA_KERNEL_ROWS_H
 
-#include "kernel.h"
+#include "pairs.h"
 
 namespace mca::MCA_ISA {
 namespace {

@@ -10,7 +10,9 @@
 #define MCA_KERNEL_SPACE_H
 
 #include "kernel_blocks.h"
+#include "laws/automaton_law.h"
 #include "laws/pair_motion.h"
+#include "rows.h"
 
 namespace mca::MCA_ISA {
 namespace {

@@ -5,7 +5,6 @@
 #ifndef MCA_LAW_TABLES_H
 #define MCA_LAW_TABLES_H
 
-#include "kernel.h"
 #include "laws/law_set.h"
 
 #include <vector>

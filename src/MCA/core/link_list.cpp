@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "link_list.h"
 
+#include "laws/linking.h"
+
 #include <algorithm>
 #include <functional>
 

@@ -5,7 +5,7 @@
 #ifndef MCA_LINK_LIST_H
 #define MCA_LINK_LIST_H
 
-#include "kernel.h"
+#include "pairs.h"
 #include "row_array.h"
 
 #include <vector>

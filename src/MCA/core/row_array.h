@@ -75,10 +75,10 @@ class RowArray {
     return values_.get() + static_cast<size_t>(i) * static_cast<size_t>(length_);
   }
 
-  /// First value of row i, for questions from outside, where i may be wrong; loops take row().
+  /// Number i, for questions from outside, where it may be wrong; loops do not ask.
   /// \param i  number of an automaton's row, from 0
   /// \throw std::out_of_range  there is no such row; says which and how many there are
-  const double *at(int i) const;
+  int checked(int i) const;
 
   /// Memory held [bytes], for the account of memory that LAMMPS prints.
   double bytes() const { return values_.bytes(); }

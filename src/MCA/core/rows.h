@@ -70,14 +70,28 @@ struct RowLayout {
 ///     response   mean  factor             the centre is the mean
 ///     force      fx  fy  torque  -
 ///     local      xx  yy  xy  work
-constexpr RowLayout planeRows = {
-    {4, 0, 2, 4}, {2, 0, 1}, {4, 0, 3, 4}, {2, 0, 1, 0, 1}, {4, 0, 2}, {4, 0, 3}, 2, 3};
+constexpr RowLayout planeRows = [] {
+  RowLayout r{};
+  r.motion.length = 4, r.motion.place = 0, r.motion.velocity = 2, r.motion.spin = 4;
+  r.strain.length = 2, r.strain.sum = 0, r.strain.flowing = 1;
+  r.stress.length = 4, r.stress.tensor = 0, r.stress.squares = 3, r.stress.flowing = 4;
+  r.response.length = 2, r.response.mean = 0, r.response.factor = 1, r.response.centre = 0;
+  r.response.answers = 1;
+  r.force.length = 4, r.force.force = 0, r.force.torque = 2;
+  r.local.length = 4, r.local.tensor = 0, r.local.work = 3;
+  r.dimension = 2, r.components = 3;
+  return r;
+}();
 /// In the plane with plasticity j2: as in space the centre is of its own.
 ///
 ///     stress     xx  yy  xy  squares  flowing  -  -  -
 ///     response   mean  factor  centre  -
-constexpr RowLayout planeJ2Rows = {
-    {4, 0, 2, 4}, {2, 0, 1}, {8, 0, 3, 4}, {4, 0, 1, 2, 2}, {4, 0, 2}, {4, 0, 3}, 2, 3};
+constexpr RowLayout planeJ2Rows = [] {
+  RowLayout r = planeRows;
+  r.stress.length = 8;
+  r.response.length = 4, r.response.centre = 2, r.response.answers = 2;
+  return r;
+}();
 /// In space: rows of 2, 4 or 8 values; some have values that are not used, for whole vectors.
 ///
 ///     motion     x  y  z  vx  vy  vz  wx  wy      and one array of wz
@@ -86,8 +100,18 @@ constexpr RowLayout planeJ2Rows = {
 ///     response   mean  factor  centre  -
 ///     force      fx  fy  fz  tx  ty  tz  -  -
 ///     local      xx  yy  xy  zz  xz  yz  work  -
-constexpr RowLayout spaceRows = {
-    {8, 0, 3, 6}, {2, 0, 1}, {8, 0, 6, 7}, {4, 0, 1, 2, 2}, {8, 0, 3}, {8, 0, 6}, 3, 6};
+constexpr RowLayout spaceRows = [] {
+  RowLayout r{};
+  r.motion.length = 8, r.motion.place = 0, r.motion.velocity = 3, r.motion.spin = 6;
+  r.strain.length = 2, r.strain.sum = 0, r.strain.flowing = 1;
+  r.stress.length = 8, r.stress.tensor = 0, r.stress.squares = 6, r.stress.flowing = 7;
+  r.response.length = 4, r.response.mean = 0, r.response.factor = 1, r.response.centre = 2;
+  r.response.answers = 2;
+  r.force.length = 8, r.force.force = 0, r.force.torque = 3;
+  r.local.length = 8, r.local.tensor = 0, r.local.work = 6;
+  r.dimension = 3, r.components = 6;
+  return r;
+}();
 
 } // namespace mca
 

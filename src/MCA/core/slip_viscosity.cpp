@@ -5,33 +5,25 @@
 
 namespace mca {
 
-// Vectors of rows: in the plane z of places and velocities is 0, and spins and torques are along z.
-static Vector inPlaneOrSpace(const double *values, int dimension)
-{
-  return {values[0], values[1], dimension == 2 ? 0.0 : values[2]};
-}
-
-static Vector aboutAxes(const double *values, int dimension)
-{
-  return dimension == 2 ? Vector{0.0, 0.0, values[0]} : Vector{values[0], values[1], values[2]};
-}
-
 // Contacts are written in their place: copies of whole ones would wait for their parts.
-void SlipViscosity::begin(const Pairs &p, ViscousPairs::Range viscous, const Surfaces &surfaces)
+void SlipViscosity::begin(const Pairs &p, ViscousPairs::Range viscous, const RowView &rows,
+                          const PairLaw *laws)
 {
   contacts_.resize(viscous.size());
-  Contact *c = contacts_.data();
+  Sliding *c = contacts_.data();
   for (const int k : viscous) {
-    const PairLaw &law = surfaces.laws[p.law[k]];
+    const PairLaw &law = laws[p.law[k]];
+    const int i = p.placeI[k], j = p.placeJ[k];
     c->pair = k;
     c->i = p.i[k];
     c->j = p.j[k];
     c->law = p.law[k];
     c->viscosity = law.viscosity * law.invDiameter;
     c->area = law.area;
-    c->arm = surfaces.arm(p, k);
-    c->normal = surfaces.normal(p, k);
-    c->slip = surfaces.slip(p, k);
+    c->arm = 0.5 * law.diameter * (1.0 + p.eps[k]);
+    c->normal = normalOf(p, k, rows.isPlane());
+    c->slip =
+        slipOf(c->normal, rows.velocity(j) - rows.velocity(i), rows.spin(i) + rows.spin(j), c->arm);
     c->force = {0.0, 0.0, 0.0};
     c++;
   }
@@ -39,20 +31,14 @@ void SlipViscosity::begin(const Pairs &p, ViscousPairs::Range viscous, const Sur
 
 void SlipViscosity::centre(const ViscousContacts::Conditions &step)
 {
-  const int dimension = step.kernel->dimension;
-  const RowLayout::Force &at = step.kernel->rows.force;
   const double half = 0.5 * step.dt;
-  for (Contact &c : contacts_) {
-    const double *rowI = step.forces + static_cast<size_t>(c.i) * at.length;
-    const double *rowJ = step.forces + static_cast<size_t>(c.j) * at.length;
+  for (Sliding &c : contacts_) {
     const double halfI = half * step.follows(c.i), halfJ = half * step.follows(c.j);
     const PairLaw &law = step.laws[c.law];
     const double moveI = halfI * law.invMassI, moveJ = halfJ * law.invMassJ;
     const double turnI = halfI * law.invInertiaI, turnJ = halfJ * law.invInertiaJ;
-    const Vector moved = moveJ * inPlaneOrSpace(rowJ + at.force, dimension) -
-                         moveI * inPlaneOrSpace(rowI + at.force, dimension);
-    const Vector turned = turnI * aboutAxes(rowI + at.torque, dimension) +
-                          turnJ * aboutAxes(rowJ + at.torque, dimension);
+    const Vector moved = moveJ * step.rows.force(c.j) - moveI * step.rows.force(c.i);
+    const Vector turned = turnI * step.rows.torque(c.i) + turnJ * step.rows.torque(c.j);
     const double damping =
         law.centring * c.viscosity * c.area * (moveI + moveJ + c.arm * c.arm * (turnI + turnJ));
     c.slip = centred(c.slip, slipOf(c.normal, moved, turned, c.arm), damping);
@@ -63,7 +49,7 @@ void SlipViscosity::centre(const ViscousContacts::Conditions &step)
 template<int Dimension>
 void SlipViscosity::addForces(const RowLayout::Force &at, double *forces)
 {
-  for (Contact &c : contacts_) {
+  for (Sliding &c : contacts_) {
     const Vector force = c.area * (c.viscosity * c.slip), more = force - c.force;
     const Vector torque = c.arm * cross(c.normal, more); // the same on both
     c.force = force;
@@ -86,18 +72,18 @@ void SlipViscosity::addForces(const RowLayout::Force &at, double *forces)
   }
 }
 
-void SlipViscosity::addForces(const Kernel &kernel, double *forces)
+void SlipViscosity::addForces(const RowLayout &rows, double *forces)
 {
-  if (kernel.dimension == 2)
-    addForces<2>(kernel.rows.force, forces);
+  if (rows.dimension == 2)
+    addForces<2>(rows.force, forces);
   else
-    addForces<3>(kernel.rows.force, forces);
+    addForces<3>(rows.force, forces);
 }
 
 Vector SlipViscosity::stress(int k) const
 {
   const auto found = std::lower_bound(contacts_.begin(), contacts_.end(), k,
-                                      [](const Contact &c, int pair) { return c.pair < pair; });
+                                      [](const Sliding &c, int pair) { return c.pair < pair; });
   return found != contacts_.end() && found->pair == k ? found->viscosity * found->slip
                                                       : Vector{0.0, 0.0, 0.0};
 }

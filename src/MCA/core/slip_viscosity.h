@@ -7,7 +7,6 @@
 #ifndef MCA_SLIP_VISCOSITY_H
 #define MCA_SLIP_VISCOSITY_H
 
-#include "surfaces.h"
 #include "viscous_contacts.h"
 
 #include <vector>
@@ -19,7 +18,9 @@ namespace mca {
 class SlipViscosity {
  public:
   /// Begins a step with its viscous pairs and their slip velocities of half a step ago.
-  void begin(const Pairs &, ViscousPairs::Range, const Surfaces &);
+  /// \param rows  motion is read, in the rows Pairs::placeI and placeJ, where pairs meet
+  /// \param laws  table of PairLaw, indexed by Pairs::law
+  void begin(const Pairs &, ViscousPairs::Range, const RowView &rows, const PairLaw *laws);
 
   /// The slip velocities at the time of the step.
   /// \param step  with the forces and torques, complete on both automata, that the velocities
@@ -28,16 +29,17 @@ class SlipViscosity {
 
   /// Brings forces and torques of both automata of each contact up to its slip velocity.
   /// \param forces  rows.force.length values an automaton, added to
-  void addForces(const Kernel &, double *forces);
+  void addForces(const RowLayout &, double *forces);
 
   /// Shear stress of pair k on the face of its first automaton [stress]; 0 where it resists none.
   Vector stress(int k) const;
 
   /// Memory held [bytes].
-  double bytes() const { return static_cast<double>(contacts_.capacity() * sizeof(Contact)); }
+  double bytes() const { return static_cast<double>(contacts_.capacity() * sizeof(Sliding)); }
 
  private:
-  struct Contact {
+  /// A contact that resists slip.
+  struct Sliding {
     int pair, i, j;   ///< number in the list, rows of both automata
     int law;          ///< number in the table of PairLaw
     double viscosity; ///< eta/d [stress time/length]
@@ -47,7 +49,7 @@ class SlipViscosity {
     Vector slip;      ///< [length/time]
     Vector force;     ///< on i, that forces have already [force]
   };
-  std::vector<Contact> contacts_; // in the order of the list
+  std::vector<Sliding> contacts_; // in the order of the list
 
   template<int Dimension>
   void addForces(const RowLayout::Force &, double *forces);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The sequence of passes. What a step answers afterwards stands in step_answers.cpp.
+// The sequence of passes. What a step answers afterwards stands in step_results.cpp.
 #include "step.h"
 
-#include "further_laws.h"
+#include "local_stress.h"
 
 #include <algorithm>
 
@@ -240,22 +240,29 @@ const double *Step::showLocal(const Automata &a)
 {
   if (!laws_.needsLocal)
     return nullptr;
-  mca::showLocal(layout(), laws_.keepsVolume, own(), types_.data(), laws_.automata.data(),
-                 stresses_.data(), response_.data(), a.kappa, kappaNext_.data(), local_.data());
+  mca::showLocal(view(), laws_.keepsVolume, own(), types_.data(), laws_.automata.data(), a.kappa,
+                 kappaNext_.data(), local_.data());
   exchange_->begin(local_.data(), local_.length(), local_.length());
   exchange_->finish(local_.data(), local_.length(), local_.length());
   return local_.data();
 }
 
-Surfaces Step::surfaces() const
+RowView Step::view() const
 {
-  return {*kernel_, laws_.pairs.data(), motion_.data(), spin_.data()};
+  RowView rows;
+  rows.layout = &layout();
+  rows.motion = motion_.data();
+  rows.spins = spin_.data();
+  rows.stresses = stresses_.data();
+  rows.response = response_.data();
+  rows.forces = forces_.data();
+  return rows;
 }
 
 void Step::resistSlip(const Pairs &pairs)
 {
-  slip_.begin(pairs, viscousPairs_.all(), surfaces());
-  slip_.addForces(*kernel_, forces_.data());
+  slip_.begin(pairs, viscousPairs_.all(), view(), laws_.pairs.data());
+  slip_.addForces(layout(), forces_.data());
 }
 
 // What forces change in half a step, of both automata of a viscous contact; torques, too, where it
@@ -266,17 +273,22 @@ void Step::centreViscosity(const Pairs &pairs, const Automata &a, double dt)
   const int torques = dimension() == 2 ? 1 : 3;
   const int needed = laws_.resistsSlip ? layout().force.torque + torques : dimension();
   exchange_->begin(forces, forces_.length(), needed);
-  const ViscousContacts::Conditions now = {kernel_, dt,       laws_.pairs.data(), response_.data(),
-                                           forces,  a.groups, a.integrated,       a.held};
+  ViscousContacts::Conditions now;
+  now.rows = view();
+  now.dt = dt;
+  now.laws = laws_.pairs.data();
+  now.groups = a.groups;
+  now.integrated = a.integrated;
+  now.held = a.held;
   viscous_.clear();
   viscous_.add(pairs, viscousPairs_.from(border_), now);
   exchange_->finish(forces, forces_.length(), needed);
   viscous_.add(pairs, viscousPairs_.before(border_), now);
   if (laws_.resistsSlip)
     slip_.centre(now);
-  viscous_.addForces(*kernel_, forces);
+  viscous_.addForces(layout(), forces);
   if (laws_.resistsSlip)
-    slip_.addForces(*kernel_, forces);
+    slip_.addForces(layout(), forces);
 }
 
 // Changes count when their step's outcome is taken over: once, also those of the first step,

@@ -29,6 +29,7 @@
 #include "laws/elasticity.h"
 #include "laws/vector.h"
 #include "link_list.h"
+#include "row_view.h"
 #include "slip_viscosity.h"
 #include "viscous_contacts.h"
 
@@ -252,7 +253,7 @@ class Step {
   void yield(const double *kappa, int from, int to);
   void yieldAgain(const Automata &, const Pairs &border, const Pairs &inside);
   const double *showLocal(const Automata &);
-  Surfaces surfaces() const;
+  RowView view() const;
   void resistSlip(const Pairs &);
   void centreViscosity(const Pairs &, const Automata &, double dt);
   void findChanges();

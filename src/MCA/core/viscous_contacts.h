@@ -7,7 +7,8 @@
 #ifndef MCA_VISCOUS_CONTACTS_H
 #define MCA_VISCOUS_CONTACTS_H
 
-#include "kernel.h"
+#include "pairs.h"
+#include "row_view.h"
 
 #include <vector>
 
@@ -41,28 +42,17 @@ class ViscousPairs {
 /// order within a step is clear(), add() for each part of the list, addForces().
 class ViscousContacts {
  public:
-  /// What a step knows of its automata, in rows as the kernel has them.
+  /// What a step knows of its automata.
   struct Conditions {
-    /// Of this dimension; its row lengths are those of the arrays below.
-    const Kernel *kernel;
+    /// With the forces of the force pass, complete on both automata of a pair.
+    RowView rows;
     double dt; ///< [time]
     /// Table of PairLaw, indexed by Pairs::law.
     const PairLaw *laws;
-    /// Rows of what automata answer.
-    const double *response;
-    const double *forces; ///< of the force pass, complete on both automata of a pair
-    const int *groups;    ///< bits of each automaton
+    const int *groups; ///< bits of each automaton
     /// Automata with a bit of `integrated` and none of `held` follow the forces; the others keep
     /// their velocity, whatever acts on them.
     int integrated, held;
-
-    /// What automaton i answers.
-    Answer answer(int i) const
-    {
-      const RowLayout::Response &at = kernel->rows.response;
-      const double *row = response + static_cast<size_t>(i) * at.length;
-      return {row[at.mean], row[at.factor], row[at.centre]};
-    }
 
     /// 1 for an automaton that follows the forces, else 0.
     double follows(int i) const
@@ -72,7 +62,7 @@ class ViscousContacts {
   };
 
   /// Forgets the contacts of the last step.
-  void clear() { contacts_.clear(); }
+  void clear() { changes_.clear(); }
 
   /// Collects these viscous pairs, and centres their velocities Pairs::separation. Called after
   /// the force pass of all pairs, as it needs the whole force on both automata.
@@ -80,17 +70,17 @@ class ViscousContacts {
 
   /// Adds to both automata of each contact what the centred velocity changes of its force.
   /// \param forces  rows.force.length values an automaton [force]
-  void addForces(const Kernel &, double *forces) const;
+  void addForces(const RowLayout &, double *forces) const;
 
  private:
-  /// A viscous contact: rows of both automata and the change of its force.
-  struct Contact {
+  /// Of a viscous contact: rows of both automata and the change of its force.
+  struct Change {
     int i, j;
     /// Change of the force on i [force]; that on j is its opposite, since viscosity acts along the
     /// normal and there is no torque.
     double force[3];
   };
-  std::vector<Contact> contacts_;
+  std::vector<Change> changes_;
 };
 
 } // namespace mca

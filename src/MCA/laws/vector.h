@@ -17,6 +17,12 @@ struct Vector {
   double x, y, z;
 };
 
+/// Three values that follow each other.
+inline Vector vectorOf(const double *values)
+{
+  return {values[0], values[1], values[2]};
+}
+
 /// In the plane: along x and y; z is the axis about which automata turn, positive from x to y.
 struct PlaneVector {
   /// Components; {x, y} makes one.

@@ -6,25 +6,14 @@
 
 namespace mca {
 
-// A vector of one component is along z.
-static Vector vectorOf(const double *values, int components)
-{
-  if (components == 1)
-    return {0.0, 0.0, values[0]};
-  return {values[0], values[1], components == 3 ? values[2] : 0.0};
-}
-
 Step::Automaton Step::automaton(int i) const
 {
   const int type = types_.at(i);
   const AutomatonLaw &law = laws_.automata[type];
-  const double *row = stresses_.at(i), *tensor = row + layout().stress.tensor;
-  const double average = mean(i);
-  const StressTensor s = dimension() == 2
-                             ? automatonStress(tensor[0], tensor[1], tensor[2], average)
-                             : weighted(tensor, law.weight);
-  const double density = energyDensity(row[layout().stress.squares], average, law.shearModulus,
-                                       law.bulkModulus, law.D, law.weight);
+  const double average = mean(i), squares = stresses_.row(i)[layout().stress.squares];
+  const StressTensor s = view().averaged(i, law);
+  const double density =
+      energyDensity(squares, average, law.shearModulus, law.bulkModulus, law.D, law.weight);
   const bool inPlane = dimension() == 2 && laws_.keepsVolume;
   const double intensity = stressIntensity(inPlane ? flowStress(s.xx, s.yy, s.xy) : s);
   return {s, average, intensity, density * laws_.volumes[type]};
@@ -32,47 +21,42 @@ Step::Automaton Step::automaton(int i) const
 
 Vector Step::force(int i) const
 {
-  return vectorOf(forces_.at(i) + layout().force.force, dimension());
+  return view().force(forces_.checked(i));
 }
 
 Vector Step::torque(int i) const
 {
-  return vectorOf(forces_.at(i) + layout().force.torque, dimension() == 2 ? 1 : 3);
+  return view().torque(forces_.checked(i));
 }
 
 Vector Step::place(int row) const
 {
-  return vectorOf(motion_.at(row) + layout().motion.place, dimension());
+  return view().place(motion_.checked(row));
 }
 
 Vector Step::velocity(int row) const
 {
-  return vectorOf(motion_.at(row) + layout().motion.velocity, dimension());
+  return view().velocity(motion_.checked(row));
 }
 
 Vector Step::spin(int row) const
 {
-  const double last = *spin_.at(row);
-  if (dimension() == 2)
-    return {0.0, 0.0, last};
-  const double *first = motion_.at(row) + layout().motion.spin;
-  return {first[0], first[1], last};
+  return view().spin(motion_.checked(row));
 }
 
 double Step::mean(int row) const
 {
-  return response_.at(row)[layout().response.mean];
+  return view().answer(response_.checked(row)).mean;
 }
 
 double Step::factor(int row) const
 {
-  return response_.at(row)[layout().response.factor];
+  return view().answer(response_.checked(row)).factor;
 }
 
 Vector Step::normal(int k) const
 {
-  double *const *n = links_.pairs().normal;
-  return {n[0][k], n[1][k], dimension() == 2 ? 0.0 : n[2][k]};
+  return normalOf(links_.pairs(), k, dimension() == 2);
 }
 
 static Vector vectorAt(double *const *shears, int k)
@@ -110,10 +94,7 @@ Vector Step::alongShear(int k, double size) const
 ContactStress Step::contact(int k) const
 {
   const Pairs &p = links_.pairs();
-  const RowLayout::Response &at = layout().response;
-  const double *ri = response_.at(p.i[k]), *rj = response_.at(p.j[k]);
-  const Answer i = {ri[at.mean], ri[at.factor], ri[at.centre]},
-               j = {rj[at.mean], rj[at.factor], rj[at.centre]};
+  const Answer i = view().answer(p.i[k]), j = view().answer(p.j[k]);
   const bool moves = p.blocks[k / blockLength].moves;
   const double kind = p.now.kind[k], left = returnedShare(i, j);
   double stretch = 0.0;
