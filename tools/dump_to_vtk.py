@@ -14,6 +14,7 @@ run leaves them, the later one counts. Exit codes: 0 ok, 1 no meshio, 2 usage, 3
 file cannot be written.
 """
 
+import contextlib
 import os
 import pathlib
 import tempfile
@@ -21,7 +22,7 @@ from xml.etree import ElementTree
 
 from mcawr.command_line import Parser, file_name, number_in
 from mcawr.dump import Dump
-from mcawr.errors import BadInput, Exit, complain, fail, run_script, say
+from mcawr.errors import BadInput, Exit, Failure, complain, fail, run_script, say
 from mcawr.files import make_folder, write_all
 
 INTEGERS = {"id", "mol", "type", "proc", "procp1", "ix", "iy", "iz"}
@@ -41,6 +42,7 @@ class Writer:
 
     def __init__(self, output, folder, timestep):
         self.output, self.folder, self.timestep = output, folder, timestep
+        self.frames = f"{output}_frames"  # where they go
         self.series = {}  # name of the collection: [(time, file)]
 
     def frame(self, collection, kind, frame, points, cells, point_data, cell_data):
@@ -53,29 +55,37 @@ class Writer:
             point_data=point_data,
             cell_data={key: [values] for key, values in cell_data.items()},
         )
-        meshio.vtu.write(os.path.join(self.folder, name), mesh)
+        try:
+            meshio.vtu.write(os.path.join(self.folder, name), mesh)
+        except OSError as error:
+            path = os.path.join(self.frames, name)
+            fail(Exit.IO, f"{path}: cannot be written: {error.strerror}")
         time = frame["time"] if frame["time"] is not None else frame["step"] * self.timestep
         self.series.setdefault(collection, []).append((time, name))
 
-    def finish(self):
-        frames = f"{self.output}_frames"
-        make_folder(frames)
-        files = {}
+    def finish(self) -> None:
+        files: dict[str, pathlib.Path | bytes] = {}
         for collection, series in self.series.items():
             root = ElementTree.Element("VTKFile", type="Collection", version="0.1")
             listed = ElementTree.SubElement(root, "Collection")
             for time, name in series:
-                files[os.path.join(frames, name)] = pathlib.Path(self.folder, name)
+                files[os.path.join(self.frames, name)] = pathlib.Path(self.folder, name)
                 ElementTree.SubElement(
                     listed,
                     "DataSet",
                     timestep=repr(time),
                     part="0",
-                    file=f"{os.path.basename(frames)}/{name}",
+                    file=f"{os.path.basename(self.frames)}/{name}",
                 )
             text = ElementTree.tostring(root, encoding="utf-8", xml_declaration=True)
             files[f"{self.output}{collection}.pvd"] = text
-        write_all(files)
+        make_folder(self.frames)
+        try:
+            write_all(files)
+        except Failure:
+            with contextlib.suppress(OSError):  # it holds the frames of an earlier call
+                os.rmdir(self.frames)
+            raise
 
 
 def arrays(dump, number, integers):
@@ -249,7 +259,7 @@ def main():
             said = convert(given, writer)
             writer.finish()
     except OSError as error:
-        fail(Exit.IO, f"{given.output}: cannot be written: {error.strerror}")
+        fail(Exit.IO, f"{given.output}.pvd: cannot be written: {error.strerror}")
     say(said)
 
 

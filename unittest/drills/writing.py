@@ -33,6 +33,11 @@ class Writer:
             return drill.lmp(*words[:1], out=out)
         return [drill.program(self.program), *words]
 
+    @property
+    def folder(self):
+        """Whether the output is a folder, which is there before the files in it."""
+        return self.outputs[0].startswith("{out}/")
+
     def names(self, out):
         """Names of its files."""
         return [name.format(out=out) for name in self.outputs]
@@ -66,12 +71,12 @@ def all_writers():
             "wr_creep --polach", "wr_creep",
             ["patch.yaml", "-q", "-o", "curves", "--set",
              "creep={{from: 0.0001, to: 0.1, n: 12}}", "--polach", "{out}"],
-            ["{out}"],
+            ["{out}", "{out}.csv"],
         ),
         Writer("plot_layer --csv", "plot_layer.py", ["a.profile", "--csv", "{out}"], ["{out}"]),
         Writer(
-            "dump_to_vtk", "dump_to_vtk.py", ["atoms.dump", "-o", "{out}"], ["{out}.pvd"],
-            plain=False,
+            "dump_to_vtk", "dump_to_vtk.py", ["atoms.dump", "-o", "{out}"],
+            ["{out}.pvd", "{out}_frames/automata.500.vtu"], plain=False,
         ),
         Writer(
             "plot_fragment gif", "plot_fragment.py",

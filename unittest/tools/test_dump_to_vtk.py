@@ -4,6 +4,7 @@ dumps of a real run."""
 
 import base64
 import os
+import resource
 import subprocess
 import zlib
 from pathlib import Path
@@ -46,7 +47,7 @@ ATOMS = HEAD + "ITEM: ATOMS id type x y\n3 1 0 0\n1 1 2.5 0\n2 2 4.9 2\n"
 LINKS = HEAD.replace("ATOMS\n3", "ENTRIES\n2") + "ITEM: ENTRIES id1 id2 sigma\n1 2 -5\n2 3 0.25\n"
 
 
-def convert(tmp_path, *options, **files):
+def convert(tmp_path, *options, preexec=None, **files):
     for name, content in files.items():
         (tmp_path / f"{name}.dump").write_text(content)
     return subprocess.run(
@@ -55,6 +56,7 @@ def convert(tmp_path, *options, **files):
         text=True,
         capture_output=True,
         timeout=60,
+        preexec_fn=preexec,
         check=False,
     )
 
@@ -275,3 +277,27 @@ def test_options(tmp_path):
     done = convert(tmp_path, "-o", "no/a")
     assert done.returncode == 5 and done.stderr.count("\n") == 1 and "no" in done.stderr
     assert convert(tmp_path, "-o", "b").returncode == 0 and (tmp_path / "b.pvd").exists()
+
+
+def test_frame_that_cannot_be_written(tmp_path):
+    """The message names the frame's file, and nothing is left."""
+
+    def small_files():
+        resource.setrlimit(resource.RLIMIT_FSIZE, (100, 100))
+
+    done = convert(tmp_path, preexec=small_files, a=ATOMS.format(7))
+    assert done.returncode == 5 and done.stderr.count("\n") == 1
+    assert "a_frames/automata.7.vtu: cannot be written: " in done.stderr
+    assert [path.name for path in tmp_path.iterdir()] == ["a.dump"]
+
+
+def test_list_of_frames_that_cannot_be_written(tmp_path):
+    """No frames without it; those of an earlier call stay."""
+    (tmp_path / "a.pvd").mkdir()
+    done = convert(tmp_path, a=ATOMS.format(7))
+    assert done.returncode == 5 and "a.pvd: cannot be written: " in done.stderr
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["a.dump", "a.pvd"]
+    (tmp_path / "a_frames").mkdir()
+    (tmp_path / "a_frames" / "automata.1.vtu").touch()
+    assert convert(tmp_path).returncode == 5
+    assert [path.name for path in (tmp_path / "a_frames").iterdir()] == ["automata.1.vtu"]
