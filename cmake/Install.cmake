@@ -11,6 +11,27 @@ set(_lib lib/mca-wheelrail)
 set(_share share/mca-wheelrail)
 set(_written "${PROJECT_BINARY_DIR}/installed") # files made for the installed tree
 
+# Folders that are new are made first, so that every user can read them: CMake would make them by the
+# umask of who installs, whatever CMAKE_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS says, and cpack makes
+# that of its package so.
+set(_folders . bin lib ${_lib} share share/doc share/doc/mca-wheelrail ${_share} ${_share}/tools)
+if(BUILD_MCA AND LAMMPS_BUILT_HERE)
+  list(APPEND _folders ${_lib}/python ${_lib}/python/lammps)
+endif()
+if(BUILD_WHEELRAIL)
+  list(APPEND _folders include include/wheelrail lib/cmake lib/cmake/wheelrail)
+endif()
+set(_permissions OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE
+                 WORLD_READ WORLD_EXECUTE)
+install(CODE "
+  foreach(_folder ${_folders})
+    cmake_path(SET _folder NORMALIZE \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/\${_folder}\")
+    if(NOT EXISTS \"\${_folder}\" OR \"\${_folder}\" MATCHES \"/_CPack_Packages/\")
+      file(MAKE_DIRECTORY \"\${_folder}\")
+      file(CHMOD \"\${_folder}\" PERMISSIONS ${_permissions})
+    endif()
+  endforeach()")
+
 if(BUILD_MCA)
   install(TARGETS mcaplugin LIBRARY DESTINATION ${_lib})
   set(_plugins "$prefix/${_lib}")

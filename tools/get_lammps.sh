@@ -20,7 +20,8 @@ standard error.
   --packages "A B"   LAMMPS packages to build (default: BPM EXTRA-COMPUTE EXTRA-DUMP EXTRA-FIX
                      EXTRA-MOLECULE EXTRA-PAIR GRANULAR MISC MOLECULE PLUGIN RIGID)
   --source-only      only fetch and unpack; prints the folder that holds src/
-  --print            print the folder only, do nothing; exit code 1 if it is not complete yet
+  --print            print the folder only, do nothing; exit code 1 if it is not complete yet; then
+                     says how the options of another one in the cache differ
   --jobs N           compile jobs at once (default: one a core, at most one per GB of memory)
   -h, --help         this text
 
@@ -96,8 +97,24 @@ source_dir=$cache/lammps-$version-source
 prefix=$cache/lammps-$version-$(printf '%s' "$options" | sha256sum | cut -c1-12)
 complete() { [ -f "$prefix/complete" ] && [ -x "$prefix/build/lmp" ] && have_source; }
 
+# why a LAMMPS that is in the cache does not do: what it was built with, and what it would be now
+say_what_differs() {
+  local other line was
+  for other in "$cache/lammps-$version-"*; do
+    if [ "$other" = "$prefix" ] || ! [ -f "$other/complete" ] || ! [ -f "$other/options" ]; then
+      continue
+    fi
+    say "the LAMMPS in $other was built with other options:"
+    while IFS= read -r line; do
+      was=$(sed -n "s/^${line%%=*}=//p" "$other/options")
+      [ "$was" = "${line#*=}" ] || say "  ${line%%=*} '$was', now '${line#*=}'"
+    done <<<"$options"
+    say "  (compiler: $(command -v "$compiler" || true), mpicxx: $(command -v mpicxx || true))"
+  done
+}
+
 case $mode in
-  print) printf '%s\n' "$prefix"; complete || exit 1; exit 0 ;;
+  print) printf '%s\n' "$prefix"; complete && exit 0; say_what_differs; exit 1 ;;
   source) if have_source; then printf '%s\n' "$source_dir"; exit 0; fi ;;
   build) if complete; then say "LAMMPS $version is in the cache"; printf '%s\n' "$prefix"; exit 0; fi ;;
 esac
@@ -195,6 +212,7 @@ build() {
   local log=$prefix/build.log cores mem
   cores=$(nproc); mem=$(awk '/MemAvailable/ {print int($2/1048576)}' /proc/meminfo)
   jobs=${jobs:-$((cores < mem ? cores : (mem > 0 ? mem : 1)))}
+  say_what_differs
   mkdir -p "$prefix"
   printf '%s\n' "$options" >"$prefix/options"
   cp "$pch.h" "$pch.cmake" "$prefix/"

@@ -37,7 +37,8 @@ def run(*words, folder, code=0):
 def tree(tmp_path_factory):
     """The installed tree in its second place; the name of the first is in `installed_as`."""
     top = tmp_path_factory.mktemp("install")
-    run(os.environ["CMAKE"], "--install", BUILD, "--prefix", top / "first", folder=top)
+    words = (os.environ["CMAKE"], "--install", BUILD, "--prefix", top / "first")
+    run("sh", "-c", 'umask 077; exec "$@"', "sh", *words, folder=top)
     (top / "first").rename(top / "second place")
     return top / "second place"
 
@@ -60,6 +61,13 @@ def test_what_is_there(tree):
     for path in files(tree):
         assert path.exists(), f"{path}: leads nowhere"
         assert not re.search("gtest|gmock|benchmark|__pycache__|unittest", str(path)), path
+
+
+def test_everybody_may_read(tree):
+    """Whatever the umask of who installs."""
+    for path in (tree, *tree.rglob("*")):
+        wanted = 0o555 if path.is_dir() or path.parent.name == "bin" else 0o444
+        assert path.stat().st_mode & wanted == wanted, path
 
 
 def test_no_path_of_the_build(tree):

@@ -34,7 +34,8 @@ def run(*words, folder):
 @pytest.fixture(scope="module")
 def package(tmp_path_factory):
     folder = tmp_path_factory.mktemp("deb")
-    run(CPACK, "-G", "DEB", "--config", BUILD / "CPackConfig.cmake", "-B", folder, folder=folder)
+    words = (CPACK, "-G", "DEB", "--config", BUILD / "CPackConfig.cmake", "-B", folder)
+    run("sh", "-c", 'umask 077; exec "$@"', "sh", *words, folder=folder)
     (found,) = folder.glob("mca-wheelrail_*.deb")
     return found
 
@@ -42,6 +43,9 @@ def package(tmp_path_factory):
 def test_package_runs(package, tmp_path):
     run("dpkg", "-x", package, tmp_path / "root", folder=tmp_path)
     usr = tmp_path / "root" / "usr"
+    for path in (tmp_path / "root").rglob("*"):  # everybody may read, whoever made the package
+        wanted = 0o555 if path.is_dir() else 0o444
+        assert path.stat().st_mode & wanted == wanted, path
     assert [path.name for path in (tmp_path / "root").iterdir()] == ["usr"]
     assert (usr / "share/doc/mca-wheelrail/copyright").exists()
     assert not (usr / "bin" / "lmp").exists()  # that is Debian's lammps

@@ -99,6 +99,27 @@ def test_cache_folder(tmp_path):
     assert run("get_lammps.sh", "--print", MCAWR_CACHE=tmp_path / "a b").returncode == 1
 
 
+def test_why_lammps_is_built_again(tmp_path):
+    """Another mpicxx first in PATH, as conda puts one there."""
+    first = Path(run("get_lammps.sh", "--print", MCAWR_CACHE=tmp_path).stdout.strip())
+    first.mkdir()
+    mpi = subprocess.run(["mpicxx", "-show"], text=True, capture_output=True, check=True).stdout
+    (first / "options").write_text(f"mpi={mpi}")
+    (first / "complete").touch()
+    (tmp_path / "bin").mkdir()
+    (tmp_path / "bin" / "mpicxx").write_text("#!/bin/sh\necho conda-c++\n")
+    (tmp_path / "bin" / "mpicxx").chmod(0o755)
+    path = f"{tmp_path / 'bin'}:{os.environ['PATH']}"
+    done = run("get_lammps.sh", "--print", MCAWR_CACHE=tmp_path, PATH=path)
+    assert done.returncode == 1 and done.stdout.strip() != str(first)
+    for words in (
+        str(first),
+        f"mpi '{mpi.strip()}', now 'conda-c++'",
+        str(tmp_path / "bin/mpicxx"),
+    ):
+        assert words in done.stderr, done.stderr
+
+
 def test_cache_places(tmp_path):
     done = run("get_lammps.sh", "--print", MCAWR_CACHE=None, XDG_CACHE_HOME=tmp_path)
     assert done.stdout.startswith(str(tmp_path / "mca-wheelrail"))
