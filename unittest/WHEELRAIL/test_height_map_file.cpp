@@ -2,6 +2,7 @@
 #include "base/errors.h"
 #include "base/program_files.h"
 #include "contact/patch/formats/gsf_file.h"
+#include "contact/patch/formats/height_map_formats.h"
 #include "contact/patch/surfaces/height_map_preparation.h"
 
 #include <cmath>
@@ -11,6 +12,7 @@
 #include <fstream>
 #include <gtest/gtest.h>
 #include <limits>
+#include <set>
 #include <unistd.h>
 
 using namespace wheelrail;
@@ -209,9 +211,27 @@ TEST(HeightMapFile, GsfFaults)
   expectRefused(withHead(bytes, "ZUnits = m", "Zunits = m"), {"ZUnits", "missing"});
   expectRefused(withHead(bytes, "Title = test", "Title . test"), {"name = value"});
   expectRefused(withHead(bytes, "Field 1.0", "Field 2.0"), {":1:", "1.0"});
-  expectRefused(bytes, {"its own spacing"}, micrometres);
+  EXPECT_EQ(mapOfBytes(bytes, micrometres).dx, mapOfBytes(bytes).dx); // states its own
   EXPECT_EQ(refusal(withHead(bytes, "XYUnits = m", "XYUnits = um")), "");
   EXPECT_NEAR(mapOfBytes(withHead(bytes, "XYUnits = m", "XYUnits = um")).dx, 2e-12, 1e-24);
+}
+
+TEST(HeightMapFile, FormatsAreToldByTheirFirstBytes)
+{
+  std::set<std::string> names;
+  for (const HeightMapFormat &format : heightMapFormats())
+    for (const std::string_view head : format.beginnings) {
+      EXPECT_EQ(&heightMapFormatOf(head), &format) << format.name;
+      EXPECT_EQ(&heightMapFormatOf(std::string(head) + " more"), &format) << format.name;
+      names.insert(format.name);
+    }
+  EXPECT_EQ(names.size(), heightMapFormats().size());
+  const std::string array = std::string(TEST_DATA) + "/maps/c64.npy";
+  EXPECT_FALSE(statesLengths(array));
+  const MapFile renamed(readInputFile(array)); // whatever its name
+  EXPECT_FALSE(statesLengths(renamed.path));
+  EXPECT_TRUE(statesLengths(MapFile(gsfBytes(theField())).path));
+  EXPECT_TRUE(statesLengths("not there.npy"));
 }
 
 TEST(HeightMapFile, SdfProfilesRunUpwards)

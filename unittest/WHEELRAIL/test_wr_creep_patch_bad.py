@@ -15,6 +15,7 @@ def case(tmp_path):
     return path
 
 
+MAPS = SOURCE / "unittest/WHEELRAIL/data/maps"
 BAD = {
     "load unit": (
         {"10 kN": "10 kN/m"},
@@ -116,7 +117,7 @@ BAD = {
         "wavelength_max: is missing",
     ),
     "npy scale": (
-        {"creep: [1e-3]": "creep: 0\nroughness: {rail: a.npy}"},
+        {"creep: [1e-3]": f"creep: 0\nroughness: {{rail: {MAPS / 'c64.npy'}}}"},
         "roughness.spacing: is missing",
     ),
     "scale": (

@@ -130,15 +130,11 @@ PatchContactSpecification readContact(CaseReader &reader, bool rough)
   return contact;
 }
 
-/// What npy files do not know of themselves.
+/// What some files do not know of themselves.
 void readScale(CaseReader &reader, const RoughPatchSpecification &surface, HeightMapScale &scale)
 {
-  const auto isNpy = [](const std::string &file) {
-    return file.size() > 4 && file.substr(file.size() - 4) == ".npy";
-  };
-  const bool any = std::any_of(surface.rail.begin(), surface.rail.end(), isNpy) ||
-                   std::any_of(surface.wheel.begin(), surface.wheel.end(), isNpy);
-  if (!any) {
+  if (std::all_of(surface.rail.begin(), surface.rail.end(), statesLengths) &&
+      std::all_of(surface.wheel.begin(), surface.wheel.end(), statesLengths)) {
     reader.refuse({"roughness.spacing", "roughness.height_unit"},
                   "maps that state it themselves; it is for npy files");
     return;

@@ -3,6 +3,7 @@
 
 #include "base/errors.h"
 #include "contact/patch/formats/height_map_formats.h"
+#include "contact/patch/formats/map_text.h"
 
 #include <cmath>
 #include <cstdint>
@@ -156,7 +157,7 @@ SimpleField parseGsf(const std::string &path, const std::string &bytes)
   return field;
 }
 
-HeightMap parseGsfMap(const std::string &path, const std::string &bytes)
+HeightMap parseGsfMap(const std::string &path, const std::string &bytes, const HeightMapScale &)
 {
   const SimpleField field = parseGsf(path, bytes);
   checkMapSize(path, 0, "XRes, YRes", field.nx, field.ny);

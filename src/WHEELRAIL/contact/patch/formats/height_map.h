@@ -26,6 +26,12 @@ struct HeightMap {
   int unmeasured() const; ///< number of points that are NaN
 };
 
+/// What a file may not know of itself. SI units.
+struct HeightMapScale {
+  double spacingX = 0.0, spacingY = 0.0; ///< m; 0: not given. Both or none
+  double heightUnit = 0.0;               ///< m that a height of 1 in the file is; 0: not given
+};
+
 /// The map seen in a mirror: y -> -y. For a wheel whose map was taken looking at the wheel.
 HeightMap mirrored(const HeightMap &map);
 

@@ -8,12 +8,6 @@
 
 namespace wheelrail {
 
-/// What a file may not know of itself. SI units.
-struct HeightMapScale {
-  double spacingX = 0.0, spacingY = 0.0; ///< m; 0: not given. Both or none
-  double heightUnit = 0.0;               ///< m that a height of 1 in the file is; 0: not given
-};
-
 /// A measured height map. The format is told by what the file begins with, not by its name:
 ///
 /// - GSF, Gwyddion Simple Field 1.0, begins with "Gwyddion Simple Field 1.0". Spacing is XReal/XRes
@@ -43,10 +37,14 @@ struct HeightMapScale {
 /// files of binary kind, compressed or with check sums are refused. So a file that was cut off is
 /// refused, but for a text matrix without `points`. None of the formats carries a check sum: a
 /// height that was falsified is not noticed unless it is infinite.
-/// @param scale of npy files; given for a file that states its own, it is an error
+/// @param scale for formats that do not state their lengths (npy); others leave it alone
 /// @throws Error (BadInput), one line: file, line or byte, what stands there, what is allowed. At
 ///         least 4 x 4 points are needed.
 HeightMap readHeightMap(const std::string &path, const HeightMapScale &scale = {});
+
+/// Does a file state its own spacing and unit? By what it begins with; true for a file that is not
+/// there or cannot be opened, which `readHeightMap` then says.
+bool statesLengths(const std::string &path);
 
 } // namespace wheelrail
 #endif

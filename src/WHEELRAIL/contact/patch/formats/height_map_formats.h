@@ -2,68 +2,49 @@
 #ifndef WHEELRAIL_PATCH_HEIGHT_MAP_FORMATS_H
 #define WHEELRAIL_PATCH_HEIGHT_MAP_FORMATS_H
 
-#include "contact/patch/formats/height_map_file.h"
+#include "contact/patch/formats/height_map.h"
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace wheelrail {
 
-/// The formats behind readHeightMap, each from the bytes of a whole file (`path` for messages).
+/// A format of height maps: how its files are told from others, and who reads them.
+struct HeightMapFormat {
+  const char *name; ///< as messages say it: "GSF"
+  /// A file that begins with one of these is of this format; "" fits every file.
+  std::vector<std::string_view> beginnings;
+  /// Spacing and unit of height stand in the file; false: the case gives them.
+  bool statesLengths;
+  /// @param path for messages only
+  /// @param bytes of the whole file
+  /// @param scale read by formats that do not state their lengths; both are given then
+  /// @throws Error (BadInput) with the line of the head or the byte of the data
+  HeightMap (*parse)(const std::string &path, const std::string &bytes,
+                     const HeightMapScale &scale);
+};
 
 /// Gwyddion Simple Field; heights by ZUnits, rows turned so that y runs upwards.
-/// @throws Error (BadInput), as all of them, with the line of the head or the byte of the data
-HeightMap parseGsfMap(const std::string &path, const std::string &bytes);
+HeightMap parseGsfMap(const std::string &path, const std::string &bytes,
+                      const HeightMapScale &scale);
 /// ISO 25178-71 SDF in ASCII, "aISO-", and its forerunner "aBCR-1.0".
-HeightMap parseSdf(const std::string &path, const std::string &bytes);
+HeightMap parseSdf(const std::string &path, const std::string &bytes, const HeightMapScale &scale);
 /// Text matrix with head lines that begin with '#'; see `readHeightMap`.
-HeightMap parseMatrix(const std::string &path, const std::string &bytes);
-/// @param scale spacing and unit of height, which the format cannot hold; both needed
+HeightMap parseMatrix(const std::string &path, const std::string &bytes,
+                      const HeightMapScale &scale);
+/// numpy's array.
 HeightMap parseNpy(const std::string &path, const std::string &bytes, const HeightMapScale &scale);
 
-/// What the readers share.
+/// All of them, in the order in which a file is compared with them.
+const std::vector<HeightMapFormat> &heightMapFormats();
 
-/// Fewest points along each side, most points of a map.
-constexpr long fewestMapPoints = 4;
-/// 2^27 points are 1 GiB of heights.
-constexpr long mostMapPoints = 1L << 27;
+/// The format that a file has by what it begins with; its name plays no part.
+/// @param bytes of the file, as many as there are or `longestBeginning`
+const HeightMapFormat &heightMapFormatOf(std::string_view bytes);
 
-/// @throws Error (BadInput) unless fewestMapPoints x fewestMapPoints .. mostMapPoints
-/// @param line of the file, for the message; 0: none
-/// @param nx, ny as the head states them, before anything of that size is allocated
-void checkMapSize(const std::string &path, int line, const std::string &keyword, long nx, long ny);
-
-/// A whole number >= 0 that a head states. @throws Error (BadInput)
-/// @param keyword as the head has it, for the message
-long wholeNumber(const std::string &path, int line, const std::string &keyword,
-                 const std::string &text);
-
-/// A positive length with its unit, in m. @throws Error (BadInput)
-/// @param text number and unit: "5 um"
-double positiveLength(const std::string &path, int line, const std::string &keyword,
-                      const std::string &text);
-
-/// A decimal number that fills the whole text; finite. @return whether it is one
-/// @param value set only if it is one
-bool readDecimal(std::string_view text, double &value);
-
-/// Without blanks at either end.
-std::string_view trimmedView(std::string_view text);
-
-/// Lines of a text, without their ends ("\n" or "\r\n"), counted from 1.
-/// The text must outlive the reader and the lines that it gives.
-class LineReader {
- public:
-  explicit LineReader(std::string_view text) : rest_(text) {}
-  /// @return false at the end
-  /// @param line a view into the text, set unless the text is at its end
-  bool next(std::string_view &line);
-  int number() const { return number_; } ///< of the line last given
-
- private:
-  std::string_view rest_;
-  int number_ = 0;
-};
+/// Bytes that tell a format.
+std::size_t longestBeginning();
 
 } // namespace wheelrail
 #endif

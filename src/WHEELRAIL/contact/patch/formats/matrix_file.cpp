@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "base/errors.h"
 #include "contact/patch/formats/height_map_formats.h"
+#include "contact/patch/formats/map_text.h"
 
 #include <fmt/format.h>
 #include <limits>
@@ -88,7 +89,7 @@ long readRow(const std::string &path, int number, std::string_view line,
 
 } // namespace
 
-HeightMap parseMatrix(const std::string &path, const std::string &bytes)
+HeightMap parseMatrix(const std::string &path, const std::string &bytes, const HeightMapScale &)
 {
   LineReader lines(bytes);
   MatrixHead head;

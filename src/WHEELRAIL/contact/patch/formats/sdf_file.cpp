@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "base/errors.h"
 #include "contact/patch/formats/height_map_formats.h"
+#include "contact/patch/formats/map_text.h"
 
 #include <algorithm>
 #include <array>
@@ -143,7 +144,7 @@ Eigen::VectorXd readHeights(const std::string &path, LineReader &lines, long cou
 
 } // namespace
 
-HeightMap parseSdf(const std::string &path, const std::string &bytes)
+HeightMap parseSdf(const std::string &path, const std::string &bytes, const HeightMapScale &)
 {
   LineReader lines(bytes);
   const SdfHead head = readHead(path, lines);

@@ -76,10 +76,7 @@ RoughMap measuredMap(const std::string &path, const HeightMapPreparation &prepar
                      const std::string &name, const PatchGrid &box, double travel,
                      RoughPatch &patch)
 {
-  HeightMapPreparation own = preparation;
-  if (path.size() < 4 || path.substr(path.size() - 4) != ".npy")
-    own.scale = {};
-  const PreparedHeightMap prepared = prepareHeightMap(path, own, name);
+  const PreparedHeightMap prepared = prepareHeightMap(path, preparation, name);
   for (const HeightMapStatistics &step : prepared.statistics) {
     patch.statistics.push_back(step);
     if (&step == &prepared.statistics.front() && step.unmeasured > 0)

@@ -66,7 +66,7 @@ struct RoughPatchSpecification {
   /// Fractal: the period along x in lengths of the box; 0: 1, and enough for the travel.
   int boxes = 0;
   std::vector<std::string> rail, wheel;   ///< Measured: files; one list may be empty
-  HeightMapPreparation railMap, wheelMap; ///< Measured: the scale is that of npy files
+  HeightMapPreparation railMap, wheelMap; ///< Measured: how the maps are prepared
 
   /// Number of seeds or of pairs of maps; 1 where the contact is smooth.
   std::size_t surfaces() const;

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "contact/patch/formats/height_map_formats.h"
+
+#include "base/errors.h"
+
+#include <algorithm>
+#include <fmt/format.h>
+
+namespace wheelrail {
+
+namespace {
+
+bool begins(std::string_view bytes, const HeightMapFormat &format)
+{
+  return std::any_of(format.beginnings.begin(), format.beginnings.end(),
+                     [&](std::string_view head) { return bytes.substr(0, head.size()) == head; });
+}
+
+HeightMap refuseBinarySdf(const std::string &path, const std::string &, const HeightMapScale &)
+{
+  throw badInput(path, 1, "", "a binary SDF file; only those in ASCII (aISO-1.0) are read");
+}
+
+/// What no other format knows is text, or no map at all.
+HeightMap parseText(const std::string &path, const std::string &bytes, const HeightMapScale &scale)
+{
+  if (const auto byte = bytes.find('\0'); byte != std::string::npos)
+    throw badInput(path, 0, fmt::format("byte {}", byte),
+                   "a binary file of unknown kind; GSF, SDF (ASCII), npy and text are read");
+  return parseMatrix(path, bytes, scale);
+}
+
+} // namespace
+
+const std::vector<HeightMapFormat> &heightMapFormats()
+{
+  static const std::vector<HeightMapFormat> formats = {
+      {"npy", {"\x93NUMPY"}, false, parseNpy},
+      {"GSF", {"Gwyddion Simple Field"}, true, parseGsfMap},
+      {"SDF", {"aISO-", "aBCR-"}, true, parseSdf},
+      {"binary SDF", {"bISO-", "bBCR-"}, true, refuseBinarySdf},
+      {"text", {""}, true, parseText},
+  };
+  return formats;
+}
+
+const HeightMapFormat &heightMapFormatOf(std::string_view bytes)
+{
+  const auto &formats = heightMapFormats();
+  return *std::find_if(formats.begin(), formats.end(),
+                       [&](const HeightMapFormat &format) { return begins(bytes, format); });
+}
+
+std::size_t longestBeginning()
+{
+  std::size_t longest = 0;
+  for (const HeightMapFormat &format : heightMapFormats())
+    for (const std::string_view head : format.beginnings)
+      longest = std::max(longest, head.size());
+  return longest;
+}
+
+} // namespace wheelrail
