@@ -7,6 +7,7 @@
 #include "contact/line/profile.h"
 #include "contact/normal_contact.h"
 
+#include <algorithm>
 #include <cmath>
 
 /// Contacts that several tests use.
@@ -16,6 +17,14 @@ namespace contact_cases {
 inline wheelrail::HertzContact table2()
 {
   return wheelrail::hertzContact(4e6, 0.5, wheelrail::contactModulus(210e9, 0.3));
+}
+
+/// T/N in steady rolling of a smooth cylinder with constant friction (Carter 1926):
+/// mu (1 - (1 - creep/creepMax)^2), full sliding from creepMax = mu a/R on.
+inline double carter(const wheelrail::HertzContact &contact, double mu, double creep)
+{
+  const double stick = std::max(0.0, 1.0 - creep * contact.radius / (mu * contact.halfWidth));
+  return mu * (1.0 - stick * stick);
 }
 
 /// Its cylinder on n cells over `domain` half-widths, rough if rmsSlope > 0 (H = 0.8, 0.1 to 10

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "base/errors.h"
 #include "case_text.h"
-#include "contact/hertz.h"
+#include "contact_cases.h"
 #include "creep/line/creep_curve.h"
 
 #include <atomic>
@@ -63,7 +63,7 @@ TEST(CreepCurve, FeedbackTable)
       ++found;
       EXPECT_NEAR(point.muMean, mu, 1e-8);
       EXPECT_NEAR(point.temperatureRise, rise, 1e-4); // the table's digits
-      EXPECT_NEAR(carter(contact, point.muMean).tractionRatio(creep), ratio, 2e-8);
+      EXPECT_NEAR(contact_cases::carter(contact, point.muMean, creep), ratio, 2e-8);
       EXPECT_NEAR(point.tractionRatio, ratio, 5e-6);
       EXPECT_LE(point.iterations, 12);
     }

@@ -102,11 +102,6 @@ class DensePatch : public HalfSpace {
   const CellGrid &grid() const override { return grid_; }
   Vector displacement(const Vector &p) override { return compliance_ * p; }
   Vector tractionEstimate(const Vector &u) override { return stiffness_ * u; }
-  TangentialField displacement(const TangentialField &) override { throw std::logic_error("no"); }
-  TangentialField tractionEstimate(const TangentialField &) override
-  {
-    throw std::logic_error("no");
-  }
   double displacementScale(double sum) const override
   {
     return compliance_(0, 0) * sum / std::sqrt(n());

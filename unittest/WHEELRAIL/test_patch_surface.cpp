@@ -82,20 +82,6 @@ TEST(PatchSurface, RefusesWhatCannotBe)
   EXPECT_THROW(FractalHeights{s}, Error);
 }
 
-TEST(PatchSurface, TravelsByCellsAndBetween)
-{
-  const PatchGrid box = centredGrid(5, 2, 5.0, 2.0);
-  Vector map(14);
-  for (int i = 0; i < 14; ++i)
-    map[i] = i;
-  const TravellingMap travelling(box, 7, map);
-  EXPECT_EQ(travelling.at(0.0)[0], 0.0);
-  EXPECT_EQ(travelling.at(4.0)[box.index(2, 1)], 13.0);
-  EXPECT_EQ(travelling.at(4.0)[box.index(3, 1)], 7.0); // once round
-  EXPECT_DOUBLE_EQ(travelling.at(0.25)[box.index(1, 0)], 1.25);
-  EXPECT_EQ(travelling.at(-1.0)[0], 6.0);
-}
-
 TEST(PatchTemperature, RowsAreLineContacts)
 {
   // Full sliding on a Hertzian ellipse: row y is a line contact of half-width a sqrt(1 - y^2/b^2)

@@ -20,26 +20,21 @@ struct CellGrid {
   int index(int ix, int iy) const { return ix + nx * iy; }
 };
 
-/// Both components of a tangential traction, or of a tangential displacement, per cell.
-struct TangentialField {
-  Eigen::VectorXd x, y;
-};
-
 /// Two elastic half-spaces that touch in a plane, seen through the cells of a grid, each of which
-/// is loaded uniformly: all that the solvers of contact need to know of elasticity.
+/// is loaded uniformly: what the normal contact (`solveNormalContact`) needs to know of elasticity.
 ///
 /// Implemented by the line contact's `HalfPlane` (ny = 1, plane strain) and by `PatchHalfSpace` for
-/// surfaces of two dimensions. Solvers that are written against this interface
-/// (`solveNormalContact`) serve both.
+/// surfaces of two dimensions; one solver serves both. Tangential tractions are not here: along a
+/// line they have the kernel of the pressure, and on a patch `PatchHalfSpace` has products of its
+/// own, which the rolling contact of that room knows.
 ///
 /// *Units.* Any consistent set: displacements have the unit of `grid().dx`, tractions that of the
 /// elastic modulus which the implementation was given. `HalfPlane` takes E* as the unit of stress,
 /// so that its tractions are dimensionless. A solver may not rely on any of them.
 ///
 /// *Displacements* are differences between the two bodies, positive where the surfaces move apart
-/// under pressure, and those of a particle of body 1 along the traction that acts on it. Of
-/// unlike bodies pressure causes a tangential displacement, too, and tangential traction a normal
-/// one; that is no part of this class (on a patch: `PatchCoupling`).
+/// under pressure. Of unlike bodies pressure causes a tangential displacement, too, and tangential
+/// traction a normal one; that is no part of this class (on a patch: `PatchCoupling`).
 ///
 /// *Shape.* Every vector has `grid().cells()` values; other sizes are a programming error.
 ///
@@ -57,15 +52,10 @@ class HalfSpace {
   /// line up to the constant that is free in two dimensions.
   virtual Vector displacement(const Vector &pressure) = 0;
 
-  /// Tangential displacement of a tangential traction; symmetric, definite as above. The
-  /// components influence each other on a patch (by Poisson's ratio), not on a line.
-  virtual TangentialField displacement(const TangentialField &traction) = 0;
-
-  /// Approximate inverses of the two `displacement`s, symmetric and positive definite:
-  /// preconditioners for conjugate gradients on any part of the cells. The nearer they are to the
-  /// true inverse (spectrally |k| times a stiffness), the fewer products a solver needs.
+  /// Approximate inverse of `displacement`, symmetric and positive definite: the preconditioner
+  /// for conjugate gradients on any part of the cells. The nearer it is to the true inverse
+  /// (spectrally |k| times a stiffness), the fewer products a solver needs.
   virtual Vector tractionEstimate(const Vector &displacement) = 0;
-  virtual TangentialField tractionEstimate(const TangentialField &displacement) = 0;
 
   /// A displacement that tolerances can be measured against: its order of magnitude under
   /// pressures whose sum over the cells is `pressureSum` > 0. Must not depend on the unit system.

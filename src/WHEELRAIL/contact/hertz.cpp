@@ -35,22 +35,6 @@ double HertzContact::gap(double x) const
   return halfWidth * halfWidth / (2.0 * radius) * (ratio * root - std::log(ratio + root));
 }
 
-Carter carter(const HertzContact &contact, double mu)
-{
-  return {mu * contact.halfWidth / contact.radius, mu};
-}
-
-double Carter::stickHalfLengthRatio(double creep) const
-{
-  return std::max(0.0, 1.0 - creep / creepMax);
-}
-
-double Carter::tractionRatio(double creep) const
-{
-  const double stick = stickHalfLengthRatio(creep);
-  return mu * (1.0 - stick * stick);
-}
-
 double initialSlope(double modulus, double realContactLength)
 {
   return 0.25 * pi * modulus * realContactLength;

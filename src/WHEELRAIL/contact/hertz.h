@@ -24,18 +24,6 @@ struct HertzContact {
 /// All arguments > 0.
 HertzContact hertzContact(double load, double radius, double modulus);
 
-/// Steady rolling of a smooth cylinder with constant friction (Carter 1926), creep >= 0:
-/// T/(mu N) = 1 - (1 - creep/creepMax)^2, full sliding from creepMax = mu a/R on.
-struct Carter {
-  double creepMax;
-  double mu;
-
-  double tractionRatio(double creep) const;        ///< T/N
-  double stickHalfLengthRatio(double creep) const; ///< half-length of the stick zone / a
-};
-/// @param mu > 0
-Carter carter(const HertzContact &contact, double mu);
-
 /// dT/dcreep at creep 0 for any roughness that is fixed in the contact frame: (pi E*/4) x real
 /// contact length, N/m; from full stick on every micro-contact, whatever the friction.
 /// @param modulus E*, Pa

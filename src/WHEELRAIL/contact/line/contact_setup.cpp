@@ -80,7 +80,7 @@ ContactSetup prepareContact(const LineContactSpecification &contact,
     setup.cellSize = contact.domain * setup.hertz.halfWidth / contact.points;
   }
   setup.surface = prepareSurface(surface, index, setup.cells, setup.cellSize, travels);
-  HalfPlane halfPlane(setup.cells, setup.boundary, contact.poissonsRatio);
+  HalfPlane halfPlane(setup.cells, setup.boundary);
   setup.normal = solveNormalContact(halfPlane, setup.problem(pressureLimit));
   if (setup.boundary == Boundary::Free)
     checkInsideDomain(setup.normal.pressure);

@@ -45,8 +45,8 @@ double cellInfluence(double m)
 
 // A line with free ends takes twice the cells: the cyclic convolution needs room for offsets
 // -(n-1) .. n-1.
-HalfPlane::HalfPlane(int cells, Boundary boundary, double poissonsRatio, double cellSize)
-    : boundary_(boundary), cellGrid_{cells, 1, cellSize, cellSize}, poissonsRatio_(poissonsRatio),
+HalfPlane::HalfPlane(int cells, Boundary boundary, double cellSize)
+    : boundary_(boundary), cellGrid_{cells, 1, cellSize, cellSize},
       line_(cells, boundary == Boundary::Free ? fastTransformSize(2 * cells) : cells)
 {
   if (boundary_ == Boundary::Periodic)
@@ -83,10 +83,6 @@ HalfPlane::Vector HalfPlane::displacement(const Vector &q)
 {
   return cellGrid_.dx * multiply(q, compliance_, [](int m) { return cellInfluence(m); });
 }
-TangentialField HalfPlane::displacement(const TangentialField &q)
-{
-  return {displacement(q.x), displacement(q.y) / (1.0 - poissonsRatio_)};
-}
 // Derivative of the logarithm for loads at the centres, half-way between them: 1/(m + 1/2).
 HalfPlane::Vector HalfPlane::stretch(const Vector &q)
 {
@@ -106,17 +102,13 @@ HalfPlane::Vector HalfPlane::tractionEstimate(const Vector &u)
     fillPeriodicSpectra();
   return line_.multiply(u, stiffness_) / cellGrid_.dx;
 }
-TangentialField HalfPlane::tractionEstimate(const TangentialField &u)
-{
-  return {tractionEstimate(u.x), tractionEstimate(u.y) * (1.0 - poissonsRatio_)};
-}
 
 std::unique_ptr<HalfSpace> HalfPlane::coarser() const
 {
   constexpr int coarsestGrid = 128;
   if (cells() < 2 * coarsestGrid || cells() % 2 != 0)
     return nullptr;
-  return std::make_unique<HalfPlane>(cells() / 2, boundary_, poissonsRatio_, 2.0 * cellGrid_.dx);
+  return std::make_unique<HalfPlane>(cells() / 2, boundary_, 2.0 * cellGrid_.dx);
 }
 
 } // namespace wheelrail

@@ -20,26 +20,20 @@ enum class Boundary { Free, Periodic };
 ///
 ///   u(x) = -(2/pi) integral q(s) ln|x - s| ds  (+ a constant that is free in two dimensions)
 ///
-/// Traction across the line (y) shears every cross-section out of its plane and moves it by
-/// 1/(1 - nu) times as much.
-///
 /// Free: zero-padded FFT convolution with the exact integral of the kernel over a cell.
 /// Periodic: the exact spectrum of cells repeated with the period; the mean of u is set to zero.
 /// Products cost two FFTs. An object has one work buffer: use one object per thread.
 class HalfPlane : public HalfSpace {
  public:
   /// @param cells n >= 1
-  /// @param poissonsRatio of both bodies, 0 to 1/2: for traction across the line only
   /// @param cellSize > 0: unit of the displacements
-  HalfPlane(int cells, Boundary boundary, double poissonsRatio = 0.0, double cellSize = 1.0);
+  HalfPlane(int cells, Boundary boundary, double cellSize = 1.0);
 
   const CellGrid &grid() const override { return cellGrid_; }
   Boundary boundary() const { return boundary_; }
 
   Vector displacement(const Vector &q) override;
-  TangentialField displacement(const TangentialField &q) override;
   Vector tractionEstimate(const Vector &u) override;
-  TangentialField tractionEstimate(const TangentialField &u) override;
   /// The sum of the cells' pressures times their size: the load over E*.
   double displacementScale(double pressureSum) const override { return pressureSum * cellGrid_.dx; }
   /// Null below 256 cells and for an odd number.
@@ -68,7 +62,6 @@ class HalfPlane : public HalfSpace {
 
   Boundary boundary_;
   CellGrid cellGrid_;
-  double poissonsRatio_;
   Convolution line_;
   Spectrum compliance_, stretching_, stretchingTransposed_, stiffness_, faces_;
 };

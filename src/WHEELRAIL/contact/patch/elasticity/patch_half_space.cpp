@@ -241,11 +241,6 @@ std::unique_ptr<HalfSpace> PatchHalfSpace::coarser() const
                                           pair_);
 }
 
-double PatchHalfSpace::normalCompliance() const
-{
-  return cellInfluence(pair_, cellIntegrals(0.0, 0.0, cellGrid_.dx, cellGrid_.dy)).zz;
-}
-
 double PatchHalfSpace::tangentialCompliance() const
 {
   const CellInfluence own =

@@ -11,6 +11,11 @@
 
 namespace wheelrail {
 
+/// Both components of a tangential traction, or of a tangential displacement, per cell.
+struct TangentialField {
+  Eigen::VectorXd x, y;
+};
+
 /// Two elastic half-spaces in contact on a grid of cells that are loaded uniformly each:
 /// displacement differences at the cells' centres, exact but for rounding (zero-padded FFT
 /// convolution with the closed integrals of the influence over a cell). Displacements have the
@@ -33,14 +38,15 @@ class PatchHalfSpace final : public HalfSpace {
 
   /// Normal displacement (both bodies' compression) of a pressure. Symmetric, positive definite.
   Vector displacement(const Vector &pressure) override;
-  /// Tangential displacement difference of tractions.
-  TangentialField displacement(const TangentialField &traction) override;
+  /// Tangential displacement difference of tractions: that of a particle of the wheel along the
+  /// traction on it. Symmetric, definite; by Poisson's ratio the components influence each other.
+  TangentialField displacement(const TangentialField &traction);
 
   /// Approximate inverses, by the symbol of the unbounded half-space: preconditioners, symmetric
   /// and positive definite. With k the wave vector, G |k|/(2 (1 - nu)) for the normal and
   /// (G |k|/2) [k k/(k^2 (1 - nu)) + (1 - k k/k^2)] for the tangential problem.
   Vector tractionEstimate(const Vector &displacement) override;
-  TangentialField tractionEstimate(const TangentialField &displacement) override;
+  TangentialField tractionEstimate(const TangentialField &displacement);
 
   /// Approximate inverse of D + A, or of D + A - A moved by a cell (`rolling`), D > 0 a compliance
   /// like `tangentialCompliance()`: traction of a surface that gives way by D on top of the
@@ -53,10 +59,8 @@ class PatchHalfSpace final : public HalfSpace {
   /// odd.
   std::unique_ptr<HalfSpace> coarser() const override;
 
-  /// Displacement of a cell under its own unit pressure, and along x or y under its own traction:
-  /// scales of displacement over traction.
-  /// Length per unit of traction; the tangential one is the larger of both directions.
-  double normalCompliance() const;
+  /// Displacement of a cell along x or y, whichever is larger, under its own unit traction: a scale
+  /// of displacement over traction. Length per unit of traction.
   double tangentialCompliance() const;
 
  private:

@@ -40,10 +40,4 @@ double couplingPower(const PatchGrid &grid, const TangentialField &traction,
           traction.y.dot(imposed.y - shifted(grid, before.y, 1)));
 }
 
-double elasticEnergy(const PatchGrid &grid, const TangentialField &traction,
-                     const TangentialField &displacement)
-{
-  return 0.5 * grid.cellArea() * (traction.x.dot(displacement.x) + traction.y.dot(displacement.y));
-}
-
 } // namespace wheelrail

@@ -38,10 +38,5 @@ PatchSums patchSums(const PatchGrid &grid, const TangentialResult &result);
 double couplingPower(const PatchGrid &grid, const TangentialField &traction,
                      const TangentialField &imposed, const TangentialField &before);
 
-/// Integral of q . u/2 with the displacement of the same tractions: energy, force x length.
-/// @param displacement of `PatchHalfSpace::displacement` for these tractions
-double elasticEnergy(const PatchGrid &grid, const TangentialField &traction,
-                     const TangentialField &displacement);
-
 } // namespace wheelrail
 #endif

@@ -97,31 +97,4 @@ Eigen::VectorXd FractalHeights::sampled(const PatchGrid &grid, double travelled)
   return Eigen::Map<const Eigen::VectorXd>(height.data(), grid.cells());
 }
 
-TravellingMap::TravellingMap(const PatchGrid &box, int columns, Eigen::VectorXd map)
-    : box_(box), columns_(columns), map_(std::move(map))
-{
-  if (columns < box.nx || map_.size() != Eigen::Index(columns) * box.ny)
-    throw Error(ExitCode::Internal, "travelling map: the heights do not fit the box");
-}
-
-Eigen::VectorXd TravellingMap::at(double cells) const
-{
-  const double whole = std::floor(cells), part = cells - whole;
-  const auto wrapped = [&](double column) {
-    const double turns = std::floor(column / columns_);
-    return static_cast<int>(column - turns * columns_);
-  };
-  Eigen::VectorXd heights(box_.cells());
-  for (int ix = 0; ix < box_.nx; ++ix) {
-    const int here = wrapped(whole + ix), next = wrapped(whole + ix + 1.0);
-    for (int iy = 0; iy < box_.ny; ++iy) {
-      const int row = columns_ * iy;
-      heights[box_.index(ix, iy)] = part == 0.0
-                                        ? map_[row + here]
-                                        : (1.0 - part) * map_[row + here] + part * map_[row + next];
-    }
-  }
-  return heights;
-}
-
 } // namespace wheelrail

@@ -53,25 +53,5 @@ class FractalHeights {
   Eigen::MatrixXcd amplitude_;
 };
 
-/// Heights that travel through the box: a map over more columns than the box (or as many), that
-/// repeats along x. Wheel and rail have one each; each moves at its own speed.
-class TravellingMap {
- public:
-  /// @param map over `columns` x ny cells of the box's size, x fastest; column 0 is the box's first
-  /// @param columns >= nx of the box
-  TravellingMap(const PatchGrid &box, int columns, Eigen::VectorXd map);
-
-  /// What lies in the box after the surface has moved by so many cells towards smaller x. Whole
-  /// numbers are exact; between them a straight line between neighbours.
-  /// @param cells any number, negative ones too
-  /// @return one height for each cell of the box
-  Eigen::VectorXd at(double cells) const;
-
- private:
-  PatchGrid box_;
-  int columns_;
-  Eigen::VectorXd map_;
-};
-
 } // namespace wheelrail
 #endif
