@@ -255,6 +255,22 @@ Obstacle obstacleTo(LawModel model, const std::vector<LawPoint> &points)
   return {reason, false};
 }
 
+// Weighted least squares by iterated weights. Each point scatters by its own error of the mean and
+// by what the law does not describe, a share `scatter` of mu that is the same for all:
+//   sigma_i^2 = se_i^2 + (scatter mu_i)^2.
+// The scatter is unknown; it is the one with which chi^2 equals the degrees of freedom, as it must
+// on average if sigma is right. A round takes sigma from the last fit, fits the parameters, and
+// finds the scatter anew, until both stay.
+//
+// The terms of Eq. 2 saturate, so that sums of squares have more than one minimum: the first round
+// begins at a grid of starts (`LawProblem::starts`), later ones where the last ended.
+//
+// From the Jacobian at the end come the covariance, the condition number, which says whether the
+// points determine the parameters at all, and the leverage of each point. Intervals are not taken
+// from the covariance but from the profile of chi^2, because b and c have skew likelihoods: an end
+// of an interval is where the best fit with this parameter held is worse by t^2, Student's t of the
+// degrees of freedom, since the scatter was estimated from the same points. Models are compared by
+// AICc, in which the scatter counts as one more parameter.
 LawFit fitLaw(LawModel model, const std::vector<LawPoint> &points, double level, double reference)
 {
   checkPoints(points);
@@ -300,6 +316,8 @@ LawFit fitLaw(LawModel model, const std::vector<LawPoint> &points, double level,
     if (settled)
       break;
   }
+  // once more with the weights that belong to the last scatter: parameters, chi^2 and Jacobian
+  // agree
   sigma = deviations(points, fitted, fit.scatter);
   const LawProblem weighted(model, points, sigma, reference);
   const auto problem = weighted.make();

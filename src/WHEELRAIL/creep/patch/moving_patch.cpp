@@ -106,6 +106,21 @@ MovingPatch::MovingPatch(const CreepPhysics &physics, const MovingPatchSpecifica
 {
 }
 
+// How a step of one cell goes (`solve` loops over them). Rough surfaces that travel change the
+// contact all the time, so that nothing is steady; what is reported are means over passes, a pass
+// being the way of one contact length 2a, and their errors from the scatter of passes
+// (`batchError`).
+//
+//   1. The surfaces travel by a cell, each at its body's speed (`travel`).
+//   2. The pressure follows from the new gap (`press`). Its search begins at the pressure of the
+//      step before moved by a cell, since asperities take theirs with them.
+//   3. The tangential problem of the step is solved (`roll`): the displacement that each particle
+//      had before it moved is known, the traction that it has now is not.
+//   4. Of unlike bodies 2 and 3 take turns until the pressure settles (`PatchCoupling::settle`).
+//   5. The heat of the step goes into the material, which takes it along.
+//
+// The first passes still remember how the contact began; they are rolled and left out of the means.
+
 /// The traction and the creepages that the first step goes on from.
 void MovingPatch::begin(TransientPatch &transient, double speed, const PatchDrive &drive)
 {
@@ -152,6 +167,8 @@ void MovingPatch::travel(const Creepage &creepage)
   rail_.roll(grid, grid.dx + alongX, alongY, -0.5 * creepage.phi);
 }
 
+// A smooth contact under a constant load has one pressure; nothing is gained by finding it again at
+// each step.
 bool MovingPatch::pressureStays(double load) const
 {
   const RoughPatch &surface = contact_.surface;
@@ -182,7 +199,7 @@ void MovingPatch::press(double load, double distance, const Vector &start, const
 
 // What depends on the traction that is sought is taken from the step before, the temperature and
 // the creepages that belong to given forces: one tangential problem a step, where steady rolling
-// needs a fixed point.
+// needs a fixed point. It is one cell late, a cell being a small part of the contact.
 PatchStep MovingPatch::roll(TransientPatch &transient, Temperature &heat, double speed,
                             const PatchDrive &drive, double distance, double load)
 {
@@ -278,6 +295,7 @@ std::optional<PatchPoint> MovingPatch::solve(double speed, const PatchDrive &dri
                         sequence_.at(sequence_.spin, 0.0, drive.creepage.phi)};
       begin(transient, speed, first);
     }
+    // the load of a sequence changes the pressure, not the grid or the nominal ellipse
     const double load = sequence_.at(sequence_.load, time, contact_.load);
     Creepage creepage = now.creepage; // those that are not known: of the step before
     if (drive.forceX)
@@ -306,6 +324,7 @@ std::optional<PatchPoint> MovingPatch::solve(double speed, const PatchDrive &dri
 
 PatchPoint MovingPatch::pointOf(double speed) const
 {
+  // what is kept: the last passes, each with as many steps as a contact length has cells;
   // a sequence has no steady part: its last step stands for it
   const int batches = sequence_.any() ? 0 : moving_.passes - moving_.discardedPasses();
   const std::size_t counted =

@@ -138,6 +138,7 @@ Vector FrozenPatch::temperatureFrom(double speed)
       n, meanTemperatureRise(ratio, contact_.hertz, sliding, speed, thermal.material));
 }
 
+/// The normal contact once more, from the last pressure.
 /// The hardness falls with the mean temperature of the contact; unlike bodies' traction opens or
 /// closes the gap.
 void FrozenPatch::renewPressure()
@@ -169,9 +170,22 @@ void FrozenPatch::failToSettle(double speed, int iterations, bool friction) cons
                                    : "the bodies are too unlike for the friction"));
 }
 
-// A fixed point as in `FrozenCreep::solve`: temperature -> mu, pressure -> traction -> temperature.
-// Where forces are given and mu depends on speed, the sliding speed belongs to it too. Both steps
-// are counted in units of their tolerances, and the larger one decides on the end and on halving.
+// A fixed point, as in `FrozenCreep::solve`. One turn G leads from a temperature field to the one
+// that follows from it: temperature -> mu and pressure -> traction -> heat -> temperature. What is
+// sought is the field with G(Theta) = Theta. Where forces are given and mu depends on speed, the
+// creepages that are found belong to the unknowns, too, since they decide the sliding speed.
+//
+// The iteration is Theta <- Theta + part (G(Theta) - Theta). Friction falls with temperature and
+// less friction makes less heat, so that G has a negative slope g and plain turns (part = 1) jump
+// to and fro across the solution; they converge while |g| < 1. With a part the error shrinks by |1
+// - part (1 + |g|)| a turn. So the part begins at 1 and is halved whenever a step is no shorter
+// than the one before; a law that falls too steeply even then is named by `failToSettle`. Newton's
+// method would need the derivative of a solution of the tangential contact; a turn costs one such
+// solution, and that begins at the last traction.
+//
+// The steps of temperature and of creepage are counted in units of their tolerances, and the larger
+// one decides on the end and on halving. Of unlike bodies the pressure takes part: it is renewed
+// with the traction of the turn before, and the end waits until it has settled.
 PatchPoint FrozenPatch::solve(const FrictionLaw &law, double speed, const PatchDrive &drive)
 {
   const bool found = drive.forceX || drive.forceY;
@@ -196,6 +210,7 @@ PatchPoint FrozenPatch::solve(const FrictionLaw &law, double speed, const PatchD
   while (true) {
     ++iteration;
     const Vector formerPressure = fields_.pressure;
+    // the first turn takes the pressure of the start, without heat and without traction
     if (((physics_.hardnessLimit && heats) || couples) && iteration > 1)
       renewPressure();
     const bool pressed =
@@ -215,7 +230,7 @@ PatchPoint FrozenPatch::solve(const FrictionLaw &law, double speed, const PatchD
                      (creepTolerance * size)
                : 0.0;
     const double step = std::max(heatStep, creepStep);
-    if (!feedback) {
+    if (!feedback) { // G does not depend on its argument: one turn is the solution
       fields_.temperature = next;
       break;
     }

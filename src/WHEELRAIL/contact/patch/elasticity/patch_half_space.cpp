@@ -58,6 +58,12 @@ PlaneTransform &PatchHalfSpace::wrapping(int fields)
   return *transform;
 }
 
+// How displacements are computed. The displacement of a cell is the sum over all cells of traction
+// times influence, and the influence depends on the distance of the two cells only: a convolution,
+// which Fourier transforms make a product. A transform is cyclic, as if the cells repeated; with
+// twice the cells each way, the added ones without traction, the copies lie too far away to reach
+// into the cells that count. So the sum is exact but for rounding, and its cost that of transforms.
+//
 // Influence at a distance of whole cells is even in x and y (xy: odd in both), so a quarter of the
 // plane holds all of it, and cosine (sine) transforms give the quarter of its spectrum.
 void PatchHalfSpace::fillSpectra()
@@ -87,6 +93,11 @@ void PatchHalfSpace::fillSpectra()
   }
 }
 
+// An approximate inverse. On cells that repeat with the box a wave of tractions gives a wave of
+// displacements: normal ones are multiplied by a number, tangential ones by a symmetric 2 x 2
+// matrix. The inverse of these, wave by wave, is the inverse of the repeated contact. It differs
+// from that of the real one by the copies' influence, which is smooth, so that it serves as a
+// preconditioner, and needs transforms of the box itself, a quarter of the size.
 void PatchHalfSpace::fillEstimates()
 {
   const int sizeX = fastTransformSize(cellGrid_.nx), sizeY = fastTransformSize(cellGrid_.ny);
@@ -108,7 +119,8 @@ void PatchHalfSpace::fillEstimates()
         cell.xy = 0.0;
       const double a = less * cell.yy + cell.xx, b = cell.yy + less * cell.xx;
       const double c = pair_.nu * cell.xy, determinant = a * b - c * c;
-      // inverse of the symmetric 2 x 2 matrix that a wave's tractions are multiplied by
+      // the matrix {{a, c}, {c, b}} multiplies a wave's tractions, (a b - c^2)^-1 {{b, -c}, {-c,
+      // a}} its displacements
       stiffnessXX_[at] = scale * b / determinant;
       stiffnessYY_[at] = scale * a / determinant;
       stiffnessXY_[at] = -scale * c / determinant;
@@ -190,6 +202,9 @@ TangentialField PatchHalfSpace::tractionEstimate(const TangentialField &displace
   return result;
 }
 
+// A slipping cell's equation is that of a surface under a layer that gives way by D. Rolling, what
+// counts is the displacement less that of a cell upstream: a wave's factor 1 - exp(i kx dx). Both
+// are diagonal in waves, too, and so is the inverse of their sum.
 TangentialField PatchHalfSpace::softenedEstimate(const TangentialField &displacement, double D,
                                                  bool rolling)
 {
@@ -221,6 +236,7 @@ TangentialField PatchHalfSpace::softenedEstimate(const TangentialField &displace
   return result;
 }
 
+// As of a force on a square of all cells' area, (1 - nu) F/(pi G side); only the size counts.
 double PatchHalfSpace::displacementScale(double pressureSum) const
 {
   const double area = cellGrid_.dx * cellGrid_.dy;

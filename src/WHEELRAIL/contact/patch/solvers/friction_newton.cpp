@@ -249,6 +249,9 @@ void FrictionNewton::fillSlip(const Linearisation &linear, const Vector &x, Vect
       setAlong(i, along(i, q.x[eq_.cells[i]], q.y[eq_.cells[i]]));
 }
 
+// Two preconditioners, for the operator is a product of two: B = A - A moved by a cell is the
+// influence A after the difference along the stream. The sum along each stick segment undoes the
+// difference (left), the half-space's symbol undoes the influence (right).
 Vector FrictionNewton::newtonStep(const Linearisation &linear, const Vector &f, double tolerance)
 {
   const Vector b = fromLeft(linear, -f);
@@ -298,6 +301,12 @@ bool FrictionNewton::tryAttempts(const Vector &start, Vector &x, double toleranc
   return false;
 }
 
+// Semismooth Newton's method. Each cell's equation is that of stick, S = 0, or that of slip, |q| =
+// bound with q against S; q - r S tells which, at the last iterate. With all states chosen the
+// equations are linear but for the direction of slip, and one linear system (`newtonStep`) gives
+// the next iterate, from which the states are chosen anew. Once they stand the steps converge
+// quadratically. Until then a linear system is not worth solving well: a tenth is enough.
+//
 // Full steps without a line search: the norm of a residual with kinks may have to rise on the way.
 // What does not converge is tried again with a smaller r.
 bool FrictionNewton::iterate(Vector &x, double tolerance, int maxSteps)

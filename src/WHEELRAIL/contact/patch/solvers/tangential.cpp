@@ -83,7 +83,8 @@ void eachPair(const PatchGrid &grid, const PatchGrid &coarse, const Visit &visit
       visit(grid.index(ix, iy), coarse.index(ix / 2, iy / rows));
 }
 
-/// Of tractions: what is outside of the fine grid counts as zero.
+/// Of tractions, whose sum is the force: what is outside of the fine grid counts as zero, so that
+/// the force stays.
 Vector coarseMeans(const PatchGrid &grid, const PatchGrid &coarse, const Vector &fine)
 {
   Vector sum = Vector::Zero(coarse.cells());
@@ -159,7 +160,9 @@ TangentialField refined(const PatchGrid &grid, const PatchGrid &coarse, const Ve
   return fine;
 }
 
-/// The cells in contact and their box; the equations there, scaled.
+/// The cells in contact and their box; the equations there, scaled. `tractionUnit` is the largest
+/// bound, `slipUnit` what a cell of that traction moves under itself, `distance` the d over which S
+/// is counted: a creepage 1 is distance/slipUnit in the scaled equations.
 struct ScaledProblem {
   SubGrid box;
   std::vector<int> wholeIndex; ///< in the whole grid, of each cell in contact
@@ -217,6 +220,7 @@ void setDrive(const PatchGrid &grid, const TangentialProblem &problem, ScaledPro
   scaled.equations.scale = given > 0.0 ? given : drive.norm();
 }
 
+/// Edge cells give way by more than the half-spaces: in units of a cell's own compliance.
 void setEdge(const TangentialProblem &problem, double compliance, ScaledProblem &scaled)
 {
   if (problem.edge.xx.size() != problem.bound.size())
@@ -290,6 +294,19 @@ ScaledProblem scaledProblem(const PatchGrid &grid, const TangentialProblem &prob
 
 } // namespace
 
+// What is done on one grid; the nonlinear equations themselves are `FrictionNewton`'s.
+//
+//   1. The cells in contact are listed, and the smallest box around them is cut out of the grid.
+//      Tractions are counted in units of the largest bound, slips in what a cell of that traction
+//      moves under itself: then all of the equations are of order 1, whatever the units.
+//   2. What moves the contact is gathered into the drive: rigid slip, and the displacements that
+//   are
+//      known beforehand. Where a force is given, its creepage is one more unknown and the sum of
+//      the tractions one more equation.
+//   3. Without a start the same problem is solved on cells of twice the size, down to some 24 along
+//      a side. States of stick and slip are found where cells are few. On the fine grid a handful
+//      of Newton steps is left, so that the work grows little faster than the number of cells.
+//   4. Newton's method, and back to the units of the problem.
 TangentialResult TangentialSolver::solve(const TangentialProblem &problem,
                                          const TangentialOptions &options)
 {
@@ -320,7 +337,8 @@ TangentialResult TangentialSolver::solve(const TangentialProblem &problem,
   setDrive(grid, problem, scaled);
   setEdge(problem, space.tangentialCompliance(), scaled);
   setForces(grid, problem, scaled);
-  if (!(scaled.equations.scale > 0.0)) { // nothing moves
+  // neither creepage nor force nor a displacement that is left: nothing moves
+  if (!(scaled.equations.scale > 0.0)) {
     fill(PatchState::Stick, scaled.wholeIndex);
     return result;
   }
@@ -351,6 +369,7 @@ TangentialResult TangentialSolver::solve(const TangentialProblem &problem,
     x[2 * n + j] = (unknown[j] ? creepage.eta : creepage.xi) / creepUnit;
 
   FrictionNewton newton(space, std::move(scaled.equations));
+  // a given force is to be met itself, more closely than tractions are
   const double tolerance = (unknown.empty() ? 1.0 : forceShare) * options.tolerance;
   const bool converged = newton.solve(x, tolerance, options.maxSteps);
   result.newtonSteps = newton.steps();
