@@ -7,6 +7,7 @@
 #include "domain.h"
 #include "dump.h"
 #include "error.h"
+#include "flat.h"
 #include "force.h"
 #include "group.h"
 #include "input.h"
@@ -32,9 +33,7 @@ using namespace FixConst;
 FixMCADrive::FixMCADrive(LAMMPS *host, int narg, char **arg)
     : Fix(host, narg, arg), every(1000), seed(0), pair(nullptr), begun(false),
       restarted(false), past{-1, 0}, largest_velocity(0.0), largest_pressure(0.0),
-      least_strength(0.0), area(0.0), split(false), mass(0.0), shear(0.0), normal(0.0),
-      start_height(0.0), displacement(0.0), work(0.0), shear_sum(0.0), normal_sum(0.0),
-      samples(0.0), broken_before(0.0), formed_before(0.0)
+      least_strength(0.0), split(false)
 {
   namespace format = mcawr::friction_log; // as the readers of the log take it
   const auto most_steps = static_cast<bigint>(format::largest);
@@ -186,10 +185,10 @@ double FixMCADrive::unwrapped_y(int i) const
 
 double FixMCADrive::height() const
 {
-  double sums[2] = {0.0, static_cast<double>(members.size())}, all[2];
-  for (const int i : members)
-    sums[0] += unwrapped_y(i);
-  MPI_Allreduce(sums, all, 2, MPI_DOUBLE, MPI_SUM, world);
+  double own[2] = {0.0, static_cast<double>(layer.members.size())}, all[2];
+  for (const int i : layer.members)
+    own[0] += unwrapped_y(i);
+  MPI_Allreduce(own, all, 2, MPI_DOUBLE, MPI_SUM, world);
   return all[0] / all[1];
 }
 
@@ -198,7 +197,7 @@ double FixMCADrive::height() const
 bigint FixMCADrive::count_above() const
 {
   double own = -HUGE_VAL, top;
-  for (const int i : members)
+  for (const int i : layer.members)
     own = std::max(own, unwrapped_y(i));
   MPI_Allreduce(&own, &top, 1, MPI_DOUBLE, MPI_MAX, world);
   bigint part = 0, all;
@@ -217,6 +216,7 @@ void FixMCADrive::setup_post_neighbor()
 
 void FixMCADrive::post_neighbor()
 {
+  std::vector<int> &members = layer.members;
   members.clear();
   for (int i = 0; i < atom->nlocal; i++)
     if (atom->mask[i] & groupbit)
@@ -232,14 +232,15 @@ void FixMCADrive::post_neighbor()
 void FixMCADrive::setup(int vflag)
 {
   const double thickness = domain->dimension == 3 ? domain->zprd : pair->thickness();
-  area = domain->xprd * thickness;
+  layer.area = domain->xprd * thickness;
+  layer.stressUnit = force->nktv2p;
   double own = 0.0;
-  for (const int i : members)
+  for (const int i : layer.members)
     own += atom->rmass[i];
-  MPI_Allreduce(&own, &mass, 1, MPI_DOUBLE, MPI_SUM, world);
+  layer.mass = sum(own);
 
   if (!begun && !restarted)
-    start_height = height();
+    sums.startHeight = height();
   evaluate();
   if (!begun && pressure.value > least_strength && comm->me == 0)
     error->warning(FLERR,
@@ -251,13 +252,13 @@ void FixMCADrive::setup(int vflag)
   above = count_above();
   // a layer that moves already keeps its velocity to the last bit
   double range[2] = {-HUGE_VAL, -HUGE_VAL}, all_range[2]; // of -v_y, v_y
-  for (const int i : members)
+  for (const int i : layer.members)
     for (const double sign : {-1.0, 1.0})
       range[sign > 0.0] = std::max(range[sign > 0.0], sign * atom->v[i][1]);
   MPI_Allreduce(range, all_range, 2, MPI_DOUBLE, MPI_MAX, world);
   post_force(vflag);
   if (all_range[0] == -all_range[1])
-    for (const int i : members)
+    for (const int i : layer.members)
       atom->v[i][1] = all_range[1];
 }
 
@@ -270,26 +271,26 @@ void FixMCADrive::open_log(double thickness)
     if ((atom->mask[i] & groupbit) && atom->type[i] < first_type)
       first_type = atom->type[i];
   MPI_Allreduce(&first_type, &lowest, 1, MPI_INT, MPI_MIN, world);
-  mca::LogHeader header = {pair->material(lowest),
-                           pressure.value,
-                           velocity.value,
-                           domain->xprd,
-                           thickness,
-                           pair->cell(lowest).packing.name,
-                           static_cast<long long>(atom->natoms),
-                           pair->laws().words(),
-                           update->dt,
-                           every,
-                           seed,
-                           LMP_VERNUM,
-                           {}};
-  namespace head = mcawr::friction_log::head;
-  for (const auto &[varies, key] : {std::pair{!pressure.variable.empty(), head::pressure.key},
-                                    {!velocity.variable.empty(), head::velocity.key},
-                                    {!domain->xperiodic, head::width.key},
-                                    {!domain->zperiodic, head::thickness.key}})
+  mca::LogHeader header;
+  header.material = pair->material(lowest);
+  header.pressure = pressure.value;
+  header.velocity = velocity.value;
+  header.width = domain->xprd;
+  header.thickness = thickness;
+  header.packing = pair->cell(lowest).packing.name;
+  header.automata = atom->natoms;
+  header.laws = pair->laws().words();
+  header.timestep = update->dt;
+  header.every = every;
+  header.seed = seed;
+  header.lammpsVersion = LMP_VERNUM;
+  using mcawr::friction_log::Head;
+  for (const auto &[varies, value] : {std::pair{!pressure.variable.empty(), &Head::pressure},
+                                      {!velocity.variable.empty(), &Head::velocity},
+                                      {!domain->xperiodic, &Head::width},
+                                      {!domain->zperiodic, &Head::thickness}})
     if (varies)
-      header.varying.emplace_back(key);
+      header.varying.emplace_back(mcawr::friction_log::headNumber(value).key);
   std::string problem, note;
   if (comm->me == 0) {
     for (const Dump *dump : output->get_dump_list())
@@ -335,55 +336,45 @@ void FixMCADrive::reset_dt()
                update->dt, path, dt_of_log);
 }
 
-/* ----------------------------------------------------------------------
-   The layer moves as one rigid body in y: all its automata get the same acceleration. In x the
-   velocity is prescribed, in z there is none, and it does not rotate. Ranks wait for each
-   other only where the layer is split between them; what is for output is added up when asked for.
-------------------------------------------------------------------------- */
+/* Ranks wait for each other only where the layer is split between them; what is for output is
+   added up when asked for. */
 
 void FixMCADrive::post_force(int /*vflag*/)
 {
-  double **f = atom->f, **v = atom->v, **torque = atom->torque, **omega = atom->omega;
-  double sums[3] = {0.0, 0.0, 0.0};
-  for (const int i : members) {
-    sums[0] += f[i][0];
-    sums[1] += f[i][1];
-    sums[2] += atom->rmass[i] * v[i][1];
+  const mca::DrivenLayer::Arrays now = arrays();
+  mca::DrivenLayer::Pull pull = layer.pull(now);
+  stress = layer.stress(pull);
+  if (split) {
+    double parts[3] = {pull.x, pull.y, pull.momentum};
+    MPI_Allreduce(MPI_IN_PLACE, parts, 3, MPI_DOUBLE, MPI_SUM, world);
+    pull = {parts[0], parts[1], parts[2]};
   }
-  const double unit = force->nktv2p / area;
-  shear = -sums[0] * unit;
-  normal = sums[1] * unit;
-  if (split)
-    MPI_Allreduce(MPI_IN_PLACE, sums, 3, MPI_DOUBLE, MPI_SUM, world);
-
   evaluate();
-  const double speed = velocity.value, load = pressure.value * area / force->nktv2p;
-  const double per_mass = (sums[1] - load) / mass, vy = sums[2] / mass;
-  for (const int i : members) {
-    f[i][0] = f[i][2] = v[i][2] = 0.0;
-    for (int m = 0; m < 3; m++)
-      torque[i][m] = omega[i][m] = 0.0;
-    f[i][1] = per_mass * atom->rmass[i];
-    v[i][0] = speed;
-    v[i][1] = vy;
-  }
+  layer.carry(now, pull, {velocity.value, pressure.value});
+}
+
+mca::DrivenLayer::Arrays FixMCADrive::arrays() const
+{
+  mca::DrivenLayer::Arrays a{};
+  a.v = mca::flat(atom->v);
+  a.f = mca::flat(atom->f);
+  a.omega = mca::flat(atom->omega);
+  a.torque = mca::flat(atom->torque);
+  a.mass = atom->rmass;
+  return a;
 }
 
 void FixMCADrive::end_of_step()
 {
-  displacement += velocity.value * update->dt;
-  work += shear * area / force->nktv2p * velocity.value * update->dt;
-  shear_sum += shear;
-  normal_sum += normal;
-  samples += 1.0;
+  sums.add(layer, stress, velocity.value, update->dt);
   if (!path.empty() && update->ntimestep % every == 0)
     write_row();
 }
 
-FixMCADrive::Totals FixMCADrive::totals() const
+mca::DriveSums::Totals FixMCADrive::totals() const
 {
   const PairMCA::Count c = pair->count();
-  double all[6] = {c.links, c.broken, c.formed, work, shear_sum, normal_sum};
+  double all[6] = {c.links, c.broken, c.formed, sums.work, sums.shearSum, sums.normalSum};
   MPI_Allreduce(MPI_IN_PLACE, all, 6, MPI_DOUBLE, MPI_SUM, world);
   return {all[0], all[1], all[2], all[3], all[4], all[5]};
 }
@@ -397,17 +388,12 @@ double FixMCADrive::sum(double part) const
 void FixMCADrive::write_row()
 {
   pair->check_sample();
-  const Totals all = totals();
-  const double gap = height() - start_height;
+  const mca::DriveSums::Totals all = totals();
+  const double now_at = height();
   std::string problem;
   if (comm->me == 0) {
-    const double s = all.shear_sum / samples, n = all.normal_sum / samples;
     try {
-      log.write({static_cast<long long>(update->ntimestep),
-                 static_cast<double>(update->ntimestep) * update->dt * units.time,
-                 displacement * units.length, s * units.stress, n * units.stress,
-                 pressure.value > 0.0 ? s / pressure.value : 0.0, all.links,
-                 all.broken - broken_before, all.formed - formed_before, gap * units.length});
+      log.write(sums.row(all, update->ntimestep, update->dt, pressure.value, now_at, units));
     } catch (const std::runtime_error &e) {
       problem = e.what();
     }
@@ -421,31 +407,29 @@ void FixMCADrive::write_row()
           now - above);
     above = now;
   }
-  shear_sum = normal_sum = samples = 0.0;
-  broken_before = all.broken;
-  formed_before = all.formed;
+  sums.beginRow(all);
 }
 
 /* friction coefficient of this step: shear stress over the prescribed pressure */
 
 double FixMCADrive::compute_scalar()
 {
-  return pressure.value > 0.0 ? sum(shear) / pressure.value : 0.0;
+  return pressure.value > 0.0 ? sum(stress.shear) / pressure.value : 0.0;
 }
 
 double FixMCADrive::compute_vector(int n)
 {
   if (n == 0)
-    return sum(shear);
+    return sum(stress.shear);
   if (n == 1)
-    return sum(normal);
+    return sum(stress.normal);
   if (n == 2)
     return compute_scalar();
   if (n == 3)
-    return displacement;
+    return sums.displacement;
   if (n == 4)
-    return height() - start_height;
-  return sum(work);
+    return height() - sums.startHeight;
+  return sum(sums.work);
 }
 
 /* ----------------------------------------------------------------------
@@ -455,43 +439,26 @@ double FixMCADrive::compute_vector(int n)
 
 void FixMCADrive::write_restart(FILE *fp)
 {
-  const Totals all = totals();
-  // as the run that continues will add them up
-  work = all.work;
-  shear_sum = all.shear_sum;
-  normal_sum = all.normal_sum;
-  keep_parts();
+  const mca::DriveSums::Totals all = totals();
+  sums.gather(all, comm->me == 0); // as the run that continues will add them up
   if (comm->me != 0)
     return;
-  mca::LogRows rows = log.rows();
-  if (!log.isOpen())
-    rows.number = -1;
-  mca::writeFixBlock(
-      fp, mca::textOf({start_height, displacement, all.work, all.shear_sum, all.normal_sum, samples,
-                       broken_before - all.broken, formed_before - all.formed, rows}));
+  mca::DriveState state;
+  state.sums = sums;
+  state.sums.brokenBefore -= all.broken;
+  state.sums.formedBefore -= all.formed;
+  if (log.isOpen())
+    state.rows = log.rows();
+  mca::writeFixBlock(fp, mca::textOf(state));
 }
 
 void FixMCADrive::restart(char *buf)
 {
   const std::string text = mca::fixBlockText(lmp, buf, "fix mca/drive");
   const auto state = mca::readOrStop(lmp, [&] { return mca::driveStateIn(text); });
-  start_height = state.startHeight;
-  displacement = state.displacement;
-  work = state.work;
-  shear_sum = state.shearSum;
-  normal_sum = state.normalSum;
-  samples = state.samples;
-  broken_before = state.brokenBefore;
-  formed_before = state.formedBefore;
+  sums = state.sums;
   past = state.rows;
-  keep_parts();
+  if (comm->me != 0) // what all ranks know becomes the first one's
+    sums.work = sums.shearSum = sums.normalSum = 0.0;
   restarted = true;
-}
-
-/* sums that all ranks know become the first one's */
-
-void FixMCADrive::keep_parts()
-{
-  if (comm->me != 0)
-    work = shear_sum = normal_sum = 0.0;
 }

@@ -9,7 +9,7 @@
 
 #include "fix.h"
 
-#include "files/friction_log_writer.h"
+#include "files/drive_sums.h"
 
 #include <string>
 #include <vector>
@@ -72,6 +72,8 @@ class FixMCADrive : public Fix {
   bool begun;
   /// State came from a restart file.
   bool restarted;
+  /// Sums of the layer and of the row in progress.
+  mca::DriveSums sums;
   /// Rows of the log of the run that wrote the restart file; number -1: it had no log.
   mca::LogRows past;
   /// The step when the log was opened [time].
@@ -80,29 +82,13 @@ class FixMCADrive : public Fix {
   /// modulus and the smallest strength [pressure].
   double largest_velocity, largest_pressure, least_strength;
 
-  /// Own automata of the layer, since the last exchange of automata.
-  std::vector<int> members;
-  /// Nominal contact area [length^2]: box length in x times that in z, or thickness.
-  double area;
+  /// Its members are own automata since the last exchange of automata; its area is the box length
+  /// in x times that in z, or the thickness.
+  mca::DrivenLayer layer;
   /// The layer has automata on several ranks, which then add up its forces in each step.
   bool split;
-  /// Of the layer, over all ranks [mass].
-  double mass;
-  /// This rank's part of the stresses on the layer now [pressure]: tau = -sum F_x/A, sigma_n = sum
-  /// F_y/A.
-  double shear, normal;
-  /// Of the layer in its first set-up [length]; kept in restart files.
-  double start_height;
-  /// Of the layer in x since its first set-up [length]: the sum of V dt.
-  double displacement;
-  /// This rank's parts: work [energy] since the beginning, sums of stresses [pressure] since the
-  /// last row.
-  double work, shear_sum, normal_sum;
-  /// Number of steps since the last row.
-  double samples;
-  /// Events of the sample until the last row; negative after a restart, since the counters begin
-  /// anew.
-  double broken_before, formed_before;
+  /// This rank's part of the stresses on the layer now [pressure].
+  mca::DrivenLayer::Stress stress;
   /// Automata above the layer that are known of, so that each is told of once.
   bigint above;
 
@@ -128,15 +114,12 @@ class FixMCADrive : public Fix {
   /// Means of the row, events in it; warns of automata that left the fragment. All ranks stop where
   /// the log cannot be written.
   void write_row();
-  /// Of all ranks: links now, events since the pair style was created, and the parts above.
-  struct Totals {
-    double links, broken, formed, work, shear_sum, normal_sum;
-  };
-  Totals totals() const;
+  /// Of all ranks: links now, events since the pair style was created, and the parts of `sums`.
+  mca::DriveSums::Totals totals() const;
+  /// LAMMPS's arrays as they are now, for one call.
+  mca::DrivenLayer::Arrays arrays() const;
   /// Over all ranks.
   double sum(double part) const;
-  /// Sums that all ranks know become the first one's.
-  void keep_parts();
 };
 
 } // namespace LAMMPS_NS

@@ -14,8 +14,8 @@ std::string formatLine()
 std::string columnLine()
 {
   std::string line;
-  for (const char *name : columnNames)
-    line += name + std::string(" ");
+  for (const Column &column : columns)
+    line += column.name + std::string(" ");
   return line + checkName;
 }
 

@@ -3,6 +3,8 @@
 #define MCAWR_SHARED_FRICTION_LOG_FORMAT_H
 
 #include <array>
+#include <cstddef>
+#include <stdexcept>
 #include <string>
 
 /// The friction log, format `mca-friction 1` (doc/friction_log.md): all that its writer (the
@@ -74,54 +76,80 @@ constexpr double largestWhole = 9e15;
 /// reads every log whose numbers are within theirs.
 /// @param value in the unit of its `HeadNumber`
 bool isIn(Range range, double value);
-/// The same for the numbers of a row: finite, within +-largest; `Step` is whole and >= 0.
+/// The same for the numbers of a row: finite, within +-largest; `step` is whole and >= 0.
 bool isInRow(double value);
 /// The range in words: "> 0 (MPa), 1e-12 to 1e+12". @param unit empty for pure numbers
 /// @return a half-sentence for messages: what is allowed
 std::string describe(Range range, const std::string &unit);
 
+/// What a log says of its run in numbers, in the units above; whole ones, too, are doubles, which
+/// hold them exactly. `headNumbers` says where each stands in a log, and what it may be.
+struct Head {
+  double youngsModulus = 0.0, poissonsRatio = 0.0, density = 0.0;
+  double elasticLimit = 0.0, yieldStrength = 0.0, yieldStrain = 0.0;
+  double strength = 0.0, breakingStrain = 0.0, viscosity = 0.0;
+  double pressure = 0.0, velocity = 0.0;
+  double width = 0.0, thickness = 0.0, diameter = 0.0, automata = 0.0;
+  double timestep = 0.0, every = 0.0, seed = 0.0;
+};
+
 /// A number in the head.
 /// The reader refuses a number outside its range with file, line, key, value and `describe`'s
 /// words.
 struct HeadNumber {
+  double Head::*value;
   const char *section, *key;
   const char *unit; ///< empty: pure number
   Range range;
+  bool needed; ///< by readers: a log without it is refused; the others say more about the run
+  const char *meaning;
 };
-/// Those that a reader needs; every log has them except `run: seed`.
-namespace head {
-/// E and Poisson's ratio: elastic constants of the material, of all automata alike.
-constexpr HeadNumber youngsModulus = {section::material, "youngs_modulus", "MPa", Range::Positive};
-constexpr HeadNumber poissonsRatio = {section::material, "poissons_ratio", "",
-                                      Range::PoissonsRatio};
-/// rho and eta of the material; without viscosity its number is 0.
-constexpr HeadNumber density = {section::material, "density", "kg/m3", Range::Positive};
-/// sigma_0 of the paper (Bucher et al. 2006), which all kappas are made with: kappa3 = E/sigma_0.
-constexpr HeadNumber strength = {section::material, "strength", "MPa", Range::Positive};
-constexpr HeadNumber viscosity = {section::material, "viscosity", "Pa s", Range::NotNegative};
-/// Normal stress p that the run prescribes: kappa2 = p E/sigma_0^2. At 0 the column mu is 0.
-constexpr HeadNumber pressure = {section::loading, "pressure", "MPa", Range::NotNegative};
-/// Of the driven layer along x, v: kappa1 = rho E v^2/sigma_0^2. The layer may be driven backwards;
-/// shear stress and mu are negative then.
-constexpr HeadNumber velocity = {section::loading, "velocity", "m/s", Range::Signed};
-/// Of the random numbers; runs that differ in it only are replicates.
-constexpr HeadNumber seed = {section::run, "seed", "", Range::SignedWhole};
-/// Those that say more about the run.
-/// First and second yield stress of the response function and the strains that go with them.
-constexpr HeadNumber elasticLimit = {section::material, "elastic_limit", "MPa", Range::Positive};
-constexpr HeadNumber yieldStrength = {section::material, "yield_strength", "MPa", Range::Positive};
-constexpr HeadNumber yieldStrain = {section::material, "yield_strain", "", Range::Positive};
-constexpr HeadNumber breakingStrain = {section::material, "breaking_strain", "", Range::Positive};
-/// Size of the sample and diameter of an automaton, nm; number of automata.
-constexpr HeadNumber width = {section::geometry, "width", "nm", Range::Positive};
-constexpr HeadNumber thickness = {section::geometry, "thickness", "nm", Range::Positive};
-constexpr HeadNumber diameter = {section::geometry, "diameter", "nm", Range::Positive};
-constexpr HeadNumber automata = {section::geometry, "automata", "", Range::Whole};
-/// Time step of the run, and steps from one row to the next.
-constexpr HeadNumber timestep = {section::run, "timestep", "ns", Range::Positive};
-constexpr HeadNumber every = {section::run, "every", "", Range::Whole};
-} // namespace head
-/// Name of the packing in the section `geometry`: hex in a plane; fcc, hcp, sc in space.
+/// In the order in which they are written; a section's stand together.
+constexpr std::array<HeadNumber, 18> headNumbers = {{
+    {&Head::youngsModulus, section::material, "youngs_modulus", "MPa", Range::Positive, true,
+     "E, of all automata alike"},
+    {&Head::poissonsRatio, section::material, "poissons_ratio", "", Range::PoissonsRatio, true,
+     "nu"},
+    {&Head::density, section::material, "density", "kg/m3", Range::Positive, true, "rho"},
+    {&Head::elasticLimit, section::material, "elastic_limit", "MPa", Range::Positive, false,
+     "first yield stress of the response function"},
+    {&Head::yieldStrength, section::material, "yield_strength", "MPa", Range::Positive, false,
+     "its second yield stress"},
+    {&Head::yieldStrain, section::material, "yield_strain", "", Range::Positive, false,
+     "total strain at the second yield stress"},
+    {&Head::strength, section::material, "strength", "MPa", Range::Positive, true,
+     "sigma_0 of Bucher et al. (2006), which all kappas are made with: kappa3 = E/sigma_0"},
+    {&Head::breakingStrain, section::material, "breaking_strain", "", Range::Positive, false,
+     "total strain at the strength"},
+    {&Head::viscosity, section::material, "viscosity", "Pa s", Range::NotNegative, true,
+     "eta; without viscosity 0"},
+    {&Head::pressure, section::loading, "pressure", "MPa", Range::NotNegative, true,
+     "prescribed normal stress p: kappa2 = p E/sigma_0^2; at 0 the column mu is 0"},
+    {&Head::velocity, section::loading, "velocity", "m/s", Range::Signed, true,
+     "of the driven layer along x, v: kappa1 = rho E v^2/sigma_0^2; the layer may be driven "
+     "backwards, then shear stress and mu are negative"},
+    {&Head::width, section::geometry, "width", "nm", Range::Positive, false, "of the sample in x"},
+    {&Head::thickness, section::geometry, "thickness", "nm", Range::Positive, false,
+     "of the sample in z, or of the discs"},
+    {&Head::diameter, section::geometry, "diameter", "nm", Range::Positive, false,
+     "of an automaton"},
+    {&Head::automata, section::geometry, "automata", "", Range::Whole, false, "their number"},
+    {&Head::timestep, section::run, "timestep", "ns", Range::Positive, false, "of the run"},
+    {&Head::every, section::run, "every", "", Range::Whole, false, "steps in a row"},
+    {&Head::seed, section::run, "seed", "", Range::SignedWhole, false,
+     "of the random numbers; runs that differ in it only are replicates"},
+}};
+/// The row of one of them.
+/// \throw std::logic_error  it has none
+constexpr const HeadNumber &headNumber(double Head::*value)
+{
+  for (const HeadNumber &number : headNumbers)
+    if (number.value == value)
+      return number;
+  throw std::logic_error("a number without a row in the head");
+}
+
+/// The packing in the section `geometry`, before `automata`: hex in a plane; fcc, hcp, sc in space.
 constexpr const char *packingKey = "packing";
 /// Sections that tell what computed the run: a reader keeps them word by word.
 constexpr std::array<const char *, 2> madeBySections = {section::program, section::laws};
@@ -129,33 +157,46 @@ constexpr std::array<const char *, 2> madeBySections = {section::program, sectio
 /// replicas of one condition.
 constexpr std::array<const char *, 3> conditionSections = {section::material, section::loading,
                                                            section::geometry};
-constexpr const char *timestepKey = "timestep"; ///< of the section `run`, ns
 
-/// Columns of a row in the order in which they are written; a reader goes by their names.
-/// A row is the mean over, or the state at the end of, the steps since the row before.
-enum Column {
-  Step,         ///< strictly increasing, evenly spaced, whole, >= 0
-  Time,         ///< ns, end of the row's interval
-  Displacement, ///< nm, of the driven layer
-  ShearStress,  ///< MPa, mean over the row
-  NormalStress, ///< MPa, mean over the row
-  Mu,           ///< mean shear stress over the prescribed pressure
-  Links,        ///< number now
-  Broken,       ///< in the row
-  Formed,       ///< in the row
-  Gap,          ///< nm
-  Columns
+/// A row: the mean over, or the state at the end of, the steps since the row before.
+struct Row {
+  double step = 0.0; ///< whole
+  double time = 0.0, displacement = 0.0;
+  double shearStress = 0.0, normalStress = 0.0, mu = 0.0;
+  double links = 0.0, broken = 0.0, formed = 0.0, gap = 0.0;
 };
-/// Element k is the name of Column k.
-constexpr std::array<const char *, Columns> columnNames = {
-    "step", "time",  "displacement", "shear_stress", "normal_stress",
-    "mu",   "links", "broken",       "formed",       "gap"};
+
+/// What a row's number stands for; packing several rows to one takes means, sums or the last one.
+enum class Over { End, Mean, Sum };
+
+/// A column.
+struct Column {
+  double Row::*value;
+  const char *name;
+  const char *unit; ///< empty: pure number
+  Over over;
+  int digits; ///< that are written
+  const char *meaning;
+};
+/// In the order in which they are written; a reader goes by their names.
+constexpr std::array<Column, 10> columns = {{
+    {&Row::step, "step", "", Over::End, 15, "strictly increasing, evenly spaced, whole, >= 0"},
+    {&Row::time, "time", "ns", Over::End, 10, "end of the row's interval"},
+    {&Row::displacement, "displacement", "nm", Over::End, 10, "of the driven layer in x"},
+    {&Row::shearStress, "shear_stress", "MPa", Over::Mean, 8, "on the driven layer, -F_x/A"},
+    {&Row::normalStress, "normal_stress", "MPa", Over::Mean, 8, "on the driven layer, F_y/A"},
+    {&Row::mu, "mu", "", Over::Mean, 8, "shear stress over the prescribed pressure"},
+    {&Row::links, "links", "", Over::End, 10, "number of links of both kinds"},
+    {&Row::broken, "broken", "", Over::Sum, 10, "links that broke"},
+    {&Row::formed, "formed", "", Over::Sum, 10, "contacts that became links"},
+    {&Row::gap, "gap", "nm", Over::End, 8, "rise of the driven layer since its start"},
+}};
 
 /// Name of the column behind these, which finds damage and what was changed: CRC-32
 /// (`RunningChecksum`) of all bytes of the file before the number, which is decimal. Readers take
 /// logs without it.
 constexpr const char *checkName = "check";
-constexpr int columnsWritten = Columns + 1; ///< with it
+constexpr std::size_t columnsWritten = columns.size() + 1; ///< with it
 
 /// "step time displacement ... check", the line below the head.
 /// A reader finds its columns by the names in this line, whatever their order.

@@ -8,6 +8,7 @@ stresses in MPa, lengths in nm, whatever the units of the run.
 import dataclasses
 import itertools
 import os
+import typing
 import zlib
 
 from .errors import BadInput
@@ -15,23 +16,34 @@ from .files import open_now, read_text
 from .numbers import decimal, whole
 
 FORMAT = "mca-friction 1"
-COLUMNS = (
-    "step",
-    "time",  # ns
-    "displacement",  # nm, of the driven layer
-    "shear_stress",  # MPa, mean over the row's interval
-    "normal_stress",  # MPa, mean over the row's interval
-    "mu",  # mean over the row's interval
-    "links",  # at its end
-    "broken",  # in it
-    "formed",  # in it
-    "gap",  # nm, at its end
+
+
+class Column(typing.NamedTuple):
+    """A column, as `columns` of src/shared/friction_log_format.h has it."""
+
+    name: str
+    unit: str  # "": a pure number
+    over: str  # the interval of a row: its End, the Mean over it, or the Sum
+
+
+TABLE = (
+    Column("step", "", "End"),
+    Column("time", "ns", "End"),
+    Column("displacement", "nm", "End"),
+    Column("shear_stress", "MPa", "Mean"),
+    Column("normal_stress", "MPa", "Mean"),
+    Column("mu", "", "Mean"),
+    Column("links", "", "End"),
+    Column("broken", "", "Sum"),
+    Column("formed", "", "Sum"),
+    Column("gap", "nm", "End"),
 )
+COLUMNS = tuple(column.name for column in TABLE)
+MEANS = tuple(column.name for column in TABLE if column.over == "Mean")
+SUMS = tuple(column.name for column in TABLE if column.over == "Sum")
 CHECK = "check"  # column behind them: CRC-32 of all bytes before the number; may be missing
 LARGEST = 1e12  # of any number; the reader for C++ has the same
 SPACING = 0.02  # tolerance of the time between rows, which is printed rounded
-MEANS = ("shear_stress", "normal_stress", "mu")  # over the interval of a row
-SUMS = ("broken", "formed")  # over the interval of a row; all others are the state at its end
 CAMPAIGN = "# campaign: "  # line of the head with JSON: command, rows_averaged; of packed logs
 
 

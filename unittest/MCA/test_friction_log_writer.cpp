@@ -49,9 +49,20 @@ class FrictionLogWriterTest : public testing::Test {
     return h;
   }
 
-  static mca::LogRow row(long long step)
+  static mca::LogRow row(double step)
   {
-    return {step, step * 5e-5, step * 2.5e-4, 7.5, 15, 0.5, 3000, 4, 5, -0.1};
+    mca::LogRow row;
+    row.step = step;
+    row.time = step * 5e-5;
+    row.displacement = step * 2.5e-4;
+    row.shearStress = 7.5;
+    row.normalStress = 15;
+    row.mu = 0.5;
+    row.links = 3000;
+    row.broken = 4;
+    row.formed = 5;
+    row.gap = -0.1;
+    return row;
   }
 
   std::string text() const

@@ -91,9 +91,25 @@ TEST(RestartFormat, materialsReadBack)
 
 TEST(RestartFormat, countsOfADriveAreCounts)
 {
-  const DriveState state = {1, 1.0 / 3.0, 3, 4, 5, 6, -7.5, -8, {9, 900}};
+  DriveState state;
+  state.sums.startHeight = 1;
+  state.sums.displacement = 1.0 / 3.0;
+  state.sums.samples = 6;
+  state.sums.brokenBefore = -7.5;
+  state.rows = {9, 900};
   const std::string text = textOf(state);
   EXPECT_EQ(textOf(driveStateIn(text)), text);
+  const DriveState read = driveStateIn("1 2 3 4 5 6 -7.5 8 9 10 ");
+  EXPECT_EQ(read.sums.startHeight, 1);
+  EXPECT_EQ(read.sums.displacement, 2);
+  EXPECT_EQ(read.sums.work, 3);
+  EXPECT_EQ(read.sums.shearSum, 4);
+  EXPECT_EQ(read.sums.normalSum, 5);
+  EXPECT_EQ(read.sums.samples, 6);
+  EXPECT_EQ(read.sums.brokenBefore, -7.5);
+  EXPECT_EQ(read.sums.formedBefore, 8);
+  EXPECT_EQ(read.rows.number, 9);
+  EXPECT_EQ(read.rows.last, 10);
   for (const char *bad :
        {"1 2 3 4 5 6.5 7 8 9 10", "1 2 3 4 5 -6 7 8 9 10", "1 2 3 4 5 6 7 8 -2 10",
         "1 2 3 4 5 6 7 8 1e300 10", "1 2 3 4 5 6 7 8 9 -1e19", "1 2 3 4 5 6 7 8 9 0.1"})

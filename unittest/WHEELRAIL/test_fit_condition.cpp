@@ -18,9 +18,9 @@ FrictionPoint run(double kappa1, double kappa2, double mu, double muSe, long see
   point.kappa3 = 2239.0;
   point.mu = mu;
   point.muSe = muSe;
-  point.seed = seed;
+  point.head.seed = static_cast<double>(seed);
   point.tStart = 0.0;
-  point.strength = 92.0;
+  point.head.strength = 92.0;
   point.condition = {{"material", "steel"}, {"timestep", "5e-05"}};
   point.madeBy = {{"laws.preset", "b"}};
   return point;

@@ -80,10 +80,10 @@ void expectContains(const std::string &text, const std::string &part)
 TEST(FrictionLog, readsMaterialLoadingAndSeries)
 {
   const auto log = readFrictionLog(write(goodLog()));
-  EXPECT_EQ(log.youngsModulus, 206000);
-  EXPECT_EQ(log.strength, 92);
-  EXPECT_EQ(log.pressure, 15);
-  EXPECT_EQ(log.seed, 7);
+  EXPECT_EQ(log.head.youngsModulus, 206000);
+  EXPECT_EQ(log.head.strength, 92);
+  EXPECT_EQ(log.head.pressure, 15);
+  EXPECT_EQ(log.head.seed, 7);
   EXPECT_EQ(log.madeBy.at("laws.preset"), "B");
   EXPECT_EQ(log.madeBy.at("program.lammps"), "20250204");
   ASSERT_EQ(log.mu.size(), 100u);
@@ -173,13 +173,13 @@ TEST(FrictionLog, badHeadIsOneClearLine)
 TEST(FrictionLog, whatTheDriveMayWriteIsRead)
 {
   namespace format = mcawr::friction_log;
-  EXPECT_EQ(readFrictionLog(write(replaced(goodLog(), "seed: 7", "seed: -1"))).seed, -1);
+  EXPECT_EQ(readFrictionLog(write(replaced(goodLog(), "seed: 7", "seed: -1"))).head.seed, -1);
   // driven backwards: shear stress and mu are negative, the friction coefficient is not
   std::string backwards = replaced(head, "velocity: 5", "velocity: -5") + columns;
   for (int i = 1; i <= 100; ++i)
     backwards += row(i, -0.4);
   const auto log = readFrictionLog(write(backwards));
-  EXPECT_EQ(log.velocity, -5.0);
+  EXPECT_EQ(log.head.velocity, -5.0);
   EXPECT_DOUBLE_EQ(log.mu[99], 0.4);
   EXPECT_DOUBLE_EQ(log.kappa1(), readFrictionLog(write(goodLog())).kappa1());
   // without pressure the plugin writes mu = 0, whatever the shear stress
@@ -193,7 +193,7 @@ TEST(FrictionLog, whatTheDriveMayWriteIsRead)
                                  columns + "1000 1e12 -1e12 0 0 0 0 0 0 1e12\n"));
   };
   for (double p : {0.0, 1.0 / format::largest, format::largest})
-    EXPECT_EQ(withPressure(p).pressure, p);
+    EXPECT_EQ(withPressure(p).head.pressure, p);
 }
 
 TEST(FrictionLog, whatRanIsKeysAndValues)
@@ -320,7 +320,7 @@ TEST(FrictionPoint, copiesOfARunAreToldFromOtherRuns)
   EXPECT_FALSE(sameRun(run, point(4, 75, 1e-5)));
   EXPECT_FALSE(sameRun(point(1, 3), point(4, 75))); // no row in common
   auto another = run;
-  another.seed = 8; // whose rough line gave the same blocks
+  another.head.seed = 8; // whose rough line gave the same blocks
   EXPECT_TRUE(sameRun(run, another));
   another.madeBy["laws.preset"] = "A";
   EXPECT_FALSE(sameRun(run, another));

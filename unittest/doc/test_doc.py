@@ -14,6 +14,7 @@ from pathlib import Path
 import pytest
 import yaml
 
+from mcawr import friction_log
 from mcawr.files import read_text
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -203,12 +204,18 @@ def test_potential_file():
 
 
 def test_friction_log():
-    """Columns and head as the format's one description for C++ has them."""
+    """Columns and head as the format's one description for C++ has them, in Python, too."""
     schema = (ROOT / "src/shared/friction_log_format.h").read_text(encoding="utf-8")
-    columns = re.findall(r'"(\w+)"', re.search(r"columnNames = {(.*?)}", schema, re.DOTALL)[1])
-    columns.append(re.search(r'checkName = "(\w+)"', schema)[1])
+    row = re.compile(r'\{&Row::\w+, "(\w+)", "([^"]*)", Over::(\w+),')
+    assert row.findall(schema) == list(map(tuple, friction_log.TABLE))
+    assert re.search(r'checkName = "(\w+)"', schema)[1] == friction_log.CHECK
+    columns = [*friction_log.COLUMNS, friction_log.CHECK]
     text = page("friction_log.md")
-    assert re.findall(r"^\| `(\w+)` \|[^|]*\|[^|]*\|$", text, re.MULTILINE) == columns
+    table = re.findall(r"^\| `(\w+)` \|[^|]*\| ?([^|]*?) ?\|$", text, re.MULTILINE)
+    assert table == [
+        *((column.name, column.unit) for column in friction_log.TABLE),
+        (friction_log.CHECK, ""),
+    ]
     assert f"\n{' '.join(columns)}\n" in text
     sections = re.search(r"namespace section {(.*?)}", schema, re.DOTALL)[1]
     written = ["format"] + re.findall(r'"(\w+)"', sections)
@@ -216,6 +223,14 @@ def test_friction_log():
     assert re.findall(r"^# (\w+): ", example, re.MULTILINE) == written
     head, _, check = example.rstrip("\n").rpartition(" ")
     assert int(check) == zlib.crc32(f"{head} ".encode())
+    numbers = re.findall(r'\{&Head::\w+, section::(\w+), "(\w+)"', schema)
+    given = yaml.safe_load(re.sub("^# ", "", example, flags=re.MULTILINE).split("\nstep ")[0])
+    assert numbers == [
+        (section, key)
+        for section in dict(numbers)
+        for key in given[section]
+        if (section, key) != ("geometry", "packing")
+    ]
     for head in re.findall(r"^\| `(\w+)` \|[^|]*\|$", text, re.MULTILINE):
         assert head in written
     shipped = read_text(f"{ROOT}/examples/campaign/logs/velocity.tar.xz/v5-seed1.friction")

@@ -122,9 +122,20 @@ std::string startedLog()
   const std::string path = logPath();
   mca::FrictionLogWriter log;
   log.begin(path, logHeader(), *mca::findUnits("nano"), 0, false);
-  for (long long step = 1000; step <= 5000; step += 1000)
-    log.write({step, 5e-5 * static_cast<double>(step), 2.5e-4 * static_cast<double>(step), 7.5, 15,
-               0.5, 1500, 4, 5, -0.1});
+  for (const double step : {1000.0, 2000.0, 3000.0, 4000.0, 5000.0}) {
+    mca::LogRow row;
+    row.step = step;
+    row.time = 5e-5 * step;
+    row.displacement = 2.5e-4 * step;
+    row.shearStress = 7.5;
+    row.normalStress = 15;
+    row.mu = 0.5;
+    row.links = 1500;
+    row.broken = 4;
+    row.formed = 5;
+    row.gap = -0.1;
+    log.write(row);
+  }
   std::ostringstream text;
   text << std::ifstream(path).rdbuf();
   std::filesystem::remove(path);
@@ -231,7 +242,20 @@ mca::PairSettings settings(const std::vector<std::string> &words, const char *pa
   return settings;
 }
 
-const mca::DriveState drive = {21.25, 1.0 / 3.0, 812.5, 7.5, -15.25, 37, -4, -2.5, {12, 1200}};
+mca::DriveState driveState()
+{
+  mca::DriveState drive;
+  drive.sums.startHeight = 21.25;
+  drive.sums.displacement = 1.0 / 3.0;
+  drive.sums.work = 812.5;
+  drive.sums.shearSum = 7.5;
+  drive.sums.normalSum = -15.25;
+  drive.sums.samples = 37;
+  drive.sums.brokenBefore = -4;
+  drive.sums.formedBefore = -2.5;
+  drive.rows = {12, 1200};
+  return drive;
+}
 
 void readSettings(const std::string &text)
 {
@@ -270,7 +294,7 @@ std::string restartFile()
   kept.keepPlace(fp);
   mca::writeBlock(fp, mca::textOf(settings({"preset", "b"}, "hex")));
   mca::writeBlock(fp, mca::textOf({steel(), steel()}));
-  mca::writeFixBlock(fp, mca::textOf(drive));
+  mca::writeFixBlock(fp, mca::textOf(driveState()));
   fwrite("LammpS RestartT", 1, 16, fp);
   fclose(fp);
   require(kept.close(file.path), "no checksum");
@@ -443,7 +467,7 @@ std::vector<Reader> pluginReaders()
         mca::textOf(settings({"link", "2.35", "weld", "none", "heal", "none"}, "fcc"))},
        refusing(readSettings)},
       {"restart_materials", {mca::textOf({steel(), steel()})}, refusing(readMaterials)},
-      {"restart_drive", {mca::textOf(drive)}, refusing(readDrive)},
+      {"restart_drive", {mca::textOf(driveState())}, refusing(readDrive)},
       {"restart_records", {records()}, refusing(readRecords)},
       {"restart", {restartFile()}, refusing(readMendedRestart)},
       {"sealed_restart", {restartFile()}, refusing(readSealedRestart)},

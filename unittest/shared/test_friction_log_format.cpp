@@ -13,6 +13,20 @@ TEST(FrictionLogFormat, Lines)
                           "formed gap check");
 }
 
+TEST(FrictionLogFormat, EachNumberHasOneRow)
+{
+  for (std::size_t k = 0; k < headNumbers.size(); k++) {
+    EXPECT_EQ(&headNumber(headNumbers[k].value), &headNumbers[k]) << headNumbers[k].key;
+    EXPECT_STRNE(headNumbers[k].meaning, "") << headNumbers[k].key;
+  }
+  EXPECT_EQ(sizeof(Head), headNumbers.size() * sizeof(double));
+  EXPECT_STREQ(headNumber(&Head::seed).key, "seed");
+  EXPECT_EQ(sizeof(Row), columns.size() * sizeof(double));
+  for (std::size_t k = 0; k < columns.size(); k++)
+    for (std::size_t m = 0; m < k; m++)
+      EXPECT_TRUE(columns[m].value != columns[k].value) << columns[k].name;
+}
+
 TEST(FrictionLogFormat, Ranges)
 {
   const double nan = std::numeric_limits<double>::quiet_NaN();

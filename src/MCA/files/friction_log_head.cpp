@@ -40,42 +40,58 @@ class Section {
   }
   void add(const format::HeadNumber &what, double value)
   {
-    check(what, value, number(value));
-    add(what.key, number(value));
+    const bool whole =
+        what.range == format::Range::Whole || what.range == format::Range::SignedWhole;
+    const std::string word = whole ? std::to_string(static_cast<long long>(value)) : number(value);
+    if (!format::isIn(what.range, value))
+      throw std::runtime_error(
+          std::string(what.key) + " is " + word +
+          ", allowed in a friction log: " + format::describe(what.range, what.unit));
+    add(what.key, word);
   }
-  void add(const format::HeadNumber &what, long long value)
-  {
-    check(what, static_cast<double>(value), std::to_string(value));
-    add(what.key, std::to_string(value));
-  }
-
   std::string line() const { return line_ + (empty_ ? ": {}\n" : "}\n"); }
 
  private:
   std::string line_;
   bool empty_ = true;
-
-  static void check(const format::HeadNumber &what, double value, const std::string &word)
-  {
-    if (!format::isIn(what.range, value))
-      throw std::runtime_error(
-          std::string(what.key) + " is " + word +
-          ", allowed in a friction log: " + format::describe(what.range, what.unit));
-  }
 };
 
-std::string materialLine(const Material &m, const Units &u)
+format::Head numbersOf(const LogHeader &h, const Units &u)
 {
-  Section section(format::section::material);
-  section.add(format::head::youngsModulus, m.youngsModulus * u.stress);
-  section.add(format::head::poissonsRatio, m.poissonsRatio);
-  section.add(format::head::density, m.density * u.density());
-  section.add(format::head::elasticLimit, m.sigmaY1() * u.stress);
-  section.add(format::head::yieldStrength, m.sigmaY2() * u.stress);
-  section.add(format::head::yieldStrain, m.yieldStrain);
-  section.add(format::head::strength, m.strength * u.stress);
-  section.add(format::head::breakingStrain, m.breakingStrain);
-  section.add(format::head::viscosity, m.viscosity * u.viscosity());
+  format::Head n;
+  n.youngsModulus = h.material.youngsModulus * u.stress;
+  n.poissonsRatio = h.material.poissonsRatio;
+  n.density = h.material.density * u.density();
+  n.elasticLimit = h.material.sigmaY1() * u.stress;
+  n.yieldStrength = h.material.sigmaY2() * u.stress;
+  n.yieldStrain = h.material.yieldStrain;
+  n.strength = h.material.strength * u.stress;
+  n.breakingStrain = h.material.breakingStrain;
+  n.viscosity = h.material.viscosity * u.viscosity();
+  n.pressure = h.pressure * u.stress;
+  n.velocity = h.velocity * u.velocity();
+  n.width = h.width * u.length;
+  n.thickness = h.thickness * u.length;
+  n.diameter = h.material.diameter * u.length;
+  n.automata = static_cast<double>(h.automata);
+  n.timestep = h.timestep * u.time;
+  n.every = static_cast<double>(h.every);
+  n.seed = static_cast<double>(h.seed);
+  return n;
+}
+
+/// The line of a section of numbers; in that of the geometry the packing comes before the number of
+/// automata.
+std::string numbersLine(const char *name, const format::Head &numbers, const std::string &packing)
+{
+  Section section(name);
+  for (const format::HeadNumber &number : format::headNumbers) {
+    if (std::string(number.section) != name)
+      continue;
+    if (number.value == &format::Head::automata)
+      section.add(format::packingKey, packing);
+    section.add(number, numbers.*number.value);
+  }
   return section.line();
 }
 
@@ -125,34 +141,25 @@ const Entry *find(const std::vector<Entry> &all, const Entry &named)
 std::string headOf(const LogHeader &h, const Units &u)
 {
   namespace names = format::section;
-  Section program(names::program), units(names::units), loading(names::loading),
-      geometry(names::geometry), laws(names::laws), run(names::run);
+  Section program(names::program), units(names::units), laws(names::laws);
   program.add("name", "mca-wheelrail");
   program.add("version", MCA_VERSION);
   program.add("lammps", std::to_string(h.lammpsVersion));
   for (const auto &[quantity, unit] : format::units)
     units.add(quantity, unit);
-  loading.add(format::head::pressure, h.pressure * u.stress);
-  loading.add(format::head::velocity, h.velocity * u.velocity());
-  geometry.add(format::head::width, h.width * u.length);
-  geometry.add(format::head::thickness, h.thickness * u.length);
-  geometry.add(format::head::diameter, h.material.diameter * u.length);
-  geometry.add(format::packingKey, h.packing);
-  geometry.add(format::head::automata, h.automata);
   for (size_t k = 0; k + 1 < h.laws.size(); k += 2)
     laws.add(h.laws[k], h.laws[k + 1]);
-  run.add(format::head::timestep, h.timestep * u.time);
-  run.add(format::head::every, h.every);
-  run.add(format::head::seed, h.seed);
-  return format::formatLine() + "\n" + program.line() + units.line() + materialLine(h.material, u) +
-         loading.line() + geometry.line() + laws.line() + run.line();
+  const format::Head numbers = numbersOf(h, u);
+  auto line = [&](const char *name) { return numbersLine(name, numbers, h.packing); };
+  return format::formatLine() + "\n" + program.line() + units.line() + line(names::material) +
+         line(names::loading) + line(names::geometry) + laws.line() + line(names::run);
 }
 
 std::string differenceFrom(const std::string &head, const LogHeader &header, const Units &units)
 {
   const std::vector<Entry> there = entriesOf(head), here = entriesOf(headOf(header, units));
   std::vector<std::string> varying = header.varying;
-  varying.emplace_back(format::head::automata.key);
+  varying.emplace_back(format::headNumber(&format::Head::automata).key);
   auto counts = [&](const Entry &e) {
     return e.section != format::section::program &&
            std::find(varying.begin(), varying.end(), e.key) == varying.end();

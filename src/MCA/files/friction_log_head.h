@@ -18,25 +18,25 @@ namespace mca {
 struct LogHeader {
   /// In the run's units; its values go to the head one by one.
   Material material;
-  /// Loading: normal pressure [stress] and sliding velocity; of variables the first values.
-  double pressure, velocity;
-  /// Geometry [length]: box length in x, and h of the discs or the box length in z.
-  double width, thickness;
+  /// Normal pressure [stress] and sliding velocity; of variables the first values.
+  double pressure = 0.0, velocity = 0.0;
+  /// Box length in x, and h of the discs or the box length in z [length].
+  double width = 0.0, thickness = 0.0;
   /// Its name: hex, fcc, hcp, sc.
   std::string packing;
   /// In the whole sample.
-  long long automata;
+  long long automata = 0;
   /// Keyword-value pairs as LawSet::words() gives them; an odd last word is left out.
   std::vector<std::string> laws;
   /// [time]
-  double timestep;
+  double timestep = 0.0;
   /// Steps in a row; what the input script calls the seed of its roughness.
-  long long every, seed;
+  long long every = 0, seed = 0;
   /// As LAMMPS counts it, a date YYYYMMDD.
-  int lammpsVersion;
+  int lammpsVersion = 0;
   /// Keys whose value is the first one only: a loading given by a variable, a width that follows
   /// the automata.
-  std::vector<std::string> varying = {};
+  std::vector<std::string> varying;
 };
 
 /// The lines of the head, in the units of the log.

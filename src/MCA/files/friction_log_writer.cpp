@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "files/friction_log_writer.h"
 
-#include "shared/friction_log_format.h"
 #include "shared/plain_number.h"
 #include "shared/printable.h"
 
@@ -50,11 +49,11 @@ long long stepOf(const std::string &line, int number, const std::string &path)
       fail(path, "line " + std::to_string(number) + ": '" + word + "' is not a finite number");
     values.push_back(*value);
   }
-  if (values.size() != format::columnsWritten ||
-      !format::isIn(format::Range::Whole, values[format::Step]))
+  static_assert(format::columns.front().value == &format::Row::step);
+  if (values.size() != format::columnsWritten || !format::isIn(format::Range::Whole, values[0]))
     fail(path, "line " + std::to_string(number) + " is not a row of " +
                    std::to_string(format::columnsWritten) + " numbers that begin with a step");
-  return static_cast<long long>(values[format::Step]);
+  return static_cast<long long>(values[0]);
 }
 
 Contents read(const std::string &path)
@@ -162,23 +161,25 @@ void FrictionLogWriter::check(const LogHeader &header, const Units &units) const
     fail(path_, "its head does not fit: " + difference + "; give another file");
 }
 
-void FrictionLogWriter::write(const LogRow &r)
+void FrictionLogWriter::write(const LogRow &row)
 {
-  const double values[] = {r.time,  r.displacement, r.shearStress, r.normalStress, r.mu,
-                           r.links, r.broken,       r.formed,      r.gap};
-  if (!std::all_of(std::begin(values), std::end(values), format::isInRow))
-    fail(path_, "the row of step " + std::to_string(r.step) + " has numbers that are not finite");
-  std::array<char, 512> line; // ten numbers of at most 24 letters
-  std::snprintf(line.data(), line.size(), "%lld %.10g %.10g %.8g %.8g %.8g %.10g %.10g %.10g %.8g ",
-                r.step, r.time, r.displacement, r.shearStress, r.normalStress, r.mu, r.links,
-                r.broken, r.formed, r.gap);
+  const auto step = static_cast<long long>(row.step);
+  std::string line;
+  for (const format::Column &column : format::columns) {
+    const double value = row.*column.value;
+    if (!format::isInRow(value))
+      fail(path_, "the row of step " + std::to_string(step) + " has numbers that are not finite");
+    std::array<char, 32> word;
+    std::snprintf(word.data(), word.size(), "%.*g ", column.digits, value);
+    line += word.data();
+  }
   mcawr::RunningChecksum sum = sum_;
-  sum.add(line.data());
+  sum.add(line);
   const std::string check = std::to_string(sum.value()) + "\n";
-  file_.append(line.data() + check);
+  file_.append(line + check);
   sum.add(check);
   sum_ = sum;
-  rows_ = {rows_.number + 1, r.step};
+  rows_ = {rows_.number + 1, step};
 }
 
 } // namespace mca

@@ -7,6 +7,7 @@
 #define MCA_FRICTION_LOG_WRITER_H
 
 #include "files/friction_log_head.h"
+#include "shared/friction_log_format.h"
 #include "shared/output_file.h"
 #include "shared/running_checksum.h"
 
@@ -14,17 +15,9 @@
 
 namespace mca {
 
-/// One row, in units of the log: ns, nm, MPa. Stresses and mu are means over the row's steps,
-/// broken and formed the links of the row, `links` those that hold now, gap the rise of the layer
-/// since the beginning.
-struct LogRow {
-  /// Of the row's end; rows are sorted by it, and resume() looks at it.
-  long long step;
-  /// ns since step 0, nm of the layer since its first set-up, MPa, MPa, [-].
-  double time, displacement, shearStress, normalStress, mu;
-  /// Of the whole sample, all ranks; gap in nm.
-  double links, broken, formed, gap;
-};
+/// One row, in units of the log; its columns stand in shared/friction_log_format.h. Rows are sorted
+/// by their step, which resume() looks at.
+using LogRow = mcawr::friction_log::Row;
 
 /// Which rows a log has: how many, and the step of the last one.
 struct LogRows {

@@ -235,23 +235,37 @@ std::vector<Material> materialsIn(const std::string &text, std::size_t count)
   return materials;
 }
 
+// The numbers of a block in their order.
+static constexpr double DriveSums::*driveSums[] = {
+    &DriveSums::startHeight,  &DriveSums::displacement, &DriveSums::work,
+    &DriveSums::shearSum,     &DriveSums::normalSum,    &DriveSums::samples,
+    &DriveSums::brokenBefore, &DriveSums::formedBefore};
+
 std::string textOf(const DriveState &s)
 {
-  return exactText({s.startHeight, s.displacement, s.work, s.shearSum, s.normalSum, s.samples,
-                    s.brokenBefore, s.formedBefore, static_cast<double>(s.rows.number),
-                    static_cast<double>(s.rows.last)});
+  std::vector<double> values;
+  for (const auto sum : driveSums)
+    values.push_back(s.sums.*sum);
+  values.push_back(static_cast<double>(s.rows.number));
+  values.push_back(static_cast<double>(s.rows.last));
+  return exactText(values);
 }
 
 DriveState driveStateIn(const std::string &text)
 {
-  const std::vector<double> v = numbersIn(text, 10, "fix mca/drive");
+  constexpr std::size_t count = std::size(driveSums);
+  const std::vector<double> v = numbersIn(text, count + 2, "fix mca/drive");
+  DriveState s;
+  for (std::size_t k = 0; k < count; k++)
+    s.sums.*driveSums[k] = v[k];
   // links over a periodic face count half on either side, so that events need not be whole
-  if (!isCount(v[5]) || v[5] < 0.0 || !isCount(v[8]) || v[8] < -1.0 || !isCount(v[9]))
+  const double samples = s.sums.samples, number = v[count], last = v[count + 1];
+  if (!isCount(samples) || samples < 0.0 || !isCount(number) || number < -1.0 || !isCount(last))
     throw RestartError("Restart file is damaged: the block of fix mca/drive has " +
-                       exactText({v[5], v[8], v[9]}) + "for numbers of steps, rows and a step");
-  return {v[0], v[1], v[2],
-          v[3], v[4], v[5],
-          v[6], v[7], {static_cast<long long>(v[8]), static_cast<long long>(v[9])}};
+                       exactText({samples, number, last}) +
+                       "for numbers of steps, rows and a step");
+  s.rows = {static_cast<long long>(number), static_cast<long long>(last)};
+  return s;
 }
 
 // ---- records of automata

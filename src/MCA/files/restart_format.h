@@ -7,6 +7,7 @@
 #ifndef MCA_RESTART_FORMAT_H
 #define MCA_RESTART_FORMAT_H
 
+#include "files/drive_sums.h"
 #include "files/friction_log_writer.h"
 #include "laws/law_set.h"
 #include "laws/material.h"
@@ -103,14 +104,10 @@ std::string textOf(const std::vector<Material> &);
 /// \throws RestartError
 std::vector<Material> materialsIn(const std::string &text, std::size_t count);
 
-/// Of fix mca/drive: sums since its first set-up, and of the row of the log that is being made.
+/// Of fix mca/drive, with the parts of all ranks.
 struct DriveState {
-  double startHeight, displacement; ///< [length]
-  double work;                      ///< [energy]
-  double shearSum, normalSum;       ///< [pressure]
-  double samples;                   ///< number of steps of the row
-  double brokenBefore, formedBefore;
-  LogRows rows; ///< number < 0: no log
+  DriveSums sums;
+  LogRows rows = {-1, 0}; ///< of the log; number < 0: no log
 };
 std::string textOf(const DriveState &);
 /// \throws RestartError

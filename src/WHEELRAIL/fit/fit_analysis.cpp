@@ -35,9 +35,9 @@ void leaveOutCopies(std::vector<FrictionPoint> &points)
       if (!first.leftOut.empty() || !second.leftOut.empty() || !sameRun(first, second))
         continue;
       const bool longer = second.duration > first.duration;
-      (longer ? first : second).leftOut =
-          fmt::format("the run of {}{}", (longer ? second : first).file,
-                      first.seed == second.seed ? "" : ", whose other seed gave the same blocks");
+      (longer ? first : second).leftOut = fmt::format(
+          "the run of {}{}", (longer ? second : first).file,
+          first.seed() == second.seed() ? "" : ", whose other seed gave the same blocks");
     }
 }
 

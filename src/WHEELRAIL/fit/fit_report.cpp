@@ -46,9 +46,9 @@ std::map<std::string, Range> fittedOn(const FitAnalysis &analysis)
   for (const auto &condition : analysis.conditions) {
     const FrictionPoint &p = analysis.points[condition.runs.front()];
     const std::pair<const char *, double> values[] = {
-        {"pressure", p.pressure}, {"velocity", std::abs(p.velocity)},
-        {"strength", p.strength}, {"youngs_modulus", p.youngsModulus()},
-        {"density", p.density},   {"viscosity", p.viscosity}};
+        {"pressure", p.head.pressure}, {"velocity", std::abs(p.head.velocity)},
+        {"strength", p.head.strength}, {"youngs_modulus", p.youngsModulus()},
+        {"density", p.head.density},   {"viscosity", p.head.viscosity}};
     for (const auto &[name, value] : values) {
       const auto range = ranges.try_emplace(name, Range{value, value}).first;
       range->second = {std::min(range->second[0], value), std::max(range->second[1], value)};
@@ -224,11 +224,11 @@ Json pointJson(const FrictionPoint &p)
   json["correlation_time"] = p.correlationTime;
   json["mu_peak"] = p.muPeak;
   json["duration"] = p.duration;
-  json["pressure"] = p.pressure;
-  json["velocity"] = p.velocity;
-  json["strength"] = p.strength;
-  json["viscosity"] = p.viscosity;
-  json["seed"] = p.seed;
+  json["pressure"] = p.head.pressure;
+  json["velocity"] = p.head.velocity;
+  json["strength"] = p.head.strength;
+  json["viscosity"] = p.head.viscosity;
+  json["seed"] = p.seed();
   json["note"] = p.note;
   json["left_out"] = p.leftOut;
   return json;
@@ -248,10 +248,10 @@ Json conditionJson(const FitAnalysis &analysis, std::size_t i)
                {"scatter", finite(condition.scatter)},
                {"mu_eq2", first.muEq2},
                {"runs", Json::array()},
-               {"pressure", first.pressure},
-               {"velocity", first.velocity},
-               {"strength", first.strength},
-               {"viscosity", first.viscosity}};
+               {"pressure", first.head.pressure},
+               {"velocity", first.head.velocity},
+               {"strength", first.head.strength},
+               {"viscosity", first.head.viscosity}};
   for (const std::size_t run : condition.runs)
     json["runs"].push_back(run);
   if (!analysis.fit)

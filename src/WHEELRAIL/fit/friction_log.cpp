@@ -4,7 +4,6 @@
 #include "base/errors.h"
 #include "base/program_files.h"
 #include "law/friction_law.h"
-#include "shared/friction_log_format.h"
 #include "shared/nearest_word.h"
 #include "shared/plain_number.h"
 #include "shared/running_checksum.h"
@@ -179,35 +178,32 @@ void readHeader(const Header &header, FrictionLog &log)
                      fmt::format("{}: {}", format::section::units, quantity),
                      fmt::format("'{}' is not allowed, must be '{}'", stated, unit));
   }
-  log.youngsModulus = header.number(format::head::youngsModulus);
-  log.poissonsRatio = header.number(format::head::poissonsRatio);
-  log.density = header.number(format::head::density);
-  log.strength = header.number(format::head::strength);
-  log.viscosity = header.number(format::head::viscosity);
-  log.pressure = header.number(format::head::pressure);
-  log.velocity = header.number(format::head::velocity);
-  if (header.has(format::head::seed.section, format::head::seed.key))
-    log.seed = static_cast<long>(header.number(format::head::seed));
+  constexpr const format::HeadNumber &seed = format::headNumber(&format::Head::seed);
+  for (const format::HeadNumber &number : format::headNumbers)
+    if (number.needed || (number.value == seed.value && header.has(seed.section, seed.key)))
+      log.head.*number.value = header.number(number);
   for (const auto *section : format::madeBySections)
     header.collect(section, log.madeBy);
   for (const auto *section : format::conditionSections)
     log.condition[section] = header.wording(section);
-  if (header.has(format::section::run, format::timestepKey))
-    log.condition[format::timestepKey] = header.text(format::section::run, format::timestepKey);
+  constexpr const format::HeadNumber &timestep = format::headNumber(&format::Head::timestep);
+  if (header.has(timestep.section, timestep.key))
+    log.condition[timestep.key] = header.text(timestep.section, timestep.key);
 }
 
 /// Where each of our columns stands; further columns are allowed and skipped.
-std::array<size_t, format::Columns> readColumns(const FrictionLog &log, int line,
-                                                std::string_view text)
+using Places = std::array<size_t, format::columns.size()>;
+Places readColumns(const FrictionLog &log, int line, std::string_view text)
 {
   const auto words = splitWords(text);
   const std::vector<std::string> names(words.begin(), words.end());
-  std::array<size_t, format::Columns> place{};
-  for (size_t i = 0; i < format::columnNames.size(); ++i) {
-    const auto found = std::find(names.begin(), names.end(), format::columnNames[i]);
+  Places place{};
+  for (size_t i = 0; i < place.size(); ++i) {
+    const std::string name = format::columns[i].name;
+    const auto found = std::find(names.begin(), names.end(), name);
     if (found == names.end()) {
-      const auto nearest = mcawr::nearestWord(format::columnNames[i], names);
-      std::string problem = fmt::format("column '{}' is missing", format::columnNames[i]);
+      const auto nearest = mcawr::nearestWord(name, names);
+      std::string problem = fmt::format("column '{}' is missing", name);
       if (!nearest.empty())
         problem += fmt::format("; the nearest of those given is '{}'", nearest);
       throw badInput(log.file, line, "", problem);
@@ -217,51 +213,49 @@ std::array<size_t, format::Columns> readColumns(const FrictionLog &log, int line
   return place;
 }
 
-double readNumber(const FrictionLog &log, int line, size_t column, std::string_view word)
+double readNumber(const FrictionLog &log, int line, const char *column, std::string_view word)
 {
   const auto x = mcawr::plainNumber(word);
   if (!x)
-    throw badInput(log.file, line, format::columnNames[column],
-                   fmt::format("'{}' is not a finite number", word));
+    throw badInput(log.file, line, column, fmt::format("'{}' is not a finite number", word));
   if (!format::isInRow(*x))
     throw badInput(
-        log.file, line, format::columnNames[column],
+        log.file, line, column,
         fmt::format("'{}' is not allowed, must be within +-{:g}", word, format::largest));
   return *x;
 }
 
-void addRow(FrictionLog &log, int line, const std::array<double, format::Columns> &row)
+void addRow(FrictionLog &log, int line, const format::Row &row)
 {
-  const auto step = static_cast<long>(row[format::Step]);
-  if (static_cast<double>(step) != row[format::Step] || step < 0)
-    throw badInput(log.file, line, "step",
-                   fmt::format("{} is not a whole number >= 0", row[format::Step]));
+  const auto step = static_cast<long>(row.step);
+  if (static_cast<double>(step) != row.step || step < 0)
+    throw badInput(log.file, line, "step", fmt::format("{} is not a whole number >= 0", row.step));
   if (!log.step.empty()) {
-    if (step <= log.step.back() || row[format::Time] <= log.time.back())
+    if (step <= log.step.back() || row.time <= log.time.back())
       throw badInput(log.file, line, "step",
                      fmt::format("step {} (time {} ns) follows step {} (time {} ns): must increase",
-                                 step, row[format::Time], log.step.back(), log.time.back()));
+                                 step, row.time, log.step.back(), log.time.back()));
     if (log.step.size() > 1) {
       const long every = log.step[1] - log.step[0];
       const double interval = log.time[1] - log.time[0];
       if (step - log.step.back() != every ||
-          std::abs(row[format::Time] - log.time.back() - interval) > spacingTolerance * interval)
+          std::abs(row.time - log.time.back() - interval) > spacingTolerance * interval)
         throw badInput(log.file, line, "step",
                        fmt::format("rows must be evenly spaced: {} steps and {:.4g} ns since the "
                                    "row before, {} steps and {:.4g} ns at the start of the log",
-                                   step - log.step.back(), row[format::Time] - log.time.back(),
-                                   every, interval));
+                                   step - log.step.back(), row.time - log.time.back(), every,
+                                   interval));
     }
   }
-  const double expected = log.pressure > 0.0 ? row[format::ShearStress] / log.pressure : 0.0;
-  if (std::abs(row[format::Mu] - expected) > muTolerance * (1.0 + std::abs(expected)))
+  const double expected = log.head.pressure > 0.0 ? row.shearStress / log.head.pressure : 0.0;
+  if (std::abs(row.mu - expected) > muTolerance * (1.0 + std::abs(expected)))
     throw badInput(log.file, line, "mu",
                    fmt::format("{} is not shear_stress/pressure = {:.6g} with the pressure of {} "
                                "MPa stated in the head",
-                               row[format::Mu], expected, log.pressure));
+                               row.mu, expected, log.head.pressure));
   log.step.push_back(step);
-  log.time.push_back(row[format::Time]);
-  log.mu.push_back(log.velocity < 0.0 ? -row[format::Mu] : row[format::Mu]);
+  log.time.push_back(row.time);
+  log.mu.push_back(log.head.velocity < 0.0 ? -row.mu : row.mu);
 }
 
 /// The column `check`: whether all before it is as it was written.
@@ -313,17 +307,18 @@ void dropStateBeforeFirstStep(FrictionLog &log)
 double FrictionLog::kappa1() const
 {
   constexpr double pascal = 1e6; // per MPa
-  return wheelrail::kappa1(density, youngsModulus * pascal, velocity, strength * pascal);
+  return wheelrail::kappa1(head.density, head.youngsModulus * pascal, head.velocity,
+                           head.strength * pascal);
 }
 
 double FrictionLog::kappa2() const
 {
-  return wheelrail::kappa2(pressure, youngsModulus, strength);
+  return wheelrail::kappa2(head.pressure, head.youngsModulus, head.strength);
 }
 
 double FrictionLog::kappa3() const
 {
-  return youngsModulus / strength;
+  return head.youngsModulus / head.strength;
 }
 
 double FrictionLog::interval() const
@@ -378,9 +373,11 @@ FrictionLog parseFrictionLog(const std::string &file, const std::string &text)
       throw badInput(file, number, "",
                      fmt::format("{} columns, {} are expected", words.size(), names.size()));
     check.row(number, words);
-    std::array<double, format::Columns> row{};
-    for (size_t c = 0; c < format::Columns; ++c)
-      row[c] = readNumber(log, number, c, words[place[c]]);
+    format::Row row;
+    for (size_t c = 0; c < place.size(); ++c) {
+      const format::Column &column = format::columns[c];
+      row.*column.value = readNumber(log, number, column.name, words[place[c]]);
+    }
     addRow(log, number, row);
   }
   dropStateBeforeFirstStep(log);

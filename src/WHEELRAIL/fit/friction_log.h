@@ -2,6 +2,8 @@
 #ifndef WHEELRAIL_FIT_FRICTION_LOG_H
 #define WHEELRAIL_FIT_FRICTION_LOG_H
 
+#include "shared/friction_log_format.h"
+
 #include <map>
 #include <string>
 #include <vector>
@@ -14,14 +16,9 @@ namespace wheelrail {
 struct FrictionLog {
   std::string file;
 
-  double youngsModulus = 0.0; ///< MPa, > 0
-  double poissonsRatio = 0.0; ///< -1 < nu < 0.5
-  double density = 0.0;       ///< kg/m3, > 0
-  double strength = 0.0;      ///< sigma_0, MPa, > 0
-  double viscosity = 0.0;     ///< Pa s, >= 0
-  double pressure = 0.0;      ///< prescribed normal pressure, MPa, >= 0
-  double velocity = 0.0;      ///< of the driven layer along x, m/s, of either sign
-  long seed = 0;              ///< of the roughness; 0 if the log states none
+  /// Those of its numbers that a reader needs, and the seed of the roughness, 0 if the log states
+  /// none; the others stay 0.
+  mcawr::friction_log::Head head;
   /// What computed the run, as in the head: "program.lammps" -> "20250204", "laws.steps" ->
   /// "corrected" and so on; empty if the head has neither section.
   std::map<std::string, std::string> madeBy;

@@ -34,7 +34,8 @@ std::optional<double> startAskedFor(const FrictionLog &log, const PointOptions &
   if (!options.startDistance)
     return options.start;
   const double distance = *options.startDistance;
-  const double time = distance > 0.0 ? distance / std::abs(log.velocity) : 0.0; // nm/(m/s) = ns
+  const double time =
+      distance > 0.0 ? distance / std::abs(log.head.velocity) : 0.0; // nm/(m/s) = ns
   return std::max(options.start.value_or(0.0), time);
 }
 
@@ -86,13 +87,8 @@ FrictionPoint frictionPoint(const FrictionLog &log, const PointOptions &options)
   point.kappa2 = log.kappa2();
   point.kappa3 = log.kappa3();
   point.muEq2 = bucher2006()(point.kappa1, point.kappa2);
-  point.pressure = log.pressure;
-  point.velocity = log.velocity;
-  point.strength = log.strength;
-  point.viscosity = log.viscosity;
-  point.density = log.density;
+  point.head = log.head;
   point.muPeak = *std::max_element(log.mu.begin(), log.mu.end());
-  point.seed = log.seed;
   point.madeBy = log.madeBy;
   point.condition = log.condition;
   const auto rows = std::min(firstRows, log.mu.size());
@@ -172,8 +168,8 @@ std::string pointsAsCsv(const std::vector<FrictionPoint> &points)
     text += fmt::format("{},{:.8g},{:.8g},{:.6g},{:.4g},{:.4g},{:.6g},{:.6g},{:.6g},{:.8g},"
                         "{:.8g},{:.8g},{:.8g},{:.8g},{:.8g},{}\n",
                         csvField(p.file), p.kappa1, p.kappa2, p.mu, p.muSe, p.nEff, p.tStart,
-                        p.muGrindingIn, p.muEq2, p.kappa3, p.pressure, p.velocity, p.strength,
-                        p.youngsModulus(), p.viscosity, p.seed);
+                        p.muGrindingIn, p.muEq2, p.kappa3, p.head.pressure, p.head.velocity,
+                        p.head.strength, p.youngsModulus(), p.head.viscosity, p.seed());
   return text;
 }
 

@@ -27,16 +27,10 @@ struct FrictionPoint {
   double muGrindingIn = 0.0; ///< mean over the grinding-in; nan if there was none
   double muEq2 = 0.0;        ///< Eq. 2 with the paper's numbers at (kappa1, kappa2)
 
-  double correlationTime = 0.0; ///< integrated autocorrelation time, ns
-  double duration = 0.0;        ///< ns
-  double muPeak = 0.0;          ///< largest row of the log: the static peak, if rows are short
-  double pressure = 0.0;        ///< MPa
-  double velocity = 0.0;        ///< m/s
-  double strength = 0.0;        ///< MPa
-  double viscosity = 0.0;       ///< Pa s
-  double density = 0.0;         ///< kg/m3
-  /// Of the log's head.
-  long seed = 0;
+  double correlationTime = 0.0;   ///< integrated autocorrelation time, ns
+  double duration = 0.0;          ///< ns
+  double muPeak = 0.0;            ///< largest row of the log: the static peak, if rows are short
+  mcawr::friction_log::Head head; ///< FrictionLog::head
   std::map<std::string, std::string> madeBy; ///< FrictionLog::madeBy
   /// FrictionLog::condition
   std::map<std::string, std::string> condition;
@@ -46,7 +40,8 @@ struct FrictionPoint {
   std::string note;    ///< why there is no stationary part, or that a cut line was dropped
   std::string leftOut; ///< why the point is not fitted; empty: it is
 
-  double youngsModulus() const { return kappa3 * strength; } ///< MPa
+  double youngsModulus() const { return kappa3 * head.strength; } ///< MPa
+  long seed() const { return static_cast<long>(head.seed); }
   /// Was a stationary part found?
   bool stationary() const { return tStart == tStart; }
 };
