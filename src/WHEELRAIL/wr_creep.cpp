@@ -190,7 +190,7 @@ struct Task {
   const SweepOptions &options;
   Journal &journal;
   const std::string &text; ///< of the case
-  const FrictionLaw &law;
+  const LawPointer &law;
 };
 
 std::string countOf(std::size_t points, int resumed)
@@ -274,13 +274,13 @@ void checkInputsStay(const Settings &settings, const Case &input)
 
 void compute(const Task &task, const StaticSpecification &asked)
 {
-  const StaticCases cases = solveStaticCases(asked, task.law, task.options);
+  const StaticCases cases = solveStaticCases(asked, *task.law, task.options);
   warn(cases.warnings);
   Results results(task.settings);
   results.addTable("static.csv", staticCsv(asked.surface, cases));
   for (const NamedTable &table : contactTables(asked, cases))
     results.addTable(table.name, table.text);
-  results.add("summary.json", summaryJson(asked, task.text, task.law, cases));
+  results.add("summary.json", summaryJson(asked, task.text, *task.law, cases));
   results.finish({shortReport(asked, cases), detailedReport(asked.surface, cases.contacts),
                   fmt::format("{} forces", cases.points.size()), cases.seconds},
                  task.journal);
@@ -297,7 +297,7 @@ void compute(const Task &task, const CreepSpecification &asked)
     results.addTable("creep_band.csv", creepBandCsv(asked.surface, curves));
   for (const NamedTable &table : contactTables(asked, curves))
     results.addTable(table.name, table.text);
-  results.add("summary.json", summaryJson(asked, task.text, task.law, curves));
+  results.add("summary.json", summaryJson(asked, task.text, *task.law, curves));
   results.finish({shortReport(asked, curves), detailedReport(asked.surface, curves.contacts),
                   countOf(curves.points.size(), curves.resumed), curves.seconds},
                  task.journal);
@@ -340,7 +340,7 @@ void compute(const Task &task, const PatchSpecification &asked)
     results.addTable("creep_band.csv", patchBandCsv(asked, curves));
   if (!curves.series.empty())
     results.addTable("series.csv", patchSeriesCsv(curves));
-  results.add("summary.json", patchSummary(asked, task.text, task.law, curves));
+  results.add("summary.json", patchSummary(asked, task.text, *task.law, curves));
   // curves to which no law can be fitted are results all the same
   std::string polach, table;
   std::optional<Error> noPolach;
@@ -395,12 +395,12 @@ void run(const Settings &settings)
   }
   checkPolach(settings, input);
   checkTable(settings, input);
-  const FrictionLaw law = readLaw(input.friction());
+  const LawPointer law = input.friction().read();
   const std::string identity = input.identity();
   prepareOutputFolder(settings.folder);
   checkInputsStay(settings, input);
-  if (!law.note.empty() && !settings.quiet)
-    complain(programName, "note: " + law.note);
+  if (const std::string note = law->note(); !note.empty() && !settings.quiet)
+    complain(programName, "note: " + note);
 
   Progress progress;
   Journal journal(settings.folder + "/" + journalName, identity,

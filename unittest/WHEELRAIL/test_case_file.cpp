@@ -43,10 +43,11 @@ TEST(CaseFile, FillsInDefaults)
   EXPECT_DOUBLE_EQ(c.contact.youngsModulus, 210e9);
   EXPECT_EQ(c.contact.points, 1024);
   EXPECT_EQ(c.surface.kind, RoughnessKind::None);
-  EXPECT_EQ(c.physics.friction.law, "bucher2006");
+  EXPECT_TRUE(c.friction.files.empty()); // built in
+  EXPECT_TRUE(c.friction.mayHaveCovariance);
   EXPECT_EQ(c.physics.thermal.model, ThermalModel::Averaged);
   EXPECT_EQ(c.mode, RollingMode::Frozen);
-  EXPECT_DOUBLE_EQ(c.physics.friction.strength, 1e9);
+  EXPECT_DOUBLE_EQ(c.physics.strength.cold, 1e9);
   EXPECT_EQ(c.speed, (std::vector<double>{10.0, 20.0, 40.0}));
   EXPECT_EQ(c.creep, (std::vector<double>{1e-3, 1e-2}));
 }

@@ -3,6 +3,7 @@
 #include "case_text.h"
 #include "contact_cases.h"
 #include "creep/line/creep_curve.h"
+#include "law/forms/eq2.h"
 
 #include <atomic>
 #include <cstdio>
@@ -24,7 +25,16 @@ const std::string rough = "roughness: {hurst: 0.8, rms_slope: 0.02, wavelength_m
 CreepCurves solve(const std::string &text, const SweepOptions &options = {})
 {
   const CreepSpecification asked = case_text::rolling(table2 + text);
-  return solveCreepCurves(asked, readLaw(asked.physics.friction), options);
+  return solveCreepCurves(asked, asked.friction.read(), options);
+}
+
+/// The paper's law with a covariance, for the steel of table 2.
+LawPointer steelLaw(const LawCovariance &covariance, bool local = false)
+{
+  KappaLaw law = bucher2006();
+  law.covariance = covariance;
+  return std::make_shared<Eq2Law>(law.source, law,
+                                  Eq2Scale{local, true, {1e9, 1250.0}, 206e9, 7800.0});
 }
 
 void expectSame(const CreepCurves &a, const CreepCurves &b)
@@ -147,11 +157,9 @@ TEST(CreepCurve, LawsCovarianceBecomesABand)
   // In full sliding with the averaged law T/N = mu0 + ..., so that its error is that of mu0
   const CreepSpecification input =
       case_text::rolling(table2 + "creep: [0.05]\nspeed: 20 m/s\nthermal: off\n");
-  FrictionLaw law = bucher2006();
   LawCovariance covariance = LawCovariance::Zero();
   covariance(0, 0) = 0.02 * 0.02;
-  law.covariance = covariance;
-  const CreepCurves curves = solveCreepCurves(input, law);
+  const CreepCurves curves = solveCreepCurves(input, steelLaw(covariance));
   EXPECT_TRUE(curves.hasBand);
   EXPECT_NEAR(curves.points[0].band.standardError, 0.02, 1e-6);
 }
@@ -160,20 +168,19 @@ TEST(CreepCurve, SampledBandIsTheLinearOneForASmallCovariance)
 {
   const std::string text = rough + "creep: [1e-3, 0.03]\nspeed: 20 m/s\nfriction: {local: true}\n"
                                    "thermal: {model: local}\npoints: 1024\n";
-  FrictionLaw law = bucher2006();
   LawCovariance covariance = LawCovariance::Zero();
   covariance.diagonal() << 1e-5, 0.0, 2e-5, 0.0, 1e-9;
   covariance(0, 2) = covariance(2, 0) = -1e-5;
-  law.covariance = covariance;
   const CreepSpecification linear = case_text::rolling(table2 + text);
   const CreepSpecification sampled =
       case_text::rolling(table2 + text + "uncertainty: {method: sampled}\n");
-  const CreepCurves lines = solveCreepCurves(linear, law);
+  const LawPointer local = steelLaw(covariance, true);
+  const CreepCurves lines = solveCreepCurves(linear, local);
   SweepOptions one, three;
   one.threads = 1;
   three.threads = 3;
-  const CreepCurves samples = solveCreepCurves(sampled, law, one);
-  expectSame(samples, solveCreepCurves(sampled, law, three));
+  const CreepCurves samples = solveCreepCurves(sampled, local, one);
+  expectSame(samples, solveCreepCurves(sampled, local, three));
   for (std::size_t k = 0; k < lines.points.size(); ++k) {
     const Band &a = lines.points[k].band, &b = samples.points[k].band;
     EXPECT_NEAR(b.standardError / a.standardError, 1.0, 0.15); // 200 samples: +-5 %
@@ -192,7 +199,7 @@ TEST(CreepCurve, HardnessFallsWithTemperature)
                               "          youngs_modulus: 210 GPa, poissons_ratio: 0.3,\n"
                               "          hardness_limit: true}\n";
   const CreepSpecification input = case_text::rolling(limited + common);
-  const CreepCurves curves = solveCreepCurves(input, readLaw(input.physics.friction));
+  const CreepCurves curves = solveCreepCurves(input, input.friction.read());
   EXPECT_GT(elastic.fields.begin()->second.pressure.maxCoeff(), 3e9);
   const double rise = curves.points[1].temperatureRise;
   EXPECT_GT(rise, 100.0);

@@ -67,7 +67,7 @@ TEST(FitCondition, AnotherMaterialLawOrStepIsAnotherCondition)
 // seeds make the parameters look nearly twice as sure as they are.
 TEST(FitCondition, StandardErrorsHoldTheScatterOfSeedsAndConditions)
 {
-  const FrictionLaw truth = bucher2006();
+  const KappaLaw truth = bucher2006();
   std::mt19937_64 generator(5);
   std::normal_distribution<double> normal;
   constexpr int campaigns = 120, seeds = 4;
@@ -110,7 +110,7 @@ TEST(FitCondition, StandardErrorsHoldTheScatterOfSeedsAndConditions)
 
 TEST(FitCondition, TheAnalysisFitsConditions)
 {
-  const FrictionLaw truth = bucher2006();
+  const KappaLaw truth = bucher2006();
   std::vector<FrictionPoint> points;
   for (double k1 : {0.02, 1.0, 8.0})
     for (double k2 : {2.0, 80.0, 633.0})

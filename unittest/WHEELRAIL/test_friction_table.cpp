@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "base/errors.h"
-#include "law/contact_friction.h"
 #include "law/friction_table.h"
 
-#include <cmath>
 #include <fstream>
 #include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
 
 using namespace wheelrail;
 
@@ -83,33 +80,4 @@ TEST(FrictionTable, BadContentIsOneClearLine)
                  ":5: this pressure and speed stand twice");
   expectContains(problemOf(names + "1,2,0.3\n3,4,0.4\n"),
                  "has no mu at a pressure of 1 MPa and a speed of 4 km/h");
-}
-
-TEST(FrictionTable, IsAFrictionOfTheContact)
-{
-  FrictionSpecification friction;
-  friction.law = write(good);
-  ASSERT_TRUE(friction.isTable() && friction.isFile() && !friction.isScaled());
-  const FrictionLaw law = readLaw(friction);
-  Eigen::VectorXd pressure(3), cold = Eigen::VectorXd::Zero(3);
-  pressure << 0.0, 2e8, 3e8;
-  const Eigen::VectorXd mu = frictionCoefficient(friction, law, pressure, -5.0, cold);
-  for (int i = 0; i < 3; ++i)
-    EXPECT_DOUBLE_EQ(mu[i], (*law.table)(pressure[i], 5.0));
-  EXPECT_EQ(toJson(friction, law)["pressure_MPa"], (nlohmann::ordered_json{100.0, 300.0}));
-}
-
-TEST(FrictionLaw, PolachsFormFallsWithTheSlidingSpeed)
-{
-  FrictionSpecification friction;
-  friction.law = "polach";
-  friction.falling = {0.4, 0.25, 0.6};
-  const FrictionLaw law = readLaw(friction);
-  const Eigen::VectorXd pressure = Eigen::VectorXd::Constant(2, 1e9);
-  const Eigen::VectorXd cold = Eigen::VectorXd::Zero(2);
-  for (double w : {0.0, 0.5, 3.0, 1e3})
-    for (double sign : {1.0, -1.0})
-      EXPECT_DOUBLE_EQ(frictionCoefficient(friction, law, pressure, sign * w, cold)[1],
-                       0.4 * (0.75 * std::exp(-0.6 * w) + 0.25));
-  EXPECT_FALSE(friction.isFile());
 }

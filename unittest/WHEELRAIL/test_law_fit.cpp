@@ -34,7 +34,7 @@ std::vector<LawPoint> designWithKappa3()
   return points;
 }
 
-std::array<double, lawParameters> valuesOf(const FrictionLaw &law)
+std::array<double, lawParameters> valuesOf(const KappaLaw &law)
 {
   return {law.mu0, law.mu1, law.mu2, law.b, law.c};
 }
@@ -201,7 +201,7 @@ TEST(LawFit, parameterAtItsBoundDoesNotMakeOutliers)
   const double kappa2[] = {20.0, 400.0, 80.0, 633.0, 200.0, 300.0};
   const double noise[] = {1.03, 0.97, 1.02, 0.98, 0.99, 1.01};
   for (int i = 0; i < 6; ++i) {
-    FrictionLaw law = bucher2006();
+    KappaLaw law = bucher2006();
     law.mu0 = -0.05;
     points.push_back({kappa1[i], kappa2[i], noise[i] * law(kappa1[i], kappa2[i]), 1e-4});
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "base/errors.h"
 #include "creep/sweep/law_spread.h"
+#include "law/forms/eq2.h"
 
 #include <gtest/gtest.h>
 
@@ -8,11 +9,26 @@ using namespace wheelrail;
 
 namespace {
 
-FrictionLaw lawWith(const LawCovariance &covariance)
+/// In each cell; a strength and a modulus of 1 Pa make kappa2 the pressure, a density of 1 kappa1
+/// the square of the speed.
+constexpr Eq2Scale scale{true, true, {1.0, 1.0}, 1.0, 1.0};
+
+LawPointer lawOf(const KappaLaw &law)
 {
-  FrictionLaw law = bucher2006();
+  return std::make_shared<Eq2Law>(law.source, law, scale);
+}
+
+LawPointer lawWith(const LawCovariance &covariance)
+{
+  KappaLaw law = bucher2006();
   law.covariance = covariance;
-  return law;
+  return lawOf(law);
+}
+
+double muAt(const FrictionLaw &law, double kappa1, double kappa2)
+{
+  const Eigen::VectorXd pressure = Eigen::VectorXd::Constant(1, kappa2);
+  return law.mu({pressure, std::sqrt(kappa1), Eigen::VectorXd::Zero(1)})[0];
 }
 
 SpreadSpecification by(UncertaintyMethod method, int samples = 2000)
@@ -23,8 +39,8 @@ SpreadSpecification by(UncertaintyMethod method, int samples = 2000)
 std::vector<double> muOf(const LawSpread &spread, double kappa2)
 {
   std::vector<double> results;
-  for (const FrictionLaw &law : spread.laws())
-    results.push_back(law(0.1, kappa2));
+  for (const LawPointer &law : spread.laws())
+    results.push_back(muAt(*law, 0.1, kappa2));
   return results;
 }
 
@@ -32,7 +48,7 @@ std::vector<double> muOf(const LawSpread &spread, double kappa2)
 
 TEST(LawSpread, NoCovarianceNoBand)
 {
-  const LawSpread spread(by(UncertaintyMethod::Sampled), bucher2006());
+  const LawSpread spread(by(UncertaintyMethod::Sampled), lawOf(bucher2006()));
   EXPECT_FALSE(spread.any());
   const Band band = spread.band({0.3});
   EXPECT_EQ(band.low, 0.3);
@@ -65,8 +81,8 @@ TEST(LawSpread, SamplesSeeWhatIsNotLinear)
   const Band band = spread.band(mu);
   EXPECT_GT(band.high - mu[0], 1.5 * (mu[0] - band.low));
   EXPECT_NEAR(spread.redrawn(), 0.0478, 0.015); // of a normal distribution below -1/0.6
-  for (const FrictionLaw &law : spread.laws())
-    EXPECT_GE(law.c, 0.0);
+  for (const LawPointer &law : spread.laws())
+    EXPECT_TRUE(law->isSound());
 }
 
 TEST(LawSpread, TheSeedAloneDecides)
@@ -78,19 +94,22 @@ TEST(LawSpread, TheSeedAloneDecides)
   const LawSpread other(input, lawWith(covariance));
   ASSERT_EQ(first.laws().size(), 51u);
   for (std::size_t k = 1; k < first.laws().size(); ++k) {
-    EXPECT_EQ(first.laws()[k].mu0, again.laws()[k].mu0);
-    EXPECT_NE(first.laws()[k].mu0, other.laws()[k].mu0);
+    const auto mu = [&](const LawSpread &spread) { return muAt(*spread.laws()[k], 0.1, 100.0); };
+    EXPECT_EQ(mu(first), mu(again));
+    EXPECT_NE(mu(first), mu(other));
   }
 }
 
 TEST(LawSpread, RefusesACovarianceWithHardlyAnyLaw)
 {
-  FrictionLaw law = lawWith(1e-6 * LawCovariance::Identity());
+  KappaLaw law = bucher2006();
+  law.covariance = 1e-6 * LawCovariance::Identity();
   law.mu0 = -0.01; // mu < 0 at high pressure, ten standard errors from a law
   try {
-    const LawSpread spread(by(UncertaintyMethod::Sampled, 100), law);
+    const LawSpread spread(by(UncertaintyMethod::Sampled, 100), lawOf(law));
     FAIL() << "was accepted";
   } catch (const Error &error) {
     EXPECT_EQ(error.code(), ExitCode::NotConverged);
+    EXPECT_NE(std::string(error.what()).find("(b, c >= 0, mu > 0)"), std::string::npos);
   }
 }

@@ -5,6 +5,7 @@
 #include "creep/patch/moving_patch.h"
 #include "creep/patch/patch_curve.h"
 #include "creep/patch/static_patch.h"
+#include "law/forms/constant.h"
 #include "patch_cases.h"
 
 #include <algorithm>
@@ -24,13 +25,12 @@ ElasticBody bodyOf(double G, double nu)
   return {2.0 * G * (1.0 + nu), nu};
 }
 
-CreepPhysics constantFriction(double mu)
+/// Nothing heats; the strength is not asked for.
+CreepPhysics coldPhysics()
 {
   CreepPhysics physics;
-  physics.friction.law = "constant";
-  physics.friction.mu = mu;
   physics.thermal.model = ThermalModel::Off;
-  physics.friction.strength = physics.friction.strengthTemperature = 1.0;
+  physics.strength = {1.0, 1.0};
   return physics;
 }
 
@@ -125,8 +125,8 @@ TEST(PatchCoupling, CompressionOfASphereByStages)
   const PatchContact contact = contactOn(grid, pair, loads.back(), A, A);
   PatchTask task{};
   task.forceRatio = 0.0;
-  const CreepPhysics physics = constantFriction(mu);
-  const FrictionLaw law = readLaw(physics.friction);
+  const CreepPhysics physics = coldPhysics();
+  const ConstantLaw law(mu);
   const StaticPatch still = *solveStaticPatch(physics, law, contact, task, loads, always);
   EXPECT_NEAR(still.point.approach, 9.874e-2, 0.55e-5);
   EXPECT_NEAR(still.point.peakPressure, 2.392e-2, 0.55e-5);
@@ -146,8 +146,8 @@ TEST(PatchCoupling, WheelAndRailExchanged)
   const PatchGrid grid = centredGrid(36, 36, 2.5, 2.5);
   const ElasticBody soft = bodyOf(0.6, 0.1), hard = bodyOf(5.0, 0.3);
   const Sphere sphere;
-  const CreepPhysics physics = constantFriction(sphere.mu);
-  const FrictionLaw law = readLaw(physics.friction);
+  const CreepPhysics physics = coldPhysics();
+  const ConstantLaw law(sphere.mu);
   PatchPoint points[2];
   PatchFields fields[2];
   for (int k : {0, 1}) {
@@ -177,8 +177,8 @@ TEST(PatchCoupling, TransientRollingStaysSteady)
   const Sphere sphere;
   const HertzEllipse h = hertzEllipseOfAxes(sphere.load, pair.G / (1.0 - pair.nu), 1.0, 1.0);
   const PatchContact contact = contactOn(grid, pair, sphere.load, h.curvatures.A, h.curvatures.B);
-  const CreepPhysics physics = constantFriction(sphere.mu);
-  const FrictionLaw law = readLaw(physics.friction);
+  const CreepPhysics physics = coldPhysics();
+  const ConstantLaw law(sphere.mu);
   PatchDrive drive;
   drive.creepage = {0.15 * sphere.creepUnit(), 0.1 * sphere.creepUnit(), 0.0};
   FrozenPatch frozen(physics, contact, 0.5);
@@ -205,8 +205,8 @@ TEST(PatchCoupling, PowerClosesWithTheRollingResistance)
   const ElasticPair pair = combinedPair(bodyOf(0.6, 0.1), bodyOf(5.0, 0.3));
   const Sphere sphere;
   const HertzEllipse h = hertzEllipseOfAxes(sphere.load, pair.G / (1.0 - pair.nu), 1.0, 1.0);
-  const CreepPhysics physics = constantFriction(sphere.mu);
-  const FrictionLaw law = readLaw(physics.friction);
+  const CreepPhysics physics = coldPhysics();
+  const ConstantLaw law(sphere.mu);
   for (const double scaled : {0.0, 0.2}) {
     double former = 1.0;
     for (const int n : {24, 48, 96}) {

@@ -3,7 +3,7 @@
 // grid: Hertz, full sliding under a law that depends on pressure, stiffness of rough patches.
 #include "contact/patch/solvers/kalker.h"
 #include "contact/patch/solvers/transient.h"
-#include "law/contact_friction.h"
+#include "law/forms/eq2.h"
 #include "patch_cases.h"
 
 #include <cmath>
@@ -72,20 +72,15 @@ TEST(PatchExact, FullSlidingUnderALawOfPressure)
   // Eq. 5 in each cell of a Hertzian ellipse, kappa2 = p E/sigma0^2 and k = c p0 E/sigma0^2:
   // Fx/N = mu0 + mu2 J3, J3 = integral of 3 s^2/(1 + k s) over s = p/p0 from 0 to 1
   //      = 3 [1/(2 k) - 1/k^2 + ln(1 + k)/k^3]
-  FrictionSpecification friction;
-  friction.local = true;
-  friction.velocityTerm = false;
-  friction.strength = 1e9;
-  friction.strengthTemperature = 1250.0;
-  friction.modulus = 206e9;
-  friction.density = 7800.0;
-  const FrictionLaw law = readLaw(friction);
+  const Eq2Scale steel{true, false, {1e9, 1250.0}, 206e9, 7800.0};
+  const KappaLaw law = bucher2006();
+  const Eq2Law friction(law.source, law, steel);
   const ElasticPair pair{82e9, 0.28};
   const struct {
     double peak, ratio;
   } cases[] = {{500e6, 0.42904433}, {1000e6, 0.39534653}};
   for (const auto &c : cases) {
-    const double k = law.c * kappa2(c.peak, friction.modulus, friction.strength);
+    const double k = law.c * kappa2(c.peak, steel.modulus, steel.strength.cold);
     const double J3 = 3.0 * (0.5 / k - 1.0 / (k * k) + std::log1p(k) / (k * k * k));
     EXPECT_NEAR(law.mu0 + law.mu2 * J3, c.ratio, 0.5e-8);
     const double a = 6e-3, b = 9e-3;
@@ -95,8 +90,7 @@ TEST(PatchExact, FullSlidingUnderALawOfPressure)
     for (const int n : {32, 64, 128}) {
       const PatchGrid grid = centredGrid(n, n, 2.2 * a, 2.2 * b);
       const Vector pressure = sampled(grid, [&](double x, double y) { return h.pressure(x, y); });
-      const Vector mu =
-          frictionCoefficient(friction, law, pressure, 0.0, Vector::Zero(grid.cells()));
+      const Vector mu = friction.mu({pressure, 0.0, Vector::Zero(grid.cells())});
       TangentialProblem problem;
       problem.bound = mu.cwiseProduct(pressure);
       problem.creepage.xi = 1.0; // some thousand times what the elastic slip is

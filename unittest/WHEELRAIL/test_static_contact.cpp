@@ -17,7 +17,7 @@ constexpr double pi = 3.14159265358979323846;
 StaticCases solve(const std::string &text)
 {
   const StaticSpecification asked = case_text::still(text);
-  return solveStaticCases(asked, readLaw(asked.physics.friction));
+  return solveStaticCases(asked, *asked.friction.read());
 }
 } // namespace
 

@@ -15,7 +15,7 @@
 #include "creep/sweep/journal.h"
 #include "fit/friction_log.h"
 #include "fit/log_archive.h"
-#include "law/friction_law.h"
+#include "law/kappa_law.h"
 #include "law/law_checksum.h"
 #include "shared/printable.h"
 
@@ -73,9 +73,9 @@ std::vector<std::string> firstLines(std::vector<std::string> texts, int count)
 
 // ---- what the programs of wheel and rail read
 
-FrictionLaw lawWithCovariance()
+KappaLaw lawWithCovariance()
 {
-  FrictionLaw law = bucher2006();
+  KappaLaw law = bucher2006();
   law.covariance = 1e-4 * LawCovariance::Identity();
   law.kappa1Range = {0.05, 18.7};
   return law;
@@ -83,16 +83,16 @@ FrictionLaw lawWithCovariance()
 
 void readLawFile(const std::string &bytes)
 {
-  const FrictionLaw law = readFrictionLaw(fileWith(bytes));
+  const KappaLaw law = readKappaLaw(fileWith(bytes));
   const std::string text = toJson(law).dump();
-  require(toJson(readFrictionLaw(fileWith(text))).dump() == text, "another law when read again");
+  require(toJson(readKappaLaw(fileWith(text))).dump() == text, "another law when read again");
 }
 
 /// Falsified as wr_fit wrote it: the same law, or refused; without the line of its checksum noted.
 void readSealedLaw(const std::string &bytes)
 {
   static const std::string written = toJson(lawWithCovariance()).dump();
-  const FrictionLaw law = readFrictionLaw(fileWith(bytes));
+  const KappaLaw law = readKappaLaw(fileWith(bytes));
   require(!law.note.empty() || toJson(law).dump() == written, "another law than was written");
 }
 

@@ -19,7 +19,7 @@ using Json = nlohmann::ordered_json;
 constexpr const char *reportFormat = "mca-friction-report 1";
 
 /// The parameters of a fit, in the order of their names.
-std::array<double, fitParameters> values(const FrictionLaw &law, double exponent)
+std::array<double, fitParameters> values(const KappaLaw &law, double exponent)
 {
   return {law.mu0, law.mu1, law.mu2, law.b, law.c, exponent};
 }
@@ -365,7 +365,7 @@ Json jsonReport(const FitAnalysis &analysis)
 {
   Json json;
   if (analysis.fit) {
-    FrictionLaw law = analysis.fit->law;
+    KappaLaw law = analysis.fit->law;
     law.source =
         fmt::format("wr_fit {}, {} conditions from {} of {} runs, model {}", WHEELRAIL_VERSION,
                     law.n, runsOf(analysis), analysis.points.size(), nameOf(analysis.fit->model));

@@ -3,7 +3,7 @@
 
 #include "base/errors.h"
 #include "base/program_files.h"
-#include "law/friction_law.h"
+#include "law/kappa_law.h"
 #include "shared/nearest_word.h"
 #include "shared/plain_number.h"
 #include "shared/running_checksum.h"

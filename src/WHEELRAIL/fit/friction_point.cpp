@@ -3,7 +3,7 @@
 
 #include "base/errors.h"
 #include "fit/stationarity.h"
-#include "law/friction_law.h"
+#include "law/kappa_law.h"
 
 #include <algorithm>
 #include <cmath>

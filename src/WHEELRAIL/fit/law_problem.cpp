@@ -20,7 +20,7 @@ constexpr double saturation = 100.0;
 
 } // namespace
 
-void setParameters(FrictionLaw &law, const VectorXd &x)
+void setParameters(KappaLaw &law, const VectorXd &x)
 {
   law.mu0 = x[Mu0];
   law.mu1 = x[Mu1];
@@ -31,7 +31,7 @@ void setParameters(FrictionLaw &law, const VectorXd &x)
 
 double modelMu(const VectorXd &x, const LawPoint &point, double reference)
 {
-  FrictionLaw law;
+  KappaLaw law;
   setParameters(law, x);
   return law(point.kappa1, point.kappa2) * std::pow(point.kappa3 / reference, x[N]);
 }
@@ -126,7 +126,7 @@ std::pair<double, VectorXd> LawProblem::linearFit(double b, double c) const
 
 void LawProblem::evaluate(const VectorXd &x, VectorXd &r, MatrixXd *jacobian) const
 {
-  FrictionLaw law;
+  KappaLaw law;
   setParameters(law, x);
   for (size_t i = 0; i < points_.size(); ++i) {
     const auto &p = points_[i];

@@ -12,7 +12,7 @@ enum LawParameter { Mu0, Mu1, Mu2, B, C, N };
 
 /// Puts Eq. 2's parameters of a vector into a law; n is not part of it.
 /// @param x six values, mu0, mu1, mu2, b, c, n
-void setParameters(FrictionLaw &law, const Eigen::VectorXd &x);
+void setParameters(KappaLaw &law, const Eigen::VectorXd &x);
 
 /// Eq. 2 times (kappa3/reference)^n at a point, with the parameters x. reference > 0.
 /// @return mu, a pure number; with n = 0 the reference plays no part

@@ -2,99 +2,87 @@
 #ifndef WHEELRAIL_LAW_FRICTION_LAW_H
 #define WHEELRAIL_LAW_FRICTION_LAW_H
 
+#include "law/law_use.h"
+
 #include <Eigen/Core>
 
-#include <array>
-#include <map>
+#include <functional>
 #include <memory>
 #include <nlohmann/json_fwd.hpp>
-#include <optional>
 #include <string>
+#include <vector>
 
 namespace wheelrail {
 
-struct FrictionTable;
+class FrictionLaw;
+/// A law that solvers on several threads share; it never changes.
+using LawPointer = std::shared_ptr<const FrictionLaw>;
+/// Makes a law of standard normal numbers, one for each parameter.
+using LawDraws = std::function<LawPointer(const Eigen::VectorXd &)>;
 
-/// Number of parameters of Eq. 2, in the order mu0, mu1, mu2, b, c used for every covariance.
-constexpr int lawParameters = 5;
-using LawCovariance = Eigen::Matrix<double, lawParameters, lawParameters>;
-using Range = std::array<double, 2>; ///< least and largest value
-
-/// kappa1 = rho E v^2 / sigma_0^2: (impact stress of the moving layer / strength)^2.
-/// SI units: kg/m3, Pa, m/s, Pa; dimensionless result, >= 0.
-double kappa1(double density, double modulus, double speed, double strength);
-
-/// kappa2 = p E / sigma_0^2: pressure in units of the pressure at which asperities yield.
-/// Pressure, modulus and strength in one and the same unit (Pa, or MPa); dimensionless result.
-double kappa2(double pressure, double modulus, double strength);
-
-/// The friction law of the nanolevel, Eq. 2 of Bucher et al., Wear 261 (2006) 874:
-///   mu(kappa1, kappa2) = mu0 + mu1 kappa1 / (1 + b kappa1) + mu2 / (1 + c kappa2).
-/// All parameters are dimensionless; b, c >= 0 so that mu has no pole for kappa1, kappa2 >= 0.
-struct FrictionLaw {
-  double mu0 = 0.0;
-  double mu1 = 0.0;
-  double mu2 = 0.0;
-  double b = 0.0;
-  double c = 0.0;
-
-  /// Covariance of (mu0, mu1, mu2, b, c); absent where the source states none.
-  std::optional<LawCovariance> covariance;
-  int n = 0;                ///< points that were fitted; 0: the source does not say
-  double rmsRelative = 0.0; ///< root mean square of (mu - fit)/fit
-  /// Ranges of the fitted points, kappa3 = E/sigma_0; absent where the source states none.
-  std::optional<Range> kappa1Range, kappa2Range, kappa3Range;
-  /// The kappa3 that the law is for, where mu was found to depend on it; absent: mu was taken not
-  /// to depend on it.
-  std::optional<double> kappa3;
-  /// Ranges of what the points were made of, by the names in `fittedQuantities`; those that the
-  /// source does not state are missing.
-  std::map<std::string, Range> fittedOn;
-  std::string source; ///< where the numbers come from
-  /// A line for the user about the file that it was read from: it has no checksum. Else empty.
-  std::string note;
-  /// What `frictionCoefficient` reads in place of Eq. 2 where the friction is a table; else null.
-  std::shared_ptr<const FrictionTable> table;
-
-  /// Eq. 2. kappa1, kappa2 >= 0.
-  double operator()(double kappa1, double kappa2) const;
-
-  /// Eq. 4, the limit of vanishing speed (kappa1 = 0).
-  double staticPart(double kappa2) const;
-
-  /// Eq. 7 in closed form: mean of mu weighted with the load it carries, for pressures distributed
-  /// uniformly in 0 .. 3 strength (the hardness). With X = 3 c modulus/strength:
-  ///   mu0 + mu1 kappa1/(1 + b kappa1) + 2 mu2 [1/X - ln(1 + X)/X^2].
-  /// modulus and strength > 0 in the same unit. Accurate to 1e-14 for every X >= 0: small X use
-  /// the series, since the closed form cancels there.
-  double averaged(double kappa1, double modulus, double strength) const;
+/// What a contact knows when it asks for mu; SI units. Holds references: for the call only.
+struct FrictionState {
+  const Eigen::VectorXd &pressure;    ///< Pa, >= 0, one value a cell
+  double slidingSpeed;                ///< m/s, of the whole contact; its sign does not count
+  const Eigen::VectorXd &temperature; ///< rise, K, one value a cell
 };
 
-/// Quantities of the runs that a law was fitted to: pressure, strength, youngs_modulus in MPa,
-/// velocity in m/s, density in kg/m3, viscosity in Pa s.
-constexpr std::array<const char *, 6> fittedQuantities = {
-    "pressure", "velocity", "strength", "youngs_modulus", "density", "viscosity"};
+/// A friction law as a contact uses it, whatever it is made of. Those that there are stand in
+/// law/forms/, and `law/friction_laws.h` lists them. A law is asked for all cells of a contact at a
+/// time, so that no loop over cells makes a virtual call.
+class FrictionLaw {
+ public:
+  virtual ~FrictionLaw() = default;
 
-/// Eq. 3: the paper's fit to its 34 points, with the ranges that the paper states: p and v of sec.
-/// 2, strengths and the modulus of Table 1. It varied modulus, density and viscosity too, and does
-/// not say how far; kappa3Range is that of Table 1. The paper states no covariance.
-FrictionLaw bucher2006();
+  /// The friction coefficient.
+  /// @return mu > 0, one value a cell
+  /// @throws Error (NotConverged) where the law gives mu <= 0: it does not hold that far from the
+  ///         points it was fitted to
+  virtual Eigen::VectorXd mu(const FrictionState &state) const = 0;
 
-/// Is this the name of a law that needs no file?
-bool isBuiltinLaw(const std::string &name);
+  /// Does mu depend on the sliding speed? Where forces are given, creep and mu are then found
+  /// together.
+  virtual bool dependsOnSpeed() const = 0;
+  /// Does mu depend on the temperature? Then heat acts back on friction.
+  virtual bool dependsOnTemperature() const = 0;
 
-/// The built-in law `bucher2006`, or a law file as wr_fit writes it (JSON, format
-/// "mca-friction-law 1"). Needed are the format and the five parameters; all else says where they
-/// come from and may be missing, "checksum" too. The key "report" may hold anything and is skipped.
-/// @throws Error (BadInput) naming file, line and key for what is missing, of the wrong type, out
-///         of range (all numbers within +-1e100), unknown, given twice or nested too deep, for a
-///         covariance that is not symmetric and positive semi-definite, and for a checksum
-///         (law_checksum.h) that does not fit the file
-FrictionLaw readFrictionLaw(const std::string &path);
+  /// What the law is a function of, with the ranges it is known on. Empty: nothing that it could be
+  /// used outside of.
+  virtual std::vector<LawInput> inputs() const { return {}; }
+  /// Where a contact asks for mu: a range for each of `inputs`; none where nothing touches.
+  virtual LawUse use(const FrictionState & /*state*/) const { return {}; }
+  /// One line that tells, with both ranges, what of a use lies outside of what the law is known on;
+  /// empty where nothing does.
+  virtual std::string warning(const LawUse & /*use*/) const { return ""; }
 
-/// The law file's content without its checksum. `readFrictionLaw` reads it back to the last bit.
-nlohmann::ordered_json toJson(const FrictionLaw &law);
+  /// The law as a summary tells it.
+  virtual nlohmann::ordered_json json() const = 0;
+  /// A line for the user about the file that the law was read from; mostly empty.
+  virtual std::string note() const { return ""; }
+
+  /// Standard errors of the parameters, which `fitted_law.h` takes from a covariance with all that
+  /// follows; empty: none is known, and the rest is not asked for.
+  virtual Eigen::VectorXd standardErrors() const { return {}; }
+  /// The law with its parameters changed. @param change to be added to them, in their order
+  virtual LawPointer changed(const Eigen::VectorXd &change) const;
+  /// Variance of a result, to first order. @param derivative of the result by the parameters
+  virtual double variance(const Eigen::VectorXd &derivative) const;
+  /// Laws drawn from the normal distribution with the covariance; for as long as this one lives.
+  virtual LawDraws draws() const;
+  /// Are the parameters those of a law at all? If not, draws from the covariance are drawn again.
+  virtual bool isSound() const { return true; }
+  /// What `isSound` asks for, for a message: "b, c >= 0, mu > 0".
+  virtual const char *soundness() const { return "mu > 0"; }
+
+ protected:
+  FrictionLaw() = default;
+  FrictionLaw(const FrictionLaw &) = default;
+  FrictionLaw &operator=(const FrictionLaw &) = delete;
+};
+
+/// Where a law was used, for a summary: the ranges by their keys, in the order of the alphabet.
+/// @param use of this law, not empty
+nlohmann::ordered_json toJson(const FrictionLaw &law, const LawUse &use);
 
 } // namespace wheelrail
-
 #endif

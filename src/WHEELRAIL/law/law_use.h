@@ -2,42 +2,44 @@
 #ifndef WHEELRAIL_LAW_LAW_USE_H
 #define WHEELRAIL_LAW_LAW_USE_H
 
-#include "law/contact_friction.h"
-
-#include <nlohmann/json_fwd.hpp>
+#include <array>
+#include <optional>
 #include <string>
+#include <vector>
 
 namespace wheelrail {
 
-/// Where contacts ask a law for mu: least and largest values over the cells in contact. kappa2 and
-/// pressure leave out the half per cent of the load under the smallest and that under the largest
-/// of them, so that the edges of a contact, where the pressure falls to 0, do not count.
-struct LawUse {
-  bool any = false; ///< false: a law that depends on nothing of this; the rest is 0
-  Range kappa1{};   ///< of Eq. 2: 0 without its velocity term
-  Range kappa2{};   ///< of Eq. 2
-  Range kappa3{};   ///< of Eq. 2: E/sigma_0 at the temperatures that are reached
-  Range pressure{}; ///< of a table: Pa
-  Range speed{};    ///< of a table: sliding speed, m/s
+using Range = std::array<double, 2>; ///< least and largest value
 
-  /// Widens the ranges by those of another contact.
+/// One of the quantities that a law is a function of.
+struct LawInput {
+  std::string key;            ///< of summary.json, with its unit: "pressure_MPa"
+  std::string words;          ///< of a warning: "pressure in MPa"
+  std::optional<Range> known; ///< where the law is known, in that unit; absent: not stated
+};
+
+/// Where contacts ask a law for mu: least and largest values over the cells in contact, one range
+/// for each of the law's inputs, in their order and units. Empty: nothing was asked, or the law has
+/// no inputs.
+struct LawUse {
+  std::vector<Range> ranges;
+
+  /// Widens the ranges by those of another contact under the same law.
   void include(const LawUse &other);
 };
 
-/// What one contact asks the law for.
-/// @param pressure Pa, one value per cell; slidingSpeed m/s; temperature rise per cell, K
-LawUse lawUse(const FrictionSpecification &friction, const Eigen::VectorXd &pressure,
-              double slidingSpeed, const Eigen::VectorXd &temperature);
+/// Least and largest value, but for the half per cent of the load under the smallest values and
+/// that under the largest: so the edges of a contact, where the pressure falls to 0, do not count.
+/// @param value, load one for each cell in contact, at least one; load > 0
+Range loadedRange(const std::vector<double> &value, const std::vector<double> &load);
 
-/// One line that tells, with both ranges, what lies outside of what the law was fitted on, or
-/// beyond the table; empty where nothing does, or the law does not say what it was fitted on. A
-/// fitted law may be passed by a tenth of the limit: its ranges are not known better.
-std::string lawWarning(const FrictionSpecification &friction, const FrictionLaw &law,
-                       const LawUse &use);
+/// Share of the load that `loadedRange` leaves out at either end.
+constexpr double leftOutLoad = 0.005;
 
-/// Of a summary: the ranges, in MPa and m/s. @param use with `any`
-nlohmann::ordered_json toJson(const FrictionSpecification &friction, const LawUse &use);
+/// The inputs whose known range is passed, with both ranges, for a warning:
+/// "kappa1 0 (0.2 to 19), kappa2 44 to 620 (2 to 300)"; empty: none is.
+/// @param tolerance share of a limit by which it may be passed
+std::string outsideOf(const std::vector<LawInput> &inputs, const LawUse &use, double tolerance);
 
 } // namespace wheelrail
-
 #endif

@@ -94,12 +94,14 @@ SurfaceSpecification readSurface(CaseReader &reader, const std::string &caseFile
 
 CreepSpecification readRolling(CaseReader &reader, const std::string &mode,
                                const LineContactSpecification &contact,
-                               const SurfaceSpecification &surface, const CreepPhysics &physics)
+                               const SurfaceSpecification &surface, const LawChoice &friction,
+                               const CreepPhysics &physics)
 {
   reader.refuse({"contact.period"}, "mode " + mode + ": rolling needs a radius");
   CreepSpecification rolling;
   rolling.contact = contact;
   rolling.surface = surface;
+  rolling.friction = friction;
   rolling.physics = physics;
   rolling.mode = mode == "moving" ? RollingMode::Moving : RollingMode::Frozen;
   rolling.physics.thermal = readThermal(reader);
@@ -111,7 +113,7 @@ CreepSpecification readRolling(CaseReader &reader, const std::string &mode,
     rolling.moving.passes = reader.integer("moving.passes");
     rolling.moving.referenceLength = reader.number("moving.reference_length");
   }
-  rolling.spread = readSpread(reader, physics.friction);
+  rolling.spread = readSpread(reader, friction);
   rolling.fields =
       readFields(reader, rolling.creep.size() * rolling.speed.size() * rolling.surface.profiles());
   return rolling;
@@ -119,16 +121,17 @@ CreepSpecification readRolling(CaseReader &reader, const std::string &mode,
 
 /// What rolling needs, temperature included, is left alone: nothing slides for long.
 StaticSpecification readStatic(CaseReader &reader, const LineContactSpecification &contact,
-                               const SurfaceSpecification &surface, const CreepPhysics &physics)
+                               const SurfaceSpecification &surface, const LawChoice &friction,
+                               const CreepPhysics &physics)
 {
-  StaticSpecification still{contact, surface, physics, {}, {}};
+  StaticSpecification still{contact, surface, friction, physics, {}, {}};
   still.physics.thermal.model = ThermalModel::Off;
   reader.require("static.force_ratio");
   still.forceRatio = reader.numbers("static.force_ratio");
-  if (physics.friction.local)
-    reader.fail(physics.friction.isTable() ? "friction.law" : "friction.local",
+  if (friction.cellwise)
+    reader.fail(friction.cellwise->keyword,
                 fmt::format("mode static needs one friction coefficient for the whole contact: {}",
-                            physics.friction.isTable() ? "no table" : "false"));
+                            friction.cellwise->needed));
   if (physics.hardnessLimit &&
       *std::max_element(still.forceRatio.begin(), still.forceRatio.end()) > 0.0)
     reader.fail("contact.hardness_limit",
@@ -152,9 +155,7 @@ void append(std::vector<std::string> &files, const Surfaces &surfaces)
 
 std::vector<std::string> Case::files() const
 {
-  std::vector<std::string> files;
-  if (friction().isFile())
-    files.push_back(friction().law);
+  std::vector<std::string> files = friction().files;
   if (const auto *patch = std::get_if<PatchSpecification>(&task))
     append(files, patch->roughness);
   else if (const auto *rolling = std::get_if<CreepSpecification>(&task))
@@ -174,10 +175,10 @@ std::string Case::identity() const
   return identity;
 }
 
-const FrictionSpecification &Case::friction() const
+const LawChoice &Case::friction() const
 {
   return std::visit(
-      [](const auto &asked) -> const auto & { return asked.physics.friction; }, task);
+      [](const auto &asked) -> const auto & { return asked.friction; }, task);
 }
 
 Case readCase(const std::string &path, const std::vector<std::string> &changes)
@@ -197,12 +198,13 @@ Case readCase(const std::string &path, const std::vector<std::string> &changes)
   const SurfaceSpecification surface = readSurface(reader, path);
   CreepPhysics physics;
   physics.hardnessLimit = reader.flag("contact.hardness_limit");
-  physics.friction = readFriction(reader, path);
+  physics.strength = readStrength(reader);
+  const LawChoice friction = readFriction(reader, path);
   const std::string mode = reader.word("mode");
   if (mode == "static")
-    result.task = readStatic(reader, contact, surface, physics);
+    result.task = readStatic(reader, contact, surface, friction, physics);
   else
-    result.task = readRolling(reader, mode, contact, surface, physics);
+    result.task = readRolling(reader, mode, contact, surface, friction, physics);
   result.text = reader.configuration();
   return result;
 }

@@ -23,7 +23,7 @@ struct Case {
   /// The complete configuration as a case file: reading it gives the same case.
   std::string text;
 
-  const FrictionSpecification &friction() const; ///< of the task
+  const LawChoice &friction() const; ///< of the task
   /// Files that the case reads, by the path that will be opened: law, measured surfaces.
   std::vector<std::string> files() const;
   /// All that decides the results, for a journal: the text, and the content of the files it names

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "creep/case/common_groups.h"
 
+#include "law/friction_laws.h"
+
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -61,33 +63,24 @@ MeasuredSurfaces readMeasuredSurfaces(CaseReader &reader, const std::string &cas
   return surfaces;
 }
 
-FrictionSpecification readFriction(CaseReader &reader, const std::string &caseFile)
+LawChoice readFriction(CaseReader &reader, const std::string &caseFile)
 {
-  FrictionSpecification friction;
-  friction.law = reader.word("friction.law");
-  if (!friction.isConstant() && reader.has("friction.mu"))
-    reader.fail("friction.mu", "goes with 'law: constant' only");
-  for (const char *name : {"friction.mu0", "friction.A", "friction.B"})
-    if (!friction.isFalling() && reader.has(name))
-      reader.fail(name, "goes with 'law: polach' only");
-  if (friction.isConstant())
-    friction.mu = reader.number("friction.mu");
-  if (friction.isFalling())
-    friction.falling = {reader.number("friction.mu0"), reader.number("friction.A"),
-                        reader.number("friction.B")};
-  if (friction.isTable())
-    friction.local = true;
-  if (friction.isScaled()) {
-    friction.local = reader.flag("friction.local");
-    friction.velocityTerm = reader.flag("friction.velocity_term");
-    friction.modulus = reader.number("friction.modulus");
-    friction.density = reader.number("friction.density");
-  }
-  if (friction.isFile())
-    friction.law = besideCase(friction.law, caseFile);
-  friction.strength = reader.number("friction.strength");
-  friction.strengthTemperature = reader.number("friction.strength_temperature");
-  return friction;
+  const std::string word = reader.word("friction.law");
+  LawValues values{{word, besideCase(word, caseFile)}, {}};
+  const LawForm &form = lawFormOf(values.name);
+  for (const LawKeyword &keyword : lawKeywords())
+    if (!*keyword.initial && !form.reads(keyword.name) && reader.has(keyword.name))
+      reader.fail(keyword.name, fmt::format("goes with {} only", lawsWith(keyword.name)));
+  for (const LawKeyword &keyword : form.keywords)
+    values.numbers[keyword.name] = keyword.kind == LawKeyword::Kind::Switch
+                                       ? double(reader.flag(keyword.name))
+                                       : reader.number(keyword.name);
+  return form.choose(values);
+}
+
+Strength readStrength(CaseReader &reader)
+{
+  return {reader.number("friction.strength"), reader.number("friction.strength_temperature")};
 }
 
 ThermalSpecification readThermal(CaseReader &reader)
@@ -134,11 +127,11 @@ FieldSelection readFields(CaseReader &reader, std::size_t total)
   return fields;
 }
 
-SpreadSpecification readSpread(CaseReader &reader, const FrictionSpecification &friction)
+SpreadSpecification readSpread(CaseReader &reader, const LawChoice &friction)
 {
   SpreadSpecification spread;
-  if (!friction.isScaled())
-    return spread; // no covariance
+  if (!friction.mayHaveCovariance)
+    return spread;
   if (reader.word("uncertainty.method") == "linear")
     return spread;
   spread.method = UncertaintyMethod::Sampled;

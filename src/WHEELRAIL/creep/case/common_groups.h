@@ -61,15 +61,17 @@ struct MeasuredSurfaces {
 };
 MeasuredSurfaces readMeasuredSurfaces(CaseReader &reader, const std::string &caseFile);
 
-/// Group `friction`: mu for a constant law; else the law's name or file, and what scales it.
-/// Strength in Pa, its temperature in K.
+/// The law of group `friction` with the keywords that it reads. Refused are those of other laws
+/// that have no default; one with a default may stand there unread.
 /// @param caseFile path of the case file, for `besideCase`
-FrictionSpecification readFriction(CaseReader &reader, const std::string &caseFile);
+LawChoice readFriction(CaseReader &reader, const std::string &caseFile);
+/// The strength of group `friction`, which limits the pressure under any law.
+Strength readStrength(CaseReader &reader);
 /// Group `thermal`, or `thermal: none`, which is the model Off and reads no material.
 ThermalSpecification readThermal(CaseReader &reader);
 
-/// Group `uncertainty`; nothing of it is read where friction is constant.
-SpreadSpecification readSpread(CaseReader &reader, const FrictionSpecification &friction);
+/// Group `uncertainty`; nothing of it is read where the law has no covariance.
+SpreadSpecification readSpread(CaseReader &reader, const LawChoice &friction);
 
 /// "name": a list, or "name.from", "name.to", "name.n" and "name.spacing". In the keyword's unit;
 /// both ends of a logarithmic one have the same sign.

@@ -1,12 +1,39 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "creep/case/case_file.h"
 
+#include "law/friction_laws.h"
+
+#include <algorithm>
+
 namespace wheelrail {
+namespace {
+
+/// Puts the rows of the laws after that of friction.law.
+std::vector<Keyword> withLaws(std::vector<Keyword> table)
+{
+  using Kind = Keyword::Kind;
+  std::vector<Keyword> rows;
+  for (const LawKeyword &keyword : lawKeywords()) {
+    const Kind kind = keyword.kind == LawKeyword::Kind::Switch     ? Kind::Switch
+                      : keyword.kind == LawKeyword::Kind::Quantity ? Kind::Quantity
+                                                                   : Kind::Number;
+    rows.push_back({keyword.name, kind, keyword.unit, keyword.initial, keyword.low, keyword.high, 0,
+                    "", keyword.help});
+  }
+  const auto law = std::find_if(table.begin(), table.end(), [](const Keyword &keyword) {
+    return std::string(keyword.name) == "friction.law";
+  });
+  table.insert(law + 1, rows.begin(), rows.end());
+  return table;
+}
+
+} // namespace
 
 const std::vector<Keyword> &keywords()
 {
   using Kind = Keyword::Kind;
-  static const std::vector<Keyword> table = {
+  static const std::string names = lawNames();
+  static const std::vector<Keyword> table = withLaws({
       {"contact.load_per_length", Kind::Quantity, "N/m", "", 1e-6, 1e12, 0, "",
        "normal force per length of the cylinder: a line contact"},
       {"contact.load", Kind::QuantityList, "N", "", 1e-12, 1e12, 0, "",
@@ -77,25 +104,7 @@ const std::vector<Keyword> &keywords()
        "point: measured maps whose rows lie across the rolling direction"},
       {"roughness.mirror", Kind::Choice, "1", "none", 0, 0, 0, "none|rail|wheel|both",
        "point: measured maps whose y is turned around, as when looking at the wheel"},
-      {"friction.law", Kind::Text, "1", "bucher2006", 0, 0, 0, "",
-       "bucher2006 (Eqs. 2, 3), a law file of wr_fit, a table (.csv), polach, or constant"},
-      {"friction.mu", Kind::Number, "1", "", 1e-9, 10, 0, "", "of the law constant"},
-      {"friction.mu0", Kind::Number, "1", "", 1e-9, 10, 0, "",
-       "of the law polach: mu = mu0 ((1 - A) exp(-B w) + A) at a sliding speed w"},
-      {"friction.A", Kind::Number, "1", "", 0, 1, 0, "", "of the law polach"},
-      {"friction.B", Kind::Quantity, "s/m", "", 0, 1e9, 0, "", "of the law polach"},
-      {"friction.local", Kind::Switch, "1", "false", 0, 0, 0, "",
-       "true: mu from the pressure at each place; false: mean over pressures 0 to 3 x strength"},
-      {"friction.velocity_term", Kind::Switch, "1", "true", 0, 0, 0, "",
-       "false: kappa1 = 0 (Eqs. 5, 8); true: kappa1 from the sliding speed (Eqs. 2, 9)"},
-      {"friction.strength", Kind::Quantity, "Pa", "1000 MPa", 1, 1e15, 0, "",
-       "sigma_0 of Eq. 10 at no temperature rise"},
-      {"friction.strength_temperature", Kind::Quantity, "K", "1250 K", 1e-3, 1e9, 0, "",
-       "temperature rise at which Eq. 10 has no strength left"},
-      {"friction.modulus", Kind::Quantity, "Pa", "206 GPa", 1, 1e15, 0, "",
-       "E of kappa1 and kappa2"},
-      {"friction.density", Kind::Quantity, "kg/m3", "7800 kg/m3", 1e-6, 1e9, 0, "",
-       "rho of kappa1"},
+      {"friction.law", Kind::Text, "1", Eq2Law::word, 0, 0, 0, "", names.c_str()},
       {"thermal", Kind::Choice, "1", "", 0, 0, 0, "off",
        "off: no temperature; otherwise the keywords below"},
       {"thermal.conductivity", Kind::Quantity, "W/(m K)", "50 W/(m K)", 1e-9, 1e9, 0, "",
@@ -159,7 +168,7 @@ const std::vector<Keyword> &keywords()
       {"uncertainty.samples", Kind::Integer, "1", "200", 20, 100000, 0, "",
        "laws drawn with method sampled"},
       {"uncertainty.seed", Kind::Integer, "1", "1", 0, 9e15, 0, "", "of the draws"},
-  };
+  });
   return table;
 }
 

@@ -306,7 +306,8 @@ PatchSpecification readPatch(CaseReader &reader, const std::string &caseFile)
   patch.roughness = readRoughness(reader, caseFile);
   patch.contact = readContact(reader, patch.roughness.kind != RoughnessKind::None);
   patch.physics.hardnessLimit = reader.flag("contact.hardness_limit");
-  patch.physics.friction = readFriction(reader, caseFile);
+  patch.physics.strength = readStrength(reader);
+  patch.friction = readFriction(reader, caseFile);
   const std::string mode = reader.word("mode");
   patch.mode = mode == "frozen"   ? PatchMode::Frozen
                : mode == "moving" ? PatchMode::Moving
@@ -316,7 +317,7 @@ PatchSpecification readPatch(CaseReader &reader, const std::string &caseFile)
     readStatic(reader, patch);
   } else {
     patch.physics.thermal = readThermal(reader);
-    patch.spread = readSpread(reader, patch.physics.friction);
+    patch.spread = readSpread(reader, patch.friction);
   }
   if (patch.mode == PatchMode::Moving)
     readMoving(reader, patch);

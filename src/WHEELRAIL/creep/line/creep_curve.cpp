@@ -29,8 +29,7 @@ std::size_t creepsInPiece(const CreepSpecification &specification)
 {
   if (specification.mode != RollingMode::Moving)
     return 8;
-  const CreepPhysics &physics = specification.physics;
-  return physics.hardnessLimit && physics.hasFeedback() ? 1 : 4;
+  return specification.physics.heatLimitsPressure() ? 1 : 4;
 }
 
 std::vector<Piece> cutIntoPieces(const CreepSpecification &specification)
@@ -126,8 +125,8 @@ PieceResult rollTogether(const Work &work, const ContactSetup &setup, double spe
   for (const double creep : creeps)
     sizes.push_back(std::abs(creep));
   std::vector<std::vector<CreepPoint>> perLaw;
-  for (const FrictionLaw &law : work.spread.laws()) {
-    MovingCreep moving(work.asked.physics, work.asked.moving, law, setup);
+  for (const LawPointer &law : work.spread.laws()) {
+    MovingCreep moving(work.asked.physics, work.asked.moving, *law, setup);
     perLaw.push_back(moving.solve(speed, sizes, goOn));
     if (perLaw.back().empty())
       return {};
@@ -184,13 +183,13 @@ std::optional<CurvePoint> solveCreep(const Work &work, const ContactSetup &setup
   std::vector<double> ratios;
   CreepPoint point;
   ContactFields fields;
-  for (const FrictionLaw &law : work.spread.laws()) {
+  for (const LawPointer &law : work.spread.laws()) {
     if (!goOn())
       return std::nullopt;
-    const CreepPoint solved = frozen.solve(law, speed, std::abs(creep));
+    const CreepPoint solved = frozen.solve(*law, speed, std::abs(creep));
     if (ratios.empty()) {
       point = solved;
-      point.use = frozen.use(speed, std::abs(creep));
+      point.use = frozen.use(*law, speed, std::abs(creep));
       fields = frozen.fields();
     } else {
       frozen.startFrom(fields);
@@ -230,7 +229,7 @@ PieceResult solveFrozen(const Work &work, const ContactSetup &setup, const Piece
 
 } // namespace
 
-CreepCurves solveCreepCurves(const CreepSpecification &specification, const FrictionLaw &law,
+CreepCurves solveCreepCurves(const CreepSpecification &specification, const LawPointer &law,
                              const SweepOptions &options)
 {
   const auto begin = Clock::now();
@@ -274,7 +273,7 @@ CreepCurves solveCreepCurves(const CreepSpecification &specification, const Fric
   requireAnyPoint(curves.points);
   for (const CurvePoint &point : curves.points)
     curves.use.include(point.use);
-  if (const std::string warning = lawWarning(physics.friction, law, curves.use); !warning.empty())
+  if (const std::string warning = law->warning(curves.use); !warning.empty())
     curves.warnings.push_back(warning);
   curves.hasBand = spread.any();
   curves.redrawn = spread.redrawn();

@@ -7,6 +7,7 @@
 #include "creep/sweep/field_selection.h"
 #include "creep/sweep/law_spread.h"
 #include "creep/sweep/sweep.h"
+#include "law/law_choice.h"
 
 #include <cstdint>
 #include <map>
@@ -50,7 +51,8 @@ struct CreepSpecification {
   LineContactSpecification contact; ///< rolling needs a radius: no period
   /// Roughness and profiles: each profile gives a curve of its own.
   SurfaceSpecification surface;
-  /// Friction law, temperature and limit of the pressure.
+  LawChoice friction;
+  /// Strength, temperature and limit of the pressure.
   CreepPhysics physics;
   RollingMode mode = RollingMode::Frozen;
   MovingSpecification moving; ///< of mode Moving
@@ -68,14 +70,14 @@ struct CreepSpecification {
 /// mirror image of the positive one: the same friction, heat and pressure, traction and slip turned
 /// around. A point that does not converge leaves the others untouched; the next one of its piece
 /// starts cold.
-/// @param law of the specification's friction (`readLaw`); its covariance, if it has one, is
+/// @param law of the specification's friction (`LawChoice::read`); its covariance, if it has one, is
 ///        carried through (`LawSpread`)
 /// @throws Error (Interrupted) when asked to stop, Error (NotConverged) where no point converges,
 /// and
 ///         what else the points throw
 /// @param options threads, journal, progress, interruption; none of them changes a number
 /// @return points in the order of the specification: creep changes fastest
-CreepCurves solveCreepCurves(const CreepSpecification &specification, const FrictionLaw &law,
+CreepCurves solveCreepCurves(const CreepSpecification &specification, const LawPointer &law,
                              const SweepOptions &options = {});
 
 } // namespace wheelrail

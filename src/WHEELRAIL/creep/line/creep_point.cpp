@@ -99,14 +99,13 @@ CreepPoint FrozenCreep::solve(const FrictionLaw &law, double speed, double creep
 {
   const bool needsTraction = physics_.thermal.model == ThermalModel::Local ||
                              physics_.thermal.model == ThermalModel::AveragedPower;
-  const bool feedback = physics_.hasFeedback();
+  const bool feedback = physics_.hasFeedback(law);
   double part = 1.0, lastStep = 0.0;
   int iteration = 1;
   for (;; ++iteration) {
     if (physics_.hardnessLimit && iteration > 1)
       limitPressure();
-    contact_.mu = frictionCoefficient(physics_.friction, law, contact_.pressure, creep * speed,
-                                      contact_.temperature);
+    contact_.mu = law.mu({contact_.pressure, creep * speed, contact_.temperature});
     if (needsTraction)
       roll(creep);
     const Vector next = temperatureFrom(speed, creep);
@@ -115,7 +114,7 @@ CreepPoint FrozenCreep::solve(const FrictionLaw &law, double speed, double creep
       contact_.temperature = next;
       break;
     }
-    if (step <= temperatureTolerance * physics_.friction.strengthTemperature)
+    if (step <= temperatureTolerance * physics_.strength.vanishingTemperature)
       break;
     if (iteration >= maxIterations)
       throw Error(ExitCode::NotConverged,
@@ -130,7 +129,7 @@ CreepPoint FrozenCreep::solve(const FrictionLaw &law, double speed, double creep
   if (!needsTraction)
     roll(creep);
   const double hottest = contact_.temperature.maxCoeff();
-  physics_.checkStrength(hottest, speed, creep);
+  physics_.checkStrength(law, hottest, speed, creep);
 
   CreepPoint point;
   point.speed = speed;
@@ -150,9 +149,9 @@ CreepPoint FrozenCreep::solve(const FrictionLaw &law, double speed, double creep
   return point;
 }
 
-LawUse FrozenCreep::use(double speed, double creep) const
+LawUse FrozenCreep::use(const FrictionLaw &law, double speed, double creep) const
 {
-  return lawUse(physics_.friction, contact_.pressure, creep * speed, contact_.temperature);
+  return law.use({contact_.pressure, creep * speed, contact_.temperature});
 }
 
 } // namespace wheelrail

@@ -5,7 +5,6 @@
 #include "contact/line/contact_setup.h"
 #include "contact/line/rolling_contact.h"
 #include "creep/sweep/creep_physics.h"
-#include "law/law_use.h"
 
 #include <optional>
 
@@ -53,12 +52,11 @@ class FrozenCreep {
   /// @param speed v0, m/s, > 0
   /// @param creep >= 0
   /// @throws Error (NotConverged), Error (BadInput) when a softer contact reaches the domain's ends
-  /// @param law not read where friction is constant
   /// @return the point, its fields in `fields()`
   CreepPoint solve(const FrictionLaw &law, double speed, double creep);
 
-  /// Where the last call asked its law for mu. @param speed, creep those of the call
-  LawUse use(double speed, double creep) const;
+  /// Where the last call asked its law for mu. @param law, speed, creep those of the call
+  LawUse use(const FrictionLaw &law, double speed, double creep) const;
 
   /// Of the last call; `startFrom` makes the next one start from them.
   /// SI units, over the whole domain.

@@ -274,17 +274,17 @@ namespace {
 
 /// What every summary begins with: case, law and its use, nominal contact, contacts.
 template<class Curves>
-Json summaryHead(const SurfaceSpecification &surface, const FrictionSpecification &friction,
-                 const std::string &text, const FrictionLaw &law, const Curves &curves)
+Json summaryHead(const SurfaceSpecification &surface, const std::string &text,
+                 const FrictionLaw &law, const Curves &curves)
 {
   const std::vector<ContactSetup> &contacts = curves.contacts;
   const ContactSetup &first = contacts.front();
   const HertzContact &hertz = first.hertz;
   Json json = {{"format", "wr_creep-summary 1"}, {"version", WHEELRAIL_VERSION}};
   json["case"] = text;
-  json["law"] = toJson(friction, law);
-  if (curves.use.any)
-    json["law_use"] = toJson(friction, curves.use);
+  json["law"] = law.json();
+  if (!curves.use.ranges.empty())
+    json["law_use"] = toJson(law, curves.use);
   json["warnings"] = curves.warnings;
   if (first.boundary == Boundary::Periodic)
     json["periodic"] = {{"period_mm", 2.0 * hertz.halfWidth / mm},
@@ -339,7 +339,7 @@ std::string profileReport(const SurfaceSpecification &surface, const ContactSetu
 std::string summaryJson(const CreepSpecification &asked, const std::string &text,
                         const FrictionLaw &law, const CreepCurves &curves)
 {
-  Json json = summaryHead(asked.surface, asked.physics.friction, text, law, curves);
+  Json json = summaryHead(asked.surface, text, law, curves);
   const ThermalSpecification &thermal = asked.physics.thermal;
   if (thermal.model != ThermalModel::Off)
     json["hertz"]["peclet_number"] = asked.speed.front() * curves.contacts.front().hertz.halfWidth *
@@ -361,7 +361,7 @@ std::string summaryJson(const CreepSpecification &asked, const std::string &text
 std::string summaryJson(const StaticSpecification &asked, const std::string &text,
                         const FrictionLaw &law, const StaticCases &cases)
 {
-  Json json = summaryHead(asked.surface, asked.physics.friction, text, law, cases);
+  Json json = summaryHead(asked.surface, text, law, cases);
   for (const StaticPoint &p : cases.points)
     json["forces"].push_back({{asked.surface.profileName(), p.profile},
                               {"force_ratio", p.forceRatio},

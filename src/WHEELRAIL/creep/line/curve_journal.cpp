@@ -24,12 +24,7 @@ Json rowOf(const CurvePoint &p)
           p.band.low,
           p.band.high,
           p.failure,
-          p.use.any,
-          p.use.kappa1,
-          p.use.kappa2,
-          p.use.kappa3,
-          p.use.pressure,
-          p.use.speed};
+          p.use.ranges};
 }
 
 CurvePoint pointFrom(const Json &j)
@@ -47,7 +42,7 @@ CurvePoint pointFrom(const Json &j)
   p.profile = j.at(9);
   p.band = {j.at(10), j.at(11), j.at(12)};
   p.failure = j.at(13);
-  p.use = {j.at(14), j.at(15), j.at(16), j.at(17), j.at(18), j.at(19)};
+  p.use.ranges = j.at(14);
   return p;
 }
 

@@ -73,9 +73,8 @@ void MovingCreep::roll(Roller &roller, double speed, bool counted)
   const int cells = window_->cells();
   if (roller.heat)
     roller.temperature = movedAlong(roller.temperature);
-  physics_.checkStrength(roller.temperature.maxCoeff(), speed, roller.creep);
-  roller.mu =
-      frictionCoefficient(physics_.friction, law_, p, roller.creep * speed, roller.temperature);
+  physics_.checkStrength(law_, roller.temperature.maxCoeff(), speed, roller.creep);
+  roller.mu = law_.mu({p, roller.creep * speed, roller.temperature});
   roller.result = roller.rolling.step(
       roller.mu.cwiseProduct(normal_.pressure).segment(windowBegin_, cells), roller.creep);
   const double ratio = roller.result.force() / normal_.pressure.sum();
@@ -126,8 +125,7 @@ CreepPoint MovingCreep::pointOf(const Roller &roller, double speed, int steps, i
       roller.heat ? roller.hottest : maximumOverMeanTemperature() * roller.hottest;
   point.iterations = steps;
   point.stickFraction = roller.counted.stick / counted;
-  point.use =
-      lawUse(physics_.friction, contact_.pressure, roller.creep * speed, roller.temperature);
+  point.use = law_.use({contact_.pressure, roller.creep * speed, roller.temperature});
   return point;
 }
 

@@ -69,11 +69,10 @@ StaticCases solveStaticCases(const StaticSpecification &specification, const Fri
   const int total = static_cast<int>(cases.contacts.size() * specification.forceRatio.size());
   for (const ContactSetup &setup : cases.contacts) {
     HalfPlane halfPlane(setup.cells, setup.boundary);
-    const Vector mu =
-        frictionCoefficient(specification.physics.friction, law, setup.normal.pressure, 0.0,
-                            Vector::Zero(setup.cells)); // nothing slides, nothing heats
-    cases.use.include(lawUse(specification.physics.friction, setup.normal.pressure, 0.0,
-                             Vector::Zero(setup.cells)));
+    const Vector cold = Vector::Zero(setup.cells); // nothing slides, nothing heats
+    const FrictionState state{setup.normal.pressure, 0.0, cold};
+    const Vector mu = law.mu(state);
+    cases.use.include(law.use(state));
     for (double force : specification.forceRatio) {
       if (options.stopped())
         throw Error(ExitCode::Interrupted,
@@ -96,8 +95,7 @@ StaticCases solveStaticCases(const StaticSpecification &specification, const Fri
         options.progress(static_cast<int>(cases.points.size()), total);
     }
   }
-  if (const std::string warning = lawWarning(specification.physics.friction, law, cases.use);
-      !warning.empty())
+  if (const std::string warning = law.warning(cases.use); !warning.empty())
     cases.warnings.push_back(warning);
   cases.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   return cases;

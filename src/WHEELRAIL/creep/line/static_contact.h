@@ -5,6 +5,7 @@
 #include "creep/line/creep_point.h"
 #include "creep/sweep/field_selection.h"
 #include "creep/sweep/sweep.h"
+#include "law/law_choice.h"
 
 #include <map>
 #include <string>
@@ -34,7 +35,8 @@ StaticTraction staticTraction(HalfPlane &halfPlane, const NormalContactProblem &
 struct StaticSpecification {
   LineContactSpecification contact;
   SurfaceSpecification surface;
-  CreepPhysics physics;           ///< friction not local, no temperature; no hardness limit where a
+  LawChoice friction;             ///< not cellwise
+  CreepPhysics physics;           ///< no temperature; no hardness limit where a
                                   ///< force ratio is above 0
   std::vector<double> forceRatio; ///< T/(mu N), in [0, 1), at least one
   FieldSelection fields;          ///< points whose fields along the contact are kept

@@ -143,8 +143,7 @@ void MovingPatch::begin(TransientPatch &transient, double speed, const PatchDriv
     return;
   }
   TransientPatch::Step shift;
-  shift.bound = frictionCoefficient(physics_.friction, law_, normal_.pressure, 0.0,
-                                    Vector::Zero(contact_.grid.cells()))
+  shift.bound = law_.mu({normal_.pressure, 0.0, Vector::Zero(contact_.grid.cells())})
                     .cwiseProduct(normal_.pressure);
   shift.cells = 0;
   shift.forceX = drive.forceX.value_or(0.0);
@@ -175,7 +174,7 @@ bool MovingPatch::pressureStays(double load) const
   const double former = normal_.pressure.sum() * contact_.grid.cellArea();
   return surface.wheel.isSmooth() && surface.rail.isSmooth() && !coupling_.any() &&
          std::abs(load - former) <= 1e-12 * load &&
-         !(physics_.hardnessLimit && physics_.hasFeedback());
+         !physics_.heatLimitsPressure();
 }
 
 void MovingPatch::press(double load, double distance, const Vector &start, const Vector &opening)
@@ -216,11 +215,11 @@ PatchStep MovingPatch::roll(TransientPatch &transient, Temperature &heat, double
   const double sliding = speed * rigidSlip(grid, normal_.pressure, step.creepage);
   if (!heat.rows.empty()) // what the friction coefficient sees is a cell behind
     heat.values = shifted(grid, heat.values, 1);
-  physics_.checkStrength(heat.values.maxCoeff(), speed, step.creepage.xi);
+  physics_.checkStrength(law_, heat.values.maxCoeff(), speed, step.creepage.xi);
   Vector mu;
   TangentialOptions options = TransientPatch::defaultOptions();
   const auto slide = [&] {
-    mu = frictionCoefficient(physics_.friction, law_, normal_.pressure, sliding, heat.values);
+    mu = law_.mu({normal_.pressure, sliding, heat.values});
     step.bound = mu.cwiseProduct(normal_.pressure);
     step.imposed = coupling_.tangential(normal_.pressure);
     step.edge = contact_.edge(normal_.pressure, normal_.gap);
@@ -370,7 +369,7 @@ PatchPoint MovingPatch::pointOf(double speed) const
   point.errorY = error(&PatchStep::forceY);
   point.errorZ = error(&PatchStep::momentZ);
   const double sliding = speed * rigidSlip(contact_.grid, fields_.pressure, creepage_);
-  point.use = lawUse(physics_.friction, fields_.pressure, sliding, fields_.temperature);
+  point.use = law_.use({fields_.pressure, sliding, fields_.temperature});
   return point;
 }
 

@@ -101,12 +101,6 @@ bool takeFields(const nlohmann::json &checksums, const Journal &journal, int cel
   return true;
 }
 
-FrictionLaw withoutCovariance(FrictionLaw law)
-{
-  law.covariance.reset();
-  return law;
-}
-
 } // namespace
 
 namespace {
@@ -171,7 +165,7 @@ std::vector<PatchTask> patchTasks(const PatchSpecification &asked)
   return tasks;
 }
 
-PatchCurves solvePatchCurves(const PatchSpecification &asked, const FrictionLaw &law,
+PatchCurves solvePatchCurves(const PatchSpecification &asked, const LawPointer &law,
                              const SweepOptions &options)
 {
   const auto begin = Clock::now();
@@ -184,8 +178,8 @@ PatchCurves solvePatchCurves(const PatchSpecification &asked, const FrictionLaw 
   };
   std::vector<PatchPieceResult> results(pieces.size());
   std::vector<nlohmann::json> checksums(pieces.size(), nlohmann::json::object());
-  const LawSpread spread = asked.mode == PatchMode::Static ? LawSpread({}, withoutCovariance(law))
-                                                           : LawSpread(asked.spread, law);
+  const LawSpread spread =
+      asked.mode == PatchMode::Static ? LawSpread(law) : LawSpread(asked.spread, law);
   Sweep sweep;
   for (const PatchPiece &piece : pieces)
     sweep.points.push_back(static_cast<int>(piece.count));
@@ -222,8 +216,7 @@ PatchCurves solvePatchCurves(const PatchSpecification &asked, const FrictionLaw 
   }
   for (const PatchPoint &point : curves.points)
     curves.use.include(point.use);
-  if (const std::string warning = lawWarning(asked.physics.friction, law, curves.use);
-      !warning.empty())
+  if (const std::string warning = law->warning(curves.use); !warning.empty())
     curves.warnings.push_back(warning);
   curves.hasBand = spread.any();
   curves.redrawn = spread.redrawn();

@@ -6,6 +6,7 @@
 #include "creep/patch/moving_patch.h"
 #include "creep/sweep/field_selection.h"
 #include "creep/sweep/sweep.h"
+#include "law/law_choice.h"
 
 #include <map>
 #include <string>
@@ -24,7 +25,8 @@ struct PatchSpecification {
   PatchContactSpecification contact;
   /// None, generated or measured; several surfaces multiply the points.
   RoughPatchSpecification roughness;
-  /// Friction law, temperature and limit of the pressure.
+  LawChoice friction;
+  /// Strength, temperature and limit of the pressure.
   CreepPhysics physics;
   PatchMode mode = PatchMode::Frozen;
   MovingPatchSpecification moving;          ///< of mode Moving
@@ -95,9 +97,9 @@ std::vector<PatchTask> patchTasks(const PatchSpecification &asked);
 /// or resumed.
 /// @throws Error (Interrupted) when asked to stop, and what the points throw; Error (NotConverged)
 ///         where no point at all converges
-/// @param law of the specification's friction (`readLaw`)
+/// @param law of the specification's friction (`LawChoice::read`)
 /// @param options threads, journal, progress; none of them changes a number
-PatchCurves solvePatchCurves(const PatchSpecification &asked, const FrictionLaw &law,
+PatchCurves solvePatchCurves(const PatchSpecification &asked, const LawPointer &law,
                              const SweepOptions &options = {});
 
 } // namespace wheelrail

@@ -34,9 +34,6 @@ void eachNumber(Point &p, const Visit &visit)
                       &p.errorY,
                       &p.errorZ})
     visit(*value);
-  for (auto *range : {&p.use.kappa1, &p.use.kappa2, &p.use.kappa3, &p.use.pressure, &p.use.speed})
-    for (auto &value : *range)
-      visit(value);
   for (auto *band : {&p.bands.tractionRatio, &p.bands.x, &p.bands.y, &p.bands.momentZ}) {
     visit(band->standardError);
     visit(band->low);
@@ -71,7 +68,7 @@ Json patchPointsJson(const std::vector<PatchPoint> &points)
 {
   Json rows = Json::array();
   for (const PatchPoint &point : points) {
-    Json row = {point.surface, point.iterations, point.products, point.failure, point.use.any};
+    Json row = {point.surface, point.iterations, point.products, point.failure, point.use.ranges};
     eachNumber(point, [&](double value) { row.push_back(value); });
     rows.push_back(row);
   }
@@ -87,7 +84,7 @@ std::vector<PatchPoint> patchPointsFrom(const Json &rows)
     point.iterations = row.at(1);
     point.products = row.at(2);
     point.failure = row.at(3);
-    point.use.any = row.at(4);
+    point.use.ranges = row.at(4);
     std::size_t k = 5;
     eachNumber(point, [&](double &value) { value = row.at(k++); });
     points.push_back(point);

@@ -60,7 +60,7 @@ class PieceSolver {
   bool still(const PatchTask &task, int number, bool keeps, PatchPieceResult &result)
   {
     const std::optional<StaticPatch> solved = solveStaticPatch(
-        asked_.physics, spread_.laws().front(), contact_, task, asked_.sequence.load, goOn_);
+        asked_.physics, *spread_.laws().front(), contact_, task, asked_.sequence.load, goOn_);
     if (!solved)
       return false;
     result.points.push_back(solved->point);
@@ -75,8 +75,8 @@ class PieceSolver {
     std::vector<PatchStep> series;
     PatchFields fields;
     Quantities quantities;
-    for (const FrictionLaw &law : spread_.laws()) {
-      MovingPatch rolling(asked_.physics, asked_.moving, asked_.sequence, law, contact_,
+    for (const LawPointer &law : spread_.laws()) {
+      MovingPatch rolling(asked_.physics, asked_.moving, asked_.sequence, *law, contact_,
                           asked_.contact.spinPoint);
       const std::optional<PatchPoint> point = rolling.solve(task.speed, task.drive, goOn_);
       if (!point)
@@ -98,10 +98,10 @@ class PieceSolver {
 
   bool frozen(const PatchTask &task, int number, bool keeps, PatchPieceResult &result)
   {
-    const auto warm = [&](std::optional<FrozenPatch> &patch, const FrictionLaw &law) {
+    const auto warm = [&](std::optional<FrozenPatch> &patch, const LawPointer &law) {
       if (!patch)
         patch.emplace(asked_.physics, contact_, asked_.contact.spinPoint);
-      return patch->solve(law, task.speed, task.drive);
+      return patch->solve(*law, task.speed, task.drive);
     };
     Quantities quantities;
     PatchPoint own = warm(frozen_, spread_.laws().front());

@@ -189,9 +189,9 @@ void FrozenPatch::failToSettle(double speed, int iterations, bool friction) cons
 PatchPoint FrozenPatch::solve(const FrictionLaw &law, double speed, const PatchDrive &drive)
 {
   const bool found = drive.forceX || drive.forceY;
-  const bool heats = physics_.hasFeedback();
+  const bool heats = physics_.hasFeedback(law);
   // creepages that are not known beforehand decide the sliding speed
-  const bool slides = found && !physics_.friction.isConstant() && physics_.friction.velocityTerm;
+  const bool slides = found && law.dependsOnSpeed();
   const bool couples = coupling_.any();
   const bool feedback = heats || slides || couples;
   const bool needsTraction = found || couples || physics_.thermal.model == ThermalModel::Local ||
@@ -216,14 +216,13 @@ PatchPoint FrozenPatch::solve(const FrictionLaw &law, double speed, const PatchD
     const bool pressed =
         !couples || (iteration > 1 && PatchCoupling::settled(formerPressure, fields_.pressure));
     const Creepage before = creepage_;
-    fields_.mu = frictionCoefficient(physics_.friction, law, fields_.pressure, slidingSpeed(speed),
-                                     fields_.temperature);
+    fields_.mu = law.mu({fields_.pressure, slidingSpeed(speed), fields_.temperature});
     if (needsTraction)
       rollWarmOrCold(drive);
     const Vector next = temperatureFrom(speed);
     // of the temperature, and of the creepages as a share that counts as much
     const double heatStep = (next - fields_.temperature).cwiseAbs().maxCoeff() /
-                            (temperatureTolerance * physics_.friction.strengthTemperature);
+                            (temperatureTolerance * physics_.strength.vanishingTemperature);
     const double size = std::hypot(creepage_.xi, creepage_.eta);
     const double creepStep =
         slides ? std::hypot(creepage_.xi - before.xi, creepage_.eta - before.eta) /
@@ -249,11 +248,11 @@ PatchPoint FrozenPatch::solve(const FrictionLaw &law, double speed, const PatchD
   }
   if (!needsTraction)
     rollWarmOrCold(drive);
-  physics_.checkStrength(fields_.temperature.maxCoeff(), speed, creepage_.xi);
+  physics_.checkStrength(law, fields_.temperature.maxCoeff(), speed, creepage_.xi);
   fields_.traction = result_.traction;
   fields_.slip = result_.slip;
   fields_.state = result_.state;
-  return pointOf(speed, iteration);
+  return pointOf(law, speed, iteration);
 }
 
 PatchSums FrozenPatch::sums() const
@@ -263,7 +262,7 @@ PatchSums FrozenPatch::sums() const
   return sums;
 }
 
-PatchPoint FrozenPatch::pointOf(double speed, int iterations) const
+PatchPoint FrozenPatch::pointOf(const FrictionLaw &law, double speed, int iterations) const
 {
   const PatchSums sums = this->sums();
   PatchPoint point;
@@ -288,7 +287,7 @@ PatchPoint FrozenPatch::pointOf(double speed, int iterations) const
   point.realArea = contact_.realArea(fields_.pressure);
   point.frictionalPower = sums.frictionalPower * speed;
   point.powerClosure = sums.powerClosure();
-  point.use = lawUse(physics_.friction, fields_.pressure, slidingSpeed(speed), fields_.temperature);
+  point.use = law.use({fields_.pressure, slidingSpeed(speed), fields_.temperature});
   return point;
 }
 

@@ -11,7 +11,6 @@
 #include "creep/patch/field_files.h"
 #include "creep/sweep/creep_physics.h"
 #include "creep/sweep/law_spread.h"
-#include "law/law_use.h"
 
 #include <cmath>
 #include <optional>
@@ -125,7 +124,7 @@ class FrozenPatch {
   /// Of the last solution, with what unlike bodies' pressure gives.
   PatchSums sums() const;
   /// Iterations of the fixed point.
-  PatchPoint pointOf(double speed, int iterations) const;
+  PatchPoint pointOf(const FrictionLaw &law, double speed, int iterations) const;
 
   const CreepPhysics &physics_;
   const PatchContact &contact_;

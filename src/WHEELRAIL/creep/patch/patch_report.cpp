@@ -196,9 +196,9 @@ std::string patchSummary(const PatchSpecification &asked, const std::string &tex
   const PatchContact &first = curves.contacts.front();
   Json json = {{"format", "wr_creep-summary 1"}, {"version", WHEELRAIL_VERSION}};
   json["case"] = text;
-  json["law"] = toJson(asked.physics.friction, law);
-  if (curves.use.any)
-    json["law_use"] = toJson(asked.physics.friction, curves.use);
+  json["law"] = law.json();
+  if (!curves.use.ranges.empty())
+    json["law_use"] = toJson(law, curves.use);
   json["contact"] = "patch";
   json["mode"] = modeName(asked.mode);
   json["shear_modulus_GPa"] = first.pair.G / GPa;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "creep/patch/polach.h"
 
-#include "law/contact_friction.h"
+#include "law/forms/polach.h"
 
 #include <algorithm>
 #include <cmath>

@@ -69,8 +69,7 @@ class StaticSteps {
   void setFriction(TransientPatch::Step &step)
   {
     // nothing slides on, nothing heats
-    mu_ = frictionCoefficient(physics_.friction, law_, normal_.pressure, 0.0,
-                              Vector::Zero(contact_.grid.cells()));
+    mu_ = law_.mu({normal_.pressure, 0.0, Vector::Zero(contact_.grid.cells())});
     step.bound = mu_.cwiseProduct(normal_.pressure);
     step.imposed = coupling_.tangential(normal_.pressure);
     step.forceX = task_.drive.forceX;
@@ -121,7 +120,7 @@ StaticPatch StaticSteps::result() const
   point.approach = normal_.approach;
   point.peakPressure = normal_.peakPressure();
   point.realArea = contact_.realArea(normal_.pressure);
-  point.use = lawUse(physics_.friction, normal_.pressure, 0.0, still.fields.temperature);
+  point.use = law_.use({normal_.pressure, 0.0, still.fields.temperature});
   return still;
 }
 

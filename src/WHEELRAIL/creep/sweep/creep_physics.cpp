@@ -8,25 +8,31 @@
 
 namespace wheelrail {
 
-bool CreepPhysics::hasFeedback() const
+bool CreepPhysics::hasFeedback(const FrictionLaw &law) const
 {
-  return thermal.model != ThermalModel::Off && (friction.isScaled() || hardnessLimit);
+  return thermal.model != ThermalModel::Off && (law.dependsOnTemperature() || hardnessLimit);
+}
+
+bool CreepPhysics::heatLimitsPressure() const
+{
+  return thermal.model != ThermalModel::Off && hardnessLimit;
 }
 
 double CreepPhysics::pressureLimit(double temperatureRise) const
 {
-  return hardnessLimit ? friction.hardnessAt(temperatureRise)
+  return hardnessLimit ? strength.hardnessAt(temperatureRise)
                        : std::numeric_limits<double>::infinity();
 }
 
-void CreepPhysics::checkStrength(double hottest, double speed, double creep) const
+void CreepPhysics::checkStrength(const FrictionLaw &law, double hottest, double speed,
+                                 double creep) const
 {
-  if (hasFeedback() && hottest >= friction.strengthTemperature)
+  if (hasFeedback(law) && hottest >= strength.vanishingTemperature)
     throw Error(
         ExitCode::NotConverged,
         fmt::format("creep {} at {} m/s: the temperature rise of {:.0f} K leaves no strength "
                     "(friction.strength_temperature is {} K)",
-                    creep, speed, hottest, friction.strengthTemperature));
+                    creep, speed, hottest, strength.vanishingTemperature));
 }
 
 } // namespace wheelrail

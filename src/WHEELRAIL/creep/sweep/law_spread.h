@@ -5,6 +5,7 @@
 #include "law/friction_law.h"
 
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace wheelrail {
@@ -33,16 +34,17 @@ struct Band {
 /// determines it. Linear: the law with each parameter a tenth of its standard error up and down;
 /// the band is that of the derivatives and the covariance. Sampled: draws from the normal
 /// distribution with the law's covariance; the band is their standard deviation and quantiles.
-/// Draws that are no law, b or c < 0 (a pole) or mu <= 0 at some pressure within the fitted range
-/// of kappa1, are drawn again.
+/// Draws that are no law (`FrictionLaw::isSound`) are drawn again.
 class LawSpread {
  public:
+  /// Just the law: no band.
+  explicit LawSpread(LawPointer law) : variants_{std::move(law)} {}
   /// @param law its covariance is used, if it has one
   /// @throws Error (NotConverged) when hardly any draw is a law
-  LawSpread(const SpreadSpecification &specification, const FrictionLaw &law);
+  LawSpread(const SpreadSpecification &specification, const LawPointer &law);
 
   /// The law itself first. Just that one if it has no covariance.
-  const std::vector<FrictionLaw> &laws() const { return variants_; }
+  const std::vector<LawPointer> &laws() const { return variants_; }
   /// Does the law have a covariance to be carried through?
   bool any() const { return variants_.size() > 1; }
   /// @param results the quantity in question, computed with each of `laws()`, in their order
@@ -59,8 +61,8 @@ class LawSpread {
   /// Draws from the normal distribution, by the root of the correlation matrix.
   void addSamples(int samples, std::uint64_t seed);
 
-  UncertaintyMethod method_;
-  std::vector<FrictionLaw> variants_;
+  UncertaintyMethod method_ = UncertaintyMethod::Linear;
+  std::vector<LawPointer> variants_;
   double redrawnShare_ = 0.0;
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "base/errors.h"
-#include "law/friction_law.h"
+#include "law/kappa_law.h"
 #include "law/law_checksum.h"
 
 #include <cmath>
@@ -31,7 +31,7 @@ std::vector<std::vector<double>> readCsv(const std::string &name)
 }
 
 /// Eq. 7 by Simpson's rule in the logarithm of 1 + c kappa2, in long double: no closed form in it.
-double averageByQuadrature(const FrictionLaw &law, double k1, double modulus, double strength)
+double averageByQuadrature(const KappaLaw &law, double k1, double modulus, double strength)
 {
   using Real = long double;
   const Real x = 3.0L * law.c * modulus / strength;
@@ -61,7 +61,7 @@ std::string write(const std::string &content)
 std::string problemOf(const std::string &content)
 {
   try {
-    readFrictionLaw(write(content));
+    readKappaLaw(write(content));
   } catch (const Error &error) {
     EXPECT_EQ(error.code(), ExitCode::BadInput);
     EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos);
@@ -84,7 +84,7 @@ void expectContains(const std::string &text, const std::string &part)
 
 } // namespace
 
-TEST(FrictionLaw, referenceTable)
+TEST(KappaLaw, referenceTable)
 {
   const auto law = bucher2006();
   for (const auto &row : readCsv("law.csv")) {
@@ -95,7 +95,7 @@ TEST(FrictionLaw, referenceTable)
   }
 }
 
-TEST(FrictionLaw, averageTableAndQuadrature)
+TEST(KappaLaw, averageTableAndQuadrature)
 {
   const auto law = bucher2006();
   for (const auto &row : readCsv("average.csv")) {
@@ -107,7 +107,7 @@ TEST(FrictionLaw, averageTableAndQuadrature)
   EXPECT_NEAR(law.averaged(0.2, 206e3, 1000), averageByQuadrature(law, 0.2, 206e3, 1000), 1e-10);
 }
 
-TEST(FrictionLaw, averageOfSmallAndLargeX)
+TEST(KappaLaw, averageOfSmallAndLargeX)
 {
   auto law = bucher2006();
   for (double x : {1e-12, 1e-6, 1e-3, 0.05, 0.0999999, 0.1000001, 0.2, 3.0, 1e3}) {
@@ -125,7 +125,7 @@ TEST(FrictionLaw, averageOfSmallAndLargeX)
   EXPECT_NEAR(law.averaged(0.0, 1.0, 1.0), below, 1e-13);
 }
 
-TEST(FrictionLaw, kappasAreDimensionless)
+TEST(KappaLaw, kappasAreDimensionless)
 {
   EXPECT_NEAR(kappa1(7800, 206e9, 5, 92e6), 4.745983, 1e-6);
   EXPECT_NEAR(kappa2(15e6, 206e9, 92e6), 365.0756, 1e-4);
@@ -133,7 +133,7 @@ TEST(FrictionLaw, kappasAreDimensionless)
   EXPECT_DOUBLE_EQ(kappa1(4 * 7800, 206e9, 2.5, 92e6), kappa1(7800, 206e9, 5, 92e6));
 }
 
-TEST(FrictionLaw, equationTwo)
+TEST(KappaLaw, equationTwo)
 {
   const auto law = bucher2006();
   EXPECT_NEAR(law(4.745983, 365.0756), 0.441758, 1e-6);
@@ -148,7 +148,7 @@ TEST(LawFile, readsBackWhatItWrote)
   (*law.covariance)(0, 2) = (*law.covariance)(2, 0) = -1e-4 / 7.0;
   auto json = toJson(law);
   json["report"] = {{"anything", {1, 2, 3}}};
-  const auto back = readFrictionLaw(write(json.dump(2)));
+  const auto back = readKappaLaw(write(json.dump(2)));
   EXPECT_EQ(back.mu0, law.mu0);
   EXPECT_EQ(back.c, law.c);
   EXPECT_EQ(*back.covariance, *law.covariance);
@@ -158,8 +158,8 @@ TEST(LawFile, readsBackWhatItWrote)
   EXPECT_EQ(back.fittedOn, law.fittedOn);
   EXPECT_FALSE(back.kappa3);
   EXPECT_EQ(back.source, law.source);
-  EXPECT_EQ(readFrictionLaw("bucher2006").mu1, 0.0442);
-  EXPECT_FALSE(readFrictionLaw(write(toJson(bucher2006()).dump())).covariance);
+  EXPECT_EQ(bucher2006().mu1, 0.0442);
+  EXPECT_FALSE(readKappaLaw(write(toJson(bucher2006()).dump())).covariance);
 }
 
 TEST(LawFile, whereItComesFromMayBeMissing)
@@ -167,24 +167,24 @@ TEST(LawFile, whereItComesFromMayBeMissing)
   const std::string bare = R"({"format": "mca-friction-law 1",
     "mu0": 0.15, "mu1": 0.0442, "mu2": 0.3243, "b": 0.195, "c": 0.00212})";
   const std::string path = write(bare);
-  const FrictionLaw law = readFrictionLaw(path);
+  const KappaLaw law = readKappaLaw(path);
   EXPECT_EQ(law(1.0, 100.0), bucher2006()(1.0, 100.0));
   EXPECT_EQ(law.source, path);
   EXPECT_EQ(law.n, 0);
   EXPECT_FALSE(law.covariance || law.kappa1Range || law.kappa2Range || law.kappa3Range);
   EXPECT_TRUE(law.fittedOn.empty());
-  EXPECT_EQ(readFrictionLaw(write(toJson(law).dump())).mu2, law.mu2);
+  EXPECT_EQ(readKappaLaw(write(toJson(law).dump())).mu2, law.mu2);
 }
 
 TEST(LawFile, saysWhatItWasFittedOn)
 {
-  const FrictionLaw paper = bucher2006();
+  const KappaLaw paper = bucher2006();
   EXPECT_NEAR((*paper.kappa3Range)[0], 373.2, 0.1); // Table 1: 206 GPa, 92 to 552 MPa
   EXPECT_NEAR((*paper.kappa3Range)[1], 2239.1, 0.1);
   EXPECT_EQ(toJson(paper)["fitted_on"]["pressure"], (nlohmann::ordered_json{0.5, 26.0}));
-  FrictionLaw law = paper;
+  KappaLaw law = paper;
   law.kappa3 = 229.0;
-  EXPECT_EQ(*readFrictionLaw(write(toJson(law).dump())).kappa3, 229.0);
+  EXPECT_EQ(*readKappaLaw(write(toJson(law).dump())).kappa3, 229.0);
   expectContains(problemOf(lawWith("kappa3", 0)), "kappa3: 0 is not allowed, must be > 0");
   expectContains(problemOf(lawWith("kappa3_range", {5, 4})), "kappa3_range: [5, 4] is not a range");
   expectContains(problemOf(lawWith("fitted_on", {{"presure", {1, 2}}})),
@@ -220,7 +220,7 @@ TEST(LawFile, badContentIsOneClearLine)
   auto text = toJson(bucher2006()).dump(1);
   text.replace(text.find("0.15"), 4, "1e999");
   expectContains(problemOf(text), "range of double precision");
-  EXPECT_THROW(readFrictionLaw("/nonexistent/law.json"), Error);
+  EXPECT_THROW(readKappaLaw("/nonexistent/law.json"), Error);
 }
 
 TEST(LawFile, keysThatStandTwiceAreRefused)
@@ -317,7 +317,7 @@ TEST(LawFile, checksumFindsEveryFlippedBit)
   auto json = toJson(law);
   json["report"] = {{"points", {{{"mu", 0.4}}}}};
   const std::string text = withChecksum(json.dump(2) + "\n");
-  EXPECT_EQ(readFrictionLaw(write(text)).note, "");
+  EXPECT_EQ(readKappaLaw(write(text)).note, "");
   EXPECT_TRUE(fitsChecksum(text));
   for (size_t k = 0; k < text.size(); ++k)
     for (int bit = 0; bit < 8; ++bit) {
@@ -337,10 +337,10 @@ TEST(LawFile, anEditedLawIsReadWithoutItsChecksum)
                           "that was edited, remove this line");
   const auto begin = text.find("  \"checksum\"");
   text.erase(begin, text.find('\n', begin) + 1 - begin);
-  const auto law = readFrictionLaw(write(text));
+  const auto law = readKappaLaw(write(text));
   EXPECT_EQ(law.mu0, 0.16);
   expectContains(law.note, ".json: no checksum");
-  EXPECT_EQ(readFrictionLaw("bucher2006").note, "");
+  EXPECT_EQ(bucher2006().note, "");
 }
 
 TEST(LawFile, aChecksumThatIsNoneIsRefused)

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef WHEELRAIL_LAW_STRENGTH_H
+#define WHEELRAIL_LAW_STRENGTH_H
+
+#include <algorithm>
+
+namespace wheelrail {
+
+/// Strength of the asperities, which falls with temperature (the paper, Eq. 10); SI units.
+struct Strength {
+  double cold = 0.0;                 ///< sigma_0 at no temperature rise, Pa, > 0
+  double vanishingTemperature = 0.0; ///< rise at which no strength is left, K, > 0
+
+  /// Eq. 10: sigma_0(Theta) = cold (1 - Theta/vanishingTemperature), Pa. Kept above a thousandth of
+  /// the cold strength, so that an iteration can pass through what a solution may not reach.
+  /// @param rise Theta, K
+  double at(double rise) const
+  {
+    constexpr double weakest = 1e-3; // of the cold strength
+    return cold * std::max(weakest, 1.0 - rise / vanishingTemperature);
+  }
+
+  /// 3 sigma_0(Theta), the pressure at which asperities yield (the paper, sec. 3), Pa.
+  double hardnessAt(double rise) const
+  {
+    constexpr double hardnessOverStrength = 3.0;
+    return hardnessOverStrength * at(rise);
+  }
+};
+
+} // namespace wheelrail
+#endif
