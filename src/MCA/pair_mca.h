@@ -192,7 +192,10 @@ class PairMCA : public Pair {
   void allocate();
   /// The packing by default; refuses laws that do not act in this dimension.
   void choose_packing();
-  /// Materials in units of energy per volume, and the tables of laws from them.
+  /// The material of a type in the units of the step: a stress is an energy per volume, a density
+  /// times a squared velocity, too.
+  mca::Material material_inside(int type) const;
+  /// The tables of laws.
   void make_laws();
   /// Of setup() and reset_dt(): the critical step of each material under these laws.
   void check_step();

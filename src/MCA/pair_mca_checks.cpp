@@ -49,8 +49,8 @@ void PairMCA::check_internal_fixes() const
 
 double PairMCA::wave_speed(int type) const
 {
-  const mca::Material &m = materials[type];
-  return std::sqrt(m.youngsModulus / stress_unit() / (m.density * force->mvv2e));
+  const mca::Material m = material_inside(type);
+  return std::sqrt(m.youngsModulus / m.density);
 }
 
 /* ----------------------------------------------------------------------

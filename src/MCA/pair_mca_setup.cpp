@@ -313,16 +313,21 @@ double PairMCA::stress_unit() const
   return force->nktv2p;
 }
 
+mca::Material PairMCA::material_inside(int type) const
+{
+  mca::Material m = materials[type];
+  m.youngsModulus /= stress_unit();
+  m.strength /= stress_unit();
+  m.viscosity /= stress_unit();
+  m.density *= force->mvv2e;
+  return m;
+}
+
 void PairMCA::make_laws()
 {
-  std::vector<mca::Material> inside(materials);
-  inside[0] = inside[1]; // types begin with 1
-  for (auto &m : inside) {
-    m.youngsModulus /= stress_unit();
-    m.strength /= stress_unit();
-    m.viscosity /= stress_unit();
-    m.density *= force->mvv2e;
-  }
+  std::vector<mca::Material> inside = {material_inside(1)}; // types begin with 1
+  for (int type = 1; type <= atom->ntypes; type++)
+    inside.push_back(material_inside(type));
   mca_step.setLaws({lawset, inside, thickness(), *packing});
 }
 
@@ -354,10 +359,8 @@ void PairMCA::check_step()
   for (int i = 1; i <= atom->ntypes; i++) {
     if (i > 1 && materials[i] == materials[i - 1])
       continue;
-    mca::Material m = materials[i];
-    m.youngsModulus /= stress_unit();
-    m.density *= force->mvv2e;
-    const double eta = lawset.isViscous() ? m.viscosity / stress_unit() : 0.0;
+    const mca::Material m = material_inside(i);
+    const double eta = lawset.isViscous() ? m.viscosity : 0.0;
     const mca::ElasticModuli moduli = mca::elasticModuli(lawset, m);
     const double D = moduli.D * moduli.bulk / m.bulkModulus(); // D K as the law has it
     auto limit = mca::criticalStep(m, D, eta, *packing, lawset.resistsSlip());

@@ -74,12 +74,13 @@ constexpr double largestWhole = 9e15;
 
 /// One test for both sides: the plugin writes no log with a number outside its range, and wr_fit
 /// reads every log whose numbers are within theirs.
-/// @param value in the unit of its `HeadNumber`
+/// \param value in the unit of its `HeadNumber`
 bool isIn(Range range, double value);
 /// The same for the numbers of a row: finite, within +-largest; `step` is whole and >= 0.
 bool isInRow(double value);
-/// The range in words: "> 0 (MPa), 1e-12 to 1e+12". @param unit empty for pure numbers
-/// @return a half-sentence for messages: what is allowed
+/// The range in words: "> 0 (MPa), 1e-12 to 1e+12".
+/// \param unit empty for pure numbers
+/// \return a half-sentence for messages: what is allowed
 std::string describe(Range range, const std::string &unit);
 
 /// What a log says of its run in numbers, in the units above; whole ones, too, are doubles, which

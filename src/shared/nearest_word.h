@@ -25,7 +25,7 @@ std::string nearestWord(const std::string &word, const std::vector<std::string> 
 /// near, "unknown WHAT 'WORD'; known: A, B, C". Of words in groups ("contact.radius") only those of
 /// the given word's group are listed; a word without a known group gets the words outside of
 /// groups.
-/// @param what "keyword", "option", "key"
+/// \param what "keyword", "option", "key"
 std::string unknownWord(const std::string &what, const std::string &word,
                         const std::vector<std::string> &known);
 

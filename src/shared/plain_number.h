@@ -16,13 +16,13 @@ struct LeadingNumber {
   std::string_view rest; ///< what follows, untouched
 };
 
-/// @return nothing where the text does not begin with a finite number (blanks included, "nan",
+/// \return nothing where the text does not begin with a finite number (blanks included, "nan",
 ///         "inf", beyond the range of double precision)
-/// @param text must outlive the result's `rest`
+/// \param text must outlive the result's `rest`
 std::optional<LeadingNumber> leadingNumber(std::string_view text);
 
 /// The same where the whole text has to be one number.
-/// @return nothing where anything is left over, blanks included
+/// \return nothing where anything is left over, blanks included
 std::optional<double> plainNumber(std::string_view text);
 
 } // namespace mcawr

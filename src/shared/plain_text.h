@@ -17,8 +17,8 @@ struct PlainText {
 /// Reads what other machines write: lines that end with "\r\n" (Windows) or '\r' (old Macs), UTF-8
 /// and UTF-16 with a byte order mark, Latin-1 (whatever is no UTF-8: the micro sign is 0xb5 there).
 /// What has been plain once stays as it is.
-/// @param bytes of the whole file
-/// @return a problem for UTF-16 without a mark, UTF-32, and bytes that are 0, which no text has
+/// \param bytes of the whole file
+/// \return a problem for UTF-16 without a mark, UTF-32, and bytes that are 0, which no text has
 PlainText plainText(std::string_view bytes);
 
 } // namespace mcawr

@@ -4,6 +4,12 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <fstream>
+#include <map>
+#include <regex>
+#include <string>
+
 // strains of 1e-3 beside an offset of 3e-3 keep about 15 digits
 #define EXPECT_CLOSE(a, b) EXPECT_NEAR(a, b, 1e-9)
 
@@ -31,6 +37,47 @@ ContactStress of(const PairLaw &pair, double kind, double e, double gamma, doubl
 const double twoG = 2 * steel().shearModulus(), D = steel().meanStressWeight();
 
 } // namespace
+
+/// The numbers of the worked link at the top of laws/contact.h, "NAME = WORDS = NUMBER".
+static std::map<std::string, std::string> workedLink()
+{
+  std::ifstream in(PROJECT_SOURCE "/src/MCA/laws/contact.h");
+  const std::regex line(R"(///     (\w+) +=.* = ([-0-9.e]+) .*|///     (\w+) +=.* = ([-0-9.e]+))");
+  std::map<std::string, std::string> numbers;
+  std::smatch found;
+  for (std::string text; std::getline(in, text);)
+    if (std::regex_match(text, found, line))
+      numbers[found[1].str() + found[3].str()] = found[2].str() + found[4].str();
+  return numbers;
+}
+
+TEST(Contact, TheWorkedLinkIsWhatTheLawsGive)
+{
+  const PairLaw pair = makePairLaw(LawSet(), steel(), steel(), 1.0);
+  const Contact c = {link::bulk, 5e-4, 1e-4, 2e-4, 2e-4, 0.0};
+  const Answer i = {30, 0.8, 30}, j = {20, 1, 20};
+  const ContactStress s = contactStress<FractureByStrain>(pair, c, i, j);
+  const double left = returnedShare(i, j);
+  const ShearAnswer<double> shear = shearAnswer(pair, c.gamma, c.gamma, s, left);
+  const NextState<double> next = nextState(pair, c, s, c.gamma, c.gammaTotal, shear.left);
+  const PlaneForce f = contactForce(pair, s.normal, shear.acting, c.eps, PlaneVector{1, 0});
+  const std::map<std::string, double> computed = {
+      {"trial", s.trial},    {"sigma", s.sigma},        {"left", left},
+      {"tau", s.tau},        {"kind", s.kindNext},      {"Fn", f.x},
+      {"Ft", f.y},           {"torque", f.torque},      {"offset", next.plastic},
+      {"shear", next.gamma}, {"total", next.gammaTotal}};
+  const std::map<std::string, std::string> written = workedLink();
+  EXPECT_EQ(written.size(), computed.size());
+  for (const auto &[name, value] : computed) {
+    ASSERT_TRUE(written.count(name)) << name;
+    EXPECT_NEAR(std::stod(written.at(name)), value, 5e-5 * std::abs(value)) << name; // five digits
+  }
+  EXPECT_NEAR(pair.area, 1.4434, 5e-5);
+  EXPECT_NEAR(pair.twoG, 158461.5, 0.05);
+  EXPECT_NEAR(pair.Di, 9.0 / 13.0, 1e-12);
+  // the next step begins where this one has led to
+  EXPECT_NEAR(elasticStress(pair, c.eps - next.plastic, i.mean, j.mean), s.sigma, 1e-9);
+}
 
 TEST(Contact, OpenUnlinkedPairsCarryNothing)
 {

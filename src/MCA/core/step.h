@@ -13,8 +13,7 @@
 ///   fracture and linking change goes to the next state, which commit() makes the present one. So a
 ///   restarted run computes the forces of its first step again, to the last bit.
 /// - Sums are taken in the order of the list of pairs. A list in the same order gives the same
-/// sums,
-///   whatever the order of LAMMPS's atoms and neighbors.
+///   sums, whatever the order of LAMMPS's atoms and neighbors.
 /// - A pair of two ranks is in the list of both, with the same first automaton, and both decide
 ///   alike on its next state.
 ///
@@ -78,8 +77,8 @@ class Step {
   // ---- what it is made of
 
   /// Replaces the laws, before begin(). The list of pairs holds numbers of their entries: it has to
-  /// be made anew where their number or order changes. \param tables  in units in which a stress is
-  /// an energy per volume
+  /// be made anew where their number or order changes.
+  /// \param tables  in units in which a stress is an energy per volume
   void setLaws(LawTables tables);
   const LawTables &laws() const { return laws_; }
 

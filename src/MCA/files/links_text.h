@@ -61,7 +61,7 @@ std::string sealedLinks(std::string text);
 /// shear and plastic offset.
 /// \param stateSize  number of values of a pair's state, LinkList::stateSize()
 /// \param largestId  of an automaton
-/// \throws LinksError  with the number of the line where there is one; also where a file of ours
+/// \throw LinksError  with the number of the line where there is one; also where a file of ours
 ///                     does not match its checksum
 Links linksIn(const std::string &text, int stateSize, std::int64_t largestId);
 

@@ -30,20 +30,20 @@ class MaterialError : public std::runtime_error {
 /// \param temperature  at which the material is wanted [temperature], within those of the file;
 ///                     needed where the file has temperatures, refused where it has none
 /// \return values in these units, all of them checked, at every temperature of the file
-/// \throws MaterialError
+/// \throw MaterialError
 Material readMaterial(const std::string &text, const std::string &name, const std::string &units,
                       std::optional<double> temperature = {});
 
 /// Takes the pairs `temperature T` out of keyword-value pairs of pair_coeff.
 /// \param words  without these pairs on return
 /// \return the last one's value [temperature], > 0; none where there is none
-/// \throws MaterialError
+/// \throw MaterialError
 std::optional<double> takeTemperature(std::vector<std::string> &words);
 
 /// Takes keyword-value pairs over those of a file (pair_coeff) and checks the result.
 /// \param words  keyword, value, keyword, value, ... in the same units as the material; a keyword
 ///               may stand twice, the last one counts
-/// \throws MaterialError  as above; without file and line
+/// \throw MaterialError  as above; without file and line
 Material overrideMaterial(Material, const std::vector<std::string> &words);
 
 } // namespace mca

@@ -83,7 +83,7 @@ std::optional<std::string> fixBlockIn(const char *bytes, std::size_t available);
 std::string exactText(const std::vector<double> &values);
 /// The n finite numbers of a block's text as exactText() wrote it.
 /// \param what  names the block in the message
-/// \throws RestartError  where there are others, or one is not finite
+/// \throw RestartError  where there are others, or one is not finite
 std::vector<double> numbersIn(const std::string &text, std::size_t n, const char *what);
 
 // ---- what blocks hold
@@ -95,13 +95,13 @@ struct PairSettings {
   LawSet laws;
 };
 std::string textOf(const PairSettings &);
-/// \throws RestartError
+/// \throw RestartError
 PairSettings settingsIn(const std::string &text);
 
 std::string textOf(const std::vector<Material> &);
 /// \param count  number of materials, one for each type
 /// \return materials that checkMaterial() accepts
-/// \throws RestartError
+/// \throw RestartError
 std::vector<Material> materialsIn(const std::string &text, std::size_t count);
 
 /// Of fix mca/drive, with the parts of all ranks.
@@ -110,7 +110,7 @@ struct DriveState {
   LogRows rows = {-1, 0}; ///< of the log; number < 0: no log
 };
 std::string textOf(const DriveState &);
-/// \throws RestartError
+/// \throw RestartError
 DriveState driveStateIn(const std::string &text);
 
 // ---- records of automata

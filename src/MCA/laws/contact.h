@@ -8,6 +8,27 @@
 /// Order in a step: elasticStresses(), the criterion and nextKind() of linking.h, contactStress(),
 /// then contactForce() and nextState(). Tension is positive. Equations: doc/laws.md. Of an
 /// automaton a contact knows only its Answer, so that contacts may be worked on in any order.
+///
+/// A step of one bulk link, worked. Steel, hexagonal packing of discs, in nm and MPa: d = 2.5, h =
+/// 1, S = d h/sqrt(3) = 1.4434, 2G = 158461.5, D = 9/13. It is stretched and sheared, and has
+/// flowed before: eps = 5e-4, plastic = 1e-4, gamma = gammaTotal = 2e-4. The mean stresses of i and
+/// j are 30 and 20, which are also their centres; i flows with M = 0.8, j does not, M = 1.
+///
+///     trial   = 2G (eps - plastic) + D (30 + 20)/2       = 80.692    elasticStress()
+///     sigma   = trial - (1 - 0.8)(trial - 30)/2          = 75.623    returnedStress()
+///     left    = (0.8 + 1)/2                              = 0.9       returnedShare()
+///     tau     = left 2G gamma                            = 28.523    elasticStresses()
+///     kind    = bulk, as eps is below the breaking strain = 1         nextKind()
+///     Fn      = sigma S                                  = 109.15    contactForce()
+///     Ft      = tau S d/r, where d/r = 1/(1 + eps)       = 41.149
+///     torque  = tau S d/2                                = 51.462
+///     offset  = plastic + (trial - sigma)/2G             = 1.3199e-4 nextState()
+///     shear   = left gamma                               = 1.8e-4
+///     total   = gammaTotal, which flow leaves            = 2e-4
+///
+/// The force on i is Fn along n and Ft along t, that on j its opposite; both get the torque. The
+/// last three are what the next step begins with: at the same strains and means its trial stress is
+/// sigma.
 #ifndef MCA_LAWS_CONTACT_H
 #define MCA_LAWS_CONTACT_H
 
@@ -83,8 +104,10 @@ struct Answer {
 };
 
 /// 1 for a contact that flows with its automata, else 0: a bulk link, with flow contacts an
-/// unlinked one that is pressed, too. Welds are brittle. \param contactsFlow  of its PairLaw \param
-/// kind          of the contact, see link \param e             its elastic normal strain [-]
+/// unlinked one that is pressed, too. Welds are brittle.
+/// \param contactsFlow  of its PairLaw
+/// \param kind          of the contact, see link
+/// \param e             its elastic normal strain [-]
 inline double flowing(double contactsFlow, double kind, double e)
 {
   const double bulk = kind == link::bulk ? 1.0 : 0.0, pressed = e < 0.0 ? 1.0 : 0.0;

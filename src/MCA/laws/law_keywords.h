@@ -3,12 +3,13 @@
 /// The exchangeable laws that are chosen by one keyword each, but for the criterion of fracture
 /// (fracture_law.h). Each says what it is called, what it takes, where it acts and what follows
 /// from the choice; the equations stand in the headers named.
+///
+/// Pages: doc/pair_mca.md has the keywords, doc/laws.md the equations and their sources. The first
+/// word of each is the default, which is preset c; what does not go together is refused by
+/// law_set.h.
 #ifndef MCA_LAWS_LAW_KEYWORDS_H
 #define MCA_LAWS_LAW_KEYWORDS_H
 
-/// Pages: doc/pair_mca.md has the keywords, doc/laws.md the equations and their sources. The first
-/// word of each is the default, which is preset b; what does not go together is refused by
-/// law_set.h.
 #include "keyword.h"
 
 #include <algorithm>
