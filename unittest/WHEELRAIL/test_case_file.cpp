@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "base/errors.h"
 #include "case_text.h"
+#include "creep/case/keywords.h"
 
 #include <cmath>
 #include <gtest/gtest.h>

@@ -19,6 +19,10 @@ def case(tmp_path):
     return path
 
 
+def keywords_of(page):
+    return page[page.index("### Keywords") : page.index("## Output info")]
+
+
 def test_documentation_and_program_agree():
     """Every keyword and option is documented, and every documented one exists."""
     text = DOC.read_text(encoding="utf-8")
@@ -28,7 +32,7 @@ def test_documentation_and_program_agree():
     ]
     keywords = set(re.findall(r"^  ([a-z][a-zA-Z0-9_.]*) ", section, re.M))
     assert len(keywords) > 30
-    documented = set(re.findall(r"^\| `([a-z][a-zA-Z0-9_.]*)` ", text, re.M))
+    documented = set(re.findall(r"^\| `([a-z][a-zA-Z0-9_.]*)` ", keywords_of(text), re.M))
     assert documented == keywords
     options = set(re.findall(r"--[a-z][a-z-]+", help_text[: help_text.index("Examples:")]))
     assert set(re.findall(r"^\* `(?:-\w, )?(--[a-z][a-z-]+)", text, re.M)) == options
@@ -39,11 +43,23 @@ def test_documentation_and_program_agree():
 def test_table_of_keywords_has_the_programs_ranges_and_defaults():
     text, help_text = DOC.read_text(encoding="utf-8"), wr_creep("--help").stdout
     for name, allowed, default in re.findall(
-        r"^\| `([a-z][a-zA-Z0-9_.]*)` \| (.*?) \| (.*?) \|", text, re.M
+        r"^\| `([a-z][a-zA-Z0-9_.]*)` \| (.*?) \| (.*?) \|", keywords_of(text), re.M
     ):
         line = re.search(rf"^  {re.escape(name)} +(.*)$", help_text, re.M)[1]
         wanted = allowed.replace(" or ", "|") + (f" [{default.strip('`')}]" if default else "")
         assert line == wanted, name
+
+
+def test_scripts_read_columns_that_exist():
+    """Names that the scripts read from the tables of a point contact, against the page, which
+    test_result_columns.cpp holds against the program."""
+    from reproduce_parts import patch_runs
+
+    page = DOC.read_text(encoding="utf-8")
+    output = page[page.index("The tables of a point contact") : page.index("Other files:")]
+    columns = set(re.findall(r"^\| `(\w+)` \|", output, re.M))
+    assert set(patch_runs.COLUMNS) <= columns
+    assert columns > {"stick_fraction", "force_x_se"}
 
 
 def test_worked_examples_of_the_help_run(tmp_path):

@@ -152,13 +152,6 @@ Vector stickCells(const std::vector<Adhesion> &state)
 
 } // namespace
 
-double RollingResult::stickFraction() const
-{
-  const auto touching = state.size() - std::count(state.begin(), state.end(), Adhesion::Apart);
-  const auto sticking = std::count(state.begin(), state.end(), Adhesion::Stick);
-  return touching ? double(sticking) / double(touching) : 0.0;
-}
-
 RollingResult solveFrozenRolling(HalfPlane &halfPlane, const Vector &bound, double creep,
                                  const RollingOptions &options)
 {

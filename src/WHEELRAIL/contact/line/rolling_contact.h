@@ -32,7 +32,6 @@ struct RollingResult {
   double residual = 0.0; ///< slip left in the stick zone / creep
 
   double force() const { return traction.sum(); } ///< in E* cells
-  double stickFraction() const;                   ///< of the cells in contact
 };
 
 /// Steady rolling with the roughness fixed in the contact frame ("frozen", the paper's mode): one

@@ -4,6 +4,8 @@
 #include "base/checksum.h"
 #include "base/program_files.h"
 #include "creep/case/common_groups.h"
+#include "creep/line/line_task.h"
+#include "creep/patch/patch_task.h"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -142,26 +144,17 @@ StaticSpecification readStatic(CaseReader &reader, const LineContactSpecificatio
 
 } // namespace
 
-namespace {
-
-template<class Surfaces>
-void append(std::vector<std::string> &files, const Surfaces &surfaces)
+std::unique_ptr<CreepTask> Case::open() const
 {
-  files.insert(files.end(), surfaces.rail.begin(), surfaces.rail.end());
-  files.insert(files.end(), surfaces.wheel.begin(), surfaces.wheel.end());
+  return std::visit([](const auto &asked) { return taskOf(asked); }, task);
 }
-
-} // namespace
 
 std::vector<std::string> Case::files() const
 {
-  std::vector<std::string> files = friction().files;
-  if (const auto *patch = std::get_if<PatchSpecification>(&task))
-    append(files, patch->roughness);
-  else if (const auto *rolling = std::get_if<CreepSpecification>(&task))
-    append(files, rolling->surface);
-  else
-    append(files, std::get<StaticSpecification>(task).surface);
+  const std::unique_ptr<CreepTask> opened = open();
+  std::vector<std::string> files = opened->files();
+  const std::vector<std::string> &ofLaw = opened->friction().files;
+  files.insert(files.begin(), ofLaw.begin(), ofLaw.end());
   return files;
 }
 
@@ -173,12 +166,6 @@ std::string Case::identity() const
     identity += fmt::format("{}: {} bytes, {}\n", file, content.size(), checksum(content));
   }
   return identity;
-}
-
-const LawChoice &Case::friction() const
-{
-  return std::visit(
-      [](const auto &asked) -> const auto & { return asked.friction; }, task);
 }
 
 Case readCase(const std::string &path, const std::vector<std::string> &changes)

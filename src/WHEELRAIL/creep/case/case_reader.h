@@ -2,7 +2,7 @@
 #ifndef WHEELRAIL_CREEP_CASE_CASE_READER_H
 #define WHEELRAIL_CREEP_CASE_CASE_READER_H
 
-#include "creep/case/case_file.h"
+#include "creep/case/keywords.h"
 
 #include <initializer_list>
 #include <map>

@@ -3,6 +3,9 @@
 #define WHEELRAIL_CREEP_CASE_COMMON_GROUPS_H
 
 #include "creep/case/case_reader.h"
+#include "creep/patch/patch_curve.h"
+#include "creep/sweep/field_selection.h"
+#include "creep/sweep/law_spread.h"
 
 #include <cstdint>
 #include <string>

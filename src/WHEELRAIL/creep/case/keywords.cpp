@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "creep/case/case_file.h"
+#include "creep/case/keywords.h"
 
 #include "law/friction_laws.h"
 

@@ -2,7 +2,7 @@
 #ifndef WHEELRAIL_CREEP_LINE_CREEP_CURVE_H
 #define WHEELRAIL_CREEP_LINE_CREEP_CURVE_H
 
-#include "creep/line/creep_point.h"
+#include "creep/line/curve_point.h"
 #include "creep/line/moving_creep.h"
 #include "creep/sweep/field_selection.h"
 #include "creep/sweep/law_spread.h"
@@ -15,16 +15,6 @@
 #include <vector>
 
 namespace wheelrail {
-
-/// A point with the profile it belongs to and, if the law has a covariance, the band of its T/N.
-/// The band is in units of T/N; without a covariance it stays 0.
-struct CurvePoint : CreepPoint {
-  std::uint64_t profile = 0; ///< seed, or number of the measured profile from 1 on
-  Band band;
-  std::string failure; ///< why it was not computed: speed, creep and profile only; or empty
-
-  bool converged() const { return failure.empty(); }
-};
 
 /// What a sweep gives.
 /// Every point is there, converged or not, or `solveCreepCurves` has thrown. SI units.
@@ -70,7 +60,8 @@ struct CreepSpecification {
 /// mirror image of the positive one: the same friction, heat and pressure, traction and slip turned
 /// around. A point that does not converge leaves the others untouched; the next one of its piece
 /// starts cold.
-/// @param law of the specification's friction (`LawChoice::read`); its covariance, if it has one, is
+/// @param law of the specification's friction (`LawChoice::read`); its covariance, if it has one,
+/// is
 ///        carried through (`LawSpread`)
 /// @throws Error (Interrupted) when asked to stop, Error (NotConverged) where no point converges,
 /// and

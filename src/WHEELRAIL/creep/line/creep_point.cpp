@@ -132,20 +132,15 @@ CreepPoint FrozenCreep::solve(const FrictionLaw &law, double speed, double creep
   physics_.checkStrength(law, hottest, speed, creep);
 
   CreepPoint point;
+  static_cast<LineValues &>(point) = lineValues(setup_, tractionRatio(), contact_.pressure,
+                                                contact_.mu, contact_.temperature, contact_.state);
   point.speed = speed;
   point.creep = creep;
-  point.tractionRatio = tractionRatio();
   point.traction = point.tractionRatio * setup_.hertz.load;
-  point.muMean = meanMu();
-  point.temperatureRise = setup_.nominalMean(contact_.temperature);
   point.temperatureMaximum = physics_.thermal.model == ThermalModel::Local
                                  ? hottest
                                  : maximumOverMeanTemperature() * hottest;
   point.iterations = iteration;
-  const auto touching = std::count_if(contact_.state.begin(), contact_.state.end(),
-                                      [](Adhesion s) { return s != Adhesion::Apart; });
-  point.stickFraction =
-      double(std::count(contact_.state.begin(), contact_.state.end(), Adhesion::Stick)) / touching;
   return point;
 }
 

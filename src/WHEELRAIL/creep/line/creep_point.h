@@ -2,8 +2,7 @@
 #ifndef WHEELRAIL_CREEP_LINE_CREEP_POINT_H
 #define WHEELRAIL_CREEP_LINE_CREEP_POINT_H
 
-#include "contact/line/contact_setup.h"
-#include "contact/line/rolling_contact.h"
+#include "creep/line/line_values.h"
 #include "creep/sweep/creep_physics.h"
 
 #include <optional>
@@ -11,16 +10,12 @@
 namespace wheelrail {
 
 /// One point of a creep curve; SI units.
-struct CreepPoint {
+struct CreepPoint : LineValues {
   double speed = 0.0;              ///< v0, m/s
   double creep = 0.0;              ///< sliding / rolling speed
-  double tractionRatio = 0.0;      ///< T/N
   double traction = 0.0;           ///< T, N/m
-  double muMean = 0.0;             ///< load-weighted mean of mu
-  double temperatureRise = 0.0;    ///< mean over the nominal contact, K
   double temperatureMaximum = 0.0; ///< K; that of Eq. 11's profile where Eq. 11 is the model
   int iterations = 0;              ///< of the fixed point mu - T - Theta - sigma_0
-  double stickFraction = 0.0;      ///< of the cells in contact
   LawUse use;                      ///< in mode moving: where mu was asked for in the last step
 };
 

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
-#include <functional>
 #include <nlohmann/json.hpp>
 
 namespace wheelrail {
@@ -30,14 +29,13 @@ const char *nameOf(Adhesion state)
   }
 }
 
-/// The column that is added when there are several profiles.
-std::string profileColumn(const SurfaceSpecification &surface)
+/// The columns of a file, and that of the profiles when there are several.
+template<class Point>
+FileColumns<Point> withProfile(FileColumns<Point> columns, const SurfaceSpecification &surface)
 {
-  return surface.profiles() > 1 ? fmt::format(",{}\n", surface.profileName()) : "\n";
-}
-std::string profileCell(const SurfaceSpecification &surface, std::uint64_t profile)
-{
-  return surface.profiles() > 1 ? fmt::format(",{}\n", profile) : "\n";
+  if (surface.profiles() > 1)
+    columns.push_back({{surface.profileName(), "1", 1.0, "", kept<&Point::profile>}, wholeDigits});
+  return columns;
 }
 
 /// One curve: points of one profile at one speed, those that converged; at least one.
@@ -115,46 +113,29 @@ Json curveJson(const SurfaceSpecification &surface, const Curve &curve)
 
 std::string creepCsv(const SurfaceSpecification &surface, const CreepCurves &curves)
 {
-  std::string text =
-      "# speed: m/s; creep, ratios: 1; traction: N/mm; temperature_rise: K, mean over "
-      "the nominal contact\n"
-      "speed,creep,traction_ratio,traction,mu_mean,temperature_rise,iterations,"
-      "stick_fraction";
-  text += profileColumn(surface);
-  for (const CurvePoint &p : curves.points) {
-    if (!p.converged())
-      continue;
-    text += fmt::format("{:g},{:.10g},{:.10g},{:.10g},{:.10g},{:.10g},{},{:.6g}", p.speed, p.creep,
-                        p.tractionRatio, p.traction / newtonPerMm, p.muMean, p.temperatureRise,
-                        p.iterations, p.stickFraction);
-    text += profileCell(surface, p.profile);
-  }
-  return text;
+  return csvOf(withProfile(columnsOf(curveColumns(), &Column<CurvePoint>::creep), surface),
+               curves.points);
 }
 
 std::string creepJson(const CreepSpecification &asked, const CreepCurves &curves)
 {
   const SurfaceSpecification &surface = asked.surface;
-  Json json = {{"format", "wr_creep-curves 1"},
-               {"units", "speed: m/s; traction: N/mm; temperature_rise: K; others: 1"},
-               {"curves", Json::array()}};
+  FileColumns<CurvePoint> columns = columnsOf(curveColumns(), &Column<CurvePoint>::creep);
+  Json json = {
+      {"format", "wr_creep-curves 1"}, {"units", unitsOf(columns)}, {"curves", Json::array()}};
+  // the speed is the curve's
+  const FileColumn<CurvePoint> speed = columns.front();
+  columns.erase(columns.begin());
+  if (curves.hasBand)
+    for (const auto &column : columnsOf(curveColumns(), &Column<CurvePoint>::band))
+      if (column.column.creep.digits == 0) // not yet there
+        columns.push_back(column);
   for (const Curve &curve : curvesOf(asked, curves)) {
     Json one = {{surface.profileName(), curve.contact->surface.profile},
-                {"speed", curve.points.front()->speed}};
-    for (const CurvePoint *p : curve.points) {
-      one["creep"].push_back(p->creep);
-      one["traction_ratio"].push_back(p->tractionRatio);
-      one["traction"].push_back(p->traction / newtonPerMm);
-      one["mu_mean"].push_back(p->muMean);
-      one["temperature_rise"].push_back(p->temperatureRise);
-      one["iterations"].push_back(p->iterations);
-      one["stick_fraction"].push_back(p->stickFraction);
-      if (!curves.hasBand)
-        continue;
-      one["standard_error"].push_back(p->band.standardError);
-      one["low"].push_back(p->band.low);
-      one["high"].push_back(p->band.high);
-    }
+                {speed.column.name, speed.valueOf(*curve.points.front())}};
+    for (const FileColumn<CurvePoint> &column : columns)
+      for (const CurvePoint *p : curve.points)
+        one[column.column.name].push_back(jsonValue<Json>(column, *p));
     json["curves"].push_back(one);
   }
   return jsonText("creep.json", json, -1);
@@ -162,25 +143,15 @@ std::string creepJson(const CreepSpecification &asked, const CreepCurves &curves
 
 std::string creepBandCsv(const SurfaceSpecification &surface, const CreepCurves &curves)
 {
-  std::string text = "# T/N with its standard error and 95 % interval from the covariance of the "
-                     "friction law; speed: m/s\n"
-                     "speed,creep,traction_ratio,standard_error,low,high";
-  text += profileColumn(surface);
-  for (const CurvePoint &p : curves.points) {
-    if (!p.converged())
-      continue;
-    text += fmt::format("{:g},{:.10g},{:.10g},{:.6g},{:.10g},{:.10g}", p.speed, p.creep,
-                        p.tractionRatio, p.band.standardError, p.band.low, p.band.high);
-    text += profileCell(surface, p.profile);
-  }
-  return text;
+  return csvOf(withProfile(columnsOf(curveColumns(), &Column<CurvePoint>::band), surface),
+               curves.points);
 }
 
 namespace {
 
 /// @param fields null: the point did not converge
-std::string contactTable(const ContactSetup &setup, const ContactFields *fields,
-                         const std::string &what)
+std::string fieldTable(const ContactSetup &setup, const ContactFields *fields,
+                       const std::string &what)
 {
   std::string text =
       fmt::format("# {}{}; x: mm, leading edge at the largest x; pressure, traction: MPa; slip: "
@@ -197,27 +168,15 @@ std::string contactTable(const ContactSetup &setup, const ContactFields *fields,
   return text;
 }
 
-/// The fields of every point that was asked for, each under its name.
-/// @param what words for the first line of a point
-template<class Curves, class Point>
-std::vector<NamedTable> contactTables(const FieldSelection &asked, const Curves &curves,
-                                      const std::vector<Point> &points,
-                                      const std::function<std::string(const Point &)> &what)
+/// @param what words for the first line
+template<class Curves>
+std::string contactTableOf(const Curves &curves, int number, const std::string &what)
 {
-  std::vector<NamedTable> tables;
-  const int total = static_cast<int>(points.size());
-  const std::size_t pointsOfContact = points.size() / curves.contacts.size();
-  for (int number = 1; number <= total; ++number) {
-    if (!asked.holds(number, total))
-      continue;
-    const auto found = curves.fields.find(number);
-    const auto place = static_cast<std::size_t>(number - 1);
-    tables.push_back({contactFileName(asked, number),
-                      contactTable(curves.contacts[place / pointsOfContact],
-                                   found == curves.fields.end() ? nullptr : &found->second,
-                                   what(points[place]))});
-  }
-  return tables;
+  const std::size_t pointsOfContact = curves.points.size() / curves.contacts.size();
+  const auto place = static_cast<std::size_t>(number - 1);
+  const auto found = curves.fields.find(number);
+  return fieldTable(curves.contacts[place / pointsOfContact],
+                    found == curves.fields.end() ? nullptr : &found->second, what);
 }
 
 std::string placeOf(const CurvePoint &point)
@@ -233,17 +192,16 @@ std::string contactFileName(const FieldSelection &asked, int number)
                                                   : fmt::format("contact_{:04d}.csv", number);
 }
 
-std::vector<NamedTable> contactTables(const CreepSpecification &asked, const CreepCurves &curves)
+std::string contactTable(const CreepCurves &curves, int number)
 {
-  return contactTables<CreepCurves, CurvePoint>(asked.fields, curves, curves.points, placeOf);
+  return contactTableOf(curves, number, placeOf(curves.points.at(number - 1)));
 }
 
-std::vector<NamedTable> contactTables(const StaticSpecification &asked, const StaticCases &cases)
+std::string contactTable(const StaticCases &cases, int number)
 {
-  return contactTables<StaticCases, StaticPoint>(
-      asked.fields, cases, cases.points, [](const StaticPoint &point) {
-        return fmt::format("static, T/(mu N) = {:g}", point.forceRatio);
-      });
+  return contactTableOf(
+      cases, number,
+      fmt::format("static, T/(mu N) = {:g}", cases.points.at(number - 1).forceRatio));
 }
 
 std::vector<std::string> failures(const CreepCurves &curves)
@@ -257,17 +215,8 @@ std::vector<std::string> failures(const CreepCurves &curves)
 
 std::string staticCsv(const SurfaceSpecification &surface, const StaticCases &cases)
 {
-  std::string text = "# force_ratio: T/(mu N); traction: N/mm; stick_length, of all stick zones, "
-                     "and stick_centre, "
-                     "their mean place: mm\n"
-                     "force_ratio,traction_ratio,traction,mu,stick_length,stick_centre" +
-                     profileColumn(surface);
-  for (const StaticPoint &p : cases.points)
-    text +=
-        fmt::format("{:.10g},{:.10g},{:.10g},{:.10g},{:.10g},{:.6g}", p.forceRatio, p.tractionRatio,
-                    p.traction / newtonPerMm, p.mu, p.stickLength / mm, p.stickCentre / mm) +
-        profileCell(surface, p.profile);
-  return text;
+  return csvOf(withProfile(columnsOf(staticColumns(), &Column<StaticPoint>::still), surface),
+               cases.points);
 }
 
 namespace {
@@ -362,14 +311,12 @@ std::string summaryJson(const StaticSpecification &asked, const std::string &tex
                         const FrictionLaw &law, const StaticCases &cases)
 {
   Json json = summaryHead(asked.surface, text, law, cases);
-  for (const StaticPoint &p : cases.points)
-    json["forces"].push_back({{asked.surface.profileName(), p.profile},
-                              {"force_ratio", p.forceRatio},
-                              {"traction_ratio", p.tractionRatio},
-                              {"traction_N_per_mm", p.traction / newtonPerMm},
-                              {"mu", p.mu},
-                              {"stick_length_mm", p.stickLength / mm},
-                              {"stick_centre_mm", p.stickCentre / mm}});
+  for (const StaticPoint &p : cases.points) {
+    Json force = {{asked.surface.profileName(), p.profile}};
+    for (const auto &one : columnsOf(staticColumns(), &Column<StaticPoint>::still))
+      force[keyWithUnit(one.column)] = jsonValue<Json>(one, p);
+    json["forces"].push_back(force);
+  }
   json["points"] = cases.points.size();
   json["seconds"] = cases.seconds;
   return jsonText("summary.json", json);

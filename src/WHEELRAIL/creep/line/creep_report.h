@@ -28,17 +28,14 @@ std::string creepBandCsv(const SurfaceSpecification &surface, const CreepCurves 
 /// static.csv: one row for each force on each profile.
 std::string staticCsv(const SurfaceSpecification &surface, const StaticCases &cases);
 
-/// A table and the name of its file.
-struct NamedTable {
-  std::string name, text;
-};
 /// contact.csv of the last point; contact_0003.csv where all points, or some by their numbers, were
 /// asked for.
 std::string contactFileName(const FieldSelection &asked, int number);
-/// Along the contact, of each point that was asked for; mm and MPa. One row a cell of the domain,
-/// by x; none, and a first line that says so, for a point that did not converge.
-std::vector<NamedTable> contactTables(const CreepSpecification &asked, const CreepCurves &curves);
-std::vector<NamedTable> contactTables(const StaticSpecification &asked, const StaticCases &cases);
+/// Along the contact, of a point that was asked for; mm and MPa. One row a cell of the domain, by
+/// x; none, and a first line that says so, for a point that did not converge.
+/// @param number of the point, from 1 on
+std::string contactTable(const CreepCurves &curves, int number);
+std::string contactTable(const StaticCases &cases, int number);
 
 /// The points that did not converge, one line each: number, speed, creep, reason.
 std::vector<std::string> failures(const CreepCurves &curves);

@@ -2,17 +2,16 @@
 #ifndef WHEELRAIL_CREEP_LINE_CURVE_JOURNAL_H
 #define WHEELRAIL_CREEP_LINE_CURVE_JOURNAL_H
 
-#include "creep/line/creep_curve.h"
+#include "creep/line/curve_point.h"
 
 #include <nlohmann/json_fwd.hpp>
 #include <vector>
 
 namespace wheelrail {
 
-/// Points of a contact along a line as a journal keeps them, to the last bit. A point becomes a
-/// list in a fixed order, SI units.
+/// Points of a contact along a line as a journal keeps them, to the last bit: SI units, each value
+/// by the name of its column.
 /// @param points of one piece of the sweep, in the order of its creeps
-/// @return one row for each point
 nlohmann::json curvePointsJson(const std::vector<CurvePoint> &points);
 /// The way back. @param rows as `curvePointsJson` gives them
 /// @return points that equal the written ones to the last bit

@@ -22,6 +22,14 @@ Vector movedAlong(const Vector &values)
   return moved;
 }
 
+/// Adds the values of a step to a sum.
+void addValues(LineValues &sum, const LineValues &step)
+{
+  static const std::vector<Column<LineValues>> columns = lineColumns();
+  for (const Column<LineValues> &column : columns)
+    column.value.set(sum, column.value.get(sum) + column.value.get(step));
+}
+
 } // namespace
 
 MovingCreep::MovingCreep(const CreepPhysics &physics, const MovingSpecification &moving,
@@ -77,10 +85,6 @@ void MovingCreep::roll(Roller &roller, double speed, bool counted)
   roller.mu = law_.mu({p, roller.creep * speed, roller.temperature});
   roller.result = roller.rolling.step(
       roller.mu.cwiseProduct(normal_.pressure).segment(windowBegin_, cells), roller.creep);
-  const double ratio = roller.result.force() / normal_.pressure.sum();
-  const double mu = roller.mu.dot(p) / p.sum();
-  roller.pass.ratio += ratio;
-  roller.pass.mu += mu;
   if (roller.heat) {
     Vector heat = Vector::Zero(setup_.cells);
     heat.segment(windowBegin_, cells) =
@@ -90,12 +94,12 @@ void MovingCreep::roll(Roller &roller, double speed, bool counted)
       if (setup_.isNominal(i) || (i >= windowBegin_ && i < windowBegin_ + cells))
         roller.temperature[i] = roller.heat->rise(i);
   }
+  const LineValues step = lineValues(setup_, roller.result.force() / normal_.pressure.sum(), p,
+                                     roller.mu, roller.temperature, roller.result.state);
+  addValues(roller.pass, step);
   if (!counted)
     return;
-  roller.counted.ratio += ratio;
-  roller.counted.mu += mu;
-  roller.counted.stick += roller.result.stickFraction();
-  roller.counted.temperature += setup_.nominalMean(roller.temperature);
+  addValues(roller.counted, step);
   roller.hottest = std::max(roller.hottest, roller.temperature.maxCoeff());
 }
 
@@ -103,8 +107,9 @@ void MovingCreep::endPass(Roller &roller, double speed, int steps)
 {
   if (physics_.thermal.model == ThermalModel::Averaged ||
       physics_.thermal.model == ThermalModel::AveragedPower) {
-    const double heat =
-        physics_.thermal.model == ThermalModel::Averaged ? roller.pass.mu : roller.pass.ratio;
+    const double heat = physics_.thermal.model == ThermalModel::Averaged
+                            ? roller.pass.muMean
+                            : roller.pass.tractionRatio;
     roller.temperature.setConstant(meanTemperatureRise(heat / steps, setup_.hertz.hertzPressure,
                                                        roller.creep * speed, setup_.hertz.halfWidth,
                                                        speed, physics_.thermal.material));
@@ -115,16 +120,14 @@ void MovingCreep::endPass(Roller &roller, double speed, int steps)
 CreepPoint MovingCreep::pointOf(const Roller &roller, double speed, int steps, int counted) const
 {
   CreepPoint point;
+  for (const Column<LineValues> &column : lineColumns())
+    column.value.set(point, column.value.get(roller.counted) / counted);
   point.speed = speed;
   point.creep = roller.creep;
-  point.tractionRatio = roller.counted.ratio / counted;
   point.traction = point.tractionRatio * setup_.hertz.load;
-  point.muMean = roller.counted.mu / counted;
-  point.temperatureRise = roller.counted.temperature / counted;
   point.temperatureMaximum =
       roller.heat ? roller.hottest : maximumOverMeanTemperature() * roller.hottest;
   point.iterations = steps;
-  point.stickFraction = roller.counted.stick / counted;
   point.use = law_.use({contact_.pressure, roller.creep * speed, roller.temperature});
   return point;
 }

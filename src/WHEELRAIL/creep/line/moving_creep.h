@@ -25,11 +25,8 @@ struct Roller {
   std::optional<TravellingHeat> heat;
   Eigen::VectorXd temperature, mu; ///< per cell; K
   RollingResult result;            ///< on the window
-  struct Sums { // of the steps' traction ratio, mean mu, stick fraction, temperature rise (K)
-    double ratio = 0.0, mu = 0.0, stick = 0.0, temperature = 0.0;
-  };
-  Sums pass, counted;   ///< over the pass, over the last half of all
-  double hottest = 0.0; ///< K, anywhere in the last half
+  LineValues pass, counted;        ///< sums over the steps of the pass, of the last half of all
+  double hottest = 0.0;            ///< K, anywhere in the last half
 };
 
 /// Transient rolling: the roughness travels with the material, one cell a step. The creeps of a

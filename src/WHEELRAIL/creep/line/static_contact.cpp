@@ -40,6 +40,22 @@ ContactFields fieldsOf(const ContactSetup &setup, const StaticTraction &result, 
 
 } // namespace
 
+const std::vector<Column<StaticPoint>> &staticColumns()
+{
+  using P = StaticPoint;
+  constexpr double mm = 1e-3, newtonPerMm = 1e3; // in SI
+  static const std::vector<Column<P>> table = {
+      {"force_ratio", "1", 1.0, "T/(mu N)", kept<&P::forceRatio>, nowhere, nowhere, following(10)},
+      {"traction_ratio", "1", 1.0, "T/N", kept<&P::tractionRatio>, nowhere, nowhere, following(10)},
+      {"traction", "N/mm", newtonPerMm, "T", kept<&P::traction>, nowhere, nowhere, following(10)},
+      {"mu", "1", 1.0, "friction coefficient", kept<&P::mu>, nowhere, nowhere, following(10)},
+      {"stick_length", "mm", mm, "of all stick zones", kept<&P::stickLength>, nowhere, nowhere,
+       following(10)},
+      {"stick_centre", "mm", mm, "mean place of the stick zones", kept<&P::stickCentre>, nowhere,
+       nowhere, following(6)}};
+  return table;
+}
+
 StaticTraction staticTraction(HalfPlane &halfPlane, const NormalContactProblem &problem,
                               const NormalContactResult &normal, double mu, double forceRatio)
 {

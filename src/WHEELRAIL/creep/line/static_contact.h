@@ -53,7 +53,14 @@ struct StaticPoint {
   double mu = 0.0;
   double stickLength = 0.0; ///< m, of all stick zones
   double stickCentre = 0.0; ///< m, mean place of what sticks; 0: middle of the computed length
+
+  bool converged() const { return true; } ///< or `solveStaticCases` has thrown
 };
+
+/// All that such a point has, in the order of static.csv: the table from which static.csv and the
+/// summary's list of forces follow.
+/// @return the same table in every call
+const std::vector<Column<StaticPoint>> &staticColumns();
 
 /// Complete, or `solveStaticCases` has thrown.
 struct StaticCases {

@@ -56,6 +56,20 @@ double batchError(const std::vector<double> &series, int batches)
   return std::sqrt(squares / (batches - 1) / batches);
 }
 
+const std::vector<Column<PatchStep>> &seriesColumns()
+{
+  static const std::vector<Column<PatchStep>> table = [] {
+    constexpr double mm = 1e-3; // in SI
+    std::vector<Column<PatchStep>> columns = {
+        {"distance", "mm", mm, "rolled at the end of the step", kept<&PatchStep::distance>, nowhere,
+         nowhere, nowhere, following(8)}};
+    append(columns, patchValueColumns());
+    columns.push_back({"driving_power", "W", 1.0, "", kept<&PatchStep::drivingPower>});
+    return columns;
+  }();
+  return table;
+}
+
 int MovingPatchSpecification::discardedPasses() const
 {
   return std::min(start == RollingStart::Steady ? 2 : 4, passes / 2);
@@ -173,8 +187,7 @@ bool MovingPatch::pressureStays(double load) const
   const RoughPatch &surface = contact_.surface;
   const double former = normal_.pressure.sum() * contact_.grid.cellArea();
   return surface.wheel.isSmooth() && surface.rail.isSmooth() && !coupling_.any() &&
-         std::abs(load - former) <= 1e-12 * load &&
-         !physics_.heatLimitsPressure();
+         std::abs(load - former) <= 1e-12 * load && !physics_.heatLimitsPressure();
 }
 
 void MovingPatch::press(double load, double distance, const Vector &start, const Vector &opening)
@@ -241,19 +254,10 @@ PatchStep MovingPatch::roll(TransientPatch &transient, Temperature &heat, double
     heat.step(contact_, frictionalHeat(result, speed), normal_.pressure);
 
   PatchStep row;
+  static_cast<PatchValues &>(row) =
+      patchValues({contact_, sums, load, normal_.approach, result.creepage, normal_.pressure, mu,
+                   heat.values, speed});
   row.distance = distance;
-  row.load = load;
-  row.creepage = result.creepage;
-  row.forceX = sums.forceX;
-  row.forceY = sums.forceY;
-  row.momentZ = sums.momentZ;
-  row.muMean = mu.dot(normal_.pressure) / normal_.pressure.sum();
-  row.temperatureRise = contact_.nominalMean(heat.values);
-  row.stickFraction = sums.stickArea / sums.contactArea;
-  row.approach = normal_.approach;
-  row.peakPressure = normal_.peakPressure();
-  row.realArea = contact_.realArea(normal_.pressure);
-  row.frictionalPower = sums.frictionalPower * speed;
   row.drivingPower = sums.drivingPower * speed;
   heat.ratio += physics_.thermal.model == ThermalModel::AveragedPower && sliding > 0.0
                     ? sums.drivingPower * speed / (load * sliding)
@@ -329,41 +333,26 @@ PatchPoint MovingPatch::pointOf(double speed) const
   const std::size_t counted =
       sequence_.any() ? 1
                       : static_cast<std::size_t>(batches) * static_cast<std::size_t>(passSteps_);
-  const auto column = [&](auto value) {
+  const auto column = [&](const auto &value) {
     std::vector<double> values;
     for (std::size_t k = series_.size() - counted; k < series_.size(); ++k)
       values.push_back(value(series_[k]));
     return values;
   };
-  const auto mean = [&](double PatchStep::*member) {
-    return meanOf(column([&](const PatchStep &s) { return s.*member; }));
-  };
   const auto error = [&](double PatchStep::*member) {
     return batchError(column([&](const PatchStep &s) { return s.*member; }), batches);
   };
   PatchPoint point;
+  for (const Column<PatchValues> &one : patchValueColumns())
+    one.value.set(point, meanOf(column(one.value.get)));
   point.surface = contact_.surface.number;
-  point.load = mean(&PatchStep::load);
   point.speed = speed;
-  point.creepage = {meanOf(column([](const PatchStep &s) { return s.creepage.xi; })),
-                    meanOf(column([](const PatchStep &s) { return s.creepage.eta; })),
-                    meanOf(column([](const PatchStep &s) { return s.creepage.phi; }))};
-  point.forceX = mean(&PatchStep::forceX);
-  point.forceY = mean(&PatchStep::forceY);
-  point.momentZ = mean(&PatchStep::momentZ);
-  point.muMean = mean(&PatchStep::muMean);
-  point.temperatureRise = mean(&PatchStep::temperatureRise);
   point.temperatureMaximum = physics_.thermal.model == ThermalModel::Local
                                  ? hottest_
                                  : maximumOverMeanTemperature() / meanOverEllipse() * hottest_;
   point.iterations = static_cast<int>(series_.size());
   point.products = products_;
-  point.stickFraction = mean(&PatchStep::stickFraction);
-  point.approach = mean(&PatchStep::approach);
-  point.peakPressure = mean(&PatchStep::peakPressure);
-  point.realArea = mean(&PatchStep::realArea);
-  point.frictionalPower = mean(&PatchStep::frictionalPower);
-  const double driving = mean(&PatchStep::drivingPower);
+  const double driving = meanOf(column([](const PatchStep &s) { return s.drivingPower; }));
   point.powerClosure = driving == 0.0 ? 1.0 : point.frictionalPower / driving;
   point.errorX = error(&PatchStep::forceX);
   point.errorY = error(&PatchStep::forceY);

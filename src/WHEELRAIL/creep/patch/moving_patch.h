@@ -44,21 +44,15 @@ struct PatchSequence {
 /// One step of the time series; SI units.
 /// Forces are those on the wheel, against its slip; powers are friction's heat. A step is one cell
 /// of rolling, so that row k of a series ends at k + 1 cells.
-struct PatchStep {
-  double distance = 0.0; ///< rolled at the end of the step, m
-  /// Normal force at the end of the step, N.
-  double load = 0.0;
-  /// Given, or found where a force is given; phi in 1/m.
-  Creepage creepage;
-  /// N, N, and N m about the origin of the box.
-  double forceX = 0.0, forceY = 0.0, momentZ = 0.0;
-  /// Load-weighted mean of mu; mean rise over the nominal ellipse, K; share of the contact that
-  /// sticks.
-  double muMean = 0.0, temperatureRise = 0.0, stickFraction = 0.0;
-  /// m, Pa, m^2 and W, of this step.
-  double approach = 0.0, peakPressure = 0.0, realArea = 0.0, frictionalPower = 0.0;
+struct PatchStep : PatchValues {
+  double distance = 0.0;     ///< rolled at the end of the step, m
   double drivingPower = 0.0; ///< W; see `PatchSums::drivingPower`
 };
+
+/// All that a step has, in the order of series.csv after `point`: the table from which series.csv
+/// and the journal follow.
+/// @return the same table in every call
+const std::vector<Column<PatchStep>> &seriesColumns();
 
 /// Standard error of the mean of a series that is correlated, from the means of `batches` equal
 /// parts (Law, Kelton, Simulation Modeling and Analysis, sec. 9.5.3). 0 for fewer than two.

@@ -12,17 +12,15 @@
 
 namespace wheelrail {
 
-/// Points and time series of a finished piece as a journal keeps them, and back to the last bit.
-/// A point becomes a list: surface, iterations, products, why it failed, then load, speed and the
-/// others in a fixed order, SI units. Writer and reader run through the same list.
+/// Points and time series of a finished piece as a journal keeps them, and back to the last bit: SI
+/// units, each value by the name of its column.
 /// @param points of one piece of the sweep, in the order of its tasks
-/// @return one row for each point
 nlohmann::json patchPointsJson(const std::vector<PatchPoint> &points);
 /// The way back. @param rows as `patchPointsJson` gives them
 /// @return points that equal the written ones to the last bit
 std::vector<PatchPoint> patchPointsFrom(const nlohmann::json &rows);
 /// The time series of mode moving, by number of the point (from 1 on); empty in the other modes.
-/// @return an object with one list of rows for each point, SI units
+/// @return an object with one table for each point, SI units
 nlohmann::json patchSeriesJson(const std::map<int, std::vector<PatchStep>> &series);
 /// The way back, with the same numbers of the points.
 std::map<int, std::vector<PatchStep>> patchSeriesFrom(const nlohmann::json &series);

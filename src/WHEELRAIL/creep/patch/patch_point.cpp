@@ -266,26 +266,17 @@ PatchPoint FrozenPatch::pointOf(const FrictionLaw &law, double speed, int iterat
 {
   const PatchSums sums = this->sums();
   PatchPoint point;
+  static_cast<PatchValues &>(point) =
+      patchValues({contact_, sums, contact_.load, approach_, result_.creepage, fields_.pressure,
+                   fields_.mu, fields_.temperature, speed});
   point.surface = contact_.surface.number;
-  point.load = contact_.load;
   point.speed = speed;
-  point.creepage = result_.creepage;
-  point.forceX = sums.forceX;
-  point.forceY = sums.forceY;
-  point.momentZ = sums.momentZ;
-  point.muMean = meanMu();
-  point.temperatureRise = contact_.nominalMean(fields_.temperature);
   const double hottest = fields_.temperature.maxCoeff();
   point.temperatureMaximum = physics_.thermal.model == ThermalModel::Local
                                  ? hottest
                                  : maximumOverMeanTemperature() / meanOverEllipse() * hottest;
   point.iterations = iterations;
   point.products = products_;
-  point.stickFraction = sums.stickArea / sums.contactArea;
-  point.approach = approach_;
-  point.peakPressure = fields_.pressure.maxCoeff();
-  point.realArea = contact_.realArea(fields_.pressure);
-  point.frictionalPower = sums.frictionalPower * speed;
   point.powerClosure = sums.powerClosure();
   point.use = law.use({fields_.pressure, slidingSpeed(speed), fields_.temperature});
   return point;

@@ -3,12 +3,10 @@
 #define WHEELRAIL_CREEP_PATCH_POINT_H
 
 #include "contact/patch/elasticity/patch_half_space.h"
-#include "contact/patch/patch_contact.h"
 #include "contact/patch/solvers/patch_coupling.h"
-#include "contact/patch/solvers/patch_sums.h"
 #include "contact/patch/solvers/patch_temperature.h"
-#include "contact/patch/solvers/tangential.h"
 #include "creep/patch/field_files.h"
+#include "creep/patch/patch_values.h"
 #include "creep/sweep/creep_physics.h"
 #include "creep/sweep/law_spread.h"
 
@@ -35,23 +33,12 @@ struct PatchBands {
 
 /// One computed point; SI units.
 /// What is not computed keeps the value here: the errors where nothing moves, for example.
-struct PatchPoint {
+struct PatchPoint : PatchValues {
   std::uint64_t surface = 0;         ///< seed, or number of the measured pair
-  double load = 0.0;                 ///< N
   double speed = 0.0;                ///< m/s
-  Creepage creepage;                 ///< given, or found
-  double forceX = 0.0, forceY = 0.0; ///< N, on the wheel: against its slip
-  double momentZ = 0.0;              ///< N m
-  double muMean = 0.0;               ///< load-weighted
-  double temperatureRise = 0.0;      ///< mean over the nominal contact, K
   double temperatureMaximum = 0.0;   ///< K
   int iterations = 0;                ///< of the fixed point; steps where the contact moves
   int products = 0;                  ///< with the influence of the tractions, in all
-  double stickFraction = 0.0;        ///< of the cells in contact
-  double approach = 0.0;             ///< m
-  double peakPressure = 0.0;         ///< Pa
-  double realArea = 0.0;             ///< m^2
-  double frictionalPower = 0.0;      ///< W
   double powerClosure = 1.0;         ///< frictionalPower over what the drive gives
   double errorX = 0.0, errorY = 0.0; ///< standard errors of the forces where the contact
   double errorZ = 0.0;               ///< moves, and of the moment
@@ -64,6 +51,10 @@ struct PatchPoint {
   /// Size of the tangential force over the load, >= 0.
   double tractionRatio() const { return traction() / load; }
 };
+
+/// All that a point has: the table from which creep.csv, static.csv and the journal follow.
+/// @return the same table in every call
+const std::vector<Column<PatchPoint>> &patchColumns();
 
 /// Load-weighted root mean square of the rigid slip, relative to the rolling speed: the creep of a
 /// contact without spin.

@@ -27,67 +27,44 @@ const char *modeName(PatchMode mode)
   return mode == PatchMode::Frozen ? "frozen" : mode == PatchMode::Moving ? "moving" : "static";
 }
 
-/// What is the same in creep.csv and static.csv.
-std::string forceCells(const PatchPoint &p)
+using PatchColumns = FileColumns<PatchPoint>;
+
+/// The columns of a file, and that of the surfaces when there are several.
+PatchColumns withSurface(PatchColumns columns, const PatchSpecification &asked)
 {
-  return fmt::format(",{:.10g},{:.10g},{:.10g},{:.10g},{:.10g},{:.10g}", p.forceX, p.forceY,
-                     p.momentZ / newtonMm, p.approach / mm, p.peakPressure / MPa, p.realArea / mm2);
+  if (severalSurfaces(asked))
+    columns.push_back(
+        {{asked.roughness.surfaceName(), "1", 1.0, "", kept<&PatchPoint::surface>}, wholeDigits});
+  return columns;
 }
 
-std::string staticCsv(const PatchSpecification &asked, const PatchCurves &curves)
+void append(PatchColumns &columns, const PatchColumns &others)
 {
-  std::string text =
-      "# load, forces: N; moment_z: N mm; shift_x, shift_y, approach: mm; peak_pressure: MPa; "
-      "real_area: mm2; ratios: 1\n"
-      "load,shift_x,shift_y,traction_ratio,mu_mean,stick_fraction,force_x,force_y,moment_z,"
-      "approach,peak_pressure,real_area";
-  text += severalSurfaces(asked) ? fmt::format(",{}\n", asked.roughness.surfaceName()) : "\n";
-  for (const PatchPoint &p : curves.points) {
-    if (!p.converged())
-      continue;
-    text +=
-        fmt::format("{:.10g},{:.10g},{:.10g},{:.10g},{:.10g},{:.6g}", p.load, p.creepage.xi / mm,
-                    p.creepage.eta / mm, p.tractionRatio(), p.muMean, p.stickFraction);
-    text += forceCells(p);
-    text += severalSurfaces(asked) ? fmt::format(",{}\n", p.surface) : "\n";
+  columns.insert(columns.end(), others.begin(), others.end());
+}
+
+/// A column of the table under another name. @param digits of the file
+FileColumn<PatchPoint> named(const std::string &name, const std::string &inTable, int digits)
+{
+  const auto &table = patchColumns();
+  Column<PatchPoint> column = *std::find_if(table.begin(), table.end(),
+                                            [&](const auto &one) { return one.name == inTable; });
+  column.name = name;
+  return {column, digits};
+}
+
+/// A quantity with its standard error and 95 % interval, the band's in the quantity's unit.
+/// @param name in the file @param inTable in the table of columns @param band likewise
+PatchColumns withBand(const std::string &name, const std::string &inTable, const std::string &band)
+{
+  PatchColumns columns = {
+      named(name, inTable, 10), named(name + "_standard_error", band + "_standard_error", 6),
+      named(name + "_low", band + "_low", 10), named(name + "_high", band + "_high", 10)};
+  for (FileColumn<PatchPoint> &one : columns) {
+    one.column.unit = columns.front().column.unit;
+    one.column.scale = columns.front().column.scale;
   }
-  return text;
-}
-
-/// A quantity with its standard error and 95 % interval.
-std::string bandCells(double value, const Band &band, double unit)
-{
-  return fmt::format(",{:.10g},{:.6g},{:.10g},{:.10g}", value / unit, band.standardError / unit,
-                     band.low / unit, band.high / unit);
-}
-
-std::string creepCsv(const PatchSpecification &asked, const PatchCurves &curves)
-{
-  const bool moving = asked.mode == PatchMode::Moving;
-  std::string text =
-      "# speed: m/s; creep, lateral, ratios: 1; spin: 1/mm; load, traction (its length), forces: "
-      "N; moment_z: N mm; temperature_rise: K, mean over the nominal contact; approach: mm; "
-      "peak_pressure: MPa; real_area: mm2; power: W; .._se: standard errors\n"
-      "speed,creep,traction_ratio,traction,mu_mean,temperature_rise,iterations,stick_fraction,"
-      "load,lateral,spin,force_x,force_y,moment_z,approach,peak_pressure,real_area,"
-      "temperature_max,power,power_closure,products";
-  text += moving ? ",force_x_se,force_y_se,moment_z_se" : "";
-  text += severalSurfaces(asked) ? fmt::format(",{}\n", asked.roughness.surfaceName()) : "\n";
-  for (const PatchPoint &p : curves.points) {
-    if (!p.converged())
-      continue;
-    text += fmt::format("{:g},{:.10g},{:.10g},{:.10g},{:.10g},{:.10g},{},{:.6g}", p.speed,
-                        p.creepage.xi, p.tractionRatio(), p.traction(), p.muMean, p.temperatureRise,
-                        p.iterations, p.stickFraction);
-    text += fmt::format(",{:.10g},{:.10g},{:.10g}", p.load, p.creepage.eta, p.creepage.phi / perMm);
-    text += forceCells(p);
-    text += fmt::format(",{:.10g},{:.10g},{:.6g},{}", p.temperatureMaximum, p.frictionalPower,
-                        p.powerClosure, p.products);
-    if (moving)
-      text += fmt::format(",{:.4g},{:.4g},{:.4g}", p.errorX, p.errorY, p.errorZ / newtonMm);
-    text += severalSurfaces(asked) ? fmt::format(",{}\n", p.surface) : "\n";
-  }
-  return text;
+  return columns;
 }
 
 Json statisticsJson(const HeightMapStatistics &s)
@@ -142,50 +119,39 @@ Json contactJson(const PatchSpecification &asked, const PatchContact &c,
 
 std::string patchCsv(const PatchSpecification &asked, const PatchCurves &curves)
 {
-  return asked.mode == PatchMode::Static ? staticCsv(asked, curves) : creepCsv(asked, curves);
+  using C = Column<PatchPoint>;
+  const bool still = asked.mode == PatchMode::Static;
+  PatchColumns columns = columnsOf(patchColumns(), still ? &C::still : &C::creep);
+  if (asked.mode == PatchMode::Moving)
+    append(columns, columnsOf(patchColumns(), &C::moving));
+  return csvOf(withSurface(columns, asked), curves.points);
 }
 
 std::string patchBandCsv(const PatchSpecification &asked, const PatchCurves &curves)
 {
   const bool givesX = !asked.forceX.empty(), givesY = !asked.forceY.empty();
-  std::string text =
-      "# T/N, force, creepage or moment with its standard error and 95 % interval from the "
-      "covariance of the friction law; speed: m/s; spin: 1/mm; load, forces: N; moment_z: N mm\n"
-      "speed,creep,traction_ratio,standard_error,low,high,load,lateral,spin";
-  for (const char *name :
-       {givesX ? "found_creep" : "force_x", givesY ? "found_lateral" : "force_y", "moment_z"})
-    text += fmt::format(",{0},{0}_standard_error,{0}_low,{0}_high", name);
-  text += severalSurfaces(asked) ? fmt::format(",{}\n", asked.roughness.surfaceName()) : "\n";
-  for (const PatchPoint &p : curves.points) {
-    if (!p.converged())
-      continue;
-    text += fmt::format("{:g},{:.10g}", p.speed, p.creepage.xi);
-    text += bandCells(p.tractionRatio(), p.bands.tractionRatio, 1.0);
-    text += fmt::format(",{:.10g},{:.10g},{:.10g}", p.load, p.creepage.eta, p.creepage.phi / perMm);
-    text += bandCells(givesX ? p.creepage.xi : p.forceX, p.bands.x, 1.0);
-    text += bandCells(givesY ? p.creepage.eta : p.forceY, p.bands.y, 1.0);
-    text += bandCells(p.momentZ, p.bands.momentZ, newtonMm);
-    text += severalSurfaces(asked) ? fmt::format(",{}\n", p.surface) : "\n";
-  }
-  return text;
+  PatchColumns columns = columnsOf(patchColumns(), &Column<PatchPoint>::band);
+  append(columns,
+         givesX ? withBand("found_creep", "creep", "x") : withBand("force_x", "force_x", "x"));
+  append(columns,
+         givesY ? withBand("found_lateral", "lateral", "y") : withBand("force_y", "force_y", "y"));
+  append(columns, withBand("moment_z", "moment_z", "moment_z"));
+  return csvOf(withSurface(columns, asked), curves.points);
 }
 
 std::string patchSeriesCsv(const PatchCurves &curves)
 {
-  std::string text =
-      "# point: row of creep.csv; distance rolled: mm; time: s; units of the others as there\n"
-      "point,distance,time,load,creep,lateral,spin,force_x,force_y,moment_z,mu_mean,"
-      "temperature_rise,stick_fraction,approach,peak_pressure,real_area,power\n";
+  const auto columns = columnsOf(seriesColumns(), &Column<PatchStep>::series);
+  const FileColumn<PatchStep> distance = columns.front();
+  const FileColumns<PatchStep> others(columns.begin() + 1, columns.end());
+  std::string text = fmt::format("# point: row of creep.csv; distance: mm; time: s; {}\n"
+                                 "point,{},time,{}",
+                                 unitsOf(others), distance.column.name, headOf(others));
   for (const auto &[number, steps] : curves.series) {
     const double speed = curves.points[number - 1].speed;
     for (const PatchStep &s : steps)
-      text +=
-          fmt::format("{},{:.8g},{:.8g},{:.10g},{:.10g},{:.10g},{:.10g},{:.10g},{:.10g},"
-                      "{:.10g},{:.8g},{:.8g},{:.6g},{:.10g},{:.8g},{:.8g},{:.8g}\n",
-                      number, s.distance / mm, s.distance / speed, s.load, s.creepage.xi,
-                      s.creepage.eta, s.creepage.phi / perMm, s.forceX, s.forceY,
-                      s.momentZ / newtonMm, s.muMean, s.temperatureRise, s.stickFraction,
-                      s.approach / mm, s.peakPressure / MPa, s.realArea / mm2, s.frictionalPower);
+      text += fmt::format("{},{:.{}g},{:.8g},{}", number, distance.valueOf(s), distance.digits,
+                          s.distance / speed, rowOf(others, s));
   }
   return text;
 }

@@ -108,18 +108,12 @@ StaticPatch StaticSteps::result() const
                   mu_,
                   Vector::Zero(contact_.grid.cells())};
   PatchPoint &point = still.point;
+  constexpr double speed = 0.0;
+  static_cast<PatchValues &>(point) =
+      patchValues({contact_, sums, load_, normal_.approach, shift_, normal_.pressure, mu_,
+                   still.fields.temperature, speed});
   point.surface = contact_.surface.number;
-  point.load = load_;
-  point.creepage = shift_;
-  point.forceX = sums.forceX;
-  point.forceY = sums.forceY;
-  point.momentZ = sums.momentZ;
-  point.muMean = mu_.dot(normal_.pressure) / normal_.pressure.sum();
   point.products = products_;
-  point.stickFraction = sums.stickArea / sums.contactArea;
-  point.approach = normal_.approach;
-  point.peakPressure = normal_.peakPressure();
-  point.realArea = contact_.realArea(normal_.pressure);
   point.use = law_.use({normal_.pressure, 0.0, still.fields.temperature});
   return still;
 }

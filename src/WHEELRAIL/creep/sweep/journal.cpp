@@ -18,7 +18,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr const char *format = "wr_creep-journal 4";
+constexpr const char *format = "wr_creep-journal 5";
 constexpr auto pause = std::chrono::seconds(2);
 constexpr std::size_t checksumLength = 8;
 

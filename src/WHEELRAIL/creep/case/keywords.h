@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef WHEELRAIL_CREEP_CASE_KEYWORDS_H
+#define WHEELRAIL_CREEP_CASE_KEYWORDS_H
+
+#include <string>
+#include <vector>
+
+namespace wheelrail {
+
+/// One keyword of the case file. The table of them is the one source of parsing, `--help`,
+/// `--print-config` and the check against the documentation.
+/// Units in a case file may be any that UDUNITS-2 converts; the program goes on in SI units.
+struct Keyword {
+  /// What a value may be; only the lists take more than one.
+  /// Form and range are checked when a value is read, before its meaning.
+  enum class Kind {
+    Quantity, ///< a number with a unit that UDUNITS-2 can convert to `unit`
+    QuantityList,
+    Ratio, ///< a pure number, or one in per cent
+    RatioList,
+    Number, ///< a number without a unit
+    NumberList,
+    Integer,
+    IntegerList,
+    Switch, ///< true, false
+    Choice, ///< one of `choices`
+    Text,
+    TextList
+  };
+  /// Group and word; at most one dot.
+  const char *name; ///< with dots: "contact.radius"
+  Kind kind;
+  const char *unit;    ///< SI unit for UDUNITS-2; "1": pure number
+  const char *initial; ///< value that is used when it is not given; "": none
+  double low, high;    ///< allowed range in `unit`, finite, both ends included
+  /// Where the range holds 0: how far from it any other number has to be. 0: any distance.
+  double smallest;
+  const char *choices; ///< Choice: separated by '|'
+  const char *help;    ///< half a sentence for --help and messages
+};
+
+/// The range of a keyword that takes numbers, in words: "[-10, 10], 0 and beyond 1e-12 1/m".
+std::string rangeOf(const Keyword &keyword);
+
+/// All keywords, in the order of --help and --print-config; every group together.
+/// @return the same table in every call; it lives as long as the program
+const std::vector<Keyword> &keywords();
+
+} // namespace wheelrail
+#endif

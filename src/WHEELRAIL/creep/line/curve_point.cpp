@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "creep/line/curve_point.h"
+
+namespace wheelrail {
+namespace {
+
+constexpr double newtonPerMm = 1e3;
+
+std::vector<Column<CurvePoint>> makeTable()
+{
+  using P = CurvePoint;
+  std::vector<Column<P>> table = {
+      {"speed", "m/s", 1.0, "rolling speed", kept<&P::speed>, leading(6), leading(6)},
+      {"creep", "1", 1.0, "sliding/rolling speed", kept<&P::creep>, leading(10), leading(10)}};
+  append(table, lineColumns());
+  table.insert(table.begin() + 3,
+               {"traction", "N/mm", newtonPerMm, "T", kept<&P::traction>, leading(10)});
+  table.insert(table.end() - 1, {"iterations", "1", 1.0, "of the fixed point; steps in mode moving",
+                                 kept<&P::iterations>, leading(wholeDigits)});
+  // not in creep.csv
+  table.push_back({"temperature_max", "K", 1.0, "", kept<&P::temperatureMaximum>});
+  table.push_back({"profile", "1", 1.0, "", kept<&P::profile>});
+  table.push_back({"standard_error", "1", 1.0, "of T/N, from the covariance of the law",
+                   kept<&P::band, &Band::standardError>, nowhere, leading(6)});
+  table.push_back({"low", "1", 1.0, "lower end of the 95 % interval of T/N",
+                   kept<&P::band, &Band::low>, nowhere, leading(10)});
+  table.push_back({"high", "1", 1.0, "upper end of the 95 % interval of T/N",
+                   kept<&P::band, &Band::high>, nowhere, leading(10)});
+  for (Column<P> &column : table)
+    column.still = column.series = nowhere; // a curve's point is in neither
+  return table;
+}
+
+} // namespace
+
+const std::vector<Column<CurvePoint>> &curveColumns()
+{
+  static const std::vector<Column<CurvePoint>> table = makeTable();
+  return table;
+}
+
+} // namespace wheelrail

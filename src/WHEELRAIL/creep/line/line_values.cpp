@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "creep/line/line_values.h"
+
+#include <algorithm>
+
+namespace wheelrail {
+
+std::vector<Column<LineValues>> lineColumns()
+{
+  std::vector<Column<LineValues>> table = {{"traction_ratio", "1", 1.0, "T/N",
+                                            kept<&LineValues::tractionRatio>, leading(10),
+                                            leading(10)}};
+  append(table, slidingColumns());
+  return table;
+}
+
+LineValues lineValues(const ContactSetup &setup, double tractionRatio,
+                      const Eigen::VectorXd &pressure, const Eigen::VectorXd &mu,
+                      const Eigen::VectorXd &temperature, const std::vector<Adhesion> &state)
+{
+  LineValues values;
+  values.tractionRatio = tractionRatio;
+  values.muMean = mu.dot(pressure) / pressure.sum();
+  values.temperatureRise = setup.nominalMean(temperature);
+  const auto apart = std::count(state.begin(), state.end(), Adhesion::Apart);
+  values.setStick(static_cast<double>(std::count(state.begin(), state.end(), Adhesion::Stick)),
+                  static_cast<double>(static_cast<std::ptrdiff_t>(state.size()) - apart));
+  return values;
+}
+
+} // namespace wheelrail

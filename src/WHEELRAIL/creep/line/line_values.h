@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef WHEELRAIL_CREEP_LINE_LINE_VALUES_H
+#define WHEELRAIL_CREEP_LINE_LINE_VALUES_H
+
+#include "contact/line/contact_setup.h"
+#include "contact/line/rolling_contact.h"
+#include "creep/sweep/sliding_values.h"
+
+namespace wheelrail {
+
+/// What one solution of a rolling line contact gives; in mode moving the mean over steps. SI units.
+struct LineValues : SlidingValues {
+  double tractionRatio = 0.0; ///< T/N
+};
+
+/// Their columns, in the order of creep.csv.
+std::vector<Column<LineValues>> lineColumns();
+
+/// The values of one solution.
+/// @param tractionRatio T/N
+/// @param pressure, mu, temperature one value per cell of the domain; Pa and K
+/// @param state of all cells that may touch, at least one of which does
+LineValues lineValues(const ContactSetup &setup, double tractionRatio,
+                      const Eigen::VectorXd &pressure, const Eigen::VectorXd &mu,
+                      const Eigen::VectorXd &temperature, const std::vector<Adhesion> &state);
+
+} // namespace wheelrail
+#endif

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "creep/patch/patch_task.h"
+
+#include "base/result_text.h"
+#include "creep/patch/patch_report.h"
+#include "creep/patch/patch_table.h"
+
+#include <filesystem>
+#include <fmt/format.h>
+
+namespace wheelrail {
+namespace {
+
+/// The table that goes with a file of parameters: its name with the ending ".csv".
+std::string tableBeside(const std::string &path)
+{
+  return std::filesystem::path(path).replace_extension(".csv").string();
+}
+
+/// Polach's law: parameters and the points they were fitted to.
+/// @return what to print of it
+std::string addPolachLaw(const std::string &path, const PatchCurves &curves, ResultFiles &files)
+{
+  const PolachContact contact = polachContact(curves);
+  const std::vector<PolachPoint> points = polachPoints(curves);
+  const PolachChoice choice = choosePolach(points, contact);
+  const std::string table = tableBeside(path);
+  const std::string parameters = polachJson(choice, contact);
+  files.addElsewhere(table, finiteTable(table, polachCsv(choice, contact, points)));
+  files.addElsewhere(path, parameters);
+  const PolachFit &fit = choice.best;
+  std::string text = "Polach's law:";
+  for (int k = 0; k < polachParameters; ++k) {
+    const PolachParameters &p = fit.parameters;
+    const double values[] = {p.mu0, p.A, p.B, p.kA, p.kS};
+    text += fmt::format(" {} {:.4g}", polachParameterNames[k], values[k]);
+  }
+  return fmt::format("{}; residual {:.2g} of the load; written to {} and {}\n", text, fit.rms, path,
+                     table);
+}
+
+class PatchCreepTask : public CreepTask {
+ public:
+  explicit PatchCreepTask(const PatchSpecification &asked) : asked_(asked) {}
+  const LawChoice &friction() const override { return asked_.friction; }
+  std::vector<std::string> files() const override
+  {
+    std::vector<std::string> files = asked_.roughness.rail;
+    files.insert(files.end(), asked_.roughness.wheel.begin(), asked_.roughness.wheel.end());
+    return files;
+  }
+  std::vector<std::string> outputs() const override { return namesOf(outputsWith(nullptr)); }
+  std::vector<RequestedOutput> extraOutputs(const ExtraFiles &extra) const override
+  {
+    std::vector<RequestedOutput> outputs;
+    if (!extra.polach.empty()) {
+      if (asked_.mode == PatchMode::Static || asked_.sequence.any())
+        refusePolach();
+      outputs.push_back({"--polach", extra.polach});
+      outputs.push_back({"--polach", tableBeside(extra.polach)});
+    }
+    if (!extra.table.empty()) {
+      checkPatchTable(asked_);
+      outputs.push_back({"--table", extra.table});
+    }
+    return outputs;
+  }
+  std::vector<std::string> solve(const LawPointer &law, const SweepOptions &options) override
+  {
+    curves_ = solvePatchCurves(asked_, law, options);
+    return curves_.warnings;
+  }
+  TaskReport report(const ReportContext &context, ResultFiles &files) const override
+  {
+    write(outputsWith(&context), curves_, files);
+    TaskReport report;
+    report.text = patchShortReport(asked_, curves_);
+    report.details = patchDetailedReport(curves_);
+    report.count = countOf(curves_.points.size(), curves_.resumed);
+    report.seconds = curves_.seconds;
+    report.failures = failures(curves_);
+    report.points = curves_.points.size();
+    addExtra(context.extra, files, report);
+    return report;
+  }
+
+ private:
+  void addExtra(const ExtraFiles &extra, ResultFiles &files, TaskReport &report) const
+  {
+    std::string polach;
+    // curves to which no law can be fitted are results all the same
+    try {
+      if (!extra.polach.empty())
+        polach = addPolachLaw(extra.polach, curves_, files);
+    } catch (const Error &error) {
+      report.shortfall = error;
+    }
+    if (!extra.table.empty()) {
+      files.addElsewhere(extra.table, finiteTable(extra.table, patchTable(asked_, curves_)));
+      report.extra =
+          fmt::format("table of {} points written to {}\n", curves_.points.size(), extra.table);
+    }
+    report.extra += polach;
+  }
+
+  /// @param context null: for the names only
+  Outputs<PatchCurves> outputsWith(const ReportContext *context) const
+  {
+    Outputs<PatchCurves> outputs = {
+        {fieldFileNames(asked_),
+         [&](auto &c, ResultFiles &files) { addFields(files.files(), files.folder(), asked_, c); }},
+        fileOf<PatchCurves>(asked_.mode == PatchMode::Static ? "static.csv" : "creep.csv",
+                            [&](auto &c) { return patchCsv(asked_, c); }),
+        fileOf<PatchCurves>(
+            "creep_band.csv", [&](auto &c) { return patchBandCsv(asked_, c); },
+            [](auto &c) { return c.hasBand; }),
+        fileOf<PatchCurves>(
+            "series.csv", [](auto &c) { return patchSeriesCsv(c); },
+            [](auto &c) { return !c.series.empty(); }),
+        fileOf<PatchCurves>("summary.json", [=](auto &c) {
+          return patchSummary(asked_, context->text, context->law, c);
+        })};
+    return outputs;
+  }
+
+  PatchSpecification asked_;
+  PatchCurves curves_;
+};
+
+} // namespace
+
+std::unique_ptr<CreepTask> taskOf(const PatchSpecification &asked)
+{
+  return std::make_unique<PatchCreepTask>(asked);
+}
+
+} // namespace wheelrail

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef WHEELRAIL_CREEP_PATCH_VALUES_H
+#define WHEELRAIL_CREEP_PATCH_VALUES_H
+
+#include "contact/patch/patch_contact.h"
+#include "contact/patch/solvers/patch_sums.h"
+#include "contact/patch/solvers/tangential.h"
+#include "creep/sweep/sliding_values.h"
+
+namespace wheelrail {
+
+/// What one solution of a patch contact gives; in mode moving of one step, or the mean over steps.
+/// SI units; forces are those on the wheel, against its slip.
+struct PatchValues : SlidingValues {
+  double load = 0.0;                 ///< N
+  Creepage creepage;                 ///< given, or found; phi in 1/m
+  double forceX = 0.0, forceY = 0.0; ///< N
+  double momentZ = 0.0;              ///< N m, about the origin of the box
+  double approach = 0.0;             ///< m
+  double peakPressure = 0.0;         ///< Pa
+  double realArea = 0.0;             ///< m^2
+  double frictionalPower = 0.0;      ///< W, heat by friction
+};
+
+/// Their columns: the order of series.csv.
+std::vector<Column<PatchValues>> patchValueColumns();
+
+/// Where a patch has been solved; all must outlive the object.
+struct PatchSolution {
+  const PatchContact &contact;
+  const PatchSums &sums;
+  double load, approach; ///< N, m
+  const Creepage &creepage;
+  const Eigen::VectorXd &pressure, &mu, &temperature; ///< per cell; Pa and K
+  double speed;                                       ///< v0, m/s; 0 without rolling
+};
+/// The values of one solution.
+PatchValues patchValues(const PatchSolution &solved);
+
+} // namespace wheelrail
+#endif

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef WHEELRAIL_CREEP_SWEEP_CREEP_TASK_H
+#define WHEELRAIL_CREEP_SWEEP_CREEP_TASK_H
+
+#include "base/errors.h"
+#include "base/program_files.h"
+#include "creep/sweep/result_files.h"
+#include "creep/sweep/sweep.h"
+#include "law/law_choice.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace wheelrail {
+
+/// Files that the command line asks for beside those in the folder; empty: not asked for.
+struct ExtraFiles {
+  std::string polach; ///< parameters of Polach's law (JSON); the points lie beside it
+  std::string table;  ///< forces over a grid of creepages (CSV)
+};
+
+/// What a report says about, beside the results.
+struct ReportContext {
+  const std::string &text; ///< of the case, for summary.json
+  const FrictionLaw &law;
+  ExtraFiles extra;
+};
+
+/// What a task says of itself.
+struct TaskReport {
+  std::string text, details; ///< for the screen; the second with --verbose
+  std::string count;         ///< "21 points"
+  double seconds = 0.0;
+  std::string extra; ///< lines on extra files, after those on the folder
+  /// One line for each point that did not converge, out of so many.
+  std::vector<std::string> failures;
+  std::size_t points = 0;
+  std::optional<Error> shortfall; ///< to be thrown when everything is in place
+};
+
+/// What a case asks for: one contact in one mode. Each contact exports its own; a program asks for
+/// the names of what is read and written, solves, reports, in this order.
+class CreepTask {
+ public:
+  CreepTask() = default;
+  CreepTask(const CreepTask &) = delete;
+  CreepTask &operator=(const CreepTask &) = delete;
+  virtual ~CreepTask() = default;
+
+  virtual const LawChoice &friction() const = 0;
+  /// Surfaces that are read, by the path that will be opened.
+  virtual std::vector<std::string> files() const = 0;
+  /// Names of all files that a run may leave in its folder.
+  virtual std::vector<std::string> outputs() const = 0;
+  /// Extra files with the options that name them.
+  /// @throws Error (Usage) for those that do not go with the task: here for any
+  virtual std::vector<RequestedOutput> extraOutputs(const ExtraFiles &extra) const;
+  /// Computes everything. @return warnings, one line each
+  /// @throws what the contact's sweep throws
+  virtual std::vector<std::string> solve(const LawPointer &law, const SweepOptions &options) = 0;
+  /// Of what `solve` found: adds all files.
+  /// @throws Error (NotConverged) for a result that is not finite; mcawr::OutputError
+  virtual TaskReport report(const ReportContext &context, ResultFiles &files) const = 0;
+};
+
+/// "21 points (8 of them from a run that ended early)"
+std::string countOf(std::size_t points, int resumed);
+
+/// Why a task does not write Polach's law. @throws Error (Usage)
+[[noreturn]] void refusePolach();
+
+} // namespace wheelrail
+#endif
