@@ -3,6 +3,7 @@
 
 #include "base/checksum.h"
 #include "base/program_files.h"
+#include "creep/case/case_scope.h"
 #include "creep/case/common_groups.h"
 #include "creep/line/line_task.h"
 #include "creep/patch/patch_task.h"
@@ -21,7 +22,6 @@ double readLoadPerLength(CaseReader &reader)
     reader.require("contact.load_per_length");
     return reader.number("contact.load_per_length");
   }
-  reader.refuse({"contact.load_per_length"}, "contact.width: contact.load is spread over it");
   if (!reader.has("contact.load"))
     reader.fail("contact.width", "needs contact.load, which is spread over it, in place of "
                                  "contact.load_per_length");
@@ -30,19 +30,11 @@ double readLoadPerLength(CaseReader &reader)
 
 LineContactSpecification readContact(CaseReader &reader)
 {
-  reader.refuse({"contact.radii", "contact.curvatures", "contact.semi_axes", "contact.spin_point",
-                 "contact.edges", "lateral", "spin", "force", "sequence", "roughness.stretch",
-                 "roughness.boxes", "roughness.unmeasured", "roughness.spacing",
-                 "roughness.height_unit", "roughness.turn", "roughness.mirror", "moving.start",
-                 "static.shift", "sensitivities"},
-                reader.has("contact.width") ? "a line contact (contact.width)"
-                                            : "a line contact (contact.load_per_length)");
   LineContactSpecification contact;
   contact.load = readLoadPerLength(reader);
   for (const char *name : {"contact.youngs_modulus", "contact.poissons_ratio"})
     reader.require(name);
   if (reader.has("contact.period")) {
-    reader.refuse({"contact.radius", "contact.domain"}, "contact.period: the surfaces are flat");
     contact.period = reader.number("contact.period");
     contact.radius = std::numeric_limits<double>::infinity();
   } else {
@@ -64,9 +56,6 @@ LineContactSpecification readContact(CaseReader &reader)
 
 void readMeasured(CaseReader &reader, const std::string &caseFile, SurfaceSpecification &surface)
 {
-  reader.refuse({"roughness.hurst", "roughness.rms_slope", "roughness.rms_height",
-                 "roughness.wavelength_min", "roughness.wavelength_max", "roughness.seed"},
-                "measured profiles (roughness.rail, roughness.wheel)");
   surface.kind = RoughnessKind::Measured;
   const MeasuredSurfaces measured = readMeasuredSurfaces(reader, caseFile);
   surface.rail = measured.rail;
@@ -77,7 +66,6 @@ void readMeasured(CaseReader &reader, const std::string &caseFile, SurfaceSpecif
 
 void readFractal(CaseReader &reader, SurfaceSpecification &surface)
 {
-  reader.refuse({"roughness.cutoff", "roughness.detrend"}, "a generated profile");
   surface.kind = RoughnessKind::Fractal;
   surface.seeds = readFractalWaves(reader, surface.fractal);
 }
@@ -99,7 +87,6 @@ CreepSpecification readRolling(CaseReader &reader, const std::string &mode,
                                const SurfaceSpecification &surface, const LawChoice &friction,
                                const CreepPhysics &physics)
 {
-  reader.refuse({"contact.period"}, "mode " + mode + ": rolling needs a radius");
   CreepSpecification rolling;
   rolling.contact = contact;
   rolling.surface = surface;
@@ -175,8 +162,10 @@ Case readCase(const std::string &path, const std::vector<std::string> &changes)
   for (const std::string &change : changes)
     reader.change(change);
 
+  const Scope here = scopeOf(reader);
+  checkScope(reader, here);
   Case result;
-  if (reader.has("contact.load") && !reader.has("contact.width")) {
+  if (here & scope::point) {
     result.task = readPatch(reader, path);
     result.text = reader.configuration();
     return result;

@@ -261,14 +261,12 @@ void CaseReader::require(const std::string &name) const
     throw badInput(file_, 0, name, fmt::format("is missing ({})", findKeyword(name)->help));
 }
 
-void CaseReader::refuse(std::initializer_list<const char *> names, const std::string &with) const
+void CaseReader::refuse(const std::string &name, const std::string &with) const
 {
-  for (const char *name : names) {
-    if (has(name))
-      fail(name, "does not go with " + with);
-    if (hasGroup(name)) // the first keyword that is given
-      fail(entries_.lower_bound(std::string(name) + ".")->first, "does not go with " + with);
-  }
+  if (has(name))
+    fail(name, "does not go with " + with);
+  if (hasGroup(name)) // the first keyword that is given
+    fail(entries_.lower_bound(name + ".")->first, "does not go with " + with);
 }
 
 void CaseReader::setDefault(const std::string &name, const std::string &value)

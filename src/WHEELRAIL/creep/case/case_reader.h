@@ -4,7 +4,6 @@
 
 #include "creep/case/keywords.h"
 
-#include <initializer_list>
 #include <map>
 #include <string>
 #include <vector>
@@ -64,9 +63,9 @@ class CaseReader {
   void setDefault(const std::string &name, const std::string &value);
   /// @throws Error (BadInput) unless the keyword is given
   void require(const std::string &name) const;
-  /// @throws Error (BadInput) for a keyword that is given and makes no sense together with
-  ///         something else. @param with "contact.period: the surfaces are flat"
-  void refuse(std::initializer_list<const char *> names, const std::string &with) const;
+  /// @throws Error (BadInput) for a keyword, or one of a group, that is given and makes no sense
+  ///         together with something else. @param with "contact.period: the surfaces are flat"
+  void refuse(const std::string &name, const std::string &with) const;
 
   /// What was used so far, as a case file.
   /// Keywords in the order of the table; numbers in the words in which they were given.

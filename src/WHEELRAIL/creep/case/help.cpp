@@ -50,7 +50,7 @@ Keywords of the case file (and of --set), allowed values, defaults:
     text += fmt::format("  {:<30} {}", keyword.name, allowedOf(keyword));
     if (*keyword.initial)
       text += fmt::format(" [{}]", keyword.initial);
-    text += fmt::format("\n  {:<30}   {}\n", "", keyword.help);
+    text += fmt::format("\n  {:<30}   {}{}\n", "", scopeWords(keyword), keyword.help);
   }
   return text + R"(
 Exit codes: 0 ok, 1 internal, 2 usage, 3 bad input file, 4 not converged, 5 input/output,

@@ -7,6 +7,18 @@
 
 namespace wheelrail {
 
+/// A contact in a mode, as bits, and what a keyword is for.
+using Scope = unsigned;
+namespace scope {
+constexpr Scope lineFrozen = 1, lineMoving = 2, lineStatic = 4;
+constexpr Scope pointFrozen = 8, pointMoving = 16, pointStatic = 32;
+constexpr Scope line = lineFrozen | lineMoving | lineStatic;
+constexpr Scope point = pointFrozen | pointMoving | pointStatic;
+constexpr Scope everywhere = line | point;
+/// Surfaces: a keyword without either is for both.
+constexpr Scope generated = 64, measured = 128;
+} // namespace scope
+
 /// One keyword of the case file. The table of them is the one source of parsing, `--help`,
 /// `--print-config` and the check against the documentation.
 /// Units in a case file may be any that UDUNITS-2 converts; the program goes on in SI units.
@@ -37,7 +49,23 @@ struct Keyword {
   double smallest;
   const char *choices; ///< Choice: separated by '|'
   const char *help;    ///< half a sentence for --help and messages
+  /// Contacts and modes that it is for; in all others it is refused.
+  Scope scope = scope::everywhere;
+  const char *why = ""; ///< why it is refused in a mode of a contact that it is for; or empty
 };
+
+/// What --help says before the help: "point contact, mode moving or static: "; empty where a
+/// keyword is for both contacts.
+std::string scopeWords(const Keyword &keyword);
+
+/// A keyword or group that another one rules out.
+struct Exclusion {
+  const char *given, *excluded;
+  const char *why; ///< or empty
+  Scope scope;     ///< where that is so
+};
+/// All of them. @return the same table in every call
+const std::vector<Exclusion> &exclusions();
 
 /// The range of a keyword that takes numbers, in words: "[-10, 10], 0 and beyond 1e-12 1/m".
 std::string rangeOf(const Keyword &keyword);

@@ -110,8 +110,6 @@ void readPoints(CaseReader &reader, PatchContactSpecification &contact)
 
 PatchContactSpecification readContact(CaseReader &reader, bool rough)
 {
-  reader.refuse({"contact.load_per_length", "contact.radius", "contact.period"},
-                "contact.load: a contact in a point (with contact.width: a line contact)");
   for (const char *name : {"contact.youngs_modulus", "contact.poissons_ratio"})
     reader.require(name);
   PatchContactSpecification contact;
@@ -135,8 +133,8 @@ void readScale(CaseReader &reader, const RoughPatchSpecification &surface, Heigh
 {
   if (std::all_of(surface.rail.begin(), surface.rail.end(), statesLengths) &&
       std::all_of(surface.wheel.begin(), surface.wheel.end(), statesLengths)) {
-    reader.refuse({"roughness.spacing", "roughness.height_unit"},
-                  "maps that state it themselves; it is for npy files");
+    for (const char *name : {"roughness.spacing", "roughness.height_unit"})
+      reader.refuse(name, "maps that state it themselves; it is for npy files");
     return;
   }
   for (const char *name : {"roughness.spacing", "roughness.height_unit"})
@@ -150,10 +148,6 @@ void readScale(CaseReader &reader, const RoughPatchSpecification &surface, Heigh
 
 void readMeasured(CaseReader &reader, const std::string &caseFile, RoughPatchSpecification &surface)
 {
-  reader.refuse({"roughness.hurst", "roughness.rms_slope", "roughness.rms_height",
-                 "roughness.wavelength_min", "roughness.wavelength_max", "roughness.seed",
-                 "roughness.stretch", "roughness.boxes"},
-                "measured maps (roughness.rail, roughness.wheel)");
   surface.kind = RoughnessKind::Measured;
   const MeasuredSurfaces measured = readMeasuredSurfaces(reader, caseFile);
   surface.rail = measured.rail;
@@ -174,10 +168,6 @@ void readMeasured(CaseReader &reader, const std::string &caseFile, RoughPatchSpe
 
 void readFractal(CaseReader &reader, RoughPatchSpecification &surface)
 {
-  reader.refuse({"roughness.cutoff", "roughness.detrend", "roughness.unmeasured",
-                 "roughness.spacing", "roughness.height_unit", "roughness.turn",
-                 "roughness.mirror"},
-                "a generated surface");
   surface.kind = RoughnessKind::Fractal;
   FractalPatch &fractal = surface.fractal;
   surface.seeds = readFractalWaves(reader, fractal);
@@ -204,7 +194,6 @@ RoughPatchSpecification readRoughness(CaseReader &reader, const std::string &cas
 void readDrive(CaseReader &reader, PatchSpecification &patch)
 {
   if (reader.has("force.longitudinal")) {
-    reader.refuse({"creep", "sequence.creep"}, "force.longitudinal: the creep is found");
     patch.forceX = reader.numbers("force.longitudinal");
   } else if (patch.mode != PatchMode::Static && !reader.has("sequence.creep")) {
     patch.creep = readSeries(reader, "creep");
@@ -212,7 +201,6 @@ void readDrive(CaseReader &reader, PatchSpecification &patch)
     patch.creep = {0.0};
   }
   if (reader.has("force.lateral")) {
-    reader.refuse({"lateral", "sequence.lateral"}, "force.lateral: the lateral creep is found");
     patch.forceY = reader.numbers("force.lateral");
   } else {
     patch.lateral =
@@ -234,7 +222,7 @@ std::vector<double> readColumn(CaseReader &reader, const std::string &name, std:
   return values;
 }
 
-PatchSequence readSequence(CaseReader &reader, const PatchSpecification &patch)
+PatchSequence readSequence(CaseReader &reader)
 {
   PatchSequence sequence;
   if (!reader.hasGroup("sequence"))
@@ -250,23 +238,13 @@ PatchSequence readSequence(CaseReader &reader, const PatchSpecification &patch)
   sequence.creep = readColumn(reader, "sequence.creep", n);
   sequence.lateral = readColumn(reader, "sequence.lateral", n);
   sequence.spin = readColumn(reader, "sequence.spin", n);
-  if (patch.mode == PatchMode::Moving)
-    reader.refuse({"moving.passes"}, "sequence: its last instant ends the rolling");
   return sequence;
 }
 
 void readMoving(CaseReader &reader, PatchSpecification &patch)
 {
-  reader.refuse({"moving.reference_length"}, "a contact in a point: it has no free constant");
-  patch.sequence = readSequence(reader, patch);
-  if (patch.sequence.any()) {
-    if (!patch.sequence.creep.empty())
-      reader.refuse({"creep"}, "sequence.creep");
-    if (!patch.sequence.lateral.empty())
-      reader.refuse({"lateral"}, "sequence.lateral");
-    if (!patch.sequence.spin.empty())
-      reader.refuse({"spin"}, "sequence.spin");
-  } else {
+  patch.sequence = readSequence(reader);
+  if (!patch.sequence.any()) {
     reader.setDefault("moving.passes", "12"); // ten of them make a standard error
     patch.moving.passes = reader.integer("moving.passes");
   }
@@ -281,12 +259,9 @@ void readMoving(CaseReader &reader, PatchSpecification &patch)
 void readStatic(CaseReader &reader, PatchSpecification &patch)
 {
   patch.physics.thermal.model = ThermalModel::Off;
-  patch.sequence = readSequence(reader, patch);
+  patch.sequence = readSequence(reader);
   if (patch.sequence.any()) {
     reader.require("sequence.load");
-    for (const char *name : {"sequence.creep", "sequence.lateral", "sequence.spin"})
-      reader.refuse({name}, "mode static");
-    reader.refuse({"static.shift"}, "sequence: a force ratio or forces");
   }
   const std::string given = onlyOne(reader, {"static.force_ratio", "static.shift", "force"});
   if (given.empty())
@@ -313,7 +288,6 @@ PatchSpecification readPatch(CaseReader &reader, const std::string &caseFile)
                : mode == "moving" ? PatchMode::Moving
                                   : PatchMode::Static;
   if (patch.mode == PatchMode::Static) {
-    reader.refuse({"uncertainty"}, "mode static: it has no band");
     readStatic(reader, patch);
   } else {
     patch.physics.thermal = readThermal(reader);
@@ -321,8 +295,6 @@ PatchSpecification readPatch(CaseReader &reader, const std::string &caseFile)
   }
   if (patch.mode == PatchMode::Moving)
     readMoving(reader, patch);
-  else if (patch.mode == PatchMode::Frozen)
-    reader.refuse({"sequence"}, "mode frozen: mode moving or static is needed");
   readDrive(reader, patch);
   if (patch.mode != PatchMode::Static)
     patch.speed = reader.numbers("speed");
