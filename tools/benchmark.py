@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Speed of the plugin beside LAMMPS's own styles, on the same lattice and in the same run."""
 
+import argparse
 import dataclasses
 import datetime
 import json
@@ -15,6 +16,7 @@ import sys
 import tempfile
 import time
 from pathlib import Path
+from typing import Any
 
 from mcawr.command_line import Parser, file_name, number_in, whole_in
 from mcawr.errors import Exit, complain, fail, run_script, say
@@ -59,19 +61,23 @@ many single runs as there are cores do side by side.
 The rates are per second of processor time of a rank (LAMMPS's CPU use), which on 1 rank other jobs
 hardly disturb; ranks wait for each other at full use of their cores, so more of them need as many
 free cores."""
+Case = tuple[str, int, int]  # style, automata, ranks
+Results = dict[Case, dict[str, Any]]
 
 
-def counted(pattern, text):
+def counted(pattern: str, text: str) -> float | None:
     """Increase of a counter over the last run; None if LAMMPS did not count."""
     counts = [int(n) for n in re.findall(pattern, text)]
     return counts[-1] - counts[-2] if len(counts) > 1 else None
 
 
-def parse_log(text):
+def parse_log(text: str) -> dict[str, Any]:
     """What LAMMPS says after its last run: loop time in s, CPU use and breakdown in %, counts."""
     last = text[text.rindex("Loop time of") :]
     loop = re.match(r"Loop time of (\S+) on (\d+) procs for (\d+) steps with (\d+) atoms", last)
     cpu = re.search(r"([\d.]+)% CPU use", last)
+    if not (loop and cpu):
+        raise ValueError("the times of a run are missing")
     # the timed run goes on from the warm-up ("run N pre no"), and so do its counters
     builds = counted(r"Neighbor list builds = (\d+)", text)
     dangerous = counted(r"Dangerous builds = (\d+)", text)
@@ -97,7 +103,7 @@ def parse_log(text):
     }
 
 
-def warm_up(lmp, automata, folder, scale):
+def warm_up(lmp: str, automata: int, folder: Path, scale: float) -> None:
     """Sliding blocks of one size, kept in a restart file: on all cores."""
     nx, ny = SIZES[automata]
     steps = max(100, round(scale * min(WARM_STEPS, WARM_WORK / automata)))
@@ -145,7 +151,7 @@ def warm_up(lmp, automata, folder, scale):
         )
 
 
-def warm_file(folder, automata):
+def warm_file(folder: Path, automata: int) -> str:
     return str(folder / f"warm.{automata}.restart")
 
 
@@ -155,10 +161,10 @@ class Run:
 
     title: str
     process: subprocess.Popen
-    output: object  # file
+    output: Any  # file
     logs: list
 
-    def signal(self, number):
+    def signal(self, number: int) -> None:
         """Sent to mpirun and to what it started."""
         pid = self.process.pid
         children = Path(f"/proc/{pid}/task/{pid}/children")
@@ -168,7 +174,7 @@ class Run:
             except ProcessLookupError:
                 pass  # has just ended
 
-    def ends(self, seconds):
+    def ends(self, seconds: float) -> bool:
         """Within some seconds."""
         try:
             self.process.wait(seconds)
@@ -176,7 +182,7 @@ class Run:
             return False
         return True
 
-    def result(self):
+    def result(self) -> list[dict[str, Any]]:
         """A parsed log of each lmp, once the run has ended."""
         with self.output:
             self.output.seek(0)
@@ -193,7 +199,16 @@ class Run:
         return [parse_log(text) for text in texts]
 
 
-def start_run(lmp, style, automata, ranks, scale, folder, partitions=0, place="."):
+def start_run(
+    lmp: str,
+    style: str,
+    automata: int,
+    ranks: int,
+    scale: float,
+    folder: Path,
+    partitions: int = 0,
+    place: str = ".",
+) -> Run:
     """One run, or as many copies at once as there are partitions, at `place` in the folder."""
     script, steps = STYLES[style]
     nx, ny = SIZES[automata]
@@ -235,7 +250,7 @@ def start_run(lmp, style, automata, ranks, scale, folder, partitions=0, place=".
     return Run(f"{style}, {automata} automata, {ranks} ranks", process, output, logs)
 
 
-def take_turns(runs):
+def take_turns(runs: list[Run]) -> None:
     """Lets runs go on by turns until all have ended."""
     going = list(runs)
     try:
@@ -253,19 +268,19 @@ def take_turns(runs):
             run.signal(signal.SIGKILL)
 
 
-def run_all(runs):
+def run_all(runs: list[Run]) -> list[dict[str, Any]]:
     """Runs that share the machine: a parsed log of each lmp."""
     for run in runs:
         run.process.wait()
     return [log for run in runs for log in run.result()]
 
 
-def throughput(runs):
+def throughput(runs: list[dict[str, Any]]) -> float:
     """Automaton-steps that runs which share the machine do in a second."""
     return sum(r["automata"] * r["steps"] for r in runs) / max(r["loop_seconds"] for r in runs)
 
 
-def mpi_environment():
+def mpi_environment() -> dict[str, str]:
     """Also as root, more ranks than cores; the system decides which core runs a rank."""
     return {
         **os.environ,
@@ -276,7 +291,7 @@ def mpi_environment():
     }
 
 
-def progress(text):
+def progress(text: str) -> None:
     """One line on a terminal that overwrites itself, lines elsewhere."""
     if sys.stderr and sys.stderr.isatty():
         print(f"\r\x1b[K{text}", end="", file=sys.stderr, flush=True)
@@ -284,11 +299,11 @@ def progress(text):
         complain(text)
 
 
-def spread(values):
+def spread(values: list[float]) -> dict[str, float]:
     return {"min": min(values), "median": statistics.median(values), "max": max(values)}
 
 
-def summarise(alone, runs):
+def summarise(alone: Any, runs: list[dict[str, Any]]) -> dict[str, Any]:
     """One case: LAMMPS's breakdown and counts of the run alone, rates in million automaton-steps a
     second of all."""
     return {
@@ -302,7 +317,7 @@ def summarise(alone, runs):
     }
 
 
-def ratios(results):
+def ratios(results: Results) -> list[dict[str, Any]]:
     """mca over each other style, ranks over 1 rank, sizes over the smallest; round by round."""
     table = []
     for (style, automata, ranks), case in results.items():
@@ -330,7 +345,7 @@ def ratios(results):
     return table
 
 
-def print_tables(results, table):
+def print_tables(results: Results, table: Any) -> None:
     say(
         f"\n{'style':20} {'automata':>8} {'ranks':>5} {'M steps/s':>9} {'min':>6} {'max':>6} "
         f"{'CPU %':>5} {'builds':>11}  breakdown %"
@@ -351,14 +366,14 @@ def print_tables(results, table):
         )
 
 
-def processor():
+def processor() -> str:
     for line in open("/proc/cpuinfo", encoding="utf-8"):
         if line.startswith("model name"):
             return line.split(":", 1)[1].strip()
     return platform.machine()
 
 
-def arguments():
+def arguments() -> argparse.Namespace:
     parser = Parser(__doc__ + "\n\n" + HELP)
     parser.add_argument(
         "--build",
@@ -404,12 +419,13 @@ def arguments():
     return args
 
 
-def main():
+def main() -> None:
     args = arguments()
     cases = [
         (style, size, ranks) for size in args.sizes for ranks in args.ranks for style in args.styles
     ]
-    alone, runs = {}, {case: [] for case in cases}
+    alone: dict[Case, dict[str, Any]] = {}
+    runs: dict[Case, list[dict[str, Any]]] = {case: [] for case in cases}
     together = []
     lmp = str(args.build / "bin" / "lmp")
     start = time.monotonic()
@@ -418,7 +434,7 @@ def main():
             progress(f"sliding of {size} automata, {time.monotonic() - start:.0f} s")
             warm_up(lmp, size, Path(folder), args.scale)
 
-        def begin(k):
+        def begin(k: int) -> Run:
             return start_run(lmp, *cases[k], args.scale, Path(folder), place=f"case{k}")
 
         for k, (style, size, ranks) in enumerate(cases):
@@ -438,7 +454,7 @@ def main():
                 singles = run_all(
                     [
                         start_run(lmp, "mca", size, 1, args.scale, Path(folder), place=f"single{k}")
-                        for k in range(os.cpu_count())
+                        for k in range(os.cpu_count() or 1)
                     ]
                 )
                 together.append(throughput(copies) / throughput(singles))

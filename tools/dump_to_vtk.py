@@ -14,10 +14,12 @@ run leaves them, the later one counts. Exit codes: 0 ok, 1 no meshio, 2 usage, 3
 file cannot be written.
 """
 
+import argparse
 import contextlib
 import os
 import pathlib
 import tempfile
+from typing import Any
 from xml.etree import ElementTree
 
 from mcawr.command_line import Parser, file_name, number_in
@@ -29,7 +31,7 @@ INTEGERS = {"id", "mol", "type", "proc", "procp1", "ix", "iy", "iz"}
 ENDS = [("batom1", "batom2"), ("id1", "id2")]
 
 
-def read(path):
+def read(path: str) -> tuple[Dump, dict[int, int]]:
     """(the dump, {step: number of its frame})"""
     dump = Dump(path)
     if dump.cut:
@@ -40,12 +42,23 @@ def read(path):
 class Writer:
     """Frames as *.vtu in a folder beside their places; finish() moves all of them there."""
 
-    def __init__(self, output, folder, timestep):
+    def __init__(self, output: str, folder: str, timestep: float) -> None:
         self.output, self.folder, self.timestep = output, folder, timestep
         self.frames = f"{output}_frames"  # where they go
-        self.series = {}  # name of the collection: [(time, file)]
+        self.series: dict[
+            str, list[tuple[float, str]]
+        ] = {}  # name of the collection: [(time, file)]
 
-    def frame(self, collection, kind, frame, points, cells, point_data, cell_data):
+    def frame(
+        self,
+        collection: str,
+        kind: str,
+        frame: dict[str, Any],
+        points: Any,
+        cells: list[tuple[str, Any]],
+        point_data: dict[str, Any],
+        cell_data: dict[str, Any],
+    ) -> None:
         import meshio
 
         name = f"{kind}.{frame['step']}.vtu"
@@ -88,7 +101,7 @@ class Writer:
             raise
 
 
-def arrays(dump, number, integers):
+def arrays(dump: Dump, number: int, integers: set[str]) -> dict[str, Any]:
     """{column: its values} of all columns of a frame."""
     import numpy
 
@@ -109,7 +122,7 @@ def arrays(dump, number, integers):
     return columns
 
 
-def positions(dump, number, columns):
+def positions(dump: Dump, number: int, columns: dict[str, Any]) -> Any:
     import numpy
 
     frame = dump.frames[number]
@@ -128,7 +141,7 @@ def positions(dump, number, columns):
     return numpy.column_stack([columns.get(name, numpy.zeros(count)) for name in axes])
 
 
-def ends_of(dump, number, given):
+def ends_of(dump: Dump, number: int, given: tuple[str, str] | None) -> tuple[str, str]:
     """Names of the columns that hold the IDs of a link's automata."""
     frame = dump.frames[number]
     choice = [given] if given else ENDS
@@ -141,7 +154,15 @@ def ends_of(dump, number, given):
     )
 
 
-def lines(dump, number, ends, columns, ids, points, source):
+def lines(
+    dump: Dump,
+    number: int,
+    ends: tuple[str, str],
+    columns: dict[str, Any],
+    ids: Any,
+    points: Any,
+    source: str,
+) -> tuple[Any, Any]:
     """(rows that are drawn, their ends as rows of the automata)."""
     import numpy
 
@@ -166,11 +187,12 @@ def lines(dump, number, ends, columns, ids, points, source):
     return drawn, pairs[drawn]
 
 
-def convert(given, writer):
+def convert(given: argparse.Namespace, writer: Writer) -> str:
     """Writes all frames; returns what is to be said."""
     import numpy
 
     automata, numbers = read(given.dump)
+    links: Any
     links, link_numbers = read(given.links) if given.links else (None, {})
     if links and any(frame["triclinic"] for frame in links.frames):
         raise BadInput(f"{links.path}: links of a triclinic box cannot be drawn")
@@ -217,7 +239,7 @@ def convert(given, writer):
     return said
 
 
-def arguments():
+def arguments() -> argparse.Namespace:
     parser = Parser(__doc__)
     parser.add_argument("dump", type=file_name, metavar="DUMP")
     parser.add_argument(
@@ -248,7 +270,7 @@ def arguments():
     return given
 
 
-def main():
+def main() -> None:
     given = arguments()
     import meshio  # noqa: F401, the frames need it
 

@@ -10,6 +10,8 @@ largest. Exit codes: 0 ok, 1 no matplotlib, 2 usage, 3 bad input file, 5 the pic
 written.
 """
 
+from typing import Any
+
 from mcawr import plotting, tables
 from mcawr.command_line import Parser, file_name
 from mcawr.errors import BadInput, run_script
@@ -18,13 +20,13 @@ from mcawr.files import check_apart, save_figure
 FORMAT = "mca-benchmark 1"
 
 
-def read_cases(path):
+def read_cases(path: str) -> dict[Any, Any]:
     """{(style, ranks): [(automata, ns a step: median, least, most)]}"""
 
-    def cases_of(content):
+    def cases_of(content: Any) -> dict[Any, Any]:
         if content["format"] != FORMAT:
             raise ValueError(f"format '{content['format']}', must be '{FORMAT}'")
-        lines = {}
+        lines: dict[Any, Any] = {}
         for case in content["cases"]:
             rates = [tables.number(case["rate"][name]) for name in ("median", "max", "min")]
             size, ranks = (tables.number(case[name]) for name in ("automata", "ranks"))
@@ -40,7 +42,7 @@ def read_cases(path):
     return cases
 
 
-def main():
+def main() -> None:
     parser = Parser(__doc__)
     parser.add_argument("file", type=file_name, help="JSON of tools/benchmark.py")
     parser.add_argument(

@@ -13,6 +13,7 @@ Exit codes: 0 ok, 1 no matplotlib, 2 usage, 3 bad input file, 5 the picture cann
 """
 
 import os
+from typing import Any
 
 from mcawr import plotting, tables
 from mcawr.command_line import Parser, file_name
@@ -23,11 +24,11 @@ STYLES = ["-", "--", ":", "-."]
 BARS = 10  # along a band
 
 
-def read(path, columns):
+def read(path: str, columns: tuple[str, ...]) -> dict[Any, Any]:
     """{(speed, seed): {column: [numbers]}} of a CSV file of wr_creep."""
 
-    def curves_of(rows):
-        curves = {}
+    def curves_of(rows: list[tables.Row]) -> dict[Any, Any]:
+        curves: dict[Any, Any] = {}
         for row in rows:
             key = (row.number("speed"), row.get("seed", ""))
             curve = curves.setdefault(key, {})
@@ -41,12 +42,12 @@ def read(path, columns):
     return curves
 
 
-def band_of(path):
+def band_of(path: str) -> dict[Any, Any]:
     band = os.path.join(os.path.dirname(path), "creep_band.csv")
     return read(band, ("creep", "low", "high")) if os.path.exists(band) else {}
 
 
-def curves_of(path, label, style):
+def curves_of(path: str, label: str, style: str) -> list[tuple[Any, Any, dict[str, Any]]]:
     """[(values, band or None, style of the line)] of a file."""
     curves, bands = read(path, ("creep", "traction_ratio")), band_of(path)
     speeds = sorted({speed for speed, _ in curves})
@@ -64,7 +65,7 @@ def curves_of(path, label, style):
     ]
 
 
-def draw_band(axes, band, color, number, count):
+def draw_band(axes: Any, band: Any, color: str, number: int, count: int) -> None:
     """A shade for a single band; bars for several, each at other places than those of the
     others."""
     if count == 1:
@@ -78,7 +79,7 @@ def draw_band(axes, band, color, number, count):
     axes.errorbar(creep, middle, half, fmt="none", color=color, lw=1.1, capsize=2.5)
 
 
-def main():
+def main() -> None:
     parser = Parser(__doc__)
     parser.add_argument("csv", nargs="+", type=file_name, help="creep.csv of wr_creep")
     parser.add_argument("-o", "--output", type=file_name, default="creep.png", metavar="PNG")

@@ -11,6 +11,8 @@ With a power of kappa3 in wr_fit's model, mu of the runs is brought to the law's
 Exit codes: 0 ok, 1 no matplotlib, 2 usage, 3 bad input file, 5 the picture cannot be written.
 """
 
+from typing import Any
+
 from mcawr import plotting, tables
 from mcawr.command_line import Parser, file_name
 from mcawr.errors import run_script
@@ -19,8 +21,11 @@ from mcawr.files import check_apart, save_figure
 PAPER = {"mu0": 0.15, "mu1": 0.0442, "mu2": 0.3243, "b": 0.195, "c": 0.00212}  # Eq. 3
 PAPER_RMS = 0.09
 
+# law or None, its relative RMS, points, covariance or None
+Contents = tuple[dict[str, Any] | None, float, list[dict[str, Any]], Any]
 
-def points_of(data):
+
+def points_of(data: dict[str, Any]) -> list[dict[str, Any]]:
     """What is fitted, replicas as one point, and the runs that are left out, of wr_fit's JSON."""
     report = tables.checked_report(data)["report"]
     names = ("kappa1", "kappa2", "kappa3", "mu", "mu_se")
@@ -31,13 +36,15 @@ def points_of(data):
     return fitted + [{**p, "runs": 1} for p in report["points"] if p["left_out"]]
 
 
-def contents(data):
+def contents(data: dict[str, Any]) -> Contents:
     """(law or None, its relative RMS, points, covariance) of wr_fit's JSON."""
     law = {name: tables.number(data[name]) for name in PAPER} if "mu0" in data else None
     points, fit = points_of(data), data["report"].get("fit", {})
     if not points:
         raise ValueError("it holds no point")
     if "kappa3" in fit:
+        if law is None:
+            raise ValueError("it holds kappa3, but no law")
         law["kappa3"] = tables.number(fit["kappa3"])
         exponent = tables.number(fit["parameters"]["n"]["value"])
         factors = [(law["kappa3"] / tables.number(p["kappa3"])) ** exponent for p in points]
@@ -45,7 +52,7 @@ def contents(data):
             {**p, **{key: None if p[key] is None else f * p[key] for key in ("mu", "mu_se")}}
             for f, p in zip(factors, points)
         ]
-    covariance = data.get("covariance")
+    covariance: Any = data.get("covariance")
     if covariance is not None:
         covariance = [[tables.number(x) for x in row] for row in covariance]
         if [len(row) for row in covariance] != 5 * [5]:
@@ -53,20 +60,20 @@ def contents(data):
     return law, tables.number(data.get("rms_relative", 0)), points, covariance
 
 
-def read(path):
+def read(path: str) -> Contents:
     """(law or None, its relative RMS, points, covariance) of wr_fit's JSON."""
     return tables.read_fit(path, contents)
 
 
-def velocity_term(law, kappa1):
+def velocity_term(law: dict[str, Any], kappa1: Any) -> Any:
     return law["mu1"] * kappa1 / (1 + law["b"] * kappa1)
 
 
-def static_part(law, kappa2):
+def static_part(law: dict[str, Any], kappa2: Any) -> Any:
     return law["mu0"] + law["mu2"] / (1 + law["c"] * kappa2)
 
 
-def static_error(law, covariance, kappa2):
+def static_error(law: dict[str, Any], covariance: Any, kappa2: Any) -> Any:
     """Standard error of the static part from the law's covariance (mu0, mu1, mu2, b, c)."""
     import numpy as np
 
@@ -75,7 +82,14 @@ def static_error(law, covariance, kappa2):
     return np.sqrt(np.einsum("ik,ij,jk->k", gradient, np.array(covariance), gradient))
 
 
-def draw(law, rms, points, covariance, path, kind="png"):
+def draw(
+    law: dict[str, Any] | None,
+    rms: float,
+    points: list[dict[str, Any]],
+    covariance: Any,
+    path: str,
+    kind: str = "png",
+) -> Any:
     """The picture of the contents of wr_fit's JSON; kind: its format if the path has no ending."""
     plt = plotting.pyplot()
     import numpy as np
@@ -91,15 +105,15 @@ def draw(law, rms, points, covariance, path, kind="png"):
     )
     figure, (left, right) = plt.subplots(1, 2, figsize=(11, 4.8), constrained_layout=True)
 
-    def column(rows, key):
+    def column(rows: list[dict[str, Any]], key: str) -> Any:
         return np.array([np.nan if row[key] is None else row[key] for row in rows], dtype=float)
 
-    def scatter(axes, rows, x, y, **style):
+    def scatter(axes: Any, rows: list[dict[str, Any]], x: Any, y: Any, **style: Any) -> None:
         axes.errorbar(
             x, y, yerr=1.96 * column(rows, "mu_se"), ls="none", ms=5, lw=1, capsize=2, **style
         )
 
-    def predicted(rows):
+    def predicted(rows: list[dict[str, Any]]) -> Any:
         return static_part(shown, column(rows, "kappa2")) + velocity_term(
             shown, column(rows, "kappa1")
         )
@@ -157,7 +171,7 @@ def draw(law, rms, points, covariance, path, kind="png"):
     for rows, style in ((used, filled), (rest, hollow)):
         if rows:
             reduced = column(rows, "mu") - velocity_term(shown, column(rows, "kappa1"))
-            scatter(right, rows, column(rows, "kappa2"), reduced, **{**style, "label": None})
+            scatter(right, rows, column(rows, "kappa2"), reduced, **(style | {"label": None}))
     right.set(
         xlim=(0, reach),
         ylim=(0, top),
@@ -169,7 +183,7 @@ def draw(law, rms, points, covariance, path, kind="png"):
     save_figure(figure, path, kind=kind)
 
 
-def main():
+def main() -> None:
     parser = Parser(__doc__)
     parser.add_argument("json", type=file_name, help="wr_fit's JSON (wr_fit -o)")
     parser.add_argument("-o", "--output", type=file_name, default="fit.png", metavar="PNG")

@@ -20,8 +20,10 @@ An output that ends in .gif is an animation of all frames. Exit codes: 0 ok, 1 n
 Pillow, 2 usage, 3 bad input file, 5 the picture cannot be written.
 """
 
+import argparse
 import io
 import math
+from typing import Any
 
 from mcawr import plotting
 from mcawr.command_line import Parser, file_name, number_in, whole_in
@@ -57,14 +59,14 @@ LABELS = {
 PAINT = {1: ("#9ecae1", "#2171b5"), 2: ("#fdbe85", "#d94801")}  # of each type light and dark
 
 
-def nearest_distance(x, y):
+def nearest_distance(x: list[float], y: list[float]) -> float:
     """Diameter of the automata: the spacing in the first frame."""
     return min((math.hypot(x[0] - a, y[0] - b) for a, b in zip(x[1:], y[1:])), default=1.0)
 
 
-def profile(y, vx, height):
+def profile(y: list[float], vx: list[float], height: float) -> tuple[list[float], list[float]]:
     """Mean of vx over slices of that height; (means, middles of the slices)."""
-    slices = {}
+    slices: dict[float, list[float]] = {}
     for a, v in zip(y, vx):
         slices.setdefault(a // height, []).append(v)
     rows = [(sum(v) / len(v), height * (k + 0.5)) for k, v in sorted(slices.items())]
@@ -74,7 +76,7 @@ def profile(y, vx, height):
 class Picture:
     """All panels of one figure; show(number) draws a frame."""
 
-    def __init__(self, plt, dump, given):
+    def __init__(self, plt: Any, dump: Dump, given: argparse.Namespace) -> None:
         self.dump, self.given = dump, given
         self.names = set(NEEDED) | {p for p in given.show if p != "stripes"}
         begin = dump.columns(0, NEEDED)
@@ -104,7 +106,7 @@ class Picture:
 
         self.lay_out(plt, (self.high - self.low) / (high - low))
 
-    def lay_out(self, plt, ratio):
+    def lay_out(self, plt: Any, ratio: float) -> None:
         """Axes of the panels, their colour bars and the profile, all of the same height."""
         left, bottom, top, gap, bar = 0.65, 0.55, 0.7, 0.35, 1.0  # inches
         wide, tall, narrow = 4.6, max(4.6 * ratio, 1.0), 1.5
@@ -127,7 +129,7 @@ class Picture:
             for name, x, w in places
         }
 
-    def limits(self, panel, everything):
+    def limits(self, panel: str, everything: Any) -> tuple[float, float]:
         values = sorted(v for columns in everything for v in columns[panel])
         if panel in ("links", "welds"):
             if values[0] < 0 or values[-1] > MOST_LINKS:
@@ -142,7 +144,7 @@ class Picture:
             low = min(0.0, low)
         return (low, high) if high > low else (low, low + 1.0)
 
-    def show(self, number):
+    def show(self, number: int) -> None:
         frame, columns = self.dump.frames[number], self.dump.columns(number, self.names)
         for axes in self.axes.values():
             axes.cla()
@@ -156,7 +158,7 @@ class Picture:
         time = frame["time"] if frame["time"] is not None else frame["step"] * self.given.timestep
         self.figure.suptitle(f"{frame['count']} automata after {time:.3g} ns", fontsize=11, y=0.985)
 
-    def velocities(self, axes, columns):
+    def velocities(self, axes: Any, columns: dict[str, Any]) -> None:
         means, heights = profile(columns["y"], columns["vx"], self.diameter)
         axes.plot(means, heights, "o-", ms=3)
         axes.set_xlabel("mean $v_x$ (m/s)")
@@ -168,7 +170,7 @@ class Picture:
         axes.tick_params(labelleft=False)
         axes.grid(alpha=0.3)
 
-    def panel(self, axes, panel, frame, columns):
+    def panel(self, axes: Any, panel: str, frame: dict[str, Any], columns: dict[str, Any]) -> None:
         low, high = frame["box"][0]
         width, radius = high - low, 0.5 * self.diameter
         # an automaton on the edge of the period is seen on both sides
@@ -196,7 +198,7 @@ class Picture:
         axes.set_xlabel("x (nm)")
         axes.set_title(TITLES.get(panel, panel), fontsize=10)
 
-    def discs(self, axes, x, y):
+    def discs(self, axes: Any, x: Any, y: Any) -> Any:
         from matplotlib.collections import EllipseCollection
 
         size = [self.diameter] * len(x)
@@ -212,12 +214,12 @@ class Picture:
         axes.add_collection(discs)
         return discs
 
-    def colour(self, axes, discs, panel, values, which):
+    def colour(self, axes: Any, discs: Any, panel: str, values: Any, which: Any) -> None:
         import matplotlib
 
         low, high = self.range[panel]
         counted = panel in ("links", "welds")
-        steps = round(high - low) if counted else None
+        steps = round(high - low)
         discs.set_cmap(matplotlib.colormaps["viridis"].resampled(steps) if counted else "viridis")
         discs.set_array([values[k] for k in which])
         discs.set_clim(low, high)
@@ -234,7 +236,7 @@ class Picture:
         )
 
 
-def animate(picture, frames, rate, dpi):
+def animate(picture: Picture, frames: Any, rate: float, dpi: float) -> bytes:
     """Bytes of a GIF that shows all frames in turn, for ever."""
     try:
         from PIL import Image
@@ -259,7 +261,7 @@ def animate(picture, frames, rate, dpi):
     return film.getvalue()
 
 
-def arguments():
+def arguments() -> argparse.Namespace:
     parser = Parser(__doc__)
     parser.add_argument("dump", type=file_name, metavar="DUMP")
     parser.add_argument(
@@ -310,7 +312,7 @@ def arguments():
     return given
 
 
-def read(path):
+def read(path: str) -> Dump:
     dump = Dump(path, STATE)
     if dump.cut:
         complain(f"{path}: the last frame is cut and left out")
@@ -324,7 +326,7 @@ def read(path):
     return dump
 
 
-def of_space(dump, why):
+def of_space(dump: Dump, why: str) -> BadInput:
     """The error for a dump of three dimensions."""
     return BadInput(
         f"{dump.path}:{dump.frames[0]['head'] + 1}: {why}: only a dump of two dimensions can be "
@@ -332,7 +334,7 @@ def of_space(dump, why):
     )
 
 
-def main():
+def main() -> None:
     given = arguments()
     dump = read(given.dump)
     if not -len(dump.frames) <= given.frame < len(dump.frames):

@@ -12,6 +12,7 @@ took for the stationary part (with --points). Exit codes: 0 ok, 1 no matplotlib,
 
 import math
 import os
+from typing import Any
 
 from mcawr import friction_log, plotting, tables
 from mcawr.command_line import Parser, file_name, number_in
@@ -19,7 +20,7 @@ from mcawr.errors import BadInput, run_script
 from mcawr.files import check_apart, save_figure
 
 
-def read_log(path):
+def read_log(path: str) -> tuple[str, list[float], list[float]]:
     """(loading line, time in ns, mu) of a friction log; a cut last line is left out."""
     log = friction_log.read(path, ("time", "mu"))
     try:
@@ -35,7 +36,7 @@ def read_log(path):
     return label, log.columns["time"], log.columns["mu"]
 
 
-def running_mean(values, half):
+def running_mean(values: list[float], half: int) -> list[float]:
     """Mean over 2 half + 1 rows centred on each; at the ends over those of them that are there."""
     total = [0.0]
     for value in values:
@@ -47,10 +48,10 @@ def running_mean(values, half):
     return result
 
 
-def read_points(path):
+def read_points(path: str) -> dict[str, Any]:
     """file name -> (mu, t_start) of wr_fit's points.csv."""
 
-    def means_of(rows):
+    def means_of(rows: list[tables.Row]) -> dict[str, Any]:
         return {
             os.path.realpath(row["file"]): (
                 row.number("mu"),
@@ -62,7 +63,7 @@ def read_points(path):
     return tables.read(path, "wr_fit's points.csv", means_of)
 
 
-def main():
+def main() -> None:
     parser = Parser(__doc__)
     parser.add_argument("logs", nargs="+", type=file_name, metavar="LOG")
     parser.add_argument("-o", "--output", type=file_name, default="friction.png", metavar="PNG")

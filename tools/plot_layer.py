@@ -18,6 +18,7 @@ Exit codes: 0 ok, 1 no matplotlib, 2 usage, 3 bad input file, 5 a file cannot be
 import csv
 import io
 import math
+from typing import Any
 
 from mcawr import plotting
 from mcawr.command_line import Parser, file_name, number_in
@@ -29,7 +30,7 @@ from mcawr.tables import LARGEST
 COLUMNS = ["vx", "c_state[1]", "v_upper", "v_away2"]
 
 
-def read_frames(path):
+def read_frames(path: str) -> list[Any]:
     """[(step, {column: values from bottom to top})] of rows that hold automata. Raises
     BadInput."""
     import numpy
@@ -48,7 +49,7 @@ def read_frames(path):
                 )
         elif words and not line.startswith("#"):
             step, count = frame_head(f"{path}:{at}", line, names)
-            rows = []
+            rows: Any = []
             # a frame that a kill cut short ends at the head of the run that went on
             while len(rows) < count and at < len(lines) and "#" not in lines[at]:
                 at += 1
@@ -59,13 +60,13 @@ def read_frames(path):
             rows = rows[rows[:, 1] > 0]
             if not len(rows):
                 raise BadInput(f"{path}:{at}: no automaton in the frame of step {step}")
-            frames[step] = dict(zip(names, rows.T))  # made again after a kill: the later one
+            frames[step] = dict(zip(names or [], rows.T))  # made again after a kill: the later one
     if not frames:
         raise BadInput(f"{path}: no frame")
     return sorted(frames.items())
 
 
-def frame_head(where, line, names):
+def frame_head(where: str, line: str, names: Any) -> tuple[int, int]:
     """(step, number of rows) of the line that begins a frame."""
     words = line.split()
     try:
@@ -76,7 +77,7 @@ def frame_head(where, line, names):
     raise BadInput(f"{where}: '{line[:60]}' where a frame should begin")
 
 
-def row(where, line, names):
+def row(where: str, line: str, names: Any) -> Any:
     """The numbers of a row after its own number."""
     words = line.split()[1:]
     if len(words) != len(names):
@@ -85,12 +86,12 @@ def row(where, line, names):
         values = [decimal(word) for word in words]
     except ValueError as error:
         raise BadInput(f"{where}: {error}") from None
-    if max(map(abs, values)) > LARGEST:
+    if max(abs(value) for value in values) > LARGEST:
         raise BadInput(f"{where}: a number beyond +-{LARGEST:g}")
     return values
 
 
-def crossing(y, values, level, last):
+def crossing(y: Any, values: Any, level: float, last: bool) -> float:
     """Height where the profile passes the level: for the last time from the bottom, or the
     first."""
     import numpy
@@ -104,7 +105,7 @@ def crossing(y, values, level, last):
     return float(y[k] + share * (y[k + 1] - y[k]))
 
 
-def fragment(frame):
+def fragment(frame: Any) -> dict[str, Any]:
     """The frame without the rows beyond the fragment, that hold few automata or none: some may have
     left it through a held layer of one row."""
     import numpy
@@ -113,7 +114,7 @@ def fragment(frame):
     return {name: values[full[0] : full[-1] + 1] for name, values in frame.items()}
 
 
-def measures(path):
+def measures(path: str) -> list[dict[str, Any]]:
     """What each frame of a file says of the layer. Raises BadInput."""
     table = []
     for step, frame in read_frames(path):
@@ -127,7 +128,7 @@ def measures(path):
     return table
 
 
-def measure(step, frame):
+def measure(step: int, frame: Any) -> dict[str, Any]:
     """What a frame says of the layer; depth and mixed are nan where a level is not passed."""
     import numpy
 
@@ -157,7 +158,7 @@ def measure(step, frame):
     }
 
 
-def table_text(table):
+def table_text(table: Any) -> str:
     text = io.StringIO(newline="")
     writer = csv.DictWriter(text, table[0])
     writer.writeheader()
@@ -165,7 +166,7 @@ def table_text(table):
     return text.getvalue()
 
 
-def draw(path, frames, table, step, length, time):
+def draw(path: str, frames: Any, table: Any, step: int, length: Any, time: Any) -> bytes:
     """Bytes of the picture."""
     figure, (left, middle, right) = plotting.pyplot().subplots(
         1, 3, figsize=(10.5, 3.8), layout="constrained"
@@ -199,7 +200,7 @@ def draw(path, frames, table, step, length, time):
     return picture(figure, path, dpi=140)
 
 
-def show(table):
+def show(table: Any) -> None:
     """Prints a row for each frame."""
     say(
         f"{'step':>9} {'centre':>8} {'depth':>7} {'mixed':>7} {'displ.^2':>9} {'linked':>7} "
@@ -213,7 +214,7 @@ def show(table):
         )
 
 
-def main():
+def main() -> None:
     parser = Parser(__doc__)
     parser.add_argument("file", type=file_name, help="profile file of in.friction")
     parser.add_argument("-o", "--output", type=file_name, help="picture (.png, .pdf, .svg)")
@@ -234,7 +235,7 @@ def main():
     args = parser.parse_args()
     check_apart([args.file], [args.output, args.csv])
     frames, table = read_frames(args.file), measures(args.file)
-    files = {}
+    files: dict[str, str | bytes] = {}
     if args.csv:
         files[args.csv] = table_text(table)
     if args.output:

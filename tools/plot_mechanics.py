@@ -19,6 +19,7 @@ import os
 import pathlib
 import sys
 import tempfile
+from typing import Any
 
 from mcawr import plotting
 from mcawr.command_line import Parser, file_name
@@ -28,7 +29,7 @@ from mcawr.files import make_folder, save_figure
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 
 
-def surface(m, np, plt, work):
+def surface(m: Any, np: Any, plt: Any, work: pathlib.Path) -> Any:
     figure, (left, right) = plt.subplots(1, 2, figsize=(9, 3.6))
     for plane, colour in (("strain", "tab:blue"), ("stress", "tab:orange")):
         rows, error, skinned = (6, 10, 20, 40), [], []
@@ -79,7 +80,7 @@ def surface(m, np, plt, work):
     return figure
 
 
-def waves(m, np, plt, work):
+def waves(m: Any, np: Any, plt: Any, work: pathlib.Path) -> Any:
     figure, axis = plt.subplots(figsize=(5.6, 3.8))
     grid = np.geomspace(3.5, 300, 200)
     for mode, colour, name in (
@@ -103,8 +104,8 @@ def waves(m, np, plt, work):
             label="lattice, exact",
         )
         axis.axhline(continuum, ls=":", color=colour)
-    lengths, bars = (128, 256), []
-    for n in lengths:
+    ends, bars = (128, 256), []
+    for n in ends:
         c, solid = m.wave_speed(work, "bar", columns=n, rows=20, free=True)
         say(f"bar of 20 rows, {n} d: {c:.1f} m/s, {100 * (c / solid - 1):+.2f} % of the plate's")
         bars.append(c)
@@ -120,7 +121,7 @@ def waves(m, np, plt, work):
     return figure
 
 
-def hertz(m, np, plt, work):
+def hertz(m: Any, np: Any, plt: Any, work: pathlib.Path) -> Any:
     figure, (left, right) = plt.subplots(1, 2, figsize=(9, 3.6))
     sizes, widths, peaks = [], [], []
     for size, marker in ((4, "s"), (8, "^"), (16, "o")):
@@ -156,7 +157,7 @@ def hertz(m, np, plt, work):
     return figure
 
 
-def diagram(m, np, plt, work):
+def diagram(m: Any, np: Any, plt: Any, work: pathlib.Path) -> Any:
     figure, (left, right) = plt.subplots(1, 2, figsize=(9.5, 3.8))
     points = {m.Y1 / m.E: m.Y1, 0.015: m.Y2, m.BREAKING: m.STRENGTH}
     for kind, law, style in (
@@ -227,7 +228,7 @@ def diagram(m, np, plt, work):
     return figure
 
 
-def energy(m, np, plt, work):
+def energy(m: Any, np: Any, plt: Any, work: pathlib.Path) -> Any:
     figure, (left, right) = plt.subplots(1, 2, figsize=(9, 3.6))
     slide = m.lmp("in.energy_sliding", work, steps=100000).thermo[0]
     time, account = 5e-5 * slide["Step"], [slide[f"c_energy[{k}]"] for k in range(1, 7)]
@@ -259,7 +260,7 @@ def energy(m, np, plt, work):
 FIGURES = {"surface": surface, "waves": waves, "hertz": hertz, "diagram": diagram, "energy": energy}
 
 
-def main():
+def main() -> None:
     parser = Parser(__doc__)
     parser.add_argument("figure", choices=[*FIGURES, "all"])
     parser.add_argument(

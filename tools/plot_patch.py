@@ -16,7 +16,9 @@ transient  forces over load and share of stick against the distance rolled, one 
 Exit codes: 0 ok, 1 no matplotlib, 2 usage, 3 bad input file, 5 the picture cannot be written.
 """
 
+import argparse
 import os
+from typing import Any
 
 from mcawr import fields, plotting, tables
 from mcawr.command_line import Parser, file_name
@@ -28,15 +30,18 @@ MOST_ARROWS = 24  # of the traction, along the longer side
 
 # --------------------------------------------------------------------------- fields
 
+np: Any = None  # set by main()
+plt: Any = None
 
-def label_of(given, k, path):
+
+def label_of(given: argparse.Namespace, k: int, path: str) -> str:
     if k < len(given.label):
         return given.label[k]
     folder, name = os.path.split(os.path.abspath(path))
     return os.path.join(os.path.basename(folder), os.path.splitext(name)[0])
 
 
-def read_all(given, needed):
+def read_all(given: argparse.Namespace, needed: Any) -> list[Any]:
     """Fields of all files that are to be drawn side by side. Raises BadInput."""
     columns = []
     for path in given.files:
@@ -50,7 +55,7 @@ def read_all(given, needed):
     return columns
 
 
-def window(columns):
+def window(columns: Any) -> tuple[tuple[float, float], tuple[float, float]]:
     """What to show of all files: their contacts and a little more."""
     boxes = []
     for data in columns:
@@ -69,11 +74,11 @@ def window(columns):
     return (left - margin, right + margin), (low - margin, high + margin)
 
 
-def only_contact(data, values):
+def only_contact(data: fields.Fields, values: Any) -> Any:
     return np.where(data.arrays["pressure"] > 0, values, np.nan)
 
 
-def stick_border(axis, data):
+def stick_border(axis: Any, data: fields.Fields) -> None:
     """The border of the stick zones as a line along the cells' sides."""
     stick = (data.arrays["state"] == fields.STICK).astype(float)
     if not stick.any():
@@ -84,7 +89,7 @@ def stick_border(axis, data):
     axis.contour(x, y, padded, levels=[0.5], colors="deepskyblue", linewidths=1.2)
 
 
-def arrows(axis, data):
+def arrows(axis: Any, data: fields.Fields) -> None:
     """Directions of the traction on a coarse raster; all of one length."""
     every = max(1, max(data.nx, data.ny) // MOST_ARROWS)
     part = (slice(every // 2, None, every), slice(every // 2, None, every))
@@ -99,7 +104,7 @@ def arrows(axis, data):
     )
 
 
-def panels(columns, rows, height=3.6):
+def panels(columns: Any, rows: Any, height: float = 3.6) -> tuple[Any, Any]:
     """A row of panels for each field, all with the same scale of lengths."""
     (left, right), (low, high) = window(columns)
     width = height * min(1.6, max(0.6, (right - left) / (high - low)))
@@ -110,7 +115,7 @@ def panels(columns, rows, height=3.6):
     return figure, axes
 
 
-def show(axis, data, values, limits, **style):
+def show(axis: Any, data: fields.Fields, values: Any, limits: Any, **style: Any) -> Any:
     image = axis.imshow(
         values, origin="lower", extent=data.extent, interpolation="nearest", **style
     )
@@ -118,7 +123,7 @@ def show(axis, data, values, limits, **style):
     return image
 
 
-def draw_fields(given):
+def draw_fields(given: argparse.Namespace) -> None:
     columns = read_all(given, ("state", "pressure", "traction"))
     limits = window(columns)
     figure, axes = panels(columns, 2)
@@ -144,7 +149,7 @@ def draw_fields(given):
     save_figure(figure, given.output, dpi=150)
 
 
-def draw_friction(given):
+def draw_friction(given: argparse.Namespace) -> None:
     columns = read_all(given, ("pressure", "traction", "mu"))
     limits = window(columns)
     figure, axes = panels(columns, 2, height=3.4)
@@ -172,7 +177,7 @@ def draw_friction(given):
     save_figure(figure, given.output, dpi=150)
 
 
-def along(axis, data, row, mu_limits, most):
+def along(axis: Any, data: fields.Fields, row: int, mu_limits: Any, most: float) -> None:
     """Traction, its bound and mu along one row of cells; mu on a scale of its own."""
     x = data.left + (np.arange(data.nx) + 0.5) * data.dx
     pressure, mu = data.arrays["pressure"][row], data.arrays["mu"][row]
@@ -197,10 +202,10 @@ PANELS = {  # what is drawn over each creepage: (column, sign and scale, label)
 AXES = {"creep": "longitudinal creep", "lateral": "lateral creep", "spin": "spin, 1/mm"}
 
 
-def read_points(path, what, needed):
+def read_points(path: str, what: str, needed: Any) -> dict[str, Any]:
     """Columns of numbers. Raises BadInput."""
 
-    def columns_of(rows):
+    def columns_of(rows: list[tables.Row]) -> dict[str, Any]:
         return {key: np.array([row.number(key) for row in rows]) for key in needed(rows)}
 
     columns = tables.read(path, what, columns_of)
@@ -209,24 +214,24 @@ def read_points(path, what, needed):
     return columns
 
 
-def creep_columns(rows):
+def creep_columns(rows: Any) -> list[str]:
     wanted = ["speed", *COORDINATES, "load", "force_x", "force_y", "moment_z"]
     extra = [n for n in ("seed", "map", "force_x_se", "force_y_se") if rows and n in rows[0]]
     return wanted + extra
 
 
-def curves_over(points, coordinate):
+def curves_over(points: dict[str, Any], coordinate: str) -> list[tuple[dict[str, Any], Any]]:
     """Rows of each curve: all other coordinates are the same, and at least two of this one."""
     others = [n for n in ("speed", "load", "seed", "map", *COORDINATES) if n in points]
     others.remove(coordinate)
-    curves = {}
+    curves: dict[Any, Any] = {}
     for k in range(len(points["load"])):
         curves.setdefault(tuple(points[n][k] for n in others), []).append(k)
     longer = {key: rows for key, rows in curves.items() if len(set(points[coordinate][rows])) > 1}
     return [(dict(zip(others, key)), np.array(rows)) for key, rows in longer.items()]
 
 
-def curve_name(label, key, points):
+def curve_name(label: str, key: dict[str, Any], points: Any) -> str:
     """What tells a curve from the others of its file."""
     units = {"speed": "m/s", "load": "N", "spin": "/mm"}
     words = [label] if label else []
@@ -236,7 +241,7 @@ def curve_name(label, key, points):
     return ", ".join(words)
 
 
-def draw_curves(given):
+def draw_curves(given: argparse.Namespace) -> None:
     files = [
         read_points(path, "a creep.csv of a 3D contact", creep_columns) for path in given.files
     ]
@@ -261,11 +266,19 @@ def draw_curves(given):
     save_figure(figure, given.output, dpi=150)
 
 
-def polach_columns(_):
+def polach_columns(_: Any) -> list[str]:
     return ["speed", *COORDINATES, "load", "polach_x", "polach_y"]
 
 
-def draw_panel(axis, given, files, law, coordinate, column, label):
+def draw_panel(
+    axis: Any,
+    given: argparse.Namespace,
+    files: list[dict[str, Any]],
+    law: Any,
+    coordinate: str,
+    column: str,
+    label: str,
+) -> None:
     sign = 1.0 if column == "moment_z" else -1.0
     for k, points in enumerate(files):
         name = given.label[k] if k < len(given.label) else ""
@@ -308,11 +321,11 @@ def draw_panel(axis, given, files, law, coordinate, column, label):
 # --------------------------------------------------------------------------- transients
 
 
-def series_columns(_):
+def series_columns(_: Any) -> list[str]:
     return ["point", "distance", "load", "force_x", "force_y", "stick_fraction"]
 
 
-def draw_transient(given):
+def draw_transient(given: argparse.Namespace) -> None:
     figure, axes = plt.subplots(2, 1, figsize=(7, 6), sharex=True, layout="constrained")
     for k, path in enumerate(given.files):
         series = read_points(path, "a series.csv of wr_creep", series_columns)
@@ -343,7 +356,7 @@ PICTURES = {
 }
 
 
-def main():
+def main() -> None:
     parser = Parser(__doc__)
     commands = parser.add_subparsers(dest="picture", required=True, metavar="PICTURE")
     for name, (_, files) in PICTURES.items():

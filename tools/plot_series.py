@@ -18,6 +18,7 @@ ok, 1 no matplotlib, 2 usage, 3 bad input file, 5 a file cannot be written.
 import csv
 import io
 import math
+from typing import Any
 
 from mcawr import plotting, tables
 from mcawr.command_line import Parser, file_name
@@ -37,20 +38,20 @@ NAMES |= {"viscosity": "$\\eta$ = {:g} Pa s"}
 MOST_LINES = 10
 
 
-def condition_of(point):
+def condition_of(point: dict[str, Any]) -> dict[str, float]:
     """{quantity: value} of all that a run was given but the seed; MPa, m/s, Pa s, E in GPa."""
     values = {name: point[name] for name in LABELS}
     values["youngs_modulus"] = 1e-3 * point["kappa3"] * point["strength"]
     return {name: float(f"{value:.5g}") for name, value in values.items()}
 
 
-def conditions(points):
+def conditions(points: list[dict[str, Any]]) -> list[tuple[dict[str, float], list[dict[str, Any]]]]:
     """[(condition, the runs of it)]"""
     found = groups(points, lambda point: tuple(condition_of(point).items()))
     return [(dict(key), members) for key, members in found.items()]
 
 
-def read(path):
+def read(path: str) -> list[dict[str, Any]]:
     """The points of wr_fit's JSON that have a standard error. Raises BadInput."""
     points = [p for p in tables.fit_report(path)["report"]["points"] if p["mu_se"] is not None]
     if not points:
@@ -58,7 +59,7 @@ def read(path):
     return points
 
 
-def table_text(points):
+def table_text(points: list[dict[str, Any]]) -> str:
     """CSV: a row for each condition."""
     text = io.StringIO(newline="")
     text.write(
@@ -80,27 +81,27 @@ def table_text(points):
     return text.getvalue()
 
 
-def lines_of(points, against):
+def lines_of(points: list[dict[str, Any]], against: str) -> dict[Any, Any]:
     """{what is the same along a line: [(x, runs)]}"""
-    found = {}
+    found: dict[Any, Any] = {}
     for condition, members in conditions(points):
         x = condition.pop(against)
         found.setdefault(tuple(condition.items()), []).append((x, members))
     return dict(sorted(found.items()))
 
 
-def name_of(line, lines):
+def name_of(line: Any, lines: Any) -> str:
     """What tells a line from the others."""
     differ = [k for k in range(len(line)) if len({other[k] for other in lines}) > 1]
     return ", ".join(NAMES[line[k][0]].format(line[k][1]) for k in differ)
 
 
-def draw_line(axes, line, colour, name, stress, single):
+def draw_line(axes: Any, line: Any, colour: Any, name: str, stress: Any, single: Any) -> None:
     """Means with their errors, runs, grinding-in, Eq. 2 of one line."""
     x = [at for at, _ in line]
     factor = x if stress else [1.0] * len(x)
 
-    def values(key):
+    def values(key: str) -> list[float]:
         return [f * mean_of(members, key)[0] for f, (_, members) in zip(factor, line)]
 
     means, errors = values("mu"), [1.96 * f * mean_of(m)[1] for f, (_, m) in zip(factor, line)]
@@ -139,7 +140,7 @@ def draw_line(axes, line, colour, name, stress, single):
     axes.plot(x, values("mu_eq2"), "--", color="k" if single else colour, lw=1.2, label=label)
 
 
-def figure_of(points, against, stress):
+def figure_of(points: list[dict[str, Any]], against: str, stress: Any) -> Any:
     """The figure of wr_fit's points, in order of the quantity on the abscissa."""
     lines = lines_of(points, against)
     if len(lines) > MOST_LINES:
@@ -176,13 +177,13 @@ def figure_of(points, against, stress):
     return figure
 
 
-def draw(points, against, path):
+def draw(points: list[dict[str, Any]], against: str, path: str) -> None:
     """Writes the picture of wr_fit's points that have a standard error."""
     known = [point for point in points if point["mu_se"] is not None]
     save_figure(figure_of(known, against, against == "pressure"), path)
 
 
-def main():
+def main() -> None:
     parser = Parser(__doc__)
     parser.add_argument("json", type=file_name, help="wr_fit's JSON (wr_fit -o)")
     parser.add_argument("--against", choices=list(LABELS), required=True)
@@ -193,7 +194,9 @@ def main():
     check_apart([given.json], [given.output, given.csv])
     points = read(given.json)
     stress = given.against == "pressure" and not given.mu
-    files = {given.output: picture(figure_of(points, given.against, stress), given.output)}
+    files: dict[str, str | bytes] = {
+        given.output: picture(figure_of(points, given.against, stress), given.output)
+    }
     if given.csv:
         files[given.csv] = table_text(points)
     write_all(files)

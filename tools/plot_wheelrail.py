@@ -14,12 +14,15 @@ area   real contact area and peak pressure against load
 Exit codes: 0 ok, 1 no matplotlib, 2 usage, 5 files cannot be written; otherwise that of wr_creep.
 """
 
+import argparse
 import csv
 import io
 import json
 import os
 import subprocess
 import tempfile
+from collections.abc import Iterable, Sequence
+from typing import Any
 
 from mcawr import plotting, programs, tables
 from mcawr.command_line import Parser, file_name, whole_in
@@ -38,15 +41,21 @@ HEIGHT = 7.94  # um, rms height of the surface with slope 0.02 and cut-off 0.1 m
 NOTHING = ["friction={law: constant, mu: 0.3}", "thermal=off", "speed=20 m/s", "creep=[1e-3]"]
 HALF_WIDTH = 4.697817  # mm, Table 2
 
+given: argparse.Namespace  # set by main(), as the modules that take a while to load are
+np: Any = None
+plt: Any = None
 
-def rough(shortest=0.1, **amplitude):
+
+def rough(shortest: float = 0.1, **amplitude: object) -> str:
     """The roughness keyword of a standard surface."""
     size = ", ".join(f"{name}: {value}" for name, value in amplitude.items())
     waves = f"wavelength_min: {shortest} mm, wavelength_max: 10 mm"
     return f"roughness={{hurst: 0.8, {size}, {waves}, seed: {given.seed}}}"
 
 
-def wr_creep(*changes):
+def wr_creep(
+    *changes: str,
+) -> tuple[dict[float, dict[str, list[float]]], dict[str, Any], dict[str, Any]]:
     """(creep rows by speed, contact columns, summary) of Table 2 with these changes."""
     with tempfile.TemporaryDirectory() as folder:
         command = [given.wr_creep, CASE, "-o", folder, "-q"]
@@ -62,7 +71,8 @@ def wr_creep(*changes):
             )
         if done.returncode:
             fail_as(given.wr_creep, done)
-        speeds, contact = {}, {}
+        speeds: dict[float, dict[str, list[float]]] = {}
+        contact: dict[str, Any] = {}
         for row in tables.rows(os.path.join(folder, "creep.csv")):
             for name in row:
                 speeds.setdefault(row.number("speed"), {}).setdefault(name, []).append(
@@ -71,15 +81,24 @@ def wr_creep(*changes):
         for row in tables.rows(os.path.join(folder, "contact.csv")):
             for name, value in row.items():
                 contact.setdefault(name, []).append(value if name == "state" else row.number(name))
-        summary = tables.read_json(os.path.join(folder, "summary.json"), "a summary", dict)
+        summary = tables.read_json(
+            os.path.join(folder, "summary.json"), "a summary", lambda found: dict[str, Any](found)
+        )
     return speeds, {k: v if k == "state" else np.array(v) for k, v in contact.items()}, summary
 
 
-def path_of(name):
+def path_of(name: str) -> str:
     return os.path.join(given.output, name)
 
 
-def finish(figure, name, comment, header, rows, **facts):
+def finish(
+    figure: Any,
+    name: str,
+    comment: str,
+    header: Sequence[str],
+    rows: Iterable[Iterable[Any]],
+    **facts: Any,
+) -> None:
     """The picture, and its numbers as CSV and as JSON: {"figure", "comment", ..., "columns": {name:
     [values]}}."""
     rows = [[float(f"{v:.8g}") if isinstance(v, float) else v for v in row] for row in rows]
@@ -100,7 +119,7 @@ def finish(figure, name, comment, header, rows, **facts):
     say(f"{path_of(name)}.png, .csv, .json")
 
 
-def fig10():
+def fig10() -> None:
     figure, axes = plt.subplots(2, 2, figsize=(10, 7), constrained_layout=True)
     rows, facts = [], {}
     for axis, slope in zip(axes.flat, SLOPES):
@@ -155,7 +174,7 @@ def fig10():
     )
 
 
-def fig12():
+def fig12() -> None:
     figure, axis = plt.subplots(figsize=(7, 4.5), constrained_layout=True)
     levels = np.linspace(0, 6000, 301)
     columns = {}
@@ -189,7 +208,7 @@ def fig12():
     )
 
 
-def fig13():
+def fig13() -> None:
     figure, axes = plt.subplots(2, 2, figsize=(10, 6), sharex=True, constrained_layout=True)
     rows = []
     local = [
@@ -227,7 +246,7 @@ def fig13():
     )
 
 
-def curves(axis, cases, creep, speed, points=2048):
+def curves(axis: Any, cases: Any, creep: Any, speed: str, points: int = 2048) -> Any:
     """Draws T/N and returns rows; cases: (label, style, changes)."""
     rows = []
     for label, style, changes in cases:
@@ -244,7 +263,7 @@ def curves(axis, cases, creep, speed, points=2048):
     return rows
 
 
-def fig14():
+def fig14() -> None:
     figure, axis = plt.subplots(figsize=(7.5, 5), constrained_layout=True)
     cases = []
     for k, surface in enumerate(["smooth"] + [f"rms slope {s}" for s in SLOPES]):
@@ -276,7 +295,7 @@ def fig14():
     )
 
 
-def fig15():
+def fig15() -> None:
     figure, axes = plt.subplots(1, 2, figsize=(11, 4.5), sharey=True, constrained_layout=True)
     material = "conductivity: 50 W/(m K), density: 7800 kg/m3, specific_heat: 450 J/(kg K)"
     creep = "{from: 0, to: 0.1, n: 101, spacing: linear}"
@@ -315,7 +334,7 @@ def fig15():
     )
 
 
-def area():
+def area() -> None:
     figure, axes = plt.subplots(1, 2, figsize=(10, 4.2), constrained_layout=True)
     rows = []
     for slope in SLOPES:
@@ -376,7 +395,7 @@ FIGURES = {
 }
 
 
-def arguments():
+def arguments() -> argparse.Namespace:
     parser = Parser(__doc__)
     parser.add_argument("figure", choices=[*FIGURES, "all"])
     parser.add_argument(
@@ -391,7 +410,7 @@ def arguments():
     return parser.parse_args()
 
 
-def main():
+def main() -> None:
     global given, np, plt
     given = arguments()
     plt = plotting.pyplot()

@@ -19,12 +19,14 @@ import math
 import os
 import re
 import time
+from typing import Any, TextIO
 
 from mcawr import friction_log
 from mcawr.errors import BadInput, Exit, Failure
 from mcawr.files import read_bytes, read_text, write
 
 from .plan import ROOT
+from .quantities import Run
 
 LOG = "run.friction"
 PART = LOG + ".part"
@@ -39,11 +41,11 @@ UNSEALED = bytes(8)
 class FolderError(Failure):
     """One clear line, and the exit code that it means."""
 
-    def __init__(self, text, code=Exit.BAD_INPUT):
+    def __init__(self, text: str, code: int = Exit.BAD_INPUT) -> None:
         super().__init__(code, text)
 
 
-def keep_plan(path, top):
+def keep_plan(path: str, top: str) -> None:
     """Puts the plan beside the runs that are made from it, under the first free name: a plan that
     stands there already, an earlier one or the user's own, is never overwritten."""
     end = os.path.splitext(path)[1]
@@ -56,11 +58,11 @@ def keep_plan(path, top):
             return None
 
 
-def checksum(content):
+def checksum(content: bytes) -> str:
     return hashlib.sha256(content).hexdigest()
 
 
-def inputs_of(run):
+def inputs_of(run: Run) -> dict[str, str]:
     """{name: checksum} of a run's input script and of the potential files that it names, as far as
     they are found where LAMMPS looks for them."""
     script = read_bytes(run.input)
@@ -74,11 +76,11 @@ def inputs_of(run):
     return found
 
 
-def _checksum_of(record):
+def _checksum_of(record: dict[str, Any]) -> str:
     return checksum(json.dumps(record, sort_keys=True).encode())
 
 
-def _check_head(run, head):
+def _check_head(run: Run, head: dict[str, Any]) -> None:
     """The head of a log is that of this run. Raises BadInput."""
     wanted = (
         ("loading", "pressure", "p"),
@@ -101,21 +103,21 @@ def _check_head(run, head):
 class RunFolder:
     """What there is of one run."""
 
-    def __init__(self, top, run):
+    def __init__(self, top: str, run: Run) -> None:
         self.run = run
         self.path = os.path.join(top, run.name)
 
-    def file(self, name):
+    def file(self, name: str) -> str:
         return os.path.join(self.path, name)
 
-    def has(self, name):
+    def has(self, name: str) -> bool:
         return os.path.exists(self.file(name))
 
-    def text(self, name):
+    def text(self, name: str) -> str | None:
         """What stands in a file; None without the file. Raises BadInput."""
         return read_text(self.file(name)) if self.has(name) else None
 
-    def record(self):
+    def record(self) -> dict[str, Any]:
         """run.json; empty before the first attempt. Raises FolderError if it is not as it was
         written."""
         text = self.text("run.json")
@@ -132,11 +134,11 @@ class RunFolder:
             f"{AGAIN}"
         )
 
-    def write_record(self, record):
+    def write_record(self, record: dict[str, Any]) -> None:
         record = {**record, "checksum": _checksum_of(record)}
         write(self.file("run.json"), json.dumps(record, indent=1) + "\n")
 
-    def check_same(self):
+    def check_same(self) -> None:
         """The folder belongs to this run: same parameters (the duration may have changed), input
         script and potential files; what a finished run left is as it left it."""
         record, log = self.record(), self.log()
@@ -162,7 +164,7 @@ class RunFolder:
                     f"checksum in run.json does not fit): {AGAIN}"
                 )
 
-    def check_not_shorter(self):
+    def check_not_shorter(self) -> None:
         """The run may be made longer than it is."""
         old, now = self.record().get("parameters", self.run.values)["ns"], self.run.values["ns"]
         if old > now and self.has(LOG):
@@ -171,18 +173,18 @@ class RunFolder:
                 "a run can be made longer, not shorter"
             )
 
-    def is_finished(self):
+    def is_finished(self) -> bool:
         return (
             self.has(LOG)
             and self.record().get("parameters", {}).get("ns", 0) >= self.run.values["ns"]
         )
 
-    def failure(self):
+    def failure(self) -> str | None:
         """Why the run failed; None if it did not."""
         text = self.text("failed.txt")
         return None if text is None else text.strip()
 
-    def lock(self):
+    def lock(self) -> TextIO | None:
         """The open lock file, locked; None if another process (or an lmp it left) works on the
         run."""
         os.makedirs(self.path, exist_ok=True)
@@ -196,7 +198,7 @@ class RunFolder:
         file.close()
         return None
 
-    def is_locked(self):
+    def is_locked(self) -> bool:
         if not self.has("lock"):
             return False
         with open(
@@ -208,7 +210,7 @@ class RunFolder:
             except BlockingIOError:
                 return True
 
-    def checksums(self):
+    def checksums(self) -> dict[str, str]:
         """{name: checksum} of what a finished run leaves, its log under its last name."""
         return {
             name: checksum(read_bytes(self.file(now)))
@@ -216,7 +218,7 @@ class RunFolder:
             if self.has(now := PART if name == LOG else name)
         }
 
-    def is_whole(self, name):
+    def is_whole(self, name: str) -> bool:
         """Whether a restart file was written to its end, and has its checksum."""
         try:
             with open(self.file(name), "rb") as file:
@@ -225,7 +227,7 @@ class RunFolder:
             return False
         return content.endswith(RESTART_END) and SEAL + UNSEALED not in content
 
-    def checkpoint(self):
+    def checkpoint(self) -> str | None:
         """The newest restart file that was written to its end; None if there is none."""
         found = [
             (os.stat(self.file(name)).st_mtime_ns, name)
@@ -234,11 +236,11 @@ class RunFolder:
         ]
         return max(found)[1] if found else None
 
-    def log(self):
+    def log(self) -> str | None:
         """Name of the log there is, finished or not; None if there is none."""
         return next((name for name in (PART, LOG) if self.has(name)), None)
 
-    def time(self):
+    def time(self) -> float:
         """ns that the log reaches."""
         log = self.log()
         rows = friction_log.last_rows(self.file(log), 1) if log else []
@@ -247,7 +249,7 @@ class RunFolder:
         except (ValueError, IndexError):
             return 0.0
 
-    def why_damaged(self):
+    def why_damaged(self) -> str | None:
         """Why the run cannot go on from the log that it wrote so far; None if it can."""
         try:
             _check_head(self.run, friction_log.read(self.file(PART)).head)
@@ -255,7 +257,7 @@ class RunFolder:
             return str(error)
         return None
 
-    def why_not_finished(self):
+    def why_not_finished(self) -> str | None:
         """Why a run whose lmp ended without an error is none that a law may rest on; None if it
         is one."""
         values, path = self.run.values, self.file(PART)
@@ -288,7 +290,7 @@ class RunFolder:
             return "run.restart is incomplete"
         return None
 
-    def state(self):
+    def state(self) -> str:
         """finished, running, failed, interrupted or waiting."""
         if self.is_finished():
             return "finished"
@@ -298,7 +300,7 @@ class RunFolder:
             return "failed"
         return "interrupted" if self.log() else "waiting"
 
-    def mean_mu(self):
+    def mean_mu(self) -> float | None:
         """Mean mu of the second half of the log so far; None without one. wr_fit does it better."""
         log = self.log()
         values = []
@@ -311,6 +313,6 @@ class RunFolder:
             except IndexError:  # cut
                 continue
             except ValueError as error:
-                raise FolderError(f"{self.file(log)}:{number}: mu: {error}") from None
+                raise FolderError(f"{self.file(str(log))}:{number}: mu: {error}") from None
         half = values[len(values) // 2 :]
         return sum(half) / len(half) if half else None

@@ -4,6 +4,7 @@
 import math
 import re
 import typing
+from typing import Any
 
 import yaml
 
@@ -22,10 +23,10 @@ class Given(typing.NamedTuple):
     value in a dict has the line of its key."""
 
     line: int
-    value: object
+    value: Any
 
 
-def scalar(text):
+def scalar(text: str) -> str | int | float:
     """The number that a word is, if it is a decimal one; else the word. YAML 1.1 would take 010 for
     8, 1:30 for 90 and 1e-5 for text."""
     if not NUMBER.fullmatch(text) or math.isinf(number := float(text)):
@@ -33,13 +34,15 @@ def scalar(text):
     return int(text) if text.lstrip("+-").isdecimal() and abs(number) < 2**53 else number
 
 
-def shown(value):
+def shown(value: object) -> str:
     """A value for a message."""
-    text = {list: "[...]", dict: "{...}"}.get(type(value)) or str(value)
+    text = (
+        "[...]" if isinstance(value, list) else "{...}" if isinstance(value, dict) else str(value)
+    )
     return text if len(text) <= 60 else text[:57] + "..."
 
 
-def _given(node, depth=0):
+def _given(node: yaml.Node, depth: int = 0) -> Given:
     mark = node.start_mark
     if depth > DEPTH:
         raise yaml.MarkedYAMLError(problem="nested too deep", problem_mark=mark)
@@ -61,7 +64,7 @@ def _given(node, depth=0):
     return Given(mark.line + 1, result)
 
 
-def read_yaml(path, text):
+def read_yaml(path: str, text: str) -> Given:
     """What a YAML file says. Raises PlanError."""
     # PyYAML takes seconds for what no plan holds: its time grows as the square of the depth
     if found := re.search(r"([\[{]\s*){100}", text):

@@ -4,6 +4,7 @@ units."""
 
 import bisect
 import itertools
+from typing import Any
 
 from mcawr.errors import BadInput
 from mcawr.files import read_text
@@ -35,13 +36,14 @@ UNITS = {
 }
 
 
-def _values(path, number, keyword, words, key, factor):
+def _values(path: str, number: int, keyword: str, words: list[str], key: str, factor: float) -> Any:
     """The numbers of a line, in the unit of the plan's key."""
     found = []
     for text in words or [""]:
         try:
             value = float(f"{decimal(text) * factor:.12g}")
-            if not KEYS[key].check(value):
+            check = KEYS[key].check
+            if check and not check(value):
                 raise ValueError
         except ValueError:
             raise BadInput(
@@ -52,7 +54,7 @@ def _values(path, number, keyword, words, key, factor):
     return found
 
 
-def _lines(path, lines, units):
+def _lines(path: str, lines: Any, units: Any) -> Any:
     """{key of the plan: (line, values)}; of `temperature`, too."""
     known = {**QUANTITIES, "temperature": ("temperature", "")}
     found = {}
@@ -73,7 +75,7 @@ def _lines(path, lines, units):
     return found
 
 
-def _check_counts(path, found, temperatures):
+def _check_counts(path: str, found: Any, temperatures: Any) -> None:
     """Every quantity is there, once or once for each temperature."""
     for keyword, (key, _) in QUANTITIES.items():
         if key not in found:
@@ -87,7 +89,7 @@ def _check_counts(path, found, temperatures):
             )
 
 
-def _check_temperatures(path, number, temperatures):
+def _check_temperatures(path: str, number: int, temperatures: Any) -> None:
     """At least two that rise."""
     if len(temperatures) < 2:
         raise BadInput(f"{path}:{number}: temperature has one value, allowed: two or more")
@@ -99,7 +101,7 @@ def _check_temperatures(path, number, temperatures):
             )
 
 
-def _at(temperature, temperatures, values):
+def _at(temperature: float | None, temperatures: Any, values: Any) -> Any:
     """Linear between the temperatures."""
     if len(values) == 1:
         return values[0]
@@ -109,7 +111,7 @@ def _at(temperature, temperatures, values):
     return float(f"{(1 - share) * values[upper - 1] + share * values[upper]:.12g}")
 
 
-def read(path, temperature=None):
+def read(path: str, temperature: float | None = None) -> dict[str, Any]:
     """{key of the plan: value} at a temperature (K), which a file that has temperatures needs and
     no other may have. Raises BadInput, with the line."""
     lines = read_text(path).split("\n")

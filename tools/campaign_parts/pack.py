@@ -11,10 +11,10 @@ from mcawr.errors import BadInput, Exit, say
 from mcawr.files import is_there, read_text, write
 
 from . import folder as folders
-from .plan import ROOT
+from .plan import ROOT, Plan
 
 
-def packed(text, rows, command):
+def packed(text: str, rows: int, command: str) -> str:
     """A whole log whose rows are the means over `rows` rows of another; rows left over at the end
     are dropped."""
     log = friction_log.Text.of(text)
@@ -38,7 +38,7 @@ def packed(text, rows, command):
     return "\n".join(result) + "\n"
 
 
-def portable(commands):
+def portable(commands: list[str]) -> str:
     """The first of a run's commands, as long as the last one went, with lmp and the input script
     named as from the checkout, wherever both were."""
     words, last = (shlex.split(command) for command in (commands[0], commands[-1]))
@@ -53,7 +53,7 @@ def portable(commands):
     return shlex.join(words)
 
 
-def _made_with(path):
+def _made_with(path: str) -> dict[str, str]:
     """{name: value} of the input script's variables in the command of a packed log. Raises
     BadInput."""
     for line in friction_log.Text.of(read_text(path)).head:
@@ -68,7 +68,7 @@ def _made_with(path):
     raise BadInput(f"{path}: not a packed log: its head has no command")
 
 
-def members_of(plan, path):
+def members_of(plan: Plan, path: str | None) -> dict[str, dict[str, str]]:
     """{run's name: {member: text}} of the plan's runs whose logs stand in an archive. Raises
     BadInput: it cannot be read, or one of them was made with other values than the plan's."""
     if path is None:
@@ -90,13 +90,14 @@ def members_of(plan, path):
     return found
 
 
-def pack(plan, top, target, rows, earlier):
+def pack(plan: Plan, top: str, target: str, rows: int, earlier: str | None) -> int:
     """Packs every finished run as NAME.friction, and its profile as NAME.profile, into the archive
     target: all of them, or none if one cannot be packed; no archive without a finished run.
 
     earlier: an archive from which the plan's other runs are taken over, or None.
     """
-    members, before, count = {}, members_of(plan, earlier), 0
+    members: dict[str, str] = {}
+    before, count = members_of(plan, earlier), 0
     for run in plan.runs:
         folder = folders.RunFolder(top, run)
         folder.check_same()
@@ -108,7 +109,7 @@ def pack(plan, top, target, rows, earlier):
             say(f"{run.name}: {folder.state()}, left out")
             continue
         command = portable([attempt["command"] for attempt in folder.record()["attempts"]])
-        text = packed(folder.text(folders.LOG), rows, command)
+        text = packed(read_text(folder.file(folders.LOG)), rows, command)
         if not text.split("\n")[-2][:1].isdigit():
             raise folders.FolderError(
                 f"--rows {rows}: {folder.file(folders.LOG)} has fewer rows", Exit.USAGE

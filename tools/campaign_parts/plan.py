@@ -6,6 +6,8 @@ import dataclasses
 import itertools
 import os
 import re
+from collections.abc import Iterable, Iterator
+from typing import Any
 
 from mcawr.words import known_words
 
@@ -31,7 +33,7 @@ class Plan:
     runs: list
 
 
-def find(name):
+def find(name: str) -> str:
     """Path of a plan given by path or by the name of a shipped one."""
     if os.path.isfile(name):  # a folder of results may have the plan's name
         return name
@@ -48,17 +50,17 @@ def find(name):
     )
 
 
-def unknown(path, line, what, given, known):
+def unknown(path: str, line: int, what: str, given: str, known: Iterable[str]) -> PlanError:
     """The error for a word that is not known."""
     return PlanError(f"{path}:{line}: unknown {what} '{shown(given)}'{known_words(given, known)}")
 
 
-def refused(path, line, name, value, allowed):
+def refused(path: str, line: int, name: str, value: Any, allowed: str) -> PlanError:
     """The error for a value that is not allowed."""
     return PlanError(f"{path}:{line}: {name}: '{shown(value)}' is not allowed, must be {allowed}")
 
 
-def _value(path, line, name, value):
+def _value(path: str, line: int, name: str, value: Any) -> Any:
     """A checked value of a key."""
     key = KEYS[name]
     if key.check is None:
@@ -84,13 +86,13 @@ def _value(path, line, name, value):
     return value
 
 
-def _check_together(path, line, entry, values):
+def _check_together(path: str, line: int, entry: Any, values: dict[str, Any]) -> None:
     """What one value allows another to be; the line is that of the key, if the run has it."""
 
-    def at(name):
+    def at(name: str) -> int:
         return entry[name].line if name in entry else line
 
-    def check(right, name, allowed):
+    def check(right: Any, name: str, allowed: Any) -> None:
         if not right:
             raise refused(path, at(name), name, values[name], allowed)
 
@@ -131,18 +133,18 @@ def _check_together(path, line, entry, values):
         )
 
 
-def _short(value):
+def _short(value: Any) -> str:
     return value.replace(" ", "_") if isinstance(value, str) else f"{value:g}"
 
 
-def _suffix(name, value):
+def _suffix(name: str, value: Any) -> str:
     """A value in the name of a run."""
     if name == "material":
         return os.path.basename(value).removesuffix(".mca")
     return name + _short(value)
 
 
-def _material(path, line, name, temperature):
+def _material(path: str, line: int, name: str, temperature: float | None) -> dict[str, Any]:
     """{key: value} of a potential file, looked for beside the plan and in potentials."""
     places = (os.path.dirname(os.path.realpath(path)), os.path.join(ROOT, "potentials"))
     for place in places:
@@ -151,7 +153,7 @@ def _material(path, line, name, temperature):
     raise PlanError(f"{path}:{line}: material: no file {name} beside the plan, nor in {places[1]}")
 
 
-def _solid(path, line, of_run, stated):
+def _solid(path: str, line: int, of_run: Any, stated: Any) -> tuple[dict[str, Any], dict[str, Any]]:
     """Two dictionaries of the quantities that a potential file gives: below what the plan's
     defaults state, and above, where the run has a file or a temperature of its own."""
     name = of_run.get("material", stated.get("material"))
@@ -162,7 +164,9 @@ def _solid(path, line, of_run, stated):
     return ({}, found) if {"material", "temperature"} & set(of_run) else (found, {})
 
 
-def _expand(path, line, entry, defaults, stated):
+def _expand(
+    path: str, line: int, entry: Any, defaults: dict[str, Any], stated: Any
+) -> Iterator[tuple[int, str, dict[str, Any]]]:
     """All runs of an entry: a list of values stands for each of them in turn."""
     given = {}
     for name, (at, value) in entry.items():
@@ -191,7 +195,7 @@ def _expand(path, line, entry, defaults, stated):
         )
 
 
-def _read_yaml(path, text):
+def _read_yaml(path: str, text: str) -> tuple[str, Given, Any, Any]:
     data = read_yaml(path, text).value
     if not isinstance(data, dict) or "format" not in data:
         raise PlanError(f"{path}:1: not a plan: it must begin with 'format: {FORMAT}'")
@@ -224,7 +228,7 @@ def _read_yaml(path, text):
     )
 
 
-def _read_csv(path, text):
+def _read_csv(path: str, text: str) -> tuple[str, Given, Any, Any]:
     cells = [
         (number, [cell.strip() for cell in next(csv.reader([line]))])
         for number, line in enumerate(text.splitlines(), 1)
@@ -255,7 +259,7 @@ def _read_csv(path, text):
     return "", Given(1, None), {}, entries
 
 
-def read(path):
+def read(path: str) -> Plan:
     """The plan in a YAML or CSV file. Raises PlanError."""
     try:
         with open(path, encoding="utf-8-sig") as file:
@@ -294,7 +298,8 @@ def read(path):
         solid = [key for key, _ in material.QUANTITIES.values()]
         stated_ones = {n for _, entry in entries for n in entry}
         varying = [n for n in varying if n not in solid or n in stated_ones]
-    runs, seen = [], {}
+    runs: list[Run] = []
+    seen: dict[str, int] = {}
     for number, label, values in expanded:
         told = [_suffix(n, values[n]) for n in varying if values[n] is not None]
         name = label or "-".join(told) or "run"

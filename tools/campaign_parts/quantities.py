@@ -5,6 +5,8 @@ script."""
 import dataclasses
 import math
 import re
+from collections.abc import Callable
+from typing import Any
 
 LEAST, MOST = (
     1e-12,
@@ -17,19 +19,19 @@ class Key:
     """A quantity of a run: its default, unit, what is allowed, and its variable in the input
     script."""
 
-    default: object
+    default: Any
     unit: str
     allowed: str
-    check: object
+    check: Callable[[Any], bool] | None
     variable: str = ""  # of in.friction; empty: handled by Run
     factor: float = 1.0  # plan's unit -> script's unit
 
 
-def _positive(x):
+def _positive(x: float) -> bool:
     return x > 0
 
 
-def _whole(least):
+def _whole(least: int) -> Callable[[float], bool]:
     return lambda x: x == int(x) and x >= least
 
 
@@ -86,22 +88,22 @@ class Run:
     """One friction run."""
 
     name: str
-    values: dict
+    values: dict[str, Any]
     input: str
 
     @property
-    def kappa1(self):
+    def kappa1(self) -> float:
         """rho E v^2 / sigma_0^2."""
         v = self.values
         return v["rho"] * v["E"] * 1e6 * v["v"] ** 2 / (v["strength"] * 1e6) ** 2
 
     @property
-    def kappa2(self):
+    def kappa2(self) -> float:
         """p E / sigma_0^2."""
         v = self.values
         return v["p"] * v["E"] / v["strength"] ** 2
 
-    def slack(self, ns):
+    def slack(self, ns: float) -> float:
         """How far the mean normal stress (MPa) of the second half of a run may be from its
         pressure: 5 %, and what blocks that fall the height of their roughness and bounce ten times
         do to a short mean."""
@@ -111,7 +113,7 @@ class Run:
         return v["p"] * (0.05 + 10 * fall / (0.5 * ns))
 
     @property
-    def dt(self):
+    def dt(self) -> float:
         """Step in ns: as given, else 5e-5 scaled with the time of sound and the viscous time of an
         automaton, rounded down to two digits."""
         if self.values["dt"] is not None:
@@ -131,18 +133,18 @@ class Run:
         return float(f"{math.floor(dt / unit * (1 + 1e-9)) * unit:.6g}")
 
     @property
-    def steps(self):
+    def steps(self) -> int:
         """Number of steps of the whole run."""
         return round(self.values["ns"] / self.dt)
 
     @property
-    def work(self):
+    def work(self) -> int:
         """Automaton-steps: what the run costs. In the fcc packing of examples/space every other
         site of a layer is empty."""
         v = self.values
         return self.steps * v["columns"] * v["rows"] * (v["depth"] or 2) // 2
 
-    def variables(self):
+    def variables(self) -> dict[str, str]:
         """Variables of the input script, in the script's units."""
         result = {}
         for name, key in KEYS.items():

@@ -9,11 +9,14 @@ import signal
 import subprocess
 import sys
 import time
+from collections.abc import Callable, Iterable, Sequence
+from typing import NoReturn, TextIO
 
 from mcawr import errors, programs
 from mcawr.files import write
 
 from . import folder as folders
+from .quantities import Run
 
 POLL = 0.25  # s between looks at the running processes
 REPORT = 60.0  # s between progress lines when the output is no terminal
@@ -26,7 +29,7 @@ RANKS = (
 )  # a batch script has a SLURM_PROCID and SLURM_NTASKS too
 
 
-def place():
+def place() -> tuple[int, int]:
     """(rank, size) if an MPI launcher or srun started this program several times, else (0, 1)."""
     for names in RANKS:
         words = [os.environ.get(name, "") for name in names]
@@ -35,12 +38,14 @@ def place():
     return 0, 1
 
 
-def lmp_program():
+def lmp_program() -> str:
     """lmp with the plugin: $MCAWR_LMP, else build/bin/lmp or that of the installed tree."""
     return os.environ.get("MCAWR_LMP") or programs.program("lmp")
 
 
-def command(run, launcher=(), go_on_from=None, attempt=1):
+def command(
+    run: Run, launcher: Iterable[str] = (), go_on_from: str | None = None, attempt: int = 1
+) -> list[str]:
     """The exact command of a run, to be run in its folder."""
     words = [
         *launcher,
@@ -60,7 +65,7 @@ def command(run, launcher=(), go_on_from=None, attempt=1):
     return words
 
 
-def _environment(nested):
+def _environment(nested: bool) -> dict[str, str]:
     """Environment of lmp: as root too; inside mpirun, lmp must not take part in the outer job."""
     env = {
         name: value
@@ -74,7 +79,7 @@ def _environment(nested):
     return env
 
 
-def _die_with_parent():
+def _die_with_parent() -> None:
     """In the child: SIGTERM when the campaign dies, so that a kill of it leaves no lmp behind."""
     pr_set_pdeathsig = 1
     ctypes.CDLL(None).prctl(pr_set_pdeathsig, signal.SIGTERM)
@@ -85,7 +90,7 @@ OUTSIDE = {signal.SIGHUP, signal.SIGINT, signal.SIGKILL, signal.SIGTERM, signal.
 FULL = ("No space left on device", "Disk quota exceeded", "File too large")
 
 
-def is_full(path, why=""):
+def is_full(path: str, why: object = "") -> bool:
     """Whether a failure is that of a full disk."""
     if any(text in str(why) for text in FULL):
         return True
@@ -93,17 +98,17 @@ def is_full(path, why=""):
     return disk.f_bavail * disk.f_frsize < 65536
 
 
-def _killed_by(code):
+def _killed_by(code: int) -> signal.Signals | None:
     """The signal behind an exit code of lmp or of what started it; None if there is none."""
     number = -code if code < 0 else code - 128
     return signal.Signals(number) if number in set(signal.Signals) else None
 
 
-def _now():
+def _now() -> str:
     return datetime.datetime.now().astimezone().isoformat(timespec="seconds")
 
 
-def _leftovers(path):
+def _leftovers(path: str) -> list[int]:
     """Processes of an earlier call that still work in a run's folder: mpirun takes a while to end
     its ranks, and does not keep the lock open as lmp does."""
     found = []
@@ -120,7 +125,7 @@ def _leftovers(path):
     return found
 
 
-def end_leftovers(path, patience=10.0):
+def end_leftovers(path: str, patience: float = 10.0) -> None:
     """Ends them, so that no two lmp write the same files. Only called with the run's lock held."""
     began = time.monotonic()
     while left := _leftovers(path):
@@ -136,7 +141,9 @@ def end_leftovers(path, patience=10.0):
 class Attempt:
     """One lmp working on one run; the run's lock is held by us and by lmp."""
 
-    def __init__(self, folder, lock, launcher, nested):
+    def __init__(
+        self, folder: folders.RunFolder, lock: TextIO, launcher: Iterable[str], nested: bool
+    ) -> None:
         self.folder, self.lock = folder, lock
         end_leftovers(folder.path)
         self.began = time.monotonic()
@@ -182,19 +189,19 @@ class Attempt:
             )
         self.number, self.stopped = number, False
 
-    def stop(self):
+    def stop(self) -> None:
         """Ends lmp, if it has not ended yet."""
         if self.process.poll() is None:
             self.stopped = True
             self.process.terminate()
 
-    def work(self):
+    def work(self) -> float:
         """Automaton-steps done in this attempt."""
         values = self.folder.run.values
         share = (self.folder.time() - self.time_at_start) / values["ns"]
         return max(0.0, share) * self.folder.run.work
 
-    def outcome(self):
+    def outcome(self) -> tuple[str, str | None]:
         """('finished', 'failed', 'interrupted' or 'full': the disk is, why)."""
         code = self.process.returncode
         if self.stopped:
@@ -202,7 +209,7 @@ class Attempt:
         if killer := _killed_by(code):
             if killer in OUTSIDE:
                 return "interrupted", f"killed by {killer.name}"
-            why = self.error() or f"ended by {killer.name}"
+            why: str | None = self.error() or f"ended by {killer.name}"
         elif code:
             why = self.error() or f"exit code {code}"
         else:
@@ -212,7 +219,7 @@ class Attempt:
             return "finished", None
         return ("full" if is_full(self.folder.path, why) else "failed"), why
 
-    def end(self):
+    def end(self) -> tuple[str, str | None]:
         """outcome(), once lmp has ended, with all that it means for the folder."""
         folder, path = self.folder, self.folder.file
         outcome, why = self.outcome()
@@ -224,7 +231,7 @@ class Attempt:
             if outcome == "finished":
                 record["results"] = folder.checksums()
             if outcome == "failed":
-                write(path("failed.txt"), why + "\n")
+                write(path("failed.txt"), f"{why}\n")
             folder.write_record(record)
             if outcome == "finished":
                 os.replace(path(folders.PART), path(folders.LOG))
@@ -239,7 +246,7 @@ class Attempt:
             self.lock.close()
         return outcome, why
 
-    def error(self):
+    def error(self) -> str | None:
         """The line that says why lmp gave up."""
         for name in (f"log.{self.number}.lammps", f"output.{self.number}.txt"):
             try:
@@ -252,7 +259,7 @@ class Attempt:
         return None
 
 
-def hours(seconds):
+def hours(seconds: float) -> str:
     """Seconds as h:mm:ss."""
     seconds = int(seconds)
     return f"{seconds // 3600}:{seconds // 60 % 60:02d}:{seconds % 60:02d}"
@@ -261,19 +268,27 @@ def hours(seconds):
 class Campaign:
     """Works through the runs of a plan in one folder."""
 
-    def __init__(self, top, runs, jobs=1, launcher=(), retry=False, say=print):
+    def __init__(
+        self,
+        top: str,
+        runs: Sequence[Run],
+        jobs: int = 1,
+        launcher: Iterable[str] = (),
+        retry: bool = False,
+        say: Callable[[str], object] = print,
+    ) -> None:
         self.top = top
         self.folders = [folders.RunFolder(top, run) for run in runs]
         self.jobs, self.launcher, self.retry, self.say = jobs, list(launcher), retry, say
         self.rank, self.size = place()
-        self.active = []
+        self.active: list[Attempt] = []
         self.done_work = 0.0
         self.began = time.monotonic()
         self.last_report = self.began
         self.stop = False
-        self.full = None  # why the disk is
+        self.full: str | None = None  # why the disk is
 
-    def prepare(self):
+    def prepare(self) -> None:
         """Checks before anything runs."""
         program = lmp_program()
         if not (os.path.isfile(program) and os.access(program, os.X_OK)):
@@ -286,7 +301,7 @@ class Campaign:
             folder.check_same()
             folder.check_not_shorter()
 
-    def run(self):
+    def run(self) -> dict[str, int]:
         """Runs everything; the number of runs in each state at the end."""
         for number in (signal.SIGINT, signal.SIGTERM):
             signal.signal(number, self._interrupt)
@@ -304,10 +319,10 @@ class Campaign:
             self._say_full(self.full)
         return self._states()
 
-    def _work_through(self):
+    def _work_through(self) -> None:
         # the longest first, so that the end is not one long run alone
         waiting = sorted(self.folders, key=lambda f: -f.run.work)
-        tried = set()
+        tried: set[str] = set()
         while True:
             self._collect()
             if self.stop:
@@ -324,7 +339,7 @@ class Campaign:
             self._report()
             time.sleep(POLL)
 
-    def wait_for_others(self):
+    def wait_for_others(self) -> dict[str, int]:
         """Rank 0 of several waits for the runs of the others, so that its last lines are the
         last."""
         while not self.stop and any(f.is_locked() for f in self.folders):
@@ -332,12 +347,12 @@ class Campaign:
             time.sleep(1.0)
         return self._states()
 
-    def _is_over(self, folder, tried):
+    def _is_over(self, folder: folders.RunFolder, tried: set[str]) -> bool:
         if folder.run.name in tried:
             return False
         return folder.is_finished() or (folder.failure() is not None and not self.retry)
 
-    def _start(self, folder, tried):
+    def _start(self, folder: folders.RunFolder, tried: set[str]) -> None:
         lock = folder.lock()
         if lock is None:
             if self.size == 1:
@@ -355,7 +370,7 @@ class Campaign:
         if attempt.time_at_start:
             self.say(f"{folder.run.name}: goes on from {attempt.time_at_start:.4g} ns")
 
-    def _collect(self):
+    def _collect(self) -> None:
         for attempt in list(self.active):
             if attempt.process.poll() is None:
                 continue
@@ -375,30 +390,30 @@ class Campaign:
             elif not self.stop:
                 self.say(f"{name}: {outcome}: {why}")
 
-    def _states(self):
+    def _states(self) -> dict[str, int]:
         states = [f.state() for f in self.folders]
         return {
             state: states.count(state)
             for state in ("finished", "running", "failed", "interrupted", "waiting")
         }
 
-    def _interrupt(self, *_):
+    def _interrupt(self, *_: object) -> None:
         self.stop = True
 
-    def _say_full(self, why):
+    def _say_full(self, why: object) -> NoReturn:
         errors.fail(
             errors.Exit.IO,
             f"{self.top}: the disk is full ({why}): make room and run the same command again",
         )
 
-    def _finish_early(self):
+    def _finish_early(self) -> None:
         for attempt in self.active:
             attempt.stop()
         for attempt in list(self.active):
             attempt.process.wait()
         self._collect()
 
-    def progress(self):
+    def progress(self) -> str:
         """One line: how far, how fast, how long it will still take."""
         total = sum(f.run.work for f in self.folders)
         reached = sum(f.run.work * min(1.0, f.time() / f.run.values["ns"]) for f in self.folders)
@@ -414,7 +429,7 @@ class Campaign:
             f"{left}{rate / 1e6:.1f} M automaton-steps/s"
         )
 
-    def _report(self):
+    def _report(self) -> None:
         now = time.monotonic()
         terminal = sys.stdout.isatty()
         if self.rank != 0 or now - self.last_report < (2.0 if terminal else REPORT):

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """clang-format and clang-tidy of Debian 12, over the C++ files."""
 
+import argparse
 import concurrent.futures
 import hashlib
 import json
@@ -9,18 +10,20 @@ import pathlib
 import re
 import shlex
 import subprocess
+from collections.abc import Callable, Iterable
+from typing import Any
 
 from mcawr.errors import Exit, fail
 from mcawr.files import make_folder, write
 
-from .sources import ROOT, shown
+from .sources import ROOT, Files, shown
 
 VERSION = 14  # another one formats and finds differently
 INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]*["<]([^">]+)[">]', re.MULTILINE)
 FINDING = re.compile(r"^(/.*?):(\d+):(\d+): (?:error|warning): (.*)$")
 
 
-def _program(name):
+def _program(name: str) -> str:
     """The program of that name, in the version that the project is checked with."""
     for program in (f"{name}-{VERSION}", name):
         try:
@@ -36,7 +39,7 @@ def _program(name):
     )
 
 
-def _in_parallel(work, items):
+def _in_parallel(work: Callable[[pathlib.Path], Any], items: Iterable[pathlib.Path]) -> list[Any]:
     """work(item) of all items, as many at a time as there are cores."""
     with concurrent.futures.ThreadPoolExecutor(len(os.sched_getaffinity(0))) as pool:
         try:
@@ -49,7 +52,7 @@ def _in_parallel(work, items):
 # ---- clang-format
 
 
-def check_format(files, options):
+def check_format(files: Files, options: argparse.Namespace) -> list[str]:
     """Places that clang-format would change; with options.fix it does."""
     program = _program("clang-format")
     if options.fix and files["c++"]:
@@ -58,7 +61,7 @@ def check_format(files, options):
     return [line for lines in found for line in lines]
 
 
-def _misformatted(program, path):
+def _misformatted(program: str, path: pathlib.Path) -> list[str]:
     command = [program, "--dry-run", "--Werror", str(path)]
     done = subprocess.run(command, capture_output=True, text=True, check=False)
     lines = [match for match in map(FINDING.match, done.stderr.splitlines()) if match]
@@ -73,7 +76,7 @@ def _misformatted(program, path):
 class Unit:
     """A source file as it is compiled."""
 
-    def __init__(self, entry):
+    def __init__(self, entry: dict[str, Any]) -> None:
         self.path = pathlib.Path(entry["directory"], entry["file"]).resolve()
         self.command = entry.get("command") or shlex.join(entry["arguments"])
         words = shlex.split(self.command)
@@ -84,7 +87,7 @@ class Unit:
             elif word.startswith("-I"):
                 self.folders.append(pathlib.Path(word[2:]))
 
-    def headers(self, texts):
+    def headers(self, texts: "Texts") -> list[pathlib.Path]:
         """All headers that the file includes and that lie in the project or beside one that does,
         through them too; of others (LAMMPS) those that are included from the project."""
         found, left = {self.path}, [self.path]
@@ -102,7 +105,7 @@ class Unit:
                         break
         return sorted(found)
 
-    def key(self, texts, list_of_checks):
+    def key(self, texts: "Texts", list_of_checks: str) -> str:
         """Changes with anything that may change the findings: the file, what it includes, how it is
         compiled, the list of checks. System headers count by their packages only through it."""
         digest = hashlib.sha256(f"{list_of_checks}\n{self.command}".encode())
@@ -111,7 +114,7 @@ class Unit:
         return digest.hexdigest()
 
 
-def _units(options):
+def _units(options: argparse.Namespace) -> dict[pathlib.Path, Unit]:
     """{path: Unit} of what the build folder compiles."""
     path = options.build / "compile_commands.json"
     try:
@@ -119,7 +122,7 @@ def _units(options):
             entries = json.load(file)
     except OSError as error:
         fail(Exit.IO, f"{path}: cannot be read: {error.strerror}; configure the build first")
-    units = {}
+    units: dict[pathlib.Path, Unit] = {}
     for entry in entries:  # the same file may be compiled several times, for other processors
         unit = Unit(entry)
         units.setdefault(unit.path, unit)
@@ -129,16 +132,16 @@ def _units(options):
 class Texts:
     """Contents of files, read once."""
 
-    def __init__(self):
-        self.known = {}
+    def __init__(self) -> None:
+        self.known: dict[pathlib.Path, str] = {}
 
-    def __call__(self, path):
+    def __call__(self, path: pathlib.Path) -> str:
         if path not in self.known:
             self.known[path] = path.read_text(encoding="utf-8", errors="replace")
         return self.known[path]
 
 
-def check_tidy(files, options):
+def check_tidy(files: Files, options: argparse.Namespace) -> list[str]:
     """Findings of clang-tidy in what is compiled of src and tools, and in the headers they include.
 
     Unit tests are left out: they would take as long again. A header given alone stands for all
@@ -170,7 +173,7 @@ def check_tidy(files, options):
     work.sort(key=lambda path: -len(units[path].headers(texts)))
     make_folder(memory.parent)
 
-    def tidy(path):
+    def tidy(path: pathlib.Path) -> list[str]:
         found = _tidied(program, path, options.build)
         if not found:
             clean[shown(path)] = keys[path]
@@ -181,7 +184,7 @@ def check_tidy(files, options):
     return sorted({line for lines in found for line in lines})
 
 
-def _tidied(program, path, build):
+def _tidied(program: str, path: pathlib.Path, build: pathlib.Path) -> list[str]:
     command = [
         program,
         "-p",

@@ -1,17 +1,19 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Messages of commits: a subject of at most 72 columns, an empty line, a body that says why."""
 
+import argparse
 import subprocess
+from collections.abc import Iterator
 
 from mcawr.errors import Exit, fail
 
-from .sources import ROOT
+from .sources import ROOT, Files
 
 WIDTH = 72  # of a subject, so that `git log --oneline` fits a terminal
 UPSTREAM = ("origin/main", "main")  # what a branch is compared with, the first that there is
 
 
-def _git(*words):
+def _git(*words: str) -> subprocess.CompletedProcess[str]:
     try:
         done = subprocess.run(
             ["git", "-C", ROOT, *words], capture_output=True, text=True, check=False
@@ -21,7 +23,7 @@ def _git(*words):
     return done
 
 
-def _base(given):
+def _base(given: str | None) -> str:
     """The commit after which messages are read."""
     for name in (given,) if given else UPSTREAM:
         done = _git("rev-parse", "--verify", "--quiet", f"{name}^{{commit}}")
@@ -35,7 +37,7 @@ def _base(given):
     )
 
 
-def check(_files, options):
+def check(_files: Files, options: argparse.Namespace) -> list[str]:
     """Faults in the messages of the commits that are on this branch and not in its base."""
     done = _git("log", "--no-merges", "--format=%h%x00%B%x01", f"{_base(options.base)}..HEAD")
     if done.returncode != 0:
@@ -48,7 +50,7 @@ def check(_files, options):
     return found
 
 
-def faults(message):
+def faults(message: str) -> Iterator[str]:
     """What is wrong with a message."""
     subject, *rest = message.strip().split("\n")
     if len(subject) > WIDTH:

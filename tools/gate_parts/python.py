@@ -1,17 +1,20 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """black, flake8 and mypy of Debian 12, over the Python files."""
 
+import argparse
 import os
 import re
 import subprocess
+from collections.abc import Iterator
 
-from .sources import ROOT, shown
 from mcawr.errors import Exit, fail
+
+from .sources import ROOT, Files, shown
 
 HUNK = re.compile(r"^@@ -(\d+)")
 
 
-def _run(program, *words):
+def _run(program: str, *words: object) -> subprocess.CompletedProcess[str]:
     """How a tool ended that says what is wrong by exit code 1."""
     try:
         done = subprocess.run(
@@ -24,7 +27,7 @@ def _run(program, *words):
     return done
 
 
-def check_format(files, options):
+def check_format(files: Files, options: argparse.Namespace) -> list[str]:
     """Places that black would change; with options.fix it does."""
     if not files["python"]:
         return []
@@ -33,7 +36,7 @@ def check_format(files, options):
     return list(_changes(_run("black", "-q", "--diff", *map(shown, files["python"])).stdout))
 
 
-def _changes(diff):
+def _changes(diff: str) -> Iterator[str]:
     """A finding for each hunk of a diff: the first line that it changes."""
     path, line = "", None  # the line of the file as it is; None: the hunk's finding is made
     for text in diff.splitlines():
@@ -49,7 +52,7 @@ def _changes(diff):
             line += 1
 
 
-def check_rules(files, _options):
+def check_rules(files: Files, _options: argparse.Namespace) -> list[str]:
     """Findings of flake8."""
     if not files["python"]:
         return []
@@ -57,7 +60,7 @@ def check_rules(files, _options):
     return done.stdout.splitlines()
 
 
-def check_types(files, options):
+def check_types(files: Files, options: argparse.Namespace) -> list[str]:
     """Findings of mypy in tools; those of files that others import are found with them."""
     typed = [path for path in files["python"] if path.is_relative_to(ROOT / "tools")]
     if not typed:

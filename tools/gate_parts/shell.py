@@ -1,14 +1,15 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """shellcheck over the shell scripts."""
 
+import argparse
 import subprocess
 
 from mcawr.errors import Exit, fail
 
-from .sources import ROOT, shown
+from .sources import ROOT, Files, shown
 
 
-def check(files, _options):
+def check(files: Files, _options: argparse.Namespace) -> list[str]:
     """Findings of shellcheck, which follows what a script sources."""
     if not files["shell"]:
         return []

@@ -1,15 +1,17 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Every source file begins with its SPDX line, after #! where there is one."""
 
+import argparse
+
 from mcawr.files import write
 
-from .sources import shown
+from .sources import Files, shown
 
 LINE = "SPDX-License-Identifier: GPL-2.0-or-later"
 COMMENT = {"c++": "//"}  # all others: #
 
 
-def check(files, options):
+def check(files: Files, options: argparse.Namespace) -> list[str]:
     """Files without their line; with options.fix it is added."""
     findings = []
     for language, paths in files.items():

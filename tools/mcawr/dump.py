@@ -1,6 +1,9 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """LAMMPS text dumps: of atoms (dump custom) and of local values (dump local)."""
 
+from collections.abc import Iterable
+from typing import Any
+
 from .errors import BadInput
 from .files import read_text
 from .numbers import decimal, whole
@@ -16,7 +19,7 @@ class Dump:
     cut: whether the last frame was not whole, hence left out.
     """
 
-    def __init__(self, path, spellings=None):
+    def __init__(self, path: str, spellings: dict[str, str] | None = None) -> None:
         """spellings: {name: the other name under which a column may stand}."""
         self.path, self.spellings = path, spellings or {}
         self.lines = read_text(path).split("\n")[:-1]  # what follows the last end of line was cut
@@ -31,9 +34,10 @@ class Dump:
         if not self.frames:
             raise BadInput(f"{path}: no complete frame in it")
 
-    def _head(self, number):
+    def _head(self, number: int) -> dict[str, Any] | None:
         """What stands before the rows of the frame at lines[number]; None if the frame is cut."""
-        frame, at, table = {"time": None}, number, None
+        frame: dict[str, Any] = {"time": None}
+        at, table = number, None
         try:
             while table is None or not self.lines[at].startswith(table):
                 item, value = self.lines[at], self.lines[at + 1]
@@ -76,11 +80,11 @@ class Dump:
             return None
         return frame
 
-    def columns(self, number, names):
+    def columns(self, number: int, names: Iterable[str]) -> dict[str, list[float]]:
         """{name: values of that column} of a frame."""
         frame = self.frames[number]
         places = {name: self._place(frame, name) for name in names}
-        values = {name: [] for name in names}
+        values: dict[str, list[float]] = {name: [] for name in names}
         for k in range(frame["first"], frame["first"] + frame["count"]):
             words = self.lines[k].split()
             if len(words) != len(frame["names"]):
@@ -100,7 +104,7 @@ class Dump:
                 ) from None
         return values
 
-    def _place(self, frame, name):
+    def _place(self, frame: dict[str, Any], name: str) -> int:
         for spelling in (name, self.spellings.get(name)):
             if spelling in frame["names"]:
                 return frame["names"].index(spelling)

@@ -5,8 +5,11 @@ import enum
 import errno
 import os
 import signal
+import subprocess
 import sys
 import traceback
+from collections.abc import Callable
+from typing import NoReturn, TextIO
 
 from . import programs
 
@@ -28,7 +31,7 @@ class Exit(enum.IntEnum):
 class Failure(Exception):
     """One clear line for the user, and the exit code."""
 
-    def __init__(self, code, text):
+    def __init__(self, code: int, text: object) -> None:
         super().__init__(str(text))
         self.code = code
 
@@ -37,7 +40,7 @@ class BadInput(Failure):
     """What is wrong in an input file: file, line, what stands there and what is allowed; of a long
     text, which what stands there may be, beginning and end."""
 
-    def __init__(self, text):
+    def __init__(self, text: object) -> None:
         text = str(text)
         super().__init__(
             Exit.BAD_INPUT, text if len(text) <= 1000 else f"{text[:700]} ... {text[-200:]}"
@@ -47,21 +50,21 @@ class BadInput(Failure):
 class OutputLost(Failure):
     """Standard output that nobody takes any more: a closed pipe, a full disk."""
 
-    def __init__(self, error):
+    def __init__(self, error: OSError) -> None:
         super().__init__(Exit.IO, f"standard output: cannot be written: {error.strerror}")
 
 
-def one_line(text):
+def one_line(text: object) -> str:
     """The text as one line for a terminal: what cannot be printed is written as an escape."""
     return "".join(c if c.isprintable() else repr(c)[1:-1] for c in str(text).strip())
 
 
-def fail(code, text):
+def fail(code: int, text: object) -> NoReturn:
     """Ends the script with this line. Raises Failure."""
     raise Failure(code, text)
 
 
-def fail_as(program, done):
+def fail_as(program: str, done: subprocess.CompletedProcess[str]) -> NoReturn:
     """Ends the script as a program that it called ended: with its exit code and its last line.
     Raises Failure."""
     code = done.returncode if done.returncode > 0 else Exit.INTERNAL
@@ -69,14 +72,14 @@ def fail_as(program, done):
     raise Failure(code, last)
 
 
-def missing(error, package="a Python package"):
+def missing(error: ImportError, package: str = "a Python package") -> Failure:
     """The failure for an ImportError: which package is not installed, or does not work."""
     name = (error.name or package).partition(".")[0]
     debian = {"yaml": "python3-yaml", "PIL": "python3-pil"}.get(name, f"python3-{name}")
     return Failure(Exit.INTERNAL, f"{name} is missing (Debian: apt-get install {debian})")
 
 
-def complain(text):
+def complain(text: object) -> None:
     """One line on standard error, if anybody takes it."""
     if sys.stderr is None:  # closed by the caller
         return
@@ -87,7 +90,7 @@ def complain(text):
         _discard(sys.stderr)
 
 
-def say(text, end="\n"):
+def say(text: object, end: str = "\n") -> None:
     """Prints, and makes sure that it arrives. Raises OutputLost."""
     try:
         if sys.stdout is None:  # closed by the caller
@@ -98,15 +101,17 @@ def say(text, end="\n"):
         raise OutputLost(error) from None
 
 
-def _discard(stream):
+def _discard(stream: TextIO | None) -> None:
     """What a stream still holds goes nowhere: else the interpreter would try again at its end."""
+    if stream is None:
+        return
     try:
         os.dup2(os.open(os.devnull, os.O_WRONLY), stream.fileno())
     except (AttributeError, OSError, ValueError):
         pass
 
 
-def _internal(error):
+def _internal(error: BaseException) -> Failure:
     """The failure for an error that nothing else takes: what, and where in our sources."""
     ours = [f for f in traceback.extract_tb(error.__traceback__) if f.filename.startswith(TOOLS)]
     at = f"{os.path.relpath(ours[-1].filename, TOOLS)}:{ours[-1].lineno}: " if ours else ""
@@ -117,17 +122,18 @@ def _internal(error):
     )
 
 
-def _end(*_):
+def _end(*_: object) -> NoReturn:
     raise KeyboardInterrupt
 
 
-def run_script(main):
+def run_script(main: Callable[[], int | None]) -> NoReturn:
     """Calls main() and ends the script: with its return value (None: 0), or with one line.
 
     With --version as the only argument the script prints its name, version and commit instead.
     What main prints is written out here, so that a full disk or a closed pipe is noticed. SIGTERM
     ends it as Ctrl-C does: in order.
     """
+    code: int | str | None
     signal.signal(signal.SIGTERM, _end)
     try:
         if sys.argv[1:] == ["--version"]:
@@ -163,7 +169,7 @@ def run_script(main):
     sys.exit(code)
 
 
-def _failure_of(error):
+def _failure_of(error: Exception) -> Failure:
     if isinstance(error, ImportError) and error.name:
         return missing(error)
     if isinstance(error, OSError) and error.filename is not None:

@@ -4,6 +4,7 @@
 import re
 import xml.etree.ElementTree as ElementTree
 from dataclasses import dataclass, field
+from typing import Any
 
 from .errors import BadInput
 from .files import read_bytes
@@ -28,12 +29,12 @@ class Fields:
     arrays: dict = field(default_factory=dict)
 
     @property
-    def extent(self):
+    def extent(self) -> tuple[float, float, float, float]:
         """For matplotlib's imshow with origin="lower"."""
         right = self.left + self.nx * self.dx
         return (self.left, right, self.bottom, self.bottom + self.ny * self.dy)
 
-    def size_of(self, name):
+    def size_of(self, name: str) -> Any:
         """Length of a vector, or the scalar itself."""
         import numpy
 
@@ -41,7 +42,7 @@ class Fields:
         return values if values.ndim == 2 else numpy.hypot(values[..., 0], values[..., 1])
 
 
-def read_vti(path):
+def read_vti(path: str) -> Fields:
     """Fields of a .vti file of wr_creep: cell data, raw, appended. Raises BadInput."""
     content = read_bytes(path)
     mark = b'<AppendedData encoding="raw">'
@@ -56,7 +57,7 @@ def read_vti(path):
         raise BadInput(f"{path}: not VTK image data of wr_creep: {error}") from None
 
 
-def _fields_of(path, head, blocks):
+def _fields_of(path: str, head: str, blocks: bytes) -> Fields:
     tree = ElementTree.fromstring(head + "</VTKFile>")
     image = tree.find("ImageData")
     if image is None or tree.get("header_type") != "UInt64":
@@ -69,21 +70,21 @@ def _fields_of(path, head, blocks):
     nx, ny = extent[1] - extent[0], extent[3] - extent[2]
     if nx < 1 or ny < 1:
         raise ValueError(f"{nx} x {ny} cells")
-    if min(spacing[:2]) <= 0 or max(map(abs, [*origin, *spacing])) > LARGEST:
+    if min(spacing[:2]) <= 0 or max(abs(x) for x in (*origin, *spacing)) > LARGEST:
         raise ValueError(f"a raster from {origin} in steps of {spacing}")
     titles = re.findall(r"<!-- (.*?) -->", head)
     title = titles[0] if titles else ""
     result = Fields(nx, ny, origin[0], origin[1], spacing[0], spacing[1], title)
     for array in tree.iter("DataArray"):
         name = array.get("Name")
-        result.arrays[name] = _array_of(path, array, blocks, nx, ny)
+        result.arrays[str(name)] = _array_of(path, array, blocks, nx, ny)
     return result
 
 
-def _array_of(path, array, blocks, nx, ny):
+def _array_of(path: str, array: ElementTree.Element, blocks: bytes, nx: int, ny: int) -> Any:
     import numpy
 
-    name, kind = array.get("Name"), numpy.dtype(TYPES[array.get("type")])
+    name, kind = array.get("Name"), numpy.dtype(TYPES[array.get("type", "")])
     components, offset = (
         whole(array.get(key, default))
         for key, default in (("NumberOfComponents", "1"), ("offset", ""))

@@ -8,16 +8,21 @@ import os
 import pathlib
 import secrets
 import stat
+from collections.abc import Iterable, Mapping
+from typing import Any
 
 from . import archive
 from .errors import BadInput, Exit, Failure, one_line
 
+Path = str | os.PathLike[str]
+Content = str | bytes | pathlib.Path  # the last: of a finished file
 
-def _cannot(path, error):
+
+def _cannot(path: Path, error: OSError) -> Failure:
     return Failure(Exit.IO, f"{path}: cannot be written: {error.strerror or error}")
 
 
-def _target(path):
+def _target(path: str) -> tuple[str, int | None] | None:
     """(what is written, its permissions or None) of a regular file or a new one, through links;
     None of a device, a pipe or a socket, and of the names of open files (/dev/stdout)."""
     if path.endswith(os.sep):
@@ -38,7 +43,7 @@ def _target(path):
     return os.path.realpath(path), stat.S_IMODE(mode)
 
 
-def _write_into(path, content):
+def _write_into(path: Path, content: bytes) -> None:
     """Into a device or a pipe."""
     descriptor = os.open(path, os.O_WRONLY | os.O_CLOEXEC)
     try:
@@ -47,13 +52,13 @@ def _write_into(path, content):
         os.close(descriptor)
 
 
-def _write_bytes(descriptor, content):
+def _write_bytes(descriptor: int, content: bytes) -> None:
     view = memoryview(content)
     while view:
         view = view[os.write(descriptor, view) :]
 
 
-def _write_beside(target, permissions, content):
+def _write_beside(target: str, permissions: int | None, content: bytes) -> str:
     """Name of a new file in the target's folder that holds the content."""
     folder, name = os.path.split(target)
     beside = os.path.join(folder, f".{name[:50]}.{secrets.token_hex(4)}.part")
@@ -73,12 +78,12 @@ def _write_beside(target, permissions, content):
     return beside
 
 
-def _remove(path):
+def _remove(path: Path) -> None:
     with contextlib.suppress(OSError):
         os.remove(path)
 
 
-def write(path, content):
+def write(path: Path, content: Content) -> None:
     """Writes a file whole or not at all; content is text or bytes.
 
     A regular file, or the one that a link leads to, is written beside and renamed, and keeps its
@@ -88,14 +93,16 @@ def write(path, content):
     write_all({path: content})
 
 
-def write_all(contents):
+def write_all(contents: Mapping[Any, Content]) -> None:
     """Writes several files, as write does: all of them or none (only a failing rename, or what a
     device has taken already, cannot be undone).
 
     contents: {path: text, bytes or the pathlib.Path of a finished file, which is moved there}.
     Raises Failure (5).
     """
-    beside, into, path = [], [], None
+    beside: list[tuple[Path, Path, str]] = []  # what is written, where it is now, its place
+    into: list[tuple[Path, bytes]] = []
+    path: Path = ""
     try:
         for path, content in contents.items():
             target = _target(os.fspath(path))
@@ -108,8 +115,8 @@ def write_all(contents):
         for path, content in into:
             _write_into(path, content)
         while beside:
-            path, part, target = beside[0]
-            os.replace(part, target)
+            path, part, place = beside[0]
+            os.replace(part, place)
             beside.pop(0)
     except OSError as error:
         raise _cannot(path, error) from None
@@ -118,17 +125,17 @@ def write_all(contents):
             _remove(part)
 
 
-def _bytes_of(content):
+def _bytes_of(content: Content) -> bytes:
     if isinstance(content, pathlib.Path):
         return content.read_bytes()
     return content.encode() if isinstance(content, str) else content
 
 
-def _same_disk(source, target):
+def _same_disk(source: pathlib.Path, target: str) -> bool:
     return source.stat().st_dev == os.stat(os.path.dirname(target)).st_dev
 
 
-def check_apart(inputs, outputs):
+def check_apart(inputs: Iterable[Path], outputs: Iterable[Path | None]) -> None:
     """No output (None: not asked for) is an input or another output. Raises Failure (2)."""
     places = {os.path.realpath(_on_disk(path)): "is read too" for path in inputs}
     for path in outputs:
@@ -139,7 +146,7 @@ def check_apart(inputs, outputs):
         places[os.path.realpath(path)] = "is the name of another result"
 
 
-def read_bytes(path):
+def read_bytes(path: Path) -> bytes:
     """What stands in a regular file, or in one of an archive like paper36.tar.xz/r01.friction.
     Raises BadInput."""
     found = archive.inside(os.fspath(path))
@@ -151,25 +158,25 @@ def read_bytes(path):
         raise BadInput(f"{path}: cannot be read: no such file in the archive") from None
 
 
-def is_there(path):
+def is_there(path: Path) -> bool:
     """Whether read_bytes finds such a file; raises BadInput for an archive that it cannot read."""
     found = archive.inside(os.fspath(path))
     return found[1] in _members(found[0]) if found else os.path.exists(path)
 
 
 @functools.cache
-def _members(path):
+def _members(path: str) -> dict[str, bytes]:
     """All that an archive holds; it is unpacked once."""
     return archive.unpack(path, _read_file(path))
 
 
-def _on_disk(path):
+def _on_disk(path: Path) -> Path:
     """The file that a path leads to: the archive of one in an archive."""
     found = archive.inside(os.fspath(path))
     return found[0] if found else path
 
 
-def _read_file(path):
+def _read_file(path: Path) -> bytes:
     """Of a regular file only: of a device or a pipe there might be no end."""
     try:
         with open(path, "rb", opener=open_now) as file:
@@ -180,12 +187,12 @@ def _read_file(path):
         raise BadInput(f"{path}: cannot be read: {error.strerror}") from None
 
 
-def open_now(path, flags):
+def open_now(path: str, flags: int) -> int:
     """An opener that does not wait for somebody to write into a pipe."""
     return os.open(path, flags | os.O_NONBLOCK)
 
 
-def read_text(path):
+def read_text(path: Path) -> str:
     """The text of a regular file or of one in an archive, UTF-8, lines ended by \\n. Raises
     BadInput."""
     try:
@@ -195,7 +202,7 @@ def read_text(path):
     return text.replace("\r\n", "\n")
 
 
-def make_folder(path):
+def make_folder(path: Path) -> None:
     """The folder and its parents. Raises Failure (5)."""
     try:
         os.makedirs(path, exist_ok=True)
@@ -203,14 +210,14 @@ def make_folder(path):
         raise Failure(Exit.IO, f"{path}: cannot be made: {error.strerror}") from None
 
 
-def check_size(figure, dpi):
+def check_size(figure: Any, dpi: float) -> None:
     """Raises Failure (2) where a picture would have more than a hundred million points."""
     width, height = (size * dpi for size in figure.get_size_inches())
     if not width * height <= 1e8:
         raise Failure(Exit.USAGE, f"a picture of {width:.4g} x {height:.4g} points is too large")
 
 
-def picture(figure, path, dpi=130, kind="png"):
+def picture(figure: Any, path: str, dpi: float = 130, kind: str = "png") -> bytes:
     """Bytes of a figure of matplotlib in the format that the path ends in (without an ending:
     kind); closes it. Raises Failure: 2 for a format that there is not, 3 for what cannot be
     drawn."""
@@ -235,6 +242,6 @@ def picture(figure, path, dpi=130, kind="png"):
     return page.getvalue()
 
 
-def save_figure(figure, path, dpi=130, kind="png"):
+def save_figure(figure: Any, path: str, dpi: float = 130, kind: str = "png") -> None:
     """Writes a figure of matplotlib and closes it. Raises Failure, as picture and write do."""
     write(path, picture(figure, path, dpi, kind))

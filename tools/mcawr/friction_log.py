@@ -10,6 +10,8 @@ import itertools
 import os
 import typing
 import zlib
+from collections.abc import Iterable, Iterator, Sequence
+from typing import Any
 
 from .errors import BadInput
 from .files import open_now, read_text
@@ -47,12 +49,12 @@ SPACING = 0.02  # tolerance of the time between rows, which is printed rounded
 CAMPAIGN = "# campaign: "  # line of the head with JSON: command, rows_averaged; of packed logs
 
 
-def is_row(line):
+def is_row(line: str) -> bool:
     """Whether the line holds numbers: neither the head nor the names."""
     return line[:1].isdigit()
 
 
-def number_in(words, name):
+def number_in(words: Sequence[str], name: str) -> float:
     """A column of a row that is split into words. Raises IndexError, ValueError."""
     return decimal(words[COLUMNS.index(name)])
 
@@ -66,7 +68,7 @@ class Text:
     rows: list
 
     @classmethod
-    def of(cls, text):
+    def of(cls, text: str) -> "Text":
         """Whatever follows the last end of line was cut and is left out."""
         lines = text.split("\n")[:-1]
         head = list(itertools.takewhile(lambda line: line.startswith("#"), lines))
@@ -74,7 +76,7 @@ class Text:
             head, lines[len(head)].split() if len(lines) > len(head) else [], lines[len(head) + 1 :]
         )
 
-    def numbered_rows(self):
+    def numbered_rows(self) -> Iterator[tuple[int, str]]:
         """(number in the file, from 1; line) of each row."""
         return enumerate(self.rows, len(self.head) + 2)
 
@@ -82,23 +84,23 @@ class Text:
 class Checks:
     """The numbers of the column check, row by row."""
 
-    def __init__(self, lines):
+    def __init__(self, lines: Iterable[str]) -> None:
         """lines: of the head, and the names of the columns."""
         self._sum = 0
         for line in lines:
             self._add(f"{line}\n")
 
-    def _add(self, text):
+    def _add(self, text: str) -> None:
         self._sum = zlib.crc32(text.encode(), self._sum)
 
-    def of(self, row):
+    def of(self, row: str) -> str:
         """The next row, without its number, with it."""
         self._add(f"{row} ")
         line = f"{row} {self._sum}"
         self._add(f"{self._sum}\n")
         return line
 
-    def fits(self, line):
+    def fits(self, line: str) -> bool:
         """Whether the next row is as it was written."""
         return self.of(line.rpartition(" ")[0]) == line
 
@@ -111,7 +113,7 @@ class FrictionLog:
     columns: dict
 
 
-def _head(path, lines):
+def _head(path: str, lines: Iterable[str]) -> dict[str, Any]:
     """The head as YAML gives it. Raises BadInput."""
     import yaml
 
@@ -130,12 +132,12 @@ def _head(path, lines):
     return head
 
 
-def head_of(path):
+def head_of(path: str) -> dict[str, Any]:
     """What the head of a log says of its run, without the rows. Raises BadInput."""
     return _head(path, Text.of(read_text(path)).head)
 
 
-def read(path, names=COLUMNS):
+def read(path: str, names: Sequence[str] = COLUMNS) -> FrictionLog:
     """A log with these columns; a last row that was cut is left out. Raises BadInput, with the
     line: also where rows are missing."""
     text = Text.of(read_text(path))
@@ -145,7 +147,7 @@ def read(path, names=COLUMNS):
         if text.names.count(name) != 1:
             raise BadInput(f"{path}:{len(text.head) + 1}: not a friction log: no column '{name}'")
     places = {name: text.names.index(name) for name in needed}
-    columns = {name: [] for name in needed}
+    columns: dict[str, list[Any]] = {name: [] for name in needed}
     checks = Checks([*text.head, " ".join(text.names)]) if text.names[-1] == CHECK else None
     for number, line in text.numbered_rows():
         words = line.split()
@@ -163,7 +165,7 @@ def read(path, names=COLUMNS):
     return FrictionLog(head, {name: columns[name] for name in names})
 
 
-def _value(where, word, is_whole):
+def _value(where: str, word: str, is_whole: bool) -> float:
     try:
         value = whole(word) if is_whole else decimal(word)
     except ValueError as error:
@@ -173,7 +175,7 @@ def _value(where, word, is_whole):
     return value
 
 
-def _check_spacing(where, steps, times):
+def _check_spacing(where: str, steps: Sequence[float], times: Sequence[float]) -> None:
     """The last row follows the one before as the second follows the first."""
     if len(steps) < 2:
         return
@@ -188,7 +190,7 @@ def _check_spacing(where, steps, times):
         )
 
 
-def last_rows(path, count):
+def last_rows(path: str, count: int) -> list[list[str]]:
     """The last whole rows of a log that may be growing, as lists of words (fewer if there are
     fewer, none if it cannot be read)."""
     try:

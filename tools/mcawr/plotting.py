@@ -1,10 +1,12 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """matplotlib without a screen."""
 
+from typing import Any
+
 from .errors import missing
 
 
-def pyplot():
+def pyplot() -> Any:
     """The module matplotlib.pyplot. Raises Failure (1) without matplotlib."""
     try:
         import matplotlib

@@ -2,17 +2,21 @@
 """Runs of one condition with several seeds: their mean, and how far it is known."""
 
 import math
+from collections.abc import Callable, Iterable
+from typing import Any, TypeVar
+
+Point = TypeVar("Point")
 
 
-def groups(points, key):
+def groups(points: Iterable[Point], key: Callable[[Point], Any]) -> dict[Any, list[Point]]:
     """{key(point): points} in order of the key."""
-    found = {}
+    found: dict[Any, list[Point]] = {}
     for point in points:
         found.setdefault(key(point), []).append(point)
     return dict(sorted(found.items()))
 
 
-def spread_of(points, key="mu"):
+def spread_of(points: list[dict[str, Any]], key: str = "mu") -> tuple[float, float, float]:
     """(mean over the points, standard error of it by the runs' own errors, the same by their
     scatter; nan of a single run)."""
     values = [p[key] for p in points if p[key] is not None]
@@ -26,7 +30,7 @@ def spread_of(points, key="mu"):
     return mean, own, math.sqrt(variance / len(values))
 
 
-def mean_of(points, key="mu"):
+def mean_of(points: list[dict[str, Any]], key: str = "mu") -> tuple[float, float]:
     """(mean over the points, its standard error: the larger of what the runs' own errors and their
     scatter say)."""
     mean, own, scatter = spread_of(points, key)

@@ -4,6 +4,8 @@
 import csv
 import json
 import zlib
+from collections.abc import Callable
+from typing import Any, NoReturn, TypeVar
 
 from .errors import BadInput, complain
 from .files import read_text
@@ -11,13 +13,15 @@ from .numbers import decimal, finite
 
 LARGEST = 1e100  # of a number in a table or a report: beyond, its square is none
 
+T = TypeVar("T")
+
 
 class Row(dict):
     """{column: text} of a line of a CSV file."""
 
     line = 0
 
-    def number(self, name):
+    def number(self, name: str) -> float:
         """A column as a number. Raises ValueError with the line and the column."""
         text = self[name]
         try:
@@ -30,12 +34,13 @@ class Row(dict):
         )
 
 
-def rows(path):
+def rows(path: str) -> list[Row]:
     """Rows of a CSV file; lines that begin with # are comments.
 
     Raises BadInput, csv.Error, ValueError.
     """
-    found, names = [], None
+    found: list[Row] = []
+    names = None
     for number, line in enumerate(read_text(path).split("\n"), 1):
         if line.startswith("#") or not line.strip():
             continue
@@ -53,33 +58,33 @@ def rows(path):
     return found
 
 
-def read(path, what, convert):
+def read(path: str, what: str, convert: Callable[[list[Row]], T]) -> T:
     """convert() of all rows of a CSV file. Raises BadInput: 'PATH: not WHAT: why'."""
     return _checked(path, what, lambda: convert(rows(path)))
 
 
-def read_json(path, what, convert):
+def read_json(path: str, what: str, convert: Callable[[Any], T]) -> T:
     """convert() of the contents of a JSON file. Raises BadInput: 'PATH: not WHAT: why'."""
 
     return _checked(path, what, lambda: convert(_json(read_text(path))))
 
 
-def _json(text):
+def _json(text: str) -> Any:
     return json.loads(text, parse_constant=_no_number)
 
 
-def _no_number(word):
+def _no_number(word: str) -> NoReturn:
     raise ValueError(f"{word} is not a finite number")
 
 
-def number(value):
+def number(value: object) -> float:
     """A value of a JSON file as a number. Raises TypeError, ValueError."""
     if abs(value := finite(value)) > LARGEST:
         raise ValueError(f"{value:g} is not within +-{LARGEST:g}")
     return value
 
 
-def _checked(path, what, read_it):
+def _checked(path: str, what: str, read_it: Callable[[], T]) -> T:
     try:
         return read_it()
     except KeyError as error:
@@ -98,10 +103,10 @@ POINT = (
 POINT_OPEN = ("mu_se", "t_start", "mu_grinding_in")  # null where there is none
 
 
-def read_fit(path, convert):
+def read_fit(path: str, convert: Callable[[dict[str, Any]], T]) -> T:
     """convert() of wr_fit's JSON, a law file or a report, after its checksum. Raises BadInput."""
 
-    def load():
+    def load() -> tuple[T, bool]:
         text = read_text(path)
         data = _json(text)
         if "checksum" in data and not fits_checksum(text):
@@ -117,7 +122,7 @@ def read_fit(path, convert):
     return found
 
 
-def fits_checksum(text):
+def fits_checksum(text: str) -> bool:
     """Whether the line of the checksum of wr_fit's JSON is there, as wr_fit wrote it, and fits:
     CRC-32 of all other lines."""
     begin, end = text.find('\n  "checksum": "') + 1, 0
@@ -127,12 +132,12 @@ def fits_checksum(text):
     return bool(end) and text[begin:end] == f'  "checksum": "{zlib.crc32(others.encode()):08x}",\n'
 
 
-def fit_report(path):
+def fit_report(path: str) -> dict[str, Any]:
     """wr_fit's JSON as a dict with report.points, whose numbers are numbers. Raises BadInput."""
     return read_fit(path, checked_report)
 
 
-def checked_report(data):
+def checked_report(data: dict[str, Any]) -> dict[str, Any]:
     """wr_fit's JSON. Raises KeyError, TypeError, ValueError where a number of a point is none."""
     points = data["report"]["points"]
     if not isinstance(points, list):

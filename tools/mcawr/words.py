@@ -1,10 +1,13 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Help for misspelt words, by the rule of src/shared/nearest_word.h."""
 
+from collections.abc import Iterable
 
-def edit_distance(a, b):
+
+def edit_distance(a: str, b: str) -> int:
     """Insertions, deletions, replacements and swaps of neighbours that turn a into b."""
-    before, row = [], list(range(len(b) + 1))
+    before: list[int] = []
+    row = list(range(len(b) + 1))
     for i, x in enumerate(a, 1):
         last, before, row = before, row, [i]
         for j, y in enumerate(b, 1):
@@ -14,7 +17,7 @@ def edit_distance(a, b):
     return row[-1]
 
 
-def nearest(word, known):
+def nearest(word: str, known: Iterable[str]) -> str:
     """The word at the smallest edit distance, at most a third of the longer one's letters; else the
     shortest that begins with the given one; "" if there is none."""
     near = [(edit_distance(word, k), k) for k in known]
@@ -24,7 +27,7 @@ def nearest(word, known):
     return min((k for k in known if word and k.startswith(word)), key=len, default="")
 
 
-def known_words(word, known):
+def known_words(word: str, known: Iterable[str]) -> str:
     """The end of a message about an unknown word, with "; " before: the nearest word, or all."""
     known = list(known)
     if near := nearest(word, known):

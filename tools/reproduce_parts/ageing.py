@@ -5,6 +5,8 @@ logs."""
 import itertools
 import math
 import re
+from collections.abc import Iterable
+from typing import Any
 
 import numpy as np
 from matplotlib import pyplot
@@ -25,22 +27,22 @@ ALMOST = 1.01  # rows of compact logs may end a little before their run
 AGED, BLOCK, FAST = 50, 10, 4  # ns from which mu ~ t^n is fitted, to means over so many ns; m/s
 
 
-def friction_series(points):
+def friction_series(points: Iterable[dict[str, Any]]) -> list[Any]:
     """Times (ns) and mu of the logs of runs."""
     return [np.array(plot_friction.read_log(p["file"])[1:]) for p in points]
 
 
-def depth_series(members):
+def depth_series(members: Any) -> list[Any]:
     """Times (ns) and depth (nm) of the layers of runs (point, layer)."""
     return [(found.time, found.depth) for _, found in members]
 
 
-def shortest(members):
+def shortest(members: Any) -> float:
     """Time (ns) that all runs (point, layer) have reached; inf of none."""
     return min((f.time[-1] for _, f in members), default=math.inf)
 
 
-def second_half(members, end):
+def second_half(members: Any, end: float) -> Any:
     """Cells of depth (nm) and mu of runs (point, layer) from half of the time `end` (ns) up to it;
     and the depth, its error, mu, its error."""
     depth, error = layer.mean_depth([f for _, f in members], end)
@@ -54,7 +56,7 @@ def second_half(members, end):
     )
 
 
-def growth(members, axes):
+def growth(members: Any, axes: Any) -> Any:
     """Rows of depth (nm) and mu of the runs (point, layer) in times (ns) that double; draws the
     power law of the depth, fitted to the first third of the time, while the layer grows."""
     end, growing, rows = shortest(members), [], []
@@ -95,7 +97,7 @@ def growth(members, axes):
     ]
 
 
-def with_layers(points):
+def with_layers(points: list[dict[str, Any]]) -> Any:
     """The runs (point, layer) of the points."""
     members = [(point, layer.read(point["file"])) for point in points]
     for point, found in members:
@@ -106,19 +108,19 @@ def with_layers(points):
     return members
 
 
-def roughness_of(point):
+def roughness_of(point: dict[str, Any]) -> float | None:
     """Largest deviation (nm) of a run of `roughness`: 1.4 of roughness1.4-seed1; None of others."""
     found = re.match("roughness([0-9.]+)", run_name(point))
     return float(found[1]) if found else None
 
 
-def of_one_material(point, rough):
+def of_one_material(point: dict[str, Any], rough: Any) -> bool:
     """Whether a run differs from those of `roughness` (point, layer) in its viscosity at most."""
     keys = ("velocity", "pressure", "strength", "kappa1", "kappa2")
     return bool(rough) and all(math.isclose(point[k], rough[0][0][k], rel_tol=1e-6) for k in keys)
 
 
-def fig3(report, picture):
+def fig3(report: dict[str, Any], picture: str) -> list[str]:
     """Depth of the layer, from the profiles beside the logs, and mu: against initial roughness, in
     times that double, against viscosity."""
     layers = with_layers(report["report"]["points"])
@@ -187,7 +189,7 @@ def fig3(report, picture):
     return table(["", "paper, nm", "ours, nm", ""], rows)
 
 
-def blocks_of(series):
+def blocks_of(series: Any) -> Any:
     """Times (ns) and means over BLOCK ns from AGED on, a pair for each block.
 
     series: a pair of arrays for each run, times (ns) and y of any unit."""
@@ -201,17 +203,18 @@ def blocks_of(series):
     return points
 
 
-def power_of_time(series):
+def power_of_time(series: Any) -> tuple[float, float, float]:
     """n of y ~ t^n, its standard error, and y at 1 ns: a straight line through the logarithms of
     the blocks of a series."""
     points = blocks_of(series)
     if not all(y > 0 for _, y in points):
         raise Missing(f"a mean over {BLOCK} ns is not above 0: no power of time")
-    (n, factor), covariance = np.polyfit(*np.log(points).T, 1, cov=True)
+    times, values = np.log(points).T
+    (n, factor), covariance = np.polyfit(times, values, 1, cov=True)
     return n, math.sqrt(covariance[0, 0]), math.exp(factor)
 
 
-def by_load(points, axes):
+def by_load(points: list[dict[str, Any]], axes: Any) -> list[list[str]]:
     """Rows of n of mu ~ t^n, the mean over the runs between loads p/sigma_0 (weights 1/s.e.^2, its
     standard error widened by a reduced chi^2 above 1), and of how many of them wr_fit finds no
     stationary part, but for those whose mu is not known to NOISY or is not above 0 in a block;
@@ -243,7 +246,7 @@ def by_load(points, axes):
         color="0.6",
         label="runs known to 0.1, 95 %",
     )
-    rows = []
+    rows: list[list[str]] = []
     for low, high in itertools.pairwise(LOADS):
         inside = (low < load) & (load <= high)
         if not inside.any():
@@ -279,7 +282,7 @@ def by_load(points, axes):
     return rows
 
 
-def ageing(report, picture):
+def ageing(report: dict[str, Any], picture: str) -> list[str]:
     """mu in times (ns) that double, and n of mu ~ t^n: at each velocity (m/s), which are drawn, and
     at each pressure (MPa); n against the load of all runs."""
     figure, (axes, right) = pyplot.subplots(1, 2, figsize=(11, 4.6), constrained_layout=True)

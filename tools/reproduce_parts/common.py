@@ -3,6 +3,7 @@
 
 import math
 import os
+from typing import Any
 
 import numpy as np
 
@@ -13,13 +14,13 @@ class Missing(BadInput):
     """What a figure needs and is not there, in one line."""
 
 
-def run_name(point):
+def run_name(point: dict[str, Any]) -> str:
     """Name of the run that a log belongs to: of its folder, or of the packed file."""
     folder, name = os.path.split(point["file"])
     return os.path.basename(folder) if name == "run.friction" else name.removesuffix(".friction")
 
 
-def table(head, rows):
+def table(head: list[str], rows: list[list[str]]) -> list[str]:
     """Lines of a table of texts, columns as wide as needed."""
     cells = [head, *rows]
     width = [max(len(row[k]) for row in cells) for k in range(len(head))]
@@ -31,19 +32,19 @@ def table(head, rows):
     ]
 
 
-def percent(ours, paper):
+def percent(ours: float, paper: float) -> str:
     """Relative difference of two numbers of one unit, as text."""
     return f"{100 * (ours / paper - 1):+.1f} %"
 
 
-def scatter_of(values, errors):
+def scatter_of(values: Any, errors: Any) -> tuple[float, float]:
     """Standard deviation of values over their mean, and what their own standard errors explain of
     it, both in %."""
     mean = np.mean(values)
     return 100 * np.std(values, ddof=1) / mean, 100 * math.sqrt(np.mean(np.square(errors))) / mean
 
 
-def straight_line(x, y, errors):
+def straight_line(x: Any, y: Any, errors: Any) -> tuple[float, float, float, float]:
     """(a, b, their standard errors) of y = a + b x: least squares with the standard errors of y and
     the scatter beyond them, up to 1, that makes chi^2 the degrees of freedom, as wr_fit."""
     low, high = 0.0, 1.0
@@ -57,7 +58,7 @@ def straight_line(x, y, errors):
     return a, b, a_error, b_error
 
 
-def power_law(x, y, errors):
+def power_law(x: Any, y: Any, errors: Any) -> tuple[float, float, float, float]:
     """(A, n, their standard errors) of y = A x^n: a straight line through the logarithms, with the
     relative standard errors of y."""
     a, n, a_error, n_error = straight_line(np.log(x), np.log(y), errors)

@@ -4,6 +4,7 @@
 import dataclasses
 import math
 import re
+from typing import Any
 
 import numpy as np
 from matplotlib import pyplot
@@ -35,7 +36,7 @@ class Figure:
 
 
 # fig4, fig6 ---------------------------------------------------------------------------------------
-def fig4(report, picture):
+def fig4(report: dict[str, Any], picture: str) -> list[str]:
     """Friction stress (MPa) at each pressure (MPa) in the first 50 ns and after, means over the
     seeds; exponent of stress ~ p^n."""
     points = report["report"]["points"]
@@ -54,7 +55,9 @@ def fig4(report, picture):
                 percent(early, mu),
             ]
         )
-        pressures.append(p), stresses.append(mu * p), errors.append(error / mu)
+        pressures.append(p)
+        stresses.append(mu * p)
+        errors.append(error / mu)
     lines = table(
         ["friction stress, MPa", "Eq. 2", "later", "", f"first {START[1]} ns", "over later"], rows
     )
@@ -76,7 +79,7 @@ def fig4(report, picture):
     return lines
 
 
-def fig6(report, picture):
+def fig6(report: dict[str, Any], picture: str) -> list[str]:
     """mu at each velocity (m/s), a mean over the seeds, and the largest row of the logs."""
     points = report["report"]["points"]
     plot_series.draw(points, "velocity", picture)
@@ -97,14 +100,14 @@ def fig6(report, picture):
 
 
 # fig7 and fig8 ------------------------------------------------------------------------------------
-def fig7(report, picture):
+def fig7(report: dict[str, Any], picture: str) -> list[str]:
     """Eq. 2 fitted to our runs beside Eq. 3; its static part beside Eq. 5; our runs against the
     paper's law."""
     plot_fit.draw(*plot_fit.contents(report), picture)
     return law_lines(report)
 
 
-def law_lines(report):
+def law_lines(report: dict[str, Any]) -> list[str]:
     """The fitted parameters beside Eq. 3, the static part beside Eq. 5, the comparison of
     models."""
     body, lines = report["report"], []
@@ -157,10 +160,10 @@ def law_lines(report):
             f"the law at kappa3 = {body['fit']['kappa3']:g}; it goes with "
             f"(kappa3/{body['fit']['kappa3']:g})^n"
         )
-    paper = body["against_eq2"]
+    against = body["against_eq2"]
     lines.append(
-        f"RMS of our runs against the paper's law: {100 * paper['rms_relative']:.1f} %, mean "
-        f"{100 * paper['mean']:+.1f} % ({paper['n']} conditions)"
+        f"RMS of our runs against the paper's law: {100 * against['rms_relative']:.1f} %, mean "
+        f"{100 * against['mean']:+.1f} % ({against['n']} conditions)"
     )
     for model in body["models"]:
         aicc = "-" if (delta := model.get("delta_aicc")) is None else f"{delta:+.1f}"
@@ -175,7 +178,7 @@ def law_lines(report):
     return lines
 
 
-def kappa3(report, picture):
+def kappa3(report: dict[str, Any], picture: str) -> list[str]:
     """mu over Eq. 2 with the paper's numbers against kappa3 = E/sigma_0, a power law through it;
     and wr_fit's own fit."""
     points = report["report"]["conditions"]
@@ -232,7 +235,15 @@ def kappa3(report, picture):
 
 
 # dots: collapse, convergence ----------------------------------------------------------------------
-def dots(labels, values, errors, picture, xlabel, lines=(), band=None):
+def dots(
+    labels: Any,
+    values: Any,
+    errors: Any,
+    picture: str,
+    xlabel: Any,
+    lines: Any = (),
+    band: Any = None,
+) -> None:
     """A row for each label: value with its 95 % interval; vertical lines (x, style, label); a
     band."""
     figure, axes = pyplot.subplots(figsize=(7.5, 1.2 + 0.3 * len(labels)), constrained_layout=True)
@@ -256,7 +267,7 @@ def dots(labels, values, errors, picture, xlabel, lines=(), band=None):
     save_figure(figure, picture)
 
 
-def parameters(point):
+def parameters(point: dict[str, Any]) -> str:
     """What is varied at equal kappas: p, v, sigma_0, E, rho, eta."""
     modulus = point["kappa2"] * point["strength"] ** 2 / point["pressure"]
     density = point["kappa1"] * point["strength"] ** 2 * 1e6 / (modulus * point["velocity"] ** 2)
@@ -267,7 +278,7 @@ def parameters(point):
     )
 
 
-def collapse(report, picture):
+def collapse(report: dict[str, Any], picture: str) -> list[str]:
     """Scatter of mu, a mean over the seeds, over runs at equal kappa1 and kappa2, over its mean."""
     found = groups(report["report"]["points"], lambda p: run_name(p).split("-seed")[0])
     if len(found) < 2:
@@ -291,11 +302,11 @@ def collapse(report, picture):
         ["mean mu", f"{paper:.3f}", f"{mean:.3f} +- {np.std(mu, ddof=1) / math.sqrt(len(mu)):.3f}"],
     ]
     if len(mu) > 3:
-        rows += power_rows(first.values(), mu)
+        rows += power_rows(list(first.values()), mu)
     return table([f"{len(mu)} conditions", "paper", "ours"], rows)
 
 
-def power_rows(points, mu):
+def power_rows(points: list[dict[str, Any]], mu: Any) -> list[list[str]]:
     """The exponents of mu in E/sigma_0 and in eta v/sigma_0, by least squares of the logarithms,
     with standard errors from what is left."""
     columns = [
@@ -323,12 +334,12 @@ SIZES = {
 }  # of the plan convergence, in the order of figures
 
 
-def size_of(point):
+def size_of(point: dict[str, Any]) -> str:
     """The key in SIZES of a run: `wide20` of wide20-strength92-seed1, `fine` of fine-v10-seed1."""
     return re.sub(r"-(strength|v|seed)\d.*", "", run_name(point))
 
 
-def convergence(report, picture):
+def convergence(report: dict[str, Any], picture: str) -> list[str]:
     """mu over that of the base size, and the depth of the layer (nm), for each size at a strength
     (MPa) and velocity (m/s)."""
     points = report["report"]["points"]

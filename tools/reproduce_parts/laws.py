@@ -5,6 +5,8 @@ links."""
 
 import dataclasses
 import math
+from collections.abc import Callable
+from typing import Any
 
 import numpy as np
 from matplotlib import pyplot
@@ -35,12 +37,12 @@ class Mean:
     error: float
 
     @property
-    def relative(self):
+    def relative(self) -> float:
         """Standard error of the logarithm."""
         return self.error / self.value
 
 
-def set_of(point):
+def set_of(point: dict[str, Any]) -> str:
     """`b j2 contacts both`, the values without their keywords but for heal, of
     base-seed1-lawsb_plasticity_j2_flow_contacts_viscosity_both."""
     preset, *words = run_name(point).split("-laws")[1].split("_")
@@ -48,16 +50,16 @@ def set_of(point):
     return " ".join([preset, *(f"heal {v}" if key == "heal" else v for key, v in pairs)])
 
 
-def with_error(value, error):
+def with_error(value: float, error: float) -> str:
     """An exponent and its standard error, as text."""
     return f"{value:+.2f} +- {error:.2f}"
 
 
-def condition_of(point):
+def condition_of(point: dict[str, Any]) -> str:
     return run_name(point).split("-")[0]
 
 
-def depth_of(members, window):
+def depth_of(members: Any, window: tuple[float, float]) -> Mean:
     """Depth of the layer (nm) in a window (ns), the error from blocks of it."""
     layers = [found for p in members if (found := layer.read(p["file"])) is not None]
     if not layers:
@@ -65,7 +67,7 @@ def depth_of(members, window):
     return Mean(*layer.window([(at.time, at.depth) for at in layers], *window, BLOCKS))
 
 
-def scatter_at_equal(mu):
+def scatter_at_equal(mu: Any) -> tuple[float, float]:
     """(root mean square of ln(mu/mean) over the conditions of equal kappas, its standard error)."""
     logs = np.log([mu[c].value for c in EQUAL])
     away = logs - logs.mean()
@@ -74,7 +76,7 @@ def scatter_at_equal(mu):
     return size, error / (len(EQUAL) * size)
 
 
-def distance(mu, paper):
+def distance(mu: Any, paper: Any) -> tuple[float, float]:
     """(root mean square of mu/mu(Eq. 2) - 1 over all conditions, its standard error)."""
     away = {c: mu[c].value / paper[c] - 1 for c in mu}
     size = math.sqrt(np.mean(np.square(list(away.values()))))
@@ -82,30 +84,30 @@ def distance(mu, paper):
     return size, error / (len(mu) * size)
 
 
-def exponent(small, large):
+def exponent(small: Mean, large: Mean) -> tuple[float, float]:
     """(n of a power law from a quantity to four times as much, its standard error)."""
     n = math.log(large.value / small.value) / FOURFOLD
     return n, math.hypot(small.relative, large.relative) / FOURFOLD
 
 
-def marker_of(name):
+def marker_of(name: str) -> dict[str, Any]:
     """Open squares: plasticity j2."""
     return dict(fmt="s", mfc="none") if "j2" in name else dict(fmt="o")
 
 
-def style_of_laws(name):
+def style_of_laws(name: str) -> dict[str, Any]:
     """Colour: what flows and resists slip."""
     colour = COLOURS[("contacts" in name) + 2 * ("both" in name)]
     return dict(color=colour, **marker_of(name))
 
 
-def style_of_links(name):
+def style_of_links(name: str) -> dict[str, Any]:
     """Colour: whether worn contacts link again, and at which stress welds break."""
     colour = f"C{('0.554' in name) + 2 * ('never' in name)}"
     return dict(color=colour, **marker_of(name))
 
 
-def draw(sets, paper, style, picture):
+def draw(sets: Any, paper: Any, style: Callable[[str], dict[str, Any]], picture: str) -> None:
     """mu over Eq. 2 at each condition, a row of points for each set that ran in all of them."""
     sets = {name: mu for name, mu in sets.items() if set(CONDITIONS) <= set(mu)}
     figure, axes = pyplot.subplots(figsize=(10, 5), constrained_layout=True)
@@ -129,10 +131,12 @@ def draw(sets, paper, style, picture):
     save_figure(figure, picture)
 
 
-def means(points, window):
+def means(points: list[dict[str, Any]], window: tuple[float, float]) -> tuple[Any, Any, Any]:
     """Of each set {condition: mean of mu}, the same of the layer's depth (nm) in a window (ns), and
     {condition: mu of Eq. 2}."""
-    sets, depths, paper = {}, {}, {}
+    sets: dict[Any, Any] = {}
+    depths: dict[Any, Any] = {}
+    paper: dict[Any, float] = {}
     for name, members in groups(points, set_of).items():
         found = groups(members, condition_of)
         sets[name] = {c: Mean(*mean_of(found[c])) for c in found}
@@ -141,7 +145,7 @@ def means(points, window):
     return sets, depths, paper
 
 
-def values_of(sets, paper):
+def values_of(sets: Any, paper: Any) -> list[str]:
     """Lines of the tables of mu and of its standard error at each condition."""
     values, errors = [], []
     for name, mu in sets.items():
@@ -155,7 +159,12 @@ def values_of(sets, paper):
     ]
 
 
-def compared(points, window, style, picture):
+def compared(
+    points: list[dict[str, Any]],
+    window: tuple[float, float],
+    style: Callable[[str], dict[str, Any]],
+    picture: str,
+) -> list[str]:
     """Draws the sets; tables of the scatter at equal kappa1 and kappa2, the exponents of mu in the
     viscosity and in E/sigma_0, the distance from Eq. 2 over all conditions (-: not all were run),
     the layer's depth, its exponent in the viscosity, mu of a third of the roughness over that of
@@ -198,7 +207,7 @@ def compared(points, window, style, picture):
     ]
 
 
-def screening(points):
+def screening(points: list[dict[str, Any]]) -> list[str]:
     """Lines of a table: the distance from Eq. 2 of each set over base, slow, dense and strong, by
     the first seed alone, by which the plan laws-links chose."""
     chosen = []
@@ -211,12 +220,12 @@ def screening(points):
     return table([f"{', '.join(SCREENED)}, seed 1", "RMS from Eq. 2"], chosen)
 
 
-def laws(report, picture):
+def laws(report: dict[str, Any], picture: str) -> list[str]:
     """The sets of the plan laws."""
     return compared(report["report"]["points"], (BEGIN, END), style_of_laws, picture)
 
 
-def links(report, picture):
+def links(report: dict[str, Any], picture: str) -> list[str]:
     """The best of these sets, and this and others with other laws of links, of the plan
     laws-links."""
     points = [

@@ -4,6 +4,7 @@
 import dataclasses
 import itertools
 import math
+from typing import Any
 
 import numpy as np
 
@@ -20,7 +21,7 @@ class Layer:
     depth: np.ndarray
 
 
-def read(log):
+def read(log: str) -> Layer | None:
     """The layer of a run; None without a profile beside the log."""
     profile = log.removesuffix(".friction") + ".profile"
     if not is_there(profile):
@@ -30,7 +31,7 @@ def read(log):
     return Layer(step * float(head_of(log)["run"]["timestep"]), depth)
 
 
-def window(series, begin, end, blocks):
+def window(series: Any, begin: float, end: float, blocks: int) -> tuple[float, float]:
     """(mean, its standard error) of several runs over begin < time <= end (ns).
 
     series: a pair of arrays for each run, times (ns) and values of any unit, of which every block
@@ -45,7 +46,7 @@ def window(series, begin, end, blocks):
     return float(np.mean(means)), float(np.std(means, ddof=1) / math.sqrt(len(means)))
 
 
-def mean_depth(layers, until=math.inf):
+def mean_depth(layers: Any, until: float = math.inf) -> tuple[float, float]:
     """(mean over the second halves of the runs up to a time in ns, its standard error from frames
     and runs)."""
     depths = [layer.depth[layer.time <= until * (1 + 1e-6)] for layer in layers]
@@ -54,5 +55,5 @@ def mean_depth(layers, until=math.inf):
     own = math.sqrt(sum(np.var(h, ddof=1) / len(h) if len(h) > 1 else 0.0 for h in halves)) / len(
         halves
     )
-    scatter = np.std(means, ddof=1) / math.sqrt(len(means)) if len(means) > 1 else 0.0
+    scatter = float(np.std(means, ddof=1)) / math.sqrt(len(means)) if len(means) > 1 else 0.0
     return float(np.mean(means)), max(own, scatter)

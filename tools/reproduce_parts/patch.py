@@ -3,6 +3,7 @@
 
 import dataclasses
 import math
+from typing import Any
 
 import numpy as np
 from matplotlib import pyplot
@@ -27,10 +28,13 @@ class PatchFigure:
     make: object
 
 
-def chosen(rows, **labels):
+Rows = list[dict[str, Any]]  # of a table of runs
+
+
+def chosen(rows: Rows, **labels: Any) -> Rows:
     """Rows with these labels (numbers to six digits), which have a solution."""
 
-    def fits(row):
+    def fits(row: dict[str, Any]) -> bool:
         return all(
             row[k] == v if isinstance(v, str) else math.isclose(row[k], v, rel_tol=1e-5)
             for k, v in labels.items()
@@ -39,14 +43,14 @@ def chosen(rows, **labels):
     return [row for row in rows if fits(row) and not math.isnan(row["traction_ratio"])]
 
 
-def standard(rows, mode, **labels):
+def standard(rows: Rows, mode: str, **labels: Any) -> Rows:
     """Rows of the surfaces of most figures."""
     if mode != "smooth":
         labels["slope"] = patch_runs.SLOPE
     return chosen(rows, mode=mode, wave=patch_runs.WAVE, cells=patch_runs.CELLS, **labels)
 
 
-def mean(values):
+def mean(values: Any) -> tuple[float, float]:
     """(mean, standard error of it from the scatter; 0 of one)."""
     values = np.array(values, dtype=float)
     if not len(values):
@@ -55,12 +59,12 @@ def mean(values):
     return float(values.mean()), float(error)
 
 
-def by_seed(rows, key):
+def by_seed(rows: Rows, key: str) -> dict[int, float]:
     """{seed: value}; a seed counts once, whatever runs of it there are."""
     return {row["seed"]: row[key] for row in rows}
 
 
-def curve(rows, key="traction_ratio"):
+def curve(rows: Rows, key: str = "traction_ratio") -> tuple[Any, Any, Any, list[int]]:
     """(creeps, means over the seeds, standard errors, numbers of seeds). Raises Missing of no
     rows."""
     if not rows:
@@ -71,21 +75,21 @@ def curve(rows, key="traction_ratio"):
     return np.array(creeps), means, errors, [len(v) for v in found]
 
 
-def text_of(value, error=0.0, digits=3):
+def text_of(value: float, error: float = 0.0, digits: int = 3) -> str:
     return f"{value:.{digits}f}" + (f" +- {error:.{digits}f}" if error else "")
 
 
-def share(rows, smooth, key="traction_ratio"):
+def share(rows: Rows, smooth: Any, key: str = "traction_ratio") -> Any:
     """Mean over the seeds of the rows' value over that of the smooth contact, with its error."""
     value, error = mean(list(by_seed(rows, key).values()))
     return value / smooth, error / smooth
 
 
-def at(rows, creep, **labels):
+def at(rows: Rows, creep: float, **labels: Any) -> Rows:
     return chosen(rows, creep=creep, **labels)
 
 
-def first(rows):
+def first(rows: Rows) -> dict[str, Any]:
     """Of rows that must be there."""
     if not rows:
         raise Missing("a point has no run: all runs of the plan are needed")
@@ -93,7 +97,7 @@ def first(rows):
 
 
 # fig14 --------------------------------------------------------------------------------------------
-def fig14(tables, picture):
+def fig14(tables: dict[str, Any], picture: str) -> list[str]:
     """Low creep without temperature, and the initial slope against the real area."""
     low, slopes = tables["patch-low"], tables["patch-slope"]
     curves = {mode: standard(low, mode) for _, mode in (SMOOTH, FROZEN, MOVING)}
@@ -178,7 +182,7 @@ def fig14(tables, picture):
     ]
 
 
-def creep_table(curves, creeps):
+def creep_table(curves: dict[str, Any], creeps: tuple[float, ...]) -> list[str]:
     """T/N of the three, and over the smooth contact's."""
     rows = []
     for creep in creeps:
@@ -192,7 +196,7 @@ def creep_table(curves, creeps):
     return table(["T/N", "smooth", "frozen", "over smooth", "moving", "over smooth"], rows)
 
 
-def maximum(curves):
+def maximum(curves: dict[str, Any]) -> list[str]:
     """Whether T/N has a maximum, from the table's creeps."""
     lines = []
     for mode in ("smooth", "frozen", "moving"):
@@ -206,7 +210,7 @@ def maximum(curves):
 
 
 # fig15 --------------------------------------------------------------------------------------------
-def fig15(tables, picture):
+def fig15(tables: dict[str, Any], picture: str) -> list[str]:
     """High creep with temperature."""
     high = tables["patch-high"]
     figure, panels = pyplot.subplots(1, 2, figsize=(11, 4.4), sharey=True, constrained_layout=True)
@@ -260,7 +264,7 @@ def fig15(tables, picture):
     ]
 
 
-def moving_rows(high, heat):
+def moving_rows(high: Any, heat: Any) -> list[list[str]]:
     """Moving roughness beside the others at its creeps."""
     rows = []
     every = [r for r in high if r["mode"] == "moving" and r["heat"] == heat]
@@ -288,13 +292,13 @@ def moving_rows(high, heat):
 
 
 # polach -------------------------------------------------------------------------------------------
-def polach_law(epsilon, kA, kS):
+def polach_law(epsilon: Any, kA: float, kS: float) -> Any:
     """F/(mu N) of Polach's law of 2005 at epsilon."""
     adhesion = kA * epsilon / (1 + (kA * epsilon) ** 2)
     return 2 / math.pi * (adhesion + np.arctan(kS * epsilon))
 
 
-def polach(tables, picture):
+def polach(tables: dict[str, Any], picture: str) -> list[str]:
     """kA and kS of each surface, and the curves over what slides in full."""
     fits, low = tables["patch-low-polach"], tables["patch-low"]
     figure, (left, right) = pyplot.subplots(1, 2, figsize=(11, 4.4), constrained_layout=True)
@@ -371,11 +375,12 @@ def polach(tables, picture):
 
 
 # grid ---------------------------------------------------------------------------------------------
-def grid(tables, picture):
+def grid(tables: dict[str, Any], picture: str) -> list[str]:
     """Seed 1 on finer grids."""
     slopes = tables["patch-slope"]
     figure, axes = pyplot.subplots(figsize=(6.5, 4.2), constrained_layout=True)
-    rows, lines = [], {}
+    rows = []
+    lines: dict[str, Any] = {}
     for cells in patch_runs.GRIDS:
         smooth = first(chosen(slopes, mode="smooth", cells=cells))
         labels = {"slope": patch_runs.SLOPE, "wave": patch_runs.WAVE, "cells": cells, "seed": 1}
@@ -395,9 +400,9 @@ def grid(tables, picture):
         rows.append([f"{cells} cells a wave", *(f"{value:.4f}" for value in values.values())])
         rows[-1] += [""] * (6 - len(rows[-1]))
     for name, found in lines.items():
-        cells, value = np.array(found).T
-        if len(cells) > 2:
-            axes.plot(1 / cells, 100 * (value / value[-1] - 1), "o-", ms=4, label=name)
+        number, value = np.array(found).T
+        if len(number) > 2:
+            axes.plot(1 / number, 100 * (value / value[-1] - 1), "o-", ms=4, label=name)
     axes.set(
         xlabel="1/(cells on the shortest wave)",
         ylabel=f"over the value at {patch_runs.GRIDS[-1]} cells, %",

@@ -5,6 +5,8 @@ import os
 import subprocess
 import sys
 import tempfile
+from collections.abc import Sequence
+from typing import Any
 
 from mcawr.errors import fail_as
 from mcawr.files import write
@@ -14,7 +16,9 @@ from . import patch_runs
 TOOLS = os.path.dirname(os.path.dirname(os.path.realpath(__file__)))
 
 
-def computed(folder, name, mode, seed, creep, *more, **choice):
+def computed(
+    folder: str, name: str, mode: str, seed: int, creep: Sequence[float], *more: Any, **choice: Any
+) -> str:
     """Folder of a run that has been made now."""
     made = os.path.join(folder, name)
     a_run = patch_runs.run(mode, seed, creep, **choice)
@@ -23,7 +27,7 @@ def computed(folder, name, mode, seed, creep, *more, **choice):
     return made
 
 
-def plot_patch(*words):
+def plot_patch(*words: str) -> None:
     done = subprocess.run(
         [sys.executable, os.path.join(TOOLS, "plot_patch.py"), *words],
         capture_output=True,
@@ -35,7 +39,7 @@ def plot_patch(*words):
         fail_as("plot_patch.py", done)
 
 
-def some_fields(folder, creep, cells, *modes):
+def some_fields(folder: str, creep: float, cells: int, *modes: Any) -> list[str]:
     """Files with the fields of these modes (of seed 1) at one creep."""
     files = []
     for mode in modes:
@@ -46,7 +50,7 @@ def some_fields(folder, creep, cells, *modes):
     return files
 
 
-def fields(_, picture):
+def fields(_: object, picture: str) -> list[str]:
     with tempfile.TemporaryDirectory() as folder:
         modes = ("smooth", "frozen", "moving")
         files = some_fields(folder, 1e-3, 12, *modes)
@@ -55,7 +59,7 @@ def fields(_, picture):
     return ["creep 0.1 %, seed 1; moving: after 26 mm of rolling"]
 
 
-def fig13(_, picture):
+def fig13(_: object, picture: str) -> list[str]:
     with tempfile.TemporaryDirectory() as folder:
         files = some_fields(folder, 2.5e-3, 12, "smooth", "frozen")
         plot_patch("friction", *files, "--label", "smooth", "--label", "frozen", "-o", picture)
@@ -69,7 +73,7 @@ FORCES = {  # creepages of the curves, linear from 0 on
 }
 
 
-def curves(_, picture):
+def curves(_: object, picture: str) -> list[str]:
     with tempfile.TemporaryDirectory() as folder:
         files = []
         for mode, seed in (("smooth", 0), ("frozen", 1)):
@@ -85,7 +89,7 @@ def curves(_, picture):
     return ["without temperature, Eq. 5 with the pressure of each cell, seed 1"]
 
 
-def start(_, picture):
+def start(_: object, picture: str) -> list[str]:
     with tempfile.TemporaryDirectory() as folder:
         files = []
         for name, mode, seed in (("smooth", "smooth", 0), ("moving", "moving", 1)):

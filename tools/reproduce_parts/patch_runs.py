@@ -9,6 +9,8 @@ import math
 import os
 import subprocess
 import time
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from typing import Any
 
 from mcawr import programs, tables
 from mcawr.errors import Exit, fail, fail_as, say
@@ -46,20 +48,20 @@ COLUMNS = (
 POLACH = ("mu0", "A", "B", "kA", "kS")
 
 
-def standard_slope(shortest):
+def standard_slope(shortest: float) -> float:
     """rms slope of the profile of the standard surface that is left when its waves end at
     `shortest` (mm): the spectrum of the gradient falls as k^(1 - 2H)."""
 
-    def part(wave):
+    def part(wave: float) -> float:
         return wave ** (2 * HURST - 2) - LONGEST ** (2 * HURST - 2)
 
     return SLOPE * (part(shortest) / part(STANDARD_WAVE)) ** 0.5
 
 
-def points(cell):
+def points(cell: float) -> list[int]:
     """Cells of the box, none longer than `cell` (mm), in even numbers of factors 2, 3 and 5."""
 
-    def is_even_product(n):
+    def is_even_product(n: int) -> bool:
         rest = n
         for p in (2, 3, 5):
             while rest % p == 0:
@@ -86,7 +88,18 @@ class Run:
     polach: bool = False
 
 
-def run(mode, seed, creep, *, heat="none", speed=20, slope=SLOPE, wave=WAVE, cells=CELLS, **more):
+def run(
+    mode: str,
+    seed: int,
+    creep: Sequence[float],
+    *,
+    heat: str = "none",
+    speed: float = 20,
+    slope: float = SLOPE,
+    wave: float = WAVE,
+    cells: int = CELLS,
+    **more: bool,
+) -> Run:
     """The run of one surface, or of a smooth one (mode `smooth`, seed 0) on the same grid.
 
     slope: of the profile; wave: mm; cells: on the shortest wave; speed: m/s."""
@@ -112,7 +125,7 @@ def run(mode, seed, creep, *, heat="none", speed=20, slope=SLOPE, wave=WAVE, cel
     return Run(name, labels, tuple(changes), **more)
 
 
-def low():
+def low() -> Iterator[Run]:
     """Creep curves without temperature."""
     yield run("smooth", 0, DENSE)
     yield run("smooth", 0, FEW, polach=True)
@@ -122,7 +135,7 @@ def low():
         yield run("moving", seed, FEW, polach=True)
 
 
-def high():
+def high() -> Iterator[Run]:
     """Creep curves with temperature; moving roughness one creep a run, since some end."""
     for heat in ("averaged", "local"):
         for speed in SPEEDS:
@@ -136,7 +149,7 @@ def high():
             yield run("moving", seed, (creep,), heat=heat)
 
 
-def slope():
+def slope() -> Iterator[Run]:
     """Initial slopes of frozen roughness: three slopes, and the standard surface with its waves
     ended; the grid at one seed."""
     for seed in SEEDS:
@@ -155,7 +168,7 @@ PLANS = {"patch-low": low, "patch-high": high, "patch-slope": slope}
 
 
 # runs ---------------------------------------------------------------------------------------------
-def words_of(case, changes, *more):
+def words_of(case: str, changes: Iterable[str], *more: str) -> list[str]:
     """A call of wr_creep. Raises Failure where it is not built."""
     program = programs.program("wr_creep")
     if not (os.path.isfile(program) and os.access(program, os.X_OK)):
@@ -166,7 +179,7 @@ def words_of(case, changes, *more):
     return words
 
 
-def call(words):
+def call(words: list[str]) -> str:
     """The call to its end. Raises Failure with the program's exit code and line."""
     done = subprocess.run(words, capture_output=True, text=True, errors="replace", check=False)
     if done.returncode:
@@ -174,33 +187,38 @@ def call(words):
     return done.stdout
 
 
+def record_of(found: Any) -> dict[str, Any]:
+    """A JSON file's object. Raises TypeError, ValueError for anything else."""
+    return dict(found)
+
+
 class Folder:
     """The folder of a run."""
 
-    def __init__(self, top, a_run):
+    def __init__(self, top: str, a_run: Run) -> None:
         self.run, self.path = a_run, os.path.join(top, a_run.name)
 
-    def file(self, name):
+    def file(self, name: str) -> str:
         return os.path.join(self.path, name)
 
-    def why_none(self):
+    def why_none(self) -> str | None:
         """The line with which wr_creep found no solution of this very case; None of others."""
         if not os.path.exists(self.file("none.json")):
             return None
-        found = tables.read_json(self.file("none.json"), "a run without a solution", dict)
+        found = tables.read_json(self.file("none.json"), "a run without a solution", record_of)
         return found["why"] if found.get("changes") == list(self.run.changes) else None
 
-    def is_done(self):
+    def is_done(self) -> bool:
         """Are the results of this very case there? wr_creep goes on by itself with others."""
         if self.why_none():
             return True
         if not os.path.exists(self.file("creep.csv")):
             return False
         case = call(words_of(CASE, self.run.changes, "--print-config"))
-        summary = tables.read_json(self.file("summary.json"), "a summary of wr_creep", dict)
+        summary = tables.read_json(self.file("summary.json"), "a summary of wr_creep", record_of)
         return summary.get("case", "").strip() == case.strip()
 
-    def start(self):
+    def start(self) -> subprocess.Popen[str]:
         make_folder(self.path)
         words = ["-o", self.path, "-q", "--threads", "1"]
         words += ["--polach", self.file("polach.json")] if self.run.polach else []
@@ -212,24 +230,27 @@ class Folder:
             errors="replace",
         )
 
-    def end(self, process):
+    def end(self, process: subprocess.Popen[str]) -> None:
         """Takes what a run that has ended left behind. Raises Failure as wr_creep ended, unless it
         found no solution (exit code 4), which is a result."""
-        stderr = process.stderr.read()
+        stderr = process.stderr.read() if process.stderr else ""
         if process.returncode == Exit.NOT_CONVERGED and not os.path.exists(self.file("creep.csv")):
             why = stderr.strip().splitlines()[-1].removeprefix("wr_creep: ")
             record = json.dumps({"why": why, "changes": list(self.run.changes)}, indent=1)
             write_all({self.file("none.json"): record + "\n"})
         elif process.returncode not in (0, Exit.NOT_CONVERGED):
             done = subprocess.CompletedProcess(process.args, process.returncode, "", stderr)
-            fail_as(process.args[0], done)
+            fail_as("wr_creep", done)
 
 
-def compute(runs, top, jobs, report=say):
+def compute(
+    runs: Iterable[Run], top: str, jobs: int, report: Callable[[str], object] = say
+) -> None:
     """Makes the runs that are not done in folders below `top`, `jobs` at a time; what was
     interrupted goes on."""
     waiting = [folder for folder in (Folder(top, r) for r in runs) if not folder.is_done()]
-    count, working = len(waiting), {}
+    count = len(waiting)
+    working: dict[subprocess.Popen[str], Folder] = {}
     try:
         while waiting or working:
             while waiting and len(working) < jobs:
@@ -258,19 +279,19 @@ HEAD = (
 )
 
 
-def rounded(text, digits=6):
+def rounded(text: str | float, digits: int = 6) -> str:
     return f"{float(text):.{digits}g}"
 
 
-def table(runs, top):
+def table(runs: Iterable[Run], top: str) -> tuple[str, str | None]:
     """The table of all points, and that of the fits of Polach's law, as CSV."""
     points_, fits, versions = [], [], set()
     for folder in (Folder(top, r) for r in runs):
         if folder.why_none():
             points_.append(folder.run.labels | asked(folder.run))
             continue
-        rows = tables.read(folder.file("creep.csv"), "a creep.csv of wr_creep", list)
-        summary = tables.read_json(folder.file("summary.json"), "a summary of wr_creep", dict)
+        rows = tables.read(folder.file("creep.csv"), "a creep.csv of wr_creep", lambda r: r)
+        summary = tables.read_json(folder.file("summary.json"), "a summary of wr_creep", record_of)
         versions.add(summary["version"])
         kalker = summary["contacts"][0].get("kalker", {})
         for row in rows:
@@ -278,7 +299,7 @@ def table(runs, top):
             point |= {name: rounded(kalker[name]) for name in ("c11", "c22") if kalker}
             points_.append(point)
         if folder.run.polach and os.path.exists(folder.file("polach.json")):
-            fit = tables.read_json(folder.file("polach.json"), "a fit of Polach's law", dict)
+            fit = tables.read_json(folder.file("polach.json"), "a fit of Polach's law", record_of)
             values = {name: rounded(fit[name], 5) for name in POLACH}
             values |= {f"{name}_se": rounded(fit["standard_error"][name], 3) for name in POLACH}
             values |= {"rms": rounded(fit["rms_force_over_load"], 3)}
@@ -287,13 +308,13 @@ def table(runs, top):
     return as_csv(points_, made), as_csv(fits, made) if fits else None
 
 
-def asked(a_run):
+def asked(a_run: Run) -> dict[str, str]:
     """Speed and creep of a run of one point, from its changes."""
     given = dict(change.split("=", 1) for change in a_run.changes)
     return {"speed": given["speed"].split()[0], "creep": given["creep"].strip("[]")}
 
 
-def as_csv(rows, made=""):
+def as_csv(rows: list[dict[str, Any]], made: str = "") -> str:
     """Rows of a table as CSV; made: one more line of comment."""
     columns = list(dict.fromkeys(name for row in rows for name in row))
     text = io.StringIO()
@@ -303,7 +324,7 @@ def as_csv(rows, made=""):
     return HEAD + made + text.getvalue()
 
 
-def make(plan, top, jobs):
+def make(plan: str, top: str, jobs: int) -> None:
     """The runs of a plan in TOP/PLAN, and its tables TOP/PLAN.csv and TOP/PLAN-polach.csv."""
     runs = list(PLANS[plan]())
     compute(runs, os.path.join(top, plan), jobs)
@@ -312,13 +333,13 @@ def make(plan, top, jobs):
     write_all({f"{path}.csv": found} | ({f"{path}-polach.csv": fits} if fits else {}))
 
 
-def read(name, folder):
+def read(name: str, folder: str) -> list[dict[str, Any]]:
     """Rows of a table as dicts, numbers as floats (nan where there is none). Raises BadInput."""
     path = os.path.join(folder, f"{name}.csv")
     if not os.path.exists(path):
         raise Missing(f"{path}: is not there: give another folder by --logs, or make it by --run")
 
-    def numbers(rows):
+    def numbers(rows: list[tables.Row]) -> list[dict[str, Any]]:
         words = ("mode", "heat")
         return [
             {k: v if k in words else row.number(k) if v else math.nan for k, v in row.items()}
@@ -328,7 +349,7 @@ def read(name, folder):
     return tables.read(path, "a table of reproduce --run", numbers)
 
 
-def tables_of(plans, folder):
+def tables_of(plans: Iterable[str], folder: str) -> dict[str, list[dict[str, Any]]]:
     """{name: rows} of the tables of plans; NAME-polach are fits of Polach's law, where there are
     any. Raises BadInput."""
     found = {plan: read(plan, folder) for plan in plans}

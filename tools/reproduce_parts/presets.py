@@ -2,6 +2,7 @@
 """One steel with preset b and with preset c, beside Eq. 2."""
 
 import math
+from typing import Any
 
 import numpy as np
 from matplotlib import pyplot
@@ -16,7 +17,7 @@ PRESETS = {"b": "s", "c": "o"}  # and how they are drawn
 SERIES = {"velocity": ("v", "velocity $v$ (m/s), 15 MPa"), "pressure": ("p", "pressure $p$ (MPa)")}
 
 
-def series(points, key):
+def series(points: list[dict[str, Any]], key: str) -> dict[Any, Any]:
     """{velocity (m/s) or pressure (MPa): {preset: its runs}} of the runs that vary it, from the
     first letter of their names."""
     chosen = [p for p in points if run_name(p).startswith(SERIES[key][0])]
@@ -26,7 +27,7 @@ def series(points, key):
     }
 
 
-def draw(found, picture):
+def draw(found: Any, picture: str) -> None:
     """mu against velocity and against pressure: both presets, Eq. 2."""
     figure, panels = pyplot.subplots(1, 2, figsize=(10, 4), sharey=True, constrained_layout=True)
     for axes, (key, (_, label)) in zip(panels, SERIES.items()):
@@ -51,11 +52,12 @@ def draw(found, picture):
     save_figure(figure, picture)
 
 
-def presets(report, picture):
+def presets(report: dict[str, Any], picture: str) -> list[str]:
     """mu at each velocity (m/s) and pressure (MPa) with both presets, means over the seeds, and the
     root mean square from Eq. 2."""
     found = {key: series(report["report"]["points"], key) for key in SERIES}
-    rows, off = [], {name: [] for name in PRESETS}
+    rows = []
+    off: dict[str, list[float]] = {name: [] for name in PRESETS}
     for key, unit in (("velocity", "v = {:g} m/s"), ("pressure", "p = {:g} MPa")):
         for value, runs in found[key].items():
             paper, cells = next(iter(runs.values()))[0]["mu_eq2"], []

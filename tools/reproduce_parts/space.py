@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Friction in three dimensions beside that in the plane and Eq. 2."""
 
+from typing import Any
+
 import numpy as np
 from matplotlib import pyplot
 
@@ -14,12 +16,12 @@ from .common import Missing, percent, table
 QUANTITIES = {"velocity": "v (m/s)", "pressure": "p (MPa)", "strength": r"$\sigma_0$ (MPa)"}
 
 
-def condition(point):
+def condition(point: dict[str, Any]) -> tuple[float, ...]:
     """Velocity (m/s), pressure (MPa), strength (MPa)."""
     return tuple(point[name] for name in QUANTITIES)
 
 
-def conditions(points):
+def conditions(points: list[dict[str, Any]]) -> tuple[Any, Any]:
     """{condition: points} of the runs in space and of those in the plane that share one."""
     found = groups(
         points, lambda p: (head_of(p["file"])["geometry"]["packing"] == "hex", *condition(p))
@@ -31,13 +33,13 @@ def conditions(points):
     return inside, plane
 
 
-def depth_of(members):
+def depth_of(members: Any) -> tuple[float, float] | None:
     """(mean depth of the layer in nm over the second halves, its standard error) or None."""
     layers = [read for p in members if (read := layer.read(p["file"])) is not None]
     return layer.mean_depth(layers) if layers else None
 
 
-def draw(inside, plane, picture):
+def draw(inside: Any, plane: Any, picture: str) -> None:
     """mu against each quantity that is varied alone: space, plane, Eq. 2."""
     base = tuple(np.median(column) for column in zip(*inside))
     figure, panels = pyplot.subplots(1, 3, figsize=(10, 3.8), sharey=True, constrained_layout=True)
@@ -66,7 +68,7 @@ def draw(inside, plane, picture):
     pyplot.close(figure)
 
 
-def space(report, picture):
+def space(report: dict[str, Any], picture: str) -> list[str]:
     """mu in space and in the plane at the same pressure, velocity and strength, beside Eq. 2, and
     the depth of the layer in space; means over the seeds."""
     inside, plane = conditions(report["report"]["points"])

@@ -2,6 +2,7 @@
 """Friction of a rail steel against temperature, beside Eqs. 2, 9 and 10."""
 
 import os
+from typing import Any
 
 import numpy as np
 from matplotlib import pyplot
@@ -18,13 +19,13 @@ STRENGTH_TEMPERATURE = 1250.0  # K of temperature rise that leaves no strength, 
 LIMIT = 3.0  # pressures of Eq. 9 go up to so many strengths, the hardness
 
 
-def eq2(values):
+def eq2(values: dict[str, Any]) -> float:
     """Eq. 2 with the paper's parameters at the quantities of a run."""
     run = Run("", values, "")
     return static_part(PAPER, run.kappa2) + velocity_term(PAPER, run.kappa1)
 
 
-def eq9(values):
+def eq9(values: dict[str, Any]) -> float:
     """Eq. 9: the mean of Eq. 2 over a rough contact, pressures uniform in 0 .. 3 sigma_0, weighted
     with the load."""
     run = Run("", {**values, "p": LIMIT * values["strength"]}, "")
@@ -33,13 +34,13 @@ def eq9(values):
     return PAPER["mu0"] + PAPER["mu2"] * mean + velocity_term(PAPER, run.kappa1)
 
 
-def by_eq10(values, cold, temperature):
+def by_eq10(values: dict[str, Any], cold: dict[str, Any], temperature: float) -> dict[str, Any]:
     """The quantities with the strength of Eq. 10, the modulus of the cold."""
     softer = 1 - (temperature - cold["temperature"]) / STRENGTH_TEMPERATURE
     return {**values, "strength": cold["strength"] * softer, "E": cold["E"]}
 
 
-def temperature_of(point, runs):
+def temperature_of(point: dict[str, Any], runs: Any) -> float:
     """The temperature (K) of the plan's run with the point's strength and modulus, which no log's
     head tells by itself."""
     for values in runs:
@@ -49,7 +50,7 @@ def temperature_of(point, runs):
     raise Missing(f"{point['file']}: not a run of the plan 'temperature'")
 
 
-def temperature(report, picture):
+def temperature(report: dict[str, Any], picture: str) -> list[str]:
     """mu at each temperature, means over the seeds, beside Eq. 2 with the strengths of the
     potential file and of Eq. 10, and beside Eq. 9 with Eq. 10."""
     runs = [run.values for run in plan.read(plan.find("temperature")).runs]
@@ -57,7 +58,7 @@ def temperature(report, picture):
     found = groups(report["report"]["points"], lambda point: temperature_of(point, runs))
     names = ["Eq. 2", "Eq. 2 with Eq. 10", "Eq. 9 with Eq. 10"]
 
-    def laws(at, values):
+    def laws(at: float, values: dict[str, Any]) -> tuple[float, float, float]:
         softer = by_eq10(values, cold, at)
         return eq2(values), eq2(softer), eq9(softer)
 
