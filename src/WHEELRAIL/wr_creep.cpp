@@ -11,7 +11,6 @@
 #include "shared/output_file.h"
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
 #include <atomic>
 #include <csignal>
 #include <fmt/format.h>
@@ -77,22 +76,6 @@ void warn(const std::vector<std::string> &warnings)
     complain(programName, "warning: " + warning);
 }
 
-/// Names the points that have no results, when those of the others are in place.
-/// @throws Error (NotConverged) if there are any
-void reportFailures(const TaskReport &report)
-{
-  const std::vector<std::string> &failures = report.failures;
-  constexpr std::size_t most = 10;
-  for (std::size_t k = 0; k < std::min(most, failures.size()); ++k)
-    complain(programName, failures[k]);
-  if (!failures.empty())
-    throw Error(ExitCode::NotConverged,
-                fmt::format("{} of {} points did not converge and {} left out{}; the others are "
-                            "written",
-                            failures.size(), report.points, failures.size() == 1 ? "is" : "are",
-                            failures.size() > most ? " (summary.json names all)" : ""));
-}
-
 /// A profile or law that lies in the folder for the results must not be written over.
 void checkInputsStay(const Settings &settings, const Case &input, const CreepTask &task,
                      std::vector<RequestedOutput> outputs)
@@ -117,7 +100,7 @@ void finish(const Settings &settings, const TaskReport &report, ResultFiles &fil
         report.text, report.count, report.seconds, settings.folder, files.names(), report.extra));
   if (report.shortfall)
     throw Error(*report.shortfall);
-  reportFailures(report);
+  reportFailures(programName, report);
 }
 
 void run(const Settings &settings)

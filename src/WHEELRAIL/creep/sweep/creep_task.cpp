@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "creep/sweep/creep_task.h"
 
+#include "base/program.h"
+
+#include <algorithm>
 #include <fmt/format.h>
 
 namespace wheelrail {
@@ -25,6 +28,20 @@ void refusePolach()
 {
   throw Error(ExitCode::Usage, "--polach: goes with a contact in a point (contact.load) that "
                                "rolls, without a sequence");
+}
+
+void reportFailures(const char *program, const TaskReport &report)
+{
+  const std::vector<std::string> &failures = report.failures;
+  constexpr std::size_t most = 10;
+  for (std::size_t k = 0; k < std::min(most, failures.size()); ++k)
+    complain(program, failures[k]);
+  if (!failures.empty())
+    throw Error(ExitCode::NotConverged,
+                fmt::format("{} of {} points did not converge and {} left out{}; the others are "
+                            "written",
+                            failures.size(), report.points, failures.size() == 1 ? "is" : "are",
+                            failures.size() > most ? " (summary.json names all)" : ""));
 }
 
 } // namespace wheelrail

@@ -67,6 +67,11 @@ class CreepTask {
 /// "21 points (8 of them from a run that ended early)"
 std::string countOf(std::size_t points, int resumed);
 
+/// Names the points that have no results, when those of the others are in place.
+/// @param program whose name begins each line
+/// @throws Error (NotConverged) if there are any
+void reportFailures(const char *program, const TaskReport &report);
+
 /// Why a task does not write Polach's law. @throws Error (Usage)
 [[noreturn]] void refusePolach();
 
