@@ -135,7 +135,11 @@ std::map<std::string, std::function<bool(const LinkView &)>> &criteria()
 
 bool bulkBreaks(const LinkView &l)
 {
-  return l.eps <= -0.9 || criteria().at(l.laws.fracture.word())(l);
+  const std::string word = l.laws.fracture.word();
+  const auto criterion = criteria().find(word);
+  if (criterion == criteria().end())
+    throw std::logic_error("fracture " + word + " is missing in criteria() of " __FILE__);
+  return l.eps <= -0.9 || criterion->second(l);
 }
 
 double nextKind(const mca::LawSet &laws, const mca::Material &ma, const mca::Material &mb,
