@@ -2,6 +2,7 @@
 #include "shared/plain_text.h"
 
 #include <algorithm>
+#include <iterator>
 
 namespace mcawr {
 namespace {
@@ -111,16 +112,30 @@ std::string problemOfNul(std::string_view bytes, std::size_t nul)
   return "is binary, not text: byte " + std::to_string(nul) + " is 0";
 }
 
+constexpr std::string_view utf16Marks[] = {"\xff\xfe", "\xfe\xff"};
+constexpr std::string_view utf32Marks[] = {{"\xff\xfe\0\0", 4}, {"\0\0\xfe\xff", 4}};
+
+template<std::size_t n>
+bool beginsWithOne(std::string_view bytes, const std::string_view (&marks)[n])
+{
+  return std::any_of(std::begin(marks), std::end(marks),
+                     [&](std::string_view mark) { return begins(bytes, mark); });
+}
+
 } // namespace
+
+bool hasTextMark(std::string_view bytes)
+{
+  return begins(bytes, utf8Mark) || beginsWithOne(bytes, utf16Marks) ||
+         beginsWithOne(bytes, utf32Marks);
+}
 
 PlainText plainText(std::string_view bytes)
 {
-  using namespace std::string_view_literals;
-  for (const auto mark : {"\xff\xfe\0\0"sv, "\0\0\xfe\xff"sv})
-    if (begins(bytes, mark))
-      return {"", "is UTF-32; save it as UTF-8"};
+  if (beginsWithOne(bytes, utf32Marks))
+    return {"", "is UTF-32; save it as UTF-8"};
   PlainText result;
-  if (begins(bytes, "\xff\xfe") || begins(bytes, "\xfe\xff"))
+  if (beginsWithOne(bytes, utf16Marks))
     result.text = fromUtf16(bytes.substr(2), begins(bytes, "\xfe"));
   else if (begins(bytes, utf8Mark))
     result.text = bytes.substr(utf8Mark.size());

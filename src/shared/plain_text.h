@@ -21,5 +21,8 @@ struct PlainText {
 /// \return a problem for UTF-16 without a mark, UTF-32, and bytes that are 0, which no text has
 PlainText plainText(std::string_view bytes);
 
+/// Do they begin with a byte order mark, of UTF-8, UTF-16 or UTF-32?
+bool hasTextMark(std::string_view bytes);
+
 } // namespace mcawr
 #endif

@@ -59,6 +59,27 @@ TEST(FrictionTable, IsBilinearAndConstantBeyondItsBorder)
   EXPECT_NEAR(row(1e12, 5.0), 0.25, 1e-12);
 }
 
+// The strict reader of rows, and the text of other machines, serve tables too.
+TEST(FrictionTable, OfOtherMachines)
+{
+  const auto changed = [](std::string text, const std::string &from, const std::string &to) {
+    for (auto at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size()))
+      text.replace(at, from.size(), to);
+    return text;
+  };
+  const std::string european = changed(changed(good, ", ", ";"), "0.", "0,");
+  for (const std::string &text :
+       {european, changed(european, ";", "\t"), changed(good, "\n", "\r\n"),
+        changed(good, "\n", "\r"), "\xef\xbb\xbf" + good,
+        changed(good, "nobody", "M\xfcller")}) {
+    const FrictionTable table = readFrictionTable(write(text));
+    EXPECT_EQ(table.mu(1, 1), 0.1) << text;
+    EXPECT_EQ(table.mu(0, 1), 0.4) << text;
+  }
+  expectContains(problemOf(changed(good, "0.5", "0,5")), ":5: 4 cells; 3 are expected (a decimal");
+  expectContains(problemOf(changed(good, "0, 0.5, 100", "0, , 100")), ":5: column 2: is empty");
+}
+
 TEST(FrictionTable, BadContentIsOneClearLine)
 {
   expectContains(problemOf(""), "empty");

@@ -119,8 +119,8 @@ const std::string sdf = "aISO-1.0\r\nManufacID = ISOTC213\r\nCreateDate = 040120
                         "32 33 34 ; the last ones\r\n*\r\nOperator = nobody\r\n*\r\n";
 
 const std::string matrix = "# measured on a rail\n# height: um\n# spacing: 2 um, 3 um\n"
-                           "# points: 5, 4\n0 1 2 3 4\n10;11;12;13;14\n20,21,22,nan,24\n"
-                           "30\t31\t32\t33\t34\n";
+                           "# points: 5, 4\n0;1;2;3;4\n10; 11; 12; 13; 14\n20 ;21 ;22 ;nan ;24\n"
+                           "30;31;32;33;34\n";
 
 std::string fileBytes(const std::string &name)
 {
@@ -299,14 +299,71 @@ TEST(HeightMapFile, TextMatrix)
   expectRefused(replaced(matrix, "2 um, 3 um", "0 um"), {":3:", "spacing", "positive"});
   expectRefused(replaced(matrix, "2 um, 3 um", "2, 3 um"), {":3:", "spacing", "unit"});
   expectRefused(replaced(matrix, "height: um", "height: K"), {":2:", "height"});
-  expectRefused(replaced(matrix, "13;14", "13"), {":6:", "4 columns"});
-  expectRefused(replaced(matrix, "13;14", "13;x14"), {":6:", "column 5", "'x14'"});
-  expectRefused(replaced(matrix, "13;14", "13;inf"), {"'inf'"});
+  expectRefused(replaced(matrix, "13; 14", "13"), {":6:", "4 columns"});
+  expectRefused(replaced(matrix, "13; 14", "13;x14"), {":6:", "column 5", "'x14'"});
+  expectRefused(replaced(matrix, "13; 14", "13;inf"), {"'inf'"});
   expectRefused(replaced(matrix, "points: 5, 4", "points: 5, 5"), {"points", "5 x 4", "5 x 5"});
   expectRefused(replaced(matrix, "# height", "# rows: up\n# height"), {"rows", "'up'"});
-  expectRefused(matrix.substr(0, matrix.find("20,")) + "# end\n", {"head", "before"});
+  expectRefused(matrix.substr(0, matrix.find("20 ;")) + "# end\n", {"head", "before"});
   expectRefused("# height: um\n# spacing: 1 um\n1 2 3\n4 5 6\n7 8 9\n", {"3 x 3", "4 x 4"});
-  expectRefused(std::string("a\0b", 3), {"byte 1", "unknown kind"});
+  expectRefused(std::string("a\0b", 3), {"byte 1", "binary", "GSF, SDF"});
+}
+
+/// A row that is read loosely is a map of other heights.
+TEST(HeightMapFile, TextIsReadStrictly)
+{
+  const std::string head = "# height: um\n# spacing: 1 mm\n";
+  const auto rows = [&](const std::string &first, const std::string &others = "") {
+    std::string text = head + first + "\n";
+    for (int k = 0; k < 4; ++k)
+      text += (others.empty() ? first : others) + "\n";
+    return text;
+  };
+  const Eigen::VectorXd expected = mapOfBytes(rows("0.2;-0.1;0.5;3")).height;
+  for (const char *row : {"0,2;-0,1;0,5;3", "0,2\t-0,1\t0,5\t3", "0.2\t-0.1\t0.5\t3",
+                          "0.2,-0.1,0.5,3", "0.2, -0.1 , 0.5, 3", " 0.2 -0.1  0.5 3 "})
+    EXPECT_EQ(mapOfBytes(rows(row)).height, expected) << row;
+  expectRefused(rows("1;2;;4"), {":3: column 3: is empty"});
+  expectRefused(rows("1;2;3;4", "1;2;3;;4"), {":4: column 4: is empty"});
+  expectRefused(rows("1\t2\t\t4"), {":3: column 3: is empty"});
+  expectRefused(rows("1,2,3,4", "1,2,,4"), {":4: column 3: is empty"});
+  expectRefused(rows("\t1\t2\t3\t4"), {":3: column 1: is empty"});
+  expectRefused(rows("1;2;3;4;"), {":3: column 5: is empty"});
+  expectRefused(rows("1;2;3;4", "1,2,3,4"), {":4: column 1: '1,2,3,4'"});
+  expectRefused(rows("1 2 3 4", "1;2;3;4"), {":4: column 1: '1;2;3;4'"});
+  expectRefused(rows("1.5;2;3;4", "1,5;2;3;4"), {":4: column 1: '1,5'", "line 3", "point"});
+  expectRefused(rows("1,5;2;3;4", "1.5;2;3;4"), {":4: column 1: '1.5'", "line 3", "comma"});
+  expectRefused(rows("1.234,5;2;3;4"), {"'1.234,5'", "decimal comma"});
+  // decimal commas that cannot be told from separators are named
+  for (const char *row :
+       {"0,2 0,4 0,5 0,3", "0,2, 0,4, 0,5, 0,3", "-0,2,0,4,0,5,0,3", "0,2,0,05,0,5,0,3"})
+    expectRefused(rows(row), {":3: ", "decimal comma", "semicolons"});
+  expectRefused(replaced(rows("0,2,0,4,0,5,0,3"), "# height", "# points: 4, 5\n# height"),
+                {"8 x 5", "4 x 5", "decimal comma"});
+}
+
+TEST(HeightMapFile, TextOfOtherMachines)
+{
+  const auto changed = [](std::string text, const std::string &from, const std::string &to) {
+    for (auto at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size()))
+      text.replace(at, from.size(), to);
+    return text;
+  };
+  for (const std::string &whole :
+       {changed(sdf, "\r\n", "\n"), changed(matrix, "um", "\xc2\xb5m")}) {
+    const HeightMap map = mapOfBytes(whole);
+    expectTheMap(mapOfBytes(changed(whole, "\n", "\r\n")), "CRLF");
+    expectTheMap(mapOfBytes(changed(whole, "\n", "\r")), "CR");
+    expectTheMap(mapOfBytes("\xef\xbb\xbf" + whole), "UTF-8 with a mark");
+    expectTheMap(mapOfBytes(changed(whole, "\xc2\xb5", "\xb5")), "Latin-1");
+    std::string wide = "\xff\xfe";
+    for (const char c : changed(whole, "\xc2\xb5", "\xb5"))
+      wide += {c, '\0'};
+    expectTheMap(mapOfBytes(wide), "UTF-16");
+    expectRefused(wide.substr(2), {"is UTF-16 without a byte order mark"});
+  }
+  // one line without an end is not repeated
+  EXPECT_LT(refusal(std::string(60000, 'x')).size(), 600U);
 }
 
 /// Numbers that are good alone, but not times their unit.

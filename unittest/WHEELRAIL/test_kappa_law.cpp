@@ -327,6 +327,19 @@ TEST(LawFile, checksumFindsEveryFlippedBit)
     }
 }
 
+// A checksum is of what is said, not of how other machines end their lines.
+TEST(LawFile, itsChecksumSurvivesOtherLineEnds)
+{
+  const std::string text = withChecksum(toJson(bucher2006()).dump(2) + "\n");
+  std::string windows, oldMac;
+  for (const char c : text) {
+    windows += c == '\n' ? "\r\n" : std::string(1, c);
+    oldMac += c == '\n' ? '\r' : c;
+  }
+  for (const std::string &changed : {windows, oldMac, "\xef\xbb\xbf" + text})
+    EXPECT_EQ(readKappaLaw(write(changed)).note, "");
+}
+
 TEST(LawFile, anEditedLawIsReadWithoutItsChecksum)
 {
   std::string text = withChecksum(toJson(bucher2006()).dump(2) + "\n");

@@ -156,7 +156,7 @@ TEST(ReadProfile, BadFilesGiveOneClearLine)
                   .find("allowed range [1e-12, 1000] m"),
               std::string::npos)
         << spacing;
-  EXPECT_NE(messageOf(header + "1\n2\nthree\n").find(":5: 'three'"), std::string::npos);
+  EXPECT_NE(messageOf(header + "1\n2\nthree\n").find(":5: column 1: 'three'"), std::string::npos);
   EXPECT_NE(messageOf(header + "1\nnan\n").find("finite"), std::string::npos);
   EXPECT_NE(messageOf(header + "1\ninf\n").find("finite"), std::string::npos);
   EXPECT_NE(messageOf(header + "1\n2 3\n").find(":4: "), std::string::npos);
@@ -170,11 +170,14 @@ TEST(ReadProfile, EmptyCellsAreRefused)
 {
   const std::string one = "# height: um\n# spacing: 5 um\n";
   const std::string two = "# height: um\n# position: mm\n";
-  EXPECT_NE(messageOf(one + ",\n" + column(40)).find(":3: column 1 is empty"), std::string::npos);
-  EXPECT_NE(messageOf(one + ";;;\n" + column(40)).find(":3: column 1 is empty"), std::string::npos);
-  EXPECT_NE(messageOf(one + "1,\n" + column(40)).find(":3: column 2 is empty"), std::string::npos);
-  EXPECT_NE(messageOf(two + "0, ,1\n").find(":3: column 2 is empty"), std::string::npos);
-  EXPECT_NE(messageOf(two + " , 1\n").find(":3: column 1 is empty"), std::string::npos);
+  EXPECT_NE(messageOf(one + ",\n" + column(40)).find(":3: column 1: ',' is not"),
+            std::string::npos);
+  EXPECT_NE(messageOf(one + ";;;\n" + column(40)).find(":3: column 1: is empty"),
+            std::string::npos);
+  EXPECT_NE(messageOf(one + "1,\n" + column(40)).find(":3: column 1: '1,' is not"),
+            std::string::npos);
+  EXPECT_NE(messageOf(two + "0, ,1\n").find(":3: column 2: is empty"), std::string::npos);
+  EXPECT_NE(messageOf(two + " , 1\n").find(":3: column 1: is empty"), std::string::npos);
 }
 
 TEST(ReadProfile, SeparatorsMayHaveBlanks)
@@ -185,6 +188,38 @@ TEST(ReadProfile, SeparatorsMayHaveBlanks)
       text += fmt::format("{}{}{}\n", 0.01 * i, between, i % 3);
     EXPECT_EQ(messageOf(text), "") << between;
   }
+}
+
+// What Excel writes in half of Europe, and what other machines write: the same profile.
+TEST(ReadProfile, FilesOfOtherMachines)
+{
+  std::string one = "# height: \xc2\xb5m\n# spacing: 5 um\n";
+  std::string two = "# height: um\n# position: mm\n";
+  for (int i = 0; i < 20; ++i) {
+    one += fmt::format("{:.1f}\n", 0.5 * (i % 3));
+    two += fmt::format("{:.3f};{:.1f}\n", 0.005 * i, 0.5 * (i % 3));
+  }
+  const auto heights = [](const std::string &text) {
+    const TextFile file(text);
+    return readProfile(file.path).height;
+  };
+  const auto changed = [](std::string text, const std::string &from, const std::string &to) {
+    for (auto at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size()))
+      text.replace(at, from.size(), to);
+    return text;
+  };
+  const Vector expected = heights(one);
+  ASSERT_EQ(expected[1], 0.5e-6);
+  EXPECT_EQ(heights(changed(one, "\n", "\r\n")), expected);
+  EXPECT_EQ(heights(changed(one, "\n", "\r")), expected);
+  EXPECT_EQ(heights("\xef\xbb\xbf" + one), expected);
+  EXPECT_EQ(heights(changed(one, "\xc2\xb5", "\xb5")), expected); // Latin-1
+  EXPECT_EQ(heights(changed(one, ".", ",")), expected);
+  EXPECT_LT((heights(two) - expected).norm(), 1e-15);
+  EXPECT_EQ(heights(changed(two, ".", ",")), heights(two));
+  EXPECT_EQ(heights(changed(changed(two, ".", ","), ";", "\t")), heights(two));
+  EXPECT_NE(messageOf(changed(changed(two, ".", ","), ";", ", ")).find("decimal comma"),
+            std::string::npos);
 }
 
 TEST(ReadProfile, TheHeadIsGivenOnce)

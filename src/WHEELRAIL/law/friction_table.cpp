@@ -2,8 +2,9 @@
 #include "law/friction_table.h"
 
 #include "base/errors.h"
-#include "base/program_files.h"
+#include "base/number_rows.h"
 #include "base/quantity.h"
+#include "base/text_lines.h"
 #include "shared/nearest_word.h"
 
 #include <algorithm>
@@ -11,7 +12,6 @@
 #include <fmt/format.h>
 #include <map>
 #include <set>
-#include <sstream>
 #include <stdexcept>
 
 namespace wheelrail {
@@ -21,23 +21,6 @@ namespace {
 enum Column { Pressure, Speed, Mu, Columns };
 const std::vector<std::string> columnNames = {"pressure", "speed", "mu"};
 constexpr std::array<double, Columns> largest = {1e15, 1e4, 10.0}; // Pa, m/s
-
-std::string trimmed(const std::string &text)
-{
-  const auto first = text.find_first_not_of(" \t\r");
-  if (first == std::string::npos)
-    return "";
-  return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
-}
-
-std::vector<std::string> cellsOf(const std::string &line)
-{
-  std::vector<std::string> cells;
-  std::istringstream in(line + ",");
-  for (std::string cell; std::getline(in, cell, ',');)
-    cells.push_back(trimmed(cell));
-  return cells;
-}
 
 /// The share of the way from one grid point to the next, and the first of the two.
 struct Place {
@@ -58,20 +41,21 @@ Place placeIn(const std::vector<double> &grid, double x)
 /// A table while it is read.
 class TableFile {
  public:
-  explicit TableFile(std::string path) : path_(std::move(path))
+  explicit TableFile(std::string path) : path_(std::move(path)), rows_(path_)
   {
-    std::istringstream text(readInputFile(path_));
-    for (std::string raw; std::getline(text, raw);) {
-      ++line_;
-      const std::string line = trimmed(raw);
+    const std::string text = readTextFile(path_);
+    LineReader lines(text);
+    for (std::string_view raw; lines.next(raw);) {
+      line_ = lines.number();
+      const std::string_view line = trimmedView(raw);
       if (line.empty())
         continue;
       if (line[0] == '#')
         readUnit(line);
       else if (place_.empty())
-        readNames(cellsOf(line));
+        readNames(rows_.cells(line_, raw));
       else
-        readRow(cellsOf(line));
+        readRow(rows_.cells(line_, raw));
     }
     line_ = 0;
     if (mu_.empty())
@@ -110,16 +94,18 @@ class TableFile {
   }
 
   /// "# pressure: MPa"; other comments are free text.
-  void readUnit(const std::string &line)
+  void readUnit(std::string_view line)
   {
     const auto colon = line.find(':');
-    const std::string word = colon == std::string::npos ? "" : trimmed(line.substr(1, colon - 1));
+    if (colon == std::string_view::npos)
+      return;
+    const std::string word(trimmedView(line.substr(1, colon - 1)));
     if (word != "pressure" && word != "speed")
       return;
     const int column = word == "speed" ? Speed : Pressure;
     if (!mu_.empty() || factor_[column] != 0.0)
       fail(word, "is given once, before the numbers");
-    unit_[column] = trimmed(line.substr(colon + 1));
+    unit_[column] = trimmedView(line.substr(colon + 1));
     try {
       factor_[column] = parseQuantity("1 " + unit_[column], column == Speed ? "m/s" : "Pa");
     } catch (const std::invalid_argument &problem) {
@@ -127,11 +113,11 @@ class TableFile {
     }
   }
 
-  void readNames(const std::vector<std::string> &names)
+  void readNames(const std::vector<std::string_view> &names)
   {
-    for (const std::string &name : names)
+    for (const std::string_view name : names)
       if (std::find(columnNames.begin(), columnNames.end(), name) == columnNames.end())
-        fail("", mcawr::unknownWord("column", name, columnNames));
+        fail("", mcawr::unknownWord("column", std::string(name), columnNames));
     for (const std::string &name : columnNames) {
       if (std::count(names.begin(), names.end(), name) != 1)
         fail("", fmt::format("the column '{}' is needed, once: pressure,speed,mu", name));
@@ -144,17 +130,14 @@ class TableFile {
              fmt::format("no line '# {}: UNIT' before the numbers", columnNames[column]));
   }
 
-  void readRow(const std::vector<std::string> &cells)
+  void readRow(const std::vector<std::string_view> &cells)
   {
     if (cells.size() != Columns)
-      fail("", fmt::format("{} cells; {} are expected", cells.size(), int(Columns)));
+      fail("", fmt::format("{} cells; {} are expected{}", cells.size(), int(Columns),
+                           rows_.decimalHint()));
     std::array<double, Columns> row{};
     for (int column = 0; column < Columns; ++column) {
-      try {
-        row[column] = parseNumber(cells[place_[column]]);
-      } catch (const std::invalid_argument &problem) {
-        fail(columnNames[column], problem.what());
-      }
+      row[column] = rows_.number(line_, columnNames[column], cells[place_[column]]);
       row[column] *= column == Mu ? 1.0 : factor_[column];
       const bool low = column == Mu ? !(row[column] > 0.0) : row[column] < 0.0;
       if (low || row[column] > largest[column])
@@ -170,6 +153,7 @@ class TableFile {
   }
 
   std::string path_;
+  NumberRows rows_;
   int line_ = 0;
   std::array<double, 2> factor_ = {0.0, 0.0}; ///< SI units per unit of the file
   std::array<std::string, 2> unit_;

@@ -2,7 +2,7 @@
 #include "law/law_file.h"
 
 #include "base/errors.h"
-#include "base/program_files.h"
+#include "base/text_lines.h"
 #include "law/law_checksum.h"
 #include "shared/nearest_word.h"
 
@@ -67,7 +67,7 @@ std::string shown(const nlohmann::json &value)
 } // namespace
 
 LawFile::LawFile(std::string path, const std::vector<std::string> &keys)
-    : fileName_(std::move(path)), text_(readInputFile(fileName_))
+    : fileName_(std::move(path)), text_(readTextFile(fileName_))
 {
   try {
     parse();

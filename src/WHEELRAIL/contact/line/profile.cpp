@@ -2,16 +2,15 @@
 #include "contact/line/profile.h"
 
 #include "base/errors.h"
-#include "base/program_files.h"
+#include "base/number_rows.h"
 #include "base/quantity.h"
 #include "base/random_number.h"
+#include "base/text_lines.h"
 
 #include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
-#include <map>
-#include <sstream>
 #include <stdexcept>
 
 namespace wheelrail {
@@ -25,14 +24,6 @@ constexpr double fewestCellsPerWave = 4.0;
 constexpr double largestPlace = 1e3;      ///< of heights and positions, m
 constexpr double smallestSpacing = 1e-12; ///< of points, m
 
-std::string trimmed(const std::string &text)
-{
-  const auto first = text.find_first_not_of(" \t\r");
-  if (first == std::string::npos)
-    return "";
-  return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
-}
-
 /// Units of a profile file: metres per unit of a column, and the spacing if it is stated.
 struct ProfileHeader {
   double heightUnit = 0.0, positionUnit = 0.0, spacing = 0.0;
@@ -40,14 +31,14 @@ struct ProfileHeader {
 
 /// "# keyword: value"; other comments are free text.
 /// @param isHead no numbers have been read yet
-void readHeaderLine(const std::string &line, const std::string &path, int number, bool isHead,
+void readHeaderLine(std::string_view line, const std::string &path, int number, bool isHead,
                     ProfileHeader &header)
 {
   const auto colon = line.find(':');
-  if (colon == std::string::npos)
+  if (colon == std::string_view::npos)
     return;
-  const std::string keyword = trimmed(line.substr(1, colon - 1));
-  const std::string value = trimmed(line.substr(colon + 1));
+  const std::string keyword(trimmedView(line.substr(1, colon - 1)));
+  const std::string value(trimmedView(line.substr(colon + 1)));
   double *target = keyword == "height"     ? &header.heightUnit
                    : keyword == "position" ? &header.positionUnit
                    : keyword == "spacing"  ? &header.spacing
@@ -65,37 +56,6 @@ void readHeaderLine(const std::string &line, const std::string &path, int number
     throw badInput(path, number, keyword,
                    fmt::format("'{}' is not in the allowed range [{}, {}] m", value,
                                smallestSpacing, largestPlace));
-}
-
-/// Cells of a line, between commas, semicolons or white space; a missing one is empty.
-std::vector<std::string> cellsOf(const std::string &line)
-{
-  constexpr const char *blanks = " \t";
-  std::vector<std::string> cells;
-  for (std::size_t at = 0;;) {
-    const std::size_t begin = std::min(line.find_first_not_of(blanks, at), line.size());
-    const std::size_t end = std::min(line.find_first_of(" \t,;", begin), line.size());
-    cells.push_back(line.substr(begin, end - begin));
-    const std::size_t next = line.find_first_not_of(blanks, end);
-    if (next == std::string::npos)
-      return cells;
-    at = line[next] == ',' || line[next] == ';' ? next + 1 : next;
-  }
-}
-
-/// The numbers of a line, in file's units.
-std::vector<double> numbersOf(const std::string &line, const std::string &path, int number)
-{
-  std::vector<double> values;
-  for (const std::string &cell : cellsOf(line))
-    try {
-      values.push_back(parseNumber(cell));
-    } catch (const std::invalid_argument &problem) {
-      throw badInput(path, number, "",
-                     cell.empty() ? fmt::format("column {} is empty", values.size() + 1)
-                                  : problem.what());
-    }
-  return values;
 }
 
 /// A height or a position in m, within what a profile may hold.
@@ -155,21 +115,25 @@ ProfileStatistics profileStatistics(const std::string &step, const Profile &prof
 
 Profile readProfile(const std::string &path)
 {
-  std::istringstream text(readInputFile(path));
+  const std::string text = readTextFile(path);
+  LineReader lines(text);
+  NumberRows row(path);
   ProfileHeader header;
-  std::vector<double> first, second;
+  std::vector<double> first, second, values;
   std::size_t columns = 0;
-  int number = 0;
-  for (std::string raw; std::getline(text, raw);) {
-    ++number;
-    const std::string line = trimmed(raw);
+  for (std::string_view raw; lines.next(raw);) {
+    const int number = lines.number();
+    const std::string_view line = trimmedView(raw);
     if (line.empty())
       continue;
     if (line[0] == '#') {
       readHeaderLine(line, path, number, columns == 0, header);
       continue;
     }
-    const std::vector<double> values = numbersOf(line, path, number);
+    if (columns == 0 && header.spacing > 0.0 && header.positionUnit == 0.0)
+      row.expectOneColumn();
+    values.clear();
+    row.append(number, raw, false, values);
     if (columns == 0) {
       columns = values.size();
       if (header.heightUnit == 0.0)
@@ -183,8 +147,8 @@ Profile readProfile(const std::string &path)
     if (values.size() != columns || columns > 2)
       throw badInput(path, number, "",
                      fmt::format("{} columns; one (height) or two (position, height) are allowed, "
-                                 "the same in every line",
-                                 values.size()));
+                                 "the same in every line{}",
+                                 values.size(), row.decimalHint()));
     if (columns == 2) {
       const double x = inMetres(values[0], header.positionUnit, path, number, "position");
       if (!first.empty() && x < first.back() + smallestSpacing)

@@ -38,8 +38,8 @@ ProfileStatistics profileStatistics(const std::string &step, const Profile &prof
 ///   # height: um                 and either
 ///   # spacing: 5 um              (then one column: heights), or
 ///   # position: mm               (then two columns: position, height; increasing positions)
-/// Columns are separated by white space, or by a comma or semicolon. Unequal positions are
-/// interpolated to equal ones of the same number.
+/// Columns are separated as `NumberRows` reads them. Unequal positions are interpolated to equal
+/// ones of the same number.
 /// @throws Error (BadInput) with file and line: units that are missing, wrong or given twice, text
 ///         or nothing where a number is expected, nan, inf, a number beyond 1000 m, a wrong number
 ///         of columns, positions that do not increase, fewer than 16 points

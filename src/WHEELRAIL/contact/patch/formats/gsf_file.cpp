@@ -2,6 +2,7 @@
 #include "contact/patch/formats/gsf_file.h"
 
 #include "base/errors.h"
+#include "base/text_lines.h"
 #include "contact/patch/formats/height_map_formats.h"
 #include "contact/patch/formats/map_text.h"
 

@@ -3,7 +3,9 @@
 
 #include "base/errors.h"
 #include "base/program_files.h"
+#include "base/text_lines.h"
 #include "contact/patch/formats/height_map_formats.h"
+#include "shared/plain_text.h"
 
 #include <cmath>
 #include <filesystem>
@@ -51,7 +53,9 @@ HeightMap readHeightMap(const std::string &path, const HeightMapScale &scale)
   const auto size = std::filesystem::file_size(path, ignored);
   if (!ignored && size > mostBytes)
     throw badInput(path, 0, "", fmt::format("{} bytes; at most {} are allowed", size, mostBytes));
-  const std::string bytes = readInputFile(path);
+  std::string bytes = readInputFile(path);
+  if (mcawr::hasTextMark(bytes)) // it would hide what the text begins with
+    bytes = plainTextOf(path, bytes);
   const HeightMapFormat &format = heightMapFormatOf(bytes);
   if (!format.statesLengths &&
       !(scale.spacingX > 0.0 && scale.spacingY > 0.0 && scale.heightUnit > 0.0))

@@ -2,9 +2,9 @@
 #include "contact/patch/formats/height_map_formats.h"
 
 #include "base/errors.h"
+#include "shared/plain_text.h"
 
 #include <algorithm>
-#include <fmt/format.h>
 
 namespace wheelrail {
 
@@ -24,9 +24,8 @@ HeightMap refuseBinarySdf(const std::string &path, const std::string &, const He
 /// What no other format knows is text, or no map at all.
 HeightMap parseText(const std::string &path, const std::string &bytes, const HeightMapScale &scale)
 {
-  if (const auto byte = bytes.find('\0'); byte != std::string::npos)
-    throw badInput(path, 0, fmt::format("byte {}", byte),
-                   "a binary file of unknown kind; GSF, SDF (ASCII), npy and text are read");
+  if (const std::string problem = mcawr::plainText(bytes).problem; !problem.empty())
+    throw badInput(path, 0, "", problem + " (GSF, SDF in ASCII, npy and text are read)");
   return parseMatrix(path, bytes, scale);
 }
 

@@ -11,28 +11,6 @@
 
 namespace wheelrail {
 
-bool LineReader::next(std::string_view &line)
-{
-  if (rest_.empty())
-    return false;
-  const auto end = rest_.find('\n');
-  line = rest_.substr(0, end);
-  rest_ = end == std::string_view::npos ? std::string_view() : rest_.substr(end + 1);
-  if (!line.empty() && line.back() == '\r')
-    line.remove_suffix(1);
-  ++number_;
-  return true;
-}
-
-std::string_view trimmedView(std::string_view text)
-{
-  constexpr const char *blanks = " \t\r\n";
-  const auto first = text.find_first_not_of(blanks);
-  if (first == std::string_view::npos)
-    return {};
-  return text.substr(first, text.find_last_not_of(blanks) - first + 1);
-}
-
 bool readDecimal(std::string_view text, double &value)
 {
   if (text.size() > 1 && text.front() == '+' && text[1] != '-')

@@ -7,7 +7,7 @@
 
 namespace wheelrail {
 
-/// What the readers of height maps share: sizes, numbers and lines of their heads.
+/// What the readers of height maps share: sizes and numbers of their heads.
 
 /// Fewest points along each side, most points of a map.
 constexpr long fewestMapPoints = 4;
@@ -32,24 +32,6 @@ double positiveLength(const std::string &path, int line, const std::string &keyw
 /// A decimal number that fills the whole text; finite. @return whether it is one
 /// @param value set only if it is one
 bool readDecimal(std::string_view text, double &value);
-
-/// Without blanks at either end.
-std::string_view trimmedView(std::string_view text);
-
-/// Lines of a text, without their ends ("\n" or "\r\n"), counted from 1.
-/// The text must outlive the reader and the lines that it gives.
-class LineReader {
- public:
-  explicit LineReader(std::string_view text) : rest_(text) {}
-  /// @return false at the end
-  /// @param line a view into the text, set unless the text is at its end
-  bool next(std::string_view &line);
-  int number() const { return number_; } ///< of the line last given
-
- private:
-  std::string_view rest_;
-  int number_ = 0;
-};
 
 } // namespace wheelrail
 #endif

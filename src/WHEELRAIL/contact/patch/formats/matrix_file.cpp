@@ -1,17 +1,16 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "base/errors.h"
+#include "base/number_rows.h"
+#include "base/text_lines.h"
 #include "contact/patch/formats/height_map_formats.h"
 #include "contact/patch/formats/map_text.h"
 
 #include <fmt/format.h>
-#include <limits>
 #include <set>
 
 namespace wheelrail {
 
 namespace {
-
-constexpr const char *between = " \t,;";
 
 struct MatrixHead {
   double heightUnit = 0.0, spacingX = 0.0, spacingY = 0.0; // m
@@ -67,31 +66,13 @@ void checkHead(const std::string &path, int number, const MatrixHead &head)
     throw badInput(path, number, "spacing", "no line '# spacing: NUMBER UNIT' before the numbers");
 }
 
-/// Adds the numbers of a line. @return how many
-long readRow(const std::string &path, int number, std::string_view line,
-             std::vector<double> &heights)
-{
-  long count = 0;
-  for (auto first = line.find_first_not_of(between); first != std::string_view::npos;
-       first = line.find_first_not_of(between)) {
-    line.remove_prefix(first);
-    const std::string_view word = line.substr(0, line.find_first_of(between));
-    line.remove_prefix(word.size());
-    double value = std::numeric_limits<double>::quiet_NaN();
-    if (word != "nan" && word != "NaN" && word != "NAN" && !readDecimal(word, value))
-      throw badInput(path, number, fmt::format("column {}", count + 1),
-                     fmt::format("'{}' is neither a finite number nor nan", word));
-    heights.push_back(value);
-    ++count;
-  }
-  return count;
-}
-
 } // namespace
 
 HeightMap parseMatrix(const std::string &path, const std::string &bytes, const HeightMapScale &)
 {
-  LineReader lines(bytes);
+  const std::string text = plainTextOf(path, bytes);
+  LineReader lines(text);
+  NumberRows row(path);
   MatrixHead head;
   std::vector<double> heights;
   long columns = 0, rows = 0;
@@ -106,22 +87,23 @@ HeightMap parseMatrix(const std::string &path, const std::string &bytes, const H
       readHeadLine(path, lines.number(), line, head);
       continue;
     }
-    const long found = readRow(path, lines.number(), line, heights);
+    const long found = row.append(lines.number(), raw, true, heights);
     if (rows == 0) {
       columns = found;
       checkHead(path, lines.number(), head);
     }
     if (found != columns)
-      throw badInput(path, lines.number(), "",
-                     fmt::format("{} columns; the first row has {}", found, columns));
+      throw badInput(
+          path, lines.number(), "",
+          fmt::format("{} columns; the first row has {}{}", found, columns, row.decimalHint()));
     ++rows;
     if (rows * columns > mostMapPoints)
       checkMapSize(path, lines.number(), "", columns, rows);
   }
   if (head.columns > 0 && (columns != head.columns || rows != head.rows))
     throw badInput(path, 0, "points",
-                   fmt::format("{} x {} heights; the head states {} x {}", columns, rows,
-                               head.columns, head.rows));
+                   fmt::format("{} x {} heights; the head states {} x {}{}", columns, rows,
+                               head.columns, head.rows, row.decimalHint()));
   checkMapSize(path, 0, "", columns, rows);
   HeightMap map{static_cast<int>(columns), static_cast<int>(rows), head.spacingX, head.spacingY,
                 Eigen::Map<const Eigen::VectorXd>(heights.data(), columns * rows) *

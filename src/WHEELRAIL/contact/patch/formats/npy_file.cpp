@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "base/errors.h"
+#include "base/text_lines.h"
 #include "contact/patch/formats/height_map_formats.h"
 #include "contact/patch/formats/map_text.h"
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "base/errors.h"
+#include "base/text_lines.h"
 #include "contact/patch/formats/height_map_formats.h"
 #include "contact/patch/formats/map_text.h"
 
@@ -146,7 +147,8 @@ Eigen::VectorXd readHeights(const std::string &path, LineReader &lines, long cou
 
 HeightMap parseSdf(const std::string &path, const std::string &bytes, const HeightMapScale &)
 {
-  LineReader lines(bytes);
+  const std::string text = plainTextOf(path, bytes);
+  LineReader lines(text);
   const SdfHead head = readHead(path, lines);
   const long count = head.points * head.profiles;
   if (count > static_cast<long>(bytes.size() / 2)) // a digit and a blank each
