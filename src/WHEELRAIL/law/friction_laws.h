@@ -38,10 +38,8 @@ struct LawList {
   }
 };
 
-// clang-format off: one a line
 /// The list.
 using FrictionLaws = LawList<ConstantLaw, PolachLaw, TableLaw, Eq2Law>;
-// clang-format on
 
 /// The forms of the list, in its order.
 const std::vector<LawForm> &lawForms();
