@@ -60,7 +60,7 @@ constexpr std::array<const char *, fitParameters> fitParameterNames = {"mu0", "m
 /// leverage, which says how far the fit follows each point.
 struct LawFit {
   LawModel model = LawModel::Full;
-  KappaLaw law;              ///< with a power of kappa3: at the reference
+  KappaLaw law;                 ///< with a power of kappa3: at the reference
   double exponent = 0.0;        ///< n
   double exponentError = 0.0;   ///< its standard error
   double reference = 0.0;       ///< kappa3 at which the law holds; 0: at any

@@ -77,8 +77,9 @@ constexpr std::array<const char *, 6> fittedQuantities = {
 /// not say how far; kappa3Range is that of Table 1. The paper states no covariance.
 KappaLaw bucher2006();
 
-/// A law file as wr_fit writes it (JSON, format "mca-friction-law 1"). Needed are the format and the
-/// five parameters; all else says where they come from and may be missing, "checksum" too. The key "report" may hold anything and is skipped.
+/// A law file as wr_fit writes it (JSON, format "mca-friction-law 1"). Needed are the format and
+/// the five parameters; all else says where they come from and may be missing, "checksum" too. The
+/// key "report" may hold anything and is skipped.
 /// @throws Error (BadInput) naming file, line and key for what is missing, of the wrong type, out
 ///         of range (all numbers within +-1e100), unknown, given twice or nested too deep, for a
 ///         covariance that is not symmetric and positive semi-definite, and for a checksum
