@@ -13,12 +13,12 @@ namespace wheelrail {
 
 /// A law with parameters that are known to a covariance: what bands around results need of it. The
 /// law itself adds `changed`, and `isSound` where not all parameters make a law.
-/// \tparam n  number of parameters, or Eigen::Dynamic
-template<int n>
+/// \tparam Size  number of parameters, or Eigen::Dynamic
+template<int Size>
 class FittedLaw : public FrictionLaw {
  public:
-  using Covariance = Eigen::Matrix<double, n, n>;
-  using Parameters = Eigen::Matrix<double, n, 1>;
+  using Covariance = Eigen::Matrix<double, Size, Size>;
+  using Parameters = Eigen::Matrix<double, Size, 1>;
 
   Eigen::VectorXd standardErrors() const final
   {

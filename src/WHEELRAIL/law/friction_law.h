@@ -33,6 +33,7 @@ struct FrictionState {
 class FrictionLaw {
  public:
   virtual ~FrictionLaw() = default;
+  FrictionLaw &operator=(const FrictionLaw &) = delete;
 
   /// The friction coefficient.
   /// @return mu > 0, one value a cell
@@ -77,7 +78,6 @@ class FrictionLaw {
  protected:
   FrictionLaw() = default;
   FrictionLaw(const FrictionLaw &) = default;
-  FrictionLaw &operator=(const FrictionLaw &) = delete;
 };
 
 /// Where a law was used, for a summary: the ranges by their keys, in the order of the alphabet.
