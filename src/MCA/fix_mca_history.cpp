@@ -104,7 +104,7 @@ void FixMCAHistory::store(bool next)
   // with fix deform, images are one step behind, so that normals over periodic faces do not tell
   auto get = [&](int k, bool exchanged, double *state) {
     links.getStored(k, next, exchanged, state);
-    if (domain->deform_flag)
+    if (domain->deform_flag && std::max(p.placeI[k], p.placeJ[k]) >= owned)
       std::fill_n(state + links.stateSize() + 1, 3, 0.0);
   };
 
@@ -140,6 +140,17 @@ void FixMCAHistory::store(bool next)
         partner[i][m] = tag[j];
         get(k, i != p.i[k], valuepartner[i] + dnum * m);
       }
+  }
+}
+
+void FixMCAHistory::renew_normals()
+{
+  mca::LinkList &links = mca->links();
+  double **x = atom->x;
+  for (int k = 0; k < links.size(); k++) {
+    const double *const xi = x[links.placeI(k)], *const xj = x[links.placeJ(k)];
+    const mca::Vector way = {xj[0] - xi[0], xj[1] - xi[1], xj[2] - xi[2]};
+    links.setNormal(k, (1.0 / mca::length(way)) * way);
   }
 }
 
@@ -293,6 +304,7 @@ void FixMCAHistory::setup_post_neighbor()
   check_lost();
   check_turned();
   mca->check_start();
+  first_step = true;
 }
 
 /* states are found by the partner's ID, so no automaton may meet two images of another one */
@@ -382,6 +394,73 @@ void FixMCAHistory::check_turned() const
                "follows only motion in a run: move linked fragments as a whole, deform by fix "
                "deform with remap v, or delete the links by mca_links first",
                largest);
+}
+
+/* ----------------------------------------------------------------------
+   The same in a run, of fixes that set places without velocities (fix move variable). The first
+   step of a run is looked at, and some later ones, for motion that begins later.
+------------------------------------------------------------------------- */
+
+int FixMCAHistory::setmask()
+{
+  return FixNeighHistory::setmask() | FixConst::INITIAL_INTEGRATE | FixConst::POST_INTEGRATE;
+}
+
+void FixMCAHistory::initial_integrate(int /*vflag*/)
+{
+  static constexpr int from_check_to_check = 100; // steps
+  start.clear();
+  if (!first_step && update->ntimestep % from_check_to_check != 0)
+    return;
+  first_step = false;
+  start.reserve(6 * static_cast<size_t>(atom->nlocal));
+  for (int i = 0; i < atom->nlocal; i++) {
+    start.insert(start.end(), atom->x[i], atom->x[i] + 3);
+    start.insert(start.end(), atom->v[i], atom->v[i] + 3);
+  }
+}
+
+void FixMCAHistory::post_integrate()
+{
+  if (start.empty())
+    return;
+  // of the way, beside what integrators of second order make, and of the diameter, for round-off
+  static constexpr double part = 0.5, round_off = 1e-9;
+  const mca::LinkList &links = mca->links();
+  const int own = static_cast<int>(start.size() / 6);
+  auto apart = [](const double *a, const double *b) {
+    return mca::Vector{b[0] - a[0], b[1] - a[1], b[2] - a[2]};
+  };
+  tagint found[2] = {0, 0};
+  for (int k = 0; k < links.size() && found[0] == 0; k++) {
+    const int i = links.placeI(k), j = links.placeJ(k);
+    double state[mca::LinkList::maxStateSize];
+    links.getState(k, false, state);
+    if (i >= own || j >= own || !mca::link::isLinked(state[0]))
+      continue;
+    const double *const was_i = &start[6 * static_cast<size_t>(i)];
+    const double *const was_j = &start[6 * static_cast<size_t>(j)];
+    const mca::Vector distance = apart(atom->x[i], atom->x[j]);
+    const mca::Vector way = distance - apart(was_i, was_j);
+    const mca::Vector after = update->dt * apart(atom->v[i], atom->v[j]);
+    const mca::Vector mean = 0.5 * (after + update->dt * apart(was_i + 3, was_j + 3));
+    const double missed = std::min(mca::length(way - after), mca::length(way - mean));
+    if (missed > part * std::max(mca::length(way), mca::length(after)) &&
+        missed > round_off * mca::length(distance)) {
+      found[0] = atom->tag[i];
+      found[1] = atom->tag[j];
+    }
+  }
+  start.clear();
+  tagint all[2];
+  MPI_Allreduce(found, all, 2, MPI_LMP_TAGINT, MPI_MAX, world);
+  if (all[0] > 0) // of two ranks that found one, either may be named
+    error->all(FLERR,
+               "The link of automata {} and {} is not moved by their velocities in step {}, which "
+               "its shear follows: is one with a velocity not in the group of fix nve/mca, or does "
+               "a fix set places only, as fix move variable without velocities?",
+               found[0] > 0 ? found[0] : all[0], found[0] > 0 ? found[1] : all[1],
+               update->ntimestep);
 }
 
 /* ---------------------------------------------------------------------- */

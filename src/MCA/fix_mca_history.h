@@ -42,6 +42,13 @@ class FixMCAHistory : public mca::CheckedRestart<FixNeighHistory> {
   /// stops LAMMPS with one line; links of deleted automata end, with a line in the log. Then the
   /// pair style looks at the sample, PairMCA::check_start().
   void setup_post_neighbor() override;
+  /// LAMMPS's, and both hooks around the motion of a step.
+  int setmask() override;
+  /// Before automata move, in the first step of a run and in some later ones: keeps their places.
+  void initial_integrate(int) override;
+  /// After they moved: stops LAMMPS where a fix moved the ends of a link by anything but their
+  /// velocities, which the link's shear follows. Called by all ranks.
+  void post_integrate() override;
   /// Before atoms migrate and the list is built anew: what the step just done leads to goes to the
   /// atoms.
   void pre_exchange() override;
@@ -61,6 +68,9 @@ class FixMCAHistory : public mca::CheckedRestart<FixNeighHistory> {
   /// The pairs' present state goes to the atoms, without that of a step: after commands that change
   /// links.
   void store_present();
+  /// Normals of all pairs as they lie now, by which a link that is turned before the first run is
+  /// known: after commands that make links, which no evaluation has seen.
+  void renew_normals();
   /// Number of original links of each owned automaton, as stored with the atoms; see
   /// store_present().
   std::vector<int> originals() const;
@@ -97,6 +107,11 @@ class FixMCAHistory : public mca::CheckedRestart<FixNeighHistory> {
   /// From the list to both automata of each pair, where they are owned.
   /// \param next  the next states, else the present ones
   void store(bool next);
+  /// Places and velocities of own automata before they move, where the step is looked at: six a
+  /// row; else empty.
+  std::vector<double> start;
+  /// The next step is the first one after a set-up.
+  bool first_step = false;
   /// Fills `shared` of ghosts and `row`; a message between ranks.
   void share_keys();
   /// What automaton i keeps of its pair with j; zeros where it has nothing.

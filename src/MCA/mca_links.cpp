@@ -65,6 +65,7 @@ void MCALinks::change(const std::function<void()> &pairs)
   list_pairs();
   const std::vector<int> before = history->originals();
   pairs();
+  history->renew_normals();
   history->store_present();
   const std::vector<int> after = history->originals();
   double *made = pair->state(mca::stateNumber("links0"));

@@ -137,6 +137,13 @@ void LinkList::exchange(double *state) const
     std::transform(state + 2, state + stateSize(), state + 2, std::negate<>());
 }
 
+void LinkList::setNormal(int k, const Vector &normal)
+{
+  view_.normal[0][k] = normal.x;
+  view_.normal[1][k] = normal.y;
+  view_.normal[2][k] = normal.z;
+}
+
 void LinkList::addStored(int i, int j, int law, bool exchanged, const double *stored)
 {
   double state[maxStateSize];

@@ -62,6 +62,9 @@ class LinkList {
 
   /// A link of the sample as it was made, not one that formed later; it ends with its breaking.
   bool original(int k) const { return original_[k] > 0.0; }
+  /// As getStored() gives it; the strain pass of the next evaluation finds it anew.
+  /// \param normal  unit vector from i to j
+  void setNormal(int k, const Vector &normal);
   /// Makes pair k an original link, or not.
   void setOriginal(int k, bool is) { original_[k] = is ? 1.0 : 0.0; }
 
