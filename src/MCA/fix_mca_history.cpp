@@ -39,6 +39,7 @@ void FixMCAHistory::attach(PairMCA *owner)
 
 void FixMCAHistory::pre_exchange()
 {
+  mca->check_count();
   mca->check_sample(); // before LAMMPS folds places into the box, which may not end
   mca->commit();
   mca->collect_changes();
@@ -200,6 +201,13 @@ void FixMCAHistory::post_neighbor()
     links.setPlaces(p.i, p.j);
   }
   mca->begin_list(border, guests);
+  if (update->whichflag != 1 || update->setupflag)
+    return;
+  std::vector<int> added;
+  for (int i = 0; i < nlocal_neigh; i++)
+    if (npartner[i] == 0)
+      added.push_back(i);
+  mca->take_in(added);
 }
 
 /* ghosts learn under which key partners know their original, and where it is at home */
@@ -410,9 +418,10 @@ void FixMCAHistory::initial_integrate(int /*vflag*/)
 {
   static constexpr int from_check_to_check = 100; // steps
   start.clear();
-  if (!first_step && update->ntimestep % from_check_to_check != 0)
-    return;
+  looks = first_step || update->ntimestep % from_check_to_check == 0;
   first_step = false;
+  if (!looks)
+    return;
   start.reserve(6 * static_cast<size_t>(atom->nlocal));
   for (int i = 0; i < atom->nlocal; i++) {
     start.insert(start.end(), atom->x[i], atom->x[i] + 3);
@@ -422,7 +431,7 @@ void FixMCAHistory::initial_integrate(int /*vflag*/)
 
 void FixMCAHistory::post_integrate()
 {
-  if (start.empty())
+  if (!looks)
     return;
   // of the way, beside what integrators of second order make, and of the diameter, for round-off
   static constexpr double part = 0.5, round_off = 1e-9;

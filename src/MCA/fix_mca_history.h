@@ -112,6 +112,8 @@ class FixMCAHistory : public mca::CheckedRestart<FixNeighHistory> {
   std::vector<double> start;
   /// The next step is the first one after a set-up.
   bool first_step = false;
+  /// This step is looked at.
+  bool looks = false;
   /// Fills `shared` of ghosts and `row`; a message between ranks.
   void share_keys();
   /// What automaton i keeps of its pair with j; zeros where it has nothing.

@@ -38,6 +38,7 @@ void PairMCA::compute(int eflag, int vflag)
   ev_init(eflag, vflag);
   check_internal_fixes();
   const bool advance = update->whichflag == 1 && !update->setupflag;
+  check_count();
   if (advance)
     commit();
   mca_step.run(automata(), update->dt, advance);

@@ -67,6 +67,10 @@ class PairMCA : public Pair {
   void keep_lag();
   /// Stops LAMMPS where a link is longer than the cutoff: its pair would not be in the next list.
   void check_reach() const;
+  /// Own automata that a fix added in a run: their diameter and mass are those of their material
+  /// from now on, and none may overlap. Called by all ranks, with the list that has them.
+  /// \param added  numbers of those of this rank
+  void take_in(const std::vector<int> &added);
   /// After the first list of a run: stops LAMMPS where automata overlap or are nan, warns of what
   /// is hardly meant. Called by all ranks.
   void check_start();
@@ -86,8 +90,11 @@ class PairMCA : public Pair {
   static PairMCA *find(LAMMPS *, const char *who);
   /// Stops LAMMPS where the internal fixes are gone, which hold the state of links and automata.
   void check_internal_fixes() const;
+  /// Stops LAMMPS where own automata are more or less than those of the list of pairs.
+  void check_count() const;
   /// Stops LAMMPS, naming the automata, where a place or velocity is nan or infinite, or one moves
-  /// by more than half a diameter in a step. Called by all ranks.
+  /// by more than half a diameter in a step, or where diameter or mass are not those of the
+  /// material. Called by all ranks.
   void check_sample() const;
 
   /// The step itself, rows as LAMMPS's atoms: own ones, then ghosts. All values are in units of
@@ -226,6 +233,10 @@ class PairMCA : public Pair {
   void warn_of_sizes() const;
   /// Whether a fix gives its automata their motion, whatever the forces.
   static bool prescribes_motion(const Fix *);
+  /// Radius and mass of own automaton i, those of its material.
+  void set_size(int i);
+  /// Stops LAMMPS, naming an automaton, where something else has changed them in a run.
+  void check_sizes() const;
   /// Looks up the states among LAMMPS's custom values by name.
   void find_columns();
   /// Pressure units in an energy per volume [-], force->nktv2p.

@@ -47,6 +47,14 @@ void PairMCA::check_internal_fixes() const
                  id);
 }
 
+void PairMCA::check_count() const
+{
+  if (atom->nlocal != mca_step.own())
+    error->one(FLERR,
+               "Pair style mca: automata were added or deleted and the run has no set-up, where "
+               "they come into the list of pairs: leave out 'pre no'");
+}
+
 double PairMCA::wave_speed(int type) const
 {
   const mca::Material m = material_inside(type);
@@ -77,7 +85,7 @@ void PairMCA::check_sample() const
   int bad = !(zero == 0.0) || !(speed < fastest), any;
   MPI_Allreduce(&bad, &any, 1, MPI_INT, MPI_MAX, world);
   if (!any)
-    return;
+    return check_sizes();
 
   struct Array {
     const char *name;
@@ -115,6 +123,43 @@ void PairMCA::check_sample() const
              "too large",
              ids, all > static_cast<bigint>(named) ? fmt::format(" and {} more", all - named) : "",
              arrays[first[0] % many].name, fastest, update->ntimestep);
+}
+
+/* diameter and mass belong to the material, but every command and fix can write LAMMPS's arrays */
+
+void PairMCA::check_sizes() const
+{
+  std::vector<std::pair<double, double>> right = {{0.0, 0.0}}; // types begin with 1
+  for (int type = 1; type <= atom->ntypes; type++)
+    right.emplace_back(0.5 * materials[type].diameter, mass(type));
+  tagint own = 0, any;
+  for (int i = 0; i < atom->nlocal && own == 0; i++)
+    if (right[atom->type[i]] != std::pair(atom->radius[i], atom->rmass[i]))
+      own = atom->tag[i];
+  MPI_Allreduce(&own, &any, 1, MPI_LMP_TAGINT, MPI_MAX, world);
+  if (any == 0)
+    return;
+  std::string by;
+  for (const Fix *fix : modify->get_fix_list())
+    if (utils::strmatch(fix->style, "^adapt"))
+      by += fmt::format(", probably by fix {} {}", fix->id, fix->style);
+  error->all(FLERR,
+             "Diameter, mass or type of automaton {} was changed within a run, before step {}{}: "
+             "diameter and mass are those of the type's material, and pair_coeff changes them "
+             "between runs",
+             any, update->ntimestep, by);
+}
+
+void PairMCA::take_in(const std::vector<int> &added)
+{
+  for (const int i : added)
+    set_size(i);
+  const int own = static_cast<int>(added.size());
+  int all;
+  MPI_Allreduce(&own, &all, 1, MPI_INT, MPI_SUM, world);
+  if (all > 0)
+    check_overlap();
+  checked = atom->natoms;
 }
 
 /* ----------------------------------------------------------------------

@@ -212,10 +212,14 @@ void PairMCA::init_style()
   if (checked == 0)
     warn_of_sizes();
 
-  for (int i = 0; i < atom->nlocal; i++) {
-    atom->radius[i] = 0.5 * materials[atom->type[i]].diameter;
-    atom->rmass[i] = mass(atom->type[i]);
-  }
+  for (int i = 0; i < atom->nlocal; i++)
+    set_size(i);
+}
+
+void PairMCA::set_size(int i)
+{
+  atom->radius[i] = 0.5 * materials[atom->type[i]].diameter;
+  atom->rmass[i] = mass(atom->type[i]);
 }
 
 void PairMCA::find_columns()
@@ -419,6 +423,8 @@ void PairMCA::read_restart_settings(FILE *fp)
   cut_user = settings.cutoff;
   packing = settings.packing;
   lawset = settings.laws;
+  // LAMMPS keeps the time of the last run's beginning, and its step, and forgets what lies between
+  update->update_time();
 }
 
 void PairMCA::write_restart(FILE *fp)

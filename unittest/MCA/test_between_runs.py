@@ -111,3 +111,92 @@ def test_fixes_that_move_by_velocities(tmp_path, fix):
     part += "fix rest rest nve/mca\n"
     laws = LINKED.replace("fracture none", "fracture none cutoff 4")
     lmp(HEAD + laws + part + f"fix m left {fix}\nrun 300\n", tmp_path)
+
+
+# ---- automata that come in a run, and what changes them
+
+RAIN = """
+units nano
+dimension 2
+boundary p f p
+atom_style sphere
+timestep 2e-5
+neighbor 0.4 bin
+lattice hex 2.5
+region box block 0 50 -5 60 -0.5 0.5 units box
+create_box 2 box
+region slab block INF INF 0 10 INF INF units box
+create_atoms 1 region slab
+pair_style mca
+pair_coeff * * steel.mca strength 92
+mca_links create all all
+region rain block 5 45 40 55 -0.1 0.1 units box
+fix integrate all nve/mca
+fix g all gravity 1000 vector 0 -1 0
+"""
+SIZES = """
+compute size all property/atom mass diameter
+compute least all reduce min c_size[1] c_size[2]
+compute most all reduce max c_size[1] c_size[2]
+thermo_style custom step atoms c_least[1] c_most[1] c_least[2] c_most[2]
+thermo_modify format float %.15g
+thermo 50
+"""
+POUR = (
+    "fix g2 all gravity 1000 vector 0 -1 0\nfix rain all pour 3 2 4711 region rain diam one 1.5\n"
+)
+
+
+@pytest.mark.parametrize("ranks", [1, 2])
+@pytest.mark.parametrize(
+    "command",
+    [
+        "fix rain all deposit 3 2 100 4711 region rain near 6 vy 0 0 units box\nrun 400\n",
+        POUR.replace("fix g2 all gravity 1000 vector 0 -1 0\n", "") + "run 400\n",
+        'run 400 every 100 "create_atoms 2 random 1 $(step+17) rain overlap 6 maxtry 100"\n',
+    ],
+)
+def test_automata_that_come_in_a_run_have_their_size_at_once(tmp_path, command, ranks):
+    tables = lmp(RAIN + SIZES + command, tmp_path, ranks=ranks).thermo
+    assert tables[-1]["Atoms"][-1] > tables[0]["Atoms"][0]
+    for table in tables:
+        for least, most in (("c_least[1]", "c_most[1]"), ("c_least[2]", "c_most[2]")):
+            assert set(table[least]) == set(table[most]) == {tables[0][least][0]}
+
+
+@pytest.mark.parametrize("ranks", [1, 2])
+def test_automata_that_come_in_a_run_may_not_overlap(tmp_path, ranks):
+    rain = "region on block 5 45 5 8 -0.1 0.1 units box\n"
+    rain += "fix rain all deposit 3 2 20 4711 region on vy 0 0 units box\nrun 200\n"
+    fails(RAIN + rain, tmp_path, "overlap: ", ranks=ranks)
+
+
+@pytest.mark.parametrize("ranks", [1, 2])
+@pytest.mark.parametrize(
+    "command, part",
+    [
+        ("variable d equal 2.5*(1+1e-6*step)\nfix grow all adapt 1 atom diameter v_d\n", "grow"),
+        (
+            "variable d equal 1+1e-6*step\nfix grow all adapt 1 atom diameter v_d scale yes\n",
+            "fix grow adapt",
+        ),
+    ],
+)
+def test_what_changes_diameters_in_a_run(tmp_path, command, part, ranks):
+    parts = ["Diameter, mass or type of automaton", part, "before step"]
+    script = RAIN.replace("style sphere", "style sphere 1") + command + "run 500\n"
+    fails(script, tmp_path, *parts, ranks=ranks)
+
+
+@pytest.mark.parametrize(
+    "command", ["create_atoms 2 random 1 17 rain overlap 6", "delete_atoms region slab"]
+)
+def test_automata_that_come_and_go_without_a_setup(tmp_path, command):
+    script = RAIN + f'run 400 pre no every 100 "{command}"\n'
+    fails(script, tmp_path, "added or deleted", "pre no")
+
+
+def test_types_changed_in_a_run(tmp_path):
+    more = "pair_coeff 2 2 steel.mca diameter 2.4\nrun 1\n"
+    script = RAIN + more + 'run 300 pre no every 100 "set atom 5 type 2"\n'
+    fails(script, tmp_path, "type of automaton 5 was changed within a run")

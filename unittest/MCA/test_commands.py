@@ -365,12 +365,13 @@ def test_material_at_a_temperature(tmp_path):
     # rail_steel.mca at 723 K is half of 673 K and half of 773 K
     words = "youngs_modulus 133900 strength 640.8 elastic_limit 0.440769 yield_strength 1 "
     words += "yield_strain 0.02 breaking_strain 0.04"
-    strained = "displace_atoms all ramp y 0 0.3 y 0 20 units box\nfix 1 all nve/mca\n"
+    strained = "displace_atoms all ramp y 0 0.3 y 0 20 units box\n"
     stress = []
     for case, coeff in enumerate(("rail_steel.mca temperature 723", f"steel.mca {words}")):
         result = lmp(
             periodic_block()
-            + f"pair_style mca\npair_coeff * * {coeff}\nmca_links create all all\n{strained}"
+            + f"pair_style mca\npair_coeff * * {coeff}\n{strained}"
+            + "mca_links create all all reach 1.05\nfix 1 all nve/mca\n"
             + "thermo_style custom step pyy pxx\nthermo_modify format float %.15g\nrun 20\n",
             tmp_path / str(case),
         )

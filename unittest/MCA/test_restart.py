@@ -6,7 +6,7 @@ import re
 import numpy as np
 import pytest
 
-from lmp_run import dump, fails, friction_log, largest_difference, lmp
+from lmp_run import dump, fails, friction_log, largest_difference, lmp, periodic_block
 
 TRAJECTORY = ["x", "y", "c_state[5]", "c_state[8]"]
 VELOCITIES, SOUND = ["vx", "vy"], 5140  # scales as in test_parallel.py
@@ -300,6 +300,26 @@ def test_two_halves_with_a_file_between(rough_data, tmp_path, ranks, newton):
     compare(tmp_path / "halves", tmp_path / "whole", ROUNDOFF)
     go_on(tmp_path / "file", tmp_path / "halves" / "half.restart", ranks, 250, newton=newton)
     compare(tmp_path / "file", tmp_path / "whole", ROUNDOFF)
+
+
+@pytest.mark.parametrize("hybrid", [False, True])
+def test_the_time_goes_on(tmp_path, hybrid):
+    """A load that follows the time, from a file written within a run."""
+    style = "pair_style hybrid/overlay mca zero 3\n" if hybrid else "pair_style mca\n"
+    coeff = "pair_coeff * * mca steel.mca\n" if hybrid else "pair_coeff * * steel.mca\n"
+    coeff += "pair_coeff * * zero\n" if hybrid else ""
+    load = "variable load equal 15*(1+0.5*sin(2*PI*time/0.02))\n"
+    more = "fix i all nve/mca\nthermo_style custom step time v_load\nthermo 50\n"
+    more += "thermo_modify format float %.15g\nneighbor 0.4 bin\n"
+    begin = periodic_block() + style + coeff + "mca_links create all all\n" + load + more
+    begin += "run 100\ntimestep 4e-5\nrestart 150 mid.*.restart\nrun 200\n"
+    whole = lmp(begin, tmp_path).thermo[-1]
+    coeffs = coeff if hybrid else ""
+    table = lmp(
+        load + "read_restart mid.150.restart\n" + coeffs + more + "run 150\n", tmp_path
+    ).thermo[-1]
+    assert list(table["Time"]) == list(whole["Time"][1:])
+    assert list(table["v_load"]) == list(whole["v_load"][1:])
 
 
 def test_run_pre_no(rough_data, tmp_path):
