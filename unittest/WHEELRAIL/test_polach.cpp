@@ -24,7 +24,7 @@ const PolachParameters clean{0.3, 1.0, 0.0, 1.0, 1.0};
 const PolachParameters wet{0.3, 0.4, 0.2, 0.3, 0.1}; // Polach 2005, Table 2
 
 std::vector<PolachPoint> curve(const PolachParameters &p, double noise, bool withLateral,
-                               const std::vector<double> &speeds)
+                               const std::vector<double> &speeds, double spin = 0.0)
 {
   std::vector<PolachPoint> points;
   std::uint64_t k = 0;
@@ -33,7 +33,7 @@ std::vector<PolachPoint> curve(const PolachParameters &p, double noise, bool wit
     for (const double creep : {2e-4, 5e-4, 1e-3, 2e-3, 4e-3, 8e-3, 0.02, 0.05, 0.1, 0.2}) {
       std::vector<PolachState> states = {{creep, 0.0, 0.0, speed, 1e5}};
       if (withLateral)
-        states.push_back({0.5 * creep, -creep, 1e-4, speed, 8e4});
+        states.push_back({0.5 * creep, -creep, spin, speed, 8e4});
       for (const PolachState &s : states) {
         const PolachForce f = polachForce(p, wheel, s);
         points.push_back({s, f.x + s.load * random(), f.y + s.load * random()});
@@ -126,7 +126,7 @@ TEST(Polach, AFitRecoversItsParameters)
 {
   for (const bool withLateral : {false, true}) {
     const PolachFit fit =
-        fitPolach(curve(wet, 0.0, withLateral, {5.0, 30.0}), wheel, PolachFriction::Falling);
+        fitPolach(curve(wet, 0.0, withLateral, {5.0, 30.0}, 1e-4), wheel, PolachFriction::Falling);
     EXPECT_EQ(fit.notIdentifiable, "");
     EXPECT_NEAR(fit.parameters.mu0, wet.mu0, 1e-6);
     EXPECT_NEAR(fit.parameters.A, wet.A, 1e-6);
@@ -143,7 +143,7 @@ TEST(Polach, StandardErrorsFollowTheScatter)
 {
   const double noise = 0.005;
   const PolachFit fit =
-      fitPolach(curve(wet, noise, true, {5.0, 30.0}), wheel, PolachFriction::Falling);
+      fitPolach(curve(wet, noise, true, {5.0, 30.0}, 1e-4), wheel, PolachFriction::Falling);
   EXPECT_NEAR(fit.rms, noise / std::sqrt(3.0), 0.3 * noise / std::sqrt(3.0));
   const auto &p = fit.parameters;
   const std::array<double, 5> off = {p.mu0 - wet.mu0, p.A - wet.A, p.B - wet.B, p.kA - wet.kA,
@@ -153,7 +153,7 @@ TEST(Polach, StandardErrorsFollowTheScatter)
     EXPECT_LT(std::abs(off[k]), 4.0 * fit.standardError[k]) << polachParameterNames[k];
   }
   const PolachFit tenth =
-      fitPolach(curve(wet, 0.1 * noise, true, {5.0, 30.0}), wheel, PolachFriction::Falling);
+      fitPolach(curve(wet, 0.1 * noise, true, {5.0, 30.0}, 1e-4), wheel, PolachFriction::Falling);
   EXPECT_NEAR(tenth.standardError[0] / fit.standardError[0], 0.1, 0.02);
 }
 
@@ -208,6 +208,52 @@ TEST(Polach, ForcesThatAreNotFiniteAreRefused)
   points[2].forceX = 0.0;
   points[2].state.load = 0.0;
   EXPECT_THROW(fitPolach(points, wheel, PolachFriction::Constant), std::invalid_argument);
+}
+
+// Spin that outweighs the creepages is not in the form: neither mu0 nor kS may pay for it.
+TEST(Polach, SpinIsFittedWhereTheFormCan)
+{
+  const PolachParameters dry{0.35, 1.0, 0.0, 0.8, 0.6};
+  EXPECT_TRUE(isInPolachsSpin({1e-3, 0.0, 1e-4, 10.0, 1e5}, wheel)); // 6e-4 at the edge
+  EXPECT_FALSE(isInPolachsSpin({5e-4, 0.0, -1e-4, 10.0, 1e5}, wheel));
+  EXPECT_TRUE(isInPolachsSpin({5e-4, 0.0, -1e-4, 10.0, 1e4}, wheel)); // a smaller contact
+  // true points without spin, and forces with spin that are a third of the form's
+  auto points = curve(dry, 0.0, false, {10.0});
+  const auto plain = points.size();
+  for (const double creep : {1e-4, 3e-4, 1e-3, 3e-3}) {
+    const PolachState state{creep, 0.0, 2e-3, 10.0, 1e5};
+    const PolachForce f = polachForce(dry, wheel, state);
+    points.push_back({state, f.x / 3.0, f.y / 3.0});
+  }
+  PolachChoice choice = choosePolach(points, wheel);
+  EXPECT_EQ(choice.leftOut, 4);
+  double largest = 0.0;
+  for (const PolachPoint &point : points)
+    largest = std::max(largest, std::hypot(point.forceX, point.forceY) / point.state.load);
+  EXPECT_LE(choice.best.parameters.mu0, largest);
+  EXPECT_NEAR(choice.best.parameters.mu0, dry.mu0, 0.02 * dry.mu0);
+  EXPECT_LT(choice.best.worst, 0.01);
+  EXPECT_GT(choice.worstLeftOut, 0.01);
+  EXPECT_NE(choice.warning.find("4 of 14 points"), std::string::npos) << choice.warning;
+  EXPECT_EQ(nlohmann::json::parse(polachJson(choice, wheel))["points_left_out"], 4);
+  points.resize(plain);
+  EXPECT_EQ(choosePolach(points, wheel).warning, "");
+}
+
+// Measured with the contact of an elongated ellipse, mu = 0.35, spin 0.3 1/m on all points.
+TEST(Polach, WithTooMuchSpinMu0StaysBelowWhatWasSeen)
+{
+  const PolachContact ellipse{82031.0, 4.8014668, 17.498892, 110e3, {2.9, 3.1, 0.9, 2.0}};
+  const double forces[][3] = {{1e-4, -952.80, -9835.58},   {3e-4, -2855.23, -9821.18},
+                              {1e-3, -9432.56, -9649.59},  {2e-3, -18340.25, -9077.85},
+                              {3e-3, -26167.38, -8159.63}, {5e-3, -36440.82, -5415.65},
+                              {1e-2, -38386.94, -1267.77}, {2e-2, -38477.17, -328.47}};
+  std::vector<PolachPoint> points;
+  for (const auto &[creep, x, y] : forces)
+    points.push_back({{creep, 0.0, 3e-4, 20.0, 110e3}, x, y});
+  const PolachChoice choice = choosePolach(points, ellipse);
+  EXPECT_LE(choice.best.parameters.mu0, 0.35);
+  EXPECT_NE(choice.warning.find("points have more spin"), std::string::npos) << choice.warning;
 }
 
 TEST(Polach, FilesHoldParametersAndPoints)

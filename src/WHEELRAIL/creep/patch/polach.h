@@ -5,6 +5,7 @@
 #include "contact/patch/solvers/kalker.h"
 
 #include <array>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -108,16 +109,31 @@ struct PolachFit {
 /// Least squares over all points, bounds mu0 > 0, 0 <= A <= 1, B >= 0, kA, kS > 0.
 /// @throws Error (NotConverged) for fewer residuals than parameters + 1, or without convergence
 /// @throws std::invalid_argument for values that are not finite, loads <= 0, speeds < 0
+/// @param largestMu bound of mu0
 PolachFit fitPolach(const std::vector<PolachPoint> &points, const PolachContact &contact,
-                    PolachFriction friction);
+                    PolachFriction friction,
+                    double largestMu = std::numeric_limits<double>::infinity());
+
+/// Can the form describe the forces at this point? Its spin is one lateral creepage phi a, as if
+/// all of the contact slid alike; that holds while the creepages outweigh the spin everywhere:
+/// |phi| times the longer semi-axis at most the length of (xi, eta).
+bool isInPolachsSpin(const PolachState &state, const PolachContact &contact);
 
 /// Both fits, and which one to use: the falling one where the points determine all its parameters
 /// and its AICc is the smaller one, else that with constant friction.
 struct PolachChoice {
   PolachFit best;
   std::string reason; ///< a sentence: why this form of friction
+  /// Points that were not fitted, since the form cannot describe their spin, and by how much of the
+  /// load the law misses the worst of them.
+  int leftOut = 0;
+  double worstLeftOut = 0.0;
+  std::string warning; ///< a line for the user about spin; empty: none
 };
 
+/// The points are those that the form can describe (`isInPolachsSpin`); where these alone do not
+/// determine the parameters, all. With spin in the points mu0 is at most the largest T/N seen: the
+/// misfit of the spin would otherwise be laid on it.
 /// @throws Error (NotConverged) where not even the constant form's parameters are determined: the
 ///         message says which combination is not
 PolachChoice choosePolach(const std::vector<PolachPoint> &points, const PolachContact &contact);

@@ -57,8 +57,9 @@ void checkPoints(const std::vector<PolachPoint> &points)
 class Problem {
  public:
   Problem(const std::vector<PolachPoint> &points, const PolachContact &contact,
-          PolachFriction friction)
-      : points_(points), contact_(contact), falling_(friction == PolachFriction::Falling)
+          PolachFriction friction, double largestMu)
+      : points_(points), contact_(contact), falling_(friction == PolachFriction::Falling),
+        largestMu_(largestMu)
   {
     for (const PolachPoint &p : points) {
       residuals_ += static_cast<int>(hasX(p)) + static_cast<int>(hasY(p));
@@ -83,8 +84,7 @@ class Problem {
     problem.lower = Vector(polachParameters);
     problem.upper = Vector(polachParameters);
     problem.lower << leastFriction, 0.0, 0.0, leastFactor, leastFactor;
-    problem.upper << std::numeric_limits<double>::infinity(), 1.0, largestB(), largestFactor,
-        largestFactor;
+    problem.upper << largestMu_, 1.0, largestB(), largestFactor, largestFactor;
     for (int k = 0; k < polachParameters; ++k)
       problem.constant.push_back(!isFree(k));
     problem.evaluate = [this](const Vector &x, Vector &r, Eigen::MatrixXd *) {
@@ -99,7 +99,7 @@ class Problem {
     std::vector<Vector> result;
     const auto add = [&](double limit, double fall, double kA, double kS) {
       Vector x(polachParameters);
-      x << std::max(1.1 * peak_, 2.0 * leastFriction), limit, fall, kA, kS;
+      x << std::min(std::max(1.1 * peak_, 2.0 * leastFriction), largestMu_), limit, fall, kA, kS;
       result.push_back(x);
     };
     for (const double kA : {1.0, 0.3})
@@ -135,6 +135,7 @@ class Problem {
   const std::vector<PolachPoint> &points_;
   const PolachContact &contact_;
   bool falling_;
+  double largestMu_;
   int residuals_ = 0;
   double peak_ = 0.0, fastest_ = 0.0; // largest force/load; largest slip speed, m/s
 };
@@ -188,11 +189,17 @@ double aiccOf(double sumOfSquares, int residuals, int parameters)
 
 } // namespace
 
+bool isInPolachsSpin(const PolachState &state, const PolachContact &contact)
+{
+  const double longer = std::max(contact.a, contact.b) * std::cbrt(state.load / contact.load);
+  return std::abs(state.spin) * longer <= std::hypot(state.creep, state.lateral);
+}
+
 PolachFit fitPolach(const std::vector<PolachPoint> &points, const PolachContact &contact,
-                    PolachFriction friction)
+                    PolachFriction friction, double largestMu)
 {
   checkPoints(points);
-  const Problem problem(points, contact, friction);
+  const Problem problem(points, contact, friction, largestMu);
   const int freedom = problem.residuals() - problem.freeParameters();
   PolachFit fit;
   fit.friction = friction;
@@ -230,22 +237,83 @@ PolachFit fitPolach(const std::vector<PolachPoint> &points, const PolachContact 
   return fit;
 }
 
-PolachChoice choosePolach(const std::vector<PolachPoint> &points, const PolachContact &contact)
+namespace {
+
+/// Both forms of friction to these points.
+PolachChoice chosenFrom(const std::vector<PolachPoint> &points, const PolachContact &contact,
+                        double largestMu = std::numeric_limits<double>::infinity())
 {
-  const PolachFit constant = fitPolach(points, contact, PolachFriction::Constant);
+  const PolachFit constant = fitPolach(points, contact, PolachFriction::Constant, largestMu);
   const bool enough = constant.residuals > polachParameters;
   const PolachFit falling =
-      enough ? fitPolach(points, contact, PolachFriction::Falling) : PolachFit{};
+      enough ? fitPolach(points, contact, PolachFriction::Falling, largestMu) : PolachFit{};
   if (enough && falling.notIdentifiable.empty() && falling.aicc < constant.aicc)
-    return {falling, "friction that falls with the slip speed describes the points better"};
+    return {falling, "friction that falls with the slip speed describes the points better", 0, 0.0,
+            ""};
   if (!constant.notIdentifiable.empty())
     throw Error(ExitCode::NotConverged,
                 "Polach's law is not identifiable: " + constant.notIdentifiable);
   if (!enough)
-    return {constant, "too few points for friction that falls with the slip speed"};
+    return {constant, "too few points for friction that falls with the slip speed", 0, 0.0, ""};
   if (!falling.notIdentifiable.empty())
-    return {constant, falling.notIdentifiable};
-  return {constant, "friction that falls with the slip speed describes the points no better"};
+    return {constant, falling.notIdentifiable, 0, 0.0, ""};
+  return {constant, "friction that falls with the slip speed describes the points no better", 0,
+          0.0, ""};
+}
+
+/// Worst residual of a law, of the load.
+double worstOf(const PolachParameters &parameters, const std::vector<PolachPoint> &points,
+               const PolachContact &contact)
+{
+  double worst = 0.0;
+  for (const PolachPoint &p : points) {
+    const PolachForce force = polachForce(parameters, contact, p.state);
+    worst = std::max(worst, std::hypot(force.x - p.forceX, force.y - p.forceY) / p.state.load);
+  }
+  return worst;
+}
+
+constexpr const char *whereItHolds = "Polach's form takes a spin whose slip |phi| times the longer "
+                                     "semi-axis is at most the creepage";
+
+} // namespace
+
+PolachChoice choosePolach(const std::vector<PolachPoint> &points, const PolachContact &contact)
+{
+  checkPoints(points);
+  std::vector<PolachPoint> inside, outside;
+  double largest = 0.0;
+  bool spins = false;
+  for (const PolachPoint &p : points) {
+    (isInPolachsSpin(p.state, contact) ? inside : outside).push_back(p);
+    largest = std::max(largest, std::hypot(p.forceX, p.forceY) / p.state.load);
+    spins = spins || p.state.spin != 0.0;
+  }
+  // The form's force of spin comes on top of mu N, and its misfit would be laid on mu0 and kS.
+  if (!spins)
+    return chosenFrom(points, contact);
+  if (outside.empty())
+    return chosenFrom(points, contact, largest);
+  try {
+    PolachChoice choice = chosenFrom(inside, contact, largest);
+    choice.leftOut = static_cast<int>(outside.size());
+    choice.worstLeftOut = worstOf(choice.best.parameters, outside, contact);
+    choice.warning = fmt::format("--polach: {} of {} points have more spin and are left out; the "
+                                 "law misses them by up to {:.2g} of the load. {}",
+                                 outside.size(), points.size(), choice.worstLeftOut, whereItHolds);
+    return choice;
+  } catch (const Error &error) {
+    if (error.code() != ExitCode::NotConverged)
+      throw;
+  }
+  PolachChoice choice = chosenFrom(points, contact, largest);
+  choice.warning =
+      fmt::format("--polach: {} of {} points have more spin; without them the parameters are not "
+                  "determined, so all are fitted. The law misses them by up to {:.2g} of the load. "
+                  "{}",
+                  outside.size(), points.size(), worstOf(choice.best.parameters, points, contact),
+                  whereItHolds);
+  return choice;
 }
 
 } // namespace wheelrail

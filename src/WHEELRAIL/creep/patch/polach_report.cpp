@@ -26,6 +26,9 @@ std::string polachJson(const PolachChoice &choice, const PolachContact &contact)
   json["residuals"] = fit.residuals;
   json["rms_force_over_load"] = fit.rms;
   json["worst_force_over_load"] = fit.worst;
+  json["points_left_out"] = choice.leftOut;
+  json["worst_left_out_over_load"] = choice.worstLeftOut;
+  json["warning"] = choice.warning;
   json["condition_number"] = fit.conditionNumber;
   json["contact"] = {{"shear_modulus", contact.shearModulus},
                      {"semi_axes", {contact.a, contact.b}},
