@@ -5,14 +5,17 @@
     plot_creep.py creep.csv -o creep.png
     plot_creep.py own/creep.csv paper/creep.csv --label "own law" --label paper -o both.png
 
-One curve for each speed (and seed) of each file. Where creep_band.csv lies beside a file, its 95 %
-interval from the uncertainty of the friction law is shaded; several are drawn as bars, at places of
+One curve for each speed (and seed) of each file. Where the creep_band.csv of the same run lies
+beside a file, its 95 % interval from the uncertainty of the friction law is shaded; several are
+drawn as bars, at places of
 their own, so that they can be told apart. Creep is on a logarithmic axis unless some of it is
 negative.
 Exit codes: 0 ok, 1 no matplotlib, 2 usage, 3 bad input file, 5 the picture cannot be written.
 """
 
+import math
 import os
+import sys
 from typing import Any
 
 from mcawr import plotting, tables
@@ -22,6 +25,7 @@ from mcawr.files import check_apart, save_figure
 
 STYLES = ["-", "--", ":", "-."]
 BARS = 10  # along a band
+SLACK = 1e-6  # of T/N: a band without width is rounded as the curve is not
 
 
 def read(path: str, columns: tuple[str, ...]) -> dict[Any, Any]:
@@ -42,14 +46,35 @@ def read(path: str, columns: tuple[str, ...]) -> dict[Any, Any]:
     return curves
 
 
-def band_of(path: str) -> dict[Any, Any]:
+def is_band_of(band: dict[str, Any] | None, curve: dict[str, Any]) -> bool:
+    """Are these the limits of this curve: the same points, and its values between them?"""
+    if band is None or len(band["creep"]) != len(curve["creep"]):
+        return False
+    return all(
+        math.isclose(at, creep, rel_tol=1e-6) and low - SLACK <= ratio <= high + SLACK
+        for at, creep, low, ratio, high in zip(
+            band["creep"], curve["creep"], band["low"], curve["traction_ratio"], band["high"]
+        )
+    )
+
+
+def band_of(path: str, curves: dict[Any, Any]) -> dict[Any, Any]:
+    """The band that lies beside a file, where it is that of its curves; one of other results is
+    told and not drawn."""
     band = os.path.join(os.path.dirname(path), "creep_band.csv")
-    return read(band, ("creep", "low", "high")) if os.path.exists(band) else {}
+    if not os.path.exists(band):
+        return {}
+    bands = read(band, ("creep", "low", "high"))
+    if all(is_band_of(bands.get(key), curve) for key, curve in curves.items()):
+        return bands
+    print(f"plot_creep.py: warning: {band} is not of {path}: not drawn", file=sys.stderr)
+    return {}
 
 
 def curves_of(path: str, label: str, style: str) -> list[tuple[Any, Any, dict[str, Any]]]:
     """[(values, band or None, style of the line)] of a file."""
-    curves, bands = read(path, ("creep", "traction_ratio")), band_of(path)
+    curves = read(path, ("creep", "traction_ratio"))
+    bands = band_of(path, curves)
     speeds = sorted({speed for speed, _ in curves})
     return [
         (

@@ -89,10 +89,13 @@ void checkInputsStay(const Settings &settings, const Case &input, const CreepTas
 }
 
 /// Puts all files in place, and only then takes the journal away and says what was found.
-void finish(const Settings &settings, const TaskReport &report, ResultFiles &files,
-            const Journal &journal)
+void finish(const Settings &settings, const Case &input, const TaskReport &report,
+            ResultFiles &files, const Journal &journal)
 {
-  files.commit();
+  std::vector<std::string> inputs = input.files();
+  inputs.push_back(settings.caseFile);
+  files.commit(inputs);
+  warn(report.warnings);
   journal.remove();
   if (!settings.quiet)
     writeStandardOutput(fmt::format(
@@ -131,7 +134,8 @@ void run(const Settings &settings)
   try {
     warn(task->solve(law, options));
     ResultFiles files(settings.folder);
-    finish(settings, task->report({input.text, *law, settings.extra}, files), files, journal);
+    finish(settings, input, task->report({input.text, *law, settings.extra}, files), files,
+           journal);
   } catch (const mcawr::OutputError &error) {
     throw Error(ExitCode::Io,
                 fmt::format("{}; no result is written{}", error.what(), journal.whatIsKept()));

@@ -67,6 +67,22 @@ def test_bands_of_several_curves_can_be_told_apart(tmp_path):
     pyplot.close(figure)
 
 
+def test_a_band_of_other_results_is_not_drawn(call, tmp_path):
+    """What an earlier run left beside a new curve is no band of it."""
+    band = "# units\nspeed,creep,low,high\n{}\n"
+    rows = "10,1e-4,{0},0.03\n10,1e-3,{0},0.3\n20,1e-3,{0},0.3"
+    (tmp_path / "creep.csv").write_text(GOOD)
+    words = (tmp_path / "creep.csv", "-o", tmp_path / "a.png")
+    (tmp_path / "creep_band.csv").write_text(band.format(rows.format("0.01")))
+    assert call("plot_creep.py", *words)[::2] == (0, "")
+    with_band = (tmp_path / "a.png").read_bytes()
+    for other in (rows.format("0.021"), rows.format("0.01").replace("20,1e-3", "20,2e-3")):
+        (tmp_path / "creep_band.csv").write_text(band.format(other))
+        code, _, err = call("plot_creep.py", *words)
+        assert code == 0 and "not drawn" in err and err.count("\n") == 1
+        assert (tmp_path / "a.png").read_bytes() != with_band
+
+
 def test_negative_creep(call, tmp_path):
     """On a linear axis: a logarithmic one would hide it."""
     (tmp_path / "creep.csv").write_text(GOOD + "20,-1e-3,-0.2,800,0.33,3,3,0.6\n")

@@ -224,7 +224,8 @@ namespace {
 /// What every summary begins with: case, law and its use, nominal contact, contacts.
 template<class Curves>
 Json summaryHead(const SurfaceSpecification &surface, const std::string &text,
-                 const FrictionLaw &law, const Curves &curves)
+                 const FrictionLaw &law, const Curves &curves,
+                 const std::vector<std::string> &files)
 {
   const std::vector<ContactSetup> &contacts = curves.contacts;
   const ContactSetup &first = contacts.front();
@@ -235,6 +236,7 @@ Json summaryHead(const SurfaceSpecification &surface, const std::string &text,
   if (!curves.use.ranges.empty())
     json["law_use"] = toJson(law, curves.use);
   json["warnings"] = curves.warnings;
+  json["files"] = files;
   if (first.boundary == Boundary::Periodic)
     json["periodic"] = {{"period_mm", 2.0 * hertz.halfWidth / mm},
                         {"mean_pressure_MPa", hertz.hertzPressure / MPa},
@@ -286,9 +288,10 @@ std::string profileReport(const SurfaceSpecification &surface, const ContactSetu
 } // namespace
 
 std::string summaryJson(const CreepSpecification &asked, const std::string &text,
-                        const FrictionLaw &law, const CreepCurves &curves)
+                        const FrictionLaw &law, const CreepCurves &curves,
+                        const std::vector<std::string> &files)
 {
-  Json json = summaryHead(asked.surface, text, law, curves);
+  Json json = summaryHead(asked.surface, text, law, curves, files);
   const ThermalSpecification &thermal = asked.physics.thermal;
   if (thermal.model != ThermalModel::Off)
     json["hertz"]["peclet_number"] = asked.speed.front() * curves.contacts.front().hertz.halfWidth *
@@ -308,9 +311,10 @@ std::string summaryJson(const CreepSpecification &asked, const std::string &text
 }
 
 std::string summaryJson(const StaticSpecification &asked, const std::string &text,
-                        const FrictionLaw &law, const StaticCases &cases)
+                        const FrictionLaw &law, const StaticCases &cases,
+                        const std::vector<std::string> &files)
 {
-  Json json = summaryHead(asked.surface, text, law, cases);
+  Json json = summaryHead(asked.surface, text, law, cases, files);
   for (const StaticPoint &p : cases.points) {
     Json force = {{asked.surface.profileName(), p.profile}};
     for (const auto &one : columnsOf(staticColumns(), &Column<StaticPoint>::still))

@@ -44,10 +44,12 @@ std::vector<std::string> failures(const CreepCurves &curves);
 /// converge, time.
 /// @param text the complete case file
 std::string summaryJson(const CreepSpecification &asked, const std::string &text,
-                        const FrictionLaw &law, const CreepCurves &curves);
+                        const FrictionLaw &law, const CreepCurves &curves,
+                        const std::vector<std::string> &files);
 /// The same for forces without rolling.
 std::string summaryJson(const StaticSpecification &asked, const std::string &text,
-                        const FrictionLaw &law, const StaticCases &cases);
+                        const FrictionLaw &law, const StaticCases &cases,
+                        const std::vector<std::string> &files);
 
 /// What was computed, for the screen: profiles after every step, contacts, curves.
 std::string shortReport(const CreepSpecification &asked, const CreepCurves &curves);

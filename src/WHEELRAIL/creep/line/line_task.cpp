@@ -63,8 +63,8 @@ class RollingTask : public CreepTask {
             [](auto &c) { return c.hasBand; })};
     addContacts(outputs, asked_,
                 asked_.creep.size() * asked_.speed.size() * asked_.surface.profiles());
-    outputs.push_back(fileOf<CreepCurves>("summary.json", [=](auto &c) {
-      return summaryJson(asked_, context->text, context->law, c);
+    outputs.push_back(summaryOf<CreepCurves>([=](auto &c, auto &files) {
+      return summaryJson(asked_, context->text, context->law, c, files);
     }));
     return outputs;
   }
@@ -103,8 +103,8 @@ class StaticTask : public CreepTask {
     Outputs<StaticCases> outputs = {
         fileOf<StaticCases>("static.csv", [&](auto &c) { return staticCsv(asked_.surface, c); })};
     addContacts(outputs, asked_, asked_.forceRatio.size() * asked_.surface.profiles());
-    outputs.push_back(fileOf<StaticCases>("summary.json", [=](auto &c) {
-      return summaryJson(asked_, context->text, context->law, c);
+    outputs.push_back(summaryOf<StaticCases>([=](auto &c, auto &files) {
+      return summaryJson(asked_, context->text, context->law, c, files);
     }));
     return outputs;
   }

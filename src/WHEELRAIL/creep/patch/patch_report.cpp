@@ -157,7 +157,8 @@ std::string patchSeriesCsv(const PatchCurves &curves)
 }
 
 std::string patchSummary(const PatchSpecification &asked, const std::string &text,
-                         const FrictionLaw &law, const PatchCurves &curves)
+                         const FrictionLaw &law, const PatchCurves &curves,
+                         const std::vector<std::string> &files)
 {
   const PatchContact &first = curves.contacts.front();
   Json json = {{"format", "wr_creep-summary 1"}, {"version", WHEELRAIL_VERSION}};
@@ -183,6 +184,7 @@ std::string patchSummary(const PatchSpecification &asked, const std::string &tex
                            {"seed", asked.spread.seed},
                            {"redrawn_share", curves.redrawn}};
   json["warnings"] = curves.warnings;
+  json["files"] = files;
   json["fields"] = Json::array();
   for (const auto &[number, fields] : curves.fields)
     json["fields"].push_back({{"point", number}, {"files", fieldStem(number)}});
@@ -261,19 +263,24 @@ std::string fieldStem(int number)
   return fmt::format("fields_{:04d}", number);
 }
 
-std::vector<std::string> fieldFileNames(const PatchSpecification &asked)
+std::vector<std::string> fieldFileNames(int number)
 {
   constexpr std::array names = {"state",  "gap",    "pressure", "traction_x", "traction_y",
                                 "slip_x", "slip_y", "mu",       "temperature"};
+  std::vector<std::string> files = {fieldStem(number) + ".vti"};
+  for (const char *name : names)
+    files.push_back(fmt::format("{}_{}.gsf", fieldStem(number), name));
+  return files;
+}
+
+std::vector<std::string> fieldFileNames(const PatchSpecification &asked)
+{
   const int total = static_cast<int>(patchTasks(asked).size());
   std::vector<std::string> files;
-  for (int number = 1; number <= total; ++number) {
-    if (!asked.fields.holds(number, total))
-      continue;
-    files.push_back(fieldStem(number) + ".vti");
-    for (const char *name : names)
-      files.push_back(fmt::format("{}_{}.gsf", fieldStem(number), name));
-  }
+  for (int number = 1; number <= total; ++number)
+    if (asked.fields.holds(number, total))
+      for (const std::string &name : fieldFileNames(number))
+        files.push_back(name);
   return files;
 }
 

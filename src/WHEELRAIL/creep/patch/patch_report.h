@@ -29,7 +29,8 @@ std::string patchSeriesCsv(const PatchCurves &curves);
 /// summary.json: case, law, contacts with Kalker's coefficients, warnings, time.
 /// @param text the complete case file
 std::string patchSummary(const PatchSpecification &asked, const std::string &text,
-                         const FrictionLaw &law, const PatchCurves &curves);
+                         const FrictionLaw &law, const PatchCurves &curves,
+                         const std::vector<std::string> &files);
 
 /// What was computed, for the screen.
 /// Hertz and cells of every contact, surfaces after each step of their preparation, largest T/N.
@@ -44,6 +45,8 @@ std::vector<std::string> failures(const PatchCurves &curves);
 std::string fieldStem(int number);
 /// All files that the selected fields make, without the folder.
 std::vector<std::string> fieldFileNames(const PatchSpecification &asked);
+/// Of one point.
+std::vector<std::string> fieldFileNames(int number);
 /// Adds them to the files of the results: one .vti and several .gsf files for each selected point,
 /// converted from SI to the files' units.
 /// @param folder that exists

@@ -19,11 +19,14 @@ std::string tableBeside(const std::string &path)
 
 /// Polach's law: parameters and the points they were fitted to.
 /// @return what to print of it
-std::string addPolachLaw(const std::string &path, const PatchCurves &curves, ResultFiles &files)
+std::string addPolachLaw(const std::string &path, const PatchCurves &curves, ResultFiles &files,
+                         std::vector<std::string> &warnings)
 {
   const PolachContact contact = polachContact(curves);
   const std::vector<PolachPoint> points = polachPoints(curves);
   const PolachChoice choice = choosePolach(points, contact);
+  if (!choice.warning.empty())
+    warnings.push_back(choice.warning);
   const std::string table = tableBeside(path);
   const std::string parameters = polachJson(choice, contact);
   files.addElsewhere(table, finiteTable(table, polachCsv(choice, contact, points)));
@@ -91,7 +94,7 @@ class PatchCreepTask : public CreepTask {
     // curves to which no law can be fitted are results all the same
     try {
       if (!extra.polach.empty())
-        polach = addPolachLaw(extra.polach, curves_, files);
+        polach = addPolachLaw(extra.polach, curves_, files, report.warnings);
     } catch (const Error &error) {
       report.shortfall = error;
     }
@@ -108,7 +111,11 @@ class PatchCreepTask : public CreepTask {
   {
     Outputs<PatchCurves> outputs = {
         {fieldFileNames(asked_),
-         [&](auto &c, ResultFiles &files) { addFields(files.files(), files.folder(), asked_, c); }},
+         [&](auto &c, ResultFiles &files) {
+           addFields(files.files(), files.folder(), asked_, c);
+           for (const auto &[number, fields] : c.fields)
+             files.note(fieldFileNames(number));
+         }},
         fileOf<PatchCurves>(asked_.mode == PatchMode::Static ? "static.csv" : "creep.csv",
                             [&](auto &c) { return patchCsv(asked_, c); }),
         fileOf<PatchCurves>(
@@ -117,8 +124,8 @@ class PatchCreepTask : public CreepTask {
         fileOf<PatchCurves>(
             "series.csv", [](auto &c) { return patchSeriesCsv(c); },
             [](auto &c) { return !c.series.empty(); }),
-        fileOf<PatchCurves>("summary.json", [=](auto &c) {
-          return patchSummary(asked_, context->text, context->law, c);
+        summaryOf<PatchCurves>([=](auto &c, auto &files) {
+          return patchSummary(asked_, context->text, context->law, c, files);
         })};
     return outputs;
   }

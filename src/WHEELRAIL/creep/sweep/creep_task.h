@@ -35,6 +35,7 @@ struct TaskReport {
   std::string extra; ///< lines on extra files, after those on the folder
   /// One line for each point that did not converge, out of so many.
   std::vector<std::string> failures;
+  std::vector<std::string> warnings; ///< beside those of `CreepTask::solve`; one line each
   std::size_t points = 0;
   std::optional<Error> shortfall; ///< to be thrown when everything is in place
 };

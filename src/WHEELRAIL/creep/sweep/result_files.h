@@ -10,6 +10,8 @@
 
 namespace wheelrail {
 
+constexpr const char *summaryName = "summary.json";
+
 /// The files of a case, which appear together or not at all.
 class ResultFiles {
  public:
@@ -19,6 +21,11 @@ class ResultFiles {
   /// A file in the folder; the report names it. What ends in ".csv" is checked as a table.
   /// @throws Error (NotConverged) for a number of a table that is not finite; mcawr::OutputError
   void add(const std::string &name, const std::string &content);
+  /// The summary, last of all: its "files" are the names of what stands in the folder, itself too.
+  /// @param text makes it of these names
+  void addSummary(const std::function<std::string(const std::vector<std::string> &)> &text);
+  /// Names of files in the folder that were added by `files()`.
+  void note(const std::vector<std::string> &names);
   /// A file at a path of its own; the report does not name it.
   void addElsewhere(const std::string &path, const std::string &content);
   /// Path of a file in the folder.
@@ -27,13 +34,17 @@ class ResultFiles {
   /// For who writes many files at once.
   mcawr::OutputFiles &files() { return files_; }
 
-  /// Puts all of them in place. @throws mcawr::OutputError
-  void commit() { files_.commit(); }
+  /// Puts all of them in place, then removes what the folder's former summary names and this one
+  /// does not: results are a set, and stay one.
+  /// @param inputs of the run, by their paths, which stay
+  /// @throws mcawr::OutputError
+  void commit(const std::vector<std::string> &inputs);
   /// Of what `add` got: "creep.csv, summary.json".
   const std::string &names() const { return names_; }
 
  private:
   std::string folder_, names_;
+  std::vector<std::string> set_; ///< names in the folder
   mcawr::OutputFiles files_;
 };
 
@@ -58,6 +69,16 @@ Output<Curves> fileOf(
   return {{name}, [=](const Curves &curves, ResultFiles &files) {
             if (when(curves))
               files.add(name, text(curves));
+          }};
+}
+
+/// The summary of a task. @param text of the results and of the names of all files
+template<class Curves>
+Output<Curves>
+summaryOf(std::function<std::string(const Curves &, const std::vector<std::string> &)> text)
+{
+  return {{summaryName}, [=](const Curves &curves, ResultFiles &files) {
+            files.addSummary([&](const auto &names) { return text(curves, names); });
           }};
 }
 
