@@ -133,7 +133,7 @@ TEST(HeightMapFile, NpyFilesOfNumPy)
 {
   for (const char *name : {"c64", "c32", "fortran64", "big32", "version2", "version3"}) {
     const HeightMap map = readHeightMap(maps + name + ".npy", micrometres);
-    expectTheMap(map, name);
+    expectTheMap(mirrored(map), name); // its first row is the top one
     EXPECT_EQ(map.dx, 2e-6);
     EXPECT_EQ(map.dy, 3e-6);
   }
@@ -288,12 +288,13 @@ TEST(HeightMapFile, KeysThatStandTwiceAreRefused)
 TEST(HeightMapFile, TextMatrix)
 {
   const HeightMap map = mapOfBytes(matrix);
-  expectTheMap(map, "text");
+  expectTheMap(mirrored(map), "text"); // its first row is the top one
   EXPECT_EQ(map.dx, 2e-6);
   EXPECT_EQ(map.dy, 3e-6);
   EXPECT_EQ(mapOfBytes(replaced(matrix, "2 um, 3 um", "2 um")).dy, 2e-6);
-  const HeightMap down = mapOfBytes(replaced(matrix, "# height", "# rows: downwards\n# height"));
-  EXPECT_EQ(down.height[0], map.height[map.index(0, 3)]);
+  expectTheMap(mapOfBytes(replaced(matrix, "# height", "# rows: upwards\n# height")), "upwards");
+  expectTheMap(mirrored(mapOfBytes(replaced(matrix, "# height", "# rows: downwards\n# height"))),
+               "downwards");
   expectRefused(replaced(matrix, "# height: um\n", ""), {":4:", "height"});
   expectRefused(replaced(matrix, "# spacing: 2 um, 3 um\n", ""), {"spacing"});
   expectRefused(replaced(matrix, "2 um, 3 um", "0 um"), {":3:", "spacing", "positive"});
@@ -307,6 +308,26 @@ TEST(HeightMapFile, TextMatrix)
   expectRefused(matrix.substr(0, matrix.find("20 ;")) + "# end\n", {"head", "before"});
   expectRefused("# height: um\n# spacing: 1 um\n1 2 3\n4 5 6\n7 8 9\n", {"3 x 3", "4 x 4"});
   expectRefused(std::string("a\0b", 3), {"byte 1", "binary", "GSF, SDF"});
+}
+
+/// One array, written in each format as its standard or its programs write it, is one surface: the
+/// first row lies at the largest y, as it does in a picture, but in SDF, which begins at the
+/// smallest.
+TEST(HeightMapFile, RowOrderIsThatOfTheFormat)
+{
+  const auto topOf = [](const HeightMap &map) {
+    return map.height.segment(map.index(0, map.ny - 1), map.nx).eval();
+  };
+  SimpleField field = theField(); // 10 iy + ix, upwards
+  const Eigen::VectorXd last = field.value.segment(15, 5);
+  EXPECT_LT((topOf(mapOfBytes(gsfBytes(field))) - last).norm(), 1e-11); // of float32
+  // the file's first values are those of the top
+  const HeightMap npy = readHeightMap(maps + "c64.npy", micrometres), text = mapOfBytes(matrix);
+  for (int ix = 0; ix < 5; ++ix) {
+    EXPECT_NEAR(topOf(npy)[ix], ix * 1e-6, 1e-20);
+    EXPECT_NEAR(topOf(text)[ix], ix * 1e-6, 1e-20);
+    EXPECT_NEAR(mapOfBytes(sdf).height[ix], ix * 1e-6, 1e-20);
+  }
 }
 
 /// A row that is read loosely is a map of other heights.
@@ -342,6 +363,40 @@ TEST(HeightMapFile, TextIsReadStrictly)
                 {"8 x 5", "4 x 5", "decimal comma"});
 }
 
+TEST(HeightMapFile, TransverseProfilesAreNamed)
+{
+  for (const char *name : {"a.prr", "a.PRW", "a.whl", "a.ban", "a.slcs"}) {
+    const std::string path = (std::filesystem::temp_directory_path() / name).string();
+    std::ofstream(path) << "1 2\n3 4\n";
+    try {
+      prepareHeightMap(path, {}, "rail");
+      ADD_FAILURE() << name;
+    } catch (const Error &error) {
+      EXPECT_NE(std::string(error.what()).find("transverse profile"), std::string::npos);
+      EXPECT_NE(std::string(error.what()).find("contact.radii"), std::string::npos);
+    }
+    std::filesystem::remove(path);
+  }
+}
+
+TEST(HeightMapFile, HeightsThatStandForNoneAreNamed)
+{
+  const auto remarks = [](const std::string &last) {
+    std::string text = "# height: um\n# spacing: 1 mm\n";
+    for (int k = 0; k < 5; ++k)
+      text += fmt::format("{} 0.4 -0.1 0.3 {}\n", 0.1 * k, k == 2 ? last : "0.2 0.15");
+    const MapFile file(text);
+    return prepareHeightMap(file.path, {}, "rail").remarks;
+  };
+  EXPECT_TRUE(remarks("0.45 0.4").empty());
+  EXPECT_TRUE(remarks("0.8 0.4").empty()); // a peak
+  ASSERT_EQ(remarks("-9999 -9999").size(), 1U);
+  EXPECT_NE(remarks("-9999 -9999").front().find("2 of the heights are -9999 um"),
+            std::string::npos);
+  ASSERT_EQ(remarks("32767 0.2").size(), 1U); // a single one, far away
+  EXPECT_NE(remarks("32767 0.2").front().find("nan"), std::string::npos);
+}
+
 TEST(HeightMapFile, TextOfOtherMachines)
 {
   const auto changed = [](std::string text, const std::string &from, const std::string &to) {
@@ -351,15 +406,19 @@ TEST(HeightMapFile, TextOfOtherMachines)
   };
   for (const std::string &whole :
        {changed(sdf, "\r\n", "\n"), changed(matrix, "um", "\xc2\xb5m")}) {
-    const HeightMap map = mapOfBytes(whole);
-    expectTheMap(mapOfBytes(changed(whole, "\n", "\r\n")), "CRLF");
-    expectTheMap(mapOfBytes(changed(whole, "\n", "\r")), "CR");
-    expectTheMap(mapOfBytes("\xef\xbb\xbf" + whole), "UTF-8 with a mark");
-    expectTheMap(mapOfBytes(changed(whole, "\xc2\xb5", "\xb5")), "Latin-1");
+    const bool downwards = whole.find('*') == std::string::npos; // text
+    const auto expectIt = [&](const std::string &bytes, const char *what) {
+      const HeightMap map = mapOfBytes(bytes);
+      expectTheMap(downwards ? mirrored(map) : map, what);
+    };
+    expectIt(changed(whole, "\n", "\r\n"), "CRLF");
+    expectIt(changed(whole, "\n", "\r"), "CR");
+    expectIt("\xef\xbb\xbf" + whole, "UTF-8 with a mark");
+    expectIt(changed(whole, "\xc2\xb5", "\xb5"), "Latin-1");
     std::string wide = "\xff\xfe";
     for (const char c : changed(whole, "\xc2\xb5", "\xb5"))
       wide += {c, '\0'};
-    expectTheMap(mapOfBytes(wide), "UTF-16");
+    expectIt(wide, "UTF-16");
     expectRefused(wide.substr(2), {"is UTF-16 without a byte order mark"});
   }
   // one line without an end is not repeated
@@ -420,7 +479,7 @@ TEST(HeightMapFile, FalsifiedBytesNeverEscape)
 
 TEST(HeightMapFile, PreparationSaysEveryStep)
 {
-  const MapFile file(matrix);
+  const MapFile file(replaced(matrix, "# height", "# rows: upwards\n# height"));
   HeightMapPreparation preparation;
   EXPECT_THROW(prepareHeightMap(file.path, preparation, "rail"), Error); // a point is missing
   preparation.fill = true;

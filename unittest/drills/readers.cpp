@@ -334,8 +334,11 @@ std::vector<Reader> wheelrailReaders()
       "CheckType = 0\r\n*\r\n 0.0 1.0 2.0 3.0 4.0\r\n1e1 11 12 13 14\r\n20 21 22 BAD\r\n 24 +30 "
       "31\r\n32 33 34 ; the last ones\r\n*\r\nOperator = nobody\r\n*\r\n";
   const std::string matrix = "# measured on a rail\n# height: um\n# spacing: 2 um, 3 um\n"
-                             "# points: 5, 4\n0 1 2 3 4\n10;11;12;13;14\n20,21,22,nan,24\n"
-                             "30\t31\t32\t33\t34\n";
+                             "# points: 5, 4\n0;1;2;3;4\n10; 11; 12; 13; 14\n20 ;21 ;22 ;nan ;24\n"
+                             "30;31;32;33;34\n";
+  const std::string european =
+      "\xef\xbb\xbf# height: \xb5m\r\n# spacing: 2 mm\r\n# rows: upwards\r\n"
+      "0,5\t1\t2\t3\r\n1\t1,5\t2\t3\r\n0\t0\t0\t-1,5\r\n1\t2\t3\t4\r\n";
   const auto map = [](const HeightMapScale &scale) {
     return refusing([=](const std::string &bytes) { readMap(bytes, scale); });
   };
@@ -366,7 +369,7 @@ std::vector<Reader> wheelrailReaders()
       {"profile", columns, refusing(readSurfaceProfile)},
       {"gsf", {gsfBytes(field)}, map({})},
       {"sdf", {sdf}, map({})},
-      {"matrix", {matrix}, map({})},
+      {"matrix", {matrix, european}, map({})},
       {"npy", filesOf("unittest/WHEELRAIL/data/maps", ".npy"), map(micrometres)},
       {"friction_log", logs, refusing(readLog)},
       {"archive", {readInputFile(shippedArchive)}, refusing(readArchive)},

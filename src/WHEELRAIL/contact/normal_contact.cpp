@@ -397,9 +397,11 @@ NormalContactResult solveNormalContact(HalfSpace &halfSpace, const NormalContact
   if (!problem.approach && (!(problem.load > 0.0) || problem.load >= problem.pressureLimit * n))
     throw Error(
         ExitCode::BadInput,
-        fmt::format("normal contact: the pressures' sum {} must be positive and below what the "
-                    "pressure limit carries on all cells, {}",
-                    problem.load, problem.pressureLimit * n));
+        fmt::format("contact.hardness_limit: the load needs a mean pressure of {:.5g} MPa over all "
+                    "that is computed; it must be positive and below the hardness, {:.5g} MPa (3 "
+                    "friction.strength)",
+                    problem.load / n * problem.pascals * 1e-6,
+                    problem.pressureLimit * problem.pascals * 1e-6));
   NormalContactResult result;
   if (problem.approach && problem.profile.minCoeff() >= *problem.approach) {
     result.pressure = result.plasticDepth = Vector::Zero(n);

@@ -24,6 +24,8 @@ struct NormalContactProblem {
   /// Given: the bodies come nearer by this much from where profile = 0 would touch, and `load` is
   /// not read. On a line it has no meaning by itself (its displacements have a free constant).
   std::optional<double> approach;
+  /// What a stress of 1 is in Pa; for messages only.
+  double pascals = 1.0;
   /// Hardness, > 0; p stops there and the material flows. Infinite: elastic.
   double pressureLimit = std::numeric_limits<double>::infinity();
 };

@@ -35,6 +35,7 @@ NormalContactProblem ContactSetup::problem(double limit, int travel) const
   problem.profile = gap(travel);
   problem.load = hertz.load / (hertz.modulus * cellSize);
   problem.pressureLimit = limit / hertz.modulus;
+  problem.pascals = hertz.modulus;
   return problem;
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "contact/line/surface.h"
 
+#include "contact/measured_file.h"
+
 #include <algorithm>
 
 namespace wheelrail {
@@ -11,10 +13,13 @@ constexpr double mostCells = 1 << 26; ///< of a profile that travels; the rest o
 /// One measured profile, from the file to the cells; every step leaves its statistics.
 Eigen::VectorXd measuredRoughness(const SurfaceSpecification &specification,
                                   const std::string &name, const std::string &path, int cells,
-                                  double cellSize, bool whole,
-                                  std::vector<ProfileStatistics> &statistics)
+                                  double cellSize, bool whole, Surface &surface)
 {
+  refuseTransverseProfile(path);
   Profile profile = readProfile(path);
+  if (const std::string doubt = isolatedHeights(path, profile.height); !doubt.empty())
+    surface.remarks.push_back(doubt);
+  std::vector<ProfileStatistics> &statistics = surface.statistics;
   statistics.push_back(profileStatistics(name + ": as read", profile));
   profile = detrended(profile, specification.detrend);
   statistics.push_back(profileStatistics(name + ": detrended", profile));
@@ -54,8 +59,8 @@ Surface measuredSurface(const SurfaceSpecification &specification, std::size_t i
        {std::pair{"rail", &specification.rail}, {"wheel", &specification.wheel}}) {
     if (files->empty())
       continue;
-    const Eigen::VectorXd height = measuredRoughness(specification, name, files->at(index), cells,
-                                                     cellSize, whole, surface.statistics);
+    const Eigen::VectorXd height =
+        measuredRoughness(specification, name, files->at(index), cells, cellSize, whole, surface);
     if (surface.roughness.size() == 0) {
       surface.roughness = height;
     } else {

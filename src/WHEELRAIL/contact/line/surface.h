@@ -34,6 +34,7 @@ struct Surface {
   Eigen::VectorXd roughness;
   bool periodic = true;                      ///< the roughness goes on with its beginning
   std::vector<ProfileStatistics> statistics; ///< after every step of the preparation
+  std::vector<std::string> remarks;          ///< lines for the user: `isolatedHeights`
 };
 
 /// @param index of the profile, below profiles()

@@ -4,6 +4,7 @@
 #include "base/errors.h"
 #include "creep/line/curve_journal.h"
 #include "creep/line/line_contacts.h"
+#include "creep/sweep/plausibility.h"
 
 #include <algorithm>
 #include <chrono>
@@ -239,6 +240,9 @@ CreepCurves solveCreepCurves(const CreepSpecification &specification, const LawP
   CreepCurves curves;
   curves.contacts = prepareContacts(specification.contact, specification.surface,
                                     physics.pressureLimit(0.0), moving, options);
+  curves.warnings =
+      contactDoubts(curves.contacts, specification.contact, physics.strengthInUse(*law));
+  addDoubt(curves.warnings, creepDoubt("creep", specification.creep));
   const LawSpread spread(specification.spread, law);
   const std::vector<Piece> pieces = cutIntoPieces(specification);
   std::vector<PieceResult> results(pieces.size());

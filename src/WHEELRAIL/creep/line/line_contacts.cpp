@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "creep/line/line_contacts.h"
 
+#include "creep/sweep/plausibility.h"
+
 namespace wheelrail {
 
 std::vector<ContactSetup> prepareContacts(const LineContactSpecification &contact,
@@ -12,6 +14,24 @@ std::vector<ContactSetup> prepareContacts(const LineContactSpecification &contac
     contacts[k] = prepareContact(contact, surface, k, pressureLimit, travels);
   });
   return contacts;
+}
+
+std::vector<std::string> contactDoubts(const std::vector<ContactSetup> &contacts,
+                                       const LineContactSpecification &contact, double strength)
+{
+  std::vector<std::string> lines;
+  for (const ContactSetup &setup : contacts) {
+    for (const std::string &remark : setup.surface.remarks)
+      addDoubt(lines, remark);
+    if (!setup.surface.statistics.empty())
+      addDoubt(lines, slopeDoubt(setup.surface.statistics.back().step,
+                                 setup.surface.statistics.back().rmsSlope));
+    addDoubt(lines, pressureDoubt(setup.normal.peakPressure() * setup.hertz.modulus, strength,
+                                  contact.youngsModulus));
+    if (setup.boundary == Boundary::Free)
+      addDoubt(lines, sizeDoubt(setup.hertz.halfWidth, contact.radius));
+  }
+  return lines;
 }
 
 } // namespace wheelrail

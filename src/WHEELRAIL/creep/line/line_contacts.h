@@ -5,6 +5,7 @@
 #include "contact/line/contact_setup.h"
 #include "creep/sweep/sweep.h"
 
+#include <string>
 #include <vector>
 
 namespace wheelrail {
@@ -18,6 +19,12 @@ namespace wheelrail {
 std::vector<ContactSetup> prepareContacts(const LineContactSpecification &contact,
                                           const SurfaceSpecification &surface, double pressureLimit,
                                           bool travels, const SweepOptions &options);
+
+/// Lines for the user about surfaces, pressures and sizes that can hardly be meant
+/// (`plausibility.h`).
+/// @param strength sigma_0, Pa; 0: not in use
+std::vector<std::string> contactDoubts(const std::vector<ContactSetup> &contacts,
+                                       const LineContactSpecification &contact, double strength);
 
 } // namespace wheelrail
 #endif

@@ -82,6 +82,8 @@ StaticCases solveStaticCases(const StaticSpecification &specification, const Fri
   StaticCases cases;
   cases.contacts =
       prepareContacts(specification.contact, specification.surface, limit, false, options);
+  cases.warnings = contactDoubts(cases.contacts, specification.contact,
+                                 specification.physics.strengthInUse(law));
   const int total = static_cast<int>(cases.contacts.size() * specification.forceRatio.size());
   for (const ContactSetup &setup : cases.contacts) {
     HalfPlane halfPlane(setup.cells, setup.boundary);

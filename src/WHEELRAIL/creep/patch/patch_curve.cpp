@@ -4,6 +4,7 @@
 #include "base/errors.h"
 #include "creep/patch/patch_journal.h"
 #include "creep/patch/patch_piece.h"
+#include "creep/sweep/plausibility.h"
 
 #include <algorithm>
 #include <chrono>
@@ -68,11 +69,36 @@ void prepare(const PatchSpecification &asked, const SweepOptions &options, Patch
                                       asked.physics.pressureLimit(0.0), longestWay(asked, load));
     curves.summaries[k] = summaryOf(asked, curves.contacts[k]);
   });
-  for (const PatchContact &contact : curves.contacts)
+}
+
+/// What can be computed with but hardly be meant, of contacts and creepages (`plausibility.h`).
+void addDoubts(const PatchSpecification &asked, double strength, PatchCurves &curves)
+{
+  const auto &bodies = asked.contact.bodies;
+  const double youngs = std::min(bodies[0].youngsModulus, bodies[1].youngsModulus);
+  std::vector<double> atEdge = asked.spin;
+  atEdge.insert(atEdge.end(), asked.sequence.spin.begin(), asked.sequence.spin.end());
+  double largest = 0.0;
+  for (const PatchContact &contact : curves.contacts) {
     for (const std::string &remark : contact.surface.remarks)
-      if (std::find(curves.warnings.begin(), curves.warnings.end(), remark) ==
-          curves.warnings.end())
-        curves.warnings.push_back(remark);
+      addDoubt(curves.warnings, remark);
+    for (const HeightMapStatistics &step : contact.surface.statistics)
+      if (step.step.find("on the cells") != std::string::npos || step.step == "generated")
+        addDoubt(curves.warnings, slopeDoubt(step.step, std::max(step.rmsSlopeX, step.rmsSlopeY)));
+    addDoubt(curves.warnings, pressureDoubt(contact.normal.peakPressure(), strength, youngs));
+    largest = std::max({largest, contact.hertz.a, contact.hertz.b});
+    addDoubt(curves.warnings, sizeDoubt(std::max(contact.hertz.a, contact.hertz.b),
+                                        0.5 / contact.hertz.curvatures.A));
+  }
+  if (asked.mode == PatchMode::Static)
+    return;
+  for (double &spin : atEdge)
+    spin *= largest;
+  addDoubt(curves.warnings, creepDoubt("creep", asked.creep));
+  addDoubt(curves.warnings, creepDoubt("sequence.creep", asked.sequence.creep));
+  addDoubt(curves.warnings, creepDoubt("lateral", asked.lateral));
+  addDoubt(curves.warnings, creepDoubt("sequence.lateral", asked.sequence.lateral));
+  addDoubt(curves.warnings, creepDoubt("spin at the contact's edge", atEdge));
 }
 
 /// The fields of a piece go into files beside the journal: their checksums, by number of the point.
@@ -171,6 +197,7 @@ PatchCurves solvePatchCurves(const PatchSpecification &asked, const LawPointer &
   const auto begin = Clock::now();
   PatchCurves curves;
   prepare(asked, options, curves);
+  addDoubts(asked, asked.physics.strengthInUse(*law), curves);
   const std::vector<PatchTask> tasks = patchTasks(asked);
   const std::vector<PatchPiece> pieces = cutIntoPieces(asked, tasks);
   const auto contactOf = [&](std::size_t piece) -> const PatchContact & {

@@ -4,6 +4,7 @@
 #include "base/errors.h"
 #include "creep/patch/static_patch.h"
 
+#include <fmt/format.h>
 #include <utility>
 
 namespace wheelrail {
@@ -137,6 +138,18 @@ PatchPoint failedPoint(const PatchContact &contact, const PatchTask &task, const
   return point;
 }
 
+/// Which keywords asked for a force that friction cannot carry.
+Error impossibleForce(const PatchDrive &drive, const ForceTooLarge &error)
+{
+  const char *keyword = drive.forceX && drive.forceY ? "force.longitudinal, force.lateral"
+                        : drive.forceX               ? "force.longitudinal"
+                                                     : "force.lateral";
+  constexpr double kN = 1e3;
+  return {ExitCode::BadInput,
+          fmt::format("{}: {:.5g} kN cannot be carried: friction allows less than {:.5g} kN",
+                      keyword, error.force / kN, error.capacity / kN)};
+}
+
 } // namespace
 
 PatchPieceResult solvePatchPiece(const PatchSpecification &asked, const LawSpread &spread,
@@ -151,6 +164,12 @@ PatchPieceResult solvePatchPiece(const PatchSpecification &asked, const LawSprea
     try {
       if (!goOn() || !solver.solve(tasks[k], number, keeps, result))
         return {};
+    } catch (const ForceTooLarge &error) {
+      const Error impossible = impossibleForce(tasks[k].drive, error);
+      if (tasks.size() == 1) // nothing else was asked for
+        throw impossible;
+      result.points.push_back(failedPoint(contact, tasks[k], impossible));
+      solver.startAnew();
     } catch (const Error &error) {
       if (error.code() != ExitCode::NotConverged)
         throw;

@@ -133,6 +133,8 @@ std::optional<StaticPatch> solveStaticPatch(const CreepPhysics &physics, const F
       return std::nullopt;
     try {
       steps.press(loads[k]);
+    } catch (const ForceTooLarge &) {
+      throw; // says itself what it is about
     } catch (const Error &error) {
       throw Error(error.code(), fmt::format("{} (at load {} of sequence.load, {:g} N)",
                                             error.what(), k + 1, loads[k]));

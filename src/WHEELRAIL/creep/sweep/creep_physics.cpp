@@ -18,6 +18,11 @@ bool CreepPhysics::heatLimitsPressure() const
   return thermal.model != ThermalModel::Off && hardnessLimit;
 }
 
+double CreepPhysics::strengthInUse(const FrictionLaw &law) const
+{
+  return law.dependsOnTemperature() || hardnessLimit ? strength.cold : 0.0;
+}
+
 double CreepPhysics::pressureLimit(double temperatureRise) const
 {
   return hardnessLimit ? strength.hardnessAt(temperatureRise)

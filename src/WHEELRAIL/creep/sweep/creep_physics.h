@@ -24,6 +24,9 @@ struct CreepPhysics {
   /// Does the temperature act back on the pressure, whatever the law?
   bool heatLimitsPressure() const;
 
+  /// sigma_0 where the law or the limit of the pressure takes it, Pa; 0: nothing does.
+  double strengthInUse(const FrictionLaw &law) const;
+
   /// Pa, at a temperature rise in K; infinite without `hardnessLimit`.
   double pressureLimit(double temperatureRise) const;
 

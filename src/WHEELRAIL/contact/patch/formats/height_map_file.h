@@ -17,13 +17,14 @@ namespace wheelrail {
 ///   are in metres. Rows run upwards.
 /// - Its forerunner begins with "aBCR-1.0". The same, but rows run downwards.
 /// - npy 1.0, 2.0, 3.0 begins with "\x93NUMPY": float32 or float64 in either byte order, C or
-///   Fortran order. Spacing and unit come from `scale`; both are needed. Rows run upwards.
-/// - Anything else is a text matrix with a head, see below. Rows run upwards unless it says so.
+///   Fortran order. Spacing and unit come from `scale`; both are needed. Rows run downwards, as
+///   a picture of the array is drawn.
+/// - Anything else is a text matrix with a head, see below. Rows run downwards unless it says so.
 ///
 /// *Text matrix.* Head lines begin with '#':
 ///   # height: um
 ///   # spacing: 5 um           (or two: # spacing: 5 um, 10 um for x and y)
-///   # rows: downwards         (upwards where nothing is said)
+///   # rows: upwards           (downwards where nothing is said)
 ///   # points: 512, 256        (may be left out; along x and y, compared with what follows)
 /// then one line for each row of points along x, numbers separated by blanks, commas, semicolons or
 /// tabs.

@@ -14,7 +14,7 @@ namespace {
 
 struct MatrixHead {
   double heightUnit = 0.0, spacingX = 0.0, spacingY = 0.0; // m
-  bool rowsUpwards = true;
+  bool rowsUpwards = false;    ///< as a picture is written, from its top
   long columns = 0, rows = 0;  ///< stated; 0: not
   std::set<std::string> given; ///< keywords so far
 };

@@ -189,7 +189,7 @@ HeightMap parseNpy(const std::string &path, const std::string &bytes, const Heig
       const double value = floatOf(bytes.data() + data + place * width, width, bigEndian);
       if (std::isinf(value))
         throw badInput(path, 0, fmt::format("[{}, {}]", iy, ix), "infinite");
-      map.height[ix + nx * iy] = value * scale.heightUnit;
+      map.height[ix + nx * (ny - 1 - iy)] = value * scale.heightUnit;
     }
   return map;
 }

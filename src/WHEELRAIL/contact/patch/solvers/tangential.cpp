@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "contact/patch/solvers/tangential.h"
 
-#include "base/errors.h"
 #include "contact/patch/solvers/friction_newton.h"
 
 #include <algorithm>
@@ -19,6 +18,15 @@ constexpr double forceShare = 0.1; ///< of the tolerance, where forces are presc
 constexpr double coarseTolerance = 1e-2; ///< a start for the next grid needs no more
 
 } // namespace
+
+ForceTooLarge::ForceTooLarge(double given, double most)
+    : Error(ExitCode::BadInput,
+            fmt::format("a force of {:.5g} N cannot be carried: friction allows "
+                        "less than {:.5g} N",
+                        given, most)),
+      force(given), capacity(most)
+{
+}
 
 int TangentialResult::stickCells() const
 {
@@ -176,9 +184,8 @@ void checkLeadingColumn(const PatchGrid &grid, const Vector &bound)
   for (int iy = 0; iy < grid.ny; ++iy)
     if (bound[grid.index(grid.nx - 1, iy)] > 0.0)
       throw Error(ExitCode::BadInput,
-                  fmt::format("tangential contact: contact in the leading column (x = {}, y = {}): "
-                              "a longer box is needed",
-                              grid.x(grid.nx - 1), grid.y(iy)));
+                  "contact.domain: the contact reaches the leading column of the box of cells; "
+                  "increase it");
 }
 
 /// Rigid slip over the distance d, less the displacement u' of a step: all of S that the traction
@@ -252,9 +259,7 @@ void setForces(const PatchGrid &grid, const TangentialProblem &problem, ScaledPr
     given = std::hypot(given, *force / cellForce);
   }
   if (given >= scaled.capacity)
-    throw Error(ExitCode::BadInput, fmt::format("tangential contact: a force of {} cannot be "
-                                                "carried: friction allows less than {}",
-                                                given * cellForce, scaled.capacity * cellForce));
+    throw ForceTooLarge(given * cellForce, scaled.capacity * cellForce);
   const bool limited = std::isfinite(scaled.capacity);
   const double most = limited ? eq.bound.norm() : std::numeric_limits<double>::max();
   if (given > 0.0)

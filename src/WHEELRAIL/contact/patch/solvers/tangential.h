@@ -2,6 +2,7 @@
 #ifndef WHEELRAIL_PATCH_TANGENTIAL_H
 #define WHEELRAIL_PATCH_TANGENTIAL_H
 
+#include "base/errors.h"
 #include "contact/patch/elasticity/patch_half_space.h"
 
 #include <memory>
@@ -82,6 +83,14 @@ struct TangentialResult {
   int slipCells() const;
 };
 
+/// A force that friction cannot carry, in the units of the problem. The contact's own units and the
+/// user's keyword are its caller's to say.
+class ForceTooLarge : public Error {
+ public:
+  ForceTooLarge(double given, double most);
+  double force, capacity; ///< length of what was asked for, and what friction carries
+};
+
 /// Solver on one grid; keeps its work space from one call to the next. One object per thread.
 ///
 /// Semismooth Newton (Alart, Curnier 1991) on q - P(q - r S) = 0, P the projection on the disc of
@@ -104,8 +113,8 @@ class TangentialSolver {
   /// Without a start it solves the same problem on grids of half the cells first, as long as the
   /// longer side has 48 cells. Zero bound everywhere gives zero traction, not an error.
   /// @return fields over the whole grid, forces and creepages in the units of the problem
-  /// @throws Error BadInput: contact in the leading column (steady rolling: no material comes in
-  ///         from outside the box); a force that friction cannot carry. NotConverged: with the
+  /// @throws ForceTooLarge. Error BadInput: contact in the leading column (steady rolling: no
+  ///         material comes in from outside the box). NotConverged: with the
   ///         residual. Internal: a bound of another size than the grid, a step
   ///         without a distance
   TangentialResult solve(const TangentialProblem &problem, const TangentialOptions &options = {});

@@ -53,9 +53,8 @@ TangentialResult TransientPatch::attempt(const Step &step, const TangentialOptio
     for (int ix = std::max(0, g.nx - step.cells); ix < g.nx; ++ix)
       if (step.bound[g.index(ix, iy)] > 0.0)
         throw Error(ExitCode::BadInput,
-                    fmt::format("transient contact: contact at x = {}, within a step's length of "
-                                "the leading border {}: a longer box is needed",
-                                g.x(ix), g.left + g.nx * g.dx));
+                    "contact.domain: the contact comes within a step's length of the leading "
+                    "border of the box of cells; increase it");
   // The material brings its displacement along, so u'(x + d) is the former field read d further
   // ahead; the traction moved likewise is the start. A shift at rest (no cells) moves nothing, and
   // its creepage is the shift itself: d = 1, without a lever of its own for the spin.

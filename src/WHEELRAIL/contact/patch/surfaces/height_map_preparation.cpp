@@ -2,6 +2,7 @@
 #include "contact/patch/surfaces/height_map_preparation.h"
 
 #include "base/errors.h"
+#include "contact/measured_file.h"
 
 #include <fmt/format.h>
 
@@ -10,11 +11,14 @@ namespace wheelrail {
 PreparedHeightMap prepareHeightMap(const std::string &path, const HeightMapPreparation &preparation,
                                    const std::string &name)
 {
-  PreparedHeightMap result{readHeightMap(path, preparation.scale), {}};
+  refuseTransverseProfile(path);
+  PreparedHeightMap result{readHeightMap(path, preparation.scale), {}, {}};
   HeightMap &map = result.map;
   const auto note = [&](const std::string &step, double cutoff = 0.0) {
     result.statistics.push_back(heightMapStatistics(name + ": " + step, map, cutoff));
   };
+  if (const std::string doubt = isolatedHeights(path, map.height); !doubt.empty())
+    result.remarks.push_back(doubt);
   if (preparation.turn)
     map = turned(map);
   if (preparation.mirror)

@@ -23,6 +23,7 @@ struct HeightMapPreparation {
 struct PreparedHeightMap {
   HeightMap map;
   std::vector<HeightMapStatistics> statistics; ///< after every step that was taken
+  std::vector<std::string> remarks;            ///< lines for the user: `isolatedHeights`
 };
 
 /// Reads and prepares; the form is taken off before the holes are filled and again after, so that

@@ -64,9 +64,10 @@ FractalHeights::FractalHeights(const FractalPatch &s)
     }
   if (waves_ == 0)
     throw Error(ExitCode::BadInput,
-                fmt::format("roughness: no wave between {} and {} has a whole number of periods in "
-                            "{} x {}",
-                            s.wavelengthMin, s.wavelengthMax, s.periodX, s.periodY));
+                fmt::format("roughness: no wave between wavelength_min and wavelength_max, {:.4g} "
+                            "and {:.4g} mm, has a whole number of periods in {:.4g} x {:.4g} mm",
+                            s.wavelengthMin * 1e3, s.wavelengthMax * 1e3, s.periodX * 1e3,
+                            s.periodY * 1e3));
   const double scale =
       s.rmsSlope > 0.0 ? s.rmsSlope / std::sqrt(slopes) : s.rmsHeight / std::sqrt(squares);
   amplitude_ *= scale;
@@ -82,9 +83,9 @@ Eigen::VectorXd FractalHeights::sampled(const PatchGrid &grid, double travelled)
       fewestCellsPerWave * grid.dy > shortestY * (1.0 + 1e-9))
     throw Error(
         ExitCode::BadInput,
-        fmt::format("points: cells of {} x {} cannot carry waves of {} along x and {} along "
-                    "y; four cells a wave are needed, eight are better",
-                    grid.dx, grid.dy, shortestX, shortestY));
+        fmt::format("points: cells of {:.4g} x {:.4g} mm cannot carry waves of {:.4g} mm along x "
+                    "and {:.4g} mm along y; four cells a wave are needed, eight are better",
+                    grid.dx * 1e3, grid.dy * 1e3, shortestX * 1e3, shortestY * 1e3));
   // Sum over waves of Re[c exp(i kx x) exp(i ky y)]: two products of matrices
   const Eigen::MatrixXcd ex = phases(
       grid.nx, [&](int ix) { return grid.x(ix) + travelled; }, unitX_, -highestX_,

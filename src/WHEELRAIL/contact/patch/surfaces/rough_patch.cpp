@@ -77,6 +77,7 @@ RoughMap measuredMap(const std::string &path, const HeightMapPreparation &prepar
                      RoughPatch &patch)
 {
   const PreparedHeightMap prepared = prepareHeightMap(path, preparation, name);
+  patch.remarks.insert(patch.remarks.end(), prepared.remarks.begin(), prepared.remarks.end());
   for (const HeightMapStatistics &step : prepared.statistics) {
     patch.statistics.push_back(step);
     if (&step == &prepared.statistics.front() && step.unmeasured > 0)
@@ -136,9 +137,10 @@ RoughPatch fractalPatch(const RoughPatchSpecification &specification, std::uint6
   const double root = std::sqrt(fractal.stretch);
   if (fractal.wavelengthMin * root < box.dx || fractal.wavelengthMin < box.dy * root)
     throw Error(ExitCode::BadInput,
-                fmt::format("points: cells of {} x {} cannot carry waves of {} (roughness."
-                            "wavelength_min); four cells a wave are needed, eight are better",
-                            box.dx, box.dy, fractal.wavelengthMin));
+                fmt::format("points: cells of {:.4g} x {:.4g} mm cannot carry waves of {:.4g} mm "
+                            "(roughness.wavelength_min); four cells a wave are needed, eight are "
+                            "better",
+                            box.dx * 1e3, box.dy * 1e3, fractal.wavelengthMin * 1e3));
   fractal.periodX = boxes * boxX;
   fractal.periodY = box.ny * box.dy;
   fractal.rmsSlope /= std::sqrt(2.0);
