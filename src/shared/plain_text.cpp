@@ -115,8 +115,8 @@ std::string problemOfNul(std::string_view bytes, std::size_t nul)
 constexpr std::string_view utf16Marks[] = {"\xff\xfe", "\xfe\xff"};
 constexpr std::string_view utf32Marks[] = {{"\xff\xfe\0\0", 4}, {"\0\0\xfe\xff", 4}};
 
-template<std::size_t n>
-bool beginsWithOne(std::string_view bytes, const std::string_view (&marks)[n])
+template<std::size_t Count>
+bool beginsWithOne(std::string_view bytes, const std::string_view (&marks)[Count])
 {
   return std::any_of(std::begin(marks), std::end(marks),
                      [&](std::string_view mark) { return begins(bytes, mark); });

@@ -82,6 +82,25 @@ def test_transverse_profiles_are_named(case, tmp_path):
         assert done.stderr.splitlines()[-1].count("transverse profile of a wheel") == 1
 
 
+def test_case_files_of_other_machines(case, tmp_path):
+    text = CASE.replace("[3 mm, 4 mm]", "[3000 \u00b5m, 4 mm]")
+    variants = {
+        "Latin-1": text.encode("latin-1"),
+        "CRLF": text.replace("\n", "\r\n").encode(),
+        "CR": text.replace("\n", "\r").encode(),
+        "UTF-8 with a mark": text.encode("utf-8-sig"),
+        "UTF-16": text.encode("utf-16"),
+    }
+    for name, content in variants.items():
+        case.write_bytes(content)
+        run(case, tmp_path / name)
+    tables = {(tmp_path / name / "creep.csv").read_text() for name in variants}
+    assert len(tables) == 1
+    case.write_bytes(text.encode("utf-16-le"))
+    done = run(case, tmp_path / "no mark", code=3)
+    assert "is UTF-16 without a byte order mark; save it as UTF-8" in done.stderr
+
+
 def test_one_impossible_force_leaves_the_others(case, tmp_path):
     """10 kN at mu = 0.3 carry 3 kN."""
     text = CASE.replace("creep: [1e-3]", "force: {longitudinal: [1 kN, 5 kN, 2 kN]}")

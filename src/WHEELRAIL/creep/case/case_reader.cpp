@@ -2,8 +2,8 @@
 #include "creep/case/case_reader.h"
 
 #include "base/errors.h"
-#include "base/program_files.h"
 #include "base/quantity.h"
+#include "base/text_lines.h"
 #include "shared/nearest_word.h"
 
 #include <algorithm>
@@ -132,7 +132,7 @@ bool CaseReader::hasGroup(const std::string &group) const
 
 void CaseReader::readFile()
 {
-  const std::string text = readInputFile(file_);
+  const std::string text = readTextFile(file_);
   try {
     const YAML::Node root = YAML::Load(text);
     if (!root.IsMap())
