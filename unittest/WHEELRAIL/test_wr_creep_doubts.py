@@ -5,7 +5,7 @@ import json
 import os
 
 import pytest
-from patch_runs import CASE, SOURCE, gsf_map, run, table, wr_creep
+from patch_runs import CASE, SOURCE, gsf_map, run, table
 
 LINE = SOURCE / "examples/wheelrail/table2.yaml"
 CONSTANT = "friction={law: constant, mu: 0.3}"
@@ -124,7 +124,8 @@ def test_a_load_above_the_hardness_is_named(tmp_path):
         "contact: {load_per_length: 40000 N/mm, period: 10 mm, youngs_modulus: 210 GPa, "
         "poissons_ratio: 0.3, hardness_limit: true}\n"
         "roughness: {hurst: 0.8, rms_slope: 0.01, wavelength_min: 0.1 mm, wavelength_max: 5 mm, "
-        "seed: 3}\nmode: static\nstatic: {force_ratio: 0}\nfriction: {law: constant, mu: 0.3, strength: 1000 MPa}\n"
+        "seed: 3}\nmode: static\nstatic: {force_ratio: 0}\n"
+        "friction: {law: constant, mu: 0.3, strength: 1000 MPa}\n"
     )
     done = run(case, tmp_path / "out", code=3)
     assert "contact.hardness_limit" in done.stderr

@@ -165,10 +165,10 @@ PatchPieceResult solvePatchPiece(const PatchSpecification &asked, const LawSprea
       if (!goOn() || !solver.solve(tasks[k], number, keeps, result))
         return {};
     } catch (const ForceTooLarge &error) {
-      const Error impossible = impossibleForce(tasks[k].drive, error);
       if (tasks.size() == 1) // nothing else was asked for
-        throw impossible;
-      result.points.push_back(failedPoint(contact, tasks[k], impossible));
+        throw impossibleForce(tasks[k].drive, error);
+      result.points.push_back(
+          failedPoint(contact, tasks[k], impossibleForce(tasks[k].drive, error)));
       solver.startAnew();
     } catch (const Error &error) {
       if (error.code() != ExitCode::NotConverged)
