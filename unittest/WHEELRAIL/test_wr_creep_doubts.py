@@ -53,6 +53,7 @@ def test_a_patch_that_cannot_be_meant(changes, expected, case, tmp_path):
         (["creep=[2.0]"], "creep: 2 (200 %); above 1"),
         (["contact.load_per_length=4e8 N/mm"], "contact: it reaches 1486 mm"),
         (["contact.load_per_length=4e6 N/mm"], "peak pressure"),
+        (["contact.radius=460 m"], "a rolling radius of 460 m; no wheel"),
     ],
 )
 def test_a_line_that_cannot_be_meant(changes, expected, tmp_path):

@@ -28,8 +28,10 @@ std::vector<std::string> contactDoubts(const std::vector<ContactSetup> &contacts
                                  setup.surface.statistics.back().rmsSlope));
     addDoubt(lines, pressureDoubt(setup.normal.peakPressure() * setup.hertz.modulus, strength,
                                   contact.youngsModulus));
-    if (setup.boundary == Boundary::Free)
-      addDoubt(lines, sizeDoubt(setup.hertz.halfWidth, contact.radius));
+    if (setup.boundary == Boundary::Periodic)
+      continue;
+    addDoubt(lines, sizeDoubt(setup.hertz.halfWidth, contact.radius));
+    addDoubt(lines, radiusDoubt(contact.radius));
   }
   return lines;
 }

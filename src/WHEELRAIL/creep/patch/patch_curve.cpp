@@ -90,6 +90,8 @@ void addDoubts(const PatchSpecification &asked, double strength, PatchCurves &cu
     addDoubt(curves.warnings, sizeDoubt(std::max(contact.hertz.a, contact.hertz.b),
                                         0.5 / contact.hertz.curvatures.A));
   }
+  if (asked.contact.curvatures) // not where the semi-axes decide on the radii
+    addDoubt(curves.warnings, radiusDoubt(0.5 / asked.contact.curvatures->A));
   if (asked.mode == PatchMode::Static)
     return;
   for (double &spin : atEdge)

@@ -59,6 +59,15 @@ std::string sizeDoubt(double halfAxis, double radius)
       halfAxis / mm, radius / mm);
 }
 
+std::string radiusDoubt(double radius)
+{
+  constexpr double largest = 10.0; // m
+  if (!(radius > largest))
+    return "";
+  return fmt::format("contact: a rolling radius of {:.4g} m; no wheel has more than {:g} m", radius,
+                     largest);
+}
+
 void addDoubt(std::vector<std::string> &warnings, const std::string &line)
 {
   if (!line.empty() && std::find(warnings.begin(), warnings.end(), line) == warnings.end())

@@ -31,6 +31,10 @@ std::string creepDoubt(const std::string &keyword, const std::vector<double> &va
 /// @param halfAxis m @param radius m, > 0; infinite: flat
 std::string sizeDoubt(double halfAxis, double radius);
 
+/// No wheel rolls on more than 10 m.
+/// @param radius that was given, along the way; m, > 0
+std::string radiusDoubt(double radius);
+
 /// Adds a line unless it is empty or there already.
 void addDoubt(std::vector<std::string> &warnings, const std::string &line);
 
