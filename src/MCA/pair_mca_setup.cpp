@@ -15,7 +15,7 @@
 #include "fix_mca_state.h"
 #include "force.h"
 #include "input.h"
-#include "laws/critical_step.h"
+#include "laws/contact_step.h"
 #include "memory.h"
 #include "modify.h"
 #include "neighbor.h"
@@ -27,7 +27,7 @@
 #include <cerrno>
 #include <cmath>
 #include <cstring>
-#include <limits>
+#include <optional>
 
 using namespace LAMMPS_NS;
 
@@ -360,36 +360,46 @@ void PairMCA::reset_dt()
 
 void PairMCA::check_step()
 {
-  for (int i = 1; i <= atom->ntypes; i++) {
-    if (i > 1 && materials[i] == materials[i - 1])
-      continue;
-    const mca::Material m = material_inside(i);
-    const double eta = lawset.isViscous() ? m.viscosity : 0.0;
-    const mca::ElasticModuli moduli = mca::elasticModuli(lawset, m);
-    const double D = moduli.D * moduli.bulk / m.bulkModulus(); // D K as the law has it
-    auto limit = mca::criticalStep(m, D, eta, *packing, lawset.resistsSlip());
-    if (!lawset.flows()) // nothing is pressed that far
-      limit.pressed = std::numeric_limits<double>::infinity();
-    const double critical =
-        std::min(lawset.centresViscosity() ? limit.centred() : limit.plain(), limit.pressed);
-    if (!(update->dt > 0.0))
-      error->all(FLERR,
-                 "Timestep {:.6g} is not allowed with pair_style mca, must be > 0 and at most "
-                 "{:.6g}",
-                 update->dt, critical);
-    if (update->dt > critical)
-      error->all(FLERR,
-                 "Timestep {:.6g} is longer than the critical one, {:.6g} (elastic {:.6g}, viscous "
-                 "{:.6g}, pressed links {:.6g}) of the material of type {}",
-                 update->dt, critical, limit.elastic, limit.viscous, limit.pressed, i);
-    if (comm->me == 0 && lawset.fracture.word() != "none" && update->dt > 0.5 * limit.elastic)
-      error->warning(FLERR,
-                     "Timestep {:.6g} is {:.2f} of the critical one of elasticity, {:.6g}, of the "
-                     "material of type {}: links that break lose too little energy, 8 % less at "
-                     "0.7 of it, 28 % at 1; at a timestep of {:.3g} it is 3 %",
-                     update->dt, update->dt / limit.elastic, limit.elastic, i,
-                     0.36 * limit.elastic);
-  }
+  if (!(update->dt > 0.0))
+    error->all(FLERR, "Timestep {:.6g} is not allowed with pair_style mca, must be > 0",
+               update->dt);
+  struct Meeting {
+    mca::CriticalStep limit;
+    double longest;
+    std::string of;
+  };
+  std::optional<Meeting> worst, stiffest;
+  for (int i = 1; i <= atom->ntypes; i++)
+    for (int j = i; j <= atom->ntypes; j++) {
+      // types of one material are one type
+      const auto known = [this](int type) {
+        return std::find(materials.begin() + 1, materials.begin() + type, materials[type]) !=
+               materials.begin() + type;
+      };
+      if (known(i) || (j != i && (known(j) || materials[i] == materials[j])))
+        continue;
+      const auto limit = mca::contactStep(lawset, material_inside(i), material_inside(j), *packing);
+      const Meeting pair = {limit, mca::longestStep(lawset, limit),
+                         i == j ? fmt::format("of the material of type {}", i)
+                                : fmt::format("where types {} and {} meet", i, j)};
+      if (!worst || pair.longest < worst->longest)
+        worst = pair;
+      if (!stiffest || pair.limit.elastic < stiffest->limit.elastic)
+        stiffest = pair;
+    }
+  if (update->dt > worst->longest)
+    error->all(FLERR,
+               "Timestep {:.6g} is longer than the critical one, {:.6g} (elastic {:.6g}, viscous "
+               "{:.6g}, pressed links {:.6g}) {}",
+               update->dt, worst->longest, worst->limit.elastic, worst->limit.viscous,
+               worst->limit.pressed, worst->of);
+  const double elastic = stiffest->limit.elastic;
+  if (comm->me == 0 && lawset.fracture.word() != "none" && update->dt > 0.5 * elastic)
+    error->warning(FLERR,
+                   "Timestep {:.6g} is {:.2f} of the critical one of elasticity, {:.6g}, {}: links "
+                   "that break lose too little energy, 8 % less at 0.7 of it, 28 % at 1; at a "
+                   "timestep of {:.3g} it is 3 %",
+                   update->dt, update->dt / elastic, elastic, stiffest->of, 0.36 * elastic);
 }
 
 /* ----------------------------------------------------------------------
