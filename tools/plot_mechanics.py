@@ -162,9 +162,9 @@ def diagram(m: Any, np: Any, plt: Any, work: pathlib.Path) -> Any:
     points = {m.Y1 / m.E: m.Y1, 0.015: m.Y2, m.BREAKING: m.STRENGTH}
     for kind, law, style in (
         ("tension", "radial", "-"),
-        ("tension", "j2", "--"),
+        ("tension", "isochoric", "--"),
         ("shear", "radial", "-"),
-        ("shear", "j2", "--"),
+        ("shear", "isochoric", "--"),
     ):
         r = m.diagram(work, kind, f"plasticity {law}", every=2)
         first = min(e[0] for e in r["events"])

@@ -16,7 +16,7 @@ using namespace LAMMPS_NS;
 
 static constexpr int SAMPLE_CHECK = 100; // steps from one to the next
 
-static constexpr int KAPPA = mca::stateNumber("kappa");
+static constexpr int KAPPA = mca::stateNumber("kappa"), KEPT = mca::stateNumber("kept");
 static constexpr int BROKEN = mca::stateNumber("broken");
 static constexpr int FORMED = mca::stateNumber("formed");
 static constexpr int LAG[] = {mca::stateNumber("lag_x"), mca::stateNumber("lag_y"),
@@ -65,6 +65,7 @@ mca::Automata PairMCA::automata() const
   a.integrated = integrated;
   a.held = held;
   a.kappa = state(KAPPA);
+  a.kept = state(KEPT);
   for (int m = 0; m < domain->dimension; m++) {
     a.lag[m] = state(LAG[m]);
     a.rest[m] = state(REST[m]);

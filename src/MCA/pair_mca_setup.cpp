@@ -339,12 +339,15 @@ double PairMCA::init_one(int i, int j)
 {
   const mca::Material &a = materials[i], &b = materials[j];
   const double d = 0.5 * (a.diameter + b.diameter);
-  const double reach = d * (1.0 + std::max(a.breakingStrain, b.breakingStrain));
+  const double breaking = std::max(a.breakingStrain, b.breakingStrain);
+  const double room = lawset.keepsVolume() ? mca::roomReach : 0.0;
+  const double reach = d * (1.0 + std::max(breaking, room));
   if (cut_user > 0.0 && cut_user < reach)
-    error->all(FLERR, "Pair style mca cutoff {} is below the breaking distance {} of types {} {}",
-               cut_user, reach, i, j);
+    error->all(FLERR, "Pair style mca cutoff {} is below the {} {} of types {} {}", cut_user,
+               room > breaking ? "reach of the room (plasticity isochoric)" : "breaking distance",
+               reach, i, j);
   // room for links that compression of their neighbours keeps below the breaking stress
-  const double margin = 2.0 * std::max({a.breakingStrain, b.breakingStrain, 0.05});
+  const double margin = std::max(2.0 * std::max(breaking, 0.05), room);
   return cut_user > 0.0 ? cut_user : d * (1.0 + margin);
 }
 
@@ -380,8 +383,8 @@ void PairMCA::check_step()
         continue;
       const auto limit = mca::contactStep(lawset, material_inside(i), material_inside(j), *packing);
       const Meeting pair = {limit, mca::longestStep(lawset, limit),
-                         i == j ? fmt::format("of the material of type {}", i)
-                                : fmt::format("where types {} and {} meet", i, j)};
+                            i == j ? fmt::format("of the material of type {}", i)
+                                   : fmt::format("where types {} and {} meet", i, j)};
       if (!worst || pair.longest < worst->longest)
         worst = pair;
       if (!stiffest || pair.limit.elastic < stiffest->limit.elastic)

@@ -6,6 +6,7 @@
 
 #include <benchmark/benchmark.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
@@ -65,19 +66,17 @@ class Sample {
     auto three = [](std::vector<Vector> &of, size_t from = 0) {
       return reinterpret_cast<const double(*)[3]>(of.data() + from);
     };
-    double *zero = zeros_.data();
-    step_.run({three(places_),
-               three(velocities_, first),
-               three(spins_, first),
-               groups_.data(),
-               1,
-               2,
-               zero,
-               {zero, zero, zero},
-               {zero, zero, zero},
-               {},
-               {}},
-              dt, advance);
+    mca::Automata a{};
+    a.x = three(places_);
+    a.v = three(velocities_, first);
+    a.omega = three(spins_, first);
+    a.groups = groups_.data();
+    a.integrated = 1;
+    a.held = 2;
+    a.kappa = a.kept = zeros_.data();
+    std::fill_n(a.lag, 3, zeros_.data());
+    std::fill_n(a.rest, 3, zeros_.data());
+    step_.run(a, dt, advance);
     benchmark::DoNotOptimize(step_.forces().data());
   }
 

@@ -480,7 +480,7 @@ def diagram(folder, kind, laws, scale=1.0, reverse=False, steps=4000, every=5):
     if kind == "shear":
         path = [(0.0, 0.0, e, steps // 100) for e in strains]
     else:
-        path = [(*p, 0.0, steps // 100) for p in tension_path(strains, "j2" in laws, scale)]
+        path = [(*p, 0.0, steps // 100) for p in tension_path(strains, "isochoric" in laws, scale)]
     return strained(folder, path, laws, every, file)
 
 

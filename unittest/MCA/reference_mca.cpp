@@ -143,13 +143,13 @@ bool bulkBreaks(const LinkView &l)
 }
 
 double nextKind(const mca::LawSet &laws, const mca::Material &ma, const mca::Material &mb,
-                double kind, double sigma, double tau, bool bulkBreaks, double work)
+                double kind, double sigma, double tau, bool bulkBreaks, double work, double room)
 {
   const double strength = std::fmin(ma.strength, mb.strength);
   const double hardness =
       3 * std::fmin(ma.yieldStrength * ma.strength, mb.yieldStrength * mb.strength);
   const bool welding = laws.weld.word() != "none";
-  const bool heals = -sigma >= times(laws.heal, strength, hardness) && !bulkBreaks;
+  const bool heals = -sigma - room >= times(laws.heal, strength, hardness) && !bulkBreaks;
   if (kind == 1)
     return bulkBreaks ? -1 : 1;
   const double limitOfElasticity =
@@ -160,17 +160,86 @@ double nextKind(const mca::LawSet &laws, const mca::Material &ma, const mca::Mat
     return heals ? 1 : 2;
   }
   const double enough = times(laws.linkWork, std::fmin(workToStrength(ma), workToStrength(mb)), 0);
-  if (-sigma < times(laws.link, strength, limitOfElasticity) && work < enough)
+  if (-sigma - room < times(laws.link, strength, limitOfElasticity) && work < enough)
     return 0;
   if (kind == -1)
     return heals ? 1 : -1;
   return welding ? 2 : 1;
 }
 
-double stretched(double sigma, double twoG, double times, double squareBefore, double squareAfter)
+bool keepsVolume(const mca::LawSet &laws)
 {
+  return laws.plasticity.word() == "isochoric";
+}
+
+double flowWeight(const mca::LawSet &laws, const mca::Material &a, const mca::Material &b,
+                  double kind, double e)
+{
+  if (kind == 1)
+    return 1;
+  if (kind == 2 || laws.flow.word() != "contacts" || e >= 0)
+    return 0;
+  const double limit = std::fmax(a.elasticLimit * a.strength, b.elasticLimit * b.strength);
+  return keepsVolume(laws) ? std::fmin(1, -e * (shearModulus(a) + shearModulus(b)) / limit) : 1;
+}
+
+// D K/G, by which what neighbours flow counts
+static double manyBody(const mca::LawSet &laws, const mca::Material &m)
+{
+  return meanWeight(laws, m) * bulkModulus(m) / shearModulus(m);
+}
+
+double mostReturned(const mca::LawSet &laws, const mca::Material &m, int dimension)
+{
+  if (!keepsVolume(laws))
+    return 1;
+  return std::fmin(1, 1.6 / (1 + 1.5 * dimension * manyBody(laws, m) / 8));
+}
+
+double stretched(const LinkView &l, double sigma, double squareBefore, double squareAfter)
+{
+  const double many = std::fmax(manyBody(l.laws, l.a), manyBody(l.laws, l.b));
+  const double most = 0.4 / (1 + 1.5 * l.dimension * many / 2) * sigma;
+  const double times = l.dimension == 2 ? 3.0 / 2 : 4.0 / 3;
+  const double twoG = shearModulus(l.a) + shearModulus(l.b);
   const double less = twoG * times * (squareAfter - squareBefore);
-  return sigma > 0 ? sigma - std::clamp(less, 0.0, sigma) : sigma - std::clamp(less, sigma, 0.0);
+  return sigma - std::clamp(less, std::fmin(0, most), std::fmax(0, most));
+}
+
+double flownUnlinked(const LinkView &l, double sigma, double trial, double plastic)
+{
+  const double longer = std::fmax(l.a.breakingStrain, l.b.breakingStrain) - plastic;
+  const double twoG = shearModulus(l.a) + shearModulus(l.b), shorter = 0.9 + plastic;
+  const double highest = keepsVolume(l.laws) ? std::fmax(trial, 0) : 0;
+  sigma = std::fmax(std::fmin(sigma, highest), trial - twoG * std::fmax(longer, 0));
+  return std::fmin(sigma, trial + twoG * std::fmax(shorter, 0));
+}
+
+double roomTaken(double eps)
+{
+  return std::pow(std::fmax(0, 1 - eps / 0.4), 2);
+}
+
+double roomPressure(const mca::LawSet &laws, const mca::Material &m, double taken, int dimension,
+                    int coordination)
+{
+  const double closeness = 0.2 * dimension * (taken / coordination - 1);
+  return keepsVolume(laws) ? bulkModulus(m) * std::fmax(0, closeness - 0.01) : 0;
+}
+
+double roomStress(double eps, double pressureA, double pressureB)
+{
+  return -(pressureA + pressureB) / 2 * std::fmax(0, 1 - eps / 0.4);
+}
+
+double unlinkedStress(const mca::LawSet &laws, double elastic, double viscous)
+{
+  return std::fmin(keepsVolume(laws) ? std::fmax(elastic, 0) : 0, elastic + viscous);
+}
+
+double keptNext(const mca::LawSet &laws, double kept, double sum)
+{
+  return keepsVolume(laws) ? kept - std::fmin(kept, std::fmax(sum, 0) / 2) : kept;
 }
 
 double wornKind(const mca::LawSet &laws, double kind, double next, bool far)
@@ -241,27 +310,32 @@ void moveShear(const Sample &s, Contact &c, double dt)
 void collectMeans(Sample &s)
 {
   for (auto &a : s.automata)
-    a.trace = a.mean = a.xx = a.yy = a.xy = a.zz = a.energy = a.fx = a.fy = a.torque = 0;
+    a.trace = a.mean = a.taken = a.xx = a.yy = a.xy = a.zz = a.energy = a.fx = a.fy = a.torque = 0;
+  for (int k = 0; k < s.owned; k++)
+    s.automata[k].trace = keepsVolume(s.laws) ? s.automata[k].kept / 3 : 0;
   for (const auto &c : s.contacts) {
     const View w = view(s, c);
-    if (!touches(c, w))
-      continue;
     for (int side : {c.i, c.j}) {
       Automaton &a = s.automata[s.owner[side]];
-      a.trace += w.e / 3;
+      a.taken += roomTaken(w.eps);
+      if (touches(c, w))
+        a.trace += w.e / 3;
     }
   }
   for (auto &a : s.automata) {
     const mca::Material &m = s.materials[a.type];
     a.mean = s.laws.plane.word() == "stress" ? 2.0 / 3 * (shearModulus(m) + lame(s, m)) * a.trace
                                              : bulkModulus(m) * a.trace;
+    a.room = roomPressure(s.laws, m, a.taken, 2, 6);
+    a.keptNext = keptNext(s.laws, a.kept, 3 * a.trace);
   }
 }
 
-// whether it flows with its automata
-bool flows(const Sample &s, const Contact &c, const View &w)
+// its weight in the flow of its automata
+double flows(const Sample &s, const Contact &c, const View &w)
 {
-  return c.now.kind == 1 || (s.laws.flow.word() == "contacts" && !linked(c.now) && w.e < 0);
+  return flowWeight(s.laws, s.materials[s.automata[c.i].type], s.materials[s.automata[c.j].type],
+                    c.now.kind, w.e);
 }
 
 // elastic stresses of a touching contact: the mean of what both sides answer
@@ -287,7 +361,7 @@ void addShare(Automaton &a, const View &w, double sigma, double tau)
 // von Mises from the deviator, or from the largest shear in the plane
 double intensityOf(const Sample &s, const Automaton &a)
 {
-  if (s.laws.plasticity.word() == "j2")
+  if (keepsVolume(s.laws))
     return std::sqrt(3.0) * std::hypot((a.xx - a.yy) / 2, a.xy);
   const double p = (a.xx + a.yy + a.zz) / 3;
   return std::sqrt(1.5 * (std::pow(a.xx - p, 2) + std::pow(a.yy - p, 2) + std::pow(a.zz - p, 2) +
@@ -296,9 +370,8 @@ double intensityOf(const Sample &s, const Automaton &a)
 
 void collectStresses(Sample &s)
 {
-  std::vector<int> flowing(s.owned, 0);
   for (auto &a : s.automata)
-    a.centre = 0;
+    a.centre = a.flowing = 0;
   for (const auto &c : s.contacts) {
     const View w = view(s, c);
     if (!touches(c, w))
@@ -309,20 +382,18 @@ void collectStresses(Sample &s)
       Automaton &a = s.automata[s.owner[side]];
       addShare(a, w, sigma, tau);
       a.energy += shearModulus(s.materials[a.type]) / 3 * (w.e * w.e + c.now.gamma * c.now.gamma);
-      if (flows(s, c, w)) {
-        flowing[s.owner[side]]++;
-        a.centre += sigma;
-      }
+      a.flowing += flows(s, c, w);
+      a.centre += flows(s, c, w) * sigma;
     }
   }
   for (int k = 0; k < s.owned; k++) {
     Automaton &a = s.automata[k];
     const mca::Material &m = s.materials[a.type];
-    a.energy += lame(s, m) * a.trace * a.trace / 2;
+    a.energy += lame(s, m) * a.trace * a.trace / 2 + a.room * a.room / 2 / bulkModulus(m);
     a.energy *= std::sqrt(3.0) / 2 * m.diameter * m.diameter * s.thickness;
     a.zz = 3 * a.mean - a.xx - a.yy;
     a.intensity = intensityOf(s, a);
-    a.centre = s.laws.plasticity.word() == "j2" ? a.centre / std::max(flowing[k], 1) : a.mean;
+    a.centre = !keepsVolume(s.laws) ? a.mean : a.flowing > 0 ? a.centre / a.flowing : 0;
   }
 }
 
@@ -338,25 +409,19 @@ Stress contactStresses(const Sample &s, const Contact &c, const View &w)
     return out;
   elasticStresses(s, c, w, out.trial, out.tau);
   out.sigma = out.trial;
-  if (!flows(s, c, w))
+  const double weight = flows(s, c, w);
+  if (weight == 0)
     return out;
-  out.sigma -=
-      ((1 - a.factor) * (out.trial - a.centre) + (1 - b.factor) * (out.trial - b.centre)) / 2;
+  out.sigma -= weight / 2 *
+               ((1 - a.factor) * (out.trial - a.centre) + (1 - b.factor) * (out.trial - b.centre));
   const double left = (a.factor + b.factor) / 2;
   out.tau *= left;
-  if (s.laws.plasticity.word() == "j2" && linked(c.now))
-    out.sigma =
-        stretched(out.sigma, shearModulus(s.materials[a.type]) + shearModulus(s.materials[b.type]),
-                  3.0 / 2, std::pow(c.now.gammaTotal - c.now.gamma, 2),
-                  std::pow(c.now.gammaTotal - left * c.now.gamma, 2));
-  if (!linked(c.now)) { // neither pulls, nor lengthens or shortens without a limit
-    const mca::Material &ma = s.materials[a.type], &mb = s.materials[b.type];
-    const double room = std::fmax(ma.breakingStrain, mb.breakingStrain) - c.now.plastic;
-    const double twoG = shearModulus(ma) + shearModulus(mb);
-    const double depth = 0.9 + c.now.plastic;
-    out.sigma = std::fmax(std::fmin(out.sigma, 0), out.trial - twoG * std::fmax(room, 0));
-    out.sigma = std::fmin(out.sigma, out.trial + twoG * std::fmax(depth, 0));
-  }
+  const LinkView l = {s.laws, s.materials[a.type], s.materials[b.type], 2};
+  if (keepsVolume(s.laws) && linked(c.now))
+    out.sigma = stretched(l, out.sigma, std::pow(c.now.gammaTotal - c.now.gamma, 2),
+                          std::pow(c.now.gammaTotal - left * c.now.gamma, 2));
+  if (!linked(c.now))
+    out.sigma = flownUnlinked(l, out.sigma, out.trial, c.now.plastic);
   return out;
 }
 
@@ -382,15 +447,12 @@ std::vector<double> returnedIntensities(const Sample &s)
 
 void yield(Sample &s)
 {
-  std::vector<bool> canFlow(s.owned, false);
-  for (const auto &c : s.contacts)
-    if (flows(s, c, view(s, c)))
-      canFlow[s.owner[c.i]] = canFlow[s.owner[c.j]] = true;
   for (int k = 0; k < s.owned; k++) {
     Automaton &a = s.automata[k];
     const double limit = yieldStress(s.materials[a.type], a.kappa);
-    const bool yields = s.laws.plasticity.word() != "none" && canFlow[k] && a.intensity > limit;
-    a.factor = yields ? limit / a.intensity : 1;
+    const bool yields = s.laws.plasticity.word() != "none" && a.flowing > 0 && a.intensity > limit;
+    const double most = mostReturned(s.laws, s.materials[a.type], 2);
+    a.factor = yields ? std::fmax(limit / a.intensity, 1 - most) : 1;
   }
   const std::vector<double> after = returnedIntensities(s);
   for (int k = 0; k < s.owned; k++) {
@@ -399,9 +461,11 @@ void yield(Sample &s)
     if (s.laws.steps.word() == "corrected" && a.factor < 1) {
       const double taken = a.intensity - after[k];
       const double times = taken > 0 ? (a.intensity - yieldStress(m, a.kappa)) / taken : 2;
-      a.factor = std::fmax(0, 1 - (1 - a.factor) * std::fmin(2, times));
+      const double most = mostReturned(s.laws, m, 2);
+      a.factor = std::fmax(1 - most, 1 - (1 - a.factor) * std::fmin(2, times));
     }
-    a.kappaNext = a.kappa + (1 - a.factor) * a.intensity / 3 / shearModulus(m);
+    a.kappaNext =
+        a.kappa + std::fmin(1, a.flowing) * (1 - a.factor) * a.intensity / 3 / shearModulus(m);
     a.work = plasticWork(m, a.kappaNext) - plasticWork(m, a.kappa);
   }
 }
@@ -414,7 +478,7 @@ Eigen::Matrix3d localStress(const Sample &s, const Contact &c, const View &w, co
     const Automaton &b = s.automata[s.owner[side]];
     const double stress =
         b.xx * w.tx * w.tx + b.yy * w.ty * w.ty + 2 * b.xy * w.tx * w.ty; // before the return
-    const bool inPlane = s.laws.plasticity.word() == "j2"; // what acts across it does not flow
+    const bool inPlane = keepsVolume(s.laws); // what acts across it does not flow
     const double centre = inPlane ? (b.xx + b.yy) / 2 : b.mean;
     along += (centre + b.factor * (stress - centre)) / 2;
     across += (inPlane ? b.zz : b.mean + b.factor * (b.zz - b.mean)) / 2;
@@ -445,7 +509,7 @@ double unlinkedNormal(const Sample &s, const Contact &c, const View &w, const St
   if (w.e >= 0)
     return 0;
   const double sigma = linked(c.now) ? p.trial : p.sigma;
-  return std::fmin(0, sigma + viscosity(s, c) * c.speed / w.d);
+  return unlinkedStress(s.laws, sigma, viscosity(s, c) * c.speed / w.d);
 }
 
 // along t, of the second surface's motion past the first
@@ -474,25 +538,33 @@ void applyContact(Sample &s, Contact &c)
                          2,
                          w.eps,
                          linked(c.now) ? c.now.gammaTotal : 0,
-                         w.e - (flows(s, c, w) ? (p.trial - p.sigma) / twoG : 0),
+                         w.e - (flows(s, c, w) > 0 ? (p.trial - p.sigma) / twoG : 0),
                          p.tau / twoG,
                          p.sigma,
                          p.tau,
                          s.automata[s.owner[c.i]].mean,
                          s.automata[s.owner[c.j]].mean,
                          localStress(s, c, w, p)};
-  c.next.kind =
-      nextKind(s.laws, ma, mb, c.now.kind, p.sigma, p.tau, bulkBreaks(load), workOf(s, c, w));
+  const double room =
+      roomStress(w.eps, s.automata[s.owner[c.i]].room, s.automata[s.owner[c.j]].room);
+  c.next.kind = nextKind(s.laws, ma, mb, c.now.kind, p.sigma, p.tau, bulkBreaks(load),
+                         workOf(s, c, w), w.eps < 0 ? room : 0);
   const bool far = w.eps >= std::fmax(ma.breakingStrain, mb.breakingStrain);
   c.next.kind = wornKind(s.laws, c.now.kind, c.next.kind, far);
-  if (flows(s, c, w))
+  if (flows(s, c, w) > 0)
     c.next.plastic += (p.trial - p.sigma) / twoG;
   c.next.gamma = p.tau / twoG;
   if (!linked(c.now) || !linked(c.next))
     c.next.gamma = c.next.gammaTotal = 0;
   if (!linked(c.next))
     c.next.gammaTotal = workOf(s, c, w);
-  if (!linked(c.next) && w.eps > std::fmax(c.next.plastic, 0))
+  const bool leaves = linked(c.now) && !linked(c.next) && keepsVolume(s.laws);
+  if (leaves)
+    for (int side : {c.i, c.j})
+      s.automata[s.owner[side]].left += std::fmax(0, w.eps - c.next.plastic);
+  else if (!linked(c.now) && w.e > 0 && w.eps < 0 && room < 0)
+    c.next.plastic = w.eps; // dented, without room: they touch
+  else if (!linked(c.next) && w.eps > std::fmax(c.next.plastic, 0))
     c.next.plastic = 0;
   if (c.next.kind != c.now.kind)
     s.changed++;
@@ -500,7 +572,7 @@ void applyContact(Sample &s, Contact &c)
   const double S = contactArea(s, w);
   const bool holds = linked(c.now) && linked(c.next);
   const double normal = holds ? p.sigma : unlinkedNormal(s, c, w, p), tau = holds ? p.tau : 0;
-  const double fn = normal * S, ft = tau * S * w.d / w.r;
+  const double fn = (normal + room) * S, ft = tau * S * w.d / w.r;
   const double drag = holds ? 0 : slipStress(s, c, w) * S;
   const double fx = fn * w.nx + (ft + drag) * w.tx, fy = fn * w.ny + (ft + drag) * w.ty;
   Automaton &a = s.automata[s.owner[c.i]], &b = s.automata[s.owner[c.j]];
@@ -516,7 +588,7 @@ void applyContacts(Sample &s)
 {
   s.changed = 0;
   for (auto &a : s.automata)
-    a.fx = a.fy = a.torque = 0;
+    a.fx = a.fy = a.torque = a.left = 0;
   for (auto &c : s.contacts)
     applyContact(s, c);
 }
@@ -559,6 +631,17 @@ void setPresentSpeeds(const Sample &s, Contact &c, double dt)
 
 } // namespace
 
+// the whole stress of an automaton, and what the next state keeps
+static void finish(Sample &s)
+{
+  for (int k = 0; k < s.owned; k++) {
+    Automaton &a = s.automata[k];
+    a.keptNext += a.left;
+    for (double *stress : {&a.mean, &a.xx, &a.yy, &a.zz})
+      *stress -= a.room;
+  }
+}
+
 void step(Sample &s, double dt)
 {
   for (auto &c : s.contacts)
@@ -569,11 +652,12 @@ void step(Sample &s, double dt)
   for (auto &c : s.contacts)
     setOldSpeeds(s, c, dt);
   applyContacts(s);
-  if (s.laws.steps.word() != "corrected")
-    return;
-  for (auto &c : s.contacts)
-    setPresentSpeeds(s, c, dt);
-  applyContacts(s);
+  if (s.laws.steps.word() == "corrected") {
+    for (auto &c : s.contacts)
+      setPresentSpeeds(s, c, dt);
+    applyContacts(s);
+  }
+  finish(s);
 }
 
 } // namespace reference

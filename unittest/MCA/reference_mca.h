@@ -21,11 +21,12 @@ struct Automaton {
   double x = 0, y = 0, vx = 0, vy = 0, omega = 0;
   int type = 0;      ///< number in the table of materials
   bool held = false; ///< keeps its velocity, whatever acts on it
-  double kappa = 0;
+  double kappa = 0, kept = 0;
 
   // results of a step; forces and torque are those of all contacts
   double mean = 0, xx = 0, yy = 0, xy = 0, zz = 0, intensity = 0, factor = 1, kappaNext = 0;
-  double centre = 0, trace = 0, work = 0;
+  double centre = 0, trace = 0, work = 0, flowing = 0;
+  double taken = 0, room = 0, left = 0, keptNext = 0; ///< room, strain that broken links left
   double energy = 0, fx = 0, fy = 0, torque = 0;
 };
 
@@ -80,20 +81,16 @@ double yieldStress(const mca::Material &, double kappa);
 /// Plastic work per volume, the area below the yield curve.
 double plasticWork(const mca::Material &, double kappa);
 
-/// Normal stress of a linked contact that lengthens by `times` the growth of its squared plastic
-/// shear, as far as that brings the stress nearer to 0.
-double stretched(double sigma, double twoG, double times, double squareBefore, double squareAfter);
-
 /// A contact as a criterion of fracture sees it, after the returns. In space shears are lengths.
 struct LinkView {
   const mca::LawSet &laws;
   const mca::Material &a, &b;
   int dimension;
-  double eps, gammaTotal; ///< total strains
-  double e, gamma;        ///< elastic strains
-  double sigma, tau;      ///< stresses
-  double meanA, meanB;    ///< mean stresses of both automata
-  Eigen::Matrix3d stress; ///< local stress tensor, in any frame
+  double eps = 0, gammaTotal = 0;                   ///< total strains
+  double e = 0, gamma = 0;                          ///< elastic strains
+  double sigma = 0, tau = 0;                        ///< stresses
+  double meanA = 0, meanB = 0;                      ///< mean stresses of both automata
+  Eigen::Matrix3d stress = Eigen::Matrix3d::Zero(); ///< local stress tensor, in any frame
 };
 
 /// The criteria of bulk links by their words. A test of a new one adds its own.
@@ -104,8 +101,39 @@ bool bulkBreaks(const LinkView &);
 
 /// The kind of a contact after a step in which it has these stresses.
 /// \param work  plastic work per volume while pressed together
+/// \param room  stress against lack of room, which presses, too
 double nextKind(const mca::LawSet &, const mca::Material &, const mca::Material &, double kind,
-                double sigma, double tau, bool bulkBreaks, double work);
+                double sigma, double tau, bool bulkBreaks, double work, double room);
+
+/// plasticity isochoric acts.
+bool keepsVolume(const mca::LawSet &);
+
+/// Weight of a contact in the flow of its automata.
+double flowWeight(const mca::LawSet &, const mca::Material &, const mca::Material &, double kind,
+                  double e);
+
+/// The most of 1 - M.
+double mostReturned(const mca::LawSet &, const mca::Material &, int dimension);
+
+/// Normal stress of a linked contact that lengthens as its squared plastic shear grows, as far as
+/// that brings the stress nearer to 0. Of the view laws, materials and dimension are read.
+double stretched(const LinkView &, double sigma, double squareBefore, double squareAfter);
+
+/// Normal stress of an unlinked contact that flows, within its limits.
+double flownUnlinked(const LinkView &, double sigma, double trial, double plastic);
+
+/// What a neighbour takes of an automaton's room, the pressure against its lack, and the stress
+/// that two of these make.
+double roomTaken(double eps);
+double roomPressure(const mca::LawSet &, const mca::Material &, double taken, int dimension,
+                    int coordination);
+double roomStress(double eps, double pressureA, double pressureB);
+
+/// Stress of an unlinked contact that touches.
+double unlinkedStress(const mca::LawSet &, double elastic, double viscous);
+
+/// What is left of strains that broken links left.
+double keptNext(const mca::LawSet &, double kept, double sum);
 
 /// The rule for worn contacts, in the place of what nextKind() says.
 /// \param far  beyond the breaking distance of the tougher material

@@ -43,10 +43,11 @@ bool touches(const Contact &c, const View &w)
   return linked(c.now) || w.e < 0;
 }
 
-// whether it flows with its automata
-bool flows(const Sample &s, const Contact &c, const View &w)
+// its weight in the flow of its automata
+double flows(const Sample &s, const Contact &c, const View &w)
 {
-  return c.now.kind == 1 || (s.laws.flow.word() == "contacts" && !linked(c.now) && w.e < 0);
+  return flowWeight(s.laws, s.materials[s.automata[c.i].type], s.materials[s.automata[c.j].type],
+                    c.now.kind, w.e);
 }
 
 // volume of a cell in units of d^3, from the packings' lattice constants
@@ -81,19 +82,27 @@ void moveShear(const Sample &s, Contact &c, double dt)
 void collectMeans(Sample &s)
 {
   for (auto &a : s.automata) {
-    a.mean = a.energy = a.centre = 0;
+    a.mean = a.energy = a.centre = a.taken = a.flowing = 0;
     a.stress.setZero();
     a.force.setZero();
     a.torque.setZero();
   }
+  for (int k = 0; k < s.owned; k++)
+    s.automata[k].sum = keepsVolume(s.laws) ? s.automata[k].kept : 0;
   for (const auto &c : s.contacts) {
     const View w = view(s, c);
-    if (!touches(c, w))
-      continue;
     for (int side : {c.i, c.j}) {
       Automaton &a = s.automata[s.owner[side]];
-      a.mean += bulkModulus(s.materials[a.type]) * 3 / s.packing.coordination * w.e;
+      a.taken += roomTaken(w.eps);
+      if (touches(c, w))
+        a.sum += w.e;
     }
+  }
+  for (auto &a : s.automata) {
+    const mca::Material &m = s.materials[a.type];
+    a.mean = bulkModulus(m) * 3 / s.packing.coordination * a.sum;
+    a.room = roomPressure(s.laws, m, a.taken, 3, s.packing.coordination);
+    a.keptNext = keptNext(s.laws, a.kept, a.sum);
   }
 }
 
@@ -125,7 +134,6 @@ double intensityOf(const Matrix3d &stress)
 void collectStresses(Sample &s)
 {
   const double weight = 3.0 / s.packing.coordination;
-  std::vector<int> flowing(s.owned, 0);
   for (const auto &c : s.contacts) {
     const View w = view(s, c);
     if (!touches(c, w))
@@ -138,22 +146,20 @@ void collectStresses(Sample &s)
       a.stress += shareOf(s, w, sigma, tau);
       a.energy +=
           weight * shearModulus(s.materials[a.type]) * (w.e * w.e + c.now.gamma.squaredNorm());
-      if (flows(s, c, w)) {
-        flowing[s.owner[side]]++;
-        a.centre += sigma;
-      }
+      a.flowing += flows(s, c, w);
+      a.centre += flows(s, c, w) * sigma;
     }
   }
   for (int k = 0; k < s.owned; k++) {
     Automaton &a = s.automata[k];
     const mca::Material &m = s.materials[a.type];
-    a.energy += meanWeight(s.laws, m) * a.mean * a.mean / 2 / bulkModulus(m);
+    a.energy += (meanWeight(s.laws, m) * a.mean * a.mean + a.room * a.room) / 2 / bulkModulus(m);
     a.energy *= cellVolume(s.packing) * std::pow(m.diameter, 3);
     a.intensity = intensityOf(a.stress);
     const double limit = yieldStress(m, a.kappa);
-    a.centre /= std::max(flowing[k], 1);
-    const bool yields = s.laws.plasticity.word() != "none" && flowing[k] > 0 && a.intensity > limit;
-    a.factor = yields ? limit / a.intensity : 1;
+    a.centre = a.flowing > 0 ? a.centre / a.flowing : 0;
+    const bool yields = s.laws.plasticity.word() != "none" && a.flowing > 0 && a.intensity > limit;
+    a.factor = yields ? std::fmax(limit / a.intensity, 1 - mostReturned(s.laws, m, 3)) : 1;
   }
 }
 
@@ -168,23 +174,18 @@ void contactStresses(const Sample &s, const Contact &c, const View &w, double &t
     return;
   elasticStresses(s, c, w, trial, tau);
   sigma = trial;
-  if (!flows(s, c, w))
+  const double weight = flows(s, c, w);
+  if (weight == 0)
     return;
-  sigma -= ((1 - a.factor) * (trial - a.centre) + (1 - b.factor) * (trial - b.centre)) / 2;
+  sigma -= weight / 2 * ((1 - a.factor) * (trial - a.centre) + (1 - b.factor) * (trial - b.centre));
   const double left = (a.factor + b.factor) / 2;
   tau *= left;
-  if (s.laws.plasticity.word() == "j2" && linked(c.now))
-    sigma = stretched(sigma, shearModulus(s.materials[a.type]) + shearModulus(s.materials[b.type]),
-                      4.0 / 3, (c.now.gammaTotal - c.now.gamma).squaredNorm(),
+  const LinkView l = {s.laws, s.materials[a.type], s.materials[b.type], 3};
+  if (keepsVolume(s.laws) && linked(c.now))
+    sigma = stretched(l, sigma, (c.now.gammaTotal - c.now.gamma).squaredNorm(),
                       (c.now.gammaTotal - left * c.now.gamma).squaredNorm());
-  if (!linked(c.now)) { // neither pulls, nor lengthens or shortens without a limit
-    const mca::Material &ma = s.materials[a.type], &mb = s.materials[b.type];
-    const double room = std::fmax(ma.breakingStrain, mb.breakingStrain) - c.now.plastic;
-    const double twoG = shearModulus(ma) + shearModulus(mb);
-    const double depth = 0.9 + c.now.plastic;
-    sigma = std::fmax(std::fmin(sigma, 0), trial - twoG * std::fmax(room, 0));
-    sigma = std::fmin(sigma, trial + twoG * std::fmax(depth, 0));
-  }
+  if (!linked(c.now))
+    sigma = flownUnlinked(l, sigma, trial, c.now.plastic);
 }
 
 // the returns again, with the stresses as the first ones leave them
@@ -205,9 +206,11 @@ void yieldAgain(Sample &s)
     if (s.laws.steps.word() == "corrected" && a.factor < 1) {
       const double taken = a.intensity - intensityOf(after[k]);
       const double times = taken > 0 ? (a.intensity - yieldStress(m, a.kappa)) / taken : 2;
-      a.factor = std::fmax(0, 1 - (1 - a.factor) * std::fmin(2, times));
+      const double most = mostReturned(s.laws, m, 3);
+      a.factor = std::fmax(1 - most, 1 - (1 - a.factor) * std::fmin(2, times));
     }
-    a.kappaNext = a.kappa + (1 - a.factor) * a.intensity / 3 / shearModulus(m);
+    a.kappaNext =
+        a.kappa + std::fmin(1, a.flowing) * (1 - a.factor) * a.intensity / 3 / shearModulus(m);
     a.work = plasticWork(m, a.kappaNext) - plasticWork(m, a.kappa);
   }
 }
@@ -265,24 +268,31 @@ void applyContact(Sample &s, Contact &c)
                          3,
                          w.eps,
                          linked(c.now) ? c.now.gammaTotal.norm() : 0,
-                         w.e - (flows(s, c, w) ? (trial - sigma) / twoG : 0),
+                         w.e - (flows(s, c, w) > 0 ? (trial - sigma) / twoG : 0),
                          tau.norm() / twoG,
                          sigma,
                          tau.norm(),
                          a.mean,
                          b.mean,
                          localStress(s, c, w, sigma, tau)};
-  c.next.kind = nextKind(s.laws, ma, mb, c.now.kind, sigma, tau.norm(), bulkBreaks(load), work);
+  const double room = roomStress(w.eps, a.room, b.room);
+  c.next.kind = nextKind(s.laws, ma, mb, c.now.kind, sigma, tau.norm(), bulkBreaks(load), work,
+                         w.eps < 0 ? room : 0);
   const bool far = w.eps >= std::fmax(ma.breakingStrain, mb.breakingStrain);
   c.next.kind = wornKind(s.laws, c.now.kind, c.next.kind, far);
-  if (flows(s, c, w))
+  if (flows(s, c, w) > 0)
     c.next.plastic += (trial - sigma) / twoG;
   c.next.gamma = tau / twoG;
   if (!linked(c.now) || !linked(c.next))
     c.next.gamma = c.next.gammaTotal = Vector3d::Zero();
   if (!linked(c.next))
     c.next.gammaTotal.x() = work;
-  if (!linked(c.next) && w.eps > std::fmax(c.next.plastic, 0))
+  if (linked(c.now) && !linked(c.next) && keepsVolume(s.laws))
+    for (Automaton *side : {&a, &b})
+      side->left += std::fmax(0, w.eps - c.next.plastic);
+  else if (!linked(c.now) && w.e > 0 && w.eps < 0 && room < 0)
+    c.next.plastic = w.eps; // dented, without room: they touch
+  else if (!linked(c.next) && w.eps > std::fmax(c.next.plastic, 0))
     c.next.plastic = 0;
   if (c.next.kind != c.now.kind)
     s.changed++;
@@ -291,13 +301,13 @@ void applyContact(Sample &s, Contact &c)
   Vector3d drag(0, 0, 0);
   if (!linked(c.now) || !linked(c.next)) {
     const double pressed = linked(c.now) ? trial : sigma;
-    sigma = w.e < 0 ? std::fmin(0, pressed + viscosity(s, c) * c.speed / w.d) : 0;
+    sigma = w.e < 0 ? unlinkedStress(s.laws, pressed, viscosity(s, c) * c.speed / w.d) : 0;
     tau.setZero();
     if (w.e < 0 && s.laws.viscosity.word() == "both")
       drag = viscosity(s, c) / w.d * c.slip;
   }
   const double S = contactArea(s, w);
-  const Vector3d force = S * (sigma * w.n + w.d / w.r * tau + drag);
+  const Vector3d force = S * ((sigma + room) * w.n + w.d / w.r * tau + drag);
   const Vector3d torque = S * w.n.cross(w.d / 2 * tau + w.r / 2 * drag);
   a.force += force;
   b.force -= force;
@@ -311,6 +321,7 @@ void applyContacts(Sample &s)
   for (auto &a : s.automata) {
     a.force.setZero();
     a.torque.setZero();
+    a.left = 0;
   }
   for (auto &c : s.contacts)
     applyContact(s, c);
@@ -371,11 +382,17 @@ void step(Sample &s, double dt)
   for (auto &c : s.contacts)
     setOldSpeeds(s, c, dt);
   applyContacts(s);
-  if (s.laws.steps.word() != "corrected")
-    return;
-  for (auto &c : s.contacts)
-    setPresentSpeeds(s, c, dt);
-  applyContacts(s);
+  if (s.laws.steps.word() == "corrected") {
+    for (auto &c : s.contacts)
+      setPresentSpeeds(s, c, dt);
+    applyContacts(s);
+  }
+  for (int k = 0; k < s.owned; k++) { // the whole stress, and what the next state keeps
+    Automaton &a = s.automata[k];
+    a.keptNext += a.left;
+    a.mean -= a.room;
+    a.stress -= a.room * Matrix3d::Identity();
+  }
 }
 
 } // namespace reference::space

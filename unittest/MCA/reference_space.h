@@ -21,12 +21,14 @@ struct Automaton {
   Vector3d x{0, 0, 0}, v{0, 0, 0}, omega{0, 0, 0};
   int type = 0;      ///< number in the table of materials
   bool held = false; ///< keeps its velocity, whatever acts on it
-  double kappa = 0;
+  double kappa = 0, kept = 0;
 
   // results of a step; force and torque are those of all contacts
   double mean = 0, intensity = 0, factor = 1, kappaNext = 0, energy = 0;
-  double centre = 0; ///< mean normal stress of the bulk links
-  double work = 0;   ///< plastic work per volume of the step
+  double centre = 0;           ///< mean normal stress of the contacts that flow
+  double sum = 0, flowing = 0; ///< normal strains, weights of the contacts that flow
+  double taken = 0, room = 0, left = 0, keptNext = 0; ///< room, strain that broken links left
+  double work = 0;                                    ///< plastic work per volume of the step
   Matrix3d stress = Matrix3d::Zero();
   Vector3d force{0, 0, 0}, torque{0, 0, 0};
 };

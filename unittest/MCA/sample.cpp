@@ -127,6 +127,7 @@ void KernelRun::step(Sample &s, double dt)
     std::copy_n(velocities, 2, arrays_.v()[i]);
     arrays_.omega()[i][2] = a.omega;
     arrays_.kappa[i] = a.kappa;
+    arrays_.kept[i] = a.kept;
   }
   evaluation_.run(arrays_.view(), dt, dt > 0.0);
   s.changed = static_cast<int>(evaluation_.changing());
@@ -138,6 +139,7 @@ void KernelRun::step(Sample &s, double dt)
     a.mean = state.mean;
     a.factor = evaluation_.factor(i);
     a.kappaNext = arrays_.kappa[i];
+    a.keptNext = arrays_.kept[i];
     a.xx = state.stress.xx;
     a.yy = state.stress.yy;
     a.xy = state.stress.xy;

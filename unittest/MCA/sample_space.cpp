@@ -83,6 +83,7 @@ void SpaceRun::step(Sample &s, double dt)
     std::copy_n(a.v.data(), 3, arrays_.v()[i]);
     std::copy_n(a.omega.data(), 3, arrays_.omega()[i]);
     arrays_.kappa[i] = a.kappa;
+    arrays_.kept[i] = a.kept;
   }
   evaluation_.run(arrays_.view(), dt, dt > 0.0);
   s.changed = static_cast<int>(evaluation_.changing());
@@ -95,6 +96,7 @@ void SpaceRun::step(Sample &s, double dt)
     a.mean = state.mean;
     a.factor = evaluation_.factor(i);
     a.kappaNext = arrays_.kappa[i];
+    a.keptNext = arrays_.kept[i];
     a.stress << t.xx, t.xy, t.xz, t.xy, t.yy, t.yz, t.xz, t.yz, t.zz;
     a.intensity = state.intensity;
     a.energy = state.energy;

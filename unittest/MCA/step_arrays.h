@@ -14,11 +14,11 @@ struct StepArrays {
   using Vector = double[3];
   std::vector<double> places, velocities, spins; ///< three values each
   std::vector<int> types, groups;
-  std::vector<double> kappa, lag[3], rest[3], spinLag[3], spinRest[3];
+  std::vector<double> kappa, kept, lag[3], rest[3], spinLag[3], spinRest[3];
 
   /// Of n rows, all values 0 and every automaton moved by its forces.
   explicit StepArrays(size_t n = 0)
-      : places(3 * n), velocities(3 * n), spins(3 * n), types(n), groups(n, all), kappa(n)
+      : places(3 * n), velocities(3 * n), spins(3 * n), types(n), groups(n, all), kappa(n), kept(n)
   {
     for (auto *of : {lag, rest, spinLag, spinRest})
       for (int m = 0; m < 3; m++)
@@ -40,6 +40,7 @@ struct StepArrays {
     a.integrated = all;
     a.held = held;
     a.kappa = kappa.data();
+    a.kept = kept.data();
     for (int m = 0; m < 3; m++) {
       a.lag[m] = lag[m].data();
       a.rest[m] = rest[m].data();

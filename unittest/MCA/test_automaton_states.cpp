@@ -10,10 +10,10 @@ TEST(AutomatonStates, StandInRestartFilesInThisOrder)
 {
   EXPECT_EQ(mca::propertyWords(2),
             "d_mca_kappa d_mca_theta d_mca_lag_x d_mca_lag_y d_mca_rest_x d_mca_rest_y "
-            "d_mca_links0 d_mca_broken d_mca_formed");
+            "d_mca_links0 d_mca_broken d_mca_formed d_mca_kept");
   EXPECT_EQ(mca::propertyWords(3),
             "d_mca_kappa d_mca_theta d_mca_lag_x d_mca_lag_y d_mca_rest_x d_mca_rest_y "
-            "d_mca_lag_z d_mca_rest_z d_mca_links0 d_mca_broken d_mca_formed");
+            "d_mca_lag_z d_mca_rest_z d_mca_links0 d_mca_broken d_mca_formed d_mca_kept");
   EXPECT_EQ(mca::propertyWords(2, false), "d_mca_spin_lag_z d_mca_spin_rest_z");
   EXPECT_EQ(mca::propertyWords(3, false),
             "d_mca_spin_lag_x d_mca_spin_lag_y d_mca_spin_lag_z d_mca_spin_rest_x "

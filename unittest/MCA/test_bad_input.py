@@ -89,7 +89,7 @@ def test_bad_override(tmp_path, words, parts):
 @pytest.mark.parametrize(
     "words,parts",
     [
-        ("preset d", ["preset", "value d", "allowed: a, b, c"]),
+        ("preset e", ["preset", "value e", "allowed: a, b, c, d"]),
         ("fractur none", ["fractur", "nearest known one is 'fracture'"]),
         ("thickness -1", ["thickness", "-1", "allowed"]),
         ("thickness nan", ["Pair style mca thickness is 'nan'", "> 0"]),
@@ -103,12 +103,15 @@ def test_bad_pair_style(tmp_path, words, parts):
     fails(SAMPLE + f"pair_style mca {words}\n", tmp_path, *parts)
 
 
-def test_cutoff_below_the_breaking_distance(tmp_path):
+@pytest.mark.parametrize(
+    "laws, what", [("preset c", "breaking distance"), ("", "reach of the room")]
+)
+def test_cutoff_below_what_pairs_need(laws, what, tmp_path):
     fails(
-        SAMPLE + "pair_style mca cutoff 2.55\npair_coeff * * steel.mca\nrun 0\n",
+        SAMPLE + f"pair_style mca cutoff 2.55 {laws}\npair_coeff * * steel.mca\nrun 0\n",
         tmp_path,
         "cutoff 2.55",
-        "breaking distance",
+        what,
     )
 
 

@@ -249,7 +249,7 @@ neighbor 0.4 bin
 mca_links create all all
 """
     )
-    fails(script, tmp_path, "periodic box is 5 long in direction x", "6.3")
+    fails(script, tmp_path, "periodic box is 5 long in direction x", "7.8")
 
 
 # ---- replicate before the links are made

@@ -48,7 +48,7 @@ def test_log_describes_itself(driven):
     assert head["geometry"]["width"] == 50 and head["geometry"]["packing"] == "hex"
     assert head["geometry"]["automata"] == 280 and head["geometry"]["diameter"] == 2.5
     assert head["run"] == {"timestep": 5e-5, "every": 50, "seed": 11}
-    assert head["laws"]["preset"] == "c" and head["units"]["stress"] == "MPa"
+    assert head["laws"]["preset"] == "d" and head["units"]["stress"] == "MPa"
     assert head["program"]["lammps"] == 20250204 or head["program"]["lammps"] > 20250204
 
 

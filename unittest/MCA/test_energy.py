@@ -54,10 +54,10 @@ def test_error_is_the_sum(sliding):
     [
         "preset a",
         "preset b flow contacts",
-        "preset b plasticity j2 flow contacts",
+        "preset b plasticity isochoric flow contacts",
         "preset b viscosity none",
         "preset b steps plain",
-        "preset b plasticity j2 flow contacts steps plain",
+        "preset b plasticity isochoric flow contacts steps plain",
         "preset b viscosity both",
         "preset b viscosity both steps plain",
     ],
@@ -80,7 +80,7 @@ def test_flow_dissipates(laws, tmp_path):
         lmp(
             "in.energy_sliding",
             tmp_path,
-            laws=f"preset b plasticity j2 flow contacts {laws}",
+            laws=f"preset b plasticity isochoric flow contacts {laws}",
             steps=4000,
             dt=4e-5,
         )
@@ -110,7 +110,7 @@ region box block -10 12.5 -10 10 -0.5 0.5 units box
 create_box 1 box
 create_atoms 1 single 0 0 0 units box
 create_atoms 1 single 2.5 0 0 units box
-pair_style mca
+pair_style mca plasticity radial
 pair_coeff * * steel.mca
 neighbor 0.4 bin
 mca_links create all all

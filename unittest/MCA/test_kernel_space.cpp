@@ -51,6 +51,7 @@ Sample randomSample(const mca::Packing &packing, unsigned seed, int materials, d
     a.v = random.vector(10);
     a.omega = random.vector(5);
     a.kappa = random.number(0, 0.05);
+    a.kept = random.number(0, 0.01);
     a.type = random.whole(materials);
     a.held = random.whole(8) == 0;
   }
@@ -83,6 +84,7 @@ void expectSame(const Sample &a, const Sample &b, double tolerance)
     EXPECT_NEAR(p.intensity, q.intensity, tolerance * stress);
     EXPECT_NEAR(p.factor, q.factor, tolerance);
     EXPECT_NEAR(p.kappaNext, q.kappaNext, tolerance);
+    EXPECT_NEAR(p.keptNext, q.keptNext, tolerance);
     EXPECT_NEAR(p.energy, q.energy, tolerance * std::abs(q.energy));
     EXPECT_LE((p.force - q.force).norm(), tolerance * force);
     EXPECT_LE((p.torque - q.torque).norm(), tolerance * force * 2.5);
@@ -129,9 +131,9 @@ TEST_P(SpaceKernelTest, EqualsTheReferenceWithEachLawSwitched)
   std::vector<std::vector<std::string>> choices = {
       {"elasticity", "pairwise"},
       {"plasticity", "none"},
-      {"plasticity", "j2"},
-      {"plasticity", "j2", "flow", "contacts"},
-      {"plasticity", "j2", "flow", "contacts", "link_work", "0.001"},
+      {"plasticity", "isochoric"},
+      {"plasticity", "isochoric", "flow", "contacts"},
+      {"plasticity", "isochoric", "flow", "contacts", "link_work", "0.001"},
       {"flow", "contacts"},
       {"flow", "contacts", "viscosity", "both"},
       {"viscosity", "none"},
@@ -494,7 +496,7 @@ TEST_P(SpaceKernelTest, SimpleShearInThePlaneTurnsAsThePlanesLaw)
 TEST_P(SpaceKernelTest, FlowOfAllAlikeKeepsTheVolume)
 {
   // a periodic block is drawn and sheared; its elastic twin has the same strains and never flows
-  for (const std::string plasticity : {"radial", "j2"})
+  for (const std::string plasticity : {"radial", "isochoric"})
     for (const bool sheared : {false, true}) {
       Sample s = block(mca::packing::fcc, steel(), 4, 1, true), twin = s;
       s.laws.plasticity = plasticity;
@@ -502,11 +504,11 @@ TEST_P(SpaceKernelTest, FlowOfAllAlikeKeepsTheVolume)
       twin.laws.plasticity = "none";
       Matrix3d rate = Matrix3d::Zero();
       if (sheared)
-        rate(0, 1) = 1e-3;
+        rate(0, 1) = 1e-4;
       else
-        rate = Vector3d(1e-3, -5e-4, -5e-4).asDiagonal();
+        rate = Vector3d(1e-4, -5e-5, -5e-5).asDiagonal();
       SpaceRun run(*GetParam(), s, false), elastic(*GetParam(), twin, false);
-      for (int k = 0; k < 8; k++) {
+      for (int k = 0; k < 80; k++) { // the stretch of shear takes a part of a stress in a step
         for (auto *sample : {&s, &twin})
           for (auto &a : sample->automata) {
             a.v = rate * a.x;
@@ -524,7 +526,7 @@ TEST_P(SpaceKernelTest, FlowOfAllAlikeKeepsTheVolume)
         EXPECT_GT(a.kappa, 1e-3);
         EXPECT_GT(b.intensity, 3 * a.intensity);
         EXPECT_NEAR(a.stress.trace() / 3, a.mean, 1e-9 * yieldStress);
-        if (plasticity == "j2") // and takes off what contacts lengthen as they rotate
+        if (plasticity == "isochoric") // and takes off what contacts lengthen as they rotate
           EXPECT_LT(std::abs(a.mean), 0.15 * b.mean);
         else
           EXPECT_NEAR(a.mean, b.mean, 1e-9 * yieldStress);

@@ -40,7 +40,8 @@ std::string wordOf(const LawSet &set, const std::string &keyword)
 
 TEST(LawSet, Presets)
 {
-  const LawSet a = parsed({"preset", "a"}), b = parsed({"preset", "b"}), c = parsed({});
+  const LawSet a = parsed({"preset", "a"}), b = parsed({"preset", "b"}),
+               c = parsed({"preset", "c"}), d = parsed({});
   EXPECT_EQ(a.link.threshold().factor(), 2.35);
   EXPECT_TRUE(a.weld.isOff());
   EXPECT_TRUE(a.heal.isOff());
@@ -58,12 +59,17 @@ TEST(LawSet, Presets)
     EXPECT_TRUE(set.linkWork.isOff());
     EXPECT_FALSE(set.needsLocal());
   }
-  expectSame(parsed({"preset", "c"}), c);
+  expectSame(parsed({"preset", "d"}), d);
   // c is b whose contacts flow, too, and resist slip, and whose welds break where they form
   LawSet same =
       parsed({"preset", "b", "flow", "contacts", "viscosity", "both", "weld", "elastic_limit"});
   same.preset = "c";
   expectSame(c, same);
+  // d is c whose flow keeps the volume
+  LawSet kept = parsed({"preset", "c", "plasticity", "isochoric"});
+  kept.preset = "d";
+  expectSame(d, kept);
+  EXPECT_TRUE(c.plasticity.is(Plasticity::Radial));
   EXPECT_TRUE(c.flow.is(FlowLaw::Contacts));
   EXPECT_TRUE(c.resistsSlip());
 }
@@ -105,7 +111,7 @@ TEST(LawSet, WordsOfRestartFilesAndLogs)
 TEST(LawSet, EachKeyword)
 {
   const std::vector<std::vector<std::string>> choices = {
-      {"elasticity", "pairwise"}, {"plasticity", "none"},  {"plasticity", "j2"},
+      {"elasticity", "pairwise"}, {"plasticity", "none"},  {"plasticity", "radial"},
       {"flow", "links"},          {"fracture", "stress"},  {"fracture", "none"},
       {"viscosity", "none"},      {"viscosity", "normal"}, {"steps", "plain"},
       {"link", "1.25"},           {"link", "none"},        {"weld", "0.554"},
@@ -133,8 +139,8 @@ TEST(LawSet, AnswersWhatFollowsFromTheWords)
   EXPECT_FALSE(parsed({"steps", "plain"}).centresViscosity());
   EXPECT_FALSE(parsed({"viscosity", "none"}).isViscous());
   EXPECT_FALSE(parsed({"viscosity", "none"}).centresViscosity());
-  EXPECT_TRUE(parsed({"plasticity", "j2"}).keepsVolume());
-  EXPECT_FALSE(parsed({"flow", "contacts"}).keepsVolume());
+  EXPECT_TRUE(parsed({"flow", "links"}).keepsVolume());
+  EXPECT_FALSE(parsed({"plasticity", "radial"}).keepsVolume());
 }
 
 TEST(LawSet, OnlyPlaneStressIsOfThePlane)
@@ -144,7 +150,7 @@ TEST(LawSet, OnlyPlaneStressIsOfThePlane)
   EXPECT_EQ(stress.notInDimension(3), "plane stress");
   for (const std::vector<std::string> &words :
        std::vector<std::vector<std::string>>{{},
-                                             {"plasticity", "j2"},
+                                             {"plasticity", "radial"},
                                              {"flow", "contacts"},
                                              {"fracture", "equivalent"},
                                              {"link_work", "1"}})
@@ -154,26 +160,26 @@ TEST(LawSet, OnlyPlaneStressIsOfThePlane)
 TEST(LawSet, AnUnknownWordIsNotAssigned)
 {
   LawSet set;
-  set.plasticity = "j2";
-  EXPECT_TRUE(set.plasticity.is(Plasticity::J2));
+  set.plasticity = "radial";
+  EXPECT_TRUE(set.plasticity.is(Plasticity::Radial));
   EXPECT_THROW(set.plasticity = "soft", std::invalid_argument);
   EXPECT_THROW(set.fracture = "soft", std::invalid_argument);
-  EXPECT_TRUE(set.plasticity.is(Plasticity::J2));
+  EXPECT_TRUE(set.plasticity.is(Plasticity::Radial));
 }
 
 TEST(LawSet, APresetResetsWhatStandsBeforeIt)
 {
-  expectSame(parsed({"link", "7", "elasticity", "pairwise", "preset", "c"}), LawSet());
+  expectSame(parsed({"link", "7", "elasticity", "pairwise", "preset", "d"}), LawSet());
   EXPECT_EQ(parsed({"preset", "b", "link", "7"}).link.threshold().factor(), 7);
 }
 
 TEST(LawSet, BadValuesNameKeywordValueAndWhatIsAllowed)
 {
-  EXPECT_EQ(problemOf({"preset", "d"}), "keyword preset, value d, allowed: a, b, c");
+  EXPECT_EQ(problemOf({"preset", "e"}), "keyword preset, value e, allowed: a, b, c, d");
   EXPECT_EQ(problemOf({"elasticity", "linear"}),
             "keyword elasticity, value linear, allowed: many-body, pairwise");
   EXPECT_EQ(problemOf({"plasticity", "x"}),
-            "keyword plasticity, value x, allowed: radial, j2, none");
+            "keyword plasticity, value x, allowed: isochoric, radial, none");
   EXPECT_THAT(problemOf({"fracture", "x"}), HasSubstr("allowed: strain, stress"));
   EXPECT_EQ(problemOf({"viscosity", "0"}),
             "keyword viscosity, value 0, allowed: both, normal, none");
@@ -190,7 +196,8 @@ TEST(LawSet, BadValuesNameKeywordValueAndWhatIsAllowed)
 TEST(LawSet, WordsThatDoNotGoTogether)
 {
   EXPECT_THAT(problemOf({"plane", "stress"}), HasSubstr("value stress, needs plasticity none"));
-  EXPECT_THAT(problemOf({"plane", "stress", "plasticity", "j2"}), HasSubstr("plasticity j2"));
+  EXPECT_THAT(problemOf({"plane", "stress", "plasticity", "radial"}),
+              HasSubstr("plasticity radial"));
   EXPECT_THAT(problemOf({"fracture", "drucker-prager"}), HasSubstr("need each other"));
   EXPECT_THAT(problemOf({"compressive_strength", "2"}), HasSubstr("need each other"));
   EXPECT_EQ(problemOf({"fracture", "drucker-prager", "compressive_strength", "0.5"}),

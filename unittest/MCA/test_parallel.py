@@ -181,7 +181,7 @@ def test_plain_steps(
         assert largest_difference(other, corrected, PLASTIC, 1.0) > 1e-6
 
 
-FLOWING = "b plasticity j2 flow contacts"
+FLOWING = "b plasticity isochoric flow contacts"
 
 
 @pytest.fixture(scope="module")

@@ -100,7 +100,7 @@ def test_continues_to_the_same_bits(written, tmp_path, ranks):
         "b viscosity both",
         "b viscosity both steps plain",
         "b worn never",
-        "b plasticity j2 flow contacts",
+        "b plasticity isochoric flow contacts",
     ],
 )
 @pytest.mark.parametrize("ranks", [1, 2])

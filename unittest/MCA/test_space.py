@@ -345,7 +345,7 @@ FURTHER = [
     "worn never",
     "viscosity both",
     "flow contacts",
-    "plasticity j2 flow contacts",
+    "plasticity isochoric flow contacts",
     "link none link_work 0.001",
     "fracture equivalent",
     "fracture drucker-prager compressive_strength 3 link_work 0.01",

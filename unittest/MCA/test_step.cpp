@@ -497,9 +497,9 @@ std::string name(const testing::TestParamInfo<Case> &info)
 
 INSTANTIATE_TEST_SUITE_P(Laws, StepTest,
                          testing::Values(Case{2, {}}, Case{2, {"preset", "a", "steps", "plain"}},
-                                         Case{2, {"plasticity", "j2", "flow", "contacts"}},
+                                         Case{2, {"plasticity", "isochoric", "flow", "contacts"}},
                                          Case{2, {"flow", "contacts"}},
-                                         Case{3, {"plasticity", "j2", "flow", "contacts"}},
+                                         Case{3, {"plasticity", "isochoric", "flow", "contacts"}},
                                          Case{2, {"fracture", "equivalent"}},
                                          Case{2, {"plasticity", "none"}},
                                          Case{2, {"viscosity", "normal"}}, Case{2, {"preset", "b"}},

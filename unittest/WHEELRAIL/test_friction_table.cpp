@@ -70,8 +70,7 @@ TEST(FrictionTable, OfOtherMachines)
   const std::string european = changed(changed(good, ", ", ";"), "0.", "0,");
   for (const std::string &text :
        {european, changed(european, ";", "\t"), changed(good, "\n", "\r\n"),
-        changed(good, "\n", "\r"), "\xef\xbb\xbf" + good,
-        changed(good, "nobody", "M\xfcller")}) {
+        changed(good, "\n", "\r"), "\xef\xbb\xbf" + good, changed(good, "nobody", "M\xfcller")}) {
     const FrictionTable table = readFrictionTable(write(text));
     EXPECT_EQ(table.mu(1, 1), 0.1) << text;
     EXPECT_EQ(table.mu(0, 1), 0.4) << text;

@@ -26,7 +26,7 @@ lattice hex 2.5
 region box block 0 20 -0.2 22 -0.5 0.5 units box
 create_box 1 box
 create_atoms 1 box
-pair_style mca
+pair_style mca preset c
 pair_coeff * * steel.mca
 neighbor 0.4 bin
 mca_links create all all

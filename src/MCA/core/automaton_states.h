@@ -81,6 +81,9 @@ inline constexpr AutomatonState automatonStates[] = {
      "number of its links that broke"},
     {"formed", In::Both, Upkeep::Collected, "formed", In::Both, "",
      "number of links that it formed by contact"},
+    /// Begins with 0; Step::run() adds what breaking links leave and lets it go again.
+    {"kept", In::Both, Upkeep::EveryStep, nullptr, In::None, "",
+     "sum of normal strains that broken links left to its mean stress"},
     {"spin_lag_x", In::Space, Upkeep::EndOfRun, nullptr, In::None, "radians/time",
      "angular velocity less that which the forces saw", false},
     {"spin_lag_y", In::Space, Upkeep::EndOfRun, nullptr, In::None, "radians/time",

@@ -33,9 +33,9 @@ static EnergyAccount::Channel channelOf(const Step &step, int k)
   step.links().getState(k, false, now);
   step.links().getState(k, true, next);
   const bool was = link::isLinked(now[0]), is = link::isLinked(next[0]);
-  return was && !is ? EnergyAccount::Fracture
-         : was      ? EnergyAccount::Plastic
-                    : EnergyAccount::Viscous;
+  return was && !is                              ? EnergyAccount::Fracture
+         : was || step.law(k).contactsFlow > 0.0 ? EnergyAccount::Plastic
+                                                 : EnergyAccount::Viscous;
 }
 
 void EnergyAccount::keep(const Step &step, const double (*x)[3], const double (*f)[3],
@@ -57,7 +57,7 @@ void EnergyAccount::keep(const Step &step, const double (*x)[3], const double (*
     external_[i] = {vectorOf(f[i]) - step.force(i), vectorOf(torque[i]) - step.torque(i)};
     before_[i] = vectorOf(x[i]);
     double &mean = rows_.row(i)[meanAt];
-    mean = meanStress(mean, law.bulkModulus, law.weight);
+    mean = meanStress(mean + step.keptNext(i), law.bulkModulus, law.weight);
   }
   step.exchange().begin(rows_.data() + meanAt, rowLength, 1);
   step.exchange().finish(rows_.data() + meanAt, rowLength, 1);
@@ -76,10 +76,16 @@ void EnergyAccount::findReleased(const Step &step)
     const double next[2] = {rows_.row(i)[meanAt], rows_.row(j)[meanAt]};
     const PairLaw &law = step.law(k);
     const Channel channel = channelOf(step, k);
-    // unlinked contacts change by flow alone
-    released_[channel == Viscous ? Plastic : channel] +=
+    released_[channel] +=
         changeLoss(law, strainOf(step, k, false), strainOf(step, k, true), means, next) * law.area *
         law.diameter * step.share(k);
+  }
+  // what broken links left to the mean stresses, and what of it is let go of
+  for (int i = 0; i < step.own(); i++) {
+    const AutomatonLaw &law = step.laws().automata[step.type(i)];
+    const double mean = 0.5 * (step.mean(i) + rows_.row(i)[meanAt]);
+    released_[Fracture] += mean * law.D * law.weight * (step.kept(i) - step.keptNext(i)) *
+                           step.laws().volumes[step.type(i)];
   }
 }
 
@@ -149,13 +155,18 @@ void EnergyAccount::bookContacts(const Step &step, double dt, bool back)
     const double means[2] = {step.mean(i), step.mean(j)};
     const double next[2] = {rows_.row(i)[meanAt], rows_.row(j)[meanAt]};
     const ContactStress s = step.contact(k);
-    double loss = stepLoss(law, s.normal, s.shear, here, back ? means : next, total, elastic);
+    // the force against lack of room is a gradient by itself
+    const double loss = stepLoss(law, s.normal - s.room - s.viscous, s.shear, here,
+                                 back ? means : next, total, elastic);
+    double viscous = 0.5 * s.viscous * total.normal;
     if (step.laws().resistsSlip) {
       const double arm = 0.5 * length(distance);
       const Vector slip = slipOf(step.normal(k), mj.way - mi.way, mi.turn + mj.turn, arm);
-      loss += slipLoss(law, step.slipStress(k), slip);
+      viscous += slipLoss(law, step.slipStress(k), slip);
     }
-    sums_[channelOf(step, k)] += loss * law.area * law.diameter * step.share(k);
+    const double volume = law.area * law.diameter * step.share(k);
+    sums_[channelOf(step, k)] += loss * volume;
+    sums_[Viscous] += viscous * volume;
   }
 }
 

@@ -34,7 +34,8 @@ MCA_LOOP double strainBlock(const Pairs &p, const Block &block, int first, int n
   const PairArray<typename D::Normal> normals(p.normal, first);
   double *const peps = p.eps + first, *const psep = p.separation + first;
   typename D::Motion seen;
-  Column es, flow;
+  Column es, flow, room;
+  double *const squares = room.value; // of the shares of room
   seen.gather(placesI(p, block, first), placesJ(p, block, first), n, motion, spin);
   const double oneInvDiameter = laws[plaw[0]].invDiameter;
   const double oneContactsFlow = laws[plaw[0]].contactsFlow;
@@ -51,6 +52,10 @@ MCA_LOOP double strainBlock(const Pairs &p, const Block &block, int first, int n
     const double e = W == Pristine ? eps : eps - pplastic[k];
     normals.set(k, moved.normal);
     peps[k] = eps;
+    if constexpr (D::keepsVolume) {
+      const double taken = roomShare(eps);
+      squares[k] = taken * taken;
+    }
     if constexpr (onlyBulk(W)) {
       const Shear total = W == Pristine ? gamma : carriedShear(moved, totals.get(k)) + growth;
       gammas.set(k, gamma);
@@ -78,7 +83,10 @@ MCA_LOOP double strainBlock(const Pairs &p, const Block &block, int first, int n
   if (onlyBulk(W) && breaking > 0.0) // what breaks under pressure becomes a viscous contact
     for (int k = 0; k < n; k++)
       psep[k] = dot(seen.velocity(k), normals.get(k));
-  scatter(p.i + first, p.j + first, n, es, flow, strains);
+  if constexpr (D::keepsVolume) // the fourth value of a row is unused and takes the third again
+    scatter(p.i + first, p.j + first, n, es, flow, room, room, Row4{1.0, 1.0, 1.0, 1.0}, strains);
+  else
+    scatter(p.i + first, p.j + first, n, es, flow, strains);
   return breaking;
 }
 
@@ -110,6 +118,9 @@ void meanPass(int n, const int *type, const AutomatonLaw *laws, bool oneLaw, con
   auto mean = [=](int i, double bulkModulus, double weight) {
     response[to.length * i + to.mean] =
         meanStress(strains[from.length * i + from.sum], bulkModulus, weight);
+    if constexpr (D::keepsVolume)
+      response[to.length * i + to.room] = roomPressure(strains[from.length * i + from.room],
+                                                       bulkModulus, weight, D::rows.dimension);
   };
   if (oneLaw && n > 0) {
     const double bulkModulus = laws[type[0]].bulkModulus, weight = laws[type[0]].weight;
@@ -179,11 +190,11 @@ MCA_LOOP double yieldLoop(int n, const int *type, const AutomatonLaw *laws, cons
     double *const answer = response + rows.response.length * i;
     const StressTensor s = D::averaged(law, row + rows.stress.tensor, answer[rows.response.mean]);
     const RadialReturn back =
-        radialReturn(stressIntensity(s), law.curve(kappa[i]), law.shearModulus);
+        radialReturn(stressIntensity(s), law.curve(kappa[i]), law.shearModulus, law.mostReturn);
     // without a contact that flows with it an automaton cannot flow
     const double contacts = strains[rows.strain.length * i + rows.strain.flowing];
     const double flows = law.yields * contacts > 0.0 ? 1.0 : 0.0;
-    kappaNext[i] = kappa[i] + flows * back.strain;
+    kappaNext[i] = kappa[i] + flows * (contacts < 1.0 ? contacts : 1.0) * back.strain;
     answer[rows.response.factor] = flows * back.factor + (1.0 - flows);
     D::setCentre(answer, row, contacts);
     flowing += kappaNext[i] == kappa[i] ? 0.0 : 1.0;
@@ -225,9 +236,9 @@ MCA_LOOP void returnBlock(const Pairs &p, int first, int n, const PairLaw *laws,
         D::stretch(left, gamma, [&] { return W == Pristine ? gamma : linked * totals.get(k); });
     const double trial = elasticStress(law, e, i.mean, j.mean);
     const double plastic = W == Pristine ? 0.0 : pplastic[k];
-    const double sigma = flowedStress(law, trial, plastic, stretch, linked, i, j);
-    const double tau = flows * (left - 1.0) * law.twoG;
-    shares.set(k, flows * (sigma - trial), tau * gamma, normals.get(k));
+    const double sigma = flowedStress(law, trial, plastic, flows, stretch, linked, i, j);
+    const double tau = (flows > 0.0 ? 1.0 : 0.0) * (left - 1.0) * law.twoG;
+    shares.set(k, flows > 0.0 ? sigma - trial : 0.0, tau * gamma, normals.get(k));
   };
 #pragma omp simd
   for (int k = 0; k < n; k++)
@@ -253,8 +264,9 @@ void returnPass(const Pairs &p, const PairLaw *laws, const double *response, dou
 }
 
 template<class D>
-void secondYieldPass(int n, const int *type, const AutomatonLaw *laws, const double *stresses,
-                     const double *taken, const double *kappa, double *kappaNext, double *response)
+void secondYieldPass(int n, const int *type, const AutomatonLaw *laws, const double *strains,
+                     const double *stresses, const double *taken, const double *kappa,
+                     double *kappaNext, double *response)
 {
   constexpr RowLayout rows = D::rows;
   for (int i = 0; i < n; i++) {
@@ -270,8 +282,9 @@ void secondYieldPass(int n, const int *type, const AutomatonLaw *laws, const dou
       after[m] = row[m] + less[m];
     const RadialReturn back = secondReturn(factor, stressIntensity(D::averaged(law, row, mean)),
                                            stressIntensity(D::averaged(law, after, mean)),
-                                           law.curve(kappa[i]), law.shearModulus);
-    kappaNext[i] = kappa[i] + back.strain;
+                                           law.curve(kappa[i]), law.shearModulus, law.mostReturn);
+    const double contacts = strains[rows.strain.length * i + rows.strain.flowing];
+    kappaNext[i] = kappa[i] + (contacts < 1.0 ? contacts : 1.0) * back.strain;
     answer[rows.response.factor] = back.factor;
   }
 }
@@ -359,20 +372,23 @@ MCA_LOOP void bulkForceBlock(const Pairs &p, int first, int n, const PairLaw *la
     const double plastic = PristineBlock ? 0.0 : pplastic[k], eps = peps[k];
     const double trial = elasticStress(law, eps - plastic, ofI.mean[k], ofJ.mean[k]);
     const Shear gamma = gammas.get(k);
+    double room = 0.0;
+    if constexpr (D::keepsVolume)
+      room = roomStress(roomShare(eps), ofI.room[k], ofJ.room[k]);
     if (Flows) {
       const Answer i = ofI[k], j = ofJ[k];
       const double left = returnedShare(i, j);
       const Shear total = PristineBlock ? gamma : totals.get(k);
       const double stretch = D::stretch(left, gamma, [&] { return total; });
-      const double sigma = flowedStress(law, trial, plastic, stretch, 1.0, i, j);
+      const double sigma = flowedStress(law, trial, plastic, 1.0, stretch, 1.0, i, j);
       kind1[k] = link::bulk;
       plastic1[k] = plastic + (trial - sigma) * law.invTwoG;
       gammas1.set(k, left * gamma);
       totals1.set(k, total);
-      forces.set(
-          k, contactForce(law, sigma, returnedShear(left, law.twoG, gamma), eps, normals.get(k)));
+      forces.set(k, contactForce(law, sigma + room, returnedShear(left, law.twoG, gamma), eps,
+                                 normals.get(k)));
     } else {
-      forces.set(k, contactForce(law, trial, law.twoG * gamma, eps, normals.get(k)));
+      forces.set(k, contactForce(law, trial + room, law.twoG * gamma, eps, normals.get(k)));
     }
   };
 #pragma omp simd
@@ -437,11 +453,12 @@ constexpr Kernel kernelOf(const Kernel *keepsVolume)
   return k;
 }
 
-constexpr Kernel planeJ2 = kernelOf<PlaneJ2>(nullptr), spaceJ2 = kernelOf<SpaceJ2>(nullptr);
+constexpr Kernel planeIsochoric = kernelOf<PlaneIsochoric>(nullptr),
+                 spaceIsochoric = kernelOf<SpaceIsochoric>(nullptr);
 
 } // namespace
 
-extern const Kernel plane = kernelOf<Plane>(&planeJ2);
-extern const Kernel space = kernelOf<Space>(&spaceJ2);
+extern const Kernel plane = kernelOf<Plane>(&planeIsochoric);
+extern const Kernel space = kernelOf<Space>(&spaceIsochoric);
 
 } // namespace mca::MCA_ISA

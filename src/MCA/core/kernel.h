@@ -85,8 +85,8 @@ using ReturnPass = void(const Pairs &, const PairLaw *laws, const double *respon
 /// \param kappaNext  written where an automaton flows
 /// \param response   the factor M is read and written
 using SecondYieldPass = void(int n, const int *type, const AutomatonLaw *laws,
-                             const double *stresses, const double *taken, const double *kappa,
-                             double *kappaNext, double *response);
+                             const double *strains, const double *stresses, const double *taken,
+                             const double *kappa, double *kappaNext, double *response);
 
 /// Stresses of the contacts, forces and torques on both automata, next state. Next states are
 /// written of blocks in which anything may change; Block::moves says where they differ from the

@@ -208,6 +208,39 @@ inline void leavePristine(const Pairs &p, Block &block, int first, int n, int sh
   block.pristine = false;
 }
 
+// The centre of an automaton's return: the mean of sigma over the contacts that flow with it, by
+// their weights [stress], 0 without any.
+// \param response  row of the automaton, written
+// \param stress    its row of the stress pass
+// \param contacts  sum of the weights of those that flow with it
+template<const RowLayout &ROWS>
+inline void meanOfFlow(double *response, const double *stress, double contacts)
+{
+  response[ROWS.response.centre] = stress[ROWS.stress.flowing] / (contacts > 0.0 ? contacts : 1.0);
+}
+
+// Answers of one automaton of each pair with plasticity isochoric; see Answer of contact.h. Pairs
+// past n are made up of the last one.
+template<const RowLayout &ROWS>
+struct RoomAnswers {
+  Column mean, room, factor, centre;
+
+  // All four values.
+  // \param index     row of the automaton of each pair: Pairs::i or Pairs::j
+  // \param response  ROWS.response.length values an automaton
+  void gather(const int *index, int n, const double *response)
+  {
+    mca::MCA_ISA::gather(index, n, response, mean, room, factor, centre);
+  }
+  // The mean stresses alone, for the stress pass, when the other values are not known yet.
+  void gatherMeans(const int *index, int n, const double *response)
+  {
+    for (int k = 0; k < n; k++)
+      mean[k] = response[ROWS.response.length * index[k] + ROWS.response.mean];
+  }
+  Answer operator[](int k) const { return {mean[k], factor[k], centre[k], room[k]}; }
+};
+
 // What a pass over a block has changed, counted as doubles, since loops add them up as vectors.
 // kinds > 0 has events looked for when the step is taken over, states > 0 has the next state copied
 // then.

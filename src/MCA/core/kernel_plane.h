@@ -25,7 +25,9 @@ struct Plane {
   static constexpr RowLayout rows = planeRows;
   // Components of a shear of PairState that exist.
   static constexpr int shears = 1;
-  // Stretch of a contact by its plastic shear: 0, but with j2.
+  // Automata answer lack of room: plasticity isochoric.
+  static constexpr bool keepsVolume = false;
+  // Stretch of a contact by its plastic shear: 0, but with isochoric.
   // \param total  a function that gives the total shear, which is not asked for here
   template<class Total>
   static double stretch(double /*left*/, double /*gamma*/, const Total & /*total*/)
@@ -186,25 +188,11 @@ struct Plane {
   }
 };
 
-// The same with plasticity j2, for flow that keeps the volume.
-struct PlaneJ2 : Plane {
-  static constexpr RowLayout rows = planeJ2Rows;
-
-  // Each contact returns to the mean over those of the automaton that flow.
-  struct Answers {
-    Column mean, factor, centre;
-
-    void gather(const int *index, int n, const double *response)
-    {
-      mca::MCA_ISA::gather(index, n, response, mean, factor, centre);
-    }
-    void gatherMeans(const int *index, int n, const double *response)
-    {
-      for (int k = 0; k < n; k++)
-        mean[k] = response[rows.response.length * index[k] + rows.response.mean];
-    }
-    Answer operator[](int k) const { return {mean[k], factor[k], centre[k]}; }
-  };
+// The same with plasticity isochoric.
+struct PlaneIsochoric : Plane {
+  static constexpr RowLayout rows = planeIsochoricRows;
+  static constexpr bool keepsVolume = true;
+  using Answers = RoomAnswers<planeIsochoricRows>;
 
   // As of Plane, with one more sum; unused columns stay 0.
   struct Shares {
@@ -247,11 +235,9 @@ struct PlaneJ2 : Plane {
     return flowStress(tensor[0], tensor[1], tensor[2]);
   }
 
-  // The mean of sigma over the contacts that flow [stress], 0 without any.
   static void setCentre(double *response, const double *stress, double contacts)
   {
-    response[rows.response.centre] =
-        stress[rows.stress.flowing] / (contacts > 0.0 ? contacts : 1.0);
+    meanOfFlow<planeIsochoricRows>(response, stress, contacts);
   }
 
   template<class Total>

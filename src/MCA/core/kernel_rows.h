@@ -113,6 +113,18 @@ inline void store(Row4 *r, int k, Column &c0, Column &c1, Column &c2, Column &c3
   *rowOf<Row4>(c3.value + k, 0) = r[3];
 }
 
+// All four values of rows of four; works on whole fours.
+inline void gather(const int *index, int n, const double *rows, Column &c0, Column &c1, Column &c2,
+                   Column &c3)
+{
+  for (int k = 0; k < n; k += 4) {
+    Row4 r[4];
+    for (int m = 0; m < 4; m++)
+      r[m] = *rowOf<Row4>(rows, index[k + m]);
+    store(r, k, c0, c1, c2, c3);
+  }
+}
+
 // Means of a row of both automata of each pair, for criteria that see both sides.
 // \tparam LENGTH  values of a row, a multiple of 4: rows.local.length
 // \param rows     LENGTH values an automaton, of guests, too

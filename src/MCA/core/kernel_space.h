@@ -24,7 +24,9 @@ struct Space {
   static constexpr RowLayout rows = spaceRows;
   // Components of a shear of PairState that exist.
   static constexpr int shears = 3;
-  // Stretch of a contact by its plastic shear: 0, but with j2.
+  // Automata answer lack of room: plasticity isochoric.
+  static constexpr bool keepsVolume = false;
+  // Stretch of a contact by its plastic shear: 0, but with isochoric.
   // \param total  a function that gives the total shear, which is not asked for here
   template<class Total>
   static double stretch(double /*left*/, const Vector & /*gamma*/, const Total & /*total*/)
@@ -203,15 +205,11 @@ struct Space {
     return weighted(tensor, law.weight);
   }
 
-  // The centre of the return is the mean of sigma over the contacts that flow [stress], 0 without
-  // any; only then does flow dissipate in each automaton (doc/laws.md, Three dimensions).
-  // \param response  row of the automaton, written
-  // \param stress    its row of the stress pass
-  // \param contacts  number of those that flow with it
+  // The centre of the return is that of meanOfFlow(); only then does flow dissipate in each
+  // automaton (doc/laws.md, Three dimensions).
   static void setCentre(double *response, const double *stress, double contacts)
   {
-    response[rows.response.centre] =
-        stress[rows.stress.flowing] / (contacts > 0.0 ? contacts : 1.0);
+    meanOfFlow<spaceRows>(response, stress, contacts);
   }
 
   // The tensor of a row of local, or of the mean of two rows [stress].
@@ -221,8 +219,17 @@ struct Space {
   }
 };
 
-// The same with plasticity j2: volume that large shear feigns is taken off.
-struct SpaceJ2 : Space {
+// The same with plasticity isochoric.
+struct SpaceIsochoric : Space {
+  static constexpr RowLayout rows = spaceIsochoricRows;
+  static constexpr bool keepsVolume = true;
+  using Answers = RoomAnswers<spaceIsochoricRows>;
+
+  static void setCentre(double *response, const double *stress, double contacts)
+  {
+    meanOfFlow<spaceIsochoricRows>(response, stress, contacts);
+  }
+
   template<class Total>
   static double stretch(double left, const Vector &gamma, const Total &total)
   {

@@ -58,7 +58,8 @@ struct RowView {
   {
     const RowLayout::Response &in = layout->response;
     const double *values = row(response, in.length, i, 0);
-    return {values[in.mean], values[in.factor], values[in.centre]};
+    return {values[in.mean], values[in.factor], values[in.centre],
+            in.room < in.length ? values[in.room] : 0.0};
   }
 
   /// Averaged stress, elastic, before the return [stress]; in the plane with the mean stress of its

@@ -26,6 +26,8 @@ struct RowLayout {
     int length;
     int sum;     ///< of the elastic normal strains [-]
     int flowing; ///< number of contacts that flow with it
+    int room;    ///< squares of the shares of its neighbours in its room [-]; only with isochoric,
+                 ///< else it equals length
   } strain;
   /// Sums over the contacts of an automaton, by the stress pass.
   struct Stress {
@@ -34,15 +36,18 @@ struct RowLayout {
                  ///< plane averaged, in space without the packing's weight
     int squares; ///< e^2 + gamma^2 [-]
     int flowing; ///< the normal stresses of the contacts that flow with it [stress]; in the plane
-                 ///< only with j2, else it equals length
+                 ///< only with isochoric, else it equals length
   } stress;
   /// What an automaton answers its contacts.
   struct Response {
     int length;
     int mean;    ///< mean stress [stress]
+    int room;    ///< pressure against lack of room [stress]; only with isochoric, else it equals
+                 ///< length
+    int means;   ///< so many values from `mean` on are known before the stress pass
     int factor;  ///< M of the radial return [-]
     int centre;  ///< what normal stresses of its contacts return to [stress]: in the plane the
-                 ///< mean stress itself, in space and with j2 the mean over those that flow
+                 ///< mean stress itself, in space and with isochoric the mean over those that flow
     int answers; ///< so many values from `factor` on are new after a return
   } response;
   /// Sums over the contacts of an automaton, by the force pass.
@@ -73,23 +78,33 @@ struct RowLayout {
 constexpr RowLayout planeRows = [] {
   RowLayout r{};
   r.motion.length = 4, r.motion.place = 0, r.motion.velocity = 2, r.motion.spin = 4;
-  r.strain.length = 2, r.strain.sum = 0, r.strain.flowing = 1;
+  r.strain.length = 2, r.strain.sum = 0, r.strain.flowing = 1, r.strain.room = 2;
   r.stress.length = 4, r.stress.tensor = 0, r.stress.squares = 3, r.stress.flowing = 4;
-  r.response.length = 2, r.response.mean = 0, r.response.factor = 1, r.response.centre = 0;
-  r.response.answers = 1;
+  r.response.length = 2, r.response.mean = 0, r.response.room = 2, r.response.means = 1;
+  r.response.factor = 1, r.response.centre = 0, r.response.answers = 1;
   r.force.length = 4, r.force.force = 0, r.force.torque = 2;
   r.local.length = 4, r.local.tensor = 0, r.local.work = 3;
   r.dimension = 2, r.components = 3;
   return r;
 }();
-/// In the plane with plasticity j2: as in space the centre is of its own.
+/// The same rows with plasticity isochoric, of any dimension: strains have the room that neighbours
+/// take, and answers the pressure against its lack and a centre of their own.
+///
+///     strain     sum  flowing  room  -
+///     response   mean  room  factor  centre
+constexpr RowLayout withRoom(RowLayout r)
+{
+  r.strain.length = 4, r.strain.room = 2;
+  r.response.length = 4, r.response.mean = 0, r.response.room = 1, r.response.means = 2;
+  r.response.factor = 2, r.response.centre = 3, r.response.answers = 2;
+  return r;
+}
+/// In the plane with plasticity isochoric, besides:
 ///
 ///     stress     xx  yy  xy  squares  flowing  -  -  -
-///     response   mean  factor  centre  -
-constexpr RowLayout planeJ2Rows = [] {
-  RowLayout r = planeRows;
+constexpr RowLayout planeIsochoricRows = [] {
+  RowLayout r = withRoom(planeRows);
   r.stress.length = 8;
-  r.response.length = 4, r.response.centre = 2, r.response.answers = 2;
   return r;
 }();
 /// In space: rows of 2, 4 or 8 values; some have values that are not used, for whole vectors.
@@ -103,15 +118,17 @@ constexpr RowLayout planeJ2Rows = [] {
 constexpr RowLayout spaceRows = [] {
   RowLayout r{};
   r.motion.length = 8, r.motion.place = 0, r.motion.velocity = 3, r.motion.spin = 6;
-  r.strain.length = 2, r.strain.sum = 0, r.strain.flowing = 1;
+  r.strain.length = 2, r.strain.sum = 0, r.strain.flowing = 1, r.strain.room = 2;
   r.stress.length = 8, r.stress.tensor = 0, r.stress.squares = 6, r.stress.flowing = 7;
-  r.response.length = 4, r.response.mean = 0, r.response.factor = 1, r.response.centre = 2;
-  r.response.answers = 2;
+  r.response.length = 4, r.response.mean = 0, r.response.room = 4, r.response.means = 1;
+  r.response.factor = 1, r.response.centre = 2, r.response.answers = 2;
   r.force.length = 8, r.force.force = 0, r.force.torque = 3;
   r.local.length = 8, r.local.tensor = 0, r.local.work = 6;
   r.dimension = 3, r.components = 6;
   return r;
 }();
+/// In space with plasticity isochoric.
+constexpr RowLayout spaceIsochoricRows = withRoom(spaceRows);
 
 } // namespace mca
 

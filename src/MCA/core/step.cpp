@@ -27,7 +27,8 @@ void Step::setLaws(LawTables tables)
   laws_ = std::move(tables);
   kernel_ = laws_.keepsVolume ? usual_->keepsVolume : usual_;
   for (const auto &[of, length] :
-       {std::pair(&response_, layout().response.length),
+       {std::pair(&strains_, layout().strain.length),
+        std::pair(&response_, layout().response.length),
         std::pair(&stresses_, layout().stress.length), std::pair(&taken_, layout().stress.length)})
     if (of->length() != length)
       *of = RowArray(length);
@@ -48,6 +49,8 @@ void Step::begin(int own, int all, const int *types, int border)
   local_.resize(laws_.needsLocal ? summed : 0);
   taken_.resize(forces_.length() == stresses_.length() ? 0 : summed);
   kappaNext_.resize(own);
+  for (RowArray *of : {&kept_, &keptNext_})
+    of->resize(laws_.keepsVolume ? own : 0);
   linkChanges_.resize(own);
   linkChanges_.clear();
 }
@@ -76,14 +79,15 @@ void Step::run(const Automata &a, double dt, bool advance)
   packMotion(a, advance);
 
   strains_.clear();
+  addKept(a.kept);
   kernel_->strain(links_.part(0, links_.size()), dt, advance, laws, motion_.data(), spin_.data(),
                   strains_.data());
   findMeans();
-  exchange_->begin(response, row.length, 1);
+  exchange_->begin(response, row.length, row.means);
 
   stresses_.clear();
   kernel_->stress(inside, laws, response, stresses_.data());
-  exchange_->finish(response, row.length, 1);
+  exchange_->finish(response, row.length, row.means);
   kernel_->stress(border, laws, response, stresses_.data());
 
   findReturns(a);
@@ -96,6 +100,7 @@ void Step::run(const Automata &a, double dt, bool advance)
   changing_ = kernel_->force(inside, laws, response, around, forces_.data());
   exchange_->finish(answers, row.length, row.answers);
   changing_ += kernel_->force(border, laws, response, around, forces_.data());
+  findKept();
   if (!laws_.resistsSlip && !laws_.centresViscosity)
     return;
   const Pairs pairs = links_.part(0, links_.size());
@@ -231,8 +236,40 @@ void Step::yieldAgain(const Automata &a, const Pairs &border, const Pairs &insid
   exchange_->finish(answers, row.length, row.answers);
   kernel_->returns(border, laws_.pairs.data(), response, taken.data());
   for (const auto &[from, to] : flowing_)
-    kernel_->yieldAgain(to - from, types_.data() + from, laws_.automata.data(), stresses_.row(from),
-                        taken.row(from), a.kappa + from, kappaNext_.row(from), response_.row(from));
+    kernel_->yieldAgain(to - from, types_.data() + from, laws_.automata.data(), strains_.row(from),
+                        stresses_.row(from), taken.row(from), a.kappa + from, kappaNext_.row(from),
+                        response_.row(from));
+}
+
+// Where links have broken, the mean stress begins with what they left to it.
+void Step::addKept(const double *kept)
+{
+  if (!laws_.keepsVolume)
+    return;
+  double *row = strains_.data() + layout().strain.sum;
+  for (int i = 0; i < own(); i++, row += layout().strain.length)
+    *row = *kept_.row(i) = kept[i];
+}
+
+// What of it the next state has: what lets go of it, and what links that break now leave.
+void Step::findKept()
+{
+  if (!laws_.keepsVolume)
+    return;
+  const double *mean = response_.data() + layout().response.mean;
+  for (int i = 0; i < own(); i++, mean += layout().response.length) {
+    const AutomatonLaw &law = laws_.automata[types_[i]];
+    *keptNext_.row(i) = keptStrain(kept(i), *mean / (law.bulkModulus * law.weight));
+  }
+  if (changing_ == 0.0)
+    return;
+  const Pairs p = links_.part(0, links_.size());
+  for (int k = 0; k < p.n; k++)
+    if (p.blocks[k / blockLength].moves && link::isLinked(p.now.kind[k]) &&
+        !link::isLinked(p.next.kind[k]))
+      for (const int i : {p.i[k], p.j[k]})
+        if (i < own())
+          *keptNext_.row(i) += strainLeft(p.eps[k] - p.next.plastic[k]);
 }
 
 // What automata show to the criteria of their contacts; nullptr where these need nothing.
@@ -303,6 +340,8 @@ bool Step::commit(const Automata &a)
   changing_ = 0.0;
   for (const auto &[from, to] : flowing_)
     std::copy(kappaNext_.row(from), kappaNext_.row(to), a.kappa + from);
+  if (laws_.keepsVolume)
+    std::copy_n(keptNext_.data(), own(), a.kept);
   return committed_ = true;
 }
 

@@ -52,6 +52,9 @@ struct Automata {
   int integrated, held;
   /// Equivalent plastic strain [-], of own automata; read by run(), written by commit().
   double *kappa;
+  /// Normal strains that broken links left to the mean stress [-], >= 0; as kappa. Read with
+  /// plasticity isochoric only.
+  double *kept;
   /// By how much the velocities differ from those that the present forces saw, which are of half a
   /// step before: `lag`, and `rest`, what rounding took from it [length/time]. One array a
   /// dimension, of all rows. Written by keepLag(), read in set-up.
@@ -174,6 +177,10 @@ class Step {
   Vector force(int i) const;
   /// Torque of all contacts on it [force length]; only z in the plane.
   Vector torque(int i) const;
+  /// What broken links leave to the mean stress of own automaton i, in this step and from the next
+  /// one on [-]; 0 but with plasticity isochoric.
+  double kept(int i) const { return laws_.keepsVolume ? *kept_.row(i) : 0.0; }
+  double keptNext(int i) const { return laws_.keepsVolume ? *keptNext_.row(i) : 0.0; }
   /// Number of its material in the tables of laws.
   int type(int i) const { return types_.at(i); }
 
@@ -231,9 +238,9 @@ class Step {
 
   RowArray motion_, spin_;                                  // of all rows
   RowArray strains_, stresses_, response_, forces_, local_; // of rows that are in pairs
-  RowArray taken_;       // by returns; of the same rows, where it cannot be in the place of forces_
-  RowArray kappaNext_;   // of own automata
-  RowArray linkChanges_; // broken and formed of own automata, since takeChanges()
+  RowArray taken_; // by returns; of the same rows, where it cannot be in the place of forces_
+  RowArray kappaNext_, kept_, keptNext_; // of own automata
+  RowArray linkChanges_;                 // broken and formed of own automata, since takeChanges()
   ViscousPairs viscousPairs_;
   ViscousContacts viscous_;
   SlipViscosity slip_;
@@ -250,6 +257,8 @@ class Step {
   void findMeans();
   void findReturns(const Automata &);
   void yield(const double *kappa, int from, int to);
+  void addKept(const double *kept);
+  void findKept();
   void yieldAgain(const Automata &, const Pairs &border, const Pairs &inside);
   const double *showLocal(const Automata &);
   RowView view() const;

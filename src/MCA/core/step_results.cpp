@@ -16,7 +16,15 @@ Step::Automaton Step::automaton(int i) const
       energyDensity(squares, average, law.shearModulus, law.bulkModulus, law.D, law.weight);
   const bool inPlane = dimension() == 2 && laws_.keepsVolume;
   const double intensity = stressIntensity(inPlane ? flowStress(s.xx, s.yy, s.xy) : s);
-  return {s, average, intensity, density * laws_.volumes[type]};
+  StressTensor whole = s;
+  double room = 0.0;
+  if (laws_.keepsVolume) {
+    room = view().answer(i).room;
+    for (double *normal : {&whole.xx, &whole.yy, &whole.zz})
+      *normal -= room;
+  }
+  return {whole, average - room, intensity,
+          (density + roomEnergy(room, law.bulkModulus)) * laws_.volumes[type]};
 }
 
 Vector Step::force(int i) const
@@ -149,7 +157,7 @@ double Step::bytes() const
 {
   double sum = links_.bytes() + slip_.bytes();
   for (const RowArray *rows : {&motion_, &spin_, &strains_, &stresses_, &response_, &forces_,
-                               &local_, &taken_, &kappaNext_, &linkChanges_})
+                               &local_, &taken_, &kappaNext_, &kept_, &keptNext_, &linkChanges_})
     sum += rows->bytes();
   return sum;
 }

@@ -57,8 +57,9 @@ void ViscousContacts::add(const Pairs &p, ViscousPairs::Range viscous, const Con
 
     const double sigma = viscousStress(law, p.now.kind[k], p.eps[k], p.now.plastic[k],
                                        step.rows.answer(i), step.rows.answer(j));
-    const double more = unlinkedStress(sigma, law.viscosity, now, law.invDiameter) -
-                        unlinkedStress(sigma, law.viscosity, before, law.invDiameter);
+    const double more =
+        unlinkedStress(sigma, law.viscosity, now, law.invDiameter, law.keepsEnergy) -
+        unlinkedStress(sigma, law.viscosity, before, law.invDiameter, law.keepsEnergy);
     Change &c = changes_[number++];
     c.i = i;
     c.j = j;

@@ -15,6 +15,8 @@ struct AutomatonLaw {
   double D;                         ///< 1 - 2G/(3K), or 0 for the pairwise law [-]; for energies
   /// 1 with radial return, 0 without; a factor in a loop without branches.
   double yields;
+  /// Most of its deviating stresses that flow takes in a step [-], 1 - M.
+  double mostReturn;
   YieldCurve curve;
   /// q S/V of the packing [-], the weight of a contact in the averaged stress.
   double weight;

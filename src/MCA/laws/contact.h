@@ -34,6 +34,7 @@
 
 #include "linking.h"
 #include "plasticity.h"
+#include "room.h"
 #include "vector.h"
 #include "viscosity.h"
 
@@ -55,8 +56,16 @@ struct PairLaw {
   double twoG, invTwoG;
   /// Weight of the mean stress of both sides [-]; 0 with elasticity pairwise.
   double Di, Dj;
-  /// 1 where unlinked contacts flow with their automata, too (flow contacts), else 0.
+  /// How soon an unlinked contact that is pressed flows with its automata (flow contacts): its
+  /// weight in their flow is -contactsFlow e, 1 at most [-]. 0 where none does; huge where all do
+  /// at once. With isochoric 2G/sigma_y1, so that a contact that is about to part has little left
+  /// to give.
   double contactsFlow;
+  /// 1 with isochoric: an unlinked contact that touches follows the gradient of the energy even
+  /// where the mean stress of its automata pulls. Else 0.
+  double keepsEnergy;
+  /// Most of a normal stress that the stretch of shear takes in a step [-], of mostStretch().
+  double mostStretch;
   /// eta [stress time], >= 0; 0 where viscosity none is chosen.
   double viscosity;
   /// 1/m of both sides [1/mass], m = rho V of the cell; what holds an automaton is not known here.
@@ -85,7 +94,7 @@ struct Contact {
   /// Normal velocity of j seen from i [length/time], > 0 when they part. Only unlinked contacts and
   /// links that break in this step read it.
   double separation;
-  /// By which plastic shear lengthens it in this step [-], of shearStretch(); 0 but with j2.
+  /// By which plastic shear lengthens it in this step [-], of shearStretch(); 0 but with isochoric.
   double stretch = 0.0;
 };
 
@@ -97,22 +106,24 @@ struct Answer {
   /// M of the radial return [-], in [0, 1]; exactly 1 where the automaton does not flow.
   double factor;
   /// What the normal stresses of its contacts return to [stress]: with radial in the plane the mean
-  /// stress, else the mean of sigma over the contacts that flow. Only the latter makes sure that
-  /// flow dissipates, since what the automaton contributes is (1-M)/(2G) sum sigma (sigma -
-  /// centre), and that the sum of their strains stays, hence the volume.
+  /// stress, else the mean of sigma over the contacts that flow, by their weights. Only the latter
+  /// makes sure that flow dissipates, since what the automaton contributes is (1-M)/(2G) sum sigma
+  /// (sigma - centre), and that the sum of their strains stays, hence the volume.
   double centre;
+  /// Its pressure against lack of room [stress], >= 0; 0 but with isochoric.
+  double room = 0.0;
 };
 
-/// 1 for a contact that flows with its automata, else 0: a bulk link, with flow contacts an
-/// unlinked one that is pressed, too. Welds are brittle.
+/// Weight of a contact in the flow of its automata [-], 0 to 1: 1 of a bulk link, with flow
+/// contacts that of PairLaw::contactsFlow of an unlinked one that is pressed. Welds are brittle.
 /// \param contactsFlow  of its PairLaw
 /// \param kind          of the contact, see link
 /// \param e             its elastic normal strain [-]
 inline double flowing(double contactsFlow, double kind, double e)
 {
-  const double bulk = kind == link::bulk ? 1.0 : 0.0, pressed = e < 0.0 ? 1.0 : 0.0;
-  const double flows = contactsFlow * pressed * (1.0 - link::linked(kind));
-  return bulk > flows ? bulk : flows;
+  const double pressed = -contactsFlow * e, most = pressed < 1.0 ? pressed : 1.0;
+  const double flows = (most > 0.0 ? most : 0.0) * (1.0 - link::linked(kind));
+  return kind == link::bulk ? 1.0 : flows;
 }
 
 /// Elastic normal stress of a contact that touches [stress], tension positive: the mean of both
@@ -131,11 +142,13 @@ inline double elasticStress(const PairLaw &law, double e, double meanI, double m
 /// sides). Each side takes half, so that an automaton that flows alone is returned by half of what
 /// its own yield stress asks for; see secondReturn().
 /// \param sigma  elastic normal stress before it [stress]
+/// \param flows  its weight in the flow, of flowing() [-]
 /// \param i,j    what both automata answer
-inline double returnedStress(double sigma, const Answer &i, const Answer &j)
+inline double returnedStress(double sigma, double flows, const Answer &i, const Answer &j)
 {
   return sigma -
-         0.5 * ((1.0 - i.factor) * (sigma - i.centre) + (1.0 - j.factor) * (sigma - j.centre));
+         0.5 * flows *
+             ((1.0 - i.factor) * (sigma - i.centre) + (1.0 - j.factor) * (sigma - j.centre));
 }
 
 /// What the return leaves of the shear of a bulk link [-], (M_i + M_j)/2: 1 where neither flows, in
@@ -164,26 +177,31 @@ inline double shearStretch(double times, double left, const Shear &gamma, const 
 
 /// Normal stress of a contact that flows [stress]: after the return, and with its stretch, as far
 /// as that brings it nearer to 0, so that it dissipates. An unlinked contact flows towards 0 at
-/// most, since it does not pull, and flow lengthens it up to the breaking strain at most: farther
-/// apart two automata do not touch. What it has above 0 then, where the mean stress of its automata
-/// pulls, makes no force. Nor does flow shorten it further than a link, collapseStrain: nearer
+/// most, and flow lengthens it up to the breaking strain at most: farther apart two automata do not
+/// touch. What it has above 0, where the mean stress of its automata pulls, flows off at once and
+/// makes no force with radial; with isochoric it is left alone (PairLaw::keepsEnergy). Nor does
+/// flow shorten it further than a link, collapseStrain: nearer
 /// together it is elastic, and two automata never come to lie on each other.
 /// \param trial    before the return [stress]
 /// \param plastic  plastic offset of its normal strain [-]
+/// \param flows    of flowing() [-]
 /// \param stretch  of shearStretch() [-]
 /// \param linked   1 or 0
-inline double flowedStress(const PairLaw &law, double trial, double plastic, double stretch,
-                           double linked, const Answer &i, const Answer &j)
+inline double flowedStress(const PairLaw &law, double trial, double plastic, double flows,
+                           double stretch, double linked, const Answer &i, const Answer &j)
 {
-  const double returned = returnedStress(trial, i, j);
+  const double returned = returnedStress(trial, flows, i, j);
   const double above = returned > 0.0 ? returned : 0.0, below = returned - above;
-  const double less = law.twoG * stretch, most = less < above ? less : above;
-  const double sigma = returned - (most > below ? most : below);
+  const double less = law.twoG * stretch;
+  const double top = law.mostStretch * above, bottom = law.mostStretch * below;
+  const double most = less < top ? less : top;
+  const double sigma = returned - (most > bottom ? most : bottom);
   const double room = law.limits.breakingStrain - plastic;
   const double lowest = trial - law.twoG * (room > 0.0 ? room : 0.0);
   const double depth = plastic - collapseStrain;
   const double highest = trial + law.twoG * (depth > 0.0 ? depth : 0.0);
-  const double pressed = sigma < 0.0 ? sigma : 0.0;
+  const double pulled = law.keepsEnergy * (trial > 0.0 ? trial : 0.0);
+  const double pressed = sigma < pulled ? sigma : pulled;
   const double least = pressed > lowest ? pressed : lowest;
   return linked > 0.0 ? sigma : least < highest ? least : highest;
 }
@@ -210,7 +228,7 @@ inline ElasticStresses elasticStresses(const PairLaw &law, const Contact &c, con
   const double flows = flowing(law.contactsFlow, c.kind, e);
   const double linked = link::linked(c.kind), pressed = e < 0.0 ? 1.0 : 0.0;
   const double trial = elasticStress(law, e, i.mean, j.mean);
-  const double returned = flowedStress(law, trial, c.plastic, c.stretch, linked, i, j);
+  const double returned = flowedStress(law, trial, c.plastic, flows, c.stretch, linked, i, j);
   const double elasticShear = law.twoG * c.gamma;
   const double returnedShear = returnedShare(i, j) * elasticShear;
   const double touching = linked > pressed ? linked : pressed;
@@ -238,6 +256,10 @@ struct ContactStress {
   double normal, shear;
   /// Kind from the next step on. A link that is new has no force of a link in this step.
   double kindNext;
+  /// What resists lack of room, a part of `normal`.
+  double room;
+  /// What its viscosity makes of `normal`.
+  double viscous;
 };
 
 /// The stresses of a contact whose next kind is known. A link that holds has its elastic stresses;
@@ -245,17 +267,28 @@ struct ContactStress {
 /// shear. So the force depends on the present state alone, and on the breaking that follows from
 /// it; linking and healing act from the next step on.
 /// \param s         of elasticStresses() [stress]
+/// \param room      of roomStress() [stress]
 /// \param kindNext  what it is from the next step on
 inline ContactStress contactStress(const PairLaw &law, const Contact &c, const ElasticStresses &s,
-                                   double kindNext)
+                                   double room, double kindNext)
 {
   const double pressed = c.eps - c.plastic < 0.0 ? 1.0 : 0.0;
   const double holds = link::linked(c.kind) * link::linked(kindNext);
-  const double viscous = unlinkedStress(link::linked(c.kind) > 0.0 ? s.trial : s.sigma,
-                                        law.viscosity, c.separation, law.invDiameter);
-  const double normal = holds * s.sigma + (1.0 - holds) * pressed * viscous;
+  const double elastic = link::linked(c.kind) > 0.0 ? s.trial : s.sigma;
+  const double unlinked =
+      (1.0 - holds) * pressed *
+      unlinkedStress(elastic, law.viscosity, c.separation, law.invDiameter, law.keepsEnergy);
+  const double normal = holds * s.sigma + unlinked + room;
   const double shear = holds * s.tau;
-  return {s.trial, s.sigma, s.tau, normal, shear, kindNext};
+  return {s.trial,
+          s.sigma,
+          s.tau,
+          normal,
+          shear,
+          kindNext,
+          room,
+          unlinked -
+              (1.0 - holds) * pressed * unlinkedStress(elastic, 0.0, 0.0, 0.0, law.keepsEnergy)};
 }
 
 /// The same from what both automata answer.
@@ -264,7 +297,8 @@ inline ContactStress contactStress(const PairLaw &law, const Contact &c, const E
 inline ContactStress contactStress(const PairLaw &law, const Contact &c, const Answer &i,
                                    const Answer &j, double kindNext)
 {
-  return contactStress(law, c, elasticStresses(law, c, i, j), kindNext);
+  return contactStress(law, c, elasticStresses(law, c, i, j),
+                       roomStress(roomShare(c.eps), i.room, j.room), kindNext);
 }
 
 /// What of its normal strain flows in the step [-]: 0 of a contact that does not flow.
@@ -310,8 +344,10 @@ inline ContactStress contactStress(const PairLaw &law, const Contact &c, const A
 {
   const ElasticStresses s = elasticStresses(law, c, i, j);
   const bool bulkBreaks = breaks<Criterion>(linkLoad(law, c, s, i, j, face), law.limits.fracture);
-  return contactStress(law, c, s,
-                       nextKind(c.kind, s.sigma, s.tau, c.eps, bulkBreaks, law.limits, worked));
+  const double room = roomStress(roomShare(c.eps), i.room, j.room);
+  return contactStress(law, c, s, room,
+                       nextKind(c.kind, s.sigma, s.tau, c.eps, bulkBreaks, law.limits, worked,
+                                c.eps < 0.0 ? room : 0.0));
 }
 
 /// The size of a shear by which laws decide: in the plane the signed number itself, of which
@@ -385,12 +421,14 @@ struct NextState {
 
 /// The next state (doc/laws.md, Plasticity and Links). The offset takes what flowed, (trial -
 /// sigma)/2G; an unlinked pair keeps it until its automata are apart, eps > max(offset, 0), and
-/// both surfaces are whole again. Shears last only while a link lasts: a new link begins with none,
-/// a healed weld keeps both.
-/// \param s           of this contact
-/// \param gamma       elastic shear at this step, before the return [-]
-/// \param gammaTotal  total shear since linking [-]; 0 of an unlinked contact
-/// \param left        of its elastic shear [-]; see shearAnswer()
+/// both surfaces are whole again, or until lack of room closes the gap that a dent leaves, r < d:
+/// then they touch, without stress yet. Neither changes the elastic energy.
+/// With isochoric a link that breaks keeps its offset for a step: strainLeft() reads it. Shears
+/// last only while a link lasts: a new link begins with none, a healed weld keeps both. \param s of
+/// this contact \param gamma       elastic shear at this step, before the return [-] \param
+/// gammaTotal total shear since linking [-]; 0 of an unlinked contact \param left        of its
+/// elastic shear
+/// [-]; see shearAnswer()
 template<class Shear>
 inline NextState<Shear> nextState(const PairLaw &law, const Contact &c, const ContactStress &s,
                                   const Shear &gamma, const Shear &gammaTotal, double left)
@@ -398,9 +436,12 @@ inline NextState<Shear> nextState(const PairLaw &law, const Contact &c, const Co
   // conditions as factors of 0 or 1, which vectorise
   const double linkedNext = link::linked(s.kindNext), stays = link::linked(c.kind) * linkedNext;
   const double flow = flowOf(law, c, s.trial, s.sigma);
-  const double dented = c.plastic + flow;
-  // once apart, both surfaces are whole again
-  const double apart = c.eps > (dented > 0.0 ? dented : 0.0) ? 1.0 - linkedNext : 0.0;
+  const bool closes =
+      (c.eps > c.plastic) & (c.eps < 0.0) & (s.room < 0.0) & !link::isLinked(c.kind);
+  const double dented = closes ? c.eps : c.plastic + flow;
+  // once apart, both surfaces are whole again; a link that breaks leaves its strain first
+  const double unlinked = 1.0 - (law.keepsEnergy > 0.0 ? link::linked(c.kind) : linkedNext);
+  const double apart = c.eps > (dented > 0.0 ? dented : 0.0) ? (1.0 - linkedNext) * unlinked : 0.0;
   return {(1.0 - apart) * dented, (stays * left) * gamma, stays * gammaTotal};
 }
 

@@ -39,19 +39,19 @@ struct ElasticityWords {
 /// Keyword elasticity: "many-body" (default) or "pairwise".
 using Elasticity = Choice<ElasticityWords>;
 
-/// Flow of automata (Psakhie et al., Phys. Mesomech. 14 (2011) 224); plasticity.h. Radial returns
-/// the stresses of contacts by the factor M = Y/sigma_int and changes the volume in the plane. J2
-/// keeps the volume: in the plane automata yield by the largest shear in it, as a solid does that
-/// flows in plane strain, and normal stresses return to their mean over the contacts that flow; in
-/// the plane and in space links also lengthen by what their rotation in large shear feigns
-/// (contact.h, shearStretch()). None: M = 1, the material is elastic, and a step may be longer,
-/// since no link is pressed to collapse.
+/// Flow of automata (Psakhie et al., Phys. Mesomech. 14 (2011) 224); plasticity.h. Isochoric
+/// keeps the volume and never makes energy: in the plane automata yield by the largest shear in it,
+/// as a solid does that flows in plane strain; normal stresses return to their mean over the
+/// contacts that flow; links lengthen by what their rotation in large shear feigns (contact.h,
+/// shearStretch()); and automata resist lack of room (room.h). Radial returns the stresses of
+/// contacts by the factor M = Y/sigma_int and in the plane changes the volume. None: M = 1, the
+/// material is elastic, and a step may be longer, since no link is pressed to collapse.
 struct PlasticityWords {
   static constexpr const char *keyword = "plasticity";
-  enum Kind { Radial, J2, None };
-  static constexpr Option options[] = {{"radial"}, {"j2"}, {"none"}};
+  enum Kind { Isochoric, Radial, None };
+  static constexpr Option options[] = {{"isochoric"}, {"radial"}, {"none"}};
 };
-/// Keyword plasticity: "radial" (default), "j2" or "none".
+/// Keyword plasticity: "isochoric" (default), "radial" or "none".
 using Plasticity = Choice<PlasticityWords>;
 
 /// Which contacts of an automaton flow with it: its bulk links, or unlinked contacts that are

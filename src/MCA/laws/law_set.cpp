@@ -67,7 +67,7 @@ const std::vector<Entry> &table()
   return entries;
 }
 
-const LawSet::Keyword presets = {"preset", {"a", "b", "c"}, false, "a, b, c"};
+const LawSet::Keyword presets = {"preset", {"a", "b", "c", "d"}, false, "a, b, c, d"};
 
 // what does not go together
 std::string conflictIn(const LawSet &s)
@@ -94,6 +94,8 @@ LawSet LawSet::named(const std::string &preset)
 {
   LawSet set;
   set.preset = preset;
+  if (preset != "d")
+    set.plasticity = "radial";
   if (preset == "a" || preset == "b") {
     set.flow = "links";
     set.viscosity = "normal";
@@ -172,7 +174,9 @@ ElasticModuli elasticModuli(const LawSet &set, const Material &m)
 AutomatonLaw makeAutomatonLaw(const LawSet &set, const Material &m, const Packing &packing)
 {
   const ElasticModuli moduli = elasticModuli(set, m);
-  return {moduli.bulk,   moduli.shear,          moduli.D, set.flows() ? 1.0 : 0.0,
+  const double most =
+      set.keepsVolume() ? mostReturn(moduli.shear, moduli.bulk, moduli.D, packing.dimension) : 1.0;
+  return {moduli.bulk,   moduli.shear,          moduli.D, set.flows() ? 1.0 : 0.0, most,
           YieldCurve(m), packing.stressWeight()};
 }
 
@@ -217,7 +221,14 @@ PairLaw makePairLaw(const LawSet &set, const Material &i, const Material &j, dou
   law.invTwoG = 1.0 / law.twoG;
   law.Di = elasticModuli(set, i).D;
   law.Dj = elasticModuli(set, j).D;
-  law.contactsFlow = set.flow.is(FlowLaw::Contacts) ? 1.0 : 0.0;
+  const bool keeps = set.keepsVolume();
+  const ElasticModuli a = elasticModuli(set, i), b = elasticModuli(set, j);
+  law.contactsFlow = !set.flow.is(FlowLaw::Contacts) ? 0.0
+                     : keeps                         ? law.twoG / std::max(i.sigmaY1(), j.sigmaY1())
+                                                     : 1e300;
+  law.keepsEnergy = keeps ? 1.0 : 0.0;
+  law.mostStretch = std::min(mostStretch(a.shear, a.bulk, a.D, packing.dimension),
+                             mostStretch(b.shear, b.bulk, b.D, packing.dimension));
   law.viscosity = set.isViscous() ? 0.5 * (i.viscosity + j.viscosity) : 0.0;
   law.invMassI = 1.0 / Cell{packing, i.diameter, thickness}.mass(i.density);
   law.invMassJ = 1.0 / Cell{packing, j.diameter, thickness}.mass(j.density);

@@ -16,11 +16,11 @@
 
 namespace mca {
 
-/// A choice of exchangeable laws, each a type that knows its keyword. By default set C. A value
+/// A choice of exchangeable laws, each a type that knows its keyword. By default set D. A value
 /// like any other: it is copied, and what loops need of it is made from it by the functions below.
 struct LawSet {
   /// As given; the laws below may differ from it, as later keywords change them.
-  std::string preset = "c";
+  std::string preset = "d";
   PlaneCondition plane;
   Elasticity elasticity;
   Plasticity plasticity;
@@ -68,9 +68,9 @@ struct LawSet {
   /// PairMCA::settings() has them.
   static std::vector<Keyword> keywords();
 
-  /// Set "a" (one kind of link, at 2.35 sigma_0, no welds), set "b" (bulk links and welds) or set
-  /// "c" (b whose unlinked contacts flow and resist slip and whose welds are weaker, the default);
-  /// any other name gives the laws of set c.
+  /// Set "a" (one kind of link, at 2.35 sigma_0, no welds), set "b" (bulk links and welds), set "c"
+  /// (b whose unlinked contacts flow and resist slip and whose welds are weaker) or set "d" (c with
+  /// plasticity isochoric, the default). Any other name gives the laws of set c.
   static LawSet named(const std::string &preset);
 
   /// Takes keyword-value pairs as given to pair_style; a preset resets all that stands before it.
@@ -89,8 +89,8 @@ struct LawSet {
   /// Whether automata flow: all but plasticity none. The longest step depends on it, too.
   bool flows() const { return !plasticity.is(Plasticity::None); }
 
-  /// Whether flow keeps the volume in the plane, too, and in large shear: plasticity j2.
-  bool keepsVolume() const { return plasticity.is(Plasticity::J2); }
+  /// Whether flow keeps the volume and never makes energy: plasticity isochoric.
+  bool keepsVolume() const { return plasticity.is(Plasticity::Isochoric); }
 
   /// Whether unlinked contacts are viscous.
   bool isViscous() const { return !viscosity.is(ViscosityLaw::None); }

@@ -72,12 +72,14 @@ struct LinkLimits {
 /// \param eps         its normal strain [-]
 /// \param bulkBreaks  it would break as a bulk link; see breaks() of fracture.h
 /// \param worked      the plastic work reaches linkWork
+/// \param room        stress against lack of room, which presses, too [stress], <= 0
 inline double nextKind(double kind, double sigma, double tau, double eps, bool bulkBreaks,
-                       const LinkLimits &limit, bool worked = false)
+                       const LinkLimits &limit, bool worked = false, double room = 0.0)
 {
+  const double pressing = sigma + room;
   const bool weldBreaks = linkIntensity2(sigma, tau) >= limit.weldIntensity2;
-  const bool heals = (-sigma >= limit.healPressure) & !bulkBreaks;
-  const bool pressed = (-sigma >= limit.linkPressure) | worked;
+  const bool heals = (-pressing >= limit.healPressure) & !bulkBreaks;
+  const bool pressed = (-pressing >= limit.linkPressure) | worked;
   const double ifBulk = bulkBreaks ? link::worn : link::bulk;
   const double ifHealing = heals ? link::bulk : link::weld;
   const double ifWeld = weldBreaks ? link::worn : ifHealing;

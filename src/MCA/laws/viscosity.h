@@ -16,12 +16,14 @@ namespace mca {
 /// \param separation  normal velocity of the second automaton seen from the first [length/time], >
 ///                    0 when they part
 /// \param invDiameter 1/d [1/length]
-/// \return <= 0
+/// \param pulls       1 where the elastic stress may be > 0 (PairLaw::keepsEnergy), else 0
+/// \return <= 0, or at most the elastic stress where that pulls; so viscosity dissipates
 inline double unlinkedStress(double elastic, double viscosity, double separation,
-                             double invDiameter)
+                             double invDiameter, double pulls = 0.0)
 {
   const double total = elastic + viscosity * separation * invDiameter;
-  return total < 0.0 ? total : 0.0;
+  const double most = pulls * (elastic > 0.0 ? elastic : 0.0);
+  return total < most ? total : most;
 }
 
 /// What part of the fastest damping of a packing centred velocities take at the new velocity where

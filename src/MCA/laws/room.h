@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+/// \file room.h
+/// How much room its present neighbours leave an automaton, and the pressure that resists when it
+/// is too little; plasticity isochoric. Ours; equations: doc/laws.md, Room.
+///
+/// Contacts that flow shorten for good, and what lengthens in exchange breaks and is forgotten, so
+/// that no sum over the past of contacts says what volume an automaton has. Here it follows from
+/// the present distances alone: with a = 1 - eps/reach, 0 beyond it, of all neighbours, linked or
+/// not, the packing's w and N,
+///     closeness = w reach/2 (sum a^2 - N)
+/// is to first order minus the volume strain of a packing. Sheared at constant volume into any
+/// other lattice, a hexagonal one whose neighbours are no nearer than 0.8 d reads between +0.1 and
+/// -2.6 %, fcc with none nearer than 0.85 d between +0.7 and -4 % (unittest/MCA/test_room.cpp).
+///
+/// The pressure K (closeness - margin), never below 0, is that of the energy
+///     U = sum_i V/2 K max(0, closeness_i - margin)^2,
+/// a function of places alone: it can neither make nor take energy. Where contacts tell the truth,
+/// as in an elastic solid, closeness stays below the margin and nothing acts.
+///
+/// Beside it the mean stress keeps what links that break leave. A link that is stretched, e > 0,
+/// while its automata are pressed lessens their pressure; without it the pressure, and with it the
+/// elastic energy, would rise as the link breaks. So its strain stays in the sum of each of its
+/// automata, and is let go of where that sets energy free (doc/laws.md, Energy).
+///
+/// Any consistent set of units; dimensions stand in brackets. Branch-free.
+#ifndef MCA_LAWS_ROOM_H
+#define MCA_LAWS_ROOM_H
+
+namespace mca {
+
+/// From which normal strain on a neighbour takes no room [-]: at 1.4 d. Below the second neighbours
+/// of all packings but beyond those of a sheared one; of the reaches up to there the longest.
+constexpr double roomReach = 0.4;
+
+/// Closeness up to which an automaton is left alone [-]. A choice: as large as the elastic volume
+/// strain of steel under its hardness, a third of the volume that a layer may lose.
+constexpr double roomMargin = 0.01;
+
+/// What a neighbour at this normal strain takes of the room [-], a: 1 in the packing, 0 from the
+/// reach on.
+/// \param eps  r/d - 1 [-]
+inline double roomShare(double eps)
+{
+  const double share = 1.0 - eps * (1.0 / roomReach);
+  return share > 0.0 ? share : 0.0;
+}
+
+/// Pressure against lack of room [stress], >= 0.
+/// \param sumSquares   sum of the squares of all shares [-]
+/// \param bulkModulus  K [stress]
+/// \param weight       w of the packing [-], D/N
+/// \param dimension    D
+inline double roomPressure(double sumSquares, double bulkModulus, double weight, int dimension)
+{
+  const double closeness = 0.5 * roomReach * (weight * sumSquares - dimension);
+  const double above = closeness - roomMargin;
+  return bulkModulus * (above > 0.0 ? above : 0.0);
+}
+
+/// Its normal stress between two automata [stress], <= 0: minus the gradient of U over S d.
+/// \param share  of roomShare()
+/// \param i,j    pressures of both [stress]
+inline double roomStress(double share, double i, double j)
+{
+  return -0.5 * (i + j) * share;
+}
+
+/// Its energy per volume of an automaton [stress]: P^2/(2K).
+inline double roomEnergy(double pressure, double bulkModulus)
+{
+  return 0.5 * pressure * pressure / bulkModulus;
+}
+
+/// Normal strain that a link which breaks leaves to the mean stress of either automaton [-].
+/// \param e  its elastic normal strain [-]; pressed, it stays in touch and leaves nothing
+inline double strainLeft(double e)
+{
+  return e > 0.0 ? e : 0.0;
+}
+
+/// What of it is kept for the next step [-]: where the mean stress pulls, it is let go of, at most
+/// half of the strain that makes this stress, so that neighbours that flow in the same step cannot
+/// turn the gain into a loss.
+/// \param kept  at present [-], >= 0
+/// \param sum   of normal strains, the kept ones included [-]; the mean stress over K w
+inline double keptStrain(double kept, double sum)
+{
+  const double pulled = 0.5 * (sum > 0.0 ? sum : 0.0), less = kept < pulled ? kept : pulled;
+  return kept - less;
+}
+
+} // namespace mca
+
+#endif
