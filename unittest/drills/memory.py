@@ -2,8 +2,9 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """wr_creep and wr_fit with less memory than they need: done, or one line and exit code 1.
 
-A limit on the address space (RLIMIT_AS), from just above what the program needs to start down to
-what a whole run takes."""
+A limit on the address space (RLIMIT_AS), from just above what the program needs to start up to what
+a whole run takes. wr_creep has started when it has read its case: with less, UDUNITS-2 crashes
+while it reads its own unit database."""
 
 import resource
 
@@ -46,7 +47,8 @@ def main():
         if not drill.wanted(name):
             continue
         command = [drill.program(program), *words]
-        start = least([command[0], "--help"], work, 0, 1 << 32)
+        started = [words[0], "--print-config"] if program == "wr_creep" else ["--help"]
+        start = least([command[0], *started], work, 0, 1 << 32)
         enough = least(command, work, start, 1 << 32)
         for k in range(drill.given.count):
             size = start + (enough - start) * k // drill.given.count + drill.random.randrange(STEP)
