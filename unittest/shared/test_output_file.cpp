@@ -178,11 +178,10 @@ TEST_F(SharedOutputFile, GrowsThroughAPipeThatStaysOne)
 TEST_F(SharedOutputFile, ADeviceStaysADeviceAndHasManyWriters)
 {
   const std::string node = path("null");
-  if (::mknod(node.c_str(), S_IFCHR | 0600, makedev(1, 3)) != 0)
-    GTEST_SKIP() << "only root makes devices";
-  std::ofstream probe(node);
-  if (!probe)
-    GTEST_SKIP() << "devices cannot be opened in " << folder;
+  if (::mknod(node.c_str(), S_IFCHR | 0600, makedev(1, 3)) != 0 || !std::ofstream(node)) {
+    fs::remove(node); // only root makes devices, and not everywhere: the system's own, by a link
+    fs::create_symlink("/dev/null", node);
+  }
   GrowingFile one, other;
   one.begin(node, "head\n");
   other.begin(node, "head\n");
