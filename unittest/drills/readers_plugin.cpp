@@ -452,7 +452,7 @@ std::vector<Reader> pluginReaders()
        {"strength 92 youngs_modulus 2.06e5", "viscosity 0.41 diameter 2.5 density 7800"},
        refusing(readQuantities)},
       {"pair_style",
-       {"preset a", "preset b plasticity j2 flow contacts steps plain",
+       {"preset a", "preset b plasticity isochoric flow contacts steps plain",
         "plane stress plasticity none",
         "fracture drucker-prager compressive_strength 1.5 link_work 2",
         "link 2.35 weld none heal "
@@ -463,7 +463,7 @@ std::vector<Reader> pluginReaders()
       {"sealed_links", {mca::sealedLinks(linksText())}, refusing(readSealedLinks)},
       {"restart_laws",
        {mca::textOf(settings({"preset", "a"}, "hex")),
-        mca::textOf(settings({"preset", "b", "plasticity", "j2", "flow", "contacts"}, "hex")),
+        mca::textOf(settings({"preset", "b", "plasticity", "isochoric", "flow", "contacts"}, "hex")),
         mca::textOf(settings({"link", "2.35", "weld", "none", "heal", "none"}, "fcc"))},
        refusing(readSettings)},
       {"restart_materials", {mca::textOf({steel(), steel()})}, refusing(readMaterials)},
