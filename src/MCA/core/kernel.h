@@ -113,7 +113,8 @@ struct Kernel {
   ReturnPass *returns;
   SecondYieldPass *yieldAgain;
   ForcePass *force;
-  /// The passes of plasticity j2; nullptr in these themselves. Only rows of response may differ.
+  /// The passes of plasticity isochoric; nullptr in these themselves. Only rows of response may
+  /// differ.
   const Kernel *keepsVolume;
 };
 

@@ -33,7 +33,7 @@ struct LawTables {
   bool returnsTwice = false;     ///< radial returns see those of the neighbours
   bool centresViscosity = false; ///< viscous contacts see the velocity of their step
   bool resistsSlip = false;      ///< viscosity acts along the tangent, too
-  bool keepsVolume = false;      ///< plasticity j2: passes of their own
+  bool keepsVolume = false;      ///< plasticity isochoric: passes of their own
   bool needsLocal = false;       ///< criteria of local stress or plastic work
 
   /// In `pairs`, of automata of two types; (i, j) and (j, i) are two entries where the materials

@@ -15,7 +15,7 @@ namespace mca {
 /// Links). In the plane p is the mean stress, where flow keeps the volume that of the stresses in
 /// the plane.
 /// \param rows             their stresses and answers are read
-/// \param keepsVolume      plasticity j2
+/// \param keepsVolume      plasticity isochoric
 /// \param kappa,kappaNext  equivalent plastic strain of this step and of the next [-]
 /// \param local            rows.local.length values an automaton, written; a last column that is
 ///                         not used is left as it is

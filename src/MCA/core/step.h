@@ -166,7 +166,8 @@ class Step {
   struct Automaton {
     StressTensor stress; ///< averaged, elastic, before the return [stress]
     double mean;         ///< mean stress [stress]
-    /// By which it yields [stress]: of `stress`, in the plane with plasticity j2 of flowStress().
+    /// By which it yields [stress]: of `stress`, in the plane with plasticity isochoric of
+    /// flowStress().
     double intensity;
     /// Elastic energy [energy]; before the return, as the stress.
     double energy;

@@ -86,10 +86,9 @@ inline StressTensor automatonStress(double xx, double yy, double xy, double mean
   return {xx, yy, xy, 3.0 * mean - xx - yy};
 }
 
-/// The stress by which an automaton yields in the plane with plasticity j2: sigma_zz is the mean of
-/// sigma_xx and sigma_yy, as in a solid that flows in plane strain and keeps its volume. Its
-/// intensity is sqrt(3) times the largest shear stress in the plane.
-/// \param xx,yy,xy  as above
+/// The stress by which an automaton yields in the plane with plasticity isochoric: sigma_zz is the
+/// mean of sigma_xx and sigma_yy, as in a solid that flows in plane strain and keeps its volume.
+/// Its intensity is sqrt(3) times the largest shear stress in the plane. \param xx,yy,xy  as above
 inline StressTensor flowStress(double xx, double yy, double xy)
 {
   return {xx, yy, xy, 0.5 * (xx + yy)};
