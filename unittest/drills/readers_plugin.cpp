@@ -463,7 +463,8 @@ std::vector<Reader> pluginReaders()
       {"sealed_links", {mca::sealedLinks(linksText())}, refusing(readSealedLinks)},
       {"restart_laws",
        {mca::textOf(settings({"preset", "a"}, "hex")),
-        mca::textOf(settings({"preset", "b", "plasticity", "isochoric", "flow", "contacts"}, "hex")),
+        mca::textOf(
+            settings({"preset", "b", "plasticity", "isochoric", "flow", "contacts"}, "hex")),
         mca::textOf(settings({"link", "2.35", "weld", "none", "heal", "none"}, "fcc"))},
        refusing(readSettings)},
       {"restart_materials", {mca::textOf({steel(), steel()})}, refusing(readMaterials)},
