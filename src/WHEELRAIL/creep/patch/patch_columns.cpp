@@ -26,14 +26,14 @@ double tractionOf(const P &point)
 }
 
 /// For the journal only: creep_band.csv names them after what they are of.
-template<Band PatchBands::*band>
+template<Band PatchBands::*Of>
 void addBand(std::vector<Column<P>> &table, const char *of)
 {
   const auto name = [&](const char *end) { return fmt::format("{}_{}", of, end); };
   table.push_back(
-      {name("standard_error"), "1", 1.0, "", kept<&P::bands, band, &Band::standardError>});
-  table.push_back({name("low"), "1", 1.0, "", kept<&P::bands, band, &Band::low>});
-  table.push_back({name("high"), "1", 1.0, "", kept<&P::bands, band, &Band::high>});
+      {name("standard_error"), "1", 1.0, "", kept<&P::bands, Of, &Band::standardError>});
+  table.push_back({name("low"), "1", 1.0, "", kept<&P::bands, Of, &Band::low>});
+  table.push_back({name("high"), "1", 1.0, "", kept<&P::bands, Of, &Band::high>});
 }
 
 std::vector<Column<P>> makeTable()

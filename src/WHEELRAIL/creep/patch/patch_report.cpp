@@ -142,7 +142,7 @@ std::string patchBandCsv(const PatchSpecification &asked, const PatchCurves &cur
 std::string patchSeriesCsv(const PatchCurves &curves)
 {
   const auto columns = columnsOf(seriesColumns(), &Column<PatchStep>::series);
-  const FileColumn<PatchStep> distance = columns.front();
+  const FileColumn<PatchStep> &distance = columns.front();
   const FileColumns<PatchStep> others(columns.begin() + 1, columns.end());
   std::string text = fmt::format("# point: row of creep.csv; distance: mm; time: s; {}\n"
                                  "point,{},time,{}",

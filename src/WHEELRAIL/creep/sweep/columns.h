@@ -27,19 +27,19 @@ struct Access {
 
 /// A value that stands in the point: Kept<&PatchPoint::creepage, &Creepage::xi>. Whole numbers go
 /// through a double, which keeps them up to 2^53.
-template<auto... path>
+template<auto... Path>
 struct Kept {
   template<class Point>
   operator Access<Point>() const // NOLINT(google-explicit-constructor): a row
   {
-    using Value = std::decay_t<decltype((std::declval<Point &>().*....*path))>;
-    return {[](const Point &point) { return static_cast<double>((point.*....*path)); },
-            [](Point &point, double value) { (point.*....*path) = static_cast<Value>(value); },
+    using Value = std::decay_t<decltype((std::declval<Point &>().*....*Path))>;
+    return {[](const Point &point) { return static_cast<double>((point.*....*Path)); },
+            [](Point &point, double value) { (point.*....*Path) = static_cast<Value>(value); },
             std::is_integral_v<Value>};
   }
 };
-template<auto... path>
-inline constexpr Kept<path...> kept{};
+template<auto... Path>
+inline constexpr Kept<Path...> kept{};
 
 /// A value that follows from others of the point.
 /// @param get function of a point, SI
