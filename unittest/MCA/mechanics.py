@@ -543,7 +543,7 @@ class PairModel:
         """Distance and further rotation of the axis; returns the next kind."""
         e = r / D - 1
         self.gamma = self.gamma + turn if self.kind > 0 else 0.0
-        touches = self.kind > 0 or e < 0
+        touches = self.kind > 0 or e < -1e-9
         mean = K * e / 3 if touches else 0.0
         sigma, tau = (2 * G * e + WEIGHT * mean if touches else 0.0), 2 * G * self.gamma
         intensity = np.sqrt(max(sigma, 0) ** 2 + 3 * tau**2)

@@ -177,7 +177,7 @@ double flowWeight(const mca::LawSet &laws, const mca::Material &a, const mca::Ma
 {
   if (kind == 1)
     return 1;
-  if (kind == 2 || laws.flow.word() != "contacts" || e >= 0)
+  if (kind == 2 || laws.flow.word() != "contacts" || !pressed(e))
     return 0;
   const double limit = std::fmax(a.elasticLimit * a.strength, b.elasticLimit * b.strength);
   return keepsVolume(laws) ? std::fmin(1, -e * (shearModulus(a) + shearModulus(b)) / limit) : 1;
@@ -232,6 +232,11 @@ double roomStress(double eps, double pressureA, double pressureB)
   return -(pressureA + pressureB) / 2 * std::fmax(0, 1 - eps / 0.4);
 }
 
+bool pressed(double e)
+{
+  return e < -1e-9;
+}
+
 double unlinkedStress(const mca::LawSet &laws, double elastic, double viscous)
 {
   return std::fmin(keepsVolume(laws) ? std::fmax(elastic, 0) : 0, elastic + viscous);
@@ -277,7 +282,7 @@ bool linked(const State &state)
 
 bool touches(const Contact &c, const View &w)
 {
-  return linked(c.now) || w.e < 0;
+  return linked(c.now) || pressed(w.e);
 }
 
 // lambda of Hooke's law in the plane, sigma = 2G eps + lambda tr(eps)
@@ -491,7 +496,7 @@ Eigen::Matrix3d localStress(const Sample &s, const Contact &c, const View &w, co
 // plastic work of both automata since they are pressed together
 double workOf(const Sample &s, const Contact &c, const View &w)
 {
-  if (s.laws.linkWork.word() == "none" || linked(c.now) || w.e >= 0)
+  if (s.laws.linkWork.word() == "none" || linked(c.now) || !pressed(w.e))
     return 0;
   return c.now.gammaTotal + (s.automata[s.owner[c.i]].work + s.automata[s.owner[c.j]].work) / 2;
 }
@@ -506,7 +511,7 @@ double viscosity(const Sample &s, const Contact &c)
 // compression and viscosity, never tension; also of a link that breaks in this step
 double unlinkedNormal(const Sample &s, const Contact &c, const View &w, const Stress &p)
 {
-  if (w.e >= 0)
+  if (!pressed(w.e))
     return 0;
   const double sigma = linked(c.now) ? p.trial : p.sigma;
   return unlinkedStress(s.laws, sigma, viscosity(s, c) * c.speed / w.d);
@@ -515,7 +520,7 @@ double unlinkedNormal(const Sample &s, const Contact &c, const View &w, const St
 // along t, of the second surface's motion past the first
 double slipStress(const Sample &s, const Contact &c, const View &w)
 {
-  return s.laws.viscosity.word() == "both" && w.e < 0 ? viscosity(s, c) * c.slip / w.d : 0;
+  return s.laws.viscosity.word() == "both" && pressed(w.e) ? viscosity(s, c) * c.slip / w.d : 0;
 }
 
 double contactArea(const Sample &s, const View &w)

@@ -108,6 +108,9 @@ double nextKind(const mca::LawSet &, const mca::Material &, const mca::Material 
 /// plasticity isochoric acts.
 bool keepsVolume(const mca::LawSet &);
 
+/// An unlinked contact is pressed: its automata overlap by more than round-off makes of r = d.
+bool pressed(double e);
+
 /// Weight of a contact in the flow of its automata.
 double flowWeight(const mca::LawSet &, const mca::Material &, const mca::Material &, double kind,
                   double e);

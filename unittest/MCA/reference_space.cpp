@@ -40,7 +40,7 @@ bool linked(const State &state)
 
 bool touches(const Contact &c, const View &w)
 {
-  return linked(c.now) || w.e < 0;
+  return linked(c.now) || pressed(w.e);
 }
 
 // its weight in the flow of its automata
@@ -234,7 +234,7 @@ Matrix3d localStress(const Sample &s, const Contact &c, const View &w, double si
 // plastic work of both automata since they are pressed together
 double workOf(const Sample &s, const Contact &c, const View &w)
 {
-  if (s.laws.linkWork.word() == "none" || linked(c.now) || w.e >= 0)
+  if (s.laws.linkWork.word() == "none" || linked(c.now) || !pressed(w.e))
     return 0;
   return c.now.gammaTotal.x() + (s.automata[s.owner[c.i]].work + s.automata[s.owner[c.j]].work) / 2;
 }
@@ -300,10 +300,10 @@ void applyContact(Sample &s, Contact &c)
   // compression and viscosity of what is not linked any more, never tension
   Vector3d drag(0, 0, 0);
   if (!linked(c.now) || !linked(c.next)) {
-    const double pressed = linked(c.now) ? trial : sigma;
-    sigma = w.e < 0 ? unlinkedStress(s.laws, pressed, viscosity(s, c) * c.speed / w.d) : 0;
+    const double elastic = linked(c.now) ? trial : sigma;
+    sigma = pressed(w.e) ? unlinkedStress(s.laws, elastic, viscosity(s, c) * c.speed / w.d) : 0;
     tau.setZero();
-    if (w.e < 0 && s.laws.viscosity.word() == "both")
+    if (pressed(w.e) && s.laws.viscosity.word() == "both")
       drag = viscosity(s, c) / w.d * c.slip;
   }
   const double S = contactArea(s, w);

@@ -90,6 +90,14 @@ TEST(Contact, OpenUnlinkedPairsCarryNothing)
   EXPECT_EQ(s.normal, 0.0);
 }
 
+TEST(Contact, RoundOffPressesNothing)
+{
+  const double approach = -1e3; // far more viscous stress than elastic
+  for (double e : {-1e-15, -1e-10})
+    EXPECT_EQ(of(law, link::none, e, 0, approach, -100, 1, -100, 1).normal, 0.0) << e;
+  EXPECT_LT(of(law, link::none, -1e-8, 0, approach, -100, 1, -100, 1).normal, -100.0 * D);
+}
+
 TEST(Contact, UnlinkedPairsCarryCompressionAndViscosity)
 {
   const double e = -0.001, mean = -30;

@@ -66,7 +66,7 @@ MCA_LOOP double strainBlock(const Pairs &p, const Block &block, int first, int n
       return breaks<Criterion>(LinkStrain<Shear>{eps, total}, limits) ? 1.0 : 0.0;
     } else {
       const Shear old = totals.get(k), total = carriedShear(moved, old) + growth;
-      const double linked = link::linked(pkind[k]), pressed = e < 0.0 ? 1.0 : 0.0;
+      const double linked = link::linked(pkind[k]), pressed = isPressed(e) ? 1.0 : 0.0;
       gammas.set(k, choose(linked, gamma, Shear{}));
       totals.set(k, choose(linked, total, old));
       psep[k] = dot(seen.velocity(k), moved.normal);
@@ -152,7 +152,7 @@ MCA_LOOP void stressBlock(const Pairs &p, int first, int n, const PairLaw *laws,
     const double e = W == Pristine ? peps[k] : peps[k] - pplastic[k];
     const typename D::Shear gamma = gammas.get(k);
     const double linked = onlyBulk(W) ? 1.0 : link::linked(pkind[k]);
-    const double pressed = onlyBulk(W) || e < 0.0 ? 1.0 : 0.0;
+    const double pressed = onlyBulk(W) || isPressed(e) ? 1.0 : 0.0;
     const double touching = linked > pressed ? linked : pressed;
     const double sigma = touching * elasticStress(law, e, ofI.mean[k], ofJ.mean[k]);
     shares.set(k, sigma, law.twoG * gamma, normals.get(k));
@@ -320,7 +320,7 @@ MCA_LOOP Changes forceBlock(const Pairs &p, int first, int n, const PairLaw *law
     double work = 0.0;
     if (LOCAL) {
       const double *const row = local + at.length * k;
-      const double pressed = eps < plastic ? 1.0 : 0.0;
+      const double pressed = isPressed(eps - plastic) ? 1.0 : 0.0;
       if (Criterion::needsLocalStress)
         face = faceStress(D::localTensor(row + at.tensor, 0.5 * (i.mean + j.mean)), normals.get(k));
       work = (1.0 - linked) * pressed * law.limits.countsWork *

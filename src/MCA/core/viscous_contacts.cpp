@@ -22,7 +22,7 @@ void ViscousPairs::find(const Pairs &p)
     for (int k = first; k < last; k++) {
       numbers[count] = k;
       count += !(link::isLinked(p.now.kind[k]) & link::isLinked(next[k])) &
-               (p.eps[k] - p.now.plastic[k] < 0.0);
+               isPressed(p.eps[k] - p.now.plastic[k]);
     }
   }
   count_ = count;

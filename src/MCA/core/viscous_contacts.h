@@ -14,7 +14,7 @@
 
 namespace mca {
 
-/// The numbers of the viscous pairs of a step, in the order of the list: pressed, e < 0, and
+/// The numbers of the viscous pairs of a step, in the order of the list: pressed and
 /// unlinked or breaking.
 class ViscousPairs {
  public:

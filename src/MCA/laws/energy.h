@@ -29,7 +29,7 @@ struct ElasticStrain {
 /// \param e       r/d - 1 - plastic offset [-]
 inline double touchingStrain(bool linked, double e)
 {
-  return linked || e < 0.0 ? e : 0.0;
+  return linked || isPressed(e) ? e : 0.0;
 }
 
 /// Energy that a change of state at a fixed place sets free [stress], < 0 where it is taken up: the
