@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "shared/friction_log_format.h"
 
+#include "shared/plain_number.h"
+
 #include <cmath>
-#include <sstream>
 
 namespace mcawr::friction_log {
 
@@ -46,29 +47,24 @@ bool isInRow(double value)
 
 std::string describe(Range range, const std::string &unit)
 {
-  std::ostringstream text;
+  const std::string top = numberWord(largest), topWhole = numberWord(largestWhole);
+  const std::string ordinary = numberWord(1.0 / largest) + " to " + top;
   const std::string inUnit = unit.empty() ? "" : " (" + unit + ")";
   switch (range) {
   case Range::Positive:
-    text << "> 0" << inUnit << ", " << 1.0 / largest << " to " << largest;
-    break;
+    return "> 0" + inUnit + ", " + ordinary;
   case Range::NotNegative:
-    text << ">= 0" << inUnit << ", 0 or " << 1.0 / largest << " to " << largest;
-    break;
+    return ">= 0" + inUnit + ", 0 or " + ordinary;
   case Range::Signed:
-    text << "of either sign" << inUnit << ", 0 or " << 1.0 / largest << " to " << largest;
-    break;
+    return "of either sign" + inUnit + ", 0 or " + ordinary;
   case Range::PoissonsRatio:
-    text << "in -1 .. 0.5";
-    break;
+    return "in -1 .. 0.5";
   case Range::Whole:
-    text << ">= 0, whole, at most " << largest;
-    break;
+    return ">= 0, whole, at most " + top;
   case Range::SignedWhole:
-    text << "that is whole, " << -largestWhole << " to " << largestWhole;
-    break;
+    return "that is whole, -" + topWhole + " to " + topWhole;
   }
-  return text.str();
+  return "";
 }
 
 } // namespace mcawr::friction_log

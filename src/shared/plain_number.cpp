@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "shared/plain_number.h"
 
+#include <array>
 #include <charconv>
 #include <cmath>
 
@@ -24,6 +25,14 @@ std::optional<double> plainNumber(std::string_view text)
   if (!number || !number->rest.empty())
     return std::nullopt;
   return number->value;
+}
+
+std::string numberWord(double value, int digits)
+{
+  std::array<char, 32> word; // sign, 17 digits, point, exponent of five letters
+  const auto [end, error] = std::to_chars(word.data(), word.data() + word.size(), value,
+                                          std::chars_format::general, digits);
+  return error == std::errc() ? std::string(word.data(), end) : std::string();
 }
 
 } // namespace mcawr

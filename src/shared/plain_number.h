@@ -3,6 +3,7 @@
 #define MCAWR_SHARED_PLAIN_NUMBER_H
 
 #include <optional>
+#include <string>
 #include <string_view>
 
 namespace mcawr {
@@ -24,6 +25,11 @@ std::optional<LeadingNumber> leadingNumber(std::string_view text);
 /// The same where the whole text has to be one number.
 /// \return nothing where anything is left over, blanks included
 std::optional<double> plainNumber(std::string_view text);
+
+/// A number as text, in the C locale whatever the program's is: what printf's "%.*g" gives there.
+/// What is written for others to read goes through this, never through printf or a stream.
+/// \param digits significant ones, 1 to 17; 17 give back the same number
+std::string numberWord(double value, int digits = 6);
 
 } // namespace mcawr
 #endif

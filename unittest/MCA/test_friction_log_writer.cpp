@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "files/friction_log_writer.h"
 
+#include "../shared/comma_locale.h"
 #include "sample.h"
 
 #include <gmock/gmock.h>
@@ -107,6 +108,26 @@ TEST_F(FrictionLogWriterTest, HeaderThenColumnsThenRows)
                         "formed gap check\n1000 0.05 0.25 7.5 15 0.5 3000 4 5 -0.1 "));
   EXPECT_EQ(rows().size(), 2u);
   EXPECT_FALSE(fs::exists(path.string() + ".tmp"));
+}
+
+TEST_F(FrictionLogWriterTest, NoLocaleOfTheHostMatters)
+{
+  mca::LogHeader head = header();
+  head.material.poissonsRatio = 0.28;
+  const auto written = [&] {
+    mca::FrictionLogWriter log;
+    log.begin(path, head, units, 0, false);
+    log.write(row(1000));
+    log.write(row(123456));
+    return text();
+  };
+  const std::string plain = written();
+  fs::remove(path);
+  const CommaLocale comma;
+  EXPECT_EQ(written(), plain);
+  mca::FrictionLogWriter again;
+  EXPECT_EQ(again.resume(path, head, units, 123456, {2, 123456}), "");
+  EXPECT_EQ(text(), plain);
 }
 
 TEST_F(FrictionLogWriterTest, TheHeadNamesThePackingOfTheRun)

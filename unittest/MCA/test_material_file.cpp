@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "files/material_file.h"
 
+#include "../shared/comma_locale.h"
 #include "files/units.h"
 #include "sample.h"
 
@@ -246,4 +247,13 @@ TEST(MaterialFile, TemperatureAmongKeywords)
   }
   words = {"temperature"};
   EXPECT_THROW(mca::takeTemperature(words), mca::MaterialError);
+}
+
+TEST(MaterialFile, NoLocaleOfTheHostMatters)
+{
+  const std::string text = steelText(), bad = changed("strength 92", "strength -1234.5");
+  const CommaLocale comma;
+  EXPECT_TRUE(mca::readMaterial(text, "x.mca", "nano") == steel());
+  EXPECT_THAT(problemOf(bad), HasSubstr("strength is -1234.5, allowed"));
+  EXPECT_THAT(overrideProblem({"strength", "-1234.5"}), HasSubstr("strength is -1234.5, allowed"));
 }

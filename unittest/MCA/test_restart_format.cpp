@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // What restart files and files of mca_links hold behind their checksums: read back to the last bit,
 // and refused where it is damaged though the checksum fits.
+#include "../shared/comma_locale.h"
 #include "core/automaton_states.h"
 #include "files/links_text.h"
 #include "files/restart_format.h"
@@ -176,6 +177,23 @@ TEST(LinksText, readBack)
   std::string flipped = text;
   flipped[text.find("5 atoms")] ^= 1;
   expectContains(problemOf([&] { linksIn(flipped, 4, 100); }), "does not match its checksum");
+}
+
+TEST(LinksText, noLocaleOfTheHostMatters)
+{
+  const double state[] = {2, 1.0 / 3.0, -1e-300, 1234.5};
+  const auto written = [&] {
+    return sealedLinks(linksHead("5 atoms\n", pairLine(12000, 5, state, 4, true) +
+                                                  automatonLine(5, stateNumber("kappa"), 0.1)));
+  };
+  const auto blocks = [&] { return exactText({0.1, 123456.0, -1e-300}) + textOf({steel()}); };
+  const std::string plain = written(), plainBlocks = blocks();
+  const CommaLocale comma;
+  EXPECT_EQ(written(), plain);
+  EXPECT_EQ(linksIn(plain, 4, 100000).pairs.begin()->second.state,
+            std::vector<double>(state, state + 4));
+  EXPECT_EQ(blocks(), plainBlocks);
+  EXPECT_EQ(materialsIn(textOf({steel()}), 1).at(0), steel());
 }
 
 TEST(LinksText, whatFitsItsChecksumIsReadAllTheSame)

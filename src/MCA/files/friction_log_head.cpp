@@ -16,10 +16,7 @@ namespace format = mcawr::friction_log;
 // YAML 1.1 takes a number with an exponent for text unless it has a point
 static std::string number(double value)
 {
-  std::ostringstream text;
-  text.precision(12);
-  text << value;
-  std::string word = text.str();
+  std::string word = mcawr::numberWord(value, 12);
   const auto exponent = word.find('e');
   if (exponent != std::string::npos && word.find('.') == std::string::npos)
     word.insert(exponent, ".0");

@@ -5,9 +5,7 @@
 #include "shared/printable.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -169,9 +167,7 @@ void FrictionLogWriter::write(const LogRow &row)
     const double value = row.*column.value;
     if (!format::isInRow(value))
       fail(path_, "the row of step " + std::to_string(step) + " has numbers that are not finite");
-    std::array<char, 32> word;
-    std::snprintf(word.data(), word.size(), "%.*g ", column.digits, value);
-    line += word.data();
+    line += mcawr::numberWord(value, column.digits) + " ";
   }
   mcawr::RunningChecksum sum = sum_;
   sum.add(line);

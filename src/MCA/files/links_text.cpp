@@ -8,8 +8,9 @@
 #include "shared/printable.h"
 
 #include <algorithm>
+#include <array>
+#include <charconv>
 #include <cmath>
-#include <cstdio>
 #include <sstream>
 
 namespace mca {
@@ -22,16 +23,17 @@ constexpr const char *CHECKSUM = "# checksum ";
 
 std::string checksumLine(const std::string &text)
 {
-  char digits[17];
-  std::snprintf(digits, sizeof(digits), "%016llx", checksum(text.data(), text.size()));
-  return std::string(CHECKSUM) + digits + "\n";
+  std::array<char, 16> digits;
+  const char *end = std::to_chars(digits.data(), digits.data() + digits.size(),
+                                  checksum(text.data(), text.size()), 16)
+                        .ptr;
+  const std::string word(digits.data(), static_cast<std::size_t>(end - digits.data()));
+  return CHECKSUM + std::string(digits.size() - word.size(), '0') + word + "\n";
 }
 
 std::string exact(double value)
 {
-  char text[32];
-  std::snprintf(text, sizeof(text), "%.17g", value);
-  return text;
+  return mcawr::numberWord(value, 17);
 }
 
 // the words of a line, of which numbers are taken one by one

@@ -12,6 +12,8 @@
 
 namespace mca {
 
+using mcawr::numberWord;
+
 namespace {
 
 const char *const TEMPERATURE = "temperature";
@@ -95,12 +97,15 @@ void checkTemperatures(const Line &line, const std::string &name)
   if (line.values.size() < 2)
     throw MaterialError(where + "temperature has one value, allowed: at least two that rise");
   for (size_t k = 1; k < line.values.size(); k++)
-    if (line.values[k] <= line.values[k - 1]) {
-      std::ostringstream message;
-      message << where << "temperature " << line.values[k] << " stands after " << line.values[k - 1]
-              << ", allowed: values that rise";
-      throw MaterialError(message.str());
-    }
+    if (line.values[k] <= line.values[k - 1])
+      throw MaterialError(where + "temperature " + numberWord(line.values[k]) + " stands after " +
+                          numberWord(line.values[k - 1]) + ", allowed: values that rise");
+}
+
+// The first and the last of values that rise.
+std::string rangeWords(const std::vector<double> &table)
+{
+  return numberWord(table.front()) + " to " + numberWord(table.back());
 }
 
 // Where in the table the temperature lies: between the columns `below` and below + 1, `share` of
@@ -112,12 +117,9 @@ struct Place {
 
 Place placeOf(double temperature, const std::vector<double> &table, const std::string &name)
 {
-  if (temperature < table.front() || temperature > table.back()) {
-    std::ostringstream message;
-    message << "keyword temperature is " << temperature << ", allowed with " << name << ": "
-            << table.front() << " to " << table.back();
-    throw MaterialError(message.str());
-  }
+  if (temperature < table.front() || temperature > table.back())
+    throw MaterialError("keyword temperature is " + numberWord(temperature) + ", allowed with " +
+                        name + ": " + rangeWords(table));
   const auto above = std::upper_bound(table.begin() + 1, table.end() - 1, temperature);
   const size_t below = static_cast<size_t>(above - table.begin()) - 1;
   return {below, (temperature - table[below]) / (table[below + 1] - table[below])};
@@ -194,17 +196,12 @@ Material readMaterial(const std::string &text, const std::string &name, const st
     return checked(materialAt(found, {0, 0.0}), name + ": ");
   }
   const std::vector<double> &temperatures = table->second.values;
-  for (size_t k = 0; k < columns; k++) {
-    std::ostringstream where;
-    where << name << ": at " << TEMPERATURE << ' ' << temperatures[k] << ": ";
-    checked(materialAt(found, {k, 0.0}), where.str());
-  }
-  if (!temperature) {
-    std::ostringstream message;
-    message << "keyword temperature is missing, allowed with " << name << ": "
-            << temperatures.front() << " to " << temperatures.back();
-    throw MaterialError(message.str());
-  }
+  for (size_t k = 0; k < columns; k++)
+    checked(materialAt(found, {k, 0.0}),
+            name + ": at " + TEMPERATURE + " " + numberWord(temperatures[k]) + ": ");
+  if (!temperature)
+    throw MaterialError("keyword temperature is missing, allowed with " + name + ": " +
+                        rangeWords(temperatures));
   return checked(materialAt(found, placeOf(*temperature, temperatures, name)), name + ": ");
 }
 

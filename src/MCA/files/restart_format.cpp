@@ -153,11 +153,10 @@ std::optional<std::string> fixBlockIn(const char *bytes, std::size_t available)
 
 std::string exactText(const std::vector<double> &values)
 {
-  std::ostringstream text;
-  text.precision(17);
+  std::string text;
   for (const double value : values)
-    text << value << ' ';
-  return text.str();
+    text += mcawr::numberWord(value, 17) + " ";
+  return text;
 }
 
 std::vector<double> numbersIn(const std::string &text, std::size_t n, const char *what)

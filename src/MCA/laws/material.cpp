@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "material.h"
 
+#include "shared/plain_number.h"
+
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
 namespace mca {
 
@@ -59,9 +60,8 @@ bool Material::operator==(const Material &other) const
 std::string checkMaterial(const Material &m)
 {
   auto bad = [](const char *keyword, double value) {
-    std::ostringstream line;
-    line << keyword << " is " << value << ", allowed: " << findMaterialQuantity(keyword)->allowed;
-    return line.str();
+    return std::string(keyword) + " is " + mcawr::numberWord(value) +
+           ", allowed: " + findMaterialQuantity(keyword)->allowed;
   };
   for (const auto &q : materialQuantities())
     if (!std::isfinite(m.*q.value))

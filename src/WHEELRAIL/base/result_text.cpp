@@ -12,7 +12,8 @@
 namespace wheelrail {
 namespace {
 
-[[noreturn]] void failFinite(const std::string &name, const std::string &place, double value)
+[[noreturn]] void failFinite(const std::string &name, const std::string &place,
+                             const std::string &value)
 {
   throw Error(ExitCode::NotConverged,
               fmt::format("{}: {} is {}: the numbers of the case are beyond what double precision "
@@ -44,7 +45,9 @@ std::vector<std::string> cellsOf(const std::string &line)
 
 std::string jsonText(const std::string &name, const nlohmann::ordered_json &json, int indent)
 {
-  search(json, "", [&](const std::string &place, double value) { failFinite(name, place, value); });
+  search(json, "", [&](const std::string &place, double value) {
+    failFinite(name, place, fmt::format("{}", value));
+  });
   return json.dump(indent, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }
 
@@ -65,7 +68,7 @@ const std::string &finiteTable(const std::string &name, const std::string &table
     for (std::size_t k = 0; k < cells.size(); ++k)
       for (const char *word : {"nan", "-nan", "inf", "-inf"})
         if (cells[k] == word)
-          failFinite(name, fmt::format("{} of row {}", columns.at(k), row), std::stod(word));
+          failFinite(name, fmt::format("{} of row {}", columns.at(k), row), word);
   }
   return table;
 }
