@@ -30,8 +30,8 @@ Examples:
       the friction coefficient of one run, beside Eq. 2 (one log is no law: exit code 0)
   wr_fit campaign/ -o law.json --points points.csv --plot fit.png
       all *.friction below a folder: points, fitted law, Figs. 7 and 8
-  wr_fit paper36.tar.xz -o law.json
-      all *.friction of an archive of tools/campaign pack
+  wr_fit paper36.tar.xz --model velocity -o law.json
+      all *.friction of an archive of tools/campaign pack; no pressure term
   wr_fit campaign/ --model eq4 -o static.json
       the law without its velocity term, e.g. for runs at one speed
   wr_fit run.friction --start 40 --grinding-in 100
