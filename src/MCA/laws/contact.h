@@ -115,10 +115,10 @@ struct Answer {
 };
 
 /// Overlap above which an unlinked contact is pressed [-]. Far below any strain that matters, and
-/// far above the round-off of places: 1e-16 of a sample of a million automata in a row. So automata
-/// of a perfect lattice, at r = d but for round-off, do not touch, whatever the units and the
-/// place. A force jumps there, by the mean stress of the automata and by viscosity, as it does in
-/// the paper at e = 0; what decides is a motion and no round-off.
+/// far above the round-off of places, 1e-10 d in a row of a million automata. So automata of a
+/// perfect lattice, at r = d but for round-off, do not touch, whatever the units and the place. A
+/// force jumps there, by the mean stress of the automata and by viscosity, as it does in the paper
+/// at e = 0; what decides is a motion and no round-off.
 constexpr double leastOverlap = 1e-9;
 
 /// \param e  elastic normal strain of the contact [-]
