@@ -19,7 +19,7 @@ ComputeMCAEnergy::ComputeMCAEnergy(LAMMPS *host, int narg, char **arg) : Compute
   if (modify->get_fix_by_id(FixMCAEnergy::ID))
     error->all(FLERR, "Only one compute mca/energy at a time allowed");
   scalar_flag = vector_flag = 1;
-  size_vector = 6;
+  size_vector = 2 + FixMCAEnergy::FLOWS;
   extscalar = extvector = 1;
   vector = new double[size_vector];
   modify->add_fix(fmt::format("{} all {}", FixMCAEnergy::ID, FixMCAEnergy::ID));

@@ -12,8 +12,9 @@
 namespace LAMMPS_NS {
 
 /// Command compute mca/energy: the account of the whole sample, over all ranks [energy]. Scalar:
-/// its error. Vector of six: kinetic, elastic, dissipated by flow, by breaking, by viscosity, and
-/// the work of outer forces. One at a time, for group all.
+/// its error. Vector of eight: kinetic, elastic, dissipated by flow, by breaking, by viscosity, the
+/// work of outer forces and of the box, and what came with automata or by changes between runs. One
+/// at a time, for group all.
 class ComputeMCAEnergy : public Compute {
  public:
   ComputeMCAEnergy(class LAMMPS *, int, char **);

@@ -123,6 +123,9 @@ class Threads : public mca::Exchange {
   std::deque<std::vector<double>> box_;
 };
 
+/// The edges of a box that does not change.
+const mca::EnergyAccount::Edges still = {{1, 1, 1, 0, 0, 0}};
+
 /// What one rank holds of the world.
 struct Part {
   const World &world;
@@ -219,7 +222,7 @@ struct Part {
       torques.insert(torques.end(), {t.x, t.y, t.z});
     }
     account.keep(step, arrays.x(), reinterpret_cast<double(*)[3]>(forces.data()),
-                 reinterpret_cast<double(*)[3]>(torques.data()));
+                 reinterpret_cast<double(*)[3]>(torques.data()), still);
   }
 
   /// Kinetic energy of the half steps and elastic energy of own automata.
@@ -301,7 +304,7 @@ struct Ranks {
       each([this](Part &p) {
         p.kick(dt);
         p.drift(dt);
-        p.account.bookFirstHalf(p.step, p.arrays.x(), p.arrays.omega(), dt);
+        p.account.bookFirstHalf(p.step, p.arrays.x(), p.arrays.omega(), dt, still);
       });
       moveGuests();
       each([this](Part &p) {

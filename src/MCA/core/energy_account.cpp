@@ -39,8 +39,9 @@ static EnergyAccount::Channel channelOf(const Step &step, int k)
 }
 
 void EnergyAccount::keep(const Step &step, const double (*x)[3], const double (*f)[3],
-                         const double (*torque)[3])
+                         const double (*torque)[3], const Edges &box)
 {
+  box_ = box;
   rows_.resize(step.rows());
   rows_.clear();
   const Pairs &p = step.links().pairs();
@@ -51,16 +52,16 @@ void EnergyAccount::keep(const Step &step, const double (*x)[3], const double (*
   }
   const int own = step.own();
   external_.resize(own);
-  before_.resize(own);
   for (int i = 0; i < own; i++) {
     const AutomatonLaw &law = step.laws().automata[step.type(i)];
     external_[i] = {vectorOf(f[i]) - step.force(i), vectorOf(torque[i]) - step.torque(i)};
-    before_[i] = vectorOf(x[i]);
+    store(vectorOf(x[i]), rows_.row(i) + placeAt);
+    store(step.velocity(i), rows_.row(i) + velocityAt);
     double &mean = rows_.row(i)[meanAt];
     mean = meanStress(mean + step.keptNext(i), law.bulkModulus, law.weight);
   }
-  step.exchange().begin(rows_.data() + meanAt, rowLength, 1);
-  step.exchange().finish(rows_.data() + meanAt, rowLength, 1);
+  step.exchange().begin(rows_.data() + meanAt, rowLength, rowLength - meanAt);
+  step.exchange().finish(rows_.data() + meanAt, rowLength, rowLength - meanAt);
   findReleased(step);
 }
 
@@ -109,10 +110,13 @@ void EnergyAccount::bookSecondHalf(const Step &step, double dt)
 }
 
 void EnergyAccount::bookFirstHalf(const Step &step, const double (*x)[3], const double (*omega)[3],
-                                  double dt)
+                                  double dt, const Edges &box)
 {
+  for (int m = 0; m < 6; m++)
+    growth_.h[m] = box.h[m] - box_.h[m];
   for (int i = 0; i < step.own(); i++) {
-    const Motion moved = {vectorOf(x[i]) - before_[i], dt * vectorOf(omega[i])};
+    const Motion moved = {vectorOf(x[i]) - vectorOf(rows_.row(i) + placeAt),
+                          dt * vectorOf(omega[i])};
     store(moved.way, rows_.row(i) + wayAt);
     store(moved.turn, rows_.row(i) + turnAt);
     bookWork(i, moved);
@@ -120,6 +124,18 @@ void EnergyAccount::bookFirstHalf(const Step &step, const double (*x)[3], const 
   step.exchange().begin(rows_.data(), rowLength, meanAt);
   step.exchange().finish(rows_.data(), rowLength, meanAt);
   bookContacts(step, dt, false);
+}
+
+// An image stands off its automaton by a vector of the lattice, which the box makes grow.
+Vector EnergyAccount::wayOfBox(const Step &step, int k) const
+{
+  const Pairs &p = step.links().pairs();
+  auto off = [&](int place, int i) { return step.place(place) - vectorOf(rows_.row(i) + placeAt); };
+  const Vector lattice = off(p.placeJ[k], p.j[k]) - off(p.placeI[k], p.i[k]);
+  const double *const h = box_.h, *const g = growth_.h;
+  const double nz = lattice.z / h[2], ny = (lattice.y - h[3] * nz) / h[1];
+  const double nx = (lattice.x - h[4] * nz - h[5] * ny) / h[0];
+  return {g[0] * nx + g[5] * ny + g[4] * nz, g[1] * ny + g[3] * nz, g[2] * nz};
 }
 
 // What the contacts dissipate in the second half of the step just done (back), or in the first half
@@ -131,15 +147,19 @@ void EnergyAccount::bookContacts(const Step &step, double dt, bool back)
   const double sign = back ? 1.0 : -1.0;
   auto moved = [&](int i) {
     const double *row = rows_.row(i);
-    return back ? Motion{dt * step.velocity(i), dt * step.spin(i)}
+    return back ? Motion{dt * vectorOf(row + velocityAt), dt * step.spin(i)}
                 : Motion{vectorOf(row + wayAt), vectorOf(row + turnAt)};
   };
+  const bool grows =
+      std::any_of(growth_.h, growth_.h + 6, [](double length) { return length != 0.0; });
   for (int k = 0; k < p.n; k++) {
     const int i = p.i[k], j = p.j[k];
     const PairLaw &law = step.law(k);
     const Motion mi = moved(i), mj = moved(j);
+    const Vector ofBox = grows ? wayOfBox(step, k) : Vector{0.0, 0.0, 0.0};
+    const Vector apart = mj.way - mi.way + ofBox;
     const Vector distance = step.place(p.placeJ[k]) - step.place(p.placeI[k]);
-    const Vector way = sign * (mj.way - mi.way);
+    const Vector way = sign * apart;
     const PairMotion motion =
         pairMotion(distance, 1.0 / length(distance), way, 0.5 * sign * (mi.turn + mj.turn));
     const double eps = p.eps[k], other = length(distance - way) * law.invDiameter - 1.0;
@@ -161,19 +181,20 @@ void EnergyAccount::bookContacts(const Step &step, double dt, bool back)
     double viscous = 0.5 * s.viscous * total.normal;
     if (step.laws().resistsSlip) {
       const double arm = 0.5 * length(distance);
-      const Vector slip = slipOf(step.normal(k), mj.way - mi.way, mi.turn + mj.turn, arm);
+      const Vector slip = slipOf(step.normal(k), apart, mi.turn + mj.turn, arm);
       viscous += slipLoss(law, step.slipStress(k), slip);
     }
     const double volume = law.area * law.diameter * step.share(k);
     sums_[channelOf(step, k)] += loss * volume;
     sums_[Viscous] += viscous * volume;
+    if (grows)
+      sums_[Box] += 0.5 * dot(step.contactForce(k), ofBox) * step.share(k);
   }
 }
 
 double EnergyAccount::bytes() const
 {
-  return rows_.bytes() + static_cast<double>(external_.capacity() * sizeof(Motion) +
-                                             before_.capacity() * sizeof(Vector));
+  return rows_.bytes() + static_cast<double>(external_.capacity() * sizeof(Motion));
 }
 
 } // namespace mca

@@ -24,15 +24,27 @@ namespace mca {
 class EnergyAccount {
  public:
   /// Where energy goes, and (work) comes from: a link that breaks in the step pays into Fracture,
-  /// an unlinked contact into Viscous, any other link and the change of e_zz into Plastic. Channels
-  /// is their number.
-  enum Channel { Plastic, Fracture, Viscous, Work, Channels };
+  /// an unlinked contact into Viscous, any other link and the change of e_zz into Plastic. Box is
+  /// the work of a box that changes its size on the contacts over its periodic faces; Changed what
+  /// came with automata and left with them, or what somebody changed between two runs. Channels is
+  /// their number.
+  enum Channel { Plastic, Fracture, Viscous, Work, Box, Changed, Channels };
+  /// Those that add to what the sample has; the others take from it.
+  static constexpr bool comesIn(int channel) { return channel >= Work; }
 
   /// Sums since the beginning [energy], by channel.
   /// Of this rank alone: the account of the sample is the sum over all ranks.
   const double *sums() const { return sums_; }
   /// Sets a sum, as a restart file has it [energy].
   void setSum(Channel channel, double value) { sums_[channel] = value; }
+  /// Adds what the account does not find itself: Changed, and the kinetic energy that automata get
+  /// as they pass a face of a box that moves [energy], on this rank.
+  void add(Channel channel, double value) { sums_[channel] += value; }
+
+  /// Edges of the box, an upper triangle: xx, yy, zz, yz, xz, xy [length], as LAMMPS's h.
+  struct Edges {
+    double h[6];
+  };
 
   /// Elastic energy that the change of state after the evaluation sets free [energy], on this rank:
   /// what the automata hold afterwards is theirs in the evaluation less this.
@@ -42,7 +54,9 @@ class EnergyAccount {
   /// ranks.
   /// \param x         places [length]
   /// \param f,torque  all that acts on them [force, force length], that of contacts included
-  void keep(const Step &, const double (*x)[3], const double (*f)[3], const double (*torque)[3]);
+  /// \param box       of the evaluation, at whose faces images stood
+  void keep(const Step &, const double (*x)[3], const double (*f)[3], const double (*torque)[3],
+            const Edges &box);
 
   /// After keep(), of a step that was done: its second half, and the change of state after it.
   /// \param dt  the step [time]
@@ -52,7 +66,9 @@ class EnergyAccount {
   /// Called by all ranks.
   /// \param x      places [length] of own automata
   /// \param omega  angular velocities in the coming step [1/time]
-  void bookFirstHalf(const Step &, const double (*x)[3], const double (*omega)[3], double dt);
+  /// \param box    of the coming evaluation
+  void bookFirstHalf(const Step &, const double (*x)[3], const double (*omega)[3], double dt,
+                     const Edges &box);
 
   /// Memory held [bytes].
   double bytes() const;
@@ -63,14 +79,17 @@ class EnergyAccount {
     Vector way, turn;
   };
   /// What goes between ranks, a row of all automata that are in pairs: way [length] and turn [rad]
-  /// in the coming step; and the mean stress [stress] that the next state has.
-  static constexpr int wayAt = 0, turnAt = 3, meanAt = 6, rowLength = 7;
-  static_assert(rowLength <= Exchange::mostValues);
+  /// in the coming step; and the mean stress [stress] that the next state has, place [length] and
+  /// velocity [length/time] in the evaluation, of the automaton itself and not of an image.
+  static constexpr int wayAt = 0, turnAt = 3, meanAt = 6, placeAt = 7, velocityAt = 10,
+                       rowLength = 13;
+  static_assert(rowLength - meanAt <= Exchange::mostValues);
   RowArray rows_{rowLength};
   /// Forces and torques on own automata that are not of contacts [force, force length].
   std::vector<Motion> external_;
-  /// Where own automata were in the evaluation [length].
-  std::vector<Vector> before_;
+  /// Edges of the box in the evaluation, and how they change in the step that the other half is of
+  /// [length].
+  Edges box_ = {}, growth_ = {};
   /// By channel, of this rank [energy].
   double sums_[Channels] = {};
   /// What the change of state after the evaluation sets free, by channel, of this rank [energy].
@@ -79,6 +98,9 @@ class EnergyAccount {
   /// Half a step's work of the outer forces and torques on automaton i along this motion.
   /// \param i  own automaton, of which keep() knows the forces
   void bookWork(int i, const Motion &);
+  /// How images at which pair k meets move away from each other with the box, beside the way of
+  /// their automata, in the step that growth_ is of [length].
+  Vector wayOfBox(const Step &, int k) const;
   /// What all contacts dissipate in half a step; back: of the step just done.
   void bookContacts(const Step &, double dt, bool back);
   /// What the change of state sets free.
