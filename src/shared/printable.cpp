@@ -70,4 +70,17 @@ std::string printableLines(std::string_view text)
   return shown(text, true);
 }
 
+std::string shortened(const std::string &text)
+{
+  constexpr std::size_t longest = 400, begin = 120, end = 160;
+  if (text.size() <= longest)
+    return text;
+  const auto atCharacter = [&](std::size_t i) {
+    while (i < text.size() && (byteAt(text, i) & 0xc0U) == 0x80)
+      ++i;
+    return i;
+  };
+  return text.substr(0, atCharacter(begin)) + " ... " + text.substr(atCharacter(text.size() - end));
+}
+
 } // namespace mcawr

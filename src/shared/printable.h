@@ -17,5 +17,11 @@ std::string printable(std::string_view text);
 /// The same for a text of several lines: every '\n' stays.
 std::string printableLines(std::string_view text);
 
+/// A message without its middle where it is long: it quotes what stands in somebody else's file,
+/// which may be all of it on one line. What is wrong stands at the end.
+/// \return up to 400 bytes as they are; of more about the first 120 and the last 160, cut between
+///         characters of UTF-8
+std::string shortened(const std::string &text);
+
 } // namespace mcawr
 #endif

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """The one way to write a file, whole or not at all, and to read one."""
 
+import codecs
 import contextlib
 import functools
 import io
@@ -193,13 +194,16 @@ def open_now(path: str, flags: int) -> int:
 
 
 def read_text(path: Path) -> str:
-    """The text of a regular file or of one in an archive, UTF-8, lines ended by \\n. Raises
-    BadInput."""
+    """The text of a regular file or of one in an archive, UTF-8 or UTF-16 with a byte order mark;
+    its lines end with \\n, whatever they end with there. Raises BadInput."""
+    content = read_bytes(path)
+    marked = content[:2] in (codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE)
     try:
-        text = read_bytes(path).decode("utf-8-sig")
+        text = content.decode("utf-16" if marked else "utf-8-sig")
     except UnicodeDecodeError as error:
-        raise BadInput(f"{path}: cannot be read: byte {error.start + 1} is not UTF-8") from None
-    return text.replace("\r\n", "\n")
+        code = "UTF-16" if marked else "UTF-8"
+        raise BadInput(f"{path}: cannot be read: byte {error.start + 1} is not {code}") from None
+    return text.replace("\r\n", "\n").replace("\r", "\n")
 
 
 def make_folder(path: Path) -> None:

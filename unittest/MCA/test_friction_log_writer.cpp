@@ -2,6 +2,7 @@
 #include "files/friction_log_writer.h"
 
 #include "../shared/comma_locale.h"
+#include "../shared/other_machines.h"
 #include "sample.h"
 
 #include <gmock/gmock.h>
@@ -128,6 +129,33 @@ TEST_F(FrictionLogWriterTest, NoLocaleOfTheHostMatters)
   mca::FrictionLogWriter again;
   EXPECT_EQ(again.resume(path, head, units, 123456, {2, 123456}), "");
   EXPECT_EQ(text(), plain);
+}
+
+TEST_F(FrictionLogWriterTest, ALogThatAnotherMachineSavedGoesOn)
+{
+  {
+    mca::FrictionLogWriter log;
+    log.begin(path, header(), units, 0, false);
+    log.write(row(1000));
+    log.write(row(2000));
+  }
+  const std::string plain = text();
+  const auto save = [&](const std::string &bytes) {
+    std::ofstream(path, std::ios::binary) << bytes;
+  };
+  for (const auto &[what, bytes] : asOtherMachinesSave(plain)) {
+    save(bytes);
+    mca::FrictionLogWriter log;
+    EXPECT_EQ(log.resume(path, header(), units, 2000, {2, 2000}), "") << what;
+    EXPECT_EQ(text(), plain) << what;
+  }
+  save(withoutMark(plain));
+  mca::FrictionLogWriter log;
+  EXPECT_THAT(
+      [&] {
+        log.resume(path, header(), units, 2000, {2, 2000});
+      },
+      testing::ThrowsMessage<std::runtime_error>(HasSubstr("it is UTF-16 without a")));
 }
 
 TEST_F(FrictionLogWriterTest, TheHeadNamesThePackingOfTheRun)

@@ -2,6 +2,7 @@
 #include "files/material_file.h"
 
 #include "../shared/comma_locale.h"
+#include "../shared/other_machines.h"
 #include "files/units.h"
 #include "sample.h"
 
@@ -256,4 +257,16 @@ TEST(MaterialFile, NoLocaleOfTheHostMatters)
   EXPECT_TRUE(mca::readMaterial(text, "x.mca", "nano") == steel());
   EXPECT_THAT(problemOf(bad), HasSubstr("strength is -1234.5, allowed"));
   EXPECT_THAT(overrideProblem({"strength", "-1234.5"}), HasSubstr("strength is -1234.5, allowed"));
+}
+
+TEST(MaterialFile, WhatOtherMachinesSaveIsReadOrNamed)
+{
+  for (const auto &[what, bytes] : asOtherMachinesSave(steelText()))
+    EXPECT_EQ(problemOf(bytes), "") << what;
+  EXPECT_TRUE(mca::readMaterial(asOtherMachinesSave(steelText())[1].second, "x.mca", "nano") ==
+              steel());
+  EXPECT_EQ(problemOf(withoutMark(steelText())),
+            "x.mca: is UTF-16 without a byte order mark; save it as UTF-8");
+  EXPECT_EQ(problemOf(changed("strength 92", "strength 92 # 20 \xb0\x43")), "");
+  EXPECT_LT(problemOf(changed("strength 92", "strength " + std::string(58000, 'x'))).size(), 500U);
 }

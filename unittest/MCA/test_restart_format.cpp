@@ -2,6 +2,7 @@
 // What restart files and files of mca_links hold behind their checksums: read back to the last bit,
 // and refused where it is damaged though the checksum fits.
 #include "../shared/comma_locale.h"
+#include "../shared/other_machines.h"
 #include "core/automaton_states.h"
 #include "files/links_text.h"
 #include "files/restart_format.h"
@@ -194,6 +195,24 @@ TEST(LinksText, noLocaleOfTheHostMatters)
             std::vector<double>(state, state + 4));
   EXPECT_EQ(blocks(), plainBlocks);
   EXPECT_EQ(materialsIn(textOf({steel()}), 1).at(0), steel());
+}
+
+TEST(LinksText, whatOtherMachinesSaveKeepsItsChecksum)
+{
+  const double state[] = {2, 1.0 / 3.0, -1e-300, 4};
+  const std::string text = sealedLinks(linksHead(
+      "5 atoms\n", pairLine(12, 5, state, 4, true) + automatonLine(5, stateNumber("kappa"), 0.1)));
+  const Links plain = linksIn(text, 4, 100);
+  for (const auto &[what, bytes] : asOtherMachinesSave(text)) {
+    const Links links = linksIn(bytes, 4, 100);
+    EXPECT_EQ(links.pairs, plain.pairs) << what;
+    EXPECT_EQ(links.automata, plain.automata) << what;
+  }
+  expectContains(problemOf([&] { linksIn(withoutMark(text), 4, 100); }),
+                 "is UTF-16 without a byte order mark");
+  const std::string repeats =
+      sealedLinks(linksHead("", "# pair " + std::string(58000, '7') + "\n"));
+  EXPECT_LT(problemOf([&] { linksIn(repeats, 4, 100); }).size(), 500U);
 }
 
 TEST(LinksText, whatFitsItsChecksumIsReadAllTheSame)

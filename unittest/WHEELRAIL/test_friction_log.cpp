@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include "../shared/other_machines.h"
 #include "base/errors.h"
 #include "fit/found_logs.h"
 #include "fit/friction_log.h"
@@ -224,6 +225,39 @@ TEST(FrictionLog, theCheckFindsWhatWasChanged)
     }
   expectContains(problemOf(replaced(good, " 0.400000002 ", " 0.400000003 ")), ":11: check: 3");
   expectContains(problemOf(replaced(good, " seed: 7}", " seed: 8}")), ":10: check: ");
+}
+
+TEST(FrictionLog, whatOtherMachinesSaveIsReadWithItsCheck)
+{
+  std::string text = head + "step time displacement shear_stress normal_stress mu links broken "
+                            "formed gap check\n";
+  for (int i = 1; i <= 50; ++i) {
+    text += replaced(row(i, 0.4), "\n", " ");
+    mcawr::RunningChecksum sum;
+    sum.add(text);
+    text += std::to_string(sum.value()) + "\n";
+  }
+  const auto plain = readFrictionLog(write(text));
+  for (const auto &[what, bytes] : asOtherMachinesSave(text)) {
+    const auto log = readFrictionLog(write(bytes));
+    EXPECT_EQ(log.mu, plain.mu) << what;
+    EXPECT_EQ(log.note, "") << what;
+  }
+  // Latin-1 in a comment of somebody's own
+  EXPECT_EQ(readFrictionLog(write(replaced(goodLog(), "# laws:", "# note: 20 \xb0\x43\n# laws:")))
+                .mu.size(),
+            100U);
+  expectContains(problemOf(withoutMark(text)), "is UTF-16 without a byte order mark");
+  expectContains(problemOf(replaced(text, "0.4 ", std::string("0.4\0", 4))), "is binary, not text");
+}
+
+TEST(FrictionLog, noMessageRepeatsTheFile)
+{
+  const std::string word(58000, '7');
+  for (const std::string &text :
+       {word, "# " + word, "# format: " + word + "\n", replaced(goodLog(), "0.4 ", word + " "),
+        replaced(goodLog(), "206000", word), replaced(goodLog(), "gap\n", word + "\n")})
+    EXPECT_LT(problemOf(text).size(), 700U);
 }
 
 TEST(FrictionLog, badRowsAreOneClearLine)

@@ -5,6 +5,21 @@
 
 using mcawr::printable;
 using mcawr::printableLines;
+using mcawr::shortened;
+
+TEST(Printable, LongMessagesLoseTheirMiddle)
+{
+  const std::string fits(400, 'x'), begin = "line 7: '", end = "' is not a number";
+  EXPECT_EQ(shortened(fits), fits);
+  const std::string shown = shortened(begin + std::string(58000, '7') + end);
+  EXPECT_LT(shown.size(), 300U);
+  EXPECT_EQ(shown.substr(0, begin.size()), begin);
+  EXPECT_EQ(shown.substr(shown.size() - end.size()), end);
+  std::string greek; // two bytes each: cut between characters
+  for (int i = 0; i < 1000; ++i)
+    greek += "\xce\xbc";
+  EXPECT_EQ(printable(shortened("x" + greek)), shortened("x" + greek));
+}
 
 TEST(Printable, showsWhatATerminalWouldObey)
 {

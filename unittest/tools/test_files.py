@@ -14,6 +14,7 @@ import pytest
 
 from friction_logs import friction_log
 from mcawr import archive, errors, files
+from mcawr import friction_log as friction_logs
 from script_calls import with_checksum
 from test_dump_to_vtk import ATOMS
 from test_plot_creep import GOOD as CREEP
@@ -435,3 +436,25 @@ def test_long_texts_of_files_are_cut_in_messages():
     assert len(message) < 1000 and message.startswith("a.vti: 'Float[")
     assert message.endswith("Float32, Float64")
     assert str(errors.BadInput(text[:900])) == text[:900]
+
+
+@pytest.mark.parametrize("code", ["utf-8", "utf-8-sig", "utf-16"])
+@pytest.mark.parametrize("end", ["\n", "\r\n", "\r"])
+def test_what_other_machines_save_is_read_with_its_check(tmp_path, code, end):
+    head, rows = friction_log(ns=2).split("gap\n")
+    lines = [*head.splitlines(), f"{head.splitlines().pop()}gap check"]
+    lines.pop(-2)
+    checks = friction_logs.Checks(lines)
+    text = "\n".join([*lines, *map(checks.of, rows.splitlines()), ""])
+    path = tmp_path / "a.friction"
+    path.write_bytes(text.replace("\n", end).encode(code))
+    assert files.read_text(path) == text
+    assert len(friction_logs.read(str(path)).columns["mu"]) == 40
+
+
+def test_what_is_no_text_is_named(tmp_path):
+    path = tmp_path / "a.friction"
+    for content, told in ((b"# \xb5m\n", "byte 3 is not UTF-8"), (b"\xff\xfe#", "is not UTF-16")):
+        path.write_bytes(content)
+        with pytest.raises(errors.BadInput, match=told):
+            files.read_text(path)

@@ -2,6 +2,7 @@
 #include "files/friction_log_writer.h"
 
 #include "shared/plain_number.h"
+#include "shared/plain_text.h"
 #include "shared/printable.h"
 
 #include <algorithm>
@@ -20,7 +21,8 @@ namespace {
 
 [[noreturn]] void fail(const std::string &path, const std::string &problem)
 {
-  throw std::runtime_error(mcawr::printable("friction log " + path + ": " + problem));
+  throw std::runtime_error(
+      mcawr::printable("friction log " + path + ": " + mcawr::shortened(problem)));
 }
 
 /// What a file under the name of a log holds.
@@ -56,7 +58,13 @@ long long stepOf(const std::string &line, int number, const std::string &path)
 
 Contents read(const std::string &path)
 {
-  std::ifstream in(path);
+  std::ifstream file(path, std::ios::binary);
+  std::ostringstream bytes;
+  bytes << file.rdbuf();
+  const auto [text, problem] = mcawr::plainText(bytes.str());
+  if (!problem.empty())
+    fail(path, "it " + problem);
+  std::istringstream in(text);
   std::string line;
   if (!std::getline(in, line) || line != format::formatLine())
     fail(path, "its first line is not '" + format::formatLine() + "'");

@@ -5,6 +5,7 @@
 #include "files/restart_format.h"
 #include "laws/linking.h"
 #include "shared/plain_number.h"
+#include "shared/plain_text.h"
 #include "shared/printable.h"
 
 #include <algorithm>
@@ -163,7 +164,10 @@ bool isChanged(std::string text)
 
 } // namespace
 
-LinksError::LinksError(const std::string &line) : std::runtime_error(mcawr::printable(line)) {}
+LinksError::LinksError(const std::string &line)
+    : std::runtime_error(mcawr::printable(mcawr::shortened(line)))
+{
+}
 
 bool Links::Pair::operator==(const Pair &other) const
 {
@@ -204,8 +208,11 @@ std::string sealedLinks(std::string text)
   return text.insert(std::min(text.find(MARK), text.size()), line);
 }
 
-Links linksIn(const std::string &text, int stateSize, std::int64_t largestId)
+Links linksIn(const std::string &bytes, int stateSize, std::int64_t largestId)
 {
+  const auto [text, problem] = mcawr::plainText(bytes);
+  if (!problem.empty())
+    throw LinksError(problem);
   Links links = parse(text, stateSize, largestId);
   if (isChanged(text))
     throw LinksError("it does not match its checksum: it was cut or changed since mca_links write, "

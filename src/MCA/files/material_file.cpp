@@ -4,6 +4,7 @@
 #include "files/units.h"
 #include "shared/nearest_word.h"
 #include "shared/plain_number.h"
+#include "shared/plain_text.h"
 
 #include <algorithm>
 #include <cmath>
@@ -142,10 +143,13 @@ Material materialAt(const std::map<std::string, Line> &lines, const Place &place
 
 } // namespace
 
-Material readMaterial(const std::string &text, const std::string &name, const std::string &units,
+Material readMaterial(const std::string &bytes, const std::string &name, const std::string &units,
                       std::optional<double> temperature)
 {
-  std::istringstream lines(text);
+  const mcawr::PlainText plain = mcawr::plainText(bytes);
+  if (!plain.problem.empty())
+    throw MaterialError(name + ": " + plain.problem);
+  std::istringstream lines(plain.text);
   std::string line;
   if (!std::getline(lines, line))
     throw MaterialError(name + ": the file is empty");

@@ -18,10 +18,14 @@ namespace mca {
 /// What it quotes of a file is made printable.
 class MaterialError : public std::runtime_error {
  public:
-  explicit MaterialError(const std::string &line) : std::runtime_error(mcawr::printable(line)) {}
+  explicit MaterialError(const std::string &line)
+      : std::runtime_error(mcawr::printable(mcawr::shortened(line)))
+  {
+  }
 };
 
-/// \param text   the whole file. The first line holds `UNITS: style` (and DATE, CITATION); then
+/// \param bytes  the whole file, as any editor saves it (`mcawr::plainText`). The first line holds
+/// `UNITS: style` (and DATE, CITATION); then
 ///               `keyword value` a line, `#` begins a comment, every keyword exactly once. With a
 ///               line `temperature T1 T2 ...` a keyword may have as many values as there are
 ///               temperatures; in between they are linear
@@ -31,7 +35,7 @@ class MaterialError : public std::runtime_error {
 ///                     needed where the file has temperatures, refused where it has none
 /// \return values in these units, all of them checked, at every temperature of the file
 /// \throw MaterialError
-Material readMaterial(const std::string &text, const std::string &name, const std::string &units,
+Material readMaterial(const std::string &bytes, const std::string &name, const std::string &units,
                       std::optional<double> temperature = {});
 
 /// Takes the pairs `temperature T` out of keyword-value pairs of pair_coeff.

@@ -47,8 +47,7 @@ class Error : public std::runtime_error {
 /// @param line 1-based, 0 when the fault belongs to the file as a whole
 /// @param keyword may be empty
 /// @param problem says the value given, what is allowed, and in which unit; of a long one the
-/// middle
-///        is left out
+///        middle is left out (`mcawr::shortened`)
 /// @return the error, to be thrown by the caller
 Error badInput(const std::string &file, int line, const std::string &keyword,
                const std::string &problem);

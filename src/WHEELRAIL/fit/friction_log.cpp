@@ -3,6 +3,7 @@
 
 #include "base/errors.h"
 #include "base/program_files.h"
+#include "base/text_lines.h"
 #include "law/kappa_law.h"
 #include "shared/nearest_word.h"
 #include "shared/plain_number.h"
@@ -35,10 +36,7 @@ std::vector<std::string_view> splitLines(const std::string &text)
     size_t end = text.find('\n', begin);
     if (end == std::string::npos)
       end = text.size();
-    std::string_view line(text.data() + begin, end - begin);
-    if (!line.empty() && line.back() == '\r')
-      line.remove_suffix(1);
-    lines.push_back(line);
+    lines.emplace_back(text.data() + begin, end - begin);
     begin = end + 1;
   }
   return lines;
@@ -336,8 +334,9 @@ FrictionLog readFrictionLog(const std::string &path)
   return parseFrictionLog(path, readInputFile(path));
 }
 
-FrictionLog parseFrictionLog(const std::string &file, const std::string &text)
+FrictionLog parseFrictionLog(const std::string &file, const std::string &bytes)
 {
+  const std::string text = plainTextOf(file, bytes);
   if (text.empty())
     throw badInput(file, 0, "", "is empty");
   FrictionLog log;

@@ -52,9 +52,9 @@ FrictionLog readFrictionLog(const std::string &path);
 
 /// The log that stands in a text, as readFrictionLog reads one.
 /// @param file what the text is called in messages, and in `FrictionLog::file`
-/// @param text of the whole log
+/// @param bytes of the whole log; marks, codes and line ends of other machines as `plainTextOf`
 /// @throws Error (BadInput) for all that a text can have wrong; an empty one, too
-FrictionLog parseFrictionLog(const std::string &file, const std::string &text);
+FrictionLog parseFrictionLog(const std::string &file, const std::string &bytes);
 
 } // namespace wheelrail
 
