@@ -78,10 +78,32 @@ fit() { # LOGS AND OPTIONS: the law and its points
 # with too few points wr_fit writes a report without a law
 has_law() { grep -q '"mu0"' "$results/law.json"; }
 
+# What an earlier call made of another law: pictures, and what the summaries of wr_creep name.
+drop_former() {
+  rm -f "$results"/{fit,creep}.png
+  /usr/bin/python3 - "$results" "$results/paper" <<'PYTHON'
+import json, os, sys
+
+for folder in sys.argv[1:]:
+    try:
+        with open(os.path.join(folder, "summary.json"), encoding="utf-8") as file:
+            summary = json.load(file)
+    except (OSError, ValueError):
+        continue
+    if not isinstance(summary, dict) or summary.get("format") != "wr_creep-summary 1":
+        continue
+    for name in summary.get("files", []):
+        path = os.path.join(folder, str(name))
+        if os.path.basename(path) == name and os.path.isfile(path):
+            os.remove(path)
+PYTHON
+}
+
 label="law of the logs"
 echo "1/3 wr_fit ${campaigns[*]}"
 code=0
 fit "${campaigns[@]}" "${fit_options[@]}" || code=$?
+case $code in 0 | 4) drop_former ;; esac # there is another law.json
 [ $code -eq 0 ] || { [ $code -eq 4 ] && $or_shipped; } || exit $code
 if ! has_law; then
   $or_shipped || die 4 "${campaigns[*]}: too few points for a law; see $results/law.json"

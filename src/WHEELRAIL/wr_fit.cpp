@@ -205,6 +205,9 @@ int run(const Settings &settings)
   if (!settings.json.empty())
     results.add(settings.json, json);
   results.commit();
+  std::error_code ignored;
+  if (!noPicture.empty() && std::filesystem::is_regular_file(settings.plot, ignored))
+    std::filesystem::remove(settings.plot, ignored); // of other logs
   if (!settings.quiet)
     writeStandardOutput(textReport(analysis));
   if (analysis.notIdentifiable)

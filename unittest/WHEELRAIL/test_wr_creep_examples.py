@@ -163,6 +163,22 @@ def test_chain_from_campaign_to_creep(tmp_path):
     for row, other in zip(table(tmp_path / "out/creep_band.csv"), paper, strict=True):
         assert 0.0 < float(row["standard_error"]) < 0.05
         assert float(row["low"]) < float(other["traction_ratio"]) < float(row["high"])
+    # logs that give no law leave no curve of another one
+    before = {path.name for path in (tmp_path / "out").iterdir()}
+    assert {"creep.csv", "creep_band.csv", "creep.png", "fit.png", "summary.json"} <= before
+    (tmp_path / "out/notes.txt").write_text("mine")
+    one = tmp_path / "campaign/run01"
+    done = subprocess.run(
+        [SOURCE / "tools/campaign_to_creep.sh", one, "-o", tmp_path / "out"],
+        check=False,
+        capture_output=True,
+        text=True,
+        env={**os.environ, "MCAWR_BUILD": str(BIN.parents[1])},
+    )
+    assert done.returncode == 4
+    left = {path.name for path in (tmp_path / "out").iterdir()}
+    assert left == {"law.json", "points.csv", "notes.txt", "paper"}
+    assert not list((tmp_path / "out/paper").iterdir())
     done = subprocess.run(
         [SOURCE / "tools/campaign_to_creep.sh", tmp_path / "none", "-o", tmp_path / "out2"],
         check=False,

@@ -75,6 +75,7 @@ def test_a_name_is_not_empty(log, option):
 
 def test_a_picture_that_cannot_be_made_is_an_error(log, tmp_path):
     (tmp_path / "matplotlib.py").write_text("raise ImportError('none here')\n")
+    (tmp_path / "fit.png").write_text("of other logs")
     done = wr_fit(
         *(log, "-o", tmp_path / "fit.json", "--plot", tmp_path / "fit.png"),
         env={**os.environ, "PYTHONPATH": str(tmp_path)},
