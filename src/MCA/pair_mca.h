@@ -230,6 +230,7 @@ class PairMCA : public Pair {
   void warn_of_stress() const;
   void warn_of_integrators() const;
   void warn_of_wave_speed() const;
+  void warn_of_strength() const;
   void warn_of_sizes() const;
   /// Whether a fix gives its automata their motion, whatever the forces.
   static bool prescribes_motion(const Fix *);

@@ -239,6 +239,7 @@ void PairMCA::check_start()
   warn_of_links();
   warn_of_integrators();
   warn_of_wave_speed();
+  warn_of_strength();
 }
 
 /* ----------------------------------------------------------------------
@@ -350,6 +351,25 @@ void PairMCA::warn_of_wave_speed() const
           "Pair style mca: waves in the material of type {} travel at {:.3g} m/s, in "
           "solids at {:.0f} to {:.0f}: density or youngs_modulus are probably not in units {}",
           type, speed, slowest, fastest, update->unit_style);
+}
+
+/* In plane strain the stress across the plane carries a sample under uniaxial pressure along the
+   cone of Drucker and Prager, which it then never meets. */
+
+void PairMCA::warn_of_strength() const
+{
+  if (domain->dimension != 2 || lawset.fracture.word() != mca::FractureByDruckerPrager::keyword ||
+      lawset.plane.is(mca::PlaneCondition::Stress))
+    return;
+  const double ratio = lawset.fracture.parameter(mca::FractureByDruckerPrager::parameter);
+  for (int type = 1; type <= atom->ntypes && comm->me == 0; type++)
+    if (const double most = mca::mostConeRatio(materials[type].poissonsRatio); ratio >= most)
+      error->warning(
+          FLERR,
+          "Pair style mca: with compressive_strength {:g} and the poissons_ratio {:g} of "
+          "type {} fracture drucker-prager has no strength in compression in plane "
+          "strain, only below {:.4g}: take fracture mohr-coulomb or plane stress",
+          ratio, materials[type].poissonsRatio, type, most);
 }
 
 /* what create_atoms gives by itself, diameter and density 1, is nobody's wish */

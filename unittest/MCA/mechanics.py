@@ -539,6 +539,13 @@ class PairModel:
         self.kind, self.preset, self.fracture, self.ratio = int(linked), preset, fracture, ratio
         self.gamma = 0.0
 
+    def _coulomb(self, sigma, tau, s):
+        """a sigma_1 - sigma_3 of the local tensor."""
+        tensor = np.diag(s)
+        tensor[0, 1] = tensor[1, 0] = tau
+        low, _, high = np.linalg.eigvalsh(tensor)
+        return self.ratio * high - low
+
     def step(self, r, turn):
         """Distance and further rotation of the axis; returns the next kind."""
         e = r / D - 1
@@ -556,6 +563,7 @@ class PairModel:
             "strain": max(e, 0) ** 2 + 4 / 3 * self.gamma**2 >= BREAKING**2,
             "stress": intensity >= STRENGTH,
             "equivalent": equivalent >= STRENGTH,
+            "mohr-coulomb": self._coulomb(sigma, tau, s) >= a * STRENGTH,
             "drucker-prager": (a + 1) / 2 * equivalent + 1.5 * (a - 1) * m >= a * STRENGTH,
             "none": False,
         }[self.fracture]

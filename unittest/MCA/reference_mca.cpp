@@ -115,6 +115,13 @@ static double tensionOf(const LinkView &l, double ratio)
   return ((ratio + 1) / 2 * equivalent + 3 * (ratio - 1) / 2 * mean) / ratio;
 }
 
+// largest and least principal stress in the form of Coulomb's law
+static double coulombOf(const LinkView &l, double ratio)
+{
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(l.stress, Eigen::EigenvaluesOnly);
+  return solver.eigenvalues()[2] - solver.eigenvalues()[0] / ratio;
+}
+
 std::map<std::string, std::function<bool(const LinkView &)>> &criteria()
 {
   static std::map<std::string, std::function<bool(const LinkView &)>> all = {
@@ -127,8 +134,12 @@ std::map<std::string, std::function<bool(const LinkView &)>> &criteria()
        }},
       {"stress", [](const LinkView &l) { return intensityOf(l.sigma, l.tau) >= strengthOf(l); }},
       {"equivalent", [](const LinkView &l) { return tensionOf(l, 1) >= strengthOf(l); }},
-      {"drucker-prager", [](const LinkView &l) {
+      {"drucker-prager",
+       [](const LinkView &l) {
          return tensionOf(l, l.laws.fracture.parameter("compressive_strength")) >= strengthOf(l);
+       }},
+      {"mohr-coulomb", [](const LinkView &l) {
+         return coulombOf(l, l.laws.fracture.parameter("compressive_strength")) >= strengthOf(l);
        }}};
   return all;
 }

@@ -85,6 +85,49 @@ TEST(Fracture, FaceOfThePlaneIsThatOfSpace)
   EXPECT_NEAR(std::min(plane.along, plane.across), space.across, 1e-12);
 }
 
+TEST(Fracture, TheConeInPlaneStrain)
+{
+  const double nu = 0.3, tensile = 92;
+  for (const double ratio : {1.0, 3.0, 5.0}) {
+    const double p = planeStrainCompression(ratio, nu) * tensile;
+    EXPECT_FALSE(reaches({-p * (1 - 1e-12), 0, 0, -nu * p}, druckerPrager(tensile, ratio)));
+    EXPECT_TRUE(
+        reaches({-p * (1 + 1e-9), 0, 0, -nu * p * (1 + 1e-9)}, druckerPrager(tensile, ratio)));
+  }
+  EXPECT_NEAR(planeStrainCompression(3, nu), 6.28, 0.005);
+  const double most = mostConeRatio(nu);
+  EXPECT_NEAR(most, 5.32, 0.005);
+  EXPECT_GT(planeStrainCompression(most * (1 - 1e-9), nu), 1e6);
+  EXPECT_EQ(planeStrainCompression(most * (1 + 1e-9), nu), INFINITY);
+  EXPECT_FALSE(reaches({-1e9, 0, 0, -nu * 1e9}, druckerPrager(tensile, most + 0.1)));
+}
+
+TEST(Fracture, MohrCoulombHoldsBothStrengthsWhateverActsBetween)
+{
+  const double tensile = 92, ratio = 3, nu = 0.3;
+  const FractureLimits limit = {{ratio, ratio * tensile}};
+  const auto breaks = [&](const LocalStress &s) {
+    LinkLoad load = {};
+    load.local = s;
+    return FractureByMohrCoulomb::broken(load, limit);
+  };
+  for (const double across : {0.0, nu}) {
+    const auto uniaxial = [&](double s) { return breaks({s, 0, 0, across * s}); };
+    EXPECT_FALSE(uniaxial(tensile * (1 - 1e-12)));
+    EXPECT_TRUE(uniaxial(tensile * (1 + 1e-12)));
+    EXPECT_FALSE(uniaxial(-ratio * tensile * (1 - 1e-12)));
+    EXPECT_TRUE(uniaxial(-ratio * tensile * (1 + 1e-12)));
+  }
+  // pure shear has the principal stresses tau and -tau; a confining pressure strengthens by a
+  const double tau = ratio * tensile / (ratio + 1);
+  for (const double sign : {-1.0, 1.0}) {
+    EXPECT_FALSE(breaks({0, sign * tau * (1 - 1e-12), 0, 0}));
+    EXPECT_TRUE(breaks({0, sign * tau * (1 + 1e-12), 0, 0}));
+  }
+  EXPECT_FALSE(breaks({-ratio * (tensile + 49), 0, -50, -50}));
+  EXPECT_TRUE(breaks({-ratio * (tensile + 51), 0, -50, -50}));
+}
+
 TEST(Fracture, DruckerPragerHoldsBothStrengths)
 {
   const double tensile = 92, ratio = 3;

@@ -202,6 +202,14 @@ TEST(LawSet, WordsThatDoNotGoTogether)
   EXPECT_THAT(problemOf({"compressive_strength", "2"}), HasSubstr("need each other"));
   EXPECT_EQ(problemOf({"fracture", "drucker-prager", "compressive_strength", "0.5"}),
             "keyword compressive_strength, value 0.5, allowed: a multiple of the strength >= 1");
+  EXPECT_EQ(problemOf({"compressive_strength", "2"}),
+            "keyword compressive_strength and fracture drucker-prager or mohr-coulomb need each "
+            "other");
+  EXPECT_EQ(problemOf({"fracture", "mohr-coulomb"}),
+            "keyword compressive_strength and fracture mohr-coulomb need each other");
+  EXPECT_EQ(parsed({"fracture", "mohr-coulomb", "compressive_strength", "3"})
+                .fracture.parameter("compressive_strength"),
+            3.0);
 }
 
 TEST(LawSet, UnknownKeywordNamesTheNearest)

@@ -301,6 +301,80 @@ CASES = [
 PHASES = [100, 150, 200, 150]
 
 
+# periodic and brittle, pressed along y alone; prints the stress over the strength of its first break
+PRESSED = """
+units nano
+dimension 2
+boundary p p p
+atom_style sphere
+timestep 5e-5
+lattice hex 2.5
+region box block 0 8 0 6 -0.2 0.2
+create_box 1 box
+create_atoms 1 box
+pair_style mca plane {plane} plasticity none fracture {criterion} compressive_strength {ratio} &
+  viscosity none link none weld none heal none
+pair_coeff * * steel.mca
+neighbor 0.4 bin
+mca_links create all all
+variable widening equal {widening}
+variable vx atom v_widening*0.01*{sign}*(x-xlo)
+variable vy atom -0.01*{sign}*(y-ylo)
+velocity all set v_vx v_vy 0
+fix d all deform 1 x erate $(v_widening*0.01*{sign}) y erate $(-0.01*{sign}) remap v
+fix i all nve/mca
+compute pr all pair mca
+compute st all mca/atom sxx syy
+compute m all reduce ave c_st[*]
+variable s equal c_m[2]/92
+variable side equal c_m[1]/92
+variable br equal c_pr[3]
+thermo_style custom step v_s v_side c_pr[3]
+thermo 10
+fix h all halt 5 v_br > 0 error continue
+run {steps}
+"""
+
+
+def strength_of(folder, criterion, ratio, plane="strain", sign=1, steps=14000):
+    """In compression, or with sign -1 in tension; None where nothing breaks."""
+    widening = "0.3/0.7" if plane == "strain" else "0.3"
+    script = PRESSED.format(
+        criterion=criterion, ratio=ratio, plane=plane, sign=sign, steps=steps, widening=widening
+    )
+    result = lmp(script, folder)
+    table = result.thermo[0]
+    print(criterion, ratio, plane, sign, table["v_s"][-1], table["v_side"][-1])
+    return result, abs(table["v_s"][-1]) if "Fix halt condition" in result.out else None
+
+
+@pytest.mark.parametrize("plane", ["strain", "stress"])
+@pytest.mark.parametrize("ratio", [3, 10])
+def test_mohr_coulomb_has_both_strengths_in_both_planes(tmp_path, plane, ratio):
+    criterion = "mohr-coulomb"
+    pressed = strength_of(tmp_path / "c", criterion, ratio, plane)[1]
+    pulled = strength_of(tmp_path / "t", criterion, ratio, plane, sign=-1)[1]
+    assert pressed == pytest.approx(ratio, rel=0.02)
+    assert pulled == pytest.approx(1, rel=0.03)
+
+
+def test_drucker_prager_in_plane_strain(tmp_path):
+    """The figures of the page, and the warning where there is no strength."""
+    criterion = "drucker-prager"
+    # where the cone is nearly missed, the stress along x that finite strains leave counts much
+    for ratio, plane, expected, bar in (
+        (3, "stress", 3, 0.03),
+        (2, "strain", 2.93, 0.03),
+        (3, "strain", 6.28, 0.06),
+    ):
+        found = strength_of(tmp_path / f"{ratio}{plane}", criterion, ratio, plane)[1]
+        assert found == pytest.approx(expected, rel=bar)
+    for ratio, told in ((5, False), (6, True)):
+        out = strength_of(tmp_path / str(ratio), criterion, ratio, steps=10)[0].out
+        assert ("no strength in compression in plane strain, only below 5.323" in out) == told
+    assert strength_of(tmp_path / "none", criterion, 6)[1] is None
+
+
 def criteria(**more):
     return lambda linked: m.PairModel(linked, **more)
 
@@ -315,6 +389,10 @@ def criteria(**more):
         (
             "fracture drucker-prager compressive_strength 3",
             criteria(fracture="drucker-prager", ratio=3.0),
+        ),
+        (
+            "fracture mohr-coulomb compressive_strength 3",
+            criteria(fracture="mohr-coulomb", ratio=3.0),
         ),
         ("fracture none", criteria(fracture="none")),
     ],

@@ -49,7 +49,7 @@ struct CriterionList {
 /// The list. Its first one, by strain, is the default of keyword fracture.
 using FractureCriteria =
     CriterionList<FractureByStrain, FractureByStress, FractureByEquivalentStress,
-                  FractureByDruckerPrager, FractureNever>;
+                  FractureByDruckerPrager, FractureByMohrCoulomb, FractureNever>;
 // clang-format on
 
 } // namespace mca

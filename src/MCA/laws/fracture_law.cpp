@@ -3,6 +3,8 @@
 
 #include "linking.h"
 
+#include <cstring>
+
 namespace mca {
 
 const std::array<CriterionInfo, FractureCriteria::size> &FractureLaw::criteria()
@@ -54,25 +56,41 @@ double FractureLaw::parameter(const std::string &name) const
   throw std::invalid_argument("no criterion has a number " + name);
 }
 
+int FractureLaw::keeperOf(int criterion)
+{
+  const char *const name = criteria()[criterion].parameter;
+  int k = 0;
+  while (!criteria()[k].parameter || std::strcmp(criteria()[k].parameter, name) != 0)
+    k++;
+  return k;
+}
+
 std::string FractureLaw::problem() const
 {
   for (int k = 0; k < FractureCriteria::size; k++) {
     const CriterionInfo &c = criteria()[k];
-    if (!c.parameter)
+    if (!c.parameter || keeperOf(k) != k)
       continue;
-    if ((k == number_) == parameter_[k].isOff())
-      return std::string("keyword ") + c.parameter + " and fracture " + c.keyword +
-             " need each other";
-    if (k == number_ && !c.accepts(parameter_[k].factor()))
+    const bool used = criterion().parameter && keeperOf(number_) == k;
+    std::string users = criterion().keyword;
+    if (!used) {
+      users.clear();
+      for (const CriterionInfo &other : criteria())
+        if (other.parameter && std::strcmp(other.parameter, c.parameter) == 0)
+          users += (users.empty() ? "" : " or ") + std::string(other.keyword);
+    }
+    if (used == parameter_[k].isOff())
+      return std::string("keyword ") + c.parameter + " and fracture " + users + " need each other";
+    if (used && !criterion().accepts(parameter_[k].factor()))
       return std::string("keyword ") + c.parameter + ", value " + parameterWord(k) +
-             ", allowed: a multiple of the strength " + c.parameterRange;
+             ", allowed: a multiple of the strength " + criterion().parameterRange;
   }
   return "";
 }
 
 FractureLimits FractureLaw::limits(LinkMaterials materials) const
 {
-  const Threshold &parameter = parameter_[number_];
+  const Threshold &parameter = parameter_[criterion().parameter ? keeperOf(number_) : number_];
   materials.parameter = parameter.isOff() ? 1.0 : parameter.factor();
   FractureLimits limits{};
   FractureCriteria::with(number_,

@@ -52,9 +52,12 @@ class FractureLaw {
   /// Whether the chosen criterion acts in this dimension, 2 or 3.
   bool actsIn(int dimension) const { return dimension == 2 || criterion().inSpace; }
 
+  /// The first criterion with the same own keyword, which keeps the number for all that share it.
+  /// \param criterion  its number in FractureCriteria, of one that has a keyword
+  static int keeperOf(int criterion);
   /// The number of a criterion's own keyword as a word that takeParameter() reads back exactly, or
   /// "none".
-  /// \param criterion  its number in FractureCriteria; not checked
+  /// \param criterion  its number in FractureCriteria, of a keeper; not checked, here and below
   std::string parameterWord(int criterion) const { return parameter_[criterion].word(nullptr); }
   /// Reads the number of a criterion's own keyword: a multiple of the strength > 0, or "none".
   /// Whether the criterion accepts it is up to problem().
@@ -86,7 +89,7 @@ class FractureLaw {
  private:
   /// In FractureCriteria.
   int number_ = 0;
-  /// By criterion; off where its keyword was not given.
+  /// By keeper; off where the keyword was not given, and of all that are no keepers.
   std::vector<Threshold> parameter_ =
       std::vector<Threshold>(FractureCriteria::size, Threshold::off());
 };

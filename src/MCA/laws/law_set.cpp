@@ -53,7 +53,8 @@ std::vector<Entry> makeTable()
                    [](const LawSet &s) { return lawOf<L>(s).word(); }});
   });
   for (int k = 0; k < FractureCriteria::size; k++)
-    if (const char *name = FractureLaw::criteria()[k].parameter)
+    if (const char *name = FractureLaw::criteria()[k].parameter;
+        name && FractureLaw::keeperOf(k) == k)
       all.push_back(
           {{name, {"none"}, true, Threshold::allowed(nullptr)},
            [k](LawSet &s, const std::string &word) { return s.fracture.takeParameter(k, word); },

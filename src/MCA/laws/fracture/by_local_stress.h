@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 /// \file by_local_stress.h
-/// fracture equivalent and drucker-prager: criteria on the stress tensor where two automata meet,
-/// in the form of Drucker and Prager:
+/// fracture equivalent, drucker-prager and mohr-coulomb: criteria on the stress tensor where two
+/// automata meet. The first two have the form of Drucker and Prager:
 ///     (a+1)/2 sigma_eq + (3/2)(a-1) sigma_mean >= sigma_c,   a = sigma_c/sigma_t,
 /// with the compressive and tensile strength sigma_c, sigma_t: the cone sigma_eq = A + B sigma_mean
 /// through both uniaxial states, A = 2 sigma_c sigma_t/(sigma_c + sigma_t),
@@ -11,6 +11,8 @@
 #define MCA_LAWS_FRACTURE_BY_LOCAL_STRESS_H
 
 #include "../fracture.h"
+
+#include <limits>
 
 namespace mca {
 
@@ -69,6 +71,62 @@ struct FractureByDruckerPrager : FractureCriterion {
   static bool broken(const Load &load, const FractureLimits &limits)
   {
     return reaches(load.local, limits);
+  }
+};
+
+/// What the cone bears in a state of plane strain with one other stress, which a solid presses or
+/// pulls upon itself: (sigma, 0, nu sigma), elastic.
+/// \param ratio         a [-], >= 1
+/// \param poissonsRatio  nu [-]
+/// \return the size of sigma over sigma_t at the limit, in compression; infinity where the line
+///         never meets the cone, from a = mostConeRatio() on
+inline double planeStrainCompression(double ratio, double poissonsRatio)
+{
+  const double equivalent = std::sqrt(1.0 - poissonsRatio + poissonsRatio * poissonsRatio);
+  const double rest = (ratio + 1.0) * equivalent - (ratio - 1.0) * (1.0 + poissonsRatio);
+  return rest > 0.0 ? 2.0 * ratio / rest : std::numeric_limits<double>::infinity();
+}
+
+/// The ratio a [-] from which on planeStrainCompression() is infinite.
+inline double mostConeRatio(double poissonsRatio)
+{
+  const double equivalent = std::sqrt(1.0 - poissonsRatio + poissonsRatio * poissonsRatio);
+  return (1.0 + poissonsRatio + equivalent) / (1.0 + poissonsRatio - equivalent);
+}
+
+/// Keyword fracture, value mohr-coulomb: a sigma_1 - sigma_3 >= a sigma_0, with the largest and the
+/// least principal stress of the local tensor (Coulomb's law of friction and cohesion; angle of
+/// friction asin((a-1)/(a+1))). The stress between both does not count, so that a is the ratio of
+/// the strengths in plane strain, too. In space the axes of face and shear are not kept, from which
+/// the principal stresses would follow.
+struct FractureByMohrCoulomb : FractureCriterion {
+  static constexpr const char *keyword = "mohr-coulomb";
+  static constexpr bool needsLocalStress = true;
+  static constexpr bool inSpace = false;
+  static constexpr const char *parameter = FractureByDruckerPrager::parameter;
+  static constexpr const char *parameterRange = FractureByDruckerPrager::parameterRange;
+  static bool accepts(double ratio) { return FractureByDruckerPrager::accepts(ratio); }
+
+  /// a [-] and a sigma_0 [stress], of unlike materials with the lower strength.
+  /// \param m  m.parameter is the ratio a [-]; FractureLaw::problem() has seen to a >= 1
+  static FractureLimits limits(const LinkMaterials &m)
+  {
+    return {{m.parameter, m.parameter * m.strength()}};
+  }
+
+  /// Whether the principal stresses reach the limit: two of them in the plane, the third across it.
+  /// \param load    a LinkLoad whose `local` is filled [stress]
+  /// \param limits  of limits()
+  template<class Load>
+  static bool broken(const Load &load, const FractureLimits &limits)
+  {
+    const LocalStress &s = load.local;
+    const double middle = 0.5 * (s.sigma + s.along), half = 0.5 * (s.sigma - s.along);
+    const double radius = std::sqrt(half * half + s.tau * s.tau);
+    const double high = middle + radius, low = middle - radius;
+    const double largest = high > s.across ? high : s.across;
+    const double least = low < s.across ? low : s.across;
+    return limits.value[0] * largest - least >= limits.value[1];
   }
 };
 
