@@ -17,7 +17,8 @@
 
 using namespace LAMMPS_NS;
 
-/* mca_links create|delete group1 group2 [reach factor], mca_links write|read file */
+/* mca_links create|delete group1 group2 [reach factor], mca_links write file, mca_links read file
+ * [replicate nx ny nz] */
 
 void MCALinks::command(int narg, char **arg)
 {
@@ -28,9 +29,11 @@ void MCALinks::command(int narg, char **arg)
       error->all(FLERR, "Command mca_links needs: {} group1 group2", style);
     create_or_delete(style == "create", narg, arg);
   } else if (style == "write" || style == "read") {
-    if (narg != 2)
-      error->all(FLERR, "Command mca_links needs: {} file", style);
-    style == "write" ? write(arg[1]) : read(arg[1]);
+    const bool copies = style == "read" && narg == 6 && strcmp(arg[2], "replicate") == 0;
+    if (narg != 2 && !copies)
+      error->all(FLERR, "Command mca_links needs: {} file{}", style,
+                 style == "read" ? " or read file replicate nx ny nz" : "");
+    style == "write" ? write(arg[1]) : read(arg[1], copies ? copies_of(narg, arg) : 1);
   } else {
     error->all(FLERR, "Command mca_links: '{}' is unknown, allowed: create, delete, write, read",
                style);

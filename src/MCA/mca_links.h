@@ -42,8 +42,14 @@ class MCALinks : public Command {
   /// (mca_links_file.cpp); it appears whole.
   void write(const std::string &path);
   /// Such a file, or the bonds of any data file as original links without shear and plastic offset.
-  /// Automata are found by ID; a pair that is not a neighbor here stops LAMMPS.
-  void read(const std::string &path);
+  /// Automata are found by ID; a pair that is not a neighbor here stops LAMMPS. Automata of a
+  /// sample that command replicate has multiplied get the links of their originals in each copy.
+  /// \param copies  how many copies of the file's sample there are, 1: itself
+  void read(const std::string &path, int copies);
+  /// The number of copies that the words behind a file name say, nx ny nz.
+  int copies_of(int narg, char **arg) const;
+  /// What IDs of copies differ by; stops LAMMPS where the automata are not so many copies.
+  tagint ids_of_a_copy(int copies) const;
   /// The texts of all ranks in their order, on rank 0; empty on the others.
   std::string gathered(const std::string &) const;
 };

@@ -3,6 +3,7 @@
 
 #include "mca_links.h"
 
+#include "arguments.h"
 #include "atom.h"
 #include "comm.h"
 #include "domain.h"
@@ -13,6 +14,7 @@
 #include "shared/output_file.h"
 
 #include <algorithm>
+#include <cmath>
 #include <sstream>
 
 using namespace LAMMPS_NS;
@@ -100,7 +102,37 @@ void MCALinks::write(const std::string &path)
     error->all(FLERR, "Command mca_links: {}", problem);
 }
 
-void MCALinks::read(const std::string &path)
+int MCALinks::copies_of(int narg, char **arg) const
+{
+  int copies = 1;
+  for (int iarg = 3; iarg < narg; iarg++) {
+    const double n =
+        mca::number(lmp, "Command mca_links replicate", arg[iarg], mca::Sign::Positive);
+    if (n != std::floor(n) || copies * n > MAXSMALLINT)
+      error->all(FLERR, "Command mca_links replicate, value {}, allowed: a whole number >= 1",
+                 arg[iarg]);
+    copies *= static_cast<int>(n);
+  }
+  return copies;
+}
+
+/* command replicate gives copy c the IDs of the original and c times the largest of them */
+
+tagint MCALinks::ids_of_a_copy(int copies) const
+{
+  tagint own = 0, largest;
+  for (int i = 0; i < atom->nlocal; i++)
+    own = std::max(own, atom->tag[i]);
+  MPI_Allreduce(&own, &largest, 1, MPI_LMP_TAGINT, MPI_MAX, world);
+  if (largest % copies != 0 || atom->natoms % copies != 0)
+    error->all(FLERR,
+               "Command mca_links replicate: {} automata with IDs up to {} are not {} copies of a "
+               "sample: give it right after command replicate with the same numbers",
+               atom->natoms, largest, copies);
+  return largest / copies;
+}
+
+void MCALinks::read(const std::string &path, int copies)
 {
   lmp->init(); // the dimension fixes what a pair's state holds
   mca::Links file;
@@ -110,16 +142,21 @@ void MCALinks::read(const std::string &path)
   } catch (const mca::LinksError &e) {
     error->all(FLERR, "Command mca_links: {}: {}", path, e.what());
   }
+  const tagint ids = ids_of_a_copy(copies);
+  const auto original = [ids](tagint id) { return (id - 1) % ids + 1; };
   double found = 0.0, linked = 0.0;
   change([&]() {
     mca::LinkList &links = pair->links();
     const mca::Pairs &p = links.pairs();
     for (int k = 0; k < p.n; k++) {
-      const tagint i = atom->tag[p.i[k]], j = atom->tag[p.j[k]];
+      const tagint i = original(atom->tag[p.i[k]]), j = original(atom->tag[p.j[k]]);
       const auto entry = file.pairs.find({std::min(i, j), std::max(i, j)});
       if (entry == file.pairs.end())
         continue;
-      links.setState(k, entry->second.state.data());
+      std::vector<double> state = entry->second.state;
+      if ((i < j) != (atom->tag[p.i[k]] < atom->tag[p.j[k]]))
+        links.exchange(state.data()); // over a face of the original the order of IDs may turn
+      links.setState(k, state.data());
       links.setOriginal(k, entry->second.original);
       found += pair->step().share(k);
       if (mca::link::isLinked(entry->second.state[0]))
@@ -127,7 +164,7 @@ void MCALinks::read(const std::string &path)
     }
   });
   for (int i = 0; i < atom->nlocal; i++) {
-    const auto entry = file.automata.find(atom->tag[i]);
+    const auto entry = file.automata.find(original(atom->tag[i]));
     if (entry == file.automata.end())
       continue;
     for (const auto &[number, value] : entry->second) {
@@ -143,11 +180,12 @@ void MCALinks::read(const std::string &path)
   const double own[2] = {found, linked};
   double all[2];
   MPI_Allreduce(own, all, 2, MPI_DOUBLE, MPI_SUM, world);
-  if (all[0] != static_cast<double>(file.pairs.size()))
+  const double expected = static_cast<double>(file.pairs.size()) * copies;
+  if (all[0] != expected)
     error->all(FLERR,
-               "Command mca_links: {} of {} pairs of {} are not neighbors here: other IDs, or "
-               "stretched beyond the cutoff",
-               file.pairs.size() - all[0], file.pairs.size(), path);
+               "Command mca_links: {:.0f} of {:.0f} pairs of {} are not neighbors here: other IDs, "
+               "stretched beyond the cutoff, or copies without a periodic face",
+               expected - all[0], expected, path);
   if (comm->me == 0)
     utils::logmesg(lmp, "Read {:.0f} links\n", all[1]);
 }

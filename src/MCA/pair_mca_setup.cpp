@@ -272,6 +272,12 @@ void PairMCA::check_commands() const
   if (input->command && strcmp(input->command, "rerun") == 0)
     error->all(FLERR,
                "Pair style mca does not work with rerun: a dump does not hold the state of links");
+  const bool excludes = neighbor->nex_type + neighbor->nex_group + neighbor->nex_mol > 0;
+  if (excludes || neighbor->includegroup)
+    error->all(FLERR,
+               "Pair style mca does not work with neigh_modify {}: pairs that are left out of the "
+               "list lose their links; give fix freeze to automata that are held",
+               excludes ? "exclude" : "include");
   for (const Fix *fix : modify->get_fix_list()) {
     const int box = Fix::BOX_CHANGE_X | Fix::BOX_CHANGE_Y | Fix::BOX_CHANGE_Z | Fix::BOX_CHANGE_YZ |
                     Fix::BOX_CHANGE_XZ | Fix::BOX_CHANGE_XY;

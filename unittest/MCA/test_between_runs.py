@@ -72,6 +72,25 @@ def test_links_made_of_a_sheared_sample_are_free_of_shear(tmp_path):
     lmp(HEAD + LINKED + again + MOVED + "run 0\n", tmp_path)
 
 
+@pytest.mark.parametrize("first", ["", "run 10\n"])
+@pytest.mark.parametrize(
+    "command, word",
+    [
+        ("neigh_modify exclude group left left\n", "exclude"),
+        ("neigh_modify exclude type 1 1\n", "exclude"),
+        ("neigh_modify include left\n", "include"),
+    ],
+)
+def test_pairs_that_are_left_out_of_the_list(tmp_path, command, word, first):
+    part = "region left block INF 0 INF INF INF INF\ngroup left region left\n"
+    part += "atom_modify first left\n" if word == "include" else ""
+    begin, rest = HEAD.split("create_atoms")
+    group = "group left empty\natom_modify first left\n" if word == "include" else ""
+    script = begin + group + "create_atoms" + rest + LINKED + part.split("atom_modify")[0]
+    parts = ["does not work with neigh_modify " + word, "fix freeze"]
+    fails(script + MOVED + first + command + "run 10\n", tmp_path, *parts)
+
+
 # ---- in a run
 
 

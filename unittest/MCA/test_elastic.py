@@ -5,7 +5,7 @@ against numbers that follow from a uniform strain."""
 import numpy as np
 import pytest
 
-from lmp_run import dump, lmp
+from lmp_run import dump, lmp, periodic_block
 
 E, NU, RHO, D, H = 206000.0, 0.3, 0.0078, 2.5, 1.7
 LAMBDA, G = E * NU / (1 + NU) / (1 - 2 * NU), E / 2 / (1 + NU)
@@ -42,6 +42,29 @@ def test_periodic_block_is_hookes(tmp_path, xx, yy, xy, ranks):
     assert np.allclose(virial, expected[:3], rtol=0, atol=2e-6 * size)
     density = 0.5 * (expected[0] * xx + expected[1] * yy + 2 * expected[2] * xy) * STRAIN
     assert last["PotEng"] == pytest.approx(density * last["Volume"] * H, rel=1e-5)
+
+
+@pytest.mark.parametrize("thickness", [1.0, 2.5])
+def test_thickness_is_in_the_pressures_of_lammps_only(tmp_path, thickness):
+    more = (
+        "pair_style mca plasticity none fracture none thickness {}\n"
+        "pair_coeff * * steel.mca diameter 2.501\nneighbor 0.4 bin\nmca_links create all all\n"
+        "variable vx atom 0.2*sin(2*PI*(x-xlo)/lx)\n"
+        "velocity all set v_vx 0 0\nfix integrate all nve/mca\n"
+        "compute state all mca/atom sxx\ncompute sum all reduce ave c_state\n"
+        "compute virial all pressure NULL virial\n"
+        "compute each all stress/atom NULL virial\ncompute all_of all reduce sum c_each[1]\n"
+        "thermo_style custom step c_sum c_virial[1] c_all_of vol\n"
+        "thermo_modify format float %.15g\nrun 200\n"
+    )
+    script = periodic_block()
+    table = lmp(script + more.format(thickness), tmp_path).thermo[0]
+    stress = table["c_sum"][-1]
+    assert stress < -10
+    assert -table["c_virial[1]"][-1] == pytest.approx(thickness * stress, rel=1e-3)
+    assert table["c_all_of"][-1] / table["Volume"][-1] == pytest.approx(
+        thickness * stress, rel=1e-3
+    )
 
 
 def test_moduli_of_a_periodic_block(tmp_path):

@@ -2,10 +2,12 @@
 """Loading the plugin: by command, by path, twice, after clear; two runs in one input."""
 
 import os
+import pathlib
+import shutil
 
 import pytest
 
-from lmp_run import PLUGIN, fails, lmp, periodic_block
+from lmp_run import PLUGIN, STEEL, fails, lmp, periodic_block
 
 BARE = os.environ["MCA_LMP_BARE"]
 SAMPLE = (
@@ -39,6 +41,24 @@ def test_plugin_load(tmp_path):
 
 def test_plugin_path(tmp_path):
     assert bare(SAMPLE + "run 10\n", tmp_path, path=os.path.dirname(PLUGIN)).rc == 0
+
+
+def test_a_folder_with_a_colon(tmp_path):
+    """LAMMPS separates folders by colons; the wrapper of the build hands on any."""
+    build = pathlib.Path(PLUGIN).parents[1]
+    project = tmp_path / "MCA: 1.0"
+    for folder in ("bin", "lib", "potentials"):
+        (project / folder).mkdir(parents=True)
+    shutil.copy(PLUGIN, project / "lib")
+    shutil.copy(STEEL, project / "potentials" / "other_steel.mca")
+    wrapper = (build / "bin" / "lmp").read_text(encoding="utf-8")
+    wrapper = wrapper.replace(str(STEEL.parent), str(project / "potentials"))
+    (project / "bin" / "lmp").write_text(wrapper, encoding="utf-8")
+    (project / "bin" / "lmp").chmod(0o755)
+    script = SAMPLE.replace("steel.mca", "other_steel.mca") + "run 10\n"
+    for ranks in (1, 2):
+        result = lmp(script, tmp_path, ranks=ranks, launcher=str(project / "bin" / "lmp"))
+        assert result.thermo[0]["c_sum"][-1] == 480
 
 
 def test_without_the_plugin_the_style_is_unknown(tmp_path):

@@ -104,6 +104,8 @@ class LinkList {
   /// Sets both the present and the next state of pair k, in the order of add(). The block's way
   /// follows.
   void setState(int k, const double *state);
+  /// Turns the shears of a state round, as exchange of i and j does in space.
+  void exchange(double *state) const;
 
   /// Memory held [bytes].
   double bytes() const;
@@ -122,8 +124,6 @@ class LinkList {
   /// since no reader sees a difference.
   void complete(int block) const;
   void completeAll() const;
-  /// Turns the shears of a state round, as exchange of i and j does in space.
-  void exchange(double *state) const;
 };
 
 } // namespace mca
