@@ -4,6 +4,7 @@
 #include "arguments.h"
 #include "atom.h"
 #include "comm.h"
+#include "compute.h"
 #include "domain.h"
 #include "dump.h"
 #include "error.h"
@@ -16,6 +17,7 @@
 #include "pair_mca.h"
 #include "restart_block.h"
 #include "shared/friction_log_format.h"
+#include "shared/layer_health.h"
 #include "shared/nearest_word.h"
 #include "update.h"
 #include "variable.h"
@@ -24,6 +26,7 @@
 #include <cmath>
 #include <cstring>
 #include <stdexcept>
+#include <tuple>
 
 using namespace LAMMPS_NS;
 using namespace FixConst;
@@ -33,7 +36,8 @@ using namespace FixConst;
 FixMCADrive::FixMCADrive(LAMMPS *host, int narg, char **arg)
     : Fix(host, narg, arg), every(1000), seed(0), pair(nullptr), begun(false),
       restarted(false), past{-1, 0}, largest_velocity(0.0), largest_pressure(0.0),
-      least_strength(0.0), split(false)
+      least_strength(0.0), least_bulk_modulus(0.0), split(false), above(0.0), below(0.0),
+      told_of_room(false), told_of_fall(false), most_dissipated{}
 {
   namespace format = mcawr::friction_log; // as the readers of the log take it
   const auto most_steps = static_cast<bigint>(format::largest);
@@ -76,7 +80,7 @@ FixMCADrive::FixMCADrive(LAMMPS *host, int narg, char **arg)
   time_depend = 1;
   restart_global = 1;
   scalar_flag = vector_flag = 1;
-  size_vector = 6;
+  size_vector = 8;
   global_freq = 1;
   extscalar = extvector = 0;
 }
@@ -142,10 +146,11 @@ void FixMCADrive::check_layer() const
 void FixMCADrive::find_limits()
 {
   largest_velocity = largest_pressure = 0.0;
-  least_strength = HUGE_VAL;
+  least_strength = least_bulk_modulus = HUGE_VAL;
   for (int type = 1; type <= atom->ntypes; type++) {
     largest_velocity = std::max(largest_velocity, pair->wave_speed(type));
     least_strength = std::min(least_strength, pair->material(type).strength);
+    least_bulk_modulus = std::min(least_bulk_modulus, pair->material(type).bulkModulus());
     largest_pressure = std::max(largest_pressure, pair->material(type).youngsModulus);
   }
 }
@@ -192,19 +197,42 @@ double FixMCADrive::height() const
   return all[0] / all[1];
 }
 
-/* automata of others whose centres are higher than the highest of the layer */
-
-bigint FixMCADrive::count_above() const
+mca::Part FixMCADrive::part_of(int i) const
 {
-  double own = -HUGE_VAL, top;
-  for (const int i : layer.members)
-    own = std::max(own, unwrapped_y(i));
-  MPI_Allreduce(&own, &top, 1, MPI_DOUBLE, MPI_MAX, world);
-  bigint part = 0, all;
+  if (atom->mask[i] & groupbit)
+    return mca::Part::Driven;
+  return pair->is_held(i) && atom->v[i][1] == 0.0 ? mca::Part::Held : mca::Part::Free;
+}
+
+FixMCADrive::Neighbourhood FixMCADrive::look_around() const
+{
+  mca::RigidLayers layers;
   for (int i = 0; i < atom->nlocal; i++)
-    part += !(atom->mask[i] & groupbit) && unwrapped_y(i) > top;
-  MPI_Allreduce(&part, &all, 1, MPI_LMP_BIGINT, MPI_SUM, world);
-  return all;
+    layers.add(part_of(i), unwrapped_y(i));
+  double ends[4] = {-layers.heldLow, layers.heldHigh, -layers.drivenLow, layers.drivenHigh};
+  MPI_Allreduce(MPI_IN_PLACE, ends, 4, MPI_DOUBLE, MPI_MAX, world);
+  layers = {-ends[0], ends[1], -ends[2], ends[3]};
+  mca::LayerContents own;
+  for (int i = 0; i < atom->nlocal; i++) {
+    const mca::Cell cell = pair->cell(atom->type[i]);
+    own.add(layers, part_of(i), unwrapped_y(i), cell.cellVolume(), cell.diameter);
+  }
+  double sums_of[3] = {own.cells, own.above, own.below};
+  MPI_Allreduce(MPI_IN_PLACE, sums_of, 3, MPI_DOUBLE, MPI_SUM, world);
+  const mca::LayerContents all = {sums_of[0], sums_of[1], sums_of[2]};
+  return {mca::roomOf(layers, all, layer.area), all.above, all.below};
+}
+
+std::array<double, 3> FixMCADrive::dissipated() const
+{
+  std::array<double, 3> terms = {};
+  for (Compute *account : modify->get_compute_by_style("^mca/energy$")) {
+    if (account->invoked_vector != update->ntimestep)
+      account->compute_vector();
+    for (int m = 0; m < 3; m++)
+      terms[m] = account->vector[2 + m] * layer.stressUnit;
+  }
+  return terms;
 }
 
 void FixMCADrive::setup_post_neighbor()
@@ -249,7 +277,9 @@ void FixMCADrive::setup(int vflag)
   if (!path.empty())
     open_log(thickness);
   begun = true;
-  above = count_above();
+  const Neighbourhood around = look_around();
+  above = around.above;
+  below = around.below;
   // a layer that moves already keeps its velocity to the last bit
   double range[2] = {-HUGE_VAL, -HUGE_VAL}, all_range[2]; // of -v_y, v_y
   for (const int i : layer.members)
@@ -389,25 +419,62 @@ void FixMCADrive::write_row()
 {
   pair->check_sample();
   const mca::DriveSums::Totals all = totals();
-  const double now_at = height();
+  const Neighbourhood around = look_around();
+  mca::DriveSums::State now;
+  now.height = height();
+  now.room = around.room;
+  now.lost = around.above + around.below;
+  now.dissipated = dissipated();
   std::string problem;
   if (comm->me == 0) {
     try {
-      log.write(sums.row(all, update->ntimestep, update->dt, pressure.value, now_at, units));
+      log.write(sums.row(all, now, update->ntimestep, update->dt, pressure.value, units));
     } catch (const std::runtime_error &e) {
       problem = e.what();
     }
   }
   stop_if(problem);
-  if (const bigint now = count_above(); now > above) {
-    if (comm->me == 0)
-      error->warning(
-          FLERR,
-          "Fix mca/drive: {} automata left the fragment through the driven layer: drive more rows",
-          now - above);
-    above = now;
-  }
+  check_health(now, around, all.work);
   sums.beginRow(all);
+}
+
+void FixMCADrive::check_health(const mca::DriveSums::State &now, const Neighbourhood &around,
+                               double work)
+{
+  namespace health = mcawr::layer_health;
+  std::vector<std::string> warnings;
+  for (auto [known, count, which] :
+       {std::tuple{&above, around.above, "driven"}, std::tuple{&below, around.below, "held"}}) {
+    if (count > *known)
+      warnings.push_back(
+          fmt::format("{} automata left the fragment through the {} layer: {} more rows",
+                      count - *known, which, which == std::string("held") ? "hold" : "drive"));
+    *known = std::max(*known, count);
+  }
+  const double least = health::leastRoom(pressure.value, least_bulk_modulus);
+  if (now.room > 0.0 && now.room < least && !told_of_room) {
+    told_of_room = true;
+    warnings.push_back(fmt::format(
+        "automata of the layer have {:.4g} of the {} that they have in the solid, at {:.6g} at "
+        "least {:.4g} is expected: they sink into each other, and this is no solid any more",
+        now.room, domain->dimension == 3 ? "volume" : "area", pressure.value, least));
+  }
+  const char *terms[] = {"plastic flow", "breaking", "unlinked contacts"};
+  const double done = std::abs(work) * layer.stressUnit;
+  for (int m = 0; m < 3; m++) {
+    const double fall = most_dissipated[m] - now.dissipated[m];
+    most_dissipated[m] = std::max(most_dissipated[m], now.dissipated[m]);
+    if (done > 0.0 && fall > health::fallAllowance * done && !told_of_fall) {
+      told_of_fall = true;
+      warnings.push_back(fmt::format(
+          "what {} dissipates fell by {:.4g}, the drive has done {:.4g}: it gives energy to the "
+          "motion, and friction is too small",
+          terms[m], fall / layer.stressUnit, work));
+    }
+  }
+  if (comm->me == 0)
+    for (const std::string &warning : warnings)
+      error->warning(FLERR, "Fix mca/drive: {}", warning);
 }
 
 /* friction coefficient of this step: shear stress over the prescribed pressure */
@@ -429,7 +496,10 @@ double FixMCADrive::compute_vector(int n)
     return sums.displacement;
   if (n == 4)
     return height() - sums.startHeight;
-  return sum(sums.work);
+  if (n == 5)
+    return sum(sums.work);
+  const Neighbourhood around = look_around();
+  return n == 6 ? around.room : around.above + around.below;
 }
 
 /* ----------------------------------------------------------------------

@@ -9,8 +9,10 @@
 
 #include "fix.h"
 
+#include "core/layer_room.h"
 #include "files/drive_sums.h"
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -42,8 +44,9 @@ class FixMCADrive : public Fix {
   void end_of_step() override;
   /// Shear stress over the prescribed pressure in this step [-]; 0 without pressure.
   double compute_scalar() override;
-  /// 0 to 5: shear and normal stress [pressure], friction coefficient [-], displacement [length],
-  /// rise of the layer [length], work [energy]. Called by all ranks.
+  /// 0 to 7: shear and normal stress [pressure], friction coefficient [-], displacement [length],
+  /// rise of the layer [length], work [energy], room of the automata between the held and the
+  /// driven rows [-], automata beyond those [-]. Called by all ranks.
   double compute_vector(int) override;
   /// State of the layer and the sums of the row in progress, with a checksum. Afterwards the sums
   /// are on rank 0, as in the run that continues.
@@ -81,6 +84,8 @@ class FixMCADrive : public Fix {
   /// Bounds of the loading, of all materials: the fastest wave [velocity], the largest Young's
   /// modulus and the smallest strength [pressure].
   double largest_velocity, largest_pressure, least_strength;
+  /// The smallest bulk modulus [pressure].
+  double least_bulk_modulus;
 
   /// Its members are own automata since the last exchange of automata; its area is the box length
   /// in x times that in z, or the thickness.
@@ -89,8 +94,12 @@ class FixMCADrive : public Fix {
   bool split;
   /// This rank's part of the stresses on the layer now [pressure].
   mca::DrivenLayer::Stress stress;
-  /// Automata above the layer that are known of, so that each is told of once.
-  bigint above;
+  /// Automata beyond the driven and the held layer that are known of, so that each is told of once.
+  double above, below;
+  /// Whether a layer that sank, and a term of the account that fell, have been told of.
+  bool told_of_room, told_of_fall;
+  /// The most that flow, breaking and contacts had dissipated in a row so far [pressure length^3].
+  std::array<double, 3> most_dissipated;
 
   /// Stops LAMMPS where another drive has automata of the layer, or nothing moves them.
   void check_layer() const;
@@ -109,11 +118,21 @@ class FixMCADrive : public Fix {
   double unwrapped_y(int i) const;
   /// Mean height of the layer [length]; called by all ranks.
   double height() const;
-  /// Automata of others whose centres are higher than the highest of the layer, on all ranks.
-  bigint count_above() const;
-  /// Means of the row, events in it; warns of automata that left the fragment. All ranks stop where
+  /// Where own automaton i belongs. Held are those at rest in y that forces do not move.
+  mca::Part part_of(int i) const;
+  /// Room between the rigid layers, and automata beyond them.
+  struct Neighbourhood {
+    double room = 0.0, above = 0.0, below = 0.0;
+  };
+  Neighbourhood look_around() const; ///< called by all ranks
+  /// What compute mca/energy has, if the input script defines it [pressure length^3].
+  std::array<double, 3> dissipated() const;
+  /// Means of the row, events in it; warns of what is wrong with the layer. All ranks stop where
   /// the log cannot be written.
   void write_row();
+  /// Warns of automata that left, of a layer that sank, of a term of the account that fell.
+  /// \param work  of the drive so far, on all ranks [energy]
+  void check_health(const mca::DriveSums::State &now, const Neighbourhood &around, double work);
   /// Of all ranks: links now, events since the pair style was created, and the parts of `sums`.
   mca::DriveSums::Totals totals() const;
   /// LAMMPS's arrays as they are now, for one call.

@@ -120,6 +120,9 @@ class PairMCA : public Pair {
   double wave_speed(int type) const;
   /// Whether a fix moves own automaton i by its velocity.
   bool is_integrated(int i) const;
+  /// Whether the forces of contacts do not move own automaton i: a fix prescribes its motion, or
+  /// none integrates it.
+  bool is_held(int i) const;
 
   /// Values of a state of own and ghost automata, in LAMMPS's order of atoms; nullptr: not in this
   /// dimension. Valid until LAMMPS moves or adds atoms. When they are up to date stands in their

@@ -316,6 +316,11 @@ bool PairMCA::is_integrated(int i) const
   return atom->mask[i] & integrated;
 }
 
+bool PairMCA::is_held(int i) const
+{
+  return (atom->mask[i] & held) || !is_integrated(i);
+}
+
 /* stresses inside are energy per volume, which is pressure units only where nktv2p is 1 */
 
 double PairMCA::stress_unit() const

@@ -26,7 +26,7 @@ constexpr const char *format = "mca-friction 1"; ///< value of the first line, `
 std::string formatLine();
 
 /// Sections of the head, in the order in which they are written; the first line, `format`, is
-/// before them, and `tools/campaign pack` adds `campaign` after them.
+/// before them, and `tools/campaign pack` adds `campaignSection` after them.
 /// Each section is one line of the head.
 namespace section {
 /// Name and version of what wrote the log.
@@ -150,6 +150,8 @@ constexpr const HeadNumber &headNumber(double Head::*value)
   throw std::logic_error("a number without a row in the head");
 }
 
+/// The section of packed logs, and its key of the command that repeats the run.
+constexpr const char *campaignSection = "campaign", *commandKey = "command";
 /// The packing in the section `geometry`, before `automata`: hex in a plane; fcc, hcp, sc in space.
 constexpr const char *packingKey = "packing";
 /// Sections that tell what computed the run: a reader keeps them word by word.
@@ -165,12 +167,14 @@ struct Row {
   double time = 0.0, displacement = 0.0;
   double shearStress = 0.0, normalStress = 0.0, mu = 0.0;
   double links = 0.0, broken = 0.0, formed = 0.0, gap = 0.0;
+  double room = 0.0, lost = 0.0;
+  double flowEnergy = 0.0, breakingEnergy = 0.0, contactEnergy = 0.0;
 };
 
 /// What a row's number stands for; packing several rows to one takes means, sums or the last one.
 enum class Over { End, Mean, Sum };
 
-/// A column.
+/// A column. The first `columnsNeeded` are in every log; readers take logs without the others.
 struct Column {
   double Row::*value;
   const char *name;
@@ -180,7 +184,7 @@ struct Column {
   const char *meaning;
 };
 /// In the order in which they are written; a reader goes by their names.
-constexpr std::array<Column, 10> columns = {{
+constexpr std::array<Column, 15> columns = {{
     {&Row::step, "step", "", Over::End, 15, "strictly increasing, evenly spaced, whole, >= 0"},
     {&Row::time, "time", "ns", Over::End, 10, "end of the row's interval"},
     {&Row::displacement, "displacement", "nm", Over::End, 10, "of the driven layer in x"},
@@ -191,7 +195,19 @@ constexpr std::array<Column, 10> columns = {{
     {&Row::broken, "broken", "", Over::Sum, 10, "links that broke"},
     {&Row::formed, "formed", "", Over::Sum, 10, "contacts that became links"},
     {&Row::gap, "gap", "nm", Over::End, 8, "rise of the driven layer since its start"},
+    {&Row::room, "room", "", Over::End, 8,
+     "area (in space: volume) of an automaton between the innermost held and driven rows over that "
+     "in the unloaded solid; 0 where nothing is held"},
+    {&Row::lost, "lost", "", Over::End, 10,
+     "free automata above the driven, or below the held layer"},
+    {&Row::flowEnergy, "flow_energy", "MPa nm3", Over::End, 10,
+     "what plastic flow has dissipated, by compute mca/energy; without it 0, as the next two"},
+    {&Row::breakingEnergy, "breaking_energy", "MPa nm3", Over::End, 10,
+     "what the breaking of links has dissipated"},
+    {&Row::contactEnergy, "contact_energy", "MPa nm3", Over::End, 10,
+     "what unlinked contacts have dissipated"},
 }};
+constexpr std::size_t columnsNeeded = 10; ///< up to `gap`
 
 /// Name of the column behind these, which finds damage and what was changed: CRC-32
 /// (`RunningChecksum`) of all bytes of the file before the number, which is decimal. Readers take

@@ -21,9 +21,10 @@ import re
 import time
 from typing import Any, TextIO
 
-from mcawr import friction_log
+from mcawr import friction_log, layer_health
 from mcawr.errors import BadInput, Exit, Failure
 from mcawr.files import read_bytes, read_text, write
+from mcawr.numbers import decimal
 
 from .plan import ROOT
 from .quantities import Run
@@ -300,19 +301,51 @@ class RunFolder:
             return "failed"
         return "interrupted" if self.log() else "waiting"
 
-    def mean_mu(self) -> float | None:
-        """Mean mu of the second half of the log so far; None without one. wr_fit does it better."""
+    def column(self, name: str) -> list[float]:
+        """A column of the log so far; empty without one."""
         log = self.log()
-        values = []
-        text = self.text(log) if log else None
-        for number, line in enumerate((text or "").split("\n")[:-1], 1):
-            if not friction_log.is_row(line):
-                continue
+        text = friction_log.Text.of((self.text(log) if log else None) or "")
+        if name not in text.names:
+            return []
+        place, values = text.names.index(name), []
+        for number, line in text.numbered_rows():
             try:
-                values.append(friction_log.number_in(line.split(), "mu"))
+                values.append(decimal(line.split()[place]))
             except IndexError:  # cut
                 continue
             except ValueError as error:
-                raise FolderError(f"{self.file(str(log))}:{number}: mu: {error}") from None
+                raise FolderError(f"{self.file(str(log))}:{number}: {name}: {error}") from None
+        return values
+
+    def mean(self, name: str) -> float | None:
+        """Mean of a column over the second half of the log so far; None without one. wr_fit does
+        it better."""
+        values = self.column(name)
         half = values[len(values) // 2 :]
         return sum(half) / len(half) if half else None
+
+    def doubt(self) -> str | None:
+        """What is wrong with the layer of the log so far; None if nothing is, or nothing known."""
+        values = self.run.values
+        room, lost = self.mean("room"), self.column("lost")
+        least = layer_health.least_room(values["p"], values["E"], values["nu"])
+        found = []
+        if room and room < least:
+            found.append(
+                f"automata have {room:.3f} of the solid's room, at least {least:.3f} is expected: "
+                "they sank into each other"
+            )
+        if lost and lost[-1] > 0:
+            found.append(f"{lost[-1]:g} automata left through the held or the driven rows")
+        columns = {name: self.column(name) for name in layer_health.NEEDED}
+        if layer_health.fall(columns, self.area()) > layer_health.FALL:
+            found.append("what flow, breaking or contacts dissipate fell: energy from nothing")
+        return "; ".join(found) or None
+
+    def area(self) -> float:
+        """Of the driven layer, nm2; 0 before the log has a head."""
+        try:
+            geometry = friction_log.head_of(self.file(self.log() or LOG))["geometry"]
+            return float(geometry["width"]) * float(geometry["thickness"])
+        except (BadInput, Failure, LookupError, TypeError, ValueError):
+            return 0.0

@@ -379,11 +379,14 @@ class Campaign:
             name, seconds = attempt.folder.run.name, time.monotonic() - attempt.began
             outcome, why = attempt.end()
             if outcome == "finished":
-                mu = attempt.folder.mean_mu()
+                mu, room = attempt.folder.mean("mu"), attempt.folder.mean("room")
                 self.say(
                     f"{name}: finished in {hours(seconds)}"
                     + (f", mu of its second half {mu:.3f}" if mu is not None else "")
+                    + (f", room {room:.3f}" if room else "")
                 )
+                if doubt := attempt.folder.doubt():
+                    self.say(f"{name}: warning: {doubt}")
             elif outcome == "full":
                 self._interrupt()
                 self.full = self.full or why

@@ -39,7 +39,13 @@ TABLE = (
     Column("broken", "", "Sum"),
     Column("formed", "", "Sum"),
     Column("gap", "nm", "End"),
+    Column("room", "", "End"),
+    Column("lost", "", "End"),
+    Column("flow_energy", "MPa nm3", "End"),
+    Column("breaking_energy", "MPa nm3", "End"),
+    Column("contact_energy", "MPa nm3", "End"),
 )
+NEEDED = TABLE[: 1 + [column.name for column in TABLE].index("gap")]  # the others may be missing
 COLUMNS = tuple(column.name for column in TABLE)
 MEANS = tuple(column.name for column in TABLE if column.over == "Mean")
 SUMS = tuple(column.name for column in TABLE if column.over == "Sum")
@@ -137,11 +143,14 @@ def head_of(path: str) -> dict[str, Any]:
     return _head(path, Text.of(read_text(path)).head)
 
 
-def read(path: str, names: Sequence[str] = COLUMNS) -> FrictionLog:
-    """A log with these columns; a last row that was cut is left out. Raises BadInput, with the
-    line: also where rows are missing."""
+def read(path: str, names: Sequence[str] | None = None) -> FrictionLog:
+    """A log with these columns, or with all that it has of TABLE; a last row that was cut is left
+    out. Raises BadInput, with the line: also where rows are missing."""
     text = Text.of(read_text(path))
     head = _head(path, text.head)
+    if names is None:
+        least = [column.name for column in NEEDED]
+        names = [*least, *(name for name in COLUMNS if name in text.names and name not in least)]
     needed = dict.fromkeys(("step", "time", *names))
     for name in needed:
         if text.names.count(name) != 1:

@@ -2,6 +2,7 @@
 """fix mca/drive: prescribed speed, rigid layer, constant normal pressure, and its log."""
 
 import os
+import pathlib
 
 import numpy as np
 import pytest
@@ -65,6 +66,11 @@ def test_log_columns(driven):
         "broken",
         "formed",
         "gap",
+        "room",
+        "lost",
+        "flow_energy",
+        "breaking_energy",
+        "contact_energy",
         "check",
     ]
     assert (log["step"] == np.arange(50, 4001, 50)).all()
@@ -144,3 +150,58 @@ def test_automata_that_leave_through_the_layer_are_told_of(tmp_path):
     result = lmp("in.driven", tmp_path, v=V, p=P, extra=more)
     assert "1 automata left the fragment through the driven layer" in result.out
     assert result.out.count("left the fragment") == 1
+
+
+def test_automata_that_leave_through_the_held_rows_are_told_of(tmp_path):
+    """A held one gives its place to a loose one that is thrown downwards."""
+    more = (
+        "region one block 20 22.4 INF 1 INF INF units box\ngroup one region one\n"
+        "variable x1 equal xcm(one,x)\nvariable x2 equal ${x1}\n"
+        "delete_atoms group one\ncreate_atoms 1 single ${x2} 0.05 0 units box\n"
+        "group loose subtract all low high\nvelocity loose set 0 -50 0\nrun 500"
+    )
+    result = lmp("in.driven", tmp_path, v=V, p=P, extra=more)
+    assert "1 automata left the fragment through the held layer: hold more rows" in result.out
+    assert result.out.count("left the fragment") == 1
+    lost = friction_log(tmp_path / "driven.friction")[1]["lost"]
+    assert (lost[:80] == 0).all() and lost[-1] == 1
+
+
+def test_room_is_the_area_between_the_rows_over_that_of_the_cells(driven):
+    """Twelve free rows, and half of one on either side; the upper block begins 0.13 of the
+    lattice's period of two rows higher. Nothing is lost, so that it goes with the gap."""
+    result, frames, (_, log) = driven
+    row = np.sqrt(0.75) * 2.5
+    assert (log["lost"] == 0).all()
+    assert np.allclose(log["room"], 1 + (log["gap"] + 0.13 * 2 * row) / (13 * row), rtol=1e-7)
+    assert np.allclose(result.thermo[0]["f_drive[7]"][1:], log["room"], rtol=1e-7)
+    assert (result.thermo[0]["f_drive[8]"] == 0).all()
+    assert (log["flow_energy"] == 0).all()
+
+
+EXAMPLE = str(pathlib.Path(os.environ["PROJECT_SOURCE"]) / "examples/friction/in.friction")
+
+
+def example(folder, **variables):
+    shown = lmp(pathlib.Path(EXAMPLE).read_text(encoding="utf-8"), folder, frames=0, **variables)
+    return shown.out, friction_log(folder / "friction.friction")[1]
+
+
+def test_a_layer_that_sinks_is_told_of_once(tmp_path):
+    """Flow that does not keep its volume, at a Poisson's ratio where it shows at once."""
+    out, log = example(tmp_path, ns=0.3, nu=0.4, laws="c")
+    assert out.count("automata of the layer have 0.9") == 1 and "is no solid any more" in out
+    assert log["room"][-1] < 0.95 and "fell by" not in out
+
+
+def test_a_term_of_the_account_that_falls_is_told_of_once(tmp_path):
+    out, log = example(tmp_path, ns=0.1, nu=0.4, laws="c", account=1)
+    assert out.count("what plastic flow dissipates fell by") == 1
+    assert log["flow_energy"][-1] < -1000 and log["breaking_energy"][-1] > 0
+
+
+def test_a_solid_is_not_warned_of(tmp_path):
+    out, log = example(tmp_path, ns=0.2, nu=0.4, laws="d", account=1)
+    assert "fell by" not in out and "the solid" not in out
+    assert (np.diff(log["flow_energy"]) > 0).all() and (log["contact_energy"] > 0).all()
+    assert np.abs(log["room"] - 1).max() < 0.01

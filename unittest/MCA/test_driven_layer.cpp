@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The driven layer as a rigid body, and the row of the friction log that its steps give.
+// The driven layer as a rigid body, the room that it leaves, and the row of the friction log.
 #include "core/driven_layer.h"
+#include "core/layer_room.h"
 #include "files/drive_sums.h"
 
 #include <gtest/gtest.h>
@@ -98,8 +99,13 @@ TEST_F(Layer, ARowIsTheMeanOfItsStepsInUnitsOfTheLog)
   all.formed = 2;
   all.shearSum = sums.shearSum;
   all.normalSum = sums.normalSum;
+  mca::DriveSums::State now;
+  now.height = 2.5e-9;
+  now.room = 0.98;
+  now.lost = 2;
+  now.dissipated = {3e-15, 4e-15, 5e-15}; // Pa m3
   const mca::Units si = *mca::findUnits("si");
-  const mca::LogRow row = sums.row(all, 40, 1e-12, 15e6, 2.5e-9, si);
+  const mca::LogRow row = sums.row(all, now, 40, 1e-12, 15e6, si);
   EXPECT_EQ(row.step, 40);
   EXPECT_DOUBLE_EQ(row.time, 0.04);
   EXPECT_DOUBLE_EQ(row.displacement, 0.015);
@@ -110,12 +116,17 @@ TEST_F(Layer, ARowIsTheMeanOfItsStepsInUnitsOfTheLog)
   EXPECT_EQ(row.broken, 2);
   EXPECT_EQ(row.formed, 2);
   EXPECT_NEAR(row.gap, 0.5, 1e-12);
-  EXPECT_EQ(sums.row(all, 40, 1e-12, 0.0, 2.5e-9, si).mu, 0);
+  EXPECT_EQ(row.room, 0.98);
+  EXPECT_EQ(row.lost, 2);
+  EXPECT_NEAR(row.flowEnergy, 3e6, 1e-6);
+  EXPECT_NEAR(row.breakingEnergy, 4e6, 1e-6);
+  EXPECT_NEAR(row.contactEnergy, 5e6, 1e-6);
+  EXPECT_EQ(sums.row(all, now, 40, 1e-12, 0.0, si).mu, 0);
 
   sums.beginRow(all);
   EXPECT_EQ(sums.samples, 0);
   EXPECT_EQ(sums.shearSum, 0);
-  EXPECT_EQ(sums.row(all, 80, 1e-12, 15e6, 2e-9, si).broken, 0); // since this row
+  EXPECT_EQ(sums.row(all, now, 80, 1e-12, 15e6, si).broken, 0); // since this row
   EXPECT_DOUBLE_EQ(sums.displacement, 3 * 5e-12);
 }
 
@@ -133,4 +144,63 @@ TEST_F(Layer, OneRankGoesOnWithThePartsOfAll)
   EXPECT_EQ(first.work + other.work, 3);
   EXPECT_EQ(first.shearSum + other.shearSum, 4);
   EXPECT_EQ(first.normalSum + other.normalSum, 5);
+}
+
+namespace {
+
+/// Rows of a column of automata that are `step` apart, three held, six free, three driven.
+struct Column {
+  double step = 2.0;
+  mca::RigidLayers layers;
+  mca::LayerContents contents;
+
+  static mca::Part partOf(int row)
+  {
+    return row < 3 ? mca::Part::Held : row < 9 ? mca::Part::Free : mca::Part::Driven;
+  }
+  void fill(double lift = 0.0)
+  {
+    const auto y = [&](int row) { return step * row + (row < 9 ? 0.0 : lift); };
+    for (int row = 0; row < 12; row++)
+      layers.add(partOf(row), y(row));
+    for (int row = 0; row < 12; row++)
+      contents.add(layers, partOf(row), y(row), 8.0, 2.0);
+  }
+};
+
+} // namespace
+
+TEST(LayerRoom, IsOneInTheSolidAndGoesWithTheHeightBetweenTheInnermostRows)
+{
+  Column solid;
+  solid.fill();
+  EXPECT_DOUBLE_EQ(solid.contents.cells, 7 * 8.0); // six free, and half of one row on either side
+  EXPECT_DOUBLE_EQ(mca::roomOf(solid.layers, solid.contents, 4.0), 1.0);
+  Column pressed;
+  pressed.fill(-0.7);
+  EXPECT_DOUBLE_EQ(mca::roomOf(pressed.layers, pressed.contents, 4.0), (14 - 0.7) / 14);
+}
+
+TEST(LayerRoom, CountsThoseThatAreBetweenAndThoseThatLeft)
+{
+  Column column;
+  column.fill();
+  column.contents.add(column.layers, mca::Part::Free, 22.1, 8.0, 2.0);
+  column.contents.add(column.layers, mca::Part::Free, -0.1, 8.0, 2.0);
+  column.contents.add(column.layers, mca::Part::Free, -0.2, 8.0, 2.0);
+  column.contents.add(column.layers, mca::Part::Free, 3.0, 8.0, 2.0); // among the held rows
+  EXPECT_EQ(column.contents.above, 1);
+  EXPECT_EQ(column.contents.below, 2);
+  EXPECT_DOUBLE_EQ(column.contents.cells, 7 * 8.0);
+}
+
+TEST(LayerRoom, IsNotKnownWhereNothingIsHeld)
+{
+  mca::RigidLayers layers;
+  layers.add(mca::Part::Driven, 5.0);
+  mca::LayerContents contents;
+  contents.add(layers, mca::Part::Free, 1.0, 8.0, 2.0);
+  EXPECT_FALSE(layers.areApart());
+  EXPECT_EQ(mca::roomOf(layers, contents, 4.0), 0.0);
+  EXPECT_EQ(contents.below, 0);
 }

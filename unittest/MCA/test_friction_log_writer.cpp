@@ -64,6 +64,11 @@ class FrictionLogWriterTest : public testing::Test {
     row.broken = 4;
     row.formed = 5;
     row.gap = -0.1;
+    row.room = 0.97;
+    row.lost = 2;
+    row.flowEnergy = 11;
+    row.breakingEnergy = 12;
+    row.contactEnergy = 13;
     return row;
   }
 
@@ -106,7 +111,8 @@ TEST_F(FrictionLogWriterTest, HeaderThenColumnsThenRows)
   EXPECT_THAT(text(), HasSubstr("# laws: {preset: b, link: elastic_limit}"));
   EXPECT_THAT(text(),
               HasSubstr("\nstep time displacement shear_stress normal_stress mu links broken "
-                        "formed gap check\n1000 0.05 0.25 7.5 15 0.5 3000 4 5 -0.1 "));
+                        "formed gap room lost flow_energy breaking_energy contact_energy check\n"
+                        "1000 0.05 0.25 7.5 15 0.5 3000 4 5 -0.1 0.97 2 11 12 13 "));
   EXPECT_EQ(rows().size(), 2u);
   EXPECT_FALSE(fs::exists(path.string() + ".tmp"));
 }

@@ -14,7 +14,7 @@ from pathlib import Path
 import pytest
 import yaml
 
-from mcawr import friction_log
+from mcawr import friction_log, layer_health
 from mcawr.files import read_text
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -201,6 +201,17 @@ def test_potential_file():
     assert coded and table == coded
     steel = (ROOT / "potentials" / "steel.mca").read_text(encoding="utf-8").splitlines()
     assert "\n".join([steel[0]] + [line for line in steel if not line.startswith("#")]) in text
+
+
+def test_bounds_of_a_solid_layer():
+    """Python's are those of C++, and the page's."""
+    header = (ROOT / "src/shared/layer_health.h").read_text(encoding="utf-8")
+    bounds = dict(re.findall(r"constexpr double (\w+) = ([0-9.e-]+);", header))
+    assert float(bounds["sinkAllowance"]) == layer_health.SINK
+    assert float(bounds["fallAllowance"]) == layer_health.FALL
+    text = " ".join(page("friction_log.md").split())
+    assert f"$1 - p/K - {bounds['sinkAllowance']}$" in text
+    assert f"by more than {bounds['fallAllowance']} of the work" in text
 
 
 def test_friction_log():

@@ -10,7 +10,7 @@ TEST(FrictionLogFormat, Lines)
 {
   EXPECT_EQ(formatLine(), "# format: mca-friction 1");
   EXPECT_EQ(columnLine(), "step time displacement shear_stress normal_stress mu links broken "
-                          "formed gap check");
+                          "formed gap room lost flow_energy breaking_energy contact_energy check");
 }
 
 TEST(FrictionLogFormat, EachNumberHasOneRow)
@@ -21,6 +21,7 @@ TEST(FrictionLogFormat, EachNumberHasOneRow)
   }
   EXPECT_EQ(sizeof(Head), headNumbers.size() * sizeof(double));
   EXPECT_STREQ(headNumber(&Head::seed).key, "seed");
+  EXPECT_STREQ(columns[columnsNeeded - 1].name, "gap");
   EXPECT_EQ(sizeof(Row), columns.size() * sizeof(double));
   for (std::size_t k = 0; k < columns.size(); k++)
     for (std::size_t m = 0; m < k; m++)

@@ -311,6 +311,36 @@ def test_what_is_no_result_is_not_finished(tmp_path, damage, why):
     assert not (tmp_path / "out" / "a" / "run.friction").exists()
 
 
+WITH_STATE = (  # the log's columns of today, with these numbers in each row
+    "sed -i -e 's/ gap$/ gap room lost flow_energy breaking_energy contact_energy/' "
+    "-e '/^[0-9]/s/$/ {}/' run.friction.part"
+)
+
+
+@pytest.mark.parametrize(
+    "numbers, shown, warned",
+    [
+        ("1.02 0 0 0 0", "1.020", None),
+        ("0.969 0 0 0 0", "0.969", "automata have 0.969 of the solid's room, at least 0.970 is"),
+        ("1.02 2 0 0 0", "1.020", "2 automata left through the held or the driven rows"),
+        ("1.02 0 -900 5 5", "1.020", "what flow, breaking or contacts dissipate fell"),
+    ],
+)
+def test_report_says_whether_the_layer_is_a_solid(tmp_path, numbers, shown, warned):
+    path = tmp_path / "plan.yaml"
+    path.write_text(HEAD + "runs: [{name: a, ns: 1}]\n")
+    (tmp_path / "lmp").write_text(f'#!/bin/sh\n{FAKE} "$@"\n{WITH_STATE.format(numbers)}\n')
+    (tmp_path / "lmp").chmod(0o755)
+    env = environment(MCAWR_LMP=str(tmp_path / "lmp"))
+    result = campaign("run", path, "-o", tmp_path / "out", env=env)
+    assert result.returncode == 0, result.stdout + result.stderr
+    status = campaign("status", path, "-o", tmp_path / "out", env=env).stdout
+    assert f", room {shown}\n" in result.stdout and f" {shown}" in status.splitlines()[1]
+    for text in (result.stdout, status):
+        assert ("warning: " in text) == (warned is not None)
+        assert warned is None or warned in text
+
+
 @pytest.mark.parametrize(
     "number, outcome",
     [("KILL", "interrupted"), ("HUP", "interrupted"), ("SEGV", "failed"), ("ABRT", "failed")],

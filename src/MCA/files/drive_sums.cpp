@@ -13,8 +13,8 @@ void DriveSums::add(const DrivenLayer &layer, const DrivenLayer::Stress &stress,
   samples += 1.0;
 }
 
-LogRow DriveSums::row(const Totals &all, long long step, double dt, double pressure, double height,
-                      const Units &units) const
+LogRow DriveSums::row(const Totals &all, const State &now, long long step, double dt,
+                      double pressure, const Units &units) const
 {
   const double shear = all.shearSum / samples, normal = all.normalSum / samples;
   LogRow row;
@@ -27,7 +27,13 @@ LogRow DriveSums::row(const Totals &all, long long step, double dt, double press
   row.links = all.links;
   row.broken = all.broken - brokenBefore;
   row.formed = all.formed - formedBefore;
-  row.gap = (height - startHeight) * units.length;
+  row.gap = (now.height - startHeight) * units.length;
+  row.room = now.room;
+  row.lost = now.lost;
+  const double energy = units.stress * units.length * units.length * units.length;
+  row.flowEnergy = now.dissipated[0] * energy;
+  row.breakingEnergy = now.dissipated[1] * energy;
+  row.contactEnergy = now.dissipated[2] * energy;
   return row;
 }
 

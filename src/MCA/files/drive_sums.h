@@ -9,6 +9,8 @@
 #include "files/friction_log_writer.h"
 #include "files/units.h"
 
+#include <array>
+
 namespace mca {
 
 /// Sums since the first set-up of a driven layer, and of the row of the log that is being made.
@@ -27,6 +29,14 @@ struct DriveSums {
   /// A step with these stresses, or this rank's parts of them.
   void add(const DrivenLayer &, const DrivenLayer::Stress &, double velocity, double dt);
 
+  /// What a row says of the sample as it is now, in units of the run.
+  struct State {
+    double height = 0.0;           ///< of the driven layer [length]
+    double room = 0.0, lost = 0.0; ///< roomOf(); free automata beyond the rigid layers
+    /// By plastic flow, breaking, unlinked contacts, of compute mca/energy; without it 0
+    /// [pressure length^3].
+    std::array<double, 3> dissipated = {};
+  };
   /// What a row needs of all ranks.
   struct Totals {
     double links = 0.0, broken = 0.0, formed = 0.0; ///< now; since the counters began
@@ -36,8 +46,7 @@ struct DriveSums {
   /// \param step      of the run, the row's last one
   /// \param dt        [time]
   /// \param pressure  prescribed in that step [pressure]; at 0 mu is 0
-  /// \param height    of the layer now [length]
-  LogRow row(const Totals &, long long step, double dt, double pressure, double height,
+  LogRow row(const Totals &, const State &, long long step, double dt, double pressure,
              const Units &) const;
   /// The next row begins, after that of these totals.
   void beginRow(const Totals &);

@@ -107,14 +107,18 @@ std::string pointLines(const FitAnalysis &analysis)
   size_t width = 4;
   for (const auto &p : analysis.points)
     width = std::max(width, mcawr::printable(p.file).size());
-  std::string text =
-      fmt::format("{:<{}} {:>9} {:>9} {:>7} {:>7} {:>6} {:>8} {:>8} {:>7}\n", "file", width,
-                  "kappa1", "kappa2", "mu", "+-", "n_eff", "t_start", "grinding", "Eq. 2");
+  std::string text = fmt::format(
+      "{:<{}} {:>9} {:>9} {:>7} {:>7} {:>6} {:>8} {:>8} {:>7} {:>8} {:>7} {:>6} {:>5} {:>6}\n",
+      "file", width, "kappa1", "kappa2", "mu", "+-", "n_eff", "t_start", "grinding", "Eq. 2",
+      "slid, nm", "gap, nm", "room", "lost", "smooth");
   for (const auto &p : analysis.points) {
     text += fmt::format("{:<{}} {:>9.4g} {:>9.4g} {:>7.4f} {:>7} {:>6.0f} {:>8} {:>8} {:>7.4f}",
                         mcawr::printable(p.file), width, p.kappa1, p.kappa2, p.mu,
                         shown("{:.4f}", p.muSe), p.nEff, shown("{:.4g}", p.tStart),
                         shown("{:.4f}", p.muGrindingIn), p.muEq2);
+    text += fmt::format(" {:>8.4g} {:>7.2f} {:>6} {:>5} {:>4.0f} %", p.health.distance,
+                        p.health.gap, shown("{:.3f}", p.health.room),
+                        shown("{:.0f}", p.health.lost), 100.0 * p.health.smooth);
     if (!p.note.empty())
       text += "  " + mcawr::printable(p.note);
     if (!p.leftOut.empty())
@@ -122,6 +126,15 @@ std::string pointLines(const FitAnalysis &analysis)
     text += "\n";
   }
   return text;
+}
+
+/// What is wrong with the runs.
+std::vector<std::string> warningsOf(const FitAnalysis &analysis)
+{
+  std::vector<std::pair<std::string, const RunHealth *>> runs;
+  for (const auto &p : analysis.points)
+    runs.emplace_back(p.file, &p.health);
+  return healthWarnings(runs);
 }
 
 std::string replicateLines(const FitAnalysis &analysis)
@@ -229,6 +242,14 @@ Json pointJson(const FrictionPoint &p)
   json["strength"] = p.head.strength;
   json["viscosity"] = p.head.viscosity;
   json["seed"] = p.seed();
+  json["distance"] = p.health.distance;
+  json["start_distance"] = p.health.startDistance;
+  json["gap"] = p.health.gap;
+  json["room"] = finite(p.health.room);
+  json["least_room"] = p.health.leastRoom;
+  json["lost"] = finite(p.health.lost);
+  json["smooth"] = p.health.smooth;
+  json["fall"] = finite(p.health.fall);
   json["note"] = p.note;
   json["left_out"] = p.leftOut;
   return json;
@@ -300,6 +321,7 @@ Json reportBody(const FitAnalysis &analysis)
   report["kappa2_min"] = analysis.options.kappa2Min;
   if (!analysis.mixture.empty())
     report["warning"] = analysis.mixture;
+  report["warnings"] = warningsOf(analysis);
   report["points"] = Json::array();
   for (const auto &p : analysis.points)
     report["points"].push_back(pointJson(p));
@@ -352,6 +374,8 @@ std::string textReport(const FitAnalysis &analysis)
   text += replicateLines(analysis);
   if (!analysis.mixture.empty())
     text += fmt::format("Warning: {}.\n", mcawr::printable(analysis.mixture));
+  for (const auto &warning : warningsOf(analysis))
+    text += fmt::format("Warning: {}.\n", mcawr::printable(warning));
   if (analysis.fit)
     text += fitLines(analysis);
   else

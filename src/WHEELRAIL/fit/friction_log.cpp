@@ -176,12 +176,15 @@ void readHeader(const Header &header, FrictionLog &log)
                      fmt::format("{}: {}", format::section::units, quantity),
                      fmt::format("'{}' is not allowed, must be '{}'", stated, unit));
   }
-  constexpr const format::HeadNumber &seed = format::headNumber(&format::Head::seed);
   for (const format::HeadNumber &number : format::headNumbers)
-    if (number.needed || (number.value == seed.value && header.has(seed.section, seed.key)))
+    if (number.needed || header.has(number.section, number.key))
       log.head.*number.value = header.number(number);
   for (const auto *section : format::madeBySections)
     header.collect(section, log.madeBy);
+  if (header.has(format::section::geometry, format::packingKey))
+    log.packing = header.text(format::section::geometry, format::packingKey);
+  if (header.has(format::campaignSection, format::commandKey))
+    log.command = header.text(format::campaignSection, format::commandKey);
   for (const auto *section : format::conditionSections)
     log.condition[section] = header.wording(section);
   constexpr const format::HeadNumber &timestep = format::headNumber(&format::Head::timestep);
@@ -191,6 +194,7 @@ void readHeader(const Header &header, FrictionLog &log)
 
 /// Where each of our columns stands; further columns are allowed and skipped.
 using Places = std::array<size_t, format::columns.size()>;
+constexpr size_t isMissing = std::string::npos;
 Places readColumns(const FrictionLog &log, int line, std::string_view text)
 {
   const auto words = splitWords(text);
@@ -199,6 +203,10 @@ Places readColumns(const FrictionLog &log, int line, std::string_view text)
   for (size_t i = 0; i < place.size(); ++i) {
     const std::string name = format::columns[i].name;
     const auto found = std::find(names.begin(), names.end(), name);
+    if (found == names.end() && i >= format::columnsNeeded) {
+      place[i] = isMissing;
+      continue;
+    }
     if (found == names.end()) {
       const auto nearest = mcawr::nearestWord(name, names);
       std::string problem = fmt::format("column '{}' is missing", name);
@@ -254,6 +262,7 @@ void addRow(FrictionLog &log, int line, const format::Row &row)
   log.step.push_back(step);
   log.time.push_back(row.time);
   log.mu.push_back(log.head.velocity < 0.0 ? -row.mu : row.mu);
+  log.rows.push_back(row);
 }
 
 /// The column `check`: whether all before it is as it was written.
@@ -298,6 +307,7 @@ void dropStateBeforeFirstStep(FrictionLog &log)
   log.step.erase(log.step.begin());
   log.time.erase(log.time.begin());
   log.mu.erase(log.mu.begin());
+  log.rows.erase(log.rows.begin());
 }
 
 } // namespace
@@ -356,6 +366,7 @@ FrictionLog parseFrictionLog(const std::string &file, const std::string &bytes)
   if (i == lines.size() || (i + 1 == lines.size() && !lastLineEnded))
     throw badInput(file, static_cast<int>(lines.size()), "", "cut short: no line of column names");
   const auto place = readColumns(log, static_cast<int>(i + 1), lines[i]);
+  log.hasState = std::count(place.begin(), place.end(), isMissing) == 0;
   const auto names = splitWords(lines[i]);
   RowCheck check(file, text, names);
 
@@ -375,7 +386,8 @@ FrictionLog parseFrictionLog(const std::string &file, const std::string &bytes)
     format::Row row;
     for (size_t c = 0; c < place.size(); ++c) {
       const format::Column &column = format::columns[c];
-      row.*column.value = readNumber(log, number, column.name, words[place[c]]);
+      if (place[c] != isMissing)
+        row.*column.value = readNumber(log, number, column.name, words[place[c]]);
     }
     addRow(log, number, row);
   }

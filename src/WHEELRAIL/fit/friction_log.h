@@ -16,8 +16,7 @@ namespace wheelrail {
 struct FrictionLog {
   std::string file;
 
-  /// Those of its numbers that a reader needs, and the seed of the roughness, 0 if the log states
-  /// none; the others stay 0.
+  /// Numbers that the log does not state are 0; those that a reader needs are there.
   mcawr::friction_log::Head head;
   /// What computed the run, as in the head: "program.lammps" -> "20250204", "laws.steps" ->
   /// "corrected" and so on; empty if the head has neither section.
@@ -26,11 +25,18 @@ struct FrictionLog {
   /// names, and its "timestep". With `madeBy` all of the head that decides a run, but for the seed.
   std::map<std::string, std::string> condition;
 
+  std::string packing; ///< its name; empty: not stated
+  std::string command; ///< that made the run, of a packed log; else empty
+
   std::vector<long> step;   ///< strictly increasing, evenly spaced
   std::vector<double> time; ///< ns, end of the row's interval
   /// shear_stress / pressure, 0 at pressure 0; positive where it opposes the velocity, so that a
   /// layer that is driven backwards has the same friction.
   std::vector<double> mu;
+
+  /// The whole rows, as they stand there; columns that the log does not have are 0.
+  std::vector<mcawr::friction_log::Row> rows;
+  bool hasState = false; ///< it has those that not every log has: room, lost, the energies
 
   /// One line for the user when a cut last line was dropped, else empty.
   std::string note;

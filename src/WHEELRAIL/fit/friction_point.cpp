@@ -39,6 +39,19 @@ std::optional<double> startAskedFor(const FrictionLog &log, const PointOptions &
   return std::max(options.start.value_or(0.0), time);
 }
 
+/// That the log ends before the start, in the unit in which the start was given.
+Error beyondTheEnd(const FrictionLog &log, const PointOptions &options, double time)
+{
+  const bool isDistance = options.startDistance && time > options.start.value_or(0.0);
+  const double perTime = isDistance ? std::abs(log.head.velocity) : 1.0;
+  const char *unit = isDistance ? "nm" : "ns";
+  return badInput(
+      log.file, 0, "",
+      fmt::format("the log ends at {:.4g} {}, before the start of {:.4g} {} that was asked for",
+                  log.time.back() * perTime, unit, isDistance ? *options.startDistance : time,
+                  unit));
+}
+
 double meanBefore(const FrictionLog &log, double time)
 {
   const double slack = 1e-6 * log.interval();
@@ -102,19 +115,19 @@ FrictionPoint frictionPoint(const FrictionLog &log, const PointOptions &options)
 
   SeriesMean mean;
   double start = 0.0;
+  std::size_t begin = 0;
   if (const auto asked = startAskedFor(log, options)) {
     const auto first = firstRowAfter(log, *asked);
     if (first == log.time.size())
-      throw badInput(log.file, 0, "",
-                     fmt::format("the log ends at {:.4g} ns, before the start of {:.4g} ns that "
-                                 "was asked for",
-                                 log.time.back(), *asked));
+      throw beyondTheEnd(log, options, *asked);
     mean = seriesMean(log.mu, first, log.mu.size());
     start = *asked;
+    begin = first;
     point.tStart = start;
   } else {
     const auto part = stationaryPart(log.mu);
     mean = part.mean;
+    begin = part.start;
     start = part.start == 0 ? origin : log.time[part.start - 1];
     point.tStart = part.found ? start : nan;
     if (!part.found) {
@@ -123,6 +136,7 @@ FrictionPoint frictionPoint(const FrictionLog &log, const PointOptions &options)
       point.note += fmt::format("no stationary part: {}", part.reason);
     }
   }
+  point.health = runHealth(log, begin);
   point.mu = mean.mean;
   point.muSe = mean.standardError;
   point.nEff = mean.effectiveN;

@@ -3,6 +3,7 @@
 #define WHEELRAIL_FIT_FRICTION_POINT_H
 
 #include "fit/friction_log.h"
+#include "fit/run_health.h"
 
 #include <map>
 #include <optional>
@@ -37,6 +38,7 @@ struct FrictionPoint {
   /// Steps and mu of the first rows, at most 1000: they tell one run from another.
   std::vector<long> firstStep;
   std::vector<double> firstMu;
+  RunHealth health;    ///< of the run, over the part that is averaged
   std::string note;    ///< why there is no stationary part, or that a cut line was dropped
   std::string leftOut; ///< why the point is not fitted; empty: it is
 
