@@ -228,19 +228,22 @@ double flownUnlinked(const LinkView &l, double sigma, double trial, double plast
 
 double roomTaken(double eps)
 {
-  return std::pow(std::fmax(0, 1 - eps / 0.4), 2);
+  const double a = std::fmax(0, 1 - eps / 0.4);
+  return a < 1.5 ? 1.5 * std::pow(a, 3) - 0.5 * std::pow(a, 4)
+                 : 2.53125 + 3.375 * (a - 1.5); // straight on, nearer than 0.8 d
 }
 
 double roomPressure(const mca::LawSet &laws, const mca::Material &m, double taken, int dimension,
                     int coordination)
 {
-  const double closeness = 0.2 * dimension * (taken / coordination - 1);
+  const double closeness = 0.16 * dimension * (taken / coordination - 1);
   return keepsVolume(laws) ? bulkModulus(m) * std::fmax(0, closeness - 0.01) : 0;
 }
 
 double roomStress(double eps, double pressureA, double pressureB)
 {
-  return -(pressureA + pressureB) / 2 * std::fmax(0, 1 - eps / 0.4);
+  const double a = std::fmin(1.5, std::fmax(0, 1 - eps / 0.4));
+  return -(pressureA + pressureB) / 2 * (4.5 * a * a - 2 * a * a * a) / 2.5;
 }
 
 bool pressed(double e)

@@ -2,6 +2,8 @@
 """The solid under pressure and shear, in lmp: what flow, fracture and viscosity take never falls,
 the account closes, and a layer that flows on and on keeps its volume."""
 
+import re
+
 import numpy as np
 import pytest
 from lmp_run import lmp
@@ -9,13 +11,14 @@ from lmp_run import lmp
 # two rough blocks of 14 rows, driven; the account in every 100 steps
 LAYER = """
 units nano
-dimension 2
+dimension {dimension}
 boundary p s p
 atom_style sphere
 timestep {dt}
-lattice hex 2.5
-variable height equal 2.5*sqrt(3)/2*13
-region box block 0 $({columns}*2.5) -0.25 $(v_height+0.25) -0.5 0.5 units box
+lattice {lattice}
+variable layer equal {layer}
+variable height equal v_layer*13
+region box block 0 {length} -0.25 $(v_height+0.25) {depth} units box
 create_box 2 box
 region lower mca/rough below $(v_height/2) 3.25 5 {seed} units box
 region upper mca/rough above $(v_height/2) 3.25 5 {seed} units box
@@ -44,27 +47,39 @@ thermo_modify format float %20.15g
 run {steps}
 """
 FREE = 2.5 * np.sqrt(3) / 2 * 8  # height of the rows that are neither held nor driven, nm
-VALUES = dict(dt=4e-5, columns=20, seed=1, laws="", velocity=5.0, steps=6000)
+VALUES = dict(dt=4e-5, seed=1, laws="", velocity=5.0, steps=6000)
+# LAMMPS's lattice and box of each packing; layer: the distance of its rows along y, nm
+PACKINGS = {
+    "hex": dict(dimension=2, lattice="hex 2.5", layer="2.5*sqrt(3)/2", length=50, depth="-0.5 0.5"),
+    "fcc": dict(
+        dimension=3,
+        lattice="fcc $(2.5*sqrt(2))",
+        layer="2.5/sqrt(2)",
+        length="$(20*v_layer)",
+        depth="0 $(6*v_layer)",
+    ),
+    "sc": dict(dimension=3, lattice="sc 2.5", layer="2.5", length=25, depth="0 10"),
+}
 
 
-def layer(folder, **values):
-    table = lmp(LAYER.format(**{**VALUES, **values}), folder).thermo[0]
+def layer(folder, packing="hex", **values):
+    table = lmp(LAYER.format(**{**VALUES, **PACKINGS[packing], **values}), folder).thermo[0]
     return [table[name] for name in ("c_energy", *(f"c_energy[{k}]" for k in (3, 4, 5, 6)))] + [
         table["f_drive[5]"]
     ]
 
 
-def sound(columns, fall):
+def sound(columns, error=2e-4):
     """Nothing that dissipates falls, and the account closes.
 
-    fall: the part of all that passed through which a term may lose in 100 steps. Contacts that
-    touch or part within a step count with the force of its ends, once too much, once too little.
+    error: share of all that passed through; what contacts that touch or part within a step make of
+    it is of first order in the step.
     """
-    error, plastic, fracture, viscous, work, _ = columns
+    lack, plastic, fracture, viscous, work, _ = columns
     spent = np.abs(work) + plastic + fracture + viscous
     for term in (plastic, fracture, viscous):
-        assert np.diff(term).min() > -fall * spent.max()
-    assert np.abs(error[1:]).max() < 1e-4 * spent.max()
+        assert np.diff(term).min() > -1e-6 * spent.max()
+    assert np.abs(lack[1:]).max() < error * spent.max()
     assert plastic[-1] > 0.1 * spent[-1]  # it did flow
 
 
@@ -74,17 +89,79 @@ HOT = (
 )
 
 
-@pytest.mark.parametrize("nu", [0.3, 0.4])
-@pytest.mark.parametrize(
-    "material, modulus, pressure",
-    [(RAIL, 206000, 300), (RAIL, 206000, 1000), (RAIL, 206000, 2340), (HOT, 63860, 880)],
-)
-def test_layers_keep_their_volume(material, modulus, pressure, nu, tmp_path):
-    # radial loses 15 to 40 % of the volume in the same time at 1000 MPa and above
+@pytest.mark.parametrize("share, nu", [(0.1, 0.3), (0.3, 0.3), (0.7, 0.4), (1.1, 0.3), (2.6, 0.4)])
+@pytest.mark.parametrize("material, modulus, strength", [(RAIL, 206000, 900), (HOT, 63860, 338.4)])
+def test_layers_keep_their_volume(material, modulus, strength, share, nu, tmp_path):
+    # radial loses 15 to 40 % of the volume in the same time at 1.1 strengths and above
+    pressure = share * strength
     columns = layer(tmp_path, material=f"{material} poissons_ratio {nu}", pressure=pressure)
-    sound(columns, 2e-5)
-    bulk = modulus / 3 / (1 - 2 * nu)
-    assert columns[-1].min() / FREE > -(pressure / bulk + 0.03)
+    sound(columns)
+    assert columns[-1].min() / FREE > -(pressure * 3 * (1 - 2 * nu) / modulus + 0.03)
+
+
+def test_a_layer_pressed_to_hardness_slides_500_nm(tmp_path):
+    script = LAYER.replace("compute energy all mca/energy\n", "").replace(
+        "thermo 100", "thermo 5000"
+    )
+    script = re.sub("step c_energy.*", "step atoms f_drive[5]", script)
+    values = dict(VALUES, **PACKINGS["hex"], material=RAIL)
+    values.update(pressure=2700, velocity=50.0, steps=250000)
+    run = lmp(script.format(**values), tmp_path)
+    gap, atoms = run.thermo[0]["f_drive[5]"], run.thermo[0]["Atoms"]
+    assert gap.min() / FREE > -(2700 / 171667 + 0.03) and (atoms == atoms[0]).all()
+
+
+# a block of rows that are linked, sheared between its held and its driven rows under pressure, and
+# back from half of the steps on
+SHEAR = """
+units nano
+dimension 2
+boundary p s p
+atom_style sphere
+timestep 4e-5
+lattice hex 2.5
+variable height equal 2.5*sqrt(3)/2*17
+region box block 0 60 -0.25 $(v_height+0.25) -0.5 0.5 units box
+create_box 1 box
+create_atoms 1 box
+region bottom block INF INF INF 5 INF INF units box
+region top block INF INF $(v_height-5) INF INF INF units box
+group bottom region bottom
+group top region top
+group free subtract all bottom top
+pair_style mca link 0.05 weld none heal none
+pair_coeff * * steel.mca strength 900 elastic_limit 1 yield_strength 1 yield_strain 0.01 &
+           breaking_strain 0.45
+neighbor 0.6 bin
+neigh_modify every 10 delay 0 check yes
+mca_links create all all
+variable v equal 0.5*2.5*sqrt(3)/2*13
+velocity free ramp vx 0 $(v_v) y 4 $(v_height-4) units box
+fix integrate all nve/mca
+fix hold bottom freeze
+fix drive top mca/drive velocity $(v_v) pressure {pressure}
+thermo 250
+thermo_style custom step f_drive[3] f_drive[5]
+thermo_modify format float %12.8g
+run 100000
+unfix drive
+fix drive top mca/drive velocity $(-v_v) pressure {pressure}
+run 50000
+"""
+
+
+@pytest.mark.parametrize("pressure, least", [(900, 0.95), (2700, 0.83)])
+def test_a_block_flows_as_von_mises_says(pressure, least, tmp_path):
+    """Simple shear to 2 and back by 1; the rows rearrange from 0.6 on. Measured, in units of
+    sigma_0/sqrt(3): below 0.1 .97, .86; 0.6 to 2 .93, .97; back 1.04, 1.02. At 300 MPa .99, .77,
+    .47: there the block comes apart as it rearranges, and dilates."""
+    there, back = lmp(SHEAR.format(pressure=pressure), tmp_path).thermo
+    strain = 0.5 * 4e-5 * there["Step"]
+    shear, returned = (np.abs(t["f_drive[3]"]) * pressure * np.sqrt(3) / 900 for t in (there, back))
+    assert least < shear[(strain > 0.02) & (strain < 0.1)].mean() < 1.02
+    assert 0.9 < shear[strain > 0.6].mean() < 1.05 and 0.9 < returned[40:].mean() < 1.1
+    gap = min(t["f_drive[5]"].min() for t in (there, back)) / (2.5 * np.sqrt(3) / 2 * 13)
+    assert gap > -(pressure / 171667 + 0.027)
 
 
 def test_radial_flow_loses_volume_and_makes_energy(tmp_path):
@@ -97,7 +174,7 @@ def test_radial_flow_loses_volume_and_makes_energy(tmp_path):
     assert np.diff(plastic).min() < 0
 
 
-@pytest.mark.parametrize("case", range(8))
+@pytest.mark.parametrize("case", range(12))
 def test_random_materials(case, tmp_path):
     """Poisson's ratio 0 to 0.49, E over strength 50 to 5000, breaking strains to 40 %."""
     random = np.random.default_rng(case)
@@ -117,14 +194,17 @@ def test_random_materials(case, tmp_path):
         f"yield_strength {random.uniform(limit, 1.0)} yield_strain {yields} "
         f"breaking_strain {strain} viscosity {viscosity}"
     )
+    packing = "hex" if case < 8 else "fcc" if case < 10 else "sc"
     columns = layer(
         tmp_path,
+        packing,
         material=material,
         pressure=random.uniform(0.05, 2.6) * strength,
         velocity=velocity,
         seed=case + 1,
         laws=laws,
         dt=dt,
-        steps=4000,
+        steps=4000 if case < 8 else 1500,
     )
-    sound(columns, 1e-3)
+    # up to 100 m/s
+    sound(columns, 3e-4)

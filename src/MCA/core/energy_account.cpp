@@ -26,6 +26,15 @@ static ElasticStrain strainOf(const Step &step, int k, bool next)
   return {touchingStrain(linked, e), linked ? shear : 0.0};
 }
 
+// What pair k flows along its normal in the evaluation [-].
+static double lastFlow(const Step &step, int k)
+{
+  double now[LinkList::maxStateSize], next[LinkList::maxStateSize];
+  step.links().getState(k, false, now);
+  step.links().getState(k, true, next);
+  return next[1] - now[1];
+}
+
 // Where the energy goes that pair k dissipates as it moves.
 static EnergyAccount::Channel channelOf(const Step &step, int k)
 {
@@ -77,9 +86,17 @@ void EnergyAccount::findReleased(const Step &step)
     const double next[2] = {rows_.row(i)[meanAt], rows_.row(j)[meanAt]};
     const PairLaw &law = step.law(k);
     const Channel channel = channelOf(step, k);
-    released_[channel] +=
-        changeLoss(law, strainOf(step, k, false), strainOf(step, k, true), means, next) * law.area *
-        law.diameter * step.share(k);
+    const ElasticStrain before = strainOf(step, k, false), after = strainOf(step, k, true);
+    const double volume = law.area * law.diameter * step.share(k);
+    released_[channel] += changeLoss(law, before, after, means, next) * volume;
+    if (channel == Fracture && law.keepsEnergy > 0.0) {
+      // a link that breaks as it flows: only with what its automata's other links flow does the
+      // latter dissipate
+      const double flow = lastFlow(step, k);
+      const double plastic = meanGradient(law, before, after, means, next) * flow * volume;
+      released_[Plastic] += plastic;
+      released_[Fracture] -= plastic;
+    }
   }
   // what broken links left to the mean stresses, and what of it is let go of
   for (int i = 0; i < step.own(); i++) {
@@ -168,24 +185,34 @@ void EnergyAccount::bookContacts(const Step &step, double dt, bool back)
     double state[LinkList::maxStateSize];
     step.links().getState(k, !back, state);
     const bool linked = link::isLinked(state[0]);
-    const ElasticStrain total = {sign * (eps - other), growth};
     const ElasticStrain here = strainOf(step, k, !back);
     const double there = touchingStrain(linked, other - state[1]);
-    const ElasticStrain elastic = {sign * (here.normal - there), linked ? total.shear : 0.0};
+    const double closer = sign * (here.normal - there);
+    const ElasticStrain total = {sign * (eps - other), growth};
+    const ElasticStrain elastic = {closer, linked ? growth : 0.0};
     const double means[2] = {step.mean(i), step.mean(j)};
     const double next[2] = {rows_.row(i)[meanAt], rows_.row(j)[meanAt]};
     const ContactStress s = step.contact(k);
+    const double volume = law.area * law.diameter * step.share(k);
     // the force against lack of room is a gradient by itself
-    const double loss = stepLoss(law, s.normal - s.room - s.viscous, s.shear, here,
-                                 back ? means : next, total, elastic);
+    auto lossOf = [&](const ElasticStrain &change, const ElasticStrain &strained) {
+      return volume * stepLoss(law, s.normal - s.room - s.viscous, s.shear, here,
+                               back ? means : next, change, strained);
+    };
+    const double all = lossOf(total, elastic);
+    double loss = all;
+    // of a contact that touches or parts within the step only what its end that touches loses on
+    // its way is dissipated
+    if ((here.normal == 0.0) != (there == 0.0))
+      loss = here.normal == 0.0 ? 0.0 : lossOf({closer, growth}, elastic);
+    touching_ += all - loss;
     double viscous = 0.5 * s.viscous * total.normal;
     if (step.laws().resistsSlip) {
       const double arm = 0.5 * length(distance);
       const Vector slip = slipOf(step.normal(k), apart, mi.turn + mj.turn, arm);
       viscous += slipLoss(law, step.slipStress(k), slip);
     }
-    const double volume = law.area * law.diameter * step.share(k);
-    sums_[channelOf(step, k)] += loss * volume;
+    sums_[channelOf(step, k)] += loss;
     sums_[Viscous] += viscous * volume;
     if (grows)
       sums_[Box] += 0.5 * dot(step.contactForce(k), ofBox) * step.share(k);

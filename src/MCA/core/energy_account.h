@@ -46,6 +46,11 @@ class EnergyAccount {
     double h[6];
   };
 
+  /// What the sums lack since contacts touch or part within a step [energy], of either sign: force
+  /// and gradient jump there, and what their means of both ends say too much or too little is no
+  /// dissipation but the step's error. Of this rank, since it was set up.
+  double touching() const { return touching_; }
+
   /// Elastic energy that the change of state after the evaluation sets free [energy], on this rank:
   /// what the automata hold afterwards is theirs in the evaluation less this.
   double released() const;
@@ -92,6 +97,7 @@ class EnergyAccount {
   Edges box_ = {}, growth_ = {};
   /// By channel, of this rank [energy].
   double sums_[Channels] = {};
+  double touching_ = 0.0;
   /// What the change of state after the evaluation sets free, by channel, of this rank [energy].
   double released_[Channels] = {};
 

@@ -35,7 +35,7 @@ MCA_LOOP double strainBlock(const Pairs &p, const Block &block, int first, int n
   double *const peps = p.eps + first, *const psep = p.separation + first;
   typename D::Motion seen;
   Column es, flow, room;
-  double *const squares = room.value; // of the shares of room
+  double *const taken = room.value; // of the room
   seen.gather(placesI(p, block, first), placesJ(p, block, first), n, motion, spin);
   const double oneInvDiameter = laws[plaw[0]].invDiameter;
   const double oneContactsFlow = laws[plaw[0]].contactsFlow;
@@ -52,10 +52,8 @@ MCA_LOOP double strainBlock(const Pairs &p, const Block &block, int first, int n
     const double e = W == Pristine ? eps : eps - pplastic[k];
     normals.set(k, moved.normal);
     peps[k] = eps;
-    if constexpr (D::keepsVolume) {
-      const double taken = roomShare(eps);
-      squares[k] = taken * taken;
-    }
+    if constexpr (D::keepsVolume)
+      taken[k] = roomTaken(roomShare(eps));
     if constexpr (onlyBulk(W)) {
       const Shear total = W == Pristine ? gamma : carriedShear(moved, totals.get(k)) + growth;
       gammas.set(k, gamma);

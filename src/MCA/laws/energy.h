@@ -32,6 +32,16 @@ inline double touchingStrain(bool linked, double e)
   return linked || isPressed(e) ? e : 0.0;
 }
 
+/// Mean of the gradients of U along the normal before and after a change of state at a fixed place
+/// [stress]; parameters as of changeLoss().
+inline double meanGradient(const PairLaw &law, const ElasticStrain &before,
+                           const ElasticStrain &after, const double (&meansBefore)[2],
+                           const double (&meansAfter)[2])
+{
+  return 0.5 * (elasticStress(law, before.normal, meansBefore[0], meansBefore[1]) +
+                elasticStress(law, after.normal, meansAfter[0], meansAfter[1]));
+}
+
 /// Energy that a change of state at a fixed place sets free [stress], < 0 where it is taken up: the
 /// mean of both gradients times the change of strain. Which channel it belongs to is the caller's
 /// affair.
@@ -42,9 +52,8 @@ inline double changeLoss(const PairLaw &law, const ElasticStrain &before,
                          const ElasticStrain &after, const double (&meansBefore)[2],
                          const double (&meansAfter)[2])
 {
-  const double first = elasticStress(law, before.normal, meansBefore[0], meansBefore[1]);
-  const double last = elasticStress(law, after.normal, meansAfter[0], meansAfter[1]);
-  return 0.5 * (first + last) * (before.normal - after.normal) +
+  return meanGradient(law, before, after, meansBefore, meansAfter) *
+             (before.normal - after.normal) +
          0.5 * law.twoG * (before.shear * before.shear - after.shear * after.shear);
 }
 

@@ -6,11 +6,12 @@
 /// Contacts that flow shorten for good, and what lengthens in exchange breaks and is forgotten, so
 /// that no sum over the past of contacts says what volume an automaton has. Here it follows from
 /// the present distances alone: with a = 1 - eps/reach, 0 beyond it, of all neighbours, linked or
-/// not, the packing's w and N,
-///     closeness = w reach/2 (sum a^2 - N)
+/// not, what each takes of the room, g(a) = a^3 (3 - a)/2, and the packing's w and N,
+///     closeness = 2/5 w reach (sum g - N)
 /// is to first order minus the volume strain of a packing. Sheared at constant volume into any
-/// other lattice, a hexagonal one whose neighbours are no nearer than 0.8 d reads between +0.1 and
-/// -2.6 %, fcc with none nearer than 0.85 d between +0.7 and -4 % (unittest/MCA/test_room.cpp).
+/// other lattice, a hexagonal one whose neighbours are no nearer than 0.8 d reads between -0.3 and
+/// +1.0 %, fcc with none nearer than 0.9 d between -2 and +0.8 % (unittest/MCA/test_room.cpp). Of
+/// the functions a^m - b a^n that stay convex down to 0.8 d none reads both better.
 ///
 /// The pressure K (closeness - margin), never below 0, is that of the energy
 ///     U = sum_i V/2 K max(0, closeness_i - margin)^2,
@@ -36,8 +37,10 @@ constexpr double roomReach = 0.4;
 /// strain of steel under its hardness, a third of the volume that a layer may lose.
 constexpr double roomMargin = 0.01;
 
-/// What a neighbour at this normal strain takes of the room [-], a: 1 in the packing, 0 from the
-/// reach on.
+/// From which share on g goes on along its tangent [-]: at 0.8 d its slope is the largest.
+constexpr double roomSteepest = 1.5;
+
+/// Share of a neighbour at this normal strain [-], a: 1 in the packing, 0 from the reach on.
 /// \param eps  r/d - 1 [-]
 inline double roomShare(double eps)
 {
@@ -45,24 +48,34 @@ inline double roomShare(double eps)
   return share > 0.0 ? share : 0.0;
 }
 
+/// What it takes of the room [-], g: 1 in the packing.
+/// \param share  of roomShare() [-]
+inline double roomTaken(double share)
+{
+  const double a = share < roomSteepest ? share : roomSteepest, slope = a * a * (4.5 - 2.0 * a);
+  return 0.5 * a * a * a * (3.0 - a) + slope * (share - a);
+}
+
 /// Pressure against lack of room [stress], >= 0.
-/// \param sumSquares   sum of the squares of all shares [-]
+/// \param taken        sum of roomTaken() over all neighbours [-]
 /// \param bulkModulus  K [stress]
 /// \param weight       w of the packing [-], D/N
 /// \param dimension    D
-inline double roomPressure(double sumSquares, double bulkModulus, double weight, int dimension)
+inline double roomPressure(double taken, double bulkModulus, double weight, int dimension)
 {
-  const double closeness = 0.5 * roomReach * (weight * sumSquares - dimension);
+  const double closeness = 0.4 * roomReach * (weight * taken - dimension);
   const double above = closeness - roomMargin;
   return bulkModulus * (above > 0.0 ? above : 0.0);
 }
 
-/// Its normal stress between two automata [stress], <= 0: minus the gradient of U over S d.
+/// Its normal stress between two automata [stress], <= 0: minus the gradient of U over S d, with
+/// the slope of g over 5/2, that in the packing.
 /// \param share  of roomShare()
 /// \param i,j    pressures of both [stress]
 inline double roomStress(double share, double i, double j)
 {
-  return -0.5 * (i + j) * share;
+  const double a = share < roomSteepest ? share : roomSteepest;
+  return -(i + j) * (a * a * (0.9 - 0.4 * a));
 }
 
 /// Its energy per volume of an automaton [stress]: P^2/(2K).
