@@ -267,8 +267,10 @@ void FixMCADrive::setup(int vflag)
     own += atom->rmass[i];
   layer.mass = sum(own);
 
-  if (!begun && !restarted)
+  if (!begun && !restarted) {
     sums.startHeight = height();
+    sums.beginRow(totals());
+  }
   evaluate();
   if (!begun && pressure.value > least_strength && comm->me == 0)
     error->warning(FLERR,
@@ -503,8 +505,7 @@ double FixMCADrive::compute_vector(int n)
 }
 
 /* ----------------------------------------------------------------------
-   restart: the sums of the row that is being made; the counters of pair style mca begin anew in
-   the run that continues, so the events of the row so far are kept as negative offsets
+   restart: the sums of the row that is being made
 ------------------------------------------------------------------------- */
 
 void FixMCADrive::write_restart(FILE *fp)
@@ -515,8 +516,6 @@ void FixMCADrive::write_restart(FILE *fp)
     return;
   mca::DriveState state;
   state.sums = sums;
-  state.sums.brokenBefore -= all.broken;
-  state.sums.formedBefore -= all.formed;
   if (log.isOpen())
     state.rows = log.rows();
   mca::writeFixBlock(fp, mca::textOf(state));

@@ -2,29 +2,39 @@
 #include "fix_mca_events.h"
 
 #include "arguments.h"
-#include "atom.h"
+#include "comm.h"
 #include "error.h"
 #include "pair_mca.h"
+#include "restart_block.h"
 #include "update.h"
+
+#include <algorithm>
+#include <optional>
+#include <string>
 
 using namespace LAMMPS_NS;
 using namespace FixConst;
 
-enum { STEP, ID1, ID2, BEFORE, AFTER, X, Y, Z, ATTRIBUTES };
-static const char *const NAMES[ATTRIBUTES] = {"step",  "id1", "id2", "before",
-                                              "after", "x",   "y",   "z"};
+enum { STEP, ID1, ID2, TYPE1, TYPE2, BEFORE, AFTER, X, Y, Z, ATTRIBUTES };
+static const char *const NAMES[ATTRIBUTES] = {"step",   "id1",   "id2", "type1", "type2",
+                                              "before", "after", "x",   "y",     "z"};
 
 /* fix ID group mca/events N attribute ... */
 
 FixMCAEvents::FixMCAEvents(LAMMPS *host, int narg, char **arg)
     : Fix(host, narg, arg),
       columns(host, "Fix mca/events", {NAMES, NAMES + ATTRIBUTES}, narg - 4, arg + 4),
-      pair(nullptr), collected(0)
+      pair(nullptr), counts{}
 {
   local_freq = static_cast<int>(mca::wholeNumber(lmp, "Fix mca/events N", arg[3], 1, MAXSMALLINT));
   local_flag = 1;
   size_local_cols = columns.lammps_columns();
   size_local_rows = 0;
+  vector_flag = 1;
+  size_vector = COUNTERS;
+  extvector = 1;
+  global_freq = 1;
+  restart_global = 1;
 }
 
 int FixMCAEvents::setmask()
@@ -46,28 +56,76 @@ void FixMCAEvents::post_force(int /*vflag*/)
   for (const PairMCA::Event &e : pair->last_events()) {
     if (!((e.mask[0] & groupbit) && (e.mask[1] & groupbit)))
       continue;
-    columns.grow(collected + 1);
+    const bool was = mca::link::isLinked(e.before), is = mca::link::isLinked(e.after);
+    counts[was && is ? HEALED : was ? BROKEN : FORMED]++;
     const double values[ATTRIBUTES] = {static_cast<double>(e.step),
                                        static_cast<double>(e.tag[0]),
                                        static_cast<double>(e.tag[1]),
+                                       static_cast<double>(e.type[0]),
+                                       static_cast<double>(e.type[1]),
                                        e.before,
                                        e.after,
                                        e.x[0],
                                        e.x[1],
                                        e.x[2]};
+    collected.insert(collected.end(), values, values + ATTRIBUTES);
+  }
+  if (update->ntimestep % local_freq == 0)
+    give_out();
+}
+
+void FixMCAEvents::give_out()
+{
+  size_local_rows = static_cast<int>(collected.size() / ATTRIBUTES);
+  columns.grow(size_local_rows);
+  for (int row = 0; row < size_local_rows; row++)
     for (int c = 0; c < columns.size(); c++)
-      columns.at(collected, c) = values[columns[c]];
-    collected++;
-  }
-  if (update->ntimestep % local_freq == 0) {
-    vector_local = columns.vector;
-    array_local = columns.array;
-    size_local_rows = collected;
-    collected = 0;
-  }
+      columns.at(row, c) = collected[row * ATTRIBUTES + columns[c]];
+  vector_local = columns.vector;
+  array_local = columns.array;
+  collected.clear();
+}
+
+double FixMCAEvents::compute_vector(int n)
+{
+  double all;
+  MPI_Allreduce(&counts[n], &all, 1, MPI_DOUBLE, MPI_SUM, world);
+  return all;
+}
+
+/* counters, then rows; with the rows of all ranks in the order of ranks */
+
+void FixMCAEvents::write_restart(FILE *fp)
+{
+  std::vector<double> all(COUNTERS);
+  MPI_Reduce(counts, all.data(), COUNTERS, MPI_DOUBLE, MPI_SUM, 0, world);
+  const int own = static_cast<int>(collected.size());
+  std::vector<int> sizes(comm->nprocs), places(comm->nprocs + 1, COUNTERS);
+  MPI_Gather(&own, 1, MPI_INT, sizes.data(), 1, MPI_INT, 0, world);
+  for (int rank = 0; rank < comm->nprocs; rank++)
+    places[rank + 1] = places[rank] + sizes[rank];
+  all.resize(places.back());
+  MPI_Gatherv(collected.data(), own, MPI_DOUBLE, all.data(), sizes.data(), places.data(),
+              MPI_DOUBLE, 0, world);
+  if (comm->me == 0)
+    mca::writeFixBlock(fp, mca::exactText(all));
+}
+
+void FixMCAEvents::restart(char *buf)
+{
+  const char *const what = "fix mca/events";
+  const std::string text = mca::fixBlockText(lmp, buf, what);
+  const std::vector<double> all =
+      mca::readOrStop(lmp, [&] { return mca::numbersIn(text, std::nullopt, what); });
+  if (all.size() < COUNTERS || (all.size() - COUNTERS) % ATTRIBUTES != 0)
+    error->all(FLERR, "Restart file is damaged: the block of {} has {} numbers", what, all.size());
+  if (comm->me != 0)
+    return;
+  std::copy_n(all.begin(), COUNTERS, counts);
+  collected.assign(all.begin() + COUNTERS, all.end());
 }
 
 double FixMCAEvents::memory_usage()
 {
-  return columns.bytes();
+  return columns.bytes() + static_cast<double>(collected.capacity() * sizeof(double));
 }

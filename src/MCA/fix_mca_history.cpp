@@ -33,6 +33,7 @@ void FixMCAHistory::attach(PairMCA *owner)
 {
   mca = owner;
   pair = owner;
+  mca->step().goOn(past);
 }
 
 /* before atoms migrate and the list is rebuilt: what the step just done leads to */
@@ -76,10 +77,22 @@ void FixMCAHistory::write_restart(FILE *fp)
   // between runs post_run() has brought the atoms up to date and the list may be stale
   if (update->whichflag)
     post_run();
-  if (comm->me == 0) {
-    int size = 0;
-    fwrite(&size, sizeof(int), 1, fp);
-  }
+  const PairMCA::Count own = mca->count();
+  std::vector<double> all = {own.broken, own.formed, own.healed};
+  MPI_Allreduce(MPI_IN_PLACE, all.data(), static_cast<int>(all.size()), MPI_DOUBLE, MPI_SUM, world);
+  if (comm->me == 0)
+    mca::writeFixBlock(fp, mca::exactText(all));
+}
+
+/* before attach() */
+
+void FixMCAHistory::restart(char *buf)
+{
+  const char *const what = "the events of pair_style mca";
+  const std::string text = mca::fixBlockText(lmp, buf, what);
+  const auto all = mca::readOrStop(lmp, [&] { return mca::numbersIn(text, 3, what); });
+  if (comm->me == 0)
+    past = {0.0, 0.0, all[0], all[1], all[2]};
 }
 
 void FixMCAHistory::write_restart_file(const char *path)

@@ -16,6 +16,7 @@
 
 #include "core/halo.h"
 #include "core/link_list.h"
+#include "core/step.h"
 #include "fix_neigh_history.h"
 #include "restart_block.h"
 
@@ -58,8 +59,10 @@ class FixMCAHistory : public mca::CheckedRestart<FixNeighHistory> {
   /// again.
   void post_run() override;
   /// Makes the records of restart files hold the present state; LAMMPS packs them from the atoms
-  /// afterwards.
+  /// afterwards. Writes the events so far, of all ranks.
   void write_restart(FILE *) override;
+  /// They go on; rank 0 has them.
+  void restart(char *) override;
   /// The file is whole: the pair style puts its checksum there.
   void write_restart_file(const char *path) override;
   /// Of `shared`: three doubles an automaton, key, rank and row.
@@ -114,6 +117,8 @@ class FixMCAHistory : public mca::CheckedRestart<FixNeighHistory> {
   bool first_step = false;
   /// This step is looked at.
   bool looks = false;
+  /// Events of the run that wrote the restart file, for attach().
+  mca::Step::Count past;
   /// Fills `shared` of ghosts and `row`; a message between ranks.
   void share_keys();
   /// What automaton i keeps of its pair with j; zeros where it has nothing.

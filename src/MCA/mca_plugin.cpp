@@ -9,6 +9,7 @@
 
 #include "compute_mca_atom.h"
 #include "compute_mca_energy.h"
+#include "compute_mca_fragment_atom.h"
 #include "compute_mca_link_local.h"
 #include "fix_mca_drive.h"
 #include "fix_mca_energy.h"
@@ -133,6 +134,8 @@ extern "C" void lammpsplugin_init(void *lmp, void *handle, void *regfunc)
   add("fix", "MCA_ENERGY", "movable cellular automata, account of compute mca/energy");
   plugin.creator.v2 = fromArguments<ComputeMCAEnergy>;
   add("compute", "mca/energy", "movable cellular automata, compute mca/energy");
+  plugin.creator.v2 = fromArguments<ComputeMCAFragmentAtom>;
+  add("compute", "mca/fragment/atom", "movable cellular automata, compute mca/fragment/atom");
   plugin.creator.v2 = fromArguments<ComputeMCALinkLocal>;
   add("compute", "mca/link/local", "movable cellular automata, compute mca/link/local");
   plugin.creator.v2 = fromArguments<RegionMCARough>;

@@ -184,6 +184,7 @@ void PairMCA::record_events()
     e.after = change.after;
     for (const auto &[end, automaton] : {std::pair(0, i), std::pair(1, j)}) {
       e.tag[end] = atom->tag[automaton];
+      e.type[end] = atom->type[automaton];
       e.mask[end] = atom->mask[automaton];
     }
     for (int m = 0; m < 3; m++)

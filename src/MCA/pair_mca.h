@@ -158,6 +158,8 @@ class PairMCA : public Pair {
     bigint step;
     /// IDs of both automata, those of the pair's first and second.
     tagint tag[2];
+    /// Their types.
+    int type[2];
     /// Kinds of mca::link.
     double before, after;
     /// Middle of the pair [length], folded into the box.

@@ -63,8 +63,7 @@ std::string blockText(LAMMPS *lmp, FILE *fp, const char *what)
 
 std::string fixBlockText(LAMMPS *lmp, const char *bytes, const char *what)
 {
-  constexpr std::size_t most = 4096;
-  const std::optional<std::string> block = fixBlockIn(bytes, most);
+  const std::optional<std::string> block = fixBlockIn(bytes, longestBlock);
   if (!block)
     lmp->error->all(FLERR, "Restart file is damaged: the block of {} does not match its checksum",
                     what);

@@ -35,7 +35,7 @@ CHECKPOINTS = ("run.a.restart", "run.b.restart", "run.restart")
 RESULTS = (LOG, "run.profile", "run.restart")  # what a finished run leaves
 AGAIN = "move the run's folder away to make the run again"
 RESTART_END = b"LammpS RestartT\0"  # what LAMMPS writes last
-SEAL = b"mca-restart 2:\n\0"  # of pair_style mca; its checksum follows, written after all else
+SEAL = b"mca-restart 3:\n\0"  # of pair_style mca; its checksum follows, written after all else
 UNSEALED = bytes(8)
 
 

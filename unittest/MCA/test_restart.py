@@ -398,7 +398,7 @@ def test_read_write_read(written, fragments, tmp_path):
     assert a == b
 
 
-MARK = b"mca-restart 2:\n\0"
+MARK = b"mca-restart 3:\n\0"
 
 
 def without_seal(data):

@@ -162,7 +162,7 @@ def test_every_variable_of_the_friction_example(tmp_path):
     assert steps_of(tmp_path / "mine.friction") == list(range(50, 751, 50))
 
 
-@pytest.mark.parametrize("name", ["notched", "brazilian", "scratch"])
+@pytest.mark.parametrize("name", ["notched", "brazilian", "scratch", "grains"])
 def test_tables_of_variables_are_those_of_the_script(name):
     folder = ROOT / "examples" / name
     page = (folder / "README.md").read_text(encoding="utf-8")
@@ -204,6 +204,24 @@ def test_scratch(tmp_path):
     ).groups()
     assert 0.5 * 92 < hardness < 4 * 92
     assert 0.0 < float(mu) < 3.0 and int(lost) > 0
+
+
+def test_grains(tmp_path):
+    """Whole at first, as many as the variables say; then the counts of the page's sort."""
+    values = {"grains": 3, "radius": 7.5, "layers": 2, "distance": 6, "v": 10, "p": 20}
+    log = run(ROOT / "examples/grains/in.grains", tmp_path, values)
+    first, last, largest = map(
+        int,
+        re.search(
+            r"^fragments: (\d+) at first, (\d+) after 6 nm, the largest of (\d+)", log, re.MULTILINE
+        ).groups(),
+    )
+    broken, formed = map(
+        int, re.search(r"^links broken (\d+), formed (\d+)", log, re.MULTILINE).groups()
+    )
+    assert first == 2 + 2 * 3 and last != first and broken > 0 and formed > 0
+    plate = 4 * 3 * 20 / 2.5  # rows of periods
+    assert largest > plate
 
 
 def test_every_variable_of_the_bar(tmp_path):

@@ -105,7 +105,7 @@ def test_killed_at_any_moment_it_goes_on(plan, tmp_path, moment):
 
 
 @pytest.mark.parametrize(
-    "half", [b"LammpS Res", b"mca-restart 2:\n\0" + bytes(8) + b"LammpS RestartT\0"]
+    "half", [b"LammpS Res", b"mca-restart 3:\n\0" + bytes(8) + b"LammpS RestartT\0"]
 )
 def test_half_written_checkpoint_is_not_used(plan, tmp_path, half):
     """Neither one without its end nor one without the checksum that comes after the end."""

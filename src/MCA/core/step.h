@@ -222,9 +222,14 @@ class Step {
   /// Of this rank; pairs that two ranks hold count half on each.
   struct Count {
     double links = 0.0, welds = 0.0;                 ///< at present
-    double broken = 0.0, formed = 0.0, healed = 0.0; ///< since the step was made
+    double broken = 0.0, formed = 0.0, healed = 0.0; ///< since the beginning, see goOn()
   };
   Count count() const;
+  /// Events are counted on from these; without a call from 0. Links and welds are not read.
+  void goOn(const Count &events)
+  {
+    events_ = {0.0, 0.0, events.broken, events.formed, events.healed};
+  }
 
   double bytes() const;
 

@@ -22,8 +22,7 @@ struct DriveSums {
   /// Of the steps of the row [pressure].
   double shearSum = 0.0, normalSum = 0.0;
   double samples = 0.0; ///< number of steps of the row
-  /// Events of the sample until the last row; negative after a restart, since the counters begin
-  /// anew.
+  /// Events of the sample until the last row.
   double brokenBefore = 0.0, formedBefore = 0.0;
 
   /// A step with these stresses, or this rank's parts of them.

@@ -16,8 +16,6 @@ namespace mca {
 
 namespace {
 
-constexpr std::size_t longest = 1 << 24; // bytes; far beyond any block of ours
-
 // FNV-1a
 constexpr std::uint64_t sumBegin = 14695981039346656037ULL, sumFactor = 1099511628211ULL;
 
@@ -49,7 +47,7 @@ unsigned long long checksum(const void *bytes, std::size_t n)
 
 namespace {
 // what stands before the checksum of a file: another number for another content
-constexpr std::array<char, 16> sealMark = {"mca-restart 2:\n"};
+constexpr std::array<char, 16> sealMark = {"mca-restart 3:\n"};
 
 // of all bytes from the present place on, but for those of the checksum itself
 std::uint64_t checksumOf(FILE *fp, long hole)
@@ -122,7 +120,7 @@ void writeBlock(FILE *fp, const std::string &text)
 std::optional<std::string> readBlock(FILE *fp)
 {
   BlockHead head = {0, 0};
-  if (fread(&head, sizeof(head), 1, fp) != 1 || head.length >= longest)
+  if (fread(&head, sizeof(head), 1, fp) != 1 || head.length >= longestBlock)
     return std::nullopt;
   std::string text(head.length, ' ');
   if (fread(text.data(), 1, text.size(), fp) != text.size() || checksum(text) != head.sum)
@@ -159,7 +157,8 @@ std::string exactText(const std::vector<double> &values)
   return text;
 }
 
-std::vector<double> numbersIn(const std::string &text, std::size_t n, const char *what)
+std::vector<double> numbersIn(const std::string &text, std::optional<std::size_t> n,
+                              const char *what)
 {
   const std::string where = std::string("Restart file is damaged: the block of ") + what + " has ";
   std::istringstream in(text);
@@ -170,9 +169,9 @@ std::vector<double> numbersIn(const std::string &text, std::size_t n, const char
       throw RestartError(where + "'" + word + "' for a finite number");
     values.push_back(*value);
   }
-  if (values.size() != n)
+  if (n && values.size() != *n)
     throw RestartError(where + std::to_string(values.size()) + " numbers, not " +
-                       std::to_string(n));
+                       std::to_string(*n));
   return values;
 }
 

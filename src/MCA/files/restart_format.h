@@ -59,13 +59,16 @@ class FileSeal {
 
 // ---- blocks of text
 
+/// Far beyond any block of ours [bytes].
+constexpr std::size_t longestBlock = 1 << 28;
+
 /// What stands before the text of a block.
 struct BlockHead {
   unsigned long long length, sum;
 };
 
 /// Length, checksum, text.
-/// \param text  less than 16 MiB, else reading refuses it
+/// \param text  less than longestBlock, else reading refuses it
 void writeBlock(FILE *fp, const std::string &text);
 /// \param fp  at the block's beginning; afterwards behind its end
 /// \return nothing where the block is cut, longer than a block of ours, or does not match its
@@ -81,10 +84,12 @@ std::optional<std::string> fixBlockIn(const char *bytes, std::size_t available);
 
 /// Numbers as text that reads back to the same bits: 17 digits, a blank after each.
 std::string exactText(const std::vector<double> &values);
-/// The n finite numbers of a block's text as exactText() wrote it.
+/// The finite numbers of a block's text as exactText() wrote it.
+/// \param n     so many; nothing: any number
 /// \param what  names the block in the message
 /// \throw RestartError  where there are others, or one is not finite
-std::vector<double> numbersIn(const std::string &text, std::size_t n, const char *what);
+std::vector<double> numbersIn(const std::string &text, std::optional<std::size_t> n,
+                              const char *what);
 
 // ---- what blocks hold
 
