@@ -304,7 +304,15 @@ void FixMCADrive::open_log(double thickness)
       first_type = atom->type[i];
   MPI_Allreduce(&first_type, &lowest, 1, MPI_INT, MPI_MIN, world);
   mca::LogHeader header;
-  header.material = pair->material(lowest);
+  std::vector<int> there(atom->ntypes + 1, 0);
+  for (int i = 0; i < atom->nlocal; i++)
+    there[atom->type[i]] = 1;
+  MPI_Allreduce(MPI_IN_PLACE, there.data(), atom->ntypes + 1, MPI_INT, MPI_MAX, world);
+  std::vector<mca::Material> materials;
+  for (int type = 1; type <= atom->ntypes; type++)
+    if (there[type])
+      materials.push_back(pair->material(type));
+  header.use(materials, pair->material(lowest));
   header.pressure = pressure.value;
   header.velocity = velocity.value;
   header.width = domain->xprd;

@@ -150,6 +150,11 @@ constexpr const HeadNumber &headNumber(double Head::*value)
   throw std::logic_error("a number without a row in the head");
 }
 
+/// Where a sample has several materials, `material` is that of the least strength, which all kappas
+/// are made with. Each other one, in the order of strength, has a section with the same keys behind
+/// it: this name, then with `_2`, `_3` and so on. In all of them a last key says whether it is that
+/// of the driven layer or of another part.
+constexpr const char *otherMaterial = "other_material", *layerKey = "layer";
 /// The section of packed logs, and its key of the command that repeats the run.
 constexpr const char *campaignSection = "campaign", *commandKey = "command";
 /// The packing in the section `geometry`, before `automata`: hex in a plane; fcc, hcp, sc in space.

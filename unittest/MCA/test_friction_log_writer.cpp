@@ -96,6 +96,36 @@ class FrictionLogWriterTest : public testing::Test {
 
 } // namespace
 
+TEST_F(FrictionLogWriterTest, HeadHasAllMaterialsTheWeakestFirst)
+{
+  mca::Material bronze = steel();
+  bronze.strength = 350;
+  bronze.youngsModulus = 110000;
+  const mca::Units nano = *mca::findUnits("nano");
+  for (const bool bronzeDrives : {false, true}) {
+    mca::LogHeader h = header();
+    h.use({bronze, steel(), bronze}, bronzeDrives ? bronze : steel());
+    const std::string head = mca::headOf(h, nano);
+    const auto first = head.find("# material: {youngs_modulus: 206000,");
+    const auto second = head.find("# other_material: {youngs_modulus: 110000,");
+    ASSERT_NE(first, std::string::npos) << head;
+    ASSERT_NE(second, std::string::npos) << head;
+    EXPECT_LT(first, second);
+    EXPECT_LT(second, head.find("# loading"));
+    EXPECT_NE(head.find(bronzeDrives ? "viscosity: 0.41, layer: other}"
+                                     : "viscosity: 0.41, layer: driven}"),
+              std::string::npos)
+        << head;
+    EXPECT_EQ(head.find("other_material_2"), std::string::npos);
+    mca::LogHeader turned = header();
+    turned.use({bronze, steel()}, bronzeDrives ? steel() : bronze);
+    EXPECT_NE(mca::differenceFrom(head, turned, nano), "");
+  }
+  mca::LogHeader alone = header();
+  alone.use({steel(), steel()}, steel());
+  EXPECT_EQ(mca::headOf(alone, nano), mca::headOf(header(), nano));
+}
+
 TEST_F(FrictionLogWriterTest, HeaderThenColumnsThenRows)
 {
   mca::FrictionLogWriter log;

@@ -291,6 +291,31 @@ def test_time_without_a_broken_link_is_worn_smooth(tmp_path):
     assert "(50 % of the time): slide without a link broken" in result.stdout
 
 
+def test_two_materials_are_named(tmp_path):
+    """Kappas are those of the weaker; runs that differ in the other one are no replicas."""
+    other = (
+        "# other_material: {youngs_modulus: 110000, poissons_ratio: 0.34, density: 8800, "
+        "strength: STRENGTH, viscosity: 0.41, layer: other}\n"
+    )
+    for name, strength in (("a", "350"), ("b", "400")):
+        text = friction_logs.friction_log(ns=60, seed=ord(name), grinding_in=0)
+        (tmp_path / f"{name}.friction").write_text(
+            text.replace("# loading", other.replace("STRENGTH", strength) + "# loading")
+        )
+    result = wr_fit(tmp_path, "--start-distance", 250, "-o", tmp_path / "fit.json")
+    report = json.loads((tmp_path / "fit.json").read_text())["report"]
+    assert "a.friction (sigma_0 92 and 350 MPa): of several materials" in report["warnings"][0]
+    assert "2 of 2 runs" in result.stdout and "kappas are those of the weakest" in result.stdout
+    assert len(report["conditions"]) == 2
+    kappa1, kappa2 = friction_logs.kappas(15, 5, 92)
+    assert report["points"][0]["kappa1"] == pytest.approx(kappa1)
+    assert report["points"][0]["strengths"] == [92, 350]
+    (tmp_path / "a.friction").write_text(text.replace("# loading", other + "# loading"))
+    one_line(
+        wr_fit(tmp_path / "a.friction"), 3, "a.friction:5: other_material: strength: 'STRENGTH' is"
+    )
+
+
 def test_a_start_beyond_the_end_is_named_in_its_unit(log):
     one_line(
         wr_fit(log, "--start-distance", 1000), 3, "ends at 100 nm, before the start of 1000 nm"

@@ -53,23 +53,30 @@ class Section {
   bool empty_ = true;
 };
 
-format::Head numbersOf(const LogHeader &h, const Units &u)
+/// Those of a material.
+format::Head numbersOf(const Material &material, const Units &u)
 {
   format::Head n;
-  n.youngsModulus = h.material.youngsModulus * u.stress;
-  n.poissonsRatio = h.material.poissonsRatio;
-  n.density = h.material.density * u.density();
-  n.elasticLimit = h.material.sigmaY1() * u.stress;
-  n.yieldStrength = h.material.sigmaY2() * u.stress;
-  n.yieldStrain = h.material.yieldStrain;
-  n.strength = h.material.strength * u.stress;
-  n.breakingStrain = h.material.breakingStrain;
-  n.viscosity = h.material.viscosity * u.viscosity();
+  n.youngsModulus = material.youngsModulus * u.stress;
+  n.poissonsRatio = material.poissonsRatio;
+  n.density = material.density * u.density();
+  n.elasticLimit = material.sigmaY1() * u.stress;
+  n.yieldStrength = material.sigmaY2() * u.stress;
+  n.yieldStrain = material.yieldStrain;
+  n.strength = material.strength * u.stress;
+  n.breakingStrain = material.breakingStrain;
+  n.viscosity = material.viscosity * u.viscosity();
+  n.diameter = material.diameter * u.length;
+  return n;
+}
+
+format::Head numbersOf(const LogHeader &h, const Units &u)
+{
+  format::Head n = numbersOf(h.material, u);
   n.pressure = h.pressure * u.stress;
   n.velocity = h.velocity * u.velocity();
   n.width = h.width * u.length;
   n.thickness = h.thickness * u.length;
-  n.diameter = h.material.diameter * u.length;
   n.automata = static_cast<double>(h.automata);
   n.timestep = h.timestep * u.time;
   n.every = static_cast<double>(h.every);
@@ -77,19 +84,25 @@ format::Head numbersOf(const LogHeader &h, const Units &u)
   return n;
 }
 
-/// The line of a section of numbers; in that of the geometry the packing comes before the number of
-/// automata.
-std::string numbersLine(const char *name, const format::Head &numbers, const std::string &packing)
+/// The line of a section of numbers.
+/// \param section  whose numbers they are
+/// \param title    the name that it has in the head
+/// \param word     that stands among them: of the geometry the packing, before the number of
+///                 automata; of a material what is made of it, at the end, or empty
+std::string numbersLine(const char *section, const std::string &title, const format::Head &numbers,
+                        const std::string &word)
 {
-  Section section(name);
+  Section line(title);
   for (const format::HeadNumber &number : format::headNumbers) {
-    if (std::string(number.section) != name)
+    if (std::string(number.section) != section)
       continue;
     if (number.value == &format::Head::automata)
-      section.add(format::packingKey, packing);
-    section.add(number, numbers.*number.value);
+      line.add(format::packingKey, word);
+    line.add(number, numbers.*number.value);
   }
-  return section.line();
+  if (std::string(section) == format::section::material && !word.empty())
+    line.add(format::layerKey, word);
+  return line.line();
 }
 
 /// A value of a head.
@@ -135,6 +148,19 @@ const Entry *find(const std::vector<Entry> &all, const Entry &named)
 
 } // namespace
 
+void LogHeader::use(const std::vector<Material> &all, const Material &ofDriven)
+{
+  std::vector<Material> sorted;
+  for (const Material &one : all)
+    if (std::find(sorted.begin(), sorted.end(), one) == sorted.end())
+      sorted.push_back(one);
+  std::stable_sort(sorted.begin(), sorted.end(),
+                   [](const Material &a, const Material &b) { return a.strength < b.strength; });
+  driven = std::find(sorted.begin(), sorted.end(), ofDriven) - sorted.begin();
+  material = sorted.front();
+  otherMaterials.assign(sorted.begin() + 1, sorted.end());
+}
+
 std::string headOf(const LogHeader &h, const Units &u)
 {
   namespace names = format::section;
@@ -147,8 +173,16 @@ std::string headOf(const LogHeader &h, const Units &u)
   for (size_t k = 0; k + 1 < h.laws.size(); k += 2)
     laws.add(h.laws[k], h.laws[k + 1]);
   const format::Head numbers = numbersOf(h, u);
-  auto line = [&](const char *name) { return numbersLine(name, numbers, h.packing); };
-  return format::formatLine() + "\n" + program.line() + units.line() + line(names::material) +
+  auto line = [&](const char *name) { return numbersLine(name, name, numbers, h.packing); };
+  auto part = [&](std::size_t material) {
+    return h.otherMaterials.empty() ? "" : material == h.driven ? "driven" : "other";
+  };
+  std::string materials = numbersLine(names::material, names::material, numbers, part(0));
+  for (std::size_t k = 1; k <= h.otherMaterials.size(); k++)
+    materials +=
+        numbersLine(names::material, format::otherMaterial + (k > 1 ? "_" + std::to_string(k) : ""),
+                    numbersOf(h.otherMaterials[k - 1], u), part(k));
+  return format::formatLine() + "\n" + program.line() + units.line() + materials +
          line(names::loading) + line(names::geometry) + laws.line() + line(names::run);
 }
 

@@ -16,8 +16,17 @@ namespace mca {
 /// Everything that the log says about its run, in units of the run; the log has it in nm, ns, MPa
 /// and SI.
 struct LogHeader {
-  /// In the run's units; its values go to the head one by one.
+  /// In the run's units; its values go to the head one by one. Of several that of the least
+  /// strength, as use() sorts them.
   Material material;
+  /// The others, by their strength.
+  std::vector<Material> otherMaterials;
+  /// Which of all, `material` first, the driven layer is of.
+  std::size_t driven = 0;
+  /// Sorts the materials of a sample; equal ones count once.
+  /// \param all     of all types that have automata, at least one
+  /// \param driven  of the driven layer, one of them
+  void use(const std::vector<Material> &all, const Material &driven);
   /// Normal pressure [stress] and sliding velocity; of variables the first values.
   double pressure = 0.0, velocity = 0.0;
   /// Box length in x, and h of the discs or the box length in z [length].

@@ -250,6 +250,7 @@ Json pointJson(const FrictionPoint &p)
   json["lost"] = finite(p.health.lost);
   json["smooth"] = p.health.smooth;
   json["fall"] = finite(p.health.fall);
+  json["strengths"] = p.health.strengths;
   json["note"] = p.note;
   json["left_out"] = p.leftOut;
   return json;

@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstring>
 #include <filesystem>
 #include <fmt/format.h>
 #include <set>
@@ -95,16 +96,25 @@ class Header {
 
   int line(const std::string &section) const { return lineOf(root_[section]); }
 
-  double number(const format::HeadNumber &wanted) const
+  /// @param section where it stands; nullptr: in its own
+  double number(const format::HeadNumber &wanted, const char *section = nullptr) const
   {
-    const auto given = text(wanted.section, wanted.key);
+    const std::string home = section ? section : wanted.section;
+    const auto given = text(home, wanted.key);
     const auto x = mcawr::plainNumber(given);
     if (!x || !format::isIn(wanted.range, *x))
-      throw badInput(fileName_, line(wanted.section),
-                     fmt::format("{}: {}", wanted.section, wanted.key),
+      throw badInput(fileName_, line(home), fmt::format("{}: {}", home, wanted.key),
                      fmt::format("'{}' is not allowed, must be a number {}", given,
                                  format::describe(wanted.range, wanted.unit)));
     return *x;
+  }
+
+  std::vector<std::string> sections() const
+  {
+    std::vector<std::string> names;
+    for (const auto &entry : root_)
+      names.push_back(entry.first.Scalar());
+    return names;
   }
 
   bool has(const std::string &section, const std::string &key) const
@@ -187,6 +197,12 @@ void readHeader(const Header &header, FrictionLog &log)
     log.command = header.text(format::campaignSection, format::commandKey);
   for (const auto *section : format::conditionSections)
     log.condition[section] = header.wording(section);
+  for (const std::string &section : header.sections())
+    if (section.compare(0, std::strlen(format::otherMaterial), format::otherMaterial) == 0) {
+      log.condition[section] = header.wording(section);
+      log.otherStrengths.push_back(
+          header.number(format::headNumber(&format::Head::strength), section.c_str()));
+    }
   constexpr const format::HeadNumber &timestep = format::headNumber(&format::Head::timestep);
   if (header.has(timestep.section, timestep.key))
     log.condition[timestep.key] = header.text(timestep.section, timestep.key);

@@ -25,6 +25,9 @@ struct FrictionLog {
   /// names, and its "timestep". With `madeBy` all of the head that decides a run, but for the seed.
   std::map<std::string, std::string> condition;
 
+  /// Of the materials beside that of the head, MPa; empty where there is one material. The head has
+  /// the weakest, and so have all kappas.
+  std::vector<double> otherStrengths;
   std::string packing; ///< its name; empty: not stated
   std::string command; ///< that made the run, of a packed log; else empty
 

@@ -123,6 +123,12 @@ const std::vector<Doubt> &doubts()
        [](const RunHealth &h) { return fmt::format("from {:.4g} nm on", h.startDistance); },
        "are averaged from less than 250 nm of sliding on, over which surfaces grind in: "
        "--start-distance 250"},
+      {[](const RunHealth &h) { return h.strengths.size() > 1; },
+       [](const RunHealth &h) {
+         return fmt::format("sigma_0 {} MPa", fmt::join(h.strengths, " and "));
+       },
+       "of several materials: kappas are those of the weakest, and the law is one of a single "
+       "material"},
       {[](const RunHealth &h) { return h.smooth > smoothLimit; },
        [](const RunHealth &h) { return fmt::format("{:.0f} % of the time", 100.0 * h.smooth); },
        "slide without a link broken: worn smooth, not dry friction of rough surfaces"},
@@ -136,6 +142,9 @@ RunHealth runHealth(const FrictionLog &log, std::size_t first)
 {
   RunHealth result;
   result.slides = log.head.velocity != 0.0;
+  result.strengths = {log.head.strength};
+  result.strengths.insert(result.strengths.end(), log.otherStrengths.begin(),
+                          log.otherStrengths.end());
   const double speed = std::abs(log.head.velocity); // m/s = nm/ns
   const double origin = log.time.front() - log.interval();
   result.distance = speed * (log.time.back() - origin);

@@ -17,8 +17,8 @@ struct RunHealth {
   double startDistance = 0.0; ///< slid before the part that is averaged, nm
   double gap = 0.0;           ///< rise of the driven layer, mean over that part, nm
   /// Area (in space: volume) of an automaton of the layer over that of the unloaded solid, mean
-  /// over that part; below `leastRoom` the layer has sunk. Of a log without that column from the gap
-  /// and the command in its head, if it has one.
+  /// over that part; below `leastRoom` the layer has sunk. Of a log without that column from the
+  /// gap and the command in its head, if it has one.
   double room = std::numeric_limits<double>::quiet_NaN();
   double leastRoom = 0.0; ///< mcawr::layer_health::leastRoom of the run
   /// Automata that left through the driven or the held rows, at the end.
@@ -28,7 +28,8 @@ struct RunHealth {
   /// The most that flow, breaking or unlinked contacts gave back of what they had dissipated, over
   /// the work of the drive; nan without an account.
   double fall = std::numeric_limits<double>::quiet_NaN();
-  bool slides = false; ///< its velocity is not 0
+  std::vector<double> strengths; ///< of all materials, MPa, the weakest first
+  bool slides = false;           ///< its velocity is not 0
 };
 
 /// Blocks grind in over some 200 nm (doc/how_close.md): means begin where this is over [nm].
