@@ -1,6 +1,9 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Unlike materials that meet: the critical step, and the energy account as its witness."""
 
+import os
+
+import numpy as np
 import pytest
 
 from lmp_run import fails, lmp
@@ -63,3 +66,66 @@ def test_energy_does_not_grow_below_the_limit(tmp_path, second):
     assert (table["c_en[5]"] >= -1e-9 * total[0]).all()
     assert table["c_en[5]"][-1] > 0
     assert abs(table["c_en"][-1]) < 1e-3 * total[0]
+
+
+# ---- a drill: random pairs of materials and steps; MCA_UNLIKE_COUNT makes it long
+
+COUNT = int(os.environ.get("MCA_UNLIKE_COUNT", "6"))
+
+
+def drawn(seed):
+    """Words of a second material, the laws, whether both are linked, the part of the limit."""
+    rng = np.random.default_rng(seed)
+    words = {
+        "youngs_modulus": 206000 * 10 ** rng.uniform(-1.5, 0.7),
+        "poissons_ratio": rng.uniform(0.0, 0.45),
+        "density": 0.0078 * 10 ** rng.uniform(-0.7, 0.7),
+        "viscosity": rng.choice([0.0, 410 * 10 ** rng.uniform(-1.5, 0.5)]),
+        "strength": 92 * 10 ** rng.uniform(-0.3, 1.3),
+    }
+    # the curve of steel yields at a strain of 0.015, which has to be beyond the elastic one
+    words["strength"] = min(words["strength"], 0.01 * words["youngs_modulus"])
+    laws = rng.choice(
+        [
+            "plasticity none fracture none link none weld none heal none",
+            "plasticity none",
+            "",
+            "viscosity normal",
+        ]
+    )
+    second = " ".join(f"{k} {v:.6g}" for k, v in words.items())
+    return second, str(laws), bool(rng.random() < 0.5), rng.uniform(0.5, 0.99)
+
+
+@pytest.mark.parametrize("seed", range(COUNT))
+def test_random_pairs_make_no_energy(tmp_path, seed):
+    """Above the limit that is named a step is refused; below it no energy comes from nothing."""
+    second, laws, linked, part = drawn(seed)
+    script = impact(1e-3, second, steps=0)
+    script = script.replace("plasticity none fracture none link none weld none heal none", laws)
+    script = script.replace("0 95 -0.5", "0 60 -0.5").replace(
+        "velocity b set 0 -0.2", "velocity b set 0.5 -2"
+    )
+    if linked:
+        script = script.replace("mca_links create b b", "mca_links create all all reach 1.05")
+    line = fails(script, tmp_path / "refused", "critical one").error_lines[0]
+    limit = float(line.split("critical one, ")[1].split()[0])
+    fails(script.replace("timestep 0.001", f"timestep {1.01 * limit}"), tmp_path, "critical one")
+    script = script.replace("timestep 0.001", f"timestep {part * limit}")
+    result = lmp(script.replace("run 0", "run 1500"), tmp_path)
+    table = result.thermo[0]
+    total = table["c_en[1]"] + table["c_en[2]"]
+    print(
+        seed,
+        second,
+        laws,
+        linked,
+        f"{part:.2f}",
+        total[-1] / total[0],
+        table["c_en"][-1] / total[0],
+    )
+    assert (total <= total[0] * (1 + 2e-3)).all()
+    assert np.abs(table["c_en"]).max() < 1e-3 * total[0]
+    for k in (3, 4, 5):
+        assert (np.diff(table[f"c_en[{k}]"]) >= -1e-3 * total[0]).all(), k
+    assert "Compute mca/energy" not in result.out
