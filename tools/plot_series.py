@@ -6,8 +6,9 @@
     plot_series.py velocity.json --against velocity -o fig6.png --csv fig6.csv
     plot_series.py law.json --against strength --mu -o strength.png
 
-Runs that differ in their seed only are one point: the mean, with 95 % by the runs' own errors or by
-the scatter between the seeds, whichever is larger; the runs are the small dots. Where other
+Runs that differ in their seed only are one point: the mean, with 95 % by the runs' errors or by the
+scatter between the seeds, whichever is larger, times Student's t of the number of seeds by which
+wr_fit knows what seeds differ by; the runs are the small dots. Where other
 quantities vary too there is a line for each of their values. pressure: the friction stress, as in
 Fig. 4 of the paper (with --mu: mu); velocity: mu, and above it the largest row of the logs, the
 static peak (Fig. 6); viscosity, strength: mu. Grinding-in: the mean before the stationary part, at
@@ -24,7 +25,7 @@ from mcawr import plotting, tables
 from mcawr.command_line import Parser, file_name
 from mcawr.errors import BadInput, run_script
 from mcawr.files import check_apart, picture, save_figure, write_all
-from mcawr.replicas import groups, mean_of, spread_of
+from mcawr.replicas import groups, half_width, mean_of, spread_of
 
 LABELS = {
     "pressure": "normal pressure $p$ (MPa)",
@@ -63,7 +64,7 @@ def table_text(points: list[dict[str, Any]]) -> str:
     """CSV: a row for each condition."""
     text = io.StringIO(newline="")
     text.write(
-        "# MPa, m/s, Pa s, E in GPa; mu_se: the larger of own_error (the runs' own) and scatter "
+        "# MPa, m/s, Pa s, E in GPa; mu_se: the larger of own_error (the runs') and scatter "
         "(between seeds), standard errors of the mean\n"
     )
     writer = csv.writer(text, lineterminator="\n")
@@ -97,14 +98,14 @@ def name_of(line: Any, lines: Any) -> str:
 
 
 def draw_line(axes: Any, line: Any, colour: Any, name: str, stress: Any, single: Any) -> None:
-    """Means with their errors, runs, grinding-in, Eq. 2 of one line."""
+    """Means with their 95 %, runs, grinding-in, Eq. 2 of one line."""
     x = [at for at, _ in line]
     factor = x if stress else [1.0] * len(x)
 
     def values(key: str) -> list[float]:
         return [f * mean_of(members, key)[0] for f, (_, members) in zip(factor, line)]
 
-    means, errors = values("mu"), [1.96 * f * mean_of(m)[1] for f, (_, m) in zip(factor, line)]
+    means, errors = values("mu"), [f * half_width(m) for f, (_, m) in zip(factor, line)]
     if any(len(members) > 1 for _, members in line):
         runs = [(at, f * p["mu"]) for f, (at, members) in zip(factor, line) for p in members]
         axes.plot(

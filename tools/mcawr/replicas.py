@@ -35,3 +35,12 @@ def mean_of(points: list[dict[str, Any]], key: str = "mu") -> tuple[float, float
     scatter say)."""
     mean, own, scatter = spread_of(points, key)
     return mean, own if math.isnan(scatter) else max(own, scatter)
+
+
+NORMAL = 1.96  # of 95 % in standard errors that are known
+
+
+def half_width(points: list[dict[str, Any]]) -> float:
+    """Of the 95 % of the mean over the points: its standard error times Student's t of the seeds by
+    which wr_fit knows what seeds differ by."""
+    return mean_of(points)[1] * points[0].get("t95", NORMAL)

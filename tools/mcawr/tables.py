@@ -100,6 +100,7 @@ POINT = (
     "kappa1", "kappa2", "kappa3", "mu", "mu_eq2", "mu_peak", "pressure", "velocity", "strength",
     "viscosity",
 )  # fmt: skip
+POINT_NEW = ("t95",)  # not in a report of version 1.0.0
 POINT_OPEN = ("mu_se", "t_start", "mu_grinding_in")  # null where there is none
 
 
@@ -143,7 +144,7 @@ def checked_report(data: dict[str, Any]) -> dict[str, Any]:
     if not isinstance(points, list):
         raise TypeError("report.points is not a list")
     for k, point in enumerate(points, 1):
-        for name in (*POINT, *POINT_OPEN):
+        for name in (*POINT, *POINT_OPEN, *(name for name in POINT_NEW if name in point)):
             if name in POINT_OPEN and point[name] is None:
                 continue
             try:

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "fit/fit_analysis.h"
 #include "fit/fit_condition.h"
+#include "fit/seed_scatter.h"
 
 #include <cmath>
 #include <gtest/gtest.h>
@@ -45,6 +46,60 @@ TEST(FitCondition, ReplicasAreOnePointWithTheScatterOfTheSeeds)
   // seeds that agree by chance do not make the mean surer than the runs are
   points[2].mu = points[0].mu;
   EXPECT_EQ(conditionsOf(points)[0].point.muSe, 0.0025);
+}
+
+// 200 conditions of three seeds, whose mu differ by 4 % beyond the runs' own errors of 1 to 3 %.
+TEST(SeedScatter, IsWhatSeedsDifferByBeyondTheirOwnErrors)
+{
+  std::mt19937_64 generator(5);
+  std::normal_distribution<double> normal;
+  for (const double share : {0.0, 0.04}) {
+    std::vector<FrictionPoint> points;
+    for (int k = 0; k < 600; ++k) {
+      const double mu = 0.3 + 0.001 * (k / 3), own = (0.01 + 0.01 * (k % 3)) * mu;
+      points.push_back(
+          run(k / 3 + 1, 10, mu + std::hypot(own, share * mu) * normal(generator), own, k % 3));
+      points.back().muOwn = own;
+    }
+    const SeedScatter found = seedScatters(points, conditionsOf(points)).at(0);
+    EXPECT_EQ(found.conditions, 200);
+    EXPECT_EQ(found.freedom, 400);
+    // 400 degrees of freedom know a variance to 7 %; 0.005 is a sixteenth of the own variance
+    EXPECT_NEAR(found.share, share, share > 0.0 ? 0.003 : 0.005);
+    addSeedScatter(points, found);
+    EXPECT_NEAR(points[0].t95, 1.966, 1e-3); // of 400
+    EXPECT_NEAR(points[0].muSe, std::hypot(points[0].muOwn, found.share * points[0].mu), 1e-15);
+  }
+}
+
+TEST(SeedScatter, OfOneRunEachNothingIsKnown)
+{
+  std::vector<FrictionPoint> points = {run(1, 10, 0.40, 0.003, 1), run(2, 10, 0.50, 0.003, 1)};
+  for (FrictionPoint &point : points)
+    point.muOwn = point.muSe;
+  const SeedScatter none = seedScatters(points, conditionsOf(points)).at(0);
+  EXPECT_EQ(none.conditions, 0);
+  addSeedScatter(points, none);
+  EXPECT_EQ(points[1].muSe, 0.003);
+  EXPECT_EQ(points[1].t95, normal95);
+}
+
+TEST(SeedScatter, OtherLawsHaveTheirOwn)
+{
+  std::vector<FrictionPoint> points;
+  for (const long seed : {1, 2, 3}) {
+    points.push_back(run(1, 10, 0.40 + 0.02 * static_cast<double>(seed), 0.001, seed));
+    points.push_back(run(1, 10, 0.50 + 0.0001 * static_cast<double>(seed), 0.001, seed));
+    points.back().madeBy["laws.preset"] = "a";
+  }
+  for (FrictionPoint &point : points)
+    point.muOwn = point.muSe;
+  const auto found = seedScatters(points, conditionsOf(points));
+  ASSERT_EQ(found.size(), 2U);
+  EXPECT_EQ(found[1].runs, (std::vector<std::size_t>{1, 3, 5}));
+  EXPECT_NEAR(found[0].share, 0.02 / 0.44, 0.002);
+  EXPECT_EQ(found[1].share, 0.0);
+  EXPECT_NEAR(found[1].t95(), 4.3027, 1e-4); // of 2
 }
 
 TEST(FitCondition, AnotherMaterialLawOrStepIsAnotherCondition)

@@ -44,7 +44,7 @@ def read_points(path):
     assert lines[0].startswith("#")
     assert lines[1] == (
         "file,kappa1,kappa2,mu,mu_se,n_eff,t_start,mu_grinding_in,mu_eq2,kappa3,"
-        "pressure,velocity,strength,youngs_modulus,viscosity,seed"
+        "pressure,velocity,strength,youngs_modulus,viscosity,seed,mu_se_own"
     )
     return list(csv.DictReader(lines[1:]))
 
@@ -386,8 +386,16 @@ def test_replicas_are_one_point_of_the_fit(tmp_path):
         mu = [p["mu"] for p in runs]
         assert math.isclose(condition["mu"], sum(mu) / 3)
         spread = math.sqrt(sum((x - condition["mu"]) ** 2 for x in mu) / 2 / 3)
-        assert math.isclose(condition["mu_se"], spread) and condition["own_error"] < spread
+        assert math.isclose(condition["scatter"], spread)
+        assert condition["mu_se"] == max(condition["own_error"], condition["scatter"])
+        assert all(p["mu_se_own"] < p["mu_se"] for p in runs)
         assert "residual" in condition and "residual" not in runs[0]
+    (seeds,) = report["seeds"]
+    assert seeds["conditions"] == 12 and seeds["freedom"] == 24
+    assert seeds["scatter"] == pytest.approx(0.1, rel=0.1)  # beyond the runs' own 1 %
+    assert seeds["runs"] == list(range(36))
+    assert report["points"][0]["t95"] == pytest.approx(2.0639, abs=1e-4)  # of 24
+    assert f"Seeds differ by {100 * seeds['scatter']:.1f} % of mu beyond" in done.stdout
     assert law["kappa3_range"] == pytest.approx([1030, 206000 / 92])
     assert law["fitted_on"] == {
         "pressure": [1, 15],

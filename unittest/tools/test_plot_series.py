@@ -46,6 +46,16 @@ def test_seeds_are_one_point(series):
     assert float(second["youngs_modulus"]) == pytest.approx(206)
 
 
+def test_bars_are_students_t_of_the_seeds():
+    """Of 2 seeds of one condition 12.7 standard errors, where the report says so."""
+    module = load("plot_series.py")
+    for more, t95 in (({"t95": 12.706}, 12.706), ({}, 1.96)):
+        points = [point(0.40, **more), point(0.44, **more)]
+        (axes,) = module.figure_of(points, "pressure", False).axes
+        low, high = axes.containers[0].lines[2][0].get_segments()[0][:, 1]
+        assert high - low == pytest.approx(2 * t95 * 0.02)
+
+
 def test_other_quantities_are_lines(series):
     points = [point(0.4 + 0.01 * p, p=p, strength=s) for p in (1.0, 5.0) for s in (92.0, 200.0)]
     for words in (["--against", "pressure"], ["--against", "pressure", "--mu"]):

@@ -90,6 +90,9 @@ FitAnalysis analysePoints(std::vector<FrictionPoint> points, const FitOptions &o
       p.leftOut = whyLeftOut(p, options);
   analysis.mixture = mixtureOf(analysis.points);
 
+  analysis.seeds = seedScatters(analysis.points, conditionsOf(analysis.points));
+  for (const SeedScatter &scatter : analysis.seeds)
+    addSeedScatter(analysis.points, scatter);
   analysis.conditions = conditionsOf(analysis.points);
   const auto used = analysis.fitted();
   const auto obstacle = obstacleTo(options.model, used);

@@ -5,6 +5,7 @@
 #include "fit/fit_condition.h"
 #include "fit/friction_point.h"
 #include "fit/law_fit.h"
+#include "fit/seed_scatter.h"
 
 #include <optional>
 #include <string>
@@ -37,6 +38,8 @@ struct ModelComparison {
 struct FitAnalysis {
   FitOptions options;
   std::vector<FrictionPoint> points; ///< all; leftOut says which are not fitted
+  /// Between the runs of a condition, for each set of laws; part of muSe of the points.
+  std::vector<SeedScatter> seeds;
   /// What is fitted: the points that are not left out, replicas as one.
   std::vector<FitCondition> conditions;
   std::optional<LawFit> fit; ///< its vectors run over the conditions

@@ -18,7 +18,7 @@ struct FitCondition {
   std::vector<std::size_t> runs; ///< places in the list of points, at least one
   /// Mean of mu over the runs, and its standard error: the larger of the two below.
   LawPoint point;
-  double ownError = 0.0; ///< of the mean, from the runs' own standard errors
+  double ownError = 0.0; ///< of the mean, from the runs' standard errors
   double scatter = 0.0;  ///< of the mean, from what the seeds differ by; nan of a single run
 };
 

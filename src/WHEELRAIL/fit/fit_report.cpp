@@ -142,7 +142,7 @@ std::string replicateLines(const FitAnalysis &analysis)
   std::string text;
   for (const auto &g : replicateGroups(analysis.points))
     text += fmt::format("Equal kappas: kappa1 {:.4g}, kappa2 {:.4g}: {} runs, mu {:.4f}, scatter "
-                        "{:.1f} % (their own errors explain {:.1f} %)\n",
+                        "{:.1f} % (their errors explain {:.1f} %)\n",
                         g.kappa1, g.kappa2, g.n, g.mu, 100.0 * g.scatter, 100.0 * g.expected);
   return text;
 }
@@ -155,6 +155,36 @@ std::string intervalText(const Interval &interval)
                 : fmt::format("{:.4g}", value);
   };
   return end(interval.lower, interval.lowerOpen) + " .. " + end(interval.upper, interval.upperOpen);
+}
+
+/// How the seeds differ, or that it is not known; a line for each set of laws.
+std::string seedLines(const FitAnalysis &analysis)
+{
+  std::string text;
+  for (const SeedScatter &seeds : analysis.seeds) {
+    if (analysis.seeds.size() > 1)
+      text += fmt::format("Laws of {}: ", mcawr::printable(analysis.points[seeds.runs[0]].file));
+    text +=
+        seeds.conditions == 0
+            ? "No condition has two seeds: each error is what one run knows of itself, and not "
+              "what another seed would differ by\n"
+            : fmt::format("Seeds differ by {:.1f} % of mu beyond what each run knows of itself "
+                          "({} condition{}, {} degree{} of freedom); every error holds it\n",
+                          100.0 * seeds.share, seeds.conditions, seeds.conditions == 1 ? "" : "s",
+                          seeds.freedom, seeds.freedom == 1 ? "" : "s");
+  }
+  return text;
+}
+
+Json seedsJson(const std::vector<SeedScatter> &all)
+{
+  Json json = Json::array();
+  for (const SeedScatter &seeds : all)
+    json.push_back({{"conditions", seeds.conditions},
+                    {"freedom", seeds.freedom},
+                    {"scatter", seeds.conditions > 0 ? Json(seeds.share) : Json(nullptr)},
+                    {"runs", seeds.runs}});
+  return json;
 }
 
 /// "a.friction and 2 other seeds"
@@ -230,6 +260,8 @@ Json pointJson(const FrictionPoint &p)
   json["kappa3"] = p.kappa3;
   json["mu"] = p.mu;
   json["mu_se"] = finite(p.muSe);
+  json["mu_se_own"] = finite(p.muOwn);
+  json["t95"] = p.t95;
   json["n_eff"] = p.nEff;
   json["t_start"] = finite(p.tStart);
   json["mu_grinding_in"] = finite(p.muGrindingIn);
@@ -326,6 +358,7 @@ Json reportBody(const FitAnalysis &analysis)
   report["points"] = Json::array();
   for (const auto &p : analysis.points)
     report["points"].push_back(pointJson(p));
+  report["seeds"] = seedsJson(analysis.seeds);
   report["conditions"] = Json::array();
   for (size_t i = 0; i < analysis.conditions.size(); ++i)
     report["conditions"].push_back(conditionJson(analysis, i));
@@ -366,7 +399,8 @@ std::string textReport(const FitAnalysis &analysis)
   if (const auto n = analysis.conditions.size(); n > 0)
     text += fmt::format("{} run{} of {} condition{}; those that differ in the seed only are one "
                         "point\n",
-                        runsOf(analysis), runsOf(analysis) == 1 ? "" : "s", n, n == 1 ? "" : "s");
+                        runsOf(analysis), runsOf(analysis) == 1 ? "" : "s", n, n == 1 ? "" : "s") +
+            seedLines(analysis);
   const auto paper = againstPaper(analysis);
   if (paper.n > 0)
     text += fmt::format("Against Eq. 2 with the paper's numbers: RMS {:.1f} %, mean {:+.1f} % ({} "

@@ -90,6 +90,11 @@ std::string csvField(const std::string &text)
   return quoted + '"';
 }
 
+void addNote(std::string &notes, const std::string &note)
+{
+  notes += (notes.empty() ? "" : "; ") + note;
+}
+
 } // namespace
 
 FrictionPoint frictionPoint(const FrictionLog &log, const PointOptions &options)
@@ -131,14 +136,17 @@ FrictionPoint frictionPoint(const FrictionLog &log, const PointOptions &options)
     start = part.start == 0 ? origin : log.time[part.start - 1];
     point.tStart = part.found ? start : nan;
     if (!part.found) {
-      if (!point.note.empty())
-        point.note += "; ";
-      point.note += fmt::format("no stationary part: {}", part.reason);
+      addNote(point.note, fmt::format("no stationary part: {}", part.reason));
     }
   }
   point.health = runHealth(log, begin);
   point.mu = mean.mean;
-  point.muSe = mean.standardError;
+  point.muSe = point.muOwn = widenedError(mean);
+  point.freedom = mean.freedom;
+  if (mean.n > 0 && mean.freedom < leastEffective && std::isfinite(point.muOwn))
+    addNote(point.note, fmt::format("too short for its slow times: its error is known from {:.1f} "
+                                    "stretches, and widened {:.1f} times",
+                                    mean.freedom, point.muOwn / mean.standardError));
   point.nEff = mean.effectiveN;
   point.correlationTime = mean.correlationTime * log.interval();
   point.muGrindingIn =
@@ -177,13 +185,13 @@ std::string pointsAsCsv(const std::vector<FrictionPoint> &points)
                      "pressure, strength and youngs_modulus in MPa, velocity in m/s, viscosity in "
                      "Pa s; the rest is dimensionless\n"
                      "file,kappa1,kappa2,mu,mu_se,n_eff,t_start,mu_grinding_in,mu_eq2,kappa3,"
-                     "pressure,velocity,strength,youngs_modulus,viscosity,seed\n";
+                     "pressure,velocity,strength,youngs_modulus,viscosity,seed,mu_se_own\n";
   for (const auto &p : points)
     text += fmt::format("{},{:.8g},{:.8g},{:.6g},{:.4g},{:.4g},{:.6g},{:.6g},{:.6g},{:.8g},"
-                        "{:.8g},{:.8g},{:.8g},{:.8g},{:.8g},{}\n",
+                        "{:.8g},{:.8g},{:.8g},{:.8g},{:.8g},{},{:.4g}\n",
                         csvField(p.file), p.kappa1, p.kappa2, p.mu, p.muSe, p.nEff, p.tStart,
                         p.muGrindingIn, p.muEq2, p.kappa3, p.head.pressure, p.head.velocity,
-                        p.head.strength, p.youngsModulus(), p.head.viscosity, p.seed());
+                        p.head.strength, p.youngsModulus(), p.head.viscosity, p.seed(), p.muOwn);
   return text;
 }
 

@@ -4,6 +4,7 @@
 
 #include "fit/friction_log.h"
 #include "fit/run_health.h"
+#include "fit/statistics.h"
 
 #include <map>
 #include <optional>
@@ -21,8 +22,13 @@ struct FrictionPoint {
   double kappa1 = 0.0;
   double kappa2 = 0.0;
   double kappa3 = 0.0;
-  double mu = 0.0;           ///< mean of the stationary part; of the second half if there is none
-  double muSe = 0.0;         ///< its standard error, autocorrelation accounted for
+  double mu = 0.0; ///< mean of the stationary part; of the second half if there is none
+  /// Its standard error: `muOwn`, and with it what seeds differ by (`SeedScatter`), where the
+  /// points it is read with tell.
+  double muSe = 0.0;
+  double muOwn = 0.0;        ///< what the run alone knows of its error, `widenedError`
+  double freedom = 0.0;      ///< SeriesMean::freedom
+  double t95 = normal95;     ///< standard errors (muSe) that 95 % reach; SeedScatter::t95
   double nEff = 0.0;         ///< independent samples it is worth
   double tStart = 0.0;       ///< ns; nan: no stationary part was found
   double muGrindingIn = 0.0; ///< mean over the grinding-in; nan if there was none
@@ -73,7 +79,7 @@ FrictionPoint frictionPoint(const FrictionLog &log, const PointOptions &options)
 
 /// points.csv: a comment line with the units, a line of column names, one row a point:
 /// file,kappa1,kappa2,mu,mu_se,n_eff,t_start,mu_grinding_in,mu_eq2,kappa3,pressure,velocity,
-/// strength,youngs_modulus,viscosity,seed.
+/// strength,youngs_modulus,viscosity,seed,mu_se_own.
 /// t_start (ns) is nan where no stationary part was found, mu_grinding_in where there was no
 /// grinding-in; stresses in MPa, velocity in m/s, viscosity in Pa s, the rest is dimensionless.
 std::string pointsAsCsv(const std::vector<FrictionPoint> &points);

@@ -18,7 +18,7 @@ struct ReplicateGroup {
   int n = 0;             ///< runs, >= 2
   double mu = 0.0;       ///< their mean
   double scatter = 0.0;  ///< standard deviation of mu between the runs, relative to the mean
-  double expected = 0.0; ///< the scatter that their own standard errors explain (root mean square)
+  double expected = 0.0; ///< the scatter that their standard errors explain (root mean square)
 };
 
 /// Groups of at least two points with kappa1 and kappa2 equal to a thousandth, in order of kappa1,

@@ -32,10 +32,17 @@ double autocovariance(const std::vector<double> &deviations, std::size_t lag)
   return sum / static_cast<double>(deviations.size());
 }
 
-/// 1 + 2 sum rho_k over Geyer's initial monotone positive sequence: sums of neighbouring
-/// autocovariances of a reversible process are positive and fall; noise begins where they do not.
-double integratedTime(const std::vector<double> &deviations, double variance)
+/// A sum of autocorrelations.
+struct Correlation {
+  double time = 0.0;      ///< 1 + 2 sum rho_k
+  std::size_t window = 0; ///< the largest k
+};
+
+/// Over Geyer's initial monotone positive sequence: sums of neighbouring autocovariances of a
+/// reversible process are positive and fall; noise begins where they do not.
+Correlation correlationOf(const std::vector<double> &deviations, double variance)
 {
+  Correlation result;
   double sum = 0.0;
   double previous = std::numeric_limits<double>::infinity();
   for (std::size_t lag = 0; lag + 1 < deviations.size(); lag += 2) {
@@ -45,8 +52,10 @@ double integratedTime(const std::vector<double> &deviations, double variance)
       break;
     previous = std::min(previous, pair);
     sum += previous;
+    result.window = lag + 1;
   }
-  return (2.0 * sum - variance) / variance;
+  result.time = (2.0 * sum - variance) / variance;
+  return result;
 }
 
 /// The straight line through values[begin, end) by least squares: its slope per sample, what is
@@ -113,15 +122,23 @@ SeriesMean seriesMean(const std::vector<double> &values, std::size_t begin, std:
   // constant up to rounding: no error to be seen
   constexpr double rounding = 1e-13;
   if (variance <= std::pow(rounding * result.mean, 2)) {
-    result.effectiveN = n;
+    result.effectiveN = result.freedom = n;
     return result;
   }
-  result.correlationTime = std::clamp(integratedTime(deviations, variance), 1.0, n / 3.0);
+  const Correlation correlation = correlationOf(deviations, variance);
+  result.correlationTime = std::clamp(correlation.time, 1.0, n / 3.0);
+  result.freedom = std::max(1.0, n / (2.0 * static_cast<double>(correlation.window) + 1.0));
   result.effectiveN = n / result.correlationTime;
   // the variance about the series' own mean is too small by the variance of that mean
   const double unbiased = variance / (1.0 - 1.0 / result.effectiveN);
   result.standardError = std::sqrt(unbiased / result.effectiveN);
   return result;
+}
+
+double widenedError(const SeriesMean &mean)
+{
+  constexpr double upper = 0.975;
+  return mean.standardError * studentQuantile(upper, mean.freedom) / normal95;
 }
 
 std::size_t mser5(const std::vector<double> &values)

@@ -14,7 +14,11 @@ struct SeriesMean {
   double standardError = 0.0;  ///< of the mean, with the autocorrelation accounted for
   double effectiveN = 0.0;     ///< number of independent samples of the same worth
   double correlationTime = 1.; ///< integrated autocorrelation time in samples, >= 1
-  std::size_t n = 0;           ///< samples
+  /// Degrees of freedom of `standardError`, >= 1: n/(2W + 1) of a sum up to lag W, since the
+  /// relative variance of tau is 2 (2W + 1)/n (N. Madras and A. D. Sokal, J. Stat. Phys. 50 (1988)
+  /// 109; U. Wolff, Comput. Phys. Commun. 156 (2004) 143).
+  double freedom = 1.0;
+  std::size_t n = 0; ///< samples
 };
 
 /// Mean of values[begin, end) with the standard error s sqrt(tau/n) from the integrated
@@ -25,6 +29,11 @@ struct SeriesMean {
 /// @param begin, end indices with end - begin >= 4; otherwise the standard error is infinite
 /// @throws std::invalid_argument for an empty range or an end beyond the series
 SeriesMean seriesMean(const std::vector<double> &values, std::size_t begin, std::size_t end);
+
+/// What the standard error has to be for mean +- 1.96 of it to hold the true mean in 95 of 100
+/// series: Student's t of `freedom` in place of the normal quantile. A series that is short beside
+/// its correlation knows its own error badly; the error is widened by as much.
+double widenedError(const SeriesMean &mean);
 
 /// MSER-5 (K. P. White, Simulation 69 (1997) 323): the start that minimises the squared standard
 /// error of the mean of what is left, computed on means of 5 samples, looked for in the first half.

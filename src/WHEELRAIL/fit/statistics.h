@@ -14,6 +14,9 @@ double studentCdf(double t, double nu);
 /// @throws std::invalid_argument unless 0 < p < 1 and nu > 0
 double studentQuantile(double p, double nu);
 
+/// The normal quantile of 0.975: 95 % of the distribution lie within so many standard deviations.
+constexpr double normal95 = 1.959963984540054;
+
 } // namespace wheelrail
 
 #endif
