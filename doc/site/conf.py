@@ -57,7 +57,8 @@ NAVIGATION = {
     "Plugin": "doc/pair_mca doc/fix_nve_mca doc/fix_mca_drive doc/fix_mca_events"
     " doc/compute_mca_atom doc/compute_mca_energy doc/compute_mca_link_local doc/region_mca_rough"
     " doc/mca_links",
-    "Programs": "doc/wr_fit doc/campaign doc/reproduce doc/wr_creep",
+    "Programs": "doc/wr_fit doc/campaign doc/reproduce doc/wr_creep"
+    " doc/wr_creep_validation",
     "Files": "doc/potential_file doc/friction_log",
     "Background": "doc/laws doc/how_close doc/rough_patch doc/how_chosen doc/listings"
     " doc/howto_mechanics"

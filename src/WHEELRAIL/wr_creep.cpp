@@ -55,12 +55,12 @@ void defineOptions(CLI::App &app, Settings &settings)
       ->check(wholeNumberOption(1, 1024))
       ->type_name("N");
   app.add_option("--polach", settings.extra.polach,
-                 "fit Polach's law to the curves of a contact in a point; writes FILE (JSON) and "
+                 "fit Polach's law to the curves of a point contact; writes FILE (JSON) and "
                  "its points beside it (CSV)")
       ->check(nameOption())
       ->type_name("FILE");
   app.add_option("--table", settings.extra.table,
-                 "write the forces of a contact in a point as a table over load, speed, spin, "
+                 "write the forces of a point contact as a table over load, speed, spin, "
                  "lateral and creep, for a multibody code (CSV)")
       ->check(nameOption())
       ->type_name("FILE");
@@ -144,7 +144,7 @@ void run(const Settings &settings)
 
 int body(int argc, char **argv)
 {
-  CLI::App app("Creep curves of rough wheel/rail contact, on a line or in a point: friction, "
+  CLI::App app("Creep curves of rough wheel/rail contact, line or point contact: friction, "
                "temperature and strength that depend on each other.",
                programName);
   Settings settings;

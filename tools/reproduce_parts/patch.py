@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The paper's Figs. 13 to 15 for a contact in a point, smooth, frozen and moving."""
+"""The paper's Figs. 13 to 15 for a point contact, smooth, frozen and moving."""
 
 import dataclasses
 import math
@@ -417,15 +417,15 @@ def grid(tables: dict[str, Any], picture: str) -> list[str]:
 
 FIGURES = {
     "fields-3d": PatchFigure(
-        "Pressure and traction of a contact in a point", [], patch_pictures.fields
+        "Pressure and traction of a point contact", [], patch_pictures.fields
     ),
-    "fig13-3d": PatchFigure("Fig. 13 in a point: local friction", [], patch_pictures.fig13),
-    "curves-3d": PatchFigure("Creep forces of a contact in a point", [], patch_pictures.curves),
+    "fig13-3d": PatchFigure("Fig. 13, point contact: local friction", [], patch_pictures.fig13),
+    "curves-3d": PatchFigure("Creep forces of a point contact", [], patch_pictures.curves),
     "fig14-3d": PatchFigure(
-        "Fig. 14 in a point: low creep, no temperature", ["patch-low", "patch-slope"], fig14
+        "Fig. 14, point contact: low creep, no temperature", ["patch-low", "patch-slope"], fig14
     ),
-    "fig15-3d": PatchFigure("Fig. 15 in a point: high creep", ["patch-high"], fig15),
-    "polach-3d": PatchFigure("Polach's kA and kS of a contact in a point", ["patch-low"], polach),
-    "grid-3d": PatchFigure("Grids for a contact in a point", ["patch-slope"], grid),
-    "start-3d": PatchFigure("A start from rest of a contact in a point", [], patch_pictures.start),
+    "fig15-3d": PatchFigure("Fig. 15, point contact: high creep", ["patch-high"], fig15),
+    "polach-3d": PatchFigure("Polach's kA and kS of a point contact", ["patch-low"], polach),
+    "grid-3d": PatchFigure("Grids for a point contact", ["patch-slope"], grid),
+    "start-3d": PatchFigure("A start from rest of a point contact", [], patch_pictures.start),
 }

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Pictures of contacts in a point whose runs of wr_creep take seconds."""
+"""Pictures of point contacts whose runs of wr_creep take seconds."""
 
 import os
 import subprocess

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Rolling contact in a point: the runs of wr_creep behind the figures, and the tables of them."""
+"""Rolling point contact: the runs of wr_creep behind the figures, and the tables of them."""
 
 import csv
 import dataclasses

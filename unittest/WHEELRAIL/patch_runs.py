@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Runs of wr_creep with a contact in a point, for the tests."""
+"""Runs of wr_creep with a point contact, for the tests."""
 
 import csv
 import os

@@ -21,8 +21,8 @@ std::map<std::string, std::string> paragraphs()
   bool inside = false;
   std::string word;
   for (std::string line; std::getline(file, line);) {
-    if (line.rfind("### ", 0) == 0)
-      inside = line == "### Friction laws";
+    if (line.rfind("##", 0) == 0)
+      inside = line == "#### Friction laws";
     if (!inside)
       continue;
     if (line.empty())

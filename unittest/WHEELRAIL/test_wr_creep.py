@@ -419,7 +419,7 @@ def test_contacts_of_chosen_points(case, tmp_path):
 
 
 def test_load_on_a_width(case, tmp_path):
-    """4000 N/mm are 80 kN on 20 mm; without a width a load means a contact in a point."""
+    """4000 N/mm are 80 kN on 20 mm; without a width a load means a point contact."""
     wr_creep(case, "-o", tmp_path / "line", "-q")
     text = CASE.replace("load_per_length: 4000 N/mm", "load: 80 kN, width: 20 mm")
     case.write_text(text, encoding="utf-8")
@@ -440,7 +440,7 @@ def test_load_on_a_width(case, tmp_path):
     case.write_text(text.replace(", width: 20 mm", ""), encoding="utf-8")
     done = wr_creep(case, "-o", tmp_path / "x")
     assert done.returncode == 3
-    assert "contact.radius: does not go with contact.load: a contact in a point" in done.stderr
+    assert "contact.radius: does not go with contact.load: a point contact" in done.stderr
     assert "contact.width" in done.stderr
 
 

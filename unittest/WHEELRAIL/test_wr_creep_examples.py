@@ -20,7 +20,7 @@ def case(tmp_path):
 
 
 def keywords_of(page):
-    return page[page.index("### Keywords") : page.index("## Output info")]
+    return page[page.index("\n## Keywords") : page.index("## Output info")]
 
 
 def test_documentation_and_program_agree():

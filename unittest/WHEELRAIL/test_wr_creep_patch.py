@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""wr_creep with a contact in a point: results, files, random cases."""
+"""wr_creep with a point contact: results, files, random cases."""
 
 import json
 import os

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""wr_creep with a contact in a point: what is refused, and what is warned of."""
+"""wr_creep with a point contact: what is refused, and what is warned of."""
 
 import json
 import re

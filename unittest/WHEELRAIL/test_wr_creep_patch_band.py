@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""wr_creep with a contact in a point: what the covariance of the friction law leaves open."""
+"""wr_creep with a point contact: what the covariance of the friction law leaves open."""
 
 import json
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""wr_creep with a contact in a point, mode moving: what is averaged, and surfaces on their way."""
+"""wr_creep with a point contact, mode moving: what is averaged, and surfaces on their way."""
 
 import math
 

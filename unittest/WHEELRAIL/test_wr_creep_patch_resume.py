@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""wr_creep with a contact in a point: runs that are killed go on, fields included."""
+"""wr_creep with a point contact: runs that are killed go on, fields included."""
 
 import json
 import resource

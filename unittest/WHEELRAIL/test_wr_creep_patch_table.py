@@ -121,7 +121,7 @@ def test_table_needs_creepages_and_a_point(case, tmp_path):
     assert "not with force" in done.stderr
     line = SOURCE / "examples/wheelrail/table2.yaml"
     done = wr_creep(line, "-o", tmp_path, "--table", tmp_path / "t.csv")
-    assert done.returncode == 2 and "a contact in a point" in done.stderr
+    assert done.returncode == 2 and "a point contact" in done.stderr
     done = wr_creep(case, "-o", tmp_path / "o", "--table", tmp_path / "o/creep.csv")
     assert done.returncode == 2 and done.stderr.count("\n") == 1
 

@@ -131,7 +131,7 @@ def verdict(drill, kind, what, done, results=()):
 
 
 def drill_creep(drill, work):
-    """wr_creep: the options, and every keyword of a contact along a line and in a point."""
+    """wr_creep: the options, and every keyword of a line contact and a point contact."""
     program = drill.program("wr_creep")
     help_ = run([program, "--help"], work).out
     table = re.findall(r"^  ([a-z][\w.]*) +([\[(].*[\])] ?.*|\S+.*?)(?: \[.*\])?$", help_, re.M)

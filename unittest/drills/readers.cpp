@@ -102,7 +102,7 @@ void readCaseFile(const std::string &bytes)
   require(readCase(fileWith(text)).text == text, "another case when read again:\n" + text);
 }
 
-/// Contacts along a line and in a point, as shipped and with every default.
+/// Line and point contacts, as shipped and with every default.
 std::vector<std::string> cases()
 {
   std::vector<std::string> texts = filesOf("examples/wheelrail", ".yaml");
@@ -235,7 +235,7 @@ void readJournalFile(const std::string &bytes)
     throw Refused(warning);
 }
 
-/// Points and time series of a piece, as a journal holds them for a contact in a point.
+/// Points and time series of a piece, as a journal holds them for a point contact.
 std::string patchPiece()
 {
   PatchPoint point;

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""tools/reproduce, rolling contact in a point: runs that go on, tables whose answers are known, and
+"""tools/reproduce, rolling point contact: runs that go on, tables whose answers are known, and
 the page beside the shipped tables."""
 
 import json

@@ -5,7 +5,7 @@
 namespace wheelrail {
 
 /// Where the roughness of a contact comes from: there is none, it is generated from a spectrum, or
-/// it was measured. For contacts along a line and in a point alike.
+/// it was measured. For line and point contacts alike.
 /// Fractal: a self-affine surface from a seed. Measured: a profile or a
 /// height map from a file.
 enum class RoughnessKind { None, Fractal, Measured };

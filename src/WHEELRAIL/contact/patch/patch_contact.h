@@ -27,7 +27,7 @@ struct ElasticBody {
 ///         that is rounding only is 0
 ElasticPair combinedPair(const ElasticBody &wheel, const ElasticBody &rail);
 
-/// The nominal contact in a point, and its box of cells; SI units.
+/// The nominal point contact, and its box of cells; SI units.
 struct PatchContactSpecification {
   std::vector<double> load; ///< N, > 0, at least one
   /// Gap A x^2 + B y^2, 1/m; absent: `semiAxes` of the one load decide.

@@ -20,7 +20,7 @@ namespace wheelrail {
 /// opened.
 struct Case {
   /// A line contact that rolls, or carries a tangential force without rolling (mode static); or a
-  /// contact in a point.
+  /// point contact.
   std::variant<CreepSpecification, StaticSpecification, PatchSpecification> task;
   /// The complete configuration as a case file: reading it gives the same case.
   std::string text;

@@ -8,7 +8,7 @@ namespace {
 std::string contactWords(const CaseReader &reader, bool onLine)
 {
   if (!onLine)
-    return "contact.load: a contact in a point (with contact.width: a line contact)";
+    return "contact.load: a point contact (with contact.width: a line contact)";
   return reader.has("contact.width") ? "a line contact (contact.width)"
                                      : "a line contact (contact.load_per_length)";
 }

@@ -85,7 +85,7 @@ std::vector<double> readSeries(CaseReader &reader, const std::string &name);
 /// @param total number of points, which no number may exceed
 FieldSelection readFields(CaseReader &reader, std::size_t total);
 
-/// A contact in a point and all that belongs to it.
+/// A point contact and all that belongs to it.
 PatchSpecification readPatch(CaseReader &reader, const std::string &caseFile);
 
 } // namespace wheelrail

@@ -18,7 +18,7 @@ namespace wheelrail {
 /// with the material, or do not roll at all. In frozen and static mode time plays no part.
 enum class PatchMode { Frozen, Moving, Static };
 
-/// A sweep over a contact in a point: everything with everything. SI units.
+/// A sweep over a point contact: everything with everything. SI units.
 /// Every list has at least one value where its mode reads it. Of creepage and force of one
 /// direction only one is given; in mode static only one of force ratio, shift and forces.
 struct PatchSpecification {

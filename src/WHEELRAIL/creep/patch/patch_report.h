@@ -10,7 +10,7 @@
 
 namespace wheelrail {
 
-/// The result files of a contact in a point and its words on the screen. Files are in mm, N, MPa,
+/// The result files of a point contact and its words on the screen. Files are in mm, N, MPa,
 /// m/s, W and K, said once in the file.
 
 /// creep.csv: one row a point; the line contact's columns come first. Mode static: static.csv.

@@ -38,7 +38,7 @@ std::vector<Axis> axesOf(const PatchSpecification &asked)
 void checkPatchTable(const PatchSpecification &asked)
 {
   if (asked.mode == PatchMode::Static || asked.sequence.any())
-    fail("goes with a contact in a point (contact.load) that rolls, without a sequence");
+    fail("goes with a point contact (contact.load) that rolls, without a sequence");
   if (!asked.forceX.empty() || !asked.forceY.empty())
     fail("goes with creepages, not with force: they are the table's coordinates");
   if (asked.roughness.surfaces() > 1)

@@ -13,7 +13,7 @@ std::vector<RequestedOutput> CreepTask::extraOutputs(const ExtraFiles &extra) co
   if (!extra.polach.empty())
     refusePolach();
   if (!extra.table.empty())
-    throw Error(ExitCode::Usage, "--table: goes with a contact in a point (contact.load)");
+    throw Error(ExitCode::Usage, "--table: goes with a point contact (contact.load)");
   return {};
 }
 
@@ -26,7 +26,7 @@ std::string countOf(std::size_t points, int resumed)
 
 void refusePolach()
 {
-  throw Error(ExitCode::Usage, "--polach: goes with a contact in a point (contact.load) that "
+  throw Error(ExitCode::Usage, "--polach: goes with a point contact (contact.load) that "
                                "rolls, without a sequence");
 }
 
