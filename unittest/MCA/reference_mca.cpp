@@ -612,8 +612,8 @@ void applyContacts(Sample &s)
     applyContact(s, c);
 }
 
-// the velocities dt/2 ago
-void setOldSpeeds(const Sample &s, Contact &c, double dt)
+// those of half a step ago
+void setOldSpeeds(const Sample &s, Contact &c)
 {
   const View w = view(s, c);
   const Automaton &a = s.automata[c.i], &b = s.automata[c.j];
@@ -669,7 +669,7 @@ void step(Sample &s, double dt)
   collectStresses(s);
   yield(s);
   for (auto &c : s.contacts)
-    setOldSpeeds(s, c, dt);
+    setOldSpeeds(s, c);
   applyContacts(s);
   if (s.laws.steps.word() == "corrected") {
     for (auto &c : s.contacts)

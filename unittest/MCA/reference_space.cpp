@@ -335,8 +335,8 @@ void setSpeeds(Contact &c, const View &w, const Vector3d &v, const Vector3d &ome
   c.slip = surface - c.speed * w.n;
 }
 
-// the velocities dt/2 ago
-void setOldSpeeds(const Sample &s, Contact &c, double dt)
+// those of half a step ago
+void setOldSpeeds(const Sample &s, Contact &c)
 {
   const Automaton &a = s.automata[c.i], &b = s.automata[c.j];
   setSpeeds(c, view(s, c), b.v - a.v, a.omega + b.omega);
@@ -380,7 +380,7 @@ void step(Sample &s, double dt)
   collectStresses(s);
   yieldAgain(s);
   for (auto &c : s.contacts)
-    setOldSpeeds(s, c, dt);
+    setOldSpeeds(s, c);
   applyContacts(s);
   if (s.laws.steps.word() == "corrected") {
     for (auto &c : s.contacts)
