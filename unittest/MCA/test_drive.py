@@ -205,3 +205,41 @@ def test_a_solid_is_not_warned_of(tmp_path):
     assert "fell by" not in out and "the solid" not in out
     assert (np.diff(log["flow_energy"]) > 0).all() and (log["contact_energy"] > 0).all()
     assert np.abs(log["room"] - 1).max() < 0.01
+
+
+BRONZE = """# UNITS: nano
+youngs_modulus 110000
+poissons_ratio 0.34
+density 0.0088
+strength 350
+elastic_limit 0.43
+yield_strength 0.80
+yield_strain 0.02
+breaking_strain 0.20
+viscosity 410
+diameter 2.5
+"""
+
+
+@pytest.mark.parametrize(
+    "lower, upper, driven",
+    [
+        ("bronze.mca", "bronze.mca", None),
+        ("bronze.mca", "steel.mca", 92),
+        ("steel.mca", "bronze.mca", 350),
+    ],
+)
+def test_example_takes_material_files_of_ones_own(tmp_path, lower, upper, driven):
+    """The head has both, the weaker first, whichever is on top."""
+    (tmp_path / "bronze.mca").write_text(BRONZE, encoding="utf-8")
+    example(tmp_path, ns=0.05, material=lower, upper_material=upper)
+    head = yaml.safe_load(friction_log(tmp_path / "friction.friction")[0])
+    if driven is None:
+        assert head["material"]["strength"] == 350 and "other_material" not in head
+        assert head["material"]["youngs_modulus"] == 110000 and "layer" not in head["material"]
+        return
+    assert [head[name]["strength"] for name in ("material", "other_material")] == [92, 350]
+    layers = {
+        head[name]["strength"]: head[name]["layer"] for name in ("material", "other_material")
+    }
+    assert layers.pop(driven) == "driven" and list(layers.values()) == ["other"]

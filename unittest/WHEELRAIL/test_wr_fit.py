@@ -44,7 +44,8 @@ def read_points(path):
     assert lines[0].startswith("#")
     assert lines[1] == (
         "file,kappa1,kappa2,mu,mu_se,n_eff,t_start,mu_grinding_in,mu_eq2,kappa3,"
-        "pressure,velocity,strength,youngs_modulus,viscosity,seed,mu_se_own"
+        "pressure,velocity,strength,youngs_modulus,viscosity,seed,mu_se_own,"
+        "poissons_ratio,density,breaking_strain,distance,gap,room,lost,smooth"
     )
     return list(csv.DictReader(lines[1:]))
 
@@ -813,3 +814,37 @@ def test_options_are_documented():
     assert {o for c in coded for o in c.split(",")} == set(re.findall(r"`(--?[\w-]+)`", syntax))
     for name in ("eq2", "eq4", "velocity", "constant"):
         assert f"`{name}`" in syntax and name in wr_fit("--help").stdout
+
+
+@pytest.mark.parametrize(
+    "model, formula",
+    [
+        ("constant", "mu = mu0, 36"),
+        ("velocity", "mu = mu0 + mu1 kappa1/(1 + b kappa1), 36"),
+        ("eq4", "mu = mu0 + mu2/(1 + c kappa2), 36"),
+        ("eq2", "mu = mu0 + mu1 kappa1/(1 + b kappa1) + mu2/(1 + c kappa2), 36"),
+        ("velocity_kappa3", "mu = [mu0 + mu1 kappa1/(1 + b kappa1)] (kappa3/"),
+    ],
+)
+def test_each_model_prints_its_own_formula(runs, model, formula):
+    text = wr_fit(runs, "--model", model, "--kappa2-min", 0, "--include-drifting").stdout
+    assert f"Fit of {model}: {formula}" in text
+
+
+def test_points_are_read_by_numpy_with_the_line_of_the_page(log, tmp_path, monkeypatch):
+    page = (TOOLS.parent / "doc/wr_fit.md").read_text(encoding="utf-8")
+    line = re.search(r"^p = (numpy.*)$", page, re.MULTILINE)[1]
+    wr_fit(log, "--points", tmp_path / "points.csv")
+    monkeypatch.chdir(tmp_path)
+    import numpy
+
+    points = eval(line, {"numpy": numpy})
+    row = read_points(tmp_path / "points.csv")[0]
+    assert set(row) - {"file"} == set(points.dtype.names) - {"file_"}
+    for name in ("mu", "poissons_ratio", "breaking_strain", "distance", "gap"):
+        assert float(points[name]) == float(row[name])
+    assert (row["poissons_ratio"], row["breaking_strain"], row["distance"]) == (
+        "0.3",
+        "0.04",
+        "100",
+    )

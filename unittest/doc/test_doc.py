@@ -259,7 +259,7 @@ def test_example_variables():
     script = (ROOT / "examples" / "friction" / "in.friction").read_text(encoding="utf-8")
     text = (ROOT / "examples" / "friction" / "README.md").read_text(encoding="utf-8")
     default = {
-        k: v.replace("${name}", "NAME")
+        k: v.replace("${name}", "NAME").replace("${material}", "MATERIAL")
         for k, v in re.findall(
             r"^variable +(\w+) +(?:index|equal) +([^\s#]+) *(?:#.*)?$",
             script.split("\nif ")[0],

@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 import yaml
 
-from campaign_parts import plan as plans
+from campaign_parts import material, plan as plans
 
 ROOT = Path(__file__).resolve().parents[2]
 LMP = os.environ.get("MCAWR_LMP", str(ROOT / "build" / "bin" / "lmp"))
@@ -53,8 +53,14 @@ def steps_of(log):
 
 
 def test_plans_and_example_have_the_same_defaults():
+    """A quantity of the material is the file's in the script, and that file's in a plan."""
     script = script_variables(FRICTION / "in.friction")
+    solid = material.read(str(ROOT / "potentials" / script["material"]))
+    assert solid == {name: plans.KEYS[name].default for name in solid}
     for name, key in plans.KEYS.items():
+        if name in solid and name != "d":
+            assert script[key.variable] in ("0", "1", "-1"), name  # as the file says
+            continue
         if key.variable and key.default is not None and name != "ns":
             word = isinstance(key.default, str)
             default = key.default if word else f"{key.default * key.factor:.12g}"

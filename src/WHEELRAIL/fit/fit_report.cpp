@@ -200,13 +200,15 @@ std::string fitLines(const FitAnalysis &analysis)
 {
   const auto &fit = *analysis.fit;
   const auto free = parametersOf(fit.model);
+  std::string formula = "mu0";
+  if (free[1])
+    formula += " + mu1 kappa1/(1 + b kappa1)";
+  if (free[2])
+    formula += " + mu2/(1 + c kappa2)";
+  if (fit.reference > 0.0)
+    formula = fmt::format("[{}] (kappa3/{:.5g})^n", formula, fit.reference);
   std::string text =
-      fmt::format(fit.reference > 0.0
-                      ? "Fit of {}: mu = [mu0 + mu1 kappa1/(1 + b kappa1) + mu2/(1 + c kappa2)] "
-                        "(kappa3/{:.5g})^n, {} points\n"
-                      : "Fit of {0}: mu = mu0 + mu1 kappa1/(1 + b kappa1) + mu2/(1 + c kappa2), "
-                        "{2} points\n",
-                  nameOf(fit.model), fit.reference, fit.law.n);
+      fmt::format("Fit of {}: mu = {}, {} points\n", nameOf(fit.model), formula, fit.law.n);
   const auto ours = values(fit.law, fit.exponent), paper = values(bucher2006(), 0.0);
   for (int k = 0; k < fitParameters; ++k) {
     if (!free[k])

@@ -183,15 +183,20 @@ std::string pointsAsCsv(const std::vector<FrictionPoint> &points)
 {
   std::string text = "# t_start in ns (nan: no stationary part found, mu of the second half), "
                      "pressure, strength and youngs_modulus in MPa, velocity in m/s, viscosity in "
-                     "Pa s; the rest is dimensionless\n"
+                     "Pa s, distance (slid in all) and gap in nm; the rest is dimensionless\n"
                      "file,kappa1,kappa2,mu,mu_se,n_eff,t_start,mu_grinding_in,mu_eq2,kappa3,"
-                     "pressure,velocity,strength,youngs_modulus,viscosity,seed,mu_se_own\n";
+                     "pressure,velocity,strength,youngs_modulus,viscosity,seed,mu_se_own,"
+                     "poissons_ratio,density,breaking_strain,distance,gap,room,lost,smooth\n";
   for (const auto &p : points)
-    text += fmt::format("{},{:.8g},{:.8g},{:.6g},{:.4g},{:.4g},{:.6g},{:.6g},{:.6g},{:.8g},"
-                        "{:.8g},{:.8g},{:.8g},{:.8g},{:.8g},{},{:.4g}\n",
-                        csvField(p.file), p.kappa1, p.kappa2, p.mu, p.muSe, p.nEff, p.tStart,
-                        p.muGrindingIn, p.muEq2, p.kappa3, p.head.pressure, p.head.velocity,
-                        p.head.strength, p.youngsModulus(), p.head.viscosity, p.seed(), p.muOwn);
+    text +=
+        fmt::format("{},{:.8g},{:.8g},{:.6g},{:.4g},{:.4g},{:.6g},{:.6g},{:.6g},{:.8g},"
+                    "{:.8g},{:.8g},{:.8g},{:.8g},{:.8g},{},{:.4g},"
+                    "{:.8g},{:.8g},{:.8g},{:.8g},{:.6g},{:.6g},{:.6g},{:.4g}\n",
+                    csvField(p.file), p.kappa1, p.kappa2, p.mu, p.muSe, p.nEff, p.tStart,
+                    p.muGrindingIn, p.muEq2, p.kappa3, p.head.pressure, p.head.velocity,
+                    p.head.strength, p.youngsModulus(), p.head.viscosity, p.seed(), p.muOwn,
+                    p.head.poissonsRatio, p.head.density, p.head.breakingStrain, p.health.distance,
+                    p.health.gap, p.health.room, p.health.lost, p.health.smooth);
   return text;
 }
 

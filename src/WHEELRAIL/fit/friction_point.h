@@ -79,9 +79,11 @@ FrictionPoint frictionPoint(const FrictionLog &log, const PointOptions &options)
 
 /// points.csv: a comment line with the units, a line of column names, one row a point:
 /// file,kappa1,kappa2,mu,mu_se,n_eff,t_start,mu_grinding_in,mu_eq2,kappa3,pressure,velocity,
-/// strength,youngs_modulus,viscosity,seed,mu_se_own.
+/// strength,youngs_modulus,viscosity,seed,mu_se_own,poissons_ratio,density,breaking_strain,distance,gap,room,
+/// lost,smooth. The last five are RunHealth's; nan is what the log does not say.
 /// t_start (ns) is nan where no stationary part was found, mu_grinding_in where there was no
-/// grinding-in; stresses in MPa, velocity in m/s, viscosity in Pa s, the rest is dimensionless.
+/// grinding-in; lengths in nm, stresses in MPa, velocity in m/s, viscosity in Pa s, the rest is
+/// dimensionless.
 std::string pointsAsCsv(const std::vector<FrictionPoint> &points);
 
 } // namespace wheelrail
