@@ -12,7 +12,7 @@ from matplotlib import pyplot
 import plot_fit
 import plot_series
 from mcawr.files import save_figure
-from mcawr.replicas import groups, mean_of
+from mcawr.replicas import groups, half_width, mean_of
 
 from . import ageing, laws, layer, presets, space as three, temperature as heat
 from .common import Missing, percent, power_law, run_name, scatter_of, table
@@ -238,7 +238,7 @@ def kappa3(report: dict[str, Any], picture: str) -> list[str]:
 def dots(
     labels: Any,
     values: Any,
-    errors: Any,
+    bars: Any,
     picture: str,
     xlabel: Any,
     lines: Any = (),
@@ -248,9 +248,7 @@ def dots(
     band."""
     figure, axes = pyplot.subplots(figsize=(7.5, 1.2 + 0.3 * len(labels)), constrained_layout=True)
     rows = np.arange(len(labels))[::-1]
-    axes.errorbar(
-        values, rows, xerr=1.96 * np.array(errors), fmt="o", capsize=2, label="our runs, 95 %"
-    )
+    axes.errorbar(values, rows, xerr=bars, fmt="o", capsize=2, label="our runs, 95 %")
     for x, style, label in lines:
         axes.axvline(x, **style, lw=1.2, label=label)
     if band:
@@ -289,7 +287,7 @@ def collapse(report: dict[str, Any], picture: str) -> list[str]:
     dots(
         [f"{name}: {parameters(p)}" for name, p in first.items()],
         mu,
-        errors,
+        [half_width(members) for members in found.values()],
         picture,
         "friction coefficient $\\mu$",
         [(mean, dict(color="C1"), "their mean"), (paper, dict(color="k", ls="--"), "Eq. 2")],
@@ -343,7 +341,7 @@ def convergence(report: dict[str, Any], picture: str) -> list[str]:
     """mu over that of the base size, and the depth of the layer (nm), for each size at a strength
     (MPa) and velocity (m/s)."""
     points = report["report"]["points"]
-    rows, labels, values, errors = [], [], [], []
+    rows, labels, values, bars = [], [], [], []
     for (strength, v), members in groups(points, lambda p: (p["strength"], p["velocity"])).items():
         sizes = groups(members, size_of)
         if "base" not in sizes:
@@ -358,7 +356,7 @@ def convergence(report: dict[str, Any], picture: str) -> list[str]:
             difference = (mu - base[0]) / math.hypot(error, base[1])
             labels.append(f"{strength:g} MPa, {v:g} m/s: {SIZES[size]}")
             values.append(mu / base[0])
-            errors.append(error / base[0])
+            bars.append(half_width(sizes[size]) / base[0])
             rows.append(
                 [
                     labels[-1],
@@ -371,7 +369,7 @@ def convergence(report: dict[str, Any], picture: str) -> list[str]:
     dots(
         labels,
         values,
-        errors,
+        bars,
         picture,
         "$\\mu/\\mu$(base)",
         [(1, dict(color="k", ls="--"), "base: 40 across, 14 rows, 3 held, 4e-5 ns")],

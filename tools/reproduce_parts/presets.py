@@ -9,7 +9,7 @@ from matplotlib import pyplot
 
 from mcawr.files import save_figure
 from mcawr.friction_log import head_of
-from mcawr.replicas import groups, mean_of
+from mcawr.replicas import groups, half_width, mean_of
 
 from .common import Missing, percent, run_name, table
 
@@ -35,11 +35,11 @@ def draw(found: Any, picture: str) -> None:
         paper = [next(iter(runs.values()))[0]["mu_eq2"] for runs in of_both.values()]
         axes.plot(list(of_both), paper, "k--", lw=1.2, label="Eq. 2 with the paper's numbers")
         for name, style in PRESETS.items():
-            known = {x: mean_of(runs[name]) for x, runs in of_both.items() if name in runs}
+            known = {x: runs[name] for x, runs in of_both.items() if name in runs}
             axes.errorbar(
                 list(known),
-                [mu for mu, _ in known.values()],
-                yerr=[1.96 * error for _, error in known.values()],
+                [mean_of(runs)[0] for runs in known.values()],
+                yerr=[half_width(runs) for runs in known.values()],
                 fmt=style,
                 ms=5,
                 capsize=3,

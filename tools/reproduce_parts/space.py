@@ -8,7 +8,7 @@ from matplotlib import pyplot
 
 from mcawr.files import save_figure
 from mcawr.friction_log import head_of
-from mcawr.replicas import groups, mean_of
+from mcawr.replicas import groups, half_width, mean_of
 
 from . import layer
 from .common import Missing, percent, table
@@ -49,11 +49,10 @@ def draw(inside: Any, plane: Any, picture: str) -> None:
         axes.plot(x, [inside[c][0]["mu_eq2"] for c in alone], "-", color="0.4", label="Eq. 2")
         for name, found, style in (("space", inside, "s"), ("plane", plane, "o")):
             known = [c for c in alone if c in found]
-            means = [mean_of(found[c]) for c in known]
             axes.errorbar(
                 [c[k] for c in known],
-                [mu for mu, _ in means],
-                yerr=[1.96 * error for _, error in means],
+                [mean_of(found[c])[0] for c in known],
+                yerr=[half_width(found[c]) for c in known],
                 fmt=style,
                 mfc="none" if name == "plane" else None,
                 capsize=3,
