@@ -17,6 +17,7 @@ from mcawr import plotting, tables
 from mcawr.command_line import Parser, file_name
 from mcawr.errors import run_script
 from mcawr.files import check_apart, save_figure
+from mcawr.replicas import NORMAL
 
 PAPER = {"mu0": 0.15, "mu1": 0.0442, "mu2": 0.3243, "b": 0.195, "c": 0.00212}  # Eq. 3
 PAPER_RMS = 0.09
@@ -30,10 +31,15 @@ def points_of(data: dict[str, Any]) -> list[dict[str, Any]]:
     report = tables.checked_report(data)["report"]
     names = ("kappa1", "kappa2", "kappa3", "mu", "mu_se")
     fitted = [
-        {**{name: tables.number(c[name]) for name in names}, "left_out": "", "runs": len(c["runs"])}
+        {
+            **{name: tables.number(c[name]) for name in names},
+            "t95": tables.number(c.get("t95", NORMAL)),
+            "left_out": "",
+            "runs": len(c["runs"]),
+        }
         for c in report["conditions"]
     ]
-    return fitted + [{**p, "runs": 1} for p in report["points"] if p["left_out"]]
+    return fitted + [{"t95": NORMAL, **p, "runs": 1} for p in report["points"] if p["left_out"]]
 
 
 def contents(data: dict[str, Any]) -> Contents:
@@ -110,7 +116,14 @@ def draw(
 
     def scatter(axes: Any, rows: list[dict[str, Any]], x: Any, y: Any, **style: Any) -> None:
         axes.errorbar(
-            x, y, yerr=1.96 * column(rows, "mu_se"), ls="none", ms=5, lw=1, capsize=2, **style
+            x,
+            y,
+            yerr=column(rows, "t95") * column(rows, "mu_se"),
+            ls="none",
+            ms=5,
+            lw=1,
+            capsize=2,
+            **style,
         )
 
     def predicted(rows: list[dict[str, Any]]) -> Any:
@@ -130,7 +143,7 @@ def draw(
         scatter(left, used, predicted(used), column(used, "mu"), **filled)
     if rest:
         scatter(left, rest, predicted(rest), column(rest, "mu"), **hollow)
-    bars = column(points, "mu") + 1.96 * np.nan_to_num(column(points, "mu_se"))
+    bars = column(points, "mu") + column(points, "t95") * np.nan_to_num(column(points, "mu_se"))
     top = 1.05 * np.nanmax(np.concatenate([predicted(points), bars]))
     line = np.array([0, top])
     left.plot(line, line, color="k", lw=1)

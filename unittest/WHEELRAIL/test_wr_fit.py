@@ -389,6 +389,7 @@ def test_replicas_are_one_point_of_the_fit(tmp_path):
         spread = math.sqrt(sum((x - condition["mu"]) ** 2 for x in mu) / 2 / 3)
         assert math.isclose(condition["scatter"], spread)
         assert condition["mu_se"] == max(condition["own_error"], condition["scatter"])
+        assert condition["t95"] == runs[0]["t95"]
         assert all(p["mu_se_own"] < p["mu_se"] for p in runs)
         assert "residual" in condition and "residual" not in runs[0]
     (seeds,) = report["seeds"]

@@ -56,6 +56,14 @@ def test_bars_are_students_t_of_the_seeds():
         assert high - low == pytest.approx(2 * t95 * 0.02)
 
 
+def test_bars_of_plot_fit_are_too():
+    condition = {"kappa1": 1.0, "kappa2": 9.0, "kappa3": 400.0, "mu": 0.4, "mu_se": 0.02}
+    for more, t95 in (({"t95": 12.706}, 12.706), ({}, 1.96)):
+        report = {"points": [point(0.4)], "conditions": [{**condition, **more, "runs": [0]}]}
+        (drawn,) = load("plot_fit.py").points_of({"report": report})
+        assert drawn["t95"] == t95 and drawn["mu_se"] == 0.02
+
+
 def test_other_quantities_are_lines(series):
     points = [point(0.4 + 0.01 * p, p=p, strength=s) for p in (1.0, 5.0) for s in (92.0, 200.0)]
     for words in (["--against", "pressure"], ["--against", "pressure", "--mu"]):

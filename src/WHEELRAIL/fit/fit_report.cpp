@@ -300,6 +300,7 @@ Json conditionJson(const FitAnalysis &analysis, std::size_t i)
                {"kappa3", first.kappa3},
                {"mu", condition.point.mu},
                {"mu_se", condition.point.muSe},
+               {"t95", first.t95},
                {"own_error", condition.ownError},
                {"scatter", finite(condition.scatter)},
                {"mu_eq2", first.muEq2},
