@@ -244,9 +244,9 @@ FixMCAEnergy::Balance FixMCAEnergy::balance()
 }
 
 /* ----------------------------------------------------------------------
-   Contacts that touch or part within a step are found too late by a part of it: their terms err by
-   some 1e-4 of what passes through the sample, to either side. What is beyond is no physics: a step
-   that is too long, a law that makes energy.
+   What contacts that touch or part within a step find too much or too little is some 1e-4 of what
+   passes through the sample. What is beyond is no physics: a step that is too long, a law that
+   makes energy.
 ------------------------------------------------------------------------- */
 
 void FixMCAEnergy::warn()
@@ -268,6 +268,9 @@ void FixMCAEnergy::warn()
     if (const double back = highest[channel] - b.flow[channel]; back > share * passed)
       what = fmt::format("{} has given back {:.6g}", name, back);
   }
+  if (std::abs(b.flow[Account::Touching]) > share * passed)
+    what = fmt::format("contacts that touch or part within a step have lost {:.6g}",
+                       b.flow[Account::Touching]);
   if (std::abs(b.error) > share * passed)
     what = fmt::format("the error is {:.6g}", b.error);
   if (what.empty())

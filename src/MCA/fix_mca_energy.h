@@ -50,7 +50,8 @@ class FixMCAEnergy : public Fix {
   /// Of the account on this rank [bytes].
   double memory_usage() override;
 
-  /// Number of sums of the account: plastic, fracture, viscous, work, box, changed.
+  /// Number of sums of the account: plastic, fracture, viscous, work, box, changed,
+  /// touching.
   static constexpr int FLOWS = mca::EnergyAccount::Channels;
   /// Of all ranks [energy]: kinetic of the leap-frog velocities (laws/energy.h), elastic, and the
   /// sums in the order of mca::EnergyAccount::Channel.

@@ -152,9 +152,7 @@ def test_what_is_changed_between_runs(tmp_path, command, ranks):
     assert begin["changed"] != 0
     assert after["changed"] == begin["changed"]
     size = after["work"] + abs(after["changed"]) + after["kinetic"]
-    # without links contacts touch and part within a step, which is the account's error
-    bar = 1e-3 if "mca_links" in command else 1e-6
-    assert worst(result, 0) < 1e-9 * size and worst(result, 1) < bar * size
+    assert worst(result, 0) < 1e-9 * size and worst(result, 1) < 1e-6 * size
 
 
 @pytest.mark.parametrize("ranks", [1, 2])

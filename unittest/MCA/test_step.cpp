@@ -417,7 +417,7 @@ double lackOf(const World &world, int ranks, int steps)
   for (auto &p : run.parts) {
     const double *sums = p->account.sums();
     lost += sums[mca::EnergyAccount::Plastic] + sums[mca::EnergyAccount::Fracture] +
-            sums[mca::EnergyAccount::Viscous] + p->account.touching();
+            sums[mca::EnergyAccount::Viscous] + sums[mca::EnergyAccount::Touching];
     EXPECT_EQ(sums[mca::EnergyAccount::Work], 0.0); // nothing acts from outside
   }
   EXPECT_GT(lost, 0.01 * start);

@@ -205,7 +205,7 @@ void EnergyAccount::bookContacts(const Step &step, double dt, bool back)
     // its way is dissipated
     if ((here.normal == 0.0) != (there == 0.0))
       loss = here.normal == 0.0 ? 0.0 : lossOf({closer, growth}, elastic);
-    touching_ += all - loss;
+    sums_[Touching] += all - loss;
     double viscous = 0.5 * s.viscous * total.normal;
     if (step.laws().resistsSlip) {
       const double arm = 0.5 * length(distance);

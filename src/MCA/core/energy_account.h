@@ -26,11 +26,13 @@ class EnergyAccount {
   /// Where energy goes, and (work) comes from: a link that breaks in the step pays into Fracture,
   /// an unlinked contact into Viscous, any other link and the change of e_zz into Plastic. Box is
   /// the work of a box that changes its size on the contacts over its periodic faces; Changed what
-  /// came with automata and left with them, or what somebody changed between two runs. Channels is
-  /// their number.
-  enum Channel { Plastic, Fracture, Viscous, Work, Box, Changed, Channels };
+  /// came with automata and left with them, or what somebody changed between two runs. Touching is
+  /// what contacts lose in steps in which they touch or part: force and gradient jump there, and
+  /// what their means of both ends say too much or too little is no dissipation but the step's
+  /// error, of either sign. Channels is their number.
+  enum Channel { Plastic, Fracture, Viscous, Work, Box, Changed, Touching, Channels };
   /// Those that add to what the sample has; the others take from it.
-  static constexpr bool comesIn(int channel) { return channel >= Work; }
+  static constexpr bool comesIn(int channel) { return channel >= Work && channel != Touching; }
 
   /// Sums since the beginning [energy], by channel.
   /// Of this rank alone: the account of the sample is the sum over all ranks.
@@ -45,11 +47,6 @@ class EnergyAccount {
   struct Edges {
     double h[6];
   };
-
-  /// What the sums lack since contacts touch or part within a step [energy], of either sign: force
-  /// and gradient jump there, and what their means of both ends say too much or too little is no
-  /// dissipation but the step's error. Of this rank, since it was set up.
-  double touching() const { return touching_; }
 
   /// Elastic energy that the change of state after the evaluation sets free [energy], on this rank:
   /// what the automata hold afterwards is theirs in the evaluation less this.
@@ -97,7 +94,6 @@ class EnergyAccount {
   Edges box_ = {}, growth_ = {};
   /// By channel, of this rank [energy].
   double sums_[Channels] = {};
-  double touching_ = 0.0;
   /// What the change of state after the evaluation sets free, by channel, of this rank [energy].
   double released_[Channels] = {};
 
