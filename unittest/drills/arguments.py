@@ -81,6 +81,9 @@ def style_lines():
     yield "mca_links reach", f"{PAIR}mca_links create all all reach @\n"
     for style in ("read", "write"):
         yield f"mca_links {style}", f"{PAIR}mca_links {style} @\n"
+    written = f"{PAIR}mca_links write written.links\nmca_links read written.links"
+    yield "mca_links replicate", f"{written} replicate @ 1 1\n"
+    yield "mca_links read keyword", f"{written} @ 1 1 1\n"
 
 
 def quoted(value):

@@ -455,6 +455,7 @@ std::vector<Reader> pluginReaders()
        {"preset a", "preset b plasticity isochoric flow contacts steps plain",
         "plane stress plasticity none",
         "fracture drucker-prager compressive_strength 1.5 link_work 2",
+        "compressive_strength 3 fracture mohr-coulomb",
         "link 2.35 weld none heal "
         "none"},
        readLaws},
