@@ -5,6 +5,7 @@
     plot_fragment.py friction.dump -o fragment.png
     plot_fragment.py friction.dump --show vx links --frame 1 -o fragment.png
     plot_fragment.py friction.dump --show stripes -o fragment.gif
+    plot_fragment.py DIR/NAME/run.*.dump --show vx -o fragment.gif
 
 One panel for each word after --show:
   stripes    the block an automaton began in; the dark stripes were vertical in the first frame of
@@ -16,6 +17,8 @@ One panel for each word after --show:
              (c_state[1] to c_state[4])
   any other column by its name in the dump, for instance c_state[2]
 The last panel is the mean of vx over each height. The dump needs the columns id, type, x, y and vx.
+Several dumps, such as the files of a campaign, one a frame, are put in the order
+of their steps; the time step is that of run.json beside them.
 An output that ends in .gif is an animation of all frames. Exit codes: 0 ok, 1 no matplotlib or no
 Pillow, 2 usage, 3 bad input file, 5 the picture cannot be written.
 """
@@ -26,8 +29,9 @@ import math
 from typing import Any
 
 from mcawr import plotting
+from mcawr.campaign_record import timestep_of
 from mcawr.command_line import Parser, file_name, number_in, whole_in
-from mcawr.dump import Dump
+from mcawr.dump import Film
 from mcawr.errors import BadInput, Exit, complain, fail, missing, run_script
 from mcawr.files import check_apart, check_size, save_figure, write
 
@@ -76,7 +80,7 @@ def profile(y: list[float], vx: list[float], height: float) -> tuple[list[float]
 class Picture:
     """All panels of one figure; show(number) draws a frame."""
 
-    def __init__(self, plt: Any, dump: Dump, given: argparse.Namespace) -> None:
+    def __init__(self, plt: Any, dump: Film, given: argparse.Namespace) -> None:
         self.dump, self.given = dump, given
         self.names = set(NEEDED) | {p for p in given.show if p != "stripes"}
         begin = dump.columns(0, NEEDED)
@@ -263,7 +267,7 @@ def animate(picture: Picture, frames: Any, rate: float, dpi: float) -> bytes:
 
 def arguments() -> argparse.Namespace:
     parser = Parser(__doc__)
-    parser.add_argument("dump", type=file_name, metavar="DUMP")
+    parser.add_argument("dump", type=file_name, metavar="DUMP", nargs="+")
     parser.add_argument(
         "-o",
         "--output",
@@ -297,28 +301,29 @@ def arguments() -> argparse.Namespace:
     parser.add_argument(
         "--timestep",
         type=number_in(),
-        default=4e-5,
         metavar="NS",
-        help="for the title, where the dump has no time [4e-5]",
+        help="for the title, where the dump has no time [that of run.json beside it, or 4e-5]",
     )
     parser.add_argument(
         "--rate", type=number_in(0.1, 50), default=5, help="frames per second of a GIF [5]"
     )
     parser.add_argument("--dpi", type=number_in(10, 1200), default=130, help="[130]")
     given = parser.parse_args()
-    check_apart([given.dump], [given.output])
+    check_apart(given.dump, [given.output])
+    if given.timestep is None:
+        given.timestep = timestep_of(given.dump[0]) or 4e-5
     given.show = list(dict.fromkeys(given.show))
     given.animated = given.output.lower().endswith(".gif")
     return given
 
 
-def read(path: str) -> Dump:
-    dump = Dump(path, STATE)
-    if dump.cut:
+def read(paths: list[str]) -> Film:
+    dump = Film(paths, STATE)
+    for path in dump.cut:
         complain(f"{path}: the last frame is cut and left out")
-    for frame in dump.frames:
+    for number, frame in enumerate(dump.frames):
         if frame["count"] == 0:
-            raise BadInput(f"{path}:{frame['head'] + 1}: no automaton")
+            raise BadInput(f"{dump.path_of(number)}:{frame['head'] + 1}: no automaton")
     for height in sorted(HEIGHTS.intersection(dump.frames[0]["names"])):
         values = dump.columns(0, [height])[height]
         if max(values) > min(values):
@@ -326,7 +331,7 @@ def read(path: str) -> Dump:
     return dump
 
 
-def of_space(dump: Dump, why: str) -> BadInput:
+def of_space(dump: Film, why: str) -> BadInput:
     """The error for a dump of three dimensions."""
     return BadInput(
         f"{dump.path}:{dump.frames[0]['head'] + 1}: {why}: only a dump of two dimensions can be "

@@ -1,6 +1,7 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Friction against pressure, velocity, viscosity or strength, from wr_fit's JSON: picture, table.
+"""Friction against pressure, velocity, viscosity, strength or temperature, from wr_fit's JSON:
+picture, table.
 
     plot_series.py pressure.json --against pressure -o fig4.png
     plot_series.py velocity.json --against velocity -o fig6.png --csv fig6.csv
@@ -11,17 +12,23 @@ scatter between the seeds, whichever is larger, times Student's t of the number 
 wr_fit knows what seeds differ by; the runs are the small dots. Where other
 quantities vary too there is a line for each of their values. pressure: the friction stress, as in
 Fig. 4 of the paper (with --mu: mu); velocity: mu, and above it the largest row of the logs, the
-static peak (Fig. 6); viscosity, strength: mu. Grinding-in: the mean before the stationary part, at
-most 100 ns. Dashed: Eq. 2 with the paper's numbers. --csv: a row for each condition. Exit codes: 0
-ok, 1 no matplotlib, 2 usage, 3 bad input file, 5 a file cannot be written.
+static peak (Fig. 6); viscosity, strength: mu; temperature: mu, with the material as it is at each.
+The temperature of a run stands in run.json beside a log of tools/campaign, in the head of a packed
+one, or in the shipped plan. Grinding-in: the mean before the stationary part, at most 100 ns.
+Dashed: Eq. 2 with the paper's numbers. --csv: a row for each condition. Exit codes: 0 ok, 1 no
+matplotlib, 2 usage, 3 bad input file, 5 a file cannot be written.
 """
 
 import csv
 import io
 import math
+import os
 from typing import Any
 
+from campaign_parts import plan as plans
 from mcawr import plotting, tables
+from mcawr.archive import ENDING
+from mcawr.campaign_record import temperature_of
 from mcawr.command_line import Parser, file_name
 from mcawr.errors import BadInput, run_script
 from mcawr.files import check_apart, picture, save_figure, write_all
@@ -32,16 +39,18 @@ LABELS = {
     "velocity": "sliding velocity $v$ (m/s)",
     "viscosity": "viscosity $\\eta$ (Pa s)",
     "strength": "strength $\\sigma_0$ (MPa)",
+    "temperature": "temperature $T$ (K)",
 }
 NAMES = {"pressure": "$p$ = {:g} MPa", "velocity": "$v$ = {:g} m/s"}
 NAMES |= {"strength": "$\\sigma_0$ = {:g} MPa", "youngs_modulus": "$E$ = {:g} GPa"}
-NAMES |= {"viscosity": "$\\eta$ = {:g} Pa s"}
+NAMES |= {"viscosity": "$\\eta$ = {:g} Pa s", "temperature": "$T$ = {:g} K"}
+OF_MATERIAL = ("strength", "youngs_modulus", "viscosity")  # what changes with the temperature
 MOST_LINES = 10
 
 
 def condition_of(point: dict[str, Any]) -> dict[str, float]:
     """{quantity: value} of all that a run was given but the seed; MPa, m/s, Pa s, E in GPa."""
-    values = {name: point[name] for name in LABELS}
+    values = {name: point[name] for name in LABELS if name in point}
     values["youngs_modulus"] = 1e-3 * point["kappa3"] * point["strength"]
     return {name: float(f"{value:.5g}") for name, value in values.items()}
 
@@ -60,6 +69,27 @@ def read(path: str) -> list[dict[str, Any]]:
     return points
 
 
+def in_shipped_plan(path: str) -> float | None:
+    """The temperature that a shipped plan has for the run of a log in its archive."""
+    folder, name = os.path.split(path)
+    plan = os.path.join(plans.SHIPPED, os.path.basename(folder).removesuffix(ENDING) + ".yaml")
+    if not folder.endswith(ENDING) or not os.path.isfile(plan):
+        return None
+    found = {run.name: run.values["temperature"] for run in plans.read(plan).runs}
+    return found.get(name.removesuffix(".friction"))
+
+
+def with_temperatures(points: list[dict[str, Any]]) -> list[dict[str, Any]]:
+    """The points with what run.json, or the head of a packed log, says. Raises BadInput."""
+    found = []
+    for point in points:
+        temperature = temperature_of(point["file"]) or in_shipped_plan(point["file"])
+        if temperature is None:
+            raise BadInput(f"{point['file']}: no temperature: not in run.json, its head or a plan")
+        found.append({**point, "temperature": temperature})
+    return found
+
+
 def table_text(points: list[dict[str, Any]]) -> str:
     """CSV: a row for each condition."""
     text = io.StringIO(newline="")
@@ -68,7 +98,7 @@ def table_text(points: list[dict[str, Any]]) -> str:
         "(between seeds), standard errors of the mean\n"
     )
     writer = csv.writer(text, lineterminator="\n")
-    names = [*LABELS, "youngs_modulus"]
+    names = list(condition_of(points[0]))
     writer.writerow([*names, "runs", "mu", "mu_se", "own_error", "scatter", "mu_eq2", "mu_peak"])
     for condition, members in conditions(points):
         mean, own, scatter = spread_of(members)
@@ -87,8 +117,10 @@ def lines_of(points: list[dict[str, Any]], against: str) -> dict[Any, Any]:
     found: dict[Any, Any] = {}
     for condition, members in conditions(points):
         x = condition.pop(against)
+        if against == "temperature":
+            condition = {n: v for n, v in condition.items() if n not in OF_MATERIAL}
         found.setdefault(tuple(condition.items()), []).append((x, members))
-    return dict(sorted(found.items()))
+    return {key: sorted(line, key=lambda at: at[0]) for key, line in sorted(found.items())}
 
 
 def name_of(line: Any, lines: Any) -> str:
@@ -163,7 +195,7 @@ def figure_of(points: list[dict[str, Any]], against: str, stress: Any) -> Any:
     axes.set_ylabel("friction stress (MPa)" if stress else "friction coefficient $\\mu$")
     if against == "viscosity" and min(point["viscosity"] for point in points) > 0:
         axes.set_xscale("log")
-    else:
+    elif against != "temperature":
         axes.set_xlim(left=0)
     if stress:
         axes.set_ylim(bottom=0)
@@ -194,6 +226,8 @@ def main() -> None:
     given = parser.parse_args()
     check_apart([given.json], [given.output, given.csv])
     points = read(given.json)
+    if given.against == "temperature":
+        points = with_temperatures(points)
     stress = given.against == "pressure" and not given.mu
     files: dict[str, str | bytes] = {
         given.output: picture(figure_of(points, given.against, stress), given.output)

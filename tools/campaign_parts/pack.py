@@ -14,14 +14,20 @@ from . import folder as folders
 from .plan import ROOT, Plan
 
 
-def packed(text: str, rows: int, command: str) -> str:
+def packed(text: str, rows: int, command: str, temperature: float | None = None) -> str:
     """A whole log whose rows are the means over `rows` rows of another; rows left over at the end
     are dropped."""
     log = friction_log.Text.of(text)
     names = [name for name in log.names if name != friction_log.CHECK]
     table = [[float(word) for word in line.split()[: len(names)]] for line in log.rows]
-    made = json.dumps({"command": command, "rows_averaged": rows})
-    result = [*log.head, friction_log.CAMPAIGN + made, " ".join([*names, friction_log.CHECK])]
+    made: dict[str, object] = {"command": command, "rows_averaged": rows}
+    if temperature is not None:
+        made["temperature"] = temperature  # the command has the material's numbers alone
+    result = [
+        *log.head,
+        friction_log.CAMPAIGN + json.dumps(made),
+        " ".join([*names, friction_log.CHECK]),
+    ]
     checks = friction_log.Checks(result)
     for begin in range(0, len(table) - rows + 1, rows):
         block = table[begin : begin + rows]
@@ -109,7 +115,7 @@ def pack(plan: Plan, top: str, target: str, rows: int, earlier: str | None) -> i
             say(f"{run.name}: {folder.state()}, left out")
             continue
         command = portable([attempt["command"] for attempt in folder.record()["attempts"]])
-        text = packed(read_text(folder.file(folders.LOG)), rows, command)
+        text = packed(read_text(folder.file(folders.LOG)), rows, command, run.values["temperature"])
         if not text.split("\n")[-2][:1].isdigit():
             raise folders.FolderError(
                 f"--rows {rows}: {folder.file(folders.LOG)} has fewer rows", Exit.USAGE

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """LAMMPS text dumps: of atoms (dump custom) and of local values (dump local)."""
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from typing import Any
 
 from .errors import BadInput
@@ -112,3 +112,30 @@ class Dump:
             f"{self.path}:{frame['head'] + 1}: column {name} is missing, the dump has: "
             f"{' '.join(frame['names'])}"
         )
+
+
+class Film:
+    """The frames of several dumps in the order of their steps; of two of one step that of the later
+    file. What Dump has, but the lines."""
+
+    def __init__(self, paths: Sequence[str], spellings: dict[str, str] | None = None) -> None:
+        """paths: at least one."""
+        dumps = [Dump(path, spellings) for path in paths]
+        places = {
+            frame["step"] if len(dumps) > 1 else k: (dump, k)
+            for dump in dumps
+            for k, frame in enumerate(dump.frames)
+        }
+        self._places = [places[at] for at in sorted(places)]
+        self.frames = [dump.frames[k] for dump, k in self._places]
+        self.path = self._places[0][0].path  # of the first frame
+        self.cut = [dump.path for dump in dumps if dump.cut]  # whose last frame is left out
+
+    def path_of(self, number: int) -> str:
+        """The file of a frame."""
+        return self._places[number][0].path
+
+    def columns(self, number: int, names: Iterable[str]) -> dict[str, list[float]]:
+        """{name: values of that column} of a frame."""
+        dump, k = self._places[number]
+        return dump.columns(k, names)

@@ -1,10 +1,13 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """tools/plot_fragment.py: a picture from a dump, or one clear line and no file."""
 
+import json
 import subprocess
 from pathlib import Path
 
 import pytest
+from mcawr.campaign_record import timestep_of
+from mcawr.dump import Film
 
 PLOT = Path(__file__).resolve().parents[2] / "tools" / "plot_fragment.py"
 HEAD = "ITEM: TIMESTEP\n{}\nITEM: NUMBER OF ATOMS\n4\nITEM: BOX BOUNDS pp ss pp\n0 5\n0 2.2\n-1 1\n"
@@ -103,3 +106,23 @@ def test_dump_of_space(tmp_path):
     done, picture = plot(tmp_path, deep)
     assert done.returncode == 3 and not picture.exists()
     assert done.stderr.count("\n") == 1 and "z goes from 2 to 4" in done.stderr
+
+
+def test_frames_of_a_campaign_are_put_in_order_with_the_step_of_run_json(tmp_path):
+    """One file a frame, as the shell names them: 100000 before 20000."""
+    for step in (0, 20000, 100000):
+        (tmp_path / f"run.{step}.dump").write_text(FRAME.format(step))
+    attempts = [{"command": "lmp -in in.friction -var p 15 -var dt 2.5e-05 -var every 2000"}]
+    (tmp_path / "run.json").write_text(json.dumps({"parameters": {}, "attempts": attempts}))
+    dumps = sorted(str(path) for path in tmp_path.glob("*.dump"))
+    assert dumps[1].endswith("run.100000.dump")
+    film = Film(dumps)
+    assert [frame["step"] for frame in film.frames] == [0, 20000, 100000]
+    assert film.path_of(2) == dumps[1] and film.columns(2, ["id"])["id"] == [1, 2, 3, 4]
+    assert timestep_of(dumps[0]) == 2.5e-5 and timestep_of(str(tmp_path / "no" / "x")) is None
+    picture = tmp_path / "a.svg"
+    done = subprocess.run(
+        [PLOT, *dumps, "-o", picture], text=True, capture_output=True, timeout=60, check=False
+    )
+    assert done.returncode == 0, done.stderr
+    assert "4 automata after 2.5 ns" in picture.read_text()

@@ -2,9 +2,12 @@
 """tools/plot_series.py: one point for the runs of a condition, its table, its picture."""
 
 import csv
+import json
 import math
+import pathlib
 
 import pytest
+from mcawr import files
 from script_calls import load, with_checksum
 from test_files import POINT
 
@@ -98,3 +101,34 @@ def test_peaks_do_not_flatten_the_rest():
     (stems,) = bars[2]
     heights = [part[1][1] - part[0][1] for part in stems.get_segments()]
     assert heights == pytest.approx([2 * 1.96 * 0.003] * 2)
+
+
+def test_temperature_is_that_of_run_json(series, tmp_path):
+    """Moduli and strengths that go with it make no line of their own."""
+    points = []
+    for name, kelvin, strength, mu in (("a", 293, 900, 0.5), ("b", 873, 338, 0.36)):
+        (tmp_path / name).mkdir()
+        record = {"parameters": {"temperature": kelvin}, "attempts": [], "checksum": ""}
+        (tmp_path / name / "run.json").write_text(json.dumps(record))
+        log = tmp_path / name / "run.friction"
+        points.append(point(mu, strength=float(strength), file=str(log)))
+    code, rows, _ = series(points, "--against", "temperature")
+    assert code == 0 and {row["temperature"] for row in rows} == {"293", "873"}
+    module = load("plot_series.py")
+    (line,) = module.lines_of(module.with_temperatures(points[::-1]), "temperature").values()
+    assert [x for x, _ in line] == [293, 873]
+    (tmp_path / "b" / "run.json").unlink()
+    code, _, err = series(points, "--against", "temperature")
+    assert code == 3 and "b/run.friction: no temperature" in err
+
+
+def test_temperature_of_a_shipped_log_is_that_of_its_plan():
+    logs = pathlib.Path(__file__).resolve().parents[2] / "examples/campaign/logs"
+    archive = logs / "temperature.tar.xz"
+    names = sorted(files._members(str(archive)))
+    found = {
+        load("plot_series.py").with_temperatures([{"file": f"{archive}/{name}"}])[0]["temperature"]
+        for name in names
+        if name.endswith(".friction")
+    }
+    assert found == {293, 473, 673, 773, 873}
