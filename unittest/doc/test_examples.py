@@ -298,3 +298,26 @@ def test_page_for_tribologists(tmp_path, monkeypatch):
     assert done.returncode == 0, done.stderr
     (words,) = [w for w in map(str.split, done.stdout.splitlines()) if w[0] == "measured.friction"]
     assert abs(float(words[3]) - 0.43) < 0.001 and 0 < float(words[4]) < 0.01
+
+
+@pytest.mark.parametrize(
+    "call, said",
+    [
+        ("friction.slide(1, presure=5)", "in.friction has no variable 'presure', it has: p, v, "),
+        ("friction.slide(1, upper_material='a.mca')", "no lmp is needed"),
+        ("friction.main()", "friction.py: '10 5' is not allowed, must be a time in ns"),
+    ],
+)
+def test_python_example_refuses_what_its_script_does_not_know(tmp_path, call, said):
+    (tmp_path / "lammps.py").write_text(
+        "LMP_STYLE_GLOBAL = LMP_TYPE_VECTOR = 0\n\n\n"
+        "def lammps(cmdargs):\n    raise SystemExit('no lmp is needed')\n"
+    )
+    done = subprocess.run(
+        ["/usr/bin/python3", "-c", f"import friction\n{call}", "10", "5"],
+        env={**os.environ, "PYTHONPATH": f"{tmp_path}:{ROOT / 'examples/python'}"},
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    assert done.returncode == (2 if "main" in call else 1) and said in done.stderr, done.stderr
