@@ -36,7 +36,8 @@ class PairMCA : public Pair {
   /// pair_style mca keyword value ...; what is not packing, thickness or cutoff is a keyword of
   /// laws/law_set.h.
   void settings(int, char **) override;
-  /// pair_coeff I I file.mca [quantity value] ...; a material belongs to a type.
+  /// pair_coeff I I file.mca [quantity value] ...; a material belongs to a type. And pair_coeff I J
+  /// interface [keyword value] ...
   void coeff(int, char **) override;
   /// Before each run: refuses commands that move automata without their velocities, makes the laws,
   /// sets radius and mass of own atoms, and at the first time the two internal fixes.
@@ -180,6 +181,8 @@ class PairMCA : public Pair {
   double cut_user;
   /// By type, [0] unused, in the units of the input script.
   std::vector<mca::Material> materials;
+  /// What pairs of types have of their own, in the units of the input script.
+  mca::Interfaces interfaces;
 
   mca::Step mca_step;
   /// Outlives the step's use of it; built by begin_list() on several ranks.
@@ -207,6 +210,12 @@ class PairMCA : public Pair {
   /// The material of a type in the units of the step: a stress is an energy per volume, a density
   /// times a squared velocity, too.
   mca::Material material_inside(int type) const;
+  /// What two types have of their own, likewise.
+  mca::Interface interface_inside(int typeI, int typeJ) const;
+  /// The strength of links of two types [pressure]: of their interface, or of the weaker material.
+  double strength(int typeI, int typeJ) const;
+  /// Of pair_coeff: the words behind I J interface.
+  void coeff_interface(int narg, char **arg);
   /// The tables of laws.
   void make_laws();
   /// Of setup() and reset_dt(): the critical step of each material under these laws.

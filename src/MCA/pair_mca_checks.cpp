@@ -300,8 +300,7 @@ void PairMCA::warn_of_stress() const
     const double stress = contact(k).trial;
     if (!mca::link::isLinked(p.now.kind[k]) && stress >= 0.0)
       continue; // apart
-    const double ratio = std::abs(stress) / std::min(materials[atom->type[p.i[k]]].strength,
-                                                     materials[atom->type[p.j[k]]].strength);
+    const double ratio = std::abs(stress) / strength(atom->type[p.i[k]], atom->type[p.j[k]]);
     sums[1] += ratio > 1.0 ? mca_step.share(k) : 0.0;
     if (ratio > own.ratio) {
       own.ratio = ratio;

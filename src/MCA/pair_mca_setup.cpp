@@ -134,15 +134,20 @@ void PairMCA::settings(int narg, char **arg)
 void PairMCA::coeff(int narg, char **arg)
 {
   if (narg < 3)
-    error->all(FLERR, "Pair_coeff of mca needs: types types file.mca [quantity value]");
+    error->all(FLERR, "Pair_coeff of mca needs: types types file.mca [quantity value], or types "
+                      "types interface [keyword value]");
   if (!allocated)
     allocate();
+  if (strcmp(arg[2], "interface") == 0) {
+    coeff_interface(narg, arg);
+    return;
+  }
   const auto [ilo, ihi] = mca::typeRange(lmp, "Pair_coeff of mca: I", arg[0], atom->ntypes);
   const auto [jlo, jhi] = mca::typeRange(lmp, "Pair_coeff of mca: J", arg[1], atom->ntypes);
   if (ilo != jlo || ihi != jhi)
     error->all(FLERR,
                "Pair_coeff {} {}: a material belongs to a type; give the same range twice, "
-               "pairs of unlike types follow from both",
+               "pairs of unlike types follow from both, or have an interface",
                arg[0], arg[1]);
   mca::Material material;
   try {
@@ -160,6 +165,23 @@ void PairMCA::coeff(int narg, char **arg)
     materials[i] = material;
     std::fill(setflag[i] + i, setflag[i] + ihi + 1, 1);
   }
+}
+
+/* pair_coeff I J interface [keyword value] ...; without a keyword both materials decide again */
+
+void PairMCA::coeff_interface(int narg, char **arg)
+{
+  const auto [ilo, ihi] = mca::typeRange(lmp, "Pair_coeff of mca: I", arg[0], atom->ntypes);
+  const auto [jlo, jhi] = mca::typeRange(lmp, "Pair_coeff of mca: J", arg[1], atom->ntypes);
+  mca::Interface interface;
+  if (const std::string problem = interface.parse({arg + 3, arg + narg}, lawset); !problem.empty())
+    error->all(FLERR, "Pair_coeff {} {} of mca: {}", arg[0], arg[1], problem);
+  for (int i = ilo; i <= ihi; i++)
+    for (int j = jlo; j <= jhi; j++)
+      if (interface.empty())
+        interfaces.erase(std::minmax(i, j));
+      else
+        interfaces[std::minmax(i, j)] = interface;
 }
 
 /* ---------------------------------------------------------------------- */
@@ -338,19 +360,45 @@ mca::Material PairMCA::material_inside(int type) const
   return m;
 }
 
+mca::Interface PairMCA::interface_inside(int typeI, int typeJ) const
+{
+  const mca::Interface *const own = mca::findInterface(interfaces, typeI, typeJ);
+  mca::Interface inside = own ? *own : mca::Interface();
+  if (inside.strength)
+    *inside.strength /= stress_unit();
+  if (inside.viscosity)
+    *inside.viscosity /= stress_unit();
+  return inside;
+}
+
+double PairMCA::strength(int typeI, int typeJ) const
+{
+  const mca::Interface *const own = mca::findInterface(interfaces, typeI, typeJ);
+  const double weaker = std::min(materials[typeI].strength, materials[typeJ].strength);
+  return own ? own->strength.value_or(weaker) : weaker;
+}
+
 void PairMCA::make_laws()
 {
+  mca::Interfaces own;
+  for (const auto &[types, interface] : interfaces) {
+    if (const std::string problem = interface.problem(lawset); !problem.empty())
+      error->all(FLERR, "Pair_coeff {} {} of mca: {}", types.first, types.second, problem);
+    own[types] = interface_inside(types.first, types.second);
+  }
   std::vector<mca::Material> inside = {material_inside(1)}; // types begin with 1
   for (int type = 1; type <= atom->ntypes; type++)
     inside.push_back(material_inside(type));
-  mca_step.setLaws({lawset, inside, thickness(), *packing});
+  mca_step.setLaws({lawset, inside, thickness(), *packing, own});
 }
 
 double PairMCA::init_one(int i, int j)
 {
   const mca::Material &a = materials[i], &b = materials[j];
   const double d = 0.5 * (a.diameter + b.diameter);
-  const double breaking = std::max(a.breakingStrain, b.breakingStrain);
+  const mca::Interface own = interface_inside(i, j);
+  const double breaking =
+      std::max({a.breakingStrain, b.breakingStrain, own.breakingStrain.value_or(0.0)});
   const double room = lawset.keepsVolume() ? mca::roomReach : 0.0;
   const double reach = d * (1.0 + std::max(breaking, room));
   if (cut_user > 0.0 && cut_user < reach)
@@ -385,17 +433,20 @@ void PairMCA::check_step()
   std::optional<Meeting> worst, stiffest;
   for (int i = 1; i <= atom->ntypes; i++)
     for (int j = i; j <= atom->ntypes; j++) {
-      // types of one material are one type
+      // types of one material are one type, but for interfaces
       const auto known = [this](int type) {
         return std::find(materials.begin() + 1, materials.begin() + type, materials[type]) !=
                materials.begin() + type;
       };
-      if (known(i) || (j != i && (known(j) || materials[i] == materials[j])))
+      const mca::Interface own = interface_inside(i, j);
+      if (own.empty() && (known(i) || (j != i && (known(j) || materials[i] == materials[j]))))
         continue;
-      const auto limit = mca::contactStep(lawset, material_inside(i), material_inside(j), *packing);
+      const auto limit =
+          mca::contactStep(lawset, material_inside(i), material_inside(j), *packing, own);
       const Meeting pair = {limit, mca::longestStep(lawset, limit),
-                            i == j ? fmt::format("of the material of type {}", i)
-                                   : fmt::format("where types {} and {} meet", i, j)};
+                            i == j && own.empty()
+                                ? fmt::format("of the material of type {}", i)
+                                : fmt::format("where types {} and {} meet", i, j)};
       if (!worst || pair.longest < worst->longest)
         worst = pair;
       if (!stiffest || pair.limit.elastic < stiffest->limit.elastic)
@@ -456,6 +507,7 @@ void PairMCA::write_restart(FILE *fp)
   write_restart_settings(fp);
   mca::writeBlock(fp,
                   mca::textOf(std::vector<mca::Material>(materials.begin() + 1, materials.end())));
+  mca::writeBlock(fp, mca::textOf(interfaces));
 }
 
 void PairMCA::read_restart(FILE *fp)
@@ -469,6 +521,8 @@ void PairMCA::read_restart(FILE *fp)
     materials[i] = read[i - 1];
     setflag[i][i] = 1;
   }
+  const std::string own = mca::blockText(lmp, fp, "pair_coeff interface of mca");
+  interfaces = mca::readOrStop(lmp, [&] { return mca::interfacesIn(own, atom->ntypes, lawset); });
   checked = atom->natoms; // states of a run press pairs together
   told_of_stress = true;
 }

@@ -21,12 +21,13 @@ struct LawTables {
   ///                   fastest where one law serves many pairs. In units in which a stress is an
   ///                   energy per volume
   /// \param thickness  h [length] of a plane packing, > 0; 1 in space
+  /// \param interfaces  by types, indices of `materials`, in the same units
   LawTables(const LawSet &, const std::vector<Material> &materials, double thickness,
-            const Packing &);
+            const Packing &, const Interfaces &interfaces = {});
 
   std::vector<AutomatonLaw> automata; ///< by type
   std::vector<double> volumes;        ///< of a cell [volume], by type
-  std::vector<PairLaw> pairs;         ///< of ordered pairs of unlike materials
+  std::vector<PairLaw> pairs;         ///< of ordered pairs of unlike materials, and of interfaces
   bool oneMaterial = true;            ///< the materials of all types are equal
 
   // which of the passes that are not always needed act

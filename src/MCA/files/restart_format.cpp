@@ -233,6 +233,47 @@ std::vector<Material> materialsIn(const std::string &text, std::size_t count)
   return materials;
 }
 
+// types, number of words, words
+std::string textOf(const Interfaces &interfaces)
+{
+  std::string text;
+  for (const auto &[types, interface] : interfaces) {
+    const std::vector<std::string> words = interface.words();
+    for (const auto number : {std::size_t(types.first), std::size_t(types.second), words.size()})
+      text += std::to_string(number) + " ";
+    for (const std::string &word : words)
+      text += word + " ";
+  }
+  return text;
+}
+
+Interfaces interfacesIn(const std::string &text, int types, const LawSet &laws)
+{
+  const std::string where = "Restart file is damaged: the block of pair_coeff interface has ";
+  Interfaces all;
+  std::istringstream in(text);
+  for (std::string first; in >> first;) {
+    std::string second, count;
+    in >> second >> count;
+    const auto i = mcawr::plainNumber(first), j = mcawr::plainNumber(second),
+               n = mcawr::plainNumber(count);
+    const auto isType = [types](const auto &t) {
+      return t && isCount(*t) && *t >= 1 && *t <= types;
+    };
+    if (!isType(i) || !isType(j) || *i > *j || !n || !isCount(*n) || *n < 0)
+      throw RestartError(where + "'" + first + " " + second + " " + count +
+                         "' for two types and a number of words");
+    std::vector<std::string> words;
+    for (std::string word; words.size() < static_cast<std::size_t>(*n) && in >> word;)
+      words.push_back(word);
+    Interface interface;
+    if (const std::string problem = interface.parse(words, laws); !problem.empty())
+      throw RestartError(where + problem);
+    all[{static_cast<int>(*i), static_cast<int>(*j)}] = interface;
+  }
+  return all;
+}
+
 // The numbers of a block in their order.
 static constexpr double DriveSums::*driveSums[] = {
     &DriveSums::startHeight,  &DriveSums::displacement, &DriveSums::work,

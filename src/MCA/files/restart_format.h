@@ -109,6 +109,13 @@ std::string textOf(const std::vector<Material> &);
 /// \throw RestartError
 std::vector<Material> materialsIn(const std::string &text, std::size_t count);
 
+/// Of pair_coeff interface.
+std::string textOf(const Interfaces &);
+/// \param types  number of types
+/// \param laws   that they have to fit
+/// \throw RestartError
+Interfaces interfacesIn(const std::string &text, int types, const LawSet &laws);
+
 /// Of fix mca/drive, with the parts of all ranks.
 struct DriveState {
   DriveSums sums;

@@ -35,11 +35,11 @@ static CriticalStep stepOf(const LawSet &laws, const Material &side, double shea
 }
 
 CriticalStep contactStep(const LawSet &laws, const Material &i, const Material &j,
-                         const Packing &packing)
+                         const Packing &packing, const Interface &interface)
 {
   const double shearModulus = 0.5 * (i.shearModulus() + j.shearModulus());
   const double DK = std::max(meanStressModulus(laws, i), meanStressModulus(laws, j));
-  const double viscosity = laws.isViscous() ? 0.5 * (i.viscosity + j.viscosity) : 0.0;
+  const double viscosity = contactViscosity(laws, i, j, interface);
   const double diameter = 0.5 * (i.diameter + j.diameter);
   const CriticalStep a = stepOf(laws, i, shearModulus, DK, viscosity, diameter, packing);
   if (i == j)

@@ -17,7 +17,9 @@ namespace mca {
 /// the laws have no plastic flow.
 /// \param i,j  materials that checkMaterial() accepts, in units in which a stress is an energy per
 ///             volume
-CriticalStep contactStep(const LawSet &, const Material &i, const Material &j, const Packing &);
+/// \param interface  what they have of their own, in the same units
+CriticalStep contactStep(const LawSet &, const Material &i, const Material &j, const Packing &,
+                         const Interface & = {});
 
 /// The longest stable step of these limits under these laws [time]: as CriticalStep::plain() or
 /// centred() has it, and at most `pressed`.

@@ -187,9 +187,11 @@ static double workToStrength(const Material &m)
   return YieldCurve(m).work(m.plasticStrainUltimate());
 }
 
-static LinkLimits makeLinkLimits(const LawSet &set, const Material &i, const Material &j,
-                                 int dimension)
+static LinkLimits makeLinkLimits(const LawSet &usual, const Material &ofI, const Material &ofJ,
+                                 int dimension, const Interface &interface)
 {
+  const LawSet set = interface.laws(usual);
+  const Material i = interface.material(ofI), j = interface.material(ofJ);
   const LinkMaterials materials = {i,         j,  elasticModuli(set, i), elasticModuli(set, j),
                                    dimension, 1.0};
   const double strength = materials.strength();
@@ -202,14 +204,21 @@ static LinkLimits makeLinkLimits(const LawSet &set, const Material &i, const Mat
   limits.healPressure = set.heal.threshold().limit(strength, HealLaw::stress(i, j));
   limits.linkedKind = set.weld.isOff() ? link::bulk : link::weld;
   limits.unloads = set.worn.is(WornRule::Unloaded) ? 1.0 : 0.0;
-  limits.breakingStrain = std::max(i.breakingStrain, j.breakingStrain);
+  limits.breakingStrain = std::max({ofI.breakingStrain, ofJ.breakingStrain, i.breakingStrain});
   limits.countsWork = set.linkWork.isOff() ? 0.0 : 1.0;
-  limits.linkWork = set.linkWork.threshold().limit(std::min(workToStrength(i), workToStrength(j)));
+  limits.linkWork =
+      set.linkWork.threshold().limit(std::min(workToStrength(ofI), workToStrength(ofJ)));
   return limits;
 }
 
+double contactViscosity(const LawSet &set, const Material &i, const Material &j,
+                        const Interface &interface)
+{
+  return set.isViscous() ? interface.viscosity.value_or(0.5 * (i.viscosity + j.viscosity)) : 0.0;
+}
+
 PairLaw makePairLaw(const LawSet &set, const Material &i, const Material &j, double thickness,
-                    const Packing &packing)
+                    const Packing &packing, const Interface &interface)
 {
   const double diameter = 0.5 * (i.diameter + j.diameter);
   PairLaw law;
@@ -230,13 +239,13 @@ PairLaw makePairLaw(const LawSet &set, const Material &i, const Material &j, dou
   law.keepsEnergy = keeps ? 1.0 : 0.0;
   law.mostStretch = std::min(mostStretch(a.shear, a.bulk, a.D, packing.dimension),
                              mostStretch(b.shear, b.bulk, b.D, packing.dimension));
-  law.viscosity = set.isViscous() ? 0.5 * (i.viscosity + j.viscosity) : 0.0;
+  law.viscosity = contactViscosity(set, i, j, interface);
   law.invMassI = 1.0 / Cell{packing, i.diameter, thickness}.mass(i.density);
   law.invMassJ = 1.0 / Cell{packing, j.diameter, thickness}.mass(j.density);
   law.invInertiaI = 1.0 / Cell{packing, i.diameter, thickness}.inertia(i.density);
   law.invInertiaJ = 1.0 / Cell{packing, j.diameter, thickness}.inertia(j.density);
   law.centring = set.resistsSlip() ? centredSlipShare / packing.ownSlipShare() : 1.0;
-  law.limits = makeLinkLimits(set, i, j, packing.dimension);
+  law.limits = makeLinkLimits(set, i, j, packing.dimension, interface);
   return law;
 }
 

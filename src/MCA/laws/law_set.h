@@ -7,6 +7,7 @@
 #include "automaton_law.h"
 #include "contact.h"
 #include "fracture_law.h"
+#include "interface.h"
 #include "law_keywords.h"
 #include "material.h"
 #include "plane.h"
@@ -133,8 +134,13 @@ AutomatonLaw makeAutomatonLaw(const LawSet &, const Material &, const Packing & 
 /// \param i,j        of the first and the second automaton of a pair
 /// \param thickness  h [length] of a plane packing, > 0; not used in space
 /// \param packing    its contact area S and cell volume V
+/// \param interface  what they have of their own, in the same units, which fits the laws
 PairLaw makePairLaw(const LawSet &, const Material &i, const Material &j, double thickness,
-                    const Packing & = packing::hex);
+                    const Packing & = packing::hex, const Interface & = {});
+
+/// Viscosity of contacts under these laws [stress time]: of the interface, or the mean of both.
+double contactViscosity(const LawSet &, const Material &i, const Material &j,
+                        const Interface & = {});
 
 } // namespace mca
 
