@@ -16,6 +16,7 @@
 #include "force.h"
 #include "input.h"
 #include "laws/contact_step.h"
+#include "laws/interface_words.h"
 #include "memory.h"
 #include "modify.h"
 #include "neighbor.h"
@@ -174,7 +175,8 @@ void PairMCA::coeff_interface(int narg, char **arg)
   const auto [ilo, ihi] = mca::typeRange(lmp, "Pair_coeff of mca: I", arg[0], atom->ntypes);
   const auto [jlo, jhi] = mca::typeRange(lmp, "Pair_coeff of mca: J", arg[1], atom->ntypes);
   mca::Interface interface;
-  if (const std::string problem = interface.parse({arg + 3, arg + narg}, lawset); !problem.empty())
+  if (const std::string problem = mca::readInterface({arg + 3, arg + narg}, lawset, interface);
+      !problem.empty())
     error->all(FLERR, "Pair_coeff {} {} of mca: {}", arg[0], arg[1], problem);
   for (int i = ilo; i <= ihi; i++)
     for (int j = jlo; j <= jhi; j++)
@@ -382,7 +384,7 @@ void PairMCA::make_laws()
 {
   mca::Interfaces own;
   for (const auto &[types, interface] : interfaces) {
-    if (const std::string problem = interface.problem(lawset); !problem.empty())
+    if (const std::string problem = mca::problemOf(interface, lawset); !problem.empty())
       error->all(FLERR, "Pair_coeff {} {} of mca: {}", types.first, types.second, problem);
     own[types] = interface_inside(types.first, types.second);
   }

@@ -3,6 +3,7 @@
 #include "core/law_tables.h"
 #include "files/restart_format.h"
 #include "laws/contact_step.h"
+#include "laws/interface_words.h"
 #include "sample.h"
 
 #include <gtest/gtest.h>
@@ -14,7 +15,7 @@ using mca::Interface;
 Interface parsed(const std::vector<std::string> &words, const mca::LawSet &laws = {})
 {
   Interface interface;
-  EXPECT_EQ(interface.parse(words, laws), "");
+  EXPECT_EQ(readInterface(words, laws, interface), "");
   return interface;
 }
 
@@ -62,10 +63,10 @@ TEST(Interface, hasLawsOfLinksOfItsOwn)
   EXPECT_TRUE(std::isinf(law.limits.healPressure));
   // and viscosity none is without any, whatever the interface says
   const Interface viscous = parsed({"viscosity", "7"});
-  EXPECT_EQ(makePairLaw(laws({"viscosity", "none"}), steel(), steel(), 1.0, mca::packing::hex,
-                        viscous)
-                .viscosity,
-            0.0);
+  EXPECT_EQ(
+      makePairLaw(laws({"viscosity", "none"}), steel(), steel(), 1.0, mca::packing::hex, viscous)
+          .viscosity,
+      0.0);
 }
 
 TEST(Interface, tablesKnowItByTypes)
@@ -114,7 +115,8 @@ TEST(Interface, whatIsNotAllowed)
            {{"breaking_strain", "0.1"}, {"fracture", "stress"}, "give it, too"},
        }) {
     Interface interface;
-    EXPECT_NE(interface.parse(c.words, laws(c.laws)).find(c.part), std::string::npos) << c.part;
+    EXPECT_NE(readInterface(c.words, laws(c.laws), interface).find(c.part), std::string::npos)
+        << c.part;
     EXPECT_TRUE(interface.empty());
   }
 }
@@ -127,8 +129,8 @@ TEST(Interface, readsBackFromRestartFiles)
   const std::string text = textOf(all);
   EXPECT_TRUE(mca::interfacesIn(text, 2, {}) == all);
   EXPECT_TRUE(mca::interfacesIn("", 2, {}).empty());
-  for (const char *bad : {"1 3 0 ", "2 1 0 ", "0 1 0 ", "1 2 x ", "1 2 2 strength nan ", "1 2",
-                          "1 2 2 link "})
+  for (const char *bad :
+       {"1 3 0 ", "2 1 0 ", "0 1 0 ", "1 2 x ", "1 2 2 strength nan ", "1 2", "1 2 2 link "})
     EXPECT_THROW(mca::interfacesIn(bad, 2, {}), mca::RestartError) << bad;
 }
 

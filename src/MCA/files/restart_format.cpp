@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "files/restart_format.h"
 
+#include "laws/interface_words.h"
 #include "laws/linking.h"
 #include "shared/plain_number.h"
 #include "shared/printable.h"
@@ -238,7 +239,7 @@ std::string textOf(const Interfaces &interfaces)
 {
   std::string text;
   for (const auto &[types, interface] : interfaces) {
-    const std::vector<std::string> words = interface.words();
+    const std::vector<std::string> words = wordsOf(interface);
     for (const auto number : {std::size_t(types.first), std::size_t(types.second), words.size()})
       text += std::to_string(number) + " ";
     for (const std::string &word : words)
@@ -267,7 +268,7 @@ Interfaces interfacesIn(const std::string &text, int types, const LawSet &laws)
     for (std::string word; words.size() < static_cast<std::size_t>(*n) && in >> word;)
       words.push_back(word);
     Interface interface;
-    if (const std::string problem = interface.parse(words, laws); !problem.empty())
+    if (const std::string problem = readInterface(words, laws, interface); !problem.empty())
       throw RestartError(where + problem);
     all[{static_cast<int>(*i), static_cast<int>(*j)}] = interface;
   }

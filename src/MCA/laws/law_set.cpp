@@ -190,7 +190,8 @@ static double workToStrength(const Material &m)
 static LinkLimits makeLinkLimits(const LawSet &usual, const Material &ofI, const Material &ofJ,
                                  int dimension, const Interface &interface)
 {
-  const LawSet set = interface.laws(usual);
+  LawSet set = usual;
+  set.parse(interface.links); // what is wrong was refused
   const Material i = interface.material(ofI), j = interface.material(ofJ);
   const LinkMaterials materials = {i,         j,  elasticModuli(set, i), elasticModuli(set, j),
                                    dimension, 1.0};

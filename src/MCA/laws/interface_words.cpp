@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "interface.h"
+#include "interface_words.h"
 
-#include "law_set.h"
 #include "shared/nearest_word.h"
 #include "shared/plain_number.h"
 
@@ -39,23 +38,18 @@ std::string bad(const std::string &keyword, const std::string &value, const std:
 
 } // namespace
 
-bool Interface::operator==(const Interface &other) const
-{
-  return strength == other.strength && breakingStrain == other.breakingStrain &&
-         viscosity == other.viscosity && links == other.links;
-}
-
-std::vector<std::string> Interface::words() const
+std::vector<std::string> wordsOf(const Interface &interface)
 {
   std::vector<std::string> all;
   for (const Quantity &q : quantities)
-    if (const auto &value = this->*q.value)
+    if (const auto &value = interface.*q.value)
       all.insert(all.end(), {q.keyword, mcawr::numberWord(*value, 17)});
-  all.insert(all.end(), links.begin(), links.end());
+  all.insert(all.end(), interface.links.begin(), interface.links.end());
   return all;
 }
 
-std::string Interface::parse(const std::vector<std::string> &words, const LawSet &laws)
+std::string readInterface(const std::vector<std::string> &words, const LawSet &laws,
+                          Interface &interface)
 {
   Interface read;
   for (std::size_t k = 0; k < words.size(); k += 2) {
@@ -81,46 +75,27 @@ std::string Interface::parse(const std::vector<std::string> &words, const LawSet
       return mcawr::unknownWord("interface keyword", keyword, known);
     }
   }
-  std::string wrong = read.problem(laws);
+  std::string wrong = problemOf(read, laws);
   if (wrong.empty())
-    *this = read;
+    interface = read;
   return wrong;
 }
 
-std::string Interface::problem(const LawSet &laws) const
+std::string problemOf(const Interface &interface, const LawSet &laws)
 {
   LawSet own = laws;
-  if (std::string wrong = own.parse(links); !wrong.empty())
+  if (std::string wrong = own.parse(interface.links); !wrong.empty())
     return "interface: " + wrong;
   // what was given for nothing was meant otherwise
   const std::string criterion = laws.fracture.word();
-  if (criterion == "strain" && strength && !breakingStrain)
+  if (criterion == "strain" && interface.strength && !interface.breakingStrain)
     return "interface strength alone breaks no link: by fracture strain links break at "
            "breaking_strain, give it, too";
-  if (criterion != "strain" && criterion != "none" && breakingStrain && !strength)
+  if (criterion != "strain" && criterion != "none" && interface.breakingStrain &&
+      !interface.strength)
     return "interface breaking_strain alone breaks no link: by fracture " + criterion +
            " links break by the strength, give it, too";
   return "";
-}
-
-LawSet Interface::laws(const LawSet &usual) const
-{
-  LawSet own = usual;
-  own.parse(links); // problem() has seen to it
-  return own;
-}
-
-Material Interface::material(Material m) const
-{
-  m.strength = strength.value_or(m.strength);
-  m.breakingStrain = breakingStrain.value_or(m.breakingStrain);
-  return m;
-}
-
-const Interface *findInterface(const Interfaces &all, int typeI, int typeJ)
-{
-  const auto found = all.find(std::minmax(typeI, typeJ));
-  return found == all.end() ? nullptr : &found->second;
 }
 
 } // namespace mca
