@@ -509,7 +509,7 @@ void PairMCA::write_restart(FILE *fp)
   write_restart_settings(fp);
   mca::writeBlock(fp,
                   mca::textOf(std::vector<mca::Material>(materials.begin() + 1, materials.end())));
-  mca::writeBlock(fp, mca::textOf(interfaces));
+  mca::writeBlock(fp, mca::textOfInterfaces(interfaces));
 }
 
 void PairMCA::read_restart(FILE *fp)

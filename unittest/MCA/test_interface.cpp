@@ -126,7 +126,7 @@ TEST(Interface, readsBackFromRestartFiles)
   const mca::Interfaces all = {
       {{1, 2}, parsed({"strength", "0.1", "breaking_strain", "0.33333333333333331"})},
       {{2, 2}, parsed({"link", "none", "weld", "0.7"})}};
-  const std::string text = textOf(all);
+  const std::string text = mca::textOfInterfaces(all);
   EXPECT_TRUE(mca::interfacesIn(text, 2, {}) == all);
   EXPECT_TRUE(mca::interfacesIn("", 2, {}).empty());
   for (const char *bad :

@@ -273,6 +273,12 @@ void readMaterials(const std::string &text)
     require(mca::checkMaterial(material).empty(), "no material");
 }
 
+void readInterfaces(const std::string &text)
+{
+  const std::string again = mca::textOfInterfaces(mca::interfacesIn(text, 3, {}));
+  require(mca::textOfInterfaces(mca::interfacesIn(again, 3, {})) == again, "other interfaces");
+}
+
 void readDrive(const std::string &text)
 {
   const std::string again = mca::textOf(mca::driveStateIn(text));
@@ -469,6 +475,9 @@ std::vector<Reader> pluginReaders()
         mca::textOf(settings({"link", "2.35", "weld", "none", "heal", "none"}, "fcc"))},
        refusing(readSettings)},
       {"restart_materials", {mca::textOf({steel(), steel()})}, refusing(readMaterials)},
+      {"restart_interfaces",
+       {"1 2 6 strength 30 breaking_strain 0.1 viscosity 0 2 2 4 link none weld 0.5 "},
+       refusing(readInterfaces)},
       {"restart_drive", {mca::textOf(driveState())}, refusing(readDrive)},
       {"restart_records", {records()}, refusing(readRecords)},
       {"restart", {restartFile()}, refusing(readMendedRestart)},

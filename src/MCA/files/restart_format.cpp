@@ -235,7 +235,7 @@ std::vector<Material> materialsIn(const std::string &text, std::size_t count)
 }
 
 // types, number of words, words
-std::string textOf(const Interfaces &interfaces)
+std::string textOfInterfaces(const Interfaces &interfaces)
 {
   std::string text;
   for (const auto &[types, interface] : interfaces) {

@@ -110,7 +110,7 @@ std::string textOf(const std::vector<Material> &);
 std::vector<Material> materialsIn(const std::string &text, std::size_t count);
 
 /// Of pair_coeff interface.
-std::string textOf(const Interfaces &);
+std::string textOfInterfaces(const Interfaces &);
 /// \param types  number of types
 /// \param laws   that they have to fit
 /// \throw RestartError
