@@ -191,15 +191,16 @@ def test_notched_plates_have_one_toughness(tmp_path):
 
 
 def test_weaker_half_of_the_disc_decides(tmp_path):
-    """And the limit is that of stresses of s and -3s by Drucker and Prager."""
+    """And the limit is that of stresses of 0.894 and -2.89 by Mohr and Coulomb."""
     split = {}
     for name, value in {"E": 206000, "strength2": 184, "strength": 46}.items():
         values = {"radius": 40, "rate": 5e-3, "after": 0.002, "strength2": 92, name: value}
         log = run(ROOT / "examples/brazilian/in.brazilian", tmp_path, values)
         split[name] = float(re.search(r"^2P/\(pi D h\) = (\S+) MPa", log, re.MULTILINE)[1])
-    assert split["E"] == pytest.approx(1.337 / 0.894 * 92, rel=0.06)
+    assert split["E"] == pytest.approx(10 / (10 * 0.894 + 2.89) * 92, rel=0.06)
     assert split["strength2"] == pytest.approx(split["E"], rel=0.02)
-    assert split["strength"] == pytest.approx(split["E"] / 2, rel=0.06)
+    # the waves of the start count twice as much beside half the load
+    assert split["strength"] == pytest.approx(split["E"] / 2, rel=0.1)
 
 
 def test_scratch(tmp_path):
