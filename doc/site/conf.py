@@ -55,7 +55,8 @@ NAVIGATION = {
     " doc/howto_patch doc/howto_view",
     "Examples": "examples/**/README",
     "Plugin": "doc/pair_mca doc/fix_nve_mca doc/fix_mca_drive doc/fix_mca_events"
-    " doc/compute_mca_atom doc/compute_mca_energy doc/compute_mca_link_local doc/region_mca_rough"
+    " doc/compute_mca_atom doc/compute_mca_energy doc/compute_mca_fragment_atom"
+    " doc/compute_mca_link_local doc/region_mca_rough"
     " doc/mca_links",
     "Programs": "doc/wr_fit doc/campaign doc/reproduce doc/wr_creep"
     " doc/wr_creep_validation",
