@@ -52,7 +52,7 @@ mathjax2_config = {
 
 NAVIGATION = {
     "Begin": "doc/install doc/howto_friction doc/howto_campaign doc/howto_wheelrail"
-    " doc/howto_patch doc/howto_view",
+    " doc/howto_patch doc/howto_tribology doc/howto_view",
     "Examples": "examples/**/README",
     "Plugin": "doc/pair_mca doc/fix_nve_mca doc/fix_mca_drive doc/fix_mca_events"
     " doc/compute_mca_atom doc/compute_mca_energy doc/compute_mca_fragment_atom"
