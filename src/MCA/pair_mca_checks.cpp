@@ -14,6 +14,7 @@
 #include "force.h"
 #include "group.h"
 #include "modify.h"
+#include "shared/pi.h"
 #include "update.h"
 
 #include <algorithm>
@@ -376,7 +377,8 @@ void PairMCA::warn_of_strength() const
 void PairMCA::warn_of_sizes() const
 {
   static constexpr double round_off = 1e-6; // of data files
-  const double pi = std::acos(-1.0), default_mass = pi / 6.0;
+  using mcawr::pi;
+  const double default_mass = pi / 6.0;
   auto differ = [](double a, double b) { return std::abs(a - b) > round_off * b; };
   bigint own[2] = {0, 0}, all[2];
   for (int i = 0; i < atom->nlocal; i++) {

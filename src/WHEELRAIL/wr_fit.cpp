@@ -10,6 +10,7 @@
 #include "fit/fit_report.h"
 #include "fit/found_logs.h"
 #include "fit/plot_script.h"
+#include "fit/point_columns.h"
 #include "law/law_checksum.h"
 #include "shared/output_file.h"
 
@@ -164,7 +165,7 @@ std::vector<FrictionPoint> readPoints(const std::vector<FoundLog> &logs,
 }
 
 /// The picture of the same JSON that -o gets.
-/// @return why there is none; empty: it was added
+/// \return why there is none; empty: it was added
 std::string addPicture(const std::string &path, const std::string &json,
                        mcawr::OutputFiles &results)
 {

@@ -76,7 +76,7 @@ constexpr double largestWhole = 9e15;
 /// reads every log whose numbers are within theirs.
 /// \param value in the unit of its `HeadNumber`
 bool isIn(Range range, double value);
-/// The same for the numbers of a row: finite, within +-largest; `step` is whole and >= 0.
+/// Whether a number may stand in a row: finite, within +-largest; `step` is whole and >= 0.
 bool isInRow(double value);
 /// The range in words: "> 0 (MPa), 1e-12 to 1e+12".
 /// \param unit empty for pure numbers

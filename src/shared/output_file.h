@@ -66,7 +66,7 @@ class OutputFiles {
 /// \throw OutputError  `path` cannot be written
 void checkWritable(const std::string &path);
 
-/// The same for files in a folder that is there.
+/// Checks that files can be made in a folder that is there.
 /// \throw OutputError
 void checkFolder(const std::string &path);
 

@@ -11,7 +11,7 @@ namespace mcawr {
 /// The decimal number that a text begins with, in the C locale whatever the program's is: digits
 /// with an optional sign, point and power of ten ("-1.5e-3"). No hexadecimal form: "0x10" begins
 /// with 0, and "x10" is left over.
-/// The same text gives the same number whatever locale a host program has set.
+/// A text gives one number whatever locale a host program has set.
 struct LeadingNumber {
   double value;          ///< finite, correctly rounded
   std::string_view rest; ///< what follows, untouched
@@ -22,7 +22,7 @@ struct LeadingNumber {
 /// \param text must outlive the result's `rest`
 std::optional<LeadingNumber> leadingNumber(std::string_view text);
 
-/// The same where the whole text has to be one number.
+/// Number of a text that has to be one number as a whole.
 /// \return nothing where anything is left over, blanks included
 std::optional<double> plainNumber(std::string_view text);
 

@@ -102,7 +102,7 @@ void renewLineEnds(std::string &text)
   text.resize(to);
 }
 
-/// Of letters and digits UTF-16 has one byte of two that is 0.
+/// What is wrong with a text that has zeros: UTF-16 has one for each letter and digit.
 std::string problemOfNul(std::string_view bytes, std::size_t nul)
 {
   const std::string_view head = bytes.substr(0, 64);

@@ -14,7 +14,7 @@ namespace mcawr {
 /// For whatever a message says of somebody else's file, argument or file name.
 std::string printable(std::string_view text);
 
-/// The same for a text of several lines: every '\n' stays.
+/// Makes a text of several lines printable: every '\n' stays.
 std::string printableLines(std::string_view text);
 
 /// A message without its middle where it is long: it quotes what stands in somebody else's file,

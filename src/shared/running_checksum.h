@@ -13,7 +13,7 @@ namespace mcawr {
 class RunningChecksum {
  public:
   void add(std::string_view bytes) { sum_.process_bytes(bytes.data(), bytes.size()); }
-  /// Of all that was added so far.
+  /// Checksum of all that was added so far.
   std::uint32_t value() const { return sum_.checksum(); }
 
  private:

@@ -165,7 +165,7 @@ def circles(tree):
     return [module for module, seen in below.items() if module in seen]
 
 
-@pytest.mark.parametrize("tree", ["shared", "MCA"])
+@pytest.mark.parametrize("tree", ["shared", "WHEELRAIL", "MCA"])
 def test_includes_point_down_inside_folders(tree):
     """Where a part includes what is made of it, there is a circle."""
     assert not circles(tree)

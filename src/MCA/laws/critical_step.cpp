@@ -2,6 +2,7 @@
 #include "critical_step.h"
 
 #include "fracture.h"
+#include "shared/pi.h"
 #include "viscosity.h"
 
 #include <Eigen/Dense>
@@ -136,7 +137,7 @@ CriticalStep criticalStep(const Material &m, double D, double viscosity, const P
   // faces, where the largest frequencies lie. Phases of the lattice's edges; opposite wave vectors
   // agree.
   constexpr int grid = 12;
-  const double mesh = 2.0 * std::acos(-1.0) / grid;
+  const double mesh = 2.0 * mcawr::pi / grid;
   const Lattice lattice = latticeOf(packing);
   const std::vector<Neighbour> neighbours = neighboursIn(lattice, packing.dimension);
   Matrix3d edges;

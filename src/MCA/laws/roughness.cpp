@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "roughness.h"
 
+#include "shared/pi.h"
+
 #include <algorithm>
 #include <cmath>
 #include <random>
 
 namespace mca {
 
-static const double pi = std::acos(-1.0);
+using mcawr::pi;
 
 RoughProfile::RoughProfile(double length, double amplitude, double correlation, std::uint64_t seed)
     : length_(length)

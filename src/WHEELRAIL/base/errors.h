@@ -25,7 +25,7 @@ enum class ExitCode : int {
 class Error : public std::runtime_error {
  public:
   /// A fault that belongs to no place in a file; for one that does, use `badInput`.
-  /// @param message the whole line as the user reads it, without an end of line
+  /// \param message the whole line as the user reads it, without an end of line
   Error(ExitCode code, const std::string &message);
 
   ExitCode code() const { return code_; } ///< what the program exits with
@@ -43,12 +43,12 @@ class Error : public std::runtime_error {
 };
 
 /// A fault in an input file (exit code 3): "FILE:LINE: keyword: problem".
-/// @param file path as the user gave it
-/// @param line 1-based, 0 when the fault belongs to the file as a whole
-/// @param keyword may be empty
-/// @param problem says the value given, what is allowed, and in which unit; of a long one the
+/// \param file path as the user gave it
+/// \param line 1-based, 0 when the fault belongs to the file as a whole
+/// \param keyword may be empty
+/// \param problem says the value given, what is allowed, and in which unit; of a long one the
 ///        middle is left out (`mcawr::shortened`)
-/// @return the error, to be thrown by the caller
+/// \return the error, to be thrown by the caller
 Error badInput(const std::string &file, int line, const std::string &keyword,
                const std::string &problem);
 

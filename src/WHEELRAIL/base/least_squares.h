@@ -12,7 +12,7 @@ namespace wheelrail {
 
 /// Residuals r(x) of a least-squares problem; fills `jacobian` (residuals x parameters, dr_i/dx_j)
 /// too unless it is null. Weights belong into the residuals.
-/// @return false where the residuals cannot be computed (the solver then takes a shorter step)
+/// \return false where the residuals cannot be computed (the solver then takes a shorter step)
 using Residuals =
     std::function<bool(const Eigen::VectorXd &x, Eigen::VectorXd &r, Eigen::MatrixXd *jacobian)>;
 
@@ -40,9 +40,9 @@ struct LeastSquaresSolution {
 
 /// Solves from each start (Ceres, Levenberg-Marquardt, dense QR) and keeps the best solution; one
 /// that converged is better than one that did not.
-/// @param starts at least one, within the bounds
-/// @return the best, converged or not: `converged` is for the caller to look at
-/// @throws std::invalid_argument if sizes disagree
+/// \param starts at least one, within the bounds
+/// \return the best, converged or not: `converged` is for the caller to look at
+/// \throws std::invalid_argument if sizes disagree
 LeastSquaresSolution solveLeastSquares(const LeastSquaresProblem &problem,
                                        const std::vector<Eigen::VectorXd> &starts);
 
@@ -55,10 +55,10 @@ struct Identifiability {
 };
 
 /// From the Jacobian at a solution, by singular values; independent of the parameters' units.
-/// @param jacobian residuals x parameters; residuals of unit variance make the covariance a true
+/// \param jacobian residuals x parameters; residuals of unit variance make the covariance a true
 /// one
-/// @param isFixed one per parameter: held, or at a bound; those are left out
-/// @return a covariance of zeros where the condition number is infinite
+/// \param isFixed one per parameter: held, or at a bound; those are left out
+/// \return a covariance of zeros where the condition number is infinite
 Identifiability analyseJacobian(const Eigen::MatrixXd &jacobian, const std::vector<bool> &isFixed);
 
 /// Profile-likelihood interval of parameter k: the values at which the sum of squares, minimised
@@ -71,10 +71,10 @@ struct Interval {
   bool lowerOpen = false; ///< `lower` is then the bound, or -infinity
   bool upperOpen = false; ///< `upper` likewise, or +infinity
 };
-/// @param solution of solveLeastSquares; k: number of the parameter, not a constant one
-/// @param standardError > 0, of the parameter: the first stride outwards
-/// @param rise > 0, of the sum of squares; Student's t squared where residuals have unit variance
-/// @param reach in standard errors: how far an end is looked for
+/// \param solution of solveLeastSquares; k: number of the parameter, not a constant one
+/// \param standardError > 0, of the parameter: the first stride outwards
+/// \param rise > 0, of the sum of squares; Student's t squared where residuals have unit variance
+/// \param reach in standard errors: how far an end is looked for
 Interval profileInterval(const LeastSquaresProblem &problem, const LeastSquaresSolution &solution,
                          int k, double standardError, double rise, double reach = 50.0);
 

@@ -18,32 +18,32 @@ namespace wheelrail {
 /// from a separator: a row that looks so is refused and named.
 class NumberRows {
  public:
-  /// @param path for messages
+  /// \param path for messages
   explicit NumberRows(std::string path) : path_(std::move(path)) {}
 
   /// Before the first row: it has one column, so that a comma in it is a decimal one.
   void expectOneColumn() { oneColumn_ = true; }
 
   /// Cells of a row, in words or numbers. The row must outlive them.
-  /// @param line of the file, from 1 on, for messages
-  /// @throws Error (BadInput) for an empty cell
+  /// \param line of the file, from 1 on, for messages
+  /// \throws Error (BadInput) for an empty cell
   std::vector<std::string_view> cells(int line, std::string_view row);
 
-  /// @param column as the message shall name it: "column 3", "mu"
-  /// @return finite
-  /// @throws Error (BadInput) for what is no number of this file
+  /// \param column as the message shall name it: "column 3", "mu"
+  /// \return finite
+  /// \throws Error (BadInput) for what is no number of this file
   double number(int line, const std::string &column, std::string_view cell);
 
-  /// Adds the numbers of a row. @return how many
-  /// @param unmeasured is "nan" allowed, and read as NaN?
-  /// @throws Error (BadInput)
+  /// Adds the numbers of a row. \return how many
+  /// \param unmeasured is "nan" allowed, and read as NaN?
+  /// \throws Error (BadInput)
   long append(int line, std::string_view row, bool unmeasured, std::vector<double> &values);
 
   /// To be added to a message about a number of columns: empty, or that decimal commas may be why.
   std::string decimalHint() const;
 
  private:
-  /// @param column gives its name, for a message
+  /// \param column gives its name, for a message
   template<class Name>
   double parsed(int line, std::string_view cell, const Name &column);
   void chooseSeparator(int line, std::string_view row);

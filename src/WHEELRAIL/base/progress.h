@@ -10,7 +10,7 @@ namespace wheelrail {
 /// Progress on stderr: one line that is written over on a terminal, a line now and then elsewhere.
 class Progress {
  public:
-  /// @param program its name begins the line
+  /// \param program its name begins the line
   explicit Progress(std::string program);
 
   /// "wr_creep: 3 of 21 points". The last call is never passed over.

@@ -21,7 +21,7 @@ namespace {
                           name, place, value));
 }
 
-/// @param fail called with the place of the first number that is not finite, and the number
+/// \param fail called with the place of the first number that is not finite, and the number
 template<class Json, class Fail>
 void search(const Json &json, const std::string &place, const Fail &fail)
 {

@@ -10,19 +10,18 @@ namespace wheelrail {
 
 /// The text of a JSON file, with an end of line. Bytes that are no UTF-8 (of a file's name) are
 /// replaced by U+FFFD.
-/// @param indent blanks of each level; -1: all in one line
-/// @throws Error (NotConverged) for a number that is not finite: "NAME: /contacts/0/seconds is
+/// \param indent blanks of each level; -1: all in one line
+/// \throws Error (NotConverged) for a number that is not finite: "NAME: /contacts/0/seconds is
 /// nan";
 ///         a number that may be missing is null
 std::string jsonText(const std::string &name, const nlohmann::ordered_json &json, int indent = 2);
 
-/// The same check for a table: lines that begin with '#', a line of column names, rows of cells
-/// that are separated by commas.
-/// @return the table
-/// @throws Error (NotConverged) that names column and row
+/// Checks that a table has finite numbers only: lines that begin with '#', a line of column names,
+/// rows of cells that are separated by commas. \return the table \throws Error (NotConverged) that
+/// names column and row
 const std::string &finiteTable(const std::string &name, const std::string &table);
 
-/// And for a journal's rows. @return whether all numbers are finite
+/// And for a journal's rows. \return whether all numbers are finite
 bool isFinite(const nlohmann::json &json);
 
 } // namespace wheelrail

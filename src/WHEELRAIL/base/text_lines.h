@@ -8,11 +8,11 @@
 namespace wheelrail {
 
 /// The bytes of a file as plain text (`mcawr::plainText`): UTF-8 without a mark, '\n' at the ends.
-/// @param path for the message
-/// @throws Error (BadInput) for what is no text, or text in a code that must be saved anew
+/// \param path for the message
+/// \throws Error (BadInput) for what is no text, or text in a code that must be saved anew
 std::string plainTextOf(const std::string &path, std::string_view bytes);
 
-/// `plainTextOf` of a whole input file. @throws Error (BadInput), also as `readInputFile`
+/// `plainTextOf` of a whole input file. \throws Error (BadInput), also as `readInputFile`
 std::string readTextFile(const std::string &path);
 
 /// Without blanks at either end.
@@ -23,8 +23,8 @@ std::string_view trimmedView(std::string_view text);
 class LineReader {
  public:
   explicit LineReader(std::string_view text) : rest_(text) {}
-  /// @return false at the end
-  /// @param line a view into the text, set unless the text is at its end
+  /// \return false at the end
+  /// \param line a view into the text, set unless the text is at its end
   bool next(std::string_view &line);
   int number() const { return number_; } ///< of the line last given
 

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "contact/contact_temperature.h"
 
+#include "shared/pi.h"
+
 #include <cmath>
 
 namespace wheelrail {
 namespace {
-constexpr double pi = 3.14159265358979323846;
+using mcawr::pi;
 
 /// Mean over a cell of the unit source on a cell m further ahead, of 1/sqrt(distance), h = 1:
 /// second difference of (4/3) d^(3/2); for far cells its expansion, where the difference would

@@ -38,12 +38,12 @@ double maximumOverMeanTemperature();
 
 /// Eq. 11: mean temperature rise over a Hertzian line contact,
 /// coefficient x frictionRatio x p0 x slidingSpeed x sqrt(a/(lambda rho c_p v0)), K.
-/// @param frictionRatio mu when everything slides (Eq. 11 as printed); T/N is the exact frictional
+/// \param frictionRatio mu when everything slides (Eq. 11 as printed); T/N is the exact frictional
 ///        power below full sliding
-/// @param hertzPressure p0, Pa
-/// @param slidingSpeed creep times v0, m/s
-/// @param halfWidth a, m
-/// @param speed v0, m/s, > 0
+/// \param hertzPressure p0, Pa
+/// \param slidingSpeed creep times v0, m/s
+/// \param halfWidth a, m
+/// \param speed v0, m/s, > 0
 double meanTemperatureRise(double frictionRatio, double hertzPressure, double slidingSpeed,
                            double halfWidth, double speed, const ThermalMaterial &material);
 
@@ -57,8 +57,8 @@ class FlashTemperature {
   /// n cells of size `cellSize` (m); the leading edge is at the last cell.
   FlashTemperature(int cells, double cellSize, double speed, const ThermalMaterial &material);
 
-  /// @param heat friction power per area of each cell, both bodies' together, W/m2
-  /// @return temperature rise per cell, K
+  /// \param heat friction power per area of each cell, both bodies' together, W/m2
+  /// \return temperature rise per cell, K
   Eigen::VectorXd rise(const Eigen::VectorXd &heat);
 
  private:
@@ -66,9 +66,9 @@ class FlashTemperature {
   Convolution::Spectrum kernel_;
 };
 
-/// The same where heat changes in time: every cell of material remembers the heat of its way
-/// through the contact. With heat that does not change it becomes `FlashTemperature`.
-/// Each cell of material keeps one number for every step since its first heat.
+/// Flash temperature where heat changes in time: every cell of material remembers the heat of its
+/// way through the contact. With heat that does not change it becomes `FlashTemperature`. Each cell
+/// of material keeps one number for every step since its first heat.
 class TravellingHeat {
  public:
   /// At the start all material is cold. Arguments as of `FlashTemperature`.
@@ -77,7 +77,7 @@ class TravellingHeat {
   /// The material moves on by one cell towards smaller x and takes up heat (W/m2, both bodies').
   void step(const Eigen::VectorXd &heat);
   /// Temperature rise of a cell after the last step, K.
-  /// @param cell 0 .. n - 1, as they lie in the contact now
+  /// \param cell 0 .. n - 1, as they lie in the contact now
   double rise(int cell) const;
 
  private:
@@ -86,7 +86,7 @@ class TravellingHeat {
   int cells_;
   int steps_ = 0;
   Eigen::VectorXd kernel_; ///< influence of heat m steps ago
-  /// Of the material, oldest first, from the first heat on; a cell's place is (cell + steps) %
+  /// Heat of the material, oldest first, from the first heat on; a cell's place is (cell + steps) %
   /// cells.
   std::vector<std::vector<double>> history_;
 };

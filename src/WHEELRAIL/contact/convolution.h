@@ -12,7 +12,7 @@
 namespace wheelrail {
 
 /// Smallest even 2^a 3^b 5^c 7^d >= n: a length that FFTW transforms fast.
-/// @param n >= 1
+/// \param n >= 1
 int fastTransformSize(int n);
 
 /// Products with Toeplitz matrices of n cells by FFTW, y_i = sum_j kernel(i - j) x_j: how the
@@ -28,8 +28,8 @@ class Convolution {
   using Vector = Eigen::VectorXd;
   using Spectrum = std::vector<std::complex<double>>;
 
-  /// @param cells n >= 1
-  /// @param size length of the transforms; n for a periodic line, >= 2n for one with free ends;
+  /// \param cells n >= 1
+  /// \param size length of the transforms; n for a periodic line, >= 2n for one with free ends;
   ///        `fastTransformSize` gives lengths that are fast
   Convolution(int cells, int size);
   ~Convolution();
@@ -43,12 +43,12 @@ class Convolution {
 
   /// Spectrum (already divided by the size, since FFTW's transforms are not normalised) of
   /// kernel(m), the influence of a cell on one m cells further, m = -(n-1) .. n-1; size >= 2n.
-  /// @param kernel called once for each m; its unit times that of x is the product's
-  /// @return bins() values, for `multiply` of this object or one of the same size
+  /// \param kernel called once for each m; its unit times that of x is the product's
+  /// \return bins() values, for `multiply` of this object or one of the same size
   Spectrum spectrumOf(const std::function<double(int)> &kernel);
 
-  /// The product. @param x n values @param spectrum of `spectrumOf`, or bins() values of one's own
-  /// @return n values; exact but for rounding
+  /// The product. \param x n values \param spectrum of `spectrumOf`, or bins() values of one's own
+  /// \return n values; exact but for rounding
   Vector multiply(const Vector &x, const Spectrum &spectrum);
 
  private:

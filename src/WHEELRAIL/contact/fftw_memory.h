@@ -35,7 +35,7 @@ template<class Number>
 using FftwArray = std::unique_ptr<Number[], FftwFree>;
 using FftwPlan = std::unique_ptr<std::remove_pointer_t<fftw_plan>, FftwDestroy>;
 
-/// @throws std::bad_alloc
+/// \throws std::bad_alloc
 template<class Number>
 FftwArray<Number> fftwArray(std::size_t n)
 {
@@ -49,8 +49,8 @@ FftwArray<Number> fftwArray(std::size_t n)
 ///
 /// FFTW ends the program where memory fails it within a plan. What a plan of `length` takes is
 /// therefore asked for before.
-/// @param length of the transforms
-/// @throws std::bad_alloc
+/// \param length of the transforms
+/// \throws std::bad_alloc
 template<class Make>
 FftwPlan fftwPlan(int length, const Make &make)
 {

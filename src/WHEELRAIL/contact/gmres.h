@@ -57,11 +57,11 @@ struct GmresCycle {
 
 /// One cycle of GMRES (Saad, Schultz 1986), preconditioned on the right, from the residual r of the
 /// x that it starts from.
-/// @tparam Scalar in which the space is kept
-/// @param apply, precondition as `gmres` takes them
-/// @param goal length of the residual at which it ends, in the unit of r
-/// @param vectors of the space, at most; at least 1
-/// @param maxProducts at most
+/// \tparam Scalar in which the space is kept
+/// \param apply, precondition as `gmres` takes them
+/// \param goal length of the residual at which it ends, in the unit of r
+/// \param vectors of the space, at most; at least 1
+/// \param maxProducts at most
 template<class Scalar, class Apply, class Precondition>
 GmresCycle gmresCycle(const Apply &apply, const Precondition &precondition,
                       const Eigen::VectorXd &r, double goal, int vectors, int maxProducts)
@@ -125,16 +125,16 @@ GmresCycle gmresCycle(const Apply &apply, const Precondition &precondition,
 /// and columns of cells that take no part may be zero where b is.
 ///
 /// Nothing here knows a unit: b and A x have one unit, x and the preconditioner's results another.
-/// @param apply v -> A v, a function of Eigen::VectorXd that returns one of the same size
-/// @param precondition v -> about A^-1 v, linear, the same in every call
-/// @param b right-hand side
-/// @param x start on entry, of the size of b (zero does); solution on return
-/// @param scale > 0, in the unit of b: what |b - A x| is measured against, so that the tolerance is
+/// \param apply v -> A v, a function of Eigen::VectorXd that returns one of the same size
+/// \param precondition v -> about A^-1 v, linear, the same in every call
+/// \param b right-hand side
+/// \param x start on entry, of the size of b (zero does); solution on return
+/// \param scale > 0, in the unit of b: what |b - A x| is measured against, so that the tolerance is
 ///        always relative
-/// @param tolerance of |b - A x| / scale
-/// @param restart vectors that are kept before the method starts anew; each has the size of b
-/// @param maxProducts limit of the products in all
-/// @return converged or not; never throws. A residual that is not finite ends it
+/// \param tolerance of |b - A x| / scale
+/// \param restart vectors that are kept before the method starts anew; each has the size of b
+/// \param maxProducts limit of the products in all
+/// \return converged or not; never throws. A residual that is not finite ends it
 ///
 /// *Scale.* Choose `scale` of the order of |b|: a tolerance that is absolute would end the
 /// iteration early and in silence for a right-hand side near 1e-8.

@@ -61,7 +61,7 @@ class HalfSpace {
   /// pressures whose sum over the cells is `pressureSum` > 0. Must not depend on the unit system.
   virtual double displacementScale(double pressureSum) const = 0;
 
-  /// The same half-space on cells that are twice as long in every direction with more than one
+  /// This half-space on cells that are twice as long in every direction with more than one
   /// cell, in the same units: where solvers find their start. Null where the grid is small enough
   /// to start on, or does not halve.
   virtual std::unique_ptr<HalfSpace> coarser() const = 0;

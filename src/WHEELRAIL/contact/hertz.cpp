@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "contact/hertz.h"
 
+#include "shared/pi.h"
+
 #include <algorithm>
 #include <cmath>
 
 namespace wheelrail {
 namespace {
-constexpr double pi = 3.14159265358979323846;
+using mcawr::pi;
 }
 
 double contactModulus(double youngsModulus, double poissonsRatio)

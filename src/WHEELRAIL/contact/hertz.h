@@ -5,7 +5,7 @@
 namespace wheelrail {
 
 /// 1/E* = 2 (1 - nu^2)/E of two equal bodies; the unit of E. E > 0, -1 < nu < 1/2.
-/// @return E*, in the unit of E: E/(2 (1 - nu^2))
+/// \return E*, in the unit of E: E/(2 (1 - nu^2))
 double contactModulus(double youngsModulus, double poissonsRatio);
 
 /// Smooth line contact of cylinders (Hertz 1882; Johnson, Contact Mechanics, sec. 4.2). SI units,
@@ -26,8 +26,8 @@ HertzContact hertzContact(double load, double radius, double modulus);
 
 /// dT/dcreep at creep 0 for any roughness that is fixed in the contact frame: (pi E*/4) x real
 /// contact length, N/m; from full stick on every micro-contact, whatever the friction.
-/// @param modulus E*, Pa
-/// @param realContactLength sum of the lengths in contact, m
+/// \param modulus E*, Pa
+/// \param realContactLength sum of the lengths in contact, m
 double initialSlope(double modulus, double realContactLength);
 
 } // namespace wheelrail

@@ -30,7 +30,7 @@ struct Extreme {
   long count = 0;
 };
 
-/// @param sign 1: the smallest, -1: the largest
+/// \param sign 1: the smallest, -1: the largest
 Extreme extremeOf(const Eigen::VectorXd &heights, double sign)
 {
   constexpr double infinity = std::numeric_limits<double>::infinity();

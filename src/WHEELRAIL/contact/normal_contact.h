@@ -61,7 +61,7 @@ struct NormalContactResult {
 /// that pull are released, cells that overlap join, cells above the limit are set to it.
 /// Starts on a coarse grid. Should the sets cycle, a projected gradient method that cannot
 /// (every step lowers the energy) takes over.
-/// @throws Error (BadInput) for a load above what the limit can carry,
+/// \throws Error (BadInput) for a load above what the limit can carry,
 ///         Error (NotConverged) with iterations and residual, Error (Internal) for a profile of
 ///         another size
 NormalContactResult solveNormalContact(HalfSpace &halfSpace, const NormalContactProblem &problem,

@@ -56,9 +56,9 @@ struct FitAnalysis {
 
 /// Marks the points to leave out, fits, compares models. That a law cannot be fitted is no error:
 /// `whyNot` says why, and the comparison holds the models that can.
-/// @param points of `frictionPoint`, at least one
-/// @param options of the command line, ranges checked there
-/// @return with either `fit` or `whyNot`, and one comparison for each of `lawModels`
+/// \param points of `frictionPoint`, at least one
+/// \param options of the command line, ranges checked there
+/// \return with either `fit` or `whyNot`, and one comparison for each of `lawModels`
 FitAnalysis analysePoints(std::vector<FrictionPoint> points, const FitOptions &options);
 
 } // namespace wheelrail

@@ -23,8 +23,8 @@ struct FitCondition {
 };
 
 /// The conditions of the points that are not left out, in the order of their first runs.
-/// @param points with a finite standard error where they are not left out
-/// @return each point that is not left out is in one condition
+/// \param points with a finite standard error where they are not left out
+/// \return each point that is not left out is in one condition
 std::vector<FitCondition> conditionsOf(const std::vector<FrictionPoint> &points);
 
 } // namespace wheelrail

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "fit/fit_report.h"
 
+#include "fit/point_columns.h"
 #include "fit/replicates.h"
 #include "shared/printable.h"
 
@@ -257,33 +258,11 @@ Json pointJson(const FrictionPoint &p)
 {
   Json json;
   json["file"] = p.file;
-  json["kappa1"] = p.kappa1;
-  json["kappa2"] = p.kappa2;
-  json["kappa3"] = p.kappa3;
-  json["mu"] = p.mu;
-  json["mu_se"] = finite(p.muSe);
-  json["mu_se_own"] = finite(p.muOwn);
-  json["t95"] = p.t95;
-  json["n_eff"] = p.nEff;
-  json["t_start"] = finite(p.tStart);
-  json["mu_grinding_in"] = finite(p.muGrindingIn);
-  json["mu_eq2"] = p.muEq2;
-  json["correlation_time"] = p.correlationTime;
-  json["mu_peak"] = p.muPeak;
-  json["duration"] = p.duration;
-  json["pressure"] = p.head.pressure;
-  json["velocity"] = p.head.velocity;
-  json["strength"] = p.head.strength;
-  json["viscosity"] = p.head.viscosity;
-  json["seed"] = p.seed();
-  json["distance"] = p.health.distance;
-  json["start_distance"] = p.health.startDistance;
-  json["gap"] = p.health.gap;
-  json["room"] = finite(p.health.room);
-  json["least_room"] = p.health.leastRoom;
-  json["lost"] = finite(p.health.lost);
-  json["smooth"] = p.health.smooth;
-  json["fall"] = finite(p.health.fall);
+  for (const PointColumn &column : pointColumns()) {
+    const double value = column.get(p);
+    if (column.inReport)
+      json[column.name] = column.whole ? Json(static_cast<long>(value)) : finite(value);
+  }
   json["strengths"] = p.health.strengths;
   json["note"] = p.note;
   json["left_out"] = p.leftOut;

@@ -12,7 +12,7 @@ namespace wheelrail {
 /// The report for people: a table of the points, the law with its intervals, the comparison of
 /// models, runs that repeat each other.
 /// Stresses in MPa, times in ns, velocities in m/s; kappas and mu are pure numbers.
-/// @return several lines, each ended
+/// \return several lines, each ended
 std::string textReport(const FitAnalysis &analysis);
 
 /// The law file (format "mca-friction-law 1", with everything else under "report"), or, when no law

@@ -75,7 +75,7 @@ class Finder {
       known = archives_.emplace(place, readLogArchive(archive)).first;
     return known->second;
   }
-  /// @param text is moved from: a log is taken once
+  /// \param text is moved from: a log is taken once
   void addArchived(const std::string &archive, const std::string &name, std::string &text)
   {
     if (seen_.insert(placeOf(archive) + "/" + name).second)

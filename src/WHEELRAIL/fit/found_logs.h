@@ -17,14 +17,14 @@ struct FoundLog {
 
   /// The file on the disk that it comes from.
   const std::string &onDisk() const { return archive.empty() ? file : archive; }
-  /// @throws Error (BadInput) as readFrictionLog
+  /// \throws Error (BadInput) as readFrictionLog
   FrictionLog read() const;
 };
 
 /// The logs named on a command line: files as they are, folders replaced by all *.friction below
 /// them and archives by all *.friction in them, in alphabetical order; a log that is named twice
 /// counts once. Each archive is read once.
-/// @throws Error (BadInput) for a path that does not exist, a folder that cannot be read, an
+/// \throws Error (BadInput) for a path that does not exist, a folder that cannot be read, an
 ///         archive that readLogArchive refuses, and a folder or archive without a log
 std::vector<FoundLog> findFrictionLogs(const std::vector<std::string> &paths);
 

@@ -96,7 +96,7 @@ class Header {
 
   int line(const std::string &section) const { return lineOf(root_[section]); }
 
-  /// @param section where it stands; nullptr: in its own
+  /// \param section where it stands; nullptr: in its own
   double number(const format::HeadNumber &wanted, const char *section = nullptr) const
   {
     const std::string home = section ? section : wanted.section;
@@ -284,15 +284,15 @@ void addRow(FrictionLog &log, int line, const format::Row &row)
 /// The column `check`: whether all before it is as it was written.
 class RowCheck {
  public:
-  /// @param text of the whole file, which has to outlive this
-  /// @param names of the columns
+  /// \param text of the whole file, which has to outlive this
+  /// \param names of the columns
   RowCheck(const std::string &path, std::string_view text,
            const std::vector<std::string_view> &names)
       : path_(path), text_(text),
         place_(std::find(names.begin(), names.end(), format::checkName) - names.begin())
   {
   }
-  /// @param words of a row, within the text, in the order of the file's rows
+  /// \param words of a row, within the text, in the order of the file's rows
   void row(int line, const std::vector<std::string_view> &words)
   {
     if (place_ >= words.size())

@@ -25,8 +25,8 @@ struct FrictionLog {
   /// names, and its "timestep". With `madeBy` all of the head that decides a run, but for the seed.
   std::map<std::string, std::string> condition;
 
-  /// Of the materials beside that of the head, MPa; empty where there is one material. The head has
-  /// the weakest, and so have all kappas.
+  /// Strengths of the materials beside that of the head, MPa; empty where there is one material.
+  /// The head has the weakest, and so have all kappas.
   std::vector<double> otherStrengths;
   std::string packing; ///< its name; empty: not stated
   std::string command; ///< that made the run, of a packed log; else empty
@@ -53,16 +53,16 @@ struct FrictionLog {
 /// Reads and checks one log. A row of step 0 is the state before the first step, not a mean: it is
 /// checked and then left out of the series. A last line that was cut by the death of the machine
 /// (too few columns, or no end of line) is dropped if it is the only defect, and `note` says so.
-/// @throws Error (BadInput) naming file and line: missing or empty file, no regular file, another
+/// \throws Error (BadInput) naming file and line: missing or empty file, no regular file, another
 ///         format, version or unit, a key that is missing, misspelt or given twice, a missing
 ///         column, a value out of range, text or nan among the numbers, steps that do not increase
 ///         or are unevenly spaced, mu that is not shear_stress/pressure, no row at all
 FrictionLog readFrictionLog(const std::string &path);
 
 /// The log that stands in a text, as readFrictionLog reads one.
-/// @param file what the text is called in messages, and in `FrictionLog::file`
-/// @param bytes of the whole log; marks, codes and line ends of other machines as `plainTextOf`
-/// @throws Error (BadInput) for all that a text can have wrong; an empty one, too
+/// \param file what the text is called in messages, and in `FrictionLog::file`
+/// \param bytes of the whole log; marks, codes and line ends of other machines as `plainTextOf`
+/// \throws Error (BadInput) for all that a text can have wrong; an empty one, too
 FrictionLog parseFrictionLog(const std::string &file, const std::string &bytes);
 
 } // namespace wheelrail

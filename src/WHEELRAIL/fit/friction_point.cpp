@@ -79,17 +79,6 @@ class RowMean {
   int rows_ = 0;
 };
 
-/// A field of a CSV line, in quotes where its own characters ask for it (RFC 4180).
-std::string csvField(const std::string &text)
-{
-  if (text.find_first_of(",\"\n") == std::string::npos)
-    return text;
-  std::string quoted = "\"";
-  for (char c : text)
-    quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return quoted + '"';
-}
-
 void addNote(std::string &notes, const std::string &note)
 {
   notes += (notes.empty() ? "" : "; ") + note;
@@ -177,27 +166,6 @@ bool sameRun(const FrictionPoint &a, const FrictionPoint &b)
     ofA = ofB = {};
   }
   return compared;
-}
-
-std::string pointsAsCsv(const std::vector<FrictionPoint> &points)
-{
-  std::string text = "# t_start in ns (nan: no stationary part found, mu of the second half), "
-                     "pressure, strength and youngs_modulus in MPa, velocity in m/s, viscosity in "
-                     "Pa s, distance (slid in all) and gap in nm; the rest is dimensionless\n"
-                     "file,kappa1,kappa2,mu,mu_se,n_eff,t_start,mu_grinding_in,mu_eq2,kappa3,"
-                     "pressure,velocity,strength,youngs_modulus,viscosity,seed,mu_se_own,"
-                     "poissons_ratio,density,breaking_strain,distance,gap,room,lost,smooth\n";
-  for (const auto &p : points)
-    text +=
-        fmt::format("{},{:.8g},{:.8g},{:.6g},{:.4g},{:.4g},{:.6g},{:.6g},{:.6g},{:.8g},"
-                    "{:.8g},{:.8g},{:.8g},{:.8g},{:.8g},{},{:.4g},"
-                    "{:.8g},{:.8g},{:.8g},{:.8g},{:.6g},{:.6g},{:.6g},{:.4g}\n",
-                    csvField(p.file), p.kappa1, p.kappa2, p.mu, p.muSe, p.nEff, p.tStart,
-                    p.muGrindingIn, p.muEq2, p.kappa3, p.head.pressure, p.head.velocity,
-                    p.head.strength, p.youngsModulus(), p.head.viscosity, p.seed(), p.muOwn,
-                    p.head.poissonsRatio, p.head.density, p.head.breakingStrain, p.health.distance,
-                    p.health.gap, p.health.room, p.health.lost, p.health.smooth);
-  return text;
 }
 
 } // namespace wheelrail

@@ -58,7 +58,7 @@ struct FrictionPoint {
 struct PointOptions {
   /// Start of the part that is averaged, ns; absent: found by stationaryPart.
   std::optional<double> start;
-  /// The same as a distance of sliding, nm; with both, the later of them.
+  /// Start as a distance of sliding, nm; with both starts, the later of them.
   std::optional<double> startDistance;
   /// End of the grinding-in, ns; absent: the start of the stationary part, at most 100 ns (the
   /// window of the paper's Fig. 4).
@@ -72,19 +72,10 @@ struct PointOptions {
 /// For leaving out a point that would count twice.
 bool sameRun(const FrictionPoint &a, const FrictionPoint &b);
 
-/// The point of one log. @throws Error (BadInput) if the start lies beyond the end of the log
+/// The point of one log. \throws Error (BadInput) if the start lies beyond the end of the log
 /// mu is the mean of the column over the stationary part, its error from `seriesMean`.
-/// @param log with at least one row
+/// \param log with at least one row
 FrictionPoint frictionPoint(const FrictionLog &log, const PointOptions &options);
-
-/// points.csv: a comment line with the units, a line of column names, one row a point:
-/// file,kappa1,kappa2,mu,mu_se,n_eff,t_start,mu_grinding_in,mu_eq2,kappa3,pressure,velocity,
-/// strength,youngs_modulus,viscosity,seed,mu_se_own,poissons_ratio,density,breaking_strain,distance,gap,room,
-/// lost,smooth. The last five are RunHealth's; nan is what the log does not say.
-/// t_start (ns) is nan where no stationary part was found, mu_grinding_in where there was no
-/// grinding-in; lengths in nm, stresses in MPa, velocity in m/s, viscosity in Pa s, the rest is
-/// dimensionless.
-std::string pointsAsCsv(const std::vector<FrictionPoint> &points);
 
 } // namespace wheelrail
 

@@ -4,6 +4,7 @@
 #include "base/errors.h"
 #include "fit/law_problem.h"
 #include "fit/statistics.h"
+#include "shared/pi.h"
 
 #include <Eigen/Dense>
 
@@ -99,7 +100,7 @@ double minusTwoLogLikelihood(const std::vector<LawPoint> &points, const VectorXd
     const VectorXd sigma = deviations(points, fitted, std::exp(logScatter));
     double sum = 0.0;
     for (size_t i = 0; i < points.size(); ++i)
-      sum += std::log(2.0 * M_PI * sigma[i] * sigma[i]) +
+      sum += std::log(2.0 * mcawr::pi * sigma[i] * sigma[i]) +
              std::pow((points[i].mu - fitted[i]) / sigma[i], 2);
     return sum;
   };
@@ -190,38 +191,6 @@ void fillResiduals(LawFit &fit, const std::vector<LawPoint> &points, const Vecto
 }
 
 } // namespace
-
-const char *nameOf(LawModel model)
-{
-  switch (model) {
-  case LawModel::Constant:
-    return "constant";
-  case LawModel::Velocity:
-    return "velocity";
-  case LawModel::Pressure:
-    return "eq4";
-  case LawModel::VelocityKappa3:
-    return "velocity_kappa3";
-  case LawModel::Full:
-    return "eq2";
-  case LawModel::Kappa3:
-    return "eq2_kappa3";
-  }
-  throw std::logic_error("nameOf: no such model");
-}
-
-bool hasKappa3(LawModel model)
-{
-  return model == LawModel::VelocityKappa3 || model == LawModel::Kappa3;
-}
-
-std::array<bool, fitParameters> parametersOf(LawModel model)
-{
-  const bool velocity = model != LawModel::Constant && model != LawModel::Pressure;
-  const bool pressure =
-      model == LawModel::Pressure || model == LawModel::Full || model == LawModel::Kappa3;
-  return {true, velocity, pressure, velocity, pressure, hasKappa3(model)};
-}
 
 Obstacle obstacleTo(LawModel model, const std::vector<LawPoint> &points)
 {

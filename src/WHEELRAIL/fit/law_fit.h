@@ -3,6 +3,7 @@
 #define WHEELRAIL_FIT_LAW_FIT_H
 
 #include "base/least_squares.h"
+#include "fit/law_model.h"
 #include "law/kappa_law.h"
 
 #include <array>
@@ -11,44 +12,6 @@
 #include <vector>
 
 namespace wheelrail {
-
-/// One point to fit: mu at (kappa1, kappa2, kappa3) with the standard error of mu (>= 0, finite).
-struct LawPoint {
-  /// rho E v^2/sigma_0^2 and p E/sigma_0^2, as in Eq. 2; >= 0, finite.
-  double kappa1 = 0.0;
-  double kappa2 = 0.0;
-  double mu = 0.0;
-  double muSe = 0.0;
-  double kappa3 = 1.0; ///< E/sigma_0, > 0
-};
-
-/// The parts of Eq. 2 that are fitted, what is left out is zero; or more than it.
-enum class LawModel {
-  Constant,       ///< mu0
-  Velocity,       ///< mu0, mu1, b
-  Pressure,       ///< mu0, mu2, c: Eq. 4
-  VelocityKappa3, ///< those of Velocity and n: times (kappa3/reference)^n; ours, not the paper's
-  Full,           ///< mu0, mu1, mu2, b, c: Eq. 2
-  Kappa3          ///< the same and n
-};
-
-/// All models, from the smallest to the largest one.
-constexpr std::array<LawModel, 6> lawModels = {LawModel::Constant, LawModel::Velocity,
-                                               LawModel::Pressure, LawModel::VelocityKappa3,
-                                               LawModel::Full,     LawModel::Kappa3};
-
-/// Name on the command line and in files: constant, velocity, eq4, velocity_kappa3, eq2,
-/// eq2_kappa3. Never null; lives as long as the program.
-const char *nameOf(LawModel model);
-/// Number of parameters of a fit: those of Eq. 2 and n.
-constexpr int fitParameters = lawParameters + 1;
-/// Whether the model has a power of kappa3.
-bool hasKappa3(LawModel model);
-/// Which of mu0, mu1, mu2, b, c, n the model fits.
-std::array<bool, fitParameters> parametersOf(LawModel model);
-/// Names of the parameters, in their order.
-constexpr std::array<const char *, fitParameters> fitParameterNames = {"mu0", "mu1", "mu2",
-                                                                       "b",   "c",   "n"};
 
 /// A fitted law and how much it is worth.
 ///
@@ -93,11 +56,11 @@ Obstacle obstacleTo(LawModel model, const std::vector<LawPoint> &points);
 
 /// Weighted least squares with mu0, b, c >= 0, started from the best places of a grid over b and c
 /// with the linear parameters solved for.
-/// @param level of the confidence intervals, 0 < level < 1; 0: none are computed
-/// @param reference kappa3 > 0 at which the law is to hold where the model has a power of it;
+/// \param level of the confidence intervals, 0 < level < 1; 0: none are computed
+/// \param reference kappa3 > 0 at which the law is to hold where the model has a power of it;
 ///        0: the geometric mean of the points
-/// @throws Error (NotConverged) if obstacleTo names an obstacle or the solver does not converge
-/// @throws std::invalid_argument for values that are not finite, negative kappas, negative errors
+/// \throws Error (NotConverged) if obstacleTo names an obstacle or the solver does not converge
+/// \throws std::invalid_argument for values that are not finite, negative kappas, negative errors
 LawFit fitLaw(LawModel model, const std::vector<LawPoint> &points, double level = 0.95,
               double reference = 0.0);
 

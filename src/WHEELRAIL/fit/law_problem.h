@@ -2,7 +2,11 @@
 #ifndef WHEELRAIL_FIT_LAW_PROBLEM_H
 #define WHEELRAIL_FIT_LAW_PROBLEM_H
 
-#include "fit/law_fit.h"
+#include "base/least_squares.h"
+#include "fit/law_model.h"
+
+#include <utility>
+#include <vector>
 
 namespace wheelrail {
 
@@ -11,11 +15,11 @@ namespace wheelrail {
 enum LawParameter { Mu0, Mu1, Mu2, B, C, N };
 
 /// Puts Eq. 2's parameters of a vector into a law; n is not part of it.
-/// @param x six values, mu0, mu1, mu2, b, c, n
+/// \param x six values, mu0, mu1, mu2, b, c, n
 void setParameters(KappaLaw &law, const Eigen::VectorXd &x);
 
 /// Eq. 2 times (kappa3/reference)^n at a point, with the parameters x. reference > 0.
-/// @return mu, a pure number; with n = 0 the reference plays no part
+/// \return mu, a pure number; with n = 0 the reference plays no part
 double modelMu(const Eigen::VectorXd &x, const LawPoint &point, double reference);
 
 /// What a model fits, as a weighted least-squares problem in (mu0, mu1, mu2, b, c, n), with
@@ -24,8 +28,8 @@ double modelMu(const Eigen::VectorXd &x, const LawPoint &point, double reference
 /// All parameters and residuals are dimensionless.
 class LawProblem {
  public:
-  /// @param deviations standard deviation of each point, > 0
-  /// @param kappa3 reference of a model with a power of kappa3, > 0
+  /// \param deviations standard deviation of each point, > 0
+  /// \param kappa3 reference of a model with a power of kappa3, > 0
   /// The points must outlive the problem.
   LawProblem(LawModel model, const std::vector<LawPoint> &data, Eigen::VectorXd deviations,
              double kappa3);
@@ -36,7 +40,7 @@ class LawProblem {
 
   /// Starts: n = 0 and a grid over b and c with the linear parameters by linear least squares, the
   /// best three.
-  /// @param problem of `make`, which judges the candidates
+  /// \param problem of `make`, which judges the candidates
   std::vector<Eigen::VectorXd> starts(const LeastSquaresProblem &problem) const;
 
  private:

@@ -46,7 +46,7 @@ Error cannotUnpack(const std::string &path, const std::string &why)
 }
 
 /// What the last call of libarchive failed at.
-/// @throws std::bad_alloc where it was not the archive's fault
+/// \throws std::bad_alloc where it was not the archive's fault
 Error damaged(const std::string &path, archive *reader)
 {
   if (archive_errno(reader) == ENOMEM)

@@ -21,7 +21,7 @@ struct ArchivedFile {
   std::string name;    ///< r01.friction
 };
 
-/// @return nothing for a path that does not lead into an archive
+/// \return nothing for a path that does not lead into an archive
 std::optional<ArchivedFile> archivedFile(const std::string &path);
 
 /// The texts of all friction logs of an archive by their names, which are in alphabetical order.
@@ -30,14 +30,14 @@ std::optional<ArchivedFile> archivedFile(const std::string &path);
 /// An archive is a tar file that is compressed by xz. Its members are regular files side by side:
 /// names are plain ones without a slash, each is there once. All together unpack to 256 MiB at
 /// most, so that no small file fills the memory.
-/// @throws Error (BadInput) for one that is missing, no regular file, no such archive, damaged, cut
+/// \throws Error (BadInput) for one that is missing, no regular file, no such archive, damaged, cut
 ///         or larger, and for one without a log
 std::map<std::string, std::string> readLogArchive(const std::string &path);
 
-/// The same of what stands in an archive behind the checksums of xz.
-/// @param path what the archive is called in messages
-/// @param tar all bytes of the tar file
-/// @throws Error (BadInput)
+/// Logs of the tar file that stands in an archive behind the checksums of xz.
+/// \param path what the archive is called in messages
+/// \param tar all bytes of the tar file
+/// \throws Error (BadInput)
 std::map<std::string, std::string> logsOfTar(const std::string &path, const std::string &tar);
 
 } // namespace wheelrail

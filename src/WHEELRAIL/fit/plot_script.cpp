@@ -27,7 +27,7 @@ constexpr const char *defaultPython = "/usr/bin/python3";
 /// A file in memory, which a child inherits under the same name.
 class MemoryFile {
  public:
-  /// @param what a name for those who look at the open files
+  /// \param what a name for those who look at the open files
   explicit MemoryFile(const char *what) : descriptor_(::memfd_create(what, 0)) {}
   MemoryFile(const MemoryFile &) = delete;
   MemoryFile &operator=(const MemoryFile &) = delete;
@@ -60,7 +60,7 @@ std::filesystem::path findScript(const std::string &name)
   return {};
 }
 
-/// Runs a program to its end. @return what went wrong; empty: nothing
+/// Runs a program to its end. \return what went wrong; empty: nothing
 std::string run(std::vector<std::string> words, const std::string &name)
 {
   std::vector<char *> argv;

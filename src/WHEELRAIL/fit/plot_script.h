@@ -18,10 +18,10 @@ struct Picture {
 /// The script is looked for beside the running program, then in ../share/mca-wheelrail from there.
 /// The interpreter is $MCAWR_PYTHON, or /usr/bin/python3 (Debian's, which has Debian's matplotlib).
 /// The script's own messages go to stderr.
-/// @param name such as "plot_fit.py"
-/// @param json the data that the script is given
-/// @param ending of the picture's name, with its dot: decides the format; empty: PNG
-/// @return never throws for a picture that cannot be made: it must not spoil a computation
+/// \param name such as "plot_fit.py"
+/// \param json the data that the script is given
+/// \param ending of the picture's name, with its dot: decides the format; empty: PNG
+/// \return never throws for a picture that cannot be made: it must not spoil a computation
 Picture makePicture(const std::string &name, const std::string &json, const std::string &ending);
 
 } // namespace wheelrail

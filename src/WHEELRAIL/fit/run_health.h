@@ -37,14 +37,14 @@ constexpr double grindingDistance = 250.0;
 /// Share of the time worn smooth beyond which a warning is given.
 constexpr double smoothLimit = 0.05;
 
-/// Of one log.
-/// @param first row of the part that is averaged, below the number of rows
+/// Health of the run of one log.
+/// \param first row of the part that is averaged, below the number of rows
 RunHealth runHealth(const FrictionLog &log, std::size_t first);
 
 /// What is wrong with runs, one line a kind: how many they are, the first of them, its number, what
 /// it means.
-/// @param runs names and health of the runs, in order
-/// @return no line for a kind that no run has
+/// \param runs names and health of the runs, in order
+/// \return no line for a kind that no run has
 std::vector<std::string>
 healthWarnings(const std::vector<std::pair<std::string, const RunHealth *>> &runs);
 

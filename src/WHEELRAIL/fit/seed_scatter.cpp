@@ -39,7 +39,7 @@ bool tells(const FitCondition &condition, const std::vector<FrictionPoint> &poin
                      [&](std::size_t run) { return points[run].muOwn > 0.0; });
 }
 
-/// Of conditions with the same laws and program.
+/// What seeds differ by in conditions with the same laws and program.
 SeedScatter scatterOf(const std::vector<const FitCondition *> &conditions,
                       const std::vector<FrictionPoint> &points)
 {

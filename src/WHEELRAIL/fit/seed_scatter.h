@@ -27,8 +27,8 @@ struct SeedScatter {
 /// squared deviations of mu from the conditions' weighted means, each over muOwn^2 + (share mu)^2,
 /// add up to the degrees of freedom (R. C. Paule and J. Mandel, J. Res. NBS 87 (1982) 377); 0 where
 /// the runs' own errors explain them.
-/// @param conditions of `conditionsOf(points)`
-/// @return one for each set of laws and program, in the order of their first runs
+/// \param conditions of `conditionsOf(points)`
+/// \return one for each set of laws and program, in the order of their first runs
 std::vector<SeedScatter> seedScatters(const std::vector<FrictionPoint> &points,
                                       const std::vector<FitCondition> &conditions);
 

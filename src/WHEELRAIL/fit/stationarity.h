@@ -26,8 +26,8 @@ struct SeriesMean {
 /// sequence (C. J. Geyer, Statist. Sci. 7 (1992) 473) and corrected for the bias that comes from
 /// subtracting the series' own mean. tau is at least 1 (a negative correlation is not credited) and
 /// at most n/3: a series that short says so by effectiveN near 3.
-/// @param begin, end indices with end - begin >= 4; otherwise the standard error is infinite
-/// @throws std::invalid_argument for an empty range or an end beyond the series
+/// \param begin, end indices with end - begin >= 4; otherwise the standard error is infinite
+/// \throws std::invalid_argument for an empty range or an end beyond the series
 SeriesMean seriesMean(const std::vector<double> &values, std::size_t begin, std::size_t end);
 
 /// What the standard error has to be for mean +- 1.96 of it to hold the true mean in 95 of 100
@@ -37,7 +37,7 @@ double widenedError(const SeriesMean &mean);
 
 /// MSER-5 (K. P. White, Simulation 69 (1997) 323): the start that minimises the squared standard
 /// error of the mean of what is left, computed on means of 5 samples, looked for in the first half.
-/// @return index of the first sample kept; values.size() when the minimum lies at the end of the
+/// \return index of the first sample kept; values.size() when the minimum lies at the end of the
 ///         search range, that is, when the series had better be longer
 std::size_t mser5(const std::vector<double> &values);
 

@@ -38,7 +38,7 @@ class FittedLaw : public FrictionLaw {
   }
 
  protected:
-  /// @param covariance symmetric, positive semi-definite; absent: none is known
+  /// \param covariance symmetric, positive semi-definite; absent: none is known
   explicit FittedLaw(std::optional<Covariance> covariance) : covariance_(std::move(covariance)) {}
 
  private:

@@ -36,8 +36,8 @@ class FrictionLaw {
   FrictionLaw &operator=(const FrictionLaw &) = delete;
 
   /// The friction coefficient.
-  /// @return mu > 0, one value a cell
-  /// @throws Error (NotConverged) where the law gives mu <= 0: it does not hold that far from the
+  /// \return mu > 0, one value a cell
+  /// \throws Error (NotConverged) where the law gives mu <= 0: it does not hold that far from the
   ///         points it was fitted to
   virtual Eigen::VectorXd mu(const FrictionState &state) const = 0;
 
@@ -64,9 +64,9 @@ class FrictionLaw {
   /// Standard errors of the parameters, which `fitted_law.h` takes from a covariance with all that
   /// follows; empty: none is known, and the rest is not asked for.
   virtual Eigen::VectorXd standardErrors() const { return {}; }
-  /// The law with its parameters changed. @param change to be added to them, in their order
+  /// The law with its parameters changed. \param change to be added to them, in their order
   virtual LawPointer changed(const Eigen::VectorXd &change) const;
-  /// Variance of a result, to first order. @param derivative of the result by the parameters
+  /// Variance of a result, to first order. \param derivative of the result by the parameters
   virtual double variance(const Eigen::VectorXd &derivative) const;
   /// Laws drawn from the normal distribution with the covariance; for as long as this one lives.
   virtual LawDraws draws() const;
@@ -81,7 +81,7 @@ class FrictionLaw {
 };
 
 /// Where a law was used, for a summary: the ranges by their keys, in the order of the alphabet.
-/// @param use of this law, not empty
+/// \param use of this law, not empty
 nlohmann::ordered_json toJson(const FrictionLaw &law, const LawUse &use);
 
 } // namespace wheelrail

@@ -80,7 +80,7 @@ KappaLaw bucher2006();
 /// A law file as wr_fit writes it (JSON, format "mca-friction-law 1"). Needed are the format and
 /// the five parameters; all else says where they come from and may be missing, "checksum" too. The
 /// key "report" may hold anything and is skipped.
-/// @throws Error (BadInput) naming file, line and key for what is missing, of the wrong type, out
+/// \throws Error (BadInput) naming file, line and key for what is missing, of the wrong type, out
 ///         of range (all numbers within +-1e100), unknown, given twice or nested too deep, for a
 ///         covariance that is not symmetric and positive semi-definite, and for a checksum
 ///         (law_checksum.h) that does not fit the file

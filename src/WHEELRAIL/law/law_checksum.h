@@ -9,7 +9,7 @@
 namespace wheelrail {
 
 /// The text of a law file, or of a report without a law, with the line of its checksum.
-/// @param text JSON with an indent of two blanks and the key "format", without a checksum
+/// \param text JSON with an indent of two blanks and the key "format", without a checksum
 std::string withChecksum(const std::string &text);
 
 /// Whether the line of the checksum is there, as `withChecksum` wrote it, and fits.

@@ -36,7 +36,7 @@ struct LawValues {
   LawName name;
   std::map<std::string, double> numbers; ///< SI; a switch is 0 or 1
 
-  /// @param keyword one of the law's own
+  /// \param keyword one of the law's own
   double operator[](const std::string &keyword) const { return numbers.at(keyword); }
 };
 
@@ -48,7 +48,7 @@ struct CellwiseMu {
 
 /// A law as a case asks for it: its values are checked, its files are not opened.
 struct LawChoice {
-  /// Makes the law. @throws Error (BadInput) for a file that cannot be read
+  /// Makes the law. \throws Error (BadInput) for a file that cannot be read
   std::function<LawPointer()> read;
   std::vector<std::string> files;     ///< by the path that `read` opens
   bool mayHaveCovariance = false;     ///< group `uncertainty` of a case means something

@@ -19,7 +19,7 @@ namespace wheelrail {
 
 namespace {
 
-/// Of all numbers in a law file: products of several of them do not overflow, and no fit of logs
+/// Largest number in a law file: products of several of them do not overflow, and no fit of logs
 /// within their own range (shared/friction_log_format.h) leaves it.
 constexpr double largest = 1e100;
 

@@ -20,7 +20,7 @@ namespace wheelrail {
 /// nested too deep, and a checksum (law_checksum.h) that does not fit the file.
 class LawFile {
  public:
-  /// @param keys those that the file may have; "checksum" is one of them
+  /// \param keys those that the file may have; "checksum" is one of them
   LawFile(std::string path, const std::vector<std::string> &keys);
 
   /// A line for the user where the file has no checksum; else empty.
@@ -30,16 +30,16 @@ class LawFile {
   double number(const std::string &key) const;
   double positive(const std::string &key) const;
   double nonNegative(const std::string &key) const;
-  /// @return 0 to the largest int
+  /// \return 0 to the largest int
   int count(const std::string &key) const;
   std::string string(const std::string &key) const;
   /// Two numbers >= 0, the second one not below the first.
   Range range(const std::string &key) const;
-  /// Ranges by name. @param names those that there may be
+  /// Ranges by name. \param names those that there may be
   std::map<std::string, Range> ranges(const std::string &key,
                                       const std::vector<std::string> &names) const;
   /// A symmetric, positive semi-definite matrix; nothing where the file has null or no such key.
-  /// @param parameters names of its rows, for messages
+  /// \param parameters names of its rows, for messages
   std::optional<Eigen::MatrixXd> covariance(const std::string &key,
                                             const std::vector<std::string> &parameters) const;
 

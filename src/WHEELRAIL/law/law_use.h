@@ -30,7 +30,7 @@ struct LawUse {
 
 /// Least and largest value, but for the half per cent of the load under the smallest values and
 /// that under the largest: so the edges of a contact, where the pressure falls to 0, do not count.
-/// @param value, load one for each cell in contact, at least one; load > 0
+/// \param value, load one for each cell in contact, at least one; load > 0
 Range loadedRange(const std::vector<double> &value, const std::vector<double> &load);
 
 /// Share of the load that `loadedRange` leaves out at either end.
@@ -38,7 +38,7 @@ constexpr double leftOutLoad = 0.005;
 
 /// The inputs whose known range is passed, with both ranges, for a warning:
 /// "kappa1 0 (0.2 to 19), kappa2 44 to 620 (2 to 300)"; empty: none is.
-/// @param tolerance share of a limit by which it may be passed
+/// \param tolerance share of a limit by which it may be passed
 std::string outsideOf(const std::vector<LawInput> &inputs, const LawUse &use, double tolerance);
 
 } // namespace wheelrail

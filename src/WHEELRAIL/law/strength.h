@@ -13,7 +13,7 @@ struct Strength {
 
   /// Eq. 10: sigma_0(Theta) = cold (1 - Theta/vanishingTemperature), Pa. Kept above a thousandth of
   /// the cold strength, so that an iteration can pass through what a solution may not reach.
-  /// @param rise Theta, K
+  /// \param rise Theta, K
   double at(double rise) const
   {
     constexpr double weakest = 1e-3; // of the cold strength

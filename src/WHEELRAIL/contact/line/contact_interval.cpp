@@ -47,7 +47,7 @@ std::optional<double> fittedInset(const Vector &pressure, int edge, int inward, 
   return std::clamp(t + 0.5, -0.5, 0.9);
 }
 
-/// The same from the pressure of the edge cell and the gap of its neighbour.
+/// Inset from the pressure of the edge cell and the gap of its neighbour.
 double localInset(double pressure, double gap)
 {
   constexpr double farthest = 0.49; // some of the cell stays

@@ -23,8 +23,8 @@ struct LineContactSpecification {
 
 /// What all points of a creep curve share: grid, surface and normal contact of one profile.
 struct ContactSetup {
-  /// Of flat surfaces it holds load, modulus, half the period as halfWidth and the mean pressure as
-  /// hertzPressure.
+  /// Nominal contact. For flat surfaces it holds load, modulus, half the period as halfWidth and
+  /// the mean pressure as hertzPressure.
   HertzContact hertz;
   int cells = 0;
   double cellSize = 0.0;              ///< m
@@ -40,7 +40,7 @@ struct ContactSetup {
   Eigen::VectorXd gap(int travel = 0) const;
   /// Number of cells the material can travel.
   int longestTravel() const;
-  /// In units of E* and cells. @param pressureLimit Pa; infinite: elastic
+  /// In units of E* and cells. \param pressureLimit Pa; infinite: elastic
   NormalContactProblem problem(double pressureLimit, int travel = 0) const;
 
   double realContactLength() const; ///< m, of `normal`
@@ -48,16 +48,16 @@ struct ContactSetup {
 };
 
 /// Prepares the surface and solves the normal contact.
-/// @param index of the profile, below surface.profiles()
-/// @param pressureLimit Pa; infinite: elastic
-/// @param travels the material will move through the contact: measured profiles are kept whole
-/// @throws Error (BadInput) when profiles do not fit, or the contact reaches the domain's ends;
+/// \param index of the profile, below surface.profiles()
+/// \param pressureLimit Pa; infinite: elastic
+/// \param travels the material will move through the contact: measured profiles are kept whole
+/// \throws Error (BadInput) when profiles do not fit, or the contact reaches the domain's ends;
 ///         Error (NotConverged)
 ContactSetup prepareContact(const LineContactSpecification &contact,
                             const SurfaceSpecification &surface, std::size_t index,
                             double pressureLimit, bool travels);
 
-/// @throws Error (BadInput) unless every cell with pressure is away from the domain's ends
+/// \throws Error (BadInput) unless every cell with pressure is away from the domain's ends
 void checkInsideDomain(const Eigen::VectorXd &pressure);
 
 } // namespace wheelrail

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "contact/line/halfplane.h"
 
+#include "shared/pi.h"
+
 #include <cmath>
 
 namespace wheelrail {
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
+using mcawr::pi;
 
 /// Sum over j >= 0 of (-1)^j / (x + j)^2, x > 0: twelve terms, then the mean of the remainder's
 /// Euler-Maclaurin expansion f/2 - f'/4 + f'''/48 - f^(5)/480 at the next point.

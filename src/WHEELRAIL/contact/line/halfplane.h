@@ -25,8 +25,8 @@ enum class Boundary { Free, Periodic };
 /// Products cost two FFTs. An object has one work buffer: use one object per thread.
 class HalfPlane : public HalfSpace {
  public:
-  /// @param cells n >= 1
-  /// @param cellSize > 0: unit of the displacements
+  /// \param cells n >= 1
+  /// \param cellSize > 0: unit of the displacements
   HalfPlane(int cells, Boundary boundary, double cellSize = 1.0);
 
   const CellGrid &grid() const override { return cellGrid_; }

@@ -6,6 +6,7 @@
 #include "base/quantity.h"
 #include "base/random_number.h"
 #include "base/text_lines.h"
+#include "shared/pi.h"
 
 #include <Eigen/QR>
 #include <algorithm>
@@ -18,7 +19,7 @@ namespace {
 
 using Vector = Eigen::VectorXd;
 
-constexpr double pi = 3.14159265358979323846;
+using mcawr::pi;
 constexpr int fewestPoints = 16;
 constexpr double fewestCellsPerWave = 4.0;
 constexpr double largestPlace = 1e3;      ///< of heights and positions, m
@@ -30,7 +31,7 @@ struct ProfileHeader {
 };
 
 /// "# keyword: value"; other comments are free text.
-/// @param isHead no numbers have been read yet
+/// \param isHead no numbers have been read yet
 void readHeaderLine(std::string_view line, const std::string &path, int number, bool isHead,
                     ProfileHeader &header)
 {

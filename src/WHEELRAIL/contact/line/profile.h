@@ -29,8 +29,8 @@ struct ProfileStatistics {
   double longestWavelength;  ///< m
 };
 
-/// @param shortest cut-off applied so far, 0: none
-/// @param longest wavelength put in, 0: the length
+/// \param shortest cut-off applied so far, 0: none
+/// \param longest wavelength put in, 0: the length
 ProfileStatistics profileStatistics(const std::string &step, const Profile &profile,
                                     double shortest = 0.0, double longest = 0.0);
 
@@ -40,7 +40,7 @@ ProfileStatistics profileStatistics(const std::string &step, const Profile &prof
 ///   # position: mm               (then two columns: position, height; increasing positions)
 /// Columns are separated as `NumberRows` reads them. Unequal positions are interpolated to equal
 /// ones of the same number.
-/// @throws Error (BadInput) with file and line: units that are missing, wrong or given twice, text
+/// \throws Error (BadInput) with file and line: units that are missing, wrong or given twice, text
 ///         or nothing where a number is expected, nan, inf, a number beyond 1000 m, a wrong number
 ///         of columns, positions that do not increase, fewer than 16 points
 Profile readProfile(const std::string &path);
@@ -51,12 +51,12 @@ Profile detrended(const Profile &profile, int order);
 
 /// Takes out wavelengths below the cut-off with the Gaussian filter of ISO 16610-21 (half of the
 /// amplitude is left at the cut-off); near the ends the weights are normalised again.
-/// @throws Error (BadInput) for a cut-off below two points or above the length
+/// \throws Error (BadInput) for a cut-off below two points or above the length
 Profile lowPassed(const Profile &profile, double cutoff);
 
 /// The middle part of the profile on `cells` cells of size `cellSize`: the mean over each cell of
 /// the straight lines between points.
-/// @throws Error (BadInput) when the profile is shorter than the cells
+/// \throws Error (BadInput) when the profile is shorter than the cells
 Profile resampled(const Profile &profile, int cells, double cellSize);
 
 /// A self-affine random profile: the power spectrum falls as k^-(1 + 2 H) between the two
@@ -72,7 +72,7 @@ struct FractalSurface {
 /// One period of `length` on `cells` cells: waves with a whole number of periods in it. The seed
 /// alone decides phases, wave by wave from the longest: another number of cells samples the same
 /// profile, a smaller wavelengthMin adds to it.
-/// @throws Error (BadInput) when no wave fits, or the cells cannot carry the shortest (4 a wave)
+/// \throws Error (BadInput) when no wave fits, or the cells cannot carry the shortest (4 a wave)
 Profile fractalProfile(const FractalSurface &surface, int cells, double length);
 
 } // namespace wheelrail

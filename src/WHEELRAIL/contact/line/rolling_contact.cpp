@@ -3,6 +3,7 @@
 
 #include "base/errors.h"
 #include "contact/gmres.h"
+#include "shared/pi.h"
 
 #include <algorithm>
 #include <cmath>
@@ -64,7 +65,7 @@ class FiniteHilbertInverse {
 /// compliance 2 (1 - w)/w, which is negative for the trailing one that is longer than a cell.
 Vector edgeCompliance(const std::vector<ContactInterval> &contact, int cells)
 {
-  constexpr double pi = 3.14159265358979323846;
+  using mcawr::pi;
   constexpr double panelShift = 0.25;
   constexpr double leastShare = 0.01; ///< of a panel: what has less carries nothing
   Vector compliance = Vector::Zero(cells);
@@ -97,7 +98,7 @@ bool slips(Adhesion state)
 /// Moves cells between stick and slip: a cell that sticks beyond its bound slips from now on, with
 /// the traction's sign; a cell that slips against its traction sticks. All at once, as in a
 /// primal-dual active set; `threshold` keeps the rounding of slips near zero from moving a cell to
-/// and fro. @return number of cells that changed
+/// and fro. \return number of cells that changed
 int updateStates(const Vector &bound, const Vector &traction, const Vector &slip, double threshold,
                  std::vector<Adhesion> &state)
 {
@@ -223,7 +224,7 @@ RollingResult solveFrozenRolling(HalfPlane &halfPlane, const Vector &bound, doub
 }
 
 TransientRolling::TransientRolling(HalfPlane &plane, double referenceLength)
-    : halfPlane_(&plane), constant_(2.0 / 3.14159265358979323846 * std::log(referenceLength)),
+    : halfPlane_(&plane), constant_(2.0 / mcawr::pi * std::log(referenceLength)),
       traction_(Vector::Zero(plane.cells()))
 {
 }

@@ -49,9 +49,9 @@ struct RollingResult {
 /// 2 (1 - w)/w in addition (4 (1 - w)/(pi w) where it is the only cell), from the staggered
 /// operator's inverse: the product of the solutions with rolling to either side is pi/8 in an edge
 /// cell, the inverse's diagonal 1/2. The initial slope then is (pi E*/4) x contact length.
-/// @param bound friction coefficient times pressure per cell, >= 0; 0 outside the contact
-/// @param creep >= 0
-/// @throws Error (NotConverged)
+/// \param bound friction coefficient times pressure per cell, >= 0; 0 outside the contact
+/// \param creep >= 0
+/// \throws Error (NotConverged)
 RollingResult solveFrozenRolling(HalfPlane &halfPlane, const Eigen::VectorXd &bound, double creep,
                                  const RollingOptions &options = {});
 
@@ -63,7 +63,7 @@ class TransientRolling {
  public:
   TransientRolling(HalfPlane &plane, double referenceLength);
 
-  /// @return the new traction; call with the bound of the new position
+  /// \return the new traction; call with the bound of the new position
   RollingResult step(const Eigen::VectorXd &bound, double creep);
 
   /// Goes on with other cells: the first of the new plane is cell `shift` of the old one.

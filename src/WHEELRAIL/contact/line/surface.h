@@ -37,10 +37,10 @@ struct Surface {
   std::vector<std::string> remarks;          ///< lines for the user: `isolatedHeights`
 };
 
-/// @param index of the profile, below profiles()
-/// @param cells number of cells, >= 1, of cellSize (m, > 0)
-/// @param whole keep all of a measured profile, for material that travels through the contact
-/// @throws Error (BadInput) for profiles that cannot be read or do not fit
+/// \param index of the profile, below profiles()
+/// \param cells number of cells, >= 1, of cellSize (m, > 0)
+/// \param whole keep all of a measured profile, for material that travels through the contact
+/// \throws Error (BadInput) for profiles that cannot be read or do not fit
 Surface prepareSurface(const SurfaceSpecification &specification, std::size_t index, int cells,
                        double cellSize, bool whole);
 

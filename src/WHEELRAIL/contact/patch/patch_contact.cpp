@@ -3,6 +3,7 @@
 
 #include "base/errors.h"
 #include "contact/patch/elasticity/patch_half_space.h"
+#include "shared/pi.h"
 
 #include <cmath>
 #include <fmt/format.h>
@@ -11,7 +12,7 @@ namespace wheelrail {
 namespace {
 
 using Vector = Eigen::VectorXd;
-constexpr double pi = 3.14159265358979323846;
+using mcawr::pi;
 
 double shearModulus(const ElasticBody &body)
 {

@@ -23,7 +23,7 @@ struct ElasticBody {
 /// The half-spaces' pair whose displacement differences are those of both bodies together:
 /// 2/G = 1/G1 + 1/G2, 2 nu/G = nu1/G1 + nu2/G2, and what couples the normal and the tangential
 /// problem, K = (G/4) [(1 - 2 nu1)/G1 - (1 - 2 nu2)/G2] (Kalker 1990, sec. 1.7).
-/// @return Pa and -; equal bodies give their own G and nu and K = 0, as do some unlike ones. A K
+/// \return Pa and -; equal bodies give their own G and nu and K = 0, as do some unlike ones. A K
 ///         that is rounding only is 0
 ElasticPair combinedPair(const ElasticBody &wheel, const ElasticBody &rail);
 
@@ -39,8 +39,8 @@ struct PatchContactSpecification {
   double spinPoint = 0.5;            ///< `TangentialProblem::spinPoint`
   bool edgesInside = false;          ///< leading edges inside their cells: see `edgeCompliance`
 
-  /// @param normalForce N, > 0
-  /// @return the smooth contact under it; SI units
+  /// \param normalForce N, > 0
+  /// \return the smooth contact under it; SI units
   HertzEllipse hertz(double normalForce) const;
 };
 
@@ -54,16 +54,16 @@ struct PatchContact {
   NormalContactResult normal; ///< at the start; Pa and m
   bool edgesInside = false;   ///< of the specification
 
-  /// Undeformed gap per cell, m. @param wheel, rail how far each of the surfaces has travelled
+  /// Undeformed gap per cell, m. \param wheel, rail how far each of the surfaces has travelled
   /// Smooth gap less both bodies' heights.
   Eigen::VectorXd gap(const Travel &wheel = {}, const Travel &rail = {}) const;
-  /// @param pressureLimit Pa; infinite: elastic
-  /// @param normalForce N
+  /// \param pressureLimit Pa; infinite: elastic
+  /// \param normalForce N
   NormalContactProblem problem(double pressureLimit, double normalForce, const Travel &wheel = {},
                                const Travel &rail = {}) const;
-  /// Of the leading edges under a pressure; empty where cells count as a whole.
+  /// Compliance of the leading edges under a pressure; empty where cells count as a whole.
   EdgeCompliance edge(const Eigen::VectorXd &pressure, const Eigen::VectorXd &gap) const;
-  /// @param cell index in the grid; its centre decides
+  /// \param cell index in the grid; its centre decides
   bool isNominal(int cell) const; ///< inside the smooth contact's ellipse?
   /// Mean over the nominal contact of a value per cell.
   /// The cells count whose centres lie inside the ellipse.
@@ -74,17 +74,17 @@ struct PatchContact {
 };
 
 /// Grid, surface and normal contact.
-/// @param load one of the specification's, N
-/// @param index of the surface, below roughness.surfaces()
-/// @param pressureLimit Pa; infinite: elastic
-/// @param travel how far the material will move through the contact, m; 0 where it stands
-/// @throws Error (BadInput) for surfaces that cannot be read or do not fit, for a box that the
+/// \param load one of the specification's, N
+/// \param index of the surface, below roughness.surfaces()
+/// \param pressureLimit Pa; infinite: elastic
+/// \param travel how far the material will move through the contact, m; 0 where it stands
+/// \throws Error (BadInput) for surfaces that cannot be read or do not fit, for a box that the
 ///         contact reaches the border of; Error (NotConverged)
 PatchContact preparePatch(const PatchContactSpecification &contact,
                           const RoughPatchSpecification &roughness, double load, std::size_t index,
                           double pressureLimit, double travel);
 
-/// @throws Error (BadInput) when a cell at the border of the box is in contact
+/// \throws Error (BadInput) when a cell at the border of the box is in contact
 /// The message names the border: leading, trailing or lateral.
 void checkInsideBox(const PatchGrid &grid, const Eigen::VectorXd &pressure);
 

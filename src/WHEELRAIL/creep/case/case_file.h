@@ -31,17 +31,17 @@ struct Case {
   std::vector<std::string> files() const;
   /// All that decides the results, for a journal: the text, and the content of the files it names
   /// as checksums. Reads them.
-  /// @throws Error (BadInput) for a file that cannot be read
+  /// \throws Error (BadInput) for a file that cannot be read
   std::string identity() const;
 };
 
 /// Reads a case file (YAML) and then "keyword=value" changes, the value in YAML as in the file.
 /// Profile and law files that are named in it are looked for from the working folder, then from the
 /// case file's; they are not read here.
-/// @return all in SI units
-/// @throws Error (BadInput) for the file, with line and keyword; Error (Usage) for changes
-/// @param path of the case file
-/// @param changes of --set, later ones over earlier ones
+/// \return all in SI units
+/// \throws Error (BadInput) for the file, with line and keyword; Error (Usage) for changes
+/// \param path of the case file
+/// \param changes of --set, later ones over earlier ones
 Case readCase(const std::string &path, const std::vector<std::string> &changes = {});
 
 } // namespace wheelrail

@@ -24,7 +24,7 @@ namespace wheelrail {
 /// that `configuration` can write it out with every default filled in.
 class CaseReader {
  public:
-  /// @param fileName path as messages name it; the file is not opened yet
+  /// \param fileName path as messages name it; the file is not opened yet
   explicit CaseReader(std::string fileName) : file_(std::move(fileName)) {}
 
   /// Reads and checks the whole file; once, before any change.
@@ -37,13 +37,13 @@ class CaseReader {
   void change(const std::string &text);
 
   /// Throws what is wrong with a keyword's value, at its line of the file.
-  /// @param problem rest of the sentence: "must be above creep.from"
+  /// \param problem rest of the sentence: "must be above creep.from"
   [[noreturn]] void fail(const std::string &keyword, const std::string &problem) const;
 
   /// Is the keyword given, in the file or by a change?
   bool has(const std::string &name) const { return entries_.count(name) > 0; }
-  /// Any keyword below a group? @param group without a dot
-  /// @return true for "creep" where creep.from is given
+  /// Any keyword below a group? \param group without a dot
+  /// \return true for "creep" where creep.from is given
   bool hasGroup(const std::string &group) const;
 
   /// The value with its default filled in and recorded for `configuration`. Quantities are in the
@@ -56,15 +56,15 @@ class CaseReader {
   const std::string &word(const std::string &name) { return words(name).front(); }
   bool flag(const std::string &name) { return word(name) == "true"; }
   int integer(const std::string &name) { return static_cast<int>(number(name)); }
-  /// Of a keyword that takes a list elsewhere, where there may be one value only.
+  /// Value of a keyword that takes a list elsewhere, where only one is allowed.
   double single(const std::string &name);
   /// A default that depends on other keywords; does nothing where the file has a value.
-  /// @param value in YAML, with its unit: checked as if it stood in the file
+  /// \param value in YAML, with its unit: checked as if it stood in the file
   void setDefault(const std::string &name, const std::string &value);
-  /// @throws Error (BadInput) unless the keyword is given
+  /// \throws Error (BadInput) unless the keyword is given
   void require(const std::string &name) const;
-  /// @throws Error (BadInput) for a keyword, or one of a group, that is given and makes no sense
-  ///         together with something else. @param with "contact.period: the surfaces are flat"
+  /// \throws Error (BadInput) for a keyword, or one of a group, that is given and makes no sense
+  ///         together with something else. \param with "contact.period: the surfaces are flat"
   void refuse(const std::string &name, const std::string &with) const;
 
   /// What was used so far, as a case file.
@@ -87,7 +87,7 @@ class CaseReader {
   Entry entryOf(const YAML::Node &node, const Keyword &keyword) const;
   /// The number in the keyword's unit, within its range.
   double checkedNumber(const Keyword &keyword, const std::string &word, int line) const;
-  /// Of kinds Choice and Switch: one of the words that are allowed.
+  /// Checks that kinds Choice and Switch have one of the words that are allowed.
   void checkWord(const Keyword &keyword, const std::string &word, int line) const;
   /// The value or its default, from now on part of `configuration`.
   const Entry &use(const std::string &name);
@@ -98,11 +98,11 @@ class CaseReader {
 };
 
 /// The table's row of a keyword; null for other words.
-/// @param name with dots, as in the table: "contact.radius"
+/// \param name with dots, as in the table: "contact.radius"
 const Keyword *findKeyword(const std::string &name);
 
 /// The words that a keyword of kind Choice allows.
-/// @param keyword of kind Choice, or Switch, which allows true and false
+/// \param keyword of kind Choice, or Switch, which allows true and false
 std::vector<std::string> choicesOf(const Keyword &keyword);
 
 } // namespace wheelrail

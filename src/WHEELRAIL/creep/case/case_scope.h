@@ -12,7 +12,7 @@ Scope scopeOf(CaseReader &reader);
 
 /// Refuses every keyword that is given and not for this contact, mode and kind of surface, and
 /// those that another one rules out: by the tables `keywords` and `exclusions`.
-/// @throws what `CaseReader::refuse` throws
+/// \throws what `CaseReader::refuse` throws
 void checkScope(const CaseReader &reader, Scope here);
 
 } // namespace wheelrail

@@ -17,21 +17,21 @@ namespace wheelrail {
 
 /// The path of a file that a case names: as it stands, or from the folder of the case file.
 /// A path that is absolute, or that exists from the working folder, is taken as it is.
-/// @return the path to open; whether a file is there is not checked
+/// \return the path to open; whether a file is there is not checked
 std::string besideCase(const std::string &path, const std::string &caseFile);
 
 /// Refuses a grid whose cells are so large that means over the nominal contact say nothing: it has
 /// to be at least 4 cells wide.
-/// @param points cells on the domain, along one direction
-/// @param domain its length in half-widths (semi-axes) of the contact
+/// \param points cells on the domain, along one direction
+/// \param domain its length in half-widths (semi-axes) of the contact
 void requireCellsInContact(const CaseReader &reader, int points, double domain);
 
 /// Refuses a sweep of more points than memory holds.
-/// @param points all of them; lists multiply
+/// \param points all of them; lists multiply
 void requireFewPoints(const CaseReader &reader, double points);
 
 /// What `roughness` says of generated surfaces, of a profile (FractalSurface) and of a map
-/// (FractalPatch) alike. @return the seeds
+/// (FractalPatch) alike. \return the seeds
 template<class Fractal>
 std::vector<std::uint64_t> readFractalWaves(CaseReader &reader, Fractal &fractal)
 {
@@ -66,7 +66,7 @@ MeasuredSurfaces readMeasuredSurfaces(CaseReader &reader, const std::string &cas
 
 /// The law of group `friction` with the keywords that it reads. Refused are those of other laws
 /// that have no default; one with a default may stand there unread.
-/// @param caseFile path of the case file, for `besideCase`
+/// \param caseFile path of the case file, for `besideCase`
 LawChoice readFriction(CaseReader &reader, const std::string &caseFile);
 /// The strength of group `friction`, which limits the pressure under any law.
 Strength readStrength(CaseReader &reader);
@@ -78,11 +78,11 @@ SpreadSpecification readSpread(CaseReader &reader, const LawChoice &friction);
 
 /// "name": a list, or "name.from", "name.to", "name.n" and "name.spacing". In the keyword's unit;
 /// both ends of a logarithmic one have the same sign.
-/// @return at least one value; of a series `n` values from the first to the last, both exact
+/// \return at least one value; of a series `n` values from the first to the last, both exact
 std::vector<double> readSeries(CaseReader &reader, const std::string &name);
 
 /// Keyword `fields`.
-/// @param total number of points, which no number may exceed
+/// \param total number of points, which no number may exceed
 FieldSelection readFields(CaseReader &reader, std::size_t total);
 
 /// A point contact and all that belongs to it.

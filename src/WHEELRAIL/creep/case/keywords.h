@@ -64,14 +64,14 @@ struct Exclusion {
   const char *why; ///< or empty
   Scope scope;     ///< where that is so
 };
-/// All of them. @return the same table in every call
+/// All of them. \return the same table in every call
 const std::vector<Exclusion> &exclusions();
 
 /// The range of a keyword that takes numbers, in words: "[-10, 10], 0 and beyond 1e-12 1/m".
 std::string rangeOf(const Keyword &keyword);
 
 /// All keywords, in the order of --help and --print-config; every group together.
-/// @return the same table in every call; it lives as long as the program
+/// \return the same table in every call; it lives as long as the program
 const std::vector<Keyword> &keywords();
 
 } // namespace wheelrail

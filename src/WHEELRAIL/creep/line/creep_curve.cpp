@@ -100,7 +100,7 @@ CurvePoint failedPoint(const ContactSetup &setup, double speed, double creep, co
   return point;
 }
 
-/// @param creep as asked for; `point` and `ratios` are of its size
+/// \param creep as asked for; `point` and `ratios` are of its size
 CurvePoint curvePoint(double creep, const CreepPoint &point, const ContactSetup &setup,
                       const LawSpread &spread, std::vector<double> ratios)
 {
@@ -116,7 +116,7 @@ CurvePoint curvePoint(double creep, const CreepPoint &point, const ContactSetup 
 }
 
 /// Creeps of one call share the pressures. Empty when interrupted.
-/// @param creeps some of the piece's, from place `first` among all points on
+/// \param creeps some of the piece's, from place `first` among all points on
 PieceResult rollTogether(const Work &work, const ContactSetup &setup, double speed,
                          const std::vector<double> &creeps, std::size_t first,
                          const std::function<bool()> &goOn)
@@ -176,7 +176,7 @@ PieceResult solveMoving(const Work &work, const ContactSetup &setup, const Piece
 
 /// One creep with the law and with those near it, which start from the law's solution: neighbours
 /// differ little from it. Its fields are what the next creep starts from.
-/// @return nothing when interrupted
+/// \return nothing when interrupted
 std::optional<CurvePoint> solveCreep(const Work &work, const ContactSetup &setup,
                                      FrozenCreep &frozen, double speed, double creep,
                                      const std::function<bool()> &goOn)

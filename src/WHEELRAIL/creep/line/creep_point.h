@@ -39,24 +39,24 @@ struct ContactFields {
 /// weighted mean rise, and the normal contact is solved again.
 class FrozenCreep {
  public:
-  /// Both must outlive the object. @param setup of a Free boundary
+  /// Both must outlive the object. \param setup of a Free boundary
   /// Starts from the normal contact of the setup, without traction and temperature.
   FrozenCreep(const CreepPhysics &physics, const ContactSetup &setup);
 
   /// Warm from the last call: the set of stick cells and the temperature.
-  /// @param speed v0, m/s, > 0
-  /// @param creep >= 0
-  /// @throws Error (NotConverged), Error (BadInput) when a softer contact reaches the domain's ends
-  /// @return the point, its fields in `fields()`
+  /// \param speed v0, m/s, > 0
+  /// \param creep >= 0
+  /// \throws Error (NotConverged), Error (BadInput) when a softer contact reaches the domain's ends
+  /// \return the point, its fields in `fields()`
   CreepPoint solve(const FrictionLaw &law, double speed, double creep);
 
-  /// Where the last call asked its law for mu. @param law, speed, creep those of the call
+  /// Where the last call asked its law for mu. \param law, speed, creep those of the call
   LawUse use(const FrictionLaw &law, double speed, double creep) const;
 
-  /// Of the last call; `startFrom` makes the next one start from them.
+  /// Fields of the last call; `startFrom` makes the next one start from them.
   /// SI units, over the whole domain.
   const ContactFields &fields() const { return contact_; }
-  /// @param fields of a point nearby, on the same domain
+  /// \param fields of a point nearby, on the same domain
   void startFrom(const ContactFields &fields) { contact_ = fields; }
 
  private:

@@ -149,7 +149,7 @@ std::string creepBandCsv(const SurfaceSpecification &surface, const CreepCurves 
 
 namespace {
 
-/// @param fields null: the point did not converge
+/// \param fields null: the point did not converge
 std::string fieldTable(const ContactSetup &setup, const ContactFields *fields,
                        const std::string &what)
 {
@@ -168,7 +168,7 @@ std::string fieldTable(const ContactSetup &setup, const ContactFields *fields,
   return text;
 }
 
-/// @param what words for the first line
+/// \param what words for the first line
 template<class Curves>
 std::string contactTableOf(const Curves &curves, int number, const std::string &what)
 {

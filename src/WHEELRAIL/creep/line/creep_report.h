@@ -33,7 +33,7 @@ std::string staticCsv(const SurfaceSpecification &surface, const StaticCases &ca
 std::string contactFileName(const FieldSelection &asked, int number);
 /// Along the contact, of a point that was asked for; mm and MPa. One row a cell of the domain, by
 /// x; none, and a first line that says so, for a point that did not converge.
-/// @param number of the point, from 1 on
+/// \param number of the point, from 1 on
 std::string contactTable(const CreepCurves &curves, int number);
 std::string contactTable(const StaticCases &cases, int number);
 
@@ -42,18 +42,18 @@ std::vector<std::string> failures(const CreepCurves &curves);
 
 /// summary.json: case, law and where it was used, warnings, contacts, curves, points that did not
 /// converge, time.
-/// @param text the complete case file
+/// \param text the complete case file
 std::string summaryJson(const CreepSpecification &asked, const std::string &text,
                         const FrictionLaw &law, const CreepCurves &curves,
                         const std::vector<std::string> &files);
-/// The same for forces without rolling.
+/// summary.json for forces without rolling.
 std::string summaryJson(const StaticSpecification &asked, const std::string &text,
                         const FrictionLaw &law, const StaticCases &cases,
                         const std::vector<std::string> &files);
 
 /// What was computed, for the screen: profiles after every step, contacts, curves.
 std::string shortReport(const CreepSpecification &asked, const CreepCurves &curves);
-/// The same for forces without rolling.
+/// Words on the screen for forces without rolling.
 std::string shortReport(const StaticSpecification &asked, const StaticCases &cases);
 
 /// How the normal contacts were solved, for the screen.

@@ -12,11 +12,14 @@ std::vector<Column<CurvePoint>> makeTable()
   std::vector<Column<P>> table = {
       {"speed", "m/s", 1.0, "rolling speed", kept<&P::speed>, leading(6), leading(6)},
       {"creep", "1", 1.0, "sliding/rolling speed", kept<&P::creep>, leading(10), leading(10)}};
-  append(table, lineColumns());
-  table.insert(table.begin() + 3,
-               {"traction", "N/mm", newtonPerMm, "T", kept<&P::traction>, leading(10)});
-  table.insert(table.end() - 1, {"iterations", "1", 1.0, "of the fixed point; steps in mode moving",
-                                 kept<&P::iterations>, leading(wholeDigits)});
+  for (const Column<LineValues> &value : lineColumns()) {
+    table.push_back(columnOf<P>(value));
+    if (value.name == "traction_ratio")
+      table.push_back({"traction", "N/mm", newtonPerMm, "T", kept<&P::traction>, leading(10)});
+    else if (value.name == "temperature_rise")
+      table.push_back({"iterations", "1", 1.0, "of the fixed point; steps in mode moving",
+                       kept<&P::iterations>, leading(wholeDigits)});
+  }
   // not in creep.csv
   table.push_back({"temperature_max", "K", 1.0, "", kept<&P::temperatureMaximum>});
   table.push_back({"profile", "1", 1.0, "", kept<&P::profile>});

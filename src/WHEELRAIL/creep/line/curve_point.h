@@ -23,7 +23,7 @@ struct CurvePoint : CreepPoint {
 
 /// All that a point has, in the order of creep.csv: the table from which creep.csv, creep.json and
 /// the journal follow.
-/// @return the same table in every call
+/// \return the same table in every call
 const std::vector<Column<CurvePoint>> &curveColumns();
 
 } // namespace wheelrail

@@ -11,18 +11,18 @@
 namespace wheelrail {
 
 /// Surfaces and normal contacts of all profiles of a line contact.
-/// @param contact, surface SI units, as of `prepareContact`
-/// @param pressureLimit Pa; infinite: elastic
-/// @param travels the material will move through the contact
-/// @return one for each of surface.profiles(), in their order
-/// @throws what `prepareAll` and `prepareContact` throw
+/// \param contact, surface SI units, as of `prepareContact`
+/// \param pressureLimit Pa; infinite: elastic
+/// \param travels the material will move through the contact
+/// \return one for each of surface.profiles(), in their order
+/// \throws what `prepareAll` and `prepareContact` throw
 std::vector<ContactSetup> prepareContacts(const LineContactSpecification &contact,
                                           const SurfaceSpecification &surface, double pressureLimit,
                                           bool travels, const SweepOptions &options);
 
 /// Lines for the user about surfaces, pressures and sizes that can hardly be meant
 /// (`plausibility.h`).
-/// @param strength sigma_0, Pa; 0: not in use
+/// \param strength sigma_0, Pa; 0: not in use
 std::vector<std::string> contactDoubts(const std::vector<ContactSetup> &contacts,
                                        const LineContactSpecification &contact, double strength);
 

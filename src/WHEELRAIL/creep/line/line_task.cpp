@@ -52,7 +52,7 @@ class RollingTask : public CreepTask {
   }
 
  private:
-  /// @param context null: for the names only
+  /// \param context null: for the names only
   Outputs<CreepCurves> outputsWith(const ReportContext *context) const
   {
     Outputs<CreepCurves> outputs = {
@@ -97,7 +97,7 @@ class StaticTask : public CreepTask {
   }
 
  private:
-  /// @param context null: for the names only
+  /// \param context null: for the names only
   Outputs<StaticCases> outputsWith(const ReportContext *context) const
   {
     Outputs<StaticCases> outputs = {

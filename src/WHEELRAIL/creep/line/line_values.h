@@ -17,9 +17,9 @@ struct LineValues : SlidingValues {
 std::vector<Column<LineValues>> lineColumns();
 
 /// The values of one solution.
-/// @param tractionRatio T/N
-/// @param pressure, mu, temperature one value per cell of the domain; Pa and K
-/// @param state of all cells that may touch, at least one of which does
+/// \param tractionRatio T/N
+/// \param pressure, mu, temperature one value per cell of the domain; Pa and K
+/// \param state of all cells that may touch, at least one of which does
 LineValues lineValues(const ContactSetup &setup, double tractionRatio,
                       const Eigen::VectorXd &pressure, const Eigen::VectorXd &mu,
                       const Eigen::VectorXd &temperature, const std::vector<Adhesion> &state);

@@ -21,7 +21,7 @@ struct Roller {
   double creep;
   /// Traction and displacements that the last step left.
   TransientRolling rolling;
-  /// Of the local model only.
+  /// Heat in the material; only the local model has it.
   std::optional<TravellingHeat> heat;
   Eigen::VectorXd temperature, mu; ///< per cell; K
   RollingResult result;            ///< on the window
@@ -39,35 +39,35 @@ struct Roller {
 class MovingCreep {
  public:
   /// All arguments must outlive the object.
-  /// @param setup of a Free boundary, with a measured profile kept whole
-  /// @param law not read where friction is constant
+  /// \param setup of a Free boundary, with a measured profile kept whole
+  /// \param law not read where friction is constant
   MovingCreep(const CreepPhysics &physics, const MovingSpecification &moving,
               const FrictionLaw &law, const ContactSetup &setup);
 
-  /// @param speed v0, m/s, > 0
-  /// @param creeps sliding/rolling speed, > 0
-  /// @param progress called at every step; returns false to stop
-  /// @return one point per creep; empty when stopped
-  /// @throws Error (NotConverged), Error (BadInput) for a measured profile that is too short
+  /// \param speed v0, m/s, > 0
+  /// \param creeps sliding/rolling speed, > 0
+  /// \param progress called at every step; returns false to stop
+  /// \return one point per creep; empty when stopped
+  /// \throws Error (NotConverged), Error (BadInput) for a measured profile that is too short
   /// Begins anew with every call: with the profile at its start and no traction.
   std::vector<CreepPoint> solve(double speed, const std::vector<double> &creeps,
                                 const std::function<bool()> &progress);
 
   /// At the end of `solve`, in its last step, over the whole domain; SI units.
-  /// @param creep place in the list of creeps
+  /// \param creep place in the list of creeps
   const ContactFields &fields(std::size_t creep) const { return fields_.at(creep); }
 
  private:
   /// The pressure of a step, warm from the one before; temperature rise in K sets the limit.
-  /// @param step number of cells that the profile has moved
+  /// \param step number of cells that the profile has moved
   void solvePressure(int step, double temperature);
   /// Makes the window large enough for the cells in contact and moves every roller's state along.
   void fitWindow(std::vector<Roller> &rollers);
   /// One step of one creep; `counted` steps are averaged.
-  /// @param speed v0, m/s
+  /// \param speed v0, m/s
   void roll(Roller &roller, double speed, bool counted);
   /// Eq. 11 after each length of the nominal contact.
-  /// @param steps of the length, for the mean
+  /// \param steps of the length, for the mean
   void endPass(Roller &roller, double speed, int steps);
   /// Means over the `counted` steps of all `steps`.
   CreepPoint pointOf(const Roller &roller, double speed, int steps, int counted) const;

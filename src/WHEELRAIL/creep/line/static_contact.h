@@ -23,11 +23,11 @@ struct StaticTraction {
 /// 1949), friction coefficient constant. By the theorem of Ciavarella and Jaeger the traction is mu
 /// [p(N) - p(N - T/mu)], for any elastic profile, and what is in contact under N - T/mu sticks: one
 /// more normal contact.
-/// @param normal solution of `problem`, elastic where forceRatio > 0
-/// @param forceRatio T/(mu N) in [0, 1)
-/// @param mu >= 0, the same everywhere
-/// @return traction positive along the force; its sum is forceRatio mu N up to the tolerance
-/// @throws Error (BadInput) for another force ratio, and what `solveNormalContact` throws
+/// \param normal solution of `problem`, elastic where forceRatio > 0
+/// \param forceRatio T/(mu N) in [0, 1)
+/// \param mu >= 0, the same everywhere
+/// \return traction positive along the force; its sum is forceRatio mu N up to the tolerance
+/// \throws Error (BadInput) for another force ratio, and what `solveNormalContact` throws
 StaticTraction staticTraction(HalfPlane &halfPlane, const NormalContactProblem &problem,
                               const NormalContactResult &normal, double mu, double forceRatio);
 
@@ -59,7 +59,7 @@ struct StaticPoint {
 
 /// All that such a point has, in the order of static.csv: the table from which static.csv and the
 /// summary's list of forces follow.
-/// @return the same table in every call
+/// \return the same table in every call
 const std::vector<Column<StaticPoint>> &staticColumns();
 
 /// Complete, or `solveStaticCases` has thrown.
@@ -74,9 +74,9 @@ struct StaticCases {
 };
 
 /// All forces on all profiles, free or periodic.
-/// @throws Error as the normal contact does, Error (Interrupted)
-/// @param law gives mu at sliding speed 0 and no temperature rise
-/// @param options threads, progress, interruption; there is no journal here
+/// \throws Error as the normal contact does, Error (Interrupted)
+/// \param law gives mu at sliding speed 0 and no temperature rise
+/// \param options threads, progress, interruption; there is no journal here
 StaticCases solveStaticCases(const StaticSpecification &specification, const FrictionLaw &law,
                              const SweepOptions &options = {});
 

@@ -4,6 +4,7 @@
 #include "base/errors.h"
 #include "contact/patch/formats/gsf_file.h"
 
+#include <array>
 #include <cstdint>
 #include <cstring>
 #include <fmt/format.h>
@@ -64,7 +65,7 @@ class AppendedArrays {
     });
   }
   const std::string &descriptions() const { return descriptions_; }
-  /// Of all blocks together.
+  /// Bytes of all blocks together.
   std::size_t size() const { return size_; }
   void appendTo(std::string &bytes) const
   {
@@ -137,6 +138,37 @@ std::string vtiBytes(const PatchGrid &grid, const PatchFields &fields, const std
   return text;
 }
 
+namespace {
+
+/// A field of a .gsf file.
+struct GsfField {
+  const char *name;
+  const char *unit;                            ///< empty: pure number
+  Vector (*values)(const PatchFields &fields); ///< in that unit
+};
+
+constexpr std::array<GsfField, 9> gsfTable = {{
+    {"state", "", [](const PatchFields &f) -> Vector { return stateNumbers(f.state); }},
+    {"gap", "m", [](const PatchFields &f) -> Vector { return f.gap * mm; }},
+    {"pressure", "Pa", [](const PatchFields &f) -> Vector { return f.pressure * MPa; }},
+    {"traction_x", "Pa", [](const PatchFields &f) -> Vector { return f.traction.x * MPa; }},
+    {"traction_y", "Pa", [](const PatchFields &f) -> Vector { return f.traction.y * MPa; }},
+    {"slip_x", "", [](const PatchFields &f) -> Vector { return f.slip.x; }},
+    {"slip_y", "", [](const PatchFields &f) -> Vector { return f.slip.y; }},
+    {"mu", "", [](const PatchFields &f) -> Vector { return f.mu; }},
+    {"temperature", "K", [](const PatchFields &f) -> Vector { return f.temperature; }},
+}};
+
+} // namespace
+
+std::vector<std::string> gsfNames()
+{
+  std::vector<std::string> names;
+  for (const GsfField &one : gsfTable)
+    names.emplace_back(one.name);
+  return names;
+}
+
 std::vector<NamedBytes> gsfFields(const PatchGrid &grid, const PatchFields &fields,
                                   const std::string &title)
 {
@@ -149,26 +181,17 @@ std::vector<NamedBytes> gsfFields(const PatchGrid &grid, const PatchFields &fiel
   field.xOffset = grid.left * mm;
   field.yOffset = -(grid.bottom + grid.ny * grid.dy) * mm;
   field.xyUnit = "m";
-  const auto add = [&](const char *name, const Vector &values, double unit, const char *unitName) {
-    if (values.size() == 0)
-      return;
-    field.value = values * unit;
-    field.zUnit = unitName;
-    field.title = title.empty() ? name : fmt::format("{}: {}", name, title);
+  for (const GsfField &one : gsfTable) {
+    field.value = one.values(fields);
+    if (field.value.size() == 0)
+      continue;
+    field.zUnit = one.unit;
+    field.title = title.empty() ? one.name : fmt::format("{}: {}", one.name, title);
     for (char &c : field.title)
       if (static_cast<unsigned char>(c) < ' ') // one line of the head
         c = ' ';
-    files.push_back({name, gsfBytes(field)});
-  };
-  add("state", stateNumbers(fields.state), 1.0, "");
-  add("gap", fields.gap, mm, "m");
-  add("pressure", fields.pressure, MPa, "Pa");
-  add("traction_x", fields.traction.x, MPa, "Pa");
-  add("traction_y", fields.traction.y, MPa, "Pa");
-  add("slip_x", fields.slip.x, 1.0, "");
-  add("slip_y", fields.slip.y, 1.0, "");
-  add("mu", fields.mu, 1.0, "");
-  add("temperature", fields.temperature, 1.0, "K");
+    files.push_back({one.name, gsfBytes(field)});
+  }
   return files;
 }
 

@@ -30,23 +30,26 @@ struct PatchFields {
 /// out. Doubles (`state`: bytes), raw, appended, little endian: the numbers are those of the
 /// computation to the last bit. Opens in ParaView and with VTK's vtkXMLImageDataReader. x and y in
 /// mm.
-/// @param title one line, written as a comment with the units
+/// \param title one line, written as a comment with the units
 std::string vtiBytes(const PatchGrid &grid, const PatchFields &fields, const std::string &title);
 
-/// The same fields as Gwyddion Simple Fields, one file each, in SI units (m, Pa, K) and as float32:
-/// state, gap, pressure, traction_x, traction_y, slip_x, slip_y, mu, temperature.
+/// Names of the fields that `gsfFields` may write: state, gap, pressure, traction_x, traction_y,
+/// slip_x, slip_y, mu, temperature.
+std::vector<std::string> gsfNames();
+
+/// Fields as Gwyddion Simple Fields, one file each, in SI units (m, Pa, K) and as float32.
 struct NamedBytes {
   std::string name; ///< "pressure"
   std::string bytes;
 };
-/// @param title one line, put into each file
+/// \param title one line, put into each file
 std::vector<NamedBytes> gsfFields(const PatchGrid &grid, const PatchFields &fields,
                                   const std::string &title);
 
 /// Adds STEM.vti and STEM_NAME.gsf for each field to files that will appear together.
-/// @param stem path without its ending: "out/fields_0003"
-/// @param title for both formats, one line
-/// @throws mcawr::OutputError; Error (NotConverged) for a field that is not finite
+/// \param stem path without its ending: "out/fields_0003"
+/// \param title for both formats, one line
+/// \throws mcawr::OutputError; Error (NotConverged) for a field that is not finite
 void addFieldFiles(mcawr::OutputFiles &files, const std::string &stem, const PatchGrid &grid,
                    const PatchFields &fields, const std::string &title);
 

@@ -166,7 +166,7 @@ void MovingPatch::begin(TransientPatch &transient, double speed, const PatchDriv
   products_ += transient.step(shift).products;
 }
 
-// Of the rigid slip (xi - phi y, eta + phi x), half is put on each body: the wheel's surface runs
+// Half of the rigid slip (xi - phi y, eta + phi x) is put on each body: the wheel's surface runs
 // by xi/2 slower than the contact travels, the rail's by xi/2 faster, and they turn by phi/2
 // against each other, so that their asperities pass each other as the slip has it. The mean of both
 // goes straight, as the displacements do that are carried along. Between cells the maps are

@@ -36,8 +36,8 @@ struct PatchSequence {
 
   bool any() const { return !time.empty(); }
   /// A list's value at a time; `constant` where it is empty.
-  /// @param values one of the lists above
-  /// @param seconds since the start; beyond the last instant the last value holds
+  /// \param values one of the lists above
+  /// \param seconds since the start; beyond the last instant the last value holds
   double at(const std::vector<double> &values, double seconds, double constant) const;
 };
 
@@ -51,15 +51,15 @@ struct PatchStep : PatchValues {
 
 /// All that a step has, in the order of series.csv after `point`: the table from which series.csv
 /// and the journal follow.
-/// @return the same table in every call
+/// \return the same table in every call
 const std::vector<Column<PatchStep>> &seriesColumns();
 
 /// Standard error of the mean of a series that is correlated, from the means of `batches` equal
 /// parts (Law, Kelton, Simulation Modeling and Analysis, sec. 9.5.3). 0 for fewer than two.
-/// @param series as long as one likes; values beyond a whole number of batches are left out at its
+/// \param series as long as one likes; values beyond a whole number of batches are left out at its
 ///         start
-/// @param batches number of equal parts, at least 2; each should be longer than the correlation
-/// @return in the unit of the series
+/// \param batches number of equal parts, at least 2; each should be longer than the correlation
+/// \return in the unit of the series
 double batchError(const std::vector<double> &series, int batches);
 
 /// Transient rolling: both surfaces travel through the contact at their own speeds, wheel
@@ -74,18 +74,18 @@ double batchError(const std::vector<double> &series, int batches);
 class MovingPatch {
  public:
   /// All must outlive the object.
-  /// @param contact its surfaces must reach far enough for the way: see `preparePatch`'s travel
-  /// @param spinPoint `TangentialProblem::spinPoint`, 0 .. 1
+  /// \param contact its surfaces must reach far enough for the way: see `preparePatch`'s travel
+  /// \param spinPoint `TangentialProblem::spinPoint`, 0 .. 1
   MovingPatch(const CreepPhysics &physics, const MovingPatchSpecification &moving,
               const PatchSequence &sequence, const FrictionLaw &law, const PatchContact &contact,
               double spinPoint);
 
-  /// @param goOn asked at each step; false to stop
-  /// @return nothing when stopped
+  /// \param goOn asked at each step; false to stop
+  /// \return nothing when stopped
   /// Each call begins anew: at the place, the pressure and the `RollingStart` of the specification.
-  /// @param speed v0, m/s, > 0
-  /// @param drive creepages or forces; a sequence's lists take the place of its creepages
-  /// @throws Error (NotConverged); Error (BadInput) for contact at the border of the box, for a
+  /// \param speed v0, m/s, > 0
+  /// \param drive creepages or forces; a sequence's lists take the place of its creepages
+  /// \throws Error (NotConverged); Error (BadInput) for contact at the border of the box, for a
   ///         force that friction cannot carry, for a way that leads out of a measured map
   std::optional<PatchPoint> solve(double speed, const PatchDrive &drive,
                                   const std::function<bool()> &goOn);
@@ -104,7 +104,7 @@ class MovingPatch {
   /// Is the pressure of the step before still that under this load?
   bool pressureStays(double load) const;
   /// The normal contact where the surfaces are now; distance (m) for messages.
-  /// @param start pressure to begin with @param opening of the gap by the traction, or empty
+  /// \param start pressure to begin with \param opening of the gap by the traction, or empty
   void press(double load, double distance, const Eigen::VectorXd &start,
              const Eigen::VectorXd &opening);
   /// Friction, traction and heat of one step under the present pressure.
@@ -133,8 +133,8 @@ class MovingPatch {
 
 /// Distance that a point rolls, m.
 /// `passes` lengths 2a, or of a sequence its last instant times the speed.
-/// @param hertz in m
-/// @param speed m/s
+/// \param hertz in m
+/// \param speed m/s
 double rolledDistance(const MovingPatchSpecification &moving, const PatchSequence &sequence,
                       const HertzEllipse &hertz, double speed);
 

@@ -36,8 +36,8 @@ class PieceSolver {
   {
   }
 
-  /// @param keeps write the point's fields to `result`
-  /// @return whether the point was solved: not, when interrupted
+  /// \param keeps write the point's fields to `result`
+  /// \return whether the point was solved: not, when interrupted
   bool solve(const PatchTask &task, int number, bool keeps, PatchPieceResult &result)
   {
     switch (asked_.mode) {

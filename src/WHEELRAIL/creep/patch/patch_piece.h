@@ -2,8 +2,12 @@
 #ifndef WHEELRAIL_CREEP_PATCH_PIECE_H
 #define WHEELRAIL_CREEP_PATCH_PIECE_H
 
-#include "creep/patch/patch_curve.h"
+#include "creep/patch/patch_specification.h"
 #include "creep/sweep/law_spread.h"
+
+#include <functional>
+#include <map>
+#include <vector>
 
 namespace wheelrail {
 
@@ -22,10 +26,10 @@ struct PatchPieceResult {
 /// Solves the points of a piece. Steady rolling goes warm from point to point; in the other modes
 /// each point begins anew. Where the law has a covariance, every point is solved with the laws
 /// near it too, without any influence on its own result.
-/// @param tasks all of the sweep's
-/// @param goOn asked often; false to stop
+/// \param tasks all of the sweep's
+/// \param goOn asked often; false to stop
 /// A point that does not converge stays without numbers, and the next one begins cold.
-/// @throws what the points throw beside that
+/// \throws what the points throw beside that
 PatchPieceResult solvePatchPiece(const PatchSpecification &asked, const LawSpread &spread,
                                  const PatchContact &contact, const std::vector<PatchTask> &tasks,
                                  const PatchPiece &piece, const std::function<bool()> &goOn);

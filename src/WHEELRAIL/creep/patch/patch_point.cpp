@@ -3,6 +3,7 @@
 
 #include "base/errors.h"
 #include "contact/patch/elasticity/patch_half_space.h"
+#include "shared/pi.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,7 +14,7 @@ namespace {
 
 using Vector = Eigen::VectorXd;
 
-constexpr double pi = 3.14159265358979323846;
+using mcawr::pi;
 constexpr double temperatureTolerance = 1e-7; ///< of the strength temperature
 constexpr double tangentialTolerance = 1e-6;
 constexpr double creepTolerance = 1e-6; ///< of a creepage that is found, relative

@@ -53,13 +53,13 @@ struct PatchPoint : PatchValues {
 };
 
 /// All that a point has: the table from which creep.csv, static.csv and the journal follow.
-/// @return the same table in every call
+/// \return the same table in every call
 const std::vector<Column<PatchPoint>> &patchColumns();
 
 /// Load-weighted root mean square of the rigid slip, relative to the rolling speed: the creep of a
 /// contact without spin.
-/// @param pressure per cell, any unit, with a sum > 0
-/// @param creepage phi in 1/unit of the grid's length; without spin the result is the length of
+/// \param pressure per cell, any unit, with a sum > 0
+/// \param creepage phi in 1/unit of the grid's length; without spin the result is the length of
 ///         (xi, eta), whatever the pressure
 double rigidSlip(const PatchGrid &grid, const Eigen::VectorXd &pressure, const Creepage &creepage);
 
@@ -70,10 +70,10 @@ double rigidSlip(const PatchGrid &grid, const Eigen::VectorXd &pressure, const C
 double meanOverEllipse();
 
 /// Mean temperature rise of an ellipse (Eq. 11, row by row), K.
-/// @param frictionRatio mu, or frictional power over load and sliding speed
-/// @param hertz a along x (m) and p0 (Pa) of the smooth contact are read
-/// @param slidingSpeed m/s
-/// @param speed v0, m/s, > 0
+/// \param frictionRatio mu, or frictional power over load and sliding speed
+/// \param hertz a along x (m) and p0 (Pa) of the smooth contact are read
+/// \param slidingSpeed m/s
+/// \param speed v0, m/s, > 0
 double meanTemperatureRise(double frictionRatio, const HertzEllipse &hertz, double slidingSpeed,
                            double speed, const ThermalMaterial &material);
 
@@ -88,13 +88,13 @@ double meanTemperatureRise(double frictionRatio, const HertzEllipse &hertz, doub
 class FrozenPatch {
  public:
   /// Both must outlive the object.
-  /// @param spinPoint `TangentialProblem::spinPoint`
+  /// \param spinPoint `TangentialProblem::spinPoint`
   FrozenPatch(const CreepPhysics &physics, const PatchContact &contact, double spinPoint);
 
   /// Warm from the last call: tractions, creepages that were found, temperature.
-  /// @throws Error (NotConverged), Error (BadInput) for a force that friction cannot carry
-  /// @param speed v0, m/s, > 0
-  /// @param drive a force that is given must be below the sum of mu p
+  /// \throws Error (NotConverged), Error (BadInput) for a force that friction cannot carry
+  /// \param speed v0, m/s, > 0
+  /// \param drive a force that is given must be below the sum of mu p
   PatchPoint solve(const FrictionLaw &law, double speed, const PatchDrive &drive);
 
   const PatchFields &fields() const { return fields_; } ///< in SI units, of the last call
@@ -107,12 +107,12 @@ class FrozenPatch {
   Eigen::VectorXd temperatureFrom(double speed);
   /// The normal contact anew, with what traction and temperature change in it.
   void renewPressure();
-  /// @param friction the law is at fault, or else the coupling of unlike bodies
+  /// \param friction the law is at fault, or else the coupling of unlike bodies
   [[noreturn]] void failToSettle(double speed, int iterations, bool friction) const;
   double meanMu() const;
   /// Root mean square of the rigid slip times the rolling speed, m/s.
   double slidingSpeed(double speed) const;
-  /// Of the last solution, with what unlike bodies' pressure gives.
+  /// Sums of the last solution, with what unlike bodies' pressure gives.
   PatchSums sums() const;
   /// Iterations of the fixed point.
   PatchPoint pointOf(const FrictionLaw &law, double speed, int iterations) const;
@@ -137,7 +137,7 @@ class FrozenPatch {
 /// Heat by friction per cell at a rolling speed, W/m2.
 /// -v0 q . s with the traction q (Pa) and the slip s relative to rolling; both bodies' together, as
 /// `PatchFlashTemperature` takes it. About >= 0: q points against s.
-/// @param speed v0, m/s
+/// \param speed v0, m/s
 Eigen::VectorXd frictionalHeat(const TangentialResult &result, double speed);
 
 } // namespace wheelrail

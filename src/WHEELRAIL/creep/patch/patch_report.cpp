@@ -4,7 +4,6 @@
 #include "base/result_text.h"
 
 #include <algorithm>
-#include <array>
 #include <fmt/format.h>
 #include <iterator>
 #include <nlohmann/json.hpp>
@@ -43,7 +42,7 @@ void append(PatchColumns &columns, const PatchColumns &others)
   columns.insert(columns.end(), others.begin(), others.end());
 }
 
-/// A column of the table under another name. @param digits of the file
+/// A column of the table under another name. \param digits of the file
 FileColumn<PatchPoint> named(const std::string &name, const std::string &inTable, int digits)
 {
   const auto &table = patchColumns();
@@ -54,7 +53,7 @@ FileColumn<PatchPoint> named(const std::string &name, const std::string &inTable
 }
 
 /// A quantity with its standard error and 95 % interval, the band's in the quantity's unit.
-/// @param name in the file @param inTable in the table of columns @param band likewise
+/// \param name in the file \param inTable in the table of columns \param band likewise
 PatchColumns withBand(const std::string &name, const std::string &inTable, const std::string &band)
 {
   PatchColumns columns = {
@@ -265,10 +264,8 @@ std::string fieldStem(int number)
 
 std::vector<std::string> fieldFileNames(int number)
 {
-  constexpr std::array names = {"state",  "gap",    "pressure", "traction_x", "traction_y",
-                                "slip_x", "slip_y", "mu",       "temperature"};
   std::vector<std::string> files = {fieldStem(number) + ".vti"};
-  for (const char *name : names)
+  for (const std::string &name : gsfNames())
     files.push_back(fmt::format("{}_{}.gsf", fieldStem(number), name));
   return files;
 }

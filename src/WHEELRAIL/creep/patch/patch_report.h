@@ -19,7 +19,7 @@ std::string patchCsv(const PatchSpecification &asked, const PatchCurves &curves)
 
 /// creep_band.csv: T/N, forces and moment, or creepages that were found, with what the covariance
 /// of the law leaves undetermined of them. The line contact's columns come first.
-/// @param curves with `hasBand`
+/// \param curves with `hasBand`
 std::string patchBandCsv(const PatchSpecification &asked, const PatchCurves &curves);
 
 /// series.csv of mode moving: one row a step of every point.
@@ -27,7 +27,7 @@ std::string patchBandCsv(const PatchSpecification &asked, const PatchCurves &cur
 std::string patchSeriesCsv(const PatchCurves &curves);
 
 /// summary.json: case, law, contacts with Kalker's coefficients, warnings, time.
-/// @param text the complete case file
+/// \param text the complete case file
 std::string patchSummary(const PatchSpecification &asked, const std::string &text,
                          const FrictionLaw &law, const PatchCurves &curves,
                          const std::vector<std::string> &files);
@@ -45,20 +45,20 @@ std::vector<std::string> failures(const PatchCurves &curves);
 std::string fieldStem(int number);
 /// All files that the selected fields make, without the folder.
 std::vector<std::string> fieldFileNames(const PatchSpecification &asked);
-/// Of one point.
+/// Names of the field files of one operating point.
 std::vector<std::string> fieldFileNames(int number);
 /// Adds them to the files of the results: one .vti and several .gsf files for each selected point,
 /// converted from SI to the files' units.
-/// @param folder that exists
-/// @throws what `addFieldFiles` throws
+/// \param folder that exists
+/// \throws what `addFieldFiles` throws
 void addFields(mcawr::OutputFiles &files, const std::string &folder,
                const PatchSpecification &asked, const PatchCurves &curves);
 
 /// The computed points as those of Polach's law, and the contact it needs.
 /// In mm, N and m/s, with the signs of the solvers: forces against the creepages.
 std::vector<PolachPoint> polachPoints(const PatchCurves &curves);
-/// Of the first contact: shear modulus and nominal ellipse (mm, N, MPa), with Kalker's coefficients
-/// of that ellipse.
+/// What Polach's law takes of the first contact: shear modulus and nominal ellipse (mm, N, MPa),
+/// with Kalker's coefficients of that ellipse.
 PolachContact polachContact(const PatchCurves &curves);
 
 } // namespace wheelrail

@@ -11,14 +11,14 @@
 namespace wheelrail {
 namespace {
 
-constexpr double newtonMm = 1e-3, perMm = 1e3;
+constexpr int digits = 10;
 
 struct Axis {
   const char *name;
   const std::vector<double> &values; ///< SI
 };
 
-/// In the order of `patchTasks`, the last one fastest.
+/// In the order of `patchTasks`, the last one fastest; named as columns of `patchColumns`.
 std::vector<Axis> axesOf(const PatchSpecification &asked)
 {
   return {{"load", asked.contact.load},
@@ -26,6 +26,26 @@ std::vector<Axis> axesOf(const PatchSpecification &asked)
           {"spin", asked.spin},
           {"lateral", asked.lateral},
           {"creep", asked.creep}};
+}
+
+/// The coordinates, in the order of the axes.
+FileColumns<PatchPoint> coordinatesOf(const std::vector<Axis> &axes)
+{
+  std::vector<std::string> names;
+  for (const Axis &axis : axes)
+    names.emplace_back(axis.name);
+  return columnsNamed(patchColumns(), names, digits);
+}
+
+FileColumns<PatchPoint> forceColumns()
+{
+  return columnsNamed(patchColumns(), {"force_x", "force_y", "moment_z"}, digits);
+}
+
+std::string withoutEnd(std::string line)
+{
+  line.pop_back();
+  return line;
 }
 
 [[noreturn]] void fail(const std::string &problem)
@@ -52,22 +72,23 @@ void checkPatchTable(const PatchSpecification &asked)
 
 std::string patchTable(const PatchSpecification &asked, const PatchCurves &curves)
 {
+  const std::vector<Axis> axes = axesOf(asked);
+  const FileColumns<PatchPoint> coordinates = coordinatesOf(axes), forces = forceColumns();
+  FileColumns<PatchPoint> all = coordinates;
+  all.insert(all.end(), forces.begin(), forces.end());
   std::vector<std::string> sizes;
-  for (const Axis &axis : axesOf(asked))
+  for (const Axis &axis : axes)
     sizes.push_back(fmt::format("{} {}", axis.values.size(), axis.name));
-  std::string text = fmt::format(
-      "# wr_creep-table 1: forces on the wheel over load, speed and creepages\n"
-      "# load, force_x, force_y: N; speed: m/s; spin: 1/mm; lateral, creep: 1; moment_z: N mm; "
-      "converged: 1, or 0 and no forces\n"
-      "# grid: {}; creep varies fastest\n"
-      "load,speed,spin,lateral,creep,force_x,force_y,moment_z,converged\n",
-      fmt::join(sizes, " x "));
-  for (const PatchPoint &p : curves.points) {
-    text += fmt::format("{:.10g},{:.10g},{:.10g},{:.10g},{:.10g},", p.load, p.speed,
-                        p.creepage.phi / perMm, p.creepage.eta, p.creepage.xi);
-    text += p.converged() ? fmt::format("{:.10g},{:.10g},{:.10g},1\n", p.forceX, p.forceY,
-                                        p.momentZ / newtonMm)
-                          : ",,,0\n";
+  std::string text = "# wr_creep-table 1: forces on the wheel over load, speed and creepages\n# ";
+  for (const auto &[unit, names] : unitGroups(all))
+    text += fmt::format("{}: {}; ", names, unit);
+  text += fmt::format("converged: 1, or 0 and no forces\n# grid: {}; creep varies fastest\n",
+                      fmt::join(sizes, " x "));
+  text += withoutEnd(headOf(all)) + ",converged\n";
+  const std::string none = std::string(forces.size(), ',') + ",0\n";
+  for (const PatchPoint &point : curves.points) {
+    text += withoutEnd(rowOf(coordinates, point));
+    text += point.converged() ? "," + withoutEnd(rowOf(forces, point)) + ",1\n" : none;
   }
   return text;
 }

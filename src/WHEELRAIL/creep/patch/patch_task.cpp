@@ -18,7 +18,7 @@ std::string tableBeside(const std::string &path)
 }
 
 /// Polach's law: parameters and the points they were fitted to.
-/// @return what to print of it
+/// \return what to print of it
 std::string addPolachLaw(const std::string &path, const PatchCurves &curves, ResultFiles &files,
                          std::vector<std::string> &warnings)
 {
@@ -106,7 +106,7 @@ class PatchCreepTask : public CreepTask {
     report.extra += polach;
   }
 
-  /// @param context null: for the names only
+  /// \param context null: for the names only
   Outputs<PatchCurves> outputsWith(const ReportContext *context) const
   {
     Outputs<PatchCurves> outputs = {

@@ -2,6 +2,7 @@
 #include "creep/patch/polach.h"
 
 #include "law/forms/polach.h"
+#include "shared/pi.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,7 +11,7 @@ namespace wheelrail {
 
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
+using mcawr::pi;
 
 /// Force of pure spin in units of phi/s_C, at most of the order of mu N a (Polach 1999).
 double spinForce(double a, double bound, double shape, double epsilon)

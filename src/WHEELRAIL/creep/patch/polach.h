@@ -107,9 +107,9 @@ struct PolachFit {
 };
 
 /// Least squares over all points, bounds mu0 > 0, 0 <= A <= 1, B >= 0, kA, kS > 0.
-/// @throws Error (NotConverged) for fewer residuals than parameters + 1, or without convergence
-/// @throws std::invalid_argument for values that are not finite, loads <= 0, speeds < 0
-/// @param largestMu bound of mu0
+/// \throws Error (NotConverged) for fewer residuals than parameters + 1, or without convergence
+/// \throws std::invalid_argument for values that are not finite, loads <= 0, speeds < 0
+/// \param largestMu bound of mu0
 PolachFit fitPolach(const std::vector<PolachPoint> &points, const PolachContact &contact,
                     PolachFriction friction,
                     double largestMu = std::numeric_limits<double>::infinity());
@@ -134,7 +134,7 @@ struct PolachChoice {
 /// The points are those that the form can describe (`isInPolachsSpin`); where these alone do not
 /// determine the parameters, all. With spin in the points mu0 is at most the largest T/N seen: the
 /// misfit of the spin would otherwise be laid on it.
-/// @throws Error (NotConverged) where not even the constant form's parameters are determined: the
+/// \throws Error (NotConverged) where not even the constant form's parameters are determined: the
 ///         message says which combination is not
 PolachChoice choosePolach(const std::vector<PolachPoint> &points, const PolachContact &contact);
 

@@ -4,7 +4,6 @@
 #include "base/errors.h"
 #include "contact/patch/solvers/patch_sums.h"
 #include "contact/patch/solvers/transient.h"
-#include "creep/patch/patch_curve.h"
 
 #include <fmt/format.h>
 

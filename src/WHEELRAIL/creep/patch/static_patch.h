@@ -2,14 +2,12 @@
 #ifndef WHEELRAIL_CREEP_STATIC_PATCH_H
 #define WHEELRAIL_CREEP_STATIC_PATCH_H
 
-#include "creep/patch/patch_point.h"
+#include "creep/patch/patch_specification.h"
 
 #include <functional>
 #include <vector>
 
 namespace wheelrail {
-
-struct PatchTask;
 
 /// Shifts from rest, without rolling: one, or a sequence of loads each of which goes on from the
 /// one before, so that what slipped stays slipped. The point's creepage is the shift in m, of a
@@ -25,14 +23,14 @@ struct StaticPatch {
   PatchFields fields;
 };
 
-/// @param task its forces, its force ratio, or its shift
-/// @throws Error (NotConverged), Error (BadInput) for a force that friction cannot carry
+/// \param task its forces, its force ratio, or its shift
+/// \throws Error (NotConverged), Error (BadInput) for a force that friction cannot carry
 /// A force ratio comes first: it is put in as Fx = -ratio times the sum of mu p, Fy = 0. Then given
 /// forces, whose shift is found; else the shift of the task.
-/// @param contact its normal contact is the first that is tried
-/// @param loads N, of the sequence; empty: the contact's alone
-/// @param goOn asked at each load
-/// @return nothing when stopped
+/// \param contact its normal contact is the first that is tried
+/// \param loads N, of the sequence; empty: the contact's alone
+/// \param goOn asked at each load
+/// \return nothing when stopped
 std::optional<StaticPatch> solveStaticPatch(const CreepPhysics &physics, const FrictionLaw &law,
                                             const PatchContact &contact, const PatchTask &task,
                                             const std::vector<double> &loads,

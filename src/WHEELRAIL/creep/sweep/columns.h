@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <functional>
 #include <nlohmann/json.hpp>
+#include <stdexcept>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -42,7 +43,7 @@ template<auto... Path>
 inline constexpr Kept<Path...> kept{};
 
 /// A value that follows from others of the point.
-/// @param get function of a point, SI
+/// \param get function of a point, SI
 template<class Point>
 Access<Point> derived(double (*get)(const Point &))
 {
@@ -109,7 +110,7 @@ template<class Point>
 using FileColumns = std::vector<FileColumn<Point>>;
 
 /// The columns of a file, those that lead first, else in the order of the table.
-/// @param file &Column<Point>::creep, for example
+/// \param file &Column<Point>::creep, for example
 template<class Point>
 FileColumns<Point> columnsOf(const std::vector<Column<Point>> &table, Written Column<Point>::*file)
 {
@@ -121,11 +122,31 @@ FileColumns<Point> columnsOf(const std::vector<Column<Point>> &table, Written Co
   return columns;
 }
 
-/// "speed: m/s; traction: N/mm; others: 1": the units of a file, each with its columns.
+/// Columns by their names, in the order of the names.
+/// \param digits significant ones of each
+/// \throws std::out_of_range for a name that the table does not have
 template<class Point>
-std::string unitsOf(const FileColumns<Point> &columns)
+FileColumns<Point> columnsNamed(const std::vector<Column<Point>> &table,
+                                const std::vector<std::string> &names, int digits)
 {
-  std::vector<std::pair<std::string, std::string>> units; // and the columns
+  FileColumns<Point> columns;
+  for (const std::string &name : names) {
+    const auto found = std::find_if(table.begin(), table.end(), [&](const Column<Point> &column) {
+      return column.name == name;
+    });
+    if (found == table.end())
+      throw std::out_of_range("columnsNamed: no column " + name);
+    columns.push_back({*found, digits});
+  }
+  return columns;
+}
+
+/// The units of a file in the order of their first columns, each with its columns: {"N", "load,
+/// force_x"}.
+template<class Point>
+std::vector<std::pair<std::string, std::string>> unitGroups(const FileColumns<Point> &columns)
+{
+  std::vector<std::pair<std::string, std::string>> units;
   for (const auto &[column, digits] : columns) {
     auto found = units.begin();
     while (found != units.end() && found->first != column.unit)
@@ -135,8 +156,15 @@ std::string unitsOf(const FileColumns<Point> &columns)
     else
       found->second += ", " + column.name;
   }
+  return units;
+}
+
+/// "speed: m/s; traction: N/mm; others: 1": the units of a file, each with its columns.
+template<class Point>
+std::string unitsOf(const FileColumns<Point> &columns)
+{
   std::string text;
-  for (const auto &[unit, names] : units)
+  for (const auto &[unit, names] : unitGroups(columns))
     if (unit != "1")
       text += fmt::format("{}: {}; ", names, unit);
   return text + "others: 1";
@@ -214,8 +242,8 @@ nlohmann::json journalRows(const std::vector<Column<Point>> &table,
 }
 
 /// The way back: every value goes where its name says.
-/// @return points that equal the written ones to the last bit
-/// @throws nlohmann::json::exception for JSON of another kind, or where a column is missing
+/// \return points that equal the written ones to the last bit
+/// \throws nlohmann::json::exception for JSON of another kind, or where a column is missing
 template<class Point>
 std::vector<Point> pointsFrom(const std::vector<Column<Point>> &table, const nlohmann::json &json)
 {

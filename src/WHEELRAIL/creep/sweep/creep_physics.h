@@ -30,9 +30,9 @@ struct CreepPhysics {
   /// Pa, at a temperature rise in K; infinite without `hardnessLimit`.
   double pressureLimit(double temperatureRise) const;
 
-  /// @param hottest temperature rise anywhere in the contact, K
-  /// @param speed m/s, and creep: of the point that is computed, for the message
-  /// @throws Error (NotConverged) when a temperature rise that acts back leaves no strength
+  /// \param hottest temperature rise anywhere in the contact, K
+  /// \param speed m/s, and creep: of the point that is computed, for the message
+  /// \throws Error (NotConverged) when a temperature rise that acts back leaves no strength
   /// The limit is friction.strength_temperature, at which sigma_0 has fallen to nothing.
   void checkStrength(const FrictionLaw &law, double hottest, double speed, double creep) const;
 };

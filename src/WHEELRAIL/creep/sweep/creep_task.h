@@ -55,13 +55,13 @@ class CreepTask {
   /// Names of all files that a run may leave in its folder.
   virtual std::vector<std::string> outputs() const = 0;
   /// Extra files with the options that name them.
-  /// @throws Error (Usage) for those that do not go with the task: here for any
+  /// \throws Error (Usage) for those that do not go with the task: here for any
   virtual std::vector<RequestedOutput> extraOutputs(const ExtraFiles &extra) const;
-  /// Computes everything. @return warnings, one line each
-  /// @throws what the contact's sweep throws
+  /// Computes everything. \return warnings, one line each
+  /// \throws what the contact's sweep throws
   virtual std::vector<std::string> solve(const LawPointer &law, const SweepOptions &options) = 0;
-  /// Of what `solve` found: adds all files.
-  /// @throws Error (NotConverged) for a result that is not finite; mcawr::OutputError
+  /// Reports what `solve` found: adds all files.
+  /// \throws Error (NotConverged) for a result that is not finite; mcawr::OutputError
   virtual TaskReport report(const ReportContext &context, ResultFiles &files) const = 0;
 };
 
@@ -69,11 +69,11 @@ class CreepTask {
 std::string countOf(std::size_t points, int resumed);
 
 /// Names the points that have no results, when those of the others are in place.
-/// @param program whose name begins each line
-/// @throws Error (NotConverged) if there are any
+/// \param program whose name begins each line
+/// \throws Error (NotConverged) if there are any
 void reportFailures(const char *program, const TaskReport &report);
 
-/// Why a task does not write Polach's law. @throws Error (Usage)
+/// Why a task does not write Polach's law. \throws Error (Usage)
 [[noreturn]] void refusePolach();
 
 } // namespace wheelrail

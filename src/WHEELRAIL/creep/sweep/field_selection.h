@@ -12,8 +12,8 @@ struct FieldSelection {
   Kind kind = Kind::Last;
   std::vector<int> numbers; ///< from 1 on, in the order in which the case asks for the points
 
-  /// @param number of the point, from 1 on
-  /// @param total number of points in all, which decides Last
+  /// \param number of the point, from 1 on
+  /// \param total number of points in all, which decides Last
   bool holds(int number, int total) const;
 };
 

@@ -30,9 +30,9 @@ class Journal {
   /// Takes a line for the user.
   using Warn = std::function<void(const std::string &)>;
 
-  /// @param path of the file; none is opened or written yet
-  /// @param identity all that decides the results: a case with the content of its files
-  /// @param warn may be empty: for who does not want to know
+  /// \param path of the file; none is opened or written yet
+  /// \param identity all that decides the results: a case with the content of its files
+  /// \param warn may be empty: for who does not want to know
   Journal(std::string path, const std::string &identity, Warn warn = {});
 
   /// What the file holds, from now on kept with what is added; nothing where there is no file, or
@@ -40,23 +40,23 @@ class Journal {
   Pieces load();
 
   /// Keeps a finished piece; writes all of them if the last time is some seconds ago.
-  /// @throws Error (Io)
-  /// @param piece number from 0 on; an earlier result of the same piece is replaced
-  /// @param results any JSON value
+  /// \throws Error (Io)
+  /// \param piece number from 0 on; an earlier result of the same piece is replaced
+  /// \param results any JSON value
   void add(std::size_t piece, const nlohmann::json &results);
 
   /// A piece that was loaded and makes no sense: dropped with a warning.
   void refuse(std::size_t piece);
 
-  /// Writes the pieces now, if there are any. @throws Error (Io)
+  /// Writes the pieces now, if there are any. \throws Error (Io)
   void write();
 
   /// Keeps bytes that are too many for a line, in a file of their own beside the journal,
   /// PATH.NUMBER. May be called from several threads, for different numbers.
-  /// @return a checksum, for the results of the piece that they belong to; empty where the file
+  /// \return a checksum, for the results of the piece that they belong to; empty where the file
   ///         cannot be written: the piece will then be computed again
   std::string attach(int number, const std::string &bytes) const;
-  /// @return the bytes; nothing where they are missing, or not those of the checksum
+  /// \return the bytes; nothing where they are missing, or not those of the checksum
   std::optional<std::string> attached(int number, const std::string &expected) const;
 
   /// Half a sentence for the message of a run that fails: "; what is kept in PATH ...". Empty where

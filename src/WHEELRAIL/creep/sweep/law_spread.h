@@ -39,16 +39,16 @@ class LawSpread {
  public:
   /// Just the law: no band.
   explicit LawSpread(LawPointer law) : variants_{std::move(law)} {}
-  /// @param law its covariance is used, if it has one
-  /// @throws Error (NotConverged) when hardly any draw is a law
+  /// \param law its covariance is used, if it has one
+  /// \throws Error (NotConverged) when hardly any draw is a law
   LawSpread(const SpreadSpecification &specification, const LawPointer &law);
 
   /// The law itself first. Just that one if it has no covariance.
   const std::vector<LawPointer> &laws() const { return variants_; }
   /// Does the law have a covariance to be carried through?
   bool any() const { return variants_.size() > 1; }
-  /// @param results the quantity in question, computed with each of `laws()`, in their order
-  /// @return in the unit of `results`
+  /// \param results the quantity in question, computed with each of `laws()`, in their order
+  /// \return in the unit of `results`
   Band band(const std::vector<double> &results) const;
   /// Share of the draws that were drawn again.
   /// 0 with the linear method. A large share says that the covariance reaches far into what is no

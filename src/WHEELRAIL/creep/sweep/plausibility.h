@@ -12,27 +12,27 @@ namespace wheelrail {
 /// number and the limit; empty where there is nothing to say. SI units.
 
 /// Above 1 half of the surface is steeper than 45 degrees, and no half-space.
-/// @param step of the preparation, as the report calls it: "rail: on the cells"
+/// \param step of the preparation, as the report calls it: "rail: on the cells"
 std::string slopeDoubt(const std::string &step, double rmsSlope);
 
 /// Above the hardness 3 sigma_0 asperities flow; where no strength is in use, E/50 is what no metal
 /// bears.
-/// @param peak elastic, Pa
-/// @param strength sigma_0, Pa; 0: not known
-/// @param youngsModulus Pa, of the softer body
+/// \param peak elastic, Pa
+/// \param strength sigma_0, Pa; 0: not known
+/// \param youngsModulus Pa, of the softer body
 std::string pressureDoubt(double peak, double strength, double youngsModulus);
 
 /// Above 1 the bodies slide faster than they roll.
-/// @param keyword of the case: "creep"
-/// @param values -; the largest size counts
+/// \param keyword of the case: "creep"
+/// \param values -; the largest size counts
 std::string creepDoubt(const std::string &keyword, const std::vector<double> &values);
 
 /// A contact larger than the body's radius is no contact of Hertz.
-/// @param halfAxis m @param radius m, > 0; infinite: flat
+/// \param halfAxis m \param radius m, > 0; infinite: flat
 std::string sizeDoubt(double halfAxis, double radius);
 
 /// No wheel rolls on more than 10 m.
-/// @param radius that was given, along the way; m, > 0
+/// \param radius that was given, along the way; m, > 0
 std::string radiusDoubt(double radius);
 
 /// Adds a line unless it is empty or there already.

@@ -13,7 +13,7 @@ namespace wheelrail {
 
 /// Points of one piece of a sweep as a journal keeps them: their columns, why they failed and where
 /// they asked for mu; each by its name.
-/// @param points with `failure` and `use`
+/// \param points with `failure` and `use`
 template<class Point>
 nlohmann::json pointsJson(const std::vector<Column<Point>> &table, const std::vector<Point> &points)
 {
@@ -26,8 +26,8 @@ nlohmann::json pointsJson(const std::vector<Column<Point>> &table, const std::ve
   return json;
 }
 
-/// The way back. @return points that equal the written ones to the last bit
-/// @throws nlohmann::json::exception for JSON of another kind
+/// The way back. \return points that equal the written ones to the last bit
+/// \throws nlohmann::json::exception for JSON of another kind
 template<class Point>
 std::vector<Point> pointsFromJson(const std::vector<Column<Point>> &table,
                                   const nlohmann::json &json)

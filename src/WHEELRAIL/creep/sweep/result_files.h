@@ -15,14 +15,14 @@ constexpr const char *summaryName = "summary.json";
 /// The files of a case, which appear together or not at all.
 class ResultFiles {
  public:
-  /// @param folder that is there
+  /// \param folder that is there
   explicit ResultFiles(std::string folder) : folder_(std::move(folder)) {}
 
   /// A file in the folder; the report names it. What ends in ".csv" is checked as a table.
-  /// @throws Error (NotConverged) for a number of a table that is not finite; mcawr::OutputError
+  /// \throws Error (NotConverged) for a number of a table that is not finite; mcawr::OutputError
   void add(const std::string &name, const std::string &content);
   /// The summary, last of all: its "files" are the names of what stands in the folder, itself too.
-  /// @param text makes it of these names
+  /// \param text makes it of these names
   void addSummary(const std::function<std::string(const std::vector<std::string> &)> &text);
   /// Names of files in the folder that were added by `files()`.
   void note(const std::vector<std::string> &names);
@@ -36,10 +36,10 @@ class ResultFiles {
 
   /// Puts all of them in place, then removes what the folder's former summary names and this one
   /// does not: results are a set, and stay one.
-  /// @param inputs of the run, by their paths, which stay
-  /// @throws mcawr::OutputError
+  /// \param inputs of the run, by their paths, which stay
+  /// \throws mcawr::OutputError
   void commit(const std::vector<std::string> &inputs);
-  /// Of what `add` got: "creep.csv, summary.json".
+  /// Names that `add` got: "creep.csv, summary.json".
   const std::string &names() const { return names_; }
 
  private:
@@ -49,7 +49,7 @@ class ResultFiles {
 };
 
 /// What a task leaves in the folder: a file, or several that are written together.
-/// @tparam Curves what the task has solved
+/// \tparam Curves what the task has solved
 template<class Curves>
 struct Output {
   std::vector<std::string> names; ///< without the folder
@@ -59,8 +59,8 @@ template<class Curves>
 using Outputs = std::vector<Output<Curves>>;
 
 /// An output of one file.
-/// @param text its content
-/// @param when whether these results have it
+/// \param text its content
+/// \param when whether these results have it
 template<class Curves>
 Output<Curves> fileOf(
     const std::string &name, std::function<std::string(const Curves &)> text,
@@ -72,7 +72,7 @@ Output<Curves> fileOf(
           }};
 }
 
-/// The summary of a task. @param text of the results and of the names of all files
+/// The summary of a task. \param text of the results and of the names of all files
 template<class Curves>
 Output<Curves>
 summaryOf(std::function<std::string(const Curves &, const std::vector<std::string> &)> text)

@@ -36,9 +36,9 @@ struct SweepOptions {
 /// piece's number; functions are called from several threads, for different pieces.
 struct Sweep {
   std::vector<int> points; ///< of each piece
-  /// Solves a piece. @return false when interrupted (goOn() is false)
+  /// Solves a piece. \return false when interrupted (goOn() is false)
   std::function<bool(std::size_t piece, const std::function<bool()> &goOn)> solve;
-  /// All numbers of a solved piece, and the way back. @return number of points taken
+  /// All numbers of a solved piece, and the way back. \return number of points taken
   /// null where the journal is not to know the piece.
   std::function<nlohmann::json(std::size_t)> rows;
   std::function<std::size_t(std::size_t, const nlohmann::json &)> takeRows;
@@ -47,14 +47,14 @@ struct Sweep {
 };
 
 /// Solves all pieces in parallel, but for those that the journal has.
-/// @return number of points that were taken over from the journal
-/// @throws Error (Interrupted) when asked to stop; Error (NotConverged) for a result that is not
+/// \return number of points that were taken over from the journal
+/// \throws Error (Interrupted) when asked to stop; Error (NotConverged) for a result that is not
 ///         finite; what the pieces throw. The journal is written before
 int runSweep(const Sweep &sweep, const SweepOptions &options);
 
 /// A sweep whose points all failed has no result.
-/// @param points with `converged()` and `failure`
-/// @throws Error (NotConverged) with the first point's reason unless one of them converged
+/// \param points with `converged()` and `failure`
+/// \throws Error (NotConverged) with the first point's reason unless one of them converged
 template<class Point>
 void requireAnyPoint(const std::vector<Point> &points)
 {
@@ -65,7 +65,7 @@ void requireAnyPoint(const std::vector<Point> &points)
 }
 
 /// action(0) to action(count - 1) in parallel: what every sweep begins with.
-/// @throws Error (Interrupted) when asked to stop; the first that an action throws
+/// \throws Error (Interrupted) when asked to stop; the first that an action throws
 void prepareAll(std::size_t count, const SweepOptions &options,
                 const std::function<void(std::size_t)> &action);
 

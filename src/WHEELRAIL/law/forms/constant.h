@@ -28,7 +28,7 @@ class ConstantLaw : public FrictionLaw {
     return choice;
   }
 
-  /// @param mu > 0
+  /// \param mu > 0
   explicit ConstantLaw(double mu) : mu_(mu) {}
 
   Eigen::VectorXd mu(const FrictionState &state) const override

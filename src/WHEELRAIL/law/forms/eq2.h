@@ -32,7 +32,7 @@ class Eq2Law : public FittedLaw<lawParameters> {
   static bool isNamedBy(const LawName & /*name*/) { return true; }
   static LawChoice choose(const LawValues &values);
 
-  /// @param name of the law, for messages: bucher2006, or the path of its file
+  /// \param name of the law, for messages: bucher2006, or the path of its file
   Eq2Law(std::string name, KappaLaw law, const Eq2Scale &scale)
       : FittedLaw(law.covariance), name_(std::move(name)), law_(std::move(law)), scale_(scale)
   {
@@ -50,7 +50,7 @@ class Eq2Law : public FittedLaw<lawParameters> {
   nlohmann::ordered_json json() const override;
   std::string note() const override { return law_.note; }
 
-  /// @param change of mu0, mu1, mu2, b, c
+  /// \param change of mu0, mu1, mu2, b, c
   LawPointer changed(const Eigen::VectorXd &change) const override;
   /// b, c >= 0, that is no pole, and mu > 0 at every pressure within the fitted range of kappa1.
   bool isSound() const override;

@@ -18,7 +18,7 @@ struct FallingFriction {
   double A = 1.0;   ///< limit at large sliding speed over mu0, 0 .. 1
   double B = 0.0;   ///< s/m, >= 0
 
-  /// @param slidingSpeed w, m/s, >= 0
+  /// \param slidingSpeed w, m/s, >= 0
   double operator()(double slidingSpeed) const
   {
     return mu0 * ((1.0 - A) * std::exp(-B * slidingSpeed) + A);

@@ -36,7 +36,7 @@ class TableLaw : public FrictionLaw {
     return choice;
   }
 
-  /// @param path where it was read from, for messages
+  /// \param path where it was read from, for messages
   TableLaw(std::string path, FrictionTable table) : path_(std::move(path)), table_(std::move(table))
   {
   }

@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "contact/patch/elasticity/cell_influence.h"
 
+#include "shared/pi.h"
+
 #include <algorithm>
 #include <cmath>
 
 namespace wheelrail {
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
+using mcawr::pi;
 
 /// Antiderivatives of y^2/r^3, x^2/r^3 and x y/r^3 in x and y.
 CellIntegrals corner(double x, double y)

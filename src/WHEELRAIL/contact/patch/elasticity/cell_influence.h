@@ -24,8 +24,8 @@ struct CellIntegrals {
 
 /// Near the cell the antiderivatives at its four corners, x asinh(y/|x|), y asinh(x/|y|) and -r;
 /// far away, where their differences would cancel, Gauss's quadrature. Relative error 1e-12.
-/// @param x, y centre to the point, any sign; (0, 0) is the cell itself
-/// @param dx, dy > 0, in the unit of x and y
+/// \param x, y centre to the point, any sign; (0, 0) is the cell itself
+/// \param dx, dy > 0, in the unit of x and y
 CellIntegrals cellIntegrals(double x, double y, double dx, double dy);
 
 /// Displacement differences (both bodies') at a distance (x, y) from a cell with unit traction.
@@ -34,13 +34,13 @@ CellIntegrals cellIntegrals(double x, double y, double dx, double dy);
 struct CellInfluence {
   double zz, xx, yy, xy;
 };
-/// @param integrals of `cellIntegrals` at that distance
+/// \param integrals of `cellIntegrals` at that distance
 CellInfluence cellInfluence(const ElasticPair &pair, const CellIntegrals &integrals);
 
 /// Integrals over the cell of x/r^2 and y/r^2, a length each: what couples pressure and tangential
 /// displacement, traction and normal displacement of unlike bodies, times K/(pi G) (Kalker 1990,
 /// sec. 1.7). Relative error 1e-12 of 1/r's integral.
-/// @param x, y centre to the point @param dx, dy > 0
+/// \param x, y centre to the point \param dx, dy > 0
 struct CouplingIntegrals {
   double x; ///< of x/r^2; odd in x, even in y
   double y; ///< of y/r^2

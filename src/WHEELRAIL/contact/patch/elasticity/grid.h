@@ -22,13 +22,13 @@ struct PatchGrid : CellGrid {
 };
 
 /// Box of the given width and height around the origin.
-/// @param nx, ny number of cells, >= 1
-/// @param width, height of all cells, > 0; a cell's border lies at 0 where the number is even, a
+/// \param nx, ny number of cells, >= 1
+/// \param width, height of all cells, > 0; a cell's border lies at 0 where the number is even, a
 ///         cell's centre where it is odd
 PatchGrid centredGrid(int nx, int ny, double width, double height);
 
-/// Values at the centres of the cells. @param function of (x, y)
-/// @return one value a cell, x fastest
+/// Values at the centres of the cells. \param function of (x, y)
+/// \return one value a cell, x fastest
 template<class Function>
 Eigen::VectorXd sampled(const PatchGrid &grid, const Function &function)
 {
@@ -51,17 +51,17 @@ struct SubGrid {
   PatchGrid grid;
   int firstX = 0, firstY = 0;
 
-  /// @param field over the whole grid
-  /// @return its values on the cells of the part
+  /// \param field over the whole grid
+  /// \return its values on the cells of the part
   Eigen::VectorXd part(const PatchGrid &whole, const Eigen::VectorXd &field) const;
   /// Writes the part's values into a field over the whole grid.
-  /// @param values one for each cell of the part; the field keeps its others
+  /// \param values one for each cell of the part; the field keeps its others
   void put(const PatchGrid &whole, const Eigen::VectorXd &values, Eigen::VectorXd &field) const;
 };
 
 /// The smallest box with all cells where `mask` > 0, widened by `leading` columns towards larger x
 /// (as far as the grid goes). At least one cell.
-/// @param mask per cell of the whole grid; pressure or bound, for example
+/// \param mask per cell of the whole grid; pressure or bound, for example
 SubGrid boundingBox(const PatchGrid &whole, const Eigen::VectorXd &mask, int leading = 0);
 
 } // namespace wheelrail

@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "contact/patch/elasticity/hertz_ellipse.h"
 
+#include "shared/pi.h"
+
 #include <algorithm>
 #include <cmath>
 
 namespace wheelrail {
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
+using mcawr::pi;
 
 /// A/B (the larger over the smaller) of an ellipse whose minor axis lies along x, m = 1 - (a/b)^2.
 double steepness(double m)

@@ -9,7 +9,7 @@ namespace wheelrail {
 struct EllipticIntegrals {
   double K, E, D, B;
 };
-/// @param m the parameter, not the modulus k
+/// \param m the parameter, not the modulus k
 EllipticIntegrals ellipticIntegrals(double m);
 
 /// Gap A x^2 + B y^2 between two bodies that touch in a point; 1/length, both > 0.
@@ -17,9 +17,9 @@ struct GapCurvatures {
   double A, B;
 };
 
-/// Of a wheel on a rail whose principal curvatures lie along x and y; lengths.
-/// @param wheelRolling > 0
-/// @param wheelProfile, railProfile transverse radii, negative where hollow, infinite where
+/// Gap of a wheel on a rail whose principal curvatures lie along x and y; lengths.
+/// \param wheelRolling > 0
+/// \param wheelProfile, railProfile transverse radii, negative where hollow, infinite where
 /// straight;
 ///        the sum of their curvatures must be > 0
 GapCurvatures gapOfRadii(double wheelRolling, double wheelProfile, double railProfile);
@@ -45,7 +45,7 @@ double curvatureRatio(double axesRatio);
 
 /// All arguments > 0.
 HertzEllipse hertzEllipse(double load, double modulus, const GapCurvatures &curvatures);
-/// Of given semi-axes: the curvatures are those that belong to them under the load.
+/// Ellipse of given semi-axes: the curvatures are those that belong to them under the load.
 HertzEllipse hertzEllipseOfAxes(double load, double modulus, double a, double b);
 
 } // namespace wheelrail

@@ -2,6 +2,7 @@
 #include "contact/patch/elasticity/patch_half_space.h"
 
 #include "contact/convolution.h"
+#include "shared/pi.h"
 
 #include <cmath>
 
@@ -12,7 +13,7 @@ using Vector = Eigen::VectorXd;
 using Complex = PlaneTransform::Complex;
 
 constexpr int coarsestGrid = 32; ///< cells of the longer side
-constexpr double pi = 3.14159265358979323846;
+using mcawr::pi;
 
 /// Spectra of the three integrals where the cells repeat with the transform's period: those of the
 /// unbounded plane summed over aliases. Each falls as |k|^-3, so that the nearest few are enough.

@@ -28,8 +28,8 @@ struct TangentialField {
 /// of twice the cells each way.
 class PatchHalfSpace final : public HalfSpace {
  public:
-  /// @param grid cells of any shape; ny = 1 is a row of cells, not a plane problem
-  /// @param pair G > 0 and nu of `combinedPair`; K is `PatchCoupling`'s
+  /// \param grid cells of any shape; ny = 1 is a row of cells, not a plane problem
+  /// \param pair G > 0 and nu of `combinedPair`; K is `PatchCoupling`'s
   PatchHalfSpace(const CellGrid &grid, const ElasticPair &pair);
 
   const CellGrid &grid() const override { return cellGrid_; }

@@ -25,8 +25,8 @@ class PlaneTransform {
   /// field f, y-frequencies in FFTW's order (0, 1, .. -1). Neither direction is normalised.
   using Symbol = std::function<void(int kx, Complex *const *columns)>;
 
-  /// @param fields number of fields that one product takes and gives
-  /// @param sizeX, sizeY lengths of the transforms: >= nx, ny; >= 2 nx, 2 ny where the operator's
+  /// \param fields number of fields that one product takes and gives
+  /// \param sizeX, sizeY lengths of the transforms: >= nx, ny; >= 2 nx, 2 ny where the operator's
   ///        products with the fields must not wrap around
   PlaneTransform(int nx, int ny, int sizeX, int sizeY, int fields);
   ~PlaneTransform();
@@ -37,10 +37,10 @@ class PlaneTransform {
   int sizeX() const;
   int sizeY() const;
 
-  /// @param fields nx*ny values each, x fastest; replaced by the products
-  /// @param symbol called once for each kx from 0 on; negative ones follow from the fields' being
+  /// \param fields nx*ny values each, x fastest; replaced by the products
+  /// \param symbol called once for each kx from 0 on; negative ones follow from the fields' being
   ///         real
-  /// @return nothing: what lies beyond nx x ny cells of the product is dropped
+  /// \return nothing: what lies beyond nx x ny cells of the product is dropped
   void multiply(double *const *fields, const Symbol &symbol);
 
  private:
@@ -49,7 +49,7 @@ class PlaneTransform {
 };
 
 /// A transform of nx x ny cells whose products do not wrap around.
-/// @param fields as of `PlaneTransform`
+/// \param fields as of `PlaneTransform`
 PlaneTransform paddedTransform(int nx, int ny, int fields);
 
 /// A quarter of a spectrum or of a kernel, the rest by symmetry: (kx, ky) at
@@ -59,7 +59,7 @@ using Quarter = std::vector<double>;
 /// In place: values at offsets (ix, iy) >= 0 of a kernel that is even or odd in each direction ->
 /// its spectrum at frequencies (kx, ky) >= 0, without the factor -i for each odd direction. Rows:
 /// x.
-/// @param countX, countY half the transform's sizes plus one
+/// \param countX, countY half the transform's sizes plus one
 void quarterTransform(Quarter &values, int countX, int countY, bool oddX, bool oddY);
 
 /// Calls `apply(ky, place in a quarter's column, sign of the frequency)` along a column.

@@ -24,9 +24,9 @@ struct SimpleField {
 /// The bytes of a .gsf file.
 std::string gsfBytes(const SimpleField &field);
 
-/// @param path for messages only
-/// @param bytes of the whole file
-/// @throws Error (BadInput) with the line of the head, or the byte of the data
+/// \param path for messages only
+/// \param bytes of the whole file
+/// \throws Error (BadInput) with the line of the head, or the byte of the data
 SimpleField parseGsf(const std::string &path, const std::string &bytes);
 
 } // namespace wheelrail

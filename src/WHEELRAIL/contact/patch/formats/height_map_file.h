@@ -38,8 +38,8 @@ namespace wheelrail {
 /// files of binary kind, compressed or with check sums are refused. So a file that was cut off is
 /// refused, but for a text matrix without `points`. None of the formats carries a check sum: a
 /// height that was falsified is not noticed unless it is infinite.
-/// @param scale for formats that do not state their lengths (npy); others leave it alone
-/// @throws Error (BadInput), one line: file, line or byte, what stands there, what is allowed. At
+/// \param scale for formats that do not state their lengths (npy); others leave it alone
+/// \throws Error (BadInput), one line: file, line or byte, what stands there, what is allowed. At
 ///         least 4 x 4 points are needed.
 HeightMap readHeightMap(const std::string &path, const HeightMapScale &scale = {});
 

@@ -17,10 +17,10 @@ struct HeightMapFormat {
   std::vector<std::string_view> beginnings;
   /// Spacing and unit of height stand in the file; false: the case gives them.
   bool statesLengths;
-  /// @param path for messages only
-  /// @param bytes of the whole file
-  /// @param scale read by formats that do not state their lengths; both are given then
-  /// @throws Error (BadInput) with the line of the head or the byte of the data
+  /// \param path for messages only
+  /// \param bytes of the whole file
+  /// \param scale read by formats that do not state their lengths; both are given then
+  /// \throws Error (BadInput) with the line of the head or the byte of the data
   HeightMap (*parse)(const std::string &path, const std::string &bytes,
                      const HeightMapScale &scale);
 };
@@ -40,7 +40,7 @@ HeightMap parseNpy(const std::string &path, const std::string &bytes, const Heig
 const std::vector<HeightMapFormat> &heightMapFormats();
 
 /// The format that a file has by what it begins with; its name plays no part.
-/// @param bytes of the file, as many as there are or `longestBeginning`
+/// \param bytes of the file, as many as there are or `longestBeginning`
 const HeightMapFormat &heightMapFormatOf(std::string_view bytes);
 
 /// Bytes that tell a format.

@@ -140,7 +140,7 @@ double floatOf(const char *bytes, int size, bool bigEndian)
   return value;
 }
 
-/// Where the head's text begins and ends. @throws Error (BadInput)
+/// Where the head's text begins and ends. \throws Error (BadInput)
 std::pair<std::size_t, std::size_t> headOf(const std::string &path, const std::string &bytes)
 {
   constexpr std::size_t beforeLength = 8; // magic, version

@@ -2,6 +2,7 @@
 #include "contact/patch/solvers/edge_compliance.h"
 
 #include "contact/edge_share.h"
+#include "shared/pi.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,7 +12,7 @@ namespace {
 
 using Vector = Eigen::VectorXd;
 
-constexpr double pi = 3.14159265358979323846;
+using mcawr::pi;
 constexpr double panelShift = 0.25; ///< of a cell: see the header
 constexpr double flattest = 0.1;    ///< cosine: edges along x hardly matter
 constexpr int reach = 2;            ///< cells around an edge that its direction is taken from
@@ -49,7 +50,7 @@ class Edges {
   }
 
   /// How far the contact reaches beyond the centre of its last cell along x, in cells.
-  /// @param step 1: towards larger x, -1: towards smaller
+  /// \param step 1: towards larger x, -1: towards smaller
   double reachBeyond(int ix, int iy, int step, double cosine) const
   {
     const int last = grid_.index(ix, iy), next = ix + step;

@@ -19,8 +19,8 @@ namespace wheelrail {
 ///
 /// Where in its cell an edge lies follows from pressure and gap (`shareApart`), its direction from
 /// the cells in contact around it. Trailing edges, where a contact slips, need nothing.
-/// @param pressure, gap of the normal contact, per cell of the grid
-/// @return displacement over traction per cell; zero but at leading edges
+/// \param pressure, gap of the normal contact, per cell of the grid
+/// \return displacement over traction per cell; zero but at leading edges
 EdgeCompliance edgeCompliance(const PatchGrid &grid, const ElasticPair &pair,
                               const Eigen::VectorXd &pressure, const Eigen::VectorXd &gap);
 

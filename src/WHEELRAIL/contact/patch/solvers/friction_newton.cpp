@@ -11,8 +11,8 @@ namespace {
 
 using Vector = Eigen::VectorXd;
 
-/// Of a Newton step's linear system: nothing is gained by a better solution before every cell's
-/// state is right, but much by one Krylov space for the rest of the way afterwards.
+/// Tolerances of a Newton step's linear system: nothing is gained by a better solution before every
+/// cell's state is right, but much by one Krylov space for the rest of the way afterwards.
 constexpr double innerTolerance = 0.1, tightTolerance = 1e-3, innerShare = 0.3;
 /// r of q = P(q - r S), in units of a cell's stiffness: how far a cell's slip counts when its state
 /// is predicted. The smaller, the slower and the safer. Of a step, whose S is that of all

@@ -39,15 +39,15 @@ class FrictionNewton {
     double scale = 1.0;        ///< that the residual's norm is measured against
   };
 
-  /// @param halfSpace on the box of the cells in contact; must outlive the object. Steady: with a
+  /// \param halfSpace on the box of the cells in contact; must outlive the object. Steady: with a
   ///         column more at the leading edge than the contact
   FrictionNewton(PatchHalfSpace &halfSpace, Equations equations);
 
   /// Where no attempt converges and forces are given, they are approached in parts.
-  /// @param x start on entry, solution on return: 2 per cell, then the unknown creepages, scaled
-  /// @param tolerance of the residual's norm, relative to `scale`
-  /// @param maxSteps Newton steps of one attempt; a second and a third are more careful
-  /// @return true when the tolerance is met; never throws
+  /// \param x start on entry, solution on return: 2 per cell, then the unknown creepages, scaled
+  /// \param tolerance of the residual's norm, relative to `scale`
+  /// \param maxSteps Newton steps of one attempt; a second and a third are more careful
+  /// \return true when the tolerance is met; never throws
   bool solve(Vector &x, double tolerance, int maxSteps);
 
   /// Newton steps of all attempts.
@@ -57,7 +57,7 @@ class FrictionNewton {
   /// Relative to `scale`.
   double residual() const { return relativeResidual_; }
   /// Does cell i of the solution slip?
-  /// @param i position in `Equations::cells`
+  /// \param i position in `Equations::cells`
   bool slips(int i) const { return linear_.slips[i] != 0; }
   /// Scaled slip of the solution, 2 per cell.
   const Vector &slip() const { return scaledSlip_; }
@@ -91,7 +91,7 @@ class FrictionNewton {
   Vector fromRight(const Linearisation &linear, const Vector &x);
   void fillStick(const Linearisation &linear, const Vector &x, Vector &result);
   void fillSlip(const Linearisation &linear, const Vector &x, Vector &result);
-  /// The linear system by GMRES. @param tolerance relative to its right-hand side
+  /// The linear system by GMRES. \param tolerance relative to its right-hand side
   Vector newtonStep(const Linearisation &linear, const Vector &f, double tolerance);
 
   PatchHalfSpace &space_;

@@ -2,6 +2,7 @@
 #include "contact/patch/solvers/kalker.h"
 
 #include "contact/patch/solvers/patch_sums.h"
+#include "shared/pi.h"
 
 #include <cmath>
 #include <limits>
@@ -9,7 +10,7 @@
 namespace wheelrail {
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
+using mcawr::pi;
 
 KalkerCoefficients onGrid(double axesRatio, double nu, int cells)
 {

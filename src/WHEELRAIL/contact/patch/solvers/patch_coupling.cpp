@@ -2,6 +2,7 @@
 #include "contact/patch/solvers/patch_coupling.h"
 
 #include "base/errors.h"
+#include "shared/pi.h"
 
 #include <fmt/format.h>
 
@@ -11,7 +12,7 @@ namespace {
 using Vector = Eigen::VectorXd;
 using Complex = PlaneTransform::Complex;
 
-constexpr double pi = 3.14159265358979323846;
+using mcawr::pi;
 constexpr int mostTurns = 100; ///< each leaves about mu K of the error
 constexpr Complex minusI(0.0, -1.0);
 

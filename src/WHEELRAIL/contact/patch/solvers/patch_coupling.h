@@ -22,7 +22,7 @@ namespace wheelrail {
 /// per thread.
 class PatchCoupling {
  public:
-  /// @param pair units as everywhere: length of the grid, tractions as G
+  /// \param pair units as everywhere: length of the grid, tractions as G
   PatchCoupling(const CellGrid &grid, const ElasticPair &pair);
 
   /// Do the bodies couple?
@@ -34,12 +34,12 @@ class PatchCoupling {
 
   /// Pressure and traction by turns (Panagiotopoulos 1975) until the pressure settles; one turn
   /// where nothing couples.
-  /// @param pressure of the last normal contact; read anew after each `press`
-  /// @param slide solves the tangential problem with the displacement `tangential(pressure)`
+  /// \param pressure of the last normal contact; read anew after each `press`
+  /// \param slide solves the tangential problem with the displacement `tangential(pressure)`
   ///        imposed
-  /// @param press solves the normal problem, its gap opened by its argument
-  /// @return the last tangential solution, under a pressure that is off by `tolerance`
-  /// @throws Error (NotConverged)
+  /// \param press solves the normal problem, its gap opened by its argument
+  /// \return the last tangential solution, under a pressure that is off by `tolerance`
+  /// \throws Error (NotConverged)
   template<class Slide, class Press>
   TangentialResult settle(const Eigen::VectorXd &pressure, const Slide &slide, const Press &press)
   {
@@ -58,7 +58,7 @@ class PatchCoupling {
 
   /// Has a pressure changed by less than `tolerance`, relative to itself?
   static bool settled(const Eigen::VectorXd &before, const Eigen::VectorXd &after);
-  /// @throws Error (NotConverged) when there were too many turns
+  /// \throws Error (NotConverged) when there were too many turns
   static void checkTurns(int turns);
 
   static constexpr double tolerance = 1e-5; ///< of the pressure

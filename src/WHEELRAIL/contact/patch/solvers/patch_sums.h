@@ -25,16 +25,16 @@ struct PatchSums {
   double powerClosure() const;
 };
 
-/// @param result of `TangentialSolver` or `TransientPatch` on this grid
-/// @return forces on the wheel, against its slip; multiply the powers by v0 for a power in W
+/// \param result of `TangentialSolver` or `TransientPatch` on this grid
+/// \return forces on the wheel, against its slip; multiply the powers by v0 for a power in W
 PatchSums patchSums(const PatchGrid &grid, const TangentialResult &result);
 
 /// Unlike bodies: what the pressure gives through the displacements that it imposes, at rolling
 /// speed 1; minus the integral of q . (c(x) - c'(x + dx))/dx. In steady rolling it is the power of
 /// the rolling resistance, the moment of a pressure that the traction has made lopsided.
-/// @param imposed, before displacements of `PatchCoupling::tangential` now and a step of one cell
+/// \param imposed, before displacements of `PatchCoupling::tangential` now and a step of one cell
 ///        earlier; empty where the bodies do not couple
-/// @return force; add it to `PatchSums::drivingPower`
+/// \return force; add it to `PatchSums::drivingPower`
 double couplingPower(const PatchGrid &grid, const TangentialField &traction,
                      const TangentialField &imposed, const TangentialField &before);
 

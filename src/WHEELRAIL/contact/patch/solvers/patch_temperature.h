@@ -16,14 +16,14 @@ namespace wheelrail {
 /// temperature row by row. One object has one work buffer: use one per thread.
 class PatchFlashTemperature {
  public:
-  /// @param grid nx and ny count; lengths are not read
-  /// @param cellLength along x, m
-  /// @param speed rolling speed, m/s
+  /// \param grid nx and ny count; lengths are not read
+  /// \param cellLength along x, m
+  /// \param speed rolling speed, m/s
   PatchFlashTemperature(const CellGrid &grid, double cellLength, double speed,
                         const ThermalMaterial &material);
 
-  /// @param heat friction power per area of each cell, both bodies' together, W/m2
-  /// @return temperature rise per cell, K
+  /// \param heat friction power per area of each cell, both bodies' together, W/m2
+  /// \return temperature rise per cell, K
   /// Steady: heat and speed do not change while the material goes through the contact.
   /// Mean over each cell, exact for heat that is uniform on the cells; 0 ahead of the first heat.
   Eigen::VectorXd rise(const Eigen::VectorXd &heat);
@@ -33,7 +33,7 @@ class PatchFlashTemperature {
   FlashTemperature row_;
 };
 
-/// The same where heat changes in time (one step: the material moves on by a cell).
+/// Flash temperature where heat changes in time (one step: the material moves on by a cell).
 /// With heat that does not change it becomes `PatchFlashTemperature`, once every row of material
 /// has gone through the box.
 class PatchTravellingHeat {
@@ -43,7 +43,7 @@ class PatchTravellingHeat {
                       const ThermalMaterial &material);
 
   /// Material moves towards smaller x; what enters at the largest x is cold.
-  /// @param heat now, one value a cell, x fastest
+  /// \param heat now, one value a cell, x fastest
   void step(const Eigen::VectorXd &heat); ///< W/m2, both bodies'
   /// One value a cell, x fastest, also behind the contact.
   Eigen::VectorXd rise() const; ///< after the last step, K

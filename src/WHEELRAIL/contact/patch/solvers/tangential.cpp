@@ -91,8 +91,8 @@ void eachPair(const PatchGrid &grid, const PatchGrid &coarse, const Visit &visit
       visit(grid.index(ix, iy), coarse.index(ix / 2, iy / rows));
 }
 
-/// Of tractions, whose sum is the force: what is outside of the fine grid counts as zero, so that
-/// the force stays.
+/// Means of tractions, whose sum is the force: what is outside of the fine grid counts as zero, so
+/// that the force stays.
 Vector coarseMeans(const PatchGrid &grid, const PatchGrid &coarse, const Vector &fine)
 {
   Vector sum = Vector::Zero(coarse.cells());
@@ -100,7 +100,7 @@ Vector coarseMeans(const PatchGrid &grid, const PatchGrid &coarse, const Vector 
   return sum / (grid.ny > 1 ? 4.0 : 2.0);
 }
 
-/// Of displacements, over the fine cells that there are; empty stays empty.
+/// Means of displacements, over the fine cells that there are; empty stays empty.
 TangentialField coarseDisplacement(const PatchGrid &grid, const PatchGrid &coarse,
                                    const TangentialField &fine)
 {

@@ -54,12 +54,12 @@ struct TangentialProblem {
   double spinPoint = 0.5;
 };
 
-/// Of a cell: outside of the contact (bound 0), without slip, or with |q| = bound.
+/// State of a cell: outside of the contact (bound 0), without slip, or with |q| = bound.
 enum class PatchState : signed char { Apart, Stick, Slip };
 
 struct TangentialOptions {
-  /// Of traction and slip, relative to the bound or the rigid slip. Forces are off by a tenth of it
-  /// or less.
+  /// Error of traction and slip, relative to the bound or the rigid slip. Forces are off by a tenth
+  /// of it or less.
   double tolerance = 1e-5;
   int maxSteps = 60;     ///< Newton steps on the finest grid
   TangentialField start; ///< tractions to start from; empty: coarser grids first
@@ -101,7 +101,7 @@ class ForceTooLarge : public Error {
 /// Where the bound is infinite everywhere nothing slips, and the problem is linear.
 class TangentialSolver {
  public:
-  /// @param pair of `combinedPair`
+  /// \param pair of `combinedPair`
   TangentialSolver(const PatchGrid &grid, const ElasticPair &pair);
   ~TangentialSolver();
   TangentialSolver(TangentialSolver &&) noexcept;
@@ -112,8 +112,8 @@ class TangentialSolver {
 
   /// Without a start it solves the same problem on grids of half the cells first, as long as the
   /// longer side has 48 cells. Zero bound everywhere gives zero traction, not an error.
-  /// @return fields over the whole grid, forces and creepages in the units of the problem
-  /// @throws ForceTooLarge. Error BadInput: contact in the leading column (steady rolling: no
+  /// \return fields over the whole grid, forces and creepages in the units of the problem
+  /// \throws ForceTooLarge. Error BadInput: contact in the leading column (steady rolling: no
   ///         material comes in from outside the box). NotConverged: with the
   ///         residual. Internal: a bound of another size than the grid, a step
   ///         without a distance

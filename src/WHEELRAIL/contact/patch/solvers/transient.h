@@ -19,7 +19,7 @@ class TransientPatch {
     Eigen::VectorXd bound; ///< friction coefficient times pressure, per cell, now
     /// Whole cells that the material travels towards smaller x; 0: a shift at rest.
     int cells = 1;
-    /// Of a step: per distance rolled. Of a shift: the shift itself (phi: the angle).
+    /// Creepage of a step, per distance rolled; for a shift the shift itself (phi: the angle).
     Creepage creepage;
     std::optional<double> forceX, forceY; ///< given: xi, eta are unknown
     double spinPoint = 0.5;               ///< see TangentialProblem
@@ -28,21 +28,21 @@ class TransientPatch {
   };
 
   /// At rest, without traction.
-  /// @param pair K is not read: what couples unlike bodies is imposed
+  /// \param pair K is not read: what couples unlike bodies is imposed
   TransientPatch(const PatchGrid &grid, const ElasticPair &pair);
 
   /// Goes on from a traction: that of steady rolling, say, or the first contact of a case.
-  /// @param traction one value a cell; its displacement is computed
-  /// @param imposed as of a step
+  /// \param traction one value a cell; its displacement is computed
+  /// \param imposed as of a step
   void startFrom(const TangentialField &traction, const TangentialField &imposed = {});
 
   /// A step's tolerance of 1e-4 leaves less than 1e-5 in the forces, in the mean over steps too.
   static TangentialOptions defaultOptions();
 
-  /// @throws Error BadInput: contact within `cells` columns of the leading border, where the
+  /// \throws Error BadInput: contact within `cells` columns of the leading border, where the
   ///         incoming material's displacement is not known; and as TangentialSolver::solve. The
   ///         sequence can then go on as if the step had not been tried.
-  /// @return as of `TangentialSolver::solve`; slip is per distance rolled, of a shift the slip
+  /// \return as of `TangentialSolver::solve`; slip is per distance rolled, of a shift the slip
   ///         itself
   TangentialResult step(const Step &step, const TangentialOptions &options = defaultOptions());
   /// The two halves of `step`: a solution that leaves the state as it was, and making one the
@@ -51,7 +51,7 @@ class TransientPatch {
   void accept(const Step &step, const TangentialResult &result);
 
   const PatchGrid &grid() const { return solver_.grid(); }
-  /// Of the last step, over the whole grid.
+  /// Traction and displacement of the last step, over the whole grid.
   /// Zero outside of the contact; the displacement is not.
   const TangentialField &traction() const { return traction_; }
   const TangentialField &displacement() const { return displacement_; }

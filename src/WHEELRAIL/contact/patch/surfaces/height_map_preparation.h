@@ -28,8 +28,8 @@ struct PreparedHeightMap {
 
 /// Reads and prepares; the form is taken off before the holes are filled and again after, so that
 /// the fill does not carry it.
-/// @param name put before each step: "rail"
-/// @throws Error (BadInput) as readHeightMap and the steps do; with the file's name for unmeasured
+/// \param name put before each step: "rail"
+/// \throws Error (BadInput) as readHeightMap and the steps do; with the file's name for unmeasured
 ///         points that are not to be filled
 PreparedHeightMap prepareHeightMap(const std::string &path, const HeightMapPreparation &preparation,
                                    const std::string &name);

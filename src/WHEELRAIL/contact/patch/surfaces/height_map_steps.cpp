@@ -2,6 +2,7 @@
 #include "contact/patch/surfaces/height_map_steps.h"
 
 #include "base/errors.h"
+#include "shared/pi.h"
 
 #include <Eigen/Dense>
 #include <Eigen/IterativeLinearSolvers>
@@ -21,7 +22,7 @@ using Vector = Eigen::VectorXd;
 /// Column iy holds the points along x at one y.
 using Raster = Eigen::MatrixXd;
 
-constexpr double pi = 3.14159265358979323846;
+using mcawr::pi;
 constexpr double mm = 1e-3, um = 1e-6;
 
 Eigen::Map<const Raster> rasterOf(const HeightMap &map)
@@ -291,7 +292,7 @@ struct CellWeights {
 };
 
 /// Mean, over each cell, of the straight lines between points at 0, 1, .. points - 1.
-/// @param begin, step borders of the cells, in points
+/// \param begin, step borders of the cells, in points
 std::vector<CellWeights> meansOverCells(int points, double begin, double step, int cells)
 {
   std::vector<CellWeights> result(cells);

@@ -3,6 +3,7 @@
 
 #include "base/errors.h"
 #include "base/random_number.h"
+#include "shared/pi.h"
 
 #include <cmath>
 #include <complex>
@@ -13,10 +14,10 @@ namespace {
 
 using Complex = std::complex<double>;
 
-constexpr double pi = 3.14159265358979323846;
+using mcawr::pi;
 constexpr double fewestCellsPerWave = 4.0;
 
-/// The same number for the same wave of any surface, whatever the highest.
+/// Number of a wave, equal for that wave in any surface, whatever the highest.
 std::uint64_t waveNumber(int m, int n)
 {
   constexpr std::int64_t offset = 1 << 24;

@@ -29,16 +29,16 @@ struct FractalPatch {
 /// Random numbers are counted, not drawn in turn, so that a phase depends on no other wave.
 class FractalHeights {
  public:
-  /// @throws Error (BadInput) when no wave with a whole number of periods lies between the
+  /// \throws Error (BadInput) when no wave with a whole number of periods lies between the
   ///         wavelengths, or neither or both of rmsSlope and rmsHeight are given
-  /// @param surface periods and wavelengths in one unit, > 0; heights come in the same unit
+  /// \param surface periods and wavelengths in one unit, > 0; heights come in the same unit
   explicit FractalHeights(const FractalPatch &surface);
 
   /// Heights at the cells' centres, moved: those of the surface at (x + travelled, y).
-  /// @throws Error (BadInput) for cells too long for the shortest wave, four a wave
+  /// \throws Error (BadInput) for cells too long for the shortest wave, four a wave
   Eigen::VectorXd sampled(const PatchGrid &grid, double travelled = 0.0) const;
 
-  /// Of the surface after scaling; one of the two is the value that was asked for.
+  /// Measures of the surface after scaling; one of the two is the value that was asked for.
   double rmsHeight() const { return rmsHeight_; }
   double rmsSlope() const { return rmsSlope_; }
   /// Number of the waves between the two wavelengths.

@@ -47,7 +47,7 @@ long wrapped(long i, long n)
 }
 
 /// The cells of an interpolation, in a map that repeats: a place's weights belong to them.
-/// @param first cell of the map at part 0 of the place
+/// \param first cell of the map at part 0 of the place
 std::array<long, points> cellsOf(const Place &place, long first, long n)
 {
   std::array<long, points> cells{};

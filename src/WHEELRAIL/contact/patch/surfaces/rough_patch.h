@@ -25,8 +25,8 @@ struct Travel {
   Eigen::VectorXd aside;   ///< m towards larger y, per column; as long as `turn`
 
   /// One more step of a cell, with the velocity (-wayX - turning dx y, -wayY + turning dx x).
-  /// @param wayX, wayY of the step, m
-  /// @param turning this body's share of the spin, 1/m: the angle by which it turns (from x to y)
+  /// \param wayX, wayY of the step, m
+  /// \param turning this body's share of the spin, 1/m: the angle by which it turns (from x to y)
   ///        over the distance rolled
   void roll(const PatchGrid &box, double wayX, double wayY, double turning);
 };
@@ -47,9 +47,9 @@ struct RoughMap {
 
   /// The box's heights after a way. Between cells Lagrange's polynomial through six of them in
   /// each direction: waves of eight cells come out at most 0.1 % too low.
-  /// @throws Error (BadInput) when the way leads out of a map that is not periodic
-  /// @param travel whole cells without a turn are exact
-  /// @return one height for each cell of the box, m
+  /// \throws Error (BadInput) when the way leads out of a map that is not periodic
+  /// \param travel whole cells without a turn are exact
+  /// \return one height for each cell of the box, m
   Eigen::VectorXd window(const PatchGrid &box, const Travel &travel) const;
 
  private:
@@ -89,11 +89,11 @@ constexpr double advisedCellsPerWave = 8.0;
 /// Generated surfaces: each body has one of its own, of the same statistics and with 1/sqrt(2) of
 /// the slope and height, from numbers that the seed decides; they repeat with the height of the box
 /// and a whole number of its lengths.
-/// @param index of the surface, below surfaces()
-/// @param travel m, how far the material will move
-/// @throws Error (BadInput) for maps that cannot be read or do not fit, waves that the cells cannot
+/// \param index of the surface, below surfaces()
+/// \param travel m, how far the material will move
+/// \throws Error (BadInput) for maps that cannot be read or do not fit, waves that the cells cannot
 ///         carry
-/// @param box cells and lengths in m
+/// \param box cells and lengths in m
 RoughPatch prepareRoughPatch(const RoughPatchSpecification &specification, std::size_t index,
                              const PatchGrid &box, double travel);
 
