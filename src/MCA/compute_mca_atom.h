@@ -31,14 +31,14 @@ class ComputeMCAAtom : public Compute {
   void init() override;
   /// Every rank for itself: no message between ranks.
   void compute_peratom() override;
-  /// Of columns and counts on this rank [bytes].
+  /// Memory of columns and counts on this rank [bytes].
   double memory_usage() override;
 
  private:
   /// What can be asked for: the states of automata that are shown, and what follows from the step.
   struct Attribute {
     std::string name;
-    /// Of an owned automaton, by its number.
+    /// Value of an owned automaton, by its number.
     std::function<double(int)> value;
     /// nullptr: not a state.
     const mca::AutomatonState *state;
@@ -50,8 +50,8 @@ class ComputeMCAAtom : public Compute {
   OutputColumns columns;
   /// Found anew in init(), since a pair style may be given again between runs.
   PairMCA *pair;
-  /// Of owned and ghost automata, three numbers each: links, welds, original links. Those of ghosts
-  /// are incomplete and not read.
+  /// Counts of owned and ghost automata, three numbers each: links, welds, original links. Those of
+  /// ghosts are incomplete and not read.
   std::vector<double> counts;
 
   /// All of them, in the order of messages; the columns are chosen among these.

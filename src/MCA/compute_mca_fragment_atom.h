@@ -28,14 +28,14 @@ class ComputeMCAFragmentAtom : public Compute {
   void compute_peratom() override;
   int pack_forward_comm(int, int *, double *, int, int *) override;
   void unpack_forward_comm(int, int, double *) override;
-  /// Of own and ghost automata [bytes].
+  /// Memory for own and ghost automata [bytes].
   double memory_usage() override;
 
  private:
   PairMCA *pair;
   /// Automata without a link are fragments of their own.
   bool single;
-  /// Of own and ghost automata; vector_atom.
+  /// Fragments of own and ghost automata; vector_atom.
   std::vector<double> lowest;
 };
 

@@ -27,7 +27,7 @@ class ComputeMCALinkLocal : public Compute {
   void init() override;
   /// Every rank lists its own rows; the array stands until the next call.
   void compute_local() override;
-  /// Of the columns on this rank [bytes].
+  /// Memory of the columns on this rank [bytes].
   double memory_usage() override;
 
  private:

@@ -112,7 +112,8 @@ class FixMCADrive : public Fix {
   /// Both settings in this step; stops LAMMPS where they are out of bounds.
   void evaluate();
   void evaluate(Setting &) const;
-  /// Of a word of the command: v_name, or a finite number, of `pressure` >= 0; else LAMMPS stops.
+  /// Setting that a word of the command names: v_name, or a finite number, of `pressure` >= 0; else
+  /// LAMMPS stops.
   Setting parse_setting(const char *keyword, const char *word);
   /// y of an own automaton, not folded back into the box [length].
   double unwrapped_y(int i) const;
@@ -133,7 +134,8 @@ class FixMCADrive : public Fix {
   /// Warns of automata that left, of a layer that sank, of a term of the account that fell.
   /// \param work  of the drive so far, on all ranks [energy]
   void check_health(const mca::DriveSums::State &now, const Neighbourhood &around, double work);
-  /// Of all ranks: links now, events since the pair style was created, and the parts of `sums`.
+  /// Sums over all ranks: links now, events since the pair style was created, and the parts of
+  /// `sums`.
   mca::DriveSums::Totals totals() const;
   /// LAMMPS's arrays as they are now, for one call.
   mca::DrivenLayer::Arrays arrays() const;

@@ -47,19 +47,19 @@ class FixMCAEnergy : public Fix {
   /// gives them to rank 0, from where they go on.
   void write_restart(FILE *) override;
   void restart(char *) override;
-  /// Of the account on this rank [bytes].
+  /// Memory of the account on this rank [bytes].
   double memory_usage() override;
 
   /// Number of sums of the account: plastic, fracture, viscous, work, box, changed,
   /// touching.
   static constexpr int FLOWS = mca::EnergyAccount::Channels;
-  /// Of all ranks [energy]: kinetic of the leap-frog velocities (laws/energy.h), elastic, and the
-  /// sums in the order of mca::EnergyAccount::Channel.
+  /// Energies of all ranks [energy]: kinetic of the leap-frog velocities (laws/energy.h), elastic,
+  /// and the sums in the order of mca::EnergyAccount::Channel.
   struct Balance {
     double kinetic, elastic, flow[FLOWS];
     /// Kinetic and elastic, when the account began.
     double start;
-    /// Of their sum, less what comes in, since the beginning.
+    /// Error of their sum, less what comes in, since the beginning.
     double error;
   };
   /// Called by all ranks, after a set-up or a step.
@@ -67,7 +67,7 @@ class FixMCAEnergy : public Fix {
 
  private:
   PairMCA *pair;
-  /// Of this rank.
+  /// Account of this rank.
   mca::EnergyAccount account;
   /// What own automata have [energy]: kinetic, elastic after the change of state; and the part of
   /// the former of automata that no integrator moves by their forces.
@@ -91,9 +91,9 @@ class FixMCAEnergy : public Fix {
   bool told;
   /// Places and velocities of own automata in set-up, each three components.
   std::vector<double> places, velocities, spins;
-  /// Of own automata in the last evaluation, likewise; 0 where no integrator follows them.
+  /// Forces on own automata in the last evaluation, likewise; 0 where no integrator follows them.
   std::vector<double> forces, torques;
-  /// Of the last evaluation.
+  /// Box of the last evaluation.
   mca::EnergyAccount::Edges box;
   /// Kinetic energy on this rank [energy], before automata may pass a face of a box that moves.
   double before_faces;

@@ -35,7 +35,7 @@ class FixMCAEvents : public Fix {
   void write_restart(FILE *) override;
   /// They go on, rank 0 has them.
   void restart(char *) override;
-  /// Of the rows on this rank [bytes].
+  /// Memory of the rows on this rank [bytes].
   double memory_usage() override;
 
  private:
@@ -43,9 +43,9 @@ class FixMCAEvents : public Fix {
   OutputColumns columns;
   PairMCA *pair;
   enum { BROKEN, FORMED, HEALED, COUNTERS };
-  /// Of this rank.
+  /// Counters of this rank.
   double counts[COUNTERS];
-  /// Of the events since the last output: all attributes of each.
+  /// Events since the last output: all attributes of each.
   std::vector<double> collected;
 
   /// The collected rows become the columns.

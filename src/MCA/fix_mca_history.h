@@ -65,7 +65,7 @@ class FixMCAHistory : public mca::CheckedRestart<FixNeighHistory> {
   void restart(char *) override;
   /// The file is whole: the pair style puts its checksum there.
   void write_restart_file(const char *path) override;
-  /// Of `shared`: three doubles an automaton, key, rank and row.
+  /// Packs `shared`: three doubles an automaton, key, rank and row.
   int pack_forward_comm(int, int *, double *, int, int *) override;
   void unpack_forward_comm(int, int, double *) override;
   /// The pairs' present state goes to the atoms, without that of a step: after commands that change
@@ -86,16 +86,16 @@ class FixMCAHistory : public mca::CheckedRestart<FixNeighHistory> {
 
  private:
   PairMCA *mca;
-  /// Of owned and ghost automata, so that ghosts know their original.
+  /// What owned and ghost automata show, so that ghosts know their original.
   struct Shared {
     /// By which partners know the automaton: its ID when the states were stored, as the bits of a
     /// tagint; 0: a new automaton. IDs may change between runs, keys do not.
     double key;
-    /// Of the original: the rank that owns it and the atom's number there.
+    /// The original's place: the rank that owns it and the atom's number there.
     double rank, row;
   };
   std::vector<Shared> shared;
-  /// Of owned and ghost automata: the row of the original, where it is ours, else its own number.
+  /// Row of owned and ghost automata: that of the original, where it is ours, else its own number.
   std::vector<int> row;
   /// A pair of LAMMPS's list.
   struct Listed {

@@ -48,7 +48,7 @@ class OutputColumns : protected Pointers {
   double bytes() const { return static_cast<double>(nmax * attributes.size()) * sizeof(double); }
 
  private:
-  /// Of each column, in `known`.
+  /// Place of each column's attribute in `known`.
   std::vector<int> attributes;
   /// Rows there is room for.
   int nmax = 0;

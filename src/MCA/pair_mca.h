@@ -55,7 +55,7 @@ class PairMCA : public Pair {
   void read_restart(FILE *) override;
   void write_restart_settings(FILE *) override;
   void read_restart_settings(FILE *) override;
-  /// Of the step on this rank [bytes], beside LAMMPS's own.
+  /// Memory of the step on this rank [bytes], beside LAMMPS's own.
   double memory_usage() override;
 
   // ---- for the history fix: the list of pairs follows LAMMPS's neighbor list
@@ -138,15 +138,15 @@ class PairMCA : public Pair {
   mca::Step::Automaton automaton(int) const;
   /// Stresses of pair k in pressure units; valid after compute().
   mca::ContactStress contact(int k) const;
-  /// Of an owned automaton since the beginning [energy]: V times the area below its yield curve up
-  /// to kappa.
+  /// Plastic work of an owned automaton since the beginning [energy]: V times the area below its
+  /// yield curve up to kappa.
   double plastic_work(int) const;
 
   /// Sums of this rank, whose sum over all ranks is that of the sample: links and welds now, links
   /// broken, formed and healed since the pair style was created. Pairs of two ranks count half on
   /// each.
   struct Count : mca::Step::Count {
-    /// Of its automata since the beginning [energy].
+    /// Plastic work of its automata since the beginning [energy].
     double plastic_work;
   };
   /// Present after compute(); every rank for itself.
@@ -201,7 +201,7 @@ class PairMCA : public Pair {
   bigint checked;
   /// Warnings were given; that of stresses, too, which are known after the first forces.
   bool told, told_of_stress;
-  /// Of the states among LAMMPS's custom values; -1: none. Found anew before each run.
+  /// Columns of the states among LAMMPS's custom values; -1: none. Found anew before each run.
   int columns[mca::stateCount];
 
   void allocate();
@@ -218,7 +218,8 @@ class PairMCA : public Pair {
   void coeff_interface(int narg, char **arg);
   /// The tables of laws.
   void make_laws();
-  /// Of setup() and reset_dt(): the critical step of each material under these laws.
+  /// For setup() and reset_dt(): checks against the critical step of each material under these
+  /// laws.
   void check_step();
   /// Refuses minimize, rerun and fixes that move automata without their velocities: the shear of
   /// links follows only motion in a run.

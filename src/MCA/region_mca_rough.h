@@ -35,7 +35,7 @@ class RegionMCARough : public Region {
  private:
   /// The side that is inside.
   bool below;
-  /// Of the line's mean [length].
+  /// Height of the line's mean [length].
   double height;
   /// The line about its mean; x counts from the lower face of the box.
   std::unique_ptr<mca::RoughProfile> profile;

@@ -57,7 +57,11 @@ static std::map<std::string, std::string> workedLink()
 TEST(Contact, TheWorkedLinkIsWhatTheLawsGive)
 {
   const PairLaw pair = makePairLaw(LawSet(), steel(), steel(), 1.0);
-  const Contact c = {link::bulk, 5e-4, 1e-4, 2e-4, 2e-4, 0.0};
+  Contact c{};
+  c.kind = link::bulk;
+  c.eps = 5e-4;
+  c.plastic = 1e-4;
+  c.gamma = c.gammaTotal = 2e-4;
   const Answer i = {30, 0.8, 30}, j = {20, 1, 20};
   const ContactStress s = contactStress<FractureByStrain>(pair, c, i, j);
   const double left = returnedShare(i, j);
@@ -149,7 +153,10 @@ TEST(Contact, FlowOfAnUnlinkedContactEndsAtTheBreakingStrainAndAtCollapse)
            {-0.95, -0.9, -0.899, -0.01, 0.01, 0.999 * most, most, 1.01 * most}) {
         const PairLaw flows = makePairLaw(set, steel(), steel(), 1.0);
         const Answer side = {mean, 0.2, mean};
-        const Contact c = {link::none, plastic + e, plastic, 0.0, 0.0, 0.0};
+        Contact c{};
+        c.kind = link::none;
+        c.eps = plastic + e;
+        c.plastic = plastic;
         const ContactStress s = contactStress<FractureByStrain>(flows, c, side, side);
         const double next = nextState(flows, c, s, 0.0, 0.0, 1.0).plastic;
         EXPECT_LE(next, std::max(plastic, most) * (1 + 1e-12)) << mean << ", " << plastic;

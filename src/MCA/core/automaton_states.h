@@ -62,8 +62,9 @@ inline constexpr AutomatonState automatonStates[] = {
     /// Moved on by fix nve/mca, in the plane only: in space it stays 0.
     {"theta", In::Both, Upkeep::EveryStep, "theta", In::Plane, "radians",
      "angle of rotation since the beginning"},
-    /// Of keepLag() of core/step.h: with them the set-up of the next run, whose velocities are half
-    /// a step later than those of the last forces, computes these forces again to the last bit.
+    /// Kept by keepLag() of core/step.h: with them the set-up of the next run, whose velocities are
+    /// half a step later than those of the last forces, computes these forces again to the last
+    /// bit.
     {"lag_x", In::Both, Upkeep::EndOfRun, nullptr, In::None, "velocity units",
      "velocity less that which the forces saw"},
     {"lag_y", In::Both, Upkeep::EndOfRun, nullptr, In::None, "velocity units", "the same along y"},

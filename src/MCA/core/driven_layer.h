@@ -31,7 +31,7 @@ struct DrivenLayer {
   struct Pull {
     double x = 0.0, y = 0.0, momentum = 0.0;
   };
-  /// Of this rank's automata.
+  /// Pull on this rank's automata.
   Pull pull(const Arrays &) const;
 
   /// Stresses on the layer [pressure]: tau = -sum F_x/A, sigma_n = sum F_y/A.

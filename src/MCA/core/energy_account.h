@@ -35,7 +35,7 @@ class EnergyAccount {
   static constexpr bool comesIn(int channel) { return channel >= Work && channel != Touching; }
 
   /// Sums since the beginning [energy], by channel.
-  /// Of this rank alone: the account of the sample is the sum over all ranks.
+  /// Sums of this rank alone: the account of the sample is the sum over all ranks.
   const double *sums() const { return sums_; }
   /// Sets a sum, as a restart file has it [energy].
   void setSum(Channel channel, double value) { sums_[channel] = value; }

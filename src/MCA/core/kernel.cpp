@@ -326,7 +326,14 @@ MCA_LOOP Changes forceBlock(const Pairs &p, int first, int n, const PairLaw *law
     }
     const double size = shearSize(gamma), share = returnedShare(i, j);
     const double stretch = D::stretch(share, gamma, [&] { return total; });
-    const Contact c = {kind, eps, plastic, size, shearSize(total), psep[k], stretch};
+    Contact c;
+    c.kind = kind;
+    c.eps = eps;
+    c.plastic = plastic;
+    c.gamma = size;
+    c.gammaTotal = shearSize(total);
+    c.separation = psep[k];
+    c.stretch = stretch;
     const ContactStress s =
         contactStress<Criterion>(law, c, i, j, face, LOCAL && work >= law.limits.linkWork);
     // exactly the same where nothing flows, so that a pair's way does not depend on its block

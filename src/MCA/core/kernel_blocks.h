@@ -70,7 +70,7 @@ inline void withCriterion(const Pairs &p, const PairLaw *laws, const Work &work)
     FractureCriteria::with(laws[p.law[0]].limits.criterion, work);
 }
 
-// The same for passes to which only matters whether it decides by strain: work(true or false).
+// For passes to which only matters whether the criterion decides by strain: work(true or false).
 template<class Work>
 inline void withStrainOnly(const Pairs &p, const PairLaw *laws, const Work &work)
 {
@@ -171,7 +171,7 @@ inline bool equal(const Vector &a, const Vector &b)
   return (a.x == b.x) & (a.y == b.y) & (a.z == b.z);
 }
 
-// Of an unlinked contact the first component of the total shear holds its plastic work per volume
+// The first component of the total shear of an unlinked contact holds its plastic work per volume
 // while pressed together [stress], PairState::gammaTotal. In the plane that is the number itself,
 // in space x.
 inline const double &firstComponent(const double &a)

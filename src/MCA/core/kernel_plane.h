@@ -99,7 +99,7 @@ struct Plane {
     {
       mca::MCA_ISA::gather(index, n, response, mean, factor);
     }
-    // The same: a row of two values is read in one load, so there is nothing to save.
+    // Reads both, too: a row of two values is read in one load, so there is nothing to save.
     void gatherMeans(const int *index, int n, const double *response)
     {
       gather(index, n, response);
@@ -188,7 +188,7 @@ struct Plane {
   }
 };
 
-// The same with plasticity isochoric.
+// The plane with plasticity isochoric.
 struct PlaneIsochoric : Plane {
   static constexpr RowLayout rows = planeIsochoricRows;
   static constexpr bool keepsVolume = true;
@@ -228,7 +228,7 @@ struct PlaneIsochoric : Plane {
     }
   };
 
-  // Of flow in the plane alone the stress across it is the mean of those in it, so that the
+  // Where only the plane flows, the stress across it is the mean of those in it, so that the
   // intensity is sqrt(3) times the largest shear stress.
   static StressTensor averaged(const AutomatonLaw &, const double *tensor, double /*mean*/)
   {

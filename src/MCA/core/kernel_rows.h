@@ -43,7 +43,7 @@ inline Row *rowOf(double *array, int i)
   return reinterpret_cast<Row *>(array) + i;
 }
 
-// The same of rows that are only read.
+// A row of an array that is only read.
 template<class Row>
 inline const Row *rowOf(const double *array, int i)
 {
@@ -189,7 +189,7 @@ inline void scatter(const int *pi, const int *pj, int n, const Column &c0, const
   }
 }
 
-// The same of two columns, with the same sign for both automata: strains do not depend on the side.
+// Adds two columns, with equal sign for both automata: strains do not depend on the side.
 // \param sums  two values an automaton, added to
 inline void scatter(const int *pi, const int *pj, int n, const Column &c0, const Column &c1,
                     double *sums)

@@ -219,7 +219,7 @@ struct Space {
   }
 };
 
-// The same with plasticity isochoric.
+// Space with plasticity isochoric.
 struct SpaceIsochoric : Space {
   static constexpr RowLayout rows = spaceIsochoricRows;
   static constexpr bool keepsVolume = true;

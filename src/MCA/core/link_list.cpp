@@ -88,7 +88,7 @@ void LinkList::setPlaces(int placeI, int placeJ)
     blocks_.back().across = true;
 }
 
-// Of blocks that never flowed (pristine) the kernel keeps the elastic shear only, since the total
+// For blocks that never flowed (pristine) the kernel keeps the elastic shear only, since the total
 // one equals it: arrays that need be neither read nor written for most of a sample. Readers get
 // both: part(), by which the kernel comes in, marks the list as stale, and the first reader
 // afterwards copies. A block stays pristine until its first change of state is taken over

@@ -43,7 +43,7 @@ class LinkList {
   /// \param state  stateSize() values: kind, plastic offset, elastic shears, total shears
   void add(int i, int j, int law, const double *state);
 
-  /// The same with all that is kept, storedSize() values, as getStored() wrote them.
+  /// Adds a link with all that is kept, storedSize() values, as getStored() wrote them.
   /// \param exchanged  kept as the pair (j, i)
   void addStored(int i, int j, int law, bool exchanged, const double *stored);
 

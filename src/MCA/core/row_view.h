@@ -25,10 +25,10 @@ struct RowView {
   const double *response;
   const double *forces;
 
-  /// Of i [length]; z is 0 in the plane.
+  /// Place of i [length]; z is 0 in the plane.
   Vector place(int i) const { return along(inMotion(i, layout->motion.place)); }
 
-  /// That the forces of the step see [length/time]; z is 0 in the plane.
+  /// Velocity that the forces of the step see [length/time]; z is 0 in the plane.
   Vector velocity(int i) const { return along(inMotion(i, layout->motion.velocity)); }
 
   /// Angular velocity [1/time]; in the plane about z.

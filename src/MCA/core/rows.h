@@ -87,7 +87,7 @@ constexpr RowLayout planeRows = [] {
   r.dimension = 2, r.components = 3;
   return r;
 }();
-/// The same rows with plasticity isochoric, of any dimension: strains have the room that neighbours
+/// Rows with plasticity isochoric, of any dimension: strains have the room that neighbours
 /// take, and answers the pressure against its lack and a centre of their own.
 ///
 ///     strain     sum  flowing  room  -

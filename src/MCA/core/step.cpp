@@ -220,8 +220,8 @@ void Step::yield(const double *kappa, int from, int to)
     std::copy_n(next, to - from, kappaNext_.row(from));
 }
 
-// The same again, now that the returns of neighbours are known; these are on their way. What flows
-// on this rank is a neighbour's affair, too, hence only one rank alone may pass over it.
+// Yields once more, now that the returns of neighbours are known; these are on their way. What
+// flows on this rank is a neighbour's affair, too, hence only one rank alone may pass over it.
 void Step::yieldAgain(const Automata &a, const Pairs &border, const Pairs &inside)
 {
   if (exchange_->alone() && flowing_.empty())

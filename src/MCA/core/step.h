@@ -59,8 +59,8 @@ struct Automata {
   /// step before: `lag`, and `rest`, what rounding took from it [length/time]. One array a
   /// dimension, of all rows. Written by keepLag(), read in set-up.
   double *lag[3], *rest[3];
-  /// The same of the angular velocities [1/time], where laws see slip; else, and of the components
-  /// that a dimension does not have, nullptr.
+  /// Lag and rest of the angular velocities [1/time], where laws see slip; else, and of the
+  /// components that a dimension does not have, nullptr.
   double *spinLag[3], *spinRest[3];
 };
 
@@ -216,10 +216,10 @@ class Step {
   /// 1, or 1/2 for a pair that two ranks hold.
   double share(int k) const;
 
-  /// Of a pair that two ranks hold, true on one of them.
+  /// Whether a pair counts here; of one that two ranks hold, true on one of them.
   bool isOurs(int k) const;
 
-  /// Of this rank; pairs that two ranks hold count half on each.
+  /// Numbers on this rank; pairs that two ranks hold count half on each.
   struct Count {
     double links = 0.0, welds = 0.0;                 ///< at present
     double broken = 0.0, formed = 0.0, healed = 0.0; ///< since the beginning, see goOn()

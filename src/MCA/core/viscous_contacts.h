@@ -18,7 +18,7 @@ namespace mca {
 /// unlinked or breaking.
 class ViscousPairs {
  public:
-  /// Of all pairs, after their force pass.
+  /// Finds the viscous contacts of all pairs, after their force pass.
   void find(const Pairs &);
 
   /// A range of them, for loops.
@@ -73,7 +73,7 @@ class ViscousContacts {
   void addForces(const RowLayout &, double *forces) const;
 
  private:
-  /// Of a viscous contact: rows of both automata and the change of its force.
+  /// Rows of both automata of a viscous contact and the change of its force.
   struct Change {
     int i, j;
     /// Change of the force on i [force]; that on j is its opposite, since viscosity acts along the

@@ -19,7 +19,7 @@ struct DriveSums {
   double startHeight = 0.0;  ///< of the layer in its first set-up [length]
   double displacement = 0.0; ///< in x since then [length]
   double work = 0.0;         ///< of the drive since then [energy]
-  /// Of the steps of the row [pressure].
+  /// Sums over the steps of the row [pressure].
   double shearSum = 0.0, normalSum = 0.0;
   double samples = 0.0; ///< number of steps of the row
   /// Events of the sample until the last row.

@@ -55,7 +55,7 @@ class FrictionLogWriter {
 
   /// Whether write() has a file.
   bool isOpen() const { return file_.isOpen(); }
-  /// Of the file.
+  /// Rows that the file has.
   LogRows rows() const { return rows_; }
 
  private:

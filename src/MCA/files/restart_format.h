@@ -77,7 +77,7 @@ std::optional<std::string> readBlock(FILE *fp);
 
 /// The global state of a fix: its length as LAMMPS wants it, then as writeBlock().
 void writeFixBlock(FILE *fp, const std::string &text);
-/// The same from memory.
+/// The block of a fix from memory.
 /// \param bytes      the block begins there
 /// \param available  number of bytes that may be read
 std::optional<std::string> fixBlockIn(const char *bytes, std::size_t available);
@@ -93,7 +93,7 @@ std::vector<double> numbersIn(const std::string &text, std::optional<std::size_t
 
 // ---- what blocks hold
 
-/// Of the command pair_style mca.
+/// Settings of the command pair_style mca.
 struct PairSettings {
   double thickness = 0.0, cutoff = 0.0; ///< [length], >= 0; 0: not given
   const Packing *packing = nullptr;
@@ -109,14 +109,14 @@ std::string textOf(const std::vector<Material> &);
 /// \throw RestartError
 std::vector<Material> materialsIn(const std::string &text, std::size_t count);
 
-/// Of pair_coeff interface.
+/// Settings of pair_coeff interface.
 std::string textOfInterfaces(const Interfaces &);
 /// \param types  number of types
 /// \param laws   that they have to fit
 /// \throw RestartError
 Interfaces interfacesIn(const std::string &text, int types, const LawSet &laws);
 
-/// Of fix mca/drive, with the parts of all ranks.
+/// State of fix mca/drive, with the parts of all ranks.
 struct DriveState {
   DriveSums sums;
   LogRows rows = {-1, 0}; ///< of the log; number < 0: no log
@@ -151,7 +151,7 @@ struct Record {
 /// \return nothing where a length does not fit
 std::optional<Record> recordNumber(const double *values, std::size_t size, int number);
 
-/// The same; nothing also where the checksum is another.
+/// The record of a number; nothing where it is missing or its checksum is another.
 template<class Id>
 std::optional<Record> checkedRecord(const double *values, std::size_t size, int number, Id id)
 {

@@ -11,15 +11,18 @@ namespace mca {
 
 /// Laws of one material as an automaton's own; made by makeAutomatonLaw() of law_set.h.
 struct AutomatonLaw {
-  double bulkModulus, shearModulus; ///< K, G [stress]
-  double D;                         ///< 1 - 2G/(3K), or 0 for the pairwise law [-]; for energies
+  /// All but the yield curve is 0 and to be filled by name.
+  explicit AutomatonLaw(const Material &material) : curve(material) {}
+
+  double bulkModulus = 0.0, shearModulus = 0.0; ///< K, G [stress]
+  double D = 0.0; ///< 1 - 2G/(3K), or 0 for the pairwise law [-]; for energies
   /// 1 with radial return, 0 without; a factor in a loop without branches.
-  double yields;
+  double yields = 0.0;
   /// Most of its deviating stresses that flow takes in a step [-], 1 - M.
-  double mostReturn;
+  double mostReturn = 0.0;
   YieldCurve curve;
   /// q S/V of the packing [-], the weight of a contact in the averaged stress.
-  double weight;
+  double weight = 0.0;
 };
 
 } // namespace mca

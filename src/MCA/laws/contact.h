@@ -257,7 +257,11 @@ inline ElasticStresses elasticStresses(const PairLaw &law, const Contact &c, con
 inline double viscousStress(const PairLaw &law, double kind, double eps, double plastic,
                             const Answer &i, const Answer &j)
 {
-  const ElasticStresses s = elasticStresses(law, {kind, eps, plastic, 0.0, 0.0, 0.0}, i, j);
+  Contact c{}; // without shear: it has no part in this stress
+  c.kind = kind;
+  c.eps = eps;
+  c.plastic = plastic;
+  const ElasticStresses s = elasticStresses(law, c, i, j);
   return link::isLinked(kind) ? s.trial : s.sigma;
 }
 
@@ -305,7 +309,7 @@ inline ContactStress contactStress(const PairLaw &law, const Contact &c, const E
               (1.0 - holds) * pressed * unlinkedStress(elastic, 0.0, 0.0, 0.0, law.keepsEnergy)};
 }
 
-/// The same from what both automata answer.
+/// Stresses of a contact from what both automata answer.
 /// \param kindNext  as nextKind() of linking.h found it for this very evaluation, as for the
 ///                  questions of Step::contact(), which do not decide again
 inline ContactStress contactStress(const PairLaw &law, const Contact &c, const Answer &i,
@@ -333,20 +337,24 @@ inline double flowOf(const PairLaw &law, const Contact &c, double trial, double 
 inline LinkLoad linkLoad(const PairLaw &law, const Contact &c, const ElasticStresses &s,
                          const Answer &i, const Answer &j, const LocalStress &face)
 {
-  return {c.eps,
-          c.gammaTotal,
-          c.eps - c.plastic - flowOf(law, c, s.trial, s.sigma),
-          s.tau * law.invTwoG,
-          s.sigma,
-          s.tau,
-          i.mean,
-          j.mean,
-          {s.sigma, s.tau, face.along, face.across}};
+  LinkLoad load;
+  load.eps = c.eps;
+  load.gammaTotal = c.gammaTotal;
+  load.e = c.eps - c.plastic - flowOf(law, c, s.trial, s.sigma);
+  load.gamma = s.tau * law.invTwoG;
+  load.sigma = s.sigma;
+  load.tau = s.tau;
+  load.meanI = i.mean;
+  load.meanJ = j.mean;
+  load.local = face;
+  load.local.sigma = s.sigma;
+  load.local.tau = s.tau;
+  return load;
 }
 
-/// The same, and decides on the next kind by nextKind() of linking.h. The kernel's force pass is
-/// this function for all pairs but those of blocks of bulk links of which none breaks by its
-/// strain.
+/// Stresses of a contact, whose next kind is decided by nextKind() of linking.h. The kernel's force
+/// pass is this function for all pairs but those of blocks of bulk links of which none breaks by
+/// its strain.
 /// \tparam Criterion  of FractureCriteria, by which bulk links break
 /// \param c       with the size of its shears, and the separation that the force pass knows
 /// \param face    of faceStress() [stress]; only for criteria that need the local stress
@@ -386,7 +394,7 @@ inline double returnedShear(double left, double twoG, double gamma)
   return left * (twoG * gamma);
 }
 
-/// The same in space: a vector along the shear, whose direction stays.
+/// Returned shear in space: a vector along the shear, whose direction stays.
 inline Vector returnedShear(double left, double twoG, const Vector &gamma)
 {
   return (left * twoG) * gamma;
@@ -468,7 +476,7 @@ struct PlaneForce {
   double torque;
 };
 
-/// The same in space: [force], [force length]; both along the axes of the box.
+/// Force of a contact in space: [force], [force length]; both along the axes of the box.
 struct SpaceForce {
   Vector force, torque;
 };
@@ -486,7 +494,7 @@ inline PlaneForce contactForce(const PairLaw &law, double normal, double shear, 
   return {fn * n.x - ft * n.y, fn * n.y + ft * n.x, 0.5 * shear * law.area * law.diameter};
 }
 
-/// The same in space, where the moment is (d/2) n x tau S on either automaton.
+/// Force of a contact in space, where the moment is (d/2) n x tau S on either automaton.
 /// \param shear  shear stress [stress], perpendicular to n: a part along n would be a normal stress
 inline SpaceForce contactForce(const PairLaw &law, double normal, const Vector &shear, double eps,
                                const Vector &n)

@@ -26,8 +26,8 @@ struct CriticalStep {
   /// not hold `pressed`: a caller whose automata flow takes the lesser of both.
   double plain() const;
 
-  /// The same where viscous contacts have centredSeparation(), with which longer steps are stable
-  /// [time]; by bisection, down to the last bits.
+  /// Critical step where viscous contacts have centredSeparation(), with which longer steps are
+  /// stable [time]; by bisection, down to the last bits.
   double centred() const;
 };
 

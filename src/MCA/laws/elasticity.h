@@ -54,7 +54,7 @@ inline StressTensor stressShare(double sigma, double tau, double nx, double ny)
           w * (sigma * nxy + 0.5 * tau * (nxx - nyy)), 0.0};
 }
 
-/// The same in space, without the packing's weight [stress].
+/// Share of a contact in the stress in space, without the packing's weight [stress].
 /// \param tau,n  vectors: shear stress of the contact [stress], unit normal [-]
 inline StressTensor stressShare(double sigma, const Vector &tau, const Vector &n)
 {

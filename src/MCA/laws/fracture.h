@@ -128,9 +128,9 @@ inline LocalStress faceStress(const StressTensor &s, const PlaneVector &n)
   return {0.0, 0.0, s.xx * n.y * n.y + s.yy * n.x * n.x - 2.0 * s.xy * n.x * n.y, s.zz};
 }
 
-/// The same in space. With P = 1 - n n the face has the stress P s P, whose trace is tr s - n.s.n
-/// and whose square is s:s - 2 |s n|^2 + (n.s.n)^2; its principal stresses, in descending order,
-/// follow from both. A square that rounding makes negative counts as 0.
+/// Stress of a face in space. With P = 1 - n n the face has the stress P s P, whose trace is
+/// tr s - n.s.n and whose square is s:s - 2 |s n|^2 + (n.s.n)^2; its principal stresses, in
+/// descending order, follow from both. A square that rounding makes negative counts as 0.
 inline LocalStress faceStress(const StressTensor &s, const Vector &n)
 {
   const Vector t = {s.xx * n.x + s.xy * n.y + s.xz * n.z, s.xy * n.x + s.yy * n.y + s.yz * n.z,

@@ -47,7 +47,7 @@ class FractureLaw {
   bool take(const std::string &word);
   /// The words of all criteria, in the order of FractureCriteria.
   static std::vector<std::string> words();
-  /// The same with commas, for messages.
+  /// The words that are allowed, with commas, for messages.
   static std::string allowed();
   /// Whether the chosen criterion acts in this dimension, 2 or 3.
   bool actsIn(int dimension) const { return dimension == 2 || criterion().inSpace; }

@@ -175,10 +175,15 @@ ElasticModuli elasticModuli(const LawSet &set, const Material &m)
 AutomatonLaw makeAutomatonLaw(const LawSet &set, const Material &m, const Packing &packing)
 {
   const ElasticModuli moduli = elasticModuli(set, m);
-  const double most =
+  AutomatonLaw law(m);
+  law.bulkModulus = moduli.bulk;
+  law.shearModulus = moduli.shear;
+  law.D = moduli.D;
+  law.yields = set.flows() ? 1.0 : 0.0;
+  law.mostReturn =
       set.keepsVolume() ? mostReturn(moduli.shear, moduli.bulk, moduli.D, packing.dimension) : 1.0;
-  return {moduli.bulk,   moduli.shear,          moduli.D, set.flows() ? 1.0 : 0.0, most,
-          YieldCurve(m), packing.stressWeight()};
+  law.weight = packing.stressWeight();
+  return law;
 }
 
 // plastic work per volume up to the strength [stress]

@@ -83,7 +83,7 @@ struct LawSet {
   /// keyword the nearest one
   std::string parse(const std::vector<std::string> &words);
 
-  /// The same as keyword-value pairs that parse() reads back, to the last bit of each number: what
+  /// All laws as keyword-value pairs that parse() reads back, to the last bit of each number: what
   /// restart files and the heads of friction logs hold. The preset comes first, all others follow.
   std::vector<std::string> words() const;
 

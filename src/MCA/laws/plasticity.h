@@ -18,7 +18,7 @@
 namespace mca {
 
 /// Von Mises stress intensity of a stress tensor [stress], >= 0: sqrt(3/2 s:s) of its deviator s.
-/// Of an automaton it is compared with the yield stress (the paper's stress intensity).
+/// An automaton's is compared with the yield stress (the paper's stress intensity).
 inline double stressIntensity(const StressTensor &s)
 {
   const double a = s.xx - s.yy, b = s.yy - s.zz, c = s.zz - s.xx;

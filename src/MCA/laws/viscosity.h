@@ -35,7 +35,7 @@ constexpr double centredSlipShare = 0.75;
 /// Normal velocity of a viscous contact at the time of its step [length/time]. Explicit steps know
 /// the one of half a step ago; what the forces with that one change in half a step is added. The
 /// contact's own damping, by far the stiffest part of that change, is taken at the new velocity.
-/// Of second order in the step, as Verlet is; a pair alone keeps (1-x/2)/(1+x/2) of its velocity in
+/// Second order in the step, as Verlet is; a pair alone keeps (1-x/2)/(1+x/2) of its velocity in
 /// a step with x = 2 damping, where the exact motion keeps exp(-x).
 /// \param separation  the one of half a step ago [length/time]
 /// \param kick        its change in half a step by these forces [length/time]

@@ -20,7 +20,7 @@ inline double strainIntensity2(double eps, double gammaTotal)
   return opening * opening + (4.0 / 3.0) * gammaTotal * gammaTotal;
 }
 
-/// The same of a shear in space, whose length counts [-].
+/// Square of the strain intensity with a shear in space, whose length counts [-].
 /// \param eps         total normal strain r/d - 1 [-]
 /// \param gammaTotal  total shear since linking, perpendicular to the normal [-]
 inline double strainIntensity2(double eps, const Vector &gammaTotal)
