@@ -214,7 +214,7 @@ class PairMCA : public Pair {
   mca::Interface interface_inside(int typeI, int typeJ) const;
   /// The strength of links of two types [pressure]: of their interface, or of the weaker material.
   double strength(int typeI, int typeJ) const;
-  /// Of pair_coeff: the words behind I J interface.
+  /// Reads pair_coeff: the words behind I J interface.
   void coeff_interface(int narg, char **arg);
   /// The tables of laws.
   void make_laws();
