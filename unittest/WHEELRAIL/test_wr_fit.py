@@ -849,3 +849,12 @@ def test_points_are_read_by_numpy_with_the_line_of_the_page(log, tmp_path, monke
         "0.04",
         "100",
     )
+
+
+def test_the_page_names_the_columns_of_points_csv(log, tmp_path):
+    page = (TOOLS.parent / "doc/wr_fit.md").read_text(encoding="utf-8")
+    start = page.index("`points.csv`: one comment line")
+    text = page[start : page.index("In Python", start)]
+    names = [name for code in re.findall(r"`([\w,]+)`", text) for name in code.split(",")]
+    wr_fit(log, "--points", tmp_path / "points.csv")
+    assert list(read_points(tmp_path / "points.csv")[0]) == names
