@@ -416,9 +416,7 @@ def grid(tables: dict[str, Any], picture: str) -> list[str]:
 
 
 FIGURES = {
-    "fields-3d": PatchFigure(
-        "Pressure and traction of a point contact", [], patch_pictures.fields
-    ),
+    "fields-3d": PatchFigure("Pressure and traction of a point contact", [], patch_pictures.fields),
     "fig13-3d": PatchFigure("Fig. 13, point contact: local friction", [], patch_pictures.fig13),
     "curves-3d": PatchFigure("Creep forces of a point contact", [], patch_pictures.curves),
     "fig14-3d": PatchFigure(

@@ -301,7 +301,8 @@ CASES = [
 PHASES = [100, 150, 200, 150]
 
 
-# periodic and brittle, pressed along y alone; prints the stress over the strength of its first break
+# periodic and brittle, pressed along y alone; prints the stress over the strength of its first
+# break
 PRESSED = """
 units nano
 dimension 2

@@ -42,7 +42,8 @@ fix hold bottom freeze
 fix drive top mca/drive velocity {velocity} pressure {pressure}
 compute energy all mca/energy
 thermo 100
-thermo_style custom step c_energy c_energy[3] c_energy[4] c_energy[5] c_energy[6] f_drive[5] c_energy[9]
+thermo_style custom step c_energy c_energy[3] c_energy[4] c_energy[5] c_energy[6] c_energy[9] &
+  f_drive[5]
 thermo_modify format float %20.15g
 run {steps}
 """
@@ -103,7 +104,7 @@ def test_a_layer_pressed_to_hardness_slides_500_nm(tmp_path):
     script = LAYER.replace("compute energy all mca/energy\n", "").replace(
         "thermo 100", "thermo 5000"
     )
-    script = re.sub("step c_energy.*", "step atoms f_drive[5]", script)
+    script = re.sub(r"step c_energy.*\n.*", "step atoms f_drive[5]", script)
     values = dict(VALUES, **PACKINGS["hex"], material=RAIL)
     values.update(pressure=2700, velocity=50.0, steps=250000)
     run = lmp(script.format(**values), tmp_path)

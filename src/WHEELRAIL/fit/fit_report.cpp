@@ -274,20 +274,13 @@ Json conditionJson(const FitAnalysis &analysis, std::size_t i)
 {
   const FitCondition &condition = analysis.conditions[i];
   const FrictionPoint &first = analysis.points[condition.runs.front()];
-  Json json = {{"kappa1", first.kappa1},
-               {"kappa2", first.kappa2},
-               {"kappa3", first.kappa3},
-               {"mu", condition.point.mu},
-               {"mu_se", condition.point.muSe},
-               {"t95", first.t95},
-               {"own_error", condition.ownError},
-               {"scatter", finite(condition.scatter)},
-               {"mu_eq2", first.muEq2},
-               {"runs", Json::array()},
-               {"pressure", first.head.pressure},
-               {"velocity", first.head.velocity},
-               {"strength", first.head.strength},
-               {"viscosity", first.head.viscosity}};
+  Json json = {{"kappa1", first.kappa1},          {"kappa2", first.kappa2},
+               {"kappa3", first.kappa3},          {"mu", condition.point.mu},
+               {"mu_se", condition.point.muSe},   {"t95", first.t95},
+               {"own_error", condition.ownError}, {"scatter", finite(condition.scatter)},
+               {"mu_eq2", first.muEq2},           {"runs", Json::array()},
+               {"pressure", first.head.pressure}, {"velocity", first.head.velocity},
+               {"strength", first.head.strength}, {"viscosity", first.head.viscosity}};
   for (const std::size_t run : condition.runs)
     json["runs"].push_back(run);
   if (!analysis.fit)
