@@ -269,7 +269,7 @@ TEST(CaseFile, ListsThatMultiplyHaveALimit)
   EXPECT_EQ(messageOf(minimal, {many}), "");
   EXPECT_TRUE(contains(messageOf(minimal, {many, "speed=[1 m/s, 2 m/s, 3 m/s, 4 m/s, 5 m/s, 6 m/s, "
                                                  "7 m/s, 8 m/s, 9 m/s, 10 m/s, 11 m/s]"}),
-                       "creep.n: all lists together make 1.1e+07 points; at most 1e+07"));
+                       "creep.n: all lists together make 1.1e+07 operating points; at most 1e+07"));
 }
 
 TEST(CaseFile, EllipsesThatAreAlmostALineAreRefused)

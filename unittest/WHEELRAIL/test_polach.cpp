@@ -234,7 +234,7 @@ TEST(Polach, SpinIsFittedWhereTheFormCan)
   EXPECT_NEAR(choice.best.parameters.mu0, dry.mu0, 0.02 * dry.mu0);
   EXPECT_LT(choice.best.worst, 0.01);
   EXPECT_GT(choice.worstLeftOut, 0.01);
-  EXPECT_NE(choice.warning.find("4 of 14 points"), std::string::npos) << choice.warning;
+  EXPECT_NE(choice.warning.find("4 of 14 operating points"), std::string::npos) << choice.warning;
   EXPECT_EQ(nlohmann::json::parse(polachJson(choice, wheel))["points_left_out"], 4);
   points.resize(plain);
   EXPECT_EQ(choosePolach(points, wheel).warning, "");

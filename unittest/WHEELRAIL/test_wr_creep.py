@@ -336,7 +336,7 @@ def test_points_that_do_not_converge_leave_the_others(case, tmp_path):
         bad = creeps.count("0.")
         lines = done.stderr.splitlines()
         assert "point 1 (speed 20 m/s, creep 0.9): " in lines[0], lines
-        assert f"{bad} of {bad + 2} points did not converge" in lines[-1], lines
+        assert f"{bad} of {bad + 2} operating points did not converge" in lines[-1], lines
         rows = table(out / "creep.csv")
         assert [float(row["creep"]) for row in rows] == [1e-6, 2e-6]
         summary = json.loads((out / "summary.json").read_text())
@@ -410,7 +410,10 @@ def test_contacts_of_chosen_points(case, tmp_path):
     wr_creep(case, "-o", tmp_path / "all", "-q", "--set", "fields=all")
     assert len(list((tmp_path / "all").glob("contact_*.csv"))) == 7
     done = wr_creep(case, "-o", tmp_path / "x", "--set", "fields=8")
-    assert done.returncode == 3 and "fields: '8' is above the number of points, 7" in done.stderr
+    assert (
+        done.returncode == 3
+        and "fields: '8' is above the number of operating points, 7" in done.stderr
+    )
     done = wr_creep(case, "-o", tmp_path / "x", "--set", "fields=first")
     assert done.returncode == 3 and "'first' is not allowed" in done.stderr
     still = ["--set", "mode=static", "--set", "static.force_ratio=[0.1, 0.5]"]

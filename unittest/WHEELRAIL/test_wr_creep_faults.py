@@ -80,7 +80,9 @@ def line(tmp_path):
 def interrupted_by_a_full_disk(case, out, *more):
     """The sweep ends, its results do not fit: the journal stays alone."""
     done = wr_creep(case, "-o", out, "-q", *more, preexec_fn=small_files(20000))
-    one_line(done, 5, "; no result is written; the points in", "wr_creep.journal are kept")
+    one_line(
+        done, 5, "; no result is written; the operating points in", "wr_creep.journal are kept"
+    )
     assert re.search(FULL, done.stderr)
     assert {p.name.rstrip(".0123456789") for p in out.iterdir()} == {"wr_creep.journal"}
     return out / "wr_creep.journal"
@@ -341,7 +343,9 @@ def test_a_failing_sweep_keeps_what_it_has(line, tmp_path):
     sets = ("--set", "friction={law: bucher2006}", "--set", "thermal={conductivity: 0.01 W/(m K)}")
     sets += ("--set", f"creep={[0.9] + [1e-6 * k for k in range(1, 20)]}")
     done = wr_creep(line, "-o", out, *sets)
-    assert done.returncode == 4 and "1 of 20 points did not converge" in done.stderr, done.stderr
+    assert (
+        done.returncode == 4 and "1 of 20 operating points did not converge" in done.stderr
+    ), done.stderr
     names = ["contact.csv", "creep.csv", "creep.json", "summary.json"]
     assert sorted(p.name for p in out.iterdir()) == names
     full = tmp_path / "full"

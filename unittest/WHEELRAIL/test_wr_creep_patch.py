@@ -42,7 +42,10 @@ def test_points_that_do_not_converge_leave_the_others(mode, case, tmp_path):
     done = run(case, out, *changes, "creep=[1e-6, 0.9, 2e-6]", code=4, options=["-q"])
     lines = done.stderr.splitlines()
     assert "point 2 (load 10000 N, creep 0.9, " in lines[0] and "no strength" in lines[0], lines
-    assert "1 of 3 points did not converge and is left out; the others are written" in lines[-1]
+    assert (
+        "1 of 3 operating points did not converge and is left out; the others are written"
+        in lines[-1]
+    )
     rows = table(out / "creep.csv")
     assert [float(row["creep"]) for row in rows] == [1e-6, 2e-6]
     summary = json.loads((out / "summary.json").read_text())

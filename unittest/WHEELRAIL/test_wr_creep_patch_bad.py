@@ -107,7 +107,7 @@ BAD = {
     ),
     "fields number": (
         {"fields: none": "fields: [2]"},
-        "fields: '2' is above the number of points, 1",
+        "fields: '2' is above the number of operating points, 1",
     ),
     "roughness": (
         {

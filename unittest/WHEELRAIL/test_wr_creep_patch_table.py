@@ -45,7 +45,7 @@ def grid_of(path):
 def test_table_is_a_regular_grid(case, tmp_path):
     file = tmp_path / "forces.csv"
     done = run(case, tmp_path / "out", *GRID, options=("--table", file))
-    assert "table of 90 points" in done.stdout
+    assert "table of 90 operating points" in done.stdout
     _, forces = grid_of(file)
     creep = table(tmp_path / "out/creep.csv")
     for name, values in forces.items():
@@ -79,7 +79,7 @@ def test_points_that_do_not_converge_are_named(case, tmp_path):
     rows, creep = table(file), table(tmp_path / "out/creep.csv")
     failed = [k for k, row in enumerate(rows) if row["converged"] == "0"]
     assert len(rows) == 6 and 0 < len(failed) < 6 and 5 in failed
-    assert f"{len(failed)} of 6 points did not converge" in done.stderr
+    assert f"{len(failed)} of 6 operating points did not converge" in done.stderr
     named = json.loads((tmp_path / "out/summary.json").read_text())["not_converged"]
     assert [int(re.match(r"point (\d+) ", line).group(1)) for line in named] == [
         k + 1 for k in failed

@@ -36,7 +36,8 @@ void requireFewPoints(const CaseReader &reader, double points)
   if (points > most)
     reader.fail(
         reader.hasGroup("creep") ? "creep.n" : "creep",
-        fmt::format("all lists together make {:g} points; at most {:g} are allowed", points, most));
+        fmt::format("all lists together make {:g} operating points; at most {:g} are allowed",
+                    points, most));
 }
 
 MeasuredSurfaces readMeasuredSurfaces(CaseReader &reader, const std::string &caseFile)
@@ -107,7 +108,9 @@ FieldSelection readFields(CaseReader &reader, std::size_t total)
   const auto bad = [&](const std::string &word) {
     reader.fail(
         "fields",
-        fmt::format("'{}' is not allowed; none, last, all, or numbers of points from 1 on", word));
+        fmt::format(
+            "'{}' is not allowed; none, last, all, or numbers of operating points from 1 on",
+            word));
   };
   if (words.size() == 1 && (words[0] == "none" || words[0] == "last" || words[0] == "all")) {
     fields.kind = words[0] == "none"   ? FieldSelection::Kind::None
@@ -122,7 +125,8 @@ FieldSelection readFields(CaseReader &reader, std::size_t total)
       bad(word);
     fields.numbers.push_back(std::stoi(word));
     if (fields.numbers.back() > static_cast<int>(total))
-      reader.fail("fields", fmt::format("'{}' is above the number of points, {}", word, total));
+      reader.fail("fields",
+                  fmt::format("'{}' is above the number of operating points, {}", word, total));
   }
   return fields;
 }

@@ -100,8 +100,8 @@ class PatchCreepTask : public CreepTask {
     }
     if (!extra.table.empty()) {
       files.addElsewhere(extra.table, finiteTable(extra.table, patchTable(asked_, curves_)));
-      report.extra =
-          fmt::format("table of {} points written to {}\n", curves_.points.size(), extra.table);
+      report.extra = fmt::format("table of {} operating points written to {}\n",
+                                 curves_.points.size(), extra.table);
     }
     report.extra += polach;
   }

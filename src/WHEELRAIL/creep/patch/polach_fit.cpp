@@ -298,21 +298,22 @@ PolachChoice choosePolach(const std::vector<PolachPoint> &points, const PolachCo
     PolachChoice choice = chosenFrom(inside, contact, largest);
     choice.leftOut = static_cast<int>(outside.size());
     choice.worstLeftOut = worstOf(choice.best.parameters, outside, contact);
-    choice.warning = fmt::format("--polach: {} of {} points have more spin and are left out; the "
-                                 "law misses them by up to {:.2g} of the load. {}",
-                                 outside.size(), points.size(), choice.worstLeftOut, whereItHolds);
+    choice.warning =
+        fmt::format("--polach: {} of {} operating points have more spin and are left out; the "
+                    "law misses them by up to {:.2g} of the load. {}",
+                    outside.size(), points.size(), choice.worstLeftOut, whereItHolds);
     return choice;
   } catch (const Error &error) {
     if (error.code() != ExitCode::NotConverged)
       throw;
   }
   PolachChoice choice = chosenFrom(points, contact, largest);
-  choice.warning =
-      fmt::format("--polach: {} of {} points have more spin; without them the parameters are not "
-                  "determined, so all are fitted. The law misses them by up to {:.2g} of the load. "
-                  "{}",
-                  outside.size(), points.size(), worstOf(choice.best.parameters, points, contact),
-                  whereItHolds);
+  choice.warning = fmt::format(
+      "--polach: {} of {} operating points have more spin; without them the parameters are not "
+      "determined, so all are fitted. The law misses them by up to {:.2g} of the load. "
+      "{}",
+      outside.size(), points.size(), worstOf(choice.best.parameters, points, contact),
+      whereItHolds);
   return choice;
 }
 

@@ -19,7 +19,7 @@ std::vector<RequestedOutput> CreepTask::extraOutputs(const ExtraFiles &extra) co
 
 std::string countOf(std::size_t points, int resumed)
 {
-  return fmt::format("{} points{}", points,
+  return fmt::format("{} operating points{}", points,
                      resumed ? fmt::format(" ({} of them from a run that ended early)", resumed)
                              : "");
 }
@@ -37,11 +37,12 @@ void reportFailures(const char *program, const TaskReport &report)
   for (std::size_t k = 0; k < std::min(most, failures.size()); ++k)
     complain(program, failures[k]);
   if (!failures.empty())
-    throw Error(ExitCode::NotConverged,
-                fmt::format("{} of {} points did not converge and {} left out{}; the others are "
-                            "written",
-                            failures.size(), report.points, failures.size() == 1 ? "is" : "are",
-                            failures.size() > most ? " (summary.json names all)" : ""));
+    throw Error(
+        ExitCode::NotConverged,
+        fmt::format("{} of {} operating points did not converge and {} left out{}; the others are "
+                    "written",
+                    failures.size(), report.points, failures.size() == 1 ? "is" : "are",
+                    failures.size() > most ? " (summary.json names all)" : ""));
 }
 
 } // namespace wheelrail

@@ -170,7 +170,8 @@ std::string Journal::whatIsKept() const
 {
   if (!isOnDisk_)
     return "";
-  return fmt::format("; the points in {} are kept, run the same command again to continue", path_);
+  return fmt::format(
+      "; the operating points in {} are kept, run the same command again to continue", path_);
 }
 
 void Journal::remove() const

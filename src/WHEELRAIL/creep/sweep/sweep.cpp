@@ -126,10 +126,11 @@ int runSweep(const Sweep &sweep, const SweepOptions &options)
   if (!error.any() && options.stopped() && finished < total) {
     if (options.journal)
       options.journal->write();
-    throw Error(ExitCode::Interrupted,
-                fmt::format("interrupted after {} of {} points; run the same command again to "
-                            "continue",
-                            finished, total));
+    throw Error(
+        ExitCode::Interrupted,
+        fmt::format("interrupted after {} of {} operating points; run the same command again to "
+                    "continue",
+                    finished, total));
   }
   writeIfPossible(options.journal);
   error.rethrow();
