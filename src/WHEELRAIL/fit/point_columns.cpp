@@ -111,7 +111,8 @@ std::string pointsAsCsv(const std::vector<FrictionPoint> &points)
   });
   std::string text = "# t_start in ns (nan: no stationary part found, mu of the second half), "
                      "pressure, strength and youngs_modulus in MPa, velocity in m/s, viscosity in "
-                     "Pa s, distance (slid in all) and gap in nm; the rest is dimensionless\nfile";
+                     "Pa s, density in kg/m^3, distance (slid in all) and gap in nm; the rest is "
+                     "dimensionless\nfile";
   for (const PointColumn &column : columns)
     text += fmt::format(",{}", column.name);
   text += "\n";

@@ -34,7 +34,7 @@ const std::vector<PointColumn> &pointColumns();
 /// first, then the columns of the table that have digits.
 /// t_start (ns) is nan where no stationary part was found, mu_grinding_in where there was no
 /// grinding-in; what a log does not say is nan, too. Lengths in nm, stresses in MPa, velocity in
-/// m/s, viscosity in Pa s, the rest is dimensionless.
+/// m/s, viscosity in Pa s, density in kg/m3, the rest is dimensionless.
 std::string pointsAsCsv(const std::vector<FrictionPoint> &points);
 
 } // namespace wheelrail
