@@ -16,27 +16,12 @@ import pytest
 
 import friction_logs
 from campaign_parts.pack import packed
+from wr_fit_run import WR_FIT, one_line, wr_fit
 
-WR_FIT = pathlib.Path(os.environ["WHEELRAIL_BIN"]) / "wr_fit"
 PAPER = {"mu0": 0.15, "mu1": 0.0442, "mu2": 0.3243, "b": 0.195, "c": 0.00212}  # Eq. 3
 TOOLS = pathlib.Path(os.environ["PROJECT_SOURCE"]) / "tools"
 
 PNG = b"\x89PNG\r\n\x1a\n"
-
-
-def wr_fit(*arguments, program=WR_FIT, **more):
-    return subprocess.run(
-        [program, *map(str, arguments)], capture_output=True, text=True, timeout=60, **more
-    )
-
-
-def one_line(result, code, *parts):
-    """The failed call printed one clear line on stderr that holds the parts."""
-    assert result.returncode == code, result.stderr
-    assert result.stderr.count("\n") == 1
-    for part in parts:
-        assert part in result.stderr
-    return result
 
 
 def read_points(path):
@@ -206,115 +191,6 @@ def test_runs_of_other_laws_are_warned_of(tmp_path):
     (tmp_path / "c.friction").unlink()
     result = wr_fit(tmp_path)
     assert result.stderr == "" and "Warning: runs that differ" not in result.stdout
-
-
-def with_state(text, room=1.02, lost=0, flow=lambda k: 100.0 * k):
-    """A log with the columns that newer ones have: the work of the drive in 400 rows is that of
-    friction_log(), 2.5e5 MPa nm3."""
-    head, rows = text[: text.index("\nstep")], text[text.index("\nstep") + 1 :].splitlines()
-    names = f"{rows[0]} room lost flow_energy breaking_energy contact_energy"
-    lines = [f"{row} {room} {lost} {flow(k)} {k} {2 * k}" for k, row in enumerate(rows[1:], 1)]
-    return "\n".join([head, names, *lines]) + "\n"
-
-
-@pytest.mark.parametrize(
-    "more, warned",
-    [
-        ({}, None),
-        ({"room": 0.98}, None),
-        ({"room": 0.969}, "(0.969 of the solid's area, at least 0.970 is expected): automata sank"),
-        ({"lost": 3}, "(3): automata left through the held or the driven rows"),
-        ({"flow": lambda k: 100.0 * k - 2 * (k > 50)}, None),
-        ({"flow": lambda k: 100.0 * k - 3000 * (k > 50)}, "of the work done): what flow, breaking"),
-    ],
-)
-def test_a_layer_that_is_no_solid_is_warned_of(tmp_path, more, warned):
-    log = tmp_path / "run.friction"
-    log.write_text(with_state(friction_logs.friction_log(ns=60, grinding_in=0), **more))
-    result = wr_fit(log, "--start-distance", 250, "-o", tmp_path / "fit.json")
-    assert result.returncode == 0
-    report = json.loads((tmp_path / "fit.json").read_text())["report"]
-    if warned is None:
-        assert "Warning" not in result.stdout and report["warnings"] == []
-    else:
-        assert result.stdout.count("Warning: ") == 1 and warned in result.stdout
-        assert len(report["warnings"]) == 1 and warned in report["warnings"][0]
-    point = report["points"][0]
-    assert point["room"] == pytest.approx(more.get("room", 1.02))
-    assert point["lost"] == more.get("lost", 0) and point["distance"] == pytest.approx(300)
-    assert point["least_room"] == pytest.approx(0.97 - 15 * 1.2 / 206000)
-
-
-def test_room_of_a_packed_log_follows_from_its_gap_and_command(tmp_path):
-    """32 rows, 3 held and 3 driven: 27 distances of rows between the innermost."""
-    text = friction_logs.friction_log(ns=60).replace(" -0.013\n", " -6.5\n")
-    (tmp_path / "old.friction").write_text(text)
-    (tmp_path / "packed.friction").write_text(
-        packed(text, 4, "lmp -in in.friction -var rows 32 -var held 3 -var columns 40")
-    )
-    assert wr_fit(tmp_path, "-o", tmp_path / "fit.json").returncode == 0
-    old, new = json.loads((tmp_path / "fit.json").read_text())["report"]["points"]
-    assert old["room"] is None and new["gap"] == pytest.approx(-6.5)
-    height = 27 * math.sqrt(0.75) * 2.5
-    assert new["room"] == pytest.approx(1 - 6.5 / height, rel=1e-9)
-
-
-@pytest.mark.parametrize(
-    "ns, options, warned",
-    [
-        (8, (), "(40 nm): slid less than 250 nm in all"),
-        (60, (), "less than 250 nm of sliding on"),
-        (60, ("--start-distance", 100), "(from 100 nm on): are averaged from less than 250 nm"),
-        (60, ("--start-distance", 250), None),
-    ],
-)
-def test_short_sliding_is_warned_of(tmp_path, ns, options, warned):
-    """By the distance v t, not by the time."""
-    log = tmp_path / "run.friction"
-    log.write_text(friction_logs.friction_log(ns=ns, grinding_in=0, grinding_time=1))
-    text = wr_fit(log, *options).stdout
-    assert text.count("Warning: ") == (warned is not None), text
-    assert warned is None or warned in text
-
-
-def test_time_without_a_broken_link_is_worn_smooth(tmp_path):
-    """Phases count in which the layer slides by an automaton: 2.5 nm, ten rows."""
-    lines = friction_logs.friction_log(ns=60, grinding_in=0).splitlines(keepends=True)
-    begin = [line[:1].isdigit() for line in lines].index(True)
-    for k, line in enumerate(lines[begin:]):
-        if k >= 1100 or 1030 <= k < 1036:  # of 1200: the last 100, and six rows before
-            lines[begin + k] = line.replace(" 3456 2 1 ", " 3456 0 1 ")
-    log = tmp_path / "run.friction"
-    log.write_text("".join(lines))
-    result = wr_fit(log, "--start-distance", 250, "-o", tmp_path / "fit.json")
-    point = json.loads((tmp_path / "fit.json").read_text())["report"]["points"][0]
-    assert point["smooth"] == pytest.approx(100 / 200)
-    assert "(50 % of the time): slide without a link broken" in result.stdout
-
-
-def test_two_materials_are_named(tmp_path):
-    """Kappas are those of the weaker; runs that differ in the other one are no replicas."""
-    other = (
-        "# other_material: {youngs_modulus: 110000, poissons_ratio: 0.34, density: 8800, "
-        "strength: STRENGTH, viscosity: 0.41, layer: other}\n"
-    )
-    for name, strength in (("a", "350"), ("b", "400")):
-        text = friction_logs.friction_log(ns=60, seed=ord(name), grinding_in=0)
-        (tmp_path / f"{name}.friction").write_text(
-            text.replace("# loading", other.replace("STRENGTH", strength) + "# loading")
-        )
-    result = wr_fit(tmp_path, "--start-distance", 250, "-o", tmp_path / "fit.json")
-    report = json.loads((tmp_path / "fit.json").read_text())["report"]
-    assert "a.friction (sigma_0 92 and 350 MPa): of several materials" in report["warnings"][0]
-    assert "2 of 2 runs" in result.stdout and "kappas are those of the weakest" in result.stdout
-    assert len(report["conditions"]) == 2
-    kappa1, kappa2 = friction_logs.kappas(15, 5, 92)
-    assert report["points"][0]["kappa1"] == pytest.approx(kappa1)
-    assert report["points"][0]["strengths"] == [92, 350]
-    (tmp_path / "a.friction").write_text(text.replace("# loading", other + "# loading"))
-    one_line(
-        wr_fit(tmp_path / "a.friction"), 3, "a.friction:5: other_material: strength: 'STRENGTH' is"
-    )
 
 
 def test_a_start_beyond_the_end_is_named_in_its_unit(log):

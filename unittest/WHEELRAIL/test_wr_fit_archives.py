@@ -6,8 +6,6 @@ import csv
 import io
 import lzma
 import os
-import pathlib
-import subprocess
 import tarfile
 
 import pytest
@@ -15,24 +13,10 @@ import pytest
 import friction_logs
 from mcawr import archive
 from mcawr.errors import BadInput
-
-WR_FIT = pathlib.Path(os.environ["WHEELRAIL_BIN"]) / "wr_fit"
+from wr_fit_run import one_line, wr_fit
 
 SPEEDS = {"v10": 10.0, "v2": 2.0, "v5": 5.0}  # in order of names
 LOG = friction_logs.friction_log()
-
-
-def wr_fit(*arguments, **more):
-    return subprocess.run(
-        [WR_FIT, *map(str, arguments)], capture_output=True, text=True, timeout=60, **more
-    )
-
-
-def one_line(done, code, *parts):
-    assert done.returncode == code, done.stderr
-    assert done.stderr.count("\n") == 1, done.stderr
-    for part in parts:
-        assert part in done.stderr
 
 
 def points_of(folder, *logs):
