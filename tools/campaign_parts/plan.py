@@ -19,6 +19,8 @@ FORMAT = "mca-campaign 1"
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.realpath(__file__))))
 SHIPPED = os.path.join(ROOT, "examples", "campaign")
 INPUT = os.path.join("examples", "friction", "in.friction")  # below ROOT
+TOP = ("format", "title", "input", "order", "defaults", "runs")
+ORDERS = ("cost", "plan")
 NAME = re.compile(
     r"(?!plan\.)[A-Za-z0-9][A-Za-z0-9_.+-]{0,199}"
 )  # of a folder, beside which the plan stands
@@ -31,6 +33,7 @@ class Plan:
     path: str
     title: str
     runs: list
+    in_order: bool = False  # runs start in the order of the plan, not the costly ones first
 
 
 def find(name: str) -> str:
@@ -195,7 +198,7 @@ def _expand(
         )
 
 
-def _read_yaml(path: str, text: str) -> tuple[str, Given, Any, Any]:
+def _read_yaml(path: str, text: str) -> tuple[str, bool, Given, Any, Any]:
     data = read_yaml(path, text).value
     if not isinstance(data, dict) or "format" not in data:
         raise PlanError(f"{path}:1: not a plan: it must begin with 'format: {FORMAT}'")
@@ -205,10 +208,12 @@ def _read_yaml(path: str, text: str) -> tuple[str, Given, Any, Any]:
             f"{path}:{line}: format: '{shown(given)}' cannot be read, must be '{FORMAT}'"
         )
     for key, (line, value) in data.items():
-        if key not in ("format", "title", "input", "defaults", "runs"):
-            raise unknown(path, line, "key", key, ("format", "title", "input", "defaults", "runs"))
+        if key not in TOP:
+            raise unknown(path, line, "key", key, TOP)
         if key in ("title", "input") and not isinstance(value, (str, type(None))):
             raise refused(path, line, key, value, "text")
+        if key == "order" and value not in ORDERS:
+            raise refused(path, line, key, value, " or ".join(ORDERS))
         if key == "defaults" and not isinstance(value, (dict, type(None))):
             raise refused(path, line, key, value, "keys with values")
     line, runs = data.get("runs", (1, None))
@@ -222,13 +227,14 @@ def _read_yaml(path: str, text: str) -> tuple[str, Given, Any, Any]:
     absent = Given(1, None)
     return (
         data.get("title", absent).value or "",
+        data.get("order", absent).value == "plan",
         data.get("input", absent),
         data.get("defaults", absent).value or {},
         runs,
     )
 
 
-def _read_csv(path: str, text: str) -> tuple[str, Given, Any, Any]:
+def _read_csv(path: str, text: str) -> tuple[str, bool, Given, Any, Any]:
     cells = [
         (number, [cell.strip() for cell in next(csv.reader([line]))])
         for number, line in enumerate(text.splitlines(), 1)
@@ -256,7 +262,7 @@ def _read_csv(path: str, text: str) -> tuple[str, Given, Any, Any]:
                 },
             )
         )
-    return "", Given(1, None), {}, entries
+    return "", False, Given(1, None), {}, entries
 
 
 def read(path: str) -> Plan:
@@ -272,7 +278,7 @@ def read(path: str) -> Plan:
         raise PlanError(f"{path}: is empty")
     reader = _read_csv if path.endswith(".csv") else _read_yaml
     try:
-        title, (script_line, script), given, entries = reader(path, text)
+        title, in_order, (script_line, script), given, entries = reader(path, text)
     except csv.Error as error:
         raise PlanError(f"{path}: not CSV: {error}") from None
     # as the plan says it: the record of a run keeps it, and a checkout may stand elsewhere next
@@ -319,4 +325,4 @@ def read(path: str) -> Plan:
             )
         seen[name] = number
         runs.append(Run(name, values, program))
-    return Plan(path, title, runs)
+    return Plan(path, title, runs, in_order)

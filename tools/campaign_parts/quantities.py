@@ -126,7 +126,7 @@ class Run:
             if v["eta"] == 0
             else size**2 * (v["rho"] / v["eta"]) / (base["rho"] / base["eta"])
         )
-        if re.search(r"^c\b(?!.*\bviscosity\b)|\bviscosity both\b", v["laws"]):
+        if re.search(r"^[cd]\b(?!.*\bviscosity\b)|\bviscosity both\b", v["laws"]):
             viscous *= 0.8  # slip damps rotation: 5.772e-5 ns where it else is 8.92e-5, doc/laws.md
         dt = 5e-5 * min(1.0, sound, viscous)
         unit = 10.0 ** (math.floor(math.log10(dt)) - 1)

@@ -276,9 +276,11 @@ class Campaign:
         launcher: Iterable[str] = (),
         retry: bool = False,
         say: Callable[[str], object] = print,
+        in_order: bool = False,
     ) -> None:
         self.top = top
         self.folders = [folders.RunFolder(top, run) for run in runs]
+        self.in_order = in_order
         self.jobs, self.launcher, self.retry, self.say = jobs, list(launcher), retry, say
         self.rank, self.size = place()
         self.active: list[Attempt] = []
@@ -320,8 +322,8 @@ class Campaign:
         return self._states()
 
     def _work_through(self) -> None:
-        # the longest first, so that the end is not one long run alone
-        waiting = sorted(self.folders, key=lambda f: -f.run.work)
+        # mostly the longest first, so that the end is not one long run alone
+        waiting = sorted(self.folders, key=lambda f: 0 if self.in_order else -f.run.work)
         tried: set[str] = set()
         while True:
             self._collect()

@@ -60,13 +60,13 @@ def test_units_without_conversion(tmp_path, units):
     )
 
 
-@pytest.mark.parametrize("words", ["", "temperature 292", "temperature 873.1"])
+@pytest.mark.parametrize("words", ["", "temperature 292", "temperature 1073.1"])
 def test_temperature_that_the_file_has_not(tmp_path, words):
     fails(
         SAMPLE + f"pair_style mca\npair_coeff * * rail_steel.mca {words}\n",
         tmp_path,
         "keyword temperature is",
-        "allowed with rail_steel.mca: 293 to 873",
+        "allowed with rail_steel.mca: 293 to 1073",
     )
 
 

@@ -53,6 +53,19 @@ def test_run_leaves_finished_logs_and_the_exact_commands(plan, tmp_path):
     }
 
 
+@pytest.mark.parametrize(
+    "order, found", [("", "acb"), ("order: cost\n", "acb"), ("order: plan\n", "abc")]
+)
+def test_order_of_the_runs(order, found, tmp_path):
+    """The costly ones first, or as the plan says."""
+    path = tmp_path / "plan.yaml"
+    path.write_text(
+        HEAD + order + "runs: [{name: a, ns: 2}, {name: b, ns: 0.5}, {name: c, ns: 1}]\n"
+    )
+    result = campaign("run", path, "-o", tmp_path / "out", "-j", 1)
+    assert "".join(re.findall(r"^(\w): finished", result.stdout, re.MULTILINE)) == found
+
+
 def test_output_that_nobody_takes(plan, tmp_path):
     """`campaign run ... | head -1` does not end as if all was done, leaves no lmp, and goes on."""
     out = tmp_path / "out"

@@ -144,6 +144,12 @@ def test_plan_without_a_title_and_with_a_date_for_one(tmp_path):
         assert [run.values["p"] for run in plan.runs] == [1, 15.0, 0.5]
 
 
+def test_order_is_known(tmp_path):
+    path = tmp_path / "plan.yaml"
+    path.write_text(HEAD + "order: seed\nruns: [{p: 1}]\n")
+    one_line(campaign("list", path), 3, ":2: order: 'seed' is not allowed, must be cost or plan")
+
+
 def test_step_follows_the_material():
     def dt(**values):
         return plans.Run(
@@ -151,7 +157,7 @@ def test_step_follows_the_material():
         ).dt
 
     assert dt(E=4 * 206000) == 2.5e-5  # half the time of sound
-    assert dt() == dt(laws="c weld 0.7") == 4e-5  # slip is damped, too
+    assert dt() == dt(laws="c weld 0.7") == dt(laws="d") == 4e-5  # slip is damped, too
     assert dt(rho=4 * 7800) == 5e-5  # never longer
     assert dt(eta=0.82) == 2e-5  # half the viscous time
     assert dt(laws="b") == 5e-5 and dt(laws="b", eta=0.82) == 2.5e-5
@@ -173,6 +179,7 @@ SHIPPED = {
     "convergence": 36,
     "own-material": 10,
     "temperature": 15,
+    "rail": 84,
     "space": 16,
     "preset-b": 33,
     "laws": 152,
@@ -204,6 +211,23 @@ def test_work_counts_the_automata():
     automata = int(re.search(r"steps with (\d+) atoms", log).group(1))
     assert space.work == automata * space.steps and space.variables()["depth"] == "8"
     assert plane.work == 40 * 14 * plane.steps and "depth" not in plane.variables()
+
+
+def test_rail_goes_from_one_seed_to_the_next():
+    """All conditions with the first seed, then all with the second; columns by p/sigma_0."""
+    plan = plans.read(plans.find("rail"))
+    assert plan.in_order
+    halves = [plan.runs[: len(plan.runs) // 2], plan.runs[len(plan.runs) // 2 :]]
+    for seed, runs in enumerate(halves, 1):
+        assert {run.values["seed"] for run in runs} == {seed}
+    same = [[{**run.values, "seed": 0} for run in runs] for runs in halves]
+    assert same[0] == same[1]
+    for run in plan.runs:
+        assert run.values["v"] * run.values["ns"] == 400, run.name
+        ratio = run.values["p"] / run.values["strength"]
+        if not run.name.startswith("columns"):
+            wanted = 160 if ratio < 0.0995 else 80 if ratio < 0.5 else 40
+            assert run.values["columns"] == wanted, run.name
 
 
 ALUMINIUM = (ROOT / "examples" / "campaign" / "aluminium.mca").read_text()
@@ -294,11 +318,16 @@ def test_bad_temperatures(text, run, part, tmp_path):
 
 def test_rail_steel_is_the_same_for_plan_and_plugin():
     """potentials/rail_steel.mca at its temperatures: the factors of EN 1993-1-2."""
-    found = [plans.material.read(str(ROOT / "potentials/rail_steel.mca"), t) for t in (293, 773)]
+    found = [
+        plans.material.read(str(ROOT / "potentials/rail_steel.mca"), t) for t in (293, 773, 1073)
+    ]
     assert found[0]["strength"] == 900 and found[0]["E"] == 206000
     assert found[1]["E"] == pytest.approx(0.6 * 206000)
     assert found[1]["strength"] * found[1]["yield_strength"] == pytest.approx(0.78 * 720)
     assert found[1]["strength"] * found[1]["elastic_limit"] == pytest.approx(0.36 * 720, rel=1e-4)
+    assert found[2]["E"] == pytest.approx(0.09 * 206000)
+    assert found[2]["strength"] * found[2]["yield_strength"] == pytest.approx(0.11 * 720)
+    assert found[2]["strength"] * found[2]["elastic_limit"] == pytest.approx(0.05 * 720, rel=1e-4)
 
 
 def test_steel_is_the_default(tmp_path):
