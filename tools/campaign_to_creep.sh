@@ -10,7 +10,7 @@ Usage: campaign_to_creep.sh CAMPAIGN... [-o DIR] [--case CASE.yaml] [--start NS]
 
 CAMPAIGN are friction logs (*.friction), folders with them, as tools/campaign run leaves them, or
 archives of them (*.tar.xz), as tools/campaign pack does. Then
-  1. wr_fit    the law of Eq. 2 with its covariance        DIR/law.json, points.csv, fit.png
+  1. wr_fit    the law of Eq. 2 with its covariance        DIR/law.json, runs.csv, fit.png
   2. wr_creep  the case with this law and its uncertainty  DIR/creep.csv, creep_band.csv, ...
                and with the paper's law for comparison     DIR/paper/creep.csv, ...
   3. a picture of both, with the 95 % band of the law      DIR/creep.png
@@ -72,10 +72,10 @@ done
 [ ${#campaigns[@]} -gt 0 ] || die 2 "a folder or an archive with friction logs is needed; see --help"
 mkdir -p "$results" || exit 5
 
-fit() { # LOGS AND OPTIONS: the law and its points
-  "$build/bin/wr_fit" "$@" -o "$results/law.json" --points "$results/points.csv"
+fit() { # LOGS AND OPTIONS: the law and its runs
+  "$build/bin/wr_fit" "$@" -o "$results/law.json" --runs "$results/runs.csv"
 }
-# with too few points wr_fit writes a report without a law
+# with too few conditions wr_fit writes a report without a law
 has_law() { grep -q '"mu0"' "$results/law.json"; }
 
 # What an earlier call made of another law: pictures, and what the summaries of wr_creep name.
@@ -106,7 +106,7 @@ fit "${campaigns[@]}" "${fit_options[@]}" || code=$?
 case $code in 0 | 4) drop_former ;; esac # there is another law.json
 [ $code -eq 0 ] || { [ $code -eq 4 ] && $or_shipped; } || exit $code
 if ! has_law; then
-  $or_shipped || die 4 "${campaigns[*]}: too few points for a law; see $results/law.json"
+  $or_shipped || die 4 "${campaigns[*]}: too few conditions for a law; see $results/law.json"
   shipped=$root/examples/campaign/logs
   echo "These logs do not give a law: the law of the shipped runs is taken ($shipped)"
   # their mu rises with velocity and has no term of pressure

@@ -3,10 +3,10 @@
 """Friction coefficient against time with its running mean, from friction logs (*.friction).
 
     plot_friction.py run.friction -o friction.png
-    plot_friction.py a.friction b.friction --window 5 --points points.csv -o both.png
+    plot_friction.py a.friction b.friction --window 5 --runs runs.csv -o both.png
 
 Grey: the rows of the log. Coloured: mean over a window centred on each row. Dashed: what wr_fit
-took for the stationary part (with --points). Exit codes: 0 ok, 1 no matplotlib, 2 usage,
+took for the stationary part (with --runs). Exit codes: 0 ok, 1 no matplotlib, 2 usage,
 3 bad input file, 5 the picture cannot be written.
 """
 
@@ -48,8 +48,8 @@ def running_mean(values: list[float], half: int) -> list[float]:
     return result
 
 
-def read_points(path: str) -> dict[str, Any]:
-    """file name -> (mu, t_start) of wr_fit's points.csv."""
+def read_runs(path: str) -> dict[str, Any]:
+    """file name -> (mu, t_start) of wr_fit's runs.csv."""
 
     def means_of(rows: list[tables.Row]) -> dict[str, Any]:
         return {
@@ -60,7 +60,7 @@ def read_points(path: str) -> dict[str, Any]:
             for row in rows
         }
 
-    return tables.read(path, "wr_fit's points.csv", means_of)
+    return tables.read(path, "wr_fit's runs.csv", means_of)
 
 
 def main() -> None:
@@ -74,15 +74,16 @@ def main() -> None:
         help="width of the running mean [a tenth of the log]",
     )
     parser.add_argument(
-        "--points",
+        "--runs",
+        "--points",  # its older name
         type=file_name,
         metavar="CSV",
-        help="wr_fit's points.csv: shows the stationary means",
+        help="wr_fit's runs.csv: shows the stationary means",
     )
     given = parser.parse_args()
-    check_apart([*given.logs, *filter(None, [given.points])], [given.output])
+    check_apart([*given.logs, *filter(None, [given.runs])], [given.output])
     logs = [read_log(path) for path in given.logs]
-    points = read_points(given.points) if given.points else {}
+    runs = read_runs(given.runs) if given.runs else {}
     figure, axes = plotting.pyplot().subplots(figsize=(8, 4.5), constrained_layout=True)
     top = 0.0
     for number, (path, (label, times, values)) in enumerate(zip(given.logs, logs)):
@@ -106,8 +107,8 @@ def main() -> None:
             lw=2,
             label=f"running mean over {window:.3g} ns" + ("" if single else f": {label}"),
         )
-        if os.path.realpath(path) in points:
-            mu, start = points[os.path.realpath(path)]
+        if os.path.realpath(path) in runs:
+            mu, start = runs[os.path.realpath(path)]
             if math.isfinite(start):
                 axes.plot(
                     [start, times[-1]],

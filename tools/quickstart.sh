@@ -48,12 +48,12 @@ chain() {
   mpirun -np "$np" "$build/bin/lmp" -in "$root/examples/friction/in.friction" -log friction.log \
     -var ns "$ns" -var seed "$seed" -var frames 25000
   say "2/4 friction coefficient from the log"
-  "$build/bin/wr_fit" friction.friction -o friction.json --points points.csv
+  "$build/bin/wr_fit" friction.friction -o friction.json --runs runs.csv
   say "3/4 law and creep curves (tools/campaign_to_creep.sh, examples/wheelrail/table2.yaml)"
   "$root/tools/campaign_to_creep.sh" friction.friction --or-shipped -o creep
   say "4/4 pictures"
   "$root/tools/plot_fragment.py" friction.dump -o fragment.png
-  "$root/tools/plot_friction.py" friction.friction --points points.csv -o friction.png
+  "$root/tools/plot_friction.py" friction.friction --runs runs.csv -o friction.png
 }
 
 column() { # FILE NAME: that column of the first row of a CSV file
@@ -64,10 +64,10 @@ summary() {
   say "done in $SECONDS s"
   cat <<END_OF_SUMMARY
 Two rough steel blocks, p = 15 MPa, v = 5 m/s, strength 92 MPa, $ns ns:
-  mu = $(column points.csv mu) +- $(column points.csv mu_se) (the paper's law: $(column points.csv mu_eq2)) \
-at kappa1 = $(column points.csv kappa1), kappa2 = $(column points.csv kappa2)
+  mu = $(column runs.csv mu) +- $(column runs.csv mu_se) (the paper's law: $(column runs.csv mu_eq2)) \
+at kappa1 = $(column runs.csv kappa1), kappa2 = $(column runs.csv kappa2)
   friction log    $results/friction.friction
-  fit             $results/friction.json, points.csv
+  fit             $results/friction.json, runs.csv
   pictures        $results/fragment.png, friction.png
 Creep curves of Table 2's contact at 10, 20 and 40 m/s, with the law of the shipped runs (one run
 gives none) and with the paper's; wr_creep's warnings above say how far from its fit each is used:
@@ -84,8 +84,8 @@ END_OF_SUMMARY
   [ -w "$results" ] || die 5 "cannot write the results folder '$results'"
   cd "$results" || exit 5
   # a failed step must not leave an older run's files
-  rm -f -- friction.friction friction.dump friction.log friction.restart friction.json points.csv \
-    fragment.png friction.png creep/{law.json,points.csv,fit.png,creep.png} \
+  rm -f -- friction.friction friction.dump friction.log friction.restart friction.json runs.csv \
+    fragment.png friction.png creep/{law.json,runs.csv,fit.png,creep.png} \
     creep/{.,paper}/{creep.csv,creep.json,creep_band.csv,contact.csv,summary.json}
   chain
   summary

@@ -10,7 +10,7 @@
 #include "fit/fit_report.h"
 #include "fit/found_logs.h"
 #include "fit/plot_script.h"
-#include "fit/point_columns.h"
+#include "fit/run_columns.h"
 #include "law/law_checksum.h"
 #include "shared/output_file.h"
 
@@ -29,8 +29,8 @@ constexpr const char *examples = R"(
 Examples:
   wr_fit run.friction
       the friction coefficient of one run, beside Eq. 2 (one log is no law: exit code 0)
-  wr_fit campaign/ -o law.json --points points.csv --plot fit.png
-      all *.friction below a folder: points, fitted law, Figs. 7 and 8
+  wr_fit campaign/ -o law.json --runs runs.csv --plot fit.png
+      all *.friction below a folder: runs, fitted law, Figs. 7 and 8
   wr_fit paper36.tar.xz --model velocity -o law.json
       all *.friction of an archive of tools/campaign pack; no pressure term
   wr_fit campaign/ --model eq4 -o static.json
@@ -38,16 +38,16 @@ Examples:
   wr_fit run.friction --start 40 --grinding-in 100
       average from 40 ns on; grinding-in over the first 100 ns
 
-Exit codes: 0 ok (too few points for a law included), 1 internal, 2 usage, 3 bad input file,
-4 enough points, but they do not determine the law (points and report are written),
+Exit codes: 0 ok (too few conditions for a law included), 1 internal, 2 usage, 3 bad input file,
+4 enough conditions, but they do not determine the law (runs and report are written),
 5 a file cannot be written.
 )";
 
 struct Settings {
   std::vector<std::string> logs;
-  std::string json, points, plot;
+  std::string json, runs, plot;
   std::string model = nameOf(LawModel::Full);
-  PointOptions point;
+  AveragingOptions averaging;
   FitOptions fit;
   bool quiet = false;
 };
@@ -94,10 +94,10 @@ void defineOptions(CLI::App &app, Settings &settings)
                  "JSON: the law file with the report; only the report when no law is fitted")
       ->check(nameOption())
       ->type_name("FILE");
-  app.add_option("--points", settings.points, "CSV: one row a run")
+  app.add_option("--runs,--points", settings.runs, "CSV: one row a run; --points is its older name")
       ->check(nameOption())
       ->type_name("FILE");
-  app.add_option("--plot", settings.plot, "PNG: Figs. 7 and 8 with these points (matplotlib)")
+  app.add_option("--plot", settings.plot, "PNG: Figs. 7 and 8 with these runs (matplotlib)")
       ->check(nameOption())
       ->type_name("FILE");
   std::vector<std::string> models;
@@ -111,10 +111,10 @@ void defineOptions(CLI::App &app, Settings &settings)
       ->capture_default_str();
   app.add_option("--kappa3", settings.fit.kappa3,
                  "with a power of kappa3: E/sigma_0 of the material that the law file is for "
-                 "[geometric mean of the points]")
+                 "[geometric mean of the conditions]")
       ->check(number("> 0", isPositive))
       ->type_name("NUMBER");
-  app.add_option("--kappa2-min", settings.fit.kappa2Min, "leave out points with a smaller kappa2")
+  app.add_option("--kappa2-min", settings.fit.kappa2Min, "leave out runs with a smaller kappa2")
       ->check(number(">= 0", isNotNegative))
       ->type_name("NUMBER")
       ->capture_default_str();
@@ -123,16 +123,16 @@ void defineOptions(CLI::App &app, Settings &settings)
       ->type_name("NUMBER")
       ->capture_default_str();
   app.add_flag("--include-drifting", settings.fit.includeDrifting,
-               "fit points without a stationary part too (mean of their second half)");
-  app.add_option("--start", settings.point.start,
+               "fit runs without a stationary part too (mean of their second half)");
+  app.add_option("--start", settings.averaging.start,
                  "average from this time on (ns) instead of looking for the stationary part")
       ->check(number(">= 0 (ns)", isNotNegative))
       ->type_name("NUMBER");
-  app.add_option("--start-distance", settings.point.startDistance,
+  app.add_option("--start-distance", settings.averaging.startDistance,
                  "the same as a distance of sliding (nm); with --start, the later of both")
       ->check(number(">= 0 (nm)", isNotNegative))
       ->type_name("NUMBER");
-  app.add_option("--grinding-in", settings.point.grindingIn,
+  app.add_option("--grinding-in", settings.averaging.grindingIn,
                  "end of the grinding-in (ns) [start of the stationary part, at most 100]")
       ->check(number("> 0 (ns)", isPositive))
       ->type_name("NUMBER");
@@ -140,17 +140,17 @@ void defineOptions(CLI::App &app, Settings &settings)
 }
 
 /// Reads all logs; all that is wrong with them is reported together, the last by the exception.
-std::vector<FrictionPoint> readPoints(const std::vector<FoundLog> &logs,
-                                      const PointOptions &options)
+std::vector<FrictionRun> readRuns(const std::vector<FoundLog> &logs,
+                                  const AveragingOptions &options)
 {
-  std::vector<FrictionPoint> points;
+  std::vector<FrictionRun> runs;
   std::vector<Error> problems;
   for (const auto &found : logs) {
     try {
       const auto log = found.read();
       if (!log.note.empty())
         complain(programName, log.note);
-      points.push_back(frictionPoint(log, options));
+      runs.push_back(frictionRun(log, options));
     } catch (const Error &error) {
       if (error.code() != ExitCode::BadInput)
         throw;
@@ -158,7 +158,7 @@ std::vector<FrictionPoint> readPoints(const std::vector<FoundLog> &logs,
     }
   }
   if (problems.empty())
-    return points;
+    return runs;
   for (std::size_t k = 0; k + 1 < problems.size(); ++k)
     complain(programName, problems[k].what());
   throw Error(problems.back());
@@ -188,12 +188,12 @@ int run(const Settings &settings)
     files.push_back(log.onDisk());
   std::vector<RequestedOutput> outputs;
   for (const auto &[option, path] : std::vector<RequestedOutput>{
-           {"-o", settings.json}, {"--points", settings.points}, {"--plot", settings.plot}})
+           {"-o", settings.json}, {"--runs", settings.runs}, {"--plot", settings.plot}})
     if (!path.empty())
       outputs.push_back({option, path});
   checkOutputs(outputs, files);
 
-  const auto analysis = analysePoints(readPoints(logs, settings.point), settings.fit);
+  const auto analysis = analyseRuns(readRuns(logs, settings.averaging), settings.fit);
   if (!analysis.mixture.empty())
     complain(programName, "warning: " + analysis.mixture);
   const auto json = withChecksum(jsonText("report", jsonReport(analysis)));
@@ -201,8 +201,8 @@ int run(const Settings &settings)
   std::string noPicture;
   if (!settings.plot.empty())
     noPicture = addPicture(settings.plot, json, results);
-  if (!settings.points.empty())
-    results.add(settings.points, pointsAsCsv(analysis.points));
+  if (!settings.runs.empty())
+    results.add(settings.runs, runsAsCsv(analysis.runs));
   if (!settings.json.empty())
     results.add(settings.json, json);
   results.commit();

@@ -3,7 +3,7 @@
 #include "base/errors.h"
 #include "fit/found_logs.h"
 #include "fit/friction_log.h"
-#include "fit/friction_point.h"
+#include "fit/friction_run.h"
 #include "fit/replicates.h"
 #include "shared/friction_log_format.h"
 #include "shared/running_checksum.h"
@@ -307,33 +307,33 @@ TEST(FrictionLog, foldersAreSearchedAndNothingCountsTwice)
   EXPECT_EQ(findFrictionLogs({(folder / "empty").string()}).size(), 1u);
 }
 
-TEST(FrictionPoint, grindingInIsWhatComesBeforeTheStationaryPart)
+TEST(FrictionRun, grindingInIsWhatComesBeforeTheStationaryPart)
 {
   std::string text = head + columns;
   for (int i = 1; i <= 1000; ++i) // 50 ns; the first 10 ns at 0.8
     text +=
         row(i, (i <= 200 ? 0.8 : 0.4) + 0.01 * std::sin(1.7 * i) + 0.01 * std::sin(0.9 * i * i));
   const auto log = readFrictionLog(write(text));
-  const auto point = frictionPoint(log, {});
-  EXPECT_TRUE(point.stationary());
-  EXPECT_NEAR(point.tStart, 10.0, 0.5);
-  EXPECT_NEAR(point.mu, 0.4, 0.003);
-  EXPECT_NEAR(point.muGrindingIn, 0.8, 0.01);
-  EXPECT_NEAR(point.muEq2, 0.441758, 1e-6);
-  PointOptions fixed;
+  const auto run = frictionRun(log, {});
+  EXPECT_TRUE(run.stationary());
+  EXPECT_NEAR(run.tStart, 10.0, 0.5);
+  EXPECT_NEAR(run.mu, 0.4, 0.003);
+  EXPECT_NEAR(run.muGrindingIn, 0.8, 0.01);
+  EXPECT_NEAR(run.muEq2, 0.441758, 1e-6);
+  AveragingOptions fixed;
   fixed.start = 0.0;
   fixed.grindingIn = 20.0;
-  const auto all = frictionPoint(log, fixed);
+  const auto all = frictionRun(log, fixed);
   EXPECT_NEAR(all.mu, 0.48, 0.003);
   EXPECT_NEAR(all.muGrindingIn, 0.6, 0.003);
   fixed.start = 60.0;
-  EXPECT_THROW(frictionPoint(log, fixed), Error);
+  EXPECT_THROW(frictionRun(log, fixed), Error);
 }
 
-TEST(FrictionPoint, copiesOfARunAreToldFromOtherRuns)
+TEST(FrictionRun, copiesOfARunAreToldFromOtherRuns)
 {
   // rows are means over `rows` rows of the run, written with seven digits
-  const auto point = [](int rows, int count, double other = 0.0) {
+  const auto runOf = [](int rows, int count, double other = 0.0) {
     std::string text = head + columns;
     for (int i = 1; i <= count; ++i) {
       double sum = 0.0;
@@ -342,17 +342,17 @@ TEST(FrictionPoint, copiesOfARunAreToldFromOtherRuns)
       text += fmt::format("{} {:.10g} 1 {:.7g} 15 {:.7g} 3456 2 1 0\n", 1000 * rows * i,
                           0.05 * rows * i, 15 * (sum / rows + other), sum / rows + other);
     }
-    return frictionPoint(readFrictionLog(write(text)), {});
+    return frictionRun(readFrictionLog(write(text)), {});
   };
-  const auto run = point(1, 300);
-  for (const auto &copy : {run, point(1, 200), point(4, 75), point(4, 20), point(3, 150)}) {
+  const auto run = runOf(1, 300);
+  for (const auto &copy : {run, runOf(1, 200), runOf(4, 75), runOf(4, 20), runOf(3, 150)}) {
     EXPECT_TRUE(sameRun(run, copy));
     EXPECT_TRUE(sameRun(copy, run));
   }
-  EXPECT_TRUE(sameRun(point(4, 60), point(6, 60)));
-  EXPECT_FALSE(sameRun(run, point(1, 300, 1e-5)));
-  EXPECT_FALSE(sameRun(run, point(4, 75, 1e-5)));
-  EXPECT_FALSE(sameRun(point(1, 3), point(4, 75))); // no row in common
+  EXPECT_TRUE(sameRun(runOf(4, 60), runOf(6, 60)));
+  EXPECT_FALSE(sameRun(run, runOf(1, 300, 1e-5)));
+  EXPECT_FALSE(sameRun(run, runOf(4, 75, 1e-5)));
+  EXPECT_FALSE(sameRun(runOf(1, 3), runOf(4, 75))); // no row in common
   auto another = run;
   another.head.seed = 8; // whose rough line gave the same blocks
   EXPECT_TRUE(sameRun(run, another));
@@ -362,17 +362,17 @@ TEST(FrictionPoint, copiesOfARunAreToldFromOtherRuns)
 
 TEST(Replicates, runsOfEqualKappasAreGrouped)
 {
-  std::vector<FrictionPoint> points(6);
+  std::vector<FrictionRun> runs(6);
   const double kappa1[] = {4.7, 1.0, 4.7001, 4.7, 4.7, 4.7};
   const double mu[] = {0.40, 0.3, 0.42, 0.44, 0.9, 0.9};
   for (int i = 0; i < 6; ++i) {
-    points[i].kappa1 = kappa1[i];
-    points[i].kappa2 = i == 4 ? 30.0 : 365.0;
-    points[i].mu = mu[i];
-    points[i].muSe = 0.01 * (i + 1);
+    runs[i].kappa1 = kappa1[i];
+    runs[i].kappa2 = i == 4 ? 30.0 : 365.0;
+    runs[i].mu = mu[i];
+    runs[i].muSe = 0.01 * (i + 1);
   }
-  points[5].leftOut = "no stationary part";
-  const auto groups = replicateGroups(points);
+  runs[5].leftOut = "no stationary part";
+  const auto groups = replicateGroups(runs);
   ASSERT_EQ(groups.size(), 1u);
   EXPECT_EQ(groups[0].n, 3);
   EXPECT_DOUBLE_EQ(groups[0].mu, 0.42);

@@ -177,7 +177,7 @@ def test_chain_from_campaign_to_creep(tmp_path):
     )
     assert done.returncode == 4
     left = {path.name for path in (tmp_path / "out").iterdir()}
-    assert left == {"law.json", "points.csv", "notes.txt", "paper"}
+    assert left == {"law.json", "runs.csv", "notes.txt", "paper"}
     assert not list((tmp_path / "out/paper").iterdir())
     done = subprocess.run(
         [SOURCE / "tools/campaign_to_creep.sh", tmp_path / "none", "-o", tmp_path / "out2"],

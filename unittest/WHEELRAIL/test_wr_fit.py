@@ -24,7 +24,7 @@ TOOLS = pathlib.Path(os.environ["PROJECT_SOURCE"]) / "tools"
 PNG = b"\x89PNG\r\n\x1a\n"
 
 
-def read_points(path):
+def read_runs(path):
     lines = path.read_text().splitlines()
     assert lines[0].startswith("#")
     assert lines[1] == (
@@ -48,16 +48,16 @@ def log(tmp_path):
 
 
 def test_single_log_is_a_success(log, tmp_path):
-    result = wr_fit(log, "-o", tmp_path / "fit.json", "--points", tmp_path / "points.csv")
+    result = wr_fit(log, "-o", tmp_path / "fit.json", "--runs", tmp_path / "runs.csv")
     assert result.returncode == 0 and result.stderr == ""
     assert (
-        "No law fitted: 1 point for the 5 parameters of eq2, at least 6 are needed."
+        "No law fitted: 1 condition for the 5 parameters of eq2, at least 6 are needed."
         in result.stdout
     )
     data = json.loads((tmp_path / "fit.json").read_text())
     assert data["format"] == "mca-friction-report 1" and "mu0" not in data
     point = data["report"]["points"][0]
-    row = read_points(tmp_path / "points.csv")[0]
+    row = read_runs(tmp_path / "runs.csv")[0]
     kappa1, kappa2 = friction_logs.kappas(15, 5, 92)
     assert math.isclose(point["kappa1"], kappa1, rel_tol=1e-12)
     assert math.isclose(point["kappa2"], kappa2, rel_tol=1e-12)
@@ -72,11 +72,11 @@ def test_single_log_is_a_success(log, tmp_path):
 
 
 def test_campaign_gives_a_law(runs, tmp_path):
-    result = wr_fit(runs, "-o", tmp_path / "law.json", "--points", tmp_path / "points.csv")
+    result = wr_fit(runs, "-o", tmp_path / "law.json", "--runs", tmp_path / "runs.csv")
     assert result.returncode == 0, result.stderr
     law = json.loads((tmp_path / "law.json").read_text())
     assert law["format"] == "mca-friction-law 1" and law["n"] == 36
-    assert len(read_points(tmp_path / "points.csv")) == 36
+    assert len(read_runs(tmp_path / "runs.csv")) == 36
     assert 0.02 < law["rms_relative"] < 0.08
     truth = {"mu0": 0.15, "mu1": 0.0442, "mu2": 0.3243, "b": 0.195, "c": 0.00212}
     for name, entry in law["report"]["fit"]["parameters"].items():
@@ -103,10 +103,10 @@ def test_low_pressure_is_left_out(tmp_path):
 
 def test_drift_is_said_and_left_out(tmp_path):
     (tmp_path / "short.friction").write_text(friction_logs.friction_log(ns=1.5))
-    result = wr_fit(tmp_path, "--points", tmp_path / "points.csv")
+    result = wr_fit(tmp_path, "--runs", tmp_path / "runs.csv")
     assert result.returncode == 0
     assert "no stationary part: the log is too short" in result.stdout
-    assert math.isnan(float(read_points(tmp_path / "points.csv")[0]["t_start"]))
+    assert math.isnan(float(read_runs(tmp_path / "runs.csv")[0]["t_start"]))
     assert "left out" not in wr_fit(tmp_path, "--include-drifting").stdout
 
 
@@ -205,8 +205,8 @@ def test_a_start_beyond_the_end_is_named_in_its_unit(log):
 
 
 def test_start_and_grinding_in_can_be_given(log, tmp_path):
-    wr_fit(log, "--start", 10, "--grinding-in", 5, "--points", tmp_path / "points.csv")
-    assert float(read_points(tmp_path / "points.csv")[0]["t_start"]) == 10
+    wr_fit(log, "--start", 10, "--grinding-in", 5, "--runs", tmp_path / "runs.csv")
+    assert float(read_runs(tmp_path / "runs.csv")[0]["t_start"]) == 10
     one_line(wr_fit(log, "--start", 30), 3, "the log ends at 20 ns, before the start of 30 ns")
 
 
@@ -214,11 +214,11 @@ def test_start_and_grinding_in_can_be_given(log, tmp_path):
 def test_start_can_be_a_distance(log, tmp_path, start, begin):
     """60 nm at 5 m/s, or a later time."""
     more = [] if start is None else ["--start", start]
-    points = tmp_path / "points.csv"
-    assert wr_fit(log, "--start-distance", 60, *more, "--points", points).returncode == 0
-    (of_distance,) = read_points(points)
-    wr_fit(log, "--start", begin, "--points", points)
-    assert of_distance == read_points(points)[0] and float(of_distance["t_start"]) == begin
+    table = tmp_path / "runs.csv"
+    assert wr_fit(log, "--start-distance", 60, *more, "--runs", table).returncode == 0
+    (of_distance,) = read_runs(table)
+    wr_fit(log, "--start", begin, "--runs", table)
+    assert of_distance == read_runs(table)[0] and float(of_distance["t_start"]) == begin
     one_line(
         wr_fit(log, "--start-distance", 150, *more),
         3,
@@ -238,8 +238,8 @@ def test_outlier_is_reported(tmp_path):
     assert [report["points"][k]["file"].split("/")[-2] for k in outlier["runs"]] == ["run15"]
 
 
-def test_replicas_are_one_point_of_the_fit(tmp_path):
-    """Three seeds of each condition, 10 % apart: one point each, whose error holds that."""
+def test_replicas_count_once_in_the_fit(tmp_path):
+    """Three seeds of each condition, 10 % apart: one mean each, whose error holds that."""
     number = 0
     for v in (0.5, 2.5, 5, 10):
         for strength, p in ((92, 1), (92, 15), (200, 15)):
@@ -306,9 +306,9 @@ def test_one_speed_is_not_identifiable(tmp_path):
         velocities=(5,),
         strengths_and_pressures=[(92, p) for p in (0.2, 1, 3, 8, 15, 20, 26, 40)],
     )
-    result = wr_fit(runs, "-o", tmp_path / "law.json", "--points", tmp_path / "points.csv")
+    result = wr_fit(runs, "-o", tmp_path / "law.json", "--runs", tmp_path / "runs.csv")
     one_line(result, 4, "only 1 different kappa1", "at least 3 are needed")
-    assert len(read_points(tmp_path / "points.csv")) == 8
+    assert len(read_runs(tmp_path / "runs.csv")) == 8
     assert json.loads((tmp_path / "law.json").read_text())["format"] == "mca-friction-report 1"
     assert wr_fit(runs, "--model", "eq4", "-o", tmp_path / "law.json").returncode == 0
     law = json.loads((tmp_path / "law.json").read_text())
@@ -341,11 +341,11 @@ def test_power_of_kappa3(tmp_path):
         tmp_path / "law.json",
         "--plot",
         tmp_path / "fit.png",
-        "--points",
-        tmp_path / "points.csv",
+        "--runs",
+        tmp_path / "runs.csv",
     )
     assert result.returncode == 0, result.stderr
-    assert "] (kappa3/2239)^n, 36 points" in result.stdout
+    assert "] (kappa3/2239)^n, 36 conditions" in result.stdout
     law = json.loads((tmp_path / "law.json").read_text())
     fit = law["report"]["fit"]
     assert law["kappa3"] == 2239 and law["kappa3_range"][0] == pytest.approx(103000 / 200)
@@ -356,7 +356,7 @@ def test_power_of_kappa3(tmp_path):
         assert abs(law[name] - paper) < 4 * fit["parameters"][name]["standard_error"], name
     best = min(law["report"]["models"], key=lambda m: m.get("delta_aicc", math.inf))
     assert best["model"] == "eq2_kappa3"
-    assert float(read_points(tmp_path / "points.csv")[0]["kappa3"]) == pytest.approx(103000 / 92)
+    assert float(read_runs(tmp_path / "runs.csv")[0]["kappa3"]) == pytest.approx(103000 / 92)
     assert (tmp_path / "fit.png").read_bytes()[:4] == b"\x89PNG"
     one_line(wr_fit(tmp_path, "--kappa3", 2239), 2, "--kappa3", "eq2_kappa3")
     one_line(wr_fit(tmp_path, "--model", "eq2_kappa3", "--kappa3", 0), 2, "--kappa3")
@@ -418,7 +418,7 @@ def test_bad_log_is_one_clear_line(log, tmp_path, change, parts):
     log.write_text(change(log.read_text()))
     out = tmp_path / "out"
     out.mkdir()
-    one_line(wr_fit(log, "-o", out / "law.json", "--points", out / "p.csv"), 3, str(log), *parts)
+    one_line(wr_fit(log, "-o", out / "law.json", "--runs", out / "p.csv"), 3, str(log), *parts)
     assert list(out.iterdir()) == []
 
 
@@ -467,7 +467,7 @@ def test_bad_option_is_one_clear_line(log, option, value, allowed):
 
 
 def test_text_report_holds_no_nan(runs, log, tmp_path):
-    """What is no number is "-": errors of 3 rows, AICc of few points, grinding-in before the first
+    """What is no number is "-": errors of 3 rows, AICc of few conditions, grinding-in before the first
     row."""
     few = tmp_path / "few"
     friction_logs.campaign(
@@ -494,14 +494,14 @@ def test_constant_mu_is_stationary(tmp_path):
     assert "drifts" not in text and "left out" not in text and " 0.4418  0.0000 " in text
 
 
-@pytest.mark.parametrize("option", ["-o", "--points", "--plot"])
+@pytest.mark.parametrize("option", ["-o", "--runs", "--plot"])
 def test_unwritable_output(log, tmp_path, option):
     """Nothing else is written then, and nothing printed."""
     blocked = tmp_path / "blocked"
     blocked.write_text("a file, not a folder")
     for target in (tmp_path / "folder" / "x", blocked / "x", tmp_path):
         result = one_line(
-            wr_fit(log, option, target, "--points" if option == "-o" else "-o", tmp_path / "other"),
+            wr_fit(log, option, target, "--runs" if option == "-o" else "-o", tmp_path / "other"),
             5,
             str(target),
         )
@@ -509,7 +509,7 @@ def test_unwritable_output(log, tmp_path, option):
     assert sorted(p.name for p in tmp_path.iterdir()) == ["blocked", "run.friction"]
 
 
-@pytest.mark.parametrize("option", ["-o", "--points", "--plot"])
+@pytest.mark.parametrize("option", ["-o", "--runs", "--plot"])
 def test_outputs_do_not_overwrite_logs_or_each_other(log, tmp_path, option):
     content = log.read_bytes()
     (tmp_path / "link").symlink_to(log)
@@ -518,7 +518,7 @@ def test_outputs_do_not_overwrite_logs_or_each_other(log, tmp_path, option):
             wr_fit(log, option, name), 2, f"{option}: {name} is an input, it would be overwritten"
         )
         one_line(wr_fit(tmp_path, option, name), 2, option)
-    other = "--points" if option == "-o" else "-o"
+    other = "--runs" if option == "-o" else "-o"
     one_line(wr_fit(log, option, "x", other, "./x", cwd=tmp_path), 2, "is also the file of")
     assert log.read_bytes() == content and sorted(p.name for p in tmp_path.iterdir()) == [
         "link",
@@ -527,7 +527,7 @@ def test_outputs_do_not_overwrite_logs_or_each_other(log, tmp_path, option):
 
 
 @pytest.mark.parametrize(
-    "option, start", [("-o", b"{"), ("--points", b"# t_start"), ("--plot", PNG)]
+    "option, start", [("-o", b"{"), ("--runs", b"# t_start"), ("--plot", PNG)]
 )
 def test_a_pipe_is_written_into(log, tmp_path, option, start):
     pipe = tmp_path / "pipe"
@@ -581,7 +581,7 @@ def test_pictures(runs, log, tmp_path):
     assert wr_fit(runs, "-q", "--plot", tmp_path / "fit.png").returncode == 0
     assert (tmp_path / "fit.png").read_bytes().startswith(PNG)
     assert (
-        wr_fit(log, "-q", "--plot", tmp_path / "one.png", "--points", tmp_path / "p.csv").returncode
+        wr_fit(log, "-q", "--plot", tmp_path / "one.png", "--runs", tmp_path / "p.csv").returncode
         == 0
     )
     assert (tmp_path / "one.png").read_bytes().startswith(PNG)
@@ -599,7 +599,7 @@ def test_pictures(runs, log, tmp_path):
             log,
             "-o",
             tmp_path / "mu.png",
-            "--points",
+            "--runs",
             tmp_path / "p.csv",
         ],
         capture_output=True,
@@ -685,7 +685,7 @@ def test_plot_friction_refuses_bad_logs(log, tmp_path):
 
 def test_options_are_documented():
     """Every option is in the documentation, and every documented one exists."""
-    coded = re.findall(r"^  ((?:-\w,)?--[\w-]+)", wr_fit("--help").stdout, re.MULTILINE)
+    coded = re.findall(r"^  ((?:--?[\w-]+,)*--[\w-]+)", wr_fit("--help").stdout, re.MULTILINE)
     page = (TOOLS.parent / "doc" / "wr_fit.md").read_text()
     syntax = page.split("## Examples")[0]
     assert {o for c in coded for o in c.split(",")} == set(re.findall(r"`(--?[\w-]+)`", syntax))
@@ -708,18 +708,18 @@ def test_each_model_prints_its_own_formula(runs, model, formula):
     assert f"Fit of {model}: {formula}" in text
 
 
-def test_points_are_read_by_numpy_with_the_line_of_the_page(log, tmp_path, monkeypatch):
+def test_runs_are_read_by_numpy_with_the_line_of_the_page(log, tmp_path, monkeypatch):
     page = (TOOLS.parent / "doc/wr_fit.md").read_text(encoding="utf-8")
     line = re.search(r"^p = (numpy.*)$", page, re.MULTILINE)[1]
-    wr_fit(log, "--points", tmp_path / "points.csv")
+    wr_fit(log, "--runs", tmp_path / "runs.csv")
     monkeypatch.chdir(tmp_path)
     import numpy
 
-    points = eval(line, {"numpy": numpy})
-    row = read_points(tmp_path / "points.csv")[0]
-    assert set(row) - {"file"} == set(points.dtype.names) - {"file_"}
+    runs = eval(line, {"numpy": numpy})
+    row = read_runs(tmp_path / "runs.csv")[0]
+    assert set(row) - {"file"} == set(runs.dtype.names) - {"file_"}
     for name in ("mu", "poissons_ratio", "breaking_strain", "distance", "gap"):
-        assert float(points[name]) == float(row[name])
+        assert float(runs[name]) == float(row[name])
     assert (row["poissons_ratio"], row["breaking_strain"], row["distance"]) == (
         "0.3",
         "0.04",
@@ -727,10 +727,16 @@ def test_points_are_read_by_numpy_with_the_line_of_the_page(log, tmp_path, monke
     )
 
 
-def test_the_page_names_the_columns_of_points_csv(log, tmp_path):
+def test_the_older_name_of_the_option_writes_the_same_table(log, tmp_path):
+    for option, table in (("--runs", "new.csv"), ("--points", "old.csv")):
+        assert wr_fit(log, option, tmp_path / table).returncode == 0
+    assert (tmp_path / "new.csv").read_bytes() == (tmp_path / "old.csv").read_bytes()
+
+
+def test_the_page_names_the_columns_of_runs_csv(log, tmp_path):
     page = (TOOLS.parent / "doc/wr_fit.md").read_text(encoding="utf-8")
-    start = page.index("`points.csv`: one comment line")
+    start = page.index("`runs.csv`: one comment line")
     text = page[start : page.index("In Python", start)]
     names = [name for code in re.findall(r"`([\w,]+)`", text) for name in code.split(",")]
-    wr_fit(log, "--points", tmp_path / "points.csv")
-    assert list(read_points(tmp_path / "points.csv")[0]) == names
+    wr_fit(log, "--runs", tmp_path / "runs.csv")
+    assert list(read_runs(tmp_path / "runs.csv")[0]) == names

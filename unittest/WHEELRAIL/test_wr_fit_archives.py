@@ -19,11 +19,11 @@ SPEEDS = {"v10": 10.0, "v2": 2.0, "v5": 5.0}  # in order of names
 LOG = friction_logs.friction_log()
 
 
-def points_of(folder, *logs):
-    """The rows of the points of these logs."""
-    done = wr_fit(*logs, "--points", "points.csv", "-q", cwd=folder)
+def rows_of(folder, *logs):
+    """The rows of these logs in the table of runs."""
+    done = wr_fit(*logs, "--runs", "runs.csv", "-q", cwd=folder)
     assert done.returncode == 0, done.stderr
-    return list(csv.DictReader((folder / "points.csv").read_text().splitlines()[1:]))
+    return list(csv.DictReader((folder / "runs.csv").read_text().splitlines()[1:]))
 
 
 @pytest.fixture
@@ -42,7 +42,7 @@ def packed(tmp_path):
 
 
 def test_an_archive_is_what_its_files_are(packed):
-    loose, ours = points_of(packed, "plan"), points_of(packed, "plan.tar.xz")
+    loose, ours = rows_of(packed, "plan"), rows_of(packed, "plan.tar.xz")
     assert [row.pop("file") for row in loose] == [f"plan/{name}.friction" for name in SPEEDS]
     assert [row.pop("file") for row in ours] == [f"plan.tar.xz/{name}.friction" for name in SPEEDS]
     assert ours == loose
@@ -51,9 +51,9 @@ def test_an_archive_is_what_its_files_are(packed):
 def test_a_file_of_an_archive_is_a_log(packed):
     (packed / "link.tar.xz").symlink_to("plan.tar.xz")
     first, second = "plan.tar.xz/v5.friction", "plan.tar.xz/v2.friction"
-    assert [row["file"] for row in points_of(packed, first, second)] == [first, second]
+    assert [row["file"] for row in rows_of(packed, first, second)] == [first, second]
     for same in ("plan.tar.xz", "./plan.tar.xz", "link.tar.xz"):  # each log counts once
-        files = [row["file"] for row in points_of(packed, first, same, second)]
+        files = [row["file"] for row in rows_of(packed, first, same, second)]
         assert files == [first, f"{same}/v10.friction", f"{same}/v2.friction"]
     for wrong in ("v1.friction", "v2.profile", ".", ""):
         done = wr_fit(f"plan.tar.xz/{wrong}", cwd=packed)
@@ -75,8 +75,8 @@ def test_what_is_wrong_with_a_log_names_it(packed):
 
 def test_folders_with_the_ending_and_archives_in_folders(packed):
     (packed / "plan").rename(packed / "folder.tar.xz")
-    assert len(points_of(packed, "folder.tar.xz")) == 3
-    assert len(points_of(packed, "folder.tar.xz/v2.friction")) == 1
+    assert len(rows_of(packed, "folder.tar.xz")) == 3
+    assert len(rows_of(packed, "folder.tar.xz/v2.friction")) == 1
     (packed / "only").mkdir()
     (packed / "plan.tar.xz").rename(packed / "only" / "plan.tar.xz")
     said = "this folder holds no *.friction file (archives, *.tar.xz, have to be named themselves)"
@@ -86,7 +86,7 @@ def test_folders_with_the_ending_and_archives_in_folders(packed):
 def test_an_archive_is_not_written_over(packed):
     before = (packed / "plan.tar.xz").read_bytes()
     for log in ("plan.tar.xz", "plan.tar.xz/v2.friction"):
-        for option in ("-o", "--points"):
+        for option in ("-o", "--runs"):
             done = wr_fit(log, option, "plan.tar.xz", cwd=packed)
             one_line(done, 2, "plan.tar.xz is an input, it would be overwritten")
     assert (packed / "plan.tar.xz").read_bytes() == before
@@ -196,7 +196,7 @@ def test_archives_of_other_programs_are_read(form, tmp_path):
     half = len(content) // 2
     pieces = lzma.compress(content[:half]), lzma.compress(content[half:])
     (tmp_path / "a.tar.xz").write_bytes(b"".join(pieces))
-    files = [row["file"] for row in points_of(tmp_path, *(f"a.tar.xz/{n}" for n in names))]
+    files = [row["file"] for row in rows_of(tmp_path, *(f"a.tar.xz/{n}" for n in names))]
     assert files[:1] == ["a.tar.xz/b.friction"]
     found = archive.unpack("a.tar.xz", (tmp_path / "a.tar.xz").read_bytes())
     assert found == {name: LOG.encode() for name in names}

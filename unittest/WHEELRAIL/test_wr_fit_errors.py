@@ -23,11 +23,11 @@ LOGS = ROOT / "examples" / "campaign" / "logs"
 PLANS = ("velocity", "pressure", "equal-kappas", "paper36", "own-material", "roughness")
 
 
-def points(tmp_path, *words):
-    """Rows of points.csv."""
-    table = tmp_path / "points.csv"
+def rows_of(tmp_path, *words):
+    """Rows of runs.csv."""
+    table = tmp_path / "runs.csv"
     done = subprocess.run(
-        [BIN, *words, "--points", table, "-q", "--kappa2-min", "0"],
+        [BIN, *words, "--runs", table, "-q", "--kappa2-min", "0"],
         capture_output=True,
         text=True,
         timeout=60,
@@ -39,7 +39,7 @@ def points(tmp_path, *words):
 
 
 def difference(a, b, error):
-    """Of two points in units of their errors."""
+    """Of two runs in units of their errors."""
     return (float(a["mu"]) - float(b["mu"])) / math.hypot(float(a[error]), float(b[error]))
 
 
@@ -54,7 +54,7 @@ def beyond(values):
 def test_seeds_differ_by_their_errors(tmp_path):
     differences, own = [], []
     for plan in PLANS:
-        rows = points(tmp_path, LOGS / f"{plan}.tar.xz", "--start", "50", "--start-distance", "250")
+        rows = rows_of(tmp_path, LOGS / f"{plan}.tar.xz", "--start", "50", "--start-distance", "250")
         runs = {}
         for row in rows:
             runs.setdefault(row["file"].rsplit("-seed", 1)[0], []).append(row)
@@ -91,7 +91,7 @@ def test_parts_of_a_run_differ_by_their_own_errors(tmp_path, parts):
                 lines = [*text.head, " ".join(text.names[:-1]), *later[k * size : (k + 1) * size]]
                 part = cut / f"{plan}-{name.removesuffix('.friction')}-part{k}.friction"
                 part.write_text("\n".join(lines) + "\n", encoding="utf-8")
-    rows = {row["file"]: row for row in points(tmp_path, cut, "--start", "0")}
+    rows = {row["file"]: row for row in rows_of(tmp_path, cut, "--start", "0")}
     pairs = [
         (row, rows[name.replace(f"-part{k}.", f"-part{k + 1}.")])
         for name, row in rows.items()

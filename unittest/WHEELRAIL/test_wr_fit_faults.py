@@ -37,7 +37,7 @@ def log(tmp_path):
     return path
 
 
-OUTPUTS = ("-o", "--points", "--plot")
+OUTPUTS = ("-o", "--runs", "--plot")
 
 
 @pytest.mark.parametrize("full", OUTPUTS)
@@ -46,7 +46,7 @@ def test_outputs_appear_together_or_not_at_all(log, tmp_path, full):
     out.mkdir()
     (out / "old").write_text("old")
     (out / "full").symlink_to("/dev/full")
-    names = {"-o": out / "old", "--points": out / "new.csv", "--plot": out / "fit.png"}
+    names = {"-o": out / "old", "--runs": out / "new.csv", "--plot": out / "fit.png"}
     names[full] = out / "full"
     done = wr_fit(log, *(word for pair in names.items() for word in pair))
     one_line(done, 5, "full: cannot write: No space left on device")
@@ -61,7 +61,7 @@ def test_a_disk_that_fills_up_leaves_nothing(log, tmp_path, limit):
     out = tmp_path / "out"
     out.mkdir()
     done = wr_fit(
-        *(log, "-o", out / "a.json", "--points", out / "p.csv", "--plot", out / "fit.png"),
+        *(log, "-o", out / "a.json", "--runs", out / "p.csv", "--plot", out / "fit.png"),
         preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (limit, limit)),
     )
     assert done.returncode == 5 and "File too large" in done.stderr, done.stderr
@@ -102,16 +102,16 @@ def test_streams_that_cannot_be_written(log, tmp_path, arguments):
         with open("/dev/full", "w", encoding="utf-8") as full:
             done = wr_fit(log, *arguments, **{name: full})
         assert done.returncode == (5 if name == "stdout" and right == 0 else right)
-    points = tmp_path / "p.csv"
+    table = tmp_path / "p.csv"
     for closed in ("2>&-", "1>&-", "0<&- 1>&- 2>&-"):
-        points.unlink(missing_ok=True)
-        command = [str(WR_FIT), str(log), "--points", str(points), *arguments]
+        table.unlink(missing_ok=True)
+        command = [str(WR_FIT), str(log), "--runs", str(table), *arguments]
         done = subprocess.run(
             ["/bin/sh", "-c", f'"$@" {closed}', "sh", *command], capture_output=True, timeout=60
         )
         assert done.returncode == (5 if "1>&-" in closed and right == 0 else right), closed
         if not arguments:
-            assert points.read_text().startswith("# t_start") and "wr_fit" not in points.read_text()
+            assert table.read_text().startswith("# t_start") and "wr_fit" not in table.read_text()
 
 
 def test_what_logs_say_is_shown_not_obeyed(tmp_path):
@@ -176,13 +176,13 @@ def test_logs_that_the_drive_may_write(tmp_path):
         (tmp_path / f"{name}.friction").write_text(change(friction_logs.friction_log(noise=0.01)))
         done = wr_fit(tmp_path / f"{name}.friction", "-o", tmp_path / "fit.json")
         assert done.returncode == 0 and done.stderr == "", done.stderr
-        point = json.loads((tmp_path / "fit.json").read_text())["report"]["points"][0]
-        assert point["seed"] == (-9000000000000000 if name == "seed" else 1)
+        run = json.loads((tmp_path / "fit.json").read_text())["report"]["points"][0]
+        assert run["seed"] == (-9000000000000000 if name == "seed" else 1)
         if name == "unpressed":
-            assert point["kappa2"] == 0 and point["mu"] == 0 and point["left_out"]
+            assert run["kappa2"] == 0 and run["mu"] == 0 and run["left_out"]
         else:
-            assert point["mu"] == pytest.approx(friction_logs.eq2(4.745983, 365.0756), rel=0.05)
-            assert not point["left_out"]
+            assert run["mu"] == pytest.approx(friction_logs.eq2(4.745983, 365.0756), rel=0.05)
+            assert not run["left_out"]
 
 
 def test_logs_at_the_ends_of_their_ranges(tmp_path):

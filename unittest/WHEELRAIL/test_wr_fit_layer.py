@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""What wr_fit says of the run behind a point: whether its layer is a solid, how far it slid, when
+"""What wr_fit says of the run behind a number: whether its layer is a solid, how far it slid, when
 it was worn smooth, of which materials it is."""
 
 import json
@@ -43,10 +43,10 @@ def test_a_layer_that_is_no_solid_is_warned_of(tmp_path, more, warned):
     else:
         assert result.stdout.count("Warning: ") == 1 and warned in result.stdout
         assert len(report["warnings"]) == 1 and warned in report["warnings"][0]
-    point = report["points"][0]
-    assert point["room"] == pytest.approx(more.get("room", 1.02))
-    assert point["lost"] == more.get("lost", 0) and point["distance"] == pytest.approx(300)
-    assert point["least_room"] == pytest.approx(0.97 - 15 * 1.2 / 206000)
+    run = report["points"][0]
+    assert run["room"] == pytest.approx(more.get("room", 1.02))
+    assert run["lost"] == more.get("lost", 0) and run["distance"] == pytest.approx(300)
+    assert run["least_room"] == pytest.approx(0.97 - 15 * 1.2 / 206000)
 
 
 def test_room_of_a_packed_log_follows_from_its_gap_and_command(tmp_path):
@@ -91,8 +91,8 @@ def test_time_without_a_broken_link_is_worn_smooth(tmp_path):
     log = tmp_path / "run.friction"
     log.write_text("".join(lines))
     result = wr_fit(log, "--start-distance", 250, "-o", tmp_path / "fit.json")
-    point = json.loads((tmp_path / "fit.json").read_text())["report"]["points"][0]
-    assert point["smooth"] == pytest.approx(100 / 200)
+    run = json.loads((tmp_path / "fit.json").read_text())["report"]["points"][0]
+    assert run["smooth"] == pytest.approx(100 / 200)
     assert "(50 % of the time): slide without a link broken" in result.stdout
 
 

@@ -136,7 +136,7 @@ class Log(Kind):
         return folder / "a.friction"
 
     def use(self, folder):
-        done = run([self.drill.program("wr_fit"), "a.friction", "--points", "p.csv"], folder)
+        done = run([self.drill.program("wr_fit"), "a.friction", "--runs", "p.csv"], folder)
         return done, done.code == 0 and (folder / "p.csv").read_bytes()
 
 

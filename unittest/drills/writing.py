@@ -49,7 +49,7 @@ def all_writers():
         Writer("fix mca/drive", "lmp", ["in.drive"], ["{out}"], grows=True),
         Writer("mca_links write", "lmp", ["in.links"], ["{out}"]),
         Writer("wr_fit -o", "wr_fit", ["logs", "-q", "-o", "{out}"], ["{out}"]),
-        Writer("wr_fit --points", "wr_fit", ["logs", "-q", "--points", "{out}"], ["{out}"]),
+        Writer("wr_fit --runs", "wr_fit", ["logs", "-q", "--runs", "{out}"], ["{out}"]),
         Writer("wr_fit --plot", "wr_fit", ["logs", "-q", "--plot", "{out}"], ["{out}"]),
         Writer(
             "wr_creep -o", "wr_creep", ["case.yaml", "-q", "-o", "{out}"],

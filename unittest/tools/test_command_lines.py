@@ -16,7 +16,7 @@ OPTIONS = {
         {"-o": [""], "--against": ["", "time"]},
     ),
     "plot_benchmark.py": (["a.json", "-o", "a.png"], {"-o": [""]}),
-    "plot_friction.py": (["a.friction"], {"-o": [""], "--points": [""], "--window": NUMBER}),
+    "plot_friction.py": (["a.friction"], {"-o": [""], "--runs": [""], "--window": NUMBER}),
     "plot_fragment.py": (
         ["a.dump"],
         {

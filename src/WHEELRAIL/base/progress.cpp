@@ -18,8 +18,8 @@ void Progress::operator()(int done, int total)
   if (done < total && now - last_ < pause_)
     return;
   last_ = now;
-  std::fprintf(stderr, "%s%s: %d of %d points%s", onTerminal_ ? "\r" : "", program_.c_str(), done,
-               total, onTerminal_ && done < total ? "" : "\n");
+  std::fprintf(stderr, "%s%s: %d of %d operating points%s", onTerminal_ ? "\r" : "",
+               program_.c_str(), done, total, onTerminal_ && done < total ? "" : "\n");
   std::fflush(stderr);
 }
 

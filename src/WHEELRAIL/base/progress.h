@@ -13,7 +13,7 @@ class Progress {
   /// \param program its name begins the line
   explicit Progress(std::string program);
 
-  /// "wr_creep: 3 of 21 points". The last call is never passed over.
+  /// "wr_creep: 3 of 21 operating points". The last call is never passed over.
   void operator()(int done, int total);
 
  private:

@@ -11,27 +11,27 @@ namespace wheelrail {
 
 namespace {
 
-std::string whyLeftOut(const FrictionPoint &point, const FitOptions &options)
+std::string whyLeftOut(const FrictionRun &run, const FitOptions &options)
 {
-  if (point.kappa2 < options.kappa2Min)
-    return fmt::format("kappa2 = {:.3g} < {:.3g}", point.kappa2, options.kappa2Min);
-  if (!point.stationary() && !options.includeDrifting)
+  if (run.kappa2 < options.kappa2Min)
+    return fmt::format("kappa2 = {:.3g} < {:.3g}", run.kappa2, options.kappa2Min);
+  if (!run.stationary() && !options.includeDrifting)
     return "no stationary part";
-  if (!std::isfinite(point.muSe))
+  if (!std::isfinite(run.muSe))
     return "too few rows for a standard error";
-  if (point.mu <= 0.0)
+  if (run.mu <= 0.0)
     return "mu is not positive";
   return "";
 }
 
 /// A run that has two logs would count as two independent ones: the longer log stays, of equal ones
-/// the first. To be settled before anything else is asked of a point: where the longer log drifts,
+/// the first. To be settled before anything else is asked of a run: where the longer log drifts,
 /// the shorter one does not show it.
-void leaveOutCopies(std::vector<FrictionPoint> &points)
+void leaveOutCopies(std::vector<FrictionRun> &runs)
 {
-  for (std::size_t i = 0; i < points.size(); ++i)
-    for (std::size_t j = i + 1; j < points.size(); ++j) {
-      auto &first = points[i], &second = points[j];
+  for (std::size_t i = 0; i < runs.size(); ++i)
+    for (std::size_t j = i + 1; j < runs.size(); ++j) {
+      auto &first = runs[i], &second = runs[j];
       if (!first.leftOut.empty() || !second.leftOut.empty() || !sameRun(first, second))
         continue;
       const bool longer = second.duration > first.duration;
@@ -42,26 +42,26 @@ void leaveOutCopies(std::vector<FrictionPoint> &points)
 }
 
 /// In what the runs that are fitted differ though a law should not, with two examples.
-std::string mixtureOf(const std::vector<FrictionPoint> &points)
+std::string mixtureOf(const std::vector<FrictionRun> &runs)
 {
-  const FrictionPoint *first = nullptr, *other = nullptr;
+  const FrictionRun *first = nullptr, *other = nullptr;
   std::set<std::string> differing;
-  const auto compare = [&](const FrictionPoint &a, const FrictionPoint &b) {
+  const auto compare = [&](const FrictionRun &a, const FrictionRun &b) {
     for (const auto &[entry, value] : a.madeBy) {
       const auto found = b.madeBy.find(entry);
       if (found == b.madeBy.end() || found->second != value)
         differing.insert(entry);
     }
   };
-  for (const auto &p : points) {
-    if (!p.leftOut.empty())
+  for (const auto &run : runs) {
+    if (!run.leftOut.empty())
       continue;
     if (!first)
-      first = &p;
-    compare(*first, p);
-    compare(p, *first);
+      first = &run;
+    compare(*first, run);
+    compare(run, *first);
     if (!other && !differing.empty())
-      other = &p;
+      other = &run;
   }
   if (!other)
     return "";
@@ -71,29 +71,29 @@ std::string mixtureOf(const std::vector<FrictionPoint> &points)
 
 } // namespace
 
-std::vector<LawPoint> FitAnalysis::fitted() const
+std::vector<ConditionMean> FitAnalysis::fitted() const
 {
-  std::vector<LawPoint> result;
+  std::vector<ConditionMean> result;
   for (const auto &condition : conditions)
-    result.push_back(condition.point);
+    result.push_back(condition.mean);
   return result;
 }
 
-FitAnalysis analysePoints(std::vector<FrictionPoint> points, const FitOptions &options)
+FitAnalysis analyseRuns(std::vector<FrictionRun> runs, const FitOptions &options)
 {
   FitAnalysis analysis;
   analysis.options = options;
-  analysis.points = std::move(points);
-  leaveOutCopies(analysis.points);
-  for (auto &p : analysis.points)
-    if (p.leftOut.empty())
-      p.leftOut = whyLeftOut(p, options);
-  analysis.mixture = mixtureOf(analysis.points);
+  analysis.runs = std::move(runs);
+  leaveOutCopies(analysis.runs);
+  for (auto &run : analysis.runs)
+    if (run.leftOut.empty())
+      run.leftOut = whyLeftOut(run, options);
+  analysis.mixture = mixtureOf(analysis.runs);
 
-  analysis.seeds = seedScatters(analysis.points, conditionsOf(analysis.points));
+  analysis.seeds = seedScatters(analysis.runs, conditionsOf(analysis.runs));
   for (const SeedScatter &scatter : analysis.seeds)
-    addSeedScatter(analysis.points, scatter);
-  analysis.conditions = conditionsOf(analysis.points);
+    addSeedScatter(analysis.runs, scatter);
+  analysis.conditions = conditionsOf(analysis.runs);
   const auto used = analysis.fitted();
   const auto obstacle = obstacleTo(options.model, used);
   if (obstacle.reason.empty()) {

@@ -3,7 +3,7 @@
 #define WHEELRAIL_FIT_FIT_ANALYSIS_H
 
 #include "fit/fit_condition.h"
-#include "fit/friction_point.h"
+#include "fit/friction_run.h"
 #include "fit/law_fit.h"
 #include "fit/seed_scatter.h"
 
@@ -18,14 +18,14 @@ namespace wheelrail {
 struct FitOptions {
   /// What `fit` is; the comparison runs through all models.
   LawModel model = LawModel::Full;
-  double level = 0.95;          ///< of the confidence intervals
-  double kappa3 = 0.0;          ///< reference of the model Kappa3; 0: geometric mean of the points
-  double kappa2Min = 2.0;       ///< points below are left out (the paper's rule)
-  bool includeDrifting = false; ///< fit points without a stationary part too
+  double level = 0.95;    ///< of the confidence intervals
+  double kappa3 = 0.0;    ///< reference of the model Kappa3; 0: geometric mean of the conditions
+  double kappa2Min = 2.0; ///< runs below are left out (the paper's rule)
+  bool includeDrifting = false; ///< fit runs without a stationary part too
 };
 
 /// One line of the model comparison.
-/// Compared by AICc over the same points: the smaller, the better.
+/// Compared by AICc over the same conditions: the smaller, the better.
 struct ModelComparison {
   LawModel model = LawModel::Full;
   std::optional<LawFit> fit;
@@ -37,29 +37,29 @@ struct ModelComparison {
 /// A second log of the same run is left out, so that it does not count twice: the longer one stays.
 struct FitAnalysis {
   FitOptions options;
-  std::vector<FrictionPoint> points; ///< all; leftOut says which are not fitted
-  /// Between the runs of a condition, for each set of laws; part of muSe of the points.
+  std::vector<FrictionRun> runs; ///< all; leftOut says which are not fitted
+  /// Between the runs of a condition, for each set of laws; part of muSe of the runs.
   std::vector<SeedScatter> seeds;
-  /// What is fitted: the points that are not left out, replicas as one.
+  /// What is fitted: the runs that are not left out, replicas as one.
   std::vector<FitCondition> conditions;
   std::optional<LawFit> fit; ///< its vectors run over the conditions
   std::string whyNot;        ///< why there is no fit
   std::string mixture;       ///< one line if runs of other laws or programs are taken together
-  /// There are enough points, but they do not determine the parameters.
+  /// There are enough conditions, but they do not determine the parameters.
   bool notIdentifiable = false;
   /// All of `lawModels`, in their order.
   std::vector<ModelComparison> models;
 
-  /// The points of the conditions, in order.
-  std::vector<LawPoint> fitted() const;
+  /// The means of the conditions, in order.
+  std::vector<ConditionMean> fitted() const;
 };
 
-/// Marks the points to leave out, fits, compares models. That a law cannot be fitted is no error:
+/// Marks the runs to leave out, fits, compares models. That a law cannot be fitted is no error:
 /// `whyNot` says why, and the comparison holds the models that can.
-/// \param points of `frictionPoint`, at least one
+/// \param runs of `frictionRun`, at least one
 /// \param options of the command line, ranges checked there
 /// \return with either `fit` or `whyNot`, and one comparison for each of `lawModels`
-FitAnalysis analysePoints(std::vector<FrictionPoint> points, const FitOptions &options);
+FitAnalysis analyseRuns(std::vector<FrictionRun> runs, const FitOptions &options);
 
 } // namespace wheelrail
 

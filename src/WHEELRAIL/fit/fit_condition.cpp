@@ -9,41 +9,41 @@ namespace wheelrail {
 
 namespace {
 
-bool isSameCondition(const FrictionPoint &a, const FrictionPoint &b)
+bool isSameCondition(const FrictionRun &a, const FrictionRun &b)
 {
   return a.kappa1 == b.kappa1 && a.kappa2 == b.kappa2 && a.kappa3 == b.kappa3 &&
          a.condition == b.condition && a.madeBy == b.madeBy;
 }
 
-void summarise(FitCondition &condition, const std::vector<FrictionPoint> &points)
+void summarise(FitCondition &condition, const std::vector<FrictionRun> &runs)
 {
   const auto n = static_cast<double>(condition.runs.size());
-  const FrictionPoint &first = points[condition.runs.front()];
+  const FrictionRun &first = runs[condition.runs.front()];
   double mean = 0.0, errors = 0.0, squares = 0.0;
-  for (const std::size_t run : condition.runs) {
-    mean += points[run].mu / n;
-    errors += points[run].muSe * points[run].muSe;
+  for (const std::size_t k : condition.runs) {
+    mean += runs[k].mu / n;
+    errors += runs[k].muSe * runs[k].muSe;
   }
-  for (const std::size_t run : condition.runs)
-    squares += std::pow(points[run].mu - mean, 2);
+  for (const std::size_t k : condition.runs)
+    squares += std::pow(runs[k].mu - mean, 2);
   condition.ownError = std::sqrt(errors) / n;
   condition.scatter = condition.runs.size() > 1 ? std::sqrt(squares / (n - 1.0) / n)
                                                 : std::numeric_limits<double>::quiet_NaN();
   const double error = std::fmax(condition.ownError, condition.scatter); // passes over a nan
-  condition.point = {first.kappa1, first.kappa2, mean, error, first.kappa3};
+  condition.mean = {first.kappa1, first.kappa2, mean, error, first.kappa3};
 }
 
 } // namespace
 
-std::vector<FitCondition> conditionsOf(const std::vector<FrictionPoint> &points)
+std::vector<FitCondition> conditionsOf(const std::vector<FrictionRun> &runs)
 {
   std::vector<FitCondition> conditions;
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    if (!points[i].leftOut.empty())
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    if (!runs[i].leftOut.empty())
       continue;
     const auto home =
         std::find_if(conditions.begin(), conditions.end(), [&](const FitCondition &condition) {
-          return isSameCondition(points[condition.runs.front()], points[i]);
+          return isSameCondition(runs[condition.runs.front()], runs[i]);
         });
     if (home == conditions.end())
       conditions.push_back({{i}, {}, 0.0, 0.0});
@@ -51,7 +51,7 @@ std::vector<FitCondition> conditionsOf(const std::vector<FrictionPoint> &points)
       home->runs.push_back(i);
   }
   for (FitCondition &condition : conditions)
-    summarise(condition, points);
+    summarise(condition, runs);
   return conditions;
 }
 

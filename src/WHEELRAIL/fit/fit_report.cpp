@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "fit/fit_report.h"
 
-#include "fit/point_columns.h"
 #include "fit/replicates.h"
+#include "fit/run_columns.h"
 #include "shared/printable.h"
 
 #include <algorithm>
@@ -45,11 +45,11 @@ std::map<std::string, Range> fittedOn(const FitAnalysis &analysis)
 {
   std::map<std::string, Range> ranges;
   for (const auto &condition : analysis.conditions) {
-    const FrictionPoint &p = analysis.points[condition.runs.front()];
+    const FrictionRun &run = analysis.runs[condition.runs.front()];
     const std::pair<const char *, double> values[] = {
-        {"pressure", p.head.pressure}, {"velocity", std::abs(p.head.velocity)},
-        {"strength", p.head.strength}, {"youngs_modulus", p.youngsModulus()},
-        {"density", p.head.density},   {"viscosity", p.head.viscosity}};
+        {"pressure", run.head.pressure}, {"velocity", std::abs(run.head.velocity)},
+        {"strength", run.head.strength}, {"youngs_modulus", run.youngsModulus()},
+        {"density", run.head.density},   {"viscosity", run.head.viscosity}};
     for (const auto &[name, value] : values) {
       const auto range = ranges.try_emplace(name, Range{value, value}).first;
       range->second = {std::min(range->second[0], value), std::max(range->second[1], value)};
@@ -84,8 +84,8 @@ AgainstPaper againstPaper(const FitAnalysis &analysis)
 {
   AgainstPaper result;
   for (const auto &condition : analysis.conditions) {
-    const double paper = analysis.points[condition.runs.front()].muEq2;
-    const double difference = condition.point.mu / paper - 1.0;
+    const double paper = analysis.runs[condition.runs.front()].muEq2;
+    const double difference = condition.mean.mu / paper - 1.0;
     ++result.n;
     result.mean += difference;
     result.rms += difference * difference;
@@ -103,27 +103,27 @@ std::string shown(const char *format, double x)
   return std::isfinite(x) ? fmt::format(fmt::runtime(format), x) : "-";
 }
 
-std::string pointLines(const FitAnalysis &analysis)
+std::string runLines(const FitAnalysis &analysis)
 {
   size_t width = 4;
-  for (const auto &p : analysis.points)
-    width = std::max(width, mcawr::printable(p.file).size());
+  for (const auto &run : analysis.runs)
+    width = std::max(width, mcawr::printable(run.file).size());
   std::string text = fmt::format(
       "{:<{}} {:>9} {:>9} {:>7} {:>7} {:>6} {:>8} {:>8} {:>7} {:>8} {:>7} {:>6} {:>5} {:>6}\n",
       "file", width, "kappa1", "kappa2", "mu", "+-", "n_eff", "t_start", "grinding", "Eq. 2",
       "slid, nm", "gap, nm", "room", "lost", "smooth");
-  for (const auto &p : analysis.points) {
+  for (const auto &run : analysis.runs) {
     text += fmt::format("{:<{}} {:>9.4g} {:>9.4g} {:>7.4f} {:>7} {:>6.0f} {:>8} {:>8} {:>7.4f}",
-                        mcawr::printable(p.file), width, p.kappa1, p.kappa2, p.mu,
-                        shown("{:.4f}", p.muSe), p.nEff, shown("{:.4g}", p.tStart),
-                        shown("{:.4f}", p.muGrindingIn), p.muEq2);
-    text += fmt::format(" {:>8.4g} {:>7.2f} {:>6} {:>5} {:>4.0f} %", p.health.distance,
-                        p.health.gap, shown("{:.3f}", p.health.room),
-                        shown("{:.0f}", p.health.lost), 100.0 * p.health.smooth);
-    if (!p.note.empty())
-      text += "  " + mcawr::printable(p.note);
-    if (!p.leftOut.empty())
-      text += fmt::format("  [left out: {}]", mcawr::printable(p.leftOut));
+                        mcawr::printable(run.file), width, run.kappa1, run.kappa2, run.mu,
+                        shown("{:.4f}", run.muSe), run.nEff, shown("{:.4g}", run.tStart),
+                        shown("{:.4f}", run.muGrindingIn), run.muEq2);
+    text += fmt::format(" {:>8.4g} {:>7.2f} {:>6} {:>5} {:>4.0f} %", run.health.distance,
+                        run.health.gap, shown("{:.3f}", run.health.room),
+                        shown("{:.0f}", run.health.lost), 100.0 * run.health.smooth);
+    if (!run.note.empty())
+      text += "  " + mcawr::printable(run.note);
+    if (!run.leftOut.empty())
+      text += fmt::format("  [left out: {}]", mcawr::printable(run.leftOut));
     text += "\n";
   }
   return text;
@@ -133,15 +133,15 @@ std::string pointLines(const FitAnalysis &analysis)
 std::vector<std::string> warningsOf(const FitAnalysis &analysis)
 {
   std::vector<std::pair<std::string, const RunHealth *>> runs;
-  for (const auto &p : analysis.points)
-    runs.emplace_back(p.file, &p.health);
+  for (const auto &run : analysis.runs)
+    runs.emplace_back(run.file, &run.health);
   return healthWarnings(runs);
 }
 
 std::string replicateLines(const FitAnalysis &analysis)
 {
   std::string text;
-  for (const auto &g : replicateGroups(analysis.points))
+  for (const auto &g : replicateGroups(analysis.runs))
     text += fmt::format("Equal kappas: kappa1 {:.4g}, kappa2 {:.4g}: {} runs, mu {:.4f}, scatter "
                         "{:.1f} % (their errors explain {:.1f} %)\n",
                         g.kappa1, g.kappa2, g.n, g.mu, 100.0 * g.scatter, 100.0 * g.expected);
@@ -164,7 +164,7 @@ std::string seedLines(const FitAnalysis &analysis)
   std::string text;
   for (const SeedScatter &seeds : analysis.seeds) {
     if (analysis.seeds.size() > 1)
-      text += fmt::format("Laws of {}: ", mcawr::printable(analysis.points[seeds.runs[0]].file));
+      text += fmt::format("Laws of {}: ", mcawr::printable(analysis.runs[seeds.runs[0]].file));
     text +=
         seeds.conditions == 0
             ? "No condition has two seeds: each error is what one run knows of itself, and not "
@@ -191,7 +191,7 @@ Json seedsJson(const std::vector<SeedScatter> &all)
 /// "a.friction and 2 other seeds"
 std::string filesOf(const FitAnalysis &analysis, const FitCondition &condition)
 {
-  const std::string first = mcawr::printable(analysis.points[condition.runs.front()].file);
+  const std::string first = mcawr::printable(analysis.runs[condition.runs.front()].file);
   const std::size_t others = condition.runs.size() - 1;
   return others == 0 ? first
                      : fmt::format("{} and {} other seed{}", first, others, others == 1 ? "" : "s");
@@ -209,7 +209,7 @@ std::string fitLines(const FitAnalysis &analysis)
   if (fit.reference > 0.0)
     formula = fmt::format("[{}] (kappa3/{:.5g})^n", formula, fit.reference);
   std::string text =
-      fmt::format("Fit of {}: mu = {}, {} points\n", nameOf(fit.model), formula, fit.law.n);
+      fmt::format("Fit of {}: mu = {}, {} conditions\n", nameOf(fit.model), formula, fit.law.n);
   const auto ours = values(fit.law, fit.exponent), paper = values(bucher2006(), 0.0);
   for (int k = 0; k < fitParameters; ++k) {
     if (!free[k])
@@ -229,7 +229,7 @@ std::string fitLines(const FitAnalysis &analysis)
     if (std::abs(fit.studentised[i]) <= outlierLimit)
       continue;
     const FitCondition &condition = analysis.conditions[i];
-    const double mu = condition.point.mu;
+    const double mu = condition.mean.mu;
     outliers += fmt::format("  outlier: {}: mu {:.4f}, fit {:.4f}, {:.1f} standard deviations\n",
                             filesOf(analysis, condition), mu, mu / (1.0 + fit.residuals[i]),
                             fit.studentised[i]);
@@ -254,18 +254,18 @@ std::string modelLines(const FitAnalysis &analysis)
   return text;
 }
 
-Json pointJson(const FrictionPoint &p)
+Json runJson(const FrictionRun &run)
 {
   Json json;
-  json["file"] = p.file;
-  for (const PointColumn &column : pointColumns()) {
-    const double value = column.get(p);
+  json["file"] = run.file;
+  for (const RunColumn &column : runColumns()) {
+    const double value = column.get(run);
     if (column.inReport)
       json[column.name] = column.whole ? Json(static_cast<long>(value)) : finite(value);
   }
-  json["strengths"] = p.health.strengths;
-  json["note"] = p.note;
-  json["left_out"] = p.leftOut;
+  json["strengths"] = run.health.strengths;
+  json["note"] = run.note;
+  json["left_out"] = run.leftOut;
   return json;
 }
 
@@ -273,10 +273,10 @@ Json pointJson(const FrictionPoint &p)
 Json conditionJson(const FitAnalysis &analysis, std::size_t i)
 {
   const FitCondition &condition = analysis.conditions[i];
-  const FrictionPoint &first = analysis.points[condition.runs.front()];
+  const FrictionRun &first = analysis.runs[condition.runs.front()];
   Json json = {{"kappa1", first.kappa1},          {"kappa2", first.kappa2},
-               {"kappa3", first.kappa3},          {"mu", condition.point.mu},
-               {"mu_se", condition.point.muSe},   {"t95", first.t95},
+               {"kappa3", first.kappa3},          {"mu", condition.mean.mu},
+               {"mu_se", condition.mean.muSe},    {"t95", first.t95},
                {"own_error", condition.ownError}, {"scatter", finite(condition.scatter)},
                {"mu_eq2", first.muEq2},           {"runs", Json::array()},
                {"pressure", first.head.pressure}, {"velocity", first.head.velocity},
@@ -331,8 +331,8 @@ Json reportBody(const FitAnalysis &analysis)
     report["warning"] = analysis.mixture;
   report["warnings"] = warningsOf(analysis);
   report["points"] = Json::array();
-  for (const auto &p : analysis.points)
-    report["points"].push_back(pointJson(p));
+  for (const auto &run : analysis.runs)
+    report["points"].push_back(runJson(run));
   report["seeds"] = seedsJson(analysis.seeds);
   report["conditions"] = Json::array();
   for (size_t i = 0; i < analysis.conditions.size(); ++i)
@@ -340,7 +340,7 @@ Json reportBody(const FitAnalysis &analysis)
   const auto paper = againstPaper(analysis);
   report["against_eq2"] = {{"n", paper.n}, {"rms_relative", paper.rms}, {"mean", paper.mean}};
   report["equal_kappas"] = Json::array();
-  for (const auto &g : replicateGroups(analysis.points))
+  for (const auto &g : replicateGroups(analysis.runs))
     report["equal_kappas"].push_back({{"kappa1", g.kappa1},
                                       {"kappa2", g.kappa2},
                                       {"n", g.n},
@@ -370,10 +370,10 @@ Json reportBody(const FitAnalysis &analysis)
 
 std::string textReport(const FitAnalysis &analysis)
 {
-  auto text = pointLines(analysis);
+  auto text = runLines(analysis);
   if (const auto n = analysis.conditions.size(); n > 0)
     text += fmt::format("{} run{} of {} condition{}; those that differ in the seed only are one "
-                        "point\n",
+                        "condition\n",
                         runsOf(analysis), runsOf(analysis) == 1 ? "" : "s", n, n == 1 ? "" : "s") +
             seedLines(analysis);
   const auto paper = againstPaper(analysis);
@@ -402,7 +402,7 @@ Json jsonReport(const FitAnalysis &analysis)
     KappaLaw law = analysis.fit->law;
     law.source =
         fmt::format("wr_fit {}, {} conditions from {} of {} runs, model {}", WHEELRAIL_VERSION,
-                    law.n, runsOf(analysis), analysis.points.size(), nameOf(analysis.fit->model));
+                    law.n, runsOf(analysis), analysis.runs.size(), nameOf(analysis.fit->model));
     law.fittedOn = fittedOn(analysis);
     if (analysis.fit->reference > 0.0)
       law.source += fmt::format(" at kappa3 = {:.8g}", analysis.fit->reference);

@@ -9,7 +9,7 @@
 
 namespace wheelrail {
 
-/// The report for people: a table of the points, the law with its intervals, the comparison of
+/// The report for people: a table of the runs, the law with its intervals, the comparison of
 /// models, runs that repeat each other.
 /// Stresses in MPa, times in ns, velocities in m/s; kappas and mu are pure numbers.
 /// \return several lines, each ended

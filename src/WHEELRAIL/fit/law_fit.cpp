@@ -28,36 +28,36 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 // beyond, the parameters are determined to no digit by data of a few per cent scatter
 constexpr double worstCondition = 1e6;
 
-VectorXd deviations(const std::vector<LawPoint> &points, const VectorXd &fitted, double scatter)
+VectorXd deviations(const std::vector<ConditionMean> &means, const VectorXd &fitted, double scatter)
 {
-  VectorXd sigma(points.size());
-  for (size_t i = 0; i < points.size(); ++i)
-    sigma[i] = std::hypot(points[i].muSe, scatter * fitted[i]);
+  VectorXd sigma(means.size());
+  for (size_t i = 0; i < means.size(); ++i)
+    sigma[i] = std::hypot(means[i].muSe, scatter * fitted[i]);
   return sigma;
 }
 
-VectorXd fittedMu(const VectorXd &x, const std::vector<LawPoint> &points, double reference)
+VectorXd fittedMu(const VectorXd &x, const std::vector<ConditionMean> &means, double reference)
 {
-  VectorXd mu(points.size());
-  for (size_t i = 0; i < points.size(); ++i)
-    mu[i] = modelMu(x, points[i], reference);
+  VectorXd mu(means.size());
+  for (size_t i = 0; i < means.size(); ++i)
+    mu[i] = modelMu(x, means[i], reference);
   return mu;
 }
 
-double geometricMean(const std::vector<LawPoint> &points)
+double geometricMean(const std::vector<ConditionMean> &means)
 {
   double sum = 0.0;
-  for (const auto &p : points)
-    sum += std::log(p.kappa3);
-  return std::exp(sum / static_cast<double>(points.size()));
+  for (const auto &mean : means)
+    sum += std::log(mean.kappa3);
+  return std::exp(sum / static_cast<double>(means.size()));
 }
 
-double chiSquared(const std::vector<LawPoint> &points, const VectorXd &fitted, double scatter)
+double chiSquared(const std::vector<ConditionMean> &means, const VectorXd &fitted, double scatter)
 {
-  const VectorXd sigma = deviations(points, fitted, scatter);
+  const VectorXd sigma = deviations(means, fitted, scatter);
   double sum = 0.0;
-  for (size_t i = 0; i < points.size(); ++i)
-    sum += std::pow((points[i].mu - fitted[i]) / sigma[i], 2);
+  for (size_t i = 0; i < means.size(); ++i)
+    sum += std::pow((means[i].mu - fitted[i]) / sigma[i], 2);
   return sum;
 }
 
@@ -65,21 +65,21 @@ double chiSquared(const std::vector<LawPoint> &points, const VectorXd &fitted, d
 constexpr double leastScatter = 1e-9;
 
 /// The scatter at which chi^2 is `target`: chi^2 falls with it.
-double scatterFor(const std::vector<LawPoint> &points, const VectorXd &fitted, double target)
+double scatterFor(const std::vector<ConditionMean> &means, const VectorXd &fitted, double target)
 {
-  const bool haveErrors =
-      std::all_of(points.begin(), points.end(), [](const LawPoint &p) { return p.muSe > 0.0; });
+  const bool haveErrors = std::all_of(means.begin(), means.end(),
+                                      [](const ConditionMean &mean) { return mean.muSe > 0.0; });
   const double least = haveErrors ? 0.0 : leastScatter;
-  if (chiSquared(points, fitted, least) <= target)
+  if (chiSquared(means, fitted, least) <= target)
     return least;
   // in the logarithm, over which chi^2 falls from far above the target to far below
   const auto excess = [&](double logScatter) {
-    return chiSquared(points, fitted, std::exp(logScatter)) - target;
+    return chiSquared(means, fitted, std::exp(logScatter)) - target;
   };
   if (excess(std::log(leastScatter)) <= 0.0)
     return leastScatter;
   double high = 1.0;
-  while (chiSquared(points, fitted, high) > target && high < 1e6)
+  while (chiSquared(means, fitted, high) > target && high < 1e6)
     high *= 2.0;
   if (excess(std::log(high)) > 0.0)
     return high;
@@ -91,17 +91,17 @@ double scatterFor(const std::vector<LawPoint> &points, const VectorXd &fitted, d
 }
 
 /// -2 ln likelihood of normal residuals, at the scatter that maximises it.
-double minusTwoLogLikelihood(const std::vector<LawPoint> &points, const VectorXd &fitted)
+double minusTwoLogLikelihood(const std::vector<ConditionMean> &means, const VectorXd &fitted)
 {
   // Profile likelihood: the fitted mu stay, the scatter is chosen anew. The fit's own scatter makes
   // chi^2 equal to the degrees of freedom; the likelihood, which AICc compares, has its maximum at
   // a somewhat smaller one.
   const auto value = [&](double logScatter) {
-    const VectorXd sigma = deviations(points, fitted, std::exp(logScatter));
+    const VectorXd sigma = deviations(means, fitted, std::exp(logScatter));
     double sum = 0.0;
-    for (size_t i = 0; i < points.size(); ++i)
+    for (size_t i = 0; i < means.size(); ++i)
       sum += std::log(2.0 * mcawr::pi * sigma[i] * sigma[i]) +
-             std::pow((points[i].mu - fitted[i]) / sigma[i], 2);
+             std::pow((means[i].mu - fitted[i]) / sigma[i], 2);
     return sum;
   };
   constexpr int bits = std::numeric_limits<double>::digits / 2; // a minimum is known to no more
@@ -130,20 +130,20 @@ int countDifferent(std::vector<double> values)
   return count;
 }
 
-void checkPoints(const std::vector<LawPoint> &points)
+void checkMeans(const std::vector<ConditionMean> &means)
 {
-  for (const auto &p : points)
-    if (!(std::isfinite(p.kappa1) && p.kappa1 >= 0.0 && std::isfinite(p.kappa2) &&
-          p.kappa2 >= 0.0 && std::isfinite(p.mu) && std::isfinite(p.muSe) && p.muSe >= 0.0 &&
-          std::isfinite(p.kappa3) && p.kappa3 > 0.0))
-      throw std::invalid_argument("fitLaw: a point is not finite or negative");
+  for (const auto &mean : means)
+    if (!(std::isfinite(mean.kappa1) && mean.kappa1 >= 0.0 && std::isfinite(mean.kappa2) &&
+          mean.kappa2 >= 0.0 && std::isfinite(mean.mu) && std::isfinite(mean.muSe) &&
+          mean.muSe >= 0.0 && std::isfinite(mean.kappa3) && mean.kappa3 > 0.0))
+      throw std::invalid_argument("fitLaw: a number of a condition is not finite or negative");
 }
 
-Range rangeOf(const std::vector<LawPoint> &points, double LawPoint::*number)
+Range rangeOf(const std::vector<ConditionMean> &means, double ConditionMean::*number)
 {
-  const auto [least, largest] =
-      std::minmax_element(points.begin(), points.end(), [&](const LawPoint &p, const LawPoint &q) {
-        return p.*number < q.*number;
+  const auto [least, largest] = std::minmax_element(
+      means.begin(), means.end(), [&](const ConditionMean &mean, const ConditionMean &other) {
+        return mean.*number < other.*number;
       });
   return {*least.*number, *largest.*number};
 }
@@ -154,8 +154,9 @@ std::string explainWeakness(const LawFit &fit, const VectorXd &x, const Identifi
   for (int k : {B, C}) {
     const bool atUpper = fit.atBound[k] && x[k] > 0.5 * problem.upper[k];
     if (atUpper)
-      return fmt::format("{} runs to its bound of {:.3g}: its term is constant over all the points",
-                         fitParameterNames[k], problem.upper[k]);
+      return fmt::format(
+          "{} runs to its bound of {:.3g}: its term is constant over all the conditions",
+          fitParameterNames[k], problem.upper[k]);
   }
   const auto free = parametersOf(fit.model);
   if (free[C] && fit.atBound[C])
@@ -171,60 +172,61 @@ std::string explainWeakness(const LawFit &fit, const VectorXd &x, const Identifi
       analysis.conditionNumber, worstCondition);
 }
 
-/// The hat matrix' diagonal h_i = j_i C j_i', the share of point i in its own fitted value, takes
-/// that much variance off the residual: sigma_i^2 (1 - h_i).
-void fillResiduals(LawFit &fit, const std::vector<LawPoint> &points, const VectorXd &fitted,
+/// The hat matrix' diagonal h_i = j_i C j_i', the share of condition i in its own fitted value,
+/// takes that much variance off the residual: sigma_i^2 (1 - h_i).
+void fillResiduals(LawFit &fit, const std::vector<ConditionMean> &means, const VectorXd &fitted,
                    const VectorXd &sigma, const MatrixXd &jacobian, const MatrixXd &covariance)
 {
   double sum = 0.0;
-  for (size_t i = 0; i < points.size(); ++i) {
+  for (size_t i = 0; i < means.size(); ++i) {
     const double mu = fitted[i];
     const Eigen::RowVectorXd row = jacobian.row(i);
     const double hat = std::clamp((row * covariance * row.transpose()).value(), 0.0, 1.0);
     const double spread = sigma[i] * std::sqrt(std::max(1.0 - hat, 1e-12));
-    fit.residuals.push_back((points[i].mu - mu) / mu);
-    fit.studentised.push_back((points[i].mu - mu) / spread);
+    fit.residuals.push_back((means[i].mu - mu) / mu);
+    fit.studentised.push_back((means[i].mu - mu) / spread);
     fit.leverage.push_back(hat);
     sum += fit.residuals.back() * fit.residuals.back();
   }
-  fit.law.rmsRelative = std::sqrt(sum / static_cast<double>(points.size()));
+  fit.law.rmsRelative = std::sqrt(sum / static_cast<double>(means.size()));
 }
 
 } // namespace
 
-Obstacle obstacleTo(LawModel model, const std::vector<LawPoint> &points)
+Obstacle obstacleTo(LawModel model, const std::vector<ConditionMean> &means)
 {
   const auto free = parametersOf(model);
   const int parameters = countParameters(model);
-  const int n = static_cast<int>(points.size());
+  const int n = static_cast<int>(means.size());
   if (n < parameters + 1)
-    return {fmt::format("{} point{} for the {} parameters of {}, at least {} are needed", n,
+    return {fmt::format("{} condition{} for the {} parameters of {}, at least {} are needed", n,
                         n == 1 ? "" : "s", parameters, nameOf(model), parameters + 1),
             true};
   const auto look = [&](int k, const char *name, int leastDifferent, auto member) -> std::string {
     if (!free[k])
       return "";
     std::vector<double> values;
-    for (const auto &p : points)
-      values.push_back(member(p));
+    for (const auto &mean : means)
+      values.push_back(member(mean));
     const int different = countDifferent(values);
     if (different >= leastDifferent)
       return "";
-    return fmt::format("the points have only {} different {} ({:.4g} to {:.4g}), at least {} are "
-                       "needed",
-                       different, name, *std::min_element(values.begin(), values.end()),
-                       *std::max_element(values.begin(), values.end()), leastDifferent);
+    return fmt::format(
+        "the conditions have only {} different {} ({:.4g} to {:.4g}), at least {} are "
+        "needed",
+        different, name, *std::min_element(values.begin(), values.end()),
+        *std::max_element(values.begin(), values.end()), leastDifferent);
   };
   // a saturating term has two parameters beside the constant
-  auto reason = look(Mu1, "kappa1", 3, [](const LawPoint &p) { return p.kappa1; });
+  auto reason = look(Mu1, "kappa1", 3, [](const ConditionMean &mean) { return mean.kappa1; });
   if (reason.empty())
-    reason = look(Mu2, "kappa2", 3, [](const LawPoint &p) { return p.kappa2; });
+    reason = look(Mu2, "kappa2", 3, [](const ConditionMean &mean) { return mean.kappa2; });
   if (reason.empty())
-    reason = look(N, "kappa3", 2, [](const LawPoint &p) { return p.kappa3; });
+    reason = look(N, "kappa3", 2, [](const ConditionMean &mean) { return mean.kappa3; });
   return {reason, false};
 }
 
-// Weighted least squares by iterated weights. Each point scatters by its own error of the mean and
+// Weighted least squares by iterated weights. Each condition scatters by the error of its mean and
 // by what the law does not describe, a share `scatter` of mu that is the same for all:
 //   sigma_i^2 = se_i^2 + (scatter mu_i)^2.
 // The scatter is unknown; it is the one with which chi^2 equals the degrees of freedom, as it must
@@ -235,39 +237,40 @@ Obstacle obstacleTo(LawModel model, const std::vector<LawPoint> &points)
 // begins at a grid of starts (`LawProblem::starts`), later ones where the last ended.
 //
 // From the Jacobian at the end come the covariance, the condition number, which says whether the
-// points determine the parameters at all, and the leverage of each point. Intervals are not taken
-// from the covariance but from the profile of chi^2, because b and c have skew likelihoods: an end
-// of an interval is where the best fit with this parameter held is worse by t^2, Student's t of the
-// degrees of freedom, since the scatter was estimated from the same points. Models are compared by
-// AICc, in which the scatter counts as one more parameter.
-LawFit fitLaw(LawModel model, const std::vector<LawPoint> &points, double level, double reference)
+// conditions determine the parameters at all, and the leverage of each condition. Intervals are not
+// taken from the covariance but from the profile of chi^2, because b and c have skew likelihoods:
+// an end of an interval is where the best fit with this parameter held is worse by t^2, Student's t
+// of the degrees of freedom, since the scatter was estimated from the same conditions. Models are
+// compared by AICc, in which the scatter counts as one more parameter.
+LawFit fitLaw(LawModel model, const std::vector<ConditionMean> &means, double level,
+              double reference)
 {
-  checkPoints(points);
-  if (const auto obstacle = obstacleTo(model, points); !obstacle.reason.empty())
+  checkMeans(means);
+  if (const auto obstacle = obstacleTo(model, means); !obstacle.reason.empty())
     throw Error(ExitCode::NotConverged, obstacle.reason);
-  const int n = static_cast<int>(points.size());
+  const int n = static_cast<int>(means.size());
   LawFit fit;
   fit.model = model;
   fit.freedom = n - countParameters(model);
   if (!(reference >= 0.0 && std::isfinite(reference)))
     throw std::invalid_argument("fitLaw: the reference of kappa3 is not finite or negative");
   if (reference == 0.0)
-    reference = geometricMean(points);
+    reference = geometricMean(means);
 
   // Weights depend on the fit and on the scatter, both on the weights: repeat until they agree. The
-  // scatter is relative to the fitted mu, not to the measured one, so that a point does not weigh
-  // more because it happened to come out low.
+  // scatter is relative to the fitted mu, not to the measured one, so that a condition does not
+  // weigh more because it happened to come out low.
   VectorXd fitted(n);
   for (int i = 0; i < n; ++i)
-    fitted[i] = std::max(points[i].mu, 1e-3);
+    fitted[i] = std::max(means[i].mu, 1e-3);
   fit.scatter = 0.1;
   VectorXd sigma;
   LeastSquaresSolution solution;
   constexpr int mostRounds = 50;
   constexpr double tolerance = 1e-7;
   for (int round = 0; round < mostRounds; ++round) {
-    sigma = deviations(points, fitted, fit.scatter);
-    const LawProblem weighted(model, points, sigma, reference);
+    sigma = deviations(means, fitted, fit.scatter);
+    const LawProblem weighted(model, means, sigma, reference);
     const auto problem = weighted.make();
     auto starts = weighted.starts(problem);
     if (round > 0)
@@ -277,8 +280,8 @@ LawFit fitLaw(LawModel model, const std::vector<LawPoint> &points, double level,
       throw Error(ExitCode::NotConverged, fmt::format("the fit of {} does not converge: {}",
                                                       nameOf(model), solution.message));
     const VectorXd before = fitted;
-    fitted = fittedMu(solution.x, points, reference);
-    const double scatter = scatterFor(points, fitted, fit.freedom);
+    fitted = fittedMu(solution.x, means, reference);
+    const double scatter = scatterFor(means, fitted, fit.freedom);
     const bool settled = std::abs(scatter - fit.scatter) <= tolerance * (scatter + leastScatter) &&
                          (fitted - before).norm() <= tolerance * fitted.norm();
     fit.scatter = scatter;
@@ -287,12 +290,12 @@ LawFit fitLaw(LawModel model, const std::vector<LawPoint> &points, double level,
   }
   // once more with the weights that belong to the last scatter: parameters, chi^2 and Jacobian
   // agree
-  sigma = deviations(points, fitted, fit.scatter);
-  const LawProblem weighted(model, points, sigma, reference);
+  sigma = deviations(means, fitted, fit.scatter);
+  const LawProblem weighted(model, means, sigma, reference);
   const auto problem = weighted.make();
   solution = solveLeastSquares(problem, {solution.x});
   setParameters(fit.law, solution.x);
-  fitted = fittedMu(solution.x, points, reference);
+  fitted = fittedMu(solution.x, means, reference);
   fit.chiSquared = solution.sumOfSquares;
 
   for (int k = 0; k < fitParameters; ++k) {
@@ -312,22 +315,22 @@ LawFit fitLaw(LawModel model, const std::vector<LawPoint> &points, double level,
     fit.exponentError = std::sqrt(analysis.covariance(N, N));
   }
   fit.law.n = n;
-  // but the fit cannot follow a point with it
+  // but the fit cannot follow a condition with it
   auto held = problem.constant;
   for (int k = 0; k < fitParameters; ++k)
     held[k] = held[k] || fit.atBound[k];
-  fillResiduals(fit, points, fitted, sigma, solution.jacobian,
+  fillResiduals(fit, means, fitted, sigma, solution.jacobian,
                 analyseJacobian(solution.jacobian, held).covariance);
-  fit.law.kappa1Range = rangeOf(points, &LawPoint::kappa1);
-  fit.law.kappa2Range = rangeOf(points, &LawPoint::kappa2);
-  fit.law.kappa3Range = rangeOf(points, &LawPoint::kappa3);
+  fit.law.kappa1Range = rangeOf(means, &ConditionMean::kappa1);
+  fit.law.kappa2Range = rangeOf(means, &ConditionMean::kappa2);
+  fit.law.kappa3Range = rangeOf(means, &ConditionMean::kappa3);
   if (hasKappa3(model))
     fit.law.kappa3 = reference;
 
   const int k = countParameters(model) + 1; // and the scatter
-  fit.aicc = n > k + 1 ? minusTwoLogLikelihood(points, fitted) + 2.0 * k +
-                             2.0 * k * (k + 1) / (n - k - 1.0)
-                       : infinity;
+  fit.aicc =
+      n > k + 1 ? minusTwoLogLikelihood(means, fitted) + 2.0 * k + 2.0 * k * (k + 1) / (n - k - 1.0)
+                : infinity;
   if (level > 0.0 && fit.notIdentifiable.empty()) {
     const double t = studentQuantile(0.5 * (1.0 + level), fit.freedom);
     for (int j = 0; j < fitParameters; ++j) {

@@ -20,7 +20,7 @@ namespace wheelrail {
 /// value that makes chi^2 equal to the degrees of freedom (Paule and Mandel, J. Res. NBS 87
 /// (1982) 377), zero if the standard errors alone explain the residuals. The covariance is (J^T
 /// J)^-1 with these weights; a parameter at its bound counts as free in it, but as held in the
-/// leverage, which says how far the fit follows each point.
+/// leverage, which says how far the fit follows each condition.
 struct LawFit {
   LawModel model = LawModel::Full;
   KappaLaw law;                 ///< with a power of kappa3: at the reference
@@ -29,39 +29,39 @@ struct LawFit {
   double reference = 0.0;       ///< kappa3 at which the law holds; 0: at any
   double scatter = 0.0;         ///< relative
   double chiSquared = 0.0;      ///< sum of the weighted squares
-  int freedom = 0;              ///< points minus parameters
+  int freedom = 0;              ///< conditions minus parameters
   double conditionNumber = 0.0; ///< of the Jacobian with columns of length 1
   double aicc = 0.0;            ///< Akaike's criterion for small samples; the scatter counts too
   std::array<bool, fitParameters> atBound = {}; ///< the best value lies on a bound
   std::array<Interval, fitParameters>
       intervals;                   ///< profile likelihood; empty for what is not fitted
-  std::vector<double> residuals;   ///< (mu - fit)/fit of every point
+  std::vector<double> residuals;   ///< (mu - fit)/fit of every condition
   std::vector<double> studentised; ///< residual in units of its own standard deviation
-  std::vector<double> leverage;    ///< 0 .. 1; parameters/points on average
+  std::vector<double> leverage;    ///< 0 .. 1; parameters/conditions on average
   /// Why the parameters cannot be told apart; empty if they can.
   std::string notIdentifiable;
 };
 
-/// Absolute studentised residual beyond which a point is reported as an outlier.
+/// Absolute studentised residual beyond which a condition is reported as an outlier.
 constexpr double outlierLimit = 3.0;
 
-/// What keeps these points from being fitted with this model at all: too few of them, too few
+/// What keeps these conditions from being fitted with this model at all: too few of them, too few
 /// different kappa1, kappa2 or kappa3. Empty: nothing.
 struct Obstacle {
   std::string reason;
-  bool tooFew = false; ///< more points would help whatever they are
+  bool tooFew = false; ///< more conditions would help whatever they are
 };
-/// Asks for more points than parameters and for as many different kappas as the terms need.
-Obstacle obstacleTo(LawModel model, const std::vector<LawPoint> &points);
+/// Asks for more conditions than parameters and for as many different kappas as the terms need.
+Obstacle obstacleTo(LawModel model, const std::vector<ConditionMean> &means);
 
 /// Weighted least squares with mu0, b, c >= 0, started from the best places of a grid over b and c
 /// with the linear parameters solved for.
 /// \param level of the confidence intervals, 0 < level < 1; 0: none are computed
 /// \param reference kappa3 > 0 at which the law is to hold where the model has a power of it;
-///        0: the geometric mean of the points
+///        0: the geometric mean of the conditions
 /// \throws Error (NotConverged) if obstacleTo names an obstacle or the solver does not converge
 /// \throws std::invalid_argument for values that are not finite, negative kappas, negative errors
-LawFit fitLaw(LawModel model, const std::vector<LawPoint> &points, double level = 0.95,
+LawFit fitLaw(LawModel model, const std::vector<ConditionMean> &means, double level = 0.95,
               double reference = 0.0);
 
 } // namespace wheelrail

@@ -8,8 +8,9 @@
 
 namespace wheelrail {
 
-/// One point to fit: mu at (kappa1, kappa2, kappa3) with the standard error of mu (>= 0, finite).
-struct LawPoint {
+/// What is fitted of one condition: mu at (kappa1, kappa2, kappa3), the mean over its runs, with
+/// the standard error of mu (>= 0, finite).
+struct ConditionMean {
   /// rho E v^2/sigma_0^2 and p E/sigma_0^2, as in Eq. 2; >= 0, finite.
   double kappa1 = 0.0;
   double kappa2 = 0.0;

@@ -29,16 +29,16 @@ void setParameters(KappaLaw &law, const VectorXd &x)
   law.c = x[C];
 }
 
-double modelMu(const VectorXd &x, const LawPoint &point, double reference)
+double modelMu(const VectorXd &x, const ConditionMean &mean, double reference)
 {
   KappaLaw law;
   setParameters(law, x);
-  return law(point.kappa1, point.kappa2) * std::pow(point.kappa3 / reference, x[N]);
+  return law(mean.kappa1, mean.kappa2) * std::pow(mean.kappa3 / reference, x[N]);
 }
 
-LawProblem::LawProblem(LawModel model, const std::vector<LawPoint> &data, VectorXd deviations,
+LawProblem::LawProblem(LawModel model, const std::vector<ConditionMean> &data, VectorXd deviations,
                        double kappa3)
-    : points_(data), sigma_(std::move(deviations)), reference_(kappa3), free_(parametersOf(model))
+    : means_(data), sigma_(std::move(deviations)), reference_(kappa3), free_(parametersOf(model))
 {
 }
 
@@ -46,13 +46,13 @@ LeastSquaresProblem LawProblem::make() const
 {
   LeastSquaresProblem problem;
   problem.parameters = fitParameters;
-  problem.residuals = static_cast<int>(points_.size());
+  problem.residuals = static_cast<int>(means_.size());
   problem.lower = VectorXd::Constant(fitParameters, -infinity);
   problem.upper = VectorXd::Constant(fitParameters, infinity);
   for (int k : {Mu0, B, C})
     problem.lower[k] = 0.0;
-  problem.upper[B] = saturation / smallest(&LawPoint::kappa1);
-  problem.upper[C] = saturation / smallest(&LawPoint::kappa2);
+  problem.upper[B] = saturation / smallest(&ConditionMean::kappa1);
+  problem.upper[C] = saturation / smallest(&ConditionMean::kappa2);
   for (bool isFree : free_)
     problem.constant.push_back(!isFree);
   problem.evaluate = [this](const VectorXd &x, VectorXd &r, MatrixXd *jacobian) {
@@ -79,12 +79,12 @@ std::vector<VectorXd> LawProblem::starts(const LeastSquaresProblem &problem) con
   return result;
 }
 
-double LawProblem::smallest(double LawPoint::*kappa) const
+double LawProblem::smallest(double ConditionMean::*kappa) const
 {
   double least = infinity;
-  for (const auto &p : points_)
-    if (p.*kappa > 0.0)
-      least = std::min(least, p.*kappa);
+  for (const auto &mean : means_)
+    if (mean.*kappa > 0.0)
+      least = std::min(least, mean.*kappa);
   return std::isfinite(least) ? least : 1.0;
 }
 
@@ -110,10 +110,10 @@ std::pair<double, VectorXd> LawProblem::linearFit(double b, double c) const
     if (free_[k])
       linear.push_back(k);
   // at mu0 = mu1 = mu2 = 0 the residuals are minus the data and the derivatives the design matrix
-  VectorXd r(points_.size());
-  MatrixXd jacobian(points_.size(), fitParameters);
+  VectorXd r(means_.size());
+  MatrixXd jacobian(means_.size(), fitParameters);
   evaluate(x, r, &jacobian);
-  MatrixXd design(points_.size(), linear.size());
+  MatrixXd design(means_.size(), linear.size());
   for (size_t j = 0; j < linear.size(); ++j)
     design.col(j) = jacobian.col(linear[j]);
   const VectorXd solution = design.colPivHouseholderQr().solve(-r);
@@ -128,22 +128,22 @@ void LawProblem::evaluate(const VectorXd &x, VectorXd &r, MatrixXd *jacobian) co
 {
   KappaLaw law;
   setParameters(law, x);
-  for (size_t i = 0; i < points_.size(); ++i) {
-    const auto &p = points_[i];
+  for (size_t i = 0; i < means_.size(); ++i) {
+    const auto &mean = means_[i];
     const double weight = 1.0 / sigma_[i];
-    const double mu = modelMu(x, p, reference_);
-    r[i] = weight * (mu - p.mu);
+    const double mu = modelMu(x, mean, reference_);
+    r[i] = weight * (mu - mean.mu);
     if (!jacobian)
       continue;
-    const double logarithm = std::log(p.kappa3 / reference_);
+    const double logarithm = std::log(mean.kappa3 / reference_);
     const double w = weight * std::exp(x[N] * logarithm);
-    const double g1 = 1.0 / (1.0 + law.b * p.kappa1);
-    const double g2 = 1.0 / (1.0 + law.c * p.kappa2);
+    const double g1 = 1.0 / (1.0 + law.b * mean.kappa1);
+    const double g2 = 1.0 / (1.0 + law.c * mean.kappa2);
     (*jacobian)(i, Mu0) = w;
-    (*jacobian)(i, Mu1) = w * p.kappa1 * g1;
+    (*jacobian)(i, Mu1) = w * mean.kappa1 * g1;
     (*jacobian)(i, Mu2) = w * g2;
-    (*jacobian)(i, B) = -w * law.mu1 * std::pow(p.kappa1 * g1, 2);
-    (*jacobian)(i, C) = -w * law.mu2 * p.kappa2 * g2 * g2;
+    (*jacobian)(i, B) = -w * law.mu1 * std::pow(mean.kappa1 * g1, 2);
+    (*jacobian)(i, C) = -w * law.mu2 * mean.kappa2 * g2 * g2;
     (*jacobian)(i, N) = weight * mu * logarithm;
   }
 }

@@ -18,9 +18,9 @@ enum LawParameter { Mu0, Mu1, Mu2, B, C, N };
 /// \param x six values, mu0, mu1, mu2, b, c, n
 void setParameters(KappaLaw &law, const Eigen::VectorXd &x);
 
-/// Eq. 2 times (kappa3/reference)^n at a point, with the parameters x. reference > 0.
+/// Eq. 2 times (kappa3/reference)^n at a condition, with the parameters x. reference > 0.
 /// \return mu, a pure number; with n = 0 the reference plays no part
-double modelMu(const Eigen::VectorXd &x, const LawPoint &point, double reference);
+double modelMu(const Eigen::VectorXd &x, const ConditionMean &mean, double reference);
 
 /// What a model fits, as a weighted least-squares problem in (mu0, mu1, mu2, b, c, n), with
 /// analytic derivatives. Bounds: mu0, b, c >= 0; b and c at most a hundred times the inverse of the
@@ -28,10 +28,10 @@ double modelMu(const Eigen::VectorXd &x, const LawPoint &point, double reference
 /// All parameters and residuals are dimensionless.
 class LawProblem {
  public:
-  /// \param deviations standard deviation of each point, > 0
+  /// \param deviations standard deviation of each condition, > 0
   /// \param kappa3 reference of a model with a power of kappa3, > 0
-  /// The points must outlive the problem.
-  LawProblem(LawModel model, const std::vector<LawPoint> &data, Eigen::VectorXd deviations,
+  /// The conditions must outlive the problem.
+  LawProblem(LawModel model, const std::vector<ConditionMean> &data, Eigen::VectorXd deviations,
              double kappa3);
 
   /// For solveLeastSquares; refers to *this.
@@ -44,8 +44,8 @@ class LawProblem {
   std::vector<Eigen::VectorXd> starts(const LeastSquaresProblem &problem) const;
 
  private:
-  /// Smallest positive value of kappa1 or kappa2 over the points, 1 without one.
-  double smallest(double LawPoint::*kappa) const;
+  /// Smallest positive value of kappa1 or kappa2 over the conditions, 1 without one.
+  double smallest(double ConditionMean::*kappa) const;
   /// Values of b or c to start from; just 0 where it is not fitted.
   std::vector<double> grid(int k, double upper) const;
   /// Sum of squares and parameters of the best mu0, mu1, mu2 at given b and c.
@@ -53,7 +53,7 @@ class LawProblem {
   /// Residuals in units of the deviations, and their derivatives unless null.
   void evaluate(const Eigen::VectorXd &x, Eigen::VectorXd &r, Eigen::MatrixXd *jacobian) const;
 
-  const std::vector<LawPoint> &points_;
+  const std::vector<ConditionMean> &means_;
   Eigen::VectorXd sigma_;
   double reference_;
   std::array<bool, fitParameters> free_;

@@ -14,19 +14,19 @@ bool nearlyEqual(double a, double b)
   return std::abs(a - b) <= tolerance * std::max(a, b);
 }
 
-ReplicateGroup summarise(const std::vector<const FrictionPoint *> &members)
+ReplicateGroup summarise(const std::vector<const FrictionRun *> &members)
 {
   ReplicateGroup group;
   group.n = static_cast<int>(members.size());
   group.kappa1 = members.front()->kappa1;
   group.kappa2 = members.front()->kappa2;
-  for (const auto *p : members)
-    group.mu += p->mu / group.n;
+  for (const auto *run : members)
+    group.mu += run->mu / group.n;
   double squares = 0.0;
   double errors = 0.0;
-  for (const auto *p : members) {
-    squares += std::pow(p->mu - group.mu, 2);
-    errors += p->muSe * p->muSe;
+  for (const auto *run : members) {
+    squares += std::pow(run->mu - group.mu, 2);
+    errors += run->muSe * run->muSe;
   }
   group.scatter = std::sqrt(squares / (group.n - 1)) / group.mu;
   group.expected = std::sqrt(errors / group.n) / group.mu;
@@ -35,20 +35,20 @@ ReplicateGroup summarise(const std::vector<const FrictionPoint *> &members)
 
 } // namespace
 
-std::vector<ReplicateGroup> replicateGroups(const std::vector<FrictionPoint> &points)
+std::vector<ReplicateGroup> replicateGroups(const std::vector<FrictionRun> &runs)
 {
-  std::vector<std::vector<const FrictionPoint *>> groups;
-  for (const auto &p : points) {
-    if (!p.leftOut.empty() || !std::isfinite(p.muSe))
+  std::vector<std::vector<const FrictionRun *>> groups;
+  for (const auto &run : runs) {
+    if (!run.leftOut.empty() || !std::isfinite(run.muSe))
       continue;
     const auto home = std::find_if(groups.begin(), groups.end(), [&](const auto &members) {
-      return nearlyEqual(members.front()->kappa1, p.kappa1) &&
-             nearlyEqual(members.front()->kappa2, p.kappa2);
+      return nearlyEqual(members.front()->kappa1, run.kappa1) &&
+             nearlyEqual(members.front()->kappa2, run.kappa2);
     });
     if (home == groups.end())
-      groups.push_back({&p});
+      groups.push_back({&run});
     else
-      home->push_back(&p);
+      home->push_back(&run);
   }
   std::vector<ReplicateGroup> result;
   for (const auto &members : groups)

@@ -10,44 +10,44 @@ namespace wheelrail {
 
 namespace {
 
-double errorWith(const FrictionPoint &point, double share)
+double errorWith(const FrictionRun &run, double share)
 {
-  return std::hypot(point.muOwn, share * point.mu);
+  return std::hypot(run.muOwn, share * run.mu);
 }
 
 /// Squared deviations from the condition's weighted mean, in units of the errors.
-double deviationsOf(const FitCondition &condition, const std::vector<FrictionPoint> &points,
+double deviationsOf(const FitCondition &condition, const std::vector<FrictionRun> &runs,
                     double share)
 {
   double weights = 0.0, mean = 0.0, sum = 0.0;
-  for (const std::size_t run : condition.runs) {
-    const double weight = std::pow(errorWith(points[run], share), -2);
+  for (const std::size_t k : condition.runs) {
+    const double weight = std::pow(errorWith(runs[k], share), -2);
     weights += weight;
-    mean += weight * points[run].mu;
+    mean += weight * runs[k].mu;
   }
   mean /= weights;
-  for (const std::size_t run : condition.runs)
-    sum += std::pow((points[run].mu - mean) / errorWith(points[run], share), 2);
+  for (const std::size_t k : condition.runs)
+    sum += std::pow((runs[k].mu - mean) / errorWith(runs[k], share), 2);
   return sum;
 }
 
 /// Does each run have an error of its own? A constant series has none.
-bool tells(const FitCondition &condition, const std::vector<FrictionPoint> &points)
+bool tells(const FitCondition &condition, const std::vector<FrictionRun> &runs)
 {
   return condition.runs.size() > 1 &&
          std::all_of(condition.runs.begin(), condition.runs.end(),
-                     [&](std::size_t run) { return points[run].muOwn > 0.0; });
+                     [&](std::size_t k) { return runs[k].muOwn > 0.0; });
 }
 
 /// What seeds differ by in conditions with the same laws and program.
 SeedScatter scatterOf(const std::vector<const FitCondition *> &conditions,
-                      const std::vector<FrictionPoint> &points)
+                      const std::vector<FrictionRun> &runs)
 {
   SeedScatter scatter;
   std::vector<const FitCondition *> telling;
   for (const FitCondition *condition : conditions) {
     scatter.runs.insert(scatter.runs.end(), condition->runs.begin(), condition->runs.end());
-    if (!tells(*condition, points))
+    if (!tells(*condition, runs))
       continue;
     telling.push_back(condition);
     scatter.freedom += static_cast<int>(condition->runs.size()) - 1;
@@ -57,7 +57,7 @@ SeedScatter scatterOf(const std::vector<const FitCondition *> &conditions,
   const auto excess = [&](double share) {
     double sum = -scatter.freedom;
     for (const FitCondition *condition : telling)
-      sum += deviationsOf(*condition, points, share);
+      sum += deviationsOf(*condition, runs, share);
     return sum;
   };
   if (telling.empty() || excess(0.0) <= 0.0)
@@ -82,13 +82,13 @@ double SeedScatter::t95() const
   return freedom > 0 ? studentQuantile(upper, freedom) : normal95;
 }
 
-std::vector<SeedScatter> seedScatters(const std::vector<FrictionPoint> &points,
+std::vector<SeedScatter> seedScatters(const std::vector<FrictionRun> &runs,
                                       const std::vector<FitCondition> &conditions)
 {
   std::vector<std::vector<const FitCondition *>> groups;
   const auto madeBy = [&](const FitCondition &condition) -> const auto &
   {
-    return points[condition.runs.front()].madeBy;
+    return runs[condition.runs.front()].madeBy;
   };
   for (const FitCondition &condition : conditions) {
     const auto home = std::find_if(groups.begin(), groups.end(), [&](const auto &group) {
@@ -101,15 +101,15 @@ std::vector<SeedScatter> seedScatters(const std::vector<FrictionPoint> &points,
   }
   std::vector<SeedScatter> scatters;
   for (const auto &group : groups)
-    scatters.push_back(scatterOf(group, points));
+    scatters.push_back(scatterOf(group, runs));
   return scatters;
 }
 
-void addSeedScatter(std::vector<FrictionPoint> &points, const SeedScatter &scatter)
+void addSeedScatter(std::vector<FrictionRun> &runs, const SeedScatter &scatter)
 {
-  for (const std::size_t run : scatter.runs) {
-    points[run].muSe = errorWith(points[run], scatter.share);
-    points[run].t95 = scatter.t95();
+  for (const std::size_t k : scatter.runs) {
+    runs[k].muSe = errorWith(runs[k], scatter.share);
+    runs[k].t95 = scatter.t95();
   }
 }
 

@@ -16,7 +16,7 @@ struct SeedScatter {
   double share = 0.0; ///< standard deviation between seeds as a share of mu, >= 0
   int freedom = 0;    ///< degrees of freedom: runs less conditions, of those with two runs or more
   int conditions = 0; ///< with two runs or more; 0: nothing is known of it
-  /// Places in the list of points of all its runs, of the other conditions, too; at least one.
+  /// Places in the list of runs of all its runs, of the other conditions, too; at least one.
   std::vector<std::size_t> runs;
   /// Student's t of 95 % by `freedom`: how many standard errors the interval of a mean reaches; of
   /// a normal distribution where nothing is known.
@@ -27,13 +27,13 @@ struct SeedScatter {
 /// squared deviations of mu from the conditions' weighted means, each over muOwn^2 + (share mu)^2,
 /// add up to the degrees of freedom (R. C. Paule and J. Mandel, J. Res. NBS 87 (1982) 377); 0 where
 /// the runs' own errors explain them.
-/// \param conditions of `conditionsOf(points)`
+/// \param conditions of `conditionsOf(runs)`
 /// \return one for each set of laws and program, in the order of their first runs
-std::vector<SeedScatter> seedScatters(const std::vector<FrictionPoint> &points,
+std::vector<SeedScatter> seedScatters(const std::vector<FrictionRun> &runs,
                                       const std::vector<FitCondition> &conditions);
 
 /// Sets muSe and t95 of its runs.
-void addSeedScatter(std::vector<FrictionPoint> &points, const SeedScatter &scatter);
+void addSeedScatter(std::vector<FrictionRun> &runs, const SeedScatter &scatter);
 
 } // namespace wheelrail
 

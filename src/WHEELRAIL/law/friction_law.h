@@ -38,7 +38,7 @@ class FrictionLaw {
   /// The friction coefficient.
   /// \return mu > 0, one value a cell
   /// \throws Error (NotConverged) where the law gives mu <= 0: it does not hold that far from the
-  ///         points it was fitted to
+  ///         conditions it was fitted to
   virtual Eigen::VectorXd mu(const FrictionState &state) const = 0;
 
   /// Does mu depend on the sliding speed? Where forces are given, creep and mu are then found

@@ -39,14 +39,14 @@ struct KappaLaw {
 
   /// Covariance of (mu0, mu1, mu2, b, c); absent where the source states none.
   std::optional<LawCovariance> covariance;
-  int n = 0;                ///< points that were fitted; 0: the source does not say
+  int n = 0;                ///< conditions that were fitted; 0: the source does not say
   double rmsRelative = 0.0; ///< root mean square of (mu - fit)/fit
-  /// Ranges of the fitted points, kappa3 = E/sigma_0; absent where the source states none.
+  /// Ranges of the fitted conditions, kappa3 = E/sigma_0; absent where the source states none.
   std::optional<Range> kappa1Range, kappa2Range, kappa3Range;
   /// The kappa3 that the law is for, where mu was found to depend on it; absent: mu was taken not
   /// to depend on it.
   std::optional<double> kappa3;
-  /// Ranges of what the points were made of, by the names in `fittedQuantities`; those that the
+  /// Ranges of what the runs were made of, by the names in `fittedQuantities`; those that the
   /// source does not state are missing.
   std::map<std::string, Range> fittedOn;
   std::string source; ///< where the numbers come from

@@ -80,7 +80,7 @@ LawFile::LawFile(std::string path, const std::vector<std::string> &keys)
   }
   if (!json_.is_object())
     throw badInput(fileName_, 1, "", "not a JSON object");
-  // what wr_fit writes when the points do not give a law
+  // what wr_fit writes when the runs do not give a law
   if (json_.contains("reason") && json_["reason"].is_string())
     throw badInput(fileName_, 0, "", "no law was fitted: " + json_["reason"].get<std::string>());
   checkKeys(keys);

@@ -72,7 +72,7 @@ Vector Eq2Law::mu(const FrictionState &state) const
     throw Error(
         ExitCode::NotConverged,
         fmt::format("friction.law: mu = {:.4g} at a sliding speed of {:g} m/s; the law does "
-                    "not hold that far from the points it was fitted to",
+                    "not hold that far from the conditions it was fitted to",
                     mu.minCoeff(), state.slidingSpeed));
   return mu;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "fit/point_columns.h"
+#include "fit/run_columns.h"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -7,7 +7,7 @@
 namespace wheelrail {
 namespace {
 
-using P = FrictionPoint;
+using P = FrictionRun;
 
 constexpr InCsv notInCsv{};
 constexpr InCsv first(int digits)
@@ -25,27 +25,27 @@ constexpr InCsv last(int digits)
 constexpr int wholeDigits = 17; // all that a whole number may have
 
 template<auto Member>
-double own(const P &point)
+double own(const P &run)
 {
-  return point.*Member;
+  return run.*Member;
 }
 template<auto Member>
-double ofHead(const P &point)
+double ofHead(const P &run)
 {
-  return point.head.*Member;
+  return run.head.*Member;
 }
 template<auto Member>
-double ofHealth(const P &point)
+double ofHealth(const P &run)
 {
-  return point.health.*Member;
+  return run.health.*Member;
 }
-double youngsModulus(const P &point)
+double youngsModulus(const P &run)
 {
-  return point.youngsModulus();
+  return run.youngsModulus();
 }
-double seed(const P &point)
+double seed(const P &run)
 {
-  return static_cast<double>(point.seed());
+  return static_cast<double>(run.seed());
 }
 
 /// A field of a CSV line, in quotes where its own characters ask for it (RFC 4180).
@@ -61,10 +61,10 @@ std::string csvField(const std::string &text)
 
 } // namespace
 
-const std::vector<PointColumn> &pointColumns()
+const std::vector<RunColumn> &runColumns()
 {
   using Head = mcawr::friction_log::Head;
-  static const std::vector<PointColumn> table = {
+  static const std::vector<RunColumn> table = {
       {"kappa1", own<&P::kappa1>, first(8)},
       {"kappa2", own<&P::kappa2>, first(8)},
       {"kappa3", own<&P::kappa3>, second(8)},
@@ -100,26 +100,25 @@ const std::vector<PointColumn> &pointColumns()
   return table;
 }
 
-std::string pointsAsCsv(const std::vector<FrictionPoint> &points)
+std::string runsAsCsv(const std::vector<FrictionRun> &runs)
 {
-  std::vector<PointColumn> columns;
-  for (const PointColumn &column : pointColumns())
+  std::vector<RunColumn> columns;
+  for (const RunColumn &column : runColumns())
     if (column.csv.digits > 0)
       columns.push_back(column);
-  std::stable_sort(columns.begin(), columns.end(), [](const PointColumn &a, const PointColumn &b) {
-    return a.csv.rank < b.csv.rank;
-  });
+  std::stable_sort(columns.begin(), columns.end(),
+                   [](const RunColumn &a, const RunColumn &b) { return a.csv.rank < b.csv.rank; });
   std::string text = "# t_start in ns (nan: no stationary part found, mu of the second half), "
                      "pressure, strength and youngs_modulus in MPa, velocity in m/s, viscosity in "
                      "Pa s, density in kg/m^3, distance (slid in all) and gap in nm; the rest is "
                      "dimensionless\nfile";
-  for (const PointColumn &column : columns)
+  for (const RunColumn &column : columns)
     text += fmt::format(",{}", column.name);
   text += "\n";
-  for (const FrictionPoint &point : points) {
-    text += csvField(point.file);
-    for (const PointColumn &column : columns)
-      text += fmt::format(",{:.{}g}", column.get(point), column.csv.digits);
+  for (const FrictionRun &run : runs) {
+    text += csvField(run.file);
+    for (const RunColumn &column : columns)
+      text += fmt::format(",{:.{}g}", column.get(run), column.csv.digits);
     text += "\n";
   }
   return text;

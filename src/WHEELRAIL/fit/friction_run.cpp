@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "fit/friction_point.h"
+#include "fit/friction_run.h"
 
 #include "base/errors.h"
 #include "fit/stationarity.h"
@@ -29,7 +29,7 @@ std::size_t firstRowAfter(const FrictionLog &log, double time)
 }
 
 /// The time that `start` and `startDistance` ask for, ns; absent: neither was given.
-std::optional<double> startAskedFor(const FrictionLog &log, const PointOptions &options)
+std::optional<double> startAskedFor(const FrictionLog &log, const AveragingOptions &options)
 {
   if (!options.startDistance)
     return options.start;
@@ -40,7 +40,7 @@ std::optional<double> startAskedFor(const FrictionLog &log, const PointOptions &
 }
 
 /// That the log ends before the start, in the unit in which the start was given.
-Error beyondTheEnd(const FrictionLog &log, const PointOptions &options, double time)
+Error beyondTheEnd(const FrictionLog &log, const AveragingOptions &options, double time)
 {
   const bool isDistance = options.startDistance && time > options.start.value_or(0.0);
   const double perTime = isDistance ? std::abs(log.head.velocity) : 1.0;
@@ -86,26 +86,26 @@ void addNote(std::string &notes, const std::string &note)
 
 } // namespace
 
-FrictionPoint frictionPoint(const FrictionLog &log, const PointOptions &options)
+FrictionRun frictionRun(const FrictionLog &log, const AveragingOptions &options)
 {
-  FrictionPoint point;
-  point.file = log.file;
-  point.kappa1 = log.kappa1();
-  point.kappa2 = log.kappa2();
-  point.kappa3 = log.kappa3();
-  point.muEq2 = bucher2006()(point.kappa1, point.kappa2);
-  point.head = log.head;
-  point.muPeak = *std::max_element(log.mu.begin(), log.mu.end());
-  point.madeBy = log.madeBy;
-  point.condition = log.condition;
+  FrictionRun run;
+  run.file = log.file;
+  run.kappa1 = log.kappa1();
+  run.kappa2 = log.kappa2();
+  run.kappa3 = log.kappa3();
+  run.muEq2 = bucher2006()(run.kappa1, run.kappa2);
+  run.head = log.head;
+  run.muPeak = *std::max_element(log.mu.begin(), log.mu.end());
+  run.madeBy = log.madeBy;
+  run.condition = log.condition;
   const auto rows = std::min(firstRows, log.mu.size());
-  point.firstStep.assign(log.step.begin(), log.step.begin() + rows);
-  point.firstMu.assign(log.mu.begin(), log.mu.begin() + rows);
-  point.note = log.note;
+  run.firstStep.assign(log.step.begin(), log.step.begin() + rows);
+  run.firstMu.assign(log.mu.begin(), log.mu.begin() + rows);
+  run.note = log.note;
   double origin = log.time.front() - log.interval();
   if (std::abs(origin) < 1e-6 * log.interval())
     origin = 0.0; // not round-off
-  point.duration = log.time.back() - origin;
+  run.duration = log.time.back() - origin;
 
   SeriesMean mean;
   double start = 0.0;
@@ -117,33 +117,33 @@ FrictionPoint frictionPoint(const FrictionLog &log, const PointOptions &options)
     mean = seriesMean(log.mu, first, log.mu.size());
     start = *asked;
     begin = first;
-    point.tStart = start;
+    run.tStart = start;
   } else {
     const auto part = stationaryPart(log.mu);
     mean = part.mean;
     begin = part.start;
     start = part.start == 0 ? origin : log.time[part.start - 1];
-    point.tStart = part.found ? start : nan;
+    run.tStart = part.found ? start : nan;
     if (!part.found) {
-      addNote(point.note, fmt::format("no stationary part: {}", part.reason));
+      addNote(run.note, fmt::format("no stationary part: {}", part.reason));
     }
   }
-  point.health = runHealth(log, begin);
-  point.mu = mean.mean;
-  point.muSe = point.muOwn = widenedError(mean);
-  point.freedom = mean.freedom;
-  if (mean.n > 0 && mean.freedom < leastEffective && std::isfinite(point.muOwn))
-    addNote(point.note, fmt::format("too short for its slow times: its error is known from {:.1f} "
-                                    "stretches, and widened {:.1f} times",
-                                    mean.freedom, point.muOwn / mean.standardError));
-  point.nEff = mean.effectiveN;
-  point.correlationTime = mean.correlationTime * log.interval();
-  point.muGrindingIn =
+  run.health = runHealth(log, begin);
+  run.mu = mean.mean;
+  run.muSe = run.muOwn = widenedError(mean);
+  run.freedom = mean.freedom;
+  if (mean.n > 0 && mean.freedom < leastEffective && std::isfinite(run.muOwn))
+    addNote(run.note, fmt::format("too short for its slow times: its error is known from {:.1f} "
+                                  "stretches, and widened {:.1f} times",
+                                  mean.freedom, run.muOwn / mean.standardError));
+  run.nEff = mean.effectiveN;
+  run.correlationTime = mean.correlationTime * log.interval();
+  run.muGrindingIn =
       meanBefore(log, options.grindingIn.value_or(std::min(start, longestGrindingIn)));
-  return point;
+  return run;
 }
 
-bool sameRun(const FrictionPoint &a, const FrictionPoint &b)
+bool sameRun(const FrictionRun &a, const FrictionRun &b)
 {
   if (a.kappa1 != b.kappa1 || a.kappa2 != b.kappa2 || a.kappa3 != b.kappa3 || a.madeBy != b.madeBy)
     return false;

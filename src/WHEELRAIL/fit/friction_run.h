@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#ifndef WHEELRAIL_FIT_FRICTION_POINT_H
-#define WHEELRAIL_FIT_FRICTION_POINT_H
+#ifndef WHEELRAIL_FIT_FRICTION_RUN_H
+#define WHEELRAIL_FIT_FRICTION_RUN_H
 
 #include "fit/friction_log.h"
 #include "fit/run_health.h"
@@ -13,9 +13,9 @@
 
 namespace wheelrail {
 
-/// What one friction log says: mu of its stationary part at (kappa1, kappa2, kappa3).
+/// What the friction log of one run says: mu of its stationary part at (kappa1, kappa2, kappa3).
 /// mu and kappas are pure numbers; the run's own numbers stand beside them for the report.
-struct FrictionPoint {
+struct FrictionRun {
   /// Path of the log, as given.
   std::string file;
   /// From the head: rho E v^2/sigma_0^2, p E/sigma_0^2 (Eq. 2, Bucher et al. 2006), E/sigma_0.
@@ -24,7 +24,7 @@ struct FrictionPoint {
   double kappa3 = 0.0;
   double mu = 0.0; ///< mean of the stationary part; of the second half if there is none
   /// Its standard error: `muOwn`, and with it what seeds differ by (`SeedScatter`), where the
-  /// points it is read with tell.
+  /// runs it is read with tell.
   double muSe = 0.0;
   double muOwn = 0.0;        ///< what the run alone knows of its error, `widenedError`
   double freedom = 0.0;      ///< SeriesMean::freedom
@@ -46,7 +46,7 @@ struct FrictionPoint {
   std::vector<double> firstMu;
   RunHealth health;    ///< of the run, over the part that is averaged
   std::string note;    ///< why there is no stationary part, or that a cut line was dropped
-  std::string leftOut; ///< why the point is not fitted; empty: it is
+  std::string leftOut; ///< why the run is not fitted; empty: it is
 
   double youngsModulus() const { return kappa3 * head.strength; } ///< MPa
   long seed() const { return static_cast<long>(head.seed); }
@@ -55,7 +55,7 @@ struct FrictionPoint {
 };
 
 /// Times are those of the log's column `time`, ns.
-struct PointOptions {
+struct AveragingOptions {
   /// Start of the part that is averaged, ns; absent: found by stationaryPart.
   std::optional<double> start;
   /// Start as a distance of sliding, nm; with both starts, the later of them.
@@ -65,17 +65,17 @@ struct PointOptions {
   std::optional<double> grindingIn;
 };
 
-/// Whether two points come from one run, of which one log may be longer, or have rows that are
+/// Whether two logs are of one run, of which one may be longer, or have rows that are
 /// means over several of the other's: the same kappas, laws and program, and the same mean of mu,
 /// within the rounding of the logs, between all steps at which both have a row. Two seeds of a
 /// roughness so small that it moves no automaton to the other block are one run, too.
-/// For leaving out a point that would count twice.
-bool sameRun(const FrictionPoint &a, const FrictionPoint &b);
+/// For leaving out a log that would count twice.
+bool sameRun(const FrictionRun &a, const FrictionRun &b);
 
-/// The point of one log. \throws Error (BadInput) if the start lies beyond the end of the log
+/// The run of one log. \throws Error (BadInput) if the start lies beyond the end of the log
 /// mu is the mean of the column over the stationary part, its error from `seriesMean`.
 /// \param log with at least one row
-FrictionPoint frictionPoint(const FrictionLog &log, const PointOptions &options);
+FrictionRun frictionRun(const FrictionLog &log, const AveragingOptions &options);
 
 } // namespace wheelrail
 
