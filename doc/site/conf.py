@@ -59,7 +59,7 @@ NAVIGATION = {
     " doc/compute_mca_link_local doc/region_mca_rough"
     " doc/mca_links",
     "Programs": "doc/wr_fit doc/campaign doc/reproduce doc/wr_creep"
-    " doc/wr_creep_validation",
+    " doc/wr_creep_axes doc/wr_creep_validation",
     "Files": "doc/potential_file doc/friction_log",
     "Background": "doc/laws doc/how_close doc/rough_patch doc/how_chosen doc/listings"
     " doc/howto_mechanics"

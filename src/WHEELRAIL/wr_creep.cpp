@@ -133,7 +133,7 @@ void run(const Settings &settings)
     options.progress = [&](int done, int total) { progress(done, total); };
   try {
     warn(task->solve(law, options));
-    ResultFiles files(settings.folder);
+    ResultFiles files(settings.folder, resultHead(task->axes(), input.text));
     finish(settings, input, task->report({input.text, *law, settings.extra}, files), files,
            journal);
   } catch (const mcawr::OutputError &error) {

@@ -38,6 +38,11 @@ PatchFields theFields()
   return fields; // without a temperature
 }
 
+ResultHead theHead()
+{
+  return {{"program", "wr_creep 1"}, {"contact", "radii.wheel_profile: -0.5 m"}};
+}
+
 /// The offset that a .vti states for an array.
 std::size_t offsetOf(const std::string &bytes, const std::string &name)
 {
@@ -60,7 +65,7 @@ Number numberAt(const std::string &bytes, std::size_t place)
 TEST(FieldFiles, VtiHoldsTheNumbersToTheLastBit)
 {
   const PatchFields fields = theFields();
-  const std::string bytes = vtiBytes(theGrid(), fields, "creep 1e-3");
+  const std::string bytes = vtiBytes(theGrid(), fields, "creep 1e-3", theHead());
   EXPECT_NE(bytes.find("WholeExtent=\"0 3 0 2 0 0\""), std::string::npos);
   EXPECT_NE(bytes.find("Origin=\"-0.25 -0.40000000000000002 0\""), std::string::npos);
   EXPECT_EQ(bytes.find("temperature\" "), std::string::npos);
@@ -83,16 +88,25 @@ TEST(FieldFiles, VtiHoldsTheNumbersToTheLastBit)
 TEST(FieldFiles, ATitleCannotBreakTheFiles)
 {
   const std::string title = "a --> b\n<!-- c\0";
-  const std::string bytes = vtiBytes(theGrid(), theFields(), title);
-  EXPECT_NE(bytes.find("<!-- a __> b <!__ c -->\n"), std::string::npos);
-  for (const NamedBytes &file : gsfFields(theGrid(), theFields(), title))
+  const std::string bytes = vtiBytes(theGrid(), theFields(), title, theHead());
+  EXPECT_NE(bytes.find("<!-- a -_> b <!-_ c -->\n"), std::string::npos);
+  for (const NamedBytes &file : gsfFields(theGrid(), theFields(), title, theHead()))
     EXPECT_NO_THROW(parseGsf(file.name, file.bytes)) << file.name;
+}
+
+TEST(FieldFiles, HaveTheHead)
+{
+  const std::string vti = vtiBytes(theGrid(), theFields(), "creep -0.001", theHead());
+  EXPECT_EQ(vti.find("<!-- creep -0.001 -->\n"), vti.find("<!--")) << "the title leads";
+  EXPECT_NE(vti.find("<!-- contact: radii.wheel_profile: -0.5 m -->\n"), std::string::npos);
+  for (const NamedBytes &file : gsfFields(theGrid(), theFields(), "", theHead()))
+    EXPECT_NE(file.bytes.find("\ncontact = radii.wheel_profile: -0.5 m\n"), std::string::npos);
 }
 
 TEST(FieldFiles, GsfFieldsAreInSi)
 {
   const PatchFields fields = theFields();
-  const auto files = gsfFields(theGrid(), fields, "");
+  const auto files = gsfFields(theGrid(), fields, "", {});
   std::vector<std::string> names;
   for (const NamedBytes &file : files) {
     names.push_back(file.name);
@@ -121,14 +135,14 @@ TEST(FieldFiles, AppearWithTheOtherResults)
   fs::create_directories(folder);
   const std::string stem = (folder / "point").string();
   mcawr::OutputFiles files;
-  addFieldFiles(files, stem, theGrid(), theFields(), "t");
+  addFieldFiles(files, stem, theGrid(), theFields(), theHead(), "t");
   EXPECT_FALSE(fs::exists(stem + ".vti"));
   files.commit();
-  EXPECT_EQ(readInputFile(stem + ".vti"), vtiBytes(theGrid(), theFields(), "t"));
+  EXPECT_EQ(readInputFile(stem + ".vti"), vtiBytes(theGrid(), theFields(), "t", theHead()));
   EXPECT_EQ(std::distance(fs::directory_iterator(folder), fs::directory_iterator()), 9);
-  EXPECT_THROW(
-      addFieldFiles(files, (folder / "absent" / "point").string(), theGrid(), theFields(), "t"),
-      mcawr::OutputError);
+  EXPECT_THROW(addFieldFiles(files, (folder / "absent" / "point").string(), theGrid(), theFields(),
+                             theHead(), "t"),
+               mcawr::OutputError);
   fs::remove_all(folder);
 }
 
@@ -138,7 +152,7 @@ TEST(FieldFiles, OfWhatIsNotFiniteAreRefused)
   fields.traction.y[3] = NAN;
   mcawr::OutputFiles files;
   try {
-    addFieldFiles(files, "point", theGrid(), fields, "t");
+    addFieldFiles(files, "point", theGrid(), fields, theHead(), "t");
     FAIL() << "nan was accepted";
   } catch (const Error &error) {
     EXPECT_EQ(error.code(), ExitCode::NotConverged);

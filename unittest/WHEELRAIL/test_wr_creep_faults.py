@@ -213,7 +213,7 @@ def test_streams_that_cannot_be_written(changes, line, tmp_path):
         )
         assert done.returncode == (5 if "1>&-" in closed and right == 0 else right), closed
         if not changes:
-            assert (out / "creep.csv").read_text().startswith("# speed: m/s")
+            assert (out / "creep.csv").read_text().startswith("# program: wr_creep")
             for file in out.iterdir():
                 assert b"wr_creep: " not in file.read_bytes(), file
 

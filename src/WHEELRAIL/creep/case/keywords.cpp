@@ -141,7 +141,8 @@ const std::vector<Keyword> &keywords()
       {"static.shift", Kind::QuantityList, "m", "", -1, 1, 1e-15, "",
        "mode static: [x, y] of the wheel against the rail, instead of forces", scope::point},
       {"creep", Kind::RatioList, "1", "", -10, 10, 1e-12, "",
-       "sliding/rolling speed, longitudinal: a list; or the keywords below"},
+       "slip of the wheel over the rolling speed, longitudinal, positive: braking; or the keywords "
+       "below"},
       {"creep.from", Kind::Ratio, "1", "", -10, 10, 1e-12, "", "first creep"},
       {"creep.to", Kind::Ratio, "1", "", -10, 10, 1e-12, "", "last creep"},
       {"creep.n", Kind::Integer, "1", "", 1, 1e6, 0, "", "number of creeps"},

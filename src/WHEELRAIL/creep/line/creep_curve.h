@@ -47,7 +47,7 @@ struct CreepSpecification {
   RollingMode mode = RollingMode::Frozen;
   MovingSpecification moving; ///< of mode Moving
   /// The order of the lists is that of the results.
-  std::vector<double> creep; ///< sliding/rolling speed, at least one; negative: the wheel brakes
+  std::vector<double> creep; ///< sliding/rolling speed, at least one; positive: the wheel brakes
   std::vector<double> speed; ///< rolling speeds v0, m/s, > 0, at least one
   /// How a covariance of the law becomes a band of T/N.
   SpreadSpecification spread;

@@ -15,6 +15,12 @@ std::vector<std::string> filesOf(const SurfaceSpecification &surface)
   return files;
 }
 
+constexpr const char *rollingAxes =
+    "x along the rolling direction; traction and T act on the rail; creep and slip are the wheel's "
+    "against the rail along x: creep > 0 brakes, creep < 0 drives";
+constexpr const char *staticAxes =
+    "x along the force; traction and T act on the body that it pushes; without rolling";
+
 /// The fields along the contact of the points that were asked for.
 template<class Asked, class Curves>
 void addContacts(Outputs<Curves> &outputs, const Asked &asked, std::size_t points)
@@ -31,6 +37,7 @@ class RollingTask : public CreepTask {
  public:
   explicit RollingTask(const CreepSpecification &asked) : asked_(asked) {}
   const LawChoice &friction() const override { return asked_.friction; }
+  std::string axes() const override { return rollingAxes; }
   std::vector<std::string> files() const override { return filesOf(asked_.surface); }
   std::vector<std::string> outputs() const override { return namesOf(outputsWith(nullptr)); }
   std::vector<std::string> solve(const LawPointer &law, const SweepOptions &options) override
@@ -77,6 +84,7 @@ class StaticTask : public CreepTask {
  public:
   explicit StaticTask(const StaticSpecification &asked) : asked_(asked) {}
   const LawChoice &friction() const override { return asked_.friction; }
+  std::string axes() const override { return staticAxes; }
   std::vector<std::string> files() const override { return filesOf(asked_.surface); }
   std::vector<std::string> outputs() const override { return namesOf(outputsWith(nullptr)); }
   std::vector<std::string> solve(const LawPointer &law, const SweepOptions &options) override

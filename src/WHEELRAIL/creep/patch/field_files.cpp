@@ -99,15 +99,21 @@ class AppendedArrays {
 /// Text that may stand in an XML comment: without "--" and without an end of line.
 std::string commentText(std::string text)
 {
-  for (char &c : text)
-    if (c == '-' || static_cast<unsigned char>(c) < ' ')
-      c = c == '-' ? '_' : ' ';
+  char former = ' ';
+  for (char &c : text) {
+    if (c == '-' && former == '-')
+      c = '_';
+    else if (static_cast<unsigned char>(c) < ' ')
+      c = ' ';
+    former = c;
+  }
   return text;
 }
 
 } // namespace
 
-std::string vtiBytes(const PatchGrid &grid, const PatchFields &fields, const std::string &title)
+std::string vtiBytes(const PatchGrid &grid, const PatchFields &fields, const std::string &title,
+                     const ResultHead &head)
 {
   AppendedArrays arrays;
   arrays.add("state", fields.state);
@@ -122,6 +128,8 @@ std::string vtiBytes(const PatchGrid &grid, const PatchFields &fields, const std
   text += fmt::format("<!-- {} -->\n", commentText(title));
   text += "<!-- x, y, gap: mm; pressure, traction: MPa; slip: sliding/rolling speed; temperature: "
           "K; state: 0 apart, 1 stick, 2 slip; material enters at the largest x -->\n";
+  for (const HeadLine &line : head)
+    text += fmt::format("<!-- {}: {} -->\n", line.name, commentText(line.value));
   text += "<VTKFile type=\"ImageData\" version=\"1.0\" byte_order=\"LittleEndian\" "
           "header_type=\"UInt64\">\n";
   text += fmt::format("  <ImageData WholeExtent=\"{}\" Origin=\"{:.17g} {:.17g} 0\" "
@@ -159,6 +167,15 @@ constexpr std::array<GsfField, 9> gsfTable = {{
     {"temperature", "K", [](const PatchFields &f) -> Vector { return f.temperature; }},
 }};
 
+/// One line of the head.
+std::string withoutControls(std::string text)
+{
+  for (char &c : text)
+    if (static_cast<unsigned char>(c) < ' ')
+      c = ' ';
+  return text;
+}
+
 } // namespace
 
 std::vector<std::string> gsfNames()
@@ -170,10 +187,12 @@ std::vector<std::string> gsfNames()
 }
 
 std::vector<NamedBytes> gsfFields(const PatchGrid &grid, const PatchFields &fields,
-                                  const std::string &title)
+                                  const std::string &title, const ResultHead &head)
 {
   std::vector<NamedBytes> files;
   SimpleField field;
+  for (const HeadLine &line : head)
+    field.notes.emplace_back(line.name, withoutControls(line.value));
   field.nx = grid.nx;
   field.ny = grid.ny;
   field.width = grid.nx * grid.dx * mm;
@@ -186,10 +205,8 @@ std::vector<NamedBytes> gsfFields(const PatchGrid &grid, const PatchFields &fiel
     if (field.value.size() == 0)
       continue;
     field.zUnit = one.unit;
-    field.title = title.empty() ? one.name : fmt::format("{}: {}", one.name, title);
-    for (char &c : field.title)
-      if (static_cast<unsigned char>(c) < ' ') // one line of the head
-        c = ' ';
+    field.title =
+        withoutControls(title.empty() ? one.name : fmt::format("{}: {}", one.name, title));
     files.push_back({one.name, gsfBytes(field)});
   }
   return files;
@@ -218,11 +235,11 @@ void checkFinite(const std::string &stem, const PatchFields &fields)
 } // namespace
 
 void addFieldFiles(mcawr::OutputFiles &files, const std::string &stem, const PatchGrid &grid,
-                   const PatchFields &fields, const std::string &title)
+                   const PatchFields &fields, const ResultHead &head, const std::string &title)
 {
   checkFinite(stem, fields);
-  files.add(stem + ".vti", vtiBytes(grid, fields, title));
-  for (const NamedBytes &file : gsfFields(grid, fields, title))
+  files.add(stem + ".vti", vtiBytes(grid, fields, title, head));
+  for (const NamedBytes &file : gsfFields(grid, fields, title, head))
     files.add(fmt::format("{}_{}.gsf", stem, file.name), file.bytes);
 }
 

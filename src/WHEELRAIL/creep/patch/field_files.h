@@ -4,6 +4,7 @@
 
 #include "contact/patch/elasticity/grid.h"
 #include "contact/patch/solvers/tangential.h"
+#include "creep/sweep/result_head.h"
 #include "shared/output_file.h"
 
 #include <string>
@@ -31,7 +32,9 @@ struct PatchFields {
 /// computation to the last bit. Opens in ParaView and with VTK's vtkXMLImageDataReader. x and y in
 /// mm.
 /// \param title one line, written as a comment with the units
-std::string vtiBytes(const PatchGrid &grid, const PatchFields &fields, const std::string &title);
+/// \param head a comment for each of its lines
+std::string vtiBytes(const PatchGrid &grid, const PatchFields &fields, const std::string &title,
+                     const ResultHead &head);
 
 /// Names of the fields that `gsfFields` may write: state, gap, pressure, traction_x, traction_y,
 /// slip_x, slip_y, mu, temperature.
@@ -43,15 +46,16 @@ struct NamedBytes {
   std::string bytes;
 };
 /// \param title one line, put into each file
+/// \param head likewise, each of its lines under its name
 std::vector<NamedBytes> gsfFields(const PatchGrid &grid, const PatchFields &fields,
-                                  const std::string &title);
+                                  const std::string &title, const ResultHead &head);
 
 /// Adds STEM.vti and STEM_NAME.gsf for each field to files that will appear together.
 /// \param stem path without its ending: "out/fields_0003"
-/// \param title for both formats, one line
+/// \param head, title for both formats
 /// \throws mcawr::OutputError; Error (NotConverged) for a field that is not finite
 void addFieldFiles(mcawr::OutputFiles &files, const std::string &stem, const PatchGrid &grid,
-                   const PatchFields &fields, const std::string &title);
+                   const PatchFields &fields, const ResultHead &head, const std::string &title);
 
 } // namespace wheelrail
 #endif

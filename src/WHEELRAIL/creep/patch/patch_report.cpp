@@ -281,8 +281,7 @@ std::vector<std::string> fieldFileNames(const PatchSpecification &asked)
   return files;
 }
 
-void addFields(mcawr::OutputFiles &files, const std::string &folder,
-               const PatchSpecification &asked, const PatchCurves &curves)
+void addFields(ResultFiles &files, const PatchSpecification &asked, const PatchCurves &curves)
 {
   const std::vector<PatchTask> tasks = patchTasks(asked);
   for (const auto &[number, si] : curves.fields) {
@@ -299,7 +298,7 @@ void addFields(mcawr::OutputFiles &files, const std::string &folder,
       fields.slip.y /= mm;
     }
     const PatchPoint &p = curves.points[number - 1];
-    addFieldFiles(files, folder + "/" + fieldStem(number), grid, fields,
+    addFieldFiles(files.files(), files.pathOf(fieldStem(number)), grid, fields, files.head(),
                   fmt::format("point {}: load {:g} N, creep {:g}, lateral {:g}, spin {:g} 1/mm, "
                               "{:g} m/s",
                               number, p.load, p.creepage.xi, p.creepage.eta, p.creepage.phi / perMm,

@@ -4,6 +4,7 @@
 
 #include "creep/patch/patch_curve.h"
 #include "creep/patch/polach.h"
+#include "creep/sweep/result_files.h"
 
 #include <string>
 #include <vector>
@@ -49,10 +50,8 @@ std::vector<std::string> fieldFileNames(const PatchSpecification &asked);
 std::vector<std::string> fieldFileNames(int number);
 /// Adds them to the files of the results: one .vti and several .gsf files for each selected point,
 /// converted from SI to the files' units.
-/// \param folder that exists
 /// \throws what `addFieldFiles` throws
-void addFields(mcawr::OutputFiles &files, const std::string &folder,
-               const PatchSpecification &asked, const PatchCurves &curves);
+void addFields(ResultFiles &files, const PatchSpecification &asked, const PatchCurves &curves);
 
 /// The computed points as those of Polach's law, and the contact it needs.
 /// In mm, N and m/s, with the signs of the solvers: forces against the creepages.

@@ -70,7 +70,8 @@ void checkPatchTable(const PatchSpecification &asked)
                        axis.name == std::string("load") ? "contact.load" : axis.name));
 }
 
-std::string patchTable(const PatchSpecification &asked, const PatchCurves &curves)
+std::string patchTable(const PatchSpecification &asked, const PatchCurves &curves,
+                       const ResultHead &head)
 {
   const std::vector<Axis> axes = axesOf(asked);
   const FileColumns<PatchPoint> coordinates = coordinatesOf(axes), forces = forceColumns();
@@ -84,7 +85,7 @@ std::string patchTable(const PatchSpecification &asked, const PatchCurves &curve
     text += fmt::format("{}: {}; ", names, unit);
   text += fmt::format("converged: 1, or 0 and no forces\n# grid: {}; creep varies fastest\n",
                       fmt::join(sizes, " x "));
-  text += withoutEnd(headOf(all)) + ",converged\n";
+  text += tableHead(head) + withoutEnd(headOf(all)) + ",converged\n";
   const std::string none = std::string(forces.size(), ',') + ",0\n";
   for (const PatchPoint &point : curves.points) {
     text += withoutEnd(rowOf(coordinates, point));

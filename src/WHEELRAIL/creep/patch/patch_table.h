@@ -3,6 +3,7 @@
 #define WHEELRAIL_CREEP_PATCH_TABLE_H
 
 #include "creep/patch/patch_curve.h"
+#include "creep/sweep/result_head.h"
 
 #include <string>
 
@@ -15,11 +16,12 @@ namespace wheelrail {
 ///         given, several surfaces, values of an axis that do not increase
 void checkPatchTable(const PatchSpecification &asked);
 
-/// CSV: three lines that begin with '#' (what it is, units, the grid), the names of the columns,
-/// one row for each point of the grid in the order of the columns, the last coordinate fastest. A
-/// point that did not converge has a row without forces.
+/// CSV: lines that begin with '#' (what it is, units, the grid, the head), the names of the
+/// columns, one row for each point of the grid in the order of the columns, the last coordinate
+/// fastest. A point that did not converge has a row without forces.
 /// \param curves of a specification that `checkPatchTable` passed; mm, N, m/s
-std::string patchTable(const PatchSpecification &asked, const PatchCurves &curves);
+std::string patchTable(const PatchSpecification &asked, const PatchCurves &curves,
+                       const ResultHead &head);
 
 } // namespace wheelrail
 #endif

@@ -29,7 +29,8 @@ std::string addPolachLaw(const std::string &path, const PatchCurves &curves, Res
     warnings.push_back(choice.warning);
   const std::string table = tableBeside(path);
   const std::string parameters = polachJson(choice, contact);
-  files.addElsewhere(table, finiteTable(table, polachCsv(choice, contact, points)));
+  files.addElsewhere(table, tableHead(files.head()) +
+                                finiteTable(table, polachCsv(choice, contact, points)));
   files.addElsewhere(path, parameters);
   const PolachFit &fit = choice.best;
   std::string text = "Polach's law:";
@@ -42,10 +43,22 @@ std::string addPolachLaw(const std::string &path, const PatchCurves &curves, Res
                      table);
 }
 
+constexpr const char *rollingAxes =
+    "x along the rolling direction, y to its left, z up; traction, forces and moment act on the "
+    "wheel; creepages and slip are the wheel's against the rail: creep > 0 brakes, creep < 0 "
+    "drives";
+constexpr const char *staticAxes =
+    "x, y in the plane of contact, z up; traction, forces and moment act on the wheel; shift and "
+    "slip are the wheel's against the rail; without rolling";
+
 class PatchCreepTask : public CreepTask {
  public:
   explicit PatchCreepTask(const PatchSpecification &asked) : asked_(asked) {}
   const LawChoice &friction() const override { return asked_.friction; }
+  std::string axes() const override
+  {
+    return asked_.mode == PatchMode::Static ? staticAxes : rollingAxes;
+  }
   std::vector<std::string> files() const override
   {
     std::vector<std::string> files = asked_.roughness.rail;
@@ -99,7 +112,8 @@ class PatchCreepTask : public CreepTask {
       report.shortfall = error;
     }
     if (!extra.table.empty()) {
-      files.addElsewhere(extra.table, finiteTable(extra.table, patchTable(asked_, curves_)));
+      files.addElsewhere(extra.table,
+                         finiteTable(extra.table, patchTable(asked_, curves_, files.head())));
       report.extra = fmt::format("table of {} operating points written to {}\n",
                                  curves_.points.size(), extra.table);
     }
@@ -112,7 +126,7 @@ class PatchCreepTask : public CreepTask {
     Outputs<PatchCurves> outputs = {
         {fieldFileNames(asked_),
          [&](auto &c, ResultFiles &files) {
-           addFields(files.files(), files.folder(), asked_, c);
+           addFields(files, asked_, c);
            for (const auto &[number, fields] : c.fields)
              files.note(fieldFileNames(number));
          }},

@@ -50,6 +50,8 @@ class CreepTask {
   virtual ~CreepTask() = default;
 
   virtual const LawChoice &friction() const = 0;
+  /// What x, y, a force and a creepage of the results mean, in one line; the page wr_creep_axes.
+  virtual std::string axes() const = 0;
   /// Surfaces that are read, by the path that will be opened.
   virtual std::vector<std::string> files() const = 0;
   /// Names of all files that a run may leave in its folder.

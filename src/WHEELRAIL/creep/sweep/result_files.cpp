@@ -36,7 +36,7 @@ std::vector<std::string> formerSet(const std::string &path)
 
 void ResultFiles::add(const std::string &name, const std::string &content)
 {
-  files_.add(pathOf(name), isTable(name) ? finiteTable(name, content) : content);
+  files_.add(pathOf(name), isTable(name) ? tableHead(head_) + finiteTable(name, content) : content);
   names_ += (names_.empty() ? "" : ", ") + name;
   set_.push_back(name);
 }

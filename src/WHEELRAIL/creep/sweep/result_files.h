@@ -2,6 +2,7 @@
 #ifndef WHEELRAIL_CREEP_SWEEP_RESULT_FILES_H
 #define WHEELRAIL_CREEP_SWEEP_RESULT_FILES_H
 
+#include "creep/sweep/result_head.h"
 #include "shared/output_file.h"
 
 #include <functional>
@@ -16,9 +17,14 @@ constexpr const char *summaryName = "summary.json";
 class ResultFiles {
  public:
   /// \param folder that is there
-  explicit ResultFiles(std::string folder) : folder_(std::move(folder)) {}
+  /// \param head of all tables and fields
+  ResultFiles(std::string folder, ResultHead head)
+      : folder_(std::move(folder)), head_(std::move(head))
+  {
+  }
 
-  /// A file in the folder; the report names it. What ends in ".csv" is checked as a table.
+  /// A file in the folder; the report names it. What ends in ".csv" is checked as a table and gets
+  /// the head.
   /// \throws Error (NotConverged) for a number of a table that is not finite; mcawr::OutputError
   void add(const std::string &name, const std::string &content);
   /// The summary, last of all: its "files" are the names of what stands in the folder, itself too.
@@ -31,6 +37,7 @@ class ResultFiles {
   /// Path of a file in the folder.
   std::string pathOf(const std::string &name) const { return folder_ + "/" + name; }
   const std::string &folder() const { return folder_; }
+  const ResultHead &head() const { return head_; }
   /// For who writes many files at once.
   mcawr::OutputFiles &files() { return files_; }
 
@@ -44,6 +51,7 @@ class ResultFiles {
 
  private:
   std::string folder_, names_;
+  ResultHead head_;
   std::vector<std::string> set_; ///< names in the folder
   mcawr::OutputFiles files_;
 };

@@ -105,6 +105,8 @@ std::string gsfBytes(const SimpleField &field)
     bytes += fmt::format("ZUnits = {}\n", field.zUnit);
   if (!field.title.empty())
     bytes += fmt::format("Title = {}\n", field.title);
+  for (const auto &[name, value] : field.notes)
+    bytes += fmt::format("{} = {}\n", name, value);
   // One to four NUL bytes: the head ends with at least one, the data begin at a multiple of four.
   bytes.append(4 - bytes.size() % 4, '\0');
   bytes.reserve(bytes.size() + 4 * static_cast<std::size_t>(field.value.size()));

@@ -5,6 +5,8 @@
 #include <Eigen/Core>
 
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace wheelrail {
 
@@ -18,7 +20,10 @@ struct SimpleField {
                                        ///< file runs downwards, so that yOffset = -(largest y)
   std::string xyUnit, zUnit;           ///< such as "m"; empty: pure numbers
   std::string title;                   ///< one line, may be empty
-  Eigen::VectorXd value;               ///< nx*ny, x fastest; stored as float32
+  /// Other lines of the head, name and value, which Gwyddion shows among the metadata; written
+  /// only.
+  std::vector<std::pair<std::string, std::string>> notes;
+  Eigen::VectorXd value; ///< nx*ny, x fastest; stored as float32
 };
 
 /// The bytes of a .gsf file.
