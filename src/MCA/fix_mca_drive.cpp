@@ -5,6 +5,7 @@
 #include "atom.h"
 #include "comm.h"
 #include "compute.h"
+#include "core/energy_account.h"
 #include "domain.h"
 #include "dump.h"
 #include "error.h"
@@ -231,6 +232,7 @@ std::array<double, 3> FixMCADrive::dissipated() const
       account->compute_vector();
     for (int m = 0; m < 3; m++)
       terms[m] = account->vector[2 + m] * layer.stressUnit;
+    terms[2] += account->vector[2 + mca::EnergyAccount::Friction] * layer.stressUnit;
   }
   return terms;
 }

@@ -255,7 +255,8 @@ void FixMCAEnergy::warn()
   static constexpr std::pair<Account::Channel, const char *> dissipated[] = {
       {Account::Plastic, "plastic flow"},
       {Account::Fracture, "breaking"},
-      {Account::Viscous, "viscosity"}};
+      {Account::Viscous, "viscosity"},
+      {Account::Friction, "friction"}};
   if (told)
     return;
   const Balance b = balance();

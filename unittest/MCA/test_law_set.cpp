@@ -116,7 +116,7 @@ TEST(LawSet, EachKeyword)
       {"viscosity", "none"},      {"viscosity", "normal"}, {"steps", "plain"},
       {"link", "1.25"},           {"link", "none"},        {"weld", "0.554"},
       {"heal", "none"},           {"heal", "2.35"},        {"link_work", "0.5"},
-      {"worn", "never"}};
+      {"worn", "never"},          {"friction", "0.25"}};
   for (const auto &pair : choices)
     EXPECT_EQ(wordOf(parsed(pair), pair[0]), pair[1]);
   EXPECT_EQ(parsed({"link", "1.25"}).link.threshold().factor(), 1.25);
@@ -188,6 +188,9 @@ TEST(LawSet, BadValuesNameKeywordValueAndWhatIsAllowed)
       EXPECT_THAT(problemOf({keyword, value}),
                   HasSubstr(std::string("keyword ") + keyword + ", value " + value + ", allowed: "))
           << keyword << " " << value;
+  for (const char *value : {"-1", "nan", "inf", "2x", "none", "1e999"})
+    EXPECT_EQ(problemOf({"friction", value}),
+              std::string("keyword friction, value ") + value + ", allowed: a coefficient >= 0");
   EXPECT_THAT(problemOf({"weld", "hardness"}), HasSubstr("> 0, elastic_limit, none"));
   EXPECT_THAT(problemOf({"heal", "elastic_limit"}), HasSubstr("> 0, hardness, none"));
   EXPECT_EQ(problemOf({"link"}), "keyword link has no value");

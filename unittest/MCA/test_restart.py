@@ -101,6 +101,7 @@ def test_continues_to_the_same_bits(written, tmp_path, ranks):
         "b viscosity both steps plain",
         "b worn never",
         "b plasticity isochoric flow contacts",
+        "b friction 0.4",
     ],
 )
 @pytest.mark.parametrize("ranks", [1, 2])

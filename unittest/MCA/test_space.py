@@ -347,6 +347,7 @@ FURTHER = [
     "flow contacts",
     "plasticity isochoric flow contacts",
     "link none link_work 0.001",
+    "link 2 friction 0.4",
     "fracture equivalent",
     "fracture drucker-prager compressive_strength 3 link_work 0.01",
 ]
@@ -363,8 +364,10 @@ def test_further_laws(blocks, tmp_path, laws):
     result = lmp("in.space_sliding", tmp_path / "one", data=blocks, extra=step + ACCOUNT, **more)
     one = dump(tmp_path / "one" / "final.dump")[-1][1]
     t = result.thermo[0]
-    lost = sum(t[f"c_energy[{k}]"] for k in (3, 4, 5))
+    friction = t["c_energy[10]"]
+    lost = sum(t[f"c_energy[{k}]"] for k in (3, 4, 5)) + friction
     assert np.abs(t["c_energy"][1:] / lost[1:]).max() < 1e-4
+    assert np.diff(friction).min() >= 0 and (friction[-1] > 0) == ("friction" in laws)
     log = friction_log(tmp_path / "one" / "sliding.friction")[1]
     assert log["broken"].sum() > 10 and log["formed"].sum() > 10
     extra = f"{step}restart {steps - 250} mid.*.restart"

@@ -15,7 +15,13 @@ static void store(const Vector &v, double *values)
   values[2] = v.z;
 }
 
-// Elastic strains of pair k in the present or the next state at the present place.
+static bool isSheared(const Step &step, int k)
+{
+  return link::isLinked(step.links().pairs().now.kind[k]);
+}
+
+// Elastic strains of pair k in the present or the next state at the present place. Shears are those
+// of present links: what friction leaves to a new one is booked with it.
 static ElasticStrain strainOf(const Step &step, int k, bool next)
 {
   double state[LinkList::maxStateSize];
@@ -23,7 +29,14 @@ static ElasticStrain strainOf(const Step &step, int k, bool next)
   const bool linked = link::isLinked(state[0]);
   const double e = step.links().pairs().eps[k] - state[1];
   const double shear = step.dimension() == 2 ? state[2] : length(vectorOf(state + 2));
-  return {touchingStrain(linked, e), linked ? shear : 0.0};
+  return {touchingStrain(linked, e), isSheared(step, k) && linked ? shear : 0.0};
+}
+
+// What of pair k's spring of friction sliding sets free in the evaluation [stress].
+static double slidingLoss(const Step &step, int k)
+{
+  const Vector now = step.frictionShear(k, false), next = step.frictionShear(k, true);
+  return 0.5 * step.law(k).twoG * (dot(now, now) - dot(next, next));
 }
 
 // What pair k flows along its normal in the evaluation [-].
@@ -98,6 +111,10 @@ void EnergyAccount::findReleased(const Step &step)
       released_[Fracture] -= plastic;
     }
   }
+  for (const LinkList::Spring &s : step.links().springs()) {
+    const PairLaw &law = step.law(s.pair);
+    released_[Friction] += slidingLoss(step, s.pair) * law.area * law.diameter * step.share(s.pair);
+  }
   // what broken links left to the mean stresses, and what of it is let go of
   for (int i = 0; i < step.own(); i++) {
     const AutomatonLaw &law = step.laws().automata[step.type(i)];
@@ -169,6 +186,7 @@ void EnergyAccount::bookContacts(const Step &step, double dt, bool back)
   };
   const bool grows =
       std::any_of(growth_.h, growth_.h + 6, [](double length) { return length != 0.0; });
+  const bool rubs = !step.links().springs().empty();
   for (int k = 0; k < p.n; k++) {
     const int i = p.i[k], j = p.j[k];
     const PairLaw &law = step.law(k);
@@ -189,7 +207,7 @@ void EnergyAccount::bookContacts(const Step &step, double dt, bool back)
     const double there = touchingStrain(linked, other - state[1]);
     const double closer = sign * (here.normal - there);
     const ElasticStrain total = {sign * (eps - other), growth};
-    const ElasticStrain elastic = {closer, linked ? growth : 0.0};
+    const ElasticStrain elastic = {closer, linked && isSheared(step, k) ? growth : 0.0};
     const double means[2] = {step.mean(i), step.mean(j)};
     const double next[2] = {rows_.row(i)[meanAt], rows_.row(j)[meanAt]};
     const ContactStress s = step.contact(k);
@@ -214,9 +232,22 @@ void EnergyAccount::bookContacts(const Step &step, double dt, bool back)
     }
     sums_[channelOf(step, k)] += loss;
     sums_[Viscous] += viscous * volume;
+    if (back && rubs)
+      bookFriction(step, k, shearGrowth(motion), volume);
     if (grows)
       sums_[Box] += 0.5 * dot(step.contactForce(k), ofBox) * step.share(k);
   }
+}
+
+// The force is that of what the spring holds, while its energy grew with all of its motion; in the
+// first half of a step both agree. What sliding sets free comes with the change of state.
+void EnergyAccount::bookFriction(const Step &step, int k, const Vector &growth, double volume)
+{
+  const Vector slid = step.frictionShear(k, false) - step.frictionShear(k, true);
+  const double loss = -0.5 * step.law(k).twoG * dot(slid, growth) * volume;
+  const double all = loss + slidingLoss(step, k) * volume, back = all < 0.0 ? all : 0.0;
+  sums_[Friction] += loss - back;
+  sums_[Touching] += back;
 }
 
 double EnergyAccount::bytes() const

@@ -29,10 +29,11 @@ class EnergyAccount {
   /// came with automata and left with them, or what somebody changed between two runs. Touching is
   /// what contacts lose in steps in which they touch or part: force and gradient jump there, and
   /// what their means of both ends say too much or too little is no dissipation but the step's
-  /// error, of either sign. Channels is their number.
-  enum Channel { Plastic, Fracture, Viscous, Work, Box, Changed, Touching, Channels };
+  /// error, of either sign; so is what a spring of friction gives back that turns round within one.
+  /// Friction is what unlinked contacts lose as they slide. Channels is their number.
+  enum Channel { Plastic, Fracture, Viscous, Work, Box, Changed, Touching, Friction, Channels };
   /// Those that add to what the sample has; the others take from it.
-  static constexpr bool comesIn(int channel) { return channel >= Work && channel != Touching; }
+  static constexpr bool comesIn(int channel) { return channel >= Work && channel < Touching; }
 
   /// Sums since the beginning [energy], by channel.
   /// Sums of this rank alone: the account of the sample is the sum over all ranks.
@@ -105,6 +106,10 @@ class EnergyAccount {
   Vector wayOfBox(const Step &, int k) const;
   /// What all contacts dissipate in half a step; back: of the step just done.
   void bookContacts(const Step &, double dt, bool back);
+  /// What friction dissipates as pair k moves, in the second half of the step just done.
+  /// \param growth  of the shear in the step, a vector [-]
+  /// \param volume  of the pair [volume], its share of this rank
+  void bookFriction(const Step &, int k, const Vector &growth, double volume);
   /// What the change of state sets free.
   void findReleased(const Step &);
 };

@@ -32,6 +32,7 @@ LawTables::LawTables(const LawSet &laws, const std::vector<Material> &materials,
       if (same == first.end()) {
         first.push_back({a, b, interface});
         pairs.push_back(makePairLaw(laws, a, b, thickness, packing, interface));
+        rubs = rubs || pairs.back().friction > 0.0;
       }
       oneMaterial = oneMaterial && a == b;
     }

@@ -34,6 +34,7 @@ struct LawTables {
   bool returnsTwice = false;     ///< radial returns see those of the neighbours
   bool centresViscosity = false; ///< viscous contacts see the velocity of their step
   bool resistsSlip = false;      ///< viscosity acts along the tangent, too
+  bool rubs = false;             ///< unlinked contacts of a pair have friction
   bool keepsVolume = false;      ///< plasticity isochoric: passes of their own
   bool needsLocal = false;       ///< criteria of local stress or plastic work
 

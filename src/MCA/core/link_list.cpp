@@ -33,6 +33,7 @@ void LinkList::reset(int n)
   blocks_.reserve(n / blockLength + 1);
   view_ = {};
   stale_ = false;
+  springs_.clear();
   view_.i = i_.data();
   view_.j = j_.data();
   view_.placeI = placeI_.data();
@@ -129,12 +130,28 @@ Pairs LinkList::part(int first, int n)
   return p;
 }
 
-// In space the shears turn round when both automata are exchanged; an unlinked pair has none, but
-// plastic work in their place.
+// In space the shears turn round when both automata are exchanged; an unlinked pair has that of
+// friction alone, and plastic work in the place of its total shear.
 void LinkList::exchange(double *state) const
 {
-  if (shears_ == 3 && link::isLinked(state[0]))
+  if (shears_ != 3)
+    return;
+  if (link::isLinked(state[0]))
     std::transform(state + 2, state + stateSize(), state + 2, std::negate<>());
+  else
+    std::transform(state + 2, state + 2 + shears_, state + 2, [](double x) { return 0.0 - x; });
+}
+
+const LinkList::Spring *LinkList::spring(int k) const
+{
+  const auto found = std::lower_bound(springs_.begin(), springs_.end(), k,
+                                      [](const Spring &s, int pair) { return s.pair < pair; });
+  return found != springs_.end() && found->pair == k ? &*found : nullptr;
+}
+
+static bool isZero(const double *values, int n)
+{
+  return std::all_of(values, values + n, [](double value) { return value == 0.0; });
 }
 
 void LinkList::setNormal(int k, const Vector &normal)
@@ -172,7 +189,7 @@ bool LinkList::blank(int k, bool next) const
 {
   double state[maxStateSize];
   getState(k, next, state);
-  return std::all_of(state, state + stateSize(), [](double value) { return value == 0.0; });
+  return isZero(state, stateSize());
 }
 
 // Where nothing flows, breaks, links or heals, the next state is the present one, whatever its
@@ -190,6 +207,13 @@ void LinkList::advance()
     const double *kind = view_.now.kind + first;
     blocks_[b].bulk = std::all_of(kind, kind + n, [](double k) { return k == link::bulk; });
   }
+  // those that let go, or became the shear of a link, end
+  const auto ends = [this](const Spring &s) {
+    return link::isLinked(view_.now.kind[s.pair]) || isZero(s.next, maxShears);
+  };
+  springs_.erase(std::remove_if(springs_.begin(), springs_.end(), ends), springs_.end());
+  for (Spring &s : springs_)
+    std::copy_n(s.next, maxShears, s.now);
 }
 
 void LinkList::getState(int k, bool next, double *state) const
@@ -200,10 +224,17 @@ void LinkList::getState(int k, bool next, double *state) const
     state[m] = from[m][k];
   if (block.pristine && &from == &now_)
     std::copy_n(state + 2, shears_, state + 2 + shears_);
+  if (springs_.empty() || link::isLinked(state[0]))
+    return;
+  if (const Spring *const s = spring(k))
+    std::copy_n(next ? s->next : s->now, shears_, state + 2);
 }
 
-void LinkList::setState(int k, const double *state)
+void LinkList::setState(int k, const double *given)
 {
+  double state[maxStateSize];
+  std::copy_n(given, stateSize(), state);
+  takeSpring(k, state);
   Block &block = blocks_[k / blockLength];
   if (block.pristine && stale_)
     complete(k / blockLength);
@@ -217,10 +248,32 @@ void LinkList::setState(int k, const double *state)
                    std::equal(state + 2, state + 2 + shears_, state + 2 + shears_);
 }
 
+// From the state of a pair, which is left with none.
+void LinkList::takeSpring(int k, double *state)
+{
+  const auto place = std::lower_bound(springs_.begin(), springs_.end(), k,
+                                      [](const Spring &s, int pair) { return s.pair < pair; });
+  const bool known = place != springs_.end() && place->pair == k;
+  if (link::isLinked(state[0]) || isZero(state + 2, shears_)) {
+    if (known)
+      springs_.erase(place);
+    return;
+  }
+  Spring s{k, {}, {}};
+  std::copy_n(state + 2, shears_, s.now);
+  std::copy_n(state + 2, shears_, s.next);
+  std::fill_n(state + 2, shears_, 0.0);
+  if (known)
+    *place = s;
+  else
+    springs_.insert(place, s);
+}
+
 double LinkList::bytes() const
 {
   return values_.bytes() + static_cast<double>(5 * i_.capacity() * sizeof(int)) +
          static_cast<double>(original_.capacity() * sizeof(double)) +
+         static_cast<double>(springs_.capacity() * sizeof(Spring)) +
          static_cast<double>(blocks_.capacity() * sizeof(Block));
 }
 

@@ -8,6 +8,7 @@
 #include "pairs.h"
 #include "row_array.h"
 
+#include <utility>
 #include <vector>
 
 namespace mca {
@@ -40,7 +41,9 @@ class LinkList {
   /// Appends a pair; its state becomes both the present and the next one.
   /// \param i,j    rows of both automata
   /// \param law    number in the table of PairLaw
-  /// \param state  stateSize() values: kind, plastic offset, elastic shears, total shears
+  /// \param state  stateSize() values: kind, plastic offset, elastic shears (unlinked: of
+  /// friction),
+  ///               total shears
   void add(int i, int j, int law, const double *state);
 
   /// Adds a link with all that is kept, storedSize() values, as getStored() wrote them.
@@ -107,11 +110,27 @@ class LinkList {
   /// Turns the shears of a state round, as exchange of i and j does in space.
   void exchange(double *state) const;
 
+  /// The elastic shear of an unlinked contact with friction [-], as that of a link; what a
+  /// dimension does not have is 0. Few pairs have one. In the states of pairs it stands in the
+  /// place of their elastic shears, hence in restart files, too.
+  struct Spring {
+    int pair;
+    double now[maxShears], next[maxShears];
+  };
+  /// In the order of pairs.
+  const std::vector<Spring> &springs() const { return springs_; }
+  /// That of pair k, or nullptr.
+  const Spring *spring(int k) const;
+  /// Takes the place of all springs.
+  /// \param springs  of pairs that are unlinked at present, in their order
+  void setSprings(std::vector<Spring> &&springs) { springs_ = std::move(springs); }
+
   /// Memory held [bytes].
   double bytes() const;
 
  private:
   int shears_;
+  std::vector<Spring> springs_;
   AlignedArray values_; // of all pairs, one quantity after the other
   std::vector<int> i_, j_, placeI_, placeJ_, law_;
   std::vector<double> original_;
@@ -124,6 +143,7 @@ class LinkList {
   /// since no reader sees a difference.
   void complete(int block) const;
   void completeAll() const;
+  void takeSpring(int k, double *state);
 };
 
 } // namespace mca

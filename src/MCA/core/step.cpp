@@ -101,7 +101,9 @@ void Step::run(const Automata &a, double dt, bool advance)
   exchange_->finish(answers, row.length, row.answers);
   changing_ += kernel_->force(border, laws, response, around, forces_.data());
   findKept();
-  if (!laws_.resistsSlip && !laws_.centresViscosity)
+  const bool rubs = laws_.rubs || !links_.springs().empty();
+  friction_.clear();
+  if (!laws_.resistsSlip && !laws_.centresViscosity && !rubs)
     return;
   const Pairs pairs = links_.part(0, links_.size());
   viscousPairs_.find(pairs);
@@ -109,6 +111,8 @@ void Step::run(const Automata &a, double dt, bool advance)
     resistSlip(pairs);
   if (laws_.centresViscosity)
     centreViscosity(pairs, a, dt);
+  if (rubs)
+    rub(dt, advance);
 }
 
 // Within a step forces see the velocities of half a step ago. In set-up the lag that they had when
@@ -300,6 +304,14 @@ void Step::resistSlip(const Pairs &pairs)
 {
   slip_.begin(pairs, viscousPairs_.all(), view(), laws_.pairs.data());
   slip_.addForces(layout(), forces_.data());
+}
+
+// Last, since friction knows the whole normal force.
+void Step::rub(double dt, bool moves)
+{
+  const PairLaw *const laws = laws_.pairs.data();
+  friction_.find(links_, viscousPairs_.all(), view(), laws, own(), dt, moves);
+  friction_.addForces(links_, layout(), laws, forces_.data());
 }
 
 // What forces change in half a step, of both automata of a viscous contact; torques, too, where it

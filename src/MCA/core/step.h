@@ -22,6 +22,7 @@
 #ifndef MCA_STEP_H
 #define MCA_STEP_H
 
+#include "contact_friction.h"
 #include "exchange.h"
 #include "kernel.h"
 #include "law_tables.h"
@@ -206,6 +207,9 @@ class Step {
   ContactStress contact(int k) const; ///< [stress]; shears are lengths of vectors in space
   /// Its viscous shear stress (viscosity both), which contact() has not [stress].
   Vector slipStress(int k) const { return slip_.stress(k); }
+  /// Elastic shear of its friction, perpendicular to the normal [-]: before it slides, or (next)
+  /// what it holds, which makes the force; 0 of a contact without.
+  Vector frictionShear(int k, bool next) const;
   Vector contactForce(int k) const;            ///< on its first automaton [force]
   Vector normal(int k) const;                  ///< unit vector to its second automaton [-]
   Vector alongShear(int k, double size) const; ///< of this size, along the shear
@@ -250,6 +254,7 @@ class Step {
   ViscousPairs viscousPairs_;
   ViscousContacts viscous_;
   SlipViscosity slip_;
+  ContactFriction friction_;
 
   std::vector<std::pair<int, int>> flowing_; // ranges of rows whose equivalent plastic strain grows
   double changing_ = 0.0;                    // pairs whose next state is another kind
@@ -270,6 +275,7 @@ class Step {
   RowView view() const;
   void resistSlip(const Pairs &);
   void centreViscosity(const Pairs &, const Automata &, double dt);
+  void rub(double dt, bool moves);
   void findChanges();
 };
 

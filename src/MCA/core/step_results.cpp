@@ -24,7 +24,8 @@ Step::Automaton Step::automaton(int i) const
       *normal -= room;
   }
   return {whole, average - room, intensity,
-          (density + roomEnergy(room, law.bulkModulus)) * laws_.volumes[type]};
+          (density + roomEnergy(room, law.bulkModulus)) * laws_.volumes[type] +
+              friction_.energy(i)};
 }
 
 Vector Step::force(int i) const
@@ -116,11 +117,17 @@ ContactStress Step::contact(int k) const
       i, j, moves ? p.next.kind[k] : kind);
 }
 
+Vector Step::frictionShear(int k, bool next) const
+{
+  return springOf(links_, k, dimension() == 2, next);
+}
+
 Vector Step::contactForce(int k) const
 {
   const ContactStress s = contact(k);
   const Vector stress =
-      s.normal * normal(k) + 1.0 / (1.0 + links_.pairs().eps[k]) * alongShear(k, s.shear);
+      s.normal * normal(k) + 1.0 / (1.0 + links_.pairs().eps[k]) *
+                                 (alongShear(k, s.shear) + law(k).twoG * frictionShear(k, true));
   return law(k).area * (stress + slipStress(k));
 }
 
@@ -155,7 +162,7 @@ Step::Count Step::count() const
 
 double Step::bytes() const
 {
-  double sum = links_.bytes() + slip_.bytes();
+  double sum = links_.bytes() + slip_.bytes() + friction_.bytes();
   for (const RowArray *rows : {&motion_, &spin_, &strains_, &stresses_, &response_, &forces_,
                                &local_, &taken_, &kappaNext_, &kept_, &keptNext_, &linkChanges_})
     sum += rows->bytes();

@@ -76,6 +76,7 @@ struct PairLaw {
   /// How many times its own damping a viscous contact takes at the new velocity [-]: 1; where it
   /// resists slip, so many that neighbours' dampings are in it, centredSlipShare in all.
   double centring;
+  double friction; ///< mu of unlinked contacts [-], >= 0
 };
 
 /// The present state of a contact and its strains, as its laws see them. Of an unlinked one both

@@ -27,13 +27,15 @@ struct Interface {
   std::optional<double> breakingStrain;
   /// eta [stress time], >= 0.
   std::optional<double> viscosity;
+  /// mu of its unlinked contacts [-], >= 0.
+  std::optional<double> friction;
   /// Keywords link, weld, heal, worn of pair_style with their values.
   std::vector<std::string> links;
 
   bool operator==(const Interface &other) const
   {
     return strength == other.strength && breakingStrain == other.breakingStrain &&
-           viscosity == other.viscosity && links == other.links;
+           viscosity == other.viscosity && friction == other.friction && links == other.links;
   }
   /// Nothing is given.
   bool empty() const { return *this == Interface(); }

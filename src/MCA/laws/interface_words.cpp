@@ -27,6 +27,8 @@ constexpr Quantity quantities[] = {
      "> 0 and < 0.5"},
     {"viscosity", &Interface::viscosity,
      [](double x) { return x == 0.0 || (x >= least && x <= most); }, ">= 0, 0 or 1e-60 to 1e60"},
+    {FrictionWords::keyword, &Interface::friction, [](double x) { return x >= 0.0; },
+     FrictionWords::range},
 };
 constexpr const char *linkKeywords[] = {LinkWords::keyword, WeldWords::keyword, HealWords::keyword,
                                         WornWords::keyword};

@@ -12,6 +12,8 @@
 
 #include "material.h"
 
+#include "shared/plain_number.h"
+
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -153,6 +155,37 @@ class Threshold {
 
   Kind kind_;
   double factor_;
+};
+
+/// A law that is one number >= 0, 0 where it does not act. Keyword and what is allowed come from
+/// the base. \tparam Words  has `keyword` and `range`, the allowed values in words
+template<class Words>
+class Coefficient : public Words {
+ public:
+  /// [-], >= 0.
+  double value() const { return value_; }
+  bool isOff() const { return value_ == 0.0; }
+  /// The shortest decimal number that take() reads back to the last bit.
+  std::string word() const { return mcawr::numberWord(value_, 17); }
+  /// Reads a plain number >= 0.
+  /// \return false for any other word; nothing changes then
+  bool take(const std::string &word)
+  {
+    const auto number = mcawr::plainNumber(word);
+    if (!number || *number < 0.0)
+      return false;
+    value_ = *number;
+    return true;
+  }
+  /// What take() takes, for messages.
+  static std::string allowed() { return Words::range; }
+  /// It takes no word beside the number.
+  static std::vector<std::string> words() { return {}; }
+  /// It acts in the plane and in space.
+  bool actsIn(int /*dimension*/) const { return true; }
+
+ private:
+  double value_ = 0.0;
 };
 
 /// A law that is one threshold. Keyword, material stress and default come from the base.

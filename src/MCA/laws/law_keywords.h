@@ -77,6 +77,15 @@ struct ViscosityWords {
 /// Keyword viscosity: "both" (default), "normal" or "none".
 using ViscosityLaw = Choice<ViscosityWords>;
 
+/// Coulomb friction of unlinked contacts, coulomb.h: its coefficient mu. The paper's automata have
+/// none, friction comes out of their links; grains, third bodies and whoever compares with other
+/// codes of discrete elements need it.
+struct FrictionWords {
+  static constexpr const char *keyword = "friction", *range = "a coefficient >= 0";
+};
+/// Keyword friction: mu [-], >= 0; 0 (default) has no friction.
+using ContactFrictionLaw = Coefficient<FrictionWords>;
+
 /// Whether two things that a Verlet step knows too late are taken again (doc/laws.md, Corrected
 /// steps). Corrected: secondReturn() of plasticity.h, one more pass over pairs and a message
 /// between ranks, and centredSeparation() of viscosity.h, one message; friction depends less on the

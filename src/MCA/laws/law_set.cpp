@@ -23,6 +23,12 @@ constexpr bool takesNumber(const ThresholdLaw<Words> &)
   return true;
 }
 
+template<class Words>
+constexpr bool takesNumber(const Coefficient<Words> &)
+{
+  return true;
+}
+
 template<class Law>
 constexpr bool takesNumber(const Law &)
 {
@@ -145,6 +151,7 @@ std::vector<std::string> LawSet::words() const
   std::vector<std::string> all = {presets.name, preset};
   const auto isUsual = [&](const std::string &name) { // logs and restart files do not name it
     return (name == WornRule::keyword && worn.is(WornRule::Unloaded)) ||
+           (name == ContactFrictionLaw::keyword && friction.isOff()) ||
            (name == FlowLaw::keyword && flow.is(FlowLaw::Links) &&
             named(preset).flow.is(FlowLaw::Links));
   };
@@ -246,6 +253,7 @@ PairLaw makePairLaw(const LawSet &set, const Material &i, const Material &j, dou
   law.mostStretch = std::min(mostStretch(a.shear, a.bulk, a.D, packing.dimension),
                              mostStretch(b.shear, b.bulk, b.D, packing.dimension));
   law.viscosity = contactViscosity(set, i, j, interface);
+  law.friction = interface.friction.value_or(set.friction.value());
   law.invMassI = 1.0 / Cell{packing, i.diameter, thickness}.mass(i.density);
   law.invMassJ = 1.0 / Cell{packing, j.diameter, thickness}.mass(j.density);
   law.invInertiaI = 1.0 / Cell{packing, i.diameter, thickness}.inertia(i.density);

@@ -28,6 +28,7 @@ struct LawSet {
   FlowLaw flow;
   FractureLaw fracture;
   ViscosityLaw viscosity;
+  ContactFrictionLaw friction;
   Steps steps;
   LinkLaw link;
   WeldLaw weld;
@@ -46,6 +47,7 @@ struct LawSet {
     visit(set.flow);
     visit(set.fracture);
     visit(set.viscosity);
+    visit(set.friction);
     visit(set.steps);
     visit(set.link);
     visit(set.weld);
@@ -59,7 +61,7 @@ struct LawSet {
     /// As in the input script.
     std::string name;
     std::vector<std::string> words; ///< beside a number, if it takes one
-    /// Beside the words it takes a number, which is > 0.
+    /// Beside the words it takes a number, which is > 0; of friction >= 0.
     bool takesNumber;
     std::string allowed; ///< for messages
   };
