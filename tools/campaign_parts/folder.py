@@ -19,6 +19,7 @@ import math
 import os
 import re
 import time
+from collections.abc import Iterable
 from typing import Any, TextIO
 
 from mcawr import friction_log, layer_health
@@ -138,6 +139,11 @@ class RunFolder:
     def write_record(self, record: dict[str, Any]) -> None:
         record = {**record, "checksum": _checksum_of(record)}
         write(self.file("run.json"), json.dumps(record, indent=1) + "\n")
+
+    def core_seconds(self) -> float:
+        """What the run has cost so far: of each attempt that has ended, its time on all its
+        ranks."""
+        return sum(a.get("core_seconds", 0.0) for a in self.record().get("attempts", []))
 
     def check_same(self) -> None:
         """The folder belongs to this run: same parameters (the duration may have changed), input
@@ -349,3 +355,16 @@ class RunFolder:
             return float(geometry["width"]) * float(geometry["thickness"])
         except (BadInput, Failure, LookupError, TypeError, ValueError):
             return 0.0
+
+
+def rate_in(top: str, runs: Iterable[Run]) -> float | None:
+    """Automaton-steps a second and core of those of the runs that are finished in a folder; None
+    without one."""
+    work = cost = 0.0
+    for run in runs:
+        folder = RunFolder(top, run)
+        attempts = folder.record().get("attempts", [])
+        if folder.is_finished() and all("core_seconds" in attempt for attempt in attempts):
+            work += run.work
+            cost += folder.core_seconds()
+    return work / cost if cost else None

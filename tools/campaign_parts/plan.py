@@ -11,7 +11,7 @@ from typing import Any
 
 from mcawr.words import known_words
 
-from . import material
+from . import material, size
 from .located import Given, PlanError, read_yaml, scalar, shown
 from .quantities import KEYS, LEAST, MOST, Run
 
@@ -72,6 +72,8 @@ def _value(path: str, line: int, name: str, value: Any) -> Any:
         ):
             raise refused(path, line, name, value, key.allowed)
         return value
+    if name in size.KEYS and value == size.AUTO:
+        return value
     unit = f" ({key.unit})" if key.unit else ""
     if not isinstance(value, (int, float)) or not key.check(value):
         number = key.allowed if key.allowed.startswith("a ") else "a number " + key.allowed
@@ -82,7 +84,8 @@ def _value(path: str, line: int, name: str, value: Any) -> Any:
             value,
             number
             + unit
-            + (", written like 12 or 1.5e-5, not in quotes" if isinstance(value, str) else ""),
+            + (", written like 12 or 1.5e-5, not in quotes" if isinstance(value, str) else "")
+            + (f", or {size.AUTO}" if name in size.KEYS else ""),
         )
     if value != 0 and not LEAST <= abs(value) <= MOST:
         raise refused(path, line, name, value, f"of a size in {LEAST:g} .. {MOST:g}{unit}")
@@ -188,7 +191,7 @@ def _expand(
         values = dict(zip(given, combination))
         at = entry["material"].line if "material" in entry else line
         below, above = _solid(path, at, values, stated)
-        values = {**defaults, **below, **stated, **above, **values}
+        values = size.settled({**defaults, **below, **stated, **above, **values})
         _check_together(path, line, entry, values)
         suffix = "-".join(_suffix(n, values[n]) for n in given if len(given[n]) > 1)
         yield (
@@ -300,10 +303,11 @@ def read(path: str) -> Plan:
         item for number, entry in entries for item in _expand(path, number, entry, defaults, stated)
     ]
     varying = [n for n in KEYS if len({str(values[n]) for _, _, values in expanded}) > 1]
+    follow = set(size.KEYS)  # from others, and name no run unless a run states them
     if {"material", "temperature"} & set(varying):  # they stand for its quantities
-        solid = [key for key, _ in material.QUANTITIES.values()]
-        stated_ones = {n for _, entry in entries for n in entry}
-        varying = [n for n in varying if n not in solid or n in stated_ones]
+        follow |= {key for key, _ in material.QUANTITIES.values()}
+    follow -= {n for _, entry in entries for n in entry}
+    varying = [n for n in varying if n not in follow]
     runs: list[Run] = []
     seen: dict[str, int] = {}
     for number, label, values in expanded:

@@ -8,10 +8,17 @@ import re
 from collections.abc import Callable
 from typing import Any
 
+from . import size
+from .size import AUTO
+
 LEAST, MOST = (
     1e-12,
     1e12,
 )  # sizes of numbers in a plan: far outside, the step and kappa1 are no numbers any more
+
+# automaton-steps a second and core in the plane and in space, with the default laws
+# (doc/performance.md)
+RATE, RATE_IN_SPACE = 9e6, 3.5e6
 
 
 @dataclasses.dataclass(frozen=True)
@@ -51,8 +58,8 @@ KEYS = {
     "d": Key(2.5, "nm", "> 0", _positive, "d"),
     "material": Key("steel.mca", "potential file", "the name of a potential file", None),
     "temperature": Key(None, "K, of a potential file that has temperatures", "> 0", _positive),
-    "columns": Key(40, "automata across", "a whole number >= 4", _whole(4), "columns"),
-    "rows": Key(14, "rows of automata", "a whole number >= 8", _whole(8), "rows"),
+    "columns": Key(AUTO, "automata across", "a whole number >= 4", _whole(4), "columns"),
+    "rows": Key(AUTO, "rows of automata", "a whole number >= 8", _whole(8), "rows"),
     "held": Key(
         3,
         "rows fixed at the bottom, and driven at the top",
@@ -138,11 +145,19 @@ class Run:
         return round(self.values["ns"] / self.dt)
 
     @property
+    def automata(self) -> int:
+        """Number of automata."""
+        return int(size.in_layer(self.values) * self.values["rows"])
+
+    @property
     def work(self) -> int:
-        """Automaton-steps: what the run costs. In the fcc packing of examples/space every other
-        site of a layer is empty."""
-        v = self.values
-        return self.steps * v["columns"] * v["rows"] * (v["depth"] or 2) // 2
+        """Automaton-steps: what the run costs."""
+        return self.steps * self.automata
+
+    @property
+    def cost(self) -> float:
+        """Core-seconds to expect, at the usual rate."""
+        return self.work / (RATE_IN_SPACE if self.values["depth"] else RATE)
 
     def variables(self) -> dict[str, str]:
         """Variables of the input script, in the script's units."""

@@ -3,7 +3,9 @@
 
 import ctypes
 import datetime
+import math
 import os
+import re
 import shlex
 import signal
 import subprocess
@@ -20,6 +22,8 @@ from .quantities import Run
 
 POLL = 0.25  # s between looks at the running processes
 REPORT = 60.0  # s between progress lines when the output is no terminal
+WORTH = 600.0  # s that a run has left where it is worth to go on from its checkpoint on more ranks
+LEAST = 500  # automata of a rank: 1600 on two take 0.65 of the time (doc/performance.md)
 MPI_VARIABLES = ("OMPI_", "PMIX_", "PMI_", "PRTE_", "ORTE_", "MPI_LOCALRANKID", "SLURM_")
 ALLOWED = ("OMPI_ALLOW_RUN_AS_ROOT", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM")
 RANKS = (
@@ -138,13 +142,23 @@ def end_leftovers(path: str, patience: float = 10.0) -> None:
         time.sleep(0.2)
 
 
+def mpirun(ranks: int) -> list[str]:
+    """What starts lmp on so many ranks."""
+    return ["mpirun", "-np", str(ranks)] if ranks > 1 else []
+
+
 class Attempt:
     """One lmp working on one run; the run's lock is held by us and by lmp."""
 
     def __init__(
-        self, folder: folders.RunFolder, lock: TextIO, launcher: Iterable[str], nested: bool
+        self,
+        folder: folders.RunFolder,
+        lock: TextIO,
+        launcher: Iterable[str],
+        nested: bool,
+        ranks: int = 1,
     ) -> None:
-        self.folder, self.lock = folder, lock
+        self.folder, self.lock, self.ranks = folder, lock, ranks
         end_leftovers(folder.path)
         self.began = time.monotonic()
         record = folder.record()
@@ -188,6 +202,7 @@ class Attempt:
                 preexec_fn=_die_with_parent,
             )
         self.number, self.stopped = number, False
+        self.widens = False  # it is ended to go on on more ranks
 
     def stop(self) -> None:
         """Ends lmp, if it has not ended yet."""
@@ -200,6 +215,12 @@ class Attempt:
         values = self.folder.run.values
         share = (self.folder.time() - self.time_at_start) / values["ns"]
         return max(0.0, share) * self.folder.run.work
+
+    def left(self) -> float:
+        """Seconds that are left at the speed so far; 0 before the first row of the log."""
+        run, done = self.folder.run, self.work()
+        share = 1 - self.folder.time() / run.values["ns"]
+        return share * run.work / done * (time.monotonic() - self.began) if done > 0 else 0.0
 
     def outcome(self) -> tuple[str, str | None]:
         """('finished', 'failed', 'interrupted' or 'full': the disk is, why)."""
@@ -223,10 +244,14 @@ class Attempt:
         """outcome(), once lmp has ended, with all that it means for the folder."""
         folder, path = self.folder, self.folder.file
         outcome, why = self.outcome()
+        seconds = time.monotonic() - self.began
         try:
             record = folder.record()
             record["attempts"][-1].update(
-                end=_now(), seconds=round(time.monotonic() - self.began, 1), outcome=why or outcome
+                end=_now(),
+                seconds=round(seconds, 1),
+                core_seconds=round(seconds * (self.ranks_in_log() or self.ranks), 1),
+                outcome=why or outcome,
             )
             if outcome == "finished":
                 record["results"] = folder.checksums()
@@ -245,6 +270,18 @@ class Attempt:
         finally:
             self.lock.close()
         return outcome, why
+
+    def ranks_in_log(self) -> int | None:
+        """On how many ranks lmp ran, by its own words, whatever started it; None if it was ended
+        before them."""
+        try:
+            with open(
+                self.folder.file(f"log.{self.number}.lammps"), encoding="utf-8", errors="replace"
+            ) as file:
+                found = re.search(r"(\d+) by (\d+) by (\d+) MPI processor grid", file.read())
+        except OSError:
+            return None
+        return math.prod(map(int, found.groups())) if found else None
 
     def error(self) -> str | None:
         """The line that says why lmp gave up."""
@@ -266,7 +303,11 @@ def hours(seconds: float) -> str:
 
 
 class Campaign:
-    """Works through the runs of a plan in one folder."""
+    """Works through the runs of a plan in one folder.
+
+    jobs: runs at a time. shared: that many cores instead, one for each run; where fewer runs than
+    cores are left, they share these as ranks.
+    """
 
     def __init__(
         self,
@@ -277,11 +318,15 @@ class Campaign:
         retry: bool = False,
         say: Callable[[str], object] = print,
         in_order: bool = False,
+        ranks: int = 1,
+        shared: bool = False,
     ) -> None:
         self.top = top
         self.folders = [folders.RunFolder(top, run) for run in runs]
         self.in_order = in_order
         self.jobs, self.launcher, self.retry, self.say = jobs, list(launcher), retry, say
+        self.ranks, self.shared = ranks, shared
+        self.tried: set[str] = set()
         self.rank, self.size = place()
         self.active: list[Attempt] = []
         self.done_work = 0.0
@@ -324,20 +369,20 @@ class Campaign:
     def _work_through(self) -> None:
         # mostly the longest first, so that the end is not one long run alone
         waiting = sorted(self.folders, key=lambda f: 0 if self.in_order else -f.run.work)
-        tried: set[str] = set()
         while True:
             self._collect()
             if self.stop:
                 break
-            waiting = [f for f in waiting if not self._is_over(f, tried)]
-            for folder in waiting:
-                if len(self.active) >= self.jobs:
+            waiting = [f for f in waiting if not self._is_over(f)]
+            fresh = [f for f in waiting if f.run.name not in self.tried]
+            for number, folder in enumerate(fresh):
+                if self._idle() < 1:
                     break
-                if folder.run.name in tried:
-                    continue
-                self._start(folder, tried)
-            if not self.active and all(f.run.name in tried for f in waiting):
+                self._start(folder, self._ranks_of(folder, len(fresh) - number))
+            if not self.active and all(f.run.name in self.tried for f in waiting):
                 break
+            if self.shared and not fresh:
+                self._widen()
             self._report()
             time.sleep(POLL)
 
@@ -349,28 +394,55 @@ class Campaign:
             time.sleep(1.0)
         return self._states()
 
-    def _is_over(self, folder: folders.RunFolder, tried: set[str]) -> bool:
-        if folder.run.name in tried:
+    def _is_over(self, folder: folders.RunFolder) -> bool:
+        if folder.run.name in self.tried:
             return False
         return folder.is_finished() or (folder.failure() is not None and not self.retry)
 
-    def _start(self, folder: folders.RunFolder, tried: set[str]) -> None:
+    def _idle(self) -> int:
+        """How many more runs may begin, or of shared cores how many are free."""
+        return self.jobs - sum(a.ranks if self.shared else 1 for a in self.active)
+
+    def _ranks_of(self, folder: folders.RunFolder, waiting: int) -> int:
+        """Ranks of a run that begins while so many wait, itself among them."""
+        if not self.shared:
+            return self.ranks
+        return max(1, min(self._idle() // waiting, folder.run.automata // LEAST))
+
+    def _widen(self) -> None:
+        """Where idle cores could double the ranks of a run that has long to go, the longest one is
+        ended, to go on from its newest checkpoint on more of them."""
+        if any(a.widens for a in self.active):
+            return
+        for attempt in sorted(self.active, key=lambda a: -a.left()):
+            most = min(attempt.ranks + self._idle(), attempt.folder.run.automata // LEAST)
+            if most >= 2 * attempt.ranks and attempt.left() > WORTH and attempt.folder.checkpoint():
+                attempt.widens = True
+                attempt.stop()
+                return
+
+    def _start(self, folder: folders.RunFolder, ranks: int) -> None:
         lock = folder.lock()
         if lock is None:
             if self.size == 1:
                 self.say(f"{folder.run.name}: is being worked on by another call; left to it")
-            tried.add(folder.run.name)
+            self.tried.add(folder.run.name)
             return
-        tried.add(folder.run.name)
+        self.tried.add(folder.run.name)
         if folder.is_finished():  # by another worker, since we looked
             lock.close()
             return
-        attempt = Attempt(folder, lock, self.launcher, nested=self.size > 1 and not self.launcher)
+        launcher = self.launcher or mpirun(ranks)
+        nested = self.size > 1 and not launcher
+        attempt = Attempt(folder, lock, launcher, nested, ranks)
         self.active.append(attempt)
         if attempt.anew:
             self.say(f"{folder.run.name}: begins anew, its log is damaged: {attempt.anew}")
         if attempt.time_at_start:
-            self.say(f"{folder.run.name}: goes on from {attempt.time_at_start:.4g} ns")
+            self.say(
+                f"{folder.run.name}: goes on from {attempt.time_at_start:.4g} ns"
+                + (f" on {ranks} ranks" if ranks > 1 else "")
+            )
 
     def _collect(self) -> None:
         for attempt in list(self.active):
@@ -382,8 +454,9 @@ class Campaign:
             outcome, why = attempt.end()
             if outcome == "finished":
                 mu, room = attempt.folder.mean("mu"), attempt.folder.mean("room")
+                cost = attempt.folder.core_seconds()
                 self.say(
-                    f"{name}: finished in {hours(seconds)}"
+                    f"{name}: finished in {hours(seconds)}, {cost:.0f} core-seconds in all"
                     + (f", mu of its second half {mu:.3f}" if mu is not None else "")
                     + (f", room {room:.3f}" if room else "")
                 )
@@ -392,6 +465,8 @@ class Campaign:
             elif outcome == "full":
                 self._interrupt()
                 self.full = self.full or why
+            elif attempt.widens and attempt.stopped:
+                self.tried.discard(name)
             elif not self.stop:
                 self.say(f"{name}: {outcome}: {why}")
 

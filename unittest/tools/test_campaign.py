@@ -2,8 +2,10 @@
 """tools/campaign: running, killing and going on, failures, several workers."""
 
 import json
+import os
 import re
 import resource
+import shlex
 import shutil
 import signal
 import subprocess
@@ -223,6 +225,76 @@ def test_under_mpirun_the_ranks_share_the_runs(plan, tmp_path):
     assert len(logs(out)) == 3
     for name in logs(out):
         assert len(json.loads((out / name / "run.json").read_text())["attempts"]) == 1
+
+
+MPIRUN = """#!/bin/sh
+shift 2
+exec "$@"
+"""
+
+
+@pytest.fixture
+def shared(tmp_path, monkeypatch):
+    """Runs of a plan that share 4 cores, with a stand-in for mpirun: {run: ranks of each attempt};
+    a run is worth more ranks from this many seconds on."""
+
+    def call(runs, worth):
+        (tmp_path / "bin").mkdir()
+        (tmp_path / "bin" / "mpirun").write_text(MPIRUN)
+        (tmp_path / "bin" / "mpirun").chmod(0o755)
+        monkeypatch.setenv("PATH", f"{tmp_path / 'bin'}:{os.environ['PATH']}")
+        monkeypatch.setenv("MCAWR_LMP", str(FAKE))
+        monkeypatch.setenv("FAKE_LMP_ROW", "0.03")
+        monkeypatch.setattr(runner, "WORTH", worth)
+        path = tmp_path / "plan.yaml"
+        path.write_text(HEAD + "defaults: {ns: 2, checkpoint: 0.2, laws: b}\nruns:\n" + runs)
+        plan = plans.read(str(path))
+        before = [(n, signal.getsignal(n)) for n in (signal.SIGINT, signal.SIGTERM)]
+        states = runner.Campaign(str(tmp_path / "out"), plan.runs, 4, shared=True).run()
+        for number, handler in before:
+            signal.signal(number, handler)
+        assert states["finished"] == len(plan.runs)
+        commands = {
+            run.name: [
+                shlex.split(attempt["command"])
+                for attempt in json.loads((tmp_path / f"out/{run.name}/run.json").read_text())[
+                    "attempts"
+                ]
+            ]
+            for run in plan.runs
+        }
+        return {
+            name: [int(words[2]) if words[0] == "mpirun" else 1 for words in attempts]
+            for name, attempts in commands.items()
+        }
+
+    return call
+
+
+def test_few_runs_share_the_cores(shared):
+    """Two runs have two cores each, a small one no more than its automata are for."""
+    assert shared("  - {name: a, columns: 160}\n  - {name: b, columns: 40}\n", 1e9) == {
+        "a": [2],
+        "b": [1],
+    }
+
+
+def test_the_last_run_takes_the_cores_that_get_idle(shared, tmp_path):
+    """It goes on from a checkpoint, and its log is whole."""
+    runs = "  - {name: long, ns: 6, columns: 160}\n  - {v: [1, 2, 3], columns: 160}\n"
+    ranks = shared(runs, 0.5)
+    assert ranks["long"][0] == 1 and ranks["long"][-1] == 4
+    assert [ranks[name][0] for name in ("v1", "v2", "v3")] == [1, 1, 1]
+    log = (tmp_path / "out" / "long" / "run.friction").read_text()
+    assert [line.split()[0] for line in log.split("\n") if line[:1].isdigit()] == [
+        str(1000 * k) for k in range(1, 121)
+    ]
+
+
+def test_shared_cores_are_of_one_call(plan, tmp_path):
+    words = ("run", plan, "-o", tmp_path / "out", "--ranks", "auto", "--launcher", "srun")
+    one_line(campaign(*words), 2, "--ranks auto: runs have a rank each under mpirun and with")
+    one_line(campaign(*words[:5], "many"), 2, "'many': a whole number in 1 .. 1000000, or auto")
 
 
 def test_longer_but_not_other(plan, tmp_path):

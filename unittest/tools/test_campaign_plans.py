@@ -1,13 +1,14 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """tools/campaign: plans, shipped ones among them, and the page."""
 
+import math
 import os
 import re
 
 import pytest
 
 from campaign_calls import HEAD, ROOT, campaign, one_line
-from campaign_parts import plan as plans
+from campaign_parts import plan as plans, size
 
 
 @pytest.mark.parametrize(
@@ -115,6 +116,77 @@ def test_a_step_that_some_runs_leave_to_the_material(tmp_path):
     assert [run.name for run in plans.read(str(path)).runs] == ["v5-dt1e-05", "v2"]
 
 
+def sizes(tmp_path, *runs, more=""):
+    """{name: (columns, rows, depth)} of the runs of a plan."""
+    path = tmp_path / "plan.yaml"
+    path.write_text(HEAD + more + "runs:\n" + "".join(f"  - {{{run}}}\n" for run in runs))
+    found = plans.read(str(path)).runs
+    return {r.name: tuple(r.values[key] for key in ("columns", "rows", "depth")) for r in found}
+
+
+def test_size_follows_the_load(tmp_path):
+    """By the share p/sigma_link, whatever strength, elastic limit and laws make it of; the plan's
+    numbers go before it; no run is named after what it did not state."""
+    assert sizes(tmp_path, "p: [9, 9.97, 9.98, 49.8, 49.9], strength: 100") == {
+        "p9": (160, 14, None),
+        "p9.97": (160, 14, None),
+        "p9.98": (80, 20, None),  # 0.18 of 55.4 MPa
+        "p49.8": (80, 20, None),
+        "p49.9": (40, 20, None),
+    }
+    laws = "laws: [c, c link 2, a, c link none, c link elastic_limit], p: 20, strength: 100"
+    assert [size[0] for size in sizes(tmp_path, laws).values()] == [80, 160, 160, 160, 80]
+    assert sizes(tmp_path, "elastic_limit: 0.8, p: 14, strength: 100")["run"][0] == 160
+    given = sizes(
+        tmp_path,
+        "name: own, columns: 30",
+        "name: high, rows: 24",
+        "name: thick, held: 5",
+        "name: default, columns: auto, rows: auto",
+        more="defaults: {columns: 50, rows: 18}\n",
+    )
+    assert given == {
+        "own": (30, 18, None),
+        "high": (50, 24, None),
+        "thick": (50, 18, None),
+        "default": (80, 20, None),
+    }
+    assert sizes(tmp_path, "held: 5, p: 1")["run"] == (160, 18, None)
+    assert list(sizes(tmp_path, "columns: [20, auto], p: 1")) == ["columns20", "columns160"]
+
+
+def test_size_in_space(tmp_path):
+    """As many automata in a layer as in the plane, in even numbers of layers."""
+    space = "input: " + str(ROOT / "examples/space/in.friction") + "\n"
+    found = sizes(tmp_path, "p: [1, 15, 80], depth: auto", "name: d4, depth: 4", more=space)
+    assert found == {"p1": (28, 20, 12), "p15": (20, 28, 8), "p80": (14, 28, 6), "d4": (40, 28, 4)}
+
+
+def test_junctions_and_cost():
+    """p W/(d sigma_link), in space p A/(d^2 sigma_link); core-seconds at the usual rate."""
+    plane, space = (plans.read(plans.find(name)).runs[0] for name in ("velocity", "space"))
+    sigma_link = 0.554 * 92
+    assert size.junctions(plane.values) == pytest.approx(15 * 40 / sigma_link)
+    layer = 2.5 / math.sqrt(2)
+    area = (20 * layer) * (8 * layer)
+    assert size.junctions(space.values) == pytest.approx(15 * area / 2.5**2 / sigma_link)
+    assert plane.cost == pytest.approx(560 * 500 / 4e-5 / 9e6)
+    assert space.cost == pytest.approx(2240 * 100 / 4e-5 / 3.5e6)
+    listed = campaign("list", "velocity").stdout
+    assert re.search(r" v1-seed1 .* 40 +14 .* 12 +0.1898 +365.1 +4e-05 +0.216$", listed, re.M)
+    assert "16 runs, 1.2 core-hours at 9 M automaton-steps a second and core\n" in listed
+
+
+def test_a_word_is_no_size(tmp_path):
+    path = tmp_path / "plan.yaml"
+    path.write_text(HEAD + "runs: [{columns: wide}]\n")
+    one_line(
+        campaign("list", path), 3, "columns: 'wide' is not", "a whole number >= 4 (", ", or auto"
+    )
+    path.write_text(HEAD + "runs: [{held: auto}]\n")
+    one_line(campaign("list", path), 3, "held: 'auto' is not allowed")
+
+
 def test_csv_plan(tmp_path):
     path = tmp_path / "plan.csv"
     path.write_text("# made by hand\nname,p,v,seed\none,15,5,1\ntwo,1.5,2,2\n")
@@ -176,7 +248,8 @@ SHIPPED = {
     "viscosity": 2,
     "roughness": 6,
     "smoke": 6,
-    "convergence": 36,
+    "convergence": 64,
+    "width": 84,
     "own-material": 10,
     "temperature": 15,
     "rail": 84,

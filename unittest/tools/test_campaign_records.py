@@ -2,6 +2,7 @@
 """tools/campaign: what its folder says of the runs, damaged or not; packing."""
 
 import ctypes
+import json
 import math
 import re
 import shutil
@@ -9,8 +10,8 @@ import subprocess
 
 import pytest
 
-from campaign_calls import CAMPAIGN, HEAD, PLAN, campaign, edit, environment, logs, one_line
-from campaign_parts import pack
+from campaign_calls import CAMPAIGN, FAKE, HEAD, PLAN, campaign, edit, environment, logs, one_line
+from campaign_parts import pack, plan as plans
 from mcawr import archive
 
 
@@ -252,3 +253,34 @@ def test_packed_command_is_of_any_checkout_and_of_the_whole_length():
         [begun, begun.replace("ns 30", "ns 100 -var continue 1 -var restart run.restart")]
     )
     assert command == "lmp -in examples/friction/in.friction -var p 2 -var ns 100"
+
+
+def test_what_a_run_cost(plan, tmp_path):
+    """Core-seconds of each attempt, on the ranks that lmp names itself, whatever started it; the
+    speed of what is finished is that of list -o."""
+    lmp = tmp_path / "lmp"
+    lmp.write_text(
+        f"#!/bin/sh\n{FAKE} \"$@\" && echo '  1 by 4 by 2 MPI processor grid' >> log.1.lammps\n"
+    )
+    lmp.chmod(0o755)
+    env = environment(MCAWR_LMP=str(lmp), FAKE_LMP_ROW="0.01")
+    out = tmp_path / "out"
+    result = campaign("run", plan, "-o", out, "-j", 1, "--launcher", "env", env=env)
+    assert result.returncode == 0, result.stdout + result.stderr
+    total = 0.0
+    for name in logs(out):
+        (attempt,) = json.loads((out / name / "run.json").read_text())["attempts"]
+        assert attempt["core_seconds"] == pytest.approx(8 * attempt["seconds"], abs=0.5)
+        assert attempt["seconds"] > 0.3
+        cost = round(attempt["core_seconds"])
+        total += attempt["core_seconds"]
+        assert f", {cost} core-seconds in all" in result.stdout
+        status = campaign("status", plan, "-o", out).stdout
+        assert re.search(rf"^{name} +finished +2 +2 +{cost} ", status, re.MULTILINE)
+    work = sum(run.work for run in plans.read(str(plan)).runs)
+    listed = campaign("list", plan, "-o", out).stdout
+    rate = float(re.search(r"at (\S+) M automaton-steps a second and core, measured", listed)[1])
+    assert rate == pytest.approx(work / total / 1e6, rel=0.01)
+    one_line(campaign("list", plan, "-o", tmp_path / "no"), 3, "no: no such folder")
+    (tmp_path / "empty").mkdir()
+    assert "at 9 M automaton-steps" in campaign("list", plan, "-o", tmp_path / "empty").stdout

@@ -1,0 +1,69 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""How large a fragment a load needs: what `auto` is in the keys columns, rows and depth, the one
+place of the rule and of its constants (doc/campaign.md, The size of the fragment).
+
+Blocks touch at junctions, contacts that are pressed to the linking pressure sigma_link. A load p
+has p/sigma_link of the area in them. Where they are few a fragment wears smooth for a while, and
+rubs too little."""
+
+import math
+from collections.abc import Mapping
+from typing import Any
+
+AUTO = "auto"
+KEYS = ("columns", "rows", "depth")
+PRESET_A = 2.35  # sigma_link/sigma_0 of preset a; all others link at the elastic limit
+# (share p/sigma_link below which it holds, automata in a layer, free rows in the plane, free layers
+# of examples/space): p/sigma_0 = 0.1 and 0.5 where links form at the elastic limit of steel, 0.554
+SIZES = ((0.18, 160, 8, 14), (0.9, 80, 14, 22), (math.inf, 40, 14, 22))
+ASPECT = 2.5  # columns over depth, in space
+
+
+def link_pressure(values: Mapping[str, Any]) -> float:
+    """Elastic compression that links an unlinked contact (MPa), by the words of `laws`; infinite
+    where none does."""
+    words = str(values["laws"]).split()
+    chosen = dict(zip(words[1::2], words[2::2])).get("link")
+    if chosen is None:
+        chosen = str(PRESET_A) if words[0] == "a" else "elastic_limit"
+    if chosen == "none":
+        return math.inf
+    try:
+        return float(chosen) * values["strength"]
+    except ValueError:
+        return values["elastic_limit"] * values["strength"]
+
+
+def share(values: Mapping[str, Any]) -> float:
+    """p/sigma_link: the share of the area in junctions."""
+    return values["p"] / link_pressure(values)
+
+
+def in_layer(values: Mapping[str, Any]) -> float:
+    """Automata in a layer of the lattice; in the fcc packing of examples/space every other site of
+    one is empty."""
+    return values["columns"] * (values["depth"] or 2) / 2
+
+
+def junctions(values: Mapping[str, Any]) -> float:
+    """Junctions that carry the load at once: p W/(d sigma_link) in a plane of width W = columns d;
+    in space p A/(d^2 sigma_link)."""
+    return share(values) * in_layer(values)
+
+
+def _even(least: float) -> int:
+    return 2 * math.ceil(least / 2 - 1e-9)
+
+
+def settled(values: Mapping[str, Any]) -> dict[str, Any]:
+    """The values with a number where `auto` stands."""
+    result = dict(values)
+    _, layer, free, free_in_space = next(row for row in SIZES if share(values) < row[0])
+    if result["depth"] == AUTO:
+        result["depth"] = _even(math.sqrt(2 * layer / ASPECT))
+    depth = result["depth"]
+    if result["columns"] == AUTO:
+        result["columns"] = _even(2 * layer / depth) if depth else layer
+    if result["rows"] == AUTO:
+        result["rows"] = 2 * result["held"] + (free_in_space if depth else free)
+    return result
