@@ -34,6 +34,8 @@ LOG = "run.friction"
 PART = LOG + ".part"
 CHECKPOINTS = ("run.a.restart", "run.b.restart", "run.restart")
 RESULTS = (LOG, "run.profile", "run.restart")  # what a finished run leaves
+# values of a run that may change as it goes on; files of materials, whose quantities count
+UNBOUND = ("ns", "checkpoint", "picture", "profile", "material", "upper_material")
 AGAIN = "move the run's folder away to make the run again"
 RESTART_END = b"LammpS RestartT\0"  # what LAMMPS writes last
 SEAL = b"mca-restart 3:\n\0"  # of pair_style mca; its checksum follows, written after all else
@@ -156,7 +158,7 @@ class RunFolder:
         begun, elsewhere = f"{self.path}: was begun with", "give the run another name or folder"
         for name, value in self.run.values.items():
             old = record["parameters"].get(name)
-            if name in ("ns", "checkpoint", "picture", "profile", "material") or old == value:
+            if name in UNBOUND or old == value:
                 continue
             raise FolderError(f"{begun} {name} = {old}, the plan says {value}: {elsewhere}")
         now = inputs_of(self.run)

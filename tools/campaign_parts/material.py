@@ -12,20 +12,19 @@ from mcawr.numbers import decimal
 from mcawr.words import known_words
 
 from .located import shown
-from .quantities import KEYS
+from .quantities import KEYS, KEYWORDS
 
 # keyword of the file: (key of the plan, dimension)
+DIMENSIONS = {
+    "E": "stress",
+    "strength": "stress",
+    "rho": "density",
+    "eta": "viscosity",
+    "d": "length",
+}
 QUANTITIES = {
-    "youngs_modulus": ("E", "stress"),
-    "poissons_ratio": ("nu", ""),
-    "density": ("rho", "density"),
-    "strength": ("strength", "stress"),
-    "elastic_limit": ("elastic_limit", ""),
-    "yield_strength": ("yield_strength", ""),
-    "yield_strain": ("yield_strain", ""),
-    "breaking_strain": ("breaking_strain", ""),
-    "viscosity": ("eta", "viscosity"),
-    "diameter": ("d", "length"),
+    keyword: (key, DIMENSIONS.get(key, ""))
+    for key, keyword in {**KEYWORDS, "d": "diameter"}.items()
 }
 # what a file's unit is in the plan's: MPa, kg/m3, Pa s, nm
 UNITS = {

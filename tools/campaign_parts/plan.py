@@ -13,7 +13,7 @@ from mcawr.words import known_words
 
 from . import material, size
 from .located import Given, PlanError, read_yaml, scalar, shown
-from .quantities import KEYS, LEAST, MOST, Run
+from .quantities import KEYS, KEYWORDS, LEAST, MOST, Run
 
 FORMAT = "mca-campaign 1"
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.realpath(__file__))))
@@ -147,6 +147,8 @@ def _suffix(name: str, value: Any) -> str:
     """A value in the name of a run."""
     if name == "material":
         return os.path.basename(value).removesuffix(".mca")
+    if name == "upper_material":
+        return "below_" + os.path.basename(value).removesuffix(".mca")
     return name + _short(value)
 
 
@@ -168,6 +170,18 @@ def _solid(path: str, line: int, of_run: Any, stated: Any) -> tuple[dict[str, An
         return {}, {}
     found = _material(path, line, name or KEYS["material"].default, temperature)
     return ({}, found) if {"material", "temperature"} & set(of_run) else (found, {})
+
+
+def _upper(path: str, line: int, entry: Any, values: dict[str, Any]) -> dict[str, Any] | None:
+    """The quantities of the upper block's own potential file, but for the diameter, which is one
+    for both; None without a file."""
+    if values["upper_material"] is None:
+        return None
+    at = entry["upper_material"].line if "upper_material" in entry else line
+    found = _material(path, at, values["upper_material"], values["temperature"])
+    upper = {key: value for key, value in found.items() if key in KEYWORDS}
+    _check_together(path, at, {}, {**values, **upper})
+    return upper
 
 
 def _expand(
@@ -193,6 +207,7 @@ def _expand(
         below, above = _solid(path, at, values, stated)
         values = size.settled({**defaults, **below, **stated, **above, **values})
         _check_together(path, line, entry, values)
+        values["upper"] = _upper(path, line, entry, values)
         suffix = "-".join(_suffix(n, values[n]) for n in given if len(given[n]) > 1)
         yield (
             named,
@@ -268,6 +283,18 @@ def _read_csv(path: str, text: str) -> tuple[str, bool, Given, Any, Any]:
     return "", False, Given(1, None), {}, entries
 
 
+def _check_known(path: str, line: int, program: str, all_values: list[dict[str, Any]]) -> None:
+    """The input script declares what not every one has: LAMMPS takes a variable that nothing reads
+    without a word."""
+    with open(program, encoding="utf-8", errors="replace") as file:
+        declared = set(re.findall(r"^\s*variable\s+(\w+)", file.read(), re.MULTILINE))
+    for variable, key in (("depth", "depth"), ("upper_values", "upper_material")):
+        if variable not in declared and any(values[key] is not None for values in all_values):
+            raise PlanError(
+                f"{path}:{line}: {key}: the input script {program} has no variable {variable}"
+            )
+
+
 def read(path: str) -> Plan:
     """The plan in a YAML or CSV file. Raises PlanError."""
     try:
@@ -308,6 +335,7 @@ def read(path: str) -> Plan:
         follow |= {key for key, _ in material.QUANTITIES.values()}
     follow -= {n for _, entry in entries for n in entry}
     varying = [n for n in varying if n not in follow]
+    _check_known(path, script_line, program, [values for _, _, values in expanded])
     runs: list[Run] = []
     seen: dict[str, int] = {}
     for number, label, values in expanded:

@@ -57,6 +57,9 @@ KEYS = {
     "breaking_strain": Key(0.04, "total strain", "> 0", _positive, "breaking_strain"),
     "d": Key(2.5, "nm", "> 0", _positive, "d"),
     "material": Key("steel.mca", "potential file", "the name of a potential file", None),
+    "upper_material": Key(
+        None, "potential file of the upper block", "the name of a potential file", None
+    ),
     "temperature": Key(None, "K, of a potential file that has temperatures", "> 0", _positive),
     "columns": Key(AUTO, "automata across", "a whole number >= 4", _whole(4), "columns"),
     "rows": Key(AUTO, "rows of automata", "a whole number >= 8", _whole(8), "rows"),
@@ -90,6 +93,20 @@ KEYS = {
 }
 
 
+# keyword of pair_coeff by key, of what blocks may have each of their own; d is one for both
+KEYWORDS = {
+    "E": "youngs_modulus",
+    "nu": "poissons_ratio",
+    "rho": "density",
+    "strength": "strength",
+    "elastic_limit": "elastic_limit",
+    "yield_strength": "yield_strength",
+    "yield_strain": "yield_strain",
+    "breaking_strain": "breaking_strain",
+    "eta": "viscosity",
+}
+
+
 @dataclasses.dataclass
 class Run:
     """One friction run."""
@@ -99,15 +116,26 @@ class Run:
     input: str
 
     @property
+    def upper(self) -> dict[str, Any]:
+        """The quantities of the upper block where it has a material of its own, else empty."""
+        return self.values.get("upper") or {}
+
+    @property
+    def weaker(self) -> dict[str, Any]:
+        """All values, with the quantities of the weaker block."""
+        other = {**self.values, **self.upper}
+        return min(self.values, other, key=lambda v: v["strength"])
+
+    @property
     def kappa1(self) -> float:
-        """rho E v^2 / sigma_0^2."""
-        v = self.values
+        """rho E v^2 / sigma_0^2, of the weaker block."""
+        v = self.weaker
         return v["rho"] * v["E"] * 1e6 * v["v"] ** 2 / (v["strength"] * 1e6) ** 2
 
     @property
     def kappa2(self) -> float:
-        """p E / sigma_0^2."""
-        v = self.values
+        """p E / sigma_0^2, of the weaker block."""
+        v = self.weaker
         return v["p"] * v["E"] / v["strength"] ** 2
 
     def slack(self, ns: float) -> float:
@@ -122,10 +150,13 @@ class Run:
     @property
     def dt(self) -> float:
         """Step in ns: as given, else 5e-5 scaled with the time of sound and the viscous time of an
-        automaton, rounded down to two digits."""
+        automaton, rounded down to two digits. Of two materials the stiffest, lightest and most
+        viscous that their contacts can be."""
         if self.values["dt"] is not None:
             return self.values["dt"]
-        base, v = {name: key.default for name, key in KEYS.items()}, self.values
+        base, v = {name: key.default for name, key in KEYS.items()}, dict(self.values)
+        for name, worse in (("E", max), ("rho", min), ("eta", max)):
+            v[name] = worse(v[name], self.upper.get(name, v[name]))
         size = v["d"] / base["d"]
         sound = size * math.sqrt(base["E"] / base["rho"]) / math.sqrt(v["E"] / v["rho"])
         viscous = (
@@ -168,6 +199,11 @@ class Run:
                 result[key.variable] = (
                     value if isinstance(value, str) else f"{value * key.factor:.12g}"
                 )
+        if self.upper:
+            result["upper_values"] = " ".join(
+                f"{KEYWORDS[name]} {value * KEYS[name].factor:.12g}"
+                for name, value in self.upper.items()
+            )
         result["dt"] = f"{self.dt:.12g}"
         for variable, name in (
             ("every", "row"),

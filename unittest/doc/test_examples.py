@@ -121,6 +121,7 @@ def test_every_variable_of_the_friction_example(tmp_path):
         "yield_strength": 0.9,
         "yield_strain": 0.02,
         "breaking_strain": 0.05,
+        "upper_values": "strength 130",
         "columns": 16,
         "rows": 12,
         "held": 2,
@@ -149,6 +150,7 @@ def test_every_variable_of_the_friction_example(tmp_path):
     material = head["material"]
     assert (material["youngs_modulus"], material["poissons_ratio"]) == (180000, 0.25)
     assert [material[name] for name in ("density", "strength", "viscosity")] == [9000, 120, 0.3]
+    assert (head["other_material"]["layer"], head["other_material"]["strength"]) == ("driven", 130)
     curve = ("elastic_limit", "yield_strength", "yield_strain", "breaking_strain")
     assert [material[name] for name in curve] == pytest.approx([72, 108, 0.02, 0.05])
     assert head["loading"] == {"pressure": 7, "velocity": 3}

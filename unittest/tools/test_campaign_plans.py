@@ -341,6 +341,48 @@ def test_own_material(tmp_path):
     assert variables["breaking_strain"] == "0.1"
 
 
+def test_upper_material(tmp_path):
+    """All its quantities but the diameter are the upper block's; kappas are of the weaker one, the
+    step is that of the worst contact that both could have."""
+    (tmp_path / "si.mca").write_text(SI)
+    path = tmp_path / "plan.yaml"
+    path.write_text(HEAD + "runs: [{strength: [92, 400], upper_material: si.mca}, {v: 7}]\n")
+    weak, strong, plain = plans.read(str(path)).runs
+    upper = weak.variables()["upper_values"].split()
+    words = dict(zip(upper[::2], map(float, upper[1::2])))
+    assert words["youngs_modulus"] == 70000 and words["density"] == 0.0027
+    assert words["viscosity"] == 410 and words["strength"] == 300 and "diameter" not in words
+    assert weak.values["E"] == 206000 and weak.kappa2 == pytest.approx(15 * 206000 / 92**2)
+    assert strong.kappa2 == pytest.approx(15 * 70000 / 300**2)
+    assert strong.kappa1 == pytest.approx(2700 * 70e9 * 25 / 300e6**2)
+    # viscous: density of the one, viscosity of both
+    assert weak.dt < plain.dt and weak.dt == pytest.approx(plain.dt * 2700 / 7800, rel=0.1)
+    assert "upper_values" not in plain.variables() and plain.values["upper"] is None
+
+
+@pytest.mark.parametrize(
+    "text, run, part",
+    [
+        (SI, "upper_material: none.mca", "material: no file none.mca"),
+        (SI, "upper_material: own.mca, temperature: 300", "has no line temperature"),
+        (SI.replace("youngs_modulus 70e9", "youngs_modulus 1e6"), "upper_material: own.mca", "< E"),
+    ],
+)
+def test_bad_upper_material(text, run, part, tmp_path):
+    (tmp_path / "own.mca").write_text(text)
+    path = tmp_path / "plan.yaml"
+    path.write_text(HEAD + "runs: [{" + run + "}]\n")
+    one_line(campaign("list", path), 3, part)
+
+
+def test_an_input_script_without_the_upper_block(tmp_path):
+    """LAMMPS takes a variable that a script does not read without a word; the plan does not."""
+    (tmp_path / "in.own").write_text("variable p index 1\n")
+    path = tmp_path / "plan.yaml"
+    path.write_text(HEAD + "input: in.own\nruns: [{upper_material: steel.mca}]\n")
+    one_line(campaign("list", path), 3, "upper_material: the input script", "no variable upper_values")
+
+
 SOFTENING = SI.replace("strength 300e6", "strength 300e6 200e6 100e6").replace(
     "youngs_modulus", "temperature 300 600 900\nyoungs_modulus"
 )
