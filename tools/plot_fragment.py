@@ -32,7 +32,7 @@ from mcawr import plotting
 from mcawr.campaign_record import timestep_of
 from mcawr.command_line import Parser, file_name, number_in, whole_in
 from mcawr.dump import Film
-from mcawr.errors import BadInput, Exit, complain, fail, missing, run_script
+from mcawr.errors import BadInput, Exit, complain, fail, run_script
 from mcawr.files import check_apart, check_size, save_figure, write
 
 NEEDED = ("id", "type", "x", "y", "vx")
@@ -242,27 +242,14 @@ class Picture:
 
 def animate(picture: Picture, frames: Any, rate: float, dpi: float) -> bytes:
     """Bytes of a GIF that shows all frames in turn, for ever."""
-    try:
-        from PIL import Image
-    except ImportError as error:
-        raise missing(error) from None
-    images = []
+    pages = []
     check_size(picture.figure, dpi)
     for number in range(frames):
         picture.show(number)
         page = io.BytesIO()
         picture.figure.savefig(page, dpi=dpi, format="png")
-        images.append(Image.open(page).convert("P", palette=Image.Palette.ADAPTIVE))
-    film = io.BytesIO()
-    images[0].save(
-        film,
-        format="GIF",
-        save_all=True,
-        append_images=images[1:],
-        duration=round(1000 / rate),
-        loop=0,
-    )
-    return film.getvalue()
+        pages.append(page.getvalue())
+    return plotting.film(pages, rate)
 
 
 def arguments() -> argparse.Namespace:

@@ -7,13 +7,18 @@
     plot_patch.py curves out/creep.csv -o curves.png
     plot_patch.py curves out/creep.csv --polach polach.csv -o curves.png
     plot_patch.py transient out/series.csv -o start.png
+    plot_patch.py transient out/series.csv --against time -o start.png
+    plot_patch.py fields out/fields_0001_*.vti --animate -o start.gif
 
-fields     pressure and traction with the border of the stick zones, one column a file
+fields     pressure and traction with the border of the stick zones, one column a file, or with
+           --animate one frame of a film (GIF) a file
 friction   local friction coefficient over the contact and along its middle line (Fig. 13 of the
            paper in three dimensions), one column a file
 curves     forces over load against longitudinal and lateral creep and spin, as far as they vary
-transient  forces over load and share of stick against the distance rolled, one curve a point
-Exit codes: 0 ok, 1 no matplotlib, 2 usage, 3 bad input file, 5 the picture cannot be written.
+transient  forces over load, share of stick, and creep and load where they change, against the
+           distance rolled or the time, one curve a point
+Exit codes: 0 ok, 1 no matplotlib (of --animate: or no Pillow), 2 usage, 3 bad input file, 5 the
+picture cannot be written.
 """
 
 import argparse
@@ -21,9 +26,9 @@ import os
 from typing import Any
 
 from mcawr import fields, plotting, tables
-from mcawr.command_line import Parser, file_name
-from mcawr.errors import BadInput, run_script
-from mcawr.files import check_apart, save_figure
+from mcawr.command_line import Parser, file_name, number_in
+from mcawr.errors import BadInput, Exit, Failure, run_script
+from mcawr.files import check_apart, picture, save_figure, write
 
 MOST_ARROWS = 24  # of the traction, along the longer side
 
@@ -104,9 +109,9 @@ def arrows(axis: Any, data: fields.Fields) -> None:
     )
 
 
-def panels(columns: Any, rows: Any, height: float = 3.6) -> tuple[Any, Any]:
+def panels(columns: Any, rows: Any, limits: Any, height: float = 3.6) -> tuple[Any, Any]:
     """A row of panels for each field, all with the same scale of lengths."""
-    (left, right), (low, high) = window(columns)
+    (left, right), (low, high) = limits
     width = height * min(1.6, max(0.6, (right - left) / (high - low)))
     size = (width * len(columns) + 1.4, height * rows)
     figure, axes = plt.subplots(
@@ -126,12 +131,29 @@ def show(axis: Any, data: fields.Fields, values: Any, limits: Any, **style: Any)
 def draw_fields(given: argparse.Namespace) -> None:
     columns = read_all(given, ("state", "pressure", "traction"))
     limits = window(columns)
-    figure, axes = panels(columns, 2)
     highest = [
         max(np.nanpercentile(only_contact(d, d.size_of(name)), 99.5) for d in columns)
         for name in ("pressure", "traction")
     ]
+    if not given.animate:
+        names = [label_of(given, k, path) for k, path in enumerate(given.files)]
+        save_figure(fields_figure(columns, names, limits, highest), given.output, dpi=150)
+        return
+    pages = []
     for k, (data, path) in enumerate(zip(columns, given.files)):
+        name = given.label[k] if k < len(given.label) else moment_of(data, path)
+        pages.append(picture(fields_figure([data], [name], limits, highest), "", dpi=100))
+    write(given.output, plotting.film(pages, given.rate))
+
+
+def moment_of(data: fields.Fields, path: str) -> str:
+    """When the fields of a file are: what stands before the colon of its title."""
+    return data.title.split(":")[0] or os.path.splitext(os.path.basename(path))[0]
+
+
+def fields_figure(columns: list[Any], names: list[str], limits: Any, highest: list[Any]) -> Any:
+    figure, axes = panels(columns, 2, limits)
+    for k, data in enumerate(columns):
         top, bottom = axes[0, k], axes[1, k]
         pressure = only_contact(data, data.arrays["pressure"])
         shown = show(top, data, pressure, limits, cmap="magma_r", vmin=0, vmax=highest[0])
@@ -140,19 +162,19 @@ def draw_fields(given: argparse.Namespace) -> None:
         for axis in (top, bottom):
             stick_border(axis, data)
         arrows(bottom, data)
-        top.set_title(label_of(given, k, path))
+        top.set_title(names[k])
         bottom.set_xlabel("x, mm (rolling to the right)")
     for row, image, name in ((0, shown, "pressure"), (1, drawn, "traction")):
         axes[row, 0].set_ylabel("y, mm")
         figure.colorbar(image, ax=list(axes[row]), label=f"{name}, MPa", extend="max")
     figure.suptitle("Blue line: border of stick; arrows: direction of the traction", fontsize=10)
-    save_figure(figure, given.output, dpi=150)
+    return figure
 
 
 def draw_friction(given: argparse.Namespace) -> None:
     columns = read_all(given, ("pressure", "traction", "mu"))
     limits = window(columns)
-    figure, axes = panels(columns, 2, height=3.4)
+    figure, axes = panels(columns, 2, limits, height=3.4)
     touching = [only_contact(d, d.arrays["mu"]) for d in columns]
     low = min(np.nanmin(mu) for mu in touching)
     high = max(np.nanmax(mu) for mu in touching)
@@ -322,30 +344,52 @@ def draw_panel(
 
 
 def series_columns(_: Any) -> list[str]:
-    return ["point", "distance", "load", "force_x", "force_y", "stick_fraction"]
+    return ["point", "distance", "time", "load", "creep", "force_x", "force_y", "stick_fraction"]
+
+
+AGAINST = {"distance": "distance rolled, mm", "time": "time, s"}
 
 
 def draw_transient(given: argparse.Namespace) -> None:
-    figure, axes = plt.subplots(2, 1, figsize=(7, 6), sharex=True, layout="constrained")
-    for k, path in enumerate(given.files):
-        series = read_points(path, "a series.csv of wr_creep", series_columns)
+    files = [read_points(path, "a series.csv of wr_creep", series_columns) for path in given.files]
+    extra = [  # what changes on the way of a point
+        (column, label)
+        for column, label in (("creep", "creep, %"), ("load", "load, kN"))
+        if any(varies(s, column) for s in files)
+    ]
+    count = 2 + len(extra)
+    figure, axes = plt.subplots(
+        count, 1, figsize=(7, 2 + 2 * count), sharex=True, layout="constrained"
+    )
+    for k, (path, series) in enumerate(zip(given.files, files)):
         name = given.label[k] if k < len(given.label) else ""
         for point in sorted(set(series["point"])):
             rows = series["point"] == point
-            distance, load = series["distance"][rows], series["load"][rows]
+            way, load = series[given.against][rows], series["load"][rows]
             force = np.hypot(series["force_x"][rows], series["force_y"][rows]) / load
             several = len(set(series["point"])) > 1
             label = ", ".join(filter(None, [name, f"point {point:g}" if several else ""]))
             style = ["-", "--", ":", "-."][k % 4]
-            axes[0].plot(distance, force, style, lw=1.2, label=label or None)
-            axes[1].plot(distance, 100 * series["stick_fraction"][rows], style, lw=1.2)
-    axes[0].set(ylabel="tangential force over load, T/N", ylim=(0, None))
-    axes[1].set(ylabel="stick, % of the contact", xlabel="distance rolled, mm", ylim=(0, 100))
+            axes[0].plot(way, force, style, lw=1.2, label=label or None)
+            axes[1].plot(way, 100 * series["stick_fraction"][rows], style, lw=1.2)
+            for axis, (column, _) in zip(axes[2:], extra):
+                scale = 100.0 if column == "creep" else 1e-3
+                axis.plot(way, scale * series[column][rows], style, lw=1.2)
+    axes[0].set(ylabel="tangential force\nover load, T/N", ylim=(0, None))
+    axes[1].set(ylabel="stick, % of the contact", ylim=(0, 100))
+    for axis, (_, label) in zip(axes[2:], extra):
+        axis.set(ylabel=label)
+    axes[-1].set(xlabel=AGAINST[given.against])
     for axis in axes:
         axis.grid(alpha=0.3)
     if axes[0].get_legend_handles_labels()[0]:
         axes[0].legend(fontsize=8)
     save_figure(figure, given.output, dpi=150)
+
+
+def varies(series: dict[str, Any], column: str) -> bool:
+    values, points = series[column], series["point"]
+    return any(np.ptp(values[points == p]) > 1e-9 * abs(values).max() for p in set(points))
 
 
 PICTURES = {
@@ -378,7 +422,21 @@ def main() -> None:
                 "--polach", type=file_name, metavar="CSV", help="table of wr_creep --polach"
             )
             command.add_argument("--log", action="store_true", help="logarithmic creepages")
+        if name == "transient":
+            command.add_argument(
+                "--against", choices=list(AGAINST), default="distance", help="[%(default)s]"
+            )
+        if name == "fields":
+            command.add_argument("--animate", action="store_true", help="a film, one frame a file")
+            command.add_argument(
+                "--rate", type=number_in(0.1, 50), default=2, help="frames per second of a film [2]"
+            )
     given = parser.parse_args()
+    if getattr(given, "animate", False):
+        if given.output == "fields.png":
+            given.output = "fields.gif"
+        if not given.output.lower().endswith(".gif"):
+            raise Failure(Exit.USAGE, f"{given.output}: a film's name must end in .gif")
     read = [*given.files, *filter(None, [getattr(given, "polach", None)])]
     check_apart(read, [given.output])
     global plt, np

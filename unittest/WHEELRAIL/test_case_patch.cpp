@@ -104,6 +104,53 @@ TEST(CasePatch, SequenceIsLinearBetweenItsInstants)
   EXPECT_EQ(sequence.at(sequence.creep, 7.0, 9.0), 9.0);
 }
 
+TEST(CasePatch, SequenceIsHeldUntilTheNextInstant)
+{
+  PatchSequence sequence;
+  sequence.held = true;
+  sequence.time = {0.0, 1.0, 3.0};
+  sequence.load = {2.0, 4.0, 5.0};
+  EXPECT_EQ(sequence.at(sequence.load, 0.999, 9.0), 2.0);
+  EXPECT_EQ(sequence.at(sequence.load, 1.0, 9.0), 4.0);
+  EXPECT_EQ(sequence.at(sequence.load, 3.0, 9.0), 5.0);
+}
+
+TEST(CasePatch, SpeedsMakeTheWay)
+{
+  PatchSequence sequence;
+  EXPECT_EQ(sequence.timeAt(6.0, 2.0), 3.0);
+  sequence.time = {0.0, 2.0, 3.0, 7.0};
+  sequence.speed = {0.0, 4.0, 4.0, 0.0}; // 4 m, 4 m, 8 m
+  EXPECT_DOUBLE_EQ(sequence.distanceAt(1.0, 9.0), 1.0);
+  EXPECT_DOUBLE_EQ(sequence.distanceAt(7.0, 9.0), 16.0);
+  for (double t : {0.0, 0.5, 2.0, 2.7, 3.0, 5.0, 6.9})
+    EXPECT_NEAR(sequence.timeAt(sequence.distanceAt(t, 9.0), 9.0), t, 1e-12) << t;
+  sequence.held = true; // 2, 4, 16 m
+  sequence.speed.front() = 1.0;
+  EXPECT_DOUBLE_EQ(sequence.distanceAt(7.0, 9.0), 22.0);
+  EXPECT_DOUBLE_EQ(sequence.timeAt(4.0, 9.0), 2.5);
+}
+
+TEST(CasePatch, FieldsAreOfTheNearestStep)
+{
+  PatchSequence sequence;
+  sequence.fields = {0.0, 1.2, 1.3, 4.0};
+  PatchHistory history;
+  PatchStep step;
+  for (double time : {1.0, 2.0, 3.0}) {
+    step.time = time;
+    PatchFields fields;
+    fields.mu = Eigen::VectorXd::Constant(1, time);
+    history.add(step, sequence, fields);
+  }
+  ASSERT_EQ(history.fields.size(), 3U); // the way ended before the fourth
+  EXPECT_EQ(history.fields.at(1).mu[0], 1.0);
+  EXPECT_EQ(history.fields.at(2).mu[0], 1.0);
+  EXPECT_EQ(history.fields.at(3).mu[0], 1.0);
+  EXPECT_EQ(stepAt(history.steps, 1.6), 1U);
+  EXPECT_EQ(stepAt(history.steps, 4.0), 3U);
+}
+
 /// A way through a map: whole cells are exact, between them six points of a wave of eight cells.
 TEST(CasePatch, MapsTravel)
 {

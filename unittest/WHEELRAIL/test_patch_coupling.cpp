@@ -118,16 +118,22 @@ TEST(PatchCoupling, CompressionOfASphereByStages)
   const ElasticPair pair = combinedPair(bodyOf(0.5, 0.0), bodyOf(1e5, 0.0));
   EXPECT_NEAR(pair.K, 0.5, 1e-5);
   const double A = 0.004116, mu = 0.2986;
-  std::vector<double> loads;
-  for (int k = 1; k <= 35; ++k)
-    loads.push_back(std::pow(k / 45.0, 3));
+  PatchSequence stages;
+  for (int k = 1; k <= 35; ++k) {
+    stages.time.push_back(k);
+    stages.load.push_back(std::pow(k / 45.0, 3));
+  }
   const PatchGrid grid = gridFrom(45, 45, 0.2, -4.4999, -4.4999);
-  const PatchContact contact = contactOn(grid, pair, loads.back(), A, A);
+  const PatchContact contact = contactOn(grid, pair, stages.load.back(), A, A);
   PatchTask task{};
   task.forceRatio = 0.0;
   const CreepPhysics physics = coldPhysics();
   const ConstantLaw law(mu);
-  const StaticPatch still = *solveStaticPatch(physics, law, contact, task, loads, always);
+  PatchHistory history;
+  const StaticPatch still = *solveStaticPatch(physics, law, contact, task, stages, always, history);
+  ASSERT_EQ(history.steps.size(), 35U);
+  EXPECT_EQ(history.steps.back().approach, still.point.approach);
+  EXPECT_LT(history.steps.front().peakPressure, 0.1 * still.point.peakPressure);
   EXPECT_NEAR(still.point.approach, 9.874e-2, 0.55e-5);
   EXPECT_NEAR(still.point.peakPressure, 2.392e-2, 0.55e-5);
   const auto count = [&](PatchState state) {
@@ -136,7 +142,7 @@ TEST(PatchCoupling, CompressionOfASphereByStages)
   EXPECT_EQ(count(PatchState::Stick), 225);
   EXPECT_EQ(count(PatchState::Slip), 696);
   // in one go the history, and with it the state, is another one
-  const StaticPatch atOnce = *solveStaticPatch(physics, law, contact, task, {}, always);
+  const StaticPatch atOnce = *solveStaticPatch(physics, law, contact, task, {}, always, history);
   EXPECT_LT(atOnce.point.stickFraction, 0.9 * still.point.stickFraction);
 }
 

@@ -92,7 +92,8 @@ TEST(ResultColumns, standOnThePage)
   std::string table = "| column | unit | meaning | where |\n|---|---|---|---|\n";
   for (const std::string &rows :
        {pageRows(curveColumns()), pageRows(staticColumns()), pageRows(patchColumns()),
-        pageRows(seriesColumns()).substr(0, pageRows(seriesColumns()).find('\n') + 1)})
+        pageRows(
+            std::vector<Column<PatchStep>>(seriesColumns().begin(), seriesColumns().begin() + 3))})
     EXPECT_NE(page.find(table + rows + "\n"), std::string::npos) << table << rows;
 }
 

@@ -67,8 +67,10 @@ CREEP = POINTS + "".join(
 POLACH = "# units\ncreep,lateral,spin,speed,load,force_x,force_y,polach_x,polach_y\n" + "".join(
     f"{xi},0,0,10,1e5,{-1e7 * xi},0,{-0.9e7 * xi},0\n" for xi in (1e-3, 2e-3, 3e-3)
 )
-SERIES = "# units\npoint,distance,load,force_x,force_y,stick_fraction\n" + "".join(
-    f"{p},{0.1 * k},1e5,{-100 * k * p},0,{1 - 0.05 * k}\n" for p in (1, 2) for k in range(10)
+SERIES = "# units\npoint,distance,time,load,creep,force_x,force_y,stick_fraction\n" + "".join(
+    f"{p},{0.1 * k},{1e-5 * k},{1e5 + k},1e-3,{-100 * k * p},0,{1 - 0.05 * k}\n"
+    for p in (1, 2)
+    for k in range(10)
 )
 FILES = {"a.vti": vti(contact()), "b.vti": vti(contact()), "creep.csv": CREEP, "p.csv": POLACH}
 FILES |= {"series.csv": SERIES}
@@ -93,6 +95,7 @@ def plot(tmp_path, *arguments, **changed):
         ("curves", "creep.csv", "--polach", "p.csv"),
         ("curves", "creep.csv", "--log"),
         ("transient", "series.csv"),
+        ("transient", "series.csv", "--against", "time"),
     ],
     ids=" ".join,
 )
@@ -101,6 +104,21 @@ def test_picture(tmp_path, arguments):
     assert done.returncode == 0, done.stderr
     assert done.stderr == ""
     assert picture.read_bytes()[:4] == b"\x89PNG"
+
+
+def test_film(tmp_path):
+    """One frame a file; the name says that it is a film."""
+    image = pytest.importorskip("PIL.Image")
+    film = tmp_path / "film.gif"
+    arrays = contact()
+    arrays["pressure"] = 0.5 * arrays["pressure"]
+    other = {"b_vti": vti(arrays)}
+    done, picture = plot(tmp_path, "fields", "a.vti", "b.vti", "--animate", **other)
+    assert done.returncode == 2 and "film" in done.stderr and not picture.exists()
+    command = [TOOLS / "plot_patch.py", "fields", "a.vti", "b.vti", "--animate", "-o", film]
+    subprocess.run(command, check=True, cwd=tmp_path)
+    with image.open(film) as frames:
+        assert (frames.format, frames.n_frames) == ("GIF", 2)
 
 
 @pytest.mark.parametrize(
@@ -120,7 +138,7 @@ def test_picture(tmp_path, arguments):
         (("curves", "creep.csv"), {"creep_csv": POINTS}, "no points"),
         (("curves", "creep.csv"), {"creep_csv": POINTS + CREEP.split("\n")[2]}, "no curve"),
         (("curves", "creep.csv"), {"creep_csv": "# u\nspeed,creep\n1,2\n"}, "is missing"),
-        (("transient", "series.csv"), {"series_csv": SERIES + "3,x,1,1,1,1\n"}, "series.csv"),
+        (("transient", "series.csv"), {"series_csv": SERIES + "3,x,1,1,1,1,1,1\n"}, "series.csv"),
     ],
 )
 def test_bad_files(tmp_path, arguments, changed, words):

@@ -193,14 +193,20 @@ RoughPatchSpecification readRoughness(CaseReader &reader, const std::string &cas
 /// over the points run once.
 void readDrive(CaseReader &reader, PatchSpecification &patch)
 {
-  if (reader.has("force.longitudinal")) {
+  // of a sequence the last force stands for the operating point
+  const PatchSequence &sequence = patch.sequence;
+  if (!sequence.forceX.empty()) {
+    patch.forceX = {sequence.forceX.back()};
+  } else if (reader.has("force.longitudinal")) {
     patch.forceX = reader.numbers("force.longitudinal");
   } else if (patch.mode != PatchMode::Static && !reader.has("sequence.creep")) {
     patch.creep = readSeries(reader, "creep");
   } else {
     patch.creep = {0.0};
   }
-  if (reader.has("force.lateral")) {
+  if (!sequence.forceY.empty()) {
+    patch.forceY = {sequence.forceY.back()};
+  } else if (reader.has("force.lateral")) {
     patch.forceY = reader.numbers("force.lateral");
   } else {
     patch.lateral =
@@ -222,7 +228,18 @@ std::vector<double> readColumn(CaseReader &reader, const std::string &name, std:
   return values;
 }
 
-PatchSequence readSequence(CaseReader &reader)
+/// Speeds with which a wheel gets on: it may be at rest for an instant, not from one to the next.
+void checkSpeeds(const CaseReader &reader, const PatchSequence &sequence)
+{
+  for (std::size_t k = 0; k + 1 < sequence.speed.size(); ++k)
+    if (sequence.speed[k] == 0.0 && (sequence.held || sequence.speed[k + 1] == 0.0))
+      reader.fail("sequence.speed",
+                  fmt::format("'0' from instant {} to the next: the wheel would not roll; mode "
+                              "static is for what does not",
+                              k + 1));
+}
+
+PatchSequence readSequence(CaseReader &reader, bool rolls)
 {
   PatchSequence sequence;
   if (!reader.hasGroup("sequence"))
@@ -238,12 +255,29 @@ PatchSequence readSequence(CaseReader &reader)
   sequence.creep = readColumn(reader, "sequence.creep", n);
   sequence.lateral = readColumn(reader, "sequence.lateral", n);
   sequence.spin = readColumn(reader, "sequence.spin", n);
+  sequence.forceX = readColumn(reader, "sequence.force_longitudinal", n);
+  sequence.forceY = readColumn(reader, "sequence.force_lateral", n);
+  sequence.speed = readColumn(reader, "sequence.speed", n);
+  if (rolls)
+    sequence.held = reader.word("sequence.between") == "held";
+  checkSpeeds(reader, sequence);
+  if (reader.has("sequence.fields"))
+    sequence.fields = reader.numbers("sequence.fields");
+  if (std::adjacent_find(sequence.fields.begin(), sequence.fields.end(), std::greater_equal<>()) !=
+          sequence.fields.end() ||
+      (!sequence.fields.empty() && sequence.fields.back() > sequence.time.back()))
+    reader.fail("sequence.fields",
+                fmt::format("instants that increase, up to the last of sequence.time, {:g} s, are "
+                            "expected",
+                            sequence.time.back()));
   return sequence;
 }
 
 void readMoving(CaseReader &reader, PatchSpecification &patch)
 {
-  patch.sequence = readSequence(reader);
+  patch.sequence = readSequence(reader, true);
+  if (!patch.sequence.speed.empty() && patch.physics.thermal.model == ThermalModel::Local)
+    reader.fail("sequence.speed", "does not go with thermal.model local, which has one speed");
   if (!patch.sequence.any()) {
     reader.setDefault("moving.passes", "12"); // ten of them make a standard error
     patch.moving.passes = reader.integer("moving.passes");
@@ -252,19 +286,22 @@ void readMoving(CaseReader &reader, PatchSpecification &patch)
   patch.moving.start = start == "steady" ? RollingStart::Steady
                        : start == "rest" ? RollingStart::Rest
                                          : RollingStart::Shift;
-  if (patch.moving.start == RollingStart::Shift && !reader.hasGroup("force"))
-    reader.fail("moving.start", "'shift' needs force.longitudinal or force.lateral");
+  const bool givesForce =
+      reader.hasGroup("force") || !patch.sequence.forceX.empty() || !patch.sequence.forceY.empty();
+  if (patch.moving.start == RollingStart::Shift && !givesForce)
+    reader.fail("moving.start", "'shift' needs force.longitudinal or force.lateral, or those of "
+                                "sequence");
 }
 
 void readStatic(CaseReader &reader, PatchSpecification &patch)
 {
   patch.physics.thermal.model = ThermalModel::Off;
-  patch.sequence = readSequence(reader);
-  if (patch.sequence.any()) {
+  patch.sequence = readSequence(reader, false);
+  const bool givesForce = !patch.sequence.forceX.empty() || !patch.sequence.forceY.empty();
+  if (patch.sequence.any() && !givesForce)
     reader.require("sequence.load");
-  }
   const std::string given = onlyOne(reader, {"static.force_ratio", "static.shift", "force"});
-  if (given.empty())
+  if (given.empty() && !givesForce)
     reader.fail("static.force_ratio", "is missing: a force ratio, a shift (static.shift) or forces "
                                       "(force) are needed in mode static");
   if (given == "static.force_ratio")
@@ -296,7 +333,10 @@ PatchSpecification readPatch(CaseReader &reader, const std::string &caseFile)
   if (patch.mode == PatchMode::Moving)
     readMoving(reader, patch);
   readDrive(reader, patch);
-  if (patch.mode != PatchMode::Static)
+  const std::vector<double> &speeds = patch.sequence.speed;
+  if (!speeds.empty()) // one operating point; its speeds are the sequence's
+    patch.speed = {*std::max_element(speeds.begin(), speeds.end())};
+  else if (patch.mode != PatchMode::Static)
     patch.speed = reader.numbers("speed");
   double points = double(patch.roughness.surfaces());
   for (const auto *list : {&patch.contact.load, &patch.speed, &patch.spin, &patch.lateral,

@@ -23,20 +23,6 @@ double meanOf(const std::vector<double> &values)
 
 } // namespace
 
-double PatchSequence::at(const std::vector<double> &values, double seconds, double constant) const
-{
-  if (values.empty())
-    return constant;
-  const auto after = std::upper_bound(time.begin(), time.end(), seconds);
-  if (after == time.begin())
-    return values.front();
-  if (after == time.end())
-    return values.back();
-  const auto k = static_cast<std::size_t>(after - time.begin());
-  const double part = (seconds - time[k - 1]) / (time[k] - time[k - 1]);
-  return values[k - 1] + part * (values[k] - values[k - 1]);
-}
-
 // Neighbouring steps are alike, means of whole passes much less so: their scatter over
 // sqrt(batches) is the error of the mean without a model of the correlation. Few batches make a
 // rough error: n of them know it to 1/sqrt(2 (n - 1)), and Student's t takes the place of 1.96.
@@ -56,20 +42,6 @@ double batchError(const std::vector<double> &series, int batches)
   return std::sqrt(squares / (batches - 1) / batches);
 }
 
-const std::vector<Column<PatchStep>> &seriesColumns()
-{
-  static const std::vector<Column<PatchStep>> table = [] {
-    constexpr double mm = 1e-3; // in SI
-    std::vector<Column<PatchStep>> columns = {
-        {"distance", "mm", mm, "rolled at the end of the step", kept<&PatchStep::distance>, nowhere,
-         nowhere, nowhere, following(8)}};
-    append(columns, patchValueColumns());
-    columns.push_back({"driving_power", "W", 1.0, "", kept<&PatchStep::drivingPower>});
-    return columns;
-  }();
-  return table;
-}
-
 int MovingPatchSpecification::discardedPasses() const
 {
   return std::min(start == RollingStart::Steady ? 2 : 4, passes / 2);
@@ -78,7 +50,8 @@ int MovingPatchSpecification::discardedPasses() const
 double rolledDistance(const MovingPatchSpecification &moving, const PatchSequence &sequence,
                       const HertzEllipse &hertz, double speed)
 {
-  return sequence.any() ? sequence.time.back() * speed : moving.passes * 2.0 * hertz.a;
+  return sequence.any() ? sequence.distanceAt(sequence.time.back(), speed)
+                        : moving.passes * 2.0 * hertz.a;
 }
 
 /// Temperature per cell: one for the contact from the mean of the pass before, or rows of material
@@ -268,14 +241,35 @@ PatchStep MovingPatch::roll(TransientPatch &transient, Temperature &heat, double
   return row;
 }
 
+PatchDrive MovingPatch::driveAt(double time, const PatchDrive &drive) const
+{
+  PatchDrive now = drive;
+  now.creepage = {sequence_.at(sequence_.creep, time, drive.creepage.xi),
+                  sequence_.at(sequence_.lateral, time, drive.creepage.eta),
+                  sequence_.at(sequence_.spin, time, drive.creepage.phi)};
+  if (drive.forceX)
+    now.forceX = sequence_.at(sequence_.forceX, time, *drive.forceX);
+  if (drive.forceY)
+    now.forceY = sequence_.at(sequence_.forceY, time, *drive.forceY);
+  return now;
+}
+
+int MovingPatch::stepsOf(double speed) const
+{
+  if (!sequence_.any())
+    return moving_.passes * passSteps_;
+  const double cells = rolledDistance(moving_, sequence_, contact_.hertz, speed) / contact_.grid.dx;
+  // a wheel that comes to rest never ends a step that begins before it
+  return std::max(
+      1, static_cast<int>(sequence_.speed.empty() ? std::lround(cells) : std::floor(cells + 1e-9)));
+}
+
 std::optional<PatchPoint> MovingPatch::solve(double speed, const PatchDrive &drive,
                                              const std::function<bool()> &goOn)
 {
   const PatchGrid &grid = contact_.grid;
-  const double way = rolledDistance(moving_, sequence_, contact_.hertz, speed);
-  const int steps = sequence_.any() ? std::max(1, static_cast<int>(std::lround(way / grid.dx)))
-                                    : moving_.passes * passSteps_;
-  series_.clear();
+  const int steps = stepsOf(speed);
+  history_ = {};
   normal_ = contact_.normal;
   wheel_ = rail_ = {};
   products_ = 0;
@@ -286,18 +280,14 @@ std::optional<PatchPoint> MovingPatch::solve(double speed, const PatchDrive &dri
   for (int step = 0; step < steps; ++step) {
     if (!goOn())
       return std::nullopt;
-    const double distance = (step + 1) * grid.dx, time = distance / speed;
-    PatchDrive now = drive;
-    now.creepage = {sequence_.at(sequence_.creep, time, drive.creepage.xi),
-                    sequence_.at(sequence_.lateral, time, drive.creepage.eta),
-                    sequence_.at(sequence_.spin, time, drive.creepage.phi)};
-    if (step == 0) {
-      PatchDrive first = drive;
-      first.creepage = {sequence_.at(sequence_.creep, 0.0, drive.creepage.xi),
-                        sequence_.at(sequence_.lateral, 0.0, drive.creepage.eta),
-                        sequence_.at(sequence_.spin, 0.0, drive.creepage.phi)};
-      begin(transient, speed, first);
-    }
+    const double distance = (step + 1) * grid.dx, former = history_.now;
+    const double time = sequence_.timeAt(distance, speed);
+    if (!sequence_.speed.empty())
+      speed = grid.dx / (time - former);
+    if (step == 0)
+      begin(transient, speed, driveAt(0.0, drive));
+    history_.now = time;
+    const PatchDrive now = driveAt(time, drive);
     // the load of a sequence changes the pressure, not the grid or the nominal ellipse
     const double load = sequence_.at(sequence_.load, time, contact_.load);
     Creepage creepage = now.creepage; // those that are not known: of the step before
@@ -311,7 +301,10 @@ std::optional<PatchPoint> MovingPatch::solve(double speed, const PatchDrive &dri
       press(load, distance, smooth ? normal_.pressure : shifted(grid, normal_.pressure, 1),
             coupling_.normal(transient.traction()));
     }
-    series_.push_back(roll(transient, heat, speed, now, distance, load));
+    PatchStep row = roll(transient, heat, speed, now, distance, load);
+    row.time = time;
+    row.speed = speed;
+    history_.add(row, sequence_, fields_);
     hottest_ = std::max(hottest_, heat.values.maxCoeff());
     if ((step + 1) % passSteps_ == 0) {
       const ThermalModel model = physics_.thermal.model;
@@ -335,8 +328,8 @@ PatchPoint MovingPatch::pointOf(double speed) const
                       : static_cast<std::size_t>(batches) * static_cast<std::size_t>(passSteps_);
   const auto column = [&](const auto &value) {
     std::vector<double> values;
-    for (std::size_t k = series_.size() - counted; k < series_.size(); ++k)
-      values.push_back(value(series_[k]));
+    for (std::size_t k = series().size() - counted; k < series().size(); ++k)
+      values.push_back(value(series()[k]));
     return values;
   };
   const auto error = [&](double PatchStep::*member) {
@@ -350,7 +343,7 @@ PatchPoint MovingPatch::pointOf(double speed) const
   point.temperatureMaximum = physics_.thermal.model == ThermalModel::Local
                                  ? hottest_
                                  : maximumOverMeanTemperature() / meanOverEllipse() * hottest_;
-  point.iterations = static_cast<int>(series_.size());
+  point.iterations = static_cast<int>(series().size());
   point.products = products_;
   const double driving = meanOf(column([](const PatchStep &s) { return s.drivingPower; }));
   point.powerClosure = driving == 0.0 ? 1.0 : point.frictionalPower / driving;

@@ -4,6 +4,7 @@
 
 #include "contact/patch/solvers/transient.h"
 #include "creep/patch/patch_point.h"
+#include "creep/patch/patch_sequence.h"
 
 #include <functional>
 
@@ -25,34 +26,6 @@ struct MovingPatchSpecification {
   /// the traction of steady rolling, and at most half of all.
   int discardedPasses() const;
 };
-
-/// Load and creepages at instants of a sequence, linear between them; SI units. Lists that are
-/// empty stay as the point has them, others are as long as `time`: the case reader refuses lists of
-/// other lengths.
-struct PatchSequence {
-  std::vector<double> time; ///< s, increasing from 0 on; empty: no sequence
-  /// Normal force (N, > 0), xi and eta (sliding/rolling speed) and phi (1/m) at these instants.
-  std::vector<double> load, creep, lateral, spin;
-
-  bool any() const { return !time.empty(); }
-  /// A list's value at a time; `constant` where it is empty.
-  /// \param values one of the lists above
-  /// \param seconds since the start; beyond the last instant the last value holds
-  double at(const std::vector<double> &values, double seconds, double constant) const;
-};
-
-/// One step of the time series; SI units.
-/// Forces are those on the wheel, against its slip; powers are friction's heat. A step is one cell
-/// of rolling, so that row k of a series ends at k + 1 cells.
-struct PatchStep : PatchValues {
-  double distance = 0.0;     ///< rolled at the end of the step, m
-  double drivingPower = 0.0; ///< W; see `PatchSums::drivingPower`
-};
-
-/// All that a step has, in the order of series.csv after `point`: the table from which series.csv
-/// and the journal follow.
-/// \return the same table in every call
-const std::vector<Column<PatchStep>> &seriesColumns();
 
 /// Standard error of the mean of a series that is correlated, from the means of `batches` equal
 /// parts (Law, Kelton, Simulation Modeling and Analysis, sec. 9.5.3). 0 for fewer than two.
@@ -84,19 +57,24 @@ class MovingPatch {
   /// \return nothing when stopped
   /// Each call begins anew: at the place, the pressure and the `RollingStart` of the specification.
   /// \param speed v0, m/s, > 0
-  /// \param drive creepages or forces; a sequence's lists take the place of its creepages
+  /// \param drive creepages or forces; a sequence's lists take the place of both
   /// \throws Error (NotConverged); Error (BadInput) for contact at the border of the box, for a
   ///         force that friction cannot carry, for a way that leads out of a measured map
   std::optional<PatchPoint> solve(double speed, const PatchDrive &drive,
                                   const std::function<bool()> &goOn);
 
-  /// All steps of the last call, in order; SI units.
-  const std::vector<PatchStep> &series() const { return series_; }
+  /// All steps of the last call, in order, also of one that threw; SI units.
+  const std::vector<PatchStep> &series() const { return history_.steps; }
+  const PatchHistory &history() const { return history_; }
   const PatchFields &fields() const { return fields_; } ///< of the last step, SI
 
  private:
   /// Rise per cell, and what Eq. 11 needs of the pass.
   struct Temperature;
+  /// What drives the contact at an instant. \param drive of the point
+  PatchDrive driveAt(double time, const PatchDrive &drive) const;
+  /// Number of steps that a point rolls. \param speed of the point, m/s
+  int stepsOf(double speed) const;
   /// The traction and the creepages that the first step goes on from.
   void begin(TransientPatch &transient, double speed, const PatchDrive &drive);
   /// Moves both surfaces by a step.
@@ -127,7 +105,7 @@ class MovingPatch {
   Creepage creepage_; ///< of the last step
   int passSteps_, products_ = 0;
   double hottest_ = 0.0;
-  std::vector<PatchStep> series_;
+  PatchHistory history_;
   PatchFields fields_;
 };
 

@@ -187,7 +187,8 @@ PatchCurves solvePatchCurves(const PatchSpecification &asked, const LawPointer &
     curves.warnings.push_back(warning);
   curves.hasBand = spread.any();
   curves.redrawn = spread.redrawn();
-  requireAnyPoint(curves.points);
+  if (curves.series.empty()) // else there is something to write
+    requireAnyPoint(curves.points);
   curves.seconds = std::chrono::duration<double>(Clock::now() - begin).count();
   return curves;
 }

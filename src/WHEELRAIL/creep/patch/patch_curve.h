@@ -35,8 +35,10 @@ struct PatchCurves {
   LawUse use;                        ///< where all points together asked for mu
   bool hasBand = false;              ///< the law has a covariance
   double redrawn = 0.0;              ///< share of the sampled laws that had to be drawn again
-  std::map<int, PatchFields> fields; ///< SI, by number of the point, from 1 on
-  std::map<int, std::vector<PatchStep>> series; ///< of mode Moving, likewise
+  std::map<int, PatchFields> fields; ///< SI, by `fieldNumber`
+  /// Of mode Moving and of sequences, by number of the point, from 1 on; of a point that failed in
+  /// the middle of its sequence what came before.
+  std::map<int, std::vector<PatchStep>> series;
   /// One line each, every line once: what was done to the maps, for example.
   std::vector<std::string> warnings;
   /// Points that were taken over from the journal of an interrupted run.

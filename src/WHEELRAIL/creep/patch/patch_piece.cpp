@@ -5,6 +5,7 @@
 #include "creep/patch/static_patch.h"
 
 #include <fmt/format.h>
+#include <tuple>
 #include <utility>
 
 namespace wheelrail {
@@ -40,6 +41,7 @@ class PieceSolver {
   /// \return whether the point was solved: not, when interrupted
   bool solve(const PatchTask &task, int number, bool keeps, PatchPieceResult &result)
   {
+    history_ = {};
     switch (asked_.mode) {
     case PatchMode::Static:
       return still(task, number, keeps, result);
@@ -49,6 +51,9 @@ class PieceSolver {
       return frozen(task, number, keeps, result);
     }
   }
+
+  /// Of the last point's sequence, also where it failed.
+  const PatchHistory &history() const { return history_; }
 
   /// After a point that failed: the next one begins cold.
   void startAnew()
@@ -61,7 +66,7 @@ class PieceSolver {
   bool still(const PatchTask &task, int number, bool keeps, PatchPieceResult &result)
   {
     const std::optional<StaticPatch> solved = solveStaticPatch(
-        asked_.physics, *spread_.laws().front(), contact_, task, asked_.sequence.load, goOn_);
+        asked_.physics, *spread_.laws().front(), contact_, task, asked_.sequence, goOn_, history_);
     if (!solved)
       return false;
     result.points.push_back(solved->point);
@@ -73,25 +78,30 @@ class PieceSolver {
   bool moving(const PatchTask &task, int number, bool keeps, PatchPieceResult &result)
   {
     std::optional<PatchPoint> own;
-    std::vector<PatchStep> series;
     PatchFields fields;
     Quantities quantities;
     for (const LawPointer &law : spread_.laws()) {
       MovingPatch rolling(asked_.physics, asked_.moving, asked_.sequence, *law, contact_,
                           asked_.contact.spinPoint);
-      const std::optional<PatchPoint> point = rolling.solve(task.speed, task.drive, goOn_);
+      std::optional<PatchPoint> point;
+      try {
+        point = rolling.solve(task.speed, task.drive, goOn_);
+      } catch (const Error &) {
+        if (!own)
+          history_ = rolling.history();
+        throw;
+      }
       if (!point)
         return false;
       quantities.add(*point, task.drive);
       if (own)
         continue;
       own = point; // laws() begins with the law itself
-      series = rolling.series();
+      history_ = rolling.history();
       fields = rolling.fields();
     }
     own->bands = quantities.bands(spread_);
     result.points.push_back(*own);
-    result.series[number] = std::move(series);
     if (keeps)
       result.fields[number] = std::move(fields);
     return true;
@@ -124,6 +134,7 @@ class PieceSolver {
   const PatchContact &contact_;
   const std::function<bool()> &goOn_;
   std::optional<FrozenPatch> frozen_, others_; ///< with the law itself, and with those near it
+  PatchHistory history_;
 };
 
 /// What a point that does not converge leaves: what was asked for, and why it is not there.
@@ -139,15 +150,35 @@ PatchPoint failedPoint(const PatchContact &contact, const PatchTask &task, const
 }
 
 /// Which keywords asked for a force that friction cannot carry.
-Error impossibleForce(const PatchDrive &drive, const ForceTooLarge &error)
+Error impossibleForce(const PatchSpecification &asked, const PatchDrive &drive,
+                      const ForceTooLarge &error)
 {
-  const char *keyword = drive.forceX && drive.forceY ? "force.longitudinal, force.lateral"
-                        : drive.forceX               ? "force.longitudinal"
-                                                     : "force.lateral";
+  std::string keywords;
+  for (const auto &[given, listed, word] :
+       {std::tuple{drive.forceX.has_value(), !asked.sequence.forceX.empty(), "longitudinal"},
+        {drive.forceY.has_value(), !asked.sequence.forceY.empty(), "lateral"}})
+    if (given)
+      keywords += fmt::format("{}{}{}", keywords.empty() ? "" : ", ",
+                              listed ? "sequence.force_" : "force.", word);
   constexpr double kN = 1e3;
   return {ExitCode::BadInput,
           fmt::format("{}: {:.5g} kN cannot be carried: friction allows less than {:.5g} kN",
-                      keyword, error.force / kN, error.capacity / kN)};
+                      keywords.empty() ? "static.force_ratio" : keywords, error.force / kN,
+                      error.capacity / kN)};
+}
+
+/// Where in a sequence a point failed: " (at 0.5 s of the sequence)".
+std::string whenOf(const PatchSpecification &asked, const PatchHistory &history)
+{
+  return asked.sequence.any() ? fmt::format(" (at {:.6g} s of the sequence)", history.now) : "";
+}
+
+/// Steps of rolling; stages where they are a sequence; of a point that failed those of a sequence.
+void keep(const PatchSpecification &asked, const PatchHistory &history, bool failed, int number,
+          PatchPieceResult &result)
+{
+  if (!history.steps.empty() && (asked.sequence.any() || !failed))
+    result.series[number] = history.steps;
 }
 
 } // namespace
@@ -164,18 +195,21 @@ PatchPieceResult solvePatchPiece(const PatchSpecification &asked, const LawSprea
     try {
       if (!goOn() || !solver.solve(tasks[k], number, keeps, result))
         return {};
-    } catch (const ForceTooLarge &error) {
-      if (tasks.size() == 1) // nothing else was asked for
-        throw impossibleForce(tasks[k].drive, error);
-      result.points.push_back(
-          failedPoint(contact, tasks[k], impossibleForce(tasks[k].drive, error)));
-      solver.startAnew();
     } catch (const Error &error) {
-      if (error.code() != ExitCode::NotConverged)
-        throw;
-      result.points.push_back(failedPoint(contact, tasks[k], error));
+      const auto *force = dynamic_cast<const ForceTooLarge *>(&error);
+      const Error reason = force ? impossibleForce(asked, tasks[k].drive, *force) : error;
+      const Error failure(reason.code(), reason.what() + whenOf(asked, solver.history()));
+      // an impossible force is bad input where nothing else was asked for
+      const bool isAlone = tasks.size() == 1 && solver.history().steps.empty();
+      if (force ? isAlone : error.code() != ExitCode::NotConverged)
+        throw failure;
+      result.points.push_back(failedPoint(contact, tasks[k], failure));
       solver.startAnew();
     }
+    keep(asked, solver.history(), !result.points.back().converged(), number, result);
+    if (keeps)
+      for (const auto &[instant, fields] : solver.history().fields)
+        result.fields[fieldNumber({number, instant}, static_cast<int>(tasks.size()))] = fields;
   }
   return result;
 }

@@ -16,11 +16,11 @@ struct PatchPiece {
   std::size_t first, count; ///< of the tasks
 };
 
-/// What a piece leaves; maps by number of the point, from 1 on.
+/// What a piece leaves; series by number of the point, from 1 on, fields by `fieldNumber`.
 struct PatchPieceResult {
   std::vector<PatchPoint> points; ///< empty when interrupted
   std::map<int, PatchFields> fields;
-  std::map<int, std::vector<PatchStep>> series; ///< of mode Moving
+  std::map<int, std::vector<PatchStep>> series; ///< of mode Moving, and of sequences
 };
 
 /// Solves the points of a piece. Steady rolling goes warm from point to point; in the other modes

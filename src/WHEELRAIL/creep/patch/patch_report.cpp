@@ -138,20 +138,17 @@ std::string patchBandCsv(const PatchSpecification &asked, const PatchCurves &cur
   return csvOf(withSurface(columns, asked), curves.points);
 }
 
-std::string patchSeriesCsv(const PatchCurves &curves)
+std::string patchSeriesCsv(const PatchSpecification &asked, const PatchCurves &curves)
 {
-  const auto columns = columnsOf(seriesColumns(), &Column<PatchStep>::series);
-  const FileColumn<PatchStep> &distance = columns.front();
-  const FileColumns<PatchStep> others(columns.begin() + 1, columns.end());
-  std::string text = fmt::format("# point: row of creep.csv; distance: mm; time: s; {}\n"
-                                 "point,{},time,{}",
-                                 unitsOf(others), distance.column.name, headOf(others));
-  for (const auto &[number, steps] : curves.series) {
-    const double speed = curves.points[number - 1].speed;
+  using C = Column<PatchStep>;
+  const bool still = asked.mode == PatchMode::Static;
+  const auto columns = columnsOf(seriesColumns(), still ? &C::stages : &C::series);
+  std::string text =
+      fmt::format("# point: operating point, as the case asks for them, from 1 on; {}\npoint,{}",
+                  unitsOf(columns), headOf(columns));
+  for (const auto &[number, steps] : curves.series)
     for (const PatchStep &s : steps)
-      text += fmt::format("{},{:.{}g},{:.8g},{}", number, distance.valueOf(s), distance.digits,
-                          s.distance / speed, rowOf(others, s));
-  }
+      text += fmt::format("{},{}", number, rowOf(columns, s));
   return text;
 }
 
@@ -185,8 +182,12 @@ std::string patchSummary(const PatchSpecification &asked, const std::string &tex
   json["warnings"] = curves.warnings;
   json["files"] = files;
   json["fields"] = Json::array();
-  for (const auto &[number, fields] : curves.fields)
-    json["fields"].push_back({{"point", number}, {"files", fieldStem(number)}});
+  for (const auto &[number, fields] : curves.fields) {
+    const FieldPlace place = fieldPlace(number, static_cast<int>(curves.points.size()));
+    json["fields"].push_back({{"point", place.point}, {"files", fieldStem(place)}});
+    if (place.instant > 0)
+      json["fields"].back()["time_s"] = asked.sequence.fields[place.instant - 1];
+  }
   json["not_converged"] = failures(curves);
   json["points"] = curves.points.size();
   json["points_resumed"] = curves.resumed;
@@ -217,6 +218,8 @@ std::string patchShortReport(const PatchSpecification &asked, const PatchCurves 
   std::vector<PatchPoint> points;
   std::copy_if(curves.points.begin(), curves.points.end(), std::back_inserter(points),
                [](const PatchPoint &point) { return point.converged(); });
+  if (points.empty()) // of sequences that ended early there are steps
+    return text;
   const PatchPoint &last = points.back();
   const auto largest =
       std::max_element(points.begin(), points.end(), [](const PatchPoint &a, const PatchPoint &b) {
@@ -257,35 +260,63 @@ std::vector<std::string> failures(const PatchCurves &curves)
   return lines;
 }
 
-std::string fieldStem(int number)
+std::string fieldStem(const FieldPlace &place)
 {
-  return fmt::format("fields_{:04d}", number);
+  return fmt::format("fields_{:04d}", place.point) +
+         (place.instant > 0 ? fmt::format("_{:04d}", place.instant) : "");
 }
 
-std::vector<std::string> fieldFileNames(int number)
+std::vector<std::string> fieldFileNames(const FieldPlace &place)
 {
-  std::vector<std::string> files = {fieldStem(number) + ".vti"};
+  std::vector<std::string> files = {fieldStem(place) + ".vti"};
   for (const std::string &name : gsfNames())
-    files.push_back(fmt::format("{}_{}.gsf", fieldStem(number), name));
+    files.push_back(fmt::format("{}_{}.gsf", fieldStem(place), name));
   return files;
 }
 
 std::vector<std::string> fieldFileNames(const PatchSpecification &asked)
 {
   const int total = static_cast<int>(patchTasks(asked).size());
+  const int instants = static_cast<int>(asked.sequence.fields.size());
   std::vector<std::string> files;
-  for (int number = 1; number <= total; ++number)
-    if (asked.fields.holds(number, total))
-      for (const std::string &name : fieldFileNames(number))
-        files.push_back(name);
+  for (int point = 1; point <= total; ++point)
+    if (asked.fields.holds(point, total))
+      for (int instant = 0; instant <= instants; ++instant)
+        for (const std::string &name : fieldFileNames({point, instant}))
+          files.push_back(name);
   return files;
 }
+
+namespace {
+
+/// What the fields are of, in words.
+std::string fieldTitle(const PatchSpecification &asked, const PatchCurves &curves,
+                       const FieldPlace &place)
+{
+  const PatchPoint &point = curves.points[place.point - 1];
+  const PatchValues *values = &point;
+  std::string when = fmt::format("point {}", place.point);
+  double speed = point.speed;
+  if (place.instant > 0) {
+    const std::vector<PatchStep> &steps = curves.series.at(place.point);
+    const PatchStep &step = steps.at(stepAt(steps, asked.sequence.fields[place.instant - 1]));
+    values = &step;
+    speed = step.speed;
+    when += fmt::format(" at {:g} s", step.time);
+  }
+  const Creepage &c = values->creepage;
+  return fmt::format("{}: load {:g} N, creep {:g}, lateral {:g}, spin {:g} 1/mm, {:g} m/s", when,
+                     values->load, c.xi, c.eta, c.phi / perMm, speed);
+}
+
+} // namespace
 
 void addFields(ResultFiles &files, const PatchSpecification &asked, const PatchCurves &curves)
 {
   const std::vector<PatchTask> tasks = patchTasks(asked);
   for (const auto &[number, si] : curves.fields) {
-    PatchGrid grid = curves.contacts[tasks[number - 1].contact].grid;
+    const FieldPlace place = fieldPlace(number, static_cast<int>(tasks.size()));
+    PatchGrid grid = curves.contacts[tasks[place.point - 1].contact].grid;
     for (double *length : {&grid.dx, &grid.dy, &grid.left, &grid.bottom})
       *length /= mm;
     PatchFields fields = si;
@@ -297,12 +328,8 @@ void addFields(ResultFiles &files, const PatchSpecification &asked, const PatchC
       fields.slip.x /= mm;
       fields.slip.y /= mm;
     }
-    const PatchPoint &p = curves.points[number - 1];
-    addFieldFiles(files.files(), files.pathOf(fieldStem(number)), grid, fields, files.head(),
-                  fmt::format("point {}: load {:g} N, creep {:g}, lateral {:g}, spin {:g} 1/mm, "
-                              "{:g} m/s",
-                              number, p.load, p.creepage.xi, p.creepage.eta, p.creepage.phi / perMm,
-                              p.speed));
+    addFieldFiles(files.files(), files.pathOf(fieldStem(place)), grid, fields, files.head(),
+                  fieldTitle(asked, curves, place));
   }
 }
 

@@ -25,7 +25,7 @@ std::string patchBandCsv(const PatchSpecification &asked, const PatchCurves &cur
 
 /// series.csv of mode moving: one row a step of every point.
 /// The means in creep.csv are over these rows without the passes that are discarded.
-std::string patchSeriesCsv(const PatchCurves &curves);
+std::string patchSeriesCsv(const PatchSpecification &asked, const PatchCurves &curves);
 
 /// summary.json: case, law, contacts with Kalker's coefficients, warnings, time.
 /// \param text the complete case file
@@ -42,12 +42,12 @@ std::string patchDetailedReport(const PatchCurves &curves);
 /// The points that did not converge, one line each: number, what was asked for, reason.
 std::vector<std::string> failures(const PatchCurves &curves);
 
-/// Names of the fields' files without their endings, by number of the point: "fields_0003".
-std::string fieldStem(int number);
+/// Names of the fields' files without their endings: "fields_0003", at the second of the chosen
+/// instants "fields_0003_0002".
+std::string fieldStem(const FieldPlace &place);
 /// All files that the selected fields make, without the folder.
 std::vector<std::string> fieldFileNames(const PatchSpecification &asked);
-/// Names of the field files of one operating point.
-std::vector<std::string> fieldFileNames(int number);
+std::vector<std::string> fieldFileNames(const FieldPlace &place);
 /// Adds them to the files of the results: one .vti and several .gsf files for each selected point,
 /// converted from SI to the files' units.
 /// \throws what `addFieldFiles` throws

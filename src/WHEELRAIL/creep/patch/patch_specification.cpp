@@ -46,6 +46,16 @@ std::vector<PatchTask> staticTasks(const PatchSpecification &asked)
 
 } // namespace
 
+int fieldNumber(const FieldPlace &place, int points)
+{
+  return place.point + place.instant * points;
+}
+
+FieldPlace fieldPlace(int number, int points)
+{
+  return {(number - 1) % points + 1, (number - 1) / points};
+}
+
 std::vector<PatchTask> patchTasks(const PatchSpecification &asked)
 {
   const std::size_t contacts = asked.roughness.surfaces() * asked.contact.load.size();

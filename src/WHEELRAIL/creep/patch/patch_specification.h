@@ -30,7 +30,7 @@ struct PatchSpecification {
   CreepPhysics physics;
   PatchMode mode = PatchMode::Frozen;
   MovingPatchSpecification moving;          ///< of mode Moving
-  PatchSequence sequence;                   ///< Moving; Static: its loads, one after the other
+  PatchSequence sequence;                   ///< Moving; Static: stages, one after the other
   std::vector<double> creep, lateral;       ///< -; one value each where the force is given
   std::vector<double> spin;                 ///< 1/m
   std::vector<double> forceX, forceY;       ///< N; empty: the creepage is given
@@ -58,6 +58,16 @@ struct PatchTask {
 /// The longitudinal creepage or force changes fastest, then lateral, spin, speed; then load and
 /// surface. Number k of the results is element k - 1 here.
 std::vector<PatchTask> patchTasks(const PatchSpecification &asked);
+
+/// Of which point and when fields are.
+struct FieldPlace {
+  int point;   ///< from 1 on
+  int instant; ///< of `PatchSequence::fields`, from 1 on; 0: the point's end
+};
+/// One number for both, by which fields are kept: that of the point for its end.
+/// \param points of the sweep
+int fieldNumber(const FieldPlace &place, int points);
+FieldPlace fieldPlace(int number, int points);
 
 } // namespace wheelrail
 #endif

@@ -128,7 +128,7 @@ class PatchCreepTask : public CreepTask {
          [&](auto &c, ResultFiles &files) {
            addFields(files, asked_, c);
            for (const auto &[number, fields] : c.fields)
-             files.note(fieldFileNames(number));
+             files.note(fieldFileNames(fieldPlace(number, static_cast<int>(c.points.size()))));
          }},
         fileOf<PatchCurves>(asked_.mode == PatchMode::Static ? "static.csv" : "creep.csv",
                             [&](auto &c) { return patchCsv(asked_, c); }),
@@ -136,7 +136,7 @@ class PatchCreepTask : public CreepTask {
             "creep_band.csv", [&](auto &c) { return patchBandCsv(asked_, c); },
             [](auto &c) { return c.hasBand; }),
         fileOf<PatchCurves>(
-            "series.csv", [](auto &c) { return patchSeriesCsv(c); },
+            "series.csv", [&](auto &c) { return patchSeriesCsv(asked_, c); },
             [](auto &c) { return !c.series.empty(); }),
         summaryOf<PatchCurves>([=](auto &c, auto &files) {
           return patchSummary(asked_, context->text, context->law, c, files);

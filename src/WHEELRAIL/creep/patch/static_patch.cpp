@@ -5,8 +5,6 @@
 #include "contact/patch/solvers/patch_sums.h"
 #include "contact/patch/solvers/transient.h"
 
-#include <fmt/format.h>
-
 namespace wheelrail {
 namespace {
 
@@ -14,7 +12,7 @@ using Vector = Eigen::VectorXd;
 
 constexpr double tolerance = 1e-7; ///< one solve, which may be exact
 
-/// Loads and shifts of one point, one after the other.
+/// Loads, forces and shifts of one point, one after the other.
 class StaticSteps {
  public:
   StaticSteps(const CreepPhysics &physics, const FrictionLaw &law, const PatchContact &contact,
@@ -26,15 +24,16 @@ class StaticSteps {
     options_.tolerance = tolerance;
   }
 
-  /// From the state before to this load.
-  void press(double load)
+  /// From the state before to this load. \param drive of the stage
+  void press(double load, const PatchDrive &drive)
   {
+    drive_ = drive;
     if (load != load_)
       solveNormal(load, coupling_.normal(transient_.traction()));
     load_ = load;
     TransientPatch::Step step;
     step.cells = 0;
-    step.creepage = task_.drive.creepage;
+    step.creepage = drive_.creepage;
     options_.start = transient_.traction();
     const auto slide = [&] {
       setFriction(step);
@@ -51,6 +50,9 @@ class StaticSteps {
   }
 
   StaticPatch result() const;
+  PatchFields fields() const;
+  /// What the last stage gives.
+  PatchValues values() const;
 
  private:
   void solveNormal(double load, const Vector &opening)
@@ -71,8 +73,8 @@ class StaticSteps {
     mu_ = law_.mu({normal_.pressure, 0.0, Vector::Zero(contact_.grid.cells())});
     step.bound = mu_.cwiseProduct(normal_.pressure);
     step.imposed = coupling_.tangential(normal_.pressure);
-    step.forceX = task_.drive.forceX;
-    step.forceY = task_.drive.forceY;
+    step.forceX = drive_.forceX;
+    step.forceY = drive_.forceY;
     if (!task_.forceRatio)
       return;
     step.forceX = -*task_.forceRatio * step.bound.sum() * contact_.grid.cellArea();
@@ -83,6 +85,7 @@ class StaticSteps {
   const FrictionLaw &law_;
   const PatchContact &contact_;
   const PatchTask &task_;
+  PatchDrive drive_;
   PatchHalfSpace space_;
   PatchCoupling coupling_;
   TransientPatch transient_;
@@ -95,22 +98,31 @@ class StaticSteps {
   int products_ = 0;
 };
 
-StaticPatch StaticSteps::result() const
+PatchFields StaticSteps::fields() const
+{
+  return {result_.state,
+          normal_.gap,
+          normal_.pressure,
+          result_.traction,
+          result_.slip,
+          mu_,
+          Vector::Zero(contact_.grid.cells())};
+}
+
+PatchValues StaticSteps::values() const
 {
   const PatchSums sums = patchSums(contact_.grid, result_);
-  StaticPatch still;
-  still.fields = {result_.state,
-                  normal_.gap,
-                  normal_.pressure,
-                  result_.traction,
-                  result_.slip,
-                  mu_,
-                  Vector::Zero(contact_.grid.cells())};
-  PatchPoint &point = still.point;
   constexpr double speed = 0.0;
-  static_cast<PatchValues &>(point) =
-      patchValues({contact_, sums, load_, normal_.approach, shift_, normal_.pressure, mu_,
-                   still.fields.temperature, speed});
+  return patchValues({contact_, sums, load_, normal_.approach, shift_, normal_.pressure, mu_,
+                      Vector::Zero(contact_.grid.cells()), speed});
+}
+
+StaticPatch StaticSteps::result() const
+{
+  StaticPatch still;
+  still.fields = fields();
+  PatchPoint &point = still.point;
+  static_cast<PatchValues &>(point) = values();
   point.surface = contact_.surface.number;
   point.products = products_;
   point.use = law_.use({normal_.pressure, 0.0, still.fields.temperature});
@@ -121,23 +133,28 @@ StaticPatch StaticSteps::result() const
 
 std::optional<StaticPatch> solveStaticPatch(const CreepPhysics &physics, const FrictionLaw &law,
                                             const PatchContact &contact, const PatchTask &task,
-                                            const std::vector<double> &loads,
-                                            const std::function<bool()> &goOn)
+                                            const PatchSequence &sequence,
+                                            const std::function<bool()> &goOn,
+                                            PatchHistory &history)
 {
   StaticSteps steps(physics, law, contact, task);
-  if (loads.empty())
-    steps.press(contact.load);
-  for (std::size_t k = 0; k < loads.size(); ++k) {
+  if (!sequence.any())
+    steps.press(contact.load, task.drive);
+  for (std::size_t k = 0; k < sequence.time.size(); ++k) {
     if (!goOn())
       return std::nullopt;
-    try {
-      steps.press(loads[k]);
-    } catch (const ForceTooLarge &) {
-      throw; // says itself what it is about
-    } catch (const Error &error) {
-      throw Error(error.code(), fmt::format("{} (at load {} of sequence.load, {:g} N)",
-                                            error.what(), k + 1, loads[k]));
-    }
+    history.now = sequence.time[k];
+    const double load = sequence.load.empty() ? contact.load : sequence.load[k];
+    PatchDrive drive = task.drive;
+    if (!sequence.forceX.empty())
+      drive.forceX = sequence.forceX[k];
+    if (!sequence.forceY.empty())
+      drive.forceY = sequence.forceY[k];
+    steps.press(load, drive);
+    PatchStep stage;
+    static_cast<PatchValues &>(stage) = steps.values();
+    stage.time = history.now;
+    history.add(stage, sequence, steps.fields());
   }
   return steps.result();
 }

@@ -9,9 +9,9 @@
 
 namespace wheelrail {
 
-/// Shifts from rest, without rolling: one, or a sequence of loads each of which goes on from the
-/// one before, so that what slipped stays slipped. The point's creepage is the shift in m, of a
-/// sequence the sum of all; its frictional power and speed are 0.
+/// Shifts from rest, without rolling: one, or a sequence of loads and forces each of which goes on
+/// from the one before, so that what slipped stays slipped. The point's creepage is the shift in m,
+/// of a sequence the sum of all; its frictional power and speed are 0.
 /// Friction is that of sliding speed 0 and no temperature rise: nothing slides on, nothing heats.
 /// Pressure and traction of unlike bodies are solved by turns.
 /// Below full sliding this is the problem of Cattaneo (1938) and Mindlin (1949), solved on the
@@ -28,13 +28,15 @@ struct StaticPatch {
 /// A force ratio comes first: it is put in as Fx = -ratio times the sum of mu p, Fy = 0. Then given
 /// forces, whose shift is found; else the shift of the task.
 /// \param contact its normal contact is the first that is tried
-/// \param loads N, of the sequence; empty: the contact's alone
-/// \param goOn asked at each load
+/// \param sequence its loads and forces take the place of the contact's and of the task's
+/// \param goOn asked at each stage
+/// \param history gets the stages of a sequence, one by one: those before one that fails, too
 /// \return nothing when stopped
 std::optional<StaticPatch> solveStaticPatch(const CreepPhysics &physics, const FrictionLaw &law,
                                             const PatchContact &contact, const PatchTask &task,
-                                            const std::vector<double> &loads,
-                                            const std::function<bool()> &goOn);
+                                            const PatchSequence &sequence,
+                                            const std::function<bool()> &goOn,
+                                            PatchHistory &history);
 
 } // namespace wheelrail
 #endif

@@ -79,6 +79,7 @@ struct Column {
   Written still = {};  ///< in static.csv
   Written series = {}; ///< in series.csv
   Written moving = {}; ///< in creep.csv after the others, where the contact moves
+  Written stages = {}; ///< in series.csv, where the contact does not roll
 };
 
 /// A column of the points that a type is derived from.
@@ -86,7 +87,8 @@ template<class Point, class Base>
 Column<Point> columnOf(const Column<Base> &c)
 {
   return {c.name,  c.unit, c.scale, c.meaning, {c.value.get, c.value.set, c.value.whole},
-          c.creep, c.band, c.still, c.series,  c.moving};
+          c.creep, c.band, c.still, c.series,  c.moving,
+          c.stages};
 }
 
 /// Appends the columns of a base to a table.

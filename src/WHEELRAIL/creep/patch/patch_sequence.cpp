@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "creep/patch/patch_sequence.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace wheelrail {
+namespace {
+
+/// Is the step that ends at `end` and begins at `begin` the one that stands for an instant, if no
+/// earlier one is?
+bool standsFor(double begin, double end, double instant)
+{
+  return end + 0.5 * (end - begin) >= instant;
+}
+
+double shiftX(const PatchStep &step)
+{
+  return step.creepage.xi;
+}
+double shiftY(const PatchStep &step)
+{
+  return step.creepage.eta;
+}
+double ratioOf(const PatchStep &step)
+{
+  return step.tractionRatio();
+}
+
+} // namespace
+
+double PatchSequence::at(const std::vector<double> &values, double seconds, double constant) const
+{
+  if (values.empty())
+    return constant;
+  const auto after = std::upper_bound(time.begin(), time.end(), seconds);
+  if (after == time.begin())
+    return values.front();
+  if (after == time.end())
+    return values.back();
+  const auto k = static_cast<std::size_t>(after - time.begin());
+  if (held)
+    return values[k - 1];
+  const double part = (seconds - time[k - 1]) / (time[k] - time[k - 1]);
+  return values[k - 1] + part * (values[k] - values[k - 1]);
+}
+
+double PatchSequence::distanceAt(double seconds, double constant) const
+{
+  if (speed.empty())
+    return seconds * constant;
+  double distance = 0.0;
+  for (std::size_t k = 0; k + 1 < time.size() && time[k] < seconds; ++k) {
+    const double end = std::min(seconds, time[k + 1]),
+                 slope = (speed[k + 1] - speed[k]) / (time[k + 1] - time[k]);
+    const double last = held ? speed[k] : speed[k] + slope * (end - time[k]);
+    distance += 0.5 * (speed[k] + last) * (end - time[k]);
+  }
+  return distance + std::max(0.0, seconds - time.back()) * speed.back();
+}
+
+// On each stretch the speed is v + a t: a t^2/2 + v t is the distance, in the form that holds for
+// v = 0 and for a = 0.
+double PatchSequence::timeAt(double distance, double constant) const
+{
+  if (speed.empty())
+    return distance / constant;
+  double left = distance;
+  for (std::size_t k = 0; k + 1 < time.size(); ++k) {
+    const double length = time[k + 1] - time[k];
+    const double slope = held ? 0.0 : (speed[k + 1] - speed[k]) / length;
+    const double stretch = (speed[k] + 0.5 * slope * length) * length;
+    if (left <= stretch) {
+      const double square = std::max(0.0, speed[k] * speed[k] + 2.0 * slope * left);
+      return time[k] + (left > 0.0 ? 2.0 * left / (speed[k] + std::sqrt(square)) : 0.0);
+    }
+    left -= stretch;
+  }
+  return time.back() + (left > 0.0 ? left / speed.back() : 0.0);
+}
+
+double PatchStep::tractionRatio() const
+{
+  return std::hypot(forceX, forceY) / load;
+}
+
+const std::vector<Column<PatchStep>> &seriesColumns()
+{
+  static const std::vector<Column<PatchStep>> table = [] {
+    using S = PatchStep;
+    constexpr double mm = 1e-3; // in SI
+    std::vector<Column<S>> columns;
+    const auto add = [&](Column<S> column, Written series, Written stages) {
+      column.still = nowhere; // static.csv has points
+      column.series = series;
+      column.stages = stages;
+      columns.push_back(std::move(column));
+    };
+    add({"distance", "mm", mm, "rolled at the end of the step", kept<&S::distance>}, following(8),
+        nowhere);
+    add({"time", "s", 1.0, "at the end of the step; of the stage", kept<&S::time>}, following(8),
+        leading(8));
+    add({"speed", "m/s", 1.0, "rolling speed of the step", kept<&S::speed>}, following(6), nowhere);
+    for (const Column<PatchValues> &value : patchValueColumns()) {
+      add(columnOf<S>(value), value.series, value.still);
+      if (value.name != "load")
+        continue;
+      add({"shift_x", "mm", mm, "", derived(shiftX)}, nowhere, leading(10));
+      add({"shift_y", "mm", mm, "", derived(shiftY)}, nowhere, leading(10));
+      add({"traction_ratio", "1", 1.0, "", derived(ratioOf)}, nowhere, leading(10));
+    }
+    add({"driving_power", "W", 1.0, "", kept<&S::drivingPower>}, nowhere, nowhere);
+    return columns;
+  }();
+  return table;
+}
+
+void PatchHistory::add(const PatchStep &step, const PatchSequence &sequence,
+                       const PatchFields &state)
+{
+  const double begin = steps.empty() ? 0.0 : steps.back().time;
+  steps.push_back(step);
+  while (fields.size() < sequence.fields.size() &&
+         standsFor(begin, step.time, sequence.fields[fields.size()]))
+    fields.emplace(static_cast<int>(fields.size()) + 1, state);
+}
+
+std::size_t stepAt(const std::vector<PatchStep> &steps, double seconds)
+{
+  double begin = 0.0;
+  for (std::size_t k = 0; k < steps.size(); ++k) {
+    if (standsFor(begin, steps[k].time, seconds))
+      return k;
+    begin = steps[k].time;
+  }
+  return steps.size();
+}
+
+} // namespace wheelrail
