@@ -4,15 +4,19 @@
 
     plot_creep.py creep.csv -o creep.png
     plot_creep.py own/creep.csv paper/creep.csv --label "own law" --label paper -o both.png
+    plot_creep.py creep.csv --measured examples/wheelrail/eurosprinter.csv -o locomotive.png
 
 One curve for each speed (and seed) of each file. Where the creep_band.csv of the same run lies
 beside a file, its 95 % interval from the uncertainty of the friction law is shaded; several are
 drawn as bars, at places of
 their own, so that they can be told apart. Creep is on a logarithmic axis unless some of it is
-negative.
+negative. --measured draws points from any CSV with a line of column names: creep and
+traction_ratio, or those that --columns names; a creep whose name ends in percent or % is in per
+cent.
 Exit codes: 0 ok, 1 no matplotlib, 2 usage, 3 bad input file, 5 the picture cannot be written.
 """
 
+import argparse
 import math
 import os
 import sys
@@ -104,6 +108,29 @@ def draw_band(axes: Any, band: Any, color: str, number: int, count: int) -> None
     axes.errorbar(creep, middle, half, fmt="none", color=color, lw=1.1, capsize=2.5)
 
 
+def measured(path: str, columns: tuple[str, str] | None) -> tuple[list[float], list[float]]:
+    """(creeps, T/N) of any CSV, from the columns with these names."""
+
+    def points_of(rows: list[tables.Row]) -> tuple[list[float], list[float]]:
+        if not rows:
+            raise ValueError("no points")
+        names = columns or ("creep" if "creep" in rows[0] else "creep_percent", "traction_ratio")
+        unit = 0.01 if names[0].rstrip("_").endswith(("percent", "%")) else 1.0
+        return (
+            [unit * row.number(names[0]) for row in rows],
+            [row.number(names[1]) for row in rows],
+        )
+
+    return tables.read(path, "a table of measured creep and T/N", points_of)
+
+
+def column_names(text: str) -> tuple[str, str]:
+    creep, comma, ratio = text.partition(",")
+    if not (creep and comma and ratio) or "," in ratio:
+        raise argparse.ArgumentTypeError(f"'{text}': two names of columns, CREEP,RATIO, are needed")
+    return creep, ratio
+
+
 def main() -> None:
     parser = Parser(__doc__)
     parser.add_argument("csv", nargs="+", type=file_name, help="creep.csv of wr_creep")
@@ -114,10 +141,19 @@ def main() -> None:
     parser.add_argument(
         "--linear", action="store_true", help="linear instead of logarithmic creep axis"
     )
+    parser.add_argument(
+        "--measured", action="append", default=[], type=file_name, metavar="CSV",
+        help="measured points beside the curves",
+    )  # fmt: skip
+    parser.add_argument(
+        "--columns", type=column_names, metavar="CREEP,RATIO",
+        help="names of their columns [creep or creep_percent, traction_ratio]",
+    )  # fmt: skip
     given = parser.parse_args()
     if len(given.label) > len(given.csv):
         parser.error(f"--label: {len(given.label)} names for {len(given.csv)} files")
-    check_apart(given.csv, [given.output])
+    check_apart([*given.csv, *given.measured], [given.output])
+    clouds = [measured(path, given.columns) for path in given.measured]
     figure, axes = plotting.pyplot().subplots(figsize=(7, 4.5), constrained_layout=True)
     curves = []
     for k, path in enumerate(given.csv):
@@ -128,7 +164,15 @@ def main() -> None:
         draw_band(axes, band, style["color"], number, len(banded))
     for values, _, style in curves:
         axes.plot(values["creep"], values["traction_ratio"], **style)
-    least = min(min(values["creep"]) for values, _, _ in curves)
+    for number, (path, (creep, ratio)) in enumerate(zip(given.measured, clouds)):
+        name = os.path.splitext(os.path.basename(path))[0]
+        marker = "*x+."[number % 4]
+        axes.plot(creep, ratio, marker, color="0.4", ms=4, zorder=1, label=f"measured: {name}")
+    least = min(
+        *(min(values["creep"]) for values, _, _ in curves),
+        *(min(creep) for creep, _ in clouds),
+        math.inf,
+    )
     if not given.linear and least >= 0:  # a logarithm would hide what is negative
         axes.set_xscale("log")
     axes.set(

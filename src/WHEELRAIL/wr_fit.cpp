@@ -25,6 +25,7 @@ using namespace wheelrail;
 namespace {
 
 constexpr const char *programName = "wr_fit";
+constexpr const char *tableModel = "table"; ///< of a material, beside the models of a few numbers
 constexpr const char *examples = R"(
 Examples:
   wr_fit run.friction
@@ -45,7 +46,7 @@ Exit codes: 0 ok (too few conditions for a law included), 1 internal, 2 usage, 3
 
 struct Settings {
   std::vector<std::string> logs;
-  std::string json, runs, plot;
+  std::string json, runs, plot, material;
   std::string model = nameOf(LawModel::Full);
   AveragingOptions averaging;
   FitOptions fit;
@@ -103,12 +104,24 @@ void defineOptions(CLI::App &app, Settings &settings)
   std::vector<std::string> models;
   for (LawModel model : lawModels)
     models.emplace_back(nameOf(model));
+  for (LawModel model : boundedModels)
+    models.emplace_back(nameOf(model));
+  models.emplace_back(tableModel);
   app.add_option("--model", settings.model,
                  "law to fit: eq2, eq4 (no velocity term), velocity (no pressure term), constant, "
-                 "eq2_kappa3 and velocity_kappa3 (times a power of kappa3 = E/sigma_0)")
+                 "eq2_kappa3 and velocity_kappa3 (times a power of kappa3 = E/sigma_0); with "
+                 "--material also bounded, bounded_kappa3, bounded_velocity, bounded_eq4 and "
+                 "bounded_eq2 (by the shear strength) and table")
       ->check(CLI::IsMember(models))
       ->type_name("MODEL")
       ->capture_default_str();
+  app.add_option("--material", settings.material,
+                 "potential file of the material that all runs are of, at whatever temperature: "
+                 "the law is one of it")
+      ->check(nameOption())
+      ->type_name("FILE");
+  app.add_flag("--solid-only", settings.fit.solidOnly,
+               "leave out runs whose automata sank into each other");
   app.add_option("--kappa3", settings.fit.kappa3,
                  "with a power of kappa3: E/sigma_0 of the material that the law file is for "
                  "[geometric mean of the conditions]")
@@ -182,6 +195,12 @@ int run(const Settings &settings)
     throw Error(ExitCode::Usage, fmt::format("--kappa3: goes with --model {} or {}, not with {}",
                                              nameOf(LawModel::Kappa3),
                                              nameOf(LawModel::VelocityKappa3), settings.model));
+  if (settings.material.empty() && (settings.fit.table || isBounded(settings.fit.model)))
+    throw Error(
+        ExitCode::Usage,
+        fmt::format("--model {}: needs --material, whose strength it takes", settings.model));
+  if (!settings.material.empty() && !settings.plot.empty())
+    throw Error(ExitCode::Usage, "--plot: Figs. 7 and 8 are of Eq. 2, not of a --material");
   const auto logs = findFrictionLogs(settings.logs);
   std::vector<std::string> files;
   for (const auto &log : logs)
@@ -191,9 +210,14 @@ int run(const Settings &settings)
            {"-o", settings.json}, {"--runs", settings.runs}, {"--plot", settings.plot}})
     if (!path.empty())
       outputs.push_back({option, path});
+  if (!settings.material.empty())
+    files.push_back(settings.material);
   checkOutputs(outputs, files);
 
-  const auto analysis = analyseRuns(readRuns(logs, settings.averaging), settings.fit);
+  FitOptions options = settings.fit;
+  if (!settings.material.empty())
+    options.material = readPotentialFile(settings.material);
+  const auto analysis = analyseRuns(readRuns(logs, settings.averaging), options);
   if (!analysis.mixture.empty())
     complain(programName, "warning: " + analysis.mixture);
   const auto json = withChecksum(jsonText("report", jsonReport(analysis)));
@@ -212,8 +236,7 @@ int run(const Settings &settings)
   if (!settings.quiet)
     writeStandardOutput(textReport(analysis));
   if (analysis.notIdentifiable)
-    complain(programName,
-             fmt::format("{} cannot be fitted: {}", nameOf(settings.fit.model), analysis.whyNot));
+    complain(programName, fmt::format("{} cannot be fitted: {}", settings.model, analysis.whyNot));
   if (!noPicture.empty())
     throw Error(ExitCode::Io,
                 fmt::format("{} was not made: {}; all else was", settings.plot, noPicture));
@@ -229,7 +252,11 @@ int body(int argc, char **argv)
   defineOptions(app, settings);
   if (const auto code = parseCommandLine(app, argc, argv, "unexpected argument"))
     return *code;
+  settings.fit.table = settings.model == tableModel;
   for (LawModel model : lawModels)
+    if (settings.model == nameOf(model))
+      settings.fit.model = model;
+  for (LawModel model : boundedModels)
     if (settings.model == nameOf(model))
       settings.fit.model = model;
   return run(settings);

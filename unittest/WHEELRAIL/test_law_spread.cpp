@@ -11,7 +11,7 @@ namespace {
 
 /// In each cell; a strength and a modulus of 1 Pa make kappa2 the pressure, a density of 1 kappa1
 /// the square of the speed.
-constexpr Eq2Scale scale{true, true, {1.0, 1.0}, 1.0, 1.0};
+const Eq2Scale scale{true, true, {1.0, 1.0}, 1.0, 1.0};
 
 LawPointer lawOf(const KappaLaw &law)
 {

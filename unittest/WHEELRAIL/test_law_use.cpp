@@ -15,7 +15,7 @@ namespace {
 using Vector = Eigen::VectorXd;
 
 /// Steel of the paper's contact.
-constexpr Eq2Scale railSteel(bool local = false, bool velocityTerm = true)
+Eq2Scale railSteel(bool local = false, bool velocityTerm = true)
 {
   return {local, velocityTerm, {1e9, 1250.0}, 206e9, 7800.0};
 }

@@ -30,7 +30,7 @@ CreepPhysics coldPhysics()
 {
   CreepPhysics physics;
   physics.thermal.model = ThermalModel::Off;
-  physics.strength = {1.0, 1.0};
+  physics.strength = {1.0, 1.0, nullptr};
   return physics;
 }
 

@@ -96,3 +96,49 @@ def test_control_characters_in_labels_are_shown_not_drawn(call, tmp_path):
     (tmp_path / "creep.csv").write_text(GOOD)
     words = ("--label", "\x1b[31mred", "-o", tmp_path / "a.png")
     assert call("plot_creep.py", tmp_path / "creep.csv", *words)[::2] == (0, "")
+
+
+MEASURED = "# source\ncreep_percent,traction_ratio\n0.5,0.25\n10,0.2\n"
+
+
+@pytest.mark.parametrize(
+    "text, columns, creeps",
+    [
+        (MEASURED, None, [0.005, 0.1]),
+        (MEASURED.replace("creep_percent", "creep"), None, [0.5, 10]),
+        ("T/N,slip %\n0.25,0.5\n0.2,10\n", ("slip %", "T/N"), [0.005, 0.1]),
+    ],
+)
+def test_measured_points(tmp_path, text, columns, creeps):
+    """From columns with the usual names, or others; per cent is understood."""
+    (tmp_path / "m.csv").write_text(text)
+    module = load("plot_creep.py")
+    creep, ratio = module.measured(str(tmp_path / "m.csv"), columns)
+    assert creep == pytest.approx(creeps) and ratio == [0.25, 0.2]
+
+
+@pytest.mark.parametrize(
+    "text, more, code, part",
+    [
+        (MEASURED, [], 0, ""),
+        (
+            MEASURED,
+            ["--columns", "slip,T"],
+            3,
+            "m.csv: not a table of measured creep and T/N: 'slip'",
+        ),
+        (MEASURED, ["--columns", "slip"], 2, "two names of columns, CREEP,RATIO, are needed"),
+        ("a\n", [], 3, "no points"),
+        (MEASURED + "x,1\n", [], 3, "creep_percent: 'x' is not a decimal number"),
+    ],
+)
+def test_measured_points_are_drawn_or_refused(tmp_path, text, more, code, part):
+    (tmp_path / "creep.csv").write_text(GOOD)
+    (tmp_path / "m.csv").write_text(text)
+    done = subprocess.run(
+        [PLOT, "creep.csv", "--measured", "m.csv", "-o", "a.png", *more],
+        text=True, capture_output=True, timeout=60, check=False, cwd=tmp_path,
+    )  # fmt: skip
+    assert done.returncode == code, done.stderr
+    assert part in done.stderr
+    assert (tmp_path / "a.png").exists() == (code == 0)

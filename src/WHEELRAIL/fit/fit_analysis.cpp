@@ -2,6 +2,7 @@
 #include "fit/fit_analysis.h"
 
 #include "base/errors.h"
+#include "fit/material_fit.h"
 
 #include <cmath>
 #include <fmt/format.h>
@@ -21,6 +22,8 @@ std::string whyLeftOut(const FrictionRun &run, const FitOptions &options)
     return "too few rows for a standard error";
   if (run.mu <= 0.0)
     return "mu is not positive";
+  if (options.solidOnly && run.health.room < run.health.leastRoom)
+    return fmt::format("no solid: room {:.3f} < {:.3f}", run.health.room, run.health.leastRoom);
   return "";
 }
 
@@ -69,6 +72,41 @@ std::string mixtureOf(const std::vector<FrictionRun> &runs)
                      fmt::join(differing, ", "), first->file, other->file);
 }
 
+/// The law of `options.model`, or why there is none.
+void fitModel(FitAnalysis &analysis, const std::vector<ConditionMean> &used)
+{
+  const FitOptions &options = analysis.options;
+  const auto obstacle = obstacleTo(options.model, used);
+  if (obstacle.reason.empty()) {
+    try {
+      auto fit = fitLaw(options.model, used, options.level, options.kappa3);
+      analysis.whyNot = fit.notIdentifiable;
+      if (fit.notIdentifiable.empty())
+        analysis.fit = std::move(fit);
+    } catch (const Error &error) {
+      analysis.whyNot = error.what();
+    }
+  } else {
+    analysis.whyNot = obstacle.reason;
+  }
+  analysis.notIdentifiable = !analysis.fit && !obstacle.tooFew;
+}
+
+/// The table of all conditions, or why there is none.
+void fitTable(FitAnalysis &analysis)
+{
+  if (analysis.conditions.empty()) {
+    analysis.whyNot = "no condition is left for a table";
+    return;
+  }
+  try {
+    analysis.table = tableOf(analysis.conditions, analysis.runs);
+  } catch (const Error &error) {
+    analysis.whyNot = error.what();
+    analysis.notIdentifiable = true;
+  }
+}
+
 } // namespace
 
 std::vector<ConditionMean> FitAnalysis::fitted() const
@@ -84,6 +122,8 @@ FitAnalysis analyseRuns(std::vector<FrictionRun> runs, const FitOptions &options
   FitAnalysis analysis;
   analysis.options = options;
   analysis.runs = std::move(runs);
+  if (options.material)
+    placeInMaterial(analysis.runs, *options.material);
   leaveOutCopies(analysis.runs);
   for (auto &run : analysis.runs)
     if (run.leftOut.empty())
@@ -95,22 +135,14 @@ FitAnalysis analyseRuns(std::vector<FrictionRun> runs, const FitOptions &options
     addSeedScatter(analysis.runs, scatter);
   analysis.conditions = conditionsOf(analysis.runs);
   const auto used = analysis.fitted();
-  const auto obstacle = obstacleTo(options.model, used);
-  if (obstacle.reason.empty()) {
-    try {
-      auto fit = fitLaw(options.model, used, options.level, options.kappa3);
-      analysis.whyNot = fit.notIdentifiable;
-      if (fit.notIdentifiable.empty())
-        analysis.fit = std::move(fit);
-    } catch (const Error &error) {
-      analysis.whyNot = error.what();
-    }
-  } else {
-    analysis.whyNot = obstacle.reason;
-  }
-  analysis.notIdentifiable = !analysis.fit && !obstacle.tooFew;
-
-  for (LawModel model : lawModels) {
+  if (options.table)
+    fitTable(analysis);
+  else
+    fitModel(analysis, used);
+  std::vector<LawModel> models(lawModels.begin(), lawModels.end());
+  if (options.material)
+    models.insert(models.end(), boundedModels.begin(), boundedModels.end());
+  for (LawModel model : models) {
     ModelComparison entry;
     entry.model = model;
     entry.whyNot = obstacleTo(model, used).reason;

@@ -6,6 +6,8 @@
 #include "fit/friction_run.h"
 #include "fit/law_fit.h"
 #include "fit/seed_scatter.h"
+#include "law/mu_table.h"
+#include "law/softening_material.h"
 
 #include <optional>
 #include <string>
@@ -22,6 +24,10 @@ struct FitOptions {
   double kappa3 = 0.0;    ///< reference of the model Kappa3; 0: geometric mean of the conditions
   double kappa2Min = 2.0; ///< runs below are left out (the paper's rule)
   bool includeDrifting = false; ///< fit runs without a stationary part too
+  bool solidOnly = false;       ///< leave out runs whose automata sank into each other
+  /// The material that all runs are of: the law is one of it, and may be bounded by its strength.
+  std::optional<SofteningMaterial> material;
+  bool table = false; ///< with a material: the law is a table of all conditions, `model` unused
 };
 
 /// One line of the model comparison.
@@ -42,12 +48,13 @@ struct FitAnalysis {
   std::vector<SeedScatter> seeds;
   /// What is fitted: the runs that are not left out, replicas as one.
   std::vector<FitCondition> conditions;
-  std::optional<LawFit> fit; ///< its vectors run over the conditions
-  std::string whyNot;        ///< why there is no fit
-  std::string mixture;       ///< one line if runs of other laws or programs are taken together
+  std::optional<LawFit> fit;    ///< its vectors run over the conditions
+  std::optional<MuTable> table; ///< in its place, where that is asked for
+  std::string whyNot;           ///< why there is no law
+  std::string mixture;          ///< one line if runs of other laws or programs are taken together
   /// There are enough conditions, but they do not determine the parameters.
   bool notIdentifiable = false;
-  /// All of `lawModels`, in their order.
+  /// All of `lawModels`, of a material `boundedModels` too, in their order.
   std::vector<ModelComparison> models;
 
   /// The means of the conditions, in order.
@@ -58,7 +65,8 @@ struct FitAnalysis {
 /// `whyNot` says why, and the comparison holds the models that can.
 /// \param runs of `frictionRun`, at least one
 /// \param options of the command line, ranges checked there
-/// \return with either `fit` or `whyNot`, and one comparison for each of `lawModels`
+/// \return with either `fit`, `table` or `whyNot`, and one comparison for each model
+/// \throws Error (BadInput) as `placeInMaterial`
 FitAnalysis analyseRuns(std::vector<FrictionRun> runs, const FitOptions &options);
 
 } // namespace wheelrail

@@ -3,6 +3,7 @@
 
 #include "fit/replicates.h"
 #include "fit/run_columns.h"
+#include "law/material_law.h"
 #include "shared/printable.h"
 
 #include <algorithm>
@@ -19,15 +20,9 @@ using Json = nlohmann::ordered_json;
 
 constexpr const char *reportFormat = "mca-friction-report 1";
 
-/// The parameters of a fit, in the order of their names.
-std::array<double, fitParameters> values(const KappaLaw &law, double exponent)
-{
-  return {law.mu0, law.mu1, law.mu2, law.b, law.c, exponent};
-}
-
 double standardError(const LawFit &fit, int k)
 {
-  return k < lawParameters ? std::sqrt((*fit.law.covariance)(k, k)) : fit.exponentError;
+  return std::sqrt(fit.covariance(k, k));
 }
 
 /// Number of runs that are fitted.
@@ -208,16 +203,20 @@ std::string fitLines(const FitAnalysis &analysis)
     formula += " + mu2/(1 + c kappa2)";
   if (fit.reference > 0.0)
     formula = fmt::format("[{}] (kappa3/{:.5g})^n", formula, fit.reference);
+  if (free[S])
+    formula = fmt::format("(B^-q + (s sigma_0/p)^-q)^(-1/q), B = {}", formula);
   std::string text =
       fmt::format("Fit of {}: mu = {}, {} conditions\n", nameOf(fit.model), formula, fit.law.n);
-  const auto ours = values(fit.law, fit.exponent), paper = values(bucher2006(), 0.0);
+  const KappaLaw paper = bucher2006();
+  const std::array<double, 6> papers = {paper.mu0, paper.mu1, paper.mu2, paper.b, paper.c, 0.0};
   for (int k = 0; k < fitParameters; ++k) {
     if (!free[k])
       continue;
-    text += fmt::format("  {:<4} = {:>9.5g} +- {:<9.3g} {:g} % interval {}{}; paper {:.5g}\n",
-                        fitParameterNames[k], ours[k], standardError(fit, k),
-                        100.0 * analysis.options.level, intervalText(fit.intervals[k]),
-                        fit.atBound[k] ? " (at its bound)" : "", paper[k]);
+    text +=
+        fmt::format("  {:<4} = {:>9.5g} +- {:<9.3g} {:g} % interval {}{}{}\n", parameterNames[k],
+                    fit.parameters[k], standardError(fit, k), 100.0 * analysis.options.level,
+                    intervalText(fit.intervals[k]), fit.atBound[k] ? " (at its bound)" : "",
+                    k < S ? fmt::format("; paper {:.5g}", papers[k]) : "");
   }
   text +=
       fmt::format("  RMS of (mu - fit)/fit {:.2f} %, scatter beyond the standard errors {:.2f} %,"
@@ -239,12 +238,29 @@ std::string fitLines(const FitAnalysis &analysis)
                      : outliers);
 }
 
+/// mu over p/sigma_0 and temperature.
+std::string tableLines(const MuTable &table)
+{
+  std::string text =
+      fmt::format("Table of mu at {:g} m/s, p/sigma_0 in brackets\n", table.referenceSpeed);
+  for (const MuTable::Row &row : table.rows) {
+    text += fmt::format("  {:>6g} K", row.temperature);
+    for (std::size_t k = 0; k < row.mu.size(); ++k)
+      text += fmt::format("  [{:.3g}] {:.3f} +- {:.3f}", row.ratio[k], row.mu[k], row.muSe[k]);
+    text += "\n";
+  }
+  if (table.speed[0] < table.speed[1])
+    text += fmt::format("  mu goes like v^m, m = {:.3f} +- {:.3f}, {:g} to {:g} m/s\n",
+                        table.speedExponent, table.speedExponentSe, table.speed[0], table.speed[1]);
+  return text;
+}
+
 std::string modelLines(const FitAnalysis &analysis)
 {
   std::string text = "Models (AICc relative to the best; more than 10 above it: no support)\n";
   const double least = leastAicc(analysis);
   for (const auto &m : analysis.models) {
-    text += fmt::format("  {:<15}", nameOf(m.model));
+    text += fmt::format("  {:<{}}", nameOf(m.model), analysis.options.material ? 17 : 15);
     if (m.fit)
       text += fmt::format(" RMS {:>6.2f} %  AICc {:>8}\n", 100.0 * m.fit->law.rmsRelative,
                           shown("{:+.1f}", m.fit->aicc - least));
@@ -283,6 +299,8 @@ Json conditionJson(const FitAnalysis &analysis, std::size_t i)
                {"strength", first.head.strength}, {"viscosity", first.head.viscosity}};
   for (const std::size_t run : condition.runs)
     json["runs"].push_back(run);
+  if (analysis.options.material)
+    json["temperature"] = first.temperature;
   if (!analysis.fit)
     return json;
   json["residual"] = analysis.fit->residuals[i];
@@ -301,17 +319,16 @@ Json fitJson(const FitAnalysis &analysis)
   json["level"] = analysis.options.level;
   if (fit.reference > 0.0)
     json["kappa3"] = fit.reference;
-  const auto ours = values(fit.law, fit.exponent);
   for (int k = 0; k < fitParameters; ++k) {
     if (!free[k])
       continue;
     Json entry;
-    entry["value"] = ours[k];
+    entry["value"] = fit.parameters[k];
     entry["standard_error"] = standardError(fit, k);
     entry["interval"] = {finite(fit.intervals[k].lower), finite(fit.intervals[k].upper)};
     entry["open"] = {fit.intervals[k].lowerOpen, fit.intervals[k].upperOpen};
     entry["at_bound"] = fit.atBound[k];
-    json["parameters"][fitParameterNames[k]] = entry;
+    json["parameters"][parameterNames[k]] = entry;
   }
   json["scatter"] = fit.scatter;
   json["chi_squared"] = fit.chiSquared;
@@ -366,6 +383,44 @@ Json reportBody(const FitAnalysis &analysis)
   return report;
 }
 
+std::string sourceOf(const FitAnalysis &analysis, const char *model)
+{
+  return fmt::format("wr_fit {}, {} conditions from {} of {} runs, model {}", WHEELRAIL_VERSION,
+                     analysis.conditions.size(), runsOf(analysis), analysis.runs.size(), model);
+}
+
+/// The law of the material, where all runs are of one.
+MaterialLaw lawOfMaterial(const FitAnalysis &analysis)
+{
+  MaterialLaw law;
+  law.material = *analysis.options.material;
+  law.n = static_cast<int>(analysis.conditions.size());
+  law.fittedOn = fittedOn(analysis);
+  const auto widen = [](std::optional<Range> &range, double value) {
+    range = range ? Range{std::min((*range)[0], value), std::max((*range)[1], value)}
+                  : Range{value, value};
+  };
+  for (const FitCondition &condition : analysis.conditions) {
+    const FrictionRun &run = analysis.runs[condition.runs.front()];
+    widen(law.pressureRange, condition.mean.kappa2 / condition.mean.kappa3);
+    widen(law.temperatureRange, run.temperature);
+    widen(law.speedRange, std::abs(run.head.velocity));
+  }
+  if (analysis.table) {
+    law.table = analysis.table;
+    law.source = sourceOf(analysis, "table");
+    return law;
+  }
+  const LawFit &fit = *analysis.fit;
+  law.parameters = fit.parameters;
+  law.covariance = fit.covariance;
+  if (fit.reference > 0.0)
+    law.kappa3 = fit.reference;
+  law.rmsRelative = fit.law.rmsRelative;
+  law.source = sourceOf(analysis, nameOf(fit.model));
+  return law;
+}
+
 } // namespace
 
 std::string textReport(const FitAnalysis &analysis)
@@ -388,9 +443,11 @@ std::string textReport(const FitAnalysis &analysis)
     text += fmt::format("Warning: {}.\n", mcawr::printable(warning));
   if (analysis.fit)
     text += fitLines(analysis);
+  else if (analysis.table)
+    text += tableLines(*analysis.table);
   else
     text += fmt::format("No law fitted: {}.\n", mcawr::printable(analysis.whyNot));
-  if (analysis.fit || analysis.notIdentifiable)
+  if (analysis.fit || analysis.table || analysis.notIdentifiable)
     text += modelLines(analysis);
   return text;
 }
@@ -398,11 +455,11 @@ std::string textReport(const FitAnalysis &analysis)
 Json jsonReport(const FitAnalysis &analysis)
 {
   Json json;
-  if (analysis.fit) {
+  if (analysis.options.material && (analysis.fit || analysis.table)) {
+    json = toJson(lawOfMaterial(analysis));
+  } else if (analysis.fit) {
     KappaLaw law = analysis.fit->law;
-    law.source =
-        fmt::format("wr_fit {}, {} conditions from {} of {} runs, model {}", WHEELRAIL_VERSION,
-                    law.n, runsOf(analysis), analysis.runs.size(), nameOf(analysis.fit->model));
+    law.source = sourceOf(analysis, nameOf(analysis.fit->model));
     law.fittedOn = fittedOn(analysis);
     if (analysis.fit->reference > 0.0)
       law.source += fmt::format(" at kappa3 = {:.8g}", analysis.fit->reference);

@@ -6,6 +6,7 @@
 #include "fit/run_health.h"
 #include "fit/statistics.h"
 
+#include <limits>
 #include <map>
 #include <optional>
 #include <string>
@@ -44,8 +45,10 @@ struct FrictionRun {
   /// Steps and mu of the first rows, at most 1000: they tell one run from another.
   std::vector<long> firstStep;
   std::vector<double> firstMu;
-  RunHealth health;    ///< of the run, over the part that is averaged
-  std::string note;    ///< why there is no stationary part, or that a cut line was dropped
+  RunHealth health; ///< of the run, over the part that is averaged
+  std::string note; ///< why there is no stationary part, or that a cut line was dropped
+  /// K, at which the run has the strength and modulus of its material; nan where it is not known.
+  double temperature = std::numeric_limits<double>::quiet_NaN();
   std::string leftOut; ///< why the run is not fitted; empty: it is
 
   double youngsModulus() const { return kappa3 * head.strength; } ///< MPa

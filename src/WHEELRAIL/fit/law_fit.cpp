@@ -156,9 +156,11 @@ std::string explainWeakness(const LawFit &fit, const VectorXd &x, const Identifi
     if (atUpper)
       return fmt::format(
           "{} runs to its bound of {:.3g}: its term is constant over all the conditions",
-          fitParameterNames[k], problem.upper[k]);
+          parameterNames[k], problem.upper[k]);
   }
   const auto free = parametersOf(fit.model);
+  if (free[S] && fit.atBound[S])
+    return "s runs to its bound: no condition feels the limit of the shear strength";
   if (free[C] && fit.atBound[C])
     return "c runs to 0: mu does not depend on kappa2, mu0 and mu2 cannot be told apart";
   if (analysis.conditionNumber <= worstCondition)
@@ -166,7 +168,7 @@ std::string explainWeakness(const LawFit &fit, const VectorXd &x, const Identifi
   std::string names;
   for (int k = 0; k < fitParameters; ++k)
     if (std::abs(analysis.weakDirection[k]) > 0.3)
-      names += (names.empty() ? "" : ", ") + std::string(fitParameterNames[k]);
+      names += (names.empty() ? "" : ", ") + std::string(parameterNames[k]);
   return fmt::format(
       "{} cannot be told apart (condition number {:.3g}, at most {:.0e} is accepted)", names,
       analysis.conditionNumber, worstCondition);
@@ -223,6 +225,9 @@ Obstacle obstacleTo(LawModel model, const std::vector<ConditionMean> &means)
     reason = look(Mu2, "kappa2", 3, [](const ConditionMean &mean) { return mean.kappa2; });
   if (reason.empty())
     reason = look(N, "kappa3", 2, [](const ConditionMean &mean) { return mean.kappa3; });
+  if (reason.empty())
+    reason = look(S, "p/sigma_0", 3,
+                  [](const ConditionMean &mean) { return mean.kappa2 / mean.kappa3; });
   return {reason, false};
 }
 
@@ -308,12 +313,11 @@ LawFit fitLaw(LawModel model, const std::vector<ConditionMean> &means, double le
   const auto analysis = analyseJacobian(solution.jacobian, problem.constant);
   fit.conditionNumber = analysis.conditionNumber;
   fit.notIdentifiable = explainWeakness(fit, solution.x, analysis, problem);
+  fit.parameters = solution.x;
+  fit.covariance = analysis.covariance;
   fit.law.covariance = analysis.covariance.topLeftCorner<lawParameters, lawParameters>();
-  if (hasKappa3(model)) {
+  if (hasKappa3(model))
     fit.reference = reference;
-    fit.exponent = solution.x[N];
-    fit.exponentError = std::sqrt(analysis.covariance(N, N));
-  }
   fit.law.n = n;
   // but the fit cannot follow a condition with it
   auto held = problem.constant;

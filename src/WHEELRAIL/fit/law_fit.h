@@ -23,9 +23,10 @@ namespace wheelrail {
 /// leverage, which says how far the fit follows each condition.
 struct LawFit {
   LawModel model = LawModel::Full;
-  KappaLaw law;                 ///< with a power of kappa3: at the reference
-  double exponent = 0.0;        ///< n
-  double exponentError = 0.0;   ///< its standard error
+  KappaLaw law; ///< Eq. 2's parameters and what it was fitted on; with a power of kappa3: at the
+                ///< reference; without a bound
+  LawParameters parameters = LawParameters::Zero();               ///< all of them
+  Eigen::Matrix<double, allParameters, allParameters> covariance; ///< of all of them
   double reference = 0.0;       ///< kappa3 at which the law holds; 0: at any
   double scatter = 0.0;         ///< relative
   double chiSquared = 0.0;      ///< sum of the weighted squares

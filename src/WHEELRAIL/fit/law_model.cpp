@@ -1,40 +1,62 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "fit/law_model.h"
 
-#include <stdexcept>
+#include <algorithm>
+#include <string>
+#include <vector>
 
 namespace wheelrail {
 
-const char *nameOf(LawModel model)
+namespace {
+
+/// A model by its name and the parameters that it fits.
+struct ModelRow {
+  LawModel model;
+  const char *name;
+  std::vector<LawParameter> parameters;
+};
+
+const ModelRow &rowOf(LawModel model)
 {
-  switch (model) {
-  case LawModel::Constant:
-    return "constant";
-  case LawModel::Velocity:
-    return "velocity";
-  case LawModel::Pressure:
-    return "eq4";
-  case LawModel::VelocityKappa3:
-    return "velocity_kappa3";
-  case LawModel::Full:
-    return "eq2";
-  case LawModel::Kappa3:
-    return "eq2_kappa3";
-  }
-  throw std::logic_error("nameOf: no such model");
+  static const std::vector<ModelRow> rows = {
+      {LawModel::Constant, "constant", {Mu0}},
+      {LawModel::Velocity, "velocity", {Mu0, Mu1, B}},
+      {LawModel::Pressure, "eq4", {Mu0, Mu2, C}},
+      {LawModel::VelocityKappa3, "velocity_kappa3", {Mu0, Mu1, B, N}},
+      {LawModel::Full, "eq2", {Mu0, Mu1, Mu2, B, C}},
+      {LawModel::Kappa3, "eq2_kappa3", {Mu0, Mu1, Mu2, B, C, N}},
+      {LawModel::Bounded, "bounded", {Mu0, S, Q}},
+      {LawModel::BoundedKappa3, "bounded_kappa3", {Mu0, N, S, Q}},
+      {LawModel::BoundedVelocity, "bounded_velocity", {Mu0, Mu1, B, S, Q}},
+      {LawModel::BoundedPressure, "bounded_eq4", {Mu0, Mu2, C, S, Q}},
+      {LawModel::BoundedFull, "bounded_eq2", {Mu0, Mu1, Mu2, B, C, S, Q}}};
+  return *std::find_if(rows.begin(), rows.end(),
+                       [model](const ModelRow &row) { return row.model == model; });
 }
 
-bool hasKappa3(LawModel model)
+} // namespace
+
+const char *nameOf(LawModel model)
 {
-  return model == LawModel::VelocityKappa3 || model == LawModel::Kappa3;
+  return rowOf(model).name;
 }
 
 std::array<bool, fitParameters> parametersOf(LawModel model)
 {
-  const bool velocity = model != LawModel::Constant && model != LawModel::Pressure;
-  const bool pressure =
-      model == LawModel::Pressure || model == LawModel::Full || model == LawModel::Kappa3;
-  return {true, velocity, pressure, velocity, pressure, hasKappa3(model)};
+  std::array<bool, fitParameters> free = {};
+  for (const LawParameter parameter : rowOf(model).parameters)
+    free[parameter] = true;
+  return free;
+}
+
+bool hasKappa3(LawModel model)
+{
+  return parametersOf(model)[N];
+}
+
+bool isBounded(LawModel model)
+{
+  return parametersOf(model)[S];
 }
 
 } // namespace wheelrail

@@ -2,6 +2,7 @@
 #ifndef WHEELRAIL_FIT_LAW_MODEL_H
 #define WHEELRAIL_FIT_LAW_MODEL_H
 
+#include "law/bounded_mu.h"
 #include "law/kappa_law.h"
 
 #include <array>
@@ -19,33 +20,41 @@ struct ConditionMean {
   double kappa3 = 1.0; ///< E/sigma_0, > 0
 };
 
-/// The parts of Eq. 2 that are fitted, what is left out is zero; or more than it.
+/// What is fitted: parts of Eq. 2, what is left out is zero, or more than it (`boundedMu`).
 enum class LawModel {
-  Constant,       ///< mu0
-  Velocity,       ///< mu0, mu1, b
-  Pressure,       ///< mu0, mu2, c: Eq. 4
-  VelocityKappa3, ///< those of Velocity and n: times (kappa3/reference)^n; ours, not the paper's
-  Full,           ///< mu0, mu1, mu2, b, c: Eq. 2
-  Kappa3          ///< the same and n
+  Constant,        ///< mu0
+  Velocity,        ///< mu0, mu1, b
+  Pressure,        ///< mu0, mu2, c: Eq. 4
+  VelocityKappa3,  ///< those of Velocity and n: times (kappa3/reference)^n; ours, not the paper's
+  Full,            ///< mu0, mu1, mu2, b, c: Eq. 2
+  Kappa3,          ///< the same and n
+  Bounded,         ///< mu0, s, q: a constant bounded by the shear strength
+  BoundedKappa3,   ///< the same and n
+  BoundedVelocity, ///< mu0, mu1, b, s, q
+  BoundedPressure, ///< mu0, mu2, c, s, q
+  BoundedFull      ///< Eq. 2 and s, q
 };
 
-/// All models, from the smallest to the largest one.
+/// Models without a bound, from the smallest to the largest one.
 constexpr std::array<LawModel, 6> lawModels = {LawModel::Constant, LawModel::Velocity,
                                                LawModel::Pressure, LawModel::VelocityKappa3,
                                                LawModel::Full,     LawModel::Kappa3};
+/// Models of one material, bounded by its shear strength, likewise.
+constexpr std::array<LawModel, 5> boundedModels = {
+    LawModel::Bounded, LawModel::BoundedKappa3, LawModel::BoundedVelocity,
+    LawModel::BoundedPressure, LawModel::BoundedFull};
 
 /// Name on the command line and in files: constant, velocity, eq4, velocity_kappa3, eq2,
-/// eq2_kappa3. Never null; lives as long as the program.
+/// eq2_kappa3, bounded, bounded_kappa3 and so on. Never null; lives as long as the program.
 const char *nameOf(LawModel model);
-/// Number of parameters of a fit: those of Eq. 2 and n.
-constexpr int fitParameters = lawParameters + 1;
+/// Number of parameters of a fit.
+constexpr int fitParameters = allParameters;
 /// Whether the model has a power of kappa3.
 bool hasKappa3(LawModel model);
-/// Which of mu0, mu1, mu2, b, c, n the model fits.
+/// Whether it is bounded by the shear strength.
+bool isBounded(LawModel model);
+/// Which of mu0, mu1, mu2, b, c, n, s, q the model fits.
 std::array<bool, fitParameters> parametersOf(LawModel model);
-/// Names of the parameters, in their order.
-constexpr std::array<const char *, fitParameters> fitParameterNames = {"mu0", "mu1", "mu2",
-                                                                       "b",   "c",   "n"};
 
 } // namespace wheelrail
 

@@ -17,6 +17,9 @@ using Eigen::VectorXd;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 // a term is as good as constant when b kappa (c kappa) exceeds this at its smallest kappa
 constexpr double saturation = 100.0;
+// bend of the bound: where both of its sides are equal, mu is 1/2 or 0.986 of them
+constexpr double roundest = 1.0;
+constexpr double sharpest = 50.0;
 
 } // namespace
 
@@ -31,9 +34,7 @@ void setParameters(KappaLaw &law, const VectorXd &x)
 
 double modelMu(const VectorXd &x, const ConditionMean &mean, double reference)
 {
-  KappaLaw law;
-  setParameters(law, x);
-  return law(mean.kappa1, mean.kappa2) * std::pow(mean.kappa3 / reference, x[N]);
+  return boundedMu(x, {mean.kappa1, mean.kappa2, mean.kappa3}, reference);
 }
 
 LawProblem::LawProblem(LawModel model, const std::vector<ConditionMean> &data, VectorXd deviations,
@@ -53,6 +54,12 @@ LeastSquaresProblem LawProblem::make() const
     problem.lower[k] = 0.0;
   problem.upper[B] = saturation / smallest(&ConditionMean::kappa1);
   problem.upper[C] = saturation / smallest(&ConditionMean::kappa2);
+  if (free_[S]) {
+    problem.lower[S] = largestStress() / saturation;
+    problem.upper[S] = largestStress() * saturation;
+    problem.lower[Q] = roundest;
+    problem.upper[Q] = sharpest;
+  }
   for (bool isFree : free_)
     problem.constant.push_back(!isFree);
   problem.evaluate = [this](const VectorXd &x, VectorXd &r, MatrixXd *jacobian) {
@@ -63,13 +70,15 @@ LeastSquaresProblem LawProblem::make() const
 }
 
 // Eq. 2 is linear in mu0, mu1 and mu2 once b and c are given, which leaves a plane to be searched:
-// a grid of it, two values a decade, finds the valley that a single start would have to hit.
+// a grid of it, two values a decade, finds the valley that a single start would have to hit. So it
+// is with a bound, once s and q are given.
 std::vector<VectorXd> LawProblem::starts(const LeastSquaresProblem &problem) const
 {
   std::vector<std::pair<double, VectorXd>> candidates;
   for (double b : grid(B, problem.upper[B]))
     for (double c : grid(C, problem.upper[C]))
-      candidates.push_back(linearFit(b, c));
+      for (const auto &[s, q] : bends())
+        candidates.push_back(linearFit(b, c, s, q));
   const size_t kept = std::min<size_t>(3, candidates.size());
   std::partial_sort(candidates.begin(), candidates.begin() + kept, candidates.end(),
                     [](const auto &p, const auto &q) { return p.first < q.first; });
@@ -88,6 +97,25 @@ double LawProblem::smallest(double ConditionMean::*kappa) const
   return std::isfinite(least) ? least : 1.0;
 }
 
+double LawProblem::largestStress() const
+{
+  double largest = 0.0;
+  for (const auto &mean : means_)
+    largest = std::max(largest, mean.mu * mean.kappa2 / mean.kappa3);
+  return largest > 0.0 ? largest : 1.0;
+}
+
+std::vector<std::pair<double, double>> LawProblem::bends() const
+{
+  if (!free_[S])
+    return {{0.0, 0.0}};
+  std::vector<std::pair<double, double>> values;
+  for (const double s : {1.02, 1.3, 2.0}) // of the largest stress that is there
+    for (const double q : {1.5, 4.0, 12.0})
+      values.emplace_back(s * largestStress(), q);
+  return values;
+}
+
 std::vector<double> LawProblem::grid(int k, double upper) const
 {
   if (!free_[k])
@@ -100,7 +128,9 @@ std::vector<double> LawProblem::grid(int k, double upper) const
   return values;
 }
 
-std::pair<double, VectorXd> LawProblem::linearFit(double b, double c) const
+// A bound is taken off first: what mu would be without it follows from mu, s and q. A condition at
+// its limit says nothing of it and is left out.
+std::pair<double, VectorXd> LawProblem::linearFit(double b, double c, double s, double q) const
 {
   VectorXd x = VectorXd::Zero(fitParameters);
   x[B] = b;
@@ -116,35 +146,36 @@ std::pair<double, VectorXd> LawProblem::linearFit(double b, double c) const
   MatrixXd design(means_.size(), linear.size());
   for (size_t j = 0; j < linear.size(); ++j)
     design.col(j) = jacobian.col(linear[j]);
-  const VectorXd solution = design.colPivHouseholderQr().solve(-r);
+  VectorXd target = -r;
+  for (size_t i = 0; s > 0.0 && i < means_.size(); ++i) {
+    const ConditionMean &mean = means_[i];
+    const double limited = std::pow(mean.mu * mean.kappa2 / (mean.kappa3 * s), q);
+    constexpr double far = 0.9; // beyond, the rest is small beside the scatter
+    target[i] = limited < far ? target[i] * std::pow(1.0 - limited, -1.0 / q) : 0.0;
+    if (limited >= far)
+      design.row(i).setZero();
+  }
+  const VectorXd solution = design.colPivHouseholderQr().solve(target);
   for (size_t j = 0; j < linear.size(); ++j)
     x[linear[j]] = solution[j];
   x[Mu0] = std::max(0.0, x[Mu0]);
+  x[S] = s;
+  x[Q] = q;
   evaluate(x, r, nullptr);
   return {r.squaredNorm(), x};
 }
 
 void LawProblem::evaluate(const VectorXd &x, VectorXd &r, MatrixXd *jacobian) const
 {
-  KappaLaw law;
-  setParameters(law, x);
   for (size_t i = 0; i < means_.size(); ++i) {
     const auto &mean = means_[i];
     const double weight = 1.0 / sigma_[i];
-    const double mu = modelMu(x, mean, reference_);
+    LawParameters gradient;
+    const double mu = boundedMu(x, {mean.kappa1, mean.kappa2, mean.kappa3}, reference_,
+                                jacobian ? &gradient : nullptr);
     r[i] = weight * (mu - mean.mu);
-    if (!jacobian)
-      continue;
-    const double logarithm = std::log(mean.kappa3 / reference_);
-    const double w = weight * std::exp(x[N] * logarithm);
-    const double g1 = 1.0 / (1.0 + law.b * mean.kappa1);
-    const double g2 = 1.0 / (1.0 + law.c * mean.kappa2);
-    (*jacobian)(i, Mu0) = w;
-    (*jacobian)(i, Mu1) = w * mean.kappa1 * g1;
-    (*jacobian)(i, Mu2) = w * g2;
-    (*jacobian)(i, B) = -w * law.mu1 * std::pow(mean.kappa1 * g1, 2);
-    (*jacobian)(i, C) = -w * law.mu2 * mean.kappa2 * g2 * g2;
-    (*jacobian)(i, N) = weight * mu * logarithm;
+    if (jacobian)
+      jacobian->row(i) = weight * gradient.transpose();
   }
 }
 

@@ -10,22 +10,18 @@
 
 namespace wheelrail {
 
-/// Place of each parameter in a vector x of all six: those of Eq. 2 and the exponent n of kappa3.
-/// b and mu1 belong to kappa1, c and mu2 to kappa2.
-enum LawParameter { Mu0, Mu1, Mu2, B, C, N };
-
-/// Puts Eq. 2's parameters of a vector into a law; n is not part of it.
-/// \param x six values, mu0, mu1, mu2, b, c, n
+/// Puts Eq. 2's parameters of a vector into a law; n, s and q are not part of it.
 void setParameters(KappaLaw &law, const Eigen::VectorXd &x);
 
-/// Eq. 2 times (kappa3/reference)^n at a condition, with the parameters x. reference > 0.
+/// `boundedMu` of a condition, with the parameters x. reference > 0.
 /// \return mu, a pure number; with n = 0 the reference plays no part
 double modelMu(const Eigen::VectorXd &x, const ConditionMean &mean, double reference);
 
-/// What a model fits, as a weighted least-squares problem in (mu0, mu1, mu2, b, c, n), with
+/// What a model fits, as a weighted least-squares problem in (mu0, mu1, mu2, b, c, n, s, q), with
 /// analytic derivatives. Bounds: mu0, b, c >= 0; b and c at most a hundred times the inverse of the
-/// smallest positive kappa, where their terms are constant.
-/// All parameters and residuals are dimensionless.
+/// smallest positive kappa, where their terms are constant; s > 0 up to a hundred times the largest
+/// friction stress over sigma_0, which no condition feels; q from 1 to 50, a bend that is as good
+/// as sharp. All parameters and residuals are dimensionless.
 class LawProblem {
  public:
   /// \param deviations standard deviation of each condition, > 0
@@ -38,18 +34,21 @@ class LawProblem {
   /// The object must outlive what it returns.
   LeastSquaresProblem make() const;
 
-  /// Starts: n = 0 and a grid over b and c with the linear parameters by linear least squares, the
-  /// best three.
-  /// \param problem of `make`, which judges the candidates
+  /// Starts: n = 0 and a grid over b, c, s and q with the linear parameters by linear least
+  /// squares, the best three. \param problem of `make`, which judges the candidates
   std::vector<Eigen::VectorXd> starts(const LeastSquaresProblem &problem) const;
 
  private:
   /// Smallest positive value of kappa1 or kappa2 over the conditions, 1 without one.
   double smallest(double ConditionMean::*kappa) const;
+  /// Largest mu p/sigma_0 over the conditions.
+  double largestStress() const;
   /// Values of b or c to start from; just 0 where it is not fitted.
   std::vector<double> grid(int k, double upper) const;
-  /// Sum of squares and parameters of the best mu0, mu1, mu2 at given b and c.
-  std::pair<double, Eigen::VectorXd> linearFit(double b, double c) const;
+  /// Values of s and q to start from; just 0 where they are not fitted.
+  std::vector<std::pair<double, double>> bends() const;
+  /// Sum of squares and parameters of the best mu0, mu1, mu2 at given b, c, s and q.
+  std::pair<double, Eigen::VectorXd> linearFit(double b, double c, double s, double q) const;
   /// Residuals in units of the deviations, and their derivatives unless null.
   void evaluate(const Eigen::VectorXd &x, Eigen::VectorXd &r, Eigen::MatrixXd *jacobian) const;
 

@@ -3,6 +3,7 @@
 #define WHEELRAIL_LAW_FRICTION_LAW_H
 
 #include "law/law_use.h"
+#include "law/strength.h"
 
 #include <Eigen/Core>
 
@@ -46,6 +47,10 @@ class FrictionLaw {
   virtual bool dependsOnSpeed() const = 0;
   /// Does mu depend on the temperature? Then heat acts back on friction.
   virtual bool dependsOnTemperature() const = 0;
+
+  /// sigma_0 of the law's own material over the temperature rise; null: the law has none, and the
+  /// case says it. Lives as long as the law.
+  virtual const Strength *strength() const { return nullptr; }
 
   /// What the law is a function of, with the ranges it is known on. Empty: nothing that it could be
   /// used outside of.

@@ -8,6 +8,7 @@
 
 #include "law/forms/constant.h"
 #include "law/forms/eq2.h"
+#include "law/forms/material.h"
 #include "law/forms/polach.h"
 #include "law/forms/table.h"
 
@@ -39,7 +40,7 @@ struct LawList {
 };
 
 /// The list.
-using FrictionLaws = LawList<ConstantLaw, PolachLaw, TableLaw, Eq2Law>;
+using FrictionLaws = LawList<ConstantLaw, PolachLaw, TableLaw, LawOfMaterial, Eq2Law>;
 
 /// The forms of the list, in its order.
 const std::vector<LawForm> &lawForms();

@@ -167,6 +167,21 @@ std::string LawFile::string(const std::string &key) const
   return at(key).get<std::string>();
 }
 
+std::vector<double> LawFile::numbers(const std::string &key) const
+{
+  return numbers(at(key), key, at(key).is_array() ? at(key).size() : 1);
+}
+
+std::vector<std::vector<double>> LawFile::lists(const std::string &key) const
+{
+  if (!at(key).is_array())
+    fail(key, "a list of lists of numbers is expected, not " + shown(at(key)));
+  std::vector<std::vector<double>> lists;
+  for (const auto &list : at(key))
+    lists.push_back(numbers(list, key, list.is_array() ? list.size() : 1));
+  return lists;
+}
+
 Range LawFile::range(const std::string &key) const
 {
   return rangeOf(at(key), key);

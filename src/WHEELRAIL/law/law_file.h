@@ -33,6 +33,10 @@ class LawFile {
   /// \return 0 to the largest int
   int count(const std::string &key) const;
   std::string string(const std::string &key) const;
+  /// A list of numbers, however many.
+  std::vector<double> numbers(const std::string &key) const;
+  /// A list of such lists.
+  std::vector<std::vector<double>> lists(const std::string &key) const;
   /// Two numbers >= 0, the second one not below the first.
   Range range(const std::string &key) const;
   /// Ranges by name. \param names those that there may be

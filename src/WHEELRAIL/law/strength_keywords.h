@@ -22,7 +22,7 @@ inline std::vector<LawKeyword> strengthKeywords()
 /// The strength of a law that lists these keywords.
 inline Strength strengthFrom(const LawValues &values)
 {
-  return {values["friction.strength"], values["friction.strength_temperature"]};
+  return {values["friction.strength"], values["friction.strength_temperature"], nullptr};
 }
 
 } // namespace wheelrail

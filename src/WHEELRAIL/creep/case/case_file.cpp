@@ -174,8 +174,8 @@ Case readCase(const std::string &path, const std::vector<std::string> &changes)
   const SurfaceSpecification surface = readSurface(reader, path);
   CreepPhysics physics;
   physics.hardnessLimit = reader.flag("contact.hardness_limit");
-  physics.strength = readStrength(reader);
   const LawChoice friction = readFriction(reader, path);
+  physics.strength = readStrength(reader, friction);
   const std::string mode = reader.word("mode");
   if (mode == "static")
     result.task = readStatic(reader, contact, surface, friction, physics);

@@ -79,9 +79,16 @@ LawChoice readFriction(CaseReader &reader, const std::string &caseFile)
   return form.choose(values);
 }
 
-Strength readStrength(CaseReader &reader)
+Strength readStrength(CaseReader &reader, const LawChoice &friction)
 {
-  return {reader.number("friction.strength"), reader.number("friction.strength_temperature")};
+  if (friction.hasStrength) {
+    for (const char *keyword : {"friction.strength", "friction.strength_temperature",
+                                "friction.modulus", "friction.density"})
+      reader.refuse(keyword, "friction.law: the law file has those of its material");
+    return {};
+  }
+  return {reader.number("friction.strength"), reader.number("friction.strength_temperature"),
+          nullptr};
 }
 
 ThermalSpecification readThermal(CaseReader &reader)

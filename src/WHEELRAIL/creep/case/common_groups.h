@@ -68,8 +68,9 @@ MeasuredSurfaces readMeasuredSurfaces(CaseReader &reader, const std::string &cas
 /// that have no default; one with a default may stand there unread.
 /// \param caseFile path of the case file, for `besideCase`
 LawChoice readFriction(CaseReader &reader, const std::string &caseFile);
-/// The strength of group `friction`, which limits the pressure under any law.
-Strength readStrength(CaseReader &reader);
+/// The strength of group `friction`, which limits the pressure under any law but one that has its
+/// own: where the case states one beside that, it is refused.
+Strength readStrength(CaseReader &reader, const LawChoice &friction);
 /// Group `thermal`, or `thermal: none`, which is the model Off and reads no material.
 ThermalSpecification readThermal(CaseReader &reader);
 

@@ -318,8 +318,8 @@ PatchSpecification readPatch(CaseReader &reader, const std::string &caseFile)
   patch.roughness = readRoughness(reader, caseFile);
   patch.contact = readContact(reader, patch.roughness.kind != RoughnessKind::None);
   patch.physics.hardnessLimit = reader.flag("contact.hardness_limit");
-  patch.physics.strength = readStrength(reader);
   patch.friction = readFriction(reader, caseFile);
+  patch.physics.strength = readStrength(reader, patch.friction);
   const std::string mode = reader.word("mode");
   patch.mode = mode == "frozen"   ? PatchMode::Frozen
                : mode == "moving" ? PatchMode::Moving

@@ -239,7 +239,7 @@ CreepCurves solveCreepCurves(const CreepSpecification &specification, const LawP
 
   CreepCurves curves;
   curves.contacts = prepareContacts(specification.contact, specification.surface,
-                                    physics.pressureLimit(0.0), moving, options);
+                                    physics.pressureLimit(*law, 0.0), moving, options);
   curves.warnings =
       contactDoubts(curves.contacts, specification.contact, physics.strengthInUse(*law));
   addDoubt(curves.warnings, creepDoubt("creep", specification.creep));

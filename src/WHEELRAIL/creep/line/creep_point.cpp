@@ -78,7 +78,7 @@ Vector FrozenCreep::temperatureFrom(double speed, double creep)
 }
 
 /// The hardness falls with the mean temperature of the contact: solve again where it binds.
-void FrozenCreep::limitPressure()
+void FrozenCreep::limitPressure(const FrictionLaw &law)
 {
   const double mean = contact_.temperature.dot(contact_.pressure) / contact_.pressure.sum();
   NormalContactOptions options;
@@ -86,7 +86,7 @@ void FrozenCreep::limitPressure()
   if (!domain_)
     domain_.emplace(setup_.cells, Boundary::Free);
   const NormalContactResult normal =
-      solveNormalContact(*domain_, setup_.problem(physics_.pressureLimit(mean)), options);
+      solveNormalContact(*domain_, setup_.problem(physics_.pressureLimit(law, mean)), options);
   checkInsideDomain(normal.pressure);
   contact_.pressure = normal.pressure * setup_.hertz.modulus;
   contact_.intervals = contactIntervals(normal, Boundary::Free);
@@ -104,7 +104,7 @@ CreepPoint FrozenCreep::solve(const FrictionLaw &law, double speed, double creep
   int iteration = 1;
   for (;; ++iteration) {
     if (physics_.hardnessLimit && iteration > 1)
-      limitPressure();
+      limitPressure(law);
     contact_.mu = law.mu({contact_.pressure, creep * speed, contact_.temperature});
     if (needsTraction)
       roll(creep);
@@ -114,7 +114,7 @@ CreepPoint FrozenCreep::solve(const FrictionLaw &law, double speed, double creep
       contact_.temperature = next;
       break;
     }
-    if (step <= temperatureTolerance * physics_.strength.vanishingTemperature)
+    if (step <= temperatureTolerance * physics_.strengthOf(law).vanishingTemperature)
       break;
     if (iteration >= maxIterations)
       throw Error(ExitCode::NotConverged,

@@ -69,7 +69,7 @@ class FrozenCreep {
   /// Rise per cell that the present traction causes, K.
   Eigen::VectorXd temperatureFrom(double speed, double creep);
   /// Normal contact again, under the hardness at the mean temperature.
-  void limitPressure();
+  void limitPressure(const FrictionLaw &law);
 
   const CreepPhysics &physics_;
   const ContactSetup &setup_;

@@ -44,8 +44,8 @@ void MovingCreep::solvePressure(int step, double temperature)
   NormalContactOptions options;
   options.tolerance = pressureTolerance;
   options.start = step ? movedAlong(normal_.pressure) : normal_.pressure;
-  normal_ = solveNormalContact(domain_, setup_.problem(physics_.pressureLimit(temperature), step),
-                               options);
+  normal_ = solveNormalContact(
+      domain_, setup_.problem(physics_.pressureLimit(law_, temperature), step), options);
   checkInsideDomain(normal_.pressure);
   contact_.pressure = normal_.pressure * setup_.hertz.modulus;
 }

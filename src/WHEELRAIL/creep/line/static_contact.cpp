@@ -78,7 +78,7 @@ StaticCases solveStaticCases(const StaticSpecification &specification, const Fri
                              const SweepOptions &options)
 {
   const auto begin = std::chrono::steady_clock::now();
-  const double limit = specification.physics.pressureLimit(0.0);
+  const double limit = specification.physics.pressureLimit(law, 0.0);
   StaticCases cases;
   cases.contacts =
       prepareContacts(specification.contact, specification.surface, limit, false, options);

@@ -170,7 +170,7 @@ void MovingPatch::press(double load, double distance, const Vector &start, const
   options.start = start;
   const double mean = fields_.temperature.dot(normal_.pressure) / normal_.pressure.sum();
   NormalContactProblem problem =
-      contact_.problem(physics_.pressureLimit(mean), load, wheel_, rail_);
+      contact_.problem(physics_.pressureLimit(law_, mean), load, wheel_, rail_);
   if (opening.size() > 0)
     problem.profile += opening;
   try {

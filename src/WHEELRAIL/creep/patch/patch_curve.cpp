@@ -58,15 +58,17 @@ PatchContactSummary summaryOf(const PatchSpecification &asked, const PatchContac
   return summary;
 }
 
-void prepare(const PatchSpecification &asked, const SweepOptions &options, PatchCurves &curves)
+void prepare(const PatchSpecification &asked, const FrictionLaw &law, const SweepOptions &options,
+             PatchCurves &curves)
 {
   const std::vector<double> &loads = asked.contact.load;
   curves.contacts.resize(asked.roughness.surfaces() * loads.size());
   curves.summaries.resize(curves.contacts.size());
   prepareAll(curves.contacts.size(), options, [&](std::size_t k) {
     const double load = loads[k % loads.size()];
-    curves.contacts[k] = preparePatch(asked.contact, asked.roughness, load, k / loads.size(),
-                                      asked.physics.pressureLimit(0.0), longestWay(asked, load));
+    curves.contacts[k] =
+        preparePatch(asked.contact, asked.roughness, load, k / loads.size(),
+                     asked.physics.pressureLimit(law, 0.0), longestWay(asked, load));
     curves.summaries[k] = summaryOf(asked, curves.contacts[k]);
   });
 }
@@ -136,7 +138,7 @@ PatchCurves solvePatchCurves(const PatchSpecification &asked, const LawPointer &
 {
   const auto begin = Clock::now();
   PatchCurves curves;
-  prepare(asked, options, curves);
+  prepare(asked, *law, options, curves);
   addDoubts(asked, asked.physics.strengthInUse(*law), curves);
   const std::vector<PatchTask> tasks = patchTasks(asked);
   const std::vector<PatchPiece> pieces = cutIntoPieces(asked, tasks);

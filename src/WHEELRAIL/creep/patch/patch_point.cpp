@@ -142,14 +142,14 @@ Vector FrozenPatch::temperatureFrom(double speed)
 /// The normal contact once more, from the last pressure.
 /// The hardness falls with the mean temperature of the contact; unlike bodies' traction opens or
 /// closes the gap.
-void FrozenPatch::renewPressure()
+void FrozenPatch::renewPressure(const FrictionLaw &law)
 {
   const double mean = fields_.temperature.dot(fields_.pressure) / fields_.pressure.sum();
   NormalContactOptions options;
   options.start = fields_.pressure;
   if (!space_)
     space_.emplace(contact_.grid, contact_.pair);
-  NormalContactProblem problem = contact_.problem(physics_.pressureLimit(mean), contact_.load);
+  NormalContactProblem problem = contact_.problem(physics_.pressureLimit(law, mean), contact_.load);
   if (coupling_.any())
     problem.profile += coupling_.normal(result_.traction);
   const NormalContactResult normal = solveNormalContact(*space_, problem, options);
@@ -213,7 +213,7 @@ PatchPoint FrozenPatch::solve(const FrictionLaw &law, double speed, const PatchD
     const Vector formerPressure = fields_.pressure;
     // the first turn takes the pressure of the start, without heat and without traction
     if (((physics_.hardnessLimit && heats) || couples) && iteration > 1)
-      renewPressure();
+      renewPressure(law);
     const bool pressed =
         !couples || (iteration > 1 && PatchCoupling::settled(formerPressure, fields_.pressure));
     const Creepage before = creepage_;
@@ -223,7 +223,7 @@ PatchPoint FrozenPatch::solve(const FrictionLaw &law, double speed, const PatchD
     const Vector next = temperatureFrom(speed);
     // of the temperature, and of the creepages as a share that counts as much
     const double heatStep = (next - fields_.temperature).cwiseAbs().maxCoeff() /
-                            (temperatureTolerance * physics_.strength.vanishingTemperature);
+                            (temperatureTolerance * physics_.strengthOf(law).vanishingTemperature);
     const double size = std::hypot(creepage_.xi, creepage_.eta);
     const double creepStep =
         slides ? std::hypot(creepage_.xi - before.xi, creepage_.eta - before.eta) /

@@ -106,7 +106,7 @@ class FrozenPatch {
   /// Rise per cell that the present traction causes, K; one value everywhere with Eq. 11.
   Eigen::VectorXd temperatureFrom(double speed);
   /// The normal contact anew, with what traction and temperature change in it.
-  void renewPressure();
+  void renewPressure(const FrictionLaw &law);
   /// \param friction the law is at fault, or else the coupling of unlike bodies
   [[noreturn]] void failToSettle(double speed, int iterations, bool friction) const;
   double meanMu() const;

@@ -59,7 +59,7 @@ class StaticSteps {
   {
     NormalContactOptions options;
     options.start = normal_.pressure;
-    NormalContactProblem problem = contact_.problem(physics_.pressureLimit(0.0), load);
+    NormalContactProblem problem = contact_.problem(physics_.pressureLimit(law_, 0.0), load);
     if (opening.size() > 0)
       problem.profile += opening;
     normal_ = solveNormalContact(space_, problem, options);

@@ -20,24 +20,24 @@ bool CreepPhysics::heatLimitsPressure() const
 
 double CreepPhysics::strengthInUse(const FrictionLaw &law) const
 {
-  return law.dependsOnTemperature() || hardnessLimit ? strength.cold : 0.0;
+  return law.dependsOnTemperature() || hardnessLimit ? strengthOf(law).cold : 0.0;
 }
 
-double CreepPhysics::pressureLimit(double temperatureRise) const
+double CreepPhysics::pressureLimit(const FrictionLaw &law, double temperatureRise) const
 {
-  return hardnessLimit ? strength.hardnessAt(temperatureRise)
+  return hardnessLimit ? strengthOf(law).hardnessAt(temperatureRise)
                        : std::numeric_limits<double>::infinity();
 }
 
 void CreepPhysics::checkStrength(const FrictionLaw &law, double hottest, double speed,
                                  double creep) const
 {
-  if (hasFeedback(law) && hottest >= strength.vanishingTemperature)
+  if (hasFeedback(law) && strengthOf(law).vanishesAt(hottest))
     throw Error(
         ExitCode::NotConverged,
         fmt::format("creep {} at {} m/s: the temperature rise of {:.0f} K leaves no strength "
                     "(friction.strength_temperature is {} K)",
-                    creep, speed, hottest, strength.vanishingTemperature));
+                    creep, speed, hottest, strengthOf(law).vanishingTemperature));
 }
 
 } // namespace wheelrail

@@ -11,11 +11,17 @@ namespace wheelrail {
 /// What acts on what in a sliding contact, whatever its shape: friction heats, heat weakens, and
 /// weaker asperities rub and yield differently. SI units.
 struct CreepPhysics {
-  /// sigma_0 of the asperities, and how it falls with temperature.
+  /// sigma_0 of the asperities, and how it falls with temperature, as the case says it.
   Strength strength;
   /// Model and material of the temperature; Off: no rise.
   ThermalSpecification thermal;
   bool hardnessLimit = false; ///< pressure stops at the hardness, 3 sigma_0(Theta)
+
+  /// That of the law's own material, or else `strength`. Lives as long as both.
+  const Strength &strengthOf(const FrictionLaw &law) const
+  {
+    return law.strength() ? *law.strength() : strength;
+  }
 
   /// Does the temperature act back on friction or pressure? If not, one pass gives the solution.
   /// True where there is a thermal model, and either the law depends on temperature or the pressure
@@ -28,7 +34,7 @@ struct CreepPhysics {
   double strengthInUse(const FrictionLaw &law) const;
 
   /// Pa, at a temperature rise in K; infinite without `hardnessLimit`.
-  double pressureLimit(double temperatureRise) const;
+  double pressureLimit(const FrictionLaw &law, double temperatureRise) const;
 
   /// \param hottest temperature rise anywhere in the contact, K
   /// \param speed m/s, and creep: of the point that is computed, for the message

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "fit/material_fit.h"
+
+#include "base/errors.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <map>
+
+namespace wheelrail {
+
+namespace {
+
+constexpr double MPa = 1e6;
+/// Pressures of plans are rounded: p/sigma_0 and temperatures that agree so far are one place.
+constexpr double samePlace = 0.01;
+
+/// One value of the table, and where it comes from.
+struct Place {
+  double temperature, ratio, speed;
+  double mu, error;
+  const FrictionRun *run;
+};
+
+bool close(double x, double y)
+{
+  return std::abs(x - y) <= samePlace * y;
+}
+
+bool besideEachOther(const Place &one, const Place &other)
+{
+  return close(one.temperature, other.temperature) && close(one.ratio, other.ratio);
+}
+
+std::vector<Place> placesOf(const std::vector<FitCondition> &conditions,
+                            const std::vector<FrictionRun> &runs)
+{
+  std::vector<Place> places;
+  for (const FitCondition &condition : conditions) {
+    const FrictionRun &run = runs[condition.runs.front()];
+    places.push_back({run.temperature, condition.mean.kappa2 / condition.mean.kappa3,
+                      std::abs(run.head.velocity), condition.mean.mu, condition.mean.muSe, &run});
+  }
+  std::sort(places.begin(), places.end(), [](const Place &p, const Place &q) {
+    return p.temperature < q.temperature || (p.temperature == q.temperature && p.ratio < q.ratio);
+  });
+  for (std::size_t i = 0; i < places.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j)
+      if (besideEachOther(places[i], places[j]) && close(places[i].speed, places[j].speed))
+        throw Error(ExitCode::NotConverged,
+                    fmt::format("two conditions of p/sigma_0 {:.3g}, {:g} K and {:g} m/s, such as "
+                                "{} and {}: a table has one",
+                                places[i].ratio, places[i].temperature, places[i].speed,
+                                places[j].run->file, places[i].run->file));
+  return places;
+}
+
+/// The speed of most places; of equally many the largest.
+double commonSpeed(const std::vector<Place> &places)
+{
+  std::map<double, int> count;
+  for (const Place &place : places)
+    ++count[place.speed];
+  return std::max_element(count.begin(), count.end(),
+                          [](const auto &p, const auto &q) {
+                            return p.second <= q.second &&
+                                   (p.second < q.second || p.first < q.first);
+                          })
+      ->first;
+}
+
+/// ln mu over that beside it against ln of the speeds, a straight line through 0.
+void fitSpeed(MuTable &table, const std::vector<Place> &places)
+{
+  double xx = 0.0, xy = 0.0, yy = 0.0;
+  int count = 0;
+  for (const Place &place : places) {
+    if (close(place.speed, table.referenceSpeed))
+      continue;
+    const auto partner = std::find_if(places.begin(), places.end(), [&](const Place &other) {
+      return besideEachOther(place, other) && close(other.speed, table.referenceSpeed);
+    });
+    if (partner == places.end())
+      throw Error(ExitCode::NotConverged,
+                  fmt::format("{}: no condition of {:g} m/s has its pressure and temperature: a "
+                              "table cannot hold it",
+                              place.run->file, table.referenceSpeed));
+    const double x = std::log(place.speed / table.referenceSpeed);
+    const double y = std::log(place.mu / partner->mu);
+    const double variance =
+        std::pow(place.error / place.mu, 2) + std::pow(partner->error / partner->mu, 2);
+    const double weight = variance > 0.0 ? 1.0 / variance : 1.0;
+    xx += weight * x * x;
+    xy += weight * x * y;
+    yy += weight * y * y;
+    ++count;
+    table.speed = {std::min(table.speed[0], place.speed), std::max(table.speed[1], place.speed)};
+  }
+  if (count == 0)
+    return;
+  table.speedExponent = xy / xx;
+  const double rest = std::max(0.0, yy - xy * xy / xx);
+  const double spread = count > 1 ? std::max(1.0, rest / (count - 1)) : 1.0;
+  table.speedExponentSe = std::sqrt(spread / xx);
+}
+
+} // namespace
+
+void placeInMaterial(std::vector<FrictionRun> &runs, const SofteningMaterial &material)
+{
+  for (FrictionRun &run : runs) {
+    run.temperature = material.temperatureOf(run.head.strength * MPa, run.youngsModulus() * MPa);
+    if (!std::isfinite(run.temperature))
+      throw badInput(run.file, 0, "material",
+                     fmt::format("strength {:g} and youngs_modulus {:g} MPa are those of {} at no "
+                                 "temperature",
+                                 run.head.strength, run.youngsModulus(), material.name));
+  }
+}
+
+MuTable tableOf(const std::vector<FitCondition> &conditions, const std::vector<FrictionRun> &runs)
+{
+  const std::vector<Place> places = placesOf(conditions, runs);
+  MuTable table;
+  table.referenceSpeed = commonSpeed(places);
+  table.speed = {table.referenceSpeed, table.referenceSpeed};
+  for (const Place &place : places) {
+    if (!close(place.speed, table.referenceSpeed))
+      continue;
+    if (table.rows.empty() || !close(place.temperature, table.rows.back().temperature))
+      table.rows.push_back({place.temperature, {}, {}, {}});
+    MuTable::Row &row = table.rows.back();
+    row.ratio.push_back(place.ratio);
+    row.mu.push_back(place.mu);
+    row.muSe.push_back(place.error);
+  }
+  fitSpeed(table, places);
+  return table;
+}
+
+} // namespace wheelrail

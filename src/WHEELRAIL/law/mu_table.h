@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef WHEELRAIL_LAW_MU_TABLE_H
+#define WHEELRAIL_LAW_MU_TABLE_H
+
+#include "law/law_use.h"
+
+#include <Eigen/Core>
+
+#include <vector>
+
+namespace wheelrail {
+
+/// Friction coefficients of one material over p/sigma_0(T) and temperature, each temperature with
+/// pressures of its own. ln mu is monotone between its neighbours (`base/monotone_curve.h`), over
+/// ln(p/sigma_0) first and over the temperature then, with continuous derivatives. Beyond the
+/// pressures of a row its slope decays: below to a constant mu, above to a constant friction stress
+/// mu p. Beyond the temperatures the nearest row holds.
+struct MuTable {
+  struct Row {
+    double temperature = 0.0;  ///< K
+    std::vector<double> ratio; ///< p/sigma_0(T), > 0, rising, at least one
+    std::vector<double> mu;    ///< > 0
+    std::vector<double> muSe;  ///< standard errors, >= 0
+  };
+  std::vector<Row> rows; ///< temperatures rise, at least one
+  /// mu goes like the sliding speed to this power; beyond its range that of the nearer end counts.
+  double speedExponent = 0.0;
+  double speedExponentSe = 0.0;
+  Range speed = {0.0, 0.0};    ///< m/s, where that is known; > 0 unless the exponent is 0
+  double referenceSpeed = 0.0; ///< m/s, of the values in the rows
+
+  /// \param ratio p/sigma_0, >= 0 \param temperature K \param slidingSpeed m/s, >= 0
+  double operator()(double ratio, double temperature, double slidingSpeed) const;
+
+  /// Parameters of the table: the values of all rows in their order, and the exponent.
+  Eigen::Index parameters() const;
+  /// Of the parameters, in their order.
+  Eigen::VectorXd standardErrors() const;
+  /// \param change to be added to the parameters
+  MuTable changed(const Eigen::VectorXd &change) const;
+};
+
+} // namespace wheelrail
+#endif

@@ -1,0 +1,145 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""wr_fit --material: logs of one material at several temperatures, whose law is known, and the
+contact that uses what is fitted."""
+
+import json
+import os
+import pathlib
+import subprocess
+
+import pytest
+
+import friction_logs
+from wr_fit_run import WR_FIT, one_line, wr_fit
+
+STEEL = pathlib.Path(os.environ["PROJECT_SOURCE"]) / "potentials" / "rail_steel.mca"
+# K: sigma_0, E in MPa, as the file says
+AT = {293: (900, 206000), 673: (720, 144200), 873: (338.4, 63860)}
+RATIOS = (0.03, 0.1, 0.3, 0.7, 1.3, 2.6)
+MU0, S, Q = 0.45, 0.5, 4.0
+
+
+def bounded(ratio):
+    return (MU0**-Q + (S / ratio) ** -Q) ** (-1 / Q)
+
+
+def logs(folder, mu=bounded, at=AT, speeds=(5,), noise=0.02):
+    folder.mkdir()
+    number = 0
+    for kelvin, (strength, E) in at.items():
+        for ratio in RATIOS:
+            for v in speeds:
+                number += 1
+                p = ratio * strength
+                usual = friction_logs.eq2(*friction_logs.kappas(p, v, strength, E))
+                wanted = mu(ratio) * (v / 5) ** 0.1
+                text = friction_logs.friction_log(
+                    p=p, v=v, strength=strength, E=E, seed=number, factor=wanted / usual,
+                    ns=20, noise=noise, grinding_in=0,
+                )  # fmt: skip
+                (folder / f"k{kelvin}-x{ratio}-v{v}.friction").write_text(text)
+    return folder
+
+
+def test_the_form_comes_back_with_its_errors(tmp_path):
+    done = wr_fit(
+        logs(tmp_path / "logs"),
+        "--material",
+        STEEL,
+        "--model",
+        "bounded",
+        "-o",
+        tmp_path / "l.json",
+    )
+    assert done.returncode == 0, done.stderr
+    law = json.loads((tmp_path / "l.json").read_text())
+    assert law["format"] == "mca-friction-law 2" and law["n"] == 18
+    errors = {name: law["covariance"][k][k] ** 0.5 for name, k in (("mu0", 0), ("s", 6), ("q", 7))}
+    for name, value in (("mu0", MU0), ("s", S), ("q", Q)):
+        assert abs(law[name] - value) < 4 * errors[name] < value, name
+    assert law["temperature"][0] == 293 and law["strength"][-1] == pytest.approx(79.2)
+    assert law["pressure_range"] == pytest.approx([0.03, 2.6])
+    assert law["temperature_range"] == pytest.approx([293, 873])
+    models = {m["model"]: m.get("delta_aicc") for m in law["report"]["models"]}
+    assert models["bounded"] < 5 and models["eq4"] > 10  # the paper's form knows no limit
+    assert "Fit of bounded: mu = (B^-q + (s sigma_0/p)^-q)^(-1/q), B = mu0" in done.stdout
+
+
+def test_the_table_has_the_conditions_and_the_power_of_the_speed(tmp_path):
+    done = wr_fit(
+        logs(tmp_path / "logs", speeds=(5, 1)), "--material", STEEL, "--model", "table",
+        "-o", tmp_path / "l.json",
+    )  # fmt: skip
+    assert done.returncode == 0, done.stderr
+    law = json.loads((tmp_path / "l.json").read_text())
+    assert law["table_temperature"] == pytest.approx(list(AT))
+    for ratios, mus, errors in zip(law["table_pressure"], law["table_mu"], law["table_mu_se"]):
+        assert ratios == pytest.approx(RATIOS)
+        for ratio, mu, error in zip(ratios, mus, errors):
+            assert abs(mu - bounded(ratio)) < 4 * error < 0.2 * mu
+    assert abs(law["speed_exponent"] - 0.1) < 4 * law["speed_exponent_se"] < 0.05
+    assert law["reference_velocity"] == 5 and law["velocity_range"] == [1, 5]
+
+
+def test_a_contact_takes_it(tmp_path):
+    """Smooth and cold: mu of the mean pressure's cells; the keywords of other laws are refused."""
+    wr_fit(
+        logs(tmp_path / "logs"), "--material", STEEL, "--model", "table", "-o", tmp_path / "l.json"
+    )
+    case = tmp_path / "case.yaml"
+    case.write_text(
+        "contact: {load_per_length: 4000 N/mm, radius: 0.5 m, youngs_modulus: 210 GPa,\n"
+        "  poissons_ratio: 0.3}\n"
+        "roughness: none\nfriction: {law: l.json}\nthermal: {model: local}\n"
+        "creep: [0.01, 0.1]\nspeed: 20 m/s\npoints: 256\n"
+    )
+
+    def wr_creep(*more):
+        words = [WR_FIT.with_name("wr_creep"), case, "-o", tmp_path / "out", *more]
+        return subprocess.run(words, capture_output=True, text=True, timeout=60, check=False)
+
+    done = wr_creep()
+    assert done.returncode == 0, done.stderr
+    assert "sliding speed in m/s 0.2 to 2 (5)" in done.stderr
+    summary = json.loads((tmp_path / "out" / "summary.json").read_text())
+    assert summary["law_use"]["pressure_over_strength"][1] < 1
+    text = (tmp_path / "out" / "creep_band.csv").read_text()
+    rows = [line for line in text.splitlines() if line[:1].isdigit()]
+    low, high = (float(x) for x in rows[0].split(",")[-2:])
+    assert low < float(rows[0].split(",")[2]) < high
+    one_line(wr_creep("--set", "friction.strength=800 MPa"), 3, "friction.strength", "its material")
+    warm = wr_creep("--set", "friction.ambient=900 K")
+    assert "temperature in K" in warm.stderr
+
+
+@pytest.mark.parametrize(
+    "at, more, code, parts",
+    [
+        (AT, ["--model", "bounded"], 2, ["--model bounded", "needs --material"]),
+        (AT, ["--model", "table"], 2, ["--model table"]),
+        (AT, ["--material", "none.mca"], 3, ["none.mca"]),
+        ({0: (92, 206000)}, ["--material", STEEL], 3, ["strength 92", "at no temperature"]),
+    ],
+)
+def test_what_is_refused(tmp_path, at, more, code, parts):
+    lines = wr_fit(logs(tmp_path / "logs", at=at), *more).stderr.splitlines()
+    result = wr_fit(tmp_path / "logs", *more)
+    assert result.returncode == code
+    assert all(part in lines[-1] for part in parts)
+
+
+def test_solid_only_leaves_out_what_sank(tmp_path):
+    """A run below 1 - p/K - 0.03 counts with the others, or not."""
+    folder = logs(tmp_path / "logs")
+    sunk = sorted(folder.iterdir())[0]
+    head, rows = sunk.read_text().split("\nstep", 1)
+    rows = ("step" + rows).splitlines()
+    names = f"{rows[0]} room lost flow_energy breaking_energy contact_energy"
+    body = [f"{row} 0.9 0 0 0 0" for row in rows[1:]]
+    sunk.write_text("\n".join([head, names, *body]) + "\n")
+    counts = []
+    for more in ([], ["--solid-only"]):
+        done = wr_fit(folder, "--material", STEEL, "--model", "bounded", "-o", tmp_path / "l.json",
+                      *more)  # fmt: skip
+        counts.append(json.loads((tmp_path / "l.json").read_text())["n"])
+    assert counts == [18, 17] and "[left out: no solid: room 0.900 < 0.9" in done.stdout
