@@ -22,6 +22,8 @@ archives of them (*.tar.xz), as tools/campaign pack does. Then
   --model NAME   law to fit, a model of wr_fit (default: eq2)
   --kappa3 K     with a model that has a power of kappa3 = E/sigma_0: take the law for this one; 206
                  is that of the wheel's steel in table2.yaml, the logs need several materials
+  --material FILE  potential file of the material that all logs are of: the law is one of it, with
+                 --model bounded (bounded_...) or table
   --or-shipped   where the logs do not give a law, say so and take that of the runs that are
                  shipped (examples/campaign/logs, velocity and pressure: one material)
   -h, --help     this text
@@ -37,16 +39,19 @@ Exit codes: 0 ok, 2 usage; else that of the step that failed (4: the logs do not
 HELP
 }
 
-campaigns=() fit_options=() or_shipped=false results=$root/results/creep case=$root/examples/wheelrail/table2.yaml
+campaigns=() fit_options=() or_shipped=false of_material=false results=$root/results/creep case=$root/examples/wheelrail/table2.yaml
 [ ! -f "$root/VERSION" ] || results=$PWD/creep # an installed tree
 while [ $# -gt 0 ]; do
   case $1 in
-    -o | --case | --start | --start-distance | --model | --kappa3)
+    -o | --case | --start | --start-distance | --model | --kappa3 | --material)
       [ $# -ge 2 ] || die 2 "$1 needs a value; see --help"
       case $1 in
         -o) results=$2 ;;
         --case) case=$2 ;;
-        *) fit_options+=("$1" "$2") ;;
+        *)
+          fit_options+=("$1" "$2")
+          [ "$1" != --material ] || of_material=true
+          ;;
       esac
       shift 2
       ;;
@@ -76,7 +81,7 @@ fit() { # LOGS AND OPTIONS: the law and its runs
   "$build/bin/wr_fit" "$@" -o "$results/law.json" --runs "$results/runs.csv"
 }
 # with too few conditions wr_fit writes a report without a law
-has_law() { grep -q '"mu0"' "$results/law.json"; }
+has_law() { grep -q '"format": "mca-friction-law' "$results/law.json"; }
 
 # What an earlier call made of another law: pictures, and what the summaries of wr_creep name.
 drop_former() {
@@ -121,9 +126,11 @@ echo "2/3 wr_creep $case"
   --set friction.law="$results/law.json" || exit $?
 "$build/bin/wr_creep" "$case" -o "$results/paper" -q "$@" --set friction.law=bucher2006 || exit $?
 echo "3/3 pictures"
-if "$root/tools/plot_fit.py" "$results/law.json" -o "$results/fit.png" &&
+fit_picture="$results/fit.png, "
+! $of_material || fit_picture= # Figs. 7 and 8 are of Eq. 2
+if { $of_material || "$root/tools/plot_fit.py" "$results/law.json" -o "$results/fit.png"; } &&
   "$root/tools/plot_creep.py" "$results/creep.csv" "$results/paper/creep.csv" --label "$label" \
     --label "paper's law" -o "$results/creep.png"; then
-  echo "pictures: $results/fit.png, $results/creep.png"
+  echo "pictures: $fit_picture$results/creep.png"
 fi
 echo "law: $results/law.json; creep curves: $results/creep.csv, with 95 % limits: $results/creep_band.csv"

@@ -143,3 +143,22 @@ def test_solid_only_leaves_out_what_sank(tmp_path):
                       *more)  # fmt: skip
         counts.append(json.loads((tmp_path / "l.json").read_text())["n"])
     assert counts == [18, 17] and "[left out: no solid: room 0.900 < 0.9" in done.stdout
+
+
+def test_the_chain_takes_it(tmp_path):
+    """tools/campaign_to_creep.sh: law of the material, band, picture, the paper's law beside it."""
+    script = STEEL.parents[1] / "tools" / "campaign_to_creep.sh"
+    case = STEEL.parents[1] / "examples" / "wheelrail" / "rough.yaml"
+    done = subprocess.run(
+        [script, logs(tmp_path / "logs"), "-o", tmp_path / "out", "--material", STEEL,
+         "--model", "bounded", "--case", case, "--", "--set", "creep=[0.01, 0.1]",
+         "--set", "speed=10 m/s", "--set", "points=512", "--set", "uncertainty.samples=20",
+         "--set", "roughness.wavelength_min=0.4 mm"],
+        capture_output=True, text=True, timeout=100, check=False,
+        env={**os.environ, "MCAWR_BUILD": str(WR_FIT.parents[1])},
+    )  # fmt: skip
+    assert done.returncode == 0, done.stderr
+    out = tmp_path / "out"
+    assert f"pictures: {out}/creep.png" in done.stdout and not (out / "fit.png").exists()
+    assert json.loads((out / "law.json").read_text())["format"] == "mca-friction-law 2"
+    assert (out / "creep_band.csv").exists() and (out / "paper" / "creep.csv").exists()
