@@ -162,3 +162,39 @@ def test_the_chain_takes_it(tmp_path):
     assert f"pictures: {out}/creep.png" in done.stdout and not (out / "fit.png").exists()
     assert json.loads((out / "law.json").read_text())["format"] == "mca-friction-law 2"
     assert (out / "creep_band.csv").exists() and (out / "paper" / "creep.csv").exists()
+
+
+CASES = STEEL.parents[1] / "examples" / "wheelrail"
+ROUGH = "roughness={hurst: 0.8, rms_slope: 0.028, wavelength_min: 3 mm, wavelength_max: 10 mm}"
+GRID = ["contact.domain=4.2", "points=[72, 144]", "sensitivities=false", "fields=none"]
+
+
+@pytest.mark.parametrize(
+    "case, changes",
+    [
+        ("rough.yaml", ["creep=[0.01, 0.1, 0.2]", "speed=10 m/s"]),
+        ("rough.yaml", ["creep=[0.05]", "speed=10 m/s", "mode=moving", "moving.passes=2",
+                        "points=512", "roughness.wavelength_min=0.4 mm"]),
+        ("eurosprinter.yaml", ["creep=[0.025, 0.107, 0.195]", *GRID]),
+        ("eurosprinter.yaml", ["creep=[0.025, 0.107, 0.195]", ROUGH, *GRID]),
+    ],
+)  # fmt: skip
+def test_heat_and_friction_settle_where_mu_falls_steeply(tmp_path, case, changes):
+    """A bend that is as good as sharp (q = 50) and a strength that is lost by nine tenths on 1073
+    K; T/N falls with creep where cells get hot, and never passes mu0."""
+    material = {
+        "temperature": [293, 573, 673, 773, 873, 973, 1073],
+        "strength": [900, 900, 720, 561.6, 338.4, 165.6, 79.2],
+        "youngs_modulus": [206000, 164800, 144200, 123600, 63860, 26780, 18540],
+    }
+    law = {"format": "mca-friction-law 2", "mu0": 0.45, "s": 0.5, "q": 50, "density": 7800}
+    (tmp_path / "law.json").write_text(json.dumps(law | material))
+    words = [WR_FIT.with_name("wr_creep"), CASES / case, "-o", tmp_path / "out"]
+    for change in [f"friction={{law: {tmp_path / 'law.json'}}}", *changes]:
+        words += ["--set", change]
+    done = subprocess.run(words, capture_output=True, text=True, timeout=100, check=False)
+    assert done.returncode == 0, done.stderr
+    lines = (tmp_path / "out" / "creep.csv").read_text().splitlines()
+    at = next(line for line in lines if line.startswith("speed")).split(",").index("traction_ratio")
+    ratios = [float(line.split(",")[at]) for line in lines if line[:1].isdigit()]
+    assert 0 < ratios[-1] < ratios[0] + (len(ratios) == 1) and max(ratios) <= 0.45
