@@ -402,10 +402,11 @@ double PairMCA::init_one(int i, int j)
   const double breaking =
       std::max({a.breakingStrain, b.breakingStrain, own.breakingStrain.value_or(0.0)});
   const double room = lawset.keepsVolume() ? mca::roomReach : 0.0;
-  const double reach = d * (1.0 + std::max(breaking, room));
+  const double longest = lawset.keepsVolume() ? std::exp(breaking) - 1.0 : breaking; // of a link
+  const double reach = d * (1.0 + std::max(longest, room));
   if (cut_user > 0.0 && cut_user < reach)
     error->all(FLERR, "Pair style mca cutoff {} is below the {} {} of types {} {}", cut_user,
-               room > breaking ? "reach of the room (plasticity isochoric)" : "breaking distance",
+               room > longest ? "reach of the room (plasticity isochoric)" : "breaking distance",
                reach, i, j);
   // room for links that compression of their neighbours keeps below the breaking stress
   const double margin = std::max(2.0 * std::max(breaking, 0.05), room);

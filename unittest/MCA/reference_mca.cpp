@@ -211,9 +211,8 @@ double stretched(const LinkView &l, double sigma, double squareBefore, double sq
 {
   const double many = std::fmax(manyBody(l.laws, l.a), manyBody(l.laws, l.b));
   const double most = 0.4 / (1 + 1.5 * l.dimension * many / 2) * sigma;
-  const double times = l.dimension == 2 ? 3.0 / 2 : 4.0 / 3;
   const double twoG = shearModulus(l.a) + shearModulus(l.b);
-  const double less = twoG * times * (squareAfter - squareBefore);
+  const double less = twoG * (squareAfter - squareBefore);
   return sigma - std::clamp(less, std::fmin(0, most), std::fmax(0, most));
 }
 
@@ -226,9 +225,19 @@ double flownUnlinked(const LinkView &l, double sigma, double trial, double plast
   return std::fmin(sigma, trial + twoG * std::fmax(shorter, 0));
 }
 
-double roomTaken(double eps)
+double normalStrain(const mca::LawSet &laws, double ratio)
 {
-  const double a = std::fmax(0, 1 - eps / 0.4);
+  return keepsVolume(laws) ? std::log(ratio) : ratio - 1;
+}
+
+double actingArea(const mca::LawSet &laws, double area, double ratio)
+{
+  return keepsVolume(laws) ? area / ratio : area;
+}
+
+double roomTaken(double ratio)
+{
+  const double a = std::fmax(0, 1 - (ratio - 1) / 0.4);
   return a < 1.5 ? 1.5 * std::pow(a, 3) - 0.5 * std::pow(a, 4)
                  : 2.53125 + 3.375 * (a - 1.5); // straight on, nearer than 0.8 d
 }
@@ -240,10 +249,10 @@ double roomPressure(const mca::LawSet &laws, const mca::Material &m, double take
   return keepsVolume(laws) ? bulkModulus(m) * std::fmax(0, closeness - 0.01) : 0;
 }
 
-double roomStress(double eps, double pressureA, double pressureB)
+double roomStress(double ratio, double pressureA, double pressureB)
 {
-  const double a = std::fmin(1.5, std::fmax(0, 1 - eps / 0.4));
-  return -(pressureA + pressureB) / 2 * (4.5 * a * a - 2 * a * a * a) / 2.5;
+  const double a = std::fmin(1.5, std::fmax(0, 1 - (ratio - 1) / 0.4));
+  return -(pressureA + pressureB) / 2 * (4.5 * a * a - 2 * a * a * a) / 2.5 * ratio;
 }
 
 bool pressed(double e)
@@ -284,7 +293,7 @@ View view(const Sample &s, const Contact &c)
   w.tx = -w.ny;
   w.ty = w.nx;
   w.d = (s.materials[a.type].diameter + s.materials[b.type].diameter) / 2;
-  w.eps = w.r / w.d - 1;
+  w.eps = normalStrain(s.laws, w.r / w.d);
   w.e = w.eps - c.now.plastic;
   return w;
 }
@@ -336,7 +345,7 @@ void collectMeans(Sample &s)
     const View w = view(s, c);
     for (int side : {c.i, c.j}) {
       Automaton &a = s.automata[s.owner[side]];
-      a.taken += roomTaken(w.eps);
+      a.taken += roomTaken(w.r / w.d);
       if (touches(c, w))
         a.trace += w.e / 3;
     }
@@ -515,6 +524,11 @@ double workOf(const Sample &s, const Contact &c, const View &w)
   return c.now.gammaTotal + (s.automata[s.owner[c.i]].work + s.automata[s.owner[c.j]].work) / 2;
 }
 
+double contactArea(const Sample &s, const View &w)
+{
+  return w.d * s.thickness / std::sqrt(3.0);
+}
+
 double viscosity(const Sample &s, const Contact &c)
 {
   const mca::Material &ma = s.materials[s.automata[c.i].type];
@@ -528,18 +542,14 @@ double unlinkedNormal(const Sample &s, const Contact &c, const View &w, const St
   if (!pressed(w.e))
     return 0;
   const double sigma = linked(c.now) ? p.trial : p.sigma;
-  return unlinkedStress(s.laws, sigma, viscosity(s, c) * c.speed / w.d);
+  const double S = contactArea(s, w), drag = viscosity(s, c) * c.speed / w.d * S; // a force
+  return unlinkedStress(s.laws, sigma, drag / actingArea(s.laws, S, w.r / w.d));
 }
 
 // along t, of the second surface's motion past the first
 double slipStress(const Sample &s, const Contact &c, const View &w)
 {
   return s.laws.viscosity.word() == "both" && pressed(w.e) ? viscosity(s, c) * c.slip / w.d : 0;
-}
-
-double contactArea(const Sample &s, const View &w)
-{
-  return w.d * s.thickness / std::sqrt(3.0);
 }
 
 void applyContact(Sample &s, Contact &c)
@@ -565,7 +575,7 @@ void applyContact(Sample &s, Contact &c)
                          s.automata[s.owner[c.j]].mean,
                          localStress(s, c, w, p)};
   const double room =
-      roomStress(w.eps, s.automata[s.owner[c.i]].room, s.automata[s.owner[c.j]].room);
+      roomStress(w.r / w.d, s.automata[s.owner[c.i]].room, s.automata[s.owner[c.j]].room);
   c.next.kind = nextKind(s.laws, ma, mb, c.now.kind, p.sigma, p.tau, bulkBreaks(load),
                          workOf(s, c, w), w.eps < 0 ? room : 0);
   const bool far = w.eps >= std::fmax(ma.breakingStrain, mb.breakingStrain);
@@ -591,7 +601,7 @@ void applyContact(Sample &s, Contact &c)
   const double S = contactArea(s, w);
   const bool holds = linked(c.now) && linked(c.next);
   const double normal = holds ? p.sigma : unlinkedNormal(s, c, w, p), tau = holds ? p.tau : 0;
-  const double fn = (normal + room) * S, ft = tau * S * w.d / w.r;
+  const double fn = (normal + room) * actingArea(s.laws, S, w.r / w.d), ft = tau * S * w.d / w.r;
   const double drag = holds ? 0 : slipStress(s, c, w) * S;
   const double fx = fn * w.nx + (ft + drag) * w.tx, fy = fn * w.ny + (ft + drag) * w.ty;
   Automaton &a = s.automata[s.owner[c.i]], &b = s.automata[s.owner[c.j]];

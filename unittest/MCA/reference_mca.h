@@ -125,12 +125,16 @@ double stretched(const LinkView &, double sigma, double squareBefore, double squ
 /// Normal stress of an unlinked contact that flows, within its limits.
 double flownUnlinked(const LinkView &, double sigma, double trial, double plastic);
 
-/// What a neighbour takes of an automaton's room, the pressure against its lack, and the stress
-/// that two of these make.
-double roomTaken(double eps);
+/// Normal strain of a contact at r/d, and the area that its normal stress acts on.
+double normalStrain(const mca::LawSet &, double ratio);
+double actingArea(const mca::LawSet &, double area, double ratio);
+
+/// What a neighbour at r/d takes of an automaton's room, the pressure against its lack, and the
+/// stress that two of these make.
+double roomTaken(double ratio);
 double roomPressure(const mca::LawSet &, const mca::Material &, double taken, int dimension,
                     int coordination);
-double roomStress(double eps, double pressureA, double pressureB);
+double roomStress(double ratio, double pressureA, double pressureB);
 
 /// Stress of an unlinked contact that touches.
 double unlinkedStress(const mca::LawSet &, double elastic, double viscous);

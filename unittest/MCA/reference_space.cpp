@@ -28,7 +28,7 @@ View view(const Sample &s, const Contact &c)
   w.r = (b.x - a.x).norm();
   w.n = (b.x - a.x) / w.r;
   w.d = (s.materials[a.type].diameter + s.materials[b.type].diameter) / 2;
-  w.eps = w.r / w.d - 1;
+  w.eps = normalStrain(s.laws, w.r / w.d);
   w.e = w.eps - c.now.plastic;
   return w;
 }
@@ -93,7 +93,7 @@ void collectMeans(Sample &s)
     const View w = view(s, c);
     for (int side : {c.i, c.j}) {
       Automaton &a = s.automata[s.owner[side]];
-      a.taken += roomTaken(w.eps);
+      a.taken += roomTaken(w.r / w.d);
       if (touches(c, w))
         a.sum += w.e;
     }
@@ -275,7 +275,7 @@ void applyContact(Sample &s, Contact &c)
                          a.mean,
                          b.mean,
                          localStress(s, c, w, sigma, tau)};
-  const double room = roomStress(w.eps, a.room, b.room);
+  const double room = roomStress(w.r / w.d, a.room, b.room);
   c.next.kind = nextKind(s.laws, ma, mb, c.now.kind, sigma, tau.norm(), bulkBreaks(load), work,
                          w.eps < 0 ? room : 0);
   const bool far = w.eps >= std::fmax(ma.breakingStrain, mb.breakingStrain);
@@ -297,17 +297,18 @@ void applyContact(Sample &s, Contact &c)
   if (c.next.kind != c.now.kind)
     s.changed++;
 
+  const double S = contactArea(s, w), area = actingArea(s.laws, S, w.r / w.d);
   // compression and viscosity of what is not linked any more, never tension
   Vector3d drag(0, 0, 0);
   if (!linked(c.now) || !linked(c.next)) {
     const double elastic = linked(c.now) ? trial : sigma;
-    sigma = pressed(w.e) ? unlinkedStress(s.laws, elastic, viscosity(s, c) * c.speed / w.d) : 0;
+    const double push = viscosity(s, c) * c.speed / w.d * S; // a force
+    sigma = pressed(w.e) ? unlinkedStress(s.laws, elastic, push / area) : 0;
     tau.setZero();
     if (pressed(w.e) && s.laws.viscosity.word() == "both")
       drag = viscosity(s, c) / w.d * c.slip;
   }
-  const double S = contactArea(s, w);
-  const Vector3d force = S * ((sigma + room) * w.n + w.d / w.r * tau + drag);
+  const Vector3d force = area * (sigma + room) * w.n + S * (w.d / w.r * tau + drag);
   const Vector3d torque = S * w.n.cross(w.d / 2 * tau + w.r / 2 * drag);
   a.force += force;
   b.force -= force;

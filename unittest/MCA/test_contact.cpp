@@ -33,7 +33,8 @@ ContactStress of(const PairLaw &pair, double kind, double e, double gamma, doubl
                  double meanI, double factorI, double meanJ, double factorJ)
 {
   const double plastic = 0.003; // shifts the strain, nothing else
-  return contactStress<FractureByStrain>(pair, {kind, e + plastic, plastic, gamma, 0.0, separation},
+  return contactStress<FractureByStrain>(pair,
+                                         {kind, 1.0, e + plastic, plastic, gamma, 0.0, separation},
                                          {meanI, factorI, meanI}, {meanJ, factorJ, meanJ});
 }
 
@@ -60,6 +61,7 @@ TEST(Contact, TheWorkedLinkIsWhatTheLawsGive)
   Contact c{};
   c.kind = link::bulk;
   c.eps = 5e-4;
+  c.ratio = std::exp(c.eps);
   c.plastic = 1e-4;
   c.gamma = c.gammaTotal = 2e-4;
   const Answer i = {30, 0.8, 30}, j = {20, 1, 20};
@@ -67,7 +69,7 @@ TEST(Contact, TheWorkedLinkIsWhatTheLawsGive)
   const double left = returnedShare(i, j);
   const ShearAnswer<double> shear = shearAnswer(pair, c.gamma, c.gamma, s, left);
   const NextState<double> next = nextState(pair, c, s, c.gamma, c.gammaTotal, shear.left);
-  const PlaneForce f = contactForce(pair, s.normal, shear.acting, c.eps, PlaneVector{1, 0});
+  const PlaneForce f = contactForce(pair, s.normal, shear.acting, c.ratio, PlaneVector{1, 0});
   const std::map<std::string, double> computed = {
       {"trial", s.trial},    {"sigma", s.sigma},        {"left", left},
       {"tau", s.tau},        {"kind", s.kindNext},      {"Fn", f.x},
@@ -156,6 +158,7 @@ TEST(Contact, FlowOfAnUnlinkedContactEndsAtTheBreakingStrainAndAtCollapse)
         Contact c{};
         c.kind = link::none;
         c.eps = plastic + e;
+        c.ratio = std::exp(c.eps);
         c.plastic = plastic;
         const ContactStress s = contactStress<FractureByStrain>(flows, c, side, side);
         const double next = nextState(flows, c, s, 0.0, 0.0, 1.0).plastic;
@@ -188,13 +191,13 @@ TEST(Contact, ALinkThatBreaksCarriesNoMore)
   const PairLaw b = makePairLaw(LawSet(), steel(), steel(), 1.0);
   // torn and sheared off: open, it carries nothing; pressed, only what an unlinked contact does
   const ContactStress torn = contactStress<FractureByStrain>(
-      b, {link::bulk, 0.05, 0, 1e-4, 0.05, 0}, {0, 1, 0}, {0, 1, 0});
+      b, {link::bulk, 1.0, 0.05, 0, 1e-4, 0.05, 0}, {0, 1, 0}, {0, 1, 0});
   EXPECT_EQ(torn.kindNext, link::worn);
   EXPECT_EQ(torn.normal, 0.0);
   EXPECT_EQ(torn.shear, 0.0);
   EXPECT_GT(torn.tau, 0.0);
   const ContactStress pressed = contactStress<FractureByStrain>(
-      b, {link::bulk, -1e-4, 0, 1e-4, 0.05, 0}, {-5, 1, -5}, {-5, 1, -5});
+      b, {link::bulk, 1.0, -1e-4, 0, 1e-4, 0.05, 0}, {-5, 1, -5}, {-5, 1, -5});
   EXPECT_EQ(pressed.kindNext, link::worn);
   EXPECT_EQ(pressed.shear, 0.0);
   EXPECT_CLOSE(pressed.normal, twoG * -1e-4 + D * -5);
@@ -203,8 +206,8 @@ TEST(Contact, ALinkThatBreaksCarriesNoMore)
 TEST(Contact, WhatHoldsCarriesItsElasticStress)
 {
   const PairLaw b = makePairLaw(LawSet(), steel(), steel(), 1.0);
-  const ContactStress s =
-      contactStress<FractureByStrain>(b, {link::weld, 1e-4, 0, 1e-4, 0, 9}, {1, 1, 1}, {1, 1, 1});
+  const ContactStress s = contactStress<FractureByStrain>(b, {link::weld, 1.0, 1e-4, 0, 1e-4, 0, 9},
+                                                          {1, 1, 1}, {1, 1, 1});
   EXPECT_EQ(s.kindNext, link::weld);
   EXPECT_EQ(s.shear, s.tau);
   EXPECT_EQ(s.normal, s.sigma);

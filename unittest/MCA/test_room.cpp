@@ -47,7 +47,7 @@ Reading read(const Packing &packing, const Eigen::Matrix3d &F)
           continue;
         const double r = (e * Eigen::Vector3d(a, b, c)).norm();
         all.nearest = std::min(all.nearest, r);
-        sum += roomTaken(roomShare(r - 1.0));
+        sum += roomTaken(roomShare(r));
       }
   const double K = 1.0, weight = packing.stressWeight();
   // beyond the margin the pressure is K times the closeness less the margin; add packing to get
@@ -108,9 +108,9 @@ TEST(Room, TheForceIsTheGradientOfTheEnergy)
 {
   // one pair of automata in the plane, whose other neighbours stay
   const double K = 172e3, weight = packing::hex.stressWeight();
-  const double others[] = {6.4, 7.1}; // of what they take
-  const auto pressure = [&](double eps, double rest) {
-    return roomPressure(rest + roomTaken(roomShare(eps)), K, weight, 2);
+  const double others[] = {6.4, 7.1};                  // of what they take
+  const auto pressure = [&](double eps, double rest) { // eps = ln(r/d)
+    return roomPressure(rest + roomTaken(roomShare(std::exp(eps))), K, weight, 2);
   };
   const auto energy = [&](double eps) { // per S d: V = S d/(2w)
     double sum = 0.0;
@@ -118,16 +118,16 @@ TEST(Room, TheForceIsTheGradientOfTheEnergy)
       sum += roomEnergy(pressure(eps, rest), K) / (2.0 * weight);
     return sum;
   };
-  for (const double eps : {-0.5, -0.1, 0.0, 0.2, 0.39}) {
+  for (const double eps : {-0.6, -0.1, 0.0, 0.2, 0.33}) {
     const double h = 1e-6;
     const double stress =
-        roomStress(roomShare(eps), pressure(eps, others[0]), pressure(eps, others[1]));
+        roomStress(std::exp(eps), pressure(eps, others[0]), pressure(eps, others[1]));
     EXPECT_LT(stress, 0.0);
     // tension positive: the energy falls as the pair parts
     EXPECT_NEAR(stress, (energy(eps + h) - energy(eps - h)) / (2.0 * h), 1e-6 * K);
   }
-  EXPECT_EQ(roomStress(roomShare(0.4), 1e3, 1e3), 0.0);
-  EXPECT_EQ(roomStress(roomShare(3.0), 1e3, 1e3), 0.0);
+  EXPECT_EQ(roomStress(1.41, 1e3, 1e3), 0.0);
+  EXPECT_EQ(roomStress(4.0, 1e3, 1e3), 0.0);
 }
 
 TEST(Room, WhatABrokenLinkLeavesIsLetGoOfWhereThatSetsEnergyFree)

@@ -81,9 +81,9 @@ TEST(WornContacts, LinkAgainOnceUnloadedOrNever)
 TEST(WornContacts, AreForgottenAtTheBreakingDistance)
 {
   Pair pair("never", worn);
-  EXPECT_EQ(pair.step(0.0399), worn);
+  EXPECT_EQ(pair.step(std::exp(0.0399) - 1), worn); // the breaking strain is 0.04
   EXPECT_EQ(pair.step(linking), worn);
-  EXPECT_EQ(pair.step(0.0401), none);
+  EXPECT_EQ(pair.step(std::exp(0.0401) - 1), none);
   EXPECT_EQ(pair.step(linking), weld);
 }
 

@@ -39,13 +39,14 @@ static void hold(Spring &s, const Pairs &p, const RowView &rows, const PairLaw &
   const double kindNext = moves ? p.next.kind[k] : p.now.kind[k];
   Contact c{}; // unlinked: without shear
   c.kind = p.now.kind[k];
+  c.ratio = p.ratio[k];
   c.eps = p.eps[k];
   c.plastic = p.now.plastic[k];
   c.separation = p.separation[k];
   const ContactStress stress =
       contactStress(law, c, rows.answer(p.i[k]), rows.answer(p.j[k]), kindNext);
   const double held =
-      heldShare(law, length(vectorOf(s.now)), frictionLimit(law, stress.normal, c.eps));
+      heldShare(law, length(vectorOf(s.now)), frictionLimit(law, stress.normal, c.ratio));
   for (int m = 0; m < maxShears; m++)
     s.next[m] = held * s.now[m];
   if (!link::isLinked(kindNext))
@@ -116,7 +117,7 @@ void ContactFriction::addForces(const LinkList &links, const RowLayout &rows, co
     const int k = s.pair;
     const PairLaw &law = laws[p.law[k]];
     const SpaceForce on = contactForce(law, 0.0, law.twoG * springOf(links, k, plane, true),
-                                       p.eps[k], normalOf(p, k, plane));
+                                       p.ratio[k], normalOf(p, k, plane));
     const double force[] = {on.force.x, on.force.y, on.force.z};
     const double torque[] = {on.torque.x, on.torque.y, on.torque.z};
     for (const auto &[row, sign] : {std::pair(p.i[k], 1.0), std::pair(p.j[k], -1.0)}) {

@@ -197,7 +197,9 @@ void EnergyAccount::bookContacts(const Step &step, double dt, bool back)
     const Vector way = sign * apart;
     const PairMotion motion =
         pairMotion(distance, 1.0 / length(distance), way, 0.5 * sign * (mi.turn + mj.turn));
-    const double eps = p.eps[k], other = length(distance - way) * law.invDiameter - 1.0;
+    const double eps = p.eps[k];
+    const double other =
+        normalStrain(step.laws().keepsVolume, length(distance - way) * law.invDiameter);
     const double growth = sign * dot(shearGrowth(motion), step.alongShear(k, 1.0));
 
     double state[LinkList::maxStateSize];

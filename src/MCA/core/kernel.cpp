@@ -32,7 +32,8 @@ MCA_LOOP double strainBlock(const Pairs &p, const Block &block, int first, int n
   const double *const pkind = p.now.kind + first, *const pplastic = p.now.plastic + first;
   const PairArray<Shear> gammas(p.now.gamma, first), totals(p.now.gammaTotal, first);
   const PairArray<typename D::Normal> normals(p.normal, first);
-  double *const peps = p.eps + first, *const psep = p.separation + first;
+  double *const pratio = p.ratio + first, *const peps = p.eps + first;
+  double *const psep = p.separation + first;
   typename D::Motion seen;
   Column es, flow, room;
   double *const taken = room.value; // of the room
@@ -48,12 +49,13 @@ MCA_LOOP double strainBlock(const Pairs &p, const Block &block, int first, int n
     const auto moved = seen.of(k, now, r);
     const Shear growth = shearGrowth(moved);
     const Shear gamma = carriedShear(moved, gammas.get(k)) + growth;
-    const double eps = r * invDiameter - 1.0;
+    const double ratio = r * invDiameter, eps = normalStrain(D::keepsVolume, ratio);
     const double e = W == Pristine ? eps : eps - pplastic[k];
     normals.set(k, moved.normal);
+    pratio[k] = ratio;
     peps[k] = eps;
     if constexpr (D::keepsVolume)
-      taken[k] = roomTaken(roomShare(eps));
+      taken[k] = roomTaken(roomShare(ratio));
     if constexpr (onlyBulk(W)) {
       const Shear total = W == Pristine ? gamma : carriedShear(moved, totals.get(k)) + growth;
       gammas.set(k, gamma);
@@ -300,7 +302,8 @@ MCA_LOOP Changes forceBlock(const Pairs &p, int first, int n, const PairLaw *law
   constexpr RowLayout::Local at = D::rows.local;
   const int *const plaw = p.law + first;
   const double *const pkind = p.now.kind + first, *const pplastic = p.now.plastic + first;
-  const double *const peps = p.eps + first, *const psep = p.separation + first;
+  const double *const pratio = p.ratio + first, *const peps = p.eps + first;
+  const double *const psep = p.separation + first;
   double *const kind1 = p.next.kind + first, *const plastic1 = p.next.plastic + first;
   const PairArray<Shear> gammas(p.now.gamma, first), totals(p.now.gammaTotal, first);
   const PairArray<Shear> gammas1(p.next.gamma, first), totals1(p.next.gammaTotal, first);
@@ -328,6 +331,7 @@ MCA_LOOP Changes forceBlock(const Pairs &p, int first, int n, const PairLaw *law
     const double stretch = D::stretch(share, gamma, [&] { return total; });
     Contact c;
     c.kind = kind;
+    c.ratio = pratio[k];
     c.eps = eps;
     c.plastic = plastic;
     c.gamma = size;
@@ -345,7 +349,7 @@ MCA_LOOP Changes forceBlock(const Pairs &p, int first, int n, const PairLaw *law
     plastic1[k] = next.plastic;
     gammas1.set(k, next.gamma);
     totals1.set(k, next.gammaTotal);
-    forces.set(k, contactForce(law, s.normal, shear.acting, eps, normals.get(k)));
+    forces.set(k, contactForce(law, s.normal, shear.acting, pratio[k], normals.get(k)));
     return (kind == s.kindNext ? 0.0 : 1.0) + (plastic == next.plastic ? 0.0 : 1.0) +
            (equal(gamma, next.gamma) ? 0.0 : 1.0) + (equal(stored, next.gammaTotal) ? 0.0 : 1.0);
   };
@@ -368,18 +372,19 @@ MCA_LOOP void bulkForceBlock(const Pairs &p, int first, int n, const PairLaw *la
 {
   using Shear = typename D::Shear;
   const double *const pplastic = p.now.plastic + first, *const peps = p.eps + first;
+  const double *const pratio = p.ratio + first;
   double *const kind1 = p.next.kind + first, *const plastic1 = p.next.plastic + first;
   const PairArray<Shear> gammas(p.now.gamma, first), totals(p.now.gammaTotal, first);
   const PairArray<Shear> gammas1(p.next.gamma, first), totals1(p.next.gammaTotal, first);
   const PairArray<typename D::Normal> normals(p.normal, first);
   const PairLaw law = laws[p.law[first]];
   auto answer = [=, &law, &ofI, &ofJ, &forces](int k) {
-    const double plastic = PristineBlock ? 0.0 : pplastic[k], eps = peps[k];
-    const double trial = elasticStress(law, eps - plastic, ofI.mean[k], ofJ.mean[k]);
+    const double plastic = PristineBlock ? 0.0 : pplastic[k], ratio = pratio[k];
+    const double trial = elasticStress(law, peps[k] - plastic, ofI.mean[k], ofJ.mean[k]);
     const Shear gamma = gammas.get(k);
     double room = 0.0;
     if constexpr (D::keepsVolume)
-      room = roomStress(roomShare(eps), ofI.room[k], ofJ.room[k]);
+      room = roomStress(ratio, ofI.room[k], ofJ.room[k]);
     if (Flows) {
       const Answer i = ofI[k], j = ofJ[k];
       const double left = returnedShare(i, j);
@@ -390,10 +395,10 @@ MCA_LOOP void bulkForceBlock(const Pairs &p, int first, int n, const PairLaw *la
       plastic1[k] = plastic + (trial - sigma) * law.invTwoG;
       gammas1.set(k, left * gamma);
       totals1.set(k, total);
-      forces.set(k, contactForce(law, sigma + room, returnedShear(left, law.twoG, gamma), eps,
+      forces.set(k, contactForce(law, sigma + room, returnedShear(left, law.twoG, gamma), ratio,
                                  normals.get(k)));
     } else {
-      forces.set(k, contactForce(law, trial + room, law.twoG * gamma, eps, normals.get(k)));
+      forces.set(k, contactForce(law, trial + room, law.twoG * gamma, ratio, normals.get(k)));
     }
   };
 #pragma omp simd

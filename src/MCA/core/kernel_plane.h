@@ -243,7 +243,7 @@ struct PlaneIsochoric : Plane {
   template<class Total>
   static double stretch(double left, double gamma, const Total &total)
   {
-    return shearStretch(planeStretch, left, gamma, total());
+    return shearStretch(left, gamma, total());
   }
 };
 

@@ -233,7 +233,7 @@ struct SpaceIsochoric : Space {
   template<class Total>
   static double stretch(double left, const Vector &gamma, const Total &total)
   {
-    return shearStretch(spaceStretch, left, gamma, total());
+    return shearStretch(left, gamma, total());
   }
 };
 

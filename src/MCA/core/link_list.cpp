@@ -42,6 +42,7 @@ void LinkList::reset(int n)
   view_.blocks = blocks_.data();
   for (double *&normal : view_.normal)
     normal = take();
+  view_.ratio = take();
   view_.eps = take();
   view_.separation = take();
   for (auto *of : {&now_, &next_}) {
@@ -73,6 +74,7 @@ void LinkList::add(int i, int j, int law, const double *state)
   law_[k] = law;
   for (double *normal : view_.normal)
     normal[k] = 0.0;
+  view_.ratio[k] = 1.0;
   view_.eps[k] = view_.separation[k] = 0.0;
   original_.push_back(0.0);
   setState(k, state);
@@ -116,7 +118,8 @@ Pairs LinkList::part(int first, int n)
   p.n = n;
   for (auto *rows : {&p.i, &p.j, &p.placeI, &p.placeJ, &p.law})
     *rows += first;
-  for (double **values : {&p.normal[0], &p.normal[1], &p.normal[2], &p.eps, &p.separation})
+  for (double **values :
+       {&p.normal[0], &p.normal[1], &p.normal[2], &p.ratio, &p.eps, &p.separation})
     *values += first;
   for (PairState *state : {&p.now, &p.next}) {
     state->kind += first;

@@ -52,8 +52,8 @@ struct Block {
 
 /// The pair list, or a part of it from a block's first pair on; arrays have `n` values, row numbers
 /// three more, which repeat the last pair, so that loops may gather by fours. A view: LinkList owns
-/// the arrays, and the view holds until the list is made anew. eps, normal and separation are those
-/// of the last strain pass, `next` that of the last force pass.
+/// the arrays, and the view holds until the list is made anew. ratio, eps, normal and separation
+/// are those of the last strain pass, `next` that of the last force pass.
 struct Pairs {
   int n;
   /// Row numbers of the two automata, whose sums the pair adds to. Lists of a run are sorted by the
@@ -65,7 +65,8 @@ struct Pairs {
   PairState now, next;
   /// Unit normal from i to j [-]; in the plane two components, the third is 0.
   double *normal[3];
-  double *eps;        ///< total normal strain r/d - 1 [-]
+  double *ratio;      ///< r/d [-]
+  double *eps;        ///< total normal strain, normalStrain() of it [-]
   double *separation; ///< normal velocity of j seen from i [length/time]; not of bulk blocks; of
                       ///< half a step ago, until viscous contacts are centred
   Block *blocks;      ///< of blockLength pairs each

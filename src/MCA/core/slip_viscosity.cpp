@@ -20,7 +20,7 @@ void SlipViscosity::begin(const Pairs &p, ViscousPairs::Range viscous, const Row
     c->law = p.law[k];
     c->viscosity = law.viscosity * law.invDiameter;
     c->area = law.area;
-    c->arm = 0.5 * law.diameter * (1.0 + p.eps[k]);
+    c->arm = 0.5 * law.diameter * p.ratio[k];
     c->normal = normalOf(p, k, rows.isPlane());
     c->slip =
         slipOf(c->normal, rows.velocity(j) - rows.velocity(i), rows.spin(i) + rows.spin(j), c->arm);

@@ -109,12 +109,12 @@ ContactStress Step::contact(int k) const
   double stretch = 0.0;
   if (laws_.keepsVolume && link::isLinked(kind))
     stretch = dimension() == 2
-                  ? shearStretch(planeStretch, left, p.now.gamma[0][k], p.now.gammaTotal[0][k])
-                  : shearStretch(spaceStretch, left, vectorAt(p.now.gamma, k),
-                                 vectorAt(p.now.gammaTotal, k));
-  return contactStress(
-      law(k), {kind, p.eps[k], p.now.plastic[k], shear(k), totalShear(k), p.separation[k], stretch},
-      i, j, moves ? p.next.kind[k] : kind);
+                  ? shearStretch(left, p.now.gamma[0][k], p.now.gammaTotal[0][k])
+                  : shearStretch(left, vectorAt(p.now.gamma, k), vectorAt(p.now.gammaTotal, k));
+  return contactStress(law(k),
+                       {kind, p.ratio[k], p.eps[k], p.now.plastic[k], shear(k), totalShear(k),
+                        p.separation[k], stretch},
+                       i, j, moves ? p.next.kind[k] : kind);
 }
 
 Vector Step::frictionShear(int k, bool next) const
@@ -125,15 +125,14 @@ Vector Step::frictionShear(int k, bool next) const
 Vector Step::contactForce(int k) const
 {
   const ContactStress s = contact(k);
-  const Vector stress =
-      s.normal * normal(k) + 1.0 / (1.0 + links_.pairs().eps[k]) *
-                                 (alongShear(k, s.shear) + law(k).twoG * frictionShear(k, true));
-  return law(k).area * (stress + slipStress(k));
+  const ActingAreas area = actingAreas(law(k), links_.pairs().ratio[k]);
+  const Vector shear = alongShear(k, s.shear) + law(k).twoG * frictionShear(k, true);
+  return s.normal * area.normal * normal(k) + area.shear * shear + law(k).area * slipStress(k);
 }
 
 double Step::distance(int k) const
 {
-  return law(k).diameter * (1.0 + links_.pairs().eps[k]);
+  return law(k).diameter * links_.pairs().ratio[k];
 }
 
 double Step::share(int k) const

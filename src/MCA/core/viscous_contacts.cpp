@@ -57,14 +57,15 @@ void ViscousContacts::add(const Pairs &p, ViscousPairs::Range viscous, const Con
 
     const double sigma = viscousStress(law, p.now.kind[k], p.eps[k], p.now.plastic[k],
                                        step.rows.answer(i), step.rows.answer(j));
-    const double more =
-        unlinkedStress(sigma, law.viscosity, now, law.invDiameter, law.keepsEnergy) -
-        unlinkedStress(sigma, law.viscosity, before, law.invDiameter, law.keepsEnergy);
+    const double inverse = viscousInverse(law, p.ratio[k]);
+    const double more = unlinkedStress(sigma, law.viscosity, now, inverse, law.keepsEnergy) -
+                        unlinkedStress(sigma, law.viscosity, before, inverse, law.keepsEnergy);
+    const double area = actingAreas(law, p.ratio[k]).normal;
     Change &c = changes_[number++];
     c.i = i;
     c.j = j;
     for (int m = 0; m < step.rows.layout->dimension; m++)
-      c.force[m] = more * law.area * p.normal[m][k];
+      c.force[m] = more * area * p.normal[m][k];
   }
 }
 

@@ -19,8 +19,8 @@
 ///     left    = (0.8 + 1)/2                              = 0.9       returnedShare()
 ///     tau     = left 2G gamma                            = 28.523    elasticStresses()
 ///     kind    = bulk, as eps is below the breaking strain = 1         nextKind()
-///     Fn      = sigma S                                  = 109.15    contactForce()
-///     Ft      = tau S d/r, where d/r = 1/(1 + eps)       = 41.149
+///     Fn      = sigma S d/r, where d/r = exp(-eps)       = 109.10    contactForce()
+///     Ft      = tau S d/r                                = 41.149
 ///     torque  = tau S d/2                                = 51.462
 ///     offset  = plastic + (trial - sigma)/2G             = 1.3199e-4 nextState()
 ///     shear   = left gamma                               = 1.8e-4
@@ -35,6 +35,7 @@
 #include "linking.h"
 #include "plasticity.h"
 #include "room.h"
+#include "strain.h"
 #include "vector.h"
 #include "viscosity.h"
 
@@ -61,8 +62,8 @@ struct PairLaw {
   /// at once. With isochoric 2G/sigma_y1, so that a contact that is about to part has little left
   /// to give.
   double contactsFlow;
-  /// 1 with isochoric: an unlinked contact that touches follows the gradient of the energy even
-  /// where the mean stress of its automata pulls. Else 0.
+  /// 1 with isochoric, else 0: stresses act on S d/r (strain.h), and an unlinked contact that
+  /// touches follows the gradient of the energy even where the mean stress of its automata pulls.
   double keepsEnergy;
   /// Most of a normal stress that the stretch of shear takes in a step [-], of mostStretch().
   double mostStretch;
@@ -83,8 +84,9 @@ struct PairLaw {
 /// shears are 0: what PairState keeps in their place, plastic work, is no shear and is taken out
 /// before.
 struct Contact {
-  double kind; ///< link::worn, none, bulk or weld
-  /// Total normal strain r/d - 1 [-], > -1.
+  double kind;  ///< link::worn, none, bulk or weld
+  double ratio; ///< r/d [-], > 0
+  /// Total normal strain, normalStrain() of r/d [-].
   double eps;
   /// Plastic offset of it [-]; the elastic strain is eps - plastic.
   double plastic;
@@ -143,7 +145,7 @@ inline double flowing(double contactsFlow, double kind, double e)
 
 /// Elastic normal stress of a contact that touches [stress], tension positive: the mean of both
 /// sides' responses sigma_i = 2G e + D sigma_mean,i (doc/laws.md, Elasticity; Psakhie et al. 2011).
-/// \param e            elastic normal strain r/d - 1 - plastic offset [-]
+/// \param e            elastic normal strain: eps less the plastic offset [-]
 /// \param meanI,meanJ  mean stresses of the automata [stress]
 inline double elasticStress(const PairLaw &law, double e, double meanI, double meanJ)
 {
@@ -175,19 +177,17 @@ inline double returnedShare(const Answer &i, const Answer &j)
 
 /// By how much a contact has to lengthen so that plastic shear of its surroundings keeps their
 /// volume [-] (doc/laws.md, Plasticity; ours). Contacts carry their shear with them as they rotate:
-/// a simple shear g stretches those of an automaton by (3/16) g^2 in the mean over the directions
-/// of a plane, by (2/15) g^2 in space, and shears them by g^2/8 and g^2/10 in the mean square. So
-/// lengthening by 3/2 or 4/3 of the square of its plastic shear takes that off.
-/// \param times  planeStretch or spaceStretch [-]
+/// a simple shear g stretches those of an automaton, ln(r/d), by g^2/8 in the mean over the
+/// directions of a plane, by g^2/10 in space, and shears them by as much in the mean square. So
+/// lengthening by the square of its plastic shear takes that off.
 /// \param left   of returnedShare() [-]: (1 - left) gamma flows in this step
 /// \param gamma  elastic shear [-], a number in the plane, a Vector in space
 /// \param total  total shear since linking [-]
-/// \return times ((total - left gamma)^2 - (total - gamma)^2)
-constexpr double planeStretch = 1.5, spaceStretch = 4.0 / 3.0;
+/// \return (total - left gamma)^2 - (total - gamma)^2
 template<class Shear>
-inline double shearStretch(double times, double left, const Shear &gamma, const Shear &total)
+inline double shearStretch(double left, const Shear &gamma, const Shear &total)
 {
-  return times * (1.0 - left) * (2.0 * dot(gamma, total) - (1.0 + left) * dot(gamma, gamma));
+  return (1.0 - left) * (2.0 * dot(gamma, total) - (1.0 + left) * dot(gamma, gamma));
 }
 
 /// Normal stress of a contact that flows [stress]: after the return, and with its stretch, as far
@@ -258,7 +258,7 @@ inline ElasticStresses elasticStresses(const PairLaw &law, const Contact &c, con
 inline double viscousStress(const PairLaw &law, double kind, double eps, double plastic,
                             const Answer &i, const Answer &j)
 {
-  Contact c{}; // without shear: it has no part in this stress
+  Contact c{}; // without shear and room: it has no part in this stress
   c.kind = kind;
   c.eps = eps;
   c.plastic = plastic;
@@ -281,6 +281,26 @@ struct ContactStress {
   double viscous;
 };
 
+/// On which areas the stresses of a contact act at a distance [length^2]; strain.h.
+struct ActingAreas {
+  double normal, shear;
+};
+
+/// \param ratio  r/d [-], > 0
+inline ActingAreas actingAreas(const PairLaw &law, double ratio)
+{
+  const double nearer = law.area / ratio;
+  return {law.keepsEnergy > 0.0 ? nearer : law.area, nearer};
+}
+
+/// 1/d by which a viscous stress is made of a velocity [1/length], such that its force is that of
+/// Table 1 at any distance.
+/// \param ratio  r/d [-], > 0
+inline double viscousInverse(const PairLaw &law, double ratio)
+{
+  return law.keepsEnergy > 0.0 ? law.invDiameter * ratio : law.invDiameter;
+}
+
 /// The stresses of a contact whose next kind is known. A link that holds has its elastic stresses;
 /// one that breaks in this step, or a pair that was unlinked, has compression with viscosity and no
 /// shear. So the force depends on the present state alone, and on the breaking that follows from
@@ -294,9 +314,9 @@ inline ContactStress contactStress(const PairLaw &law, const Contact &c, const E
   const double pressed = isPressed(c.eps - c.plastic) ? 1.0 : 0.0;
   const double holds = link::linked(c.kind) * link::linked(kindNext);
   const double elastic = link::linked(c.kind) > 0.0 ? s.trial : s.sigma;
-  const double unlinked =
-      (1.0 - holds) * pressed *
-      unlinkedStress(elastic, law.viscosity, c.separation, law.invDiameter, law.keepsEnergy);
+  const double unlinked = (1.0 - holds) * pressed *
+                          unlinkedStress(elastic, law.viscosity, c.separation,
+                                         viscousInverse(law, c.ratio), law.keepsEnergy);
   const double normal = holds * s.sigma + unlinked + room;
   const double shear = holds * s.tau;
   return {s.trial,
@@ -316,8 +336,8 @@ inline ContactStress contactStress(const PairLaw &law, const Contact &c, const E
 inline ContactStress contactStress(const PairLaw &law, const Contact &c, const Answer &i,
                                    const Answer &j, double kindNext)
 {
-  return contactStress(law, c, elasticStresses(law, c, i, j),
-                       roomStress(roomShare(c.eps), i.room, j.room), kindNext);
+  return contactStress(law, c, elasticStresses(law, c, i, j), roomStress(c.ratio, i.room, j.room),
+                       kindNext);
 }
 
 /// What of its normal strain flows in the step [-]: 0 of a contact that does not flow.
@@ -367,7 +387,7 @@ inline ContactStress contactStress(const PairLaw &law, const Contact &c, const A
 {
   const ElasticStresses s = elasticStresses(law, c, i, j);
   const bool bulkBreaks = breaks<Criterion>(linkLoad(law, c, s, i, j, face), law.limits.fracture);
-  const double room = roomStress(roomShare(c.eps), i.room, j.room);
+  const double room = roomStress(c.ratio, i.room, j.room);
   return contactStress(law, c, s, room,
                        nextKind(c.kind, s.sigma, s.tau, c.eps, bulkBreaks, law.limits, worked,
                                 c.eps < 0.0 ? room : 0.0));
@@ -482,25 +502,27 @@ struct SpaceForce {
   Vector force, torque;
 };
 
-/// Force sigma S n + tau S (d/r) t and torque tau S d/2. The shear force acts along t, n turned by
-/// +90 degrees, at the distance r; its moment tau S d is what both torques balance, and d/r keeps
-/// the force the gradient of U (elasticity.h).
+/// Force sigma S n + tau S (d/r) t and torque tau S d/2; with isochoric sigma acts on S d/r, too.
+/// The shear force acts along t, n turned by +90 degrees, at the distance r; its moment tau S d is
+/// what both torques balance, and d/r keeps the force the gradient of U (elasticity.h).
 /// \param normal,shear  stresses that make the force [stress], tension positive
-/// \param eps           total normal strain r/d - 1 [-], > -1
+/// \param ratio         r/d [-], > 0
 /// \param n             unit normal from i to j [-]
-inline PlaneForce contactForce(const PairLaw &law, double normal, double shear, double eps,
+inline PlaneForce contactForce(const PairLaw &law, double normal, double shear, double ratio,
                                const PlaneVector &n)
 {
-  const double fn = normal * law.area, ft = shear * law.area / (1.0 + eps);
+  const ActingAreas area = actingAreas(law, ratio);
+  const double fn = normal * area.normal, ft = shear * area.shear;
   return {fn * n.x - ft * n.y, fn * n.y + ft * n.x, 0.5 * shear * law.area * law.diameter};
 }
 
 /// Force of a contact in space, where the moment is (d/2) n x tau S on either automaton.
 /// \param shear  shear stress [stress], perpendicular to n: a part along n would be a normal stress
-inline SpaceForce contactForce(const PairLaw &law, double normal, const Vector &shear, double eps,
+inline SpaceForce contactForce(const PairLaw &law, double normal, const Vector &shear, double ratio,
                                const Vector &n)
 {
-  return {law.area * (normal * n + 1.0 / (1.0 + eps) * shear),
+  const ActingAreas area = actingAreas(law, ratio);
+  return {(normal * area.normal) * n + area.shear * shear,
           0.5 * law.area * law.diameter * cross(n, shear)};
 }
 

@@ -1,16 +1,20 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "contact_step.h"
 
+#include "room.h"
+
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace mca {
 
-// D K of the laws [stress], by which the mean stress enters a contact's force
+// By what the mean stress enters a contact's force [stress]: D K of the laws, and what resists lack
+// of room where that acts.
 static double meanStressModulus(const LawSet &laws, const Material &m)
 {
   const ElasticModuli moduli = elasticModuli(laws, m);
-  return moduli.D * moduli.bulk;
+  return (moduli.D + (laws.keepsVolume() ? roomStiffness : 0.0)) * moduli.bulk;
 }
 
 // A packing with contacts of this shear modulus, D K and viscosity, of automata that have the
@@ -27,8 +31,9 @@ static CriticalStep stepOf(const LawSet &laws, const Material &side, double shea
       Cell{packing, side.diameter}.mass(side.density) / Cell{packing, diameter}.cellVolume();
   m.poissonsRatio = 0.0; // E = 2G, and K enters with D only
   m.youngsModulus = 2.0 * shearModulus;
+  const double nearest = laws.keepsVolume() ? std::exp(collapseStrain) : 1.0 + collapseStrain;
   CriticalStep limit =
-      criticalStep(m, DK / m.bulkModulus(), viscosity, turning, laws.resistsSlip());
+      criticalStep(m, DK / m.bulkModulus(), viscosity, turning, laws.resistsSlip(), nearest);
   if (!laws.flows()) // nothing is pressed that far
     limit.pressed = std::numeric_limits<double>::infinity();
   return limit;

@@ -15,12 +15,13 @@
 
 namespace mca {
 
-/// The largest shear stress of a contact [stress]: |F_t| = tau S d/r <= mu |F_n| = mu |sigma| S.
+/// The largest shear stress of a contact [stress]: |F_t| <= mu |F_n|.
 /// \param normal  final normal stress, with viscosity and room [stress]; tension has no friction
-/// \param eps     normal strain r/d - 1 [-]
-inline double frictionLimit(const PairLaw &law, double normal, double eps)
+/// \param ratio   r/d [-], > 0
+inline double frictionLimit(const PairLaw &law, double normal, double ratio)
 {
-  return normal < 0.0 ? -law.friction * normal * (1.0 + eps) : 0.0;
+  const ActingAreas area = actingAreas(law, ratio);
+  return normal < 0.0 ? -law.friction * normal * area.normal / area.shear : 0.0;
 }
 
 /// What part of the spring a contact holds [-], 0 to 1; exactly 1 where it sticks.

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "critical_step.h"
 
-#include "fracture.h"
 #include "shared/pi.h"
 #include "viscosity.h"
 
@@ -102,13 +101,15 @@ static double squaredFrequency(const Material &m, double D, const Packing &packi
 
 // Both automata of a link move along its face and turn, in antiphase and alike: the energy
 // 2 V w G gamma^2, gamma = u/r + theta, of masses m and moments of inertia J has the frequency
-// omega^2 = 8 w G/rho (1/r^2 + m/(4 J)).
-static double pressedStep(const Material &m, const Packing &packing)
+// omega^2 = 8 w G/rho (1/r^2 + m/(4 J)). Moved along their normal, 2 V w (G + D K w/2) ln(r)^2, it
+// is 8 w/rho (G + D K w/2)/r^2.
+static double pressedStep(const Material &m, double D, const Packing &packing, double nearest)
 {
-  const double r = (1.0 + collapseStrain) * m.diameter;
+  const double r = nearest * m.diameter, weight = packing.stressWeight();
   const double turning = 0.25 / (packing.inertia * m.diameter * m.diameter);
-  return 2.0 / std::sqrt(8.0 * packing.stressWeight() * m.shearModulus() / m.density *
-                         (1.0 / (r * r) + turning));
+  const double shear = m.shearModulus() * (1.0 / (r * r) + turning);
+  const double normal = (m.shearModulus() + 0.5 * D * m.bulkModulus() * weight) / (r * r);
+  return 2.0 / std::sqrt(8.0 * weight * std::max(shear, normal) / m.density);
 }
 
 // What is damped fastest: its rate lambda [c/m], and the part of it that is centred.
@@ -131,7 +132,7 @@ static Damping dampingOfTurns(const Packing &packing)
 }
 
 CriticalStep criticalStep(const Material &m, double D, double viscosity, const Packing &packing,
-                          bool slips)
+                          bool slips, double nearest)
 {
   // A grid over the reciprocal cell that holds the zone's corners and the middles of its sides and
   // faces, where the largest frequencies lie. Phases of the lattice's edges; opposite wave vectors
@@ -158,7 +159,7 @@ CriticalStep criticalStep(const Material &m, double D, double viscosity, const P
   const double damping = viscosity * cell.contactArea() / m.diameter;
   const double viscous = damping > 0.0 ? 2.0 * cell.mass(m.density) / (fastest.rate * damping)
                                        : std::numeric_limits<double>::infinity();
-  return {2.0 / std::sqrt(largest), viscous, pressedStep(m, packing), fastest.share};
+  return {2.0 / std::sqrt(largest), viscous, pressedStep(m, D, packing, nearest), fastest.share};
 }
 
 double CriticalStep::plain() const

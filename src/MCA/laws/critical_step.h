@@ -4,6 +4,7 @@
 #ifndef MCA_LAWS_CRITICAL_STEP_H
 #define MCA_LAWS_CRITICAL_STEP_H
 
+#include "fracture.h"
 #include "material.h"
 #include "packing.h"
 
@@ -38,8 +39,10 @@ struct CriticalStep {
 /// \param viscosity  eta of unlinked contacts [stress time], >= 0; 0 without, then `viscous` is
 ///                   infinite
 /// \param slips      they resist slip, too (viscosity both)
+/// \param nearest    r/d of the shortest link [-]
 CriticalStep criticalStep(const Material &, double D, double viscosity,
-                          const Packing & = packing::hex, bool slips = false);
+                          const Packing & = packing::hex, bool slips = false,
+                          double nearest = 1.0 + collapseStrain);
 
 } // namespace mca
 

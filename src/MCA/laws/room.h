@@ -5,8 +5,8 @@
 ///
 /// Contacts that flow shorten for good, and what lengthens in exchange breaks and is forgotten, so
 /// that no sum over the past of contacts says what volume an automaton has. Here it follows from
-/// the present distances alone: with a = 1 - eps/reach, 0 beyond it, of all neighbours, linked or
-/// not, what each takes of the room, g(a) = a^3 (3 - a)/2, and the packing's w and N,
+/// the present distances alone: with a = 1 - (r/d - 1)/reach, 0 beyond it, of all neighbours,
+/// linked or not, what each takes of the room, g(a) = a^3 (3 - a)/2, and the packing's w and N,
 ///     closeness = 2/5 w reach (sum g - N)
 /// is to first order minus the volume strain of a packing. Sheared at constant volume into any
 /// other lattice, a hexagonal one whose neighbours are no nearer than 0.8 d reads between -0.3 and
@@ -40,11 +40,15 @@ constexpr double roomMargin = 0.01;
 /// From which share on g goes on along its tangent [-]: at 0.8 d its slope is the largest.
 constexpr double roomSteepest = 1.5;
 
-/// Share of a neighbour at this normal strain [-], a: 1 in the packing, 0 from the reach on.
-/// \param eps  r/d - 1 [-]
-inline double roomShare(double eps)
+/// How stiff the pressure is at most, over K [-]: the square of what a logarithmic strain of a
+/// neighbour changes of the closeness at 0.8 d, over its change in the packing.
+constexpr double roomStiffness = 1.08 * 1.08;
+
+/// Share of a neighbour at this distance [-], a: 1 in the packing, 0 from the reach on.
+/// \param ratio  r/d [-]
+inline double roomShare(double ratio)
 {
-  const double share = 1.0 - eps * (1.0 / roomReach);
+  const double share = 1.0 - (ratio - 1.0) * (1.0 / roomReach);
   return share > 0.0 ? share : 0.0;
 }
 
@@ -68,14 +72,15 @@ inline double roomPressure(double taken, double bulkModulus, double weight, int 
   return bulkModulus * (above > 0.0 ? above : 0.0);
 }
 
-/// Its normal stress between two automata [stress], <= 0: minus the gradient of U over S d, with
-/// the slope of g over 5/2, that in the packing.
-/// \param share  of roomShare()
+/// Its normal stress between two automata [stress], <= 0: minus the gradient of U over the area S
+/// d/r that it acts on (strain.h), with the slope of g over 5/2, that in the packing.
+/// \param ratio  r/d [-], > 0
 /// \param i,j    pressures of both [stress]
-inline double roomStress(double share, double i, double j)
+inline double roomStress(double ratio, double i, double j)
 {
+  const double share = roomShare(ratio);
   const double a = share < roomSteepest ? share : roomSteepest;
-  return -(i + j) * (a * a * (0.9 - 0.4 * a));
+  return -(i + j) * (a * a * (0.9 - 0.4 * a)) * ratio;
 }
 
 /// Its energy per volume of an automaton [stress]: P^2/(2K).
