@@ -52,7 +52,7 @@ Sample randomSample(unsigned seed, int materials, const std::string &preset = "b
     for (reference::State *state : {&c.now, &c.next}) {
       state->kind = near ? static_cast<double>(random() % 4) - 1.0 : 0.0;
       state->plastic = near ? uniform(-0.03, 0.03) : 0.0;
-      state->gamma = uniform(-2e-3, 2e-3);
+      state->gamma = uniform(-2e-3, 2e-3) * (state->kind > 0); // unlinked: friction
       state->gammaTotal = uniform(-0.03, 0.03);
     }
   }

@@ -62,7 +62,7 @@ Sample randomSample(const mca::Packing &packing, unsigned seed, int materials, d
     for (State *state : {&c.now, &c.next}) {
       state->kind = near ? random.whole(4) - 1.0 : 0.0;
       state->plastic = near ? random.number(-0.03, 0.03) : 0.0;
-      state->gamma = old.normalized().cross(random.vector(5e-4));
+      state->gamma = old.normalized().cross(random.vector(5e-4)) * (state->kind > 0);
       state->gammaTotal = old.normalized().cross(random.vector(0.03));
     }
   }
