@@ -207,13 +207,16 @@ double mostReturned(const mca::LawSet &laws, const mca::Material &m, int dimensi
   return std::fmin(1, 1.6 / (1 + 1.5 * dimension * manyBody(laws, m) / 8));
 }
 
-double stretched(const LinkView &l, double sigma, double squareBefore, double squareAfter)
+double stretched(const LinkView &l, double sigma, double longer, double released)
 {
+  if (sigma == 0)
+    return 0;
   const double many = std::fmax(manyBody(l.laws, l.a), manyBody(l.laws, l.b));
-  const double most = 0.4 / (1 + 1.5 * l.dimension * many / 2) * sigma;
-  const double twoG = shearModulus(l.a) + shearModulus(l.b);
-  const double less = twoG * (squareAfter - squareBefore);
-  return sigma - std::clamp(less, std::fmin(0, most), std::fmax(0, most));
+  const double most = 0.4 / (1 + 1.5 * l.dimension * many / 2) * std::fabs(sigma);
+  const double twoG = shearModulus(l.a) + shearModulus(l.b), less = twoG * longer;
+  const bool nearer = less * sigma > 0; // to 0; else the shear pays for it
+  const double limit = nearer ? most : std::fmin(most, twoG * released / 2 / std::fabs(sigma));
+  return sigma - std::copysign(std::fmin(std::fabs(less), limit), less);
 }
 
 double flownUnlinked(const LinkView &l, double sigma, double trial, double plastic)
@@ -446,8 +449,11 @@ Stress contactStresses(const Sample &s, const Contact &c, const View &w)
   out.tau *= left;
   const LinkView l = {s.laws, s.materials[a.type], s.materials[b.type], 2};
   if (keepsVolume(s.laws) && linked(c.now))
-    out.sigma = stretched(l, out.sigma, std::pow(c.now.gammaTotal - c.now.gamma, 2),
-                          std::pow(c.now.gammaTotal - left * c.now.gamma, 2));
+    out.sigma = stretched(l, out.sigma,
+                          std::pow(c.now.gammaTotal - left * c.now.gamma, 2) -
+                              std::pow(c.now.gammaTotal - c.now.gamma, 2),
+                          (shearModulus(l.a) + shearModulus(l.b)) / 2 *
+                              (std::pow(c.now.gamma, 2) - std::pow(left * c.now.gamma, 2)));
   if (!linked(c.now))
     out.sigma = flownUnlinked(l, out.sigma, out.trial, c.now.plastic);
   return out;

@@ -118,9 +118,10 @@ double flowWeight(const mca::LawSet &, const mca::Material &, const mca::Materia
 /// The most of 1 - M.
 double mostReturned(const mca::LawSet &, const mca::Material &, int dimension);
 
-/// Normal stress of a linked contact that lengthens as its squared plastic shear grows, as far as
-/// that brings the stress nearer to 0. Of the view laws, materials and dimension are read.
-double stretched(const LinkView &, double sigma, double squareBefore, double squareAfter);
+/// Normal stress of a linked contact that lengthens as its squared plastic shear grows. Of the view
+/// laws, materials and dimension are read.
+/// \param released  elastic energy of the shear, per volume, that flow sets free
+double stretched(const LinkView &, double sigma, double longer, double released);
 
 /// Normal stress of an unlinked contact that flows, within its limits.
 double flownUnlinked(const LinkView &, double sigma, double trial, double plastic);

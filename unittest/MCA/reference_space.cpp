@@ -182,8 +182,11 @@ void contactStresses(const Sample &s, const Contact &c, const View &w, double &t
   tau *= left;
   const LinkView l = {s.laws, s.materials[a.type], s.materials[b.type], 3};
   if (keepsVolume(s.laws) && linked(c.now))
-    sigma = stretched(l, sigma, (c.now.gammaTotal - c.now.gamma).squaredNorm(),
-                      (c.now.gammaTotal - left * c.now.gamma).squaredNorm());
+    sigma = stretched(l, sigma,
+                      (c.now.gammaTotal - left * c.now.gamma).squaredNorm() -
+                          (c.now.gammaTotal - c.now.gamma).squaredNorm(),
+                      (shearModulus(l.a) + shearModulus(l.b)) / 2 *
+                          (c.now.gamma.squaredNorm() - (left * c.now.gamma).squaredNorm()));
   if (!linked(c.now))
     sigma = flownUnlinked(l, sigma, trial, c.now.plastic);
 }

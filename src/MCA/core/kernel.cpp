@@ -232,7 +232,7 @@ MCA_LOOP void returnBlock(const Pairs &p, int first, int n, const PairLaw *laws,
     const Answer i = ofI[k], j = ofJ[k];
     const double left = returnedShare(i, j);
     const typename D::Shear gamma = gammas.get(k);
-    const double stretch =
+    const Stretch stretch =
         D::stretch(left, gamma, [&] { return W == Pristine ? gamma : linked * totals.get(k); });
     const double trial = elasticStress(law, e, i.mean, j.mean);
     const double plastic = W == Pristine ? 0.0 : pplastic[k];
@@ -328,7 +328,7 @@ MCA_LOOP Changes forceBlock(const Pairs &p, int first, int n, const PairLaw *law
              (firstComponent(stored) + row[at.work]);
     }
     const double size = shearSize(gamma), share = returnedShare(i, j);
-    const double stretch = D::stretch(share, gamma, [&] { return total; });
+    const Stretch stretch = D::stretch(share, gamma, [&] { return total; });
     Contact c;
     c.kind = kind;
     c.ratio = pratio[k];
@@ -389,7 +389,7 @@ MCA_LOOP void bulkForceBlock(const Pairs &p, int first, int n, const PairLaw *la
       const Answer i = ofI[k], j = ofJ[k];
       const double left = returnedShare(i, j);
       const Shear total = PristineBlock ? gamma : totals.get(k);
-      const double stretch = D::stretch(left, gamma, [&] { return total; });
+      const Stretch stretch = D::stretch(left, gamma, [&] { return total; });
       const double sigma = flowedStress(law, trial, plastic, 1.0, stretch, 1.0, i, j);
       kind1[k] = link::bulk;
       plastic1[k] = plastic + (trial - sigma) * law.invTwoG;

@@ -30,9 +30,9 @@ struct Plane {
   // Stretch of a contact by its plastic shear: 0, but with isochoric.
   // \param total  a function that gives the total shear, which is not asked for here
   template<class Total>
-  static double stretch(double /*left*/, double /*gamma*/, const Total & /*total*/)
+  static Stretch stretch(double /*left*/, double /*gamma*/, const Total & /*total*/)
   {
-    return 0.0;
+    return {};
   }
   // A shear or shear stress of a pair along t, the normal turned by +90 degrees.
   using Shear = double;
@@ -241,7 +241,7 @@ struct PlaneIsochoric : Plane {
   }
 
   template<class Total>
-  static double stretch(double left, double gamma, const Total &total)
+  static Stretch stretch(double left, double gamma, const Total &total)
   {
     return shearStretch(left, gamma, total());
   }

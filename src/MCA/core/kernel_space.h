@@ -29,9 +29,9 @@ struct Space {
   // Stretch of a contact by its plastic shear: 0, but with isochoric.
   // \param total  a function that gives the total shear, which is not asked for here
   template<class Total>
-  static double stretch(double /*left*/, const Vector & /*gamma*/, const Total & /*total*/)
+  static Stretch stretch(double /*left*/, const Vector & /*gamma*/, const Total & /*total*/)
   {
-    return 0.0;
+    return {};
   }
   // A shear or shear stress of a pair, perpendicular to its normal.
   using Shear = Vector;
@@ -231,7 +231,7 @@ struct SpaceIsochoric : Space {
   }
 
   template<class Total>
-  static double stretch(double left, const Vector &gamma, const Total &total)
+  static Stretch stretch(double left, const Vector &gamma, const Total &total)
   {
     return shearStretch(left, gamma, total());
   }

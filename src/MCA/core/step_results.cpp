@@ -106,7 +106,7 @@ ContactStress Step::contact(int k) const
   const Answer i = view().answer(p.i[k]), j = view().answer(p.j[k]);
   const bool moves = p.blocks[k / blockLength].moves;
   const double kind = p.now.kind[k], left = returnedShare(i, j);
-  double stretch = 0.0;
+  Stretch stretch;
   if (laws_.keepsVolume && link::isLinked(kind))
     stretch = dimension() == 2
                   ? shearStretch(left, p.now.gamma[0][k], p.now.gammaTotal[0][k])

@@ -80,6 +80,13 @@ struct PairLaw {
   double friction; ///< mu of unlinked contacts [-], >= 0
 };
 
+/// How plastic shear lengthens a contact in a step; of shearStretch().
+struct Stretch {
+  double longer = 0.0; ///< by how much, so that its surroundings keep their volume [-]
+  /// What the square of the elastic shear loses [-]: times G what this sets free for each S d.
+  double squares = 0.0;
+};
+
 /// The present state of a contact and its strains, as its laws see them. Of an unlinked one both
 /// shears are 0: what PairState keeps in their place, plastic work, is no shear and is taken out
 /// before.
@@ -97,8 +104,8 @@ struct Contact {
   /// Normal velocity of j seen from i [length/time], > 0 when they part. Only unlinked contacts and
   /// links that break in this step read it.
   double separation;
-  /// By which plastic shear lengthens it in this step [-], of shearStretch(); 0 but with isochoric.
-  double stretch = 0.0;
+  /// What plastic shear does to its length in this step; nothing but with isochoric.
+  Stretch stretch = {};
 };
 
 /// What an automaton answers its contacts: all that a contact knows of it, a row
@@ -176,41 +183,49 @@ inline double returnedShare(const Answer &i, const Answer &j)
 }
 
 /// By how much a contact has to lengthen so that plastic shear of its surroundings keeps their
-/// volume [-] (doc/laws.md, Plasticity; ours). Contacts carry their shear with them as they rotate:
-/// a simple shear g stretches those of an automaton, ln(r/d), by g^2/8 in the mean over the
+/// volume (doc/laws.md, Plasticity; ours). Contacts carry their shear with them as they rotate: a
+/// simple shear g stretches those of an automaton, ln(r/d), by g^2/8 in the mean over the
 /// directions of a plane, by g^2/10 in space, and shears them by as much in the mean square. So
-/// lengthening by the square of its plastic shear takes that off.
+/// lengthening by what the square of its plastic shear grows takes that off.
 /// \param left   of returnedShare() [-]: (1 - left) gamma flows in this step
 /// \param gamma  elastic shear [-], a number in the plane, a Vector in space
 /// \param total  total shear since linking [-]
-/// \return (total - left gamma)^2 - (total - gamma)^2
 template<class Shear>
-inline double shearStretch(double left, const Shear &gamma, const Shear &total)
+inline Stretch shearStretch(double left, const Shear &gamma, const Shear &total)
 {
-  return (1.0 - left) * (2.0 * dot(gamma, total) - (1.0 + left) * dot(gamma, gamma));
+  const double square = dot(gamma, gamma); // longer: (total - left gamma)^2 - (total - gamma)^2
+  return {(1.0 - left) * (2.0 * dot(gamma, total) - (1.0 + left) * square),
+          (1.0 - left) * (1.0 + left) * square};
 }
 
-/// Normal stress of a contact that flows [stress]: after the return, and with its stretch, as far
-/// as that brings it nearer to 0, so that it dissipates. An unlinked contact flows towards 0 at
-/// most, and flow lengthens it up to the breaking strain at most: farther apart two automata do not
-/// touch. What it has above 0, where the mean stress of its automata pulls, flows off at once and
-/// makes no force with radial; with isochoric it is left alone (PairLaw::keepsEnergy). Nor does
-/// flow shorten it further than a link, collapseStrain: nearer
-/// together it is elastic, and two automata never come to lie on each other.
-/// \param trial    before the return [stress]
-/// \param plastic  plastic offset of its normal strain [-]
-/// \param flows    of flowing() [-]
-/// \param stretch  of shearStretch() [-]
-/// \param linked   1 or 0
+/// What of the stretch a contact takes off its normal stress [stress]. Where that brings the stress
+/// nearer to 0 it dissipates: at most mostStretch() of the stress. Where it does not, under
+/// pressure above all, the work against the stress is at most half of what the shear sets free.
+/// \param sigma  normal stress after the return [stress]
+inline double stretchedOff(const PairLaw &law, double sigma, const Stretch &stretch)
+{
+  constexpr double none = 1e-300; // no stress needs no work
+  const double size = sigma < 0.0 ? -sigma : sigma, most = law.mostStretch * size;
+  const double paid = 0.25 * law.twoG * law.twoG * stretch.squares / (size + none);
+  const double against = paid < most ? paid : most;
+  const double top = sigma > 0.0 ? most : against, bottom = sigma > 0.0 ? against : most;
+  const double less = law.twoG * stretch.longer, lower = less < top ? less : top;
+  return lower > -bottom ? lower : -bottom;
+}
+
+/// Normal stress of a contact that flows [stress]: after the return and with its stretch. An
+/// unlinked contact flows towards 0 at most, and flow lengthens it up to the breaking strain at
+/// most: farther apart two automata do not touch. What it has above 0, where the mean stress of its
+/// automata pulls, flows off at once and makes no force with radial; with isochoric it is left
+/// alone (PairLaw::keepsEnergy). Nor does flow shorten it further than a link, collapseStrain:
+/// nearer together it is elastic, and two automata never come to lie on each other. \param trial
+/// before the return [stress] \param plastic  plastic offset of its normal strain [-] \param flows
+/// of flowing() [-] \param stretch  of shearStretch() [-] \param linked   1 or 0
 inline double flowedStress(const PairLaw &law, double trial, double plastic, double flows,
-                           double stretch, double linked, const Answer &i, const Answer &j)
+                           const Stretch &stretch, double linked, const Answer &i, const Answer &j)
 {
   const double returned = returnedStress(trial, flows, i, j);
-  const double above = returned > 0.0 ? returned : 0.0, below = returned - above;
-  const double less = law.twoG * stretch;
-  const double top = law.mostStretch * above, bottom = law.mostStretch * below;
-  const double most = less < top ? less : top;
-  const double sigma = returned - (most > bottom ? most : bottom);
+  const double sigma = returned - stretchedOff(law, returned, stretch);
   const double room = law.limits.breakingStrain - plastic;
   const double lowest = trial - law.twoG * (room > 0.0 ? room : 0.0);
   const double depth = plastic - collapseStrain;
