@@ -150,8 +150,11 @@ def test_block_yields_at_k_at_large_strains(tmp_path, mode, turn, strain, error)
 
 def test_load_of_an_ideally_plastic_bar_falls_with_its_section(tmp_path):
     elongation, load, _ = drawn(tmp_path)
-    # the outermost rows yield late: 16 rows bear what 16.5 do
-    assert np.interp(0.12, elongation, load) < 1.03 / 1.12
+    # the outermost rows yield late: 16 rows bear what 16.3 do
+    even = (elongation > 0.015) & (elongation < 0.07)
+    assert load[even] * (1 + elongation[even]) == pytest.approx(1, abs=0.025)
+    # nothing hardens: a band localizes, and in it links break
+    assert np.interp(0.12, elongation, load) < 0.5
 
 
 @pytest.mark.xfail(

@@ -26,7 +26,7 @@ struct ElasticStrain {
 
 /// Normal elastic strain of a contact as its energy sees it [-].
 /// \param linked  in the state whose energy is asked for, present or next
-/// \param e       r/d - 1 - plastic offset [-]
+/// \param e       eps less the plastic offset [-]
 inline double touchingStrain(bool linked, double e)
 {
   return linked || isPressed(e) ? e : 0.0;

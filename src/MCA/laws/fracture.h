@@ -76,7 +76,7 @@ struct LocalStress {
 /// \tparam Shear  a number, or in space a vector
 template<class Shear>
 struct LinkStrain {
-  double eps;       ///< total normal strain r/d - 1 [-]
+  double eps;       ///< total normal strain, of strain.h [-]
   Shear gammaTotal; ///< total shear since linking, not reduced by plasticity [-]
 };
 
@@ -95,8 +95,8 @@ struct LinkLoad {
 /// Under pressure a bulk link flows without end, but at r -> 0 its axis turns by v_t dt/r in a
 /// step, so that its shear is as stiff as 1/r^2: with the weight w of packing.h steps are unstable
 /// below about r = sqrt(2w) c_s dt. At the longest step of viscous contacts that is 0.06 d; this is
-/// the next round number above it, and steps that would be unstable above it are refused
-/// (critical_step.h).
+/// the next round number above it where strains are r/d - 1, and 0.41 d where they are logarithmic.
+/// Steps that would be unstable above it are refused (critical_step.h).
 constexpr double collapseStrain = -0.9;
 
 /// Whether a bulk link breaks, by this criterion or by collapse.

@@ -12,7 +12,7 @@ namespace mca {
 
 /// Squared strain intensity of a link [-]: max(eps, 0)^2 + (4/3) gamma^2. gamma is half the
 /// engineering shear strain, for which 4/3 gamma^2 is von Mises' weight.
-/// \param eps         total normal strain r/d - 1 [-]
+/// \param eps         total normal strain [-]
 /// \param gammaTotal  total shear since linking, not reduced by plasticity [-]
 inline double strainIntensity2(double eps, double gammaTotal)
 {
@@ -21,7 +21,7 @@ inline double strainIntensity2(double eps, double gammaTotal)
 }
 
 /// Square of the strain intensity with a shear in space, whose length counts [-].
-/// \param eps         total normal strain r/d - 1 [-]
+/// \param eps         total normal strain [-]
 /// \param gammaTotal  total shear since linking, perpendicular to the normal [-]
 inline double strainIntensity2(double eps, const Vector &gammaTotal)
 {
