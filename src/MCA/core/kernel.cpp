@@ -197,7 +197,8 @@ MCA_LOOP double yieldLoop(int n, const int *type, const AutomatonLaw *laws, cons
     kappaNext[i] = kappa[i] + flows * (contacts < 1.0 ? contacts : 1.0) * back.strain;
     answer[rows.response.factor] = flows * back.factor + (1.0 - flows);
     D::setCentre(answer, row, contacts);
-    flowing += kappaNext[i] == kappa[i] ? 0.0 : 1.0;
+    const bool rests = (kappaNext[i] == kappa[i]) & (answer[rows.response.factor] == 1.0);
+    flowing += rests ? 0.0 : 1.0;
   }
   return flowing;
 }
@@ -251,7 +252,9 @@ void returnPass(const Pairs &p, const PairLaw *laws, const double *response, dou
   typename D::Answers ofI, ofJ;
   typename D::Shares shares{};
   withStrainOnly(p, laws, [&](auto strainOnly) {
-    eachBlock<strainOnly.value>(p, [&](Block &, auto way, int first, int n) {
+    eachBlock<strainOnly.value>(p, [&](const Block &block, auto way, int first, int n) {
+      if (!block.flows)
+        return;
       const int *const pi = p.i + first, *const pj = p.j + first;
       ofI.gather(pi, n, response);
       ofJ.gather(pj, n, response);
@@ -422,7 +425,8 @@ double forcePass(const Pairs &p, const PairLaw *laws, const double *response, co
       ofI.gather(pi, n, response);
       ofJ.gather(pj, n, response);
       if (onlyBulk(way.way) && !block.breaks) {
-        block.moves = !allOne(n, ofI.factor, ofJ.factor);
+        block.moves = block.flows && !allOne(n, ofI.factor, ofJ.factor);
+        block.changes = false;
         if (block.moves)
           bulkForceBlock<D, pristine, true>(p, first, n, laws, ofI, ofJ, own);
         else
@@ -437,6 +441,7 @@ double forcePass(const Pairs &p, const PairLaw *laws, const double *response, co
           changes = forceBlock<D, mixed, C, false>(p, first, n, laws, nullptr, ofI, ofJ, own);
         }
         block.moves = changes.states > 0.0;
+        block.changes = changes.kinds > 0.0;
         changed += changes.kinds;
       }
       own.scatter(pi, pj, n, forces);

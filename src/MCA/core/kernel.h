@@ -68,7 +68,8 @@ using StressPass = void(const Pairs &, const PairLaw *laws, const double *respon
 /// \param kappa      equivalent plastic strain [-]
 /// \param kappaNext  the same at the beginning of the next step, written for all n
 /// \param response   the factor M is written, and the centre where the rows have one
-/// \return how many automata flow, a whole number: without any, kappaNext equals kappa
+/// \return how many automata flow, a whole number: without any, kappaNext equals kappa and all
+///         factors are 1
 using YieldPass = double(int n, const int *type, const AutomatonLaw *laws, bool oneLaw,
                          const double *strains, const double *stresses, const double *kappa,
                          double *kappaNext, double *response);

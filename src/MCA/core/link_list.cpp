@@ -61,8 +61,12 @@ void LinkList::reset(int n)
 void LinkList::add(int i, int j, int law, const double *state)
 {
   const int k = view_.n++;
-  if (k % blockLength == 0)
-    blocks_.push_back({law, true, true, false, false, false});
+  if (k % blockLength == 0) {
+    Block first{};
+    first.law = law;
+    first.bulk = first.pristine = first.flows = true;
+    blocks_.push_back(first);
+  }
   Block &block = blocks_.back();
   if (law != block.law)
     block.law = Block::mixed;
@@ -202,7 +206,7 @@ void LinkList::advance()
   for (size_t b = 0; b < blocks_.size(); b++) {
     if (!blocks_[b].moves)
       continue;
-    blocks_[b].moves = blocks_[b].pristine = false;
+    blocks_[b].moves = blocks_[b].changes = blocks_[b].pristine = false;
     const int first = static_cast<int>(b) * blockLength;
     const int n = std::min(blockLength, view_.n - first);
     for (size_t m = 0; m < now_.size(); m++)

@@ -35,7 +35,8 @@ struct PairState {
 
 /// What is known of all pairs of a block, so that most blocks take a short way. It never changes a
 /// result, only the time that it takes. LinkList sets law, bulk, pristine and across, the strain
-/// pass `breaks`, the force pass `moves`; LinkList::advance() brings bulk and pristine up to date.
+/// pass `breaks`, Step `flows` before the return pass, the force pass `moves` and `changes`;
+/// LinkList::advance() brings bulk and pristine up to date.
 struct Block {
   static constexpr int mixed = -1;
   int law;   ///< number of the law of all its pairs, or mixed
@@ -46,8 +47,11 @@ struct Block {
   /// One of them reaches the breaking strain in this step; of bulk blocks under a criterion by
   /// strain.
   bool breaks;
-  bool moves;  ///< the next state differs from the present one; only then is it held in `next`
-  bool across; ///< one of them meets over a periodic face; else placeI, placeJ equal i, j
+  /// An automaton of it may flow: one of its own that does not know yet by how much, or a guest.
+  bool flows;
+  bool moves;   ///< the next state differs from the present one; only then is it held in `next`
+  bool changes; ///< ... in the kind of a pair
+  bool across;  ///< one of them meets over a periodic face; else placeI, placeJ equal i, j
 };
 
 /// The pair list, or a part of it from a block's first pair on; arrays have `n` values, row numbers

@@ -8,9 +8,6 @@
 
 namespace mca {
 
-// Automata at a time of the yield pass: without flow their state stays as it is, untouched.
-static constexpr int yieldLength = 256;
-
 static Exchange nobody; // of a step that is alone
 
 Step::Step(int dimension, const Kernel *kernel)
@@ -38,7 +35,6 @@ void Step::begin(int own, int all, const int *types, int border)
 {
   begun_ = committed_ = true;
   changing_ = 0.0;
-  flowing_.clear();
   types_.assign(types, types + own);
   border_ = std::min((border + blockLength - 1) / blockLength * blockLength, links_.size());
   const int summed = exchange_->alone() ? own : all; // images only give places
@@ -52,7 +48,11 @@ void Step::begin(int own, int all, const int *types, int border)
   for (RowArray *of : {&kept_, &keptNext_})
     of->resize(laws_.keepsVolume ? own : 0);
   linkChanges_.resize(own);
-  linkChanges_.clear();
+  for (RowArray *of : {&kept_, &keptNext_, &linkChanges_})
+    of->clear();
+  spans_.begin(links_.part(0, links_.size()), own, summed);
+  flows_.assign(spans_.size(), true); // guests always may
+  keeps_.assign(spans_.own(), false);
 }
 
 // What other ranks need is on its way while the inside of the sample is worked on; the pairs at the
@@ -205,54 +205,84 @@ void Step::findMeans()
 // (yieldAgain()). kappa grows in the next state, so that all automata flow by the same present one.
 void Step::findReturns(const Automata &a)
 {
-  flowing_.clear();
-  for (int from = 0; from < own(); from += yieldLength)
-    yield(a.kappa, from, std::min(from + yieldLength, own()));
+  for (int s = 0; s < spans_.own(); s++)
+    flows_[s] = yield(a.kappa, spans_.first(s), spans_.last(s));
+  const Pairs p = links_.part(0, links_.size());
+  for (int b = 0; b * blockLength < p.n; b++) {
+    const RowSpans::Range spans = spans_.of(b);
+    p.blocks[b].flows = std::any_of(spans.begin(), spans.end(), [&](int s) { return flows_[s]; });
+  }
 }
 
-// Radial returns of a range of automata. Where none flows, which is most of a sample, kappaNext is
-// not written: the present state stays.
-void Step::yield(const double *kappa, int from, int to)
+// Radial returns of a span of automata; whether any flows. Where none does, which is most of a
+// sample, kappaNext is not written: the present state stays.
+bool Step::yield(const double *kappa, int from, int to)
 {
-  double next[yieldLength];
+  double next[RowSpans::length];
   const bool flows = kernel_->yield(to - from, types_.data() + from, laws_.automata.data(),
                                     laws_.oneMaterial, strains_.row(from), stresses_.row(from),
                                     kappa + from, next, response_.row(from)) > 0.0;
-  if (flows)
-    flowing_.emplace_back(from, to);
   if (flows || laws_.needsLocal)
     std::copy_n(next, to - from, kappaNext_.row(from));
+  return flows;
 }
 
 // Yields once more, now that the returns of neighbours are known; these are on their way. What
 // flows on this rank is a neighbour's affair, too, hence only one rank alone may pass over it.
 void Step::yieldAgain(const Automata &a, const Pairs &border, const Pairs &inside)
 {
-  if (exchange_->alone() && flowing_.empty())
+  const bool flow = std::any_of(flows_.begin(), flows_.end(), [](char flows) { return flows; });
+  if (exchange_->alone() && !flow)
     return;
   const RowLayout::Response &row = layout().response;
   double *const response = response_.data(), *const answers = response + row.factor;
   exchange_->begin(answers, row.length, row.answers);
   // the forces are not needed before the force pass
   RowArray &taken = forces_.length() == stresses_.length() ? forces_ : taken_;
-  taken.clear();
+  clearTaken(taken);
   kernel_->returns(inside, laws_.pairs.data(), response, taken.data());
   exchange_->finish(answers, row.length, row.answers);
   kernel_->returns(border, laws_.pairs.data(), response, taken.data());
-  for (const auto &[from, to] : flowing_)
-    kernel_->yieldAgain(to - from, types_.data() + from, laws_.automata.data(), strains_.row(from),
-                        stresses_.row(from), taken.row(from), a.kappa + from, kappaNext_.row(from),
-                        response_.row(from));
+  for (int s = 0; s < spans_.own(); s++)
+    if (const int from = spans_.first(s); flows_[s])
+      kernel_->yieldAgain(spans_.last(s) - from, types_.data() + from, laws_.automata.data(),
+                          strains_.row(from), stresses_.row(from), taken.row(from), a.kappa + from,
+                          kappaNext_.row(from), response_.row(from));
 }
 
-// Where links have broken, the mean stress begins with what they left to it.
+// Sums of the return pass, of the automata that its blocks touch.
+void Step::clearTaken(const RowArray &taken)
+{
+  touched_.assign(spans_.size(), false);
+  const Pairs p = links_.part(0, links_.size());
+  for (int b = 0; b * blockLength < p.n; b++)
+    if (p.blocks[b].flows)
+      for (const int s : spans_.of(b))
+        touched_[s] = true;
+  for (int s = 0; s < spans_.size(); s++)
+    if (touched_[s])
+      std::fill(taken.row(spans_.first(s)), taken.row(spans_.last(s)), 0.0);
+}
+
+// Where links have broken, the mean stress begins with what they left to it. Most automata have
+// kept nothing, and then all is 0 already.
 void Step::addKept(const double *kept)
 {
   if (!laws_.keepsVolume)
     return;
-  double *row = strains_.data() + layout().strain.sum;
-  for (int i = 0; i < own(); i++, row += layout().strain.length)
-    *row = *kept_.row(i) = kept[i];
+  const int length = layout().strain.length;
+  for (int s = 0; s < spans_.own(); s++) {
+    const int from = spans_.first(s), to = spans_.last(s);
+    const bool keeps = std::any_of(kept + from, kept + to, [](double e) { return e != 0.0; });
+    if (!keeps && !keeps_[s])
+      continue;
+    keeps_[s] = keeps;
+    double *row = strains_.row(from) + layout().strain.sum;
+    for (int i = from; i < to; i++, row += length) {
+      *row = *kept_.row(i) = kept[i];
+      *keptNext_.row(i) = 0.0;
+    }
+  }
 }
 
 // What of it the next state has: what lets go of it, and what links that break now leave.
@@ -260,20 +290,28 @@ void Step::findKept()
 {
   if (!laws_.keepsVolume)
     return;
-  const double *mean = response_.data() + layout().response.mean;
-  for (int i = 0; i < own(); i++, mean += layout().response.length) {
-    const AutomatonLaw &law = laws_.automata[types_[i]];
-    *keptNext_.row(i) = keptStrain(kept(i), *mean / (law.bulkModulus * law.weight));
-  }
-  if (changing_ == 0.0)
-    return;
+  const int mean = layout().response.mean;
+  for (int s = 0; s < spans_.own(); s++)
+    for (int i = spans_.first(s); keeps_[s] && i < spans_.last(s); i++) {
+      const AutomatonLaw &law = laws_.automata[types_[i]];
+      *keptNext_.row(i) =
+          keptStrain(kept(i), response_.row(i)[mean] / (law.bulkModulus * law.weight));
+    }
+  if (changing_ > 0.0)
+    leaveStrains();
+}
+
+void Step::leaveStrains()
+{
   const Pairs p = links_.part(0, links_.size());
   for (int k = 0; k < p.n; k++)
-    if (p.blocks[k / blockLength].moves && link::isLinked(p.now.kind[k]) &&
+    if (p.blocks[k / blockLength].changes && link::isLinked(p.now.kind[k]) &&
         !link::isLinked(p.next.kind[k]))
       for (const int i : {p.i[k], p.j[k]})
-        if (i < own())
+        if (i < own()) {
           *keptNext_.row(i) += strainLeft(p.eps[k] - p.next.plastic[k]);
+          keeps_[i / RowSpans::length] = true;
+        }
 }
 
 // What automata show to the criteria of their contacts; nullptr where these need nothing.
@@ -350,10 +388,13 @@ bool Step::commit(const Automata &a)
   if (changing_ > 0.0)
     findChanges();
   changing_ = 0.0;
-  for (const auto &[from, to] : flowing_)
-    std::copy(kappaNext_.row(from), kappaNext_.row(to), a.kappa + from);
-  if (laws_.keepsVolume)
-    std::copy_n(keptNext_.data(), own(), a.kept);
+  for (int s = 0; s < spans_.own(); s++) {
+    const int from = spans_.first(s), n = spans_.last(s) - from;
+    if (flows_[s])
+      std::copy_n(kappaNext_.row(from), n, a.kappa + from);
+    if (keeps_[s])
+      std::copy_n(keptNext_.row(from), n, a.kept + from);
+  }
   return committed_ = true;
 }
 
@@ -364,7 +405,7 @@ void Step::findChanges()
 {
   const Pairs p = links_.part(0, links_.size());
   for (int k = 0; k < p.n; k++) {
-    if (!p.blocks[k / blockLength].moves)
+    if (!p.blocks[k / blockLength].changes)
       continue;
     const double before = p.now.kind[k], after = p.next.kind[k];
     const bool was = link::isLinked(before), is = link::isLinked(after);

@@ -29,6 +29,7 @@
 #include "laws/elasticity.h"
 #include "laws/vector.h"
 #include "link_list.h"
+#include "row_spans.h"
 #include "row_view.h"
 #include "slip_viscosity.h"
 #include "viscous_contacts.h"
@@ -251,13 +252,16 @@ class Step {
   RowArray taken_; // by returns; of the same rows, where it cannot be in the place of forces_
   RowArray kappaNext_, kept_, keptNext_; // of own automata
   RowArray linkChanges_;                 // broken and formed of own automata, since takeChanges()
+  RowSpans spans_;
+  // of each span: its automata may flow; may have something kept, now or next; the return pass
+  // adds to them
+  std::vector<char> flows_, keeps_, touched_;
   ViscousPairs viscousPairs_;
   ViscousContacts viscous_;
   SlipViscosity slip_;
   ContactFriction friction_;
 
-  std::vector<std::pair<int, int>> flowing_; // ranges of rows whose equivalent plastic strain grows
-  double changing_ = 0.0;                    // pairs whose next state is another kind
+  double changing_ = 0.0; // pairs whose next state is another kind
   std::vector<Change> changed_;
   Count events_; // links and welds stay 0
 
@@ -267,9 +271,11 @@ class Step {
   double &spinOf(int row, int component);
   void findMeans();
   void findReturns(const Automata &);
-  void yield(const double *kappa, int from, int to);
+  bool yield(const double *kappa, int from, int to);
+  void clearTaken(const RowArray &taken);
   void addKept(const double *kept);
   void findKept();
+  void leaveStrains();
   void yieldAgain(const Automata &, const Pairs &border, const Pairs &inside);
   const double *showLocal(const Automata &);
   RowView view() const;

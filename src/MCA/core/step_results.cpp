@@ -161,7 +161,7 @@ Step::Count Step::count() const
 
 double Step::bytes() const
 {
-  double sum = links_.bytes() + slip_.bytes() + friction_.bytes();
+  double sum = links_.bytes() + slip_.bytes() + friction_.bytes() + spans_.bytes();
   for (const RowArray *rows : {&motion_, &spin_, &strains_, &stresses_, &response_, &forces_,
                                &local_, &taken_, &kappaNext_, &kept_, &keptNext_, &linkChanges_})
     sum += rows->bytes();

@@ -6,7 +6,8 @@
 namespace mca {
 
 // Each number is written where the next one belongs, and counts if its pair is viscous: without a
-// branch, as nothing foretells which pairs are. No block of bulk links that none leaves has one.
+// branch, as nothing foretells which pairs are. Which are is asked in a loop of its own, which
+// vectorises. No block of bulk links that none leaves has one.
 void ViscousPairs::find(const Pairs &p)
 {
   if (numbers_.size() < static_cast<size_t>(p.n))
@@ -15,14 +16,19 @@ void ViscousPairs::find(const Pairs &p)
   int count = 0;
   for (int first = 0; first < p.n; first += blockLength) {
     const Block &block = p.blocks[first / blockLength];
-    if (block.bulk && !block.moves)
+    if (block.bulk && !block.changes)
       continue;
-    const double *const next = block.moves ? p.next.kind : p.now.kind;
-    const int last = std::min(first + blockLength, p.n);
-    for (int k = first; k < last; k++) {
-      numbers[count] = k;
-      count += !(link::isLinked(p.now.kind[k]) & link::isLinked(next[k])) &
-               isPressed(p.eps[k] - p.now.plastic[k]);
+    const int n = std::min(blockLength, p.n - first);
+    const double *const now = p.now.kind + first, *const eps = p.eps + first;
+    const double *const next = block.changes ? p.next.kind + first : now;
+    const double *const plastic = p.now.plastic + first;
+    char viscous[blockLength];
+    for (int k = 0; k < n; k++)
+      viscous[k] =
+          !(link::isLinked(now[k]) & link::isLinked(next[k])) & isPressed(eps[k] - plastic[k]);
+    for (int k = 0; k < n; k++) {
+      numbers[count] = first + k;
+      count += viscous[k];
     }
   }
   count_ = count;
