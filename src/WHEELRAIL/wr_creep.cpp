@@ -22,7 +22,6 @@ using namespace wheelrail;
 namespace {
 
 constexpr const char *programName = "wr_creep";
-constexpr const char *journalName = "wr_creep.journal";
 
 std::atomic<bool> interruptAsked{false};
 void askToStop(int)
@@ -76,31 +75,15 @@ void warn(const std::vector<std::string> &warnings)
     complain(programName, "warning: " + warning);
 }
 
-/// A profile or law that lies in the folder for the results must not be written over.
-void checkInputsStay(const Settings &settings, const Case &input, const CreepTask &task,
-                     std::vector<RequestedOutput> outputs)
-{
-  std::vector<std::string> inputs = input.files();
-  inputs.push_back(settings.caseFile);
-  for (const std::string &name : task.outputs())
-    outputs.push_back({"-o", settings.folder + "/" + name});
-  outputs.push_back({"-o", settings.folder + "/" + journalName});
-  checkOutputs(outputs, inputs);
-}
-
 /// Puts all files in place, and only then takes the journal away and says what was found.
 void finish(const Settings &settings, const Case &input, const TaskReport &report,
             ResultFiles &files, const Journal &journal)
 {
-  std::vector<std::string> inputs = input.files();
-  inputs.push_back(settings.caseFile);
-  files.commit(inputs);
+  files.commit(input.inputs());
   warn(report.warnings);
   journal.remove();
   if (!settings.quiet)
-    writeStandardOutput(fmt::format(
-        "{}{}{} in {:.2f} s; written to {}/: {}\n{}", settings.verbose ? report.details : "",
-        report.text, report.count, report.seconds, settings.folder, files.names(), report.extra));
+    writeStandardOutput(screenText(report, files, settings.verbose));
   if (report.shortfall)
     throw Error(*report.shortfall);
   reportFailures(programName, report);
@@ -114,11 +97,13 @@ void run(const Settings &settings)
     return;
   }
   const std::unique_ptr<CreepTask> task = input.open();
-  const std::vector<RequestedOutput> extra = task->extraOutputs(settings.extra);
+  std::vector<RequestedOutput> outputs = task->extraOutputs(settings.extra);
   const LawPointer law = task->friction().read();
   const std::string identity = input.identity();
   prepareOutputFolder(settings.folder);
-  checkInputsStay(settings, input, *task, extra);
+  for (const RequestedOutput &output : folderOutputs(*task, settings.folder))
+    outputs.push_back(output);
+  checkOutputs(outputs, input.inputs()); // a profile or law may lie in the folder, and stays
   if (const std::string note = law->note(); !note.empty() && !settings.quiet)
     complain(programName, "note: " + note);
 

@@ -41,11 +41,8 @@ std::map<std::string, Range> fittedOn(const FitAnalysis &analysis)
   std::map<std::string, Range> ranges;
   for (const auto &condition : analysis.conditions) {
     const FrictionRun &run = analysis.runs[condition.runs.front()];
-    const std::pair<const char *, double> values[] = {
-        {"pressure", run.head.pressure}, {"velocity", std::abs(run.head.velocity)},
-        {"strength", run.head.strength}, {"youngs_modulus", run.youngsModulus()},
-        {"density", run.head.density},   {"viscosity", run.head.viscosity}};
-    for (const auto &[name, value] : values) {
+    for (const char *name : fittedQuantities) {
+      const double value = std::abs(runColumn(name).get(run)); // a velocity may be negative
       const auto range = ranges.try_emplace(name, Range{value, value}).first;
       range->second = {std::min(range->second[0], value), std::max(range->second[1], value)};
     }
@@ -270,15 +267,19 @@ std::string modelLines(const FitAnalysis &analysis)
   return text;
 }
 
+Json valueOf(const RunColumn &column, const FrictionRun &run)
+{
+  const double value = column.get(run);
+  return column.whole ? Json(static_cast<long>(value)) : finite(value);
+}
+
 Json runJson(const FrictionRun &run)
 {
   Json json;
   json["file"] = run.file;
-  for (const RunColumn &column : runColumns()) {
-    const double value = column.get(run);
-    if (column.inReport)
-      json[column.name] = column.whole ? Json(static_cast<long>(value)) : finite(value);
-  }
+  for (const RunColumn &column : runColumns())
+    if (column.report != InReport::No)
+      json[column.name] = valueOf(column, run);
   json["strengths"] = run.health.strengths;
   json["note"] = run.note;
   json["left_out"] = run.leftOut;
@@ -289,18 +290,17 @@ Json runJson(const FrictionRun &run)
 Json conditionJson(const FitAnalysis &analysis, std::size_t i)
 {
   const FitCondition &condition = analysis.conditions[i];
-  const FrictionRun &first = analysis.runs[condition.runs.front()];
-  Json json = {{"kappa1", first.kappa1},          {"kappa2", first.kappa2},
-               {"kappa3", first.kappa3},          {"mu", condition.mean.mu},
-               {"mu_se", condition.mean.muSe},    {"t95", first.t95},
-               {"own_error", condition.ownError}, {"scatter", finite(condition.scatter)},
-               {"mu_eq2", first.muEq2},           {"runs", Json::array()},
-               {"pressure", first.head.pressure}, {"velocity", first.head.velocity},
-               {"strength", first.head.strength}, {"viscosity", first.head.viscosity}};
-  for (const std::size_t run : condition.runs)
-    json["runs"].push_back(run);
+  Json json;
+  for (const RunColumn &column : runColumns())
+    if (column.report == InReport::AndConditions)
+      json[column.name] = valueOf(column, analysis.runs[condition.runs.front()]);
+  json["mu"] = condition.mean.mu;
+  json["mu_se"] = condition.mean.muSe;
+  json["own_error"] = condition.ownError;
+  json["scatter"] = finite(condition.scatter);
+  json["runs"] = condition.runs;
   if (analysis.options.material)
-    json["temperature"] = first.temperature;
+    json["temperature"] = analysis.runs[condition.runs.front()].temperature;
   if (!analysis.fit)
     return json;
   json["residual"] = analysis.fit->residuals[i];

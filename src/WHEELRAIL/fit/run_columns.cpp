@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "fit/run_columns.h"
 
+#include "base/unit_groups.h"
+
 #include <algorithm>
 #include <fmt/format.h>
+#include <stdexcept>
 
 namespace wheelrail {
 namespace {
@@ -64,40 +67,49 @@ std::string csvField(const std::string &text)
 const std::vector<RunColumn> &runColumns()
 {
   using Head = mcawr::friction_log::Head;
+  constexpr auto shared = InReport::AndConditions;
   static const std::vector<RunColumn> table = {
-      {"kappa1", own<&P::kappa1>, first(8)},
-      {"kappa2", own<&P::kappa2>, first(8)},
-      {"kappa3", own<&P::kappa3>, second(8)},
-      {"mu", own<&P::mu>, first(6)},
-      {"mu_se", own<&P::muSe>, first(4)},
-      {"mu_se_own", own<&P::muOwn>, last(4)},
-      {"t95", own<&P::t95>, notInCsv},
-      {"n_eff", own<&P::nEff>, first(4)},
-      {"t_start", own<&P::tStart>, first(6)},
-      {"mu_grinding_in", own<&P::muGrindingIn>, first(6)},
-      {"mu_eq2", own<&P::muEq2>, first(6)},
-      {"correlation_time", own<&P::correlationTime>, notInCsv},
-      {"mu_peak", own<&P::muPeak>, notInCsv},
-      {"duration", own<&P::duration>, notInCsv},
-      {"pressure", ofHead<&Head::pressure>, second(8)},
-      {"velocity", ofHead<&Head::velocity>, second(8)},
-      {"strength", ofHead<&Head::strength>, second(8)},
-      {"youngs_modulus", youngsModulus, second(8), false},
-      {"viscosity", ofHead<&Head::viscosity>, second(8)},
-      {"poissons_ratio", ofHead<&Head::poissonsRatio>, last(8), false},
-      {"density", ofHead<&Head::density>, last(8), false},
-      {"breaking_strain", ofHead<&Head::breakingStrain>, last(8), false},
-      {"seed", seed, second(wholeDigits), true, true},
-      {"distance", ofHealth<&RunHealth::distance>, last(8)},
-      {"start_distance", ofHealth<&RunHealth::startDistance>, notInCsv},
-      {"gap", ofHealth<&RunHealth::gap>, last(6)},
-      {"room", ofHealth<&RunHealth::room>, last(6)},
-      {"least_room", ofHealth<&RunHealth::leastRoom>, notInCsv},
-      {"lost", ofHealth<&RunHealth::lost>, last(6)},
-      {"smooth", ofHealth<&RunHealth::smooth>, last(4)},
-      {"fall", ofHealth<&RunHealth::fall>, notInCsv},
+      {"kappa1", "1", own<&P::kappa1>, first(8), shared},
+      {"kappa2", "1", own<&P::kappa2>, first(8), shared},
+      {"kappa3", "1", own<&P::kappa3>, second(8), shared},
+      {"mu", "1", own<&P::mu>, first(6)},
+      {"mu_se", "1", own<&P::muSe>, first(4)},
+      {"mu_se_own", "1", own<&P::muOwn>, last(4)},
+      {"t95", "1", own<&P::t95>, notInCsv, shared},
+      {"n_eff", "1", own<&P::nEff>, first(4)},
+      {"t_start", "ns", own<&P::tStart>, first(6)},
+      {"mu_grinding_in", "1", own<&P::muGrindingIn>, first(6)},
+      {"mu_eq2", "1", own<&P::muEq2>, first(6), shared},
+      {"correlation_time", "ns", own<&P::correlationTime>, notInCsv},
+      {"mu_peak", "1", own<&P::muPeak>, notInCsv},
+      {"duration", "ns", own<&P::duration>, notInCsv},
+      {"pressure", "MPa", ofHead<&Head::pressure>, second(8), shared},
+      {"velocity", "m/s", ofHead<&Head::velocity>, second(8), shared},
+      {"strength", "MPa", ofHead<&Head::strength>, second(8), shared},
+      {"youngs_modulus", "MPa", youngsModulus, second(8), InReport::No},
+      {"viscosity", "Pa s", ofHead<&Head::viscosity>, second(8), shared},
+      {"poissons_ratio", "1", ofHead<&Head::poissonsRatio>, last(8), InReport::No},
+      {"density", "kg/m^3", ofHead<&Head::density>, last(8), InReport::No},
+      {"breaking_strain", "1", ofHead<&Head::breakingStrain>, last(8), InReport::No},
+      {"seed", "1", seed, second(wholeDigits), InReport::Runs, true},
+      {"distance", "nm", ofHealth<&RunHealth::distance>, last(8)},
+      {"start_distance", "nm", ofHealth<&RunHealth::startDistance>, notInCsv},
+      {"gap", "nm", ofHealth<&RunHealth::gap>, last(6)},
+      {"room", "1", ofHealth<&RunHealth::room>, last(6)},
+      {"least_room", "1", ofHealth<&RunHealth::leastRoom>, notInCsv},
+      {"lost", "1", ofHealth<&RunHealth::lost>, last(6)},
+      {"smooth", "1", ofHealth<&RunHealth::smooth>, last(4)},
+      {"fall", "1", ofHealth<&RunHealth::fall>, notInCsv},
   };
   return table;
+}
+
+const RunColumn &runColumn(const std::string &name)
+{
+  for (const RunColumn &column : runColumns())
+    if (column.name == name)
+      return column;
+  throw std::out_of_range("runColumn: no column " + name);
 }
 
 std::string runsAsCsv(const std::vector<FrictionRun> &runs)
@@ -108,10 +120,12 @@ std::string runsAsCsv(const std::vector<FrictionRun> &runs)
       columns.push_back(column);
   std::stable_sort(columns.begin(), columns.end(),
                    [](const RunColumn &a, const RunColumn &b) { return a.csv.rank < b.csv.rank; });
-  std::string text = "# t_start in ns (nan: no stationary part found, mu of the second half), "
-                     "pressure, strength and youngs_modulus in MPa, velocity in m/s, viscosity in "
-                     "Pa s, density in kg/m^3, distance (slid in all) and gap in nm; the rest is "
-                     "dimensionless\nfile";
+  std::vector<NamedUnit> units;
+  for (const RunColumn &column : columns)
+    units.push_back({column.name, column.unit});
+  std::string text = "# " + unitsText(units) +
+                     "; t_start is nan where there is no stationary part, mu is that of the second "
+                     "half\nfile";
   for (const RunColumn &column : columns)
     text += fmt::format(",{}", column.name);
   text += "\n";

@@ -18,23 +18,33 @@ struct InCsv {
   int rank = 0;
 };
 
+/// Which lists of the JSON report have a number.
+enum class InReport {
+  No,
+  Runs,         ///< `points`
+  AndConditions ///< `conditions`, too: all runs of a condition have the same
+};
+
 /// One number of a run.
 struct RunColumn {
   const char *name;
-  double (*get)(const FrictionRun &run); ///< in the unit of `FrictionRun`
+  const char *unit;                      ///< as files say it; "1": pure number
+  double (*get)(const FrictionRun &run); ///< in that unit
   InCsv csv;
-  bool inReport = true; ///< among the `points` of the JSON report
-  bool whole = false;   ///< a whole number
+  InReport report = InReport::Runs;
+  bool whole = false; ///< a whole number
 };
 
 /// All of them, in the order of the report.
 const std::vector<RunColumn> &runColumns();
 
+/// One of them. \throws std::out_of_range for a name that the table does not have
+const RunColumn &runColumn(const std::string &name);
+
 /// The CSV file: a comment line with the units, a line of column names, one row a run. `file` comes
 /// first, then the columns of the table that have digits.
-/// t_start (ns) is nan where no stationary part was found, mu_grinding_in where there was no
-/// grinding-in; what a log does not say is nan, too. Lengths in nm, stresses in MPa, velocity in
-/// m/s, viscosity in Pa s, density in kg/m3, the rest is dimensionless.
+/// t_start is nan where no stationary part was found, mu_grinding_in where there was no
+/// grinding-in; what a log does not say is nan, too.
 std::string runsAsCsv(const std::vector<FrictionRun> &runs);
 
 } // namespace wheelrail

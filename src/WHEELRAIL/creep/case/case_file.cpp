@@ -145,6 +145,13 @@ std::vector<std::string> Case::files() const
   return files;
 }
 
+std::vector<std::string> Case::inputs() const
+{
+  std::vector<std::string> all = files();
+  all.push_back(path);
+  return all;
+}
+
 std::string Case::identity() const
 {
   std::string identity = text;
@@ -165,6 +172,7 @@ Case readCase(const std::string &path, const std::vector<std::string> &changes)
   const Scope here = scopeOf(reader);
   checkScope(reader, here);
   Case result;
+  result.path = path;
   if (here & scope::point) {
     result.task = readPatch(reader, path);
     result.text = reader.configuration();

@@ -27,8 +27,12 @@ struct Case {
 
   /// The task, ready to be solved.
   std::unique_ptr<CreepTask> open() const;
-  /// Files that the case reads, by the path that will be opened: law, measured surfaces.
+  /// Path of the case file, as given.
+  std::string path;
+  /// Files that the case names, by the path that will be opened: law, measured surfaces.
   std::vector<std::string> files() const;
+  /// All files that a run reads: those that the case names, and its own.
+  std::vector<std::string> inputs() const;
   /// All that decides the results, for a journal: the text, and the content of the files it names
   /// as checksums. Reads them.
   /// \throws Error (BadInput) for a file that cannot be read

@@ -6,29 +6,31 @@ namespace {
 
 constexpr double newtonPerMm = 1e3;
 
-std::vector<Column<CurvePoint>> makeTable()
+using P = CurvePoint;
+
+std::vector<Column<P>> makeTable()
 {
-  using P = CurvePoint;
-  std::vector<Column<P>> table = {
-      {"speed", "m/s", 1.0, "rolling speed", kept<&P::speed>, leading(6), leading(6)},
-      {"creep", "1", 1.0, "sliding/rolling speed", kept<&P::creep>, leading(10), leading(10)}};
-  for (const Column<LineValues> &value : lineColumns()) {
-    table.push_back(columnOf<P>(value));
-    if (value.name == "traction_ratio")
-      table.push_back({"traction", "N/mm", newtonPerMm, "T", kept<&P::traction>, leading(10)});
-    else if (value.name == "temperature_rise")
-      table.push_back({"iterations", "1", 1.0, "of the fixed point; steps in mode moving",
-                       kept<&P::iterations>, leading(wholeDigits)});
-  }
-  // not in creep.csv
-  table.push_back({"temperature_max", "K", 1.0, "", kept<&P::temperatureMaximum>});
-  table.push_back({"profile", "1", 1.0, "", kept<&P::profile>});
-  table.push_back({"standard_error", "1", 1.0, "of T/N, from the covariance of the law",
-                   kept<&P::band, &Band::standardError>, nowhere, leading(6)});
-  table.push_back({"low", "1", 1.0, "lower end of the 95 % interval of T/N",
-                   kept<&P::band, &Band::low>, nowhere, leading(10)});
-  table.push_back({"high", "1", 1.0, "upper end of the 95 % interval of T/N",
-                   kept<&P::band, &Band::high>, nowhere, leading(10)});
+  const std::vector<PlacedColumn<P>> own = {
+      {"", {"speed", "m/s", 1.0, "rolling speed", kept<&P::speed>, leading(6), leading(6)}},
+      {"speed",
+       {"creep", "1", 1.0, "sliding/rolling speed", kept<&P::creep>, leading(10), leading(10)}},
+      {"traction_ratio", {"traction", "N/mm", newtonPerMm, "T", kept<&P::traction>, leading(10)}},
+      {"temperature_rise",
+       {"iterations", "1", 1.0, "of the fixed point; steps in mode moving", kept<&P::iterations>,
+        leading(wholeDigits)}},
+      // not in creep.csv
+      {"stick_fraction", {"temperature_max", "K", 1.0, "", kept<&P::temperatureMaximum>}},
+      {"temperature_max", {"profile", "1", 1.0, "", kept<&P::profile>}},
+      {"profile",
+       {"standard_error", "1", 1.0, "of T/N, from the covariance of the law",
+        kept<&P::band, &Band::standardError>, nowhere, leading(6)}},
+      {"standard_error",
+       {"low", "1", 1.0, "lower end of the 95 % interval of T/N", kept<&P::band, &Band::low>,
+        nowhere, leading(10)}},
+      {"low",
+       {"high", "1", 1.0, "upper end of the 95 % interval of T/N", kept<&P::band, &Band::high>,
+        nowhere, leading(10)}}};
+  std::vector<Column<P>> table = extended(lineColumns(), own);
   for (Column<P> &column : table)
     column.still = column.series = nowhere; // a curve's point is in neither
   return table;

@@ -4,7 +4,6 @@
 #include "base/errors.h"
 #include "contact/patch/formats/gsf_file.h"
 
-#include <array>
 #include <cstdint>
 #include <cstring>
 #include <fmt/format.h>
@@ -16,6 +15,53 @@ namespace {
 
 using Vector = Eigen::VectorXd;
 constexpr double mm = 1e-3, MPa = 1e6; // in SI
+
+/// A field of real numbers, of one component or of two.
+struct FieldRow {
+  const char *name;
+  const char *siUnit; ///< of .gsf files; empty: pure number
+  double scale;       ///< the unit of `PatchFields` in that one
+  Vector PatchFields::*values;
+  TangentialField PatchFields::*vectors; ///< in place of `values`
+};
+
+constexpr FieldRow fieldTable[] = {
+    {"gap", "m", mm, &PatchFields::gap, nullptr},
+    {"pressure", "Pa", MPa, &PatchFields::pressure, nullptr},
+    {"traction", "Pa", MPa, nullptr, &PatchFields::traction},
+    {"slip", "", 1.0, nullptr, &PatchFields::slip},
+    {"mu", "", 1.0, &PatchFields::mu, nullptr},
+    {"temperature", "K", 1.0, &PatchFields::temperature, nullptr},
+};
+
+constexpr const char *stateName = "state"; // the only field of whole numbers
+
+/// A component of a row: "traction_x".
+struct FieldComponent {
+  std::string name;
+  const FieldRow *row;
+  Vector TangentialField::*part; ///< null: of the row's `values`
+
+  const Vector &of(const PatchFields &fields) const
+  {
+    return part ? fields.*row->vectors.*part : fields.*row->values;
+  }
+};
+
+std::vector<FieldComponent> fieldComponents()
+{
+  std::vector<FieldComponent> components;
+  for (const FieldRow &row : fieldTable) {
+    const std::string name = row.name;
+    if (row.values) {
+      components.push_back({name, &row, nullptr});
+    } else {
+      components.push_back({name + "_x", &row, &TangentialField::x});
+      components.push_back({name + "_y", &row, &TangentialField::y});
+    }
+  }
+  return components;
+}
 
 Vector stateNumbers(const std::vector<PatchState> &state)
 {
@@ -116,13 +162,13 @@ std::string vtiBytes(const PatchGrid &grid, const PatchFields &fields, const std
                      const ResultHead &head)
 {
   AppendedArrays arrays;
-  arrays.add("state", fields.state);
-  arrays.add("gap", fields.gap);
-  arrays.add("pressure", fields.pressure);
-  arrays.add("traction", fields.traction);
-  arrays.add("slip", fields.slip);
-  arrays.add("mu", fields.mu);
-  arrays.add("temperature", fields.temperature);
+  arrays.add(stateName, fields.state);
+  for (const FieldRow &row : fieldTable) {
+    if (row.values)
+      arrays.add(row.name, fields.*row.values);
+    else
+      arrays.add(row.name, fields.*row.vectors);
+  }
   const std::string extent = fmt::format("0 {} 0 {} 0 0", grid.nx, grid.ny);
   std::string text = "<?xml version=\"1.0\"?>\n";
   text += fmt::format("<!-- {} -->\n", commentText(title));
@@ -148,25 +194,6 @@ std::string vtiBytes(const PatchGrid &grid, const PatchFields &fields, const std
 
 namespace {
 
-/// A field of a .gsf file.
-struct GsfField {
-  const char *name;
-  const char *unit;                            ///< empty: pure number
-  Vector (*values)(const PatchFields &fields); ///< in that unit
-};
-
-constexpr std::array<GsfField, 9> gsfTable = {{
-    {"state", "", [](const PatchFields &f) -> Vector { return stateNumbers(f.state); }},
-    {"gap", "m", [](const PatchFields &f) -> Vector { return f.gap * mm; }},
-    {"pressure", "Pa", [](const PatchFields &f) -> Vector { return f.pressure * MPa; }},
-    {"traction_x", "Pa", [](const PatchFields &f) -> Vector { return f.traction.x * MPa; }},
-    {"traction_y", "Pa", [](const PatchFields &f) -> Vector { return f.traction.y * MPa; }},
-    {"slip_x", "", [](const PatchFields &f) -> Vector { return f.slip.x; }},
-    {"slip_y", "", [](const PatchFields &f) -> Vector { return f.slip.y; }},
-    {"mu", "", [](const PatchFields &f) -> Vector { return f.mu; }},
-    {"temperature", "K", [](const PatchFields &f) -> Vector { return f.temperature; }},
-}};
-
 /// One line of the head.
 std::string withoutControls(std::string text)
 {
@@ -180,9 +207,9 @@ std::string withoutControls(std::string text)
 
 std::vector<std::string> gsfNames()
 {
-  std::vector<std::string> names;
-  for (const GsfField &one : gsfTable)
-    names.emplace_back(one.name);
+  std::vector<std::string> names = {stateName};
+  for (const FieldComponent &component : fieldComponents())
+    names.push_back(component.name);
   return names;
 }
 
@@ -200,15 +227,17 @@ std::vector<NamedBytes> gsfFields(const PatchGrid &grid, const PatchFields &fiel
   field.xOffset = grid.left * mm;
   field.yOffset = -(grid.bottom + grid.ny * grid.dy) * mm;
   field.xyUnit = "m";
-  for (const GsfField &one : gsfTable) {
-    field.value = one.values(fields);
-    if (field.value.size() == 0)
-      continue;
-    field.zUnit = one.unit;
-    field.title =
-        withoutControls(title.empty() ? one.name : fmt::format("{}: {}", one.name, title));
-    files.push_back({one.name, gsfBytes(field)});
-  }
+  const auto add = [&](const std::string &name, const char *unit, const Vector &values) {
+    if (values.size() == 0)
+      return;
+    field.value = values;
+    field.zUnit = unit;
+    field.title = withoutControls(title.empty() ? name : fmt::format("{}: {}", name, title));
+    files.push_back({name, gsfBytes(field)});
+  };
+  add(stateName, "", stateNumbers(fields.state));
+  for (const FieldComponent &component : fieldComponents())
+    add(component.name, component.row->siUnit, component.of(fields) * component.row->scale);
   return files;
 }
 
@@ -216,20 +245,10 @@ namespace {
 
 void checkFinite(const std::string &stem, const PatchFields &fields)
 {
-  const std::pair<const char *, const Vector *> all[] = {
-      {"gap", &fields.gap},
-      {"pressure", &fields.pressure},
-      {"traction", &fields.traction.x},
-      {"traction", &fields.traction.y},
-      {"slip", &fields.slip.x},
-      {"slip", &fields.slip.y},
-      {"mu", &fields.mu},
-      {"temperature", &fields.temperature},
-  };
-  for (const auto &[name, values] : all)
-    if (!values->allFinite())
+  for (const FieldComponent &component : fieldComponents())
+    if (!component.of(fields).allFinite())
       throw Error(ExitCode::NotConverged,
-                  fmt::format("{}: {} is not finite everywhere", stem, name));
+                  fmt::format("{}: {} is not finite everywhere", stem, component.row->name));
 }
 
 } // namespace

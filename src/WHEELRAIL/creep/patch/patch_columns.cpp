@@ -38,28 +38,25 @@ void addBand(std::vector<Column<P>> &table, const char *of)
 
 std::vector<Column<P>> makeTable()
 {
-  std::vector<Column<P>> table = {
-      {"speed", "m/s", 1.0, "rolling speed", kept<&P::speed>, leading(6), leading(6)}};
-  for (const Column<PatchValues> &value : patchValueColumns()) {
-    table.push_back(columnOf<P>(value));
-    if (value.name == "load") {
-      table.push_back({"shift_x", "mm", mm, "of the wheel against the rail, along x",
-                       derived(shiftX), nowhere, nowhere, leading(10)});
-      table.push_back({"shift_y", "mm", mm, "of the wheel against the rail, along y",
-                       derived(shiftY), nowhere, nowhere, leading(10)});
-    } else if (value.name == "creep") {
-      table.push_back({"traction_ratio", "1", 1.0, "T/N", derived(ratioOf), leading(10),
-                       leading(10), leading(10)});
-      table.push_back(
-          {"traction", "N", 1.0, "T, the length of the force", derived(tractionOf), leading(10)});
-    } else if (value.name == "temperature_rise") {
-      table.push_back({"iterations", "1", 1.0, "of the fixed point; steps in mode moving",
-                       kept<&P::iterations>, leading(wholeDigits)});
-    } else if (value.name == "real_area") {
-      table.push_back({"temperature_max", "K", 1.0, "largest rise", kept<&P::temperatureMaximum>,
-                       following(10)});
-    }
-  }
+  const std::vector<PlacedColumn<P>> own = {
+      {"", {"speed", "m/s", 1.0, "rolling speed", kept<&P::speed>, leading(6), leading(6)}},
+      {"load",
+       {"shift_x", "mm", mm, "of the wheel against the rail, along x", derived(shiftX), nowhere,
+        nowhere, leading(10)}},
+      {"shift_x",
+       {"shift_y", "mm", mm, "of the wheel against the rail, along y", derived(shiftY), nowhere,
+        nowhere, leading(10)}},
+      {"creep",
+       {"traction_ratio", "1", 1.0, "T/N", derived(ratioOf), leading(10), leading(10),
+        leading(10)}},
+      {"traction_ratio",
+       {"traction", "N", 1.0, "T, the length of the force", derived(tractionOf), leading(10)}},
+      {"temperature_rise",
+       {"iterations", "1", 1.0, "of the fixed point; steps in mode moving", kept<&P::iterations>,
+        leading(wholeDigits)}},
+      {"real_area",
+       {"temperature_max", "K", 1.0, "largest rise", kept<&P::temperatureMaximum>, following(10)}}};
+  std::vector<Column<P>> table = extended(patchValueColumns(), own);
   const std::vector<Column<P>> others = {
       {"power_closure", "1", 1.0, "power over that of the drive", kept<&P::powerClosure>,
        following(6)},

@@ -81,7 +81,7 @@ std::string patchTable(const PatchSpecification &asked, const PatchCurves &curve
   for (const Axis &axis : axes)
     sizes.push_back(fmt::format("{} {}", axis.values.size(), axis.name));
   std::string text = "# wr_creep-table 1: forces on the wheel over load, speed and creepages\n# ";
-  for (const auto &[unit, names] : unitGroups(all))
+  for (const auto &[unit, names] : unitGroups(namedUnits(all)))
     text += fmt::format("{}: {}; ", names, unit);
   text += fmt::format("converged: 1, or 0 and no forces\n# grid: {}; creep varies fastest\n",
                       fmt::join(sizes, " x "));

@@ -2,6 +2,8 @@
 #ifndef WHEELRAIL_CREEP_SWEEP_COLUMNS_H
 #define WHEELRAIL_CREEP_SWEEP_COLUMNS_H
 
+#include "base/unit_groups.h"
+
 #include <algorithm>
 #include <cstdint>
 #include <fmt/format.h>
@@ -99,6 +101,32 @@ void append(std::vector<Column<Point>> &table, const std::vector<Column<Base>> &
     table.push_back(columnOf<Point>(column));
 }
 
+/// A row of a point's own, and the name of the row that it stands behind; "": before all others.
+template<class Point>
+struct PlacedColumn {
+  std::string behind;
+  Column<Point> column;
+};
+
+/// The table of a base, with the rows that its derived type adds.
+/// \throws std::out_of_range for a place that neither table has
+template<class Point, class Base>
+std::vector<Column<Point>> extended(const std::vector<Column<Base>> &base,
+                                    const std::vector<PlacedColumn<Point>> &own)
+{
+  std::vector<Column<Point>> table;
+  append(table, base);
+  for (const auto &[behind, column] : own) {
+    auto place = table.begin();
+    while (!behind.empty() && place != table.end() && place->name != behind)
+      ++place;
+    if (place == table.end())
+      throw std::out_of_range("extended: no column " + behind);
+    table.insert(behind.empty() ? place : place + 1, column);
+  }
+  return table;
+}
+
 /// A column as one file has it.
 template<class Point>
 struct FileColumn {
@@ -143,21 +171,13 @@ FileColumns<Point> columnsNamed(const std::vector<Column<Point>> &table,
   return columns;
 }
 
-/// The units of a file in the order of their first columns, each with its columns: {"N", "load,
-/// force_x"}.
+/// The columns of a file with their units.
 template<class Point>
-std::vector<std::pair<std::string, std::string>> unitGroups(const FileColumns<Point> &columns)
+std::vector<NamedUnit> namedUnits(const FileColumns<Point> &columns)
 {
-  std::vector<std::pair<std::string, std::string>> units;
-  for (const auto &[column, digits] : columns) {
-    auto found = units.begin();
-    while (found != units.end() && found->first != column.unit)
-      ++found;
-    if (found == units.end())
-      units.emplace_back(column.unit, column.name);
-    else
-      found->second += ", " + column.name;
-  }
+  std::vector<NamedUnit> units;
+  for (const FileColumn<Point> &one : columns)
+    units.push_back({one.column.name, one.column.unit});
   return units;
 }
 
@@ -165,11 +185,7 @@ std::vector<std::pair<std::string, std::string>> unitGroups(const FileColumns<Po
 template<class Point>
 std::string unitsOf(const FileColumns<Point> &columns)
 {
-  std::string text;
-  for (const auto &[unit, names] : unitGroups(columns))
-    if (unit != "1")
-      text += fmt::format("{}: {}; ", names, unit);
-  return text + "others: 1";
+  return unitsText(namedUnits(columns));
 }
 
 /// "speed,creep\n"

@@ -2,6 +2,7 @@
 #include "creep/sweep/creep_task.h"
 
 #include "base/program.h"
+#include "creep/sweep/journal.h"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -15,6 +16,22 @@ std::vector<RequestedOutput> CreepTask::extraOutputs(const ExtraFiles &extra) co
   if (!extra.table.empty())
     throw Error(ExitCode::Usage, "--table: goes with a point contact (contact.load)");
   return {};
+}
+
+std::vector<RequestedOutput> folderOutputs(const CreepTask &task, const std::string &folder)
+{
+  std::vector<RequestedOutput> outputs;
+  for (const std::string &name : task.outputs())
+    outputs.push_back({"-o", folder + "/" + name});
+  outputs.push_back({"-o", folder + "/" + journalName});
+  return outputs;
+}
+
+std::string screenText(const TaskReport &report, const ResultFiles &files, bool verbose)
+{
+  return fmt::format("{}{}{} in {:.2f} s; written to {}/: {}\n{}", verbose ? report.details : "",
+                     report.text, report.count, report.seconds, files.folder(), files.names(),
+                     report.extra);
 }
 
 std::string countOf(std::size_t points, int resumed)

@@ -30,7 +30,7 @@ struct ReportContext {
 /// What a task says of itself.
 struct TaskReport {
   std::string text, details; ///< for the screen; the second with --verbose
-  std::string count;         ///< "21 points"
+  std::string count;         ///< "21 operating points"
   double seconds = 0.0;
   std::string extra; ///< lines on extra files, after those on the folder
   /// One line for each point that did not converge, out of so many.
@@ -67,7 +67,15 @@ class CreepTask {
   virtual TaskReport report(const ReportContext &context, ResultFiles &files) const = 0;
 };
 
-/// "21 points (8 of them from a run that ended early)"
+/// What a run may leave in its folder, as -o asks for it: the outputs of the task, the journal.
+std::vector<RequestedOutput> folderOutputs(const CreepTask &task, const std::string &folder);
+
+/// The words on the screen when all files are in place.
+/// \param files that were written
+/// \param verbose with the details
+std::string screenText(const TaskReport &report, const ResultFiles &files, bool verbose);
+
+/// "21 operating points (8 of them from a run that ended early)"
 std::string countOf(std::size_t points, int resumed);
 
 /// Names the points that have no results, when those of the others are in place.

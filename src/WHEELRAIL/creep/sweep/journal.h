@@ -11,6 +11,9 @@
 
 namespace wheelrail {
 
+/// Name of the journal in the folder for the results.
+constexpr const char *journalName = "wr_creep.journal";
+
 /// Finished pieces of a sweep on disk, so that a run that ended early goes on where it stopped. The
 /// file is written whole or not at all, at most every few seconds, and stays until `remove`: the
 /// results must be in place before.

@@ -18,6 +18,33 @@ namespace {
 
 constexpr std::string_view magic = "Gwyddion Simple Field 1.0\n";
 
+// Entries of the head, in the order in which they are written.
+constexpr const char *columnsName = "XRes", *rowsName = "YRes";
+constexpr const char *xyUnitName = "XYUnits", *zUnitName = "ZUnits";
+
+struct NumberEntry {
+  const char *name;
+  double SimpleField::*value;
+  double standard; ///< the format's own, where the entry is missing
+  bool isLength;   ///< > 0, and asked for in a map of heights, since it must not be guessed
+};
+constexpr NumberEntry numberEntries[] = {
+    {"XReal", &SimpleField::width, 1.0, true},
+    {"YReal", &SimpleField::height, 1.0, true},
+    {"XOffset", &SimpleField::xOffset, 0.0, false},
+    {"YOffset", &SimpleField::yOffset, 0.0, false},
+};
+
+struct TextEntry {
+  const char *name;
+  std::string SimpleField::*value; ///< empty: the entry is missing
+};
+constexpr TextEntry textEntries[] = {
+    {xyUnitName, &SimpleField::xyUnit},
+    {zUnitName, &SimpleField::zUnit},
+    {"Title", &SimpleField::title},
+};
+
 struct Entry {
   std::string value;
   int line = 0;
@@ -59,17 +86,16 @@ std::string textOf(const Head &head, const std::string &name)
   return found == head.end() ? std::string() : found->second.value;
 }
 
-double numberOf(const std::string &path, const Head &head, const std::string &name, double standard,
-                bool positive)
+double numberOf(const std::string &path, const Head &head, const NumberEntry &entry)
 {
-  const auto found = head.find(name);
+  const auto found = head.find(entry.name);
   if (found == head.end())
-    return standard;
+    return entry.standard;
   double value = 0.0;
-  if (!readDecimal(found->second.value, value) || (positive && !(value > 0.0)))
-    throw badInput(
-        path, found->second.line, name,
-        fmt::format("'{}' is not a {}number", found->second.value, positive ? "positive " : ""));
+  if (!readDecimal(found->second.value, value) || (entry.isLength && !(value > 0.0)))
+    throw badInput(path, found->second.line, entry.name,
+                   fmt::format("'{}' is not a {}number", found->second.value,
+                               entry.isLength ? "positive " : ""));
   return value;
 }
 
@@ -96,15 +122,12 @@ void appendLittleEndian(std::string &bytes, float value)
 std::string gsfBytes(const SimpleField &field)
 {
   std::string bytes(magic);
-  bytes += fmt::format("XRes = {}\nYRes = {}\nXReal = {:.17g}\nYReal = {:.17g}\n", field.nx,
-                       field.ny, field.width, field.height);
-  bytes += fmt::format("XOffset = {:.17g}\nYOffset = {:.17g}\n", field.xOffset, field.yOffset);
-  if (!field.xyUnit.empty())
-    bytes += fmt::format("XYUnits = {}\n", field.xyUnit);
-  if (!field.zUnit.empty())
-    bytes += fmt::format("ZUnits = {}\n", field.zUnit);
-  if (!field.title.empty())
-    bytes += fmt::format("Title = {}\n", field.title);
+  bytes += fmt::format("{} = {}\n{} = {}\n", columnsName, field.nx, rowsName, field.ny);
+  for (const NumberEntry &entry : numberEntries)
+    bytes += fmt::format("{} = {:.17g}\n", entry.name, field.*entry.value);
+  for (const TextEntry &entry : textEntries)
+    if (const std::string &text = field.*entry.value; !text.empty())
+      bytes += fmt::format("{} = {}\n", entry.name, text);
   for (const auto &[name, value] : field.notes)
     bytes += fmt::format("{} = {}\n", name, value);
   // One to four NUL bytes: the head ends with at least one, the data begin at a multiple of four.
@@ -125,11 +148,11 @@ SimpleField parseGsf(const std::string &path, const std::string &bytes)
     throw badInput(path, 0, "", "no NUL byte after the head");
   const Head head = parseHead(path, std::string_view(bytes).substr(0, end));
   SimpleField field;
-  const Entry &columns = needed(path, head, "XRes"), &rows = needed(path, head, "YRes");
-  const long nx = wholeNumber(path, columns.line, "XRes", columns.value);
-  const long ny = wholeNumber(path, rows.line, "YRes", rows.value);
+  const Entry &columns = needed(path, head, columnsName), &rows = needed(path, head, rowsName);
+  const long nx = wholeNumber(path, columns.line, columnsName, columns.value);
+  const long ny = wholeNumber(path, rows.line, rowsName, rows.value);
   if (nx < 1 || ny < 1 || nx > mostMapPoints || ny > mostMapPoints || nx * ny > mostMapPoints)
-    throw badInput(path, columns.line, "XRes",
+    throw badInput(path, columns.line, columnsName,
                    fmt::format("{} x {} values; 1 to {} are allowed", nx, ny, mostMapPoints));
 
   const std::size_t data = (end / 4 + 1) * 4; // one to four NUL bytes
@@ -145,13 +168,10 @@ SimpleField parseGsf(const std::string &path, const std::string &bytes)
 
   field.nx = static_cast<int>(nx);
   field.ny = static_cast<int>(ny);
-  field.width = numberOf(path, head, "XReal", 1.0, true); // the format's own default
-  field.height = numberOf(path, head, "YReal", 1.0, true);
-  field.xOffset = numberOf(path, head, "XOffset", 0.0, false);
-  field.yOffset = numberOf(path, head, "YOffset", 0.0, false);
-  field.xyUnit = textOf(head, "XYUnits");
-  field.zUnit = textOf(head, "ZUnits");
-  field.title = textOf(head, "Title");
+  for (const NumberEntry &entry : numberEntries)
+    field.*entry.value = numberOf(path, head, entry);
+  for (const TextEntry &entry : textEntries)
+    field.*entry.value = textOf(head, entry.name);
   field.value.resize(nx * ny);
   const char *next = bytes.data() + data;
   for (long iy = ny - 1; iy >= 0; --iy)
@@ -163,15 +183,16 @@ SimpleField parseGsf(const std::string &path, const std::string &bytes)
 HeightMap parseGsfMap(const std::string &path, const std::string &bytes, const HeightMapScale &)
 {
   const SimpleField field = parseGsf(path, bytes);
-  checkMapSize(path, 0, "XRes, YRes", field.nx, field.ny);
+  checkMapSize(path, 0, fmt::format("{}, {}", columnsName, rowsName), field.nx, field.ny);
   const Head head = parseHead(path, std::string_view(bytes).substr(0, bytes.find('\0')));
-  for (const char *name : {"XReal", "YReal", "XYUnits", "ZUnits"}) // a length must not be guessed
-    needed(path, head, name);
+  for (const NumberEntry &entry : numberEntries)
+    if (entry.isLength)
+      needed(path, head, entry.name);
   const auto unitOf = [&](const char *name) {
-    const Entry &entry = head.at(name);
+    const Entry &entry = needed(path, head, name);
     return positiveLength(path, entry.line, name, "1 " + entry.value);
   };
-  const double length = unitOf("XYUnits"), heightUnit = unitOf("ZUnits");
+  const double length = unitOf(xyUnitName), heightUnit = unitOf(zUnitName);
   HeightMap map{field.nx, field.ny, field.width * length / field.nx,
                 field.height * length / field.ny, field.value * heightUnit};
   for (int iy = 0; iy < map.ny; ++iy)
