@@ -351,7 +351,7 @@ class RunFolder:
         return "; ".join(found) or None
 
     def area(self) -> float:
-        """Of the driven layer, nm2; 0 before the log has a head."""
+        """Area of the driven layer, nm2; 0 before the log has a head."""
         try:
             geometry = friction_log.head_of(self.file(self.log() or LOG))["geometry"]
             return float(geometry["width"]) * float(geometry["thickness"])

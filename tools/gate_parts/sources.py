@@ -11,7 +11,7 @@ INTERPRETERS = {"python3": "python", "bash": "shell", "sh": "shell"}
 
 
 def language(path: pathlib.Path) -> str | None:
-    """Of a file by its name, else by its first line; None for other files."""
+    """Language of a file by its name, else by its first line; None for other files."""
     if path.name == "CMakeLists.txt":
         return "cmake"
     if path.suffix in SUFFIXES:

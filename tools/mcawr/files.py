@@ -178,7 +178,7 @@ def _on_disk(path: Path) -> Path:
 
 
 def _read_file(path: Path) -> bytes:
-    """Of a regular file only: of a device or a pipe there might be no end."""
+    """The bytes of a regular file only: of a device or a pipe there might be no end."""
     try:
         with open(path, "rb", opener=open_now) as file:
             if not stat.S_ISREG(os.fstat(file.fileno()).st_mode):

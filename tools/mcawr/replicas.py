@@ -41,6 +41,6 @@ NORMAL = 1.96  # of 95 % in standard errors that are known
 
 
 def half_width(points: list[dict[str, Any]]) -> float:
-    """Of the 95 % of the mean over the points: its standard error times Student's t of the seeds by
-    which wr_fit knows what seeds differ by."""
+    """Half the 95 % interval of the mean over the points: its standard error times Student's t of
+    the seeds by which wr_fit knows what seeds differ by."""
     return mean_of(points)[1] * points[0].get("t95", NORMAL)

@@ -132,7 +132,7 @@ def draw(sets: Any, paper: Any, style: Callable[[str], dict[str, Any]], picture:
 
 
 def means(points: list[dict[str, Any]], window: tuple[float, float]) -> tuple[Any, Any, Any]:
-    """Of each set {condition: mean of mu}, the same of the layer's depth (nm) in a window (ns), and
+    """{set: {condition: mean}} of mu and of the layer's depth (nm) in a window (ns), and
     {condition: mu of Eq. 2}."""
     sets: dict[Any, Any] = {}
     depths: dict[Any, Any] = {}

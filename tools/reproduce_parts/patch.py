@@ -90,7 +90,7 @@ def at(rows: Rows, creep: float, **labels: Any) -> Rows:
 
 
 def first(rows: Rows) -> dict[str, Any]:
-    """Of rows that must be there."""
+    """The first of rows that must be there."""
     if not rows:
         raise Missing("a point has no run: all runs of the plan are needed")
     return rows[0]

@@ -13,7 +13,7 @@
 /// Table 1 of Bucher et al. (2006) with sigma_0 = 92 MPa, in LAMMPS's units nano.
 mca::Material steel();
 
-/// The same as the text of a potential file.
+/// Steel as the text of a potential file.
 std::string steelText();
 
 /// Each criterion of bulk links as keywords and values: fracture with its word, and where it has a
@@ -25,7 +25,7 @@ std::vector<std::vector<std::string>> fractureWords();
 reference::Sample hexagonalBlock(const mca::Material &, int columns, int rows, double kind,
                                  double reach = 1.1);
 
-/// The same, periodic in both directions (rows must be even).
+/// A block that is periodic in both directions (rows must be even).
 reference::Sample periodicBlock(const mca::Material &, int columns, int rows, double kind);
 
 /// The production step on a reference::Sample, with its own pair list that lives on from step to

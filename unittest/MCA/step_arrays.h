@@ -16,7 +16,7 @@ struct StepArrays {
   std::vector<int> types, groups;
   std::vector<double> kappa, kept, lag[3], rest[3], spinLag[3], spinRest[3];
 
-  /// Of n rows, all values 0 and every automaton moved by its forces.
+  /// Arrays of n rows, all values 0 and every automaton moved by its forces.
   explicit StepArrays(size_t n = 0)
       : places(3 * n), velocities(3 * n), spins(3 * n), types(n), groups(n, all), kappa(n), kept(n)
   {

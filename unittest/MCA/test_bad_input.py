@@ -237,7 +237,7 @@ def test_rough_line_of_too_many_waves(tmp_path, correlation, part):
 
 
 def test_rough_line_of_most_waves_is_made_in_time(tmp_path):
-    """Of 5000 waves, 80000 heights of the line are looked at to find the largest."""
+    """A line of 5000 waves: its largest height is found among 80000."""
     start = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
     lmp(GOOD + "region r mca/rough below 0 1 0.00626 1 units box\n", tmp_path)
     most = 10 * float(os.environ.get("MCAWR_TIME_FACTOR", "1"))  # 1.1 s; with a cosine a wave 20 s

@@ -145,7 +145,7 @@ def test_a_link_takes_the_spring_over(tmp_path):
 
 
 def test_an_interface_has_its_own(tmp_path):
-    """The same bits as of the style; and 0 is none."""
+    """A pair of an interface has the bits of the style's; 0 is none."""
     runs = led((1, 0, 0), (-3, 0, 0))
     _, f, _, _ = pair(tmp_path / "style", 2, runs)
     _, own, _, _ = pair(

@@ -141,7 +141,7 @@ run 0
 
 
 def test_mirror_translation_and_order_of_atoms(tmp_path):
-    """The same collision mirrored, shifted by 512 nm, with IDs (hence i and j of all pairs)
+    """One collision mirrored, shifted by 512 nm, with IDs (hence i and j of all pairs)
     reversed: equal to round-off, grown by 400 steps of contacts that form and break."""
     start = sheared_blocks(tmp_path / "0")
     assert start["c_state[5]"].max() > 1e-4 and start["v_pf"].max() > 50

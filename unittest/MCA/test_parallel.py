@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The same trajectory and events, whatever the ranks, their shapes, newton and the neighbor
+"""One trajectory, one list of events, whatever the ranks, their shapes, newton and the neighbor
 lists."""
 
 import numpy as np

@@ -63,7 +63,7 @@ def first(tmp_path_factory):
 
 @pytest.fixture
 def again(first, tmp_path):
-    """The same in a folder of its own, and the commands that go on from there."""
+    """What `first` left, in a folder of its own, and the commands that go on from there."""
     for name in ("x.friction", "end.restart"):
         (tmp_path / name).write_bytes((first / name).read_bytes())
     return tmp_path

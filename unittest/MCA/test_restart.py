@@ -164,7 +164,7 @@ def test_driven_to_the_same_bits(rough_data, tmp_path, ranks, lists):
 
 
 def test_lists_change_the_bits_of_stock_styles(rough_data, tmp_path):
-    """The same sample with pair_style lj/cut: one run and two halves without any file between part
+    """The sample with pair_style lj/cut: one run and two halves without any file between part
     by round-off, and do not where lists are built at the same steps. So it is LAMMPS that makes the
     difference above."""
     script = f"""
@@ -435,7 +435,7 @@ def test_no_flipped_bit_is_taken(written, tmp_path):
     "name", [b"MCA_HISTORY\0", b"MCA_STATE\0", b"drive\0", b"mca/drive\0", b"MCA_STATE\0\n"]
 )
 def test_a_flipped_name_or_length_is_refused(written, tmp_path, name):
-    """Of the fixes' states: without them links would vanish, or a log begin anew."""
+    """Without a fix's state links would vanish, or a log begin anew."""
     data = (written[1] / "mid.250.restart").read_bytes()
     for place in [m.start() for m in re.finditer(re.escape(name), data)]:
         # a letter; bytes of the lengths of the name and of the state behind it
@@ -465,7 +465,7 @@ def test_parts_of_a_file_are_checked(rough_data, tmp_path):
 
 
 def places(data):
-    """Of the text blocks of the pair style: laws and materials."""
+    """Where the text blocks of the pair style stand: laws and materials."""
     text = [m.start() for m in re.finditer(rb"preset b |206000 0\.2999", data)]
     assert len(text) == 3
     return text

@@ -34,7 +34,7 @@ struct Reading {
       closeness; ///< volume strain as the sum of shares reads it, less than 0 where there is room
 };
 
-/// Of a lattice deformed by F.
+/// What a lattice deformed by F reads.
 Reading read(const Packing &packing, const Eigen::Matrix3d &F)
 {
   const Eigen::Matrix3d e = F * periods(packing);

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The same physics in every unit style: a case with flow, fracture, welds and contacts, one
+"""Every unit style has one physics: a case with flow, fracture, welds and contacts, one
 potential file in nano for all of them."""
 
 import re

@@ -22,7 +22,7 @@ std::vector<ConditionMean> paperDesign()
   return means;
 }
 
-/// The same with kappa3 varied about 2000 and mu in proportion to kappa3^0.3.
+/// The paper's design with kappa3 varied about 2000 and mu in proportion to kappa3^0.3.
 std::vector<ConditionMean> designWithKappa3()
 {
   auto means = paperDesign();

@@ -151,7 +151,7 @@ TEST(PatchCases, SteadyRolling)
       EXPECT_EQ(result.stickCells(), 555);
       EXPECT_EQ(result.slipCells(), 418);
     }
-    // The same point with the force given:
+    // the operating point anew, with the force given:
     problem.forceX = patchSums(grid, result).forceX;
     problem.forceY = 0.0;
     problem.creepage.xi = 0.0;

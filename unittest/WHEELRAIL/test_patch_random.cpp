@@ -63,7 +63,7 @@ double fieldNorm(const TangentialField &field)
   return std::hypot(field.x.norm(), field.y.norm());
 }
 
-/// Of the slip that the creepages alone make on the cells in contact. Where cells stick, the
+/// Length of the slip that the creepages alone make on the cells in contact. Where cells stick, the
 /// solver leaves a slip of at most its tolerance times this norm, which against the traction makes
 /// a power of either sign.
 double rigidSlipNorm(const Contact &c, const Creepage &creepage)

@@ -73,9 +73,9 @@ TEST(PatchRolling, ShiftOfAnyRoughnessAtNuZero)
 
 TEST(PatchRolling, ShiftOfARoughSphereByTheTheorem)
 {
-  // The same theorem for nu > 0, with a tangential compliance (2 - nu)/(2 (1 - nu)) of the normal
-  // one: only nearly true, since each traction pulls its neighbours sideways too. The numpy program
-  // finds the force .14 % larger than the theorem's
+  // The theorem of above for nu > 0, with a tangential compliance (2 - nu)/(2 (1 - nu)) of the
+  // normal one: only nearly true, since each traction pulls its neighbours sideways too. The numpy
+  // program finds the force .14 % larger than the theorem's
   const ElasticPair pair{1.0, 0.3};
   const double load = 0.01, mu = 0.3, share = 0.7;
   const PatchGrid grid = centredGrid(96, 96, 3.4, 3.4);

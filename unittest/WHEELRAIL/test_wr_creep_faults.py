@@ -55,7 +55,7 @@ def small_files(size):
 
 
 def contents(folder):
-    """Of the results, by name; without what tells of time."""
+    """The bytes of all results by name, without what tells of time."""
     found = {p.name: p.read_bytes() for p in folder.iterdir()}
     return {
         name: re.sub(rb'"(seconds|points_resumed)": [^,\n]*', b"", data)

@@ -39,7 +39,7 @@ def rows_of(tmp_path, *words):
 
 
 def difference(a, b, error):
-    """Of two runs in units of their errors."""
+    """How far two runs are apart, in units of their errors."""
     return (float(a["mu"]) - float(b["mu"])) / math.hypot(float(a[error]), float(b[error]))
 
 

@@ -184,7 +184,7 @@ def test_tables_of_variables_are_those_of_the_script(name):
 
 
 def test_notched_plates_have_one_toughness(tmp_path):
-    """Of two depths in a smaller plate, and that of the page."""
+    """Two depths of the notch in a smaller plate, and the page's plate, agree."""
     page = (ROOT / "examples/notched/README.md").read_text(encoding="utf-8")
     shown = float(re.search(r"^\| 10 \|.*\| ([\d.]+) \|$", page, re.MULTILINE)[1])
     for notch in (4, 8):

@@ -97,7 +97,7 @@ class LineJournal(Kind):
 
 
 class PatchJournal(LineJournal):
-    """The same of point contacts."""
+    """Journals of point contacts."""
 
     case = PATCH
     speeds, points = 20, 48

@@ -23,7 +23,7 @@ inline std::vector<std::pair<std::string, std::string>> asOtherMachinesSave(cons
           {"UTF-16, high byte first", big}};
 }
 
-/// The same in UTF-16 without a mark, which is refused.
+/// The text in UTF-16 without a mark, which is refused.
 inline std::string withoutMark(const std::string &text)
 {
   return asOtherMachinesSave(text)[3].second.substr(2);

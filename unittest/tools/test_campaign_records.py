@@ -179,7 +179,7 @@ def test_pack_averages_rows_and_keeps_the_command(plan, tmp_path):
 
 
 def test_equal_runs_make_equal_archives(finished, tmp_path):
-    """Of logs and profiles, in order of names; an old archive is replaced as a whole, or stays."""
+    """Archives hold logs and profiles in order of names; an old one is replaced whole, or stays."""
     shutil.copytree(finished / "out", tmp_path / "out")
     (tmp_path / "out" / "a" / "run.profile").write_text("# profile\n")
     made = []

@@ -50,7 +50,7 @@ def test_seeds_are_one_point(series):
 
 
 def test_bars_are_students_t_of_the_seeds():
-    """Of 2 seeds of one condition 12.7 standard errors, where the report says so."""
+    """Bars of two seeds of one condition reach 12.7 standard errors where the report says so."""
     module = load("plot_series.py")
     for more, t95 in (({"t95": 12.706}, 12.706), ({}, 1.96)):
         points = [point(0.40, **more), point(0.44, **more)]
