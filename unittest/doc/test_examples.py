@@ -63,6 +63,8 @@ def test_plans_and_example_have_the_same_defaults():
             assert script[key.variable] in ("0", "1", "-1"), name  # as the file says
             continue
         if key.variable and key.default is not None and name != "ns":
+            if key.default == "auto":
+                continue  # a plan finds it by the load
             word = isinstance(key.default, str)
             default = key.default if word else f"{key.default * key.factor:.12g}"
             assert script[key.variable] == default, name
