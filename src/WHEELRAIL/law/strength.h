@@ -16,7 +16,7 @@ struct Strength {
   double vanishingTemperature = 0.0; ///< rise at which no strength is left, K, > 0; of a table the
                                      ///< rise at which it ends
   /// sigma_0 (Pa) over the temperature rise (K), up to which it never vanishes; null: Eq. 10.
-  std::shared_ptr<const MonotoneCurve> table;
+  std::shared_ptr<const MonotoneCurve> table = nullptr;
 
   /// Eq. 10: sigma_0(Theta) = cold (1 - Theta/vanishingTemperature), or the table's value, Pa. Eq.
   /// 10 is kept above a thousandth of the cold strength, so that an iteration can pass through what
