@@ -63,6 +63,11 @@ void defineOptions(CLI::App &app, Settings &settings)
                  "lateral and creep, for a multibody code (CSV)")
       ->check(nameOption())
       ->type_name("FILE");
+  app.add_option("--fit-measured", settings.extra.measured,
+                 "fit Polach's form and an interfacial layer to a measured traction curve (CSV: "
+                 "creep, speed, traction_ratio); measured_fit.json and .csv in the folder")
+      ->check(nameOption())
+      ->type_name("FILE");
   app.add_flag("--print-config", settings.printConfig, "print the complete case and stop");
   app.add_flag("-q,--quiet", settings.quiet, "nothing on the screen but errors and warnings");
   app.add_flag("-v,--verbose", settings.verbose,
@@ -75,11 +80,20 @@ void warn(const std::vector<std::string> &warnings)
     complain(programName, "warning: " + warning);
 }
 
+/// All files that the run reads.
+std::vector<std::string> inputsOf(const Settings &settings, const Case &input)
+{
+  std::vector<std::string> inputs = input.inputs();
+  if (!settings.extra.measured.empty())
+    inputs.push_back(settings.extra.measured);
+  return inputs;
+}
+
 /// Puts all files in place, and only then takes the journal away and says what was found.
 void finish(const Settings &settings, const Case &input, const TaskReport &report,
             ResultFiles &files, const Journal &journal)
 {
-  files.commit(input.inputs());
+  files.commit(inputsOf(settings, input));
   warn(report.warnings);
   journal.remove();
   if (!settings.quiet)
@@ -103,7 +117,7 @@ void run(const Settings &settings)
   prepareOutputFolder(settings.folder);
   for (const RequestedOutput &output : folderOutputs(*task, settings.folder))
     outputs.push_back(output);
-  checkOutputs(outputs, input.inputs()); // a profile or law may lie in the folder, and stays
+  checkOutputs(outputs, inputsOf(settings, input)); // may lie in the folder, and stay
   if (const std::string note = law->note(); !note.empty() && !settings.quiet)
     complain(programName, "note: " + note);
 

@@ -22,7 +22,8 @@ std::string filesOf(const Column<Point> &column)
                                                          {&C::band, "creep_band.csv"},
                                                          {&C::still, "static.csv"},
                                                          {&C::series, "series.csv"},
-                                                         {&C::moving, "creep.csv of mode moving"}};
+                                                         {&C::moving, "creep.csv of mode moving"},
+                                                         {&C::wear, "creep.csv with wear.law"}};
   std::string text;
   for (const auto &[file, name] : files)
     if ((column.*file).digits > 0)

@@ -44,6 +44,8 @@ ELSEWHERE = {
     "plot_mechanics.py": "an hour",
     "campaign": "hours; tools_test_campaign with a stand-in for lmp",
     "reproduce": "minutes to days; tools_test_reproduce",
+    "creep_table.py": "minutes; test_creep_table",
+    "plot_shakedown.py": "needs stresses; tools_test_plot_shakedown",
     "benchmark.py": "minutes on a quiet machine",
     "wr_patch_benchmark": "minutes on a quiet machine",
     "setup.sh": "builds; CI",

@@ -339,6 +339,9 @@ std::vector<Reader> wheelrailReaders()
   const std::string european =
       "\xef\xbb\xbf# height: \xb5m\r\n# spacing: 2 mm\r\n# rows: upwards\r\n"
       "0,5\t1\t2\t3\r\n1\t1,5\t2\t3\r\n0\t0\t0\t-1,5\r\n1\t2\t3\t4\r\n";
+  std::string points;
+  for (int k = 0; k < 20; ++k)
+    points += fmt::format("{} {} {}\n", k % 5, k / 5, 0.1 * k);
   const auto map = [](const HeightMapScale &scale) {
     return refusing([=](const std::string &bytes) { readMap(bytes, scale); });
   };
@@ -369,6 +372,10 @@ std::vector<Reader> wheelrailReaders()
       {"profile", columns, refusing(readSurfaceProfile)},
       {"gsf", {gsfBytes(field)}, map({})},
       {"sdf", {sdf}, map({})},
+      {"binary_sdf", filesOf("unittest/WHEELRAIL/data/maps", ".sdf"), map({})},
+      {"sur", filesOf("unittest/WHEELRAIL/data/maps", ".sur"), map({})},
+      {"x3p", filesOf("unittest/WHEELRAIL/data/maps", ".x3p"), map({})},
+      {"points", {"# height: um\n# position: mm\n" + points}, map({})},
       {"matrix", {matrix, european}, map({})},
       {"npy", filesOf("unittest/WHEELRAIL/data/maps", ".npy"), map(micrometres)},
       {"friction_log", logs, refusing(readLog)},

@@ -30,6 +30,20 @@ OPTIONS = {
     ),
     "plot_layer.py": (["a.profile"], {"-o": [""], "--csv": [""], "--step": NUMBER}),
     "plot_patch.py": (["curves", "a.csv"], {"-o": [""], "--polach": [""]}),
+    "plot_shakedown.py": (
+        ["a.csv", "--shear-yield", "500", "-o", "a.png"],
+        {"-o": [""], "--shear-yield": NUMBER},
+    ),
+    "creep_table.py": (
+        ["a.yaml", "-o", "a.csv"],
+        {
+            "-o": [""],
+            "--wr-creep": [""],
+            "--tolerance": NUMBER,
+            "--most": WHOLE,
+            "--over": ["", "a", "a=", "a=1,x", "a=2, 1", "a=1 m, 2 mm"],
+        },
+    ),
     "plot_wheelrail.py": (
         ["fig14"],
         {"-o": [""], "--wr-creep": [""], "--seed": [w for w in WHOLE if w != "0"]},

@@ -60,6 +60,11 @@ NormalContactProblem PatchContact::problem(double pressureLimit, double normalFo
   return problem;
 }
 
+Vector PatchContact::bound(const Vector &mu, const Vector &pressure) const
+{
+  return mu.cwiseProduct(pressure).cwiseMin(yieldStress);
+}
+
 EdgeCompliance PatchContact::edge(const Vector &pressure, const Vector &gap) const
 {
   return edgesInside ? edgeCompliance(grid, pair, pressure, gap) : EdgeCompliance{};
@@ -121,6 +126,8 @@ PatchContact preparePatch(const PatchContactSpecification &contact,
   patch.edgesInside = contact.edgesInside;
   patch.hertz = contact.hertz(load);
   patch.pair = combinedPair(contact.bodies[0], contact.bodies[1]);
+  patch.pair.layer = contact.layer.compliance();
+  patch.yieldStress = contact.layer.yieldStress;
   patch.grid = centredGrid(contact.nx, contact.ny, contact.domain * patch.hertz.a,
                            contact.domain * patch.hertz.b);
   patch.surface = prepareRoughPatch(roughness, index, patch.grid, travel);

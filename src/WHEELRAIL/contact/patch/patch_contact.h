@@ -10,6 +10,7 @@
 #include "contact/patch/surfaces/rough_patch.h"
 
 #include <array>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -27,6 +28,18 @@ struct ElasticBody {
 ///         that is rounding only is 0
 ElasticPair combinedPair(const ElasticBody &wheel, const ElasticBody &rail);
 
+/// A layer between the bodies, of oxide or sand for example: it shears like a Winkler foundation
+/// and flows at its yield stress (elastic, perfectly plastic). SI units.
+struct InterfacialLayer {
+  double thickness = 0.0;    ///< m; 0: no layer
+  double shearModulus = 1.0; ///< Pa, > 0
+  /// Pa, > 0: no traction is larger. What the layer flows counts as slip, for both dissipate and
+  /// neither is undone.
+  double yieldStress = std::numeric_limits<double>::infinity();
+
+  double compliance() const { return thickness / shearModulus; } ///< m/Pa
+};
+
 /// The nominal point contact, and its box of cells; SI units.
 struct PatchContactSpecification {
   std::vector<double> load; ///< N, > 0, at least one
@@ -37,7 +50,8 @@ struct PatchContactSpecification {
   double domain = 0.0;               ///< box / semi-axes: +- domain/2 a and +- domain/2 b, > 2
   int nx = 0, ny = 0;                ///< cells of the box
   double spinPoint = 0.5;            ///< `TangentialProblem::spinPoint`
-  bool edgesInside = false;          ///< leading edges inside their cells: see `edgeCompliance`
+  InterfacialLayer layer;
+  bool edgesInside = false; ///< leading edges inside their cells: see `edgeCompliance`
 
   /// \param normalForce N, > 0
   /// \return the smooth contact under it; SI units
@@ -53,6 +67,8 @@ struct PatchContact {
   RoughPatch surface;
   NormalContactResult normal; ///< at the start; Pa and m
   bool edgesInside = false;   ///< of the specification
+  /// Of the layer, Pa; infinite where there is none.
+  double yieldStress = std::numeric_limits<double>::infinity();
 
   /// Undeformed gap per cell, m. \param wheel, rail how far each of the surfaces has travelled
   /// Smooth gap less both bodies' heights.
@@ -61,6 +77,8 @@ struct PatchContact {
   /// \param normalForce N
   NormalContactProblem problem(double pressureLimit, double normalForce, const Travel &wheel = {},
                                const Travel &rail = {}) const;
+  /// What friction, or the layer, carries of a traction: mu p, at most the yield stress; Pa.
+  Eigen::VectorXd bound(const Eigen::VectorXd &mu, const Eigen::VectorXd &pressure) const;
   /// Compliance of the leading edges under a pressure; empty where cells count as a whole.
   EdgeCompliance edge(const Eigen::VectorXd &pressure, const Eigen::VectorXd &gap) const;
   /// \param cell index in the grid; its centre decides

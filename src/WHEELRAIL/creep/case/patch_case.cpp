@@ -108,6 +108,20 @@ void readPoints(CaseReader &reader, PatchContactSpecification &contact)
   requireCellsInContact(reader, std::min(contact.nx, contact.ny), contact.domain);
 }
 
+InterfacialLayer readLayer(CaseReader &reader)
+{
+  InterfacialLayer layer;
+  if (!reader.hasGroup("layer"))
+    return layer;
+  for (const char *name : {"layer.thickness", "layer.shear_modulus"})
+    reader.require(name);
+  layer.thickness = reader.number("layer.thickness");
+  layer.shearModulus = reader.number("layer.shear_modulus");
+  if (reader.has("layer.yield_stress"))
+    layer.yieldStress = reader.number("layer.yield_stress");
+  return layer;
+}
+
 PatchContactSpecification readContact(CaseReader &reader, bool rough)
 {
   for (const char *name : {"contact.youngs_modulus", "contact.poissons_ratio"})
@@ -124,6 +138,7 @@ PatchContactSpecification readContact(CaseReader &reader, bool rough)
   contact.domain = reader.number("contact.domain");
   readPoints(reader, contact);
   contact.spinPoint = reader.number("contact.spin_point");
+  contact.layer = readLayer(reader);
   contact.edgesInside = reader.word("contact.edges") == "inside";
   return contact;
 }
@@ -293,6 +308,24 @@ void readMoving(CaseReader &reader, PatchSpecification &patch)
                                 "sequence");
 }
 
+WearLaw readWear(CaseReader &reader)
+{
+  WearLaw wear;
+  const std::string law = reader.word("wear.law");
+  if (law != "archard")
+    for (const char *name : {"wear.coefficient", "wear.hardness"})
+      reader.refuse(name, "wear.law: " + law + "; it is for archard");
+  if (law == "archard") {
+    wear.kind = WearLaw::Kind::Archard;
+    wear.coefficient = reader.number("wear.coefficient");
+    wear.hardness = reader.number("wear.hardness");
+  } else if (law == "t_gamma") {
+    wear.kind = WearLaw::Kind::TGamma;
+    wear.density = reader.number("wear.density");
+  }
+  return wear;
+}
+
 void readStatic(CaseReader &reader, PatchSpecification &patch)
 {
   patch.physics.thermal.model = ThermalModel::Off;
@@ -328,6 +361,9 @@ PatchSpecification readPatch(CaseReader &reader, const std::string &caseFile)
     readStatic(reader, patch);
   } else {
     patch.physics.thermal = readThermal(reader);
+    patch.physics.wear = readWear(reader);
+    if (reader.has("friction.memory_length"))
+      patch.physics.memoryLength = reader.number("friction.memory_length");
     patch.spread = readSpread(reader, patch.friction);
   }
   if (patch.mode == PatchMode::Moving)
@@ -344,6 +380,8 @@ PatchSpecification readPatch(CaseReader &reader, const std::string &caseFile)
     points *= double(std::max<std::size_t>(1, list->size()));
   requireFewPoints(reader, points);
   patch.fields = readFields(reader, patchTasks(patch).size());
+  if (reader.has("depths") || reader.hasGroup("depths"))
+    patch.depths = readSeries(reader, "depths");
   patch.sensitivities = reader.flag("sensitivities");
   return patch;
 }

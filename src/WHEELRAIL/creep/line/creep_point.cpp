@@ -132,8 +132,9 @@ CreepPoint FrozenCreep::solve(const FrictionLaw &law, double speed, double creep
   physics_.checkStrength(law, hottest, speed, creep);
 
   CreepPoint point;
-  static_cast<LineValues &>(point) = lineValues(setup_, tractionRatio(), contact_.pressure,
-                                                contact_.mu, contact_.temperature, contact_.state);
+  static_cast<LineValues &>(point) =
+      lineValues(setup_, tractionRatio(), contact_.traction, contact_.pressure, contact_.mu,
+                 contact_.temperature, contact_.state);
   point.speed = speed;
   point.creep = creep;
   point.traction = point.tractionRatio * setup_.hertz.load;

@@ -8,6 +8,11 @@ constexpr double newtonPerMm = 1e3;
 
 using P = CurvePoint;
 
+double tGammaOf(const P &point)
+{
+  return point.traction * point.creep;
+}
+
 std::vector<Column<P>> makeTable()
 {
   const std::vector<PlacedColumn<P>> own = {
@@ -18,9 +23,14 @@ std::vector<Column<P>> makeTable()
       {"temperature_rise",
        {"iterations", "1", 1.0, "of the fixed point; steps in mode moving", kept<&P::iterations>,
         leading(wholeDigits)}},
+      {"peak_traction",
+       {"temperature_max", "K", 1.0, "largest rise", kept<&P::temperatureMaximum>, following(10)}},
+      {"temperature_max",
+       {"t_gamma", "N/mm", newtonPerMm,
+        "T times creep: heat by friction over the length rolled, of a mm across", derived(tGammaOf),
+        following(10)}},
       // not in creep.csv
-      {"stick_fraction", {"temperature_max", "K", 1.0, "", kept<&P::temperatureMaximum>}},
-      {"temperature_max", {"profile", "1", 1.0, "", kept<&P::profile>}},
+      {"t_gamma", {"profile", "1", 1.0, "", kept<&P::profile>}},
       {"profile",
        {"standard_error", "1", 1.0, "of T/N, from the covariance of the law",
         kept<&P::band, &Band::standardError>, nowhere, leading(6)}},

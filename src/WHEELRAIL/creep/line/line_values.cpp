@@ -11,15 +11,20 @@ std::vector<Column<LineValues>> lineColumns()
                                             kept<&LineValues::tractionRatio>, leading(10),
                                             leading(10)}};
   append(table, slidingColumns());
+  constexpr double MPa = 1e6;
+  table.push_back({"peak_traction", "MPa", MPa, "largest shear stress of the surface",
+                   kept<&LineValues::peakTraction>, following(10)});
   return table;
 }
 
 LineValues lineValues(const ContactSetup &setup, double tractionRatio,
-                      const Eigen::VectorXd &pressure, const Eigen::VectorXd &mu,
-                      const Eigen::VectorXd &temperature, const std::vector<Adhesion> &state)
+                      const Eigen::VectorXd &traction, const Eigen::VectorXd &pressure,
+                      const Eigen::VectorXd &mu, const Eigen::VectorXd &temperature,
+                      const std::vector<Adhesion> &state)
 {
   LineValues values;
   values.tractionRatio = tractionRatio;
+  values.peakTraction = traction.cwiseAbs().maxCoeff();
   values.muMean = mu.dot(pressure) / pressure.sum();
   values.temperatureRise = setup.nominalMean(temperature);
   const auto apart = std::count(state.begin(), state.end(), Adhesion::Apart);

@@ -11,6 +11,7 @@ namespace wheelrail {
 /// What one solution of a rolling line contact gives; in mode moving the mean over steps. SI units.
 struct LineValues : SlidingValues {
   double tractionRatio = 0.0; ///< T/N
+  double peakTraction = 0.0;  ///< Pa
 };
 
 /// Their columns, in the order of creep.csv.
@@ -18,11 +19,13 @@ std::vector<Column<LineValues>> lineColumns();
 
 /// The values of one solution.
 /// \param tractionRatio T/N
+/// \param traction of all cells that may touch, Pa
 /// \param pressure, mu, temperature one value per cell of the domain; Pa and K
 /// \param state of all cells that may touch, at least one of which does
 LineValues lineValues(const ContactSetup &setup, double tractionRatio,
-                      const Eigen::VectorXd &pressure, const Eigen::VectorXd &mu,
-                      const Eigen::VectorXd &temperature, const std::vector<Adhesion> &state);
+                      const Eigen::VectorXd &traction, const Eigen::VectorXd &pressure,
+                      const Eigen::VectorXd &mu, const Eigen::VectorXd &temperature,
+                      const std::vector<Adhesion> &state);
 
 } // namespace wheelrail
 #endif

@@ -94,8 +94,9 @@ void MovingCreep::roll(Roller &roller, double speed, bool counted)
       if (setup_.isNominal(i) || (i >= windowBegin_ && i < windowBegin_ + cells))
         roller.temperature[i] = roller.heat->rise(i);
   }
-  const LineValues step = lineValues(setup_, roller.result.force() / normal_.pressure.sum(), p,
-                                     roller.mu, roller.temperature, roller.result.state);
+  const LineValues step = lineValues(setup_, roller.result.force() / normal_.pressure.sum(),
+                                     roller.result.traction * setup_.hertz.modulus, p, roller.mu,
+                                     roller.temperature, roller.result.state);
   addValues(roller.pass, step);
   if (!counted)
     return;

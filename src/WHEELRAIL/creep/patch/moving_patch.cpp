@@ -91,6 +91,8 @@ MovingPatch::MovingPatch(const CreepPhysics &physics, const MovingPatchSpecifica
       passSteps_(
           static_cast<int>(std::ceil(2.0 * contact.hertz.a / contact.grid.dx * (1.0 - 1e-12))))
 {
+  if (physics.memoryLength > 0.0 && law.dependsOnSpeed())
+    memory_.emplace(contact.grid, physics.memoryLength);
 }
 
 // How a step of one cell goes (`solve` loops over them). Rough surfaces that travel change the
@@ -123,6 +125,7 @@ void MovingPatch::begin(TransientPatch &transient, double speed, const PatchDriv
     FrozenPatch steady(physics_, contact_, spinPoint_);
     const PatchPoint point = steady.solve(law_, speed, drive);
     normal_.pressure = steady.fields().pressure;
+    memoryRatio_ = steady.memoryRatio();
     imposed_ = coupling_.tangential(normal_.pressure);
     transient.startFrom(steady.fields().traction, imposed_);
     creepage_ = point.creepage;
@@ -130,8 +133,8 @@ void MovingPatch::begin(TransientPatch &transient, double speed, const PatchDriv
     return;
   }
   TransientPatch::Step shift;
-  shift.bound = law_.mu({normal_.pressure, 0.0, Vector::Zero(contact_.grid.cells())})
-                    .cwiseProduct(normal_.pressure);
+  shift.bound = contact_.bound(
+      law_.mu({normal_.pressure, 0.0, Vector::Zero(contact_.grid.cells())}), normal_.pressure);
   shift.cells = 0;
   shift.forceX = drive.forceX.value_or(0.0);
   shift.forceY = drive.forceY.value_or(0.0);
@@ -201,12 +204,15 @@ PatchStep MovingPatch::roll(TransientPatch &transient, Temperature &heat, double
   const double sliding = speed * rigidSlip(grid, normal_.pressure, step.creepage);
   if (!heat.rows.empty()) // what the friction coefficient sees is a cell behind
     heat.values = shifted(grid, heat.values, 1);
+  if (memory_) // likewise
+    memoryRatio_ = shifted(grid, memoryRatio_, 1, 0, 1.0);
   physics_.checkStrength(law_, heat.values.maxCoeff(), speed, step.creepage.xi);
   Vector mu;
   TangentialOptions options = TransientPatch::defaultOptions();
   const auto slide = [&] {
-    mu = law_.mu({normal_.pressure, sliding, heat.values});
-    step.bound = mu.cwiseProduct(normal_.pressure);
+    mu = memory_ ? SlipMemory::mu(law_, normal_.pressure, heat.values, memoryRatio_)
+                 : law_.mu({normal_.pressure, sliding, heat.values});
+    step.bound = contact_.bound(mu, normal_.pressure);
     step.imposed = coupling_.tangential(normal_.pressure);
     step.edge = contact_.edge(normal_.pressure, normal_.gap);
     TangentialResult tried = transient.attempt(step, options);
@@ -219,6 +225,9 @@ PatchStep MovingPatch::roll(TransientPatch &transient, Temperature &heat, double
         press(load, distance, normal_.pressure, opening);
       });
   transient.accept(step, result);
+  if (memory_)
+    memoryRatio_ =
+        memory_->after(memoryRatio_, law_, normal_.pressure, heat.values, speed, result.slip);
   creepage_ = result.creepage;
   PatchSums sums = patchSums(grid, result);
   sums.drivingPower += couplingPower(grid, result.traction, step.imposed, imposed_);
@@ -228,8 +237,8 @@ PatchStep MovingPatch::roll(TransientPatch &transient, Temperature &heat, double
 
   PatchStep row;
   static_cast<PatchValues &>(row) =
-      patchValues({contact_, sums, load, normal_.approach, result.creepage, normal_.pressure, mu,
-                   heat.values, speed});
+      patchValues({contact_, sums, result, physics_.wear, load, normal_.approach, result.creepage,
+                   normal_.pressure, mu, heat.values, speed});
   row.distance = distance;
   row.drivingPower = sums.drivingPower * speed;
   heat.ratio += physics_.thermal.model == ThermalModel::AveragedPower && sliding > 0.0
@@ -274,6 +283,7 @@ std::optional<PatchPoint> MovingPatch::solve(double speed, const PatchDrive &dri
   wheel_ = rail_ = {};
   products_ = 0;
   hottest_ = 0.0;
+  memoryRatio_ = Vector::Ones(grid.cells());
   TransientPatch transient(grid, contact_.pair);
   Temperature heat(physics_, contact_, speed);
   fields_.temperature = heat.values;

@@ -103,6 +103,8 @@ class MovingPatch {
   TangentialField imposed_; ///< by the pressure of unlike bodies, at the step before
   Travel wheel_, rail_;
   Creepage creepage_; ///< of the last step
+  std::optional<SlipMemory> memory_;
+  Eigen::VectorXd memoryRatio_; ///< see `SlipMemory`; goes with the material
   int passSteps_, products_ = 0;
   double hottest_ = 0.0;
   PatchHistory history_;

@@ -17,7 +17,8 @@ using Vector = Eigen::VectorXd;
 using mcawr::pi;
 constexpr double temperatureTolerance = 1e-7; ///< of the strength temperature
 constexpr double tangentialTolerance = 1e-6;
-constexpr double creepTolerance = 1e-6; ///< of a creepage that is found, relative
+constexpr double memoryTolerance = 1e-5; ///< of mu
+constexpr double creepTolerance = 1e-6;  ///< of a creepage that is found, relative
 constexpr int maxIterations = 100;
 
 } // namespace
@@ -65,12 +66,22 @@ FrozenPatch::FrozenPatch(const CreepPhysics &physics, const PatchContact &contac
   fields_.pressure = contact.normal.pressure;
   fields_.gap = contact.normal.gap;
   fields_.temperature = Vector::Zero(contact.grid.cells());
+  memoryRatio_ = Vector::Ones(contact.grid.cells());
+  if (physics.memoryLength > 0.0)
+    memory_.emplace(contact.grid, physics.memoryLength);
+}
+
+Vector FrozenPatch::muNow(const FrictionLaw &law, double speed) const
+{
+  if (memory_)
+    return SlipMemory::mu(law, fields_.pressure, fields_.temperature, memoryRatio_);
+  return law.mu({fields_.pressure, slidingSpeed(speed), fields_.temperature});
 }
 
 TangentialResult FrozenPatch::roll(const PatchDrive &drive, const Creepage &guess)
 {
   TangentialProblem problem;
-  problem.bound = fields_.mu.cwiseProduct(fields_.pressure);
+  problem.bound = contact_.bound(fields_.mu, fields_.pressure);
   problem.creepage = drive.creepage;
   problem.forceX = drive.forceX;
   problem.forceY = drive.forceY;
@@ -184,9 +195,10 @@ void FrozenPatch::failToSettle(double speed, int iterations, bool friction) cons
 // method would need the derivative of a solution of the tangential contact; a turn costs one such
 // solution, and that begins at the last traction.
 //
-// The steps of temperature and of creepage are counted in units of their tolerances, and the larger
-// one decides on the end and on halving. Of unlike bodies the pressure takes part: it is renewed
-// with the traction of the turn before, and the end waits until it has settled.
+// The steps of temperature, of creepage and of what friction remembers are counted in units of
+// their tolerances, and the largest one decides on the end and on halving. Of unlike bodies the
+// pressure takes part: it is renewed with the traction of the turn before, and the end waits until
+// it has settled.
 PatchPoint FrozenPatch::solve(const FrictionLaw &law, double speed, const PatchDrive &drive)
 {
   const bool found = drive.forceX || drive.forceY;
@@ -194,8 +206,10 @@ PatchPoint FrozenPatch::solve(const FrictionLaw &law, double speed, const PatchD
   // creepages that are not known beforehand decide the sliding speed
   const bool slides = found && law.dependsOnSpeed();
   const bool couples = coupling_.any();
-  const bool feedback = heats || slides || couples;
-  const bool needsTraction = found || couples || physics_.thermal.model == ThermalModel::Local ||
+  const bool remembers = memory_ && law.dependsOnSpeed();
+  const bool feedback = heats || slides || couples || remembers;
+  const bool needsTraction = found || couples || remembers ||
+                             physics_.thermal.model == ThermalModel::Local ||
                              physics_.thermal.model == ThermalModel::AveragedPower;
   products_ = 0;
   fields_.traction = fields_.slip = {};
@@ -217,9 +231,12 @@ PatchPoint FrozenPatch::solve(const FrictionLaw &law, double speed, const PatchD
     const bool pressed =
         !couples || (iteration > 1 && PatchCoupling::settled(formerPressure, fields_.pressure));
     const Creepage before = creepage_;
-    fields_.mu = law.mu({fields_.pressure, slidingSpeed(speed), fields_.temperature});
+    fields_.mu = muNow(law, speed);
     if (needsTraction)
       rollWarmOrCold(drive);
+    Vector remembered = memoryRatio_;
+    if (remembers)
+      remembered = memory_->steady(law, fields_.pressure, fields_.temperature, speed, result_.slip);
     const Vector next = temperatureFrom(speed);
     // of the temperature, and of the creepages as a share that counts as much
     const double heatStep = (next - fields_.temperature).cwiseAbs().maxCoeff() /
@@ -229,7 +246,8 @@ PatchPoint FrozenPatch::solve(const FrictionLaw &law, double speed, const PatchD
         slides ? std::hypot(creepage_.xi - before.xi, creepage_.eta - before.eta) /
                      (creepTolerance * size)
                : 0.0;
-    const double step = std::max(heatStep, creepStep);
+    const double memoryStep = (remembered - memoryRatio_).cwiseAbs().maxCoeff() / memoryTolerance;
+    const double step = std::max({heatStep, creepStep, memoryStep});
     if (!feedback) { // G does not depend on its argument: one turn is the solution
       fields_.temperature = next;
       break;
@@ -242,6 +260,7 @@ PatchPoint FrozenPatch::solve(const FrictionLaw &law, double speed, const PatchD
       part *= 0.5;
     lastStep = step;
     fields_.temperature += part * (next - fields_.temperature);
+    memoryRatio_ += part * (remembered - memoryRatio_);
     if (slides) {
       creepage_.xi = before.xi + part * (creepage_.xi - before.xi);
       creepage_.eta = before.eta + part * (creepage_.eta - before.eta);
@@ -268,8 +287,8 @@ PatchPoint FrozenPatch::pointOf(const FrictionLaw &law, double speed, int iterat
   const PatchSums sums = this->sums();
   PatchPoint point;
   static_cast<PatchValues &>(point) =
-      patchValues({contact_, sums, contact_.load, approach_, result_.creepage, fields_.pressure,
-                   fields_.mu, fields_.temperature, speed});
+      patchValues({contact_, sums, result_, physics_.wear, contact_.load, approach_,
+                   result_.creepage, fields_.pressure, fields_.mu, fields_.temperature, speed});
   point.surface = contact_.surface.number;
   point.speed = speed;
   const double hottest = fields_.temperature.maxCoeff();

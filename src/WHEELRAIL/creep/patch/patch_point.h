@@ -7,6 +7,7 @@
 #include "contact/patch/solvers/patch_temperature.h"
 #include "creep/patch/field_files.h"
 #include "creep/patch/patch_values.h"
+#include "creep/patch/slip_memory.h"
 #include "creep/sweep/creep_physics.h"
 #include "creep/sweep/law_spread.h"
 
@@ -82,9 +83,9 @@ double meanTemperatureRise(double frictionRatio, const HertzEllipse &hertz, doub
 /// large Peclet number the rows along x do not exchange heat, so that the flash temperature of each
 /// of them is that of the line.
 /// The unknowns of the fixed point are the temperature rise and, where forces are given and
-/// friction falls with sliding speed, the creepages; of unlike bodies the pressure, too, which the
-/// traction changes. A step that comes out no smaller than the one
-/// before is halved from then on.
+/// friction falls with sliding speed, the creepages; where it falls with the slip of each cell,
+/// what it has fallen to; of unlike bodies the pressure, too, which the traction changes. A step
+/// that comes out no smaller than the one before is halved from then on.
 class FrozenPatch {
  public:
   /// Both must outlive the object.
@@ -98,6 +99,8 @@ class FrozenPatch {
   PatchPoint solve(const FrictionLaw &law, double speed, const PatchDrive &drive);
 
   const PatchFields &fields() const { return fields_; } ///< in SI units, of the last call
+  /// What friction has fallen to, see `SlipMemory`; ones without a memory.
+  const Eigen::VectorXd &memoryRatio() const { return memoryRatio_; }
 
  private:
   /// One tangential problem under the present bound; unknown creepages are searched from `guess`.
@@ -105,6 +108,8 @@ class FrozenPatch {
   void rollWarmOrCold(const PatchDrive &drive);
   /// Rise per cell that the present traction causes, K; one value everywhere with Eq. 11.
   Eigen::VectorXd temperatureFrom(double speed);
+  /// mu of all cells at the present pressure, temperature and memory.
+  Eigen::VectorXd muNow(const FrictionLaw &law, double speed) const;
   /// The normal contact anew, with what traction and temperature change in it.
   void renewPressure(const FrictionLaw &law);
   /// \param friction the law is at fault, or else the coupling of unlike bodies
@@ -129,6 +134,8 @@ class FrozenPatch {
   PatchCoupling coupling_;
   std::optional<PatchFlashTemperature> flash_;
   double flashSpeed_ = 0.0;
+  std::optional<SlipMemory> memory_;
+  Eigen::VectorXd memoryRatio_; ///< see `SlipMemory`
   double approach_;
   int products_ = 0;
   PatchFields fields_;

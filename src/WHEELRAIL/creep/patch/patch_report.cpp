@@ -123,6 +123,8 @@ std::string patchCsv(const PatchSpecification &asked, const PatchCurves &curves)
   PatchColumns columns = columnsOf(patchColumns(), still ? &C::still : &C::creep);
   if (asked.mode == PatchMode::Moving)
     append(columns, columnsOf(patchColumns(), &C::moving));
+  if (asked.physics.wear.kind != WearLaw::Kind::None)
+    append(columns, columnsOf(patchColumns(), &C::wear));
   return csvOf(withSurface(columns, asked), curves.points);
 }
 

@@ -39,6 +39,8 @@ struct PatchSpecification {
   std::vector<double> speed;                ///< m/s
   /// Points whose fields are kept and written; each costs eight doubles a cell.
   FieldSelection fields;
+  /// Depths at which the stresses of these points are written, m, > 0; empty: none.
+  std::vector<double> depths;
   bool sensitivities = true; ///< Kalker's coefficients of every contact
   /// How a covariance of the law becomes bands; not of mode Static.
   SpreadSpecification spread;

@@ -2,8 +2,10 @@
 #include "creep/patch/patch_task.h"
 
 #include "base/result_text.h"
+#include "creep/patch/measured_fit.h"
 #include "creep/patch/patch_report.h"
 #include "creep/patch/patch_table.h"
+#include "creep/patch/subsurface_report.h"
 
 #include <filesystem>
 #include <fmt/format.h>
@@ -79,6 +81,13 @@ class PatchCreepTask : public CreepTask {
       checkPatchTable(asked_);
       outputs.push_back({"--table", extra.table});
     }
+    if (!extra.measured.empty()) {
+      if (asked_.mode == PatchMode::Static || asked_.sequence.any())
+        throw Error(ExitCode::Usage,
+                    "--fit-measured: goes with a point contact (contact.load) that "
+                    "rolls, without a sequence");
+      readMeasuredCurve(extra.measured); // a fault is said before the sweep
+    }
     return outputs;
   }
   std::vector<std::string> solve(const LawPointer &law, const SweepOptions &options) override
@@ -88,8 +97,15 @@ class PatchCreepTask : public CreepTask {
   }
   TaskReport report(const ReportContext &context, ResultFiles &files) const override
   {
-    write(outputsWith(&context), curves_, files);
     TaskReport report;
+    std::string measured; // before the summary, which names all files
+    try {
+      if (!context.extra.measured.empty())
+        measured = addMeasuredFit(context, files);
+    } catch (const Error &error) {
+      report.shortfall = error;
+    }
+    write(outputsWith(&context), curves_, files);
     report.text = patchShortReport(asked_, curves_);
     report.details = patchDetailedReport(curves_);
     report.count = countOf(curves_.points.size(), curves_.resumed);
@@ -97,10 +113,28 @@ class PatchCreepTask : public CreepTask {
     report.failures = failures(curves_);
     report.points = curves_.points.size();
     addExtra(context.extra, files, report);
+    report.extra += measured;
     return report;
   }
 
  private:
+  /// The first contact of the case beside the curve. \return what to print of it
+  std::string addMeasuredFit(const ReportContext &context, ResultFiles &files) const
+  {
+    const std::string &path = context.extra.measured;
+    const std::vector<MeasuredTraction> curve = readMeasuredCurve(path);
+    const MeasuredFit fit =
+        fitMeasured(curve, asked_.physics, curves_.contacts.front(), asked_.contact.spinPoint,
+                    context.law, polachContact(curves_));
+    files.add("measured_fit.csv", measuredCsv(fit, curve));
+    files.add("measured_fit.json", measuredJson(fit, path));
+    const MeasuredParameter &compliance = fit.layer.parameters.back();
+    return fmt::format("{}: T/N predicted within {:.2g} (rms); Polach's form {:.2g}; with a layer "
+                       "of {:.3g} m/Pa, {:.0f} % of the initial slope, {:.2g}\n",
+                       path, fit.predictedRms, fit.polach.rms, compliance.value,
+                       100.0 * fit.slopeShare, fit.layer.rms);
+  }
+
   void addExtra(const ExtraFiles &extra, ResultFiles &files, TaskReport &report) const
   {
     std::string polach;
@@ -120,6 +154,17 @@ class PatchCreepTask : public CreepTask {
     report.extra += polach;
   }
 
+  /// As many as there are points whose fields are kept.
+  std::vector<std::string> subsurfaceNames() const
+  {
+    std::vector<std::string> names;
+    const int total = static_cast<int>(patchTasks(asked_).size());
+    for (int number = 1; number <= total && !asked_.depths.empty(); ++number)
+      if (asked_.fields.holds(number, total))
+        names.push_back(subsurfaceName(number));
+    return names;
+  }
+
   /// \param context null: for the names only
   Outputs<PatchCurves> outputsWith(const ReportContext *context) const
   {
@@ -130,6 +175,16 @@ class PatchCreepTask : public CreepTask {
            for (const auto &[number, fields] : c.fields)
              files.note(fieldFileNames(fieldPlace(number, static_cast<int>(c.points.size()))));
          }},
+        {subsurfaceNames(),
+         [&](auto &c, ResultFiles &files) {
+           const std::vector<PatchTask> tasks = patchTasks(asked_);
+           for (const auto &[number, fields] : c.fields) {
+             const FieldPlace place = fieldPlace(number, static_cast<int>(tasks.size()));
+             if (!asked_.depths.empty() && place.instant == 0)
+               files.add(subsurfaceName(place.point),
+                         subsurfaceCsv(asked_, c.contacts[tasks[place.point - 1].contact], fields));
+           }
+         }},
         fileOf<PatchCurves>(asked_.mode == PatchMode::Static ? "static.csv" : "creep.csv",
                             [&](auto &c) { return patchCsv(asked_, c); }),
         fileOf<PatchCurves>(
@@ -138,6 +193,7 @@ class PatchCreepTask : public CreepTask {
         fileOf<PatchCurves>(
             "series.csv", [&](auto &c) { return patchSeriesCsv(asked_, c); },
             [](auto &c) { return !c.series.empty(); }),
+        {{"measured_fit.csv", "measured_fit.json"}, [](auto &, ResultFiles &) {}}, // see `report`
         summaryOf<PatchCurves>([=](auto &c, auto &files) {
           return patchSummary(asked_, context->text, context->law, c, files);
         })};

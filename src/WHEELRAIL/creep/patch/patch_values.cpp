@@ -1,12 +1,41 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "creep/patch/patch_values.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace wheelrail {
+namespace {
+
+// A place of the rail lies under all cells of a row, one after the other, while the contact rolls
+// over it: each for the way dx.
+void addWear(const PatchSolution &solved, PatchValues &values)
+{
+  if (solved.wear.kind == WearLaw::Kind::None)
+    return;
+  const PatchGrid &grid = solved.contact.grid;
+  const TangentialField &q = solved.tangential.traction, &s = solved.tangential.slip;
+  for (int iy = 0; iy < grid.ny; ++iy) {
+    double passage = 0.0;
+    for (int ix = 0; ix < grid.nx; ++ix) {
+      const int i = grid.index(ix, iy);
+      const double work = -(q.x[i] * s.x[i] + q.y[i] * s.y[i]);
+      passage += grid.dx * solved.wear.depth(solved.pressure[i], std::max(0.0, work),
+                                             std::hypot(s.x[i], s.y[i]));
+    }
+    values.wearVolume += passage * grid.dy;
+    values.wearDepth = std::max(values.wearDepth, passage);
+  }
+}
+
+} // namespace
 
 std::vector<Column<PatchValues>> patchValueColumns()
 {
   using V = PatchValues;
-  constexpr double mm = 1e-3, mm2 = 1e-6, MPa = 1e6, newtonMm = 1e-3, perMm = 1e3; // in SI
+  constexpr double nm = 1e-9, mm = 1e-3, mm2 = 1e-6, MPa = 1e6, newtonMm = 1e-3,
+                   perMm = 1e3; // in SI
+  constexpr double mm3PerM = 1e-9;
   // name, unit, meaning; in creep.csv, creep_band.csv, static.csv, series.csv
   std::vector<Column<V>> table = {
       {"load", "N", 1.0, "normal force", kept<&V::load>, following(10), following(10), leading(10),
@@ -32,7 +61,17 @@ std::vector<Column<PatchValues>> patchValueColumns()
       {"real_area", "mm2", mm2, "of the cells in contact", kept<&V::realArea>, following(10),
        nowhere, following(10), following(8)},
       {"power", "W", 1.0, "heat by friction", kept<&V::frictionalPower>, following(10), nowhere,
-       nowhere, following(8)}};
+       nowhere, following(8)},
+      {"friction_work", "N m/m", 1.0, "heat by friction over the length rolled",
+       kept<&V::frictionWork>, following(10), nowhere, nowhere, following(8)},
+      {"t_gamma", "N m/m", 1.0, "forces and moment times creepages and spin, against them",
+       kept<&V::tGamma>, following(10), nowhere, nowhere, following(8)},
+      {"peak_traction", "MPa", MPa, "largest shear stress of the surface", kept<&V::peakTraction>,
+       following(10), nowhere, following(10), following(8)},
+      {"wear_volume", "mm3/m", mm3PerM, "worn off over the length rolled", kept<&V::wearVolume>,
+       nowhere, nowhere, nowhere, nowhere, nowhere, nowhere, following(6)},
+      {"wear_depth", "nm", nm, "worn off by one passage, across the track where it is most",
+       kept<&V::wearDepth>, nowhere, nowhere, nowhere, nowhere, nowhere, nowhere, following(6)}};
   append(table, others);
   return table;
 }
@@ -53,6 +92,12 @@ PatchValues patchValues(const PatchSolution &solved)
   values.peakPressure = solved.pressure.maxCoeff();
   values.realArea = solved.contact.realArea(solved.pressure);
   values.frictionalPower = sums.frictionalPower * solved.speed;
+  values.frictionWork = sums.frictionalPower;
+  const Creepage &creep = solved.creepage;
+  values.tGamma = -(creep.xi * sums.forceX + creep.eta * sums.forceY + creep.phi * sums.momentZ);
+  const TangentialField &q = solved.tangential.traction;
+  values.peakTraction = std::sqrt((q.x.array().square() + q.y.array().square()).maxCoeff());
+  addWear(solved, values);
   return values;
 }
 

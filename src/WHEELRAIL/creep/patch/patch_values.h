@@ -5,6 +5,7 @@
 #include "contact/patch/patch_contact.h"
 #include "contact/patch/solvers/patch_sums.h"
 #include "contact/patch/solvers/tangential.h"
+#include "contact/wear.h"
 #include "creep/sweep/sliding_values.h"
 
 namespace wheelrail {
@@ -20,6 +21,13 @@ struct PatchValues : SlidingValues {
   double peakPressure = 0.0;         ///< Pa
   double realArea = 0.0;             ///< m^2
   double frictionalPower = 0.0;      ///< W, heat by friction
+  double frictionWork = 0.0;         ///< the same over the length rolled, N; of a shift the work, J
+  double tGamma = 0.0;               ///< -(xi Fx + eta Fy + phi Mz), N
+  double peakTraction = 0.0;         ///< Pa
+  double wearVolume = 0.0;           ///< over the length rolled, m^2
+  /// What one passage takes off where it takes most, m: a place of the rail, across the track, or
+  /// of the wheel in one turn.
+  double wearDepth = 0.0;
 };
 
 /// Their columns: the order of series.csv.
@@ -29,6 +37,8 @@ std::vector<Column<PatchValues>> patchValueColumns();
 struct PatchSolution {
   const PatchContact &contact;
   const PatchSums &sums;
+  const TangentialResult &tangential;
+  const WearLaw &wear;
   double load, approach; ///< N, m
   const Creepage &creepage;
   const Eigen::VectorXd &pressure, &mu, &temperature; ///< per cell; Pa and K

@@ -71,7 +71,7 @@ class StaticSteps {
   {
     // nothing slides on, nothing heats
     mu_ = law_.mu({normal_.pressure, 0.0, Vector::Zero(contact_.grid.cells())});
-    step.bound = mu_.cwiseProduct(normal_.pressure);
+    step.bound = contact_.bound(mu_, normal_.pressure);
     step.imposed = coupling_.tangential(normal_.pressure);
     step.forceX = drive_.forceX;
     step.forceY = drive_.forceY;
@@ -113,8 +113,8 @@ PatchValues StaticSteps::values() const
 {
   const PatchSums sums = patchSums(contact_.grid, result_);
   constexpr double speed = 0.0;
-  return patchValues({contact_, sums, load_, normal_.approach, shift_, normal_.pressure, mu_,
-                      Vector::Zero(contact_.grid.cells()), speed});
+  return patchValues({contact_, sums, result_, physics_.wear, load_, normal_.approach, shift_,
+                      normal_.pressure, mu_, Vector::Zero(contact_.grid.cells()), speed});
 }
 
 StaticPatch StaticSteps::result() const

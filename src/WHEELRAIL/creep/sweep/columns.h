@@ -82,15 +82,16 @@ struct Column {
   Written series = {}; ///< in series.csv
   Written moving = {}; ///< in creep.csv after the others, where the contact moves
   Written stages = {}; ///< in series.csv, where the contact does not roll
+  Written wear = {};   ///< in creep.csv after the others, where wear is asked for
 };
 
 /// A column of the points that a type is derived from.
 template<class Point, class Base>
 Column<Point> columnOf(const Column<Base> &c)
 {
-  return {c.name,  c.unit, c.scale, c.meaning, {c.value.get, c.value.set, c.value.whole},
-          c.creep, c.band, c.still, c.series,  c.moving,
-          c.stages};
+  return {c.name,   c.unit, c.scale, c.meaning, {c.value.get, c.value.set, c.value.whole},
+          c.creep,  c.band, c.still, c.series,  c.moving,
+          c.stages, c.wear};
 }
 
 /// Appends the columns of a base to a table.

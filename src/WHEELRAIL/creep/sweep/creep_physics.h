@@ -3,6 +3,7 @@
 #define WHEELRAIL_CREEP_SWEEP_CREEP_PHYSICS_H
 
 #include "contact/contact_temperature.h"
+#include "contact/wear.h"
 #include "law/friction_law.h"
 #include "law/strength.h"
 
@@ -16,6 +17,9 @@ struct CreepPhysics {
   /// Model and material of the temperature; Off: no rise.
   ThermalSpecification thermal;
   bool hardnessLimit = false; ///< pressure stops at the hardness, 3 sigma_0(Theta)
+  /// Of friction that falls with the slip of each cell, m; 0: one sliding speed for all of them.
+  double memoryLength = 0.0;
+  WearLaw wear; ///< of what friction does; it changes nothing
 
   /// That of the law's own material, or else `strength`. Lives as long as both.
   const Strength &strengthOf(const FrictionLaw &law) const

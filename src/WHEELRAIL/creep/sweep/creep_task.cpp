@@ -15,6 +15,8 @@ std::vector<RequestedOutput> CreepTask::extraOutputs(const ExtraFiles &extra) co
     refusePolach();
   if (!extra.table.empty())
     throw Error(ExitCode::Usage, "--table: goes with a point contact (contact.load)");
+  if (!extra.measured.empty())
+    throw Error(ExitCode::Usage, "--fit-measured: goes with a point contact (contact.load)");
   return {};
 }
 

@@ -18,6 +18,8 @@ namespace wheelrail {
 struct ExtraFiles {
   std::string polach; ///< parameters of Polach's law (JSON); the points lie beside it
   std::string table;  ///< forces over a grid of creepages (CSV)
+  /// A measured traction curve, which is read: laws are fitted to it.
+  std::string measured;
 };
 
 /// What a report says about, beside the results.

@@ -11,6 +11,9 @@ struct ElasticPair {
   double G = 0.0;
   double nu = 0.0;
   double K = 0.0;
+  /// Compliance of a layer between the bodies against shear, thickness over shear modulus: length
+  /// per traction, >= 0. Each place of it gives way by that times its own traction (Winkler).
+  double layer = 0.0;
 };
 
 /// Integrals over a cell of dx x dy, centred at a distance (x, y), that make up its influence

@@ -118,7 +118,8 @@ void PatchHalfSpace::fillEstimates()
       // at the highest frequency +k and -k are the same: the odd part vanishes
       if (2 * kx == sizeX || 2 * ky == sizeY)
         cell.xy = 0.0;
-      const double a = less * cell.yy + cell.xx, b = cell.yy + less * cell.xx;
+      const double soft = pi * pair_.G * pair_.layer; // the same for all waves
+      const double a = less * cell.yy + cell.xx + soft, b = cell.yy + less * cell.xx + soft;
       const double c = pair_.nu * cell.xy, determinant = a * b - c * c;
       // the matrix {{a, c}, {c, b}} multiplies a wave's tractions, (a b - c^2)^-1 {{b, -c}, {-c,
       // a}} its displacements
@@ -155,14 +156,15 @@ TangentialField PatchHalfSpace::displacement(const TangentialField &traction)
   PlaneTransform &transform = padded(2);
   const int sizeY = transform.sizeY(), countY = sizeY / 2 + 1;
   const double less = 1.0 - pair_.nu;
+  const double soft = pair_.layer / (double(transform.sizeX()) * sizeY);
   transform.multiply(fields, [&](int kx, Complex *const *column) {
     const std::size_t at = std::size_t(kx) * countY;
     const double *a = &yy_[at], *b = &xx_[at], *c = &xy_[at];
     forFrequencies(sizeY, [&](int ky, int bin, double sign) {
       const Complex x = column[0][ky], y = column[1][ky];
       const double cross = sign * pair_.nu * c[bin];
-      column[0][ky] = (less * a[bin] + b[bin]) * x + cross * y;
-      column[1][ky] = cross * x + (a[bin] + less * b[bin]) * y;
+      column[0][ky] = (less * a[bin] + b[bin] + soft) * x + cross * y;
+      column[1][ky] = cross * x + (a[bin] + less * b[bin] + soft) * y;
     });
   });
   return result;
@@ -262,7 +264,7 @@ double PatchHalfSpace::tangentialCompliance() const
 {
   const CellInfluence own =
       cellInfluence(pair_, cellIntegrals(0.0, 0.0, cellGrid_.dx, cellGrid_.dy));
-  return std::max(own.xx, own.yy);
+  return std::max(own.xx, own.yy) + pair_.layer;
 }
 
 } // namespace wheelrail

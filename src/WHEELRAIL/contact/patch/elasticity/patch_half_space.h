@@ -39,7 +39,8 @@ class PatchHalfSpace final : public HalfSpace {
   /// Normal displacement (both bodies' compression) of a pressure. Symmetric, positive definite.
   Vector displacement(const Vector &pressure) override;
   /// Tangential displacement difference of tractions: that of a particle of the wheel along the
-  /// traction on it. Symmetric, definite; by Poisson's ratio the components influence each other.
+  /// traction on it, with what the layer of `ElasticPair` gives way. Symmetric, definite; by
+  /// Poisson's ratio the components influence each other.
   TangentialField displacement(const TangentialField &traction);
 
   /// Approximate inverses, by the symbol of the unbounded half-space: preconditioners, symmetric

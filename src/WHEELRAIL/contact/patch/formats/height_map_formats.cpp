@@ -16,16 +16,22 @@ bool begins(std::string_view bytes, const HeightMapFormat &format)
                      [&](std::string_view head) { return bytes.substr(0, head.size()) == head; });
 }
 
-HeightMap refuseBinarySdf(const std::string &path, const std::string &, const HeightMapScale &)
+HeightMap refusePackedSur(const std::string &path, const std::string &, const HeightMapScale &)
 {
-  throw badInput(path, 1, "", "a binary SDF file; only those in ASCII (aISO-1.0) are read");
+  throw badInput(path, 1, "", "a compressed SUR file; save it without compression");
+}
+
+HeightMap refuseGwy(const std::string &path, const std::string &, const HeightMapScale &)
+{
+  throw badInput(path, 1, "",
+                 "Gwyddion's own format; save it as GSF (gwyddion: File, Save As, .gsf)");
 }
 
 /// What no other format knows is text, or no map at all.
 HeightMap parseText(const std::string &path, const std::string &bytes, const HeightMapScale &scale)
 {
   if (const std::string problem = mcawr::plainText(bytes).problem; !problem.empty())
-    throw badInput(path, 0, "", problem + " (GSF, SDF in ASCII, npy and text are read)");
+    throw badInput(path, 0, "", problem + " (GSF, SDF, x3p, SUR, npy and text are read)");
   return parseMatrix(path, bytes, scale);
 }
 
@@ -37,7 +43,11 @@ const std::vector<HeightMapFormat> &heightMapFormats()
       {"npy", {"\x93NUMPY"}, false, parseNpy},
       {"GSF", {"Gwyddion Simple Field"}, true, parseGsfMap},
       {"SDF", {"aISO-", "aBCR-"}, true, parseSdf},
-      {"binary SDF", {"bISO-", "bBCR-"}, true, refuseBinarySdf},
+      {"binary SDF", {"bISO-", "bBCR-"}, true, parseBinarySdf},
+      {"x3p", {"PK\x03\x04"}, true, parseX3p},
+      {"SUR", {"DIGITAL SURF"}, true, parseSur},
+      {"compressed SUR", {"DSCOMPRESSED"}, true, refusePackedSur},
+      {"gwy", {"GWYP", "GWYO"}, true, refuseGwy},
       {"text", {""}, true, parseText},
   };
   return formats;

@@ -1,0 +1,63 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""wr_creep --fit-measured: laws fitted to a measured traction curve, apart from a prediction."""
+
+import json
+
+import pytest
+from patch_runs import CASE, numbers, run, table
+
+CURVE = "# speed: km/h\n# creep: %\ncreep,speed,traction_ratio\n" + "".join(
+    f"{creep},36,{ratio}\n"
+    for creep, ratio in [
+        (0.02, 0.020),
+        (0.05, 0.049),
+        (0.1, 0.090),
+        (0.2, 0.150),
+        (0.5, 0.230),
+        (1, 0.262),
+        (3, 0.268),
+        (10, 0.235),
+        (20, 0.200),
+    ]
+)
+
+
+@pytest.fixture
+def files(tmp_path):
+    (tmp_path / "case.yaml").write_text(CASE, encoding="utf-8")
+    (tmp_path / "curve.csv").write_text(CURVE, encoding="utf-8")
+    return tmp_path
+
+
+def test_fit(files):
+    out = files / "out"
+    done = run(
+        files / "case.yaml", out, "points=16", options=("--fit-measured", files / "curve.csv")
+    )
+    assert "predicted within" in done.stdout and "layer" in done.stdout
+    fit = json.loads((out / "measured_fit.json").read_text(encoding="utf-8"))
+    rows = table(out / "measured_fit.csv")
+    measured = numbers(rows, "measured")
+    assert len(measured) == 9
+    for name in ("polach", "layer"):
+        assert fit[name]["rms_traction_ratio"] < 0.5 * fit["predicted"]["rms_traction_ratio"]
+        assert abs(numbers(rows, name) - measured).max() < 0.05
+        assert fit[name]["mu0"]["low"] < fit[name]["mu0"]["value"] < fit[name]["mu0"]["high"]
+    assert 0 < fit["layer"]["share_of_initial_slope"] < 1
+    summary = json.loads((out / "summary.json").read_text(encoding="utf-8"))
+    assert {"measured_fit.csv", "measured_fit.json"} <= set(summary["files"])
+    assert (files / "curve.csv").read_text(encoding="utf-8") == CURVE
+
+
+def test_faults(files):
+    bad = files / "bad.csv"
+    bad.write_text(CURVE.replace("0.235", "zero"), encoding="utf-8")
+    done = run(files / "case.yaml", files / "out", code=3, options=("--fit-measured", bad))
+    assert "bad.csv" in done.stderr and "traction_ratio" in done.stderr
+    curve = files / "curve.csv"
+    done = run(
+        *(files / "case.yaml", files / "out", "mode=static", "static.force_ratio=0.5"),
+        code=2,
+        options=("--fit-measured", curve),
+    )
+    assert "--fit-measured" in done.stderr
