@@ -67,7 +67,7 @@ def spring(places, links=np.inf):
     rows = []
     for way in places[:, 1] - places[:, 0]:
         r = np.linalg.norm(way)
-        n, eps = way / r, np.log(r / D)
+        n, eps = way / r, r / D - 1
         if before is not None:
             turn = np.cross(before, n)
             sine = np.linalg.norm(turn)
@@ -81,7 +81,7 @@ def spring(places, links=np.inf):
                 )
         before = n
         normal, trial = 2 * G * eps, shear
-        limit = MU * max(-normal, 0)
+        limit = MU * max(-normal, 0) * (1 + eps)
         size = 2 * G * np.linalg.norm(shear)
         slides = not linked and size > limit
         if slides:
@@ -108,7 +108,7 @@ def test_a_contact_sticks_and_slides(tmp_path, dimension):
             continue
         if area is None:  # that of the packing
             area = -(f[k, 0] @ n) / -normal
-        force = area * D / np.linalg.norm(x[k, 1] - x[k, 0]) * (normal * n + tau)
+        force = area * (normal * n + tau / (1 + eps))
         scale = area * abs(normal)
         assert f[k, 0] == pytest.approx(force, abs=1e-8 * scale)
         assert f[k, 1] == pytest.approx(-force, abs=1e-8 * scale)
@@ -138,7 +138,7 @@ def test_a_link_takes_the_spring_over(tmp_path):
     area = D / np.sqrt(3)
     last = 0
     for k, (n, eps, normal, tau, _, slides) in enumerate(rows):
-        force = area * D / np.linalg.norm(x[k, 1] - x[k, 0]) * (normal * n + tau)
+        force = area * (normal * n + tau / (1 + eps))
         assert f[k, 0] == pytest.approx(force, abs=1e-8 * area * abs(normal))
         last = k if slides else last
     assert 50 < last < 250 and abs(rows[-1][3][0]) > 2 * MU * abs(rows[-1][2])

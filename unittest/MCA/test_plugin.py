@@ -126,6 +126,8 @@ def test_step_above_the_critical_one_is_refused(tmp_path, ranks):
     fails(script + "run 5\ntimestep 3e-4\nrun 10\n", tmp_path, "0.000277")
     # a link that flows is pressed together until it collapses
     script = SAMPLE.replace("pair_style mca", "pair_style mca viscosity none")
+    fails(script + "timestep 3e-4\nrun 10\n", tmp_path, "0.000277", "pressed links 0.000302")
+    script = SAMPLE.replace("pair_style mca", "pair_style mca viscosity none plasticity radial")
     fails(
         script + "timestep 1e-4\nrun 10\n",
         tmp_path,
