@@ -4,7 +4,6 @@
 #include "room.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 namespace mca {
@@ -31,9 +30,8 @@ static CriticalStep stepOf(const LawSet &laws, const Material &side, double shea
       Cell{packing, side.diameter}.mass(side.density) / Cell{packing, diameter}.cellVolume();
   m.poissonsRatio = 0.0; // E = 2G, and K enters with D only
   m.youngsModulus = 2.0 * shearModulus;
-  const double nearest = laws.keepsVolume() ? std::exp(collapseStrain) : 1.0 + collapseStrain;
-  CriticalStep limit =
-      criticalStep(m, DK / m.bulkModulus(), viscosity, turning, laws.resistsSlip(), nearest);
+  CriticalStep limit = criticalStep(m, DK / m.bulkModulus(), viscosity, turning, laws.resistsSlip(),
+                                    laws.keepsVolume());
   if (!laws.flows()) // nothing is pressed that far
     limit.pressed = std::numeric_limits<double>::infinity();
   return limit;

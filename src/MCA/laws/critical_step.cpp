@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "critical_step.h"
 
+#include "fracture.h"
 #include "shared/pi.h"
 #include "viscosity.h"
 
@@ -102,13 +103,15 @@ static double squaredFrequency(const Material &m, double D, const Packing &packi
 // Both automata of a link move along its face and turn, in antiphase and alike: the energy
 // 2 V w G gamma^2, gamma = u/r + theta, of masses m and moments of inertia J has the frequency
 // omega^2 = 8 w G/rho (1/r^2 + m/(4 J)). Moved along their normal, 2 V w (G + D K w/2) ln(r)^2, it
-// is 8 w/rho (G + D K w/2)/r^2.
-static double pressedStep(const Material &m, double D, const Packing &packing, double nearest)
+// is 8 w/rho (G + D K w/2)/r^2; of strains that are not logarithmic it does not grow.
+static double pressedStep(const Material &m, double D, const Packing &packing, bool isochoric)
 {
+  const double nearest = isochoric ? std::exp(collapseStrain) : 1.0 + collapseStrain;
   const double r = nearest * m.diameter, weight = packing.stressWeight();
   const double turning = 0.25 / (packing.inertia * m.diameter * m.diameter);
   const double shear = m.shearModulus() * (1.0 / (r * r) + turning);
-  const double normal = (m.shearModulus() + 0.5 * D * m.bulkModulus() * weight) / (r * r);
+  const double along = isochoric ? r : m.diameter;
+  const double normal = (m.shearModulus() + 0.5 * D * m.bulkModulus() * weight) / (along * along);
   return 2.0 / std::sqrt(8.0 * weight * std::max(shear, normal) / m.density);
 }
 
@@ -132,7 +135,7 @@ static Damping dampingOfTurns(const Packing &packing)
 }
 
 CriticalStep criticalStep(const Material &m, double D, double viscosity, const Packing &packing,
-                          bool slips, double nearest)
+                          bool slips, bool isochoric)
 {
   // A grid over the reciprocal cell that holds the zone's corners and the middles of its sides and
   // faces, where the largest frequencies lie. Phases of the lattice's edges; opposite wave vectors
@@ -159,7 +162,7 @@ CriticalStep criticalStep(const Material &m, double D, double viscosity, const P
   const double damping = viscosity * cell.contactArea() / m.diameter;
   const double viscous = damping > 0.0 ? 2.0 * cell.mass(m.density) / (fastest.rate * damping)
                                        : std::numeric_limits<double>::infinity();
-  return {2.0 / std::sqrt(largest), viscous, pressedStep(m, D, packing, nearest), fastest.share};
+  return {2.0 / std::sqrt(largest), viscous, pressedStep(m, D, packing, isochoric), fastest.share};
 }
 
 double CriticalStep::plain() const

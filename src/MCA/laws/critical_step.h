@@ -4,7 +4,6 @@
 #ifndef MCA_LAWS_CRITICAL_STEP_H
 #define MCA_LAWS_CRITICAL_STEP_H
 
-#include "fracture.h"
 #include "material.h"
 #include "packing.h"
 
@@ -39,10 +38,12 @@ struct CriticalStep {
 /// \param viscosity  eta of unlinked contacts [stress time], >= 0; 0 without, then `viscous` is
 ///                   infinite
 /// \param slips      they resist slip, too (viscosity both)
-/// \param nearest    r/d of the shortest link [-]
+/// \param isochoric  strains are logarithmic (strain.h): a link collapses at a larger distance,
+/// down
+///                   to which its normal stiffness grows, too
 CriticalStep criticalStep(const Material &, double D, double viscosity,
                           const Packing & = packing::hex, bool slips = false,
-                          double nearest = 1.0 + collapseStrain);
+                          bool isochoric = false);
 
 } // namespace mca
 
