@@ -467,8 +467,8 @@ def test_bad_option_is_one_clear_line(log, option, value, allowed):
 
 
 def test_text_report_holds_no_nan(runs, log, tmp_path):
-    """What is no number is "-": errors of 3 rows, AICc of few conditions, grinding-in before the first
-    row."""
+    """What is no number is "-": errors of 3 rows, AICc of few conditions, grinding-in before the
+    first row."""
     few = tmp_path / "few"
     friction_logs.campaign(
         few, velocities=(0.5, 8), strengths_and_pressures=[(92, 1), (92, 26), (200, 15)]
@@ -526,9 +526,7 @@ def test_outputs_do_not_overwrite_logs_or_each_other(log, tmp_path, option):
     ]
 
 
-@pytest.mark.parametrize(
-    "option, start", [("-o", b"{"), ("--runs", b"# t_start"), ("--plot", PNG)]
-)
+@pytest.mark.parametrize("option, start", [("-o", b"{"), ("--runs", b"# t_start"), ("--plot", PNG)])
 def test_a_pipe_is_written_into(log, tmp_path, option, start):
     pipe = tmp_path / "pipe"
     os.mkfifo(pipe)
@@ -594,14 +592,7 @@ def test_pictures(runs, log, tmp_path):
     )
     assert (tmp_path / "one.png").read_bytes().startswith(PNG)
     made = subprocess.run(
-        [
-            TOOLS / "plot_friction.py",
-            log,
-            "-o",
-            tmp_path / "mu.png",
-            "--runs",
-            tmp_path / "p.csv",
-        ],
+        [TOOLS / "plot_friction.py", log, "-o", tmp_path / "mu.png", "--runs", tmp_path / "p.csv"],
         capture_output=True,
         text=True,
     )

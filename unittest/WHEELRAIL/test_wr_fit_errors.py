@@ -54,7 +54,9 @@ def beyond(values):
 def test_seeds_differ_by_their_errors(tmp_path):
     differences, own = [], []
     for plan in PLANS:
-        rows = rows_of(tmp_path, LOGS / f"{plan}.tar.xz", "--start", "50", "--start-distance", "250")
+        rows = rows_of(
+            tmp_path, LOGS / f"{plan}.tar.xz", "--start", "50", "--start-distance", "250"
+        )
         runs = {}
         for row in rows:
             runs.setdefault(row["file"].rsplit("-seed", 1)[0], []).append(row)

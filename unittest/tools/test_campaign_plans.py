@@ -380,7 +380,9 @@ def test_an_input_script_without_the_upper_block(tmp_path):
     (tmp_path / "in.own").write_text("variable p index 1\n")
     path = tmp_path / "plan.yaml"
     path.write_text(HEAD + "input: in.own\nruns: [{upper_material: steel.mca}]\n")
-    one_line(campaign("list", path), 3, "upper_material: the input script", "no variable upper_values")
+    one_line(
+        campaign("list", path), 3, "upper_material: the input script", "no variable upper_values"
+    )
 
 
 SOFTENING = SI.replace("strength 300e6", "strength 300e6 200e6 100e6").replace(
