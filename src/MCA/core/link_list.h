@@ -106,7 +106,7 @@ class LinkList {
 
   /// Sets both the present and the next state of pair k, in the order of add(). The block's way
   /// follows.
-  void setState(int k, const double *state);
+  void setState(int k, const double *given);
   /// Turns the shears of a state round, as exchange of i and j does in space.
   void exchange(double *state) const;
 

@@ -24,8 +24,8 @@ void ViscousPairs::find(const Pairs &p)
     const double *const plastic = p.now.plastic + first;
     char viscous[blockLength];
     for (int k = 0; k < n; k++)
-      viscous[k] =
-          !(link::isLinked(now[k]) & link::isLinked(next[k])) & isPressed(eps[k] - plastic[k]);
+      viscous[k] = static_cast<char>(!(link::isLinked(now[k]) & link::isLinked(next[k])) &
+                                     isPressed(eps[k] - plastic[k]));
     for (int k = 0; k < n; k++) {
       numbers[count] = first + k;
       count += viscous[k];

@@ -26,14 +26,12 @@ class FittedLaw : public FrictionLaw {
   }
   double variance(const Eigen::VectorXd &derivative) const final
   {
-    const Parameters d = derivative;
-    return d.dot(*covariance_ * d);
+    return derivative.dot(*covariance_ * derivative);
   }
   LawDraws draws() const final
   {
     return [law = this, root = rootOf(*covariance_)](const Eigen::VectorXd &normal) {
-      const Parameters numbers = normal;
-      return law->changed(root * numbers);
+      return law->changed(root * normal);
     };
   }
 

@@ -178,7 +178,7 @@ bool MaterialLaw::dependsOnSpeed() const
 bool isMaterialLaw(const std::string &path)
 {
   try {
-    static const std::regex stated(fmt::format("\"format\"\\s*:\\s*\"{}\"", format));
+    static const std::regex stated(fmt::format(R"("format"\s*:\s*"{}")", format));
     return std::regex_search(readTextFile(path), stated);
   } catch (const Error &) {
     return false;

@@ -202,7 +202,7 @@ PatchPieceResult solvePatchPiece(const PatchSpecification &asked, const LawSprea
       // an impossible force is bad input where nothing else was asked for
       const bool isAlone = tasks.size() == 1 && solver.history().steps.empty();
       if (force ? isAlone : error.code() != ExitCode::NotConverged)
-        throw failure;
+        throw Error(failure.code(), failure.what());
       result.points.push_back(failedPoint(contact, tasks[k], failure));
       solver.startAnew();
     }

@@ -30,20 +30,20 @@ CellStress corner(double x, double y, double z, double nu)
   const double R = std::sqrt(x * x + y * y + z * z), Rz = R + z;
   const double Rx = sumWith(x, R, y * y + z * z), Ry = sumWith(y, R, x * x + z * z);
   const double Vx = std::log(Ry), Vy = std::log(Rx), Vz = -std::atan2(x * y, z * R);
-  const double Vxx = x / (R * Ry), Vyy = y / (R * Rx), Vzz = -Vxx - Vyy;
-  const double Vxy = 1.0 / R, Vyz = z / (R * Rx), Vxz = z / (R * Ry);
+  const double vXX = x / (R * Ry), vYY = y / (R * Rx), vZZ = -vXX - vYY;
+  const double vXY = 1.0 / R, vYZ = z / (R * Rx), vXZ = z / (R * Ry);
   const double product = x * y * (x * x + y * y) / Rz;
   const double chiXX = std::atan2(product, x * x * R + z * y * y);
   const double chiYY = std::atan2(product, y * y * R + z * x * x);
   const double chiXY = std::log(Rz);
-  const double F1xxy = -x / Rz, F1xyy = -y / Rz, F1xxx = -Vx - F1xyy;
-  const double Fxxy = x / (R * Rz), Fxyy = y / (R * Rz), Fxxx = -Fxyy - Vxz;
+  const double f1XXY = -x / Rz, f1XYY = -y / Rz, f1XXX = -Vx - f1XYY;
+  const double fXXY = x / (R * Rz), fXYY = y / (R * Rz), fXXX = -fXYY - vXZ;
   const double less = 1.0 - 2.0 * nu;
-  return {{2.0 * nu * Vz - z * Vxx - less * chiXX, 2.0 * nu * Vz - z * Vyy - less * chiYY,
-           Vz - z * Vzz, -less * chiXY - z * Vxy, -z * Vyz, -z * Vxz},
-          {2.0 * (1.0 + nu) * Vx + 2.0 * nu * F1xxx - z * Fxxx,
-           2.0 * nu * Vx + 2.0 * nu * F1xyy - z * Fxyy, -z * Vxz, Vy + 2.0 * nu * F1xxy - z * Fxxy,
-           -z * Vxy, Vz - z * Vxx}};
+  return {{2.0 * nu * Vz - z * vXX - less * chiXX, 2.0 * nu * Vz - z * vYY - less * chiYY,
+           Vz - z * vZZ, -less * chiXY - z * vXY, -z * vYZ, -z * vXZ},
+          {2.0 * (1.0 + nu) * Vx + 2.0 * nu * f1XXX - z * fXXX,
+           2.0 * nu * Vx + 2.0 * nu * f1XYY - z * fXYY, -z * vXZ, Vy + 2.0 * nu * f1XXY - z * fXXY,
+           -z * vXY, Vz - z * vXX}};
 }
 
 } // namespace

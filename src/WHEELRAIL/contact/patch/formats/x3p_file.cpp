@@ -90,7 +90,7 @@ class Xml {
   /// Text of the element that the path of tags leads to. \throws Error (BadInput)
   std::string needed(const std::vector<const char *> &tags) const
   {
-    const std::string text = given(tags);
+    std::string text = given(tags);
     if (text.empty())
       throw badInput(path_, 0, std::string("main.xml, ") + tags.back(), "is missing");
     return text;
