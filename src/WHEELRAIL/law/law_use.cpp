@@ -60,4 +60,16 @@ std::string outsideOf(const std::vector<LawInput> &inputs, const LawUse &use, do
   return fmt::format("{}", fmt::join(outside, ", "));
 }
 
+std::string fitWarning(const std::string &name, const std::vector<LawInput> &inputs,
+                       const LawUse &use)
+{
+  constexpr double margin = 0.1;
+  const std::string outside = outsideOf(inputs, use, margin);
+  if (outside.empty())
+    return "";
+  return fmt::format("friction.law {} is used outside of what it was fitted on (in brackets): {}; "
+                     "wr_creep's page says what that may mean",
+                     name, outside);
+}
+
 } // namespace wheelrail

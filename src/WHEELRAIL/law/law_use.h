@@ -41,5 +41,11 @@ constexpr double leftOutLoad = 0.005;
 /// \param tolerance share of a limit by which it may be passed
 std::string outsideOf(const std::vector<LawInput> &inputs, const LawUse &use, double tolerance);
 
+/// The warning of a fitted law that is used a tenth beyond the limits of what it was fitted on;
+/// empty: it is not.
+/// \param name of the law, as the case has it
+std::string fitWarning(const std::string &name, const std::vector<LawInput> &inputs,
+                       const LawUse &use);
+
 } // namespace wheelrail
 #endif

@@ -110,13 +110,7 @@ LawUse LawOfMaterial::use(const FrictionState &state) const
 
 std::string LawOfMaterial::warning(const LawUse &use) const
 {
-  constexpr double margin = 0.1;
-  const std::string outside = outsideOf(inputs(), use, margin);
-  if (outside.empty())
-    return "";
-  return fmt::format("friction.law {} is used outside of what it was fitted on (in brackets): {}; "
-                     "wr_creep's page says what that may mean",
-                     name_, outside);
+  return fitWarning(name_, inputs(), use);
 }
 
 nlohmann::ordered_json LawOfMaterial::json() const
