@@ -93,7 +93,38 @@ def test_time_without_a_broken_link_is_worn_smooth(tmp_path):
     result = wr_fit(log, "--start-distance", 250, "-o", tmp_path / "fit.json")
     run = json.loads((tmp_path / "fit.json").read_text())["report"]["points"][0]
     assert run["smooth"] == pytest.approx(100 / 200)
-    assert "(50 % of the time): slide without a link broken" in result.stdout
+    assert "(worn smooth for 50 % of the time): slide without a link broken" in result.stdout
+
+
+@pytest.mark.parametrize(
+    "p, strength, laws, packing, junctions",
+    [
+        (15, 92, "link: elastic_limit", "hex", 15 * 40 / 50.968),
+        (12.7, 92, "link: elastic_limit", "hex", 12.7 * 40 / 50.968),  # 9.97
+        (12.8, 92, "link: elastic_limit", "hex", 12.8 * 40 / 50.968),  # 10.05
+        (12.8, 92, "link: 2.35", "hex", 12.8 * 40 / (2.35 * 92)),
+        (0.5, 92, "link: elastic_limit", "fcc", 0.5 * 40 * 20 / 50.968),
+        (0.5, 92, "link: none", "hex", None),
+        (0.5, 92, "weld: none", "hex", None),
+    ],
+)
+def test_a_fragment_that_is_too_narrow_is_warned_of(
+    tmp_path, p, strength, laws, packing, junctions
+):
+    """By p W/(d sigma_link), in space p A/(d^2 sigma_link), of a log that says what links."""
+    text = friction_logs.friction_log(p=p, strength=strength, ns=60, grinding_in=0)
+    text = text.replace("packing: hex", f"packing: {packing}").replace("preset: B", laws)
+    if packing == "fcc":
+        text = text.replace("thickness: 1,", "thickness: 50,")
+    log = tmp_path / "run.friction"
+    log.write_text(text)
+    result = wr_fit(log, "--start-distance", 250, "-o", tmp_path / "fit.json")
+    report = json.loads((tmp_path / "fit.json").read_text())["report"]
+    found = report["points"][0]["junctions"]
+    assert found == (junctions if junctions is None else pytest.approx(junctions))
+    narrow = junctions is not None and junctions < 10
+    told = f"({junctions or 0:.2g} junctions at once): too narrow for the load: with less than 10"
+    assert (told in result.stdout) == narrow and len(report["warnings"]) == narrow
 
 
 def test_two_materials_are_named(tmp_path):

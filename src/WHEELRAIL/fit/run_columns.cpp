@@ -99,6 +99,7 @@ const std::vector<RunColumn> &runColumns()
       {"least_room", "1", ofHealth<&RunHealth::leastRoom>, notInCsv},
       {"lost", "1", ofHealth<&RunHealth::lost>, last(6)},
       {"smooth", "1", ofHealth<&RunHealth::smooth>, last(4)},
+      {"junctions", "1", ofHealth<&RunHealth::junctions>, notInCsv},
       {"fall", "1", ofHealth<&RunHealth::fall>, notInCsv},
   };
   return table;
