@@ -2,6 +2,7 @@
 #include "creep/case/common_groups.h"
 
 #include "law/friction_laws.h"
+#include "law/temperature_factor.h"
 
 #include <algorithm>
 #include <cmath>
@@ -64,6 +65,23 @@ MeasuredSurfaces readMeasuredSurfaces(CaseReader &reader, const std::string &cas
   return surfaces;
 }
 
+/// The law times the factor of its temperature, where the case has one.
+static LawChoice heated(LawChoice choice, CaseReader &reader)
+{
+  const TemperatureFactor factor{reader.number("friction.hot_factor"),
+                                 reader.number("friction.hot_start"),
+                                 reader.number("friction.hot_end")};
+  if (factor.end <= factor.start)
+    reader.fail("friction.hot_end", fmt::format("{:g} K, allowed: above friction.hot_start, {:g} K",
+                                                factor.end, factor.start));
+  if (factor.hot == 1.0)
+    return choice;
+  if (reader.has("thermal"))
+    reader.fail("friction.hot_factor", "does not go with thermal: off, where nothing becomes hot");
+  choice.read = [read = choice.read, factor] { return heatedLaw(read(), factor); };
+  return choice;
+}
+
 LawChoice readFriction(CaseReader &reader, const std::string &caseFile)
 {
   const std::string word = reader.word("friction.law");
@@ -76,7 +94,7 @@ LawChoice readFriction(CaseReader &reader, const std::string &caseFile)
     values.numbers[keyword.name] = keyword.kind == LawKeyword::Kind::Switch
                                        ? double(reader.flag(keyword.name))
                                        : reader.number(keyword.name);
-  return form.choose(values);
+  return heated(form.choose(values), reader);
 }
 
 Strength readStrength(CaseReader &reader, const LawChoice &friction)

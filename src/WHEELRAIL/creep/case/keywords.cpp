@@ -126,6 +126,12 @@ const std::vector<Keyword> &keywords()
        "mu falls with the slip of each cell, over that way of sliding; if not given with the one "
        "sliding speed of the contact",
        scope::pointFrozen | scope::pointMoving, "nothing slides on"},
+      {"friction.hot_factor", Kind::Number, "1", "1", 0.01, 10, 0, "",
+       "any law: mu where the contact is hot over that of the law"},
+      {"friction.hot_start", Kind::Quantity, "K", "0 K", 0, 10000, 0, "",
+       "temperature rise up to which mu is that of the law"},
+      {"friction.hot_end", Kind::Quantity, "K", "600 K", 0.001, 10000, 0, "",
+       "temperature rise from which it is hot_factor times that, linear before"},
       {"thermal", Kind::Choice, "1", "", 0, 0, 0, "off",
        "off: no temperature; otherwise the keywords below"},
       {"thermal.conductivity", Kind::Quantity, "W/(m K)", "50 W/(m K)", 1e-9, 1e9, 0, "",
