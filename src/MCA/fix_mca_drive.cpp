@@ -344,6 +344,9 @@ void FixMCADrive::open_log(double thickness)
     if (there[type])
       materials.push_back(pair->material(type));
   header.use(materials, pair->material(lowest));
+  for (const auto &[types, interface] : pair->all_interfaces())
+    if (there[types.first] && there[types.second])
+      header.interfaces[types] = interface;
   header.pressure = pressure.value;
   header.velocity = velocity.value;
   header.width = domain->xprd;

@@ -245,6 +245,14 @@ diameter 2.5
 """
 
 
+def test_the_log_names_interfaces_of_its_types(rough_data, tmp_path):
+    own = "pair_coeff 2 1 interface friction 0.3 link 2"
+    lmp("in.sliding", tmp_path, data=rough_data, steps=500, extra=own)
+    head = yaml.safe_load(friction_log(tmp_path / "sliding.friction")[0])
+    assert head["interface"] == {"types": "1 2", "friction": 0.3, "link": 2}
+    assert "interface_2" not in head
+
+
 @pytest.mark.parametrize(
     "lower, upper, driven",
     [

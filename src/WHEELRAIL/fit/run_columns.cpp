@@ -91,6 +91,7 @@ const std::vector<RunColumn> &runColumns()
       {"poissons_ratio", "1", ofHead<&Head::poissonsRatio>, last(8), InReport::No},
       {"density", "kg/m^3", ofHead<&Head::density>, last(8), InReport::No},
       {"breaking_strain", "1", ofHead<&Head::breakingStrain>, last(8), InReport::No},
+      {"temperature", "K", own<&P::temperature>, last(6), InReport::No},
       {"seed", "1", seed, second(wholeDigits), InReport::Runs, true},
       {"distance", "nm", ofHealth<&RunHealth::distance>, last(8)},
       {"start_distance", "nm", ofHealth<&RunHealth::startDistance>, notInCsv},
@@ -126,7 +127,7 @@ std::string runsAsCsv(const std::vector<FrictionRun> &runs)
     units.push_back({column.name, column.unit});
   std::string text = "# " + unitsText(units) +
                      "; t_start is nan where there is no stationary part, mu is that of the second "
-                     "half\nfile";
+                     "half; temperature is nan where it is not known\nfile";
   for (const RunColumn &column : columns)
     text += fmt::format(",{}", column.name);
   text += "\n";
