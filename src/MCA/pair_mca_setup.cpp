@@ -267,11 +267,7 @@ void PairMCA::choose_packing()
   const bool misplaced = dimension == 3 && depth > 0.0;
   const std::string other = misplaced ? "thickness" : lawset.notInDimension(dimension);
   if (!other.empty())
-    error->all(FLERR, "Pair style mca: {} is for dimension {} only{}", other, 5 - dimension,
-               lawset.fracture.actsIn(dimension)
-                   ? ""
-                   : ": in space a link keeps no axes of its face, from which the principal "
-                     "stresses would follow; drucker-prager has both strengths there");
+    error->all(FLERR, "Pair style mca: {} is for dimension {} only", other, 5 - dimension);
 }
 
 mca::Cell PairMCA::cell(int type) const

@@ -4,7 +4,6 @@
 
 #include "shared/friction_log_format.h"
 
-#include <limits>
 #include <map>
 #include <string>
 #include <vector>
@@ -23,8 +22,7 @@ struct FrictionLog {
   /// "corrected" and so on; empty if the head has neither section.
   std::map<std::string, std::string> madeBy;
   /// What was simulated, word by word: the head's sections material, loading and geometry by their
-  /// names, those of further materials and of interfaces, and its "timestep". With `madeBy` all of
-  /// the head that decides a run, but for the seed.
+  /// names, and its "timestep". With `madeBy` all of the head that decides a run, but for the seed.
   std::map<std::string, std::string> condition;
 
   /// Strengths of the materials beside that of the head, MPa; empty where there is one material.
@@ -32,8 +30,6 @@ struct FrictionLog {
   std::vector<double> otherStrengths;
   std::string packing; ///< its name; empty: not stated
   std::string command; ///< that made the run, of a packed log; else empty
-  /// K, of a packed log whose plan took the material at one; else nan.
-  double temperature = std::numeric_limits<double>::quiet_NaN();
 
   std::vector<long> step;   ///< strictly increasing, evenly spaced
   std::vector<double> time; ///< ns, end of the row's interval
