@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Time of an automaton-step against the size of the sample, from tools/benchmark.py's JSON.
 
-    benchmark.py --sizes 1000 1600 6400 40000 160000 1000000 --ranks 1 -o sizes.json
+    benchmark.py --sizes 1600 6400 40000 160000 1000000 --ranks 1 -o sizes.json
     plot_benchmark.py sizes.json -o sizes.png
 
 A line for each style and number of ranks: the median of the rounds, bars from the smallest to the
@@ -17,7 +17,8 @@ from mcawr.command_line import Parser, file_name
 from mcawr.errors import BadInput, run_script
 from mcawr.files import check_apart, save_figure
 
-FORMAT = "mca-benchmark 1"
+FORMAT = "mca-benchmark 2"
+ROW = "default laws"
 
 
 def read_cases(path: str) -> dict[Any, Any]:
@@ -28,6 +29,8 @@ def read_cases(path: str) -> dict[Any, Any]:
             raise ValueError(f"format '{content['format']}', must be '{FORMAT}'")
         lines: dict[Any, Any] = {}
         for case in content["cases"]:
+            if case["row"] != ROW or case["other"]:
+                continue
             rates = [tables.number(case["rate"][name]) for name in ("median", "max", "min")]
             size, ranks = (tables.number(case[name]) for name in ("automata", "ranks"))
             if min(size, ranks, *rates) <= 0:

@@ -18,7 +18,6 @@
 #include "pair_mca.h"
 #include "restart_block.h"
 #include "shared/friction_log_format.h"
-#include "shared/layer_health.h"
 #include "shared/nearest_word.h"
 #include "update.h"
 #include "variable.h"
@@ -37,8 +36,9 @@ using namespace FixConst;
 FixMCADrive::FixMCADrive(LAMMPS *host, int narg, char **arg)
     : Fix(host, narg, arg), every(1000), seed(0), pair(nullptr), begun(false),
       restarted(false), past{-1, 0}, largest_velocity(0.0), largest_pressure(0.0),
-      least_strength(0.0), least_bulk_modulus(0.0), split(false), above(0.0), below(0.0),
-      told_of_room(false), told_of_fall(false), most_dissipated{}
+      least_strength(0.0), least_bulk_modulus(0.0), least_link_pressure(0.0), largest_diameter(0.0),
+      split(false), above(0.0), below(0.0), told_of_room(false),
+      told_of_fall(false), most_dissipated{}
 {
   namespace format = mcawr::friction_log; // as the readers of the log take it
   const auto most_steps = static_cast<bigint>(format::largest);
@@ -142,17 +142,25 @@ void FixMCADrive::check_layer() const
                id, resting, group->count(igroup), group->names[igroup]);
 }
 
-/* loads that no sample of any of the materials stands: velocity of sound, Young's modulus */
+/* of all materials: loads that no sample stands (velocity of sound, Young's modulus), and what
+   makes a junction */
 
 void FixMCADrive::find_limits()
 {
   largest_velocity = largest_pressure = 0.0;
-  least_strength = least_bulk_modulus = HUGE_VAL;
+  least_strength = least_bulk_modulus = least_link_pressure = HUGE_VAL;
+  largest_diameter = 0.0;
   for (int type = 1; type <= atom->ntypes; type++) {
     largest_velocity = std::max(largest_velocity, pair->wave_speed(type));
     least_strength = std::min(least_strength, pair->material(type).strength);
     least_bulk_modulus = std::min(least_bulk_modulus, pair->material(type).bulkModulus());
     largest_pressure = std::max(largest_pressure, pair->material(type).youngsModulus);
+    const mca::Material &material = pair->material(type);
+    const mca::Threshold &links = pair->laws().link.threshold();
+    least_link_pressure =
+        std::min(least_link_pressure,
+                 links.limit(material.strength, mca::LinkLaw::stress(material, material)));
+    largest_diameter = std::max(largest_diameter, material.diameter);
   }
 }
 
@@ -278,6 +286,10 @@ void FixMCADrive::setup(int vflag)
     error->warning(FLERR,
                    "Fix mca/drive pressure {:.6g} is above the strength of a material, {:.6g}",
                    pressure.value, least_strength);
+  if (!begun) {
+    row_start = sums.displacement;
+    check_junctions(thickness);
+  }
   if (!path.empty())
     open_log(thickness);
   begun = true;
@@ -294,6 +306,23 @@ void FixMCADrive::setup(int vflag)
   if (all_range[0] == -all_range[1])
     for (const int i : layer.members)
       atom->v[i][1] = all_range[1];
+}
+
+void FixMCADrive::check_junctions(double thickness) const
+{
+  namespace health = mcawr::layer_health;
+  if (velocity.value == 0.0 || pressure.value == 0.0 || !domain->xperiodic ||
+      !std::isfinite(least_link_pressure))
+    return;
+  const double d = largest_diameter, across = domain->xprd / d;
+  const double places = domain->dimension == 3 ? across * thickness / d : across;
+  const double found = health::junctions(pressure.value, least_link_pressure, places);
+  if (found < health::leastJunctions && comm->me == 0)
+    error->warning(FLERR,
+                   "Fix mca/drive: {:.2g} junctions carry pressure {:.6g} at once, fewer than "
+                   "{:.0f}: the sample, {:.4g} diameters wide, is too narrow for its load and may "
+                   "wear smooth",
+                   found, pressure.value, health::leastJunctions, across);
 }
 
 /* begun, continued after a restart, or gone on with in a further run of the input script */
@@ -315,6 +344,9 @@ void FixMCADrive::open_log(double thickness)
     if (there[type])
       materials.push_back(pair->material(type));
   header.use(materials, pair->material(lowest));
+  for (const auto &[types, interface] : pair->all_interfaces())
+    if (there[types.first] && there[types.second])
+      header.interfaces[types] = interface;
   header.pressure = pressure.value;
   header.velocity = velocity.value;
   header.width = domain->xprd;
@@ -447,7 +479,25 @@ void FixMCADrive::write_row()
   }
   stop_if(problem);
   check_health(now, around, all.work);
+  sliding.add(std::abs(sums.displacement - row_start), all.broken - sums.brokenBefore,
+              largest_diameter);
+  row_start = sums.displacement;
   sums.beginRow(all);
+}
+
+void FixMCADrive::post_run()
+{
+  namespace health = mcawr::layer_health;
+  const double share = sliding.share();
+  if (told_of_smooth || !std::isfinite(least_link_pressure) ||
+      sliding.way() < 10.0 * largest_diameter || share <= health::smoothLimit)
+    return;
+  told_of_smooth = true;
+  if (comm->me == 0)
+    error->warning(FLERR,
+                   "Fix mca/drive: no link broke in {:.0f} % of the {:.4g} that the layer slid: it "
+                   "was worn smooth, a wider sample has more junctions",
+                   100.0 * share, sliding.way());
 }
 
 void FixMCADrive::check_health(const mca::DriveSums::State &now, const Neighbourhood &around,

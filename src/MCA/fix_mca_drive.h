@@ -11,6 +11,7 @@
 
 #include "core/layer_room.h"
 #include "files/drive_sums.h"
+#include "shared/layer_health.h"
 
 #include <array>
 #include <string>
@@ -42,6 +43,8 @@ class FixMCADrive : public Fix {
   void reset_dt() override;
   /// Sums up displacement, work and stresses; writes a row each `every` steps.
   void end_of_step() override;
+  /// Warns once of a layer that was worn smooth.
+  void post_run() override;
   /// Shear stress over the prescribed pressure in this step [-]; 0 without pressure.
   double compute_scalar() override;
   /// 0 to 7: shear and normal stress [pressure], friction coefficient [-], displacement [length],
@@ -86,6 +89,9 @@ class FixMCADrive : public Fix {
   double largest_velocity, largest_pressure, least_strength;
   /// The smallest bulk modulus [pressure].
   double least_bulk_modulus;
+  /// The smallest pressure that links two automata of a type [pressure], infinite where none does;
+  /// the largest diameter [length].
+  double least_link_pressure, largest_diameter;
 
   /// Its members are own automata since the last exchange of automata; its area is the box length
   /// in x times that in z, or the thickness.
@@ -98,12 +104,19 @@ class FixMCADrive : public Fix {
   double above, below;
   /// Whether a layer that sank, and a term of the account that fell, have been told of.
   bool told_of_room, told_of_fall;
+  /// What it slid, in rows of the log, since the fix was defined; whether a layer that was worn
+  /// smooth has been told of.
+  mcawr::layer_health::SmoothSliding sliding;
+  bool told_of_smooth = false;
+  double row_start = 0.0; ///< displacement where the row began that is being made [length]
   /// The most that flow, breaking and contacts had dissipated in a row so far [pressure length^3].
   std::array<double, 3> most_dissipated;
 
   /// Stops LAMMPS where another drive has automata of the layer, or nothing moves them.
   void check_layer() const;
   void find_limits();
+  /// Warns of a layer that slides and has too few junctions for its load.
+  void check_junctions(double thickness) const;
   /// Begins the log, continues it after a restart, or makes sure that a further run fits its head.
   /// \param thickness  of the sample [length]
   void open_log(double thickness);

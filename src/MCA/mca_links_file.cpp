@@ -73,9 +73,12 @@ void MCALinks::write(const std::string &path)
   if (comm->me == 0) {
     std::string numbered;
     bigint count = 0;
+    int types = 2;
     std::istringstream lines(bonds);
-    for (std::string line; std::getline(lines, line);)
+    for (std::string line; std::getline(lines, line);) {
       numbered += fmt::format("{} {}\n", ++count, line);
+      types = std::max(types, line[0] - '0');
+    }
     std::string box = fmt::format("{:.17g} {:.17g} xlo xhi\n{:.17g} {:.17g} ylo yhi\n{:.17g} "
                                   "{:.17g} zlo zhi\n",
                                   domain->boxlo[0], domain->boxhi[0], domain->boxlo[1],
@@ -83,8 +86,8 @@ void MCALinks::write(const std::string &path)
     if (domain->triclinic)
       box += fmt::format("{:.17g} {:.17g} {:.17g} xy xz yz\n", domain->xy, domain->xz, domain->yz);
     std::string text =
-        mca::linksHead(fmt::format("{} atoms\n{} atom types\n{} bonds\n2 bond types\n{}",
-                                   atom->natoms, atom->ntypes, count, box),
+        mca::linksHead(fmt::format("{} atoms\n{} atom types\n{} bonds\n{} bond types\n{}",
+                                   atom->natoms, atom->ntypes, count, types, box),
                        states + automata);
     text += fmt::format("\nAtoms # hybrid\n\n{}\nVelocities\n\n{}", atoms, velocities);
     if (count > 0)

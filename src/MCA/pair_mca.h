@@ -106,6 +106,8 @@ class PairMCA : public Pair {
   /// As given by pair_coeff, in the units of the input script.
   /// \param type  1 to atom->ntypes; not checked, here and below
   const mca::Material &material(int type) const { return materials[type]; }
+  /// What types have of their own where they meet, likewise.
+  const mca::Interfaces &all_interfaces() const { return interfaces; }
   /// The laws of the last pair_style command or restart file.
   const mca::LawSet &laws() const { return lawset; }
   /// h of the discs [length]; 1 where it was not given, and in space, where nothing depends on it.

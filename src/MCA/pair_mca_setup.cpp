@@ -267,7 +267,11 @@ void PairMCA::choose_packing()
   const bool misplaced = dimension == 3 && depth > 0.0;
   const std::string other = misplaced ? "thickness" : lawset.notInDimension(dimension);
   if (!other.empty())
-    error->all(FLERR, "Pair style mca: {} is for dimension {} only", other, 5 - dimension);
+    error->all(FLERR, "Pair style mca: {} is for dimension {} only{}", other, 5 - dimension,
+               lawset.fracture.actsIn(dimension)
+                   ? ""
+                   : ": in space a link keeps no axes of its face, from which the principal "
+                     "stresses would follow; drucker-prager has both strengths there");
 }
 
 mca::Cell PairMCA::cell(int type) const

@@ -9,6 +9,7 @@
 #include "base/version.h"
 #include "fit/fit_report.h"
 #include "fit/found_logs.h"
+#include "fit/measured_series.h"
 #include "fit/plot_script.h"
 #include "fit/run_columns.h"
 #include "law/law_checksum.h"
@@ -38,6 +39,8 @@ Examples:
       the law without its velocity term, e.g. for runs at one speed
   wr_fit run.friction --start 40 --grinding-in 100
       average from 40 ns on; grinding-in over the first 100 ns
+  wr_fit tribometer.csv
+      a measured series: its columns time and mu; mean and standard error, no law
 
 Exit codes: 0 ok (too few conditions for a law included), 1 internal, 2 usage, 3 bad input file,
 4 enough conditions, but they do not determine the law (runs and report are written),
@@ -89,7 +92,8 @@ void defineOptions(CLI::App &app, Settings &settings)
   app.footer(examples);
   app.add_option(
          "LOG", settings.logs,
-         "friction logs, archives of them (*.tar.xz), or folders that are searched for *.friction")
+         "friction logs, archives of them (*.tar.xz), or folders that are searched for *.friction; "
+         "or measured series (*.csv) with columns time and mu")
       ->required();
   app.add_option("-o,--output", settings.json,
                  "JSON: the law file with the report; only the report when no law is fitted")
@@ -189,8 +193,39 @@ std::string addPicture(const std::string &path, const std::string &json,
   return picture.problem;
 }
 
+/// Measured series have no condition, so that there is no law.
+int runMeasured(const Settings &settings)
+{
+  const AveragingOptions &averaging = settings.averaging;
+  for (const auto &[option, given] : {std::pair("--runs", !settings.runs.empty()),
+                                      {"--plot", !settings.plot.empty()},
+                                      {"--start-distance", averaging.startDistance.has_value()},
+                                      {"--grinding-in", averaging.grindingIn.has_value()}})
+    if (given)
+      throw Error(ExitCode::Usage,
+                  fmt::format("{}: goes with friction logs, not with measured series", option));
+  if (!settings.json.empty())
+    checkOutputs({{"-o", settings.json}}, settings.logs);
+  std::vector<MeasuredMean> means;
+  for (const std::string &path : settings.logs)
+    means.push_back(meanOf(readMeasuredSeries(path), averaging.start));
+  mcawr::OutputFiles results;
+  if (!settings.json.empty())
+    results.add(settings.json, jsonText("report", jsonReport(means)));
+  results.commit();
+  if (!settings.quiet)
+    writeStandardOutput(textReport(means));
+  return static_cast<int>(ExitCode::Ok);
+}
+
 int run(const Settings &settings)
 {
+  const auto measured = std::count_if(settings.logs.begin(), settings.logs.end(), isMeasuredSeries);
+  if (measured == static_cast<long>(settings.logs.size()))
+    return runMeasured(settings);
+  if (measured > 0)
+    throw Error(ExitCode::Usage, "LOG: measured series (*.csv) and friction logs do not go "
+                                 "together: read them in two calls");
   if (settings.fit.kappa3 > 0.0 && !hasKappa3(settings.fit.model))
     throw Error(ExitCode::Usage, fmt::format("--kappa3: goes with --model {} or {}, not with {}",
                                              nameOf(LawModel::Kappa3),
@@ -218,8 +253,6 @@ int run(const Settings &settings)
   if (!settings.material.empty())
     options.material = readPotentialFile(settings.material);
   const auto analysis = analyseRuns(readRuns(logs, settings.averaging), options);
-  if (!analysis.mixture.empty())
-    complain(programName, "warning: " + analysis.mixture);
   const auto json = withChecksum(jsonText("report", jsonReport(analysis)));
   mcawr::OutputFiles results; // together or not at all
   std::string noPicture;
@@ -235,6 +268,10 @@ int run(const Settings &settings)
     std::filesystem::remove(settings.plot, ignored); // of other logs
   if (!settings.quiet)
     writeStandardOutput(textReport(analysis));
+  if (!analysis.mixture.empty())
+    complain(programName, "warning: " + analysis.mixture);
+  for (const std::string &warning : warningsOf(analysis))
+    complain(programName, "warning: " + warning);
   if (analysis.notIdentifiable)
     complain(programName, fmt::format("{} cannot be fitted: {}", settings.model, analysis.whyNot));
   if (!noPicture.empty())

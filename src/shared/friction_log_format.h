@@ -155,8 +155,13 @@ constexpr const HeadNumber &headNumber(double Head::*value)
 /// it: this name, then with `_2`, `_3` and so on. In all of them a last key says whether it is that
 /// of the driven layer or of another part.
 constexpr const char *otherMaterial = "other_material", *layerKey = "layer";
-/// The section of packed logs, and its key of the command that repeats the run.
-constexpr const char *campaignSection = "campaign", *commandKey = "command";
+/// What two types of automata have of their own where they meet (pair_coeff interface): a section
+/// for each, this name, then with `_2` and so on; a first key names the types, "1 2".
+constexpr const char *interfaceSection = "interface", *typesKey = "types";
+/// The section of packed logs, its key of the command that repeats the run, and that of the
+/// temperature (K) at which a plan took the material, where it did.
+constexpr const char *campaignSection = "campaign", *commandKey = "command",
+                     *temperatureKey = "temperature";
 /// The packing in the section `geometry`, before `automata`: hex in a plane; fcc, hcp, sc in space.
 constexpr const char *packingKey = "packing";
 /// Sections that tell what computed the run: a reader keeps them word by word.

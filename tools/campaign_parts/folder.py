@@ -345,6 +345,10 @@ class RunFolder:
             )
         if lost and lost[-1] > 0:
             found.append(f"{lost[-1]:g} automata left through the held or the driven rows")
+        way, broken = values["v"] * values["row"], self.column("broken")  # m/s ns = nm
+        smooth = layer_health.smooth_share(broken[len(broken) // 2 :], way, values["d"])
+        if smooth > layer_health.SMOOTH:
+            found.append(f"worn smooth for {100 * smooth:.0f} % of the second half: too narrow")
         columns = {name: self.column(name) for name in layer_health.NEEDED}
         if layer_health.fall(columns, self.area()) > layer_health.FALL:
             found.append("what flow, breaking or contacts dissipate fell: energy from nothing")

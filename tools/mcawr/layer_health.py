@@ -1,9 +1,11 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """When a sliding layer is no solid any more: the bounds of src/shared/layer_health.h."""
 
+import math
 from collections.abc import Mapping, Sequence
 
 SINK = 0.03  # that a layer may shrink by beyond p/K
+SMOOTH = 0.05  # of the way, that a layer may slide without a link broken
 FALL = 1e-3  # of the work of the drive, that a term of the account may fall by
 ENERGIES = ("flow_energy", "breaking_energy", "contact_energy")
 NEEDED = (*ENERGIES, "displacement", "shear_stress")  # columns of the log, for fall()
@@ -29,3 +31,16 @@ def fall(columns: Mapping[str, Sequence[float]], area: float) -> float:
             most_fallen = max(most_fallen, most - value)
             most = max(most, value)
     return most_fallen / abs(work)
+
+
+def smooth_share(broken: Sequence[float], way: float, diameter: float) -> float:
+    """Share of the rows in which a layer slid without a link broken, by an automaton's diameter at
+    least; it slides by `way` in a row (of one unit with the diameter)."""
+    smooth = phase = 0
+    for count in [*broken, math.inf]:
+        if count == 0:
+            phase += 1
+            continue
+        smooth += phase if phase * way >= diameter else 0
+        phase = 0
+    return smooth / len(broken) if broken else 0.0

@@ -40,6 +40,25 @@ def mean_of(points: list[dict[str, Any]], key: str = "mu") -> tuple[float, float
 NORMAL = 1.96  # of 95 % in standard errors that are known
 
 
+def student95(freedom: float) -> float:
+    """How many standard errors 95 % reach where an error is known by its own scatter, with these
+    degrees of freedom (at least 1): Student's t, by its integral and bisection."""
+
+    def within(angle: float) -> float:  # of the distribution, x = sqrt(freedom) tan(angle)
+        n = 400  # Simpson
+        weights = (1 if k in (0, n) else 4 if k % 2 else 2 for k in range(n + 1))
+        cosines = (math.cos(angle * k / n) ** (freedom - 1) for k in range(n + 1))
+        integral = math.fsum(w * c for w, c in zip(weights, cosines)) * angle / n / 3
+        gammas = math.lgamma((freedom + 1) / 2) - math.lgamma(freedom / 2)
+        return 2 * integral * math.exp(gammas) / math.sqrt(math.pi)
+
+    low, high = 0.0, math.pi / 2
+    for _ in range(60):
+        middle = 0.5 * (low + high)
+        low, high = (middle, high) if within(middle) < 0.95 else (low, middle)
+    return math.sqrt(freedom) * math.tan(low)
+
+
 def half_width(points: list[dict[str, Any]]) -> float:
     """Half the 95 % interval of the mean over the points: its standard error times Student's t of
     the seeds by which wr_fit knows what seeds differ by."""

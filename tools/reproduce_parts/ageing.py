@@ -13,7 +13,7 @@ from matplotlib import pyplot
 
 import plot_friction
 from mcawr.files import save_figure
-from mcawr.replicas import groups
+from mcawr.replicas import NORMAL, groups, student95
 
 from . import layer
 from .common import Missing, power_law, run_name, table
@@ -44,13 +44,14 @@ def shortest(members: Any) -> float:
 
 def second_half(members: Any, end: float) -> Any:
     """Cells of depth (nm) and mu of runs (point, layer) from half of the time `end` (ns) up to it;
-    and the depth, its error, mu, its error."""
+    and the depth, its error, what of it 95 % reach by the number of runs, mu, its error."""
     depth, error = layer.mean_depth([f for _, f in members], end)
     mu, mu_error = layer.window(friction_series(p for p, _ in members), end / 2, end, 8)
     return (
         [f"{depth:.1f} +- {error:.1f}", f"mu {mu:.3f} +- {mu_error:.3f}"],
         depth,
         error,
+        error * (student95(len(members) - 1) if len(members) > 1 else NORMAL),
         mu,
         mu_error,
     )
@@ -159,8 +160,8 @@ def fig3(report: dict[str, Any], picture: str) -> list[str]:
         cells, *values = second_half(members, shortest([m for of in viscous.values() for m in of]))
         found.append((value, *values))
         rows.append([f"viscosity {value:g} Pa s", f"{PAPER_DEPTH * value / 0.41:.1f}", *cells])
-    eta, depth, error, mu, mu_error = np.array(found).reshape(-1, 5).T
-    right.errorbar(eta, depth, yerr=1.96 * error, fmt="o", capsize=2, label="our runs, 95 %")
+    eta, depth, error, reach, mu, mu_error = np.array(found).reshape(-1, 6).T
+    right.errorbar(eta, depth, yerr=reach, fmt="o", capsize=2, label="our runs, 95 %")
     if len(eta) > 2:
         line = np.array([min(eta), max(eta)])
         right.plot(
@@ -232,14 +233,15 @@ def by_load(points: list[dict[str, Any]], axes: Any) -> list[list[str]]:
                 point["pressure"] / point["strength"],
                 *power_of_time(series)[:2],
                 point["t_start"] is None,
+                student95(max(1, len(blocks_of(series)) - 2)),
             )
         )
-    load, n, error, drifting = np.array(found).T
+    load, n, error, drifting, t95 = np.array(found).T
     known = error < 0.1
     axes.errorbar(
         load[known],
         n[known],
-        yerr=1.96 * error[known],
+        yerr=(t95 * error)[known],
         fmt="o",
         ms=3,
         lw=0.8,
@@ -258,7 +260,7 @@ def by_load(points: list[dict[str, Any]], axes: Any) -> list[list[str]]:
         axes.errorbar(
             load[inside].mean(),
             mean,
-            yerr=1.96 * its,
+            yerr=(student95(inside.sum() - 1) if inside.sum() > 1 else t95[inside][0]) * its,
             fmt="C1s",
             capsize=3,
             label=None if rows else "their mean",
@@ -312,7 +314,7 @@ def ageing(report: dict[str, Any], picture: str) -> list[str]:
         axes.errorbar(
             np.sqrt(low * high) * 1.012 ** (k - 4),
             mu,
-            yerr=1.96 * mu_error,
+            yerr=student95(8 * len(members) - 1) * mu_error,  # of blocks
             fmt=f"C{k}o",
             ms=4,
             capsize=2,

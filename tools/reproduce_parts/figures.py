@@ -12,7 +12,7 @@ from matplotlib import pyplot
 import plot_fit
 import plot_series
 from mcawr.files import save_figure
-from mcawr.replicas import groups, half_width, mean_of
+from mcawr.replicas import NORMAL, groups, half_width, mean_of
 
 from . import ageing, laws, layer, presets, space as three, temperature as heat
 from .common import Missing, percent, power_law, run_name, scatter_of, table
@@ -185,6 +185,7 @@ def kappa3(report: dict[str, Any], picture: str) -> list[str]:
     x, mu, error, paper = (
         np.array([p[key] for p in points]) for key in ("kappa3", "mu", "mu_se", "mu_eq2")
     )
+    reach = error * np.array([p.get("t95", NORMAL) for p in points])
     if len(x) < 3 or min(x) == max(x):
         raise Missing(f"{len(x)} conditions of {len(set(x))} different kappa3: 3 of 2 are needed")
     factor, n, factor_error, n_error = power_law(x / STEEL, mu / paper, error / mu)
@@ -192,7 +193,7 @@ def kappa3(report: dict[str, Any], picture: str) -> list[str]:
     axes.errorbar(
         x,
         mu / paper,
-        yerr=1.96 * error / paper,
+        yerr=reach / paper,
         fmt="o",
         ms=4,
         lw=1,

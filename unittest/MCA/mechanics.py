@@ -535,8 +535,9 @@ class PairModel:
     """Kind of one pair, by the table of links in doc/laws.md; elastic, both automata without other
     contacts. Presets a and b, and the criteria of local stress."""
 
-    def __init__(self, linked, preset="b", fracture="strain", ratio=1.0):
+    def __init__(self, linked, preset="b", fracture="strain", ratio=1.0, healed=np.inf):
         self.kind, self.preset, self.fracture, self.ratio = int(linked), preset, fracture, ratio
+        self.healed = healed  # strain at which what has healed breaks
         self.gamma = 0.0
 
     def _coulomb(self, sigma, tau, s):
@@ -567,11 +568,13 @@ class PairModel:
             "drucker-prager": (a + 1) / 2 * equivalent + 1.5 * (a - 1) * m >= a * STRENGTH,
             "none": False,
         }[self.fracture]
-        heals = -sigma >= 3 * Y2 and not breaks
-        if self.kind == 1:
-            after = -1 if breaks else 1
+        strained = np.sqrt(max(e, 0) ** 2 + 4 / 3 * self.gamma**2) >= self.healed
+        heals = -sigma >= 3 * Y2 and not breaks and not strained
+        whole = 1 if self.healed == np.inf else 3
+        if self.kind in (1, 3):
+            after = -1 if breaks or (self.kind == 3 and strained) else self.kind
         elif self.kind == 2:
-            after = -1 if intensity >= STRENGTH else 1 if heals else 2
+            after = -1 if intensity >= STRENGTH else whole if heals else 2
         elif self.preset == "a":
             after = (
                 self.kind
@@ -579,7 +582,7 @@ class PairModel:
                 else int(-sigma >= 2.35 * STRENGTH)
             )
         elif self.kind == -1:
-            after = 1 if heals else -1 if -sigma >= Y1 else 0
+            after = whole if heals else -1 if -sigma >= Y1 else 0
         else:
             after = 2 if -sigma >= Y1 else 0
         before, self.kind = self.kind, after

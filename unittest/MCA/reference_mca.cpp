@@ -153,28 +153,40 @@ bool bulkBreaks(const LinkView &l)
   return l.eps <= -0.9 || criterion->second(l);
 }
 
+bool healedBreaks(const LinkView &l)
+{
+  const double opening = std::fmax(l.eps, 0);
+  const double limit = times(l.laws.healedStrain, 1, std::fmin(l.a.yieldStrain, l.b.yieldStrain));
+  return std::sqrt(opening * opening + 4.0 / 3 * l.gammaTotal * l.gammaTotal) >= limit;
+}
+
 double nextKind(const mca::LawSet &laws, const mca::Material &ma, const mca::Material &mb,
-                double kind, double sigma, double tau, bool bulkBreaks, double work, double room)
+                double kind, double sigma, double tau, bool bulkBreaks, bool healedBreaks,
+                double work, double room)
 {
   const double strength = std::fmin(ma.strength, mb.strength);
   const double hardness =
       3 * std::fmin(ma.yieldStrength * ma.strength, mb.yieldStrength * mb.strength);
   const bool welding = laws.weld.word() != "none";
-  const bool heals = -sigma - room >= times(laws.heal, strength, hardness) && !bulkBreaks;
+  const double healed = laws.healedStrain.isOff() ? 1 : 3;
+  const bool heals =
+      -sigma - room >= times(laws.heal, strength, hardness) && !bulkBreaks && !healedBreaks;
   if (kind == 1)
     return bulkBreaks ? -1 : 1;
+  if (kind == 3)
+    return bulkBreaks || healedBreaks ? -1 : 3;
   const double limitOfElasticity =
       std::fmin(ma.elasticLimit * ma.strength, mb.elasticLimit * mb.strength);
   if (kind == 2) {
     if (intensityOf(sigma, tau) >= times(laws.weld, strength, limitOfElasticity))
       return -1;
-    return heals ? 1 : 2;
+    return heals ? healed : 2;
   }
   const double enough = times(laws.linkWork, std::fmin(workToStrength(ma), workToStrength(mb)), 0);
   if (-sigma - room < times(laws.link, strength, limitOfElasticity) && work < enough)
     return 0;
   if (kind == -1)
-    return heals ? 1 : -1;
+    return heals ? healed : -1;
   return welding ? 2 : 1;
 }
 
@@ -186,7 +198,7 @@ bool keepsVolume(const mca::LawSet &laws)
 double flowWeight(const mca::LawSet &laws, const mca::Material &a, const mca::Material &b,
                   double kind, double e)
 {
-  if (kind == 1)
+  if (kind == 1 || kind == 3)
     return 1;
   if (kind == 2 || laws.flow.word() != "contacts" || !pressed(e))
     return 0;
@@ -583,7 +595,7 @@ void applyContact(Sample &s, Contact &c)
   const double room =
       roomStress(w.r / w.d, s.automata[s.owner[c.i]].room, s.automata[s.owner[c.j]].room);
   c.next.kind = nextKind(s.laws, ma, mb, c.now.kind, p.sigma, p.tau, bulkBreaks(load),
-                         workOf(s, c, w), w.eps < 0 ? room : 0);
+                         healedBreaks(load), workOf(s, c, w), w.eps < 0 ? room : 0);
   const bool far = w.eps >= std::fmax(ma.breakingStrain, mb.breakingStrain);
   c.next.kind = wornKind(s.laws, c.now.kind, c.next.kind, far);
   if (flows(s, c, w) > 0)

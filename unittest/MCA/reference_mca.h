@@ -99,11 +99,15 @@ std::map<std::string, std::function<bool(const LinkView &)>> &criteria();
 /// Whether it breaks as a bulk link: by the criterion of its laws, or it has collapsed.
 bool bulkBreaks(const LinkView &);
 
+/// Whether it is strained so that it breaks as a healed link, by keyword healed_strain.
+bool healedBreaks(const LinkView &);
+
 /// The kind of a contact after a step in which it has these stresses.
 /// \param work  plastic work per volume while pressed together
 /// \param room  stress against lack of room, which presses, too
 double nextKind(const mca::LawSet &, const mca::Material &, const mca::Material &, double kind,
-                double sigma, double tau, bool bulkBreaks, double work, double room);
+                double sigma, double tau, bool bulkBreaks, bool healedBreaks, double work,
+                double room);
 
 /// plasticity isochoric acts.
 bool keepsVolume(const mca::LawSet &);

@@ -279,8 +279,8 @@ void applyContact(Sample &s, Contact &c)
                          b.mean,
                          localStress(s, c, w, sigma, tau)};
   const double room = roomStress(w.r / w.d, a.room, b.room);
-  c.next.kind = nextKind(s.laws, ma, mb, c.now.kind, sigma, tau.norm(), bulkBreaks(load), work,
-                         w.eps < 0 ? room : 0);
+  c.next.kind = nextKind(s.laws, ma, mb, c.now.kind, sigma, tau.norm(), bulkBreaks(load),
+                         healedBreaks(load), work, w.eps < 0 ? room : 0);
   const bool far = w.eps >= std::fmax(ma.breakingStrain, mb.breakingStrain);
   c.next.kind = wornKind(s.laws, c.now.kind, c.next.kind, far);
   if (flows(s, c, w) > 0)

@@ -276,7 +276,12 @@ def test_wrong_atom_style(tmp_path):
 
 
 @pytest.mark.parametrize(
-    "laws, named", [("thickness 2", "thickness"), ("plane stress plasticity none", "plane stress")]
+    "laws, named",
+    [
+        ("thickness 2", "thickness"),
+        ("plane stress plasticity none", "plane stress"),
+        ("fracture mohr-coulomb compressive_strength 3", "fracture mohr-coulomb"),
+    ],
 )
 def test_laws_of_the_plane_in_three_dimensions(tmp_path, laws, named):
     script = SAMPLE.replace("dimension 2", "dimension 3").replace("hex 2.5", "sc 2.5")
@@ -284,6 +289,7 @@ def test_laws_of_the_plane_in_three_dimensions(tmp_path, laws, named):
         script + f"pair_style mca {laws}\npair_coeff * * steel.mca\nrun 0\n",
         tmp_path,
         f"{named} is for dimension 2 only",
+        "principal stresses" if "mohr" in named else "only",
     )
 
 

@@ -3,6 +3,7 @@
 
 import os
 import pathlib
+import re
 
 import numpy as np
 import pytest
@@ -207,6 +208,29 @@ def test_a_solid_is_not_warned_of(tmp_path):
     assert np.abs(log["room"] - 1).max() < 0.01
 
 
+def smooth(log, diameter=2.5):
+    """Share of the way in phases of a diameter at least, in which no link broke."""
+    steps = np.diff(log["displacement"], prepend=0)
+    whole = np.flatnonzero(np.concatenate([[1], log["broken"], [1]]))
+    phases = [steps[a : b - 1].sum() for a, b in zip(whole, whole[1:])]
+    return sum(p for p in phases if p >= diameter) / steps.sum()
+
+
+def test_a_narrow_sample_is_told_of(tmp_path):
+    """Of the junctions at the start, of a layer that slid smooth at the end, each once: two flat
+    blocks of a strong steel under a light load, which shear off a row of links in the beginning."""
+    small = {"ns": 1, "v": 50, "every": 125, "columns": 8, "laws": "d"}
+    out, log = example(tmp_path / "flat", p=0.5, strength=552, amplitude=0, **small)
+    assert out.count("0.013 junctions carry pressure 0.5 at once, fewer than 10") == 1
+    (share,) = re.findall(r"no link broke in (\d+) % of the 50 that the layer slid", out)
+    assert 80 < 100 * smooth(log) < 100 and int(share) == round(100 * smooth(log))
+    out, log = example(tmp_path / "rough", p=80, **small)
+    assert log["broken"].sum() > 100
+    assert "junctions" not in out and "no link broke" not in out
+    out, _ = example(tmp_path / "free", p=0.5, strength=552, **{**small, "laws": "d link none"})
+    assert "junctions" not in out and "no link broke" not in out
+
+
 BRONZE = """# UNITS: nano
 youngs_modulus 110000
 poissons_ratio 0.34
@@ -219,6 +243,14 @@ breaking_strain 0.20
 viscosity 410
 diameter 2.5
 """
+
+
+def test_the_log_names_interfaces_of_its_types(rough_data, tmp_path):
+    own = "pair_coeff 2 1 interface friction 0.3 link 2"
+    lmp("in.sliding", tmp_path, data=rough_data, steps=500, extra=own)
+    head = yaml.safe_load(friction_log(tmp_path / "sliding.friction")[0])
+    assert head["interface"] == {"types": "1 2", "friction": 0.3, "link": 2}
+    assert "interface_2" not in head
 
 
 @pytest.mark.parametrize(

@@ -126,6 +126,27 @@ TEST_F(FrictionLogWriterTest, HeadHasAllMaterialsTheWeakestFirst)
   EXPECT_EQ(mca::headOf(alone, nano), mca::headOf(header(), nano));
 }
 
+TEST_F(FrictionLogWriterTest, HeadHasInterfacesInUnitsOfTheLog)
+{
+  const mca::Units si = *mca::findUnits("si");
+  mca::LogHeader h = header();
+  mca::Interface coating;
+  coating.strength = 30e6;
+  coating.viscosity = 0.2;
+  coating.friction = 0.35;
+  coating.links = {"link", "none"};
+  h.interfaces[{1, 2}] = coating;
+  h.interfaces[{2, 2}].friction = 0.0;
+  const std::string head = mca::headOf(h, si);
+  EXPECT_THAT(head, HasSubstr("\n# interface: {types: 1 2, strength: 30, viscosity: 0.2, friction: "
+                              "0.35, link: none}\n# interface_2: {types: 2 2, friction: 0}\n"
+                              "# loading"));
+  EXPECT_EQ(mca::differenceFrom(head, h, si), "");
+  h.interfaces[{1, 2}].friction = 0.4;
+  EXPECT_EQ(mca::differenceFrom(head, h, si),
+            "interface: friction is 0.35 in the log, 0.4 in this run");
+}
+
 TEST_F(FrictionLogWriterTest, HeaderThenColumnsThenRows)
 {
   mca::FrictionLogWriter log;

@@ -105,6 +105,16 @@ class KernelTest : public testing::TestWithParam<const mca::Kernel *> {
   void run(Sample &s, double dt) const { kernelStep(*GetParam(), s, dt); }
 };
 
+/// Half of the bulk links are healed ones.
+void healEverySecond(Sample &s)
+{
+  int number = 0;
+  for (auto &c : s.contacts)
+    for (auto *state : {&c.now, &c.next})
+      if (state->kind == mca::link::bulk && number++ % 2 == 0)
+        state->kind = mca::link::healed;
+}
+
 TEST_P(KernelTest, EqualsTheReference)
 {
   for (const std::string preset : {"a", "b"})
@@ -141,6 +151,8 @@ TEST_P(KernelTest, EqualsTheReferenceWithEachLawSwitched)
       {"link", "none"},
       {"link", "0.9"},
       {"weld", "0.3", "heal", "0.1"},
+      {"heal", "0.1", "healed_strain", "yield_strain"},
+      {"healed_strain", "0.02", "fracture", "stress", "plasticity", "isochoric"},
       {"plasticity", "isochoric", "flow", "contacts"},
       {"plasticity", "isochoric"},
       {"plasticity", "isochoric", "flow", "contacts", "steps", "plain"},
@@ -162,6 +174,8 @@ TEST_P(KernelTest, EqualsTheReferenceWithEachLawSwitched)
     for (const auto &choice : choices) {
       Sample slow = randomSample(7, materials);
       ASSERT_EQ(slow.laws.parse(choice), "");
+      if (!slow.laws.healedStrain.isOff())
+        healEverySecond(slow);
       Sample fast = slow;
       reference::step(slow, 5e-5);
       run(fast, 5e-5);
@@ -189,6 +203,35 @@ TEST_P(KernelTest, EveryTransitionOccursInTheComparison)
   for (int from = 0; from < 4; from++)
     for (int to = 0; to < 4; to++)
       EXPECT_EQ(seen[from][to] > 0, possible[from][to]) << from - 1 << " -> " << to - 1;
+}
+
+TEST_P(KernelTest, EveryTransitionOfHealedLinksOccurs)
+{
+  int from[4] = {}, to[4] = {}; // worn, none, bulk, weld; to and from healed
+  int kept = 0;
+  for (unsigned seed = 1; seed <= 20; seed++) {
+    Sample s = randomSample(seed, 3);
+    ASSERT_EQ(s.laws.parse({"heal", "0.1", "healed_strain", "yield_strain"}), "");
+    healEverySecond(s);
+    Sample slow = s;
+    reference::step(slow, 5e-5);
+    run(s, 5e-5);
+    expectSame(s, slow, 1e-12);
+    for (const auto &c : s.contacts) {
+      const double now = c.now.kind, next = c.next.kind;
+      if (now == mca::link::healed && next == mca::link::healed)
+        kept++;
+      else if (now == mca::link::healed)
+        to[static_cast<int>(next) + 1]++;
+      else if (next == mca::link::healed)
+        from[static_cast<int>(now) + 1]++;
+    }
+  }
+  EXPECT_GT(kept, 0);
+  for (int kind = -1; kind <= 2; kind++) {
+    EXPECT_EQ(to[kind + 1] > 0, kind == mca::link::worn) << kind;
+    EXPECT_EQ(from[kind + 1] > 0, kind == mca::link::worn || kind == mca::link::weld) << kind;
+  }
 }
 
 TEST_P(KernelTest, FollowsTheReferenceOverSteps)

@@ -116,7 +116,8 @@ TEST(LawSet, EachKeyword)
       {"viscosity", "none"},      {"viscosity", "normal"}, {"steps", "plain"},
       {"link", "1.25"},           {"link", "none"},        {"weld", "0.554"},
       {"heal", "none"},           {"heal", "2.35"},        {"link_work", "0.5"},
-      {"worn", "never"},          {"friction", "0.25"}};
+      {"worn", "never"},          {"friction", "0.25"},    {"healed_strain", "yield_strain"},
+      {"healed_strain", "0.02"}};
   for (const auto &pair : choices)
     EXPECT_EQ(wordOf(parsed(pair), pair[0]), pair[1]);
   EXPECT_EQ(parsed({"link", "1.25"}).link.threshold().factor(), 1.25);
@@ -183,7 +184,8 @@ TEST(LawSet, BadValuesNameKeywordValueAndWhatIsAllowed)
   EXPECT_THAT(problemOf({"fracture", "x"}), HasSubstr("allowed: strain, stress"));
   EXPECT_EQ(problemOf({"viscosity", "0"}),
             "keyword viscosity, value 0, allowed: both, normal, none");
-  for (const char *keyword : {"link", "weld", "heal", "link_work", "compressive_strength"})
+  for (const char *keyword :
+       {"link", "weld", "heal", "healed_strain", "link_work", "compressive_strength"})
     for (const char *value : {"0", "-1", "nan", "inf", "2x", "x", "1e999"})
       EXPECT_THAT(problemOf({keyword, value}),
                   HasSubstr(std::string("keyword ") + keyword + ", value " + value + ", allowed: "))
@@ -193,6 +195,8 @@ TEST(LawSet, BadValuesNameKeywordValueAndWhatIsAllowed)
               std::string("keyword friction, value ") + value + ", allowed: a coefficient >= 0");
   EXPECT_THAT(problemOf({"weld", "hardness"}), HasSubstr("> 0, elastic_limit, none"));
   EXPECT_THAT(problemOf({"heal", "elastic_limit"}), HasSubstr("> 0, hardness, none"));
+  EXPECT_EQ(problemOf({"healed_strain", "hardness"}),
+            "keyword healed_strain, value hardness, allowed: a strain > 0, yield_strain, none");
   EXPECT_EQ(problemOf({"link"}), "keyword link has no value");
 }
 
@@ -226,6 +230,8 @@ TEST(LawSet, HealingNeedsWelds)
 {
   EXPECT_THAT(problemOf({"weld", "none"}), HasSubstr("heal needs welds"));
   EXPECT_EQ(problemOf({"weld", "none", "heal", "none"}), "");
+  EXPECT_THAT(problemOf({"heal", "none", "healed_strain", "0.02"}),
+              HasSubstr("healed_strain needs healing: give heal a value"));
 }
 
 TEST(LawSet, WordsReadBack)
@@ -239,6 +245,7 @@ TEST(LawSet, WordsReadBack)
            {"elasticity", "pairwise", "plasticity", "none", "fracture", "none", "viscosity",
             "none"},
            {"link", "2.35", "weld", "0.33333333333333331", "heal", "none"},
+           {"heal", "1", "healed_strain", "0.017"},
            {"fracture", "stress", "link", "none"},
            {"plane", "stress", "plasticity", "none", "fracture", "equivalent"},
            {"fracture", "drucker-prager", "compressive_strength", "2.5", "link_work", "0.1"}}) {
@@ -256,7 +263,8 @@ TEST(LawSet, PairOfUnlikeMaterials)
   strong.breakingStrain = 0.05;
   strong.viscosity = 10;
   weak.elasticLimit = 0.3;
-  const LawSet set;
+  strong.yieldStrain = 0.02;
+  const LawSet set = parsed({"healed_strain", "yield_strain"});
   const mca::PairLaw law = mca::makePairLaw(set, strong, weak, 2.0);
   EXPECT_DOUBLE_EQ(law.diameter, 3.0);
   EXPECT_DOUBLE_EQ(law.invDiameter, 1 / 3.0);
@@ -270,6 +278,7 @@ TEST(LawSet, PairOfUnlikeMaterials)
   EXPECT_DOUBLE_EQ(law.limits.weldIntensity2, law.limits.linkPressure * law.limits.linkPressure);
   EXPECT_DOUBLE_EQ(law.limits.linkPressure, 0.3 * 92);
   EXPECT_DOUBLE_EQ(law.limits.healPressure, 3.0 * 0.870 * 92);
+  EXPECT_DOUBLE_EQ(law.limits.healedIntensity2, weak.yieldStrain * weak.yieldStrain);
   EXPECT_EQ(law.limits.linkedKind, mca::link::weld);
   const mca::PairLaw turned = mca::makePairLaw(set, weak, strong, 2.0);
   EXPECT_EQ(turned.twoGi, law.twoGj);
@@ -286,6 +295,8 @@ TEST(LawSet, SwitchedOffLawsHaveInfiniteLimits)
   const double never = std::numeric_limits<double>::infinity();
   EXPECT_EQ(law({"link", "none"}).limits.linkPressure, never);
   EXPECT_EQ(law({"heal", "none"}).limits.healPressure, never);
+  EXPECT_EQ(law({}).limits.healedIntensity2, never);
+  EXPECT_EQ(law({}).limits.healedKind, mca::link::bulk);
   EXPECT_EQ(law({"preset", "a"}).limits.linkedKind, mca::link::bulk);
   EXPECT_EQ(law({}).limits.linkWork, never);
   EXPECT_EQ(law({}).limits.countsWork, 0.0);

@@ -28,7 +28,8 @@ double nextOf(double kind, double sigma, double tau, double eps, double gammaTot
   load.gammaTotal = gammaTotal;
   load.sigma = sigma;
   load.tau = tau;
-  return nextKind(kind, sigma, tau, eps, bulkBreaks(limits, load), limits, worked);
+  return nextKind(kind, sigma, tau, eps, bulkBreaks(limits, load), limits, worked, 0.0,
+                  strainIntensity2(eps, gammaTotal) >= limits.healedIntensity2);
 }
 
 double below(double x)
@@ -134,6 +135,42 @@ TEST(Linking, NothingHealsThatWouldBreakAtOnce)
     EXPECT_EQ(nextOf(kind, -1e6, 0, 0, above(g), b), kind);
     EXPECT_EQ(nextKind(kind, -1e6, 0, 0, true, b), kind); // whatever the criterion
   }
+}
+
+TEST(Linking, AHealedLinkBreaksAtItsOwnStrain)
+{
+  for (const char *word : {"yield_strain", "0.02"}) {
+    const LinkLimits b = limitsOf({"healed_strain", word});
+    const double c = *word == 'y' ? steel().yieldStrain : 0.02, g = c * std::sqrt(0.75);
+    EXPECT_DOUBLE_EQ(b.healedIntensity2, c * c);
+    EXPECT_EQ(nextOf(link::healed, 0, 0, below(c), 0, b), link::healed);
+    EXPECT_EQ(nextOf(link::healed, 0, 0, above(c), 0, b), link::worn);
+    for (const double sign : {-1.0, 1.0}) {
+      EXPECT_EQ(nextOf(link::healed, 0, 0, -0.01, sign * below(g), b), link::healed);
+      EXPECT_EQ(nextOf(link::healed, 0, 0, -0.01, sign * above(g), b), link::worn);
+    }
+    EXPECT_EQ(nextOf(link::healed, 1e6, 1e6, 0, 0, b), link::healed); // stress does not break it
+    EXPECT_EQ(nextOf(link::healed, 0, 0, -0.9, 0, b), link::worn);    // collapse does
+    // an original one bears what it did
+    EXPECT_EQ(nextOf(link::bulk, 0, 0, below(steel().breakingStrain), 0, b), link::bulk);
+    EXPECT_EQ(nextOf(link::bulk, 0, 0, above(steel().breakingStrain), 0, b), link::worn);
+    // what heals becomes one, unless it would break at once
+    for (double kind : {link::worn, link::weld}) {
+      EXPECT_EQ(nextOf(kind, -1e6, 0, -0.01, below(g), b), link::healed);
+      EXPECT_EQ(nextOf(kind, -1e6, 0, -0.01, above(g), b), kind);
+    }
+  }
+  EXPECT_TRUE(link::isLinked(link::healed));
+  EXPECT_TRUE(link::isKind(link::healed));
+  // whatever the criterion of bulk links, which it obeys, too
+  const LinkLimits none = limitsOf({"fracture", "none", "healed_strain", "0.02"});
+  EXPECT_EQ(nextOf(link::healed, 0, 0, 0.021, 0, none), link::worn);
+  EXPECT_EQ(nextOf(link::bulk, 0, 0, 0.5, 0, none), link::bulk);
+  const LinkLimits tough = limitsOf({"healed_strain", "0.1"});
+  EXPECT_EQ(nextOf(link::healed, 0, 0, 0.05, 0, tough), link::worn);
+  // of a file, where no law makes any: a bulk link
+  EXPECT_EQ(nextOf(link::healed, 0, 0, 0.039, 0, limitsOf()), link::healed);
+  EXPECT_EQ(nextOf(link::healed, 0, 0, 0.041, 0, limitsOf()), link::worn);
 }
 
 TEST(Linking, ABulkLinkBreaksAtItsStress)

@@ -299,6 +299,7 @@ CASES = [
         [(-1.5, 0), (0, 5), (5, 0), (-9, 0)],
     ),  # shears off under pressure, is worn, welds again
     (False, 1.0, [(-1.5, 0), (0, 5), (-5, 0), (5, 0)]),  # worn, then pressed on to healing
+    (False, 1.0, [(-5, 0), (9, 0), (5, 0), (0, 0)]),  # heals, and is pulled to 0.7 %
 ]
 PHASES = [100, 150, 200, 150]
 
@@ -387,6 +388,7 @@ def criteria(**more):
     [
         ("", criteria()),
         ("preset a", criteria(preset="a")),
+        ("healed_strain 0.003", criteria(healed=0.003)),
         ("fracture stress", criteria(fracture="stress")),
         ("fracture equivalent", criteria(fracture="equivalent")),
         (
@@ -409,7 +411,10 @@ def test_each_criterion_acts_in_its_step(tmp_path, laws, model):
     kinds = {e[2:] for e in found}
     assert {(0, 1)} <= kinds if laws == "preset a" else {(0, 2), (2, -1)} <= kinds
     # an elastic pair at the hardness would break at once by its equivalent stress
-    assert ((2, 1) in kinds) == (laws not in ("preset a", "fracture equivalent"))
+    heals = laws not in ("preset a", "fracture equivalent")
+    healed = 3 if "healed" in laws else 1
+    assert ((2, healed) in kinds) == heals and (2, 4 - healed) not in kinds
+    assert ((3, -1) in kinds) == (healed == 3)
     if laws != "fracture none":
         assert (1, -1) in kinds
 

@@ -372,5 +372,6 @@ def test_stress_of_a_sample_that_was_loaded_before_is_no_surprise(tmp_path):
 
 
 def test_a_plain_sample_gives_no_warning(tmp_path):
-    result = lmp(BLOCK + DRIVE + FILE + "run 100\n", tmp_path)
+    wide = BLOCK.replace("block 0 30", "block 0 90")
+    result = lmp(wide + DRIVE + FILE + "run 100\n", tmp_path)
     assert "WARNING" not in result.out + result.err

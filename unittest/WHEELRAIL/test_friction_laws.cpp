@@ -2,6 +2,7 @@
 // The laws as contacts use them, and the list by which a case finds them.
 #include "base/errors.h"
 #include "law/friction_laws.h"
+#include "law/temperature_factor.h"
 
 #include <cmath>
 #include <gtest/gtest.h>
@@ -160,4 +161,40 @@ TEST(FrictionLaws, Eq2RefusesAMuThatIsNone)
     EXPECT_NE(std::string(error.what()).find("friction.law: mu = -"), std::string::npos);
   }
   EXPECT_FALSE(friction.isSound());
+}
+
+TEST(TemperatureFactor, IsOneThenLinearThenTheFactor)
+{
+  const TemperatureFactor factor{0.4, 100.0, 500.0};
+  EXPECT_EQ(factor.at(0.0), 1.0);
+  EXPECT_EQ(factor.at(100.0), 1.0);
+  EXPECT_DOUBLE_EQ(factor.at(300.0), 0.7);
+  EXPECT_DOUBLE_EQ(factor.at(500.0), 0.4);
+  EXPECT_DOUBLE_EQ(factor.at(5000.0), 0.4);
+}
+
+TEST(TemperatureFactor, MultipliesTheLawOfEachCellAndKeepsTheRest)
+{
+  const auto cold = std::make_shared<PolachLaw>(FallingFriction{0.4, 0.5, 0.1});
+  const LawPointer hot = heatedLaw(cold, {0.4, 100.0, 500.0});
+  const Vector pressure = Vector::Constant(3, 1e9);
+  const Vector rise = (Vector(3) << 0.0, 300.0, 900.0).finished();
+  const FrictionState state{pressure, 2.0, rise};
+  const Vector mu = hot->mu(state), of = cold->mu(state);
+  for (int i = 0; i < 3; ++i)
+    EXPECT_DOUBLE_EQ(mu[i], of[i] * (i == 0 ? 1.0 : i == 1 ? 0.7 : 0.4));
+  EXPECT_TRUE(hot->dependsOnTemperature() && hot->dependsOnSpeed());
+  EXPECT_FALSE(hot->dependsOnStrength());
+  EXPECT_EQ(hot->json()["temperature_factor"]["hot"], 0.4);
+  EXPECT_EQ(hot->json()["mu0"], 0.4);
+}
+
+TEST(TemperatureFactor, KeepsStrengthAndCovariance)
+{
+  const LawChoice choice = formOf("bucher2006").choose(valuesOf("bucher2006", railSteel));
+  const LawPointer cold = choice.read(), hot = heatedLaw(cold, {0.5, 0.0, 100.0});
+  EXPECT_EQ(hot->dependsOnStrength(), cold->dependsOnStrength());
+  EXPECT_EQ(hot->strength(), cold->strength());
+  EXPECT_EQ(hot->standardErrors(), cold->standardErrors());
+  EXPECT_EQ(hot->inputs().size(), cold->inputs().size());
 }

@@ -163,6 +163,40 @@ TEST(PatchRolling, GroovesAlongTheWayMakeNoDifference)
   EXPECT_LT(relativeDifference(patch.traction(), frozen.traction), 1e-6);
 }
 
+TEST(PatchRolling, CreepagesOfAGivenForceDoNotScatter)
+{
+  // Cattaneo's shift rolls on under its force, to Carter's state: at the usual tolerance every
+  // step has the creepage of a tight one, and three Newton steps are enough for most
+  const Sphere sphere;
+  const PatchGrid grid = centredGrid(36, 36, 2.2, 2.2);
+  const auto rolled = [&](TangentialOptions options, int &newtonSteps) {
+    TransientPatch patch(grid, sphere.pair);
+    TransientPatch::Step step;
+    step.bound = sphere.bound(grid);
+    step.forceX = -0.875 * sphere.mu * sphere.load;
+    step.forceY = 0.0;
+    step.cells = 0;
+    patch.step(step, options);
+    step.cells = 1;
+    std::vector<double> creepages;
+    for (int k = 0; k < 40; ++k) {
+      const TangentialResult result = patch.step(step, options);
+      step.creepage = result.creepage;
+      newtonSteps += result.newtonSteps;
+      creepages.push_back(result.creepage.xi);
+    }
+    return creepages;
+  };
+  int steps = 0, more = 0;
+  const std::vector<double> found = rolled(TransientPatch::defaultOptions(), steps);
+  TangentialOptions tight;
+  tight.tolerance = 1e-9;
+  const std::vector<double> exact = rolled(tight, more);
+  for (std::size_t k = 0; k < found.size(); ++k)
+    EXPECT_NEAR(found[k], exact[k], 2e-5 * exact[k]) << k;
+  EXPECT_LE(steps, 3 * 40);
+}
+
 TEST(PatchRolling, StepInTheFrameOfTheMaterial)
 {
   // A rolling step is a shift at rest, seen by an observer who travels with the material while the

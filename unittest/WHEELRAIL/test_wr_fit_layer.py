@@ -2,6 +2,7 @@
 """What wr_fit says of the run behind a number: whether its layer is a solid, how far it slid, when
 it was worn smooth, of which materials it is."""
 
+import csv
 import json
 import math
 
@@ -9,7 +10,7 @@ import pytest
 
 import friction_logs
 from campaign_parts.pack import packed
-from wr_fit_run import one_line, wr_fit
+from wr_fit_run import one_line, warnings_of, wr_fit
 
 
 def with_state(text, room=1.02, lost=0, flow=lambda k: 100.0 * k):
@@ -39,10 +40,10 @@ def test_a_layer_that_is_no_solid_is_warned_of(tmp_path, more, warned):
     assert result.returncode == 0
     report = json.loads((tmp_path / "fit.json").read_text())["report"]
     if warned is None:
-        assert "Warning" not in result.stdout and report["warnings"] == []
+        assert result.stderr == "" and report["warnings"] == []
     else:
-        assert result.stdout.count("Warning: ") == 1 and warned in result.stdout
-        assert len(report["warnings"]) == 1 and warned in report["warnings"][0]
+        assert report["warnings"] == warnings_of(result) and warned in result.stderr
+        assert len(report["warnings"]) == 1
     run = report["points"][0]
     assert run["room"] == pytest.approx(more.get("room", 1.02))
     assert run["lost"] == more.get("lost", 0) and run["distance"] == pytest.approx(300)
@@ -76,9 +77,9 @@ def test_short_sliding_is_warned_of(tmp_path, ns, options, warned):
     """By the distance v t, not by the time."""
     log = tmp_path / "run.friction"
     log.write_text(friction_logs.friction_log(ns=ns, grinding_in=0, grinding_time=1))
-    text = wr_fit(log, *options).stdout
-    assert text.count("Warning: ") == (warned is not None), text
-    assert warned is None or warned in text
+    warnings = warnings_of(wr_fit(log, *options))
+    assert len(warnings) == (warned is not None), warnings
+    assert warned is None or warned in warnings[0]
 
 
 def test_time_without_a_broken_link_is_worn_smooth(tmp_path):
@@ -93,7 +94,58 @@ def test_time_without_a_broken_link_is_worn_smooth(tmp_path):
     result = wr_fit(log, "--start-distance", 250, "-o", tmp_path / "fit.json")
     run = json.loads((tmp_path / "fit.json").read_text())["report"]["points"][0]
     assert run["smooth"] == pytest.approx(100 / 200)
-    assert "(50 % of the time): slide without a link broken" in result.stdout
+    assert "(worn smooth for 50 % of the time): slide without a link broken" in result.stderr
+
+
+@pytest.mark.parametrize(
+    "p, strength, laws, packing, junctions",
+    [
+        (15, 92, "link: elastic_limit", "hex", 15 * 40 / 50.968),
+        (12.7, 92, "link: elastic_limit", "hex", 12.7 * 40 / 50.968),  # 9.97
+        (12.8, 92, "link: elastic_limit", "hex", 12.8 * 40 / 50.968),  # 10.05
+        (12.8, 92, "link: 2.35", "hex", 12.8 * 40 / (2.35 * 92)),
+        (0.5, 92, "link: elastic_limit", "fcc", 0.5 * 40 * 20 / 50.968),
+        (0.5, 92, "link: none", "hex", None),
+        (0.5, 92, "weld: none", "hex", None),
+    ],
+)
+def test_a_fragment_that_is_too_narrow_is_warned_of(
+    tmp_path, p, strength, laws, packing, junctions
+):
+    """By p W/(d sigma_link), in space p A/(d^2 sigma_link), of a log that says what links."""
+    text = friction_logs.friction_log(p=p, strength=strength, ns=60, grinding_in=0)
+    text = text.replace("packing: hex", f"packing: {packing}").replace("preset: B", laws)
+    if packing == "fcc":
+        text = text.replace("thickness: 1,", "thickness: 50,")
+    log = tmp_path / "run.friction"
+    log.write_text(text)
+    result = wr_fit(log, "--start-distance", 250, "-o", tmp_path / "fit.json")
+    report = json.loads((tmp_path / "fit.json").read_text())["report"]
+    found = report["points"][0]["junctions"]
+    assert found == (junctions if junctions is None else pytest.approx(junctions))
+    narrow = junctions is not None and junctions < 10
+    told = f"({junctions or 0:.2g} junctions at once): too narrow for the load: with less than 10"
+    assert (told in result.stderr) == narrow and len(report["warnings"]) == narrow
+
+
+def test_interfaces_make_a_condition(tmp_path):
+    """Runs that differ in what two types have of their own are no replicas; the temperature of a
+    packed log is a column."""
+    for name, friction in (("a", "0.3"), ("b", "0.4"), ("c", "0.4")):
+        text = friction_logs.friction_log(ns=60, seed=ord(name), grinding_in=0)
+        line = "# interface: {types: 1 2, friction: " + friction + "}\n"
+        text = text.replace("# loading", line + "# loading")
+        if name == "c":
+            text = packed(text, 4, "lmp", 873.5)
+        (tmp_path / f"{name}.friction").write_text(text)
+    table, report = tmp_path / "runs.csv", tmp_path / "fit.json"
+    result = wr_fit(tmp_path, "--start-distance", 100, "-o", report, "--runs", table)
+    conditions = json.loads(report.read_text())["report"]["conditions"]
+    assert sorted(len(c["runs"]) for c in conditions) == [1, 2]
+    with open(table, encoding="utf-8") as file:
+        rows = list(csv.DictReader(line for line in file if line[0] != "#"))
+    assert [row["temperature"] for row in rows] == ["nan", "nan", "873.5"]
+    assert result.returncode == 0
 
 
 def test_two_materials_are_named(tmp_path):
@@ -110,7 +162,7 @@ def test_two_materials_are_named(tmp_path):
     result = wr_fit(tmp_path, "--start-distance", 250, "-o", tmp_path / "fit.json")
     report = json.loads((tmp_path / "fit.json").read_text())["report"]
     assert "a.friction (sigma_0 92 and 350 MPa): of several materials" in report["warnings"][0]
-    assert "2 of 2 runs" in result.stdout and "kappas are those of the weakest" in result.stdout
+    assert "2 of 2 runs" in result.stderr and "kappas are those of the weakest" in result.stderr
     assert len(report["conditions"]) == 2
     kappa1, kappa2 = friction_logs.kappas(15, 5, 92)
     assert report["points"][0]["kappa1"] == pytest.approx(kappa1)

@@ -11,7 +11,7 @@ import pytest
 import yaml
 
 from campaign_parts import material, plan as plans
-from mcawr import dump, friction_log
+from mcawr import dump
 
 ROOT = Path(__file__).resolve().parents[2]
 LMP = os.environ.get("MCAWR_LMP", str(ROOT / "build" / "bin" / "lmp"))
@@ -39,7 +39,12 @@ def run(script, folder, values):
         stderr=subprocess.STDOUT,
         check=False,
     )
-    assert done.returncode == 0 and "WARNING" not in done.stdout, done.stdout[-3000:]
+    warnings = [  # fragments made small for the test are told to be narrow
+        line
+        for line in done.stdout.splitlines()
+        if "WARNING" in line and "too narrow for its load" not in line
+    ]
+    assert done.returncode == 0 and not warnings, done.stdout[-3000:]
     return (folder / "log.lammps").read_text(encoding="utf-8")
 
 
@@ -71,13 +76,13 @@ def test_plans_and_example_have_the_same_defaults():
 
 
 def test_first_script_is_of_the_same_geometry(tmp_path):
-    """The README's: rows, rows held and driven, roughness of the example, half as long."""
+    """The README's: columns, rows, rows held and driven, roughness of the example."""
     readme = (ROOT / "README.md").read_text(encoding="utf-8")
     script = re.search(r"^```lammps\n(.*?)^```", readme, re.MULTILINE | re.DOTALL)[1]
     (tmp_path / "in.first").write_text(script, encoding="utf-8")
     example = script_variables(FRICTION / "in.friction")
     rows, held = int(example["rows"]), int(example["held"])
-    columns = int(example["columns"]) // 2
+    columns = int(example["columns"])
     for seed in range(1, 6):  # both blocks take it: neither overlap nor gap
         log = run("in.first", tmp_path, {"seed": seed})
         found = re.findall(r"^(\d+) atoms in group (\w+)$", log, re.MULTILINE)
@@ -278,12 +283,11 @@ def test_friction_in_space(tmp_path):
 
 
 def test_page_for_tribologists(tmp_path, monkeypatch):
-    """Worn automata and links between the blocks by events are those of the last links; the
-    measured series gets its mean and error."""
+    """Worn automata and links between the blocks by events are those of the last links."""
     monkeypatch.chdir(tmp_path)
     page = (ROOT / "doc/howto_tribology.md").read_text(encoding="utf-8")
     (script,) = re.findall(r"^```lammps\n(.*?)^```", page, re.MULTILINE | re.DOTALL)
-    wear, measured = re.findall(r"^```python\n(.*?)^```", page, re.MULTILINE | re.DOTALL)
+    (wear,) = re.findall(r"^```python\n(.*?)^```", page, re.MULTILINE | re.DOTALL)
     places = "dump places all custom 20000 places.dump id type\nrun 20000"
     (tmp_path / "in.wear").write_text(script.replace("run             20000", places))
     run("in.wear", tmp_path, {})
@@ -297,16 +301,6 @@ def test_page_for_tribologists(tmp_path, monkeypatch):
     assert found["worn"] == len({*begin["id1"], *begin["id2"]} - held)
     assert found["across"] == sum(block[a] != block[b] for a, b in pairs) > 0
     assert 0 < found["contact"] < 2 and found["wear"] >= 0
-    exec(measured, {})
-    log = friction_log.read("measured.friction").columns
-    assert len(log["mu"]) == 200
-    program = Path(LMP).parent / "wr_fit"
-    done = subprocess.run(
-        [program, "measured.friction"], capture_output=True, text=True, check=False
-    )
-    assert done.returncode == 0, done.stderr
-    (words,) = [w for w in map(str.split, done.stdout.splitlines()) if w[0] == "measured.friction"]
-    assert abs(float(words[3]) - 0.43) < 0.001 and 0 < float(words[4]) < 0.01
 
 
 @pytest.mark.parametrize(

@@ -102,6 +102,8 @@ def bring_along(folder):
         (folder / f"{name}.friction").write_text(friction_logs.friction_log(ns=150), "utf-8")
     for p in (1, 5, 15, 26):
         (folder / f"p{p}.friction").write_text(friction_logs.friction_log(p=p, seed=p), "utf-8")
+    rows = (f"{0.1 * k:.1f},{0.4 + 0.01 * (k * k % 7)}" for k in range(300))
+    (folder / "tribometer.csv").write_text("\n".join(("time,mu", *rows)), "utf-8")
     call(folder, f"{BIN}/wr_fit campaign -o law.json")
 
 
@@ -144,7 +146,7 @@ def test_worked_examples_of_wr_fits_help_run(tmp_path):
     shutil.copy(ROOT / "examples/campaign/logs/paper36.tar.xz", tmp_path)
     shown = call(tmp_path, "wr_fit --help")
     commands = re.findall(r"^  (wr_fit .*)$", shown.split("Examples:")[1], re.MULTILINE)
-    assert len(commands) == 5
+    assert len(commands) == 6
     for command in commands:
         call(tmp_path, command)
 

@@ -44,7 +44,7 @@ QUANTITIES = (
 ).split()
 LAWS = (
     "packing thickness cutoff preset plane elasticity plasticity fracture compressive_strength "
-    "viscosity steps link link_work weld heal"
+    "viscosity steps link link_work weld heal healed_strain"
 ).split()
 DRIVE = {"velocity": "5", "pressure": "1", "file": "a.friction", "every": "10", "seed": "1"}
 ROUGH = {"side": "below", "height": "14", "amplitude": "3", "correlation": "5", "seed": "1"}

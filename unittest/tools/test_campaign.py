@@ -427,6 +427,23 @@ def test_report_says_whether_the_layer_is_a_solid(tmp_path, numbers, shown, warn
 
 
 @pytest.mark.parametrize(
+    "rows, warned", [("$", None), ("1000|2000", None), ("1[0-9]000|20000", "100 % of the second")]
+)
+def test_report_says_that_a_layer_was_worn_smooth(tmp_path, rows, warned):
+    """Where no link broke while it slid by a diameter, the ten rows of its second half."""
+    path = tmp_path / "plan.yaml"
+    path.write_text(HEAD + "runs: [{name: a, ns: 1, laws: b}]\n")
+    edit = f"sed -i -E '/^({rows}) /s/ 3456 2 / 3456 0 /' run.friction.part"
+    (tmp_path / "lmp").write_text(f'#!/bin/sh\n{FAKE} "$@"\n{edit}\n')
+    (tmp_path / "lmp").chmod(0o755)
+    env = environment(MCAWR_LMP=str(tmp_path / "lmp"))
+    result = campaign("run", path, "-o", tmp_path / "out", env=env)
+    assert result.returncode == 0, result.stdout + result.stderr
+    assert ("warning: " in result.stdout) == (warned is not None)
+    assert warned is None or f"worn smooth for {warned} half: too narrow" in result.stdout
+
+
+@pytest.mark.parametrize(
     "number, outcome",
     [("KILL", "interrupted"), ("HUP", "interrupted"), ("SEGV", "failed"), ("ABRT", "failed")],
 )

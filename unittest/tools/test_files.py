@@ -29,8 +29,8 @@ POINT = {
     "kappa1": 4.7, "kappa2": 365, "kappa3": 2239, "left_out": False,
 }  # fmt: skip
 RATE = {"min": 5, "median": 6, "max": 7}
-CASE = {"style": "mca", "ranks": 1, "automata": 1600, "rate": RATE}
-BENCH = {"format": "mca-benchmark 1", "cases": [CASE]}
+CASE = {"row": "default laws", "style": "mca", "ranks": 1, "automata": 1600, "rate": RATE}
+BENCH = {"format": "mca-benchmark 2", "cases": [{**CASE, "other": False}]}
 POINTS = [POINT, {**POINT, "kappa2": 100, "pressure": 4}]
 CONDITIONS = [{**point, "runs": [k]} for k, point in enumerate(POINTS)]
 FIT = with_checksum({"report": {"points": POINTS, "conditions": CONDITIONS}})

@@ -4,6 +4,7 @@
 import pytest
 
 from mcawr import numbers
+from mcawr.replicas import student95
 
 NONE = ["", "x", "nan", "inf", "-inf", "1e999", "0x10", "1_000", "1 500", "²", "٣", "1,5", "--1"]
 
@@ -32,3 +33,11 @@ def test_values_of_json(value):
     with pytest.raises((TypeError, ValueError)):
         numbers.finite(value)
     assert numbers.finite(3) == 3
+
+
+@pytest.mark.parametrize(
+    "freedom, t", [(1, 12.7062), (2, 4.30265), (5, 2.57058), (30, 2.04227), (1e4, 1.96020)]
+)
+def test_student95(freedom, t):
+    """The tables' two-sided 95 %."""
+    assert student95(freedom) == pytest.approx(t, rel=2e-5)

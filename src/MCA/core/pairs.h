@@ -19,7 +19,7 @@ constexpr int maxShears = 3;
 /// State of the pairs that outlives a step, one value a pair, each array on its own. In the plane
 /// only the first component of the shears exists, the others are nullptr. Owned by LinkList.
 struct PairState {
-  /// link::worn, none, bulk or weld, as a double, so that loops vectorise.
+  /// link::worn, none, bulk, weld or healed, as a double, so that loops vectorise.
   double *kind;
   /// Plastic offset of the normal strain [-]; e = eps - plastic. An unlinked pair keeps it until
   /// eps > max(plastic, 0).

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "files/friction_log_head.h"
 
+#include "laws/interface_words.h"
 #include "shared/friction_log_format.h"
 #include "shared/plain_number.h"
 
@@ -105,6 +106,25 @@ std::string numbersLine(const char *section, const std::string &title, const for
   return line.line();
 }
 
+/// Keywords and values as pair_coeff takes them, in the units of the log.
+std::string interfaceLine(const std::string &title, const std::pair<int, int> &types,
+                          const Interface &of, const Units &u)
+{
+  Section line(title);
+  line.add(format::typesKey, std::to_string(types.first) + " " + std::to_string(types.second));
+  Interface inLog = of;
+  if (inLog.strength)
+    *inLog.strength *= u.stress;
+  if (inLog.viscosity)
+    *inLog.viscosity *= u.viscosity();
+  const std::vector<std::string> words = wordsOf(inLog);
+  for (std::size_t k = 0; k + 1 < words.size(); k += 2) {
+    const auto value = mcawr::plainNumber(words[k + 1]);
+    line.add(words[k], value ? number(*value) : words[k + 1]);
+  }
+  return line.line();
+}
+
 /// A value of a head.
 struct Entry {
   std::string section, key, value;
@@ -182,7 +202,13 @@ std::string headOf(const LogHeader &h, const Units &u)
     materials +=
         numbersLine(names::material, format::otherMaterial + (k > 1 ? "_" + std::to_string(k) : ""),
                     numbersOf(h.otherMaterials[k - 1], u), part(k));
-  return format::formatLine() + "\n" + program.line() + units.line() + materials +
+  std::string interfaces;
+  int count = 0;
+  for (const auto &[types, interface] : h.interfaces) {
+    const std::string more = ++count > 1 ? "_" + std::to_string(count) : "";
+    interfaces += interfaceLine(format::interfaceSection + more, types, interface, u);
+  }
+  return format::formatLine() + "\n" + program.line() + units.line() + materials + interfaces +
          line(names::loading) + line(names::geometry) + laws.line() + line(names::run);
 }
 

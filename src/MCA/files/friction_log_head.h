@@ -6,6 +6,7 @@
 #define MCA_FRICTION_LOG_HEAD_H
 
 #include "files/units.h"
+#include "laws/interface.h"
 #include "laws/material.h"
 
 #include <string>
@@ -23,6 +24,8 @@ struct LogHeader {
   std::vector<Material> otherMaterials;
   /// Which of all, `material` first, the driven layer is of.
   std::size_t driven = 0;
+  /// Of types that have automata.
+  Interfaces interfaces;
   /// Sorts the materials of a sample; equal ones count once.
   /// \param all     of all types that have automata, at least one
   /// \param driven  of the driven layer, one of them

@@ -112,7 +112,7 @@ void parseBond(Words &words, int stateSize, Links &links)
   const std::int64_t i = words.id(), j = words.id();
   Links::Pair pair{std::vector<double>(stateSize, 0.0), true};
   pair.state[0] = kind;
-  words.require(i != j && (kind == link::bulk || kind == link::weld));
+  words.require(i != j && link::isKind(kind) && link::isLinked(kind));
   words.require(links.pairs.emplace(std::minmax(i, j), pair).second);
 }
 

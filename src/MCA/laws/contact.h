@@ -32,6 +32,7 @@
 #ifndef MCA_LAWS_CONTACT_H
 #define MCA_LAWS_CONTACT_H
 
+#include "fracture/by_strain.h"
 #include "linking.h"
 #include "plasticity.h"
 #include "room.h"
@@ -91,7 +92,7 @@ struct Stretch {
 /// shears are 0: what PairState keeps in their place, plastic work, is no shear and is taken out
 /// before.
 struct Contact {
-  double kind;  ///< link::worn, none, bulk or weld
+  double kind;  ///< link::worn, none, bulk, weld or healed
   double ratio; ///< r/d [-], > 0
   /// Total normal strain, normalStrain() of r/d [-].
   double eps;
@@ -137,17 +138,16 @@ inline bool isPressed(double e)
   return e < -leastOverlap;
 }
 
-/// Weight of a contact in the flow of its automata [-], 0 to 1: 1 of a bulk link, with flow
-/// contacts that of PairLaw::contactsFlow of an unlinked one that is pressed. Welds are brittle.
-/// \param contactsFlow  of its PairLaw
-/// \param kind          of the contact, see link
+/// Weight of a contact in the flow of its automata [-], 0 to 1: 1 of a bulk or healed link, with
+/// flow contacts that of PairLaw::contactsFlow of an unlinked one that is pressed. Welds are
+/// brittle. \param contactsFlow  of its PairLaw \param kind          of the contact, see link
 /// \param e             its elastic normal strain [-]
 inline double flowing(double contactsFlow, double kind, double e)
 {
   const double weight = -contactsFlow * e, most = weight < 1.0 ? weight : 1.0;
   const double pressed = isPressed(e) ? 1.0 : 0.0;
   const double flows = pressed * most * (1.0 - link::linked(kind));
-  return kind == link::bulk ? 1.0 : flows;
+  return kind == link::weld ? 0.0 : link::linked(kind) + flows;
 }
 
 /// Elastic normal stress of a contact that touches [stress], tension positive: the mean of both
@@ -402,10 +402,11 @@ inline ContactStress contactStress(const PairLaw &law, const Contact &c, const A
 {
   const ElasticStresses s = elasticStresses(law, c, i, j);
   const bool bulkBreaks = breaks<Criterion>(linkLoad(law, c, s, i, j, face), law.limits.fracture);
+  const bool healedBreaks = strainIntensity2(c.eps, c.gammaTotal) >= law.limits.healedIntensity2;
   const double room = roomStress(c.ratio, i.room, j.room);
   return contactStress(law, c, s, room,
                        nextKind(c.kind, s.sigma, s.tau, c.eps, bulkBreaks, law.limits, worked,
-                                c.eps < 0.0 ? room : 0.0));
+                                c.eps < 0.0 ? room : 0.0, healedBreaks));
 }
 
 /// The size of a shear by which laws decide: in the plane the signed number itself, of which

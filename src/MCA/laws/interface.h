@@ -29,7 +29,7 @@ struct Interface {
   std::optional<double> viscosity;
   /// mu of its unlinked contacts [-], >= 0.
   std::optional<double> friction;
-  /// Keywords link, weld, heal, worn of pair_style with their values.
+  /// Keywords link, weld, heal, healed_strain, worn of pair_style with their values.
   std::vector<std::string> links;
 
   bool operator==(const Interface &other) const

@@ -31,7 +31,7 @@ constexpr Quantity quantities[] = {
      FrictionWords::range},
 };
 constexpr const char *linkKeywords[] = {LinkWords::keyword, WeldWords::keyword, HealWords::keyword,
-                                        WornWords::keyword};
+                                        HealedStrainWords::keyword, WornWords::keyword};
 
 std::string bad(const std::string &keyword, const std::string &value, const std::string &allowed)
 {

@@ -46,9 +46,9 @@ bool Threshold::take(const std::string &word, const char *name)
   return true;
 }
 
-std::string Threshold::allowed(const char *name)
+std::string Threshold::allowed(const char *name, const char *number)
 {
-  return "a multiple of the strength > 0, " + (name ? std::string(name) + ", " : "") + "none";
+  return std::string(number) + ", " + (name ? std::string(name) + ", " : "") + "none";
 }
 
 } // namespace mca

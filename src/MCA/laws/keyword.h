@@ -145,7 +145,8 @@ class Threshold {
   /// \return false if the word is none of these or its number is not > 0; nothing changes then
   bool take(const std::string &word, const char *name);
   /// What take() takes, for messages: "a multiple of the strength > 0, NAME, none".
-  static std::string allowed(const char *name);
+  /// \param number  what a number is and has to be, in words
+  static std::string allowed(const char *name, const char *number);
 
  private:
   /// What factor_ means: it is 0 unless the kind is Factor.
@@ -188,9 +189,14 @@ class Coefficient : public Words {
   double value_ = 0.0;
 };
 
+/// What the number of most thresholds is.
+struct OfStrength {
+  static constexpr const char *number = "a multiple of the strength > 0";
+};
+
 /// A law that is one threshold. Keyword, material stress and default come from the base.
-/// \tparam Words  has `keyword`, `materialStress` (the name of a stress of the material, or
-///                nullptr) and `initial()`, its default
+/// \tparam Words  has `keyword`, `materialStress` (the name of a stress or strain of the material,
+///                or nullptr), `number` (what a number is, in words) and `initial()`, its default
 template<class Words>
 class ThresholdLaw : public Words {
  public:
@@ -204,7 +210,7 @@ class ThresholdLaw : public Words {
   /// \return false for a bad word; nothing changes then
   bool take(const std::string &word) { return threshold_.take(word, Words::materialStress); }
   /// What take() takes, for messages.
-  static std::string allowed() { return Threshold::allowed(Words::materialStress); }
+  static std::string allowed() { return Threshold::allowed(Words::materialStress, Words::number); }
 
   /// All words beside the number.
   static std::vector<std::string> words()

@@ -105,7 +105,7 @@ using Steps = Choice<StepsWords>;
 /// decides. The transition is ours, Bucher et al. leave it open; by default at the elastic
 /// limit sigma_y1 of the weaker material. Preset a: 2.35 sigma_0, fitted to the paper's friction at
 /// sigma_0 = 92 MPa.
-struct LinkWords {
+struct LinkWords : OfStrength {
   static constexpr const char *keyword = "link", *materialStress = "elastic_limit";
   static Threshold initial() { return Threshold::ofMaterial(); }
   /// sigma_y1 of the weaker material [stress], the limit of "elastic_limit".
@@ -122,7 +122,7 @@ using LinkLaw = ThresholdLaw<LinkWords>;
 /// the elastic limit sigma_y1 of the weaker material, at which they form, too; ours. Preset b: of
 /// the strength. Off: contacts become bulk links at once, and keyword heal has to be off, too,
 /// which LawSet::parse() sees to. Preset a has it off.
-struct WeldWords {
+struct WeldWords : OfStrength {
   static constexpr const char *keyword = "weld", *materialStress = "elastic_limit";
   static Threshold initial() { return Threshold::ofMaterial(); }
   /// As of keyword link [stress].
@@ -134,7 +134,7 @@ using WeldLaw = ThresholdLaw<WeldWords>;
 /// Compression that turns a weld or a worn contact into a bulk link, by default the hardness; ours.
 /// Off: welds never become bulk links, and worn contacts have to be unloaded before they link
 /// again.
-struct HealWords {
+struct HealWords : OfStrength {
   static constexpr const char *keyword = "heal", *materialStress = "hardness";
   static Threshold initial() { return Threshold::ofMaterial(); }
   /// The hardness 3 sigma_y2 (Tabor, The Hardness of Metals, 1951) of the material with the lower
@@ -146,6 +146,22 @@ struct HealWords {
 };
 /// Keyword heal: "hardness" (default), a multiple of sigma_0 > 0, or "none".
 using HealLaw = ThresholdLaw<HealWords>;
+
+/// Strain intensity, that of fracture strain, at which a healed link breaks, whatever the criterion
+/// of bulk links, which it obeys, too: a healed junction is the size of a contact and not of the
+/// averaged body, so that it need not bear as much. By default as much: it is a bulk link. Ours.
+struct HealedStrainWords {
+  static constexpr const char *keyword = "healed_strain", *materialStress = "yield_strain";
+  static constexpr const char *number = "a strain > 0";
+  static Threshold initial() { return Threshold::off(); }
+  /// eps_y2 of the material with the lower one [-], the limit of "yield_strain".
+  static double strain(const Material &i, const Material &j)
+  {
+    return std::min(i.yieldStrain, j.yieldStrain);
+  }
+};
+/// Keyword healed_strain: "yield_strain", a strain > 0, or "none" (default).
+using HealedStrainLaw = ThresholdLaw<HealedStrainWords>;
 
 /// When a contact whose link broke is as good as one that never was linked (linking.h): as soon as
 /// it is unloaded below the limit of keyword link, or never; until then it links only by healing,
@@ -163,7 +179,7 @@ using WornRule = Choice<WornWords>;
 /// work of both automata counts, since they are pressed together without a break. Off by default;
 /// the criterion is ours. It needs one more message between ranks, of what automata have worked in
 /// the step.
-struct LinkWorkWords {
+struct LinkWorkWords : OfStrength {
   static constexpr const char *keyword = "link_work", *materialStress = nullptr;
   static Threshold initial() { return Threshold::off(); }
 };

@@ -62,7 +62,7 @@ std::vector<Entry> makeTable()
     if (const char *name = FractureLaw::criteria()[k].parameter;
         name && FractureLaw::keeperOf(k) == k)
       all.push_back(
-          {{name, {"none"}, true, Threshold::allowed(nullptr)},
+          {{name, {"none"}, true, Threshold::allowed(nullptr, OfStrength::number)},
            [k](LawSet &s, const std::string &word) { return s.fracture.takeParameter(k, word); },
            [k](const LawSet &s) { return s.fracture.parameterWord(k); }});
   return all;
@@ -81,6 +81,8 @@ std::string conflictIn(const LawSet &s)
 {
   if (!s.heal.isOff() && s.weld.isOff())
     return "keyword heal needs welds: give weld a value";
+  if (!s.healedStrain.isOff() && s.heal.isOff())
+    return "keyword healed_strain needs healing: give heal a value";
   if (s.plane.is(PlaneCondition::Stress) && s.flows())
     return "keyword plane, value stress, needs plasticity none: the return of plasticity " +
            s.plasticity.word() + " is that of plane strain";
@@ -151,6 +153,7 @@ std::vector<std::string> LawSet::words() const
   std::vector<std::string> all = {presets.name, preset};
   const auto isUsual = [&](const std::string &name) { // logs and restart files do not name it
     return (name == WornRule::keyword && worn.is(WornRule::Unloaded)) ||
+           (name == HealedStrainLaw::keyword && healedStrain.isOff()) ||
            (name == ContactFrictionLaw::keyword && friction.isOff()) ||
            (name == FlowLaw::keyword && flow.is(FlowLaw::Links) &&
             named(preset).flow.is(FlowLaw::Links));
@@ -215,6 +218,9 @@ static LinkLimits makeLinkLimits(const LawSet &usual, const Material &ofI, const
   limits.weldIntensity2 = weld * weld;
   limits.linkPressure = set.link.threshold().limit(strength, LinkLaw::stress(i, j));
   limits.healPressure = set.heal.threshold().limit(strength, HealLaw::stress(i, j));
+  limits.healedKind = set.healedStrain.isOff() ? link::bulk : link::healed;
+  const double healed = set.healedStrain.threshold().limit(1.0, HealedStrainLaw::strain(i, j));
+  limits.healedIntensity2 = healed * healed;
   limits.linkedKind = set.weld.isOff() ? link::bulk : link::weld;
   limits.unloads = set.worn.is(WornRule::Unloaded) ? 1.0 : 0.0;
   limits.breakingStrain = std::max({ofI.breakingStrain, ofJ.breakingStrain, i.breakingStrain});

@@ -33,6 +33,7 @@ struct LawSet {
   LinkLaw link;
   WeldLaw weld;
   HealLaw heal;
+  HealedStrainLaw healedStrain;
   WornRule worn;
   LinkWorkLaw linkWork;
 
@@ -52,6 +53,7 @@ struct LawSet {
     visit(set.link);
     visit(set.weld);
     visit(set.heal);
+    visit(set.healedStrain);
     visit(set.worn);
     visit(set.linkWork);
   }
@@ -77,9 +79,9 @@ struct LawSet {
   static LawSet named(const std::string &preset);
 
   /// Takes keyword-value pairs as given to pair_style; a preset resets all that stands before it.
-  /// What does not go together is an error: heal without weld, plane stress with flow, a criterion
-  /// of fracture without its number.
-  /// \param words  keyword, value, keyword, value, ...; those before a bad one have been taken, so
+  /// What does not go together is an error: heal without weld, healed_strain without heal, plane
+  /// stress with flow, a criterion of fracture without its number. \param words  keyword, value,
+  /// keyword, value, ...; those before a bad one have been taken, so
   ///               that the set is of no use after an error
   /// \return an empty string, or one line: keyword, value, what is allowed, or for a misspelt
   /// keyword the nearest one

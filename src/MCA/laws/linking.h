@@ -22,8 +22,11 @@ constexpr double worn = -1.0; ///< unlinked; its link broke and it is still unde
 constexpr double none = 0.0;  ///< unlinked: compression and viscosity only
 constexpr double bulk = 1.0;  ///< elastic-plastic, breaks by the bulk criterion
 constexpr double weld = 2.0;  ///< elastic-brittle
+/// With keyword healed_strain what a weld heals to: a bulk link in all but the strain at which it
+/// breaks.
+constexpr double healed = 3.0;
 
-/// Whether the pair bears tension and shear: a bulk link or a weld.
+/// Whether the pair bears tension and shear: a link of any kind.
 inline bool isLinked(double kind)
 {
   return kind > none;
@@ -32,7 +35,7 @@ inline bool isLinked(double kind)
 /// Whether a number that was read is one of the kinds.
 inline bool isKind(double number)
 {
-  return number == worn || number == none || number == bulk || number == weld;
+  return number == worn || number == none || number == bulk || number == weld || number == healed;
 }
 
 /// 1 for a linked kind, else 0: a factor, since loops over conditions as factors vectorise.
@@ -49,7 +52,9 @@ struct LinkLimits {
   int criterion;           ///< its number in FractureCriteria; the same for all pairs of a run
   double weldIntensity2;   ///< [stress^2]: a weld breaks at this squared stress intensity
   double linkPressure;     ///< [stress]: elastic compression that links an unlinked contact
-  double healPressure;     ///< [stress]: ... that turns a weld or a worn contact into a bulk link
+  double healPressure;     ///< [stress]: ... that turns a weld or a worn contact into healedKind
+  double healedKind;       ///< link::bulk, or link::healed where those break sooner
+  double healedIntensity2; ///< squared strain intensity at which a healed link breaks [-]
   double linkedKind;       ///< what an unlinked contact becomes: link::bulk or link::weld
   double unloads;          ///< 1 where a worn contact may heal and is as good as others once it is
                            ///< unloaded, 0 where it stays worn up to the breaking strain
@@ -71,21 +76,24 @@ struct LinkLimits {
 /// \param sigma,tau   elastic stresses of the contact, after plastic return [stress]
 /// \param eps         its normal strain [-]
 /// \param bulkBreaks  it would break as a bulk link; see breaks() of fracture.h
+/// \param healedBreaks  it is strained to healedIntensity2, at which a healed link breaks, too
 /// \param worked      the plastic work reaches linkWork
 /// \param room        stress against lack of room, which presses, too [stress], <= 0
 inline double nextKind(double kind, double sigma, double tau, double eps, bool bulkBreaks,
-                       const LinkLimits &limit, bool worked = false, double room = 0.0)
+                       const LinkLimits &limit, bool worked = false, double room = 0.0,
+                       bool healedBreaks = false)
 {
   const double pressing = sigma + room;
   const bool weldBreaks = linkIntensity2(sigma, tau) >= limit.weldIntensity2;
-  const bool heals = (-pressing >= limit.healPressure) & !bulkBreaks;
+  const bool heals = (-pressing >= limit.healPressure) & !bulkBreaks & !healedBreaks;
   const bool pressed = (-pressing >= limit.linkPressure) | worked;
-  const double ifBulk = bulkBreaks ? link::worn : link::bulk;
-  const double ifHealing = heals ? link::bulk : link::weld;
+  const bool breaksAsItIs = bulkBreaks | ((kind == link::healed) & healedBreaks);
+  const double ifBulk = breaksAsItIs ? link::worn : kind;
+  const double ifHealing = heals ? limit.healedKind : link::weld;
   const double ifWeld = weldBreaks ? link::worn : ifHealing;
-  const double ifLinked = kind == link::bulk ? ifBulk : ifWeld;
+  const double ifLinked = kind == link::weld ? ifWeld : ifBulk;
   const bool unloads = limit.unloads > 0.0;
-  const double ifKept = (unloads & heals) ? link::bulk : link::worn;
+  const double ifKept = (unloads & heals) ? limit.healedKind : link::worn;
   const bool stays = unloads ? pressed : eps < limit.breakingStrain;
   const double ifWorn = stays ? ifKept : link::none;
   const double ifFresh = pressed ? limit.linkedKind : link::none;

@@ -121,7 +121,8 @@ std::string runLines(const FitAnalysis &analysis)
   return text;
 }
 
-/// What is wrong with the runs.
+} // namespace
+
 std::vector<std::string> warningsOf(const FitAnalysis &analysis)
 {
   std::vector<std::pair<std::string, const RunHealth *>> runs;
@@ -129,6 +130,8 @@ std::vector<std::string> warningsOf(const FitAnalysis &analysis)
     runs.emplace_back(run.file, &run.health);
   return healthWarnings(runs);
 }
+
+namespace {
 
 std::string replicateLines(const FitAnalysis &analysis)
 {
@@ -437,10 +440,6 @@ std::string textReport(const FitAnalysis &analysis)
                         "condition{})\n",
                         100.0 * paper.rms, 100.0 * paper.mean, paper.n, paper.n == 1 ? "" : "s");
   text += replicateLines(analysis);
-  if (!analysis.mixture.empty())
-    text += fmt::format("Warning: {}.\n", mcawr::printable(analysis.mixture));
-  for (const auto &warning : warningsOf(analysis))
-    text += fmt::format("Warning: {}.\n", mcawr::printable(warning));
   if (analysis.fit)
     text += fitLines(analysis);
   else if (analysis.table)

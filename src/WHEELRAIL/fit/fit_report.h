@@ -6,8 +6,13 @@
 
 #include <nlohmann/json_fwd.hpp>
 #include <string>
+#include <vector>
 
 namespace wheelrail {
+
+/// What is wrong with the runs: one line each, without an end. `FitAnalysis::mixture` is one
+/// more. They are no part of `textReport`.
+std::vector<std::string> warningsOf(const FitAnalysis &analysis);
 
 /// The report for people: a table of the runs, the law with its intervals, the comparison of
 /// models, runs that repeat each other.

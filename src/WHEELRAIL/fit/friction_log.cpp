@@ -109,6 +109,18 @@ class Header {
     return *x;
   }
 
+  /// \throws Error (BadInput) where it is none
+  double positive(const char *section, const char *key) const
+  {
+    const auto given = text(section, key);
+    const auto x = mcawr::plainNumber(given);
+    if (!x || !format::isIn(format::Range::Positive, *x))
+      throw badInput(fileName_, line(section), fmt::format("{}: {}", section, key),
+                     fmt::format("'{}' is not allowed, must be a number {}", given,
+                                 format::describe(format::Range::Positive, "")));
+    return *x;
+  }
+
   std::vector<std::string> sections() const
   {
     std::vector<std::string> names;
@@ -195,10 +207,14 @@ void readHeader(const Header &header, FrictionLog &log)
     log.packing = header.text(format::section::geometry, format::packingKey);
   if (header.has(format::campaignSection, format::commandKey))
     log.command = header.text(format::campaignSection, format::commandKey);
+  if (header.has(format::campaignSection, format::temperatureKey))
+    log.temperature = header.positive(format::campaignSection, format::temperatureKey);
   for (const auto *section : format::conditionSections)
     log.condition[section] = header.wording(section);
   for (const std::string &section : header.sections())
-    if (section.compare(0, std::strlen(format::otherMaterial), format::otherMaterial) == 0) {
+    if (section.compare(0, std::strlen(format::interfaceSection), format::interfaceSection) == 0)
+      log.condition[section] = header.wording(section);
+    else if (section.compare(0, std::strlen(format::otherMaterial), format::otherMaterial) == 0) {
       log.condition[section] = header.wording(section);
       log.otherStrengths.push_back(
           header.number(format::headNumber(&format::Head::strength), section.c_str()));

@@ -4,6 +4,7 @@
 
 #include "shared/friction_log_format.h"
 
+#include <limits>
 #include <map>
 #include <string>
 #include <vector>
@@ -22,7 +23,8 @@ struct FrictionLog {
   /// "corrected" and so on; empty if the head has neither section.
   std::map<std::string, std::string> madeBy;
   /// What was simulated, word by word: the head's sections material, loading and geometry by their
-  /// names, and its "timestep". With `madeBy` all of the head that decides a run, but for the seed.
+  /// names, those of further materials and of interfaces, and its "timestep". With `madeBy` all of
+  /// the head that decides a run, but for the seed.
   std::map<std::string, std::string> condition;
 
   /// Strengths of the materials beside that of the head, MPa; empty where there is one material.
@@ -30,6 +32,8 @@ struct FrictionLog {
   std::vector<double> otherStrengths;
   std::string packing; ///< its name; empty: not stated
   std::string command; ///< that made the run, of a packed log; else empty
+  /// K, of a packed log whose plan took the material at one; else nan.
+  double temperature = std::numeric_limits<double>::quiet_NaN();
 
   std::vector<long> step;   ///< strictly increasing, evenly spaced
   std::vector<double> time; ///< ns, end of the row's interval

@@ -93,6 +93,7 @@ FrictionRun frictionRun(const FrictionLog &log, const AveragingOptions &options)
   run.kappa1 = log.kappa1();
   run.kappa2 = log.kappa2();
   run.kappa3 = log.kappa3();
+  run.temperature = log.temperature;
   run.muEq2 = bucher2006()(run.kappa1, run.kappa2);
   run.head = log.head;
   run.muPeak = *std::max_element(log.mu.begin(), log.mu.end());

@@ -47,7 +47,8 @@ struct FrictionRun {
   std::vector<double> firstMu;
   RunHealth health; ///< of the run, over the part that is averaged
   std::string note; ///< why there is no stationary part, or that a cut line was dropped
-  /// K, at which the run has the strength and modulus of its material; nan where it is not known.
+  /// K, FrictionLog::temperature; of a fit with a material that at which the run has its strength
+  /// and modulus. nan where it is not known.
   double temperature = std::numeric_limits<double>::quiet_NaN();
   std::string leftOut; ///< why the run is not fitted; empty: it is
 

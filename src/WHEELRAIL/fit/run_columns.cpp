@@ -91,6 +91,7 @@ const std::vector<RunColumn> &runColumns()
       {"poissons_ratio", "1", ofHead<&Head::poissonsRatio>, last(8), InReport::No},
       {"density", "kg/m^3", ofHead<&Head::density>, last(8), InReport::No},
       {"breaking_strain", "1", ofHead<&Head::breakingStrain>, last(8), InReport::No},
+      {"temperature", "K", own<&P::temperature>, last(6), InReport::No},
       {"seed", "1", seed, second(wholeDigits), InReport::Runs, true},
       {"distance", "nm", ofHealth<&RunHealth::distance>, last(8)},
       {"start_distance", "nm", ofHealth<&RunHealth::startDistance>, notInCsv},
@@ -99,6 +100,7 @@ const std::vector<RunColumn> &runColumns()
       {"least_room", "1", ofHealth<&RunHealth::leastRoom>, notInCsv},
       {"lost", "1", ofHealth<&RunHealth::lost>, last(6)},
       {"smooth", "1", ofHealth<&RunHealth::smooth>, last(4)},
+      {"junctions", "1", ofHealth<&RunHealth::junctions>, notInCsv},
       {"fall", "1", ofHealth<&RunHealth::fall>, notInCsv},
   };
   return table;
@@ -125,7 +127,7 @@ std::string runsAsCsv(const std::vector<FrictionRun> &runs)
     units.push_back({column.name, column.unit});
   std::string text = "# " + unitsText(units) +
                      "; t_start is nan where there is no stationary part, mu is that of the second "
-                     "half\nfile";
+                     "half; temperature is nan where it is not known\nfile";
   for (const RunColumn &column : columns)
     text += fmt::format(",{}", column.name);
   text += "\n";

@@ -53,23 +53,32 @@ double roomAt(const FrictionLog &log, double gap)
   return 1.0 + gap * log.head.width * log.head.thickness / (betweenRows * cellVolume(log));
 }
 
-/// Time of the phases in which nothing breaks while the layer slides by a diameter, in rows.
-double smoothRows(const FrictionLog &log, std::size_t first)
+/// Share of the part from a row on that was worn smooth.
+double smoothShare(const FrictionLog &log, std::size_t first)
 {
   const double perRow = std::abs(log.head.velocity) * log.interval(); // nm
-  double all = 0.0, phase = 0.0;
-  const auto end = [&] {
-    all += phase * perRow >= log.head.diameter ? phase : 0.0;
-    phase = 0.0;
-  };
-  for (std::size_t i = first; i < log.rows.size(); ++i) {
-    if (log.rows[i].broken == 0.0)
-      phase += 1.0;
-    else
-      end();
-  }
-  end();
-  return all;
+  health::SmoothSliding sliding;
+  for (std::size_t i = first; i < log.rows.size(); ++i)
+    sliding.add(perRow, log.rows[i].broken, log.head.diameter);
+  return sliding.share();
+}
+
+/// RunHealth::junctions.
+double junctionsOf(const FrictionLog &log)
+{
+  const auto law = log.madeBy.find("laws.link");
+  const double d = log.head.diameter;
+  if (law == log.madeBy.end() || !(d > 0.0))
+    return std::numeric_limits<double>::quiet_NaN();
+  const auto factor = mcawr::plainNumber(law->second);
+  const double linkPressure = factor                           ? *factor * log.head.strength
+                              : law->second == "elastic_limit" ? log.head.elasticLimit
+                                                               : 0.0;
+  if (!(linkPressure > 0.0))
+    return std::numeric_limits<double>::quiet_NaN();
+  const double across = log.head.width / d;
+  const double places = log.packing == "hex" ? across : across * log.head.thickness / d;
+  return health::junctions(log.head.pressure, linkPressure, places);
 }
 
 /// RunHealth::fall.
@@ -129,9 +138,15 @@ const std::vector<Doubt> &doubts()
        },
        "of several materials: kappas are those of the weakest, and the law is one of a single "
        "material"},
-      {[](const RunHealth &h) { return h.smooth > smoothLimit; },
-       [](const RunHealth &h) { return fmt::format("{:.0f} % of the time", 100.0 * h.smooth); },
-       "slide without a link broken: worn smooth, not dry friction of rough surfaces"},
+      {[](const RunHealth &h) { return h.smooth > health::smoothLimit; },
+       [](const RunHealth &h) {
+         return fmt::format("worn smooth for {:.0f} % of the time", 100.0 * h.smooth);
+       },
+       "slide without a link broken: no dry friction of rough surfaces; a wider fragment has more "
+       "junctions"},
+      {[](const RunHealth &h) { return h.slides && h.junctions < health::leastJunctions; },
+       [](const RunHealth &h) { return fmt::format("{:.2g} junctions at once", h.junctions); },
+       "too narrow for the load: with less than 10 junctions a fragment wears smooth for a while"},
   };
   return all;
 }
@@ -161,7 +176,8 @@ RunHealth runHealth(const FrictionLog &log, std::size_t first)
   result.leastRoom = health::leastRoom(log.head.pressure, bulkModulus);
   if (log.hasState)
     result.lost = log.rows.back().lost;
-  result.smooth = smoothRows(log, first) / rows;
+  result.smooth = smoothShare(log, first);
+  result.junctions = junctionsOf(log);
   result.fall = fallOf(log);
   return result;
 }

@@ -25,6 +25,8 @@ struct RunHealth {
   double lost = std::numeric_limits<double>::quiet_NaN();
   /// Share of that part in which nothing broke while the layer slid by an automaton's diameter.
   double smooth = 0.0;
+  /// mcawr::layer_health::junctions of the run; nan where nothing links.
+  double junctions = std::numeric_limits<double>::quiet_NaN();
   /// The most that flow, breaking or unlinked contacts gave back of what they had dissipated, over
   /// the work of the drive; nan without an account.
   double fall = std::numeric_limits<double>::quiet_NaN();
@@ -34,8 +36,6 @@ struct RunHealth {
 
 /// Blocks grind in over some 200 nm (doc/how_close.md): means begin where this is over [nm].
 constexpr double grindingDistance = 250.0;
-/// Share of the time worn smooth beyond which a warning is given.
-constexpr double smoothLimit = 0.05;
 
 /// Health of the run of one log.
 /// \param first row of the part that is averaged, below the number of rows

@@ -47,6 +47,8 @@ class FrictionLaw {
   virtual bool dependsOnSpeed() const = 0;
   /// Does mu depend on the temperature? Then heat acts back on friction.
   virtual bool dependsOnTemperature() const = 0;
+  /// Does mu depend on sigma_0? Then a temperature that leaves no strength is no solution.
+  virtual bool dependsOnStrength() const { return dependsOnTemperature(); }
 
   /// sigma_0 of the law's own material over the temperature rise; null: the law has none, and the
   /// case says it. Lives as long as the law.

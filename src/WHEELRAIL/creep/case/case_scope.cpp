@@ -39,8 +39,7 @@ std::string because(const char *why)
 Scope scopeOf(CaseReader &reader)
 {
   const std::string mode = reader.word("mode");
-  const bool onPoint = (reader.has("contact.load") && !reader.has("contact.width")) ||
-                       reader.has("contact.approach");
+  const bool onPoint = reader.has("contact.load") && !reader.has("contact.width");
   if (mode == "frozen")
     return onPoint ? scope::pointFrozen : scope::lineFrozen;
   if (mode == "moving")

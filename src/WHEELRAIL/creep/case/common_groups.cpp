@@ -2,6 +2,7 @@
 #include "creep/case/common_groups.h"
 
 #include "law/friction_laws.h"
+#include "law/temperature_factor.h"
 
 #include <algorithm>
 #include <cmath>
@@ -40,21 +41,6 @@ void requireFewPoints(const CaseReader &reader, double points)
                     points, most));
 }
 
-std::array<double, 2> readPair(CaseReader &reader, const std::string &name, const char *meaning)
-{
-  std::vector<double> values = reader.numbers(name);
-  if (values.size() != 2)
-    reader.fail(name, fmt::format("{} values; {} are expected", values.size(), meaning));
-  return {values[0], values[1]};
-}
-
-std::array<double, 2> readBodies(CaseReader &reader, const std::string &name)
-{
-  if (reader.numbers(name).size() == 1)
-    return {reader.numbers(name)[0], reader.numbers(name)[0]};
-  return readPair(reader, name, "one for both bodies, or [wheel, rail],");
-}
-
 MeasuredSurfaces readMeasuredSurfaces(CaseReader &reader, const std::string &caseFile)
 {
   MeasuredSurfaces surfaces;
@@ -79,6 +65,23 @@ MeasuredSurfaces readMeasuredSurfaces(CaseReader &reader, const std::string &cas
   return surfaces;
 }
 
+/// The law times the factor of its temperature, where the case has one.
+static LawChoice heated(LawChoice choice, CaseReader &reader)
+{
+  const TemperatureFactor factor{reader.number("friction.hot_factor"),
+                                 reader.number("friction.hot_start"),
+                                 reader.number("friction.hot_end")};
+  if (factor.end <= factor.start)
+    reader.fail("friction.hot_end", fmt::format("{:g} K, allowed: above friction.hot_start, {:g} K",
+                                                factor.end, factor.start));
+  if (factor.hot == 1.0)
+    return choice;
+  if (reader.has("thermal"))
+    reader.fail("friction.hot_factor", "does not go with thermal: off, where nothing becomes hot");
+  choice.read = [read = choice.read, factor] { return heatedLaw(read(), factor); };
+  return choice;
+}
+
 LawChoice readFriction(CaseReader &reader, const std::string &caseFile)
 {
   const std::string word = reader.word("friction.law");
@@ -91,7 +94,7 @@ LawChoice readFriction(CaseReader &reader, const std::string &caseFile)
     values.numbers[keyword.name] = keyword.kind == LawKeyword::Kind::Switch
                                        ? double(reader.flag(keyword.name))
                                        : reader.number(keyword.name);
-  return form.choose(values);
+  return heated(form.choose(values), reader);
 }
 
 Strength readStrength(CaseReader &reader, const LawChoice &friction)
@@ -106,7 +109,7 @@ Strength readStrength(CaseReader &reader, const LawChoice &friction)
           nullptr};
 }
 
-ThermalSpecification readThermal(CaseReader &reader, bool rollsOnPoint)
+ThermalSpecification readThermal(CaseReader &reader)
 {
   ThermalSpecification thermal;
   if (reader.has("thermal")) {
@@ -114,15 +117,8 @@ ThermalSpecification readThermal(CaseReader &reader, bool rollsOnPoint)
     thermal.model = ThermalModel::Off;
     return thermal;
   }
-  const auto conductivity = readBodies(reader, "thermal.conductivity"),
-             density = readBodies(reader, "thermal.density"),
-             heat = readBodies(reader, "thermal.specific_heat");
-  const std::array<ThermalMaterial, 2> bodies = {
-      ThermalMaterial{conductivity[0], density[0], heat[0]},
-      ThermalMaterial{conductivity[1], density[1], heat[1]}};
-  thermal.material = pairMaterial(bodies[0], bodies[1]);
-  if (rollsOnPoint)
-    thermal.bulk = bulkOfContact(bodies[0], bodies[1], readBodies(reader, "thermal.bulk"));
+  thermal.material = {reader.number("thermal.conductivity"), reader.number("thermal.density"),
+                      reader.number("thermal.specific_heat")};
   const std::string model = reader.word("thermal.model");
   thermal.model = model == "local"            ? ThermalModel::Local
                   : model == "averaged_power" ? ThermalModel::AveragedPower

@@ -20,7 +20,7 @@ bool CreepPhysics::heatLimitsPressure() const
 
 double CreepPhysics::strengthInUse(const FrictionLaw &law) const
 {
-  return law.dependsOnTemperature() || hardnessLimit ? strengthOf(law).cold : 0.0;
+  return law.dependsOnStrength() || hardnessLimit ? strengthOf(law).cold : 0.0;
 }
 
 double CreepPhysics::pressureLimit(const FrictionLaw &law, double temperatureRise) const
@@ -32,7 +32,8 @@ double CreepPhysics::pressureLimit(const FrictionLaw &law, double temperatureRis
 void CreepPhysics::checkStrength(const FrictionLaw &law, double hottest, double speed,
                                  double creep) const
 {
-  if (hasFeedback(law) && strengthOf(law).vanishesAt(hottest))
+  const bool feels = law.dependsOnStrength() || hardnessLimit;
+  if (hasFeedback(law) && feels && strengthOf(law).vanishesAt(hottest))
     throw Error(
         ExitCode::NotConverged,
         fmt::format("creep {} at {} m/s: the temperature rise of {:.0f} K leaves no strength "

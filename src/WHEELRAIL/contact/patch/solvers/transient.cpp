@@ -3,11 +3,19 @@
 
 #include "base/errors.h"
 
+#include <algorithm>
 #include <fmt/format.h>
+#include <utility>
 
 namespace wheelrail {
 
 using Vector = Eigen::VectorXd;
+
+namespace {
+
+constexpr double forcedTolerance = 3e-6; ///< creepages then scatter by 1e-5 from step to step
+
+} // namespace
 
 TransientPatch::TransientPatch(const PatchGrid &grid, const ElasticPair &pair)
     : solver_(grid, pair), space_(grid, pair)
@@ -18,6 +26,8 @@ TransientPatch::TransientPatch(const PatchGrid &grid, const ElasticPair &pair)
 void TransientPatch::startFrom(const TangentialField &traction, const TangentialField &imposed)
 {
   traction_ = traction;
+  before_ = {};
+  bound_.resize(0);
   displacement_ = space_.displacement(traction);
   if (imposed.x.size() == displacement_.x.size()) {
     displacement_.x += imposed.x;
@@ -41,7 +51,24 @@ TangentialResult TransientPatch::step(const Step &step, const TangentialOptions 
 
 void TransientPatch::accept(const Step &step, const TangentialResult &result)
 {
+  TangentialField last = std::move(traction_);
   startFrom(result.traction, step.imposed);
+  if (step.cells > 0) // a shift is no trend
+    before_ = std::move(last);
+  bound_ = step.bound;
+}
+
+TangentialField TransientPatch::expected(const Step &step) const
+{
+  const PatchGrid &g = grid();
+  const auto movedOn = [&](const Vector &v) { return shifted(g, v, step.cells); };
+  const bool travels = bound_.size() == 0 || (step.bound - movedOn(bound_)).squaredNorm() <=
+                                                 (step.bound - bound_).squaredNorm();
+  if (travels)
+    return {movedOn(traction_.x), movedOn(traction_.y)};
+  if (before_.x.size() == 0)
+    return traction_;
+  return {2.0 * traction_.x - before_.x, 2.0 * traction_.y - before_.y};
 }
 
 TangentialResult TransientPatch::attempt(const Step &step, const TangentialOptions &options)
@@ -56,8 +83,8 @@ TangentialResult TransientPatch::attempt(const Step &step, const TangentialOptio
                     "contact.domain: the contact comes within a step's length of the leading "
                     "border of the box of cells; increase it");
   // The material brings its displacement along, so u'(x + d) is the former field read d further
-  // ahead; the traction moved likewise is the start. A shift at rest (no cells) moves nothing, and
-  // its creepage is the shift itself: d = 1, without a lever of its own for the spin.
+  // ahead. A shift at rest (no cells) moves nothing, and its creepage is the shift itself: d = 1,
+  // without a lever of its own for the spin.
   TangentialProblem problem;
   problem.kind = TangentialProblem::Kind::Step;
   problem.bound = step.bound;
@@ -72,10 +99,10 @@ TangentialResult TransientPatch::attempt(const Step &step, const TangentialOptio
   if (step.cells == 1)
     problem.edge = step.edge;
   TangentialOptions warm = options;
-  if (warm.start.x.size() == 0) {
-    warm.start.x = shifted(g, traction_.x, step.cells);
-    warm.start.y = shifted(g, traction_.y, step.cells);
-  }
+  if (warm.start.x.size() == 0)
+    warm.start = expected(step);
+  if (step.forceX || step.forceY)
+    warm.tolerance = std::min(warm.tolerance, forcedTolerance);
   return solver_.solve(problem, warm);
 }
 

@@ -12,6 +12,10 @@ namespace wheelrail {
 /// material that enters is deformed already.
 /// Units are those of the grid and of G. The state is traction and displacement over the whole
 /// grid; a step replaces both.
+///
+/// A step is sought from what the tractions were going to be. Where the pressure stays in the
+/// contact they change slowly there: they go on as from the step before the last to the last. Where
+/// it travels, as that of roughness does, they travel along.
 class TransientPatch {
  public:
   /// For a rolling step d is `cells` times dx.
@@ -37,6 +41,8 @@ class TransientPatch {
   void startFrom(const TangentialField &traction, const TangentialField &imposed = {});
 
   /// A step's tolerance of 1e-4 leaves less than 1e-5 in the forces, in the mean over steps too.
+  /// Where a force is given the creepage found answers for the error, thirty times as large as the
+  /// tolerance in its worst step: `attempt` then asks for no more than 3e-6.
   static TangentialOptions defaultOptions();
 
   /// \throws Error BadInput: contact within `cells` columns of the leading border, where the
@@ -57,9 +63,14 @@ class TransientPatch {
   const TangentialField &displacement() const { return displacement_; }
 
  private:
+  /// Where to look for the traction of a step first.
+  TangentialField expected(const Step &step) const;
+
   TangentialSolver solver_;
   PatchHalfSpace space_;
   TangentialField traction_, displacement_;
+  TangentialField before_; ///< traction of the step before the last; empty: there is none
+  Eigen::VectorXd bound_;  ///< of the last step; empty: there is none
 };
 
 } // namespace wheelrail
