@@ -1,18 +1,19 @@
 #!/bin/bash
 # SPDX-License-Identifier: GPL-2.0-or-later
-# Set-up and all tests.
+# Set-up and tests.
 # shellcheck source=tools/common.sh
 source "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/common.sh"
 
 usage() {
   cat <<'HELP'
-Usage: check.sh [--sanitize] [CTEST-OPTION...]
+Usage: check.sh [--all] [--sanitize] [CTEST-OPTION...]
 
-Does the set-up (tools/setup.sh), then runs all tests: GoogleTest and pytest, through CTest.
+Does the set-up (tools/setup.sh), then runs the tests: GoogleTest and pytest, through CTest.
 Fails if a test fails, is skipped or disabled, or if there is none. Options are given to ctest,
 for instance -R hertz (only the tests with that name). The output is kept in build/check.log.
 No test needs root; the form of the sources is held by tools/gate, which is no part of this.
 
+  --all       long tests and drills, too (doc/testing.md)
   --sanitize  in a build of its own, build-sanitize/, with AddressSanitizer and
               UndefinedBehaviorSanitizer; a finding fails its test. About ten times as long
 
@@ -20,15 +21,19 @@ Environment: as for setup.sh
 Exit codes: 0 all passed, 1 a test failed or the build did, 2 usage, 5 packages, download or files.
 HELP
 }
-options=()
-case ${1:-} in
-  -h | --help) usage; exit 0 ;;
-  --sanitize)
-    shift
-    [ -n "${MCAWR_BUILD:-}" ] || build=$root/build-sanitize
-    options=(-DSANITIZE=ON -DCMAKE_BUILD_TYPE=RelWithDebInfo)
-    ;;
-esac
+options=() without=(-LE 'drill|long')
+while true; do
+  case ${1:-} in
+    -h | --help) usage; exit 0 ;;
+    --all) without=() ;;
+    --sanitize)
+      [ -n "${MCAWR_BUILD:-}" ] || build=$root/build-sanitize
+      options=(-DSANITIZE=ON -DCMAKE_BUILD_TYPE=RelWithDebInfo)
+      ;;
+    *) break ;;
+  esac
+  shift
+done
 export MCAWR_BUILD=$build
 
 { # one block, read as a whole: a change of this file during a run does no harm
@@ -38,8 +43,8 @@ export MCAWR_BUILD=$build
   status=0
   # several tests run at once, each with its ranks: those that wait give their core away
   export OMPI_MCA_mpi_yield_when_idle=1
-  ctest --test-dir "$build" --output-on-failure --no-tests=error -j "$(nproc)" "$@" 2>&1 \
-    | tee "$log" || status=1
+  ctest --test-dir "$build" --output-on-failure --no-tests=error -j "$(nproc)" \
+    "${without[@]}" "$@" 2>&1 | tee "$log" || status=1
   [ $status -eq 0 ] || die 1 "tests failed; log: $log"
 
   # ctest counts skipped and disabled tests as passed, and so does pytest

@@ -8,6 +8,7 @@ import shutil
 import subprocess
 
 import numpy as np
+from single_rank import alone
 
 HERE = pathlib.Path(__file__).resolve().parent
 INPUTS = HERE / "inputs"
@@ -101,7 +102,7 @@ def lmp(script, folder, ranks=1, env=None, check=True, launcher=LMP, **variables
     done = subprocess.run(
         command,
         cwd=folder,
-        env=dict(ENVIRONMENT, **(env or {})),
+        env=ENVIRONMENT | (alone(folder) if ranks == 1 else {}) | (env or {}),
         text=True,
         capture_output=True,
         timeout=TIMEOUT,

@@ -16,6 +16,7 @@ import yaml
 
 from mcawr import friction_log, layer_health
 from mcawr.files import read_text
+from single_rank import alone
 
 ROOT = Path(__file__).resolve().parents[2]
 
@@ -351,6 +352,7 @@ def test_script_runs(script, tmp_path):
     done = subprocess.run(
         [LMP, "-in", "in.doc"],
         cwd=tmp_path,
+        env=os.environ | alone(tmp_path),
         timeout=120,
         stdout=subprocess.PIPE,
         stderr=subprocess.STDOUT,

@@ -12,6 +12,7 @@ import yaml
 
 from campaign_parts import material, plan as plans
 from mcawr import dump
+from single_rank import alone
 
 ROOT = Path(__file__).resolve().parents[2]
 LMP = os.environ.get("MCAWR_LMP", str(ROOT / "build" / "bin" / "lmp"))
@@ -33,6 +34,7 @@ def run(script, folder, values):
     done = subprocess.run(
         [LMP, "-in", script, *words],
         cwd=folder,
+        env=os.environ | alone(folder),
         timeout=120,
         text=True,
         stdout=subprocess.PIPE,

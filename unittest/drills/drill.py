@@ -18,6 +18,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 TOOLS = ROOT / "tools"
 # drills are scripts, so that pytest's pythonpath (pyproject.toml) does not reach them
 sys.path += [str(TOOLS), str(ROOT / "unittest" / "tools")]
+from single_rank import alone  # noqa: E402
 
 HANG = 120.0 * float(os.environ.get("MCAWR_TIME_FACTOR", "1"))  # seconds for one run
 CODES = range(7)  # exit codes of our programs
@@ -170,6 +171,7 @@ class Drill:
         self.tally = collections.defaultdict(collections.Counter)
         self.found = collections.defaultdict(list)
         self.folder = pathlib.Path(tempfile.mkdtemp(prefix="drill-"))
+        ENVIRONMENT.update(alone(self.folder))  # no drill has two runs of lmp at once
         self.random = random.Random(self.given.seed)
 
     def program(self, name):

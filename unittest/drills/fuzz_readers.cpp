@@ -36,7 +36,7 @@ constexpr const char *usage = R"(Usage: fuzz_readers [--reader NAME] [--executio
 Falsifies good files and has them read: every one is refused with one line, or read as what it says.
 
   --reader NAME   one reader only; without it, all of them
-  --executions N  files for each reader [10000]
+  --executions N  files for each reader [1000]
   --seed S        of the random numbers [1]
   --only NUMBER   this execution alone, in this process (for a debugger); says how it ended
   --save FILE     keeps its file
@@ -46,11 +46,12 @@ Exit codes: 0 nothing found, 1 something was, 2 usage.
 )";
 
 constexpr time_t hang = 30;              // seconds of processor time for one file
+constexpr time_t blocked = 100;          // seconds for one file, whatever they are spent on
 constexpr rlim_t mostMemory = 4UL << 30; // bytes; far beyond what a file of this size needs
 
 struct Settings {
   std::string reader, save;
-  std::uint64_t executions = 10000, seed = 1, only = 0;
+  std::uint64_t executions = 1000, seed = 1, only = 0;
   bool one = false, list = false;
 };
 
@@ -115,8 +116,9 @@ void work(const Reader &reader, const Settings &settings, std::uint64_t first, T
   Mutator mutate(reader.corpus, settings.seed);
   for (std::uint64_t k = first; k < settings.executions; k++) {
     tally.number = k;
-    const itimerval limit = {{0, 0}, {hang, 0}};
+    const itimerval limit = {{0, 0}, {hang, 0}}, longest = {{0, 0}, {blocked, 0}};
     setitimer(ITIMER_PROF, &limit, nullptr);
+    setitimer(ITIMER_REAL, &longest, nullptr);
     bool accepted;
     const std::string fault = faultOf(reader, mutate(k), accepted);
     if (fault.empty())
@@ -164,6 +166,7 @@ bool drill(const Reader &reader, const Settings &settings)
                   static_cast<unsigned long long>(tally->number),
                   !WIFSIGNALED(status)          ? "a sanitizer's finding"
                   : WTERMSIG(status) == SIGPROF ? "hangs"
+                  : WTERMSIG(status) == SIGALRM ? "is blocked"
                                                 : strsignal(WTERMSIG(status)));
     tally->number++;
   }

@@ -17,32 +17,59 @@ import sys
 import threading
 
 from drill import ENVIRONMENT, Drill, problem, run
-from writing import all_writers, contents, good_run, inputs_in, unlike
+from quick import Scripts
+from writing import all_writers, contents, inputs_in, unlike
 
 PAGE = 4096
+
+
+class Runs:
+    """Runs of writers. The library of full disks is preloaded into this process, so that copies of
+    it that become scripts have it, too."""
+
+    def __init__(self, drill):
+        library = drill.given.build / "lib" / "full_disk.so"
+        if not library.exists():
+            sys.exit(f"{library}: not there; build it first (--build DIR)")
+        if os.environ.get("LD_PRELOAD") != str(library):
+            drill.folder.rmdir()
+            os.environ["LD_PRELOAD"] = str(library)
+            os.execv(sys.executable, [sys.executable, *sys.argv])
+        del os.environ["LD_PRELOAD"], ENVIRONMENT["LD_PRELOAD"]
+        self.drill, self.library, self.scripts = drill, str(library), Scripts()
+
+    def run(self, writer, out, folder, **disk):
+        """One call of a writer, where there is a disk on that one."""
+        command = writer.command(self.drill, out)
+        if command[0].suffix == ".py":
+            return self.scripts.run(command, folder, **disk)
+        if disk:
+            disk["LD_PRELOAD"] = self.library
+            # it comes before the sanitizers, and takes write only
+            disk["ASAN_OPTIONS"] = "verify_asan_link_order=0:" + os.environ.get("ASAN_OPTIONS", "")
+        return run(command, folder, env=ENVIRONMENT | disk)
+
+    def good(self, writer, folder, out):
+        """{name: bytes} of what the writer leaves when nothing goes wrong."""
+        done = self.run(writer, out, folder)
+        if done.code != 0:
+            sys.exit(f"{writer.name}: a good run ends with {done.code}: {done.line}")
+        return contents(writer, folder, out)
 
 
 class Full:
     """Runs of writers on a full disk."""
 
-    def __init__(self, drill, inputs):
-        self.drill, self.inputs = drill, inputs
-        self.library = drill.given.build / "lib" / "full_disk.so"
-        if not self.library.exists():
-            sys.exit(f"{self.library}: not there; build it first (--build DIR)")
+    def __init__(self, drill, runs, inputs):
+        self.drill, self.runs, self.inputs = drill, runs, inputs
 
     def run(self, writer, size):
         """Runs with room for so many bytes. Returns (how it ended, folder with what is left)."""
         disk, work = self.drill.new_folder("disk"), self.drill.new_folder("work")
         shutil.copytree(self.inputs, work, dirs_exist_ok=True)
         (work / "disk").symlink_to(disk)
-        env = dict(
-            ENVIRONMENT, LD_PRELOAD=str(self.library), FULL_DISK=str(disk),
-            FULL_DISK_SIZE=str(size),
-            # it comes before the sanitizers, and takes write only
-            ASAN_OPTIONS="verify_asan_link_order=0:" + ENVIRONMENT.get("ASAN_OPTIONS", ""),
-        )  # fmt: skip
-        return run(writer.command(self.drill, "disk/x"), work, env=env), disk
+        room = {"FULL_DISK": str(disk), "FULL_DISK_SIZE": str(size)}
+        return self.runs.run(writer, "disk/x", work, **room), disk
 
     def drill_writer(self, writer, good):
         """A disk with no room, with room for some of the files, and one with room enough."""
@@ -96,7 +123,7 @@ class Nodes:
         return path
 
 
-def drill_nodes(drill, writer, work, nodes):
+def drill_nodes(drill, runs, writer, work, nodes):
     """A device that takes everything, one that is full, and links to both."""
     for minor, name, code in ((3, "null", 0), (7, "full", 5)):
         for link in (False, True):
@@ -106,7 +133,7 @@ def drill_nodes(drill, writer, work, nodes):
                 given = nodes.folder / f"link-{name}"
                 given.unlink(missing_ok=True)
                 given.symlink_to(path)
-            done = run(writer.command(drill, given), work)
+            done = runs.run(writer, given, work)
             kind, what = "device", f"{writer.name} on {name}{' by a link' if link else ''}"
             wrong = problem(done)
             if wrong:
@@ -119,7 +146,7 @@ def drill_nodes(drill, writer, work, nodes):
                 drill.count(kind, "written into" if code == 0 else "refused")
 
 
-def drill_pipe(drill, writer, work, good):
+def drill_pipe(drill, runs, writer, work, good):
     """A pipe with a reader gets all the bytes; one whose reader leaves ends the program."""
     pipe = drill.new_folder("pipe") / "pipe"
     os.mkfifo(pipe)
@@ -130,7 +157,7 @@ def drill_pipe(drill, writer, work, good):
 
     reader = threading.Thread(target=read, daemon=True)
     reader.start()
-    done = run(writer.command(drill, pipe), work)
+    done = runs.run(writer, pipe, work)
     reader.join(1.0)
     if reader.is_alive():  # nobody opened the pipe: let the reader go
         os.close(os.open(pipe, os.O_RDWR | os.O_NONBLOCK))
@@ -147,14 +174,14 @@ def drill_pipe(drill, writer, work, good):
         drill.count("pipe", "written into" if done.code == 0 else "refused")
 
 
-def drill_places(drill, writer, work, good):
+def drill_places(drill, runs, writer, work, good):
     """A link to a file, a folder of that name, no such folder, and an empty name."""
     folder = drill.new_folder("places")
     if not writer.grows:  # a log is begun where there is nothing
         (folder / "far").write_text("old")
     (folder / "link").symlink_to("far")
     (folder / "taken").mkdir()
-    done = run(writer.command(drill, folder / "link"), work)
+    done = runs.run(writer, folder / "link", work)
     if problem(done) or done.code != 0 or not (folder / "link").is_symlink():
         drill.fault("link", f"{writer.name}: {problem(done) or done.line or 'the link is gone'}")
     elif (folder / "far").read_bytes() != good[writer.outputs[0]]:
@@ -162,7 +189,7 @@ def drill_places(drill, writer, work, good):
     else:
         drill.count("link", "written through")
     for what, path in (("folder", "taken"), ("no folder", "no/x"), ("empty name", "")):
-        done = run(writer.command(drill, folder / path if path else ""), work)
+        done = runs.run(writer, folder / path if path else "", work)
         wrong = problem(done)
         if wrong:
             drill.fault(what, f"{writer.name}: {wrong}")
@@ -215,21 +242,22 @@ def drill_speakers(drill, work):
 def main():
     """All writers on all outputs."""
     drill = Drill(__doc__, 1000, "writers that are drilled, the first ones")
+    runs = Runs(drill)
     inputs, work = drill.new_folder("inputs"), drill.new_folder("work")
     inputs_in(inputs, drill)
     shutil.copytree(inputs, work, dirs_exist_ok=True)
-    full, nodes = Full(drill, inputs), Nodes(drill.new_folder("nodes"))
+    full, nodes = Full(drill, runs, inputs), Nodes(drill.new_folder("nodes"))
     for writer in all_writers()[: drill.given.count]:
         if not drill.wanted(writer.name):
             continue
         whole = drill.new_folder("whole")  # with the output's name, which stands in some of them
         shutil.copytree(inputs, whole, dirs_exist_ok=True)
-        good = good_run(writer, whole, drill, "x")
+        good = runs.good(writer, whole, "x")
         full.drill_writer(writer, good)
         if writer.plain:
-            drill_nodes(drill, writer, work, nodes)
-            drill_pipe(drill, writer, work, good)
-            drill_places(drill, writer, work, good)
+            drill_nodes(drill, runs, writer, work, nodes)
+            drill_pipe(drill, runs, writer, work, good)
+            drill_places(drill, runs, writer, work, good)
     if drill.wanted("standard output"):
         drill_speakers(drill, work)
     drill.end()

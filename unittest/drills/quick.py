@@ -29,13 +29,14 @@ class Scripts:
 
         self.packages = (matplotlib, numpy, yaml)  # in memory before the copies are made
 
-    def run(self, command, folder):
-        """As drill.run() of [SCRIPT, words]."""
+    def run(self, command, folder, **environment):
+        """As drill.run() of [SCRIPT, words], with these variables of the environment, too."""
         names = [os.path.join(folder, ".out"), os.path.join(folder, ".err")]
         sys.stdout.flush()
         sys.stderr.flush()
         child = os.fork()
         if child == 0:
+            os.environ.update(environment)
             _become(list(map(str, command)), folder, *names)
         code = _wait(child, HANG)
         texts = []

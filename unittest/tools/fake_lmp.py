@@ -51,6 +51,7 @@ def main():
                 strength=var["strength"],
                 seed=var["seed"],
                 preset="B",
+                every=every,
             ).rstrip("\n")
         ]
     with open(var["log"], "w", encoding="utf-8") as file:

@@ -12,7 +12,7 @@ viscosity: 0.41}}
 # loading: {{pressure: {p}, velocity: {v}}}
 # geometry: {{width: 100, thickness: 1, diameter: 2.5, packing: hex, automata: 1280}}
 # laws: {{preset: {preset}}}
-# run: {{timestep: 5e-05, every: 1000, seed: {seed}}}
+# run: {{timestep: 5e-05, every: {every}, seed: {seed}}}
 step time displacement shear_stress normal_stress mu links broken formed gap
 """
 
@@ -42,18 +42,20 @@ def friction_log(
     grinding_time=1.0,
     drift=0.0,
     preset="B",
+    every=1000,
 ):
     """Text of a log: mu is `factor` times Eq. 2, plus AR(1) noise, plus a decaying start, plus a
-    drift per ns."""
+    drift per ns; a row in `every` steps of 5e-5 ns."""
     generator = random.Random(seed)
     level = factor * eq2(*kappas(p, v, strength, E, rho))
-    lines = [HEAD.format(E=E, rho=rho, p=p, v=v, strength=strength, seed=seed, preset=preset)]
-    x = 0.0
-    for i in range(1, round(ns / 0.05) + 1):
+    head = dict(E=E, rho=rho, p=p, v=v, strength=strength, seed=seed, preset=preset, every=every)
+    lines = [HEAD.format(**head)]
+    x, dt = 0.0, every * 1e-3 * 0.05
+    for i in range(1, round(ns / dt) + 1):
         x = phi * x + noise * (1 - phi * phi) ** 0.5 * generator.gauss(0, 1)
-        mu = level + x + grinding_in * 2.718281828 ** (-0.05 * i / grinding_time) + drift * 0.05 * i
+        mu = level + x + grinding_in * 2.718281828 ** (-dt * i / grinding_time) + drift * dt * i
         lines.append(
-            f"{1000 * i} {0.05 * i:.10g} {0.05 * i * v:.10g} {mu * p:.8g} {p} {mu:.8g} 3456 2 1 "
+            f"{every * i} {dt * i:.10g} {dt * i * v:.10g} {mu * p:.8g} {p} {mu:.8g} 3456 2 1 "
             "-0.013\n"
         )
     return "".join(lines)

@@ -67,6 +67,7 @@ def logs(tmp_path, name, factor=lambda run: 1.0, ns=300):
                 phi=0,
                 grinding_in=0.5,
                 preset=v["laws"].split()[0],
+                every=4000,
             )
         )
     return folder, runs
