@@ -109,6 +109,80 @@ BAD = {
         {"fields: none": "fields: [2]"},
         "fields: '2' is above the number of operating points, 1",
     ),
+    "two boxes": (
+        {"load": "box: [8 mm, 9 mm], domain: 3, load"},
+        "contact.domain: does not go with contact.box",
+    ),
+    "cell and box": (
+        {"load": "cell: [1 mm, 1 mm], box: [8 mm, 9 mm], load"},
+        "contact.box: does not go with contact.cell: cells and their number decide the box",
+    ),
+    "one cell": ({"load": "cell: 1 mm, load"}, "contact.cell: 1 values; [x, y] are expected"),
+    "small box": ({"load": "box: [5 mm, 9 mm], load"}, "border of the box"),
+    "coarse cells": (
+        {"load": "cell: [2 mm, 1 mm], load"},
+        "contact.cell: 3 cells for the width of the contact of 6 x 8 mm; at least 4 are needed",
+    ),
+    "centre": ({"load": "centre: 1 mm, load"}, "contact.centre: 1 values; [x, y] are expected"),
+    "approach and load": (
+        {"load": "approach: 20 um, load"},
+        "contact.load: does not go with contact.approach: the load is found",
+    ),
+    "no approach": (
+        {"load: 10 kN": "approach: 0 um"},
+        "contact.approach: '0 um' is not in the allowed range [1e-12, 1] m",
+    ),
+    "approach rolls on": (
+        {"load: 10 kN": "approach: 20 um", "creep": "mode: moving\ncreep"},
+        "contact.approach: does not go with mode moving: rolling is under a load",
+    ),
+    "across alone": (
+        {"mu: 0.3": "mu: 0.3, across_y: [1 mm]"},
+        "friction.across_factor: is missing",
+    ),
+    "across": (
+        {"mu: 0.3": "mu: 0.3, across_y: [1 mm, 2 mm], across_factor: [1]"},
+        "friction.across_factor: 1 values; one for each of the 2 places",
+    ),
+    "across falls": (
+        {"mu: 0.3": "mu: 0.3, across_y: [2 mm, 2 mm], across_factor: [1, 2]"},
+        "friction.across_y: places that increase are expected",
+    ),
+    "twist alone": (
+        {"creep: [1e-3]": "mode: static\nstatic: {force_ratio: 0.5, twist: 0.1}"},
+        "static.twist: needs static.shift; [0 m, 0 m] is allowed",
+    ),
+    "twist rolls": (
+        {"creep: [1e-3]": "creep: 0\nstatic: {twist: 0.1}"},
+        "static.twist: does not go with mode frozen",
+    ),
+    "step": ({"creep": "mode: moving\nmoving: {step: 0}\ncreep"}, "moving.step: '0' is not in"),
+    "step and heat": (
+        {
+            "creep": "mode: moving\nmoving: {step: 2}\ncreep",
+            "thermal: off": "thermal: {model: local}",
+        },
+        "moving.step: does not go with thermal.model local",
+    ),
+    "step and memory": (
+        {
+            "creep": "mode: moving\nmoving: {step: 2}\ncreep",
+            "mu: 0.3": "mu: 0.3, memory_length: 1 mm",
+        },
+        "moving.step: does not go with friction.memory_length",
+    ),
+    "step and edges": (
+        {"creep": "mode: moving\nmoving: {step: 2}\ncreep", "load": "edges: inside, load"},
+        "moving.step: does not go with contact.edges inside",
+    ),
+    "bulk of three": (
+        {"thermal: off": "thermal: {bulk: [1 K, 2 K, 3 K]}"},
+        "thermal.bulk: 3 values; one for both bodies, or [wheel, rail], are expected",
+    ),
+    "unit alone": (
+        {"creep: [1e-3]": "creep: 0\nroughness: {rail: a.npy, height_unit: kg}"},
+        "roughness.height_unit: '1 kg': 'kg' is of another dimension than m",
+    ),
     "roughness": (
         {
             "creep: [1e-3]": "creep: 0\n"

@@ -25,6 +25,11 @@ double meanInverseRoot(int m)
   return 4.0 / 3.0 * (power(d + 1.0) - 2.0 * power(d) + power(d - 1.0));
 }
 
+double effusivity(const ThermalMaterial &body)
+{
+  return std::sqrt(body.conductivity * body.density * body.specificHeat);
+}
+
 /// rho c v0 lambda of the heated half-space, and what multiplies meanInverseRoot.
 double diffusion(double speed, const ThermalMaterial &material)
 {
@@ -35,6 +40,24 @@ double flashScale(double cellSize, double speed, const ThermalMaterial &material
   return 0.5 * std::sqrt(cellSize / (pi * diffusion(speed, material)));
 }
 } // namespace
+
+ThermalMaterial pairMaterial(const ThermalMaterial &wheel, const ThermalMaterial &rail)
+{
+  if (wheel.conductivity == rail.conductivity && wheel.density == rail.density &&
+      wheel.specificHeat == rail.specificHeat)
+    return wheel;
+  const double mean = 0.5 * (effusivity(wheel) + effusivity(rail));
+  return {mean * mean / (wheel.density * wheel.specificHeat), wheel.density, wheel.specificHeat};
+}
+
+double bulkOfContact(const ThermalMaterial &wheel, const ThermalMaterial &rail,
+                     const std::array<double, 2> &bulk)
+{
+  if (bulk[0] == bulk[1])
+    return bulk[0];
+  const double ofWheel = effusivity(wheel), ofRail = effusivity(rail);
+  return (ofWheel * bulk[0] + ofRail * bulk[1]) / (ofWheel + ofRail);
+}
 
 double meanTemperatureCoefficient()
 {

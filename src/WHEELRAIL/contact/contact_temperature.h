@@ -4,17 +4,30 @@
 
 #include "contact/convolution.h"
 
+#include <array>
 #include <vector>
 
 namespace wheelrail {
 
-/// Heat from friction between two equal bodies that each take half of it, at a large Peclet number
-/// v0 a/(2 kappa) (1600 for Table 2 at 10 m/s). SI units.
+/// Heat from friction between two bodies at a large Peclet number v0 a/(2 kappa) (1600 for Table 2
+/// at 10 m/s), where equal ones each take half of it. SI units.
 struct ThermalMaterial {
   double conductivity; ///< W/(m K)
   double density;      ///< kg/m3
   double specificHeat; ///< J/(kg K)
 };
+
+/// The material of two equal bodies between which heat makes the same temperature as between these
+/// two: at a large Peclet number only the effusivity sqrt(lambda rho c_p) counts, and its sum over
+/// both bodies (Carslaw, Jaeger, Conduction of Heat in Solids, sec. 2.8). Equal bodies stay as they
+/// are; else density and specific heat are the first one's.
+ThermalMaterial pairMaterial(const ThermalMaterial &wheel, const ThermalMaterial &rail);
+
+/// The temperature that two bodies of unlike bulk temperature take where they touch, without
+/// friction: the mean of both, weighted with their effusivities (likewise).
+/// \param bulk of wheel and rail, K
+double bulkOfContact(const ThermalMaterial &wheel, const ThermalMaterial &rail,
+                     const std::array<double, 2> &bulk);
 
 /// Where the temperature of the contact comes from.
 enum class ThermalModel {
@@ -26,7 +39,8 @@ enum class ThermalModel {
 
 struct ThermalSpecification {
   ThermalModel model = ThermalModel::Averaged;
-  ThermalMaterial material{}; ///< of both bodies; not used by Off
+  ThermalMaterial material{}; ///< of both bodies, `pairMaterial`; not used by Off
+  double bulk = 0.0;          ///< K, to which friction's heat adds: `bulkOfContact`; point contact
 };
 
 /// Eq. 11's coefficient, exactly 8 sqrt(2)/(15 sqrt(pi)) = 0.425538 (the paper rounds to 0.426).

@@ -5,6 +5,7 @@
 #include "contact/patch/elasticity/patch_half_space.h"
 #include "shared/pi.h"
 
+#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 
@@ -13,6 +14,19 @@ namespace {
 
 using Vector = Eigen::VectorXd;
 using mcawr::pi;
+
+/// Linear between places that increase, the outermost value beyond.
+double interpolated(const std::vector<double> &places, const std::vector<double> &values, double at)
+{
+  const auto after = std::upper_bound(places.begin(), places.end(), at);
+  if (after == places.begin())
+    return values.front();
+  if (after == places.end())
+    return values.back();
+  const auto k = static_cast<std::size_t>(after - places.begin());
+  const double part = (at - places[k - 1]) / (places[k] - places[k - 1]);
+  return values[k - 1] + part * (values[k] - values[k - 1]);
+}
 
 double shearModulus(const ElasticBody &body)
 {
@@ -56,6 +70,7 @@ NormalContactProblem PatchContact::problem(double pressureLimit, double normalFo
   NormalContactProblem problem;
   problem.profile = gap(wheel, rail);
   problem.load = normalForce / grid.cellArea();
+  problem.approach = approach;
   problem.pressureLimit = pressureLimit;
   return problem;
 }
@@ -63,6 +78,18 @@ NormalContactProblem PatchContact::problem(double pressureLimit, double normalFo
 Vector PatchContact::bound(const Vector &mu, const Vector &pressure) const
 {
   return mu.cwiseProduct(pressure).cwiseMin(yieldStress);
+}
+
+Vector PatchContact::across(Vector mu) const
+{
+  if (muFactor.size() > 0)
+    mu.array() *= muFactor.array();
+  return mu;
+}
+
+double PatchContact::carried(double normalForce, const Vector &pressure) const
+{
+  return approach ? pressure.sum() * grid.cellArea() : normalForce;
 }
 
 EdgeCompliance PatchContact::edge(const Vector &pressure, const Vector &gap) const
@@ -128,11 +155,25 @@ PatchContact preparePatch(const PatchContactSpecification &contact,
   patch.pair = combinedPair(contact.bodies[0], contact.bodies[1]);
   patch.pair.layer = contact.layer.compliance();
   patch.yieldStress = contact.layer.yieldStress;
-  patch.grid = centredGrid(contact.nx, contact.ny, contact.domain * patch.hertz.a,
-                           contact.domain * patch.hertz.b);
+  const std::array<double, 2> box = contact.box.value_or(
+      std::array{contact.domain * patch.hertz.a, contact.domain * patch.hertz.b});
+  patch.grid = centredGrid(contact.nx, contact.ny, box[0], box[1]);
+  patch.grid.left += contact.centre[0];
+  patch.grid.bottom += contact.centre[1];
+  if (!contact.acrossY.empty())
+    patch.muFactor = sampled(patch.grid, [&](double, double y) {
+      return interpolated(contact.acrossY, contact.acrossFactor, y);
+    });
+  if (!contact.approach.empty()) {
+    const auto found = std::find(contact.load.begin(), contact.load.end(), load);
+    patch.approach = contact.approach[found - contact.load.begin()];
+  }
   patch.surface = prepareRoughPatch(roughness, index, patch.grid, travel);
   PatchHalfSpace space(patch.grid, patch.pair);
   patch.normal = solveNormalContact(space, patch.problem(pressureLimit, load));
+  if (!(patch.normal.pressure.maxCoeff() > 0.0))
+    throw Error(ExitCode::BadInput, "contact.approach: the bodies do not touch");
+  patch.load = patch.carried(load, patch.normal.pressure);
   checkInsideBox(patch.grid, patch.normal.pressure);
   return patch;
 }

@@ -48,8 +48,16 @@ struct PatchContactSpecification {
   std::array<double, 2> semiAxes{};  ///< a along x, b along y, m
   std::array<ElasticBody, 2> bodies; ///< wheel, rail
   double domain = 0.0;               ///< box / semi-axes: +- domain/2 a and +- domain/2 b, > 2
-  int nx = 0, ny = 0;                ///< cells of the box
-  double spinPoint = 0.5;            ///< `TangentialProblem::spinPoint`
+  /// In place of `domain`: the box's lengths along x and y, m.
+  std::optional<std::array<double, 2>> box;
+  std::array<double, 2> centre{}; ///< of the box, m
+  /// In place of the loads, which are then Hertz's under it: one for each of them, m. Empty: none.
+  std::vector<double> approach;
+  /// Factor on the law's mu across the contact: at places (m, increasing), linear between them, the
+  /// outermost beyond. Empty: 1.
+  std::vector<double> acrossY, acrossFactor;
+  int nx = 0, ny = 0;     ///< cells of the box
+  double spinPoint = 0.5; ///< `TangentialProblem::spinPoint`
   InterfacialLayer layer;
   bool edgesInside = false; ///< leading edges inside their cells: see `edgeCompliance`
 
@@ -65,16 +73,20 @@ struct PatchContact {
   PatchGrid grid;
   double load = 0.0; ///< N
   RoughPatch surface;
-  NormalContactResult normal; ///< at the start; Pa and m
-  bool edgesInside = false;   ///< of the specification
+  NormalContactResult normal;     ///< at the start; Pa and m
+  std::optional<double> approach; ///< m; given: `load` is what it makes
+  Eigen::VectorXd muFactor;       ///< per cell, on the law's mu; empty: 1
+  bool edgesInside = false;       ///< of the specification
   /// Of the layer, Pa; infinite where there is none.
   double yieldStress = std::numeric_limits<double>::infinity();
 
+  /// The law's mu times the factor of each cell.
+  Eigen::VectorXd across(Eigen::VectorXd mu) const;
   /// Undeformed gap per cell, m. \param wheel, rail how far each of the surfaces has travelled
   /// Smooth gap less both bodies' heights.
   Eigen::VectorXd gap(const Travel &wheel = {}, const Travel &rail = {}) const;
   /// \param pressureLimit Pa; infinite: elastic
-  /// \param normalForce N
+  /// \param normalForce N; not read where the approach is given
   NormalContactProblem problem(double pressureLimit, double normalForce, const Travel &wheel = {},
                                const Travel &rail = {}) const;
   /// What friction, or the layer, carries of a traction: mu p, at most the yield stress; Pa.
@@ -87,6 +99,8 @@ struct PatchContact {
   /// The cells count whose centres lie inside the ellipse.
   double nominalMean(const Eigen::VectorXd &values) const;
   double nominalArea() const; ///< pi ab, m^2
+  /// The load that is meant; what a pressure carries where the approach is given, N.
+  double carried(double normalForce, const Eigen::VectorXd &pressure) const;
   /// All cells with pressure, each with its whole area.
   double realArea(const Eigen::VectorXd &pressure) const; ///< m^2
 };

@@ -93,7 +93,7 @@ CreepSpecification readRolling(CaseReader &reader, const std::string &mode,
   rolling.friction = friction;
   rolling.physics = physics;
   rolling.mode = mode == "moving" ? RollingMode::Moving : RollingMode::Frozen;
-  rolling.physics.thermal = readThermal(reader);
+  rolling.physics.thermal = readThermal(reader, false);
   rolling.speed = reader.numbers("speed");
   rolling.creep = readSeries(reader, "creep");
   requireFewPoints(reader, double(rolling.creep.size()) * double(rolling.speed.size()) *

@@ -7,6 +7,7 @@
 #include "shared/nearest_word.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -108,6 +109,8 @@ std::string rangeOf(const Keyword &keyword)
   std::string range = fmt::format("[{:.10g}, {:.10g}]", keyword.low, keyword.high);
   if (keyword.smallest > 0.0)
     range += fmt::format(", 0 and beyond {}", keyword.smallest);
+  if (keyword.smallest < 0.0)
+    range += fmt::format(", within {} of 0: 0", -keyword.smallest);
   return std::string(keyword.unit) == "1" ? range : fmt::format("{} {}", range, keyword.unit);
 }
 
@@ -206,13 +209,17 @@ double CaseReader::checkedNumber(const Keyword &keyword, const std::string &word
   double value = 0.0;
   try {
     const bool ratio = keyword.kind == Kind::Ratio || keyword.kind == Kind::RatioList;
-    value = ratio ? parseRatio(word) : parseQuantity(word, keyword.unit);
+    const bool isBare =
+        keyword.kind == Kind::Unit && std::isalpha(static_cast<unsigned char>(word[0]));
+    value = ratio ? parseRatio(word) : parseQuantity((isBare ? "1 " : "") + word, keyword.unit);
   } catch (const std::invalid_argument &problem) {
     fail(line, keyword.name, fmt::format("{}; allowed: {}", problem.what(), rangeOf(keyword)));
   }
   if (takesWholeNumbers(keyword.kind) && value != std::floor(value))
     fail(line, keyword.name,
          fmt::format("'{}' is not a whole number; allowed: {}", word, rangeOf(keyword)));
+  if (std::abs(value) < -keyword.smallest)
+    value = 0.0;
   const bool isTooSmall = value != 0.0 && std::abs(value) < keyword.smallest;
   if (value < keyword.low || value > keyword.high || isTooSmall)
     fail(line, keyword.name,

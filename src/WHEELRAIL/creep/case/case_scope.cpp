@@ -39,7 +39,8 @@ std::string because(const char *why)
 Scope scopeOf(CaseReader &reader)
 {
   const std::string mode = reader.word("mode");
-  const bool onPoint = reader.has("contact.load") && !reader.has("contact.width");
+  const bool onPoint = (reader.has("contact.load") && !reader.has("contact.width")) ||
+                       reader.has("contact.approach");
   if (mode == "frozen")
     return onPoint ? scope::pointFrozen : scope::lineFrozen;
   if (mode == "moving")

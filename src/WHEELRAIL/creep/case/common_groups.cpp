@@ -41,6 +41,21 @@ void requireFewPoints(const CaseReader &reader, double points)
                     points, most));
 }
 
+std::array<double, 2> readPair(CaseReader &reader, const std::string &name, const char *meaning)
+{
+  std::vector<double> values = reader.numbers(name);
+  if (values.size() != 2)
+    reader.fail(name, fmt::format("{} values; {} are expected", values.size(), meaning));
+  return {values[0], values[1]};
+}
+
+std::array<double, 2> readBodies(CaseReader &reader, const std::string &name)
+{
+  if (reader.numbers(name).size() == 1)
+    return {reader.numbers(name)[0], reader.numbers(name)[0]};
+  return readPair(reader, name, "one for both bodies, or [wheel, rail],");
+}
+
 MeasuredSurfaces readMeasuredSurfaces(CaseReader &reader, const std::string &caseFile)
 {
   MeasuredSurfaces surfaces;
@@ -109,7 +124,7 @@ Strength readStrength(CaseReader &reader, const LawChoice &friction)
           nullptr};
 }
 
-ThermalSpecification readThermal(CaseReader &reader)
+ThermalSpecification readThermal(CaseReader &reader, bool rollsOnPoint)
 {
   ThermalSpecification thermal;
   if (reader.has("thermal")) {
@@ -117,8 +132,15 @@ ThermalSpecification readThermal(CaseReader &reader)
     thermal.model = ThermalModel::Off;
     return thermal;
   }
-  thermal.material = {reader.number("thermal.conductivity"), reader.number("thermal.density"),
-                      reader.number("thermal.specific_heat")};
+  const auto conductivity = readBodies(reader, "thermal.conductivity"),
+             density = readBodies(reader, "thermal.density"),
+             heat = readBodies(reader, "thermal.specific_heat");
+  const std::array<ThermalMaterial, 2> bodies = {
+      ThermalMaterial{conductivity[0], density[0], heat[0]},
+      ThermalMaterial{conductivity[1], density[1], heat[1]}};
+  thermal.material = pairMaterial(bodies[0], bodies[1]);
+  if (rollsOnPoint)
+    thermal.bulk = bulkOfContact(bodies[0], bodies[1], readBodies(reader, "thermal.bulk"));
   const std::string model = reader.word("thermal.model");
   thermal.model = model == "local"            ? ThermalModel::Local
                   : model == "averaged_power" ? ThermalModel::AveragedPower

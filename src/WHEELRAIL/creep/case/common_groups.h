@@ -7,6 +7,7 @@
 #include "creep/sweep/field_selection.h"
 #include "creep/sweep/law_spread.h"
 
+#include <array>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -71,8 +72,14 @@ LawChoice readFriction(CaseReader &reader, const std::string &caseFile);
 /// The strength of group `friction`, which limits the pressure under any law but one that has its
 /// own: where the case states one beside that, it is refused.
 Strength readStrength(CaseReader &reader, const LawChoice &friction);
-/// Group `thermal`, or `thermal: none`, which is the model Off and reads no material.
-ThermalSpecification readThermal(CaseReader &reader);
+/// Group `thermal`, or `thermal: off`, which is the model Off and reads no material.
+/// \param rollsOnPoint a point contact, whose bodies may have bulk temperatures
+ThermalSpecification readThermal(CaseReader &reader, bool rollsOnPoint);
+
+/// Two values. \param meaning what they are, for the message
+std::array<double, 2> readPair(CaseReader &reader, const std::string &name, const char *meaning);
+/// One number for both bodies, or [wheel, rail].
+std::array<double, 2> readBodies(CaseReader &reader, const std::string &name);
 
 /// Group `uncertainty`; nothing of it is read where the law has no covariance.
 SpreadSpecification readSpread(CaseReader &reader, const LawChoice &friction);

@@ -34,6 +34,7 @@ struct Keyword {
     NumberList,
     Integer,
     IntegerList,
+    Unit,   ///< a unit, "mm", or a number with one: what a 1 means
     Switch, ///< true, false
     Choice, ///< one of `choices`
     Text,
@@ -46,6 +47,7 @@ struct Keyword {
   const char *initial; ///< value that is used when it is not given; "": none
   double low, high;    ///< allowed range in `unit`, finite, both ends included
   /// Where the range holds 0: how far from it any other number has to be. 0: any distance.
+  /// Negative: what is nearer to 0 than that counts as 0, as the rounding of a creepage.
   double smallest;
   const char *choices; ///< Choice: separated by '|'
   const char *help;    ///< half a sentence for --help and messages

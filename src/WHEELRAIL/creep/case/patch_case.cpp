@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <functional>
 #include <limits>
 #include <stdexcept>
 
@@ -23,22 +24,6 @@ std::string onlyOne(const CaseReader &reader, const std::vector<std::string> &na
     given = name;
   }
   return given;
-}
-
-/// One number for both bodies, or [wheel, rail].
-std::array<double, 2> readPair(CaseReader &reader, const std::string &name, const char *meaning)
-{
-  std::vector<double> values = reader.numbers(name);
-  if (values.size() != 2)
-    reader.fail(name, fmt::format("{} values; {} are expected", values.size(), meaning));
-  return {values[0], values[1]};
-}
-
-std::array<double, 2> readBodies(CaseReader &reader, const std::string &name)
-{
-  if (reader.numbers(name).size() == 1)
-    return {reader.number(name), reader.number(name)};
-  return readPair(reader, name, "one for both bodies, or [wheel, rail],");
 }
 
 double radiusOf(CaseReader &reader, const std::string &name)
@@ -74,6 +59,8 @@ void readShape(CaseReader &reader, PatchContactSpecification &contact)
     requireRatio(reader, shape, "a/b", contact.semiAxes[0] / contact.semiAxes[1], 1e4);
     if (contact.load.size() > 1)
       reader.fail(shape, "goes with one contact.load; give radii or curvatures for several");
+    if (!contact.approach.empty()) // Hertz: of a given ellipse they are proportional
+      contact.load = {contact.approach.front() / contact.hertz(1.0).approach};
     // the sequence's loads need the curvatures
     contact.curvatures = contact.hertz(contact.load.front()).curvatures;
   } else if (shape == "contact.curvatures") {
@@ -91,6 +78,53 @@ void readShape(CaseReader &reader, PatchContactSpecification &contact)
                               2.0 * contact.curvatures->B));
   }
   requireRatio(reader, shape, "A/B", contact.curvatures->A / contact.curvatures->B, 1e6);
+  if (shape != "contact.semi_axes")
+    for (std::size_t k = 0; k < contact.approach.size(); ++k)
+      contact.load[k] = std::pow(contact.approach[k] / contact.hertz(1.0).approach, 1.5); // Hertz
+}
+
+/// The box, if it does not follow from the ellipse, and where it lies.
+void readBox(CaseReader &reader, PatchContactSpecification &contact)
+{
+  if (reader.has("contact.centre"))
+    contact.centre = readPair(reader, "contact.centre", "[x, y]");
+  const bool cells = reader.has("contact.cell");
+  if (!cells && !reader.has("contact.box"))
+    return;
+  const char *name = cells ? "contact.cell" : "contact.box";
+  std::array<double, 2> box = readPair(reader, name, "[x, y]");
+  if (cells)
+    box = {box[0] * contact.nx, box[1] * contact.ny};
+  contact.box = box;
+  constexpr double fewest = 4.0;
+  for (double load : contact.load) {
+    const HertzEllipse hertz = contact.hertz(load);
+    const double across =
+        2.0 * std::min(hertz.a * contact.nx / box[0], hertz.b * contact.ny / box[1]);
+    if (across < fewest)
+      reader.fail(name, fmt::format("{:.3g} cells for the width of the contact of {:.4g} x {:.4g} "
+                                    "mm; at least {} are needed",
+                                    across, 2e3 * hertz.a, 2e3 * hertz.b, fewest));
+  }
+}
+
+/// How the law's mu changes across the contact.
+void readAcross(CaseReader &reader, PatchContactSpecification &contact)
+{
+  if (!reader.has("friction.across_y") && !reader.has("friction.across_factor"))
+    return;
+  for (const char *name : {"friction.across_y", "friction.across_factor"})
+    reader.require(name);
+  contact.acrossY = reader.numbers("friction.across_y");
+  contact.acrossFactor = reader.numbers("friction.across_factor");
+  if (contact.acrossFactor.size() != contact.acrossY.size())
+    reader.fail("friction.across_factor",
+                fmt::format("{} values; one for each of the {} places of friction.across_y is "
+                            "expected",
+                            contact.acrossFactor.size(), contact.acrossY.size()));
+  if (std::adjacent_find(contact.acrossY.begin(), contact.acrossY.end(), std::greater_equal<>()) !=
+      contact.acrossY.end())
+    reader.fail("friction.across_y", "places that increase are expected");
 }
 
 void readPoints(CaseReader &reader, PatchContactSpecification &contact)
@@ -105,7 +139,8 @@ void readPoints(CaseReader &reader, PatchContactSpecification &contact)
   contact.ny = static_cast<int>(std::min<double>(points.back(), most + 1));
   if (std::max(contact.nx, contact.ny) > most)
     reader.fail("points", fmt::format("more than {} cells along a side of the box", most));
-  requireCellsInContact(reader, std::min(contact.nx, contact.ny), contact.domain);
+  if (!reader.has("contact.box") && !reader.has("contact.cell"))
+    requireCellsInContact(reader, std::min(contact.nx, contact.ny), contact.domain);
 }
 
 InterfacialLayer readLayer(CaseReader &reader)
@@ -127,16 +162,25 @@ PatchContactSpecification readContact(CaseReader &reader, bool rough)
   for (const char *name : {"contact.youngs_modulus", "contact.poissons_ratio"})
     reader.require(name);
   PatchContactSpecification contact;
-  contact.load = reader.numbers("contact.load");
+  if (reader.has("contact.approach")) {
+    contact.approach = reader.numbers("contact.approach");
+    contact.load.assign(contact.approach.size(), 1.0); // found in `readShape`
+  } else {
+    contact.load = reader.numbers("contact.load");
+  }
   const auto youngs = readBodies(reader, "contact.youngs_modulus");
   const auto poissons = readBodies(reader, "contact.poissons_ratio");
   for (int body : {0, 1})
     contact.bodies[body] = {youngs[body], poissons[body]};
   readShape(reader, contact);
   // rough contact reaches further than the smooth one
-  reader.setDefault("contact.domain", rough ? "3.4" : "2.2");
-  contact.domain = reader.number("contact.domain");
+  if (!reader.has("contact.box") && !reader.has("contact.cell")) {
+    reader.setDefault("contact.domain", rough ? "3.4" : "2.2");
+    contact.domain = reader.number("contact.domain");
+  }
   readPoints(reader, contact);
+  readBox(reader, contact);
+  readAcross(reader, contact);
   contact.spinPoint = reader.number("contact.spin_point");
   contact.layer = readLayer(reader);
   contact.edgesInside = reader.word("contact.edges") == "inside";
@@ -172,6 +216,7 @@ void readMeasured(CaseReader &reader, const std::string &caseFile, RoughPatchSpe
   constexpr Form forms[] = {Form::None, Form::Mean, Form::Plane, Form::SecondOrder};
   common.form = forms[measured.detrend];
   common.fill = reader.word("roughness.unmeasured") == "fill";
+  common.pointwise = reader.word("roughness.sampling") == "cells";
   readScale(reader, surface, common.scale);
   surface.railMap = surface.wheelMap = common;
   const std::string turn = reader.word("roughness.turn"), mirror = reader.word("roughness.mirror");
@@ -297,6 +342,17 @@ void readMoving(CaseReader &reader, PatchSpecification &patch)
     reader.setDefault("moving.passes", "12"); // ten of them make a standard error
     patch.moving.passes = reader.integer("moving.passes");
   }
+  patch.moving.stepCells = reader.integer("moving.step");
+  if (patch.moving.stepCells > 1) {
+    if (patch.physics.thermal.model == ThermalModel::Local)
+      reader.fail("moving.step",
+                  "does not go with thermal.model local: heat goes from cell to cell");
+    if (patch.physics.memoryLength > 0.0)
+      reader.fail("moving.step", "does not go with friction.memory_length: material takes its "
+                                 "memory from cell to cell");
+    if (patch.contact.edgesInside)
+      reader.fail("moving.step", "does not go with contact.edges inside");
+  }
   const std::string start = reader.word("moving.start");
   patch.moving.start = start == "steady" ? RollingStart::Steady
                        : start == "rest" ? RollingStart::Rest
@@ -341,6 +397,11 @@ void readStatic(CaseReader &reader, PatchSpecification &patch)
     patch.forceRatio = reader.numbers(given);
   if (given == "static.shift")
     patch.shift.push_back(readPair(reader, given, "[x, y]"));
+  if (reader.has("static.twist")) {
+    if (patch.shift.empty())
+      reader.fail("static.twist", "needs static.shift; [0 m, 0 m] is allowed");
+    patch.twist = reader.number("static.twist");
+  }
 }
 
 } // namespace
@@ -360,7 +421,7 @@ PatchSpecification readPatch(CaseReader &reader, const std::string &caseFile)
   if (patch.mode == PatchMode::Static) {
     readStatic(reader, patch);
   } else {
-    patch.physics.thermal = readThermal(reader);
+    patch.physics.thermal = readThermal(reader, true);
     patch.physics.wear = readWear(reader);
     if (reader.has("friction.memory_length"))
       patch.physics.memoryLength = reader.number("friction.memory_length");

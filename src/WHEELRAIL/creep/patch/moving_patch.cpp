@@ -58,7 +58,8 @@ double rolledDistance(const MovingPatchSpecification &moving, const PatchSequenc
 /// that remember the heat of their way.
 struct MovingPatch::Temperature {
   Temperature(const CreepPhysics &physics, const PatchContact &contact, double speed)
-      : values(Vector::Zero(contact.grid.cells()))
+      : values(Vector::Constant(contact.grid.cells(), physics.thermal.bulk)),
+        bulk(physics.thermal.bulk)
   {
     if (physics.thermal.model == ThermalModel::Local)
       rows.assign(contact.grid.ny, TravellingHeat(contact.grid.nx, contact.grid.dx, speed,
@@ -72,12 +73,13 @@ struct MovingPatch::Temperature {
       rows[iy].step(heat.segment(grid.index(0, iy), grid.nx));
       for (int ix = 0; ix < grid.nx; ++ix) {
         const int i = grid.index(ix, iy);
-        values[i] = pressure[i] > 0.0 || contact.isNominal(i) ? rows[iy].rise(ix) : 0.0;
+        values[i] = bulk + (pressure[i] > 0.0 || contact.isNominal(i) ? rows[iy].rise(ix) : 0.0);
       }
     }
   }
 
   Vector values; ///< K
+  double bulk;   ///< K
   std::vector<TravellingHeat> rows;
   double ratio = 0.0, slidingSpeed = 0.0; ///< sums over the pass
 };
@@ -88,8 +90,7 @@ MovingPatch::MovingPatch(const CreepPhysics &physics, const MovingPatchSpecifica
     : physics_(physics), moving_(moving), sequence_(sequence), law_(law), contact_(contact),
       spinPoint_(spinPoint), space_(contact.grid, contact.pair),
       coupling_(contact.grid, contact.pair), normal_(contact.normal),
-      passSteps_(
-          static_cast<int>(std::ceil(2.0 * contact.hertz.a / contact.grid.dx * (1.0 - 1e-12))))
+      passSteps_(static_cast<int>(std::ceil(2.0 * contact.hertz.a / stepLength() * (1.0 - 1e-12))))
 {
   if (physics.memoryLength > 0.0 && law.dependsOnSpeed())
     memory_.emplace(contact.grid, physics.memoryLength);
@@ -133,8 +134,9 @@ void MovingPatch::begin(TransientPatch &transient, double speed, const PatchDriv
     return;
   }
   TransientPatch::Step shift;
-  shift.bound = contact_.bound(
-      law_.mu({normal_.pressure, 0.0, Vector::Zero(contact_.grid.cells())}), normal_.pressure);
+  const Vector cold = Vector::Constant(contact_.grid.cells(), physics_.thermal.bulk);
+  shift.bound =
+      contact_.bound(contact_.across(law_.mu({normal_.pressure, 0.0, cold})), normal_.pressure);
   shift.cells = 0;
   shift.forceX = drive.forceX.value_or(0.0);
   shift.forceY = drive.forceY.value_or(0.0);
@@ -201,17 +203,18 @@ PatchStep MovingPatch::roll(TransientPatch &transient, Temperature &heat, double
   step.forceX = drive.forceX;
   step.forceY = drive.forceY;
   step.spinPoint = spinPoint_;
+  step.cells = moving_.stepCells;
   const double sliding = speed * rigidSlip(grid, normal_.pressure, step.creepage);
   if (!heat.rows.empty()) // what the friction coefficient sees is a cell behind
-    heat.values = shifted(grid, heat.values, 1);
+    heat.values = shifted(grid, heat.values, 1, 0, heat.bulk);
   if (memory_) // likewise
     memoryRatio_ = shifted(grid, memoryRatio_, 1, 0, 1.0);
   physics_.checkStrength(law_, heat.values.maxCoeff(), speed, step.creepage.xi);
   Vector mu;
   TangentialOptions options = TransientPatch::defaultOptions();
   const auto slide = [&] {
-    mu = memory_ ? SlipMemory::mu(law_, normal_.pressure, heat.values, memoryRatio_)
-                 : law_.mu({normal_.pressure, sliding, heat.values});
+    mu = contact_.across(memory_ ? SlipMemory::mu(law_, normal_.pressure, heat.values, memoryRatio_)
+                                 : law_.mu({normal_.pressure, sliding, heat.values}));
     step.bound = contact_.bound(mu, normal_.pressure);
     step.imposed = coupling_.tangential(normal_.pressure);
     step.edge = contact_.edge(normal_.pressure, normal_.gap);
@@ -267,7 +270,7 @@ int MovingPatch::stepsOf(double speed) const
 {
   if (!sequence_.any())
     return moving_.passes * passSteps_;
-  const double cells = rolledDistance(moving_, sequence_, contact_.hertz, speed) / contact_.grid.dx;
+  const double cells = rolledDistance(moving_, sequence_, contact_.hertz, speed) / stepLength();
   // a wheel that comes to rest never ends a step that begins before it
   return std::max(
       1, static_cast<int>(sequence_.speed.empty() ? std::lround(cells) : std::floor(cells + 1e-9)));
@@ -277,12 +280,12 @@ std::optional<PatchPoint> MovingPatch::solve(double speed, const PatchDrive &dri
                                              const std::function<bool()> &goOn)
 {
   const PatchGrid &grid = contact_.grid;
-  const int steps = stepsOf(speed);
+  const int steps = stepsOf(speed), cells = moving_.stepCells;
   history_ = {};
   normal_ = contact_.normal;
   wheel_ = rail_ = {};
   products_ = 0;
-  hottest_ = 0.0;
+  hottest_ = physics_.thermal.bulk;
   memoryRatio_ = Vector::Ones(grid.cells());
   TransientPatch transient(grid, contact_.pair);
   Temperature heat(physics_, contact_, speed);
@@ -290,10 +293,10 @@ std::optional<PatchPoint> MovingPatch::solve(double speed, const PatchDrive &dri
   for (int step = 0; step < steps; ++step) {
     if (!goOn())
       return std::nullopt;
-    const double distance = (step + 1) * grid.dx, former = history_.now;
+    const double distance = (step + 1) * stepLength(), former = history_.now;
     const double time = sequence_.timeAt(distance, speed);
     if (!sequence_.speed.empty())
-      speed = grid.dx / (time - former);
+      speed = stepLength() / (time - former);
     if (step == 0)
       begin(transient, speed, driveAt(0.0, drive));
     history_.now = time;
@@ -305,10 +308,11 @@ std::optional<PatchPoint> MovingPatch::solve(double speed, const PatchDrive &dri
       creepage.xi = creepage_.xi;
     if (drive.forceY)
       creepage.eta = creepage_.eta;
-    travel(creepage);
+    for (int cell = 0; cell < cells; ++cell)
+      travel(creepage);
     if (!pressureStays(load)) {
       const bool smooth = contact_.surface.wheel.isSmooth() && contact_.surface.rail.isSmooth();
-      press(load, distance, smooth ? normal_.pressure : shifted(grid, normal_.pressure, 1),
+      press(load, distance, smooth ? normal_.pressure : shifted(grid, normal_.pressure, cells),
             coupling_.normal(transient.traction()));
     }
     PatchStep row = roll(transient, heat, speed, now, distance, load);
@@ -319,9 +323,10 @@ std::optional<PatchPoint> MovingPatch::solve(double speed, const PatchDrive &dri
     if ((step + 1) % passSteps_ == 0) {
       const ThermalModel model = physics_.thermal.model;
       if (model == ThermalModel::Averaged || model == ThermalModel::AveragedPower)
-        heat.values.setConstant(meanTemperatureRise(heat.ratio / passSteps_, contact_.hertz,
-                                                    heat.slidingSpeed / passSteps_, speed,
-                                                    physics_.thermal.material));
+        heat.values.setConstant(heat.bulk + meanTemperatureRise(heat.ratio / passSteps_,
+                                                                contact_.hertz,
+                                                                heat.slidingSpeed / passSteps_,
+                                                                speed, physics_.thermal.material));
       heat.ratio = heat.slidingSpeed = 0.0;
     }
   }
@@ -350,9 +355,7 @@ PatchPoint MovingPatch::pointOf(double speed) const
     one.value.set(point, meanOf(column(one.value.get)));
   point.surface = contact_.surface.number;
   point.speed = speed;
-  point.temperatureMaximum = physics_.thermal.model == ThermalModel::Local
-                                 ? hottest_
-                                 : maximumOverMeanTemperature() / meanOverEllipse() * hottest_;
+  point.temperatureMaximum = largestTemperature(physics_.thermal, hottest_);
   point.iterations = static_cast<int>(series().size());
   point.products = products_;
   const double driving = meanOf(column([](const PatchStep &s) { return s.drivingPower; }));

@@ -21,6 +21,7 @@ enum class RollingStart {
 struct MovingPatchSpecification {
   int passes = 12; ///< lengths 2a of the nominal contact that are rolled, >= 2
   RollingStart start = RollingStart::Steady;
+  int stepCells = 1; ///< cells that are rolled in a step; 1 where each remembers its heat
 
   /// Passes at the start that the means leave out: 2, or 4 where the rolling does not begin with
   /// the traction of steady rolling, and at most half of all.
@@ -71,6 +72,7 @@ class MovingPatch {
  private:
   /// Rise per cell, and what Eq. 11 needs of the pass.
   struct Temperature;
+  double stepLength() const { return moving_.stepCells * contact_.grid.dx; } ///< m
   /// What drives the contact at an instant. \param drive of the point
   PatchDrive driveAt(double time, const PatchDrive &drive) const;
   /// Number of steps that a point rolls. \param speed of the point, m/s

@@ -16,6 +16,10 @@ double shiftY(const P &point)
 {
   return point.creepage.eta;
 }
+double twist(const P &point)
+{
+  return point.creepage.phi;
+}
 double ratioOf(const P &point)
 {
   return point.tractionRatio();
@@ -46,6 +50,9 @@ std::vector<Column<P>> makeTable()
       {"shift_x",
        {"shift_y", "mm", mm, "of the wheel against the rail, along y", derived(shiftY), nowhere,
         nowhere, leading(10)}},
+      {"shift_y",
+       {"twist", "1", 1.0, "turn of the wheel against the rail, rad", derived(twist), nowhere,
+        nowhere, following(10)}},
       {"creep",
        {"traction_ratio", "1", 1.0, "T/N", derived(ratioOf), leading(10), leading(10),
         leading(10)}},

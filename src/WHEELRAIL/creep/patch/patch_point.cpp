@@ -52,6 +52,14 @@ double meanTemperatureRise(double frictionRatio, const HertzEllipse &hertz, doub
                                                  hertz.a, speed, material);
 }
 
+double largestTemperature(const ThermalSpecification &thermal, double hottest)
+{
+  return thermal.model == ThermalModel::Local
+             ? hottest
+             : thermal.bulk +
+                   maximumOverMeanTemperature() / meanOverEllipse() * (hottest - thermal.bulk);
+}
+
 Vector frictionalHeat(const TangentialResult &result, double speed)
 {
   return -speed * (result.traction.x.cwiseProduct(result.slip.x) +
@@ -65,7 +73,7 @@ FrozenPatch::FrozenPatch(const CreepPhysics &physics, const PatchContact &contac
 {
   fields_.pressure = contact.normal.pressure;
   fields_.gap = contact.normal.gap;
-  fields_.temperature = Vector::Zero(contact.grid.cells());
+  fields_.temperature = Vector::Constant(contact.grid.cells(), physics.thermal.bulk);
   memoryRatio_ = Vector::Ones(contact.grid.cells());
   if (physics.memoryLength > 0.0)
     memory_.emplace(contact.grid, physics.memoryLength);
@@ -73,9 +81,9 @@ FrozenPatch::FrozenPatch(const CreepPhysics &physics, const PatchContact &contac
 
 Vector FrozenPatch::muNow(const FrictionLaw &law, double speed) const
 {
-  if (memory_)
-    return SlipMemory::mu(law, fields_.pressure, fields_.temperature, memoryRatio_);
-  return law.mu({fields_.pressure, slidingSpeed(speed), fields_.temperature});
+  return contact_.across(
+      memory_ ? SlipMemory::mu(law, fields_.pressure, fields_.temperature, memoryRatio_)
+              : law.mu({fields_.pressure, slidingSpeed(speed), fields_.temperature}));
 }
 
 TangentialResult FrozenPatch::roll(const PatchDrive &drive, const Creepage &guess)
@@ -138,7 +146,7 @@ Vector FrozenPatch::temperatureFrom(double speed)
     if (!flash_ || flashSpeed_ != speed)
       flash_.emplace(contact_.grid, contact_.grid.dx, speed, thermal.material);
     flashSpeed_ = speed;
-    return flash_->rise(frictionalHeat(result_, speed));
+    return flash_->rise(frictionalHeat(result_, speed)).array() + physics_.thermal.bulk;
   default:
     break;
   }
@@ -146,8 +154,9 @@ Vector FrozenPatch::temperatureFrom(double speed)
   double ratio = meanMu();
   if (thermal.model == ThermalModel::AveragedPower && sliding > 0.0)
     ratio = sums().drivingPower * speed / (contact_.load * sliding);
-  return Vector::Constant(
-      n, meanTemperatureRise(ratio, contact_.hertz, sliding, speed, thermal.material));
+  return Vector::Constant(n, physics_.thermal.bulk + meanTemperatureRise(ratio, contact_.hertz,
+                                                                         sliding, speed,
+                                                                         thermal.material));
 }
 
 /// The normal contact once more, from the last pressure.
@@ -219,7 +228,7 @@ PatchPoint FrozenPatch::solve(const FrictionLaw &law, double speed, const PatchD
     creepage_.eta = drive.creepage.eta;
   creepage_.phi = drive.creepage.phi;
   if (!feedback)
-    fields_.temperature.setZero();
+    fields_.temperature.setConstant(physics_.thermal.bulk);
   double part = 1.0, lastStep = 0.0;
   int iteration = 0;
   while (true) {
@@ -286,15 +295,13 @@ PatchPoint FrozenPatch::pointOf(const FrictionLaw &law, double speed, int iterat
 {
   const PatchSums sums = this->sums();
   PatchPoint point;
-  static_cast<PatchValues &>(point) =
-      patchValues({contact_, sums, result_, physics_.wear, contact_.load, approach_,
-                   result_.creepage, fields_.pressure, fields_.mu, fields_.temperature, speed});
+  static_cast<PatchValues &>(point) = patchValues(
+      {contact_, sums, result_, physics_.wear, contact_.carried(contact_.load, fields_.pressure),
+       approach_, result_.creepage, fields_.pressure, fields_.mu, fields_.temperature, speed});
   point.surface = contact_.surface.number;
   point.speed = speed;
   const double hottest = fields_.temperature.maxCoeff();
-  point.temperatureMaximum = physics_.thermal.model == ThermalModel::Local
-                                 ? hottest
-                                 : maximumOverMeanTemperature() / meanOverEllipse() * hottest;
+  point.temperatureMaximum = largestTemperature(physics_.thermal, hottest);
   point.iterations = iterations;
   point.products = products_;
   point.powerClosure = sums.powerClosure();

@@ -78,6 +78,10 @@ double meanOverEllipse();
 double meanTemperatureRise(double frictionRatio, const HertzEllipse &hertz, double slidingSpeed,
                            double speed, const ThermalMaterial &material);
 
+/// The largest temperature of a contact, K. \param hottest cell; of the averaged models they all
+/// are
+double largestTemperature(const ThermalSpecification &thermal, double hottest);
+
 /// Steady rolling on surfaces that stand still in the contact, with friction, temperature and
 /// strength that depend on each other: a fixed point as of the line contact (`FrozenCreep`). At a
 /// large Peclet number the rows along x do not exchange heat, so that the flash temperature of each

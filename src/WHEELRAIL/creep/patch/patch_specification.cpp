@@ -31,7 +31,7 @@ std::vector<PatchTask> staticTasks(const PatchSpecification &asked)
   }
   for (const auto &shift : asked.shift) {
     PatchTask task{};
-    task.drive.creepage = {shift[0], shift[1], 0.0};
+    task.drive.creepage = {shift[0], shift[1], asked.twist};
     tasks.push_back(task);
   }
   if (!tasks.empty())

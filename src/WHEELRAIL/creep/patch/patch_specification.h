@@ -36,6 +36,7 @@ struct PatchSpecification {
   std::vector<double> forceX, forceY;       ///< N; empty: the creepage is given
   std::vector<double> forceRatio;           ///< Static: -Fx/(sum of mu p), below 1
   std::vector<std::array<double, 2>> shift; ///< Static: of the wheel against the rail, m
+  double twist = 0.0;                       ///< Static: turn that goes with the shift, rad
   std::vector<double> speed;                ///< m/s
   /// Points whose fields are kept and written; each costs eight doubles a cell.
   FieldSelection fields;

@@ -47,6 +47,7 @@ class StaticSteps {
     transient_.accept(step, result_);
     shift_.xi += result_.creepage.xi;
     shift_.eta += result_.creepage.eta;
+    shift_.phi += result_.creepage.phi;
   }
 
   StaticPatch result() const;
@@ -70,7 +71,7 @@ class StaticSteps {
   void setFriction(TransientPatch::Step &step)
   {
     // nothing slides on, nothing heats
-    mu_ = law_.mu({normal_.pressure, 0.0, Vector::Zero(contact_.grid.cells())});
+    mu_ = contact_.across(law_.mu({normal_.pressure, 0.0, Vector::Zero(contact_.grid.cells())}));
     step.bound = contact_.bound(mu_, normal_.pressure);
     step.imposed = coupling_.tangential(normal_.pressure);
     step.forceX = drive_.forceX;
@@ -113,7 +114,8 @@ PatchValues StaticSteps::values() const
 {
   const PatchSums sums = patchSums(contact_.grid, result_);
   constexpr double speed = 0.0;
-  return patchValues({contact_, sums, result_, physics_.wear, load_, normal_.approach, shift_,
+  return patchValues({contact_, sums, result_, physics_.wear,
+                      contact_.carried(load_, normal_.pressure), normal_.approach, shift_,
                       normal_.pressure, mu_, Vector::Zero(contact_.grid.cells()), speed});
 }
 

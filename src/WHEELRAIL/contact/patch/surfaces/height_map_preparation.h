@@ -17,7 +17,8 @@ struct HeightMapPreparation {
   bool mirror = false; ///< y is turned around
   bool fill = false;   ///< fill unmeasured points (`filled`); false: they are refused
   Form form = Form::Plane;
-  double cutoff = 0.0; ///< of the low-pass filter, m; 0: none
+  double cutoff = 0.0;    ///< of the low-pass filter, m; 0: none
+  bool pointwise = false; ///< the points are the cells' centres; false: means over the cells
 };
 
 struct PreparedHeightMap {

@@ -71,6 +71,32 @@ void checkInside(const Place &place, int first, int n, int size, const char *dir
                             direction, low, high, size));
 }
 
+/// A map whose points are the cells' centres. \throws Error (BadInput) where they are not
+RoughMap pointwiseMap(const std::string &path, const HeightMap &given, const PatchGrid &box,
+                      double travel)
+{
+  constexpr double rounding = 1e-6; // of a spacing that was written with a few digits
+  if (std::abs(given.dx - box.dx) > rounding * box.dx ||
+      std::abs(given.dy - box.dy) > rounding * box.dy)
+    throw badInput(path, 0, "",
+                   fmt::format("roughness.sampling: points {:.7g} x {:.7g} mm apart are no centres "
+                               "of cells of {:.7g} x {:.7g} mm",
+                               given.dx * 1e3, given.dy * 1e3, box.dx * 1e3, box.dy * 1e3));
+  const int moreX = given.nx - box.nx, moreY = given.ny - box.ny;
+  if (moreX < 0 || moreY < 0 || (travel == 0.0 && moreX % 2 != 0) || moreY % 2 != 0)
+    throw badInput(path, 0, "",
+                   fmt::format("roughness.sampling: {} x {} points; as many as the box has cells, "
+                               "{} x {}, or an even number more are expected",
+                               given.nx, given.ny, box.nx, box.ny));
+  RoughMap map;
+  map.nx = given.nx;
+  map.ny = given.ny;
+  map.firstX = travel > 0.0 ? std::clamp(moreX, 0, points / 2 + box.nx / 50) : moreX / 2;
+  map.firstY = moreY / 2;
+  map.height = given.height;
+  return map;
+}
+
 /// One measured map, from the file to cells of the box's size.
 RoughMap measuredMap(const std::string &path, const HeightMapPreparation &preparation,
                      const std::string &name, const PatchGrid &box, double travel,
@@ -87,6 +113,11 @@ RoughMap measuredMap(const std::string &path, const HeightMapPreparation &prepar
                                           prepared.map.nx * prepared.map.ny));
   }
   RoughMap map;
+  if (preparation.pointwise) {
+    map = pointwiseMap(path, prepared.map, box, travel);
+    map.periodic = false;
+    return map;
+  }
   map.periodic = false;
   // what stands still needs the middle only; what travels, all there is, from its beginning on
   PatchGrid cells = box;
