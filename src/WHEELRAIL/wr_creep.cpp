@@ -53,21 +53,10 @@ void defineOptions(CLI::App &app, Settings &settings)
   app.add_option("--threads", settings.threads, "threads for the sweep [all cores]")
       ->check(wholeNumberOption(1, 1024))
       ->type_name("N");
-  app.add_option("--polach", settings.extra.polach,
-                 "fit Polach's law to the curves of a point contact; writes FILE (JSON) and "
-                 "its points beside it (CSV)")
-      ->check(nameOption())
-      ->type_name("FILE");
-  app.add_option("--table", settings.extra.table,
-                 "write the forces of a point contact as a table over load, speed, spin, "
-                 "lateral and creep, for a multibody code (CSV)")
-      ->check(nameOption())
-      ->type_name("FILE");
-  app.add_option("--fit-measured", settings.extra.measured,
-                 "fit Polach's form and an interfacial layer to a measured traction curve (CSV: "
-                 "creep, speed, traction_ratio); measured_fit.json and .csv in the folder")
-      ->check(nameOption())
-      ->type_name("FILE");
+  for (const ExtraFileOption &option : extraFileOptions)
+    app.add_option(option.name, settings.extra.*option.file, option.help)
+        ->check(nameOption())
+        ->type_name("FILE");
   app.add_flag("--print-config", settings.printConfig, "print the complete case and stop");
   app.add_flag("-q,--quiet", settings.quiet, "nothing on the screen but errors and warnings");
   app.add_flag("-v,--verbose", settings.verbose,

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "base/errors.h"
 #include "base/random_number.h"
-#include "creep/patch/polach.h"
+#include "creep/patch/polach_forces.h"
 
 #include <algorithm>
 #include <cmath>

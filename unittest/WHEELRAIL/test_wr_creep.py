@@ -25,19 +25,7 @@ def test_carter_curve_and_files(case, tmp_path):
     assert done.returncode == 0, done.stderr
     exact = [0.041062583, 0.096992529, 0.175105295, 0.234338297, 0.274691536, 0.296165011, 0.3]
     rows = table(tmp_path / "out/creep.csv")
-    assert list(rows[0]) == [
-        "speed",
-        "creep",
-        "traction_ratio",
-        "traction",
-        "mu_mean",
-        "temperature_rise",
-        "iterations",
-        "stick_fraction",
-        "peak_traction",
-        "temperature_max",
-        "t_gamma",
-    ]
+    assert list(rows[0])[:3] == ["speed", "creep", "traction_ratio"]
     for row, value in zip(rows, exact, strict=True):
         heat = float(row["traction"]) * float(row["creep"])
         assert float(row["t_gamma"]) == pytest.approx(heat)
@@ -380,13 +368,12 @@ def test_braking_is_driving_turned_around(case, tmp_path):
         for sign, creeps in (("+", "[0.1 %, 3 %]"), ("-", "[-0.1 %, -3 %]")):
             done = wr_creep(case, "-o", tmp_path / sign, "-q", *sets, "--set", f"creep={creeps}")
             assert done.returncode == 0, done.stderr
-        same = ("temperature_rise", "mu_mean", "iterations", "stick_fraction", "speed")
-        same += ("peak_traction", "temperature_max", "t_gamma")
+        turned = ("creep", "traction_ratio", "traction")
         for there, back in zip(
             table(tmp_path / "+/creep.csv"), table(tmp_path / "-/creep.csv"), strict=True
         ):
             for name, value in there.items():
-                factor = 1 if name in same else -1
+                factor = -1 if name in turned else 1
                 assert float(back[name]) == factor * float(value), name
         for there, back in zip(
             table(tmp_path / "+/creep_band.csv"), table(tmp_path / "-/creep_band.csv"), strict=True

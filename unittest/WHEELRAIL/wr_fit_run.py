@@ -1,10 +1,13 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Runs wr_fit for its tests."""
 
+import csv
 import os
 import pathlib
 import subprocess
 
+TOOLS = pathlib.Path(os.environ["PROJECT_SOURCE"]) / "tools"
+PNG = b"\x89PNG\r\n\x1a\n"
 WR_FIT = pathlib.Path(os.environ["WHEELRAIL_BIN"]) / "wr_fit"
 
 
@@ -34,3 +37,10 @@ def one_line(result, code, *parts):
     for part in parts:
         assert part in result.stderr
     return result
+
+
+def read_runs(path):
+    """The rows of a table of runs; test_wr_fit_page.py holds its columns against the page."""
+    lines = path.read_text().splitlines()
+    assert lines[0].startswith("#")
+    return list(csv.DictReader(lines[1:]))

@@ -4,7 +4,7 @@
 
 #include "creep/patch/measured_curve.h"
 #include "creep/patch/patch_curve.h"
-#include "creep/patch/polach.h"
+#include "creep/patch/polach_forces.h"
 
 #include <array>
 #include <string>

@@ -3,7 +3,7 @@
 #define WHEELRAIL_CREEP_PATCH_REPORT_H
 
 #include "creep/patch/patch_curve.h"
-#include "creep/patch/polach.h"
+#include "creep/patch/polach_forces.h"
 #include "creep/sweep/result_files.h"
 
 #include <string>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "base/result_text.h"
-#include "creep/patch/polach.h"
+#include "creep/patch/polach_forces.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

@@ -22,6 +22,24 @@ struct ExtraFiles {
   std::string measured;
 };
 
+/// The options of wr_creep that name them.
+struct ExtraFileOption {
+  const char *name;
+  std::string ExtraFiles::*file;
+  const char *help;
+};
+constexpr ExtraFileOption extraFileOptions[] = {
+    {"--polach", &ExtraFiles::polach,
+     "fit Polach's law to the curves of a point contact; writes FILE (JSON) and its points beside "
+     "it (CSV)"},
+    {"--table", &ExtraFiles::table,
+     "write the forces of a point contact as a table over load, speed, spin, lateral and creep, "
+     "for a multibody code (CSV)"},
+    {"--fit-measured", &ExtraFiles::measured,
+     "fit Polach's form and an interfacial layer to a measured traction curve (CSV: creep, speed, "
+     "traction_ratio); measured_fit.json and .csv in the folder"},
+};
+
 /// What a report says about, beside the results.
 struct ReportContext {
   const std::string &text; ///< of the case, for summary.json

@@ -1,17 +1,15 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include "base/archive_reader.h"
 #include "base/errors.h"
 #include "base/text_lines.h"
 #include "contact/patch/formats/height_map_formats.h"
 #include "contact/patch/formats/map_bytes.h"
 #include "contact/patch/formats/map_text.h"
 
-#include <archive.h>
 #include <archive_entry.h>
-#include <cerrno>
 #include <fmt/format.h>
+#include <limits>
 #include <map>
-#include <memory>
-#include <new>
 
 namespace wheelrail {
 
@@ -19,50 +17,23 @@ namespace {
 
 constexpr std::size_t most = std::size_t(1) << 30; ///< bytes of all members that are read
 
-struct Free {
-  void operator()(archive *reader) const { archive_read_free(reader); }
-};
-
 /// The members of a zip file by name, those of the data and main.xml only: others are not unpacked.
 std::map<std::string, std::string> membersOf(const std::string &path, const std::string &bytes)
 {
-  const std::unique_ptr<archive, Free> reader(archive_read_new());
-  if (!reader)
-    throw std::bad_alloc();
-  const auto damaged = [&] {
-    if (archive_errno(reader.get()) == ENOMEM)
-      throw std::bad_alloc();
-    const char *reason = archive_error_string(reader.get());
-    return badInput(path, 0, "",
-                    fmt::format("cannot be unpacked: is damaged or cut{}{}", reason ? ": " : "",
-                                reason ? reason : ""));
-  };
-  archive_read_support_format_zip(reader.get());
-  if (archive_read_open_memory(reader.get(), bytes.data(), bytes.size()) != ARCHIVE_OK)
-    throw damaged();
+  ArchiveReader reader(path, bytes, ArchiveReader::Kind::Zip);
   std::map<std::string, std::string> members;
-  std::size_t total = 0;
-  archive_entry *entry = nullptr;
-  int code = ARCHIVE_OK;
-  while ((code = archive_read_next_header(reader.get(), &entry)) == ARCHIVE_OK) {
+  std::size_t left = most;
+  while (archive_entry *entry = reader.next()) {
     const char *given = archive_entry_pathname(entry);
     const std::string name = given ? given : "";
     if (name != "main.xml" && name.find(".bin") == std::string::npos)
       continue;
     std::string &content = members[name];
-    char block[1 << 16];
-    la_ssize_t got = 0;
-    while ((got = archive_read_data(reader.get(), block, sizeof block)) > 0) {
-      total += static_cast<std::size_t>(got);
-      if (total > most)
-        throw badInput(path, 0, name, fmt::format("unpacks to more than {} bytes", most));
-      content.append(block, static_cast<std::size_t>(got));
-    }
-    if (got < 0) // a check sum of the zip file, too
-      throw damaged();
+    const std::size_t before = content.size();
+    if (!reader.append(content, before + left))
+      throw badInput(path, 0, name, fmt::format("unpacks to more than {} bytes", most));
+    left -= content.size() - before;
   }
-  if (code != ARCHIVE_EOF)
-    throw damaged();
   return members;
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#ifndef WHEELRAIL_CREEP_PATCH_POLACH_H
-#define WHEELRAIL_CREEP_PATCH_POLACH_H
+#ifndef WHEELRAIL_CREEP_PATCH_POLACH_FORCES_H
+#define WHEELRAIL_CREEP_PATCH_POLACH_FORCES_H
 
 #include "contact/patch/solvers/kalker.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "creep/patch/polach.h"
+#include "creep/patch/polach_forces.h"
 
 #include "law/forms/polach.h"
 #include "shared/pi.h"

@@ -1,0 +1,107 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Pictures of wr_fit and of the scripts that read what it writes."""
+
+import os
+import subprocess
+
+import friction_logs
+from wr_fit_run import PNG, TOOLS, one_line, wr_fit
+
+
+def test_pictures(runs, log, tmp_path):
+    assert wr_fit(runs, "-q", "--plot", tmp_path / "fit.png").returncode == 0
+    assert (tmp_path / "fit.png").read_bytes().startswith(PNG)
+    assert (
+        wr_fit(log, "-q", "--plot", tmp_path / "one.png", "--runs", tmp_path / "p.csv").returncode
+        == 0
+    )
+    assert (tmp_path / "one.png").read_bytes().startswith(PNG)
+    (tmp_path / "one.png").unlink()
+    assert (
+        wr_fit(
+            log, "-q", "--plot", tmp_path / "one.png", env={**os.environ, "TMPDIR": "/missing"}
+        ).returncode
+        == 0
+    )
+    assert (tmp_path / "one.png").read_bytes().startswith(PNG)
+    made = subprocess.run(
+        [TOOLS / "plot_friction.py", log, "-o", tmp_path / "mu.png", "--runs", tmp_path / "p.csv"],
+        capture_output=True,
+        text=True,
+    )
+    assert made.returncode == 0, made.stderr
+    assert (tmp_path / "mu.png").read_bytes().startswith(PNG)
+
+
+def test_figures_4_and_6(tmp_path):
+    runs = friction_logs.campaign(
+        tmp_path / "c", velocities=(2.5, 5), strengths_and_pressures=[(92, 5), (92, 15)]
+    )
+    wr_fit(runs, "-q", "-o", tmp_path / "fit.json")
+    for against in ("pressure", "velocity", "viscosity", "strength"):
+        made = subprocess.run(
+            [
+                TOOLS / "plot_series.py",
+                tmp_path / "fit.json",
+                "--against",
+                against,
+                "-o",
+                tmp_path / "x.png",
+            ],
+            capture_output=True,
+            text=True,
+        )
+        assert made.returncode == 0, made.stderr
+        assert (tmp_path / "x.png").read_bytes().startswith(PNG)
+        (tmp_path / "x.png").unlink()
+    (tmp_path / "fit.json").write_text("{}")
+    one_line(
+        subprocess.run(
+            [TOOLS / "plot_series.py", tmp_path / "fit.json", "--against", "velocity"],
+            capture_output=True,
+            text=True,
+            cwd=tmp_path,
+        ),
+        3,
+        "not wr_fit's JSON",
+    )
+
+
+def test_missing_matplotlib_does_not_spoil_the_fit(log, tmp_path):
+    (tmp_path / "matplotlib.py").write_text("raise ImportError('none here')\n")
+    result = wr_fit(
+        log,
+        "-o",
+        tmp_path / "fit.json",
+        "--plot",
+        tmp_path / "fit.png",
+        env={**os.environ, "PYTHONPATH": str(tmp_path)},
+    )
+    assert result.returncode == 5
+    assert "matplotlib is missing" in result.stderr and "fit.png was not made" in result.stderr
+    assert (tmp_path / "fit.json").exists() and not (tmp_path / "fit.png").exists()
+    other = subprocess.run(
+        [TOOLS / "plot_friction.py", log, "-o", tmp_path / "mu.png"],
+        capture_output=True,
+        text=True,
+        env={**os.environ, "PYTHONPATH": str(tmp_path)},
+    )
+    one_line(other, 1, "matplotlib is missing")
+
+
+def test_plot_friction_refuses_bad_logs(log, tmp_path):
+    good = log.read_text()
+    for content, part in [
+        ("", "not a friction log"),
+        (good.replace(" 3456 2 1 -0.013\n", "\n", 1), ":10: "),
+        (good.replace(" 15.0 ", " 15.0 nan ", 1), ":10: "),
+        (good.replace("mca-friction 1", "mca-friction 2"), "'mca-friction 2'"),
+    ]:
+        log.write_text(content)
+        made = subprocess.run(
+            [TOOLS / "plot_friction.py", log, "-o", tmp_path / "mu.png"],
+            capture_output=True,
+            text=True,
+        )
+        one_line(made, 3, part)
+        assert not (tmp_path / "mu.png").exists()
