@@ -16,19 +16,14 @@ struct PlaneTransform::Work {
   Work(int cellsX, int cellsY, int lengthX, int lengthY, int fieldCount)
       : nx(cellsX), ny(cellsY), sizeX(lengthX), sizeY(lengthY), bins(lengthX / 2 + 1),
         fields(fieldCount), row(fftwArray<double>(sizeX)),
-        rowSpectrum(fftwArray<fftw_complex>(bins)),
         plane(fftwArray<fftw_complex>(std::size_t(fields) * ny * bins)),
         block(fftwArray<fftw_complex>(std::size_t(fields) * blockColumns * sizeY)),
-        rowForward(fftwPlan(sizeX,
-                            [&] {
-                              return fftw_plan_dft_r2c_1d(sizeX, row.get(), rowSpectrum.get(),
-                                                          FFTW_ESTIMATE);
-                            })),
-        rowBackward(fftwPlan(sizeX,
-                             [&] {
-                               return fftw_plan_dft_c2r_1d(sizeX, rowSpectrum.get(), row.get(),
-                                                           FFTW_ESTIMATE);
-                             })),
+        rowForward(fftwPlan(
+            sizeX,
+            [&] { return fftw_plan_dft_r2c_1d(sizeX, row.get(), plane.get(), FFTW_ESTIMATE); })),
+        rowBackward(fftwPlan(
+            sizeX,
+            [&] { return fftw_plan_dft_c2r_1d(sizeX, plane.get(), row.get(), FFTW_ESTIMATE); })),
         columnsForward(columns(FFTW_FORWARD)), columnsBackward(columns(FFTW_BACKWARD))
   {
     std::fill_n(&block[0][0], 2 * std::size_t(fields) * blockColumns * sizeY, 0.0);
@@ -43,9 +38,13 @@ struct PlaneTransform::Work {
     });
   }
 
+  fftw_complex *spectrumRow(int field, int iy) const
+  {
+    return plane.get() + (std::size_t(field) * ny + iy) * bins;
+  }
   Complex *planeRow(int field, int iy) const
   {
-    return reinterpret_cast<Complex *>(plane.get()) + (std::size_t(field) * ny + iy) * bins;
+    return reinterpret_cast<Complex *>(spectrumRow(field, iy));
   }
   Complex *column(int field, int c) const
   {
@@ -60,25 +59,25 @@ struct PlaneTransform::Work {
 
   int nx, ny, sizeX, sizeY, bins, fields;
   FftwArray<double> row;
-  FftwArray<fftw_complex> rowSpectrum, plane, block;
+  FftwArray<fftw_complex> plane, block;
   FftwPlan rowForward, rowBackward, columnsForward, columnsBackward;
 };
 
+// Plans of one row serve all: rows of complex numbers are aligned as FFTW's arrays are. The way
+// back may destroy the spectrum, which nobody needs any more.
 void PlaneTransform::Work::rowsForward(int field, const double *values)
 {
   for (int iy = 0; iy < ny; ++iy) {
     std::copy_n(values + std::size_t(iy) * nx, nx, row.get());
     std::fill(row.get() + nx, row.get() + sizeX, 0.0);
-    fftw_execute(rowForward.get());
-    std::copy_n(reinterpret_cast<Complex *>(rowSpectrum.get()), bins, planeRow(field, iy));
+    fftw_execute_dft_r2c(rowForward.get(), row.get(), spectrumRow(field, iy));
   }
 }
 
 void PlaneTransform::Work::rowsBackward(int field, double *values)
 {
   for (int iy = 0; iy < ny; ++iy) {
-    std::copy_n(planeRow(field, iy), bins, reinterpret_cast<Complex *>(rowSpectrum.get()));
-    fftw_execute(rowBackward.get());
+    fftw_execute_dft_c2r(rowBackward.get(), spectrumRow(field, iy), row.get());
     std::copy_n(row.get(), nx, values + std::size_t(iy) * nx);
   }
 }
