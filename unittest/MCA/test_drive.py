@@ -217,7 +217,7 @@ def smooth(log, diameter=2.5):
 
 
 def test_a_narrow_sample_is_told_of(tmp_path):
-    """Of the junctions at the start, of a layer that slid smooth at the end, each once: two flat
+    """Few junctions at the start and a layer that slid smooth at the end, each told once: two flat
     blocks of a strong steel under a light load, which shear off a row of links in the beginning."""
     small = {"ns": 1, "v": 50, "every": 125, "columns": 8, "laws": "d"}
     out, log = example(tmp_path / "flat", p=0.5, strength=552, amplitude=0, **small)

@@ -138,7 +138,7 @@ std::string printable(const std::string &text)
 }
 
 /// All executions of one reader, in as many children as crashes make needed.
-/// @return whether anything was found
+/// \return whether anything was found
 bool drill(const Reader &reader, const Settings &settings)
 {
   const auto begin = std::chrono::steady_clock::now();

@@ -16,7 +16,7 @@ class MemoryFile {
     if (descriptor_ < 0)
       throw std::runtime_error("no file in memory");
   }
-  /// @return its path, when it holds these bytes
+  /// \return its path, when it holds these bytes
   const std::string &holding(const std::string &bytes) const
   {
     if (ftruncate(descriptor_, 0) != 0 ||

@@ -10,12 +10,12 @@
 /// Falsifies files: the same seed and number give the same bytes, on every machine.
 class Mutator {
  public:
-  /// @param corpus good files, at least one; the words in them are the dictionary
+  /// \param corpus good files, at least one; the words in them are the dictionary
   Mutator(std::vector<std::string> corpus, std::uint64_t seed);
 
   /// One of the corpus with 1 to 8 changes: bits, bytes, numbers, words, lines, pieces of another
   /// file, deep nesting, a cut end.
-  /// @param number of the execution
+  /// \param number of the execution
   std::string operator()(std::uint64_t number);
 
  private:

@@ -26,7 +26,7 @@ struct Reader {
   std::function<void(const std::string &)> read;
 };
 
-/// @throws Fault
+/// \throws Fault
 inline void require(bool good, const std::string &what)
 {
   if (!good)

@@ -10,7 +10,7 @@ namespace {
 
 const std::string plain = "# height: \xc2\xb5m\n0.5 \xe2\x88\x92 1\n\nend";
 
-/// @param low, high places of a character's bytes in its two
+/// \param low, high places of a character's bytes in its two
 std::string utf16(const std::u16string &text, bool bigEndian)
 {
   std::string bytes;

@@ -24,7 +24,7 @@ struct LogHeader {
   std::vector<Material> otherMaterials;
   /// Which of all, `material` first, the driven layer is of.
   std::size_t driven = 0;
-  /// Of types that have automata.
+  /// Interfaces between types that have automata.
   Interfaces interfaces;
   /// Sorts the materials of a sample; equal ones count once.
   /// \param all     of all types that have automata, at least one

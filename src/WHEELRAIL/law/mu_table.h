@@ -34,7 +34,7 @@ struct MuTable {
 
   /// Parameters of the table: the values of all rows in their order, and the exponent.
   Eigen::Index parameters() const;
-  /// Of the parameters, in their order.
+  /// Standard errors of the parameters, in their order.
   Eigen::VectorXd standardErrors() const;
   /// \param change to be added to the parameters
   MuTable changed(const Eigen::VectorXd &change) const;

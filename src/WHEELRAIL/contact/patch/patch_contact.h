@@ -77,7 +77,7 @@ struct PatchContact {
   std::optional<double> approach; ///< m; given: `load` is what it makes
   Eigen::VectorXd muFactor;       ///< per cell, on the law's mu; empty: 1
   bool edgesInside = false;       ///< of the specification
-  /// Of the layer, Pa; infinite where there is none.
+  /// Yield stress of the layer, Pa; infinite where there is none.
   double yieldStress = std::numeric_limits<double>::infinity();
 
   /// The law's mu times the factor of each cell.

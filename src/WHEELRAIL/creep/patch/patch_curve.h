@@ -36,8 +36,8 @@ struct PatchCurves {
   bool hasBand = false;              ///< the law has a covariance
   double redrawn = 0.0;              ///< share of the sampled laws that had to be drawn again
   std::map<int, PatchFields> fields; ///< SI, by `fieldNumber`
-  /// Of mode Moving and of sequences, by number of the point, from 1 on; of a point that failed in
-  /// the middle of its sequence what came before.
+  /// Steps of mode Moving and of sequences, by number of the point, from 1 on; where a point failed
+  /// in the middle of its sequence, what came before.
   std::map<int, std::vector<PatchStep>> series;
   /// One line each, every line once: what was done to the maps, for example.
   std::vector<std::string> warnings;

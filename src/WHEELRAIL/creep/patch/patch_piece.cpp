@@ -52,7 +52,7 @@ class PieceSolver {
     }
   }
 
-  /// Of the last point's sequence, also where it failed.
+  /// Steps of the last point's sequence, also where it failed.
   const PatchHistory &history() const { return history_; }
 
   /// After a point that failed: the next one begins cold.

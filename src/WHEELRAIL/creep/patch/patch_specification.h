@@ -62,7 +62,7 @@ struct PatchTask {
 /// surface. Number k of the results is element k - 1 here.
 std::vector<PatchTask> patchTasks(const PatchSpecification &asked);
 
-/// Of which point and when fields are.
+/// The point that fields are of, and when.
 struct FieldPlace {
   int point;   ///< from 1 on
   int instant; ///< of `PatchSequence::fields`, from 1 on; 0: the point's end

@@ -17,7 +17,7 @@ struct CreepPhysics {
   /// Model and material of the temperature; Off: no rise.
   ThermalSpecification thermal;
   bool hardnessLimit = false; ///< pressure stops at the hardness, 3 sigma_0(Theta)
-  /// Of friction that falls with the slip of each cell, m; 0: one sliding speed for all of them.
+  /// Way over which friction falls with the slip of each cell, m; 0: one sliding speed for all cells.
   double memoryLength = 0.0;
   WearLaw wear; ///< of what friction does; it changes nothing
 

@@ -30,7 +30,7 @@ HeightMap parseGsfMap(const std::string &path, const std::string &bytes,
                       const HeightMapScale &scale);
 /// ISO 25178-71 SDF in ASCII, "aISO-", and its forerunner "aBCR-1.0".
 HeightMap parseSdf(const std::string &path, const std::string &bytes, const HeightMapScale &scale);
-/// The same in binary, "bISO-" and "bBCR-1.0".
+/// ISO 25178-71 SDF in binary, "bISO-", and its forerunner "bBCR-1.0".
 HeightMap parseBinarySdf(const std::string &path, const std::string &bytes,
                          const HeightMapScale &scale);
 /// x3p of ISO 25178-72: a zip file of main.xml and the heights. The MD5 sums that main.xml may hold
