@@ -17,7 +17,7 @@ struct CreepPhysics {
   /// Model and material of the temperature; Off: no rise.
   ThermalSpecification thermal;
   bool hardnessLimit = false; ///< pressure stops at the hardness, 3 sigma_0(Theta)
-  /// Way over which friction falls with the slip of each cell, m; 0: one sliding speed for all cells.
+  /// Way over which friction falls with the slip of each cell, m; 0: one sliding speed for all.
   double memoryLength = 0.0;
   WearLaw wear; ///< of what friction does; it changes nothing
 
