@@ -240,6 +240,7 @@ TEST(SofteningMaterial, FaultsOfItsFileAreNamed)
   EXPECT_THAT(messageOfFile("# UNITS: lj\n"), HasSubstr("nano, si, micro or cgs"));
   EXPECT_THAT(messageOfFile(good + "strength 1\n"), HasSubstr(":6: strength: appears twice"));
   EXPECT_THAT(messageOfFile("# UNITS: si\nstrength -1\n"), HasSubstr("'-1' is not allowed"));
+  EXPECT_THAT(messageOfFile("# UNITS: si\nstrength 1e301\n"), HasSubstr("'1e301' is not allowed"));
   EXPECT_THAT(messageOfFile("# UNITS: si\nstrength 1\n"), HasSubstr("is missing"));
   EXPECT_THAT(messageOfFile(good + "temperature 300 200\n"), HasSubstr("temperature: must rise"));
   EXPECT_THAT(messageOfFile("# UNITS: si\ntemperature 300 400 500\nstrength 1 2\n"),

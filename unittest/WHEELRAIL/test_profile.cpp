@@ -259,22 +259,22 @@ TEST(PrepareProfile, FilterHalvesTheWaveAtTheCutoff)
     Profile profile{1e-5, Vector(4000)};
     for (int i = 0; i < 4000; ++i)
       profile.height[i] = std::cos(2.0 * pi * i * profile.spacing / wavelength);
-    const Vector smooth = lowPassed(profile, 1e-3).height.segment(1000, 2000);
+    const Vector smooth = lowPassed(profile, 1e-3, "").height.segment(1000, 2000);
     EXPECT_NEAR(smooth.maxCoeff(), left, 2e-3);
   }
   const Profile profile{1e-5, Vector::Zero(100)};
-  EXPECT_THROW(lowPassed(profile, 1e-5), Error);
-  EXPECT_THROW(lowPassed(profile, 1.0), Error);
+  EXPECT_THROW(lowPassed(profile, 1e-5, ""), Error);
+  EXPECT_THROW(lowPassed(profile, 1.0, ""), Error);
 }
 
 TEST(PrepareProfile, ResamplingKeepsTheMeanOfEachCell)
 {
   Profile line{1e-5, Vector::LinSpaced(1001, 0.0, 1.0)};
-  const Profile cells = resampled(line, 100, 5e-5); // the middle half
+  const Profile cells = resampled(line, 100, 5e-5, ""); // the middle half
   for (int i = 0; i < 100; ++i)
     EXPECT_NEAR(cells.height[i], 0.25 + 0.5 * (i + 0.5) / 100, 1e-12);
-  EXPECT_NEAR(resampled(line, 37, 1e-2 / 37).height.mean(), 0.5, 1e-12);
-  EXPECT_THROW(resampled(line, 101, 1e-4), Error);
+  EXPECT_NEAR(resampled(line, 37, 1e-2 / 37, "").height.mean(), 0.5, 1e-12);
+  EXPECT_THROW(resampled(line, 101, 1e-4, ""), Error);
 }
 
 TEST(PrepareProfile, StatisticsOfAWave)

@@ -61,6 +61,21 @@ def test_a_line_that_cannot_be_meant(changes, expected, tmp_path):
     assert any(expected in line for line in warnings(done)), done.stderr
 
 
+@pytest.mark.parametrize(
+    "change, expected",
+    [
+        ("creep=[0.01]", "short.csv: the profile, 3.99 mm, is shorter than the stretch"),
+        ("roughness.cutoff=0.012345678 mm", "short.csv: roughness.cutoff: 0.012346 mm must lie"),
+    ],
+)
+def test_a_short_profile_is_named_with_its_numbers(change, expected, tmp_path):
+    rows = "".join(f"{0.01 * k:.2f};{0.1 * (k % 13):.1f}\n" for k in range(400))
+    (tmp_path / "short.csv").write_text("# height: um\n# position: mm\n" + rows)
+    rough = f"roughness={{rail: {tmp_path / 'short.csv'}}}"
+    done = run(LINE, tmp_path / "out", rough, change, code=3)
+    assert expected in done.stderr and "000000" not in done.stderr
+
+
 def test_heights_of_a_wrong_unit_and_fill_values(case, tmp_path):
     gsf_map(tmp_path / "a.gsf", 1)
     good = (tmp_path / "a.gsf").read_bytes()

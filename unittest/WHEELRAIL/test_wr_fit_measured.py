@@ -57,6 +57,7 @@ def test_as_spreadsheets_write_them(tmp_path, separator, decimal):
     [
         ("time,mi\n1,2\n", [":1:", "column 'mu' is missing", "'mi'"]),
         ("1,0.4\n2,0.4\n", ["2 rows", "at least 4"]),
+        ("time;mu\n1;0,4\n2;0,1e309\n", [":3: mu: '0,1e309' is not", "within +-1e+12"]),
         ("time,mu\n1,0.4\n2,x\n", [":3:", "mu", "'x'"]),
         ("time,mu\n1,0.4\n2,0.4\n4,0.4\n", [":4:", "4 follows 2", "evenly"]),
         ("time,mu\n1,0.4\n2,0.4,7\n", [":3:", "3 columns, 2 are expected"]),

@@ -24,12 +24,35 @@ WORDS = [
 ]  # fmt: skip
 
 
+MARKS = (b"\xef\xbb\xbf", b"\xff\xfe", b"\xfe\xff")
+SEPARATORS = (b",", b";", b"\t", b" ", b"; ", b" , ")
+
+
+def of_another_machine(data, generator):
+    """What another machine makes of a whole text: line ends, marks, encodings, decimal signs,
+    separators."""
+    what = generator.randrange(7)
+    if what == 0:
+        return data.replace(b"\n", generator.choice((b"\r\n", b"\r", b"\n\r", b"\n\n")))
+    if what == 1:
+        return generator.choice(MARKS) + data
+    if what == 2:
+        return data.decode("latin-1").encode(generator.choice(("utf-16", "utf-16-le", "utf-16-be")))
+    if what == 3:
+        return data.replace(b"um", generator.choice((b"\xb5m", b"\xc2\xb5m", b"\xe6m")))
+    if what == 4:
+        return data.replace(b".", b",")
+    if what == 5:
+        return data.replace(generator.choice(SEPARATORS), generator.choice(SEPARATORS))
+    return data.replace(b"\n", generator.choice(SEPARATORS) + b"\n")
+
+
 def falsified(corpus, generator):
     """One of the corpus with 1 to 6 changes."""
     data = bytearray(generator.choice(corpus))
     for _ in range(generator.choice((1, 1, 1, 2, 6))):
         at, width = generator.randrange(len(data) + 1), generator.choice((0, 1, 4, 40, 400))
-        what = generator.randrange(5)
+        what = generator.randrange(6)
         if what == 0 and at < len(data):
             data[at] ^= 1 << generator.randrange(8)
         elif what == 1:
@@ -42,6 +65,8 @@ def falsified(corpus, generator):
             other = generator.choice(corpus)
             begin = generator.randrange(len(other))
             data[at : at + width] = other[begin : begin + width]
+        else:
+            data = bytearray(of_another_machine(bytes(data), generator))
     return bytes(data)
 
 

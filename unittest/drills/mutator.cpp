@@ -57,6 +57,25 @@ bool isWord(char c)
   return std::isalnum(static_cast<unsigned char>(c)) || c == '_';
 }
 
+void replaceAll(std::string &text, const std::string &from, const std::string &to)
+{
+  std::string result;
+  for (std::size_t at = 0, next = 0; at <= text.size(); at = next + from.size()) {
+    next = std::min(text.find(from, at), text.size());
+    result += text.substr(at, next - at) + (next < text.size() ? to : "");
+  }
+  text = result;
+}
+
+/// UTF-16 of what was Latin-1.
+std::string utf16(const std::string &text, bool bigEndian)
+{
+  std::string result;
+  for (const char c : text)
+    result += bigEndian ? std::string{'\0', c} : std::string{c, '\0'};
+  return result;
+}
+
 /// The run of such letters around a place: begin and length.
 template<class Is>
 std::pair<std::size_t, std::size_t> runAround(const std::string &text, std::size_t at, Is is)
@@ -119,7 +138,8 @@ std::string Mutator::operator()(std::uint64_t number)
       &Mutator::flipBit,       &Mutator::setByte,     &Mutator::insertBytes,
       &Mutator::eraseRange,    &Mutator::repeatRange, &Mutator::replaceNumber,
       &Mutator::replaceNumber, &Mutator::replaceWord, &Mutator::moveLine,
-      &Mutator::splice,        &Mutator::nest,        &Mutator::cutEnd};
+      &Mutator::splice,        &Mutator::nest,        &Mutator::cutEnd,
+      &Mutator::otherMachine};
   std::seed_seq both{seed_, seed_ >> 32, number, number >> 32};
   random_.seed(both);
   std::string text = anyOf(corpus_);
@@ -222,4 +242,37 @@ void Mutator::nest(std::string &text)
 void Mutator::cutEnd(std::string &text)
 {
   text.resize(below(text.size() + 1));
+}
+
+void Mutator::otherMachine(std::string &text)
+{
+  static const std::vector<std::string> separators = {",", ";", "\t", " ", "; ", " , "};
+  switch (below(8)) {
+  case 0:
+    replaceAll(text, "\n", anyOf({"\r\n", "\r", "\n\r", "\n\n"}));
+    break;
+  case 1:
+    text.insert(0, anyOf({"\xef\xbb\xbf", "\xff\xfe", "\xfe\xff", "\xef\xbb\xbf\xef\xbb\xbf"}));
+    break;
+  case 2: {
+    const bool bigEndian = below(2) != 0;
+    text = anyOf({"", bigEndian ? "\xfe\xff" : "\xff\xfe"}) + utf16(text, bigEndian);
+    break;
+  }
+  case 3:
+    replaceAll(text, "um", anyOf({"\xb5m", "\xc2\xb5m", "\xce\xbcm", "\xe6m"}));
+    break;
+  case 4:
+    replaceAll(text, ".", ",");
+    break;
+  case 5:
+    replaceAll(text, anyOf(separators), anyOf(separators));
+    break;
+  case 6:
+    replaceAll(text, "\n", anyOf(separators) + "\n"); // cells of a spreadsheet that are empty
+    break;
+  default:
+    replaceAll(text, ".", ",");
+    replaceAll(text, anyOf(separators), ";");
+  }
 }

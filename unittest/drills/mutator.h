@@ -14,8 +14,8 @@ class Mutator {
   Mutator(std::vector<std::string> corpus, std::uint64_t seed);
 
   /// One of the corpus with 1 to 8 changes: bits, bytes, numbers, words, lines, pieces of another
-  /// file, deep nesting, a cut end.
-  /// \param number of the execution
+  /// file, deep nesting, a cut end, and what another machine makes of a whole text: line ends,
+  /// marks, encodings, decimal signs, separators. \param number of the execution
   std::string operator()(std::uint64_t number);
 
  private:
@@ -36,6 +36,7 @@ class Mutator {
   void splice(std::string &);
   void nest(std::string &);
   void cutEnd(std::string &);
+  void otherMachine(std::string &);
 
   std::vector<std::string> corpus_, words_;
   std::uint64_t seed_;

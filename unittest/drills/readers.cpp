@@ -11,12 +11,17 @@
 #include "contact/patch/surfaces/height_map_preparation.h"
 #include "creep/case/case_file.h"
 #include "creep/line/curve_journal.h"
+#include "creep/patch/measured_curve.h"
 #include "creep/patch/patch_journal.h"
 #include "creep/sweep/journal.h"
 #include "fit/friction_log.h"
 #include "fit/log_archive.h"
+#include "fit/measured_series.h"
+#include "law/friction_table.h"
 #include "law/kappa_law.h"
 #include "law/law_checksum.h"
+#include "law/material_law.h"
+#include "law/softening_material.h"
 #include "shared/printable.h"
 
 #include <cmath>
@@ -94,6 +99,70 @@ void readSealedLaw(const std::string &bytes)
   static const std::string written = toJson(lawWithCovariance()).dump();
   const KappaLaw law = readKappaLaw(fileWith(bytes));
   require(!law.note.empty() || toJson(law).dump() == written, "another law than was written");
+}
+
+/// The two kinds that wr_fit writes: a form, a table.
+std::vector<std::string> lawsOfAMaterial()
+{
+  MaterialLaw form;
+  form.material.name = "drill";
+  form.material.temperature = {293.0, 873.0};
+  form.material.strength = {900e6, 300e6};
+  form.material.modulus = {206e9, 60e9};
+  form.material.density = 7800.0;
+  form.parameters.setConstant(0.5);
+  form.covariance = MaterialLaw::Covariance(1e-4 * MaterialLaw::Covariance::Identity());
+  form.pressureRange = {0.1, 2.0};
+  MaterialLaw table = form;
+  table.covariance.reset();
+  table.parameters.setZero();
+  table.table.emplace();
+  for (const double kelvin : form.material.temperature)
+    table.table->rows.push_back({kelvin, {0.1, 1.0}, {0.4, 0.3}, {0.01, 0.02}});
+  table.table->speed = {1.0, 5.0};
+  return {toJson(form).dump(2) + "\n", toJson(table).dump(2) + "\n"};
+}
+
+/// As `readLawFile`.
+void readLawOfAMaterial(const std::string &bytes)
+{
+  const MaterialLaw law = readMaterialLaw(fileWith(bytes));
+  const std::string text = toJson(law).dump();
+  require(toJson(readMaterialLaw(fileWith(text))).dump() == text, "another law when read again");
+}
+
+void readMaterialFile(const std::string &bytes)
+{
+  const SofteningMaterial material = readPotentialFile(fileWith(bytes));
+  for (const double kelvin : material.temperature)
+    require(material.strengthAt(kelvin) > 0.0 && material.modulusAt(kelvin) > 0.0 &&
+                std::isfinite(material.density),
+            "a material without strength");
+}
+
+void readTableOfFriction(const std::string &bytes)
+{
+  const FrictionTable table = readFrictionTable(fileWith(bytes));
+  for (const double p : table.pressure)
+    for (const double v : table.speed)
+      require(table(p, v) > 0.0 && table(p, v) <= 10.0, "a friction coefficient that is none");
+}
+
+void readCurveOfTraction(const std::string &bytes)
+{
+  for (const MeasuredTraction &point : readMeasuredCurve(fileWith(bytes)))
+    require(point.creep > 0.0 && point.speed > 0.0 && point.tractionRatio > 0.0 &&
+                std::isfinite(point.creep + point.speed + point.tractionRatio),
+            "a value of a traction curve that is none");
+}
+
+void readSeriesOfFriction(const std::string &bytes)
+{
+  const MeasuredSeries series = readMeasuredSeries(fileWith(bytes));
+  require(series.time.size() == series.mu.size() && series.mu.size() >= 4,
+          "columns of unlike length");
+  const MeasuredMean found = meanOf(series, {});
+  require(std::isfinite(found.mean.mean) && !(found.standardError < 0.0), "a mean that is none");
 }
 
 void readCaseFile(const std::string &bytes)
@@ -339,6 +408,15 @@ std::vector<Reader> wheelrailReaders()
   const std::string european =
       "\xef\xbb\xbf# height: \xb5m\r\n# spacing: 2 mm\r\n# rows: upwards\r\n"
       "0,5\t1\t2\t3\r\n1\t1,5\t2\t3\r\n0\t0\t0\t-1,5\r\n1\t2\t3\t4\r\n";
+  const std::string tableText = "# pressure: MPa\n# speed: m/s\npressure,speed,mu\n100,0.1,0.5\n"
+                                "100,1,0.4\n900,0.1,0.3\n900,1,0.25\n";
+  const std::string curveText = "# speed: km/h\n# creep: %\ncreep;speed;traction_ratio\n"
+                                "0,5;36;0,21\n1;36;0,3\n2,5;36;0,28\n";
+  std::string seriesText = "# of a tribometer\ntime,force,mu\n", europeanSeries;
+  for (int k = 0; k < 40; ++k) {
+    seriesText += fmt::format("{},{},0.{}\n", 0.5 * k, 10 + k % 3, 40 + k * k % 7);
+    europeanSeries += fmt::format("{},5;0,{}\r\n", k, 40 + k * k % 7);
+  }
   std::string points;
   for (int k = 0; k < 20; ++k)
     points += fmt::format("{} {} {}\n", k % 5, k / 5, 0.1 * k);
@@ -362,6 +440,11 @@ std::vector<Reader> wheelrailReaders()
       {"sealed_law",
        {withChecksum(toJson(lawWithCovariance()).dump(2) + "\n")},
        refusing(readSealedLaw)},
+      {"material_law", lawsOfAMaterial(), refusing(readLawOfAMaterial)},
+      {"material", filesOf("potentials", ".mca"), refusing(readMaterialFile)},
+      {"friction_table", {tableText}, refusing(readTableOfFriction)},
+      {"traction_curve", {curveText}, refusing(readCurveOfTraction)},
+      {"friction_series", {seriesText, europeanSeries}, refusing(readSeriesOfFriction)},
       {"case", cases(), refusing(readCaseFile)},
       {"case_change",
        {"speed=20 m/s", "creep=[0.001, 0.01, 5 %]", "contact.radius=460 mm", "points=64",

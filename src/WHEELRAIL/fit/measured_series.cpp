@@ -5,7 +5,7 @@
 #include "base/number_rows.h"
 #include "base/text_lines.h"
 #include "fit/statistics.h"
-#include "shared/plain_number.h"
+#include "shared/friction_log_format.h"
 #include "shared/printable.h"
 
 #include <algorithm>
@@ -96,8 +96,15 @@ MeasuredSeries readMeasuredSeries(const std::string &path)
       throw badInput(path, lines.number(), "",
                      fmt::format("{} columns, {} are expected{}", cells.size(), columns->all,
                                  rows.decimalHint()));
-    addRow(series, lines.number(), rows.number(lines.number(), "time", cells[columns->time]),
-           rows.number(lines.number(), "mu", cells[columns->mu]));
+    const auto at = [&](const char *name, std::string_view cell) {
+      const double x = rows.number(lines.number(), name, cell);
+      if (std::abs(x) > mcawr::friction_log::largest)
+        throw badInput(path, lines.number(), name,
+                       fmt::format("'{}' is not allowed, must be within +-{:g}", cell,
+                                   mcawr::friction_log::largest));
+      return x;
+    };
+    addRow(series, lines.number(), at("time", cells[columns->time]), at("mu", cells[columns->mu]));
   }
   if (series.mu.size() < leastRows)
     throw badInput(

@@ -54,9 +54,11 @@ Line valuesOf(const std::string &path, int number, const std::string &keyword,
     } catch (const std::invalid_argument &) {
       line.values.push_back(0.0);
     }
-    if (!(line.values.back() > 0.0))
-      throw badInput(path, number, keyword,
-                     fmt::format("'{}' is not allowed, must be a number > 0", word));
+    constexpr double largest = 1e30; // in any unit no material comes near; products stay finite
+    if (!(line.values.back() >= 1.0 / largest && line.values.back() <= largest))
+      throw badInput(
+          path, number, keyword,
+          fmt::format("'{}' is not allowed, must be a number > 0, at most {:g}", word, largest));
   }
   return line;
 }

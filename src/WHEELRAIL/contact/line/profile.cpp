@@ -181,13 +181,13 @@ Profile detrended(const Profile &profile, int order)
   return {profile.spacing, profile.height - basis * c};
 }
 
-Profile lowPassed(const Profile &profile, double cutoff)
+Profile lowPassed(const Profile &profile, double cutoff, const std::string &path)
 {
   if (cutoff < 2.0 * profile.spacing || cutoff > profile.length())
-    throw Error(ExitCode::BadInput,
-                fmt::format("roughness.cutoff: {} mm must lie between two points of the profile, "
-                            "{} mm, and its length, {} mm",
-                            cutoff * 1e3, 2e3 * profile.spacing, profile.length() * 1e3));
+    throw badInput(path, 0, "roughness.cutoff",
+                   fmt::format("{:.5g} mm must lie between two points of the profile, {:.5g} mm, "
+                               "and its length, {:.5g} mm",
+                               cutoff * 1e3, 2e3 * profile.spacing, profile.length() * 1e3));
   const double alpha = std::sqrt(std::log(2.0) / pi); // ISO 16610-21
   const double width = alpha * cutoff / profile.spacing;
   const int reach = static_cast<int>(std::ceil(2.0 * width)); // the weight is 3e-6 there
@@ -207,14 +207,15 @@ Profile lowPassed(const Profile &profile, double cutoff)
   return smooth;
 }
 
-Profile resampled(const Profile &profile, int cells, double cellSize)
+Profile resampled(const Profile &profile, int cells, double cellSize, const std::string &path)
 {
   const double points = static_cast<double>(profile.height.size() - 1);
   const double wanted = cells * cellSize / profile.spacing;
   if (wanted > points * (1.0 + 1e-12))
-    throw Error(ExitCode::BadInput,
-                fmt::format("a profile of {} mm is shorter than the computed stretch, {} mm",
-                            points * profile.spacing * 1e3, cells * cellSize * 1e3));
+    throw badInput(path, 0, "",
+                   fmt::format("the profile, {:.5g} mm, is shorter than the stretch that is "
+                               "computed, {:.5g} mm (contact.domain, or contact.period)",
+                               points * profile.spacing * 1e3, cells * cellSize * 1e3));
   const double begin = 0.5 * (points - wanted), step = cellSize / profile.spacing;
   const int samples = std::max(4, static_cast<int>(std::ceil(4.0 * step))); // midpoints in a cell
   Profile result{cellSize, Vector(cells)};
@@ -233,14 +234,14 @@ Profile fractalProfile(const FractalSurface &surface, int cells, double length)
   const double mostWaves = std::floor(length / surface.wavelengthMin * (1.0 + 1e-12));
   if (fewestWaves > mostWaves)
     throw Error(ExitCode::BadInput,
-                fmt::format("roughness: no wave between {} and {} mm has a whole number of periods "
-                            "in {} mm",
+                fmt::format("roughness: no wave between {:.5g} and {:.5g} mm has a whole number "
+                            "of periods in {:.5g} mm",
                             surface.wavelengthMin * 1e3, surface.wavelengthMax * 1e3,
                             length * 1e3));
   if (cells < fewestCellsPerWave * mostWaves)
     throw Error(ExitCode::BadInput,
-                fmt::format("points: {} points on {} mm cannot carry waves of {} mm; at least {} "
-                            "are needed, ten to a wave are better",
+                fmt::format("points: {} points on {:.5g} mm cannot carry waves of {:.5g} mm; at "
+                            "least {:.0f} are needed, ten to a wave are better",
                             cells, length * 1e3, surface.wavelengthMin * 1e3,
                             fewestCellsPerWave * mostWaves));
   const int longest = static_cast<int>(fewestWaves), shortest = static_cast<int>(mostWaves);

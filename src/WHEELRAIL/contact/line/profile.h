@@ -51,13 +51,15 @@ Profile detrended(const Profile &profile, int order);
 
 /// Takes out wavelengths below the cut-off with the Gaussian filter of ISO 16610-21 (half of the
 /// amplitude is left at the cut-off); near the ends the weights are normalised again.
+/// \param path of the profile, for messages
 /// \throws Error (BadInput) for a cut-off below two points or above the length
-Profile lowPassed(const Profile &profile, double cutoff);
+Profile lowPassed(const Profile &profile, double cutoff, const std::string &path);
 
 /// The middle part of the profile on `cells` cells of size `cellSize`: the mean over each cell of
 /// the straight lines between points.
+/// \param path of the profile, for messages
 /// \throws Error (BadInput) when the profile is shorter than the cells
-Profile resampled(const Profile &profile, int cells, double cellSize);
+Profile resampled(const Profile &profile, int cells, double cellSize, const std::string &path);
 
 /// A self-affine random profile: the power spectrum falls as k^-(1 + 2 H) between the two
 /// wavelengths, phases are random.

@@ -24,13 +24,13 @@ Eigen::VectorXd measuredRoughness(const SurfaceSpecification &specification,
   profile = detrended(profile, specification.detrend);
   statistics.push_back(profileStatistics(name + ": detrended", profile));
   if (specification.cutoff > 0.0) {
-    profile = lowPassed(profile, specification.cutoff);
+    profile = lowPassed(profile, specification.cutoff, path);
     statistics.push_back(profileStatistics(name + ": filtered", profile, specification.cutoff));
   }
   const double usable = profile.length() - profile.spacing;
   const double most = std::min(usable / cellSize, mostCells);
   const int wanted = whole ? std::max(cells, static_cast<int>(most)) : cells;
-  profile = resampled(profile, wanted, cellSize);
+  profile = resampled(profile, wanted, cellSize, path);
   statistics.push_back(profileStatistics(name + ": resampled", profile, specification.cutoff));
   return profile.height;
 }

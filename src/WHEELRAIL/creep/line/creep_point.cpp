@@ -117,10 +117,11 @@ CreepPoint FrozenCreep::solve(const FrictionLaw &law, double speed, double creep
     if (step <= temperatureTolerance * physics_.strengthOf(law).vanishingTemperature)
       break;
     if (iteration >= maxIterations)
-      throw Error(ExitCode::NotConverged,
-                  fmt::format("creep {} at {} m/s: temperature and friction do not settle after {} "
-                              "iterations (last step {:.2e} K)",
-                              creep, speed, iteration, step));
+      throw Error(
+          ExitCode::NotConverged,
+          fmt::format("creep {:g} at {:g} m/s: temperature and friction do not settle after {} "
+                      "iterations (last step {:.2e} K)",
+                      creep, speed, iteration, step));
     if (iteration > 1 && step >= lastStep)
       part *= 0.5;
     lastStep = step;

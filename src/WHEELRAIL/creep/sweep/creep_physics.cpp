@@ -36,8 +36,8 @@ void CreepPhysics::checkStrength(const FrictionLaw &law, double hottest, double 
   if (hasFeedback(law) && feels && strengthOf(law).vanishesAt(hottest))
     throw Error(
         ExitCode::NotConverged,
-        fmt::format("creep {} at {} m/s: the temperature rise of {:.0f} K leaves no strength "
-                    "(friction.strength_temperature is {} K)",
+        fmt::format("creep {:g} at {:g} m/s: the temperature rise of {:.0f} K leaves no strength "
+                    "(friction.strength_temperature is {:g} K)",
                     creep, speed, hottest, strengthOf(law).vanishingTemperature));
 }
 
