@@ -112,7 +112,7 @@ FixMCAEnergy::Held FixMCAEnergy::held(const double (*v)[3], const double (*omega
     }
     own.kinetic += kinetic;
     own.led += pair->is_integrated(i) ? 0.0 : kinetic;
-    own.elastic += pair->step().automaton(i).energy;
+    own.elastic += pair->step().energy(i);
   }
   own.kinetic *= force->mvv2e;
   own.led *= force->mvv2e;

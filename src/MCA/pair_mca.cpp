@@ -134,7 +134,7 @@ void PairMCA::tally()
   const int nlocal = atom->nlocal;
   if (eflag_either)
     for (int i = 0; i < nlocal; i++) {
-      const double energy = mca_step.automaton(i).energy;
+      const double energy = mca_step.energy(i);
       if (eflag_global)
         eng_vdwl += energy;
       if (eflag_atom)

@@ -60,40 +60,100 @@ static EnergyAccount::Channel channelOf(const Step &step, int k)
                                                  : EnergyAccount::Viscous;
 }
 
+// Whether what pair k holds, of what its energy knows, is another one in the next state.
+static bool changesState(const Pairs &p, int k, int shears)
+{
+  if (!p.blocks[k / blockLength].moves)
+    return false;
+  bool same = p.now.kind[k] == p.next.kind[k] && p.now.plastic[k] == p.next.plastic[k];
+  for (int m = 0; m < shears; m++)
+    same = same && p.now.gamma[m][k] == p.next.gamma[m][k];
+  return !same;
+}
+
+static int shearsOf(const Step &step)
+{
+  return step.dimension() == 2 ? 1 : maxShears;
+}
+
 void EnergyAccount::keep(const Step &step, const double (*x)[3], const double (*f)[3],
                          const double (*torque)[3], const Edges &box)
 {
   box_ = box;
   rows_.resize(step.rows());
-  rows_.clear();
-  const Pairs &p = step.links().pairs();
-  for (int k = 0; k < p.n; k++) {
-    const double e = strainOf(step, k, true).normal;
-    rows_.row(p.i[k])[meanAt] += e;
-    rows_.row(p.j[k])[meanAt] += e;
-  }
-  const int own = step.own();
-  external_.resize(own);
-  for (int i = 0; i < own; i++) {
-    const AutomatonLaw &law = step.laws().automata[step.type(i)];
-    external_[i] = {vectorOf(f[i]) - step.force(i), vectorOf(torque[i]) - step.torque(i)};
+  const RowView rows = step.view();
+  external_.clear();
+  for (int i = 0; i < step.own(); i++) {
+    const Motion outer = {vectorOf(f[i]) - rows.force(i), vectorOf(torque[i]) - rows.torque(i)};
+    if (dot(outer.way, outer.way) + dot(outer.turn, outer.turn) != 0.0)
+      external_.push_back({i, outer});
     store(vectorOf(x[i]), rows_.row(i) + placeAt);
-    store(step.velocity(i), rows_.row(i) + velocityAt);
-    double &mean = rows_.row(i)[meanAt];
-    mean = meanStress(mean + step.keptNext(i), law.bulkModulus, law.weight);
+    store(rows.velocity(i), rows_.row(i) + velocityAt);
   }
+  findNextMeans(step);
   step.exchange().begin(rows_.data() + meanAt, rowLength, rowLength - meanAt);
   step.exchange().finish(rows_.data() + meanAt, rowLength, rowLength - meanAt);
+  findActive(step);
   findReleased(step);
+}
+
+// An automaton of whose contacts none changes keeps its mean stress, to the last bit.
+void EnergyAccount::findNextMeans(const Step &step)
+{
+  const Pairs &p = step.links().pairs();
+  const RowView rows = step.view();
+  const int own = step.own(), shears = shearsOf(step);
+  changing_.clear();
+  touched_.assign(step.rows(), false);
+  for (int first = 0; first < p.n; first += blockLength)
+    if (p.blocks[first / blockLength].moves)
+      for (int k = first; k < std::min(first + blockLength, p.n); k++)
+        if (changesState(p, k, shears)) {
+          changing_.push_back(k);
+          touched_[p.i[k]] = touched_[p.j[k]] = true;
+        }
+  for (int i = 0; i < own; i++) {
+    touched_[i] = touched_[i] || step.kept(i) != step.keptNext(i);
+    rows_.row(i)[meanAt] = touched_[i] ? 0.0 : rows.answer(i).mean;
+  }
+  for (int k = 0; k < p.n; k++)
+    if (touched_[p.i[k]] || touched_[p.j[k]]) {
+      const double e = strainOf(step, k, true).normal;
+      for (const int i : {p.i[k], p.j[k]})
+        if (touched_[i])
+          rows_.row(i)[meanAt] += e;
+    }
+  for (int i = 0; i < own; i++)
+    if (touched_[i]) {
+      const AutomatonLaw &law = step.laws().automata[step.type(i)];
+      double &mean = rows_.row(i)[meanAt];
+      mean = meanStress(mean + step.keptNext(i), law.bulkModulus, law.weight);
+    }
+}
+
+// Links that stay as they are, between automata whose mean stresses do, dissipate nothing: their
+// force is the gradient of their energy.
+void EnergyAccount::findActive(const Step &step)
+{
+  const Pairs &p = step.links().pairs();
+  const RowView rows = step.view();
+  for (int i = 0; i < rows_.rows(); i++)
+    touched_[i] = rows_.row(i)[meanAt] != rows.answer(i).mean;
+  active_.clear();
+  auto changes = changing_.begin();
+  for (int k = 0; k < p.n; k++) {
+    const bool changed = changes != changing_.end() && *changes == k;
+    changes += changed ? 1 : 0;
+    if (changed || touched_[p.i[k]] || touched_[p.j[k]] || !link::isLinked(p.now.kind[k]))
+      active_.push_back(k);
+  }
 }
 
 void EnergyAccount::findReleased(const Step &step)
 {
   std::fill_n(released_, Channels, 0.0);
   const Pairs &p = step.links().pairs();
-  for (int k = 0; k < p.n; k++) {
-    if (!p.blocks[k / blockLength].moves)
-      continue; // both states are the same
+  for (const int k : changing_) {
     const int i = p.i[k], j = p.j[k];
     const double means[2] = {step.mean(i), step.mean(j)};
     const double next[2] = {rows_.row(i)[meanAt], rows_.row(j)[meanAt]};
@@ -117,6 +177,8 @@ void EnergyAccount::findReleased(const Step &step)
   }
   // what broken links left to the mean stresses, and what of it is let go of
   for (int i = 0; i < step.own(); i++) {
+    if (step.kept(i) == step.keptNext(i))
+      continue;
     const AutomatonLaw &law = step.laws().automata[step.type(i)];
     const double mean = 0.5 * (step.mean(i) + rows_.row(i)[meanAt]);
     released_[Fracture] += mean * law.D * law.weight * (step.kept(i) - step.keptNext(i)) *
@@ -129,18 +191,18 @@ double EnergyAccount::released() const
   return std::accumulate(released_, released_ + Channels, 0.0);
 }
 
-void EnergyAccount::bookWork(int i, const Motion &moved)
-{
-  sums_[Work] += 0.5 * (dot(external_[i].way, moved.way) + dot(external_[i].turn, moved.turn));
-}
-
 void EnergyAccount::bookSecondHalf(const Step &step, double dt)
 {
-  for (int i = 0; i < step.own(); i++)
-    bookWork(i, {dt * step.velocity(i), dt * step.spin(i)});
+  for (const External &on : external_)
+    bookWork(on, {dt * step.velocity(on.row), dt * step.spin(on.row)});
   bookContacts(step, dt, true);
   for (int m = 0; m < Channels; m++)
     sums_[m] += released_[m];
+}
+
+void EnergyAccount::bookWork(const External &on, const Motion &moved)
+{
+  sums_[Work] += 0.5 * (dot(on.forces.way, moved.way) + dot(on.forces.turn, moved.turn));
 }
 
 void EnergyAccount::bookFirstHalf(const Step &step, const double (*x)[3], const double (*omega)[3],
@@ -149,11 +211,13 @@ void EnergyAccount::bookFirstHalf(const Step &step, const double (*x)[3], const 
   for (int m = 0; m < 6; m++)
     growth_.h[m] = box.h[m] - box_.h[m];
   for (int i = 0; i < step.own(); i++) {
-    const Motion moved = {vectorOf(x[i]) - vectorOf(rows_.row(i) + placeAt),
-                          dt * vectorOf(omega[i])};
-    store(moved.way, rows_.row(i) + wayAt);
-    store(moved.turn, rows_.row(i) + turnAt);
-    bookWork(i, moved);
+    double *const row = rows_.row(i);
+    store(vectorOf(x[i]) - vectorOf(row + placeAt), row + wayAt);
+    store(dt * vectorOf(omega[i]), row + turnAt);
+  }
+  for (const External &on : external_) {
+    const double *const row = rows_.row(on.row);
+    bookWork(on, {vectorOf(row + wayAt), vectorOf(row + turnAt)});
   }
   step.exchange().begin(rows_.data(), rowLength, meanAt);
   step.exchange().finish(rows_.data(), rowLength, meanAt);
@@ -173,72 +237,81 @@ Vector EnergyAccount::wayOfBox(const Step &step, int k) const
 }
 
 // What the contacts dissipate in the second half of the step just done (back), or in the first half
-// of the coming one. Of either step the evaluation knows one end; `sign` looks from there to the
-// other one.
+// of the coming one. Where the box grows, all contacts over its faces work on it.
 void EnergyAccount::bookContacts(const Step &step, double dt, bool back)
 {
-  const Pairs &p = step.links().pairs();
-  const double sign = back ? 1.0 : -1.0;
-  auto moved = [&](int i) {
-    const double *row = rows_.row(i);
-    return back ? Motion{dt * vectorOf(row + velocityAt), dt * step.spin(i)}
-                : Motion{vectorOf(row + wayAt), vectorOf(row + turnAt)};
-  };
   const bool grows =
       std::any_of(growth_.h, growth_.h + 6, [](double length) { return length != 0.0; });
-  const bool rubs = !step.links().springs().empty();
-  for (int k = 0; k < p.n; k++) {
-    const int i = p.i[k], j = p.j[k];
-    const PairLaw &law = step.law(k);
-    const Motion mi = moved(i), mj = moved(j);
-    const Vector ofBox = grows ? wayOfBox(step, k) : Vector{0.0, 0.0, 0.0};
-    const Vector apart = mj.way - mi.way + ofBox;
-    const Vector distance = step.place(p.placeJ[k]) - step.place(p.placeI[k]);
-    const Vector way = sign * apart;
-    const PairMotion motion =
-        pairMotion(distance, 1.0 / length(distance), way, 0.5 * sign * (mi.turn + mj.turn));
-    const double eps = p.eps[k];
-    const double other =
-        normalStrain(step.laws().keepsVolume, length(distance - way) * law.invDiameter);
-    const double growth = sign * dot(shearGrowth(motion), step.alongShear(k, 1.0));
+  if (!grows)
+    for (const int k : active_)
+      bookContact(step, k, dt, back, false);
+  else
+    for (int k = 0; k < step.links().size(); k++)
+      bookContact(step, k, dt, back, true);
+}
 
-    double state[LinkList::maxStateSize];
-    step.links().getState(k, !back, state);
-    const bool linked = link::isLinked(state[0]);
-    const ElasticStrain here = strainOf(step, k, !back);
-    const double there = touchingStrain(linked, other - state[1]);
-    const double closer = sign * (here.normal - there);
-    const ElasticStrain total = {sign * (eps - other), growth};
-    const ElasticStrain elastic = {closer, linked && isSheared(step, k) ? growth : 0.0};
-    const double means[2] = {step.mean(i), step.mean(j)};
-    const double next[2] = {rows_.row(i)[meanAt], rows_.row(j)[meanAt]};
-    const ContactStress s = step.contact(k);
-    const double volume = law.area * law.diameter * step.share(k);
-    // the force against lack of room is a gradient by itself
-    auto lossOf = [&](const ElasticStrain &change, const ElasticStrain &strained) {
-      return volume * stepLoss(law, s.normal - s.room - s.viscous, s.shear, here,
-                               back ? means : next, change, strained);
-    };
-    const double all = lossOf(total, elastic);
-    double loss = all;
-    // of a contact that touches or parts within the step only what its end that touches loses on
-    // its way is dissipated
-    if ((here.normal == 0.0) != (there == 0.0))
-      loss = here.normal == 0.0 ? 0.0 : lossOf({closer, growth}, elastic);
-    sums_[Touching] += all - loss;
-    double viscous = 0.5 * s.viscous * total.normal;
-    if (step.laws().resistsSlip) {
-      const double arm = 0.5 * length(distance);
-      const Vector slip = slipOf(step.normal(k), apart, mi.turn + mj.turn, arm);
-      viscous += slipLoss(law, step.slipStress(k), slip);
-    }
-    sums_[channelOf(step, k)] += loss;
-    sums_[Viscous] += viscous * volume;
-    if (back && rubs)
-      bookFriction(step, k, shearGrowth(motion), volume);
-    if (grows)
-      sums_[Box] += 0.5 * dot(step.contactForce(k), ofBox) * step.share(k);
+// Of either step the evaluation knows one end; `sign` looks from there to the other one.
+void EnergyAccount::bookContact(const Step &step, int k, double dt, bool back, bool grows)
+{
+  const Pairs &p = step.links().pairs();
+  const RowView rows = step.view();
+  const double sign = back ? 1.0 : -1.0;
+  const int i = p.i[k], j = p.j[k];
+  const double *const rowI = rows_.row(i), *const rowJ = rows_.row(j);
+  const int wayFrom = back ? velocityAt : wayAt;
+  const double scale = back ? dt : 1.0;
+  const Vector ofBox = grows ? wayOfBox(step, k) : Vector{0.0, 0.0, 0.0};
+  const Vector apart = scale * vectorOf(rowJ + wayFrom) - scale * vectorOf(rowI + wayFrom) + ofBox;
+  const Vector distance = rows.place(p.placeJ[k]) - rows.place(p.placeI[k]);
+  const Vector way = sign * apart;
+  const PairLaw &law = step.law(k);
+  const double other =
+      normalStrain(step.laws().keepsVolume, length(distance - way) * law.invDiameter);
+
+  double state[LinkList::maxStateSize];
+  step.links().getState(k, !back, state);
+  const bool linked = link::isLinked(state[0]);
+  const ElasticStrain here = strainOf(step, k, !back);
+  const double there = touchingStrain(linked, other - state[1]);
+  const bool rubs = !step.links().springs().empty();
+  const bool isApart = here.normal == 0.0 && strainOf(step, k, back).normal == 0.0;
+  if (!linked && !isSheared(step, k) && isApart && there == 0.0 && !rubs && !grows)
+    return; // apart at both ends
+  const Vector turns = back ? dt * rows.spin(i) + dt * rows.spin(j)
+                            : vectorOf(rowI + turnAt) + vectorOf(rowJ + turnAt);
+  const PairMotion motion = pairMotion(distance, 1.0 / length(distance), way, 0.5 * sign * turns);
+  const double growth = sign * dot(shearGrowth(motion), step.alongShear(k, 1.0));
+  const double closer = sign * (here.normal - there);
+  const ElasticStrain total = {sign * (p.eps[k] - other), growth};
+  const ElasticStrain elastic = {closer, linked && isSheared(step, k) ? growth : 0.0};
+  const double means[2] = {back ? rows.answer(i).mean : rowI[meanAt],
+                           back ? rows.answer(j).mean : rowJ[meanAt]};
+  const ContactStress s = step.contact(k);
+  const double volume = law.area * law.diameter * step.share(k);
+  // the force against lack of room is a gradient by itself
+  auto lossOf = [&](const ElasticStrain &change, const ElasticStrain &strained) {
+    return volume *
+           stepLoss(law, s.normal - s.room - s.viscous, s.shear, here, means, change, strained);
+  };
+  const double all = lossOf(total, elastic);
+  double loss = all;
+  // of a contact that touches or parts within the step only what its end that touches loses on
+  // its way is dissipated
+  if ((here.normal == 0.0) != (there == 0.0))
+    loss = here.normal == 0.0 ? 0.0 : lossOf({closer, growth}, elastic);
+  sums_[Touching] += all - loss;
+  double viscous = 0.5 * s.viscous * total.normal;
+  if (step.laws().resistsSlip) {
+    const double arm = 0.5 * length(distance);
+    const Vector slip = slipOf(step.normal(k), apart, turns, arm);
+    viscous += slipLoss(law, step.slipStress(k), slip);
   }
+  sums_[channelOf(step, k)] += loss;
+  sums_[Viscous] += viscous * volume;
+  if (back && rubs)
+    bookFriction(step, k, shearGrowth(motion), volume);
+  if (grows)
+    sums_[Box] += 0.5 * dot(step.contactForce(k), ofBox) * step.share(k);
 }
 
 // The force is that of what the spring holds, while its energy grew with all of its motion; in the
@@ -254,7 +327,10 @@ void EnergyAccount::bookFriction(const Step &step, int k, const Vector &growth, 
 
 double EnergyAccount::bytes() const
 {
-  return rows_.bytes() + static_cast<double>(external_.capacity() * sizeof(Motion));
+  return rows_.bytes() +
+         static_cast<double>(external_.capacity() * sizeof(External) +
+                             (changing_.capacity() + active_.capacity()) * sizeof(int) +
+                             touched_.capacity());
 }
 
 } // namespace mca

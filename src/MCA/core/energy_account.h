@@ -88,8 +88,18 @@ class EnergyAccount {
                        rowLength = 13;
   static_assert(rowLength - meanAt <= Exchange::mostValues);
   RowArray rows_{rowLength};
-  /// Forces and torques on own automata that are not of contacts [force, force length].
-  std::vector<Motion> external_;
+  /// Forces and torques on an own automaton that are not of contacts [force, force length].
+  struct External {
+    int row;
+    Motion forces;
+  };
+  /// Of all own automata on which there are such.
+  std::vector<External> external_;
+  /// Pairs whose state changes after the evaluation, and those that may dissipate in the steps to
+  /// and from it, in their order.
+  std::vector<int> changing_, active_;
+  /// Of all rows: their mean stress changes.
+  std::vector<char> touched_;
   /// Edges of the box in the evaluation, and how they change in the step that the other half is of
   /// [length].
   Edges box_ = {}, growth_ = {};
@@ -98,14 +108,18 @@ class EnergyAccount {
   /// What the change of state after the evaluation sets free, by channel, of this rank [energy].
   double released_[Channels] = {};
 
-  /// Half a step's work of the outer forces and torques on automaton i along this motion.
-  /// \param i  own automaton, of which keep() knows the forces
-  void bookWork(int i, const Motion &);
+  /// The mean stresses of the next state, and the pairs that change.
+  void findNextMeans(const Step &);
+  void findActive(const Step &);
+  /// Half a step's work of the outer forces and torques on an automaton along this motion.
+  void bookWork(const External &, const Motion &);
   /// How images at which pair k meets move away from each other with the box, beside the way of
   /// their automata, in the step that growth_ is of [length].
   Vector wayOfBox(const Step &, int k) const;
   /// What all contacts dissipate in half a step; back: of the step just done.
   void bookContacts(const Step &, double dt, bool back);
+  /// \param grows  the box does
+  void bookContact(const Step &, int k, double dt, bool back, bool grows);
   /// What friction dissipates as pair k moves, in the second half of the step just done.
   /// \param growth  of the shear in the step, a vector [-]
   /// \param volume  of the pair [volume], its share of this rank

@@ -159,6 +159,9 @@ class Step {
 
   const RowLayout &layout() const { return kernel_->rows; }
 
+  /// All rows of the last evaluation, for loops whose bounds are own() or rows(); not checked.
+  RowView view() const;
+
   /// Forces and torques [force, force length] of own automata, in rows as layout() says. Those of
   /// contacts only; rows behind them hold parts that are not complete.
   const RowArray &forces() const { return forces_; }
@@ -176,6 +179,7 @@ class Step {
   };
   /// \throw std::out_of_range  not an own automaton; the same below
   Automaton automaton(int i) const;
+  double energy(int i) const; ///< that of automaton(i), alone [energy]
   /// Force of all contacts on it [force]; z is 0 in the plane.
   Vector force(int i) const;
   /// Torque of all contacts on it [force length]; only z in the plane.
@@ -278,7 +282,6 @@ class Step {
   void leaveStrains();
   void yieldAgain(const Automata &, const Pairs &border, const Pairs &inside);
   const double *showLocal(const Automata &);
-  RowView view() const;
   void resistSlip(const Pairs &);
   void centreViscosity(const Pairs &, const Automata &, double dt);
   void rub(double dt, bool moves);

@@ -8,12 +8,9 @@ namespace mca {
 
 Step::Automaton Step::automaton(int i) const
 {
-  const int type = types_.at(i);
-  const AutomatonLaw &law = laws_.automata[type];
-  const double average = mean(i), squares = stresses_.row(i)[layout().stress.squares];
+  const AutomatonLaw &law = laws_.automata[types_.at(i)];
+  const double average = mean(i);
   const StressTensor s = view().averaged(i, law);
-  const double density =
-      energyDensity(squares, average, law.shearModulus, law.bulkModulus, law.D, law.weight);
   const bool inPlane = dimension() == 2 && laws_.keepsVolume;
   const double intensity = stressIntensity(inPlane ? flowStress(s.xx, s.yy, s.xy) : s);
   StressTensor whole = s;
@@ -23,9 +20,19 @@ Step::Automaton Step::automaton(int i) const
     for (double *normal : {&whole.xx, &whole.yy, &whole.zz})
       *normal -= room;
   }
-  return {whole, average - room, intensity,
-          (density + roomEnergy(room, law.bulkModulus)) * laws_.volumes[type] +
-              friction_.energy(i)};
+  return {whole, average - room, intensity, energy(i)};
+}
+
+double Step::energy(int i) const
+{
+  const int type = types_.at(i);
+  const AutomatonLaw &law = laws_.automata[type];
+  const double squares = stresses_.row(i)[layout().stress.squares];
+  const Answer answer = view().answer(i);
+  const double density =
+      energyDensity(squares, answer.mean, law.shearModulus, law.bulkModulus, law.D, law.weight);
+  return (density + roomEnergy(answer.room, law.bulkModulus)) * laws_.volumes[type] +
+         friction_.energy(i);
 }
 
 Vector Step::force(int i) const
