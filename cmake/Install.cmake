@@ -82,13 +82,14 @@ install(DIRECTORY doc examples potentials DESTINATION ${_share}
 install(FILES cmake/copyright DESTINATION share/doc/mca-wheelrail)
 
 # scripts of users; those of developers need the checkout
-set(_tools tools/campaign tools/reproduce tools/campaign_to_creep.sh tools/dump_to_vtk.py)
+set(_tools tools/campaign tools/reproduce tools/campaign_to_creep.sh tools/contact_inp.py
+    tools/dump_to_vtk.py)
 foreach(_what creep fit fragment friction layer patch series wheelrail)
   list(APPEND _tools tools/plot_${_what}.py)
 endforeach()
 install(PROGRAMS ${_tools} DESTINATION ${_share}/tools)
 install(FILES tools/common.sh DESTINATION ${_share}/tools)
-install(DIRECTORY tools/mcawr tools/campaign_parts tools/reproduce_parts
+install(DIRECTORY tools/mcawr tools/campaign_parts tools/contact_parts tools/reproduce_parts
         DESTINATION ${_share}/tools PATTERN __pycache__ EXCLUDE)
 file(MAKE_DIRECTORY "${_written}")
 foreach(_name campaign reproduce)

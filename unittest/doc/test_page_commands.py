@@ -30,6 +30,7 @@ PAGES = [
 PROGRAMS = {"wr_fit", "wr_creep"}
 SCRIPTS = {
     "campaign_to_creep.sh",
+    "contact_inp.py",
     "plot_creep.py",
     "plot_fit.py",
     "plot_friction.py",

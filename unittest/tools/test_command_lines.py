@@ -34,6 +34,7 @@ OPTIONS = {
         ["a.csv", "--shear-yield", "500", "-o", "a.png"],
         {"-o": [""], "--shear-yield": NUMBER},
     ),
+    "contact_inp.py": (["a.inp"], {"-o": [""]}),
     "creep_table.py": (
         ["a.yaml", "-o", "a.csv"],
         {

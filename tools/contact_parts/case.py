@@ -1,0 +1,315 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Case files of wr_creep that say what cases of CONTACT say, for contact_inp.py."""
+
+import math
+import os
+from typing import Any
+
+from contact_parts.inp import Contact, Refused
+
+DIGITS = 9  # of a number in a case file that was computed from those of the input
+
+
+def text(value: float, unit: str = "") -> str:
+    return f"{value:.{DIGITS}g}" + (f" {unit}" if unit else "")
+
+
+def pair(values: Any, unit: str) -> str:
+    return "[" + ", ".join(text(value, unit) for value in values) + "]"
+
+
+def gap_of(case: Contact) -> tuple[list[list[float]], tuple[float, float]]:
+    """The gap at the cells' centres, rows from the smallest y on, and curvatures near it."""
+    assert case.table is not None and case.grid is not None
+    nx, ny, left, bottom, dx, dy = case.grid
+    values, head = case.table
+    if not head:
+        rows = [list(values[k * nx : (k + 1) * nx]) for k in range(ny)]
+        return rows, (1e-6, 1e-6)
+    middle, radius, first, step = head
+    rows = []
+    for iy in range(ny):
+        place = (bottom + (iy + 0.5) * dy - first) / step
+        k = min(max(int(math.floor(place + 1e-9)), 0), len(values) - 2)
+        part = place - k
+        across = values[k] + part * (values[k + 1] - values[k])
+        rows.append(
+            [(left + (ix + 0.5) * dx - middle) ** 2 / (2.0 * radius) + across for ix in range(nx)]
+        )
+    return rows, (0.5 / radius, 0.5 / radius)
+
+
+def contact_group(case: Contact, turned: bool, files: dict[str, str], stem: str) -> list[str]:
+    """Lines of the groups contact, points, roughness. Raises Refused."""
+    assert case.grid is not None and case.material is not None
+    nu1, nu2, g1, g2 = case.material
+    young = [2.0 * g1 * (1.0 + nu1), 2.0 * g2 * (1.0 + nu2)]
+    first = "contact:"
+    load = case.drive[0]
+    lines = [first, f"  load: {text(load, 'N')}" if case.norm == "1" else
+             f"  approach: {text(load, 'mm')}"]  # fmt: skip
+    if young[0] == young[1] and nu1 == nu2:
+        lines += [f"  youngs_modulus: {text(young[0], 'MPa')}", f"  poissons_ratio: {text(nu1)}"]
+    else:
+        lines += [
+            f"  youngs_modulus: {pair(young, 'MPa')}",
+            f"  poissons_ratio: {pair([nu1, nu2], '')}",
+        ]
+    rough: list[str] = []
+    if case.table is not None:
+        rows, curvatures = gap_of(case)
+        nx, ny, left, bottom, dx, dy = case.grid
+        files[f"{stem}.txt"] = map_text(case, rows, curvatures)
+        rough = [f"roughness: {{rail: {stem}.txt, sampling: cells, detrend: none}}"]
+        lines.append(f"  curvatures: {pair(curvatures, '1/mm')}")
+    elif case.ellipse is not None:
+        lines.append(f"  semi_axes: {pair(case.ellipse, 'mm')}")
+    elif case.curvatures is not None:
+        lines.append(f"  curvatures: {pair(case.curvatures, '1/mm')}")
+    if len(case.grid) == 3:
+        nx, ny, scale = case.grid
+        lines.append(f"  domain: {text(2.0 * scale)}")
+    else:
+        nx, ny, left, bottom, dx, dy = case.grid
+        centre = [left + 0.5 * nx * dx, bottom + 0.5 * ny * dy]
+        if turned:
+            centre = [-value for value in centre]
+        lines.append(f"  cell: {pair([dx, dy], 'mm')}")
+        if any(abs(value) > 1e-9 * size for value, size in zip(centre, (dx, dy))):
+            lines.append(f"  centre: {pair(centre, 'mm')}")
+    if case.tang in "23":
+        lines.append(f"  spin_point: {text(1.0 / 6.0)}")
+    return [*lines, f"points: [{nx}, {ny}]", *rough]
+
+
+def map_text(case: Contact, rows: list[list[float]], curvatures: tuple[float, float]) -> str:
+    """A height map: what the gap A x2 + B y2 has too much, rows from the smallest y on."""
+    assert case.grid is not None
+    _, _, left, bottom, dx, dy = case.grid
+    if abs(dx - dy) > 1e-9 * dx:
+        raise Refused(f"{case.line}: a gap of points needs cells as long as wide")
+    lines = ["# height: mm", f"# spacing: {text(dx)} mm", "# rows: upwards"]
+    for iy, row in enumerate(rows):
+        y = bottom + (iy + 0.5) * dy
+        smooth = [
+            curvatures[0] * (left + (ix + 0.5) * dx) ** 2 + curvatures[1] * y * y
+            for ix in range(len(row))
+        ]
+        lines.append(";".join(f"{s - gap:.12g}" for s, gap in zip(smooth, row)))
+    return "\n".join(lines) + "\n"
+
+
+def thermal_group(case: Contact) -> list[str]:
+    if not case.heats:
+        return ["thermal: off"]
+    bulk, capacity, conductivity, density = zip(*case.heat)
+    return [  # mm, N, s, so that W/(mm K), J/(kg K) and kg/mm3
+        "thermal:",
+        "  model: local",
+        f"  bulk: {pair(bulk, 'K')}",
+        f"  conductivity: {pair([1e3 * value for value in conductivity], 'W/(m K)')}",
+        f"  specific_heat: {pair(capacity, 'J/(kg K)')}",
+        f"  density: {pair([1e9 * value for value in density], 'kg/m3')}",
+    ]
+
+
+def drive_lines(case: Contact, turned: bool) -> list[str]:
+    """Creepages, forces or a shift. Forces of CONTACT are relative to mu FN."""
+    load, x, y, spin = case.drive
+    sign = -1.0 if turned else 1.0
+    if case.tang == "0":
+        return ["static: {shift: [0 mm, 0 mm]}"]
+    if case.force != "0" and case.friction is None:
+        raise Refused(f"{case.line}: F = {case.force}: forces need one coefficient of friction")
+    limit = case.friction[0] * load if case.friction else 0.0
+    if case.tang == "1" and case.force == "0":
+        lines = [f"static: {{shift: {pair([x, y], 'mm')}, twist: {text(spin)}}}"]
+        return lines
+    if case.force != "0" and case.norm == "0":
+        if case.tang != "1" or y or spin or not 0.0 < sign * x < 1.0:
+            raise Refused(
+                f"{case.line}: F = {case.force}: with an approach a force of a shift along x is "
+                "converted"
+            )
+        return [f"static: {{force_ratio: {text(sign * x)}}}"]
+    if case.tang == "1" and (spin or (case.force == "1" and y)):
+        raise Refused(f"{case.line}: a shift beside a force is not in wr_creep")
+    forces = []
+    if case.force in "12":
+        forces.append(f"longitudinal: {text(sign * x * limit, 'N')}")
+    if case.force == "2":
+        forces.append(f"lateral: {text(sign * y * limit, 'N')}")
+    lines = [f"force: {{{', '.join(forces)}}}"] if forces else []
+    if case.tang == "1":
+        return lines
+    if case.force == "0":
+        lines.append(f"creep: {text(sign * x)}")
+    if case.force != "2":
+        lines.append(f"lateral: {text(sign * y)}")
+    return [*lines, f"spin: {text(spin, '1/mm')}"]
+
+
+def is_turned(case: Contact) -> bool:
+    if case.tang == "1" and case.norm == "0" and case.force != "0":
+        return case.drive[1] < 0.0  # a force ratio is positive
+    if case.tang not in "23" or case.rolling is None:
+        return False
+    turn = case.rolling[0]
+    if abs(turn - math.pi) < 1e-6:
+        return True
+    if abs(turn) > 1e-6:
+        raise Refused(f"{case.line}: CHI = {math.degrees(turn):g} degrees: 0 and 180 are converted")
+    return False
+
+
+def check_whole(case: Contact) -> None:
+    for name in ("grid", "material"):
+        if getattr(case, name) is None:
+            raise Refused(f"{case.line}: {name} of a former case that is not there")
+    if not (case.friction or case.rows or case.falling):
+        raise Refused(f"{case.line}: friction of a former case that is not there")
+    if case.friction and case.friction[0] != case.friction[1]:
+        raise Refused(f"{case.line}: FKIN is not FSTAT: one coefficient is in wr_creep")
+    if case.falling and (case.tang not in "23" or case.falling[3] or min(case.falling[:3]) <= 0.0):
+        raise Refused(f"{case.line}: L = 4: rolling with one falling exponential is converted")
+    if case.layer and (case.layer[3] or min(case.layer[:2]) <= 0.0):
+        raise Refused(f"{case.line}: M = 4: a layer that hardens, GGPLST, is not in wr_creep")
+
+
+def friction_lines(case: Contact, turned: bool) -> list[str]:
+    lines = []
+    if case.rows:
+        assert case.grid is not None
+        if len(case.grid) == 3:
+            raise Refused(f"{case.line}: V = 2: rows need a grid that is given in mm")
+        _, count, _, bottom, _, dy = case.grid
+        places = [bottom + (row + 0.5) * dy for row in range(count)]
+        factors = case.rows
+        if turned:
+            places, factors = [-y for y in reversed(places)], case.rows[::-1]
+        lines = [
+            "friction:",
+            "  law: constant",
+            "  mu: 1",
+            f"  across_y: {pair(places, 'mm')}",
+            f"  across_factor: {pair(factors, '')}",
+        ]
+    elif case.falling:
+        kinetic, more, speed = case.falling[:3]
+        lines = [
+            "friction:",
+            "  law: polach",
+            f"  mu0: {text(kinetic + more)}",
+            f"  A: {text(kinetic / (kinetic + more))}",
+            f"  B: {text(1e3 * math.log(2.0) / speed, 's/m')}",
+            f"  memory_length: {text(case.falling[5], 'mm')}",
+        ]
+    elif case.friction:
+        lines = [f"friction: {{law: constant, mu: {text(case.friction[0])}}}"]
+    if case.layer:
+        modulus, thickness, limit = case.layer[:3]
+        flow = f", yield_stress: {text(limit, 'MPa')}" if limit > 0.0 else ""
+        lines.append(
+            f"layer: {{thickness: {text(thickness, 'mm')}, shear_modulus: "
+            f"{text(modulus, 'MPa')}{flow}}}"
+        )
+    return lines
+
+
+def line_case(case: Contact) -> list[str]:
+    """A row of cells, MY = 1, is a line contact of the length DY."""
+    assert case.grid is not None and case.material is not None and case.curvatures is not None
+    nx, _, left, _, dx, dy = case.grid
+    nu1, nu2, g1, g2 = case.material
+    load, x = case.drive[0] / dy, case.drive[1]
+    if (nu1, g1) != (nu2, g2):
+        raise Refused(f"{case.line}: a line contact of unlike bodies is not in wr_creep")
+    if case.tang != "3" or case.force != "0" or case.norm != "1":
+        raise Refused(f"{case.line}: a line contact rolls steadily with a creepage under a load")
+    modulus = g1 / (1.0 - nu1)
+    half = math.sqrt(2.0 * load / (math.pi * modulus * case.curvatures[0]))
+    return [
+        "contact:",
+        f"  load_per_length: {text(load, 'N/mm')}",
+        f"  radius: {text(0.5 / case.curvatures[0], 'mm')}",
+        f"  youngs_modulus: {text(2.0 * g1 * (1.0 + nu1), 'MPa')}",
+        f"  poissons_ratio: {text(nu1)}",
+        f"  domain: {text(nx * dx / half)}",
+        f"points: {nx}",
+        f"creep: {text(-x if is_turned(case) else x)}",
+    ]
+
+
+def case_text(
+    group: list[Contact], path: str, numbers: str, files: dict[str, str], stem: str
+) -> str:
+    """A case file for cases that go on from each other. Raises Refused."""
+    case, last = group[0], group[-1]
+    for one in group:
+        check_whole(one)
+    turned = is_turned(last)
+    head = [f"# {os.path.basename(path)}, {numbers}, by contact_inp.py"]
+    if turned:
+        head.append("# turned by half a turn: creepages and forces in the plane change their signs")
+    assert case.grid is not None
+    along_line = len(case.grid) == 6 and case.grid[1] == 1
+    if along_line:
+        lines = line_case(case)
+    else:
+        lines = contact_group(last, turned, files, stem)
+        if len(group) > 1 and last.tang not in "23":
+            lines.append("force: {longitudinal: 0 N, lateral: 0 N}")  # no shift, by symmetry
+        else:
+            lines += drive_lines(last, turned)
+    lines += friction_lines(last, turned)
+    lines += thermal_group(last)
+    rolls = last.tang in "23"
+    if rolls:
+        assert last.rolling is not None
+        lines.append(f"speed: {text(last.rolling[2], 'mm/s')}")
+    if last.tang == "2":
+        lines += rolling_steps(group)
+    elif not rolls:
+        lines.append("mode: static")
+        if len(group) > 1:
+            lines += stages(group)
+    lines.append("fields: last")
+    if not along_line:
+        lines.append("sensitivities: false")
+    return "\n".join([*head, *lines]) + "\n"
+
+
+def rolling_steps(group: list[Contact]) -> list[str]:
+    """A shift, or nothing, and steps of rolling that all say the same."""
+    steps = [case for case in group if case.tang == "2"]
+    first = steps[0]
+    assert first.rolling is not None and first.grid is not None
+    if any(c.drive != first.drive or c.rolling != first.rolling for c in group if c.tang == "2"):
+        raise Refused(f"{first.line}: steps that differ are not converted; sequence is for them")
+    cells = first.rolling[1] / first.grid[4] if len(first.grid) == 6 else 0.0
+    if abs(cells - round(cells)) > 1e-6 or cells < 0.5:
+        raise Refused(f"{first.line}: DQ = {first.rolling[1]:g} mm is no whole number of cells")
+    time = len(steps) * first.rolling[1] / first.rolling[2]
+    start = "shift" if group[0].tang == "1" else "rest"
+    if start == "shift" and (group[0].force == "0" or group[0].drive != first.drive):
+        raise Refused(f"{group[0].line}: rolling goes on from a shift under the same forces only")
+    step = f", step: {round(cells)}" if round(cells) > 1 else ""
+    return [
+        "mode: moving",
+        f"moving: {{start: {start}{step}}}",
+        f"sequence: {{time: [0 s, {text(time, 's')}]}}",
+    ]
+
+
+def stages(group: list[Contact]) -> list[str]:
+    """Shifts at rest that go on from each other."""
+    wrong = [
+        case
+        for case in group
+        if case.force != "0" or case.norm != "1" or any(case.drive[1:]) or case.table is not None
+    ]
+    if wrong:
+        raise Refused(f"{wrong[0].line}: stages of a load without a shift are converted")
+    loads = ", ".join(text(case.drive[0], "N") for case in group)
+    times = ", ".join(f"{k} s" for k in range(len(group)))
+    return [f"sequence: {{time: [{times}], load: [{loads}]}}"]
