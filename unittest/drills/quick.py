@@ -5,16 +5,15 @@ process that has imported their packages. What a run in common does wrong is run
 
 import json
 import os
-import runpy
 import select
 import signal
 import subprocess
 import sys
-import time
-import traceback
 
 if __name__ != "__main__":
     from drill import ENVIRONMENT, HANG, Done, problem, run
+
+    import forked_scripts
 
 
 class Scripts:
@@ -22,70 +21,12 @@ class Scripts:
 
     def __init__(self):
         os.environ.update(ENVIRONMENT)
-        import matplotlib
-        import matplotlib.pyplot
-        import numpy
-        import yaml
-
-        self.packages = (matplotlib, numpy, yaml)  # in memory before the copies are made
+        forked_scripts.load_packages()
 
     def run(self, command, folder, **environment):
         """As drill.run() of [SCRIPT, words], with these variables of the environment, too."""
-        names = [os.path.join(folder, ".out"), os.path.join(folder, ".err")]
-        sys.stdout.flush()
-        sys.stderr.flush()
-        child = os.fork()
-        if child == 0:
-            os.environ.update(environment)
-            _become(list(map(str, command)), folder, *names)
-        code = _wait(child, HANG)
-        texts = []
-        for name in names:
-            with open(name, "rb") as file:
-                texts.append(file.read().decode("utf-8", "replace"))
-            os.unlink(name)
-        return Done(code, *texts)
-
-
-def _wait(child, patience):
-    """Exit code of a child; None when it had to be killed."""
-    end = time.monotonic() + patience
-    while time.monotonic() < end:
-        found, status = os.waitpid(child, os.WNOHANG)
-        if found:
-            return os.waitstatus_to_exitcode(status)
-        time.sleep(0.002)
-    os.kill(child, signal.SIGKILL)
-    os.waitpid(child, 0)
-    return None
-
-
-def _become(command, folder, out, err):
-    """The rest of a copy's life: the script. Does not return."""
-    code = 1
-    try:
-        os.setsid()
-        os.chdir(folder)
-        streams = [os.open("/dev/null", os.O_RDONLY)]
-        streams += [os.open(name, os.O_WRONLY | os.O_CREAT | os.O_TRUNC) for name in (out, err)]
-        for number, stream in enumerate(streams):
-            os.dup2(stream, number)
-        os.closerange(3, 64)
-        sys.argv = command
-        runpy.run_path(command[0], run_name="__main__")
-        code = 0
-    except SystemExit as end:
-        if end.code is None or isinstance(end.code, int):
-            code = end.code or 0
-        else:
-            print(end.code, file=sys.stderr)
-    except BaseException:  # as the interpreter would
-        traceback.print_exc()
-    try:
-        sys.stdout.flush()
-        sys.stderr.flush()
-    finally:
-        os._exit(code)
+        done = forked_scripts.run(command, folder, HANG, **environment)
+        return Done(done.returncode, done.stdout, done.stderr)
 
 
 class Lammps:

@@ -12,6 +12,7 @@ from pathlib import Path
 
 import pytest
 
+import forked_scripts
 from friction_logs import friction_log
 from mcawr import archive, errors, files
 from mcawr import friction_log as friction_logs
@@ -70,6 +71,8 @@ def work(tmp_path):
 
 def run(work, script, *words, **more):
     command = [TOOLS / script, *map(str, words)]
+    if not more:
+        return forked_scripts.run(command, work)
     return subprocess.run(
         command, cwd=work, text=True, capture_output=True, timeout=120, check=False, **more
     )
@@ -294,7 +297,8 @@ def test_animation_on_a_full_disk(work):
 
 def test_table_of_layers(work, node):
     failed(run(work, "plot_layer.py", "a.profile", "--csv", node), "plot_layer.py", str(node))
-    done = run(work, "plot_layer.py", "a.profile", "--csv", "/dev/stdout")
+    pipe = {"stdin": subprocess.DEVNULL}  # a process of its own, whose output is a pipe
+    done = run(work, "plot_layer.py", "a.profile", "--csv", "/dev/stdout", **pipe)
     assert done.returncode == 0, done.stderr
     assert done.stdout.startswith("step,centre,depth")
 

@@ -5,6 +5,8 @@ import subprocess
 from pathlib import Path
 
 import pytest
+
+import forked_scripts
 from matplotlib import collections
 from script_calls import load
 
@@ -23,10 +25,7 @@ def plot(tmp_path, content):
     table, picture = tmp_path / "creep.csv", tmp_path / "a.png"
     if content is not None:
         table.write_text(content)
-    done = subprocess.run(
-        [PLOT, table, "-o", picture], text=True, capture_output=True, timeout=60, check=False
-    )
-    return done, picture
+    return forked_scripts.run([PLOT, table, "-o", picture], tmp_path), picture
 
 
 def test_picture(tmp_path):

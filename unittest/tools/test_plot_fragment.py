@@ -6,6 +6,8 @@ import subprocess
 from pathlib import Path
 
 import pytest
+
+import forked_scripts
 from mcawr.campaign_record import timestep_of
 from mcawr.dump import Film
 
@@ -22,14 +24,7 @@ def plot(tmp_path, content, *options):
     dump, picture = tmp_path / "a.dump", tmp_path / "a.png"
     if content is not None:
         dump.write_text(content)
-    done = subprocess.run(
-        [PLOT, dump, "-o", picture, *options],
-        text=True,
-        capture_output=True,
-        timeout=60,
-        check=False,
-    )
-    return done, picture
+    return forked_scripts.run([PLOT, dump, "-o", picture, *options], tmp_path), picture
 
 
 TIMES = (

@@ -7,6 +7,8 @@ from pathlib import Path
 
 import pytest
 
+import forked_scripts
+
 PLOT = Path(__file__).resolve().parents[2] / "tools" / "plot_layer.py"
 HEAD = """# Chunk-averaged data
 # Timestep Number-of-chunks Total-count
@@ -29,13 +31,7 @@ def frame(step, low, high):
 
 def plot(tmp_path, content, *options):
     (tmp_path / "a.profile").write_text(content)
-    return subprocess.run(
-        [PLOT, tmp_path / "a.profile", *options],
-        text=True,
-        capture_output=True,
-        timeout=60,
-        check=False,
-    )
+    return forked_scripts.run([PLOT, tmp_path / "a.profile", *options], tmp_path)
 
 
 def test_measures_of_a_known_layer(tmp_path):

@@ -7,6 +7,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+import forked_scripts
+
 from mcawr import fields
 from mcawr.errors import BadInput
 
@@ -81,10 +83,7 @@ def plot(tmp_path, *arguments, **changed):
         (tmp_path / name).write_bytes(content if isinstance(content, bytes) else content.encode())
     picture = tmp_path / "picture.png"
     command = [TOOLS / "plot_patch.py", *arguments, "-o", picture]
-    done = subprocess.run(
-        command, text=True, capture_output=True, timeout=120, check=False, cwd=tmp_path
-    )
-    return done, picture
+    return forked_scripts.run(command, tmp_path), picture
 
 
 @pytest.mark.parametrize(

@@ -2,11 +2,12 @@
 """tools/plot_shakedown.py: Johnson's limits, and operating points on the map."""
 
 import importlib.util
-import subprocess
 from pathlib import Path
 
 import numpy as np
 import pytest
+
+import forked_scripts
 
 TOOL = Path(__file__).resolve().parents[2] / "tools" / "plot_shakedown.py"
 
@@ -54,7 +55,7 @@ def plot(tmp_path, *options, creep=CREEP):
     (tmp_path / "creep.csv").write_text(creep, encoding="utf-8")
     (tmp_path / "subsurface_0002.csv").write_text(STRESSES, encoding="utf-8")
     command = [TOOL, "creep.csv", "-o", "map.png", *options]
-    return subprocess.run(command, cwd=tmp_path, text=True, capture_output=True, check=False)
+    return forked_scripts.run(command, tmp_path)
 
 
 def test_picture(tmp_path):

@@ -4,11 +4,12 @@
 import os
 import re
 import shutil
-import subprocess
 from pathlib import Path
 
 import numpy
 import pytest
+
+import forked_scripts
 
 from campaign_parts import plan as plans
 from friction_logs import eq2, friction_log
@@ -16,6 +17,7 @@ from mcawr import archive
 from test_plot_layer import HEAD, frame
 
 ROOT = Path(__file__).resolve().parents[2]
+REPRODUCE = ROOT / "tools" / "reproduce"
 
 BUILD = (
     Path(os.environ["MCAWR_TEST_LMP"]).parents[1]
@@ -28,21 +30,8 @@ pytestmark = pytest.mark.skipif(
 
 
 def reproduce(tmp_path, *figures):
-    return subprocess.run(
-        [
-            ROOT / "tools" / "reproduce",
-            *figures,
-            "--logs",
-            tmp_path / "logs",
-            "-o",
-            tmp_path / "out",
-        ],
-        env={**os.environ, "MCAWR_BUILD": str(BUILD)},
-        text=True,
-        capture_output=True,
-        timeout=120,
-        check=False,
-    )
+    words = [*figures, "--logs", tmp_path / "logs", "-o", tmp_path / "out"]
+    return forked_scripts.run([REPRODUCE, *words], tmp_path, MCAWR_BUILD=str(BUILD))
 
 
 def logs(tmp_path, name, factor=lambda run: 1.0, ns=300):
@@ -355,14 +344,8 @@ def test_few_runs_are_a_figure_or_one_clear_line(name, tmp_path):
 
 @pytest.mark.parametrize("name", shipped())
 def test_pages_tell_what_the_shipped_logs_tell(name, tmp_path):
-    done = subprocess.run(
-        [ROOT / "tools" / "reproduce", name, "-o", tmp_path],
-        env={**os.environ, "MCAWR_BUILD": str(BUILD)},
-        text=True,
-        capture_output=True,
-        timeout=120,
-        check=False,
-    )
+    command = [REPRODUCE, name, "-o", tmp_path]
+    done = forked_scripts.run(command, tmp_path, MCAWR_BUILD=str(BUILD))
     assert done.returncode == 0, done.stderr
     pages = "".join(
         (ROOT / "doc" / page).read_text(encoding="utf-8")
