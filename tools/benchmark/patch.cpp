@@ -8,6 +8,10 @@
 //   smooth/n      as steady, a Hertzian circle over 1.1 x 2a
 //   wheel/n       a wheel's ellipse, n x 0.92 n cells over 1.1 x its axes, creep 1.2e-3, from
 //                 nothing: influence of the cells, normal contact, traction
+//   normal/n      pressure of a Hertzian circle over 1.1 x 2a, from nothing
+//   normalRough/n that of the rough circle
+//   force/n       a ball's shift under 0.657 mu N that rolls on under this force, 1.65 n steps of a
+//                 cell, as CONTACT's example catt_to_cart, which has 34 cells a side
 #include "contact/normal_contact.h"
 #include "contact/patch/elasticity/hertz_ellipse.h"
 #include "contact/patch/elasticity/patch_half_space.h"
@@ -122,6 +126,64 @@ void transient(benchmark::State &state)
   state.counters["products"] = double(products) / travelled;
 }
 
+void normal(benchmark::State &state)
+{
+  const int n = static_cast<int>(state.range(0));
+  const PatchGrid grid = centredGrid(n, n, 2.2, 2.2);
+  const HertzEllipse hertz = hertzEllipseOfAxes(load, pair.G / (1.0 - pair.nu), 1.0, 1.0);
+  PatchHalfSpace space(grid, pair);
+  NormalContactProblem problem;
+  problem.profile = sampled(grid, [&](double x, double y) { return hertz.gap(x, y); });
+  problem.load = load / grid.cellArea();
+  NormalContactResult result;
+  for (auto _ : state)
+    result = solveNormalContact(space, problem);
+  state.counters["iterations"] = result.iterations;
+  state.counters["cells"] = result.contactCells();
+}
+
+void normalRough(benchmark::State &state)
+{
+  RoughContact contact(static_cast<int>(state.range(0)));
+  for (auto _ : state) {
+    contact.pressure.resize(0);
+    contact.press(0);
+  }
+  state.counters["cells"] = static_cast<double>((contact.pressure.array() > 0.0).count());
+}
+
+/// The case of unittest/WHEELRAIL/test_patch_cases.cpp, on n x n cells.
+void force(benchmark::State &state)
+{
+  const ElasticPair soft{1.0, 0.28};
+  const double friction = 0.4013, ballLoad = 0.4705, curvature = 0.002963;
+  const int n = static_cast<int>(state.range(0)), steps = n * 56 / 34;
+  const PatchGrid grid = centredGrid(n, n, 8.5, 8.5);
+  PatchHalfSpace space(grid, soft);
+  NormalContactProblem problem;
+  problem.profile = sampled(grid, [&](double x, double y) { return curvature * (x * x + y * y); });
+  problem.load = ballLoad / grid.cellArea();
+  const Vector bound = friction * solveNormalContact(space, problem).pressure;
+  int products = 0;
+  for (auto _ : state) {
+    TransientPatch patch(grid, soft);
+    TransientPatch::Step step;
+    step.bound = bound;
+    step.cells = 0;
+    step.forceX = -0.657 * friction * ballLoad;
+    step.forceY = 0.0;
+    products = 0;
+    for (int i = 0; i <= steps; ++i) {
+      const TangentialResult result = patch.step(step);
+      products += result.products;
+      step.creepage = result.creepage;
+      step.cells = 1;
+    }
+  }
+  state.counters["products"] = double(products) / (steps + 1);
+  state.counters["steps"] = steps;
+}
+
 /// The case of unittest/WHEELRAIL/test_patch_cases.cpp whose curve CONTACT publishes.
 void wheel(benchmark::State &state)
 {
@@ -153,4 +215,7 @@ BENCHMARK(steadyCold)->Arg(256)->Arg(512)->Arg(1024)->Unit(benchmark::kMilliseco
 BENCHMARK(smooth)->Arg(128)->Arg(256)->Arg(512)->Arg(1024)->Unit(benchmark::kMillisecond);
 BENCHMARK(transient)->Arg(256)->Arg(512)->Arg(1024)->Unit(benchmark::kMillisecond);
 BENCHMARK(wheel)->Arg(292)->Unit(benchmark::kMillisecond);
+BENCHMARK(normal)->Arg(512)->Arg(1024)->Unit(benchmark::kMillisecond);
+BENCHMARK(normalRough)->Arg(512)->Unit(benchmark::kMillisecond);
+BENCHMARK(force)->Arg(35)->Arg(137)->Unit(benchmark::kMillisecond);
 BENCHMARK_MAIN();
