@@ -9,6 +9,9 @@ from mcawr.errors import BadInput
 from mcawr.files import read_text
 
 
+MOST = 16384  # cells along a side, values of a table
+
+
 class Refused(Exception):
     """A case that wr_creep cannot do: line and reason."""
 
@@ -228,7 +231,8 @@ def read_grid(reader: Reader, case: Contact) -> bool:
     if kind not in names:
         raise BadInput(f"{reader.path}:{line.number}: IPOTCN = {kind}: {', '.join(names)} are read")
     values = reader.numbers(2 + len(names[kind].split(",")), f"MX,MY,{names[kind]}")
-    nx, ny, a, b = int(values[0]), int(values[1]), values[2], values[3]
+    nx, ny = (whole(reader, line, value, "MX, MY", 1) for value in values[:2])
+    a, b = values[2], values[3]
     case.ellipse = case.curvatures = case.table = None
     if kind in ("-1", "-2", "-3"):
         case.grid = (nx, ny, values[4])
@@ -244,8 +248,19 @@ def read_grid(reader: Reader, case: Contact) -> bool:
         c, d = (c - a) / max(1, nx - 1), (d - b) / max(1, ny - 1)
     if kind in ("3", "4"):
         a, b = a - 0.5 * c, b - 0.5 * d
+    if not (c > 0.0 and d > 0.0):
+        raise BadInput(f"{reader.path}:{line.number}: IPOTCN = {kind}: cells have no size")
     case.grid = (nx, ny, a, b, c, d)
     return False
+
+
+def whole(reader: Reader, line: Line, value: float, name: str, least: int) -> int:
+    if value != int(value) or not least <= value <= MOST:
+        raise BadInput(
+            f"{reader.path}:{line.number}: {name}: {value:g} is not allowed, "
+            f"must be a whole number from {least} to {MOST}"
+        )
+    return int(value)
 
 
 def curvature_ratio(axes: float) -> float:
@@ -281,6 +296,9 @@ def read_gap(reader: Reader, case: Contact) -> None:
         case.curvatures = (b[0], b[2])
     elif base == "2":
         values = reader.numbers(5, "NN, XM, RM, Y1, DY1")
+        whole(reader, line, values[0], "NN", 2)
+        if values[2] == 0.0 or values[4] <= 0.0:
+            raise BadInput(f"{reader.path}:{line.number}: IBASE = 2: RM is not 0, DY1 above 0")
         case.table = (list(reader.numbers(int(values[0]), "the gap across y")), values[1:])
     elif base == "9" and case.grid is not None:
         count = case.grid[0] * case.grid[1]

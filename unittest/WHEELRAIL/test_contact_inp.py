@@ -393,6 +393,22 @@ BAD = {
         block("200100", "9 0 0 0", ".3 .3", STEEL, "1\n 9 9 -1 -1 .2 .2\n 3 1"),
         "IBASE = 3: 1, 2 and 9 are read",
     ),
+    "cells": (
+        block("200100", "9 0 0 0", ".3 .3", STEEL, "-3\n 9.5 9 1. 1. 1.2"),
+        "a.inp:11: MX, MY: 9.5 is not allowed, must be a whole number from 1 to 16384",
+    ),
+    "no cells": (
+        block("200100", "9 0 0 0", ".3 .3", STEEL, "2\n 9 9 1. 1. 0. 2.\n" + BALL),
+        "a.inp:11: IPOTCN = 2: cells have no size",
+    ),
+    "table": (
+        block("200100", "9 0 0 0", ".3 .3", STEEL, "1\n 9 9 -1 -1 .2 .2\n 2 1\n 1 0 9 -1 .1 7"),
+        "a.inp:13: NN: 1 is not allowed",
+    ),
+    "arc": (
+        block("200100", "9 0 0 0", ".3 .3", STEEL, "1\n 9 9 -1 -1 .2 .2\n 2 1\n 2 0 0 -1 .1 7 8"),
+        "a.inp:13: IBASE = 2: RM is not 0, DY1 above 0",
+    ),
     "kinetic": (
         block("200100", "9 0 0 0", ".3 .2", STEEL, "-3\n 9 9 1. 1. 1.2"),
         "FKIN is not FSTAT",
