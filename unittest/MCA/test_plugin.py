@@ -4,10 +4,11 @@
 import os
 import pathlib
 import shutil
+import subprocess
 
 import pytest
 
-from lmp_run import PLUGIN, STEEL, fails, lmp, periodic_block
+from lmp_run import LMP, PLUGIN, STEEL, fails, lmp, periodic_block
 
 BARE = os.environ["MCA_LMP_BARE"]
 SAMPLE = (
@@ -41,6 +42,24 @@ def test_plugin_load(tmp_path):
 
 def test_plugin_path(tmp_path):
     assert bare(SAMPLE + "run 10\n", tmp_path, path=os.path.dirname(PLUGIN)).rc == 0
+
+
+@pytest.mark.parametrize("example", ["friction", "space"])
+def test_a_variable_that_the_script_does_not_have(tmp_path, example):
+    """LAMMPS alone takes any."""
+    script = f"{os.environ['PROJECT_SOURCE']}/examples/{example}/in.friction"
+    known = ["-var", "ns", "0", "-var", "laws", "c", "weld", "-var", "columns", "8"]
+    for words, refused in ((["-var", "strenght", "300"], True), ([], False)):
+        done = subprocess.run(
+            [LMP, "-in", script, "-log", "none", *known, *words],
+            cwd=tmp_path,
+            capture_output=True,
+            text=True,
+            timeout=100,
+            check=False,
+        )
+        named = "lmp: -var strenght: " in done.stderr and "; known: p v strength " in done.stderr
+        assert named == refused and (done.returncode == 2) == refused, done.stderr
 
 
 def test_a_folder_with_a_colon(tmp_path):
