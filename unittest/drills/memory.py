@@ -20,8 +20,8 @@ def limited(size):
 
 
 def least(command, folder, low, high):
-    """The smallest limit, to a step, under which a command ends with 0."""
-    while high - low > STEP:
+    """The smallest limit, to a step or 3 %, under which a command ends with 0."""
+    while high - low > max(STEP, high // 32):
         middle = (low + high) // 2
         if run(command, folder, preexec_fn=limited(middle)).code == 0:
             high = middle
@@ -32,7 +32,7 @@ def least(command, folder, low, high):
 
 def main():
     """All calls."""
-    drill = Drill(__doc__, 12, "limits for each call")
+    drill = Drill(__doc__, 8, "limits for each call")
     work = drill.new_folder("work")
     inputs_in(work, drill)
     threads = dict(ENVIRONMENT, OMP_NUM_THREADS="2", MALLOC_ARENA_MAX="1")
