@@ -257,7 +257,9 @@ def case_text(
         lines = line_case(case)
     else:
         lines = contact_group(last, turned, files, stem)
-        if len(group) > 1 and last.tang not in "23":
+        if last.tang == "2":
+            lines += rolling_steps(group, turned)
+        elif len(group) > 1 and last.tang not in "23":
             lines.append("force: {longitudinal: 0 N, lateral: 0 N}")  # no shift, by symmetry
         else:
             lines += drive_lines(last, turned)
@@ -267,9 +269,7 @@ def case_text(
     if rolls:
         assert last.rolling is not None
         lines.append(f"speed: {text(last.rolling[2], 'mm/s')}")
-    if last.tang == "2":
-        lines += rolling_steps(group)
-    elif not rolls:
+    if not rolls:
         lines.append("mode: static")
         if len(group) > 1:
             lines += stages(group)
@@ -279,26 +279,56 @@ def case_text(
     return "\n".join([*head, *lines]) + "\n"
 
 
-def rolling_steps(group: list[Contact]) -> list[str]:
-    """A shift, or nothing, and steps of rolling that all say the same."""
+def rolling_steps(group: list[Contact], turned: bool) -> list[str]:
+    """A shift, or nothing, and steps of rolling; what differs between them becomes a list."""
     steps = [case for case in group if case.tang == "2"]
     first = steps[0]
     assert first.rolling is not None and first.grid is not None
-    if any(c.drive != first.drive or c.rolling != first.rolling for c in group if c.tang == "2"):
-        raise Refused(f"{first.line}: steps that differ are not converted; sequence is for them")
+    for case in steps:
+        if (case.rolling, case.force, case.norm) != (first.rolling, first.force, first.norm):
+            raise Refused(f"{case.line}: steps of one length, speed and kind are converted")
     cells = first.rolling[1] / first.grid[4] if len(first.grid) == 6 else 0.0
     if abs(cells - round(cells)) > 1e-6 or cells < 0.5:
         raise Refused(f"{first.line}: DQ = {first.rolling[1]:g} mm is no whole number of cells")
-    time = len(steps) * first.rolling[1] / first.rolling[2]
     start = "shift" if group[0].tang == "1" else "rest"
-    if start == "shift" and (group[0].force == "0" or group[0].drive != first.drive):
-        raise Refused(f"{group[0].line}: rolling goes on from a shift under the same forces only")
+    if start == "shift" and (group[0].force != first.force or first.force == "0"):
+        raise Refused(f"{group[0].line}: rolling goes on from a shift under forces only")
     step = f", step: {round(cells)}" if round(cells) > 1 else ""
+    # what holds at the end of each step; at the beginning that of the shift
+    ends = [group[0] if start == "shift" else first, *steps]
+    lists = {name: [drive[name] for drive in (driven(case, turned) for case in ends)]
+             for name in driven(first, turned)}  # fmt: skip
+    changing = {name: values for name, values in lists.items() if len(set(values)) > 1}
+    steady = {name: values[0] for name, values in lists.items() if name not in changing}
+    forces = [
+        f"{name[len('force_'):]}: {value}" for name, value in steady.items() if "force" in name
+    ]
+    said = [f"force: {{{', '.join(forces)}}}"] if forces else []
+    said += [f"{name}: {steady[name]}" for name in ("creep", "lateral", "spin") if name in steady]
+    more = [f", {name}: [{', '.join(values)}]" for name, values in changing.items()]
+    count = len(steps) if changing else 1
+    whole = len(steps) * first.rolling[1] / first.rolling[2]
+    times = ", ".join(text(whole * k / count, "s") for k in range(count + 1))
     return [
+        *said,
         "mode: moving",
         f"moving: {{start: {start}{step}}}",
-        f"sequence: {{time: [0 s, {text(time, 's')}]}}",
+        f"sequence: {{time: [{times}]{''.join(more)}}}",
     ]
+
+
+def driven(case: Contact, turned: bool) -> dict[str, str]:
+    """What drives a step, by the words of group sequence."""
+    load, x, y, spin = case.drive
+    sign = -1.0 if turned else 1.0
+    force = sign * load * (case.friction[0] if case.friction else 0.0)
+    along = {"force_longitudinal": text(x * force, "N")}
+    if case.force == "0":
+        along = {"creep": text(sign * x)}
+    across = {"force_lateral": text(y * force, "N")}
+    if case.force != "2":
+        across = {"lateral": text(sign * y)}
+    return {"load": text(load, "N"), **along, **across, "spin": text(spin, "1/mm")}
 
 
 def stages(group: list[Contact]) -> list[str]:

@@ -213,6 +213,27 @@ def test_catt_to_cart(tmp_path):
     assert cells(rows[-1], 0.0625) == (621, 346)
 
 
+@pytest.mark.parametrize("turned", [False, True])
+def test_steps_that_differ(tmp_path, turned):
+    """Each has a load and a force of its own, and so has the shift; to -x they are turned."""
+    grid = "1\n 36 33 -4.5 -4.125 0.25 0.25\n 1 1\n .002963 0. .002963 0. 0. 0."
+    rolling = ("180d" if turned else "0.") + " 0.25 1000."
+    drives = [(0.4705, -0.3), (0.47, -0.6), (0.45, -0.2), (0.40, 0.1)]
+    shift, *steps = [
+        block(control, f"{load} {force} 0 0", "0.4 0.4", SOFT, grid, rolling=way)
+        for (load, force), control, way in zip(
+            drives, ["201120"] + ["002120"] * 3, [""] + [rolling] * 3
+        )
+    ]
+    converted(tmp_path, shift, *steps)
+    rows = solved(tmp_path, 1, "series")
+    assert len(rows) == 3
+    sign = -1 if turned else 1
+    for row, (load, force) in zip(rows, drives[1:]):
+        assert row["load"] == pytest.approx(load, rel=1e-6)
+        assert row["force_x"] == pytest.approx(sign * force * 0.4 * load, abs=1e-5 * 0.4 * load)
+
+
 def test_fastsim_1_and_what_is_refused(tmp_path):
     grid = "-3\n 44 44 8. 4. 1.1  MX,MY,AA,BB,SCALE"
     drive, rolling = "82000. 0. -0.000625 0.000625", "0. 0.4 30000."
