@@ -58,6 +58,23 @@ def rows(path: str) -> list[Row]:
     return found
 
 
+def columns(path: str) -> dict[str, list[Any]]:
+    """{column: values} of a CSV file of ours, as numpy.array() and pandas.DataFrame() take them:
+    numbers where all of a column are, nan among them, else texts.
+
+    Raises BadInput, csv.Error, ValueError.
+    """
+    table = rows(path)
+    found: dict[str, list[Any]] = {}
+    for name in table[0] if table else ():
+        texts = [row[name] for row in table]
+        try:
+            found[name] = [float("nan") if text in ("", "nan") else decimal(text) for text in texts]
+        except ValueError:
+            found[name] = list(texts)
+    return found
+
+
 def read(path: str, what: str, convert: Callable[[list[Row]], T]) -> T:
     """convert() of all rows of a CSV file. Raises BadInput: 'PATH: not WHAT: why'."""
     return _checked(path, what, lambda: convert(rows(path)))

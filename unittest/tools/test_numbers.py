@@ -3,7 +3,7 @@
 
 import pytest
 
-from mcawr import numbers
+from mcawr import numbers, tables
 from mcawr.replicas import student95
 
 NONE = ["", "x", "nan", "inf", "-inf", "1e999", "0x10", "1_000", "1 500", "²", "٣", "1,5", "--1"]
@@ -41,3 +41,14 @@ def test_values_of_json(value):
 def test_student95(freedom, t):
     """The tables' two-sided 95 %."""
     assert student95(freedom) == pytest.approx(t, rel=2e-5)
+
+
+def test_columns_of_a_table(tmp_path):
+    """Comments are skipped; what is no number stays a text."""
+    path = tmp_path / "a.csv"
+    path.write_text("# creep: 1; a, b\nfile,creep,mu\n# more\na.friction,1e-3,nan\nb,2,0.3\n")
+    found = tables.columns(str(path))
+    assert found["file"] == ["a.friction", "b"] and found["creep"] == [0.001, 2]
+    assert found["mu"][0] != found["mu"][0] and found["mu"][1] == 0.3
+    path.write_text("# nothing\n")
+    assert tables.columns(str(path)) == {}
