@@ -3,7 +3,10 @@
 # LAMMPS which the project did not build.
 #   bin/                                      lmp-mca, wr_fit, wr_creep, mca-campaign, mca-reproduce
 #   lib/mca-wheelrail/                        plugin, LAMMPS, its Python module, static libraries
+#   lib/libwheelrail_c.so                     the C interface
+#   lib/python3/dist-packages/wheelrail/      the Python module; Debian's place below /usr
 #   include/wheelrail/, lib/cmake/wheelrail/  for find_package(wheelrail)
+#   lib/pkgconfig/wheelrail.pc                the C interface for pkg-config
 #   share/mca-wheelrail/                      as the checkout: tools, potentials, examples, pages
 include(CMakePackageConfigHelpers)
 set(CMAKE_SKIP_INSTALL_ALL_DEPENDENCY TRUE) # what tests need is not built for it
@@ -19,7 +22,15 @@ if(BUILD_MCA AND LAMMPS_BUILT_HERE)
   list(APPEND _folders ${_lib}/python ${_lib}/python/lammps)
 endif()
 if(BUILD_WHEELRAIL)
-  list(APPEND _folders include include/wheelrail lib/cmake lib/cmake/wheelrail)
+  list(APPEND _folders include include/wheelrail lib/cmake lib/cmake/wheelrail lib/pkgconfig)
+  if(BUILD_PYTHON)
+    set(_folder "")
+    string(REPLACE "/" ";" _parts "${WHEELRAIL_PYTHON_DIR}/wheelrail")
+    foreach(_part ${_parts})
+      cmake_path(APPEND _folder ${_part})
+      list(APPEND _folders ${_folder})
+    endforeach()
+  endif()
 endif()
 set(_permissions OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE
                  WORLD_READ WORLD_EXECUTE)
@@ -57,10 +68,20 @@ endif()
 if(BUILD_WHEELRAIL)
   install(TARGETS wr_fit wr_creep RUNTIME DESTINATION bin)
   install(TARGETS wheelrail mcawr_shared EXPORT wheelrail ARCHIVE DESTINATION ${_lib})
+  install(TARGETS wheelrail_c EXPORT wheelrail_c LIBRARY DESTINATION lib)
+  install(EXPORT wheelrail_c FILE wheelrail_cTargets.cmake NAMESPACE wheelrail::
+          DESTINATION lib/cmake/wheelrail)
+  configure_file(cmake/wheelrail.pc.in "${_written}/wheelrail.pc" @ONLY)
+  install(FILES "${_written}/wheelrail.pc" DESTINATION lib/pkgconfig)
   install(EXPORT wheelrail FILE wheelrailTargets.cmake NAMESPACE wheelrail::
           DESTINATION lib/cmake/wheelrail)
   install(DIRECTORY src/WHEELRAIL/ src/shared DESTINATION include/wheelrail
           FILES_MATCHING PATTERN "*.h")
+  if(BUILD_PYTHON)
+    install(TARGETS wheelrail_python LIBRARY DESTINATION ${WHEELRAIL_PYTHON_DIR}/wheelrail)
+    install(DIRECTORY src/WHEELRAIL/python/wheelrail/ DESTINATION ${WHEELRAIL_PYTHON_DIR}/wheelrail
+            PATTERN __pycache__ EXCLUDE)
+  endif()
   configure_package_config_file(cmake/wheelrailConfig.cmake.in "${_written}/wheelrailConfig.cmake"
                                 INSTALL_DESTINATION lib/cmake/wheelrail)
   write_basic_package_version_file("${_written}/wheelrailConfigVersion.cmake"
@@ -72,7 +93,7 @@ endif()
 set(_up "/../..")
 set(_plugins "$_mcawr/${_lib}")
 set(_potentials "$_mcawr/${_share}/potentials")
-set(_python "$_mcawr/${_lib}/python:$_mcawr/${_share}/tools")
+set(_python "$_mcawr/${_lib}/python:$_mcawr/${_share}/tools:$_mcawr/${WHEELRAIL_PYTHON_DIR}")
 configure_file(cmake/env.sh.in "${_written}/env.sh" @ONLY)
 file(WRITE "${_written}/VERSION" "${MCAWR_VERSION_TEXT}\n")
 install(FILES "${_written}/env.sh" "${_written}/VERSION" README.md CONTRIBUTING.md CHANGELOG.md

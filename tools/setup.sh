@@ -29,7 +29,7 @@ options=() targets=() tests=1 gates=''
 for arg in "$@"; do
   case $arg in
     -h | --help) usage; exit 0 ;;
-    --no-tests) targets=(--target mcaplugin wr_fit wr_creep) tests='' ;;
+    --no-tests) targets=(--target programs) tests='' ;;
     --gates) gates=1 ;;
     -D*) options+=("$arg") ;;
     *) die 2 "unknown option '$arg' (CMake options start with -D); see --help" ;;
@@ -40,6 +40,7 @@ packages=(
   g++ cmake ninja-build pkg-config libopenmpi-dev openmpi-bin
   libarchive-dev libcli11-dev libfmt-dev libyaml-cpp-dev nlohmann-json3-dev libeigen3-dev
   libfftw3-dev libceres-dev libudunits2-dev libboost-dev libgtest-dev libgmock-dev libbenchmark-dev
+  pybind11-dev python3-dev # for the Python module; -DBUILD_PYTHON=OFF does without
   python3 python3-numpy python3-matplotlib python3-yaml python3-pytest python3-meshio
   debian-archive-keyring xz-utils
   dpkg-dev file # for cpack -G DEB

@@ -8,9 +8,9 @@
 #include "base/result_text.h"
 #include "base/version.h"
 #include "fit/fit_report.h"
-#include "fit/found_logs.h"
 #include "fit/measured_series.h"
 #include "fit/plot_script.h"
+#include "fit/read_runs.h"
 #include "fit/run_columns.h"
 #include "law/law_checksum.h"
 #include "shared/output_file.h"
@@ -20,6 +20,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <utility>
 
 using namespace wheelrail;
 
@@ -56,34 +57,20 @@ struct Settings {
   bool quiet = false;
 };
 
-/// Accepts the finite numbers that `allowed` does (CLI11's own ranges let nan pass); `range` says
-/// in words which those are.
-CLI::Validator number(const std::string &range, bool (*allowed)(double))
+/// Accepts the finite numbers of a range (CLI11's own ranges let nan pass).
+/// \param unit for the message: " (ns)", or nothing
+CLI::Validator number(const OptionRange &range, const std::string &unit = "")
 {
+  const std::string words = range.words + unit;
   const auto check = [=](const std::string &given) -> std::string {
     try {
-      if (allowed(parseNumber(given)))
+      if (range.allows(parseNumber(given)))
         return "";
     } catch (const std::invalid_argument &) {
     }
-    return fmt::format("'{}' is not allowed, must be a number {}", given, range);
+    return fmt::format("'{}' is not allowed, must be a number {}", given, words);
   };
-  return CLI::Validator(check, range);
-}
-
-bool isPositive(double x)
-{
-  return x > 0.0;
-}
-
-bool isNotNegative(double x)
-{
-  return x >= 0.0;
-}
-
-bool isLevel(double x)
-{
-  return x >= 0.5 && x <= 0.9999;
+  return CLI::Validator(check, words);
 }
 
 void defineOptions(CLI::App &app, Settings &settings)
@@ -129,56 +116,44 @@ void defineOptions(CLI::App &app, Settings &settings)
   app.add_option("--kappa3", settings.fit.kappa3,
                  "with a power of kappa3: E/sigma_0 of the material that the law file is for "
                  "[geometric mean of the conditions]")
-      ->check(number("> 0", isPositive))
+      ->check(number(option_range::positive))
       ->type_name("NUMBER");
   app.add_option("--kappa2-min", settings.fit.kappa2Min, "leave out runs with a smaller kappa2")
-      ->check(number(">= 0", isNotNegative))
+      ->check(number(option_range::notNegative))
       ->type_name("NUMBER")
       ->capture_default_str();
   app.add_option("--level", settings.fit.level, "level of the confidence intervals")
-      ->check(number("from 0.5 to 0.9999", isLevel))
+      ->check(number(option_range::level))
       ->type_name("NUMBER")
       ->capture_default_str();
   app.add_flag("--include-drifting", settings.fit.includeDrifting,
                "fit runs without a stationary part too (mean of their second half)");
   app.add_option("--start", settings.averaging.start,
                  "average from this time on (ns) instead of looking for the stationary part")
-      ->check(number(">= 0 (ns)", isNotNegative))
+      ->check(number(option_range::notNegative, " (ns)"))
       ->type_name("NUMBER");
   app.add_option("--start-distance", settings.averaging.startDistance,
                  "the same as a distance of sliding (nm); with --start, the later of both")
-      ->check(number(">= 0 (nm)", isNotNegative))
+      ->check(number(option_range::notNegative, " (nm)"))
       ->type_name("NUMBER");
   app.add_option("--grinding-in", settings.averaging.grindingIn,
                  "end of the grinding-in (ns) [start of the stationary part, at most 100]")
-      ->check(number("> 0 (ns)", isPositive))
+      ->check(number(option_range::positive, " (ns)"))
       ->type_name("NUMBER");
   app.add_flag("-q,--quiet", settings.quiet, "no report on the screen");
 }
 
-/// Reads all logs; all that is wrong with them is reported together, the last by the exception.
-std::vector<FrictionRun> readRuns(const std::vector<FoundLog> &logs,
-                                  const AveragingOptions &options)
+/// The runs of all logs; what is wrong with them is reported together, the last by the exception.
+std::vector<FrictionRun> runsOf(const std::vector<FoundLog> &logs, const AveragingOptions &options)
 {
-  std::vector<FrictionRun> runs;
-  std::vector<Error> problems;
-  for (const auto &found : logs) {
-    try {
-      const auto log = found.read();
-      if (!log.note.empty())
-        complain(programName, log.note);
-      runs.push_back(frictionRun(log, options));
-    } catch (const Error &error) {
-      if (error.code() != ExitCode::BadInput)
-        throw;
-      problems.push_back(error);
-    }
-  }
-  if (problems.empty())
-    return runs;
-  for (std::size_t k = 0; k + 1 < problems.size(); ++k)
-    complain(programName, problems[k].what());
-  throw Error(problems.back());
+  LogRuns read = readRuns(logs, options);
+  for (const std::string &note : read.notes)
+    complain(programName, note);
+  if (read.problems.empty())
+    return std::move(read.runs);
+  for (std::size_t k = 0; k + 1 < read.problems.size(); ++k)
+    complain(programName, read.problems[k].what());
+  throw Error(read.problems.back());
 }
 
 /// The picture of the same JSON that -o gets.
@@ -252,7 +227,7 @@ int run(const Settings &settings)
   FitOptions options = settings.fit;
   if (!settings.material.empty())
     options.material = readPotentialFile(settings.material);
-  const auto analysis = analyseRuns(readRuns(logs, settings.averaging), options);
+  const auto analysis = analyseRuns(runsOf(logs, settings.averaging), options);
   const auto json = withChecksum(jsonText("report", jsonReport(analysis)));
   mcawr::OutputFiles results; // together or not at all
   std::string noPicture;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "base/program_files.h"
+#include "base/quantity.h"
 #include "creep/line/curve_journal.h"
 #include "creep/line/static_contact.h"
 #include "creep/patch/moving_patch.h"
@@ -136,4 +137,34 @@ TEST(ResultColumns, sayTheirUnits)
   point.traction = 2e6;
   point.stickLength = 0.0015;
   EXPECT_EQ(rowOf(columns, point), "0.5,0,2000,0,1.5,0\n");
+}
+
+namespace {
+
+/// A value in the column's unit is `scale` times as many SI units.
+template<class Point>
+void expectSiUnits(const std::vector<Column<Point>> &table)
+{
+  for (const Column<Point> &column : table) {
+    const std::string si = siUnit(column.unit);
+    if (si == "1")
+      EXPECT_EQ(column.scale, 1.0) << column.name;
+    else
+      EXPECT_NEAR(parseQuantity(fmt::format("1 {}", column.unit), si) / column.scale, 1.0, 1e-12)
+          << column.name;
+  }
+}
+
+} // namespace
+
+TEST(ResultColumns, SiUnitsAreThoseOfTheirScales)
+{
+  expectSiUnits(patchColumns());
+  expectSiUnits(seriesColumns());
+  expectSiUnits(curveColumns());
+  expectSiUnits(staticColumns());
+  EXPECT_EQ(siUnit("N mm"), "N m");
+  EXPECT_EQ(siUnit("1/mm"), "1/m");
+  EXPECT_EQ(siUnit("m"), "m");
+  EXPECT_EQ(siUnit("m/s"), "m/s");
 }

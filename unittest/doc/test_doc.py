@@ -311,7 +311,7 @@ def test_blocks_are_marked(path):
     fences = re.findall(r"^```(.*)$", text, re.MULTILINE)
     assert len(fences) % 2 == 0
     assert all(
-        fence in ("text", "lammps", "sh", "python", "yaml", "json", "csv", "bibtex")
+        fence in ("text", "lammps", "sh", "python", "c", "yaml", "json", "csv", "bibtex")
         for fence in fences[::2]
     )
     assert not any(fences[1::2])

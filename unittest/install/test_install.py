@@ -160,6 +160,50 @@ def test_python(tree, tmp_path):
     assert np.abs(blocks.mean(axis=1) - rows[-12:, 3]).max() < 4 * error.max()
 
 
+def test_python_module(tree, tmp_path):
+    """Found by env.sh."""
+    code = (
+        "import wheelrail\n"
+        "case = wheelrail.Case('table2.yaml', {'creep': 0.01, 'speed': '20 m/s'})\n"
+        "print(wheelrail.__file__, case.solve()['traction_ratio'][0] > 0.1)"
+    )
+    share = tree / "share/mca-wheelrail"
+    (tmp_path / "table2.yaml").write_text((share / "examples/wheelrail/table2.yaml").read_text())
+    source = f'source "{share}/env.sh" && exec "$@"'
+    out = run("bash", "-c", source, "-", "/usr/bin/python3", "-c", code, folder=tmp_path)
+    assert out == f"{tree}/lib/python3/dist-packages/wheelrail/__init__.py True\n"
+
+
+def test_c_consumers(tree, tmp_path):
+    """The example of the page by CMake, for C alone, and by pkg-config."""
+    for name in ("forces.c", "case.yaml"):
+        source = tree / "share/mca-wheelrail/examples/c" / name
+        (tmp_path / name).write_text(source.read_text())
+    (tmp_path / "CMakeLists.txt").write_text(
+        "cmake_minimum_required(VERSION 3.25)\nproject(consumer LANGUAGES C)\n"
+        "find_package(wheelrail REQUIRED COMPONENTS c)\nadd_executable(forces forces.c)\n"
+        "target_link_libraries(forces wheelrail::c m)\n"
+    )
+    cmake = os.environ["CMAKE"]
+    run(cmake, "-S", ".", "-B", "out", f"-DCMAKE_PREFIX_PATH={tree}", folder=tmp_path)
+    run(cmake, "--build", "out", folder=tmp_path)
+    shown = run("out/forces", "case.yaml", folder=tmp_path)
+    assert len(shown.splitlines()) == 22
+    compile_it = (
+        "flags=$(pkg-config --cflags --libs wheelrail) && "
+        'eval "cc forces.c $flags -lm -o forces" && ./forces case.yaml'
+    )
+    places = (f"PKG_CONFIG_PATH={tree}/lib/pkgconfig", f"LD_LIBRARY_PATH={tree}/lib")
+    assert run("env", *places, "sh", "-c", compile_it, folder=tmp_path) == shown
+
+
+def test_c_library_shows_its_own_names_only(tree):
+    """What it is made of stays inside: another version beside it, or of FFTW's users, is safe."""
+    names = run("nm", "-D", "--defined-only", tree / "lib/libwheelrail_c.so", folder=tree)
+    assert len(names.split("\n")) > 10
+    assert {line.split()[-1].partition("_")[0] for line in names.splitlines()} == {"wheelrail"}
+
+
 def test_consumer(tree, tmp_path):
     """A project of its own with find_package(wheelrail)."""
     (tmp_path / "CMakeLists.txt").write_text(

@@ -53,6 +53,11 @@ def test_package_runs(package, tmp_path):
     run(usr / "bin/lmp-mca", "-in", script, "-var", "ns", "0.05", folder=tmp_path)
     case = usr / "share/mca-wheelrail/examples/wheelrail/table2.yaml"
     run(usr / "bin/wr_creep", case, "-o", ".", folder=tmp_path)
+    code = (
+        f"import sys; sys.path = ['{usr}/lib/python3/dist-packages', *sys.path]; import wheelrail"
+    )
+    code += f"; wheelrail.Case('{case}')"
+    run("/usr/bin/python3", "-c", code, folder=tmp_path)
     assert (tmp_path / "friction.friction").exists() and (tmp_path / "creep.csv").exists()
 
 

@@ -68,6 +68,33 @@ FLOORS = {
         "WHEELRAIL/base",
         "shared",
     ],
+    # asked step by step, and the interfaces over it
+    "WHEELRAIL/creep/online": [
+        "WHEELRAIL/creep/case",
+        "WHEELRAIL/creep/patch",
+        "WHEELRAIL/contact/patch",
+        "WHEELRAIL/contact/patch/elasticity",
+        "WHEELRAIL/base",
+    ],
+    "WHEELRAIL/c": [
+        "WHEELRAIL/creep/online",
+        "WHEELRAIL/creep/case",
+        "WHEELRAIL/creep/patch",
+        "WHEELRAIL/base",
+        "shared",
+    ],
+    "WHEELRAIL/python": [
+        "WHEELRAIL/creep/online",
+        "WHEELRAIL/creep/case",
+        "WHEELRAIL/creep/line",
+        "WHEELRAIL/creep/patch",
+        "WHEELRAIL/creep/sweep",
+        "WHEELRAIL/contact/patch/elasticity",
+        "WHEELRAIL/fit",
+        "WHEELRAIL/law",
+        "WHEELRAIL/base",
+        "shared",
+    ],
     "WHEELRAIL": [
         "WHEELRAIL/creep/case",
         "WHEELRAIL/creep/line",

@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 #include <memory>
 #include <mutex>
+#include <regex>
 #include <stdexcept>
 #include <udunits2.h>
 
@@ -145,6 +146,12 @@ double parseQuantity(const std::string &text, const std::string &unit)
   if (!std::isfinite(converted))
     refuse(fmt::format("'{}' is not finite in {}", text, unit));
   return converted;
+}
+
+std::string siUnit(const std::string &unit)
+{
+  static const std::regex prefixed("(^|[ /])[kMGmun](m|N|Pa|W|s|J)");
+  return std::regex_replace(unit, prefixed, "$1$2");
 }
 
 } // namespace wheelrail

@@ -29,5 +29,9 @@ double parseNumber(const std::string &text);
 /// \throws std::invalid_argument for anything else
 double parseRatio(const std::string &text);
 
+/// The SI unit of the same dimension, without a prefix: "N m" of "N mm", "1/m" of "1/mm".
+/// \param unit of a file's column: m, N, Pa, W, s, K and pure numbers, with or without a prefix
+std::string siUnit(const std::string &unit);
+
 } // namespace wheelrail
 #endif

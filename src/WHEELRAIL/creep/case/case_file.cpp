@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <fmt/format.h>
 #include <limits>
+#include <yaml-cpp/yaml.h>
 
 namespace wheelrail {
 namespace {
@@ -129,6 +130,41 @@ StaticSpecification readStatic(CaseReader &reader, const LineContactSpecificatio
   return still;
 }
 
+/// What has been read, in the words of the physics.
+/// \param path of the case file, beside which others may lie; empty: there is none
+Case caseOf(CaseReader &reader, const std::string &path)
+{
+  const Scope here = scopeOf(reader);
+  checkScope(reader, here);
+  Case result;
+  result.path = path;
+  if (here & scope::point) {
+    result.task = readPatch(reader, path);
+    result.text = reader.configuration();
+    return result;
+  }
+  const LineContactSpecification contact = readContact(reader);
+  const SurfaceSpecification surface = readSurface(reader, path);
+  CreepPhysics physics;
+  physics.hardnessLimit = reader.flag("contact.hardness_limit");
+  const LawChoice friction = readFriction(reader, path);
+  physics.strength = readStrength(reader, friction);
+  const std::string mode = reader.word("mode");
+  if (mode == "static")
+    result.task = readStatic(reader, contact, surface, friction, physics);
+  else
+    result.task = readRolling(reader, mode, contact, surface, friction, physics);
+  result.text = reader.configuration();
+  return result;
+}
+
+Case changed(CaseReader &reader, const std::string &path, const YAML::Node &changes)
+{
+  for (const auto &pair : changes)
+    reader.change(pair.first.as<std::string>(), pair.second);
+  return caseOf(reader, path);
+}
+
 } // namespace
 
 std::unique_ptr<CreepTask> Case::open() const
@@ -168,29 +204,33 @@ Case readCase(const std::string &path, const std::vector<std::string> &changes)
   reader.readFile();
   for (const std::string &change : changes)
     reader.change(change);
+  return caseOf(reader, path);
+}
 
-  const Scope here = scopeOf(reader);
-  checkScope(reader, here);
-  Case result;
-  result.path = path;
-  if (here & scope::point) {
-    result.task = readPatch(reader, path);
-    result.text = reader.configuration();
-    return result;
-  }
-  const LineContactSpecification contact = readContact(reader);
-  const SurfaceSpecification surface = readSurface(reader, path);
-  CreepPhysics physics;
-  physics.hardnessLimit = reader.flag("contact.hardness_limit");
-  const LawChoice friction = readFriction(reader, path);
-  physics.strength = readStrength(reader, friction);
-  const std::string mode = reader.word("mode");
-  if (mode == "static")
-    result.task = readStatic(reader, contact, surface, friction, physics);
-  else
-    result.task = readRolling(reader, mode, contact, surface, friction, physics);
-  result.text = reader.configuration();
-  return result;
+Case readChangedCase(const std::string &path, const YAML::Node &changes)
+{
+  CaseReader reader(path);
+  reader.readFile();
+  return changed(reader, path, changes);
+}
+
+Case caseOfText(const std::string &name, const std::string &text)
+{
+  CaseReader reader(name);
+  reader.readText(text);
+  return caseOf(reader, "");
+}
+
+Case caseOfTree(const std::string &name, const YAML::Node &tree, const YAML::Node &changes)
+{
+  CaseReader reader(name);
+  reader.readTree(tree);
+  return changed(reader, "", changes);
+}
+
+Case caseOfTree(const std::string &name, const YAML::Node &tree)
+{
+  return caseOfTree(name, tree, YAML::Node(YAML::NodeType::Map));
 }
 
 } // namespace wheelrail

@@ -12,6 +12,10 @@
 #include <variant>
 #include <vector>
 
+namespace YAML {
+class Node;
+}
+
 namespace wheelrail {
 
 /// What a case file asks for, in the words of the physics, and the file itself with everything
@@ -47,6 +51,17 @@ struct Case {
 /// \param path of the case file
 /// \param changes of --set, later ones over earlier ones
 Case readCase(const std::string &path, const std::vector<std::string> &changes = {});
+
+/// The same with changes of a tree: a map of keywords with their values.
+Case readChangedCase(const std::string &path, const YAML::Node &changes);
+
+/// A case of a text in YAML, or of a tree, that stands in no file: what it names is looked for from
+/// the working folder.
+/// \param name of the text or the tree, as messages say it
+Case caseOfText(const std::string &name, const std::string &text);
+/// \param tree a map of keywords, or of groups of them, with their values \param changes likewise
+Case caseOfTree(const std::string &name, const YAML::Node &tree, const YAML::Node &changes);
+Case caseOfTree(const std::string &name, const YAML::Node &tree);
 
 } // namespace wheelrail
 #endif

@@ -116,9 +116,9 @@ std::string rangeOf(const Keyword &keyword)
 
 void CaseReader::fail(int line, const std::string &keyword, const std::string &problem) const
 {
-  if (line > 0 || !onCommandLine_)
+  if (!option_)
     throw badInput(file_, line, keyword, problem);
-  throw Error(ExitCode::Usage, fmt::format("--set {}: {}", keyword, problem));
+  throw Error(ExitCode::Usage, fmt::format("{}{}: {}", option_, keyword, problem));
 }
 
 void CaseReader::fail(const std::string &keyword, const std::string &problem) const
@@ -135,20 +135,28 @@ bool CaseReader::hasGroup(const std::string &group) const
 
 void CaseReader::readFile()
 {
-  const std::string text = readTextFile(file_);
+  readText(readTextFile(file_));
+}
+
+void CaseReader::readText(const std::string &text)
+{
   try {
-    const YAML::Node root = YAML::Load(text);
-    if (!root.IsMap())
-      throw badInput(file_, 0, "", "is not a case file: 'keyword: value' lines are expected");
-    collect(root, "");
+    readTree(YAML::Load(text));
   } catch (const YAML::Exception &problem) {
     throw badInput(file_, problem.mark.line + 1, "", problem.msg);
   }
 }
 
+void CaseReader::readTree(const YAML::Node &root)
+{
+  if (!root.IsMap())
+    throw badInput(file_, 0, "", "is not a case file: 'keyword: value' lines are expected");
+  collect(root, "");
+}
+
 void CaseReader::collect(const YAML::Node &node, const std::string &name)
 {
-  const int line = onCommandLine_ ? 0 : node.Mark().line + 1;
+  const int line = option_ ? 0 : node.Mark().line + 1;
   if (!name.empty() && !findKeyword(name) && !isGroup(name))
     fail(line, name, mcawr::unknownWord("keyword", name, knownNames()));
   if (node.IsMap()) {
@@ -157,7 +165,7 @@ void CaseReader::collect(const YAML::Node &node, const std::string &name)
     for (const auto &pair : node) {
       const std::string key = pair.first.as<std::string>();
       const std::string full = name.empty() ? key : name + "." + key;
-      const int keyLine = onCommandLine_ ? 0 : pair.first.Mark().line + 1;
+      const int keyLine = option_ ? 0 : pair.first.Mark().line + 1;
       if (!findKeyword(full) && !isGroup(full))
         fail(keyLine, full, mcawr::unknownWord("keyword", full, knownNames()));
       if (has(full) || hasGroup(full))
@@ -178,7 +186,7 @@ void CaseReader::collect(const YAML::Node &node, const std::string &name)
 
 CaseReader::Entry CaseReader::entryOf(const YAML::Node &node, const Keyword &keyword) const
 {
-  const int line = onCommandLine_ ? 0 : node.Mark().line + 1;
+  const int line = option_ ? 0 : node.Mark().line + 1;
   Entry entry;
   entry.isList = node.IsSequence();
   if (entry.isList) {
@@ -245,7 +253,17 @@ void CaseReader::change(const std::string &text)
   const auto equals = text.find('=');
   if (equals == std::string::npos || equals == 0)
     throw Error(ExitCode::Usage, fmt::format("--set {}: KEYWORD=VALUE is expected", text));
-  const std::string name = text.substr(0, equals), value = text.substr(equals + 1);
+  const std::string name = text.substr(0, equals);
+  constexpr const char *option = "--set ";
+  try {
+    change(name, YAML::Load(text.substr(equals + 1)), option);
+  } catch (const YAML::Exception &problem) {
+    throw Error(ExitCode::Usage, fmt::format("{}{}: {}", option, name, problem.msg));
+  }
+}
+
+void CaseReader::change(const std::string &name, const YAML::Node &value, const char *option)
+{
   // "creep=[...]" replaces creep.from etc., "roughness.seed=2" ends "roughness: none"
   const std::string group = name.substr(0, name.find('.'));
   entries_.erase(name);
@@ -253,13 +271,9 @@ void CaseReader::change(const std::string &text)
     entries_.erase(group);
   for (auto it = entries_.begin(); it != entries_.end();)
     it = it->first.rfind(name + ".", 0) == 0 ? entries_.erase(it) : std::next(it);
-  onCommandLine_ = true;
-  try {
-    collect(YAML::Load(value), name);
-  } catch (const YAML::Exception &problem) {
-    fail(0, name, problem.msg);
-  }
-  onCommandLine_ = false;
+  option_ = option;
+  collect(value, name);
+  option_ = nullptr;
 }
 
 void CaseReader::require(const std::string &name) const

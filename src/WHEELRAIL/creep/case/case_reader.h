@@ -30,11 +30,17 @@ class CaseReader {
   /// Reads and checks the whole file; once, before any change.
   /// A word that is no keyword is an error that names the nearest one; so is a keyword given twice.
   void readFile();
+  /// The same for a text that stands in no file, and for a tree that somebody else has built, whose
+  /// values have no lines.
+  void readText(const std::string &text);
+  void readTree(const YAML::Node &root);
   /// "keyword=value", in place of what the file says.
   /// A change of a group's name ends what stands below it ("creep=[..]" ends creep.from), and a
   /// change below a group ends a plain value of the group ("roughness.seed=2" ends "roughness:
   /// none").
   void change(const std::string &text);
+  /// The same with a value of a tree. \param option "--set " where a command line asked for it
+  void change(const std::string &name, const YAML::Node &value, const char *option = "");
 
   /// Throws what is wrong with a keyword's value, at its line of the file.
   /// \param problem rest of the sentence: "must be above creep.from"
@@ -77,7 +83,7 @@ class CaseReader {
     std::vector<std::string> words;
     std::vector<double> numbers; ///< in the keyword's unit; empty where it takes words
     bool isList = false;
-    int line = 0; ///< 0: from the command line
+    int line = 0; ///< 0: from a change or a tree
   };
 
   [[noreturn]] void fail(int line, const std::string &keyword, const std::string &problem) const;
@@ -93,7 +99,7 @@ class CaseReader {
   const Entry &use(const std::string &name);
 
   std::string file_;
-  bool onCommandLine_ = false;
+  const char *option_ = nullptr; ///< what names a change in messages; null: no change is read
   std::map<std::string, Entry> entries_, used_;
 };
 

@@ -8,6 +8,7 @@
 #include <cstring>
 #include <fmt/format.h>
 #include <functional>
+#include <utility>
 
 namespace wheelrail {
 
@@ -204,6 +205,17 @@ std::string withoutControls(std::string text)
 }
 
 } // namespace
+
+std::vector<NamedField> namedFields(const PatchFields &fields)
+{
+  std::vector<NamedField> all;
+  if (!fields.state.empty())
+    all.push_back({stateName, stateNumbers(fields.state)});
+  for (const FieldComponent &component : fieldComponents())
+    if (Vector values = component.of(fields); values.size() > 0)
+      all.push_back({component.name, std::move(values)});
+  return all;
+}
 
 std::vector<std::string> gsfNames()
 {

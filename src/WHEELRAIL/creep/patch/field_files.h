@@ -26,6 +26,14 @@ struct PatchFields {
   Eigen::VectorXd temperature; ///< rise, K
 };
 
+/// The fields that there are, in the order and with the names of the .gsf files, each with one
+/// value a cell, in the unit of `fields`.
+struct NamedField {
+  std::string name; ///< "traction_x"
+  Eigen::VectorXd values;
+};
+std::vector<NamedField> namedFields(const PatchFields &fields);
+
 /// VTK image data (.vti, XML, version 1.0) with cell data `state`, `gap`, `pressure`, `traction`
 /// and `slip` (three components, the third 0), `mu`, `temperature`; fields that are empty are left
 /// out. Doubles (`state`: bytes), raw, appended, little endian: the numbers are those of the

@@ -16,9 +16,8 @@ using Vector = Eigen::VectorXd;
 
 using mcawr::pi;
 constexpr double temperatureTolerance = 1e-7; ///< of the strength temperature
-constexpr double tangentialTolerance = 1e-6;
-constexpr double memoryTolerance = 1e-5; ///< of mu
-constexpr double creepTolerance = 1e-6;  ///< of a creepage that is found, relative
+constexpr double memoryTolerance = 1e-5;      ///< of mu
+constexpr double creepTolerance = 1e-6;       ///< of a creepage that is found, relative
 constexpr int maxIterations = 100;
 
 } // namespace
@@ -66,13 +65,12 @@ Vector frictionalHeat(const TangentialResult &result, double speed)
                    result.traction.y.cwiseProduct(result.slip.y));
 }
 
-FrozenPatch::FrozenPatch(const CreepPhysics &physics, const PatchContact &contact, double spinPoint)
-    : physics_(physics), contact_(contact), spinPoint_(spinPoint),
-      solver_(contact.grid, contact.pair), coupling_(contact.grid, contact.pair),
-      approach_(contact.normal.approach)
+FrozenPatch::FrozenPatch(const CreepPhysics &physics, const PatchContact &contact, double spinPoint,
+                         double tolerance)
+    : physics_(physics), contact_(contact), spinPoint_(spinPoint), tolerance_(tolerance),
+      solver_(contact.grid, contact.pair), coupling_(contact.grid, contact.pair)
 {
-  fields_.pressure = contact.normal.pressure;
-  fields_.gap = contact.normal.gap;
+  pressAnew();
   fields_.temperature = Vector::Constant(contact.grid.cells(), physics.thermal.bulk);
   memoryRatio_ = Vector::Ones(contact.grid.cells());
   if (physics.memoryLength > 0.0)
@@ -84,6 +82,13 @@ Vector FrozenPatch::muNow(const FrictionLaw &law, double speed) const
   return contact_.across(
       memory_ ? SlipMemory::mu(law, fields_.pressure, fields_.temperature, memoryRatio_)
               : law.mu({fields_.pressure, slidingSpeed(speed), fields_.temperature}));
+}
+
+void FrozenPatch::pressAnew()
+{
+  fields_.pressure = contact_.normal.pressure;
+  fields_.gap = contact_.normal.gap;
+  approach_ = contact_.normal.approach;
 }
 
 TangentialResult FrozenPatch::roll(const PatchDrive &drive, const Creepage &guess)
@@ -102,7 +107,7 @@ TangentialResult FrozenPatch::roll(const PatchDrive &drive, const Creepage &gues
   if (drive.forceY)
     problem.creepage.eta = guess.eta;
   TangentialOptions options;
-  options.tolerance = tangentialTolerance;
+  options.tolerance = tolerance_;
   if (warm_)
     options.start = std::move(result_.traction);
   result_ = {}; // on a fine grid each field counts

@@ -94,13 +94,18 @@ class FrozenPatch {
  public:
   /// Both must outlive the object.
   /// \param spinPoint `TangentialProblem::spinPoint`
-  FrozenPatch(const CreepPhysics &physics, const PatchContact &contact, double spinPoint);
+  /// \param tolerance `TangentialOptions::tolerance`
+  FrozenPatch(const CreepPhysics &physics, const PatchContact &contact, double spinPoint,
+              double tolerance = 1e-6);
 
   /// Warm from the last call: tractions, creepages that were found, temperature.
   /// \throws Error (NotConverged), Error (BadInput) for a force that friction cannot carry
   /// \param speed v0, m/s, > 0
   /// \param drive a force that is given must be below the sum of mu p
   PatchPoint solve(const FrictionLaw &law, double speed, const PatchDrive &drive);
+
+  /// Takes load and pressure of the contact anew, which has been pressed otherwise since.
+  void pressAnew();
 
   const PatchFields &fields() const { return fields_; } ///< in SI units, of the last call
   /// What friction has fallen to, see `SlipMemory`; ones without a memory.
@@ -128,7 +133,7 @@ class FrozenPatch {
 
   const CreepPhysics &physics_;
   const PatchContact &contact_;
-  double spinPoint_;
+  double spinPoint_, tolerance_;
   TangentialSolver solver_;
   TangentialResult result_;
   TangentialField imposed_; ///< by the pressure of unlike bodies, in `result_`
@@ -140,7 +145,7 @@ class FrozenPatch {
   double flashSpeed_ = 0.0;
   std::optional<SlipMemory> memory_;
   Eigen::VectorXd memoryRatio_; ///< see `SlipMemory`
-  double approach_;
+  double approach_ = 0.0;
   int products_ = 0;
   PatchFields fields_;
 };
