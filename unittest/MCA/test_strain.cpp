@@ -34,3 +34,15 @@ TEST(Strain, OnlyPlasticityIsochoricIsLogarithmic)
   EXPECT_NEAR(normalStrain(true, 1.25), std::log(1.25), 1e-15);
   EXPECT_EQ(normalStrain(false, 1.25), 0.25);
 }
+
+// The kernel takes the short one for blocks in which it is the long one to the last bit.
+TEST(Strain, ShortLogarithmIsTheLongOneNear1)
+{
+  for (int k = -30000; k <= 30000; k++)
+    if (const double x = 1.0 + 5e-7 * k; isNear1(x)) {
+      EXPECT_EQ(logarithmNear1(x), logarithm(x)) << x;
+    }
+  EXPECT_FALSE(isNear1(0.98));
+  EXPECT_FALSE(isNear1(1.02));
+  EXPECT_TRUE(isNear1(1.0149));
+}

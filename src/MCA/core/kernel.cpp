@@ -20,8 +20,18 @@
 namespace mca::MCA_ISA {
 namespace {
 
+// Whether the strains of these n pairs are small enough for the short logarithm.
+inline bool allNear1(int n, const double *ratio)
+{
+  double far = 0.0;
+#pragma omp simd reduction(+ : far)
+  for (int k = 0; k < n; k++)
+    far += isNear1(ratio[k]) ? 0.0 : 1.0;
+  return far == 0.0;
+}
+
 // Returns how many links of a bulk block break by strain.
-// Criterion: of bulk links; only of the ways of bulk blocks.
+// Criterion: of bulk links, if it decides by strain only; else void.
 template<class D, Way W, class Criterion>
 MCA_LOOP double strainBlock(const Pairs &p, const Block &block, int first, int n,
                             const typename D::Time &time, const PairLaw *laws, const double *motion,
@@ -42,45 +52,65 @@ MCA_LOOP double strainBlock(const Pairs &p, const Block &block, int first, int n
   const double oneContactsFlow = laws[plaw[0]].contactsFlow;
   const FractureLimits limits = laws[plaw[0]].limits.fracture;
   const typename D::Time now = time;
-  // returns 1 for a link that breaks
-  auto move = [=, &seen, &es, &flow](int k) {
+  // Criterion is void where links do not break by what is known here
+  constexpr bool decidesHere = onlyBulk(W) && !std::is_void_v<Criterion>;
+  constexpr bool mostlyNear = D::keepsVolume && onlyBulk(W);
+  // what follows from the strain; returns 1 for a link that breaks. total: shear of a bulk link
+  auto strain = [=, &es, &flow](int k, double eps, const Shear &total) {
+    const double e = W == Pristine ? eps : eps - pplastic[k];
+    peps[k] = eps;
+    if constexpr (onlyBulk(W)) {
+      es.value[k] = e;
+      flow.value[k] = 1.0;
+      if constexpr (decidesHere)
+        return breaks<Criterion>(LinkStrain<Shear>{eps, total}, limits) ? 1.0 : 0.0;
+    } else {
+      const double linked = link::linked(pkind[k]), pressed = isPressed(e) ? 1.0 : 0.0;
+      es.value[k] = (linked > pressed ? linked : pressed) * e;
+      flow.value[k] =
+          flowing(W == SeveralLaws ? laws[plaw[k]].contactsFlow : oneContactsFlow, pkind[k], e);
+    }
+    return 0.0;
+  };
+  auto move = [=, &seen](int k) {
     const double invDiameter = W == SeveralLaws ? laws[plaw[k]].invDiameter : oneInvDiameter;
     double r;
     const auto moved = seen.of(k, now, r);
     const Shear growth = shearGrowth(moved);
     const Shear gamma = carriedShear(moved, gammas.get(k)) + growth;
-    const double ratio = r * invDiameter, eps = normalStrain(D::keepsVolume, ratio);
-    const double e = W == Pristine ? eps : eps - pplastic[k];
+    const double ratio = r * invDiameter;
+    const double eps = mostlyNear ? logarithmNear1(ratio) : normalStrain(D::keepsVolume, ratio);
     normals.set(k, moved.normal);
     pratio[k] = ratio;
-    peps[k] = eps;
     if constexpr (D::keepsVolume)
       taken[k] = roomTaken(roomShare(ratio));
+    if constexpr (!decidesHere)
+      psep[k] = dot(seen.velocity(k), moved.normal);
     if constexpr (onlyBulk(W)) {
       const Shear total = W == Pristine ? gamma : carriedShear(moved, totals.get(k)) + growth;
       gammas.set(k, gamma);
       if (W == Bulk)
         totals.set(k, total);
-      es.value[k] = e;
-      flow.value[k] = 1.0;
-      return breaks<Criterion>(LinkStrain<Shear>{eps, total}, limits) ? 1.0 : 0.0;
+      return strain(k, eps, total);
     } else {
       const Shear old = totals.get(k), total = carriedShear(moved, old) + growth;
-      const double linked = link::linked(pkind[k]), pressed = isPressed(e) ? 1.0 : 0.0;
+      const double linked = link::linked(pkind[k]);
       gammas.set(k, choose(linked, gamma, Shear{}));
       totals.set(k, choose(linked, total, old));
-      psep[k] = dot(seen.velocity(k), moved.normal);
-      es.value[k] = (linked > pressed ? linked : pressed) * e;
-      flow.value[k] =
-          flowing(W == SeveralLaws ? laws[plaw[k]].contactsFlow : oneContactsFlow, pkind[k], e);
-      return 0.0;
+      return strain(k, eps, total);
     }
   };
   double breaking = 0.0;
 #pragma omp simd reduction(+ : breaking)
   for (int k = 0; k < n; k++)
     breaking += move(k);
-  if (onlyBulk(W) && breaking > 0.0) // what breaks under pressure becomes a viscous contact
+  if (mostlyNear && !allNear1(n, pratio)) {
+    breaking = 0.0;
+#pragma omp simd reduction(+ : breaking)
+    for (int k = 0; k < n; k++)
+      breaking += strain(k, logarithm(pratio[k]), W == Pristine ? gammas.get(k) : totals.get(k));
+  }
+  if (decidesHere && breaking > 0.0) // what breaks under pressure becomes a viscous contact
     for (int k = 0; k < n; k++)
       psep[k] = dot(seen.velocity(k), normals.get(k));
   if constexpr (D::keepsVolume) // the fourth value of a row is unused and takes the third again
@@ -99,7 +129,7 @@ void strainPass(const Pairs &p, double dt, bool moves, const PairLaw *laws, cons
     using C = decltype(criterion);
     // all that do not decide by strain have the same loops
     using Known = std::conditional_t<C::strainOnly, C, void>;
-    eachBlock<C::strainOnly>(p, [&](Block &block, auto way, int first, int n) {
+    eachBlock(p, [&](Block &block, auto way, int first, int n) {
       const double breaking =
           strainBlock<D, way.way, Known>(p, block, first, n, time, laws, motion, spin, strains);
       block.breaks = breaking > 0.0;
@@ -110,27 +140,34 @@ void strainPass(const Pairs &p, double dt, bool moves, const PairLaw *laws, cons
 }
 
 template<class D>
-void meanPass(int n, const int *type, const AutomatonLaw *laws, bool oneLaw, const double *strains,
-              double *response)
+double meanPass(int n, const int *type, const AutomatonLaw *laws, bool oneLaw,
+                const double *strains, double *response)
 {
   constexpr RowLayout::Strain from = D::rows.strain;
   constexpr RowLayout::Response to = D::rows.response;
+  // returns 1 for an automaton that lacks room
   auto mean = [=](int i, double bulkModulus, double weight) {
     response[to.length * i + to.mean] =
         meanStress(strains[from.length * i + from.sum], bulkModulus, weight);
-    if constexpr (D::keepsVolume)
-      response[to.length * i + to.room] = roomPressure(strains[from.length * i + from.room],
-                                                       bulkModulus, weight, D::rows.dimension);
+    if constexpr (D::keepsVolume) {
+      const double room = roomPressure(strains[from.length * i + from.room], bulkModulus, weight,
+                                       D::rows.dimension);
+      response[to.length * i + to.room] = room;
+      return room == 0.0 ? 0.0 : 1.0;
+    }
+    return 0.0;
   };
+  double crowded = 0.0;
   if (oneLaw && n > 0) {
     const double bulkModulus = laws[type[0]].bulkModulus, weight = laws[type[0]].weight;
-#pragma omp simd
+#pragma omp simd reduction(+ : crowded)
     for (int i = 0; i < n; i++)
-      mean(i, bulkModulus, weight);
+      crowded += mean(i, bulkModulus, weight);
   } else {
     for (int i = 0; i < n; i++)
-      mean(i, laws[type[i]].bulkModulus, laws[type[i]].weight);
+      crowded += mean(i, laws[type[i]].bulkModulus, laws[type[i]].weight);
   }
+  return crowded;
 }
 
 template<class D, Way W>
@@ -140,6 +177,7 @@ MCA_LOOP void stressBlock(const Pairs &p, int first, int n, const PairLaw *laws,
   const int *const pi = p.i + first, *const pj = p.j + first, *const plaw = p.law + first;
   const double *const pkind = p.now.kind + first, *const pplastic = p.now.plastic + first;
   const double *const peps = p.eps + first;
+  double *const psigma = p.sigma + first;
   const PairArray<typename D::Shear> gammas(p.now.gamma, first);
   const PairArray<typename D::Normal> normals(p.normal, first);
   typename D::Answers ofI, ofJ;
@@ -155,9 +193,10 @@ MCA_LOOP void stressBlock(const Pairs &p, int first, int n, const PairLaw *laws,
     const double pressed = onlyBulk(W) || isPressed(e) ? 1.0 : 0.0;
     const double touching = linked > pressed ? linked : pressed;
     const double sigma = touching * elasticStress(law, e, ofI.mean[k], ofJ.mean[k]);
+    if (onlyBulk(W))
+      psigma[k] = sigma;
     shares.set(k, sigma, law.twoG * gamma, normals.get(k));
-    shares.setSums(k, touching * e * e, dot(gamma, gamma),
-                   onlyBulk(W) ? sigma : flowing(law.contactsFlow, pkind[k], e) * sigma);
+    shares.setFlowing(k, onlyBulk(W) ? sigma : flowing(law.contactsFlow, pkind[k], e) * sigma);
   };
 #pragma omp simd
   for (int k = 0; k < n; k++)
@@ -168,10 +207,8 @@ MCA_LOOP void stressBlock(const Pairs &p, int first, int n, const PairLaw *laws,
 template<class D>
 void stressPass(const Pairs &p, const PairLaw *laws, const double *response, double *stresses)
 {
-  withStrainOnly(p, laws, [&](auto strainOnly) {
-    eachBlock<strainOnly.value>(p, [&](Block &, auto way, int first, int n) {
-      stressBlock<D, way.way>(p, first, n, laws, response, stresses);
-    });
+  eachBlock(p, [&](Block &, auto way, int first, int n) {
+    stressBlock<D, way.way>(p, first, n, laws, response, stresses);
   });
 }
 
@@ -251,18 +288,16 @@ void returnPass(const Pairs &p, const PairLaw *laws, const double *response, dou
 {
   typename D::Answers ofI, ofJ;
   typename D::Shares shares{};
-  withStrainOnly(p, laws, [&](auto strainOnly) {
-    eachBlock<strainOnly.value>(p, [&](const Block &block, auto way, int first, int n) {
-      if (!block.flows)
-        return;
-      const int *const pi = p.i + first, *const pj = p.j + first;
-      ofI.gather(pi, n, response);
-      ofJ.gather(pj, n, response);
-      if (allOne(n, ofI.factor, ofJ.factor))
-        return;
-      returnBlock<D, way.way>(p, first, n, laws, ofI, ofJ, shares);
-      shares.scatterTensors(pi, pj, n, taken);
-    });
+  eachBlock(p, [&](const Block &block, auto way, int first, int n) {
+    if (!block.flows)
+      return;
+    const int *const pi = p.i + first, *const pj = p.j + first;
+    ofI.gather(pi, n, response);
+    ofJ.gather(pj, n, response);
+    if (allOne(n, ofI.factor, ofJ.factor))
+      return;
+    returnBlock<D, way.way>(p, first, n, laws, ofI, ofJ, shares);
+    shares.scatter(pi, pj, n, taken);
   });
 }
 
@@ -366,16 +401,19 @@ MCA_LOOP Changes forceBlock(const Pairs &p, int first, int n, const PairLaw *law
   return {kinds, states};
 }
 
-// Bulk links of one law of which none breaks. Without flow nothing but the force is written; the
-// next state is the present one.
-template<class D, bool PristineBlock, bool Flows>
-MCA_LOOP void bulkForceBlock(const Pairs &p, int first, int n, const PairLaw *laws,
-                             const typename D::Answers &ofI, const typename D::Answers &ofJ,
-                             typename D::Forces &forces)
+// Bulk links of one law. The next state is written where something flows, else it is the present
+// one.
+// Criterion: by which a link may break, known from here on; void where the strain pass knew that
+//            none does. Returns how many break.
+template<class D, bool PristineBlock, bool Flows, class Criterion>
+MCA_LOOP double bulkForceBlock(const Pairs &p, int first, int n, const PairLaw *laws,
+                               const double *local, const typename D::Answers &ofI,
+                               const typename D::Answers &ofJ, typename D::Forces &forces)
 {
   using Shear = typename D::Shear;
+  constexpr RowLayout::Local at = D::rows.local;
   const double *const pplastic = p.now.plastic + first, *const peps = p.eps + first;
-  const double *const pratio = p.ratio + first;
+  const double *const pratio = p.ratio + first, *const psigma = p.sigma + first;
   double *const kind1 = p.next.kind + first, *const plastic1 = p.next.plastic + first;
   const PairArray<Shear> gammas(p.now.gamma, first), totals(p.now.gammaTotal, first);
   const PairArray<Shear> gammas1(p.next.gamma, first), totals1(p.next.gammaTotal, first);
@@ -383,17 +421,17 @@ MCA_LOOP void bulkForceBlock(const Pairs &p, int first, int n, const PairLaw *la
   const PairLaw law = laws[p.law[first]];
   auto answer = [=, &law, &ofI, &ofJ, &forces](int k) {
     const double plastic = PristineBlock ? 0.0 : pplastic[k], ratio = pratio[k];
-    const double trial = elasticStress(law, peps[k] - plastic, ofI.mean[k], ofJ.mean[k]);
+    const double trial = psigma[k];
     const Shear gamma = gammas.get(k);
-    double room = 0.0;
+    const Shear total = PristineBlock ? gamma : totals.get(k);
+    const Answer i = ofI[k], j = ofJ[k];
+    double room = 0.0, sigma = trial, left = 1.0;
     if constexpr (D::keepsVolume)
-      room = roomStress(ratio, ofI.room[k], ofJ.room[k]);
+      room = roomStress(ratio, i.room, j.room);
     if (Flows) {
-      const Answer i = ofI[k], j = ofJ[k];
-      const double left = returnedShare(i, j);
-      const Shear total = PristineBlock ? gamma : totals.get(k);
+      left = returnedShare(i, j);
       const Stretch stretch = D::stretch(left, gamma, [&] { return total; });
-      const double sigma = flowedStress(law, trial, plastic, 1.0, stretch, 1.0, i, j);
+      sigma = flowedStress(law, trial, plastic, 1.0, stretch, 1.0, i, j);
       kind1[k] = link::bulk;
       plastic1[k] = plastic + (trial - sigma) * law.invTwoG;
       gammas1.set(k, left * gamma);
@@ -403,6 +441,44 @@ MCA_LOOP void bulkForceBlock(const Pairs &p, int first, int n, const PairLaw *la
     } else {
       forces.set(k, contactForce(law, trial + room, law.twoG * gamma, ratio, normals.get(k)));
     }
+    if constexpr (std::is_void_v<Criterion>) {
+      return 0.0;
+    } else {
+      Contact c{};
+      c.kind = link::bulk;
+      c.eps = peps[k];
+      c.plastic = plastic;
+      c.gammaTotal = shearSize(total);
+      LocalStress face = {};
+      if (Criterion::needsLocalStress)
+        face =
+            faceStress(D::localTensor(local + at.length * k + at.tensor, 0.5 * (i.mean + j.mean)),
+                       normals.get(k));
+      const double tau = law.twoG * shearSize(gamma);
+      const ElasticStresses s = {trial, sigma, Flows ? left * tau : tau};
+      return breaks<Criterion>(linkLoad(law, c, s, i, j, face), law.limits.fracture) ? 1.0 : 0.0;
+    }
+  };
+  double breaking = 0.0;
+#pragma omp simd reduction(+ : breaking)
+  for (int k = 0; k < n; k++)
+    breaking += answer(k);
+  return breaking;
+}
+
+// Bulk links of one law that break by strain only, of which none breaks or flows and whose automata
+// have room: all that they answer is in the stress of the stress pass.
+template<class D>
+MCA_LOOP void elasticForceBlock(const Pairs &p, int first, int n, const PairLaw *laws,
+                                typename D::Forces &forces)
+{
+  const double *const pratio = p.ratio + first, *const psigma = p.sigma + first;
+  const PairArray<typename D::Shear> gammas(p.now.gamma, first);
+  const PairArray<typename D::Normal> normals(p.normal, first);
+  const PairLaw law = laws[p.law[first]];
+  auto answer = [=, &law, &forces](int k) {
+    forces.set(k,
+               contactForce(law, psigma[k], law.twoG * gammas.get(k), pratio[k], normals.get(k)));
   };
 #pragma omp simd
   for (int k = 0; k < n; k++)
@@ -410,41 +486,91 @@ MCA_LOOP void bulkForceBlock(const Pairs &p, int first, int n, const PairLaw *la
 }
 
 template<class D>
+class ForcePassOf {
+ public:
+  ForcePassOf(const PairLaw *laws, const double *response, const double *local, double *forces)
+      : laws_(laws), response_(response), local_(local), forces_(forces)
+  {
+  }
+
+  // Returns how many pairs of the block change their kind.
+  template<class Criterion, Way W>
+  double work(const Pairs &p, Block &block, int first, int n)
+  {
+    const int *const pi = p.i + first, *const pj = p.j + first;
+    const bool flows = block.flows, bulk = onlyBulk(W) && !block.breaks;
+    double changed = 0.0;
+    if (Criterion::strainOnly && bulk && !flows && !block.crowded) {
+      block.moves = block.changes = false;
+      elasticForceBlock<D>(p, first, n, laws_, own_);
+    } else {
+      ofI_.gather(pi, n, response_);
+      ofJ_.gather(pj, n, response_);
+      if (Criterion::needsLocalStress || (local_ && !bulk))
+        gatherMeans<D::rows.local.length>(pi, pj, n, local_, means_);
+      if (!bulk || !workBulk<Criterion, W>(p, block, first, n))
+        changed = workAny<Criterion, W>(p, block, first, n);
+    }
+    own_.scatter(pi, pj, n, forces_);
+    return changed;
+  }
+
+ private:
+  const PairLaw *laws_;
+  const double *response_, *local_;
+  double *forces_;
+  typename D::Answers ofI_, ofJ_;
+  typename D::Forces own_;
+  alignas(64) double means_[blockLength * D::rows.local.length];
+
+  // Returns false if a link breaks; then the block has to go another way.
+  template<class Criterion, Way W>
+  bool workBulk(const Pairs &p, Block &block, int first, int n)
+  {
+    if constexpr (onlyBulk(W)) {
+      using Open = std::conditional_t<Criterion::strainOnly, void, Criterion>;
+      constexpr bool pristine = W == Pristine;
+      block.moves = block.flows && !allOne(n, ofI_.factor, ofJ_.factor);
+      block.changes = false;
+      const double breaking = block.moves ? bulkForceBlock<D, pristine, true, Open>(
+                                                p, first, n, laws_, means_, ofI_, ofJ_, own_)
+                                          : bulkForceBlock<D, pristine, false, Open>(
+                                                p, first, n, laws_, means_, ofI_, ofJ_, own_);
+      if (breaking == 0.0)
+        return true;
+      if (pristine)
+        leavePristine(p, block, first, n, D::shears);
+      if (local_ && !Criterion::needsLocalStress)
+        gatherMeans<D::rows.local.length>(p.i + first, p.j + first, n, local_, means_);
+    }
+    return false;
+  }
+
+  template<class Criterion, Way W>
+  double workAny(const Pairs &p, Block &block, int first, int n)
+  {
+    constexpr Way mixed = W == SeveralLaws ? SeveralLaws : OneLaw;
+    Changes changes{};
+    if (Criterion::needsLocalStress || local_)
+      changes = forceBlock<D, mixed, Criterion, true>(p, first, n, laws_, means_, ofI_, ofJ_, own_);
+    else if constexpr (!Criterion::needsLocalStress)
+      changes =
+          forceBlock<D, mixed, Criterion, false>(p, first, n, laws_, nullptr, ofI_, ofJ_, own_);
+    block.moves = changes.states > 0.0;
+    block.changes = changes.kinds > 0.0;
+    return changes.kinds;
+  }
+};
+
+template<class D>
 double forcePass(const Pairs &p, const PairLaw *laws, const double *response, const double *local,
                  double *forces)
 {
-  typename D::Answers ofI, ofJ;
-  typename D::Forces own;
-  alignas(64) double means[blockLength * D::rows.local.length];
+  ForcePassOf<D> pass(laws, response, local, forces);
   double changed = 0.0;
   withCriterion(p, laws, [&](auto criterion) {
-    using C = decltype(criterion);
-    eachBlock<C::strainOnly>(p, [&](Block &block, auto way, int first, int n) {
-      constexpr bool pristine = way.way == Pristine;
-      const int *const pi = p.i + first, *const pj = p.j + first;
-      ofI.gather(pi, n, response);
-      ofJ.gather(pj, n, response);
-      if (onlyBulk(way.way) && !block.breaks) {
-        block.moves = block.flows && !allOne(n, ofI.factor, ofJ.factor);
-        block.changes = false;
-        if (block.moves)
-          bulkForceBlock<D, pristine, true>(p, first, n, laws, ofI, ofJ, own);
-        else
-          bulkForceBlock<D, pristine, false>(p, first, n, laws, ofI, ofJ, own);
-      } else {
-        constexpr Way mixed = way.way == SeveralLaws ? SeveralLaws : OneLaw;
-        Changes changes{};
-        if (C::needsLocalStress || local) {
-          gatherMeans<D::rows.local.length>(pi, pj, n, local, means);
-          changes = forceBlock<D, mixed, C, true>(p, first, n, laws, means, ofI, ofJ, own);
-        } else if constexpr (!C::needsLocalStress) {
-          changes = forceBlock<D, mixed, C, false>(p, first, n, laws, nullptr, ofI, ofJ, own);
-        }
-        block.moves = changes.states > 0.0;
-        block.changes = changes.kinds > 0.0;
-        changed += changes.kinds;
-      }
-      own.scatter(pi, pj, n, forces);
+    eachBlock(p, [&](Block &block, auto way, int first, int n) {
+      changed += pass.template work<decltype(criterion), way.way>(p, block, first, n);
     });
   });
   return changed;

@@ -50,8 +50,10 @@ using StrainPass = void(const Pairs &, double dt, bool moves, const PairLaw *law
 /// \param type      material number of each automaton, used to index laws
 /// \param oneLaw    the materials of all automata are equal: laws[type[0]] serves all
 /// \param strains   of the strain pass
-/// \param response  rows.response.length values an automaton; the mean stress is written
-using MeanPass = void(int n, const int *type, const AutomatonLaw *laws, bool oneLaw,
+/// \param response  rows.response.length values an automaton; the mean stress is written, and the
+///                  pressure against lack of room where the rows have one
+/// \return how many automata have such a pressure, a whole number
+using MeanPass = double(int n, const int *type, const AutomatonLaw *laws, bool oneLaw,
                       const double *strains, double *response);
 
 /// Adds the elastic stress of each contact, before any return, to the averaged stress of both of

@@ -15,9 +15,9 @@
 namespace mca::MCA_ISA {
 namespace {
 
-// Ways of a block: of several laws (scalar), of one law, and of bulk links of one law that break by
-// strain only, which are most of a sample: these know no contact, viscosity or weld, and no next
-// state while nothing flows. Where none ever flowed, plastic offset and total shear are not read.
+// Ways of a block: of several laws (scalar), of one law, and of bulk links of one law, which are
+// most of a sample: these know no contact, viscosity or weld, and no next state while nothing
+// flows. Where none ever flowed, plastic offset and total shear are not read.
 // Block says which way holds.
 enum Way { SeveralLaws, OneLaw, Bulk, Pristine };
 
@@ -37,11 +37,9 @@ struct WayOf {
 // Calls work(block, its way as a type, first pair, number of pairs) for all blocks in their order,
 // one after the other: the decision is taken once for 128 pairs. The number is blockLength but for
 // the last block, where columns hold the last pair again or what is left of the block before.
-// \tparam StrainOnly  bulk links break by strain only; without it a bulk block goes the way of one
-//                     law
 // \param p     a whole list or a part of it that begins with a block
 // \param work  a generic lambda, compiled for each way; it may change the block's flags
-template<bool StrainOnly, class Work>
+template<class Work>
 inline void eachBlock(const Pairs &p, const Work &work)
 {
   Block *block = p.blocks;
@@ -49,14 +47,12 @@ inline void eachBlock(const Pairs &p, const Work &work)
     const int n = lesser(blockLength, p.n - first);
     if (block->law == Block::mixed)
       work(*block, WayOf<SeveralLaws>(), first, n);
-    else if (!StrainOnly || !block->bulk)
+    else if (!block->bulk)
       work(*block, WayOf<OneLaw>(), first, n);
-    else if constexpr (StrainOnly) {
-      if (block->pristine)
-        work(*block, WayOf<Pristine>(), first, n);
-      else
-        work(*block, WayOf<Bulk>(), first, n);
-    }
+    else if (block->pristine)
+      work(*block, WayOf<Pristine>(), first, n);
+    else
+      work(*block, WayOf<Bulk>(), first, n);
   }
 }
 
@@ -68,15 +64,6 @@ inline void withCriterion(const Pairs &p, const PairLaw *laws, const Work &work)
 {
   if (p.n > 0)
     FractureCriteria::with(laws[p.law[0]].limits.criterion, work);
-}
-
-// For passes to which only matters whether the criterion decides by strain: work(true or false).
-template<class Work>
-inline void withStrainOnly(const Pairs &p, const PairLaw *laws, const Work &work)
-{
-  withCriterion(p, laws, [&](auto criterion) {
-    work(std::bool_constant<decltype(criterion)::strainOnly>());
-  });
 }
 
 // Rows of motion where the pairs of a block meet: those of periodic images for a block across a
@@ -196,7 +183,7 @@ inline double &firstComponent(Vector &a)
 
 // Brings the whole state of a block up to date, whose links will not be alike any more: the total
 // shear, which a pristine block does not keep, becomes a copy of the elastic one. Called by the
-// strain pass, when a link of the block breaks, before any later pass reads the total shear.
+// pass that knows that a link of the block breaks, before anything reads the total shear.
 // \param p        pairs of the pass; first counts from their beginning
 // \param first,n  pairs of the block
 // \param shears   components of a shear

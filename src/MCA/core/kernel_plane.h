@@ -109,9 +109,9 @@ struct Plane {
   };
 
   // What each pair adds to the averaged stresses of both of its automata [stress], with the weight
-  // 1/3 of the hexagonal packing in it, and its squared strains [-].
+  // 1/3 of the hexagonal packing in it.
   struct Shares {
-    Column xx, yy, xy, squares;
+    Column xx, yy, xy;
 
     // The share of pair k in the tensor, stressShare() of laws/elasticity.h.
     // \param sigma,tau  normal and shear stress of the contact [stress], tension positive
@@ -123,20 +123,12 @@ struct Plane {
       yy[k] = s.yy;
       xy[k] = s.xy;
     }
-    // Squares of the elastic strains of pair k [-], for the energy of its automata. No sum of
-    // stresses: the centre is the mean.
-    // \param e2  0 of a pair that does not touch
-    void setSums(int k, double e2, double gamma2, double /*flowing*/) { squares[k] = e2 + gamma2; }
-    // Adds tensors and squares to both automata, with the same sign.
+    // No sum of stresses: the centre is the mean.
+    void setFlowing(int, double /*flowing*/) {}
+    // Adds tensors to both automata, with the same sign. The fourth value of a row is unused and
+    // takes xy again.
     // \param sums  rows.stress.length values an automaton, added to
     void scatter(const int *pi, const int *pj, int n, double *sums) const
-    {
-      const Row4 same = {1.0, 1.0, 1.0, 1.0};
-      mca::MCA_ISA::scatter(pi, pj, n, xx, yy, xy, squares, same, sums);
-    }
-    // For the return pass. The fourth value of a row, that of the squares, is of no use there; xy
-    // fills its column.
-    void scatterTensors(const int *pi, const int *pj, int n, double *sums) const
     {
       const Row4 same = {1.0, 1.0, 1.0, 1.0};
       mca::MCA_ISA::scatter(pi, pj, n, xx, yy, xy, xy, same, sums);
@@ -194,16 +186,10 @@ struct PlaneIsochoric : Plane {
   static constexpr bool keepsVolume = true;
   using Answers = RoomAnswers<planeIsochoricRows>;
 
-  // As of Plane, with one more sum; unused columns stay 0.
+  // As of Plane, with one more sum.
   struct Shares {
-    Row8 row;
+    Columns<1> row;
 
-    Shares()
-    {
-      for (int m = rows.stress.flowing + 1; m < rows.stress.length; m++)
-        for (int k = 0; k < blockLength; k++)
-          row.c[m][k] = 0.0;
-    }
     void set(int k, double sigma, double tau, const PlaneVector &n)
     {
       const StressTensor s = stressShare(sigma, tau, n.x, n.y);
@@ -212,17 +198,9 @@ struct PlaneIsochoric : Plane {
       row.c[2][k] = s.xy;
     }
     // \param flowing  sigma of a contact that flows with them, else 0 [stress]
-    void setSums(int k, double e2, double gamma2, double flowing)
-    {
-      row.c[rows.stress.squares][k] = e2 + gamma2;
-      row.c[rows.stress.flowing][k] = flowing;
-    }
+    void setFlowing(int k, double flowing) { row.c[rows.stress.flowing][k] = flowing; }
+    // After a return pass, which sets tensors only, the sum has no meaning.
     void scatter(const int *pi, const int *pj, int n, double *sums) const
-    {
-      row.scatter<0>(pi, pj, n, sums);
-    }
-    // For the return pass, which leaves the sums at what they are; nobody reads them.
-    void scatterTensors(const int *pi, const int *pj, int n, double *sums) const
     {
       row.scatter<0>(pi, pj, n, sums);
     }

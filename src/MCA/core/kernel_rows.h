@@ -205,50 +205,50 @@ inline void scatter(const int *pi, const int *pj, int n, const Column &c0, const
   }
 }
 
-// Eight values of each pair, which go as a row to both of its automata: the first TURNED of them
-// with the opposite sign to the second one.
-struct Row8 {
-  Column c[8];
+// Values of each pair, PARTS times four, which go as a row to both of its automata: the first
+// TURNED of them with the opposite sign to the second one.
+template<int PARTS>
+struct Columns {
+  Column c[4 * PARTS];
 
   // Adds the rows to both automata of each of n pairs. The sum of a run of pairs with the same i
   // is kept in registers and written once, which saves most of the loads and stores of i; the
   // order of additions is that of the pairs.
   // \tparam TURNED  so many first values go to the second automaton with the opposite sign
   // \param pi,pj    rows of both automata; n > 0
-  // \param sums     eight values an automaton, added to
+  // \param sums     4 PARTS values an automaton, added to
   template<int TURNED>
   void scatter(const int *pi, const int *pj, int n, double *sums) const
   {
-    Row4 signs[2];
-    for (int m = 0; m < 8; m++)
+    Row4 signs[PARTS];
+    for (int m = 0; m < 4 * PARTS; m++)
       signs[m / 4][m % 4] = m < TURNED ? -1.0 : 1.0;
     // pairs come sorted by i, so that its sum stays in registers
     int last = pi[0];
-    Row4 sumA = {}, sumB = {};
+    Row4 sum[PARTS] = {};
     auto flush = [&]() {
-      *rowOf<Row4>(sums, 2 * last) += sumA;
-      *rowOf<Row4>(sums, 2 * last + 1) += sumB;
+      for (int part = 0; part < PARTS; part++)
+        *rowOf<Row4>(sums, PARTS * last + part) += sum[part];
     };
     for (int k = 0; k < n; k += 4) {
-      Row4 a[4], b[4];
-      for (int m = 0; m < 4; m++) {
-        a[m] = *rowOf<Row4>(c[m].value + k, 0);
-        b[m] = *rowOf<Row4>(c[4 + m].value + k, 0);
+      Row4 rows[PARTS][4];
+      for (int part = 0; part < PARTS; part++) {
+        for (int m = 0; m < 4; m++)
+          rows[part][m] = *rowOf<Row4>(c[4 * part + m].value + k, 0);
+        transpose(rows[part][0], rows[part][1], rows[part][2], rows[part][3]);
       }
-      transpose(a[0], a[1], a[2], a[3]);
-      transpose(b[0], b[1], b[2], b[3]);
       const int end = lesser(4, n - k);
       for (int m = 0; m < end; m++) {
         if (pi[k + m] != last) {
           flush();
           last = pi[k + m];
-          sumA = sumB = Row4{};
+          for (Row4 &part : sum)
+            part = Row4{};
         }
-        sumA += a[m];
-        sumB += b[m];
-        const int j = 2 * pj[k + m];
-        *rowOf<Row4>(sums, j) += signs[0] * a[m];
-        *rowOf<Row4>(sums, j + 1) += signs[1] * b[m];
+        for (int part = 0; part < PARTS; part++) {
+          sum[part] += rows[part][m];
+          *rowOf<Row4>(sums, PARTS * pj[k + m] + part) += signs[part] * rows[part][m];
+        }
       }
     }
     flush();

@@ -127,11 +127,16 @@ struct Space {
   };
 
   // What each pair adds to the averaged stresses of both of its automata: sigma n n + (n tau + tau
-  // n)/2 [stress] in six components, xx, yy, xy, zz, xz, yz, and two sums. The weight of the
+  // n)/2 [stress] in six components, xx, yy, xy, zz, xz, yz, and a sum. The weight of the
   // packing is left to averaged(), once an automaton instead of once a pair.
   struct Shares {
-    Row8 row;
+    Columns<2> row;
 
+    Shares()
+    {
+      for (int k = 0; k < blockLength; k++)
+        row.c[rows.stress.flowing][k] = row.c[7][k] = 0.0;
+    }
     // The share of pair k in the tensor, stressShare() of laws/elasticity.h.
     // \param sigma  normal stress of the contact [stress], tension positive
     // \param tau    its shear stress [stress], perpendicular to n
@@ -146,23 +151,12 @@ struct Space {
       row.c[4][k] = s.xz;
       row.c[5][k] = s.yz;
     }
-    // The sums of pair k.
-    // \param e2,gamma2  squares of the elastic strains [-], 0 of a pair that does not touch
-    // \param flowing    sigma of a contact that flows with them, else 0 [stress]: for the centre of
-    //                   the return
-    void setSums(int k, double e2, double gamma2, double flowing)
-    {
-      row.c[rows.stress.squares][k] = e2 + gamma2;
-      row.c[rows.stress.flowing][k] = flowing;
-    }
+    // \param flowing  sigma of a contact that flows with them, else 0 [stress]: for the centre of
+    //                 the return
+    void setFlowing(int k, double flowing) { row.c[rows.stress.flowing][k] = flowing; }
     // Adds tensors and sums to both automata with the same sign: a stress does not depend on the
     // side.
     void scatter(const int *pi, const int *pj, int n, double *sums) const
-    {
-      row.scatter<0>(pi, pj, n, sums);
-    }
-    // For the return pass, whose shares have no sums: it leaves the last two columns at 0.
-    void scatterTensors(const int *pi, const int *pj, int n, double *sums) const
     {
       row.scatter<0>(pi, pj, n, sums);
     }
@@ -171,7 +165,7 @@ struct Space {
   // Forces [force] and torques [force length] of each pair on its first automaton, three components
   // each; the last two columns are unused and stay 0.
   struct Forces {
-    Row8 row;
+    Columns<2> row;
 
     Forces()
     {

@@ -19,7 +19,7 @@ void LinkList::reset(int n)
   // 5 lines apart modulo a page.
   constexpr size_t line = 8, page = 64 * line;
   const size_t stride = (static_cast<size_t>(n) + page - 1) / page * page + 5 * line;
-  values_.reserve((5 + 2 * stateSize()) * stride);
+  values_.reserve((7 + 2 * stateSize()) * stride);
   double *array = values_.get();
   auto take = [&]() {
     array += stride;
@@ -45,6 +45,7 @@ void LinkList::reset(int n)
   view_.ratio = take();
   view_.eps = take();
   view_.separation = take();
+  view_.sigma = take();
   for (auto *of : {&now_, &next_}) {
     for (auto &values : *of)
       values = take();
@@ -64,7 +65,7 @@ void LinkList::add(int i, int j, int law, const double *state)
   if (k % blockLength == 0) {
     Block first{};
     first.law = law;
-    first.bulk = first.pristine = first.flows = true;
+    first.bulk = first.pristine = first.flows = first.crowded = true;
     blocks_.push_back(first);
   }
   Block &block = blocks_.back();
@@ -123,7 +124,7 @@ Pairs LinkList::part(int first, int n)
   for (auto *rows : {&p.i, &p.j, &p.placeI, &p.placeJ, &p.law})
     *rows += first;
   for (double **values :
-       {&p.normal[0], &p.normal[1], &p.normal[2], &p.ratio, &p.eps, &p.separation})
+       {&p.normal[0], &p.normal[1], &p.normal[2], &p.ratio, &p.eps, &p.separation, &p.sigma})
     *values += first;
   for (PairState *state : {&p.now, &p.next}) {
     state->kind += first;

@@ -49,6 +49,8 @@ struct Block {
   bool breaks;
   /// An automaton of it may flow: one of its own that does not know yet by how much, or a guest.
   bool flows;
+  /// An automaton of it may have pressure against lack of room: one of its own that has, or a guest.
+  bool crowded;
   bool moves;   ///< the next state differs from the present one; only then is it held in `next`
   bool changes; ///< ... in the kind of a pair
   bool across;  ///< one of them meets over a periodic face; else placeI, placeJ equal i, j
@@ -73,6 +75,8 @@ struct Pairs {
   double *eps;        ///< total normal strain, normalStrain() of it [-]
   double *separation; ///< normal velocity of j seen from i [length/time]; not of bulk blocks; of
                       ///< half a step ago, until viscous contacts are centred
+  /// Elastic normal stress before the return [stress], of the last stress pass; of bulk blocks.
+  double *sigma;
   Block *blocks;      ///< of blockLength pairs each
 };
 

@@ -34,7 +34,6 @@ struct RowLayout {
     int length;
     int tensor;  ///< `components` values: xx, yy, xy, in space zz, xz, yz, too [stress]; in the
                  ///< plane averaged, in space without the packing's weight
-    int squares; ///< e^2 + gamma^2 [-]
     int flowing; ///< the normal stresses of the contacts that flow with it [stress]; in the plane
                  ///< only with isochoric, else it equals length
   } stress;
@@ -71,7 +70,7 @@ struct RowLayout {
 ///
 ///     motion     x  y  vx  vy             and one array of spins
 ///     strain     sum  flowing
-///     stress     xx  yy  xy  squares
+///     stress     xx  yy  xy  -
 ///     response   mean  factor             the centre is the mean
 ///     force      fx  fy  torque  -
 ///     local      xx  yy  xy  work
@@ -79,7 +78,7 @@ constexpr RowLayout planeRows = [] {
   RowLayout r{};
   r.motion.length = 4, r.motion.place = 0, r.motion.velocity = 2, r.motion.spin = 4;
   r.strain.length = 2, r.strain.sum = 0, r.strain.flowing = 1, r.strain.room = 2;
-  r.stress.length = 4, r.stress.tensor = 0, r.stress.squares = 3, r.stress.flowing = 4;
+  r.stress.length = 4, r.stress.tensor = 0, r.stress.flowing = 4;
   r.response.length = 2, r.response.mean = 0, r.response.room = 2, r.response.means = 1;
   r.response.factor = 1, r.response.centre = 0, r.response.answers = 1;
   r.force.length = 4, r.force.force = 0, r.force.torque = 2;
@@ -101,17 +100,17 @@ constexpr RowLayout withRoom(RowLayout r)
 }
 /// In the plane with plasticity isochoric, besides:
 ///
-///     stress     xx  yy  xy  squares  flowing  -  -  -
+///     stress     xx  yy  xy  flowing
 constexpr RowLayout planeIsochoricRows = [] {
   RowLayout r = withRoom(planeRows);
-  r.stress.length = 8;
+  r.stress.flowing = 3;
   return r;
 }();
 /// In space: rows of 2, 4 or 8 values; some have values that are not used, for whole vectors.
 ///
 ///     motion     x  y  z  vx  vy  vz  wx  wy      and one array of wz
 ///     strain     sum  flowing
-///     stress     xx  yy  xy  zz  xz  yz  squares  flowing
+///     stress     xx  yy  xy  zz  xz  yz  flowing  -
 ///     response   mean  factor  centre  -
 ///     force      fx  fy  fz  tx  ty  tz  -  -
 ///     local      xx  yy  xy  zz  xz  yz  work  -
@@ -119,7 +118,7 @@ constexpr RowLayout spaceRows = [] {
   RowLayout r{};
   r.motion.length = 8, r.motion.place = 0, r.motion.velocity = 3, r.motion.spin = 6;
   r.strain.length = 2, r.strain.sum = 0, r.strain.flowing = 1, r.strain.room = 2;
-  r.stress.length = 8, r.stress.tensor = 0, r.stress.squares = 6, r.stress.flowing = 7;
+  r.stress.length = 8, r.stress.tensor = 0, r.stress.flowing = 6;
   r.response.length = 4, r.response.mean = 0, r.response.room = 4, r.response.means = 1;
   r.response.factor = 1, r.response.centre = 2, r.response.answers = 2;
   r.force.length = 8, r.force.force = 0, r.force.torque = 3;

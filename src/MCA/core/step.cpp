@@ -52,6 +52,7 @@ void Step::begin(int own, int all, const int *types, int border)
     of->clear();
   spans_.begin(links_.part(0, links_.size()), own, summed);
   flows_.assign(spans_.size(), true); // guests always may
+  crowded_.assign(spans_.size(), laws_.keepsVolume);
   keeps_.assign(spans_.own(), false);
 }
 
@@ -69,7 +70,7 @@ void Step::run(const Automata &a, double dt, bool advance)
     commit(a);
     links_.advance();
   }
-  committed_ = false;
+  committed_ = squaresKnown_ = false;
 
   const PairLaw *laws = laws_.pairs.data();
   const RowLayout::Response &row = layout().response;
@@ -195,8 +196,11 @@ void Step::keepLag(const Automata &a) const
 
 void Step::findMeans()
 {
-  kernel_->mean(own(), types_.data(), laws_.automata.data(), laws_.oneMaterial, strains_.data(),
-                response_.data());
+  for (int s = 0; s < spans_.own(); s++) {
+    const int from = spans_.first(s);
+    crowded_[s] = kernel_->mean(spans_.last(s) - from, types_.data() + from, laws_.automata.data(),
+                                laws_.oneMaterial, strains_.row(from), response_.row(from)) > 0.0;
+  }
 }
 
 // The return mapping is explicit: an automaton's trial stress and its yield stress give M, and each
@@ -211,6 +215,8 @@ void Step::findReturns(const Automata &a)
   for (int b = 0; b * blockLength < p.n; b++) {
     const RowSpans::Range spans = spans_.of(b);
     p.blocks[b].flows = std::any_of(spans.begin(), spans.end(), [&](int s) { return flows_[s]; });
+    p.blocks[b].crowded =
+        std::any_of(spans.begin(), spans.end(), [&](int s) { return crowded_[s]; });
   }
 }
 

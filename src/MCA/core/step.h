@@ -257,9 +257,12 @@ class Step {
   RowArray kappaNext_, kept_, keptNext_; // of own automata
   RowArray linkChanges_;                 // broken and formed of own automata, since takeChanges()
   RowSpans spans_;
-  // of each span: its automata may flow; may have something kept, now or next; the return pass
-  // adds to them
-  std::vector<char> flows_, keeps_, touched_;
+  // of each span: its automata may flow; lack room; may have something kept, now or next; the
+  // return pass adds to them
+  std::vector<char> flows_, crowded_, keeps_, touched_;
+  // Sums of e^2 + gamma^2 over the contacts of own automata [-], found when they are asked for.
+  mutable RowArray squares_;
+  mutable bool squaresKnown_ = false;
   ViscousPairs viscousPairs_;
   ViscousContacts viscous_;
   SlipViscosity slip_;
@@ -274,6 +277,7 @@ class Step {
   void packSpace(const Automata &, bool advance);
   double &spinOf(int row, int component);
   void findMeans();
+  void findSquares() const;
   void findReturns(const Automata &);
   bool yield(const double *kappa, int from, int to);
   void clearTaken(const RowArray &taken);

@@ -23,11 +23,33 @@ Step::Automaton Step::automaton(int i) const
   return {whole, average - room, intensity, energy(i)};
 }
 
+void Step::findSquares() const
+{
+  squares_.resize(own());
+  squares_.clear();
+  const Pairs &p = links_.pairs();
+  const int shears = dimension() == 2 ? 1 : maxShears;
+  for (int k = 0; k < p.n; k++) {
+    const double e = p.eps[k] - p.now.plastic[k];
+    double square = link::isLinked(p.now.kind[k]) || isPressed(e) ? e * e : 0.0;
+    double shear = 0.0;
+    for (int m = 0; m < shears; m++)
+      shear += p.now.gamma[m][k] * p.now.gamma[m][k];
+    square += shear;
+    for (const int i : {p.i[k], p.j[k]})
+      if (i < own())
+        *squares_.row(i) += square;
+  }
+  squaresKnown_ = true;
+}
+
 double Step::energy(int i) const
 {
   const int type = types_.at(i);
   const AutomatonLaw &law = laws_.automata[type];
-  const double squares = stresses_.row(i)[layout().stress.squares];
+  if (!squaresKnown_)
+    findSquares();
+  const double squares = *squares_.row(i);
   const Answer answer = view().answer(i);
   const double density =
       energyDensity(squares, answer.mean, law.shearModulus, law.bulkModulus, law.D, law.weight);
@@ -168,7 +190,8 @@ Step::Count Step::count() const
 
 double Step::bytes() const
 {
-  double sum = links_.bytes() + slip_.bytes() + friction_.bytes() + spans_.bytes();
+  double sum =
+      links_.bytes() + slip_.bytes() + friction_.bytes() + spans_.bytes() + squares_.bytes();
   for (const RowArray *rows : {&motion_, &spin_, &strains_, &stresses_, &response_, &forces_,
                                &local_, &taken_, &kappaNext_, &kept_, &keptNext_, &linkChanges_})
     sum += rows->bytes();

@@ -16,27 +16,51 @@
 
 namespace mca {
 
+/// Coefficients of ln(x)/s in powers of s^2, s = (x - 1)/(x + 1).
+constexpr double logarithmSeries[] = {2.0,
+                                      0.66666666666671169715,
+                                      0.39999999998797618439,
+                                      0.28571428696841921603,
+                                      0.22222215484244263549,
+                                      0.18182030987577636033,
+                                      0.1538037521503107819,
+                                      0.13388570748814651036,
+                                      0.11289665821424223215,
+                                      0.13177139227944024053,
+                                      0.0046729780953445370433,
+                                      0.24933261698540403701};
+
+/// The first four terms, beside which the others do not count where isNear1().
+inline double firstTerms(double q)
+{
+  constexpr const double(&c)[12] = logarithmSeries;
+  return (c[0] + c[1] * q) + (c[2] + c[3] * q) * (q * q);
+}
+
+/// Whether logarithmNear1() is logarithm() to the last bit, with room to spare: what it leaves out
+/// is a hundredth of the last bit of what it has.
+inline bool isNear1(double x)
+{
+  return (x > 0.985) & (x < 1.015);
+}
+
+/// ln(x) where isNear1(), which nearly all links are: half of the work.
+inline double logarithmNear1(double x)
+{
+  const double s = (x - 1.0) / (x + 1.0);
+  return s * firstTerms(s * s);
+}
+
 /// ln(x) = 2 artanh((x - 1)/(x + 1)) by a polynomial in the square of its argument, within 1e-16
 /// for exp(-0.9) <= x <= exp(0.9), where no link is shorter than one that has collapsed and none
 /// longer than breaking strains allow; monotone for any x > 0. At 1 it is exactly 0.
 inline double logarithm(double x)
 {
-  constexpr double c[] = {2.0,
-                          0.66666666666671169715,
-                          0.39999999998797618439,
-                          0.28571428696841921603,
-                          0.22222215484244263549,
-                          0.18182030987577636033,
-                          0.1538037521503107819,
-                          0.13388570748814651036,
-                          0.11289665821424223215,
-                          0.13177139227944024053,
-                          0.0046729780953445370433,
-                          0.24933261698540403701};
+  constexpr const double(&c)[12] = logarithmSeries;
   const double s = (x - 1.0) / (x + 1.0);
   // in three parts, which a processor works on at the same time
   const double q = s * s, q2 = q * q, q4 = q2 * q2;
-  const double low = (c[0] + c[1] * q) + (c[2] + c[3] * q) * q2;
+  const double low = firstTerms(q);
   const double middle = (c[4] + c[5] * q) + (c[6] + c[7] * q) * q2;
   const double high = (c[8] + c[9] * q) + (c[10] + c[11] * q) * q2;
   return s * (low + q4 * (middle + q4 * high));
