@@ -2,6 +2,8 @@
 """tools/benchmark.py with a stand-in for lmp, whose speed is a number in the environment."""
 
 import json
+import re
+from pathlib import Path
 
 import pytest
 
@@ -81,6 +83,13 @@ def test_compare_with_less(bench, tmp_path):
     (tmp_path / "out.json").rename(tmp_path / "release.json")
     code, out, _ = bench(3, "--compare", "release.json", "--laws", "account")
     assert code == 0 and "3 ratios compared, 4 of the file not measured" in out
+
+
+def test_compare_with_the_release(bench):
+    """Every ratio of a short run stands in the shipped file."""
+    release = Path(__file__).resolve().parents[2] / "tools" / "benchmark" / "release.json"
+    _, out, _ = bench(3, "--compare", release)
+    assert re.search(r"^7 ratios compared, \d+ of the file not measured", out, re.MULTILINE), out
 
 
 def test_against(bench, tmp_path):
