@@ -54,7 +54,7 @@ using StrainPass = void(const Pairs &, double dt, bool moves, const PairLaw *law
 ///                  pressure against lack of room where the rows have one
 /// \return how many automata have such a pressure, a whole number
 using MeanPass = double(int n, const int *type, const AutomatonLaw *laws, bool oneLaw,
-                      const double *strains, double *response);
+                        const double *strains, double *response);
 
 /// Adds the elastic stress of each contact, before any return, to the averaged stress of both of
 /// its automata.

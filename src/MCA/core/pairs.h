@@ -49,7 +49,8 @@ struct Block {
   bool breaks;
   /// An automaton of it may flow: one of its own that does not know yet by how much, or a guest.
   bool flows;
-  /// An automaton of it may have pressure against lack of room: one of its own that has, or a guest.
+  /// An automaton of it may have pressure against lack of room: one of its own that has, or a
+  /// guest.
   bool crowded;
   bool moves;   ///< the next state differs from the present one; only then is it held in `next`
   bool changes; ///< ... in the kind of a pair
@@ -77,7 +78,7 @@ struct Pairs {
                       ///< half a step ago, until viscous contacts are centred
   /// Elastic normal stress before the return [stress], of the last stress pass; of bulk blocks.
   double *sigma;
-  Block *blocks;      ///< of blockLength pairs each
+  Block *blocks; ///< of blockLength pairs each
 };
 
 /// Unit normal of pair k, from its first to its second automaton [-].
