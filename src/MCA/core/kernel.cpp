@@ -564,7 +564,7 @@ class ForcePassOf {
 
 template<class D>
 double forcePass(const Pairs &p, const PairLaw *laws, const double *response, const double *local,
-                 double *forces)
+                 double *forces) // NOLINT(readability-non-const-parameter): a template writes them
 {
   ForcePassOf<D> pass(laws, response, local, forces);
   double changed = 0.0;
