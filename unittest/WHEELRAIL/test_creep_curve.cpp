@@ -206,6 +206,36 @@ TEST(CreepCurve, HardnessFallsWithTemperature)
   EXPECT_NEAR(curves.fields.begin()->second.pressure.maxCoeff(), 3e9 * (1.0 - rise / 1250.0), 1e4);
 }
 
+// Hot cells are softer than cold ones of the same contact.
+TEST(CreepCurve, HardnessFallsWithTheTemperatureOfEachCell)
+{
+  const std::string text = "contact: {load_per_length: 4000 N/mm, radius: 0.5 m,\n"
+                           "          youngs_modulus: 210 GPa, poissons_ratio: 0.3,\n"
+                           "          hardness_limit: true}\n"
+                           "roughness: {hurst: 0.8, rms_slope: 0.04, wavelength_min: 0.2 mm, "
+                           "wavelength_max: 10 mm}\nspeed: 20 m/s\ncreep: [0.02]\n"
+                           "friction: {local: true}\nthermal: {model: local}\npoints: 512\n";
+  const auto hardness = [](double rise) { return 3e9 * (1.0 - rise / 1250.0); };
+  for (const char *mode : {"frozen", "moving"}) {
+    // what a step of rolling sees is the heat of the step before
+    const double late = *mode == 'm' ? 0.02 * 3e9 : 1e4;
+    const CreepSpecification input =
+        case_text::rolling(text + "mode: " + mode + "\nmoving: {passes: 2}\n");
+    const CreepCurves curves = solveCreepCurves(input, input.friction.read());
+    const ContactFields &fields = curves.fields.begin()->second;
+    double hottest = 0.0, coldest = 1250.0; // of the cells that flow
+    for (int i = 0; i < fields.pressure.size(); ++i) {
+      const double limit = hardness(fields.temperature[i]);
+      EXPECT_LE(fields.pressure[i], limit + late) << mode << " " << i;
+      if (fields.pressure[i] >= limit - late) {
+        hottest = std::max(hottest, fields.temperature[i]);
+        coldest = std::min(coldest, fields.temperature[i]);
+      }
+    }
+    EXPECT_GT(hottest, coldest + 50.0) << mode;
+  }
+}
+
 TEST(CreepCurve, MovingRoughnessKeepsTheInitialSlope)
 {
   // Asperities that travel with the material hardly lower the slope, fixed ones do by the area

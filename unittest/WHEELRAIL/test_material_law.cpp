@@ -2,7 +2,9 @@
 // mu(p, v, T) of one material: the bound by the shear strength, the table, the file, the fit, and
 // what a contact makes of them.
 #include "base/errors.h"
+#include "creep/patch/moving_patch.h"
 #include "fit/law_fit.h"
+#include "law/forms/material.h"
 #include "law/friction_laws.h"
 #include "law/material_law.h"
 
@@ -367,6 +369,54 @@ TEST(LawOfMaterial, BandsComeFromTheErrorsOfItsTable)
   EXPECT_FALSE(own.changed(change)->isSound());
   EXPECT_TRUE(own.isSound());
   EXPECT_TRUE(own.dependsOnSpeed());
+}
+
+// Steady rolling beyond the hardness: each cell stops at that of its own temperature, hot ones far
+// below cold ones; and material that rolls through the contact comes to the same.
+TEST(LawOfMaterial, HotCellsOfAPointContactAreSofter)
+{
+  MaterialLaw law;
+  law.material = steel();
+  for (double &strength : law.material.strength)
+    strength *= 0.4;
+  law.parameters[Mu0] = 0.36, law.parameters[S] = 0.46, law.parameters[Q] = 6.0;
+  const LawOfMaterial own("steel", law, 293.0);
+  PatchContactSpecification wheel;
+  wheel.load = {1e5};
+  wheel.curvatures = GapCurvatures{4.0, 3.2};
+  wheel.bodies = {ElasticBody{210e9, 0.3}, ElasticBody{210e9, 0.3}};
+  wheel.domain = 4.2;
+  wheel.nx = wheel.ny = 40;
+  CreepPhysics physics;
+  physics.thermal = {ThermalModel::Local, {50.0, 7800.0, 450.0}, 0.0};
+  physics.hardnessLimit = true;
+  const double load = 1e5, speed = 20.0;
+  const PatchContact contact =
+      preparePatch(wheel, {}, load, 0, physics.pressureLimit(own, 0.0), 0.0);
+  PatchDrive drive;
+  drive.creepage.xi = 0.1;
+  FrozenPatch rolling(physics, contact, 0.5);
+  const PatchPoint point = rolling.solve(own, speed, drive);
+  const PatchFields &fields = rolling.fields();
+  double hottest = 0.0, coldest = 1e4; // of the cells that flow
+  for (int i = 0; i < fields.pressure.size(); ++i) {
+    const double hardness = own.strength()->hardnessAt(fields.temperature[i]);
+    EXPECT_LE(fields.pressure[i], hardness * (1.0 + 1e-6));
+    if (fields.pressure[i] >= hardness * (1.0 - 1e-6)) {
+      hottest = std::max(hottest, fields.temperature[i]);
+      coldest = std::min(coldest, fields.temperature[i]);
+    }
+  }
+  EXPECT_GT(hottest, coldest + 100.0);
+  EXPECT_NEAR(fields.pressure.sum() * contact.grid.cellArea(), load, 1e-6 * load);
+
+  MovingPatchSpecification moving;
+  moving.passes = 3;
+  const PatchSequence none;
+  MovingPatch material(physics, moving, none, own, contact, 0.5);
+  material.solve(speed, drive, [] { return true; });
+  EXPECT_NEAR(material.series().back().forceX / point.forceX, 1.0, 0.03);
+  EXPECT_NEAR(material.series().back().peakPressure / point.peakPressure, 1.0, 0.01);
 }
 
 namespace {

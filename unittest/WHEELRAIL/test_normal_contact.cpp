@@ -25,9 +25,12 @@ void expectOptimal(HalfPlane &plane, const NormalContactProblem &problem,
       (problem.profile + plane.displacement(result.pressure)).array() - result.approach;
   EXPECT_NEAR(result.pressure.sum() / problem.load, 1.0, 1e-10);
   const double small = 1e-6 * problem.load;
+  const bool isOne = problem.cellLimits.size() == 0;
   for (int i = 0; i < gap.size(); ++i) {
+    const double limit = isOne ? problem.pressureLimit : problem.cellLimits[i];
     EXPECT_GE(result.pressure[i], 0.0);
-    EXPECT_LE(result.pressure[i], problem.pressureLimit);
+    EXPECT_LE(result.pressure[i], limit);
+    EXPECT_EQ(result.state[i] == CellState::Plastic, result.pressure[i] == limit);
     if (result.state[i] == CellState::Contact) {
       EXPECT_NEAR(gap[i], 0.0, small);
     }
@@ -294,6 +297,24 @@ TEST(NormalContact, HardnessLimitsThePressure)
   EXPECT_GT(result.contactCells(), elasticArea);
 }
 
+TEST(NormalContact, LimitsOfCellsThatAreAlikeAreOneLimit)
+{
+  const int n = 1024;
+  HalfPlane plane(n, Boundary::Free);
+  NormalContactProblem problem = cylinder(n, 0.04);
+  problem.pressureLimit = 3e9 / table2().modulus;
+  const NormalContactResult one = solveNormalContact(plane, problem);
+  problem.cellLimits = Vector::Constant(n, problem.pressureLimit);
+  problem.pressureLimit = 1.0; // is not read
+  const NormalContactResult each = solveNormalContact(plane, problem);
+  EXPECT_EQ(each.pressure, one.pressure);
+  EXPECT_GT(one.plasticDepth.maxCoeff(), 0.0);
+  problem.cellLimits *= 0.5 * problem.load / problem.cellLimits.sum();
+  EXPECT_THROW(solveNormalContact(plane, problem), Error);
+  problem.cellLimits = Vector::Constant(n - 1, 1.0);
+  EXPECT_THROW(solveNormalContact(plane, problem), Error);
+}
+
 TEST(NormalContact, AnyProfileAndLimitConverges)
 {
   // Where peers fail: near full contact and with the limit almost everywhere active.
@@ -314,6 +335,9 @@ TEST(NormalContact, AnyProfileAndLimitConverges)
     problem.load = n * slope * std::pow(10.0, -3.0 + 4.0 * random());
     if (random() < 0.6)
       problem.pressureLimit = problem.load / n * (1.0 + std::pow(10.0, -3.0 + 4.0 * random()));
+    if (trial % 3 == 0 && std::isfinite(problem.pressureLimit))
+      problem.cellLimits =
+          Vector::NullaryExpr(n, [&] { return problem.pressureLimit * std::pow(10.0, random()); });
     expectOptimal(plane, problem, solveNormalContact(plane, problem));
     if (HasFailure())
       FAIL() << "trial " << trial;

@@ -19,6 +19,12 @@ constexpr double rounding = 1e-14;
 constexpr int boldSets = 20;            ///< sets that may raise the energy; mostly 8 are enough
 constexpr double firstTolerance = 1e-2; ///< the first sets are wrong anyway
 
+Vector limitsOf(const NormalContactProblem &problem, int cells)
+{
+  return problem.cellLimits.size() > 0 ? problem.cellLimits
+                                       : Vector::Constant(cells, problem.pressureLimit);
+}
+
 /// One grid's search, as a loop of two moves: `solveInside` finds the pressures of the cells in
 /// between as if the others were fixed, then `jump` or `join` changes who is in between.
 ///
@@ -38,7 +44,7 @@ class PressureSearch {
  public:
   PressureSearch(HalfSpace &space, const NormalContactProblem &input)
       : approach(input.approach.value_or(0.0)), halfSpace_(space), problem_(input),
-        n_(space.cells())
+        n_(space.cells()), limit_(limitsOf(input, n_))
   {
   }
 
@@ -71,7 +77,7 @@ class PressureSearch {
   {
     if (pressure[i] <= 0.0)
       return CellState::Apart;
-    return pressure[i] >= problem_.pressureLimit ? CellState::Plastic : CellState::Contact;
+    return pressure[i] >= limit_[i] ? CellState::Plastic : CellState::Contact;
   }
 
   /// The load, or what is carried at the given approach.
@@ -85,7 +91,7 @@ class PressureSearch {
  private:
   Vector inside() const
   {
-    return (pressure.array() > 0.0 && pressure.array() < problem_.pressureLimit).cast<double>();
+    return (pressure.array() > 0.0 && pressure.array() < limit_.array()).cast<double>();
   }
   /// Gives the cells inside the limits what the others do not carry; renews the gap.
   void balance();
@@ -99,17 +105,17 @@ class PressureSearch {
   HalfSpace &halfSpace_;
   const NormalContactProblem &problem_;
   int n_;
+  Vector limit_; ///< of each cell
   bool cut_ = false, careful_ = false;
 };
 
 Vector PressureSearch::projected(const Vector &wanted, const Vector &free) const
 {
   if (problem_.approach)
-    return (free.array() == 0.0)
-        .select(pressure, wanted.cwiseMax(0.0).cwiseMin(problem_.pressureLimit));
+    return (free.array() == 0.0).select(pressure, wanted.cwiseMax(0.0).cwiseMin(limit_));
   // clamp(wanted - shift) carries the load at one shift; Newton on a piecewise linear, monotone
   // function, kept between bounds
-  const double highest = std::min(problem_.pressureLimit, problem_.load);
+  const double highest = std::min(limit_.maxCoeff(), problem_.load);
   double low = -highest, high = highest; // too much is carried at `low`, nothing at `high`
   for (int i = 0; i < n_; ++i) {
     if (free[i] == 0.0)
@@ -120,8 +126,7 @@ Vector PressureSearch::projected(const Vector &wanted, const Vector &free) const
   const auto shifted = [&](double shift) {
     Vector p = wanted;
     for (int i = 0; i < n_; ++i)
-      p[i] =
-          free[i] == 0.0 ? pressure[i] : std::clamp(wanted[i] - shift, 0.0, problem_.pressureLimit);
+      p[i] = free[i] == 0.0 ? pressure[i] : std::clamp(wanted[i] - shift, 0.0, limit_[i]);
     return p;
   };
   double shift = 0.0;
@@ -132,8 +137,7 @@ Vector PressureSearch::projected(const Vector &wanted, const Vector &free) const
       break;
     (excess > 0.0 ? low : high) = shift;
     const double moving = // minus the slope: how many cells follow the shift
-        (free.array() * ((p.array() > 0.0 && p.array() < problem_.pressureLimit)).cast<double>())
-            .sum();
+        (free.array() * ((p.array() > 0.0 && p.array() < limit_.array())).cast<double>()).sum();
     const double newton = shift + excess / moving;
     shift = newton > low && newton < high ? newton : 0.5 * (low + high);
     p = shifted(shift);
@@ -207,7 +211,7 @@ int PressureSearch::solveInside(double tolerance, int maxSteps)
     current += length * change;
   }
   const Vector target = pressure + total;
-  if (!careful_ || (target.array() >= 0.0 && target.array() <= problem_.pressureLimit).all()) {
+  if (!careful_ || (target.array() >= 0.0 && target.array() <= limit_.array()).all()) {
     pressure = target;
     gap = current;
   } else {
@@ -259,17 +263,19 @@ void PressureSearch::balance()
   const Vector free = inside();
   const double cells = free.sum(), carried = pressure.dot(free);
   const double wanted = problem_.load - (pressure.sum() - carried);
-  const double highest = (1.0 - rounding) * problem_.pressureLimit;
+  const auto highest = [this](int i) { return (1.0 - rounding) * limit_[i]; };
   const double uniform = wanted / cells;
-  if (cells > 0.0 && uniform > 0.0 && uniform < highest) {
-    // scaled, and as far towards uniform as the limit asks: both carry the load
+  double lowest = std::numeric_limits<double>::infinity(); // limit of the cells in between
+  for (int i = 0; i < n_; ++i)
+    if (free[i] != 0.0)
+      lowest = std::min(lowest, highest(i));
+  if (cells > 0.0 && uniform > 0.0 && uniform < lowest) {
+    // scaled, and as far towards uniform as the limits ask: both carry the load
     const double factor = wanted / carried;
-    double highestScaled = 0.0;
+    double part = 1.0;
     for (int i = 0; i < n_; ++i)
-      if (free[i] != 0.0)
-        highestScaled = std::max(highestScaled, factor * pressure[i]);
-    const double part =
-        highestScaled < highest ? 1.0 : (highest - uniform) / (highestScaled - uniform);
+      if (const double scaled = factor * pressure[i]; free[i] != 0.0 && scaled >= highest(i))
+        part = std::min(part, (highest(i) - uniform) / (scaled - uniform));
     for (int i = 0; i < n_; ++i)
       if (free[i] != 0.0)
         pressure[i] = part * factor * pressure[i] + (1.0 - part) * uniform;
@@ -290,11 +296,11 @@ int PressureSearch::jump(double tolerance)
     const double p = pressure[i], distance = gap[i] - approach;
     if (p < 0.0)
       pressure[i] = 0.0;
-    else if (p > problem_.pressureLimit)
-      pressure[i] = problem_.pressureLimit;
+    else if (p > limit_[i])
+      pressure[i] = limit_[i];
     else if (p == 0.0 && distance < -threshold)
       pressure[i] = little;
-    else if (p == problem_.pressureLimit && distance > threshold)
+    else if (p == limit_[i] && distance > threshold)
       pressure[i] = std::min(p - little, std::nextafter(p, 0.0)); // little may be lost in p
     changed += pressure[i] != p;
   }
@@ -318,6 +324,8 @@ NormalContactProblem coarsened(const NormalContactProblem &fine, const CellGrid 
 {
   NormalContactProblem coarse = fine;
   coarse.profile = coarseMean(grid, coarseGrid, fine.profile);
+  if (fine.cellLimits.size() > 0)
+    coarse.cellLimits = coarseMean(grid, coarseGrid, fine.cellLimits);
   coarse.load = fine.load * coarseGrid.cells() / grid.cells(); // a sum of pressures, not a force
   return coarse;
 }
@@ -392,16 +400,18 @@ NormalContactResult solveNormalContact(HalfSpace &halfSpace, const NormalContact
 {
   const auto begin = std::chrono::steady_clock::now();
   const int n = halfSpace.cells();
-  if (problem.profile.size() != n || !problem.profile.allFinite())
-    throw Error(ExitCode::Internal, "normal contact: profile does not fit the grid");
-  if (!problem.approach && (!(problem.load > 0.0) || problem.load >= problem.pressureLimit * n))
+  if (problem.profile.size() != n || !problem.profile.allFinite() ||
+      (problem.cellLimits.size() != 0 && problem.cellLimits.size() != n))
+    throw Error(ExitCode::Internal, "normal contact: profile or limits do not fit the grid");
+  const double capacity = limitsOf(problem, n).sum();
+  if (!problem.approach && (!(problem.load > 0.0) || problem.load >= capacity))
     throw Error(
         ExitCode::BadInput,
         fmt::format("contact.hardness_limit: the load needs a mean pressure of {:.5g} MPa over all "
                     "that is computed; it must be positive and below the hardness, {:.5g} MPa (3 "
                     "friction.strength)",
                     problem.load / n * problem.pascals * 1e-6,
-                    problem.pressureLimit * problem.pascals * 1e-6));
+                    capacity / n * problem.pascals * 1e-6));
   NormalContactResult result;
   if (problem.approach && problem.profile.minCoeff() >= *problem.approach) {
     result.pressure = result.plasticDepth = Vector::Zero(n);

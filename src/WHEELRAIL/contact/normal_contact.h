@@ -28,6 +28,9 @@ struct NormalContactProblem {
   double pascals = 1.0;
   /// Hardness, > 0; p stops there and the material flows. Infinite: elastic.
   double pressureLimit = std::numeric_limits<double>::infinity();
+  /// Hardness of each cell where it is not one for all, as hot cells are softer: takes the place of
+  /// `pressureLimit`. Empty: that is.
+  Eigen::VectorXd cellLimits;
 };
 
 struct NormalContactOptions {

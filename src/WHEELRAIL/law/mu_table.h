@@ -29,6 +29,7 @@ struct MuTable {
   Range speed = {0.0, 0.0};    ///< m/s, where that is known; > 0 unless the exponent is 0
   double referenceSpeed = 0.0; ///< m/s, of the values in the rows
 
+  /// One value; for many see `MuCurves`.
   /// \param ratio p/sigma_0, >= 0 \param temperature K \param slidingSpeed m/s, >= 0
   double operator()(double ratio, double temperature, double slidingSpeed) const;
 
@@ -38,6 +39,27 @@ struct MuTable {
   Eigen::VectorXd standardErrors() const;
   /// \param change to be added to the parameters
   MuTable changed(const Eigen::VectorXd &change) const;
+};
+
+/// A table made ready for all cells of a contact, with the logarithms and slopes of its rows.
+class MuCurves {
+ public:
+  explicit MuCurves(const MuTable &table);
+
+  /// As `MuTable::operator()`.
+  double operator()(double ratio, double temperature, double slidingSpeed) const;
+
+ private:
+  /// ln mu over ln(p/sigma_0) of a row: places, values, slopes there.
+  struct Row {
+    std::vector<double> place, value, slope;
+    double at(double u) const;
+  };
+
+  std::vector<double> temperature_; ///< K
+  std::vector<Row> rows_;
+  double speedExponent_, referenceSpeed_;
+  Range speed_;
 };
 
 } // namespace wheelrail

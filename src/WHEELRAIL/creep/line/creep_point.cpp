@@ -77,7 +77,8 @@ Vector FrozenCreep::temperatureFrom(double speed, double creep)
                                                  physics_.thermal.material));
 }
 
-/// The hardness falls with the mean temperature of the contact: solve again where it binds.
+/// The hardness falls with the temperature, that of each cell where it is known, else the contact's
+/// mean: solve again where it binds.
 void FrozenCreep::limitPressure(const FrictionLaw &law)
 {
   const double mean = contact_.temperature.dot(contact_.pressure) / contact_.pressure.sum();
@@ -85,8 +86,9 @@ void FrozenCreep::limitPressure(const FrictionLaw &law)
   options.start = contact_.pressure / setup_.hertz.modulus;
   if (!domain_)
     domain_.emplace(setup_.cells, Boundary::Free);
-  const NormalContactResult normal =
-      solveNormalContact(*domain_, setup_.problem(physics_.pressureLimit(law, mean)), options);
+  NormalContactProblem problem = setup_.problem(physics_.pressureLimit(law, mean));
+  problem.cellLimits = physics_.pressureLimits(law, contact_.temperature) / setup_.hertz.modulus;
+  const NormalContactResult normal = solveNormalContact(*domain_, problem, options);
   checkInsideDomain(normal.pressure);
   contact_.pressure = normal.pressure * setup_.hertz.modulus;
   contact_.intervals = contactIntervals(normal, Boundary::Free);

@@ -35,8 +35,8 @@ struct ContactFields {
 /// other. The temperature rise is the unknown of a fixed-point iteration; where a step comes out
 /// larger than the one before, it is halved from then on.
 /// The local model of temperature takes the heat from traction and slip, cell by cell; Eq. 11 takes
-/// one value for the contact. A pressure limit that falls with temperature follows the load-
-/// weighted mean rise, and the normal contact is solved again.
+/// one value for the contact. A pressure limit that falls with temperature follows the rise of each
+/// cell, of Eq. 11 the load-weighted mean, and the normal contact is solved again.
 class FrozenCreep {
  public:
   /// Both must outlive the object. \param setup of a Free boundary
@@ -68,7 +68,7 @@ class FrozenCreep {
   double tractionRatio() const { return contact_.traction.sum() / contact_.pressure.sum(); }
   /// Rise per cell that the present traction causes, K.
   Eigen::VectorXd temperatureFrom(double speed, double creep);
-  /// Normal contact again, under the hardness at the mean temperature.
+  /// Normal contact again, under the hardness at the present temperature.
   void limitPressure(const FrictionLaw &law);
 
   const CreepPhysics &physics_;

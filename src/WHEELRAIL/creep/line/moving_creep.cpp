@@ -39,13 +39,19 @@ MovingCreep::MovingCreep(const CreepPhysics &physics, const MovingSpecification 
 {
 }
 
-void MovingCreep::solvePressure(int step, double temperature)
+void MovingCreep::solvePressure(int step, const std::vector<Roller> &rollers)
 {
+  double warmest = 0.0;
+  for (const Roller &roller : rollers)
+    warmest = std::max(warmest, setup_.nominalMean(roller.temperature));
   NormalContactOptions options;
   options.tolerance = pressureTolerance;
   options.start = step ? movedAlong(normal_.pressure) : normal_.pressure;
-  normal_ = solveNormalContact(
-      domain_, setup_.problem(physics_.pressureLimit(law_, temperature), step), options);
+  NormalContactProblem problem = setup_.problem(physics_.pressureLimit(law_, warmest), step);
+  if (rollers.size() == 1)
+    problem.cellLimits =
+        physics_.pressureLimits(law_, movedAlong(rollers[0].temperature)) / setup_.hertz.modulus;
+  normal_ = solveNormalContact(domain_, problem, options);
   checkInsideDomain(normal_.pressure);
   contact_.pressure = normal_.pressure * setup_.hertz.modulus;
 }
@@ -156,10 +162,7 @@ std::vector<CreepPoint> MovingCreep::solve(double speed, const std::vector<doubl
   for (int step = 0; step < steps; ++step) {
     if (!progress())
       return {};
-    double warmest = 0.0;
-    for (const Roller &roller : rollers)
-      warmest = std::max(warmest, setup_.nominalMean(roller.temperature));
-    solvePressure(step, warmest);
+    solvePressure(step, rollers);
     fitWindow(rollers);
     // once, in the first step: a roller needs the window, and the window the first pressure
     for (std::size_t k = rollers.size(); k < creeps.size(); ++k) {

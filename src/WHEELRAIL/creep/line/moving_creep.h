@@ -58,9 +58,10 @@ class MovingCreep {
   const ContactFields &fields(std::size_t creep) const { return fields_.at(creep); }
 
  private:
-  /// The pressure of a step, warm from the one before; temperature rise in K sets the limit.
+  /// The pressure of a step, warm from the one before; the temperature of the rollers sets its
+  /// limit, that of one cell by cell, of several the warmest mean.
   /// \param step number of cells that the profile has moved
-  void solvePressure(int step, double temperature);
+  void solvePressure(int step, const std::vector<Roller> &rollers);
   /// Makes the window large enough for the cells in contact and moves every roller's state along.
   void fitWindow(std::vector<Roller> &rollers);
   /// One step of one creep; `counted` steps are averaged.

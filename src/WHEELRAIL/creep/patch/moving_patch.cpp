@@ -176,6 +176,8 @@ void MovingPatch::press(double load, double distance, const Vector &start, const
   const double mean = fields_.temperature.dot(normal_.pressure) / normal_.pressure.sum();
   NormalContactProblem problem =
       contact_.problem(physics_.pressureLimit(law_, mean), load, wheel_, rail_);
+  problem.cellLimits = // hot spots travel with the material
+      physics_.pressureLimits(law_, shifted(contact_.grid, fields_.temperature, 1));
   if (opening.size() > 0)
     problem.profile += opening;
   try {

@@ -165,8 +165,8 @@ Vector FrozenPatch::temperatureFrom(double speed)
 }
 
 /// The normal contact once more, from the last pressure.
-/// The hardness falls with the mean temperature of the contact; unlike bodies' traction opens or
-/// closes the gap.
+/// The hardness falls with the temperature, that of each cell where it is known, else the contact's
+/// mean; unlike bodies' traction opens or closes the gap.
 void FrozenPatch::renewPressure(const FrictionLaw &law)
 {
   const double mean = fields_.temperature.dot(fields_.pressure) / fields_.pressure.sum();
@@ -175,6 +175,7 @@ void FrozenPatch::renewPressure(const FrictionLaw &law)
   if (!space_)
     space_.emplace(contact_.grid, contact_.pair);
   NormalContactProblem problem = contact_.problem(physics_.pressureLimit(law, mean), contact_.load);
+  problem.cellLimits = physics_.pressureLimits(law, fields_.temperature);
   if (coupling_.any())
     problem.profile += coupling_.normal(result_.traction);
   const NormalContactResult normal = solveNormalContact(*space_, problem, options);

@@ -29,6 +29,15 @@ double CreepPhysics::pressureLimit(const FrictionLaw &law, double temperatureRis
                        : std::numeric_limits<double>::infinity();
 }
 
+Eigen::VectorXd CreepPhysics::pressureLimits(const FrictionLaw &law,
+                                             const Eigen::VectorXd &temperatureRise) const
+{
+  if (!heatLimitsPressure() || thermal.model != ThermalModel::Local)
+    return {};
+  return temperatureRise.unaryExpr(
+      [&strength = strengthOf(law)](double rise) { return strength.hardnessAt(rise); });
+}
+
 void CreepPhysics::checkStrength(const FrictionLaw &law, double hottest, double speed,
                                  double creep) const
 {

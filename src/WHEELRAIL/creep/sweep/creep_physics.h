@@ -39,6 +39,10 @@ struct CreepPhysics {
 
   /// Pa, at a temperature rise in K; infinite without `hardnessLimit`.
   double pressureLimit(const FrictionLaw &law, double temperatureRise) const;
+  /// The same of each cell at its own temperature, where heat limits the pressure and the model is
+  /// local; elsewhere empty: one limit serves all cells.
+  Eigen::VectorXd pressureLimits(const FrictionLaw &law,
+                                 const Eigen::VectorXd &temperatureRise) const;
 
   /// \param hottest temperature rise anywhere in the contact, K
   /// \param speed m/s, and creep: of the point that is computed, for the message

@@ -60,6 +60,8 @@ LawOfMaterial::LawOfMaterial(std::string name, MaterialLaw law, double ambient)
   strength_.cold = strength(0.0);
   strength_.vanishingTemperature = std::max(1.0, strength.x.back());
   strength_.table = std::make_shared<MonotoneCurve>(std::move(strength));
+  if (law_.table)
+    curves_.emplace(*law_.table);
 }
 
 Vector LawOfMaterial::mu(const FrictionState &state) const
@@ -69,8 +71,8 @@ Vector LawOfMaterial::mu(const FrictionState &state) const
   for (Eigen::Index i = 0; i < mu.size(); ++i) {
     const double rise = state.temperature[i], sigma = strength_.at(rise);
     const double p = state.pressure[i];
-    if (law_.table) {
-      mu[i] = (*law_.table)(p / sigma, ambient_ + rise, speed);
+    if (curves_) {
+      mu[i] = (*curves_)(p / sigma, ambient_ + rise, speed);
       continue;
     }
     const double E = modulus_(rise);

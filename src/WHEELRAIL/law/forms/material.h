@@ -50,7 +50,8 @@ class LawOfMaterial : public FittedLaw<Eigen::Dynamic> {
   MaterialLaw law_;
   double ambient_;
   Strength strength_;
-  MonotoneCurve modulus_; ///< Pa over the temperature rise
+  MonotoneCurve modulus_;          ///< Pa over the temperature rise
+  std::optional<MuCurves> curves_; ///< of the law's table
 };
 
 } // namespace wheelrail
