@@ -414,14 +414,6 @@ BAD = {
         block("200100", "9 0 0 0", ".3 .3", STEEL, "1\n 9 9 -1 -1 .2 .2\n 3 1"),
         "IBASE = 3: 1, 2 and 9 are read",
     ),
-    "load": (
-        block("200100", "0 0 0 0", ".3 .3", STEEL, "-3\n 9 9 1. 1. 1.2"),
-        "a.inp:8: FN: 0 is not allowed, must be > 0",
-    ),
-    "axes": (
-        block("200100", "9 0 0 0", ".3 .3", STEEL, "-2\n 9 9 1. -1. 1.2"),
-        "a.inp:12: AOB: -1 is not allowed, must be > 0",
-    ),
     "cells": (
         block("200100", "9 0 0 0", ".3 .3", STEEL, "-3\n 9.5 9 1. 1. 1.2"),
         "a.inp:11: MX, MY: 9.5 is not allowed, must be a whole number from 1 to 16384",

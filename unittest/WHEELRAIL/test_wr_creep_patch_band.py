@@ -117,3 +117,21 @@ def test_moving(case, tmp_path):
     assert not (tmp_path / "static/creep_band.csv").exists()
     done = run(case, tmp_path / "bad", *static, "uncertainty.method=sampled", code=3)
     assert "uncertainty.method: does not go with mode static" in done.stderr
+
+
+def test_a_line_to_quote(case, tmp_path):
+    """T/N at the creep nearest 10 %: mean of two surfaces, the law's interval, what they span."""
+    rough = "roughness={hurst: 0.8, rms_slope: 0.01, wavelength_min: 2.6 mm, "
+    rough += "wavelength_max: 10 mm, "
+    done = run(case, tmp_path / "out", rough + "seed: [1, 2]}", "creep=[0.01, 0.09, 0.3]")
+    points = [r for r in table(tmp_path / "out/creep.csv") if float(r["creep"]) == 0.09]
+    bands = [r for r in table(tmp_path / "out/creep_band.csv") if float(r["creep"]) == 0.09]
+    ratios = [float(point["traction_ratio"]) for point in points]
+    low, high = (numpy.mean([float(band[end]) for band in bands]) for end in ("low", "high"))
+    speed = float(points[0]["speed"])
+    assert (
+        f"T/N at 9 % creep, {speed:g} m/s: {numpy.mean(ratios):.3f}, 95 % of law {low:.3f}.."
+        f"{high:.3f}, of roughness {min(ratios):.3f}..{max(ratios):.3f} (2 surfaces)\n"
+    ) in done.stdout
+    done = run(case, tmp_path / "far", "creep=[0.01, 0.3]")
+    assert "T/N at" in done.stdout and "% creep" not in done.stdout

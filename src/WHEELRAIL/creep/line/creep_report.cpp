@@ -2,6 +2,7 @@
 #include "creep/line/creep_report.h"
 
 #include "base/result_text.h"
+#include "creep/sweep/quotation.h"
 
 #include <algorithm>
 #include <cmath>
@@ -340,7 +341,11 @@ std::string shortReport(const CreepSpecification &asked, const CreepCurves &curv
                         j["creep_at_peak"].get<double>(), curve.points.back()->tractionRatio,
                         curve.points.back()->creep);
   }
-  return text;
+  std::vector<QuotedPoint> quoted;
+  for (const CurvePoint &point : curves.points)
+    if (point.converged())
+      quoted.push_back({point.speed, point.creep, point.tractionRatio, point.band});
+  return text + quotation(quoted);
 }
 
 std::string shortReport(const StaticSpecification &asked, const StaticCases &cases)

@@ -2,6 +2,7 @@
 #include "creep/patch/patch_report.h"
 
 #include "base/result_text.h"
+#include "creep/sweep/quotation.h"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -231,6 +232,16 @@ std::string patchShortReport(const PatchSpecification &asked, const PatchCurves 
                       "{:.0f} % of the contact sticks\n",
                       largest->tractionRatio(), last.forceX, last.forceY, last.momentZ / newtonMm,
                       100.0 * last.stickFraction);
+  const bool differByCreep = asked.contact.load.size() == 1 && asked.lateral.size() <= 1 &&
+                             asked.spin.size() <= 1 && asked.forceX.empty() &&
+                             asked.forceY.empty() && !asked.sequence.any();
+  if (asked.mode != PatchMode::Static && differByCreep) {
+    std::vector<QuotedPoint> quoted;
+    for (const PatchPoint &point : points)
+      quoted.push_back(
+          {point.speed, point.creepage.xi, point.tractionRatio(), point.bands.tractionRatio});
+    text += quotation(quoted);
+  }
   return text;
 }
 
