@@ -24,6 +24,8 @@ archives of them (*.tar.xz), as tools/campaign pack does. Then
                  is that of the wheel's steel in table2.yaml, the logs need several materials
   --material FILE  potential file of the material that all logs are of: the law is one of it, with
                  --model bounded (bounded_...) or table
+  --solid-only   leave out runs whose layer sank
+  --measured FILE  measured points (CSV of creep and T/N) beside the curves of the picture
   --or-shipped   where the logs do not give a law, say so and take that of the runs that are
                  shipped (examples/campaign/logs, velocity and pressure: one material)
   -h, --help     this text
@@ -33,27 +35,36 @@ Examples: campaign_to_creep.sh runs -o out -- --set speed="20 m/s"
           campaign_to_creep.sh examples/campaign/logs/{velocity,pressure}.tar.xz
           campaign_to_creep.sh examples/campaign/logs/{velocity,pressure,paper36}.tar.xz \
             --model velocity_kappa3 --kappa3 206
+          campaign_to_creep.sh examples/campaign/logs/rail.tar.xz --model bounded --solid-only \
+            --material potentials/rail_steel.mca --start-distance 250 \
+            --case examples/wheelrail/eurosprinter.yaml \
+            --measured examples/wheelrail/eurosprinter.csv
 
 Environment: MCAWR_BUILD, the build folder (default: build of the checkout)
 Exit codes: 0 ok, 2 usage; else that of the step that failed (4: the logs do not determine the law).
 HELP
 }
 
-campaigns=() fit_options=() or_shipped=false of_material=false results=$root/results/creep case=$root/examples/wheelrail/table2.yaml
+campaigns=() fit_options=() picture_options=() or_shipped=false of_material=false results=$root/results/creep case=$root/examples/wheelrail/table2.yaml
 [ ! -f "$root/VERSION" ] || results=$PWD/creep # an installed tree
 while [ $# -gt 0 ]; do
   case $1 in
-    -o | --case | --start | --start-distance | --model | --kappa3 | --material)
+    -o | --case | --start | --start-distance | --model | --kappa3 | --material | --measured)
       [ $# -ge 2 ] || die 2 "$1 needs a value; see --help"
       case $1 in
         -o) results=$2 ;;
         --case) case=$2 ;;
+        --measured) picture_options+=("$1" "$2") ;;
         *)
           fit_options+=("$1" "$2")
           [ "$1" != --material ] || of_material=true
           ;;
       esac
       shift 2
+      ;;
+    --solid-only)
+      fit_options+=("$1")
+      shift
       ;;
     --or-shipped)
       or_shipped=true
@@ -105,6 +116,7 @@ PYTHON
 }
 
 label="law of the logs"
+! $of_material || label="law of the material"
 echo "1/3 wr_fit ${campaigns[*]}"
 code=0
 fit "${campaigns[@]}" "${fit_options[@]}" || code=$?
@@ -130,7 +142,7 @@ fit_picture="$results/fit.png, "
 ! $of_material || fit_picture= # Figs. 7 and 8 are of Eq. 2
 if { $of_material || "$root/tools/plot_fit.py" "$results/law.json" -o "$results/fit.png"; } &&
   "$root/tools/plot_creep.py" "$results/creep.csv" "$results/paper/creep.csv" --label "$label" \
-    --label "paper's law" -o "$results/creep.png"; then
+    --label "paper's law" "${picture_options[@]}" -o "$results/creep.png"; then
   echo "pictures: $fit_picture$results/creep.png"
 fi
 echo "law: $results/law.json; creep curves: $results/creep.csv, with 95 % limits: $results/creep_band.csv"

@@ -106,15 +106,6 @@ class Reader:
             values += [number_of(word) for word in given[:first]]
         return tuple(values)
 
-    def require_positive(self, **values: float) -> None:
-        """Values of the line that was read last. Raises BadInput."""
-        for name, value in values.items():
-            if not 1e-12 <= value <= 1e12:
-                number = self.lines[self.next - 1].number
-                raise BadInput(
-                    f"{self.path}:{number}: {name}: {value:g} is not allowed, must be > 0"
-                )
-
     def digits(self, names: str) -> tuple[int, dict[str, str]]:
         """A control word: its line and {name: digit}; shorter ones lack what leads."""
         line = self.line(f"the control word {names}")
@@ -190,7 +181,6 @@ def read_case(reader: Reader, former: Contact, line: int) -> tuple[Contact, str]
     if flow["G"] != "1":
         reader.line("MAXGS, MAXIN, MAXNR, MAXOUT, EPS")
     case.drive = reader.numbers(4, "FN, CKSI, CETA, CPHI")  # type: ignore[assignment]
-    reader.require_positive(**{"FN" if case.norm == "1" else "PEN": case.drive[0]})
     if physics["L"] != "1":
         case.friction, case.rows, case.falling = None, [], None
     if physics["L"] == "0" and physics["V"] == "0":
@@ -201,11 +191,7 @@ def read_case(reader: Reader, former: Contact, line: int) -> tuple[Contact, str]
     if physics["C"] == "2":
         if control["T"] in "23":
             case.rolling = reader.numbers(3, "CHI, DQ, VELOC")  # type: ignore[assignment]
-            assert case.rolling is not None
-            reader.require_positive(DQ=case.rolling[1], VELOC=case.rolling[2])
         case.material = reader.numbers(4, "POISS 1,2, GG 1,2")  # type: ignore[assignment]
-        assert case.material is not None
-        reader.require_positive(GG1=case.material[2], GG2=case.material[3])
         case.layer = None
         if physics["M"] == "4":
             case.layer = reader.numbers(4, "GG3, LAYTHK, TAUCRT, GGPLST")
@@ -249,8 +235,6 @@ def read_grid(reader: Reader, case: Contact) -> bool:
     a, b = values[2], values[3]
     case.ellipse = case.curvatures = case.table = None
     if kind in ("-1", "-2", "-3"):
-        first, second, third = names[kind].split(",")
-        reader.require_positive(**{first: a, second: b, third: values[4]})
         case.grid = (nx, ny, values[4])
         if kind == "-3":
             case.ellipse = (a, b)

@@ -14,7 +14,16 @@ import plot_series
 from mcawr.files import save_figure
 from mcawr.replicas import NORMAL, groups, half_width, mean_of
 
-from . import ageing, laws, layer, presets, space as three, temperature as heat
+from . import (
+    ageing,
+    laws,
+    layer,
+    locomotive_runs,
+    presets,
+    rail,
+    space as three,
+    temperature as heat,
+)
 from .common import Missing, percent, power_law, run_name, scatter_of, table
 
 PAPER = plot_fit.PAPER
@@ -435,6 +444,12 @@ FIGURES = {
         ["temperature"],
         heat.temperature,
         START,
+    ),
+    "rail": Figure(
+        f"Friction of a rail steel up to its hardness, from {locomotive_runs.START_DISTANCE} nm on",
+        [locomotive_runs.LOGS_PLAN],
+        rail.rail,
+        locomotive_runs.FIT + ["--model", locomotive_runs.MODELS[0]],
     ),
     "space": Figure(
         "Friction in three dimensions and in the plane, from 50 ns on",

@@ -58,8 +58,9 @@ def standard_slope(shortest: float) -> float:
     return SLOPE * (part(shortest) / part(STANDARD_WAVE)) ** 0.5
 
 
-def points(cell: float) -> list[int]:
-    """Cells of the box, none longer than `cell` (mm), in even numbers of factors 2, 3 and 5."""
+def points(cell: float, axes: Sequence[float] = AXES) -> list[int]:
+    """Cells of the box, none longer than `cell` (mm), in even numbers of factors 2, 3 and 5. axes:
+    of the ellipse, mm."""
 
     def is_even_product(n: int) -> bool:
         rest = n
@@ -69,7 +70,7 @@ def points(cell: float) -> list[int]:
         return n % 2 == 0 and rest == 1
 
     counts = []
-    for axis in AXES:
+    for axis in axes:
         n = int(-(-BOX * axis // cell))
         while not is_even_product(n):
             n += 1
@@ -80,12 +81,15 @@ def points(cell: float) -> list[int]:
 @dataclasses.dataclass(frozen=True)
 class Run:
     """A call of wr_creep: the name of its folder, what stands beside its points in the table, what
-    is changed in the case file, and whether Polach's law is fitted to it."""
+    is changed in the case file, whether Polach's law is fitted to it, and whether its table has the
+    limits of T/N by the law's errors."""
 
     name: str
     labels: dict
     changes: tuple
     polach: bool = False
+    case: str = CASE
+    band: bool = False
 
 
 def run(
@@ -98,7 +102,7 @@ def run(
     slope: float = SLOPE,
     wave: float = WAVE,
     cells: int = CELLS,
-    **more: bool,
+    polach: bool = False,
 ) -> Run:
     """The run of one surface, or of a smooth one (mode `smooth`, seed 0) on the same grid.
 
@@ -122,7 +126,7 @@ def run(
     labels |= {"wave": wave, "cells": cells, "seed": seed}
     words = (mode, heat, f"slope{slope:.3g}", f"wave{wave:g}", f"cells{cells}", f"{speed:g}m/s")
     name = "-".join([*words, f"seed{seed}", f"{len(creep)}creeps{creep[0]:g}"]).replace("m/s", "ms")
-    return Run(name, labels, tuple(changes), **more)
+    return Run(name, labels, tuple(changes), polach)
 
 
 def low() -> Iterator[Run]:
@@ -214,7 +218,7 @@ class Folder:
             return True
         if not os.path.exists(self.file("creep.csv")):
             return False
-        case = call(words_of(CASE, self.run.changes, "--print-config"))
+        case = call(words_of(self.run.case, self.run.changes, "--print-config"))
         summary = tables.read_json(self.file("summary.json"), "a summary of wr_creep", record_of)
         return summary.get("case", "").strip() == case.strip()
 
@@ -223,7 +227,7 @@ class Folder:
         words = ["-o", self.path, "-q", "--threads", "1"]
         words += ["--polach", self.file("polach.json")] if self.run.polach else []
         return subprocess.Popen(
-            words_of(CASE, self.run.changes, *words),
+            words_of(self.run.case, self.run.changes, *words),
             stdout=subprocess.DEVNULL,
             stderr=subprocess.PIPE,
             text=True,
@@ -283,7 +287,7 @@ def rounded(text: str | float, digits: int = 6) -> str:
     return f"{float(text):.{digits}g}"
 
 
-def table(runs: Iterable[Run], top: str) -> tuple[str, str | None]:
+def table(runs: Iterable[Run], top: str, head: str = HEAD) -> tuple[str, str | None]:
     """The table of all points, and that of the fits of Polach's law, as CSV."""
     points_, fits, versions = [], [], set()
     for folder in (Folder(top, r) for r in runs):
@@ -298,6 +302,10 @@ def table(runs: Iterable[Run], top: str) -> tuple[str, str | None]:
             point = folder.run.labels | {name: rounded(row[name]) for name in COLUMNS}
             point |= {name: rounded(kalker[name]) for name in ("c11", "c22") if kalker}
             points_.append(point)
+        if folder.run.band:
+            band = tables.read(folder.file("creep_band.csv"), "a band of wr_creep", lambda r: r)
+            for point, row in zip(points_[-len(rows) :], band):
+                point |= {f"law_{end}": rounded(row[end]) for end in ("low", "high")}
         if folder.run.polach and os.path.exists(folder.file("polach.json")):
             fit = tables.read_json(folder.file("polach.json"), "a fit of Polach's law", record_of)
             values = {name: rounded(fit[name], 5) for name in POLACH}
@@ -305,7 +313,7 @@ def table(runs: Iterable[Run], top: str) -> tuple[str, str | None]:
             values |= {"rms": rounded(fit["rms_force_over_load"], 3)}
             fits.append(folder.run.labels | values)
     made = f"# wr_creep {', '.join(sorted(versions))}\n"
-    return as_csv(points_, made), as_csv(fits, made) if fits else None
+    return as_csv(points_, head + made), as_csv(fits, head + made) if fits else None
 
 
 def asked(a_run: Run) -> dict[str, str]:
@@ -314,14 +322,14 @@ def asked(a_run: Run) -> dict[str, str]:
     return {"speed": given["speed"].split()[0], "creep": given["creep"].strip("[]")}
 
 
-def as_csv(rows: list[dict[str, Any]], made: str = "") -> str:
-    """Rows of a table as CSV; made: one more line of comment."""
+def as_csv(rows: list[dict[str, Any]], head: str = HEAD) -> str:
+    """Rows of a table as CSV; head: lines of comment."""
     columns = list(dict.fromkeys(name for row in rows for name in row))
     text = io.StringIO()
     writer = csv.DictWriter(text, columns, restval="", lineterminator="\n")
     writer.writeheader()
     writer.writerows(rows)
-    return HEAD + made + text.getvalue()
+    return head + text.getvalue()
 
 
 def make(plan: str, top: str, jobs: int) -> None:
@@ -340,7 +348,7 @@ def read(name: str, folder: str) -> list[dict[str, Any]]:
         raise Missing(f"{path}: is not there: give another folder by --logs, or make it by --run")
 
     def numbers(rows: list[tables.Row]) -> list[dict[str, Any]]:
-        words = ("mode", "heat")
+        words = ("mode", "heat", "law")
         return [
             {k: v if k in words else row.number(k) if v else math.nan for k, v in row.items()}
             for row in rows

@@ -47,7 +47,7 @@ def temperature_of(point: dict[str, Any], runs: Any) -> float:
         same = (values["strength"], values["E"] / values["strength"])
         if np.allclose(same, (point["strength"], point["kappa3"]), rtol=1e-4):
             return values["temperature"]
-    raise Missing(f"{point['file']}: not a run of the plan 'temperature'")
+    raise Missing(f"{point['file']}: not a run of the plan")
 
 
 def temperature(report: dict[str, Any], picture: str) -> list[str]:

@@ -1,0 +1,123 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""Friction of the rail steel up to its hardness: mu over p/sigma_0(T), the bound by the shear
+strength, the forms of the law beside each other."""
+
+import math
+from typing import Any
+
+import numpy as np
+from matplotlib import pyplot
+
+from campaign_parts import plan
+from mcawr.files import save_figure
+from mcawr.replicas import groups, mean_of
+
+from . import temperature as heat
+from .common import run_name, table
+
+SHEAR = 1 / math.sqrt(3)  # shear strength over sigma_0, von Mises
+SPEED = 5.0  # m/s, of the runs that the law is fitted to
+
+
+def bounded(law: dict[str, Any], ratio: Any) -> Any:
+    """mu of the bounded law at p/sigma_0."""
+    q = law["q"]
+    return (law["mu0"] ** -q + (law["s"] / ratio) ** -q) ** (-1 / q)
+
+
+def rail(report: dict[str, Any], picture: str) -> list[str]:
+    """mu at each temperature and p/sigma_0, means over the seeds."""
+    runs = [run.values for run in plan.read(plan.find("rail")).runs]
+    points = [p for p in report["report"]["points"] if not p["left_out"]]
+    fitted = [p for p in points if math.isclose(p["velocity"], SPEED)]
+    by_heat = groups(fitted, lambda point: heat.temperature_of(point, runs))
+    ratios = sorted({rounded(p) for p in fitted})
+    figure, (left, right) = pyplot.subplots(1, 2, figsize=(11, 4.4), constrained_layout=True)
+    rows = []
+    colors = pyplot.get_cmap("inferno")(np.linspace(0.05, 0.85, len(by_heat)))
+    for color, (kelvin, members) in zip(colors, by_heat.items()):
+        means = {x: mean_of(found) for x, found in groups(members, rounded).items()}
+        x, mu, error = np.array([(x, *mean) for x, mean in means.items()]).T
+        style = {"fmt": "o", "ms": 5, "capsize": 2, "color": color}
+        left.errorbar(x, mu, 1.96 * error, label=f"{kelvin:g} K", **style)
+        right.errorbar(x, mu * x, 1.96 * error * x, **style)
+        cells = [
+            f"{means[x][0]:.3f}({1000 * means[x][1]:.0f})" if x in means else "" for x in ratios
+        ]
+        rows.append([f"{kelvin:g} K", *cells])
+    x = np.geomspace(0.8 * min(ratios), 1.15 * max(ratios), 200)
+    has_law = "fit" in report["report"]
+    for axes, factor in ((left, 1 / x), (right, np.ones_like(x))):
+        if has_law:
+            axes.plot(x, bounded(report, x) * x * factor, "C0", lw=2, label="law")
+        axes.plot(x, SHEAR * factor, "k--", lw=1, label=r"shear strength, $\sigma_0/\sqrt{3}$")
+        axes.set(xlabel=r"$p/\sigma_0(T)$", xscale="log")
+        axes.grid(alpha=0.3)
+    left.set(ylabel=r"$\mu$", ylim=(0, 0.62))
+    right.set(ylabel=r"friction stress over $\sigma_0(T)$", ylim=(0, 0.65))
+    left.legend(fontsize=8, ncols=2, loc="lower left")
+    save_figure(figure, picture)
+    pyplot.close(figure)
+    return [
+        "in brackets: standard error in units of 0.001, of a run what it knows of itself",
+        *table(["mu at p/sigma_0", *(f"{x:g}" for x in ratios)], rows),
+        "",
+        *law_lines(report),
+        *beside(points, runs),
+    ]
+
+
+def rounded(point: dict[str, Any]) -> float:
+    """p/sigma_0 as the plan has it, to two digits."""
+    return float(f"{point['pressure'] / point['strength']:.2g}")
+
+
+def law_lines(report: dict[str, Any]) -> list[str]:
+    """The parameters, and the forms of the law by AICc."""
+    if "fit" not in report["report"]:
+        return ["too few conditions for a law"]
+    lines = [
+        f"{name} = {entry['value']:.3g} +- {entry['standard_error']:.2g}"
+        for name, entry in report["report"]["fit"]["parameters"].items()
+    ]
+    seeds = len({p["seed"] for p in report["report"]["points"]})
+    lines = [f"bounded: {', '.join(lines)}; {report['n']} conditions, {seeds} seed(s)"]
+    rows = [
+        [m["model"], f"{100 * m['rms_relative']:.1f} %", f"{m['delta_aicc']:.1f}"]
+        for m in report["report"]["models"]
+        if "aicc" in m
+    ]
+    lines += ["", *table(["form", "RMS", "AICc above the best"], rows)]
+    others = [m["model"] for m in report["report"]["models"] if "why_not" in m]
+    return lines + ([f"not determined: {', '.join(others)}"] if others else [])
+
+
+def beside(points: list[dict[str, Any]], runs: list[dict[str, Any]]) -> list[str]:
+    """Runs of other speeds, widths, heights and steps beside those of the law at their place."""
+    rows = []
+    for name, members in groups(points, base_name).items():
+        if name.startswith("t"):
+            continue
+        place = (members[0]["strength"], members[0]["pressure"])
+        others = [
+            p
+            for p in points
+            if base_name(p).startswith("t") and (p["strength"], p["pressure"]) == place
+        ]
+        if not others:
+            continue
+        (mu, error), (base, base_error) = mean_of(members), mean_of(others)
+        ratio = rounded(members[0])
+        kelvin = heat.temperature_of(members[0], runs)
+        rows.append(
+            [name, f"{kelvin:g}", f"{ratio:g}", f"{mu:.3f} +- {error:.3f}",
+             f"{base:.3f} +- {base_error:.3f}", f"{100 * (mu / base - 1):+.0f} %"]
+        )  # fmt: skip
+    if not rows:
+        return ["", "speeds, widths, heights, steps: no run of these logs"]
+    return ["", *table(["", "K", "p/sigma_0", "mu", "of the law's runs", "over them"], rows)]
+
+
+def base_name(point: dict[str, Any]) -> str:
+    """Of a run, without its seed and pressure: columns80, rows24, step2e-5, v2-t673, t673."""
+    return run_name(point).split("-seed")[0]
