@@ -142,19 +142,19 @@ py::dict lineFields(const Curves &curves)
 template<class Asked, class Curves>
 class ResultOf : public Result {
  public:
-  ResultOf(const Case &input, LawPointer law, Curves curves)
-      : asked_(std::get<Asked>(input.task)), text_(input.text), law_(std::move(law)),
-        curves_(std::move(curves))
+  ResultOf(const Case &input, LawPointer itsLaw, Curves found)
+      : asked(std::get<Asked>(input.task)), text(input.text), law(std::move(itsLaw)),
+        curves(std::move(found))
   {
   }
-  std::vector<bool> converged() const override { return convergedOf(curves_.points); }
-  const std::vector<std::string> &warnings() const override { return curves_.warnings; }
+  std::vector<bool> converged() const override { return convergedOf(curves.points); }
+  const std::vector<std::string> &warnings() const override { return curves.warnings; }
 
  protected:
-  const Asked asked_;
-  const std::string text_;
-  const LawPointer law_;
-  const Curves curves_;
+  const Asked asked;
+  const std::string text;
+  const LawPointer law;
+  const Curves curves;
 };
 
 class LineResult final : public ResultOf<CreepSpecification, CreepCurves> {
@@ -162,14 +162,14 @@ class LineResult final : public ResultOf<CreepSpecification, CreepCurves> {
   using ResultOf::ResultOf;
   Columns columns() const override
   {
-    return columnsOfPoints<CurvePoint>(curveColumns(), curves_.points, [&](const auto &c) {
+    return columnsOfPoints<CurvePoint>(curveColumns(), curves.points, [&](const auto &c) {
       return c.creep.digits > 0 || c.name == "profile" || c.name == "temperature_max" ||
-             (curves_.hasBand && c.band.digits > 0);
+             (curves.hasBand && c.band.digits > 0);
     });
   }
-  std::vector<std::string> failures() const override { return wheelrail::failures(curves_); }
-  std::string summary() const override { return summaryJson(asked_, text_, *law_, curves_, {}); }
-  py::dict fields() const override { return lineFields(curves_); }
+  std::vector<std::string> failures() const override { return wheelrail::failures(curves); }
+  std::string summary() const override { return summaryJson(asked, text, *law, curves, {}); }
+  py::dict fields() const override { return lineFields(curves); }
 };
 
 class StaticResult final : public ResultOf<StaticSpecification, StaticCases> {
@@ -177,13 +177,13 @@ class StaticResult final : public ResultOf<StaticSpecification, StaticCases> {
   using ResultOf::ResultOf;
   Columns columns() const override
   {
-    return columnsOfPoints<StaticPoint>(staticColumns(), curves_.points, [](const auto &c) {
+    return columnsOfPoints<StaticPoint>(staticColumns(), curves.points, [](const auto &c) {
       return c.still.digits > 0 || c.name == "profile";
     });
   }
   std::vector<std::string> failures() const override { return {}; }
-  std::string summary() const override { return summaryJson(asked_, text_, *law_, curves_, {}); }
-  py::dict fields() const override { return lineFields(curves_); }
+  std::string summary() const override { return summaryJson(asked, text, *law, curves, {}); }
+  py::dict fields() const override { return lineFields(curves); }
 };
 
 class PatchResult final : public ResultOf<PatchSpecification, PatchCurves> {
@@ -191,33 +191,33 @@ class PatchResult final : public ResultOf<PatchSpecification, PatchCurves> {
   using ResultOf::ResultOf;
   Columns columns() const override
   {
-    return columnsOfPoints<PatchPoint>(patchColumns(), curves_.points, [&](const auto &c) {
-      const bool written = asked_.mode == PatchMode::Static ? c.still.digits > 0
-                           : asked_.mode == PatchMode::Moving
+    return columnsOfPoints<PatchPoint>(patchColumns(), curves.points, [&](const auto &c) {
+      const bool written = asked.mode == PatchMode::Static ? c.still.digits > 0
+                           : asked.mode == PatchMode::Moving
                                ? c.creep.digits > 0 || c.moving.digits > 0
                                : c.creep.digits > 0;
-      return written || c.name == "surface" || (curves_.hasBand && c.band.digits > 0);
+      return written || c.name == "surface" || (curves.hasBand && c.band.digits > 0);
     });
   }
-  std::vector<std::string> failures() const override { return wheelrail::failures(curves_); }
-  std::string summary() const override { return patchSummary(asked_, text_, *law_, curves_, {}); }
+  std::vector<std::string> failures() const override { return wheelrail::failures(curves); }
+  std::string summary() const override { return patchSummary(asked, text, *law, curves, {}); }
   py::dict fields() const override
   {
-    const std::vector<PatchTask> tasks = patchTasks(asked_);
+    const std::vector<PatchTask> tasks = patchTasks(asked);
     py::dict all;
-    for (const auto &[number, fields] : curves_.fields) {
+    for (const auto &[number, fields] : curves.fields) {
       const FieldPlace place = fieldPlace(number, static_cast<int>(tasks.size()));
       const std::size_t contact = tasks[static_cast<std::size_t>(place.point - 1)].contact;
       const py::object key = place.instant == 0 ? py::object(py::int_(place.point))
                                                 : py::make_tuple(place.point, place.instant);
-      all[key] = fieldsOf(curves_.contacts[contact].grid, fields);
+      all[key] = fieldsOf(curves.contacts[contact].grid, fields);
     }
     return all;
   }
   py::dict series() const override
   {
     py::dict all;
-    for (const auto &[number, steps] : curves_.series)
+    for (const auto &[number, steps] : curves.series)
       all[py::int_(number)] = columnsOfPoints<PatchStep>(seriesColumns(), steps, [](const auto &) {
                                 return true;
                               }).values;
@@ -225,10 +225,10 @@ class PatchResult final : public ResultOf<PatchSpecification, PatchCurves> {
   }
   std::string polach() const override
   {
-    if (asked_.mode == PatchMode::Static || asked_.sequence.any())
+    if (asked.mode == PatchMode::Static || asked.sequence.any())
       refusePolach();
-    const PolachContact contact = polachContact(curves_);
-    return polachJson(choosePolach(polachPoints(curves_), contact), contact);
+    const PolachContact contact = polachContact(curves);
+    return polachJson(choosePolach(polachPoints(curves), contact), contact);
   }
 };
 

@@ -102,6 +102,7 @@ py::object fromJson(const std::string &text)
 
 void addErrors()
 {
+  // NOLINTNEXTLINE(performance-unnecessary-value-param): a function of pybind11's type
   py::register_exception_translator([](std::exception_ptr thrown) {
     try {
       if (thrown)
