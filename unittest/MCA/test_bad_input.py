@@ -250,7 +250,7 @@ def test_rough_line_of_most_waves_is_made_in_time(tmp_path):
         "# pair 1 2 1 1 0 0 nan",
         "# pair 1 2 1 1 0 0 0x1",
         "# pair 1 2 1 1 0 0 0 7",
-        "# pair 1 2 3 1 0 0 0",
+        "# pair 1 2 4 1 0 0 0",
         "# pair 1 2 1 2 0 0 0",
         "# pair 1 1 1 1 0 0 0",
         "# pair -1 2 1 1 0 0 0",

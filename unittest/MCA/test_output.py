@@ -213,7 +213,7 @@ def test_a_changed_links_file_is_refused(fragments, written, tmp_path, old, new)
     "text,parts",
     [
         ("", ["neither comments of mca_links write nor a section Bonds"]),
-        ("x\n\nBonds\n\n1 3 1 2\n", ["line 5", "allowed in Bonds"]),
+        ("x\n\nBonds\n\n1 4 1 2\n", ["line 5", "allowed in Bonds"]),
         ("x\n\nBonds\n\n1 1 1 150\n", ["1 of 1 pairs", "are not neighbors here"]),
         ("x\n# mca-links 2\n# pair 1 2 1\n", ["line 3", "allowed: # pair"]),
     ],
