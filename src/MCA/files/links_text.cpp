@@ -140,8 +140,9 @@ Links parse(const std::string &text, int stateSize, std::int64_t largestId)
       else if (bonds) {
         parseBond(words, stateSize, links);
         if (!words.ended())
-          throw LinksError(where + ", allowed in Bonds: ID, type 1 (bulk link) or 2 (weld), both "
-                                   "atoms, each pair once");
+          throw LinksError(where +
+                           ", allowed in Bonds: ID, type 1 (bulk link), 2 (weld) or 3 (healed "
+                           "link), both atoms, each pair once");
       }
     }
   }
