@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <limits>
 
 namespace wheelrail {
 
@@ -19,7 +20,8 @@ std::string quotation(const std::vector<QuotedPoint> &points)
   if (nearest == points.end() || distance(*nearest) > std::log(farthest))
     return "";
   const double speed = points.front().speed;
-  double sum = 0.0, low = 0.0, high = 0.0, least = INFINITY, most = -INFINITY;
+  constexpr double infinite = std::numeric_limits<double>::infinity();
+  double sum = 0.0, low = 0.0, high = 0.0, least = infinite, most = -infinite;
   int count = 0;
   for (const QuotedPoint &point : points) {
     if (point.speed != speed || point.creep != nearest->creep)
