@@ -105,16 +105,6 @@ class KernelTest : public testing::TestWithParam<const mca::Kernel *> {
   void run(Sample &s, double dt) const { kernelStep(*GetParam(), s, dt); }
 };
 
-/// Half of the bulk links are healed ones.
-void healEverySecond(Sample &s)
-{
-  int number = 0;
-  for (auto &c : s.contacts)
-    for (auto *state : {&c.now, &c.next})
-      if (state->kind == mca::link::bulk && number++ % 2 == 0)
-        state->kind = mca::link::healed;
-}
-
 TEST_P(KernelTest, EqualsTheReference)
 {
   for (const std::string preset : {"a", "b"})

@@ -106,16 +106,6 @@ class SpaceKernelTest : public testing::TestWithParam<const mca::Kernel *> {
   void run(Sample &s, double dt) const { kernelStep(*GetParam(), s, dt); }
 };
 
-/// Half of the bulk links are healed ones.
-void healEverySecond(Sample &s)
-{
-  int number = 0;
-  for (auto &c : s.contacts)
-    for (auto *state : {&c.now, &c.next})
-      if (state->kind == mca::link::bulk && number++ % 2 == 0)
-        state->kind = mca::link::healed;
-}
-
 } // namespace
 
 TEST_P(SpaceKernelTest, EqualsTheReference)
