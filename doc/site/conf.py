@@ -61,7 +61,7 @@ NAVIGATION = {
     "Programs": "doc/wr_fit doc/campaign doc/reproduce doc/wr_creep"
     " doc/wr_creep_axes doc/wr_creep_validation",
     "Libraries": "doc/python doc/c_interface",
-    "Files": "doc/potential_file doc/friction_log",
+    "Files": "doc/potential_file doc/friction_log doc/wr_creep_files",
     "Background": "doc/laws doc/how_close doc/rough_patch doc/how_chosen doc/listings"
     " doc/howto_mechanics"
     " doc/performance",

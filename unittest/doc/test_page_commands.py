@@ -3,7 +3,8 @@
 minutes at most is run as it stands, in order, in a copy of the checkout, and ends with 0. Point
 contacts have a quarter of their cells there.
 
-What a user brings along (logs, a campaign, a law) lies there: synthetic logs of Eq. 2."""
+What a user brings along (logs, a campaign, a law, a measured curve) lies there: synthetic logs of
+Eq. 2."""
 
 import os
 import re
@@ -115,6 +116,9 @@ def bring_along(folder):
         (folder / f"p{p}.friction").write_text(friction_logs.friction_log(p=p, seed=p), "utf-8")
     rows = (f"{0.1 * k:.1f},{0.4 + 0.01 * (k * k % 7)}" for k in range(300))
     (folder / "tribometer.csv").write_text("\n".join(("time,mu", *rows)), "utf-8")
+    curve = (f"{creep},36,{0.3 * creep / (0.3 + creep)}" for creep in (0.1, 0.2, 0.5, 1, 2, 5, 10))
+    units = ("# creep: %", "# speed: km/h", "creep,speed,traction_ratio")
+    (folder / "measured.csv").write_text("\n".join((*units, *curve)), "utf-8")
     call(folder, f"{BIN}/wr_fit campaign -o law.json")
 
 
