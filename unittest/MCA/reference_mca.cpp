@@ -219,6 +219,12 @@ double mostReturned(const mca::LawSet &laws, const mca::Material &m, int dimensi
   return std::fmin(1, 1.6 / (1 + 1.5 * dimension * manyBody(laws, m) / 8));
 }
 
+double strainOfWork(double squares, double intensity, double modulus)
+{
+  const double mostOfWork = 1.5 * intensity / 3 / modulus;
+  return std::clamp(squares / 2 / modulus / intensity, 0.0, mostOfWork);
+}
+
 double stretched(const LinkView &l, double sigma, double longer, double released)
 {
   if (sigma == 0)
@@ -442,6 +448,7 @@ void collectStresses(Sample &s)
 
 struct Stress {
   double trial, sigma, tau;
+  double stretch; // work of the stretch of shear, as of returnedSquares()
 };
 
 Stress contactStresses(const Sample &s, const Contact &c, const View &w)
@@ -460,12 +467,15 @@ Stress contactStresses(const Sample &s, const Contact &c, const View &w)
   const double left = (a.factor + b.factor) / 2;
   out.tau *= left;
   const LinkView l = {s.laws, s.materials[a.type], s.materials[b.type], 2};
-  if (keepsVolume(s.laws) && linked(c.now))
+  if (keepsVolume(s.laws) && linked(c.now)) {
+    const double before = out.sigma;
     out.sigma = stretched(l, out.sigma,
                           std::pow(c.now.gammaTotal - left * c.now.gamma, 2) -
                               std::pow(c.now.gammaTotal - c.now.gamma, 2),
                           (shearModulus(l.a) + shearModulus(l.b)) / 2 *
                               (std::pow(c.now.gamma, 2) - std::pow(left * c.now.gamma, 2)));
+    out.stretch = left < 1 ? before * (before - out.sigma) / (1 - left) : 0;
+  }
   if (!linked(c.now))
     out.sigma = flownUnlinked(l, out.sigma, out.trial, c.now.plastic);
   return out;
@@ -491,6 +501,26 @@ std::vector<double> returnedIntensities(const Sample &s)
   return all;
 }
 
+// what the first returns set free, over (1-M)/4G S d: the squares of the stresses that flow, of
+// normal ones against the centre, and the work of the stretch of shear
+std::vector<double> returnedSquares(const Sample &s)
+{
+  std::vector<double> all(s.owned, 0);
+  for (const auto &c : s.contacts) {
+    const View w = view(s, c);
+    const double weight = touches(c, w) ? flows(s, c, w) : 0;
+    if (weight == 0)
+      continue;
+    double trial, tau;
+    elasticStresses(s, c, w, trial, tau);
+    for (int side : {c.i, c.j}) {
+      const double apart = trial - s.automata[s.owner[side]].centre;
+      all[s.owner[side]] += weight * apart * apart + tau * tau + contactStresses(s, c, w).stretch;
+    }
+  }
+  return all;
+}
+
 void yield(Sample &s)
 {
   for (int k = 0; k < s.owned; k++) {
@@ -500,18 +530,21 @@ void yield(Sample &s)
     const double most = mostReturned(s.laws, s.materials[a.type], 2);
     a.factor = yields ? std::fmax(limit / a.intensity, 1 - most) : 1;
   }
-  const std::vector<double> after = returnedIntensities(s);
+  const std::vector<double> after = returnedIntensities(s), squares = returnedSquares(s);
   for (int k = 0; k < s.owned; k++) {
     Automaton &a = s.automata[k];
     const mca::Material &m = s.materials[a.type];
-    if (s.laws.steps.word() == "corrected" && a.factor < 1) {
+    const bool corrected = s.laws.steps.word() == "corrected" && a.factor < 1;
+    if (corrected) {
       const double taken = a.intensity - after[k];
       const double times = taken > 0 ? (a.intensity - yieldStress(m, a.kappa)) / taken : 2;
       const double most = mostReturned(s.laws, m, 2);
       a.factor = std::fmax(1 - most, 1 - (1 - a.factor) * std::fmin(2, times));
     }
-    a.kappaNext =
-        a.kappa + std::fmin(1, a.flowing) * (1 - a.factor) * a.intensity / 3 / shearModulus(m);
+    const double strain = corrected && keepsVolume(s.laws)
+                              ? strainOfWork(squares[k] / 3, a.intensity, shearModulus(m))
+                              : std::fmin(1, a.flowing) * a.intensity / 3 / shearModulus(m);
+    a.kappaNext = a.kappa + (1 - a.factor) * strain;
     a.work = plasticWork(m, a.kappaNext) - plasticWork(m, a.kappa);
   }
 }

@@ -115,6 +115,10 @@ bool keepsVolume(const mca::LawSet &);
 /// An unlinked contact is pressed: its automata overlap by more than round-off makes of r = d.
 bool pressed(double e);
 
+/// Plastic strain of an automaton by the work of its flow, for 1 - M = 1.
+/// \param squares  squares of the stresses that flow, with the packing's weight
+double strainOfWork(double squares, double intensity, double shearModulus);
+
 /// Weight of a contact in the flow of its automata.
 double flowWeight(const mca::LawSet &, const mca::Material &, const mca::Material &, double kind,
                   double e);

@@ -164,56 +164,72 @@ void collectStresses(Sample &s)
 }
 
 // elastic stresses, and those of a contact that flows after the returns of both automata
-void contactStresses(const Sample &s, const Contact &c, const View &w, double &trial, double &sigma,
-                     Vector3d &tau)
+// and the work of the stretch of shear, as of returnedSquares()
+double contactStresses(const Sample &s, const Contact &c, const View &w, double &trial,
+                       double &sigma, Vector3d &tau)
 {
   const Automaton &a = s.automata[s.owner[c.i]], &b = s.automata[s.owner[c.j]];
   trial = sigma = 0;
   tau.setZero();
   if (!touches(c, w))
-    return;
+    return 0;
   elasticStresses(s, c, w, trial, tau);
   sigma = trial;
   const double weight = flows(s, c, w);
   if (weight == 0)
-    return;
+    return 0;
   sigma -= weight / 2 * ((1 - a.factor) * (trial - a.centre) + (1 - b.factor) * (trial - b.centre));
   const double left = (a.factor + b.factor) / 2;
   tau *= left;
   const LinkView l = {s.laws, s.materials[a.type], s.materials[b.type], 3};
+  const double before = sigma;
   if (keepsVolume(s.laws) && linked(c.now))
     sigma = stretched(l, sigma,
                       (c.now.gammaTotal - left * c.now.gamma).squaredNorm() -
                           (c.now.gammaTotal - c.now.gamma).squaredNorm(),
                       (shearModulus(l.a) + shearModulus(l.b)) / 2 *
                           (c.now.gamma.squaredNorm() - (left * c.now.gamma).squaredNorm()));
+  const double stretch = left < 1 ? before * (before - sigma) / (1 - left) : 0;
   if (!linked(c.now))
     sigma = flownUnlinked(l, sigma, trial, c.now.plastic);
+  return stretch;
 }
 
 // the returns again, with the stresses as the first ones leave them
 void yieldAgain(Sample &s)
 {
   std::vector<Matrix3d> after(s.owned, Matrix3d::Zero());
+  std::vector<double> squares(s.owned, 0);
   for (const auto &c : s.contacts) {
     const View w = view(s, c);
     double trial, sigma;
     Vector3d tau;
-    contactStresses(s, c, w, trial, sigma, tau);
+    const double stretch = contactStresses(s, c, w, trial, sigma, tau);
     for (int side : {c.i, c.j})
       after[s.owner[side]] += shareOf(s, w, sigma, tau);
+    const double weight = touches(c, w) ? flows(s, c, w) : 0;
+    if (weight == 0)
+      continue;
+    elasticStresses(s, c, w, trial, tau);
+    for (int side : {c.i, c.j})
+      squares[s.owner[side]] += weight * std::pow(trial - s.automata[s.owner[side]].centre, 2) +
+                                tau.squaredNorm() + stretch;
   }
   for (int k = 0; k < s.owned; k++) {
     Automaton &a = s.automata[k];
     const mca::Material &m = s.materials[a.type];
-    if (s.laws.steps.word() == "corrected" && a.factor < 1) {
+    const bool corrected = s.laws.steps.word() == "corrected" && a.factor < 1;
+    if (corrected) {
       const double taken = a.intensity - intensityOf(after[k]);
       const double times = taken > 0 ? (a.intensity - yieldStress(m, a.kappa)) / taken : 2;
       const double most = mostReturned(s.laws, m, 3);
       a.factor = std::fmax(1 - most, 1 - (1 - a.factor) * std::fmin(2, times));
     }
-    a.kappaNext =
-        a.kappa + std::fmin(1, a.flowing) * (1 - a.factor) * a.intensity / 3 / shearModulus(m);
+    const double strain =
+        corrected && keepsVolume(s.laws)
+            ? strainOfWork(squares[k] * 3 / s.packing.coordination, a.intensity, shearModulus(m))
+            : std::fmin(1, a.flowing) * a.intensity / 3 / shearModulus(m);
+    a.kappaNext = a.kappa + (1 - a.factor) * strain;
     a.work = plasticWork(m, a.kappaNext) - plasticWork(m, a.kappa);
   }
 }

@@ -120,6 +120,22 @@ TEST(Plasticity, SecondReturnTakesWhatTheFirstShowsToBeNeeded)
   EXPECT_EQ(secondReturn(0.1, 10 * Y, 9 * Y, Y, G).factor, 0.0);
 }
 
+TEST(Plasticity, StrainOfWorkIsThatOfTheReturnInThePacking)
+{
+  // hexagonal contacts under a deviator: normal and shear stresses that have Hooke's directions
+  const double G = steel().shearModulus(), I = 60, Y = 51, part = 1 - Y / I;
+  const double shear = I / std::sqrt(3.0);
+  double squares = 0;
+  for (int k = 0; k < 6; k++) {
+    const double angle = 0.3 + k * std::acos(0.5);
+    squares += std::pow(shear * std::cos(2 * angle), 2) + std::pow(shear * std::sin(2 * angle), 2);
+  }
+  EXPECT_NEAR(strainOfWork(part, squares, I, G, 1.0 / 3), (I - Y) / (3 * G), 1e-15);
+  EXPECT_EQ(strainOfWork(part, -1, I, G, 1.0 / 3), 0.0);
+  // stresses that contacts hold against each other
+  EXPECT_NEAR(strainOfWork(part, 100 * squares, I, G, 1.0 / 3), 1.5 * (I - Y) / (3 * G), 1e-15);
+}
+
 TEST(Plasticity, ReturnBringsTheIntensityToTheYieldStress)
 {
   // what the factor does to a stress tensor: mean + M (sigma - mean)

@@ -277,6 +277,13 @@ MCA_LOOP void returnBlock(const Pairs &p, int first, int n, const PairLaw *laws,
     const double sigma = flowedStress(law, trial, plastic, flows, stretch, linked, i, j);
     const double tau = (flows > 0.0 ? 1.0 : 0.0) * (left - 1.0) * law.twoG;
     shares.set(k, flows > 0.0 ? sigma - trial : 0.0, tau * gamma, normals.get(k));
+    if constexpr (D::keepsVolume) {
+      const double shear = law.twoG * law.twoG * dot(gamma, gamma);
+      const double returned = returnedStress(trial, flows, i, j);
+      const double off = linked * stretchedOff(law, returned, stretch);
+      const double stretched = left < 1.0 ? returned * off / (1.0 - left) : 0.0;
+      shares.setFlowing(k, flows > 0.0 ? flows * trial * trial + shear + stretched : 0.0);
+    }
   };
 #pragma omp simd
   for (int k = 0; k < n; k++)
@@ -318,11 +325,21 @@ void secondYieldPass(int n, const int *type, const AutomatonLaw *laws, const dou
     double after[rows.components];
     for (int m = 0; m < rows.components; m++)
       after[m] = row[m] + less[m];
-    const RadialReturn back = secondReturn(factor, stressIntensity(D::averaged(law, row, mean)),
-                                           stressIntensity(D::averaged(law, after, mean)),
-                                           law.curve(kappa[i]), law.shearModulus, law.mostReturn);
-    const double contacts = strains[rows.strain.length * i + rows.strain.flowing];
-    kappaNext[i] = kappa[i] + (contacts < 1.0 ? contacts : 1.0) * back.strain;
+    const double intensity = stressIntensity(D::averaged(law, row, mean));
+    const RadialReturn back =
+        secondReturn(factor, intensity, stressIntensity(D::averaged(law, after, mean)),
+                     law.curve(kappa[i]), law.shearModulus, law.mostReturn);
+    double strain;
+    if constexpr (D::keepsVolume) {
+      // sum f (sigma - centre)^2 = sum f sigma^2 - centre sum f sigma
+      const int sum = rows.stress.length * i + rows.stress.flowing;
+      const double squares = taken[sum] - answer[rows.response.centre] * stresses[sum];
+      strain = strainOfWork(1.0 - back.factor, squares, intensity, law.shearModulus, law.weight);
+    } else {
+      const double contacts = strains[rows.strain.length * i + rows.strain.flowing];
+      strain = (contacts < 1.0 ? contacts : 1.0) * back.strain;
+    }
+    kappaNext[i] = kappa[i] + strain;
     answer[rows.response.factor] = back.factor;
   }
 }

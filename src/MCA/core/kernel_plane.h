@@ -197,9 +197,9 @@ struct PlaneIsochoric : Plane {
       row.c[1][k] = s.yy;
       row.c[2][k] = s.xy;
     }
-    // \param flowing  sigma of a contact that flows with them, else 0 [stress]
+    // \param flowing  sigma of a contact that flows with them, else 0 [stress]; of the return pass
+    //                 its square and those of its shear [stress^2]
     void setFlowing(int k, double flowing) { row.c[rows.stress.flowing][k] = flowing; }
-    // After a return pass, which sets tensors only, the sum has no meaning.
     void scatter(const int *pi, const int *pj, int n, double *sums) const
     {
       row.scatter<0>(pi, pj, n, sums);

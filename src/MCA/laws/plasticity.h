@@ -149,6 +149,27 @@ inline RadialReturn secondReturn(double factor, double intensity, double returne
   return {1.0 - part, part * intensity / (3.0 * shearModulus)};
 }
 
+/// Increment of the equivalent plastic strain of an automaton with isochoric [-]: the plastic work
+/// of its flow per volume over its stress intensity. To first order in 1 - M flow sets (1-M)/4G
+/// sum [f (sigma - centre)^2 + tau^2] free for each S d, and S d/V = 2w. In the packing itself
+/// this is (1 - M) sigma_int/(3G); in one that is stretched, or that does not flow with all of its
+/// contacts, that would count what does not flow. It is at most 3/2 of it: a packing drawn by 30 %
+/// needs 1.3, and more is done by stresses that the contacts of an automaton hold against each
+/// other, which are no part of the averaged one that hardens it (doc/laws.md, Plasticity; ours).
+/// \param part          1 - M [-]
+/// \param squares       this sum over the contacts that flow, with the work of the stretch of shear
+///                      [stress^2]; negative counts as 0
+/// \param intensity     trial stress intensity [stress], > 0
+/// \param shearModulus  G [stress]
+/// \param weight        w of the packing [-]
+inline double strainOfWork(double part, double squares, double intensity, double shearModulus,
+                           double weight)
+{
+  const double packing = part * intensity / (3.0 * shearModulus), most = 1.5 * packing;
+  const double strain = 0.5 * part * weight * squares / (shearModulus * intensity);
+  return strain < 0.0 ? 0.0 : strain < most ? strain : most;
+}
+
 } // namespace mca
 
 #endif
