@@ -16,7 +16,7 @@ LEAST, MOST = (
     1e12,
 )  # sizes of numbers in a plan: far outside, the step and kappa1 are no numbers any more
 
-# automaton-steps a second and core in the plane and in space, with the default laws
+# automaton-steps a second and core in the plane and in space, of samples that fit a cache
 # (doc/performance.md)
 RATE, RATE_IN_SPACE = 9e6, 3.5e6
 

@@ -54,7 +54,7 @@ class Measured:
     scatter: Any  # standard deviation in a bin
 
     def fall(self, creep: float) -> float:
-        """Of the bin at this creep, over the largest."""
+        """Traction of the bin at this creep, over the largest."""
         return float(self.ratio[np.abs(self.creep - creep).argmin()] / self.ratio.max())
 
 

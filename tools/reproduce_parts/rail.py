@@ -119,5 +119,5 @@ def beside(points: list[dict[str, Any]], runs: list[dict[str, Any]]) -> list[str
 
 
 def base_name(point: dict[str, Any]) -> str:
-    """Of a run, without its seed and pressure: columns80, rows24, step2e-5, v2-t673, t673."""
+    """Name of a run, without its seed and pressure: columns80, rows24, step2e-5, v2-t673, t673."""
     return run_name(point).split("-seed")[0]

@@ -73,7 +73,7 @@ def written(path):
 
 
 def test_results_are_those_of_wr_creep(tmp_path):
-    """Of every example that a second is enough for, all columns to the digits of the file."""
+    """Every example that a second is enough for, all columns to the digits of the file."""
     for name in ("patch", "table2", "static", "cattaneo"):
         case = SOURCE / f"examples/wheelrail/{name}.yaml"
         if not case.exists():

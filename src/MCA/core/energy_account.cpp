@@ -250,7 +250,7 @@ void EnergyAccount::bookContacts(const Step &step, double dt, bool back)
       bookContact(step, k, dt, back, true);
 }
 
-// Of either step the evaluation knows one end; `sign` looks from there to the other one.
+// The evaluation knows one end of either step; `sign` looks from there to the other one.
 void EnergyAccount::bookContact(const Step &step, int k, double dt, bool back, bool grows)
 {
   const Pairs &p = step.links().pairs();

@@ -93,12 +93,12 @@ class EnergyAccount {
     int row;
     Motion forces;
   };
-  /// Of all own automata on which there are such.
+  /// Own automata on which other fixes act.
   std::vector<External> external_;
   /// Pairs whose state changes after the evaluation, and those that may dissipate in the steps to
   /// and from it, in their order.
   std::vector<int> changing_, active_;
-  /// Of all rows: their mean stress changes.
+  /// For each row, whether its mean stress changes.
   std::vector<char> touched_;
   /// Edges of the box in the evaluation, and how they change in the step that the other half is of
   /// [length].

@@ -42,8 +42,7 @@ class LinkList {
   /// \param i,j    rows of both automata
   /// \param law    number in the table of PairLaw
   /// \param state  stateSize() values: kind, plastic offset, elastic shears (unlinked: of
-  /// friction),
-  ///               total shears
+  ///               friction), total shears
   void add(int i, int j, int law, const double *state);
 
   /// Adds a link with all that is kept, storedSize() values, as getStored() wrote them.

@@ -60,8 +60,7 @@ std::string sealedLinks(std::string text);
 /// Reads a file of mca_links write, or the section Bonds of any data file as original links without
 /// shear and plastic offset.
 /// \param bytes      of the whole file, as any editor saves it (`mcawr::plainText`); the checksum
-/// is
-///                   that of the plain text
+///                   is that of the plain text
 /// \param stateSize  number of values of a pair's state, LinkList::stateSize()
 /// \param largestId  of an automaton
 /// \throw LinksError  with the number of the line where there is one; also where a file of ours

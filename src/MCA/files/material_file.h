@@ -25,10 +25,9 @@ class MaterialError : public std::runtime_error {
 };
 
 /// \param bytes  the whole file, as any editor saves it (`mcawr::plainText`). The first line holds
-/// `UNITS: style` (and DATE, CITATION); then
-///               `keyword value` a line, `#` begins a comment, every keyword exactly once. With a
-///               line `temperature T1 T2 ...` a keyword may have as many values as there are
-///               temperatures; in between they are linear
+///               `UNITS: style` (and DATE, CITATION); then `keyword value` a line, `#` begins a
+///               comment, every keyword exactly once. With a line `temperature T1 T2 ...` a keyword
+///               may have as many values as there are temperatures; in between they are linear
 /// \param name   for messages
 /// \param units  LAMMPS's unit style in force
 /// \param temperature  at which the material is wanted [temperature], within those of the file;

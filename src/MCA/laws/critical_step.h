@@ -39,8 +39,7 @@ struct CriticalStep {
 ///                   infinite
 /// \param slips      they resist slip, too (viscosity both)
 /// \param isochoric  strains are logarithmic (strain.h): a link collapses at a larger distance,
-/// down
-///                   to which its normal stiffness grows, too
+///                   down to which its normal stiffness grows, too
 CriticalStep criticalStep(const Material &, double D, double viscosity,
                           const Packing & = packing::hex, bool slips = false,
                           bool isochoric = false);

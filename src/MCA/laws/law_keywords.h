@@ -5,8 +5,7 @@
 /// from the choice; the equations stand in the headers named.
 ///
 /// Pages: doc/pair_mca.md has the keywords, doc/laws.md the equations and their sources. The first
-/// word of each is the default, which is preset c; what does not go together is refused by
-/// law_set.h.
+/// word of each is the one of preset d, the default; law_set.h refuses what does not go together.
 #ifndef MCA_LAWS_LAW_KEYWORDS_H
 #define MCA_LAWS_LAW_KEYWORDS_H
 

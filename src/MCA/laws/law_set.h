@@ -80,11 +80,11 @@ struct LawSet {
 
   /// Takes keyword-value pairs as given to pair_style; a preset resets all that stands before it.
   /// What does not go together is an error: heal without weld, healed_strain without heal, plane
-  /// stress with flow, a criterion of fracture without its number. \param words  keyword, value,
-  /// keyword, value, ...; those before a bad one have been taken, so
+  /// stress with flow, a criterion of fracture without its number.
+  /// \param words  keyword, value, keyword, value, ...; those before a bad one have been taken, so
   ///               that the set is of no use after an error
   /// \return an empty string, or one line: keyword, value, what is allowed, or for a misspelt
-  /// keyword the nearest one
+  ///         keyword the nearest one
   std::string parse(const std::vector<std::string> &words);
 
   /// All laws as keyword-value pairs that parse() reads back, to the last bit of each number: what

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 /// \file linking.h
-/// The two kinds of link and the transitions between them.
+/// The kinds of link and the transitions between them.
 ///
-/// The paper leaves the criteria open. Presets come near its results: a has one kind of link and
-/// one threshold; b and c, the default, follow the picture that the bulk is strong as an averaged
-/// body while a fresh cold weld is only as strong as its own contact, until it heals.
+/// The paper leaves the criteria open. Preset a has one kind of link and one threshold. The others,
+/// among them d, the default, follow a picture: the bulk is strong as an averaged body, while a
+/// fresh cold weld is only as strong as its own contact, until it heals.
 ///
 /// Any consistent set of units; dimensions stand in brackets. Branch-free: a transition that is
 /// switched off has a limit that no stress reaches, infinity.

@@ -12,8 +12,7 @@ namespace wheelrail {
 /// replaced by U+FFFD.
 /// \param indent blanks of each level; -1: all in one line
 /// \throws Error (NotConverged) for a number that is not finite: "NAME: /contacts/0/seconds is
-/// nan";
-///         a number that may be missing is null
+///         nan"; a number that may be missing is null
 std::string jsonText(const std::string &name, const nlohmann::ordered_json &json, int indent = 2);
 
 /// Checks that a table has finite numbers only: lines that begin with '#', a line of column names,

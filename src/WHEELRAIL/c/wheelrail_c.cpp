@@ -54,7 +54,7 @@ int attempt(wheelrail_contact *contact, const Action &action) noexcept
   return WHEELRAIL_INTERNAL;
 }
 
-/// The same of an object that was created.
+/// Does something with an object that was created; what it throws becomes a code, as in `attempt`.
 template<class Action>
 int with(wheelrail_contact *contact, const Action &action) noexcept
 {

@@ -47,7 +47,9 @@ class Convolution {
   /// \return bins() values, for `multiply` of this object or one of the same size
   Spectrum spectrumOf(const std::function<double(int)> &kernel);
 
-  /// The product. \param x n values \param spectrum of `spectrumOf`, or bins() values of one's own
+  /// The product with one vector.
+  /// \param x         n values
+  /// \param spectrum  of `spectrumOf`, or bins() values of one's own
   /// \return n values; exact but for rounding
   Vector multiply(const Vector &x, const Spectrum &spectrum);
 

@@ -35,7 +35,8 @@ class LawProblem {
   LeastSquaresProblem make() const;
 
   /// Starts: n = 0 and a grid over b, c, s and q with the linear parameters by linear least
-  /// squares, the best three. \param problem of `make`, which judges the candidates
+  /// squares, the best three.
+  /// \param problem  of `make`, which judges the candidates
   std::vector<Eigen::VectorXd> starts(const LeastSquaresProblem &problem) const;
 
  private:

@@ -30,7 +30,7 @@ struct OptionRange {
 namespace option_range {
 constexpr OptionRange positive{"> 0", [](double x) { return x > 0.0; }};
 constexpr OptionRange notNegative{">= 0", [](double x) { return x >= 0.0; }};
-/// Of the confidence intervals.
+/// The level of confidence intervals.
 constexpr OptionRange level{"from 0.5 to 0.9999", [](double x) { return x >= 0.5 && x <= 0.9999; }};
 } // namespace option_range
 

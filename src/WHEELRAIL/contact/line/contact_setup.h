@@ -40,7 +40,8 @@ struct ContactSetup {
   Eigen::VectorXd gap(int travel = 0) const;
   /// Number of cells the material can travel.
   int longestTravel() const;
-  /// In units of E* and cells. \param pressureLimit Pa; infinite: elastic
+  /// The normal problem in units of E* and cells.
+  /// \param pressureLimit  Pa; infinite: elastic
   NormalContactProblem problem(double pressureLimit, int travel = 0) const;
 
   double realContactLength() const; ///< m, of `normal`

@@ -82,8 +82,8 @@ struct PatchContact {
 
   /// The law's mu times the factor of each cell.
   Eigen::VectorXd across(Eigen::VectorXd mu) const;
-  /// Undeformed gap per cell, m. \param wheel, rail how far each of the surfaces has travelled
-  /// Smooth gap less both bodies' heights.
+  /// Undeformed gap of each cell, m: the smooth gap less both bodies' heights.
+  /// \param wheel, rail  how far each of the surfaces has travelled
   Eigen::VectorXd gap(const Travel &wheel = {}, const Travel &rail = {}) const;
   /// \param pressureLimit Pa; infinite: elastic
   /// \param normalForce N; not read where the approach is given

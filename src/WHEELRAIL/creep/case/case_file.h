@@ -52,14 +52,16 @@ struct Case {
 /// \param changes of --set, later ones over earlier ones
 Case readCase(const std::string &path, const std::vector<std::string> &changes = {});
 
-/// The same with changes of a tree: a map of keywords with their values.
+/// Reads a case file.
+/// \param changes  a tree: a map of keywords with their values
 Case readChangedCase(const std::string &path, const YAML::Node &changes);
 
 /// A case of a text in YAML, or of a tree, that stands in no file: what it names is looked for from
 /// the working folder.
 /// \param name of the text or the tree, as messages say it
 Case caseOfText(const std::string &name, const std::string &text);
-/// \param tree a map of keywords, or of groups of them, with their values \param changes likewise
+/// \param tree     a map of keywords, or of groups of them, with their values
+/// \param changes  likewise
 Case caseOfTree(const std::string &name, const YAML::Node &tree, const YAML::Node &changes);
 Case caseOfTree(const std::string &name, const YAML::Node &tree);
 

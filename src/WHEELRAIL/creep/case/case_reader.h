@@ -30,7 +30,7 @@ class CaseReader {
   /// Reads and checks the whole file; once, before any change.
   /// A word that is no keyword is an error that names the nearest one; so is a keyword given twice.
   void readFile();
-  /// The same for a text that stands in no file, and for a tree that somebody else has built, whose
+  /// Reads and checks a text that stands in no file, or a tree that somebody else has built, whose
   /// values have no lines.
   void readText(const std::string &text);
   void readTree(const YAML::Node &root);
@@ -39,7 +39,8 @@ class CaseReader {
   /// change below a group ends a plain value of the group ("roughness.seed=2" ends "roughness:
   /// none").
   void change(const std::string &text);
-  /// The same with a value of a tree. \param option "--set " where a command line asked for it
+  /// A change whose value is a tree.
+  /// \param option  "--set " where a command line asked for it
   void change(const std::string &name, const YAML::Node &value, const char *option = "");
 
   /// Throws what is wrong with a keyword's value, at its line of the file.
@@ -48,7 +49,8 @@ class CaseReader {
 
   /// Is the keyword given, in the file or by a change?
   bool has(const std::string &name) const { return entries_.count(name) > 0; }
-  /// Any keyword below a group? \param group without a dot
+  /// Any keyword below a group?
+  /// \param group  without a dot
   /// \return true for "creep" where creep.from is given
   bool hasGroup(const std::string &group) const;
 
@@ -70,7 +72,8 @@ class CaseReader {
   /// \throws Error (BadInput) unless the keyword is given
   void require(const std::string &name) const;
   /// \throws Error (BadInput) for a keyword, or one of a group, that is given and makes no sense
-  ///         together with something else. \param with "contact.period: the surfaces are flat"
+  ///         together with something else
+  /// \param with  that, with the reason: "contact.period: the surfaces are flat"
   void refuse(const std::string &name, const std::string &with) const;
 
   /// What was used so far, as a case file.

@@ -61,11 +61,9 @@ struct CreepSpecification {
 /// around. A point that does not converge leaves the others untouched; the next one of its piece
 /// starts cold.
 /// \param law of the specification's friction (`LawChoice::read`); its covariance, if it has one,
-/// is
-///        carried through (`LawSpread`)
+///        is carried through (`LawSpread`)
 /// \throws Error (Interrupted) when asked to stop, Error (NotConverged) where no point converges,
-/// and
-///         what else the points throw
+///         and what else the points throw
 /// \param options threads, journal, progress, interruption; none of them changes a number
 /// \return points in the order of the specification: creep changes fastest
 CreepCurves solveCreepCurves(const CreepSpecification &specification, const LawPointer &law,

@@ -39,8 +39,9 @@ struct ContactFields {
 /// cell, of Eq. 11 the load-weighted mean, and the normal contact is solved again.
 class FrozenCreep {
  public:
-  /// Both must outlive the object. \param setup of a Free boundary
-  /// Starts from the normal contact of the setup, without traction and temperature.
+  /// Starts from the normal contact of the setup, without traction and temperature. Both must
+  /// outlive the object.
+  /// \param setup  of a Free boundary
   FrozenCreep(const CreepPhysics &physics, const ContactSetup &setup);
 
   /// Warm from the last call: the set of stick cells and the temperature.
@@ -50,7 +51,8 @@ class FrozenCreep {
   /// \return the point, its fields in `fields()`
   CreepPoint solve(const FrictionLaw &law, double speed, double creep);
 
-  /// Where the last call asked its law for mu. \param law, speed, creep those of the call
+  /// Where the last call asked its law for mu.
+  /// \param law, speed, creep  those of the call
   LawUse use(const FrictionLaw &law, double speed, double creep) const;
 
   /// Fields of the last call; `startFrom` makes the next one start from them.

@@ -13,7 +13,8 @@ namespace wheelrail {
 /// by the name of its column.
 /// \param points of one piece of the sweep, in the order of its creeps
 nlohmann::json curvePointsJson(const std::vector<CurvePoint> &points);
-/// The way back. \param rows as `curvePointsJson` gives them
+/// The way back.
+/// \param rows  as `curvePointsJson` gives them
 /// \return points that equal the written ones to the last bit
 /// \throws nlohmann::json::exception for rows of another kind
 std::vector<CurvePoint> curvePointsFrom(const nlohmann::json &rows);

@@ -11,7 +11,7 @@
 namespace wheelrail {
 namespace {
 
-/// Of the traction; forces are off by less than 1e-6 of what friction carries.
+/// Tolerance of the traction; forces are off by less than 1e-6 of what friction carries.
 constexpr double tolerance = 1e-5;
 
 [[noreturn]] void refuse(const std::string &what, const std::string &needed)

@@ -40,11 +40,10 @@ class OnlineContact {
 
   /// Solves for what is set.
   /// \throws Error (NotConverged), Error (BadInput) for a contact at the border of the box. The
-  /// next
-  ///         call begins cold, as the first one does
+  ///         next call begins cold, as the first one does
   const PatchPoint &step();
 
-  /// Of the last step.
+  /// Results of the last step.
   /// \throws Error (Usage) before the first one and after one that failed
   const PatchPoint &point() const;
   const PatchFields &fields() const; ///< likewise

@@ -28,7 +28,8 @@ struct PatchSequence {
   /// \param values one of the lists above
   /// \param seconds since the start; beyond the last instant the last value holds
   double at(const std::vector<double> &values, double seconds, double constant) const;
-  /// Distance rolled until an instant, m. \param constant speed where there is no list, m/s
+  /// Distance rolled until an instant, m.
+  /// \param constant  speed where there is no list, m/s
   double distanceAt(double seconds, double constant) const;
   /// The way back: when a distance has been rolled, s. Beyond the last instant its speed holds.
   double timeAt(double distance, double constant) const;

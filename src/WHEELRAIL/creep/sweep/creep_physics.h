@@ -39,8 +39,8 @@ struct CreepPhysics {
 
   /// Pa, at a temperature rise in K; infinite without `hardnessLimit`.
   double pressureLimit(const FrictionLaw &law, double temperatureRise) const;
-  /// The same of each cell at its own temperature, where heat limits the pressure and the model is
-  /// local; elsewhere empty: one limit serves all cells.
+  /// A limit for each cell at its own temperature, Pa, where heat limits the pressure and the model
+  /// is local; elsewhere empty: one limit serves all cells.
   Eigen::VectorXd pressureLimits(const FrictionLaw &law,
                                  const Eigen::VectorXd &temperatureRise) const;
 

@@ -28,7 +28,8 @@ std::string pressureDoubt(double peak, double strength, double youngsModulus);
 std::string creepDoubt(const std::string &keyword, const std::vector<double> &values);
 
 /// A contact larger than the body's radius is no contact of Hertz.
-/// \param halfAxis m \param radius m, > 0; infinite: flat
+/// \param halfAxis  m
+/// \param radius    m, > 0; infinite: flat
 std::string sizeDoubt(double halfAxis, double radius);
 
 /// No wheel rolls on more than 10 m.

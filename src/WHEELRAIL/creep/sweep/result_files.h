@@ -80,7 +80,8 @@ Output<Curves> fileOf(
           }};
 }
 
-/// The summary of a task. \param text of the results and of the names of all files
+/// The summary of a task.
+/// \param text  makes it of the results and of the names of all files
 template<class Curves>
 Output<Curves>
 summaryOf(std::function<std::string(const Curves &, const std::vector<std::string> &)> text)

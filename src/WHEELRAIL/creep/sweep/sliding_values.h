@@ -12,7 +12,7 @@ struct SlidingValues {
   double temperatureRise = 0.0; ///< mean over the nominal contact, K
   double stickFraction = 0.0;   ///< of the cells in contact, 0 .. 1
 
-  /// From numbers of cells, or their areas. \param touching in contact, > 0
+  /// From numbers of cells, or their areas: those that stick, and those in contact, > 0.
   void setStick(double sticking, double touching) { stickFraction = sticking / touching; }
 };
 

@@ -43,7 +43,7 @@ CellInfluence cellInfluence(const ElasticPair &pair, const CellIntegrals &integr
 /// Integrals over the cell of x/r^2 and y/r^2, a length each: what couples pressure and tangential
 /// displacement, traction and normal displacement of unlike bodies, times K/(pi G) (Kalker 1990,
 /// sec. 1.7). Relative error 1e-12 of 1/r's integral.
-/// \param x, y centre to the point \param dx, dy > 0
+/// It is for a place (x, y) seen from the centre of a cell of the size dx x dy.
 struct CouplingIntegrals {
   double x; ///< of x/r^2; odd in x, even in y
   double y; ///< of y/r^2

@@ -20,8 +20,7 @@ struct GapCurvatures {
 /// Gap of a wheel on a rail whose principal curvatures lie along x and y; lengths.
 /// \param wheelRolling > 0
 /// \param wheelProfile, railProfile transverse radii, negative where hollow, infinite where
-/// straight;
-///        the sum of their curvatures must be > 0
+///        straight; the sum of their curvatures must be > 0
 GapCurvatures gapOfRadii(double wheelRolling, double wheelProfile, double railProfile);
 
 /// Smooth contact of an ellipse with semi-axes a along x and b along y (Hertz 1882; Johnson,

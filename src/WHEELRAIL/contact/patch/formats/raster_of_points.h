@@ -10,10 +10,11 @@
 namespace wheelrail {
 
 /// The map of points that a file lists one by one, in any order. Places that the list leaves out
-/// are NaN. \param points x, y, z of each, one after the other, m
+/// are NaN.
+/// \param points x, y, z of each, one after the other, m
 /// \throws Error (BadInput) where they are less than half of the places; for points that do not lie
-/// on a raster of equal distances along x and
-///         along y, to a hundredth of them; for two at one place
+///         on a raster of equal distances along x and along y, to a hundredth of them; for two at
+///         one place
 HeightMap rasterOfPoints(const std::string &path, const std::vector<double> &points);
 
 } // namespace wheelrail

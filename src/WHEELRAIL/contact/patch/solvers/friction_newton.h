@@ -91,7 +91,8 @@ class FrictionNewton {
   Vector fromRight(const Linearisation &linear, const Vector &x);
   void fillStick(const Linearisation &linear, const Vector &x, Vector &result);
   void fillSlip(const Linearisation &linear, const Vector &x, Vector &result);
-  /// The linear system by GMRES. \param tolerance relative to its right-hand side
+  /// Solves the linear system by GMRES.
+  /// \param tolerance  relative to its right-hand side
   Vector newtonStep(const Linearisation &linear, const Vector &f, double tolerance);
 
   PatchHalfSpace &space_;
