@@ -30,8 +30,8 @@ void checkSeal(LAMMPS_NS::LAMMPS *lmp, FILE *fp);
 std::string blockText(LAMMPS_NS::LAMMPS *lmp, FILE *fp, const char *what);
 
 /// The text of a fix's block, shorter than longestBlock. LAMMPS does not tell how long its memory
-/// is; the checksum of the file has made sure that it is as it was written. \param bytes  of
-/// LAMMPS, on every rank; the block begins there
+/// is; the checksum of the file has made sure that it is as it was written.
+/// \param bytes  of LAMMPS, on every rank; the block begins there
 std::string fixBlockText(LAMMPS_NS::LAMMPS *lmp, const char *bytes, const char *what);
 
 /// What a function of restart_format.h reads; its RestartError stops LAMMPS. Called by all ranks.

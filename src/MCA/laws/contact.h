@@ -140,7 +140,9 @@ inline bool isPressed(double e)
 
 /// Weight of a contact in the flow of its automata [-], 0 to 1: 1 of a bulk or healed link, with
 /// flow contacts that of PairLaw::contactsFlow of an unlinked one that is pressed. Welds are
-/// brittle. \param contactsFlow  of its PairLaw \param kind          of the contact, see link
+/// brittle.
+/// \param contactsFlow  of its PairLaw
+/// \param kind          of the contact, see link
 /// \param e             its elastic normal strain [-]
 inline double flowing(double contactsFlow, double kind, double e)
 {
@@ -218,9 +220,12 @@ inline double stretchedOff(const PairLaw &law, double sigma, const Stretch &stre
 /// most: farther apart two automata do not touch. What it has above 0, where the mean stress of its
 /// automata pulls, flows off at once and makes no force with radial; with isochoric it is left
 /// alone (PairLaw::keepsEnergy). Nor does flow shorten it further than a link, collapseStrain:
-/// nearer together it is elastic, and two automata never come to lie on each other. \param trial
-/// before the return [stress] \param plastic  plastic offset of its normal strain [-] \param flows
-/// of flowing() [-] \param stretch  of shearStretch() [-] \param linked   1 or 0
+/// nearer together it is elastic, and two automata never come to lie on each other.
+/// \param trial    normal stress before the return [stress]
+/// \param plastic  plastic offset of its normal strain [-]
+/// \param flows    of flowing() [-]
+/// \param stretch  of shearStretch() [-]
+/// \param linked   1 or 0
 inline double flowedStress(const PairLaw &law, double trial, double plastic, double flows,
                            const Stretch &stretch, double linked, const Answer &i, const Answer &j)
 {
@@ -483,11 +488,11 @@ struct NextState {
 /// both surfaces are whole again, or until lack of room closes the gap that a dent leaves, r < d:
 /// then they touch, without stress yet. Neither changes the elastic energy.
 /// With isochoric a link that breaks keeps its offset for a step: strainLeft() reads it. Shears
-/// last only while a link lasts: a new link begins with none, a healed weld keeps both. \param s of
-/// this contact \param gamma       elastic shear at this step, before the return [-] \param
-/// gammaTotal total shear since linking [-]; 0 of an unlinked contact \param left        of its
-/// elastic shear
-/// [-]; see shearAnswer()
+/// last only while a link lasts: a new link begins with none, a healed weld keeps both.
+/// \param s           stress of this contact
+/// \param gamma       elastic shear at this step, before the return [-]
+/// \param gammaTotal  total shear since linking [-]; 0 of an unlinked contact
+/// \param left        share of its elastic shear that is left [-]; see shearAnswer()
 template<class Shear>
 inline NextState<Shear> nextState(const PairLaw &law, const Contact &c, const ContactStress &s,
                                   const Shear &gamma, const Shear &gammaTotal, double left)

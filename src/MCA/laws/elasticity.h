@@ -88,7 +88,8 @@ inline StressTensor automatonStress(double xx, double yy, double xy, double mean
 
 /// The stress by which an automaton yields in the plane with plasticity isochoric: sigma_zz is the
 /// mean of sigma_xx and sigma_yy, as in a solid that flows in plane strain and keeps its volume.
-/// Its intensity is sqrt(3) times the largest shear stress in the plane. \param xx,yy,xy  as above
+/// Its intensity is sqrt(3) times the largest shear stress in the plane.
+/// \param xx,yy,xy  as above
 inline StressTensor flowStress(double xx, double yy, double xy)
 {
   return {xx, yy, xy, 0.5 * (xx + yy)};

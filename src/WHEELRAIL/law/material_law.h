@@ -38,7 +38,9 @@ struct MaterialLaw {
   std::string note;                      ///< as `KappaLaw::note`
 
   /// kappa1 to kappa3 of the material.
-  /// \param pressure Pa, >= 0 \param speed m/s \param kelvin temperature, K
+  /// \param pressure  Pa, >= 0
+  /// \param speed     m/s
+  /// \param kelvin    temperature, K
   Kappas kappas(double pressure, double speed, double kelvin) const;
   /// mu there.
   double operator()(double pressure, double speed, double kelvin) const;

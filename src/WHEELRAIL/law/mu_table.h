@@ -30,7 +30,9 @@ struct MuTable {
   double referenceSpeed = 0.0; ///< m/s, of the values in the rows
 
   /// One value; for many see `MuCurves`.
-  /// \param ratio p/sigma_0, >= 0 \param temperature K \param slidingSpeed m/s, >= 0
+  /// \param ratio         p/sigma_0, >= 0
+  /// \param temperature   K
+  /// \param slidingSpeed  m/s, >= 0
   double operator()(double ratio, double temperature, double slidingSpeed) const;
 
   /// Parameters of the table: the values of all rows in their order, and the exponent.

@@ -147,9 +147,8 @@ void MovingPatch::begin(TransientPatch &transient, double speed, const PatchDriv
 // Half of the rigid slip (xi - phi y, eta + phi x) is put on each body: the wheel's surface runs
 // by xi/2 slower than the contact travels, the rail's by xi/2 faster, and they turn by phi/2
 // against each other, so that their asperities pass each other as the slip has it. The mean of both
-// goes straight, as the displacements do that are carried along. Between cells the maps are
-// interpolated
-// (`RoughMap::window`).
+// goes straight, as the displacements do that are carried along. Between cells `RoughMap::window`
+// interpolates the maps.
 void MovingPatch::travel(const Creepage &creepage)
 {
   const PatchGrid &grid = contact_.grid;

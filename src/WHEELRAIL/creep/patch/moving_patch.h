@@ -84,7 +84,8 @@ class MovingPatch {
   /// Is the pressure of the step before still that under this load?
   bool pressureStays(double load) const;
   /// The normal contact where the surfaces are now; distance (m) for messages.
-  /// \param start pressure to begin with \param opening of the gap by the traction, or empty
+  /// \param start    pressure to begin with
+  /// \param opening  of the gap by the traction, or empty
   void press(double load, double distance, const Eigen::VectorXd &start,
              const Eigen::VectorXd &opening);
   /// Friction, traction and heat of one step under the present pressure.

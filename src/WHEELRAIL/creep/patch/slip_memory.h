@@ -21,7 +21,8 @@ class SlipMemory {
 
   /// r in the middle of all cells in steady rolling: material that enters the contact anywhere has
   /// 1.
-  /// \param speed v0, m/s \param slip relative to rolling
+  /// \param speed  v0, m/s
+  /// \param slip   relative to rolling
   Eigen::VectorXd steady(const FrictionLaw &law, const Eigen::VectorXd &pressure,
                          const Eigen::VectorXd &temperature, double speed,
                          const TangentialField &slip) const;

@@ -69,6 +69,12 @@ class Edges {
 
 } // namespace
 
+// A leading cell is one in contact whose neighbour at larger x is not. It gets a compliance in
+// three steps: the outward normal of the edge there; how far the contact reaches into it, from the
+// square-root edge of pressure and gap; and the share of its panel that is in contact, which says
+// how much softer it is (header). A panel reaches from 1/4 of a cell behind the centre to 3/4 ahead
+// of it; a contact that ends at the cell's face has the share 3/4 of it. Edges whose normal points
+// backwards trail. Compliances across and along the edge are turned from its normal into x and y.
 EdgeCompliance edgeCompliance(const PatchGrid &grid, const ElasticPair &pair,
                               const Vector &pressure, const Vector &gap)
 {

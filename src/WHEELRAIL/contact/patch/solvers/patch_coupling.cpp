@@ -23,6 +23,11 @@ PatchCoupling::PatchCoupling(const CellGrid &grid, const ElasticPair &pair)
 {
 }
 
+// Both directions are products with the influences x/r^2 and y/r^2, integrated over a cell. One is
+// odd in x and even in y, the other one the other way round. So their spectra are -i times real
+// numbers, sine transforms along the odd direction, of which a quarter is kept. Frequencies along x
+// are those from 0 on, since the fields are real; along y `forFrequencies` gives the sign of the
+// odd ones.
 void PatchCoupling::fillSpectra()
 {
   transform_.emplace(paddedTransform(grid_.nx, grid_.ny, 2));

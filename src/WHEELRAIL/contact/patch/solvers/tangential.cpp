@@ -304,10 +304,9 @@ ScaledProblem scaledProblem(const PatchGrid &grid, const TangentialProblem &prob
 //   1. The cells in contact are listed, and the smallest box around them is cut out of the grid.
 //      Tractions are counted in units of the largest bound, slips in what a cell of that traction
 //      moves under itself: then all of the equations are of order 1, whatever the units.
-//   2. What moves the contact is gathered into the drive: rigid slip, and the displacements that
-//   are
-//      known beforehand. Where a force is given, its creepage is one more unknown and the sum of
-//      the tractions one more equation.
+//   2. What moves the contact is gathered into the drive: rigid slip, and the displacements known
+//      beforehand. Where a force is given, its creepage is one more unknown and the sum of the
+//      tractions one more equation.
 //   3. Without a start the same problem is solved on cells of twice the size, down to some 24 along
 //      a side. States of stick and slip are found where cells are few. On the fine grid a handful
 //      of Newton steps is left, so that the work grows little faster than the number of cells.

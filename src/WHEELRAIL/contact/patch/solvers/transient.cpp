@@ -58,6 +58,12 @@ void TransientPatch::accept(const Step &step, const TangentialResult &result)
   bound_ = step.bound;
 }
 
+// Where Newton's method begins. There are two pictures of how tractions change in a step, and the
+// bound tells which of them holds: is it nearer to the former bound, or to that one moved by the
+// way of the material? Bounds that stay are those of smooth bodies: the tractions change in place,
+// and are continued linearly from the last two. Bounds that travel are those of asperities, which
+// take their tractions with them. (Of the last one only, where there is no other: after a start or
+// a shift.)
 TangentialField TransientPatch::expected(const Step &step) const
 {
   const PatchGrid &g = grid();
