@@ -10,7 +10,7 @@ from matplotlib import pyplot
 
 from mcawr.files import save_figure
 
-from . import chain, locomotive, locomotive_runs, patch_pictures, patch_runs
+from . import chain, locomotive, locomotive_runs, patch_pictures, patch_runs, wheel
 from .common import Missing, table
 
 SMOOTH, FROZEN, MOVING = ("C0", "smooth"), ("C3", "frozen"), ("C2", "moving")
@@ -425,6 +425,7 @@ FIGURES = {
     "fig15-3d": PatchFigure("Fig. 15, point contact: high creep", ["patch-high"], fig15),
     "polach-3d": PatchFigure("Polach's kA and kS of a point contact", ["patch-low"], polach),
     "grid-3d": PatchFigure("Grids for a point contact", ["patch-slope"], grid),
+    "fig15": PatchFigure("Fig. 15, line contact: rail steel beside the paper", [], wheel.fig15),
     "locomotive": PatchFigure(
         "A measured locomotive", [locomotive_runs.PLAN], locomotive.locomotive
     ),

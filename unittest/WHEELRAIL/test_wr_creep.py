@@ -544,3 +544,25 @@ def test_interrupted_run_goes_on(case, tmp_path):
     summary = json.loads((tmp_path / "out/summary.json").read_text())
     assert summary["points"] == 8000 and summary["points_resumed"] > 0
     assert not journal.exists()
+
+
+def test_friction_settles_where_the_pressure_jumps(tmp_path):
+    """Rough, with hardness and local temperature: at one of these creeps a cell opens and closes in
+    turn, so that temperature and pressure have no common solution to the last digit."""
+    sets = [
+        "friction={law: bucher2006, local: true}",
+        "speed=10 m/s",
+        "contact.hardness_limit=true",
+    ]
+    sets += ["thermal={model: local, conductivity: 50 W/(m K), density: 7800 kg/m3, "]
+    sets[-1] += "specific_heat: 450 J/(kg K)}"
+    sets += ["roughness={hurst: 0.8, rms_slope: 0.02, wavelength_min: 0.1 mm, "]
+    sets[-1] += "wavelength_max: 10 mm, seed: 1}"
+    sets += ["creep={from: 0.12, to: 0.2, n: 41, spacing: linear}"]
+    words = [word for change in sets for word in ("--set", change)]
+    done = wr_creep(TABLE2, "-o", tmp_path, "-q", *words)
+    assert done.returncode == 0, done.stderr
+    ratio = [float(row["traction_ratio"]) for row in table(tmp_path / "creep.csv")]
+    assert len(ratio) == 41
+    falls = [a - b for a, b in zip(ratio, ratio[1:])]
+    assert all(0 < fall < 0.001 for fall in falls)

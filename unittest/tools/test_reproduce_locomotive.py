@@ -120,3 +120,11 @@ def test_shipped_table_has_the_law_of_the_shipped_logs(tmp_path, monkeypatch):
     _, law = made.fit(made.MODELS[0], made.LOGS, str(tmp_path))
     head = (Path(patch_runs.SHIPPED) / "locomotive.csv").read_text(encoding="utf-8")
     assert f"# law {made.MODELS[0]}: {made.told(law)}\n" in head
+
+
+@pytest.mark.skipif(not (BUILD / "bin" / "wr_creep").exists(), reason="wr_creep is not built")
+def test_fig15_is_that_of_the_page(call, tmp_path):
+    code, text, err = call("reproduce", "fig15", "-o", tmp_path)
+    assert code == 0, err
+    page = (ROOT / "doc" / "listings.md").read_text(encoding="utf-8")
+    assert text.strip() in page, f"doc/listings.md does not hold this:\n{text}"

@@ -72,6 +72,7 @@ class FrozenCreep {
   Eigen::VectorXd temperatureFrom(double speed, double creep);
   /// Normal contact again, under the hardness at the present temperature.
   void limitPressure(const FrictionLaw &law);
+  void checkExcess(const FrictionLaw &law, double speed, double creep) const;
 
   const CreepPhysics &physics_;
   const ContactSetup &setup_;
