@@ -53,6 +53,27 @@ TEST(CaseFile, FillsInDefaults)
   EXPECT_EQ(c.creep, (std::vector<double>{1e-3, 1e-2}));
 }
 
+TEST(CaseFile, RefusesWhatWouldChangeNothing)
+{
+  for (const auto &[group, below] : {std::pair{"thermal: off", "thermal.conductivity: 9 W/(m K)"},
+                                     {"roughness: none", "roughness.seed: 3"},
+                                     {"creep: 0.1 %", "creep.n: 3"}})
+    for (const std::string &text :
+         {std::string(group) + "\n" + below, std::string(below) + "\n" + group}) {
+      const std::string message = messageOf(table2 + text + "\n");
+      EXPECT_TRUE(contains(message, "does not go with " + std::string(group)) ||
+                  contains(message, "is given twice"))
+          << text << "\n"
+          << message;
+    }
+  const std::string samples = "uncertainty: {method: linear, samples: 100}\n";
+  EXPECT_TRUE(
+      contains(messageOf(minimal + samples), "uncertainty.samples: is not used in this case"));
+  EXPECT_EQ(messageOf(minimal + "uncertainty: {method: sampled, samples: 100}\n"), "");
+  // a rolling case as it stands may be asked for its static contact
+  EXPECT_EQ(messageOf(minimal, {"mode=static", "static.force_ratio=0.5"}), "");
+}
+
 TEST(CaseFile, ReadsGroupsAndChoices)
 {
   const CreepSpecification c =

@@ -130,6 +130,13 @@ StaticSpecification readStatic(CaseReader &reader, const LineContactSpecificatio
   return still;
 }
 
+/// A rolling case may be made static by one change, and keeps what is said of its rolling.
+void refuseUnused(const CaseReader &reader, Scope here)
+{
+  if (!(here & (scope::lineStatic | scope::pointStatic)))
+    reader.refuseUnused();
+}
+
 /// What has been read, in the words of the physics.
 /// \param path of the case file, beside which others may lie; empty: there is none
 Case caseOf(CaseReader &reader, const std::string &path)
@@ -140,6 +147,7 @@ Case caseOf(CaseReader &reader, const std::string &path)
   result.path = path;
   if (here & scope::point) {
     result.task = readPatch(reader, path);
+    refuseUnused(reader, here);
     result.text = reader.configuration();
     return result;
   }
@@ -154,6 +162,7 @@ Case caseOf(CaseReader &reader, const std::string &path)
     result.task = readStatic(reader, contact, surface, friction, physics);
   else
     result.task = readRolling(reader, mode, contact, surface, friction, physics);
+  refuseUnused(reader, here);
   result.text = reader.configuration();
   return result;
 }

@@ -170,6 +170,10 @@ void CaseReader::collect(const YAML::Node &node, const std::string &name)
         fail(keyLine, full, mcawr::unknownWord("keyword", full, knownNames()));
       if (has(full) || hasGroup(full))
         fail(keyLine, full, "is given twice");
+      const std::string group = full.substr(0, full.find('.'));
+      if (group != full && has(group)) // "thermal: off" and "thermal.bulk: 20 K"
+        fail(keyLine, full,
+             fmt::format("does not go with {}: {}", group, entries_[group].words[0]));
       collect(pair.second, full);
     }
     return;
@@ -288,6 +292,13 @@ void CaseReader::refuse(const std::string &name, const std::string &with) const
     fail(name, "does not go with " + with);
   if (hasGroup(name)) // the first keyword that is given
     fail(entries_.lower_bound(name + ".")->first, "does not go with " + with);
+}
+
+void CaseReader::refuseUnused() const
+{
+  for (const auto &[name, entry] : entries_)
+    if (used_.count(name) == 0)
+      fail(name, "is not used in this case: leave it out, or choose what needs it");
 }
 
 void CaseReader::setDefault(const std::string &name, const std::string &value)

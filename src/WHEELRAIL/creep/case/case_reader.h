@@ -75,6 +75,9 @@ class CaseReader {
   ///         together with something else
   /// \param with  that, with the reason: "contact.period: the surfaces are flat"
   void refuse(const std::string &name, const std::string &with) const;
+  /// \throws Error (BadInput) for a keyword that is given and that nobody has asked for: what
+  ///         would change nothing in silence
+  void refuseUnused() const;
 
   /// What was used so far, as a case file.
   /// Keywords in the order of the table; numbers in the words in which they were given.
