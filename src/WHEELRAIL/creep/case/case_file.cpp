@@ -130,11 +130,12 @@ StaticSpecification readStatic(CaseReader &reader, const LineContactSpecificatio
   return still;
 }
 
-/// A rolling case may be made static by one change, and keeps what is said of its rolling.
+/// A rolling case may be made static by one change, and keeps what is said of its rolling; a law of
+/// friction may be changed for one that has fewer keywords.
 void refuseUnused(const CaseReader &reader, Scope here)
 {
   if (!(here & (scope::lineStatic | scope::pointStatic)))
-    reader.refuseUnused();
+    reader.refuseUnused("friction");
 }
 
 /// What has been read, in the words of the physics.
