@@ -38,7 +38,7 @@ inline bool allNear1(int n, const double *ratio)
 // Returns how many links of a bulk block break by strain.
 // Criterion: of bulk links, if it decides by strain only; else void.
 template<class D, Way W, class Criterion>
-MCA_LOOP double strainBlock(const Pairs &p, const Block &block, int first, int n,
+MCA_LOOP double strainBlock(const Pairs &p, Block &block, int first, int n,
                             const typename D::Time &time, const PairLaw *laws, const double *motion,
                             const double *spin, double *strains)
 {
@@ -59,7 +59,7 @@ MCA_LOOP double strainBlock(const Pairs &p, const Block &block, int first, int n
   const typename D::Time now = time;
   // Criterion is void where links do not break by what is known here
   constexpr bool decidesHere = onlyBulk(W) && !std::is_void_v<Criterion>;
-  constexpr bool mostlyNear = D::keepsVolume && onlyBulk(W);
+  constexpr bool knowsNear = D::keepsVolume && onlyBulk(W);
   // what follows from the strain; returns 1 for a link that breaks. total: shear of a bulk link
   auto strain = [=, &es, &flow](int k, double eps, const Shear &total) {
     const double e = W == Pristine ? eps : eps - pplastic[k];
@@ -77,14 +77,15 @@ MCA_LOOP double strainBlock(const Pairs &p, const Block &block, int first, int n
     }
     return 0.0;
   };
-  auto move = [=, &seen](int k) {
+  // near: std::true_type for the short logarithm
+  auto move = [=, &seen](int k, auto near) {
     const double invDiameter = W == SeveralLaws ? laws[plaw[k]].invDiameter : oneInvDiameter;
     double r;
     const auto moved = seen.of(k, now, r);
     const Shear growth = shearGrowth(moved);
     const Shear gamma = carriedShear(moved, gammas.get(k)) + growth;
     const double ratio = r * invDiameter;
-    const double eps = mostlyNear ? logarithmNear1(ratio) : normalStrain(D::keepsVolume, ratio);
+    const double eps = near.value ? logarithmNear1(ratio) : normalStrain(D::keepsVolume, ratio);
     normals.set(k, moved.normal);
     pratio[k] = ratio;
     if constexpr (D::keepsVolume)
@@ -106,14 +107,24 @@ MCA_LOOP double strainBlock(const Pairs &p, const Block &block, int first, int n
     }
   };
   double breaking = 0.0;
-#pragma omp simd reduction(+ : breaking)
-  for (int k = 0; k < n; k++)
-    breaking += move(k);
-  if (mostlyNear && !allNear1(n, pratio)) {
-    breaking = 0.0;
+  if (knowsNear && block.near) {
 #pragma omp simd reduction(+ : breaking)
     for (int k = 0; k < n; k++)
-      breaking += strain(k, logarithm(pratio[k]), W == Pristine ? gammas.get(k) : totals.get(k));
+      breaking += move(k, std::bool_constant<knowsNear>());
+  } else {
+#pragma omp simd reduction(+ : breaking)
+    for (int k = 0; k < n; k++)
+      breaking += move(k, std::false_type());
+  }
+  if (knowsNear) {
+    const bool near = allNear1(n, pratio);
+    if (block.near && !near) {
+      breaking = 0.0;
+#pragma omp simd reduction(+ : breaking)
+      for (int k = 0; k < n; k++)
+        breaking += strain(k, logarithm(pratio[k]), W == Pristine ? gammas.get(k) : totals.get(k));
+    }
+    block.near = near;
   }
   if (decidesHere && breaking > 0.0) // what breaks under pressure becomes a viscous contact
     for (int k = 0; k < n; k++)

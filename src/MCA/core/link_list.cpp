@@ -65,7 +65,7 @@ void LinkList::add(int i, int j, int law, const double *state)
   if (k % blockLength == 0) {
     Block first{};
     first.law = law;
-    first.bulk = first.pristine = first.flows = first.crowded = true;
+    first.bulk = first.pristine = first.flows = first.crowded = first.near = true;
     blocks_.push_back(first);
   }
   Block &block = blocks_.back();

@@ -54,7 +54,10 @@ struct Block {
   bool crowded;
   bool moves;   ///< the next state differs from the present one; only then is it held in `next`
   bool changes; ///< ... in the kind of a pair
-  bool across;  ///< one of them meets over a periodic face; else placeI, placeJ equal i, j
+  /// All its strains of the last strain pass are small enough for the short logarithm: so they will
+  /// be in this one, else the long one gives the same. Of bulk blocks with plasticity isochoric.
+  bool near;
+  bool across; ///< one of them meets over a periodic face; else placeI, placeJ equal i, j
 };
 
 /// The pair list, or a part of it from a block's first pair on; arrays have `n` values, row numbers

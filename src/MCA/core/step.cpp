@@ -5,10 +5,21 @@
 #include "local_stress.h"
 
 #include <algorithm>
+#include <cstring>
 
 namespace mca {
 
 static Exchange nobody; // of a step that is alone
+
+// Calls use(k) for the pairs of blocks in which one changes its kind.
+template<class Use>
+static void eachPairOfChangingBlocks(const Pairs &p, const Use &use)
+{
+  for (int first = 0, b = 0; first < p.n; first += blockLength, b++)
+    if (p.blocks[b].changes)
+      for (int k = first; k < std::min(first + blockLength, p.n); k++)
+        use(k);
+}
 
 Step::Step(int dimension, const Kernel *kernel)
     : usual_(kernel ? kernel : &bestKernel(dimension)), kernel_(usual_), exchange_(&nobody),
@@ -279,7 +290,8 @@ void Step::addKept(const double *kept)
   const int length = layout().strain.length;
   for (int s = 0; s < spans_.own(); s++) {
     const int from = spans_.first(s), to = spans_.last(s);
-    const bool keeps = std::any_of(kept + from, kept + to, [](double e) { return e != 0.0; });
+    static constexpr double nothing[RowSpans::length] = {};
+    const bool keeps = std::memcmp(kept + from, nothing, (to - from) * sizeof(double)) != 0;
     if (!keeps && !keeps_[s])
       continue;
     keeps_[s] = keeps;
@@ -299,6 +311,8 @@ void Step::findKept()
   const int mean = layout().response.mean;
   for (int s = 0; s < spans_.own(); s++)
     for (int i = spans_.first(s); keeps_[s] && i < spans_.last(s); i++) {
+      if (kept(i) == 0.0)
+        continue; // and so it stays, as addKept() has left it
       const AutomatonLaw &law = laws_.automata[types_[i]];
       *keptNext_.row(i) =
           keptStrain(kept(i), response_.row(i)[mean] / (law.bulkModulus * law.weight));
@@ -310,14 +324,14 @@ void Step::findKept()
 void Step::leaveStrains()
 {
   const Pairs p = links_.part(0, links_.size());
-  for (int k = 0; k < p.n; k++)
-    if (p.blocks[k / blockLength].changes && link::isLinked(p.now.kind[k]) &&
-        !link::isLinked(p.next.kind[k]))
+  eachPairOfChangingBlocks(p, [&](int k) {
+    if (link::isLinked(p.now.kind[k]) && !link::isLinked(p.next.kind[k]))
       for (const int i : {p.i[k], p.j[k]})
         if (i < own()) {
           *keptNext_.row(i) += strainLeft(p.eps[k] - p.next.plastic[k]);
           keeps_[i / RowSpans::length] = true;
         }
+  });
 }
 
 // What automata show to the criteria of their contacts; nullptr where these need nothing.
@@ -410,13 +424,11 @@ bool Step::commit(const Automata &a)
 void Step::findChanges()
 {
   const Pairs p = links_.part(0, links_.size());
-  for (int k = 0; k < p.n; k++) {
-    if (!p.blocks[k / blockLength].changes)
-      continue;
+  eachPairOfChangingBlocks(p, [&](int k) {
     const double before = p.now.kind[k], after = p.next.kind[k];
     const bool was = link::isLinked(before), is = link::isLinked(after);
     if (before == after || (!was && !is))
-      continue;
+      return;
     (was && is ? events_.healed : was ? events_.broken : events_.formed) += share(k);
     if (!is)
       links_.setOriginal(k, false);
@@ -425,7 +437,7 @@ void Step::findChanges()
         if (i < own()) // else the owner holds the pair, too
           linkChanges_.row(i)[was ? 0 : 1] += 1.0;
     changed_.push_back({k, before, after});
-  }
+  });
 }
 
 void Step::takeChanges(double *broken, double *formed)
