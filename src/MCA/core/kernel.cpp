@@ -8,6 +8,7 @@
 // a block may go, with all that the way knows left out by the compiler.
 #include "kernel.h"
 
+#include "kernel_few.h"
 #include "kernel_plane.h"
 #include "kernel_space.h"
 
@@ -209,8 +210,7 @@ MCA_LOOP void stressBlock(const Pairs &p, int first, int n, const PairLaw *laws,
     const double pressed = onlyBulk(W) || isPressed(e) ? 1.0 : 0.0;
     const double touching = linked > pressed ? linked : pressed;
     const double sigma = touching * elasticStress(law, e, ofI.mean[k], ofJ.mean[k]);
-    if (onlyBulk(W))
-      psigma[k] = sigma;
+    psigma[k] = sigma;
     shares.set(k, sigma, law.twoG * gamma, normals.get(k));
     shares.setFlowing(k, onlyBulk(W) ? sigma : flowing(law.contactsFlow, pkind[k], e) * sigma);
   };
@@ -269,9 +269,11 @@ double yieldPass(int n, const int *type, const AutomatonLaw *laws, bool oneLaw,
 
 template<class D, Way W>
 MCA_LOOP void returnBlock(const Pairs &p, int first, int n, const PairLaw *laws,
-                          const typename D::Answers &ofI, const typename D::Answers &ofJ,
-                          typename D::Shares &shares)
+                          const double *response, typename D::Answers &ofI,
+                          typename D::Answers &ofJ, typename D::Shares &shares)
 {
+  ofI.gather(p.i + first, n, response);
+  ofJ.gather(p.j + first, n, response);
   const int *const plaw = p.law + first;
   const double *const pkind = p.now.kind + first, *const pplastic = p.now.plastic + first;
   const double *const peps = p.eps + first;
@@ -311,16 +313,25 @@ void returnPass(const Pairs &p, const PairLaw *laws, const double *response, dou
 {
   typename D::Answers ofI, ofJ;
   typename D::Shares shares{};
+  Column missing;
+  Picked<D> few;
   eachBlock(p, [&](const Block &block, auto way, int first, int n) {
     if (!block.flows)
       return;
-    const int *const pi = p.i + first, *const pj = p.j + first;
-    ofI.gather(pi, n, response);
-    ofJ.gather(pj, n, response);
-    if (allOne(n, ofI.factor, ofJ.factor))
+    // of a pair that does not flow nothing is taken
+    gatherFlow<D>(p.i + first, p.j + first, n, response, missing);
+    few.choose(maskOf(n, [&](int k) { return missing[k] != 0.0; }));
+    const bool pristine = way.way == Pristine;
+    if (few.count() == 0)
       return;
-    returnBlock<D, way.way>(p, first, n, laws, ofI, ofJ, shares);
-    shares.scatter(pi, pj, n, taken);
+    if (few.count() > mostPicked) {
+      returnBlock<D, way.way>(p, first, n, laws, response, ofI, ofJ, shares);
+      shares.scatter(p.i + first, p.j + first, n, taken);
+      return;
+    }
+    few.copy(p, first, pristine);
+    returnBlock<D, way.way>(few.pairs(), 0, few.padded(), laws, response, ofI, ofJ, shares);
+    shares.scatter(few.pairs().i, few.pairs().j, few.count(), taken);
   });
 }
 
@@ -499,17 +510,19 @@ MCA_LOOP double bulkForceBlock(const Pairs &p, int first, int n, const PairLaw *
   return breaking;
 }
 
-// Bulk links of one law that break by strain only, of which none breaks or flows and whose automata
-// have room: all that they answer is in the stress of the stress pass.
-template<class D>
+// Bulk links that break by strain only, of which none breaks or flows and whose automata have room:
+// all that they answer is in the stress of the stress pass. Pairs that are apart have none.
+template<class D, Way W>
 MCA_LOOP void elasticForceBlock(const Pairs &p, int first, int n, const PairLaw *laws,
                                 typename D::Forces &forces)
 {
   const double *const pratio = p.ratio + first, *const psigma = p.sigma + first;
   const PairArray<typename D::Shear> gammas(p.now.gamma, first);
   const PairArray<typename D::Normal> normals(p.normal, first);
-  const PairLaw law = laws[p.law[first]];
-  auto answer = [=, &law, &forces](int k) {
+  const int *const plaw = p.law + first;
+  const PairLaw one = laws[plaw[0]];
+  auto answer = [=, &one, &forces](int k) {
+    const PairLaw &law = W == SeveralLaws ? laws[plaw[k]] : one;
     forces.set(k,
                contactForce(law, psigma[k], law.twoG * gammas.get(k), pratio[k], normals.get(k)));
   };
@@ -531,12 +544,14 @@ class ForcePassOf {
   double work(const Pairs &p, Block &block, int first, int n)
   {
     const int *const pi = p.i + first, *const pj = p.j + first;
-    const bool flows = block.flows, bulk = onlyBulk(W) && !block.breaks;
+    const bool bulk = onlyBulk(W) && !block.breaks;
     double changed = 0.0;
-    if (Criterion::strainOnly && bulk && !flows && !block.crowded) {
-      block.moves = block.changes = false;
-      elasticForceBlock<D>(p, first, n, laws_, own_);
-    } else {
+    bool done = false;
+    if constexpr (Criterion::strainOnly)
+      done = !block.crowded && (!local_ || (bulk && !block.flows)) &&
+             workFew<Criterion, W>(p, block, first, n, changed);
+    if (!done) {
+      block.busy = maskOf(n, [](int) { return true; });
       ofI_.gather(pi, n, response_);
       ofJ_.gather(pj, n, response_);
       if (Criterion::needsLocalStress || (local_ && !bulk))
@@ -554,7 +569,86 @@ class ForcePassOf {
   double *forces_;
   typename D::Answers ofI_, ofJ_;
   typename D::Forces own_;
+  typename D::Forces theirs_; // of the few
+  Column missing_;
+  Picked<D> few_;
   alignas(64) double means_[blockLength * D::rows.local.length];
+
+  // Elastic forces for all, then those of the few pairs that do more. Returns false if these are
+  // many; then nothing is done.
+  template<class Criterion, Way W>
+  bool workFew(const Pairs &p, Block &block, int first, int n, double &changed)
+  {
+    constexpr bool pristine = W == Pristine;
+    block.busy = onlyBulk(W) && !block.breaks && !block.flows
+                     ? BlockMask{}
+                     : busyPairs<Criterion, W>(p, block, first, n);
+    few_.choose(block.busy);
+    if (few_.count() > mostPicked)
+      return false;
+    block.moves = block.changes = false;
+    elasticForceBlock<D, W>(p, first, n, laws_, own_);
+    if (few_.count() == 0)
+      return true;
+    few_.copy(p, first, pristine);
+    const Pairs picked = few_.pairs();
+    ofI_.gather(picked.i, few_.padded(), response_);
+    ofJ_.gather(picked.j, few_.padded(), response_);
+    const double states = answerFew<Criterion, W>(block, picked);
+    for (int k = 0; k < few_.count(); k++)
+      own_.take(few_.number(k), theirs_, k);
+    if (states > 0.0) {
+      few_.putNext(p, first, n, pristine);
+      changed = few_.changes();
+      block.moves = true;
+      block.changes = changed > 0.0;
+    }
+    return true;
+  }
+
+  // What the few answer, by the loops that a whole block of this way takes. Returns whether a state
+  // changes: > 0.
+  template<class Criterion, Way W>
+  double answerFew(const Block &block, const Pairs &few)
+  {
+    if constexpr (onlyBulk(W))
+      if (!block.breaks) { // so they flow
+        bulkForceBlock<D, W == Pristine, true, void>(few, 0, few.n, laws_, nullptr, ofI_, ofJ_,
+                                                     theirs_);
+        return 1.0;
+      }
+    return forceBlock<D, anyWay(W), Criterion, false>(few, 0, few.n, laws_, nullptr, ofI_, ofJ_,
+                                                      theirs_)
+        .states;
+  }
+
+  // Pairs that are neither bulk links with their elastic stress alone, nor apart for good or with a
+  // dent that they keep.
+  template<class Criterion, Way W>
+  BlockMask busyPairs(const Pairs &p, const Block &block, int first, int n)
+  {
+    using Shear = typename D::Shear;
+    if (block.flows)
+      gatherFlow<D>(p.i + first, p.j + first, n, response_, missing_);
+    else
+      missing_ = Column{};
+    const int *const plaw = p.law + first;
+    const double *const pkind = p.now.kind + first, *const pplastic = p.now.plastic + first;
+    const double *const peps = p.eps + first;
+    const PairArray<Shear> totals(W == Pristine ? p.now.gamma : p.now.gammaTotal, first);
+    const LinkLimits one = laws_[plaw[0]].limits;
+    return maskOf(n, [=, &one](int k) {
+      const LinkLimits &limits = W == SeveralLaws ? laws_[plaw[k]].limits : one;
+      const double kind = pkind[k], eps = peps[k], plastic = pplastic[k];
+      const Shear total = totals.get(k);
+      const bool bulk = onlyBulk(W) || kind == link::bulk;
+      const bool breaking = breaks<Criterion>(LinkStrain<Shear>{eps, total}, limits.fracture);
+      const bool keepsDent = (plastic == 0.0) | (eps <= (plastic > 0.0 ? plastic : 0.0));
+      const bool apart = (kind == link::none) & !isPressed(eps - plastic) & keepsDent &
+                         equal(total, Shear{}) & (limits.linkPressure > 0.0);
+      return !((bulk & !breaking & (missing_[k] == 0.0)) | apart);
+    });
+  }
 
   // Returns false if a link breaks; then the block has to go another way.
   template<class Criterion, Way W>
@@ -582,7 +676,7 @@ class ForcePassOf {
   template<class Criterion, Way W>
   double workAny(const Pairs &p, Block &block, int first, int n)
   {
-    constexpr Way mixed = W == SeveralLaws ? SeveralLaws : OneLaw;
+    constexpr Way mixed = anyWay(W);
     Changes changes{};
     if (Criterion::needsLocalStress || local_)
       changes = forceBlock<D, mixed, Criterion, true>(p, first, n, laws_, means_, ofI_, ofJ_, own_);

@@ -28,6 +28,12 @@ constexpr bool onlyBulk(Way way)
   return way == Bulk || way == Pristine;
 }
 
+// The way of some of its pairs, whatever they are.
+constexpr Way anyWay(Way way)
+{
+  return way == SeveralLaws ? SeveralLaws : OneLaw;
+}
+
 // A way as a type, so that a generic lambda can take it as a constant.
 template<Way W>
 struct WayOf {

@@ -147,6 +147,13 @@ struct Plane {
       y[k] = f.y;
       torque[k] = f.torque;
     }
+    // Pair k gets those of pair m of others.
+    void take(int k, const Forces &from, int m)
+    {
+      x[k] = from.x[m];
+      y[k] = from.y[m];
+      torque[k] = from.torque[m];
+    }
     // Adds them to both automata: forces with the opposite sign to the second one, torques with the
     // same. The fourth value of a row is unused and takes the torque again.
     // \param sums  rows.force.length values an automaton, added to

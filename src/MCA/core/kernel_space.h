@@ -182,6 +182,12 @@ struct Space {
       row.c[4][k] = f.torque.y;
       row.c[5][k] = f.torque.z;
     }
+    // Pair k gets those of pair m of others.
+    void take(int k, const Forces &from, int m)
+    {
+      for (int c = 0; c < 6; c++)
+        row.c[c][k] = from.row.c[c][m];
+    }
     // Adds them to both automata: the force with the opposite sign to the second one, the torque
     // with the same sign.
     // \param sums  rows.force.length values an automaton, added to

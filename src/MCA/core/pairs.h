@@ -7,6 +7,8 @@
 
 #include "laws/vector.h"
 
+#include <cstdint>
+
 namespace mca {
 
 /// Pairs are worked on in blocks of this length, whose temporary rows stay in the first-level
@@ -33,6 +35,21 @@ struct PairState {
   double *gammaTotal[maxShears];
 };
 
+/// Some pairs of a block, one bit each.
+struct BlockMask {
+  static constexpr int words = blockLength / 64;
+  std::uint64_t bits[words];
+
+  /// Calls use(k) for each of them, in rising order; k counts within the block.
+  template<class Use>
+  void each(const Use &use) const
+  {
+    for (int word = 0; word < words; word++)
+      for (std::uint64_t left = bits[word]; left; left &= left - 1)
+        use(64 * word + __builtin_ctzll(left));
+  }
+};
+
 /// What is known of all pairs of a block, so that most blocks take a short way. It never changes a
 /// result, only the time that it takes. LinkList sets law, bulk, pristine and across, the strain
 /// pass `breaks`, Step `flows` before the return pass, the force pass `moves` and `changes`;
@@ -54,6 +71,9 @@ struct Block {
   bool crowded;
   bool moves;   ///< the next state differs from the present one; only then is it held in `next`
   bool changes; ///< ... in the kind of a pair
+  /// Set by the force pass: all other pairs are bulk links with their elastic stress alone, or
+  /// apart, and stay what they are.
+  BlockMask busy;
   /// All its strains of the last strain pass are small enough for the short logarithm: so they will
   /// be in this one, else the long one gives the same. Of bulk blocks with plasticity isochoric.
   bool near;
@@ -79,7 +99,8 @@ struct Pairs {
   double *eps;        ///< total normal strain, normalStrain() of it [-]
   double *separation; ///< normal velocity of j seen from i [length/time]; not of bulk blocks; of
                       ///< half a step ago, until viscous contacts are centred
-  /// Elastic normal stress before the return [stress], of the last stress pass; of bulk blocks.
+  /// Elastic normal stress before the return [stress], of the last stress pass; 0 where they do not
+  /// touch.
   double *sigma;
   Block *blocks; ///< of blockLength pairs each
 };

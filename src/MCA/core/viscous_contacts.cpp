@@ -5,33 +5,22 @@
 
 namespace mca {
 
-// Each number is written where the next one belongs, and counts if its pair is viscous: without a
-// branch, as nothing foretells which pairs are. Which are is asked in a loop of its own, which
-// vectorises. No block of bulk links that none leaves has one.
+// No block of bulk links that none leaves has one.
 void ViscousPairs::find(const Pairs &p)
 {
-  if (numbers_.size() < static_cast<size_t>(p.n))
-    numbers_.resize(p.n);
-  int *const numbers = numbers_.data();
-  int count = 0;
+  numbers_.clear();
   for (int first = 0; first < p.n; first += blockLength) {
     const Block &block = p.blocks[first / blockLength];
     if (block.bulk && !block.changes)
       continue;
-    const int n = std::min(blockLength, p.n - first);
-    const double *const now = p.now.kind + first, *const eps = p.eps + first;
-    const double *const next = block.changes ? p.next.kind + first : now;
-    const double *const plastic = p.now.plastic + first;
-    char viscous[blockLength];
-    for (int k = 0; k < n; k++)
-      viscous[k] = static_cast<char>(!(link::isLinked(now[k]) & link::isLinked(next[k])) &
-                                     isPressed(eps[k] - plastic[k]));
-    for (int k = 0; k < n; k++) {
-      numbers[count] = first + k;
-      count += viscous[k];
-    }
+    const double *const next = block.changes ? p.next.kind : p.now.kind;
+    block.busy.each([&](int in) {
+      const int k = first + in;
+      if (!(link::isLinked(p.now.kind[k]) && link::isLinked(next[k])) &&
+          isPressed(p.eps[k] - p.now.plastic[k]))
+        numbers_.push_back(k);
+    });
   }
-  count_ = count;
 }
 
 ViscousPairs::Range ViscousPairs::before(int pair) const

@@ -28,13 +28,12 @@ class ViscousPairs {
     const int *end() const { return last; }
     int size() const { return static_cast<int>(last - first); }
   };
-  Range all() const { return {numbers_.data(), numbers_.data() + count_}; }
+  Range all() const { return {numbers_.data(), numbers_.data() + numbers_.size()}; }
   Range before(int pair) const; ///< those of lower number than this pair
   Range from(int pair) const;   ///< this pair and those behind it
 
  private:
-  std::vector<int> numbers_; // the first count_; the rest has no meaning
-  int count_ = 0;
+  std::vector<int> numbers_;
 };
 
 /// The viscous contacts of a step, which few pairs are. First all are collected, while the forces
