@@ -55,7 +55,7 @@ chain() {
   "$root/tools/campaign_to_creep.sh" "$root/examples/campaign/logs/rail.tar.xz" \
     --material "$root/potentials/rail_steel.mca" --model bounded --solid-only --start-distance 250 \
     --case "$wheel.yaml" --measured "$wheel.csv" -o creep -- --set contact.hardness_limit=true \
-    --set contact.domain=4.2 --set points="[72, 144]" --set uncertainty.method=linear --set roughness="{hurst: 0.8,
+    --set contact.domain=4.2 --set cells="[72, 144]" --set uncertainty.method=linear --set roughness="{hurst: 0.8,
       rms_slope: 0.0141421, wavelength_min: 3 mm, wavelength_max: 10 mm, seed: 1}" \
     --set fields=none
   say "4/4 pictures"

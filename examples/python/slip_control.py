@@ -40,7 +40,7 @@ def contact(friction):
         "thermal": "off",
         "speed": "5 m/s",
         "creep": 0,
-        "points": [48, 44],
+        "cells": [48, 44],
     }
     return wheelrail.Contact(wheelrail.Case(case))
 

@@ -79,7 +79,7 @@ def contact_group(case: Contact, turned: bool, files: dict[str, str], stem: str)
             lines.append(f"  centre: {pair(centre, 'mm')}")
     if case.tang in "23":
         lines.append(f"  spin_point: {text(1.0 / 6.0)}")
-    return [*lines, f"points: [{nx}, {ny}]", *rough]
+    return [*lines, f"cells: [{nx}, {ny}]", *rough]
 
 
 def map_text(case: Contact, rows: list[list[float]], curvatures: tuple[float, float]) -> str:
@@ -235,7 +235,7 @@ def line_case(case: Contact) -> list[str]:
         f"  youngs_modulus: {text(2.0 * g1 * (1.0 + nu1), 'MPa')}",
         f"  poissons_ratio: {text(nu1)}",
         f"  domain: {text(nx * dx / half)}",
-        f"points: {nx}",
+        f"cells: {nx}",
         f"creep: {text(-x if is_turned(case) else x)}",
     ]
 

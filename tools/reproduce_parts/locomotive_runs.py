@@ -59,7 +59,7 @@ def run(
         "contact.hardness_limit=true",
         f"mode={'moving' if mode == 'moving' else 'frozen'}",
         f"contact.domain={patch_runs.BOX:g}",
-        f"points={patch_runs.points(patch_runs.WAVE / patch_runs.CELLS, AXES)}",
+        f"cells={patch_runs.cells_of(patch_runs.WAVE / patch_runs.CELLS, AXES)}",
         f"creep=[{', '.join(f'{xi:g}' for xi in creeps)}]",
         f"speed={SPEED:g} m/s",
         "sensitivities=false",

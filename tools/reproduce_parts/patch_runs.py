@@ -58,7 +58,7 @@ def standard_slope(shortest: float) -> float:
     return SLOPE * (part(shortest) / part(STANDARD_WAVE)) ** 0.5
 
 
-def points(cell: float, axes: Sequence[float] = AXES) -> list[int]:
+def cells_of(cell: float, axes: Sequence[float] = AXES) -> list[int]:
     """Cells of the box, none longer than `cell` (mm), in even numbers of factors 2, 3 and 5. axes:
     of the ellipse, mm."""
 
@@ -114,7 +114,7 @@ def run(
         "roughness=none" if mode == "smooth" else rough,
         f"mode={'moving' if mode == 'moving' else 'frozen'}",
         f"contact.domain={BOX:g}",
-        f"points={points(wave / cells)}",
+        f"cells={cells_of(wave / cells)}",
         f"creep=[{', '.join(f'{xi:g}' for xi in creep)}]",
         f"speed={speed:g} m/s",
         f"sensitivities={'false' if mode == 'moving' else 'true'}",

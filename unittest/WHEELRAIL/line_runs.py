@@ -17,7 +17,7 @@ friction: {law: constant, mu: 0.3}
 thermal: off
 speed: 20 m/s
 creep: [2e-4, 5e-4, 1e-3, 1.5e-3, 2e-3, 2.5e-3, 3e-3]
-points: 1000
+cells: 1000
 """
 ROUGH = "roughness={hurst: 0.8, rms_slope: 0.02, wavelength_min: 0.1 mm, wavelength_max: 10 mm}"
 

@@ -19,7 +19,7 @@ friction: {{law: constant, mu: 0.3}}
 thermal: off
 speed: 20 m/s
 creep: [1e-3]
-points: [32, 32]
+cells: [32, 32]
 sensitivities: false
 fields: none
 """

@@ -24,7 +24,7 @@ static const char *text =
     "contact: {load: 100 kN, radii: {wheel_rolling: 0.5 m, rail_profile: 0.3 m}, youngs_modulus: "
     "210 GPa, poissons_ratio: 0.3}\n"
     "friction: {law: constant, mu: 0.3}\nthermal: off\ncreep: 0\nspeed: 20 m/s\n"
-    "points: [48, 44]\n";
+    "cells: [48, 44]\n";
 
 static void test_forces(void)
 {

@@ -74,6 +74,14 @@ TEST(CaseFile, RefusesWhatWouldChangeNothing)
   EXPECT_EQ(messageOf(minimal, {"mode=static", "static.force_ratio=0.5"}), "");
 }
 
+TEST(CaseFile, ReadsPointsAsCells)
+{
+  EXPECT_EQ(rolling(minimal + "points: 2048\n").contact.points, 2048);
+  EXPECT_EQ(rolling(minimal + "cells: 2048\n", {"points=512"}).contact.points, 512);
+  EXPECT_EQ(rolling(minimal + "points: 2048\n", {"cells=512"}).contact.points, 512);
+  EXPECT_TRUE(contains(messageOf(minimal + "points: 64\ncells: 64\n"), "cells: is given twice"));
+}
+
 TEST(CaseFile, ReadsGroupsAndChoices)
 {
   const CreepSpecification c =
@@ -81,7 +89,7 @@ TEST(CaseFile, ReadsGroupsAndChoices)
                        "wavelength_max: 1 cm, seed: [4, 5]}\n"
                        "friction: {law: constant, mu: 0.3}\n"
                        "thermal: off\nmode: moving\nspeed: 36 km/h\n"
-                       "creep: {from: 1e-4, to: 1e-1, n: 4}\npoints: 2048\n");
+                       "creep: {from: 1e-4, to: 1e-1, n: 4}\ncells: 2048\n");
   EXPECT_EQ(c.surface.kind, RoughnessKind::Fractal);
   EXPECT_DOUBLE_EQ(c.surface.fractal.wavelengthMax, 10e-3);
   EXPECT_EQ(c.surface.seeds, (std::vector<std::uint64_t>{4, 5}));
@@ -125,9 +133,9 @@ TEST(CaseFile, ChangesFromTheCommandLine)
       rolling(whole.text, {"roughness=none", "thermal.conductivity=40 W/(m K)"});
   EXPECT_EQ(smooth.surface.kind, RoughnessKind::None);
   EXPECT_DOUBLE_EQ(smooth.physics.thermal.material.conductivity, 40.0);
-  EXPECT_TRUE(contains(messageOf(minimal, {"points"}, ExitCode::Usage), "KEYWORD=VALUE"));
-  EXPECT_TRUE(contains(messageOf(minimal, {"pionts=4"}, ExitCode::Usage), "'points'"));
-  EXPECT_TRUE(contains(messageOf(minimal, {"points=many"}, ExitCode::Usage), "many"));
+  EXPECT_TRUE(contains(messageOf(minimal, {"cells"}, ExitCode::Usage), "KEYWORD=VALUE"));
+  EXPECT_TRUE(contains(messageOf(minimal, {"cels=4"}, ExitCode::Usage), "'cells'"));
+  EXPECT_TRUE(contains(messageOf(minimal, {"cells=many"}, ExitCode::Usage), "many"));
   EXPECT_TRUE(contains(messageOf(minimal, {"creep=[1, 2"}, ExitCode::Usage), "creep"));
 }
 
@@ -148,17 +156,17 @@ TEST(CaseFile, NamesLineKeywordAndNearest)
 TEST(CaseFile, BadValues)
 {
   const char *const faults[][2] = {
-      {"points: nan\n", "points"},
-      {"points: 0x100\n", "plain number"},
+      {"cells: nan\n", "cells"},
+      {"cells: 0x100\n", "plain number"},
       {"speed: 0x10 m/s\n", "not a unit"},
       {"friction: {strength: 1 500 MPa}\n", "second number"},
       {"friction: {strength: \"1,500 MPa\"}\n", "second number"},
-      {"points: 100.5\n", "whole number"},
-      {"points: -5\n", "allowed range"},
-      {"points: [1024]\n", "not a list"},
-      {"points: 1024 mm\n", "plain number"},
-      {"points:\n", "no value"},
-      {"points: {n: 1024}\n", "no keywords below"},
+      {"cells: 100.5\n", "whole number"},
+      {"cells: -5\n", "allowed range"},
+      {"cells: [1024]\n", "not a list"},
+      {"cells: 1024 mm\n", "plain number"},
+      {"cells:\n", "no value"},
+      {"cells: {n: 1024}\n", "no keywords below"},
       {"mode: rolling\n", "moving"},
       {"speed: [10 m/s, -1 m/s]\n", "allowed range"},
       {"speed: 10\n", "no unit"},
@@ -180,7 +188,7 @@ TEST(CaseFile, BadValues)
       {"roughness: {hurst: 0.8, rms_slope: 0.1, wavelength_min: 10 mm, wavelength_max: 9 mm}\n",
        "above wavelength_max"},
       {"contact: {load_per_length: 1 N/mm}\n", "twice"},
-      {"points: \"\n", ":"},
+      {"cells: \"\n", ":"},
       {"mode: static\n", "static.force_ratio"},
       {"mode: static\nstatic: {force_ratio: 1}\n", "allowed range"},
       {"mode: static\nstatic: {force_ratio: 0.5}\nfriction: {local: true}\n", "friction.local"},
@@ -272,16 +280,16 @@ TEST(CaseFile, EveryNumberHasARangeThatTheMessageSays)
 TEST(CaseFile, ContactsHaveCells)
 {
   const std::string message =
-      messageOf(minimal, {"contact.domain=100", "points=32"}, ExitCode::BadInput);
-  EXPECT_TRUE(contains(message, "points: 32 on a contact.domain of 100 leave 0.64 cells"))
+      messageOf(minimal, {"contact.domain=100", "cells=32"}, ExitCode::BadInput);
+  EXPECT_TRUE(contains(message, "cells: 32 on a contact.domain of 100 leave 0.64 cells"))
       << message;
-  EXPECT_TRUE(contains(message, "200 points")) << message;
-  EXPECT_EQ(messageOf(minimal, {"contact.domain=100", "points=200"}), "");
+  EXPECT_TRUE(contains(message, "200 cells")) << message;
+  EXPECT_EQ(messageOf(minimal, {"contact.domain=100", "cells=200"}), "");
   const std::string point = "contact: {load: 80 kN, curvatures: [1 1/m, 2 1/m],\n"
                             "          youngs_modulus: 210 GPa, poissons_ratio: 0.3}\n"
                             "creep: 1e-3\nthermal: off\n";
-  EXPECT_TRUE(contains(messageOf(point, {"contact.domain=100", "points=[300, 32]"}), "points: 32"));
-  EXPECT_EQ(messageOf(point, {"contact.domain=100", "points=[300, 200]"}), "");
+  EXPECT_TRUE(contains(messageOf(point, {"contact.domain=100", "cells=[300, 32]"}), "cells: 32"));
+  EXPECT_EQ(messageOf(point, {"contact.domain=100", "cells=[300, 200]"}), "");
 }
 
 TEST(CaseFile, ListsThatMultiplyHaveALimit)

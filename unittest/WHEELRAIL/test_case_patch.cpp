@@ -67,7 +67,7 @@ TEST(CasePatch, ConfigurationReadsBackToTheSame)
   for (const std::string more :
        {"creep: {from: -1e-4, to: -0.1, n: 5}\nlateral: {from: -1 %, to: 1 %, n: 3}\n",
         "mode: moving\nsequence: {time: [0 s, 1 s], load: [1 N, 2 N], creep: [0, 1 %]}\n",
-        "mode: static\nstatic: {shift: [1 um, 0 um]}\npoints: [40, 60]\nfields: [1, 2]\n"}) {
+        "mode: static\nstatic: {shift: [1 um, 0 um]}\ncells: [40, 60]\nfields: [1, 2]\n"}) {
     const Case first = case_text::read(wheel + more);
     EXPECT_EQ(first.text, case_text::read(first.text).text) << more;
   }

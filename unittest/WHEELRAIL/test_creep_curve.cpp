@@ -104,7 +104,7 @@ TEST(CreepCurve, FlashTemperatureInFullSlidingHasEq11sMean)
 {
   // 1 - eps/7 from elastic slip, eps = mu a/(R creep) (contact.domain keeps the grid fine)
   const std::string common = "friction: {law: constant, mu: 0.3}\nspeed: 20 m/s\ncreep: [0.05]\n"
-                             "points: 4096\n";
+                             "cells: 4096\n";
   const CurvePoint mean = solve(common).points[0];
   const CurvePoint local = solve(common + "thermal: {model: local}\n").points[0];
   const double elastic = 1.0 - 0.3 * 4.697817e-3 / (0.5 * 0.05) / 7.0;
@@ -167,7 +167,7 @@ TEST(CreepCurve, LawsCovarianceBecomesABand)
 TEST(CreepCurve, SampledBandIsTheLinearOneForASmallCovariance)
 {
   const std::string text = rough + "creep: [1e-3, 0.03]\nspeed: 20 m/s\nfriction: {local: true}\n"
-                                   "thermal: {model: local}\npoints: 1024\n";
+                                   "thermal: {model: local}\ncells: 1024\n";
   LawCovariance covariance = LawCovariance::Zero();
   covariance.diagonal() << 1e-5, 0.0, 2e-5, 0.0, 1e-9;
   covariance(0, 2) = covariance(2, 0) = -1e-5;
@@ -214,7 +214,7 @@ TEST(CreepCurve, HardnessFallsWithTheTemperatureOfEachCell)
                            "          hardness_limit: true}\n"
                            "roughness: {hurst: 0.8, rms_slope: 0.04, wavelength_min: 0.2 mm, "
                            "wavelength_max: 10 mm}\nspeed: 20 m/s\ncreep: [0.02]\n"
-                           "friction: {local: true}\nthermal: {model: local}\npoints: 512\n";
+                           "friction: {local: true}\nthermal: {model: local}\ncells: 512\n";
   const auto hardness = [](double rise) { return 3e9 * (1.0 - rise / 1250.0); };
   for (const char *mode : {"frozen", "moving"}) {
     // what a step of rolling sees is the heat of the step before
@@ -241,7 +241,7 @@ TEST(CreepCurve, MovingRoughnessKeepsTheInitialSlope)
   // Asperities that travel with the material hardly lower the slope, fixed ones do by the area
   const std::string common = "roughness: {hurst: 0.8, rms_slope: 0.01, wavelength_min: 0.2 mm, "
                              "wavelength_max: 10 mm}\nspeed: 20 m/s\ncreep: [2e-4]\nthermal: off\n"
-                             "friction: {law: constant, mu: 0.3}\npoints: 512\n";
+                             "friction: {law: constant, mu: 0.3}\ncells: 512\n";
   const double frozen = solve(common).points[0].tractionRatio;
   const double moving = solve(common + "mode: moving\n").points[0].tractionRatio;
   EXPECT_LT(frozen, 0.85 * 0.041062583);
@@ -268,7 +268,7 @@ TEST(CreepCurve, MovingSmoothContactIsTheSteadyOne)
 TEST(CreepCurve, MovingIsTheSameForAnyNumberOfThreads)
 {
   const std::string text = "roughness: {hurst: 0.8, rms_slope: 0.01, wavelength_min: 0.4 mm, "
-                           "wavelength_max: 10 mm}\nspeed: 20 m/s\npoints: 256\nmode: moving\n"
+                           "wavelength_max: 10 mm}\nspeed: 20 m/s\ncells: 256\nmode: moving\n"
                            "moving: {passes: 2}\ncreep: {from: 1e-4, to: 0.01, n: 6}\n"
                            "friction: {local: true}\nthermal: {model: local}\n";
   SweepOptions one, three;

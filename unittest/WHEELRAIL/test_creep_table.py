@@ -13,7 +13,7 @@ BIN = os.environ["WHEELRAIL_BIN"]
 TOOL = os.path.join(SOURCE, "tools/creep_table.py")
 COARSE = (
     "--set",
-    "points=16",
+    "cells=16",
     "--set",
     "speed=10 m/s",
     "--set",

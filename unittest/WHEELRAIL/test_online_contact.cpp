@@ -18,7 +18,7 @@ namespace {
 
 const std::string steel = "contact: {load: 100 kN, radii: {wheel_rolling: 0.5 m, rail_profile: "
                           "0.3 m}, youngs_modulus: 210 GPa, poissons_ratio: 0.3}\n"
-                          "speed: 20 m/s\npoints: [48, 44]\nsensitivities: false\n";
+                          "speed: 20 m/s\ncells: [48, 44]\nsensitivities: false\n";
 const std::string plain = steel + "friction: {law: constant, mu: 0.3}\nthermal: off\n";
 
 Case caseWith(const std::string &base, const std::string &changes)

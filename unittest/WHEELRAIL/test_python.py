@@ -34,7 +34,7 @@ PATCH = {
     "thermal": "off",
     "speed": "20 m/s",
     "creep": [0.0005, 0.001, 0.002],
-    "points": [32, 30],
+    "cells": [32, 30],
 }
 LINE = {
     "contact": {
@@ -47,7 +47,7 @@ LINE = {
     "thermal": "off",
     "speed": "20 m/s",
     "creep": [0.001, 0.002],
-    "points": 256,
+    "cells": 256,
 }
 MM = {"mm": 1e-3, "N mm": 1e-3, "N/mm": 1e3, "MPa": 1e6, "mm2": 1e-6, "1/mm": 1e3}
 
@@ -103,7 +103,7 @@ def test_a_dict_is_a_case_file(tmp_path):
     file.write_text(json.dumps(PATCH))
     case = wheelrail.Case(PATCH)
     assert case.text == wheelrail.Case(file).text == wheelrail.Case(str(file)).text
-    numpy = {**PATCH, "creep": np.array(PATCH["creep"]), "points": (np.int64(32), 30)}
+    numpy = {**PATCH, "creep": np.array(PATCH["creep"]), "cells": (np.int64(32), 30)}
     assert wheelrail.Case(numpy).text == case.text
     flat = wheelrail.Case(file, {"creep": [0.01], "friction.mu": np.float64(0.2)})
     assert "creep: [0.01]" in flat.text and "mu: 0.2" in flat.text
@@ -148,7 +148,7 @@ def test_fields_carry_the_load():
 
 
 def test_series_of_mode_moving():
-    changes = {"mode": "moving", "creep": 0.001, "moving.passes": 4, "points": [24, 24]}
+    changes = {"mode": "moving", "creep": 0.001, "moving.passes": 4, "cells": [24, 24]}
     result = wheelrail.Case(PATCH, changes).solve()
     series = result.series[1]
     half = len(series["force_x"]) // 2
@@ -161,7 +161,7 @@ def test_sequence():
     """Instants of a sequence have fields of their own; stages of mode static are a series, too."""
     case = {key: value for key, value in PATCH.items() if key != "creep"}
     times = {"time": ["0 s", "0.5 ms"], "creep": [0.0, 0.001], "fields": ["0.2 ms", "0.4 ms"]}
-    result = wheelrail.Case(case, {"mode": "moving", "sequence": times, "points": [24, 24]}).solve()
+    result = wheelrail.Case(case, {"mode": "moving", "sequence": times, "cells": [24, 24]}).solve()
     assert set(result.fields) == {1, (1, 1), (1, 2)}
     at = np.searchsorted(result.series[1]["time"], 0.4e-3 - 1e-9)
     fields = result.fields[1, 2]
@@ -262,7 +262,7 @@ def test_progress_and_threads():
 
 
 def test_ctrl_c_ends_a_sweep():
-    case = wheelrail.Case(PATCH, {"creep": list(np.linspace(1e-4, 1e-2, 4000)), "points": [96, 96]})
+    case = wheelrail.Case(PATCH, {"creep": list(np.linspace(1e-4, 1e-2, 4000)), "cells": [96, 96]})
     timer = threading.Timer(0.5, os.kill, (os.getpid(), signal.SIGINT))
     timer.start()
     start = time.monotonic()
@@ -329,7 +329,7 @@ def test_contacts_on_threads():
 
 
 def test_one_contact_for_one_thread():
-    case = wheelrail.Case(PATCH, {"points": [256, 256], "sensitivities": False})
+    case = wheelrail.Case(PATCH, {"cells": [256, 256], "sensitivities": False})
     contact = wheelrail.Contact(case)
     faults = []
 

@@ -65,7 +65,7 @@ TEST(StaticCases, SmoothAndRough)
   }
   const StaticCases rough =
       solve(case_text::table2 + "roughness: {hurst: 0.8, rms_slope: 0.02, wavelength_min: 0.1 mm, "
-                                "wavelength_max: 10 mm, seed: [1, 2]}\npoints: 2048\n"
+                                "wavelength_max: 10 mm, seed: [1, 2]}\ncells: 2048\n"
                                 "mode: static\nstatic: {force_ratio: 0.5}\n");
   ASSERT_EQ(rough.points.size(), 2u);
   EXPECT_EQ(rough.points[1].profile, 2u);
@@ -88,7 +88,7 @@ TEST(StaticCases, PeriodicIsWestergaard)
   const double full = pi * contactModulus(210e9, 0.3) * amplitude / period; // p* of Johnson, 13.2
   const StaticCases cases =
       solve("contact: {load_per_length: 2000 N/mm, period: 10 mm, youngs_modulus: 210 GPa,\n"
-            "          poissons_ratio: 0.3}\npoints: 512\n"
+            "          poissons_ratio: 0.3}\ncells: 512\n"
             "roughness: {hurst: 0.8, rms_height: 10 um, wavelength_min: 10 mm,\n"
             "            wavelength_max: 10 mm, seed: 3}\n"
             "friction: {law: constant, mu: 0.3}\nmode: static\nstatic: {force_ratio: [0, 0.5]}\n");

@@ -156,7 +156,7 @@ def test_static_case(case, tmp_path):
 def test_periodic_case_is_westergaard(tmp_path):
     flat = SOURCE / "examples/wheelrail/periodic.yaml"
     wave = "roughness={hurst: 0.8, rms_height: 10 um, wavelength_min: 10 mm, wavelength_max: 10 mm}"
-    done = wr_creep(flat, "-o", tmp_path, "--set", wave, "--set", "points=256")
+    done = wr_creep(flat, "-o", tmp_path, "--set", wave, "--set", "cells=256")
     assert done.returncode == 0, done.stderr
     modulus, amplitude = 210e9 / (2 * (1 - 0.09)), 10e-6 * 2**0.5
     share = 2e6 / 0.01 / (math.pi * modulus * amplitude / 0.01)
@@ -196,8 +196,8 @@ def test_sampled_band(case, tmp_path):
 
 
 def test_print_config_is_a_case_file(case, tmp_path):
-    first = wr_creep(case, "--print-config", "--set", "points=512")
-    assert first.returncode == 0 and "points: 512" in first.stdout
+    first = wr_creep(case, "--print-config", "--set", "cells=512")
+    assert first.returncode == 0 and "cells: 512" in first.stdout
     (tmp_path / "again.yaml").write_text(first.stdout, encoding="utf-8")
     assert wr_creep(tmp_path / "again.yaml", "--print-config").stdout == first.stdout
 
@@ -211,7 +211,7 @@ BAD_FILES = {
     "nan": (CASE.replace("0.5 m", "nan m"), "contact.radius: 'nan m' is not finite"),
     "inf": (CASE.replace("210 GPa", "inf GPa"), "not finite"),
     "negative": (CASE.replace("4000 N/mm", "-4000 N/mm"), "allowed range"),
-    "unknown": (CASE.replace("points", "pionts"), "nearest known one is 'points'"),
+    "unknown": (CASE.replace("cells", "cels"), "nearest known one is 'cells'"),
     "unit": (CASE.replace("20 m/s", "20 MPa"), "another dimension than m/s"),
     "no unit": (CASE.replace("0.5 m", "0.5"), "no unit"),
     "binary": ("\0\1\2", ""),
@@ -246,8 +246,8 @@ def test_bad_law_and_missing_files(case, tmp_path):
 
 def test_usage_errors(case):
     for arguments, part in (
-        (["--sett", "points=3"], "--set"),
-        (["--set", "points"], "KEYWORD=VALUE"),
+        (["--sett", "cells=3"], "--set"),
+        (["--set", "cells"], "KEYWORD=VALUE"),
         (["--set", "contact.radus=1 m"], "contact.radius"),
         (["--threads", "0"], "threads"),
         (["other.yaml"], "one case file"),
@@ -324,7 +324,7 @@ def test_points_that_do_not_converge_leave_the_others(case, tmp_path):
     (tmp_path / "law.json").write_text(json.dumps(law), encoding="utf-8")
     for mode, creeps in (("frozen", "[0.9, 1e-6, 0.5, 2e-6]"), ("moving", "[0.9, 1e-6, 2e-6]")):
         out = tmp_path / mode
-        more = ["--set", f"mode={mode}", "--set", "points=256", "--set", "moving.passes=2"]
+        more = ["--set", f"mode={mode}", "--set", "cells=256", "--set", "moving.passes=2"]
         more = more if mode == "moving" else more[:4]
         done = wr_creep(case, "-o", out, "-q", *sets, *more, "--set", f"creep={creeps}")
         assert done.returncode == 4, done.stderr
@@ -363,7 +363,7 @@ def test_braking_is_driving_turned_around(case, tmp_path):
     sets = ["--set", ROUGH, "--set", "friction={law: law.json, local: true}"]
     sets += ["--set", "thermal={model: local}", "--set", "fields=[1, 2]"]
     for mode in ("frozen", "moving"):
-        sets += ["--set", f"mode={mode}", "--set", "points=512"]
+        sets += ["--set", f"mode={mode}", "--set", "cells=512"]
         sets += ["--set", "roughness.wavelength_min=0.4 mm"]
         for sign, creeps in (("+", "[0.1 %, 3 %]"), ("-", "[-0.1 %, -3 %]")):
             done = wr_creep(case, "-o", tmp_path / sign, "-q", *sets, "--set", f"creep={creeps}")
@@ -523,7 +523,7 @@ def test_interrupted_run_goes_on(case, tmp_path):
         "--set",
         ROUGH,
         "--set",
-        "points=2048",
+        "cells=2048",
         "--set",
         "creep={from: 1e-4, to: 0.1, n: 8000}",
         "--threads",

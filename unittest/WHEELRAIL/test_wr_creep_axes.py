@@ -51,7 +51,7 @@ def test_conventions_of_the_page_follow_from_its_numbers():
 
 
 def test_line_contact_of_the_page(tmp_path):
-    changes = ("creep=[0.001, -0.001]", "speed=20 m/s", "points=1000", "thermal=off")
+    changes = ("creep=[0.001, -0.001]", "speed=20 m/s", "cells=1000", "thermal=off")
     sets = [part for change in changes for part in ("--set", change)]
     done = wr_creep(
         SOURCE / "examples/wheelrail/table2.yaml",

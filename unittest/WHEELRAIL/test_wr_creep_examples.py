@@ -101,7 +101,7 @@ def test_moving_example_runs(tmp_path):
         "-o",
         tmp_path,
         "--set",
-        "points=512",
+        "cells=512",
         "--set",
         "roughness.wavelength_min=0.4 mm",
         "--set",

@@ -21,7 +21,7 @@ friction: {law: constant, mu: 0.3}
 thermal: off
 speed: 20 m/s
 creep: {from: 1e-4, to: 1e-2, n: 40}
-points: 1000
+cells: 1000
 """
 POINT = """\
 contact: {load: 80 kN, curvatures: [1 1/m, 1.5 1/m], youngs_modulus: 210 GPa, poissons_ratio: 0.3}
@@ -29,7 +29,7 @@ friction: {law: constant, mu: 0.3}
 thermal: off
 speed: 20 m/s
 creep: {from: 1e-4, to: 1e-2, n: 20}
-points: 32
+cells: 32
 """
 FULL = "No space left on device|File too large"
 
@@ -277,9 +277,9 @@ def test_deeply_nested_files_are_refused(line, tmp_path):
 
 
 def test_a_contact_narrower_than_a_cell_is_refused(line, tmp_path):
-    sets = ("--set", "contact.domain=100", "--set", "points=32")
+    sets = ("--set", "contact.domain=100", "--set", "cells=32")
     one_line(
-        wr_creep(line, "-o", tmp_path / "out", *sets), 3, "points: 32 on a contact.domain of 100"
+        wr_creep(line, "-o", tmp_path / "out", *sets), 3, "cells: 32 on a contact.domain of 100"
     )
     assert not (tmp_path / "out").exists()
 
@@ -315,9 +315,9 @@ def test_random_numbers_give_results_or_a_reason(tmp_path):
         groups = [f"{key}={value(key)}" for key in keys]
         if point:
             first = value("contact.curvatures")
-            groups += [f"contact.curvatures=[{first}, {first}]", "points=16", "sensitivities=false"]
+            groups += [f"contact.curvatures=[{first}, {first}]", "cells=16", "sensitivities=false"]
         else:
-            groups += ["points=64"]
+            groups += ["cells=64"]
         groups += ["contact.poissons_ratio=0.3", f"friction.local={number % 3 == 0}".lower()]
         groups += [f"thermal.model={('averaged', 'local', 'averaged_power')[number % 3]}"]
         (tmp_path / "case.yaml").write_text("mode: frozen\n")

@@ -32,7 +32,7 @@ def files(tmp_path):
 def test_fit(files):
     out = files / "out"
     done = run(
-        files / "case.yaml", out, "points=16", options=("--fit-measured", files / "curve.csv")
+        files / "case.yaml", out, "cells=16", options=("--fit-measured", files / "curve.csv")
     )
     assert "predicted within" in done.stdout and "layer" in done.stdout
     fit = json.loads((out / "measured_fit.json").read_text(encoding="utf-8"))

@@ -37,7 +37,7 @@ def test_points_that_do_not_converge_leave_the_others(mode, case, tmp_path):
     law = {"format": "mca-friction-law 1", "mu0": 0.15, "mu1": 0.0, "mu2": 0.3, "b": 0, "c": 0.002}
     (tmp_path / "law.json").write_text(json.dumps(law), encoding="utf-8")
     changes = ["friction={law: law.json}", "thermal={conductivity: 0.01 W/(m K)}", f"mode={mode}"]
-    changes += ["points=16", "fields=all"] + ["moving.passes=2"] * (mode == "moving")
+    changes += ["cells=16", "fields=all"] + ["moving.passes=2"] * (mode == "moving")
     out = tmp_path / "out"
     done = run(case, out, *changes, "creep=[1e-6, 0.9, 2e-6]", code=4, options=["-q"])
     lines = done.stderr.splitlines()
@@ -81,7 +81,7 @@ def test_creep_curve_of_a_wheel_against_contact(tmp_path):
     path = tmp_path / "wheel.yaml"
     path.write_text(
         f"contact: {{load: 106700 N, semi_axes: [6.30352 mm, 12.60756 mm], {STEEL}}}\n"
-        "friction: {law: constant, mu: 0.33}\nthermal: off\nspeed: 1 m/s\npoints: [48, 44]\n"
+        "friction: {law: constant, mu: 0.33}\nthermal: off\nspeed: 1 m/s\ncells: [48, 44]\n"
         "creep: [0.04 %, 0.12 %, 0.2 %, 2.8e-3]\n",
         encoding="utf-8",
     )
@@ -109,7 +109,7 @@ def test_lateral_creep_and_spin_against_contact(tmp_path):
     path.write_text(
         f"contact: {{load: 82 kN, semi_axes: [8 mm, 4 mm], "
         f"{STEEL}, spin_point: 0.16666666666666667}}\n"
-        "friction: {law: constant, mu: 0.3}\nthermal: off\nspeed: 30 m/s\npoints: [44, 44]\n"
+        "friction: {law: constant, mu: 0.3}\nthermal: off\nspeed: 30 m/s\ncells: [44, 44]\n"
         "creep: 0\nlateral: -0.0625 %\nspin: 6.25e-4 1/mm\n",
         encoding="utf-8",
     )
@@ -128,7 +128,7 @@ def test_cattaneo_shift_against_contact(tmp_path):
     path.write_text(
         "contact: {load: 9.1954 N, curvatures: [0.01 1/mm, 0.01 1/mm], youngs_modulus: 568 MPa,\n"
         "          poissons_ratio: 0.42, domain: 2.53333333333333}\nmode: static\n"
-        "static: {force_ratio: 0.875}\nfriction: {law: constant, mu: 0.4}\npoints: 19\n",
+        "static: {force_ratio: 0.875}\nfriction: {law: constant, mu: 0.4}\ncells: 19\n",
         encoding="utf-8",
     )
     run(path, tmp_path / "out")
@@ -219,7 +219,7 @@ def test_roughness_costs_stiffness_when_frozen_and_little_when_moving(case, tmp_
     changes = [
         "creep=1e-5",
         "friction.mu=1",
-        "points=96",
+        "cells=96",
         "contact.domain=3",
         "contact.semi_axes=[6 mm, 6 mm]",
         "contact.load=45 kN",
@@ -261,7 +261,7 @@ def test_full_sliding_with_a_local_law(case, tmp_path):
     law = "friction={law: bucher2006, local: true, velocity_term: false, strength: 1000 MPa}"
     load = 2 / 3 * numpy.pi * 3 * 4 * 500.0  # N of p0 = 500 MPa
     (row,) = creep_rows(
-        case, tmp_path / "out", law, f"contact.load={load} N", "creep=0.3", "points=128"
+        case, tmp_path / "out", law, f"contact.load={load} N", "creep=0.3", "cells=128"
     )
     assert float(row["mu_mean"]) == pytest.approx(0.42904433, abs=2e-4)
     assert float(row["traction_ratio"]) == pytest.approx(float(row["mu_mean"]), rel=1e-4)
@@ -272,7 +272,7 @@ def test_temperature_of_an_ellipse(case, tmp_path):
     mean = {}
     for model in ("averaged", "averaged_power", "local"):
         (row,) = creep_rows(
-            case, tmp_path / model, "creep=0.2", "points=160", f"thermal={{model: {model}}}"
+            case, tmp_path / model, "creep=0.2", "cells=160", f"thermal={{model: {model}}}"
         )
         mean[model] = float(row["temperature_rise"])
     assert mean["averaged_power"] == pytest.approx(mean["averaged"], rel=1e-3)
@@ -428,7 +428,7 @@ def random_case(seed):
         f"semi_axes: [{a:.4g} mm, {b:.4g} mm], "
         f"youngs_modulus: 210 GPa, poissons_ratio: {draw.choice([0, 0.3, 0.5])}, domain: {domain}, "
         f"hardness_limit: {draw.choice(['true', 'false'])}}}\n"
-        f"points: [{n}, {draw.randint(n, 48)}]\n"
+        f"cells: [{n}, {draw.randint(n, 48)}]\n"
         f"creep: [{draw.choice([-1, 0, 1]) * creep:.4g}, {creep:.4g}]\n"
         f"lateral: {draw.uniform(-1, 1) * creep:.4g}\n"
         f"spin: {draw.choice([0, 1, 1, 10]) * draw.uniform(-1, 1) * creep / a:.4g} 1/mm\n"
@@ -495,7 +495,7 @@ def test_examples_run(name, tmp_path):
         tmp_path,
         "-q",
         "--set",
-        "points=48",
+        "cells=48",
         "--set",
         "creep=[0.1 %, 1 %]",
         "--set",

@@ -57,7 +57,7 @@ BAD = {
         {"semi_axes: [3 mm, 4 mm]": "radii: {wheel_roling: 0.5 m}"},
         "'contact.radii.wheel_rolling'",
     ),
-    "points": ({"[32, 32]": "[32, 32, 32]"}, ":6: points: 3 values"),
+    "points": ({"[32, 32]": "[32, 32, 32]"}, ":6: cells: 3 values"),
     "few points": ({"[32, 32]": "[32, 4]"}, "'4' is not in the allowed range [8,"),
     "creep": (
         {"creep: [1e-3]": "creep: 1 mm"},
@@ -211,7 +211,7 @@ BAD = {
             "roughness: {hurst: 0.8, rms_slope: 0.01, wavelength_min: 0.5 mm, "
             "wavelength_max: 4 mm}"
         },
-        "points: cells",
+        "cells: those",
     ),
     "waves": (
         {
@@ -254,8 +254,8 @@ def test_keywords_of_a_patch_are_refused_on_a_line(tmp_path):
         ), done.stderr
     for change, text in (
         ("creep=-11", "[-10, 10]"),
-        ("points=16", "[32,"),
-        ("points=[64, 64]", "not a list"),
+        ("cells=16", "[32,"),
+        ("cells=[64, 64]", "not a list"),
         ("contact.youngs_modulus=[1 GPa, 2 GPa]", "not a list"),
     ):
         done = wr_creep(line, "-o", tmp_path, "--set", change)
@@ -280,7 +280,7 @@ def test_what_is_refused_or_warned_of(case, tmp_path):
         "roughness=" + ROUGH.replace("2.6 mm", "1.5 mm"),
         "contact.domain=3",
     )
-    assert "wr_creep: warning: points: waves of 1.5 mm have" in done.stderr
+    assert "wr_creep: warning: cells: waves of 1.5 mm have" in done.stderr
     assert json.loads((tmp_path / "fine/summary.json").read_text())["warnings"]
     # heat that leaves no strength: the fixed point has no solution there
     hot = CASE.replace("law: constant, mu: 0.3", "law: bucher2006").replace(

@@ -54,7 +54,7 @@ def test_box_and_cell_say_what_the_domain_says(case, tmp_path, change):
 
 
 def test_box_is_as_long_and_as_wide_as_it_says(case, tmp_path):
-    done = row_of(case, tmp_path / "out", "contact.box=[6.4 mm, 9.6 mm]", "points=[64, 48]")
+    done = row_of(case, tmp_path / "out", "contact.box=[6.4 mm, 9.6 mm]", "cells=[64, 48]")
     cells = done["real_area"] / (0.1 * 0.2)
     assert cells == pytest.approx(round(cells), abs=1e-6)
     assert done["real_area"] == pytest.approx(math.pi * A * B, rel=0.02)
@@ -63,7 +63,7 @@ def test_box_is_as_long_and_as_wide_as_it_says(case, tmp_path):
 def test_centre_moves_the_box_and_not_the_contact(case, tmp_path):
     """By whole cells, so that the contact has the same cells; the moment is about the origin."""
     box = "contact.cell=[0.25 mm, 0.25 mm]"
-    changes = (box, "points=[40, 40]", "lateral=1e-3", "spin=1e-4 1/mm")
+    changes = (box, "cells=[40, 40]", "lateral=1e-3", "spin=1e-4 1/mm")
     middle = row_of(case, tmp_path / "middle", *changes)
     moved = row_of(case, tmp_path / "moved", *changes, "contact.centre=[0.5 mm, -0.25 mm]")
     for name in ("force_x", "force_y", "moment_z", "peak_pressure", "approach", "stick_fraction"):
@@ -75,7 +75,7 @@ def test_centre_moves_the_box_and_not_the_contact(case, tmp_path):
 def test_approach_gives_the_load_that_makes_it(case, tmp_path):
     ball(case, "[1 1/m, 0.7 1/m]")
     text = case.read_text(encoding="utf-8")
-    case.write_text(text.replace("points: [32", "points: [36"), encoding="utf-8")
+    case.write_text(text.replace("cells: [32", "cells: [36"), encoding="utf-8")
     under_load = row_of(case, tmp_path / "load", CELL)
     approach = under_load["approach"]
     text = case.read_text(encoding="utf-8")
@@ -105,11 +105,7 @@ def test_mu_changes_across_the_contact(case, tmp_path):
     even = row_of(case, tmp_path / "even", SLIDING, "friction.mu=0.6")
     twice = ("friction.across_y=[-1 mm, 1 mm]", "friction.across_factor=[2, 2]")
     assert row_of(case, tmp_path / "twice", SLIDING, *twice) == pytest.approx(even, rel=1e-9)
-    odd = (
-        "friction.across_y=[-8 mm, 8 mm]",
-        "friction.across_factor=[0.5, 1.5]",
-        "points=[96, 96]",
-    )
+    odd = ("friction.across_y=[-8 mm, 8 mm]", "friction.across_factor=[0.5, 1.5]", "cells=[96, 96]")
     slides = row_of(case, tmp_path / "odd", SLIDING, *odd)
     assert slides["force_x"] == pytest.approx(-MU * LOAD, rel=1e-5)
     assert slides["moment_z"] == pytest.approx(MU * LOAD * B**2 / (5 * 16), rel=1e-3)
@@ -171,7 +167,7 @@ def paraboloid(path, nx, ny, size, A=0.5e-3, B=0.25e-3):
     path.write_text("\n".join(head + rows) + "\n", encoding="utf-8")
 
 
-BALL = ("contact.cell=[0.2 mm, 0.2 mm]", "points=[40, 36]")
+BALL = ("contact.cell=[0.2 mm, 0.2 mm]", "cells=[40, 36]")
 CELLS = "roughness={{rail: {}, sampling: {}, detrend: none}}"
 
 
@@ -243,7 +239,7 @@ def test_twist_of_a_bonded_circle(case, tmp_path):
     only, where the pressure ends."""
     text = case.read_text(encoding="utf-8").replace("[3 mm, 4 mm]", "[4 mm, 4 mm]")
     case.write_text(text.replace("mu: 0.3", "mu: 10"), encoding="utf-8")
-    changes = ("static.shift=[0 mm, 0 mm]", "points=[96, 96]")
+    changes = ("static.shift=[0 mm, 0 mm]", "cells=[96, 96]")
     twist = 1e-6
     row = static_row(case, tmp_path / "out", *changes, f"static.twist={twist}")
     area = row["real_area"] / (math.pi * 16)  # of whole cells
@@ -266,7 +262,7 @@ def test_full_twist_slides_everywhere(case, tmp_path):
 
 def test_steps_of_several_cells(case, tmp_path):
     """They come to the same steady rolling, and the balance of energy closes."""
-    box = ("points=[64, 32]", "contact.domain=2.8")
+    box = ("cells=[64, 32]", "contact.domain=2.8")
     steady = row_of(case, tmp_path / "steady", *box)
     changes = (*box, "mode=moving", "moving.start=rest", "moving.passes=4")
     steps = []

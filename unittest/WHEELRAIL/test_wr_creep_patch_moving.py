@@ -9,7 +9,7 @@ from patch_runs import CASE, creep_rows, gsf_map, numbers, run, table, wr_creep
 
 # 64 cells on 4 semi-axes: a pass of 2a is 32 steps; rough enough to see, in the box on all passes
 ROUGH = "{hurst: 0.8, rms_slope: 0.002, wavelength_min: 2.6 mm, wavelength_max: 10 mm}"
-CELLS = ("points=64", "contact.domain=4", f"roughness={ROUGH}", "mode=moving")
+CELLS = ("cells=64", "contact.domain=4", f"roughness={ROUGH}", "mode=moving")
 STEPS = 32
 
 

@@ -54,7 +54,7 @@ def kill(command, journal):
 @pytest.mark.parametrize("mode", ["frozen", "moving"])
 def test_interrupted_runs_go_on(case, tmp_path, mode):
     out, whole = tmp_path / "out", tmp_path / "whole"
-    changes = (f"mode={mode}", "points=40", "moving.passes=4")
+    changes = (f"mode={mode}", "cells=40", "moving.passes=4")
     few = 100 if mode == "frozen" else 4
     changes += (creep(points_for(case, tmp_path, few, *changes)),)
     journal = out / "wr_creep.journal"
@@ -72,8 +72,8 @@ def test_interrupted_runs_go_on(case, tmp_path, mode):
 def test_fields_of_finished_points_are_kept(case, tmp_path):
     out, whole = tmp_path / "out", tmp_path / "whole"
     chosen = list(range(1, 17))
-    n = points_for(case, tmp_path, 100, "points=40")
-    changes = ("points=40", f"fields={chosen}", creep(n))
+    n = points_for(case, tmp_path, 100, "cells=40")
+    changes = ("cells=40", f"fields={chosen}", creep(n))
     kill(words(case, out, *changes), out / "wr_creep.journal")
     kept = sorted(out.glob("wr_creep.journal.*"))
     assert len(kept) == len(chosen) and not (out / "creep.csv").exists()

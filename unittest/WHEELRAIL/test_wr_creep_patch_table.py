@@ -128,7 +128,7 @@ def test_table_needs_creepages_and_a_point(case, tmp_path):
 
 def test_example_makes_a_table(tmp_path):
     example = SOURCE / "examples/wheelrail/patch_table.yaml"
-    few = ("points=32", "contact.load=[80 kN, 120 kN]", "creep=[0, 0.5 %]", "lateral=[0, 0.5 %]")
+    few = ("cells=32", "contact.load=[80 kN, 120 kN]", "creep=[0, 0.5 %]", "lateral=[0, 0.5 %]")
     run(example, tmp_path / "out", *few, options=("--table", tmp_path / "forces.csv"))
     axes, forces = grid_of(tmp_path / "forces.csv")
     assert len(axes["load"]) == 2 and (forces["force_x"][..., 1] < 0).all()

@@ -28,7 +28,7 @@ def test_layer_and_local_slip_agree_with_contact(tmp_path):
         "layer: {thickness: 1.25 mm, shear_modulus: 8200 MPa}\n"
         "friction: {law: polach, mu0: 0.33, A: 0.424242424242, B: 0.554517744448 s/m,"
         " memory_length: 0.003 mm}\n"
-        f"thermal: off\nspeed: 10 m/s\npoints: [48, 44]\nsensitivities: false\nfields: none\n"
+        f"thermal: off\nspeed: 10 m/s\ncells: [48, 44]\nsensitivities: false\nfields: none\n"
         f"creep: {[creep for creep, _, _ in TRACTCURV]}\n",
         encoding="utf-8",
     )

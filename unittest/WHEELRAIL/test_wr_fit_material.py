@@ -91,7 +91,7 @@ def test_a_contact_takes_it(tmp_path):
         "contact: {load_per_length: 4000 N/mm, radius: 0.5 m, youngs_modulus: 210 GPa,\n"
         "  poissons_ratio: 0.3}\n"
         "roughness: none\nfriction: {law: l.json}\nthermal: {model: local}\n"
-        "creep: [0.01, 0.1]\nspeed: 20 m/s\npoints: 256\n"
+        "creep: [0.01, 0.1]\nspeed: 20 m/s\ncells: 256\n"
     )
 
     def wr_creep(*more):
@@ -152,7 +152,7 @@ def test_the_chain_takes_it(tmp_path):
     done = subprocess.run(
         [script, logs(tmp_path / "logs"), "-o", tmp_path / "out", "--material", STEEL,
          "--model", "bounded", "--case", case, "--", "--set", "creep=[0.01, 0.1]",
-         "--set", "speed=10 m/s", "--set", "points=512", "--set", "uncertainty.samples=20",
+         "--set", "speed=10 m/s", "--set", "cells=512", "--set", "uncertainty.samples=20",
          "--set", "roughness.wavelength_min=0.4 mm"],
         capture_output=True, text=True, timeout=100, check=False,
         env={**os.environ, "MCAWR_BUILD": str(WR_FIT.parents[1])},
@@ -166,7 +166,7 @@ def test_the_chain_takes_it(tmp_path):
 
 CASES = STEEL.parents[1] / "examples" / "wheelrail"
 ROUGH = "roughness={hurst: 0.8, rms_slope: 0.028, wavelength_min: 3 mm, wavelength_max: 10 mm}"
-GRID = ["contact.domain=4.2", "points=[72, 144]", "sensitivities=false", "fields=none"]
+GRID = ["contact.domain=4.2", "cells=[72, 144]", "sensitivities=false", "fields=none"]
 
 
 @pytest.mark.parametrize(
@@ -174,7 +174,7 @@ GRID = ["contact.domain=4.2", "points=[72, 144]", "sensitivities=false", "fields
     [
         ("rough.yaml", ["creep=[0.01, 0.1, 0.2]", "speed=10 m/s"]),
         ("rough.yaml", ["creep=[0.05]", "speed=10 m/s", "mode=moving", "moving.passes=2",
-                        "points=512", "roughness.wavelength_min=0.4 mm"]),
+                        "cells=512", "roughness.wavelength_min=0.4 mm"]),
         ("eurosprinter.yaml", ["creep=[0.025, 0.107, 0.195]", *GRID]),
         ("eurosprinter.yaml", ["creep=[0.025, 0.107, 0.195]", ROUGH, *GRID]),
     ],

@@ -83,9 +83,9 @@ def is_run_here(command):
     return program_of(command) in PROGRAMS | SCRIPTS
 
 
-def half(points):
+def half(cells):
     """The line of a case's cells with half of them along each axis."""
-    return f"points: [{int(points[1]) // 2}, {int(points[2]) // 2}]"
+    return f"cells: [{int(cells[1]) // 2}, {int(cells[2]) // 2}]"
 
 
 def checkout(folder):
@@ -96,7 +96,7 @@ def checkout(folder):
     shutil.copytree(ROOT / "examples", folder / "examples")
     for case in (folder / "examples").glob("**/*.yaml"):
         text = case.read_text("utf-8")
-        coarse = re.sub(r"(?m)^points: \[(\d+), (\d+)\]", half, text)
+        coarse = re.sub(r"(?m)^cells: \[(\d+), (\d+)\]", half, text)
         case.write_text(coarse, "utf-8")
     (folder / "build").mkdir()
     (folder / "build" / "bin").symlink_to(BIN)

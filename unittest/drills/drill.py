@@ -38,7 +38,7 @@ friction: {law: bucher2006, local: false}
 thermal: {model: averaged}
 creep: [0.001, 0.003, 0.01, 0.03]
 speed: [5 m/s, 10 m/s, 20 m/s, 40 m/s]
-points: 64
+cells: 64
 """
 PATCH = """contact: {load: 100 kN, radii: {wheel_rolling: 0.5 m, rail_profile: 0.3 m},
           youngs_modulus: 210 GPa, poissons_ratio: 0.3}
@@ -46,7 +46,7 @@ friction: {law: constant, mu: 0.3}
 thermal: off
 creep: [0.001, 0.01]
 speed: 20 m/s
-points: [16, 16]
+cells: [16, 16]
 """
 # two small blocks, the upper one driven; rows of the log every 20 steps
 SLIDING = """units nano

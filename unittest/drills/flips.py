@@ -88,7 +88,7 @@ class LineJournal(Kind):
     def command(self):
         words = [self.drill.program("wr_creep"), "case.yaml", "-o", "out", "--threads", 1, "-q"]
         speeds = ", ".join(f"{k} m/s" for k in range(1, self.speeds + 1))
-        return [*words, "--set", f"speed=[{speeds}]", "--set", f"points={self.points}"]
+        return [*words, "--set", f"speed=[{speeds}]", "--set", f"cells={self.points}"]
 
     def use(self, folder):
         done = run(self.command(), folder)

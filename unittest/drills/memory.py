@@ -36,8 +36,8 @@ def main():
     work = drill.new_folder("work")
     inputs_in(work, drill)
     threads = dict(ENVIRONMENT, OMP_NUM_THREADS="2", MALLOC_ARENA_MAX="1")
-    fine = ["--set", "points=262144", "--set", "speed=[5 m/s, 10 m/s]"]
-    plane = ["--set", "points=[96, 96]", "--threads", "2"]
+    fine = ["--set", "cells=262144", "--set", "speed=[5 m/s, 10 m/s]"]
+    plane = ["--set", "cells=[96, 96]", "--threads", "2"]
     calls = {
         "wr_creep line": ["wr_creep", "case.yaml", "-o", "out", "-q", *fine],
         "wr_creep point": ["wr_creep", "patch.yaml", "-o", "out", "-q", *plane],

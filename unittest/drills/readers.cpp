@@ -447,7 +447,7 @@ std::vector<Reader> wheelrailReaders()
       {"friction_series", {seriesText, europeanSeries}, refusing(readSeriesOfFriction)},
       {"case", cases(), refusing(readCaseFile)},
       {"case_change",
-       {"speed=20 m/s", "creep=[0.001, 0.01, 5 %]", "contact.radius=460 mm", "points=64",
+       {"speed=20 m/s", "creep=[0.001, 0.01, 5 %]", "contact.radius=460 mm", "cells=64",
         "roughness={hurst: 0.8, rms_slope: 0.02, wavelength_min: 0.1 mm, wavelength_max: 10 mm, "
         "seed: [1, 2]}",
         "friction={law: constant, mu: 0.3}", "thermal=off"},

@@ -35,7 +35,7 @@ def call(monkeypatch, capfd):
 
 # runs ---------------------------------------------------------------------------------------------
 def small(name="one", *changes):
-    words = ("thermal=off", "points=[24, 24]", "creep=[1e-3]", "sensitivities=true")
+    words = ("thermal=off", "cells=[24, 24]", "creep=[1e-3]", "sensitivities=true")
     return runs.Run(name, {"mode": "smooth", "seed": 0}, (*words, "fields=none", *changes))
 
 
@@ -70,7 +70,7 @@ def test_no_solution_is_a_result(tmp_path, monkeypatch):
         "thermal.model=local",
         "friction.strength_temperature=9 K",
     )
-    run = runs.Run("hot", {"mode": "smooth", "seed": 0}, ("points=[24, 24]", *hot))
+    run = runs.Run("hot", {"mode": "smooth", "seed": 0}, ("cells=[24, 24]", *hot))
     said = []
     runs.compute([run], tmp_path, 1, said.append)
     assert len(said) == 1 and "leaves no strength" in said[0]
@@ -209,7 +209,7 @@ def test_page_tells_what_the_shipped_tables_tell(call, tmp_path, name):
 @built
 def test_pictures_of_runs(call, tmp_path, monkeypatch):
     """The figures that call wr_creep, on a coarse grid."""
-    monkeypatch.setattr(runs, "points", lambda cell: [54, 72])
+    monkeypatch.setattr(runs, "cells_of", lambda cell: [54, 72])
     names = ("fields-3d", "fig13-3d", "curves-3d", "start-3d")
     code, _, err = call("reproduce", *names, "-o", tmp_path)
     assert code == 0, err

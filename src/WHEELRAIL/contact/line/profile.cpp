@@ -240,7 +240,7 @@ Profile fractalProfile(const FractalSurface &surface, int cells, double length)
                             length * 1e3));
   if (cells < fewestCellsPerWave * mostWaves)
     throw Error(ExitCode::BadInput,
-                fmt::format("points: {} points on {:.5g} mm cannot carry waves of {:.5g} mm; at "
+                fmt::format("cells: {} cells on {:.5g} mm cannot carry waves of {:.5g} mm; at "
                             "least {:.0f} are needed, ten to a wave are better",
                             cells, length * 1e3, surface.wavelengthMin * 1e3,
                             fewestCellsPerWave * mostWaves));

@@ -44,12 +44,12 @@ LineContactSpecification readContact(CaseReader &reader)
   }
   contact.youngsModulus = reader.single("contact.youngs_modulus");
   contact.poissonsRatio = reader.single("contact.poissons_ratio");
-  contact.points = static_cast<int>(reader.single("points"));
+  contact.points = static_cast<int>(reader.single("cells"));
   constexpr int fewestPoints = 32;
   if (contact.points < fewestPoints)
-    reader.fail("points", fmt::format("'{}' is not in the allowed range of a line contact, [{}, "
-                                      "16777216]",
-                                      contact.points, fewestPoints));
+    reader.fail("cells", fmt::format("'{}' is not in the allowed range of a line contact, [{}, "
+                                     "16777216]",
+                                     contact.points, fewestPoints));
   if (contact.period == 0.0)
     requireCellsInContact(reader, contact.points, contact.domain);
   return contact;

@@ -164,7 +164,7 @@ void CaseReader::collect(const YAML::Node &node, const std::string &name)
       fail(line, name, "has no keywords below it; a value is expected");
     for (const auto &pair : node) {
       const std::string key = pair.first.as<std::string>();
-      const std::string full = name.empty() ? key : name + "." + key;
+      const std::string full = presentName(name.empty() ? key : name + "." + key);
       const int keyLine = option_ ? 0 : pair.first.Mark().line + 1;
       if (!findKeyword(full) && !isGroup(full))
         fail(keyLine, full, mcawr::unknownWord("keyword", full, knownNames()));
@@ -266,8 +266,9 @@ void CaseReader::change(const std::string &text)
   }
 }
 
-void CaseReader::change(const std::string &name, const YAML::Node &value, const char *option)
+void CaseReader::change(const std::string &given, const YAML::Node &value, const char *option)
 {
+  const std::string name = presentName(given);
   // "creep=[...]" replaces creep.from etc., "roughness.seed=2" ends "roughness: none"
   const std::string group = name.substr(0, name.find('.'));
   entries_.erase(name);

@@ -25,9 +25,9 @@ void requireCellsInContact(const CaseReader &reader, int points, double domain)
   constexpr double fewest = 4.0;
   const double cells = 2.0 * points / domain;
   if (cells < fewest)
-    reader.fail("points",
+    reader.fail("cells",
                 fmt::format("{} on a contact.domain of {} leave {:.3g} cells for the width of the "
-                            "contact; at least {} are needed: {} points, or a smaller domain",
+                            "contact; at least {} are needed: {} cells, or a smaller domain",
                             points, domain, cells, fewest, std::ceil(0.5 * fewest * domain)));
 }
 

@@ -35,7 +35,7 @@ Examples:
   wr_creep table2.yaml -o out --set speed="20 m/s" --set creep="[0.001, 0.01, 0.1]"
       the same case with other speeds and creeps
   wr_creep table2.yaml -o rough --set roughness="{hurst: 0.8, rms_slope: 0.02,
-           wavelength_min: 0.1 mm, wavelength_max: 10 mm, seed: [1, 2, 3]}" --set points=4096
+           wavelength_min: 0.1 mm, wavelength_max: 10 mm, seed: [1, 2, 3]}" --set cells=4096
       three rough profiles
   wr_creep table2.yaml -o own --set friction.law=law.json
       a law fitted by wr_fit; its uncertainty goes to own/creep_band.csv

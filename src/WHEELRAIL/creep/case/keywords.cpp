@@ -69,7 +69,7 @@ const std::vector<Keyword> &keywords()
       {"contact.box", Kind::QuantityList, "m", "", 1e-9, 1e6, 0, "",
        "lengths [x, y] of the box, in place of contact.domain", scope::point},
       {"contact.cell", Kind::QuantityList, "m", "", 1e-12, 1e3, 0, "",
-       "size [x, y] of a cell: the box is as many as points says", scope::point},
+       "size [x, y] of a cell: the box has as many as cells says", scope::point},
       {"contact.centre", Kind::QuantityList, "m", "[0 m, 0 m]", -1e6, 1e6, 0, "",
        "[x, y] of the middle of the box; the bodies touch at the origin", scope::point},
       {"contact.spin_point", Kind::Number, "1", "0.5", 0, 1, 0, "",
@@ -86,7 +86,7 @@ const std::vector<Keyword> &keywords()
       {"layer.yield_stress", Kind::Quantity, "Pa", "", 1, 1e15, 0, "",
        "shear stress at which the layer flows; it only shears elastically if not given",
        scope::point},
-      {"points", Kind::IntegerList, "1", "1024", 8, 1 << 24, 0, "",
+      {"cells", Kind::IntegerList, "1", "1024", 8, 1 << 24, 0, "",
        "cells on the whole domain; of a point contact [nx, ny] of its box, or one number"},
       {"roughness", Kind::Choice, "1", "none", 0, 0, 0, "none",
        "none: smooth; otherwise the keywords below"},
@@ -300,6 +300,11 @@ const std::vector<Exclusion> &exclusions()
       {"sequence.spin", "spin", "", pointMoving},
       {"sequence", "static.shift", "a force ratio or forces", pointStatic}};
   return table;
+}
+
+std::string presentName(const std::string &name)
+{
+  return name == "points" ? "cells" : name;
 }
 
 std::string scopeWords(const Keyword &keyword)

@@ -56,6 +56,10 @@ struct Keyword {
   const char *why = ""; ///< why it is refused in a mode of a contact that it is for; or empty
 };
 
+/// The name in the table: cells of `points`, its older name, which is read as well. Any other word
+/// comes back as it is.
+std::string presentName(const std::string &name);
+
 /// What --help says before the help: "point contact, mode moving or static: "; empty where a
 /// keyword is for both contacts.
 std::string scopeWords(const Keyword &keyword);

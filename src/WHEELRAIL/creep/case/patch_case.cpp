@@ -130,15 +130,15 @@ void readAcross(CaseReader &reader, PatchContactSpecification &contact)
 void readPoints(CaseReader &reader, PatchContactSpecification &contact)
 {
   constexpr int most = 1 << 14; // a side
-  reader.setDefault("points", "128");
-  const std::vector<double> points = reader.numbers("points");
+  reader.setDefault("cells", "128");
+  const std::vector<double> points = reader.numbers("cells");
   if (points.size() > 2)
-    reader.fail("points",
+    reader.fail("cells",
                 fmt::format("{} values; [nx, ny] or one number is expected", points.size()));
   contact.nx = static_cast<int>(std::min<double>(points.front(), most + 1));
   contact.ny = static_cast<int>(std::min<double>(points.back(), most + 1));
   if (std::max(contact.nx, contact.ny) > most)
-    reader.fail("points", fmt::format("more than {} cells along a side of the box", most));
+    reader.fail("cells", fmt::format("more than {} cells along a side of the box", most));
   if (!reader.has("contact.box") && !reader.has("contact.cell"))
     requireCellsInContact(reader, std::min(contact.nx, contact.ny), contact.domain);
 }

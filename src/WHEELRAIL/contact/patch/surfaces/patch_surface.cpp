@@ -84,7 +84,7 @@ Eigen::VectorXd FractalHeights::sampled(const PatchGrid &grid, double travelled)
       fewestCellsPerWave * grid.dy > shortestY * (1.0 + 1e-9))
     throw Error(
         ExitCode::BadInput,
-        fmt::format("points: cells of {:.4g} x {:.4g} mm cannot carry waves of {:.4g} mm along x "
+        fmt::format("cells: those of {:.4g} x {:.4g} mm cannot carry waves of {:.4g} mm along x "
                     "and {:.4g} mm along y; four cells a wave are needed, eight are better",
                     grid.dx * 1e3, grid.dy * 1e3, shortestX * 1e3, shortestY * 1e3));
   // Sum over waves of Re[c exp(i kx x) exp(i ky y)]: two products of matrices

@@ -168,7 +168,7 @@ RoughPatch fractalPatch(const RoughPatchSpecification &specification, std::uint6
   const double root = std::sqrt(fractal.stretch);
   if (fractal.wavelengthMin * root < box.dx || fractal.wavelengthMin < box.dy * root)
     throw Error(ExitCode::BadInput,
-                fmt::format("points: cells of {:.4g} x {:.4g} mm cannot carry waves of {:.4g} mm "
+                fmt::format("cells: those of {:.4g} x {:.4g} mm cannot carry waves of {:.4g} mm "
                             "(roughness.wavelength_min); four cells a wave are needed, eight are "
                             "better",
                             box.dx * 1e3, box.dy * 1e3, fractal.wavelengthMin * 1e3));
@@ -194,7 +194,7 @@ RoughPatch fractalPatch(const RoughPatchSpecification &specification, std::uint6
         {fractal.wavelengthMin / root, box.dy, "along y"}})
     if (wave < advisedCellsPerWave * cell)
       patch.remarks.push_back(
-          fmt::format("points: waves of {:.4g} mm have {:.3g} cells {}; {:g} are advised",
+          fmt::format("cells: waves of {:.4g} mm have {:.3g} cells {}; {:g} are advised",
                       wave * 1e3, wave / cell, direction, advisedCellsPerWave));
   return patch;
 }
