@@ -123,7 +123,7 @@ def fig10() -> None:
     figure, axes = plt.subplots(2, 2, figsize=(10, 7), constrained_layout=True)
     rows, facts = [], {}
     for axis, slope in zip(axes.flat, SLOPES):
-        _, contact, summary = wr_creep(*NOTHING, "points=4096", rough(rms_slope=slope))
+        _, contact, summary = wr_creep(*NOTHING, "cells=4096", rough(rms_slope=slope))
         x, p = contact["x"], contact["pressure"]
         axis.fill_between(x, p, color="C0", lw=0)
         inside = np.abs(x) < HALF_WIDTH
@@ -153,7 +153,7 @@ def fig10() -> None:
             *NOTHING,
             f"contact.load_per_length={load} N/mm",
             f"contact.domain={domain:.12g}",
-            "points=2048",
+            "cells=2048",
             rough(rms_slope=0.02),
         )
         field.append(np.where(contact["pressure"] > 0, contact["pressure"], np.nan))
@@ -180,7 +180,7 @@ def fig12() -> None:
     columns = {}
     for cutoff in CUTOFFS:
         _, contact, summary = wr_creep(
-            *NOTHING, "points=8192", rough(cutoff, rms_height=f"{HEIGHT} um")
+            *NOTHING, "cells=8192", rough(cutoff, rms_height=f"{HEIGHT} um")
         )
         p = contact["pressure"]
         cell = contact["x"][1] - contact["x"][0]
@@ -218,7 +218,7 @@ def fig13() -> None:
         "creep=[2e-3]",
     ]
     for column, surface in enumerate(["roughness=none", rough(rms_slope=0.01)]):
-        _, c, _ = wr_creep(*local, "points=4096", surface)
+        _, c, _ = wr_creep(*local, "cells=4096", surface)
         name = "smooth" if column == 0 else "rms slope 0.01"
         touching = c["pressure"] > 0
         mu = np.where(touching, c["mu"], np.nan)
@@ -250,7 +250,7 @@ def curves(axis: Any, cases: Any, creep: Any, speed: str, points: int = 2048) ->
     """Draws T/N and returns rows; cases: (label, style, changes)."""
     rows = []
     for label, style, changes in cases:
-        by_speed, _, _ = wr_creep(f"creep={creep}", f"speed={speed}", f"points={points}", *changes)
+        by_speed, _, _ = wr_creep(f"creep={creep}", f"speed={speed}", f"cells={points}", *changes)
         for v, curve in by_speed.items():
             name = label.format(v=v)
             axis.plot(curve["creep"], curve["traction_ratio"], **style(v), label=name)
@@ -346,7 +346,7 @@ def area() -> None:
                 *NOTHING,
                 f"contact.load_per_length={load} N/mm",
                 f"contact.domain={4 * np.sqrt(4000 / load):.12g}",
-                "points=4096",
+                "cells=4096",
                 rough(rms_slope=slope),
             )
             contact = s["contacts"][0]
