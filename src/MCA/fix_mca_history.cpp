@@ -70,6 +70,8 @@ void FixMCAHistory::post_run()
   mca->check_sample();
   mca->keep_lag();
   store_present();
+  const auto theirs = [this](int of) { return of >= nlocal_neigh; };
+  mca->trace_messages(static_cast<int>(std::count_if(row.begin(), row.end(), theirs)));
 }
 
 void FixMCAHistory::write_restart(FILE *fp)

@@ -2,6 +2,7 @@
 #include "pair_mca.h"
 
 #include "atom.h"
+#include "atom_vec.h"
 #include "comm.h"
 #include "domain.h"
 #include "error.h"
@@ -11,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 
 using namespace LAMMPS_NS;
 
@@ -42,6 +44,10 @@ void PairMCA::compute(int eflag, int vflag)
   if (advance)
     commit();
   mca_step.run(automata(), update->dt, advance);
+  if (!advance) { // set-up is no step
+    traced = halo.sent();
+    traced_step = update->ntimestep;
+  }
   add_forces();
   if (!told_of_stress && update->whichflag == 1) {
     told_of_stress = true;
@@ -120,6 +126,30 @@ void PairMCA::begin_list(int border, const std::vector<mca::Halo::Guest> &guests
     mca_step.setExchange(halo);
   }
   mca_step.begin(atom->nlocal, atom->nlocal + atom->nghost, atom->type, border);
+}
+
+void PairMCA::trace_messages(int ghosts)
+{
+  const auto steps = static_cast<double>(update->ntimestep - traced_step);
+  if (!std::getenv("MCAWR_TRACE") || comm->nprocs == 1 || steps == 0.0)
+    return;
+  const mca::Halo::Sent sent = halo.sent();
+  const AtomVec &avec = *atom->avec;
+  const double own[] = {
+      (sent.messages - traced.messages) / steps, (sent.bytes - traced.bytes) / steps,
+      static_cast<double>(ghosts) * (avec.size_forward + avec.size_velocity) * sizeof(double)};
+  double all[3], most[3];
+  MPI_Allreduce(own, all, 3, MPI_DOUBLE, MPI_SUM, world);
+  MPI_Allreduce(own, most, 3, MPI_DOUBLE, MPI_MAX, world);
+  if (comm->me == 0)
+    utils::logmesg(
+        lmp,
+        "Messages of pair_style mca, a step and rank: {:.1f} of {:.0f} bytes in all (most "
+        "{:.1f} of {:.0f}); places and velocities {:.0f} bytes (most {:.0f})\n",
+        all[0] / comm->nprocs, all[1] / comm->nprocs, most[0], most[1], all[2] / comm->nprocs,
+        most[2]);
+  traced = sent;
+  traced_step = update->ntimestep;
 }
 
 void PairMCA::keep_lag()

@@ -83,6 +83,10 @@ class PairMCA : public Pair {
   /// \param border  number of these pairs
   /// \param guests  automata of other ranks in pairs of this one, each once
   void begin_list(int border, const std::vector<mca::Halo::Guest> &);
+  /// With MCAWR_TRACE in the environment: a line in the log on what ranks have sent each other in
+  /// the steps since the last one. Called by all ranks at the end of a run.
+  /// \param ghosts  automata of other ranks whose places and velocities LAMMPS brings here
+  void trace_messages(int ghosts);
 
   // ---- for computes, fixes and commands
 
@@ -189,6 +193,9 @@ class PairMCA : public Pair {
   mca::Step mca_step;
   /// Outlives the step's use of it; built by begin_list() on several ranks.
   mca::Halo halo;
+  /// What the last line of trace_messages() was about.
+  mca::Halo::Sent traced;
+  bigint traced_step = 0;
   /// Groups, as bits, whose automata a fix moves by their forces, or otherwise.
   int integrated, held;
   /// Taken over in this step.

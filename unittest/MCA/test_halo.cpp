@@ -43,6 +43,7 @@ TEST_P(HaloTest, BringsTheValuesOfEachGuest)
   const Node node = GetParam();
   Halo halo(node == Node::EveryRank || (node == Node::AllButTheLast && me < ranks - 1));
   int wrong = 0;
+  double guestsTimesCounts = 0.0;
   for (const int times : {1, 7, 40, 2, 0, 3}) {
     const auto guests = guestsOf(me, ranks, times);
     halo.build(MPI_COMM_WORLD, guests);
@@ -55,13 +56,21 @@ TEST_P(HaloTest, BringsTheValuesOfEachGuest)
           rows[row * stride + k] = value(me, row, k, message);
       halo.begin(rows.data(), stride, count);
       halo.finish(rows.data(), stride, count);
+      guestsTimesCounts += static_cast<double>(guests.size() * count);
       for (const Halo::Guest &g : guests)
         for (int k = 0; k < stride; k++)
           wrong +=
               rows[g.row * stride + k] != (k < count ? value(g.rank, g.home, k, message) : -1.0);
     }
   }
-  EXPECT_EQ(wrong, 0) << "rank " << me; // at the end: the other ranks wait for this one
+  // at the end: the other ranks wait for this one
+  EXPECT_EQ(wrong, 0) << "rank " << me;
+  // all that is received was sent
+  double sent = halo.sent().bytes, received = guestsTimesCounts * sizeof(double);
+  MPI_Allreduce(MPI_IN_PLACE, &sent, 1, MPI_DOUBLE, MPI_SUM, MPI_COMM_WORLD);
+  MPI_Allreduce(MPI_IN_PLACE, &received, 1, MPI_DOUBLE, MPI_SUM, MPI_COMM_WORLD);
+  EXPECT_EQ(sent, received);
+  EXPECT_EQ(halo.sent().messages > 0.0, ranks > 1);
 }
 
 INSTANTIATE_TEST_SUITE_P(SharedMemoryMessagesOrBoth, HaloTest,

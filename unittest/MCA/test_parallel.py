@@ -208,3 +208,46 @@ def test_flow_that_keeps_the_volume(
     compare(frame, flowing[1][1], 1e-9)
     assert rows == flowing[1][3] and len(rows) > 10
     assert largest_difference(frame, serial[1], PLASTIC, 1.0) > 1e-6
+
+
+def test_more_ranks_than_cores(fragments, tmp_path):
+    """16 ranks, each with some ten automata, nearly all of them at a border."""
+    short = dict(steps=200, every=200)
+    alone = cases(tmp_path / "one", fragments, **short)
+    found = cases(tmp_path / "sixteen", fragments, ranks=16, **short)
+    for case, (frame, rows) in alone.items():
+        compare(found[case][0], frame, 1e-12)
+        assert found[case][1] == rows
+
+
+# a fragment of which a part is missing, so that equal parts of the box hold unlike numbers
+VOID = "region void block 14 INF INF INF INF INF\nregion lower_void block INF INF INF 8 INF INF\n"
+VOID += "region voids intersect 2 void lower_void\ndelete_atoms region voids compress no\n"
+
+
+def fullest(result):
+    """Automata of the rank that has most, over the mean."""
+    words = next(s for s in result.out.splitlines() if s.startswith("Nlocal:")).split()
+    return float(words[3]) / float(words[1])
+
+
+@pytest.mark.parametrize(
+    "ranks,balance",
+    [
+        (4, "fix balance all balance 50 1.0 shift x 10 1.0"),
+        (3, "comm_style tiled\nfix balance all balance 50 1.0 rcb"),
+    ],
+)
+def test_balance_of_a_sample_with_a_void(fragments, tmp_path, ranks, balance):
+    """Borders between ranks move to where the automata are; the motion stays what it is."""
+    more = dict(data=fragments, steps=300, every=300, before="processors * 1 1")
+    runs = {}
+    for name, given in {
+        "alone": dict(extra=VOID),
+        "even": dict(extra=VOID, ranks=ranks),
+        "balanced": dict(extra=VOID + balance, ranks=ranks),
+    }.items():
+        result = lmp("in.fragments", tmp_path / name, **more, **given)
+        runs[name] = result, dump(tmp_path / name / "state.dump")[-1][1]
+    compare(runs["balanced"][1], runs["alone"][1], 1e-11)
+    assert fullest(runs["balanced"][0]) < 1.1 < 1.2 < fullest(runs["even"][0])

@@ -166,6 +166,8 @@ void Halo::begin(const double *rows, int stride, int count)
   messages_++;
   for (size_t m = 0; m < neighbours_.size(); m++) {
     Neighbour &to = neighbours_[m];
+    sent_.messages += 1.0;
+    sent_.bytes += static_cast<double>(to.needed.size() * count * sizeof(double));
     if (to.to.written) {
       pack(to.needed, rows, stride, count, to.to.values[messages_ % 2]);
       to.to.written->store(messages_, std::memory_order_release);

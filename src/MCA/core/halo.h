@@ -55,6 +55,12 @@ class Halo : public Exchange {
   /// Returns without waiting for a reader: each box has room for two messages. The values are
   /// copied, so that `rows` may change before finish().
   void begin(const double *rows, int stride, int count) override;
+  /// What this rank has sent since it was made.
+  struct Sent {
+    double messages = 0.0; ///< to one rank each
+    double bytes = 0.0;
+  };
+  Sent sent() const { return sent_; }
   /// Waits for the values of all guests and stores them in their rows; all other rows stay. It
   /// spins for some 10 us, then leaves the core to others, since there may be more ranks than
   /// cores.
@@ -86,6 +92,7 @@ class Halo : public Exchange {
   long capacity_ = 0;       ///< of each rank's part of the window [cache lines]
   /// Messages begun since the last build(), the same on all ranks.
   std::uint64_t messages_ = 0;
+  Sent sent_;
   std::vector<Neighbour> neighbours_;
   std::vector<MPI_Request> requests_;
 
