@@ -40,8 +40,9 @@ class CaseReader {
   /// none").
   void change(const std::string &text);
   /// A change whose value is a tree.
+  /// \param given   the keyword or group, by whatever name it has
   /// \param option  "--set " where a command line asked for it
-  void change(const std::string &name, const YAML::Node &value, const char *option = "");
+  void change(const std::string &given, const YAML::Node &value, const char *option = "");
 
   /// Throws what is wrong with a keyword's value, at its line of the file.
   /// \param problem rest of the sentence: "must be above creep.from"
