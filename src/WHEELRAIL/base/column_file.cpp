@@ -15,10 +15,10 @@ namespace wheelrail {
 
 namespace {
 
-std::vector<std::string> namesOf(const std::vector<FileColumn> &columns)
+std::vector<std::string> namesOf(const std::vector<NeededColumn> &columns)
 {
   std::vector<std::string> names;
-  for (const FileColumn &column : columns)
+  for (const NeededColumn &column : columns)
     names.push_back(column.name);
   return names;
 }
@@ -35,7 +35,7 @@ double factorOf(const std::string &given, const std::string &unit)
 
 } // namespace
 
-ColumnFile::ColumnFile(std::string path, std::vector<FileColumn> columns)
+ColumnFile::ColumnFile(std::string path, std::vector<NeededColumn> columns)
     : path_(std::move(path)), columns_(std::move(columns)), unit_(columns_.size()),
       factor_(columns_.size(), 1.0)
 {
@@ -113,7 +113,7 @@ void ColumnFile::readRow(int line, const std::vector<std::string_view> &cells, N
                      reader.decimalHint()));
   Row row{line, {}};
   for (std::size_t k = 0; k < columns_.size(); ++k) {
-    const FileColumn &column = columns_[k];
+    const NeededColumn &column = columns_[k];
     const std::string_view cell = cells[place_[k]];
     const double value = factor_[k] * reader.number(line, column.name, cell);
     if (value < 0.0 || (value == 0.0 && !column.mayBeZero) || value > column.largest) {

@@ -11,7 +11,7 @@ namespace wheelrail {
 class NumberRows;
 
 /// A column that a file has to have.
-struct FileColumn {
+struct NeededColumn {
   std::string name;
   std::string unit; ///< in which numbers are handed on: "Pa"; "1" for a ratio; "" for a number
   bool needsUnit;   ///< whether a line "# NAME: UNIT" has to say the file's unit
@@ -33,7 +33,7 @@ class ColumnFile {
   /// \param columns in the order in which numbers are handed on
   /// \throws Error (BadInput) for a file that cannot be read, that is not as said above, that holds
   ///         a number out of range, or no row
-  ColumnFile(std::string path, std::vector<FileColumn> columns);
+  ColumnFile(std::string path, std::vector<NeededColumn> columns);
 
   struct Row {
     int line; ///< of the file, from 1 on
@@ -53,7 +53,7 @@ class ColumnFile {
   void readRow(int line, const std::vector<std::string_view> &cells, NumberRows &reader);
 
   std::string path_;
-  std::vector<FileColumn> columns_;
+  std::vector<NeededColumn> columns_;
   std::vector<std::string> unit_;  ///< of the file; empty: not given
   std::vector<double> factor_;     ///< units handed on per unit of the file
   std::vector<std::size_t> place_; ///< of each column in a row; empty: no line of names yet

@@ -46,6 +46,10 @@ struct LeastSquaresSolution {
 LeastSquaresSolution solveLeastSquares(const LeastSquaresProblem &problem,
                                        const std::vector<Eigen::VectorXd> &starts);
 
+/// A condition number beyond it: data of a few per cent scatter determine the parameters to no
+/// digit.
+constexpr double worstCondition = 1e6;
+
 /// What a solution says about its parameters.
 struct Identifiability {
   Eigen::MatrixXd covariance;    ///< (J^T J)^-1; rows and columns of fixed parameters are zero

@@ -2,6 +2,7 @@
 #include "contact/measured_file.h"
 
 #include "base/errors.h"
+#include "base/si.h"
 
 #include <algorithm>
 #include <cctype>
@@ -71,7 +72,7 @@ void refuseTransverseProfile(const std::string &path)
 
 std::string isolatedHeights(const std::string &path, const Eigen::VectorXd &heights)
 {
-  constexpr double um = 1e-6, farForOne = 10.0;
+  constexpr double farForOne = 10.0;
   const Extreme low = extremeOf(heights, 1.0), high = extremeOf(heights, -1.0);
   const double others = high.next - low.next; // range of what is neither
   if (!(others > 0.0) || !std::isfinite(others))

@@ -4,6 +4,7 @@
 #include "base/errors.h"
 #include "base/program_files.h"
 #include "base/text_lines.h"
+#include "fit/stationarity.h"
 #include "law/kappa_law.h"
 #include "shared/nearest_word.h"
 #include "shared/plain_number.h"
@@ -27,7 +28,6 @@ namespace format = mcawr::friction_log;
 
 // mu is printed rounded, as shear_stress is
 constexpr double muTolerance = 1e-3;
-constexpr double spacingTolerance = 0.02;
 
 std::vector<std::string_view> splitLines(const std::string &text)
 {

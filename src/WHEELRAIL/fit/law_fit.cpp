@@ -24,10 +24,6 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-// beyond, the parameters are determined to no digit by data of a few per cent scatter
-constexpr double worstCondition = 1e6;
-
 VectorXd deviations(const std::vector<ConditionMean> &means, const VectorXd &fitted, double scatter)
 {
   VectorXd sigma(means.size());
@@ -334,7 +330,7 @@ LawFit fitLaw(LawModel model, const std::vector<ConditionMean> &means, double le
   const int k = countParameters(model) + 1; // and the scatter
   fit.aicc =
       n > k + 1 ? minusTwoLogLikelihood(means, fitted) + 2.0 * k + 2.0 * k * (k + 1) / (n - k - 1.0)
-                : infinity;
+                : std::numeric_limits<double>::infinity();
   if (level > 0.0 && fit.notIdentifiable.empty()) {
     const double t = studentQuantile(0.5 * (1.0 + level), fit.freedom);
     for (int j = 0; j < fitParameters; ++j) {

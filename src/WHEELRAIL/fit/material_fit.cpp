@@ -2,6 +2,7 @@
 #include "fit/material_fit.h"
 
 #include "base/errors.h"
+#include "base/si.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,7 +13,6 @@ namespace wheelrail {
 
 namespace {
 
-constexpr double MPa = 1e6;
 /// Pressures of plans are rounded: p/sigma_0 and temperatures that agree so far are one place.
 constexpr double samePlace = 0.01;
 

@@ -20,7 +20,6 @@ namespace wheelrail {
 
 namespace {
 
-constexpr double spacingTolerance = 0.02;
 constexpr std::size_t leastRows = 4; // of seriesMean
 
 /// Where both columns stand, and how many there are.

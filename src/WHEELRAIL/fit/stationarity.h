@@ -8,6 +8,9 @@
 
 namespace wheelrail {
 
+/// A series is sampled evenly: how far a step may differ from the first, as a share of it.
+constexpr double spacingTolerance = 0.02;
+
 /// Mean of a correlated series and what it is worth.
 struct SeriesMean {
   double mean = 0.0;

@@ -21,7 +21,7 @@ namespace {
 
 /// Largest number in a law file: products of several of them do not overflow, and no fit of logs
 /// within their own range (shared/friction_log_format.h) leaves it.
-constexpr double largest = 1e100;
+constexpr double largestNumber = 1e100;
 
 /// Whether rounding of edited numbers explains the difference of x and y, in units of `scale`.
 bool isNearly(double x, double y, double scale)
@@ -230,8 +230,8 @@ void LawFile::fail(const std::string &key, const std::string &problem) const
 double LawFile::checked(const std::string &key, const nlohmann::json &value) const
 {
   const double x = value.get<double>();
-  if (!(std::abs(x) <= largest))
-    fail(key, fmt::format("{} is not allowed, must be within +-{:g}", shown(value), largest));
+  if (!(std::abs(x) <= largestNumber))
+    fail(key, fmt::format("{} is not allowed, must be within +-{:g}", shown(value), largestNumber));
   return x;
 }
 

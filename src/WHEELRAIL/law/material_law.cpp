@@ -2,6 +2,7 @@
 #include "law/material_law.h"
 
 #include "base/errors.h"
+#include "base/si.h"
 #include "base/text_lines.h"
 #include "law/kappa_law.h"
 #include "law/law_file.h"
@@ -18,7 +19,6 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr const char *format = "mca-friction-law 2";
-constexpr double MPa = 1e6;
 
 /// The keys of a table, in the order of a file; its speed has a group of its own.
 struct RangeKey {

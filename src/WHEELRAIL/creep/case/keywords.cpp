@@ -9,10 +9,11 @@
 namespace wheelrail {
 namespace {
 
+using Kind = Keyword::Kind;
+
 /// Puts the rows of the laws after that of friction.law.
 std::vector<Keyword> withLaws(std::vector<Keyword> table)
 {
-  using Kind = Keyword::Kind;
   std::vector<Keyword> rows;
   for (const LawKeyword &keyword : lawKeywords()) {
     const Kind kind = keyword.kind == LawKeyword::Kind::Switch     ? Kind::Switch
@@ -32,7 +33,6 @@ std::vector<Keyword> withLaws(std::vector<Keyword> table)
 
 const std::vector<Keyword> &keywords()
 {
-  using Kind = Keyword::Kind;
   static const std::string names = lawNames();
   static const std::vector<Keyword> table = withLaws({
       {"contact.load_per_length", Kind::Quantity, "N/m", "", 1e-6, 1e12, 0, "",

@@ -2,6 +2,7 @@
 #include "creep/line/creep_report.h"
 
 #include "base/result_text.h"
+#include "base/si.h"
 #include "creep/sweep/quotation.h"
 
 #include <algorithm>
@@ -13,8 +14,6 @@ namespace wheelrail {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-constexpr double mm = 1e-3, um = 1e-6, MPa = 1e6, newtonPerMm = 1e3;
 
 const char *nameOf(Adhesion state)
 {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "creep/line/curve_point.h"
 
+#include "base/si.h"
+
 namespace wheelrail {
 namespace {
-
-constexpr double newtonPerMm = 1e3;
 
 using P = CurvePoint;
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "creep/line/line_values.h"
 
+#include "base/si.h"
+
 #include <algorithm>
 
 namespace wheelrail {
@@ -11,7 +13,6 @@ std::vector<Column<LineValues>> lineColumns()
                                             kept<&LineValues::tractionRatio>, leading(10),
                                             leading(10)}};
   append(table, slidingColumns());
-  constexpr double MPa = 1e6;
   table.push_back({"peak_traction", "MPa", MPa, "largest shear stress of the surface",
                    kept<&LineValues::peakTraction>, following(10)});
   return table;

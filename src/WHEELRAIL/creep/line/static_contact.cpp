@@ -2,6 +2,7 @@
 #include "creep/line/static_contact.h"
 
 #include "base/errors.h"
+#include "base/si.h"
 #include "creep/line/line_contacts.h"
 
 #include <chrono>
@@ -43,7 +44,6 @@ ContactFields fieldsOf(const ContactSetup &setup, const StaticTraction &result, 
 const std::vector<Column<StaticPoint>> &staticColumns()
 {
   using P = StaticPoint;
-  constexpr double mm = 1e-3, newtonPerMm = 1e3; // in SI
   static const std::vector<Column<P>> table = {
       {"force_ratio", "1", 1.0, "T/(mu N)", kept<&P::forceRatio>, nowhere, nowhere, following(10)},
       {"traction_ratio", "1", 1.0, "T/N", kept<&P::tractionRatio>, nowhere, nowhere, following(10)},

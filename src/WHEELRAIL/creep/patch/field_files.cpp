@@ -2,6 +2,7 @@
 #include "creep/patch/field_files.h"
 
 #include "base/errors.h"
+#include "base/si.h"
 #include "contact/patch/formats/gsf_file.h"
 
 #include <cstdint>
@@ -15,7 +16,6 @@ namespace wheelrail {
 namespace {
 
 using Vector = Eigen::VectorXd;
-constexpr double mm = 1e-3, MPa = 1e6; // in SI
 
 /// A field of real numbers, of one component or of two.
 struct FieldRow {

@@ -4,6 +4,7 @@
 #include "base/errors.h"
 #include "base/least_squares.h"
 #include "base/result_text.h"
+#include "base/si.h"
 #include "law/forms/constant.h"
 #include "law/forms/polach.h"
 
@@ -21,8 +22,7 @@ namespace {
 
 using Vector = Eigen::VectorXd;
 
-constexpr double worstCondition = 1e6; ///< as of Polach's fit: beyond, no digit is determined
-constexpr double leastMu = 1e-3, largestMu = 2.0;
+constexpr double leastMu0 = 1e-3, largestMu0 = 2.0;
 
 double studentT(int freedom)
 {
@@ -201,7 +201,7 @@ MeasuredModel polachModel(const std::vector<MeasuredTraction> &curve, const Pola
   double fastest = 0.0;
   for (const MeasuredTraction &value : curve)
     fastest = std::max(fastest, value.creep * value.speed);
-  std::vector<CurveModel::Parameter> parameters = {{"mu0", "1", leastMu, largestMu, p.mu0}};
+  std::vector<CurveModel::Parameter> parameters = {{"mu0", "1", leastMu0, largestMu0, p.mu0}};
   const bool falling = first.friction == PolachFriction::Falling;
   if (falling) {
     parameters.push_back({"A", "1", 0.0, 1.0, p.A});
@@ -225,7 +225,6 @@ MeasuredModel polachModel(const std::vector<MeasuredTraction> &curve, const Pola
 /// Compliance at which a layer alone is as stiff as the half-spaces of an ellipse: 8 a/(3 G C11).
 double compliance(const PolachContact &c)
 {
-  constexpr double mm = 1e-3, MPa = 1e6;
   return 8.0 * c.a * mm / (3.0 * c.shearModulus * MPa * c.kalker.c11);
 }
 
@@ -304,7 +303,7 @@ MeasuredModel layerModel(const std::vector<MeasuredTraction> &curve, const Patch
   double fastest = 0.0;
   for (const MeasuredTraction &value : curve)
     fastest = std::max(fastest, value.creep * value.speed);
-  std::vector<CurveModel::Parameter> parameters = {{"mu0", "1", leastMu, largestMu, p.mu0}};
+  std::vector<CurveModel::Parameter> parameters = {{"mu0", "1", leastMu0, largestMu0, p.mu0}};
   if (falling) {
     parameters.push_back({"A", "1", 0.0, 1.0, p.A});
     parameters.push_back({"B", "s/m", 0.0, 1e4 / fastest, p.B});

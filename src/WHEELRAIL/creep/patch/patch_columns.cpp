@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include "base/si.h"
 #include "creep/patch/patch_point.h"
 
 namespace wheelrail {
 namespace {
 
 using P = PatchPoint;
-
-constexpr double mm = 1e-3, newtonMm = 1e-3; // in SI
 
 double shiftX(const P &point)
 {
@@ -45,16 +44,16 @@ std::vector<Column<P>> makeTable()
   const std::vector<PlacedColumn<P>> own = {
       {"", {"speed", "m/s", 1.0, "rolling speed", kept<&P::speed>, leading(6), leading(6)}},
       {"load",
-       {"shift_x", "mm", mm, "of the wheel against the rail, along x", derived(shiftX), nowhere,
+       {"shift_x", "mm", mm, "of the wheel against the rail, along x", derived<P>(shiftX), nowhere,
         nowhere, leading(10)}},
       {"shift_x",
-       {"shift_y", "mm", mm, "of the wheel against the rail, along y", derived(shiftY), nowhere,
+       {"shift_y", "mm", mm, "of the wheel against the rail, along y", derived<P>(shiftY), nowhere,
         nowhere, leading(10)}},
       {"shift_y",
        {"twist", "1", 1.0, "turn of the wheel against the rail, rad", derived(twist), nowhere,
         nowhere, following(10)}},
       {"creep",
-       {"traction_ratio", "1", 1.0, "T/N", derived(ratioOf), leading(10), leading(10),
+       {"traction_ratio", "1", 1.0, "T/N", derived<P>(ratioOf), leading(10), leading(10),
         leading(10)}},
       {"traction_ratio",
        {"traction", "N", 1.0, "T, the length of the force", derived(tractionOf), leading(10)}},

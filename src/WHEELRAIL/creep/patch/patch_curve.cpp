@@ -47,7 +47,7 @@ double longestWay(const PatchSpecification &asked, double load)
   return way * (1.0 + 0.5 * fastest); // of the faster surface, which has half of the creep
 }
 
-PatchContactSummary summaryOf(const PatchSpecification &asked, const PatchContact &contact)
+PatchContactSummary contactSummary(const PatchSpecification &asked, const PatchContact &contact)
 {
   PatchContactSummary summary;
   if (!asked.sensitivities || asked.mode == PatchMode::Static)
@@ -69,7 +69,7 @@ void prepare(const PatchSpecification &asked, const FrictionLaw &law, const Swee
     curves.contacts[k] =
         preparePatch(asked.contact, asked.roughness, load, k / loads.size(),
                      asked.physics.pressureLimit(law, 0.0), longestWay(asked, load));
-    curves.summaries[k] = summaryOf(asked, curves.contacts[k]);
+    curves.summaries[k] = contactSummary(asked, curves.contacts[k]);
   });
 }
 

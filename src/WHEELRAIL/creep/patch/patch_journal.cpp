@@ -8,8 +8,6 @@
 namespace wheelrail {
 namespace {
 
-using Json = nlohmann::json;
-
 /// All fields of a point in a fixed order but for its states; each has one value a cell.
 template<class Fields, class Visit>
 void eachField(Fields &f, const Visit &visit)
@@ -23,25 +21,25 @@ constexpr std::size_t fieldsOfPoint = 8;
 
 } // namespace
 
-Json patchPointsJson(const std::vector<PatchPoint> &points)
+nlohmann::json patchPointsJson(const std::vector<PatchPoint> &points)
 {
   return pointsJson(patchColumns(), points);
 }
 
-std::vector<PatchPoint> patchPointsFrom(const Json &rows)
+std::vector<PatchPoint> patchPointsFrom(const nlohmann::json &rows)
 {
   return pointsFromJson(patchColumns(), rows);
 }
 
-Json patchSeriesJson(const std::map<int, std::vector<PatchStep>> &series)
+nlohmann::json patchSeriesJson(const std::map<int, std::vector<PatchStep>> &series)
 {
-  Json all = Json::object();
+  nlohmann::json all = nlohmann::json::object();
   for (const auto &[number, steps] : series)
     all[std::to_string(number)] = journalRows(seriesColumns(), steps);
   return all;
 }
 
-std::map<int, std::vector<PatchStep>> patchSeriesFrom(const Json &series)
+std::map<int, std::vector<PatchStep>> patchSeriesFrom(const nlohmann::json &series)
 {
   std::map<int, std::vector<PatchStep>> all;
   for (const auto &[number, rows] : series.items())

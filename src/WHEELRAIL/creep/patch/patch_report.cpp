@@ -2,6 +2,7 @@
 #include "creep/patch/patch_report.h"
 
 #include "base/result_text.h"
+#include "base/si.h"
 #include "creep/sweep/quotation.h"
 
 #include <algorithm>
@@ -14,7 +15,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr double mm = 1e-3, um = 1e-6, mm2 = 1e-6, MPa = 1e6, GPa = 1e9, newtonMm = 1e-3;
 constexpr double perMm = 1e3;
 
 bool severalSurfaces(const PatchSpecification &asked)

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "creep/patch/patch_sequence.h"
 
+#include "base/si.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -88,7 +90,6 @@ const std::vector<Column<PatchStep>> &seriesColumns()
 {
   static const std::vector<Column<PatchStep>> table = [] {
     using S = PatchStep;
-    constexpr double mm = 1e-3; // in SI
     std::vector<Column<S>> columns;
     const auto add = [&](Column<S> column, Written series, Written stages) {
       column.still = nowhere; // static.csv has points
@@ -105,9 +106,9 @@ const std::vector<Column<PatchStep>> &seriesColumns()
       add(columnOf<S>(value), value.series, value.still);
       if (value.name != "load")
         continue;
-      add({"shift_x", "mm", mm, "", derived(shiftX)}, nowhere, leading(10));
-      add({"shift_y", "mm", mm, "", derived(shiftY)}, nowhere, leading(10));
-      add({"traction_ratio", "1", 1.0, "", derived(ratioOf)}, nowhere, leading(10));
+      add({"shift_x", "mm", mm, "", derived<S>(shiftX)}, nowhere, leading(10));
+      add({"shift_y", "mm", mm, "", derived<S>(shiftY)}, nowhere, leading(10));
+      add({"traction_ratio", "1", 1.0, "", derived<S>(ratioOf)}, nowhere, leading(10));
     }
     add({"driving_power", "W", 1.0, "", kept<&S::drivingPower>}, nowhere, nowhere);
     return columns;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "creep/patch/patch_values.h"
 
+#include "base/si.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -33,9 +35,7 @@ void addWear(const PatchSolution &solved, PatchValues &values)
 std::vector<Column<PatchValues>> patchValueColumns()
 {
   using V = PatchValues;
-  constexpr double nm = 1e-9, mm = 1e-3, mm2 = 1e-6, MPa = 1e6, newtonMm = 1e-3,
-                   perMm = 1e3; // in SI
-  constexpr double mm3PerM = 1e-9;
+  constexpr double perMm = 1e3, mm3PerM = 1e-9; // in SI
   // name, unit, meaning; in creep.csv, creep_band.csv, static.csv, series.csv
   std::vector<Column<V>> table = {
       {"load", "N", 1.0, "normal force", kept<&V::load>, following(10), following(10), leading(10),

@@ -17,8 +17,6 @@ namespace {
 using Vector = Eigen::VectorXd;
 
 enum Place { Mu0, A, B, KA, KS };
-// as in the fit of friction laws: beyond, the parameters are determined to no digit
-constexpr double worstCondition = 1e6;
 constexpr double leastFactor = 1e-3, largestFactor = 1e2; // of kA, kS: far beyond any contact
 constexpr double leastFriction = 1e-6;
 

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "creep/patch/subsurface_report.h"
 
+#include "base/si.h"
 #include "contact/patch/elasticity/subsurface_stress.h"
 
 #include <fmt/format.h>
 
 namespace wheelrail {
 namespace {
-
-constexpr double mm = 1e-3, MPa = 1e6;
 
 struct StressColumn {
   const char *name;

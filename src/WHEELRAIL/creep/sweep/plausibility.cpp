@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "creep/sweep/plausibility.h"
 
+#include "base/si.h"
+
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -8,7 +10,6 @@
 namespace wheelrail {
 namespace {
 
-constexpr double MPa = 1e6, mm = 1e-3;
 constexpr double hardnessOverStrength = 3.0; // as `Strength::hardnessAt`
 constexpr double modulusOverBearable = 50.0;
 

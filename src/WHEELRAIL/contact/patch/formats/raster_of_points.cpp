@@ -2,6 +2,7 @@
 #include "contact/patch/formats/raster_of_points.h"
 
 #include "base/errors.h"
+#include "base/si.h"
 #include "contact/patch/formats/map_text.h"
 
 #include <algorithm>
@@ -14,7 +15,6 @@ namespace wheelrail {
 namespace {
 
 constexpr double same = 1e-2; ///< of a distance: places that close are one
-constexpr double um = 1e-6;
 
 /// Places along one direction: the first, how many, how far from each other.
 struct Line {

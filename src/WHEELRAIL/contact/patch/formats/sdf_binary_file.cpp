@@ -13,21 +13,21 @@ namespace {
 
 /// Places in record 1 of ISO 25178-71, in bytes.
 constexpr std::size_t versionLength = 8, pointsAt = 42, profilesAt = 44, scaleAt = 46,
-                      compressionAt = 78, typeAt = 79, checkAt = 80, headEnd = 81;
+                      compressionAt = 78, heightTypeAt = 79, checkAt = 80, recordEnd = 81;
 
 /// By number, from 0 on; floating-point numbers are IEEE's.
-constexpr HeightType types[] = {heightType<std::uint8_t>,  heightType<std::uint16_t>,
-                                heightType<std::uint32_t>, heightType<float>,
-                                heightType<std::int8_t>,   heightType<std::int16_t>,
-                                heightType<std::int32_t>,  heightType<double>};
+constexpr HeightType heightTypes[] = {heightType<std::uint8_t>,  heightType<std::uint16_t>,
+                                      heightType<std::uint32_t>, heightType<float>,
+                                      heightType<std::int8_t>,   heightType<std::int16_t>,
+                                      heightType<std::int32_t>,  heightType<double>};
 
 } // namespace
 
 HeightMap parseBinarySdf(const std::string &path, const std::string &bytes, const HeightMapScale &)
 {
-  if (bytes.size() < headEnd)
+  if (bytes.size() < recordEnd)
     throw badInput(path, 0, "",
-                   fmt::format("{} bytes; the head alone has {}", bytes.size(), headEnd));
+                   fmt::format("{} bytes; the head alone has {}", bytes.size(), recordEnd));
   const std::string_view version(bytes.data(), versionLength);
   if (version != "bISO-1.0" && version != "bISO-2.0" && version != "bBCR-1.0")
     throw badInput(path, 1, "",
@@ -37,10 +37,10 @@ HeightMap parseBinarySdf(const std::string &path, const std::string &bytes, cons
        {std::pair{compressionAt, "compression"}, {checkAt, "check sum"}})
     if (bytes[place] != 0 && bytes[place] != '0')
       throw badInput(path, 0, at(place), fmt::format("only files without {} (0) are read", what));
-  const auto type = static_cast<std::size_t>(static_cast<unsigned char>(bytes[typeAt]));
-  if (type >= std::size(types))
-    throw badInput(path, 0, at(typeAt),
-                   fmt::format("data type {}; 0 to {} are read", type, std::size(types) - 1));
+  const auto type = static_cast<std::size_t>(static_cast<unsigned char>(bytes[heightTypeAt]));
+  if (type >= std::size(heightTypes))
+    throw badInput(path, 0, at(heightTypeAt),
+                   fmt::format("data type {}; 0 to {} are read", type, std::size(heightTypes) - 1));
   const long nx = littleEndian<std::uint16_t>(bytes.data() + pointsAt);
   const long ny = littleEndian<std::uint16_t>(bytes.data() + profilesAt);
   checkMapSize(path, 0, at(pointsAt), nx, ny);
@@ -52,15 +52,15 @@ HeightMap parseBinarySdf(const std::string &path, const std::string &bytes, cons
       throw badInput(path, 0, at(place),
                      fmt::format("a scale of {} m is not allowed, must be positive", scale[k]));
   }
-  const HeightType &number = types[type];
-  const std::size_t end = headEnd + number.bytes * static_cast<std::size_t>(nx * ny);
+  const HeightType &number = heightTypes[type];
+  const std::size_t end = recordEnd + number.bytes * static_cast<std::size_t>(nx * ny);
   if (bytes.size() < end) // record 3, free text, may follow
     throw badInput(path, 0, "",
                    fmt::format("{} bytes; {} x {} heights of {} bytes after the head make {}",
                                bytes.size(), nx, ny, number.bytes, end));
   HeightMap map{static_cast<int>(nx), static_cast<int>(ny), scale[0], scale[1],
                 Eigen::VectorXd(nx * ny)};
-  const char *from = bytes.data() + headEnd;
+  const char *from = bytes.data() + recordEnd;
   for (long i = 0; i < nx * ny; ++i, from += number.bytes)
     map.height[i] = number.height(from) * scale[2];
   return version == "bBCR-1.0" ? mirrored(map) : map; // as in ASCII

@@ -2,6 +2,7 @@
 #include "contact/patch/surfaces/height_map_steps.h"
 
 #include "base/errors.h"
+#include "base/si.h"
 #include "shared/pi.h"
 
 #include <Eigen/Dense>
@@ -23,7 +24,6 @@ using Vector = Eigen::VectorXd;
 using Raster = Eigen::MatrixXd;
 
 using mcawr::pi;
-constexpr double mm = 1e-3, um = 1e-6;
 
 Eigen::Map<const Raster> rasterOf(const HeightMap &map)
 {
