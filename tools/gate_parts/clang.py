@@ -114,14 +114,27 @@ class Unit:
         return digest.hexdigest()
 
 
+def _single(entry: dict[str, Any]) -> list[dict[str, Any]]:
+    """What compiles a folder as one source (cmake/Rooms.cmake) as entries of its sources."""
+    path = pathlib.Path(entry["directory"], entry["file"])
+    if path.parent.name != "Unity" or "command" not in entry:
+        return [entry]
+    return [
+        {**entry, "file": name, "command": entry["command"].replace(entry["file"], name)}
+        for name in INCLUDE.findall(path.read_text(encoding="utf-8"))
+    ]
+
+
 def _units(options: argparse.Namespace) -> dict[pathlib.Path, Unit]:
-    """{path: Unit} of what the build folder compiles."""
+    """{path: Unit} of what the build folder compiles; its commands go to gates/ there."""
     path = options.build / "compile_commands.json"
     try:
         with open(path, encoding="utf-8") as file:
-            entries = json.load(file)
+            entries = [single for entry in json.load(file) for single in _single(entry)]
     except OSError as error:
         fail(Exit.IO, f"{path}: cannot be read: {error.strerror}; configure the build first")
+    make_folder(options.build / "gates")
+    write(options.build / "gates" / "compile_commands.json", json.dumps(entries, indent=1))
     units: dict[pathlib.Path, Unit] = {}
     for entry in entries:  # the same file may be compiled several times, for other processors
         unit = Unit(entry)
@@ -171,10 +184,9 @@ def check_tidy(files: Files, options: argparse.Namespace) -> list[str]:
     work = [path for path, key in keys.items() if clean.get(shown(path)) != key]
     # the longest texts first, so that the end is not one long file alone
     work.sort(key=lambda path: -len(units[path].headers(texts)))
-    make_folder(memory.parent)
 
     def tidy(path: pathlib.Path) -> list[str]:
-        found = _tidied(program, path, options.build)
+        found = _tidied(program, path, memory.parent)
         if not found:
             clean[shown(path)] = keys[path]
             write(memory, json.dumps(clean, indent=1, sort_keys=True))
@@ -184,11 +196,11 @@ def check_tidy(files: Files, options: argparse.Namespace) -> list[str]:
     return sorted({line for lines in found for line in lines})
 
 
-def _tidied(program: str, path: pathlib.Path, build: pathlib.Path) -> list[str]:
+def _tidied(program: str, path: pathlib.Path, commands: pathlib.Path) -> list[str]:
     command = [
         program,
         "-p",
-        str(build),
+        str(commands),
         "--quiet",
         f"--header-filter=^{re.escape(str(ROOT))}/(src|unittest|tools)/",
         "--extra-arg=-Wno-unknown-warning-option",

@@ -165,6 +165,23 @@ def test_tidy_remembers(project):
     assert "src/a.h:2:15" in gate(project, "clang-tidy").stdout  # a finding is not forgotten
 
 
+def test_tidy_of_sources_that_are_compiled_as_one(project):
+    folder = project / "build" / "Unity"
+    folder.mkdir()
+    commands = project / "build" / "compile_commands.json"
+    entry = json.loads(commands.read_text())[0]
+    one = folder / "unity_0_cxx.cxx"
+    one.write_text(f'#include "{entry["file"]}"\n')
+    entry["command"] = entry["command"].replace(entry["file"], str(one))
+    commands.write_text(json.dumps([{**entry, "file": str(one)}]))
+    header = project / "src" / "a.h"
+    header.write_text(HEADER.replace("twice(int value)", "twice(int Value)"))
+    assert "src/a.h:2:15" in gate(project, "clang-tidy").stdout
+    header.write_text(HEADER)
+    assert gate(project, "clang-tidy").returncode == 0
+    assert "src/a.cpp" in (project / "build" / "gates" / "clang-tidy.json").read_text()
+
+
 def test_usage(project):
     done = gate(project, "nonsense")
     assert done.returncode == 2 and "clang-tidy" in done.stderr
