@@ -38,12 +38,15 @@ export MCAWR_BUILD=$build
 
 { # one block, read as a whole: a change of this file during a run does no harm
   "$root/tools/setup.sh" "${options[@]}"
+  [ ${#without[@]} -gt 0 ] || cmake --build "$build" -j "$(jobs)" --target drills \
+    || die 1 "the drills do not build, see above"
   say "tests"
   log=$build/check.log
   status=0
   # several tests run at once, each with its ranks: those that wait give their core away
   export OMPI_MCA_mpi_yield_when_idle=1
-  ctest --test-dir "$build" --output-on-failure --no-tests=error -j "$(nproc)" \
+  # one more at once than cores: many wait for what they have started
+  ctest --test-dir "$build" --output-on-failure --no-tests=error -j "$(($(nproc) + 1))" \
     "${without[@]}" "$@" 2>&1 | tee "$log" || status=1
   [ $status -eq 0 ] || die 1 "tests failed; log: $log"
 

@@ -51,6 +51,8 @@ make_tree() {
   debootstrap --variant=minbase --include=ca-certificates,git,sudo,debian-archive-keyring \
     bookworm "$tree" "$uri" >"$tree.log" || die 5 "debootstrap failed; log: $tree.log"
   rm "$tree.log"
+  # as in Debian's container images: nothing here has to outlive a power failure
+  echo force-unsafe-io >"$tree/etc/dpkg/dpkg.cfg.d/newcomer"
   echo 'newcomer ALL=(ALL) NOPASSWD: ALL' >"$tree/etc/sudoers.d/newcomer"
   chroot "$tree" useradd --create-home --shell /bin/bash newcomer
 }
