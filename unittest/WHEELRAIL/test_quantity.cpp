@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "base/quantity.h"
 
+#include "../shared/comma_locale.h"
+
+#include <cmath>
+#include <cstdlib>
 #include <gtest/gtest.h>
 #include <stdexcept>
 
@@ -53,4 +57,18 @@ TEST(Quantity, SaysInOneLineWhatIsWrong)
       EXPECT_EQ(std::string(problem.what()).find_first_of("\x1b\n\r"), std::string::npos);
     }
   }
+}
+
+// in a process of its own, which has not yet read the database of units
+TEST(QuantityDeathTest, UnitsDoNotFollowTheLocaleOfAHostProgram)
+{
+  testing::FLAGS_gtest_death_test_style = "threadsafe";
+  EXPECT_EXIT(
+      {
+        const CommaLocale comma;
+        const bool right = parseQuantity("0.5 kN", "N") == 500.0 &&
+                           std::abs(parseQuantity("1.5 inch", "m") - 0.0381) < 1e-15;
+        std::exit(right ? 0 : 1);
+      },
+      testing::ExitedWithCode(0), "");
 }

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <clocale>
 #include <cmath>
 #include <cstring>
 #include <fmt/format.h>
@@ -30,6 +31,23 @@ struct ConverterDeleter {
 using Unit = std::unique_ptr<ut_unit, UnitDeleter>;
 
 std::mutex udunitsMutex; // the library keeps global state
+
+/// The thread in C's own locale, whatever a host program chose: UDUNITS-2 reads the numbers of its
+/// database and of units by the locale.
+class PlainLocale {
+ public:
+  PlainLocale() : plain_(newlocale(LC_ALL_MASK, "C", nullptr)), before_(uselocale(plain_)) {}
+  ~PlainLocale()
+  {
+    uselocale(before_);
+    freelocale(plain_);
+  }
+  PlainLocale(const PlainLocale &) = delete;
+  PlainLocale &operator=(const PlainLocale &) = delete;
+
+ private:
+  locale_t plain_, before_;
+};
 
 /// What is wrong with a text, as one line that shows it.
 [[noreturn]] void refuse(const std::string &problem)
@@ -128,6 +146,7 @@ double parseQuantity(const std::string &text, const std::string &unit)
                        text, unit, rest));
 
   const std::lock_guard<std::mutex> lock(udunitsMutex);
+  const PlainLocale plain;
   const Unit given(ut_parse(unitSystem(), rest.c_str(), UT_UTF8));
   const Unit wanted(ut_parse(unitSystem(), unit.c_str(), UT_UTF8));
   if (!wanted)
