@@ -16,6 +16,8 @@ TEST(Quantity, ConvertsUnits)
   EXPECT_DOUBLE_EQ(parseQuantity("206 GPa", "Pa"), 206e9);
   EXPECT_DOUBLE_EQ(parseQuantity(" 0.5m ", "m"), 0.5);
   EXPECT_DOUBLE_EQ(parseQuantity("72 km/h", "m/s"), 20.0);
+  EXPECT_DOUBLE_EQ(parseQuantity("80\u00a0kN", "N"), 80e3);
+  EXPECT_DOUBLE_EQ(parseQuantity("72\u202fkm/h", "m/s"), 20.0);
   EXPECT_DOUBLE_EQ(parseQuantity("50 W/(m K)", "W/(m K)"), 50.0);
   EXPECT_DOUBLE_EQ(parseQuantity("0.45 kJ/(kg K)", "J/(kg K)"), 450.0);
   EXPECT_DOUBLE_EQ(parseQuantity("1e-3", "1"), 1e-3);

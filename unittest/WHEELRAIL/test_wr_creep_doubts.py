@@ -33,6 +33,7 @@ def test_plausible_cases_have_no_warning(case, tmp_path):
         (["creep=3"], "creep: 3 (300 %); above 1"),
         (["lateral=-1.5"], "lateral: -1.5 (-150 %); above 1"),
         (["creep=0", "spin=0.5 1/mm"], "spin at the contact's edge: 2 (200 %); above 1"),
+        (["speed=[900 m/s]"], "speed: 900 m/s (3240 km/h); no wheel"),
         (["contact.load=11000 kN"], "above youngs_modulus/50 = 4198 MPa"),
         (
             ["contact.load=100 kN", "friction={law: bucher2006, strength: 552 MPa}"],
@@ -53,12 +54,21 @@ def test_a_patch_that_cannot_be_meant(changes, expected, case, tmp_path):
         (["creep=[2.0]"], "creep: 2 (200 %); above 1"),
         (["contact.load_per_length=4e8 N/mm"], "contact: it reaches 1486 mm"),
         (["contact.load_per_length=4e6 N/mm"], "peak pressure"),
+        (["speed=[720 m/s]"], "speed: 720 m/s (2592 km/h); no wheel"),
         (["contact.radius=460 m"], "a rolling radius of 460 m; no wheel"),
     ],
 )
 def test_a_line_that_cannot_be_meant(changes, expected, tmp_path):
     done = run(LINE, tmp_path / "out", "creep=[0.01]", "speed=[20 m/s]", "thermal=off", *changes)
     assert any(expected in line for line in warnings(done)), done.stderr
+
+
+def test_a_sequence_in_seconds_that_meant_ms(case, tmp_path):
+    """Its steps were beyond the whole numbers: one step, and forces of nothing, without a word."""
+    sequence = "sequence={time: [0 s, 1e6 s, 2e6 s], load: [10 kN, 11 kN, 10 kN]}"
+    done = run(case, tmp_path / "out", "mode=moving", "thermal=off", sequence, code=3)
+    assert "sequence.time: '2e+06 s' lets the wheel roll" in done.stderr
+    assert "at most 100000 are allowed" in done.stderr
 
 
 @pytest.mark.parametrize(

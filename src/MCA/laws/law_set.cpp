@@ -80,7 +80,7 @@ const LawSet::Keyword presets = {"preset", {"a", "b", "c", "d"}, false, "a, b, c
 std::string conflictIn(const LawSet &s)
 {
   if (!s.heal.isOff() && s.weld.isOff())
-    return "keyword heal needs welds: give weld a value";
+    return "keyword heal needs welds: give weld a value, or heal none";
   if (!s.healedStrain.isOff() && s.heal.isOff())
     return "keyword healed_strain needs healing: give heal a value";
   if (s.plane.is(PlaneCondition::Stress) && s.flows())

@@ -66,8 +66,13 @@ ut_system *unitSystem()
   return system.get();
 }
 
-std::string trimmed(const std::string &text)
+/// Without blanks at both ends, among them those that do not break a line: the thin one between a
+/// number and its unit is what SI asks for, and what text processors write.
+std::string trimmed(std::string text)
 {
+  for (const char *blank : {"\u00a0", "\u2009", "\u202f"})
+    for (std::size_t at; (at = text.find(blank)) != std::string::npos;)
+      text.replace(at, std::strlen(blank), " ");
   const auto first = text.find_first_not_of(" \t");
   if (first == std::string::npos)
     return "";

@@ -242,6 +242,7 @@ CreepCurves solveCreepCurves(const CreepSpecification &specification, const LawP
                                     physics.pressureLimit(*law, 0.0), moving, options);
   curves.warnings =
       contactDoubts(curves.contacts, specification.contact, physics.strengthInUse(*law));
+  addDoubt(curves.warnings, speedDoubt("speed", specification.speed));
   addDoubt(curves.warnings, creepDoubt("creep", specification.creep));
   const LawSpread spread(specification.spread, law);
   const std::vector<Piece> pieces = cutIntoPieces(specification);

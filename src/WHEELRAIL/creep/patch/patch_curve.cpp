@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 namespace wheelrail {
@@ -37,10 +38,17 @@ double longestWay(const PatchSpecification &asked, double load)
 {
   if (asked.mode != PatchMode::Moving)
     return 0.0;
+  constexpr double mostLengths = 1e5; // a sequence with s for ms has more; days of computing
+  const HertzEllipse hertz = asked.contact.hertz(load);
   double way = 0.0, fastest = 0.0;
   for (double speed : asked.speed)
-    way = std::max(way,
-                   rolledDistance(asked.moving, asked.sequence, asked.contact.hertz(load), speed));
+    way = std::max(way, rolledDistance(asked.moving, asked.sequence, hertz, speed));
+  const double lengths = way / (2.0 * hertz.a);
+  if (lengths > mostLengths)
+    throw Error(ExitCode::BadInput,
+                fmt::format("sequence.time: '{:g} s' lets the wheel roll {:.4g} m, {:.3g} lengths "
+                            "of the contact; at most {:g} are allowed",
+                            asked.sequence.time.back(), way, lengths, mostLengths));
   for (const auto *creeps : {&asked.creep, &asked.sequence.creep})
     for (double creep : *creeps)
       fastest = std::max(fastest, std::abs(creep));
@@ -98,6 +106,8 @@ void addDoubts(const PatchSpecification &asked, double strength, PatchCurves &cu
     return;
   for (double &spin : atEdge)
     spin *= largest;
+  addDoubt(curves.warnings, speedDoubt("speed", asked.speed));
+  addDoubt(curves.warnings, speedDoubt("sequence.speed", asked.sequence.speed));
   addDoubt(curves.warnings, creepDoubt("creep", asked.creep));
   addDoubt(curves.warnings, creepDoubt("sequence.creep", asked.sequence.creep));
   addDoubt(curves.warnings, creepDoubt("lateral", asked.lateral));

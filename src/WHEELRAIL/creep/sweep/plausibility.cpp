@@ -69,6 +69,16 @@ std::string radiusDoubt(double radius)
                      largest);
 }
 
+std::string speedDoubt(const std::string &keyword, const std::vector<double> &values)
+{
+  constexpr double fastest = 200.0; // m/s; the record of a train is 160
+  const auto largest = std::max_element(values.begin(), values.end());
+  if (largest == values.end() || !(*largest > fastest))
+    return "";
+  return fmt::format("{}: {:.4g} m/s ({:.4g} km/h); no wheel on rails is faster than {:g} m/s",
+                     keyword, *largest, 3.6 * *largest, fastest);
+}
+
 void addDoubt(std::vector<std::string> &warnings, const std::string &line)
 {
   if (!line.empty() && std::find(warnings.begin(), warnings.end(), line) == warnings.end())

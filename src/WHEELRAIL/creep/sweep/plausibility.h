@@ -27,6 +27,11 @@ std::string pressureDoubt(double peak, double strength, double youngsModulus);
 /// \param values -; the largest size counts
 std::string creepDoubt(const std::string &keyword, const std::vector<double> &values);
 
+/// Faster than any train.
+/// \param keyword of the case: "speed"
+/// \param values m/s; the largest counts
+std::string speedDoubt(const std::string &keyword, const std::vector<double> &values);
+
 /// A contact larger than the body's radius is no contact of Hertz.
 /// \param halfAxis  m
 /// \param radius    m, > 0; infinite: flat
