@@ -166,6 +166,10 @@ TEST(FrictionLog, badHeadIsOneClearLine)
                  ":5: pressure: appears twice in the head");
   expectContains(problemOf(replaced(goodLog(), "# run", "# loading: {pressure: 20}\n# run")),
                  ":8: loading: appears twice in the head");
+  expectContains(problemOf(replaced(goodLog(), "velocity: 5}", "velocity: 5,5}")),
+                 ":5: velocity: '5,5' has a decimal comma");
+  expectContains(problemOf(replaced(goodLog(), "thickness: 1,", "thickness: 0,8,")),
+                 ":6: thickness: '0,8' has a decimal comma");
   expectContains(problemOf(replaced(goodLog(), "shear_stress", "shear_strain")),
                  ":9: column 'shear_stress' is missing; the nearest of those given is "
                  "'shear_strain'");

@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cmath>
 #include <cstring>
 #include <filesystem>
@@ -158,10 +159,18 @@ class Header {
   void checkKeys(const YAML::Node &map) const
   {
     std::set<std::string> seen;
-    for (const auto &entry : map)
-      if (!seen.insert(entry.first.Scalar()).second)
-        throw badInput(fileName_, lineOf(entry.first), entry.first.Scalar(),
-                       "appears twice in the head");
+    std::string before, value; // of the entry before
+    for (const auto &entry : map) {
+      const std::string key = entry.first.Scalar();
+      // to YAML "velocity: 0,5" is 0, and a key 5 without a value
+      if (entry.second.IsNull() && !key.empty() && std::isdigit(static_cast<unsigned char>(key[0])))
+        throw badInput(fileName_, lineOf(entry.first), before,
+                       fmt::format("'{},{}' has a decimal comma; a point is expected", value, key));
+      if (!seen.insert(key).second)
+        throw badInput(fileName_, lineOf(entry.first), key, "appears twice in the head");
+      before = key;
+      value = entry.second.IsScalar() ? entry.second.Scalar() : "";
+    }
   }
 
   static int lineOf(const YAML::Node &node) { return node.Mark().line + 1; }
