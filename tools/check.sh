@@ -45,8 +45,8 @@ export MCAWR_BUILD=$build
   status=0
   # several tests run at once, each with its ranks: those that wait give their core away
   export OMPI_MCA_mpi_yield_when_idle=1
-  # one more at once than cores: many wait for what they have started
-  ctest --test-dir "$build" --output-on-failure --no-tests=error -j "$(($(nproc) + 1))" \
+  # two more at once than cores: many wait for what they have started most of the time
+  ctest --test-dir "$build" --output-on-failure --no-tests=error -j "$(($(nproc) + 2))" \
     "${without[@]}" "$@" 2>&1 | tee "$log" || status=1
   [ $status -eq 0 ] || die 1 "tests failed; log: $log"
 

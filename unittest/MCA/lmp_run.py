@@ -40,6 +40,8 @@ ENVIRONMENT = dict(
     OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1",
     OMPI_MCA_rmaps_base_oversubscribe="1",
     OMPI_MCA_mpi_yield_when_idle="1",
+    OMPI_MCA_pml="ob1",  # ranks of one machine: no network is looked for
+    OMPI_MCA_btl="self,vader",
     OMP_NUM_THREADS="1",
 )
 
