@@ -208,6 +208,8 @@ class PairMCA : public Pair {
   mca::FileSeal seal;
   /// So many automata are known not to overlap.
   bigint checked;
+  /// What the material of each type gave at the last set-up; empty before the first.
+  std::vector<double> last_diameters, last_masses;
   /// Warnings were given; that of stresses, too, which are known after the first forces.
   bool told, told_of_stress;
   /// Columns of the states among LAMMPS's custom values; -1: none. Found anew before each run.

@@ -372,7 +372,8 @@ void PairMCA::warn_of_strength() const
           ratio, materials[type].poissonsRatio, type, most);
 }
 
-/* what create_atoms gives by itself, diameter and density 1, is nobody's wish */
+/* what create_atoms gives by itself, diameter and density 1, is nobody's wish; nor is what the
+   material of any type gave at the last set-up */
 
 void PairMCA::warn_of_sizes() const
 {
@@ -380,14 +381,19 @@ void PairMCA::warn_of_sizes() const
   using mcawr::pi;
   const double default_mass = pi / 6.0;
   auto differ = [](double a, double b) { return std::abs(a - b) > round_off * b; };
+  auto is_new = [&](double value, const std::vector<double> &former) {
+    return std::none_of(former.begin(), former.end(),
+                        [&](double one) { return !differ(value, one); });
+  };
   bigint own[2] = {0, 0}, all[2];
   for (int i = 0; i < atom->nlocal; i++) {
     const mca::Material &m = materials[atom->type[i]];
     const double d = 2.0 * atom->radius[i];
     const double density = atom->rmass[i] / (pi / 6.0 * d * d * d);
-    own[0] += differ(d, 1.0) && differ(d, m.diameter);
+    own[0] += differ(d, 1.0) && differ(d, m.diameter) && is_new(d, last_diameters);
     own[1] += differ(density, 1.0) && differ(atom->rmass[i], default_mass) &&
-              differ(density, m.density) && differ(atom->rmass[i], mass(atom->type[i]));
+              differ(density, m.density) && differ(atom->rmass[i], mass(atom->type[i])) &&
+              is_new(atom->rmass[i], last_masses);
   }
   MPI_Allreduce(own, all, 2, MPI_LMP_BIGINT, MPI_SUM, world);
   if (all[0] + all[1] > 0 && comm->me == 0)

@@ -233,9 +233,13 @@ void PairMCA::init_style()
                                             mca::propertyWords(domain->dimension, false)));
   find_columns();
   make_laws();
-  if (checked == 0)
-    warn_of_sizes();
-
+  warn_of_sizes();
+  last_diameters.clear();
+  last_masses.clear();
+  for (int type = 1; type <= atom->ntypes; type++) {
+    last_diameters.push_back(materials[type].diameter);
+    last_masses.push_back(mass(type));
+  }
   for (int i = 0; i < atom->nlocal; i++)
     set_size(i);
 }

@@ -347,6 +347,9 @@ STRESSED = ["pairs are stressed above the strength", "does the lattice fit the d
         (block(moved="fix 1 all nve/sphere\n"), ["fix 1 nve/sphere moves 72 automata"]),
         (block("set group all diameter 2\n" + LAWS), ["diameters of 72", "densities of 0"]),
         (block("set group all density 2.7\n" + LAWS), ["diameters of 0", "densities of 72"]),
+        # between the set-up of links and the first run, and between two runs
+        (block(LAWS + "set group all diameter 2\n"), ["diameters of 72", "densities of 0"]),
+        (block() + "run 1\nset group all mass 2.7\n", ["diameters of 0", "densities of 72"]),
         (
             block(LAWS.replace("steel.mca", "steel.mca density 2700")),
             ["type 1 travel at 8.73 m/s", "units nano"],
