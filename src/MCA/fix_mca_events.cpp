@@ -9,21 +9,22 @@
 #include "update.h"
 
 #include <algorithm>
+#include <iterator>
 #include <optional>
 #include <string>
 
 using namespace LAMMPS_NS;
 using namespace FixConst;
 
-enum { STEP, ID1, ID2, TYPE1, TYPE2, BEFORE, AFTER, X, Y, Z, ATTRIBUTES };
-static const char *const NAMES[ATTRIBUTES] = {"step",   "id1",   "id2", "type1", "type2",
-                                              "before", "after", "x",   "y",     "z"};
+static const char *const EVENT_WORDS[] = {"step",   "id1",   "id2", "type1", "type2",
+                                          "before", "after", "x",   "y",     "z"};
+static constexpr std::size_t WIDTH = std::size(EVENT_WORDS); // values of an event
 
 /* fix ID group mca/events N attribute ... */
 
 FixMCAEvents::FixMCAEvents(LAMMPS *host, int narg, char **arg)
     : Fix(host, narg, arg),
-      columns(host, "Fix mca/events", {NAMES, NAMES + ATTRIBUTES}, narg - 4, arg + 4),
+      columns(host, "Fix mca/events", {EVENT_WORDS, EVENT_WORDS + WIDTH}, narg - 4, arg + 4),
       pair(nullptr), counts{}
 {
   local_freq = static_cast<int>(mca::wholeNumber(lmp, "Fix mca/events N", arg[3], 1, MAXSMALLINT));
@@ -58,17 +59,17 @@ void FixMCAEvents::post_force(int /*vflag*/)
       continue;
     const bool was = mca::link::isLinked(e.before), is = mca::link::isLinked(e.after);
     counts[was && is ? HEALED : was ? BROKEN : FORMED]++;
-    const double values[ATTRIBUTES] = {static_cast<double>(e.step),
-                                       static_cast<double>(e.tag[0]),
-                                       static_cast<double>(e.tag[1]),
-                                       static_cast<double>(e.type[0]),
-                                       static_cast<double>(e.type[1]),
-                                       e.before,
-                                       e.after,
-                                       e.x[0],
-                                       e.x[1],
-                                       e.x[2]};
-    collected.insert(collected.end(), values, values + ATTRIBUTES);
+    const double values[WIDTH] = {static_cast<double>(e.step),
+                                  static_cast<double>(e.tag[0]),
+                                  static_cast<double>(e.tag[1]),
+                                  static_cast<double>(e.type[0]),
+                                  static_cast<double>(e.type[1]),
+                                  e.before,
+                                  e.after,
+                                  e.x[0],
+                                  e.x[1],
+                                  e.x[2]};
+    collected.insert(collected.end(), values, values + WIDTH);
   }
   if (update->ntimestep % local_freq == 0)
     give_out();
@@ -76,11 +77,11 @@ void FixMCAEvents::post_force(int /*vflag*/)
 
 void FixMCAEvents::give_out()
 {
-  size_local_rows = static_cast<int>(collected.size() / ATTRIBUTES);
+  size_local_rows = static_cast<int>(collected.size() / WIDTH);
   columns.grow(size_local_rows);
   for (int row = 0; row < size_local_rows; row++)
     for (int c = 0; c < columns.size(); c++)
-      columns.at(row, c) = collected[row * ATTRIBUTES + columns[c]];
+      columns.at(row, c) = collected[row * WIDTH + columns[c]];
   vector_local = columns.vector;
   array_local = columns.array;
   collected.clear();
@@ -117,7 +118,7 @@ void FixMCAEvents::restart(char *buf)
   const std::string text = mca::fixBlockText(lmp, buf, what);
   const std::vector<double> all =
       mca::readOrStop(lmp, [&] { return mca::numbersIn(text, std::nullopt, what); });
-  if (all.size() < COUNTERS || (all.size() - COUNTERS) % ATTRIBUTES != 0)
+  if (all.size() < COUNTERS || (all.size() - COUNTERS) % WIDTH != 0)
     error->all(FLERR, "Restart file is damaged: the block of {} has {} numbers", what, all.size());
   if (comm->me != 0)
     return;
