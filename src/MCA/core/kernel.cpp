@@ -108,6 +108,7 @@ MCA_LOOP double strainBlock(const Pairs &p, Block &block, int first, int n,
     }
   };
   double breaking = 0.0;
+  // NOLINTNEXTLINE(bugprone-branch-clone): they differ where knowsNear
   if (knowsNear && block.near) {
 #pragma omp simd reduction(+ : breaking)
     for (int k = 0; k < n; k++)
@@ -355,7 +356,7 @@ void returnPass(const Pairs &p, const PairLaw *laws, const double *response, dou
     const bool pristine = way.way == Pristine;
     if (few.count() == 0)
       return;
-    if (few.count() > mostPicked) {
+    if (few.count() > Picked<D>::most) {
       returnBlock<D, way.way>(p, first, n, laws, response, ofI, ofJ, shares);
       shares.scatter(p.i + first, p.j + first, n, taken);
       return;
@@ -615,7 +616,7 @@ class ForcePassOf {
                      ? BlockMask{}
                      : busyPairs<Criterion, W>(p, block, first, n);
     few_.choose(block.busy);
-    if (few_.count() > mostPicked)
+    if (few_.count() > Picked<D>::most)
       return false;
     block.moves = block.changes = false;
     elasticForceBlock<D, W>(p, first, n, laws_, own_);

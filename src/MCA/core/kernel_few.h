@@ -14,13 +14,6 @@
 namespace mca::MCA_ISA {
 namespace {
 
-// Pairs that are worked on at the same time; a picked block is filled up to whole groups, since the
-// rest of a loop that is no whole vector takes as long as the vectors.
-constexpr int pickedGroup = 8;
-
-// More pairs of a block than these are not few: it is worked on as a whole.
-constexpr int mostPicked = blockLength / 2;
-
 // Sets the bits of a block's pairs k < n for which which(k) is true.
 template<class Which>
 inline BlockMask maskOf(int n, const Which &which)
@@ -51,6 +44,9 @@ inline void gatherFlow(const int *pi, const int *pj, int n, const double *respon
 template<class D>
 class Picked {
  public:
+  // More pairs of a block than these are not few: it is worked on as a whole.
+  static constexpr int most = blockLength / 2;
+
   // Chooses the pairs of a mask.
   void choose(const BlockMask &mask)
   {
@@ -63,7 +59,7 @@ class Picked {
   // \param pristine  it keeps no total shear of its own
   void copy(const Pairs &p, int first, bool pristine)
   {
-    padded_ = (count_ + pickedGroup - 1) / pickedGroup * pickedGroup;
+    padded_ = (count_ + group - 1) / group * group;
     for (int k = count_; k < padded_; k++)
       number_[k] = number_[count_ - 1];
     double *const *const totals = pristine ? p.now.gamma : p.now.gammaTotal;
@@ -154,6 +150,10 @@ class Picked {
   }
 
  private:
+  // Pairs that are worked on at the same time; those picked are filled up to whole groups, since
+  // the rest of a loop that is no whole vector takes as long as the vectors.
+  static constexpr int group = 8;
+
   int count_ = 0, padded_ = 0;
   int number_[blockLength], i_[blockLength], j_[blockLength], law_[blockLength];
   Column kind_, plastic_, eps_, ratio_, sigma_, separation_, kindNext_, plasticNext_;
