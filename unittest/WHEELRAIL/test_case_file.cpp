@@ -175,6 +175,10 @@ TEST(CaseFile, BadValues)
       {"speed: []\n", "empty"},
       {"thermal: none\n", "off"},
       {"thermal: {conductivity: 0 W/(m K)}\n", "allowed range"},
+      // of other units: W/(mm K), g/cm3 without a name for it, kJ
+      {"thermal: {conductivity: 50 W/(mm K)}\n", "[0.001, 10000] W/(m K)"},
+      {"thermal: {density: 7.8 kg/m3}\n", "[10, 100000] kg/m3"},
+      {"thermal: {specific_heat: 450 kJ/(kg K)}\n", "[1, 100000] J/(kg K)"},
       {"thermal: off\nthermal: off\n", "twice"},
       {"friction: {law: constant}\n", "friction.mu"},
       {"friction: {mu: 0.3}\n", "constant"},
