@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "patch_cases.h"
 
+#include "contact/convolution.h"
+
 #include <cmath>
 #include <gtest/gtest.h>
 
@@ -129,6 +131,20 @@ TEST(PatchHalfSpace, RepeatsToTheLastBit)
   const TangentialField a = once(), b = once();
   EXPECT_EQ(a.x, b.x);
   EXPECT_EQ(a.y, b.y);
+}
+
+TEST(PlaneTransform, LengthsAreFastAndLongEnough)
+{
+  EXPECT_EQ(fastPlaneSize(90, 80).x, 90);
+  EXPECT_EQ(fastPlaneSize(90, 80).y, 80);
+  EXPECT_EQ(fastPlaneSize(264, 264).x, 270);
+  EXPECT_EQ(fastPlaneSize(264, 264).y, 280); // 270 has three factors 3
+  for (int n = 1; n < 600; ++n) {
+    const int y = fastPlaneSize(1, n).y;
+    EXPECT_GE(y, n);
+    EXPECT_LT(y, 2 * n + 2);
+    EXPECT_EQ(y, fastTransformSize(y));
+  }
 }
 
 TEST(PatchGrid, ShiftsAndBoxes)

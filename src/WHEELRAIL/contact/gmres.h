@@ -4,9 +4,7 @@
 
 #include <Eigen/Core>
 
-#include <algorithm>
 #include <cmath>
-#include <type_traits>
 #include <vector>
 
 namespace wheelrail {
@@ -19,35 +17,6 @@ struct GmresReport {
   bool converged = false; ///< residual <= tolerance
 };
 
-/// Vectors of a Krylov space. In single precision they take half the memory, and half the time
-/// where that is what limits; enough where the step need not be known to better than about 1e-5.
-template<class Scalar>
-using KrylovVector = Eigen::Matrix<Scalar, Eigen::Dynamic, 1>;
-
-/// a b, of single precision summed in parts in double: its error is that of 4096 terms.
-template<class Scalar>
-double innerProduct(const KrylovVector<Scalar> &a, const KrylovVector<Scalar> &b)
-{
-  if constexpr (std::is_same_v<Scalar, double>)
-    return a.dot(b);
-  double sum = 0.0;
-  constexpr Eigen::Index part = 4096;
-  for (Eigen::Index i = 0; i < a.size(); i += part) {
-    const Eigen::Index length = std::min(part, a.size() - i);
-    sum += a.segment(i, length).dot(b.segment(i, length));
-  }
-  return sum;
-}
-
-/// Length of a vector.
-template<class Scalar>
-double lengthOf(const KrylovVector<Scalar> &a)
-{
-  if constexpr (std::is_same_v<Scalar, double>)
-    return a.norm();
-  return std::sqrt(innerProduct<Scalar>(a, a));
-}
-
 /// What one Krylov space gives.
 struct GmresCycle {
   Eigen::VectorXd step;  ///< to add to x, before the preconditioner; empty: no direction is left
@@ -57,20 +26,18 @@ struct GmresCycle {
 
 /// One cycle of GMRES (Saad, Schultz 1986), preconditioned on the right, from the residual r of the
 /// x that it starts from.
-/// \tparam Scalar in which the space is kept
 /// \param apply, precondition as `gmres` takes them
 /// \param goal length of the residual at which it ends, in the unit of r
 /// \param vectors of the space, at most; at least 1
 /// \param maxProducts at most
-template<class Scalar, class Apply, class Precondition>
+template<class Apply, class Precondition>
 GmresCycle gmresCycle(const Apply &apply, const Precondition &precondition,
                       const Eigen::VectorXd &r, double goal, int vectors, int maxProducts)
 {
   using Eigen::VectorXd;
-  using Basis = KrylovVector<Scalar>;
   GmresCycle cycle;
   const double beta = r.norm();
-  std::vector<Basis> basis{(r / beta).template cast<Scalar>()};
+  std::vector<VectorXd> basis{r / beta};
   // Upper Hessenberg matrix, turned into a triangle by Givens rotations column by column; |g[k]|
   // is the residual after k columns.
   Eigen::MatrixXd h = Eigen::MatrixXd::Zero(vectors + 1, vectors);
@@ -79,14 +46,13 @@ GmresCycle gmresCycle(const Apply &apply, const Precondition &precondition,
   int k = 0;
   while (k < vectors && std::abs(g[k]) > goal && cycle.products < maxProducts) {
     // Arnoldi: the next direction, made orthogonal to those before.
-    Basis w =
-        apply(precondition(VectorXd(basis[k].template cast<double>()))).template cast<Scalar>();
+    VectorXd w = apply(precondition(basis[k]));
     ++cycle.products;
     for (int j = 0; j <= k; ++j) { // modified Gram-Schmidt
-      h(j, k) = innerProduct<Scalar>(w, basis[j]);
-      w -= Scalar(h(j, k)) * basis[j];
+      h(j, k) = w.dot(basis[j]);
+      w -= h(j, k) * basis[j];
     }
-    h(k + 1, k) = lengthOf<Scalar>(w);
+    h(k + 1, k) = w.norm();
     const double below = h(k + 1, k);
     for (int j = 0; j < k; ++j) { // the rotations so far
       const double above = h(j, k);
@@ -107,16 +73,16 @@ GmresCycle gmresCycle(const Apply &apply, const Precondition &precondition,
     if (!(below > 0.0))
       break; // the solution lies in the space built so far
     if (k < vectors)
-      basis.emplace_back(w / Scalar(below));
+      basis.emplace_back(w / below);
   }
   cycle.residual = std::abs(g[k]);
   if (k == 0)
     return cycle;
   // Least-squares solution in the basis.
   const VectorXd y = h.topLeftCorner(k, k).template triangularView<Eigen::Upper>().solve(g.head(k));
-  cycle.step = y[0] * basis[0].template cast<double>();
+  cycle.step = y[0] * basis[0];
   for (int j = 1; j < k; ++j)
-    cycle.step += y[j] * basis[j].template cast<double>();
+    cycle.step += y[j] * basis[j];
   return cycle;
 }
 
@@ -162,8 +128,8 @@ GmresReport gmres(const Apply &apply, const Precondition &precondition, const Ei
     report.converged = report.residual <= tolerance;
     if (report.converged || report.products >= maxProducts || !std::isfinite(report.residual))
       return report;
-    const GmresCycle cycle = gmresCycle<double>(apply, precondition, r, tolerance * scale, restart,
-                                                maxProducts - report.products);
+    const GmresCycle cycle = gmresCycle(apply, precondition, r, tolerance * scale, restart,
+                                        maxProducts - report.products);
     report.products += cycle.products;
     if (cycle.step.size() == 0)
       return report;

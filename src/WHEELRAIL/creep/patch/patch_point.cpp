@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <utility>
 
 namespace wheelrail {
 namespace {
@@ -65,9 +66,16 @@ Vector frictionalHeat(const TangentialResult &result, double speed)
                    result.traction.y.cwiseProduct(result.slip.y));
 }
 
+TangentialOptions FrozenPatch::defaultOptions()
+{
+  TangentialOptions options;
+  options.tolerance = 1e-6;
+  return options;
+}
+
 FrozenPatch::FrozenPatch(const CreepPhysics &physics, const PatchContact &contact, double spinPoint,
-                         double tolerance)
-    : physics_(physics), contact_(contact), spinPoint_(spinPoint), tolerance_(tolerance),
+                         TangentialOptions options)
+    : physics_(physics), contact_(contact), spinPoint_(spinPoint), options_(std::move(options)),
       solver_(contact.grid, contact.pair), coupling_(contact.grid, contact.pair)
 {
   pressAnew();
@@ -106,8 +114,7 @@ TangentialResult FrozenPatch::roll(const PatchDrive &drive, const Creepage &gues
     problem.creepage.xi = guess.xi;
   if (drive.forceY)
     problem.creepage.eta = guess.eta;
-  TangentialOptions options;
-  options.tolerance = tolerance_;
+  TangentialOptions options = options_;
   if (warm_)
     options.start = std::move(result_.traction);
   result_ = {}; // on a fine grid each field counts

@@ -94,9 +94,10 @@ class FrozenPatch {
  public:
   /// Both must outlive the object.
   /// \param spinPoint `TangentialProblem::spinPoint`
-  /// \param tolerance `TangentialOptions::tolerance`
+  /// \param options of each tangential problem; the start is not read
   FrozenPatch(const CreepPhysics &physics, const PatchContact &contact, double spinPoint,
-              double tolerance = 1e-6);
+              TangentialOptions options = defaultOptions());
+  static TangentialOptions defaultOptions(); ///< of a sweep
 
   /// Warm from the last call: tractions, creepages that were found, temperature.
   /// \throws Error (NotConverged), Error (BadInput) for a force that friction cannot carry
@@ -133,7 +134,8 @@ class FrozenPatch {
 
   const CreepPhysics &physics_;
   const PatchContact &contact_;
-  double spinPoint_, tolerance_;
+  double spinPoint_;
+  TangentialOptions options_;
   TangentialSolver solver_;
   TangentialResult result_;
   TangentialField imposed_; ///< by the pressure of unlike bodies, in `result_`

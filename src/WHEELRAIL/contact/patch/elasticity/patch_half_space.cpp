@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "contact/patch/elasticity/patch_half_space.h"
 
-#include "contact/convolution.h"
 #include "shared/pi.h"
 
 #include <cmath>
@@ -53,9 +52,10 @@ PlaneTransform &PatchHalfSpace::padded(int fields)
 PlaneTransform &PatchHalfSpace::wrapping(int fields)
 {
   std::optional<PlaneTransform> &transform = wrapping_[fields - 1];
-  if (!transform)
-    transform.emplace(cellGrid_.nx, cellGrid_.ny, fastTransformSize(cellGrid_.nx),
-                      fastTransformSize(cellGrid_.ny), fields);
+  if (!transform) {
+    const PlaneSize size = fastPlaneSize(cellGrid_.nx, cellGrid_.ny);
+    transform.emplace(cellGrid_.nx, cellGrid_.ny, size.x, size.y, fields);
+  }
   return *transform;
 }
 
@@ -69,8 +69,7 @@ PlaneTransform &PatchHalfSpace::wrapping(int fields)
 // plane holds all of it, and cosine (sine) transforms give the quarter of its spectrum.
 void PatchHalfSpace::fillSpectra()
 {
-  const int sizeX = fastTransformSize(2 * cellGrid_.nx),
-            sizeY = fastTransformSize(2 * cellGrid_.ny);
+  const auto [sizeX, sizeY] = fastPlaneSize(2 * cellGrid_.nx, 2 * cellGrid_.ny);
   const int countX = sizeX / 2 + 1, countY = sizeY / 2 + 1;
   for (Quarter *quarter : {&yy_, &xx_, &xy_})
     quarter->assign(std::size_t(countX) * countY, 0.0);
@@ -101,7 +100,7 @@ void PatchHalfSpace::fillSpectra()
 // preconditioner, and needs transforms of the box itself, a quarter of the size.
 void PatchHalfSpace::fillEstimates()
 {
-  const int sizeX = fastTransformSize(cellGrid_.nx), sizeY = fastTransformSize(cellGrid_.ny);
+  const auto [sizeX, sizeY] = fastPlaneSize(cellGrid_.nx, cellGrid_.ny);
   const int countX = sizeX / 2 + 1, countY = sizeY / 2 + 1;
   for (Quarter *quarter : {&stiffnessXX_, &stiffnessYY_, &stiffnessXY_, &stiffnessZZ_})
     quarter->resize(std::size_t(countX) * countY);
@@ -205,11 +204,10 @@ TangentialField PatchHalfSpace::tractionEstimate(const TangentialField &displace
   return result;
 }
 
-// A slipping cell's equation is that of a surface under a layer that gives way by D. Rolling, what
-// counts is the displacement less that of a cell upstream: a wave's factor 1 - exp(i kx dx). Both
-// are diagonal in waves, too, and so is the inverse of their sum.
-TangentialField PatchHalfSpace::softenedEstimate(const TangentialField &displacement, double D,
-                                                 bool rolling)
+// A slipping cell's equation is that of a surface under a layer that gives way by D. What counts is
+// the displacement less that of a cell upstream: a wave's factor 1 - exp(i kx dx). Both are
+// diagonal in waves, too, and so is the inverse of their sum.
+TangentialField PatchHalfSpace::softenedEstimate(const TangentialField &displacement, double D)
 {
   if (stiffnessZZ_.empty())
     fillEstimates();
@@ -221,7 +219,7 @@ TangentialField PatchHalfSpace::softenedEstimate(const TangentialField &displace
   const double bins = double(sizeX) * sizeY; // the stiffnesses contain 1/bins
   transform.multiply(fields, [&](int kx, Complex *const *column) {
     const std::size_t at = std::size_t(kx) * countY;
-    const Complex ahead = rolling ? 1.0 - std::polar(1.0, 2.0 * pi * kx / sizeX) : 1.0;
+    const Complex ahead = 1.0 - std::polar(1.0, 2.0 * pi * kx / sizeX);
     forFrequencies(sizeY, [&](int ky, int bin, double sign) {
       // K (D K + ahead)^-1 with the stiffness K = A^-1
       const double xx = stiffnessXX_[at + bin], yy = stiffnessYY_[at + bin];

@@ -49,10 +49,10 @@ class PatchHalfSpace final : public HalfSpace {
   Vector tractionEstimate(const Vector &displacement) override;
   TangentialField tractionEstimate(const TangentialField &displacement);
 
-  /// Approximate inverse of D + A, or of D + A - A moved by a cell (`rolling`), D > 0 a compliance
-  /// like `tangentialCompliance()`: traction of a surface that gives way by D on top of the
-  /// half-spaces, as cells do that slip.
-  TangentialField softenedEstimate(const TangentialField &displacement, double D, bool rolling);
+  /// Approximate inverse of D + A - A moved by a cell, D > 0 a compliance like
+  /// `tangentialCompliance()`: traction of a surface in steady rolling that gives way by D on top
+  /// of the half-spaces, as cells do that slip.
+  TangentialField softenedEstimate(const TangentialField &displacement, double D);
 
   /// That of a punch under the load: its area a square with that of all cells.
   double displacementScale(double pressureSum) const override;

@@ -147,9 +147,25 @@ void PlaneTransform::multiply(double *const *fields, const Symbol &symbol)
     w.rowsBackward(f, fields[f]);
 }
 
+// Time for a point of a column, measured with FFTW 3.3.10 for 64 to 1200 of them: 1.5 to 2.2 ns
+// without a factor 3, 2.2 to 3 with one, 2.8 to 5 with more.
+PlaneSize fastPlaneSize(int nx, int ny)
+{
+  constexpr double slower = 1.4; // with each of the first two factors 3
+  const auto cost = [](int size) {
+    return size * (size % 9 == 0 ? slower * slower : size % 3 == 0 ? slower : 1.0);
+  };
+  int best = fastTransformSize(ny);
+  for (int size = best; size < slower * slower * ny; size = fastTransformSize(size + 1))
+    if (cost(size) < cost(best))
+      best = size;
+  return {fastTransformSize(nx), best};
+}
+
 PlaneTransform paddedTransform(int nx, int ny, int fields)
 {
-  return {nx, ny, fastTransformSize(2 * nx), fastTransformSize(2 * ny), fields};
+  const PlaneSize size = fastPlaneSize(2 * nx, 2 * ny);
+  return {nx, ny, size.x, size.y, fields};
 }
 
 void quarterTransform(Quarter &values, int countX, int countY, bool oddX, bool oddY)

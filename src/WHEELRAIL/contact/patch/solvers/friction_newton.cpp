@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "contact/patch/solvers/friction_newton.h"
 
-#include "contact/gmres.h"
-
 #include <algorithm>
 #include <cmath>
 
@@ -26,32 +24,8 @@ constexpr Attempt attempts[] = {{0.5, 0.1, 20}, {0.1, 0.02, 40}, {0.02, 0.005, 1
 constexpr double softest = 3.0;
 constexpr double leastSoftness = 1e-3; ///< in the mean of the logarithms
 constexpr int restart = 30, maxInner = 120;
-
-/// A step of Newton's method by GMRES from zero, the residual measured after the left
-/// preconditioner. It needs no more than `tightTolerance` of it, which single precision gives: what
-/// is missing is the next step's, and so is the judgement whether the residual itself is small. It
-/// never fails; it gives what it has.
-template<class Apply, class Precondition>
-Vector krylov(const Apply &apply, const Precondition &precondition, const Vector &b,
-              double tolerance)
-{
-  Vector x = Vector::Zero(b.size()), r = b;
-  const double goal = tolerance * b.norm();
-  int products = 0;
-  while (r.norm() > goal && products < maxInner) {
-    const GmresCycle cycle =
-        gmresCycle<float>(apply, precondition, r, goal, restart, maxInner - products);
-    if (cycle.step.size() == 0)
-      return x;
-    x += precondition(cycle.step);
-    products += cycle.products;
-    if (cycle.residual <= goal || products >= maxInner)
-      return x;
-    r = b - apply(x);
-    ++products;
-  }
-  return x;
-}
+/// What images in single precision can tell of a residual, as a share of that before them.
+constexpr double singlePrecision = 1e-4;
 
 } // namespace
 
@@ -110,7 +84,7 @@ Vector FrictionNewton::operatorB(const Vector &x)
 // outweigh those of the cells.
 Vector FrictionNewton::evaluate(const Vector &x, Linearisation &linear)
 {
-  scaledSlip_ = eq_.drive + operatorB(x);
+  scaledSlip_ = eq_.drive + image_;
   linear.slips.assign(n_, 0);
   linear.tangent = Vector::Zero(2 * n_);
   linear.lambda = linear.softness = Vector::Zero(n_);
@@ -142,10 +116,9 @@ Vector FrictionNewton::evaluate(const Vector &x, Linearisation &linear)
   return f;
 }
 
-Vector FrictionNewton::jacobian(const Linearisation &linear, const Vector &x)
+Vector FrictionNewton::jacobian(const Linearisation &linear, const Vector &x, const Vector &s) const
 {
-  Vector f = Vector(x.size());
-  const Vector s = operatorB(x);
+  Vector f(x.size());
   for (int i = 0; i < n_; ++i) {
     if (!linear.slips[i]) {
       f[2 * i] = s[2 * i];
@@ -183,14 +156,48 @@ Vector FrictionNewton::fromLeft(const Linearisation &linear, const Vector &resid
   return sum;
 }
 
-// Where a cell slips, about the diagonal of its equation along the circle, with S taken for as much
-// as q: in units of the cell's own compliance it nearly is.
 Vector FrictionNewton::fromRight(const Linearisation &linear, const Vector &x)
 {
   Vector result = x;
-  fillStick(linear, x, result);
-  fillSlip(linear, x, result);
+  if (eq_.steady) {
+    fillStick(linear, x, result);
+    fillSlip(linear, x, result);
+  } else {
+    fillStep(linear, x, result);
+  }
   return result;
+}
+
+// Of a step what is left of the equations, once q across the circle is known where a cell slips, is
+// symmetric: A on the directions that are free, and the softness on the diagonal. The half-space's
+// inverse, scaled from both sides, is that of either where it is alone.
+void FrictionNewton::fillStep(const Linearisation &linear, const Vector &x, Vector &result)
+{
+  field_.x.setZero();
+  field_.y.setZero();
+  const auto scaleOf = [&](int i) { return 1.0 / std::sqrt(1.0 + linear.softness[i]); };
+  for (int i = 0; i < n_; ++i) {
+    const int cell = eq_.cells[i];
+    if (!linear.slips[i]) {
+      field_.x[cell] = compliance_ * x[2 * i];
+      field_.y[cell] = compliance_ * x[2 * i + 1];
+      continue;
+    }
+    const double wanted = compliance_ * scaleOf(i) * linear.along(i, x[2 * i], x[2 * i + 1]) /
+                          (linear.lambda[i] * predictionOf(i));
+    field_.x[cell] = wanted * linear.tangent[2 * i];
+    field_.y[cell] = wanted * linear.tangent[2 * i + 1];
+  }
+  const TangentialField q = space_.tractionEstimate(field_);
+  for (int i = 0; i < n_; ++i) {
+    const int cell = eq_.cells[i];
+    if (linear.slips[i]) {
+      linear.setAlong(i, scaleOf(i) * linear.along(i, q.x[cell], q.y[cell]), result);
+    } else {
+      result[2 * i] = q.x[cell];
+      result[2 * i + 1] = q.y[cell];
+    }
+  }
 }
 
 void FrictionNewton::fillStick(const Linearisation &linear, const Vector &x, Vector &result)
@@ -210,16 +217,10 @@ void FrictionNewton::fillStick(const Linearisation &linear, const Vector &x, Vec
     }
 }
 
+// Where a cell slips, about the diagonal of its equation along the circle, with S taken for as much
+// as q: in units of the cell's own compliance it nearly is.
 void FrictionNewton::fillSlip(const Linearisation &linear, const Vector &x, Vector &result)
 {
-  const auto along = [&](int i, double vx, double vy) {
-    return linear.tangent[2 * i] * vx + linear.tangent[2 * i + 1] * vy;
-  };
-  const auto setAlong = [&](int i, double value) {
-    const double change = value - along(i, result[2 * i], result[2 * i + 1]);
-    result[2 * i] += change * linear.tangent[2 * i];
-    result[2 * i + 1] += change * linear.tangent[2 * i + 1];
-  };
   field_.x.setZero();
   field_.y.setZero();
   double logarithms = 0.0;
@@ -229,9 +230,10 @@ void FrictionNewton::fillSlip(const Linearisation &linear, const Vector &x, Vect
       continue;
     // the row, over lambda r: softness q + S along the tangent
     const double softness = linear.softness[i];
-    const double wanted = along(i, x[2 * i], x[2 * i + 1]) / (linear.lambda[i] * predictionOf(i));
+    const double wanted =
+        linear.along(i, x[2 * i], x[2 * i + 1]) / (linear.lambda[i] * predictionOf(i));
     if (softness >= softest) {
-      setAlong(i, wanted / (softness + 1.0));
+      linear.setAlong(i, wanted / (softness + 1.0), result);
       continue;
     }
     const int cell = eq_.cells[i];
@@ -243,24 +245,62 @@ void FrictionNewton::fillSlip(const Linearisation &linear, const Vector &x, Vect
   if (count == 0)
     return;
   const double mean = std::exp(logarithms / count);
-  const TangentialField q = space_.softenedEstimate(field_, mean * compliance_, eq_.steady);
+  const TangentialField q = space_.softenedEstimate(field_, mean * compliance_);
   for (int i = 0; i < n_; ++i)
     if (linear.slips[i] && linear.softness[i] < softest)
-      setAlong(i, along(i, q.x[eq_.cells[i]], q.y[eq_.cells[i]]));
+      linear.setAlong(i, linear.along(i, q.x[eq_.cells[i]], q.y[eq_.cells[i]]), result);
 }
 
 // Two preconditioners, for the operator is a product of two: B = A - A moved by a cell is the
 // influence A after the difference along the stream. The sum along each stick segment undoes the
 // difference (left), the half-space's symbol undoes the influence (right).
-Vector FrictionNewton::newtonStep(const Linearisation &linear, const Vector &f, double tolerance)
+//
+// Most of the work is products with B. What B makes of a direction is kept with it: so the slip of
+// the solution follows from those of its directions, and steps that are known from solutions before
+// cost no product.
+void FrictionNewton::newtonStep(const Linearisation &linear, const Vector &f, double tolerance,
+                                const std::vector<KnownStep> &known, Vector &x)
 {
-  const Vector b = fromLeft(linear, -f);
-  return krylov([&](const Vector &v) { return fromLeft(linear, jacobian(linear, v)); },
-                [&](const Vector &v) { return fromRight(linear, v); }, b, tolerance);
+  StepSpace space(fromLeft(linear, -f), static_cast<int>(known.size()) + restart);
+  const double goal = tolerance * space.residual().norm();
+  const auto imageOf = [&](const Vector &direction, const Vector &slip) -> Eigen::VectorXf {
+    return fromLeft(linear, jacobian(linear, direction, slip)).cast<float>();
+  };
+  std::vector<KnownStep> taken;
+  for (const KnownStep &step : known)
+    if (space.add(imageOf(step.x.cast<double>(), step.image.cast<double>())))
+      taken.push_back(step);
+  const auto takeStep = [&] {
+    const Vector weights = space.weights();
+    for (std::size_t j = 0; j < taken.size(); ++j) {
+      x += weights[j] * taken[j].x.cast<double>();
+      image_ += weights[j] * taken[j].image.cast<double>();
+    }
+  };
+  for (int products = 0; space.residual().norm() > goal && products < maxInner; ++products) {
+    KnownStep step;
+    step.x = fromRight(linear, space.next()).cast<float>();
+    const Vector direction = step.x.cast<double>(), slip = operatorB(direction);
+    const Eigen::VectorXf image = imageOf(direction, slip);
+    bool added = !space.isFull() && space.add(image);
+    if (!added) { // no room, or nothing new
+      takeStep();
+      taken.clear();
+      space = StepSpace(space.residual(), restart);
+      added = space.add(image);
+    }
+    if (!added)
+      break;
+    step.image = slip.cast<float>();
+    taken.push_back(std::move(step));
+  }
+  takeStep();
 }
 
-bool FrictionNewton::solve(Vector &x, double tolerance, int maxSteps)
+bool FrictionNewton::solve(Vector &x, double tolerance, int maxSteps,
+                           const std::vector<KnownStep> &known)
 {
+  known_ = known;
   const Vector start = x;
   if (tryAttempts(start, x, tolerance, maxSteps))
     return true;
@@ -313,17 +353,30 @@ bool FrictionNewton::iterate(Vector &x, double tolerance, int maxSteps)
 {
   Linearisation &linear = linear_;
   std::vector<char> former;
+  image_ = operatorB(x);
+  const Vector start = x, imageOfStart = image_;
+  double exact = 0.0; // residual at the last product
   for (int step = 0;; ++step, ++newtonSteps_) {
-    const Vector f = evaluate(x, linear);
+    Vector f = evaluate(x, linear);
+    if (f.norm() < singlePrecision * exact) {
+      image_ = operatorB(x);
+      f = evaluate(x, linear);
+      exact = f.norm();
+    } else if (step == 0) {
+      exact = f.norm();
+    }
     relativeResidual_ = f.norm() / eq_.scale;
-    if (relativeResidual_ <= tolerance)
+    if (relativeResidual_ <= tolerance) {
+      wholeStep_ = {(x - start).cast<float>(), (image_ - imageOfStart).cast<float>()};
       return true;
+    }
     if (step >= maxSteps || !std::isfinite(relativeResidual_))
       return false;
     const double goal = innerShare * tolerance / relativeResidual_;
-    x += newtonStep(linear, f,
-                    linear.slips == former ? std::clamp(goal, tightTolerance, innerTolerance)
-                                           : innerTolerance);
+    newtonStep(linear, f,
+               linear.slips == former ? std::clamp(goal, tightTolerance, innerTolerance)
+                                      : innerTolerance,
+               step == 0 ? known_ : std::vector<KnownStep>{}, x);
     former = linear.slips;
   }
 }

@@ -3,6 +3,7 @@
 #define WHEELRAIL_PATCH_FRICTION_NEWTON_H
 
 #include "contact/patch/elasticity/patch_half_space.h"
+#include "contact/patch/solvers/step_space.h"
 
 #include <vector>
 
@@ -47,11 +48,15 @@ class FrictionNewton {
   /// \param x start on entry, solution on return: 2 per cell, then the unknown creepages, scaled
   /// \param tolerance of the residual's norm, relative to `scale`
   /// \param maxSteps Newton steps of one attempt; a second and a third are more careful
+  /// \param known steps of solutions before on the same cells, with the same unknowns: a step
+  ///        along them costs no product
   /// \return true when the tolerance is met; never throws
-  bool solve(Vector &x, double tolerance, int maxSteps);
+  bool solve(Vector &x, double tolerance, int maxSteps, const std::vector<KnownStep> &known = {});
 
   /// Newton steps of all attempts.
   int steps() const { return newtonSteps_; }
+  /// From the start to the solution.
+  const KnownStep &wholeStep() const { return wholeStep_; }
   /// Products with B, those of the inner iterations included.
   int products() const { return operatorProducts_; }
   /// Relative to `scale`.
@@ -71,6 +76,19 @@ class FrictionNewton {
     /// How much more a cell's slip gives way along the tangent than its surface does under its own
     /// traction, (1 - lambda)/(lambda r): slip must turn with the traction.
     Vector softness;
+
+    /// Part of (vx, vy) along the tangent of cell i.
+    double along(int i, double vx, double vy) const
+    {
+      return tangent[2 * i] * vx + tangent[2 * i + 1] * vy;
+    }
+    /// Changes that part of a vector's cell i.
+    void setAlong(int i, double value, Vector &v) const
+    {
+      const double change = value - along(i, v[2 * i], v[2 * i + 1]);
+      v[2 * i] += change * tangent[2 * i];
+      v[2 * i + 1] += change * tangent[2 * i + 1];
+    }
   };
 
   /// r of cell i.
@@ -80,20 +98,26 @@ class FrictionNewton {
   bool iterate(Vector &x, double tolerance, int maxSteps);
   /// Slip that tractions and unknown creepages make, without the drive.
   Vector operatorB(const Vector &x);
-  /// The residual at x: S where a cell sticks, q - P(q - r S) where it slips, forces last.
+  /// The residual at x, whose slip is that of `image_`: S where a cell sticks, q - P(q - r S) where
+  /// it slips, forces last.
   Vector evaluate(const Vector &x, Linearisation &linear);
-  /// Product of the residual's derivative with x.
-  Vector jacobian(const Linearisation &linear, const Vector &x);
+  /// Product of the residual's derivative with x. \param s B x
+  Vector jacobian(const Linearisation &linear, const Vector &x, const Vector &s) const;
   /// Steady: sums along each stick segment, the inverse of the upwind difference.
   Vector fromLeft(const Linearisation &linear, const Vector &residual) const;
-  /// Approximate inverse: the half-space's where cells stick; along the tangent of slip that of a
-  /// half-space under a soft layer, where the softness is of the size of its own.
+  /// Approximate inverse of the equations after `fromLeft`, where cells stick that of the
+  /// half-space.
   Vector fromRight(const Linearisation &linear, const Vector &x);
+  void fillStep(const Linearisation &linear, const Vector &x, Vector &result);
   void fillStick(const Linearisation &linear, const Vector &x, Vector &result);
+  /// Steady: along the tangent of slip the inverse of a half-space under a soft layer, where the
+  /// softness is of the size of its own.
   void fillSlip(const Linearisation &linear, const Vector &x, Vector &result);
-  /// Solves the linear system by GMRES.
-  /// \param tolerance  relative to its right-hand side
-  Vector newtonStep(const Linearisation &linear, const Vector &f, double tolerance);
+  /// Solves the linear system and goes there with x and `image_`.
+  /// \param tolerance relative to its right-hand side
+  /// \param known steps that take part from the beginning
+  void newtonStep(const Linearisation &linear, const Vector &f, double tolerance,
+                  const std::vector<KnownStep> &known, Vector &x);
 
   PatchHalfSpace &space_;
   Equations eq_;
@@ -102,6 +126,9 @@ class FrictionNewton {
   Vector stiffness_;          ///< of a cell with its edge, in units of a cell's without one
   std::vector<int> upstream_; ///< position in `cells` of the cell one further in x, -1: none
   TangentialField field_;
+  Vector image_;                 ///< B x of the iterate
+  std::vector<KnownStep> known_; ///< given to `solve`
+  KnownStep wholeStep_;
   Vector scaledSlip_;
   Linearisation linear_; ///< at the last x
   double prediction_ = 0.5;

@@ -15,6 +15,7 @@ using Vector = Eigen::VectorXd;
 
 constexpr int coarsest = 24;       ///< cells of the grid's longer side, at least
 constexpr double forceShare = 0.1; ///< of the tolerance, where forces are prescribed and to be met
+constexpr std::size_t pastSteps = 2;     ///< 3 or more save no product
 constexpr double coarseTolerance = 1e-2; ///< a start for the next grid needs no more
 
 } // namespace
@@ -37,10 +38,20 @@ int TangentialResult::slipCells() const
   return static_cast<int>(std::count(state.begin(), state.end(), PatchState::Slip));
 }
 
+/// Steps from one solution of steady rolling to the next, the latest last. They serve where the
+/// operator is the same.
+struct PastSteps {
+  std::vector<int> cells; ///< in contact
+  std::vector<int> unknown;
+  Vector edge;
+  std::vector<KnownStep> steps;
+};
+
 struct TangentialSolver::Work {
   PatchGrid grid;
   ElasticPair pair;
   std::unique_ptr<PatchHalfSpace> space; ///< of the last box
+  PastSteps past;
 
   PatchHalfSpace &spaceOn(const PatchGrid &box)
   {
@@ -51,7 +62,7 @@ struct TangentialSolver::Work {
 };
 
 TangentialSolver::TangentialSolver(const PatchGrid &grid, const ElasticPair &pair)
-    : work_(std::make_unique<Work>(Work{grid, pair, nullptr}))
+    : work_(std::make_unique<Work>(Work{grid, pair, nullptr, {}}))
 {
 }
 TangentialSolver::~TangentialSolver() = default;
@@ -372,10 +383,15 @@ TangentialResult TangentialSolver::solve(const TangentialProblem &problem,
   for (std::size_t j = 0; j < unknown.size(); ++j)
     x[2 * n + j] = (unknown[j] ? creepage.eta : creepage.xi) / creepUnit;
 
+  PastSteps &past = work_->past;
+  const Vector &edge = scaled.equations.edge;
+  if (!(options.followsSteps && steady && past.cells == scaled.wholeIndex &&
+        past.unknown == unknown && past.edge.size() == edge.size() && past.edge == edge))
+    past = {scaled.wholeIndex, unknown, edge, {}};
   FrictionNewton newton(space, std::move(scaled.equations));
   // a given force is to be met itself, more closely than tractions are
   const double tolerance = (unknown.empty() ? 1.0 : forceShare) * options.tolerance;
-  const bool converged = newton.solve(x, tolerance, options.maxSteps);
+  const bool converged = newton.solve(x, tolerance, options.maxSteps, past.steps);
   result.newtonSteps = newton.steps();
   result.products = newton.products();
   result.residual = newton.residual();
@@ -383,6 +399,11 @@ TangentialResult TangentialSolver::solve(const TangentialProblem &problem,
     throw Error(ExitCode::NotConverged,
                 fmt::format("tangential contact: residual {:.1e} (wanted {:.1e}) after {} steps",
                             newton.residual(), tolerance, newton.steps()));
+  if (options.followsSteps && steady && newton.steps() > 0) {
+    if (past.steps.size() == pastSteps)
+      past.steps.erase(past.steps.begin());
+    past.steps.push_back(newton.wholeStep());
+  }
   fill(PatchState::Stick, scaled.wholeIndex);
   const Vector &s = newton.slip();
   for (int i = 0; i < n; ++i) {

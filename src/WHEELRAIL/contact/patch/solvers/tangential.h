@@ -63,6 +63,9 @@ struct TangentialOptions {
   double tolerance = 1e-5;
   int maxSteps = 60;     ///< Newton steps on the finest grid
   TangentialField start; ///< tractions to start from; empty: coarser grids first
+  /// Steady rolling that changes by degrees from call to call: the search goes on along the steps
+  /// between the last solutions, while the cells in contact are the same.
+  bool followsSteps = false;
 };
 
 struct TangentialResult {
