@@ -24,8 +24,8 @@ constexpr Attempt attempts[] = {{0.5, 0.1, 20}, {0.1, 0.02, 40}, {0.02, 0.005, 1
 constexpr double softest = 3.0;
 constexpr double leastSoftness = 1e-3; ///< in the mean of the logarithms
 constexpr int restart = 30, maxInner = 120;
-/// What images in single precision can tell of a residual, as a share of that before them.
-constexpr double singlePrecision = 1e-4;
+/// What sums of images can tell of a residual, as a share of that before them.
+constexpr double rounding = 1e-8;
 
 } // namespace
 
@@ -263,25 +263,25 @@ void FrictionNewton::newtonStep(const Linearisation &linear, const Vector &f, do
 {
   StepSpace space(fromLeft(linear, -f), static_cast<int>(known.size()) + restart);
   const double goal = tolerance * space.residual().norm();
-  const auto imageOf = [&](const Vector &direction, const Vector &slip) -> Eigen::VectorXf {
-    return fromLeft(linear, jacobian(linear, direction, slip)).cast<float>();
+  const auto imageOf = [&](const Vector &direction, const Vector &slip) -> Eigen::VectorXd {
+    return fromLeft(linear, jacobian(linear, direction, slip));
   };
   std::vector<KnownStep> taken;
   for (const KnownStep &step : known)
-    if (space.add(imageOf(step.x.cast<double>(), step.image.cast<double>())))
+    if (space.add(imageOf(step.x, step.image)))
       taken.push_back(step);
   const auto takeStep = [&] {
     const Vector weights = space.weights();
     for (std::size_t j = 0; j < taken.size(); ++j) {
-      x += weights[j] * taken[j].x.cast<double>();
-      image_ += weights[j] * taken[j].image.cast<double>();
+      x += weights[j] * taken[j].x;
+      image_ += weights[j] * taken[j].image;
     }
   };
   for (int products = 0; space.residual().norm() > goal && products < maxInner; ++products) {
     KnownStep step;
-    step.x = fromRight(linear, space.next()).cast<float>();
-    const Vector direction = step.x.cast<double>(), slip = operatorB(direction);
-    const Eigen::VectorXf image = imageOf(direction, slip);
+    step.x = fromRight(linear, space.next());
+    const Vector direction = step.x, slip = operatorB(direction);
+    const Eigen::VectorXd image = imageOf(direction, slip);
     bool added = !space.isFull() && space.add(image);
     if (!added) { // no room, or nothing new
       takeStep();
@@ -291,7 +291,7 @@ void FrictionNewton::newtonStep(const Linearisation &linear, const Vector &f, do
     }
     if (!added)
       break;
-    step.image = slip.cast<float>();
+    step.image = slip;
     taken.push_back(std::move(step));
   }
   takeStep();
@@ -355,19 +355,22 @@ bool FrictionNewton::iterate(Vector &x, double tolerance, int maxSteps)
   std::vector<char> former;
   image_ = operatorB(x);
   const Vector start = x, imageOfStart = image_;
-  double exact = 0.0; // residual at the last product
+  double exact = 0.0, last = 0.0; // residuals at the last product and of the last iterate
   for (int step = 0;; ++step, ++newtonSteps_) {
     Vector f = evaluate(x, linear);
-    if (f.norm() < singlePrecision * exact) {
+    // where it stays although the states do, rounding may be all that is left
+    const bool stays = linear.slips == former && f.norm() > innerTolerance * last;
+    if (f.norm() < rounding * exact || stays) {
       image_ = operatorB(x);
       f = evaluate(x, linear);
       exact = f.norm();
     } else if (step == 0) {
       exact = f.norm();
     }
-    relativeResidual_ = f.norm() / eq_.scale;
+    last = f.norm();
+    relativeResidual_ = last / eq_.scale;
     if (relativeResidual_ <= tolerance) {
-      wholeStep_ = {(x - start).cast<float>(), (image_ - imageOfStart).cast<float>()};
+      wholeStep_ = {(x - start), (image_ - imageOfStart)};
       return true;
     }
     if (step >= maxSteps || !std::isfinite(relativeResidual_))

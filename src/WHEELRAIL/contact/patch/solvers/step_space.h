@@ -8,10 +8,9 @@
 
 namespace wheelrail {
 
-/// A change of the unknowns, and what a linear operator makes of it. In single precision: it takes
-/// half the memory, and no step of a Newton method needs to be known to better than about 1e-5.
+/// A change of the unknowns, and what a linear operator makes of it.
 struct KnownStep {
-  Eigen::VectorXf x, image;
+  Eigen::VectorXd x, image;
 };
 
 /// The combination of directions that leaves least of a right-hand side, direction by direction:
@@ -26,7 +25,7 @@ class StepSpace {
 
   /// One more direction. \param image of it, of the size of b
   /// \return false where it is one of those before but for rounding; then nothing is added
-  bool add(Eigen::VectorXf image);
+  bool add(Eigen::VectorXd image);
 
   bool isFull() const { return size() == static_cast<int>(triangle_.cols()); }
   int size() const { return static_cast<int>(basis_.size()); }
@@ -40,7 +39,7 @@ class StepSpace {
   Eigen::VectorXd weights() const;
 
  private:
-  std::vector<Eigen::VectorXf> basis_; ///< orthonormal
+  std::vector<Eigen::VectorXd> basis_; ///< orthonormal
   Eigen::MatrixXd triangle_;           ///< images in the basis
   Eigen::VectorXd residual_, share_;   ///< share: of b in the basis
   bool asked_ = false;                 ///< for the direction that is added next
