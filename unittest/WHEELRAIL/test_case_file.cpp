@@ -70,7 +70,8 @@ TEST(CaseFile, RefusesWhatWouldChangeNothing)
   EXPECT_TRUE(
       contains(messageOf(minimal + samples), "uncertainty.samples: is not used in this case"));
   EXPECT_EQ(messageOf(minimal + "uncertainty: {method: sampled, samples: 100}\n"), "");
-  // a rolling case as it stands may be asked for its static contact
+  // a rolling case as it stands may be asked for its static contact, or for frozen roughness
+  EXPECT_EQ(messageOf(minimal, {"mode=frozen", "moving.passes=3"}), "");
   EXPECT_EQ(messageOf(minimal, {"mode=static", "static.force_ratio=0.5"}), "");
 }
 

@@ -105,9 +105,8 @@ def listed(text, what):
 
 def attributes(file):
     """The compute's table of names."""
-    return re.findall(
-        r'"(\w+)"', re.search(r"NAMES\[ATTRIBUTES\] = \{(.*?)\};", source(file), re.DOTALL)[1]
-    )
+    table = r"static const char \*const \w+\[\w*\] = \{(.*?)\};"
+    return re.findall(r'"(\w+)"', re.search(table, source(file), re.DOTALL)[1])
 
 
 def pair_values():

@@ -130,12 +130,12 @@ StaticSpecification readStatic(CaseReader &reader, const LineContactSpecificatio
   return still;
 }
 
-/// A rolling case may be made static by one change, and keeps what is said of its rolling; a law of
-/// friction may be changed for one that has fewer keywords.
+/// A rolling case may be made static by one change, or moving roughness frozen, and keeps what is
+/// said of its rolling; a law of friction may be changed for one that has fewer keywords.
 void refuseUnused(const CaseReader &reader, Scope here)
 {
   if (!(here & (scope::lineStatic | scope::pointStatic)))
-    reader.refuseUnused("friction");
+    reader.refuseUnused({"friction", "moving"});
 }
 
 /// What has been read, in the words of the physics.

@@ -295,10 +295,10 @@ void CaseReader::refuse(const std::string &name, const std::string &with) const
     fail(entries_.lower_bound(name + ".")->first, "does not go with " + with);
 }
 
-void CaseReader::refuseUnused(const std::string &except) const
+void CaseReader::refuseUnused(const std::set<std::string> &except) const
 {
   for (const auto &[name, entry] : entries_)
-    if (used_.count(name) == 0 && name.rfind(except + ".", 0) != 0)
+    if (used_.count(name) == 0 && except.count(name.substr(0, name.find('.'))) == 0)
       fail(name, "is not used in this case: leave it out, or choose what needs it");
 }
 

@@ -5,6 +5,7 @@
 #include "creep/case/keywords.h"
 
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -77,8 +78,9 @@ class CaseReader {
   /// \param with  that, with the reason: "contact.period: the surfaces are flat"
   void refuse(const std::string &name, const std::string &with) const;
   /// \throws Error (BadInput) for a keyword that is given and that nobody has asked for: what
-  ///         would change nothing in silence. \param except group that may hold such
-  void refuseUnused(const std::string &except) const;
+  ///         would change nothing in silence
+  /// \param except  groups that may hold such
+  void refuseUnused(const std::set<std::string> &except) const;
 
   /// What was used so far, as a case file.
   /// Keywords in the order of the table; numbers in the words in which they were given.
