@@ -79,7 +79,8 @@ using YieldPass = double(int n, const int *type, const AutomatonLaw *laws, bool 
 /// Adds what the returns take from the elastic stresses of contacts that flow to both of their
 /// automata. Blocks in which no automaton flows are passed over.
 /// \param response  mean, factor and centre of both automata are read, hence of guests, too
-/// \param taken     rows.stress.length values an automaton, added to: the tensor, and with isochoric
+/// \param taken     rows.stress.length values an automaton, added to: the tensor, and with
+/// isochoric
 ///                  in place of the sum `flowing` that of squares for strainOfWork(), less centre^2
 using ReturnPass = void(const Pairs &, const PairLaw *laws, const double *response, double *taken);
 
