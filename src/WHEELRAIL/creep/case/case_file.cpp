@@ -130,12 +130,12 @@ StaticSpecification readStatic(CaseReader &reader, const LineContactSpecificatio
   return still;
 }
 
-/// A rolling case may be made static by one change, or moving roughness frozen, and keeps what is
-/// said of its rolling; a law of friction may be changed for one that has fewer keywords.
+/// A rolling case may be made static by one change, moving roughness frozen, sampled errors linear,
+/// and keeps what is said of them; a law of friction may be changed for one with fewer keywords.
 void refuseUnused(const CaseReader &reader, Scope here)
 {
   if (!(here & (scope::lineStatic | scope::pointStatic)))
-    reader.refuseUnused({"friction", "moving"});
+    reader.refuseUnused({"friction", "moving", "uncertainty"});
 }
 
 /// What has been read, in the words of the physics.
