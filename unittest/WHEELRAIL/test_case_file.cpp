@@ -66,6 +66,10 @@ TEST(CaseFile, RefusesWhatWouldChangeNothing)
           << text << "\n"
           << message;
     }
+  const std::string point = "contact: {load: 80 kN, curvatures: [1 1/m, 2 1/m],\n"
+                            "          youngs_modulus: 210 GPa, poissons_ratio: 0.3}\n"
+                            "creep: 0.1 %\nspeed: 20 m/s\nwear: {density: 7800 kg/m3}\n";
+  EXPECT_TRUE(contains(messageOf(point), "wear.density: is not used in this case"));
   // a rolling case as it stands may be asked for its static contact, for frozen roughness, or for
   // linear errors
   EXPECT_EQ(messageOf(minimal + "uncertainty: {method: sampled, samples: 100}\n",
