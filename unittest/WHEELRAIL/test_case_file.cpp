@@ -228,6 +228,9 @@ TEST(CaseFile, StaticModeAndPeriod)
   EXPECT_EQ(c.forceRatio, (std::vector<double>{0.0, 0.5}));
   EXPECT_EQ(read(whole.text).text, whole.text);
   EXPECT_TRUE(contains(messageOf(flat + "creep: 1e-3\n"), "contact.period: does not go with mode"));
+  EXPECT_TRUE(contains(messageOf("mode: static\nstatic: {force_ratio: 0.5}\n"
+                                 "friction: {law: constant, mu: 0.3, memory_length: 1 mm}\n"),
+                       "friction.memory_length: does not go with mode static: nothing slides on"));
   EXPECT_TRUE(contains(messageOf(flat + forces, {"contact.radius=1 m"}), "does not go with"));
   EXPECT_TRUE(
       contains(messageOf(flat + forces, {"contact.hardness_limit=true"}), "elastic contact"));

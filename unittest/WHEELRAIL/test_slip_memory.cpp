@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Friction that falls with the slip of each cell.
+#include "case_text.h"
 #include "contact/patch/patch_contact.h"
+#include "creep/line/creep_curve.h"
 #include "creep/patch/moving_patch.h"
 #include "law/forms/constant.h"
 #include "law/forms/polach.h"
@@ -48,6 +50,21 @@ Rolled rolled(const PatchContact &contact, double length, double creep, const Fr
   drive.creepage.xi = creep;
   const PatchPoint point = rolling.solve(law, speed, drive);
   return {point, rolling.fields()};
+}
+
+/// A steel cylinder under 4000 N/mm at 20 m/s with the same law; T/N.
+std::vector<double> lineCurve(const std::string &mode, const std::string &length,
+                              const std::string &creeps)
+{
+  const CreepSpecification asked = case_text::rolling(
+      "contact: {load_per_length: 4000 N/mm, radius: 0.5 m, youngs_modulus: 210 GPa,"
+      " poissons_ratio: 0.3}\nthermal: off\nspeed: 20 m/s\ncells: 500\nmode: " +
+      mode + "\nfriction: {law: polach, mu0: 0.4, A: 0.4, B: 0.6 s/m" +
+      (length.empty() ? "" : ", memory_length: " + length) + "}\ncreep: " + creeps + "\n");
+  std::vector<double> ratios;
+  for (const CurvePoint &point : solveCreepCurves(asked, asked.friction.read(), {}).points)
+    ratios.push_back(point.tractionRatio);
+  return ratios;
 }
 
 } // namespace
@@ -120,4 +137,47 @@ TEST(SlipMemory, MovingComesToFrozen)
   rolling.solve(speed, drive, [] { return true; });
   const double steady = rolled(contact, 0.1e-3, 0.01, law).point.forceX;
   EXPECT_NEAR(rolling.series().back().forceX, steady, 2e-3 * std::abs(steady));
+}
+
+// On the line, all slides: mu from the leading edge on is the exponential, under Hertz's ellipse.
+TEST(SlipMemory, OfALineThatSlides)
+{
+  const double creep = 0.1, length = 1e-3;
+  const double halfWidth = hertzContact(4e6, 0.5, 210e9 / (2.0 * (1.0 - 0.3 * 0.3))).halfWidth;
+  const double target = falling(creep * speed) / falling(0.0);
+  constexpr int panels = 20000;
+  double force = 0.0, load = 0.0;
+  for (int i = 0; i < panels; ++i) {
+    const double x = 1.0 - 2.0 * (i + 0.5) / panels; // of the half-width, from the leading edge on
+    const double pressure = std::sqrt(1.0 - x * x);
+    load += pressure;
+    force += pressure * falling(0.0) *
+             (target + (1.0 - target) * std::exp(-creep * (1.0 - x) * halfWidth / length));
+  }
+  const double expected = force / load;
+  EXPECT_GT(expected, 1.05 * falling(creep * speed)); // or else it would show nothing
+  for (const char *mode : {"frozen", "moving"})
+    EXPECT_NEAR(lineCurve(mode, "1 mm", "[0.1]").at(0), expected, 4e-3 * expected) << mode;
+}
+
+TEST(SlipMemory, LimitsOnTheLine)
+{
+  const std::string creeps = "[1e-3, 2e-3, 1e-2, 0.1]";
+  const std::vector<double> one = lineCurve("frozen", "", creeps);
+  const std::vector<double> brief = lineCurve("frozen", "1 um", "[0.1]");
+  EXPECT_NEAR(brief.at(0), one.at(3), 0.01 * one.at(3));
+  // the longer the memory the more is carried
+  std::vector<double> former(4, 0.0);
+  for (const char *length : {"0.01 mm", "0.1 mm", "1 m"}) {
+    const std::vector<double> found = lineCurve("frozen", length, creeps);
+    for (std::size_t k = 0; k < found.size(); ++k)
+      EXPECT_GE(found[k], former[k] * (1.0 - 1e-9)) << length << " " << k;
+    former = found;
+  }
+  EXPECT_NEAR(former.at(3), falling(0.0), 2e-3);
+  // a profile that travels comes to the steady state where nothing is rough
+  const std::vector<double> frozen = lineCurve("frozen", "0.1 mm", creeps);
+  const std::vector<double> moving = lineCurve("moving", "0.1 mm", creeps);
+  for (std::size_t k = 0; k < frozen.size(); ++k)
+    EXPECT_NEAR(moving[k], frozen[k], 3e-3 * frozen[k]) << k;
 }

@@ -138,7 +138,7 @@ const std::vector<Keyword> &keywords()
       {"friction.memory_length", Kind::Quantity, "m", "", 1e-9, 1, 0, "",
        "mu falls with the slip of each cell, over that way of sliding; if not given with the one "
        "sliding speed of the contact",
-       scope::pointFrozen | scope::pointMoving, "nothing slides on"},
+       scope::rolling, "nothing slides on"},
       {"friction.hot_factor", Kind::Number, "1", "1", 0.01, 10, 0, "",
        "any law: mu where the contact is hot over that of the law"},
       {"friction.hot_start", Kind::Quantity, "K", "0 K", 0, 10000, 0, "",
@@ -309,20 +309,24 @@ std::string presentName(const std::string &name)
 
 std::string scopeWords(const Keyword &keyword)
 {
-  const bool onLine = keyword.scope & scope::line, onPoint = keyword.scope & scope::point;
+  const Scope onLine = keyword.scope & scope::line, onPoint = (keyword.scope & scope::point) / 8;
+  const Scope modes = onLine ? onLine : onPoint;
+  std::string contact = onLine ? "line contact" : "point contact";
   if (onLine == onPoint)
+    contact.clear();
+  else if (onLine && onPoint)
     return "";
-  const Scope modes = onLine ? keyword.scope & scope::line : (keyword.scope & scope::point) / 8;
-  const std::string contact = onLine ? "line contact" : "point contact";
   if (modes == scope::line)
-    return contact + ": ";
+    return contact.empty() ? "" : contact + ": ";
+  if (!contact.empty())
+    contact += ", ";
   std::string words;
   for (const auto &[bit, name] : {std::pair{scope::lineFrozen, "frozen"},
                                   {scope::lineMoving, "moving"},
                                   {scope::lineStatic, "static"}})
     if (modes & bit)
       words += (words.empty() ? "" : " or ") + std::string(name);
-  return contact + ", mode " + words + ": ";
+  return contact + "mode " + words + ": ";
 }
 
 } // namespace wheelrail

@@ -15,6 +15,7 @@ constexpr Scope pointFrozen = 8, pointMoving = 16, pointStatic = 32;
 constexpr Scope line = lineFrozen | lineMoving | lineStatic;
 constexpr Scope point = pointFrozen | pointMoving | pointStatic;
 constexpr Scope everywhere = line | point;
+constexpr Scope rolling = everywhere & ~(lineStatic | pointStatic);
 /// Surfaces: a keyword without either is for both.
 constexpr Scope generated = 64, measured = 128;
 } // namespace scope

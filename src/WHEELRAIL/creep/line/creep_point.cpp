@@ -13,6 +13,7 @@ namespace {
 using Vector = Eigen::VectorXd;
 
 constexpr double temperatureTolerance = 1e-9; ///< of the strength temperature
+constexpr double memoryTolerance = 1e-5;      ///< of mu
 constexpr int maxIterations = 100;
 constexpr int settling = 10; ///< iterations in which steps shrink, unless the pressure jumps
 /// By how much a pressure may then exceed the hardness of its cell [-].
@@ -27,6 +28,14 @@ FrozenCreep::FrozenCreep(const CreepPhysics &physics, const ContactSetup &setup)
   contact_.pressure = setup_.normal.pressure * setup_.hertz.modulus;
   contact_.traction = contact_.temperature = contact_.slip = Vector::Zero(setup_.cells);
   contact_.state.assign(setup_.cells, Adhesion::Apart);
+  if (physics.memoryLength > 0.0)
+    memory_.emplace(CellGrid{setup.cells, 1, setup.cellSize, 1.0}, physics.memoryLength);
+}
+
+Vector FrozenCreep::muNow(const FrictionLaw &law, double slidingSpeed) const
+{
+  return memory_ ? SlipMemory::mu(law, contact_.pressure, contact_.temperature, memoryRatio_)
+                 : law.mu({contact_.pressure, slidingSpeed, contact_.temperature});
 }
 
 void FrozenCreep::roll(double creep)
@@ -112,7 +121,9 @@ void FrozenCreep::checkExcess(const FrictionLaw &law, double speed, double creep
                             creep, speed, 100.0 * excess));
 }
 
-// The temperature rise Theta is the unknown of a fixed point Theta -> mu, p -> T -> Theta. Friction
+// The temperature rise Theta is the unknown of a fixed point Theta -> mu, p -> T -> Theta, and with
+// a memory what friction has fallen to in each cell, r -> mu -> slip -> r; a step is the larger of
+// both, in units of their tolerances. Friction
 // falls with strength where strength falls with Theta, so steps mostly alternate and shrink; where
 // they grow, the step is halved for good, which tames any slope that is finite. It does not tame a
 // jump: where a cell opens or closes as the hardness falls, the pressure of its neighbours changes
@@ -121,32 +132,41 @@ void FrozenCreep::checkExcess(const FrictionLaw &law, double speed, double creep
 // kelvin beside the last one.
 CreepPoint FrozenCreep::solve(const FrictionLaw &law, double speed, double creep)
 {
-  const bool needsTraction = physics_.thermal.model == ThermalModel::Local ||
+  const bool heats = physics_.hasFeedback(law);
+  const bool remembers = memory_ && law.dependsOnSpeed();
+  const bool needsTraction = remembers || physics_.thermal.model == ThermalModel::Local ||
                              physics_.thermal.model == ThermalModel::AveragedPower;
-  const bool feedback = physics_.hasFeedback(law);
+  const double settled = temperatureTolerance * physics_.strengthOf(law).vanishingTemperature;
+  memoryRatio_ = Vector::Ones(setup_.cells);
   double part = 1.0, lastStep = 0.0;
   bool jumps = false;
   int iteration = 1;
   for (;; ++iteration) {
-    if (physics_.hardnessLimit && iteration > 1 && !jumps)
+    if (physics_.hardnessLimit && heats && iteration > 1 && !jumps)
       limitPressure(law);
-    contact_.mu = law.mu({contact_.pressure, creep * speed, contact_.temperature});
+    contact_.mu = muNow(law, creep * speed);
     if (needsTraction)
       roll(creep);
+    Vector remembered = memoryRatio_;
+    if (remembers)
+      remembered =
+          memory_->steady(law, contact_.pressure, contact_.temperature, speed, contact_.slip);
     const Vector next = temperatureFrom(speed, creep);
-    const double step = (next - contact_.temperature).cwiseAbs().maxCoeff();
-    if (!feedback) {
+    if (!heats && !remembers) {
       contact_.temperature = next;
       break;
     }
-    if (step <= temperatureTolerance * physics_.strengthOf(law).vanishingTemperature)
+    const double heatStep = (next - contact_.temperature).cwiseAbs().maxCoeff();
+    const double memoryStep = (remembered - memoryRatio_).cwiseAbs().maxCoeff();
+    const double step = std::max(heatStep / settled, memoryStep / memoryTolerance);
+    if (step <= 1.0)
       break;
     if (iteration >= maxIterations)
       throw Error(
           ExitCode::NotConverged,
           fmt::format("creep {:g} at {:g} m/s: temperature and friction do not settle after {} "
-                      "iterations (last step {:.2e} K)",
-                      creep, speed, iteration, step));
+                      "iterations (last step {:.2e} K, {:.2e} of mu by its memory)",
+                      creep, speed, iteration, heatStep, memoryStep));
     if (iteration > 1 && step >= lastStep) {
       const bool begins = physics_.hardnessLimit && !jumps && iteration > settling;
       jumps = jumps || begins;
@@ -154,6 +174,7 @@ CreepPoint FrozenCreep::solve(const FrictionLaw &law, double speed, double creep
     }
     lastStep = step;
     contact_.temperature += part * (next - contact_.temperature);
+    memoryRatio_ += part * (remembered - memoryRatio_);
   }
   if (jumps)
     checkExcess(law, speed, creep);

@@ -4,6 +4,7 @@
 
 #include "creep/line/line_values.h"
 #include "creep/sweep/creep_physics.h"
+#include "creep/sweep/slip_memory.h"
 
 #include <optional>
 
@@ -35,7 +36,8 @@ struct ContactFields {
 /// other. The temperature rise is the unknown of a fixed-point iteration; where a step comes out
 /// larger than the one before, it is halved from then on.
 /// The local model of temperature takes the heat from traction and slip, cell by cell; Eq. 11 takes
-/// one value for the contact. A pressure limit that falls with temperature follows the rise of each
+/// one value for the contact. With a memory friction falls with the slip of each cell, which the
+/// iteration then finds, too. A pressure limit that falls with temperature follows the rise of each
 /// cell, of Eq. 11 the load-weighted mean, and the normal contact is solved again.
 class FrozenCreep {
  public:
@@ -73,6 +75,8 @@ class FrozenCreep {
   /// Normal contact again, under the hardness at the present temperature.
   void limitPressure(const FrictionLaw &law);
   void checkExcess(const FrictionLaw &law, double speed, double creep) const;
+  /// mu of all cells at the present pressure, temperature and memory.
+  Eigen::VectorXd muNow(const FrictionLaw &law, double slidingSpeed) const;
 
   const CreepPhysics &physics_;
   const ContactSetup &setup_;
@@ -80,6 +84,8 @@ class FrozenCreep {
   std::optional<HalfPlane> window_; ///< the cells in contact and a few more: all that rolling needs
   std::optional<FlashTemperature> flash_;
   double flashSpeed_ = 0.0;
+  std::optional<SlipMemory> memory_;
+  Eigen::VectorXd memoryRatio_; ///< see `SlipMemory`
   ContactFields contact_;
 };
 

@@ -14,10 +14,11 @@ using Vector = Eigen::VectorXd;
 
 constexpr double pressureTolerance = 1e-5; ///< the next step shifts the pressure by a cell anyway
 
-/// Moved along with the material by one cell; what comes in is 0.
-Vector movedAlong(const Vector &values)
+/// Moved along with the material by one cell.
+/// \param incoming what comes in
+Vector movedAlong(const Vector &values, double incoming = 0.0)
 {
-  Vector moved = Vector::Zero(values.size());
+  Vector moved = Vector::Constant(values.size(), incoming);
   moved.head(values.size() - 1) = values.tail(values.size() - 1);
   return moved;
 }
@@ -37,6 +38,8 @@ MovingCreep::MovingCreep(const CreepPhysics &physics, const MovingSpecification 
     : physics_(physics), moving_(moving), law_(law), setup_(setup),
       domain_(setup.cells, Boundary::Free), normal_(setup.normal)
 {
+  if (physics.memoryLength > 0.0 && law.dependsOnSpeed())
+    memory_.emplace(CellGrid{setup.cells, 1, setup.cellSize, 1.0}, physics.memoryLength);
 }
 
 void MovingCreep::solvePressure(int step, const std::vector<Roller> &rollers)
@@ -88,9 +91,20 @@ void MovingCreep::roll(Roller &roller, double speed, bool counted)
   if (roller.heat)
     roller.temperature = movedAlong(roller.temperature);
   physics_.checkStrength(law_, roller.temperature.maxCoeff(), speed, roller.creep);
-  roller.mu = law_.mu({p, roller.creep * speed, roller.temperature});
+  if (memory_) {
+    roller.memoryRatio = movedAlong(roller.memoryRatio, 1.0);
+    roller.mu = SlipMemory::mu(law_, p, roller.temperature, roller.memoryRatio);
+  } else {
+    roller.mu = law_.mu({p, roller.creep * speed, roller.temperature});
+  }
   roller.result = roller.rolling.step(
       roller.mu.cwiseProduct(normal_.pressure).segment(windowBegin_, cells), roller.creep);
+  if (memory_) {
+    Vector slip = Vector::Zero(setup_.cells);
+    slip.segment(windowBegin_, cells) = roller.result.slip;
+    roller.memoryRatio =
+        memory_->after(roller.memoryRatio, law_, p, roller.temperature, speed, slip);
+  }
   if (roller.heat) {
     Vector heat = Vector::Zero(setup_.cells);
     heat.segment(windowBegin_, cells) =
@@ -171,6 +185,7 @@ std::vector<CreepPoint> MovingCreep::solve(double speed, const std::vector<doubl
                          {},
                          Vector::Zero(setup_.cells),
                          {},
+                         Vector::Ones(setup_.cells),
                          {},
                          {},
                          {},

@@ -24,6 +24,7 @@ struct Roller {
   /// Heat in the material; only the local model has it.
   std::optional<TravellingHeat> heat;
   Eigen::VectorXd temperature, mu; ///< per cell; K
+  Eigen::VectorXd memoryRatio;     ///< see `SlipMemory`; goes with the material
   RollingResult result;            ///< on the window
   LineValues pass, counted;        ///< sums over the steps of the pass, of the last half of all
   double hottest = 0.0;            ///< K, anywhere in the last half
@@ -84,6 +85,7 @@ class MovingCreep {
   NormalContactResult normal_;
   ContactFields contact_;             ///< its pressure
   std::vector<ContactFields> fields_; ///< of every creep
+  std::optional<SlipMemory> memory_;  ///< where friction falls with the slip of each cell
 };
 
 } // namespace wheelrail

@@ -230,8 +230,8 @@ PatchStep MovingPatch::roll(TransientPatch &transient, Temperature &heat, double
       });
   transient.accept(step, result);
   if (memory_)
-    memoryRatio_ =
-        memory_->after(memoryRatio_, law_, normal_.pressure, heat.values, speed, result.slip);
+    memoryRatio_ = memory_->after(memoryRatio_, law_, normal_.pressure, heat.values, speed,
+                                  result.slip.length());
   creepage_ = result.creepage;
   PatchSums sums = patchSums(grid, result);
   sums.drivingPower += couplingPower(grid, result.traction, step.imposed, imposed_);

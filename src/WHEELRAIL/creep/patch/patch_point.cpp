@@ -258,7 +258,8 @@ PatchPoint FrozenPatch::solve(const FrictionLaw &law, double speed, const PatchD
       rollWarmOrCold(drive);
     Vector remembered = memoryRatio_;
     if (remembers)
-      remembered = memory_->steady(law, fields_.pressure, fields_.temperature, speed, result_.slip);
+      remembered =
+          memory_->steady(law, fields_.pressure, fields_.temperature, speed, result_.slip.length());
     const Vector next = temperatureFrom(speed);
     // of the temperature, and of the creepages as a share that counts as much
     const double heatStep = (next - fields_.temperature).cwiseAbs().maxCoeff() /

@@ -7,9 +7,9 @@
 #include "contact/patch/solvers/patch_temperature.h"
 #include "creep/patch/field_files.h"
 #include "creep/patch/patch_values.h"
-#include "creep/patch/slip_memory.h"
 #include "creep/sweep/creep_physics.h"
 #include "creep/sweep/law_spread.h"
+#include "creep/sweep/slip_memory.h"
 
 #include <cmath>
 #include <optional>

@@ -14,6 +14,11 @@ namespace wheelrail {
 /// Both components of a tangential traction, or of a tangential displacement, per cell.
 struct TangentialField {
   Eigen::VectorXd x, y;
+  /// Of the vector of each cell.
+  Eigen::VectorXd length() const
+  {
+    return x.binaryExpr(y, [](double a, double b) { return std::hypot(a, b); });
+  }
 };
 
 /// Two elastic half-spaces in contact on a grid of cells that are loaded uniformly each:

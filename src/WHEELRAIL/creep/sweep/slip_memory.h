@@ -2,8 +2,7 @@
 #ifndef WHEELRAIL_CREEP_SLIP_MEMORY_H
 #define WHEELRAIL_CREEP_SLIP_MEMORY_H
 
-#include "contact/patch/elasticity/grid.h"
-#include "contact/patch/elasticity/patch_half_space.h"
+#include "contact/half_space.h"
 #include "law/friction_law.h"
 
 namespace wheelrail {
@@ -16,22 +15,23 @@ namespace wheelrail {
 /// pressure and the temperature act at once.
 class SlipMemory {
  public:
+  /// \param grid   material enters each of its rows at the largest x; m
   /// \param length way of sliding, m, > 0
-  SlipMemory(const PatchGrid &grid, double length) : grid_(grid), length_(length) {}
+  SlipMemory(const CellGrid &grid, double length) : grid_(grid), length_(length) {}
 
   /// r in the middle of all cells in steady rolling: material that enters the contact anywhere has
   /// 1.
   /// \param speed  v0, m/s
-  /// \param slip   relative to rolling
+  /// \param slip   sliding distance / rolling distance of each cell; its sign does not count
   Eigen::VectorXd steady(const FrictionLaw &law, const Eigen::VectorXd &pressure,
                          const Eigen::VectorXd &temperature, double speed,
-                         const TangentialField &slip) const;
+                         const Eigen::VectorXd &slip) const;
   /// r of the material in the cells at the end of a step of one cell, in which the next one finds
   /// it: half a cell late.
   /// \param before at its start: what of it comes in has 1, what leaves the contact keeps its r
   Eigen::VectorXd after(const Eigen::VectorXd &before, const FrictionLaw &law,
                         const Eigen::VectorXd &pressure, const Eigen::VectorXd &temperature,
-                        double speed, const TangentialField &slip) const;
+                        double speed, const Eigen::VectorXd &slip) const;
 
   /// mu of all cells, with r as above.
   static Eigen::VectorXd mu(const FrictionLaw &law, const Eigen::VectorXd &pressure,
@@ -41,11 +41,11 @@ class SlipMemory {
   /// mu(p, w, Theta)/mu(p, 0, Theta) of each cell, 1 where nothing slides.
   Eigen::VectorXd targets(const FrictionLaw &law, const Eigen::VectorXd &pressure,
                           const Eigen::VectorXd &temperature, double speed,
-                          const TangentialField &slip) const;
+                          const Eigen::VectorXd &slip) const;
   /// What of a difference a cell's way of sliding leaves.
-  double left(const TangentialField &slip, int cell) const;
+  double left(const Eigen::VectorXd &slip, int cell) const;
 
-  PatchGrid grid_;
+  CellGrid grid_;
   double length_;
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "creep/patch/slip_memory.h"
+#include "creep/sweep/slip_memory.h"
 
 #include <cmath>
 
@@ -7,21 +7,20 @@ namespace wheelrail {
 
 using Vector = Eigen::VectorXd;
 
-double SlipMemory::left(const TangentialField &slip, int cell) const
+double SlipMemory::left(const Vector &slip, int cell) const
 {
-  return std::exp(-std::hypot(slip.x[cell], slip.y[cell]) * grid_.dx / length_);
+  return std::exp(-std::abs(slip[cell]) * grid_.dx / length_);
 }
 
 // A law has one sliding speed a call: cells that slide are asked for one by one.
 Vector SlipMemory::targets(const FrictionLaw &law, const Vector &pressure,
-                           const Vector &temperature, double speed,
-                           const TangentialField &slip) const
+                           const Vector &temperature, double speed, const Vector &slip) const
 {
   const Vector still = law.mu({pressure, 0.0, temperature});
   Vector ratio = Vector::Ones(pressure.size());
   Vector p(1), heat(1);
   for (int i = 0; i < pressure.size(); ++i) {
-    const double slides = std::hypot(slip.x[i], slip.y[i]);
+    const double slides = std::abs(slip[i]);
     if (!(pressure[i] > 0.0) || slides == 0.0)
       continue;
     p[0] = pressure[i];
@@ -32,7 +31,7 @@ Vector SlipMemory::targets(const FrictionLaw &law, const Vector &pressure,
 }
 
 Vector SlipMemory::steady(const FrictionLaw &law, const Vector &pressure, const Vector &temperature,
-                          double speed, const TangentialField &slip) const
+                          double speed, const Vector &slip) const
 {
   const Vector target = targets(law, pressure, temperature, speed, slip);
   Vector ratio = Vector::Ones(pressure.size());
@@ -50,7 +49,7 @@ Vector SlipMemory::steady(const FrictionLaw &law, const Vector &pressure, const 
 }
 
 Vector SlipMemory::after(const Vector &before, const FrictionLaw &law, const Vector &pressure,
-                         const Vector &temperature, double speed, const TangentialField &slip) const
+                         const Vector &temperature, double speed, const Vector &slip) const
 {
   const Vector target = targets(law, pressure, temperature, speed, slip);
   Vector ratio = before;
