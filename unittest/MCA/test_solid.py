@@ -13,15 +13,7 @@ dimension {dimension}
 boundary p s p
 atom_style sphere
 timestep {dt}
-lattice {lattice}
-variable layer equal {layer}
-variable height equal v_layer*13
-region box block 0 {length} -0.25 $(v_height+0.25) {depth} units box
-create_box 2 box
-region lower mca/rough below $(v_height/2) 3.25 5 {seed} units box
-region upper mca/rough above $(v_height/2) 3.25 5 {seed} units box
-create_atoms 1 region lower
-create_atoms 2 region upper
+{sample}
 region bottom block INF INF INF 5 INF INF units box
 region top block INF INF $(v_height-5) INF INF INF units box
 group bottom region bottom
@@ -45,6 +37,21 @@ thermo_style custom step c_energy c_energy[3] c_energy[4] c_energy[5] c_energy[6
 thermo_modify format float %20.15g
 run {steps}
 """
+LATTICE = """
+lattice {lattice}
+variable layer equal {layer}
+variable height equal v_layer*13
+region box block 0 {length} -0.25 $(v_height+0.25) {depth} units box
+create_box 2 box
+region lower mca/rough below $(v_height/2) 3.25 5 {seed} units box
+region upper mca/rough above $(v_height/2) 3.25 5 {seed} units box
+create_atoms 1 region lower
+create_atoms 2 region upper
+"""
+RANDOM = """
+read_data packing.data
+variable height equal {height}
+"""
 FREE = 2.5 * np.sqrt(3) / 2 * 8  # height of the rows that are neither held nor driven, nm
 VALUES = dict(dt=4e-5, seed=1, laws="", velocity=5.0, steps=6000)
 # LAMMPS's lattice and box of each packing; layer: the distance of its rows along y, nm
@@ -58,14 +65,49 @@ PACKINGS = {
         depth="0 $(6*v_layer)",
     ),
     "sc": dict(dimension=3, lattice="sc 2.5", layer="2.5", length=25, depth="0 10"),
+    "random": dict(dimension=2),
 }
 
 
 def layer(folder, packing="hex", **values):
-    table = lmp(LAYER.format(**{**VALUES, **PACKINGS[packing], **values}), folder).thermo[0]
+    values = {**VALUES, **PACKINGS[packing], **values}
+    sample = RANDOM if packing == "random" else LATTICE
+    if packing == "random":
+        values["height"] = write_random_packing(folder / "packing.data", values["seed"])
+    table = lmp(LAYER.format(sample=sample.format(**values), **values), folder).thermo[0]
     return [table[name] for name in ("c_energy", *(f"c_energy[{k}]" for k in (3, 4, 5, 6, 9)))] + [
         table["f_drive[5]"]
     ]
+
+
+def write_random_packing(path, seed, length=50.0, automata=250, d=2.5, share=0.83):
+    """Discs at random places in a strip, periodic along x, pushed apart until none overlaps; the
+    lower half are of type 1. Returns the height (nm)."""
+    random = np.random.default_rng(seed)
+    height = automata * np.pi * d**2 / 4 / share / length
+    x, y = random.uniform(0, length, automata), random.uniform(0, height, automata)
+    for _ in range(4000):
+        dx, dy = x[:, None] - x, y[:, None] - y
+        dx -= length * np.round(dx / length)
+        distance = np.hypot(dx, dy) + 10 * d * np.eye(automata)
+        push = np.clip(d - distance, 0, None) / distance
+        if (push * distance).max() < 2e-3 * d:
+            break
+        x = (x + 0.3 * (push * dx).sum(axis=1)) % length
+        y = np.clip(y + 0.3 * (push * dy).sum(axis=1), 0, height)
+    else:
+        raise RuntimeError("the discs still overlap")
+    wider = d / distance.min()
+    x, y, length, height = wider * x, wider * y, wider * length, wider * height
+    rows = "".join(
+        f"{k + 1} {1 if y[k] < height / 2 else 2} {d} 0.0078 {x[k]} {y[k]} 0\n"
+        for k in range(automata)
+    )
+    path.write_text(
+        f"random packing\n\n{automata} atoms\n2 atom types\n\n0 {length} xlo xhi\n"
+        f"-0.25 {height + 0.25} ylo yhi\n-0.5 0.5 zlo zhi\n\nAtoms # sphere\n\n{rows}"
+    )
+    return height
 
 
 def sound(columns, error=2e-4):
@@ -108,7 +150,8 @@ def test_radial_flow_loses_volume_and_makes_energy(tmp_path):
     assert np.diff(plastic).min() < 0
 
 
-QUICK = (0, 5, 10)  # in the plane, in the plane, sc; the others run with the drills
+# in the plane, in the plane, sc, discs at random places; the others run with the drills
+QUICK = (0, 5, 10, 12)
 
 
 @pytest.mark.parametrize("case", QUICK)
@@ -135,7 +178,7 @@ def random_material(case, folder):
         f"yield_strength {random.uniform(limit, 1.0)} yield_strain {yields} "
         f"breaking_strain {strain} viscosity {viscosity}"
     )
-    packing = "hex" if case < 8 else "fcc" if case < 10 else "sc"
+    packing = "hex" if case < 8 else "fcc" if case < 10 else "sc" if case < 12 else "random"
     columns = layer(
         folder,
         packing,
@@ -145,7 +188,7 @@ def random_material(case, folder):
         seed=case + 1,
         laws=laws,
         dt=dt,
-        steps=4000 if case < 8 else 1500,
+        steps=1500 if packing in ("fcc", "sc") else 4000,
     )
     # up to 100 m/s
     sound(columns, 3e-4)
