@@ -8,24 +8,37 @@
 One case file for each case of CONTACT, named after its number; cases that go on from the one before
 (P = 0) become one sequence, named after the first. A gap that is given point by point becomes a
 height map beside the case file. What wr_creep cannot do is refused by its control digit and line;
-all other cases are written. A case that rolls backwards (CHI = 180 degrees) is turned by half a
-turn, and its case file says so: creepages and forces in the plane then have the opposite sign.
-Stresses below the surface (S) are left to the keyword depths of wr_creep.
+all other cases are written. Cases of an earlier call in DIR go. A case that rolls backwards (CHI =
+180 degrees) is turned by half a turn, and its case file says so: creepages and forces in the plane
+then have the opposite sign. Stresses below the surface (S) are left to the keyword depths of
+wr_creep.
 Exit codes: 0 ok, 2 usage, 3 bad input file or a case that is refused, 5 a file cannot be written.
 """
 
 import argparse
+import contextlib
 import os
+import pathlib
 
-from contact_parts.case import case_text
+from contact_parts.case import BY, case_text
 from contact_parts.inp import Refused, groups_of
 from mcawr.command_line import Parser, file_name
 from mcawr.errors import Exit, Failure, complain, run_script
-from mcawr.files import write_all
+from mcawr.files import replace_all
 
 
 def numbered(first: int, count: int) -> str:
     return f"case {first}" if count == 1 else f"cases {first} to {first + count - 1}"
+
+
+def former(folder: str) -> list[str]:
+    """Case files of an earlier call, by their first line, and the maps beside them."""
+    found = []
+    for case in sorted(pathlib.Path(folder).glob("case_*.yaml")):
+        with contextlib.suppress(OSError), open(case, encoding="utf-8", errors="replace") as file:
+            if file.readline().rstrip().endswith(BY):
+                found += [str(case), str(case.with_suffix(".txt"))]
+    return found
 
 
 def convert(path: str, folder: str) -> int:
@@ -47,9 +60,10 @@ def convert(path: str, folder: str) -> int:
             complain(f"{path}:{error} ({numbered(first + known, len(group) - known)})")
             refused += 1
     os.makedirs(folder, exist_ok=True)
-    write_all({os.path.join(folder, name): content for name, content in files.items()})
-    written = sum(name.endswith(".yaml") for name in files)
-    print(f"{written} case file{'' if written == 1 else 's'} written to {folder}/")
+    written = {os.path.join(folder, name): content for name, content in files.items()}
+    replace_all(written, former(folder))
+    count = sum(name.endswith(".yaml") for name in files)
+    print(f"{count} case file{'' if count == 1 else 's'} written to {folder}/")
     return refused
 
 

@@ -10,7 +10,8 @@ DUMP is a text dump of atoms (dump custom) with the columns id, x and y (or xu, 
 the frames with their times, NAME_links.pvd likewise, and the frames (*.vtu) in the folder
 NAME_frames. A frame of links needs the automata of the same step. Links across a periodic side are
 left out: they would be drawn through the box. Of frames that stand twice in a dump, as a continued
-run leaves them, the later one counts. Exit codes: 0 ok, 1 no meshio, 2 usage, 3 bad input file, 5 a
+run leaves them, the later one counts. Frames and links of an earlier call with the same NAME go.
+Exit codes: 0 ok, 1 no meshio, 2 usage, 3 bad input file, 5 a
 file cannot be written.
 """
 
@@ -25,7 +26,7 @@ from xml.etree import ElementTree
 from mcawr.command_line import Parser, file_name, number_in
 from mcawr.dump import Dump
 from mcawr.errors import BadInput, Exit, Failure, complain, fail, run_script, say
-from mcawr.files import make_folder, write_all
+from mcawr.files import make_folder, replace_all
 
 INTEGERS = {"id", "mol", "type", "proc", "procp1", "ix", "iy", "iz"}
 ENDS = [("batom1", "batom2"), ("id1", "id2")]
@@ -76,6 +77,21 @@ class Writer:
         time = frame["time"] if frame["time"] is not None else frame["step"] * self.timestep
         self.series.setdefault(collection, []).append((time, name))
 
+    def former(self) -> list[str]:
+        """The collections of an earlier call of this name, and the frames that they list."""
+        found = []
+        for path in (f"{self.output}.pvd", f"{self.output}_links.pvd"):
+            try:
+                listed = ElementTree.parse(path).getroot().findall("Collection/DataSet")
+            except (OSError, ElementTree.ParseError):
+                continue
+            found.append(path)
+            for node in listed:
+                folder, name = os.path.split(node.get("file", ""))
+                if folder == os.path.basename(self.frames) and name.endswith(".vtu"):
+                    found.append(os.path.join(self.frames, name))
+        return found
+
     def finish(self) -> None:
         files: dict[str, pathlib.Path | bytes] = {}
         for collection, series in self.series.items():
@@ -94,7 +110,7 @@ class Writer:
             files[f"{self.output}{collection}.pvd"] = text
         make_folder(self.frames)
         try:
-            write_all(files)
+            replace_all(files, self.former())
         except Failure:
             with contextlib.suppress(OSError):  # it holds the frames of an earlier call
                 os.rmdir(self.frames)

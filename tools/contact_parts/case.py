@@ -7,6 +7,7 @@ from typing import Any
 
 from contact_parts.inp import Contact, Refused
 
+BY = ", by contact_inp.py"  # ends the first line of a case file
 DIGITS = 9  # of a number in a case file that was computed from those of the input
 
 
@@ -248,7 +249,7 @@ def case_text(
     for one in group:
         check_whole(one)
     turned = is_turned(last)
-    head = [f"# {os.path.basename(path)}, {numbers}, by contact_inp.py"]
+    head = [f"# {os.path.basename(path)}, {numbers}{BY}"]
     if turned:
         head.append("# turned by half a turn: creepages and forces in the plane change their signs")
     assert case.grid is not None

@@ -126,6 +126,16 @@ def write_all(contents: Mapping[Any, Content]) -> None:
             _remove(part)
 
 
+def replace_all(contents: Mapping[Any, Content], former: Iterable[Path]) -> None:
+    """Writes several files, as write_all does, in place of those of an earlier call: of these,
+    what is not written anew is removed. Raises Failure (5)."""
+    write_all(contents)
+    kept = {os.path.realpath(path) for path in contents}
+    for path in former:
+        if os.path.realpath(path) not in kept and os.path.isfile(path):
+            _remove(path)
+
+
 def _bytes_of(content: Content) -> bytes:
     if isinstance(content, pathlib.Path):
         return content.read_bytes()

@@ -401,6 +401,20 @@ def test_gap_across_and_twist(tmp_path):
             assert row[name] == pytest.approx(curved[name], rel=1e-5), name
 
 
+def test_cases_of_an_earlier_call_go(tmp_path):
+    """Also where they are refused now; a case file of one's own stays."""
+    good = block("200100", "9 0 0 0", ".3 .3", STEEL, "-3\n 9 9 1. 1. 1.2")
+    converted(tmp_path, good, good)
+    (tmp_path / "case_mine.yaml").write_text("# mine\n")
+    assert (tmp_path / "case_002.yaml").exists()
+    text, _ = BAD["direction"]
+    converted(tmp_path, good, text, code=3)
+    assert sorted(path.name for path in tmp_path.glob("*.yaml")) == [
+        "case_001.yaml",
+        "case_mine.yaml",
+    ]
+
+
 BAD = {
     "module": (" 1 MODULE\n", "a.inp:3: MODULE 1: module 3 is read"),
     "control": (" 3 MODULE\n 2x3\n", "a.inp:4: CPBTNFS: '2x3' is not a control word"),

@@ -301,3 +301,17 @@ def test_list_of_frames_that_cannot_be_written(tmp_path):
     (tmp_path / "a_frames" / "automata.1.vtu").touch()
     assert convert(tmp_path).returncode == 5
     assert [path.name for path in (tmp_path / "a_frames").iterdir()] == ["automata.1.vtu"]
+
+
+def test_frames_of_an_earlier_call_go(tmp_path):
+    """All that the earlier call listed; a file that it did not write stays."""
+    first = convert(
+        tmp_path, "--links", "l.dump", a=ATOMS.format(0) + ATOMS.format(5), l=LINKS.format(5)
+    )
+    assert first.returncode == 0, first.stderr
+    (tmp_path / "a_frames" / "mine.vtu").touch()
+    assert (tmp_path / "a_links.pvd").exists()
+    assert convert(tmp_path, a=ATOMS.format(5)).returncode == 0
+    names = sorted(path.name for path in (tmp_path / "a_frames").iterdir())
+    assert names == ["automata.5.vtu", "mine.vtu"]
+    assert not (tmp_path / "a_links.pvd").exists()
