@@ -20,14 +20,23 @@ static const char *const EVENT_WORDS[] = {"step",   "id1",   "id2", "type1", "ty
                                           "before", "after", "x",   "y",     "z"};
 static constexpr std::size_t WIDTH = std::size(EVENT_WORDS); // values of an event
 
+/* N, before the attributes; 0 where nothing is given, which they refuse. */
+
+static int steps_of(LAMMPS *lmp, int narg, char **arg)
+{
+  if (narg < 4)
+    return 0;
+  return static_cast<int>(mca::wholeNumber(lmp, "Fix mca/events N", arg[3], 1, MAXSMALLINT));
+}
+
 /* fix ID group mca/events N attribute ... */
 
 FixMCAEvents::FixMCAEvents(LAMMPS *host, int narg, char **arg)
-    : Fix(host, narg, arg),
+    : Fix(host, narg, arg), every(steps_of(host, narg, arg)),
       columns(host, "Fix mca/events", {EVENT_WORDS, EVENT_WORDS + WIDTH}, narg - 4, arg + 4),
       pair(nullptr), counts{}
 {
-  local_freq = static_cast<int>(mca::wholeNumber(lmp, "Fix mca/events N", arg[3], 1, MAXSMALLINT));
+  local_freq = every;
   local_flag = 1;
   size_local_cols = columns.lammps_columns();
   size_local_rows = 0;

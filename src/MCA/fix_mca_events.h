@@ -39,6 +39,8 @@ class FixMCAEvents : public Fix {
   double memory_usage() override;
 
  private:
+  /// Steps between two outputs.
+  const int every;
   /// What was given out last.
   OutputColumns columns;
   PairMCA *pair;

@@ -198,6 +198,7 @@ NO_NUMBERS = ["abc", "0x10", '"1 500"', "nan", "inf", "5nm", '""']
         ("fix 2 all mca/drive velocity 1 pressure 1 every {}", "Fix mca/drive every is"),
         ("fix 2 all mca/drive velocity 1 pressure 1 seed {}", "Fix mca/drive seed is"),
         ("fix 2 all mca/events {} step", "Fix mca/events N is"),
+        ("fix 2 all mca/events {} 10", "Fix mca/events N is"),
         ("mca_links create all all reach {}", "Command mca_links reach is"),
         ("region r mca/rough below {} 1 1 1", "Region mca/rough height is"),
         ("region r mca/rough below 0 {} 1 1", "Region mca/rough amplitude is"),

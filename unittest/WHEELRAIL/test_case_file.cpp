@@ -75,8 +75,28 @@ TEST(CaseFile, RefusesWhatWouldChangeNothing)
   EXPECT_EQ(messageOf(minimal + "uncertainty: {method: sampled, samples: 100}\n",
                       {"uncertainty.method=linear"}),
             "");
-  EXPECT_EQ(messageOf(minimal, {"mode=frozen", "moving.passes=3"}), "");
-  EXPECT_EQ(messageOf(minimal, {"mode=static", "static.force_ratio=0.5"}), "");
+  const std::string moving = minimal + "mode: moving\nmoving: {passes: 3}\n";
+  EXPECT_EQ(messageOf(moving, {"mode=frozen"}), "");
+  EXPECT_EQ(messageOf(moving, {"mode=static", "static.force_ratio=0.5"}), "");
+  // not what the file says of itself, nor what a change says
+  const std::string unused = "is not used in this case";
+  const std::string frozen = minimal + "mode: frozen\n";
+  EXPECT_TRUE(contains(messageOf(frozen + "moving: {passes: 3}\n"), "moving.passes: " + unused));
+  EXPECT_TRUE(contains(messageOf(frozen + "uncertainty: {method: linear, samples: 100}\n"),
+                       "uncertainty.samples: " + unused));
+  EXPECT_TRUE(
+      contains(messageOf(frozen + "friction: {law: bucher2006, mu: 0.3}\n"), "friction.mu: "));
+  EXPECT_TRUE(contains(messageOf(frozen, {"moving.passes=3"}), "moving.passes: " + unused));
+  const std::string still = table2 + "mode: static\nstatic: {force_ratio: 0.5}\n";
+  EXPECT_EQ(messageOf(still + "thermal: off\n"), "");
+  EXPECT_TRUE(contains(messageOf(still + "speed: 20 m/s\n"), "speed: " + unused));
+}
+
+TEST(CaseFile, NamesAKeywordAsItWasGiven)
+{
+  EXPECT_TRUE(contains(messageOf(minimal, {"points=3"}, ExitCode::Usage), "points: '3'"));
+  EXPECT_TRUE(contains(messageOf(minimal, {"cells=3"}, ExitCode::Usage), "cells: '3'"));
+  EXPECT_TRUE(contains(messageOf(minimal + "points: 3\n"), "points: '3'"));
 }
 
 TEST(CaseFile, ReadsPointsAsCells)

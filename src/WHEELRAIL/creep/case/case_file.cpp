@@ -133,11 +133,15 @@ StaticSpecification readStatic(CaseReader &reader, const LineContactSpecificatio
 }
 
 /// A rolling case may be made static by one change, moving roughness frozen, sampled errors linear,
-/// and keeps what is said of them; a law of friction may be changed for one with fewer keywords.
-void refuseUnused(const CaseReader &reader, Scope here)
+/// a law of friction another one with fewer keywords: what the file says of them may stay then.
+void refuseUnused(CaseReader &reader, Scope here)
 {
-  if (!(here & (scope::lineStatic | scope::pointStatic)))
-    reader.refuseUnused({"friction", "moving", "uncertainty"});
+  const bool isStatic = (here & (scope::lineStatic | scope::pointStatic)) != 0;
+  if (isStatic && reader.has("thermal"))
+    reader.word("thermal"); // off, as it is
+  reader.refuseUnused([&](const std::string &group) {
+    return isStatic || group == "friction" || group == "moving" || group == "uncertainty";
+  });
 }
 
 /// What has been read, in the words of the physics.

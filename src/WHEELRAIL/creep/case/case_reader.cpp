@@ -117,14 +117,29 @@ std::string rangeOf(const Keyword &keyword)
 void CaseReader::fail(int line, const std::string &keyword, const std::string &problem) const
 {
   if (!option_)
-    throw badInput(file_, line, keyword, problem);
-  throw Error(ExitCode::Usage, fmt::format("{}{}: {}", option_, keyword, problem));
+    throw badInput(file_, line, givenName(keyword), problem);
+  throw Error(ExitCode::Usage, fmt::format("{}{}: {}", option_, givenName(keyword), problem));
+}
+
+void CaseReader::noteName(const std::string &name, const std::string &given)
+{
+  if (given == name)
+    older_.erase(name);
+  else
+    older_[name] = given;
+}
+
+const std::string &CaseReader::givenName(const std::string &name) const
+{
+  const auto found = older_.find(name);
+  return found == older_.end() ? name : found->second;
 }
 
 void CaseReader::fail(const std::string &keyword, const std::string &problem) const
 {
   const auto found = entries_.find(keyword);
-  throw badInput(file_, found == entries_.end() ? 0 : found->second.line, keyword, problem);
+  throw badInput(file_, found == entries_.end() ? 0 : found->second.line, givenName(keyword),
+                 problem);
 }
 
 bool CaseReader::hasGroup(const std::string &group) const
@@ -164,7 +179,9 @@ void CaseReader::collect(const YAML::Node &node, const std::string &name)
       fail(line, name, "has no keywords below it; a value is expected");
     for (const auto &pair : node) {
       const std::string key = pair.first.as<std::string>();
-      const std::string full = presentName(name.empty() ? key : name + "." + key);
+      const std::string given = name.empty() ? key : name + "." + key;
+      const std::string full = presentName(given);
+      noteName(full, given);
       const int keyLine = option_ ? 0 : pair.first.Mark().line + 1;
       if (!findKeyword(full) && !isGroup(full))
         fail(keyLine, full, mcawr::unknownWord("keyword", full, knownNames()));
@@ -185,6 +202,7 @@ void CaseReader::collect(const YAML::Node &node, const std::string &name)
     fail(line, name, "is not a value: it has keywords below it");
   Entry entry = entryOf(node, *keyword);
   entry.line = line;
+  entry.isChange = option_ != nullptr;
   entries_[name] = std::move(entry);
 }
 
@@ -269,6 +287,8 @@ void CaseReader::change(const std::string &text)
 void CaseReader::change(const std::string &given, const YAML::Node &value, const char *option)
 {
   const std::string name = presentName(given);
+  noteName(name, given);
+  hasChanges_ = true;
   // "creep=[...]" replaces creep.from etc., "roughness.seed=2" ends "roughness: none"
   const std::string group = name.substr(0, name.find('.'));
   entries_.erase(name);
@@ -295,10 +315,11 @@ void CaseReader::refuse(const std::string &name, const std::string &with) const
     fail(entries_.lower_bound(name + ".")->first, "does not go with " + with);
 }
 
-void CaseReader::refuseUnused(const std::set<std::string> &except) const
+void CaseReader::refuseUnused(const std::function<bool(const std::string &group)> &mayStay) const
 {
   for (const auto &[name, entry] : entries_)
-    if (used_.count(name) == 0 && except.count(name.substr(0, name.find('.'))) == 0)
+    if (used_.count(name) == 0 &&
+        (entry.isChange || !hasChanges_ || !mayStay(name.substr(0, name.find('.')))))
       fail(name, "is not used in this case: leave it out, or choose what needs it");
 }
 

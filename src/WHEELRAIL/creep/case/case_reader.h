@@ -4,8 +4,8 @@
 
 #include "creep/case/keywords.h"
 
+#include <functional>
 #include <map>
-#include <set>
 #include <string>
 #include <vector>
 
@@ -79,8 +79,8 @@ class CaseReader {
   void refuse(const std::string &name, const std::string &with) const;
   /// \throws Error (BadInput) for a keyword that is given and that nobody has asked for: what
   ///         would change nothing in silence
-  /// \param except  groups that may hold such
-  void refuseUnused(const std::set<std::string> &except) const;
+  /// \param mayStay  whether the file's keywords of a group may be such once there is a change
+  void refuseUnused(const std::function<bool(const std::string &group)> &mayStay) const;
 
   /// What was used so far, as a case file.
   /// Keywords in the order of the table; numbers in the words in which they were given.
@@ -93,6 +93,7 @@ class CaseReader {
     std::vector<double> numbers; ///< in the keyword's unit; empty where it takes words
     bool isList = false;
     int line = 0; ///< 0: from a change or a tree
+    bool isChange = false;
   };
 
   [[noreturn]] void fail(int line, const std::string &keyword, const std::string &problem) const;
@@ -104,12 +105,17 @@ class CaseReader {
   double checkedNumber(const Keyword &keyword, const std::string &word, int line) const;
   /// Checks that kinds Choice and Switch have one of the words that are allowed.
   void checkWord(const Keyword &keyword, const std::string &word, int line) const;
+  /// Keeps the name under which a keyword is given, for messages: an older one, or its own.
+  void noteName(const std::string &name, const std::string &given);
+  const std::string &givenName(const std::string &name) const;
   /// The value or its default, from now on part of `configuration`.
   const Entry &use(const std::string &name);
 
   std::string file_;
   const char *option_ = nullptr; ///< what names a change in messages; null: no change is read
+  bool hasChanges_ = false;
   std::map<std::string, Entry> entries_, used_;
+  std::map<std::string, std::string> older_; ///< names under which keywords were given
 };
 
 /// The table's row of a keyword; null for other words.
