@@ -42,11 +42,32 @@ def shown(value: object) -> str:
     return text if len(text) <= 60 else text[:57] + "..."
 
 
+class DecimalComma(yaml.MarkedYAMLError):
+    """What YAML takes for two values and nobody means."""
+
+
+def _refuse_decimal_comma(words: list[yaml.Node]) -> None:
+    """'[15, 22,5]' is three numbers to YAML: a whole number, a comma without a blank, and digits,
+    in a list that has blanks elsewhere or with a zero before them."""
+    if not all(isinstance(word, yaml.ScalarNode) for word in words):
+        return
+    tight = [a.end_mark.index + 1 == b.start_mark.index for a, b in zip(words, words[1:])]
+    for a, b, is_tight in zip(words, words[1:], tight):
+        sure = not all(tight) or re.fullmatch(r"0[0-9]+", b.value)
+        if is_tight and sure and re.fullmatch(r"[-+]?[0-9]+,[0-9]+", f"{a.value},{b.value}"):
+            raise DecimalComma(
+                problem=f"'{a.value},{b.value}' has a decimal comma; a point is expected, and a "
+                "blank after each comma of a list",
+                problem_mark=a.start_mark,
+            )
+
+
 def _given(node: yaml.Node, depth: int = 0) -> Given:
     mark = node.start_mark
     if depth > DEPTH:
         raise yaml.MarkedYAMLError(problem="nested too deep", problem_mark=mark)
     if isinstance(node, yaml.SequenceNode):
+        _refuse_decimal_comma(node.value)
         return Given(mark.line + 1, [_given(item, depth + 1) for item in node.value])
     if isinstance(node, yaml.ScalarNode):
         if node.style:  # quoted
@@ -79,4 +100,5 @@ def read_yaml(path: str, text: str) -> Given:
         mark = getattr(error, "problem_mark", None)
         line = (mark.line if mark else text.count("\n", 0, getattr(error, "position", 0))) + 1
         problem = getattr(error, "problem", None) or str(error).splitlines()[0]
-        raise PlanError(f"{path}:{line}: not YAML: {problem}") from None
+        what = "" if isinstance(error, DecimalComma) else "not YAML: "
+        raise PlanError(f"{path}:{line}: {what}{problem}") from None

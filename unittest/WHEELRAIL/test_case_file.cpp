@@ -92,6 +92,26 @@ TEST(CaseFile, RefusesWhatWouldChangeNothing)
   EXPECT_TRUE(contains(messageOf(still + "speed: 20 m/s\n"), "speed: " + unused));
 }
 
+/// "[0,1 %, 0,2 %]" is 0, 1 %, 0 and 2 % to YAML.
+TEST(CaseFile, RefusesDecimalCommas)
+{
+  const auto creep = [](const std::string &list) { return messageOf(table2 + "creep: " + list); };
+  for (const std::string list : {"[0,1 %, 0,2 %]", "[0,1 %]", "[0, 0,1 %]", "[0,001, 0,01]",
+                                 "[0,001,0,01]", "[1 %, 2,5 %]", "[-0,1 %, 0]"})
+    EXPECT_TRUE(contains(creep(list), "creep: '") && contains(creep(list), "has a decimal comma"))
+        << list << " " << creep(list);
+  for (const std::string list : {"[0, 0.1 %]", "[0.001,0.01]", "[0,1]", "[ 0 , 1 % ]",
+                                 "[0, 1 %,2 %]", "[1e-3,1e-2]", "[0,0.1 %]", "[-1 %,1 %]"})
+    EXPECT_EQ(creep(list), "") << list;
+  EXPECT_EQ(messageOf(minimal + "cells: 64\nroughness: {hurst: 0.8, rms_slope: 0.02,\n"
+                                "  wavelength_min: 0.1 mm, wavelength_max: 5 mm, seed: [1,2, 3]}"),
+            "");
+  EXPECT_TRUE(contains(messageOf(minimal + "friction: {law: constant, mu: 0,3}\n"),
+                       ":4: friction.mu: '0,3' has a decimal comma"));
+  EXPECT_TRUE(contains(messageOf(minimal, {"creep=[0,1 %]"}, ExitCode::Usage),
+                       "--set creep: '0,1 %' has a decimal comma"));
+}
+
 TEST(CaseFile, NamesAKeywordAsItWasGiven)
 {
   EXPECT_TRUE(contains(messageOf(minimal, {"points=3"}, ExitCode::Usage), "points: '3'"));

@@ -298,6 +298,7 @@ TEST(HeightMapFile, TextMatrix)
   expectRefused(replaced(matrix, "# spacing: 2 um, 3 um\n", ""), {"spacing"});
   expectRefused(replaced(matrix, "2 um, 3 um", "0 um"), {":3:", "spacing", "positive"});
   expectRefused(replaced(matrix, "2 um, 3 um", "2, 3 um"), {":3:", "spacing", "unit"});
+  expectRefused(replaced(matrix, "2 um, 3 um", "0,2 um"), {":3:", "spacing", "a decimal comma"});
   expectRefused(replaced(matrix, "height: um", "height: K"), {":2:", "height"});
   expectRefused(replaced(matrix, "13; 14", "13"), {":6:", "4 columns"});
   expectRefused(replaced(matrix, "13; 14", "13;x14"), {":6:", "column 5", "'x14'"});

@@ -89,6 +89,36 @@ std::string quoted(const std::string &item)
   return text + "\"";
 }
 
+bool isWhole(const std::string &word)
+{
+  const std::size_t first = word[0] == '-' || word[0] == '+' ? 1 : 0;
+  return word.size() > first && word.find_first_not_of("0123456789", first) == std::string::npos;
+}
+
+/// Decimals in a list, as in "[0,1 %, 0,2 %]": a whole number, a comma without a blank, and digits
+/// that have the unit alone, or a zero before them, or stand in a list with blanks elsewhere.
+/// \return how they are written; empty: none
+std::string decimalComma(const YAML::Node &list)
+{
+  bool allTight = true;
+  std::string found, sure;
+  for (std::size_t k = 0; k + 1 < list.size(); ++k) {
+    const std::string whole = list[k].Scalar(), decimals = list[k + 1].Scalar();
+    const int from = list[k].Mark().pos, to = list[k + 1].Mark().pos;
+    if (from < 0 || to != from + static_cast<int>(whole.size()) + 1) {
+      allTight = false;
+      continue;
+    }
+    const std::size_t digits = std::min(decimals.find_first_not_of("0123456789"), decimals.size());
+    if (!isWhole(whole) || digits == 0 || (digits < decimals.size() && decimals[digits] == '.'))
+      continue;
+    found = fmt::format("{},{}", whole, decimals);
+    if (digits < decimals.size() || (digits > 1 && decimals[0] == '0'))
+      sure = found;
+  }
+  return !sure.empty() || allTight ? sure : found;
+}
+
 } // namespace
 
 const Keyword *findKeyword(const std::string &name)
@@ -177,6 +207,7 @@ void CaseReader::collect(const YAML::Node &node, const std::string &name)
   if (node.IsMap()) {
     if (!name.empty() && !isGroup(name))
       fail(line, name, "has no keywords below it; a value is expected");
+    refuseDecimalComma(node, name);
     for (const auto &pair : node) {
       const std::string key = pair.first.as<std::string>();
       const std::string given = name.empty() ? key : name + "." + key;
@@ -206,6 +237,21 @@ void CaseReader::collect(const YAML::Node &node, const std::string &name)
   entries_[name] = std::move(entry);
 }
 
+// to YAML "{mu: 0,3}" is 0, and a key 3 without a value
+void CaseReader::refuseDecimalComma(const YAML::Node &map, const std::string &name) const
+{
+  std::string before, value;
+  for (const auto &pair : map) {
+    const std::string key = pair.first.Scalar();
+    if (pair.second.IsNull() && !key.empty() && std::isdigit(static_cast<unsigned char>(key[0])) &&
+        !before.empty())
+      fail(option_ ? 0 : pair.first.Mark().line + 1, name.empty() ? before : name + "." + before,
+           fmt::format("'{},{}' has a decimal comma; a point is expected", value, key));
+    before = key;
+    value = pair.second.IsScalar() ? pair.second.Scalar() : "";
+  }
+}
+
 CaseReader::Entry CaseReader::entryOf(const YAML::Node &node, const Keyword &keyword) const
 {
   const int line = option_ ? 0 : node.Mark().line + 1;
@@ -221,6 +267,13 @@ CaseReader::Entry CaseReader::entryOf(const YAML::Node &node, const Keyword &key
       fail(line, keyword.name, "the list is empty");
     if (!takesList(keyword.kind))
       fail(line, keyword.name, "one value is expected, not a list");
+    const std::string comma = takesWholeNumbers(keyword.kind) ? "" : decimalComma(node);
+    if (takesNumbers(keyword.kind) && !comma.empty())
+      fail(
+          line, keyword.name,
+          fmt::format("'{}' has a decimal comma; a point is expected, and a blank after each comma "
+                      "of a list",
+                      comma));
   } else {
     if (!node.IsScalar() || node.Scalar().empty())
       fail(line, keyword.name, "has no value");

@@ -99,6 +99,8 @@ class CaseReader {
   [[noreturn]] void fail(int line, const std::string &keyword, const std::string &problem) const;
   /// Takes in a node of YAML that stands at a keyword or group; "" is the whole file.
   void collect(const YAML::Node &node, const std::string &name);
+  /// Names the keyword of a group in braces whose value has a decimal comma.
+  void refuseDecimalComma(const YAML::Node &map, const std::string &name) const;
   /// Checks a value, or each of a list, against the keyword's form.
   Entry entryOf(const YAML::Node &node, const Keyword &keyword) const;
   /// The number in the keyword's unit, within its range.

@@ -6,6 +6,7 @@
 #include "contact/patch/formats/map_text.h"
 #include "contact/patch/formats/raster_of_points.h"
 
+#include <cctype>
 #include <cmath>
 #include <fmt/format.h>
 #include <set>
@@ -23,6 +24,18 @@ struct MatrixHead {
   std::set<std::string> given; ///< keywords so far
 };
 
+/// "1,0 mm" is one number; in "1 mm, 2 mm" a unit stands before the comma.
+void refuseDecimalComma(const std::string &path, int number, const std::string &keyword,
+                        const std::string &value)
+{
+  const auto isDigit = [](char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; };
+  const auto comma = value.find(',');
+  if (comma != std::string::npos && comma > 0 && comma + 1 < value.size() &&
+      isDigit(value[comma - 1]) && isDigit(value[comma + 1]))
+    throw badInput(path, number, keyword,
+                   fmt::format("'{}' has a decimal comma; a point is expected in the head", value));
+}
+
 /// "# keyword: value"; other comments are free text. Width, Height and Value units are those of
 /// Gwyddion's export of text with a header.
 void readHeadLine(const std::string &path, int number, std::string_view line, MatrixHead &head)
@@ -36,6 +49,8 @@ void readHeadLine(const std::string &path, int number, std::string_view line, Ma
        {"height", "spacing", "points", "rows", "position", "Width", "Height", "Value units"})
     if (keyword == known && !head.given.insert(keyword).second)
       throw badInput(path, number, keyword, "appears twice in the head");
+  if (keyword == "spacing" || keyword == "Width" || keyword == "Height")
+    refuseDecimalComma(path, number, keyword, value);
   if (keyword == "height" || keyword == "Value units")
     head.heightUnit = positiveLength(path, number, keyword, "1 " + value);
   if (keyword == "position")
