@@ -12,6 +12,15 @@
 #include "laws/contact.h"
 #include "laws/fracture_criteria.h"
 
+// Inlines all that a function calls: loops vectorise only then. What a loop does to a pair stands
+// in a lambda, since vectors that are declared in the loop itself would be kept in memory.
+// Sanitizers instrument each copy, which takes a quarter of an hour to compile: they get calls.
+#ifdef __SANITIZE_ADDRESS__
+#define MCA_LOOP
+#else
+#define MCA_LOOP __attribute__((flatten))
+#endif
+
 namespace mca::MCA_ISA {
 namespace {
 

@@ -2,7 +2,7 @@
 /// \file kernel_few.h
 /// The few pairs of a block that do more than carry their elastic stress, as a block of their own:
 /// contacts that touch, links that flow or break. For the kernel's source only.
-/// The loops of kernel.cpp work on what is picked here as on any block, so that a pair's result
+/// The loops of kernel_force.h work on what is picked here as on any block, so that a pair's result
 /// does not depend on how it came in.
 #ifndef MCA_KERNEL_FEW_H
 #define MCA_KERNEL_FEW_H

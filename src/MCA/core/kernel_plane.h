@@ -18,7 +18,7 @@
 namespace mca::MCA_ISA {
 namespace {
 
-// The traits of the plane: what the passes of kernel.cpp take as their argument D. Names and
+// The traits of the plane: what the passes take as their argument D. Names and
 // signatures are those of Space.
 struct Plane {
   // Where a quantity stands in its row; rows.h.

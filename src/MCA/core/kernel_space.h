@@ -17,7 +17,7 @@
 namespace mca::MCA_ISA {
 namespace {
 
-// The traits of space: what the passes of kernel.cpp take as their argument D. Names and signatures
+// The traits of space: what the passes take as their argument D. Names and signatures
 // are those of Plane.
 struct Space {
   // Where a quantity stands in its row; rows.h.
