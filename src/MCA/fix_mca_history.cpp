@@ -458,9 +458,7 @@ void FixMCAHistory::post_integrate()
   tagint found[2] = {0, 0};
   for (int k = 0; k < links.size() && found[0] == 0; k++) {
     const int i = links.placeI(k), j = links.placeJ(k);
-    double state[mca::LinkList::maxStateSize];
-    links.getState(k, false, state);
-    if (i >= own || j >= own || !mca::link::isLinked(state[0]))
+    if (i >= own || j >= own || !mca::link::isLinked(links.pairs().now.kind[k]))
       continue;
     const double *const was_i = &start[6 * static_cast<size_t>(i)];
     const double *const was_j = &start[6 * static_cast<size_t>(j)];

@@ -9,6 +9,8 @@
 #include "pair_mca.h"
 #include "update.h"
 
+#include <algorithm>
+
 using namespace LAMMPS_NS;
 using namespace FixConst;
 
@@ -45,6 +47,11 @@ void FixNVEMCA::reset_dt()
   halfstep.assign(atom->ntypes + 1, {0.0, 0.0});
   for (int type = 1; type <= atom->ntypes; type++)
     halfstep[type] = {dtf / pair->mass(type), dtf / pair->inertia(type)};
+  alike = igroup == 0 &&
+          std::all_of(halfstep.begin() + 1, halfstep.end(), [this](const HalfStep &half) {
+            return half.over_mass == halfstep[1].over_mass &&
+                   half.over_inertia == halfstep[1].over_inertia;
+          });
 }
 
 /* Half a step of the velocities, and a step of the places. A ball turns alike about any axis, so
@@ -75,12 +82,62 @@ void FixNVEMCA::step()
   }
 }
 
+/* The same of all automata that the rank has, of types that are alike: arrays as plain numbers, two
+   automata at a time. The third components that the plane does not have get a factor of 0. */
+
+template<int DIMENSION, bool MOVES>
+void FixNVEMCA::step_alike()
+{
+  constexpr int both = 6;
+  constexpr bool plane = DIMENSION == 2;
+  const HalfStep half = halfstep[1];
+  const double third = plane ? 0.0 : half.over_mass, third_way = plane ? 0.0 : dtv;
+  const double push[both] = {half.over_mass, half.over_mass, third,
+                             half.over_mass, half.over_mass, third};
+  const double way[both] = {dtv, dtv, third_way, dtv, dtv, third_way};
+  double *const __restrict x = atom->x[0], *const __restrict v = atom->v[0];
+  double *const __restrict omega = atom->omega[0];
+  const double *const __restrict f = atom->f[0], *const __restrict torque = atom->torque[0];
+  const int n = 3 * atom->nlocal, whole = n / both * both;
+  auto move = [=](int from, int to) {
+    for (int m = 0; m < to; m++) {
+      v[from + m] += push[m] * f[from + m];
+      if (MOVES)
+        x[from + m] += way[m] * v[from + m];
+    }
+  };
+  for (int k = 0; k < whole; k += both)
+    move(k, both);
+  move(whole, n - whole);
+  if (!plane) {
+    for (int k = 0; k < n; k++)
+      omega[k] += half.over_inertia * torque[k];
+    return;
+  }
+  double *const theta = pair->state(THETA);
+  for (int i = 0; i < atom->nlocal; i++) {
+    omega[3 * i + 2] += half.over_inertia * torque[3 * i + 2];
+    if (MOVES)
+      theta[i] += dtv * omega[3 * i + 2];
+  }
+}
+
+template<bool MOVES>
+void FixNVEMCA::step_of_dimension()
+{
+  const bool plane = domain->dimension == 2;
+  if (alike && atom->nlocal > 0)
+    plane ? step_alike<2, MOVES>() : step_alike<3, MOVES>();
+  else
+    plane ? step<2, MOVES>() : step<3, MOVES>();
+}
+
 void FixNVEMCA::initial_integrate(int /*vflag*/)
 {
-  domain->dimension == 2 ? step<2, true>() : step<3, true>();
+  step_of_dimension<true>();
 }
 
 void FixNVEMCA::final_integrate()
 {
-  domain->dimension == 2 ? step<2, false>() : step<3, false>();
+  step_of_dimension<false>();
 }

@@ -40,10 +40,16 @@ class FixNVEMCA : public Fix {
   double dtv;
   /// By type, [0] unused.
   std::vector<HalfStep> halfstep;
+  /// All types have the same ones, and all automata are integrated.
+  bool alike = false;
 
   /// Both of them; MOVES: places and angles, too.
   template<int DIMENSION, bool MOVES>
   void step();
+  template<int DIMENSION, bool MOVES>
+  void step_alike();
+  template<bool MOVES>
+  void step_of_dimension();
 };
 
 } // namespace LAMMPS_NS

@@ -3,6 +3,7 @@
 // force as the gradient of its energy, and the strain that broken links leave.
 #include "laws/packing.h"
 #include "laws/room.h"
+#include "laws/strain.h"
 
 #include <gtest/gtest.h>
 
@@ -102,6 +103,15 @@ TEST(Room, ReadsLatticesThatAreShearedAtConstantVolume)
     EXPECT_LT(most, plane ? 0.01 : 0.008);
     EXPECT_LT(least, plane ? -0.002 : -0.01); // such lattices were met
   }
+}
+
+// The kernel takes the short one for blocks in which it is the long one to the last bit.
+TEST(Room, ShortShareIsTheLongOneNear1)
+{
+  for (int k = -200; k <= 200; k++)
+    if (const double ratio = 1.0 + 5e-4 * k; isNear1(ratio)) {
+      EXPECT_EQ(roomTakenNear1(ratio), roomTaken(roomShare(ratio))) << ratio;
+    }
 }
 
 TEST(Room, TheForceIsTheGradientOfTheEnergy)

@@ -57,30 +57,29 @@ using MeanPass = double(int n, const int *type, const AutomatonLaw *laws, bool o
                         const double *strains, double *response);
 
 /// Adds the elastic stress of each contact, before any return, to the averaged stress of both of
-/// its automata.
+/// its automata, and its force to their forces.
 /// \param response  the mean stresses of both automata are read, hence of guests, too
-/// \param stresses  rows.stress.length values an automaton, added to
-using StressPass = void(const Pairs &, const PairLaw *laws, const double *response,
-                        double *stresses);
+/// \param sums      rows.stress.length values an automaton, added to
+using StressPass = void(const Pairs &, const PairLaw *laws, const double *response, double *sums);
 
 /// Stress intensity and radial return of each automaton, radialReturn() of laws/plasticity.h; an
 /// automaton without a contact that flows with it does not flow.
+/// \param flowed     one of them flowed in the last evaluation, or there was none. Else all answers
+///                   are those of automata that do not flow, and stay so where none does now
 /// \param strains    the number of these contacts is read
 /// \param stresses   the averaged stress is read
 /// \param kappa      equivalent plastic strain [-]
-/// \param kappaNext  the same at the beginning of the next step, written for all n
+/// \param kappaNext  the same at the beginning of the next step, written for all n where one flows
 /// \param response   the factor M is written, and the centre where the rows have one
-/// \return how many automata flow, a whole number: without any, kappaNext equals kappa and all
-///         factors are 1
-using YieldPass = double(int n, const int *type, const AutomatonLaw *laws, bool oneLaw,
+/// \return how many automata flow, a whole number: without any, all factors are 1
+using YieldPass = double(int n, const int *type, const AutomatonLaw *laws, bool oneLaw, bool flowed,
                          const double *strains, const double *stresses, const double *kappa,
                          double *kappaNext, double *response);
 
 /// Adds what the returns take from the elastic stresses of contacts that flow to both of their
 /// automata. Blocks in which no automaton flows are passed over.
 /// \param response  mean, factor and centre of both automata are read, hence of guests, too
-/// \param taken     rows.stress.length values an automaton, added to: the tensor, and with
-/// isochoric
+/// \param taken     rows.taken.length values an automaton, added to: the tensor, and with isochoric
 ///                  in place of the sum `flowing` that of squares for strainOfWork(), less centre^2
 using ReturnPass = void(const Pairs &, const PairLaw *laws, const double *response, double *taken);
 
@@ -93,15 +92,15 @@ using SecondYieldPass = void(int n, const int *type, const AutomatonLaw *laws,
                              const double *strains, const double *stresses, const double *taken,
                              const double *kappa, double *kappaNext, double *response);
 
-/// Stresses of the contacts, forces and torques on both automata, next state. Next states are
-/// written of blocks in which anything may change; Block::moves says where they differ from the
-/// present ones.
+/// Stresses of the contacts after returns, what these, viscosity and lack of room add to the
+/// elastic forces and torques of both automata, next state. Next states are written of blocks in
+/// which anything may change; Block::moves says where they differ from the present ones.
 /// \param response  complete rows of both automata, hence of guests, too
 /// \param local     rows.local.length values an automaton, or nullptr where no law needs them
-/// \param forces    rows.force.length values an automaton, added to
+/// \param sums      of the stress pass, whose forces are added to
 /// \return how many pairs change their kind, a whole number
 using ForcePass = double(const Pairs &, const PairLaw *laws, const double *response,
-                         const double *local, double *forces);
+                         const double *local, double *sums);
 
 /// The passes compiled for one instruction set and one dimension. All kernels of a dimension
 /// compute the same, but for the last bits of sums and products that an instruction set contracts.

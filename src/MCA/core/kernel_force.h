@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 /// \file kernel_force.h
 /// The pass from returns to forces and next states. For the kernel's source only.
+/// The elastic forces of all pairs come from the stress pass. What is added here is all that a pair
+/// answers beside them, by the differences of its stresses: exactly nothing where it neither
+/// touches, flows, breaks nor lacks room, so that a sum does not depend on the ways of its blocks.
 #ifndef MCA_KERNEL_FORCE_H
 #define MCA_KERNEL_FORCE_H
 
@@ -11,10 +14,9 @@
 namespace mca::MCA_ISA {
 namespace {
 
-// One block, pair by pair without a branch: stresses after the return, the next kind, the force and
-// the next state. All next states are written; whether they count is what the sums of differences
-// say.
-// LOCAL: criteria of local stress or of plastic work act.
+// One block, pair by pair without a branch: stresses after the return, the next kind, what that
+// adds to the elastic force, and the next state. All next states are written; whether they count is
+// what the sums of differences say. LOCAL: criteria of local stress or of plastic work act.
 template<class D, Way W, class Criterion, bool LOCAL>
 MCA_LOOP Changes forceBlock(const Pairs &p, int first, int n, const PairLaw *laws,
                             const double *local, const typename D::Answers &ofI,
@@ -25,7 +27,7 @@ MCA_LOOP Changes forceBlock(const Pairs &p, int first, int n, const PairLaw *law
   const int *const plaw = p.law + first;
   const double *const pkind = p.now.kind + first, *const pplastic = p.now.plastic + first;
   const double *const pratio = p.ratio + first, *const peps = p.eps + first;
-  const double *const psep = p.separation + first;
+  const double *const psep = p.separation + first, *const psigma = p.sigma + first;
   double *const kind1 = p.next.kind + first, *const plastic1 = p.next.plastic + first;
   const PairArray<Shear> gammas(p.now.gamma, first), totals(p.now.gammaTotal, first);
   const PairArray<Shear> gammas1(p.next.gamma, first), totals1(p.next.gammaTotal, first);
@@ -71,7 +73,8 @@ MCA_LOOP Changes forceBlock(const Pairs &p, int first, int n, const PairLaw *law
     plastic1[k] = next.plastic;
     gammas1.set(k, next.gamma);
     totals1.set(k, next.gammaTotal);
-    forces.set(k, contactForce(law, s.normal, shear.acting, pratio[k], normals.get(k)));
+    forces.set(k, contactForce(law, s.normal - psigma[k], shear.acting - law.twoG * gamma,
+                               pratio[k], normals.get(k)));
     return (kind == s.kindNext ? 0.0 : 1.0) + (plastic == next.plastic ? 0.0 : 1.0) +
            (equal(gamma, next.gamma) ? 0.0 : 1.0) + (equal(stored, next.gammaTotal) ? 0.0 : 1.0);
   };
@@ -85,8 +88,8 @@ MCA_LOOP Changes forceBlock(const Pairs &p, int first, int n, const PairLaw *law
   return {kinds, states};
 }
 
-// Bulk links of one law. The next state is written where something flows, else it is the present
-// one.
+// Bulk links of one law: what they add to their elastic forces. The next state is written where
+// something flows, else it is the present one.
 // Criterion: by which a link may break, known from here on; void where the strain pass knew that
 //            none does. Returns how many break.
 template<class D, bool PristineBlock, bool Flows, class Criterion>
@@ -120,10 +123,10 @@ MCA_LOOP double bulkForceBlock(const Pairs &p, int first, int n, const PairLaw *
       plastic1[k] = plastic + (trial - sigma) * law.invTwoG;
       gammas1.set(k, left * gamma);
       totals1.set(k, total);
-      forces.set(k, contactForce(law, sigma + room, returnedShear(left, law.twoG, gamma), ratio,
-                                 normals.get(k)));
+      const Shear less = returnedShear(left, law.twoG, gamma) - law.twoG * gamma;
+      forces.set(k, contactForce(law, sigma + room - trial, less, ratio, normals.get(k)));
     } else {
-      forces.set(k, contactForce(law, trial + room, law.twoG * gamma, ratio, normals.get(k)));
+      forces.set(k, contactForce(law, room, Shear{}, ratio, normals.get(k)));
     }
     if constexpr (std::is_void_v<Criterion>) {
       return 0.0;
@@ -150,27 +153,6 @@ MCA_LOOP double bulkForceBlock(const Pairs &p, int first, int n, const PairLaw *
   return breaking;
 }
 
-// Bulk links that break by strain only, of which none breaks or flows and whose automata have room:
-// all that they answer is in the stress of the stress pass. Pairs that are apart have none.
-template<class D, Way W>
-MCA_LOOP void elasticForceBlock(const Pairs &p, int first, int n, const PairLaw *laws,
-                                typename D::Forces &forces)
-{
-  const double *const pratio = p.ratio + first, *const psigma = p.sigma + first;
-  const PairArray<typename D::Shear> gammas(p.now.gamma, first);
-  const PairArray<typename D::Normal> normals(p.normal, first);
-  const int *const plaw = p.law + first;
-  const PairLaw one = laws[plaw[0]];
-  auto answer = [=, &one, &forces](int k) {
-    const PairLaw &law = W == SeveralLaws ? laws[plaw[k]] : one;
-    forces.set(k,
-               contactForce(law, psigma[k], law.twoG * gammas.get(k), pratio[k], normals.get(k)));
-  };
-#pragma omp simd
-  for (int k = 0; k < n; k++)
-    answer(k);
-}
-
 template<class D>
 class ForcePassOf {
  public:
@@ -186,20 +168,20 @@ class ForcePassOf {
     const int *const pi = p.i + first, *const pj = p.j + first;
     const bool bulk = onlyBulk(W) && !block.breaks;
     double changed = 0.0;
-    bool done = false;
     if constexpr (Criterion::strainOnly)
-      done = !block.crowded && (!local_ || (bulk && !block.flows)) &&
-             workFew<Criterion, W>(p, block, first, n, changed);
-    if (!done) {
-      block.busy = maskOf(n, [](int) { return true; });
-      ofI_.gather(pi, n, response_);
-      ofJ_.gather(pj, n, response_);
-      if (Criterion::needsLocalStress || (local_ && !bulk))
-        gatherMeans<D::rows.local.length>(pi, pj, n, local_, means_);
-      if (!bulk || !workBulk<Criterion, W>(p, block, first, n))
-        changed = workAny<Criterion, W>(p, block, first, n);
-    }
-    own_.scatter(pi, pj, n, forces_);
+      if (!block.crowded && (!local_ || (bulk && !block.flows)) &&
+          workFew<Criterion, W>(p, block, first, n, changed))
+        return changed;
+    block.busy = maskOf(n, [](int) { return true; });
+    ofI_.gather(pi, n, response_);
+    ofJ_.gather(pj, n, response_);
+    if (Criterion::needsLocalStress || (local_ && !bulk))
+      gatherMeans<D::rows.local.length>(pi, pj, n, local_, means_);
+    if (!bulk || !workBulk<Criterion, W>(p, block, first, n))
+      changed = workAny<Criterion, W>(p, block, first, n);
+    else if (!block.moves && !block.crowded)
+      return 0.0;
+    add(pi, pj, n);
     return changed;
   }
 
@@ -208,14 +190,21 @@ class ForcePassOf {
   const double *response_, *local_;
   double *forces_;
   typename D::Answers ofI_, ofJ_;
-  typename D::Forces own_;
-  typename D::Forces theirs_; // of the few
+  typename D::Forces more_; // than the elastic forces
   Column missing_;
   Picked<D> few_;
   alignas(64) double means_[blockLength * D::rows.local.length];
 
-  // Elastic forces for all, then those of the few pairs that do more. Returns false if these are
-  // many; then nothing is done.
+  // Adds what the first n pairs have in more_.
+  void add(const int *pi, const int *pj, int n)
+  {
+    constexpr RowLayout rows = D::rows;
+    more_.row.template scatter<rows.dimension, rows.force.length / 4>(pi, pj, n,
+                                                                      forces_ + rows.force.force);
+  }
+
+  // Only the few pairs that do more than bear elastic stresses. Returns false if these are many;
+  // then nothing is done.
   template<class Criterion, Way W>
   bool workFew(const Pairs &p, Block &block, int first, int n, double &changed)
   {
@@ -227,7 +216,6 @@ class ForcePassOf {
     if (few_.count() > Picked<D>::most)
       return false;
     block.moves = block.changes = false;
-    elasticForceBlock<D, W>(p, first, n, laws_, own_);
     if (few_.count() == 0)
       return true;
     few_.copy(p, first, pristine);
@@ -235,8 +223,7 @@ class ForcePassOf {
     ofI_.gather(picked.i, few_.padded(), response_);
     ofJ_.gather(picked.j, few_.padded(), response_);
     const double states = answerFew<Criterion, W>(block, picked);
-    for (int k = 0; k < few_.count(); k++)
-      own_.take(few_.number(k), theirs_, k);
+    add(picked.i, picked.j, few_.count());
     if (states > 0.0) {
       few_.putNext(p, first, n, pristine);
       changed = few_.changes();
@@ -254,11 +241,11 @@ class ForcePassOf {
     if constexpr (onlyBulk(W))
       if (!block.breaks) { // so they flow
         bulkForceBlock<D, W == Pristine, true, void>(few, 0, few.n, laws_, nullptr, ofI_, ofJ_,
-                                                     theirs_);
+                                                     more_);
         return 1.0;
       }
     return forceBlock<D, anyWay(W), Criterion, false>(few, 0, few.n, laws_, nullptr, ofI_, ofJ_,
-                                                      theirs_)
+                                                      more_)
         .states;
   }
 
@@ -300,9 +287,9 @@ class ForcePassOf {
       block.moves = block.flows && !allOne(n, ofI_.factor, ofJ_.factor);
       block.changes = false;
       const double breaking = block.moves ? bulkForceBlock<D, pristine, true, Open>(
-                                                p, first, n, laws_, means_, ofI_, ofJ_, own_)
+                                                p, first, n, laws_, means_, ofI_, ofJ_, more_)
                                           : bulkForceBlock<D, pristine, false, Open>(
-                                                p, first, n, laws_, means_, ofI_, ofJ_, own_);
+                                                p, first, n, laws_, means_, ofI_, ofJ_, more_);
       if (breaking == 0.0)
         return true;
       if (pristine)
@@ -319,10 +306,11 @@ class ForcePassOf {
     constexpr Way mixed = anyWay(W);
     Changes changes{};
     if (Criterion::needsLocalStress || local_)
-      changes = forceBlock<D, mixed, Criterion, true>(p, first, n, laws_, means_, ofI_, ofJ_, own_);
+      changes =
+          forceBlock<D, mixed, Criterion, true>(p, first, n, laws_, means_, ofI_, ofJ_, more_);
     else if constexpr (!Criterion::needsLocalStress)
       changes =
-          forceBlock<D, mixed, Criterion, false>(p, first, n, laws_, nullptr, ofI_, ofJ_, own_);
+          forceBlock<D, mixed, Criterion, false>(p, first, n, laws_, nullptr, ofI_, ofJ_, more_);
     block.moves = changes.states > 0.0;
     block.changes = changes.kinds > 0.0;
     return changes.kinds;

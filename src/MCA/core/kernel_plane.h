@@ -111,56 +111,35 @@ struct Plane {
   // What each pair adds to the averaged stresses of both of its automata [stress], with the weight
   // 1/3 of the hexagonal packing in it.
   struct Shares {
-    Column xx, yy, xy;
+    Columns<1> row;
 
+    Shares() { row.clearFrom(rows.components); }
     // The share of pair k in the tensor, stressShare() of laws/elasticity.h.
     // \param sigma,tau  normal and shear stress of the contact [stress], tension positive
     // \param n          its unit normal [-]
     void set(int k, double sigma, double tau, const PlaneVector &n)
     {
       const StressTensor s = stressShare(sigma, tau, n.x, n.y);
-      xx[k] = s.xx;
-      yy[k] = s.yy;
-      xy[k] = s.xy;
+      row.c[0][k] = s.xx;
+      row.c[1][k] = s.yy;
+      row.c[2][k] = s.xy;
     }
     // No sum of stresses: the centre is the mean.
     void setFlowing(int, double /*flowing*/) {}
-    // Adds tensors to both automata, with the same sign. The fourth value of a row is unused and
-    // takes xy again.
-    // \param sums  rows.stress.length values an automaton, added to
-    void scatter(const int *pi, const int *pj, int n, double *sums) const
-    {
-      const Row4 same = {1.0, 1.0, 1.0, 1.0};
-      mca::MCA_ISA::scatter(pi, pj, n, xx, yy, xy, xy, same, sums);
-    }
   };
 
   // Forces [force] and torques [force length] of each pair on its first automaton; the torque is
   // about z.
   struct Forces {
-    Column x, y, torque;
+    Columns<1> row;
 
+    Forces() { row.clearFrom(3); }
     // Force and torque of pair k of the block.
     void set(int k, const PlaneForce &f)
     {
-      x[k] = f.x;
-      y[k] = f.y;
-      torque[k] = f.torque;
-    }
-    // Pair k gets those of pair m of others.
-    void take(int k, const Forces &from, int m)
-    {
-      x[k] = from.x[m];
-      y[k] = from.y[m];
-      torque[k] = from.torque[m];
-    }
-    // Adds them to both automata: forces with the opposite sign to the second one, torques with the
-    // same. The fourth value of a row is unused and takes the torque again.
-    // \param sums  rows.force.length values an automaton, added to
-    void scatter(const int *pi, const int *pj, int n, double *sums) const
-    {
-      const Row4 turned = {-1.0, -1.0, 1.0, 1.0};
-      mca::MCA_ISA::scatter(pi, pj, n, x, y, torque, torque, turned, sums);
+      row.c[0][k] = f.x;
+      row.c[1][k] = f.y;
+      row.c[2][k] = f.torque;
     }
   };
 
@@ -194,23 +173,10 @@ struct PlaneIsochoric : Plane {
   using Answers = RoomAnswers<planeIsochoricRows>;
 
   // As of Plane, with one more sum.
-  struct Shares {
-    Columns<1> row;
-
-    void set(int k, double sigma, double tau, const PlaneVector &n)
-    {
-      const StressTensor s = stressShare(sigma, tau, n.x, n.y);
-      row.c[0][k] = s.xx;
-      row.c[1][k] = s.yy;
-      row.c[2][k] = s.xy;
-    }
+  struct Shares : Plane::Shares {
     // \param flowing  sigma of a contact that flows with them, else 0 [stress]; of the return pass
     //                 its square and those of its shear [stress^2]
     void setFlowing(int k, double flowing) { row.c[rows.stress.flowing][k] = flowing; }
-    void scatter(const int *pi, const int *pj, int n, double *sums) const
-    {
-      row.scatter<0>(pi, pj, n, sums);
-    }
   };
 
   // Where only the plane flows, the stress across it is the mean of those in it, so that the

@@ -205,55 +205,113 @@ inline void scatter(const int *pi, const int *pj, int n, const Column &c0, const
   }
 }
 
-// Values of each pair, PARTS times four, which go as a row to both of its automata: the first
-// TURNED of them with the opposite sign to the second one.
+// Adds rows of PARTS times four values to both automata of each of n pairs. The sum of a run of
+// pairs with the same i is kept in registers and written once, which saves most of the loads and
+// stores of i; the order of additions is that of the pairs. \tparam STRIDE  fours from one
+// automaton to the next, >= PARTS \param pi,pj    rows of both automata; n > 0 \param signs factors
+// of +1 or -1 for what the second automaton gets \param rowsOf   rowsOf(k, rows) sets rows[part][m]
+// to that part of the row of pair k + m, m < 4 \param sums     4 STRIDE values an automaton, of
+// which the first 4 PARTS are added to
+template<int PARTS, int STRIDE, class RowsOf>
+inline void scatterRuns(const int *pi, const int *pj, int n, const Row4 (&signs)[PARTS],
+                        const RowsOf &rowsOf, double *sums)
+{
+  // pairs come sorted by i, so that its sum stays in registers
+  int last = pi[0];
+  Row4 sum[PARTS] = {};
+  auto flush = [&]() {
+    for (int part = 0; part < PARTS; part++)
+      *rowOf<Row4>(sums, STRIDE * last + part) += sum[part];
+  };
+  auto add = [&](int k, const Row4(*rows)[4], int m) {
+    if (pi[k + m] != last) {
+      flush();
+      last = pi[k + m];
+      for (Row4 &part : sum)
+        part = Row4{};
+    }
+    for (int part = 0; part < PARTS; part++) {
+      sum[part] += rows[part][m];
+      *rowOf<Row4>(sums, STRIDE * pj[k + m] + part) += signs[part] * rows[part][m];
+    }
+  };
+  Row4 rows[PARTS][4];
+  int k = 0;
+  for (; k + 4 <= n; k += 4) { // whole fours have a loop of their own, which is unrolled
+    rowsOf(k, rows);
+    for (int m = 0; m < 4; m++)
+      add(k, rows, m);
+  }
+  if (k < n) {
+    rowsOf(k, rows);
+    for (int m = 0; m < n - k; m++)
+      add(k, rows, m);
+  }
+  flush();
+}
+
+// Signs of what the second automaton gets: the first TURNED of PARTS times four values are turned.
+template<int TURNED>
+constexpr double signOf(int value)
+{
+  return value < TURNED ? -1.0 : 1.0;
+}
+
+// Values of each pair, PARTS times four, which go as a row to both of its automata.
 template<int PARTS>
 struct Columns {
   Column c[4 * PARTS];
 
-  // Adds the rows to both automata of each of n pairs. The sum of a run of pairs with the same i
-  // is kept in registers and written once, which saves most of the loads and stores of i; the
-  // order of additions is that of the pairs.
+  // Sets the values from this one on to 0 for all pairs: those of a row that are not used.
+  void clearFrom(int value)
+  {
+    for (int m = value; m < 4 * PARTS; m++)
+      c[m] = Column{};
+  }
+
+  // Rows of the pairs from k on.
+  void rows(int k, Row4 (*rows)[4]) const
+  {
+    for (int part = 0; part < PARTS; part++) {
+      for (int m = 0; m < 4; m++)
+        rows[part][m] = *rowOf<Row4>(c[4 * part + m].value + k, 0);
+      transpose(rows[part][0], rows[part][1], rows[part][2], rows[part][3]);
+    }
+  }
+
+  // Adds the rows to both automata of each of n pairs.
   // \tparam TURNED  so many first values go to the second automaton with the opposite sign
-  // \param pi,pj    rows of both automata; n > 0
-  // \param sums     4 PARTS values an automaton, added to
-  template<int TURNED>
+  // \tparam STRIDE  fours from one automaton to the next
+  // \param sums     of the first automaton, from where this row is added on
+  template<int TURNED, int STRIDE = PARTS>
   void scatter(const int *pi, const int *pj, int n, double *sums) const
   {
     Row4 signs[PARTS];
     for (int m = 0; m < 4 * PARTS; m++)
-      signs[m / 4][m % 4] = m < TURNED ? -1.0 : 1.0;
-    // pairs come sorted by i, so that its sum stays in registers
-    int last = pi[0];
-    Row4 sum[PARTS] = {};
-    auto flush = [&]() {
-      for (int part = 0; part < PARTS; part++)
-        *rowOf<Row4>(sums, PARTS * last + part) += sum[part];
-    };
-    for (int k = 0; k < n; k += 4) {
-      Row4 rows[PARTS][4];
-      for (int part = 0; part < PARTS; part++) {
-        for (int m = 0; m < 4; m++)
-          rows[part][m] = *rowOf<Row4>(c[4 * part + m].value + k, 0);
-        transpose(rows[part][0], rows[part][1], rows[part][2], rows[part][3]);
-      }
-      const int end = lesser(4, n - k);
-      for (int m = 0; m < end; m++) {
-        if (pi[k + m] != last) {
-          flush();
-          last = pi[k + m];
-          for (Row4 &part : sum)
-            part = Row4{};
-        }
-        for (int part = 0; part < PARTS; part++) {
-          sum[part] += rows[part][m];
-          *rowOf<Row4>(sums, PARTS * pj[k + m] + part) += signs[part] * rows[part][m];
-        }
-      }
-    }
-    flush();
+      signs[m / 4][m % 4] = signOf<TURNED>(m);
+    scatterRuns<PARTS, STRIDE>(
+        pi, pj, n, signs, [this](int k, Row4(*to)[4]) { rows(k, to); }, sums);
   }
 };
+
+// Adds two sets of columns, one behind the other in a row.
+// \tparam TURNED  so many first values of the second set go to the second automaton with the
+//                 opposite sign
+template<int TURNED, int A, int B>
+inline void scatterBoth(const int *pi, const int *pj, int n, const Columns<A> &a,
+                        const Columns<B> &b, double *sums)
+{
+  Row4 signs[A + B];
+  for (int m = 0; m < 4 * (A + B); m++)
+    signs[m / 4][m % 4] = m < 4 * A ? 1.0 : signOf<TURNED>(m - 4 * A);
+  scatterRuns<A + B, A + B>(
+      pi, pj, n, signs,
+      [&a, &b](int k, Row4(*to)[4]) {
+        a.rows(k, to);
+        b.rows(k, to + A);
+      },
+      sums);
+}
 
 } // namespace
 } // namespace mca::MCA_ISA

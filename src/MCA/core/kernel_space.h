@@ -132,11 +132,7 @@ struct Space {
   struct Shares {
     Columns<2> row;
 
-    Shares()
-    {
-      for (int k = 0; k < blockLength; k++)
-        row.c[rows.stress.flowing][k] = row.c[7][k] = 0.0;
-    }
+    Shares() { row.clearFrom(rows.components); }
     // The share of pair k in the tensor, stressShare() of laws/elasticity.h.
     // \param sigma  normal stress of the contact [stress], tension positive
     // \param tau    its shear stress [stress], perpendicular to n
@@ -154,12 +150,6 @@ struct Space {
     // \param flowing  sigma of a contact that flows with them, else 0 [stress]: for the centre of
     //                 the return
     void setFlowing(int k, double flowing) { row.c[rows.stress.flowing][k] = flowing; }
-    // Adds tensors and sums to both automata with the same sign: a stress does not depend on the
-    // side.
-    void scatter(const int *pi, const int *pj, int n, double *sums) const
-    {
-      row.scatter<0>(pi, pj, n, sums);
-    }
   };
 
   // Forces [force] and torques [force length] of each pair on its first automaton, three components
@@ -167,11 +157,7 @@ struct Space {
   struct Forces {
     Columns<2> row;
 
-    Forces()
-    {
-      for (int k = 0; k < blockLength; k++)
-        row.c[6][k] = row.c[7][k] = 0.0;
-    }
+    Forces() { row.clearFrom(6); }
     // Force and torque of pair k of the block.
     void set(int k, const SpaceForce &f)
     {
@@ -181,19 +167,6 @@ struct Space {
       row.c[3][k] = f.torque.x;
       row.c[4][k] = f.torque.y;
       row.c[5][k] = f.torque.z;
-    }
-    // Pair k gets those of pair m of others.
-    void take(int k, const Forces &from, int m)
-    {
-      for (int c = 0; c < 6; c++)
-        row.c[c][k] = from.row.c[c][m];
-    }
-    // Adds them to both automata: the force with the opposite sign to the second one, the torque
-    // with the same sign.
-    // \param sums  rows.force.length values an automaton, added to
-    void scatter(const int *pi, const int *pj, int n, double *sums) const
-    {
-      row.scatter<3>(pi, pj, n, sums);
     }
   };
 

@@ -11,7 +11,7 @@
 namespace mca::MCA_ISA {
 namespace {
 
-// Whether the strains of these n pairs are small enough for the short logarithm.
+// Whether the strains of these n pairs are small enough for short series.
 inline bool allNear1(int n, const double *ratio)
 {
   double far = 0.0;
@@ -63,7 +63,7 @@ MCA_LOOP double strainBlock(const Pairs &p, Block &block, int first, int n,
     }
     return 0.0;
   };
-  // near: std::true_type for the short logarithm
+  // near: std::true_type for short series
   auto move = [=, &seen](int k, auto near) {
     const double invDiameter = W == SeveralLaws ? laws[plaw[k]].invDiameter : oneInvDiameter;
     double r;
@@ -75,7 +75,7 @@ MCA_LOOP double strainBlock(const Pairs &p, Block &block, int first, int n,
     normals.set(k, moved.normal);
     pratio[k] = ratio;
     if constexpr (D::keepsVolume)
-      taken[k] = roomTaken(roomShare(ratio));
+      taken[k] = near.value ? roomTakenNear1(ratio) : roomTaken(roomShare(ratio));
     if constexpr (!decidesHere)
       psep[k] = dot(seen.velocity(k), moved.normal);
     if constexpr (onlyBulk(W)) {
@@ -108,8 +108,10 @@ MCA_LOOP double strainBlock(const Pairs &p, Block &block, int first, int n,
     if (block.near && !near) {
       breaking = 0.0;
 #pragma omp simd reduction(+ : breaking)
-      for (int k = 0; k < n; k++)
+      for (int k = 0; k < n; k++) {
+        taken[k] = roomTaken(roomShare(pratio[k]));
         breaking += strain(k, logarithm(pratio[k]), W == Pristine ? gammas.get(k) : totals.get(k));
+      }
     }
     block.near = near;
   }

@@ -12,68 +12,73 @@
 namespace mca::MCA_ISA {
 namespace {
 
+// Elastic stresses and forces. All that a pair answers that neither touches, flows nor breaks is in
+// them, and of the others a part.
 template<class D, Way W>
 MCA_LOOP void stressBlock(const Pairs &p, int first, int n, const PairLaw *laws,
-                          const double *response, double *stresses)
+                          const double *response, typename D::Answers &ofI,
+                          typename D::Answers &ofJ, typename D::Shares &shares,
+                          typename D::Forces &forces)
 {
   const int *const pi = p.i + first, *const pj = p.j + first, *const plaw = p.law + first;
   const double *const pkind = p.now.kind + first, *const pplastic = p.now.plastic + first;
-  const double *const peps = p.eps + first;
+  const double *const peps = p.eps + first, *const pratio = p.ratio + first;
   double *const psigma = p.sigma + first;
   const PairArray<typename D::Shear> gammas(p.now.gamma, first);
   const PairArray<typename D::Normal> normals(p.normal, first);
-  typename D::Answers ofI, ofJ;
-  typename D::Shares shares;
   ofI.gatherMeans(pi, n, response);
   ofJ.gatherMeans(pj, n, response);
   const PairLaw one = laws[plaw[0]];
-  auto share = [=, &one, &ofI, &ofJ, &shares](int k) {
+  auto share = [=, &one, &ofI, &ofJ, &shares, &forces](int k) {
     const PairLaw &law = W == SeveralLaws ? laws[plaw[k]] : one;
     const double e = W == Pristine ? peps[k] : peps[k] - pplastic[k];
-    const typename D::Shear gamma = gammas.get(k);
+    const typename D::Shear tau = law.twoG * gammas.get(k);
+    const typename D::Normal normal = normals.get(k);
     const double linked = onlyBulk(W) ? 1.0 : link::linked(pkind[k]);
     const double pressed = onlyBulk(W) || isPressed(e) ? 1.0 : 0.0;
     const double touching = linked > pressed ? linked : pressed;
     const double sigma = touching * elasticStress(law, e, ofI.mean[k], ofJ.mean[k]);
     psigma[k] = sigma;
-    shares.set(k, sigma, law.twoG * gamma, normals.get(k));
+    shares.set(k, sigma, tau, normal);
+    forces.set(k, contactForce(law, sigma, tau, pratio[k], normal));
     shares.setFlowing(k, onlyBulk(W) ? sigma : flowing(law.contactsFlow, pkind[k], e) * sigma);
   };
 #pragma omp simd
   for (int k = 0; k < n; k++)
     share(k);
-  shares.scatter(pi, pj, n, stresses);
 }
 
 template<class D>
-void stressPass(const Pairs &p, const PairLaw *laws, const double *response, double *stresses)
+void stressPass(const Pairs &p, const PairLaw *laws, const double *response, double *sums)
 {
+  typename D::Answers ofI, ofJ;
+  typename D::Shares shares;
+  typename D::Forces forces;
   eachBlock(p, [&](Block &, auto way, int first, int n) {
-    stressBlock<D, way.way>(p, first, n, laws, response, stresses);
+    stressBlock<D, way.way>(p, first, n, laws, response, ofI, ofJ, shares, forces);
+    scatterBoth<D::rows.dimension>(p.i + first, p.j + first, n, shares.row, forces.row, sums);
   });
 }
 
-// What an automaton answers where it does not flow, and whether its intensity is above the yield
-// stress: 0 where no one's is.
+// How many automata may have an intensity above their yield stress: 0 where no one has. By squares,
+// which need no root, less than rounding can make of them.
 template<class D, bool ONE>
-MCA_LOOP double restLoop(int n, const int *type, const AutomatonLaw *laws, const double *strains,
-                         const double *stresses, const double *kappa, double *kappaNext,
-                         double *response)
+MCA_LOOP double aboveLoop(int n, const int *type, const AutomatonLaw *laws, const double *stresses,
+                          const double *kappa, const double *response)
 {
   constexpr RowLayout rows = D::rows;
+  constexpr double rounding = 1e-12;
   const AutomatonLaw one = laws[type[0]];
   double above = 0.0;
 #pragma omp simd reduction(+ : above)
   for (int i = 0; i < n; i++) {
     const AutomatonLaw &law = ONE ? one : laws[type[i]];
-    const double *const row = stresses + rows.stress.length * i;
-    double *const answer = response + rows.response.length * i;
-    const StressTensor s = D::averaged(law, row + rows.stress.tensor, answer[rows.response.mean]);
-    const double contacts = strains[rows.strain.length * i + rows.strain.flowing];
-    kappaNext[i] = kappa[i];
-    answer[rows.response.factor] = 1.0;
-    D::setCentre(answer, row, contacts);
-    above += stressIntensity(s) > law.curve(kappa[i]) ? 1.0 : 0.0;
+    const double mean = response[rows.response.length * i + rows.response.mean];
+    const double *const tensor = stresses + rows.stress.length * i + rows.stress.tensor;
+    const double limit = law.curve(kappa[i]);
+    above += squaredIntensity(D::averaged(law, tensor, mean)) > (1.0 - rounding) * limit * limit
+                 ? 1.0
+                 : 0.0;
   }
   return above;
 }
@@ -107,20 +112,26 @@ MCA_LOOP double yieldLoop(int n, const int *type, const AutomatonLaw *laws, cons
 }
 
 template<class D>
-double yieldPass(int n, const int *type, const AutomatonLaw *laws, bool oneLaw,
+double yieldPass(int n, const int *type, const AutomatonLaw *laws, bool oneLaw, bool flowed,
                  const double *strains, const double *stresses, const double *kappa,
                  double *kappaNext, double *response)
 {
   if (n == 0)
     return 0.0;
-  // mostly no automaton of a span yields, and then the divisions of the return are not needed
-  const double above =
-      oneLaw ? restLoop<D, true>(n, type, laws, strains, stresses, kappa, kappaNext, response)
-             : restLoop<D, false>(n, type, laws, strains, stresses, kappa, kappaNext, response);
-  if (above == 0.0)
-    return 0.0;
-  return oneLaw ? yieldLoop<D, true>(n, type, laws, strains, stresses, kappa, kappaNext, response)
-                : yieldLoop<D, false>(n, type, laws, strains, stresses, kappa, kappaNext, response);
+  // mostly no automaton of a span yields, and then what it answered stays
+  const double above = oneLaw ? aboveLoop<D, true>(n, type, laws, stresses, kappa, response)
+                              : aboveLoop<D, false>(n, type, laws, stresses, kappa, response);
+  if (above > 0.0)
+    return oneLaw
+               ? yieldLoop<D, true>(n, type, laws, strains, stresses, kappa, kappaNext, response)
+               : yieldLoop<D, false>(n, type, laws, strains, stresses, kappa, kappaNext, response);
+  constexpr double none[D::rows.stress.length] = {};
+  for (int i = 0; i < n && flowed; i++) {
+    double *const answer = response + D::rows.response.length * i;
+    answer[D::rows.response.factor] = 1.0;
+    D::setCentre(answer, none, 0.0);
+  }
+  return 0.0;
 }
 
 template<class D, Way W>
@@ -168,7 +179,7 @@ template<class D>
 void returnPass(const Pairs &p, const PairLaw *laws, const double *response, double *taken)
 {
   typename D::Answers ofI, ofJ;
-  typename D::Shares shares{};
+  typename D::Shares shares;
   Column missing;
   Picked<D> few;
   eachBlock(p, [&](const Block &block, auto way, int first, int n) {
@@ -182,12 +193,12 @@ void returnPass(const Pairs &p, const PairLaw *laws, const double *response, dou
       return;
     if (few.count() > Picked<D>::most) {
       returnBlock<D, way.way>(p, first, n, laws, response, ofI, ofJ, shares);
-      shares.scatter(p.i + first, p.j + first, n, taken);
+      shares.row.template scatter<0>(p.i + first, p.j + first, n, taken);
       return;
     }
     few.copy(p, first, pristine);
     returnBlock<D, way.way>(few.pairs(), 0, few.padded(), laws, response, ofI, ofJ, shares);
-    shares.scatter(few.pairs().i, few.pairs().j, few.count(), taken);
+    shares.row.template scatter<0>(few.pairs().i, few.pairs().j, few.count(), taken);
   });
 }
 
@@ -204,7 +215,7 @@ void secondYieldPass(int n, const int *type, const AutomatonLaw *laws, const dou
       continue;
     const AutomatonLaw &law = laws[type[i]];
     const double *const row = stresses + rows.stress.length * i + rows.stress.tensor;
-    const double *const less = taken + rows.stress.length * i + rows.stress.tensor;
+    const double *const less = taken + rows.taken.length * i + rows.stress.tensor;
     double after[rows.components];
     for (int m = 0; m < rows.components; m++)
       after[m] = row[m] + less[m];
@@ -215,8 +226,9 @@ void secondYieldPass(int n, const int *type, const AutomatonLaw *laws, const dou
     double strain;
     if constexpr (D::keepsVolume) {
       // sum f (sigma - centre)^2 = sum f sigma^2 - centre sum f sigma
-      const int sum = rows.stress.length * i + rows.stress.flowing;
-      const double squares = taken[sum] - answer[rows.response.centre] * stresses[sum];
+      const double squares =
+          taken[rows.taken.length * i + rows.stress.flowing] -
+          answer[rows.response.centre] * stresses[rows.stress.length * i + rows.stress.flowing];
       strain = strainOfWork(1.0 - back.factor, squares, intensity, law.shearModulus, law.weight);
     } else {
       const double contacts = strains[rows.strain.length * i + rows.strain.flowing];

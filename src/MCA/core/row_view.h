@@ -21,9 +21,8 @@ struct RowView {
   const RowLayout *layout; ///< that of all arrays below
   const double *motion;    ///< layout->motion.length values an automaton, and so on
   const double *spins;     ///< last component of each angular velocity [1/time]
-  const double *stresses;
   const double *response;
-  const double *forces;
+  const double *sums; ///< of stresses and forces
 
   /// Place of i [length]; z is 0 in the plane.
   Vector place(int i) const { return along(inMotion(i, layout->motion.place)); }
@@ -43,13 +42,13 @@ struct RowView {
   /// Sum of the contacts' forces [force]; z is 0 in the plane.
   Vector force(int i) const
   {
-    return along(row(forces, layout->force.length, i, layout->force.force));
+    return along(row(sums, layout->force.length, i, layout->force.force));
   }
 
   /// Sum of their torques [force length]; in the plane about z.
   Vector torque(int i) const
   {
-    const double *values = row(forces, layout->force.length, i, layout->force.torque);
+    const double *values = row(sums, layout->force.length, i, layout->force.torque);
     return isPlane() ? Vector{0.0, 0.0, values[0]} : vectorOf(values);
   }
 
@@ -67,7 +66,7 @@ struct RowView {
   /// \param law  of its material
   StressTensor averaged(int i, const AutomatonLaw &law) const
   {
-    const double *t = row(stresses, layout->stress.length, i, layout->stress.tensor);
+    const double *t = row(sums, layout->stress.length, i, layout->stress.tensor);
     return isPlane() ? automatonStress(t[0], t[1], t[2], answer(i).mean) : weighted(t, law.weight);
   }
 

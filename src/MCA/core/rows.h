@@ -4,7 +4,7 @@
 /// only place that knows; whoever reads a row takes its offsets from here.
 ///
 /// Each array is plain doubles, one row an automaton, 64-byte aligned, so that an automaton costs
-/// at most one cache line. Dimensions stand in brackets; any consistent set of units.
+/// at most one cache line, in space two. Dimensions stand in brackets; any consistent set of units.
 #ifndef MCA_ROWS_H
 #define MCA_ROWS_H
 
@@ -29,9 +29,10 @@ struct RowLayout {
     int room;    ///< squares of the shares of its neighbours in its room [-]; only with isochoric,
                  ///< else it equals length
   } strain;
-  /// Sums over the contacts of an automaton, by the stress pass.
+  /// Sums over the contacts of an automaton, by the stress pass. Stresses and forces share a row,
+  /// since the stress pass adds to both at once.
   struct Stress {
-    int length;
+    int length;  ///< of the whole row
     int tensor;  ///< `components` values: xx, yy, xy, in space zz, xz, yz, too [stress]; in the
                  ///< plane averaged, in space without the packing's weight
     int flowing; ///< the normal stresses of the contacts that flow with it [stress]; in the plane
@@ -49,9 +50,14 @@ struct RowLayout {
                  ///< mean stress itself, in space and with isochoric the mean over those that flow
     int answers; ///< so many values from `factor` on are new after a return
   } response;
-  /// Sums over the contacts of an automaton, by the force pass.
-  struct Force {
+  /// What returns take from Stress, with the same offsets, by the return pass.
+  struct Taken {
     int length;
+  } taken;
+  /// Sums over the contacts of an automaton: elastic forces by the stress pass, to which the force
+  /// pass adds all else.
+  struct Force {
+    int length; ///< that of Stress
     int force;  ///< `dimension` values [force]
     int torque; ///< one value in the plane, three in space [force length]
   } force;
@@ -65,23 +71,23 @@ struct RowLayout {
   int components; ///< of a symmetric stress tensor in a row: 3 or 6
 };
 
-/// In the plane: rows of 2 or 4 values; - is not used, x and y are the components of vectors, zz of
-/// the tensors follows from the mean.
+/// In the plane: rows of 2, 4 or 8 values; - is not used, x and y are the components of vectors, zz
+/// of the tensors follows from the mean.
 ///
 ///     motion     x  y  vx  vy             and one array of spins
 ///     strain     sum  flowing
-///     stress     xx  yy  xy  -
+///     stress     xx  yy  xy  -  fx  fy  torque  -
 ///     response   mean  factor             the centre is the mean
-///     force      fx  fy  torque  -
 ///     local      xx  yy  xy  work
 constexpr RowLayout planeRows = [] {
   RowLayout r{};
   r.motion.length = 4, r.motion.place = 0, r.motion.velocity = 2, r.motion.spin = 4;
   r.strain.length = 2, r.strain.sum = 0, r.strain.flowing = 1, r.strain.room = 2;
-  r.stress.length = 4, r.stress.tensor = 0, r.stress.flowing = 4;
+  r.stress.length = 8, r.stress.tensor = 0, r.stress.flowing = 8;
+  r.taken.length = 4;
   r.response.length = 2, r.response.mean = 0, r.response.room = 2, r.response.means = 1;
   r.response.factor = 1, r.response.centre = 0, r.response.answers = 1;
-  r.force.length = 4, r.force.force = 0, r.force.torque = 2;
+  r.force.length = 8, r.force.force = 4, r.force.torque = 6;
   r.local.length = 4, r.local.tensor = 0, r.local.work = 3;
   r.dimension = 2, r.components = 3;
   return r;
@@ -100,28 +106,28 @@ constexpr RowLayout withRoom(RowLayout r)
 }
 /// In the plane with plasticity isochoric, besides:
 ///
-///     stress     xx  yy  xy  flowing
+///     stress     xx  yy  xy  flowing  fx  fy  torque  -
 constexpr RowLayout planeIsochoricRows = [] {
   RowLayout r = withRoom(planeRows);
   r.stress.flowing = 3;
   return r;
 }();
-/// In space: rows of 2, 4 or 8 values; some have values that are not used, for whole vectors.
+/// In space: rows of 2, 4, 8 or 16 values; some have values that are not used, for whole vectors.
 ///
 ///     motion     x  y  z  vx  vy  vz  wx  wy      and one array of wz
 ///     strain     sum  flowing
-///     stress     xx  yy  xy  zz  xz  yz  flowing  -
+///     stress     xx  yy  xy  zz  xz  yz  flowing  -  fx  fy  fz  tx  ty  tz  -  -
 ///     response   mean  factor  centre  -
-///     force      fx  fy  fz  tx  ty  tz  -  -
 ///     local      xx  yy  xy  zz  xz  yz  work  -
 constexpr RowLayout spaceRows = [] {
   RowLayout r{};
   r.motion.length = 8, r.motion.place = 0, r.motion.velocity = 3, r.motion.spin = 6;
   r.strain.length = 2, r.strain.sum = 0, r.strain.flowing = 1, r.strain.room = 2;
-  r.stress.length = 8, r.stress.tensor = 0, r.stress.flowing = 6;
+  r.stress.length = 16, r.stress.tensor = 0, r.stress.flowing = 6;
+  r.taken.length = 8;
   r.response.length = 4, r.response.mean = 0, r.response.room = 4, r.response.means = 1;
   r.response.factor = 1, r.response.centre = 2, r.response.answers = 2;
-  r.force.length = 8, r.force.force = 0, r.force.torque = 3;
+  r.force.length = 16, r.force.force = 8, r.force.torque = 11;
   r.local.length = 8, r.local.tensor = 0, r.local.work = 6;
   r.dimension = 3, r.components = 6;
   return r;

@@ -24,9 +24,9 @@ static void eachPairOfChangingBlocks(const Pairs &p, const Use &use)
 Step::Step(int dimension, const Kernel *kernel)
     : usual_(kernel ? kernel : &bestKernel(dimension)), kernel_(usual_), exchange_(&nobody),
       links_(dimension == 2 ? 1 : 3), motion_(layout().motion.length),
-      strains_(layout().strain.length), stresses_(layout().stress.length),
-      response_(layout().response.length), forces_(layout().force.length),
-      local_(layout().local.length), linkChanges_(2)
+      strains_(layout().strain.length), response_(layout().response.length),
+      sums_(layout().stress.length), taken_(layout().taken.length), local_(layout().local.length),
+      linkChanges_(2)
 {
 }
 
@@ -36,8 +36,8 @@ void Step::setLaws(LawTables tables)
   kernel_ = laws_.keepsVolume ? usual_->keepsVolume : usual_;
   for (const auto &[of, length] :
        {std::pair(&strains_, layout().strain.length),
-        std::pair(&response_, layout().response.length),
-        std::pair(&stresses_, layout().stress.length), std::pair(&taken_, layout().stress.length)})
+        std::pair(&response_, layout().response.length), std::pair(&sums_, layout().stress.length),
+        std::pair(&taken_, layout().taken.length)})
     if (of->length() != length)
       *of = RowArray(length);
 }
@@ -51,10 +51,10 @@ void Step::begin(int own, int all, const int *types, int border)
   const int summed = exchange_->alone() ? own : all; // images only give places
   for (RowArray *of : {&motion_, &spin_})
     of->resize(all);
-  for (RowArray *of : {&strains_, &stresses_, &response_, &forces_})
+  for (RowArray *of : {&strains_, &response_, &sums_})
     of->resize(summed);
   local_.resize(laws_.needsLocal ? summed : 0);
-  taken_.resize(forces_.length() == stresses_.length() ? 0 : summed);
+  taken_.resize(laws_.returnsTwice ? summed : 0);
   kappaNext_.resize(own);
   for (RowArray *of : {&kept_, &keptNext_})
     of->resize(laws_.keepsVolume ? own : 0);
@@ -97,10 +97,10 @@ void Step::run(const Automata &a, double dt, bool advance)
   findMeans();
   exchange_->begin(response, row.length, row.means);
 
-  stresses_.clear();
-  kernel_->stress(inside, laws, response, stresses_.data());
+  sums_.clear();
+  kernel_->stress(inside, laws, response, sums_.data());
   exchange_->finish(response, row.length, row.means);
-  kernel_->stress(border, laws, response, stresses_.data());
+  kernel_->stress(border, laws, response, sums_.data());
 
   findReturns(a);
   if (laws_.returnsTwice)
@@ -108,10 +108,9 @@ void Step::run(const Automata &a, double dt, bool advance)
   const double *around = showLocal(a);
   exchange_->begin(answers, row.length, row.answers);
 
-  forces_.clear();
-  changing_ = kernel_->force(inside, laws, response, around, forces_.data());
+  changing_ = kernel_->force(inside, laws, response, around, sums_.data());
   exchange_->finish(answers, row.length, row.answers);
-  changing_ += kernel_->force(border, laws, response, around, forces_.data());
+  changing_ += kernel_->force(border, laws, response, around, sums_.data());
   findKept();
   const bool rubs = laws_.rubs || !links_.springs().empty();
   friction_.clear();
@@ -221,7 +220,7 @@ void Step::findMeans()
 void Step::findReturns(const Automata &a)
 {
   for (int s = 0; s < spans_.own(); s++)
-    flows_[s] = yield(a.kappa, spans_.first(s), spans_.last(s));
+    flows_[s] = yield(a.kappa, flows_[s], spans_.first(s), spans_.last(s));
   const Pairs p = links_.part(0, links_.size());
   for (int b = 0; b * blockLength < p.n; b++) {
     const RowSpans::Range spans = spans_.of(b);
@@ -233,14 +232,14 @@ void Step::findReturns(const Automata &a)
 
 // Radial returns of a span of automata; whether any flows. Where none does, which is most of a
 // sample, kappaNext is not written: the present state stays.
-bool Step::yield(const double *kappa, int from, int to)
+bool Step::yield(const double *kappa, bool flowed, int from, int to)
 {
   double next[RowSpans::length];
   const bool flows = kernel_->yield(to - from, types_.data() + from, laws_.automata.data(),
-                                    laws_.oneMaterial, strains_.row(from), stresses_.row(from),
+                                    laws_.oneMaterial, flowed, strains_.row(from), sums_.row(from),
                                     kappa + from, next, response_.row(from)) > 0.0;
   if (flows || laws_.needsLocal)
-    std::copy_n(next, to - from, kappaNext_.row(from));
+    std::copy_n(flows ? next : kappa + from, to - from, kappaNext_.row(from));
   return flows;
 }
 
@@ -254,21 +253,19 @@ void Step::yieldAgain(const Automata &a, const Pairs &border, const Pairs &insid
   const RowLayout::Response &row = layout().response;
   double *const response = response_.data(), *const answers = response + row.factor;
   exchange_->begin(answers, row.length, row.answers);
-  // the forces are not needed before the force pass
-  RowArray &taken = forces_.length() == stresses_.length() ? forces_ : taken_;
-  clearTaken(taken);
-  kernel_->returns(inside, laws_.pairs.data(), response, taken.data());
+  clearTaken();
+  kernel_->returns(inside, laws_.pairs.data(), response, taken_.data());
   exchange_->finish(answers, row.length, row.answers);
-  kernel_->returns(border, laws_.pairs.data(), response, taken.data());
+  kernel_->returns(border, laws_.pairs.data(), response, taken_.data());
   for (int s = 0; s < spans_.own(); s++)
     if (const int from = spans_.first(s); flows_[s])
       kernel_->yieldAgain(spans_.last(s) - from, types_.data() + from, laws_.automata.data(),
-                          strains_.row(from), stresses_.row(from), taken.row(from), a.kappa + from,
+                          strains_.row(from), sums_.row(from), taken_.row(from), a.kappa + from,
                           kappaNext_.row(from), response_.row(from));
 }
 
 // Sums of the return pass, of the automata that its blocks touch.
-void Step::clearTaken(const RowArray &taken)
+void Step::clearTaken()
 {
   touched_.assign(spans_.size(), false);
   const Pairs p = links_.part(0, links_.size());
@@ -278,7 +275,7 @@ void Step::clearTaken(const RowArray &taken)
         touched_[s] = true;
   for (int s = 0; s < spans_.size(); s++)
     if (touched_[s])
-      std::fill(taken.row(spans_.first(s)), taken.row(spans_.last(s)), 0.0);
+      std::fill(taken_.row(spans_.first(s)), taken_.row(spans_.last(s)), 0.0);
 }
 
 // Where links have broken, the mean stress begins with what they left to it. Most automata have
@@ -352,16 +349,15 @@ RowView Step::view() const
   rows.layout = &layout();
   rows.motion = motion_.data();
   rows.spins = spin_.data();
-  rows.stresses = stresses_.data();
+  rows.sums = sums_.data();
   rows.response = response_.data();
-  rows.forces = forces_.data();
   return rows;
 }
 
 void Step::resistSlip(const Pairs &pairs)
 {
   slip_.begin(pairs, viscousPairs_.all(), view(), laws_.pairs.data());
-  slip_.addForces(layout(), forces_.data());
+  slip_.addForces(layout(), sums_.data());
 }
 
 // Last, since friction knows the whole normal force.
@@ -369,17 +365,18 @@ void Step::rub(double dt, bool moves)
 {
   const PairLaw *const laws = laws_.pairs.data();
   friction_.find(links_, viscousPairs_.all(), view(), laws, own(), dt, moves);
-  friction_.addForces(links_, layout(), laws, forces_.data());
+  friction_.addForces(links_, layout(), laws, sums_.data());
 }
 
 // What forces change in half a step, of both automata of a viscous contact; torques, too, where it
 // resists slip.
 void Step::centreViscosity(const Pairs &pairs, const Automata &a, double dt)
 {
-  double *const forces = forces_.data();
+  const RowLayout::Force &row = layout().force;
+  double *const sums = sums_.data(), *const forces = sums + row.force;
   const int torques = dimension() == 2 ? 1 : 3;
-  const int needed = laws_.resistsSlip ? layout().force.torque + torques : dimension();
-  exchange_->begin(forces, forces_.length(), needed);
+  const int needed = laws_.resistsSlip ? row.torque - row.force + torques : dimension();
+  exchange_->begin(forces, row.length, needed);
   ViscousContacts::Conditions now;
   now.rows = view();
   now.dt = dt;
@@ -389,13 +386,13 @@ void Step::centreViscosity(const Pairs &pairs, const Automata &a, double dt)
   now.held = a.held;
   viscous_.clear();
   viscous_.add(pairs, viscousPairs_.from(border_), now);
-  exchange_->finish(forces, forces_.length(), needed);
+  exchange_->finish(forces, row.length, needed);
   viscous_.add(pairs, viscousPairs_.before(border_), now);
   if (laws_.resistsSlip)
     slip_.centre(now);
-  viscous_.addForces(layout(), forces);
+  viscous_.addForces(layout(), sums);
   if (laws_.resistsSlip)
-    slip_.addForces(layout(), forces);
+    slip_.addForces(layout(), sums);
 }
 
 // Changes count when their step's outcome is taken over: once, also those of the first step,

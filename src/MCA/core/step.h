@@ -162,9 +162,9 @@ class Step {
   /// All rows of the last evaluation, for loops whose bounds are own() or rows(); not checked.
   RowView view() const;
 
-  /// Forces and torques [force, force length] of own automata, in rows as layout() says. Those of
-  /// contacts only; rows behind them hold parts that are not complete.
-  const RowArray &forces() const { return forces_; }
+  /// Rows with the forces and torques [force, force length] of own automata, as layout() says.
+  /// Those of contacts only; rows behind them hold parts that are not complete.
+  const RowArray &forces() const { return sums_; }
 
   /// The state of automaton i in this evaluation. Stresses are energies per volume, tension
   /// positive.
@@ -251,11 +251,10 @@ class Step {
   bool begun_ = false, committed_ = false;
   std::vector<int> types_;
 
-  RowArray motion_, spin_;                                  // of all rows
-  RowArray strains_, stresses_, response_, forces_, local_; // of rows that are in pairs
-  RowArray taken_; // by returns; of the same rows, where it cannot be in the place of forces_
-  RowArray kappaNext_, kept_, keptNext_; // of own automata
-  RowArray linkChanges_;                 // broken and formed of own automata, since takeChanges()
+  RowArray motion_, spin_;                             // of all rows
+  RowArray strains_, response_, sums_, taken_, local_; // of rows that are in pairs
+  RowArray kappaNext_, kept_, keptNext_;               // of own automata
+  RowArray linkChanges_; // broken and formed of own automata, since takeChanges()
   RowSpans spans_;
   // of each span: its automata may flow; lack room; may have something kept, now or next; the
   // return pass adds to them
@@ -279,8 +278,8 @@ class Step {
   void findMeans();
   void findSquares() const;
   void findReturns(const Automata &);
-  bool yield(const double *kappa, int from, int to);
-  void clearTaken(const RowArray &taken);
+  bool yield(const double *kappa, bool flowed, int from, int to);
+  void clearTaken();
   void addKept(const double *kept);
   void findKept();
   void leaveStrains();

@@ -59,12 +59,12 @@ double Step::energy(int i) const
 
 Vector Step::force(int i) const
 {
-  return view().force(forces_.checked(i));
+  return view().force(sums_.checked(i));
 }
 
 Vector Step::torque(int i) const
 {
-  return view().torque(forces_.checked(i));
+  return view().torque(sums_.checked(i));
 }
 
 Vector Step::place(int row) const
@@ -192,8 +192,8 @@ double Step::bytes() const
 {
   double sum =
       links_.bytes() + slip_.bytes() + friction_.bytes() + spans_.bytes() + squares_.bytes();
-  for (const RowArray *rows : {&motion_, &spin_, &strains_, &stresses_, &response_, &forces_,
-                               &local_, &taken_, &kappaNext_, &kept_, &keptNext_, &linkChanges_})
+  for (const RowArray *rows : {&motion_, &spin_, &strains_, &response_, &sums_, &taken_, &local_,
+                               &kappaNext_, &kept_, &keptNext_, &linkChanges_})
     sum += rows->bytes();
   return sum;
 }

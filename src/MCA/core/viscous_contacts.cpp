@@ -67,10 +67,11 @@ void ViscousContacts::add(const Pairs &p, ViscousPairs::Range viscous, const Con
 void ViscousContacts::addForces(const RowLayout &rows, double *forces) const
 {
   const size_t stride = rows.force.length;
+  double *const push = forces + rows.force.force;
   for (const Change &c : changes_)
     for (int m = 0; m < rows.dimension; m++) {
-      forces[c.i * stride + m] += c.force[m];
-      forces[c.j * stride + m] -= c.force[m];
+      push[c.i * stride + m] += c.force[m];
+      push[c.j * stride + m] -= c.force[m];
     }
 }
 

@@ -17,12 +17,18 @@
 
 namespace mca {
 
+/// The square of stressIntensity() [stress^2].
+inline double squaredIntensity(const StressTensor &s)
+{
+  const double a = s.xx - s.yy, b = s.yy - s.zz, c = s.zz - s.xx;
+  return 0.5 * (a * a + b * b + c * c) + 3.0 * (s.xy * s.xy + s.xz * s.xz + s.yz * s.yz);
+}
+
 /// Von Mises stress intensity of a stress tensor [stress], >= 0: sqrt(3/2 s:s) of its deviator s.
 /// An automaton's is compared with the yield stress (the paper's stress intensity).
 inline double stressIntensity(const StressTensor &s)
 {
-  const double a = s.xx - s.yy, b = s.yy - s.zz, c = s.zz - s.xx;
-  return std::sqrt(0.5 * (a * a + b * b + c * c) + 3.0 * (s.xy * s.xy + s.xz * s.xz + s.yz * s.yz));
+  return std::sqrt(squaredIntensity(s));
 }
 
 /// Yield stress against equivalent plastic strain: straight lines through (0, sigma_y1), (eps_y2 -

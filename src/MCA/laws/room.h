@@ -60,6 +60,15 @@ inline double roomTaken(double share)
   return 0.5 * a * a * a * (3.0 - a) + slope * (share - a);
 }
 
+/// roomTaken(roomShare()) of a neighbour at a distance where isNear1() (strain.h), to the last bit:
+/// a third of the work.
+/// \param ratio  r/d [-]
+inline double roomTakenNear1(double ratio)
+{
+  const double a = 1.0 - (ratio - 1.0) * (1.0 / roomReach);
+  return 0.5 * a * a * a * (3.0 - a);
+}
+
 /// Pressure against lack of room [stress], >= 0.
 /// \param taken        sum of roomTaken() over all neighbours [-]
 /// \param bulkModulus  K [stress]
