@@ -13,7 +13,7 @@ Fails if a test fails, is skipped or disabled, or if there is none. Options are 
 for instance -R hertz (only the tests with that name). The output is kept in build/check.log.
 No test needs root; the form of the sources is held by tools/gate, which is no part of this.
 
-  --all       long tests and drills, too (doc/testing.md)
+  --all       long tests and drills, too (doc/testing.md): as CI does
   --sanitize  in a build of its own, build-sanitize/, with AddressSanitizer and
               UndefinedBehaviorSanitizer; a finding fails its test. About ten times as long
 

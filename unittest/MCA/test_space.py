@@ -342,18 +342,22 @@ def test_flow_dissipates(tmp_path):
 SLIP = "flow contacts viscosity both weld elastic_limit"  # preset c
 FURTHER = [
     SLIP,
+    "plasticity isochoric flow contacts",
+    "link 2 friction 0.4",
+    "fracture drucker-prager compressive_strength 3 link_work 0.01",
+]
+FURTHER_LONG = [
     "worn never",
     "viscosity both",
     "flow contacts",
-    "plasticity isochoric flow contacts",
     "link none link_work 0.001",
-    "link 2 friction 0.4",
     "fracture equivalent",
-    "fracture drucker-prager compressive_strength 3 link_work 0.01",
 ]
 
 
-@pytest.mark.parametrize("laws", FURTHER)
+@pytest.mark.parametrize(
+    "laws", [*FURTHER, *(pytest.param(laws, marks=pytest.mark.long) for laws in FURTHER_LONG)]
+)
 def test_further_laws(blocks, tmp_path, laws):
     """The account closes, two ranks do the same as one, and so does a run from a restart file."""
     scheme = "corrected " + laws

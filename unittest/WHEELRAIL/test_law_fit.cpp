@@ -96,7 +96,7 @@ TEST(LawFit, powerOfKappa3WithoutPressure)
   EXPECT_LT(fit.aicc, fitLaw(LawModel::Velocity, means, 0.0).aicc);
 }
 
-TEST(LawFit, intervalOfTheExponentCovers)
+TEST(LawFitLong, intervalOfTheExponentCovers)
 {
   std::mt19937_64 generator(11);
   std::normal_distribution<double> normal;
@@ -131,7 +131,7 @@ TEST(LawFit, exponentNeedsDifferentKappa3)
 
 // Eq. 3 with 9 % noise, errors of the runs themselves about 2 %: the 95 % intervals must cover the
 // true values in 95 % of the fits. 150 fits: binomial standard deviation 1.8 %.
-TEST(LawFit, intervalsCoverAtTheirLevel)
+TEST(LawFitLong, intervalsCoverAtTheirLevel)
 {
   const auto truth = valuesOf(bucher2006());
   std::mt19937_64 generator(7);

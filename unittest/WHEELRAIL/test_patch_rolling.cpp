@@ -384,7 +384,7 @@ TEST(PatchRolling, SpheresForces)
   }
 }
 
-TEST(PatchRolling, KalkersCoefficients)
+TEST(PatchRollingLong, KalkersCoefficients)
 {
   // nu = .25 and .3 by turns; an independent numpy program, +-.002 (C33 +-.005). Kalker's own
   // table (1990, nu .25, a/b 1): 4.12 3.67 1.47 1.19

@@ -111,7 +111,7 @@ double carterError(int n, double domain)
 }
 } // namespace
 
-TEST(FrozenRolling, CarterAtAHundredCreeps)
+TEST(FrozenRollingLong, CarterAtAHundredCreeps)
 {
   // wherever the edges of the contact lie in their cells
   for (double domain : {2.4, 2.7254, 3.0, 3.539, 3.7, 3.9977, 4.0})

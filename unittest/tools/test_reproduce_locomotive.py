@@ -122,6 +122,7 @@ def test_shipped_table_has_the_law_of_the_shipped_logs(tmp_path, monkeypatch):
     assert f"# law {made.MODELS[0]}: {made.told(law)}\n" in head
 
 
+@pytest.mark.long
 @pytest.mark.skipif(not (BUILD / "bin" / "wr_creep").exists(), reason="wr_creep is not built")
 def test_fig15_is_that_of_the_page(call, tmp_path):
     code, text, err = call("reproduce", "fig15", "-o", tmp_path)
