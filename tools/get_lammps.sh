@@ -225,7 +225,7 @@ build() {
   for p in "${packages[@]}"; do args+=("-DPKG_$p=ON"); done
   say "configuring LAMMPS $version with ${packages[*]} (log: $log)"
   cmake "${args[@]}" >"$log" 2>&1 || { tail -n 20 "$log" >&2; die 1 "LAMMPS does not configure; log: $log"; }
-  say "building lmp with $jobs jobs: 5 minutes on 2 cores; an interrupted build continues where it stopped"
+  say "building lmp with $jobs jobs: 2 to 3 minutes on 2 cores; an interrupted build continues where it stopped"
   NINJA_STATUS='[%f/%t %es] ' ninja -C "$prefix/build" -j "$jobs" >&2 \
     || die 1 "LAMMPS does not build; the message is above"
   "$prefix/build/lmp" -h >"$prefix/lmp_help" 2>&1 || { tail "$prefix/lmp_help" >&2; die 1 "the new lmp does not run"; }

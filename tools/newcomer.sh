@@ -15,7 +15,7 @@ archive, proxies and certificates are those of this machine. A tree that is ther
 with the packages and the LAMMPS that it has; remove it to begin anew. Needs root.
 
   --user        the commands run as a user with sudo, not as root
-  --cache DIR   copies this cache of LAMMPS (~/.cache/mca-wheelrail) into the tree: 5 minutes less
+  --cache DIR   copies this cache of LAMMPS (~/.cache/mca-wheelrail) into the tree: 3 minutes less
   -h, --help    this text
 
 Exit codes: 0 ok, 1 a command failed, 2 usage, 5 the tree cannot be made.

@@ -18,7 +18,7 @@ LEAST, MOST = (
 
 # automaton-steps a second and core in the plane and in space, of samples that fit a cache
 # (doc/performance.md)
-RATE, RATE_IN_SPACE = 9e6, 3.5e6
+RATE, RATE_IN_SPACE = 9e6, 1.7e6
 
 
 @dataclasses.dataclass(frozen=True)

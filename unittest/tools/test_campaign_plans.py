@@ -174,7 +174,7 @@ def test_junctions_and_cost():
     area = (20 * layer) * (8 * layer)
     assert size.junctions(space.values) == pytest.approx(15 * area / 2.5**2 / sigma_link)
     assert plane.cost == pytest.approx(560 * 500 / 4e-5 / 9e6)
-    assert space.cost == pytest.approx(2240 * 100 / 4e-5 / 3.5e6)
+    assert space.cost == pytest.approx(2240 * 100 / 4e-5 / 1.7e6)
     listed = campaign("list", "velocity").stdout
     assert re.search(r" v1-seed1 .* 40 +14 .* 12 +0.1898 +365.1 +4e-05 +0.216$", listed, re.M)
     assert "16 runs, 1.2 core-hours at 9 M automaton-steps a second and core\n" in listed
