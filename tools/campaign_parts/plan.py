@@ -9,6 +9,7 @@ import re
 from collections.abc import Iterable, Iterator
 from typing import Any
 
+from mcawr.files import read_text
 from mcawr.words import known_words
 
 from . import material, size
@@ -24,6 +25,8 @@ ORDERS = ("cost", "plan")
 NAME = re.compile(
     r"(?!plan\.)[A-Za-z0-9][A-Za-z0-9_.+-]{0,199}"
 )  # of a folder, beside which the plan stands
+
+DECIMAL_COMMA = re.compile(r"[-+]?[0-9]+,[0-9]+([eE][-+]?[0-9]+)?")
 
 
 @dataclasses.dataclass
@@ -252,12 +255,22 @@ def _read_yaml(path: str, text: str) -> tuple[str, bool, Given, Any, Any]:
     )
 
 
-def _read_csv(path: str, text: str) -> tuple[str, bool, Given, Any, Any]:
-    cells = [
-        (number, [cell.strip() for cell in next(csv.reader([line]))])
+def _cells(text: str) -> list[tuple[int, list[str]]]:
+    """Lines of a CSV with their numbers; the first decides what separates."""
+    lines = [
+        (number, line)
         for number, line in enumerate(text.splitlines(), 1)
         if line.strip() and not line.startswith("#")
     ]
+    separator = next((c for c in ";\t" if lines and c in lines[0][1]), ",")
+    return [
+        (number, [cell.strip() for cell in next(csv.reader([line], delimiter=separator))])
+        for number, line in lines
+    ]
+
+
+def _read_csv(path: str, text: str) -> tuple[str, bool, Given, Any, Any]:
+    cells = _cells(text)
     if len(cells) < 2:
         raise PlanError(f"{path}:1: no run: a line of keys and at least one row are expected")
     first, names = cells[0]
@@ -267,10 +280,22 @@ def _read_csv(path: str, text: str) -> tuple[str, bool, Given, Any, Any]:
         if names.count(name) > 1:
             raise PlanError(f"{path}:{first}: column '{name}' appears twice")
     entries = []
+    texts = {name for name in names if name == "name" or KEYS[name].check is None}
+    marks: dict[str, int] = {}  # where a decimal point and a comma stand first
     for number, row in cells[1:]:
         if len(row) != len(names):
             raise PlanError(f"{path}:{number}: {len(row)} columns, {len(names)} are expected")
-        texts = {name for name in names if name == "name" or KEYS[name].check is None}
+        for place, (name, cell) in enumerate(zip(names, row)):
+            if name in texts:
+                continue
+            marks |= {mark: number for mark in ".," if mark in cell and mark not in marks}
+            if len(marks) == 2:
+                raise PlanError(
+                    f"{path}:{number}: {name}: '{cell}': line {min(marks.values())} has another "
+                    "decimal mark; one of point and comma is allowed in a file"
+                )
+            if DECIMAL_COMMA.fullmatch(cell):
+                row[place] = cell.replace(",", ".")
         entries.append(
             Given(
                 number,
@@ -296,14 +321,8 @@ def _check_known(path: str, line: int, program: str, all_values: list[dict[str, 
 
 
 def read(path: str) -> Plan:
-    """The plan in a YAML or CSV file. Raises PlanError."""
-    try:
-        with open(path, encoding="utf-8-sig") as file:
-            text = file.read()
-    except (OSError, UnicodeDecodeError) as error:
-        raise PlanError(
-            f"{path}: cannot be read: {getattr(error, 'strerror', None) or error}"
-        ) from None
+    """The plan in a YAML or CSV file. Raises BadInput."""
+    text = read_text(path)
     if not text.strip():
         raise PlanError(f"{path}: is empty")
     reader = _read_csv if path.endswith(".csv") else _read_yaml

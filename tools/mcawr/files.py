@@ -203,6 +203,16 @@ def open_now(path: str, flags: int) -> int:
     return os.open(path, flags | os.O_NONBLOCK)
 
 
+def _zeros(content: bytes, text: str) -> str:
+    """What a text with zeros is: UTF-16 has one for each letter and digit, UTF-32 three."""
+    if content[:4] in (codecs.BOM_UTF32_LE, codecs.BOM_UTF32_BE):
+        return "is UTF-32; save it as UTF-8"
+    zeros = content[:64].count(0)
+    if 3 * zeros >= len(content[:64]) and 2 * zeros <= len(content[:64]) + 2:
+        return "is UTF-16 without a byte order mark; save it as UTF-8"
+    return f"is binary, not text: character {text.index(chr(0)) + 1} is 0"
+
+
 def read_text(path: Path) -> str:
     """The text of a regular file or of one in an archive, UTF-8 or UTF-16 with a byte order mark;
     its lines end with \\n, whatever they end with there. Raises BadInput."""
@@ -213,6 +223,8 @@ def read_text(path: Path) -> str:
     except UnicodeDecodeError as error:
         code = "UTF-16" if marked else "UTF-8"
         raise BadInput(f"{path}: cannot be read: byte {error.start + 1} is not {code}") from None
+    if "\0" in text:
+        raise BadInput(f"{path}: cannot be read: {_zeros(content, text)}")
     return text.replace("\r\n", "\n").replace("\r", "\n")
 
 

@@ -210,6 +210,30 @@ def test_csv_plan(tmp_path):
     one_line(campaign("list", path), 3, ":2: p: '010' is not allowed")
 
 
+@pytest.mark.parametrize("code", ["utf-8", "utf-8-sig", "utf-16"])
+@pytest.mark.parametrize("end", ["\n", "\r\n", "\r"])
+def test_csv_plan_as_spreadsheets_write_it(tmp_path, code, end):
+    path = tmp_path / "plan.csv"
+    for separator in ";\t":
+        text = end.join(["name;p;v", "one;1,5;5", "two;22;0,5e1", ""])
+        path.write_bytes(text.replace(";", separator).encode(code))
+        runs = plans.read(str(path)).runs
+        assert [(r.name, r.values["p"], r.values["v"]) for r in runs] == [
+            ("one", 1.5, 5),
+            ("two", 22, 5),
+        ]
+
+
+def test_csv_plan_has_one_decimal_mark(tmp_path):
+    path = tmp_path / "plan.csv"
+    path.write_text("p;v\n1,5;5\n2;1.500\n")
+    one_line(campaign("list", path), 3, ":3: v: '1.500': line 2 has another decimal mark")
+    path.write_text("p,v\n22,5,5\n")
+    one_line(campaign("list", path), 3, ":2: 3 columns, 2 are expected")
+    path.write_bytes("p,v\n1,2\n".encode("utf-16-le"))
+    one_line(campaign("list", path), 3, "plan.csv: cannot be read: is UTF-16 without a byte order")
+
+
 def test_plan_without_a_title_and_with_a_date_for_one(tmp_path):
     path = tmp_path / "plan.yaml"
     for given, title in (("", ""), (" 2001-99-99", "2001-99-99")):

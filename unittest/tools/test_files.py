@@ -458,7 +458,14 @@ def test_what_other_machines_save_is_read_with_its_check(tmp_path, code, end):
 
 def test_what_is_no_text_is_named(tmp_path):
     path = tmp_path / "a.friction"
-    for content, told in ((b"# \xb5m\n", "byte 3 is not UTF-8"), (b"\xff\xfe#", "is not UTF-16")):
+    for content, told in (
+        (b"# \xb5m\n", "byte 3 is not UTF-8"),
+        (b"\xff\xfe#", "is not UTF-16"),
+        ("p,v\n1,2\n".encode("utf-16-le"), "is UTF-16 without a byte order mark"),
+        ("p,v\n1,2\n".encode("utf-16-be"), "is UTF-16 without a byte order mark"),
+        ("p,v\n1,2\n".encode("utf-32"), "is UTF-32"),
+        (b"p,v\n1,2\n\0", "is binary, not text: character 9 is 0"),
+    ):
         path.write_bytes(content)
         with pytest.raises(errors.BadInput, match=told):
             files.read_text(path)
