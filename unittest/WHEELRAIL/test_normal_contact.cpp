@@ -109,12 +109,13 @@ class DensePatch : public HalfSpace {
   {
     return compliance_(0, 0) * sum / std::sqrt(n());
   }
-  std::unique_ptr<HalfSpace> coarser() const override
+  HalfSpace *coarser() override
   {
     if (grid_.nx < 20)
       return nullptr;
-    return std::make_unique<DensePatch>(
+    coarser_ = std::make_unique<DensePatch>(
         CellGrid{grid_.nx / 2, grid_.ny / 2, 2.0 * grid_.dx, 2.0 * grid_.dy});
+    return coarser_.get();
   }
 
  private:
@@ -133,6 +134,7 @@ class DensePatch : public HalfSpace {
 
   CellGrid grid_;
   Eigen::MatrixXd compliance_, stiffness_;
+  std::unique_ptr<HalfSpace> coarser_;
 };
 } // namespace
 

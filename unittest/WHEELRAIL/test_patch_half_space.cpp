@@ -133,11 +133,42 @@ TEST(PatchHalfSpace, RepeatsToTheLastBit)
   EXPECT_EQ(a.y, b.y);
 }
 
+TEST(PatchHalfSpace, QuickProductsAreOffByTheirPrecision)
+{
+  // an odd number of rows, too: they are transformed in pairs
+  for (const CellGrid &grid : {CellGrid{47, 65, 0.1, 0.15}, CellGrid{64, 40, 1.0, 1.0}}) {
+    PatchHalfSpace space(grid, {1.0, 0.3});
+    QuickProducts *quick = space.quick();
+    ASSERT_TRUE(quick);
+    EXPECT_EQ(space.quick(), quick);
+    Vector p(grid.cells()), result(grid.cells());
+    for (int i = 0; i < grid.cells(); ++i)
+      p[i] = std::sin(3.0 * i) + (i % 7 == 0);
+    const Vector u = space.displacement(p), back = space.tractionEstimate(p);
+    quick->displacement(p, result);
+    EXPECT_LT((result - u).cwiseAbs().maxCoeff(), 1e-6 * u.cwiseAbs().maxCoeff());
+    // a transform of another length repeats the cells elsewhere: near, but not the same
+    quick->tractionEstimate(p, result);
+    EXPECT_LT((result - back).norm(), 0.1 * back.norm());
+  }
+  EXPECT_FALSE(PatchHalfSpace({20, 20, 1.0, 1.0}, {1.0, 0.3}).quick());
+}
+
+TEST(PatchHalfSpace, CoarserCellsTakeTheFinerOnesInfluence)
+{
+  PatchHalfSpace fine({64, 72, 0.5, 0.7}, {1.0, 0.3}), alone({32, 36, 1.0, 1.4}, {1.0, 0.3});
+  HalfSpace *coarse = fine.coarser();
+  ASSERT_TRUE(coarse);
+  const Vector p = Vector::LinSpaced(32 * 36, 0.0, 1.0);
+  const Vector u = coarse->displacement(p), same = alone.displacement(p);
+  EXPECT_LT((u - same).norm(), 1e-13 * same.norm());
+}
+
 TEST(PlaneTransform, LengthsAreFastAndLongEnough)
 {
-  EXPECT_EQ(fastPlaneSize(90, 80).x, 90);
+  EXPECT_EQ(fastPlaneSize(90, 80).x, 98);
   EXPECT_EQ(fastPlaneSize(90, 80).y, 80);
-  EXPECT_EQ(fastPlaneSize(264, 264).x, 270);
+  EXPECT_EQ(fastPlaneSize(264, 264).x, 280);
   EXPECT_EQ(fastPlaneSize(264, 264).y, 280); // 270 has three factors 3
   for (int n = 1; n < 600; ++n) {
     const int y = fastPlaneSize(1, n).y;

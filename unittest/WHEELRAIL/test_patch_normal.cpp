@@ -128,3 +128,46 @@ TEST(PatchNormal, ConditionsHoldOnRandomSurfaces)
         EXPECT_LT((again.pressure - result.pressure).norm(), 1e-6 * result.pressure.norm());
       }
 }
+
+namespace {
+/// A patch without its quick products.
+class ExactPatch : public HalfSpace {
+ public:
+  explicit ExactPatch(PatchHalfSpace &space) : space_(space) {}
+  const CellGrid &grid() const override { return space_.grid(); }
+  Vector displacement(const Vector &p) override { return space_.displacement(p); }
+  Vector tractionEstimate(const Vector &u) override { return space_.tractionEstimate(u); }
+  double displacementScale(double sum) const override { return space_.displacementScale(sum); }
+  HalfSpace *coarser() override { return nullptr; }
+
+ private:
+  PatchHalfSpace &space_;
+};
+} // namespace
+
+TEST(PatchNormal, SinglePrecisionLeavesNothingInTheResult)
+{
+  const ElasticPair pair{1.0, 0.3};
+  const HertzEllipse h = hertzEllipseOfAxes(0.01, 1.0 / 0.7, 1.0, 1.0);
+  const PatchGrid grid = centredGrid(80, 75, 3.4, 3.4);
+  for (const double hardness : {1e9, 1.5}) { // of p0
+    PatchHalfSpace space(grid, pair);
+    ExactPatch exact(space);
+    NormalContactProblem problem;
+    problem.profile = sampled(grid, [&](double x, double y) { return h.gap(x, y); }) +
+                      waves(grid, 0.01, 0.25, 1.0, 5);
+    problem.load = h.load / grid.cellArea();
+    problem.pressureLimit = hardness * h.hertzPressure;
+    const NormalContactResult quick = solveNormalContact(space, problem);
+    const NormalContactResult slow = solveNormalContact(exact, problem);
+    EXPECT_LT((quick.pressure - slow.pressure).norm(), 3e-8 * slow.pressure.norm());
+    EXPECT_NEAR(quick.approach, slow.approach, 1e-8 * slow.approach);
+    EXPECT_EQ(quick.contactCells(), slow.contactCells());
+    // the gap is that of the pressure, in double precision
+    const Vector gap = problem.profile + space.displacement(quick.pressure) -
+                       Vector::Constant(grid.cells(), quick.approach);
+    for (int i = 0; i < grid.cells(); ++i)
+      if (quick.pressure[i] == 0.0)
+        ASSERT_NEAR(quick.gap[i], gap[i], 1e-10 * quick.approach);
+  }
+}

@@ -23,17 +23,9 @@ inline std::mutex &fftwPlannerMutex()
 struct FftwFree {
   void operator()(void *array) const { fftw_free(array); }
 };
-struct FftwDestroy {
-  void operator()(fftw_plan plan) const
-  {
-    const std::lock_guard<std::mutex> lock(fftwPlannerMutex());
-    fftw_destroy_plan(plan);
-  }
-};
-/// n doubles, or fftw_complex numbers; not set.
+/// n real or complex numbers of FFTW, aligned as its transforms like it; not set.
 template<class Number>
 using FftwArray = std::unique_ptr<Number[], FftwFree>;
-using FftwPlan = std::unique_ptr<std::remove_pointer_t<fftw_plan>, FftwDestroy>;
 
 /// \throws std::bad_alloc
 template<class Number>
@@ -45,20 +37,59 @@ FftwArray<Number> fftwArray(std::size_t n)
   return FftwArray<Number>(array);
 }
 
+/// FFTW in one precision: its types, and the calls that are used in more than one.
+template<class Real>
+struct Fftw;
+
+template<>
+struct Fftw<double> {
+  using Complex = fftw_complex;
+  using Plan = fftw_plan;
+  static constexpr auto destroy = fftw_destroy_plan;
+  static constexpr auto plan = fftw_plan_dft_1d;
+  static constexpr auto planMany = fftw_plan_many_dft;
+  static constexpr auto execute = fftw_execute;
+  static constexpr auto executeOn = fftw_execute_dft;
+};
+
+template<>
+struct Fftw<float> {
+  using Complex = fftwf_complex;
+  using Plan = fftwf_plan;
+  static constexpr auto destroy = fftwf_destroy_plan;
+  static constexpr auto plan = fftwf_plan_dft_1d;
+  static constexpr auto planMany = fftwf_plan_many_dft;
+  static constexpr auto execute = fftwf_execute;
+  static constexpr auto executeOn = fftwf_execute_dft;
+};
+
+template<class Real>
+struct FftwDestroy {
+  void operator()(typename Fftw<Real>::Plan plan) const
+  {
+    const std::lock_guard<std::mutex> lock(fftwPlannerMutex());
+    Fftw<Real>::destroy(plan);
+  }
+};
+template<class Real>
+using FftwPlanOf =
+    std::unique_ptr<std::remove_pointer_t<typename Fftw<Real>::Plan>, FftwDestroy<Real>>;
+using FftwPlan = FftwPlanOf<double>;
+
 /// A plan made by `make`, a call of FFTW's planner.
 ///
 /// FFTW ends the program where memory fails it within a plan. What a plan of `length` takes is
 /// therefore asked for before.
 /// \param length of the transforms
 /// \throws std::bad_alloc
-template<class Make>
-FftwPlan fftwPlan(int length, const Make &make)
+template<class Real = double, class Make>
+FftwPlanOf<Real> fftwPlan(int length, const Make &make)
 {
   constexpr std::size_t least = 1 << 20; // bytes; trees of plans, and code that is loaded
   constexpr std::size_t each = 64;       // bytes; twiddle factors and buffers, with room
   fftwArray<char>(least + each * static_cast<std::size_t>(length));
   const std::lock_guard<std::mutex> lock(fftwPlannerMutex());
-  FftwPlan plan(make());
+  FftwPlanOf<Real> plan(make());
   if (!plan)
     throw std::bad_alloc();
   return plan;

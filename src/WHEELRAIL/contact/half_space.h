@@ -20,6 +20,23 @@ struct CellGrid {
   int index(int ix, int iy) const { return ix + nx * iy; }
 };
 
+/// Displacement and traction estimate of a `HalfSpace`, into vectors that are there. One object for
+/// each thread.
+class QuickProducts {
+ public:
+  virtual ~QuickProducts() = default;
+  /// As the functions of `HalfSpace`; the result must have its size.
+  virtual void displacement(const Eigen::VectorXd &pressure, Eigen::VectorXd &result) = 0;
+  virtual void tractionEstimate(const Eigen::VectorXd &displacement, Eigen::VectorXd &result) = 0;
+
+ protected:
+  QuickProducts() = default;
+  QuickProducts(const QuickProducts &) = default;
+  QuickProducts &operator=(const QuickProducts &) = default;
+  QuickProducts(QuickProducts &&) = default;
+  QuickProducts &operator=(QuickProducts &&) = default;
+};
+
 /// Two elastic half-spaces that touch in a plane, seen through the cells of a grid, each of which
 /// is loaded uniformly: what the normal contact (`solveNormalContact`) needs to know of elasticity.
 ///
@@ -63,8 +80,13 @@ class HalfSpace {
 
   /// This half-space on cells that are twice as long in every direction with more than one
   /// cell, in the same units: where solvers find their start. Null where the grid is small enough
-  /// to start on, or does not halve.
-  virtual std::unique_ptr<HalfSpace> coarser() const = 0;
+  /// to start on, or does not halve. Owned by this object, which makes it once.
+  virtual HalfSpace *coarser() = 0;
+
+  /// Products that are quicker and off by up to 1e-6 of their largest value: what a solver looks
+  /// for corrections with. Null: there is nothing quicker.
+  /// Owned by this object, which makes them once.
+  virtual QuickProducts *quick() { return nullptr; }
 
  protected:
   HalfSpace() = default;

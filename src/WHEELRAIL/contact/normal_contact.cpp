@@ -18,11 +18,84 @@ constexpr double coarseTolerance = 1e-3; ///< a start for the next grid needs no
 constexpr double rounding = 1e-14;
 constexpr int boldSets = 20;            ///< sets that may raise the energy; mostly 8 are enough
 constexpr double firstTolerance = 1e-2; ///< the first sets are wrong anyway
+constexpr double quickError = 1e-6;     ///< of quick products, relative
+constexpr double quickShare = 1e-4;     ///< of a residual that steps with quick products leave
+constexpr double doubtShare = 0.1;      ///< of the tolerance that their errors may come to
 
 Vector limitsOf(const NormalContactProblem &problem, int cells)
 {
   return problem.cellLimits.size() > 0 ? problem.cellLimits
                                        : Vector::Constant(cells, problem.pressureLimit);
+}
+
+/// The products of a half-space as they are.
+class ExactProducts final : public QuickProducts {
+ public:
+  explicit ExactProducts(HalfSpace &space) : space_(space) {}
+  void displacement(const Vector &pressure, Vector &result) override
+  {
+    result = space_.displacement(pressure);
+  }
+  void tractionEstimate(const Vector &displacement, Vector &result) override
+  {
+    result = space_.tractionEstimate(displacement);
+  }
+
+ private:
+  HalfSpace &space_;
+};
+
+/// Some cells of a grid, as the stretches in which they follow on each other: a vector over them is
+/// short, and quickly taken from one over the grid.
+class Stretches {
+ public:
+  /// \param chosen says it of cell i
+  template<class Chosen>
+  Stretches(int cells, const Chosen &chosen)
+  {
+    for (int i = 0; i < cells; ++i) {
+      if (!chosen(i))
+        continue;
+      if (list_.empty() || list_.back().first + list_.back().length != i)
+        list_.push_back({i, 0});
+      ++list_.back().length;
+      ++size_;
+    }
+  }
+  int size() const { return size_; }
+  void take(const Vector &whole, Vector &part) const
+  {
+    int at = 0;
+    for (const Stretch &s : list_) {
+      part.segment(at, s.length) = whole.segment(s.first, s.length);
+      at += s.length;
+    }
+  }
+  void put(const Vector &part, Vector &whole) const
+  {
+    int at = 0;
+    for (const Stretch &s : list_) {
+      whole.segment(s.first, s.length) = part.segment(at, s.length);
+      at += s.length;
+    }
+  }
+
+ private:
+  struct Stretch {
+    int first, length;
+  };
+  std::vector<Stretch> list_;
+  int size_ = 0;
+};
+
+/// Calls pass(first, count) for stretches of n values that stay in the nearest cache, so that what
+/// is done to them one after the other costs one way through memory.
+template<class Pass>
+void inStretches(int n, const Pass &pass)
+{
+  constexpr int most = 1024;
+  for (int first = 0; first < n; first += most)
+    pass(first, std::min(most, n - first));
 }
 
 /// One grid's search, as a loop of two moves: `solveInside` finds the pressures of the cells in
@@ -38,13 +111,18 @@ Vector limitsOf(const NormalContactProblem &problem, int cells)
 /// as far as that allows, and `join` takes one step of projected gradient, which cannot cycle,
 /// since no set of cells comes back at a lower energy.
 ///
+/// Corrections need few digits: where the half-space offers quicker products they serve as long as
+/// their errors are small beside the tolerance of the set. Then the gap is computed anew from all
+/// of the pressure, and the correction that is left is smaller by as much.
+///
 /// The quadratic programme: minimise p.A p/2 + profile.p with 0 <= p <= limit, sum p = load; or,
 /// where the approach is given, p.A p/2 + (profile - approach).p with 0 <= p <= limit.
 class PressureSearch {
  public:
   PressureSearch(HalfSpace &space, const NormalContactProblem &input)
       : approach(input.approach.value_or(0.0)), halfSpace_(space), problem_(input),
-        n_(space.cells()), limit_(limitsOf(input, n_))
+        n_(space.cells()), limit_(limitsOf(input, n_)), quick_(space.quick()), exact_(space),
+        field_(Vector::Zero(n_)), image_(Vector::Zero(n_))
   {
   }
 
@@ -55,7 +133,8 @@ class PressureSearch {
     if (!problem_.approach)
       pressure *= problem_.load / pressure.sum();
     pressure = projected(pressure, Vector::Ones(n_));
-    gap = problem_.profile + halfSpace_.displacement(pressure);
+    gap = problem_.profile;
+    changeGap(pressure);
   }
 
   /// Conjugate gradients on the cells strictly inside the limits, then as much of the way there
@@ -71,8 +150,16 @@ class PressureSearch {
   int jump(double tolerance);
 
   bool wasCut() const { return cut_; }
+  /// Did the last `solveInside` meet its tolerance, or come as near as rounding lets it?
+  bool isSettled() const { return settled_; }
   /// From now on the energy has to fall in every step: slower, but it cannot cycle.
-  void beCareful() { careful_ = true; }
+  void beCareful()
+  {
+    if (!careful_)
+      renewGap();
+    quick_ = nullptr;
+    careful_ = true;
+  }
   CellState state(int i) const
   {
     if (pressure[i] <= 0.0)
@@ -89,12 +176,17 @@ class PressureSearch {
   double residual = std::numeric_limits<double>::infinity();
 
  private:
+  bool isInside(int i) const { return pressure[i] > 0.0 && pressure[i] < limit_[i]; }
   Vector inside() const
   {
     return (pressure.array() > 0.0 && pressure.array() < limit_.array()).cast<double>();
   }
-  /// Gives the cells inside the limits what the others do not carry; renews the gap.
+  /// Gives the cells inside the limits what the others do not carry.
   void balance();
+  /// The gap from all of the pressure, exactly.
+  void renewGap();
+  /// The gap after a change of the pressure that has been made.
+  void changeGap(const Vector &change);
   /// Nearest point of {0 <= p <= limit, sum p = load where it is given} that differs only where
   /// free is 1.
   Vector projected(const Vector &wanted, const Vector &free) const;
@@ -106,8 +198,29 @@ class PressureSearch {
   const NormalContactProblem &problem_;
   int n_;
   Vector limit_; ///< of each cell
-  bool cut_ = false, careful_ = false;
+  bool cut_ = false, careful_ = false, settled_ = false;
+  QuickProducts *quick_; ///< null: products are exact
+  ExactProducts exact_;
+  double doubt_ = 0.0;   ///< error of the gap by quick products, as the residual
+  Vector field_, image_; ///< work space, over the grid
 };
+
+void PressureSearch::renewGap()
+{
+  gap = problem_.profile + halfSpace_.displacement(pressure);
+  doubt_ = 0.0;
+}
+
+void PressureSearch::changeGap(const Vector &change)
+{
+  if (!quick_) {
+    renewGap();
+    return;
+  }
+  quick_->displacement(change, image_);
+  gap += image_;
+  doubt_ += quickError * change.norm() / pressure.norm();
+}
 
 Vector PressureSearch::projected(const Vector &wanted, const Vector &free) const
 {
@@ -168,54 +281,103 @@ bool PressureSearch::descend(const Vector &direction, const Vector &free, double
 
 int PressureSearch::solveInside(double tolerance, int maxSteps)
 {
-  const Vector free = inside();
-  const double cells = free.sum();
+  const Stretches free(n_, [this](int i) { return isInside(i); });
+  const int cells = free.size();
   cut_ = false;
-  if (cells < 1.0)
+  settled_ = true;
+  if (cells < 1)
     return 0;
+  if (doubt_ > doubtShare * tolerance)
+    renewGap();
   const double contact = static_cast<double>((pressure.array() > 0.0).count());
+  QuickProducts &products = quick_ ? *quick_ : exact_;
+  // Vectors over the free cells; `field_` is zero elsewhere.
+  field_.setZero();
+  const auto multiply = [&](const Vector &of, Vector &result,
+                            void (QuickProducts::*make)(const Vector &, Vector &)) {
+    free.put(of, field_);
+    (products.*make)(field_, image_);
+    free.take(image_, result);
+  };
   // What the preconditioner makes of a change of the approach; taken off, it leaves the load alone
-  Vector unit;
+  Vector r = Vector::Ones(cells), unit(cells);
   if (!problem_.approach)
-    unit = halfSpace_.tractionEstimate(free).cwiseProduct(free);
-  const double unitSum = unit.sum();
+    multiply(r, unit, &QuickProducts::tractionEstimate);
+  const double unitSum = unit.sum(), pressureSum = pressure.sum();
 
-  Vector total = Vector::Zero(n_), direction = Vector::Zero(n_), current = gap;
-  double product = 0.0; // residual . preconditioned residual
+  Vector total = Vector::Zero(cells), direction = total, current(cells), z(cells), change(cells);
+  free.take(gap, current);
+  double product = 0.0, goal = tolerance, first = 0.0; // product: residual . preconditioned
+  double mean = current.mean();
   // At the solution the gap of every free cell is the approach, the multiplier of the condition
   // that the load is kept. It is not known before: each step takes the mean gap for it, which makes
   // the residual's sum zero, and takes the multiple of `unit` off that makes the step's sum zero.
   int step = 0;
   for (;; ++step) {
     if (!problem_.approach)
-      approach = current.dot(free) / cells;
-    const Vector r = (approach - current.array()) * free.array();
-    Vector z = halfSpace_.tractionEstimate(r).cwiseProduct(free);
-    if (!problem_.approach)
-      z -= z.sum() / unitSum * unit;
+      approach = mean;
+    r = approach - current.array();
+    multiply(r, z, &QuickProducts::tractionEstimate);
+    const double surplus = problem_.approach ? 0.0 : z.sum() / unitSum;
+    double squares = 0.0, newProduct = 0.0;
+    inStretches(cells, [&](int at, int count) {
+      auto part = z.segment(at, count);
+      if (!problem_.approach)
+        part -= surplus * unit.segment(at, count);
+      squares += part.squaredNorm();
+      newProduct += part.dot(r.segment(at, count));
+    });
     // The preconditioner turns what is left of the gap into the pressure that it is worth.
     const double meanPressure =
-        (problem_.approach ? (pressure + total).sum() : problem_.load) / contact;
-    residual = std::sqrt(z.squaredNorm() / cells) / std::abs(meanPressure);
-    if (residual <= tolerance || step >= maxSteps)
+        (problem_.approach ? pressureSum + total.sum() : problem_.load) / contact;
+    residual = std::sqrt(squares / cells) / std::abs(meanPressure);
+    if (step == 0) {
+      first = residual;
+      if (quick_)
+        goal = std::max(tolerance, quickShare * residual);
+    }
+    settled_ = residual <= tolerance;
+    if (residual <= goal || step >= maxSteps)
       break;
-    const double newProduct = r.dot(z);
     direction = z + (step > 0 ? newProduct / product : 0.0) * direction;
     product = newProduct;
-    const Vector change = halfSpace_.displacement(direction);
-    const double curvature = direction.dot(change);
-    if (!(curvature > 0.0))
-      break; // rounding: nothing is left to gain
-    const double length = r.dot(direction) / curvature;
-    total += length * direction;
-    current += length * change;
+    multiply(direction, change, &QuickProducts::displacement);
+    double curvature = 0.0, slope = 0.0;
+    inStretches(cells, [&](int at, int count) {
+      const auto part = direction.segment(at, count);
+      curvature += part.dot(change.segment(at, count));
+      slope += part.dot(r.segment(at, count));
+    });
+    if (!(curvature > 0.0)) {
+      settled_ = true; // rounding: nothing is left to gain
+      break;
+    }
+    const double length = slope / curvature;
+    mean = 0.0;
+    inStretches(cells, [&](int at, int count) {
+      total.segment(at, count) += length * direction.segment(at, count);
+      current.segment(at, count) += length * change.segment(at, count);
+      mean += current.segment(at, count).sum();
+    });
+    mean /= cells;
+    gap += length * image_;
   }
-  const Vector target = pressure + total;
-  if (!careful_ || (target.array() >= 0.0 && target.array() <= limit_.array()).all()) {
-    pressure = target;
-    gap = current;
-  } else {
-    descend(total, free, 1.0);
+  if (step == 0)
+    return 0;
+  free.put(total, field_);
+  if (careful_) {
+    const Vector target = pressure + field_;
+    if (!(target.array() >= 0.0 && target.array() <= limit_.array()).all()) {
+      renewGap();
+      descend(Vector(field_), inside(), 1.0);
+      return step;
+    }
+  }
+  pressure += field_;
+  doubt_ += quick_ ? quickError * first : 0.0;
+  if (doubt_ > doubtShare * tolerance) {
+    renewGap();
+    settled_ = false;
   }
   return step;
 }
@@ -256,10 +418,8 @@ int PressureSearch::join(double tolerance)
 
 void PressureSearch::balance()
 {
-  if (problem_.approach) {
-    gap = problem_.profile + halfSpace_.displacement(pressure);
+  if (problem_.approach)
     return;
-  }
   const Vector free = inside();
   const double cells = free.sum(), carried = pressure.dot(free);
   const double wanted = problem_.load - (pressure.sum() - carried);
@@ -282,7 +442,6 @@ void PressureSearch::balance()
   } else {
     pressure = projected(pressure, Vector::Ones(n_));
   }
-  gap = problem_.profile + halfSpace_.displacement(pressure);
 }
 
 // A cell that joins gets next to nothing, for the cells in between are told by 0 < p < limit: the
@@ -291,6 +450,7 @@ int PressureSearch::jump(double tolerance)
 {
   const double threshold = tolerance * halfSpace_.displacementScale(load()),
                little = rounding * load() / n_;
+  field_ = pressure;
   int changed = 0;
   for (int i = 0; i < n_; ++i) {
     const double p = pressure[i], distance = gap[i] - approach;
@@ -304,8 +464,11 @@ int PressureSearch::jump(double tolerance)
       pressure[i] = std::min(p - little, std::nextafter(p, 0.0)); // little may be lost in p
     changed += pressure[i] != p;
   }
-  if (changed)
+  if (changed) {
     balance();
+    field_ = pressure - field_;
+    changeGap(field_);
+  }
   return changed;
 }
 
@@ -338,7 +501,7 @@ NormalContactResult solveOnGrids(HalfSpace &halfSpace, const NormalContactProble
   int iterations = 0;
   if (options.start.size() == n && options.start.maxCoeff() > 0.0) {
     search.startFrom(options.start);
-  } else if (const std::unique_ptr<HalfSpace> coarseSpace = halfSpace.coarser()) {
+  } else if (HalfSpace *coarseSpace = halfSpace.coarser()) {
     NormalContactOptions coarseOptions = options;
     coarseOptions.start.resize(0);
     coarseOptions.tolerance = coarseTolerance;
@@ -363,7 +526,7 @@ NormalContactResult solveOnGrids(HalfSpace &halfSpace, const NormalContactProble
     const int changed =
         set <= boldSets ? search.jump(options.tolerance) : search.join(options.tolerance);
     result.activeSets = set;
-    if (!changed && !search.wasCut() && tolerance <= options.tolerance)
+    if (!changed && !search.wasCut() && search.isSettled() && tolerance <= options.tolerance)
       break;
     if (set >= options.maxActiveSets || iterations >= options.maxIterations)
       throw Error(ExitCode::NotConverged,

@@ -105,12 +105,14 @@ HalfPlane::Vector HalfPlane::tractionEstimate(const Vector &u)
   return line_.multiply(u, stiffness_) / cellGrid_.dx;
 }
 
-std::unique_ptr<HalfSpace> HalfPlane::coarser() const
+HalfSpace *HalfPlane::coarser()
 {
   constexpr int coarsestGrid = 128;
   if (cells() < 2 * coarsestGrid || cells() % 2 != 0)
     return nullptr;
-  return std::make_unique<HalfPlane>(cells() / 2, boundary_, 2.0 * cellGrid_.dx);
+  if (!coarser_)
+    coarser_ = std::make_unique<HalfPlane>(cells() / 2, boundary_, 2.0 * cellGrid_.dx);
+  return coarser_.get();
 }
 
 } // namespace wheelrail

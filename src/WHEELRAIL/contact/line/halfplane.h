@@ -37,7 +37,7 @@ class HalfPlane : public HalfSpace {
   /// The sum of the cells' pressures times their size: the load over E*.
   double displacementScale(double pressureSum) const override { return pressureSum * cellGrid_.dx; }
   /// Null below 256 cells and for an odd number.
-  std::unique_ptr<HalfSpace> coarser() const override;
+  HalfSpace *coarser() override;
 
   /// u_i - u_(i+1): by how much a particle's displacement grows while it moves one cell towards
   /// smaller x, in units of the cell size. Taken as -u' half-way, with the cells' loads at their
@@ -63,6 +63,7 @@ class HalfPlane : public HalfSpace {
   Boundary boundary_;
   CellGrid cellGrid_;
   Convolution line_;
+  std::unique_ptr<HalfSpace> coarser_;
   Spectrum compliance_, stretching_, stretchingTransposed_, stiffness_, faces_;
 };
 

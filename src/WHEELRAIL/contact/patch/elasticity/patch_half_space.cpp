@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "contact/patch/elasticity/patch_half_space.h"
 
+#include "contact/patch/elasticity/quick_half_space.h"
 #include "shared/pi.h"
 
 #include <cmath>
@@ -11,34 +12,29 @@ namespace {
 using Vector = Eigen::VectorXd;
 using Complex = PlaneTransform::Complex;
 
-constexpr int coarsestGrid = 32; ///< cells of the longer side
-using mcawr::pi;
+constexpr int coarsestGrid = 32;       ///< cells of the longer side
+constexpr int fewestQuickCells = 1024; ///< fewer gain nothing by single precision
 
-/// Spectra of the three integrals where the cells repeat with the transform's period: those of the
-/// unbounded plane summed over aliases. Each falls as |k|^-3, so that the nearest few are enough.
-CellIntegrals periodicSpectrum(double kx, double ky, const CellGrid &grid)
-{
-  constexpr int aliases = 1;
-  const auto sinc = [](double x) { return x == 0.0 ? 1.0 : std::sin(x) / x; };
-  CellIntegrals sum{0.0, 0.0, 0.0};
-  for (int m = -aliases; m <= aliases; ++m)
-    for (int n = -aliases; n <= aliases; ++n) {
-      const double u = kx + 2.0 * pi * m / grid.dx, v = ky + 2.0 * pi * n / grid.dy;
-      const double k2 = u * u + v * v;
-      const double factor =
-          2.0 * pi * sinc(0.5 * u * grid.dx) * sinc(0.5 * v * grid.dy) / (k2 * std::sqrt(k2));
-      sum.yy += factor * u * u;
-      sum.xx += factor * v * v;
-      sum.xy -= factor * u * v;
-    }
-  return sum;
-}
+using mcawr::pi;
 
 } // namespace
 
 PatchHalfSpace::PatchHalfSpace(const CellGrid &grid, const ElasticPair &elasticPair)
     : cellGrid_(grid), pair_(elasticPair)
 {
+}
+
+PatchHalfSpace::PatchHalfSpace(const CellGrid &grid, const ElasticPair &elasticPair,
+                               std::shared_ptr<const InfluenceTable> influence)
+    : cellGrid_(grid), pair_(elasticPair), influence_(std::move(influence))
+{
+}
+
+const InfluenceTable &PatchHalfSpace::influence()
+{
+  if (!influence_)
+    influence_ = std::make_shared<InfluenceTable>(cellGrid_);
+  return *influence_;
 }
 
 PlaneTransform &PatchHalfSpace::padded(int fields)
@@ -76,8 +72,7 @@ void PatchHalfSpace::fillSpectra()
   for (int ix = 0; ix < cellGrid_.nx; ++ix)
     for (int iy = 0; iy < cellGrid_.ny; ++iy) {
       const std::size_t at = std::size_t(ix) * countY + iy;
-      const CellIntegrals cell =
-          cellIntegrals(ix * cellGrid_.dx, iy * cellGrid_.dy, cellGrid_.dx, cellGrid_.dy);
+      const CellIntegrals &cell = influence().at(ix, iy);
       yy_[at] = cell.yy;
       xx_[at] = cell.xx;
       xy_[at] = cell.xy;
@@ -85,7 +80,7 @@ void PatchHalfSpace::fillSpectra()
   quarterTransform(yy_, countX, countY, false, false);
   quarterTransform(xx_, countX, countY, false, false);
   quarterTransform(xy_, countX, countY, true, true);
-  const double scale = 1.0 / (pi * pair_.G * sizeX * sizeY);
+  const double scale = cellGrid_.dx / (pi * pair_.G * sizeX * sizeY);
   for (std::size_t i = 0; i < yy_.size(); ++i) {
     yy_[i] *= scale;
     xx_[i] *= scale;
@@ -102,18 +97,14 @@ void PatchHalfSpace::fillEstimates()
 {
   const auto [sizeX, sizeY] = fastPlaneSize(cellGrid_.nx, cellGrid_.ny);
   const int countX = sizeX / 2 + 1, countY = sizeY / 2 + 1;
-  for (Quarter *quarter : {&stiffnessXX_, &stiffnessYY_, &stiffnessXY_, &stiffnessZZ_})
+  for (Quarter *quarter : {&stiffnessXX_, &stiffnessYY_, &stiffnessXY_})
     quarter->resize(std::size_t(countX) * countY);
-  const double lengthX = sizeX * cellGrid_.dx, lengthY = sizeY * cellGrid_.dy;
+  const PeriodicInfluence influence(cellGrid_, sizeX, sizeY);
   const double scale = pi * pair_.G / (double(sizeX) * sizeY), less = 1.0 - pair_.nu;
   for (int kx = 0; kx < countX; ++kx)
     for (int ky = 0; ky < countY; ++ky) {
       const std::size_t at = std::size_t(kx) * countY + ky;
-      CellIntegrals cell;
-      if (kx == 0 && ky == 0) // the mean: as a wave of twice the box
-        cell.yy = cell.xx = std::max(lengthX, lengthY), cell.xy = 0.0;
-      else
-        cell = periodicSpectrum(2.0 * pi * kx / lengthX, 2.0 * pi * ky / lengthY, cellGrid_);
+      CellIntegrals cell = influence.at(kx, ky);
       // at the highest frequency +k and -k are the same: the odd part vanishes
       if (2 * kx == sizeX || 2 * ky == sizeY)
         cell.xy = 0.0;
@@ -125,23 +116,20 @@ void PatchHalfSpace::fillEstimates()
       stiffnessXX_[at] = scale * b / determinant;
       stiffnessYY_[at] = scale * a / determinant;
       stiffnessXY_[at] = -scale * c / determinant;
-      stiffnessZZ_[at] = scale / (less * (cell.yy + cell.xx));
     }
 }
 
 Vector PatchHalfSpace::displacement(const Vector &pressure)
 {
-  if (yy_.empty())
-    fillSpectra();
-  Vector result = pressure;
-  double *field = result.data();
   PlaneTransform &transform = padded(1);
   const int sizeY = transform.sizeY(), countY = sizeY / 2 + 1;
-  const double less = 1.0 - pair_.nu;
+  if (zz_.empty())
+    zz_ = normalSpectrum(influence(), cellGrid_, pair_, transform.sizeX(), sizeY);
+  Vector result = pressure;
+  double *field = result.data();
   transform.multiply(&field, [&](int kx, Complex *const *column) {
-    const double *a = &yy_[std::size_t(kx) * countY], *b = &xx_[std::size_t(kx) * countY];
-    forFrequencies(sizeY,
-                   [&](int ky, int bin, double) { column[0][ky] *= less * (a[bin] + b[bin]); });
+    const double *s = &zz_[std::size_t(kx) * countY];
+    forFrequencies(sizeY, [&](int ky, int bin, double) { column[0][ky] *= s[bin]; });
   });
   return result;
 }
@@ -171,12 +159,12 @@ TangentialField PatchHalfSpace::displacement(const TangentialField &traction)
 
 Vector PatchHalfSpace::tractionEstimate(const Vector &displacement)
 {
-  if (stiffnessZZ_.empty())
-    fillEstimates();
-  Vector result = displacement;
-  double *field = result.data();
   PlaneTransform &transform = wrapping(1);
   const int sizeY = transform.sizeY(), countY = sizeY / 2 + 1;
+  if (stiffnessZZ_.empty())
+    stiffnessZZ_ = normalStiffness(cellGrid_, pair_, transform.sizeX(), sizeY);
+  Vector result = displacement;
+  double *field = result.data();
   transform.multiply(&field, [&](int kx, Complex *const *column) {
     const double *s = &stiffnessZZ_[std::size_t(kx) * countY];
     forFrequencies(sizeY, [&](int ky, int bin, double) { column[0][ky] *= s[bin]; });
@@ -186,7 +174,7 @@ Vector PatchHalfSpace::tractionEstimate(const Vector &displacement)
 
 TangentialField PatchHalfSpace::tractionEstimate(const TangentialField &displacement)
 {
-  if (stiffnessZZ_.empty())
+  if (stiffnessXX_.empty())
     fillEstimates();
   TangentialField result = displacement;
   double *fields[] = {result.x.data(), result.y.data()};
@@ -209,7 +197,7 @@ TangentialField PatchHalfSpace::tractionEstimate(const TangentialField &displace
 // diagonal in waves, too, and so is the inverse of their sum.
 TangentialField PatchHalfSpace::softenedEstimate(const TangentialField &displacement, double D)
 {
-  if (stiffnessZZ_.empty())
+  if (stiffnessXX_.empty())
     fillEstimates();
   TangentialField result = displacement;
   double *fields[] = {result.x.data(), result.y.data()};
@@ -245,17 +233,31 @@ double PatchHalfSpace::displacementScale(double pressureSum) const
   return pressureSum * area * (1.0 - pair_.nu) / (pi * pair_.G * side);
 }
 
-std::unique_ptr<HalfSpace> PatchHalfSpace::coarser() const
+HalfSpace *PatchHalfSpace::coarser()
 {
   const auto halves = [](int n) { return n == 1 || n % 2 == 0; };
   const CellGrid &g = cellGrid_;
   if (std::max(g.nx, g.ny) < 2 * coarsestGrid || !halves(g.nx) || !halves(g.ny))
     return nullptr;
+  if (coarser_)
+    return coarser_.get();
   const bool alongX = g.nx > 1, alongY = g.ny > 1;
-  return std::make_unique<PatchHalfSpace>(CellGrid{alongX ? g.nx / 2 : 1, alongY ? g.ny / 2 : 1,
-                                                   alongX ? 2.0 * g.dx : g.dx,
-                                                   alongY ? 2.0 * g.dy : g.dy},
-                                          pair_);
+  const CellGrid grid{alongX ? g.nx / 2 : 1, alongY ? g.ny / 2 : 1, alongX ? 2.0 * g.dx : g.dx,
+                      alongY ? 2.0 * g.dy : g.dy};
+  if (alongX && alongY) { // cells of the same shape
+    influence();
+    coarser_.reset(new PatchHalfSpace(grid, pair_, influence_));
+  } else {
+    coarser_ = std::make_unique<PatchHalfSpace>(grid, pair_);
+  }
+  return coarser_.get();
+}
+
+QuickProducts *PatchHalfSpace::quick()
+{
+  if (!quick_ && cells() >= fewestQuickCells)
+    quick_ = std::make_unique<QuickHalfSpace>(cellGrid_, pair_, influence());
+  return quick_.get();
 }
 
 double PatchHalfSpace::tangentialCompliance() const

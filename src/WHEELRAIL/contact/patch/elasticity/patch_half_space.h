@@ -2,11 +2,12 @@
 #ifndef WHEELRAIL_PATCH_HALF_SPACE_H
 #define WHEELRAIL_PATCH_HALF_SPACE_H
 
-#include "contact/patch/elasticity/cell_influence.h"
 #include "contact/patch/elasticity/grid.h"
+#include "contact/patch/elasticity/influence_table.h"
 #include "contact/patch/elasticity/plane_transform.h"
 
 #include <array>
+#include <memory>
 #include <optional>
 
 namespace wheelrail {
@@ -26,9 +27,8 @@ struct TangentialField {
 /// convolution with the closed integrals of the influence over a cell). Displacements have the
 /// grid's unit of length, tractions that of G.
 ///
-/// Spectra and transforms are made when they are first needed: at 1024 x 1024 cells they take 60 MB
-/// for pressures and 110 MB for tractions. One object has one work buffer: use one per
-/// thread.
+/// Spectra and transforms are made when they are first needed: at 1024 x 1024 cells they take 110
+/// MB for pressures and 135 MB for tractions. One object has one work buffer: use one per thread.
 /// A product with pressures takes one transform forth and back, one with tractions two, on a grid
 /// of twice the cells each way.
 class PatchHalfSpace final : public HalfSpace {
@@ -63,13 +63,19 @@ class PatchHalfSpace final : public HalfSpace {
   double displacementScale(double pressureSum) const override;
   /// Null where the longer side has fewer than 64 cells, or a number of cells (other than 1) is
   /// odd.
-  std::unique_ptr<HalfSpace> coarser() const override;
+  HalfSpace *coarser() override;
+  /// In single precision; null below 1024 cells.
+  QuickProducts *quick() override;
 
   /// Displacement of a cell along x or y, whichever is larger, under its own unit traction: a scale
   /// of displacement over traction. Length per unit of traction.
   double tangentialCompliance() const;
 
  private:
+  PatchHalfSpace(const CellGrid &grid, const ElasticPair &pair,
+                 std::shared_ptr<const InfluenceTable> influence);
+
+  const InfluenceTable &influence();
   /// Spectra of the influence, by cosine and sine transforms of a quarter each.
   void fillSpectra();
   /// Symbols of the inverse; the mean, whose symbol is 0, counts as a wave of twice the box.
@@ -77,13 +83,17 @@ class PatchHalfSpace final : public HalfSpace {
 
   CellGrid cellGrid_;
   ElasticPair pair_;
+  std::shared_ptr<const InfluenceTable> influence_; ///< this and what follows when first needed
+  std::unique_ptr<HalfSpace> coarser_;
+  std::unique_ptr<QuickProducts> quick_;
   PlaneTransform &padded(int fields);
   PlaneTransform &wrapping(int fields);
 
   std::array<std::optional<PlaneTransform>, 2> padded_;   ///< of one and of two fields
   std::array<std::optional<PlaneTransform>, 2> wrapping_; ///< a preconditioner may wrap around
-  Quarter yy_, xx_, xy_;                                  ///< spectra of CellIntegrals
-  Quarter stiffnessXX_, stiffnessYY_, stiffnessXY_, stiffnessZZ_;
+  Quarter zz_;                                            ///< spectrum for pressures
+  Quarter yy_, xx_, xy_;                                  ///< of CellIntegrals, for tractions
+  Quarter stiffnessZZ_, stiffnessXX_, stiffnessYY_, stiffnessXY_;
 };
 
 } // namespace wheelrail

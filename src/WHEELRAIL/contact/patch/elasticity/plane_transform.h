@@ -18,9 +18,11 @@ namespace wheelrail {
 /// bit. One object has one work buffer: use one per thread.
 /// Units come in by fields and symbol; the transforms are not normalised, so that a symbol includes
 /// 1/(sizeX sizeY).
-class PlaneTransform {
+/// \tparam Real double, or float: half the time, and products to 1e-6 of their largest
+template<class Real>
+class PlaneTransformOf {
  public:
-  using Complex = std::complex<double>;
+  using Complex = std::complex<Real>;
   /// Multiplies the column of x-frequency kx (0 .. sizeX/2): columns[f] are the sizeY values of
   /// field f, y-frequencies in FFTW's order (0, 1, .. -1). Neither direction is normalised.
   using Symbol = std::function<void(int kx, Complex *const *columns)>;
@@ -28,10 +30,10 @@ class PlaneTransform {
   /// \param fields number of fields that one product takes and gives
   /// \param sizeX, sizeY lengths of the transforms: >= nx, ny; >= 2 nx, 2 ny where the operator's
   ///        products with the fields must not wrap around
-  PlaneTransform(int nx, int ny, int sizeX, int sizeY, int fields);
-  ~PlaneTransform();
-  PlaneTransform(PlaneTransform &&) noexcept;
-  PlaneTransform &operator=(PlaneTransform &&) noexcept;
+  PlaneTransformOf(int nx, int ny, int sizeX, int sizeY, int fields);
+  ~PlaneTransformOf();
+  PlaneTransformOf(PlaneTransformOf &&) noexcept;
+  PlaneTransformOf &operator=(PlaneTransformOf &&) noexcept;
 
   /// As given to the constructor; those of `fastPlaneSize` are fast.
   int sizeX() const;
@@ -41,22 +43,27 @@ class PlaneTransform {
   /// \param symbol called once for each kx from 0 on; negative ones follow from the fields' being
   ///         real
   /// \return nothing: what lies beyond nx x ny cells of the product is dropped
-  void multiply(double *const *fields, const Symbol &symbol);
+  void multiply(double *const *fields, const Symbol &symbol) { multiply(fields, fields, symbol); }
+  /// The same from one place to another.
+  void multiply(const double *const *from, double *const *to, const Symbol &symbol);
 
  private:
   struct Work;
   std::unique_ptr<Work> work_;
 };
+using PlaneTransform = PlaneTransformOf<double>;
 
 /// Lengths of a transform, for rows (x) and columns.
 struct PlaneSize {
   int x, y;
 };
 
-/// Lengths that are fast, x >= nx and y >= ny. Columns are most of the work, and FFTW_ESTIMATE's
-/// plans of complex columns are slow where a factor 3 is in their length: 270 takes twice as long
-/// as 280.
+/// Lengths that are fast, x >= nx and y >= ny. FFTW_ESTIMATE's plans are slow where a factor 3 is
+/// in the length: 270 takes twice as long as 280.
 PlaneSize fastPlaneSize(int nx, int ny);
+
+/// The same in single precision, where lengths 2^n and 5 2^n stand out.
+PlaneSize fastSinglePlaneSize(int nx, int ny);
 
 /// A transform of nx x ny cells whose products do not wrap around.
 /// \param fields as of `PlaneTransform`
@@ -77,8 +84,10 @@ template<class Apply>
 void forFrequencies(int sizeY, const Apply &apply)
 {
   const int half = sizeY / 2;
-  for (int ky = 0; ky < sizeY; ++ky)
-    ky <= half ? apply(ky, ky, 1.0) : apply(ky, sizeY - ky, -1.0);
+  for (int ky = 0; ky <= half; ++ky)
+    apply(ky, ky, 1.0);
+  for (int ky = half + 1; ky < sizeY; ++ky)
+    apply(ky, sizeY - ky, -1.0);
 }
 
 } // namespace wheelrail

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#ifndef WHEELRAIL_PATCH_QUICK_HALF_SPACE_H
+#define WHEELRAIL_PATCH_QUICK_HALF_SPACE_H
+
+#include "contact/patch/elasticity/influence_table.h"
+
+namespace wheelrail {
+
+/// Products of `PatchHalfSpace` with pressures, in single precision: half the time, an error of
+/// 1e-6 of the largest value.
+class QuickHalfSpace final : public QuickProducts {
+ public:
+  /// \param table of cells of the same shape, over at least as many
+  QuickHalfSpace(const CellGrid &grid, const ElasticPair &pair, const InfluenceTable &table);
+
+  void displacement(const Eigen::VectorXd &pressure, Eigen::VectorXd &result) override;
+  void tractionEstimate(const Eigen::VectorXd &displacement, Eigen::VectorXd &result) override;
+
+ private:
+  using Transform = PlaneTransformOf<float>;
+  using Spectrum = std::vector<float>; ///< as of `Quarter`
+  static void product(const Eigen::VectorXd &field, Transform &transform, const Spectrum &spectrum,
+                      Eigen::VectorXd &result);
+
+  Transform padded_, wrapping_;
+  Spectrum compliance_, stiffness_;
+};
+
+} // namespace wheelrail
+#endif
