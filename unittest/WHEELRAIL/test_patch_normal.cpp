@@ -167,7 +167,8 @@ TEST(PatchNormal, SinglePrecisionLeavesNothingInTheResult)
     const Vector gap = problem.profile + space.displacement(quick.pressure) -
                        Vector::Constant(grid.cells(), quick.approach);
     for (int i = 0; i < grid.cells(); ++i)
-      if (quick.pressure[i] == 0.0)
+      if (quick.pressure[i] == 0.0) {
         ASSERT_NEAR(quick.gap[i], gap[i], 1e-10 * quick.approach);
+      }
   }
 }

@@ -34,6 +34,34 @@ Quarter normalSpectrum(const InfluenceTable &table, const CellGrid &grid, const 
   return spectrum;
 }
 
+// Influence at a distance of whole cells is even in x and y (xy: odd in both), so a quarter of the
+// plane holds all of it, and cosine (sine) transforms give the quarter of its spectrum.
+SymmetricSymbol tangentialSpectrum(const InfluenceTable &table, const CellGrid &grid,
+                                   const ElasticPair &pair, int sizeX, int sizeY)
+{
+  const int countX = sizeX / 2 + 1, countY = sizeY / 2 + 1;
+  const std::size_t bins = std::size_t(countX) * countY;
+  SymmetricSymbol symbol{Quarter(bins, 0.0), Quarter(bins, 0.0), Quarter(bins, 0.0)};
+  const double scale = grid.dx / (pi * pair.G * sizeX * sizeY), less = 1.0 - pair.nu;
+  for (int ix = 0; ix < grid.nx; ++ix)
+    for (int iy = 0; iy < grid.ny; ++iy) {
+      const std::size_t at = std::size_t(ix) * countY + iy;
+      const CellIntegrals &cell = table.at(ix, iy);
+      symbol.xx[at] = scale * (less * cell.yy + cell.xx);
+      symbol.yy[at] = scale * (cell.yy + less * cell.xx);
+      symbol.xy[at] = -scale * pair.nu * cell.xy; // odd in both: the product of two factors -i
+    }
+  quarterTransform(symbol.xx, countX, countY, false, false);
+  quarterTransform(symbol.yy, countX, countY, false, false);
+  quarterTransform(symbol.xy, countX, countY, true, true);
+  const double soft = pair.layer / (double(sizeX) * sizeY);
+  for (std::size_t i = 0; i < bins; ++i) {
+    symbol.xx[i] += soft;
+    symbol.yy[i] += soft;
+  }
+  return symbol;
+}
+
 PeriodicInfluence::PeriodicInfluence(const CellGrid &grid, int sizeX, int sizeY)
     : longest_(std::max(sizeX * grid.dx, sizeY * grid.dy)), x_(axes(sizeX, grid.dx)),
       y_(axes(sizeY, grid.dy))
@@ -93,6 +121,38 @@ Quarter normalStiffness(const CellGrid &grid, const ElasticPair &pair, int sizeX
     for (int ky = 0; ky < countY; ++ky)
       stiffness[std::size_t(kx) * countY + ky] = scale / influence.normalAt(kx, ky);
   return stiffness;
+}
+
+// An approximate inverse. On cells that repeat with the box a wave of tractions gives a wave of
+// displacements: normal ones are multiplied by a number, tangential ones by a symmetric 2 x 2
+// matrix. The inverse of these, wave by wave, is the inverse of the repeated contact. It differs
+// from that of the real one by the copies' influence, which is smooth, so that it serves as a
+// preconditioner, and needs transforms of the box itself, a quarter of the size.
+SymmetricSymbol tangentialStiffness(const CellGrid &grid, const ElasticPair &pair, int sizeX,
+                                    int sizeY)
+{
+  const int countX = sizeX / 2 + 1, countY = sizeY / 2 + 1;
+  const std::size_t bins = std::size_t(countX) * countY;
+  SymmetricSymbol symbol{Quarter(bins), Quarter(bins), Quarter(bins)};
+  const PeriodicInfluence influence(grid, sizeX, sizeY);
+  const double scale = pi * pair.G / (double(sizeX) * sizeY), less = 1.0 - pair.nu;
+  const double soft = pi * pair.G * pair.layer; // the same for all waves
+  for (int kx = 0; kx < countX; ++kx)
+    for (int ky = 0; ky < countY; ++ky) {
+      const std::size_t at = std::size_t(kx) * countY + ky;
+      CellIntegrals cell = influence.at(kx, ky);
+      // at the highest frequency +k and -k are the same: the odd part vanishes
+      if (2 * kx == sizeX || 2 * ky == sizeY)
+        cell.xy = 0.0;
+      const double a = less * cell.yy + cell.xx + soft, b = cell.yy + less * cell.xx + soft;
+      const double c = pair.nu * cell.xy, determinant = a * b - c * c;
+      // the matrix {{a, c}, {c, b}} multiplies a wave's tractions, (a b - c^2)^-1 {{b, -c}, {-c,
+      // a}} its displacements
+      symbol.xx[at] = scale * b / determinant;
+      symbol.yy[at] = scale * a / determinant;
+      symbol.xy[at] = -scale * c / determinant;
+    }
+  return symbol;
 }
 
 } // namespace wheelrail

@@ -30,6 +30,18 @@ class InfluenceTable {
 Quarter normalSpectrum(const InfluenceTable &table, const CellGrid &grid, const ElasticPair &pair,
                        int sizeX, int sizeY);
 
+/// A symbol that multiplies the two components of a tangential field, wave by wave, by the matrix
+/// {{xx, xy}, {xy, yy}}; xy is odd in both directions. Factors 1/(sizeX sizeY) are included.
+template<class Real>
+struct SymmetricSymbolOf {
+  std::vector<Real> xx, yy, xy; ///< as of `Quarter`
+};
+using SymmetricSymbol = SymmetricSymbolOf<double>;
+
+/// Displacements of tractions, the layer's included: length per traction.
+SymmetricSymbol tangentialSpectrum(const InfluenceTable &table, const CellGrid &grid,
+                                   const ElasticPair &pair, int sizeX, int sizeY);
+
 /// Spectra of the integrals, by which they are multiplied where the cells repeat with the
 /// transform's period.
 class PeriodicInfluence {
@@ -56,6 +68,30 @@ class PeriodicInfluence {
 /// Inverse of the normal influence on cells that repeat, (pi G)/((1 - nu) (yy + xx)), with the
 /// factor 1/(sizeX sizeY).
 Quarter normalStiffness(const CellGrid &grid, const ElasticPair &pair, int sizeX, int sizeY);
+
+/// The inverse of the tangential one on cells that repeat, the layer included.
+SymmetricSymbol tangentialStiffness(const CellGrid &grid, const ElasticPair &pair, int sizeX,
+                                    int sizeY);
+
+/// The product of both components with a symbol.
+template<class Real>
+void multiplyBySymmetric(PlaneTransformOf<Real> &transform, const double *const *from,
+                         double *const *to, const SymmetricSymbolOf<Real> &symbol)
+{
+  using Complex = std::complex<Real>;
+  const int sizeY = transform.sizeY(), countY = sizeY / 2 + 1;
+  transform.multiply(from, to, [&](int kx, Complex *const *column) {
+    const std::size_t at = std::size_t(kx) * countY;
+    const Real *xx = &symbol.xx[at], *yy = &symbol.yy[at], *xy = &symbol.xy[at];
+    Complex *first = column[0], *second = column[1];
+    forFrequencies(sizeY, [&](int ky, int bin, double sign) {
+      const Complex x = first[ky], y = second[ky];
+      const Real cross = static_cast<Real>(sign) * xy[bin];
+      first[ky] = xx[bin] * x + cross * y;
+      second[ky] = cross * x + yy[bin] * y;
+    });
+  });
+}
 
 } // namespace wheelrail
 #endif

@@ -60,65 +60,6 @@ PlaneTransform &PatchHalfSpace::wrapping(int fields)
 // which Fourier transforms make a product. A transform is cyclic, as if the cells repeated; with
 // twice the cells each way, the added ones without traction, the copies lie too far away to reach
 // into the cells that count. So the sum is exact but for rounding, and its cost that of transforms.
-//
-// Influence at a distance of whole cells is even in x and y (xy: odd in both), so a quarter of the
-// plane holds all of it, and cosine (sine) transforms give the quarter of its spectrum.
-void PatchHalfSpace::fillSpectra()
-{
-  const auto [sizeX, sizeY] = fastPlaneSize(2 * cellGrid_.nx, 2 * cellGrid_.ny);
-  const int countX = sizeX / 2 + 1, countY = sizeY / 2 + 1;
-  for (Quarter *quarter : {&yy_, &xx_, &xy_})
-    quarter->assign(std::size_t(countX) * countY, 0.0);
-  for (int ix = 0; ix < cellGrid_.nx; ++ix)
-    for (int iy = 0; iy < cellGrid_.ny; ++iy) {
-      const std::size_t at = std::size_t(ix) * countY + iy;
-      const CellIntegrals &cell = influence().at(ix, iy);
-      yy_[at] = cell.yy;
-      xx_[at] = cell.xx;
-      xy_[at] = cell.xy;
-    }
-  quarterTransform(yy_, countX, countY, false, false);
-  quarterTransform(xx_, countX, countY, false, false);
-  quarterTransform(xy_, countX, countY, true, true);
-  const double scale = cellGrid_.dx / (pi * pair_.G * sizeX * sizeY);
-  for (std::size_t i = 0; i < yy_.size(); ++i) {
-    yy_[i] *= scale;
-    xx_[i] *= scale;
-    xy_[i] *= -scale; // odd in both directions: the product of two factors -i
-  }
-}
-
-// An approximate inverse. On cells that repeat with the box a wave of tractions gives a wave of
-// displacements: normal ones are multiplied by a number, tangential ones by a symmetric 2 x 2
-// matrix. The inverse of these, wave by wave, is the inverse of the repeated contact. It differs
-// from that of the real one by the copies' influence, which is smooth, so that it serves as a
-// preconditioner, and needs transforms of the box itself, a quarter of the size.
-void PatchHalfSpace::fillEstimates()
-{
-  const auto [sizeX, sizeY] = fastPlaneSize(cellGrid_.nx, cellGrid_.ny);
-  const int countX = sizeX / 2 + 1, countY = sizeY / 2 + 1;
-  for (Quarter *quarter : {&stiffnessXX_, &stiffnessYY_, &stiffnessXY_})
-    quarter->resize(std::size_t(countX) * countY);
-  const PeriodicInfluence influence(cellGrid_, sizeX, sizeY);
-  const double scale = pi * pair_.G / (double(sizeX) * sizeY), less = 1.0 - pair_.nu;
-  for (int kx = 0; kx < countX; ++kx)
-    for (int ky = 0; ky < countY; ++ky) {
-      const std::size_t at = std::size_t(kx) * countY + ky;
-      CellIntegrals cell = influence.at(kx, ky);
-      // at the highest frequency +k and -k are the same: the odd part vanishes
-      if (2 * kx == sizeX || 2 * ky == sizeY)
-        cell.xy = 0.0;
-      const double soft = pi * pair_.G * pair_.layer; // the same for all waves
-      const double a = less * cell.yy + cell.xx + soft, b = cell.yy + less * cell.xx + soft;
-      const double c = pair_.nu * cell.xy, determinant = a * b - c * c;
-      // the matrix {{a, c}, {c, b}} multiplies a wave's tractions, (a b - c^2)^-1 {{b, -c}, {-c,
-      // a}} its displacements
-      stiffnessXX_[at] = scale * b / determinant;
-      stiffnessYY_[at] = scale * a / determinant;
-      stiffnessXY_[at] = -scale * c / determinant;
-    }
-}
-
 Vector PatchHalfSpace::displacement(const Vector &pressure)
 {
   PlaneTransform &transform = padded(1);
@@ -136,24 +77,13 @@ Vector PatchHalfSpace::displacement(const Vector &pressure)
 
 TangentialField PatchHalfSpace::displacement(const TangentialField &traction)
 {
-  if (yy_.empty())
-    fillSpectra();
   TangentialField result = traction;
   double *fields[] = {result.x.data(), result.y.data()};
   PlaneTransform &transform = padded(2);
-  const int sizeY = transform.sizeY(), countY = sizeY / 2 + 1;
-  const double less = 1.0 - pair_.nu;
-  const double soft = pair_.layer / (double(transform.sizeX()) * sizeY);
-  transform.multiply(fields, [&](int kx, Complex *const *column) {
-    const std::size_t at = std::size_t(kx) * countY;
-    const double *a = &yy_[at], *b = &xx_[at], *c = &xy_[at];
-    forFrequencies(sizeY, [&](int ky, int bin, double sign) {
-      const Complex x = column[0][ky], y = column[1][ky];
-      const double cross = sign * pair_.nu * c[bin];
-      column[0][ky] = (less * a[bin] + b[bin] + soft) * x + cross * y;
-      column[1][ky] = cross * x + (a[bin] + less * b[bin] + soft) * y;
-    });
-  });
+  if (compliance_.xx.empty())
+    compliance_ =
+        tangentialSpectrum(influence(), cellGrid_, pair_, transform.sizeX(), transform.sizeY());
+  multiplyBySymmetric(transform, fields, fields, compliance_);
   return result;
 }
 
@@ -172,24 +102,27 @@ Vector PatchHalfSpace::tractionEstimate(const Vector &displacement)
   return result;
 }
 
+const SymmetricSymbol &PatchHalfSpace::stiffnessOf(const PlaneTransform &transform)
+{
+  if (stiffness_.xx.empty())
+    stiffness_ = tangentialStiffness(cellGrid_, pair_, transform.sizeX(), transform.sizeY());
+  return stiffness_;
+}
+
 TangentialField PatchHalfSpace::tractionEstimate(const TangentialField &displacement)
 {
-  if (stiffnessXX_.empty())
-    fillEstimates();
   TangentialField result = displacement;
   double *fields[] = {result.x.data(), result.y.data()};
   PlaneTransform &transform = wrapping(2);
-  const int sizeY = transform.sizeY(), countY = sizeY / 2 + 1;
-  transform.multiply(fields, [&](int kx, Complex *const *column) {
-    const std::size_t at = std::size_t(kx) * countY;
-    forFrequencies(sizeY, [&](int ky, int bin, double sign) {
-      const Complex x = column[0][ky], y = column[1][ky];
-      const double cross = sign * stiffnessXY_[at + bin];
-      column[0][ky] = stiffnessXX_[at + bin] * x + cross * y;
-      column[1][ky] = cross * x + stiffnessYY_[at + bin] * y;
-    });
-  });
+  multiplyBySymmetric(transform, fields, fields, stiffnessOf(transform));
   return result;
+}
+
+QuickTractions &PatchHalfSpace::quickTractions()
+{
+  if (!quickTractions_)
+    quickTractions_ = std::make_unique<QuickTractions>(cellGrid_, pair_, influence());
+  return *quickTractions_;
 }
 
 // A slipping cell's equation is that of a surface under a layer that gives way by D. What counts is
@@ -197,21 +130,20 @@ TangentialField PatchHalfSpace::tractionEstimate(const TangentialField &displace
 // diagonal in waves, too, and so is the inverse of their sum.
 TangentialField PatchHalfSpace::softenedEstimate(const TangentialField &displacement, double D)
 {
-  if (stiffnessXX_.empty())
-    fillEstimates();
   TangentialField result = displacement;
   double *fields[] = {result.x.data(), result.y.data()};
   PlaneTransform &transform = wrapping(2);
   const int sizeX = transform.sizeX(), sizeY = transform.sizeY();
   const int countY = sizeY / 2 + 1;
+  const SymmetricSymbol &K = stiffnessOf(transform);
   const double bins = double(sizeX) * sizeY; // the stiffnesses contain 1/bins
   transform.multiply(fields, [&](int kx, Complex *const *column) {
     const std::size_t at = std::size_t(kx) * countY;
     const Complex ahead = 1.0 - std::polar(1.0, 2.0 * pi * kx / sizeX);
     forFrequencies(sizeY, [&](int ky, int bin, double sign) {
       // K (D K + ahead)^-1 with the stiffness K = A^-1
-      const double xx = stiffnessXX_[at + bin], yy = stiffnessYY_[at + bin];
-      const double xy = sign * stiffnessXY_[at + bin], soft = D * bins;
+      const double xx = K.xx[at + bin], yy = K.yy[at + bin];
+      const double xy = sign * K.xy[at + bin], soft = D * bins;
       const Complex a = soft * xx + ahead, b = soft * yy + ahead;
       const double c = soft * xy;
       const Complex determinant = a * b - c * c;

@@ -5,22 +5,13 @@
 #include "contact/patch/elasticity/grid.h"
 #include "contact/patch/elasticity/influence_table.h"
 #include "contact/patch/elasticity/plane_transform.h"
+#include "contact/patch/elasticity/quick_half_space.h"
 
 #include <array>
 #include <memory>
 #include <optional>
 
 namespace wheelrail {
-
-/// Both components of a tangential traction, or of a tangential displacement, per cell.
-struct TangentialField {
-  Eigen::VectorXd x, y;
-  /// Of the vector of each cell.
-  Eigen::VectorXd length() const
-  {
-    return x.binaryExpr(y, [](double a, double b) { return std::hypot(a, b); });
-  }
-};
 
 /// Two elastic half-spaces in contact on a grid of cells that are loaded uniformly each:
 /// displacement differences at the cells' centres, exact but for rounding (zero-padded FFT
@@ -66,6 +57,8 @@ class PatchHalfSpace final : public HalfSpace {
   HalfSpace *coarser() override;
   /// In single precision; null below 1024 cells.
   QuickProducts *quick() override;
+  /// The same of tractions.
+  QuickTractions &quickTractions();
 
   /// Displacement of a cell along x or y, whichever is larger, under its own unit traction: a scale
   /// of displacement over traction. Length per unit of traction.
@@ -76,24 +69,22 @@ class PatchHalfSpace final : public HalfSpace {
                  std::shared_ptr<const InfluenceTable> influence);
 
   const InfluenceTable &influence();
-  /// Spectra of the influence, by cosine and sine transforms of a quarter each.
-  void fillSpectra();
-  /// Symbols of the inverse; the mean, whose symbol is 0, counts as a wave of twice the box.
-  void fillEstimates();
+  const SymmetricSymbol &stiffnessOf(const PlaneTransform &transform);
 
   CellGrid cellGrid_;
   ElasticPair pair_;
   std::shared_ptr<const InfluenceTable> influence_; ///< this and what follows when first needed
   std::unique_ptr<HalfSpace> coarser_;
   std::unique_ptr<QuickProducts> quick_;
+  std::unique_ptr<QuickTractions> quickTractions_;
   PlaneTransform &padded(int fields);
   PlaneTransform &wrapping(int fields);
 
   std::array<std::optional<PlaneTransform>, 2> padded_;   ///< of one and of two fields
   std::array<std::optional<PlaneTransform>, 2> wrapping_; ///< a preconditioner may wrap around
   Quarter zz_;                                            ///< spectrum for pressures
-  Quarter yy_, xx_, xy_;                                  ///< of CellIntegrals, for tractions
-  Quarter stiffnessZZ_, stiffnessXX_, stiffnessYY_, stiffnessXY_;
+  Quarter stiffnessZZ_;
+  SymmetricSymbol compliance_, stiffness_; ///< for tractions
 };
 
 } // namespace wheelrail

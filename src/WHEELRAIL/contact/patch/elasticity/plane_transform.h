@@ -62,7 +62,7 @@ struct PlaneSize {
 /// in the length: 270 takes twice as long as 280.
 PlaneSize fastPlaneSize(int nx, int ny);
 
-/// The same in single precision, where lengths 2^n and 5 2^n stand out.
+/// The same in single precision, where other lengths are fast.
 PlaneSize fastSinglePlaneSize(int nx, int ny);
 
 /// A transform of nx x ny cells whose products do not wrap around.

@@ -4,10 +4,10 @@
 namespace wheelrail {
 namespace {
 
-PlaneTransformOf<float> singleTransform(const CellGrid &grid, int times)
+PlaneTransformOf<float> singleTransform(const CellGrid &grid, int times, int fields)
 {
   const PlaneSize size = fastSinglePlaneSize(times * grid.nx, times * grid.ny);
-  return {grid.nx, grid.ny, size.x, size.y, 1};
+  return {grid.nx, grid.ny, size.x, size.y, fields};
 }
 
 std::vector<float> inSinglePrecision(const Quarter &values)
@@ -15,11 +15,17 @@ std::vector<float> inSinglePrecision(const Quarter &values)
   return {values.begin(), values.end()};
 }
 
+SymmetricSymbolOf<float> inSinglePrecision(const SymmetricSymbol &symbol)
+{
+  return {inSinglePrecision(symbol.xx), inSinglePrecision(symbol.yy),
+          inSinglePrecision(symbol.xy)};
+}
+
 } // namespace
 
 QuickHalfSpace::QuickHalfSpace(const CellGrid &grid, const ElasticPair &pair,
                                const InfluenceTable &table)
-    : padded_(singleTransform(grid, 2)), wrapping_(singleTransform(grid, 1)),
+    : padded_(singleTransform(grid, 2, 1)), wrapping_(singleTransform(grid, 1, 1)),
       compliance_(
           inSinglePrecision(normalSpectrum(table, grid, pair, padded_.sizeX(), padded_.sizeY()))),
       stiffness_(
@@ -48,6 +54,36 @@ void QuickHalfSpace::displacement(const Eigen::VectorXd &pressure, Eigen::Vector
 void QuickHalfSpace::tractionEstimate(const Eigen::VectorXd &displacement, Eigen::VectorXd &result)
 {
   product(displacement, wrapping_, stiffness_, result);
+}
+
+QuickTractions::QuickTractions(const CellGrid &grid, const ElasticPair &pair,
+                               const InfluenceTable &table)
+    : padded_(singleTransform(grid, 2, 2)), wrapping_(singleTransform(grid, 1, 2)),
+      compliance_(inSinglePrecision(
+          tangentialSpectrum(table, grid, pair, padded_.sizeX(), padded_.sizeY()))),
+      stiffness_(inSinglePrecision(
+          tangentialStiffness(grid, pair, wrapping_.sizeX(), wrapping_.sizeY())))
+{
+}
+
+TangentialField QuickTractions::product(const TangentialField &field, Transform &transform,
+                                        const Symbol &symbol)
+{
+  TangentialField result{Eigen::VectorXd(field.x.size()), Eigen::VectorXd(field.y.size())};
+  const double *from[] = {field.x.data(), field.y.data()};
+  double *to[] = {result.x.data(), result.y.data()};
+  multiplyBySymmetric(transform, from, to, symbol);
+  return result;
+}
+
+TangentialField QuickTractions::displacement(const TangentialField &traction)
+{
+  return product(traction, padded_, compliance_);
+}
+
+TangentialField QuickTractions::tractionEstimate(const TangentialField &displacement)
+{
+  return product(displacement, wrapping_, stiffness_);
 }
 
 } // namespace wheelrail

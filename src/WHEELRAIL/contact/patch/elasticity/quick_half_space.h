@@ -4,6 +4,8 @@
 
 #include "contact/patch/elasticity/influence_table.h"
 
+#include <cmath>
+
 namespace wheelrail {
 
 /// Products of `PatchHalfSpace` with pressures, in single precision: half the time, an error of
@@ -24,6 +26,36 @@ class QuickHalfSpace final : public QuickProducts {
 
   Transform padded_, wrapping_;
   Spectrum compliance_, stiffness_;
+};
+
+/// Both components of a tangential traction, or of a tangential displacement, per cell.
+struct TangentialField {
+  Eigen::VectorXd x, y;
+  /// Of the vector of each cell.
+  Eigen::VectorXd length() const
+  {
+    return x.binaryExpr(y, [](double a, double b) { return std::hypot(a, b); });
+  }
+};
+
+/// Its products with tractions, likewise.
+class QuickTractions {
+ public:
+  /// \param table as of `QuickHalfSpace`
+  QuickTractions(const CellGrid &grid, const ElasticPair &pair, const InfluenceTable &table);
+
+  /// As the functions of `PatchHalfSpace`.
+  TangentialField displacement(const TangentialField &traction);
+  TangentialField tractionEstimate(const TangentialField &displacement);
+
+ private:
+  using Transform = PlaneTransformOf<float>;
+  using Symbol = SymmetricSymbolOf<float>;
+  static TangentialField product(const TangentialField &field, Transform &transform,
+                                 const Symbol &symbol);
+
+  Transform padded_, wrapping_;
+  Symbol compliance_, stiffness_;
 };
 
 } // namespace wheelrail

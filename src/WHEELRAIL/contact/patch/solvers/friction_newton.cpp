@@ -26,6 +26,8 @@ constexpr double leastSoftness = 1e-3; ///< in the mean of the logarithms
 constexpr int restart = 30, maxInner = 120;
 /// What sums of images can tell of a residual, as a share of that before them.
 constexpr double rounding = 1e-8;
+constexpr double quickError = 1e-6; ///< of products in single precision, of a direction's image
+constexpr double doubtShare = 0.1;  ///< of the tolerance that these errors may come to
 
 } // namespace
 
@@ -44,7 +46,7 @@ FrictionNewton::FrictionNewton(PatchHalfSpace &halfSpace, Equations equations)
       upstream_[i] = i + 1;
 }
 
-Vector FrictionNewton::operatorB(const Vector &x)
+Vector FrictionNewton::operatorB(const Vector &x, Precision precision)
 {
   ++operatorProducts_;
   field_.x.setZero();
@@ -53,7 +55,9 @@ Vector FrictionNewton::operatorB(const Vector &x)
     field_.x[eq_.cells[i]] = x[2 * i];
     field_.y[eq_.cells[i]] = x[2 * i + 1];
   }
-  const TangentialField u = space_.displacement(field_);
+  const TangentialField u = precision == Precision::Single
+                                ? space_.quickTractions().displacement(field_)
+                                : space_.displacement(field_);
   Vector result(2 * n_);
   // Steady rolling: u(x) - u(x + d), the displacement a cell upstream, where the material was.
   const int ahead = eq_.steady ? 1 : 0;
@@ -188,7 +192,7 @@ void FrictionNewton::fillStep(const Linearisation &linear, const Vector &x, Vect
     field_.x[cell] = wanted * linear.tangent[2 * i];
     field_.y[cell] = wanted * linear.tangent[2 * i + 1];
   }
-  const TangentialField q = space_.tractionEstimate(field_);
+  const TangentialField q = space_.quickTractions().tractionEstimate(field_);
   for (int i = 0; i < n_; ++i) {
     const int cell = eq_.cells[i];
     if (linear.slips[i]) {
@@ -275,12 +279,17 @@ void FrictionNewton::newtonStep(const Linearisation &linear, const Vector &f, do
     for (std::size_t j = 0; j < taken.size(); ++j) {
       x += weights[j] * taken[j].x;
       image_ += weights[j] * taken[j].image;
+      if (!eq_.steady)
+        doubt_ += quickError * std::abs(weights[j]) * taken[j].image.norm();
     }
   };
+  // Steady rolling needs the difference of displacements of neighbours, of which single precision
+  // leaves too little.
+  const Precision precision = eq_.steady ? Precision::Double : Precision::Single;
   for (int products = 0; space.residual().norm() > goal && products < maxInner; ++products) {
     KnownStep step;
     step.x = fromRight(linear, space.next());
-    const Vector direction = step.x, slip = operatorB(direction);
+    const Vector direction = step.x, slip = operatorB(direction, precision);
     const Eigen::VectorXd image = imageOf(direction, slip);
     bool added = !space.isFull() && space.add(image);
     if (!added) { // no room, or nothing new
@@ -353,15 +362,18 @@ bool FrictionNewton::iterate(Vector &x, double tolerance, int maxSteps)
 {
   Linearisation &linear = linear_;
   std::vector<char> former;
-  image_ = operatorB(x);
+  image_ = operatorB(x, Precision::Double);
+  doubt_ = 0.0;
   const Vector start = x, imageOfStart = image_;
   double exact = 0.0, last = 0.0; // residuals at the last product and of the last iterate
   for (int step = 0;; ++step, ++newtonSteps_) {
     Vector f = evaluate(x, linear);
     // where it stays although the states do, rounding may be all that is left
     const bool stays = linear.slips == former && f.norm() > innerTolerance * last;
-    if (f.norm() < rounding * exact || stays) {
-      image_ = operatorB(x);
+    const bool doubtful = doubt_ > doubtShare * tolerance * eq_.scale;
+    if (f.norm() < rounding * exact || stays || (doubtful && f.norm() <= tolerance * eq_.scale)) {
+      image_ = operatorB(x, Precision::Double);
+      doubt_ = 0.0;
       f = evaluate(x, linear);
       exact = f.norm();
     } else if (step == 0) {

@@ -97,7 +97,8 @@ class FrictionNewton {
   bool tryAttempts(const Vector &start, Vector &x, double tolerance, int maxSteps);
   bool iterate(Vector &x, double tolerance, int maxSteps);
   /// Slip that tractions and unknown creepages make, without the drive.
-  Vector operatorB(const Vector &x);
+  enum class Precision { Single, Double };
+  Vector operatorB(const Vector &x, Precision precision);
   /// The residual at x, whose slip is that of `image_`: S where a cell sticks, q - P(q - r S) where
   /// it slips, forces last.
   Vector evaluate(const Vector &x, Linearisation &linear);
@@ -127,6 +128,7 @@ class FrictionNewton {
   std::vector<int> upstream_; ///< position in `cells` of the cell one further in x, -1: none
   TangentialField field_;
   Vector image_;                 ///< B x of the iterate
+  double doubt_ = 0.0;           ///< its error by products in single precision
   std::vector<KnownStep> known_; ///< given to `solve`
   KnownStep wholeStep_;
   Vector scaledSlip_;
