@@ -17,8 +17,7 @@ std::vector<float> inSinglePrecision(const Quarter &values)
 
 SymmetricSymbolOf<float> inSinglePrecision(const SymmetricSymbol &symbol)
 {
-  return {inSinglePrecision(symbol.xx), inSinglePrecision(symbol.yy),
-          inSinglePrecision(symbol.xy)};
+  return {inSinglePrecision(symbol.xx), inSinglePrecision(symbol.yy), inSinglePrecision(symbol.xy)};
 }
 
 } // namespace
@@ -61,8 +60,8 @@ QuickTractions::QuickTractions(const CellGrid &grid, const ElasticPair &pair,
     : padded_(singleTransform(grid, 2, 2)), wrapping_(singleTransform(grid, 1, 2)),
       compliance_(inSinglePrecision(
           tangentialSpectrum(table, grid, pair, padded_.sizeX(), padded_.sizeY()))),
-      stiffness_(inSinglePrecision(
-          tangentialStiffness(grid, pair, wrapping_.sizeX(), wrapping_.sizeY())))
+      stiffness_(
+          inSinglePrecision(tangentialStiffness(grid, pair, wrapping_.sizeX(), wrapping_.sizeY())))
 {
 }
 
