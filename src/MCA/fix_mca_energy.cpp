@@ -102,13 +102,20 @@ FixMCAEnergy::Held FixMCAEnergy::held(const double (*v)[3], const double (*omega
 {
   Held own = {0.0, -account.released(), 0.0};
   const double half = 0.5 * update->dt * force->ftm2v;
-  for (int i = 0; i < atom->nlocal; i++) {
-    const int type = atom->type[i];
+  struct Body {
+    double mass, inertia, push, turn;
+  };
+  std::vector<Body> bodies(atom->ntypes + 1);
+  for (int type = 1; type <= atom->ntypes; type++) {
     const double mass = pair->mass(type), inertia = pair->inertia(type);
+    bodies[type] = {mass, inertia, half / mass, half / inertia};
+  }
+  for (int i = 0; i < atom->nlocal; i++) {
+    const Body &body = bodies[atom->type[i]];
     double kinetic = 0.0;
     for (int m = 0; m < 3; m++) {
-      kinetic += mca::leapfrogEnergy(mass, v[i][m], half / mass * forces[3 * i + m]);
-      kinetic += mca::leapfrogEnergy(inertia, omega[i][m], half / inertia * torques[3 * i + m]);
+      kinetic += mca::leapfrogEnergy(body.mass, v[i][m], body.push * forces[3 * i + m]);
+      kinetic += mca::leapfrogEnergy(body.inertia, omega[i][m], body.turn * torques[3 * i + m]);
     }
     own.kinetic += kinetic;
     own.led += pair->is_integrated(i) ? 0.0 : kinetic;

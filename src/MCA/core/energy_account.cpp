@@ -4,6 +4,7 @@
 #include "laws/pair_motion.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 namespace mca {
@@ -117,7 +118,7 @@ void EnergyAccount::findNextMeans(const Step &step)
     rows_.row(i)[meanAt] = touched_[i] ? 0.0 : rows.answer(i).mean;
   }
   for (int k = 0; k < p.n; k++)
-    if (touched_[p.i[k]] || touched_[p.j[k]]) {
+    if (touched_[p.i[k]] | touched_[p.j[k]]) { // seldom: one branch, not two
       const double e = strainOf(step, k, true).normal;
       for (const int i : {p.i[k], p.j[k]})
         if (touched_[i])
@@ -144,7 +145,8 @@ void EnergyAccount::findActive(const Step &step)
   for (int k = 0; k < p.n; k++) {
     const bool changed = changes != changing_.end() && *changes == k;
     changes += changed ? 1 : 0;
-    if (changed || touched_[p.i[k]] || touched_[p.j[k]] || !link::isLinked(p.now.kind[k]))
+    const bool touched = touched_[p.i[k]] | touched_[p.j[k]];
+    if (changed | touched | !link::isLinked(p.now.kind[k]))
       active_.push_back(k);
   }
 }
@@ -250,6 +252,21 @@ void EnergyAccount::bookContacts(const Step &step, double dt, bool back)
       bookContact(step, k, dt, back, true);
 }
 
+// Whether pair k is unlinked and apart at both ends of a way, as far as a bound tells that takes no
+// strain: along the way eps changes by at most twice its length over the distance.
+static bool staysApart(const Step &step, int k, const Vector &way)
+{
+  const Pairs &p = step.links().pairs();
+  const bool moves = p.blocks[k / blockLength].moves;
+  const double kind = p.now.kind[k], kindNext = moves ? p.next.kind[k] : kind;
+  if (link::isLinked(kind) || link::isLinked(kindNext))
+    return false;
+  const double plastic = p.now.plastic[k], next = moves ? p.next.plastic[k] : plastic;
+  const double gap = p.eps[k] - std::max(plastic, next);
+  const double most = std::abs(way.x) + std::abs(way.y) + std::abs(way.z);
+  return gap > 2.0 * most * step.law(k).invDiameter / std::min(p.ratio[k], 1.0);
+}
+
 // The evaluation knows one end of either step; `sign` looks from there to the other one.
 void EnergyAccount::bookContact(const Step &step, int k, double dt, bool back, bool grows)
 {
@@ -262,6 +279,9 @@ void EnergyAccount::bookContact(const Step &step, int k, double dt, bool back, b
   const double scale = back ? dt : 1.0;
   const Vector ofBox = grows ? wayOfBox(step, k) : Vector{0.0, 0.0, 0.0};
   const Vector apart = scale * vectorOf(rowJ + wayFrom) - scale * vectorOf(rowI + wayFrom) + ofBox;
+  const bool rubs = !step.links().springs().empty();
+  if (!rubs && !grows && staysApart(step, k, apart))
+    return;
   const Vector distance = rows.place(p.placeJ[k]) - rows.place(p.placeI[k]);
   const Vector way = sign * apart;
   const PairLaw &law = step.law(k);
@@ -273,7 +293,6 @@ void EnergyAccount::bookContact(const Step &step, int k, double dt, bool back, b
   const bool linked = link::isLinked(state[0]);
   const ElasticStrain here = strainOf(step, k, !back);
   const double there = touchingStrain(linked, other - state[1]);
-  const bool rubs = !step.links().springs().empty();
   const bool isApart = here.normal == 0.0 && strainOf(step, k, back).normal == 0.0;
   if (!linked && !isSheared(step, k) && isApart && there == 0.0 && !rubs && !grows)
     return; // apart at both ends
