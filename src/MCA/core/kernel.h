@@ -96,10 +96,11 @@ using SecondYieldPass = void(int n, const int *type, const AutomatonLaw *laws,
 /// elastic forces and torques of both automata, next state. Next states are written of blocks in
 /// which anything may change; Block::moves says where they differ from the present ones.
 /// \param response  complete rows of both automata, hence of guests, too
+/// \param returned  the return pass has found the pairs that flow
 /// \param local     rows.local.length values an automaton, or nullptr where no law needs them
 /// \param sums      of the stress pass, whose forces are added to
 /// \return how many pairs change their kind, a whole number
-using ForcePass = double(const Pairs &, const PairLaw *laws, const double *response,
+using ForcePass = double(const Pairs &, const PairLaw *laws, const double *response, bool returned,
                          const double *local, double *sums);
 
 /// The passes compiled for one instruction set and one dimension. All kernels of a dimension

@@ -40,6 +40,41 @@ inline void gatherFlow(const int *pi, const int *pj, int n, const double *respon
                  (1.0 - response[at.length * pj[k] + at.factor]);
 }
 
+// Pairs with an automaton that flows.
+// \param missing  a column for the loop
+template<class D>
+inline BlockMask flowingPairs(const Pairs &p, int first, int n, const double *response,
+                              Column &missing)
+{
+  gatherFlow<D>(p.i + first, p.j + first, n, response, missing);
+  return maskOf(n, [&](int k) { return missing[k] != 0.0; });
+}
+
+// Pairs that are neither bulk links that hold, nor apart for good or with a dent that they keep.
+// With those that flow they are all that do more than bear their elastic stress. Criterion: decides
+// by strain only.
+template<class D, Way W, class Criterion>
+inline BlockMask busyPairs(const Pairs &p, int first, int n, const PairLaw *laws)
+{
+  using Shear = typename D::Shear;
+  const int *const plaw = p.law + first;
+  const double *const pkind = p.now.kind + first, *const pplastic = p.now.plastic + first;
+  const double *const peps = p.eps + first;
+  const PairArray<Shear> totals(W == Pristine ? p.now.gamma : p.now.gammaTotal, first);
+  const LinkLimits one = laws[plaw[0]].limits;
+  return maskOf(n, [=, &one](int k) {
+    const LinkLimits &limits = W == SeveralLaws ? laws[plaw[k]].limits : one;
+    const double kind = pkind[k], eps = peps[k], plastic = pplastic[k];
+    const Shear total = totals.get(k);
+    const bool bulk = onlyBulk(W) || kind == link::bulk;
+    const bool breaking = breaks<Criterion>(LinkStrain<Shear>{eps, total}, limits.fracture);
+    const bool keepsDent = (plastic == 0.0) | (eps <= (plastic > 0.0 ? plastic : 0.0));
+    const bool apart = (kind == link::none) & !isPressed(eps - plastic) & keepsDent &
+                       equal(total, Shear{}) & (limits.linkPressure > 0.0);
+    return !((bulk & !breaking) | apart);
+  });
+}
+
 // Some pairs of a block: their numbers in it, and copies of what the loops read.
 template<class D>
 class Picked {

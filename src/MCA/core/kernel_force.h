@@ -156,8 +156,9 @@ MCA_LOOP double bulkForceBlock(const Pairs &p, int first, int n, const PairLaw *
 template<class D>
 class ForcePassOf {
  public:
-  ForcePassOf(const PairLaw *laws, const double *response, const double *local, double *forces)
-      : laws_(laws), response_(response), local_(local), forces_(forces)
+  ForcePassOf(const PairLaw *laws, const double *response, bool returned, const double *local,
+              double *forces)
+      : laws_(laws), response_(response), returned_(returned), local_(local), forces_(forces)
   {
   }
 
@@ -187,7 +188,9 @@ class ForcePassOf {
 
  private:
   const PairLaw *laws_;
-  const double *response_, *local_;
+  const double *response_;
+  bool returned_;
+  const double *local_;
   double *forces_;
   typename D::Answers ofI_, ofJ_;
   typename D::Forces more_; // than the elastic forces
@@ -209,9 +212,8 @@ class ForcePassOf {
   bool workFew(const Pairs &p, Block &block, int first, int n, double &changed)
   {
     constexpr bool pristine = W == Pristine;
-    block.busy = onlyBulk(W) && !block.breaks && !block.flows
-                     ? BlockMask{}
-                     : busyPairs<Criterion, W>(p, block, first, n);
+    if (block.flows)
+      block.busy.add(returned_ ? block.flowing : flowingPairs<D>(p, first, n, response_, missing_));
     few_.choose(block.busy);
     if (few_.count() > Picked<D>::most)
       return false;
@@ -247,34 +249,6 @@ class ForcePassOf {
     return forceBlock<D, anyWay(W), Criterion, false>(few, 0, few.n, laws_, nullptr, ofI_, ofJ_,
                                                       more_)
         .states;
-  }
-
-  // Pairs that are neither bulk links with their elastic stress alone, nor apart for good or with a
-  // dent that they keep.
-  template<class Criterion, Way W>
-  BlockMask busyPairs(const Pairs &p, const Block &block, int first, int n)
-  {
-    using Shear = typename D::Shear;
-    if (block.flows)
-      gatherFlow<D>(p.i + first, p.j + first, n, response_, missing_);
-    else
-      missing_ = Column{};
-    const int *const plaw = p.law + first;
-    const double *const pkind = p.now.kind + first, *const pplastic = p.now.plastic + first;
-    const double *const peps = p.eps + first;
-    const PairArray<Shear> totals(W == Pristine ? p.now.gamma : p.now.gammaTotal, first);
-    const LinkLimits one = laws_[plaw[0]].limits;
-    return maskOf(n, [=, &one](int k) {
-      const LinkLimits &limits = W == SeveralLaws ? laws_[plaw[k]].limits : one;
-      const double kind = pkind[k], eps = peps[k], plastic = pplastic[k];
-      const Shear total = totals.get(k);
-      const bool bulk = onlyBulk(W) || kind == link::bulk;
-      const bool breaking = breaks<Criterion>(LinkStrain<Shear>{eps, total}, limits.fracture);
-      const bool keepsDent = (plastic == 0.0) | (eps <= (plastic > 0.0 ? plastic : 0.0));
-      const bool apart = (kind == link::none) & !isPressed(eps - plastic) & keepsDent &
-                         equal(total, Shear{}) & (limits.linkPressure > 0.0);
-      return !((bulk & !breaking & (missing_[k] == 0.0)) | apart);
-    });
   }
 
   // Returns false if a link breaks; then the block has to go another way.
@@ -318,10 +292,11 @@ class ForcePassOf {
 };
 
 template<class D>
-double forcePass(const Pairs &p, const PairLaw *laws, const double *response, const double *local,
+double forcePass(const Pairs &p, const PairLaw *laws, const double *response, bool returned,
+                 const double *local,
                  double *forces) // NOLINT(readability-non-const-parameter): a template writes them
 {
-  ForcePassOf<D> pass(laws, response, local, forces);
+  ForcePassOf<D> pass(laws, response, returned, local, forces);
   double changed = 0.0;
   withCriterion(p, laws, [&](auto criterion) {
     eachBlock(p, [&](Block &block, auto way, int first, int n) {

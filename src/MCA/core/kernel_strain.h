@@ -5,6 +5,7 @@
 #ifndef MCA_KERNEL_STRAIN_H
 #define MCA_KERNEL_STRAIN_H
 
+#include "kernel_few.h"
 #include "kernel_plane.h"
 #include "kernel_space.h"
 
@@ -122,6 +123,9 @@ MCA_LOOP double strainBlock(const Pairs &p, Block &block, int first, int n,
     scatter(p.i + first, p.j + first, n, es, flow, room, room, Row4{1.0, 1.0, 1.0, 1.0}, strains);
   else
     scatter(p.i + first, p.j + first, n, es, flow, strains);
+  if constexpr (!std::is_void_v<Criterion>)
+    block.busy = onlyBulk(W) && breaking == 0.0 ? BlockMask{}
+                                                : busyPairs<D, W, Criterion>(p, first, n, laws);
   return breaking;
 }
 

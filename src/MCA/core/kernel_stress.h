@@ -182,12 +182,12 @@ void returnPass(const Pairs &p, const PairLaw *laws, const double *response, dou
   typename D::Shares shares;
   Column missing;
   Picked<D> few;
-  eachBlock(p, [&](const Block &block, auto way, int first, int n) {
+  eachBlock(p, [&](Block &block, auto way, int first, int n) {
     if (!block.flows)
       return;
     // of a pair that does not flow nothing is taken
-    gatherFlow<D>(p.i + first, p.j + first, n, response, missing);
-    few.choose(maskOf(n, [&](int k) { return missing[k] != 0.0; }));
+    block.flowing = flowingPairs<D>(p, first, n, response, missing);
+    few.choose(block.flowing);
     const bool pristine = way.way == Pristine;
     if (few.count() == 0)
       return;

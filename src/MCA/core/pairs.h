@@ -40,6 +40,13 @@ struct BlockMask {
   static constexpr int words = blockLength / 64;
   std::uint64_t bits[words];
 
+  /// Adds those of another one.
+  void add(const BlockMask &more)
+  {
+    for (int word = 0; word < words; word++)
+      bits[word] |= more.bits[word];
+  }
+
   /// Calls use(k) for each of them, in rising order; k counts within the block.
   template<class Use>
   void each(const Use &use) const
@@ -71,9 +78,12 @@ struct Block {
   bool crowded;
   bool moves;   ///< the next state differs from the present one; only then is it held in `next`
   bool changes; ///< ... in the kind of a pair
-  /// Set by the force pass: all other pairs are bulk links with their elastic stress alone, or
-  /// apart, and stay what they are.
+  /// All other pairs are bulk links with their elastic stress alone, or apart, and stay what they
+  /// are. The strain pass finds those that touch or break by their strain, the force pass adds the
+  /// others.
   BlockMask busy;
+  /// Set by the return pass of blocks in which an automaton flows: pairs with one that does.
+  BlockMask flowing;
   /// All its strains of the last strain pass are small enough for the short logarithm: so they will
   /// be in this one, else the long one gives the same. Of bulk blocks with plasticity isochoric.
   bool near;

@@ -108,9 +108,9 @@ void Step::run(const Automata &a, double dt, bool advance)
   const double *around = showLocal(a);
   exchange_->begin(answers, row.length, row.answers);
 
-  changing_ = kernel_->force(inside, laws, response, around, sums_.data());
+  changing_ = kernel_->force(inside, laws, response, laws_.returnsTwice, around, sums_.data());
   exchange_->finish(answers, row.length, row.answers);
-  changing_ += kernel_->force(border, laws, response, around, sums_.data());
+  changing_ += kernel_->force(border, laws, response, laws_.returnsTwice, around, sums_.data());
   findKept();
   const bool rubs = laws_.rubs || !links_.springs().empty();
   friction_.clear();
