@@ -4,7 +4,7 @@ place of the rule and of its constants (doc/campaign.md, The size of the fragmen
 
 Blocks touch at junctions, contacts that are pressed to the linking pressure sigma_link. A load p
 has p/sigma_link of the area in them. Where they are few a fragment wears smooth for a while, and
-rubs too little."""
+rubs too little. Where they are all over, a narrow one heals into one crystal and rubs too much."""
 
 import math
 from collections.abc import Mapping
@@ -15,7 +15,7 @@ KEYS = ("columns", "rows", "depth")
 PRESET_A = 2.35  # sigma_link/sigma_0 of preset a; all others link at the elastic limit
 # (share p/sigma_link below which it holds, automata in a layer, free rows in the plane, free layers
 # of examples/space): p/sigma_0 = 0.1 and 0.5 where links form at the elastic limit of steel, 0.554
-SIZES = ((0.18, 160, 8, 14), (0.9, 80, 14, 22), (math.inf, 40, 14, 22))
+SIZES = ((0.18, 160, 8, 14), (0.9, 80, 14, 22), (math.inf, 160, 14, 22))
 ASPECT = 2.5  # columns over depth, in space
 
 

@@ -25,6 +25,7 @@ from . import (
     temperature as heat,
 )
 from .common import Missing, percent, power_law, run_name, scatter_of, table
+from .dots import dots
 
 PAPER = plot_fit.PAPER
 PAPER_COLLAPSE = 0.035  # scatter of ten runs at equal kappas
@@ -245,36 +246,6 @@ def kappa3(report: dict[str, Any], picture: str) -> list[str]:
 
 
 # dots: collapse, convergence ----------------------------------------------------------------------
-def dots(
-    labels: Any,
-    values: Any,
-    bars: Any,
-    picture: str,
-    xlabel: Any,
-    lines: Any = (),
-    band: Any = None,
-) -> None:
-    """A row for each label: value with its 95 % interval; vertical lines (x, style, label); a
-    band."""
-    figure, axes = pyplot.subplots(figsize=(7.5, 1.2 + 0.3 * len(labels)), constrained_layout=True)
-    rows = np.arange(len(labels))[::-1]
-    axes.errorbar(values, rows, xerr=bars, fmt="o", capsize=2, label="our runs, 95 %")
-    for x, style, label in lines:
-        axes.axvline(x, **style, lw=1.2, label=label)
-    if band:
-        axes.axvspan(band[0], band[1], color="C1", alpha=0.2, lw=0, label=band[2])
-    axes.set_yticks(rows, labels)
-    axes.set(xlabel=xlabel, ylim=(-0.7, len(labels) - 0.3))
-    axes.grid(alpha=0.3, axis="x")
-    axes.legend(
-        fontsize=9,
-        loc="upper center",
-        bbox_to_anchor=(0.4, -0.85 / (1.2 + 0.3 * len(labels))),
-        ncols=3,
-    )
-    save_figure(figure, picture)
-
-
 def parameters(point: dict[str, Any]) -> str:
     """What is varied at equal kappas: p, v, sigma_0, E, rho, eta."""
     modulus = point["kappa2"] * point["strength"] ** 2 / point["pressure"]
@@ -449,6 +420,12 @@ FIGURES = {
         f"Friction of a rail steel up to its hardness, from {locomotive_runs.START_DISTANCE} nm on",
         [locomotive_runs.LOGS_PLAN],
         rail.rail,
+        locomotive_runs.FIT + ["--model", locomotive_runs.MODELS[0]],
+    ),
+    "rail-checks": Figure(
+        "Other speeds, widths, heights and steps beside the runs of the rail steel's law",
+        [locomotive_runs.LOGS_PLAN, "rail-checks"],
+        rail.checks,
         locomotive_runs.FIT + ["--model", locomotive_runs.MODELS[0]],
     ),
     "space": Figure(

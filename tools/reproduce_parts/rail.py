@@ -10,10 +10,11 @@ from matplotlib import pyplot
 
 from campaign_parts import plan
 from mcawr.files import save_figure
-from mcawr.replicas import groups, mean_of
+from mcawr.replicas import NORMAL, groups, mean_of
 
 from . import temperature as heat
-from .common import run_name, table
+from .common import Missing, percent, run_name, table
+from .dots import dots
 
 SHEAR = 1 / math.sqrt(3)  # shear strength over sigma_0, von Mises
 SPEED = 5.0  # m/s, of the runs that the law is fitted to
@@ -63,7 +64,6 @@ def rail(report: dict[str, Any], picture: str) -> list[str]:
         *table(["mu at p/sigma_0", *(f"{x:g}" for x in ratios)], rows),
         "",
         *law_lines(report),
-        *beside(points, runs),
     ]
 
 
@@ -92,30 +92,32 @@ def law_lines(report: dict[str, Any]) -> list[str]:
     return lines + ([f"not determined: {', '.join(others)}"] if others else [])
 
 
-def beside(points: list[dict[str, Any]], runs: list[dict[str, Any]]) -> list[str]:
-    """Runs of other speeds, widths, heights and steps beside those of the law at their place."""
-    rows = []
+def checks(report: dict[str, Any], picture: str) -> list[str]:
+    """Other speeds, widths, heights and steps beside the runs of the law at their place."""
+    points = [p for p in report["report"]["points"] if not p["left_out"]]
+    runs = [run.values for run in plan.read(plan.find("rail")).runs]
+    of_law = [p for p in points if base_name(p).startswith("t")]
+    rows, labels, values, bars = [], [], [], []
     for name, members in groups(points, base_name).items():
-        if name.startswith("t"):
-            continue
         place = (members[0]["strength"], members[0]["pressure"])
-        others = [
-            p
-            for p in points
-            if base_name(p).startswith("t") and (p["strength"], p["pressure"]) == place
-        ]
-        if not others:
+        others = [p for p in of_law if (p["strength"], p["pressure"]) == place]
+        if name.startswith("t") or not others:
             continue
         (mu, error), (base, base_error) = mean_of(members), mean_of(others)
-        ratio = rounded(members[0])
         kelvin = heat.temperature_of(members[0], runs)
+        labels.append(f"{name}, {kelvin:g} K")
+        values.append(mu / base)
+        bars.append(NORMAL * error / base)
         rows.append(
-            [name, f"{kelvin:g}", f"{ratio:g}", f"{mu:.3f} +- {error:.3f}",
-             f"{base:.3f} +- {base_error:.3f}", f"{100 * (mu / base - 1):+.0f} %"]
+            [name, f"{kelvin:g}", f"{rounded(members[0]):g}", str(len(members)),
+             f"{mu:.3f} +- {error:.3f}", f"{base:.3f} +- {base_error:.3f}", percent(mu, base)]
         )  # fmt: skip
     if not rows:
-        return ["", "speeds, widths, heights, steps: no run of these logs"]
-    return ["", *table(["", "K", "p/sigma_0", "mu", "of the law's runs", "over them"], rows)]
+        raise Missing("no run of another speed, width, height or step")
+    line = (1.0, {"color": "k", "ls": "--"}, "runs of the law")
+    dots(labels, values, bars, picture, r"$\mu$ over that of the law's runs", [line])
+    head = ["", "K", "p/sigma_0", "runs", "mu", "of the law's runs", "over them"]
+    return ["errors: of a run what it knows of itself", *table(head, rows)]
 
 
 def base_name(point: dict[str, Any]) -> str:
