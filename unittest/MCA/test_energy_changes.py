@@ -252,12 +252,17 @@ def test_a_large_error_is_told_once(tmp_path, ranks):
 
 
 def test_energy_that_comes_back_is_told_once(tmp_path):
-    """plasticity radial far above the strength: flow makes energy."""
+    """plasticity radial far above the strength, in a material that hardly changes its volume: flow
+    makes energy."""
     script = (INPUTS / "in.energy_sliding").read_text(encoding="utf-8")
-    for old, new in (("pressure 15", "pressure 2300"), ("steel.mca", "steel.mca strength 900")):
+    changes = {
+        "pressure 15": "pressure 2300",
+        "steel.mca": "steel.mca strength 900 poissons_ratio 0.4",
+    }
+    for old, new in changes.items():
         assert old in script
         script = script.replace(old, new)
-    result = lmp(script, tmp_path, laws="preset c viscosity normal heal none", steps=12000, dt=3e-5)
+    result = lmp(script, tmp_path, laws="preset c viscosity normal heal none", steps=6000, dt=3e-5)
     told = re.findall(WARNING, result.out)
     plastic = result.thermo[0]["c_energy[3]"]
     assert np.maximum.accumulate(plastic)[-1] > plastic[-1]
