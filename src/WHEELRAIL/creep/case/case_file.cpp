@@ -95,8 +95,7 @@ CreepSpecification readRolling(CaseReader &reader, const std::string &mode,
   rolling.physics = physics;
   rolling.mode = mode == "moving" ? RollingMode::Moving : RollingMode::Frozen;
   rolling.physics.thermal = readThermal(reader, false);
-  if (reader.has("friction.memory_length"))
-    rolling.physics.memoryLength = reader.number("friction.memory_length");
+  rolling.physics.memoryLength = readMemoryLength(reader);
   rolling.speed = reader.numbers("speed");
   rolling.creep = readSeries(reader, "creep");
   requireFewPoints(reader, double(rolling.creep.size()) * double(rolling.speed.size()) *

@@ -124,6 +124,12 @@ Strength readStrength(CaseReader &reader, const LawChoice &friction)
           nullptr};
 }
 
+double readMemoryLength(CaseReader &reader)
+{
+  const char *const keyword = "friction.memory_length";
+  return reader.has(keyword) ? reader.number(keyword) : 0.0;
+}
+
 ThermalSpecification readThermal(CaseReader &reader, bool rollsOnPoint)
 {
   ThermalSpecification thermal;

@@ -72,6 +72,8 @@ LawChoice readFriction(CaseReader &reader, const std::string &caseFile);
 /// The strength of group `friction`, which limits the pressure under any law but one that has its
 /// own: where the case states one beside that, it is refused.
 Strength readStrength(CaseReader &reader, const LawChoice &friction);
+/// Way over which friction falls with the slip of each cell, m; 0: one sliding speed for all.
+double readMemoryLength(CaseReader &reader);
 /// Group `thermal`, or `thermal: off`, which is the model Off and reads no material.
 /// \param rollsOnPoint a point contact, whose bodies may have bulk temperatures
 ThermalSpecification readThermal(CaseReader &reader, bool rollsOnPoint);

@@ -423,8 +423,7 @@ PatchSpecification readPatch(CaseReader &reader, const std::string &caseFile)
   } else {
     patch.physics.thermal = readThermal(reader, true);
     patch.physics.wear = readWear(reader);
-    if (reader.has("friction.memory_length"))
-      patch.physics.memoryLength = reader.number("friction.memory_length");
+    patch.physics.memoryLength = readMemoryLength(reader);
     patch.spread = readSpread(reader, patch.friction);
   }
   if (patch.mode == PatchMode::Moving)

@@ -6,6 +6,7 @@
 #include "contact/patch/elasticity/influence_table.h"
 #include "contact/patch/elasticity/plane_transform.h"
 #include "contact/patch/elasticity/quick_half_space.h"
+#include "contact/patch/elasticity/tangential_field.h"
 
 #include <array>
 #include <memory>

@@ -3,8 +3,7 @@
 #define WHEELRAIL_PATCH_QUICK_HALF_SPACE_H
 
 #include "contact/patch/elasticity/influence_table.h"
-
-#include <cmath>
+#include "contact/patch/elasticity/tangential_field.h"
 
 namespace wheelrail {
 
@@ -26,16 +25,6 @@ class QuickHalfSpace final : public QuickProducts {
 
   Transform padded_, wrapping_;
   Spectrum compliance_, stiffness_;
-};
-
-/// Both components of a tangential traction, or of a tangential displacement, per cell.
-struct TangentialField {
-  Eigen::VectorXd x, y;
-  /// Of the vector of each cell.
-  Eigen::VectorXd length() const
-  {
-    return x.binaryExpr(y, [](double a, double b) { return std::hypot(a, b); });
-  }
 };
 
 /// Its products with tractions, likewise.
