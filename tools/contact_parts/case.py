@@ -40,22 +40,23 @@ def gap_of(case: Contact) -> tuple[list[list[float]], tuple[float, float]]:
     return rows, (0.5 / radius, 0.5 / radius)
 
 
-def contact_group(case: Contact, turned: bool, files: dict[str, str], stem: str) -> list[str]:
-    """Lines of the groups contact, points, roughness. Raises Refused."""
-    assert case.grid is not None and case.material is not None
+def elastic_lines(case: Contact) -> list[str]:
+    assert case.material is not None
     nu1, nu2, g1, g2 = case.material
     young = [2.0 * g1 * (1.0 + nu1), 2.0 * g2 * (1.0 + nu2)]
+    if young[0] == young[1] and nu1 == nu2:
+        return [f"  youngs_modulus: {text(young[0], 'MPa')}", f"  poissons_ratio: {text(nu1)}"]
+    return [f"  youngs_modulus: {pair(young, 'MPa')}", f"  poissons_ratio: {pair([nu1, nu2], '')}"]
+
+
+def contact_group(case: Contact, turned: bool, files: dict[str, str], stem: str) -> list[str]:
+    """Lines of the groups contact, points, roughness. Raises Refused."""
+    assert case.grid is not None
     first = "contact:"
     load = case.drive[0]
     lines = [first, f"  load: {text(load, 'N')}" if case.norm == "1" else
              f"  approach: {text(load, 'mm')}"]  # fmt: skip
-    if young[0] == young[1] and nu1 == nu2:
-        lines += [f"  youngs_modulus: {text(young[0], 'MPa')}", f"  poissons_ratio: {text(nu1)}"]
-    else:
-        lines += [
-            f"  youngs_modulus: {pair(young, 'MPa')}",
-            f"  poissons_ratio: {pair([nu1, nu2], '')}",
-        ]
+    lines += elastic_lines(case)
     rough: list[str] = []
     if case.table is not None:
         rows, curvatures = gap_of(case)
@@ -223,18 +224,15 @@ def line_case(case: Contact) -> list[str]:
     nx, _, left, _, dx, dy = case.grid
     nu1, nu2, g1, g2 = case.material
     load, x = case.drive[0] / dy, case.drive[1]
-    if (nu1, g1) != (nu2, g2):
-        raise Refused(f"{case.line}: a line contact of unlike bodies is not in wr_creep")
     if case.tang != "3" or case.force != "0" or case.norm != "1":
         raise Refused(f"{case.line}: a line contact rolls steadily with a creepage under a load")
-    modulus = g1 / (1.0 - nu1)
+    modulus = 2.0 / ((1.0 - nu1) / g1 + (1.0 - nu2) / g2)
     half = math.sqrt(2.0 * load / (math.pi * modulus * case.curvatures[0]))
     return [
         "contact:",
         f"  load_per_length: {text(load, 'N/mm')}",
         f"  radius: {text(0.5 / case.curvatures[0], 'mm')}",
-        f"  youngs_modulus: {text(2.0 * g1 * (1.0 + nu1), 'MPa')}",
-        f"  poissons_ratio: {text(nu1)}",
+        *elastic_lines(case),
         f"  domain: {text(nx * dx / half)}",
         f"cells: {nx}",
         f"creep: {text(-x if is_turned(case) else x)}",

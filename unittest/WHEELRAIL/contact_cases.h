@@ -2,6 +2,7 @@
 #ifndef WHEELRAIL_CONTACT_CASES_H
 #define WHEELRAIL_CONTACT_CASES_H
 
+#include "contact/elastic_bodies.h"
 #include "contact/hertz.h"
 #include "contact/line/contact_interval.h"
 #include "contact/line/profile.h"
@@ -16,7 +17,8 @@ namespace contact_cases {
 /// Table 2 of the paper.
 inline wheelrail::HertzContact table2()
 {
-  return wheelrail::hertzContact(4e6, 0.5, wheelrail::contactModulus(210e9, 0.3));
+  return wheelrail::hertzContact(4e6, 0.5,
+                                 wheelrail::contactModulus({{{210e9, 0.3}, {210e9, 0.3}}}));
 }
 
 /// T/N in steady rolling of a smooth cylinder with constant friction (Carter 1926):

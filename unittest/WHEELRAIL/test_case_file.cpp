@@ -41,7 +41,7 @@ TEST(CaseFile, FillsInDefaults)
 {
   const CreepSpecification c = rolling(minimal);
   EXPECT_DOUBLE_EQ(c.contact.load, 4e6);
-  EXPECT_DOUBLE_EQ(c.contact.youngsModulus, 210e9);
+  EXPECT_DOUBLE_EQ(c.contact.bodies[1].youngsModulus, 210e9);
   EXPECT_EQ(c.contact.points, 1024);
   EXPECT_EQ(c.surface.kind, RoughnessKind::None);
   EXPECT_TRUE(c.friction.files.empty()); // built in

@@ -457,16 +457,16 @@ BAD = {
         "grid of a former case that is not there",
     ),
     "viscous": (block("200100", "9 0 0 0", "", "", "", physics="022120"), "a.inp:5: M = 1: only"),
-    "unlike on a line": (  # bentall
+    "force on a line": (  # bentall
         block(
-            "203100",
-            "16201.9 0.00052 0 0",
+            "203110",
+            "16201.9 0. 0 0",
             "1e-4 1e-4",
             "0.31 0.28 23000. 82000.",
             "1\n 216 1 -0.108 -500. 0.001 1000.\n 1 1\n 0.02 0 0 0 0 0",
             rolling="180.0d 0.001 1000.",
         ),
-        "a line contact of unlike bodies is not in wr_creep",
+        "a line contact rolls steadily with a creepage under a load",
     ),
     "after refused": (
         block("203200", "9 0 0 0", "", "", "")

@@ -85,7 +85,8 @@ TEST(StaticCases, PeriodicIsWestergaard)
 {
   // One wave a period: stick zone of the contact under N - T/mu, both from sin^2(pi a/L) = N/N*
   const double period = 0.01, amplitude = 10e-6 * std::sqrt(2.0);
-  const double full = pi * contactModulus(210e9, 0.3) * amplitude / period; // p* of Johnson, 13.2
+  const double full = pi * contactModulus({{{210e9, 0.3}, {210e9, 0.3}}}) * amplitude /
+                      period; // p* of Johnson, 13.2
   const StaticCases cases =
       solve("contact: {load_per_length: 2000 N/mm, period: 10 mm, youngs_modulus: 210 GPa,\n"
             "          poissons_ratio: 0.3}\ncells: 512\n"

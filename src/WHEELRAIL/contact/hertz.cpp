@@ -11,11 +11,6 @@ namespace {
 using mcawr::pi;
 }
 
-double contactModulus(double youngsModulus, double poissonsRatio)
-{
-  return youngsModulus / (2.0 * (1.0 - poissonsRatio * poissonsRatio));
-}
-
 HertzContact hertzContact(double load, double radius, double modulus)
 {
   const double a = std::sqrt(4.0 * load * radius / (pi * modulus));

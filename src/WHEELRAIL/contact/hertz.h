@@ -4,10 +4,6 @@
 
 namespace wheelrail {
 
-/// 1/E* = 2 (1 - nu^2)/E of two equal bodies; the unit of E. E > 0, -1 < nu < 1/2.
-/// \return E*, in the unit of E: E/(2 (1 - nu^2))
-double contactModulus(double youngsModulus, double poissonsRatio);
-
 /// Smooth line contact of cylinders (Hertz 1882; Johnson, Contact Mechanics, sec. 4.2). SI units,
 /// or any other consistent ones.
 struct HertzContact {

@@ -69,7 +69,8 @@ ContactSetup prepareContact(const LineContactSpecification &contact,
                             double pressureLimit, bool travels)
 {
   ContactSetup setup;
-  const double modulus = contactModulus(contact.youngsModulus, contact.poissonsRatio);
+  const double modulus = contactModulus(contact.bodies);
+  setup.coupling = couplingOf(contact.bodies);
   setup.cells = contact.points;
   if (contact.period > 0.0) {
     setup.boundary = Boundary::Periodic;

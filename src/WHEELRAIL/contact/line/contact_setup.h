@@ -2,6 +2,7 @@
 #ifndef WHEELRAIL_CONTACT_LINE_CONTACT_SETUP_H
 #define WHEELRAIL_CONTACT_LINE_CONTACT_SETUP_H
 
+#include "contact/elastic_bodies.h"
 #include "contact/hertz.h"
 #include "contact/line/contact_interval.h"
 #include "contact/line/surface.h"
@@ -13,9 +14,9 @@ namespace wheelrail {
 
 /// The nominal contact of two cylinders, or of two flat surfaces whose roughness repeats; SI units.
 struct LineContactSpecification {
-  double load = 0.0;                               ///< N/m, > 0
-  double radius = 0.0;                             ///< 1/R = 1/R1 + 1/R2, m, > 0; flat: infinite
-  double youngsModulus = 0.0, poissonsRatio = 0.0; ///< of both bodies; Pa, > 0; 0 to 1/2
+  double load = 0.0;   ///< N/m, > 0
+  double radius = 0.0; ///< 1/R = 1/R1 + 1/R2, m, > 0; flat: infinite
+  ElasticBodies bodies;
   double domain = 4.0; ///< computed length / Hertz half-width, > 2; not for flat surfaces
   double period = 0.0; ///< m; > 0: flat surfaces whose roughness repeats
   int points = 1024;   ///< cells on the whole domain
@@ -26,6 +27,7 @@ struct ContactSetup {
   /// Nominal contact. For flat surfaces it holds load, modulus, half the period as halfWidth and
   /// the mean pressure as hertzPressure.
   HertzContact hertz;
+  double coupling = 0.0; ///< of pressure and traction: `couplingOf` the bodies
   int cells = 0;
   double cellSize = 0.0;              ///< m
   Boundary boundary = Boundary::Free; ///< Periodic: flat surfaces

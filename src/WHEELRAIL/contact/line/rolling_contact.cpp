@@ -128,15 +128,18 @@ std::vector<Adhesion> startStates(const Vector &bound, const std::vector<Adhesio
 }
 
 /// States from the solution on cells twice as long: on long grids most sets are tried there.
-std::vector<Adhesion> statesFromCoarseGrid(const Vector &bound, double creep)
+std::vector<Adhesion> statesFromCoarseGrid(const Vector &bound, double creep, const Vector &imposed)
 {
   const auto cells = bound.size() / 2;
-  const Eigen::Map<const Eigen::Matrix2Xd> pairs(bound.data(), 2, cells);
+  const auto coarsened = [](const Vector &fine) {
+    const Eigen::Map<const Eigen::Matrix2Xd> pairs(fine.data(), 2, fine.size() / 2);
+    return Vector(pairs.colwise().mean());
+  };
   HalfPlane plane(static_cast<int>(cells), Boundary::Free);
   RollingOptions options;
   options.tolerance = coarseTolerance;
-  const Vector coarseBound = pairs.colwise().mean();
-  const auto coarse = solveFrozenRolling(plane, coarseBound, creep, options).state;
+  options.imposed = coarsened(imposed);
+  const auto coarse = solveFrozenRolling(plane, coarsened(bound), creep, options).state;
   std::vector<Adhesion> states(bound.size());
   for (Eigen::Index i = 0; i < bound.size(); ++i)
     states[i] = coarse[i / 2];
@@ -157,24 +160,30 @@ RollingResult solveFrozenRolling(HalfPlane &halfPlane, const Vector &bound, doub
                                  const RollingOptions &options)
 {
   const int n = halfPlane.cells();
-  if (bound.size() != n || !(creep >= 0.0) || halfPlane.boundary() != Boundary::Free)
+  const bool couples = options.imposed.size() > 0;
+  if (bound.size() != n || !(creep >= 0.0) || halfPlane.boundary() != Boundary::Free ||
+      (couples && options.imposed.size() != n))
     throw Error(ExitCode::Internal, "rolling contact: bound, creep or boundary do not fit");
+  Vector drive = Vector::Constant(n, creep);
+  if (couples)
+    drive += options.imposed;
+  const double scale = drive.cwiseAbs().maxCoeff();
   RollingResult result;
   result.traction = options.startTraction.size() == n ? options.startTraction : Vector::Zero(n);
   const bool cold = std::all_of(options.start.begin(), options.start.end(),
                                 [](Adhesion state) { return state == Adhesion::Apart; });
-  result.state = startStates(bound, cold && creep > 0.0 && n >= 2 * coarsestGrid && n % 2 == 0
-                                        ? statesFromCoarseGrid(bound, creep)
+  result.state = startStates(bound, cold && scale > 0.0 && n >= 2 * coarsestGrid && n % 2 == 0
+                                        ? statesFromCoarseGrid(bound, creep, options.imposed)
                                         : options.start);
-  if (creep == 0.0) {
+  if (scale == 0.0) {
     result.traction.setZero();
     result.slip = Vector::Zero(n);
     return result;
   }
 
   // On given states the problem is linear: where a cell slips its traction is the bound, where it
-  // sticks the stretch of both is the creep. So each turn solves for the sticking cells' traction
-  // and asks every cell whether its state still holds. Warm from the last turn's traction.
+  // sticks the stretch of both is what drives it. So each turn solves for the sticking cells'
+  // traction and asks every cell whether its state still holds. Warm from the last turn's traction.
   const Vector edge = edgeCompliance(options.contact, n);
   const auto stretch = [&](const Vector &q) {
     return Vector(halfPlane.stretch(q) + edge.cwiseProduct(q));
@@ -186,7 +195,7 @@ RollingResult solveFrozenRolling(HalfPlane &halfPlane, const Vector &bound, doub
     for (int i = 0; i < n; ++i)
       if (slips(result.state[i]))
         fixed[i] = sign(result.state[i]) * bound[i];
-    const Vector driven = creep - stretch(fixed).array();
+    const Vector driven = drive - stretch(fixed);
     Vector q = result.traction.cwiseProduct(stick);
     const double cells = stick.sum();
     if (cells > 0.0) {
@@ -194,7 +203,7 @@ RollingResult solveFrozenRolling(HalfPlane &halfPlane, const Vector &bound, doub
       const auto apply = [&](const Vector &v) { return Vector(stretch(v).cwiseProduct(stick)); };
       const Vector wanted = driven.cwiseProduct(stick);
       const GmresReport report =
-          gmres(apply, inverse, wanted, q, creep * std::sqrt(cells), tolerance);
+          gmres(apply, inverse, wanted, q, scale * std::sqrt(cells), tolerance);
       result.products += report.products;
       result.residual = report.residual;
       if (!report.converged)
@@ -204,10 +213,10 @@ RollingResult solveFrozenRolling(HalfPlane &halfPlane, const Vector &bound, doub
                                 report.residual, tolerance, report.products, cells));
     }
     result.traction = q + fixed;
-    result.slip = creep - stretch(result.traction).array();
+    result.slip = drive - stretch(result.traction);
     result.activeSets = set;
     const int changed =
-        updateStates(bound, result.traction, result.slip, options.tolerance * creep, result.state);
+        updateStates(bound, result.traction, result.slip, options.tolerance * scale, result.state);
     if (!changed && (tolerance <= options.tolerance || cells == 0.0))
       break;
     if (set >= options.maxActiveSets)
@@ -276,9 +285,13 @@ int TransientRolling::solveStick(const Vector &stick, Vector &residual, Vector &
 // for the half-plane is the same everywhere: nothing but the traction needs to be remembered.
 // On given states the slip is linear in the traction of the cells that stick, with an operator
 // that is symmetric: conjugate gradients instead of the GMRES of steady rolling.
-RollingResult TransientRolling::step(const Vector &bound, double creep)
+RollingResult TransientRolling::step(const Vector &bound, double creep, const Vector &imposed)
 {
   const int n = halfPlane_->cells();
+  Vector drive = Vector::Constant(n, creep);
+  if (imposed.size() > 0)
+    drive += imposed;
+  const double scale = drive.cwiseAbs().maxCoeff();
   Vector carried = Vector::Zero(n);
   carried.head(n - 1) = traction_.tail(n - 1);
   Vector q = carried;
@@ -296,13 +309,13 @@ RollingResult TransientRolling::step(const Vector &bound, double creep)
       if (slips(result.state[i]))
         q[i] = sign(result.state[i]) * bound[i];
     }
-    result.slip = creep - displacement(q - carried).array();
+    result.slip = drive - displacement(q - carried);
     const double cells = stick.sum();
     if (cells > 0.0)
       result.products +=
-          solveStick(stick, result.slip, q, transientTolerance * creep * std::sqrt(cells));
+          solveStick(stick, result.slip, q, transientTolerance * scale * std::sqrt(cells));
     result.activeSets = set;
-    if (!updateStates(bound, q, result.slip, 10.0 * transientTolerance * creep, result.state))
+    if (!updateStates(bound, q, result.slip, 10.0 * transientTolerance * scale, result.state))
       break;
     if (set >= maxActiveSets)
       throw Error(ExitCode::NotConverged,

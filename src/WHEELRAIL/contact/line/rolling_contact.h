@@ -16,11 +16,14 @@ namespace wheelrail {
 enum class Adhesion : signed char { Apart, Stick, Slip, BackwardSlip };
 
 struct RollingOptions {
-  double tolerance = 1e-8; ///< of the slip in the stick zone, relative to the creep
+  double tolerance = 1e-8; ///< of the slip in the stick zone, relative to what drives it
   int maxActiveSets = 100;
   std::vector<Adhesion> start; ///< states to start from (those of a nearby creep); empty: all stick
   Eigen::VectorXd startTraction;
   std::vector<ContactInterval> contact; ///< with edges inside cells; empty: cells count as a whole
+  /// Slip of each cell beside the creep, by the pressure of unlike bodies (`couplingSlip`); empty:
+  /// 0
+  Eigen::VectorXd imposed;
 };
 
 struct RollingResult {
@@ -29,7 +32,7 @@ struct RollingResult {
   std::vector<Adhesion> state;
   int activeSets = 0;
   int products = 0;      ///< products with the operator, all sets
-  double residual = 0.0; ///< slip left in the stick zone / creep
+  double residual = 0.0; ///< slip left in the stick zone / what drives it
 
   double force() const { return traction.sum(); } ///< in E* cells
 };
@@ -38,6 +41,7 @@ struct RollingResult {
 /// pressure distribution for all time, through which the material flows. In the stick zone a
 /// particle's displacement grows with every cell it travels by exactly the creep,
 ///   creep - (u_i - u_(i+1)) = 0,   |q| <= bound;   where |q| = bound, slip goes along with q.
+/// Of unlike bodies the pressure drives each cell, too (`RollingOptions::imposed`).
 /// Sets {stick, slip, backward slip} are tried until none changes, on coarser grids first. On a set
 /// the equation is a finite Hilbert transform; GMRES with FFT products solves it, preconditioned by
 /// the continuous inverse w H (1/w), w = prod sqrt((leading_j - x)/(x - trailing_j)), so that it
@@ -63,8 +67,10 @@ class TransientRolling {
  public:
   TransientRolling(HalfPlane &plane, double referenceLength);
 
+  /// \param imposed slip of each cell beside the creep, by the pressure of unlike bodies; empty: 0
   /// \return the new traction; call with the bound of the new position
-  RollingResult step(const Eigen::VectorXd &bound, double creep);
+  RollingResult step(const Eigen::VectorXd &bound, double creep,
+                     const Eigen::VectorXd &imposed = {});
 
   /// Goes on with other cells: the first of the new plane is cell `shift` of the old one.
   void moveTo(HalfPlane &plane, int shift);

@@ -2,6 +2,7 @@
 #ifndef WHEELRAIL_PATCH_CONTACT_H
 #define WHEELRAIL_PATCH_CONTACT_H
 
+#include "contact/elastic_bodies.h"
 #include "contact/normal_contact.h"
 #include "contact/patch/elasticity/cell_influence.h"
 #include "contact/patch/elasticity/grid.h"
@@ -15,11 +16,6 @@
 #include <vector>
 
 namespace wheelrail {
-
-/// One of the two bodies; Pa, > 0, and 0 to 1/2.
-struct ElasticBody {
-  double youngsModulus = 0.0, poissonsRatio = 0.0;
-};
 
 /// The half-spaces' pair whose displacement differences are those of both bodies together:
 /// 2/G = 1/G1 + 1/G2, 2 nu/G = nu1/G1 + nu2/G2, and what couples the normal and the tangential
@@ -45,9 +41,9 @@ struct PatchContactSpecification {
   std::vector<double> load; ///< N, > 0, at least one
   /// Gap A x^2 + B y^2, 1/m; absent: `semiAxes` of the one load decide.
   std::optional<GapCurvatures> curvatures;
-  std::array<double, 2> semiAxes{};  ///< a along x, b along y, m
-  std::array<ElasticBody, 2> bodies; ///< wheel, rail
-  double domain = 0.0;               ///< box / semi-axes: +- domain/2 a and +- domain/2 b, > 2
+  std::array<double, 2> semiAxes{}; ///< a along x, b along y, m
+  ElasticBodies bodies;
+  double domain = 0.0; ///< box / semi-axes: +- domain/2 a and +- domain/2 b, > 2
   /// In place of `domain`: the box's lengths along x and y, m.
   std::optional<std::array<double, 2>> box;
   std::array<double, 2> centre{}; ///< of the box, m

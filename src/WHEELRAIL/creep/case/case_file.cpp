@@ -33,8 +33,6 @@ LineContactSpecification readContact(CaseReader &reader)
 {
   LineContactSpecification contact;
   contact.load = readLoadPerLength(reader);
-  for (const char *name : {"contact.youngs_modulus", "contact.poissons_ratio"})
-    reader.require(name);
   if (reader.has("contact.period")) {
     contact.period = reader.number("contact.period");
     contact.radius = std::numeric_limits<double>::infinity();
@@ -42,8 +40,7 @@ LineContactSpecification readContact(CaseReader &reader)
     contact.radius = reader.number("contact.radius");
     contact.domain = reader.number("contact.domain");
   }
-  contact.youngsModulus = reader.single("contact.youngs_modulus");
-  contact.poissonsRatio = reader.single("contact.poissons_ratio");
+  contact.bodies = readElasticBodies(reader);
   contact.points = static_cast<int>(reader.single("cells"));
   constexpr int fewestPoints = 32;
   if (contact.points < fewestPoints)
@@ -115,6 +112,11 @@ StaticSpecification readStatic(CaseReader &reader, const LineContactSpecificatio
                                const SurfaceSpecification &surface, const LawChoice &friction,
                                const CreepPhysics &physics)
 {
+  if (couplingOf(contact.bodies) != 0.0)
+    reader.fail("contact.youngs_modulus",
+                "mode static of a line contact needs bodies whose pressure and traction do not "
+                "influence each other: (1 - 2 nu)/G of [wheel, rail] must be the same; a point "
+                "contact takes all");
   StaticSpecification still{contact, surface, friction, physics, {}, {}};
   still.physics.thermal.model = ThermalModel::Off;
   reader.require("static.force_ratio");

@@ -56,6 +56,15 @@ std::array<double, 2> readBodies(CaseReader &reader, const std::string &name)
   return readPair(reader, name, "one for both bodies, or [wheel, rail],");
 }
 
+ElasticBodies readElasticBodies(CaseReader &reader)
+{
+  for (const char *name : {"contact.youngs_modulus", "contact.poissons_ratio"})
+    reader.require(name);
+  const auto youngs = readBodies(reader, "contact.youngs_modulus");
+  const auto poissons = readBodies(reader, "contact.poissons_ratio");
+  return {ElasticBody{youngs[0], poissons[0]}, ElasticBody{youngs[1], poissons[1]}};
+}
+
 MeasuredSurfaces readMeasuredSurfaces(CaseReader &reader, const std::string &caseFile)
 {
   MeasuredSurfaces surfaces;

@@ -82,6 +82,8 @@ ThermalSpecification readThermal(CaseReader &reader, bool rollsOnPoint);
 std::array<double, 2> readPair(CaseReader &reader, const std::string &name, const char *meaning);
 /// One number for both bodies, or [wheel, rail].
 std::array<double, 2> readBodies(CaseReader &reader, const std::string &name);
+/// The elastic constants of group `contact`.
+ElasticBodies readElasticBodies(CaseReader &reader);
 
 /// Group `uncertainty`; nothing of it is read where the law has no covariance.
 SpreadSpecification readSpread(CaseReader &reader, const LawChoice &friction);

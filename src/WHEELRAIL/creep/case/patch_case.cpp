@@ -159,8 +159,6 @@ InterfacialLayer readLayer(CaseReader &reader)
 
 PatchContactSpecification readContact(CaseReader &reader, bool rough)
 {
-  for (const char *name : {"contact.youngs_modulus", "contact.poissons_ratio"})
-    reader.require(name);
   PatchContactSpecification contact;
   if (reader.has("contact.approach")) {
     contact.approach = reader.numbers("contact.approach");
@@ -168,10 +166,7 @@ PatchContactSpecification readContact(CaseReader &reader, bool rough)
   } else {
     contact.load = reader.numbers("contact.load");
   }
-  const auto youngs = readBodies(reader, "contact.youngs_modulus");
-  const auto poissons = readBodies(reader, "contact.poissons_ratio");
-  for (int body : {0, 1})
-    contact.bodies[body] = {youngs[body], poissons[body]};
+  contact.bodies = readElasticBodies(reader);
   readShape(reader, contact);
   // rough contact reaches further than the smooth one
   if (!reader.has("contact.box") && !reader.has("contact.cell")) {

@@ -25,12 +25,14 @@ struct Piece {
 };
 
 /// Creeps that are solved one after the other. Rolling creeps of mode moving share the pressures,
-/// unless each has its own because temperature acts back on them.
+/// unless each has its own because temperature, or the traction of unlike bodies, acts back on
+/// them.
 std::size_t creepsInPiece(const CreepSpecification &specification)
 {
   if (specification.mode != RollingMode::Moving)
     return 8;
-  return specification.physics.heatLimitsPressure() ? 1 : 4;
+  const bool couples = couplingOf(specification.contact.bodies) != 0.0;
+  return specification.physics.heatLimitsPressure() || couples ? 1 : 4;
 }
 
 std::vector<Piece> cutIntoPieces(const CreepSpecification &specification)
@@ -122,13 +124,10 @@ PieceResult rollTogether(const Work &work, const ContactSetup &setup, double spe
                          const std::function<bool()> &goOn)
 {
   PieceResult result;
-  std::vector<double> sizes;
-  for (const double creep : creeps)
-    sizes.push_back(std::abs(creep));
   std::vector<std::vector<CreepPoint>> perLaw;
   for (const LawPointer &law : work.spread.laws()) {
     MovingCreep moving(work.asked.physics, work.asked.moving, *law, setup);
-    perLaw.push_back(moving.solve(speed, sizes, goOn));
+    perLaw.push_back(moving.solve(speed, creeps, goOn));
     if (perLaw.back().empty())
       return {};
     if (perLaw.size() > 1)
@@ -187,7 +186,7 @@ std::optional<CurvePoint> solveCreep(const Work &work, const ContactSetup &setup
   for (const LawPointer &law : work.spread.laws()) {
     if (!goOn())
       return std::nullopt;
-    const CreepPoint solved = frozen.solve(*law, speed, std::abs(creep));
+    const CreepPoint solved = frozen.solve(*law, speed, creep);
     if (ratios.empty()) {
       point = solved;
       point.use = frozen.use(*law, speed, std::abs(creep));

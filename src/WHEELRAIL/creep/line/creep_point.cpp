@@ -2,6 +2,7 @@
 #include "creep/line/creep_point.h"
 
 #include "base/errors.h"
+#include "contact/line/line_coupling.h"
 
 #include <algorithm>
 #include <cmath>
@@ -57,6 +58,8 @@ void FrozenCreep::roll(double creep)
   for (ContactInterval &interval : options.contact)
     interval.shift(-first);
   const Vector bound = contact_.mu.cwiseProduct(contact_.pressure).segment(first, cells) / modulus;
+  if (coupling_ != 0.0)
+    options.imposed = couplingSlip(coupling_, contact_.pressure.segment(first, cells) / modulus);
   const RollingResult result = solveFrozenRolling(*window_, bound, creep, options);
   contact_.traction.setZero();
   contact_.slip.setZero();
@@ -91,7 +94,7 @@ Vector FrozenCreep::temperatureFrom(double speed, double creep)
 
 /// The hardness falls with the temperature, that of each cell where it is known, else the contact's
 /// mean: solve again where it binds.
-void FrozenCreep::limitPressure(const FrictionLaw &law)
+void FrozenCreep::renewPressure(const FrictionLaw &law)
 {
   const double mean = contact_.temperature.dot(contact_.pressure) / contact_.pressure.sum();
   NormalContactOptions options;
@@ -100,6 +103,8 @@ void FrozenCreep::limitPressure(const FrictionLaw &law)
     domain_.emplace(setup_.cells, Boundary::Free);
   NormalContactProblem problem = setup_.problem(physics_.pressureLimit(law, mean));
   problem.cellLimits = physics_.pressureLimits(law, contact_.temperature) / setup_.hertz.modulus;
+  if (coupling_ != 0.0)
+    problem.profile += couplingDisplacement(coupling_, contact_.traction / setup_.hertz.modulus);
   const NormalContactResult normal = solveNormalContact(*domain_, problem, options);
   checkInsideDomain(normal.pressure);
   contact_.pressure = normal.pressure * setup_.hertz.modulus;
@@ -123,18 +128,23 @@ void FrozenCreep::checkExcess(const FrictionLaw &law, double speed, double creep
 
 // The temperature rise Theta is the unknown of a fixed point Theta -> mu, p -> T -> Theta, and with
 // a memory what friction has fallen to in each cell, r -> mu -> slip -> r; a step is the larger of
-// both, in units of their tolerances. Friction
+// both, in units of their tolerances. Of unlike bodies the pressure takes part: it is renewed with
+// the traction of the turn before, and the end waits until it has settled. Friction
 // falls with strength where strength falls with Theta, so steps mostly alternate and shrink; where
 // they grow, the step is halved for good, which tames any slope that is finite. It does not tame a
 // jump: where a cell opens or closes as the hardness falls, the pressure of its neighbours changes
 // by a finite amount, and Theta may end on either side of it. So from some iterations on a step
 // that is no shorter also keeps the pressure, which then answers a temperature of a few tenths of a
 // kelvin beside the last one.
-CreepPoint FrozenCreep::solve(const FrictionLaw &law, double speed, double creep)
+CreepPoint FrozenCreep::solve(const FrictionLaw &law, double speed, double signedCreep)
 {
+  const double creep = std::abs(signedCreep);
+  coupling_ = signedCreep < 0.0 ? -setup_.coupling : setup_.coupling;
+  const bool couples = coupling_ != 0.0;
   const bool heats = physics_.hasFeedback(law);
   const bool remembers = memory_ && law.dependsOnSpeed();
-  const bool needsTraction = remembers || physics_.thermal.model == ThermalModel::Local ||
+  const bool needsTraction = couples || remembers ||
+                             physics_.thermal.model == ThermalModel::Local ||
                              physics_.thermal.model == ThermalModel::AveragedPower;
   const double settled = temperatureTolerance * physics_.strengthOf(law).vanishingTemperature;
   memoryRatio_ = Vector::Ones(setup_.cells);
@@ -142,8 +152,11 @@ CreepPoint FrozenCreep::solve(const FrictionLaw &law, double speed, double creep
   bool jumps = false;
   int iteration = 1;
   for (;; ++iteration) {
-    if (physics_.hardnessLimit && heats && iteration > 1 && !jumps)
-      limitPressure(law);
+    const Vector formerPressure = contact_.pressure;
+    if (((physics_.hardnessLimit && heats) || couples) && iteration > 1 && !jumps)
+      renewPressure(law);
+    const bool pressed =
+        !couples || (iteration > 1 && pressureSettled(formerPressure, contact_.pressure));
     contact_.mu = muNow(law, creep * speed);
     if (needsTraction)
       roll(creep);
@@ -152,22 +165,25 @@ CreepPoint FrozenCreep::solve(const FrictionLaw &law, double speed, double creep
       remembered =
           memory_->steady(law, contact_.pressure, contact_.temperature, speed, contact_.slip);
     const Vector next = temperatureFrom(speed, creep);
-    if (!heats && !remembers) {
+    const double heatStep = heats ? (next - contact_.temperature).cwiseAbs().maxCoeff() : 0.0;
+    if (!heats)
       contact_.temperature = next;
+    if (!heats && !remembers && !couples)
       break;
-    }
-    const double heatStep = (next - contact_.temperature).cwiseAbs().maxCoeff();
     const double memoryStep = (remembered - memoryRatio_).cwiseAbs().maxCoeff();
     const double step = std::max(heatStep / settled, memoryStep / memoryTolerance);
-    if (step <= 1.0)
+    if (step <= 1.0 && pressed)
       break;
     if (iteration >= maxIterations)
       throw Error(
           ExitCode::NotConverged,
-          fmt::format("creep {:g} at {:g} m/s: temperature and friction do not settle after {} "
-                      "iterations (last step {:.2e} K, {:.2e} of mu by its memory)",
-                      creep, speed, iteration, heatStep, memoryStep));
-    if (iteration > 1 && step >= lastStep) {
+          fmt::format("creep {:g} at {:g} m/s: {} do not settle after {} iterations (last step "
+                      "{:.2e} K, {:.2e} of mu by its memory)",
+                      creep, speed,
+                      step > 1.0 ? "temperature and friction"
+                                 : "pressure and traction of unlike bodies",
+                      iteration, heatStep, memoryStep));
+    if (iteration > 1 && step > 1.0 && step >= lastStep) {
       const bool begins = physics_.hardnessLimit && !jumps && iteration > settling;
       jumps = jumps || begins;
       part = begins ? 1.0 : 0.5 * part;

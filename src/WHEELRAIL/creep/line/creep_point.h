@@ -38,7 +38,8 @@ struct ContactFields {
 /// The local model of temperature takes the heat from traction and slip, cell by cell; Eq. 11 takes
 /// one value for the contact. With a memory friction falls with the slip of each cell, which the
 /// iteration then finds, too. A pressure limit that falls with temperature follows the rise of each
-/// cell, of Eq. 11 the load-weighted mean, and the normal contact is solved again.
+/// cell, of Eq. 11 the load-weighted mean, and the normal contact is solved again; so it is for
+/// unlike bodies, whose traction opens or closes the gap.
 class FrozenCreep {
  public:
   /// Starts from the normal contact of the setup, without traction and temperature. Both must
@@ -48,10 +49,11 @@ class FrozenCreep {
 
   /// Warm from the last call: the set of stick cells and the temperature.
   /// \param speed v0, m/s, > 0
-  /// \param creep >= 0
+  /// \param signedCreep  A A negative one gives the mirror image, which has the size of the
+  ///        creep and, of unlike bodies, wheel and rail exchanged
   /// \throws Error (NotConverged), Error (BadInput) when a softer contact reaches the domain's ends
   /// \return the point, its fields in `fields()`
-  CreepPoint solve(const FrictionLaw &law, double speed, double creep);
+  CreepPoint solve(const FrictionLaw &law, double speed, double signedCreep);
 
   /// Where the last call asked its law for mu.
   /// \param law, speed, creep  those of the call
@@ -72,8 +74,9 @@ class FrozenCreep {
   double tractionRatio() const { return contact_.traction.sum() / contact_.pressure.sum(); }
   /// Rise per cell that the present traction causes, K.
   Eigen::VectorXd temperatureFrom(double speed, double creep);
-  /// Normal contact again, under the hardness at the present temperature.
-  void limitPressure(const FrictionLaw &law);
+  /// Normal contact again, under the hardness at the present temperature and, of unlike bodies,
+  /// with the gap that the traction opens.
+  void renewPressure(const FrictionLaw &law);
   void checkExcess(const FrictionLaw &law, double speed, double creep) const;
   /// mu of all cells at the present pressure, temperature and memory.
   Eigen::VectorXd muNow(const FrictionLaw &law, double slidingSpeed) const;
@@ -87,6 +90,7 @@ class FrozenCreep {
   std::optional<SlipMemory> memory_;
   Eigen::VectorXd memoryRatio_; ///< see `SlipMemory`
   ContactFields contact_;
+  double coupling_ = 0.0; ///< of the image that is solved: `ContactSetup::coupling`, or less that
 };
 
 } // namespace wheelrail

@@ -3,6 +3,8 @@
 
 #include "creep/sweep/plausibility.h"
 
+#include <algorithm>
+
 namespace wheelrail {
 
 std::vector<ContactSetup> prepareContacts(const LineContactSpecification &contact,
@@ -20,6 +22,9 @@ std::vector<std::string> contactDoubts(const std::vector<ContactSetup> &contacts
                                        const LineContactSpecification &contact, double strength)
 {
   std::vector<std::string> lines;
+  const ElasticBody &softer =
+      *std::min_element(contact.bodies.begin(), contact.bodies.end(),
+                        [](auto &a, auto &b) { return a.youngsModulus < b.youngsModulus; });
   for (const ContactSetup &setup : contacts) {
     for (const std::string &remark : setup.surface.remarks)
       addDoubt(lines, remark);
@@ -27,7 +32,7 @@ std::vector<std::string> contactDoubts(const std::vector<ContactSetup> &contacts
       addDoubt(lines, slopeDoubt(setup.surface.statistics.back().step,
                                  setup.surface.statistics.back().rmsSlope));
     addDoubt(lines, pressureDoubt(setup.normal.peakPressure() * setup.hertz.modulus, strength,
-                                  contact.youngsModulus));
+                                  softer.youngsModulus));
     if (setup.boundary == Boundary::Periodic)
       continue;
     addDoubt(lines, sizeDoubt(setup.hertz.halfWidth, contact.radius));

@@ -2,10 +2,12 @@
 #include "creep/line/moving_creep.h"
 
 #include "base/errors.h"
+#include "contact/line/line_coupling.h"
 
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <utility>
 
 namespace wheelrail {
 namespace {
@@ -54,6 +56,12 @@ void MovingCreep::solvePressure(int step, const std::vector<Roller> &rollers)
   if (rollers.size() == 1)
     problem.cellLimits =
         physics_.pressureLimits(law_, movedAlong(rollers[0].temperature)) / setup_.hertz.modulus;
+  if (coupling_ != 0.0 && step > 0) {
+    const RollingResult &last = rollers[0].result;
+    Vector traction = Vector::Zero(setup_.cells);
+    traction.segment(windowBegin_, last.traction.size()) = last.traction;
+    problem.profile += couplingDisplacement(coupling_, traction);
+  }
   normal_ = solveNormalContact(domain_, problem, options);
   checkInsideDomain(normal_.pressure);
   contact_.pressure = normal_.pressure * setup_.hertz.modulus;
@@ -97,8 +105,9 @@ void MovingCreep::roll(Roller &roller, double speed, bool counted)
   } else {
     roller.mu = law_.mu({p, roller.creep * speed, roller.temperature});
   }
-  roller.result = roller.rolling.step(
-      roller.mu.cwiseProduct(normal_.pressure).segment(windowBegin_, cells), roller.creep);
+  roller.result =
+      roller.rolling.step(roller.mu.cwiseProduct(normal_.pressure).segment(windowBegin_, cells),
+                          roller.creep, imposedBy(normal_.pressure, roller));
   if (memory_) {
     Vector slip = Vector::Zero(setup_.cells);
     slip.segment(windowBegin_, cells) = roller.result.slip;
@@ -122,6 +131,16 @@ void MovingCreep::roll(Roller &roller, double speed, bool counted)
     return;
   addValues(roller.counted, step);
   roller.hottest = std::max(roller.hottest, roller.temperature.maxCoeff());
+}
+
+Vector MovingCreep::imposedBy(const Vector &pressure, Roller &roller) const
+{
+  if (coupling_ == 0.0)
+    return {};
+  const Vector before = std::exchange(roller.pressed, couplingDisplacement(coupling_, pressure));
+  const double comingIn = -coupling_ * pressure.sum(); // far ahead
+  const Vector carried = movedAlong(before.size() > 0 ? before : roller.pressed, comingIn);
+  return (roller.pressed - carried).segment(windowBegin_, window_->cells());
 }
 
 void MovingCreep::endPass(Roller &roller, double speed, int steps)
@@ -157,8 +176,8 @@ CreepPoint MovingCreep::pointOf(const Roller &roller, double speed, int steps, i
 // a cell towards smaller x. All that belongs to the material moves with it: the pressure (as a
 // start of the normal contact only), the traction (`TransientRolling`), the temperature. Creeps do
 // not change the pressure, so that one normal contact a step serves all of them; only where a
-// hardness falls with temperature does the warmest of them decide, and the sweep then calls with
-// one creep.
+// hardness falls with temperature does the warmest of them decide, and of unlike bodies the
+// traction; the sweep then calls with one creep.
 std::vector<CreepPoint> MovingCreep::solve(double speed, const std::vector<double> &creeps,
                                            const std::function<bool()> &progress)
 {
@@ -172,6 +191,7 @@ std::vector<CreepPoint> MovingCreep::solve(double speed, const std::vector<doubl
                     moving_.passes, (setup_.cells + steps) * setup_.cellSize * 1e3,
                     (setup_.cells + setup_.longestTravel()) * setup_.cellSize * 1e3));
   const double reference = moving_.referenceLength * hertz.halfWidth / setup_.cellSize;
+  coupling_ = creeps.front() < 0.0 ? -setup_.coupling : setup_.coupling;
   std::vector<Roller> rollers;
   for (int step = 0; step < steps; ++step) {
     if (!progress())
@@ -180,12 +200,13 @@ std::vector<CreepPoint> MovingCreep::solve(double speed, const std::vector<doubl
     fitWindow(rollers);
     // once, in the first step: a roller needs the window, and the window the first pressure
     for (std::size_t k = rollers.size(); k < creeps.size(); ++k) {
-      rollers.push_back({creeps[k],
+      rollers.push_back({std::abs(creeps[k]),
                          TransientRolling(*window_, reference),
                          {},
                          Vector::Zero(setup_.cells),
                          {},
                          Vector::Ones(setup_.cells),
+                         {},
                          {},
                          {},
                          {},

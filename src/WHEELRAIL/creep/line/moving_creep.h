@@ -25,6 +25,7 @@ struct Roller {
   std::optional<TravellingHeat> heat;
   Eigen::VectorXd temperature, mu; ///< per cell; K
   Eigen::VectorXd memoryRatio;     ///< see `SlipMemory`; goes with the material
+  Eigen::VectorXd pressed;         ///< displacement by the last pressure of unlike bodies, in cells
   RollingResult result;            ///< on the window
   LineValues pass, counted;        ///< sums over the steps of the pass, of the last half of all
   double hottest = 0.0;            ///< K, anywhere in the last half
@@ -32,11 +33,11 @@ struct Roller {
 
 /// Transient rolling: the roughness travels with the material, one cell a step. The creeps of a
 /// call share the pressures and are rolled together; they do not influence each other, so a
-/// pressure limit that depends on temperature wants one creep a call. Traction, friction and stick
-/// are means over the last half of the passes. Eq. 11's temperature follows the mean of the pass
-/// before; the local one is carried along by the material and is a cell behind in the friction
-/// coefficient.
-/// Lengths are those of the nominal (Hertz) contact: one pass is 2a long.
+/// pressure limit that depends on temperature wants one creep a call, and so do unlike bodies,
+/// whose pressure is a step behind the traction. Traction, friction and stick are means over the
+/// last half of the passes. Eq. 11's temperature follows the mean of the pass before; the local one
+/// is carried along by the material and is a cell behind in the friction coefficient. Lengths are
+/// those of the nominal (Hertz) contact: one pass is 2a long.
 class MovingCreep {
  public:
   /// All arguments must outlive the object.
@@ -46,7 +47,8 @@ class MovingCreep {
               const FrictionLaw &law, const ContactSetup &setup);
 
   /// \param speed v0, m/s, > 0
-  /// \param creeps sliding/rolling speed, > 0
+  /// \param creeps sliding/rolling speed, of unlike bodies one; a negative one gives the mirror
+  ///        image, as of `FrozenCreep::solve`
   /// \param progress called at every step; returns false to stop
   /// \return one point per creep; empty when stopped
   /// \throws Error (NotConverged), Error (BadInput) for a measured profile that is too short
@@ -68,6 +70,8 @@ class MovingCreep {
   /// One step of one creep; `counted` steps are averaged.
   /// \param speed v0, m/s
   void roll(Roller &roller, double speed, bool counted);
+  /// Slip in the window by a pressure of unlike bodies that has come to be in this step.
+  Eigen::VectorXd imposedBy(const Eigen::VectorXd &pressure, Roller &roller) const;
   /// Eq. 11 after each length of the nominal contact.
   /// \param steps of the length, for the mean
   void endPass(Roller &roller, double speed, int steps);
@@ -85,6 +89,7 @@ class MovingCreep {
   NormalContactResult normal_;
   ContactFields contact_;             ///< its pressure
   std::vector<ContactFields> fields_; ///< of every creep
+  double coupling_ = 0.0;             ///< as `FrozenCreep` has it
   std::optional<SlipMemory> memory_;  ///< where friction falls with the slip of each cell
 };
 
