@@ -16,8 +16,8 @@ LEAST, MOST = (
     1e12,
 )  # sizes of numbers in a plan: far outside, the step and kappa1 are no numbers any more
 
-# automaton-steps a second and core in the plane and in space, of samples that fit a cache
-# (doc/performance.md)
+# automaton-steps a second and core in the plane and in space, of samples that fit a cache: half of
+# what doc/performance.md has of a quiet machine, since others use a machine, too
 RATE, RATE_IN_SPACE = 9e6, 1.7e6
 
 
