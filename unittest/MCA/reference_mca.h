@@ -55,7 +55,7 @@ struct Sample {
   std::vector<int> owner;
   std::vector<double> shiftX, shiftY;
 
-  int changed = 0; ///< result of a step: contacts whose kind changes
+  int changed = 0; ///< result of a step: links that break, form or heal
 
   /// Appends an automaton of our own.
   void add(const Automaton &);

@@ -313,7 +313,7 @@ void applyContact(Sample &s, Contact &c)
     c.next.plastic = w.eps; // dented, without room: they touch
   else if (!linked(c.next) && w.eps > std::fmax(c.next.plastic, 0))
     c.next.plastic = 0;
-  if (c.next.kind != c.now.kind)
+  if (c.next.kind != c.now.kind && (linked(c.now) || linked(c.next)))
     s.changed++;
 
   const double S = contactArea(s, w), area = actingArea(s.laws, S, w.r / w.d);

@@ -58,7 +58,7 @@ struct Sample {
   std::vector<int> owner;
   std::vector<Vector3d> shift;
 
-  int changed = 0; ///< result of a step: contacts whose kind changes
+  int changed = 0; ///< result of a step: links that break, form or heal
 
   void updateImages(); ///< brings the images' state to that of their originals
 };

@@ -26,6 +26,11 @@ mca::Material steel()
   return m;
 }
 
+double meanStressWeight(const mca::Material &m)
+{
+  return 3.0 * m.poissonsRatio / (1.0 + m.poissonsRatio);
+}
+
 std::string steelText()
 {
   std::ostringstream text;
@@ -130,8 +135,8 @@ void KernelRun::step(Sample &s, double dt)
     arrays_.kept[i] = a.kept;
   }
   evaluation_.run(arrays_.view(), dt, dt > 0.0);
-  s.changed = static_cast<int>(evaluation_.changing());
   evaluation_.commit(arrays_.view());
+  s.changed = static_cast<int>(evaluation_.changes().size());
 
   for (int i = 0; i < s.owned; i++) {
     Automaton &a = s.automata[i];

@@ -13,6 +13,10 @@
 /// Table 1 of Bucher et al. (2006) with sigma_0 = 92 MPa, in LAMMPS's units nano.
 mca::Material steel();
 
+/// D = 3 nu/(1 + nu) [-] of the solid, the weight of the mean stress in Hooke's law along a
+/// contact.
+double meanStressWeight(const mca::Material &);
+
 /// Steel as the text of a potential file.
 std::string steelText();
 

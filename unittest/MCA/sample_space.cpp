@@ -86,8 +86,8 @@ void SpaceRun::step(Sample &s, double dt)
     arrays_.kept[i] = a.kept;
   }
   evaluation_.run(arrays_.view(), dt, dt > 0.0);
-  s.changed = static_cast<int>(evaluation_.changing());
   evaluation_.commit(arrays_.view());
+  s.changed = static_cast<int>(evaluation_.changes().size());
 
   for (int i = 0; i < s.owned; i++) {
     Automaton &a = s.automata[i];

@@ -38,7 +38,7 @@ ContactStress of(const PairLaw &pair, double kind, double e, double gamma, doubl
                                          {meanI, factorI, meanI}, {meanJ, factorJ, meanJ});
 }
 
-const double twoG = 2 * steel().shearModulus(), D = steel().meanStressWeight();
+const double twoG = 2 * steel().shearModulus(), D = meanStressWeight(steel());
 
 } // namespace
 

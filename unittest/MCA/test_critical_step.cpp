@@ -31,7 +31,7 @@ double criticalElastic(const Sample &s)
 {
   const mca::Material &m = s.materials[0];
   const bool many = s.laws.elasticity.is(mca::Elasticity::ManyBody);
-  return mca::criticalStep(m, many ? m.meanStressWeight() : 0.0, 0.0).elastic;
+  return mca::criticalStep(m, many ? meanStressWeight(m) : 0.0, 0.0).elastic;
 }
 
 /// 2/omega_max of the dense dynamical matrix in displacements times sqrt(mass).
@@ -154,8 +154,8 @@ TEST(ContactStep, OfOneMaterialIsTheCriticalStep)
   ASSERT_EQ(laws.parse({"plasticity", "none"}), "");
   const mca::Material m = steel();
   const auto pair = mca::contactStep(laws, m, m, mca::packing::hex);
-  const auto one = mca::criticalStep(m, m.meanStressWeight(), m.viscosity, mca::packing::hex,
-                                     laws.resistsSlip());
+  const auto one =
+      mca::criticalStep(m, meanStressWeight(m), m.viscosity, mca::packing::hex, laws.resistsSlip());
   EXPECT_NEAR(pair.elastic, one.elastic, 1e-12 * one.elastic);
   EXPECT_NEAR(pair.viscous, one.viscous, 1e-12 * one.viscous);
 }
@@ -220,7 +220,7 @@ TEST(CriticalStep, CompressedUnlinkedLatticeIsStableBelow)
       s.materials[0].viscosity = eta;
       s.laws.viscosity = slips ? "both" : "normal";
       const mca::CriticalStep limit =
-          mca::criticalStep(m, m.meanStressWeight(), eta, mca::packing::hex, slips);
+          mca::criticalStep(m, meanStressWeight(m), eta, mca::packing::hex, slips);
       s.laws.steps = "plain";
       EXPECT_LT(growth(s, 0.99 * limit.plain(), 3000), 3.0) << "viscosity " << eta;
       s.laws.steps = "corrected";
@@ -254,7 +254,7 @@ TEST(CriticalStep, ScalesLikeDiameterOverSpeedOfSound)
   mca::Material other = m;
   other.diameter *= 3;
   other.density *= 4;
-  const double D = m.meanStressWeight();
+  const double D = meanStressWeight(m);
   EXPECT_NEAR(mca::criticalStep(other, D, 0).elastic, 6 * mca::criticalStep(m, D, 0).elastic,
               1e-14);
   EXPECT_EQ(mca::criticalStep(m, D, 0).plain(), mca::criticalStep(m, D, 0).elastic);
@@ -265,7 +265,7 @@ TEST(CriticalStep, ScalesLikeDiameterOverSpeedOfSound)
 TEST(CriticalStep, ViscousLimitOfThePapersSteel)
 {
   const mca::Material m = steel(); // physics: 0.059 ps
-  const mca::CriticalStep limit = mca::criticalStep(m, m.meanStressWeight(), m.viscosity);
+  const mca::CriticalStep limit = mca::criticalStep(m, meanStressWeight(m), m.viscosity);
   EXPECT_NEAR(limit.viscous, 5.9e-5, 0.1e-5);
   EXPECT_LT(limit.plain(), limit.viscous);
   EXPECT_NEAR(limit.centred(), 1.5 * limit.viscous, 1e-12); // a contact's own part is a third
@@ -275,7 +275,7 @@ TEST(CriticalStep, SlipIsDampedByTheSmallMomentOfInertia)
 {
   // a disc has J = m d^2/8: lambda = 24 c/m; a ball m d^2/10, and two thirds of 12 contacts
   const mca::Material m = steel();
-  const double D = m.meanStressWeight(), eta = m.viscosity;
+  const double D = meanStressWeight(m), eta = m.viscosity;
   for (const auto &[packing, faster, own] :
        {std::tuple{mca::packing::hex, 4.0, 0.25}, std::tuple{mca::packing::fcc, 5.0, 0.175}}) {
     EXPECT_NEAR(packing.ownSlipShare(), own, 1e-15);

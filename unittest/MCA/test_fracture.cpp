@@ -85,6 +85,15 @@ TEST(Fracture, FaceOfThePlaneIsThatOfSpace)
   EXPECT_NEAR(std::min(plane.along, plane.across), space.across, 1e-12);
 }
 
+/// What the cone bears in plane strain, with the stresses (sigma, 0, nu sigma) of an elastic solid:
+/// |sigma|/sigma_t in compression at the limit.
+static double planeStrainCompression(double ratio, double nu)
+{
+  const double equivalent = std::sqrt(1.0 - nu + nu * nu);
+  const double rest = (ratio + 1.0) * equivalent - (ratio - 1.0) * (1.0 + nu);
+  return rest > 0.0 ? 2.0 * ratio / rest : INFINITY;
+}
+
 TEST(Fracture, TheConeInPlaneStrain)
 {
   const double nu = 0.3, tensile = 92;

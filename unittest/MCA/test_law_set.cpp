@@ -271,7 +271,7 @@ TEST(LawSet, PairOfUnlikeMaterials)
   EXPECT_DOUBLE_EQ(law.area, 3.0 * 2.0 / std::sqrt(3.0));
   EXPECT_DOUBLE_EQ(law.twoGi, 2 * strong.shearModulus());
   EXPECT_DOUBLE_EQ(law.twoGj, 2 * weak.shearModulus());
-  EXPECT_DOUBLE_EQ(law.Dj, weak.meanStressWeight());
+  EXPECT_DOUBLE_EQ(law.Dj, meanStressWeight(weak));
   EXPECT_DOUBLE_EQ(law.viscosity, 210);
   EXPECT_EQ(law.limits.criterion, 0);
   EXPECT_DOUBLE_EQ(law.limits.fracture.value[0], 0.04 * 0.04); // the weaker one decides

@@ -35,7 +35,6 @@ TEST(Material, DerivedModuliAreThoseOfElasticity)
   const double G = m.shearModulus(), K = m.bulkModulus();
   EXPECT_NEAR(9 * K * G / (3 * K + G), m.youngsModulus, 1e-9);
   EXPECT_NEAR((3 * K - 2 * G) / (6 * K + 2 * G), m.poissonsRatio, 1e-15);
-  EXPECT_NEAR(m.meanStressWeight(), 3 * m.poissonsRatio / (1 + m.poissonsRatio), 1e-15);
 }
 
 TEST(Material, ThreePointsOfFig5)

@@ -136,10 +136,6 @@ class Step {
   /// exactly.
   void keepLag(const Automata &) const;
 
-  /// Pairs, on this rank, whose next state is of another kind; those of two ranks count on both. 0
-  /// after commit().
-  double changing() const { return changing_; }
-
   /// A pair whose kind changed, linked before or after or both: a break, a new link, or one that
   /// healed.
   struct Change {
@@ -267,7 +263,7 @@ class Step {
   SlipViscosity slip_;
   ContactFriction friction_;
 
-  double changing_ = 0.0; // pairs whose next state is another kind
+  double changing_ = 0.0; // pairs whose next state is another kind; 0 after commit()
   std::vector<Change> changed_;
   Count events_; // links and welds stay 0
 

@@ -31,9 +31,6 @@ struct Material {
   /// K = E/[3(1 - 2 nu)] [stress]
   double bulkModulus() const { return youngsModulus / (3.0 * (1.0 - 2.0 * poissonsRatio)); }
 
-  /// D = 1 - 2G/(3K) [-], the weight of the mean stress in Hooke's law seen along a contact
-  double meanStressWeight() const { return 1.0 - 2.0 * shearModulus() / (3.0 * bulkModulus()); }
-
   /// Elastic limit sigma_y1 [stress], where flow begins.
   double sigmaY1() const { return elasticLimit * strength; }
   /// Yield strength sigma_y2 [stress], the second point of the diagram.

@@ -12,7 +12,7 @@
 
 #include "../fracture.h"
 
-#include <limits>
+#include <cmath>
 
 namespace mca {
 
@@ -74,20 +74,9 @@ struct FractureByDruckerPrager : FractureCriterion {
   }
 };
 
-/// What the cone bears in a state of plane strain with one other stress, which a solid presses or
-/// pulls upon itself: (sigma, 0, nu sigma), elastic.
-/// \param ratio         a [-], >= 1
+/// The ratio a [-] from which on the cone bears any compression in plane strain, with the stresses
+/// (sigma, 0, nu sigma) of an elastic solid.
 /// \param poissonsRatio  nu [-]
-/// \return the size of sigma over sigma_t at the limit, in compression; infinity where the line
-///         never meets the cone, from a = mostConeRatio() on
-inline double planeStrainCompression(double ratio, double poissonsRatio)
-{
-  const double equivalent = std::sqrt(1.0 - poissonsRatio + poissonsRatio * poissonsRatio);
-  const double rest = (ratio + 1.0) * equivalent - (ratio - 1.0) * (1.0 + poissonsRatio);
-  return rest > 0.0 ? 2.0 * ratio / rest : std::numeric_limits<double>::infinity();
-}
-
-/// The ratio a [-] from which on planeStrainCompression() is infinite.
 inline double mostConeRatio(double poissonsRatio)
 {
   const double equivalent = std::sqrt(1.0 - poissonsRatio + poissonsRatio * poissonsRatio);
