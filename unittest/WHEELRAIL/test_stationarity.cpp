@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include "base/statistics.h"
 #include "fit/stationarity.h"
-#include "fit/statistics.h"
 
 #include <cmath>
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "fit/statistics.h"
+#include "base/statistics.h"
 
 #include <cmath>
 #include <gtest/gtest.h>

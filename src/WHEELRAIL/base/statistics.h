@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#ifndef WHEELRAIL_FIT_STATISTICS_H
-#define WHEELRAIL_FIT_STATISTICS_H
+#ifndef WHEELRAIL_BASE_STATISTICS_H
+#define WHEELRAIL_BASE_STATISTICS_H
 
 namespace wheelrail {
 

@@ -2,9 +2,9 @@
 #ifndef WHEELRAIL_FIT_FRICTION_RUN_H
 #define WHEELRAIL_FIT_FRICTION_RUN_H
 
+#include "base/statistics.h"
 #include "fit/friction_log.h"
 #include "fit/run_health.h"
-#include "fit/statistics.h"
 
 #include <limits>
 #include <map>

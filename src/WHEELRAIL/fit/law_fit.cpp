@@ -2,8 +2,8 @@
 #include "fit/law_fit.h"
 
 #include "base/errors.h"
+#include "base/statistics.h"
 #include "fit/law_problem.h"
-#include "fit/statistics.h"
 #include "shared/pi.h"
 
 #include <Eigen/Dense>

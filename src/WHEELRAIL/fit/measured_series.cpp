@@ -3,8 +3,8 @@
 
 #include "base/errors.h"
 #include "base/number_rows.h"
+#include "base/statistics.h"
 #include "base/text_lines.h"
-#include "fit/statistics.h"
 #include "shared/friction_log_format.h"
 #include "shared/printable.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "fit/stationarity.h"
 
-#include "fit/statistics.h"
+#include "base/statistics.h"
 
 #include <algorithm>
 #include <cmath>

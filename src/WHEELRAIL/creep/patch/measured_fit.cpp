@@ -5,11 +5,11 @@
 #include "base/least_squares.h"
 #include "base/result_text.h"
 #include "base/si.h"
+#include "base/statistics.h"
 #include "law/forms/constant.h"
 #include "law/forms/polach.h"
 
 #include <algorithm>
-#include <boost/math/distributions/students_t.hpp>
 #include <boost/math/interpolators/cardinal_cubic_b_spline.hpp>
 #include <cmath>
 #include <fmt/format.h>
@@ -23,11 +23,6 @@ namespace {
 using Vector = Eigen::VectorXd;
 
 constexpr double leastMu0 = 1e-3, largestMu0 = 2.0;
-
-double studentT(int freedom)
-{
-  return boost::math::quantile(boost::math::students_t(freedom), 0.975);
-}
 
 double rmsOf(const std::vector<MeasuredTraction> &curve, const std::vector<double> &ratio,
              int parameters)
@@ -97,7 +92,7 @@ class CurveModel {
     for (int k = 0; k < n; ++k)
       fixed.push_back(atBound(solution.x[k], k));
     const Identifiability analysis = analyseJacobian(solution.jacobian, fixed);
-    const double t = studentT(freedom);
+    const double t = studentQuantile(0.975, freedom);
     for (int k = 0; k < n; ++k) {
       const Parameter &p = parameters_[k];
       const double error = model.rms * std::sqrt(analysis.covariance(k, k)), x = solution.x[k];

@@ -3,9 +3,9 @@
 
 #include "base/errors.h"
 #include "base/random_number.h"
+#include "base/statistics.h"
 
 #include <algorithm>
-#include <boost/math/distributions/normal.hpp>
 #include <cmath>
 #include <fmt/format.h>
 
@@ -94,7 +94,7 @@ Band LawSpread::band(const std::vector<double> &results) const
       derivative[k] = step[k] > 0.0 ? (results[up] - results[up + 1]) / (2.0 * step[k]) : 0.0;
     }
     const double error = std::sqrt(std::max(0.0, law.variance(derivative)));
-    const double reach = error * boost::math::quantile(boost::math::normal(), 0.975);
+    const double reach = normal95 * error;
     return {error, value - reach, value + reach};
   }
   std::vector<double> sorted(results.begin() + 1, results.end());
