@@ -72,14 +72,15 @@ void expectExactly(const MeasuredModel &model, const std::string &name, double v
   EXPECT_NEAR(named(model, name).value, value, share * value) << name;
 }
 
-std::vector<MeasuredTraction> readText(const std::string &text)
+std::vector<MeasuredTraction> readText(const std::string &text,
+                                       std::optional<double> speed = std::nullopt)
 {
   const std::string path =
       (std::filesystem::temp_directory_path() / fmt::format("wr-curve-{}.csv", ::getpid()))
           .string();
   writeOutputFile(path, text);
   try {
-    std::vector<MeasuredTraction> curve = readMeasuredCurve(path);
+    std::vector<MeasuredTraction> curve = readMeasuredCurve(path, speed);
     std::filesystem::remove(path);
     return curve;
   } catch (...) {
@@ -119,6 +120,26 @@ TEST(MeasuredFit, ReadsACurve)
   EXPECT_NE(refusal(head + names).find("no row"), std::string::npos);
   EXPECT_NE(refusal("# speed: K\n" + names).find("speed"), std::string::npos);
   EXPECT_NE(refusal("# creep: mm\n" + head + names).find("creep"), std::string::npos);
+}
+
+TEST(MeasuredFit, ReadsACurveOfOneSpeedInPercent)
+{
+  const std::string text = "creep_percent,traction_ratio\n0.2,0.1\n1,0.3\n";
+  const auto curve = readText(text, 12.0);
+  ASSERT_EQ(curve.size(), 2U);
+  EXPECT_DOUBLE_EQ(curve[0].creep, 2e-3);
+  EXPECT_DOUBLE_EQ(curve[1].creep, 1e-2);
+  EXPECT_EQ(curve[1].speed, 12.0);
+  EXPECT_EQ(curve[1].tractionRatio, 0.3);
+  EXPECT_NE(refusal(text).find("the column 'speed' is needed"), std::string::npos);
+  EXPECT_NE(refusal("# creep: 1\n" + text).find("given once"), std::string::npos);
+  EXPECT_NE(refusal("creep_percent,creep,traction_ratio\n").find("'creep' is needed, once"),
+            std::string::npos);
+  EXPECT_NE(refusal("# speed: m/s\nspeed_percent,creep,traction_ratio\n").find("speed_percent"),
+            std::string::npos);
+  // a column of speed is read, whatever the case has
+  EXPECT_EQ(readText("# speed: km/h\ncreep,speed,traction_ratio\n0.1,36,0.2\n", 12.0)[0].speed,
+            10.0);
 }
 
 // Curves of Polach's form at three speeds, with known parameters and some scatter. (Nine values at

@@ -49,6 +49,21 @@ def test_fit(files):
     assert (files / "curve.csv").read_text(encoding="utf-8") == CURVE
 
 
+def test_of_one_speed_as_plot_creep_reads_it(files):
+    """Creep in per cent by its name, and the speed of the case; two speeds are refused."""
+    lines = [line.split(",") for line in CURVE.splitlines()[3:6]]
+    plain = files / "plain.csv"
+    plain.write_text(
+        "creep_percent,traction_ratio\n" + "".join(f"{c},{ratio}\n" for c, _, ratio in lines),
+        encoding="utf-8",
+    )
+    fit = ("--fit-measured", plain)
+    done = run(files / "case.yaml", files / "out", "cells=16", code=4, options=fit)
+    assert "3 forces" in done.stderr  # read, but too few for a fit
+    done = run(files / "case.yaml", files / "out", "speed=[10 m/s, 20 m/s]", code=3, options=fit)
+    assert "the column 'speed' is needed" in done.stderr
+
+
 def test_faults(files):
     bad = files / "bad.csv"
     bad.write_text(CURVE.replace("0.235", "zero"), encoding="utf-8")

@@ -87,33 +87,56 @@ void ColumnFile::readUnit(int line, std::string_view text)
   }
 }
 
-void ColumnFile::readNames(int line, const std::vector<std::string_view> &names)
+// A name with the unit in it becomes that of the column.
+void ColumnFile::takePercent(int line, std::vector<std::string_view> &names)
 {
+  for (std::string_view &name : names)
+    for (std::size_t k = 0; k < columns_.size(); ++k) {
+      if (columns_[k].unit != "1" || name != columns_[k].name + "_percent")
+        continue;
+      if (!unit_[k].empty())
+        fail(line, columns_[k].name,
+             fmt::format("its unit is given once, in '# {}: {}' or in the name '{}'",
+                         columns_[k].name, unit_[k], name));
+      unit_[k] = "%";
+      factor_[k] = factorOf(unit_[k], columns_[k].unit);
+      name = columns_[k].name;
+    }
+}
+
+void ColumnFile::readNames(int line, std::vector<std::string_view> names)
+{
+  takePercent(line, names);
+  cells_ = names.size();
   const std::vector<std::string> known = namesOf(columns_);
   for (const std::string_view name : names)
     if (std::find(known.begin(), known.end(), name) == known.end())
       fail(line, "", mcawr::unknownWord("column", std::string(name), known));
-  for (const std::string &name : known) {
-    if (std::count(names.begin(), names.end(), name) != 1)
+  for (const NeededColumn &column : columns_) {
+    const auto times = std::count(names.begin(), names.end(), column.name);
+    if (times > 1 || (times == 0 && !column.otherwise))
       fail(line, "",
-           fmt::format("the column '{}' is needed, once: {}", name, fmt::join(known, ",")));
-    place_.push_back(
-        static_cast<std::size_t>(std::find(names.begin(), names.end(), name) - names.begin()));
+           fmt::format("the column '{}' is needed, once: {}", column.name, fmt::join(known, ",")));
+    place_.push_back(static_cast<std::size_t>(std::find(names.begin(), names.end(), column.name) -
+                                              names.begin()));
   }
   for (std::size_t k = 0; k < columns_.size(); ++k)
-    if (columns_[k].needsUnit && unit_[k].empty())
+    if (columns_[k].needsUnit && place_[k] < cells_ && unit_[k].empty())
       fail(line, known[k], fmt::format("no line '# {}: UNIT' before the numbers", known[k]));
 }
 
 void ColumnFile::readRow(int line, const std::vector<std::string_view> &cells, NumberRows &reader)
 {
-  if (cells.size() != columns_.size())
+  if (cells.size() != cells_)
     fail(line, "",
-         fmt::format("{} cells; {} are expected{}", cells.size(), columns_.size(),
-                     reader.decimalHint()));
+         fmt::format("{} cells; {} are expected{}", cells.size(), cells_, reader.decimalHint()));
   Row row{line, {}};
   for (std::size_t k = 0; k < columns_.size(); ++k) {
     const NeededColumn &column = columns_[k];
+    if (place_[k] == cells_) {
+      row.values.push_back(*column.otherwise);
+      continue;
+    }
     const std::string_view cell = cells[place_[k]];
     const double value = factor_[k] * reader.number(line, column.name, cell);
     if (value < 0.0 || (value == 0.0 && !column.mayBeZero) || value > column.largest) {

@@ -2,6 +2,7 @@
 #ifndef WHEELRAIL_BASE_COLUMN_FILE_H
 #define WHEELRAIL_BASE_COLUMN_FILE_H
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -17,6 +18,8 @@ struct NeededColumn {
   bool needsUnit;   ///< whether a line "# NAME: UNIT" has to say the file's unit
   bool mayBeZero;   ///< numbers are >= 0, not > 0
   double largest;   ///< in `unit`
+  /// Of all rows of a file without this column; absent: the column is needed.
+  std::optional<double> otherwise = std::nullopt;
 };
 
 /// Named columns of numbers (CSV) with their units in comments:
@@ -25,9 +28,10 @@ struct NeededColumn {
 ///     pressure,speed,mu
 ///     500,1,0.4
 ///
-/// A unit stands once, before the numbers; of a ratio it is 1 or %, else as UDUNITS-2 spells it.
-/// Comments without a column's name are free text. Columns may stand in any order, and each has to
-/// be there once. Rows are read by `NumberRows`.
+/// A unit stands once, before the numbers; of a ratio it is 1 or %, else as UDUNITS-2 spells it. A
+/// column NAME_percent is the ratio NAME in %. Comments without a column's name are free text.
+/// Columns may stand in any order, and each has to be there once, but for those that have a value
+/// `otherwise`. Rows are read by `NumberRows`.
 class ColumnFile {
  public:
   /// \param columns in the order in which numbers are handed on
@@ -49,7 +53,8 @@ class ColumnFile {
 
  private:
   void readUnit(int line, std::string_view text);
-  void readNames(int line, const std::vector<std::string_view> &names);
+  void readNames(int line, std::vector<std::string_view> names);
+  void takePercent(int line, std::vector<std::string_view> &names);
   void readRow(int line, const std::vector<std::string_view> &cells, NumberRows &reader);
 
   std::string path_;
@@ -57,6 +62,7 @@ class ColumnFile {
   std::vector<std::string> unit_;  ///< of the file; empty: not given
   std::vector<double> factor_;     ///< units handed on per unit of the file
   std::vector<std::size_t> place_; ///< of each column in a row; empty: no line of names yet
+  std::size_t cells_ = 0;          ///< of a row
 };
 
 } // namespace wheelrail

@@ -5,10 +5,11 @@
 
 namespace wheelrail {
 
-std::vector<MeasuredTraction> readMeasuredCurve(const std::string &path)
+std::vector<MeasuredTraction> readMeasuredCurve(const std::string &path,
+                                                std::optional<double> speed)
 {
   const ColumnFile file(path, {{"creep", "1", false, false, 10.0},
-                               {"speed", "m/s", true, false, 1000.0},
+                               {"speed", "m/s", true, false, 1000.0, speed},
                                {"traction_ratio", "", false, false, 10.0}});
   std::vector<MeasuredTraction> curve;
   for (const ColumnFile::Row &row : file.rows)

@@ -2,6 +2,7 @@
 #ifndef WHEELRAIL_CREEP_MEASURED_CURVE_H
 #define WHEELRAIL_CREEP_MEASURED_CURVE_H
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,10 +16,12 @@ struct MeasuredTraction {
 };
 
 /// Reads a table with the columns creep, speed and traction_ratio, in any order; the unit of speed
-/// stands in a line "# speed: UNIT", that of creep may be "# creep: %". Other lines that begin with
-/// '#' are free text.
+/// stands in a line "# speed: UNIT", that of creep may be "# creep: %" or in its name,
+/// creep_percent. Other lines that begin with '#' are free text.
+/// \param speed of a file without a column of speed, m/s; absent: the column is needed
 /// \throws Error (BadInput) with file, line and column
-std::vector<MeasuredTraction> readMeasuredCurve(const std::string &path);
+std::vector<MeasuredTraction> readMeasuredCurve(const std::string &path,
+                                                std::optional<double> speed = std::nullopt);
 
 } // namespace wheelrail
 #endif

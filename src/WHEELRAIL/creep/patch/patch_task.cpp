@@ -86,7 +86,7 @@ class PatchCreepTask : public CreepTask {
         throw Error(ExitCode::Usage,
                     "--fit-measured: goes with a point contact (contact.load) that "
                     "rolls, without a sequence");
-      readMeasuredCurve(extra.measured); // a fault is said before the sweep
+      measuredCurve(extra.measured); // a fault is said before the sweep
     }
     return outputs;
   }
@@ -118,11 +118,18 @@ class PatchCreepTask : public CreepTask {
   }
 
  private:
+  /// Without a column of speed it was measured at that of the case, where there is one.
+  std::vector<MeasuredTraction> measuredCurve(const std::string &path) const
+  {
+    const std::vector<double> &speeds = asked_.speed;
+    return readMeasuredCurve(path, speeds.size() == 1 ? std::optional(speeds[0]) : std::nullopt);
+  }
+
   /// The first contact of the case beside the curve. \return what to print of it
   std::string addMeasuredFit(const ReportContext &context, ResultFiles &files) const
   {
     const std::string &path = context.extra.measured;
-    const std::vector<MeasuredTraction> curve = readMeasuredCurve(path);
+    const std::vector<MeasuredTraction> curve = measuredCurve(path);
     const MeasuredFit fit =
         fitMeasured(curve, asked_.physics, curves_.contacts.front(), asked_.contact.spinPoint,
                     context.law, polachContact(curves_));
