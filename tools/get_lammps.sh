@@ -18,7 +18,7 @@ standard error.
   --version N        20250204 (default: the stable release of 4 Feb 2025) or 20260704
   --tarball FILE     take this lammps_*.orig.tar.?z instead of downloading one
   --packages "A B"   LAMMPS packages to build (default: BPM EXTRA-COMPUTE EXTRA-DUMP EXTRA-FIX
-                     EXTRA-MOLECULE EXTRA-PAIR GRANULAR MISC MOLECULE PLUGIN RIGID)
+                     GRANULAR MISC MOLECULE PLUGIN RIGID)
   --source-only      only fetch and unpack; prints the folder that holds src/
   --print            print the folder only, do nothing; exit code 1 if it is not complete yet; then
                      says how the options of another one in the cache differ
@@ -35,8 +35,7 @@ say() { printf 'get_lammps: %s\n' "$*" >&2; }
 die() { local code=$1; shift; printf 'get_lammps: error: %s\n' "$*" >&2; exit "$code"; }
 
 version=20250204 tarball='' mode=build jobs=''
-packages='BPM EXTRA-COMPUTE EXTRA-DUMP EXTRA-FIX EXTRA-MOLECULE EXTRA-PAIR GRANULAR MISC MOLECULE'
-packages+=' PLUGIN RIGID'
+packages='BPM EXTRA-COMPUTE EXTRA-DUMP EXTRA-FIX GRANULAR MISC MOLECULE PLUGIN RIGID'
 while [ $# -gt 0 ]; do
   case $1 in
     --version|--tarball|--packages|--jobs)
