@@ -32,7 +32,7 @@ struct CriticalStep {
 };
 
 /// The limits of the perfect, linked packing without a surface; a calculation over the Brillouin
-/// zone with Eigen, for set-up only.
+/// zone, for set-up only.
 /// \param D          weight of the mean stress, 1 - 2G/(3K), or 0 for the pairwise law [-]; under
 ///                   plane stress D' K'/K, since the mean stress counts as D K here
 /// \param viscosity  eta of unlinked contacts [stress time], >= 0; 0 without, then `viscous` is
