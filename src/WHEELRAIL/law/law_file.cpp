@@ -3,10 +3,10 @@
 
 #include "base/errors.h"
 #include "base/text_lines.h"
+#include "law/covariance.h"
 #include "law/law_checksum.h"
 #include "shared/nearest_word.h"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -47,12 +47,11 @@ std::string problemOf(const Eigen::MatrixXd &covariance)
       if (scale > 0.0)
         correlation(i, j) = correlation(j, i) = covariance(i, j) / scale;
     }
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(correlation, Eigen::EigenvaluesOnly);
+  const double least = leastEigenvalue(correlation);
   constexpr double rounding = 1e-6; // of numbers with seven digits
-  if (!(eigen.eigenvalues()[0] >= -rounding))
+  if (!(least >= -rounding))
     return fmt::format(
-        "is not positive semi-definite (an eigenvalue of the correlations is {:.3g})",
-        eigen.eigenvalues()[0]);
+        "is not positive semi-definite (an eigenvalue of the correlations is {:.3g})", least);
   return "";
 }
 
