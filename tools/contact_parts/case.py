@@ -115,15 +115,20 @@ def thermal_group(case: Contact) -> list[str]:
     ]
 
 
+def force_limit(case: Contact) -> float:
+    """What forces are relative to, mu FN; 0 where none is given. Raises Refused."""
+    if case.force != "0" and case.friction is None:
+        raise Refused(f"{case.line}: F = {case.force}: forces need one coefficient of friction")
+    return case.friction[0] * case.drive[0] if case.friction else 0.0
+
+
 def drive_lines(case: Contact, turned: bool) -> list[str]:
     """Creepages, forces or a shift. Forces of CONTACT are relative to mu FN."""
     load, x, y, spin = case.drive
     sign = -1.0 if turned else 1.0
     if case.tang == "0":
         return ["static: {shift: [0 mm, 0 mm]}"]
-    if case.force != "0" and case.friction is None:
-        raise Refused(f"{case.line}: F = {case.force}: forces need one coefficient of friction")
-    limit = case.friction[0] * load if case.friction else 0.0
+    limit = force_limit(case)
     if case.tang == "1" and case.force == "0":
         lines = [f"static: {{shift: {pair([x, y], 'mm')}, twist: {text(spin)}}}"]
         return lines
@@ -224,8 +229,14 @@ def line_case(case: Contact) -> list[str]:
     nx, _, left, _, dx, dy = case.grid
     nu1, nu2, g1, g2 = case.material
     load, x = case.drive[0] / dy, case.drive[1]
-    if case.tang != "3" or case.force != "0" or case.norm != "1":
-        raise Refused(f"{case.line}: a line contact rolls steadily with a creepage under a load")
+    if case.tang != "3" or case.force == "2" or case.norm != "1":
+        raise Refused(
+            f"{case.line}: a line contact rolls steadily under a load, without a lateral force"
+        )
+    turn = -1.0 if is_turned(case) else 1.0
+    drive = f"creep: {text(turn * x)}"
+    if case.force == "1":  # on the rail
+        drive = f"force: {{per_length: {text(-turn * x * force_limit(case) / dy, 'N/mm')}}}"
     modulus = 2.0 / ((1.0 - nu1) / g1 + (1.0 - nu2) / g2)
     half = math.sqrt(2.0 * load / (math.pi * modulus * case.curvatures[0]))
     return [
@@ -235,7 +246,7 @@ def line_case(case: Contact) -> list[str]:
         *elastic_lines(case),
         f"  domain: {text(nx * dx / half)}",
         f"cells: {nx}",
-        f"creep: {text(-x if is_turned(case) else x)}",
+        drive,
     ]
 
 

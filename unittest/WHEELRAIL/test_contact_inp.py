@@ -354,6 +354,31 @@ def test_carter2d(tmp_path):
     assert abs(row["traction_ratio"]) / 0.3 == pytest.approx(0.6402, abs=6e-5)
 
 
+def test_bentall(tmp_path):
+    """Rollers of aluminium and steel: the creep under a force, the traction at that creep; full
+    sliding and partial slip. Edges inside their cells: without slip the creep is nearer to the exact
+    3.673e-4 than CONTACT's 3.591e-4."""
+    grid = "1\n 216 1 -0.108 -500. 0.001 1000.\n 1 1\n 0.020 0. 0. 0. 0. 0."
+    first = block("203100", "16201.9 0.00052 0 0", "1e-4 1e-4", "0.31 0.28 23000. 82000.", grid,
+                  rolling="180.0d 0.001 1000.")  # fmt: skip
+    after = [
+        block("203110", f"16201.9 {force} 0 0", f"{mu} {mu}", "", "", physics="000000")
+        for force, mu in ((0.0, 1e-4), (0.0, 10.0), (0.0, 0.05), (0.75, 0.05), (-0.75, 0.05))
+    ]
+    converted(tmp_path, first, *after)
+    rows = [solved(tmp_path, number)[0] for number in range(1, 7)]
+    assert rows[0]["creep"] == -0.00052
+    # turned by half a turn; the force on the rail is that on CONTACT's body 1
+    for row, creep in zip(rows[1:], (5.260e-4, None, 4.294e-4, 2.108e-4, 5.392e-4)):
+        if creep:
+            assert -row["creep"] == pytest.approx(creep, abs=1e-7)
+    assert -rows[2]["creep"] == pytest.approx(3.673e-4, rel=2.5e-3)
+    assert rows[4]["traction"] == pytest.approx(0.6076, abs=5e-5)
+    assert rows[5]["traction"] == pytest.approx(-0.6076, abs=5e-5)
+    sticking = [row["stick_fraction"] for row in rows[3:]]
+    assert sticking == pytest.approx([125 / 200, 36 / 200, 106 / 201], abs=1.01 / 200)
+
+
 def test_spence35(tmp_path):
     """A sphere that is pressed on in 35 stages; points below the surface are passed over. CONTACT's
     box lies 1e-4 mm off centre."""
@@ -457,16 +482,16 @@ BAD = {
         "grid of a former case that is not there",
     ),
     "viscous": (block("200100", "9 0 0 0", "", "", "", physics="022120"), "a.inp:5: M = 1: only"),
-    "force on a line": (  # bentall
+    "lateral force on a line": (
         block(
-            "203110",
-            "16201.9 0. 0 0",
-            "1e-4 1e-4",
-            "0.31 0.28 23000. 82000.",
+            "203120",
+            "16201.9 0. 0. 0",
+            "0.3 0.3",
+            STEEL,
             "1\n 216 1 -0.108 -500. 0.001 1000.\n 1 1\n 0.02 0 0 0 0 0",
             rolling="180.0d 0.001 1000.",
         ),
-        "a line contact rolls steadily with a creepage under a load",
+        "a line contact rolls steadily under a load, without a lateral force",
     ),
     "after refused": (
         block("203200", "9 0 0 0", "", "", "")

@@ -25,10 +25,4 @@ Vector couplingDisplacement(double beta, const Vector &stress)
   return displacement;
 }
 
-bool pressureSettled(const Vector &before, const Vector &after)
-{
-  constexpr double tolerance = 1e-6;
-  return (after - before).norm() <= tolerance * after.norm();
-}
-
 } // namespace wheelrail

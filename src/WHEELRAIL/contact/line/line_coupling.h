@@ -24,8 +24,5 @@ Eigen::VectorXd couplingSlip(double beta, const Eigen::VectorXd &pressure);
 /// \param stress traction on the rail, or pressure
 Eigen::VectorXd couplingDisplacement(double beta, const Eigen::VectorXd &stress);
 
-/// Has a pressure settled, to 1e-6 of itself?
-bool pressureSettled(const Eigen::VectorXd &before, const Eigen::VectorXd &after);
-
 } // namespace wheelrail
 #endif

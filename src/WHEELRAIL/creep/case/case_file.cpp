@@ -94,16 +94,19 @@ CreepSpecification readRolling(CaseReader &reader, const std::string &mode,
   rolling.physics.thermal = readThermal(reader, false);
   rolling.physics.memoryLength = readMemoryLength(reader);
   rolling.speed = reader.numbers("speed");
-  rolling.creep = readSeries(reader, "creep");
-  requireFewPoints(reader, double(rolling.creep.size()) * double(rolling.speed.size()) *
+  if (reader.has("force.per_length"))
+    rolling.force = reader.numbers("force.per_length");
+  else
+    rolling.creep = readSeries(reader, "creep");
+  requireFewPoints(reader, double(rolling.drives().size()) * double(rolling.speed.size()) *
                                double(surface.profiles()));
   if (rolling.mode == RollingMode::Moving) {
     rolling.moving.passes = reader.integer("moving.passes");
     rolling.moving.referenceLength = reader.number("moving.reference_length");
   }
   rolling.spread = readSpread(reader, friction);
-  rolling.fields =
-      readFields(reader, rolling.creep.size() * rolling.speed.size() * rolling.surface.profiles());
+  rolling.fields = readFields(reader, rolling.drives().size() * rolling.speed.size() *
+                                          rolling.surface.profiles());
   return rolling;
 }
 

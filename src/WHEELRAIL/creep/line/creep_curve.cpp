@@ -2,6 +2,7 @@
 #include "creep/line/creep_curve.h"
 
 #include "base/errors.h"
+#include "creep/line/creep_under_force.h"
 #include "creep/line/curve_journal.h"
 #include "creep/line/line_contacts.h"
 #include "creep/sweep/plausibility.h"
@@ -16,12 +17,12 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// Neighbouring creeps at one speed on one profile.
+/// Neighbouring creeps, or forces, at one speed on one profile.
 struct Piece {
   std::size_t first; ///< place of its first point among all
   std::size_t profile;
   double speed;
-  std::vector<double> creeps;
+  std::vector<double> drives;
 };
 
 /// Creeps that are solved one after the other. Rolling creeps of mode moving share the pressures,
@@ -38,20 +39,20 @@ std::size_t creepsInPiece(const CreepSpecification &specification)
 std::vector<Piece> cutIntoPieces(const CreepSpecification &specification)
 {
   const std::size_t length = creepsInPiece(specification);
-  const std::vector<double> &creeps = specification.creep;
+  const std::vector<double> &drives = specification.drives();
   std::vector<Piece> pieces;
   std::size_t points = 0;
   for (std::size_t profile = 0; profile < specification.surface.profiles(); ++profile)
     for (double speed : specification.speed) {
-      for (std::size_t k = 0; k < creeps.size(); k += length) {
-        const auto end = std::min(k + length, creeps.size());
+      for (std::size_t k = 0; k < drives.size(); k += length) {
+        const auto end = std::min(k + length, drives.size());
         pieces.push_back({points + k,
                           profile,
                           speed,
-                          {creeps.begin() + static_cast<std::ptrdiff_t>(k),
-                           creeps.begin() + static_cast<std::ptrdiff_t>(end)}});
+                          {drives.begin() + static_cast<std::ptrdiff_t>(k),
+                           drives.begin() + static_cast<std::ptrdiff_t>(end)}});
       }
-      points += creeps.size();
+      points += drives.size();
     }
   return pieces;
 }
@@ -151,16 +152,16 @@ PieceResult solveMoving(const Work &work, const ContactSetup &setup, const Piece
                         const std::function<bool()> &goOn)
 {
   try {
-    return rollTogether(work, setup, piece.speed, piece.creeps, piece.first, goOn);
+    return rollTogether(work, setup, piece.speed, piece.drives, piece.first, goOn);
   } catch (const Error &error) {
     if (error.code() != ExitCode::NotConverged)
       throw;
   }
   PieceResult result;
-  for (std::size_t k = 0; k < piece.creeps.size(); ++k)
+  for (std::size_t k = 0; k < piece.drives.size(); ++k)
     try {
       PieceResult one =
-          rollTogether(work, setup, piece.speed, {piece.creeps[k]}, piece.first + k, goOn);
+          rollTogether(work, setup, piece.speed, {piece.drives[k]}, piece.first + k, goOn);
       if (one.points.empty())
         return {};
       result.points.push_back(one.points.front());
@@ -168,9 +169,19 @@ PieceResult solveMoving(const Work &work, const ContactSetup &setup, const Piece
     } catch (const Error &error) {
       if (error.code() != ExitCode::NotConverged)
         throw;
-      result.points.push_back(failedPoint(setup, piece.speed, piece.creeps[k], error));
+      result.points.push_back(failedPoint(setup, piece.speed, piece.drives[k], error));
     }
   return result;
+}
+
+/// The creep at which a contact carries a force.
+double creepOf(const Work &work, FrozenCreep &frozen, double speed, double force)
+{
+  const FrictionLaw &law = *work.spread.laws().front();
+  return creepUnder(force, [&](double creep) {
+    const double size = frozen.solve(law, speed, creep).traction;
+    return creep < 0.0 ? -size : size;
+  });
 }
 
 /// One creep with the law and with those near it, which start from the law's solution: neighbours
@@ -205,11 +216,13 @@ PieceResult solveFrozen(const Work &work, const ContactSetup &setup, const Piece
 {
   PieceResult result;
   std::optional<FrozenCreep> frozen;
-  for (std::size_t k = 0; k < piece.creeps.size(); ++k) {
-    const double creep = piece.creeps[k];
+  for (std::size_t k = 0; k < piece.drives.size(); ++k) {
+    const double drive = piece.drives[k];
+    const bool found = !work.asked.force.empty();
     if (!frozen)
       frozen.emplace(work.asked.physics, setup);
     try {
+      const double creep = found ? creepOf(work, *frozen, piece.speed, drive) : drive;
       const auto point = solveCreep(work, setup, *frozen, piece.speed, creep, goOn);
       if (!point)
         return {};
@@ -220,7 +233,7 @@ PieceResult solveFrozen(const Work &work, const ContactSetup &setup, const Piece
     } catch (const Error &error) {
       if (error.code() != ExitCode::NotConverged)
         throw;
-      result.points.push_back(failedPoint(setup, piece.speed, creep, error));
+      result.points.push_back(failedPoint(setup, piece.speed, found ? 0.0 : drive, error));
       frozen.reset();
     }
   }
@@ -248,11 +261,11 @@ CreepCurves solveCreepCurves(const CreepSpecification &specification, const LawP
   std::vector<PieceResult> results(pieces.size());
   Sweep sweep;
   for (const Piece &piece : pieces)
-    sweep.points.push_back(static_cast<int>(piece.creeps.size()));
-  const Work work{specification, spread, pieces.back().first + pieces.back().creeps.size()};
+    sweep.points.push_back(static_cast<int>(piece.drives.size()));
+  const Work work{specification, spread, pieces.back().first + pieces.back().drives.size()};
   // fields are not in the journal
   sweep.leavesMore = [&](std::size_t k) {
-    for (std::size_t i = 0; i < pieces[k].creeps.size(); ++i)
+    for (std::size_t i = 0; i < pieces[k].drives.size(); ++i)
       if (work.keeps(pieces[k].first + i))
         return true;
     return false;

@@ -47,19 +47,23 @@ struct CreepSpecification {
   RollingMode mode = RollingMode::Frozen;
   MovingSpecification moving; ///< of mode Moving
   /// The order of the lists is that of the results.
-  std::vector<double> creep; ///< sliding/rolling speed, at least one; positive: the wheel brakes
+  std::vector<double> creep; ///< sliding/rolling speed; positive: the wheel brakes
+  std::vector<double> force; ///< T, N/m, in place of creeps, which are found; of mode Frozen
   std::vector<double> speed; ///< rolling speeds v0, m/s, > 0, at least one
   /// How a covariance of the law becomes a band of T/N.
   SpreadSpecification spread;
   FieldSelection fields; ///< points whose fields along the contact are kept
+
+  /// The list that is not empty.
+  const std::vector<double> &drives() const { return force.empty() ? creep : force; }
 };
 
 /// All creeps at all speeds on all profiles. The work is cut into pieces of a few neighbouring
 /// creeps, each started cold and solved in order, whatever the number of threads: so the result is
 /// the same to the last bit on one thread or many, in one go or resumed. A negative creep is the
 /// mirror image of the positive one: the same friction, heat and pressure, traction and slip turned
-/// around. A point that does not converge leaves the others untouched; the next one of its piece
-/// starts cold.
+/// around. Under a force the creep is found with the law itself; a band is that at this creep. A
+/// point that does not converge leaves the others untouched; the next one of its piece starts cold.
 /// \param law of the specification's friction (`LawChoice::read`); its covariance, if it has one,
 ///        is carried through (`LawSpread`)
 /// \throws Error (Interrupted) when asked to stop, Error (NotConverged) where no point converges,

@@ -15,6 +15,7 @@ using Vector = Eigen::VectorXd;
 
 constexpr double temperatureTolerance = 1e-9; ///< of the strength temperature
 constexpr double memoryTolerance = 1e-5;      ///< of mu
+constexpr double couplingTolerance = 1e-6;    ///< of unlike bodies, relative to the pressure
 constexpr int maxIterations = 100;
 constexpr int settling = 10; ///< iterations in which steps shrink, unless the pressure jumps
 /// By how much a pressure may then exceed the hardness of its cell [-].
@@ -94,7 +95,7 @@ Vector FrozenCreep::temperatureFrom(double speed, double creep)
 
 /// The hardness falls with the temperature, that of each cell where it is known, else the contact's
 /// mean: solve again where it binds.
-void FrozenCreep::renewPressure(const FrictionLaw &law)
+void FrozenCreep::renewPressure(const FrictionLaw &law, double part)
 {
   const double mean = contact_.temperature.dot(contact_.pressure) / contact_.pressure.sum();
   NormalContactOptions options;
@@ -103,8 +104,12 @@ void FrozenCreep::renewPressure(const FrictionLaw &law)
     domain_.emplace(setup_.cells, Boundary::Free);
   NormalContactProblem problem = setup_.problem(physics_.pressureLimit(law, mean));
   problem.cellLimits = physics_.pressureLimits(law, contact_.temperature) / setup_.hertz.modulus;
-  if (coupling_ != 0.0)
-    problem.profile += couplingDisplacement(coupling_, contact_.traction / setup_.hertz.modulus);
+  if (coupling_ != 0.0) {
+    const Vector opening =
+        couplingDisplacement(coupling_, contact_.traction / setup_.hertz.modulus);
+    opening_ += part * (opening - opening_);
+    problem.profile += opening_;
+  }
   const NormalContactResult normal = solveNormalContact(*domain_, problem, options);
   checkInsideDomain(normal.pressure);
   contact_.pressure = normal.pressure * setup_.hertz.modulus;
@@ -129,13 +134,14 @@ void FrozenCreep::checkExcess(const FrictionLaw &law, double speed, double creep
 // The temperature rise Theta is the unknown of a fixed point Theta -> mu, p -> T -> Theta, and with
 // a memory what friction has fallen to in each cell, r -> mu -> slip -> r; a step is the larger of
 // both, in units of their tolerances. Of unlike bodies the pressure takes part: it is renewed with
-// the traction of the turn before, and the end waits until it has settled. Friction
-// falls with strength where strength falls with Theta, so steps mostly alternate and shrink; where
-// they grow, the step is halved for good, which tames any slope that is finite. It does not tame a
-// jump: where a cell opens or closes as the hardness falls, the pressure of its neighbours changes
-// by a finite amount, and Theta may end on either side of it. So from some iterations on a step
-// that is no shorter also keeps the pressure, which then answers a temperature of a few tenths of a
-// kelvin beside the last one.
+// the traction of the turn before, and the end waits until it has settled; where it moves no less
+// than in the turn before, as edges do that come and go by a cell, less of the gap's change is
+// taken. Friction falls with strength where strength falls with Theta, so steps mostly alternate
+// and shrink; where they grow, the step is halved for good, which tames any slope that is finite.
+// It does not tame a jump: where a cell opens or closes as the hardness falls, the pressure of its
+// neighbours changes by a finite amount, and Theta may end on either side of it. So from some
+// iterations on a step that is no shorter also keeps the pressure, which then answers a temperature
+// of a few tenths of a kelvin beside the last one.
 CreepPoint FrozenCreep::solve(const FrictionLaw &law, double speed, double signedCreep)
 {
   const double creep = std::abs(signedCreep);
@@ -148,15 +154,19 @@ CreepPoint FrozenCreep::solve(const FrictionLaw &law, double speed, double signe
                              physics_.thermal.model == ThermalModel::AveragedPower;
   const double settled = temperatureTolerance * physics_.strengthOf(law).vanishingTemperature;
   memoryRatio_ = Vector::Ones(setup_.cells);
-  double part = 1.0, lastStep = 0.0;
+  double part = 1.0, lastStep = 0.0, opened = 1.0, lastMoved = 0.0;
+  opening_ = Vector::Zero(setup_.cells);
   bool jumps = false;
   int iteration = 1;
   for (;; ++iteration) {
     const Vector formerPressure = contact_.pressure;
     if (((physics_.hardnessLimit && heats) || couples) && iteration > 1 && !jumps)
-      renewPressure(law);
-    const bool pressed =
-        !couples || (iteration > 1 && pressureSettled(formerPressure, contact_.pressure));
+      renewPressure(law, opened);
+    const double moved = (contact_.pressure - formerPressure).norm() / formerPressure.norm();
+    const bool pressed = !couples || (iteration > 1 && moved <= couplingTolerance);
+    if (iteration > 2 && moved >= lastMoved)
+      opened *= 0.5;
+    lastMoved = moved;
     contact_.mu = muNow(law, creep * speed);
     if (needsTraction)
       roll(creep);

@@ -76,7 +76,8 @@ class FrozenCreep {
   Eigen::VectorXd temperatureFrom(double speed, double creep);
   /// Normal contact again, under the hardness at the present temperature and, of unlike bodies,
   /// with the gap that the traction opens.
-  void renewPressure(const FrictionLaw &law);
+  /// \param part of the change of that gap that is taken
+  void renewPressure(const FrictionLaw &law, double part);
   void checkExcess(const FrictionLaw &law, double speed, double creep) const;
   /// mu of all cells at the present pressure, temperature and memory.
   Eigen::VectorXd muNow(const FrictionLaw &law, double slidingSpeed) const;
@@ -90,7 +91,8 @@ class FrozenCreep {
   std::optional<SlipMemory> memory_;
   Eigen::VectorXd memoryRatio_; ///< see `SlipMemory`
   ContactFields contact_;
-  double coupling_ = 0.0; ///< of the image that is solved: `ContactSetup::coupling`, or less that
+  Eigen::VectorXd opening_; ///< of the gap, by the traction of unlike bodies, in cells
+  double coupling_ = 0.0;   ///< of the image that is solved: `ContactSetup::coupling`, or less that
 };
 
 } // namespace wheelrail

@@ -47,7 +47,7 @@ struct Curve {
 std::vector<Curve> curvesOf(const CreepSpecification &asked, const CreepCurves &curves)
 {
   std::vector<Curve> list;
-  const std::size_t n = asked.creep.size(), speeds = asked.speed.size();
+  const std::size_t n = asked.drives().size(), speeds = asked.speed.size();
   for (std::size_t k = 0; k < curves.contacts.size() * speeds; ++k) {
     Curve curve{&curves.contacts[k / speeds], {}};
     for (std::size_t i = k * n; i < (k + 1) * n; ++i)

@@ -69,7 +69,7 @@ class RollingTask : public CreepTask {
             "creep_band.csv", [&](auto &c) { return creepBandCsv(asked_.surface, c); },
             [](auto &c) { return c.hasBand; })};
     addContacts(outputs, asked_,
-                asked_.creep.size() * asked_.speed.size() * asked_.surface.profiles());
+                asked_.drives().size() * asked_.speed.size() * asked_.surface.profiles());
     outputs.push_back(summaryOf<CreepCurves>([=](auto &c, auto &files) {
       return summaryJson(asked_, context->text, context->law, c, files);
     }));
