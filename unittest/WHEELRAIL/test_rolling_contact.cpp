@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "base/errors.h"
 #include "contact/gmres.h"
+#include "contact/line/line_coupling.h"
 #include "contact/line/rolling_contact.h"
 #include "contact_cases.h"
 
@@ -21,10 +22,12 @@ double ratio(const RollingResult &result, const NormalContactProblem &problem)
 }
 
 /// Slow reference: dense elimination on the stick cells, one change of the sets a time round.
-Vector denseRolling(const Vector &bound, double creep)
+Vector denseRolling(const Vector &bound, const Vector &drive, double layer = 0.0)
 {
   const int n = static_cast<int>(bound.size());
-  const auto kernel = [](int m) { return 2.0 / (pi * (m + 0.5)); };
+  const auto kernel = [layer](int m) {
+    return 2.0 / (pi * (m + 0.5)) + (m == 0 ? layer : m == -1 ? -layer : 0.0);
+  };
   std::vector<int> state(n, 0); // 0: stick, +-1: slip
   Vector q = Vector::Zero(n);
   for (int round = 0; round < 200; ++round) {
@@ -38,7 +41,7 @@ Vector denseRolling(const Vector &bound, double creep)
     Eigen::MatrixXd a(m, m);
     Vector b(m);
     for (int i = 0; i < m; ++i) {
-      b[i] = creep;
+      b[i] = drive[stick[i]];
       for (int j = 0; j < n; ++j)
         b[i] -= kernel(stick[i] - j) * q[j];
       for (int j = 0; j < m; ++j)
@@ -51,7 +54,7 @@ Vector denseRolling(const Vector &bound, double creep)
     for (int i = 0; i < n; ++i) {
       if (bound[i] == 0.0)
         continue;
-      double slip = creep;
+      double slip = drive[i];
       for (int j = 0; j < n; ++j)
         slip -= kernel(i - j) * q[j];
       const int before = state[i];
@@ -173,10 +176,32 @@ TEST(FrozenRolling, EqualsDenseReference)
     const Vector bound = 0.3 * pressure;
     for (double creep : {2e-4, 1e-3, 2.5e-3}) {
       const Vector q = solveFrozenRolling(plane, bound, creep).traction;
-      const Vector reference = denseRolling(bound, creep);
+      const Vector reference = denseRolling(bound, Vector::Constant(n, creep));
       EXPECT_LT((q - reference).cwiseAbs().maxCoeff(), 1e-6 * bound.maxCoeff())
           << slope << " " << creep;
     }
+  }
+}
+
+TEST(FrozenRolling, EqualsDenseReferenceWithALayerAndUnlikeBodies)
+{
+  struct Case {
+    double slope, beta, layer;
+    int cells;
+  };
+  for (const Case &given : {Case{0.0, -0.2, 0.5, 300}, Case{0.0, 0.15, 0.0, 300},
+                            Case{0.0, 0.15, 50.0, 300}, Case{0.02, -0.2, 5.0, 760}}) {
+    HalfPlane plane(given.cells, Boundary::Free);
+    const Vector pressure = solveNormalContact(plane, cylinder(given.cells, given.slope)).pressure;
+    const Vector bound = 0.3 * pressure;
+    RollingOptions options;
+    options.layer = given.layer;
+    options.imposed = couplingSlip(given.beta, pressure);
+    const Vector q = solveFrozenRolling(plane, bound, 1e-3, options).traction;
+    const Vector drive = options.imposed.array() + 1e-3;
+    EXPECT_LT((q - denseRolling(bound, drive, given.layer)).cwiseAbs().maxCoeff(),
+              1e-6 * bound.maxCoeff())
+        << given.beta << " " << given.layer;
   }
 }
 

@@ -9,6 +9,11 @@ namespace wheelrail {
 
 using Vector = Eigen::VectorXd;
 
+Vector ContactSetup::bound(const Vector &mu, const Vector &pressure) const
+{
+  return mu.cwiseProduct(pressure).cwiseMin(yieldStress) / hertz.modulus;
+}
+
 Vector ContactSetup::gap(int travel) const
 {
   const Vector &roughness = surface.roughness;
@@ -81,6 +86,8 @@ ContactSetup prepareContact(const LineContactSpecification &contact,
     setup.hertz = hertzContact(contact.load, contact.radius, modulus);
     setup.cellSize = contact.domain * setup.hertz.halfWidth / contact.points;
   }
+  setup.layer = contact.layer.compliance() * modulus / setup.cellSize;
+  setup.yieldStress = contact.layer.yieldStress;
   setup.surface = prepareSurface(surface, index, setup.cells, setup.cellSize, travels);
   HalfPlane halfPlane(setup.cells, setup.boundary);
   setup.normal = solveNormalContact(halfPlane, setup.problem(pressureLimit));

@@ -4,6 +4,7 @@
 
 #include "contact/elastic_bodies.h"
 #include "contact/hertz.h"
+#include "contact/interfacial_layer.h"
 #include "contact/line/contact_interval.h"
 #include "contact/line/surface.h"
 #include "contact/normal_contact.h"
@@ -17,6 +18,7 @@ struct LineContactSpecification {
   double load = 0.0;   ///< N/m, > 0
   double radius = 0.0; ///< 1/R = 1/R1 + 1/R2, m, > 0; flat: infinite
   ElasticBodies bodies;
+  InterfacialLayer layer;
   double domain = 4.0; ///< computed length / Hertz half-width, > 2; not for flat surfaces
   double period = 0.0; ///< m; > 0: flat surfaces whose roughness repeats
   int points = 1024;   ///< cells on the whole domain
@@ -28,6 +30,9 @@ struct ContactSetup {
   /// the mean pressure as hertzPressure.
   HertzContact hertz;
   double coupling = 0.0; ///< of pressure and traction: `couplingOf` the bodies
+  double layer = 0.0;    ///< compliance of the layer, in cells per E*
+  /// Of the layer, Pa; infinite where there is none.
+  double yieldStress = std::numeric_limits<double>::infinity();
   int cells = 0;
   double cellSize = 0.0;              ///< m
   Boundary boundary = Boundary::Free; ///< Periodic: flat surfaces
@@ -38,6 +43,9 @@ struct ContactSetup {
   bool isNominal(int cell) const { return std::abs(position(cell)) <= hertz.halfWidth; }
   /// Mean over the nominal contact of a value per cell.
   double nominalMean(const Eigen::VectorXd &values) const;
+  /// What friction, or the layer, carries of a traction: mu p, at most the yield stress; in E*.
+  /// \param mu, pressure one value per cell; pressure in Pa
+  Eigen::VectorXd bound(const Eigen::VectorXd &mu, const Eigen::VectorXd &pressure) const;
   /// Undeformed gap in cells, the material moved on by `travel` cells (towards smaller x).
   Eigen::VectorXd gap(int travel = 0) const;
   /// Number of cells the material can travel.

@@ -105,6 +105,21 @@ HalfPlane::Vector HalfPlane::tractionEstimate(const Vector &u)
   return line_.multiply(u, stiffness_) / cellGrid_.dx;
 }
 
+HalfPlane::Vector HalfPlane::layeredEstimate(const Vector &u, double layer)
+{
+  if (layer == 0.0)
+    return tractionEstimate(u);
+  if (stiffness_.empty())
+    fillPeriodicSpectra();
+  if (layered_.empty() || layer_ != layer) {
+    layered_ = stiffness_;
+    for (auto &value : layered_)
+      value /= cellGrid_.dx + layer * line_.size() * value;
+    layer_ = layer;
+  }
+  return line_.multiply(u, layered_);
+}
+
 HalfSpace *HalfPlane::coarser()
 {
   constexpr int coarsestGrid = 128;

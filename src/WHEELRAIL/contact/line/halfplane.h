@@ -34,6 +34,9 @@ class HalfPlane : public HalfSpace {
 
   Vector displacement(const Vector &q) override;
   Vector tractionEstimate(const Vector &u) override;
+  /// Likewise with a layer on the half-plane: of the displacement A q + layer q.
+  /// \param layer displacement per traction, >= 0
+  Vector layeredEstimate(const Vector &u, double layer);
   /// The sum of the cells' pressures times their size: the load over E*.
   double displacementScale(double pressureSum) const override { return pressureSum * cellGrid_.dx; }
   /// Null below 256 cells and for an odd number.
@@ -65,6 +68,8 @@ class HalfPlane : public HalfSpace {
   Convolution line_;
   std::unique_ptr<HalfSpace> coarser_;
   Spectrum compliance_, stretching_, stretchingTransposed_, stiffness_, faces_;
+  Spectrum layered_; ///< of `layeredEstimate`, for `layer_`
+  double layer_ = 0.0;
 };
 
 /// (2/pi) times minus the integral of ln|x| over the cell that is centred m cells away, in units

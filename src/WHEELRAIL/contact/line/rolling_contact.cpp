@@ -26,11 +26,12 @@ constexpr double transientTolerance = 1e-5; ///< of the slip in the stick zone /
 /// of rolling begins at zero, and is infinite where a stick zone ends, as the traction is there
 /// until the zone has its right length. On the staggered grid H H' = 4 holds to the last bit on an
 /// unbounded line; cut to the intervals it is an inverse but for the error of the cells, which
-/// GMRES removes.
+/// GMRES removes. A layer of the compliance l multiplies H by 1 + l/A on an unbounded line, A of
+/// `HalfPlane::displacement`: its inverse 1 - l/(A + l) is applied to the result.
 class FiniteHilbertInverse {
  public:
-  FiniteHilbertInverse(HalfPlane &plane, const Vector &stickCells)
-      : halfPlane_(plane), stick_(stickCells)
+  FiniteHilbertInverse(HalfPlane &plane, const Vector &stickCells, double layer)
+      : halfPlane_(plane), stick_(stickCells), layer_(layer)
   {
     const int n = plane.cells();
     Vector charge = Vector::Zero(n);
@@ -45,13 +46,17 @@ class FiniteHilbertInverse {
 
   Vector operator()(const Vector &v) const
   {
-    return 0.25 *
-           weight_.cwiseProduct(halfPlane_.stretchTransposed(v.cwiseProduct(inverseWeight_)));
+    Vector q =
+        0.25 * weight_.cwiseProduct(halfPlane_.stretchTransposed(v.cwiseProduct(inverseWeight_)));
+    if (layer_ > 0.0)
+      q -= layer_ * halfPlane_.layeredEstimate(q, layer_).cwiseProduct(stick_);
+    return q;
   }
 
  private:
   HalfPlane &halfPlane_;
   const Vector &stick_;
+  double layer_;
   Vector weight_, inverseWeight_;
 };
 
@@ -63,27 +68,59 @@ class FiniteHilbertInverse {
 /// the cells' faces, the leading edge would lie 1/4 cell too far ahead and T be too large in the
 /// first order of the cell size. A panel of which only the share w is in contact gets the
 /// compliance 2 (1 - w)/w, which is negative for the trailing one that is longer than a cell.
-Vector edgeCompliance(const std::vector<ContactInterval> &contact, int cells)
+Vector edgeCompliance(const std::vector<ContactInterval> &contact, int cells, double layer)
 {
   using mcawr::pi;
   constexpr double panelShift = 0.25;
   constexpr double leastShare = 0.01; ///< of a panel: what has less carries nothing
   Vector compliance = Vector::Zero(cells);
   const auto ofShare = [](double share) { return (1.0 - share) / share; };
+  // a layer that comes in is sheared on the way from the edge to the cell's centre only
+  for (const ContactInterval &interval : contact) {
+    const double way = interval.right - interval.last;
+    compliance[interval.last] += layer * ofShare(std::max(way, leastShare));
+    if (way < 0.0 && interval.last > interval.first)
+      compliance[interval.last - 1] += layer * ofShare(1.0 + way);
+  }
   for (const ContactInterval &interval : contact) {
     if (interval.first == interval.last) {
-      compliance[interval.first] = 4.0 / pi * ofShare(interval.length());
+      compliance[interval.first] += 4.0 / pi * ofShare(interval.length());
       continue;
     }
     const double ahead = interval.right - interval.last + 0.5 - panelShift;
     const double behind = interval.first + 0.5 - interval.left + panelShift;
-    compliance[interval.first] = 2.0 * ofShare(behind);
-    compliance[interval.last] = 2.0 * ofShare(std::max(ahead, leastShare));
+    compliance[interval.first] += 2.0 * ofShare(behind);
+    compliance[interval.last] += 2.0 * ofShare(std::max(ahead, leastShare));
     if (ahead < 0.0 && interval.last - interval.first > 1)
-      compliance[interval.last - 1] = 2.0 * ofShare(1.0 + ahead);
+      compliance[interval.last - 1] += 2.0 * ofShare(1.0 + ahead);
   }
   return compliance;
 }
+
+/// What a particle gives way while it moves on by a cell: half-planes, edge cells and layer.
+class Stretch {
+ public:
+  Stretch(HalfPlane &plane, const RollingOptions &options)
+      : halfPlane_(plane), layer_(options.layer),
+        edge_(edgeCompliance(options.contact, plane.cells(), options.layer))
+  {
+  }
+
+  Vector operator()(const Vector &q) const
+  {
+    Vector stretched = halfPlane_.stretch(q) + edge_.cwiseProduct(q);
+    if (layer_ > 0.0) {
+      stretched += layer_ * q;
+      stretched.head(q.size() - 1) -= layer_ * q.tail(q.size() - 1);
+    }
+    return stretched;
+  }
+
+ private:
+  HalfPlane &halfPlane_;
+  double layer_;
+  Vector edge_;
+};
 
 double sign(Adhesion state)
 {
@@ -128,17 +165,19 @@ std::vector<Adhesion> startStates(const Vector &bound, const std::vector<Adhesio
 }
 
 /// States from the solution on cells twice as long: on long grids most sets are tried there.
-std::vector<Adhesion> statesFromCoarseGrid(const Vector &bound, double creep, const Vector &imposed)
+std::vector<Adhesion> statesFromCoarseGrid(const Vector &bound, double creep,
+                                           const RollingOptions &fine)
 {
   const auto cells = bound.size() / 2;
-  const auto coarsened = [](const Vector &fine) {
-    const Eigen::Map<const Eigen::Matrix2Xd> pairs(fine.data(), 2, fine.size() / 2);
+  const auto coarsened = [](const Vector &values) {
+    const Eigen::Map<const Eigen::Matrix2Xd> pairs(values.data(), 2, values.size() / 2);
     return Vector(pairs.colwise().mean());
   };
   HalfPlane plane(static_cast<int>(cells), Boundary::Free);
   RollingOptions options;
   options.tolerance = coarseTolerance;
-  options.imposed = coarsened(imposed);
+  options.imposed = coarsened(fine.imposed);
+  options.layer = 0.5 * fine.layer;
   const auto coarse = solveFrozenRolling(plane, coarsened(bound), creep, options).state;
   std::vector<Adhesion> states(bound.size());
   for (Eigen::Index i = 0; i < bound.size(); ++i)
@@ -173,7 +212,7 @@ RollingResult solveFrozenRolling(HalfPlane &halfPlane, const Vector &bound, doub
   const bool cold = std::all_of(options.start.begin(), options.start.end(),
                                 [](Adhesion state) { return state == Adhesion::Apart; });
   result.state = startStates(bound, cold && scale > 0.0 && n >= 2 * coarsestGrid && n % 2 == 0
-                                        ? statesFromCoarseGrid(bound, creep, options.imposed)
+                                        ? statesFromCoarseGrid(bound, creep, options)
                                         : options.start);
   if (scale == 0.0) {
     result.traction.setZero();
@@ -184,10 +223,7 @@ RollingResult solveFrozenRolling(HalfPlane &halfPlane, const Vector &bound, doub
   // On given states the problem is linear: where a cell slips its traction is the bound, where it
   // sticks the stretch of both is what drives it. So each turn solves for the sticking cells'
   // traction and asks every cell whether its state still holds. Warm from the last turn's traction.
-  const Vector edge = edgeCompliance(options.contact, n);
-  const auto stretch = [&](const Vector &q) {
-    return Vector(halfPlane.stretch(q) + edge.cwiseProduct(q));
-  };
+  const Stretch stretch(halfPlane, options);
   double tolerance = std::max(options.tolerance, firstTolerance);
   for (int set = 1;; ++set) {
     const Vector stick = stickCells(result.state);
@@ -199,7 +235,7 @@ RollingResult solveFrozenRolling(HalfPlane &halfPlane, const Vector &bound, doub
     Vector q = result.traction.cwiseProduct(stick);
     const double cells = stick.sum();
     if (cells > 0.0) {
-      const FiniteHilbertInverse inverse(halfPlane, stick);
+      const FiniteHilbertInverse inverse(halfPlane, stick, options.layer);
       const auto apply = [&](const Vector &v) { return Vector(stretch(v).cwiseProduct(stick)); };
       const Vector wanted = driven.cwiseProduct(stick);
       const GmresReport report =
@@ -232,8 +268,8 @@ RollingResult solveFrozenRolling(HalfPlane &halfPlane, const Vector &bound, doub
   return result;
 }
 
-TransientRolling::TransientRolling(HalfPlane &plane, double referenceLength)
-    : halfPlane_(&plane), constant_(2.0 / mcawr::pi * std::log(referenceLength)),
+TransientRolling::TransientRolling(HalfPlane &plane, double referenceLength, double layer)
+    : halfPlane_(&plane), constant_(2.0 / mcawr::pi * std::log(referenceLength)), layer_(layer),
       traction_(Vector::Zero(plane.cells()))
 {
 }
@@ -255,7 +291,7 @@ void TransientRolling::moveTo(HalfPlane &plane, int shift)
 // a tangential force that changes would move the far ends of a half-plane by an unknown amount.
 Vector TransientRolling::displacement(const Vector &q)
 {
-  return halfPlane_->displacement(q).array() + constant_ * q.sum();
+  return halfPlane_->displacement(q).array() + constant_ * q.sum() + layer_ * q.array();
 }
 
 int TransientRolling::solveStick(const Vector &stick, Vector &residual, Vector &q, double scale)
@@ -266,7 +302,7 @@ int TransientRolling::solveStick(const Vector &stick, Vector &residual, Vector &
   for (int step = 0; step < maxSteps; ++step) {
     if (r.norm() <= scale)
       return step;
-    const Vector z = halfPlane_->tractionEstimate(r).cwiseProduct(stick);
+    const Vector z = halfPlane_->layeredEstimate(r, layer_).cwiseProduct(stick);
     const double newProduct = r.dot(z);
     direction = step ? Vector(z + newProduct / product * direction) : z;
     product = newProduct;

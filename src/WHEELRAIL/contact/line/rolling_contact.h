@@ -24,6 +24,7 @@ struct RollingOptions {
   /// Slip of each cell beside the creep, by the pressure of unlike bodies (`couplingSlip`); empty:
   /// 0
   Eigen::VectorXd imposed;
+  double layer = 0.0; ///< compliance of a layer between the bodies, in cells per E*, >= 0
 };
 
 struct RollingResult {
@@ -47,6 +48,10 @@ struct RollingResult {
 /// the continuous inverse w H (1/w), w = prod sqrt((leading_j - x)/(x - trailing_j)), so that it
 /// needs about 15 products whatever n is.
 ///
+/// A layer of the compliance l adds l q to the displacement u, and l (q_i - q_(i+1)) to what a
+/// particle gives way in a cell; material comes in with an unsheared layer at the leading edge. The
+/// inverse is smoothed by A (A + l)^-1 then, A of `HalfPlane::displacement`.
+///
 /// With the edges of the contact inside their cells (`RollingOptions::contact`) the force is of
 /// second order in the cell size; without them each cell counts as a whole and it is of first
 /// order. An edge cell of whose panel only the share w is in contact gets the compliance
@@ -65,7 +70,8 @@ RollingResult solveFrozenRolling(HalfPlane &halfPlane, const Eigen::VectorXd &bo
 /// against a point `referenceLength` cells away. The steady state does not depend on it.
 class TransientRolling {
  public:
-  TransientRolling(HalfPlane &plane, double referenceLength);
+  /// \param layer compliance of a layer between the bodies, in cells per E*, >= 0
+  TransientRolling(HalfPlane &plane, double referenceLength, double layer = 0.0);
 
   /// \param imposed slip of each cell beside the creep, by the pressure of unlike bodies; empty: 0
   /// \return the new traction; call with the bound of the new position
@@ -83,6 +89,7 @@ class TransientRolling {
 
   HalfPlane *halfPlane_;
   double constant_; ///< added to the influence of every cell
+  double layer_;
   Eigen::VectorXd traction_;
 };
 

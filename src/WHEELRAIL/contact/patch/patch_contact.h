@@ -3,6 +3,7 @@
 #define WHEELRAIL_PATCH_CONTACT_H
 
 #include "contact/elastic_bodies.h"
+#include "contact/interfacial_layer.h"
 #include "contact/normal_contact.h"
 #include "contact/patch/elasticity/cell_influence.h"
 #include "contact/patch/elasticity/grid.h"
@@ -23,18 +24,6 @@ namespace wheelrail {
 /// \return Pa and -; equal bodies give their own G and nu and K = 0, as do some unlike ones. A K
 ///         that is rounding only is 0
 ElasticPair combinedPair(const ElasticBody &wheel, const ElasticBody &rail);
-
-/// A layer between the bodies, of oxide or sand for example: it shears like a Winkler foundation
-/// and flows at its yield stress (elastic, perfectly plastic). SI units.
-struct InterfacialLayer {
-  double thickness = 0.0;    ///< m; 0: no layer
-  double shearModulus = 1.0; ///< Pa, > 0
-  /// Pa, > 0: no traction is larger. What the layer flows counts as slip, for both dissipate and
-  /// neither is undone.
-  double yieldStress = std::numeric_limits<double>::infinity();
-
-  double compliance() const { return thickness / shearModulus; } ///< m/Pa
-};
 
 /// The nominal point contact, and its box of cells; SI units.
 struct PatchContactSpecification {

@@ -41,6 +41,7 @@ LineContactSpecification readContact(CaseReader &reader)
     contact.domain = reader.number("contact.domain");
   }
   contact.bodies = readElasticBodies(reader);
+  contact.layer = readLayer(reader);
   contact.points = static_cast<int>(reader.single("cells"));
   constexpr int fewestPoints = 32;
   if (contact.points < fewestPoints)

@@ -65,6 +65,20 @@ ElasticBodies readElasticBodies(CaseReader &reader)
   return {ElasticBody{youngs[0], poissons[0]}, ElasticBody{youngs[1], poissons[1]}};
 }
 
+InterfacialLayer readLayer(CaseReader &reader)
+{
+  InterfacialLayer layer;
+  if (!reader.hasGroup("layer"))
+    return layer;
+  for (const char *name : {"layer.thickness", "layer.shear_modulus"})
+    reader.require(name);
+  layer.thickness = reader.number("layer.thickness");
+  layer.shearModulus = reader.number("layer.shear_modulus");
+  if (reader.has("layer.yield_stress"))
+    layer.yieldStress = reader.number("layer.yield_stress");
+  return layer;
+}
+
 MeasuredSurfaces readMeasuredSurfaces(CaseReader &reader, const std::string &caseFile)
 {
   MeasuredSurfaces surfaces;

@@ -84,6 +84,8 @@ std::array<double, 2> readPair(CaseReader &reader, const std::string &name, cons
 std::array<double, 2> readBodies(CaseReader &reader, const std::string &name);
 /// The elastic constants of group `contact`.
 ElasticBodies readElasticBodies(CaseReader &reader);
+/// Group `layer`; none where it is not given.
+InterfacialLayer readLayer(CaseReader &reader);
 
 /// Group `uncertainty`; nothing of it is read where the law has no covariance.
 SpreadSpecification readSpread(CaseReader &reader, const LawChoice &friction);

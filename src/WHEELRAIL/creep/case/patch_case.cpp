@@ -143,20 +143,6 @@ void readPoints(CaseReader &reader, PatchContactSpecification &contact)
     requireCellsInContact(reader, std::min(contact.nx, contact.ny), contact.domain);
 }
 
-InterfacialLayer readLayer(CaseReader &reader)
-{
-  InterfacialLayer layer;
-  if (!reader.hasGroup("layer"))
-    return layer;
-  for (const char *name : {"layer.thickness", "layer.shear_modulus"})
-    reader.require(name);
-  layer.thickness = reader.number("layer.thickness");
-  layer.shearModulus = reader.number("layer.shear_modulus");
-  if (reader.has("layer.yield_stress"))
-    layer.yieldStress = reader.number("layer.yield_stress");
-  return layer;
-}
-
 PatchContactSpecification readContact(CaseReader &reader, bool rough)
 {
   PatchContactSpecification contact;

@@ -58,7 +58,8 @@ void FrozenCreep::roll(double creep)
   options.contact = intervals;
   for (ContactInterval &interval : options.contact)
     interval.shift(-first);
-  const Vector bound = contact_.mu.cwiseProduct(contact_.pressure).segment(first, cells) / modulus;
+  options.layer = setup_.layer;
+  const Vector bound = setup_.bound(contact_.mu, contact_.pressure).segment(first, cells);
   if (coupling_ != 0.0)
     options.imposed = couplingSlip(coupling_, contact_.pressure.segment(first, cells) / modulus);
   const RollingResult result = solveFrozenRolling(*window_, bound, creep, options);

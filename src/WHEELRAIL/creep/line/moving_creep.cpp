@@ -105,9 +105,8 @@ void MovingCreep::roll(Roller &roller, double speed, bool counted)
   } else {
     roller.mu = law_.mu({p, roller.creep * speed, roller.temperature});
   }
-  roller.result =
-      roller.rolling.step(roller.mu.cwiseProduct(normal_.pressure).segment(windowBegin_, cells),
-                          roller.creep, imposedBy(normal_.pressure, roller));
+  roller.result = roller.rolling.step(setup_.bound(roller.mu, p).segment(windowBegin_, cells),
+                                      roller.creep, imposedBy(normal_.pressure, roller));
   if (memory_) {
     Vector slip = Vector::Zero(setup_.cells);
     slip.segment(windowBegin_, cells) = roller.result.slip;
@@ -201,7 +200,7 @@ std::vector<CreepPoint> MovingCreep::solve(double speed, const std::vector<doubl
     // once, in the first step: a roller needs the window, and the window the first pressure
     for (std::size_t k = rollers.size(); k < creeps.size(); ++k) {
       rollers.push_back({std::abs(creeps[k]),
-                         TransientRolling(*window_, reference),
+                         TransientRolling(*window_, reference, setup_.layer),
                          {},
                          Vector::Zero(setup_.cells),
                          {},
