@@ -169,7 +169,7 @@ def read_case(reader: Reader, former: Contact, line: int) -> tuple[Contact, str]
         {
             "X": ("0", "debug output is CONTACT's own"),
             "H": ("013", "an unknown kind of heat"),
-            "G": ("01", "settings of CONTACT's other solvers are not read"),
+            "G": ("0125", "settings of CONTACT's other solvers are not read"),
             "R": ("01", "an unknown way to return"),
         },
         third,
@@ -180,6 +180,8 @@ def read_case(reader: Reader, former: Contact, line: int) -> tuple[Contact, str]
         return Contact(pvtime=case.pvtime), reasons[0]
     if flow["G"] != "1":
         reader.line("MAXGS, MAXIN, MAXNR, MAXOUT, EPS")
+    if flow["G"] in "25":  # of ConvexGS and GDsteady, which wr_creep does without
+        reader.line("the settings of the solver")
     case.drive = reader.numbers(4, "FN, CKSI, CETA, CPHI")  # type: ignore[assignment]
     if physics["L"] != "1":
         case.friction, case.rows, case.falling = None, [], None

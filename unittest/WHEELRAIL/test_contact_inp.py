@@ -24,8 +24,11 @@ def block(
         f" {physics}  L-D-C-M-Z-E",
         f" {flow}  H-G-I-A-O-W-R",
     ]
-    if flow.rjust(7, "0")[1] == "0":
+    solver = flow.rjust(7, "0")[1]
+    if solver != "1":
         lines.append(" 200 100 30 1 1e-6   MAXGS, MAXIN, MAXNR, MAXOUT, EPS")
+    if solver in "25":
+        lines.append(" 1.0 0.05 1 2.0 -1.0  settings of that solver")
     lines += [drive, friction, rolling, material, grid]
     return "\n".join(line for line in lines if line) + "\n"
 
@@ -424,6 +427,22 @@ def test_gap_across_and_twist(tmp_path):
     for row in tables:
         for name in ("load", "force_x", "force_y", "moment_z", "peak_pressure", "stick_fraction"):
             assert row[name] == pytest.approx(curved[name], rel=1e-5), name
+
+
+def test_settings_of_other_solvers_are_passed_over(tmp_path):
+    """ConvexGS (testbank 6) and GDsteady (tang_problm)."""
+    converted(
+        tmp_path,
+        *[
+            block("200100", "9.1 0 0 0", ".3 .3", STEEL, "-3\n 9 9 1. 1. 1.2", flow=flow)
+            for flow in ("0000241", "0200241", "0500241")
+        ],
+    )
+    plain, *others = (
+        (tmp_path / f"case_{k:03d}.yaml").read_text(encoding="utf-8").splitlines()[1:]
+        for k in (1, 2, 3)
+    )
+    assert others == [plain, plain]
 
 
 def test_cases_of_an_earlier_call_go(tmp_path):
