@@ -133,12 +133,12 @@ def drive_lines(case: Contact, turned: bool) -> list[str]:
         lines = [f"static: {{shift: {pair([x, y], 'mm')}, twist: {text(spin)}}}"]
         return lines
     if case.force != "0" and case.norm == "0":
-        if case.tang != "1" or y or spin or not 0.0 < sign * x < 1.0:
+        if case.tang != "1" or y or spin or not 0.0 < -sign * x < 1.0:
             raise Refused(
                 f"{case.line}: F = {case.force}: with an approach a force of a shift along x is "
                 "converted"
             )
-        return [f"static: {{force_ratio: {text(sign * x)}}}"]
+        return [f"static: {{force_ratio: {text(-sign * x)}}}"]
     if case.tang == "1" and (spin or (case.force == "1" and y)):
         raise Refused(f"{case.line}: a shift beside a force is not in wr_creep")
     forces = []
@@ -156,9 +156,9 @@ def drive_lines(case: Contact, turned: bool) -> list[str]:
     return [*lines, f"spin: {text(spin, '1/mm')}"]
 
 
-def is_turned(case: Contact) -> bool:
-    if case.tang == "1" and case.norm == "0" and case.force != "0":
-        return case.drive[1] < 0.0  # a force ratio is positive
+def is_turned(case: Contact, staged: bool) -> bool:
+    if case.tang == "1" and (case.norm == "0" or staged) and case.force != "0":
+        return case.drive[1] > 0.0  # under a positive force ratio the wheel is pushed to -x
     if case.tang not in "23" or case.rolling is None:
         return False
     turn = case.rolling[0]
@@ -233,7 +233,7 @@ def line_case(case: Contact) -> list[str]:
         raise Refused(
             f"{case.line}: a line contact rolls steadily under a load, without a lateral force"
         )
-    turn = -1.0 if is_turned(case) else 1.0
+    turn = -1.0 if is_turned(case, False) else 1.0
     drive = f"creep: {text(turn * x)}"
     if case.force == "1":  # on the rail
         drive = f"force: {{per_length: {text(-turn * x * force_limit(case) / dy, 'N/mm')}}}"
@@ -257,7 +257,7 @@ def case_text(
     case, last = group[0], group[-1]
     for one in group:
         check_whole(one)
-    turned = is_turned(last)
+    turned = is_turned(last, len(group) > 1)
     head = [f"# {os.path.basename(path)}, {numbers}{BY}"]
     if turned:
         head.append("# turned by half a turn: creepages and forces in the plane change their signs")
@@ -266,11 +266,13 @@ def case_text(
     if along_line:
         lines = line_case(case)
     else:
-        lines = contact_group(last, turned, files, stem)
+        # stages under an approach begin under a load
+        pressed = [one for one in group if one.norm == "1"]
+        lines = contact_group(pressed[-1] if pressed else last, turned, files, stem)
         if last.tang == "2":
             lines += rolling_steps(group, turned)
         elif len(group) > 1 and last.tang not in "23":
-            lines.append("force: {longitudinal: 0 N, lateral: 0 N}")  # no shift, by symmetry
+            lines.append(stage_drive(group))
         else:
             lines += drive_lines(last, turned)
     lines += friction_lines(last, turned)
@@ -341,15 +343,34 @@ def driven(case: Contact, turned: bool) -> dict[str, str]:
     return {"load": text(load, "N"), **along, **across, "spin": text(spin, "1/mm")}
 
 
+def stage_drive(group: list[Contact]) -> str:
+    """What shifts stages at rest that go on from each other."""
+    first = group[0]
+    for case in group:
+        shifts = any(case.drive[1:]) if case.force == "0" else any(case.drive[2:])
+        if case.drive[1] != first.drive[1] or case.force != first.force or shifts:
+            raise Refused(
+                f"{case.line}: stages without a shift, or under one force along x, are converted"
+            )
+        if case.table is not None or (case.grid, case.curvatures) != (first.grid, first.curvatures):
+            raise Refused(f"{case.line}: stages on one grid and one quadratic gap are converted")
+    if first.norm != "1":
+        raise Refused(f"{first.line}: stages begin under a load")
+    if first.force == "0":
+        return "force: {longitudinal: 0 N, lateral: 0 N}"  # no shift, by symmetry
+    force_limit(first)
+    if not 0.0 < abs(first.drive[1]) < 1.0:
+        raise Refused(f"{first.line}: FX: stages under a force within (0, 1) are converted")
+    return f"static: {{force_ratio: {text(abs(first.drive[1]))}}}"
+
+
 def stages(group: list[Contact]) -> list[str]:
-    """Shifts at rest that go on from each other."""
-    wrong = [
-        case
-        for case in group
-        if case.force != "0" or case.norm != "1" or any(case.drive[1:]) or case.table is not None
-    ]
-    if wrong:
-        raise Refused(f"{wrong[0].line}: stages of a load without a shift are converted")
-    loads = ", ".join(text(case.drive[0], "N") for case in group)
+    """Loads, or approaches in their place, of stages at rest."""
+    loads, approaches = [], []
+    for case in group:
+        under_load = case.norm == "1"
+        loads.append(text(case.drive[0], "N") if under_load else loads[-1])
+        approaches.append("0 mm" if under_load else text(case.drive[0], "mm"))
     times = ", ".join(f"{k} s" for k in range(len(group)))
-    return [f"sequence: {{time: [{times}], load: [{loads}]}}"]
+    given = f", approach: [{', '.join(approaches)}]" if set(approaches) != {"0 mm"} else ""
+    return [f"sequence: {{time: [{times}], load: [{', '.join(loads)}]{given}}}"]

@@ -177,24 +177,40 @@ def test_testbank_9_unlike_bodies_with_spin(tmp_path):
 
 
 def test_testbank_10_and_11(tmp_path):
-    """Corners in place of sizes; then the approach is given beside a force, and the shift goes on,
-    which is refused. From rest it is a force ratio, turned by half a turn for its sign."""
+    """Corners in place of sizes; then the approach is given beside a force, and the shift goes on.
+    From rest a force ratio pushes the wheel to -x; one to +x is turned by half a turn."""
     grid = f"2\n 17 17 -1.13333 -1.13333 1.13333 1.13333\n {BALL}"
     under_load = block("201120", "1722. -.875 0 0  FN, FX", ".3 .3", STEEL, grid)
     goes_on = block("001020", "0.01131 -.875 0 0  PEN, FX", ".3 .3", STEEL, grid)
-    said = converted(tmp_path, under_load, goes_on, code=3).stderr
-    assert "(case 2)" in said and "stages of a load without a shift" in said
-    (row,) = solved(tmp_path, 1, "static")
-    assert row["shift_x"] == printed(3.042e-3) and row["force_x"] == printed(-452.0)
-    assert row["approach"] == printed(1.132e-2) and row["peak_pressure"] == printed(821.4)
-    assert cells(row, (2.26666 / 17) ** 2) == (177, 45)
+    converted(tmp_path, under_load, goes_on)
+    before, row = solved(tmp_path, 1, "series")
+    area = (2.26666 / 17) ** 2
+    assert before["shift_x"] == printed(3.042e-3) and before["force_x"] == printed(-452.0)
+    assert before["approach"] == printed(1.132e-2) and before["peak_pressure"] == printed(821.4)
+    assert cells(before, area) == (177, 45)
+    assert row["load"] == printed(1720.0) and row["force_x"] == printed(-451.4)
+    assert row["peak_pressure"] == printed(821.0) and row["approach"] == 0.01131
+    assert row["shift_x"] - before["shift_x"] == pytest.approx(-2.826e-6, rel=0.02)
+    assert cells(row, area) == (177, 45)
     converted(tmp_path, goes_on.replace("001020", "201020"))
-    assert "half a turn" in (tmp_path / "case_001.yaml").read_text(encoding="utf-8")
     (row,) = solved(tmp_path, 1, "static")
-    assert row["load"] == printed(1720.0) and row["traction_ratio"] == pytest.approx(
-        0.875 * 0.3, rel=1e-6
-    )
-    assert cells(row, (2.26666 / 17) ** 2) == (177, 45)
+    assert row["load"] == printed(1720.0) and row["force_x"] == printed(-451.4)
+    assert cells(row, area) == (177, 45)
+    text = (tmp_path / "case_001.yaml").read_text(encoding="utf-8")
+    converted(tmp_path, goes_on.replace("001020", "201020").replace("-.875", ".875"))
+    turned = (tmp_path / "case_001.yaml").read_text(encoding="utf-8")
+    assert "half a turn" in turned and "half a turn" not in text
+
+
+def test_stages_that_are_refused(tmp_path):
+    grid = f"2\n 17 17 -1.13333 -1.13333 1.13333 1.13333\n {BALL}"
+    first = block("201120", "1722. -.875 0 0", ".3 .3", STEEL, grid)
+    for drive, said in (
+        ("1722. -.5 0 0", "under one force along x"),
+        ("1722. -.875 .1 0", "under one force along x"),
+    ):
+        later = block("001120", drive, ".3 .3", STEEL, grid)
+        assert said in converted(tmp_path, first, later, code=3).stderr
 
 
 # creep x 1e3 after so many steps

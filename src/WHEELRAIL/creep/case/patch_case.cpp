@@ -293,6 +293,7 @@ PatchSequence readSequence(CaseReader &reader, bool rolls)
     reader.fail("sequence.time", "at least two instants are needed, from 0 on, that increase");
   const std::size_t n = sequence.time.size();
   sequence.load = readColumn(reader, "sequence.load", n);
+  sequence.approach = readColumn(reader, "sequence.approach", n);
   sequence.creep = readColumn(reader, "sequence.creep", n);
   sequence.lateral = readColumn(reader, "sequence.lateral", n);
   sequence.spin = readColumn(reader, "sequence.spin", n);
@@ -368,7 +369,7 @@ void readStatic(CaseReader &reader, PatchSpecification &patch)
   patch.physics.thermal.model = ThermalModel::Off;
   patch.sequence = readSequence(reader, false);
   const bool givesForce = !patch.sequence.forceX.empty() || !patch.sequence.forceY.empty();
-  if (patch.sequence.any() && !givesForce)
+  if (patch.sequence.any() && !givesForce && patch.sequence.approach.empty())
     reader.require("sequence.load");
   const std::string given = onlyOne(reader, {"static.force_ratio", "static.shift", "force"});
   if (given.empty() && !givesForce)

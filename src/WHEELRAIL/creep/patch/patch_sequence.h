@@ -19,6 +19,7 @@ struct PatchSequence {
   /// Normal force (N, > 0), xi and eta (sliding/rolling speed) and phi (1/m) at these instants.
   std::vector<double> load, creep, lateral, spin;
   std::vector<double> forceX, forceY; ///< on the wheel, N; the creepages are found
+  std::vector<double> approach;       ///< of stages, m: in place of the load where it is not 0
   std::vector<double> speed;  ///< m/s, >= 0; no two neighbours 0, held: only the last may be 0
   bool held = false;          ///< from each instant to the next; else linear
   std::vector<double> fields; ///< instants whose fields are kept, s, increasing

@@ -24,13 +24,17 @@ class StaticSteps {
     options_.tolerance = tolerance;
   }
 
-  /// From the state before to this load. \param drive of the stage
-  void press(double load, const PatchDrive &drive)
+  /// From the state before to this load.
+  /// \param approach m; 0: the load holds
+  /// \param drive of the stage
+  void press(double load, double approach, const PatchDrive &drive)
   {
     drive_ = drive;
-    if (load != load_)
-      solveNormal(load, coupling_.normal(transient_.traction()));
+    const bool changes = load != load_ || approach != approach_;
     load_ = load;
+    approach_ = approach;
+    if (changes)
+      solveNormal(coupling_.normal(transient_.traction()));
     TransientPatch::Step step;
     step.cells = 0;
     step.creepage = drive_.creepage;
@@ -43,7 +47,7 @@ class StaticSteps {
       return tried;
     };
     result_ = coupling_.settle(normal_.pressure, slide,
-                               [&](const Vector &opening) { solveNormal(load, opening); });
+                               [&](const Vector &opening) { solveNormal(opening); });
     transient_.accept(step, result_);
     shift_.xi += result_.creepage.xi;
     shift_.eta += result_.creepage.eta;
@@ -56,14 +60,18 @@ class StaticSteps {
   PatchValues values() const;
 
  private:
-  void solveNormal(double load, const Vector &opening)
+  void solveNormal(const Vector &opening)
   {
     NormalContactOptions options;
     options.start = normal_.pressure;
-    NormalContactProblem problem = contact_.problem(physics_.pressureLimit(law_, 0.0), load);
+    NormalContactProblem problem = contact_.problem(physics_.pressureLimit(law_, 0.0), load_);
+    if (approach_ > 0.0)
+      problem.approach = approach_;
     if (opening.size() > 0)
       problem.profile += opening;
     normal_ = solveNormalContact(space_, problem, options);
+    if (!(normal_.pressure.maxCoeff() > 0.0))
+      throw Error(ExitCode::BadInput, "sequence.approach: the bodies do not touch");
     checkInsideBox(contact_.grid, normal_.pressure);
   }
 
@@ -95,7 +103,7 @@ class StaticSteps {
   TangentialResult result_;
   Vector mu_;
   Creepage shift_;
-  double load_;
+  double load_, approach_ = 0.0; ///< as asked for
   int products_ = 0;
 };
 
@@ -115,8 +123,10 @@ PatchValues StaticSteps::values() const
   const PatchSums sums = patchSums(contact_.grid, result_);
   constexpr double speed = 0.0;
   return patchValues({contact_, sums, result_, physics_.wear,
-                      contact_.carried(load_, normal_.pressure), normal_.approach, shift_,
-                      normal_.pressure, mu_, Vector::Zero(contact_.grid.cells()), speed});
+                      approach_ > 0.0 ? normal_.pressure.sum() * contact_.grid.cellArea()
+                                      : contact_.carried(load_, normal_.pressure),
+                      normal_.approach, shift_, normal_.pressure, mu_,
+                      Vector::Zero(contact_.grid.cells()), speed});
 }
 
 StaticPatch StaticSteps::result() const
@@ -141,7 +151,7 @@ std::optional<StaticPatch> solveStaticPatch(const CreepPhysics &physics, const F
 {
   StaticSteps steps(physics, law, contact, task);
   if (!sequence.any())
-    steps.press(contact.load, task.drive);
+    steps.press(contact.load, 0.0, task.drive);
   for (std::size_t k = 0; k < sequence.time.size(); ++k) {
     if (!goOn())
       return std::nullopt;
@@ -152,7 +162,7 @@ std::optional<StaticPatch> solveStaticPatch(const CreepPhysics &physics, const F
       drive.forceX = sequence.forceX[k];
     if (!sequence.forceY.empty())
       drive.forceY = sequence.forceY[k];
-    steps.press(load, drive);
+    steps.press(load, sequence.approach.empty() ? 0.0 : sequence.approach[k], drive);
     PatchStep stage;
     static_cast<PatchValues &>(stage) = steps.values();
     stage.time = history.now;
