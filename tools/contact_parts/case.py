@@ -366,7 +366,8 @@ def stage_drive(group: list[Contact]) -> str:
 
 def stages(group: list[Contact]) -> list[str]:
     """Loads, or approaches in their place, of stages at rest."""
-    loads, approaches = [], []
+    loads: list[str] = []
+    approaches: list[str] = []
     for case in group:
         under_load = case.norm == "1"
         loads.append(text(case.drive[0], "N") if under_load else loads[-1])

@@ -375,8 +375,8 @@ def test_carter2d(tmp_path):
 
 def test_bentall(tmp_path):
     """Rollers of aluminium and steel: the creep under a force, the traction at that creep; full
-    sliding and partial slip. Edges inside their cells: without slip the creep is nearer to the exact
-    3.673e-4 than CONTACT's 3.591e-4."""
+    sliding and partial slip. Edges inside their cells: without slip the creep is nearer to the
+    exact 3.673e-4 than CONTACT's 3.591e-4."""
     grid = "1\n 216 1 -0.108 -500. 0.001 1000.\n 1 1\n 0.020 0. 0. 0. 0. 0."
     first = block("203100", "16201.9 0.00052 0 0", "1e-4 1e-4", "0.31 0.28 23000. 82000.", grid,
                   rolling="180.0d 0.001 1000.")  # fmt: skip

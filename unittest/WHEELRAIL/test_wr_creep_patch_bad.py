@@ -256,7 +256,7 @@ def test_keywords_of_a_patch_are_refused_on_a_line(tmp_path):
         ("creep=-11", "[-10, 10]"),
         ("cells=16", "[32,"),
         ("cells=[64, 64]", "not a list"),
-        ("contact.youngs_modulus=[1 GPa, 2 GPa]", "not a list"),
+        ("contact.youngs_modulus=[1 GPa, 2 GPa, 3 GPa]", "3 values; one for both bodies"),
     ):
         done = wr_creep(line, "-o", tmp_path, "--set", change)
         assert done.returncode in (2, 3) and text in done.stderr, done.stderr
