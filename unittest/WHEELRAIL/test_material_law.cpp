@@ -350,6 +350,22 @@ TEST(LawOfMaterial, SeesPressureAndTemperatureOfEachCell)
   EXPECT_DOUBLE_EQ(warm->mu({pressure, 1.0, Eigen::VectorXd::Zero(4)})[2], mu[3]);
 }
 
+// A draw from the covariance has to be a law that could have been fitted: no rounder than q = 1.
+TEST(LawOfMaterial, IsNoRounderThanAFittedOne)
+{
+  MaterialLaw law;
+  law.material = steel();
+  law.parameters[Mu0] = 0.45, law.parameters[S] = 0.5, law.parameters[Q] = 1.2;
+  const LawOfMaterial own("round", law, 293.0);
+  LawParameters change = LawParameters::Zero();
+  change[Q] = -0.2;
+  EXPECT_TRUE(own.changed(change)->isSound());
+  change[Q] = -0.21;
+  EXPECT_FALSE(own.changed(change)->isSound());
+  law.parameters[S] = law.parameters[Q] = 0.0; // without a bound
+  EXPECT_TRUE(LawOfMaterial("free", law, 293.0).isSound());
+}
+
 TEST(LawOfMaterial, BandsComeFromTheErrorsOfItsTable)
 {
   MaterialLaw law;

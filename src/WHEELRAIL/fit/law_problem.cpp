@@ -17,8 +17,7 @@ using Eigen::VectorXd;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 // a term is as good as constant when b kappa (c kappa) exceeds this at its smallest kappa
 constexpr double saturation = 100.0;
-// bend of the bound: where both of its sides are equal, mu is 1/2 or 0.986 of them
-constexpr double roundest = 1.0;
+// largest bend of the bound: where both of its sides are equal, mu is 0.986 of them
 constexpr double sharpest = 50.0;
 
 } // namespace
@@ -57,7 +56,7 @@ LeastSquaresProblem LawProblem::make() const
   if (free_[S]) {
     problem.lower[S] = largestStress() / saturation;
     problem.upper[S] = largestStress() * saturation;
-    problem.lower[Q] = roundest;
+    problem.lower[Q] = roundestBend;
     problem.upper[Q] = sharpest;
   }
   for (bool isFree : free_)

@@ -30,6 +30,10 @@ struct Kappas {
   double kappa3 = 1.0; ///< E/sigma_0, > 0
 };
 
+/// Least bend q of a law: the roundest, mu is half of both sides where they are equal. Below it the
+/// bound would act far from where it is reached.
+constexpr double roundestBend = 1.0;
+
 /// Eq. 2 times a power of kappa3, bounded by the shear strength s sigma_0:
 ///   B  = [mu0 + mu1 kappa1/(1 + b kappa1) + mu2/(1 + c kappa2)] (kappa3/reference)^n
 ///   mu = (B^-q + (s sigma_0/p)^-q)^(-1/q),      p/sigma_0 = kappa2/kappa3.

@@ -43,7 +43,7 @@ class LawOfMaterial : public FittedLaw<Eigen::Dynamic> {
   /// b, c, s, q >= 0, and mu > 0 at every pressure, at the material's temperatures and the speeds
   /// of the fit.
   bool isSound() const override;
-  const char *soundness() const override { return "b, c, s, q >= 0, mu > 0"; }
+  const char *soundness() const override { return "b, c, s >= 0, q >= 1, mu > 0"; }
 
  private:
   std::string name_;
