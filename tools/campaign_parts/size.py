@@ -3,8 +3,9 @@
 place of the rule and of its constants (doc/campaign.md, The size of the fragment).
 
 Blocks touch at junctions, contacts that are pressed to the linking pressure sigma_link. A load p
-has p/sigma_link of the area in them. Where they are few a fragment wears smooth for a while, and
-rubs too little. Where they are all over, a narrow one heals into one crystal and rubs too much."""
+has p/sigma_link of the area in them. Where they are few a narrow fragment wears smooth
+for a while, or its layer loosens, and it rubs too little. Where they are all over, it heals into
+one crystal and rubs too much."""
 
 import math
 from collections.abc import Mapping
@@ -14,8 +15,8 @@ AUTO = "auto"
 KEYS = ("columns", "rows", "depth")
 PRESET_A = 2.35  # sigma_link/sigma_0 of preset a; all others link at the elastic limit
 # (share p/sigma_link below which it holds, automata in a layer, free rows in the plane, free layers
-# of examples/space): p/sigma_0 = 0.1 and 0.5 where links form at the elastic limit of steel, 0.554
-SIZES = ((0.18, 160, 8, 14), (0.9, 80, 14, 22), (math.inf, 160, 14, 22))
+# of examples/space): p/sigma_0 = 0.1, 0.15, 0.5 where links form at steel's elastic limit, 0.554
+SIZES = ((0.18, 160, 8, 14), (0.27, 160, 14, 22), (0.9, 80, 14, 22), (math.inf, 160, 14, 22))
 ASPECT = 2.5  # columns over depth, in space
 
 
