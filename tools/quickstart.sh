@@ -53,11 +53,11 @@ chain() {
   say "3/4 law and creep curves (tools/campaign_to_creep.sh, examples/wheelrail/eurosprinter.yaml)"
   wheel=$root/examples/wheelrail/eurosprinter
   "$root/tools/campaign_to_creep.sh" "$root/examples/campaign/logs/rail.tar.xz" \
-    --material "$root/potentials/rail_steel.mca" --model bounded --solid-only --start-distance 250 \
-    --case "$wheel.yaml" --measured "$wheel.csv" -o creep -- --set contact.hardness_limit=true \
-    --set contact.domain=4.2 --set cells="[72, 144]" --set uncertainty.method=linear --set roughness="{hurst: 0.8,
-      rms_slope: 0.0141421, wavelength_min: 3 mm, wavelength_max: 10 mm, seed: 1}" \
-    --set fields=none
+    --material "$root/potentials/rail_steel.mca" --model bounded_kappa3 --solid-only \
+    --start-distance 250 --case "$wheel.yaml" --measured "$wheel.csv" -o creep -- \
+    --set contact.hardness_limit=true --set contact.domain=4.2 --set cells="[72, 144]" \
+    --set uncertainty.method=linear --set fields=none --set roughness="{hurst: 0.8,
+      rms_slope: 0.0141421, wavelength_min: 3 mm, wavelength_max: 10 mm, seed: 1}"
   say "4/4 pictures"
   "$root/tools/plot_fragment.py" friction.dump -o fragment.png
   "$root/tools/plot_friction.py" friction.friction --runs runs.csv -o friction.png

@@ -32,7 +32,7 @@ def draw_fragment(axes: Any) -> None:
 
 
 def draw_law(axes: Any, report: dict[str, Any]) -> None:
-    """mu of the logs over p/sigma_0, colours by temperature, and the bounded law."""
+    """mu of the logs over p/sigma_0, colours by temperature, and the law."""
     runs = [run.values for run in plan.read(plan.find(made.LOGS_PLAN)).runs]
     points = [point for point in report["report"]["points"] if not point["left_out"]]
     by_heat = groups(points, lambda point: heat.temperature_of(point, runs))
@@ -44,7 +44,7 @@ def draw_law(axes: Any, report: dict[str, Any]) -> None:
             x, mu, 1.96 * error, fmt="o", ms=4, color=color, capsize=2, label=f"{kelvin:g} K"
         )
     x = np.geomspace(0.08, 3, 200)
-    axes.plot(x, rail.bounded(report, x), "C3", lw=2, label="law")
+    axes.plot(x, rail.law_at(report, x), "C3", lw=2, label="law")
     axes.plot(x, rail.SHEAR / x, "k--", lw=1, label="shear strength")
     axes.set(xlabel="pressure over strength at the temperature", xscale="log", ylim=(0, 0.62))
     axes.set_ylabel(r"$\mu$")

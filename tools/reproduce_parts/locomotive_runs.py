@@ -20,7 +20,7 @@ CASE = os.path.join(patch_runs.ROOT, "examples", "wheelrail", "eurosprinter.yaml
 MEASURED = os.path.join(patch_runs.ROOT, "examples", "wheelrail", "eurosprinter.csv")
 LOGS = os.path.join(patch_runs.ROOT, "examples", "campaign", "logs", LOGS_PLAN + ENDING)
 STEEL = os.path.join(patch_runs.ROOT, "potentials", "rail_steel.mca")
-MODELS = ("bounded", "table")  # of wr_fit; the first is `ours`, that of the smallest AICc
+MODELS = ("bounded_kappa3", "table")  # of wr_fit; the first is `ours`, that of the smallest AICc
 START_DISTANCE = 250  # nm, from which the logs are averaged
 FIT = ["--material", STEEL, "--solid-only", "--start-distance", str(START_DISTANCE)]
 PAPER = "paper"
@@ -110,11 +110,12 @@ def fit(model: str, logs: str, folder: str) -> tuple[str, dict[str, Any]]:
 
 
 def told(law: dict[str, Any]) -> str:
-    """The parameters of the bounded law with their standard errors, in a line."""
-    places = {"mu0": 0, "s": 6, "q": 7}  # in the covariance of all parameters
-    errors = {name: law["covariance"][k][k] ** 0.5 for name, k in places.items()}
-    numbers = ", ".join(f"{name} = {law[name]:.3g} +- {errors[name]:.2g}" for name in places)
-    return f"{numbers}, {law['n']} conditions, rms {100 * law['rms_relative']:.1f} %"
+    """The parameters of a fitted law with their standard errors, in a line."""
+    found = law["report"]["fit"]["parameters"]
+    numbers = (
+        f"{name} = {p['value']:.3g} +- {p['standard_error']:.2g}" for name, p in found.items()
+    )
+    return f"{', '.join(numbers)}; {law['n']} conditions, rms {100 * law['rms_relative']:.1f} %"
 
 
 def make(_plan: str, top: str, jobs: int) -> None:

@@ -12,7 +12,7 @@ from campaign_parts import plan
 from mcawr.files import save_figure
 from mcawr.replicas import NORMAL, groups, mean_of
 
-from . import temperature as heat
+from . import locomotive_runs as made, temperature as heat
 from .common import Missing, percent, run_name, table
 from .dots import dots
 
@@ -20,10 +20,14 @@ SHEAR = 1 / math.sqrt(3)  # shear strength over sigma_0, von Mises
 SPEED = 5.0  # m/s, of the runs that the law is fitted to
 
 
-def bounded(law: dict[str, Any], ratio: Any) -> Any:
-    """mu of the bounded law at p/sigma_0."""
+def law_at(law: dict[str, Any], ratio: Any) -> Any:
+    """mu of a law at p/sigma_0 (wr_fit's forms bounded and bounded_eq4): B bounded by s sigma_0/p,
+    B = mu0 + mu2/(1 + c kappa2). E/sigma_0 hardly changes with the temperature; of its points, the
+    geometric mean."""
+    kappa3 = math.exp(np.mean([math.log(p["kappa3"]) for p in law["report"]["points"]]))
+    free = law["mu0"] + law["mu2"] / (1 + law["c"] * kappa3 * ratio)
     q = law["q"]
-    return (law["mu0"] ** -q + (law["s"] / ratio) ** -q) ** (-1 / q)
+    return (free**-q + (law["s"] / ratio) ** -q) ** (-1 / q)
 
 
 def rail(report: dict[str, Any], picture: str) -> list[str]:
@@ -50,7 +54,7 @@ def rail(report: dict[str, Any], picture: str) -> list[str]:
     has_law = "fit" in report["report"]
     for axes, factor in ((left, 1 / x), (right, np.ones_like(x))):
         if has_law:
-            axes.plot(x, bounded(report, x) * x * factor, "C0", lw=2, label="law")
+            axes.plot(x, law_at(report, x) * x * factor, "C0", lw=2, label="law")
         axes.plot(x, SHEAR * factor, "k--", lw=1, label=r"shear strength, $\sigma_0/\sqrt{3}$")
         axes.set(xlabel=r"$p/\sigma_0(T)$", xscale="log")
         axes.grid(alpha=0.3)
@@ -60,7 +64,7 @@ def rail(report: dict[str, Any], picture: str) -> list[str]:
     save_figure(figure, picture)
     pyplot.close(figure)
     return [
-        "in brackets: standard error in units of 0.001, of a run what it knows of itself",
+        "in brackets: standard error in units of 0.001, with what seeds differ by",
         *table(["mu at p/sigma_0", *(f"{x:g}" for x in ratios)], rows),
         "",
         *law_lines(report),
@@ -76,12 +80,8 @@ def law_lines(report: dict[str, Any]) -> list[str]:
     """The parameters, and the forms of the law by AICc."""
     if "fit" not in report["report"]:
         return ["too few conditions for a law"]
-    lines = [
-        f"{name} = {entry['value']:.3g} +- {entry['standard_error']:.2g}"
-        for name, entry in report["report"]["fit"]["parameters"].items()
-    ]
     seeds = len({p["seed"] for p in report["report"]["points"]})
-    lines = [f"bounded: {', '.join(lines)}; {report['n']} conditions, {seeds} seed(s)"]
+    lines = f"{made.MODELS[0]}: {made.told(report)}, {seeds} seed(s)".split("; ")
     rows = [
         [m["model"], f"{100 * m['rms_relative']:.1f} %", f"{m['delta_aicc']:.1f}"]
         for m in report["report"]["models"]
@@ -94,7 +94,10 @@ def law_lines(report: dict[str, Any]) -> list[str]:
 
 def checks(report: dict[str, Any], picture: str) -> list[str]:
     """Other speeds, widths, heights and steps beside the runs of the law at their place."""
-    points = [p for p in report["report"]["points"] if not p["left_out"]]
+    # widths differ in what their seeds differ by, so that one share for all of them tells nothing
+    points = [
+        {**p, "mu_se": p["mu_se_own"]} for p in report["report"]["points"] if not p["left_out"]
+    ]
     runs = [run.values for run in plan.read(plan.find("rail")).runs]
     of_law = [p for p in points if base_name(p).startswith("t")]
     rows, labels, values, bars = [], [], [], []
@@ -117,7 +120,10 @@ def checks(report: dict[str, Any], picture: str) -> list[str]:
     line = (1.0, {"color": "k", "ls": "--"}, "runs of the law")
     dots(labels, values, bars, picture, r"$\mu$ over that of the law's runs", [line])
     head = ["", "K", "p/sigma_0", "runs", "mu", "of the law's runs", "over them"]
-    return ["errors: of a run what it knows of itself", *table(head, rows)]
+    return [
+        "errors: what a run knows of itself; of two seeds, what they differ by",
+        *table(head, rows),
+    ]
 
 
 def base_name(point: dict[str, Any]) -> str:

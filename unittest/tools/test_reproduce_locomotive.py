@@ -60,7 +60,7 @@ def test_a_curve_through_the_bins_meets_the_aims(call, tmp_path):
     real = locomotive.measured()
 
     def through(labels, creep):
-        if labels["law"] != "bounded" or labels["slope"] != 0.02:
+        if labels["law"] != locomotive.OURS or labels["slope"] != 0.02:
             return 0.5
         return numpy.interp(numpy.log(creep), numpy.log(real.creep), real.ratio)
 
