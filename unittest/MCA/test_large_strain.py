@@ -84,6 +84,7 @@ def hill(a, b, strength):
     return bore / a, pressure / k
 
 
+@pytest.mark.long
 def test_ring(tmp_path):
     out = lmp(str(EXAMPLES / "in.ring"), tmp_path)
     t = out.thermo[0]
@@ -154,6 +155,7 @@ def test_block_yields_at_k_at_large_strains(tmp_path, mode, turn, strain, error)
     assert np.abs(plastic[flown] / exact[flown] - 1).max() < 0.01
 
 
+@pytest.mark.long
 def test_load_of_an_ideally_plastic_bar_falls_with_its_section(tmp_path):
     elongation, load, _ = drawn(tmp_path)
     # the outermost rows yield late: 16 rows bear what 16.3 do
@@ -163,6 +165,7 @@ def test_load_of_an_ideally_plastic_bar_falls_with_its_section(tmp_path):
     assert np.interp(0.12, elongation, load) < 0.5
 
 
+@pytest.mark.long
 def test_bar_necks_where_considere_says(tmp_path):
     """True stress 2/sqrt(3) (Y + H kappa), kappa = 2/sqrt(3) ln(1 + elongation): the load is
     largest where its slope is the stress itself, 1.013 at 16 %, and then the bar necks."""

@@ -126,7 +126,10 @@ def bar(folder, packing="fcc", cells=5, **variables):
     return stress, across / strain, force / np.prod(sides * D) / strain, sides, strain
 
 
-@pytest.mark.parametrize("packing, missing", [("fcc", 0.1025), ("hcp", 0.0702), ("sc", -0.0201)])
+@pytest.mark.parametrize(
+    "packing, missing",
+    [("fcc", 0.1025), ("sc", -0.0201), pytest.param("hcp", 0.0702, marks=pytest.mark.long)],
+)
 def test_stiffer_surface_corrects_the_bar(tmp_path, packing, missing):
     """What the automata of the free sides lack, and a bar whose automata there make up for it: E
     over the nominal section of 10 x 10 layers, whose error has to be below 1 %."""

@@ -90,7 +90,9 @@ def test_output_that_nobody_takes(plan, tmp_path):
     assert again.returncode == 0 and sorted(logs(out)) == ["soft", "v2", "v5"]
 
 
-@pytest.mark.parametrize("moment", [0.3, 0.9, 1.7])
+@pytest.mark.parametrize(
+    "moment", [0.3, *(pytest.param(t, marks=pytest.mark.long) for t in (0.9, 1.7))]
+)
 def test_killed_at_any_moment_it_goes_on(plan, tmp_path, moment):
     campaign("run", plan, "-o", tmp_path / "whole")
     out = tmp_path / "out"
@@ -279,6 +281,7 @@ def test_few_runs_share_the_cores(shared):
     }
 
 
+@pytest.mark.long
 def test_the_last_run_takes_the_cores_that_get_idle(shared, tmp_path):
     """It goes on from a checkpoint, and its log is whole."""
     runs = "  - {name: long, ns: 6, columns: 160}\n  - {v: [1, 2, 3], columns: 160}\n"

@@ -54,6 +54,10 @@ WRITERS = {
     "plot_fragment.py": ["a.dump", "--dpi", "40", "-o"],
     "plot_layer.py": ["a.profile", "-o"],
 }
+SOME_WRITERS = [
+    script if k < 2 else pytest.param(script, marks=pytest.mark.long)
+    for k, script in enumerate(WRITERS)
+]
 
 
 @pytest.fixture(scope="module", autouse=True)
@@ -252,7 +256,7 @@ def test_full_device(script, work, node):
     assert node.is_char_device() and node.stat().st_rdev == os.makedev(1, 7)
 
 
-@pytest.mark.parametrize("script", WRITERS)
+@pytest.mark.parametrize("script", SOME_WRITERS)
 def test_full_disk(script, work):
     (work / "a.png").write_text("of yesterday")
     before = names(work)
@@ -311,7 +315,7 @@ def test_table_and_picture_together(work):
     assert names(work) == before
 
 
-@pytest.mark.parametrize("script", WRITERS)
+@pytest.mark.parametrize("script", SOME_WRITERS)
 def test_what_is_read_is_not_written_over(script, work):
     (given, *more) = WRITERS[script]
     (work / "link.png").symlink_to(given)
@@ -324,7 +328,7 @@ def test_what_is_read_is_not_written_over(script, work):
         assert done.returncode == 2 and "another result" in done.stderr
 
 
-@pytest.mark.parametrize("script", WRITERS)
+@pytest.mark.parametrize("script", SOME_WRITERS)
 def test_folders_are_no_files(script, work):
     (work / "folder.png").mkdir()
     for output in ("folder.png", "new.png/", "no/a.png", "a" * 300):

@@ -55,6 +55,14 @@ def read(call, tmp_path, monkeypatch):
     return refuse
 
 
+def some(readers):
+    """All of them, of which the first three are quick tests."""
+    return [
+        reader if k < 3 else pytest.param(reader, marks=pytest.mark.long)
+        for k, reader in enumerate(readers)
+    ]
+
+
 def test_good_files_are_taken(call, tmp_path, monkeypatch):
     """What is made worse below."""
     monkeypatch.chdir(tmp_path)
@@ -88,7 +96,7 @@ def test_no_such_content(reader, read, tmp_path):
         assert "file" in read(reader, path)
 
 
-@pytest.mark.parametrize("reader", READERS)
+@pytest.mark.parametrize("reader", some(READERS))
 def test_cut_files(reader, call, tmp_path, monkeypatch):
     """Cut anywhere: taken for what is whole of it, or refused in one line."""
     monkeypatch.chdir(tmp_path)
@@ -102,7 +110,7 @@ def test_cut_files(reader, call, tmp_path, monkeypatch):
         assert "internal" not in err, err
 
 
-@pytest.mark.parametrize("reader", [r for r in READERS if "fields" not in r])
+@pytest.mark.parametrize("reader", some(r for r in READERS if "fields" not in r))
 @pytest.mark.parametrize("number", ["nan", "1e308", "0x10", "1_0", ""])
 def test_numbers(reader, number, call, tmp_path, monkeypatch):
     """Every number of the file in turn; where it counts for nothing it may be anything."""
