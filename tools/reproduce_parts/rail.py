@@ -21,9 +21,10 @@ SPEED = 5.0  # m/s, of the runs that the law is fitted to
 
 
 def law_at(law: dict[str, Any], ratio: Any) -> Any:
-    """mu of a law at p/sigma_0 (wr_fit's forms bounded and bounded_eq4): B bounded by s sigma_0/p,
-    B = mu0 + mu2/(1 + c kappa2). E/sigma_0 hardly changes with the temperature; of its points, the
-    geometric mean."""
+    """mu [-] of a law at p/sigma_0 [-], one value or an array > 0 (wr_fit's forms bounded,
+    bounded_kappa3 and bounded_eq4): B bounded by s sigma_0/p, B = mu0 + mu2/(1 + c kappa2). At the
+    geometric mean of the points' E/sigma_0, where the power of kappa3 is 1 but for seeds; E/sigma_0
+    is 189 to 234 at the temperatures of the plan."""
     kappa3 = math.exp(np.mean([math.log(p["kappa3"]) for p in law["report"]["points"]]))
     free = law["mu0"] + law["mu2"] / (1 + law["c"] * kappa3 * ratio)
     q = law["q"]
