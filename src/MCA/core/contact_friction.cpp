@@ -55,7 +55,7 @@ static void hold(Spring &s, const Pairs &p, const RowView &rows, const PairLaw &
     p.next.gamma[m][k] = p.next.gammaTotal[m][k] = s.next[m];
 }
 
-void ContactFriction::find(LinkList &links, ViscousPairs::Range touching, const RowView &rows,
+void ContactFriction::find(LinkList &links, const ViscousContacts &touching, const RowView &rows,
                            const PairLaw *laws, int own, double dt, bool moves)
 {
   const Pairs p = links.part(0, links.size());

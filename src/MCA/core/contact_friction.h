@@ -29,7 +29,7 @@ class ContactFriction {
   /// \param own       automata whose energies are asked for
   /// \param dt        [time]
   /// \param moves     false keeps the present springs as they are (set-up)
-  void find(LinkList &, ViscousPairs::Range touching, const RowView &rows, const PairLaw *laws,
+  void find(LinkList &, const ViscousContacts &touching, const RowView &rows, const PairLaw *laws,
             int own, double dt, bool moves);
 
   /// Adds forces and torques of all springs to both of their automata.

@@ -16,7 +16,7 @@ namespace mca::MCA_ISA {
 namespace {
 
 template<class D>
-constexpr Kernel kernelOf(const Kernel *keepsVolume)
+constexpr Kernel kernelOf(const ViscousPasses *viscous, const Kernel *keepsVolume)
 {
   Kernel k{};
   k.name = MCA_ISA_NAME;
@@ -29,16 +29,17 @@ constexpr Kernel kernelOf(const Kernel *keepsVolume)
   k.returns = returnPass<D>;
   k.yieldAgain = secondYieldPass<D>;
   k.force = forcePass<D>;
+  k.viscous = viscous;
   k.keepsVolume = keepsVolume;
   return k;
 }
 
-constexpr Kernel planeIsochoric = kernelOf<PlaneIsochoric>(nullptr),
-                 spaceIsochoric = kernelOf<SpaceIsochoric>(nullptr);
+constexpr Kernel planeIsochoric = kernelOf<PlaneIsochoric>(&planeIsochoricViscous, nullptr),
+                 spaceIsochoric = kernelOf<SpaceIsochoric>(&spaceIsochoricViscous, nullptr);
 
 } // namespace
 
-extern const Kernel plane = kernelOf<Plane>(&planeIsochoric);
-extern const Kernel space = kernelOf<Space>(&spaceIsochoric);
+extern const Kernel plane = kernelOf<Plane>(&planeViscous, &planeIsochoric);
+extern const Kernel space = kernelOf<Space>(&spaceViscous, &spaceIsochoric);
 
 } // namespace mca::MCA_ISA

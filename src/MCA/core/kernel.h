@@ -10,7 +10,7 @@
 ///   return pass (pairs)      what these returns take from the averaged stress tensors
 ///   second yield (automata)  the returns again, with what the neighbours' took
 ///   force pass (pairs)       stresses after the return, forces, the next state of the links
-/// What viscous contacts change after that stands in viscous_contacts.h and slip_viscosity.h.
+/// and passes over the viscous contacts, which are few (viscous_contacts.h).
 /// Between them what automata answer goes to the ranks that have them as guests (exchange.h).
 ///
 /// No LAMMPS type in here. The forces of a step are a pure function of positions, velocities and
@@ -27,6 +27,7 @@
 #include "laws/contact.h"
 #include "pairs.h"
 #include "rows.h"
+#include "viscous_contacts.h"
 
 #include <vector>
 
@@ -103,6 +104,24 @@ using SecondYieldPass = void(int n, const int *type, const AutomatonLaw *laws,
 using ForcePass = double(const Pairs &, const PairLaw *laws, const double *response, bool returned,
                          const double *local, double *sums);
 
+/// The passes over viscous contacts; viscous_contacts.h says what each is for. Every instruction
+/// set computes the same, to the last bit. Contacts `first` to `last - 1` are worked on.
+struct ViscousPasses {
+  /// \param numbers  of the viscous pairs in rising order, written: room for all pairs
+  /// \return how many they are
+  int (*find)(const Pairs &, int *numbers);
+  /// Writes slip velocities of half a step ago, and `along` of the whole resistance to them.
+  void (*slip)(const Pairs &, const ViscousColumns &, const ViscousStep &);
+  /// Writes centred velocities, and `normal` and `along` of what they change.
+  /// \param slips  false leaves `slip` and `along`
+  void (*centre)(const Pairs &, const ViscousColumns &, int first, int last, bool slips,
+                 const ViscousStep &);
+  /// Adds `normal`, and `along` of all contacts, to both of their automata.
+  /// \param sums  rows.stress.length values an automaton
+  void (*addNormal)(const Pairs &, const ViscousColumns &, int first, int last, double *sums);
+  void (*addAlong)(const Pairs &, const ViscousColumns &, double *sums);
+};
+
 /// The passes compiled for one instruction set and one dimension. All kernels of a dimension
 /// compute the same, but for the last bits of sums and products that an instruction set contracts.
 struct Kernel {
@@ -118,6 +137,7 @@ struct Kernel {
   ReturnPass *returns;
   SecondYieldPass *yieldAgain;
   ForcePass *force;
+  const ViscousPasses *viscous;
   /// The passes of plasticity isochoric; nullptr in these themselves. Only rows of response may
   /// differ.
   const Kernel *keepsVolume;
@@ -125,13 +145,16 @@ struct Kernel {
 
 namespace baseline {
 extern const Kernel plane, space;
-}
+extern const ViscousPasses planeViscous, planeIsochoricViscous, spaceViscous, spaceIsochoricViscous;
+} // namespace baseline
 namespace avx2 {
 extern const Kernel plane, space;
-}
+extern const ViscousPasses planeViscous, planeIsochoricViscous, spaceViscous, spaceIsochoricViscous;
+} // namespace avx2
 namespace avx512 {
 extern const Kernel plane, space;
-}
+extern const ViscousPasses planeViscous, planeIsochoricViscous, spaceViscous, spaceIsochoricViscous;
+} // namespace avx512
 
 /// The fastest kernel of this dimension that this processor runs; it lives as long as the program.
 /// \param dimension  2 or 3; all but 2 counts as space

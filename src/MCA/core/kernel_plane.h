@@ -74,6 +74,9 @@ struct Plane {
     // Velocity of j seen from i of pair k of the block [length/time].
     PlaneVector velocity(int k) const { return {vx[k], vy[k]}; }
 
+    // Sum of both angular velocities of pair k [1/time].
+    Vector spin(int k) const { return {0.0, 0.0, spins[k]}; }
+
     // Motion of pair k in the step; also gives the distance.
     // \param time  of this pass
     // \param r     set to the distance at the end of the step [length]

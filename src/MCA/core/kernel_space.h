@@ -88,12 +88,15 @@ struct Space {
     // Velocity of j seen from i of pair k of the block [length/time].
     Vector velocity(int k) const { return {vx[k], vy[k], vz[k]}; }
 
+    // Sum of both angular velocities of pair k [1/time].
+    Vector spin(int k) const { return {wx[k], wy[k], wz[k]}; }
+
     // Motion of pair k in the step, for carriedShear() and shearGrowth(); also gives the distance.
     // \param time  of this pass
     // \param r     set to the distance at the end of the step [length]
     PairMotion of(int k, const Time &time, double &r) const
     {
-      const Vector distance = {x[k], y[k], z[k]}, omegas = {wx[k], wy[k], wz[k]};
+      const Vector distance = {x[k], y[k], z[k]}, omegas = spin(k);
       // the root and the division side by side
       const double r2 = dot(distance, distance);
       r = std::sqrt(r2);

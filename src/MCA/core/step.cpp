@@ -117,11 +117,19 @@ void Step::run(const Automata &a, double dt, bool advance)
   if (!laws_.resistsSlip && !laws_.centresViscosity && !rubs)
     return;
   const Pairs pairs = links_.part(0, links_.size());
-  viscousPairs_.find(pairs);
+  viscous_.find(*kernel_, pairs);
+  ViscousStep now;
+  now.rows = view();
+  now.laws = laws;
+  now.oneLaw = laws_.pairs.size() == 1;
+  now.dt = dt;
+  now.groups = a.groups;
+  now.integrated = a.integrated;
+  now.held = a.held;
   if (laws_.resistsSlip)
-    resistSlip(pairs);
+    viscous_.resistSlip(*kernel_, pairs, now, sums_.data());
   if (laws_.centresViscosity)
-    centreViscosity(pairs, a, dt);
+    centreViscosity(pairs, now);
   if (rubs)
     rub(dt, advance);
 }
@@ -354,45 +362,29 @@ RowView Step::view() const
   return rows;
 }
 
-void Step::resistSlip(const Pairs &pairs)
-{
-  slip_.begin(pairs, viscousPairs_.all(), view(), laws_.pairs.data());
-  slip_.addForces(layout(), sums_.data());
-}
-
 // Last, since friction knows the whole normal force.
 void Step::rub(double dt, bool moves)
 {
   const PairLaw *const laws = laws_.pairs.data();
-  friction_.find(links_, viscousPairs_.all(), view(), laws, own(), dt, moves);
+  friction_.find(links_, viscous_, view(), laws, own(), dt, moves);
   friction_.addForces(links_, layout(), laws, sums_.data());
 }
 
 // What forces change in half a step, of both automata of a viscous contact; torques, too, where it
 // resists slip.
-void Step::centreViscosity(const Pairs &pairs, const Automata &a, double dt)
+void Step::centreViscosity(const Pairs &pairs, const ViscousStep &now)
 {
   const RowLayout::Force &row = layout().force;
+  const bool slips = laws_.resistsSlip;
   double *const sums = sums_.data(), *const forces = sums + row.force;
   const int torques = dimension() == 2 ? 1 : 3;
-  const int needed = laws_.resistsSlip ? row.torque - row.force + torques : dimension();
+  const int needed = slips ? row.torque - row.force + torques : dimension();
+  const int border = viscous_.before(border_);
   exchange_->begin(forces, row.length, needed);
-  ViscousContacts::Conditions now;
-  now.rows = view();
-  now.dt = dt;
-  now.laws = laws_.pairs.data();
-  now.groups = a.groups;
-  now.integrated = a.integrated;
-  now.held = a.held;
-  viscous_.clear();
-  viscous_.add(pairs, viscousPairs_.from(border_), now);
+  viscous_.centre(*kernel_, pairs, border, viscous_.size(), slips, now);
   exchange_->finish(forces, row.length, needed);
-  viscous_.add(pairs, viscousPairs_.before(border_), now);
-  if (laws_.resistsSlip)
-    slip_.centre(now);
-  viscous_.addForces(layout(), sums);
-  if (laws_.resistsSlip)
-    slip_.addForces(layout(), sums);
+  viscous_.centre(*kernel_, pairs, 0, border, slips, now);
+  viscous_.addCentred(*kernel_, pairs, border, slips, sums);
 }
 
 // Changes count when their step's outcome is taken over: once, also those of the first step,

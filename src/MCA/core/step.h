@@ -31,7 +31,6 @@
 #include "link_list.h"
 #include "row_spans.h"
 #include "row_view.h"
-#include "slip_viscosity.h"
 #include "viscous_contacts.h"
 
 #include <utility>
@@ -207,7 +206,7 @@ class Step {
   const PairLaw &law(int k) const { return laws_.pairs[links_.pairs().law[k]]; }
   ContactStress contact(int k) const; ///< [stress]; shears are lengths of vectors in space
   /// Its viscous shear stress (viscosity both), which contact() has not [stress].
-  Vector slipStress(int k) const { return slip_.stress(k); }
+  Vector slipStress(int k) const;
   /// Elastic shear of its friction, perpendicular to the normal [-]: before it slides, or (next)
   /// what it holds, which makes the force; 0 of a contact without.
   Vector frictionShear(int k, bool next) const;
@@ -258,9 +257,7 @@ class Step {
   // Sums of e^2 + gamma^2 over the contacts of own automata [-], found when they are asked for.
   mutable RowArray squares_;
   mutable bool squaresKnown_ = false;
-  ViscousPairs viscousPairs_;
   ViscousContacts viscous_;
-  SlipViscosity slip_;
   ContactFriction friction_;
 
   double changing_ = 0.0; // pairs whose next state is another kind; 0 after commit()
@@ -281,8 +278,7 @@ class Step {
   void leaveStrains();
   void yieldAgain(const Automata &, const Pairs &border, const Pairs &inside);
   const double *showLocal(const Automata &);
-  void resistSlip(const Pairs &);
-  void centreViscosity(const Pairs &, const Automata &, double dt);
+  void centreViscosity(const Pairs &, const ViscousStep &);
   void rub(double dt, bool moves);
   void findChanges();
 };

@@ -146,6 +146,12 @@ ContactStress Step::contact(int k) const
                        i, j, moves ? p.next.kind[k] : kind);
 }
 
+Vector Step::slipStress(int k) const
+{
+  return laws_.resistsSlip ? mca::slipStress(law(k), viscous_.slip(k, dimension() == 2))
+                           : Vector{0.0, 0.0, 0.0};
+}
+
 Vector Step::frictionShear(int k, bool next) const
 {
   return springOf(links_, k, dimension() == 2, next);
@@ -191,7 +197,7 @@ Step::Count Step::count() const
 double Step::bytes() const
 {
   double sum =
-      links_.bytes() + slip_.bytes() + friction_.bytes() + spans_.bytes() + squares_.bytes();
+      links_.bytes() + viscous_.bytes() + friction_.bytes() + spans_.bytes() + squares_.bytes();
   for (const RowArray *rows : {&motion_, &spin_, &strains_, &response_, &sums_, &taken_, &local_,
                                &kappaNext_, &kept_, &keptNext_, &linkChanges_})
     sum += rows->bytes();

@@ -1,78 +1,70 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "viscous_contacts.h"
 
+#include "kernel.h"
+
 #include <algorithm>
 
 namespace mca {
 
-// No block of bulk links that none leaves has one.
-void ViscousPairs::find(const Pairs &p)
+void ViscousContacts::find(const Kernel &kernel, const Pairs &p)
 {
-  numbers_.clear();
-  for (int first = 0; first < p.n; first += blockLength) {
-    const Block &block = p.blocks[first / blockLength];
-    if (block.bulk && !block.changes)
-      continue;
-    const double *const next = block.changes ? p.next.kind : p.now.kind;
-    block.busy.each([&](int in) {
-      const int k = first + in;
-      if (!(link::isLinked(p.now.kind[k]) && link::isLinked(next[k])) &&
-          isPressed(p.eps[k] - p.now.plastic[k]))
-        numbers_.push_back(k);
-    });
-  }
+  if (numbers_.size() < static_cast<size_t>(p.n))
+    numbers_.resize(p.n);
+  ViscousColumns &c = columns_;
+  c.n = kernel.viscous->find(p, numbers_.data());
+  c.pair = numbers_.data();
+  const RowLayout::Force &row = kernel.rows.force;
+  const int length = row.length - row.force; // of what goes to an automaton
+  constexpr int line = 8;
+  const size_t column = (c.n + line - 1) / line * line;
+  values_.reserve(column * (4 + 4 + length));
+  double *next = values_.get();
+  const auto take = [&](int values) {
+    double *const begin = next;
+    next += column * values;
+    return begin;
+  };
+  c.normal = take(4);
+  c.along = take(length);
+  c.separation = take(1);
+  for (double *&slip : c.slip)
+    slip = take(1);
 }
 
-ViscousPairs::Range ViscousPairs::before(int pair) const
+void ViscousContacts::resistSlip(const Kernel &kernel, const Pairs &p, const ViscousStep &step,
+                                 double *forces)
 {
-  return {all().first, std::lower_bound(all().first, all().last, pair)};
+  kernel.viscous->slip(p, columns_, step);
+  kernel.viscous->addAlong(p, columns_, forces);
 }
 
-ViscousPairs::Range ViscousPairs::from(int pair) const
+void ViscousContacts::centre(const Kernel &kernel, const Pairs &p, int first, int last, bool slips,
+                             const ViscousStep &step)
 {
-  return {before(pair).last, all().last};
+  kernel.viscous->centre(p, columns_, first, last, slips, step);
 }
 
-void ViscousContacts::add(const Pairs &p, ViscousPairs::Range viscous, const Conditions &step)
+void ViscousContacts::addCentred(const Kernel &kernel, const Pairs &p, int border, bool slips,
+                                 double *forces) const
 {
-  const double half = 0.5 * step.dt;
-  size_t number = changes_.size();
-  changes_.resize(number + viscous.size());
-  for (const int k : viscous) {
-    const PairLaw &law = step.laws[p.law[k]];
-    const int i = p.i[k], j = p.j[k];
-    const double moveI = half * law.invMassI * step.follows(i);
-    const double moveJ = half * law.invMassJ * step.follows(j);
-    const Vector normal = normalOf(p, k, step.rows.isPlane());
-    const double kick = dot(normal, moveJ * step.rows.force(j) - moveI * step.rows.force(i));
-    const double damping =
-        law.centring * law.viscosity * law.area * law.invDiameter * (moveI + moveJ);
-    const double before = p.separation[k], now = centredSeparation(before, kick, damping);
-    p.separation[k] = now;
-
-    const double sigma = viscousStress(law, p.now.kind[k], p.eps[k], p.now.plastic[k],
-                                       step.rows.answer(i), step.rows.answer(j));
-    const double inverse = viscousInverse(law, p.ratio[k]);
-    const double more = unlinkedStress(sigma, law.viscosity, now, inverse, law.keepsEnergy) -
-                        unlinkedStress(sigma, law.viscosity, before, inverse, law.keepsEnergy);
-    const double area = actingAreas(law, p.ratio[k]).normal;
-    Change &c = changes_[number++];
-    c.i = i;
-    c.j = j;
-    for (int m = 0; m < step.rows.layout->dimension; m++)
-      c.force[m] = more * area * p.normal[m][k];
-  }
+  kernel.viscous->addNormal(p, columns_, border, columns_.n, forces);
+  kernel.viscous->addNormal(p, columns_, 0, border, forces);
+  if (slips)
+    kernel.viscous->addAlong(p, columns_, forces);
 }
 
-void ViscousContacts::addForces(const RowLayout &rows, double *forces) const
+int ViscousContacts::before(int pair) const
 {
-  const size_t stride = rows.force.length;
-  double *const push = forces + rows.force.force;
-  for (const Change &c : changes_)
-    for (int m = 0; m < rows.dimension; m++) {
-      push[c.i * stride + m] += c.force[m];
-      push[c.j * stride + m] -= c.force[m];
-    }
+  return static_cast<int>(std::lower_bound(begin(), end(), pair) - begin());
+}
+
+Vector ViscousContacts::slip(int k, bool plane) const
+{
+  const int at = before(k);
+  if (at == columns_.n || numbers_[at] != k)
+    return {0.0, 0.0, 0.0};
+  return {columns_.slip[0][at], columns_.slip[1][at], plane ? 0.0 : columns_.slip[2][at]};
 }
 
 } // namespace mca

@@ -1,85 +1,98 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 /// \file viscous_contacts.h
-/// The viscous forces of a step with the velocities of that step: the force pass knows those of
-/// half a step ago. No LAMMPS type in here.
-/// Equations: doc/laws.md, Corrected steps; centredSeparation() of laws/viscosity.h. Only with
-/// steps corrected and a viscosity, see LawSet::centresViscosity().
+/// The viscous contacts of a step: pairs that are pressed and unlinked or breaking. What they add
+/// to the forces of the force pass: resistance to slip with its torque (viscosity both), and in
+/// corrected steps what the velocities of the step itself change, since the force pass knows those
+/// of half a step ago. No LAMMPS type in here.
+/// Equations: doc/laws.md, Viscosity and Corrected steps; laws/viscosity.h. The loops over contacts
+/// are kernel_viscous.cpp, the columns that they fill are kept here.
 #ifndef MCA_VISCOUS_CONTACTS_H
 #define MCA_VISCOUS_CONTACTS_H
 
 #include "pairs.h"
+#include "row_array.h"
 #include "row_view.h"
 
 #include <vector>
 
 namespace mca {
 
-/// The numbers of the viscous pairs of a step, in the order of the list: pressed and
-/// unlinked or breaking.
-class ViscousPairs {
- public:
-  /// Finds the viscous contacts of all pairs, after their force pass.
-  void find(const Pairs &);
+struct Kernel;
 
-  /// A range of them, for loops.
-  struct Range {
-    const int *first, *last;
-    const int *begin() const { return first; }
-    const int *end() const { return last; }
-    int size() const { return static_cast<int>(last - first); }
-  };
-  Range all() const { return {numbers_.data(), numbers_.data() + numbers_.size()}; }
-  Range before(int pair) const; ///< those of lower number than this pair
-  Range from(int pair) const;   ///< this pair and those behind it
+/// What loops over viscous contacts know of their step.
+struct ViscousStep {
+  RowView rows;        ///< motion in the rows where pairs meet; sums of forces and answers
+  const PairLaw *laws; ///< table of PairLaw, indexed by Pairs::law
+  bool oneLaw;         ///< the table has one entry
+  // read where velocities are centred only
+  double dt;         ///< [time]
+  const int *groups; ///< bits of each automaton
+  /// Automata with a bit of `integrated` and none of `held` follow the forces; the others keep
+  /// their velocity, whatever acts on them.
+  int integrated, held;
 
- private:
-  std::vector<int> numbers_;
+  /// 1 for an automaton that follows the forces, else 0.
+  double follows(int i) const
+  {
+    return ((groups[i] & integrated) != 0) & ((groups[i] & held) == 0) ? 1.0 : 0.0;
+  }
 };
 
-/// The viscous contacts of a step, which few pairs are. First all are collected, while the forces
-/// are still those of the force pass; then what their velocities change is added to these. The
-/// order within a step is clear(), add() for each part of the list, addForces().
+/// The viscous contacts of a step, a value each, in the order of the list of pairs. A view.
+struct ViscousColumns {
+  int n;
+  const int *pair;    ///< number in the list
+  double *slip[3];    ///< slip velocity of the second automaton [length/time]; z in space only
+  double *separation; ///< centred [length/time]
+  /// What a contact adds to its first automaton [force, force length]: the change of its normal
+  /// force, and of its resistance to slip with the torque. Rows as RowLayout::Force has them from
+  /// `force` on; the former without torques.
+  double *normal, *along;
+};
+
+/// The order within a step is find(), resistSlip() where laws know it, then centre() of all
+/// contacts, a range each, and addCentred().
 class ViscousContacts {
  public:
-  /// What a step knows of its automata.
-  struct Conditions {
-    /// With the forces of the force pass, complete on both automata of a pair.
-    RowView rows;
-    double dt; ///< [time]
-    /// Table of PairLaw, indexed by Pairs::law.
-    const PairLaw *laws;
-    const int *groups; ///< bits of each automaton
-    /// Automata with a bit of `integrated` and none of `held` follow the forces; the others keep
-    /// their velocity, whatever acts on them.
-    int integrated, held;
+  /// Finds them, after the force pass of all pairs.
+  void find(const Kernel &, const Pairs &);
 
-    /// 1 for an automaton that follows the forces, else 0.
-    double follows(int i) const
-    {
-      return (groups[i] & integrated) && !(groups[i] & held) ? 1.0 : 0.0;
-    }
-  };
+  /// Their slip velocities of half a step ago, which the force pass saw, too, and what resists
+  /// them. \param forces  rows of sums, added to
+  void resistSlip(const Kernel &, const Pairs &, const ViscousStep &, double *forces);
 
-  /// Forgets the contacts of the last step.
-  void clear() { changes_.clear(); }
+  /// Velocities at the time of the step, also Pairs::separation, of contacts first to last - 1.
+  /// Forces stay as they are, since all contacts see the same ones.
+  /// \param step    with the whole forces and torques of both automata that the velocities before
+  ///                make
+  /// \param slips   after resistSlip()
+  void centre(const Kernel &, const Pairs &, int first, int last, bool slips, const ViscousStep &);
 
-  /// Collects these viscous pairs, and centres their velocities Pairs::separation. Called after
-  /// the force pass of all pairs, as it needs the whole force on both automata.
-  void add(const Pairs &, ViscousPairs::Range, const Conditions &);
+  /// Adds what the centred velocities change of the forces of both automata.
+  /// \param border  so many first contacts were centred last
+  /// \param forces  rows of sums, added to
+  void addCentred(const Kernel &, const Pairs &, int border, bool slips, double *forces) const;
 
-  /// Adds to both automata of each contact what the centred velocity changes of its force.
-  /// \param forces  rows.force.length values an automaton [force]
-  void addForces(const RowLayout &, double *forces) const;
+  int size() const { return columns_.n; }
+  /// Numbers of the pairs, for loops.
+  const int *begin() const { return numbers_.data(); }
+  const int *end() const { return numbers_.data() + columns_.n; }
+  /// How many of them have a lower number than this pair.
+  int before(int pair) const;
+
+  /// Slip velocity of pair k, after resistSlip() [length/time]; 0 of a pair that is none of them.
+  Vector slip(int k, bool plane) const;
+
+  /// Memory held [bytes].
+  double bytes() const
+  {
+    return static_cast<double>(numbers_.capacity() * sizeof(int)) + values_.bytes();
+  }
 
  private:
-  /// Rows of both automata of a viscous contact and the change of its force.
-  struct Change {
-    int i, j;
-    /// Change of the force on i [force]; that on j is its opposite, since viscosity acts along the
-    /// normal and there is no torque.
-    double force[3];
-  };
-  std::vector<Change> changes_;
+  std::vector<int> numbers_; // room for all pairs
+  AlignedArray values_;      // of the columns
+  ViscousColumns columns_{};
 };
 
 } // namespace mca

@@ -301,6 +301,14 @@ struct ContactStress {
   double viscous;
 };
 
+/// Shear stress on the face of the first automaton by which a viscous contact resists slip
+/// [stress].
+/// \param slip  of slipOf() [length/time]
+inline Vector slipStress(const PairLaw &law, const Vector &slip)
+{
+  return law.viscosity * law.invDiameter * slip;
+}
+
 /// On which areas the stresses of a contact act at a distance [length^2]; strain.h.
 struct ActingAreas {
   double normal, shear;
