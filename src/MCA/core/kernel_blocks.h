@@ -237,8 +237,7 @@ struct RoomAnswers {
   // The mean stresses alone, for the stress pass, when the other values are not known yet.
   void gatherMeans(const int *index, int n, const double *response)
   {
-    for (int k = 0; k < n; k++)
-      mean[k] = response[ROWS.response.length * index[k] + ROWS.response.mean];
+    gatherOne<ROWS.response.length>(index, n, response + ROWS.response.mean, mean);
   }
   Answer operator[](int k) const { return {mean[k], factor[k], centre[k], room[k]}; }
 };

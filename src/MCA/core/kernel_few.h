@@ -35,9 +35,11 @@ template<class D>
 inline void gatherFlow(const int *pi, const int *pj, int n, const double *response, Column &missing)
 {
   constexpr RowLayout::Response at = D::rows.response;
+  Column ofJ;
+  gatherOne<at.length>(pi, n, response + at.factor, missing);
+  gatherOne<at.length>(pj, n, response + at.factor, ofJ);
   for (int k = 0; k < n; k++)
-    missing[k] = (1.0 - response[at.length * pi[k] + at.factor]) +
-                 (1.0 - response[at.length * pj[k] + at.factor]);
+    missing[k] = (1.0 - missing[k]) + (1.0 - ofJ[k]);
 }
 
 // Pairs with an automaton that flows.

@@ -125,6 +125,18 @@ inline void gather(const int *index, int n, const double *rows, Column &c0, Colu
   }
 }
 
+// One value of the row of one automaton of each pair; works on whole fours. A loop over pairs would
+// compile to take row numbers out of vectors again, which takes longer than the loads.
+// \tparam LENGTH  values of a row
+// \param from    of the first automaton
+template<int LENGTH>
+inline void gatherOne(const int *index, int n, const double *from, Column &c)
+{
+  for (int k = 0; k < n; k += 4)
+    *rowOf<Row4>(c.value + k, 0) = Row4{from[LENGTH * index[k]], from[LENGTH * index[k + 1]],
+                                        from[LENGTH * index[k + 2]], from[LENGTH * index[k + 3]]};
+}
+
 // Means of a row of both automata of each pair, for criteria that see both sides.
 // \tparam LENGTH  values of a row, a multiple of 4: rows.local.length
 // \param rows     LENGTH values an automaton, of guests, too

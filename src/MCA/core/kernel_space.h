@@ -121,8 +121,7 @@ struct Space {
     // is longer than what it needs.
     void gatherMeans(const int *index, int n, const double *response)
     {
-      for (int k = 0; k < n; k++)
-        mean[k] = response[rows.response.length * index[k] + rows.response.mean];
+      gatherOne<rows.response.length>(index, n, response + rows.response.mean, mean);
     }
     // What the automaton of pair k of the block answers; after gather(), while gatherMeans() gives
     // the mean alone.

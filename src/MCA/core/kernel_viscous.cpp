@@ -38,28 +38,32 @@ inline Vector inSpace(const Vector &v)
   return v;
 }
 
-// Up to blockLength contacts, as columns.
+// NOLINTNEXTLINE(modernize-use-using): the attributes belong to the declared name
+typedef int Int4 __attribute__((vector_size(16), may_alias));
+
+// Whole numbers as gatherOne() has others; `to` is 16-byte aligned.
+inline void gatherNumbers(const int *index, int n, const int *from, int *to)
+{
+  for (int k = 0; k < n; k += 4)
+    *reinterpret_cast<Int4 *>(to + k) =
+        Int4{from[index[k]], from[index[k + 1]], from[index[k + 2]], from[index[k + 3]]};
+}
+
+// Up to blockLength contacts, as columns; filled up to whole fours.
 template<class D>
 struct Contacts {
-  int number[blockLength], i[blockLength + 3], j[blockLength + 3], law[blockLength];
+  alignas(64) int i[blockLength], j[blockLength], law[blockLength];
   Column ratio, normals[D::rows.dimension];
 
   // \param pi,pj  rows of both automata of all pairs
   void gather(const Pairs &p, const int *pair, int n, const int *pi, const int *pj)
   {
-    for (int k = 0; k < n; k++) {
-      const int from = number[k] = pair[k];
-      i[k] = pi[from];
-      j[k] = pj[from];
-      law[k] = p.law[from];
-      ratio[k] = p.ratio[from];
-      for (int m = 0; m < D::rows.dimension; m++)
-        normals[m][k] = p.normal[m][from];
-    }
-    for (int k = n; k % 4 != 0; k++) {
-      i[k] = i[n - 1];
-      j[k] = j[n - 1];
-    }
+    gatherNumbers(pair, n, pi, i);
+    gatherNumbers(pair, n, pj, j);
+    gatherNumbers(pair, n, p.law, law);
+    gatherOne<1>(pair, n, p.ratio, ratio);
+    for (int m = 0; m < D::rows.dimension; m++)
+      gatherOne<1>(pair, n, p.normal[m], normals[m]);
   }
   Vector normal(int k) const
   {
@@ -194,8 +198,8 @@ void slipPass(const Pairs &p, const ViscousColumns &c, const ViscousStep &step)
 template<class D>
 struct Centring {
   Contacts<D> contacts;
+  alignas(64) int groupsI[blockLength], groupsJ[blockLength];
   Column kind, eps, plastic, separation; // of the pairs; the last is written
-  Column followsI, followsJ;             // the forces
   typename D::Answers ofI, ofJ;
   Pushes<D> onI, onJ; // on the automata
   Columns<1> normal;  // what is added to the contact's own
@@ -205,15 +209,12 @@ struct Centring {
   void gather(const Pairs &p, const int *pair, int n, const ViscousStep &step)
   {
     contacts.gather(p, pair, n, p.i, p.j);
-    for (int k = 0; k < n; k++) {
-      const int from = pair[k];
-      kind[k] = p.now.kind[from];
-      eps[k] = p.eps[from];
-      plastic[k] = p.now.plastic[from];
-      separation[k] = p.separation[from];
-      followsI[k] = step.follows(contacts.i[k]);
-      followsJ[k] = step.follows(contacts.j[k]);
-    }
+    gatherNumbers(contacts.i, n, step.groups, groupsI);
+    gatherNumbers(contacts.j, n, step.groups, groupsJ);
+    gatherOne<1>(pair, n, p.now.kind, kind);
+    gatherOne<1>(pair, n, p.eps, eps);
+    gatherOne<1>(pair, n, p.now.plastic, plastic);
+    gatherOne<1>(pair, n, p.separation, separation);
     ofI.gather(contacts.i, n, step.rows.response);
     ofJ.gather(contacts.j, n, step.rows.response);
     onI.gather(contacts.i, n, step.rows.sums);
@@ -222,13 +223,18 @@ struct Centring {
 };
 
 template<class D, bool ONE, bool SLIPS>
-MCA_LOOP void centreLoop(Centring<D> &c, int n, const PairLaw *laws, double half,
-                         const Slips<D> &slips)
+MCA_LOOP void centreLoop(Centring<D> &c, int n, const ViscousStep &step, const Slips<D> &slips)
 {
-  const PairLaw one = laws[c.contacts.law[0]];
+  const PairLaw *const laws = step.laws, one = laws[c.contacts.law[0]];
+  const int integrated = step.integrated, held = step.held;
+  // half a step of automata that follow the forces
+  auto halfOf = [=, half = 0.5 * step.dt](int groups) {
+    const bool follows = ((groups & integrated) != 0) & ((groups & held) == 0);
+    return follows ? half : 0.0;
+  };
   auto centre = [=, &one, &c](int k) {
     const PairLaw &law = ONE ? one : laws[c.contacts.law[k]];
-    const double halfI = half * c.followsI[k], halfJ = half * c.followsJ[k];
+    const double halfI = halfOf(c.groupsI[k]), halfJ = halfOf(c.groupsJ[k]);
     const double moveI = halfI * law.invMassI, moveJ = halfJ * law.invMassJ;
     const Vector normal = c.contacts.normal(k);
     const Vector moved = moveJ * c.onJ.force(k) - moveI * c.onI.force(k);
@@ -274,11 +280,11 @@ void centreContacts(const Pairs &p, const ViscousColumns &c, int from, int to,
     now.gather(p, c.pair + first, n, step);
     const Slips<D> slips(c, first);
     if (step.oneLaw)
-      centreLoop<D, true, SLIPS>(now, n, step.laws, 0.5 * step.dt, slips);
+      centreLoop<D, true, SLIPS>(now, n, step, slips);
     else
-      centreLoop<D, false, SLIPS>(now, n, step.laws, 0.5 * step.dt, slips);
+      centreLoop<D, false, SLIPS>(now, n, step, slips);
     for (int k = 0; k < n; k++)
-      p.separation[now.contacts.number[k]] = now.separation[k];
+      p.separation[c.pair[first + k]] = now.separation[k];
     putRows(now.normal, n, c.normal + 4 * first);
     if (SLIPS)
       putRows(now.along.row, n, c.along + 4 * now.along.parts * first);

@@ -9,16 +9,18 @@ namespace mca {
 
 void ViscousContacts::find(const Kernel &kernel, const Pairs &p)
 {
-  if (numbers_.size() < static_cast<size_t>(p.n))
-    numbers_.resize(p.n);
+  constexpr int more = 3; // that loops by fours read
+  if (numbers_.size() < static_cast<size_t>(p.n) + more)
+    numbers_.resize(p.n + more);
   ViscousColumns &c = columns_;
   c.n = kernel.viscous->find(p, numbers_.data());
+  std::fill_n(numbers_.data() + c.n, more, 0);
   c.pair = numbers_.data();
   const RowLayout::Force &row = kernel.rows.force;
   const int length = row.length - row.force; // of what goes to an automaton
   constexpr int line = 8;
   const size_t column = (c.n + line - 1) / line * line;
-  values_.reserve(column * (4 + 4 + length));
+  values_.reserve(column * (4 + length + 3));
   double *next = values_.get();
   const auto take = [&](int values) {
     double *const begin = next;
@@ -27,7 +29,6 @@ void ViscousContacts::find(const Kernel &kernel, const Pairs &p)
   };
   c.normal = take(4);
   c.along = take(length);
-  c.separation = take(1);
   for (double *&slip : c.slip)
     slip = take(1);
 }

@@ -30,20 +30,13 @@ struct ViscousStep {
   /// Automata with a bit of `integrated` and none of `held` follow the forces; the others keep
   /// their velocity, whatever acts on them.
   int integrated, held;
-
-  /// 1 for an automaton that follows the forces, else 0.
-  double follows(int i) const
-  {
-    return ((groups[i] & integrated) != 0) & ((groups[i] & held) == 0) ? 1.0 : 0.0;
-  }
 };
 
 /// The viscous contacts of a step, a value each, in the order of the list of pairs. A view.
 struct ViscousColumns {
   int n;
-  const int *pair;    ///< number in the list
-  double *slip[3];    ///< slip velocity of the second automaton [length/time]; z in space only
-  double *separation; ///< centred [length/time]
+  const int *pair; ///< number in the list; three more are read
+  double *slip[3]; ///< slip velocity of the second automaton [length/time]; z in space only
   /// What a contact adds to its first automaton [force, force length]: the change of its normal
   /// force, and of its resistance to slip with the torque. Rows as RowLayout::Force has them from
   /// `force` on; the former without torques.
@@ -57,8 +50,8 @@ class ViscousContacts {
   /// Finds them, after the force pass of all pairs.
   void find(const Kernel &, const Pairs &);
 
-  /// Their slip velocities of half a step ago, which the force pass saw, too, and what resists
-  /// them. \param forces  rows of sums, added to
+  /// Their slip velocities of half a step ago, which the force pass saw, and what resists these.
+  /// \param forces  rows of sums, added to
   void resistSlip(const Kernel &, const Pairs &, const ViscousStep &, double *forces);
 
   /// Velocities at the time of the step, also Pairs::separation, of contacts first to last - 1.
@@ -90,7 +83,7 @@ class ViscousContacts {
   }
 
  private:
-  std::vector<int> numbers_; // room for all pairs
+  std::vector<int> numbers_; // room for all pairs, three more than that are read
   AlignedArray values_;      // of the columns
   ViscousColumns columns_{};
 };

@@ -208,7 +208,9 @@ inline double stretchedOff(const PairLaw &law, double sigma, const Stretch &stre
 {
   constexpr double none = 1e-300; // no stress needs no work
   const double size = sigma < 0.0 ? -sigma : sigma, most = law.mostStretch * size;
-  const double paid = 0.25 * law.twoG * law.twoG * stretch.squares / (size + none);
+  // asked for, so that no division is left where a compiler knows that there is none
+  const double work = 0.25 * law.twoG * law.twoG * stretch.squares;
+  const double paid = stretch.squares > 0.0 ? work / (size + none) : 0.0;
   const double against = paid < most ? paid : most;
   const double top = sigma > 0.0 ? most : against, bottom = sigma > 0.0 ? against : most;
   const double less = law.twoG * stretch.longer, lower = less < top ? less : top;
