@@ -10,6 +10,7 @@
 
 #include <cmath>
 #include <random>
+#include <vector>
 
 namespace {
 
@@ -86,6 +87,76 @@ TEST(Slip, ResistanceTakesEnergyAndKeepsBothMomenta)
     EXPECT_NEAR(fx, 0, 1e-12 * scale);
     EXPECT_NEAR(fy, 0, 1e-12 * scale);
     EXPECT_NEAR(torque, 0, 1e-11 * scale * 30);
+  }
+}
+
+/// Calls use(kernel) with the first set's kernel, whose viscous contacts go through each set's
+/// passes in turn.
+template<class Use>
+void withViscousPassesOfEachSet(int dimension, const Use &use)
+{
+  const std::vector<const mca::Kernel *> all = mca::supportedKernels(dimension);
+  for (const mca::Kernel *of : all) {
+    mca::Kernel kernel = *all.front(), keepsVolume = *kernel.keepsVolume;
+    kernel.viscous = of->viscous;
+    keepsVolume.viscous = of->keepsVolume->viscous;
+    kernel.keepsVolume = &keepsVolume;
+    use(kernel);
+  }
+}
+
+TEST(Slip, IsTheSameToTheLastBitByAllInstructionSets)
+{
+  for (const char *plasticity : {"radial", "isochoric"})
+    for (const bool unlike : {false, true}) {
+      reference::Sample start = moving(1);
+      start.laws.steps = "corrected";
+      start.laws.plasticity = plasticity;
+      if (unlike) {
+        start.materials.push_back(steel());
+        start.materials.back().viscosity *= 2;
+        for (int i = 0; i < start.owned; i += 3)
+          start.automata[i].type = 1;
+      }
+      std::vector<reference::Sample> found;
+      withViscousPassesOfEachSet(2, [&](const mca::Kernel &kernel) {
+        found.push_back(start);
+        KernelRun(kernel, start, false).step(found.back(), 5e-5);
+      });
+      for (const reference::Sample &s : found)
+        for (int i = 0; i < s.owned; i++) {
+          const auto &a = s.automata[i], &b = found[0].automata[i];
+          EXPECT_EQ(a.fx, b.fx);
+          EXPECT_EQ(a.fy, b.fy);
+          EXPECT_EQ(a.torque, b.torque);
+        }
+    }
+}
+
+TEST(Slip, IsTheSameInSpaceByAllInstructionSets)
+{
+  using reference::space::Vector3d;
+  for (const char *plasticity : {"radial", "isochoric"}) {
+    auto start = block(mca::packing::fcc, steel(), 4, mca::link::none, false);
+    start.laws.steps = "corrected";
+    start.laws.plasticity = plasticity;
+    std::mt19937 random(1);
+    auto uniform = [&](double a) { return std::uniform_real_distribution<>(-a, a)(random); };
+    for (auto &a : start.automata) {
+      a.x += Vector3d(uniform(0.05), uniform(0.05), uniform(0.05));
+      a.v = Vector3d(uniform(10), uniform(10), uniform(10));
+      a.omega = Vector3d(uniform(8), uniform(8), uniform(8));
+    }
+    std::vector<reference::space::Sample> found;
+    withViscousPassesOfEachSet(3, [&](const mca::Kernel &kernel) {
+      found.push_back(start);
+      SpaceRun(kernel, start, false).step(found.back(), 5e-5);
+    });
+    for (const auto &s : found)
+      for (int i = 0; i < s.owned; i++) {
+        EXPECT_EQ(s.automata[i].force, found[0].automata[i].force);
+        EXPECT_EQ(s.automata[i].torque, found[0].automata[i].torque);
+      }
   }
 }
 
