@@ -36,7 +36,7 @@ SAMPLES: dict[str, tuple[int, int, dict[str, Any]]] = {
     "40": (40, 20, {}),
     "56": (56, 20, {}),
     "rail": (40, 20, {"material": "rail_steel.mca", "values": "temperature 293", "p": 1000}),
-    # 0.7 of its strength: a fifth of the pairs are viscous contacts
+    # 0.7 of its strength: a third of the pairs are viscous contacts
     "hot": (40, 20, {"material": "rail_steel.mca", "values": "temperature 1073", "p": 55.4}),
     "strong": (40, 20, {"values": "strength 552"}),
 }

@@ -300,11 +300,11 @@ void Step::addKept(const double *kept)
     if (!keeps && !keeps_[s])
       continue;
     keeps_[s] = keeps;
+    std::copy_n(kept + from, to - from, kept_.row(from));
+    std::fill_n(keptNext_.row(from), to - from, 0.0);
     double *row = strains_.row(from) + layout().strain.sum;
-    for (int i = from; i < to; i++, row += length) {
-      *row = *kept_.row(i) = kept[i];
-      *keptNext_.row(i) = 0.0;
-    }
+    for (int i = from; i < to; i++, row += length)
+      *row = kept[i];
   }
 }
 
@@ -313,15 +313,19 @@ void Step::findKept()
 {
   if (!laws_.keepsVolume)
     return;
-  const int mean = layout().response.mean;
-  for (int s = 0; s < spans_.own(); s++)
-    for (int i = spans_.first(s); keeps_[s] && i < spans_.last(s); i++) {
-      if (kept(i) == 0.0)
-        continue; // and so it stays, as addKept() has left it
-      const AutomatonLaw &law = laws_.automata[types_[i]];
-      *keptNext_.row(i) =
-          keptStrain(kept(i), response_.row(i)[mean] / (law.bulkModulus * law.weight));
+  const int length = layout().response.length;
+  for (int s = 0; s < spans_.own(); s++) {
+    if (!keeps_[s])
+      continue;
+    const int from = spans_.first(s), n = spans_.last(s) - from;
+    const double *const means = response_.row(from) + layout().response.mean;
+    const double *const now = kept_.row(from);
+    double *const next = keptNext_.row(from);
+    for (int i = 0; i < n; i++) { // 0 stays 0
+      const AutomatonLaw &law = laws_.automata[types_[from + i]];
+      next[i] = keptStrain(now[i], means[length * i] / (law.bulkModulus * law.weight));
     }
+  }
   if (changing_ > 0.0)
     leaveStrains();
 }
