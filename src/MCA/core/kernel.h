@@ -27,7 +27,7 @@
 #include "laws/contact.h"
 #include "pairs.h"
 #include "rows.h"
-#include "viscous_contacts.h"
+#include "viscous_columns.h"
 
 #include <vector>
 

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "viscous_contacts.h"
 
-#include "kernel.h"
-
 #include <algorithm>
 
 namespace mca {

@@ -9,39 +9,12 @@
 #ifndef MCA_VISCOUS_CONTACTS_H
 #define MCA_VISCOUS_CONTACTS_H
 
-#include "pairs.h"
+#include "kernel.h"
 #include "row_array.h"
-#include "row_view.h"
 
 #include <vector>
 
 namespace mca {
-
-struct Kernel;
-
-/// What loops over viscous contacts know of their step.
-struct ViscousStep {
-  RowView rows;        ///< motion in the rows where pairs meet; sums of forces and answers
-  const PairLaw *laws; ///< table of PairLaw, indexed by Pairs::law
-  bool oneLaw;         ///< the table has one entry
-  // read where velocities are centred only
-  double dt;         ///< [time]
-  const int *groups; ///< bits of each automaton
-  /// Automata with a bit of `integrated` and none of `held` follow the forces; the others keep
-  /// their velocity, whatever acts on them.
-  int integrated, held;
-};
-
-/// The viscous contacts of a step, a value each, in the order of the list of pairs. A view.
-struct ViscousColumns {
-  int n;
-  const int *pair; ///< number in the list; three more are read
-  double *slip[3]; ///< slip velocity of the second automaton [length/time]; z in space only
-  /// What a contact adds to its first automaton [force, force length]: the change of its normal
-  /// force, and of its resistance to slip with the torque. Rows as RowLayout::Force has them from
-  /// `force` on; the former without torques.
-  double *normal, *along;
-};
 
 /// The order within a step is find(), resistSlip() where laws know it, then centre() of all
 /// contacts, a range each, and addCentred().
