@@ -82,7 +82,7 @@ void FixNVEMCA::step()
   }
 }
 
-/* The same of all automata that the rank has, of types that are alike: arrays as plain numbers, two
+/* Half a step of all automata of the rank, whose types are alike: arrays as plain numbers, two
    automata at a time. The third components that the plane does not have get a factor of 0. */
 
 template<int DIMENSION, bool MOVES>

@@ -174,7 +174,7 @@ class PairMCA : public Pair {
     /// Groups of both automata, bits.
     int mask[2];
   };
-  /// Those of the step before this one, on this rank; from commit() of a step to that of the next.
+  /// Events of the step before this one, on this rank; from commit() of a step to that of the next.
   const std::vector<Event> &last_events() const { return happened; }
 
  protected:

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 /// \file reference_space.h
-/// Slow, obvious MCA in space, the sibling of reference_mca.h: written from the equations with the
-/// rotations of Eigen, not from the kernel, which is held against it.
+/// Slow, obvious MCA in space, the sibling of reference_plane.h: written from the equations with
+/// the rotations of Eigen, not from the kernel, which is held against it.
 #ifndef REFERENCE_SPACE_H
 #define REFERENCE_SPACE_H
 
-#include "reference_mca.h"
+#include "reference_laws.h"
 
 #include <Eigen/Dense>
 

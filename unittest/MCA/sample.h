@@ -4,7 +4,7 @@
 #ifndef SAMPLE_H
 #define SAMPLE_H
 
-#include "reference_mca.h"
+#include "reference_plane.h"
 #include "step_arrays.h"
 
 #include <iosfwd>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "laws/contact.h"
 #include "sample.h"
+#include "shared/pi.h"
 
 #include <gtest/gtest.h>
 
@@ -20,7 +21,7 @@ StressTensor homogeneous(const Material &m, const Tensor &strain, double turned,
   const PairLaw law = makePairLaw(LawSet(), m, m, 1.0);
   double e[6], gamma[6], nx[6], ny[6], sum = 0;
   for (int k = 0; k < 6; k++) {
-    const double angle = turned + k * std::acos(-1.0) / 3;
+    const double angle = turned + k * mcawr::pi / 3;
     nx[k] = std::cos(angle);
     ny[k] = std::sin(angle);
     const double ex = strain.xx * nx[k] + strain.xy * ny[k];
@@ -71,7 +72,7 @@ TEST(Elasticity, EnergyDensityIsHalfStressTimesStrain)
   double mean, squares = 0;
   const StressTensor s = homogeneous(m, eps, 0.3, mean);
   for (int k = 0; k < 6; k++) {
-    const double a = 0.3 + k * std::acos(-1.0) / 3, x = std::cos(a), y = std::sin(a);
+    const double a = 0.3 + k * mcawr::pi / 3, x = std::cos(a), y = std::sin(a);
     const double ex = eps.xx * x + eps.xy * y, ey = eps.xy * x + eps.yy * y;
     squares += ex * ex + ey * ey;
   }
@@ -106,7 +107,7 @@ TEST(Elasticity, RigidRotationLeavesNoShear)
   // 90 degrees in 10000 steps, at any distance
   for (const double r : {2.4, 2.5, 2.7}) {
     const int steps = 10000;
-    const double turn = std::acos(-1.0) / 2 / steps;
+    const double turn = mcawr::pi / 2 / steps;
     double gamma = 0;
     for (int k = 0; k < steps; k++) {
       // chord of the pair's axis seen in its new frame

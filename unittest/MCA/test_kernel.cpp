@@ -2,6 +2,7 @@
 // Every kernel that this processor runs, held against the slow reference and against what the
 // equations say about exchange, mirror, rotation and momentum.
 #include "sample.h"
+#include "shared/pi.h"
 
 #include <gtest/gtest.h>
 
@@ -435,7 +436,7 @@ TEST_P(KernelTest, MirrorTurnsShearAndTorqueRound)
 TEST_P(KernelTest, RotationTurnsTheForces)
 {
   for (const double degrees : {60.0, 37.0}) {
-    const double angle = degrees * std::acos(-1.0) / 180;
+    const double angle = degrees * mcawr::pi / 180;
     const double c = std::cos(angle), sn = std::sin(angle);
     auto turn = [&](double &x, double &y, double sign) {
       const double u = c * x - sign * sn * y, w = sign * sn * x + c * y;

@@ -2,6 +2,7 @@
 #include "laws/packing.h"
 
 #include "sample.h"
+#include "shared/pi.h"
 
 #include <gtest/gtest.h>
 
@@ -113,7 +114,7 @@ TEST(Packing, ContactAreasAreTheCellsFaces)
 
 TEST(Packing, InertiaOfDiscAndBall)
 {
-  const double pi = std::acos(-1.0);
+  using mcawr::pi;
   const Cell disc{packing::hex, 2.5, 1.0}, ball{packing::fcc, 2.5};
   EXPECT_NEAR(disc.mass(0.0078) / (0.0078 * pi / 4 * 2.5 * 2.5), 2 * std::sqrt(3.0) / pi, 1e-14);
   EXPECT_NEAR(disc.inertia(0.0078), 0.5 * disc.mass(0.0078) * 1.25 * 1.25, 1e-17);

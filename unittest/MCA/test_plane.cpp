@@ -4,6 +4,7 @@
 #include "laws/plane.h"
 
 #include "sample.h"
+#include "shared/pi.h"
 
 #include <gtest/gtest.h>
 
@@ -15,7 +16,7 @@ using namespace mca;
 
 namespace {
 
-const double pi = std::acos(-1.0);
+using mcawr::pi;
 
 struct Strain {
   double xx, yy, xy;

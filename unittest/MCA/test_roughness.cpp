@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "laws/roughness.h"
+#include "shared/pi.h"
 
 #include <gtest/gtest.h>
 
@@ -66,7 +67,7 @@ TEST(Roughness, AutocorrelationIsGaussian)
       sum += all[k] * all[(k + shift) % n];
     return sum / n;
   };
-  const double missing = std::sqrt(std::acos(-1.0)) * correlation / length;
+  const double missing = std::sqrt(mcawr::pi) * correlation / length;
   for (int shift : {50, 100, 164, 300, 500, 2000}) {
     const double x = length * shift / n, expected = std::exp(-x * x / correlation / correlation);
     EXPECT_NEAR(at(shift) / at(0), (expected - missing) / (1 - missing), 1e-3) << "x = " << x;
@@ -100,7 +101,7 @@ TEST(Roughness, IsTheSumOfItsWaves)
   for (const double l : {5.0, 0.5}) {
     const unsigned seed = 3;
     std::mt19937_64 random(seed);
-    const double pi = std::acos(-1.0);
+    using mcawr::pi;
     const int waves = static_cast<int>(8.0 * length / (2.0 * pi * l));
     std::vector<double> phase(waves);
     for (double &p : phase)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "patch_cases.h"
+#include "shared/pi.h"
 
 #include <cmath>
 #include <random>
@@ -10,7 +11,7 @@ Eigen::VectorXd waves(const wheelrail::PatchGrid &grid, double rmsSlope, double 
                       double longest, unsigned seed)
 {
   constexpr int count = 60;
-  constexpr double pi = 3.14159265358979323846;
+  using mcawr::pi;
   std::mt19937 random(seed); // its sequence is the same everywhere, unlike the distributions'
   const auto uniform = [&] { return random() / 4294967296.0; };
   Eigen::VectorXd height = Eigen::VectorXd::Zero(grid.cells());

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "base/quantity.h"
 #include "case_text.h"
+#include "shared/pi.h"
 
 #include <gtest/gtest.h>
 #include <numeric>
@@ -159,7 +160,7 @@ TEST(CasePatch, MapsTravel)
   map.nx = map.ny = 32;
   map.height.resize(32 * 32);
   const auto wave = [](double x, double y) {
-    return std::cos(0.25 * M_PI * (x + 2.0)) + 0.1 * std::sin(0.25 * M_PI * y);
+    return std::cos(0.25 * mcawr::pi * (x + 2.0)) + 0.1 * std::sin(0.25 * mcawr::pi * y);
   };
   for (int iy = 0; iy < 32; ++iy)
     for (int ix = 0; ix < 32; ++ix)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "contact/contact_temperature.h"
 #include "contact_cases.h"
+#include "shared/pi.h"
 
 #include <gtest/gtest.h>
 
@@ -55,7 +56,7 @@ TEST(FlashTemperature, HasNoBiasOfTheOrderOfRootH)
   for (int n : {10, 40, 160, 2000}) {
     FlashTemperature flash(n, 1.0 / n, 1.0, {1.0, 1.0, 1.0});
     const Vector rise = flash.rise(Vector::Ones(n));
-    EXPECT_NEAR(rise.mean(), 2.0 / 3.0 / std::sqrt(3.14159265358979), 1e-9) << n;
+    EXPECT_NEAR(rise.mean(), 2.0 / 3.0 / std::sqrt(mcawr::pi), 1e-9) << n;
   }
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "contact/line/halfplane.h"
+#include "shared/pi.h"
 
 #include <cmath>
 #include <gtest/gtest.h>
@@ -8,7 +9,7 @@ using namespace wheelrail;
 using Vector = Eigen::VectorXd;
 
 namespace {
-constexpr double pi = 3.14159265358979323846;
+using mcawr::pi;
 
 Vector bumpy(int n)
 {

@@ -2,6 +2,7 @@
 #include "base/errors.h"
 #include "base/random_number.h"
 #include "contact/patch/surfaces/height_map_steps.h"
+#include "shared/pi.h"
 
 #include <cmath>
 #include <gtest/gtest.h>
@@ -11,7 +12,7 @@ using namespace wheelrail;
 
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
+using mcawr::pi;
 const double unmeasuredHeight = std::numeric_limits<double>::quiet_NaN();
 
 template<class Function>

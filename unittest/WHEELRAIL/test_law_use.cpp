@@ -3,6 +3,7 @@
 #include "law/forms/eq2.h"
 #include "law/forms/polach.h"
 #include "law/forms/table.h"
+#include "shared/pi.h"
 
 #include <cmath>
 #include <gtest/gtest.h>
@@ -64,7 +65,7 @@ TEST(LawUse, LocalFrictionAsksForTheCellsPressures)
   // load below p of Hertz' line contact: with s = p/p0, 1 - (2/pi)(asin(c) + c s), c = sqrt(1 -
   // s^2)
   const double s = use["kappa2"][0] / (542.0 * 0.206), c = std::sqrt(1.0 - s * s);
-  EXPECT_NEAR(1.0 - 2.0 / M_PI * (std::asin(c) + c * s), 0.005, 3e-4);
+  EXPECT_NEAR(1.0 - 2.0 / mcawr::pi * (std::asin(c) + c * s), 0.005, 3e-4);
   // the sign of the sliding does not count; without the velocity term its speed does not
   EXPECT_EQ(law.use({pressure, -2.0, cold}).ranges, law.use({pressure, 2.0, cold}).ranges);
   const Eq2Law atRest = paperLaw(railSteel(true, false));

@@ -5,6 +5,7 @@
 #include "contact/line/line_coupling.h"
 #include "contact/patch/patch_contact.h"
 #include "creep/line/creep_curve.h"
+#include "shared/pi.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,7 +17,7 @@ using Vector = Eigen::VectorXd;
 
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
+using mcawr::pi;
 
 constexpr ElasticBody steel = {209920e6, 0.28}, aluminium = {60260e6, 0.31};
 

@@ -7,6 +7,7 @@
 #include "contact/patch/solvers/tangential.h"
 #include "contact_cases.h"
 #include "creep/line/creep_curve.h"
+#include "shared/pi.h"
 
 #include <cmath>
 #include <fmt/format.h>
@@ -18,7 +19,7 @@ using contact_cases::cylinder;
 
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
+using mcawr::pi;
 
 std::string wheel(double creep, const std::string &more, int cells = 512)
 {

@@ -4,6 +4,7 @@
 #include "contact/line/contact_interval.h"
 #include "contact/normal_contact.h"
 #include "contact_cases.h"
+#include "shared/pi.h"
 
 #include <Eigen/Dense>
 #include <algorithm>
@@ -15,7 +16,7 @@ using contact_cases::cylinder;
 using contact_cases::table2;
 
 namespace {
-constexpr double pi = 3.14159265358979323846;
+using mcawr::pi;
 
 /// What every solution has to fulfil, whatever the profile.
 void expectOptimal(HalfPlane &plane, const NormalContactProblem &problem,

@@ -5,6 +5,7 @@
 // does every cell's state.
 #include "contact/patch/solvers/transient.h"
 #include "patch_cases.h"
+#include "shared/pi.h"
 
 #include <gtest/gtest.h>
 #include <map>
@@ -225,7 +226,7 @@ TEST(PatchCases, OneRowOfLongCellsIsCarter)
   const ElasticPair pair{1.0, 0.28};
   const double peak = 1e-3, mu = 0.3, length = 1000.0;
   const double modulus = pair.G / (1.0 - pair.nu);
-  const double radius = 0.5 * modulus / peak, load = 0.5 * 3.14159265358979323846 * peak * length;
+  const double radius = 0.5 * modulus / peak, load = 0.5 * mcawr::pi * peak * length;
   const double saturation = mu / radius;
   const double creeps[] = {0.1, 0.4, 0.7}, exact[] = {0.19, 0.64, 0.91};
   const double fine[] = {0.19016, 0.64057, 0.91081}; // n = 400, numpy program

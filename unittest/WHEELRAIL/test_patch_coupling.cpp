@@ -7,6 +7,7 @@
 #include "creep/patch/static_patch.h"
 #include "law/forms/constant.h"
 #include "patch_cases.h"
+#include "shared/pi.h"
 
 #include <algorithm>
 #include <cmath>
@@ -18,7 +19,7 @@ using Vector = Eigen::VectorXd;
 
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
+using mcawr::pi;
 
 ElasticBody bodyOf(double G, double nu)
 {

@@ -3,6 +3,7 @@
 #include "contact/patch/solvers/edge_compliance.h"
 #include "contact/patch/solvers/transient.h"
 #include "patch_cases.h"
+#include "shared/pi.h"
 
 #include <cmath>
 #include <gtest/gtest.h>
@@ -86,7 +87,7 @@ TEST(PatchEdges, CarterOnARowOfLongCells)
   const ElasticPair pair{1.0, 0.28};
   const double peak = 1e-3, mu = 0.3, length = 1000.0;
   const double radius = 0.5 * pair.G / (1.0 - pair.nu) / peak;
-  const double load = 0.5 * 3.14159265358979323846 * peak * length;
+  const double load = 0.5 * mcawr::pi * peak * length;
   const double creeps[] = {0.1, 0.4, 0.7}, exact[] = {0.19, 0.64, 0.91};
   for (const int n : {50, 101, 200}) {
     const double dx = 2.0 / n;

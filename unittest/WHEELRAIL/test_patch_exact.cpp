@@ -5,6 +5,7 @@
 #include "contact/patch/solvers/transient.h"
 #include "law/forms/eq2.h"
 #include "patch_cases.h"
+#include "shared/pi.h"
 
 #include <cmath>
 #include <gtest/gtest.h>
@@ -15,7 +16,7 @@ using Vector = Eigen::VectorXd;
 
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
+using mcawr::pi;
 
 /// The cells in contact, none of which may slip.
 Vector stuck(const Vector &pressure)

@@ -2,6 +2,7 @@
 #include "patch_cases.h"
 
 #include "contact/convolution.h"
+#include "shared/pi.h"
 
 #include <cmath>
 #include <gtest/gtest.h>
@@ -11,7 +12,7 @@ using namespace patch_cases;
 using Vector = Eigen::VectorXd;
 
 namespace {
-constexpr double pi = 3.14159265358979323846;
+using mcawr::pi;
 }
 
 TEST(PatchHalfSpace, OneCell)

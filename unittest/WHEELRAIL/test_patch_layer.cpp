@@ -7,6 +7,7 @@
 #include "creep/patch/patch_point.h"
 #include "law/forms/constant.h"
 #include "patch_cases.h"
+#include "shared/pi.h"
 
 #include <cmath>
 #include <gtest/gtest.h>
@@ -17,7 +18,7 @@ using Vector = Eigen::VectorXd;
 
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
+using mcawr::pi;
 
 /// Force over xi of full stick on an ellipse, divided by that of the layer alone, 8 a^2 b/(3 l).
 double slope(double a, double b, double layer, int cells)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "base/errors.h"
 #include "patch_cases.h"
+#include "shared/pi.h"
 
 #include <cmath>
 #include <gtest/gtest.h>
@@ -17,7 +18,7 @@ TEST(HertzEllipse, EllipticIntegrals)
     EXPECT_NEAR(e.E, std::comp_ellint_2(std::sqrt(m)), 1e-13 * e.K);
     EXPECT_NEAR(e.K - e.E, m * e.D, 1e-14 * e.K);
   }
-  EXPECT_NEAR(ellipticIntegrals(1e-12).D, 0.25 * 3.14159265358979323846, 1e-11);
+  EXPECT_NEAR(ellipticIntegrals(1e-12).D, 0.25 * mcawr::pi, 1e-11);
 }
 
 TEST(HertzEllipse, AxesAndCurvaturesThereAndBack)
@@ -41,7 +42,7 @@ TEST(HertzEllipse, Sphere)
   EXPECT_NEAR(h.a, a, 1e-14);
   EXPECT_NEAR(h.b, a, 1e-14);
   EXPECT_NEAR(h.approach, a * a / radius, 1e-14);
-  EXPECT_NEAR(h.hertzPressure, 1.5 * load / (3.14159265358979323846 * a * a), 1e-14);
+  EXPECT_NEAR(h.hertzPressure, 1.5 * load / (mcawr::pi * a * a), 1e-14);
 }
 
 TEST(PatchNormal, HertzianEllipse)

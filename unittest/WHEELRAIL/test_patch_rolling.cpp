@@ -5,6 +5,7 @@
 #include "contact/patch/solvers/kalker.h"
 #include "contact/patch/solvers/transient.h"
 #include "patch_cases.h"
+#include "shared/pi.h"
 
 #include <Eigen/Dense>
 #include <algorithm>
@@ -17,7 +18,7 @@ using Vector = Eigen::VectorXd;
 
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
+using mcawr::pi;
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
 double relativeDifference(const TangentialField &a, const TangentialField &b)

@@ -3,6 +3,7 @@
 // followed one by one; what the means of mode moving leave out.
 #include "contact/patch/surfaces/rough_patch.h"
 #include "creep/patch/moving_patch.h"
+#include "shared/pi.h"
 
 #include <gtest/gtest.h>
 
@@ -11,7 +12,7 @@ using Vector = Eigen::VectorXd;
 
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
+using mcawr::pi;
 
 /// Heights that are known everywhere; they repeat after 4 x 3 with at least 16 cells a wave.
 double height(double x, double y)

@@ -2,6 +2,7 @@
 #include "base/errors.h"
 #include "base/random_number.h"
 #include "creep/patch/polach_forces.h"
+#include "shared/pi.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,7 +15,7 @@ using namespace wheelrail;
 
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
+using mcawr::pi;
 
 /// Steel, a = 6, b = 4 mm at 100 kN; the coefficients are of the right size, that is enough here.
 const PolachContact wheel{82000.0, 6.0, 4.0, 1e5, {4.6, 4.2, 1.9, 1.0}};

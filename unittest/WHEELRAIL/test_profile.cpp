@@ -3,6 +3,7 @@
 #include "base/program_files.h"
 #include "base/random_number.h"
 #include "contact/line/profile.h"
+#include "shared/pi.h"
 
 #include <cmath>
 #include <complex>
@@ -15,7 +16,7 @@ using namespace wheelrail;
 using Vector = Eigen::VectorXd;
 
 namespace {
-constexpr double pi = 3.14159265358979323846;
+using mcawr::pi;
 
 FractalSurface standard()
 {

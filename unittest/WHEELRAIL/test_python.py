@@ -10,18 +10,16 @@ import pathlib
 import re
 import signal
 import subprocess
-import sys
 import threading
 import time
 
+import friction_logs
 import numpy as np
 import pytest
 import wheelrail
 
 SOURCE = pathlib.Path(os.environ["PROJECT_SOURCE"])
 BIN = pathlib.Path(os.environ["WHEELRAIL_BIN"])
-sys.path.insert(0, str(SOURCE / "unittest" / "tools"))
-import friction_logs  # noqa: E402
 
 PATCH = {
     "contact": {

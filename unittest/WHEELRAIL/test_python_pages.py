@@ -8,15 +8,14 @@ import os
 import pathlib
 import re
 import subprocess
-import sys
 
 import numpy as np
 import pytest
+import slip_control
 
 SOURCE = pathlib.Path(os.environ["PROJECT_SOURCE"])
 BIN = pathlib.Path(os.environ["WHEELRAIL_BIN"])
 BLOCK = re.compile(r"^```(\w+)\n(.*?)^```\n(?:\n```text\n(.*?)^```\n)?", re.MULTILINE | re.DOTALL)
-sys.path.insert(0, str(SOURCE / "examples" / "python"))
 
 
 def blocks(page, language):
@@ -93,8 +92,6 @@ def test_c_example_shows_what_its_page_shows():
 def test_slip_control():
     """With the controller the creep ends where it is aimed at, at almost the most that the rail
     carries; without one the wheel spins, on less friction."""
-    import slip_control
-
     rows = slip_control.drive(0.6)
     _, speed, creep, torque, force, call = rows.T
     assert -creep[-100:] == pytest.approx(np.full(100, slip_control.TARGET), rel=0.1)

@@ -4,6 +4,7 @@
 #include "contact/line/line_coupling.h"
 #include "contact/line/rolling_contact.h"
 #include "contact_cases.h"
+#include "shared/pi.h"
 
 #include <Eigen/Dense>
 #include <gtest/gtest.h>
@@ -14,7 +15,7 @@ using contact_cases::cylinder;
 using contact_cases::table2;
 
 namespace {
-constexpr double pi = 3.14159265358979323846;
+using mcawr::pi;
 
 double ratio(const RollingResult &result, const NormalContactProblem &problem)
 {

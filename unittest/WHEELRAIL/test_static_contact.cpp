@@ -3,6 +3,7 @@
 #include "case_text.h"
 #include "contact_cases.h"
 #include "creep/line/static_contact.h"
+#include "shared/pi.h"
 
 #include <gtest/gtest.h>
 
@@ -12,7 +13,7 @@ using contact_cases::cylinder;
 using contact_cases::table2;
 
 namespace {
-constexpr double pi = 3.14159265358979323846;
+using mcawr::pi;
 
 StaticCases solve(const std::string &text)
 {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "contact/patch/elasticity/subsurface_stress.h"
 #include "patch_cases.h"
+#include "shared/pi.h"
 
 #include <cmath>
 #include <gtest/gtest.h>
@@ -10,7 +11,7 @@ using Vector = Eigen::VectorXd;
 
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
+using mcawr::pi;
 
 /// Stress of a unit force on a point of the surface, along z (Boussinesq) and along x (Cerruti); K.
 /// L. Johnson, Contact Mechanics, Eqs. 3.19 and 3.75. The slow reference: other formulas than those

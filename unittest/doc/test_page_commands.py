@@ -10,16 +10,14 @@ import os
 import re
 import shutil
 import subprocess
-import sys
 import tarfile
 from pathlib import Path
 
+import friction_logs
 import pytest
 
 ROOT = Path(__file__).resolve().parents[2]
 BIN = Path(os.environ.get("MCAWR_LMP", str(ROOT / "build" / "bin" / "lmp"))).parent
-sys.path.insert(0, str(ROOT / "unittest" / "tools"))
-import friction_logs  # noqa: E402
 
 PAGES = [
     ROOT / "README.md",

@@ -15,7 +15,8 @@ class Mutator {
 
   /// One of the corpus with 1 to 8 changes: bits, bytes, numbers, words, lines, pieces of another
   /// file, deep nesting, a cut end, and what another machine makes of a whole text: line ends,
-  /// marks, encodings, decimal signs, separators. \param number of the execution
+  /// marks, encodings, decimal signs, separators.
+  /// \param number of the execution
   std::string operator()(std::uint64_t number);
 
  private:

@@ -175,7 +175,7 @@ struct PlaneIsochoric : Plane {
   static constexpr bool keepsVolume = true;
   using Answers = RoomAnswers<planeIsochoricRows>;
 
-  // As of Plane, with one more sum.
+  // Plane's shares with one more sum.
   struct Shares : Plane::Shares {
     // \param flowing  sigma of a contact that flows with them, else 0 [stress]; of the return pass
     //                 its square and those of its shear [stress^2]

@@ -118,7 +118,7 @@ class LinkList {
   };
   /// In the order of pairs.
   const std::vector<Spring> &springs() const { return springs_; }
-  /// That of pair k, or nullptr.
+  /// The spring of pair k, or nullptr.
   const Spring *spring(int k) const;
   /// Takes the place of all springs.
   /// \param springs  of pairs that are unlinked at present, in their order

@@ -158,7 +158,7 @@ class Step {
   RowView view() const;
 
   /// Rows with the forces and torques [force, force length] of own automata, as layout() says.
-  /// Those of contacts only; rows behind them hold parts that are not complete.
+  /// Only the contacts' are in it; rows behind them hold parts that are not complete.
   const RowArray &forces() const { return sums_; }
 
   /// The state of automaton i in this evaluation. Stresses are energies per volume, tension

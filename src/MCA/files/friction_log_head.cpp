@@ -54,7 +54,7 @@ class Section {
   bool empty_ = true;
 };
 
-/// Those of a material.
+/// The head's numbers of a material.
 format::Head numbersOf(const Material &material, const Units &u)
 {
   format::Head n;

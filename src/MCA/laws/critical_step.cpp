@@ -97,7 +97,7 @@ class Form {
     return sum;
   }
 
-  // Of this times a factor; Hermitian as this is.
+  // The square of this form times a factor; Hermitian as this is.
   Form squared(double factor) const
   {
     Form square(n_);

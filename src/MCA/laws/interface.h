@@ -52,7 +52,7 @@ struct Interface {
 /// By two types, the lower one first.
 using Interfaces = std::map<std::pair<int, int>, Interface>;
 
-/// That of two types in any order, or nullptr.
+/// The interface of two types in any order, or nullptr.
 inline const Interface *findInterface(const Interfaces &all, int typeI, int typeJ)
 {
   const auto found = all.find(std::minmax(typeI, typeJ));

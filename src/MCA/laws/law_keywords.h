@@ -124,7 +124,7 @@ using LinkLaw = ThresholdLaw<LinkWords>;
 struct WeldWords : OfStrength {
   static constexpr const char *keyword = "weld", *materialStress = "elastic_limit";
   static Threshold initial() { return Threshold::ofMaterial(); }
-  /// As of keyword link [stress].
+  /// The stress of keyword link [stress].
   static double stress(const Material &i, const Material &j) { return LinkWords::stress(i, j); }
 };
 /// Keyword weld: "elastic_limit" (default), a multiple of sigma_0 > 0, or "none".

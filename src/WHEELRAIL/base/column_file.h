@@ -18,7 +18,7 @@ struct NeededColumn {
   bool needsUnit;   ///< whether a line "# NAME: UNIT" has to say the file's unit
   bool mayBeZero;   ///< numbers are >= 0, not > 0
   double largest;   ///< in `unit`
-  /// Of all rows of a file without this column; absent: the column is needed.
+  /// Value in all rows of a file without this column; absent: the column is needed.
   std::optional<double> otherwise = std::nullopt;
 };
 

@@ -16,8 +16,9 @@ namespace wheelrail {
 std::string jsonText(const std::string &name, const nlohmann::ordered_json &json, int indent = 2);
 
 /// Checks that a table has finite numbers only: lines that begin with '#', a line of column names,
-/// rows of cells that are separated by commas. \return the table \throws Error (NotConverged) that
-/// names column and row
+/// rows of cells that are separated by commas.
+/// \return the table
+/// \throws Error (NotConverged) that names column and row
 const std::string &finiteTable(const std::string &name, const std::string &table);
 
 /// And for a journal's rows. \return whether all numbers are finite

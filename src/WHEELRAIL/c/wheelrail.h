@@ -68,8 +68,8 @@ WHEELRAIL_API const char *wheelrail_version(void);
  * is no memory.
  */
 WHEELRAIL_API int wheelrail_create(const char *case_file, wheelrail_contact **contact);
-/** The same with the text of a case file. Files that it names are looked for from the working
- * folder. */
+/** `wheelrail_create` with the text of a case file. Files that it names are looked for from the
+ * working folder. */
 WHEELRAIL_API int wheelrail_create_from_text(const char *case_text, wheelrail_contact **contact);
 
 /**

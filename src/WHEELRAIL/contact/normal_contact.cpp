@@ -138,15 +138,18 @@ class PressureSearch {
   }
 
   /// Conjugate gradients on the cells strictly inside the limits, then as much of the way there
-  /// as lowers the energy when what leaves the limits is cut off. \return steps taken
+  /// as lowers the energy when what leaves the limits is cut off.
+  /// \return steps taken
   int solveInside(double tolerance, int maxSteps);
 
   /// Lets cells that overlap, or that lie at the limit but apart, join by one step of projected
-  /// gradient. \return how many broke their condition by more than the tolerance
+  /// gradient.
+  /// \return how many broke their condition by more than the tolerance
   int join(double tolerance);
 
   /// Without regard to the energy: what pulls is released, what is above the limit is set to it,
-  /// what overlaps joins, all at once. \return number of cells that changed
+  /// what overlaps joins, all at once.
+  /// \return number of cells that changed
   int jump(double tolerance);
 
   bool wasCut() const { return cut_; }
@@ -191,7 +194,8 @@ class PressureSearch {
   /// free is 1.
   Vector projected(const Vector &wanted, const Vector &free) const;
   /// Moves to the projection of pressure + length * direction, the length halved until the energy
-  /// falls by a tenth of what the slope promises. \return false if rounding leaves nothing to gain
+  /// falls by a tenth of what the slope promises.
+  /// \return false if rounding leaves nothing to gain
   bool descend(const Vector &direction, const Vector &free, double length);
 
   HalfSpace &halfSpace_;

@@ -63,7 +63,7 @@ Line valuesOf(const std::string &path, int number, const std::string &keyword,
   return line;
 }
 
-/// As many as there are temperatures, in SI units.
+/// Numbers in SI units, as many as there are temperatures.
 std::vector<double> spread(const std::string &path, const std::string &keyword, const Line &line,
                            double unit, std::size_t count)
 {

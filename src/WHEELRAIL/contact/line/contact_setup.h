@@ -24,14 +24,15 @@ struct LineContactSpecification {
   int points = 1024;   ///< cells on the whole domain
 };
 
-/// What all points of a creep curve share: grid, surface and normal contact of one profile.
+/// What all operating points of a creep curve share: grid, surface and normal contact of one
+/// profile.
 struct ContactSetup {
   /// Nominal contact. For flat surfaces it holds load, modulus, half the period as halfWidth and
   /// the mean pressure as hertzPressure.
   HertzContact hertz;
   double coupling = 0.0; ///< of pressure and traction: `couplingOf` the bodies
   double layer = 0.0;    ///< compliance of the layer, in cells per E*
-  /// Of the layer, Pa; infinite where there is none.
+  /// Shear yield stress of the layer, Pa; infinite where there is none.
   double yieldStress = std::numeric_limits<double>::infinity();
   int cells = 0;
   double cellSize = 0.0;              ///< m

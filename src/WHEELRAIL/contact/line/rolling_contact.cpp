@@ -135,7 +135,8 @@ bool slips(Adhesion state)
 /// Moves cells between stick and slip: a cell that sticks beyond its bound slips from now on, with
 /// the traction's sign; a cell that slips against its traction sticks. All at once, as in a
 /// primal-dual active set; `threshold` keeps the rounding of slips near zero from moving a cell to
-/// and fro. \return number of cells that changed
+/// and fro.
+/// \return number of cells that changed
 int updateStates(const Vector &bound, const Vector &traction, const Vector &slip, double threshold,
                  std::vector<Adhesion> &state)
 {

@@ -42,7 +42,7 @@ struct RollingResult {
 /// pressure distribution for all time, through which the material flows. In the stick zone a
 /// particle's displacement grows with every cell it travels by exactly the creep,
 ///   creep - (u_i - u_(i+1)) = 0,   |q| <= bound;   where |q| = bound, slip goes along with q.
-/// Of unlike bodies the pressure drives each cell, too (`RollingOptions::imposed`).
+/// The pressure of unlike bodies drives each cell, too (`RollingOptions::imposed`).
 /// Sets {stick, slip, backward slip} are tried until none changes, on coarser grids first. On a set
 /// the equation is a finite Hilbert transform; GMRES with FFT products solves it, preconditioned by
 /// the continuous inverse w H (1/w), w = prod sqrt((leading_j - x)/(x - trailing_j)), so that it

@@ -51,7 +51,7 @@ struct PatchContactSpecification {
   HertzEllipse hertz(double normalForce) const;
 };
 
-/// What all points with one load on one pair of surfaces share; SI units.
+/// What all operating points with one load on one pair of surfaces share; SI units.
 struct PatchContact {
   HertzEllipse hertz;
   ElasticPair pair;

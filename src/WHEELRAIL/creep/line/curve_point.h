@@ -21,8 +21,8 @@ struct CurvePoint : CreepPoint {
   bool converged() const { return failure.empty(); }
 };
 
-/// All that a point has, in the order of creep.csv: the table from which creep.csv, creep.json and
-/// the journal follow.
+/// All that an operating point has, in the order of creep.csv: the table from which creep.csv,
+/// creep.json and the journal follow.
 /// \return the same table in every call
 const std::vector<Column<CurvePoint>> &curveColumns();
 

@@ -49,8 +49,8 @@ struct PatchCurves {
 
 /// Solves all operating points. The work is cut into pieces of a few neighbouring points, each
 /// started cold and solved in order, so that the result is the same to the last bit on one thread
-/// or many, in one go or resumed. \throws Error (Interrupted) when asked to stop, and what the
-/// points throw; Error (NotConverged)
+/// or many, in one go or resumed.
+/// \throws Error (Interrupted) when asked to stop, and what the points throw; Error (NotConverged)
 ///         where no point at all converges
 /// \param law of the specification's friction (`LawChoice::read`)
 /// \param options threads, journal, progress; none of them changes a number

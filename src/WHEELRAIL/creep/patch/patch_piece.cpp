@@ -137,7 +137,8 @@ class PieceSolver {
   PatchHistory history_;
 };
 
-/// What a point that does not converge leaves: what was asked for, and why it is not there.
+/// What an operating point that does not converge leaves: what was asked for, and why it is not
+/// there.
 PatchPoint failedPoint(const PatchContact &contact, const PatchTask &task, const Error &error)
 {
   PatchPoint point;

@@ -53,7 +53,8 @@ struct PatchPoint : PatchValues {
   double tractionRatio() const { return traction() / load; }
 };
 
-/// All that a point has: the table from which creep.csv, static.csv and the journal follow.
+/// All that an operating point has: the table from which creep.csv, static.csv and the journal
+/// follow.
 /// \return the same table in every call
 const std::vector<Column<PatchPoint>> &patchColumns();
 
@@ -78,8 +79,8 @@ double meanOverEllipse();
 double meanTemperatureRise(double frictionRatio, const HertzEllipse &hertz, double slidingSpeed,
                            double speed, const ThermalMaterial &material);
 
-/// The largest temperature of a contact, K. \param hottest cell; of the averaged models they all
-/// are
+/// The largest temperature of a contact, K.
+/// \param hottest cell; of the averaged models they all are
 double largestTemperature(const ThermalSpecification &thermal, double hottest);
 
 /// Steady rolling on surfaces that stand still in the contact, with friction, temperature and

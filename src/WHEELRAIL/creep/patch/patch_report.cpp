@@ -54,7 +54,9 @@ FileColumn<PatchPoint> named(const std::string &name, const std::string &inTable
 }
 
 /// A quantity with its standard error and 95 % interval, the band's in the quantity's unit.
-/// \param name in the file \param inTable in the table of columns \param band likewise
+/// \param name in the file
+/// \param inTable in the table of columns
+/// \param band likewise
 PatchColumns withBand(const std::string &name, const std::string &inTable, const std::string &band)
 {
   PatchColumns columns = {

@@ -161,7 +161,7 @@ class PatchCreepTask : public CreepTask {
     report.extra += polach;
   }
 
-  /// As many as there are points whose fields are kept.
+  /// One for each operating point whose fields are kept.
   std::vector<std::string> subsurfaceNames() const
   {
     std::vector<std::string> names;

@@ -21,7 +21,7 @@ struct CreepPhysics {
   double memoryLength = 0.0;
   WearLaw wear; ///< of what friction does; it changes nothing
 
-  /// That of the law's own material, or else `strength`. Lives as long as both.
+  /// The strength of the law's own material, or else `strength`. Lives as long as both.
   const Strength &strengthOf(const FrictionLaw &law) const
   {
     return law.strength() ? *law.strength() : strength;

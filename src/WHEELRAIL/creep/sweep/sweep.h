@@ -38,9 +38,9 @@ struct Sweep {
   std::vector<int> points; ///< of each piece
   /// Solves a piece. \return false when interrupted (goOn() is false)
   std::function<bool(std::size_t piece, const std::function<bool()> &goOn)> solve;
-  /// All numbers of a solved piece, and the way back. \return number of points taken
-  /// null where the journal is not to know the piece.
+  /// All numbers of a solved piece; null where the journal is not to know it.
   std::function<nlohmann::json(std::size_t)> rows;
+  /// The way back. \return number of operating points taken
   std::function<std::size_t(std::size_t, const nlohmann::json &)> takeRows;
   /// Does a piece leave more than its rows, so that it is solved whatever the journal has?
   std::function<bool(std::size_t)> leavesMore;

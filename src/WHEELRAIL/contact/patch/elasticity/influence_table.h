@@ -48,7 +48,8 @@ class PeriodicInfluence {
  public:
   /// \param sizeX, sizeY cells of the period
   PeriodicInfluence(const CellGrid &grid, int sizeX, int sizeY);
-  /// Of the wave (kx, ky), 0 .. half the sizes; the mean counts as a wave of twice the box.
+  /// Integrals of the wave (kx, ky), 0 .. half the sizes; the mean counts as a wave of twice the
+  /// box.
   CellIntegrals at(int kx, int ky) const;
   /// yy + xx of it.
   double normalAt(int kx, int ky) const;

@@ -51,14 +51,14 @@ class PatchHalfSpace final : public HalfSpace {
   /// of the half-spaces, as cells do that slip.
   TangentialField softenedEstimate(const TangentialField &displacement, double D);
 
-  /// That of a punch under the load: its area a square with that of all cells.
+  /// Displacement of a punch under the load, a square as large as all cells.
   double displacementScale(double pressureSum) const override;
   /// Null where the longer side has fewer than 64 cells, or a number of cells (other than 1) is
   /// odd.
   HalfSpace *coarser() override;
   /// In single precision; null below 1024 cells.
   QuickProducts *quick() override;
-  /// The same of tractions.
+  /// Products of tractions in single precision.
   QuickTractions &quickTractions();
 
   /// Displacement of a cell along x or y, whichever is larger, under its own unit traction: a scale

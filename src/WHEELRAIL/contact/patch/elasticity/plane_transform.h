@@ -44,7 +44,7 @@ class PlaneTransformOf {
   ///         real
   /// \return nothing: what lies beyond nx x ny cells of the product is dropped
   void multiply(double *const *fields, const Symbol &symbol) { multiply(fields, fields, symbol); }
-  /// The same from one place to another.
+  /// Products of one place, written to another.
   void multiply(const double *const *from, double *const *to, const Symbol &symbol);
 
  private:
@@ -62,7 +62,7 @@ struct PlaneSize {
 /// in the length: 270 takes twice as long as 280.
 PlaneSize fastPlaneSize(int nx, int ny);
 
-/// The same in single precision, where other lengths are fast.
+/// `fastPlaneSize` in single precision, where other lengths are fast.
 PlaneSize fastSinglePlaneSize(int nx, int ny);
 
 /// A transform of nx x ny cells whose products do not wrap around.

@@ -10,7 +10,7 @@ namespace wheelrail {
 /// Both components of a tangential traction, or of a tangential displacement, per cell.
 struct TangentialField {
   Eigen::VectorXd x, y;
-  /// Of the vector of each cell.
+  /// Length of each cell's vector.
   Eigen::VectorXd length() const
   {
     return x.binaryExpr(y, [](double a, double b) { return std::hypot(a, b); });

@@ -172,7 +172,7 @@ Vector FrictionNewton::fromRight(const Linearisation &linear, const Vector &x)
   return result;
 }
 
-// Of a step what is left of the equations, once q across the circle is known where a cell slips, is
+// Once q across the circle is known where a cell slips, what is left of a step's equations is
 // symmetric: A on the directions that are free, and the softness on the diagonal. The half-space's
 // inverse, scaled from both sides, is that of either where it is alone.
 void FrictionNewton::fillStep(const Linearisation &linear, const Vector &x, Vector &result)
