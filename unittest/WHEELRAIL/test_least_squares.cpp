@@ -176,7 +176,7 @@ std::vector<double> decayData(double noise)
 
 VectorXd vector2(double a, double b)
 {
-  return (VectorXd(2) << a, b).finished();
+  return Eigen::Vector2d(a, b);
 }
 
 } // namespace

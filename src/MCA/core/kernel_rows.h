@@ -217,14 +217,13 @@ inline void scatter(const int *pi, const int *pj, int n, const Column &c0, const
   }
 }
 
-// Adds rows of PARTS times four values to both automata of each of n pairs. The sum of a run of
-// pairs with the same i is kept in registers and written once, which saves most of the loads and
-// stores of i; the order of additions is that of the pairs.
+// Adds rows of PARTS times four values to both automata of each of n pairs. A run of pairs with the
+// same i is summed in registers and written once; the order of additions is that of the pairs.
 // \tparam STRIDE  fours from one automaton to the next, >= PARTS
 // \param pi,pj    rows of both automata; n > 0
 // \param signs    factors of +1 or -1 for what the second automaton gets
 // \param rowsOf   rowsOf(k, rows) sets rows[part][m] to that part of the row of pair k + m, m < 4
-// \param sums     4 STRIDE values an automaton, of which the first 4 PARTS are added to
+// \param sums     4 STRIDE values an automaton, the first 4 PARTS of which are added to
 template<int PARTS, int STRIDE, class RowsOf>
 inline void scatterRuns(const int *pi, const int *pj, int n, const Row4 (&signs)[PARTS],
                         const RowsOf &rowsOf, double *sums)

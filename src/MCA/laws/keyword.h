@@ -159,8 +159,7 @@ class Threshold {
 };
 
 /// A law that is one number >= 0, 0 where it does not act. Keyword and what is allowed come from
-/// the base.
-/// \tparam Words  has `keyword` and `range`, the allowed values in words
+/// the base. \tparam Words  has `keyword` and `range`, the allowed values in words
 template<class Words>
 class Coefficient : public Words {
  public:

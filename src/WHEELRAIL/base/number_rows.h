@@ -34,9 +34,8 @@ class NumberRows {
   /// \throws Error (BadInput) for what is no number of this file
   double number(int line, const std::string &column, std::string_view cell);
 
-  /// Adds the numbers of a row.
+  /// Adds the numbers of a row. \return how many
   /// \param unmeasured is "nan" allowed, and read as NaN?
-  /// \return how many
   /// \throws Error (BadInput)
   long append(int line, std::string_view row, bool unmeasured, std::vector<double> &values);
 

@@ -15,8 +15,7 @@ namespace wheelrail {
 ///         nan"; a number that may be missing is null
 std::string jsonText(const std::string &name, const nlohmann::ordered_json &json, int indent = 2);
 
-/// Checks that a table has finite numbers only: lines that begin with '#', a line of column names,
-/// rows of cells that are separated by commas.
+/// Checks that a table has finite numbers only: '#' lines, a line of column names, rows of cells.
 /// \return the table
 /// \throws Error (NotConverged) that names column and row
 const std::string &finiteTable(const std::string &name, const std::string &table);

@@ -76,8 +76,7 @@ struct AveragingOptions {
 /// For leaving out a log that would count twice.
 bool sameRun(const FrictionRun &a, const FrictionRun &b);
 
-/// The run of one log. Its mu is the mean of the column over the stationary part, the error from
-/// `seriesMean`.
+/// The run of one log; its mu is the mean of the column over the stationary part (`seriesMean`).
 /// \param log with at least one row
 /// \throws Error (BadInput) if the start lies beyond the end of the log
 FrictionRun frictionRun(const FrictionLog &log, const AveragingOptions &options);

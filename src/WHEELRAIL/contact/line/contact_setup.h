@@ -24,8 +24,7 @@ struct LineContactSpecification {
   int points = 1024;   ///< cells on the whole domain
 };
 
-/// What all operating points of a creep curve share: grid, surface and normal contact of one
-/// profile.
+/// What all operating points of a curve share: grid, surface and normal contact of one profile.
 struct ContactSetup {
   /// Nominal contact. For flat surfaces it holds load, modulus, half the period as halfWidth and
   /// the mean pressure as hertzPressure.

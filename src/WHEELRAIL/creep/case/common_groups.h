@@ -32,8 +32,7 @@ void requireCellsInContact(const CaseReader &reader, int points, double domain);
 void requireFewPoints(const CaseReader &reader, double points);
 
 /// What `roughness` says of generated surfaces, of a profile (FractalSurface) and of a map
-/// (FractalPatch) alike.
-/// \return the seeds
+/// (FractalPatch) alike. \return the seeds
 template<class Fractal>
 std::vector<std::uint64_t> readFractalWaves(CaseReader &reader, Fractal &fractal)
 {

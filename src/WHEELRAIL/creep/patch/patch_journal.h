@@ -16,8 +16,7 @@ namespace wheelrail {
 /// units, each value by the name of its column.
 /// \param points of one piece of the sweep, in the order of its tasks
 nlohmann::json patchPointsJson(const std::vector<PatchPoint> &points);
-/// The way back.
-/// \param rows as `patchPointsJson` gives them
+/// The way back. \param rows as `patchPointsJson` gives them
 /// \return points that equal the written ones to the last bit
 std::vector<PatchPoint> patchPointsFrom(const nlohmann::json &rows);
 /// The time series of mode moving, by number of the point (from 1 on); empty in the other modes.
@@ -28,8 +27,7 @@ std::map<int, std::vector<PatchStep>> patchSeriesFrom(const nlohmann::json &seri
 
 /// Fields as bytes, for a file beside the journal: the numbers as they lie in memory.
 std::string patchFieldsBytes(const PatchFields &fields);
-/// The way back.
-/// \param cells of the grid
+/// The way back. \param cells of the grid
 /// \return nothing for bytes of another length
 std::optional<PatchFields> patchFieldsFrom(const std::string &bytes, int cells);
 

@@ -53,8 +53,7 @@ struct PatchPoint : PatchValues {
   double tractionRatio() const { return traction() / load; }
 };
 
-/// All that an operating point has: the table from which creep.csv, static.csv and the journal
-/// follow.
+/// All of an operating point: the table that creep.csv, static.csv and the journal follow from.
 /// \return the same table in every call
 const std::vector<Column<PatchPoint>> &patchColumns();
 

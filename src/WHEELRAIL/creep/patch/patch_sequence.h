@@ -54,8 +54,7 @@ struct PatchStep : PatchValues {
 /// \return the same table in every call
 const std::vector<Column<PatchStep>> &seriesColumns();
 
-/// What an operating point leaves of its way: a row for every step or stage, and fields of chosen
-/// instants.
+/// What an operating point leaves of its way: a row a step or stage, fields of chosen instants.
 struct PatchHistory {
   std::vector<PatchStep> steps;
   /// SI, by the instant's place in `PatchSequence::fields`, from 1 on.

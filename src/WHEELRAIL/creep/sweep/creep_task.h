@@ -79,8 +79,7 @@ class CreepTask {
   /// Extra files with the options that name them.
   /// \throws Error (Usage) for those that do not go with the task: here for any
   virtual std::vector<RequestedOutput> extraOutputs(const ExtraFiles &extra) const;
-  /// Computes everything.
-  /// \return warnings, one line each
+  /// Computes everything. \return warnings, one line each
   /// \throws what the contact's sweep throws
   virtual std::vector<std::string> solve(const LawPointer &law, const SweepOptions &options) = 0;
   /// Reports what `solve` found: adds all files.

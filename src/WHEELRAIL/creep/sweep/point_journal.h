@@ -26,8 +26,7 @@ nlohmann::json pointsJson(const std::vector<Column<Point>> &table, const std::ve
   return json;
 }
 
-/// The way back.
-/// \return points that equal the written ones to the last bit
+/// The way back. \return points that equal the written ones to the last bit
 /// \throws nlohmann::json::exception for JSON of another kind
 template<class Point>
 std::vector<Point> pointsFromJson(const std::vector<Column<Point>> &table,

@@ -27,8 +27,7 @@ struct PatchGrid : CellGrid {
 ///         cell's centre where it is odd
 PatchGrid centredGrid(int nx, int ny, double width, double height);
 
-/// Values at the centres of the cells.
-/// \param function of (x, y)
+/// Values at the centres of the cells. \param function of (x, y)
 /// \return one value a cell, x fastest
 template<class Function>
 Eigen::VectorXd sampled(const PatchGrid &grid, const Function &function)

@@ -48,8 +48,7 @@ class PeriodicInfluence {
  public:
   /// \param sizeX, sizeY cells of the period
   PeriodicInfluence(const CellGrid &grid, int sizeX, int sizeY);
-  /// Integrals of the wave (kx, ky), 0 .. half the sizes; the mean counts as a wave of twice the
-  /// box.
+  /// Integrals of the wave (kx, ky), 0 .. half the sizes; the mean is a wave of twice the box.
   CellIntegrals at(int kx, int ky) const;
   /// yy + xx of it.
   double normalAt(int kx, int ky) const;

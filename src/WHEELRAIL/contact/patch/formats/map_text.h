@@ -19,21 +19,18 @@ constexpr long mostMapPoints = 1L << 27;
 /// \param nx, ny as the head states them, before anything of that size is allocated
 void checkMapSize(const std::string &path, int line, const std::string &keyword, long nx, long ny);
 
-/// A whole number >= 0 that a head states.
+/// A whole number >= 0 that a head states. \throws Error (BadInput)
 /// \param keyword as the head has it, for the message
-/// \throws Error (BadInput)
 long wholeNumber(const std::string &path, int line, const std::string &keyword,
                  const std::string &text);
 
-/// A positive length with its unit, in m.
+/// A positive length with its unit, in m. \throws Error (BadInput)
 /// \param text number and unit: "5 um"
-/// \throws Error (BadInput)
 double positiveLength(const std::string &path, int line, const std::string &keyword,
                       const std::string &text);
 
-/// A decimal number that fills the whole text; finite.
+/// A decimal number that fills the whole text; finite. \return whether it is one
 /// \param value set only if it is one
-/// \return whether it is one
 bool readDecimal(std::string_view text, double &value);
 
 } // namespace wheelrail

@@ -16,8 +16,7 @@ struct CreepSensitivity {
 };
 
 /// Sensitivity of any contact, smooth or rough: the cells where `contact` > 0. Three solutions
-/// without slip.
-/// \throws Error as TangentialSolver
+/// without slip. \throws Error as TangentialSolver
 CreepSensitivity creepSensitivity(TangentialSolver &solver, const Eigen::VectorXd &contact);
 
 /// Kalker's coefficients of an ellipse with semi-axes a along x and b along y:

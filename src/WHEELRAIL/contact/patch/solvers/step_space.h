@@ -23,8 +23,7 @@ class StepSpace {
   /// \param b right-hand side \param most directions, at most
   StepSpace(Eigen::VectorXd b, int most);
 
-  /// One more direction.
-  /// \param image of it, of the size of b
+  /// One more direction. \param image of it, of the size of b
   /// \return false where it is one of those before but for rounding; then nothing is added
   bool add(Eigen::VectorXd image);
 
