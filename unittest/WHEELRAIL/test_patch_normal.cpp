@@ -173,3 +173,30 @@ TEST(PatchNormal, SinglePrecisionLeavesNothingInTheResult)
       }
   }
 }
+
+TEST(PatchNormal, AnyStartLeadsToTheSamePressure)
+{
+  // from all cells, from a few, from far beside: the set of cells changes by much between its steps
+  const ElasticPair pair{1.0, 0.3};
+  const HertzEllipse h = hertzEllipseOfAxes(0.01, 1.0 / 0.7, 1.0, 1.0);
+  const PatchGrid grid = centredGrid(72, 64, 3.4, 3.4);
+  PatchHalfSpace space(grid, pair);
+  ASSERT_TRUE(space.quick());
+  NormalContactProblem problem;
+  problem.profile = sampled(grid, [&](double x, double y) { return h.gap(x, y); }) +
+                    waves(grid, 0.01, 0.25, 1.0, 5);
+  problem.load = h.load / grid.cellArea();
+  const NormalContactResult cold = solveNormalContact(space, problem);
+  Vector spike = Vector::Zero(grid.cells()), corner = spike;
+  spike[grid.index(36, 32)] = 1.0;
+  for (int iy = 0; iy < 20; ++iy)
+    corner.segment(grid.index(0, iy), 20).setOnes();
+  for (const Vector &start : {Vector(Vector::Ones(grid.cells())), spike, corner}) {
+    NormalContactOptions options;
+    options.start = start;
+    const NormalContactResult result = solveNormalContact(space, problem, options);
+    EXPECT_LT((result.pressure - cold.pressure).norm(), 3e-8 * cold.pressure.norm());
+    EXPECT_NEAR(result.pressure.sum(), problem.load, 1e-12 * problem.load);
+    EXPECT_NEAR(result.approach, cold.approach, 1e-8 * cold.approach);
+  }
+}

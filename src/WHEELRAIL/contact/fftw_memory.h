@@ -47,8 +47,6 @@ struct Fftw<double> {
   using Plan = fftw_plan;
   static constexpr auto destroy = fftw_destroy_plan;
   static constexpr auto plan = fftw_plan_dft_1d;
-  static constexpr auto planMany = fftw_plan_many_dft;
-  static constexpr auto execute = fftw_execute;
   static constexpr auto executeOn = fftw_execute_dft;
 };
 
@@ -58,8 +56,6 @@ struct Fftw<float> {
   using Plan = fftwf_plan;
   static constexpr auto destroy = fftwf_destroy_plan;
   static constexpr auto plan = fftwf_plan_dft_1d;
-  static constexpr auto planMany = fftwf_plan_many_dft;
-  static constexpr auto execute = fftwf_execute;
   static constexpr auto executeOn = fftwf_execute_dft;
 };
 

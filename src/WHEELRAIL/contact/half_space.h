@@ -21,21 +21,25 @@ struct CellGrid {
 };
 
 /// Displacement and traction estimate of a `HalfSpace`, into vectors that are there. One object for
-/// each thread.
-class QuickProducts {
+/// each thread. \tparam Real float or double
+template<class Real>
+class ProductsOf {
  public:
-  virtual ~QuickProducts() = default;
+  using Field = Eigen::Matrix<Real, Eigen::Dynamic, 1>;
+
+  virtual ~ProductsOf() = default;
   /// As the functions of `HalfSpace`; the result must have its size.
-  virtual void displacement(const Eigen::VectorXd &pressure, Eigen::VectorXd &result) = 0;
-  virtual void tractionEstimate(const Eigen::VectorXd &displacement, Eigen::VectorXd &result) = 0;
+  virtual void displacement(const Field &pressure, Field &result) = 0;
+  virtual void tractionEstimate(const Field &displacement, Field &result) = 0;
 
  protected:
-  QuickProducts() = default;
-  QuickProducts(const QuickProducts &) = default;
-  QuickProducts &operator=(const QuickProducts &) = default;
-  QuickProducts(QuickProducts &&) = default;
-  QuickProducts &operator=(QuickProducts &&) = default;
+  ProductsOf() = default;
+  ProductsOf(const ProductsOf &) = default;
+  ProductsOf &operator=(const ProductsOf &) = default;
+  ProductsOf(ProductsOf &&) = default;
+  ProductsOf &operator=(ProductsOf &&) = default;
 };
+using QuickProducts = ProductsOf<float>;
 
 /// Two elastic half-spaces that touch in a plane, seen through the cells of a grid, each of which
 /// is loaded uniformly: what the normal contact (`solveNormalContact`) needs to know of elasticity.

@@ -8,6 +8,9 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <memory>
+#include <numeric>
+#include <optional>
+#include <utility>
 
 namespace wheelrail {
 namespace {
@@ -28,75 +31,89 @@ Vector limitsOf(const NormalContactProblem &problem, int cells)
                                        : Vector::Constant(cells, problem.pressureLimit);
 }
 
-/// The products of a half-space as they are.
-class ExactProducts final : public QuickProducts {
+/// The products of a half-space as they are, where the result lies.
+class ExactProducts final : public ProductsOf<double> {
  public:
   explicit ExactProducts(HalfSpace &space) : space_(space) {}
-  void displacement(const Vector &pressure, Vector &result) override
+  void displacement(const Field &pressure, Field &result) override
   {
-    result = space_.displacement(pressure);
+    result.array() = space_.displacement(pressure).array();
   }
-  void tractionEstimate(const Vector &displacement, Vector &result) override
+  void tractionEstimate(const Field &displacement, Field &result) override
   {
-    result = space_.tractionEstimate(displacement);
+    result.array() = space_.tractionEstimate(displacement).array();
   }
 
  private:
   HalfSpace &space_;
 };
 
-/// Some cells of a grid, as the stretches in which they follow on each other: a vector over them is
-/// short, and quickly taken from one over the grid.
+/// Some cells of a grid, as the stretches in which they follow on each other. What is done to one
+/// stretch after the other costs one way through memory, since a stretch stays in the nearest
+/// cache.
 class Stretches {
  public:
   /// \param chosen says it of cell i
   template<class Chosen>
   Stretches(int cells, const Chosen &chosen)
   {
+    constexpr int longest = 1024;
     for (int i = 0; i < cells; ++i) {
       if (!chosen(i))
         continue;
-      if (list_.empty() || list_.back().first + list_.back().length != i)
-        list_.push_back({i, 0});
+      if (list_.empty() || list_.back().first + list_.back().length != i ||
+          list_.back().length == longest)
+        list_.push_back({i, size_, 0});
       ++list_.back().length;
       ++size_;
     }
   }
   int size() const { return size_; }
-  void take(const Vector &whole, Vector &part) const
+  /// Calls visit(its first cell, its place in a vector over the chosen cells, its length).
+  template<class Visit>
+  void each(const Visit &visit) const
   {
-    int at = 0;
-    for (const Stretch &s : list_) {
-      part.segment(at, s.length) = whole.segment(s.first, s.length);
-      at += s.length;
-    }
-  }
-  void put(const Vector &part, Vector &whole) const
-  {
-    int at = 0;
-    for (const Stretch &s : list_) {
-      whole.segment(s.first, s.length) = part.segment(at, s.length);
-      at += s.length;
-    }
+    for (const Stretch &s : list_)
+      visit(s.first, s.at, s.length);
   }
 
  private:
   struct Stretch {
-    int first, length;
+    int first, at, length;
   };
   std::vector<Stretch> list_;
   int size_ = 0;
 };
 
-/// Calls pass(first, count) for stretches of n values that stay in the nearest cache, so that what
-/// is done to them one after the other costs one way through memory.
-template<class Pass>
-void inStretches(int n, const Pass &pass)
+/// term(0) + .. + term(n - 1), in as many partial sums as a processor adds at a time.
+template<class Term>
+double sumOf(int n, const Term &term)
 {
-  constexpr int most = 1024;
-  for (int first = 0; first < n; first += most)
-    pass(first, std::min(most, n - first));
+  constexpr int parts = 8;
+  double sums[parts] = {};
+  int i = 0;
+  for (; i + parts <= n; i += parts)
+    for (int k = 0; k < parts; ++k)
+      sums[k] += term(i + k);
+  for (; i < n; ++i)
+    sums[0] += term(i);
+  return std::accumulate(sums, sums + parts, 0.0);
 }
+
+/// What corrections of one precision are computed in.
+template<class Real>
+struct Workspace {
+  using Field = typename ProductsOf<Real>::Field;
+  explicit Workspace(int cells)
+      : field(cells), image(cells), unit(Field::Zero(cells)), residual(cells), direction(cells),
+        total(cells)
+  {
+  }
+  Field field, image;               ///< over the grid: what a product takes and gives
+  Field unit;                       ///< over the grid: `PressureSearch::renewUnit`
+  Field residual, direction, total; ///< over the free cells, in the first places
+  int unitCells = 0;                ///< free cells that `unit` was made for
+};
 
 /// One grid's search, as a loop of two moves: `solveInside` finds the pressures of the cells in
 /// between as if the others were fixed, then `jump` or `join` changes who is in between.
@@ -121,8 +138,7 @@ class PressureSearch {
  public:
   PressureSearch(HalfSpace &space, const NormalContactProblem &input)
       : approach(input.approach.value_or(0.0)), halfSpace_(space), problem_(input),
-        n_(space.cells()), limit_(limitsOf(input, n_)), quick_(space.quick()), exact_(space),
-        field_(Vector::Zero(n_)), image_(Vector::Zero(n_))
+        n_(space.cells()), limit_(limitsOf(input, n_)), quick_(space.quick()), exact_(space)
   {
   }
 
@@ -134,13 +150,17 @@ class PressureSearch {
       pressure *= problem_.load / pressure.sum();
     pressure = projected(pressure, Vector::Ones(n_));
     gap = problem_.profile;
-    changeGap(pressure);
+    changeGap(Vector::Zero(n_));
   }
 
   /// Conjugate gradients on the cells strictly inside the limits, then as much of the way there
   /// as lowers the energy when what leaves the limits is cut off.
   /// \return steps taken
-  int solveInside(double tolerance, int maxSteps);
+  int solveInside(double tolerance, int maxSteps)
+  {
+    return quick_ ? solveInside(*quick_, workspace(quickWork_), tolerance, maxSteps)
+                  : solveInside(exact_, workspace(exactWork_), tolerance, maxSteps);
+  }
 
   /// Lets cells that overlap, or that lie at the limit but apart, join by one step of projected
   /// gradient.
@@ -180,6 +200,19 @@ class PressureSearch {
 
  private:
   bool isInside(int i) const { return pressure[i] > 0.0 && pressure[i] < limit_[i]; }
+  template<class Real>
+  Workspace<Real> &workspace(std::optional<Workspace<Real>> &work) const
+  {
+    if (!work)
+      work.emplace(n_);
+    return *work;
+  }
+  template<class Real>
+  int solveInside(ProductsOf<Real> &products, Workspace<Real> &work, double tolerance,
+                  int maxSteps);
+  /// What the estimate makes of a uniform change of the gap of the free cells.
+  template<class Real>
+  static void renewUnit(ProductsOf<Real> &products, const Stretches &free, Workspace<Real> &work);
   Vector inside() const
   {
     return (pressure.array() > 0.0 && pressure.array() < limit_.array()).cast<double>();
@@ -188,8 +221,14 @@ class PressureSearch {
   void balance();
   /// The gap from all of the pressure, exactly.
   void renewGap();
-  /// The gap after a change of the pressure that has been made.
-  void changeGap(const Vector &change);
+  /// The gap after the pressure has changed.
+  void changeGap(const Vector &before);
+  template<class Field>
+  void addToGap(double factor, const Field &image)
+  {
+    for (int i = 0; i < n_; ++i)
+      gap[i] += factor * image[i];
+  }
   /// Nearest point of {0 <= p <= limit, sum p = load where it is given} that differs only where
   /// free is 1.
   Vector projected(const Vector &wanted, const Vector &free) const;
@@ -205,8 +244,9 @@ class PressureSearch {
   bool cut_ = false, careful_ = false, settled_ = false;
   QuickProducts *quick_; ///< null: products are exact
   ExactProducts exact_;
-  double doubt_ = 0.0;   ///< error of the gap by quick products, as the residual
-  Vector field_, image_; ///< work space, over the grid
+  double doubt_ = 0.0; ///< error of the gap by quick products, as the residual
+  std::optional<Workspace<float>> quickWork_;
+  std::optional<Workspace<double>> exactWork_;
 };
 
 void PressureSearch::renewGap()
@@ -215,15 +255,20 @@ void PressureSearch::renewGap()
   doubt_ = 0.0;
 }
 
-void PressureSearch::changeGap(const Vector &change)
+void PressureSearch::changeGap(const Vector &before)
 {
   if (!quick_) {
     renewGap();
     return;
   }
-  quick_->displacement(change, image_);
-  gap += image_;
-  doubt_ += quickError * change.norm() / pressure.norm();
+  Workspace<float> &work = workspace(quickWork_);
+  float *const field = work.field.data();
+  for (int i = 0; i < n_; ++i)
+    field[i] = static_cast<float>(pressure[i] - before[i]);
+  quick_->displacement(work.field, work.image);
+  addToGap(1.0, work.image);
+  const double change = sumOf(n_, [&](int i) { return double(field[i]) * field[i]; });
+  doubt_ += quickError * std::sqrt(change) / pressure.norm();
 }
 
 Vector PressureSearch::projected(const Vector &wanted, const Vector &free) const
@@ -283,7 +328,28 @@ bool PressureSearch::descend(const Vector &direction, const Vector &free, double
   return false;
 }
 
-int PressureSearch::solveInside(double tolerance, int maxSteps)
+template<class Real>
+void PressureSearch::renewUnit(ProductsOf<Real> &products, const Stretches &free,
+                               Workspace<Real> &work)
+{
+  work.field.setZero();
+  free.each([&](int first, int, int n) { work.field.segment(first, n).setOnes(); });
+  products.tractionEstimate(work.field, work.image);
+  work.unit.setZero();
+  free.each(
+      [&](int first, int, int n) { work.unit.segment(first, n) = work.image.segment(first, n); });
+  work.unitCells = free.size();
+}
+
+// At the solution the gap of every free cell is the approach, the multiplier of the condition that
+// the load is kept. It is not known before. With A the displacements, M their estimated inverse and
+// a field u, each step takes the mean gap with weights u for the approach, which makes u.residual
+// zero, and takes the multiple of u off M residual that makes the step's sum zero: this is M
+// between two projections, symmetric for any u. The best u is M 1, and it may be that of a similar
+// set.
+template<class Real>
+int PressureSearch::solveInside(ProductsOf<Real> &products, Workspace<Real> &work, double tolerance,
+                                int maxSteps)
 {
   const Stretches free(n_, [this](int i) { return isInside(i); });
   const int cells = free.size();
@@ -293,48 +359,64 @@ int PressureSearch::solveInside(double tolerance, int maxSteps)
     return 0;
   if (doubt_ > doubtShare * tolerance)
     renewGap();
-  const double contact = static_cast<double>((pressure.array() > 0.0).count());
-  QuickProducts &products = quick_ ? *quick_ : exact_;
-  // Vectors over the free cells; `field_` is zero elsewhere.
-  field_.setZero();
-  const auto multiply = [&](const Vector &of, Vector &result,
-                            void (QuickProducts::*make)(const Vector &, Vector &)) {
-    free.put(of, field_);
-    (products.*make)(field_, image_);
-    free.take(image_, result);
+  const bool isLoadKept = !problem_.approach;
+  // places in vectors over the grid and over the free cells
+  Real *const field = work.field.data(), *const image = work.image.data();
+  Real *const unit = work.unit.data(), *const residuals = work.residual.data();
+  Real *const directions = work.direction.data(), *const totals = work.total.data();
+  /// The sum over the free cells of term(place over the grid, place over the free cells).
+  const auto sumOfFree = [&](const auto &term) {
+    double sum = 0.0;
+    free.each([&](int first, int at, int n) {
+      sum += sumOf(n, [&](int i) { return term(first + i, at + i); });
+    });
+    return sum;
   };
-  // What the preconditioner makes of a change of the approach; taken off, it leaves the load alone
-  Vector r = Vector::Ones(cells), unit(cells);
-  if (!problem_.approach)
-    multiply(r, unit, &QuickProducts::tractionEstimate);
-  const double unitSum = unit.sum(), pressureSum = pressure.sum();
+  constexpr double similar = 0.9; // share of the cells that two sets have in common
+  if (isLoadKept && sumOfFree([&](int i, int) { return double(unit[i] > Real(0)); }) <
+                        similar * std::max(cells, std::max(work.unitCells, 1)))
+    renewUnit(products, free, work);
+  const double contact = static_cast<double>((pressure.array() > 0.0).count());
+  double unitSum = 1.0, carried = problem_.load;
+  if (isLoadKept) {
+    unitSum = sumOfFree([&](int i, int) { return double(unit[i]); });
+    approach = sumOfFree([&](int i, int) { return unit[i] * gap[i]; }) / unitSum;
+  } else {
+    carried = pressure.sum();
+  }
+  work.field.setZero();
+  free.each([&](int first, int at, int n) {
+    for (int i = 0; i < n; ++i) {
+      field[first + i] = residuals[at + i] = static_cast<Real>(approach - gap[first + i]);
+      totals[at + i] = directions[at + i] = Real(0);
+    }
+  });
 
-  Vector total = Vector::Zero(cells), direction = total, current(cells), z(cells), change(cells);
-  free.take(gap, current);
-  double product = 0.0, goal = tolerance, first = 0.0; // product: residual . preconditioned
-  double mean = current.mean();
-  // At the solution the gap of every free cell is the approach, the multiplier of the condition
-  // that the load is kept. It is not known before: each step takes the mean gap for it, which makes
-  // the residual's sum zero, and takes the multiple of `unit` off that makes the step's sum zero.
+  double product = 1.0, goal = tolerance, first = 0.0; // product: residual . preconditioned
   int step = 0;
   for (;; ++step) {
-    if (!problem_.approach)
-      approach = mean;
-    r = approach - current.array();
-    multiply(r, z, &QuickProducts::tractionEstimate);
-    const double surplus = problem_.approach ? 0.0 : z.sum() / unitSum;
-    double squares = 0.0, newProduct = 0.0;
-    inStretches(cells, [&](int at, int count) {
-      auto part = z.segment(at, count);
-      if (!problem_.approach)
-        part -= surplus * unit.segment(at, count);
-      squares += part.squaredNorm();
-      newProduct += part.dot(r.segment(at, count));
+    products.tractionEstimate(work.field, work.image);
+    double sum = 0.0, newProduct = 0.0;
+    free.each([&](int begin, int at, int n) {
+      sum += sumOf(n, [&](int i) { return double(image[begin + i]); });
+      newProduct += sumOf(n, [&](int i) { return double(image[begin + i]) * residuals[at + i]; });
+    });
+    const auto surplus = static_cast<Real>(isLoadKept ? sum / unitSum : 0.0);
+    const auto kept = static_cast<Real>(step > 0 ? newProduct / product : 0.0);
+    product = newProduct;
+    double squares = 0.0, directionSum = 0.0;
+    free.each([&](int begin, int at, int n) {
+      Real *const direction = directions + at;
+      for (int i = 0; i < n; ++i)
+        image[begin + i] -= surplus * unit[begin + i];
+      squares += sumOf(n, [&](int i) { return double(image[begin + i]) * image[begin + i]; });
+      for (int i = 0; i < n; ++i)
+        field[begin + i] = direction[i] = image[begin + i] + kept * direction[i];
+      if (!isLoadKept)
+        directionSum += sumOf(n, [&](int i) { return double(direction[i]); });
     });
     // The preconditioner turns what is left of the gap into the pressure that it is worth.
-    const double meanPressure =
-        (problem_.approach ? pressureSum + total.sum() : problem_.load) / contact;
-    residual = std::sqrt(squares / cells) / std::abs(meanPressure);
+    residual = std::sqrt(squares / cells) / std::abs(carried / contact);
     if (step == 0) {
       first = residual;
       if (quick_)
@@ -343,41 +425,52 @@ int PressureSearch::solveInside(double tolerance, int maxSteps)
     settled_ = residual <= tolerance;
     if (residual <= goal || step >= maxSteps)
       break;
-    direction = z + (step > 0 ? newProduct / product : 0.0) * direction;
-    product = newProduct;
-    multiply(direction, change, &QuickProducts::displacement);
-    double curvature = 0.0, slope = 0.0;
-    inStretches(cells, [&](int at, int count) {
-      const auto part = direction.segment(at, count);
-      curvature += part.dot(change.segment(at, count));
-      slope += part.dot(r.segment(at, count));
+    products.displacement(work.field, work.image);
+    double curvature = 0.0, shift = 0.0; // shift: of the mean gap
+    free.each([&](int begin, int at, int n) {
+      curvature += sumOf(n, [&](int i) { return double(directions[at + i]) * image[begin + i]; });
+      if (isLoadKept)
+        shift += sumOf(n, [&](int i) { return double(unit[begin + i]) * image[begin + i]; });
     });
+    shift /= unitSum;
     if (!(curvature > 0.0)) {
       settled_ = true; // rounding: nothing is left to gain
       break;
     }
-    const double length = slope / curvature;
-    mean = 0.0;
-    inStretches(cells, [&](int at, int count) {
-      total.segment(at, count) += length * direction.segment(at, count);
-      current.segment(at, count) += length * change.segment(at, count);
-      mean += current.segment(at, count).sum();
+    const double length = product / curvature;
+    const auto way = static_cast<Real>(length), mean = static_cast<Real>(shift);
+    free.each([&](int begin, int at, int n) {
+      for (int i = 0; i < n; ++i) {
+        totals[at + i] += way * directions[at + i];
+        residuals[at + i] -= way * (image[begin + i] - mean);
+        field[begin + i] = residuals[at + i];
+      }
     });
-    mean /= cells;
-    gap += length * image_;
+    addToGap(length, work.image);
+    approach += length * shift;
+    carried += length * directionSum;
   }
   if (step == 0)
     return 0;
-  free.put(total, field_);
   if (careful_) {
-    const Vector target = pressure + field_;
+    Vector change = Vector::Zero(n_);
+    free.each([&](int begin, int at, int n) {
+      change.segment(begin, n) = work.total.segment(at, n).template cast<double>();
+    });
+    const Vector target = pressure + change;
     if (!(target.array() >= 0.0 && target.array() <= limit_.array()).all()) {
       renewGap();
-      descend(Vector(field_), inside(), 1.0);
+      descend(change, inside(), 1.0);
       return step;
     }
   }
-  pressure += field_;
+  // what rounding has changed of the load
+  const double excess =
+      isLoadKept ? sumOfFree([&](int, int at) { return double(totals[at]); }) / unitSum : 0.0;
+  free.each([&](int begin, int at, int n) {
+    for (int i = 0; i < n; ++i)
+      pressure[begin + i] += totals[at + i] - excess * unit[begin + i];
+  });
   doubt_ += quick_ ? quickError * first : 0.0;
   if (doubt_ > doubtShare * tolerance) {
     renewGap();
@@ -424,25 +517,30 @@ void PressureSearch::balance()
 {
   if (problem_.approach)
     return;
-  const Vector free = inside();
-  const double cells = free.sum(), carried = pressure.dot(free);
-  const double wanted = problem_.load - (pressure.sum() - carried);
+  const Stretches free(n_, [this](int i) { return isInside(i); });
   const auto highest = [this](int i) { return (1.0 - rounding) * limit_[i]; };
-  const double uniform = wanted / cells;
+  double carried = 0.0;
   double lowest = std::numeric_limits<double>::infinity(); // limit of the cells in between
-  for (int i = 0; i < n_; ++i)
-    if (free[i] != 0.0)
+  free.each([&](int first, int, int n) {
+    carried += sumOf(n, [&](int i) { return pressure[first + i]; });
+    for (int i = first; i < first + n; ++i)
       lowest = std::min(lowest, highest(i));
-  if (cells > 0.0 && uniform > 0.0 && uniform < lowest) {
+  });
+  const double wanted = problem_.load - (pressure.sum() - carried);
+  const double uniform = wanted / free.size();
+  if (free.size() > 0 && uniform > 0.0 && uniform < lowest) {
     // scaled, and as far towards uniform as the limits ask: both carry the load
     const double factor = wanted / carried;
     double part = 1.0;
-    for (int i = 0; i < n_; ++i)
-      if (const double scaled = factor * pressure[i]; free[i] != 0.0 && scaled >= highest(i))
-        part = std::min(part, (highest(i) - uniform) / (scaled - uniform));
-    for (int i = 0; i < n_; ++i)
-      if (free[i] != 0.0)
+    free.each([&](int first, int, int n) {
+      for (int i = first; i < first + n; ++i)
+        if (const double scaled = factor * pressure[i]; scaled >= highest(i))
+          part = std::min(part, (highest(i) - uniform) / (scaled - uniform));
+    });
+    free.each([&](int first, int, int n) {
+      for (int i = first; i < first + n; ++i)
         pressure[i] = part * factor * pressure[i] + (1.0 - part) * uniform;
+    });
   } else {
     pressure = projected(pressure, Vector::Ones(n_));
   }
@@ -454,7 +552,7 @@ int PressureSearch::jump(double tolerance)
 {
   const double threshold = tolerance * halfSpace_.displacementScale(load()),
                little = rounding * load() / n_;
-  field_ = pressure;
+  const Vector before = pressure;
   int changed = 0;
   for (int i = 0; i < n_; ++i) {
     const double p = pressure[i], distance = gap[i] - approach;
@@ -470,8 +568,7 @@ int PressureSearch::jump(double tolerance)
   }
   if (changed) {
     balance();
-    field_ = pressure - field_;
-    changeGap(field_);
+    changeGap(before);
   }
   return changed;
 }
@@ -545,7 +642,6 @@ NormalContactResult solveOnGrids(HalfSpace &halfSpace, const NormalContactProble
   result.iterations = iterations;
   result.residual = search.residual;
   result.approach = search.approach;
-  result.pressure = search.pressure;
   result.gap = Vector::Zero(n);
   result.plasticDepth = Vector::Zero(n);
   result.state.resize(n);
@@ -557,6 +653,7 @@ NormalContactResult solveOnGrids(HalfSpace &halfSpace, const NormalContactProble
     if (result.state[i] == CellState::Plastic)
       result.plasticDepth[i] = std::max(0.0, -distance);
   }
+  result.pressure = std::move(search.pressure);
   return result;
 }
 

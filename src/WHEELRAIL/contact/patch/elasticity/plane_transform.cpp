@@ -29,26 +29,18 @@ struct PlaneTransformOf<Real>::Work {
         pairs((cellsY + 1) / 2), fields(fieldCount), rows(fftwArray<Value>(sizeX)),
         plane(fftwArray<Value>(std::size_t(fields) * pairs * (sizeX + apart))),
         block(fftwArray<Value>(std::size_t(fields) * blockColumns * (sizeY + apart))),
-        rowForward(row(rows.get(), plane.get(), FFTW_FORWARD)),
-        rowBackward(row(plane.get(), rows.get(), FFTW_BACKWARD)),
-        columnsForward(columns(FFTW_FORWARD)), columnsBackward(columns(FFTW_BACKWARD))
+        waves(fftwArray<Value>(std::size_t(fields) * (sizeY + apart))),
+        rowForward(line(sizeX, rows.get(), plane.get(), FFTW_FORWARD)),
+        rowBackward(line(sizeX, plane.get(), rows.get(), FFTW_BACKWARD)),
+        columnForward(line(sizeY, block.get(), waves.get(), FFTW_FORWARD)),
+        columnBackward(line(sizeY, waves.get(), block.get(), FFTW_BACKWARD))
   {
-    std::fill_n(&block[0][0], 2 * std::size_t(fields) * blockColumns * (sizeY + apart), Real(0));
   }
 
-  Plan row(Value *from, Value *to, int sign)
+  static Plan line(int size, Value *from, Value *to, int sign)
   {
-    return fftwPlan<Real>(sizeX,
-                          [&] { return Fftw<Real>::plan(sizeX, from, to, sign, FFTW_ESTIMATE); });
-  }
-  /// A plan of all columns of the block, in place.
-  Plan columns(int sign)
-  {
-    return fftwPlan<Real>(sizeY, [&] {
-      return Fftw<Real>::planMany(1, &sizeY, fields * blockColumns, block.get(), nullptr, 1,
-                                  sizeY + apart, block.get(), nullptr, 1, sizeY + apart, sign,
-                                  FFTW_ESTIMATE);
-    });
+    return fftwPlan<Real>(size,
+                          [&] { return Fftw<Real>::plan(size, from, to, sign, FFTW_ESTIMATE); });
   }
 
   Value *spectrumRow(int field, int pair) const
@@ -59,30 +51,37 @@ struct PlaneTransformOf<Real>::Work {
   {
     return reinterpret_cast<Complex *>(spectrumRow(field, pair));
   }
+  Value *blockColumn(int field, int c) const
+  {
+    return block.get() + (std::size_t(field) * blockColumns + c) * (sizeY + apart);
+  }
   Complex *column(int field, int c) const
   {
-    return reinterpret_cast<Complex *>(block.get()) +
-           (std::size_t(field) * blockColumns + c) * (sizeY + apart);
+    return reinterpret_cast<Complex *>(blockColumn(field, c));
   }
-  void rowsForward(int field, const double *values);
-  void rowsBackward(int field, double *values);
+  Value *wavesOf(int field) const { return waves.get() + std::size_t(field) * (sizeY + apart); }
+  template<class Field>
+  void rowsForward(int field, const Field *values);
+  template<class Field>
+  void rowsBackward(int field, Field *values);
   /// Moves columns firstBin .. between the plane and the block.
   void gather(int firstBin, int count);
   void scatter(int firstBin, int count);
 
   int nx, ny, sizeX, sizeY, bins, pairs, fields;
-  FftwArray<Value> rows, plane, block;
-  Plan rowForward, rowBackward, columnsForward, columnsBackward;
+  FftwArray<Value> rows, plane, block, waves;
+  Plan rowForward, rowBackward, columnForward, columnBackward;
 };
 
 // Plans of one pair serve all: an even number of complex numbers keeps rows aligned as FFTW's
 // arrays are.
 template<class Real>
-void PlaneTransformOf<Real>::Work::rowsForward(int field, const double *values)
+template<class Field>
+void PlaneTransformOf<Real>::Work::rowsForward(int field, const Field *values)
 {
   std::fill(&rows[0][0], &rows[0][0] + 2 * sizeX, Real(0));
   for (int pair = 0; pair < pairs; ++pair) {
-    const double *x = values + std::size_t(2 * pair) * nx;
+    const Field *x = values + std::size_t(2 * pair) * nx;
     const bool two = 2 * pair + 1 < ny;
     for (int i = 0; i < nx; ++i) {
       rows[i][0] = static_cast<Real>(x[i]);
@@ -93,11 +92,12 @@ void PlaneTransformOf<Real>::Work::rowsForward(int field, const double *values)
 }
 
 template<class Real>
-void PlaneTransformOf<Real>::Work::rowsBackward(int field, double *values)
+template<class Field>
+void PlaneTransformOf<Real>::Work::rowsBackward(int field, Field *values)
 {
   for (int pair = 0; pair < pairs; ++pair) {
     Fftw<Real>::executeOn(rowBackward.get(), spectrumRow(field, pair), rows.get());
-    double *x = values + std::size_t(2 * pair) * nx;
+    Field *x = values + std::size_t(2 * pair) * nx;
     for (int i = 0; i < nx; ++i)
       x[i] = rows[i][0];
     if (2 * pair + 1 < ny)
@@ -130,7 +130,7 @@ void PlaneTransformOf<Real>::Work::gather(int firstBin, int count)
         to[1] = {half * (u.imag() + v.imag()), half * (v.real() - u.real())};
       }
     }
-    for (int c = 0; c < blockColumns; ++c)
+    for (int c = 0; c < count; ++c)
       std::fill(column(f, c) + ny, column(f, c) + sizeY, Complex(0));
   }
 }
@@ -179,24 +179,28 @@ int PlaneTransformOf<Real>::sizeY() const
 // Rows first: only the ny rows that hold something, not the sizeY of the padded plane. Then the
 // columns, a few at a time: gathered from the rows, transformed, multiplied, transformed back and
 // scattered while they are in the cache. Last the same ny rows back; nobody asks for the others.
+// Transforms lead from one place to another: in place FFTW's are slower by a quarter.
 template<class Real>
-void PlaneTransformOf<Real>::multiply(const double *const *from, double *const *to,
+template<class Field>
+void PlaneTransformOf<Real>::multiply(const Field *const *from, Field *const *to,
                                       const Symbol &symbol)
 {
   Work &w = *work_;
   for (int f = 0; f < w.fields; ++f)
     w.rowsForward(f, from[f]);
-  std::vector<Complex *> columns(w.fields);
+  std::vector<Complex *> waves(w.fields);
+  for (int f = 0; f < w.fields; ++f)
+    waves[f] = reinterpret_cast<Complex *>(w.wavesOf(f));
   for (int first = 0; first < w.bins; first += blockColumns) {
     const int count = std::min(blockColumns, w.bins - first);
     w.gather(first, count);
-    Fftw<Real>::execute(w.columnsForward.get());
     for (int c = 0; c < count; ++c) {
       for (int f = 0; f < w.fields; ++f)
-        columns[f] = w.column(f, c);
-      symbol(first + c, columns.data());
+        Fftw<Real>::executeOn(w.columnForward.get(), w.blockColumn(f, c), w.wavesOf(f));
+      symbol(first + c, waves.data());
+      for (int f = 0; f < w.fields; ++f)
+        Fftw<Real>::executeOn(w.columnBackward.get(), w.wavesOf(f), w.blockColumn(f, c));
     }
-    Fftw<Real>::execute(w.columnsBackward.get());
     w.scatter(first, count);
   }
   for (int f = 0; f < w.fields; ++f)
@@ -205,6 +209,12 @@ void PlaneTransformOf<Real>::multiply(const double *const *from, double *const *
 
 template class PlaneTransformOf<double>;
 template class PlaneTransformOf<float>;
+template void PlaneTransformOf<double>::multiply(const double *const *, double *const *,
+                                                 const Symbol &);
+template void PlaneTransformOf<float>::multiply(const double *const *, double *const *,
+                                                const Symbol &);
+template void PlaneTransformOf<float>::multiply(const float *const *, float *const *,
+                                                const Symbol &);
 
 namespace {
 

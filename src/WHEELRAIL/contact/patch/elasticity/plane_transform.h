@@ -43,9 +43,14 @@ class PlaneTransformOf {
   /// \param symbol called once for each kx from 0 on; negative ones follow from the fields' being
   ///         real
   /// \return nothing: what lies beyond nx x ny cells of the product is dropped
-  void multiply(double *const *fields, const Symbol &symbol) { multiply(fields, fields, symbol); }
+  void multiply(double *const *fields, const Symbol &symbol)
+  {
+    multiply<double>(fields, fields, symbol);
+  }
   /// Products of one place, written to another.
-  void multiply(const double *const *from, double *const *to, const Symbol &symbol);
+  /// \tparam Value  double, or Real
+  template<class Value>
+  void multiply(const Value *const *from, Value *const *to, const Symbol &symbol);
 
  private:
   struct Work;

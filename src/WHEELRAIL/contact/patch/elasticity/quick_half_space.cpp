@@ -32,11 +32,11 @@ QuickHalfSpace::QuickHalfSpace(const CellGrid &grid, const ElasticPair &pair,
 {
 }
 
-void QuickHalfSpace::product(const Eigen::VectorXd &field, Transform &transform,
-                             const Spectrum &spectrum, Eigen::VectorXd &result)
+void QuickHalfSpace::product(const Field &field, Transform &transform, const Spectrum &spectrum,
+                             Field &result)
 {
-  const double *from = field.data();
-  double *to = result.data();
+  const float *from = field.data();
+  float *to = result.data();
   const int sizeY = transform.sizeY(), countY = sizeY / 2 + 1;
   transform.multiply(&from, &to, [&](int kx, Transform::Complex *const *column) {
     const float *s = &spectrum[std::size_t(kx) * countY];
@@ -45,12 +45,12 @@ void QuickHalfSpace::product(const Eigen::VectorXd &field, Transform &transform,
   });
 }
 
-void QuickHalfSpace::displacement(const Eigen::VectorXd &pressure, Eigen::VectorXd &result)
+void QuickHalfSpace::displacement(const Field &pressure, Field &result)
 {
   product(pressure, padded_, compliance_, result);
 }
 
-void QuickHalfSpace::tractionEstimate(const Eigen::VectorXd &displacement, Eigen::VectorXd &result)
+void QuickHalfSpace::tractionEstimate(const Field &displacement, Field &result)
 {
   product(displacement, wrapping_, stiffness_, result);
 }

@@ -14,14 +14,14 @@ class QuickHalfSpace final : public QuickProducts {
   /// \param table of cells of the same shape, over at least as many
   QuickHalfSpace(const CellGrid &grid, const ElasticPair &pair, const InfluenceTable &table);
 
-  void displacement(const Eigen::VectorXd &pressure, Eigen::VectorXd &result) override;
-  void tractionEstimate(const Eigen::VectorXd &displacement, Eigen::VectorXd &result) override;
+  void displacement(const Field &pressure, Field &result) override;
+  void tractionEstimate(const Field &displacement, Field &result) override;
 
  private:
   using Transform = PlaneTransformOf<float>;
   using Spectrum = std::vector<float>; ///< as of `Quarter`
-  static void product(const Eigen::VectorXd &field, Transform &transform, const Spectrum &spectrum,
-                      Eigen::VectorXd &result);
+  static void product(const Field &field, Transform &transform, const Spectrum &spectrum,
+                      Field &result);
 
   Transform padded_, wrapping_;
   Spectrum compliance_, stiffness_;
