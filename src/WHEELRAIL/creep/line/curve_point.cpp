@@ -27,8 +27,8 @@ std::vector<Column<P>> makeTable()
        {"temperature_max", "K", 1.0, "largest rise", kept<&P::temperatureMaximum>, following(10)}},
       {"temperature_max",
        {"t_gamma", "N/mm", newtonPerMm,
-        "T times creep: heat by friction over the length rolled, of a mm across", derived(tGammaOf),
-        following(10)}},
+        "T times creep: work of the drive over the length rolled, of a mm across",
+        derived(tGammaOf), following(10)}},
       // not in creep.csv
       {"t_gamma", {"profile", "1", 1.0, "", kept<&P::profile>}},
       {"profile",

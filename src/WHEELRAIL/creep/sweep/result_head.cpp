@@ -29,8 +29,9 @@ ResultHead resultHead(const std::string &axes, const std::string &caseText)
 {
   // the version without the commit: results do not change with it
   ResultHead head = {{"program", fmt::format("wr_creep {}", WHEELRAIL_VERSION)}, {"axes", axes}};
-  for (const char *group : {"contact", "friction"})
-    head.push_back({group, groupOf(caseText, group)});
+  for (const char *group : {"contact", "layer", "friction"})
+    if (const std::string keywords = groupOf(caseText, group); !keywords.empty())
+      head.push_back({group, keywords});
   return head;
 }
 

@@ -12,12 +12,12 @@ struct HeadLine {
   std::string name;  ///< one lower-case word
   std::string value; ///< without an end of line
 };
-/// Program and version, axes and bodies, contact with its radii, friction law.
+/// Program and version, axes and bodies, contact with its radii, a layer, friction law.
 using ResultHead = std::vector<HeadLine>;
 
 /// \param axes what x, y, a force and a creepage mean
 /// \param caseText the complete case, as `CaseReader::configuration` writes it; its groups
-///        `contact` and `friction` become a line each
+///        `contact`, `layer` where there is one, and `friction` become a line each
 ResultHead resultHead(const std::string &axes, const std::string &caseText);
 
 /// "# axes: ...\n" for each line: the head of a table.
