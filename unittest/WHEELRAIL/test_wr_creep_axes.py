@@ -92,3 +92,15 @@ def test_tables_and_fields_say_what_they_are(mode, tmp_path):
                 continue
             line = re.search(rf"^(?:# |<!-- )?{name}(?: =|:) (.*)$", text, re.MULTILINE)
             assert line and words in line[1], (file, name)
+
+
+def test_t_gamma_of_unlike_bodies_may_be_negative_wear_not(tmp_path):
+    """A soft wheel that is driven less than it rolls freely: its creep works against its force."""
+    case = tmp_path / "case.yaml"
+    case.write_text(CASE.replace("209.92 GPa", "[70 GPa, 210 GPa]"))
+    run(case, tmp_path / "out", "creep=-1e-4", "wear={law: t_gamma}")
+    (row,) = table(tmp_path / "out/creep.csv")
+    assert float(row["t_gamma"]) < 0.0
+    assert float(row["t_gamma"]) == pytest.approx(1e-4 * float(row["force_x"]))
+    assert float(row["friction_work"]) > 0.0
+    assert float(row["wear_volume"]) > 0.0
