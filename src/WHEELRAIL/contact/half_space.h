@@ -36,8 +36,8 @@ class ProductsOf {
   ProductsOf() = default;
   ProductsOf(const ProductsOf &) = default;
   ProductsOf &operator=(const ProductsOf &) = default;
-  ProductsOf(ProductsOf &&) = default;
-  ProductsOf &operator=(ProductsOf &&) = default;
+  ProductsOf(ProductsOf &&) noexcept = default;
+  ProductsOf &operator=(ProductsOf &&) noexcept = default;
 };
 using QuickProducts = ProductsOf<float>;
 
