@@ -281,7 +281,7 @@ SHIPPED = {
     "width": 84,
     "own-material": 10,
     "temperature": 15,
-    "rail": 79,
+    "rail": 80,
     "rail-checks": 20,
     "space": 16,
     "preset-b": 33,
