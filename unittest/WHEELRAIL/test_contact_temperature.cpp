@@ -19,8 +19,8 @@ TEST(MeanTemperature, GivesTheTable)
                              {20, 0.05, 80.05686, 116.13497},
                              {40, 0.10, 226.43499, 328.47930}};
   for (const auto &[speed, creep, mean, highest] : table) {
-    const double rise =
-        meanTemperatureRise(0.3, hertz.hertzPressure, creep * speed, hertz.halfWidth, speed, steel);
+    const double rise = meanTemperatureRise(0.3 * creep * speed, hertz.hertzPressure,
+                                            hertz.halfWidth, speed, steel);
     EXPECT_NEAR(rise, mean, 1e-5);
     EXPECT_NEAR(rise * maximumOverMeanTemperature(), highest, 2e-5);
   }

@@ -189,6 +189,24 @@ TEST(LineCoupling, SmoothMovingContactComesToTheSteadyState)
   }
 }
 
+TEST(LineCoupling, HeatIsThatOfFrictionAlsoWhereTheDriveIsBraked)
+{
+  // near free rolling traction times creep is below 0: rolling resistance does the work
+  // moving: the heat of a pass warms the next one
+  for (const auto &[mode, tolerance] : {std::pair{"frozen", 1e-6}, std::pair{"moving", 0.1}}) {
+    std::string text = rollers("-1e-4", 0.05, fmt::format("mode: {}\n", mode));
+    text.replace(text.find("thermal: off"), 12, "thermal: {model: averaged_power}");
+    const CurvePoint point = solved(text).points[0];
+    EXPECT_LT(point.traction * point.creep, 0.0) << mode;
+    EXPECT_GT(point.frictionWork, 0.0) << mode;
+    const HertzContact hertz = hertzContact(16201.9, 25e-3, contactModulus({aluminium, steel}));
+    const double rise =
+        meanTemperatureRise(point.frictionWork / hertz.load * point.speed, hertz.hertzPressure,
+                            hertz.halfWidth, point.speed, {50.0, 7800.0, 450.0});
+    EXPECT_NEAR(point.temperatureRise, rise, tolerance * rise) << mode;
+  }
+}
+
 TEST(LineCoupling, RestIsRefused)
 {
   const std::string bodies =

@@ -106,11 +106,11 @@ TEST(PatchTemperature, RowsAreLineContacts)
     for (int ix = 0; ix < grid.nx; ++ix)
       if (heat[grid.index(ix, iy)] > 0.0)
         sum += theta[grid.index(ix, iy)], ++cells;
-    const double exact = meanTemperatureRise(mu, width * p0, slide, width * a, speed, steel);
+    const double exact = meanTemperatureRise(mu * slide, width * p0, width * a, speed, steel);
     EXPECT_NEAR(sum / cells, exact, 0.01 * exact);
   }
   // The hottest place is in the middle row, a line contact of N' = pi a p0/2
   const double hottest =
-      maximumOverMeanTemperature() * meanTemperatureRise(mu, p0, slide, a, speed, steel);
+      maximumOverMeanTemperature() * meanTemperatureRise(mu * slide, p0, a, speed, steel);
   EXPECT_NEAR(theta.maxCoeff(), hottest, 0.003 * hottest);
 }

@@ -69,10 +69,10 @@ double maximumOverMeanTemperature()
   return 0.61730992 / 0.42553843;
 }
 
-double meanTemperatureRise(double frictionRatio, double hertzPressure, double slidingSpeed,
-                           double halfWidth, double speed, const ThermalMaterial &material)
+double meanTemperatureRise(double powerOverLoad, double hertzPressure, double halfWidth,
+                           double speed, const ThermalMaterial &material)
 {
-  return meanTemperatureCoefficient() * frictionRatio * hertzPressure * slidingSpeed *
+  return meanTemperatureCoefficient() * powerOverLoad * hertzPressure *
          std::sqrt(halfWidth / diffusion(speed, material));
 }
 

@@ -33,7 +33,7 @@ double bulkOfContact(const ThermalMaterial &wheel, const ThermalMaterial &rail,
 enum class ThermalModel {
   Off,           ///< no temperature
   Averaged,      ///< Eq. 11: mean rise of a Hertzian contact that slides as a whole
-  AveragedPower, ///< Eq. 11 with the frictional power T/N in place of mu
+  AveragedPower, ///< Eq. 11 with the frictional power in place of mu times sliding speed
   Local          ///< `FlashTemperature`, `TravellingHeat`
 };
 
@@ -51,15 +51,14 @@ double meanTemperatureCoefficient();
 double maximumOverMeanTemperature();
 
 /// Eq. 11: mean temperature rise over a Hertzian line contact,
-/// coefficient x frictionRatio x p0 x slidingSpeed x sqrt(a/(lambda rho c_p v0)), K.
-/// \param frictionRatio mu when everything slides (Eq. 11 as printed); T/N is the exact frictional
-///        power below full sliding
+/// coefficient x powerOverLoad x p0 x sqrt(a/(lambda rho c_p v0)), K.
+/// \param powerOverLoad friction's heat in a second over the load, m/s: mu times the sliding speed
+///        where everything slides (Eq. 11 as printed), less below
 /// \param hertzPressure p0, Pa
-/// \param slidingSpeed creep times v0, m/s
 /// \param halfWidth a, m
 /// \param speed v0, m/s, > 0
-double meanTemperatureRise(double frictionRatio, double hertzPressure, double slidingSpeed,
-                           double halfWidth, double speed, const ThermalMaterial &material);
+double meanTemperatureRise(double powerOverLoad, double hertzPressure, double halfWidth,
+                           double speed, const ThermalMaterial &material);
 
 /// Flash temperature of a heated stretch that moves along a half-space at speed v0:
 ///   Theta(x) = integral over s > x of q(s)/2 / sqrt(pi lambda rho c_p v0 (s - x)) ds.

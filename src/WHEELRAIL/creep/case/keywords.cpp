@@ -162,7 +162,8 @@ const std::vector<Keyword> &keywords()
        "how much warmer than the surroundings both bodies are far away, or [wheel, rail]",
        scope::pointFrozen | scope::pointMoving},
       {"thermal.model", Kind::Choice, "1", "averaged", 0, 0, 0, "averaged|averaged_power|local",
-       "averaged: Eq. 11; averaged_power: Eq. 11 with T/N for mu; local: flash temperature"},
+       "averaged: Eq. 11; averaged_power: Eq. 11 with the heat of friction; local: flash "
+       "temperature"},
       {"wear.law", Kind::Choice, "1", "none", 0, 0, 0, "none|archard|t_gamma",
        "columns of wear: k p s/H of Archard, or of T gamma/A (Braghin et al. 2006)",
        scope::pointFrozen | scope::pointMoving, "nothing rolls"},

@@ -68,6 +68,7 @@ void FrozenCreep::roll(double creep)
   contact_.state.assign(setup_.cells, Adhesion::Apart);
   contact_.traction.segment(first, cells) = result.traction * modulus;
   contact_.slip.segment(first, cells) = result.slip;
+  frictionWork_ = setup_.cellSize * modulus * drivenWork(result.traction, creep, options.imposed);
   std::copy(result.state.begin(), result.state.end(), contact_.state.begin() + first);
 }
 
@@ -87,9 +88,10 @@ Vector FrozenCreep::temperatureFrom(double speed, double creep)
     flashSpeed_ = speed;
     return flash_->rise(contact_.traction.cwiseProduct(contact_.slip) * speed);
   }
-  const double ratio =
-      physics_.thermal.model == ThermalModel::Averaged ? meanMu() : tractionRatio();
-  return Vector::Constant(n, meanTemperatureRise(ratio, setup_.hertz.hertzPressure, creep * speed,
+  const double powerOverLoad = physics_.thermal.model == ThermalModel::Averaged
+                                   ? meanMu() * creep * speed
+                                   : frictionWork_ / setup_.hertz.load * speed;
+  return Vector::Constant(n, meanTemperatureRise(powerOverLoad, setup_.hertz.hertzPressure,
                                                  setup_.hertz.halfWidth, speed,
                                                  physics_.thermal.material));
 }
@@ -214,6 +216,7 @@ CreepPoint FrozenCreep::solve(const FrictionLaw &law, double speed, double signe
   static_cast<LineValues &>(point) =
       lineValues(setup_, tractionRatio(), contact_.traction, contact_.pressure, contact_.mu,
                  contact_.temperature, contact_.state);
+  point.frictionWork = frictionWork_;
   point.speed = speed;
   point.creep = creep;
   point.traction = point.tractionRatio * setup_.hertz.load;

@@ -91,8 +91,9 @@ class FrozenCreep {
   std::optional<SlipMemory> memory_;
   Eigen::VectorXd memoryRatio_; ///< see `SlipMemory`
   ContactFields contact_;
-  Eigen::VectorXd opening_; ///< of the gap, by the traction of unlike bodies, in cells
-  double coupling_ = 0.0;   ///< of the image that is solved: `ContactSetup::coupling`, or less that
+  double frictionWork_ = 0.0; ///< of `contact_`, N/m
+  Eigen::VectorXd opening_;   ///< of the gap, by the traction of unlike bodies, in cells
+  double coupling_ = 0.0; ///< of the image that is solved: `ContactSetup::coupling`, or less that
 };
 
 } // namespace wheelrail

@@ -30,7 +30,7 @@ std::vector<Column<P>> makeTable()
         "T times creep: work of the drive over the length rolled, of a mm across",
         derived(tGammaOf), following(10)}},
       // not in creep.csv
-      {"t_gamma", {"profile", "1", 1.0, "", kept<&P::profile>}},
+      {"friction_work", {"profile", "1", 1.0, "", kept<&P::profile>}},
       {"profile",
        {"standard_error", "1", 1.0, "of T/N, from the covariance of the law",
         kept<&P::band, &Band::standardError>, nowhere, leading(6)}},

@@ -15,7 +15,15 @@ std::vector<Column<LineValues>> lineColumns()
   append(table, slidingColumns());
   table.push_back({"peak_traction", "MPa", MPa, "largest shear stress of the surface",
                    kept<&LineValues::peakTraction>, following(10)});
+  table.push_back({"friction_work", "N/mm", newtonPerMm,
+                   "heat by friction over the length rolled, of a mm across",
+                   kept<&LineValues::frictionWork>, following(10)});
   return table;
+}
+
+double drivenWork(const Eigen::VectorXd &traction, double creep, const Eigen::VectorXd &imposed)
+{
+  return creep * traction.sum() + (imposed.size() > 0 ? traction.dot(imposed) : 0.0);
 }
 
 LineValues lineValues(const ContactSetup &setup, double tractionRatio,

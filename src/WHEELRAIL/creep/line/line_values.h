@@ -12,12 +12,20 @@ namespace wheelrail {
 struct LineValues : SlidingValues {
   double tractionRatio = 0.0; ///< T/N
   double peakTraction = 0.0;  ///< Pa
+  double frictionWork = 0.0;  ///< heat over the length rolled and the length across, N/m
 };
 
 /// Their columns, in the order of creep.csv.
 std::vector<Column<LineValues>> lineColumns();
 
-/// The values of one solution.
+/// What drives the slip of all cells, over the length rolled: creep and what the pressure of unlike
+/// bodies adds. Bodies that roll steadily keep none of it, so that it is friction's heat; traction
+/// times slip, summed over the cells, is that but for an error of the order of a cell.
+/// \param imposed slip of each cell, of `couplingSlip`, or empty
+/// \return in units of the traction times cells
+double drivenWork(const Eigen::VectorXd &traction, double creep, const Eigen::VectorXd &imposed);
+
+/// The values of one solution, all but the work of friction.
 /// \param tractionRatio T/N
 /// \param traction of all cells that may touch, Pa
 /// \param pressure, mu, temperature one value per cell of the domain; Pa and K

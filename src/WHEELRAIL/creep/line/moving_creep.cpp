@@ -105,8 +105,9 @@ void MovingCreep::roll(Roller &roller, double speed, bool counted)
   } else {
     roller.mu = law_.mu({p, roller.creep * speed, roller.temperature});
   }
+  const Vector imposed = imposedBy(normal_.pressure, roller);
   roller.result = roller.rolling.step(setup_.bound(roller.mu, p).segment(windowBegin_, cells),
-                                      roller.creep, imposedBy(normal_.pressure, roller));
+                                      roller.creep, imposed);
   if (memory_) {
     Vector slip = Vector::Zero(setup_.cells);
     slip.segment(windowBegin_, cells) = roller.result.slip;
@@ -122,9 +123,11 @@ void MovingCreep::roll(Roller &roller, double speed, bool counted)
       if (setup_.isNominal(i) || (i >= windowBegin_ && i < windowBegin_ + cells))
         roller.temperature[i] = roller.heat->rise(i);
   }
-  const LineValues step = lineValues(setup_, roller.result.force() / normal_.pressure.sum(),
-                                     roller.result.traction * setup_.hertz.modulus, p, roller.mu,
-                                     roller.temperature, roller.result.state);
+  LineValues step = lineValues(setup_, roller.result.force() / normal_.pressure.sum(),
+                               roller.result.traction * setup_.hertz.modulus, p, roller.mu,
+                               roller.temperature, roller.result.state);
+  step.frictionWork = setup_.cellSize * setup_.hertz.modulus *
+                      drivenWork(roller.result.traction, roller.creep, imposed);
   addValues(roller.pass, step);
   if (!counted)
     return;
@@ -146,12 +149,12 @@ void MovingCreep::endPass(Roller &roller, double speed, int steps)
 {
   if (physics_.thermal.model == ThermalModel::Averaged ||
       physics_.thermal.model == ThermalModel::AveragedPower) {
-    const double heat = physics_.thermal.model == ThermalModel::Averaged
-                            ? roller.pass.muMean
-                            : roller.pass.tractionRatio;
-    roller.temperature.setConstant(meanTemperatureRise(heat / steps, setup_.hertz.hertzPressure,
-                                                       roller.creep * speed, setup_.hertz.halfWidth,
-                                                       speed, physics_.thermal.material));
+    const double workOverLoad = physics_.thermal.model == ThermalModel::Averaged
+                                    ? roller.pass.muMean * roller.creep
+                                    : roller.pass.frictionWork / setup_.hertz.load;
+    roller.temperature.setConstant(
+        meanTemperatureRise(workOverLoad / steps * speed, setup_.hertz.hertzPressure,
+                            setup_.hertz.halfWidth, speed, physics_.thermal.material));
   }
   roller.pass = {};
 }

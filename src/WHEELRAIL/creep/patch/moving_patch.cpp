@@ -81,7 +81,7 @@ struct MovingPatch::Temperature {
   Vector values; ///< K
   double bulk;   ///< K
   std::vector<TravellingHeat> rows;
-  double ratio = 0.0, slidingSpeed = 0.0; ///< sums over the pass
+  double powerOverLoad = 0.0; ///< sum over the pass, of Eq. 11
 };
 
 MovingPatch::MovingPatch(const CreepPhysics &physics, const MovingPatchSpecification &moving,
@@ -245,10 +245,8 @@ PatchStep MovingPatch::roll(TransientPatch &transient, Temperature &heat, double
                    normal_.pressure, mu, heat.values, speed});
   row.distance = distance;
   row.drivingPower = sums.drivingPower * speed;
-  heat.ratio += physics_.thermal.model == ThermalModel::AveragedPower && sliding > 0.0
-                    ? sums.drivingPower * speed / (load * sliding)
-                    : row.muMean;
-  heat.slidingSpeed += sliding;
+  heat.powerOverLoad += physics_.thermal.model == ThermalModel::Averaged ? row.muMean * sliding
+                                                                         : row.drivingPower / load;
   fields_ = {result.state, normal_.gap, normal_.pressure, result.traction,
              result.slip,  mu,          heat.values};
   return row;
@@ -324,11 +322,10 @@ std::optional<PatchPoint> MovingPatch::solve(double speed, const PatchDrive &dri
     if ((step + 1) % passSteps_ == 0) {
       const ThermalModel model = physics_.thermal.model;
       if (model == ThermalModel::Averaged || model == ThermalModel::AveragedPower)
-        heat.values.setConstant(heat.bulk + meanTemperatureRise(heat.ratio / passSteps_,
-                                                                contact_.hertz,
-                                                                heat.slidingSpeed / passSteps_,
-                                                                speed, physics_.thermal.material));
-      heat.ratio = heat.slidingSpeed = 0.0;
+        heat.values.setConstant(heat.bulk + meanTemperatureRise(heat.powerOverLoad / passSteps_,
+                                                                contact_.hertz, speed,
+                                                                physics_.thermal.material));
+      heat.powerOverLoad = 0.0;
     }
   }
   return pointOf(speed);

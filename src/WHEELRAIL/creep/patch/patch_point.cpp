@@ -45,11 +45,11 @@ double meanOverEllipse()
   return std::sqrt(pi) * std::tgamma(2.25) / std::tgamma(2.75) / (0.5 * pi);
 }
 
-double meanTemperatureRise(double frictionRatio, const HertzEllipse &hertz, double slidingSpeed,
-                           double speed, const ThermalMaterial &material)
+double meanTemperatureRise(double powerOverLoad, const HertzEllipse &hertz, double speed,
+                           const ThermalMaterial &material)
 {
-  return meanOverEllipse() * meanTemperatureRise(frictionRatio, hertz.hertzPressure, slidingSpeed,
-                                                 hertz.a, speed, material);
+  return meanOverEllipse() *
+         meanTemperatureRise(powerOverLoad, hertz.hertzPressure, hertz.a, speed, material);
 }
 
 double largestTemperature(const ThermalSpecification &thermal, double hottest)
@@ -162,13 +162,11 @@ Vector FrozenPatch::temperatureFrom(double speed)
   default:
     break;
   }
-  const double sliding = slidingSpeed(speed);
-  double ratio = meanMu();
-  if (thermal.model == ThermalModel::AveragedPower && sliding > 0.0)
-    ratio = sums().drivingPower * speed / (contact_.load * sliding);
-  return Vector::Constant(n, physics_.thermal.bulk + meanTemperatureRise(ratio, contact_.hertz,
-                                                                         sliding, speed,
-                                                                         thermal.material));
+  const double powerOverLoad = thermal.model == ThermalModel::Averaged
+                                   ? meanMu() * slidingSpeed(speed)
+                                   : sums().drivingPower * speed / contact_.load;
+  return Vector::Constant(n, thermal.bulk + meanTemperatureRise(powerOverLoad, contact_.hertz,
+                                                                speed, thermal.material));
 }
 
 /// The normal contact once more, from the last pressure.

@@ -71,12 +71,12 @@ double rigidSlip(const PatchGrid &grid, const Eigen::VectorXd &pressure, const C
 double meanOverEllipse();
 
 /// Mean temperature rise of an ellipse (Eq. 11, row by row), K.
-/// \param frictionRatio mu, or frictional power over load and sliding speed
+/// \param powerOverLoad friction's heat in a second over the load, m/s: mu times the sliding speed
+///        where everything slides
 /// \param hertz a along x (m) and p0 (Pa) of the smooth contact are read
-/// \param slidingSpeed m/s
 /// \param speed v0, m/s, > 0
-double meanTemperatureRise(double frictionRatio, const HertzEllipse &hertz, double slidingSpeed,
-                           double speed, const ThermalMaterial &material);
+double meanTemperatureRise(double powerOverLoad, const HertzEllipse &hertz, double speed,
+                           const ThermalMaterial &material);
 
 /// The largest temperature of a contact, K.
 /// \param hottest cell; of the averaged models they all are
