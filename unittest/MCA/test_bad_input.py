@@ -8,6 +8,7 @@ import pytest
 
 from lmp_run import STEEL, fails, lmp, periodic_block
 
+LONG = pytest.mark.long
 SAMPLE = periodic_block()
 GOOD = SAMPLE + "pair_style mca\npair_coeff * * steel.mca\nfix 1 all nve/mca\n"
 
@@ -22,7 +23,7 @@ def test_missing_file(tmp_path):
     fails(SAMPLE + "pair_style mca\npair_coeff * * nosuch.mca\n", tmp_path, "nosuch.mca")
 
 
-@pytest.mark.parametrize("ranks", [1, 2])
+@pytest.mark.parametrize("ranks", [1, pytest.param(2, marks=LONG)])
 def test_empty_file(tmp_path, ranks):
     with_file("", tmp_path, "bad.mca", "empty", ranks=ranks)
 
@@ -136,7 +137,7 @@ def test_bad_drive(tmp_path, words, parts):
     fails(GOOD + f"fix 2 all mca/drive {words}\nrun 1\n", tmp_path, *parts)
 
 
-@pytest.mark.parametrize("ranks", [1, 2])
+@pytest.mark.parametrize("ranks", [1, pytest.param(2, marks=LONG)])
 def test_unwritable_log_folder(tmp_path, ranks):
     fails(
         GOOD + "fix 2 all mca/drive velocity 1 pressure 1 file no/folder/x.friction\nrun 1\n",
@@ -182,28 +183,34 @@ def test_bad_commands(tmp_path, command, parts):
 NO_NUMBERS = ["abc", "0x10", '"1 500"', "nan", "inf", "5nm", '""']
 
 
-@pytest.mark.parametrize("word", NO_NUMBERS)
+NUMBERS = [
+    ("pair_style mca thickness {}", "Pair style mca thickness is"),
+    ("pair_style mca cutoff {}", "Pair style mca cutoff is"),
+    ("pair_style mca link {}", "keyword link"),
+    ("pair_coeff * * steel.mca strength {}", "strength is"),
+    ("pair_coeff * * rail_steel.mca temperature {}", "temperature is"),
+    ("pair_coeff {} 1 steel.mca", "Pair_coeff of mca: I is"),
+    ("pair_coeff 1 {} steel.mca", "Pair_coeff of mca: J is"),
+    ("fix 2 all mca/drive velocity {} pressure 1", "Fix mca/drive velocity is"),
+    ("fix 2 all mca/drive velocity 1 pressure {}", "Fix mca/drive pressure is"),
+    ("fix 2 all mca/drive velocity 1 pressure 1 every {}", "Fix mca/drive every is"),
+    ("fix 2 all mca/drive velocity 1 pressure 1 seed {}", "Fix mca/drive seed is"),
+    ("fix 2 all mca/events {} step", "Fix mca/events N is"),
+    ("fix 2 all mca/events {} 10", "Fix mca/events N is"),
+    ("mca_links create all all reach {}", "Command mca_links reach is"),
+    ("region r mca/rough below {} 1 1 1", "Region mca/rough height is"),
+    ("region r mca/rough below 0 {} 1 1", "Region mca/rough amplitude is"),
+    ("region r mca/rough below 0 1 {} 1", "Region mca/rough correlation is"),
+    ("region r mca/rough below 0 1 1 {}", "Region mca/rough seed is"),
+]
+
+
 @pytest.mark.parametrize(
-    "command, what",
-    [
-        ("pair_style mca thickness {}", "Pair style mca thickness is"),
-        ("pair_style mca cutoff {}", "Pair style mca cutoff is"),
-        ("pair_style mca link {}", "keyword link"),
-        ("pair_coeff * * steel.mca strength {}", "strength is"),
-        ("pair_coeff * * rail_steel.mca temperature {}", "temperature is"),
-        ("pair_coeff {} 1 steel.mca", "Pair_coeff of mca: I is"),
-        ("pair_coeff 1 {} steel.mca", "Pair_coeff of mca: J is"),
-        ("fix 2 all mca/drive velocity {} pressure 1", "Fix mca/drive velocity is"),
-        ("fix 2 all mca/drive velocity 1 pressure {}", "Fix mca/drive pressure is"),
-        ("fix 2 all mca/drive velocity 1 pressure 1 every {}", "Fix mca/drive every is"),
-        ("fix 2 all mca/drive velocity 1 pressure 1 seed {}", "Fix mca/drive seed is"),
-        ("fix 2 all mca/events {} step", "Fix mca/events N is"),
-        ("fix 2 all mca/events {} 10", "Fix mca/events N is"),
-        ("mca_links create all all reach {}", "Command mca_links reach is"),
-        ("region r mca/rough below {} 1 1 1", "Region mca/rough height is"),
-        ("region r mca/rough below 0 {} 1 1", "Region mca/rough amplitude is"),
-        ("region r mca/rough below 0 1 {} 1", "Region mca/rough correlation is"),
-        ("region r mca/rough below 0 1 1 {}", "Region mca/rough seed is"),
+    "command, what, word",
+    [  # each command and each word once, the others are long
+        pytest.param(*number, word, marks=[LONG] if i and k else [])
+        for i, number in enumerate(NUMBERS)
+        for k, word in enumerate(NO_NUMBERS)
     ],
 )
 def test_words_that_are_no_number(every_refusal, command, what, word):
@@ -237,6 +244,7 @@ def test_rough_line_of_too_many_waves(tmp_path, correlation, part):
     )
 
 
+@LONG
 def test_rough_line_of_most_waves_is_made_in_time(tmp_path):
     """A line of 5000 waves: its largest height is found among 80000."""
     start = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime

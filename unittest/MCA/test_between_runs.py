@@ -5,6 +5,7 @@ import pytest
 
 from lmp_run import fails, lmp
 
+RANKS = [1, pytest.param(2, marks=pytest.mark.long)]
 HEAD = """
 units nano
 dimension 2
@@ -29,7 +30,7 @@ SHEAR = "displace_atoms all ramp x 0 0.04 y -20 20 units box\n"
 # ---- between links and the first run
 
 
-@pytest.mark.parametrize("ranks", [1, 2])
+@pytest.mark.parametrize("ranks", RANKS)
 @pytest.mark.parametrize(
     "command",
     [
@@ -50,7 +51,7 @@ def test_links_that_are_turned_before_their_first_run(tmp_path, command, ranks):
     fails(boundary + LINKED + command + MOVED + "run 0\n", tmp_path, "were turned by", ranks=ranks)
 
 
-@pytest.mark.parametrize("ranks", [1, 2])
+@pytest.mark.parametrize("ranks", RANKS)
 def test_links_that_are_turned_after_they_were_read(tmp_path, ranks):
     lmp(HEAD + LINKED + MOVED + "run 0\nmca_links write x.links\nwrite_data x.data\n", tmp_path)
     sample = HEAD.split("lattice")[0] + "read_data x.data\n" + LAWS + "mca_links read x.links\n"
@@ -94,7 +95,7 @@ def test_pairs_that_are_left_out_of_the_list(tmp_path, command, word, first):
 # ---- in a run
 
 
-@pytest.mark.parametrize("ranks", [1, 2])
+@pytest.mark.parametrize("ranks", RANKS)
 @pytest.mark.parametrize("start", [0, 150])
 def test_a_fix_that_sets_places_without_velocities(tmp_path, start, ranks):
     move = (
@@ -183,14 +184,14 @@ def test_automata_that_come_in_a_run_have_their_size_at_once(tmp_path, command, 
             assert set(table[least]) == set(table[most]) == {tables[0][least][0]}
 
 
-@pytest.mark.parametrize("ranks", [1, 2])
+@pytest.mark.parametrize("ranks", RANKS)
 def test_automata_that_come_in_a_run_may_not_overlap(tmp_path, ranks):
     rain = "region on block 5 45 5 8 -0.1 0.1 units box\n"
     rain += "fix rain all deposit 3 2 20 4711 region on vy 0 0 units box\nrun 200\n"
     fails(RAIN + rain, tmp_path, "overlap: ", ranks=ranks)
 
 
-@pytest.mark.parametrize("ranks", [1, 2])
+@pytest.mark.parametrize("ranks", RANKS)
 @pytest.mark.parametrize(
     "command, part",
     [

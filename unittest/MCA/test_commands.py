@@ -6,6 +6,8 @@ import pytest
 
 from lmp_run import dump, fails, lmp, periodic_block
 
+LONG = pytest.mark.long
+RANKS = [1, pytest.param(2, marks=LONG)]
 ELASTIC = "mca plasticity none fracture none viscosity none link none heal none weld none"
 PLASTIC = "c_state[5]"
 
@@ -89,7 +91,12 @@ def delete_upper(folder, data, compress, **more):
 
 @pytest.mark.parametrize(
     "ranks,newton,compress",
-    [(1, "on", "yes"), (2, "on", "yes"), (2, "off", "yes"), (2, "on", "no")],
+    [
+        (1, "on", "yes"),
+        (2, "off", "yes"),
+        pytest.param(2, "on", "yes", marks=LONG),
+        pytest.param(2, "on", "no", marks=LONG),
+    ],
 )
 def test_delete_atoms(lower_alone, fragments, tmp_path, ranks, newton, compress):
     """The upper fragment goes with its links and contacts; the lower one keeps its own."""
@@ -100,7 +107,7 @@ def test_delete_atoms(lower_alone, fragments, tmp_path, ranks, newton, compress)
     assert np.ptp(frame["c_state[1]"]) > 10
 
 
-@pytest.mark.parametrize("ranks,newton", [(1, "on"), (2, "on"), (2, "off")])
+@pytest.mark.parametrize("ranks,newton", [(1, "on"), (2, "on"), pytest.param(2, "off", marks=LONG)])
 def test_delete_atoms_within_a_fragment(fragments, tmp_path, ranks, newton):
     """One automaton inside is deleted: its six links end, a line says so, and no other ones."""
     result, frame = run(
@@ -150,7 +157,7 @@ def test_box_grows(whole, fragments, tmp_path):
     assert same(frame, whole)
 
 
-@pytest.mark.parametrize("ranks", [1, 2])
+@pytest.mark.parametrize("ranks", RANKS)
 @pytest.mark.parametrize(
     "move",
     [
@@ -176,7 +183,7 @@ def test_turned_links_are_refused(fragments, tmp_path, move, ranks):
     )
 
 
-@pytest.mark.parametrize("ranks", [1, 2])
+@pytest.mark.parametrize("ranks", RANKS)
 def test_torn_links_are_refused(fragments, tmp_path, ranks):
     fails(
         "in.fragments",
@@ -288,7 +295,7 @@ run 0
         ("hybrid/overlay mca lj/cut 3.0", "pair_coeff * * lj/cut 0 2.5"),
     ],
 )
-@pytest.mark.parametrize("ranks", [1, 2])
+@pytest.mark.parametrize("ranks", RANKS)
 def test_hybrid_overlay(whole, fragments, tmp_path, style, more, ranks):
     """Together with a style that does nothing."""
     _, frame = run(tmp_path, fragments, style=style, name="mca", more=more, ranks=ranks)
@@ -321,7 +328,7 @@ HELD = {
 }
 
 
-@pytest.mark.parametrize("ranks", [1, 2])
+@pytest.mark.parametrize("ranks", RANKS)
 @pytest.mark.parametrize("held", HELD)
 def test_viscous_contact_decays(tmp_path, held, ranks):
     """v exp(-eta S t/(d m)) against what is held, twice as fast between two that are free."""

@@ -202,7 +202,7 @@ def test_a_term_of_the_account_that_falls_is_told_of_once(tmp_path):
 
 
 def test_a_solid_is_not_warned_of(tmp_path):
-    out, log = example(tmp_path, ns=0.2, nu=0.4, laws="d", account=1)
+    out, log = example(tmp_path, ns=0.1, nu=0.4, laws="d", account=1)
     assert "fell by" not in out and "the solid" not in out
     assert (np.diff(log["flow_energy"]) > 0).all() and (log["contact_energy"] > 0).all()
     assert np.abs(log["room"] - 1).max() < 0.01

@@ -20,10 +20,18 @@ def hooke(xx, yy, xy):
     return np.array(s + [zz, (s[0] + s[1] + zz) / 3])
 
 
+MIXED = (0.3, -0.7, 0.4)
+STRAINS = [(1, 0, 0), (0, 1, 0), (1, 1, 0), (1, -1, 0), (0, 0, 1), MIXED]
+
+
 @pytest.mark.parametrize(
-    "xx,yy,xy", [(1, 0, 0), (0, 1, 0), (1, 1, 0), (1, -1, 0), (0, 0, 1), (0.3, -0.7, 0.4)]
+    "ranks,xx,yy,xy",
+    [
+        *((1, *strain) for strain in STRAINS),
+        (2, *MIXED),
+        *(pytest.param(2, *strain, marks=pytest.mark.long) for strain in STRAINS[:-1]),
+    ],
 )
-@pytest.mark.parametrize("ranks", [1, 2])
 def test_periodic_block_is_hookes(tmp_path, xx, yy, xy, ranks):
     result = lmp(
         "in.homogeneous", tmp_path, ranks=ranks, exx=xx * STRAIN, eyy=yy * STRAIN, exy=xy * STRAIN

@@ -8,6 +8,7 @@ import pytest
 
 from lmp_run import STEEL, fails, lmp
 
+LONG = pytest.mark.long
 NAMES = {
     "c_energy[1]": "kinetic",
     "c_energy[2]": "elastic",
@@ -55,13 +56,13 @@ def test_error_is_the_sum(sliding):
     "laws",
     [
         "preset a",
-        "preset b flow contacts",
         "preset b plasticity isochoric flow contacts",
         "preset b viscosity none",
-        "preset b steps plain",
-        "preset b plasticity isochoric flow contacts steps plain",
         "preset b viscosity both",
-        "preset b viscosity both steps plain",
+        pytest.param("preset b flow contacts", marks=LONG),
+        pytest.param("preset b steps plain", marks=LONG),
+        pytest.param("preset b plasticity isochoric flow contacts steps plain", marks=LONG),
+        pytest.param("preset b viscosity both steps plain", marks=LONG),
     ],
 )
 def test_other_laws_close_too(laws, tmp_path):
@@ -74,7 +75,7 @@ def test_other_laws_close_too(laws, tmp_path):
     )
 
 
-@pytest.mark.parametrize("laws", ["", "viscosity both"])
+@pytest.mark.parametrize("laws", ["", pytest.param("viscosity both", marks=LONG)])
 def test_flow_dissipates(laws, tmp_path):
     """What flows about the mean of what flows makes no energy, contacts that are pressed beside
     links and welds too: in no 50 steps."""
@@ -91,7 +92,7 @@ def test_flow_dissipates(laws, tmp_path):
     assert np.diff(a["plastic"]).min() > -1e-3 * a["plastic"][-1]
 
 
-@pytest.mark.parametrize("newton", ["on", "off"])
+@pytest.mark.parametrize("newton", ["on", pytest.param("off", marks=LONG)])
 def test_ranks_share_the_account(sliding, newton, tmp_path):
     a = account(lmp("in.energy_sliding", tmp_path, ranks=2, laws="preset b", newton=newton))
     for name in NAMES.values():
@@ -222,7 +223,7 @@ run 750
     assert abs(go_on["error"][-1]) < 1e-6 * go_on["dissipated"][-1]
 
 
-@pytest.mark.parametrize("ranks", [1, 2])
+@pytest.mark.parametrize("ranks", [1, pytest.param(2, marks=LONG)])
 def test_first_script_of_the_readme(ranks, tmp_path):
     """Periodic, with ghosts of the own rank. The sanitizers see a read past an array here."""
     readme = (STEEL.parents[1] / "README.md").read_text(encoding="utf-8")

@@ -9,6 +9,7 @@ import pytest
 
 from lmp_run import INPUTS, lmp
 
+LONG = pytest.mark.long
 TERMS = ["kinetic", "elastic", "plastic", "fracture", "viscous", "work", "box", "changed"]
 
 BLOCK = """
@@ -59,7 +60,7 @@ def standing(tmp_path_factory):
     return last(lmp(STANDING + FIXES + ACCOUNT + OUTPUT + "run 1000\n", folder))
 
 
-@pytest.mark.parametrize("runs", [1, 20])
+@pytest.mark.parametrize("runs", [1, pytest.param(20, marks=LONG)])
 @pytest.mark.parametrize("order", ["before", "between", "behind"])
 def test_no_order_of_commands_matters(standing, tmp_path, order, runs):
     fixes = FIXES.split("fix g")
@@ -99,9 +100,19 @@ SHAPES = {
 }
 
 
-@pytest.mark.parametrize("ranks", [1, 2])
-@pytest.mark.parametrize("shape", SHAPES)
-@pytest.mark.parametrize("laws", ["elastic", "all"])
+@pytest.mark.parametrize(
+    "shape, laws, ranks",
+    [
+        ("sheared", "elastic", 1),
+        ("stretched", "all", 2),
+        pytest.param("stretched", "elastic", 1, marks=LONG),
+        pytest.param("stretched", "elastic", 2, marks=LONG),
+        pytest.param("stretched", "all", 1, marks=LONG),
+        pytest.param("sheared", "elastic", 2, marks=LONG),
+        pytest.param("sheared", "all", 1, marks=LONG),
+        pytest.param("sheared", "all", 2, marks=LONG),
+    ],
+)
 def test_work_of_the_box(tmp_path, shape, ranks, laws):
     """fix deform with remap v is work, and no error, also where automata pass a face."""
     box, deform, vx, vy = SHAPES[shape]
@@ -119,7 +130,7 @@ def test_work_of_the_box(tmp_path, shape, ranks, laws):
     assert a["work"] == 0 and a["changed"] == 0
 
 
-@pytest.mark.parametrize("ranks", [1, 2])
+@pytest.mark.parametrize("ranks", [1, pytest.param(2, marks=LONG)])
 @pytest.mark.parametrize(
     "command",
     [
@@ -155,7 +166,7 @@ def test_what_is_changed_between_runs(tmp_path, command, ranks):
     assert worst(result, 0) < 1e-8 * size and worst(result, 1) < 1e-6 * size
 
 
-@pytest.mark.parametrize("ranks", [1, 2])
+@pytest.mark.parametrize("ranks", [1, pytest.param(2, marks=LONG)])
 @pytest.mark.parametrize(
     "fix",
     [
@@ -234,7 +245,7 @@ def test_work_of_what_leads_automata(tmp_path, lead):
 WARNING = r"WARNING: Compute mca/energy: in step (\d+) (.*), above 0.001 of the energy"
 
 
-@pytest.mark.parametrize("ranks", [1, 2])
+@pytest.mark.parametrize("ranks", [2, pytest.param(1, marks=LONG)])
 def test_a_large_error_is_told_once(tmp_path, ranks):
     """A fix that sets velocities: its work is not known."""
     result = lmp(
@@ -269,7 +280,7 @@ def test_energy_that_comes_back_is_told_once(tmp_path):
     assert len(told) == 1 and "plastic flow has given back" in told[0][1], told
 
 
-@pytest.mark.parametrize("laws", ["preset b", "preset d"])
+@pytest.mark.parametrize("laws", ["preset d", pytest.param("preset b", marks=LONG)])
 def test_friction_gives_no_warning(tmp_path, laws):
     result = lmp("in.energy_sliding", tmp_path, laws=laws, steps=2000, dt=2e-5)
     assert "Compute mca/energy" not in result.out

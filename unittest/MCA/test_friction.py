@@ -208,7 +208,18 @@ def test_a_block_on_a_row_of_automata(tmp_path, mu):
     assert abs(ways[0]) < 0.1 * D and ways[1] > D
 
 
-RUB = ["preset b link none weld none heal none", "preset b", "", "steps plain viscosity none"]
+LONG = pytest.mark.long
+RUB = [
+    "",
+    *(
+        pytest.param(laws, marks=LONG)
+        for laws in (
+            "preset b link none weld none heal none",
+            "preset b",
+            "steps plain viscosity none",
+        )
+    ),
+]
 
 
 @pytest.mark.parametrize("laws", RUB)
@@ -273,7 +284,7 @@ def test_no_friction_changes_no_bit(tmp_path, fragments):
     assert largest_difference(frames[2], frames[0], ["vx"]) > 1e-3
 
 
-@pytest.mark.parametrize("ranks", [2, 3])
+@pytest.mark.parametrize("ranks", [2, pytest.param(3, marks=LONG)])
 def test_ranks(tmp_path, fragments, ranks):
     frames = []
     for k, n in enumerate((1, ranks)):

@@ -7,6 +7,7 @@ import pytest
 
 from lmp_run import dump, fails, lmp
 
+LONG = pytest.mark.long
 STRENGTH = 30  # of the interface, MPa; steel has 92
 
 COATED = """
@@ -80,10 +81,18 @@ def strength_of(fracture, frame):
     return {tuple(sorted((int(a), int(b)))): s for a, b, s in zip(i, j, size)}
 
 
-@pytest.mark.parametrize("sample", [PLANE, SPACE], ids=["plane", "space"])
+STRESS = ("stress", f"strength {STRENGTH}", STRENGTH)
+STRAIN = ("strain", "breaking_strain 1.5e-4", 1.5e-4)
+
+
 @pytest.mark.parametrize(
-    "fracture, words, limit",
-    [("stress", f"strength {STRENGTH}", STRENGTH), ("strain", "breaking_strain 1.5e-4", 1.5e-4)],
+    "sample, fracture, words, limit",
+    [
+        pytest.param(PLANE, *STRESS, id="plane-stress"),
+        pytest.param(SPACE, *STRAIN, id="space-strain"),
+        pytest.param(PLANE, *STRAIN, id="plane-strain", marks=LONG),
+        pytest.param(SPACE, *STRESS, id="space-stress", marks=LONG),
+    ],
 )
 def test_a_coating_detaches_at_its_interface(tmp_path, sample, fracture, words, limit):
     """In the first step whose links of both types reach the interface's limit, and nowhere else,
@@ -105,7 +114,7 @@ def test_a_coating_detaches_at_its_interface(tmp_path, sample, fracture, words, 
     assert not broken(tmp_path / "none" / "events.dump")
 
 
-@pytest.mark.parametrize("ranks", [1, 3])
+@pytest.mark.parametrize("ranks", [3, pytest.param(1, marks=LONG)])
 def test_ranks_and_restart(tmp_path, ranks):
     """On three ranks, and in a run that goes on from a restart file without its pair_coeff."""
     own = f"pair_coeff 2 1 interface strength {STRENGTH}"

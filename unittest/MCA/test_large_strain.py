@@ -15,6 +15,7 @@ from lmp_run import STEEL, dump, lmp
 EXAMPLES = pathlib.Path(STEEL).parents[1] / "examples" / "plastic"
 E, NU, D = 206000.0, 0.3, 2.5
 G, BULK = E / 2 / (1 + NU), E / 3 / (1 - 2 * NU)
+LONG = pytest.mark.long
 TURNED = pytest.mark.parametrize("turn", [0, 1])  # close-packed rows along x, and upright
 
 
@@ -48,7 +49,7 @@ def punch(folder, width, turn, slow=1):
     return float(mean[1]), t
 
 
-@TURNED
+@pytest.mark.parametrize("turn", [0, pytest.param(1, marks=LONG)])
 def test_punch(tmp_path, turn):
     """The free surface begins between two automata, so a punch of n is wider by a share of 1/n:
     what twice the width adds to the load is free of its edges. The packing's k is good to 1 %, the
@@ -62,6 +63,7 @@ def test_punch(tmp_path, turn):
     assert np.ptp(t["v_p"][-5:]) < 0.02 * exact
 
 
+@LONG
 def test_half_the_speed_changes_nothing(tmp_path):
     fast, slow = (punch(tmp_path / str(s), 8, 0, s)[0] for s in (1, 2))
     assert slow == pytest.approx(fast, rel=0.005)
@@ -84,7 +86,7 @@ def hill(a, b, strength):
     return bore / a, pressure / k
 
 
-@pytest.mark.long
+@LONG
 def test_ring(tmp_path):
     out = lmp(str(EXAMPLES / "in.ring"), tmp_path)
     t = out.thermo[0]
@@ -116,6 +118,7 @@ def drawn(folder, **values):
     return t["v_elongation"], t["v_load"], t["c_broken"]
 
 
+@LONG
 def test_bar_keeps_its_area(tmp_path):
     """Inside a bar that hardens, drawn by 20 %: p/K is 0.1 %."""
     broken = drawn(tmp_path, hardening=1.02)[2]
@@ -155,7 +158,7 @@ def test_block_yields_at_k_at_large_strains(tmp_path, mode, turn, strain, error)
     assert np.abs(plastic[flown] / exact[flown] - 1).max() < 0.01
 
 
-@pytest.mark.long
+@LONG
 def test_load_of_an_ideally_plastic_bar_falls_with_its_section(tmp_path):
     elongation, load, _ = drawn(tmp_path)
     # the outermost rows yield late: 16 rows bear what 16.3 do
@@ -165,7 +168,7 @@ def test_load_of_an_ideally_plastic_bar_falls_with_its_section(tmp_path):
     assert np.interp(0.12, elongation, load) < 0.5
 
 
-@pytest.mark.long
+@LONG
 def test_bar_necks_where_considere_says(tmp_path):
     """True stress 2/sqrt(3) (Y + H kappa), kappa = 2/sqrt(3) ln(1 + elongation): the load is
     largest where its slope is the stress itself, 1.013 at 16 %, and then the bar necks."""

@@ -9,6 +9,8 @@ import pytest
 import mechanics as m
 from lmp_run import dump, largest_difference, lmp
 
+LONG = pytest.mark.long
+
 # ---- elasticity
 
 
@@ -203,8 +205,15 @@ run 100000
 # ---- plasticity, fracture
 
 
-@pytest.mark.parametrize("law", ["radial", "isochoric flow contacts"])
-@pytest.mark.parametrize("kind", ["tension", "shear"])
+@pytest.mark.parametrize(
+    "kind, law",
+    [
+        ("tension", "isochoric flow contacts"),
+        pytest.param("shear", "isochoric flow contacts", marks=LONG),
+        pytest.param("tension", "radial", marks=LONG),
+        pytest.param("shear", "radial", marks=LONG),
+    ],
+)
 def test_diagram_runs_through_fig5(tmp_path, kind, law):
     """Strains a tenth of Fig. 5's, where the contacts' strain is linear: the three points, the
     stresses of a material point, the plastic work of the curve."""
@@ -234,7 +243,7 @@ def test_diagram_runs_through_fig5(tmp_path, kind, law):
     assert r["total_work"][-1] == pytest.approx(r["sum_work"][-1], rel=1e-12)
 
 
-@pytest.mark.parametrize("kind", ["tension", "shear"])
+@pytest.mark.parametrize("kind", ["tension", pytest.param("shear", marks=LONG)])
 def test_unloads_along_e_and_hardens_isotropically(tmp_path, kind):
     """Slope of unloading; yielding the other way begins at the stress where unloading began."""
     r = m.diagram(
@@ -257,7 +266,7 @@ def test_unloads_along_e_and_hardens_isotropically(tmp_path, kind):
     assert stress[again] < 0 and stress[turn] > 0
 
 
-@pytest.mark.parametrize("kind", ["tension", "shear"])
+@pytest.mark.parametrize("kind", ["shear", pytest.param("tension", marks=LONG)])
 def test_breaks_at_the_breaking_strain(tmp_path, kind):
     """The first links break in the step in which the stretch, or the shear angle, of the most
     strained ones reaches the criterion."""

@@ -18,6 +18,7 @@ FORCES = ["fx", "fy", "tqz"]
 COUNTS = ["type", "c_state[6]", "c_state[7]"]
 
 
+LONG = pytest.mark.long
 SETTINGS = [  # ranks, newton, commands before the box, commands before the run
     (2, "on", "", ""),
     (3, "on", "", ""),
@@ -38,6 +39,14 @@ SETTINGS = [  # ranks, newton, commands before the box, commands before the run
     (2, "on", "", "neighbor 1.0 bin"),
     (1, "on", "atom_modify sort 0 0", "neighbor 0.1 bin\nneigh_modify every 1"),
 ]
+QUICK = (0, 3, 6, 13, 16, 17)  # the others are long
+FEW = [SETTINGS[0], *(pytest.param(*SETTINGS[k], marks=LONG) for k in (6, 13))]
+
+
+def settings(numbers):
+    return [pytest.param(*SETTINGS[k], marks=[] if k in QUICK else [LONG]) for k in numbers]
+
+
 CASES = ["elastic", "plastic", "all"]
 PLAIN = "b steps plain"  # preset and keyword of in.sliding
 SLIPPING, SLIP_STEP = "b viscosity both", "timestep 1.5e-5"
@@ -113,7 +122,7 @@ def healed(rows):
     return sum(before > 0 and after > 0 for _, _, _, before, after in rows)
 
 
-@pytest.mark.parametrize("ranks,newton,before,extra", SETTINGS)
+@pytest.mark.parametrize("ranks,newton,before,extra", settings(range(18)))
 def test_free_fragments(serial_cases, fragments, tmp_path, ranks, newton, before, extra):
     """Elastic and plastic cases to 1e-12 after 2000 steps, all events of the third one, whose
     contacts touch and part and so let round-off grow to some 1e-12."""
@@ -123,7 +132,7 @@ def test_free_fragments(serial_cases, fragments, tmp_path, ranks, newton, before
         assert found[case][1] == rows
 
 
-@pytest.mark.parametrize("ranks,newton,before,extra", SETTINGS[1::2])
+@pytest.mark.parametrize("ranks,newton,before,extra", settings(range(1, 18, 2)))
 def test_sliding_blocks(serial, rough_data, tmp_path, ranks, newton, before, extra):
     """Periodic, driven, with contacts that touch and part, which lets round-off grow; events as a
     set."""
@@ -137,7 +146,7 @@ def test_sliding_blocks(serial, rough_data, tmp_path, ranks, newton, before, ext
     assert largest_difference(log, serial[2], ["shear_stress", "normal_stress", "gap"]) < 1e-6
 
 
-@pytest.mark.parametrize("ranks,newton,before,extra", [SETTINGS[0], SETTINGS[6], SETTINGS[13]])
+@pytest.mark.parametrize("ranks,newton,before,extra", FEW)
 def test_viscosity_along_both_directions(
     slipping, serial, rough_data, tmp_path, ranks, newton, before, extra
 ):
@@ -164,7 +173,7 @@ def plain(rough_data, fragments, tmp_path_factory):
     )
 
 
-@pytest.mark.parametrize("ranks,newton,before,extra", [SETTINGS[0], SETTINGS[6], SETTINGS[13]])
+@pytest.mark.parametrize("ranks,newton,before,extra", FEW)
 def test_plain_steps(
     plain, serial, serial_cases, rough_data, fragments, tmp_path, ranks, newton, before, extra
 ):
@@ -194,7 +203,7 @@ def flowing(rough_data, fragments, tmp_path_factory):
     )
 
 
-@pytest.mark.parametrize("ranks,newton,before,extra", [SETTINGS[0], SETTINGS[6], SETTINGS[13]])
+@pytest.mark.parametrize("ranks,newton,before,extra", FEW)
 def test_flow_that_keeps_the_volume(
     flowing, serial, rough_data, fragments, tmp_path, ranks, newton, before, extra
 ):
@@ -210,6 +219,7 @@ def test_flow_that_keeps_the_volume(
     assert largest_difference(frame, serial[1], PLASTIC, 1.0) > 1e-6
 
 
+@LONG
 def test_more_ranks_than_cores(fragments, tmp_path):
     """16 ranks, each with some ten automata, nearly all of them at a border."""
     short = dict(steps=200, every=200)
@@ -234,7 +244,7 @@ def fullest(result):
 @pytest.mark.parametrize(
     "ranks,balance",
     [
-        (4, "fix balance all balance 50 1.0 shift x 10 1.0"),
+        pytest.param(4, "fix balance all balance 50 1.0 shift x 10 1.0", marks=LONG),
         (3, "comm_style tiled\nfix balance all balance 50 1.0 rcb"),
     ],
 )

@@ -117,7 +117,7 @@ def test_unload(tmp_path):
     assert bare(script, tmp_path).rc == 0
 
 
-@pytest.mark.parametrize("ranks", [1, 2])
+@pytest.mark.parametrize("ranks", [1, pytest.param(2, marks=pytest.mark.long)])
 def test_step_above_the_critical_one_is_refused(tmp_path, ranks):
     fails(
         SAMPLE + "timestep 1e-4\nrun 10\n",

@@ -12,6 +12,8 @@ import pytest
 from lmp_run import INPUTS, LMP, fails, friction_log, lmp
 
 WR_FIT = Path(LMP).parent / "wr_fit"
+LONG = pytest.mark.long
+RANKS = [1, pytest.param(2, marks=LONG)]
 HEAD = """
 units nano
 dimension 2
@@ -96,7 +98,7 @@ def test_a_restart_goes_on_with_its_log(again):
         ("timestep 2e-5\n" + DRIVE + FILE, "timestep is 3.0e-05 in the log, 2.0e-05 in"),
     ],
 )
-@pytest.mark.parametrize("ranks", [1, 2])
+@pytest.mark.parametrize("ranks", RANKS)
 def test_no_other_log_is_erased_after_a_restart(again, first, drive, part, ranks):
     fails(READ + drive + "run 100\n", again, "x.friction", part, ranks=ranks)
     kept(again, first)
@@ -239,7 +241,7 @@ def test_a_pressure_above_the_strength_is_told(tmp_path):
 # ---- overlap, nan
 
 
-@pytest.mark.parametrize("ranks", [1, 2])
+@pytest.mark.parametrize("ranks", RANKS)
 def test_overlapping_blocks(tmp_path, ranks):
     """The script of the README with another seed for the upper block."""
     text = (INPUTS.parents[2] / "README.md").read_text()
@@ -258,7 +260,7 @@ def test_an_automaton_created_on_another_one(tmp_path):
     fails(BLOCK + more, tmp_path, "overlap")
 
 
-@pytest.mark.parametrize("ranks", [1, 2])
+@pytest.mark.parametrize("ranks", RANKS)
 @pytest.mark.parametrize("steps", [20, 250])
 def test_nan_ends_the_run(tmp_path, ranks, steps):
     """At the end of a short run, or within 100 steps; never in the log."""
@@ -279,26 +281,30 @@ def test_automata_at_one_place(tmp_path):
 # ---- internal fixes
 
 
+GONE = [
+    ("unfix MCA_STATE", "MCA_STATE"),
+    ("unfix MCA_HISTORY", "MCA_HISTORY"),
+    ("unfix MCA_SPINS", "MCA_SPINS"),
+    ("plugin unload fix MCA_STATE", "MCA_STATE"),
+    ("plugin unload fix MCA_HISTORY", "MCA_HISTORY"),
+    ("unfix MCA_ENERGY", "MCA_ENERGY"),
+    ("plugin unload fix MCA_ENERGY", "MCA_ENERGY"),
+]
+USES = [
+    "run 10",
+    "mca_links create all all\nrun 10",
+    "write_restart x.restart\nrun 10",
+    "write_dump all custom x.dump id c_state[1]\nrun 10",
+    "run 10 pre no",
+]
+
+
 @pytest.mark.parametrize(
-    "command, fix",
-    [
-        ("unfix MCA_STATE", "MCA_STATE"),
-        ("unfix MCA_HISTORY", "MCA_HISTORY"),
-        ("unfix MCA_SPINS", "MCA_SPINS"),
-        ("plugin unload fix MCA_STATE", "MCA_STATE"),
-        ("plugin unload fix MCA_HISTORY", "MCA_HISTORY"),
-        ("unfix MCA_ENERGY", "MCA_ENERGY"),
-        ("plugin unload fix MCA_ENERGY", "MCA_ENERGY"),
-    ],
-)
-@pytest.mark.parametrize(
-    "use",
-    [
-        "run 10",
-        "mca_links create all all\nrun 10",
-        "write_restart x.restart\nrun 10",
-        "write_dump all custom x.dump id c_state[1]\nrun 10",
-        "run 10 pre no",
+    "command, fix, use",
+    [  # each fix and each use once, the others are long
+        pytest.param(*gone, use, marks=[LONG] if i and k else [])
+        for i, gone in enumerate(GONE)
+        for k, use in enumerate(USES)
     ],
 )
 def test_internal_fixes_that_are_gone(tmp_path, command, fix, use):
@@ -309,7 +315,7 @@ def test_internal_fixes_that_are_gone(tmp_path, command, fix, use):
     assert result.rc > 0  # no signal
 
 
-@pytest.mark.parametrize("when", ["", "run 10\n"])
+@pytest.mark.parametrize("when", ["run 10\n", pytest.param("", marks=LONG)])
 @pytest.mark.parametrize("name", ["MCA_HISTORY 8", "MCA_STATE d_x", "MCA_ENERGY"])
 def test_internal_fixes_are_not_for_scripts(tmp_path, when, name):
     fails(BLOCK + when + f"fix mine all {name}\n", tmp_path, "is internal to")

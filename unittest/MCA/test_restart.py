@@ -12,6 +12,7 @@ TRAJECTORY = ["x", "y", "c_state[5]", "c_state[8]"]
 VELOCITIES, SOUND = ["vx", "vy"], 5140  # scales as in test_parallel.py
 STRESSES = ["fx", "fy", "tqz", "c_state[1]", "c_state[2]", "c_state[3]", "c_state[4]"]
 COUNTS = ["type", "c_state[6]", "c_state[7]"]
+LONG = pytest.mark.long
 STEPS = 600
 ROUNDOFF = 1e-12
 
@@ -93,18 +94,25 @@ def test_continues_to_the_same_bits(written, tmp_path, ranks):
     ).stat().st_size
 
 
+ISOCHORIC = "b plasticity isochoric flow contacts"
+LAWS = [
+    "b steps plain",
+    "b viscosity both",
+    "b viscosity both steps plain",
+    "b worn never",
+    "b friction 0.4",
+]
+
+
 @pytest.mark.parametrize(
-    "laws",
+    "ranks, laws",
     [
-        "b steps plain",
-        "b viscosity both",
-        "b viscosity both steps plain",
-        "b worn never",
-        "b plasticity isochoric flow contacts",
-        "b friction 0.4",
+        (2, ISOCHORIC),
+        *((1, laws) for laws in LAWS),
+        pytest.param(1, ISOCHORIC, marks=LONG),
+        *(pytest.param(2, laws, marks=LONG) for laws in LAWS),
     ],
 )
-@pytest.mark.parametrize("ranks", [1, 2])
 def test_other_laws_continue_to_the_same_bits(rough_data, tmp_path, ranks, laws):
     every = "restart 250 mid.*.restart"
     if "both" in laws:
@@ -130,7 +138,9 @@ ALWAYS = "neigh_modify every 10 delay 0 check no\n"
 
 
 @pytest.mark.parametrize("ranks", [1, 2])
-@pytest.mark.parametrize("lists", [ALWAYS, ""], ids=["always", "check"])
+@pytest.mark.parametrize(
+    "lists", [pytest.param(ALWAYS, id="always"), pytest.param("", id="check", marks=LONG)]
+)
 def test_driven_to_the_same_bits(rough_data, tmp_path, ranks, lists):
     """Periodic and driven. Writing between two runs changes no bit of the second one, and the file
     goes on as it did. One run, with and without `restart N`, has their bits where lists are built
@@ -200,7 +210,10 @@ run 0
     assert different[ALWAYS] == 0 and different[""] > 0
 
 
-@pytest.mark.parametrize("ranks,newton", [(1, "on"), (1, "off"), (2, "on"), (2, "off")])
+@pytest.mark.parametrize(
+    "ranks,newton",
+    [(1, "on"), (2, "off"), pytest.param(1, "off", marks=LONG), pytest.param(2, "on", marks=LONG)],
+)
 def test_fragments_to_the_same_bits(fragments, tmp_path, ranks, newton):
     """Without periodic sides a run, the same run that writes files, and its parts are one, on one
     rank and with newton off; with newton on the ranks' shares of a sum depend on when lists are
@@ -280,13 +293,15 @@ run 0
     assert abs(lost) > 1e-3  # the defect that ours avoids is there
 
 
-@pytest.mark.parametrize("of,ranks", [(1, 2), (1, 3), (2, 1), (2, 4)])
+@pytest.mark.parametrize(
+    "of,ranks", [(1, 3), (2, 1), pytest.param(1, 2, marks=LONG), pytest.param(2, 4, marks=LONG)]
+)
 def test_continues_on_other_ranks(whole, written, tmp_path, of, ranks):
     go_on(tmp_path, written[of] / "mid.250.restart", ranks, STEPS - 250)
     compare(tmp_path, written[of], ROUNDOFF)
 
 
-@pytest.mark.parametrize("ranks,newton", [(1, "on"), (2, "on"), (2, "off")])
+@pytest.mark.parametrize("ranks,newton", [(1, "on"), (2, "off"), pytest.param(2, "on", marks=LONG)])
 def test_two_halves_with_a_file_between(rough_data, tmp_path, ranks, newton):
     """write_restart between two runs loses nothing, neither in this process nor in the file."""
     common = dict(ranks=ranks, newton=newton, data=rough_data, every=100)
@@ -414,25 +429,34 @@ def refused(data, folder, *parts):
     return fails("in.continue", folder, *parts, restart="bad.restart", steps=0)
 
 
-def test_no_flipped_bit_is_taken(written, tmp_path):
+@pytest.mark.parametrize("ours, others", [(8, 4), pytest.param(30, 15, marks=LONG)])
+def test_no_flipped_bit_is_taken(written, tmp_path, ours, others):
     """Anywhere in the file; what LAMMPS reads before us it may refuse itself."""
     data = (written[1] / "mid.250.restart").read_bytes()
-    ours = data.index(MARK)
+    begin = data.index(MARK)
     random = np.random.default_rng(24)
-    spread = random.integers(ours, len(data), 30), random.integers(0, ours, 15)
+    spread = random.integers(begin, len(data), ours), random.integers(0, begin, others)
     for place in map(int, np.concatenate(spread)):
         damaged = bytearray(data)
         damaged[place] ^= 1 << int(random.integers(8))
         (tmp_path / "bad.restart").write_bytes(damaged)
         result = lmp("in.continue", tmp_path, restart="bad.restart", steps=0, check=False)
-        assert result.rc != 0, f"bit flipped in byte {place}, pair style from {ours}"
-        if place >= ours:
+        assert result.rc != 0, f"bit flipped in byte {place}, pair style from {begin}"
+        if place >= begin:
             (line,) = result.error_lines
             assert "Restart file is damaged" in line, place
 
 
 @pytest.mark.parametrize(
-    "name", [b"MCA_HISTORY\0", b"MCA_STATE\0", b"drive\0", b"mca/drive\0", b"MCA_STATE\0\n"]
+    "name",
+    [
+        b"MCA_STATE\0",
+        b"drive\0",
+        *(
+            pytest.param(n, marks=LONG)
+            for n in (b"MCA_HISTORY\0", b"mca/drive\0", b"MCA_STATE\0\n")
+        ),
+    ],
 )
 def test_a_flipped_name_or_length_is_refused(written, tmp_path, name):
     """Without a fix's state links would vanish, or a log begin anew."""

@@ -13,6 +13,7 @@ from lmp_run import dump, fails, friction_log, largest_difference, lmp
 E, NU, D = 206000.0, 0.3, 2.5
 LAMBDA, G, K = E * NU / (1 + NU) / (1 - 2 * NU), E / 2 / (1 + NU), E / 3 / (1 - 2 * NU)
 STRAIN = 1e-7
+LONG = pytest.mark.long
 AXES = ("xx", "yy", "zz", "xy", "xz", "yz")
 STRESS = [f"c_state[{k}]" for k in range(1, 7)]
 
@@ -41,18 +42,23 @@ def strained(folder, packing, ranks=1, **strain):
     return result, frame, np.array([frame[name] for name in STRESS])
 
 
-@pytest.mark.parametrize("packing", CELLS)
+STRAINS = [
+    dict(xx=0.3, yy=-0.7, zz=0.2, xy=0.4, xz=-0.1, yz=0.6),
+    dict(xx=1, yy=1, zz=1),
+    dict(yy=1),
+    dict(xy=1),
+    dict(xz=1),
+    dict(yz=1),
+]
+
+
 @pytest.mark.parametrize(
-    "strain",
+    "packing, strain",
     [
-        dict(xx=1, yy=1, zz=1),
-        dict(yy=1),
-        dict(xy=1),
-        dict(xz=1),
-        dict(yz=1),
-        dict(xx=0.3, yy=-0.7, zz=0.2, xy=0.4, xz=-0.1, yz=0.6),
+        pytest.param(p, s, id=f"{p}-{'_'.join(s)}", marks=[LONG] if k and p != "fcc" else [])
+        for p in CELLS
+        for k, s in enumerate(STRAINS)
     ],
-    ids=lambda s: "_".join(s),
 )
 def test_periodic_block_is_hookes(tmp_path, packing, strain):
     """Hydrostatic, confined tension, shears, and all at once: every automaton the same, 1e-6."""
@@ -76,7 +82,7 @@ def test_periodic_block_is_hookes(tmp_path, packing, strain):
     assert last["PotEng"] == pytest.approx(energy, rel=1e-5)
 
 
-@pytest.mark.parametrize("packing", CELLS)
+@pytest.mark.parametrize("packing", ["fcc", *(pytest.param(p, marks=LONG) for p in ("hcp", "sc"))])
 def test_constants_of_the_packings(tmp_path, packing):
     """E, nu, K and G of the measured stiffness."""
     columns = []
@@ -128,7 +134,11 @@ def bar(folder, packing="fcc", cells=5, **variables):
 
 @pytest.mark.parametrize(
     "packing, missing",
-    [("fcc", 0.1025), ("sc", -0.0201), pytest.param("hcp", 0.0702, marks=pytest.mark.long)],
+    [
+        ("fcc", 0.1025),
+        pytest.param("sc", -0.0201, marks=LONG),
+        pytest.param("hcp", 0.0702, marks=LONG),
+    ],
 )
 def test_stiffer_surface_corrects_the_bar(tmp_path, packing, missing):
     """What the automata of the free sides lack, and a bar whose automata there make up for it: E
@@ -142,7 +152,7 @@ def test_stiffer_surface_corrects_the_bar(tmp_path, packing, missing):
     assert corrected == pytest.approx(1, abs=0.003)
 
 
-@pytest.mark.parametrize("cells", [5, 10])
+@pytest.mark.parametrize("cells", [5, pytest.param(10, marks=LONG)])
 def test_bar_with_free_sides(tmp_path, cells):
     """E and nu of the interior within 0.1 %, from its stress and strain tensors; the stress across
     the middle of the bar dies away with its thickness."""
@@ -172,7 +182,7 @@ def test_bar_with_free_sides(tmp_path, cells):
     assert abs(stress["yy"]) < 0.008 / cells * stress["xx"]
 
 
-@pytest.mark.parametrize("ranks", [1, 2])
+@pytest.mark.parametrize("ranks", [1, pytest.param(2, marks=LONG)])
 def test_free_block_conserves(tmp_path, ranks):
     """Linear momentum to 1e-13, angular momentum to 1e-11 over 1e4 steps."""
     t = lmp("in.space_free", tmp_path, ranks=ranks).thermo[-1]
@@ -257,11 +267,11 @@ def compare(frame, other, tolerance):
     "ranks,newton,extra",
     [
         (2, "on", ""),
-        (3, "on", ""),
-        (4, "on", ""),
-        (1, "off", ""),
-        (2, "off", ""),
         (4, "off", ""),
+        pytest.param(3, "on", "", marks=LONG),
+        pytest.param(4, "on", "", marks=LONG),
+        pytest.param(1, "off", "", marks=LONG),
+        pytest.param(2, "off", "", marks=LONG),
         (3, "on", "comm_style tiled\nfix balance all balance 100 1.0 rcb"),
     ],
 )
@@ -285,7 +295,7 @@ def test_plain_steps(serial, blocks, tmp_path):
     assert largest_difference(one, serial[0], ["c_state[7]"], 1.0) > 1e-6
 
 
-@pytest.mark.parametrize("ranks", [1, 2])
+@pytest.mark.parametrize("ranks", [1, pytest.param(2, marks=LONG)])
 def test_continues_from_a_restart_file(serial, blocks, tmp_path, ranks):
     whole, _ = slide(tmp_path / "whole", blocks, ranks=ranks, extra="restart 350 mid.*.restart")
     compare(whole, serial[0], 1e-12)
@@ -306,7 +316,10 @@ thermo_modify format float %20.15g
 """
 
 
-@pytest.mark.parametrize("ranks,newton", [(1, "on"), (2, "on"), (2, "off")])
+@pytest.mark.parametrize(
+    "ranks,newton",
+    [(1, "on"), pytest.param(2, "on", marks=LONG), pytest.param(2, "off", marks=LONG)],
+)
 def test_account_of_the_energy(serial, blocks, tmp_path, ranks, newton):
     """It closes while links flow, break and weld; what it misses comes from the violent first
     steps, and falls with the step. The run itself is the same."""
@@ -343,13 +356,10 @@ def test_flow_dissipates(tmp_path):
 
 
 SLIP = "flow contacts viscosity both weld elastic_limit"  # preset c
-FURTHER = [
-    SLIP,
-    "plasticity isochoric flow contacts",
-    "link 2 friction 0.4",
-    "fracture drucker-prager compressive_strength 3 link_work 0.01",
-]
+FURTHER = ["plasticity isochoric flow contacts", "link 2 friction 0.4"]
 FURTHER_LONG = [
+    SLIP,
+    "fracture drucker-prager compressive_strength 3 link_work 0.01",
     "worn never",
     "viscosity both",
     "flow contacts",
@@ -359,7 +369,7 @@ FURTHER_LONG = [
 
 
 @pytest.mark.parametrize(
-    "laws", [*FURTHER, *(pytest.param(laws, marks=pytest.mark.long) for laws in FURTHER_LONG)]
+    "laws", [*FURTHER, *(pytest.param(laws, marks=LONG) for laws in FURTHER_LONG)]
 )
 def test_further_laws(blocks, tmp_path, laws):
     """The account closes, two ranks do the same as one, and so does a run from a restart file."""

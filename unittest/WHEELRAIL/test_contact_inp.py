@@ -217,6 +217,7 @@ def test_stages_that_are_refused(tmp_path):
 ROLLED = {1: 1.824, 2: 1.882, 5: 2.140, 10: 2.676, 14: 3.403, 24: 3.062, 33: 3.111, 56: 3.101}
 
 
+@pytest.mark.long
 def test_catt_to_cart(tmp_path):
     """A shift, and 56 steps of rolling that go on from it under the same force."""
     grid = "1\n 34 33 -4.125 -4.125 0.25 0.25\n 1 1\n .002963 0. .002963 0. 0. 0."
@@ -304,6 +305,7 @@ ERTZ = "1\n 216 45 -7.9 -11.25 0.2 0.5\n 1 1\n 0.001015 0. 0.0004215 0. 0. 0."
 WARM = "{} 450. 50e-3 7.85e-6  BKTEMP, HEATCP, LAMBDA, DENS"
 
 
+@pytest.mark.long
 def test_ertz(tmp_path):
     """It rolls to -x. 166.8 and 241.8 K are printed for the temperature: see wr_creep's page. What
     the warm wheel adds is 75.0 K of its 150; without sliding there is nothing else."""
@@ -398,6 +400,7 @@ def test_bentall(tmp_path):
     assert sticking == pytest.approx([125 / 200, 36 / 200, 106 / 201], abs=1.01 / 200)
 
 
+@pytest.mark.long
 def test_spence35(tmp_path):
     """A sphere that is pressed on in 35 stages; points below the surface are passed over. CONTACT's
     box lies 1e-4 mm off centre."""

@@ -120,7 +120,7 @@ TEST(FitCondition, AnotherMaterialLawOrStepIsAnotherCondition)
 // 36 conditions on Eq. 3, each with a deviation of 6 % of its own that all of its seeds share, and
 // 5 % between the seeds; the runs' own errors are 0.5 %. Counted as independent conditions the four
 // seeds make the parameters look nearly twice as sure as they are.
-TEST(FitCondition, StandardErrorsHoldTheScatterOfSeedsAndConditions)
+TEST(FitConditionLong, StandardErrorsHoldTheScatterOfSeedsAndConditions)
 {
   const KappaLaw truth = bucher2006();
   std::mt19937_64 generator(5);

@@ -479,7 +479,7 @@ TEST(BoundedFit, ExactConditionsGiveTheLawBack)
     EXPECT_NEAR(eq4.parameters[k] / truth[k], 1.0, 1e-4) << parameterNames[k];
 }
 
-TEST(BoundedFit, ErrorsAreThoseThatRepeatedPlansScatterBy)
+TEST(BoundedFitLong, ErrorsAreThoseThatRepeatedPlansScatterBy)
 {
   std::mt19937_64 generator(17);
   LawParameters truth = LawParameters::Zero();

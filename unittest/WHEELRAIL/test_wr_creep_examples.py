@@ -94,6 +94,7 @@ def test_examples_run(name, options, tmp_path):
     assert done.returncode == 0, done.stderr
 
 
+@pytest.mark.long
 def test_moving_example_runs(tmp_path):
     done = wr_creep(
         SOURCE / "examples/wheelrail/moving.yaml",

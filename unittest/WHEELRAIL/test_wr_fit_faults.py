@@ -37,10 +37,11 @@ def log(tmp_path):
     return path
 
 
+LONG = pytest.mark.long
 OUTPUTS = ("-o", "--runs", "--plot")
 
 
-@pytest.mark.parametrize("full", OUTPUTS)
+@pytest.mark.parametrize("full", ["-o", *(pytest.param(o, marks=LONG) for o in OUTPUTS[1:])])
 def test_outputs_appear_together_or_not_at_all(log, tmp_path, full):
     out = tmp_path / "out"
     out.mkdir()
@@ -55,7 +56,7 @@ def test_outputs_appear_together_or_not_at_all(log, tmp_path, full):
     assert (out / "old").read_text() == "old"
 
 
-@pytest.mark.parametrize("limit", [0, 100, 3000, 20000])
+@pytest.mark.parametrize("limit", [3000, *(pytest.param(n, marks=LONG) for n in (0, 100, 20000))])
 def test_a_disk_that_fills_up_leaves_nothing(log, tmp_path, limit):
     """The picture is the largest of the three, and written first."""
     out = tmp_path / "out"

@@ -12,6 +12,7 @@ import pytest
 import friction_logs
 from wr_fit_run import WR_FIT, one_line, wr_fit
 
+LONG = pytest.mark.long
 STEEL = pathlib.Path(os.environ["PROJECT_SOURCE"]) / "potentials" / "rail_steel.mca"
 # K: sigma_0, E in MPa, as the file says
 AT = {293: (900, 206000), 673: (720, 144200), 873: (338.4, 63860)}
@@ -145,6 +146,7 @@ def test_solid_only_leaves_out_what_sank(tmp_path):
     assert counts == [18, 17] and "[left out: no solid: room 0.900 < 0.9" in done.stdout
 
 
+@LONG
 def test_the_chain_takes_it(tmp_path):
     """tools/campaign_to_creep.sh: law of the material, band, picture, the paper's law beside it."""
     script = STEEL.parents[1] / "tools" / "campaign_to_creep.sh"
@@ -173,10 +175,12 @@ GRID = ["contact.domain=4.2", "cells=[72, 144]", "sensitivities=false", "fields=
     "case, changes",
     [
         ("rough.yaml", ["creep=[0.01, 0.1, 0.2]", "speed=10 m/s"]),
-        ("rough.yaml", ["creep=[0.05]", "speed=10 m/s", "mode=moving", "moving.passes=2",
-                        "cells=512", "roughness.wavelength_min=0.4 mm"]),
         ("eurosprinter.yaml", ["creep=[0.025, 0.107, 0.195]", *GRID]),
-        ("eurosprinter.yaml", ["creep=[0.025, 0.107, 0.195]", ROUGH, *GRID]),
+        pytest.param("rough.yaml", ["creep=[0.05]", "speed=10 m/s", "mode=moving", "cells=512",
+                                    "moving.passes=2", "roughness.wavelength_min=0.4 mm"],
+                     marks=LONG),
+        pytest.param("eurosprinter.yaml", ["creep=[0.025, 0.107, 0.195]", ROUGH, *GRID],
+                     marks=LONG),
     ],
 )  # fmt: skip
 def test_heat_and_friction_settle_where_mu_falls_steeply(tmp_path, case, changes):

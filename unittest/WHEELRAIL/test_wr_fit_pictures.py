@@ -5,6 +5,7 @@ import os
 import subprocess
 
 import friction_logs
+import pytest
 from wr_fit_run import PNG, TOOLS, one_line, wr_fit
 
 
@@ -33,27 +34,26 @@ def test_pictures(runs, log, tmp_path):
     assert (tmp_path / "mu.png").read_bytes().startswith(PNG)
 
 
-def test_figures_4_and_6(tmp_path):
+@pytest.mark.parametrize(
+    "against",
+    [
+        "pressure",
+        *(pytest.param(x, marks=pytest.mark.long) for x in ("velocity", "viscosity", "strength")),
+    ],
+)
+def test_figures_4_and_6(tmp_path, against):
     runs = friction_logs.campaign(
         tmp_path / "c", velocities=(2.5, 5), strengths_and_pressures=[(92, 5), (92, 15)]
     )
     wr_fit(runs, "-q", "-o", tmp_path / "fit.json")
-    for against in ("pressure", "velocity", "viscosity", "strength"):
-        made = subprocess.run(
-            [
-                TOOLS / "plot_series.py",
-                tmp_path / "fit.json",
-                "--against",
-                against,
-                "-o",
-                tmp_path / "x.png",
-            ],
-            capture_output=True,
-            text=True,
-        )
-        assert made.returncode == 0, made.stderr
-        assert (tmp_path / "x.png").read_bytes().startswith(PNG)
-        (tmp_path / "x.png").unlink()
+    made = subprocess.run(
+        [TOOLS / "plot_series.py", tmp_path / "fit.json", "--against", against]
+        + ["-o", tmp_path / "x.png"],
+        capture_output=True,
+        text=True,
+    )
+    assert made.returncode == 0, made.stderr
+    assert (tmp_path / "x.png").read_bytes().startswith(PNG)
     (tmp_path / "fit.json").write_text("{}")
     one_line(
         subprocess.run(

@@ -205,6 +205,7 @@ def test_notched_plates_have_one_toughness(tmp_path):
     assert frames == 2
 
 
+@pytest.mark.long
 def test_weaker_half_of_the_disc_decides(tmp_path):
     """And the limit is that of stresses of 0.894 and -2.89 by Mohr and Coulomb."""
     split = {}
@@ -218,6 +219,7 @@ def test_weaker_half_of_the_disc_decides(tmp_path):
     assert split["strength"] == pytest.approx(split["E"] / 2, rel=0.1)
 
 
+@pytest.mark.long
 def test_scratch(tmp_path):
     values = {"columns": 40, "rows": 12, "depth": 2.5, "length": 5, "radius": 7.5, "laws": "a"}
     log = run(ROOT / "examples/scratch/in.scratch", tmp_path, values)

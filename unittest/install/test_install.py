@@ -204,6 +204,7 @@ def test_c_library_shows_its_own_names_only(tree):
     assert {line.split()[-1].partition("_")[0] for line in names.splitlines()} == {"wheelrail"}
 
 
+@pytest.mark.long
 def test_consumer(tree, tmp_path):
     """A project of its own with find_package(wheelrail)."""
     (tmp_path / "CMakeLists.txt").write_text(

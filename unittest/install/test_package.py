@@ -40,6 +40,7 @@ def package(tmp_path_factory):
     return found
 
 
+@pytest.mark.long
 def test_package_runs(package, tmp_path):
     run("dpkg", "-x", package, tmp_path / "root", folder=tmp_path)
     usr = tmp_path / "root" / "usr"
@@ -61,6 +62,7 @@ def test_package_runs(package, tmp_path):
     assert (tmp_path / "friction.friction").exists() and (tmp_path / "creep.csv").exists()
 
 
+@pytest.mark.long
 def test_dependencies(package, tmp_path):
     """What the programs load, and what the scripts import."""
     words = re.findall(r"[a-z][a-z0-9.+-]+", run("dpkg-deb", "-f", package, "Depends", folder="/"))

@@ -7,6 +7,8 @@ import shutil
 import subprocess
 from pathlib import Path
 
+import pytest
+
 ROOT = Path(__file__).resolve().parents[2]
 
 
@@ -40,6 +42,7 @@ def test_site(tmp_path):
     assert "viscos" in (site / "searchindex.js").read_text(encoding="utf-8")
 
 
+@pytest.mark.long
 def test_faults_are_errors(tmp_path):
     """A link and an anchor that lead nowhere, and a page that is not in the navigation."""
     copy = tmp_path / "copy"

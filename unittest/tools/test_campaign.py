@@ -29,6 +29,9 @@ from campaign_calls import (
 from campaign_parts import plan as plans, runner
 
 
+LONG = pytest.mark.long
+
+
 def test_run_leaves_finished_logs_and_the_exact_commands(plan, tmp_path):
     out = tmp_path / "out"
     result = campaign("run", plan, "-o", out, "-j", 2)
@@ -56,7 +59,8 @@ def test_run_leaves_finished_logs_and_the_exact_commands(plan, tmp_path):
 
 
 @pytest.mark.parametrize(
-    "order, found", [("", "acb"), ("order: cost\n", "acb"), ("order: plan\n", "abc")]
+    "order, found",
+    [("", "acb"), ("order: plan\n", "abc"), pytest.param("order: cost\n", "acb", marks=LONG)],
 )
 def test_order_of_the_runs(order, found, tmp_path):
     """The costly ones first, or as the plan says."""
@@ -90,9 +94,7 @@ def test_output_that_nobody_takes(plan, tmp_path):
     assert again.returncode == 0 and sorted(logs(out)) == ["soft", "v2", "v5"]
 
 
-@pytest.mark.parametrize(
-    "moment", [0.3, *(pytest.param(t, marks=pytest.mark.long) for t in (0.9, 1.7))]
-)
+@pytest.mark.parametrize("moment", [0.3, *(pytest.param(t, marks=LONG) for t in (0.9, 1.7))])
 def test_killed_at_any_moment_it_goes_on(plan, tmp_path, moment):
     campaign("run", plan, "-o", tmp_path / "whole")
     out = tmp_path / "out"
@@ -122,7 +124,11 @@ def test_killed_at_any_moment_it_goes_on(plan, tmp_path, moment):
 
 
 @pytest.mark.parametrize(
-    "half", [b"LammpS Res", b"mca-restart 3:\n\0" + bytes(8) + b"LammpS RestartT\0"]
+    "half",
+    [
+        pytest.param(b"LammpS Res", marks=LONG),
+        b"mca-restart 3:\n\0" + bytes(8) + b"LammpS RestartT\0",
+    ],
 )
 def test_half_written_checkpoint_is_not_used(plan, tmp_path, half):
     """Neither one without its end nor one without the checksum that comes after the end."""
@@ -281,7 +287,7 @@ def test_few_runs_share_the_cores(shared):
     }
 
 
-@pytest.mark.long
+@LONG
 def test_the_last_run_takes_the_cores_that_get_idle(shared, tmp_path):
     """It goes on from a checkpoint, and its log is whole."""
     runs = "  - {name: long, ns: 6, columns: 160}\n  - {v: [1, 2, 3], columns: 160}\n"
@@ -346,10 +352,18 @@ def test_input_script_is_not_changed_on_the_way(plan, tmp_path):
     "damage, why",
     [
         (lambda text: re.sub(r"\n8000 [^\n]*", "", text), "rows are missing"),
-        (lambda text: text.replace("\n8000 0.4 ", "\n8000 nan "), ":17: time: 'nan'"),
-        (lambda text: text.replace("\n8000 0.4 ", "\n8000 0x1 "), ":17: time: '0x1'"),
         (lambda text: text.replace("strength: 92", "strength: 552"), "strength 552, the plan"),
-        (lambda text: text.replace("format: mca-friction 1", "format: x"), "format 'x'"),
+        pytest.param(
+            lambda text: text.replace("\n8000 0.4 ", "\n8000 nan "), ":17: time: 'nan'", marks=LONG
+        ),
+        pytest.param(
+            lambda text: text.replace("\n8000 0.4 ", "\n8000 0x1 "), ":17: time: '0x1'", marks=LONG
+        ),
+        pytest.param(
+            lambda text: text.replace("format: mca-friction 1", "format: x"),
+            "format 'x'",
+            marks=LONG,
+        ),
     ],
 )
 def test_a_run_does_not_go_on_from_a_damaged_log(tmp_path, damage, why):
@@ -383,7 +397,13 @@ NO_RESULT = [  # what a run of lmp that ends without an error may leave, and why
 ]
 
 
-@pytest.mark.parametrize("damage, why", NO_RESULT, ids=[why for _, why in NO_RESULT])
+@pytest.mark.parametrize(
+    "damage, why",
+    [
+        pytest.param(*row, id=row[1], marks=[LONG] if k % 3 else [])
+        for k, row in enumerate(NO_RESULT)
+    ],
+)
 def test_what_is_no_result_is_not_finished(tmp_path, damage, why):
     path = tmp_path / "plan.yaml"
     path.write_text(HEAD + "runs: [{name: a, ns: 1, roughness: 0, d: 1.0e-4, dt: 5.0e-5}]\n")
@@ -410,8 +430,15 @@ WITH_STATE = (  # the log's columns of today, with these numbers in each row
     [
         ("1.02 0 0 0 0", "1.020", None),
         ("0.969 0 0 0 0", "0.969", "automata have 0.969 of the solid's room, at least 0.970 is"),
-        ("1.02 2 0 0 0", "1.020", "2 automata left through the held or the driven rows"),
-        ("1.02 0 -900 5 5", "1.020", "what flow, breaking or contacts dissipate fell"),
+        pytest.param(
+            "1.02 2 0 0 0",
+            "1.020",
+            "2 automata left through the held or the driven rows",
+            marks=LONG,
+        ),
+        pytest.param(
+            "1.02 0 -900 5 5", "1.020", "what flow, breaking or contacts dissipate fell", marks=LONG
+        ),
     ],
 )
 def test_report_says_whether_the_layer_is_a_solid(tmp_path, numbers, shown, warned):
@@ -448,7 +475,12 @@ def test_report_says_that_a_layer_was_worn_smooth(tmp_path, rows, warned):
 
 @pytest.mark.parametrize(
     "number, outcome",
-    [("KILL", "interrupted"), ("HUP", "interrupted"), ("SEGV", "failed"), ("ABRT", "failed")],
+    [
+        ("KILL", "interrupted"),
+        ("SEGV", "failed"),
+        pytest.param("HUP", "interrupted", marks=LONG),
+        pytest.param("ABRT", "failed", marks=LONG),
+    ],
 )
 def test_faults_are_no_interruptions(tmp_path, number, outcome):
     """A run that crashes is not begun again by each call."""
@@ -462,7 +494,7 @@ def test_faults_are_no_interruptions(tmp_path, number, outcome):
     assert f"a: {outcome}: " in result.stdout and f"SIG{number}" in result.stdout
 
 
-@pytest.mark.parametrize("limit", [0, 300, 2000, 20000])
+@pytest.mark.parametrize("limit", [2000, *(pytest.param(n, marks=LONG) for n in (0, 300, 20000))])
 def test_full_disk(plan, tmp_path, limit):
     """Files of limited size stand for it: the disk is blamed, no run is called failed, and with
     room the same call goes on."""

@@ -11,98 +11,98 @@ from campaign_calls import HEAD, ROOT, campaign, one_line
 from campaign_parts import plan as plans, size
 
 
+LONG = pytest.mark.long
+BAD_PLANS = [
+    ("", ["is empty"]),
+    ("runs: [", ["not YAML"]),
+    ("title: x\nruns: [{p: 1}]\n", [":1: not a plan"]),
+    ("format: mca-campaign 2\nruns: [{p: 1}]\n", ["'mca-campaign 2' cannot be read"]),
+    (HEAD + "runs: []\n", ["at least one run"]),
+    (
+        HEAD + "runs:\n  - {p: 1}\n  - {presure: 1}\n",
+        [":4: unknown key 'presure'; known: p, v, strength, "],
+    ),
+    (
+        HEAD + "defaults: {strenght: 3}\nruns: [{p: 1}]\n",
+        [":2: unknown key in defaults 'strenght'", "'strength'"],
+    ),
+    (HEAD + "run: [{p: 1}]\n", ["unknown key 'run'", "'runs'"]),
+    (HEAD + "runs: [{p: -1}]\n", [":2: p: '-1' is not allowed, must be a number > 0 (MPa)"]),
+    (HEAD + "runs: [{p: .nan}]\n", ["p: '.nan'"]),
+    (
+        HEAD + "runs:\n  - v: 1\n    p: 1.0e9\n",
+        [":4: p: '1000000000.0' is not allowed, must be < E = 206000 (MPa)"],
+    ),
+    (HEAD + "runs: [{p: [15, 22,5, 30]}]\n", [":2: '22,5' has a decimal comma"]),
+    (HEAD + "runs: [{p: [0,05,0,5]}]\n", [":2: '0,05' has a decimal comma"]),
+    (HEAD + "runs: [{p: 22,5}]\n", ["unknown key '5'"]),
+    (HEAD + "runs: [{p: 1 500}]\n", ["p: '1 500' is not allowed"]),
+    (HEAD + "runs: [{p: 0x10}]\n", ["p: '0x10' is not allowed"]),
+    (HEAD + "runs: [{v: .inf}]\n", ["v: '.inf'"]),
+    (HEAD + "runs: [{v: fast}]\n", ["v: 'fast'"]),
+    (
+        HEAD + "runs: [{columns: 4.5}]\n",
+        ["columns: '4.5' is not allowed, must be a whole number >= 4"],
+    ),
+    (HEAD + "runs: [{p: []}]\n", ["p: an empty list"]),
+    (HEAD + "runs: [{p: 1, p: 2}]\n", ["key 'p' appears twice"]),
+    (HEAD + "runs: [{p: 1}, {p: 1.0}]\n", ["different names"]),
+    (HEAD + "input: absent.in\nruns: [{p: 1}]\n", [":2: input: no such file"]),
+    (HEAD + "input: ..\nruns: [{p: 1}]\n", [":2: input: no such file"]),
+    (HEAD + "input: 5\nruns: [{p: 1}]\n", [":2: input: '5' is not allowed, must be text"]),
+    (HEAD + "input: [a]\nruns: [{p: 1}]\n", [":2: input: '[...]'"]),
+    (HEAD + "title: {a: 1}\nruns: [{p: 1}]\n", [":2: title: '{...}'"]),
+    # what would be written outside the folder, or over the plan
+    (HEAD + "runs: [{name: a/b}]\n", ["name: 'a/b'"]),
+    (HEAD + "runs:\n  - p: 1\n    name: ..\n", [":4: name: '..' is not allowed"]),
+    (HEAD + "runs: [{laws: [b, ../../esc]}]\n", [":2: name: 'laws../../esc' is not allowed"]),
+    (HEAD + "runs: [{name: plan.yaml}]\n", ["name: 'plan.yaml'"]),
+    (HEAD + "runs: [{name: [a, b]}]\n", ["name: '[...]'"]),
+    # numbers that leave no step, kappa or log
+    (
+        HEAD + "runs: [{strength: 1e-200}]\n",
+        ["strength: '1e-200' is not allowed, must be of a size in 1e-12 .. 1e+12 (MPa)"],
+    ),
+    (HEAD + "runs: [{v: 1e200}]\n", ["v: '1e+200'"]),
+    (HEAD + "runs: [{E: 1e300, rho: 1e-30}]\n", ["E: '1e+300'"]),
+    (HEAD + "runs: [{ns: 1e308}]\n", ["ns: '1e+308'"]),
+    (HEAD + "runs: [{eta: 1e308}]\n", ["eta: '1e+308'"]),
+    (HEAD + f"runs: [{{seed: 1{'0' * 400}}}]\n", ["seed: '1000", "0...' is not allowed"]),
+    (HEAD + f"runs: [{{seed: 1{'0' * 5000}}}]\n", ["seed: '1000", "0...' is not allowed"]),
+    (HEAD + "runs: [{ns: 0.1, row: 10}]\n", [":2: row: '10' is not allowed, must be <= ns = 0.1"]),
+    (
+        HEAD + "runs: [{ns: 1e-6, row: 1e-6}]\n",
+        ["ns: '1e-06' is not allowed, must be at least a step, 4e-05 ns"],
+    ),
+    (
+        HEAD + "runs:\n  - rows: 8\n    held: 100\n",
+        [":4: held: '100' is not allowed, must be less than half of rows = 8"],
+    ),
+    # numbers that YAML 1.1 reads in its own way
+    (HEAD + "runs: [{p: 010}]\n", ["p: '010' is not allowed", "written like 12 or 1.5e-5"]),
+    (HEAD + "runs: [{v: 1:30}]\n", ["v: '1:30'"]),
+    (HEAD + "runs: [{p: 1_000}]\n", ["p: '1_000'"]),
+    (HEAD + "runs: [{p: !!int x}]\n", ["p: 'x'"]),
+    (HEAD + f"runs: {'[' * 3000}\n", ["nested too deep"]),
+    (HEAD + "runs: [{p: [[1]]}]\n", [":2: not YAML: nested too deep"]),
+    (HEAD + "runs: [{p: &a [*a]}]\n", ["nested too deep"]),
+    (HEAD + "runs: [{[1]: 2}]\n", ["a key must be a word"]),
+    (HEAD + "title: \0\n", ["is binary, not text: character 31"]),
+    # the line is that of the key
+    (HEAD + "title: x\nruns:\n  - {p: 1}\ndefault: {v: 1}\n", [":5: unknown key 'default'"]),
+    (HEAD + "defaults:\n  p: 1\n  vv: 2\nruns: [{p: 1}]\n", [":4: unknown key in defaults 'vv'"]),
+    (HEAD + "defaults:\n  p: 1\n  E: -5\nruns: [{p: 1}]\n", [":4: E: '-5'"]),
+    (HEAD + "runs:\n  - p: 1\n    vv: 2\n", [":4: unknown key 'vv'"]),
+    (HEAD + "runs:\n  - p:\n    - 1\n    - -1\n", [":5: p: '-1'"]),
+    (HEAD + "runs:\n  - {p: 1}\n  -\n", [":4: runs: 'None' is not a run"]),
+    (HEAD + "title: x\ndefaults: 5\nruns: [{p: 1}]\n", [":3: defaults: '5' is not allowed"]),
+]
+
+
 @pytest.mark.parametrize(
     "text, parts",
-    [
-        ("", ["is empty"]),
-        ("runs: [", ["not YAML"]),
-        ("title: x\nruns: [{p: 1}]\n", [":1: not a plan"]),
-        ("format: mca-campaign 2\nruns: [{p: 1}]\n", ["'mca-campaign 2' cannot be read"]),
-        (HEAD + "runs: []\n", ["at least one run"]),
-        (
-            HEAD + "runs:\n  - {p: 1}\n  - {presure: 1}\n",
-            [":4: unknown key 'presure'; known: p, v, strength, "],
-        ),
-        (
-            HEAD + "defaults: {strenght: 3}\nruns: [{p: 1}]\n",
-            [":2: unknown key in defaults 'strenght'", "'strength'"],
-        ),
-        (HEAD + "run: [{p: 1}]\n", ["unknown key 'run'", "'runs'"]),
-        (HEAD + "runs: [{p: -1}]\n", [":2: p: '-1' is not allowed, must be a number > 0 (MPa)"]),
-        (HEAD + "runs: [{p: .nan}]\n", ["p: '.nan'"]),
-        (
-            HEAD + "runs:\n  - v: 1\n    p: 1.0e9\n",
-            [":4: p: '1000000000.0' is not allowed, must be < E = 206000 (MPa)"],
-        ),
-        (HEAD + "runs: [{p: [15, 22,5, 30]}]\n", [":2: '22,5' has a decimal comma"]),
-        (HEAD + "runs: [{p: [0,05,0,5]}]\n", [":2: '0,05' has a decimal comma"]),
-        (HEAD + "runs: [{p: 22,5}]\n", ["unknown key '5'"]),
-        (HEAD + "runs: [{p: 1 500}]\n", ["p: '1 500' is not allowed"]),
-        (HEAD + "runs: [{p: 0x10}]\n", ["p: '0x10' is not allowed"]),
-        (HEAD + "runs: [{v: .inf}]\n", ["v: '.inf'"]),
-        (HEAD + "runs: [{v: fast}]\n", ["v: 'fast'"]),
-        (
-            HEAD + "runs: [{columns: 4.5}]\n",
-            ["columns: '4.5' is not allowed, must be a whole number >= 4"],
-        ),
-        (HEAD + "runs: [{p: []}]\n", ["p: an empty list"]),
-        (HEAD + "runs: [{p: 1, p: 2}]\n", ["key 'p' appears twice"]),
-        (HEAD + "runs: [{p: 1}, {p: 1.0}]\n", ["different names"]),
-        (HEAD + "input: absent.in\nruns: [{p: 1}]\n", [":2: input: no such file"]),
-        (HEAD + "input: ..\nruns: [{p: 1}]\n", [":2: input: no such file"]),
-        (HEAD + "input: 5\nruns: [{p: 1}]\n", [":2: input: '5' is not allowed, must be text"]),
-        (HEAD + "input: [a]\nruns: [{p: 1}]\n", [":2: input: '[...]'"]),
-        (HEAD + "title: {a: 1}\nruns: [{p: 1}]\n", [":2: title: '{...}'"]),
-        # what would be written outside the folder, or over the plan
-        (HEAD + "runs: [{name: a/b}]\n", ["name: 'a/b'"]),
-        (HEAD + "runs:\n  - p: 1\n    name: ..\n", [":4: name: '..' is not allowed"]),
-        (HEAD + "runs: [{laws: [b, ../../esc]}]\n", [":2: name: 'laws../../esc' is not allowed"]),
-        (HEAD + "runs: [{name: plan.yaml}]\n", ["name: 'plan.yaml'"]),
-        (HEAD + "runs: [{name: [a, b]}]\n", ["name: '[...]'"]),
-        # numbers that leave no step, kappa or log
-        (
-            HEAD + "runs: [{strength: 1e-200}]\n",
-            ["strength: '1e-200' is not allowed, must be of a size in 1e-12 .. 1e+12 (MPa)"],
-        ),
-        (HEAD + "runs: [{v: 1e200}]\n", ["v: '1e+200'"]),
-        (HEAD + "runs: [{E: 1e300, rho: 1e-30}]\n", ["E: '1e+300'"]),
-        (HEAD + "runs: [{ns: 1e308}]\n", ["ns: '1e+308'"]),
-        (HEAD + "runs: [{eta: 1e308}]\n", ["eta: '1e+308'"]),
-        (HEAD + f"runs: [{{seed: 1{'0' * 400}}}]\n", ["seed: '1000", "0...' is not allowed"]),
-        (HEAD + f"runs: [{{seed: 1{'0' * 5000}}}]\n", ["seed: '1000", "0...' is not allowed"]),
-        (
-            HEAD + "runs: [{ns: 0.1, row: 10}]\n",
-            [":2: row: '10' is not allowed, must be <= ns = 0.1"],
-        ),
-        (
-            HEAD + "runs: [{ns: 1e-6, row: 1e-6}]\n",
-            ["ns: '1e-06' is not allowed, must be at least a step, 4e-05 ns"],
-        ),
-        (
-            HEAD + "runs:\n  - rows: 8\n    held: 100\n",
-            [":4: held: '100' is not allowed, must be less than half of rows = 8"],
-        ),
-        # numbers that YAML 1.1 reads in its own way
-        (HEAD + "runs: [{p: 010}]\n", ["p: '010' is not allowed", "written like 12 or 1.5e-5"]),
-        (HEAD + "runs: [{v: 1:30}]\n", ["v: '1:30'"]),
-        (HEAD + "runs: [{p: 1_000}]\n", ["p: '1_000'"]),
-        (HEAD + "runs: [{p: !!int x}]\n", ["p: 'x'"]),
-        (HEAD + f"runs: {'[' * 3000}\n", ["nested too deep"]),
-        (HEAD + "runs: [{p: [[1]]}]\n", [":2: not YAML: nested too deep"]),
-        (HEAD + "runs: [{p: &a [*a]}]\n", ["nested too deep"]),
-        (HEAD + "runs: [{[1]: 2}]\n", ["a key must be a word"]),
-        (HEAD + "title: \0\n", ["is binary, not text: character 31"]),
-        # the line is that of the key
-        (HEAD + "title: x\nruns:\n  - {p: 1}\ndefault: {v: 1}\n", [":5: unknown key 'default'"]),
-        (
-            HEAD + "defaults:\n  p: 1\n  vv: 2\nruns: [{p: 1}]\n",
-            [":4: unknown key in defaults 'vv'"],
-        ),
-        (HEAD + "defaults:\n  p: 1\n  E: -5\nruns: [{p: 1}]\n", [":4: E: '-5'"]),
-        (HEAD + "runs:\n  - p: 1\n    vv: 2\n", [":4: unknown key 'vv'"]),
-        (HEAD + "runs:\n  - p:\n    - 1\n    - -1\n", [":5: p: '-1'"]),
-        (HEAD + "runs:\n  - {p: 1}\n  -\n", [":4: runs: 'None' is not a run"]),
-        (HEAD + "title: x\ndefaults: 5\nruns: [{p: 1}]\n", [":3: defaults: '5' is not allowed"]),
+    [  # every sixth, the others are long
+        pytest.param(*plan, marks=[LONG] if k % 6 else []) for k, plan in enumerate(BAD_PLANS)
     ],
     ids=lambda value: repr(value).removeprefix(repr(HEAD)[:-1])[:60],
 )
@@ -291,7 +291,13 @@ SHIPPED = {
 }
 
 
-@pytest.mark.parametrize("name, least", SHIPPED.items())
+@pytest.mark.parametrize(
+    "name, least",
+    [
+        pytest.param(name, runs, marks=[LONG] if k % 3 else [])
+        for k, (name, runs) in enumerate(SHIPPED.items())
+    ],
+)
 def test_shipped_plans(name, least):
     plan = plans.read(plans.find(name))
     assert len(plan.runs) >= least and plan.title

@@ -53,63 +53,66 @@ def test_a_folder_that_is_not_there(plan, tmp_path):
     assert [p.name for p in tmp_path.iterdir()] == ["plan.yaml"]
 
 
+DAMAGES = [
+    (
+        lambda a: (a / "run.json").write_text("[]"),
+        ("status", "run", "pack"),
+        "run.json: is damaged",
+    ),
+    (lambda a: (a / "run.json").write_text("{"), ("status", "run", "pack"), "run.json: is damaged"),
+    (
+        lambda a: edit(a / "run.json", '"ns"', '"nn"'),
+        ("status", "run", "pack"),
+        "run.json: is damaged",
+    ),
+    (
+        lambda a: edit(a / "run.json", '"attempts"', '"a"'),
+        ("status", "run", "pack"),
+        "run.json: is damaged",
+    ),
+    *(
+        (damage, ("status", "run", "pack"), "run.json: is damaged, or was edited")
+        for damage in (
+            lambda a: edit(a / "run.json", "-in", "in"),
+            lambda a: edit(a / "run.json", '"p": 15.0', '"p": 25.0'),
+            lambda a: edit(a / "run.json", '"outcome": "finished"', '"outcome": "failed"'),
+            lambda a: edit(a / "run.json", '"checksum": "', '"checksum": "0'),
+            lambda a: edit(a / "run.json", '"run.friction": "', '"run.frictio": "'),
+            lambda a: (a / "run.json").write_text('{"checksum": 5}'),
+        )
+    ),
+    *(
+        (damage, ("status", "run", "pack"), "run.friction: is damaged, or was changed")
+        for damage in (
+            lambda a: edit(a / "run.friction", "\n3000 0.15 ", "\n3000 much "),
+            lambda a: edit(a / "run.friction", r" 15 (\S+) 3456", " 15 0.25 3456"),
+            lambda a: edit(a / "run.friction", "\nstep [^\n]*", ""),
+            lambda a: edit(a / "run.friction", r"\n4000 [^\n]*", ""),
+            lambda a: edit(a / "run.friction", r"(?s)\n16000 .*", "\n"),
+            lambda a: (a / "run.friction").write_text(""),
+            lambda a: (a / "run.friction").write_bytes(b"\xff\n"),
+        )
+    ),
+    (
+        lambda a: (a / "run.restart").write_bytes(b"40000LammpS Restart_\0"),
+        ("status", "run", "pack"),
+        "run.restart: is damaged",
+    ),
+    (lambda a: (a / "run.restart").unlink(), ("status", "run"), "run.restart: is damaged"),
+    (
+        lambda a: (a / "run.json").unlink(),
+        ("status", "run", "pack"),
+        "run.json: is missing beside run.friction",
+    ),
+]
+QUICK = (0, 5, 11, 17, 19)  # one or two of a file, the others are long
+
+
 @pytest.mark.parametrize(
     "damage, commands, part",
     [
-        (
-            lambda a: (a / "run.json").write_text("[]"),
-            ("status", "run", "pack"),
-            "run.json: is damaged",
-        ),
-        (
-            lambda a: (a / "run.json").write_text("{"),
-            ("status", "run", "pack"),
-            "run.json: is damaged",
-        ),
-        (
-            lambda a: edit(a / "run.json", '"ns"', '"nn"'),
-            ("status", "run", "pack"),
-            "run.json: is damaged",
-        ),
-        (
-            lambda a: edit(a / "run.json", '"attempts"', '"a"'),
-            ("status", "run", "pack"),
-            "run.json: is damaged",
-        ),
-        *(
-            (damage, ("status", "run", "pack"), "run.json: is damaged, or was edited")
-            for damage in (
-                lambda a: edit(a / "run.json", "-in", "in"),
-                lambda a: edit(a / "run.json", '"p": 15.0', '"p": 25.0'),
-                lambda a: edit(a / "run.json", '"outcome": "finished"', '"outcome": "failed"'),
-                lambda a: edit(a / "run.json", '"checksum": "', '"checksum": "0'),
-                lambda a: edit(a / "run.json", '"run.friction": "', '"run.frictio": "'),
-                lambda a: (a / "run.json").write_text('{"checksum": 5}'),
-            )
-        ),
-        *(
-            (damage, ("status", "run", "pack"), "run.friction: is damaged, or was changed")
-            for damage in (
-                lambda a: edit(a / "run.friction", "\n3000 0.15 ", "\n3000 much "),
-                lambda a: edit(a / "run.friction", r" 15 (\S+) 3456", " 15 0.25 3456"),
-                lambda a: edit(a / "run.friction", "\nstep [^\n]*", ""),
-                lambda a: edit(a / "run.friction", r"\n4000 [^\n]*", ""),
-                lambda a: edit(a / "run.friction", r"(?s)\n16000 .*", "\n"),
-                lambda a: (a / "run.friction").write_text(""),
-                lambda a: (a / "run.friction").write_bytes(b"\xff\n"),
-            )
-        ),
-        (
-            lambda a: (a / "run.restart").write_bytes(b"40000LammpS Restart_\0"),
-            ("status", "run", "pack"),
-            "run.restart: is damaged",
-        ),
-        (lambda a: (a / "run.restart").unlink(), ("status", "run"), "run.restart: is damaged"),
-        (
-            lambda a: (a / "run.json").unlink(),
-            ("status", "run", "pack"),
-            "run.json: is missing beside run.friction",
-        ),
+        pytest.param(*row, marks=[] if k in QUICK else [pytest.mark.long])
+        for k, row in enumerate(DAMAGES)
     ],
 )
 def test_damaged_folder_is_one_clear_line(finished, tmp_path, damage, commands, part):

@@ -54,10 +54,9 @@ WRITERS = {
     "plot_fragment.py": ["a.dump", "--dpi", "40", "-o"],
     "plot_layer.py": ["a.profile", "-o"],
 }
-SOME_WRITERS = [
-    script if k < 2 else pytest.param(script, marks=pytest.mark.long)
-    for k, script in enumerate(WRITERS)
-]
+LONG = pytest.mark.long
+# all of them write by the same function: one at once, the others with the long tests
+SOME_WRITERS = [pytest.param(s, marks=[LONG] if k else []) for k, s in enumerate(WRITERS)]
 
 
 @pytest.fixture(scope="module", autouse=True)
@@ -249,7 +248,7 @@ def test_scripts_draw_what_is_in_an_archive(packed):
 # ---- the scripts
 
 
-@pytest.mark.parametrize("script", WRITERS)
+@pytest.mark.parametrize("script", SOME_WRITERS)
 def test_full_device(script, work, node):
     done = run(work, script, *WRITERS[script], node)
     failed(done, script, str(node), "No space left on device")
@@ -265,7 +264,7 @@ def test_full_disk(script, work):
     assert names(work) == before and (work / "a.png").read_text() == "of yesterday"
 
 
-@pytest.mark.parametrize("script", WRITERS)
+@pytest.mark.parametrize("script", SOME_WRITERS)
 def test_link_and_pipe(script, work):
     os.mkfifo(work / "pipe")
     (work / "link.png").symlink_to(work / "picture.png")
@@ -290,6 +289,7 @@ def test_format_by_the_name(work):
     assert done.returncode == 2 and done.stderr.count("\n") == 1 and ".doc" in done.stderr
 
 
+@LONG
 def test_animation_on_a_full_disk(work):
     before = names(work)
     done = run(
@@ -356,10 +356,10 @@ def small(size):
 # ---- standard output
 
 SPEAKERS = [
-    ("plot_layer.py", ["a.profile"]),
-    ("dump_to_vtk.py", ["atoms.dump", "-o", "a"]),
     ("campaign", ["list"]),
-    ("campaign", ["list", "pressure"]),
+    pytest.param("campaign", ["list", "pressure"], marks=LONG),
+    pytest.param("plot_layer.py", ["a.profile"], marks=LONG),
+    pytest.param("dump_to_vtk.py", ["atoms.dump", "-o", "a"], marks=LONG),
 ]
 
 

@@ -11,6 +11,7 @@ import forked_scripts
 from mcawr.campaign_record import timestep_of
 from mcawr.dump import Film
 
+LONG = pytest.mark.long
 PLOT = Path(__file__).resolve().parents[2] / "tools" / "plot_fragment.py"
 HEAD = "ITEM: TIMESTEP\n{}\nITEM: NUMBER OF ATOMS\n4\nITEM: BOX BOUNDS pp ss pp\n0 5\n0 2.2\n-1 1\n"
 FRAME = HEAD + (
@@ -36,7 +37,12 @@ TIMES = (
 
 
 @pytest.mark.parametrize(
-    "content", [GOOD, GOOD + FRAME.format(40000)[:150], TIMES], ids=["whole", "cut", "times"]
+    "content",
+    [
+        pytest.param(GOOD, id="whole"),
+        pytest.param(GOOD + FRAME.format(40000)[:150], id="cut", marks=LONG),
+        pytest.param(TIMES, id="times", marks=LONG),
+    ],
 )
 def test_picture(tmp_path, content):
     done, picture = plot(tmp_path, content)
@@ -70,7 +76,13 @@ def test_options(tmp_path):
     assert done.returncode == 5 and done.stderr.count("\n") == 1
 
 
-@pytest.mark.parametrize("show", [["vx"], ["c_state[1]"], ["links", "type"], ["stripes", "links"]])
+@pytest.mark.parametrize(
+    "show",
+    [
+        ["stripes", "links"],
+        *(pytest.param(s, marks=LONG) for s in (["vx"], ["c_state[1]"], ["links", "type"])),
+    ],
+)
 def test_panels(tmp_path, show):
     done, picture = plot(tmp_path, GOOD, "--no-profile", "--show", *show)
     assert done.returncode == 0, done.stderr

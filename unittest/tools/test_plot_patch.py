@@ -90,11 +90,16 @@ def plot(tmp_path, *arguments, **changed):
     "arguments",
     [
         ("fields", "a.vti", "b.vti", "--label", "smooth"),
-        ("friction", "a.vti"),
         ("curves", "creep.csv", "--polach", "p.csv"),
-        ("curves", "creep.csv", "--log"),
         ("transient", "series.csv"),
-        ("transient", "series.csv", "--against", "time"),
+        *(
+            pytest.param(words, marks=pytest.mark.long)
+            for words in (
+                ("friction", "a.vti"),
+                ("curves", "creep.csv", "--log"),
+                ("transient", "series.csv", "--against", "time"),
+            )
+        ),
     ],
     ids=" ".join,
 )

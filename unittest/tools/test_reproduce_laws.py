@@ -45,6 +45,7 @@ def half_more_where_welds_heal(run):
     return 1.5 if "heal" in run.values["laws"] else 1.0
 
 
+@pytest.mark.long
 def test_laws_of_links_stand_beside_the_best_set(tmp_path):
     """Sets of which not all conditions were run are in the tables of mu and of the screening."""
     for plan in ("laws", "laws-links"):

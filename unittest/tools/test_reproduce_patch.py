@@ -207,6 +207,7 @@ def test_page_tells_what_the_shipped_tables_tell(call, tmp_path, name):
 
 
 @built
+@pytest.mark.long
 def test_pictures_of_runs(call, tmp_path, monkeypatch):
     """The figures that call wr_creep, on a coarse grid."""
     monkeypatch.setattr(runs, "cells_of", lambda cell: [54, 72])

@@ -17,6 +17,10 @@ ROOT = Path(__file__).resolve().parents[2]
 
 LOGS = ROOT / "examples" / "campaign" / "logs"
 PLANS = sorted(path.name.removesuffix(archive.ENDING) for path in LOGS.glob("*.tar.xz"))
+QUICK = ("paper36", "pressure", "temperature", "velocity")
+SOME_PLANS = [
+    pytest.param(plan, marks=[] if plan in QUICK else [pytest.mark.long]) for plan in PLANS
+]
 LMP = Path(os.environ.get("MCAWR_TEST_LMP", ROOT / "build" / "bin" / "lmp"))
 
 
@@ -82,7 +86,7 @@ def test_logs_belong_to_their_plan(plan):
 
 
 @pytest.mark.skipif(not LMP.exists(), reason="lmp is not built")
-@pytest.mark.parametrize("plan", PLANS)
+@pytest.mark.parametrize("plan", SOME_PLANS)
 def test_first_row_is_made_again(plan, tmp_path):
     """Later rows are of a chaotic motion, which the last bit of another machine changes: after
     1 ns by 5 %, under 150 MPa after 0.2 ns by 1 %. In the shipped runs round-off decided which
