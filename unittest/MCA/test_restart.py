@@ -137,7 +137,7 @@ def test_other_laws_continue_to_the_same_bits(rough_data, tmp_path, ranks, laws)
 ALWAYS = "neigh_modify every 10 delay 0 check no\n"
 
 
-@pytest.mark.parametrize("ranks", [1, 2])
+@pytest.mark.parametrize("ranks", [1, pytest.param(2, marks=LONG)])
 @pytest.mark.parametrize(
     "lists", [pytest.param(ALWAYS, id="always"), pytest.param("", id="check", marks=LONG)]
 )

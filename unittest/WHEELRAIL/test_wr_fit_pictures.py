@@ -12,10 +12,20 @@ from wr_fit_run import PNG, TOOLS, one_line, wr_fit
 def test_pictures(runs, log, tmp_path):
     assert wr_fit(runs, "-q", "--plot", tmp_path / "fit.png").returncode == 0
     assert (tmp_path / "fit.png").read_bytes().startswith(PNG)
-    assert (
-        wr_fit(log, "-q", "--plot", tmp_path / "one.png", "--runs", tmp_path / "p.csv").returncode
-        == 0
+    assert wr_fit(log, "-q", "--runs", tmp_path / "p.csv").returncode == 0
+    made = subprocess.run(
+        [TOOLS / "plot_friction.py", log, "-o", tmp_path / "mu.png", "--runs", tmp_path / "p.csv"],
+        capture_output=True,
+        text=True,
     )
+    assert made.returncode == 0, made.stderr
+    assert (tmp_path / "mu.png").read_bytes().startswith(PNG)
+
+
+@pytest.mark.long
+def test_picture_of_one_log(log, tmp_path):
+    """Also where no folder for temporary files is there."""
+    assert wr_fit(log, "-q", "--plot", tmp_path / "one.png").returncode == 0
     assert (tmp_path / "one.png").read_bytes().startswith(PNG)
     (tmp_path / "one.png").unlink()
     assert (
@@ -25,13 +35,6 @@ def test_pictures(runs, log, tmp_path):
         == 0
     )
     assert (tmp_path / "one.png").read_bytes().startswith(PNG)
-    made = subprocess.run(
-        [TOOLS / "plot_friction.py", log, "-o", tmp_path / "mu.png", "--runs", tmp_path / "p.csv"],
-        capture_output=True,
-        text=True,
-    )
-    assert made.returncode == 0, made.stderr
-    assert (tmp_path / "mu.png").read_bytes().startswith(PNG)
 
 
 @pytest.mark.parametrize(
