@@ -101,8 +101,8 @@ void defineOptions(CLI::App &app, Settings &settings)
   app.add_option("--model", settings.model,
                  "law to fit: eq2, eq4 (no velocity term), velocity (no pressure term), constant, "
                  "eq2_kappa3 and velocity_kappa3 (times a power of kappa3 = E/sigma_0); with "
-                 "--material also bounded, bounded_kappa3, bounded_velocity, bounded_eq4 and "
-                 "bounded_eq2 (by the shear strength) and table")
+                 "--material also bounded, bounded_kappa3, bounded_rate, bounded_velocity, "
+                 "bounded_eq4 and bounded_eq2 (by the shear strength) and table")
       ->check(CLI::IsMember(models))
       ->type_name("MODEL")
       ->capture_default_str();

@@ -8,12 +8,11 @@ from typing import Any
 import numpy as np
 from matplotlib import pyplot
 
-from campaign_parts import plan
 from mcawr import tables
 from mcawr.files import save_figure
 from mcawr.replicas import groups, mean_of
 
-from . import locomotive, locomotive_runs as made, patch_runs, rail, temperature as heat
+from . import locomotive, locomotive_runs as made, patch_runs, rail
 
 FRAGMENT = os.path.join(patch_runs.ROOT, "examples", "friction", "fragment.png")
 STRIPES = (0.052, 0.402, 0.25, 0.802)  # left, right, top, bottom of its first panel, shares
@@ -32,19 +31,16 @@ def draw_fragment(axes: Any) -> None:
 
 
 def draw_law(axes: Any, report: dict[str, Any]) -> None:
-    """mu of the logs over p/sigma_0, colours by temperature, and the law."""
-    runs = [run.values for run in plan.read(plan.find(made.LOGS_PLAN)).runs]
-    points = [point for point in report["report"]["points"] if not point["left_out"]]
-    by_heat = groups(points, lambda point: heat.temperature_of(point, runs))
-    colors = pyplot.get_cmap("inferno")(np.linspace(0.05, 0.85, len(by_heat)))
-    for color, (kelvin, members) in zip(colors, by_heat.items()):
-        found = [(x, *mean_of(same)) for x, same in groups(members, rail.rounded).items()]
-        x, mu, error = np.array(found).T
-        axes.errorbar(
-            x, mu, 1.96 * error, fmt="o", ms=4, color=color, capsize=2, label=f"{kelvin:g} K"
-        )
+    """mu of the logs over p/sigma_0 and the law, colours by temperature."""
     x = np.geomspace(0.08, 3, 200)
-    axes.plot(x, rail.law_at(report, x), "C3", lw=2, label="law")
+    for color, kelvin, members in rail.by_temperature(report):
+        fast = rail.at_speed(members)
+        found = [(ratio, *mean_of(same)) for ratio, same in groups(fast, rail.rounded).items()]
+        at, mu, error = np.array(found).T
+        axes.errorbar(
+            at, mu, 1.96 * error, fmt="o", ms=4, color=color, capsize=2, label=f"{kelvin:g} K"
+        )
+        axes.plot(x, rail.law_at(report, x, fast[0]["kappa1"], fast[0]["kappa3"]), color=color)
     axes.plot(x, rail.SHEAR / x, "k--", lw=1, label="shear strength")
     axes.set(xlabel="pressure over strength at the temperature", xscale="log", ylim=(0, 0.62))
     axes.set_ylabel(r"$\mu$")

@@ -20,56 +20,104 @@ SHEAR = 1 / math.sqrt(3)  # shear strength over sigma_0, von Mises
 SPEED = 5.0  # m/s, of the runs that the law is fitted to
 
 
-def law_at(law: dict[str, Any], ratio: Any) -> Any:
-    """mu [-] of a law at p/sigma_0 [-], one value or an array > 0 (wr_fit's forms bounded,
-    bounded_kappa3 and bounded_eq4): B bounded by s sigma_0/p, B = mu0 + mu2/(1 + c kappa2). At the
-    geometric mean of the points' E/sigma_0, where the power of kappa3 is 1 but for seeds; E/sigma_0
-    is 189 to 234 at the temperatures of the plan."""
-    kappa3 = math.exp(np.mean([math.log(p["kappa3"]) for p in law["report"]["points"]]))
-    free = law["mu0"] + law["mu2"] / (1 + law["c"] * kappa3 * ratio)
+def law_at(law: dict[str, Any], ratio: Any, kappa1: Any, kappa3: float) -> Any:
+    """mu [-] of a law of the form that wr_fit --material writes (doc/wr_fit.md), at p/sigma_0 > 0,
+    kappa1 and kappa3 [-]; ratio or kappa1 may be an array."""
+    free = law["mu0"] + law["mu1"] * kappa1 / (1 + law["b"] * kappa1)
+    free = free + law["mu2"] / (1 + law["c"] * kappa3 * ratio)
+    free = free * (kappa3 / law["kappa3"]) ** law["kappa3_exponent"]
+    limit = law["s"] + law["s1"] * kappa1 / (1 + law["d"] * kappa1)
     q = law["q"]
-    return (free**-q + (law["s"] / ratio) ** -q) ** (-1 / q)
+    return (free**-q + (limit / ratio) ** -q) ** (-1 / q)
+
+
+def by_temperature(report: dict[str, Any]) -> list[tuple[Any, float, list[dict[str, Any]]]]:
+    """The points that are not left out: (colour, K, points) of each temperature."""
+    runs = [run.values for run in plan.read(plan.find("rail")).runs]
+    points = [p for p in report["report"]["points"] if not p["left_out"]]
+    found = groups(points, lambda point: heat.temperature_of(point, runs))
+    colors = pyplot.get_cmap("inferno")(np.linspace(0.05, 0.85, len(found)))
+    return [(color, kelvin, members) for color, (kelvin, members) in zip(colors, found.items())]
+
+
+def at_speed(points: list[dict[str, Any]]) -> list[dict[str, Any]]:
+    """Those at SPEED."""
+    return [p for p in points if math.isclose(p["velocity"], SPEED)]
 
 
 def rail(report: dict[str, Any], picture: str) -> list[str]:
-    """mu at each temperature and p/sigma_0, means over the seeds."""
-    runs = [run.values for run in plan.read(plan.find("rail")).runs]
-    points = [p for p in report["report"]["points"] if not p["left_out"]]
-    fitted = [p for p in points if math.isclose(p["velocity"], SPEED)]
-    by_heat = groups(fitted, lambda point: heat.temperature_of(point, runs))
-    ratios = sorted({rounded(p) for p in fitted})
-    figure, (left, right) = pyplot.subplots(1, 2, figsize=(11, 4.4), constrained_layout=True)
-    rows = []
-    colors = pyplot.get_cmap("inferno")(np.linspace(0.05, 0.85, len(by_heat)))
-    for color, (kelvin, members) in zip(colors, by_heat.items()):
-        means = {x: mean_of(found) for x, found in groups(members, rounded).items()}
-        x, mu, error = np.array([(x, *mean) for x, mean in means.items()]).T
+    """mu at each temperature, p/sigma_0 and speed, means over the seeds; the law at each
+    temperature."""
+    found = by_temperature(report)
+    ratios = sorted({rounded(p) for _, _, members in found for p in at_speed(members)})
+    figure, (left, right, slow) = pyplot.subplots(1, 3, figsize=(13, 4.4), constrained_layout=True)
+    rows, speeds = [], []
+    x = np.geomspace(0.8 * min(ratios), 1.15 * max(ratios), 200)
+    has_law = "fit" in report["report"]
+    for color, kelvin, members in found:
+        fast = at_speed(members)
+        means = {ratio: mean_of(same) for ratio, same in groups(fast, rounded).items()}
+        at, mu, error = np.array([(ratio, *mean) for ratio, mean in means.items()]).T
         style = {"fmt": "o", "ms": 5, "capsize": 2, "color": color}
-        left.errorbar(x, mu, 1.96 * error, label=f"{kelvin:g} K", **style)
-        right.errorbar(x, mu * x, 1.96 * error * x, **style)
+        left.errorbar(at, mu, 1.96 * error, label=f"{kelvin:g} K", **style)
+        right.errorbar(at, mu * at, 1.96 * error * at, **style)
         cells = [
             f"{means[x][0]:.3f}({1000 * means[x][1]:.0f})" if x in means else "" for x in ratios
         ]
         rows.append([f"{kelvin:g} K", *cells])
-    x = np.geomspace(0.8 * min(ratios), 1.15 * max(ratios), 200)
-    has_law = "fit" in report["report"]
-    for axes, factor in ((left, 1 / x), (right, np.ones_like(x))):
         if has_law:
-            axes.plot(x, law_at(report, x) * x * factor, "C0", lw=2, label="law")
+            curve = law_at(report, x, fast[0]["kappa1"], fast[0]["kappa3"])
+            left.plot(x, curve, color=color, lw=1)
+            right.plot(x, curve * x, color=color, lw=1)
+        speeds += draw_speeds(slow, report if has_law else None, color, kelvin, members)
+    for axes, factor in ((left, 1 / x), (right, np.ones_like(x))):
         axes.plot(x, SHEAR * factor, "k--", lw=1, label=r"shear strength, $\sigma_0/\sqrt{3}$")
         axes.set(xlabel=r"$p/\sigma_0(T)$", xscale="log")
         axes.grid(alpha=0.3)
     left.set(ylabel=r"$\mu$", ylim=(0, 0.62))
     right.set(ylabel=r"friction stress over $\sigma_0(T)$", ylim=(0, 0.65))
-    left.legend(fontsize=8, ncols=2, loc="lower left")
+    left.legend(fontsize=8, ncols=2, loc="lower left", title=f"lines: law, {SPEED:g} m/s")
+    slow.set(xlabel="speed, m/s", ylabel=r"$\mu$", xscale="log", ylim=(0, 0.62))
+    slow.set_xticks([0.5, 1, 2, 5], ["0.5", "1", "2", "5"], minor=False)
+    slow.grid(alpha=0.3)
+    slow.legend(fontsize=8, loc="lower right")
     save_figure(figure, picture)
     pyplot.close(figure)
     return [
         "in brackets: standard error in units of 0.001, with what seeds differ by",
-        *table(["mu at p/sigma_0", *(f"{x:g}" for x in ratios)], rows),
+        *table([f"mu at {SPEED:g} m/s, p/sigma_0", *(f"{x:g}" for x in ratios)], rows),
+        "",
+        *table(["mu", "p/sigma_0", "speed, m/s", "kappa1", "runs", "mu", "law"], speeds),
         "",
         *law_lines(report),
     ]
+
+
+def draw_speeds(
+    axes: Any, law: dict[str, Any] | None, color: Any, kelvin: float, points: list[dict[str, Any]]
+) -> list[list[str]]:
+    """mu against speed at the load of a temperature that has several, with the law; rows of a
+    table."""
+    slower = [p for p in points if p not in at_speed(points)]
+    rows = []
+    for ratio in sorted({rounded(p) for p in slower}):
+        same = groups([p for p in points if rounded(p) == ratio], lambda p: p["velocity"])
+        found = [(v, *mean_of(members), members) for v, members in sorted(same.items())]
+        v, mu, error = np.array([row[:3] for row in found]).T
+        label = rf"{kelvin:g} K, {ratio:g} $\sigma_0$"
+        axes.errorbar(v, mu, 1.96 * error, fmt="o", ms=5, capsize=2, color=color, label=label)
+        any_point = found[0][3][0]
+        unit = any_point["kappa1"] / any_point["velocity"] ** 2
+        if law:
+            x = np.geomspace(0.8 * min(v), 1.15 * max(v), 100)
+            axes.plot(x, law_at(law, ratio, unit * x**2, any_point["kappa3"]), color=color, lw=1)
+        for speed, mean, se, members in found:
+            ours = law_at(law, ratio, unit * speed**2, any_point["kappa3"]) if law else math.nan
+            rows.append(
+                [f"{kelvin:g} K", f"{ratio:g}", f"{speed:g}", f"{unit * speed**2:.2g}",
+                 str(len(members)), f"{mean:.3f} +- {se:.3f}", f"{ours:.3f}"]
+            )  # fmt: skip
+    return rows
 
 
 def rounded(point: dict[str, Any]) -> float:
@@ -94,10 +142,12 @@ def law_lines(report: dict[str, Any]) -> list[str]:
 
 
 def checks(report: dict[str, Any], picture: str) -> list[str]:
-    """Other speeds, widths, heights and steps beside the runs of the law at their place."""
+    """Other widths, heights and steps beside the runs of the law at their place."""
     # widths differ in what their seeds differ by, so that one share for all of them tells nothing
     points = [
-        {**p, "mu_se": p["mu_se_own"]} for p in report["report"]["points"] if not p["left_out"]
+        {**p, "mu_se": p["mu_se_own"]}
+        for p in at_speed(report["report"]["points"])
+        if not p["left_out"]
     ]
     runs = [run.values for run in plan.read(plan.find("rail")).runs]
     of_law = [p for p in points if base_name(p).startswith("t")]
@@ -117,7 +167,7 @@ def checks(report: dict[str, Any], picture: str) -> list[str]:
              f"{mu:.3f} +- {error:.3f}", f"{base:.3f} +- {base_error:.3f}", percent(mu, base)]
         )  # fmt: skip
     if not rows:
-        raise Missing("no run of another speed, width, height or step")
+        raise Missing("no run of another width, height or step")
     line = (1.0, {"color": "k", "ls": "--"}, "runs of the law")
     dots(labels, values, bars, picture, r"$\mu$ over that of the law's runs", [line])
     head = ["", "K", "p/sigma_0", "runs", "mu", "of the law's runs", "over them"]

@@ -21,11 +21,11 @@ using testing::HasSubstr;
 
 namespace {
 
-/// Eq. 3 with a power and a bound.
+/// Eq. 3 with a power and a bound that rises with the speed.
 LawParameters someParameters()
 {
   LawParameters x;
-  x << 0.15, 0.0442, 0.3243, 0.195, 0.00212, 0.2, 0.5, 3.0;
+  x << 0.15, 0.0442, 0.3243, 0.195, 0.00212, 0.2, 0.5, 3.0, 0.2, 0.7;
   return x;
 }
 
@@ -82,8 +82,10 @@ TEST(BoundedMu, IsEq2FarBelowTheLimitAndTheShearStrengthFarAboveIt)
   const LawParameters x = someParameters();
   const double base = 0.15 + 0.0442 * 2.0 / (1.0 + 0.195 * 2.0) + 0.3243;
   EXPECT_NEAR(boundedMu(x, {2.0, 0.0, 500.0}, 500.0), base, 1e-15);
-  // p/sigma_0 = 1000: mu p = 0.5 sigma_0
-  EXPECT_NEAR(boundedMu(x, {2.0, 5e5, 500.0}, 500.0), 0.5 / 1000.0, 1e-9);
+  // p/sigma_0 = 1000: mu p = 0.5 sigma_0 at rest
+  EXPECT_NEAR(boundedMu(x, {0.0, 5e5, 500.0}, 500.0), 0.5 / 1000.0, 1e-9);
+  const double moving = 0.5 + 0.2 * 2.0 / (1.0 + 0.7 * 2.0);
+  EXPECT_NEAR(boundedMu(x, {2.0, 5e5, 500.0}, 500.0), moving / 1000.0, 1e-9);
   // where both are equal: 2^(-1/q) of them
   LawParameters y = LawParameters::Zero();
   y[Mu0] = 0.4, y[S] = 0.4, y[Q] = 3.0;
@@ -309,7 +311,7 @@ TEST(MaterialLaw, FaultsOfItsFileAreNamed)
   EXPECT_EQ(messageWith("source", "x"), "");
   EXPECT_THAT(messageWith("mu0", nullptr), HasSubstr("mu0: is missing"));
   EXPECT_THAT(messageWith("s", 0.5), HasSubstr("s: needs q"));
-  EXPECT_THAT(messageWith("covariance", {1, 2}), HasSubstr("8 x 8 matrix"));
+  EXPECT_THAT(messageWith("covariance", {1, 2}), HasSubstr("10 x 10 matrix"));
 }
 
 TEST(LawOfMaterial, SeesPressureAndTemperatureOfEachCell)
@@ -438,8 +440,10 @@ TEST(LawOfMaterial, HotCellsOfAPointContactAreSofter)
 namespace {
 
 /// Conditions of plan rail with a law that is known; mu scatters by a share of itself.
+/// \param slower speeds (m/s) at which 0.7 of the strength slides, too
 std::vector<ConditionMean> railConditions(const LawParameters &truth, double reference,
-                                          double scatter, std::mt19937_64 &generator)
+                                          double scatter, std::mt19937_64 &generator,
+                                          const std::vector<double> &slower = {})
 {
   std::normal_distribution<double> normal;
   std::vector<ConditionMean> means;
@@ -447,11 +451,15 @@ std::vector<ConditionMean> railConditions(const LawParameters &truth, double ref
   for (const double kelvin : {293.0, 473.0, 673.0, 773.0, 873.0, 1073.0}) {
     MaterialLaw law;
     law.material = material;
-    for (const double ratio : {0.03, 0.1, 0.3, 0.7, 1.3, 2.6}) {
-      const Kappas k = law.kappas(ratio * material.strengthAt(kelvin), 5.0, kelvin);
+    const auto add = [&](double ratio, double speed) {
+      const Kappas k = law.kappas(ratio * material.strengthAt(kelvin), speed, kelvin);
       const double mu = boundedMu(truth, k, reference) * (1.0 + scatter * normal(generator));
       means.push_back({k.kappa1, k.kappa2, mu, 0.0, k.kappa3});
-    }
+    };
+    for (const double ratio : {0.03, 0.1, 0.3, 0.7, 1.3, 2.6})
+      add(ratio, 5.0);
+    for (const double speed : slower)
+      add(0.7, speed);
   }
   return means;
 }
@@ -477,6 +485,26 @@ TEST(BoundedFit, ExactConditionsGiveTheLawBack)
   const auto eq4 = fitLaw(LawModel::BoundedPressure, railConditions(truth, 1.0, 0.0, generator));
   for (const int k : {Mu0, Mu2, C, S, Q})
     EXPECT_NEAR(eq4.parameters[k] / truth[k], 1.0, 1e-4) << parameterNames[k];
+}
+
+TEST(BoundedFit, ALimitThatRisesWithTheSpeedIsToldFromOneThatDoesNot)
+{
+  std::mt19937_64 generator(7);
+  LawParameters truth = LawParameters::Zero();
+  truth[Mu0] = 0.45, truth[S] = 0.3, truth[Q] = 1.5, truth[S1] = 8.0, truth[D] = 15.0;
+  const auto exact =
+      fitLaw(LawModel::BoundedRate, railConditions(truth, 1.0, 0.0, generator, {0.5, 2.0}));
+  for (const int k : {Mu0, S, Q, S1, D})
+    EXPECT_NEAR(exact.parameters[k] / truth[k], 1.0, 1e-5) << parameterNames[k];
+  EXPECT_EQ(exact.notIdentifiable, "");
+
+  auto means = railConditions(truth, 1.0, 0.05, generator, {0.5, 2.0});
+  EXPECT_LT(fitLaw(LawModel::BoundedRate, means, 0.0).aicc,
+            fitLaw(LawModel::Bounded, means, 0.0).aicc - 10.0);
+  truth[S1] = 0.0, truth[S] = 0.5;
+  means = railConditions(truth, 1.0, 0.05, generator, {0.5, 2.0});
+  EXPECT_GT(fitLaw(LawModel::BoundedRate, means, 0.0).aicc,
+            fitLaw(LawModel::Bounded, means, 0.0).aicc);
 }
 
 TEST(BoundedFitLong, ErrorsAreThoseThatRepeatedPlansScatterBy)

@@ -204,7 +204,8 @@ std::string fitLines(const FitAnalysis &analysis)
   if (fit.reference > 0.0)
     formula = fmt::format("[{}] (kappa3/{:.5g})^n", formula, fit.reference);
   if (free[S])
-    formula = fmt::format("(B^-q + (s sigma_0/p)^-q)^(-1/q), B = {}", formula);
+    formula = fmt::format("(B^-q + ({} sigma_0/p)^-q)^(-1/q), B = {}",
+                          free[S1] ? "[s + s1 kappa1/(1 + d kappa1)]" : "s", formula);
   std::string text =
       fmt::format("Fit of {}: mu = {}, {} conditions\n", nameOf(fit.model), formula, fit.law.n);
   const KappaLaw paper = bucher2006();

@@ -147,7 +147,7 @@ Range rangeOf(const std::vector<ConditionMean> &means, double ConditionMean::*nu
 std::string explainWeakness(const LawFit &fit, const VectorXd &x, const Identifiability &analysis,
                             const LeastSquaresProblem &problem)
 {
-  for (int k : {B, C}) {
+  for (int k : {B, C, D}) {
     const bool atUpper = fit.atBound[k] && x[k] > 0.5 * problem.upper[k];
     if (atUpper)
       return fmt::format(
@@ -157,6 +157,8 @@ std::string explainWeakness(const LawFit &fit, const VectorXd &x, const Identifi
   const auto free = parametersOf(fit.model);
   if (free[S] && fit.atBound[S])
     return "s runs to its bound: no condition feels the limit of the shear strength";
+  if (free[S1] && fit.atBound[S1])
+    return "s1 runs to 0: the limit of the shear strength does not rise with kappa1";
   if (free[C] && fit.atBound[C])
     return "c runs to 0: mu does not depend on kappa2, mu0 and mu2 cannot be told apart";
   if (analysis.conditionNumber <= worstCondition)
@@ -217,6 +219,8 @@ Obstacle obstacleTo(LawModel model, const std::vector<ConditionMean> &means)
   };
   // a saturating term has two parameters beside the constant
   auto reason = look(Mu1, "kappa1", 3, [](const ConditionMean &mean) { return mean.kappa1; });
+  if (reason.empty())
+    reason = look(S1, "kappa1", 3, [](const ConditionMean &mean) { return mean.kappa1; });
   if (reason.empty())
     reason = look(Mu2, "kappa2", 3, [](const ConditionMean &mean) { return mean.kappa2; });
   if (reason.empty())

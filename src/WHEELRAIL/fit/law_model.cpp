@@ -27,6 +27,7 @@ const ModelRow &rowOf(LawModel model)
       {LawModel::Kappa3, "eq2_kappa3", {Mu0, Mu1, Mu2, B, C, N}},
       {LawModel::Bounded, "bounded", {Mu0, S, Q}},
       {LawModel::BoundedKappa3, "bounded_kappa3", {Mu0, N, S, Q}},
+      {LawModel::BoundedRate, "bounded_rate", {Mu0, S, Q, S1, D}},
       {LawModel::BoundedVelocity, "bounded_velocity", {Mu0, Mu1, B, S, Q}},
       {LawModel::BoundedPressure, "bounded_eq4", {Mu0, Mu2, C, S, Q}},
       {LawModel::BoundedFull, "bounded_eq2", {Mu0, Mu1, Mu2, B, C, S, Q}}};

@@ -29,6 +29,7 @@ enum class LawModel {
   Full,            ///< mu0, mu1, mu2, b, c: Eq. 2
   Kappa3,          ///< the same and n
   Bounded,         ///< mu0, s, q: a constant bounded by the shear strength
+  BoundedRate,     ///< the same, whose strength rises with the speed: s1, d
   BoundedKappa3,   ///< the same and n
   BoundedVelocity, ///< mu0, mu1, b, s, q
   BoundedPressure, ///< mu0, mu2, c, s, q
@@ -40,9 +41,9 @@ constexpr std::array<LawModel, 6> lawModels = {LawModel::Constant, LawModel::Vel
                                                LawModel::Pressure, LawModel::VelocityKappa3,
                                                LawModel::Full,     LawModel::Kappa3};
 /// Models of one material, bounded by its shear strength, likewise.
-constexpr std::array<LawModel, 5> boundedModels = {
-    LawModel::Bounded, LawModel::BoundedKappa3, LawModel::BoundedVelocity,
-    LawModel::BoundedPressure, LawModel::BoundedFull};
+constexpr std::array<LawModel, 6> boundedModels = {
+    LawModel::Bounded,         LawModel::BoundedKappa3,   LawModel::BoundedRate,
+    LawModel::BoundedVelocity, LawModel::BoundedPressure, LawModel::BoundedFull};
 
 /// Name on the command line and in files: constant, velocity, eq4, velocity_kappa3, eq2,
 /// eq2_kappa3, bounded, bounded_kappa3 and so on. Never null; lives as long as the program.
@@ -53,7 +54,7 @@ constexpr int fitParameters = allParameters;
 bool hasKappa3(LawModel model);
 /// Whether it is bounded by the shear strength.
 bool isBounded(LawModel model);
-/// Which of mu0, mu1, mu2, b, c, n, s, q the model fits.
+/// Which of `parameterNames` the model fits.
 std::array<bool, fitParameters> parametersOf(LawModel model);
 
 } // namespace wheelrail

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace wheelrail {
 
@@ -49,9 +50,9 @@ LeastSquaresProblem LawProblem::make() const
   problem.residuals = static_cast<int>(means_.size());
   problem.lower = VectorXd::Constant(fitParameters, -infinity);
   problem.upper = VectorXd::Constant(fitParameters, infinity);
-  for (int k : {Mu0, B, C})
+  for (int k : {Mu0, B, C, S1, D})
     problem.lower[k] = 0.0;
-  problem.upper[B] = saturation / smallest(&ConditionMean::kappa1);
+  problem.upper[B] = problem.upper[D] = saturation / smallest(&ConditionMean::kappa1);
   problem.upper[C] = saturation / smallest(&ConditionMean::kappa2);
   if (free_[S]) {
     problem.lower[S] = largestStress() / saturation;
@@ -70,14 +71,17 @@ LeastSquaresProblem LawProblem::make() const
 
 // Eq. 2 is linear in mu0, mu1 and mu2 once b and c are given, which leaves a plane to be searched:
 // a grid of it, two values a decade, finds the valley that a single start would have to hit. So it
-// is with a bound, once s and q are given.
+// is with a bound, once its parameters are given.
 std::vector<VectorXd> LawProblem::starts(const LeastSquaresProblem &problem) const
 {
   std::vector<std::pair<double, VectorXd>> candidates;
   for (double b : grid(B, problem.upper[B]))
     for (double c : grid(C, problem.upper[C]))
-      for (const auto &[s, q] : bends())
-        candidates.push_back(linearFit(b, c, s, q));
+      for (VectorXd x : limits(problem.upper[D])) {
+        x[B] = b;
+        x[C] = c;
+        candidates.push_back(linearFit(std::move(x)));
+      }
   const size_t kept = std::min<size_t>(3, candidates.size());
   std::partial_sort(candidates.begin(), candidates.begin() + kept, candidates.end(),
                     [](const auto &p, const auto &q) { return p.first < q.first; });
@@ -104,14 +108,23 @@ double LawProblem::largestStress() const
   return largest > 0.0 ? largest : 1.0;
 }
 
-std::vector<std::pair<double, double>> LawProblem::bends() const
+std::vector<VectorXd> LawProblem::limits(double largestD) const
 {
   if (!free_[S])
-    return {{0.0, 0.0}};
-  std::vector<std::pair<double, double>> values;
-  for (const double s : {1.02, 1.3, 2.0}) // of the largest stress that is there
+    return {VectorXd::Zero(fitParameters)};
+  const std::vector<double> rises = free_[S1] ? std::vector{1.0, 4.0} : std::vector{0.0};
+  std::vector<VectorXd> values;
+  for (const double most : {1.02, 1.3, 2.0}) // of the largest stress that is there
     for (const double q : {1.5, 4.0, 12.0})
-      values.emplace_back(s * largestStress(), q);
+      for (const double d : grid(D, largestD))
+        for (const double rise : rises) { // from rest to the largest speed
+          VectorXd x = VectorXd::Zero(fitParameters);
+          x[S] = most * largestStress() / (1.0 + rise);
+          x[Q] = q;
+          x[D] = d;
+          x[S1] = rise * x[S] * d;
+          values.push_back(std::move(x));
+        }
   return values;
 }
 
@@ -129,11 +142,9 @@ std::vector<double> LawProblem::grid(int k, double upper) const
 
 // A bound is taken off first: what mu would be without it follows from mu, s and q. A condition at
 // its limit says nothing of it and is left out.
-std::pair<double, VectorXd> LawProblem::linearFit(double b, double c, double s, double q) const
+std::pair<double, VectorXd> LawProblem::linearFit(VectorXd x) const
 {
-  VectorXd x = VectorXd::Zero(fitParameters);
-  x[B] = b;
-  x[C] = c;
+  const double s = std::exchange(x[S], 0.0), q = x[Q];
   std::vector<int> linear;
   for (int k : {Mu0, Mu1, Mu2})
     if (free_[k])
@@ -148,7 +159,8 @@ std::pair<double, VectorXd> LawProblem::linearFit(double b, double c, double s, 
   VectorXd target = -r;
   for (size_t i = 0; s > 0.0 && i < means_.size(); ++i) {
     const ConditionMean &mean = means_[i];
-    const double limited = std::pow(mean.mu * mean.kappa2 / (mean.kappa3 * s), q);
+    const double limit = s + x[S1] * mean.kappa1 / (1.0 + x[D] * mean.kappa1);
+    const double limited = std::pow(mean.mu * mean.kappa2 / (mean.kappa3 * limit), q);
     constexpr double far = 0.9; // beyond, the rest is small beside the scatter
     target[i] = limited < far ? target[i] * std::pow(1.0 - limited, -1.0 / q) : 0.0;
     if (limited >= far)
@@ -159,7 +171,6 @@ std::pair<double, VectorXd> LawProblem::linearFit(double b, double c, double s, 
     x[linear[j]] = solution[j];
   x[Mu0] = std::max(0.0, x[Mu0]);
   x[S] = s;
-  x[Q] = q;
   evaluate(x, r, nullptr);
   return {r.squaredNorm(), x};
 }

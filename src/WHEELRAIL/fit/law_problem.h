@@ -17,8 +17,8 @@ void setParameters(KappaLaw &law, const Eigen::VectorXd &x);
 /// \return mu, a pure number; with n = 0 the reference plays no part
 double modelMu(const Eigen::VectorXd &x, const ConditionMean &mean, double reference);
 
-/// What a model fits, as a weighted least-squares problem in (mu0, mu1, mu2, b, c, n, s, q), with
-/// analytic derivatives. Bounds: mu0, b, c >= 0; b and c at most a hundred times the inverse of the
+/// What a model fits, as a weighted least-squares problem in the `parameterNames`, with analytic
+/// derivatives. Bounds: mu0, b, c, s1, d >= 0; b, c, d at most a hundred times the inverse of the
 /// smallest positive kappa, where their terms are constant; s > 0 up to a hundred times the largest
 /// friction stress over sigma_0, which no condition feels; q from 1 to 50, a bend that is as good
 /// as sharp. All parameters and residuals are dimensionless.
@@ -34,7 +34,7 @@ class LawProblem {
   /// The object must outlive what it returns.
   LeastSquaresProblem make() const;
 
-  /// Starts: n = 0 and a grid over b, c, s and q with the linear parameters by linear least
+  /// Starts: n = 0 and a grid over b, c and the limit with the linear parameters by linear least
   /// squares, the best three.
   /// \param problem  of `make`, which judges the candidates
   std::vector<Eigen::VectorXd> starts(const LeastSquaresProblem &problem) const;
@@ -44,12 +44,12 @@ class LawProblem {
   double smallest(double ConditionMean::*kappa) const;
   /// Largest mu p/sigma_0 over the conditions.
   double largestStress() const;
-  /// Values of b or c to start from; just 0 where it is not fitted.
+  /// Values of b, c or d to start from; just 0 where it is not fitted.
   std::vector<double> grid(int k, double upper) const;
-  /// Values of s and q to start from; just 0 where they are not fitted.
-  std::vector<std::pair<double, double>> bends() const;
-  /// Sum of squares and parameters of the best mu0, mu1, mu2 at given b, c, s and q.
-  std::pair<double, Eigen::VectorXd> linearFit(double b, double c, double s, double q) const;
+  /// Values of s, q, s1 and d to start from, the others 0; all 0 where they are not fitted.
+  std::vector<Eigen::VectorXd> limits(double largestD) const;
+  /// Sum of squares and parameters of the best mu0, mu1, mu2 where the others are given.
+  std::pair<double, Eigen::VectorXd> linearFit(Eigen::VectorXd x) const;
   /// Residuals in units of the deviations, and their derivatives unless null.
   void evaluate(const Eigen::VectorXd &x, Eigen::VectorXd &r, Eigen::MatrixXd *jacobian) const;
 

@@ -20,20 +20,24 @@ double boundedMu(const LawParameters &x, const Kappas &kappas, double reference,
     (*gradient)[B] = -power * x[Mu1] * (kappas.kappa1 * g1) * (kappas.kappa1 * g1);
     (*gradient)[C] = -power * x[Mu2] * kappas.kappa2 * g2 * g2;
     (*gradient)[N] = base * logarithm;
-    (*gradient)[S] = (*gradient)[Q] = 0.0;
+    (*gradient)[S] = (*gradient)[Q] = (*gradient)[S1] = (*gradient)[D] = 0.0;
   }
   if (x[S] == 0.0 || base <= 0.0 || kappas.kappa2 == 0.0)
     return base;
-  // In logarithms, where nothing overflows: with d = ln B - ln(s sigma_0/p)
+  const double rate = kappas.kappa1 / (1.0 + x[D] * kappas.kappa1);
+  const double limit = x[S] + x[S1] * rate;
+  // In logarithms, where nothing overflows: with d = ln B - ln(S sigma_0/p)
   //   ln mu = ln B - ln(1 + e^(q d))/q,   d ln mu/d ln B = 1/(1 + e^(q d)).
-  const double d = std::log(base * kappas.kappa2 / (kappas.kappa3 * x[S]));
+  const double d = std::log(base * kappas.kappa2 / (kappas.kappa3 * limit));
   const double t = x[Q] * d;
   const double softplus = t > 0.0 ? t + std::log1p(std::exp(-t)) : std::log1p(std::exp(t));
   const double mu = base * std::exp(-softplus / x[Q]);
   if (gradient) {
     const double limited = 1.0 / (1.0 + std::exp(-t)); // 0: B alone, 1: the limit alone
     *gradient *= (1.0 - limited) * mu / base;
-    (*gradient)[S] = mu * limited / x[S];
+    (*gradient)[S] = mu * limited / limit;
+    (*gradient)[S1] = (*gradient)[S] * rate;
+    (*gradient)[D] = -(*gradient)[S1] * x[S1] * rate;
     (*gradient)[Q] = mu * (softplus / x[Q] - d * limited) / x[Q];
   }
   return mu;

@@ -141,8 +141,7 @@ void readForm(const LawFile &file, MaterialLaw &law)
     const char *name = keyOf(k);
     const bool needed = k == Mu0;
     if (needed || file.has(name))
-      law.parameters[k] =
-          k == B || k == C || k == S || k == Q ? file.nonNegative(name) : file.number(name);
+      law.parameters[k] = k == B || k == C || k >= S ? file.nonNegative(name) : file.number(name);
   }
   if (law.parameters[S] > 0.0 && !(law.parameters[Q] > 0.0))
     file.fail("s", "needs q, a number > 0");
@@ -172,7 +171,7 @@ double MaterialLaw::operator()(double pressure, double speed, double kelvin) con
 
 bool MaterialLaw::dependsOnSpeed() const
 {
-  return table ? table->speedExponent != 0.0 : parameters[Mu1] != 0.0;
+  return table ? table->speedExponent != 0.0 : parameters[Mu1] != 0.0 || parameters[S1] != 0.0;
 }
 
 bool isMaterialLaw(const std::string &path)

@@ -139,7 +139,8 @@ bool LawOfMaterial::isSound() const
     return true;
   }
   const LawParameters &x = law_.parameters;
-  if (x[B] < 0.0 || x[C] < 0.0 || x[S] < 0.0 || (x[S] > 0.0 && x[Q] < roundestBend))
+  if (x[B] < 0.0 || x[C] < 0.0 || x.tail<allParameters - S>().minCoeff() < 0.0 ||
+      (x[S] > 0.0 && x[Q] < roundestBend))
     return false;
   // monotone in kappa1 and kappa2 as far as B goes, which alone can be negative: the corners, at
   // every temperature
