@@ -9,10 +9,11 @@ from contact_parts.inp import Contact, Refused
 
 BY = ", by contact_inp.py"  # ends the first line of a case file
 DIGITS = 9  # of a number in a case file that was computed from those of the input
+CELLS, SCALE = 8, 1.05  # what wr_creep needs: cells along a side, half a box in semi-axes
 
 
 def text(value: float, unit: str = "") -> str:
-    return f"{value:.{DIGITS}g}" + (f" {unit}" if unit else "")
+    return f"{value + 0.0:.{DIGITS}g}" + (f" {unit}" if unit else "")  # no -0
 
 
 def pair(values: Any, unit: str) -> str:
@@ -169,16 +170,57 @@ def is_turned(case: Contact, staged: bool) -> bool:
     return False
 
 
+def is_line(case: Contact) -> bool:
+    return case.grid is not None and len(case.grid) == 6 and case.grid[1] == 1
+
+
+def check_grid(case: Contact) -> None:
+    """What wr_creep allows. Raises Refused."""
+    assert case.grid is not None
+    nx, ny, *size = case.grid
+    if nx < CELLS or (ny < CELLS and not is_line(case)):
+        raise Refused(
+            f"{case.line}: MX, MY = {nx}, {ny}: at least {CELLS} cells along a side, or one row "
+            "that is given in mm, are in wr_creep"
+        )
+    if len(size) == 1 and size[0] < SCALE:
+        raise Refused(f"{case.line}: SCALE = {size[0]:g}: at least {SCALE} is in wr_creep")
+    curved = case.curvatures[: 1 if is_line(case) else 2] if case.curvatures else ()
+    if min(curved, default=1.0) <= 0.0:
+        raise Refused(f"{case.line}: a gap that closes to the sides, B1 or B3, is not in wr_creep")
+
+
+def check_hot(case: Contact, hot: tuple[float, ...]) -> None:
+    """Friction that changes with the temperature, L = 6. Raises Refused."""
+    reference, start, change, width, memory, _ = hot
+    if not case.heats:
+        raise Refused(f"{case.line}: L = 6 needs the heat of this case, H above 0")
+    if memory > 0.0:
+        raise Refused(f"{case.line}: L = 6: MEMDST = {memory:g}: it is converted without a memory")
+    if min(reference, reference + change, width) <= 0.0 or start < 0.0:
+        raise Refused(
+            f"{case.line}: L = 6: FREF, FREF + DFHEAT and DTHEAT above 0 and TREF from 0 on are "
+            "converted"
+        )
+
+
 def check_whole(case: Contact) -> None:
     for name in ("grid", "material"):
         if getattr(case, name) is None:
             raise Refused(f"{case.line}: {name} of a former case that is not there")
-    if not (case.friction or case.rows or case.falling):
+    if not (case.friction or case.rows or case.falling or case.hot):
         raise Refused(f"{case.line}: friction of a former case that is not there")
+    check_grid(case)
     if case.friction and case.friction[0] != case.friction[1]:
         raise Refused(f"{case.line}: FKIN is not FSTAT: one coefficient is in wr_creep")
     if case.falling and (case.tang not in "23" or case.falling[3] or min(case.falling[:3]) <= 0.0):
         raise Refused(f"{case.line}: L = 4: rolling with one falling exponential is converted")
+    if case.falling and case.falling[5] <= 0.0:
+        raise Refused(
+            f"{case.line}: MEMDST = 0: without a memory friction that falls has several solutions"
+        )
+    if case.hot:
+        check_hot(case, case.hot)
     if case.layer and (case.layer[3] or min(case.layer[:2]) <= 0.0):
         raise Refused(f"{case.line}: M = 4: a layer that hardens, GGPLST, is not in wr_creep")
 
@@ -211,6 +253,16 @@ def friction_lines(case: Contact, turned: bool) -> list[str]:
             f"  B: {text(1e3 * math.log(2.0) / speed, 's/m')}",
             f"  memory_length: {text(case.falling[5], 'mm')}",
         ]
+    elif case.hot:
+        reference, start, change, width = case.hot[:4]
+        lines = [
+            "friction:",
+            "  law: constant",
+            f"  mu: {text(reference)}",
+            f"  hot_factor: {text(1.0 + change / reference)}",
+            f"  hot_start: {text(start, 'K')}",
+            f"  hot_end: {text(start + width, 'K')}",
+        ]
     elif case.friction:
         lines = [f"friction: {{law: constant, mu: {text(case.friction[0])}}}"]
     if case.layer:
@@ -223,9 +275,19 @@ def friction_lines(case: Contact, turned: bool) -> list[str]:
     return lines
 
 
+def line_curvature(case: Contact) -> float:
+    """B1 of the gap, 1/mm; where the gap lies on the line does not count. Raises Refused."""
+    if case.curvatures:
+        return case.curvatures[0]
+    assert case.table is not None
+    if not case.table[1] or case.table[1][1] <= 0.0:
+        raise Refused(f"{case.line}: a gap of points, or a hollow one, on a line is not converted")
+    return 0.5 / case.table[1][1]
+
+
 def line_case(case: Contact) -> list[str]:
     """A row of cells, MY = 1, is a line contact of the length DY."""
-    assert case.grid is not None and case.material is not None and case.curvatures is not None
+    assert case.grid is not None and case.material is not None
     nx, _, left, _, dx, dy = case.grid
     nu1, nu2, g1, g2 = case.material
     load, x = case.drive[0] / dy, case.drive[1]
@@ -233,16 +295,17 @@ def line_case(case: Contact) -> list[str]:
         raise Refused(
             f"{case.line}: a line contact rolls steadily under a load, without a lateral force"
         )
+    curvature = line_curvature(case)
     turn = -1.0 if is_turned(case, False) else 1.0
     drive = f"creep: {text(turn * x)}"
     if case.force == "1":  # on the rail
         drive = f"force: {{per_length: {text(-turn * x * force_limit(case) / dy, 'N/mm')}}}"
     modulus = 2.0 / ((1.0 - nu1) / g1 + (1.0 - nu2) / g2)
-    half = math.sqrt(2.0 * load / (math.pi * modulus * case.curvatures[0]))
+    half = math.sqrt(2.0 * load / (math.pi * modulus * curvature))
     return [
         "contact:",
         f"  load_per_length: {text(load, 'N/mm')}",
-        f"  radius: {text(0.5 / case.curvatures[0], 'mm')}",
+        f"  radius: {text(0.5 / curvature, 'mm')}",
         *elastic_lines(case),
         f"  domain: {text(nx * dx / half)}",
         f"cells: {nx}",
@@ -262,7 +325,7 @@ def case_text(
     if turned:
         head.append("# turned by half a turn: creepages and forces in the plane change their signs")
     assert case.grid is not None
-    along_line = len(case.grid) == 6 and case.grid[1] == 1
+    along_line = is_line(case)
     if along_line:
         lines = line_case(case)
     else:

@@ -38,6 +38,7 @@ class Contact:
     friction: tuple[float, float] | None = None
     rows: list[float] = field(default_factory=list)  # friction of each row of cells
     falling: tuple[float, ...] | None = None  # FKIN, FEXP1, SABSH1, FEXP2, SABSH2, MEMDST, MEM_S0
+    hot: tuple[float, ...] | None = None  # FREF, TREF, DFHEAT, DTHEAT, MEMDST, MEM_S0
     layer: tuple[float, ...] | None = None  # GG3, LAYTHK, TAUCRT, GGPLST
     rolling: tuple[float, float, float] | None = None  # chi, dq, speed
     material: tuple[float, float, float, float] | None = None
@@ -152,7 +153,10 @@ def read_case(reader: Reader, former: Contact, line: int) -> tuple[Contact, str]
         physics,
         {
             "V": ("02", "friction that varies is converted where each row has one coefficient"),
-            "L": ("014", "Coulomb's friction, or an exponential one with a memory, is converted"),
+            "L": (
+                "0146",
+                "friction that is constant, exponential or of the temperature is converted",
+            ),
             "D": ("02", "the grid must be read or kept"),
             "C": ("02", "only half-spaces with uniformly loaded cells are in wr_creep"),
             "M": (
@@ -169,7 +173,7 @@ def read_case(reader: Reader, former: Contact, line: int) -> tuple[Contact, str]
         {
             "X": ("0", "debug output is CONTACT's own"),
             "H": ("013", "an unknown kind of heat"),
-            "G": ("0125", "settings of CONTACT's other solvers are not read"),
+            "G": ("012345", "an unknown choice of the solver"),
             "R": ("01", "an unknown way to return"),
         },
         third,
@@ -180,16 +184,19 @@ def read_case(reader: Reader, former: Contact, line: int) -> tuple[Contact, str]
         return Contact(pvtime=case.pvtime), reasons[0]
     if flow["G"] != "1":
         reader.line("MAXGS, MAXIN, MAXNR, MAXOUT, EPS")
-    if flow["G"] in "25":  # of ConvexGS and GDsteady, which wr_creep does without
+    if flow["G"] in "2345":  # of CONTACT's solvers, which wr_creep does without
         reader.line("the settings of the solver")
     case.drive = reader.numbers(4, "FN, CKSI, CETA, CPHI")  # type: ignore[assignment]
     if physics["L"] != "1":
-        case.friction, case.rows, case.falling = None, [], None
+        case.friction, case.rows, case.falling, case.hot = None, [], None, None
     if physics["L"] == "0" and physics["V"] == "0":
         case.friction = reader.numbers(2, "FSTAT, FKIN")  # type: ignore[assignment]
     if physics["L"] == "4":
         case.falling = reader.numbers(5, "FKIN, FEXP1, SABSH1, FEXP2, SABSH2")
         case.falling += reader.numbers(2, "MEMDST, MEM_S0")
+    if physics["L"] == "6":
+        case.hot = reader.numbers(4, "FREF, TREF, DFHEAT, DTHEAT")
+        case.hot += reader.numbers(2, "MEMDST, MEM_S0")
     if physics["C"] == "2":
         if control["T"] in "23":
             case.rolling = reader.numbers(3, "CHI, DQ, VELOC")  # type: ignore[assignment]
@@ -324,9 +331,12 @@ def groups_of(path: str) -> list[tuple[int, list[Contact], str]]:
                 raise BadInput(f"{path}:{at}: MODULE {word}: module 3 is read")
         number += 1
         former, reason = read_case(reader, former, at)
-        goes_on = former.pvtime == "0" and bool(groups)
+        # steady rolling has no history
+        goes_on = former.pvtime == "0" and former.tang != "3" and bool(groups)
         if goes_on and groups[-1][2] and not reason:
             reason = f"{at}: P = 0: it goes on from a case that is refused"
+        if goes_on and groups[-1][1][-1].tang == "3" and not reason:
+            reason = f"{at}: P = 0: going on from steady rolling, T = 3, is not converted"
         if goes_on and not reason:
             groups[-1] = (groups[-1][0], [*groups[-1][1], former], "")
         else:

@@ -5,6 +5,7 @@ counts of cells that its reference outputs print, none off in a printed digit un
 import math
 import subprocess
 
+import numpy
 import pytest
 
 from patch_runs import SOURCE, table, wr_creep
@@ -27,7 +28,7 @@ def block(
     solver = flow.rjust(7, "0")[1]
     if solver != "1":
         lines.append(" 200 100 30 1 1e-6   MAXGS, MAXIN, MAXNR, MAXOUT, EPS")
-    if solver in "25":
+    if solver in "2345":
         lines.append(" 1.0 0.05 1 2.0 -1.0  settings of that solver")
     lines += [drive, friction, rolling, material, grid]
     return "\n".join(line for line in lines if line) + "\n"
@@ -448,20 +449,89 @@ def test_gap_across_and_twist(tmp_path):
             assert row[name] == pytest.approx(curved[name], rel=1e-5), name
 
 
+def field(path):
+    """The values of a .gsf file."""
+    head = path.read_bytes()
+    nx, ny = (int(head.split(name + b" = ")[1].split(b"\n")[0]) for name in (b"XRes", b"YRes"))
+    return numpy.frombuffer(head[-4 * nx * ny :], dtype="<f4")
+
+
+HEAT = " 0. 450. 50e-3 7.85e-6\n 0. 450. 50e-3 7.85e-6\n"
+
+
+def test_friction_that_changes_with_the_temperature(tmp_path):
+    """m3_tempdep 1, 2: a wheel that slides at 1 m/s. CONTACT prints .8660 mu N and 137.5 K, with a
+    cell's own heat twice (test_ertz): without it the wheel is less hot and rubs more."""
+    wheel = "1\n 80 45 -7.9 -11.25 0.2 0.5\n 1 1\n 0.001015 0 0.0004215 0 0 0"
+    slides = "100000. -0.03333 0. 0."
+    hot = {"physics": "622020", "flow": "3001341", "rolling": "180.d 0.2 30000."}
+    plain = {**hot, "physics": "022020"}
+    converted(
+        tmp_path,
+        block("203100", slides, ".3 .3", STEEL + "\n" + HEAT, wheel, **plain),
+        block("203100", slides, ".3 0. -.18 400.\n 0. 1.", STEEL + "\n" + HEAT, wheel, **hot),
+    )
+    (cold,), (warm,) = (solved(tmp_path, number) for number in (1, 2))
+    assert cold["traction_ratio"] == pytest.approx(0.3, rel=1e-4)
+    share, rise = warm["traction_ratio"] / 0.3, warm["temperature_max"]
+    assert 0.8660 < share < 1.0 and rise < 137.5
+    mu, heated = (
+        field(tmp_path / f"out2/fields_0001_{name}.gsf") for name in ("mu", "temperature")
+    )
+    touches = mu > 0.0
+    assert mu[touches] == pytest.approx(0.3 - 0.18 / 400.0 * heated[touches], rel=1e-5)
+
+
+def test_line_with_an_arc_and_a_memory(tmp_path):
+    """veldep_fric: its gap is an arc along x and a table across y. Without a memory it is refused,
+    as what goes on from steady rolling."""
+    arc = "3\n 92 1 -4.6 0. 0.1 200.\n 2 1\n 2 0. 460. -10. 20.\n 0. 0."
+    curved = "3\n 92 1 -4.6 0. 0.1 200.\n 1 1\n 1.0869565217391304e-3 0 0 0 0 0"
+    drive, law = "622216. -0.0009999 0. 0.", ".18 .12 100. 0. 0.\n {} 1."
+    falls = {"physics": "422020", "rolling": "0. 0.1 45000."}
+    goes_on = block("002100", drive, "", "", "", physics="100000")
+    done = converted(
+        tmp_path,
+        block("203100", drive, law.format("0.003"), STEEL, arc, **falls),
+        block("203100", drive, law.format("0.003"), STEEL, curved, **falls),
+        goes_on,
+        block("203100", drive, law.format("0."), STEEL, arc, **falls),
+        code=3,
+    )
+    assert "P = 0: going on from steady rolling, T = 3, is not converted (case 3)" in done.stderr
+    assert "MEMDST = 0: without a memory friction that falls has several" in done.stderr
+    (of_arc,), (of_curve,) = (solved(tmp_path, number) for number in (1, 2))
+    for name in ("traction_ratio", "stick_fraction"):
+        assert of_arc[name] == pytest.approx(of_curve[name], rel=1e-6)
+
+
+def test_steady_rolling_has_no_history(tmp_path):
+    """P = 0 of a steady case says nothing: each is a case of its own."""
+    grid = "-3\n 9 9 1. 1. 1.2"
+    rolls = {"rolling": "0. .2 30000."}
+    converted(
+        tmp_path,
+        block("203100", "9.1 1e-3 0 0", ".3 .3", STEEL, grid, **rolls),
+        block("003100", "9.1 2e-3 0 0", "", "", "", physics="100000"),
+    )
+    creeps = [solved(tmp_path, number)[0]["creep"] for number in (1, 2)]
+    assert creeps == [1e-3, 2e-3]
+
+
 def test_settings_of_other_solvers_are_passed_over(tmp_path):
-    """ConvexGS (testbank 6) and GDsteady (tang_problm)."""
+    """ConvexGS (testbank 6), SteadyGS, veldep_fric's, GDsteady (tang_problm)."""
     converted(
         tmp_path,
         *[
             block("200100", "9.1 0 0 0", ".3 .3", STEEL, "-3\n 9 9 1. 1. 1.2", flow=flow)
-            for flow in ("0000241", "0200241", "0500241")
+            for flow in ("0000241", "0200241", "0300241", "0400241", "0500241")
         ],
     )
     plain, *others = (
         (tmp_path / f"case_{k:03d}.yaml").read_text(encoding="utf-8").splitlines()[1:]
-        for k in (1, 2, 3)
+        for k in range(1, 6)
     )
-    assert others == [plain, plain]
+    assert others == [plain] * 4
 
 
 def test_cases_of_an_earlier_call_go(tmp_path):
@@ -530,6 +600,41 @@ BAD = {
             rolling="180.0d 0.001 1000.",
         ),
         "a line contact rolls steadily under a load, without a lateral force",
+    ),
+    "few cells": (  # plastic_3bl, testbank 3
+        block("200100", "9 0 0 0", ".3 .3", STEEL, "-3\n 1 1 .5 .5 1."),
+        "a.inp:3: MX, MY = 1, 1: at least 8 cells along a side",
+    ),
+    "small box": (
+        block("200100", "9 0 0 0", ".3 .3", STEEL, "-3\n 9 9 .5 .5 1."),
+        "a.inp:3: SCALE = 1: at least 1.05",
+    ),
+    "saddle": (
+        block("200100", "9 0 0 0", ".3 .3", STEEL, "-1\n 9 9 .5 -.5 1.2"),
+        "a.inp:3: a gap that closes to the sides, B1 or B3",
+    ),
+    "points on a line": (
+        block(
+            "203100",
+            "9 1e-3 0 0",
+            ".3 .3",
+            STEEL,
+            "1\n 9 1 -1 -.5 .2 1.\n 9 1\n" + " 0." * 9,
+            rolling="0. .2 1.",
+        ),
+        "a.inp:3: a gap of points, or a hollow one, on a line is not converted",
+    ),
+    "no heat": (
+        block(
+            "203100",
+            "9 0 0 0",
+            ".3 0 -.1 400\n 0 1",
+            STEEL,
+            "-3\n 9 9 1. 1. 1.2",
+            physics="622020",
+            rolling="0. .2 1.",
+        ),
+        "a.inp:3: L = 6 needs the heat of this case",
     ),
     "after refused": (
         block("203200", "9 0 0 0", "", "", "")
