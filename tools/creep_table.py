@@ -18,6 +18,7 @@ Exit codes: 0 ok, 2 usage, 5 the table cannot be written, others as wr_creep.
 import argparse
 import itertools
 import os
+import re
 import subprocess
 import tempfile
 from typing import Any
@@ -196,6 +197,19 @@ def read_arguments() -> argparse.Namespace:
     return parser.parse_args()
 
 
+def with_lists(line: str, over: list[tuple[str, list[str]]]) -> str:
+    """A line of the head of one geometry with the values of all."""
+    for keyword, list_ in over:
+        group, _, name = keyword.partition(".")
+        if line.startswith(f"# {group}: "):
+            line = re.sub(
+                rf"(?<= ){re.escape(name)}: (\[[^]]*\]|[^,]*)",
+                f"{name}: [{', '.join(list_)}]",
+                line,
+            )
+    return line
+
+
 def table_text(runs: Runs, geometries: list[Geometry], values: Values, note: str) -> str:
     keywords = [keyword for keyword, _ in runs.given.over]
     names = [keyword.rpartition(".")[2] for keyword in keywords]
@@ -206,7 +220,8 @@ def table_text(runs: Runs, geometries: list[Geometry], values: Values, note: str
             rows.append(",".join(cells))
     grid = [f"{len(list_)} {name}" for (_, list_), name in zip(runs.given.over, names)]
     grid += [f"{len(list_)} {axis}" for axis, list_ in values.items()]
-    head = [line for line in runs.head if not line.startswith("# grid:")]
+    head = [with_lists(line, runs.given.over) for line in runs.head]
+    head = [line for line in head if not line.startswith("# grid:")]
     for (keyword, list_), name in zip(runs.given.over, names):
         unit = " ".join(list_[0].split()[1:]) or "1"
         head.append(f"# {name}: {keyword}, {unit}")

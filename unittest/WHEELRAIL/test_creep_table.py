@@ -69,6 +69,7 @@ def test_geometries_are_axes_of_one_grid(tmp_path):
     rows = table(tmp_path / "t.csv")
     assert list(numbers(rows, "poissons_ratio")) == [0.25] * 3 + [0.3] * 3
     text = (tmp_path / "t.csv").read_text(encoding="utf-8")
+    assert "poissons_ratio: [0.25, 0.3], hardness_limit" in text  # of all, not of the last one
     assert "# grid: 2 poissons_ratio x 1 load x 1 speed x 1 spin x 1 lateral x 3 creep" in text
     force = numbers(rows, "force_x").reshape(2, 3)
     assert (abs(force[1]) > abs(force[0]))[:1].all()  # C11 grows with Poisson's ratio
