@@ -15,8 +15,8 @@ fields     pressure and traction with the border of the stick zones, one column 
 friction   local friction coefficient over the contact and along its middle line (Fig. 13 of the
            paper in three dimensions), one column a file
 curves     forces over load against longitudinal and lateral creep and spin, as far as they vary
-transient  forces over load, share of stick, and creep and load where they change, against the
-           distance rolled or the time, one curve a point
+transient  forces over load, share of stick, and creep and load where they change, with a load that
+           changes force and power, too, against the distance rolled or the time, one curve a point
 Exit codes: 0 ok, 1 no matplotlib (of --animate: or no Pillow), 2 usage, 3 bad input file, 5 the
 picture cannot be written.
 """
@@ -343,41 +343,51 @@ def draw_panel(
 # --------------------------------------------------------------------------- transients
 
 
-def series_columns(_: Any) -> list[str]:
-    return ["point", "distance", "time", "load", "creep", "force_x", "force_y", "stick_fraction"]
+def series_columns(rows: Any) -> list[str]:
+    """Stages at rest have neither distance nor creep nor power."""
+    rolling = [name for name in ("distance", "creep", "power") if rows and name in rows[0]]
+    return ["point", "time", "load", "force_x", "force_y", "stick_fraction", *rolling]
 
 
 AGAINST = {"distance": "distance rolled, mm", "time": "time, s"}
+# name, label, scale; where the load changes, the force and its power say more than T/N
+CHANGING = [("creep", "creep, %", 100.0), ("load", "load, kN", 1e-3)]
+UNDER_A_LOAD = [("force", "tangential force, kN", 1e-3), ("power", "frictional power, W", 1.0)]
+
+
+def read_series(path: str, against: str) -> dict[str, Any]:
+    series = read_points(path, "a series.csv of wr_creep", series_columns)
+    if against not in series:
+        raise BadInput(f"{path}: stages at rest have no distance: --against time")
+    series["force"] = np.hypot(series["force_x"], series["force_y"])
+    return series
 
 
 def draw_transient(given: argparse.Namespace) -> None:
-    files = [read_points(path, "a series.csv of wr_creep", series_columns) for path in given.files]
-    extra = [  # what changes on the way of a point
-        (column, label)
-        for column, label in (("creep", "creep, %"), ("load", "load, kN"))
-        if any(varies(s, column) for s in files)
-    ]
+    files = [read_series(path, given.against) for path in given.files]
+    extra = [one for one in CHANGING if any(varies(s, one[0]) for s in files)]
+    if any(varies(s, "load") for s in files):
+        extra += [one for one in UNDER_A_LOAD if any(varies(s, one[0]) for s in files)]
     count = 2 + len(extra)
     figure, axes = plt.subplots(
-        count, 1, figsize=(7, 2 + 2 * count), sharex=True, layout="constrained"
+        count, 1, figsize=(7, 2 + 2 * min(count, 4)), sharex=True, layout="constrained"
     )
     for k, (path, series) in enumerate(zip(given.files, files)):
         name = given.label[k] if k < len(given.label) else ""
         for point in sorted(set(series["point"])):
             rows = series["point"] == point
-            way, load = series[given.against][rows], series["load"][rows]
-            force = np.hypot(series["force_x"][rows], series["force_y"][rows]) / load
+            way, ratio = series[given.against][rows], (series["force"] / series["load"])[rows]
             several = len(set(series["point"])) > 1
             label = ", ".join(filter(None, [name, f"point {point:g}" if several else ""]))
             style = ["-", "--", ":", "-."][k % 4]
-            axes[0].plot(way, force, style, lw=1.2, label=label or None)
+            axes[0].plot(way, ratio, style, lw=1.2, label=label or None)
             axes[1].plot(way, 100 * series["stick_fraction"][rows], style, lw=1.2)
-            for axis, (column, _) in zip(axes[2:], extra):
-                scale = 100.0 if column == "creep" else 1e-3
-                axis.plot(way, scale * series[column][rows], style, lw=1.2)
+            for axis, (column, _, scale) in zip(axes[2:], extra):
+                if column in series:
+                    axis.plot(way, scale * series[column][rows], style, lw=1.2)
     axes[0].set(ylabel="tangential force\nover load, T/N", ylim=(0, None))
     axes[1].set(ylabel="stick, % of the contact", ylim=(0, 100))
-    for axis, (_, label) in zip(axes[2:], extra):
+    for axis, (_, label, _) in zip(axes[2:], extra):
         axis.set(ylabel=label)
     axes[-1].set(xlabel=AGAINST[given.against])
     for axis in axes:
@@ -388,6 +398,8 @@ def draw_transient(given: argparse.Namespace) -> None:
 
 
 def varies(series: dict[str, Any], column: str) -> bool:
+    if column not in series:
+        return False
     values, points = series[column], series["point"]
     return any(np.ptp(values[points == p]) > 1e-9 * abs(values).max() for p in set(points))
 

@@ -75,7 +75,10 @@ SERIES = "# units\npoint,distance,time,load,creep,force_x,force_y,stick_fraction
     for k in range(10)
 )
 FILES = {"a.vti": vti(contact()), "b.vti": vti(contact()), "creep.csv": CREEP, "p.csv": POLACH}
-FILES |= {"series.csv": SERIES}
+STAGES = "# units\npoint,time,load,force_x,force_y,stick_fraction\n" + "".join(
+    f"1,{k},{1e5 + 1e4 * k},{-1e3 * k},0,{1 - 0.1 * k}\n" for k in range(4)
+)
+FILES |= {"series.csv": SERIES, "stages.csv": STAGES}
 
 
 def plot(tmp_path, *arguments, **changed):
@@ -100,6 +103,7 @@ def plot(tmp_path, *arguments, **changed):
                 ("transient", "series.csv", "--against", "time"),
             )
         ),
+        ("transient", "stages.csv", "--against", "time"),
     ],
     ids=" ".join,
 )
@@ -143,6 +147,7 @@ def test_film(tmp_path):
         (("curves", "creep.csv"), {"creep_csv": POINTS + CREEP.split("\n")[2]}, "no curve"),
         (("curves", "creep.csv"), {"creep_csv": "# u\nspeed,creep\n1,2\n"}, "is missing"),
         (("transient", "series.csv"), {"series_csv": SERIES + "3,x,1,1,1,1,1,1\n"}, "series.csv"),
+        (("transient", "stages.csv"), {}, "stages at rest have no distance: --against time"),
     ],
 )
 def test_bad_files(tmp_path, arguments, changed, words):
