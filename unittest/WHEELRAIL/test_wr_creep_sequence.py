@@ -67,6 +67,23 @@ def test_held_or_linear(case, tmp_path):
     assert numbers(steps["linear"], "creep") == pytest.approx(wanted, rel=1e-6)
 
 
+@pytest.mark.parametrize("start", ["steady", "shift", "rest"])
+def test_the_start_is_under_the_load_of_the_first_instant(start, case, tmp_path):
+    """Whatever contact.load, which decides on the box: here the box is given."""
+    text = case.read_text(encoding="utf-8")
+    case.write_text(text.replace("semi_axes: [3 mm, 4 mm]", "curvatures: [1.5 1/m, 1 1/m]"))
+    drive, found = ("creep=1e-3", "force_x")
+    if start == "shift":
+        drive, found = ("force.longitudinal=-1 kN", "creep")
+    lists = sequence(time=["0 s", "0.2 ms"], load=["8 kN", "8 kN"])
+    rows = []
+    for load in ("8 kN", "10 kN"):
+        changes = (f"contact.load={load}", f"moving.start={start}", "contact.box=[6 mm, 8 mm]")
+        run(case, tmp_path / load, lists, drive, *MOVING, *changes)
+        rows.append(numbers(table(tmp_path / load / "series.csv"), found))
+    assert rows[0] == pytest.approx(rows[1], rel=1e-4)
+
+
 def test_an_impossible_force_ends_its_point_alone(case, tmp_path):
     """The rows until then are there, and the other operating point."""
     ramp = sequence(time=["0 s", "1 ms"], force_longitudinal=["0 N", f"{1.25 * LIMIT} N"])
@@ -83,6 +100,9 @@ def test_an_impossible_force_ends_its_point_alone(case, tmp_path):
     (row,) = table(tmp_path / "two/creep.csv")
     assert float(row["load"]) == 14e3
     assert set(numbers(table(tmp_path / "two/series.csv"), "point")) == {1, 2}
+    still = sequence(time=["0 s", "1 s"], force_longitudinal=["0 N", "9 kN"])
+    done = run(case, tmp_path / "still", still, "mode=static", "contact.load=10 kN", code=4)
+    assert "point 1 (load 10000 N): sequence.force_longitudinal: 9 kN" in done.stderr
 
 
 def test_stages_at_rest_keep_what_slipped(case, tmp_path):

@@ -111,10 +111,12 @@ MovingPatch::MovingPatch(const CreepPhysics &physics, const MovingPatchSpecifica
 //
 // The first passes still remember how the contact began; they are rolled and left out of the means.
 
-/// The traction and the creepages that the first step goes on from.
-void MovingPatch::begin(TransientPatch &transient, double speed, const PatchDrive &drive)
+void MovingPatch::begin(TransientPatch &transient, double speed, const PatchDrive &drive,
+                        double load)
 {
   creepage_ = drive.creepage;
+  if (load != contact_.load)
+    press(load, 0.0, normal_.pressure, {});
   const TangentialField none{Vector::Zero(contact_.grid.cells()),
                              Vector::Zero(contact_.grid.cells())};
   imposed_ = coupling_.tangential(normal_.pressure);
@@ -123,7 +125,10 @@ void MovingPatch::begin(TransientPatch &transient, double speed, const PatchDriv
     return;
   }
   if (moving_.start == RollingStart::Steady) {
-    FrozenPatch steady(physics_, contact_, spinPoint_);
+    PatchContact pressed = contact_;
+    pressed.load = load;
+    pressed.normal = normal_;
+    FrozenPatch steady(physics_, pressed, spinPoint_);
     const PatchPoint point = steady.solve(law_, speed, drive);
     normal_.pressure = steady.fields().pressure;
     memoryRatio_ = steady.memoryRatio();
@@ -297,7 +302,8 @@ std::optional<PatchPoint> MovingPatch::solve(double speed, const PatchDrive &dri
     if (!sequence_.speed.empty())
       speed = stepLength() / (time - former);
     if (step == 0)
-      begin(transient, speed, driveAt(0.0, drive));
+      begin(transient, speed, driveAt(0.0, drive),
+            sequence_.at(sequence_.load, 0.0, contact_.load));
     history_.now = time;
     const PatchDrive now = driveAt(time, drive);
     // the load of a sequence changes the pressure, not the grid or the nominal ellipse

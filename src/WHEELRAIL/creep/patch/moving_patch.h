@@ -77,8 +77,9 @@ class MovingPatch {
   PatchDrive driveAt(double time, const PatchDrive &drive) const;
   /// Number of steps that a point rolls. \param speed of the point, m/s
   int stepsOf(double speed) const;
-  /// The traction and the creepages that the first step goes on from.
-  void begin(TransientPatch &transient, double speed, const PatchDrive &drive);
+  /// The pressure, the traction and the creepages that the first step goes on from.
+  /// \param load at the first instant, N
+  void begin(TransientPatch &transient, double speed, const PatchDrive &drive, double load);
   /// Moves both surfaces by a step.
   void travel(const Creepage &creepage);
   /// Is the pressure of the step before still that under this load?

@@ -266,12 +266,14 @@ std::vector<std::string> failures(const PatchCurves &curves)
 {
   std::vector<std::string> lines;
   for (std::size_t k = 0; k < curves.points.size(); ++k)
-    if (const PatchPoint &p = curves.points[k]; !p.converged())
-      lines.push_back(
-          fmt::format("point {} (load {:g} N, creep {:g}, lateral {:g}, spin {:g} 1/mm, "
-                      "{:g} m/s): {}",
-                      k + 1, p.load, p.creepage.xi, p.creepage.eta, p.creepage.phi / perMm, p.speed,
-                      p.failure));
+    if (const PatchPoint &p = curves.points[k]; !p.converged()) {
+      const std::string rolls =
+          p.speed > 0.0
+              ? fmt::format(", creep {:g}, lateral {:g}, spin {:g} 1/mm, {:g} m/s", p.creepage.xi,
+                            p.creepage.eta, p.creepage.phi / perMm, p.speed)
+              : "";
+      lines.push_back(fmt::format("point {} (load {:g} N{}): {}", k + 1, p.load, rolls, p.failure));
+    }
   return lines;
 }
 
