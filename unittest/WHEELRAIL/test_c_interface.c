@@ -43,6 +43,12 @@ static void test_forces(void)
   CHECK(fabs(value - 0.3) < 1e-9);
   CHECK(wheelrail_get_value(contact, "mu_meen", &value) == WHEELRAIL_USAGE);
   SAYS(contact, "mu_mean");
+  const char *named[] = {
+      "approach", "peak_pressure",    "real_area",       "power",
+      "mu_mean",  "temperature_rise", "temperature_max", "stick_fraction"}; /* in the header */
+  for (size_t k = 0; k < sizeof named / sizeof *named; ++k)
+    CHECK(wheelrail_get_value(contact, named[k], &value) == WHEELRAIL_OK);
+  CHECK(wheelrail_get_value(contact, "shift_x", &value) == WHEELRAIL_USAGE); /* of mode static */
   wheelrail_free(contact);
 }
 
@@ -129,7 +135,8 @@ static void *roll(void *argument)
 /* One after the other and side by side give the same to the last bit. */
 static void test_threads(void)
 {
-  struct drive alone[2] = {{1.0, {0.0}}, {-1.0, {0.0}}}, together[2] = {{1.0, {0.0}}, {-1.0, {0.0}}};
+  struct drive alone[2] = {{1.0, {0.0}}, {-1.0, {0.0}}},
+               together[2] = {{1.0, {0.0}}, {-1.0, {0.0}}};
   pthread_t threads[2];
   for (int k = 0; k < 2; ++k)
     roll(&alone[k]);

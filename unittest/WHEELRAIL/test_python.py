@@ -155,6 +155,24 @@ def test_series_of_mode_moving():
     assert np.isfinite(result["force_x_se"]).all()
 
 
+def test_columns_are_those_of_the_files(tmp_path):
+    """Wear where it is asked for; no columns of other modes."""
+    wear = {"wear": {"law": "t_gamma"}}
+    case = wheelrail.Case(PATCH, wear)
+    result, contact = case.solve(), wheelrail.Contact(case)
+    contact.step(0.001)
+    (tmp_path / "case.yaml").write_text(case.text)
+    program("wr_creep", tmp_path / "case.yaml", "-o", tmp_path)
+    head = next(
+        line for line in (tmp_path / "creep.csv").read_text().splitlines() if line[0] != "#"
+    )
+    assert "wear_volume" in head
+    assert set(head.split(",")) == set(result.columns) - {"surface"} == set(contact.values())
+    moving = {"mode": "moving", "moving.passes": 2, "cells": [24, 24], "creep": 0.001}
+    series = wheelrail.Case(PATCH, moving).solve().series[1]
+    assert "distance" in series and not {"shift_x", "wear_volume"} & set(series)
+
+
 def test_sequence():
     """Instants of a sequence have fields of their own; stages of mode static are a series, too."""
     case = {key: value for key, value in PATCH.items() if key != "creep"}

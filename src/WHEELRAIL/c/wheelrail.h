@@ -93,7 +93,7 @@ WHEELRAIL_API int wheelrail_step(wheelrail_contact *contact);
 WHEELRAIL_API int wheelrail_get_forces(wheelrail_contact *contact, wheelrail_forces *forces);
 /**
  * One number of the last step, in SI units, by the name of its column in creep.csv: "approach",
- * "peak_pressure", "real_area", "frictional_power", "mu_mean", "temperature_rise",
+ * "peak_pressure", "real_area", "power", "mu_mean", "temperature_rise",
  * "temperature_max", "stick_fraction" and so on. WHEELRAIL_USAGE for another name.
  */
 WHEELRAIL_API int wheelrail_get_value(wheelrail_contact *contact, const char *name, double *value);

@@ -154,7 +154,8 @@ int wheelrail_get_value(wheelrail_contact *contact, const char *name, double *va
 {
   return with(contact, [&](const OnlineContact &solver) {
     requirePointer(value, "value");
-    *value = named(wheelrail::patchColumns(), "value", name).value.get(solver.point());
+    const auto columns = solver.columns();
+    *value = named(columns, "value", name).value.get(solver.point());
   });
 }
 

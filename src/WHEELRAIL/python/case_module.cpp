@@ -196,7 +196,8 @@ class PatchResult final : public ResultOf<PatchSpecification, PatchCurves> {
                            : asked.mode == PatchMode::Moving
                                ? c.creep.digits > 0 || c.moving.digits > 0
                                : c.creep.digits > 0;
-      return written || c.name == "surface" || (curves.hasBand && c.band.digits > 0);
+      return written || c.name == "surface" || (wears() && c.wear.digits > 0) ||
+             (curves.hasBand && c.band.digits > 0);
     });
   }
   std::vector<std::string> failures() const override { return wheelrail::failures(curves); }
@@ -217,10 +218,13 @@ class PatchResult final : public ResultOf<PatchSpecification, PatchCurves> {
   py::dict series() const override
   {
     py::dict all;
+    const auto written = [&](const auto &c) {
+      return asked.mode == PatchMode::Static
+                 ? c.stages.digits > 0
+                 : c.series.digits > 0 || (wears() && c.wear.digits > 0);
+    };
     for (const auto &[number, steps] : curves.series)
-      all[py::int_(number)] = columnsOfPoints<PatchStep>(seriesColumns(), steps, [](const auto &) {
-                                return true;
-                              }).values;
+      all[py::int_(number)] = columnsOfPoints<PatchStep>(seriesColumns(), steps, written).values;
     return all;
   }
   std::string polach() const override
@@ -229,6 +233,12 @@ class PatchResult final : public ResultOf<PatchSpecification, PatchCurves> {
       refusePolach();
     const PolachContact contact = polachContact(curves);
     return polachJson(choosePolach(polachPoints(curves), contact), contact);
+  }
+
+ private:
+  bool wears() const
+  {
+    return asked.mode != PatchMode::Static && asked.physics.wear.kind != WearLaw::Kind::None;
   }
 };
 
@@ -324,6 +334,13 @@ void addCase(py::module_ &module)
           "description", [](const Law &law) { return fromJson(law.law->json().dump()); },
           "The law as summary.json tells it.");
 
+  py::class_<Result> resultType( // before Case, whose help names it
+      module, "Result",
+      "What a case gives: one value a point, in the order of the case's lists, creep fastest.\n\n"
+      "result[\"force_x\"] is a column by its name in creep.csv or static.csv, in SI units; "
+      "points\n"
+      "that did not converge are nan there.");
+
   py::class_<Case>(
       module, "Case",
       "What a case file of wr_creep asks for.\n\n"
@@ -350,12 +367,7 @@ void addCase(py::module_ &module)
     std::copy(flags.begin(), flags.end(), array.mutable_data());
     return array;
   };
-  py::class_<Result>(
-      module, "Result",
-      "What a case gives: one value a point, in the order of the case's lists, creep fastest.\n\n"
-      "result[\"force_x\"] is a column by its name in creep.csv or static.csv, in SI units; "
-      "points\n"
-      "that did not converge are nan there.")
+  resultType
       .def(
           "__getitem__",
           [](const Result &result, const std::string &name) {

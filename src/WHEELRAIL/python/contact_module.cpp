@@ -42,7 +42,7 @@ class Contact {
   {
     const auto lock = use();
     py::dict all;
-    for (const Column<PatchPoint> &column : patchColumns())
+    for (const Column<PatchPoint> &column : solver_.columns())
       all[column.name.c_str()] = column.value.get(solver_.point());
     return all;
   }

@@ -134,6 +134,16 @@ const PatchPoint &OnlineContact::point() const
   return point_;
 }
 
+std::vector<Column<PatchPoint>> OnlineContact::columns() const
+{
+  const bool wears = asked_.physics.wear.kind != WearLaw::Kind::None;
+  std::vector<Column<PatchPoint>> columns;
+  for (const Column<PatchPoint> &column : patchColumns())
+    if (column.creep.digits > 0 || (wears && column.wear.digits > 0))
+      columns.push_back(column);
+  return columns;
+}
+
 const PatchFields &OnlineContact::fields() const
 {
   requireStep();

@@ -7,6 +7,7 @@
 #include "creep/patch/patch_point.h"
 
 #include <optional>
+#include <vector>
 
 namespace wheelrail {
 
@@ -47,6 +48,8 @@ class OnlineContact {
   /// \throws Error (Usage) before the first one and after one that failed
   const PatchPoint &point() const;
   const PatchFields &fields() const; ///< likewise
+  /// What a point tells: the columns of the case's creep.csv.
+  std::vector<Column<PatchPoint>> columns() const;
   const PatchContact &contact() const { return contact_; }
 
  private:
