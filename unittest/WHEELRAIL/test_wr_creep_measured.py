@@ -49,6 +49,15 @@ def test_fit(files):
     assert (files / "curve.csv").read_text(encoding="utf-8") == CURVE
 
 
+def test_per_cent_without_its_unit_is_doubted(files):
+    """A creep of 10 is one of 1000 %, also where no law is found for it."""
+    text = CURVE.replace("# creep: %\n", "").replace("20,36,0.2\n", "")
+    (files / "curve.csv").write_text(text, encoding="utf-8")
+    curve = ("--fit-measured", files / "curve.csv")
+    done = run(files / "case.yaml", files, "cells=16", code=4, options=curve)
+    assert "curve.csv: creep: 10 (1000 %); above 1 the bodies slide faster" in done.stderr
+
+
 def test_of_one_speed_as_plot_creep_reads_it(files):
     """Creep in per cent by its name, and the speed of the case; two speeds are refused."""
     lines = [line.split(",") for line in CURVE.splitlines()[3:6]]

@@ -272,8 +272,11 @@ def test_what_is_refused_or_warned_of(case, tmp_path):
         code=3,
     )
     assert re.search(
-        "contact.domain: the contact reaches the (leading|trailing|lateral) border", done.stderr
+        "contact.domain: the contact reaches the (leading|trailing|lateral) border.*contact.box",
+        done.stderr,
     )
+    missing = "roughness={rail: none.npy, spacing: 1 mm, height_unit: um}"
+    assert "none.npy: no such file" in run(case, tmp_path / "none", missing, code=3).stderr
     done = run(
         case,
         tmp_path / "fine",

@@ -130,7 +130,7 @@ void checkInsideBox(const PatchGrid &grid, const Vector &pressure)
   const auto fail = [](const char *where) {
     throw Error(ExitCode::BadInput,
                 fmt::format("contact.domain: the contact reaches the {} border of the box of "
-                            "cells; increase it",
+                            "cells; increase it, or contact.box, or cells beside contact.cell",
                             where));
   };
   for (int iy = 0; iy < grid.ny; ++iy) {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <fmt/format.h>
 #include <functional>
 #include <limits>
@@ -173,8 +174,17 @@ void readScale(CaseReader &reader, const RoughPatchSpecification &surface, Heigh
 {
   if (std::all_of(surface.rail.begin(), surface.rail.end(), statesLengths) &&
       std::all_of(surface.wheel.begin(), surface.wheel.end(), statesLengths)) {
+    const auto isMissing = [](const std::string &path) {
+      std::error_code ignored;
+      return !std::filesystem::exists(path, ignored);
+    };
+    const bool someMissing = std::any_of(surface.rail.begin(), surface.rail.end(), isMissing) ||
+                             std::any_of(surface.wheel.begin(), surface.wheel.end(), isMissing);
     for (const char *name : {"roughness.spacing", "roughness.height_unit"})
-      reader.refuse(name, "maps that state it themselves; it is for npy files");
+      if (!someMissing)
+        reader.refuse(name, "maps that state it themselves; it is for npy files");
+      else if (reader.has(name)) // the file is refused when it is read
+        reader.numbers(name);
     return;
   }
   for (const char *name : {"roughness.spacing", "roughness.height_unit"})

@@ -6,6 +6,7 @@
 #include "creep/patch/patch_report.h"
 #include "creep/patch/patch_table.h"
 #include "creep/patch/subsurface_report.h"
+#include "creep/sweep/plausibility.h"
 
 #include <filesystem>
 #include <fmt/format.h>
@@ -101,7 +102,7 @@ class PatchCreepTask : public CreepTask {
     std::string measured; // before the summary, which names all files
     try {
       if (!context.extra.measured.empty())
-        measured = addMeasuredFit(context, files);
+        measured = addMeasuredFit(context, files, report.warnings);
     } catch (const Error &error) {
       report.shortfall = error;
     }
@@ -126,10 +127,15 @@ class PatchCreepTask : public CreepTask {
   }
 
   /// The first contact of the case beside the curve. \return what to print of it
-  std::string addMeasuredFit(const ReportContext &context, ResultFiles &files) const
+  std::string addMeasuredFit(const ReportContext &context, ResultFiles &files,
+                             std::vector<std::string> &warnings) const
   {
     const std::string &path = context.extra.measured;
     const std::vector<MeasuredTraction> curve = measuredCurve(path);
+    std::vector<double> creeps;
+    for (const MeasuredTraction &one : curve)
+      creeps.push_back(one.creep);
+    addDoubt(warnings, creepDoubt(path + ": creep", creeps));
     const MeasuredFit fit =
         fitMeasured(curve, asked_.physics, curves_.contacts.front(), asked_.contact.spinPoint,
                     context.law, polachContact(curves_));

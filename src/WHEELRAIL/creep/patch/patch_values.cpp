@@ -94,7 +94,8 @@ PatchValues patchValues(const PatchSolution &solved)
   values.frictionalPower = sums.frictionalPower * solved.speed;
   values.frictionWork = sums.frictionalPower;
   const Creepage &creep = solved.creepage;
-  values.tGamma = -(creep.xi * sums.forceX + creep.eta * sums.forceY + creep.phi * sums.momentZ);
+  values.tGamma =
+      0.0 - (creep.xi * sums.forceX + creep.eta * sums.forceY + creep.phi * sums.momentZ);
   const TangentialField &q = solved.tangential.traction;
   values.peakTraction = std::sqrt((q.x.array().square() + q.y.array().square()).maxCoeff());
   addWear(solved, values);

@@ -23,10 +23,10 @@ PatchSums patchSums(const PatchGrid &grid, const TangentialResult &result)
   sums.stickArea = area * result.stickCells();
   sums.slipArea = area * result.slipCells();
   sums.contactArea = sums.stickArea + sums.slipArea;
-  sums.frictionalPower = -area * (q.x.dot(s.x) + q.y.dot(s.y));
+  sums.frictionalPower = 0.0 - area * (q.x.dot(s.x) + q.y.dot(s.y)); // no -0
   const Creepage &creep = result.creepage;
   sums.drivingPower =
-      -(creep.xi * sums.forceX + creep.eta * sums.forceY + creep.phi * sums.momentZ);
+      0.0 - (creep.xi * sums.forceX + creep.eta * sums.forceY + creep.phi * sums.momentZ);
   return sums;
 }
 

@@ -196,7 +196,7 @@ void checkLeadingColumn(const PatchGrid &grid, const Vector &bound)
     if (bound[grid.index(grid.nx - 1, iy)] > 0.0)
       throw Error(ExitCode::BadInput,
                   "contact.domain: the contact reaches the leading column of the box of cells; "
-                  "increase it");
+                  "increase it, or contact.box, or cells beside contact.cell");
 }
 
 /// Rigid slip over the distance d, less the displacement u' of a step: all of S that the traction
