@@ -423,7 +423,7 @@ FIGURES = {
         locomotive_runs.FIT + ["--model", locomotive_runs.MODELS[0]],
     ),
     "rail-checks": Figure(
-        "Other speeds, widths, heights and steps beside the runs of the rail steel's law",
+        "Other widths, heights and steps beside the runs of the rail steel's law",
         [locomotive_runs.LOGS_PLAN, "rail-checks"],
         rail.checks,
         locomotive_runs.FIT + ["--model", locomotive_runs.MODELS[0]],
