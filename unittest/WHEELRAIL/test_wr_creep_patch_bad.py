@@ -195,7 +195,7 @@ BAD = {
         "roughness.spacing: is missing",
     ),
     "scale": (
-        {"creep: [1e-3]": "creep: 0\nroughness: {rail: a.gsf, spacing: 1 um}"},
+        {"creep: [1e-3]": f"creep: 0\nroughness: {{rail: {MAPS / 'deflated.x3p'}, spacing: 1 um}}"},
         "it is for npy files",
     ),
     "bodies": ({"0.28": "[0.28, 0.3, 0.3]"}, "contact.poissons_ratio: 3 values"),
