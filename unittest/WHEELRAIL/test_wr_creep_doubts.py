@@ -39,6 +39,10 @@ def test_plausible_cases_have_no_warning(case, tmp_path):
             ["contact.load=100 kN", "friction={law: bucher2006, strength: 552 MPa}"],
             "above 3 friction.strength = 1656 MPa",
         ),
+        (
+            ["friction={law: constant, mu: 0.3, memory_length: 0.1 mm}"],
+            "friction.memory_length: 0.1 mm have no effect",
+        ),
     ],
 )
 def test_a_patch_that_cannot_be_meant(changes, expected, case, tmp_path):
@@ -56,6 +60,10 @@ def test_a_patch_that_cannot_be_meant(changes, expected, case, tmp_path):
         (["contact.load_per_length=4e6 N/mm"], "peak pressure"),
         (["speed=[720 m/s]"], "speed: 720 m/s (2592 km/h); no wheel"),
         (["contact.radius=460 m"], "a rolling radius of 460 m; no wheel"),
+        (
+            ["friction={law: constant, mu: 0.3, memory_length: 0.1 mm}"],
+            "friction.memory_length: 0.1 mm have no effect",
+        ),
     ],
 )
 def test_a_line_that_cannot_be_meant(changes, expected, tmp_path):

@@ -79,6 +79,15 @@ std::string speedDoubt(const std::string &keyword, const std::vector<double> &va
                      keyword, *largest, 3.6 * *largest, fastest);
 }
 
+std::string memoryDoubt(double length, bool dependsOnSpeed)
+{
+  if (!(length > 0.0) || dependsOnSpeed)
+    return "";
+  return fmt::format("friction.memory_length: {:.4g} mm have no effect: mu of friction.law does not "
+                     "depend on the sliding speed",
+                     length / mm);
+}
+
 void addDoubt(std::vector<std::string> &warnings, const std::string &line)
 {
   if (!line.empty() && std::find(warnings.begin(), warnings.end(), line) == warnings.end())

@@ -41,6 +41,11 @@ std::string sizeDoubt(double halfAxis, double radius);
 /// \param radius that was given, along the way; m, > 0
 std::string radiusDoubt(double radius);
 
+/// A memory of what friction has fallen to does nothing with a law that no speed changes.
+/// \param length of the memory, m; 0: none
+/// \param dependsOnSpeed does the law?
+std::string memoryDoubt(double length, bool dependsOnSpeed);
+
 /// Adds a line unless it is empty or there already.
 void addDoubt(std::vector<std::string> &warnings, const std::string &line);
 
