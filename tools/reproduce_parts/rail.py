@@ -50,7 +50,9 @@ def rail(report: dict[str, Any], picture: str) -> list[str]:
     temperature."""
     found = by_temperature(report)
     ratios = sorted({rounded(p) for _, _, members in found for p in at_speed(members)})
-    figure, (left, right, slow) = pyplot.subplots(1, 3, figsize=(13, 4.4), constrained_layout=True)
+    slower = any(len(at_speed(members)) < len(members) for _, _, members in found)
+    size = {"figsize": (13 if slower else 11, 4.4), "constrained_layout": True}
+    figure, (left, right, *slow) = pyplot.subplots(1, 3 if slower else 2, **size)
     rows, speeds = [], []
     x = np.geomspace(0.8 * min(ratios), 1.15 * max(ratios), 200)
     has_law = "fit" in report["report"]
@@ -69,7 +71,8 @@ def rail(report: dict[str, Any], picture: str) -> list[str]:
             curve = law_at(report, x, fast[0]["kappa1"], fast[0]["kappa3"])
             left.plot(x, curve, color=color, lw=1)
             right.plot(x, curve * x, color=color, lw=1)
-        speeds += draw_speeds(slow, report if has_law else None, color, kelvin, members)
+        for axes in slow:
+            speeds += draw_speeds(axes, report if has_law else None, color, kelvin, members)
     for axes, factor in ((left, 1 / x), (right, np.ones_like(x))):
         axes.plot(x, SHEAR * factor, "k--", lw=1, label=r"shear strength, $\sigma_0/\sqrt{3}$")
         axes.set(xlabel=r"$p/\sigma_0(T)$", xscale="log")
@@ -77,18 +80,19 @@ def rail(report: dict[str, Any], picture: str) -> list[str]:
     left.set(ylabel=r"$\mu$", ylim=(0, 0.62))
     right.set(ylabel=r"friction stress over $\sigma_0(T)$", ylim=(0, 0.65))
     left.legend(fontsize=8, ncols=2, loc="lower left", title=f"lines: law, {SPEED:g} m/s")
-    slow.set(xlabel="speed, m/s", ylabel=r"$\mu$", xscale="log", ylim=(0, 0.62))
-    slow.set_xticks([0.5, 1, 2, 5], ["0.5", "1", "2", "5"], minor=False)
-    slow.grid(alpha=0.3)
-    slow.legend(fontsize=8, loc="lower right")
+    for axes in slow:
+        axes.set(xlabel="speed, m/s", ylabel=r"$\mu$", xscale="log", ylim=(0, 0.62))
+        axes.set_xticks([0.5, 1, 2, 5], ["0.5", "1", "2", "5"])
+        axes.grid(alpha=0.3)
+        axes.legend(fontsize=8, loc="lower right")
     save_figure(figure, picture)
     pyplot.close(figure)
     return [
         "in brackets: standard error in units of 0.001, with what seeds differ by",
         *table([f"mu at {SPEED:g} m/s, p/sigma_0", *(f"{x:g}" for x in ratios)], rows),
         "",
-        *table(["mu", "p/sigma_0", "speed, m/s", "kappa1", "runs", "mu", "law"], speeds),
-        "",
+        *(table(["", "p/sigma_0", "m/s", "kappa1", "runs", "mu", "law"], speeds) if slower else []),
+        *([""] if slower else []),
         *law_lines(report),
     ]
 
