@@ -292,8 +292,7 @@ CreepCurves solveCreepCurves(const CreepSpecification &specification, const LawP
     curves.use.include(point.use);
   if (const std::string warning = law->warning(curves.use); !warning.empty())
     curves.warnings.push_back(warning);
-  addDoubt(curves.warnings,
-           memoryDoubt(specification.physics.memoryLength, law->dependsOnSpeed()));
+  addDoubt(curves.warnings, memoryDoubt(specification.physics.memoryLength, law->dependsOnSpeed()));
   curves.hasBand = spread.any();
   curves.redrawn = spread.redrawn();
   curves.seconds = std::chrono::duration<double>(Clock::now() - begin).count();

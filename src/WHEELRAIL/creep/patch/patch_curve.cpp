@@ -197,8 +197,7 @@ PatchCurves solvePatchCurves(const PatchSpecification &asked, const LawPointer &
     curves.use.include(point.use);
   if (const std::string warning = law->warning(curves.use); !warning.empty())
     curves.warnings.push_back(warning);
-  addDoubt(curves.warnings,
-           memoryDoubt(asked.physics.memoryLength, law->dependsOnSpeed()));
+  addDoubt(curves.warnings, memoryDoubt(asked.physics.memoryLength, law->dependsOnSpeed()));
   curves.hasBand = spread.any();
   curves.redrawn = spread.redrawn();
   if (curves.series.empty()) // else there is something to write

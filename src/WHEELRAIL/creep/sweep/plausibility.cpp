@@ -83,9 +83,10 @@ std::string memoryDoubt(double length, bool dependsOnSpeed)
 {
   if (!(length > 0.0) || dependsOnSpeed)
     return "";
-  return fmt::format("friction.memory_length: {:.4g} mm have no effect: mu of friction.law does not "
-                     "depend on the sliding speed",
-                     length / mm);
+  return fmt::format(
+      "friction.memory_length: {:.4g} mm have no effect: mu of friction.law does not "
+      "depend on the sliding speed",
+      length / mm);
 }
 
 void addDoubt(std::vector<std::string> &warnings, const std::string &line)
