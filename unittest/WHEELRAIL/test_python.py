@@ -212,6 +212,25 @@ def test_polach(tmp_path):
         wheelrail.Case(LINE).solve().polach()
 
 
+def test_fit_measured(tmp_path):
+    changes = {"creep": [1e-3, 1e-2], "cells": 16, "sensitivities": False, "thermal": "off"}
+    curve = tmp_path / "curve.csv"
+    rows = [(2e-4, 0.02), (5e-4, 0.05), (1e-3, 0.09), (2e-3, 0.15), (5e-3, 0.23), (0.01, 0.26),
+            (0.03, 0.268), (0.1, 0.235), (0.2, 0.2)]  # fmt: skip
+    text = "creep,traction_ratio\n" + "".join(f"{creep},{ratio}\n" for creep, ratio in rows)
+    curve.write_text(text)
+    case = wheelrail.Case(PATCH, changes)
+    fitted = case.solve().fit_measured(str(curve))
+    (tmp_path / "case.yaml").write_text(case.text)
+    program("wr_creep", tmp_path / "case.yaml", "-o", tmp_path, "--fit-measured", curve)
+    assert fitted == json.loads((tmp_path / "measured_fit.json").read_text())
+    assert 0 < fitted["layer"]["share_of_initial_slope"] < 1
+    with pytest.raises(wheelrail.BadInput, match="no such file"):
+        case.solve().fit_measured(str(tmp_path / "none.csv"))
+    with pytest.raises(wheelrail.UsageError, match="fit_measured"):
+        wheelrail.Case(LINE).solve().fit_measured(str(curve))
+
+
 # what is wrong
 
 

@@ -3,6 +3,7 @@
 #include "base/quantity.h"
 #include "creep/case/case_file.h"
 #include "creep/line/creep_report.h"
+#include "creep/patch/measured_fit.h"
 #include "creep/patch/patch_report.h"
 #include "python/glue.h"
 
@@ -107,7 +108,11 @@ class Result {
   virtual std::string summary() const = 0;
   virtual py::dict fields() const = 0;
   virtual py::dict series() const { return {}; }
-  virtual std::string polach() const { refusePolach(); }
+  virtual std::string polach() const { refuseFit("polach()"); }
+  virtual std::string fitMeasured(const std::string & /*path*/) const
+  {
+    refuseFit("fit_measured()");
+  }
 };
 
 py::dict lineFields(const ContactSetup &setup, const ContactFields &fields)
@@ -230,9 +235,16 @@ class PatchResult final : public ResultOf<PatchSpecification, PatchCurves> {
   std::string polach() const override
   {
     if (asked.mode == PatchMode::Static || asked.sequence.any())
-      refusePolach();
+      refuseFit("polach()");
     const PolachContact contact = polachContact(curves);
     return polachJson(choosePolach(polachPoints(curves), contact), contact);
+  }
+  std::string fitMeasured(const std::string &path) const override
+  {
+    if (asked.mode == PatchMode::Static || asked.sequence.any())
+      refuseFit("fit_measured()");
+    return measuredJson(wheelrail::fitMeasured(readMeasuredCurve(path, asked), asked, curves, *law),
+                        path);
   }
 
  private:
@@ -409,7 +421,19 @@ void addCase(py::module_ &module)
           "polach", [](const Result &result) { return fromJson(result.polach()); },
           "Polach's law fitted to the points, as --polach writes it. Raises NotConverged where "
           "the\n"
-          "points do not determine it, UsageError for another contact.");
+          "points do not determine it, UsageError for another contact.")
+      .def(
+          "fit_measured",
+          [](const Result &result, const std::string &path) {
+            return fromJson(result.fitMeasured(path));
+          },
+          py::arg("path"),
+          "Polach's form and an interfacial layer fitted to a measured traction curve (CSV: "
+          "creep,\n"
+          "speed, traction_ratio), as --fit-measured writes it in measured_fit.json. Raises\n"
+          "NotConverged where the curve does not determine them, BadInput for a file that cannot "
+          "be\n"
+          "read, UsageError for another contact.");
 }
 
 } // namespace wheelrail::python

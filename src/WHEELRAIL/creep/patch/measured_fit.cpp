@@ -6,6 +6,7 @@
 #include "base/result_text.h"
 #include "base/si.h"
 #include "base/statistics.h"
+#include "creep/patch/patch_report.h"
 #include "law/forms/constant.h"
 #include "law/forms/polach.h"
 
@@ -366,6 +367,20 @@ MeasuredFit fitMeasured(const std::vector<MeasuredTraction> &curve, const CreepP
   const double unit = compliance(ellipse);
   fit.slopeShare = unit / (unit + fit.layer.parameters.back().value);
   return fit;
+}
+
+MeasuredFit fitMeasured(const std::vector<MeasuredTraction> &curve, const PatchSpecification &asked,
+                        const PatchCurves &curves, const FrictionLaw &law)
+{
+  return fitMeasured(curve, asked.physics, curves.contacts.front(), asked.contact.spinPoint, law,
+                     polachContact(curves));
+}
+
+std::vector<MeasuredTraction> readMeasuredCurve(const std::string &path,
+                                                const PatchSpecification &asked)
+{
+  return readMeasuredCurve(path,
+                           asked.speed.size() == 1 ? std::optional(asked.speed[0]) : std::nullopt);
 }
 
 std::string measuredJson(const MeasuredFit &fit, const std::string &path)

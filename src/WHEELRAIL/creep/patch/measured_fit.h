@@ -47,6 +47,14 @@ MeasuredFit fitMeasured(const std::vector<MeasuredTraction> &curve, const CreepP
                         const PatchContact &contact, double spinPoint, const FrictionLaw &law,
                         const PolachContact &ellipse);
 
+/// The same for the first contact of a case that is solved.
+MeasuredFit fitMeasured(const std::vector<MeasuredTraction> &curve, const PatchSpecification &asked,
+                        const PatchCurves &curves, const FrictionLaw &law);
+
+/// A file without a column of speed was measured at that of the case, where there is one.
+std::vector<MeasuredTraction> readMeasuredCurve(const std::string &path,
+                                                const PatchSpecification &asked);
+
 /// measured_fit.json and measured_fit.csv.
 std::string measuredJson(const MeasuredFit &fit, const std::string &path);
 std::string measuredCsv(const MeasuredFit &fit, const std::vector<MeasuredTraction> &curve);

@@ -74,7 +74,7 @@ class PatchCreepTask : public CreepTask {
     std::vector<RequestedOutput> outputs;
     if (!extra.polach.empty()) {
       if (asked_.mode == PatchMode::Static || asked_.sequence.any())
-        refusePolach();
+        refuseFit("--polach");
       outputs.push_back({"--polach", extra.polach});
       outputs.push_back({"--polach", tableBeside(extra.polach)});
     }
@@ -84,10 +84,8 @@ class PatchCreepTask : public CreepTask {
     }
     if (!extra.measured.empty()) {
       if (asked_.mode == PatchMode::Static || asked_.sequence.any())
-        throw Error(ExitCode::Usage,
-                    "--fit-measured: goes with a point contact (contact.load) that "
-                    "rolls, without a sequence");
-      measuredCurve(extra.measured); // a fault is said before the sweep
+        refuseFit("--fit-measured");
+      readMeasuredCurve(extra.measured, asked_); // a fault is said before the sweep
     }
     return outputs;
   }
@@ -119,26 +117,17 @@ class PatchCreepTask : public CreepTask {
   }
 
  private:
-  /// Without a column of speed it was measured at that of the case, where there is one.
-  std::vector<MeasuredTraction> measuredCurve(const std::string &path) const
-  {
-    const std::vector<double> &speeds = asked_.speed;
-    return readMeasuredCurve(path, speeds.size() == 1 ? std::optional(speeds[0]) : std::nullopt);
-  }
-
   /// The first contact of the case beside the curve. \return what to print of it
   std::string addMeasuredFit(const ReportContext &context, ResultFiles &files,
                              std::vector<std::string> &warnings) const
   {
     const std::string &path = context.extra.measured;
-    const std::vector<MeasuredTraction> curve = measuredCurve(path);
+    const std::vector<MeasuredTraction> curve = readMeasuredCurve(path, asked_);
     std::vector<double> creeps;
     for (const MeasuredTraction &one : curve)
       creeps.push_back(one.creep);
     addDoubt(warnings, creepDoubt(path + ": creep", creeps));
-    const MeasuredFit fit =
-        fitMeasured(curve, asked_.physics, curves_.contacts.front(), asked_.contact.spinPoint,
-                    context.law, polachContact(curves_));
+    const MeasuredFit fit = fitMeasured(curve, asked_, curves_, context.law);
     files.add("measured_fit.csv", measuredCsv(fit, curve));
     files.add("measured_fit.json", measuredJson(fit, path));
     const MeasuredParameter &compliance = fit.layer.parameters.back();

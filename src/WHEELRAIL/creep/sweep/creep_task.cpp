@@ -12,11 +12,11 @@ namespace wheelrail {
 std::vector<RequestedOutput> CreepTask::extraOutputs(const ExtraFiles &extra) const
 {
   if (!extra.polach.empty())
-    refusePolach();
+    refuseFit("--polach");
   if (!extra.table.empty())
     throw Error(ExitCode::Usage, "--table: goes with a point contact (contact.load)");
   if (!extra.measured.empty())
-    throw Error(ExitCode::Usage, "--fit-measured: goes with a point contact (contact.load)");
+    refuseFit("--fit-measured");
   return {};
 }
 
@@ -43,10 +43,12 @@ std::string countOf(std::size_t points, int resumed)
                              : "");
 }
 
-void refusePolach()
+void refuseFit(const char *option)
 {
-  throw Error(ExitCode::Usage, "--polach: goes with a point contact (contact.load) that "
-                               "rolls, without a sequence");
+  throw Error(ExitCode::Usage,
+              fmt::format("{}: goes with a point contact (contact.load) that rolls, without a "
+                          "sequence",
+                          option));
 }
 
 void reportFailures(const char *program, const TaskReport &report)

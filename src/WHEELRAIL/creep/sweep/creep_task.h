@@ -103,8 +103,9 @@ std::string countOf(std::size_t points, int resumed);
 /// \throws Error (NotConverged) if there are any
 void reportFailures(const char *program, const TaskReport &report);
 
-/// Why a task does not write Polach's law. \throws Error (Usage)
-[[noreturn]] void refusePolach();
+/// Why nothing is fitted to a task's points. \throws Error (Usage)
+/// \param option that asks for the fit: "--polach"
+[[noreturn]] void refuseFit(const char *option);
 
 } // namespace wheelrail
 #endif
