@@ -81,10 +81,10 @@ def rail(report: dict[str, Any], picture: str) -> list[str]:
     right.set(ylabel=r"friction stress over $\sigma_0(T)$", ylim=(0, 0.65))
     left.legend(fontsize=8, ncols=2, loc="lower left", title=f"lines: law, {SPEED:g} m/s")
     for axes in slow:
-        axes.set(xlabel="speed, m/s", ylabel=r"$\mu$", xscale="log", ylim=(0, 0.62))
+        axes.set(xlabel="speed, m/s", ylabel=r"$\mu$", xscale="log", ylim=(0, 0.75))
         axes.set_xticks([0.5, 1, 2, 5], ["0.5", "1", "2", "5"])
         axes.grid(alpha=0.3)
-        axes.legend(fontsize=8, loc="lower right")
+        axes.legend(fontsize=8, ncols=2, loc="upper left")
     save_figure(figure, picture)
     pyplot.close(figure)
     return [
@@ -104,12 +104,12 @@ def draw_speeds(
     table."""
     slower = [p for p in points if p not in at_speed(points)]
     rows = []
-    for ratio in sorted({rounded(p) for p in slower}):
+    for marker, ratio in zip("os^D", sorted({rounded(p) for p in slower})):
         same = groups([p for p in points if rounded(p) == ratio], lambda p: p["velocity"])
         found = [(v, *mean_of(members), members) for v, members in sorted(same.items())]
         v, mu, error = np.array([row[:3] for row in found]).T
         label = rf"{kelvin:g} K, {ratio:g} $\sigma_0$"
-        axes.errorbar(v, mu, 1.96 * error, fmt="o", ms=5, capsize=2, color=color, label=label)
+        axes.errorbar(v, mu, 1.96 * error, fmt=marker, ms=5, capsize=2, color=color, label=label)
         any_point = found[0][3][0]
         unit = any_point["kappa1"] / any_point["velocity"] ** 2
         if law:
