@@ -154,8 +154,7 @@ int wheelrail_get_value(wheelrail_contact *contact, const char *name, double *va
 {
   return with(contact, [&](const OnlineContact &solver) {
     requirePointer(value, "value");
-    const auto columns = solver.columns();
-    *value = named(columns, "value", name).value.get(solver.point());
+    *value = named(solver.columns(), "value", name).value.get(solver.point());
   });
 }
 

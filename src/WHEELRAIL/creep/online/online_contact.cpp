@@ -52,6 +52,16 @@ PatchContact firstContact(const PatchSpecification &asked, const FrictionLaw &la
                       asked.physics.pressureLimit(law, 0.0), 0.0);
 }
 
+std::vector<Column<PatchPoint>> columnsOf(const PatchSpecification &asked)
+{
+  const bool wears = asked.physics.wear.kind != WearLaw::Kind::None;
+  std::vector<Column<PatchPoint>> columns;
+  for (const Column<PatchPoint> &column : patchColumns())
+    if (column.creep.digits > 0 || (wears && column.wear.digits > 0))
+      columns.push_back(column);
+  return columns;
+}
+
 /// \return the value, or 0 where the keyword takes it for 0
 double allowed(const char *name, double value)
 {
@@ -65,7 +75,7 @@ double allowed(const char *name, double value)
 } // namespace
 
 OnlineContact::OnlineContact(const Case &input)
-    : asked_(pointContactOf(input)), law_(asked_.friction.read()),
+    : asked_(pointContactOf(input)), columns_(columnsOf(asked_)), law_(asked_.friction.read()),
       contact_(firstContact(asked_, *law_)), space_(contact_.grid, contact_.pair),
       load_(contact_.load),
       speed_(asked_.speed.front()), creepage_{asked_.creep.front(), asked_.lateral.front(),
@@ -132,16 +142,6 @@ const PatchPoint &OnlineContact::point() const
 {
   requireStep();
   return point_;
-}
-
-std::vector<Column<PatchPoint>> OnlineContact::columns() const
-{
-  const bool wears = asked_.physics.wear.kind != WearLaw::Kind::None;
-  std::vector<Column<PatchPoint>> columns;
-  for (const Column<PatchPoint> &column : patchColumns())
-    if (column.creep.digits > 0 || (wears && column.wear.digits > 0))
-      columns.push_back(column);
-  return columns;
 }
 
 const PatchFields &OnlineContact::fields() const

@@ -49,7 +49,7 @@ class OnlineContact {
   const PatchPoint &point() const;
   const PatchFields &fields() const; ///< likewise
   /// What a point tells: the columns of the case's creep.csv.
-  std::vector<Column<PatchPoint>> columns() const;
+  const std::vector<Column<PatchPoint>> &columns() const { return columns_; }
   const PatchContact &contact() const { return contact_; }
 
  private:
@@ -57,6 +57,7 @@ class OnlineContact {
   void requireStep() const;
 
   PatchSpecification asked_;
+  std::vector<Column<PatchPoint>> columns_;
   LawPointer law_;
   PatchContact contact_; ///< under the load of the last step
   PatchHalfSpace space_;
