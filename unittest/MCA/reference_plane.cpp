@@ -41,7 +41,7 @@ struct View { // geometry of a contact
   double r, nx, ny, tx, ty, e, eps, d;
 };
 
-View view(const Sample &s, const Contact &c)
+View view(const Sample &s, const ReferenceContact &c)
 {
   const Automaton &a = s.automata[c.i], &b = s.automata[c.j];
   View w;
@@ -61,7 +61,7 @@ bool linked(const State &state)
   return state.kind > 0;
 }
 
-bool touches(const Contact &c, const View &w)
+bool touches(const ReferenceContact &c, const View &w)
 {
   return linked(c.now) || pressed(w.e);
 }
@@ -76,7 +76,7 @@ double lame(const Sample &s, const mca::Material &m)
                                          : E * nu / (1 + nu) / (1 - 2 * nu);
 }
 
-void moveShear(const Sample &s, Contact &c, double dt)
+void moveShear(const Sample &s, ReferenceContact &c, double dt)
 {
   if (dt > 0)
     c.now = c.next;
@@ -118,14 +118,15 @@ void collectMeans(Sample &s)
 }
 
 // its weight in the flow of its automata
-double flows(const Sample &s, const Contact &c, const View &w)
+double flows(const Sample &s, const ReferenceContact &c, const View &w)
 {
   return flowWeight(s.laws, s.materials[s.automata[c.i].type], s.materials[s.automata[c.j].type],
                     c.now.kind, w.e);
 }
 
 // elastic stresses of a touching contact: the mean of what both sides answer
-void elasticStresses(const Sample &s, const Contact &c, const View &w, double &sigma, double &tau)
+void elasticStresses(const Sample &s, const ReferenceContact &c, const View &w, double &sigma,
+                     double &tau)
 {
   sigma = tau = 0;
   for (int side : {c.i, c.j}) {
@@ -188,7 +189,7 @@ struct Stress {
   double stretch; // work of the stretch of shear, as of returnedSquares()
 };
 
-Stress contactStresses(const Sample &s, const Contact &c, const View &w)
+Stress contactStresses(const Sample &s, const ReferenceContact &c, const View &w)
 {
   const Automaton &a = s.automata[s.owner[c.i]], &b = s.automata[s.owner[c.j]];
   Stress out{};
@@ -287,7 +288,8 @@ void yield(Sample &s)
 }
 
 // stress tensor at the contact along n, t and across the plane
-Eigen::Matrix3d localStress(const Sample &s, const Contact &c, const View &w, const Stress &p)
+Eigen::Matrix3d localStress(const Sample &s, const ReferenceContact &c, const View &w,
+                            const Stress &p)
 {
   double along = 0, across = 0;
   for (int side : {c.i, c.j}) {
@@ -305,7 +307,7 @@ Eigen::Matrix3d localStress(const Sample &s, const Contact &c, const View &w, co
 }
 
 // plastic work of both automata since they are pressed together
-double workOf(const Sample &s, const Contact &c, const View &w)
+double workOf(const Sample &s, const ReferenceContact &c, const View &w)
 {
   if (s.laws.linkWork.word() == "none" || linked(c.now) || !pressed(w.e))
     return 0;
@@ -317,7 +319,7 @@ double contactArea(const Sample &s, const View &w)
   return w.d * s.thickness / std::sqrt(3.0);
 }
 
-double viscosity(const Sample &s, const Contact &c)
+double viscosity(const Sample &s, const ReferenceContact &c)
 {
   const mca::Material &ma = s.materials[s.automata[c.i].type];
   const mca::Material &mb = s.materials[s.automata[c.j].type];
@@ -325,7 +327,7 @@ double viscosity(const Sample &s, const Contact &c)
 }
 
 // compression and viscosity, never tension; also of a link that breaks in this step
-double unlinkedNormal(const Sample &s, const Contact &c, const View &w, const Stress &p)
+double unlinkedNormal(const Sample &s, const ReferenceContact &c, const View &w, const Stress &p)
 {
   if (!pressed(w.e))
     return 0;
@@ -335,12 +337,12 @@ double unlinkedNormal(const Sample &s, const Contact &c, const View &w, const St
 }
 
 // along t, of the second surface's motion past the first
-double slipStress(const Sample &s, const Contact &c, const View &w)
+double slipStress(const Sample &s, const ReferenceContact &c, const View &w)
 {
   return s.laws.viscosity.word() == "both" && pressed(w.e) ? viscosity(s, c) * c.slip / w.d : 0;
 }
 
-void applyContact(Sample &s, Contact &c)
+void applyContact(Sample &s, ReferenceContact &c)
 {
   const View w = view(s, c);
   const Stress p = contactStresses(s, c, w);
@@ -411,7 +413,7 @@ void applyContacts(Sample &s)
 }
 
 // those of half a step ago
-void setOldSpeeds(const Sample &s, Contact &c)
+void setOldSpeeds(const Sample &s, ReferenceContact &c)
 {
   const View w = view(s, c);
   const Automaton &a = s.automata[c.i], &b = s.automata[c.j];
@@ -420,7 +422,7 @@ void setOldSpeeds(const Sample &s, Contact &c)
 }
 
 // the present ones, from the forces that the old ones make
-void setPresentSpeeds(const Sample &s, Contact &c, double dt)
+void setPresentSpeeds(const Sample &s, ReferenceContact &c, double dt)
 {
   const View w = view(s, c);
   double kick = 0, perMass = 0, slipKick = 0, perInertia = 0;

@@ -31,7 +31,7 @@ struct State {
   double kind = 0, plastic = 0, gamma = 0, gammaTotal = 0;
 };
 
-struct Contact {
+struct ReferenceContact {
   int i = 0, j = 0;
   State now, next;
   double speed = 0; ///< normal velocity of j seen from i that its viscosity sees
@@ -46,7 +46,7 @@ struct Sample {
   double thickness = 1.0;
 
   std::vector<Automaton> automata;
-  std::vector<Contact> contacts;
+  std::vector<ReferenceContact> contacts;
   int owned = 0;
   std::vector<int> owner;
   std::vector<double> shiftX, shiftY;

@@ -21,7 +21,7 @@ struct View { // geometry of a contact
   Vector3d n;
 };
 
-View view(const Sample &s, const Contact &c)
+View view(const Sample &s, const ReferenceContact &c)
 {
   const Automaton &a = s.automata[c.i], &b = s.automata[c.j];
   View w;
@@ -38,13 +38,13 @@ bool linked(const State &state)
   return state.kind > 0;
 }
 
-bool touches(const Contact &c, const View &w)
+bool touches(const ReferenceContact &c, const View &w)
 {
   return linked(c.now) || pressed(w.e);
 }
 
 // its weight in the flow of its automata
-double flows(const Sample &s, const Contact &c, const View &w)
+double flows(const Sample &s, const ReferenceContact &c, const View &w)
 {
   return flowWeight(s.laws, s.materials[s.automata[c.i].type], s.materials[s.automata[c.j].type],
                     c.now.kind, w.e);
@@ -56,7 +56,7 @@ double cellVolume(const mca::Packing &p)
   return p.coordination == 12 ? std::pow(std::sqrt(2.0), 3) / 4 : 1;
 }
 
-void moveShear(const Sample &s, Contact &c, double dt)
+void moveShear(const Sample &s, ReferenceContact &c, double dt)
 {
   if (dt > 0)
     c.now = c.next;
@@ -107,7 +107,8 @@ void collectMeans(Sample &s)
 }
 
 // elastic stresses of a touching contact: the mean of what both sides answer
-void elasticStresses(const Sample &s, const Contact &c, const View &w, double &sigma, Vector3d &tau)
+void elasticStresses(const Sample &s, const ReferenceContact &c, const View &w, double &sigma,
+                     Vector3d &tau)
 {
   sigma = 0;
   tau.setZero();
@@ -165,7 +166,7 @@ void collectStresses(Sample &s)
 
 // elastic stresses, and those of a contact that flows after the returns of both automata
 // and the work of the stretch of shear, as of returnedSquares()
-double contactStresses(const Sample &s, const Contact &c, const View &w, double &trial,
+double contactStresses(const Sample &s, const ReferenceContact &c, const View &w, double &trial,
                        double &sigma, Vector3d &tau)
 {
   const Automaton &a = s.automata[s.owner[c.i]], &b = s.automata[s.owner[c.j]];
@@ -236,7 +237,7 @@ void yieldAgain(Sample &s)
 
 // stress tensor at the contact: what its normal and shear stress make, and in its face the mean of
 // both automata, whose deviators the returns have shortened
-Matrix3d localStress(const Sample &s, const Contact &c, const View &w, double sigma,
+Matrix3d localStress(const Sample &s, const ReferenceContact &c, const View &w, double sigma,
                      const Vector3d &tau)
 {
   const Matrix3d face = Matrix3d::Identity() - w.n * w.n.transpose();
@@ -251,14 +252,14 @@ Matrix3d localStress(const Sample &s, const Contact &c, const View &w, double si
 }
 
 // plastic work of both automata since they are pressed together
-double workOf(const Sample &s, const Contact &c, const View &w)
+double workOf(const Sample &s, const ReferenceContact &c, const View &w)
 {
   if (s.laws.linkWork.word() == "none" || linked(c.now) || !pressed(w.e))
     return 0;
   return c.now.gammaTotal.x() + (s.automata[s.owner[c.i]].work + s.automata[s.owner[c.j]].work) / 2;
 }
 
-double viscosity(const Sample &s, const Contact &c)
+double viscosity(const Sample &s, const ReferenceContact &c)
 {
   const mca::Material &ma = s.materials[s.automata[c.i].type];
   const mca::Material &mb = s.materials[s.automata[c.j].type];
@@ -270,7 +271,7 @@ double contactArea(const Sample &s, const View &w)
   return 6 * cellVolume(s.packing) / s.packing.coordination * w.d * w.d;
 }
 
-void applyContact(Sample &s, Contact &c)
+void applyContact(Sample &s, ReferenceContact &c)
 {
   const View w = view(s, c);
   Automaton &a = s.automata[s.owner[c.i]], &b = s.automata[s.owner[c.j]];
@@ -348,7 +349,7 @@ void applyContacts(Sample &s)
 }
 
 // of both surfaces where they touch
-void setSpeeds(Contact &c, const View &w, const Vector3d &v, const Vector3d &omegas)
+void setSpeeds(ReferenceContact &c, const View &w, const Vector3d &v, const Vector3d &omegas)
 {
   const Vector3d surface = v - w.r / 2 * omegas.cross(w.n);
   c.speed = surface.dot(w.n);
@@ -356,14 +357,14 @@ void setSpeeds(Contact &c, const View &w, const Vector3d &v, const Vector3d &ome
 }
 
 // those of half a step ago
-void setOldSpeeds(const Sample &s, Contact &c)
+void setOldSpeeds(const Sample &s, ReferenceContact &c)
 {
   const Automaton &a = s.automata[c.i], &b = s.automata[c.j];
   setSpeeds(c, view(s, c), b.v - a.v, a.omega + b.omega);
 }
 
 // the present ones, from the forces that the old ones make
-void setPresentSpeeds(const Sample &s, Contact &c, double dt)
+void setPresentSpeeds(const Sample &s, ReferenceContact &c, double dt)
 {
   const View w = view(s, c);
   double perMass = 0, perInertia = 0;
@@ -384,7 +385,7 @@ void setPresentSpeeds(const Sample &s, Contact &c, double dt)
   const bool slips = s.laws.viscosity.word() == "both";
   const double many = slips ? 0.75 / (1.4 / (s.packing.coordination * 2 / 3.0)) : 1;
   const double damping = many * viscosity(s, c) * contactArea(s, w) / w.d;
-  Contact kick;
+  ReferenceContact kick;
   setSpeeds(kick, w, moved, turned);
   c.speed += kick.speed / (1 + damping * perMass * dt / 2);
   c.slip += kick.slip / (1 + damping * (perMass + w.r * w.r / 4 * perInertia) * dt / 2);

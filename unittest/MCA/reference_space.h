@@ -39,7 +39,7 @@ struct State {
   Vector3d gamma{0, 0, 0}, gammaTotal{0, 0, 0};
 };
 
-struct Contact {
+struct ReferenceContact {
   int i = 0, j = 0;
   State now, next;
   double speed = 0;       ///< normal velocity of j seen from i that its viscosity sees
@@ -53,7 +53,7 @@ struct Sample {
   mca::Packing packing = mca::packing::fcc;
 
   std::vector<Automaton> automata;
-  std::vector<Contact> contacts;
+  std::vector<ReferenceContact> contacts;
   int owned = 0;
   std::vector<int> owner;
   std::vector<Vector3d> shift;

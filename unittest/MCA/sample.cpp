@@ -7,7 +7,7 @@
 #include <sstream>
 
 using reference::Automaton;
-using reference::Contact;
+using reference::ReferenceContact;
 using reference::Sample;
 
 mca::Material steel()
@@ -73,7 +73,7 @@ static void connect(Sample &s, double reach, double kind)
       const Automaton &a = s.automata[i], &b = s.automata[j];
       if (std::hypot(b.x - a.x, b.y - a.y) > reach * s.materials[0].diameter)
         continue;
-      Contact c;
+      ReferenceContact c;
       c.i = i;
       c.j = j;
       c.now.kind = c.next.kind = kind;

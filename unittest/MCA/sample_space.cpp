@@ -40,7 +40,7 @@ Sample block(const mca::Packing &packing, const mca::Material &m, int n, double 
     for (int j = i + 1; j < static_cast<int>(s.automata.size()); j++)
       if (s.owner[j] > i && // each pair of originals once
           (s.automata[j].x - s.automata[i].x).norm() < reach * m.diameter) {
-        Contact c;
+        ReferenceContact c;
         c.i = i;
         c.j = j;
         c.now.kind = c.next.kind = kind;

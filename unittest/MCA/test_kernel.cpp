@@ -10,7 +10,7 @@
 #include <random>
 
 using reference::Automaton;
-using reference::Contact;
+using reference::ReferenceContact;
 using reference::Sample;
 
 namespace {
@@ -354,7 +354,7 @@ TEST_P(KernelTest, ACollapsedLinkBreaks)
   // one pair of a block of bulk links, whose automata are pressed to 0.4 d
   Sample slow = hexagonalBlock(steel(), 8, 6, 1, 1.1);
   slow.laws.viscosity = "normal";
-  const Contact &c = slow.contacts[60];
+  const ReferenceContact &c = slow.contacts[60];
   slow.automata[c.j].x = slow.automata[c.i].x + 1.0;
   slow.automata[c.j].y = slow.automata[c.i].y;
   Sample fast = slow;

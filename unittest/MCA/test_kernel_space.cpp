@@ -226,7 +226,7 @@ TEST_P(SpaceKernelTest, ACollapsedLinkBreaks)
   Sample slow = block(mca::packing::fcc, steel(), 3, 1, false);
   for (auto &a : slow.automata)
     a.x *= 0.99;
-  const Contact &c = slow.contacts[40];
+  const ReferenceContact &c = slow.contacts[40];
   slow.automata[c.j].x = slow.automata[c.i].x + Vector3d(0.4, 0.8, 0.4);
   Sample fast = slow;
   step(slow, 5e-5);
@@ -488,7 +488,7 @@ TEST_P(SpaceKernelTest, SimpleShearInThePlaneTurnsAsThePlanesLaw)
   s.automata[1].v = Vector3d(0.001, 0.02, 0);
   s.automata[1].x = Vector3d(2.5, 0, 0) + s.automata[1].v;
   s.automata[0].omega = Vector3d(0, 0, 0.003);
-  Contact c;
+  ReferenceContact c;
   c.j = 1;
   c.now.kind = c.next.kind = 1;
   s.contacts.push_back(c);

@@ -25,16 +25,16 @@ struct RandomCase {
   int whole(int low, int high) { return low + static_cast<int>(uniform() * (high - low)); }
 };
 
-struct Contact {
+struct RollingContact {
   ElasticPair pair;
   PatchGrid grid;
   Vector bound;
   double mu, load;
 };
 
-Contact randomContact(RandomCase &draw, unsigned seed)
+RollingContact randomContact(RandomCase &draw, unsigned seed)
 {
-  Contact c;
+  RollingContact c;
   c.pair = {1.0, 0.5 * draw.uniform()};
   const double a = draw.between(0.5, 2.0), b = 1.0 / a;
   const HertzEllipse h = hertzEllipseOfAxes(0.01, 1.0 / (1.0 - c.pair.nu), a, b);
@@ -66,7 +66,7 @@ double fieldNorm(const TangentialField &field)
 /// Length of the slip that the creepages alone make on the cells in contact. Where cells stick, the
 /// solver leaves a slip of at most its tolerance times this norm, which against the traction makes
 /// a power of either sign.
-double rigidSlipNorm(const Contact &c, const Creepage &creepage)
+double rigidSlipNorm(const RollingContact &c, const Creepage &creepage)
 {
   TangentialField slip{Vector::Zero(c.grid.cells()), Vector::Zero(c.grid.cells())};
   for (int i = 0; i < c.grid.cells(); ++i)
@@ -89,7 +89,7 @@ TEST(PatchRandom, Converges)
     seeds.push_back(seed);
   for (const unsigned seed : seeds) {
     RandomCase draw(seed);
-    const Contact c = randomContact(draw, seed);
+    const RollingContact c = randomContact(draw, seed);
     const double creep = c.mu * c.load / c.pair.G * draw.between(1e-3, 10.0);
     const double direction = 6.28 * draw.uniform();
     const double spin = draw.uniform() < 0.5 ? 0.0 : draw.between(0.1, 10.0);
