@@ -54,7 +54,7 @@ inline BlockMask flowingPairs(const Pairs &p, int first, int n, const double *re
 
 // Pairs that are neither bulk links that hold, nor apart for good or with a dent that they keep.
 // With those that flow they are all that do more than bear their elastic stress. Criterion: decides
-// by strain only.
+// by strain only; void: which bulk links break is not looked at.
 template<class D, Way W, class Criterion>
 inline BlockMask busyPairs(const Pairs &p, int first, int n, const PairLaw *laws)
 {
@@ -69,12 +69,54 @@ inline BlockMask busyPairs(const Pairs &p, int first, int n, const PairLaw *laws
     const double kind = pkind[k], eps = peps[k], plastic = pplastic[k];
     const Shear total = totals.get(k);
     const bool bulk = onlyBulk(W) || kind == link::bulk;
-    const bool breaking = breaks<Criterion>(LinkStrain<Shear>{eps, total}, limits.fracture);
+    bool breaking = false;
+    if constexpr (!std::is_void_v<Criterion>)
+      breaking = breaks<Criterion>(LinkStrain<Shear>{eps, total}, limits.fracture);
     const bool keepsDent = (plastic == 0.0) | (eps <= (plastic > 0.0 ? plastic : 0.0));
     const bool apart = (kind == link::none) & !isPressed(eps - plastic) & keepsDent &
                        equal(total, Shear{}) & (limits.linkPressure > 0.0);
     return !((bulk & !breaking) | apart);
   });
+}
+
+// Bulk links that break by a criterion of stresses if neither of their automata flows.
+// \param local        means of both automata of each pair, of gatherMeans(); only for criteria that
+//                     need the local stress
+// \param meanI,meanJ  mean stresses of both [stress]
+template<class D, Way W, class Criterion>
+MCA_LOOP BlockMask breakingLinks(const Pairs &p, int first, int n, const PairLaw *laws,
+                                 const double *local, const Column &meanI, const Column &meanJ)
+{
+  using Shear = typename D::Shear;
+  constexpr RowLayout::Local at = D::rows.local;
+  const int *const plaw = p.law + first;
+  const double *const pkind = p.now.kind + first, *const pplastic = p.now.plastic + first;
+  const double *const peps = p.eps + first, *const psigma = p.sigma + first;
+  const PairArray<Shear> gammas(p.now.gamma, first);
+  const PairArray<Shear> totals(W == Pristine ? p.now.gamma : p.now.gammaTotal, first);
+  const PairArray<typename D::Normal> normals(p.normal, first);
+  const PairLaw one = laws[plaw[0]];
+  auto breaking = [=, &one, &meanI, &meanJ](int k) {
+    const PairLaw &law = W == SeveralLaws ? laws[plaw[k]] : one;
+    Contact c{};
+    c.kind = link::bulk;
+    c.eps = peps[k];
+    c.plastic = W == Pristine ? 0.0 : pplastic[k];
+    c.gammaTotal = shearSize(totals.get(k));
+    const Answer i = {meanI[k], 1.0, 0.0, 0.0}, j = {meanJ[k], 1.0, 0.0, 0.0};
+    LocalStress face = {};
+    if (Criterion::needsLocalStress)
+      face = faceStress(D::localTensor(local + at.length * k + at.tensor, 0.5 * (i.mean + j.mean)),
+                        normals.get(k));
+    const ElasticStresses s = {psigma[k], psigma[k], law.twoG * shearSize(gammas.get(k))};
+    return (onlyBulk(W) | (pkind[k] == link::bulk)) &
+           breaks<Criterion>(linkLoad(law, c, s, i, j, face), law.limits.fracture);
+  };
+  double broken = 0.0;
+#pragma omp simd reduction(+ : broken)
+  for (int k = 0; k < n; k++)
+    broken += breaking(k) ? 1.0 : 0.0;
+  return broken == 0.0 ? BlockMask{} : maskOf(n, breaking);
 }
 
 // Some pairs of a block: their numbers in it, and copies of what the loops read.

@@ -169,10 +169,8 @@ class ForcePassOf {
     const int *const pi = p.i + first, *const pj = p.j + first;
     const bool bulk = onlyBulk(W) && !block.breaks;
     double changed = 0.0;
-    if constexpr (Criterion::strainOnly)
-      if (!block.crowded && (!local_ || (bulk && !block.flows)) &&
-          workFew<Criterion, W>(p, block, first, n, changed))
-        return changed;
+    if (!block.crowded && workFew<Criterion, W>(p, block, first, n, changed))
+      return changed;
     block.busy = maskOf(n, [](int) { return true; });
     ofI_.gather(pi, n, response_);
     ofJ_.gather(pj, n, response_);
@@ -212,6 +210,10 @@ class ForcePassOf {
   bool workFew(const Pairs &p, Block &block, int first, int n, double &changed)
   {
     constexpr bool pristine = W == Pristine;
+    if constexpr (!Criterion::strainOnly) {
+      block.busy = busyPairs<D, W, void>(p, first, n, laws_);
+      block.busy.add(breaking<Criterion, W>(p, first, n));
+    }
     if (block.flows)
       block.busy.add(returned_ ? block.flowing : flowingPairs<D>(p, first, n, response_, missing_));
     few_.choose(block.busy);
@@ -231,8 +233,22 @@ class ForcePassOf {
       changed = few_.changes();
       block.moves = true;
       block.changes = changed > 0.0;
+      if (pristine && block.changes)
+        leavePristine(p, block, first, n, D::shears);
     }
     return true;
+  }
+
+  // Links of a block that break by a criterion of stresses though nothing flows.
+  template<class Criterion, Way W>
+  BlockMask breaking(const Pairs &p, int first, int n)
+  {
+    const int *const pi = p.i + first, *const pj = p.j + first;
+    if (Criterion::needsLocalStress)
+      gatherMeans<D::rows.local.length>(pi, pj, n, local_, means_);
+    ofI_.gatherMeans(pi, n, response_);
+    ofJ_.gatherMeans(pj, n, response_);
+    return breakingLinks<D, W, Criterion>(p, first, n, laws_, means_, ofI_.mean, ofJ_.mean);
   }
 
   // What the few answer, by the loops that a whole block of this way takes. Returns whether a state
@@ -240,15 +256,23 @@ class ForcePassOf {
   template<class Criterion, Way W>
   double answerFew(const Block &block, const Pairs &few)
   {
-    if constexpr (onlyBulk(W))
+    constexpr Way mixed = anyWay(W);
+    if constexpr (onlyBulk(W) && Criterion::strainOnly)
       if (!block.breaks) { // so they flow
         bulkForceBlock<D, W == Pristine, true, void>(few, 0, few.n, laws_, nullptr, ofI_, ofJ_,
                                                      more_);
         return 1.0;
       }
-    return forceBlock<D, anyWay(W), Criterion, false>(few, 0, few.n, laws_, nullptr, ofI_, ofJ_,
-                                                      more_)
-        .states;
+    if (Criterion::needsLocalStress || local_) {
+      gatherMeans<D::rows.local.length>(few.i, few.j, few.n, local_, means_);
+      return forceBlock<D, mixed, Criterion, true>(few, 0, few.n, laws_, means_, ofI_, ofJ_, more_)
+          .states;
+    }
+    if constexpr (!Criterion::needsLocalStress)
+      return forceBlock<D, mixed, Criterion, false>(few, 0, few.n, laws_, nullptr, ofI_, ofJ_,
+                                                    more_)
+          .states;
+    return 0.0;
   }
 
   // Returns false if a link breaks; then the block has to go another way.

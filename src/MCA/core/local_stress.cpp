@@ -25,7 +25,8 @@ void showLocal(const RowView &rows, bool keepsVolume, int n, const int *type,
       tensor[4] = factor * s.xz;
       tensor[5] = factor * s.yz;
     }
-    row[at.work] = law.curve.work(kappaNext[i]) - law.curve.work(kappa[i]);
+    row[at.work] =
+        kappaNext[i] == kappa[i] ? 0.0 : law.curve.work(kappaNext[i]) - law.curve.work(kappa[i]);
   }
 }
 
