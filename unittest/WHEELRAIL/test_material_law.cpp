@@ -50,10 +50,7 @@ MuTable someTable()
                  {0.42, 0.42, 0.40, 0.30, 0.16},
                  {0.02, 0.02, 0.02, 0.01, 0.01}},
                 {873.0, {0.1, 1.3}, {0.36, 0.25}, {0.03, 0.01}}};
-  table.referenceSpeed = 5.0;
-  table.speed = {0.5, 5.0};
-  table.speedExponent = 0.1;
-  table.speedExponentSe = 0.02;
+  table.speed = {{0.3, 0.7, 2.6}, {-0.05, 0.15, 0.05}, {0.03, 0.02, 0.01}, {0.5, 5.0}, 5.0};
   return table;
 }
 
@@ -207,9 +204,36 @@ TEST(MuTable, FallsWhereItsValuesFallAndEndsInAConstantFrictionStress)
   }
   EXPECT_EQ(table(0.7, 100.0, 5.0), table(0.7, 293.0, 5.0));
   EXPECT_EQ(table(0.7, 2000.0, 5.0), table(0.7, 873.0, 5.0));
-  EXPECT_NEAR(table(0.7, 673.0, 1.0), 0.40 * std::pow(0.2, 0.1), 1e-14);
+  EXPECT_NEAR(table(0.7, 673.0, 1.0), 0.40 * std::pow(0.2, 0.15), 1e-14);
   EXPECT_EQ(table(0.7, 673.0, 0.0), table(0.7, 673.0, 0.5)); // nearest end
   EXPECT_EQ(table(0.7, 673.0, 50.0), table(0.7, 673.0, 5.0));
+}
+
+TEST(MuTable, ItsPowerOfTheSpeedGoesWithThePressure)
+{
+  const MuTable table = someTable();
+  const auto power = [&](double ratio, double kelvin) {
+    return std::log(table(ratio, kelvin, 1.0) / table(ratio, kelvin, 5.0)) / std::log(0.2);
+  };
+  for (const double kelvin : {293.0, 800.0}) {
+    EXPECT_NEAR(power(0.3, kelvin), -0.05, 1e-13);
+    EXPECT_NEAR(power(0.7, kelvin), 0.15, 1e-13);
+    EXPECT_NEAR(power(2.6, kelvin), 0.05, 1e-13);
+    EXPECT_NEAR(power(0.01, kelvin), -0.05, 1e-13); // the ends hold beyond
+    EXPECT_NEAR(power(30.0, kelvin), 0.05, 1e-13);
+  }
+  double last = -0.05;
+  for (double ratio = 0.3; ratio < 0.7; ratio *= 1.01) {
+    const double here = power(ratio, 500.0);
+    EXPECT_GE(here, last - 1e-12) << ratio;
+    EXPECT_LT(here - last, 0.01) << ratio;
+    last = here;
+  }
+  MuTable changed = table.changed(table.standardErrors());
+  ASSERT_EQ(table.parameters(), 13);
+  EXPECT_DOUBLE_EQ(changed.speed.exponent[1], 0.17);
+  changed.speed = {};
+  EXPECT_EQ(changed(0.7, 500.0, 1.0), changed(0.7, 500.0, 5.0));
 }
 
 TEST(SofteningMaterial, KnowsTheTemperatureOfARun)
@@ -306,6 +330,11 @@ TEST(MaterialLaw, FaultsOfItsFileAreNamed)
   EXPECT_THAT(messageWith("table_pressure", {{2, 1, 3}, {1}, {1}}), HasSubstr("rise"));
   EXPECT_THAT(messageWith("reference_velocity", nullptr), HasSubstr("is missing"));
   EXPECT_THAT(messageWith("velocity_range", nullptr), HasSubstr("speed_exponent"));
+  EXPECT_THAT(messageWith("speed_exponent", {0.1, 0.2}), HasSubstr("2 numbers, must be 3"));
+  EXPECT_THAT(messageWith("speed_exponent_se", {0.1, -0.2, 0.1}),
+              HasSubstr("-0.2 is not allowed, must be >= 0"));
+  EXPECT_THAT(messageWith("speed_pressure", {1, 1, 2}), HasSubstr("rise"));
+  EXPECT_THAT(messageWith("speed_pressure", nullptr), HasSubstr("speed_exponent"));
   law.table.reset();
   law.parameters[Mu0] = 0.4;
   EXPECT_EQ(messageWith("source", "x"), "");
@@ -376,11 +405,11 @@ TEST(LawOfMaterial, BandsComeFromTheErrorsOfItsTable)
   law.speedRange = {0.5, 5.0};
   const LawOfMaterial own("table", law, 293.0);
   const Eigen::VectorXd errors = own.standardErrors();
-  ASSERT_EQ(errors.size(), 11);
+  ASSERT_EQ(errors.size(), 13);
   EXPECT_DOUBLE_EQ(errors[1], 0.02);
-  EXPECT_DOUBLE_EQ(errors[10], 0.02);
+  EXPECT_DOUBLE_EQ(errors[11], 0.02);
   Eigen::VectorXd pressure = Eigen::VectorXd::Constant(1, 630e6), cold = Eigen::VectorXd::Zero(1);
-  Eigen::VectorXd change = Eigen::VectorXd::Zero(11);
+  Eigen::VectorXd change = Eigen::VectorXd::Zero(13);
   change[1] = 0.05;
   EXPECT_NEAR(own.changed(change)->mu({pressure, 5.0, cold})[0], 0.47, 1e-12);
   change[1] = -0.5;

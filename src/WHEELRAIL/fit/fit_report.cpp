@@ -243,16 +243,20 @@ std::string fitLines(const FitAnalysis &analysis)
 std::string tableLines(const MuTable &table)
 {
   std::string text =
-      fmt::format("Table of mu at {:g} m/s, p/sigma_0 in brackets\n", table.referenceSpeed);
+      fmt::format("Table of mu at {:g} m/s, p/sigma_0 in brackets\n", table.speed.reference);
   for (const MuTable::Row &row : table.rows) {
     text += fmt::format("  {:>6g} K", row.temperature);
     for (std::size_t k = 0; k < row.mu.size(); ++k)
       text += fmt::format("  [{:.3g}] {:.3f} +- {:.3f}", row.ratio[k], row.mu[k], row.muSe[k]);
     text += "\n";
   }
-  if (table.speed[0] < table.speed[1])
-    text += fmt::format("  mu goes like v^m, m = {:.3f} +- {:.3f}, {:g} to {:g} m/s\n",
-                        table.speedExponent, table.speedExponentSe, table.speed[0], table.speed[1]);
+  const MuTable::SpeedPower &speed = table.speed;
+  if (!speed.ratio.empty())
+    text += fmt::format("  mu goes like v^m, {:g} to {:g} m/s, m:", speed.range[0], speed.range[1]);
+  for (std::size_t k = 0; k < speed.ratio.size(); ++k)
+    text += fmt::format("  [{:.3g}] {:.3f} +- {:.3f}", speed.ratio[k], speed.exponent[k],
+                        speed.exponentSe[k]);
+  text += speed.ratio.empty() ? "" : "\n";
   return text;
 }
 

@@ -70,39 +70,58 @@ double commonSpeed(const std::vector<Place> &places)
       ->first;
 }
 
-/// ln mu over that beside it against ln of the speeds, a straight line through 0.
-void fitSpeed(MuTable &table, const std::vector<Place> &places)
-{
+/// A straight line through 0 by weighted least squares.
+struct LineThrough0 {
   double xx = 0.0, xy = 0.0, yy = 0.0;
   int count = 0;
-  for (const Place &place : places) {
-    if (close(place.speed, table.referenceSpeed))
-      continue;
-    const auto partner = std::find_if(places.begin(), places.end(), [&](const Place &other) {
-      return besideEachOther(place, other) && close(other.speed, table.referenceSpeed);
-    });
-    if (partner == places.end())
-      throw Error(ExitCode::NotConverged,
-                  fmt::format("{}: no condition of {:g} m/s has its pressure and temperature: a "
-                              "table cannot hold it",
-                              place.run->file, table.referenceSpeed));
-    const double x = std::log(place.speed / table.referenceSpeed);
-    const double y = std::log(place.mu / partner->mu);
-    const double variance =
-        std::pow(place.error / place.mu, 2) + std::pow(partner->error / partner->mu, 2);
+
+  void add(double x, double y, double variance)
+  {
     const double weight = variance > 0.0 ? 1.0 / variance : 1.0;
     xx += weight * x * x;
     xy += weight * x * y;
     yy += weight * y * y;
     ++count;
-    table.speed = {std::min(table.speed[0], place.speed), std::max(table.speed[1], place.speed)};
   }
-  if (count == 0)
-    return;
-  table.speedExponent = xy / xx;
-  const double rest = std::max(0.0, yy - xy * xy / xx);
-  const double spread = count > 1 ? std::max(1.0, rest / (count - 1)) : 1.0;
-  table.speedExponentSe = std::sqrt(spread / xx);
+  double slope() const { return xy / xx; }
+  /// Larger where the points are further from the line than their errors.
+  double slopeSe() const
+  {
+    const double rest = std::max(0.0, yy - xy * xy / xx);
+    return std::sqrt((count > 1 ? std::max(1.0, rest / (count - 1)) : 1.0) / xx);
+  }
+};
+
+/// ln mu over that beside it against ln of the speeds: at each p/sigma_0 a line, whatever the
+/// temperature.
+void fitSpeed(MuTable &table, const std::vector<Place> &places)
+{
+  std::map<double, LineThrough0> lines; // by p/sigma_0
+  for (const Place &place : places) {
+    if (close(place.speed, table.speed.reference))
+      continue;
+    const auto partner = std::find_if(places.begin(), places.end(), [&](const Place &other) {
+      return besideEachOther(place, other) && close(other.speed, table.speed.reference);
+    });
+    if (partner == places.end())
+      throw Error(ExitCode::NotConverged,
+                  fmt::format("{}: no condition of {:g} m/s has its pressure and temperature: a "
+                              "table cannot hold it",
+                              place.run->file, table.speed.reference));
+    const auto known = std::find_if(lines.begin(), lines.end(), [&](const auto &line) {
+      return close(place.ratio, line.first);
+    });
+    (known == lines.end() ? lines[place.ratio] : known->second)
+        .add(std::log(place.speed / table.speed.reference), std::log(place.mu / partner->mu),
+             std::pow(place.error / place.mu, 2) + std::pow(partner->error / partner->mu, 2));
+    Range &range = table.speed.range;
+    range = {std::min(range[0], place.speed), std::max(range[1], place.speed)};
+  }
+  for (const auto &[ratio, line] : lines) {
+    table.speed.ratio.push_back(ratio);
+    table.speed.exponent.push_back(line.slope());
+    table.speed.exponentSe.push_back(line.slopeSe());
+  }
 }
 
 } // namespace
@@ -123,10 +142,10 @@ MuTable tableOf(const std::vector<FitCondition> &conditions, const std::vector<F
 {
   const std::vector<Place> places = placesOf(conditions, runs);
   MuTable table;
-  table.referenceSpeed = commonSpeed(places);
-  table.speed = {table.referenceSpeed, table.referenceSpeed};
+  table.speed.reference = commonSpeed(places);
+  table.speed.range = {table.speed.reference, table.speed.reference};
   for (const Place &place : places) {
-    if (!close(place.speed, table.referenceSpeed))
+    if (!close(place.speed, table.speed.reference))
       continue;
     if (table.rows.empty() || !close(place.temperature, table.rows.back().temperature))
       table.rows.push_back({place.temperature, {}, {}, {}});

@@ -37,13 +37,28 @@ const char *keyOf(int parameter)
 
 std::vector<std::string> keys()
 {
-  std::vector<std::string> all = {
-      "format",      "checksum",          "material",          "density",
-      "temperature", "strength",          "youngs_modulus",    "kappa3",
-      "covariance",  "table_temperature", "table_pressure",    "table_mu",
-      "table_mu_se", "speed_exponent",    "speed_exponent_se", "reference_velocity",
-      "n",           "rms_relative",      "fitted_on",         "source",
-      "report"};
+  std::vector<std::string> all = {"format",
+                                  "checksum",
+                                  "material",
+                                  "density",
+                                  "temperature",
+                                  "strength",
+                                  "youngs_modulus",
+                                  "kappa3",
+                                  "covariance",
+                                  "table_temperature",
+                                  "table_pressure",
+                                  "table_mu",
+                                  "table_mu_se",
+                                  "speed_exponent",
+                                  "speed_exponent_se",
+                                  "speed_pressure",
+                                  "reference_velocity",
+                                  "n",
+                                  "rms_relative",
+                                  "fitted_on",
+                                  "source",
+                                  "report"};
   for (int k = 0; k < allParameters; ++k)
     all.emplace_back(keyOf(k));
   for (const RangeKey &row : rangeKeys)
@@ -93,6 +108,35 @@ SofteningMaterial readMaterial(const LawFile &file)
   return material;
 }
 
+/// The power of the speed: lists over p/sigma_0, or one number for all.
+MuTable::SpeedPower readSpeedPower(const LawFile &file, const std::optional<Range> &speeds)
+{
+  MuTable::SpeedPower speed;
+  if (!file.has("speed_exponent"))
+    return speed;
+  const bool lists = file.has("speed_pressure"), known = file.has("speed_exponent_se");
+  speed.ratio = lists ? file.numbers("speed_pressure") : std::vector<double>{1.0};
+  checkRising(file, "speed_pressure", speed.ratio);
+  const auto read = [&](const char *key) {
+    std::vector<double> values = lists ? file.numbers(key) : std::vector<double>{file.number(key)};
+    if (values.size() != speed.ratio.size())
+      file.fail(key, fmt::format("{} numbers, must be {}, as many as of speed_pressure",
+                                 values.size(), speed.ratio.size()));
+    return values;
+  };
+  speed.exponent = read("speed_exponent");
+  speed.exponentSe =
+      known ? read("speed_exponent_se") : std::vector<double>(speed.ratio.size(), 0.0);
+  for (const double error : speed.exponentSe)
+    if (!(error >= 0.0))
+      file.fail("speed_exponent_se", fmt::format("{:g} is not allowed, must be >= 0", error));
+  speed.reference = file.positive("reference_velocity");
+  if (!speeds || !((*speeds)[0] > 0.0))
+    file.fail("speed_exponent", "needs a velocity_range above 0");
+  speed.range = *speeds;
+  return speed;
+}
+
 MuTable readTable(const LawFile &file, const std::optional<Range> &speeds)
 {
   MuTable table;
@@ -123,15 +167,7 @@ MuTable readTable(const LawFile &file, const std::optional<Range> &speeds)
     }
     table.rows.push_back(std::move(row));
   }
-  if (file.has("speed_exponent")) {
-    table.speedExponent = file.number("speed_exponent");
-    table.speedExponentSe =
-        file.has("speed_exponent_se") ? file.nonNegative("speed_exponent_se") : 0.0;
-    table.referenceSpeed = file.positive("reference_velocity");
-    if (!speeds || !((*speeds)[0] > 0.0))
-      file.fail("speed_exponent", "needs a velocity_range above 0");
-    table.speed = *speeds;
-  }
+  table.speed = readSpeedPower(file, speeds);
   return table;
 }
 
@@ -171,7 +207,7 @@ double MaterialLaw::operator()(double pressure, double speed, double kelvin) con
 
 bool MaterialLaw::dependsOnSpeed() const
 {
-  return table ? table->speedExponent != 0.0 : parameters[Mu1] != 0.0 || parameters[S1] != 0.0;
+  return table ? !table->speed.ratio.empty() : parameters[Mu1] != 0.0 || parameters[S1] != 0.0;
 }
 
 bool isMaterialLaw(const std::string &path)
@@ -219,11 +255,13 @@ Json toJson(const MaterialLaw &law)
       json["table_mu"].push_back(row.mu);
       json["table_mu_se"].push_back(row.muSe);
     }
-    if (table.referenceSpeed > 0.0) {
-      json["speed_exponent"] = table.speedExponent;
-      json["speed_exponent_se"] = table.speedExponentSe;
-      json["reference_velocity"] = table.referenceSpeed;
+    if (!table.speed.ratio.empty()) {
+      json["speed_pressure"] = table.speed.ratio;
+      json["speed_exponent"] = table.speed.exponent;
+      json["speed_exponent_se"] = table.speed.exponentSe;
     }
+    if (table.speed.reference > 0.0)
+      json["reference_velocity"] = table.speed.reference;
   } else {
     for (int k = 0; k < allParameters; ++k)
       json[keyOf(k)] = law.parameters[k];

@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "law/mu_table.h"
 
-#include "base/monotone_curve.h"
-
 #include <algorithm>
 #include <cmath>
 
 namespace wheelrail {
 
 MuCurves::MuCurves(const MuTable &table)
-    : speedExponent_(table.speedExponent), referenceSpeed_(table.referenceSpeed),
-      speed_(table.speed)
+    : referenceSpeed_(table.speed.reference), speed_(table.speed.range)
 {
+  for (const double ratio : table.speed.ratio)
+    speedExponent_.x.push_back(std::log(ratio));
+  speedExponent_.y = table.speed.exponent;
   for (const MuTable::Row &row : table.rows) {
     temperature_.push_back(row.temperature);
     const std::size_t n = row.ratio.size();
@@ -67,9 +67,9 @@ double MuCurves::operator()(double ratio, double temperature, double slidingSpee
                       : limitedSlope(secant, (rows_[k + 2].at(u) - next) / (x[k + 2] - x[k + 1]));
     result = hermite(x[k + 1] - x[k], here, before, next, after, temperature - x[k]);
   }
-  if (speedExponent_ != 0.0)
-    result +=
-        speedExponent_ * std::log(std::clamp(slidingSpeed, speed_[0], speed_[1]) / referenceSpeed_);
+  if (!speedExponent_.x.empty())
+    result += speedExponent_(u) *
+              std::log(std::clamp(slidingSpeed, speed_[0], speed_[1]) / referenceSpeed_);
   return std::exp(result);
 }
 
@@ -80,7 +80,7 @@ double MuTable::operator()(double ratio, double temperature, double slidingSpeed
 
 Eigen::Index MuTable::parameters() const
 {
-  Eigen::Index count = 1;
+  auto count = static_cast<Eigen::Index>(speed.exponent.size());
   for (const Row &row : rows)
     count += static_cast<Eigen::Index>(row.mu.size());
   return count;
@@ -93,7 +93,8 @@ Eigen::VectorXd MuTable::standardErrors() const
   for (const Row &row : rows)
     for (const double error : row.muSe)
       errors[k++] = error;
-  errors[k] = speedExponentSe;
+  for (const double error : speed.exponentSe)
+    errors[k++] = error;
   return errors;
 }
 
@@ -104,7 +105,8 @@ MuTable MuTable::changed(const Eigen::VectorXd &change) const
   for (Row &row : other.rows)
     for (double &mu : row.mu)
       mu += change[k++];
-  other.speedExponent += change[k];
+  for (double &exponent : other.speed.exponent)
+    exponent += change[k++];
   return other;
 }
 

@@ -2,6 +2,7 @@
 #ifndef WHEELRAIL_LAW_MU_TABLE_H
 #define WHEELRAIL_LAW_MU_TABLE_H
 
+#include "base/monotone_curve.h"
 #include "law/law_use.h"
 
 #include <Eigen/Core>
@@ -23,11 +24,16 @@ struct MuTable {
     std::vector<double> muSe;  ///< standard errors, >= 0
   };
   std::vector<Row> rows; ///< temperatures rise, at least one
-  /// mu goes like the sliding speed to this power; beyond its range that of the nearer end counts.
-  double speedExponent = 0.0;
-  double speedExponentSe = 0.0;
-  Range speed = {0.0, 0.0};    ///< m/s, where that is known; > 0 unless the exponent is 0
-  double referenceSpeed = 0.0; ///< m/s, of the values in the rows
+  /// mu goes like the sliding speed to a power that goes with the pressure, whatever the
+  /// temperature; beyond the range of speeds that of the nearer end counts. Over ln(p/sigma_0) the
+  /// power is a monotone curve, too, constant beyond its ends.
+  struct SpeedPower {
+    std::vector<double> ratio;      ///< p/sigma_0(T), > 0, rising; none: speed changes nothing
+    std::vector<double> exponent;   ///< as many
+    std::vector<double> exponentSe; ///< standard errors, >= 0
+    Range range = {0.0, 0.0};       ///< m/s, where that is known; > 0 unless there is no exponent
+    double reference = 0.0;         ///< m/s, of the values in the rows
+  } speed;
 
   /// One value; for many see `MuCurves`.
   /// \param ratio         p/sigma_0, >= 0
@@ -35,7 +41,7 @@ struct MuTable {
   /// \param slidingSpeed  m/s, >= 0
   double operator()(double ratio, double temperature, double slidingSpeed) const;
 
-  /// Parameters of the table: the values of all rows in their order, and the exponent.
+  /// Parameters of the table: the values of all rows in their order, and the exponents.
   Eigen::Index parameters() const;
   /// Standard errors of the parameters, in their order.
   Eigen::VectorXd standardErrors() const;
@@ -60,7 +66,8 @@ class MuCurves {
 
   std::vector<double> temperature_; ///< K
   std::vector<Row> rows_;
-  double speedExponent_, referenceSpeed_;
+  MonotoneCurve speedExponent_; ///< over ln(p/sigma_0); empty where speed changes nothing
+  double referenceSpeed_;
   Range speed_;
 };
 
