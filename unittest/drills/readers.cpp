@@ -119,7 +119,8 @@ std::vector<std::string> lawsOfAMaterial()
   table.table.emplace();
   for (const double kelvin : form.material.temperature)
     table.table->rows.push_back({kelvin, {0.1, 1.0}, {0.4, 0.3}, {0.01, 0.02}});
-  table.table->speed = {1.0, 5.0};
+  table.table->speed = {{0.1, 1.0}, {0.1, 0.05}, {0.01, 0.01}, {1.0, 5.0}, 5.0};
+  table.speedRange = {1.0, 5.0};
   return {toJson(form).dump(2) + "\n", toJson(table).dump(2) + "\n"};
 }
 
