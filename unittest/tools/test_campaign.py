@@ -72,6 +72,7 @@ def test_order_of_the_runs(order, found, tmp_path):
     assert "".join(re.findall(r"^(\w): finished", result.stdout, re.MULTILINE)) == found
 
 
+@LONG
 def test_output_that_nobody_takes(plan, tmp_path):
     """`campaign run ... | head -1` does not end as if all was done, leaves no lmp, and goes on."""
     out = tmp_path / "out"
@@ -279,6 +280,7 @@ def shared(tmp_path, monkeypatch):
     return call
 
 
+@LONG
 def test_few_runs_share_the_cores(shared):
     """Two runs have two cores each, a small one no more than its automata are for."""
     assert shared("  - {name: a, columns: 160}\n  - {name: b, columns: 40}\n", 1e9) == {
@@ -306,6 +308,7 @@ def test_shared_cores_are_of_one_call(plan, tmp_path):
     one_line(campaign(*words[:5], "many"), 2, "'many': a whole number in 1 .. 1000000, or auto")
 
 
+@LONG
 def test_longer_but_not_other(plan, tmp_path):
     out = tmp_path / "out"
     campaign("run", plan, "-o", out)
