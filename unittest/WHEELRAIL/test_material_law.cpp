@@ -304,6 +304,27 @@ TEST(MaterialLaw, ItsFileIsReadBackToTheLastBit)
   EXPECT_FALSE(isMaterialLaw(testing::TempDir() + "no such file"));
 }
 
+TEST(MaterialLaw, OnePowerOfTheSpeedHoldsAtAllPressures)
+{
+  MaterialLaw law;
+  law.material = steel();
+  law.table = someTable();
+  law.speedRange = {0.5, 5.0};
+  for (const double power : {0.1, 0.0}) {
+    nlohmann::ordered_json json = toJson(law);
+    json.erase("speed_pressure");
+    json["speed_exponent"] = power;
+    json["speed_exponent_se"] = 0.02;
+    const std::string path = testing::TempDir() + "one_power.json";
+    std::ofstream(path) << json.dump(2) << "\n";
+    const MaterialLaw read = readMaterialLaw(path);
+    EXPECT_EQ(read.dependsOnSpeed(), power != 0.0);
+    for (const double pressure : {30e6, 630e6, 5e9})
+      EXPECT_NEAR(read(pressure, 1.0, 293.0) / read(pressure, 5.0, 293.0), std::pow(0.2, power),
+                  1e-13);
+  }
+}
+
 TEST(MaterialLaw, FaultsOfItsFileAreNamed)
 {
   MaterialLaw law;

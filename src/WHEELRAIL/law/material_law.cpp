@@ -7,6 +7,7 @@
 #include "law/kappa_law.h"
 #include "law/law_file.h"
 
+#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -207,7 +208,10 @@ double MaterialLaw::operator()(double pressure, double speed, double kelvin) con
 
 bool MaterialLaw::dependsOnSpeed() const
 {
-  return table ? !table->speed.ratio.empty() : parameters[Mu1] != 0.0 || parameters[S1] != 0.0;
+  if (!table)
+    return parameters[Mu1] != 0.0 || parameters[S1] != 0.0;
+  const std::vector<double> &powers = table->speed.exponent;
+  return std::any_of(powers.begin(), powers.end(), [](double m) { return m != 0.0; });
 }
 
 bool isMaterialLaw(const std::string &path)
