@@ -256,23 +256,15 @@ class ForcePassOf {
   template<class Criterion, Way W>
   double answerFew(const Block &block, const Pairs &few)
   {
-    constexpr Way mixed = anyWay(W);
     if constexpr (onlyBulk(W) && Criterion::strainOnly)
       if (!block.breaks) { // so they flow
         bulkForceBlock<D, W == Pristine, true, void>(few, 0, few.n, laws_, nullptr, ofI_, ofJ_,
                                                      more_);
         return 1.0;
       }
-    if (Criterion::needsLocalStress || local_) {
+    if (local_)
       gatherMeans<D::rows.local.length>(few.i, few.j, few.n, local_, means_);
-      return forceBlock<D, mixed, Criterion, true>(few, 0, few.n, laws_, means_, ofI_, ofJ_, more_)
-          .states;
-    }
-    if constexpr (!Criterion::needsLocalStress)
-      return forceBlock<D, mixed, Criterion, false>(few, 0, few.n, laws_, nullptr, ofI_, ofJ_,
-                                                    more_)
-          .states;
-    return 0.0;
+    return forcesOfAny<Criterion, anyWay(W)>(few, 0, few.n).states;
   }
 
   // Returns false if a link breaks; then the block has to go another way.
@@ -298,17 +290,20 @@ class ForcePassOf {
     return false;
   }
 
+  // Pairs of any kind; means_ holds theirs where criteria of local stress or plastic work act.
+  template<class Criterion, Way W>
+  Changes forcesOfAny(const Pairs &p, int first, int n)
+  {
+    if constexpr (!Criterion::needsLocalStress)
+      if (!local_)
+        return forceBlock<D, W, Criterion, false>(p, first, n, laws_, nullptr, ofI_, ofJ_, more_);
+    return forceBlock<D, W, Criterion, true>(p, first, n, laws_, means_, ofI_, ofJ_, more_);
+  }
+
   template<class Criterion, Way W>
   double workAny(const Pairs &p, Block &block, int first, int n)
   {
-    constexpr Way mixed = anyWay(W);
-    Changes changes{};
-    if (Criterion::needsLocalStress || local_)
-      changes =
-          forceBlock<D, mixed, Criterion, true>(p, first, n, laws_, means_, ofI_, ofJ_, more_);
-    else if constexpr (!Criterion::needsLocalStress)
-      changes =
-          forceBlock<D, mixed, Criterion, false>(p, first, n, laws_, nullptr, ofI_, ofJ_, more_);
+    const Changes changes = forcesOfAny<Criterion, anyWay(W)>(p, first, n);
     block.moves = changes.states > 0.0;
     block.changes = changes.kinds > 0.0;
     return changes.kinds;
