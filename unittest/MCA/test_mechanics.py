@@ -35,7 +35,10 @@ def test_bar_with_free_sides(tmp_path, plane):
     assert r["bar"] * 10 / (10 - 1 / 3) == pytest.approx(1, abs=0.004)
 
 
-@pytest.mark.parametrize("xx,yy,xy", [(1, 0, 0), (1, 1, 0), (0, 0, 1), (0.3, -0.7, 0.4)])
+@pytest.mark.parametrize(
+    "xx,yy,xy",
+    [(0.3, -0.7, 0.4), *(pytest.param(*e, marks=LONG) for e in ((1, 0, 0), (1, 1, 0), (0, 0, 1)))],
+)
 def test_plane_stress_is_hookes(tmp_path, xx, yy, xy):
     """Confined tension, equal tension, shear: the stress of the solid in plane stress, nothing
     across the plane, the same for all automata."""
@@ -67,7 +70,7 @@ def test_plane_stress_is_hookes(tmp_path, xx, yy, xy):
         assert np.abs(frame[f"c_state[{k + 1}]"] - expected[k]).max() < 1e-6 * m.K * strain
 
 
-@pytest.mark.parametrize("mode", ["l", "s"])
+@pytest.mark.parametrize("mode", ["l", pytest.param("s", marks=LONG)])
 def test_dispersion_is_that_of_the_lattice(tmp_path, mode):
     """16 automata a wave: the speed of the discrete lattice, 1 % below that of the solid; the step
     and the interpolated zero crossings cost 3e-4."""
@@ -362,7 +365,7 @@ def strength_of(folder, criterion, ratio, plane="strain", sign=1, steps=14000):
 
 
 @pytest.mark.parametrize("plane", ["strain", "stress"])
-@pytest.mark.parametrize("ratio", [3, 10])
+@pytest.mark.parametrize("ratio", [3, pytest.param(10, marks=LONG)])
 def test_mohr_coulomb_has_both_strengths_in_both_planes(tmp_path, plane, ratio):
     criterion = "mohr-coulomb"
     pressed = strength_of(tmp_path / "c", criterion, ratio, plane)[1]

@@ -55,7 +55,7 @@ STRAINS = [
 @pytest.mark.parametrize(
     "packing, strain",
     [
-        pytest.param(p, s, id=f"{p}-{'_'.join(s)}", marks=[LONG] if k and p != "fcc" else [])
+        pytest.param(p, s, id=f"{p}-{'_'.join(s)}", marks=[LONG] if k else [])
         for p in CELLS
         for k, s in enumerate(STRAINS)
     ],
