@@ -82,6 +82,23 @@ def test_short_sliding_is_warned_of(tmp_path, ns, options, warned):
     assert warned is None or warned in warnings[0]
 
 
+@pytest.mark.parametrize(
+    "drift, noise, warned",
+    [(0.012, 0, True), (-0.003, 0.01, True), (0.006, 0, False), (0, 1, False)],
+)
+def test_mu_that_drifts_is_warned_of(tmp_path, drift, noise, warned):
+    """From 50 to 60 ns: 0.012 per ns are 11 % of the mean there, -0.003 12 %."""
+    log = tmp_path / "run.friction"
+    text = friction_logs.friction_log(v=5, ns=60, grinding_in=0, drift=drift, noise=noise)
+    log.write_text(text)
+    result = wr_fit(log, "--start-distance", 250, "-o", tmp_path / "fit.json")
+    run = json.loads((tmp_path / "fit.json").read_text())["report"]["points"][0]
+    told = f"(by {100 * run['drift']:+.0f} %): mu drifts over the part that is averaged"
+    assert (told in result.stderr) == warned == ("drifts" in result.stderr), result.stderr
+    if not noise:
+        assert run["drift"] == pytest.approx(10 * drift / run["mu"], rel=1e-5)
+
+
 def test_time_without_a_broken_link_is_worn_smooth(tmp_path):
     """Phases count in which the layer slides by an automaton: 2.5 nm, ten rows."""
     lines = friction_logs.friction_log(ns=60, grinding_in=0).splitlines(keepends=True)

@@ -101,6 +101,7 @@ const std::vector<RunColumn> &runColumns()
       {"lost", "1", ofHealth<&RunHealth::lost>, last(6)},
       {"smooth", "1", ofHealth<&RunHealth::smooth>, last(4)},
       {"junctions", "1", ofHealth<&RunHealth::junctions>, notInCsv},
+      {"drift", "1", ofHealth<&RunHealth::drift>, notInCsv},
       {"fall", "1", ofHealth<&RunHealth::fall>, notInCsv},
   };
   return table;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "fit/run_health.h"
 
+#include "fit/stationarity.h"
 #include "shared/layer_health.h"
 #include "shared/plain_number.h"
 
@@ -8,6 +9,7 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <functional>
+#include <numeric>
 #include <optional>
 #include <sstream>
 
@@ -132,6 +134,9 @@ const std::vector<Doubt> &doubts()
        [](const RunHealth &h) { return fmt::format("from {:.4g} nm on", h.startDistance); },
        "are averaged from less than 250 nm of sliding on, over which surfaces grind in: "
        "--start-distance 250"},
+      {[](const RunHealth &h) { return std::abs(h.drift) > largeDrift && h.driftP < certainDrift; },
+       [](const RunHealth &h) { return fmt::format("by {:+.0f} %", 100.0 * h.drift); },
+       "mu drifts over the part that is averaged: its mean may be that of no stationary state"},
       {[](const RunHealth &h) { return h.strengths.size() > 1; },
        [](const RunHealth &h) {
          return fmt::format("sigma_0 {} MPa", fmt::join(h.strengths, " and "));
@@ -179,6 +184,12 @@ RunHealth runHealth(const FrictionLog &log, std::size_t first)
   result.smooth = smoothShare(log, first);
   result.junctions = junctionsOf(log);
   result.fall = fallOf(log);
+  constexpr std::size_t leastTested = 16; // trendP
+  const double mean = std::accumulate(log.mu.begin() + first, log.mu.end(), 0.0) / rows;
+  if (log.mu.size() >= first + leastTested && mean != 0.0) {
+    result.drift = drift(log.mu, first) / mean;
+    result.driftP = trendP(log.mu, first);
+  }
   return result;
 }
 

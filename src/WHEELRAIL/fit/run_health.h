@@ -27,6 +27,10 @@ struct RunHealth {
   double smooth = 0.0;
   /// mcawr::layer_health::junctions of the run; nan where nothing links.
   double junctions = std::numeric_limits<double>::quiet_NaN();
+  /// What a straight line through mu gains over that part, over the mean there, and the p value of
+  /// its slope (trendP); nan of fewer than 16 rows.
+  double drift = std::numeric_limits<double>::quiet_NaN();
+  double driftP = std::numeric_limits<double>::quiet_NaN();
   /// The most that flow, breaking or unlinked contacts gave back of what they had dissipated, over
   /// the work of the drive; nan without an account.
   double fall = std::numeric_limits<double>::quiet_NaN();
@@ -36,6 +40,11 @@ struct RunHealth {
 
 /// Blocks grind in over some 200 nm (doc/how_close.md): means begin where this is over [nm].
 constexpr double grindingDistance = 250.0;
+
+/// A drift above this that is no chance at `certainDrift` is warned of. Stricter than
+/// `driftLevel`, at which one run in twenty would be.
+constexpr double largeDrift = 0.1;
+constexpr double certainDrift = 0.01;
 
 /// Health of the run of one log.
 /// \param first row of the part that is averaged, below the number of rows

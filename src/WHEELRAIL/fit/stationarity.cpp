@@ -83,13 +83,6 @@ Line fitLine(const std::vector<double> &values, std::size_t begin, std::size_t e
   return line;
 }
 
-/// What the straight line through values[begin, size) gains from their begin to their end.
-double drift(const std::vector<double> &values, std::size_t begin)
-{
-  const auto line = fitLine(values, begin, values.size());
-  return line.slope * static_cast<double>(values.size() - begin);
-}
-
 /// Two-sided p value of a deviation, given the standard error that `noise` measured; the straight
 /// line that was taken off cost it two degrees of freedom.
 double pValue(double deviation, double error, const SeriesMean &noise)
@@ -180,6 +173,12 @@ double gewekeP(const std::vector<double> &values, std::size_t begin)
   const auto noise = seriesMean(line.residuals, 0, line.residuals.size());
   const double ratio = static_cast<double>(noise.n) / static_cast<double>(endOfFirst - begin);
   return pValue(difference, noise.standardError * std::sqrt(1.0 + ratio), noise);
+}
+
+double drift(const std::vector<double> &values, std::size_t begin)
+{
+  const auto line = fitLine(values, begin, values.size());
+  return line.slope * static_cast<double>(values.size() - begin);
 }
 
 double trendP(const std::vector<double> &values, std::size_t begin)

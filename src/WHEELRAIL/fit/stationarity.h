@@ -51,6 +51,10 @@ std::size_t mser5(const std::vector<double> &values);
 /// freedom.
 double gewekeP(const std::vector<double> &values, std::size_t begin);
 
+/// What the least-squares line through values[begin, size) gains from their begin to their end.
+/// \param begin with at least two values from there on
+double drift(const std::vector<double> &values, std::size_t begin);
+
 /// Two-sided p value of the slope of the least-squares line through values[begin, size), with the
 /// variance and autocorrelation of what the line leaves.
 double trendP(const std::vector<double> &values, std::size_t begin);
