@@ -53,7 +53,7 @@ chain() {
   say "3/4 law and creep curves (tools/campaign_to_creep.sh, examples/wheelrail/eurosprinter.yaml)"
   wheel=$root/examples/wheelrail/eurosprinter
   "$root/tools/campaign_to_creep.sh" "$root/examples/campaign/logs/rail.tar.xz" \
-    --material "$root/potentials/rail_steel.mca" --model bounded_kappa3 --solid-only \
+    --material "$root/potentials/rail_steel.mca" --model bounded_rate --solid-only \
     --start-distance 250 --case "$wheel.yaml" --measured "$wheel.csv" -o creep -- \
     --set contact.hardness_limit=true --set contact.domain=4.2 --set cells="[72, 144]" \
     --set uncertainty.method=linear --set fields=none --set roughness="{hurst: 0.8,

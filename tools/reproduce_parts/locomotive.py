@@ -302,7 +302,7 @@ def draw_law_band(axes: Any, band: Curve, color: str, label: str) -> None:
 def locomotive(found: dict[str, Any], picture: str) -> list[str]:
     """T/N against creep, both laws, beside the measured points."""
     rows, real = found[made.PLAN], measured()
-    figure, panels = pyplot.subplots(1, 2, figsize=(12, 5.2), sharey=True, constrained_layout=True)
+    figure, panels = pyplot.subplots(1, 2, figsize=(12, 5.8), sharey=True, constrained_layout=True)
     titles = ("friction law of our rail steel", "the paper's law")
     for axes, law, color, title in zip(panels, (OURS, PAPER), ("C3", "C0"), titles):
         draw_measured(axes, real)
@@ -333,7 +333,8 @@ def locomotive(found: dict[str, Any], picture: str) -> list[str]:
     )
     ours.set_ylabel("T/N")
     for axes in panels:
-        axes.legend(fontsize=8, loc="lower right")
+        style = {"fontsize": 7, "ncols": 2, "handlelength": 1.6, "columnspacing": 1.0}
+        axes.legend(loc="upper center", bbox_to_anchor=(0.48, -0.11), **style)
     save_figure(figure, picture)
     pyplot.close(figure)
     return [

@@ -45,12 +45,18 @@ def at_speed(points: list[dict[str, Any]]) -> list[dict[str, Any]]:
     return [p for p in points if math.isclose(p["velocity"], SPEED)]
 
 
+def slower_than_speed(points: list[dict[str, Any]]) -> list[dict[str, Any]]:
+    """The others."""
+    return [p for p in points if p not in at_speed(points)]
+
+
 def rail(report: dict[str, Any], picture: str) -> list[str]:
     """mu at each temperature, p/sigma_0 and speed, means over the seeds; the law at each
     temperature."""
     found = by_temperature(report)
     ratios = sorted({rounded(p) for _, _, members in found for p in at_speed(members)})
-    slower = any(len(at_speed(members)) < len(members) for _, _, members in found)
+    slower = sorted({rounded(p) for _, _, members in found for p in slower_than_speed(members)})
+    markers = dict(zip(slower, "os^D"))
     size = {"figsize": (13 if slower else 11, 4.4), "constrained_layout": True}
     figure, (left, right, *slow) = pyplot.subplots(1, 3 if slower else 2, **size)
     rows, speeds = [], []
@@ -72,12 +78,13 @@ def rail(report: dict[str, Any], picture: str) -> list[str]:
             left.plot(x, curve, color=color, lw=1)
             right.plot(x, curve * x, color=color, lw=1)
         for axes in slow:
-            speeds += draw_speeds(axes, report if has_law else None, color, kelvin, members)
+            law = report if has_law else None
+            speeds += draw_speeds(axes, law, markers, color, kelvin, members)
     for axes, factor in ((left, 1 / x), (right, np.ones_like(x))):
         axes.plot(x, SHEAR * factor, "k--", lw=1, label=r"shear strength, $\sigma_0/\sqrt{3}$")
         axes.set(xlabel=r"$p/\sigma_0(T)$", xscale="log")
         axes.grid(alpha=0.3)
-    left.set(ylabel=r"$\mu$", ylim=(0, 0.62))
+    left.set(ylabel=r"$\mu$", ylim=(0, 0.8))
     right.set(ylabel=r"friction stress over $\sigma_0(T)$", ylim=(0, 0.65))
     left.legend(fontsize=8, ncols=2, loc="lower left", title=f"lines: law, {SPEED:g} m/s")
     for axes in slow:
@@ -98,18 +105,24 @@ def rail(report: dict[str, Any], picture: str) -> list[str]:
 
 
 def draw_speeds(
-    axes: Any, law: dict[str, Any] | None, color: Any, kelvin: float, points: list[dict[str, Any]]
+    axes: Any,
+    law: dict[str, Any] | None,
+    markers: dict[float, str],
+    color: Any,
+    kelvin: float,
+    points: list[dict[str, Any]],
 ) -> list[list[str]]:
-    """mu against speed at the load of a temperature that has several, with the law; rows of a
-    table."""
-    slower = [p for p in points if p not in at_speed(points)]
+    """mu against speed at the loads of a temperature that have several, with the law; rows of a
+    table. markers: of each p/sigma_0."""
     rows = []
-    for marker, ratio in zip("os^D", sorted({rounded(p) for p in slower})):
+    for ratio in sorted({rounded(p) for p in slower_than_speed(points)}):
         same = groups([p for p in points if rounded(p) == ratio], lambda p: p["velocity"])
         found = [(v, *mean_of(members), members) for v, members in sorted(same.items())]
         v, mu, error = np.array([row[:3] for row in found]).T
         label = rf"{kelvin:g} K, {ratio:g} $\sigma_0$"
-        axes.errorbar(v, mu, 1.96 * error, fmt=marker, ms=5, capsize=2, color=color, label=label)
+        axes.errorbar(
+            v, mu, 1.96 * error, fmt=markers[ratio], ms=5, capsize=2, color=color, label=label
+        )
         any_point = found[0][3][0]
         unit = any_point["kappa1"] / any_point["velocity"] ** 2
         if law:
