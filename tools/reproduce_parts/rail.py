@@ -147,7 +147,7 @@ def law_lines(report: dict[str, Any]) -> list[str]:
     if "fit" not in report["report"]:
         return ["too few conditions for a law"]
     seeds = len({p["seed"] for p in report["report"]["points"]})
-    lines = f"{made.MODELS[0]}: {made.told(report)}, {seeds} seed(s)".split("; ")
+    lines = f"law {made.MODELS[0]}; {made.told(report)}, {seeds} seed(s)".split("; ")
     rows = [
         [m["model"], f"{100 * m['rms_relative']:.1f} %", f"{m['delta_aicc']:.1f}"]
         for m in report["report"]["models"]
