@@ -184,7 +184,6 @@ RunHealth runHealth(const FrictionLog &log, std::size_t first)
   result.smooth = smoothShare(log, first);
   result.junctions = junctionsOf(log);
   result.fall = fallOf(log);
-  constexpr std::size_t leastTested = 16; // trendP
   const double mean = std::accumulate(log.mu.begin() + first, log.mu.end(), 0.0) / rows;
   if (log.mu.size() >= first + leastTested && mean != 0.0) {
     result.drift = drift(log.mu, first) / mean;

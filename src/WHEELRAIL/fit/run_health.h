@@ -28,7 +28,7 @@ struct RunHealth {
   /// mcawr::layer_health::junctions of the run; nan where nothing links.
   double junctions = std::numeric_limits<double>::quiet_NaN();
   /// What a straight line through mu gains over that part, over the mean there, and the p value of
-  /// its slope (trendP); nan of fewer than 16 rows.
+  /// its slope (trendP); nan of fewer than `leastTested` rows.
   double drift = std::numeric_limits<double>::quiet_NaN();
   double driftP = std::numeric_limits<double>::quiet_NaN();
   /// The most that flow, breaking or unlinked contacts gave back of what they had dissipated, over

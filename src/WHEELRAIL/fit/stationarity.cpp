@@ -165,7 +165,7 @@ double gewekeP(const std::vector<double> &values, std::size_t begin)
   const std::size_t n = values.size() - begin;
   const std::size_t endOfFirst = begin + n / 4;
   const std::size_t beginOfSecond = begin + n / 2;
-  if (n < 16)
+  if (n < leastTested)
     throw std::invalid_argument("gewekeP: at least 16 samples are needed");
   const double difference =
       meanOf(values, begin, endOfFirst) - meanOf(values, beginOfSecond, values.size());
@@ -183,7 +183,7 @@ double drift(const std::vector<double> &values, std::size_t begin)
 
 double trendP(const std::vector<double> &values, std::size_t begin)
 {
-  if (values.size() < begin + 16)
+  if (values.size() < begin + leastTested)
     throw std::invalid_argument("trendP: at least 16 samples are needed");
   const auto line = fitLine(values, begin, values.size());
   const auto noise = seriesMean(line.residuals, 0, line.residuals.size());

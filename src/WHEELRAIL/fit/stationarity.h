@@ -44,6 +44,9 @@ double widenedError(const SeriesMean &mean);
 ///         search range, that is, when the series had better be longer
 std::size_t mser5(const std::vector<double> &values);
 
+/// Fewer values than this have no p value: gewekeP and trendP throw std::invalid_argument.
+constexpr std::size_t leastTested = 16;
+
 /// Two-sided p value of Geweke's comparison of the first quarter with the second half of
 /// values[begin, size): the difference of their means in units of its standard error, both parts
 /// with the variance and autocorrelation of the second half about its own straight line (a drift
