@@ -45,8 +45,8 @@ inline void gatherFlow(const int *pi, const int *pj, int n, const double *respon
 // Pairs with an automaton that flows.
 // \param missing  a column for the loop
 template<class D>
-inline BlockMask flowingPairs(const Pairs &p, int first, int n, const double *response,
-                              Column &missing)
+MCA_CALLED inline BlockMask flowingPairs(const Pairs &p, int first, int n, const double *response,
+                                         Column &missing)
 {
   gatherFlow<D>(p.i + first, p.j + first, n, response, missing);
   return maskOf(n, [&](int k) { return missing[k] != 0.0; });
@@ -56,7 +56,7 @@ inline BlockMask flowingPairs(const Pairs &p, int first, int n, const double *re
 // With those that flow they are all that do more than bear their elastic stress. Criterion: decides
 // by strain only; void: which bulk links break is not looked at.
 template<class D, Way W, class Criterion>
-inline BlockMask busyPairs(const Pairs &p, int first, int n, const PairLaw *laws)
+MCA_LOOP BlockMask busyPairs(const Pairs &p, int first, int n, const PairLaw *laws)
 {
   using Shear = typename D::Shear;
   const int *const plaw = p.law + first;
@@ -127,7 +127,7 @@ class Picked {
   static constexpr int most = blockLength / 2;
 
   // Chooses the pairs of a mask.
-  void choose(const BlockMask &mask)
+  MCA_CALLED void choose(const BlockMask &mask)
   {
     count_ = 0;
     mask.each([this](int k) { number_[count_++] = k; });
@@ -136,7 +136,7 @@ class Picked {
   // Copies the chosen ones, at least one.
   // \param p,first   the block
   // \param pristine  it keeps no total shear of its own
-  void copy(const Pairs &p, int first, bool pristine)
+  MCA_CALLED void copy(const Pairs &p, int first, bool pristine)
   {
     padded_ = (count_ + group - 1) / group * group;
     for (int k = count_; k < padded_; k++)
@@ -204,7 +204,7 @@ class Picked {
   }
 
   // Writes the next state of the whole block: theirs, of all others the present one.
-  void putNext(const Pairs &p, int first, int n, bool pristine) const
+  MCA_CALLED void putNext(const Pairs &p, int first, int n, bool pristine) const
   {
     const PairState &now = p.now, &next = p.next;
     auto copy = [=](const double *from, double *to) {

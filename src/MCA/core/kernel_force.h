@@ -172,8 +172,7 @@ class ForcePassOf {
     if (!block.crowded && workFew<Criterion, W>(p, block, first, n, changed))
       return changed;
     block.busy = maskOf(n, [](int) { return true; });
-    ofI_.gather(pi, n, response_);
-    ofJ_.gather(pj, n, response_);
+    gather(pi, pj, n);
     if (Criterion::needsLocalStress || (local_ && !bulk))
       gatherMeans<D::rows.local.length>(pi, pj, n, local_, means_);
     if (!bulk || !workBulk<Criterion, W>(p, block, first, n))
@@ -196,8 +195,15 @@ class ForcePassOf {
   Picked<D> few_;
   alignas(64) double means_[blockLength * D::rows.local.length];
 
+  // What both automata of n pairs answer.
+  MCA_CALLED void gather(const int *pi, const int *pj, int n)
+  {
+    ofI_.gather(pi, n, response_);
+    ofJ_.gather(pj, n, response_);
+  }
+
   // Adds what the first n pairs have in more_.
-  void add(const int *pi, const int *pj, int n)
+  MCA_CALLED void add(const int *pi, const int *pj, int n)
   {
     constexpr RowLayout rows = D::rows;
     more_.row.template scatter<rows.dimension, rows.force.length / 4>(pi, pj, n,
@@ -224,8 +230,7 @@ class ForcePassOf {
       return true;
     few_.copy(p, first, pristine);
     const Pairs picked = few_.pairs();
-    ofI_.gather(picked.i, few_.padded(), response_);
-    ofJ_.gather(picked.j, few_.padded(), response_);
+    gather(picked.i, picked.j, few_.padded());
     const double states = answerFew<Criterion, W>(block, picked);
     add(picked.i, picked.j, few_.count());
     if (states > 0.0) {

@@ -18,6 +18,10 @@
 
 #include "pairs.h"
 
+// What a block does that knows nothing of its way: a function that is called, once a block. As a
+// copy in each loop that calls it, it would be most of the plugin's code.
+#define MCA_CALLED __attribute__((noinline))
+
 namespace mca::MCA_ISA {
 namespace {
 
@@ -142,7 +146,8 @@ inline void gatherOne(const int *index, int n, const double *from, Column &c)
 // \param rows     LENGTH values an automaton, of guests, too
 // \param means    LENGTH values for each of the n pairs, written; 32-byte aligned
 template<int LENGTH>
-inline void gatherMeans(const int *pi, const int *pj, int n, const double *rows, double *means)
+MCA_CALLED inline void gatherMeans(const int *pi, const int *pj, int n, const double *rows,
+                                   double *means)
 {
   static_assert(LENGTH % 4 == 0);
   constexpr int parts = LENGTH / 4;

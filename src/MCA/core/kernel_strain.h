@@ -23,7 +23,7 @@ inline bool allNear1(int n, const double *ratio)
 }
 
 // Returns how many links of a bulk block break by strain.
-// Criterion: of bulk links, if it decides by strain only; else void.
+// Criterion: of a bulk block, if it decides by strain only; else void.
 template<class D, Way W, class Criterion>
 MCA_LOOP double strainBlock(const Pairs &p, Block &block, int first, int n,
                             const typename D::Time &time, const PairLaw *laws, const double *motion,
@@ -44,8 +44,7 @@ MCA_LOOP double strainBlock(const Pairs &p, Block &block, int first, int n,
   const double oneContactsFlow = laws[plaw[0]].contactsFlow;
   const FractureLimits limits = laws[plaw[0]].limits.fracture;
   const typename D::Time now = time;
-  // Criterion is void where links do not break by what is known here
-  constexpr bool decidesHere = onlyBulk(W) && !std::is_void_v<Criterion>;
+  constexpr bool decidesHere = !std::is_void_v<Criterion>;
   constexpr bool knowsNear = D::keepsVolume && onlyBulk(W);
   // what follows from the strain; returns 1 for a link that breaks. total: shear of a bulk link
   auto strain = [=, &es, &flow](int k, double eps, const Shear &total) {
@@ -123,9 +122,6 @@ MCA_LOOP double strainBlock(const Pairs &p, Block &block, int first, int n,
     scatter(p.i + first, p.j + first, n, es, flow, room, room, Row4{1.0, 1.0, 1.0, 1.0}, strains);
   else
     scatter(p.i + first, p.j + first, n, es, flow, strains);
-  if constexpr (!std::is_void_v<Criterion>)
-    block.busy = onlyBulk(W) && breaking == 0.0 ? BlockMask{}
-                                                : busyPairs<D, W, Criterion>(p, first, n, laws);
   return breaking;
 }
 
@@ -136,12 +132,16 @@ void strainPass(const Pairs &p, double dt, bool moves, const PairLaw *laws, cons
   const typename D::Time time(dt, moves);
   withCriterion(p, laws, [&](auto criterion) {
     using C = decltype(criterion);
-    // all that do not decide by strain have the same loops
-    using Known = std::conditional_t<C::strainOnly, C, void>;
     eachBlock(p, [&](Block &block, auto way, int first, int n) {
+      // one loop for all that do not decide by strain
+      using Known = std::conditional_t<C::strainOnly && onlyBulk(way.way), C, void>;
       const double breaking =
           strainBlock<D, way.way, Known>(p, block, first, n, time, laws, motion, spin, strains);
       block.breaks = breaking > 0.0;
+      if constexpr (C::strainOnly)
+        block.busy = onlyBulk(way.way) && !block.breaks
+                         ? BlockMask{}
+                         : busyPairs<D, way.way, C>(p, first, n, laws);
       if (way.way == Pristine && block.breaks)
         leavePristine(p, block, first, n, D::shears);
     });
