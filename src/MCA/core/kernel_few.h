@@ -30,6 +30,18 @@ inline BlockMask maskOf(int n, const Which &which)
   return mask;
 }
 
+// The first n pairs of a block.
+inline BlockMask maskOfFirst(int n)
+{
+  BlockMask mask{};
+  for (int word = 0; word < BlockMask::words; word++) {
+    const int left = n - 64 * word;
+    if (left > 0)
+      mask.bits[word] = ~std::uint64_t{0} >> (left < 64 ? 64 - left : 0);
+  }
+  return mask;
+}
+
 // What is missing of M of both automata of each pair [-]: 0 where neither flows.
 template<class D>
 inline void gatherFlow(const int *pi, const int *pj, int n, const double *response, Column &missing)

@@ -171,7 +171,7 @@ class ForcePassOf {
     double changed = 0.0;
     if (!block.crowded && workFew<Criterion, W>(p, block, first, n, changed))
       return changed;
-    block.busy = maskOf(n, [](int) { return true; });
+    block.busy = maskOfFirst(n);
     gather(pi, pj, n);
     if (Criterion::needsLocalStress || (local_ && !bulk))
       gatherMeans<D::rows.local.length>(pi, pj, n, local_, means_);
