@@ -94,7 +94,7 @@ class Run:
                 fail(
                     Exit.INTERNAL,
                     f"{self.title}: lmp failed with exit code {self.process.returncode}: "
-                    f"{errors[0] if errors else said[-500:]}",
+                    f"{errors[0] if errors else said.strip()[:2000]}",
                 )
         return texts
 
