@@ -57,8 +57,8 @@ inline void gatherFlow(const int *pi, const int *pj, int n, const double *respon
 // Pairs with an automaton that flows.
 // \param missing  a column for the loop
 template<class D>
-MCA_CALLED inline BlockMask flowingPairs(const Pairs &p, int first, int n, const double *response,
-                                         Column &missing)
+MCA_CALLED BlockMask flowingPairs(const Pairs &p, int first, int n, const double *response,
+                                  Column &missing)
 {
   gatherFlow<D>(p.i + first, p.j + first, n, response, missing);
   return maskOf(n, [&](int k) { return missing[k] != 0.0; });

@@ -146,8 +146,7 @@ inline void gatherOne(const int *index, int n, const double *from, Column &c)
 // \param rows     LENGTH values an automaton, of guests, too
 // \param means    LENGTH values for each of the n pairs, written; 32-byte aligned
 template<int LENGTH>
-MCA_CALLED inline void gatherMeans(const int *pi, const int *pj, int n, const double *rows,
-                                   double *means)
+MCA_CALLED void gatherMeans(const int *pi, const int *pj, int n, const double *rows, double *means)
 {
   static_assert(LENGTH % 4 == 0);
   constexpr int parts = LENGTH / 4;
