@@ -266,10 +266,10 @@ def test_every_variable_of_the_bar(tmp_path):
 
 
 def test_friction_in_space(tmp_path):
-    """The variables of the friction example and one more; a run that goes on after its restart
+    """The variables of the friction example and two more; a run that goes on after its restart
     file."""
     defaults, plane = (script_variables(where / "in.friction") for where in (SPACE, FRICTION))
-    other = {"columns": "20", "rows": "28", "depth": "8"}
+    other = {"columns": "20", "rows": "28", "depth": "8", "skin": "0.4"}
     assert defaults == {**plane, **other}
     values = {"columns": 8, "rows": 14, "depth": 4, "every": 100, "seed": 3, "v": 7, "frames": 0}
     values.update(profile=200, checkpoint=200)

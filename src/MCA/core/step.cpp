@@ -321,7 +321,9 @@ void Step::findKept()
     const double *const means = response_.row(from) + layout().response.mean;
     const double *const now = kept_.row(from);
     double *const next = keptNext_.row(from);
-    for (int i = 0; i < n; i++) { // 0 stays 0
+    for (int i = 0; i < n; i++) {
+      if (now[i] == 0.0) // it stays 0
+        continue;
       const AutomatonLaw &law = laws_.automata[types_[from + i]];
       next[i] = keptStrain(now[i], means[length * i] / (law.bulkModulus * law.weight));
     }
