@@ -17,12 +17,14 @@ from mcawr.replicas import NORMAL, groups, half_width, mean_of
 from . import (
     ageing,
     laws,
+    laws2,
     layer,
     locomotive_runs,
     presets,
     rail,
     space as three,
     temperature as heat,
+    width,
 )
 from .common import Missing, percent, power_law, run_name, scatter_of, table
 from .dots import dots
@@ -446,10 +448,17 @@ FIGURES = {
         laws.links,
         ["--start", f"{laws.LINKS_BEGIN:g}"],
     ),
+    "laws2": Figure(
+        f"Sets of laws in wide fragments, from {laws2.START} nm on",
+        ["laws2"],
+        laws2.laws2,
+        ["--start-distance", laws2.START],
+    ),
     "convergence": Figure(
         "Size of the fragment and time step, from 40 ns on",
         ["convergence"],
         convergence,
         ["--start", "40"],
     ),
+    "width": Figure(f"How wide a fragment has to be, {FROM}", ["width"], width.width, START),
 }

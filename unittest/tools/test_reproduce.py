@@ -259,6 +259,42 @@ def test_convergence(tmp_path):
     assert line(text, "92 MPa, 10 m/s: half the step")[3] == pytest.approx(0, abs=1)
 
 
+def test_width_tells_what_is_enough(tmp_path):
+    """By the columns alone: 40 rub 10 % less than all wider ones, 20 30 % less."""
+    factors = {20: 0.7, 40: 0.9}
+    logs(tmp_path, "width", lambda run: factors.get(run.values["columns"], 1), ns=500)
+    text = made(tmp_path, "width", reproduce(tmp_path, "width"))
+    for name in ("light", "hard", "strong", "base", "slow", "heavy"):
+        rows = [row for row in text.splitlines() if row.startswith(f"{name}: ")]
+        ends = ["no", "no", "yes", "yes", "%"]
+        assert [row.split()[-1] for row in rows] == ends, text
+        assert line(text, f"{name}: 40 columns")[-2] == pytest.approx(-10, abs=1)
+    by_columns, by_junctions = (line(text, f"by {of}:")[0] for of in ("columns", "junctions"))
+    assert by_columns < 1 and 5 < by_junctions < 20
+
+
+def test_sets_of_laws_in_the_order_of_the_rule(tmp_path):
+    """First those that rub alike at base and soft, by their distance from Eq. 2; then the others;
+    then those that are not complete."""
+    factors = {"d": 1.0, "d worn never": 0.8, "d weld 1": 0.9, "c": 1.0, "d flow links": 1.0}
+
+    def factor(run):
+        soft = run.values["laws"] == "c" and run.name.startswith("soft")
+        return factors.get(run.values["laws"], 0.0) * (0.7 if soft else 1)
+
+    folder, runs = logs(tmp_path, "laws2", factor, ns=40)
+    for run in runs:
+        left = run.values["laws"] == "d flow links" and run.name.startswith("faint")
+        if run.values["laws"] not in factors or left:
+            (folder / f"{run.name}.friction").unlink()
+    text = made(tmp_path, "laws2", reproduce(tmp_path, "laws2"))
+    names = [row.split("  ")[0] for row in text.splitlines()[2:]]
+    assert names[:6] == ["d", "d weld", "d never", "c", "d links", "Eq. 2"]
+    assert line(text, "d weld  ")[-2] == pytest.approx(10, abs=2)
+    assert line(text, "c  ")[-4] == pytest.approx(0.7, abs=0.02)
+    assert "24 runs" in text
+
+
 def test_missing_logs_are_one_clear_line(tmp_path):
     (tmp_path / "logs").mkdir()
     done = reproduce(tmp_path, "fig4")

@@ -1,0 +1,111 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+"""How wide a fragment has to be: the plan `width`, by the rules in its head."""
+
+import math
+from typing import Any
+
+import numpy as np
+from matplotlib import pyplot
+
+from campaign_parts import plan as plans, size
+from mcawr.files import save_figure
+from mcawr.replicas import NORMAL, groups, half_width, mean_of
+
+from .common import Missing, percent, run_name, table
+
+ENOUGH = 0.03  # of mu: what twice and four times the width may change beyond the errors
+WIDEST = 320  # columns
+
+
+def planned() -> dict[str, dict[str, Any]]:
+    """{name of a run: its values} of the plan."""
+    return {run.name: run.values for run in plans.read(plans.find("width")).runs}
+
+
+def is_enough(means: dict[int, tuple[float, float]], columns: int) -> bool | None:
+    """Rule 1: neither twice nor four times of it changes mu by more than 3 % or its standard error.
+    None where no wider one ran."""
+    wider = [means[n] for n in (2 * columns, 4 * columns) if n in means]
+    mu, error = means[columns]
+    change = [(abs(other - mu), max(ENOUGH * mu, math.hypot(error, e))) for other, e in wider]
+    return all(by <= most for by, most in change) if change else None
+
+
+def scatter_in_bins(numbers: list[float], ratios: list[float]) -> tuple[float, int]:
+    """Rule 2: (root mean square deviation of ratios from the means of their bins, a factor 2 of
+    their numbers wide, number of bins)."""
+    bins = groups(zip(numbers, ratios), lambda pair: math.floor(math.log2(pair[0])))
+    left = [r - np.mean([y for _, y in members]) for members in bins.values() for _, r in members]
+    return float(np.sqrt(np.mean(np.square(left)))), len(bins)
+
+
+def width(report: dict[str, Any], picture: str) -> list[str]:
+    """mu against columns at each condition, and over that of the widest against what may decide."""
+    of = planned()
+    # wr_fit takes other widths for replicas; what seeds differ by follows from those of one width
+    points = [{**p, "mu_se": p["mu_se_own"], "t95": NORMAL} for p in report["report"]["points"]]
+    if strange := {run_name(point) for point in points} - of.keys():
+        raise Missing(f"not of the plan width: {', '.join(sorted(strange))}")
+
+    def condition(point: dict[str, Any]) -> tuple[float, str]:
+        return point["pressure"] / point["strength"], run_name(point).split("-columns")[0]
+
+    rows, ratios, across = [], [], {}
+    figure, axes = pyplot.subplots(1, 2, figsize=(9.6, 4.2), layout="constrained")
+    for number, ((share, name), members) in enumerate(groups(points, condition).items()):
+        widths = groups(members, lambda point: of[run_name(point)]["columns"])
+        means = {columns: mean_of(runs) for columns, runs in widths.items()}
+        for columns, runs in widths.items():
+            (mu, error), (smooth, _) = means[columns], mean_of(runs, "smooth")
+            enough, junctions = is_enough(means, columns), size.junctions(of[run_name(runs[0])])
+            across[name, columns] = junctions
+            if WIDEST in means and columns < WIDEST:
+                ratios.append((columns, junctions, mu / means[WIDEST][0]))
+            rows.append(
+                [
+                    f"{name}: {columns} columns",
+                    f"{share:.3g}",
+                    f"{junctions:.2g}",
+                    str(len(runs)),
+                    f"{mu:.3f} +- {error:.3f}",
+                    percent(mu, means[WIDEST][0]) if WIDEST in means and columns < WIDEST else "",
+                    f"{100 * smooth:.0f} %",
+                    "" if enough is None else "yes" if enough else "no",
+                ]
+            )
+        label = f"{name}: $p/\\sigma_0$ = {share:.3g}"
+        draw(axes[0], list(widths), means, widths, f"C{number}", label)
+        draw(axes[1], [across[name, n] for n in widths], means, widths, f"C{number}")
+    axes[0].set(xlabel="columns", ylabel="friction coefficient $\\mu$")
+    axes[1].set(xlabel="junctions at once, $p W/(d \\sigma_{link})$")
+    for one in axes:
+        one.set_xscale("log", base=2)
+        one.xaxis.set_major_formatter("{x:g}")
+        one.set_ylim(0, 1)
+        one.grid(alpha=0.3)
+    axes[0].set_xticks([20, 40, 80, 160, WIDEST])
+    axes[0].legend(fontsize=8, ncols=2, loc="lower center")
+    save_figure(figure, picture)
+    head = ["", "p/sigma_0", "junctions", "runs", "mu", f"of {WIDEST}", "smooth", "enough"]
+    return table(head, rows) + decided(ratios)
+
+
+def draw(
+    axes: Any, x: list[Any], means: Any, widths: Any, colour: str, label: str | None = None
+) -> None:
+    """mu of one condition, bars of 95 %."""
+    mu = [mu for mu, _ in means.values()]
+    bars = [half_width(runs) for runs in widths.values()]
+    axes.errorbar(x, mu, bars, color=colour, marker="o", ms=4, lw=1, capsize=2, label=label)
+
+
+def decided(ratios: list[tuple[int, float, float]]) -> list[str]:
+    """Which number leaves the smaller scatter of mu over that of the widest."""
+    if len(ratios) < 3:
+        return []
+    values = [ratio for *_, ratio in ratios]
+    lines = ["", f"scatter of mu over that of {WIDEST} columns in bins of a factor 2"]
+    for title, at in (("columns", 0), ("junctions", 1)):
+        scatter, bins = scatter_in_bins([row[at] for row in ratios], values)
+        lines.append(f"  by {title}: {100 * scatter:.1f} %, {bins} bins")
+    return lines
