@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 
+from campaign_parts import plan as plans
 from mcawr.errors import BadInput
 
 
@@ -18,6 +19,20 @@ def run_name(point: dict[str, Any]) -> str:
     """Name of the run that a log belongs to: of its folder, or of the packed file."""
     folder, name = os.path.split(point["file"])
     return os.path.basename(folder) if name == "run.friction" else name.removesuffix(".friction")
+
+
+def planned(plan: str, points: list[dict[str, Any]]) -> dict[str, dict[str, Any]]:
+    """{name of a run: its values} of a plan. Raises Missing where a point is of no run of it."""
+    of = {run.name: run.values for run in plans.read(plans.find(plan)).runs}
+    if strange := {run_name(point) for point in points} - of.keys():
+        raise Missing(f"not of the plan {plan}: {', '.join(sorted(strange))}")
+    return of
+
+
+def with_own_errors(points: list[dict[str, Any]]) -> list[dict[str, Any]]:
+    """The points with what each run knows of itself as the error of mu: where wr_fit would take
+    runs that differ on purpose for replicas."""
+    return [{**point, "mu_se": point["mu_se_own"]} for point in points]
 
 
 def table(head: list[str], rows: list[list[str]]) -> list[str]:

@@ -3,16 +3,14 @@
 doc/how_chosen.md."""
 
 import math
-from collections.abc import Iterable
 from typing import Any
 
 from matplotlib import pyplot
 
-from campaign_parts import plan as plans
 from mcawr.files import save_figure
 from mcawr.replicas import groups, mean_of
 
-from .common import Missing, run_name, table
+from .common import Missing, planned, run_name, table, with_own_errors
 from .laws import Mean, distance
 
 FIRST = ("base", "soft", "strong", "dense", "faint")
@@ -42,6 +40,7 @@ def is_solid(point: dict[str, Any]) -> bool:
 
 
 def ratio(over: Mean, under: Mean) -> Mean:
+    """Of two independent means."""
     value = over.value / under.value
     return Mean(value, value * math.hypot(over.relative, under.relative))
 
@@ -72,12 +71,10 @@ class Found:
         return not self.solid, False, not alike, self.away[0]
 
 
-def sets_of(points: Iterable[dict[str, Any]]) -> list[Found]:
-    of = {run.name: run.values for run in plans.read(plans.find("laws2")).runs}
-    points = [{**p, "mu_se": p["mu_se_own"]} for p in points]  # each set is one seed
-    if strange := {run_name(p) for p in points} - of.keys():
-        raise Missing(f"not of the plan laws2: {', '.join(sorted(strange))}")
-    found = groups(points, lambda p: of[run_name(p)]["laws"])
+def sets_of(points: list[dict[str, Any]]) -> list[Found]:
+    """Those with a run of base, in the order of the rule."""
+    of = planned("laws2", points)
+    found = groups(with_own_errors(points), lambda p: of[run_name(p)]["laws"])
     begun = {laws: runs for laws, runs in found.items() if any("base" in run_name(p) for p in runs)}
     if not begun:
         raise Missing("no set of laws has a run of base")

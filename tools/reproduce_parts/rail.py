@@ -13,7 +13,7 @@ from mcawr.files import save_figure
 from mcawr.replicas import NORMAL, groups, mean_of
 
 from . import locomotive_runs as made, temperature as heat
-from .common import Missing, percent, run_name, table
+from .common import Missing, percent, run_name, table, with_own_errors
 from .dots import dots
 
 SHEAR = 1 / math.sqrt(3)  # shear strength over sigma_0, von Mises
@@ -161,11 +161,7 @@ def law_lines(report: dict[str, Any]) -> list[str]:
 def checks(report: dict[str, Any], picture: str) -> list[str]:
     """Other widths, heights and steps beside the runs of the law at their place."""
     # widths differ in what their seeds differ by, so that one share for all of them tells nothing
-    points = [
-        {**p, "mu_se": p["mu_se_own"]}
-        for p in at_speed(report["report"]["points"])
-        if not p["left_out"]
-    ]
+    points = with_own_errors([p for p in at_speed(report["report"]["points"]) if not p["left_out"]])
     runs = [run.values for run in plan.read(plan.find("rail")).runs]
     of_law = [p for p in points if base_name(p).startswith("t")]
     rows, labels, values, bars = [], [], [], []

@@ -7,19 +7,14 @@ from typing import Any
 import numpy as np
 from matplotlib import pyplot
 
-from campaign_parts import plan as plans, size
+from campaign_parts import size
 from mcawr.files import save_figure
-from mcawr.replicas import NORMAL, groups, half_width, mean_of
+from mcawr.replicas import NORMAL, groups, mean_of
 
-from .common import Missing, percent, run_name, table
+from .common import percent, planned, run_name, table, with_own_errors
 
 ENOUGH = 0.03  # of mu: what twice and four times the width may change beyond the errors
 WIDEST = 320  # columns
-
-
-def planned() -> dict[str, dict[str, Any]]:
-    """{name of a run: its values} of the plan."""
-    return {run.name: run.values for run in plans.read(plans.find("width")).runs}
 
 
 def is_enough(means: dict[int, tuple[float, float]], columns: int) -> bool | None:
@@ -41,31 +36,29 @@ def scatter_in_bins(numbers: list[float], ratios: list[float]) -> tuple[float, i
 
 def width(report: dict[str, Any], picture: str) -> list[str]:
     """mu against columns at each condition, and over that of the widest against what may decide."""
-    of = planned()
-    # wr_fit takes other widths for replicas; what seeds differ by follows from those of one width
-    points = [{**p, "mu_se": p["mu_se_own"], "t95": NORMAL} for p in report["report"]["points"]]
-    if strange := {run_name(point) for point in points} - of.keys():
-        raise Missing(f"not of the plan width: {', '.join(sorted(strange))}")
+    # what seeds differ by follows from those of one width
+    points = with_own_errors(report["report"]["points"])
+    of = planned("width", points)
 
     def condition(point: dict[str, Any]) -> tuple[float, str]:
         return point["pressure"] / point["strength"], run_name(point).split("-columns")[0]
 
-    rows, ratios, across = [], [], {}
+    rows, ratios = [], []
     figure, axes = pyplot.subplots(1, 2, figsize=(9.6, 4.2), layout="constrained")
     for number, ((share, name), members) in enumerate(groups(points, condition).items()):
         widths = groups(members, lambda point: of[run_name(point)]["columns"])
         means = {columns: mean_of(runs) for columns, runs in widths.items()}
+        junctions = {n: size.junctions(of[run_name(runs[0])]) for n, runs in widths.items()}
         for columns, runs in widths.items():
             (mu, error), (smooth, _) = means[columns], mean_of(runs, "smooth")
-            enough, junctions = is_enough(means, columns), size.junctions(of[run_name(runs[0])])
-            across[name, columns] = junctions
+            enough = is_enough(means, columns)
             if WIDEST in means and columns < WIDEST:
-                ratios.append((columns, junctions, mu / means[WIDEST][0]))
+                ratios.append((columns, junctions[columns], mu / means[WIDEST][0]))
             rows.append(
                 [
                     f"{name}: {columns} columns",
                     f"{share:.3g}",
-                    f"{junctions:.2g}",
+                    f"{junctions[columns]:.2g}",
                     str(len(runs)),
                     f"{mu:.3f} +- {error:.3f}",
                     percent(mu, means[WIDEST][0]) if WIDEST in means and columns < WIDEST else "",
@@ -74,8 +67,8 @@ def width(report: dict[str, Any], picture: str) -> list[str]:
                 ]
             )
         label = f"{name}: $p/\\sigma_0$ = {share:.3g}"
-        draw(axes[0], list(widths), means, widths, f"C{number}", label)
-        draw(axes[1], [across[name, n] for n in widths], means, widths, f"C{number}")
+        draw(axes[0], list(widths), means, f"C{number}", label)
+        draw(axes[1], list(junctions.values()), means, f"C{number}")
     axes[0].set(xlabel="columns", ylabel="friction coefficient $\\mu$")
     axes[1].set(xlabel="junctions at once, $p W/(d \\sigma_{link})$")
     for one in axes:
@@ -90,12 +83,10 @@ def width(report: dict[str, Any], picture: str) -> list[str]:
     return table(head, rows) + decided(ratios)
 
 
-def draw(
-    axes: Any, x: list[Any], means: Any, widths: Any, colour: str, label: str | None = None
-) -> None:
+def draw(axes: Any, x: list[Any], means: Any, colour: str, label: str | None = None) -> None:
     """mu of one condition, bars of 95 %."""
-    mu = [mu for mu, _ in means.values()]
-    bars = [half_width(runs) for runs in widths.values()]
+    mu, errors = zip(*means.values())
+    bars = [NORMAL * error for error in errors]
     axes.errorbar(x, mu, bars, color=colour, marker="o", ms=4, lw=1, capsize=2, label=label)
 
 
