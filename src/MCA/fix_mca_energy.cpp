@@ -208,7 +208,7 @@ void FixMCAEnergy::end_of_step()
     if (count != before) {
       double missing = own.kinetic + own.elastic - last;
       for (int m = 0; m < FLOWS; m++)
-        missing += (Account::comesIn(m) ? -1.0 : 1.0) * (account.sums()[m] - booked[m]);
+        missing += Account::leaves(m) * (account.sums()[m] - booked[m]);
       account.add(Account::Changed, missing);
     }
   }
@@ -245,7 +245,7 @@ FixMCAEnergy::Balance FixMCAEnergy::balance()
   Balance sum = {all[0], all[1], {}, all[2], all[0] + all[1] - all[2]};
   for (int m = 0; m < FLOWS; m++) {
     sum.flow[m] = all[3 + m];
-    sum.error += (Account::comesIn(m) ? -1.0 : 1.0) * all[3 + m];
+    sum.error += Account::leaves(m) * all[3 + m];
   }
   return sum;
 }

@@ -50,8 +50,7 @@ class FixMCAEnergy : public Fix {
   /// Memory of the account on this rank [bytes].
   double memory_usage() override;
 
-  /// Number of sums of the account: plastic, fracture, viscous, work, box, changed,
-  /// touching, friction.
+  /// Number of sums of the account.
   static constexpr int FLOWS = mca::EnergyAccount::Channels;
   /// Energies of all ranks [energy]: kinetic of the leap-frog velocities (laws/energy.h), elastic,
   /// and the sums in the order of mca::EnergyAccount::Channel.

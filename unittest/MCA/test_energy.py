@@ -27,6 +27,8 @@ def account(result, run=0):
     named["step"] = table["Step"]
     named["drive"] = table.get("f_drive")
     named["touching"] = table.get("c_energy[9]")
+    named["flow of contacts"] = table.get("c_energy[11]")
+    named["slip"] = table.get("c_energy[12]")
     return named
 
 
@@ -73,6 +75,15 @@ def test_other_laws_close_too(laws, tmp_path):
     assert (a["viscous"][-1] == pytest.approx(0, abs=1e-3 * a["dissipated"][-1])) == (
         "viscosity none" in laws
     )
+    parts = (
+        ("flow of contacts", "plastic", "flow contacts"),
+        ("slip", "viscous", "viscosity both"),
+    )
+    for part, whole, words in parts:
+        if words in laws:
+            assert 1e-3 * a[whole][-1] < a[part][-1] < 0.999 * a[whole][-1]
+        else:
+            assert not a[part].any()
 
 
 @pytest.mark.parametrize("laws", ["", pytest.param("viscosity both", marks=LONG)])

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 namespace mca {
 
@@ -59,6 +58,14 @@ static EnergyAccount::Channel channelOf(const Step &step, int k)
   return was && !is                              ? EnergyAccount::Fracture
          : was || step.law(k).contactsFlow > 0.0 ? EnergyAccount::Plastic
                                                  : EnergyAccount::Viscous;
+}
+
+void EnergyAccount::pay(const Step &step, int k, double loss, double *sums)
+{
+  const Channel channel = channelOf(step, k);
+  sums[channel] += loss;
+  if (channel == Plastic && !link::isLinked(step.links().pairs().now.kind[k]))
+    sums[ContactFlow] += loss;
 }
 
 // Whether what pair k holds, of what its energy knows, is another one in the next state.
@@ -160,11 +167,10 @@ void EnergyAccount::findReleased(const Step &step)
     const double means[2] = {step.mean(i), step.mean(j)};
     const double next[2] = {rows_.row(i)[meanAt], rows_.row(j)[meanAt]};
     const PairLaw &law = step.law(k);
-    const Channel channel = channelOf(step, k);
     const ElasticStrain before = strainOf(step, k, false), after = strainOf(step, k, true);
     const double volume = law.area * law.diameter * step.share(k);
-    released_[channel] += changeLoss(law, before, after, means, next) * volume;
-    if (channel == Fracture && law.keepsEnergy > 0.0) {
+    pay(step, k, changeLoss(law, before, after, means, next) * volume, released_);
+    if (law.keepsEnergy > 0.0 && channelOf(step, k) == Fracture) {
       // a link that breaks as it flows: only with what its automata's other links flow does the
       // latter dissipate
       const double flow = lastFlow(step, k);
@@ -190,7 +196,10 @@ void EnergyAccount::findReleased(const Step &step)
 
 double EnergyAccount::released() const
 {
-  return std::accumulate(released_, released_ + Channels, 0.0);
+  double sum = 0.0;
+  for (int m = 0; m < Channels; m++)
+    sum += leaves(m) * released_[m];
+  return sum;
 }
 
 void EnergyAccount::bookSecondHalf(const Step &step, double dt)
@@ -323,9 +332,11 @@ void EnergyAccount::bookContact(const Step &step, int k, double dt, bool back, b
   if (step.laws().resistsSlip) {
     const double arm = 0.5 * length(distance);
     const Vector slip = slipOf(step.normal(k), apart, turns, arm);
-    viscous += slipLoss(law, step.slipStress(k), slip);
+    const double bySlip = slipLoss(law, step.slipStress(k), slip);
+    viscous += bySlip;
+    sums_[Slip] += bySlip * volume;
   }
-  sums_[channelOf(step, k)] += loss;
+  pay(step, k, loss, sums_);
   sums_[Viscous] += viscous * volume;
   if (back && rubs)
     bookFriction(step, k, shearGrowth(motion), volume);

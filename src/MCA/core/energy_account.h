@@ -30,10 +30,29 @@ class EnergyAccount {
   /// what contacts lose in steps in which they touch or part: force and gradient jump there, and
   /// what their means of both ends say too much or too little is no dissipation but the step's
   /// error, of either sign; so is what a spring of friction gives back that turns round within one.
-  /// Friction is what unlinked contacts lose as they slide. Channels is their number.
-  enum Channel { Plastic, Fracture, Viscous, Work, Box, Changed, Touching, Friction, Channels };
-  /// Those that add to what the sample has; the others take from it.
+  /// Friction is what unlinked contacts lose as they slide. Two are parts of others, counted there,
+  /// too: ContactFlow is that of unlinked contacts in Plastic, Slip that of the stress against slip
+  /// in Viscous. Channels is their number.
+  enum Channel {
+    Plastic,
+    Fracture,
+    Viscous,
+    Work,
+    Box,
+    Changed,
+    Touching,
+    Friction,
+    ContactFlow,
+    Slip,
+    Channels
+  };
+  /// Those that add to what the sample has.
   static constexpr bool comesIn(int channel) { return channel >= Work && channel < Touching; }
+  /// What has left the sample by a channel, for one of it: 1, -1 where it comes in, 0 of parts.
+  static constexpr double leaves(int channel)
+  {
+    return channel >= ContactFlow ? 0.0 : comesIn(channel) ? -1.0 : 1.0;
+  }
 
   /// Sums since the beginning [energy], by channel.
   /// Sums of this rank alone: the account of the sample is the sum over all ranks.
@@ -126,6 +145,9 @@ class EnergyAccount {
   void bookFriction(const Step &, int k, const Vector &growth, double volume);
   /// What the change of state sets free.
   void findReleased(const Step &);
+  /// Adds what pair k dissipates by its state [energy] to the channel that it pays into.
+  /// \param sums  sums_ or released_
+  static void pay(const Step &, int k, double loss, double *sums);
 };
 
 } // namespace mca
