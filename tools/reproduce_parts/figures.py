@@ -17,7 +17,6 @@ from mcawr.replicas import NORMAL, groups, half_width, mean_of
 from . import (
     ageing,
     laws,
-    laws2,
     layer,
     locomotive_runs,
     presets,
@@ -437,22 +436,10 @@ FIGURES = {
         ["--start", "50"],
     ),
     "laws": Figure(
-        f"Sets of laws crossed, from {laws.BEGIN:g} ns on",
+        f"Sets of laws in wide fragments, from {laws.START} nm on",
         ["laws"],
         laws.laws,
-        ["--start", f"{laws.BEGIN:g}"],
-    ),
-    "laws-links": Figure(
-        f"Laws of links, from {laws.LINKS_BEGIN:g} ns on",
-        ["laws-links", "laws"],
-        laws.links,
-        ["--start", f"{laws.LINKS_BEGIN:g}"],
-    ),
-    "laws2": Figure(
-        f"Sets of laws in wide fragments, from {laws2.START} nm on",
-        ["laws2"],
-        laws2.laws2,
-        ["--start-distance", laws2.START],
+        ["--start-distance", laws.START],
     ),
     "convergence": Figure(
         "Size of the fragment and time step, from 40 ns on",

@@ -1,11 +1,9 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Sets of laws crossed: which rubs alike at equal kappa1 and kappa2, and how near to Eq. 2. Of the
-plan laws all of them; of the plan laws-links the best of them, and these with other rules for
-links."""
+"""Sets of laws in wide fragments, the plan `laws`: which go on, by the rules on
+doc/how_chosen.md."""
 
 import dataclasses
 import math
-from collections.abc import Callable
 from typing import Any
 
 import numpy as np
@@ -15,23 +13,28 @@ from mcawr.files import save_figure
 from mcawr.replicas import groups, mean_of
 
 from . import layer
-from .common import Missing, run_name, table
+from .common import Missing, planned, run_name, table, with_own_errors
 
+FIRST = ("base", "soft", "strong", "dense", "faint")  # conditions of the first step
+SECOND = ("thin", "thick", "smooth", "stiff", "light", "slow")
 EQUAL = ("base", "thin", "thick", "soft", "stiff", "smooth")  # kappa1 = 2.571, kappa2 = 123.6
-BESIDE = ("slow", "dense", "strong")
-CONDITIONS = (*EQUAL, *BESIDE)
-SCREENED = ("base", *BESIDE)
-COLOURS = ("0.5", "C0", "C1", "C3")  # nothing more, contacts, both, contacts and both
-BEGIN, END = 75.0, 150.0  # ns, of the averages of the plan laws
-LINKS_BEGIN, LINKS_END = 50.0, 100.0  # of the plan laws-links
-BLOCKS = 5  # of the layer's depth
-BEST = "b contacts both"  # of the plan laws; with weld 0.554 preset c
-FOURFOLD = math.log(4.0)  # viscosity of thick over thin, E/sigma_0 of stiff over soft
+START = "80"  # nm, the second half of 160
+BLOCKS = 4  # of the layer's depth in the second half
+FOURFOLD = math.log(4.0)  # viscosity of thick over thin
+ALIKE = 0.09  # soft over base
+SHORT = {
+    "heal 1 healed_strain yield_strain": "heal",
+    "weld 1": "weld",
+    "flow ": "",
+    "viscosity ": "",
+    "worn ": "",
+}
+BESIDE = ("d", "c", "b")  # go on whatever they give
 
 
 @dataclasses.dataclass
 class Mean:
-    """A mean over the seeds, of mu or of a depth in nm, and its standard error."""
+    """A mean, or what is made of some, and its standard error; of mu or of a depth in nm."""
 
     value: float
     error: float
@@ -41,197 +44,218 @@ class Mean:
         """Standard error of the logarithm."""
         return self.error / self.value
 
-
-def set_of(point: dict[str, Any]) -> str:
-    """`b j2 contacts both`, the values without their keywords but for heal, of
-    base-seed1-lawsb_plasticity_j2_flow_contacts_viscosity_both."""
-    preset, *words = run_name(point).split("-laws")[1].split("_")
-    pairs = zip(words[::2], words[1::2])
-    return " ".join([preset, *(f"heal {v}" if key == "heal" else v for key, v in pairs)])
+    @property
+    def percent(self) -> str:
+        return f"{100 * self.value:.0f}({100 * self.error:.0f}) %"
 
 
-def with_error(value: float, error: float) -> str:
-    """An exponent and its standard error, as text."""
-    return f"{value:+.2f} +- {error:.2f}"
+def short(laws: str) -> str:
+    """`d normal weld never` of d viscosity normal weld 1 worn never."""
+    for words, name in SHORT.items():
+        laws = laws.replace(words, name)
+    return laws
 
 
-def condition_of(point: dict[str, Any]) -> str:
-    return run_name(point).split("-")[0]
+def is_solid(point: dict[str, Any]) -> bool:
+    """No automaton left, and the layer has the room of a solid, as far as the log says it."""
+    room = point["room"]
+    return not point["lost"] and not point["left_out"] and (room or 1) >= point["least_room"]
 
 
-def depth_of(members: Any, window: tuple[float, float]) -> Mean:
-    """Depth of the layer (nm) in a window (ns), the error from blocks of it."""
-    layers = [found for p in members if (found := layer.read(p["file"])) is not None]
-    if not layers:
-        raise Missing(f"{members[0]['file']}: no profile beside it")
-    return Mean(*layer.window([(at.time, at.depth) for at in layers], *window, BLOCKS))
+def ratio(over: Mean, under: Mean) -> Mean:
+    """Of two independent means."""
+    value = over.value / under.value
+    return Mean(value, value * math.hypot(over.relative, under.relative))
 
 
-def scatter_at_equal(mu: Any) -> tuple[float, float]:
-    """(root mean square of ln(mu/mean) over the conditions of equal kappas, its standard error)."""
-    logs = np.log([mu[c].value for c in EQUAL])
+def exponent(small: Mean, large: Mean) -> Mean:
+    """Of a power law, from a quantity to four times as much."""
+    n = math.log(large.value / small.value) / FOURFOLD
+    return Mean(n, math.hypot(small.relative, large.relative) / FOURFOLD)
+
+
+def scatter_of(mu: list[Mean]) -> Mean:
+    """Root mean square of ln(mu/mean)."""
+    logs = np.log([m.value for m in mu])
     away = logs - logs.mean()
     size = math.sqrt(np.mean(away**2))
-    error = math.sqrt(sum((d * mu[c].relative) ** 2 for d, c in zip(away, EQUAL)))
-    return size, error / (len(EQUAL) * size)
+    error = math.sqrt(sum((d * m.relative) ** 2 for d, m in zip(away, mu)))
+    return Mean(size, error / (len(mu) * size))
 
 
-def distance(mu: Any, paper: Any) -> tuple[float, float]:
-    """(root mean square of mu/mu(Eq. 2) - 1 over all conditions, its standard error)."""
+def distance(mu: dict[str, Mean], paper: dict[str, float]) -> Mean:
+    """Root mean square of mu/mu(Eq. 2) - 1 over all conditions."""
     away = {c: mu[c].value / paper[c] - 1 for c in mu}
     size = math.sqrt(np.mean(np.square(list(away.values()))))
     error = math.sqrt(sum((away[c] * mu[c].error / paper[c]) ** 2 for c in mu))
-    return size, error / (len(mu) * size)
+    return Mean(size, error / (len(mu) * size))
 
 
-def exponent(small: Mean, large: Mean) -> tuple[float, float]:
-    """(n of a power law from a quantity to four times as much, its standard error)."""
-    n = math.log(large.value / small.value) / FOURFOLD
-    return n, math.hypot(small.relative, large.relative) / FOURFOLD
+def depth_of(point: dict[str, Any], ns: float) -> Mean:
+    """Depth of the layer (nm) in the second half of a run of that long."""
+    if (found := layer.read(point["file"])) is None:
+        raise Missing(f"{point['file']}: no profile beside it")
+    return Mean(*layer.window([(found.time, found.depth)], ns / 2, ns, BLOCKS))
 
 
-def marker_of(name: str) -> dict[str, Any]:
-    """Open squares: plasticity j2."""
-    return dict(fmt="s", mfc="none") if "j2" in name else dict(fmt="o")
+def shown(mu: Mean) -> str:
+    """0.31(2), the error in units of the last digit, at least one."""
+    return f"{mu.value:.2f}({max(1, math.ceil(100 * mu.error - 0.5))})"
 
 
-def style_of_laws(name: str) -> dict[str, Any]:
-    """Colour: what flows and resists slip."""
-    colour = COLOURS[("contacts" in name) + 2 * ("both" in name)]
-    return dict(color=colour, **marker_of(name))
+def reaches(mean: Mean, low: float, high: float) -> bool:
+    """A bar is met, or within a standard error."""
+    return low - mean.error <= mean.value <= high + mean.error
 
 
-def style_of_links(name: str) -> dict[str, Any]:
-    """Colour: whether worn contacts link again, and at which stress welds break."""
-    colour = f"C{('0.554' in name) + 2 * ('never' in name)}"
-    return dict(color=colour, **marker_of(name))
+class Found:
+    """A set of laws: mu at its conditions, and what the rules of the first step ask for."""
 
-
-def draw(sets: Any, paper: Any, style: Callable[[str], dict[str, Any]], picture: str) -> None:
-    """mu over Eq. 2 at each condition, a row of points for each set that ran in all of them."""
-    sets = {name: mu for name, mu in sets.items() if set(CONDITIONS) <= set(mu)}
-    figure, axes = pyplot.subplots(figsize=(10, 5), constrained_layout=True)
-    for k, (name, mu) in enumerate(sets.items()):
-        x = np.arange(len(CONDITIONS)) + 0.1 * (k - 0.5 * (len(sets) - 1))
-        axes.errorbar(
-            x,
-            [mu[c].value / paper[c] for c in CONDITIONS],
-            yerr=[mu[c].error / paper[c] for c in CONDITIONS],
-            ms=5,
-            capsize=2,
-            label=name,
-            **style(name),
+    def __init__(self, laws: str, points: list[dict[str, Any]], of: dict[str, Any]) -> None:
+        by = groups(points, lambda p: run_name(p).split("-")[0])
+        self.name = short(laws)
+        self.mu = {c: Mean(*mean_of(by[c])) for c in (*FIRST, *SECOND) if c in by}
+        self.paper = {c: by[c][0]["mu_eq2"] for c in self.mu}
+        self.solid = all(map(is_solid, points))
+        self.soft = ratio(self.mu["soft"], self.mu["base"]) if "soft" in self.mu else None
+        first = {c: mu for c, mu in self.mu.items() if c in FIRST}
+        self.away = distance(first, self.paper) if len(first) == len(FIRST) else None
+        self.depth = (
+            [depth_of(by[c][0], of[run_name(by[c][0])]["ns"]) for c in ("thin", "thick")]
+            if self.is_whole
+            else []
         )
-    axes.axhline(1, color="k", ls="--", lw=1, label="Eq. 2")
-    axes.axvline(len(EQUAL) - 0.5, color="0.7", lw=1)
-    axes.set_xticks(range(len(CONDITIONS)), CONDITIONS)
-    axes.set(ylabel=r"$\mu/\mu$(Eq. 2)", ylim=(0, None))
-    axes.grid(alpha=0.3, axis="y")
-    axes.legend(fontsize=9, ncols=4, loc="lower center")
+
+    @property
+    def is_whole(self) -> bool:
+        """All conditions ran."""
+        return len(self.mu) == len(FIRST) + len(SECOND)
+
+    @property
+    def rank(self) -> tuple[bool, bool, bool, float]:
+        """In the order of the first step: solid, complete, alike at equal kappas, near to Eq. 2."""
+        if not self.away or not self.soft:
+            return not self.solid, True, True, 0.0
+        alike = abs(self.soft.value - 1) <= max(ALIKE, self.soft.error)
+        return not self.solid, False, not alike, self.away.value
+
+
+class Whole:
+    """A set of laws of which all conditions ran: what does not change, and how many of that the
+    paper says so."""
+
+    def __init__(self, found: Found) -> None:
+        mu = found.mu
+        self.found = found
+        self.scatter = scatter_of([mu[c] for c in EQUAL])
+        self.eta = exponent(mu["thin"], mu["thick"])
+        self.smooth = ratio(mu["smooth"], mu["base"])
+        self.depth = exponent(*found.depth)
+        self.away = distance(mu, found.paper)
+        self.kept = (
+            reaches(self.scatter, 0, 0.045)
+            + reaches(self.eta, -0.05, 0.05)
+            + reaches(self.smooth, 0.95, 1.05)
+            + reaches(self.depth, 0.4, math.inf)
+        )
+
+    @property
+    def rank(self) -> tuple[bool, int, float]:
+        """In the order of the second step."""
+        return not self.found.solid, -self.kept, self.away.value
+
+
+def sets_of(points: list[dict[str, Any]]) -> list[Found]:
+    """Those with a run of base, in the order of the first step."""
+    of = planned("laws", points)
+    found = groups(with_own_errors(points), lambda p: of[run_name(p)]["laws"])
+    begun = {laws: runs for laws, runs in found.items() if any("base" in run_name(p) for p in runs)}
+    if not begun:
+        raise Missing("no set of laws has a run of base")
+    return sorted((Found(laws, runs, of) for laws, runs in begun.items()), key=lambda s: s.rank)
+
+
+def draw(sets: list[Found], picture: str) -> None:
+    """mu over Eq. 2 at each condition, a row for each set."""
+    figure, axes = pyplot.subplots(figsize=(8, 1.5 + 0.24 * len(sets)), layout="constrained")
+    conditions = [c for c in (*FIRST, *SECOND) if any(c in s.mu for s in sets)]
+    for number, condition in enumerate(conditions):
+        rows = [(k, s) for k, s in enumerate(sets) if condition in s.mu]
+        axes.errorbar(
+            [s.mu[condition].value / s.paper[condition] for _, s in rows],
+            [k for k, _ in rows],
+            xerr=[s.mu[condition].error / s.paper[condition] for _, s in rows],
+            fmt="osD^v<>phdX"[number],
+            ms=4,
+            lw=1,
+            mfc=None if condition in FIRST else "none",
+            label=condition,
+        )
+    axes.axvline(1, color="k", ls="--", lw=1)
+    axes.set_yticks(range(len(sets)), [s.name for s in sets], fontsize=8)
+    axes.set(xlabel=r"$\mu/\mu$(Eq. 2)", xlim=(0, None), ylim=(len(sets) - 0.5, -0.5))
+    axes.grid(alpha=0.3)
+    axes.legend(fontsize=8, ncols=6, loc="lower center", bbox_to_anchor=(0.5, 1))
     save_figure(figure, picture)
 
 
-def means(points: list[dict[str, Any]], window: tuple[float, float]) -> tuple[Any, Any, Any]:
-    """{set: {condition: mean}} of mu and of the layer's depth (nm) in a window (ns), and
-    {condition: mu of Eq. 2}."""
-    sets: dict[Any, Any] = {}
-    depths: dict[Any, Any] = {}
-    paper: dict[Any, float] = {}
-    for name, members in groups(points, set_of).items():
-        found = groups(members, condition_of)
-        sets[name] = {c: Mean(*mean_of(found[c])) for c in found}
-        depths[name] = {c: depth_of(found[c], window) for c in found}
-        paper |= {c: found[c][0]["mu_eq2"] for c in found}
-    return sets, depths, paper
+def mu_of(sets: list[Found], conditions: tuple[str, ...]) -> list[list[str]]:
+    """Cells of the table of mu, a row for each set, and that of Eq. 2."""
+    paper = {c: f"{s.paper[c]:.2f}" for s in sets for c in s.paper}
+    rows = [[shown(s.mu[c]) if c in s.mu else "-" for c in conditions] for s in sets]
+    return [*rows, [paper.get(c, "-") for c in conditions]]
 
 
-def values_of(sets: Any, paper: Any) -> list[str]:
-    """Lines of the tables of mu and of its standard error at each condition."""
-    values, errors = [], []
-    for name, mu in sets.items():
-        values.append([name, *(f"{mu[c].value:.3f}" if c in mu else "-" for c in CONDITIONS)])
-        errors.append([name, *(f"{mu[c].error:.3f}" if c in mu else "-" for c in CONDITIONS)])
-    values.append(["Eq. 2", *(f"{paper[c]:.3f}" if c in paper else "-" for c in CONDITIONS)])
+def first_step(sets: list[Found]) -> list[str]:
+    """Lines of the table of the first step."""
+    rows = []
+    for s, mu in zip(sets, mu_of(sets, FIRST)):
+        alike = f"{s.soft.value:.2f}({100 * s.soft.error:.0f})" if s.soft else "-"
+        away = s.away.percent if s.away else "-"
+        rows.append([s.name + ("" if s.solid else " !"), *mu, alike, away])
+    rows.append(["Eq. 2", *mu_of(sets, FIRST)[-1], "1.00", ""])
+    whole = [s for s in sets if s.away and s.solid and s.name not in BESIDE]
+    done = sum(len(s.mu.keys() & set(FIRST)) for s in sets)
     return [
-        *table(["mu", *CONDITIONS], values),
+        *table(["mu, errors of the last digit", *FIRST, "soft/base", "RMS"], rows),
         "",
-        *table(["its standard error", *CONDITIONS], errors),
+        "RMS of mu over Eq. 2 less 1; weld: 1, heal: 1 healed_strain yield_strain; !: no solid",
+        f"{done} runs, {len(whole)} of 31 sets beside {', '.join(BESIDE)} complete and solid",
     ]
 
 
-def compared(
-    points: list[dict[str, Any]],
-    window: tuple[float, float],
-    style: Callable[[str], dict[str, Any]],
-    picture: str,
-) -> list[str]:
-    """Draws the sets; tables of the scatter at equal kappa1 and kappa2, the exponents of mu in the
-    viscosity and in E/sigma_0, the distance from Eq. 2 over all conditions (-: not all were run),
-    the layer's depth, its exponent in the viscosity, mu of a third of the roughness over that of
-    the base; mu at each condition."""
-    sets, depths, paper = means(points, window)
-    draw(sets, paper, style, picture)
-    mus, layers = [], []
-    for name, mu in sets.items():
-        if not set(EQUAL) <= set(mu):
-            continue
-        size, error = scatter_at_equal(mu)
-        away = distance(mu, paper) if set(BESIDE) <= set(mu) else None
-        depth, smooth = depths[name], mu["smooth"].value / mu["base"].value
-        smooth_error = smooth * math.hypot(mu["smooth"].relative, mu["base"].relative)
-        mus.append(
-            [
-                name,
-                f"{100 * size:.1f} +- {100 * error:.1f} %",
-                with_error(*exponent(mu["thin"], mu["thick"])),
-                with_error(*exponent(mu["soft"], mu["stiff"])),
-                f"{100 * away[0]:.1f} +- {100 * away[1]:.1f} %" if away else "-",
-            ]
-        )
-        layers.append(
-            [
-                name,
-                f"{depth['base'].value:.1f} +- {depth['base'].error:.1f}",
-                with_error(*exponent(depth["thin"], depth["thick"])),
-                f"{smooth:.2f} +- {smooth_error:.2f}",
-            ]
-        )
-    if not mus:
-        raise Missing(f"no set of laws has a run of each of {', '.join(EQUAL)}")
-    return [
-        *table(["mu of a set", "scatter", "n of eta", "n of E/sigma_0", "RMS from Eq. 2"], mus),
-        "",
-        *table(["its layer", "depth, nm", "n of eta", "mu smooth/base"], layers),
-        "",
-        *values_of(sets, paper),
+def second_step(sets: list[Found]) -> list[str]:
+    """Lines of the tables of the second step, of sets of which all conditions ran; none without."""
+    whole = sorted((Whole(s) for s in sets if s.is_whole), key=lambda w: w.rank)
+    if not whole:
+        return []
+    ordered = [w.found for w in whole]
+    mu = mu_of(ordered, SECOND)
+    names = [*(s.name + ("" if s.solid else " !") for s in ordered), "Eq. 2"]
+    invariances = [
+        [
+            name,
+            w.scatter.percent,
+            shown(w.eta),
+            shown(w.smooth),
+            shown(w.depth),
+            str(w.kept),
+            w.away.percent,
+        ]
+        for name, w in zip(names, whole)
     ]
-
-
-def screening(points: list[dict[str, Any]]) -> list[str]:
-    """Lines of a table: the distance from Eq. 2 of each set over base, slow, dense and strong, by
-    the first seed alone, by which the plan laws-links chose."""
-    chosen = []
-    for name, members in groups(points, set_of).items():
-        first = [p for p in members if "-seed1-" in run_name(p)]
-        mu = {condition_of(p): Mean(*mean_of([p])) for p in first if condition_of(p) in SCREENED}
-        if len(mu) == len(SCREENED):
-            size, error = distance(mu, {condition_of(p): p["mu_eq2"] for p in first})
-            chosen.append([name, f"{100 * size:.0f} +- {100 * error:.0f} %"])
-    return table([f"{', '.join(SCREENED)}, seed 1", "RMS from Eq. 2"], chosen)
+    head = ["set", "equal kappas", "n of eta", "smooth/base", "n of depth", "kept", "RMS of 11"]
+    return [
+        "",
+        *table(["mu", *SECOND], [[name, *cells] for name, cells in zip(names, mu)]),
+        "",
+        *table(head, invariances),
+    ]
 
 
 def laws(report: dict[str, Any], picture: str) -> list[str]:
-    """The sets of the plan laws."""
-    return compared(report["report"]["points"], (BEGIN, END), style_of_laws, picture)
-
-
-def links(report: dict[str, Any], picture: str) -> list[str]:
-    """The best of these sets, and this and others with other laws of links, of the plan
-    laws-links."""
-    points = [
-        p
-        for p in report["report"]["points"]
-        if set_of(p) == BEST or any(law in run_name(p) for law in ("_weld_", "_worn_", "_heal_"))
-    ]
-    lines = compared(points, (LINKS_BEGIN, LINKS_END), style_of_links, picture)
-    return [*lines, "", *screening(points)]
+    """mu of each set at the conditions of the first step, in the order of its rule; of the sets
+    that went on at the others, what does not change, in the order of the second."""
+    sets = sets_of(report["report"]["points"])
+    draw(sets, picture)
+    return first_step(sets) + second_step(sets)

@@ -273,28 +273,6 @@ def test_width_tells_what_is_enough(tmp_path):
     assert by_columns < 1 and 5 < by_junctions < 20
 
 
-def test_sets_of_laws_in_the_order_of_the_rule(tmp_path):
-    """First those that rub alike at base and soft, by their distance from Eq. 2; then the others;
-    then those that are not complete."""
-    factors = {"d": 1.0, "d worn never": 0.8, "d weld 1": 0.9, "c": 1.0, "d flow links": 1.0}
-
-    def factor(run):
-        soft = run.values["laws"] == "c" and run.name.startswith("soft")
-        return factors.get(run.values["laws"], 0.0) * (0.7 if soft else 1)
-
-    folder, runs = logs(tmp_path, "laws2", factor, ns=40)
-    for run in runs:
-        left = run.values["laws"] == "d flow links" and run.name.startswith("faint")
-        if run.values["laws"] not in factors or left:
-            (folder / f"{run.name}.friction").unlink()
-    text = made(tmp_path, "laws2", reproduce(tmp_path, "laws2"))
-    names = [row.split("  ")[0] for row in text.splitlines()[2:]]
-    assert names[:6] == ["d", "d weld", "d never", "c", "d links", "Eq. 2"]
-    assert line(text, "d weld  ")[-2] == pytest.approx(10, abs=2)
-    assert line(text, "c  ")[-4] == pytest.approx(0.7, abs=0.02)
-    assert "24 runs" in text
-
-
 def test_missing_logs_are_one_clear_line(tmp_path):
     (tmp_path / "logs").mkdir()
     done = reproduce(tmp_path, "fig4")
