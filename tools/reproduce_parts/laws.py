@@ -176,11 +176,13 @@ def sets_of(points: list[dict[str, Any]]) -> list[Found]:
 
 
 def draw(sets: list[Found], picture: str) -> None:
-    """mu over Eq. 2 at each condition, a row for each set."""
+    """mu over Eq. 2 at each condition, a row for each set; of the second step where it is whole."""
     figure, axes = pyplot.subplots(figsize=(8, 1.5 + 0.24 * len(sets)), layout="constrained")
-    conditions = [c for c in (*FIRST, *SECOND) if any(c in s.mu for s in sets)]
-    for number, condition in enumerate(conditions):
-        rows = [(k, s) for k, s in enumerate(sets) if condition in s.mu]
+    for number, condition in enumerate((*FIRST, *SECOND)):
+        seen = [s.is_whole or (condition in FIRST and condition in s.mu) for s in sets]
+        rows = [(k, s) for k, s in enumerate(sets) if seen[k]]
+        if not rows:
+            continue
         axes.errorbar(
             [s.mu[condition].value / s.paper[condition] for _, s in rows],
             [k for k, _ in rows],
