@@ -74,7 +74,7 @@ def exponent(small: Mean, large: Mean) -> Mean:
     return Mean(n, math.hypot(small.relative, large.relative) / FOURFOLD)
 
 
-def scatter_of(mu: list[Mean]) -> Mean:
+def log_scatter(mu: list[Mean]) -> Mean:
     """Root mean square of ln(mu/mean)."""
     logs = np.log([m.value for m in mu])
     away = logs - logs.mean()
@@ -147,7 +147,7 @@ class Whole:
     def __init__(self, found: Found) -> None:
         mu = found.mu
         self.found = found
-        self.scatter = scatter_of([mu[c] for c in EQUAL])
+        self.scatter = log_scatter([mu[c] for c in EQUAL])
         self.eta = exponent(mu["thin"], mu["thick"])
         self.smooth = ratio(mu["smooth"], mu["base"])
         self.depth = exponent(*found.depth)

@@ -60,12 +60,13 @@ static EnergyAccount::Channel channelOf(const Step &step, int k)
                                                  : EnergyAccount::Viscous;
 }
 
-void EnergyAccount::pay(const Step &step, int k, double loss, double *sums)
+EnergyAccount::Channel EnergyAccount::pay(const Step &step, int k, double loss, double *sums)
 {
   const Channel channel = channelOf(step, k);
   sums[channel] += loss;
   if (channel == Plastic && !link::isLinked(step.links().pairs().now.kind[k]))
     sums[ContactFlow] += loss;
+  return channel;
 }
 
 // Whether what pair k holds, of what its energy knows, is another one in the next state.
@@ -169,8 +170,8 @@ void EnergyAccount::findReleased(const Step &step)
     const PairLaw &law = step.law(k);
     const ElasticStrain before = strainOf(step, k, false), after = strainOf(step, k, true);
     const double volume = law.area * law.diameter * step.share(k);
-    pay(step, k, changeLoss(law, before, after, means, next) * volume, released_);
-    if (law.keepsEnergy > 0.0 && channelOf(step, k) == Fracture) {
+    const double loss = changeLoss(law, before, after, means, next) * volume;
+    if (pay(step, k, loss, released_) == Fracture && law.keepsEnergy > 0.0) {
       // a link that breaks as it flows: only with what its automata's other links flow does the
       // latter dissipate
       const double flow = lastFlow(step, k);

@@ -145,9 +145,10 @@ class EnergyAccount {
   void bookFriction(const Step &, int k, const Vector &growth, double volume);
   /// What the change of state sets free.
   void findReleased(const Step &);
-  /// Adds what pair k dissipates by its state [energy] to the channel that it pays into.
+  /// Adds what pair k dissipates by its state [energy] to the channel that it pays into, which it
+  /// returns.
   /// \param sums  sums_ or released_
-  static void pay(const Step &, int k, double loss, double *sums);
+  static Channel pay(const Step &, int k, double loss, double *sums);
 };
 
 } // namespace mca
