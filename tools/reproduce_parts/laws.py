@@ -24,6 +24,7 @@ FOURFOLD = math.log(4.0)  # viscosity of thick over thin
 ALIKE = 0.09  # soft over base
 SHORT = {
     "heal 1 healed_strain yield_strain": "heal",
+    "link 1 weld none heal none": "one kind",
     "weld 1": "weld",
     "flow ": "",
     "viscosity ": "",
@@ -221,8 +222,9 @@ def first_step(sets: list[Found]) -> list[str]:
     return [
         *table(["mu, errors of the last digit", *FIRST, "soft/base", "RMS"], rows),
         "",
-        "RMS of mu over Eq. 2 less 1; weld: 1, heal: 1 healed_strain yield_strain; !: no solid",
-        f"{done} runs, {len(whole)} of 31 sets beside {', '.join(BESIDE)} complete and solid",
+        "RMS of mu over Eq. 2 less 1; weld: 1, heal: 1 healed_strain yield_strain, one kind: link",
+        "1 weld none heal none; !: no solid",
+        f"{done} runs, {len(whole)} of 37 sets beside {', '.join(BESIDE)} complete and solid",
     ]
 
 
