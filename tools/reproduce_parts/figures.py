@@ -441,6 +441,12 @@ FIGURES = {
         laws.laws,
         ["--start-distance", laws.START],
     ),
+    "laws-long": Figure(
+        f"Sets of laws over 500 nm, from {laws.LONG} nm on",
+        ["laws-long"],
+        laws.laws_long,
+        ["--start-distance", laws.LONG],
+    ),
     "convergence": Figure(
         "Size of the fragment and time step, from 40 ns on",
         ["convergence"],

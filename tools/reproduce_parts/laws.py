@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Sets of laws in wide fragments, the plan `laws`: which go on, by the rules on
+"""Sets of laws in wide fragments, the plans `laws` and `laws-long`: which go on, by the rules on
 doc/how_chosen.md."""
 
 import dataclasses
@@ -19,6 +19,7 @@ FIRST = ("base", "soft", "strong", "dense", "faint")  # conditions of the first 
 SECOND = ("thin", "thick", "smooth", "stiff", "light", "slow")
 EQUAL = ("base", "thin", "thick", "soft", "stiff", "smooth")  # kappa1 = 2.571, kappa2 = 123.6
 START = "80"  # nm, the second half of 160
+LONG = "250"  # of 500
 BLOCKS = 4  # of the layer's depth in the second half
 FOURFOLD = math.log(4.0)  # viscosity of thick over thin
 ALIKE = 0.09  # soft over base
@@ -166,9 +167,9 @@ class Whole:
         return not self.found.solid, -self.kept, self.away.value
 
 
-def sets_of(points: list[dict[str, Any]]) -> list[Found]:
-    """Those with a run of base, in the order of the first step."""
-    of = planned("laws", points)
+def sets_of(plan: str, points: list[dict[str, Any]]) -> list[Found]:
+    """Those of a plan with a run of base, in the order of the first step."""
+    of = planned(plan, points)
     found = groups(with_own_errors(points), lambda p: of[run_name(p)]["laws"])
     begun = {laws: runs for laws, runs in found.items() if any("base" in run_name(p) for p in runs)}
     if not begun:
@@ -177,11 +178,10 @@ def sets_of(points: list[dict[str, Any]]) -> list[Found]:
 
 
 def draw(sets: list[Found], picture: str) -> None:
-    """mu over Eq. 2 at each condition, a row for each set; of the second step where it is whole."""
+    """mu over Eq. 2 at each condition, a row for each set."""
     figure, axes = pyplot.subplots(figsize=(8, 1.5 + 0.24 * len(sets)), layout="constrained")
     for number, condition in enumerate((*FIRST, *SECOND)):
-        seen = [s.is_whole or (condition in FIRST and condition in s.mu) for s in sets]
-        rows = [(k, s) for k, s in enumerate(sets) if seen[k]]
+        rows = [(k, s) for k, s in enumerate(sets) if condition in s.mu]
         if not rows:
             continue
         axes.errorbar(
@@ -228,15 +228,21 @@ def first_step(sets: list[Found]) -> list[str]:
     ]
 
 
-def second_step(sets: list[Found]) -> list[str]:
-    """Lines of the tables of the second step, of sets of which all conditions ran; none without."""
+def mu_table(names: list[str], sets: list[Found], conditions: tuple[str, ...]) -> list[str]:
+    """Lines of the table of mu, a row for each set and one for Eq. 2."""
+    rows = zip([*names, "Eq. 2"], mu_of(sets, conditions))
+    return table(["mu, errors of the last digit", *conditions], [[n, *mu] for n, mu in rows])
+
+
+def invariances(sets: list[Found]) -> list[str]:
+    """Lines of the tables of mu and of the invariances, of sets of which all conditions ran, in the
+    order of the second step; none without."""
     whole = sorted((Whole(s) for s in sets if s.is_whole), key=lambda w: w.rank)
     if not whole:
         return []
     ordered = [w.found for w in whole]
-    mu = mu_of(ordered, SECOND)
-    names = [*(s.name + ("" if s.solid else " !") for s in ordered), "Eq. 2"]
-    invariances = [
+    names = [s.name + ("" if s.solid else " !") for s in ordered]
+    rows = [
         [
             name,
             w.scatter.percent,
@@ -249,17 +255,23 @@ def second_step(sets: list[Found]) -> list[str]:
         for name, w in zip(names, whole)
     ]
     head = ["set", "equal kappas", "n of eta", "smooth/base", "n of depth", "kept", "RMS of 11"]
-    return [
-        "",
-        *table(["mu", *SECOND], [[name, *cells] for name, cells in zip(names, mu)]),
-        "",
-        *table(head, invariances),
-    ]
+    return ["", *mu_table(names, ordered, SECOND), "", *table(head, rows)]
 
 
 def laws(report: dict[str, Any], picture: str) -> list[str]:
     """mu of each set at the conditions of the first step, in the order of its rule; of the sets
     that went on at the others, what does not change, in the order of the second."""
-    sets = sets_of(report["report"]["points"])
+    sets = sets_of("laws", report["report"]["points"])
     draw(sets, picture)
-    return first_step(sets) + second_step(sets)
+    return first_step(sets) + invariances(sets)
+
+
+def laws_long(report: dict[str, Any], picture: str) -> list[str]:
+    """The same of the third step, two seeds over 500 nm, at all conditions."""
+    sets = sets_of("laws-long", report["report"]["points"])
+    draw(sets, picture)
+    away = [
+        f"{s.name}: {distance(s.mu, s.paper).percent} from Eq. 2 at {len(s.mu)} conditions"
+        for s in sets
+    ]
+    return [*mu_table([s.name for s in sets], sets, FIRST), "", *away, *invariances(sets)]
