@@ -228,23 +228,20 @@ def first_step(sets: list[Found]) -> list[str]:
     ]
 
 
-def mu_table(names: list[str], sets: list[Found], conditions: tuple[str, ...]) -> list[str]:
+def mu_table(sets: list[Found], conditions: tuple[str, ...]) -> list[str]:
     """Lines of the table of mu, a row for each set and one for Eq. 2."""
+    names = [s.name + ("" if s.solid else " !") for s in sets]
     rows = zip([*names, "Eq. 2"], mu_of(sets, conditions))
     return table(["mu, errors of the last digit", *conditions], [[n, *mu] for n, mu in rows])
 
 
 def invariances(sets: list[Found]) -> list[str]:
-    """Lines of the tables of mu and of the invariances, of sets of which all conditions ran, in the
-    order of the second step; none without."""
+    """Lines of the table of invariances, of sets of which all conditions ran, in the order of the
+    second step; none without."""
     whole = sorted((Whole(s) for s in sets if s.is_whole), key=lambda w: w.rank)
-    if not whole:
-        return []
-    ordered = [w.found for w in whole]
-    names = [s.name + ("" if s.solid else " !") for s in ordered]
     rows = [
         [
-            name,
+            w.found.name + ("" if w.found.solid else " !"),
             w.scatter.percent,
             shown(w.eta),
             shown(w.smooth),
@@ -252,10 +249,10 @@ def invariances(sets: list[Found]) -> list[str]:
             str(w.kept),
             w.away.percent,
         ]
-        for name, w in zip(names, whole)
+        for w in whole
     ]
     head = ["set", "equal kappas", "n of eta", "smooth/base", "n of depth", "kept", "RMS of 11"]
-    return ["", *mu_table(names, ordered, SECOND), "", *table(head, rows)]
+    return ["", *table(head, rows)] if rows else []
 
 
 def laws(report: dict[str, Any], picture: str) -> list[str]:
@@ -263,15 +260,18 @@ def laws(report: dict[str, Any], picture: str) -> list[str]:
     that went on at the others, what does not change, in the order of the second."""
     sets = sets_of("laws", report["report"]["points"])
     draw(sets, picture)
-    return first_step(sets) + invariances(sets)
+    more = [s for s in sets if s.mu.keys() & set(SECOND)]
+    second = ["", *mu_table(more, SECOND)] if more else []
+    return [*first_step(sets), *second, *invariances(sets)]
 
 
 def laws_long(report: dict[str, Any], picture: str) -> list[str]:
-    """The same of the third step, two seeds over 500 nm, at all conditions."""
+    """The same of the third step, two seeds over 500 nm."""
     sets = sets_of("laws-long", report["report"]["points"])
     draw(sets, picture)
     away = [
         f"{s.name}: {distance(s.mu, s.paper).percent} from Eq. 2 at {len(s.mu)} conditions"
         for s in sets
     ]
-    return [*mu_table([s.name for s in sets], sets, FIRST), "", *away, *invariances(sets)]
+    tables = [*mu_table(sets, FIRST), "", *mu_table(sets, SECOND)]
+    return [*tables, "", *away, *invariances(sets)]
