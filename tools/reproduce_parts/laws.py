@@ -214,13 +214,13 @@ def first_step(sets: list[Found]) -> list[str]:
     rows = []
     for s, mu in zip(sets, mu_of(sets, FIRST)):
         alike = f"{s.soft.value:.2f}({100 * s.soft.error:.0f})" if s.soft else "-"
-        away = s.away.percent if s.away else "-"
+        away = s.away.percent.removesuffix(" %") if s.away else "-"
         rows.append([s.name + ("" if s.solid else " !"), *mu, alike, away])
     rows.append(["Eq. 2", *mu_of(sets, FIRST)[-1], "1.00", ""])
     whole = [s for s in sets if s.away and s.solid and s.name not in BESIDE]
     done = sum(len(s.mu.keys() & set(FIRST)) for s in sets)
     return [
-        *table(["mu, errors of the last digit", *FIRST, "soft/base", "RMS"], rows),
+        *table(["mu, errors of the last digit", *FIRST, "soft/base", "RMS %"], rows),
         "",
         "RMS of mu over Eq. 2 less 1; weld: 1, heal: 1 healed_strain yield_strain, one kind: link",
         "1 weld none heal none; !: no solid",
