@@ -93,11 +93,14 @@ def distance(mu: dict[str, Mean], paper: dict[str, float]) -> Mean:
     return Mean(size, error / (len(mu) * size))
 
 
-def depth_of(point: dict[str, Any], ns: float) -> Mean:
-    """Depth of the layer (nm) in the second half of a run of that long."""
-    if (found := layer.read(point["file"])) is None:
-        raise Missing(f"{point['file']}: no profile beside it")
-    return Mean(*layer.window([(found.time, found.depth)], ns / 2, ns, BLOCKS))
+def depth_of(points: list[dict[str, Any]], ns: float) -> Mean:
+    """Depth of the layer (nm) in the second half of runs of that long, one a seed."""
+    series = []
+    for point in points:
+        if (found := layer.read(point["file"])) is None:
+            raise Missing(f"{point['file']}: no profile beside it")
+        series.append((found.time, found.depth))
+    return Mean(*layer.window(series, ns / 2, ns, BLOCKS))
 
 
 def shown(mu: Mean) -> str:
@@ -123,10 +126,15 @@ class Found:
         first = {c: mu for c, mu in self.mu.items() if c in FIRST}
         self.away = distance(first, self.paper) if len(first) == len(FIRST) else None
         self.depth = (
-            [depth_of(by[c][0], of[run_name(by[c][0])]["ns"]) for c in ("thin", "thick")]
+            [depth_of(by[c], of[run_name(by[c][0])]["ns"]) for c in ("thin", "thick")]
             if self.is_whole
             else []
         )
+
+    @property
+    def label(self) -> str:
+        """The name, marked where it is no solid."""
+        return self.name + ("" if self.solid else " !")
 
     @property
     def is_whole(self) -> bool:
@@ -215,7 +223,7 @@ def first_step(sets: list[Found]) -> list[str]:
     for s, mu in zip(sets, mu_of(sets, FIRST)):
         alike = f"{s.soft.value:.2f}({100 * s.soft.error:.0f})" if s.soft else "-"
         away = s.away.percent.removesuffix(" %") if s.away else "-"
-        rows.append([s.name + ("" if s.solid else " !"), *mu, alike, away])
+        rows.append([s.label, *mu, alike, away])
     rows.append(["Eq. 2", *mu_of(sets, FIRST)[-1], "1.00", ""])
     whole = [s for s in sets if s.away and s.solid and s.name not in BESIDE]
     done = sum(len(s.mu.keys() & set(FIRST)) for s in sets)
@@ -230,8 +238,7 @@ def first_step(sets: list[Found]) -> list[str]:
 
 def mu_table(sets: list[Found], conditions: tuple[str, ...]) -> list[str]:
     """Lines of the table of mu, a row for each set and one for Eq. 2."""
-    names = [s.name + ("" if s.solid else " !") for s in sets]
-    rows = zip([*names, "Eq. 2"], mu_of(sets, conditions))
+    rows = zip([*(s.label for s in sets), "Eq. 2"], mu_of(sets, conditions))
     return table(["mu, errors of the last digit", *conditions], [[n, *mu] for n, mu in rows])
 
 
@@ -241,7 +248,7 @@ def invariances(sets: list[Found]) -> list[str]:
     whole = sorted((Whole(s) for s in sets if s.is_whole), key=lambda w: w.rank)
     rows = [
         [
-            w.found.name + ("" if w.found.solid else " !"),
+            w.found.label,
             w.scatter.percent,
             shown(w.eta),
             shown(w.smooth),
