@@ -286,7 +286,7 @@ SHIPPED = {
     "space": 16,
     "preset-b": 33,
     "laws": 292,
-    "laws-long": 66,
+    "laws-long": 110,
 }
 
 
@@ -343,7 +343,7 @@ FIRST_STEP = ("base", "soft", "strong", "dense", "faint")
 
 
 @pytest.mark.parametrize(
-    "plan, first, second, slow, slide", [("laws", 40, 15, 17, 160), ("laws-long", 6, 6, 6, 500)]
+    "plan, first, second, slow, slide", [("laws", 40, 15, 17, 160), ("laws-long", 10, 10, 10, 500)]
 )
 def test_laws_at_eleven_conditions(plan, first, second, slow, slide):
     """Two below 0.02 of the strength, six of equal kappa1 and kappa2; each load has the width that
