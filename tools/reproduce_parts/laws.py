@@ -125,11 +125,10 @@ class Found:
         self.soft = ratio(self.mu["soft"], self.mu["base"]) if "soft" in self.mu else None
         first = {c: mu for c, mu in self.mu.items() if c in FIRST}
         self.away = distance(first, self.paper) if len(first) == len(FIRST) else None
-        self.depth = (
-            [depth_of(by[c], of[run_name(by[c][0])]["ns"]) for c in ("thin", "thick")]
-            if self.is_whole
-            else []
-        )
+        self.powers: tuple[Mean, Mean] | None = None  # of mu and of the depth, in the viscosity
+        if "thin" in by and "thick" in by:
+            depths = [depth_of(by[c], of[run_name(by[c][0])]["ns"]) for c in ("thin", "thick")]
+            self.powers = exponent(self.mu["thin"], self.mu["thick"]), exponent(*depths)
 
     @property
     def label(self) -> str:
@@ -155,12 +154,12 @@ class Whole:
     paper says so."""
 
     def __init__(self, found: Found) -> None:
+        assert found.powers  # thin and thick are among them
         mu = found.mu
         self.found = found
+        self.eta, self.depth = found.powers
         self.scatter = log_scatter([mu[c] for c in EQUAL])
-        self.eta = exponent(mu["thin"], mu["thick"])
         self.smooth = ratio(mu["smooth"], mu["base"])
-        self.depth = exponent(*found.depth)
         self.away = distance(mu, found.paper)
         self.kept = (
             reaches(self.scatter, 0, 0.045)
@@ -242,6 +241,18 @@ def mu_table(sets: list[Found], conditions: tuple[str, ...]) -> list[str]:
     return table(["mu, errors of the last digit", *conditions], [[n, *mu] for n, mu in rows])
 
 
+def second_step(sets: list[Found]) -> list[str]:
+    """Lines of the table of the second step, of the sets that ran there: mu, and the exponents of
+    mu and of the layer's depth in the viscosity."""
+    conditions = tuple(c for c in SECOND if any(c in s.mu for s in sets))
+    rows = [
+        [s.label, *mu, *(map(shown, s.powers) if s.powers else "--")]
+        for s, mu in zip(sets, mu_of(sets, conditions))
+    ]
+    rows.append(["Eq. 2", *mu_of(sets, conditions)[-1], "0.00", ""])
+    return table(["mu, errors of the last digit", *conditions, "n of eta", "n of depth"], rows)
+
+
 def invariances(sets: list[Found]) -> list[str]:
     """Lines of the table of invariances, of sets of which all conditions ran, in the order of the
     second step; none without."""
@@ -263,13 +274,12 @@ def invariances(sets: list[Found]) -> list[str]:
 
 
 def laws(report: dict[str, Any], picture: str) -> list[str]:
-    """mu of each set at the conditions of the first step, in the order of its rule; of the sets
-    that went on at the others, what does not change, in the order of the second."""
+    """mu of each set at the conditions of the first step, in the order of its rule, and of the
+    sets that went on at those of the second."""
     sets = sets_of("laws", report["report"]["points"])
     draw(sets, picture)
     more = [s for s in sets if s.mu.keys() & set(SECOND)]
-    second = ["", *mu_table(more, SECOND)] if more else []
-    return [*first_step(sets), *second, *invariances(sets)]
+    return [*first_step(sets), *(["", *second_step(more)] if more else [])]
 
 
 def laws_long(report: dict[str, Any], picture: str) -> list[str]:

@@ -33,29 +33,45 @@ def test_sets_of_laws_in_the_order_of_the_rule(tmp_path):
     assert "24 runs" in text
 
 
-def second_step(run):
-    """c follows Eq. 2, d a power of the viscosity and of the roughness, too."""
-    if run.values["laws"] == "c":
+SETS = ("d worn never", "d")
+
+
+def changing(run):
+    """d worn never follows Eq. 2, d a power of the viscosity and of the roughness, too."""
+    if run.values["laws"] == "d worn never":
         return 1.0
     name = run.name.split("-")[0]
     return 2 ** {"thin": -ETA, "thick": ETA}.get(name, 0.0) * (0.8 if name == "smooth" else 1)
 
 
-@pytest.mark.long
-def test_second_step_tells_what_does_not_change(tmp_path):
-    folder, runs = logs(tmp_path, "laws", second_step, ns=150)
-    kept = [run for run in runs if run.values["laws"] in ("c", "d")]
+def two_sets(tmp_path, plan, ns):
+    """The comparison of them alone; the layer's depth goes like the root of d's viscosity."""
+    folder, runs = logs(tmp_path, plan, changing, ns=ns)
+    kept = [run for run in runs if run.values["laws"] in SETS]
     for run in runs:
         if run not in kept:
             (folder / f"{run.name}.friction").unlink()
     rows = {0.205: (3, 6), 0.82: (3, 9)}
     profiles(folder, kept, lambda run, part: rows.get(run.values["eta"], (3, 6)), frames=120)
-    first, _, mu, last = made(tmp_path, "laws", reproduce(tmp_path, "laws")).split("\n\n")
-    assert [row.split()[0] for row in last.splitlines()[1:]] == ["c", "d"]
-    assert len(line(mu, "d  ")) == 2 * 6
+    return made(tmp_path, plan, reproduce(tmp_path, plan)).split("\n\n")
+
+
+def test_second_step_tells_the_powers_of_the_viscosity(tmp_path):
+    _, _, second = two_sets(tmp_path, "laws", ns=150)
+    head = second.splitlines()[0].split()
+    assert head[-8:] == ["thin", "thick", "n", "of", "eta", "n", "of", "depth"]
+    *_, eta, _, depth, _ = line(second, "d  ")
+    assert (eta, depth) == pytest.approx((ETA, 0.5), abs=0.015)
+
+
+@pytest.mark.long
+def test_third_step_tells_what_does_not_change(tmp_path):
+    _, second, _, last = two_sets(tmp_path, "laws-long", ns=420)
+    assert [row.split("  ")[0] for row in last.splitlines()[1:]] == ["d never", "d"]
+    assert len(line(second, "d  ")) == 2 * 6
     away = [-ETA * math.log(2), ETA * math.log(2), math.log(0.8), 0, 0, 0]
     scatter = 100 * math.sqrt(sum((a - sum(away) / 6) ** 2 for a in away) / 6)
     size, _, eta, _, smooth, _, depth, _, number, rms, _ = line(last, "d  ")
     assert size == pytest.approx(scatter, abs=1) and rms == pytest.approx(8, abs=1.5)
     assert (eta, smooth, depth) == pytest.approx((ETA, 0.8, 0.5), abs=0.015) and number == 1
-    assert line(last, "c  ")[-3] == 4
+    assert line(last, "d never  ")[-3] == 4
