@@ -286,7 +286,7 @@ SHIPPED = {
     "space": 16,
     "preset-b": 33,
     "laws": 232,
-    "laws-long": 53,
+    "laws-long": 50,
 }
 
 
@@ -346,8 +346,7 @@ EQUAL = ("base", "thin", "thick", "soft", "stiff", "smooth")
 FAINT = ("faint", "light")  # below 0.02 of the strength
 LONG_STEP = {
     **{"base": 7, "smooth": 7, "dense": 6, "strong": 6, "soft": 5},
-    **dict.fromkeys(("thin", "thick", *FAINT), 4),
-    **{"stiff": 3, "slow": 3},
+    **{"thin": 4, "thick": 4, "light": 3, "faint": 3, "stiff": 3, "slow": 2},
 }
 
 
