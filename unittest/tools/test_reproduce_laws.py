@@ -33,21 +33,16 @@ def test_sets_of_laws_in_the_order_of_the_rule(tmp_path):
     assert "24 runs" in text
 
 
-SETS = ("d worn never", "d")
-
-
 def changing(run):
-    """d worn never follows Eq. 2, d a power of the viscosity and of the roughness, too."""
-    if run.values["laws"] == "d worn never":
-        return 1.0
+    """mu over Eq. 2 of preset d goes with powers of the viscosity and of the roughness."""
     name = run.name.split("-")[0]
     return 2 ** {"thin": -ETA, "thick": ETA}.get(name, 0.0) * (0.8 if name == "smooth" else 1)
 
 
-def two_sets(tmp_path, plan, ns):
-    """The comparison of them alone; the layer's depth goes like the root of d's viscosity."""
+def of_preset_d(tmp_path, plan, ns):
+    """The comparison of it alone; the layer's depth goes like the root of the viscosity."""
     folder, runs = logs(tmp_path, plan, changing, ns=ns)
-    kept = [run for run in runs if run.values["laws"] in SETS]
+    kept = [run for run in runs if run.values["laws"] == "d"]
     for run in runs:
         if run not in kept:
             (folder / f"{run.name}.friction").unlink()
@@ -57,7 +52,7 @@ def two_sets(tmp_path, plan, ns):
 
 
 def test_second_step_tells_the_powers_of_the_viscosity(tmp_path):
-    _, _, second = two_sets(tmp_path, "laws", ns=150)
+    _, _, second = of_preset_d(tmp_path, "laws", ns=150)
     head = second.splitlines()[0].split()
     assert head[-8:] == ["thin", "thick", "n", "of", "eta", "n", "of", "depth"]
     *_, eta, _, depth, _ = line(second, "d  ")
@@ -66,12 +61,11 @@ def test_second_step_tells_the_powers_of_the_viscosity(tmp_path):
 
 @pytest.mark.long
 def test_third_step_tells_what_does_not_change(tmp_path):
-    _, second, _, last = two_sets(tmp_path, "laws-long", ns=420)
-    assert [row.split("  ")[0] for row in last.splitlines()[1:]] == ["d never", "d"]
+    _, second, _, last = of_preset_d(tmp_path, "laws-long", ns=420)
+    assert [row.split()[0] for row in last.splitlines()[1:]] == ["d"]
     assert len(line(second, "d  ")) == 2 * 6
     away = [-ETA * math.log(2), ETA * math.log(2), math.log(0.8), 0, 0, 0]
     scatter = 100 * math.sqrt(sum((a - sum(away) / 6) ** 2 for a in away) / 6)
     size, _, eta, _, smooth, _, depth, _, number, rms, _ = line(last, "d  ")
     assert size == pytest.approx(scatter, abs=1) and rms == pytest.approx(8, abs=1.5)
     assert (eta, smooth, depth) == pytest.approx((ETA, 0.8, 0.5), abs=0.015) and number == 1
-    assert line(last, "d never  ")[-3] == 4
