@@ -246,7 +246,7 @@ def second_step(sets: list[Found]) -> list[str]:
     mu and of the layer's depth in the viscosity."""
     conditions = tuple(c for c in SECOND if any(c in s.mu for s in sets))
     rows = [
-        [s.label, *mu, *(map(shown, s.powers) if s.powers else "--")]
+        [s.label, *mu, *(map(shown, s.powers) if s.powers else ("-", "-"))]
         for s, mu in zip(sets, mu_of(sets, conditions))
     ]
     rows.append(["Eq. 2", *mu_of(sets, conditions)[-1], "0.00", ""])
