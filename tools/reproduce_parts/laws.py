@@ -10,7 +10,7 @@ import numpy as np
 from matplotlib import pyplot
 
 from mcawr.files import save_figure
-from mcawr.replicas import groups, mean_of
+from mcawr.replicas import groups, mean_of, spread_of
 
 from . import layer
 from .common import Missing, planned, run_name, table, with_own_errors
@@ -103,6 +103,13 @@ def depth_of(points: list[dict[str, Any]], ns: float) -> Mean:
     return Mean(*layer.window(series, ns / 2, ns, BLOCKS))
 
 
+def seeds_of(points: list[dict[str, Any]]) -> tuple[float, float]:
+    """Standard deviation of mu of runs that differ in the seed, over their mean, and how many times
+    as much as their own errors say."""
+    mean, own, scatter = spread_of(points)
+    return scatter * math.sqrt(len(points)) / mean, scatter / own
+
+
 def shown(mu: Mean) -> str:
     """0.31(2), the error in units of the last digit, at least one."""
     return f"{mu.value:.2f}({max(1, math.ceil(100 * mu.error - 0.5))})"
@@ -121,6 +128,7 @@ class Found:
         self.name = short(laws)
         self.mu = {c: Mean(*mean_of(by[c])) for c in (*FIRST, *SECOND) if c in by}
         self.paper = {c: by[c][0]["mu_eq2"] for c in self.mu}
+        self.seeds = [seeds_of(runs) for runs in by.values() if len(runs) > 1]
         self.solid = all(map(is_solid, points))
         self.soft = ratio(self.mu["soft"], self.mu["base"]) if "soft" in self.mu else None
         first = {c: mu for c, mu in self.mu.items() if c in FIRST}
@@ -282,8 +290,20 @@ def laws(report: dict[str, Any], picture: str) -> list[str]:
     return [*first_step(sets), *(["", *second_step(more)] if more else [])]
 
 
+def seeds_differ(found: Found) -> str:
+    """How much runs of one condition differ, and how many times as much as their own errors say:
+    root mean squares over conditions."""
+    apart, times = (
+        math.sqrt(np.mean([value**2 for value in values])) for values in zip(*found.seeds)
+    )
+    return (
+        f"{found.name}: seeds differ by {100 * apart:.1f} % of mu (standard deviation), "
+        f"{times:.1f} times what the runs' own errors say, {len(found.seeds)} conditions"
+    )
+
+
 def laws_long(report: dict[str, Any], picture: str) -> list[str]:
-    """The same of the third step, two seeds over 500 nm."""
+    """The same of the third step, over 500 nm; and how much seeds differ."""
     sets = sets_of("laws-long", report["report"]["points"])
     draw(sets, picture)
     away = [
@@ -291,4 +311,5 @@ def laws_long(report: dict[str, Any], picture: str) -> list[str]:
         for s in sets
     ]
     tables = [*mu_table(sets, FIRST), "", *mu_table(sets, SECOND)]
-    return [*tables, "", *away, *invariances(sets)]
+    seeds = [seeds_differ(s) for s in sets if s.seeds]
+    return [*tables, "", *away, *seeds, *invariances(sets)]

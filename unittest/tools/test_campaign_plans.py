@@ -286,7 +286,7 @@ SHIPPED = {
     "space": 16,
     "preset-b": 33,
     "laws": 232,
-    "laws-long": 50,
+    "laws-long": 58,
 }
 
 
@@ -345,8 +345,8 @@ FIRST_STEP = ("base", "soft", "strong", "dense", "faint")
 EQUAL = ("base", "thin", "thick", "soft", "stiff", "smooth")
 FAINT = ("faint", "light")  # below 0.02 of the strength
 LONG_STEP = {
-    **{"base": 7, "smooth": 7, "dense": 6, "strong": 6, "soft": 5},
-    **{"thin": 4, "thick": 4, "light": 3, "faint": 3, "stiff": 3, "slow": 2},
+    **{"base": 9, "smooth": 7, "dense": 6, "strong": 8, "soft": 5},
+    **{"thin": 4, "thick": 4, "light": 5, "faint": 5, "stiff": 3, "slow": 2},
 }
 
 

@@ -34,8 +34,11 @@ def test_sets_of_laws_in_the_order_of_the_rule(tmp_path):
 
 
 def changing(run):
-    """mu over Eq. 2 of preset d goes with powers of the viscosity and of the roughness."""
+    """mu over Eq. 2 of preset d goes with powers of the viscosity and of the roughness, and one
+    seed differs."""
     name = run.name.split("-")[0]
+    if run.name == "light-seed2":  # of four
+        return 1.2
     return 2 ** {"thin": -ETA, "thick": ETA}.get(name, 0.0) * (0.8 if name == "smooth" else 1)
 
 
@@ -61,7 +64,9 @@ def test_second_step_tells_the_powers_of_the_viscosity(tmp_path):
 
 @pytest.mark.long
 def test_third_step_tells_what_does_not_change(tmp_path):
-    _, second, _, last = of_preset_d(tmp_path, "laws-long", ns=420)
+    _, second, seeds, last = of_preset_d(tmp_path, "laws-long", ns=420)
+    apart, times, number = line(seeds, "d: seeds differ by")
+    assert apart == pytest.approx(9.5 / math.sqrt(11), abs=0.1) and times > 5 and number == 11
     assert [row.split()[0] for row in last.splitlines()[1:]] == ["d"]
     assert len(line(second, "d  ")) == 2 * 6
     away = [-ETA * math.log(2), ETA * math.log(2), math.log(0.8), 0, 0, 0]
