@@ -171,6 +171,14 @@ class Run:
         return float(f"{math.floor(dt / unit * (1 + 1e-9)) * unit:.6g}")
 
     @property
+    def is_flat(self) -> bool:
+        """In the plane: whether the rough line, midway between the outer rows, crosses no row of
+        automata, so that any seed gives the same blocks."""
+        v = self.values
+        row = v["d"] * math.sqrt(3) / 2
+        return not v["depth"] and v["roughness"] < 0.5 * row * (1 - v["rows"] % 2)
+
+    @property
     def steps(self) -> int:
         """Number of steps of the whole run."""
         return round(self.values["ns"] / self.dt)

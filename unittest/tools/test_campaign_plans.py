@@ -269,6 +269,17 @@ def test_step_follows_the_material():
     assert dt(dt=1e-5) == 1e-5
 
 
+def test_flat_blocks_are_told(tmp_path):
+    """Rows are 2.165 nm apart; an odd number has one midway."""
+    path = tmp_path / "plan.yaml"
+    runs = "[{roughness: [1.08, 1.09], rows: [13, 14]}]"
+    path.write_text(HEAD + f"runs: {runs}\n")
+    said = campaign("list", path).stdout.splitlines()[-1]
+    assert said.startswith("warning: roughness1.08-rows14: less roughness")
+    path.write_text(HEAD + "runs: [{rows: [13, 14]}]\n")
+    assert "warning" not in campaign("list", path).stdout
+
+
 SHIPPED = {
     "paper36": 72,
     "equal-kappas": 30,
@@ -364,7 +375,8 @@ def test_laws_at_their_conditions(plan, number, slide):
         conditions.setdefault(run.name.split("-")[0], []).append(run)
     assert {name: len(runs) for name, runs in conditions.items()} == number
     for name, runs in conditions.items():
-        assert len({(r.values["laws"], r.values["seed"]) for r in runs}) == len(runs)
+        differ = {(r.values["laws"], r.values["seed"], r.values["columns"]) for r in runs}
+        assert len(differ) == len(runs)
         share = runs[0].values["p"] / runs[0].values["strength"]
         assert runs[0].values["columns"] == (160 if share < 0.15 else 80), name
         assert (share < 0.02) == (name in FAINT)
