@@ -297,8 +297,8 @@ def seeds_differ(found: Found) -> str:
         math.sqrt(np.mean([value**2 for value in values])) for values in zip(*found.seeds)
     )
     return (
-        f"{found.name}: seeds differ by {100 * apart:.1f} % of mu (standard deviation), "
-        f"{times:.1f} times what the runs' own errors say, {len(found.seeds)} conditions"
+        f"{found.name}: seeds differ by {100 * apart:.1f} % of mu, "
+        f"{times:.1f} times what their own errors say ({len(found.seeds)} conditions)"
     )
 
 
