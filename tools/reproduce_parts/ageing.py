@@ -20,16 +20,21 @@ from .common import Missing, power_law, run_name, table
 
 PAPER_DEPTH = 10.0  # nm, of the quasi-liquid layer
 ROUGHNESS = 3.25  # nm, of the blocks of most plans
-TIMES = ((10, 25), (25, 50), (50, 100), (100, 200), (200, 500))  # ns
+WAYS = ((25, 50), (50, 125), (125, 250), (250, 375), (375, 500))  # nm of sliding
 LOADS = (0, 0.05, 0.1, 0.15, 0.2, 0.5)  # p/sigma_0, between which runs are taken together
-NOISY = 0.2  # standard error of mu over mu
 ALMOST = 1.01  # rows of compact logs may end a little before their run
-AGED, BLOCK, FAST = 50, 10, 4  # ns from which mu ~ t^n is fitted, to means over so many ns; m/s
+AGED, BLOCK = 250, 25  # nm from which mu ~ s^n is fitted, to means over so many nm
 
 
 def friction_series(points: Iterable[dict[str, Any]]) -> list[Any]:
     """Times (ns) and mu of the logs of runs."""
     return [np.array(plot_friction.read_log(p["file"])[1:]) for p in points]
+
+
+def over_distance(point: dict[str, Any]) -> tuple[Any, Any]:
+    """Distance slid (nm: 1 m/s is 1 nm/ns) and mu of the log of a run."""
+    time, mu = friction_series([point])[0]
+    return time * point["velocity"], mu
 
 
 def depth_series(members: Any) -> list[Any]:
@@ -190,86 +195,72 @@ def fig3(report: dict[str, Any], picture: str) -> list[str]:
     return table(["", "paper, nm", "ours, nm", ""], rows)
 
 
-def blocks_of(series: Any) -> Any:
-    """Times (ns) and means over BLOCK ns from AGED on, a pair for each block.
-
-    series: a pair of arrays for each run, times (ns) and y of any unit."""
-    points = []
-    for time, y in series:
-        edges = np.arange(AGED, time[-1] * ALMOST, BLOCK) * (1 + 1e-9)
-        points += [
-            (0.5 * (low + high), y[(time > low) & (time <= high)].mean())
-            for low, high in itertools.pairwise(edges)
-        ]
-    return points
+def blocks_of(way: Any, mu: Any) -> tuple[Any, Any]:
+    """Distances slid (nm) and means of mu over BLOCK nm from AGED on, arrays of the blocks."""
+    edges = np.arange(AGED, way[-1] + 0.5 * BLOCK, BLOCK) * (1 + 1e-9)  # the last one may be half
+    if len(edges) < 5:
+        raise Missing(f"a run ends at {way[-1]:.3g} nm of sliding, {AGED + 4 * BLOCK} are needed")
+    return 0.5 * (edges[:-1] + edges[1:]), np.array(
+        [mu[(way > low) & (way <= high)].mean() for low, high in itertools.pairwise(edges)]
+    )
 
 
-def power_of_time(series: Any) -> tuple[float, float, float]:
-    """n of y ~ t^n, its standard error, and y at 1 ns: a straight line through the logarithms of
-    the blocks of a series."""
-    points = blocks_of(series)
-    if not all(y > 0 for _, y in points):
-        raise Missing(f"a mean over {BLOCK} ns is not above 0: no power of time")
-    times, values = np.log(points).T
-    (n, factor), covariance = np.polyfit(times, values, 1, cov=True)
-    return n, math.sqrt(covariance[0, 0]), math.exp(factor)
+def power_of_distance(runs: Any) -> tuple[float, float]:
+    """n = d(mu)/d(ln s) over the mean of mu, of runs (distances in nm, mu) at one condition, and
+    its standard error: a straight line through their blocks, so that a block may be below 0."""
+    blocks = [blocks_of(*run) for run in runs]
+    way, mu = (np.concatenate(of) for of in zip(*blocks))
+    if mu.mean() <= 0:
+        raise Missing(f"the mean from {AGED} nm on is not above 0: no power of the distance")
+    (n, _), covariance = np.polyfit(np.log(way), mu / mu.mean(), 1, cov=True)
+    return n, math.sqrt(covariance[0, 0])
+
+
+def weighted(values: Any, errors: Any) -> tuple[float, float, float]:
+    """Mean with the weights 1/s.e.^2, its standard error, widened by a reduced chi^2 above 1, and
+    that reduced chi^2."""
+    weight = errors**-2.0
+    mean = np.average(values, weights=weight)
+    reduced = np.sum(weight * (values - mean) ** 2) / max(1, len(values) - 1)
+    return mean, math.sqrt(max(1, reduced) / weight.sum()), reduced
 
 
 def by_load(points: list[dict[str, Any]], axes: Any) -> list[list[str]]:
-    """Rows of n of mu ~ t^n, the mean over the runs between loads p/sigma_0 (weights 1/s.e.^2, its
-    standard error widened by a reduced chi^2 above 1), and of how many of them wr_fit finds no
-    stationary part, but for those whose mu is not known to NOISY or is not above 0 in a block;
-    draws the runs whose n is known to 0.1."""
+    """Rows of n of mu ~ s^n, the weighted mean over the runs between loads p/sigma_0 and over all,
+    and of how many of them wr_fit finds no stationary part; draws the runs."""
     found = []
     for point in points:
-        series = friction_series([point])
-        end = series[0][0][-1]
-        if end * ALMOST < 2 * AGED:
-            raise Missing(f"{run_name(point)} ends at {end:g} ns, {2 * AGED} are needed")
-        if point["mu_se"] > NOISY * point["mu"] or min(y for _, y in blocks_of(series)) <= 0:
-            continue
+        run = over_distance(point)
         found.append(
             (
                 point["pressure"] / point["strength"],
-                *power_of_time(series)[:2],
+                *power_of_distance([run]),
                 point["t_start"] is None,
-                student95(max(1, len(blocks_of(series)) - 2)),
+                student95(len(blocks_of(*run)[0]) - 2),
             )
         )
     load, n, error, drifting, t95 = np.array(found).T
-    known = error < 0.1
-    axes.errorbar(
-        load[known],
-        n[known],
-        yerr=(t95 * error)[known],
-        fmt="o",
-        ms=3,
-        lw=0.8,
-        color="0.6",
-        label="runs known to 0.1, 95 %",
-    )
+    axes.errorbar(load, n, yerr=t95 * error, fmt="o", ms=3, lw=0.8, color="0.6", label="runs, 95 %")
     rows: list[list[str]] = []
-    for low, high in itertools.pairwise(LOADS):
+    for low, high in (*itertools.pairwise(LOADS), (LOADS[0], LOADS[-1])):
         inside = (low < load) & (load <= high)
         if not inside.any():
             continue
-        weight = error[inside] ** -2
-        mean = np.average(n[inside], weights=weight)
-        reduced = np.sum(weight * (n[inside] - mean) ** 2) / max(1, inside.sum() - 1)
-        its = math.sqrt(max(1, reduced) / weight.sum())
-        axes.errorbar(
-            load[inside].mean(),
-            mean,
-            yerr=(student95(inside.sum() - 1) if inside.sum() > 1 else t95[inside][0]) * its,
-            fmt="C1s",
-            capsize=3,
-            label=None if rows else "their mean",
-        )
+        mean, its, reduced = weighted(n[inside], error[inside])
+        if (low, high) != (LOADS[0], LOADS[-1]):
+            axes.errorbar(
+                load[inside].mean(),
+                mean,
+                yerr=(student95(inside.sum() - 1) if inside.sum() > 1 else t95[inside][0]) * its,
+                fmt="C1s",
+                capsize=3,
+                label=None if rows else "their mean",
+            )
         rows.append(
             [
                 f"{low:g} to {high:g}",
                 str(inside.sum()),
-                f"{mean:+.3f} +- {its:.3f}",
+                f"{mean:+.2f} +- {its:.2f}",
                 f"{reduced:.1f}",
                 f"{drifting[inside].sum():.0f}",
             ]
@@ -278,76 +269,61 @@ def by_load(points: list[dict[str, Any]], axes: Any) -> list[list[str]]:
     axes.set(
         xlim=(0, None),
         xlabel="$p/\\sigma_0$",
-        ylabel=f"n of $\\mu \\sim t^n$ from {AGED} ns on",
-        ylim=(-0.3, 0.3),
+        ylabel=f"n of $\\mu \\sim s^n$ from {AGED} nm on",
+        ylim=(-1.5, 1.5),
     )
     return rows
 
 
 def ageing(report: dict[str, Any], picture: str) -> list[str]:
-    """mu in times (ns) that double, and n of mu ~ t^n: at each velocity (m/s), which are drawn, and
-    at each pressure (MPa); n against the load of all runs."""
+    """mu over distances slid (nm) at each velocity (m/s), which are drawn, and at each pressure
+    (MPa); n of mu ~ s^n against the load of all runs."""
     figure, (axes, right) = pyplot.subplots(1, 2, figsize=(11, 4.6), constrained_layout=True)
-    points, rows, powers, fast = report["report"]["points"], [], [], []
-    of_steel = [p for p in points if run_name(p)[0] in "vp"]  # of `velocity` and `pressure`
-    cases = groups(of_steel, lambda p: (run_name(p).startswith("p"), p["velocity"], p["pressure"]))
-    for k, ((of_pressures, velocity, pressure), members) in enumerate(cases.items()):
-        case, series = f"{velocity:g} m/s, {pressure:g} MPa", friction_series(members)
-        end = min(time[-1] for time, _ in series)
-        if end * ALMOST < 2 * AGED:
-            raise Missing(f"runs at {case} end at {end:g} ns, {2 * AGED} are needed")
-        found = [
-            (low, high, *layer.window(series, low, high, 8)) for low, high in TIMES if high <= end
-        ]
-        n, error, factor = power_of_time(series)
-        cells = [f"{mu:.3f} +- {mu_error:.3f}" for _, _, mu, mu_error in found] + [""] * (
-            len(TIMES) - len(found)
+    points, rows = report["report"]["points"], []
+    cases = groups(points, lambda p: (run_name(p)[0], p["velocity"], p["pressure"]))
+    velocities = [case for case in cases if case[0] == "v"]
+    for (plan, velocity, pressure), members in cases.items():
+        runs, found = [over_distance(p) for p in members], []
+        for low, high in WAYS:
+            if min(way[-1] for way, _ in runs) * ALMOST < high:
+                raise Missing(f"a run at {velocity:g} m/s, {pressure:g} MPa ends before {high} nm")
+            found.append(layer.window(runs, low, high, 5))
+        n, error = power_of_distance(runs)
+        rows.append(
+            [
+                f"{velocity:g} m/s, {pressure:g} MPa",
+                *(f"{mu:.2f}({100 * its:.0f})" for mu, its in found),
+                f"{n:+.2f} +- {error:.2f}",
+            ]
         )
-        rows.append([case, *cells])
-        powers.append([case, f"{n:+.3f} +- {error:.3f}"])
-        if of_pressures:
+        if plan != "v":
             continue
-        if velocity >= FAST:
-            fast.append((n, error))
-        low, high, mu, mu_error = np.array(found).T
-        line = np.geomspace(AGED, end, 20)
+        k, middle = velocities.index((plan, velocity, pressure)), np.mean(WAYS, axis=1)
+        mu, errors = np.array(found).T
         axes.errorbar(
-            np.sqrt(low * high) * 1.012 ** (k - 4),
+            middle * 1.012 ** (k - 4),
             mu,
-            yerr=student95(8 * len(members) - 1) * mu_error,  # of blocks
-            fmt=f"C{k}o",
+            yerr=student95(5 * len(members) - 1) * errors,  # of blocks
+            fmt=f"C{k}o-",
             ms=4,
+            lw=1,
             capsize=2,
             label=f"{velocity:g} m/s",
         )
-        axes.plot(line, factor * line**n, f"C{k}", lw=1)
-    axes.set(xscale="log", yscale="log", xlabel="time (ns)", ylabel="$\\mu$ with its 95 % interval")
-    axes.set_xticks([20, 50, 100, 200, 500], ["20", "50", "100", "200", "500"])
-    axes.set_yticks([0.3, 0.4, 0.5, 0.6, 0.7], ["0.3", "0.4", "0.5", "0.6", "0.7"])
+    axes.axvline(AGED, color="k", ls="--", lw=1)
+    axes.set(
+        xscale="log", xlabel="distance slid (nm)", ylabel="$\\mu$ with its 95 % interval, 15 MPa"
+    )
+    axes.set_xticks([30, 50, 100, 200, 500], ["30", "50", "100", "200", "500"])
     axes.minorticks_off()
-    if not fast:
-        raise Missing(f"no run of the plan velocity at {FAST} m/s or above")
+    axes.set_ylim(0, None)
     loads = by_load(points, right)
     for of_both, columns in ((axes, 2), (right, 1)):
         of_both.grid(alpha=0.3)
-        of_both.legend(fontsize=9, ncols=columns)
+        of_both.legend(fontsize=9, ncols=columns, loc="lower right")
     save_figure(figure, picture)
-    lines = [
-        *table(["mu", *(f"{low} to {high} ns" for low, high in TIMES)], rows),
-        "",
-        *table([f"mu ~ t^n from {AGED} ns on", "n"], powers),
-    ]
-    n, error = np.array(fast).T
-    mean, mean_error = np.average(n, weights=error**-2), math.sqrt(1 / np.sum(error**-2))
     return [
-        *lines,
+        *table(["mu", *(f"{low}-{high} nm" for low, high in WAYS), "n"], rows),
         "",
-        *table(
-            ["all materials: p/sigma_0", "runs", "mean n", "reduced chi^2", "drifting (wr_fit)"],
-            loads,
-        ),
-        "",
-        f"{FAST:g} m/s and above, 15 MPa: n = {mean:+.3f} +- {mean_error:.3f}, mu changes by "
-        f"{100 * (2**mean - 1):+.1f} +- {100 * math.log(2) * mean_error:.1f} % when the time "
-        "doubles",
+        *table(["p/sigma_0", "runs", "mean n", "reduced chi^2", "drifting (wr_fit)"], loads),
     ]

@@ -20,7 +20,7 @@ ROOT = Path(__file__).resolve().parents[2]
 BIN = Path(os.environ["WHEELRAIL_BIN"]) / "wr_fit"
 LOGS = ROOT / "examples" / "campaign" / "logs"
 # all plans of preset c whose runs differ in the seed and slide 250 nm after the first 250 nm
-PLANS = ("velocity", "pressure", "equal-kappas", "paper36", "own-material", "roughness")
+PLANS = ("equal-kappas", "paper36", "own-material", "roughness")
 
 
 def rows_of(tmp_path, *words):
@@ -64,8 +64,8 @@ def test_seeds_differ_by_their_errors(tmp_path):
             for a, b in itertools.combinations(seeds, 2):
                 differences.append(difference(a, b, "mu_se"))
                 own.append(difference(a, b, "mu_se_own"))
-    assert len(differences) == 90
-    # the root mean square of 90 normal numbers scatters by 7 %, the 5 % beyond by 2.3
+    assert len(differences) == 74
+    # the root mean square of 74 normal numbers scatters by 8 %, the 5 % beyond by 2.5
     assert rms(differences) == pytest.approx(1, abs=0.15)
     assert beyond(differences) < 0.1
     assert rms(own) > 1.15  # what a run knows of itself is not all
@@ -101,6 +101,6 @@ def test_parts_of_a_run_differ_by_their_own_errors(tmp_path, parts):
         if f"-part{k}." in name
     ]
     differences = [difference(a, b, "mu_se_own") for a, b in pairs]
-    assert len(differences) > 140
+    assert len(differences) > 110
     assert rms(differences) == pytest.approx(1, abs=0.15)
     assert beyond(differences) < 0.1

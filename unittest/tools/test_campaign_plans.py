@@ -171,15 +171,15 @@ def test_junctions_and_cost():
     """p W/(d sigma_link), in space p A/(d^2 sigma_link); core-seconds at the usual rate."""
     plane, space = (plans.read(plans.find(name)).runs[0] for name in ("velocity", "space"))
     sigma_link = 0.554 * 92
-    assert size.junctions(plane.values) == pytest.approx(15 * 40 / sigma_link)
+    assert size.junctions(plane.values) == pytest.approx(15 * 80 / sigma_link)
     layer = 2.5 / math.sqrt(2)
     area = (20 * layer) * (8 * layer)
     assert size.junctions(space.values) == pytest.approx(15 * area / 2.5**2 / sigma_link)
-    assert plane.cost == pytest.approx(560 * 500 / 4e-5 / 9e6)
+    assert plane.cost == pytest.approx(1600 * 500 / 4e-5 / 9e6)
     assert space.cost == pytest.approx(2240 * 100 / 4e-5 / 1.7e6)
     listed = campaign("list", "velocity").stdout
-    assert re.search(r" v1-seed1 .* 40 +14 .* 12 +0.1898 +365.1 +4e-05 +0.216$", listed, re.M)
-    assert "16 runs, 1.2 core-hours at 9 M automaton-steps a second and core\n" in listed
+    assert re.search(r" v1-seed1 .* 80 +20 .* 24 +0.1898 +365.1 +4e-05 +0.617$", listed, re.M)
+    assert "16 runs, 3.3 core-hours at 9 M automaton-steps a second and core\n" in listed
 
 
 def test_a_word_is_no_size(tmp_path):
@@ -295,7 +295,6 @@ SHIPPED = {
     "rail": 80,
     "rail-checks": 20,
     "space": 16,
-    "preset-b": 33,
     "laws": 232,
     "laws-long": 58,
 }
@@ -330,7 +329,7 @@ def test_work_counts_the_automata():
     log = (ROOT / "examples" / "space" / "log.friction.2").read_text()
     automata = int(re.search(r"steps with (\d+) atoms", log).group(1))
     assert space.work == automata * space.steps and space.variables()["depth"] == "8"
-    assert plane.work == 40 * 14 * plane.steps and "depth" not in plane.variables()
+    assert plane.work == 80 * 20 * plane.steps and "depth" not in plane.variables()
 
 
 def test_rail_goes_from_one_seed_to_the_next():
