@@ -49,8 +49,9 @@ def draw(report: dict[str, Any], picture: str) -> None:
             capsize=3,
             label="our runs, 95 %",
         )
-        axes.set(xlabel=f"{LABELS[key]}, {value:g} {unit}", xlim=(0, None), ylim=(0, None))
+        axes.set(xlabel=f"{LABELS[key]}, {value:g} {unit}", xlim=(0, None))
         axes.grid(alpha=0.3)
+    panels[0].set_ylim(0, None)
     panels[0].set_ylabel("friction coefficient $\\mu$")
     panels[0].legend(fontsize=9)
     save_figure(figure, picture)
