@@ -32,7 +32,7 @@ PAPER = plot_fit.PAPER
 PAPER_COLLAPSE = 0.035  # scatter of ten runs at equal kappas
 START = ["--start", "50", "--start-distance", "250"]  # ns, nm; each run slides 500 nm or more
 FROM = f"from {START[1]} ns and {START[3]} nm on"
-LATE = ["--start-distance", "250"]  # nm; each run of preset d slides 500 nm
+LATE = ["--start-distance", str(ageing.AGED)]  # nm; each run of preset d slides 500 nm
 LATER = f"from {LATE[1]} nm on"
 FIRST = "50"  # ns, 250 nm at 5 m/s
 STEEL = 2239  # kappa3 = E/sigma_0 of the paper's weakest steel, 206 GPa over 92 MPa
@@ -390,7 +390,7 @@ FIGURES = {
     ),
     "fig6": Figure(f"Fig. 6: mu against velocity, {LATER}", ["velocity"], fig6, LATE),
     "ageing": Figure(
-        "Ageing: mu against the distance slid, and n of mu ~ s^n from 250 nm on",
+        f"Ageing: mu against the distance slid, and n of mu ~ s^n {LATER}",
         ["velocity", "pressure"],
         ageing.ageing,
         LATE,
