@@ -205,15 +205,16 @@ def blocks_of(way: Any, mu: Any) -> tuple[Any, Any]:
     )
 
 
-def power_of_distance(runs: Any) -> tuple[float, float]:
-    """n = d(mu)/d(ln s) over the mean of mu, of runs (distances in nm, mu) at one condition, and
-    its standard error: a straight line through their blocks, so that a block may be below 0."""
+def power_of_distance(runs: Any) -> tuple[float, float, float]:
+    """n = d(mu)/d(ln s) over the mean of mu, of runs (distances in nm, mu) at one condition, its
+    standard error, and how many of those 95 % reach: a straight line through their blocks, so that
+    a block may be below 0."""
     blocks = [blocks_of(*run) for run in runs]
     way, mu = (np.concatenate(of) for of in zip(*blocks))
     if mu.mean() <= 0:
         raise Missing(f"the mean from {AGED} nm on is not above 0: no power of the distance")
     (n, _), covariance = np.polyfit(np.log(way), mu / mu.mean(), 1, cov=True)
-    return n, math.sqrt(covariance[0, 0])
+    return n, math.sqrt(covariance[0, 0]), student95(len(way) - 2)
 
 
 def weighted(values: Any, errors: Any) -> tuple[float, float, float]:
@@ -228,43 +229,39 @@ def weighted(values: Any, errors: Any) -> tuple[float, float, float]:
 def by_load(points: list[dict[str, Any]], axes: Any) -> list[list[str]]:
     """Rows of n of mu ~ s^n, the weighted mean over the runs between loads p/sigma_0 and over all,
     and of how many of them wr_fit finds no stationary part; draws the runs."""
-    found = []
-    for point in points:
-        run = over_distance(point)
-        found.append(
+    load, n, error, t95, drifting = np.array(
+        [
             (
                 point["pressure"] / point["strength"],
-                *power_of_distance([run]),
+                *power_of_distance([over_distance(point)]),
                 point["t_start"] is None,
-                student95(len(blocks_of(*run)[0]) - 2),
             )
-        )
-    load, n, error, drifting, t95 = np.array(found).T
+            for point in points
+        ]
+    ).T
     axes.errorbar(load, n, yerr=t95 * error, fmt="o", ms=3, lw=0.8, color="0.6", label="runs, 95 %")
-    rows: list[list[str]] = []
-    for low, high in (*itertools.pairwise(LOADS), (LOADS[0], LOADS[-1])):
+
+    def row(low: float, high: float, inside: Any) -> tuple[list[str], float, float]:
+        mean, its, reduced = weighted(n[inside], error[inside])
+        cells = [f"{low:g} to {high:g}", str(inside.sum()), f"{mean:+.2f} +- {its:.2f}"]
+        return [*cells, f"{reduced:.1f}", f"{drifting[inside].sum():.0f}"], mean, its
+
+    rows = []
+    for low, high in itertools.pairwise(LOADS):
         inside = (low < load) & (load <= high)
         if not inside.any():
             continue
-        mean, its, reduced = weighted(n[inside], error[inside])
-        if (low, high) != (LOADS[0], LOADS[-1]):
-            axes.errorbar(
-                load[inside].mean(),
-                mean,
-                yerr=(student95(inside.sum() - 1) if inside.sum() > 1 else t95[inside][0]) * its,
-                fmt="C1s",
-                capsize=3,
-                label=None if rows else "their mean",
-            )
-        rows.append(
-            [
-                f"{low:g} to {high:g}",
-                str(inside.sum()),
-                f"{mean:+.2f} +- {its:.2f}",
-                f"{reduced:.1f}",
-                f"{drifting[inside].sum():.0f}",
-            ]
+        cells, mean, its = row(low, high, inside)
+        axes.errorbar(
+            load[inside].mean(),
+            mean,
+            yerr=(student95(inside.sum() - 1) if inside.sum() > 1 else t95[inside][0]) * its,
+            fmt="C1s",
+            capsize=3,
+            label=None if rows else "their mean",
         )
+        rows.append(cells)
+    rows.append(row(LOADS[0], LOADS[-1], load > 0)[0])
     axes.axhline(0, color="k", ls="--", lw=1)
     axes.set(
         xlim=(0, None),
@@ -288,7 +285,7 @@ def ageing(report: dict[str, Any], picture: str) -> list[str]:
             if min(way[-1] for way, _ in runs) * ALMOST < high:
                 raise Missing(f"a run at {velocity:g} m/s, {pressure:g} MPa ends before {high} nm")
             found.append(layer.window(runs, low, high, 5))
-        n, error = power_of_distance(runs)
+        n, error, _ = power_of_distance(runs)
         rows.append(
             [
                 f"{velocity:g} m/s, {pressure:g} MPa",
