@@ -64,10 +64,10 @@ def second_half(members: Any, end: float) -> Any:
 
 def growth(members: Any, axes: Any) -> Any:
     """Rows of depth (nm) and mu of the runs (point, layer) in times (ns) that double; draws the
-    power law of the depth, fitted to the first third of the time, while the layer grows."""
+    power law of the depth, fitted to the first two thirds of the time, while the layer grows."""
     end, growing, rows = shortest(members), [], []
     depths, logs = depth_series(members), friction_series(p for p, _ in members)
-    for late in (end / 12, end / 6, end / 3, 2 * end / 3, end):
+    for late in (end / 6, end / 3, 2 * end / 3, end):
         early = late / 2 if late < end else 2 * end / 3
         (depth, error), (mu, mu_error) = (
             layer.window(depths, early, late, 2),
@@ -84,18 +84,18 @@ def growth(members: Any, axes: Any) -> Any:
         )
     time, depth, mu = np.log(growing[:3]).T
     power, factor = np.polyfit(time, depth, 1)
-    line = np.linspace(0, end / 3, 100)
+    line = np.linspace(0, 2 * end / 3, 100)
     axes.plot(
         line,
         math.exp(factor) * line**power,
         "k",
         lw=1,
-        label=f"in proportion to $t^{{{power:.2f}}}$ to {end / 3:.3g} ns",
+        label=f"in proportion to $t^{{{power:.2f}}}$ to {2 * end / 3:.3g} ns",
     )
     return [
         *rows,
         [
-            f"exponent of depth ~ t^n to {end / 3:.3g} ns",
+            f"exponent of depth ~ t^n to {2 * end / 3:.3g} ns",
             "",
             f"{power:.2f}",
             f"of mu {np.polyfit(time, mu, 1)[0]:.2f}",

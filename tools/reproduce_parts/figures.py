@@ -395,7 +395,7 @@ FIGURES = {
         ageing.ageing,
         LATE,
     ),
-    "collapse": Figure(f"Equal kappa1 and kappa2, {FROM}", ["equal-kappas"], collapse, START),
+    "collapse": Figure(f"Equal kappa1 and kappa2, {LATER}", ["equal-kappas"], collapse, LATE),
     "fig7": Figure(f"Figs. 7 and 8: the law, {FROM}", ["paper36"], fig7, START),
     "steel": Figure(
         f"The law of one material, E = 206 GPa and sigma_0 = 92 MPa, {LATER}",

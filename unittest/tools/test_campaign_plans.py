@@ -282,7 +282,7 @@ def test_flat_blocks_are_told(tmp_path):
 
 SHIPPED = {
     "paper36": 72,
-    "equal-kappas": 30,
+    "equal-kappas": 20,
     "velocity": 16,
     "pressure": 16,
     "viscosity": 2,

@@ -177,7 +177,7 @@ def test_layers_of_known_depth(tmp_path):
 
     profiles(*logs(tmp_path, "roughness"), growing)
     text = made(tmp_path, "fig3", reproduce(tmp_path, "fig3"))
-    depth, mu = line(text, "exponent of depth ~ t^n to 100 ns")
+    depth, mu = line(text, "exponent of depth ~ t^n to 200 ns")
     assert depth == pytest.approx(0.5, abs=0.1) and mu == pytest.approx(0, abs=0.02)
     assert line(text, "100 to 200 ns")[0] == pytest.approx(DEPTHS[3.25] * 0.5**0.5, rel=0.05)
     later = numpy.mean(numpy.sqrt(numpy.arange(21, 41) / 40))
