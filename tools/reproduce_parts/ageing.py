@@ -246,7 +246,7 @@ def by_load(points: list[dict[str, Any]], axes: Any) -> list[list[str]]:
         cells = [f"{low:g} to {high:g}", str(inside.sum()), f"{mean:+.2f} +- {its:.2f}"]
         return [*cells, f"{reduced:.1f}", f"{drifting[inside].sum():.0f}"], mean, its
 
-    rows = []
+    rows: list[list[str]] = []
     for low, high in itertools.pairwise(LOADS):
         inside = (low < load) & (load <= high)
         if not inside.any():

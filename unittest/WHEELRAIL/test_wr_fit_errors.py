@@ -19,7 +19,7 @@ from mcawr.friction_log import CHECK, Text
 ROOT = Path(__file__).resolve().parents[2]
 BIN = Path(os.environ["WHEELRAIL_BIN"]) / "wr_fit"
 LOGS = ROOT / "examples" / "campaign" / "logs"
-# plans whose runs differ in the seed and slide 250 nm after the first 250 nm, with the least time (ns)
+# plans whose runs differ in the seed and slide 250 nm after the first 250 nm; averages from (ns)
 PLANS = {"paper36": 50, "own-material": 50, "velocity": 0, "pressure": 0}
 
 
