@@ -12,6 +12,8 @@ import plot_layer
 from mcawr.files import is_there
 from mcawr.friction_log import head_of
 
+from .common import Missing
+
 
 @dataclasses.dataclass
 class Layer:
@@ -35,14 +37,17 @@ def window(series: Any, begin: float, end: float, blocks: int) -> tuple[float, f
     """(mean, its standard error) of several runs over begin < time <= end (ns).
 
     series: a pair of arrays for each run, times (ns) and values of any unit, of which every block
-    holds one or more. The error is that of the mean of all blocks, equal parts of the window: too
-    small if values correlate over longer than one."""
+    holds one or more: raises Missing. The error is that of the mean of all blocks, equal parts of
+    the window: too small if values correlate over longer than one."""
     edges = np.linspace(begin, end, blocks + 1) * (1 + 1e-9)
-    means = [
-        values[(time > low) & (time <= high)].mean()
+    parts = [
+        values[(time > low) & (time <= high)]
         for time, values in series
         for low, high in itertools.pairwise(edges)
     ]
+    if not all(map(len, parts)):
+        raise Missing(f"nothing in a part of {begin:.3g} to {end:.3g} ns: more frames are needed")
+    means = [part.mean() for part in parts]
     return float(np.mean(means)), float(np.std(means, ddof=1) / math.sqrt(len(means)))
 
 

@@ -271,6 +271,12 @@ def test_missing_logs_are_one_clear_line(tmp_path):
     done = reproduce(tmp_path, "fig3")
     assert done.returncode == 3 and done.stderr.count("\n") == 1 and "profile" in done.stderr
     assert not (tmp_path / "out" / "fig3.png").exists()
+    for plan in ("roughness", "viscosity", "equal-kappas"):
+        profiles(*logs(tmp_path / "few", plan), lambda run, part: (4, 6), frames=4)
+    shutil.rmtree(tmp_path / "logs")
+    shutil.move(tmp_path / "few" / "logs", tmp_path / "logs")
+    done = reproduce(tmp_path, "fig3")
+    assert done.returncode == 3 and done.stderr.count("\n") == 1 and "more frames" in done.stderr
 
 
 def test_archives_tell_what_their_files_tell(tmp_path):
