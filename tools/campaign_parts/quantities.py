@@ -81,7 +81,7 @@ KEYS = {
     "seed": Key(1, "", "a whole number >= 1", _whole(1), "seed"),
     "ns": Key(100.0, "ns, duration", "> 0", _positive, "ns"),
     "laws": Key(
-        "c", "preset of pair_style mca, further keywords may follow", "words", None, "laws"
+        "d", "preset of pair_style mca, further keywords may follow", "words", None, "laws"
     ),
     "dt": Key(None, "ns, step [scaled from 5e-5 with the material]", "> 0", _positive, "dt"),
     "row": Key(0.05, "ns between rows of the log", "> 0", _positive),

@@ -271,12 +271,12 @@ def test_friction_in_space(tmp_path):
     defaults, plane = (script_variables(where / "in.friction") for where in (SPACE, FRICTION))
     other = {"columns": "20", "rows": "28", "depth": "8", "skin": "0.4"}
     assert defaults == {**plane, **other}
-    values = {"columns": 8, "rows": 14, "depth": 4, "every": 100, "seed": 3, "v": 7, "frames": 0}
+    values = {"columns": 8, "rows": 14, "depth": 6, "every": 100, "seed": 3, "v": 7, "frames": 0}
     values.update(profile=200, checkpoint=200)
     run(SPACE / "in.friction", tmp_path, {**values, "ns": 0.016})
     log = tmp_path / "friction.friction"
     head = head_of(log)
-    assert head["geometry"]["packing"] == "fcc" and head["geometry"]["automata"] == 8 * 14 * 4 / 2
+    assert head["geometry"]["packing"] == "fcc" and head["geometry"]["automata"] == 8 * 14 * 6 / 2
     assert head["loading"]["velocity"] == 7 and head["run"]["seed"] == 3
     run(SPACE / "in.friction", tmp_path, {**values, "ns": 0.032, "continue": 1})
     assert steps_of(log) == list(range(100, 900, 100))

@@ -6,6 +6,7 @@ contacts have a quarter of their cells there.
 What a user brings along (logs, a campaign, a law, a measured curve) lies there: synthetic logs of
 Eq. 2."""
 
+import itertools
 import os
 import re
 import shutil
@@ -102,16 +103,20 @@ def checkout(folder):
 
 
 def bring_along(folder):
-    friction_logs.campaign(folder / "campaign")
-    for name in ("logs", "paper36", "smoke"):
+    campaign = friction_logs.campaign(folder / "campaign", velocities=(1, 2.5, 5, 10), ns=260)
+    with tarfile.open(folder / "plan.tar.xz", "w:xz", preset=0) as archive:
+        for log in campaign.glob("*/run.friction"):
+            archive.add(log, f"{log.parent.name}.friction")
+    for name in ("paper36", "smoke"):
         if not (folder / name).exists():
             (folder / name).symlink_to(folder / "campaign")
     with tarfile.open(ROOT / "examples/campaign/logs/own-material.tar.xz") as archive:
         archive.extractall(folder / "aluminium")
     for name in ("run", "friction"):
         (folder / f"{name}.friction").write_text(friction_logs.friction_log(ns=150), "utf-8")
-    for p in (1, 5, 15, 26):
-        (folder / f"p{p}.friction").write_text(friction_logs.friction_log(p=p, seed=p), "utf-8")
+    for v, p in itertools.product((2, 5, 10), (15, 20, 26)):
+        log = friction_logs.friction_log(p=p, v=v, ns=150, seed=v * p)
+        (folder / f"v{v}-p{p}.friction").write_text(log, "utf-8")
     rows = (f"{0.1 * k:.1f},{0.4 + 0.01 * (k * k % 7)}" for k in range(300))
     (folder / "tribometer.csv").write_text("\n".join(("time,mu", *rows)), "utf-8")
     curve = (f"{creep},36,{0.3 * creep / (0.3 + creep)}" for creep in (0.1, 0.2, 0.5, 1, 2, 5, 10))
