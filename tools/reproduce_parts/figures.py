@@ -325,7 +325,7 @@ SIZES = {
 
 
 def base_of(size: str) -> str:
-    """The size that another one stands against: materials have their own, at 0.3 and 4 %."""
+    """The size that another one stands against: those of preset d have their own."""
     return "poisson-nu0.3" if size.startswith(("poisson", "ductile")) else "base"
 
 
@@ -371,7 +371,7 @@ def convergence(report: dict[str, Any], picture: str) -> list[str]:
         bars,
         picture,
         "$\\mu/\\mu$(base)",
-        [(1, dict(color="k", ls="--"), "base: 40 across, 14 rows, 3 held, 4e-5 ns")],
+        [(1, dict(color="k", ls="--"), "what it stands against")],
     )
     return table(["", "runs", "mu", "against base", "depth, nm"], rows)
 
@@ -446,10 +446,10 @@ FIGURES = {
         ["--start-distance", laws.LONG],
     ),
     "convergence": Figure(
-        "Size of the fragment and time step, from 40 ns on",
+        f"Size of the fragment, time step, Poisson's ratio, breaking strain, {LATER}",
         ["convergence"],
         convergence,
-        ["--start", "40"],
+        LATE,
     ),
     "width": Figure(f"How wide a fragment has to be, {FROM}", ["width"], width.width, START),
 }
