@@ -3,6 +3,7 @@
 
 #include "error.h"
 #include "fix_mca_energy.h"
+#include "fix_order.h"
 #include "modify.h"
 #include "pair_mca.h"
 #include "update.h"
@@ -22,7 +23,9 @@ ComputeMCAEnergy::ComputeMCAEnergy(LAMMPS *host, int narg, char **arg) : Compute
   size_vector = 2 + FixMCAEnergy::FLOWS;
   extscalar = extvector = 1;
   vector = new double[size_vector];
-  modify->add_fix(fmt::format("{} all {}", FixMCAEnergy::ID, FixMCAEnergy::ID));
+  // its books of a step are made before any other fix reads them
+  mca::moveToFront(lmp,
+                   modify->add_fix(fmt::format("{} all {}", FixMCAEnergy::ID, FixMCAEnergy::ID)));
 }
 
 ComputeMCAEnergy::~ComputeMCAEnergy()
@@ -46,16 +49,24 @@ FixMCAEnergy &ComputeMCAEnergy::account() const
   return *fix;
 }
 
+/* of a sample that has the automata of the last list */
+
+static FixMCAEnergy::Balance balanceOf(FixMCAEnergy &account, const PairMCA *pair)
+{
+  pair->check_count();
+  return account.balance();
+}
+
 double ComputeMCAEnergy::compute_scalar()
 {
   invoked_scalar = update->ntimestep;
-  return scalar = account().balance().error;
+  return scalar = balanceOf(account(), PairMCA::found(lmp)).error;
 }
 
 void ComputeMCAEnergy::compute_vector()
 {
   invoked_vector = update->ntimestep;
-  const FixMCAEnergy::Balance b = account().balance();
+  const FixMCAEnergy::Balance b = balanceOf(account(), PairMCA::found(lmp));
   vector[0] = b.kinetic;
   vector[1] = b.elastic;
   for (int m = 0; m < FixMCAEnergy::FLOWS; m++)

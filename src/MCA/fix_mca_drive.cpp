@@ -79,7 +79,7 @@ FixMCADrive::FixMCADrive(LAMMPS *host, int narg, char **arg)
 
   nevery = 1;
   time_depend = 1;
-  restart_global = 1;
+  restart_global = 0; // until there is something to go on with
   scalar_flag = vector_flag = 1;
   size_vector = 8;
   global_freq = 1;
@@ -168,8 +168,13 @@ void FixMCADrive::find_limits()
 
 void FixMCADrive::evaluate()
 {
+  const bool varies = !velocity.variable.empty() || !pressure.variable.empty();
+  if (varies) // computes that a variable names are of this step, and are asked for in the next one
+    modify->clearstep_compute();
   evaluate(velocity);
   evaluate(pressure);
+  if (varies)
+    modify->addstep_compute(update->ntimestep + 1);
   if (!(std::abs(velocity.value) < largest_velocity))
     error->all(FLERR,
                "Fix mca/drive velocity is {} in step {}, allowed: below the speed of sound, "
@@ -267,10 +272,14 @@ void FixMCADrive::post_neighbor()
   split = holders > 1;
 }
 
+double FixMCADrive::thickness() const
+{
+  return domain->dimension == 3 ? domain->zprd : pair->thickness();
+}
+
 void FixMCADrive::setup(int vflag)
 {
-  const double thickness = domain->dimension == 3 ? domain->zprd : pair->thickness();
-  layer.area = domain->xprd * thickness;
+  layer.area = domain->xprd * thickness();
   layer.stressUnit = force->nktv2p;
   double own = 0.0;
   for (const int i : layer.members)
@@ -288,11 +297,12 @@ void FixMCADrive::setup(int vflag)
                    pressure.value, least_strength);
   if (!begun) {
     row_start = sums.displacement;
-    check_junctions(thickness);
+    check_junctions();
   }
   if (!path.empty())
-    open_log(thickness);
+    open_log();
   begun = true;
+  restart_global = 1;
   const Neighbourhood around = look_around();
   above = around.above;
   below = around.below;
@@ -308,14 +318,14 @@ void FixMCADrive::setup(int vflag)
       atom->v[i][1] = all_range[1];
 }
 
-void FixMCADrive::check_junctions(double thickness) const
+void FixMCADrive::check_junctions() const
 {
   namespace health = mcawr::layer_health;
   if (velocity.value == 0.0 || pressure.value == 0.0 || !domain->xperiodic ||
       !std::isfinite(least_link_pressure))
     return;
   const double d = largest_diameter, across = domain->xprd / d;
-  const double places = domain->dimension == 3 ? across * thickness / d : across;
+  const double places = domain->dimension == 3 ? across * thickness() / d : across;
   const double found = health::junctions(pressure.value, least_link_pressure, places);
   if (found < health::leastJunctions && comm->me == 0)
     error->warning(FLERR,
@@ -327,7 +337,7 @@ void FixMCADrive::check_junctions(double thickness) const
 
 /* begun, continued after a restart, or gone on with in a further run of the input script */
 
-void FixMCADrive::open_log(double thickness)
+void FixMCADrive::open_log()
 {
   int first_type = atom->ntypes + 1, lowest;
   for (int i = 0; i < atom->nlocal; i++)
@@ -350,7 +360,7 @@ void FixMCADrive::open_log(double thickness)
   header.pressure = pressure.value;
   header.velocity = velocity.value;
   header.width = domain->xprd;
-  header.thickness = thickness;
+  header.thickness = thickness();
   header.packing = pair->cell(lowest).packing.name;
   header.automata = atom->natoms;
   header.laws = pair->laws().words();
@@ -415,6 +425,8 @@ void FixMCADrive::reset_dt()
 
 void FixMCADrive::post_force(int /*vflag*/)
 {
+  if (domain->box_change) // as fix deform does
+    layer.area = domain->xprd * thickness();
   const mca::DrivenLayer::Arrays now = arrays();
   mca::DrivenLayer::Pull pull = layer.pull(now);
   stress = layer.stress(pull);
@@ -556,10 +568,13 @@ double FixMCADrive::compute_vector(int n)
     return compute_scalar();
   if (n == 3)
     return sums.displacement;
-  if (n == 4)
-    return height() - sums.startHeight;
   if (n == 5)
     return sum(sums.work);
+  pair = PairMCA::find(lmp, "Fix mca/drive"); // another one may be there since the last run
+  if (!begun || !pair->knows_masses())
+    return 0.0;
+  if (n == 4)
+    return height() - sums.startHeight;
   const Neighbourhood around = look_around();
   return n == 6 ? around.room : around.above + around.below;
 }
@@ -590,4 +605,5 @@ void FixMCADrive::restart(char *buf)
   if (comm->me != 0) // what all ranks know becomes the first one's
     sums.work = sums.shearSum = sums.normalSum = 0.0;
   restarted = true;
+  restart_global = 1;
 }

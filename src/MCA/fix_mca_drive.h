@@ -47,7 +47,7 @@ class FixMCADrive : public Fix {
   void post_run() override;
   /// Shear stress over the prescribed pressure in this step [-]; 0 without pressure.
   double compute_scalar() override;
-  /// 0 to 7: shear and normal stress [pressure], friction coefficient [-], displacement [length],
+  /// 0 before the first run. 0 to 7: shear and normal stress [pressure], friction coefficient [-], displacement [length],
   /// rise of the layer [length], work [energy], room of the automata between the held and the
   /// driven rows [-], automata beyond those [-]. Called by all ranks.
   double compute_vector(int) override;
@@ -116,10 +116,9 @@ class FixMCADrive : public Fix {
   void check_layer() const;
   void find_limits();
   /// Warns of a layer that slides and has too few junctions for its load.
-  void check_junctions(double thickness) const;
+  void check_junctions() const;
   /// Begins the log, continues it after a restart, or makes sure that a further run fits its head.
-  /// \param thickness  of the sample [length]
-  void open_log(double thickness);
+  void open_log();
   /// Stops all ranks when rank 0 has a problem.
   void stop_if(const std::string &problem);
   /// Both settings in this step; stops LAMMPS where they are out of bounds.
@@ -130,6 +129,8 @@ class FixMCADrive : public Fix {
   Setting parse_setting(const char *keyword, const char *word);
   /// y of an own automaton, not folded back into the box [length].
   double unwrapped_y(int i) const;
+  /// Of the sample [length].
+  double thickness() const;
   /// Mean height of the layer [length]; called by all ranks.
   double height() const;
   /// Where own automaton i belongs. Held are those at rest in y that forces do not move.

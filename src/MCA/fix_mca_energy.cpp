@@ -31,7 +31,7 @@ FixMCAEnergy::FixMCAEnergy(LAMMPS *host, int narg, char **arg)
   if (strcmp(id, ID) != 0)
     error->all(FLERR, "Fix {} is internal to compute mca/energy, which makes it itself", ID);
   nevery = 1;
-  restart_global = 1;
+  restart_global = 0; // until the account begins
 }
 
 int FixMCAEnergy::setmask()
@@ -139,6 +139,7 @@ void FixMCAEnergy::begin_run(const Held &own_held)
   else
     start = has;
   begun = true;
+  restart_global = 1;
   fresh = false;
   last = has;
   led = own_held.led;
@@ -258,7 +259,8 @@ FixMCAEnergy::Balance FixMCAEnergy::balance()
 
 void FixMCAEnergy::warn()
 {
-  static constexpr double share = 1e-3; // of what the sample had and got
+  static constexpr double share = 1e-3;      // of what the sample had and got
+  static constexpr double round_off = 1e-15; // of the automata's volume times Young's modulus
   static constexpr std::pair<Account::Channel, const char *> dissipated[] = {
       {Account::Plastic, "plastic flow"},
       {Account::Fracture, "breaking"},
@@ -270,6 +272,12 @@ void FixMCAEnergy::warn()
   double passed = std::abs(b.start);
   for (int m = 0; m < FLOWS; m++)
     passed += Account::comesIn(m) ? std::abs(b.flow[m]) : 0.0;
+  double stiffness = 0.0;
+  for (int i = 0; i < atom->nlocal; i++)
+    stiffness += pair->material(atom->type[i]).youngsModulus / force->nktv2p *
+                 pair->cell(atom->type[i]).cellVolume();
+  MPI_Allreduce(MPI_IN_PLACE, &stiffness, 1, MPI_DOUBLE, MPI_SUM, world);
+  passed = std::max(passed, round_off / share * stiffness); // a sample at rest
   std::string what;
   for (const auto &[channel, name] : dissipated) {
     highest[channel] = std::max(highest[channel], b.flow[channel]);
@@ -322,6 +330,7 @@ void FixMCAEnergy::restart(char *buf)
   for (int m = 0; m < FLOWS; m++)
     account.setSum(static_cast<Account::Channel>(m), values[2 + m]);
   begun = true;
+  restart_global = 1;
 }
 
 double FixMCAEnergy::memory_usage()

@@ -33,14 +33,18 @@ int FixNVEMCA::setmask()
 
 void FixNVEMCA::init()
 {
-  pair = PairMCA::find(lmp, "Fix nve/mca");
-  if (utils::strmatch(update->integrate_style, "^respa"))
-    error->all(FLERR, "Fix nve/mca does not work with run_style respa");
+  PairMCA::find(lmp, "Fix nve/mca");
   reset_dt();
 }
 
+/* The command timestep comes here between runs, too: before init(), or with a pair style that is
+   gone or is not complete yet. Then the next init() does it. */
+
 void FixNVEMCA::reset_dt()
 {
+  pair = PairMCA::found(lmp);
+  if (!pair || !pair->knows_masses())
+    return;
   dtv = update->dt;
   const double dtf = 0.5 * update->dt * force->ftm2v;
   // one division a type, not two an automaton and half step

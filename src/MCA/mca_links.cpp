@@ -38,6 +38,7 @@ void MCALinks::command(int narg, char **arg)
     error->all(FLERR, "Command mca_links: '{}' is unknown, allowed: create, delete, write, read",
                style);
   }
+  pair->evaluate(); // of the list that was made
 }
 
 /* the pair list with the present links, as a run's set-up makes it */

@@ -59,6 +59,11 @@ void PairMCA::compute(int eflag, int vflag)
     tally();
 }
 
+void PairMCA::evaluate()
+{
+  mca_step.run(automata(), update->dt, false);
+}
+
 /* LAMMPS's arrays, for one call */
 
 mca::Automata PairMCA::automata() const

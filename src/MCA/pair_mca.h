@@ -93,10 +93,18 @@ class PairMCA : public Pair {
   /// The pair style of this LAMMPS; stops it where there is none.
   /// \param who  needs it, for the message
   static PairMCA *find(LAMMPS *, const char *who);
+  /// The same; nullptr where there is none.
+  static PairMCA *found(LAMMPS *);
+  /// Whether packing and materials of all types are known, so that mass() and cell() are.
+  bool knows_masses() const;
   /// Stops LAMMPS where the internal fixes are gone, which hold the state of links and automata.
   void check_internal_fixes() const;
   /// Stops LAMMPS where own automata are more or less than those of the list of pairs.
   void check_count() const;
+  /// After a command that made a new list of pairs: evaluates the laws as a set-up does, so that
+  /// the present values are those of this list and a run may go on without a set-up. Called by all
+  /// ranks.
+  void evaluate();
   /// Stops LAMMPS, naming the automata, where a place or velocity is nan or infinite, or one moves
   /// by more than half a diameter in a step, or where diameter or mass are not those of the
   /// material. Called by all ranks.
@@ -225,6 +233,8 @@ class PairMCA : public Pair {
   mca::Interface interface_inside(int typeI, int typeJ) const;
   /// The strength of links of two types [pressure]: of their interface, or of the weaker material.
   double strength(int typeI, int typeJ) const;
+  /// Of a restart file.
+  void read_interfaces(FILE *);
   /// Reads pair_coeff: the words behind I J interface.
   void coeff_interface(int narg, char **arg);
   /// The tables of laws.

@@ -27,10 +27,15 @@ using namespace LAMMPS_NS;
 
 PairMCA *PairMCA::find(LAMMPS *host, const char *who)
 {
-  auto *found = dynamic_cast<PairMCA *>(host->force->pair_match("^mca", 0));
-  if (!found)
+  PairMCA *const pair = found(host);
+  if (!pair)
     host->error->all(FLERR, "{} requires pair_style mca", who);
-  return found;
+  return pair;
+}
+
+PairMCA *PairMCA::found(LAMMPS *host)
+{
+  return dynamic_cast<PairMCA *>(host->force->pair_match("^mca", 0));
 }
 
 /* they are fixes as all others, which commands can take away */
@@ -52,8 +57,8 @@ void PairMCA::check_count() const
 {
   if (atom->nlocal != mca_step.own())
     error->one(FLERR,
-               "Pair style mca: automata were added or deleted and the run has no set-up, where "
-               "they come into the list of pairs: leave out 'pre no'");
+               "Pair style mca: automata were added or deleted since the last set-up, in which "
+               "they come into the list of pairs: leave out 'pre no', or give run 0 before output");
 }
 
 double PairMCA::wave_speed(int type) const

@@ -13,6 +13,7 @@
 #include "fix_deform.h"
 #include "fix_mca_history.h"
 #include "fix_mca_state.h"
+#include "fix_order.h"
 #include "force.h"
 #include "input.h"
 #include "laws/contact_step.h"
@@ -52,8 +53,8 @@ PairMCA::PairMCA(LAMMPS *host)
   pvector = new double[nextra]();
   std::fill_n(columns, mca::stateCount, -1);
 
-  // placeholders, so that the internal fixes come before all fixes of the input script; they are
-  // replaced in init_style(), when a restart file's contents for them are known
+  // placeholders, which are replaced in init_style(), when a restart file's contents for them are
+  // known
   if (modify->get_fix_by_id(FixMCAHistory::ID) || modify->get_fix_by_id(DUMMY_HISTORY))
     error->all(FLERR, "Only one pair style mca at a time allowed");
   modify->add_fix(fmt::format("{} all DUMMY", DUMMY_HISTORY));
@@ -231,6 +232,9 @@ void PairMCA::init_style()
     fix_spins = modify->add_fix(fmt::format("{} all MCA_STATE {} writedata no ghost yes",
                                             FixMCAState::SPINS,
                                             mca::propertyWords(domain->dimension, false)));
+  // before all fixes of the input script, also of those that it defined before the pair style
+  mca::moveToFront(lmp, fix_state);
+  mca::moveToFront(lmp, fix_history);
   find_columns();
   make_laws();
   warn_of_sizes();
@@ -283,6 +287,16 @@ mca::Cell PairMCA::cell(int type) const
   return {*packing, materials[type].diameter, thickness()};
 }
 
+bool PairMCA::knows_masses() const
+{
+  if (!packing || !allocated)
+    return false;
+  for (int type = 1; type <= atom->ntypes; type++)
+    if (!setflag[type][type])
+      return false;
+  return true;
+}
+
 double PairMCA::mass(int type) const
 {
   return cell(type).mass(materials[type].density);
@@ -301,6 +315,8 @@ void PairMCA::check_commands() const
     error->all(FLERR,
                "Pair style mca does not work with minimize: the shear of links follows only motion "
                "in a run; use a damped run (fix viscous)");
+  if (utils::strmatch(update->integrate_style, "^respa"))
+    error->all(FLERR, "Pair style mca does not work with run_style respa");
   if (input->command && strcmp(input->command, "rerun") == 0)
     error->all(FLERR,
                "Pair style mca does not work with rerun: a dump does not hold the state of links");
@@ -433,6 +449,8 @@ void PairMCA::reset_dt()
 
 void PairMCA::check_step()
 {
+  if (!knows_masses()) // the command timestep, before the materials: setup() looks again
+    return;
   if (!(update->dt > 0.0))
     error->all(FLERR, "Timestep {:.6g} is not allowed with pair_style mca, must be > 0",
                update->dt);
@@ -486,6 +504,8 @@ void PairMCA::write_restart_settings(FILE *fp)
 {
   seal.keepPlace(fp);
   mca::writeBlock(fp, mca::textOf(mca::PairSettings{depth, cut_user, packing, lawset}));
+  if (force->pair != this) // pair_style hybrid writes no more of its styles
+    mca::writeBlock(fp, mca::textOfInterfaces(interfaces));
 }
 
 void PairMCA::close_restart_file(const char *path)
@@ -509,8 +529,18 @@ void PairMCA::read_restart_settings(FILE *fp)
   cut_user = settings.cutoff;
   packing = settings.packing;
   lawset = settings.laws;
+  if (force->pair != this)
+    read_interfaces(fp);
+  checked = atom->natoms; // states of a run press pairs together
+  told_of_stress = true;
   // LAMMPS keeps the time of the last run's beginning, and its step, and forgets what lies between
   update->update_time();
+}
+
+void PairMCA::read_interfaces(FILE *fp)
+{
+  const std::string own = mca::blockText(lmp, fp, "pair_coeff interface of mca");
+  interfaces = mca::readOrStop(lmp, [&] { return mca::interfacesIn(own, atom->ntypes, lawset); });
 }
 
 void PairMCA::write_restart(FILE *fp)
@@ -532,8 +562,5 @@ void PairMCA::read_restart(FILE *fp)
     materials[i] = read[i - 1];
     setflag[i][i] = 1;
   }
-  const std::string own = mca::blockText(lmp, fp, "pair_coeff interface of mca");
-  interfaces = mca::readOrStop(lmp, [&] { return mca::interfacesIn(own, atom->ntypes, lawset); });
-  checked = atom->natoms; // states of a run press pairs together
-  told_of_stress = true;
+  read_interfaces(fp);
 }

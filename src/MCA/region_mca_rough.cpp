@@ -23,6 +23,7 @@ RegionMCARough::RegionMCARough(LAMMPS *host, int narg, char **arg) : Region(host
                       "its period");
   options(narg - 7, &arg[7]);
   below = strcmp(arg[2], "below") == 0;
+  origin = domain->boxlo[0];
   const std::string what = "Region mca/rough ";
   height = yscale * mca::number(lmp, what + "height", arg[3]);
   const double amplitude =
@@ -54,7 +55,7 @@ RegionMCARough::~RegionMCARough()
 
 int RegionMCARough::inside(double x, double y, double /*z*/)
 {
-  const bool under = y <= height + (*profile)(x - domain->boxlo[0]);
+  const bool under = y <= height + (*profile)(x - origin);
   return under == below ? 1 : 0;
 }
 

@@ -37,7 +37,9 @@ class RegionMCARough : public Region {
   bool below;
   /// Height of the line's mean [length].
   double height;
-  /// The line about its mean; x counts from the lower face of the box.
+  /// The lower face of the box in x when the region is made [length].
+  double origin;
+  /// The line about its mean; x counts from there.
   std::unique_ptr<mca::RoughProfile> profile;
 };
 

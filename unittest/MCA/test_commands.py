@@ -230,7 +230,7 @@ def test_uniform_dilation_is_right(fragments, tmp_path):
         ("fix box all deform 1 x erate 0.1 remap x", ["fix box deform", "remap v"]),
         ("fix box all press/berendsen x 0 0 1", ["fix box press/berendsen", "remap v"]),
         ("replicate 2 1 1", ["replicate"]),
-        ("run_style respa 2 2", ["respa"]),
+        ("run_style respa 2 2", ["Pair style mca", "respa"]),
     ],
 )
 def test_refused(fragments, tmp_path, extra, parts):
