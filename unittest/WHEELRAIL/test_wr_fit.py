@@ -189,6 +189,35 @@ def test_start_can_be_a_distance(log, tmp_path, start, begin):
     )
 
 
+def test_a_distance_counts_from_where_sliding_begins(log, tmp_path):
+    """A drive that begins at 60 ns: 60 nm at 5 m/s are slid at 72 ns."""
+    head, rows = log.read_text().split("gap\n")
+    late = [row.split(" ") for row in rows.splitlines()]
+    late = [" ".join([row[0], f"{float(row[1]) + 60:.10g}", *row[2:]]) for row in late]
+    log.write_text(f"{head}gap\n" + "\n".join(late) + "\n")
+    done = wr_fit(log, "--start-distance", 60, "-o", tmp_path / "fit.json")
+    assert done.returncode == 0, done.stderr
+    (point,) = json.loads((tmp_path / "fit.json").read_text())["report"]["points"]
+    assert point["t_start"] == pytest.approx(72)
+    assert point["start_distance"] == pytest.approx(60)
+    one_line(wr_fit(log, "--start-distance", 150), 3, "ends at 100 nm, before the start of 150 nm")
+    one_line(wr_fit(log, "--start", 90), 3, "ends at 80 ns, before the start of 90 ns")
+
+
+@pytest.mark.parametrize(
+    "words, said",
+    [
+        (("--start", 19.99), "the last row begins at 19.95 ns, before the start of 19.99 ns"),
+        (
+            ("--start-distance", 99.9),
+            "the last row begins at 99.75 nm, before the start of 99.9 nm",
+        ),
+    ],
+)
+def test_a_start_within_the_last_row_is_said_truly(log, words, said):
+    one_line(wr_fit(log, *words), 3, said)
+
+
 def test_outlier_is_reported(tmp_path):
     runs = friction_logs.campaign(tmp_path / "c", scatter=0.01)
     (runs / "run15" / "run.friction").write_text(

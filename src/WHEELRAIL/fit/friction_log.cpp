@@ -377,6 +377,13 @@ double FrictionLog::interval() const
   return (time.back() - time.front()) / static_cast<double>(time.size() - 1);
 }
 
+double FrictionLog::origin() const
+{
+  const double begin = time.front() - interval();
+  constexpr double rounding = 1e-6;
+  return std::abs(begin) < rounding * interval() ? 0.0 : begin;
+}
+
 FrictionLog readFrictionLog(const std::string &path)
 {
   std::error_code ignored;

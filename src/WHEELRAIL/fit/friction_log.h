@@ -52,6 +52,7 @@ struct FrictionLog {
   double kappa2() const;   ///< p E / sigma_0^2
   double kappa3() const;   ///< E / sigma_0
   double interval() const; ///< ns between rows
+  double origin() const;   ///< ns, where the interval of the first row begins
 };
 
 /// Reads and checks one log. A row of step 0 is the state before the first step, not a mean: it is

@@ -36,20 +36,24 @@ std::optional<double> startAskedFor(const FrictionLog &log, const AveragingOptio
   const double distance = *options.startDistance;
   const double time =
       distance > 0.0 ? distance / std::abs(log.head.velocity) : 0.0; // nm/(m/s) = ns
-  return std::max(options.start.value_or(0.0), time);
+  return std::max(options.start.value_or(0.0), log.origin() + time);
 }
 
-/// That the log ends before the start, in the unit in which the start was given.
+/// That no row begins at the start or after it, in the unit in which the start was given.
 Error beyondTheEnd(const FrictionLog &log, const AveragingOptions &options, double time)
 {
   const bool isDistance = options.startDistance && time > options.start.value_or(0.0);
   const double perTime = isDistance ? std::abs(log.head.velocity) : 1.0;
+  const double zero = isDistance ? log.origin() : 0.0;
   const char *unit = isDistance ? "nm" : "ns";
+  const double end = log.time.back();
+  const bool isWithinLastRow = time < end;
+  const double last = isWithinLastRow ? end - log.interval() : end;
   return badInput(
       log.file, 0, "",
-      fmt::format("the log ends at {:.4g} {}, before the start of {:.4g} {} that was asked for",
-                  log.time.back() * perTime, unit, isDistance ? *options.startDistance : time,
-                  unit));
+      fmt::format("the {} at {:.6g} {}, before the start of {:.6g} {} that was asked for",
+                  isWithinLastRow ? "last row begins" : "log ends", (last - zero) * perTime, unit,
+                  isDistance ? *options.startDistance : time, unit));
 }
 
 double meanBefore(const FrictionLog &log, double time)
@@ -103,10 +107,7 @@ FrictionRun frictionRun(const FrictionLog &log, const AveragingOptions &options)
   run.firstStep.assign(log.step.begin(), log.step.begin() + rows);
   run.firstMu.assign(log.mu.begin(), log.mu.begin() + rows);
   run.note = log.note;
-  double origin = log.time.front() - log.interval();
-  if (std::abs(origin) < 1e-6 * log.interval())
-    origin = 0.0; // not round-off
-  run.duration = log.time.back() - origin;
+  run.duration = log.time.back() - log.origin();
 
   SeriesMean mean;
   double start = 0.0;
@@ -123,7 +124,7 @@ FrictionRun frictionRun(const FrictionLog &log, const AveragingOptions &options)
     const auto part = stationaryPart(log.mu);
     mean = part.mean;
     begin = part.start;
-    start = part.start == 0 ? origin : log.time[part.start - 1];
+    start = part.start == 0 ? log.origin() : log.time[part.start - 1];
     run.tStart = part.found ? start : nan;
     if (!part.found) {
       addNote(run.note, fmt::format("no stationary part: {}", part.reason));

@@ -166,9 +166,8 @@ RunHealth runHealth(const FrictionLog &log, std::size_t first)
   result.strengths.insert(result.strengths.end(), log.otherStrengths.begin(),
                           log.otherStrengths.end());
   const double speed = std::abs(log.head.velocity); // m/s = nm/ns
-  const double origin = log.time.front() - log.interval();
-  result.distance = speed * (log.time.back() - origin);
-  result.startDistance = speed * (log.time[first] - log.interval() - origin);
+  result.distance = speed * (log.time.back() - log.origin());
+  result.startDistance = speed * (log.time[first] - log.interval() - log.origin());
   const auto rows = static_cast<double>(log.rows.size() - first);
   double room = 0.0;
   for (std::size_t i = first; i < log.rows.size(); ++i) {
