@@ -86,6 +86,32 @@ def test_the_table_has_the_conditions_and_the_power_of_the_speed(tmp_path):
     assert law["reference_velocity"] == 5 and law["velocity_range"] == [1, 5]
 
 
+def test_temperatures_that_are_close_are_one_row(tmp_path):
+    """673 K and 676 K: the pressures of both rise along one row, which wr_creep reads."""
+    folder = logs(tmp_path / "logs")
+    for log, ratio, mu in (("a", 0.2, 0.44), ("b", 1.0, 0.41)):
+        share = (676 - 673) / (773 - 673)
+        strength, E = 720 + share * (561.6 - 720), 144200 + share * (123600 - 144200)
+        usual = friction_logs.eq2(*friction_logs.kappas(ratio * strength, 5, strength, E))
+        text = friction_logs.friction_log(
+            p=ratio * strength, strength=strength, E=E, seed=50, factor=mu / usual, grinding_in=0
+        )
+        (folder / f"{log}.friction").write_text(text)
+    done = wr_fit(folder, "--material", STEEL, "--model", "table", "-o", tmp_path / "l.json")
+    assert done.returncode == 0, done.stderr
+    law = json.loads((tmp_path / "l.json").read_text())
+    assert law["table_temperature"] == pytest.approx(list(AT))
+    assert law["table_pressure"][1] == pytest.approx(sorted((*RATIOS, 0.2, 1.0)), rel=1e-3)
+
+
+def test_a_table_holds_no_run_that_does_not_slide(tmp_path):
+    folder = logs(tmp_path / "logs")
+    still = friction_logs.friction_log(p=90, v=0, strength=900, seed=50, grinding_in=0)
+    (folder / "still.friction").write_text(still)
+    done = wr_fit(folder, "--material", STEEL, "--model", "table")
+    one_line(done, 4, "still.friction: does not slide, 0 m/s")
+
+
 def test_a_contact_takes_it(tmp_path):
     """Smooth and cold: mu of the mean pressure's cells; the keywords of other laws are refused."""
     wr_fit(

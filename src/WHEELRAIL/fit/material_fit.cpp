@@ -30,7 +30,17 @@ bool close(double x, double y)
 
 bool besideEachOther(const Place &one, const Place &other)
 {
-  return close(one.temperature, other.temperature) && close(one.ratio, other.ratio);
+  return one.temperature == other.temperature && close(one.ratio, other.ratio);
+}
+
+/// Temperatures that are close become the lowest of them: a table has one row for them.
+void mergeTemperatures(std::vector<Place> &places)
+{
+  std::sort(places.begin(), places.end(),
+            [](const Place &p, const Place &q) { return p.temperature < q.temperature; });
+  for (std::size_t i = 1; i < places.size(); ++i)
+    if (close(places[i].temperature, places[i - 1].temperature))
+      places[i].temperature = places[i - 1].temperature;
 }
 
 std::vector<Place> placesOf(const std::vector<FitCondition> &conditions,
@@ -42,6 +52,7 @@ std::vector<Place> placesOf(const std::vector<FitCondition> &conditions,
     places.push_back({run.temperature, condition.mean.kappa2 / condition.mean.kappa3,
                       std::abs(run.head.velocity), condition.mean.mu, condition.mean.muSe, &run});
   }
+  mergeTemperatures(places);
   std::sort(places.begin(), places.end(), [](const Place &p, const Place &q) {
     return p.temperature < q.temperature || (p.temperature == q.temperature && p.ratio < q.ratio);
   });
@@ -98,6 +109,11 @@ void fitSpeed(MuTable &table, const std::vector<Place> &places)
 {
   std::map<double, LineThrough0> lines; // by p/sigma_0
   for (const Place &place : places) {
+    if (place.speed == 0.0)
+      throw Error(ExitCode::NotConverged,
+                  fmt::format("{}: does not slide, 0 m/s: a table cannot hold it, its values go "
+                              "with a power of the speed",
+                              place.run->file));
     if (close(place.speed, table.speed.reference))
       continue;
     const auto partner = std::find_if(places.begin(), places.end(), [&](const Place &other) {
@@ -147,7 +163,7 @@ MuTable tableOf(const std::vector<FitCondition> &conditions, const std::vector<F
   for (const Place &place : places) {
     if (!close(place.speed, table.speed.reference))
       continue;
-    if (table.rows.empty() || !close(place.temperature, table.rows.back().temperature))
+    if (table.rows.empty() || place.temperature != table.rows.back().temperature)
       table.rows.push_back({place.temperature, {}, {}, {}});
     MuTable::Row &row = table.rows.back();
     row.ratio.push_back(place.ratio);
