@@ -16,9 +16,11 @@
 #include "shared/output_file.h"
 
 #include <CLI/CLI.hpp>
+#include <array>
 #include <filesystem>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <string>
 #include <utility>
 
@@ -28,6 +30,11 @@ namespace {
 
 constexpr const char *programName = "wr_fit";
 constexpr const char *tableModel = "table"; ///< of a material, beside the models of a few numbers
+/// Options that say nothing of a measured series.
+constexpr std::array ofLogsOnly = {"--runs",           "--plot",       "--model",
+                                   "--material",       "--solid-only", "--kappa3",
+                                   "--kappa2-min",     "--level",      "--include-drifting",
+                                   "--start-distance", "--grinding-in"};
 constexpr const char *examples = R"(
 Examples:
   wr_fit run.friction
@@ -54,6 +61,7 @@ struct Settings {
   std::string model = nameOf(LawModel::Full);
   AveragingOptions averaging;
   FitOptions fit;
+  std::vector<std::string> ofLogs; ///< those of `ofLogsOnly` that were given
   bool quiet = false;
 };
 
@@ -171,19 +179,20 @@ std::string addPicture(const std::string &path, const std::string &json,
 /// Measured series have no condition, so that there is no law.
 int runMeasured(const Settings &settings)
 {
-  const AveragingOptions &averaging = settings.averaging;
-  for (const auto &[option, given] : {std::pair("--runs", !settings.runs.empty()),
-                                      {"--plot", !settings.plot.empty()},
-                                      {"--start-distance", averaging.startDistance.has_value()},
-                                      {"--grinding-in", averaging.grindingIn.has_value()}})
-    if (given)
-      throw Error(ExitCode::Usage,
-                  fmt::format("{}: goes with friction logs, not with measured series", option));
+  if (!settings.ofLogs.empty())
+    throw Error(ExitCode::Usage,
+                fmt::format("{}: goes with friction logs, not with measured series",
+                            settings.ofLogs.front()));
   if (!settings.json.empty())
     checkOutputs({{"-o", settings.json}}, settings.logs);
   std::vector<MeasuredMean> means;
-  for (const std::string &path : settings.logs)
-    means.push_back(meanOf(readMeasuredSeries(path), averaging.start));
+  std::set<std::filesystem::path> seen;
+  for (const std::string &path : settings.logs) {
+    std::error_code error;
+    const auto place = std::filesystem::weakly_canonical(path, error);
+    if (error || seen.insert(place).second)
+      means.push_back(meanOf(readMeasuredSeries(path), settings.averaging.start));
+  }
   mcawr::OutputFiles results;
   if (!settings.json.empty())
     results.add(settings.json, jsonText("report", jsonReport(means)));
@@ -264,6 +273,9 @@ int body(int argc, char **argv)
   defineOptions(app, settings);
   if (const auto code = parseCommandLine(app, argc, argv, "unexpected argument"))
     return *code;
+  for (const char *option : ofLogsOnly)
+    if (app.count(option) > 0)
+      settings.ofLogs.emplace_back(option);
   settings.fit.table = settings.model == tableModel;
   for (LawModel model : lawModels)
     if (settings.model == nameOf(model))

@@ -56,7 +56,7 @@ def test_as_spreadsheets_write_them(tmp_path, separator, decimal):
     "text, parts",
     [
         ("time,mi\n1,2\n", [":1:", "column 'mu' is missing", "'mi'"]),
-        ("1,0.4\n2,0.4\n", ["2 rows", "at least 4"]),
+        ("1,0.4\n2,0.4\n", ["2 rows", "at least 7"]),
         ("time;mu\n1;0,4\n2;0,1e309\n", [":3: mu: '0,1e309' is not", "within +-1e+12"]),
         ("time,mu\n1,0.4\n2,x\n", [":3:", "mu", "'x'"]),
         ("time,mu\n1,0.4\n2,0.4\n4,0.4\n", [":4:", "4 follows 2", "evenly"]),
@@ -73,6 +73,34 @@ def test_what_does_not_go_together(tmp_path):
     table.write_text("".join(f"{t:.1f},{mu:.6f}\n" for t, mu in series()))
     for option in ("--runs", "--plot"):
         one_line(wr_fit(table, option, tmp_path / "x.png"), 2, option, "friction logs")
-    one_line(wr_fit(table, "--start-distance", 250), 2, "--start-distance")
+    for words in (
+        ("--start-distance", 250), ("--grinding-in", 50), ("--points", tmp_path / "x.csv"),
+        ("--material", tmp_path / "x.mca"), ("--model", "eq4"), ("--solid-only",),
+        ("--level", 0.9), ("--kappa3", 300), ("--kappa2-min", 5), ("--include-drifting",),
+    ):  # fmt: skip
+        said = "--runs" if words[0] == "--points" else words[0]
+        one_line(wr_fit(table, *words), 2, f"{said}: goes with friction logs")
     one_line(wr_fit(table, tmp_path / "a.friction"), 2, "two calls")
     one_line(wr_fit(table, "--start", 500), 3, "leaves 0 rows", "the last is at 120")
+
+
+@pytest.mark.parametrize("rows", [4, 6, 7])
+def test_a_short_series_has_an_error_or_is_refused(tmp_path, rows):
+    table, report = tmp_path / "t.csv", tmp_path / "fit.json"
+    table.write_text("".join(f"{t:.1f},{mu:.6f}\n" for t, mu in series(rows=rows)))
+    done = wr_fit(table, "-o", report)
+    if rows < 7:
+        one_line(done, 3, f"t.csv: {rows} rows of time and mu, at least 7 are needed")
+        assert not report.exists()
+    else:
+        one_line(done, 0)
+        (one,) = json.loads(report.read_text())["series"]
+        assert one["rows"] == 4 and one["mu_se"] > 0 and "inf" not in done.stdout
+
+
+def test_a_series_that_is_named_twice_counts_once(tmp_path):
+    table = tmp_path / "t.csv"
+    table.write_text("".join(f"{t:.1f},{mu:.6f}\n" for t, mu in series()))
+    (tmp_path / "link.csv").symlink_to("t.csv")
+    done = wr_fit(table, tmp_path / ".." / tmp_path.name / "t.csv", tmp_path / "link.csv")
+    assert done.returncode == 0 and done.stdout.count("\n") == 1

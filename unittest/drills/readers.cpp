@@ -160,10 +160,12 @@ void readCurveOfTraction(const std::string &bytes)
 void readSeriesOfFriction(const std::string &bytes)
 {
   const MeasuredSeries series = readMeasuredSeries(fileWith(bytes));
-  require(series.time.size() == series.mu.size() && series.mu.size() >= 4,
+  require(series.time.size() == series.mu.size() && series.mu.size() >= 7,
           "columns of unlike length");
   const MeasuredMean found = meanOf(series, {});
-  require(std::isfinite(found.mean.mean) && !(found.standardError < 0.0), "a mean that is none");
+  require(std::isfinite(found.mean.mean) && std::isfinite(found.standardError) &&
+              found.standardError >= 0.0,
+          "a mean that is none");
 }
 
 void readCaseFile(const std::string &bytes)

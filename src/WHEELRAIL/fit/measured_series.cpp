@@ -20,7 +20,8 @@ namespace wheelrail {
 
 namespace {
 
-constexpr std::size_t leastRows = 4; // of seriesMean
+constexpr std::size_t leastAveraged = 4;                 // of seriesMean
+constexpr std::size_t leastRows = 2 * leastAveraged - 1; // the later half has as many
 
 /// Where both columns stand, and how many there are.
 struct Columns {
@@ -120,10 +121,12 @@ MeasuredMean meanOf(const MeasuredSeries &series, std::optional<double> start)
   std::size_t begin = 0;
   if (start) {
     begin = std::lower_bound(series.time.begin(), series.time.end(), *start) - series.time.begin();
-    if (begin + leastRows > n)
-      throw badInput(series.file, 0, "",
-                     fmt::format("--start {:g} leaves {} rows, the last is at {:g}", *start,
-                                 n - begin, series.time.back()));
+    if (begin + leastAveraged > n)
+      throw badInput(
+          series.file, 0, "",
+          fmt::format("--start {:g} leaves {} rows, at least {} are needed, the last is at "
+                      "{:g}",
+                      *start, n - begin, leastAveraged, series.time.back()));
     found.mean = seriesMean(series.mu, begin, n);
   } else {
     const StationaryPart part = stationaryPart(series.mu);

@@ -27,7 +27,7 @@ bool isMeasuredSeries(const std::string &path);
 /// Reads a table with columns `time` and `mu`: named in its first line, in any order and beside
 /// others, or without names the only two. Separators and decimal signs as `NumberRows` reads them;
 /// lines that begin with '#' are comments.
-/// \throws Error (BadInput) with file and line: no such columns, fewer than four rows, what is no
+/// \throws Error (BadInput) with file and line: no such columns, fewer than seven rows, what is no
 ///         number, times that do not rise evenly
 MeasuredSeries readMeasuredSeries(const std::string &path);
 
@@ -43,7 +43,7 @@ struct MeasuredMean {
 };
 
 /// \param start  time from which on all is averaged; absent: the stationary part is looked for
-/// \throws Error (BadInput) if the start lies beyond the end
+/// \throws Error (BadInput) if the start leaves fewer than four rows
 MeasuredMean meanOf(const MeasuredSeries &series, std::optional<double> start);
 
 /// One line each, for people.
