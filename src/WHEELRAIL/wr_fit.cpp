@@ -62,6 +62,7 @@ struct Settings {
   AveragingOptions averaging;
   FitOptions fit;
   std::vector<std::string> ofLogs; ///< those of `ofLogsOnly` that were given
+  bool isLevelGiven = false;
   bool quiet = false;
 };
 
@@ -211,9 +212,13 @@ int run(const Settings &settings)
     throw Error(ExitCode::Usage, "LOG: measured series (*.csv) and friction logs do not go "
                                  "together: read them in two calls");
   if (settings.fit.kappa3 > 0.0 && !hasKappa3(settings.fit.model))
-    throw Error(ExitCode::Usage, fmt::format("--kappa3: goes with --model {} or {}, not with {}",
-                                             nameOf(LawModel::Kappa3),
-                                             nameOf(LawModel::VelocityKappa3), settings.model));
+    throw Error(ExitCode::Usage,
+                fmt::format("--kappa3: goes with --model {}, {} or {}, not with {}",
+                            nameOf(LawModel::Kappa3), nameOf(LawModel::VelocityKappa3),
+                            nameOf(LawModel::BoundedKappa3), settings.model));
+  if (settings.fit.table && settings.isLevelGiven)
+    throw Error(ExitCode::Usage, "--level: goes with a fitted law, not with --model table, which "
+                                 "has standard errors");
   if (settings.material.empty() && (settings.fit.table || isBounded(settings.fit.model)))
     throw Error(
         ExitCode::Usage,
@@ -276,6 +281,7 @@ int body(int argc, char **argv)
   for (const char *option : ofLogsOnly)
     if (app.count(option) > 0)
       settings.ofLogs.emplace_back(option);
+  settings.isLevelGiven = app.count("--level") > 0;
   settings.fit.table = settings.model == tableModel;
   for (LawModel model : lawModels)
     if (settings.model == nameOf(model))

@@ -55,9 +55,14 @@ def test_a_file_of_an_archive_is_a_log(packed):
     for same in ("plan.tar.xz", "./plan.tar.xz", "link.tar.xz"):  # each log counts once
         files = [row["file"] for row in rows_of(packed, first, same, second)]
         assert files == [first, f"{same}/v10.friction", f"{same}/v2.friction"]
-    for wrong in ("v1.friction", "v2.profile", ".", ""):
+    for wrong, said in (
+        ("v1.friction", "no such file in the archive"),
+        ("v2.profile", "is no *.friction"),
+        (".", "is no *.friction"),
+        ("", "is no *.friction"),
+    ):
         done = wr_fit(f"plan.tar.xz/{wrong}", cwd=packed)
-        one_line(done, 3, f"plan.tar.xz/{wrong}: no such file in the archive")
+        one_line(done, 3, f"plan.tar.xz/{wrong}: {said}")
     one_line(wr_fit("plan.tar.xz/a/v2.friction", cwd=packed), 3, "no such file or folder")
     one_line(wr_fit("no.tar.xz/v2.friction", cwd=packed), 3, "no.tar.xz: no such file or folder")
 

@@ -148,6 +148,13 @@ def test_a_contact_takes_it(tmp_path):
     [
         (AT, ["--model", "bounded"], 2, ["--model bounded", "needs --material"]),
         (AT, ["--model", "table"], 2, ["--model table"]),
+        (AT, ["--material", STEEL, "--model", "table", "--level", 0.9], 2, ["--level", "table"]),
+        (
+            AT,
+            ["--material", STEEL, "--model", "bounded", "--kappa3", 300],
+            2,
+            ["--kappa3", "eq2_kappa3, velocity_kappa3 or bounded_kappa3, not with bounded"],
+        ),
         (AT, ["--material", "none.mca"], 3, ["none.mca"]),
         ({0: (92, 206000)}, ["--material", STEEL], 3, ["strength 92", "at no temperature"]),
     ],

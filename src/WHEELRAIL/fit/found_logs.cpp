@@ -52,6 +52,8 @@ class Finder {
         addArchived(path, name, text);
     } else if (const auto inside = archivedFile(path)) {
       auto &texts = textsOf(inside->archive);
+      if (fs::path(inside->name).extension() != mcawr::friction_log::extension)
+        throw badInput(path, 0, "", "is no *.friction: of an archive only those are read");
       const auto text = texts.find(inside->name);
       if (text == texts.end())
         throw badInput(path, 0, "", "no such file in the archive");

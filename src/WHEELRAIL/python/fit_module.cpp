@@ -185,8 +185,9 @@ Fit fit(const py::object &logs, const std::string &model, const py::object &mate
   choose(model, options);
   if (kappa3 && !hasKappa3(options.model))
     throw Error(ExitCode::Usage,
-                fmt::format("kappa3: goes with the models {} and {}, not with {}",
-                            nameOf(LawModel::Kappa3), nameOf(LawModel::VelocityKappa3), model));
+                fmt::format("kappa3: goes with the models {}, {} and {}, not with {}",
+                            nameOf(LawModel::Kappa3), nameOf(LawModel::VelocityKappa3),
+                            nameOf(LawModel::BoundedKappa3), model));
   options.kappa3 = kappa3.value_or(0.0);
   options.solidOnly = solidOnly;
   options.kappa2Min = kappa2Min;
