@@ -9,7 +9,9 @@ picture, table.
 
 Runs that differ in their seed only are one point: the mean, with 95 % by the runs' errors or by the
 scatter between the seeds, whichever is larger, times Student's t of the number of seeds by which
-wr_fit knows what seeds differ by; the runs are the small dots. Where other
+wr_fit knows what seeds differ by; the runs are the small dots. Two logs of one run are one dot, and
+runs that wr_fit --solid-only left out are none; those that only its law leaves out, for a drift or
+a small kappa2, are drawn. Where other
 quantities vary too there is a line for each of their values. pressure: the friction stress, as in
 Fig. 4 of the paper (with --mu: mu); velocity: mu, and above it the largest row of the logs, the
 static peak (Fig. 6); viscosity, strength: mu; temperature: mu, with the material as it is at each.
@@ -61,9 +63,20 @@ def conditions(points: list[dict[str, Any]]) -> list[tuple[dict[str, float], lis
     return [(dict(key), members) for key, members in found.items()]
 
 
+def that_count(points: list[dict[str, Any]]) -> list[dict[str, Any]]:
+    """The points with a standard error, each run once, without those that wr_fit --solid-only left
+    out. What the law alone leaves out is a point all the same."""
+    return [
+        point
+        for point in points
+        if point["mu_se"] is not None
+        and not str(point.get("left_out")).startswith(("the run of ", "no solid: "))
+    ]
+
+
 def read(path: str) -> list[dict[str, Any]]:
-    """The points of wr_fit's JSON that have a standard error. Raises BadInput."""
-    points = [p for p in tables.fit_report(path)["report"]["points"] if p["mu_se"] is not None]
+    """The points of wr_fit's JSON that count. Raises BadInput."""
+    points = that_count(tables.fit_report(path)["report"]["points"])
     if not points:
         raise BadInput(f"{path}: no point with a standard error")
     return points
@@ -211,9 +224,8 @@ def figure_of(points: list[dict[str, Any]], against: str, stress: Any) -> Any:
 
 
 def draw(points: list[dict[str, Any]], against: str, path: str) -> None:
-    """Writes the picture of wr_fit's points that have a standard error."""
-    known = [point for point in points if point["mu_se"] is not None]
-    save_figure(figure_of(known, against, against == "pressure"), path)
+    """Writes the picture of wr_fit's points that count."""
+    save_figure(figure_of(that_count(points), against, against == "pressure"), path)
 
 
 def main() -> None:

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Pictures of wr_fit and of the scripts that read what it writes."""
 
+import csv
 import os
 import subprocess
 
@@ -68,6 +69,31 @@ def test_figures_4_and_6(tmp_path, against):
         3,
         "not wr_fit's JSON",
     )
+
+
+def test_a_series_counts_what_wr_fit_counts(tmp_path):
+    """A copy is no other seed, a run that sank is none with --solid-only; a light load, which only
+    the law leaves out, is drawn."""
+    heavy = [friction_logs.friction_log(seed=seed) for seed in (1, 2, 3)]
+    head, rows = heavy[2].split("\nstep", 1)
+    names, *rows = ("step" + rows).splitlines()
+    names += " room lost flow_energy breaking_energy contact_energy"
+    sunk = "\n".join([head, names, *(f"{row} 0.9 0 0 0 0" for row in rows)]) + "\n"
+    light = friction_logs.friction_log(p=0.05)
+    for k, text in enumerate((heavy[0], heavy[0], heavy[1], sunk, light)):
+        (tmp_path / f"{k}.friction").write_text(text)
+    wr_fit(tmp_path, "-q", "--solid-only", "-o", tmp_path / "fit.json")
+    made = subprocess.run(
+        [TOOLS / "plot_series.py", "fit.json", "--against", "pressure", "--csv", "a.csv"],
+        cwd=tmp_path,
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    assert made.returncode == 0, made.stderr
+    lines = (tmp_path / "a.csv").read_text().splitlines()[1:]
+    found = {row["pressure"]: row["runs"] for row in csv.DictReader(lines)}
+    assert found == {"0.05": "1", "15": "2"}
 
 
 def test_missing_matplotlib_does_not_spoil_the_fit(log, tmp_path):

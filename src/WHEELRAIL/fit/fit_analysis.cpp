@@ -14,6 +14,8 @@ namespace {
 
 std::string whyLeftOut(const FrictionRun &run, const FitOptions &options)
 {
+  if (options.solidOnly && run.health.room < run.health.leastRoom)
+    return fmt::format("no solid: room {:.3f} < {:.3f}", run.health.room, run.health.leastRoom);
   if (run.kappa2 < options.kappa2Min)
     return fmt::format("kappa2 = {:.3g} < {:.3g}", run.kappa2, options.kappa2Min);
   if (!run.stationary() && !options.includeDrifting)
@@ -22,8 +24,6 @@ std::string whyLeftOut(const FrictionRun &run, const FitOptions &options)
     return "too few rows for a standard error";
   if (run.mu <= 0.0)
     return "mu is not positive";
-  if (options.solidOnly && run.health.room < run.health.leastRoom)
-    return fmt::format("no solid: room {:.3f} < {:.3f}", run.health.room, run.health.leastRoom);
   return "";
 }
 
