@@ -7,6 +7,7 @@
 Left (Fig. 7): mu of the runs against mu of the law; runs that differ in their seed only are one
 point, as in the fit. Right (Fig. 8): the pressure-dependent part of
 the law, mu without its velocity term, against kappa2. Without a fitted law the paper's is used.
+A law of one material (wr_fit --material) is refused.
 With a power of kappa3 in wr_fit's model, mu of the runs is brought to the law's kappa3 by it.
 Exit codes: 0 ok, 1 no matplotlib, 2 usage, 3 bad input file, 5 the picture cannot be written.
 """
@@ -15,12 +16,13 @@ from typing import Any
 
 from mcawr import plotting, tables
 from mcawr.command_line import Parser, file_name
-from mcawr.errors import run_script
+from mcawr.errors import BadInput, run_script
 from mcawr.files import check_apart, save_figure
 from mcawr.replicas import NORMAL
 
 PAPER = {"mu0": 0.15, "mu1": 0.0442, "mu2": 0.3243, "b": 0.195, "c": 0.00212}  # Eq. 3
 PAPER_RMS = 0.09
+OF_MATERIAL = "mca-friction-law 2"  # format
 
 # law or None, its relative RMS, points, covariance or None
 Contents = tuple[dict[str, Any] | None, float, list[dict[str, Any]], Any]
@@ -67,8 +69,14 @@ def contents(data: dict[str, Any]) -> Contents:
 
 
 def read(path: str) -> Contents:
-    """(law or None, its relative RMS, points, covariance) of wr_fit's JSON."""
-    return tables.read_fit(path, contents)
+    """(law or None, its relative RMS, points, covariance) of wr_fit's JSON. Raises BadInput."""
+
+    def of_eq2(data: dict[str, Any]) -> Contents:
+        if data.get("format") == OF_MATERIAL:
+            raise BadInput(f"{path}: is a law of one material: Figs. 7 and 8 are of Eq. 2")
+        return contents(data)
+
+    return tables.read_fit(path, of_eq2)
 
 
 def velocity_term(law: dict[str, Any], kappa1: Any) -> Any:

@@ -67,6 +67,23 @@ def test_bars_of_plot_fit_are_too():
         assert drawn["t95"] == t95 and drawn["mu_se"] == 0.02
 
 
+@pytest.mark.parametrize(
+    "law",
+    [
+        {"mu0": 0.4, "mu1": 0, "mu2": 0, "b": 0, "c": 0, "covariance": [[0.0] * 10] * 10},
+        {"table_temperature": [293], "table_pressure": [[1]], "table_mu": [[0.4]]},
+    ],
+)
+def test_plot_fit_refuses_a_law_of_one_material(call, tmp_path, law):
+    condition = {"kappa1": 1.0, "kappa2": 9.0, "kappa3": 400.0, "mu": 0.4, "mu_se": 0.02}
+    report = {"points": [point(0.4)], "conditions": [{**condition, "runs": [0]}]}
+    path, picture = tmp_path / "law.json", tmp_path / "a.png"
+    path.write_text(with_checksum({"format": "mca-friction-law 2", **law, "report": report}))
+    code, _, err = call("plot_fit.py", str(path), "-o", str(picture))
+    assert code == 3 and err.count("\n") == 1 and not picture.exists()
+    assert "law.json: is a law of one material" in err
+
+
 def test_other_quantities_are_lines(series):
     points = [point(0.4 + 0.01 * p, p=p, strength=s) for p in (1.0, 5.0) for s in (92.0, 200.0)]
     for words in (["--against", "pressure"], ["--against", "pressure", "--mu"]):
