@@ -19,6 +19,7 @@ One panel for each word after --show:
 The last panel is the mean of vx over each height. The dump needs the columns id, type, x, y and vx.
 Several dumps, such as the files of a campaign, one a frame, are put in the order
 of their steps; the time step is that of run.json beside them.
+Where the box is periodic along x, automata are drawn within one period. A triclinic box is refused.
 An output that ends in .gif is an animation of all frames. Exit codes: 0 ok, 1 no matplotlib or no
 Pillow, 2 usage, 3 bad input file, 5 the picture cannot be written.
 """
@@ -87,12 +88,13 @@ class Picture:
         spacing = nearest_distance(begin["x"], begin["y"])
         if spacing == 0:
             raise of_space(dump, "two automata have the same x and y")
-        (low, high), _, (back, front) = dump.frames[0]["box"]
+        _, _, (back, front) = dump.frames[0]["box"]
         if not HEIGHTS & set(dump.frames[0]["names"]) and front - back > 2 * spacing:
             raise of_space(
                 dump, f"the box goes from z = {back:g} to {front:g}, and there is no column z"
             )
         self.diameter = given.diameter or spacing
+        low, high = self.sides(dump.frames[0], [begin])
         if self.diameter > high - low:
             fail(Exit.USAGE, f"--diameter {self.diameter:g}: the box is {high - low:g} wide")
         self.stripe = {
@@ -102,13 +104,24 @@ class Picture:
         # everything that must not change within an animation
         frames = range(len(dump.frames)) if given.animated else [given.frame]
         everything = [dump.columns(k, self.names) for k in frames]
+        self.left, self.right = self.sides(dump.frames[given.frame], everything)
         self.low = min(min(c["y"]) for c in everything) - self.diameter
         self.high = max(max(c["y"]) for c in everything) + self.diameter
         self.range = {
             p: self.limits(p, everything) for p in given.show if p not in ("stripes", "type")
         }
 
-        self.lay_out(plt, (self.high - self.low) / (high - low))
+        self.lay_out(plt, (self.high - self.low) / (self.right - self.left))
+
+    def sides(self, frame: dict[str, Any], shown: list[dict[str, Any]]) -> tuple[float, float]:
+        """Limits of x: the period, or a radius beyond the box and the automata that are shown."""
+        low, high = frame["box"][0]
+        if frame["periodic"][0]:
+            return low, high
+        radius = 0.5 * self.diameter
+        low = min(low, *(min(columns["x"]) for columns in shown))
+        high = max(high, *(max(columns["x"]) for columns in shown))
+        return low - radius, high + radius
 
     def lay_out(self, plt: Any, ratio: float) -> None:
         """Axes of the panels, their colour bars and the profile, all of the same height."""
@@ -175,17 +188,7 @@ class Picture:
         axes.grid(alpha=0.3)
 
     def panel(self, axes: Any, panel: str, frame: dict[str, Any], columns: dict[str, Any]) -> None:
-        low, high = frame["box"][0]
-        width, radius = high - low, 0.5 * self.diameter
-        # an automaton on the edge of the period is seen on both sides
-        x, y, which = [], [], []
-        for k, (a, b) in enumerate(zip(columns["x"], columns["y"])):
-            a = low + (a - low) % width
-            for image in (a, a + width, a - width):
-                if low - radius < image < high + radius:
-                    x.append(image)
-                    y.append(b)
-                    which.append(k)
+        x, y, which = self.images(frame, columns)
         discs = self.discs(axes, x, y)
         if panel in ("stripes", "type"):
             shade = self.stripe if panel == "stripes" else {}
@@ -197,10 +200,28 @@ class Picture:
         else:
             self.colour(axes, discs, panel, columns[panel], which)
         axes.set_aspect("equal")
-        axes.set_xlim(low, high)
+        axes.set_xlim(frame["box"][0] if frame["periodic"][0] else (self.left, self.right))
         axes.set_ylim(self.low, self.high)
         axes.set_xlabel("x (nm)")
         axes.set_title(TITLES.get(panel, panel), fontsize=10)
+
+    def images(
+        self, frame: dict[str, Any], columns: dict[str, Any]
+    ) -> tuple[list[float], list[float], Any]:
+        """x, y and rows of all discs: one on the edge of a period is seen on both sides."""
+        if not frame["periodic"][0]:
+            return columns["x"], columns["y"], range(len(columns["x"]))
+        low, high = frame["box"][0]
+        width, radius = high - low, 0.5 * self.diameter
+        x, y, which = [], [], []
+        for k, (a, b) in enumerate(zip(columns["x"], columns["y"])):
+            a = low + (a - low) % width
+            for image in (a, a + width, a - width):
+                if low - radius < image < high + radius:
+                    x.append(image)
+                    y.append(b)
+                    which.append(k)
+        return x, y, which
 
     def discs(self, axes: Any, x: Any, y: Any) -> Any:
         from matplotlib.collections import EllipseCollection
@@ -311,6 +332,8 @@ def read(paths: list[str]) -> Film:
     for number, frame in enumerate(dump.frames):
         if frame["count"] == 0:
             raise BadInput(f"{dump.path_of(number)}:{frame['head'] + 1}: no automaton")
+        if frame["triclinic"]:
+            raise BadInput(f"{dump.path_of(number)}: a triclinic box cannot be drawn")
     for height in sorted(HEIGHTS.intersection(dump.frames[0]["names"])):
         values = dump.columns(0, [height])[height]
         if max(values) > min(values):

@@ -10,6 +10,7 @@ import pytest
 import forked_scripts
 from mcawr.campaign_record import timestep_of
 from mcawr.dump import Film
+from script_calls import load
 
 LONG = pytest.mark.long
 PLOT = Path(__file__).resolve().parents[2] / "tools" / "plot_fragment.py"
@@ -87,6 +88,35 @@ def test_panels(tmp_path, show):
     done, picture = plot(tmp_path, GOOD, "--no-profile", "--show", *show)
     assert done.returncode == 0, done.stderr
     assert picture.read_bytes()[:4] == b"\x89PNG"
+
+
+def drawn_of(tmp_path, monkeypatch, content):
+    """(x of the discs of the last frame, limits of the axis)."""
+    plotter = load("plot_fragment.py")
+    (tmp_path / "a.dump").write_text(content)
+    words = ["plot_fragment.py", str(tmp_path / "a.dump"), "--show", "type", "--no-profile"]
+    monkeypatch.setattr("sys.argv", words)
+    given = plotter.arguments()
+    picture = plotter.Picture(plotter.plotting.pyplot(), plotter.read(given.dump), given)
+    picture.show(-1)
+    axes = picture.axes["type"]
+    return sorted(axes.collections[0].get_offsets()[:, 0].tolist()), axes.get_xlim()
+
+
+def test_images_stand_beside_a_periodic_side_only(tmp_path, monkeypatch):
+    """Automata at 0, 1.25, 2.5 and 6.25 nm in a box of 5 nm."""
+    x, limits = drawn_of(tmp_path, monkeypatch, GOOD)
+    assert x == [0, 1.25, 1.25, 2.5, 5] and limits == (0, 5)
+    open_box = GOOD.replace("pp ss pp", "ff ss pp")
+    x, limits = drawn_of(tmp_path, monkeypatch, open_box)
+    assert x == [0, 1.25, 2.5, 6.25] and limits == pytest.approx((-1.25, 7.5), abs=1e-3)
+
+
+def test_a_triclinic_box_is_refused(tmp_path):
+    tilted = GOOD.replace("BOUNDS pp", "BOUNDS xy xz yz pp").replace("0 5\n", "0 5 1\n")
+    done, picture = plot(tmp_path, tilted)
+    assert done.returncode == 3 and done.stderr.count("\n") == 1
+    assert "a triclinic box cannot be drawn" in done.stderr and not picture.exists()
 
 
 def test_unknown_column(tmp_path):
