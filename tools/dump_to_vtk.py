@@ -9,10 +9,10 @@ DUMP is a text dump of atoms (dump custom) with the columns id, x and y (or xu, 
 --links one of compute mca/link/local (dump local) with both IDs and any others. Writes NAME.pvd,
 the frames with their times, NAME_links.pvd likewise, and the frames (*.vtu) in the folder
 NAME_frames. A frame of links needs the automata of the same step. Links across a periodic side are
-left out: they would be drawn through the box. Of frames that stand twice in a dump, as a continued
-run leaves them, the later one counts. Frames and links of an earlier call with the same NAME go.
-Exit codes: 0 ok, 1 no meshio, 2 usage, 3 bad input file, 5 a
-file cannot be written.
+left out: they would be drawn through the box. The columns element and typelabel, which hold words,
+are left out with a note; all others hold numbers. Of frames that stand twice in a dump, as a
+continued run leaves them, the later one counts. Frames and links of an earlier call with the same
+NAME go. Exit codes: 0 ok, 1 no meshio, 2 usage, 3 bad input file, 5 a file cannot be written.
 """
 
 import argparse
@@ -29,6 +29,7 @@ from mcawr.errors import BadInput, Exit, Failure, complain, fail, run_script, sa
 from mcawr.files import make_folder, replace_all
 
 INTEGERS = {"id", "mol", "type", "proc", "procp1", "ix", "iy", "iz"}
+WORDS = {"element", "typelabel"}  # columns of dump custom
 ENDS = [("batom1", "batom2"), ("id1", "id2")]
 
 
@@ -37,6 +38,9 @@ def read(path: str) -> tuple[Dump, dict[int, int]]:
     dump = Dump(path)
     if dump.cut:
         complain(f"{path}: the last frame is cut and left out")
+    words = sorted(WORDS & {name for frame in dump.frames for name in frame["names"]})
+    if words:
+        complain(f"note: {path}: left out, since it holds words: {', '.join(words)}")
     return dump, {frame["step"]: number for number, frame in enumerate(dump.frames)}
 
 
@@ -118,13 +122,14 @@ class Writer:
 
 
 def arrays(dump: Dump, number: int, integers: set[str]) -> dict[str, Any]:
-    """{column: its values} of all columns of a frame."""
+    """{column: its values} of all columns of numbers of a frame."""
     import numpy
 
     frame = dump.frames[number]
+    names = [name for name in frame["names"] if name not in WORDS]
     columns = {
         name: numpy.array(values, dtype=float)
-        for name, values in dump.columns(number, frame["names"]).items()
+        for name, values in dump.columns(number, names).items()
     }
     for name in integers & set(columns):
         values = columns[name]

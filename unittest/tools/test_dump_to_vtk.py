@@ -206,6 +206,17 @@ def test_small_frame(tmp_path):
     assert ends.tolist() == [[1, 2]] and data["sigma"] == -5
 
 
+def test_columns_of_words_are_left_out(tmp_path):
+    atoms = ATOMS.replace("x y", "element x y").replace("1 0 0", "1 Fe 0 0")
+    atoms = atoms.replace("1 2.5 0", "1 Fe 2.5 0").replace("2 4.9 2", "2 O 4.9 2")
+    done = convert(tmp_path, a=atoms.format(0) + atoms.format(4))
+    assert done.returncode == 0, done.stderr
+    assert done.stderr.count("\n") == 1 and "holds words: element" in done.stderr
+    for _, path in collection(tmp_path / "a.pvd"):
+        points, _, _, data, _ = vtu(path)
+        assert points[2].tolist() == [4.9, 2, 0] and set(data) == {"id", "type", "x", "y"}
+
+
 def test_frame_without_links(tmp_path):
     done = convert(
         tmp_path,
