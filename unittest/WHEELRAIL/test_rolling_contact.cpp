@@ -294,6 +294,18 @@ TEST(FrozenRolling, NoCreepNoTraction)
   EXPECT_THROW(solveFrozenRolling(plane, bound, -1e-3), Error);
 }
 
+TEST(FrozenRolling, NoCreepSticksAfterFullSlip)
+{
+  const NormalContactProblem problem = cylinder(256);
+  HalfPlane plane(256, Boundary::Free);
+  const Vector bound = 0.3 * solveNormalContact(plane, problem).pressure;
+  RollingOptions options;
+  options.start = solveFrozenRolling(plane, bound, 1.0).state;
+  const RollingResult result = solveFrozenRolling(plane, bound, 0.0, options);
+  for (int i = 0; i < 256; ++i)
+    EXPECT_EQ(result.state[i], bound[i] > 0.0 ? Adhesion::Stick : Adhesion::Apart);
+}
+
 TEST(TransientRolling, ReachesTheSteadyStateOfASmoothContact)
 {
   const int n = 512;

@@ -216,6 +216,7 @@ RollingResult solveFrozenRolling(HalfPlane &halfPlane, const Vector &bound, doub
                                         ? statesFromCoarseGrid(bound, creep, options)
                                         : options.start);
   if (scale == 0.0) {
+    result.state = startStates(bound, {}); // nothing slips, whatever the start did
     result.traction.setZero();
     result.slip = Vector::Zero(n);
     return result;
