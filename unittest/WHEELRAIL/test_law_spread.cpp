@@ -71,6 +71,35 @@ TEST(LawSpread, BothMethodsGiveTheErrorOfALinearResult)
   }
 }
 
+TEST(LawSpread, DifferencesStayWithLaws)
+{
+  // b and c near 0, known badly: a tenth of their errors below them there is no law
+  KappaLaw law = bucher2006();
+  law.b = 0.01;
+  law.c = 1e-5;
+  law.covariance = LawCovariance::Zero();
+  law.covariance->diagonal() << 0.0, 0.0, 0.0, 0.04, 1e-6;
+  const LawSpread spread(by(UncertaintyMethod::Linear), lawOf(law));
+  for (const LawPointer &near : spread.laws())
+    EXPECT_TRUE(near->isSound());
+  EXPECT_EQ(spread.warning(), "");
+  KappaLaw above = law;
+  above.c += 1e-4; // a tenth of its error
+  std::vector<double> mu = muOf(spread, 100.0);
+  const double error = 10.0 * (muAt(*lawOf(above), 0.1, 100.0) - mu[0]);
+  EXPECT_NEAR(spread.band(mu).standardError, std::abs(error), 1e-3 * std::abs(error));
+}
+
+TEST(LawSpread, NamesWhatTheLinearBandLeavesOut)
+{
+  KappaLaw law = bucher2006();
+  law.covariance = 1e-6 * LawCovariance::Identity();
+  law.b = -1.0;
+  const LawSpread spread(by(UncertaintyMethod::Linear), lawOf(law));
+  EXPECT_NE(spread.warning().find("leaves out 5 of the law's 5 parameters"), std::string::npos);
+  EXPECT_EQ(spread.band(muOf(spread, 1.0)).standardError, 0.0);
+}
+
 TEST(LawSpread, SamplesSeeWhatIsNotLinear)
 {
   // c known to 60 %: mu = mu0 + mu2/(1 + c kappa2) is skew, and c < 0 is drawn again

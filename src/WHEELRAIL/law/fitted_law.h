@@ -12,7 +12,7 @@
 namespace wheelrail {
 
 /// A law with parameters that are known to a covariance: what bands around results need of it. The
-/// law itself adds `changed`, and `isSound` where not all parameters make a law.
+/// law itself adds `changed`, and `isDefined` and `isSound` where not all parameters make a law.
 /// \tparam Size  number of parameters, or Eigen::Dynamic; one that stands at the end of
 ///         fitted_law.cpp, so that decompositions are compiled there alone
 template<int Size>

@@ -77,6 +77,9 @@ class FrictionLaw {
   virtual double variance(const Eigen::VectorXd &derivative) const;
   /// Laws drawn from the normal distribution with the covariance; for as long as this one lives.
   virtual LawDraws draws() const;
+  /// Are the parameters where the formula of the law holds, such as b, c >= 0? A derivative needs
+  /// no more; mu > 0 is not asked for.
+  virtual bool isDefined() const { return true; }
   /// Are the parameters those of a law at all? If not, draws from the covariance are drawn again.
   virtual bool isSound() const { return true; }
   /// What `isSound` asks for, for a message: "b, c >= 0, mu > 0".

@@ -35,6 +35,7 @@ const std::vector<std::string> lawKeys = {"format",
 
 /// Load-weighted mean of 1/(1 + c kappa2) over 0 .. X, X = c kappa2(hardness), halved:
 /// 1/X - ln(1 + X)/X^2 = sum over n of (-X)^n/(n + 2).
+/// \param x >= 0
 double pressureAverage(double x)
 {
   // below, the closed form loses digits (relative error about eps/x); the series has 15 terms

@@ -52,6 +52,7 @@ class HeatedLaw : public FrictionLaw {
   {
     return cold_->variance(derivative);
   }
+  bool isDefined() const override { return cold_->isDefined(); }
   bool isSound() const override { return cold_->isSound(); }
   const char *soundness() const override { return cold_->soundness(); }
 

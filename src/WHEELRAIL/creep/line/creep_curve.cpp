@@ -257,6 +257,7 @@ CreepCurves solveCreepCurves(const CreepSpecification &specification, const LawP
   addDoubt(curves.warnings, speedDoubt("speed", specification.speed));
   addDoubt(curves.warnings, creepDoubt("creep", specification.creep));
   const LawSpread spread(specification.spread, law);
+  addDoubt(curves.warnings, spread.warning());
   const std::vector<Piece> pieces = cutIntoPieces(specification);
   std::vector<PieceResult> results(pieces.size());
   Sweep sweep;

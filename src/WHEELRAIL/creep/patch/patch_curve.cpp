@@ -159,6 +159,7 @@ PatchCurves solvePatchCurves(const PatchSpecification &asked, const LawPointer &
   std::vector<nlohmann::json> checksums(pieces.size(), nlohmann::json::object());
   const LawSpread spread =
       asked.mode == PatchMode::Static ? LawSpread(law) : LawSpread(asked.spread, law);
+  addDoubt(curves.warnings, spread.warning());
   Sweep sweep;
   for (const PatchPiece &piece : pieces)
     sweep.points.push_back(static_cast<int>(piece.count));

@@ -50,9 +50,26 @@ void LawSpread::addNeighbours()
 {
   const LawPointer law = variants_.front();
   const Vector step = differencePart * law->standardErrors();
+  distances_ = Vector::Zero(step.size());
   for (Eigen::Index k = 0; k < step.size(); ++k)
-    for (const double sign : {1.0, -1.0})
-      variants_.push_back(law->changed(sign * step[k] * Vector::Unit(step.size(), k)));
+    for (const double sign : {1.0, -1.0}) {
+      const LawPointer near = law->changed(sign * step[k] * Vector::Unit(step.size(), k));
+      variants_.push_back(near->isDefined() ? near : law);
+      distances_[k] += near->isDefined() ? step[k] : 0.0;
+    }
+}
+
+std::string LawSpread::warning() const
+{
+  const FrictionLaw &law = *variants_.front();
+  Eigen::Index leftOut = 0;
+  for (Eigen::Index k = 0; k < distances_.size(); ++k)
+    leftOut += distances_[k] == 0.0 && law.standardErrors()[k] > 0.0;
+  if (leftOut == 0)
+    return "";
+  return fmt::format("uncertainty.method: the linear band leaves out {} of the law's {} "
+                     "parameters: neither above nor below them is a law ({})",
+                     leftOut, distances_.size(), law.soundness());
 }
 
 void LawSpread::addSamples(int samples, std::uint64_t seed)
@@ -78,7 +95,7 @@ void LawSpread::addSamples(int samples, std::uint64_t seed)
   redrawnShare_ = 1.0 - double(samples) / double(draws);
 }
 
-// Linear: the standard error is sqrt(d.C d), d the central differences by the parameters and C the
+// Linear: the standard error is sqrt(d.C d), d the differences by the parameters and C the
 // covariance, so that correlated parameters may make up for each other, as they do in a fit.
 Band LawSpread::band(const std::vector<double> &results) const
 {
@@ -87,11 +104,11 @@ Band LawSpread::band(const std::vector<double> &results) const
     return {0.0, value, value};
   if (method_ == UncertaintyMethod::Linear) {
     const FrictionLaw &law = *variants_.front();
-    const Vector step = differencePart * law.standardErrors();
-    Vector derivative(step.size());
-    for (Eigen::Index k = 0; k < step.size(); ++k) {
+    Vector derivative = Vector::Zero(distances_.size());
+    for (Eigen::Index k = 0; k < derivative.size(); ++k) {
       const auto up = static_cast<std::size_t>(1 + 2 * k);
-      derivative[k] = step[k] > 0.0 ? (results[up] - results[up + 1]) / (2.0 * step[k]) : 0.0;
+      if (distances_[k] > 0.0)
+        derivative[k] = (results[up] - results[up + 1]) / distances_[k];
     }
     const double error = std::sqrt(std::max(0.0, law.variance(derivative)));
     const double reach = normal95 * error;

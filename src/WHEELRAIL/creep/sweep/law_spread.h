@@ -5,6 +5,7 @@
 #include "law/friction_law.h"
 
 #include <cstdint>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -31,8 +32,9 @@ struct Band {
 };
 
 /// A law and others near it, with which a result is computed again to see how well the law
-/// determines it. Linear: the law with each parameter a tenth of its standard error up and down;
-/// the band is that of the derivatives and the covariance. Sampled: draws from the normal
+/// determines it. Linear: the law with each parameter a tenth of its standard error up and down,
+/// the law itself on a side that `FrictionLaw::isDefined` refuses; the band is that of the
+/// derivatives and the covariance. Sampled: draws from the normal
 /// distribution with the law's covariance; the band is their standard deviation and quantiles.
 /// Draws that are no law (`FrictionLaw::isSound`) are drawn again.
 class LawSpread {
@@ -54,15 +56,19 @@ class LawSpread {
   /// 0 with the linear method. A large share says that the covariance reaches far into what is no
   /// law.
   double redrawn() const { return redrawnShare_; }
+  /// A line for the user about parameters that the linear band leaves out; mostly empty.
+  std::string warning() const;
 
  private:
   /// Two laws for each parameter, up and down.
+  /// Where it ends between them, the law itself is one of both.
   void addNeighbours();
   /// Draws from the normal distribution, by the root of the correlation matrix.
   void addSamples(int samples, std::uint64_t seed);
 
   UncertaintyMethod method_ = UncertaintyMethod::Linear;
   std::vector<LawPointer> variants_;
+  Eigen::VectorXd distances_; ///< Linear: of each parameter between its laws up and down
   double redrawnShare_ = 0.0;
 };
 

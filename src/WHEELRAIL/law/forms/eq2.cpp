@@ -135,10 +135,15 @@ LawPointer Eq2Law::changed(const Vector &change) const
   return std::make_shared<Eq2Law>(name_, other, scale_);
 }
 
+bool Eq2Law::isDefined() const
+{
+  return law_.b >= 0.0 && law_.c >= 0.0;
+}
+
 bool Eq2Law::isSound() const
 {
   constexpr double anyPressure = 1e300;
-  if (law_.b < 0.0 || law_.c < 0.0)
+  if (!isDefined())
     return false;
   // monotone in both: the corners are the extremes
   for (const double k1 : {0.0, law_.kappa1Range.value_or(Range{})[1]})

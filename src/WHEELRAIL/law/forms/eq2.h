@@ -52,7 +52,9 @@ class Eq2Law : public FittedLaw<lawParameters> {
 
   /// \param change of mu0, mu1, mu2, b, c
   LawPointer changed(const Eigen::VectorXd &change) const override;
-  /// b, c >= 0, that is no pole, and mu > 0 at every pressure within the fitted range of kappa1.
+  /// b, c >= 0, that is no pole.
+  bool isDefined() const override;
+  /// And mu > 0 at every pressure within the fitted range of kappa1.
   bool isSound() const override;
   const char *soundness() const override { return "b, c >= 0, mu > 0"; }
 

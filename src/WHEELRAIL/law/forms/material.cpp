@@ -130,7 +130,7 @@ LawPointer LawOfMaterial::changed(const Vector &change) const
   return std::make_shared<LawOfMaterial>(name_, std::move(other), ambient_);
 }
 
-bool LawOfMaterial::isSound() const
+bool LawOfMaterial::isDefined() const
 {
   if (law_.table) {
     for (const MuTable::Row &row : law_.table->rows)
@@ -139,9 +139,14 @@ bool LawOfMaterial::isSound() const
     return true;
   }
   const LawParameters &x = law_.parameters;
-  if (x[B] < 0.0 || x[C] < 0.0 || x.tail<allParameters - S>().minCoeff() < 0.0 ||
-      (x[S] > 0.0 && x[Q] < roundestBend))
-    return false;
+  return x[B] >= 0.0 && x[C] >= 0.0 && x.tail<allParameters - S>().minCoeff() >= 0.0 &&
+         (x[S] == 0.0 || x[Q] >= roundestBend);
+}
+
+bool LawOfMaterial::isSound() const
+{
+  if (law_.table || !isDefined())
+    return isDefined();
   // monotone in kappa1 and kappa2 as far as B goes, which alone can be negative: the corners, at
   // every temperature
   constexpr double anyPressure = 1e30; // Pa

@@ -40,8 +40,9 @@ class LawOfMaterial : public FittedLaw<Eigen::Dynamic> {
   std::string note() const override { return law_.note; }
 
   LawPointer changed(const Eigen::VectorXd &change) const override;
-  /// b, c, s, q >= 0, and mu > 0 at every pressure, at the material's temperatures and the speeds
-  /// of the fit.
+  /// b, c, s >= 0 and a bend q >= 1; mu > 0 in a table.
+  bool isDefined() const override;
+  /// And mu > 0 at every pressure, at the material's temperatures and the speeds of the fit.
   bool isSound() const override;
   const char *soundness() const override { return "b, c, s >= 0, q >= 1, mu > 0"; }
 
