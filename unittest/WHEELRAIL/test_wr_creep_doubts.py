@@ -71,6 +71,16 @@ def test_a_line_that_cannot_be_meant(changes, expected, tmp_path):
     assert any(expected in line for line in warnings(done)), done.stderr
 
 
+def test_a_contact_that_outgrows_the_domain_leaves_other_points(tmp_path):
+    """Heat softens one point of the sweep so much that it reaches the ends."""
+    changes = ("friction={law: bucher2006, local: true}", "contact.hardness_limit=true")
+    changes += ("thermal.model=local", "creep=[0.01, 0.5]", "speed=[10 m/s, 80 m/s]")
+    done = run(LINE, tmp_path / "out", *changes, code=4)
+    assert "creep 0.5 at 80 m/s: contact.domain: the contact reaches the ends" in done.stderr
+    rows = table(tmp_path / "out/creep.csv")
+    assert {"creep": "0.01", "speed": "10"}.items() <= rows[0].items() and len(rows) >= 2
+
+
 def test_a_sequence_in_seconds_that_meant_ms(case, tmp_path):
     """Its steps were beyond the whole numbers: one step, and forces of nothing, without a word."""
     sequence = "sequence={time: [0 s, 1e6 s, 2e6 s], load: [10 kN, 11 kN, 10 kN]}"

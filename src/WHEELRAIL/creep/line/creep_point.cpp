@@ -164,7 +164,15 @@ CreepPoint FrozenCreep::solve(const FrictionLaw &law, double speed, double signe
   for (;; ++iteration) {
     const Vector formerPressure = contact_.pressure;
     if (((physics_.hardnessLimit && heats) || couples) && iteration > 1 && !jumps)
-      renewPressure(law, opened);
+      try {
+        renewPressure(law, opened);
+      } catch (const Error &error) {
+        if (error.code() != ExitCode::BadInput)
+          throw;
+        // beyond the domain by its own heat or traction: other points may well stay inside
+        throw Error(ExitCode::NotConverged,
+                    fmt::format("creep {:g} at {:g} m/s: {}", creep, speed, error.what()));
+      }
     const double moved = (contact_.pressure - formerPressure).norm() / formerPressure.norm();
     const bool pressed = !couples || (iteration > 1 && moved <= couplingTolerance);
     if (iteration > 2 && moved >= lastMoved)

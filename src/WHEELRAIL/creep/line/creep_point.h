@@ -51,7 +51,7 @@ class FrozenCreep {
   /// \param speed v0, m/s, > 0
   /// \param signedCreep  A A negative one gives the mirror image, which has the size of the
   ///        creep and, of unlike bodies, wheel and rail exchanged
-  /// \throws Error (NotConverged), Error (BadInput) when a softer contact reaches the domain's ends
+  /// \throws Error (NotConverged), also when a softer contact reaches the ends of the domain
   /// \return the point, its fields in `fields()`
   CreepPoint solve(const FrictionLaw &law, double speed, double signedCreep);
 

@@ -247,7 +247,16 @@ PatchPoint FrozenPatch::solve(const FrictionLaw &law, double speed, const PatchD
     const Vector formerPressure = fields_.pressure;
     // the first turn takes the pressure of the start, without heat and without traction
     if (((physics_.hardnessLimit && heats) || couples) && iteration > 1)
-      renewPressure(law);
+      try {
+        renewPressure(law);
+      } catch (const Error &error) {
+        if (error.code() != ExitCode::BadInput)
+          throw;
+        // beyond the box by its own heat or traction: other points may well stay inside
+        throw Error(ExitCode::NotConverged,
+                    fmt::format("creep {:g}, lateral {:g}, spin {:g} /m at {:g} m/s: {}",
+                                creepage_.xi, creepage_.eta, creepage_.phi, speed, error.what()));
+      }
     const bool pressed =
         !couples || (iteration > 1 && PatchCoupling::settled(formerPressure, fields_.pressure));
     const Creepage before = creepage_;
