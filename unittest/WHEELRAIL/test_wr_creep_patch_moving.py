@@ -58,6 +58,16 @@ def test_spin_turns_rough_surfaces(case, tmp_path):
     assert float(rough["real_area"]) < float(smooth["real_area"])
 
 
+def test_no_error_without_two_passes(case, tmp_path):
+    """Where one pass is kept there is nothing to scatter: no column, rather than a 0."""
+    sequence = "sequence={time: [0 s, 1 ms], load: [10 kN, 11 kN]}"
+    for number, change in enumerate(("moving.passes=2", sequence)):
+        (row,) = creep_rows(case, tmp_path / str(number), "mode=moving", change)
+        assert "products" in row and not [name for name in row if name.endswith("_se")]
+    (row,) = creep_rows(case, tmp_path / "three", "mode=moving", "moving.passes=3")
+    assert {"force_x_se", "force_y_se", "moment_z_se"} <= set(row)
+
+
 def test_measured_maps_travel(case, tmp_path):
     """Surfaces that move at their own speeds: between the cells, and with spin."""
     for name, seed in (("rail", 1), ("wheel", 2)):

@@ -197,10 +197,9 @@ class PatchResult final : public ResultOf<PatchSpecification, PatchCurves> {
   Columns columns() const override
   {
     return columnsOfPoints<PatchPoint>(patchColumns(), curves.points, [&](const auto &c) {
-      const bool written = asked.mode == PatchMode::Static ? c.still.digits > 0
-                           : asked.mode == PatchMode::Moving
-                               ? c.creep.digits > 0 || c.moving.digits > 0
-                               : c.creep.digits > 0;
+      const bool written = asked.mode == PatchMode::Static
+                               ? c.still.digits > 0
+                               : c.creep.digits > 0 || isOfMoving(c, asked);
       return written || c.name == "surface" || (wears() && c.wear.digits > 0) ||
              (curves.hasBand && c.band.digits > 0);
     });

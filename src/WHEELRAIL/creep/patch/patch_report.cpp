@@ -119,13 +119,24 @@ Json contactJson(const PatchSpecification &asked, const PatchContact &c,
 
 } // namespace
 
+bool isOfMoving(const Column<PatchPoint> &column, const PatchSpecification &asked)
+{
+  if (asked.mode != PatchMode::Moving || column.moving.digits == 0)
+    return false;
+  const bool isError = column.name.find("_se") != std::string::npos;
+  const bool scatters =
+      !asked.sequence.any() && asked.moving.passes - asked.moving.discardedPasses() > 1;
+  return !isError || scatters;
+}
+
 std::string patchCsv(const PatchSpecification &asked, const PatchCurves &curves)
 {
   using C = Column<PatchPoint>;
   const bool still = asked.mode == PatchMode::Static;
   PatchColumns columns = columnsOf(patchColumns(), still ? &C::still : &C::creep);
-  if (asked.mode == PatchMode::Moving)
-    append(columns, columnsOf(patchColumns(), &C::moving));
+  for (const FileColumn<PatchPoint> &one : columnsOf(patchColumns(), &C::moving))
+    if (isOfMoving(one.column, asked))
+      columns.push_back(one);
   if (asked.physics.wear.kind != WearLaw::Kind::None)
     append(columns, columnsOf(patchColumns(), &C::wear));
   return csvOf(withSurface(columns, asked), curves.points);

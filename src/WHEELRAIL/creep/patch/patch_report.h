@@ -14,6 +14,10 @@ namespace wheelrail {
 /// The result files of a point contact and its words on the screen. Files are in mm, N, MPa,
 /// m/s, W and K, said once in the file.
 
+/// Is it a column of mode moving that the case has? Standard errors need two passes that are
+/// averaged; neither few passes nor a sequence have them.
+bool isOfMoving(const Column<PatchPoint> &column, const PatchSpecification &asked);
+
 /// creep.csv: one row a point; the line contact's columns come first. Mode static: static.csv.
 /// One row for each point that converged; points are numbered in the order of the sweep, from 1 on.
 std::string patchCsv(const PatchSpecification &asked, const PatchCurves &curves);
