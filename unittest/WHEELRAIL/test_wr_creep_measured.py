@@ -49,6 +49,15 @@ def test_fit(files):
     assert (files / "curve.csv").read_text(encoding="utf-8") == CURVE
 
 
+def test_too_few_values_are_named_with_their_file(files):
+    for count in (1, 3):
+        (files / "curve.csv").write_text("".join(CURVE.splitlines(True)[: 3 + count]))
+        curve = ("--fit-measured", files / "curve.csv")
+        done = run(files / "case.yaml", files / "out", code=3, options=curve)
+        expected = f"curve.csv: {count} of the at least 4 values that --fit-measured needs"
+        assert expected in done.stderr, done.stderr
+
+
 def test_per_cent_without_its_unit_is_doubted(files):
     """A creep of 10 is one of 1000 %, also where no law is found for it."""
     text = CURVE.replace("# creep: %\n", "").replace("20,36,0.2\n", "")
@@ -67,8 +76,8 @@ def test_of_one_speed_as_plot_creep_reads_it(files):
         encoding="utf-8",
     )
     fit = ("--fit-measured", plain)
-    done = run(files / "case.yaml", files / "out", "cells=16", code=4, options=fit)
-    assert "3 forces" in done.stderr  # read, but too few for a fit
+    done = run(files / "case.yaml", files / "out", "cells=16", code=3, options=fit)
+    assert "3 of the at least 4 values" in done.stderr  # read, but too few for a fit
     done = run(files / "case.yaml", files / "out", "speed=[10 m/s, 20 m/s]", code=3, options=fit)
     assert "the column 'speed' is needed" in done.stderr
 

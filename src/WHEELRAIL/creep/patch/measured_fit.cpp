@@ -379,8 +379,14 @@ MeasuredFit fitMeasured(const std::vector<MeasuredTraction> &curve, const PatchS
 std::vector<MeasuredTraction> readMeasuredCurve(const std::string &path,
                                                 const PatchSpecification &asked)
 {
-  return readMeasuredCurve(path,
-                           asked.speed.size() == 1 ? std::optional(asked.speed[0]) : std::nullopt);
+  constexpr std::size_t fewest = 4; // one more than Polach's law with constant friction fits
+  const std::vector<MeasuredTraction> curve = readMeasuredCurve(
+      path, asked.speed.size() == 1 ? std::optional(asked.speed[0]) : std::nullopt);
+  if (curve.size() < fewest)
+    throw badInput(path, 0, "",
+                   fmt::format("{} of the at least {} values that --fit-measured needs",
+                               curve.size(), fewest));
+  return curve;
 }
 
 std::string measuredJson(const MeasuredFit &fit, const std::string &path)
