@@ -31,7 +31,12 @@ TEST(Quantity, RefusesWhatIsNotOne)
   for (const char *text : {"", "abc", "N/mm", "4000", "nan N/m", "inf N/m", "1e999 N/m", "4000 N",
                            "4000 furlonggs", "4000 N/mm extra", "0x10 N/m"})
     EXPECT_THROW(parseQuantity(text, "N/m"), std::invalid_argument) << text;
-  EXPECT_THROW(parseQuantity("20 degC", "K"), std::invalid_argument); // a rise has no offset
+  try {
+    parseQuantity("20 degC", "K"); // a rise has no offset, and a temperature is told in K, too
+    FAIL() << "was accepted";
+  } catch (const std::invalid_argument &error) {
+    EXPECT_STREQ(error.what(), "'20 degC': must be given in K, not on a scale with another zero");
+  }
   EXPECT_THROW(parseQuantity("1 mm", "1"), std::invalid_argument);
 }
 

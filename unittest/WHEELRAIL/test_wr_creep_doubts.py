@@ -119,6 +119,28 @@ def test_heights_of_a_wrong_unit_and_fill_values(case, tmp_path):
     assert any("2 of the heights are -9999 um" in line for line in warnings(done)), done.stderr
 
 
+def test_fill_values_of_a_profile(tmp_path):
+    """nan, which a map takes, is refused in a profile."""
+    rows = [f"{0.01 * k:.2f};{0.1 * (k % 13):.1f}\n" for k in range(4000)]
+    rows[20:22] = ["0.20;-9999\n", "0.21;-9999\n"]
+    (tmp_path / "fill.csv").write_text("# height: um\n# position: mm\n" + "".join(rows))
+    rough = f"roughness={{rail: {tmp_path / 'fill.csv'}, detrend: none}}"
+    done = run(LINE, tmp_path / "out", rough, "creep=[0.01]", "speed=[20 m/s]", "thermal=off")
+    (line,) = [line for line in warnings(done) if "2 of the heights are -9999 um" in line]
+    assert line.endswith("Interpolate or cut the profile where nothing was measured")
+
+
+def test_a_law_of_a_material_knows_its_temperatures(case, tmp_path):
+    """A file without temperature_range holds at the temperatures of its material."""
+    law = {"format": "mca-friction-law 2", "mu0": 0.3, "density": 7800, "temperature": [293, 873]}
+    law |= {"strength": [900, 400], "youngs_modulus": [206e3, 64e3]}
+    (tmp_path / "law.json").write_text(json.dumps(law))
+    friction = f"friction={{law: {tmp_path / 'law.json'}, ambient: %s}}"
+    assert not warnings(run(case, tmp_path / "in", friction % "400 K"))
+    done = run(case, tmp_path / "out", friction % "1000 K")
+    assert any("temperature in K 1000 (293 to 873)" in line for line in warnings(done)), done.stderr
+
+
 def test_transverse_profiles_are_named(case, tmp_path):
     (tmp_path / "a.prw").write_text("1 2\n")
     for which in (case, LINE):

@@ -164,8 +164,7 @@ double parseQuantity(const std::string &text, const std::string &unit)
       ut_get_converter(given.get(), wanted.get()));
   // 0 of a unit with an offset is not 0 of the other: 0 degC is 273.15 K
   if (cv_convert_double(converter.get(), 0.0) != 0.0)
-    refuse(
-        fmt::format("'{}': a difference in {} is needed, not a scale with an offset", text, unit));
+    refuse(fmt::format("'{}': must be given in {}, not on a scale with another zero", text, unit));
   const double converted = cv_convert_double(converter.get(), value);
   if (!std::isfinite(converted))
     refuse(fmt::format("'{}' is not finite in {}", text, unit));

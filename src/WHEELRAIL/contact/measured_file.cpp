@@ -70,7 +70,8 @@ void refuseTransverseProfile(const std::string &path)
                       format.ending, format.what));
 }
 
-std::string isolatedHeights(const std::string &path, const Eigen::VectorXd &heights)
+std::string isolatedHeights(const std::string &path, const Eigen::VectorXd &heights,
+                            const char *advice)
 {
   constexpr double farForOne = 10.0;
   const Extreme low = extremeOf(heights, 1.0), high = extremeOf(heights, -1.0);
@@ -81,9 +82,9 @@ std::string isolatedHeights(const std::string &path, const Eigen::VectorXd &heig
     const double gap = std::abs(end.next - end.value);
     if (gap > (end.count > 1 ? 1.0 : farForOne) * others)
       return fmt::format("roughness: {}: {} of the heights {} {:.6g} um, {:.4g} um away from all "
-                         "others, which span {:.4g} um. Write nan where nothing was measured",
+                         "others, which span {:.4g} um. {}",
                          path, end.count, end.count > 1 ? "are" : "is", end.value / um, gap / um,
-                         others / um);
+                         others / um, advice);
   }
   return "";
 }

@@ -20,8 +20,10 @@ void refuseTransverseProfile(const std::string &path);
 /// They do where two or more are the same and further from all others than these are from each
 /// other; a single one, where it is ten times as far.
 /// \param heights m; NaN does not count
+/// \param advice what to do about them, the end of the line
 /// \return a line that says how many and which; empty: none do
-std::string isolatedHeights(const std::string &path, const Eigen::VectorXd &heights);
+std::string isolatedHeights(const std::string &path, const Eigen::VectorXd &heights,
+                            const char *advice);
 
 } // namespace wheelrail
 #endif

@@ -17,7 +17,9 @@ Eigen::VectorXd measuredRoughness(const SurfaceSpecification &specification,
 {
   refuseTransverseProfile(path);
   Profile profile = readProfile(path);
-  if (const std::string doubt = isolatedHeights(path, profile.height); !doubt.empty())
+  if (const std::string doubt = isolatedHeights(
+          path, profile.height, "Interpolate or cut the profile where nothing was measured");
+      !doubt.empty())
     surface.remarks.push_back(doubt);
   std::vector<ProfileStatistics> &statistics = surface.statistics;
   statistics.push_back(profileStatistics(name + ": as read", profile));

@@ -90,8 +90,10 @@ Vector LawOfMaterial::mu(const FrictionState &state) const
 
 std::vector<LawInput> LawOfMaterial::inputs() const
 {
+  const std::vector<double> &known = law_.material.temperature;
   return {{"pressure_over_strength", "p/sigma_0", law_.pressureRange},
-          {"temperature_K", "temperature in K", law_.temperatureRange},
+          {"temperature_K", "temperature in K",
+           law_.temperatureRange.value_or(Range{known.front(), known.back()})},
           {"sliding_speed_m_s", "sliding speed in m/s", law_.speedRange}};
 }
 

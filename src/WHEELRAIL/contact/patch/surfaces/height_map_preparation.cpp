@@ -17,7 +17,9 @@ PreparedHeightMap prepareHeightMap(const std::string &path, const HeightMapPrepa
   const auto note = [&](const std::string &step, double cutoff = 0.0) {
     result.statistics.push_back(heightMapStatistics(name + ": " + step, map, cutoff));
   };
-  if (const std::string doubt = isolatedHeights(path, map.height); !doubt.empty())
+  if (const std::string doubt =
+          isolatedHeights(path, map.height, "Write nan where nothing was measured");
+      !doubt.empty())
     result.remarks.push_back(doubt);
   if (preparation.turn)
     map = turned(map);
