@@ -263,7 +263,25 @@ def parameters(point: dict[str, Any]) -> str:
 
 def collapse(report: dict[str, Any], picture: str) -> list[str]:
     """Scatter of mu, a mean over the seeds, over runs at equal kappa1 and kappa2, over its mean."""
-    found = groups(report["report"]["points"], lambda p: run_name(p).split("-seed")[0])
+    return collapse_of(report["report"]["points"], picture)
+
+
+def similar(report: dict[str, Any], picture: str) -> list[str]:
+    """The same over those of similar stress-strain diagrams: the runs of the plan similar, s05, and
+    those of equal-kappas that have the diagram of c01."""
+    return collapse_of(
+        [
+            p
+            for p in report["report"]["points"]
+            if run_name(p).startswith("s") or math.isclose(p["kappa3"], STEEL, rel_tol=1e-3)
+        ],
+        picture,
+    )
+
+
+def collapse_of(points: list[dict[str, Any]], picture: str) -> list[str]:
+    """Draws the conditions of the points, and tells what they scatter by and go with."""
+    found = groups(points, lambda p: run_name(p).split("-seed")[0])
     if len(found) < 2:
         raise Missing("one condition has no scatter: 2 are needed")
     first = {name: members[0] for name, members in found.items()}
@@ -396,6 +414,12 @@ FIGURES = {
         LATE,
     ),
     "collapse": Figure(f"Equal kappa1 and kappa2, {LATER}", ["equal-kappas"], collapse, LATE),
+    "similar": Figure(
+        f"Equal kappa1 and kappa2 with similar stress-strain diagrams, {LATER}",
+        ["similar", "equal-kappas"],
+        similar,
+        LATE,
+    ),
     "fig7": Figure(f"Figs. 7 and 8: the law, {FROM}", ["paper36"], fig7, START),
     "steel": Figure(
         f"The law of one material, E = 206 GPa and sigma_0 = 92 MPa, {LATER}",

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Commands in any order that LAMMPS allows: fixes before the pair style, timestep and output between
-runs, computes after what reads them, restart files of a sample that has not run yet."""
+"""Commands in any order that LAMMPS allows: fixes before the pair style, timestep and output
+between runs, computes after what reads them, restart files of a sample that has not run yet."""
 
 import re
 

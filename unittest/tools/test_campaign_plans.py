@@ -283,6 +283,7 @@ def test_flat_blocks_are_told(tmp_path):
 SHIPPED = {
     "paper36": 72,
     "equal-kappas": 20,
+    "similar": 12,
     "velocity": 16,
     "pressure": 16,
     "viscosity": 2,
@@ -313,7 +314,7 @@ def test_shipped_plans(name, least):
     assert campaign("list", name).returncode == 0
 
 
-SLIDING = ["paper36", "equal-kappas", "velocity", "pressure", "viscosity", "roughness"]
+SLIDING = ["paper36", "equal-kappas", "similar", "velocity", "pressure", "viscosity", "roughness"]
 
 
 @pytest.mark.parametrize("name", [*SLIDING, "own-material"])

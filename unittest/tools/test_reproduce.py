@@ -89,6 +89,15 @@ def test_collapse_tells_the_scatter(tmp_path):
     assert line(text, "mean mu")[1] == pytest.approx(0.442, abs=0.002)
 
 
+def test_similar_takes_those_of_one_diagram(tmp_path):
+    """Of equal-kappas four conditions, which have that of c01."""
+    logs(tmp_path, "equal-kappas", lambda run: 1.0 if run.values["E"] == 206000 else 2.0)
+    logs(tmp_path, "similar")
+    text = made(tmp_path, "similar", reproduce(tmp_path, "similar"))
+    assert "10 conditions" in text
+    assert line(text, "scatter of mu (standard deviation)")[1] < 1
+
+
 def test_collapse_tells_what_it_goes_with(tmp_path):
     logs(tmp_path, "equal-kappas", lambda run: (run.values["E"] / run.values["strength"]) ** 0.1)
     text = made(tmp_path, "collapse", reproduce(tmp_path, "collapse"))
