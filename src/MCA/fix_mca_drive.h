@@ -47,9 +47,9 @@ class FixMCADrive : public Fix {
   void post_run() override;
   /// Shear stress over the prescribed pressure in this step [-]; 0 without pressure.
   double compute_scalar() override;
-  /// 0 before the first run. 0 to 7: shear and normal stress [pressure], friction coefficient [-], displacement [length],
-  /// rise of the layer [length], work [energy], room of the automata between the held and the
-  /// driven rows [-], automata beyond those [-]. Called by all ranks.
+  /// 0 before the first run. 0 to 7: shear and normal stress [pressure], friction coefficient [-],
+  /// displacement [length], rise of the layer [length], work [energy], room of the automata between
+  /// the held and the driven rows [-], automata beyond those [-]. Called by all ranks.
   double compute_vector(int) override;
   /// State of the layer and the sums of the row in progress, with a checksum. Afterwards the sums
   /// are on rank 0, as in the run that continues.
