@@ -380,7 +380,7 @@ std::vector<MeasuredTraction> readMeasuredCurve(const std::string &path,
                                                 const PatchSpecification &asked)
 {
   constexpr std::size_t fewest = 4; // one more than Polach's law with constant friction fits
-  const std::vector<MeasuredTraction> curve = readMeasuredCurve(
+  std::vector<MeasuredTraction> curve = readMeasuredCurve(
       path, asked.speed.size() == 1 ? std::optional(asked.speed[0]) : std::nullopt);
   if (curve.size() < fewest)
     throw badInput(path, 0, "",
