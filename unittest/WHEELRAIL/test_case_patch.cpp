@@ -142,14 +142,34 @@ TEST(CasePatch, FieldsAreOfTheNearestStep)
     step.time = time;
     PatchFields fields;
     fields.mu = Eigen::VectorXd::Constant(1, time);
-    history.add(step, sequence, fields);
+    history.add(step, time + 1.0, sequence, fields);
   }
   ASSERT_EQ(history.fields.size(), 3U); // the way ended before the fourth
   EXPECT_EQ(history.fields.at(1).mu[0], 1.0);
   EXPECT_EQ(history.fields.at(2).mu[0], 1.0);
   EXPECT_EQ(history.fields.at(3).mu[0], 1.0);
   EXPECT_EQ(stepAt(history.steps, 1.6), 1U);
-  EXPECT_EQ(stepAt(history.steps, 4.0), 3U);
+  EXPECT_EQ(stepAt(history.steps, 4.0), 2U);
+}
+
+TEST(CasePatch, FieldsOfUnevenStagesAreOfTheNearest)
+{
+  PatchSequence sequence;
+  sequence.time = {0.0, 10.0, 11.0};
+  sequence.fields = {4.0, 6.0, 11.0};
+  PatchHistory history;
+  PatchStep step;
+  for (std::size_t k = 0; k < 3; ++k) {
+    step.time = sequence.time[k];
+    PatchFields fields;
+    fields.mu = Eigen::VectorXd::Constant(1, step.time);
+    history.add(step, k < 2 ? sequence.time[k + 1] : step.time, sequence, fields);
+  }
+  ASSERT_EQ(history.fields.size(), 3U);
+  for (int k : {0, 1, 2}) {
+    EXPECT_EQ(history.fields.at(k + 1).mu[0], sequence.time[k]);
+    EXPECT_EQ(stepAt(history.steps, sequence.fields[k]), static_cast<std::size_t>(k));
+  }
 }
 
 /// A way through a map: whole cells are exact, between them six points of a wave of eight cells.

@@ -103,6 +103,24 @@ TEST(FieldFiles, HaveTheHead)
     EXPECT_NE(file.bytes.find("\ncontact = radii.wheel_profile: -0.5 m\n"), std::string::npos);
 }
 
+TEST(FieldFiles, SlipOfAStaticContactIsALength)
+{
+  PatchFields fields = theFields();
+  fields.slip.x = fields.slip.y = Eigen::VectorXd::LinSpaced(6, 0.0, 5e-3);
+  for (const bool isShift : {false, true}) {
+    fields.slipIsShift = isShift;
+    const std::string vti = vtiBytes(theGrid(), fields, "", {});
+    EXPECT_EQ(vti.find("slip: shift in mm;") != std::string::npos, isShift);
+    EXPECT_EQ(vti.find("slip: sliding/rolling speed;") != std::string::npos, !isShift);
+    for (const NamedBytes &file : gsfFields(theGrid(), fields, "", {}))
+      if (file.name == "slip_y") {
+        const SimpleField field = parseGsf(file.name, file.bytes);
+        EXPECT_EQ(field.zUnit, isShift ? "m" : "");
+        EXPECT_EQ(field.value[5], static_cast<float>(isShift ? 5e-6 : 5e-3));
+      }
+  }
+}
+
 TEST(FieldFiles, GsfFieldsAreInSi)
 {
   const PatchFields fields = theFields();

@@ -42,6 +42,8 @@ struct FieldComponent {
   std::string name;
   const FieldRow *row;
   Vector TangentialField::*part; ///< null: of the row's `values`
+  const char *siUnit;
+  double scale;
 
   const Vector &of(const PatchFields &fields) const
   {
@@ -49,16 +51,20 @@ struct FieldComponent {
   }
 };
 
-std::vector<FieldComponent> fieldComponents()
+/// \param slipIsShift  as `PatchFields` has it
+std::vector<FieldComponent> fieldComponents(bool slipIsShift = false)
 {
   std::vector<FieldComponent> components;
   for (const FieldRow &row : fieldTable) {
+    const bool isShift = slipIsShift && row.vectors == &PatchFields::slip;
+    const char *unit = isShift ? "m" : row.siUnit;
+    const double scale = isShift ? mm : row.scale;
     const std::string name = row.name;
     if (row.values) {
-      components.push_back({name, &row, nullptr});
+      components.push_back({name, &row, nullptr, unit, scale});
     } else {
-      components.push_back({name + "_x", &row, &TangentialField::x});
-      components.push_back({name + "_y", &row, &TangentialField::y});
+      components.push_back({name + "_x", &row, &TangentialField::x, unit, scale});
+      components.push_back({name + "_y", &row, &TangentialField::y, unit, scale});
     }
   }
   return components;
@@ -173,8 +179,10 @@ std::string vtiBytes(const PatchGrid &grid, const PatchFields &fields, const std
   const std::string extent = fmt::format("0 {} 0 {} 0 0", grid.nx, grid.ny);
   std::string text = "<?xml version=\"1.0\"?>\n";
   text += fmt::format("<!-- {} -->\n", commentText(title));
-  text += "<!-- x, y, gap: mm; pressure, traction: MPa; slip: sliding/rolling speed; temperature: "
-          "K; state: 0 apart, 1 stick, 2 slip; material enters at the largest x -->\n";
+  text += fmt::format("<!-- x, y, gap: mm; pressure, traction: MPa; slip: {}; temperature: K; "
+                      "state: 0 apart, 1 stick, 2 slip{} -->\n",
+                      fields.slipIsShift ? "shift in mm" : "sliding/rolling speed",
+                      fields.slipIsShift ? "" : "; material enters at the largest x");
   for (const HeadLine &line : head)
     text += fmt::format("<!-- {}: {} -->\n", line.name, commentText(line.value));
   text += "<VTKFile type=\"ImageData\" version=\"1.0\" byte_order=\"LittleEndian\" "
@@ -248,8 +256,8 @@ std::vector<NamedBytes> gsfFields(const PatchGrid &grid, const PatchFields &fiel
     files.push_back({name, gsfBytes(field)});
   };
   add(stateName, "", stateNumbers(fields.state));
-  for (const FieldComponent &component : fieldComponents())
-    add(component.name, component.row->siUnit, component.of(fields) * component.row->scale);
+  for (const FieldComponent &component : fieldComponents(fields.slipIsShift))
+    add(component.name, component.siUnit, component.of(fields) * component.scale);
   return files;
 }
 

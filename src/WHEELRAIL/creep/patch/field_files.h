@@ -20,10 +20,11 @@ struct PatchFields {
   Eigen::VectorXd gap;           ///< mm, of the deformed surfaces; 0 in contact
   Eigen::VectorXd pressure;      ///< MPa
   TangentialField traction;      ///< MPa
-  TangentialField slip;          ///< sliding/rolling speed
+  TangentialField slip;          ///< sliding/rolling speed, or what `slipIsShift` says
   /// Friction coefficient, a pure number, >= 0.
   Eigen::VectorXd mu;
   Eigen::VectorXd temperature; ///< rise, K
+  bool slipIsShift = false;    ///< `slip` is a length, mm: nothing rolls
 };
 
 /// The fields that there are, in the order and with the names of the .gsf files, each with one

@@ -323,7 +323,7 @@ std::optional<PatchPoint> MovingPatch::solve(double speed, const PatchDrive &dri
     PatchStep row = roll(transient, heat, speed, now, distance, load);
     row.time = time;
     row.speed = speed;
-    history_.add(row, sequence_, fields_);
+    history_.add(row, sequence_.timeAt(distance + stepLength(), speed), sequence_, fields_);
     hottest_ = std::max(hottest_, heat.values.maxCoeff());
     if ((step + 1) % passSteps_ == 0) {
       const ThermalModel model = physics_.thermal.model;

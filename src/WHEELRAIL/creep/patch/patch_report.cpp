@@ -333,6 +333,9 @@ std::string fieldTitle(const PatchSpecification &asked, const PatchCurves &curve
     when += fmt::format(" at {:g} s", step.time);
   }
   const Creepage &c = values->creepage;
+  if (asked.mode == PatchMode::Static)
+    return fmt::format("{}: load {:g} N, shift {:g} mm, lateral {:g} mm, twist {:g}", when,
+                       values->load, c.xi / mm, c.eta / mm, c.phi);
   return fmt::format("{}: load {:g} N, creep {:g}, lateral {:g}, spin {:g} 1/mm, {:g} m/s", when,
                      values->load, c.xi, c.eta, c.phi / perMm, speed);
 }
@@ -352,7 +355,8 @@ void addFields(ResultFiles &files, const PatchSpecification &asked, const PatchC
     fields.pressure /= MPa;
     fields.traction.x /= MPa;
     fields.traction.y /= MPa;
-    if (asked.mode == PatchMode::Static) { // a shift, not a speed
+    fields.slipIsShift = asked.mode == PatchMode::Static;
+    if (fields.slipIsShift) {
       fields.slip.x /= mm;
       fields.slip.y /= mm;
     }

@@ -9,11 +9,10 @@
 namespace wheelrail {
 namespace {
 
-/// Is the step that ends at `end` and begins at `begin` the one that stands for an instant, if no
-/// earlier one is?
-bool standsFor(double begin, double end, double instant)
+/// Is a step the nearest to an instant, if no earlier one is? The next one ends at `next`.
+bool standsFor(double end, double next, double instant)
 {
-  return end + 0.5 * (end - begin) >= instant;
+  return end + 0.5 * (next - end) >= instant;
 }
 
 double shiftX(const PatchStep &step)
@@ -116,25 +115,21 @@ const std::vector<Column<PatchStep>> &seriesColumns()
   return table;
 }
 
-void PatchHistory::add(const PatchStep &step, const PatchSequence &sequence,
+void PatchHistory::add(const PatchStep &step, double next, const PatchSequence &sequence,
                        const PatchFields &state)
 {
-  const double begin = steps.empty() ? 0.0 : steps.back().time;
   steps.push_back(step);
   while (fields.size() < sequence.fields.size() &&
-         standsFor(begin, step.time, sequence.fields[fields.size()]))
+         standsFor(step.time, next, sequence.fields[fields.size()]))
     fields.emplace(static_cast<int>(fields.size()) + 1, state);
 }
 
 std::size_t stepAt(const std::vector<PatchStep> &steps, double seconds)
 {
-  double begin = 0.0;
-  for (std::size_t k = 0; k < steps.size(); ++k) {
-    if (standsFor(begin, steps[k].time, seconds))
-      return k;
-    begin = steps[k].time;
-  }
-  return steps.size();
+  std::size_t k = 0;
+  while (k + 1 < steps.size() && !standsFor(steps[k].time, steps[k + 1].time, seconds))
+    ++k;
+  return k;
 }
 
 } // namespace wheelrail

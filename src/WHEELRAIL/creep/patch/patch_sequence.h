@@ -62,11 +62,14 @@ struct PatchHistory {
   double now = 0.0; ///< s, of the step that is being solved: for messages
 
   /// Appends a row; keeps the fields if it is the step for one or more of the chosen instants.
-  void add(const PatchStep &step, const PatchSequence &sequence, const PatchFields &state);
+  /// \param next  at the end of the next step, s; it decides which of the two is nearer
+  void add(const PatchStep &step, double next, const PatchSequence &sequence,
+           const PatchFields &state);
 };
 
-/// The step that stands for an instant: the nearest one, those that the way ended before left out.
-/// \return its place in the steps; their number where the way ended before
+/// The step that stands for an instant: the nearest one, the earlier of two that are as near.
+/// \param steps  at least one
+/// \return its place in the steps
 std::size_t stepAt(const std::vector<PatchStep> &steps, double seconds);
 
 } // namespace wheelrail

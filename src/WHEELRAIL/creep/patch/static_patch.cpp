@@ -166,7 +166,8 @@ std::optional<StaticPatch> solveStaticPatch(const CreepPhysics &physics, const F
     PatchStep stage;
     static_cast<PatchValues &>(stage) = steps.values();
     stage.time = history.now;
-    history.add(stage, sequence, steps.fields());
+    const double next = k + 1 < sequence.time.size() ? sequence.time[k + 1] : stage.time;
+    history.add(stage, next, sequence, steps.fields());
   }
   return steps.result();
 }
