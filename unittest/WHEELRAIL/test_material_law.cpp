@@ -342,6 +342,8 @@ TEST(MaterialLaw, FaultsOfItsFileAreNamed)
     return messageOf(path);
   };
   EXPECT_EQ(messageWith("source", "x"), "");
+  EXPECT_THAT(messageWith("kappa3", 200.0), HasSubstr("kappa3: does not go with a table"));
+  EXPECT_THAT(messageWith("mu0", 0.4), HasSubstr("mu0: does not go with a table"));
   EXPECT_THAT(messageWith("density", nullptr), HasSubstr("density: is missing"));
   EXPECT_THAT(messageWith("temperature", {293, 293, 873}), HasSubstr("must be > 0 and rise"));
   EXPECT_THAT(messageWith("strength", {900, 720}), HasSubstr("2 numbers, must be 3"));
@@ -362,6 +364,7 @@ TEST(MaterialLaw, FaultsOfItsFileAreNamed)
   EXPECT_THAT(messageWith("mu0", nullptr), HasSubstr("mu0: is missing"));
   EXPECT_THAT(messageWith("s", 0.5), HasSubstr("s: needs q"));
   EXPECT_THAT(messageWith("covariance", {1, 2}), HasSubstr("10 x 10 matrix"));
+  EXPECT_THAT(messageWith("table_mu", {1, 2}), HasSubstr("table_mu: goes with a table only"));
 }
 
 TEST(LawOfMaterial, SeesPressureAndTemperatureOfEachCell)

@@ -36,34 +36,22 @@ const char *keyOf(int parameter)
   return parameter == N ? "kappa3_exponent" : parameterNames[parameter];
 }
 
+/// What is of a table alone; all but the first two may be left out.
+constexpr const char *tableKeys[] = {"table_temperature", "table_pressure",    "table_mu",
+                                     "table_mu_se",       "speed_exponent",    "speed_exponent_se",
+                                     "speed_pressure",    "reference_velocity"};
+
 std::vector<std::string> keys()
 {
-  std::vector<std::string> all = {"format",
-                                  "checksum",
-                                  "material",
-                                  "density",
-                                  "temperature",
-                                  "strength",
-                                  "youngs_modulus",
-                                  "kappa3",
-                                  "covariance",
-                                  "table_temperature",
-                                  "table_pressure",
-                                  "table_mu",
-                                  "table_mu_se",
-                                  "speed_exponent",
-                                  "speed_exponent_se",
-                                  "speed_pressure",
-                                  "reference_velocity",
-                                  "n",
-                                  "rms_relative",
-                                  "fitted_on",
-                                  "source",
-                                  "report"};
+  std::vector<std::string> all = {"format",      "checksum", "material",       "density",
+                                  "temperature", "strength", "youngs_modulus", "kappa3",
+                                  "covariance",  "n",        "rms_relative",   "fitted_on",
+                                  "source",      "report"};
   for (int k = 0; k < allParameters; ++k)
     all.emplace_back(keyOf(k));
   for (const RangeKey &row : rangeKeys)
     all.emplace_back(row.key);
+  all.insert(all.end(), std::begin(tableKeys), std::end(tableKeys));
   return all;
 }
 
@@ -191,6 +179,28 @@ void readForm(const LawFile &file, MaterialLaw &law)
     law.covariance = *covariance;
 }
 
+/// A key of the form that the file does not have would change nothing in silence.
+void refuseOtherForm(const LawFile &file)
+{
+  if (!file.has("table_temperature")) {
+    for (const char *key : tableKeys)
+      if (file.has(key))
+        file.fail(key, "goes with a table only, table_temperature is missing");
+    return;
+  }
+  const auto refuse = [&file](const char *key) {
+    if (file.has(key))
+      file.fail(key, "does not go with a table, table_temperature");
+  };
+  for (int k = 0; k < allParameters; ++k)
+    refuse(keyOf(k));
+  refuse("kappa3");
+  refuse("covariance");
+  for (const char *key : {"speed_exponent_se", "speed_pressure"})
+    if (file.has(key) && !file.has("speed_exponent"))
+      file.fail(key, "needs speed_exponent");
+}
+
 } // namespace
 
 Kappas MaterialLaw::kappas(double pressure, double speed, double kelvin) const
@@ -229,6 +239,7 @@ MaterialLaw readMaterialLaw(const std::string &path)
   const LawFile file(path, keys());
   if (const auto found = file.string("format"); found != format)
     file.fail("format", fmt::format("'{}' cannot be read, must be '{}'", found, format));
+  refuseOtherForm(file);
   MaterialLaw law;
   law.material = readMaterial(file);
   for (const RangeKey &row : rangeKeys)
