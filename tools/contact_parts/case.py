@@ -193,6 +193,8 @@ def check_grid(case: Contact) -> None:
 def check_hot(case: Contact, hot: tuple[float, ...]) -> None:
     """Friction that changes with the temperature, L = 6. Raises Refused."""
     reference, start, change, width, memory, _ = hot
+    if case.tang not in "23":
+        raise Refused(f"{case.line}: L = 6: rolling is converted, a shift heats nothing")
     if not case.heats:
         raise Refused(f"{case.line}: L = 6 needs the heat of this case, H above 0")
     if memory > 0.0:
@@ -255,14 +257,13 @@ def friction_lines(case: Contact, turned: bool) -> list[str]:
         ]
     elif case.hot:
         reference, start, change, width = case.hot[:4]
-        lines = [
-            "friction:",
-            "  law: constant",
-            f"  mu: {text(reference)}",
-            f"  hot_factor: {text(1.0 + change / reference)}",
-            f"  hot_start: {text(start, 'K')}",
-            f"  hot_end: {text(start + width, 'K')}",
-        ]
+        lines = ["friction:", "  law: constant", f"  mu: {text(reference)}"]
+        if change:
+            lines += [
+                f"  hot_factor: {text(1.0 + change / reference)}",
+                f"  hot_start: {text(start, 'K')}",
+                f"  hot_end: {text(start + width, 'K')}",
+            ]
     elif case.friction:
         lines = [f"friction: {{law: constant, mu: {text(case.friction[0])}}}"]
     if case.layer:

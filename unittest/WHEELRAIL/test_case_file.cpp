@@ -86,9 +86,31 @@ TEST(CaseFile, RefusesWhatWouldChangeNothing)
                        "uncertainty.samples: " + unused));
   EXPECT_TRUE(
       contains(messageOf(frozen + "friction: {law: bucher2006, mu: 0.3}\n"), "friction.mu: "));
-  EXPECT_TRUE(contains(messageOf(frozen, {"moving.passes=3"}), "moving.passes: " + unused));
+  EXPECT_TRUE(contains(messageOf(frozen, {"moving.passes=3"}), "--set moving.passes: " + unused))
+      << "not the file's fault";
+  // without a factor the temperatures change nothing; one of 1 may stand in a series of them
+  EXPECT_TRUE(contains(messageOf(frozen + "friction: {hot_start: 50 K}\n"), "start: " + unused));
+  for (const std::string factor : {"0.9", "1"})
+    EXPECT_EQ(messageOf(frozen + "friction: {hot_start: 50 K, hot_factor: " + factor + "}\n"), "");
+  // depths are of points with fields
+  const std::string smooth = point.substr(0, point.find("wear"));
+  const std::string deep = smooth + "depths: [0.1 mm, 1 mm]\n";
+  EXPECT_EQ(messageOf(deep), "");
+  EXPECT_TRUE(contains(messageOf(deep + "fields: none\n"), "depths: " + unused));
+  EXPECT_EQ(messageOf(deep, {"fields=none"}), "");
+  // a map that is not there
+  const std::string map = smooth + "roughness: {rail: a.gsf, ";
+  for (const std::string keyword : {"turn", "mirror"}) {
+    EXPECT_EQ(messageOf(map + keyword + ": rail}\n"), "");
+    for (const std::string body : {"wheel", "both"})
+      EXPECT_TRUE(contains(messageOf(map + keyword + ": " + body + "}\n"),
+                           "roughness." + keyword + ": " + body + " needs roughness.wheel"));
+  }
   const std::string still = table2 + "mode: static\nstatic: {force_ratio: 0.5}\n";
   EXPECT_EQ(messageOf(still + "thermal: off\n"), "");
+  EXPECT_TRUE(
+      contains(messageOf(still + "friction: {hot_factor: 0.9}\n"),
+               "friction.hot_factor: does not go with mode: static, where nothing becomes hot"));
   EXPECT_TRUE(contains(messageOf(still + "speed: 20 m/s\n"), "speed: " + unused));
 }
 

@@ -77,7 +77,10 @@ def test_a_factor_of_one_changes_nothing(case, tmp_path):
 @pytest.mark.parametrize(
     "changes, message",
     [
-        (["friction.hot_start=600 K"], "hot_end: 600 K, allowed: above friction.hot_start"),
+        (
+            ["friction.hot_factor=0.9", "friction.hot_start=600 K"],
+            "hot_end: 600 K, allowed: above friction.hot_start",
+        ),
         (["thermal=off", "friction.hot_factor=0.5"], "does not go with thermal: off"),
     ],
 )

@@ -138,14 +138,16 @@ StaticSpecification readStatic(CaseReader &reader, const LineContactSpecificatio
 }
 
 /// A rolling case may be made static by one change, moving roughness frozen, sampled errors linear,
-/// a law of friction another one with fewer keywords: what the file says of them may stay then.
+/// a law of friction another one with fewer keywords, fields none, which has no depths: what the
+/// file says of them may stay then.
 void refuseUnused(CaseReader &reader, Scope here)
 {
   const bool isStatic = (here & (scope::lineStatic | scope::pointStatic)) != 0;
   if (isStatic && reader.has("thermal"))
     reader.word("thermal"); // off, as it is
   reader.refuseUnused([&](const std::string &group) {
-    return isStatic || group == "friction" || group == "moving" || group == "uncertainty";
+    return isStatic || group == "friction" || group == "moving" || group == "uncertainty" ||
+           group == "depths";
   });
 }
 

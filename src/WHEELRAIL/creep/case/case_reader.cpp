@@ -168,8 +168,9 @@ const std::string &CaseReader::givenName(const std::string &name) const
 void CaseReader::fail(const std::string &keyword, const std::string &problem) const
 {
   const auto found = entries_.find(keyword);
-  throw badInput(file_, found == entries_.end() ? 0 : found->second.line, givenName(keyword),
-                 problem);
+  const bool isThere = found != entries_.end(), isChange = isThere && found->second.option;
+  throw badInput(file_, isThere ? found->second.line : 0,
+                 (isChange ? found->second.option : "") + givenName(keyword), problem);
 }
 
 bool CaseReader::hasGroup(const std::string &group) const
@@ -233,7 +234,7 @@ void CaseReader::collect(const YAML::Node &node, const std::string &name)
     fail(line, name, "is not a value: it has keywords below it");
   Entry entry = entryOf(node, *keyword);
   entry.line = line;
-  entry.isChange = option_ != nullptr;
+  entry.option = option_;
   entries_[name] = std::move(entry);
 }
 
@@ -372,7 +373,7 @@ void CaseReader::refuseUnused(const std::function<bool(const std::string &group)
 {
   for (const auto &[name, entry] : entries_)
     if (used_.count(name) == 0 &&
-        (entry.isChange || !hasChanges_ || !mayStay(name.substr(0, name.find('.')))))
+        (entry.option || !hasChanges_ || !mayStay(name.substr(0, name.find('.')))))
       fail(name, "is not used in this case: leave it out, or choose what needs it");
 }
 

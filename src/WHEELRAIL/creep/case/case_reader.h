@@ -42,11 +42,11 @@ class CaseReader {
   void change(const std::string &text);
   /// A change whose value is a tree.
   /// \param given   the keyword or group, by whatever name it has
-  /// \param option  "--set " where a command line asked for it
+  /// \param option  "--set " where a command line asked for it; has to live as long as the reader
   void change(const std::string &given, const YAML::Node &value, const char *option = "");
 
-  /// Throws what is wrong with a keyword's value, at its line of the file.
-  /// \param problem rest of the sentence: "must be above creep.from"
+  /// Throws what is wrong with a keyword's value, at its line of the file, or with the change's
+  /// option. \param problem rest of the sentence: "must be above creep.from"
   [[noreturn]] void fail(const std::string &keyword, const std::string &problem) const;
 
   /// Is the keyword given, in the file or by a change?
@@ -92,8 +92,8 @@ class CaseReader {
     std::vector<std::string> words;
     std::vector<double> numbers; ///< in the keyword's unit; empty where it takes words
     bool isList = false;
-    int line = 0; ///< 0: from a change or a tree
-    bool isChange = false;
+    int line = 0;                 ///< 0: from a change or a tree
+    const char *option = nullptr; ///< of the change that it is from, "--set "; null: of none
   };
 
   [[noreturn]] void fail(int line, const std::string &keyword, const std::string &problem) const;

@@ -106,6 +106,8 @@ MeasuredSurfaces readMeasuredSurfaces(CaseReader &reader, const std::string &cas
 /// The law times the factor of its temperature, where the case has one.
 static LawChoice heated(LawChoice choice, CaseReader &reader)
 {
+  if (!reader.has("friction.hot_factor")) // its temperatures would change nothing
+    return choice;
   const TemperatureFactor factor{reader.number("friction.hot_factor"),
                                  reader.number("friction.hot_start"),
                                  reader.number("friction.hot_end")};
@@ -114,8 +116,10 @@ static LawChoice heated(LawChoice choice, CaseReader &reader)
                                                 factor.end, factor.start));
   if (factor.hot == 1.0)
     return choice;
-  if (reader.has("thermal"))
-    reader.fail("friction.hot_factor", "does not go with thermal: off, where nothing becomes hot");
+  const bool isStatic = reader.word("mode") == "static";
+  if (isStatic || reader.has("thermal"))
+    reader.fail("friction.hot_factor", fmt::format("does not go with {}, where nothing becomes hot",
+                                                   isStatic ? "mode: static" : "thermal: off"));
   choice.read = [read = choice.read, factor] { return heatedLaw(read(), factor); };
   return choice;
 }

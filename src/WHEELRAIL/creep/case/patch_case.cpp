@@ -215,6 +215,11 @@ void readMeasured(CaseReader &reader, const std::string &caseFile, RoughPatchSpe
   surface.wheelMap.turn = turn == "wheel" || turn == "both";
   surface.railMap.mirror = mirror == "rail" || mirror == "both";
   surface.wheelMap.mirror = mirror == "wheel" || mirror == "both";
+  for (const auto &[keyword, word] :
+       {std::pair{"roughness.turn", turn}, {"roughness.mirror", mirror}})
+    for (const char *body : {"rail", "wheel"})
+      if ((word == body || word == "both") && !reader.has(fmt::format("roughness.{}", body)))
+        reader.fail(keyword, fmt::format("{} needs roughness.{}, which is not given", word, body));
 }
 
 void readFractal(CaseReader &reader, RoughPatchSpecification &surface)
@@ -432,7 +437,8 @@ PatchSpecification readPatch(CaseReader &reader, const std::string &caseFile)
     points *= double(std::max<std::size_t>(1, list->size()));
   requireFewPoints(reader, points);
   patch.fields = readFields(reader, patchTasks(patch).size());
-  if (reader.has("depths") || reader.hasGroup("depths"))
+  if (patch.fields.kind != FieldSelection::Kind::None &&
+      (reader.has("depths") || reader.hasGroup("depths")))
     patch.depths = readSeries(reader, "depths");
   patch.sensitivities = reader.flag("sensitivities");
   return patch;
