@@ -268,15 +268,42 @@ def collapse(report: dict[str, Any], picture: str) -> list[str]:
 
 def similar(report: dict[str, Any], picture: str) -> list[str]:
     """The same over those of similar stress-strain diagrams: the runs of the plan similar, s05, and
-    those of equal-kappas that have the diagram of c01."""
-    return collapse_of(
-        [
-            p
-            for p in report["report"]["points"]
-            if run_name(p).startswith("s") or math.isclose(p["kappa3"], STEEL, rel_tol=1e-3)
-        ],
-        picture,
-    )
+    those of equal-kappas that have the diagram of c01. Then the plan's conditions of paper36, r09.
+    """
+    points = report["report"]["points"]
+    others = [p for p in points if run_name(p).startswith("r")]
+    equal = [
+        p
+        for p in points
+        if run_name(p).startswith("s")
+        or (run_name(p).startswith("c") and math.isclose(p["kappa3"], STEEL, rel_tol=1e-3))
+    ]
+    return collapse_of(equal, picture) + beside_eq2(others)
+
+
+def beside_eq2(points: list[dict[str, Any]]) -> list[str]:
+    """mu of conditions, means over their seeds, over that of Eq. 2; nothing for none."""
+    rows, ratios = [], []
+    for name, members in groups(points, lambda p: run_name(p).split("-seed")[0]).items():
+        mu, error = mean_of(members)
+        first = members[0]
+        ratios.append(mu / first["mu_eq2"])
+        rows.append(
+            [
+                name,
+                f"{first['kappa1']:.3g}",
+                f"{first['kappa2']:.3g}",
+                f"{first['kappa3'] / STEEL:.2f}",
+                f"{first['mu_eq2']:.3f}",
+                f"{mu:.3f} +- {error:.3f}",
+                f"{ratios[-1]:.2f}",
+            ]
+        )
+    if not rows:
+        return []
+    head = ["condition", "kappa1", "kappa2", "E/sigma_0 over c01", "Eq. 2", "ours", "ours/Eq. 2"]
+    rms = 100 * math.sqrt(np.mean((np.array(ratios) - 1) ** 2))
+    return ["", *table(head, rows), f"RMS from Eq. 2 {rms:.1f} % ({len(rows)} conditions)"]
 
 
 def collapse_of(points: list[dict[str, Any]], picture: str) -> list[str]:

@@ -283,7 +283,7 @@ def test_flat_blocks_are_told(tmp_path):
 SHIPPED = {
     "paper36": 72,
     "equal-kappas": 20,
-    "similar": 12,
+    "similar": 24,
     "velocity": 16,
     "pressure": 16,
     "viscosity": 2,
