@@ -36,7 +36,7 @@ const char *keyOf(int parameter)
   return parameter == N ? "kappa3_exponent" : parameterNames[parameter];
 }
 
-/// What is of a table alone; all but the first two may be left out.
+/// What is of a table alone; all but the first three may be left out.
 constexpr const char *tableKeys[] = {"table_temperature", "table_pressure",    "table_mu",
                                      "table_mu_se",       "speed_exponent",    "speed_exponent_se",
                                      "speed_pressure",    "reference_velocity"};
