@@ -205,6 +205,45 @@ TEST(LeastSquares, boundsAndConstantsHold)
   EXPECT_GT(held.sumOfSquares, 1e-4);
 }
 
+/// With a parameter at its bound the others are at the least sum along the bound, whatever the
+/// start: Ceres' own steps, which are cut off there, end short of it.
+TEST(LeastSquares, leastAlongABound)
+{
+  LeastSquaresProblem problem; // y = x0 exp(-x1 t) + x2, where x1 and x2 depend on each other
+  problem.parameters = 3;
+  problem.residuals = 10;
+  const auto y = decayData(0.1);
+  problem.evaluate = [y](const VectorXd &x, VectorXd &r, Eigen::MatrixXd *jacobian) {
+    for (int t = 0; t < 10; ++t) {
+      const double e = std::exp(-x[1] * t);
+      r[t] = x[0] * e + x[2] - y[t];
+      if (jacobian)
+        jacobian->row(t) << e, -x[0] * t * e, 1.0;
+    }
+    return true;
+  };
+  VectorXd start(3), other(3);
+  start << 1.0, 1.0, 1.0;
+  other << 5.0, 3.0, 0.3;
+  problem.lower = VectorXd::Constant(3, -1e300);
+  problem.lower[2] = solveLeastSquares(problem, {start}).x[2] + 0.1;
+  problem.upper = VectorXd::Constant(3, 1e300);
+  auto held = problem;
+  held.constant = {false, false, true};
+  start[2] = problem.lower[2];
+  const auto along = solveLeastSquares(held, {start});
+  for (VectorXd from : {start, other}) {
+    from[2] = std::max(from[2], problem.lower[2]);
+    const auto found = solveLeastSquares(problem, {from});
+    EXPECT_DOUBLE_EQ(found.x[2], problem.lower[2]);
+    EXPECT_LT((found.x - along.x).norm(), 1e-7 * along.x.norm());
+  }
+  // and a start at a bound that is none of the solution's is left
+  problem.lower[2] -= 0.2;
+  start[2] = problem.lower[2];
+  EXPECT_GT(solveLeastSquares(problem, {start}).x[2], problem.lower[2] + 0.05);
+}
+
 TEST(LeastSquares, wrongSizesAreRefused)
 {
   const auto problem = decay(decayData(0.0));

@@ -101,7 +101,38 @@ void checkSizes(const LeastSquaresProblem &problem, const std::vector<Eigen::Vec
     throw std::invalid_argument("least squares: bounds of another size than the parameters");
 }
 
-LeastSquaresSolution solveFrom(const LeastSquaresProblem &problem, const Eigen::VectorXd &start)
+/// Residuals and their Jacobian; false where they are not finite.
+bool linearise(const LeastSquaresProblem &problem, const Eigen::VectorXd &x, Eigen::VectorXd &r,
+               RowMajor &jacobian)
+{
+  r.resize(problem.residuals);
+  jacobian.resize(problem.residuals, problem.parameters);
+  const double *parameters = x.data();
+  double *rows = jacobian.data();
+  return Cost(problem).Evaluate(&parameters, r.data(), &rows);
+}
+
+using Held = std::vector<bool>; // one per parameter
+
+/// The problem's constants, and the parameters at a bound across which the sum would fall.
+Held heldAt(const LeastSquaresProblem &problem, const Eigen::VectorXd &x)
+{
+  Held held = problem.constant;
+  held.resize(problem.parameters, false);
+  Eigen::VectorXd r;
+  RowMajor jacobian;
+  if (!linearise(problem, x, r, jacobian))
+    return held;
+  const Eigen::VectorXd rise = jacobian.transpose() * r;
+  for (int i = 0; i < problem.parameters; ++i)
+    if ((problem.lower.size() > 0 && x[i] <= problem.lower[i] && rise[i] >= 0.0) ||
+        (problem.upper.size() > 0 && x[i] >= problem.upper[i] && rise[i] <= 0.0))
+      held[i] = true;
+  return held;
+}
+
+LeastSquaresSolution solveFrom(const LeastSquaresProblem &problem, const Eigen::VectorXd &start,
+                               const Held &held)
 {
   LeastSquaresSolution solution;
   solution.x = start;
@@ -114,14 +145,14 @@ LeastSquaresSolution solveFrom(const LeastSquaresProblem &problem, const Eigen::
     if (problem.upper.size() > 0)
       ceresProblem.SetParameterUpperBound(x, i, problem.upper[i]);
   }
-  std::vector<int> held;
-  for (size_t i = 0; i < problem.constant.size(); ++i)
-    if (problem.constant[i])
-      held.push_back(static_cast<int>(i));
-  if (static_cast<int>(held.size()) == problem.parameters)
+  std::vector<int> constant;
+  for (size_t i = 0; i < held.size(); ++i)
+    if (held[i])
+      constant.push_back(static_cast<int>(i));
+  if (static_cast<int>(constant.size()) == problem.parameters)
     ceresProblem.SetParameterBlockConstant(x);
-  else if (!held.empty())
-    ceresProblem.SetManifold(x, new ceres::SubsetManifold(problem.parameters, held));
+  else if (!constant.empty())
+    ceresProblem.SetManifold(x, new ceres::SubsetManifold(problem.parameters, constant));
 
   ceres::Solver::Options options;
   options.linear_solver_type = ceres::DENSE_QR;
@@ -143,14 +174,33 @@ LeastSquaresSolution solveFrom(const LeastSquaresProblem &problem, const Eigen::
   return solution;
 }
 
+/// Ceres cuts its steps off at bounds, and where one is met it ends short of the least sum along
+/// the bound. So what lies at a bound is held there, the others are solved for again, and what
+/// would then go inwards is let go: an active set.
+LeastSquaresSolution solveWithinBounds(const LeastSquaresProblem &problem,
+                                       const Eigen::VectorXd &start)
+{
+  Held held = problem.constant;
+  held.resize(problem.parameters, false);
+  LeastSquaresSolution solution = solveFrom(problem, start, held);
+  for (int round = 0; round < 2 * problem.parameters && solution.converged; ++round) {
+    Held next = heldAt(problem, solution.x);
+    if (next == held)
+      break;
+    held = std::move(next);
+    LeastSquaresSolution along = solveFrom(problem, solution.x, held);
+    if (!along.converged || along.sumOfSquares > solution.sumOfSquares)
+      break;
+    solution = std::move(along);
+  }
+  return solution;
+}
+
 Eigen::MatrixXd jacobianAt(const LeastSquaresProblem &problem, const Eigen::VectorXd &x)
 {
-  const Cost cost(problem);
-  Eigen::VectorXd r(problem.residuals);
-  RowMajor jacobian(problem.residuals, problem.parameters);
-  const double *parameters = x.data();
-  double *rows = jacobian.data();
-  if (!cost.Evaluate(&parameters, r.data(), &rows))
+  Eigen::VectorXd r;
+  RowMajor jacobian;
+  if (!linearise(problem, x, r, jacobian))
     jacobian.setConstant(std::numeric_limits<double>::quiet_NaN());
   return jacobian;
 }
@@ -164,7 +214,7 @@ LeastSquaresSolution solveLeastSquares(const LeastSquaresProblem &problem,
   LeastSquaresSolution best;
   best.sumOfSquares = infinity;
   for (const auto &start : starts) {
-    auto solution = solveFrom(problem, start);
+    auto solution = solveWithinBounds(problem, start);
     const bool better = solution.sumOfSquares < best.sumOfSquares;
     // whatever comes first, then what converged, then what is lower
     if (best.x.size() == 0 || (solution.converged && !best.converged) ||

@@ -38,8 +38,8 @@ struct LeastSquaresSolution {
   Eigen::MatrixXd jacobian;  ///< dr_i/dx_j at x; nan where it cannot be computed there
 };
 
-/// Solves from each start (Ceres, Levenberg-Marquardt, dense QR) and keeps the best solution; one
-/// that converged is better than one that did not.
+/// Solves from each start (Ceres, Levenberg-Marquardt, dense QR; an active set for parameters at
+/// bounds) and keeps the best solution; one that converged is better than one that did not.
 /// \param starts at least one, within the bounds
 /// \return the best, converged or not: `converged` is for the caller to look at
 /// \throws std::invalid_argument if sizes disagree
