@@ -118,19 +118,37 @@ void FixMCADrive::init()
   find_limits();
 }
 
+/* number of automata, of all ranks, in both groups */
+
+bigint FixMCADrive::shared_with(const Fix *other) const
+{
+  bigint part = 0, both;
+  for (int i = 0; i < atom->nlocal; i++)
+    part += (atom->mask[i] & groupbit) && (atom->mask[i] & other->groupbit);
+  MPI_Allreduce(&part, &both, 1, MPI_LMP_BIGINT, MPI_SUM, world);
+  return both;
+}
+
 /* the layer is this fix's alone, and something moves it by the velocities that this fix gives */
 
 void FixMCADrive::check_layer() const
 {
-  for (const Fix *other : modify->get_fix_by_style("^mca/drive$")) {
-    bigint part = 0, both;
-    for (int i = 0; i < atom->nlocal && other != this; i++)
-      part += (atom->mask[i] & groupbit) && (atom->mask[i] & other->groupbit);
-    MPI_Allreduce(&part, &both, 1, MPI_LMP_BIGINT, MPI_SUM, world);
-    if (both > 0)
+  for (const Fix *other : modify->get_fix_by_style("^mca/drive$"))
+    if (const bigint both = other == this ? 0 : shared_with(other); both > 0)
       error->all(FLERR, "Fix mca/drive {} and {}: both drive {} automata, allowed: none", id,
                  other->id, both);
-  }
+  for (const char *style : {"^freeze", "^setforce", "^move", "^rigid"})
+    for (const Fix *other : modify->get_fix_by_style(style))
+      if (const bigint both = shared_with(other); both > 0 && strcmp(style, "^setforce") != 0)
+        error->all(FLERR,
+                   "Fix mca/drive {}: fix {} {} moves or holds {} of its automata, allowed: none",
+                   id, other->id, other->style, both);
+      else if (both > 0 && comm->me == 0)
+        error->warning(
+            FLERR,
+            "Fix mca/drive {}: fix {} {} sets forces of {} of its automata: what it sets "
+            "is no stress of the contacts",
+            id, other->id, other->style, both);
   bigint part = 0, resting;
   for (int i = 0; i < atom->nlocal; i++)
     part += (atom->mask[i] & groupbit) && !pair->is_integrated(i);
@@ -303,6 +321,7 @@ void FixMCADrive::setup(int vflag)
     open_log();
   begun = true;
   restart_global = 1;
+  most_dissipated = {}; // the account may be another one, or gone
   const Neighbourhood around = look_around();
   above = around.above;
   below = around.below;

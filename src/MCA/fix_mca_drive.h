@@ -112,7 +112,10 @@ class FixMCADrive : public Fix {
   /// The most that flow, breaking and contacts had dissipated in a row so far [pressure length^3].
   std::array<double, 3> most_dissipated;
 
-  /// Stops LAMMPS where another drive has automata of the layer, or nothing moves them.
+  /// Number of automata, of all ranks, that another fix acts on, too.
+  bigint shared_with(const Fix *other) const;
+  /// Stops LAMMPS where another drive, or a fix that moves or holds, has automata of the layer, or
+  /// nothing moves them; warns of a fix that sets forces of them.
   void check_layer() const;
   void find_limits();
   /// Warns of a layer that slides and has too few junctions for its load.

@@ -100,6 +100,14 @@ void FixMCAHistory::restart(char *buf)
 void FixMCAHistory::write_restart_file(const char *path)
 {
   mca->close_restart_file(path);
+  if (update->whichflag == 0)
+    mca->lose_order();
+}
+
+void FixMCAHistory::setup_pre_exchange()
+{
+  if (update->whichflag == 0) // write_data; a run or mca_links sets up
+    mca->lose_order();
 }
 
 /* ----------------------------------------------------------------------

@@ -63,8 +63,12 @@ class FixMCAHistory : public mca::CheckedRestart<FixNeighHistory> {
   void write_restart(FILE *) override;
   /// They go on; rank 0 has them.
   void restart(char *) override;
-  /// The file is whole: the pair style puts its checksum there.
+  /// The file is whole: the pair style puts its checksum there. Between runs LAMMPS has put the
+  /// atoms into another order for it.
   void write_restart_file(const char *path) override;
+  /// LAMMPS is about to put the atoms into another order, for a set-up, or between runs for
+  /// write_data.
+  void setup_pre_exchange() override;
   /// Packs `shared`: three doubles an automaton, key, rank and row.
   int pack_forward_comm(int, int *, double *, int, int *) override;
   void unpack_forward_comm(int, int, double *) override;

@@ -39,6 +39,7 @@ void MCALinks::command(int narg, char **arg)
                style);
   }
   pair->evaluate(); // of the list that was made
+  pair->lose_order();
 }
 
 /* the pair list with the present links, as a run's set-up makes it */

@@ -154,8 +154,12 @@ void MCALinks::read(const std::string &path, int copies)
     for (int k = 0; k < p.n; k++) {
       const tagint i = original(atom->tag[p.i[k]]), j = original(atom->tag[p.j[k]]);
       const auto entry = file.pairs.find({std::min(i, j), std::max(i, j)});
-      if (entry == file.pairs.end())
+      if (entry == file.pairs.end()) { // which leaves out pairs that have nothing
+        const double none[mca::LinkList::maxStateSize] = {mca::link::none};
+        links.setState(k, none);
+        links.setOriginal(k, false);
         continue;
+      }
       std::vector<double> state = entry->second.state;
       if ((i < j) != (atom->tag[p.i[k]] < atom->tag[p.j[k]]))
         links.exchange(state.data()); // over a face of the original the order of IDs may turn
@@ -167,6 +171,9 @@ void MCALinks::read(const std::string &path, int copies)
     }
   });
   for (int i = 0; i < atom->nlocal; i++) {
+    for (int s = 0; s < mca::stateCount && file.hasStates; s++) // which leaves out zeros
+      if (double *values = pair->state(s))
+        values[i] = 0.0;
     const auto entry = file.automata.find(original(atom->tag[i]));
     if (entry == file.automata.end())
       continue;

@@ -101,9 +101,11 @@ class PairMCA : public Pair {
   void check_internal_fixes() const;
   /// Stops LAMMPS where own automata are more or less than those of the list of pairs.
   void check_count() const;
+  /// After what puts automata into another order outside a run: the next run sets up, whatever its
+  /// 'pre' says.
+  void lose_order();
   /// After a command that made a new list of pairs: evaluates the laws as a set-up does, so that
-  /// the present values are those of this list and a run may go on without a set-up. Called by all
-  /// ranks.
+  /// the present values are those of this list. Called by all ranks.
   void evaluate();
   /// Stops LAMMPS, naming the automata, where a place or velocity is nan or infinite, or one moves
   /// by more than half a diameter in a step, or where diameter or mass are not those of the
@@ -270,6 +272,8 @@ class PairMCA : public Pair {
   void warn_of_sizes() const;
   /// Whether a fix gives its automata their motion, whatever the forces.
   static bool prescribes_motion(const Fix *);
+  /// Keeps what materials give, once the packing is known.
+  void keep_sizes();
   /// Radius and mass of own automaton i, those of its material.
   void set_size(int i);
   /// Stops LAMMPS, naming an automaton, where something else has changed them in a run.

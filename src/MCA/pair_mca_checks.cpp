@@ -61,6 +61,14 @@ void PairMCA::check_count() const
                "they come into the list of pairs: leave out 'pre no', or give run 0 before output");
 }
 
+/* outside a run atoms migrate and change their order, of which forces, drive and account have
+   lists; LAMMPS's own flag of the first run makes the next one set up in spite of 'pre no' */
+
+void PairMCA::lose_order()
+{
+  update->first_update = 0;
+}
+
 double PairMCA::wave_speed(int type) const
 {
   const mca::Material m = material_inside(type);

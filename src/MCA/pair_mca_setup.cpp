@@ -193,7 +193,9 @@ void PairMCA::init_style()
 {
   if (!atom->radius_flag || !atom->rmass_flag || !atom->omega_flag || !atom->torque_flag)
     error->all(FLERR, "Pair style mca requires atom style sphere");
-  if (force->special_lj[1] != 1.0 && atom->molecular != Atom::ATOMIC)
+  const double *const weights = force->special_lj; // of 1-2, 1-3 and 1-4 neighbours, from 1 on
+  if (atom->molecular != Atom::ATOMIC &&
+      std::any_of(weights + 1, weights + 4, [](double weight) { return weight != 1.0; }))
     error->all(FLERR, "Pair style mca requires special_bonds lj 1 1 1");
   check_commands();
   find_held();
@@ -238,14 +240,21 @@ void PairMCA::init_style()
   find_columns();
   make_laws();
   warn_of_sizes();
+  keep_sizes();
+  for (int i = 0; i < atom->nlocal; i++)
+    set_size(i);
+}
+
+/* what the materials give now, for warn_of_sizes() */
+
+void PairMCA::keep_sizes()
+{
   last_diameters.clear();
   last_masses.clear();
   for (int type = 1; type <= atom->ntypes; type++) {
     last_diameters.push_back(materials[type].diameter);
     last_masses.push_back(mass(type));
   }
-  for (int i = 0; i < atom->nlocal; i++)
-    set_size(i);
 }
 
 void PairMCA::set_size(int i)
@@ -562,5 +571,7 @@ void PairMCA::read_restart(FILE *fp)
     materials[i] = read[i - 1];
     setflag[i][i] = 1;
   }
+  if (packing)
+    keep_sizes();
   read_interfaces(fp);
 }

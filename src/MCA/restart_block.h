@@ -71,10 +71,12 @@ class CheckedRestart : public Base {
     const LAMMPS_NS::Atom &own = *this->atom;
     const auto record = checkedRecord(own.extra[i], own.nextra_store, nth, own.tag[i]);
     if (!record)
-      this->error->one(FLERR,
-                       "Restart file is damaged: the {} record of atom {} does not match its "
-                       "checksum",
-                       this->style, own.tag[i]);
+      this->error->one(
+          FLERR,
+          "Restart file is damaged: the {} record of atom {} does not match its "
+          "checksum; or delete_atoms came between read_restart and the first run: give "
+          "run 0 before it",
+          this->style, own.tag[i]);
     if (!isSound(*record))
       this->error->one(FLERR,
                        "Restart file is damaged: the {} record of atom {} is of another length, or "

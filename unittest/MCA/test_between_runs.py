@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """What moves, adds, rescales or leaves out automata beside the laws: right, or refused by name."""
 
+import re
+
 import pytest
 
 from lmp_run import fails, lmp
@@ -57,6 +59,17 @@ def test_links_that_are_turned_after_they_were_read(tmp_path, ranks):
     sample = HEAD.split("lattice")[0] + "read_data x.data\n" + LAWS + "mca_links read x.links\n"
     lmp(sample + MOVED + "run 0\n", tmp_path, ranks=ranks)
     fails(sample + SHEAR + MOVED + "run 0\n", tmp_path, "were turned by", ranks=ranks)
+
+
+def test_links_that_are_read_replace_those_that_are_there(tmp_path):
+    """What a file of mca_links write leaves out is none, or zero."""
+    some = "region left block INF 0 INF INF INF INF\ngroup left region left\n"
+    first = HEAD + LINKED + some + "mca_links delete left left\nmca_links write x.links\n"
+    changed = MOVED + "run 50\nmca_links create all all\nmca_links read x.links\n"
+    lmp(first + changed + "mca_links write y.links\n", tmp_path)
+    texts = [(tmp_path / name).read_text().split("Atoms")[0] for name in ("x.links", "y.links")]
+    pairs = [re.findall("^# pair.*|^# automaton.*", text, re.MULTILINE) for text in texts]
+    assert pairs[0] and sorted(pairs[0]) == sorted(pairs[1])
 
 
 @pytest.mark.parametrize(

@@ -127,6 +127,41 @@ def test_links_command_leaves_the_present_values(tmp_path):
     assert all(np.allclose(plain[name], other[name], rtol=1e-9, atol=0) for name in plain)
 
 
+@pytest.mark.parametrize("ranks", RANKS)
+@pytest.mark.parametrize(
+    "command", ["mca_links create all all reach 0.1", "write_restart r", "write_data d"]
+)
+def test_a_new_order_of_automata_is_set_up(tmp_path, command, ranks):
+    """LAMMPS lets them migrate outside a run, of which 'pre no' tells nothing."""
+    shown = SHOWN.replace("f_drive[5]", "f_drive[5] pe c_en")
+    first = SAMPLE + "compute en all mca/energy\n" + DRIVE + shown + "run 500\n" + command + "\n"
+    usual = lmp(first + "run 200\n", tmp_path, ranks=ranks).thermo[1]
+    other = lmp(first + "run 200 pre no\n", tmp_path, ranks=ranks).thermo[1]
+    assert all(np.array_equal(usual[name], other[name]) for name in usual)
+    assert np.abs(other["c_en"]).max() < 1e-3
+    parts = lmp(first + f'run 200 pre no every 100 "{command}"\n', tmp_path, ranks=ranks).thermo
+    assert all(np.isclose(usual[name][-1], parts[2][name][-1], rtol=1e-6) for name in usual)
+
+
+def test_a_fix_that_sets_forces_of_the_layer_is_told_of(tmp_path):
+    script = SAMPLE + "fix more top setforce 0 NULL NULL\n" + DRIVE + "run 10\n"
+    assert lmp(script, tmp_path).out.count("fix more setforce sets forces of") == 1
+    script = SAMPLE + "fix more bottom setforce 0 0 0\n" + DRIVE + "run 10\n"
+    assert "sets forces of" not in lmp(script, tmp_path).out
+
+
+def test_an_account_that_ends_is_no_fall(tmp_path):
+    first = SAMPLE + "compute en all mca/energy\nfix drive top mca/drive velocity 25 pressure 15 "
+    script = first + "file x.friction every 50\nrun 400\nuncompute en\nrun 100\n"
+    assert "dissipates fell by" not in lmp(script, tmp_path).out
+
+
+def test_another_thickness_is_no_change_of_sizes(tmp_path):
+    lmp(SAMPLE + "run 10\nwrite_restart r.restart\n", tmp_path)
+    again = "read_restart r.restart\nneighbor 0.4 bin\npair_style mca thickness 2\n"
+    assert "become those of their material" not in lmp(again + FIXES + "run 10\n", tmp_path).out
+
+
 @pytest.mark.parametrize("every", [1, 50])
 def test_a_variable_of_a_drive_sees_its_computes_in_each_step(tmp_path, every):
     """Whatever the interval of thermo output, and though the compute is of the pair style."""

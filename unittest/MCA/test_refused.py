@@ -212,6 +212,8 @@ def test_wr_fit_reads_what_is_written(tmp_path, words):
             ["nothing moves 12 of the 12 automata of group top"],
         ),
         (BLOCK + DRIVE + "\nfix more all mca/drive velocity 1 pressure 1\n", ["both drive 12"]),
+        (BLOCK + "fix hold top freeze\n" + DRIVE, ["fix hold freeze moves or holds 12 of its"]),
+        (BLOCK + "fix go top move linear 1 0 0\n" + DRIVE, ["fix go move moves or holds 12"]),
         (BLOCK + DRIVE.replace("15", "1e9"), ["pressure is 1", "below Young's modulus, 206000"]),
         (BLOCK + DRIVE.replace("5 p", "1e15 p"), ["velocity is 1", "below the speed of sound"]),
         (

@@ -136,6 +136,17 @@ def test_what_is_no_copy(tmp_path, words, parts):
     fails(read + f"mca_links read x.links {words}\n", tmp_path, *parts)
 
 
+@pytest.mark.parametrize("weights", ["1 0 0", "1 1 0.5", "0 1 1"])
+def test_special_bonds_that_leave_pairs_out(tmp_path, weights):
+    first = PLANE + LAWS + "mca_links create all all\n" + RUN + "run 0\nmca_links write x.links\n"
+    lmp(first, tmp_path)
+    read = PLANE.split("lattice")[0].replace("sphere", "hybrid sphere bond") + (
+        f"special_bonds lj {weights}\nread_data x.links\nmass * 1\nbond_style zero\n"
+        "bond_coeff * 2.5\n"
+    )
+    fails(read + LAWS + RUN + "run 0\n", tmp_path, "requires special_bonds lj 1 1 1")
+
+
 def test_bonds_of_a_file_with_periodic_faces(tmp_path):
     """The page's way leaves LAMMPS nothing to warn of: bonds over a face have no image flags."""
     lmp(

@@ -106,8 +106,10 @@ void FrictionLogWriter::begin(const std::string &path, const LogHeader &header, 
 {
   if (isThere(path)) {
     if (isRestart)
-      fail(path, "it exists, and the restart file holds no log of that name for this fix; give "
-                 "the fix its former ID and file, or another file");
+      fail(path,
+           "it exists, and the restart file holds no log of that name for this fix; give "
+           "the fix its former ID and file, before commands like run or mca_links, or another "
+           "file");
     const Contents old = read(path);
     if (!old.rows.empty() && old.rows.front().first <= step)
       fail(path, "it exists and has rows from step " + std::to_string(old.rows.front().first) +

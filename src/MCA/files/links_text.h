@@ -40,6 +40,7 @@ struct Links {
   /// By the IDs of both, the lower one first.
   std::map<std::pair<std::int64_t, std::int64_t>, Pair> pairs;
   std::unordered_map<std::int64_t, std::vector<Value>> automata; ///< by ID
+  bool hasStates = false; ///< of mca_links write: what it leaves out is zero
 };
 
 /// The comment that keeps a pair, a line.
