@@ -268,26 +268,34 @@ def collapse(report: dict[str, Any], picture: str) -> list[str]:
 
 def similar(report: dict[str, Any], picture: str) -> list[str]:
     """The same over those of similar stress-strain diagrams: the runs of the plan similar, s05, and
-    those of equal-kappas that have the diagram of c01. Then the plan's conditions of paper36, r09.
+    those of equal-kappas that have the diagram of c01. Then the plan's conditions of paper36 with
+    such diagrams, r09, beside the same with the strains of the paper, p09.
     """
     points = report["report"]["points"]
-    others = [p for p in points if run_name(p).startswith("r")]
     equal = [
         p
         for p in points
         if run_name(p).startswith("s")
         or (run_name(p).startswith("c") and math.isclose(p["kappa3"], STEEL, rel_tol=1e-3))
     ]
-    return collapse_of(equal, picture) + beside_eq2(others)
+    return collapse_of(equal, picture) + beside_eq2(points)
 
 
 def beside_eq2(points: list[dict[str, Any]]) -> list[str]:
-    """mu of conditions, means over their seeds, over that of Eq. 2; nothing for none."""
-    rows, ratios = [], []
-    for name, members in groups(points, lambda p: run_name(p).split("-seed")[0]).items():
-        mu, error = mean_of(members)
-        first = members[0]
-        ratios.append(mu / first["mu_eq2"])
+    """mu of the conditions r09 and p09, means over their seeds, beside Eq. 2; nothing for none."""
+    found = groups(points, lambda p: run_name(p).split("-seed")[0])
+    rows: list[list[str]] = []
+    ratios: dict[str, list[float]] = {"similar diagrams": [], "strains of the paper": []}
+    for name in [name for name in found if name.startswith("r")]:
+        first = found[name][0]
+        cells = []
+        for members, over in zip((found.get("p" + name[1:]), found[name]), reversed(ratios)):
+            if members is None:
+                cells += ["", ""]
+                continue
+            mu, error = mean_of(members)
+            ratios[over].append(mu / first["mu_eq2"])
+            cells += [f"{mu:.3f} +- {error:.3f}", f"{ratios[over][-1]:.2f}"]
         rows.append(
             [
                 name,
@@ -295,15 +303,20 @@ def beside_eq2(points: list[dict[str, Any]]) -> list[str]:
                 f"{first['kappa2']:.3g}",
                 f"{first['kappa3'] / STEEL:.2f}",
                 f"{first['mu_eq2']:.3f}",
-                f"{mu:.3f} +- {error:.3f}",
-                f"{ratios[-1]:.2f}",
+                *cells,
             ]
         )
     if not rows:
         return []
-    head = ["condition", "kappa1", "kappa2", "E/sigma_0 over c01", "Eq. 2", "ours", "ours/Eq. 2"]
-    rms = 100 * math.sqrt(np.mean((np.array(ratios) - 1) ** 2))
-    return ["", *table(head, rows), f"RMS from Eq. 2 {rms:.1f} % ({len(rows)} conditions)"]
+    head = ["condition", "kappa1", "kappa2", "E/sigma_0", "Eq. 2"]
+    head += ["paper's strains", "over it", "similar", "over it"]
+    errors = [
+        f"RMS from Eq. 2, {over}: {100 * math.sqrt(np.mean((np.array(r) - 1) ** 2)):.1f} % "
+        f"({len(r)} conditions)"
+        for over, r in reversed(ratios.items())
+        if r
+    ]
+    return ["", "beside Eq. 2; E/sigma_0 over that of c01", *table(head, rows), *errors]
 
 
 def collapse_of(points: list[dict[str, Any]], picture: str) -> list[str]:

@@ -92,12 +92,15 @@ def test_collapse_tells_the_scatter(tmp_path):
 def test_similar_takes_those_of_one_diagram(tmp_path):
     """Of equal-kappas four conditions, which have that of c01."""
     logs(tmp_path, "equal-kappas", lambda run: 1.0 if run.values["E"] == 206000 else 2.0)
-    logs(tmp_path, "similar", lambda run: 1.1 if run.name.startswith("r") else 1.0)
+    logs(tmp_path, "similar", lambda run: {"r": 1.1, "p": 0.8}.get(run.name[0], 1.0))
     text = made(tmp_path, "similar", reproduce(tmp_path, "similar"))
     assert "10 conditions" in text
     assert line(text, "scatter of mu (standard deviation)")[1] < 1
-    assert line(text, "r09")[-1] == 1.1
-    assert line(text, "RMS from Eq. 2") == pytest.approx([10, 6], abs=0.2)
+    *_, paper, _, _, ours = line(text, "r09")
+    assert (paper, ours) == (0.8, 1.1)
+    of_paper = line(text, "RMS from Eq. 2, strains of the paper:")
+    assert of_paper == pytest.approx([20, 6], abs=0.2)
+    assert line(text, "RMS from Eq. 2, similar diagrams:") == pytest.approx([10, 6], abs=0.2)
 
 
 def test_collapse_tells_what_it_goes_with(tmp_path):
