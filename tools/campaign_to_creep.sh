@@ -54,7 +54,10 @@ while [ $# -gt 0 ]; do
       case $1 in
         -o) results=$2 ;;
         --case) case=$2 ;;
-        --measured) picture_options+=("$1" "$2") ;;
+        --measured)
+          [ -r "$2" ] || die 3 "--measured $2: cannot be read"
+          picture_options+=("$1" "$2")
+          ;;
         *)
           fit_options+=("$1" "$2")
           [ "$1" != --material ] || of_material=true
@@ -150,9 +153,11 @@ done
 echo "3/3 pictures"
 fit_picture="$results/fit.png, "
 ! $of_material || fit_picture= # Figs. 7 and 8 are of Eq. 2
-if { $of_material || "$root/tools/plot_fit.py" "$results/law.json" -o "$results/fit.png"; } &&
+code=0
+{ $of_material || "$root/tools/plot_fit.py" "$results/law.json" -o "$results/fit.png"; } &&
   "$root/tools/plot_creep.py" "$results/creep.csv" "$results/paper/creep.csv" --label "$label" \
-    --label "paper's law" "${picture_options[@]}" -o "$results/creep.png"; then
-  echo "pictures: $fit_picture$results/creep.png"
-fi
+    --label "paper's law" "${picture_options[@]}" -o "$results/creep.png" &&
+  echo "pictures: $fit_picture$results/creep.png" || code=$?
+[ $code -ne 1 ] || code=0 # no matplotlib, as the scripts have said
 echo "law: $results/law.json; creep curves: $results/creep.csv, with 95 % limits: $results/creep_band.csv"
+exit $code

@@ -152,6 +152,8 @@ def main() -> None:
     given = parser.parse_args()
     if len(given.label) > len(given.csv):
         parser.error(f"--label: {len(given.label)} names for {len(given.csv)} files")
+    if given.columns and not given.measured:
+        parser.error("--columns: goes with --measured, whose columns it names")
     check_apart([*given.csv, *given.measured], [given.output])
     clouds = [measured(path, given.columns) for path in given.measured]
     figure, axes = plotting.pyplot().subplots(figsize=(7, 4.5), constrained_layout=True)

@@ -14,7 +14,7 @@ import math
 import os
 from typing import Any
 
-from mcawr import friction_log, plotting, tables
+from mcawr import archive, friction_log, plotting, tables
 from mcawr.command_line import Parser, file_name, number_in
 from mcawr.errors import BadInput, run_script
 from mcawr.files import check_apart, save_figure
@@ -22,6 +22,8 @@ from mcawr.files import check_apart, save_figure
 
 def read_log(path: str) -> tuple[str, list[float], list[float]]:
     """(loading line, time in ns, mu) of a friction log; a cut last line is left out."""
+    if archive.is_archive(path):
+        raise BadInput(f"{path}: is an archive: name a log in it, {path}/NAME.friction")
     log = friction_log.read(path, ("time", "mu"))
     try:
         label = (

@@ -148,7 +148,7 @@ class RunFolder:
         return sum(a.get("core_seconds", 0.0) for a in self.record().get("attempts", []))
 
     def check_same(self) -> None:
-        """The folder belongs to this run: same parameters (the duration may have changed), input
+        """The folder belongs to this run: same parameters (it may have become longer), input
         script and potential files; what a finished run left is as it left it."""
         record, log = self.record(), self.log()
         if not record:
@@ -172,10 +172,7 @@ class RunFolder:
                     f"{self.file(name)}: is damaged, or was changed since the run finished (the "
                     f"checksum in run.json does not fit): {AGAIN}"
                 )
-
-    def check_not_shorter(self) -> None:
-        """The run may be made longer than it is."""
-        old, now = self.record().get("parameters", self.run.values)["ns"], self.run.values["ns"]
+        old, now = record["parameters"]["ns"], self.run.values["ns"]
         if old > now and self.has(LOG):
             raise FolderError(
                 f"{self.path}: was run for {old:g} ns, the plan says {now:g}: "

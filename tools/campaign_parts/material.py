@@ -4,6 +4,7 @@ units."""
 
 import bisect
 import itertools
+import os
 from typing import Any
 
 from mcawr.errors import BadInput
@@ -33,6 +34,10 @@ UNITS = {
     "micro": {"stress": 1e-3, "density": 1e3, "viscosity": 1e-3, "length": 1e3},
     "cgs": {"stress": 1e-7, "density": 1e3, "viscosity": 0.1, "length": 1e7},
 }
+
+
+class TemperatureError(BadInput):
+    """The temperature that a plan says, or does not say, is none of the file's."""
 
 
 def _values(path: str, number: int, keyword: str, words: list[str], key: str, factor: float) -> Any:
@@ -112,7 +117,7 @@ def _at(temperature: float | None, temperatures: Any, values: Any) -> Any:
 
 def read(path: str, temperature: float | None = None) -> dict[str, Any]:
     """{key of the plan: value} at a temperature (K), which a file that has temperatures needs and
-    no other may have. Raises BadInput, with the line."""
+    no other may have. Raises BadInput, with the line, and TemperatureError."""
     lines = read_text(path).split("\n")
     head = lines[0].split()
     units = head[head.index("UNITS:") + 1] if "UNITS:" in head[:-1] else None
@@ -125,15 +130,13 @@ def read(path: str, temperature: float | None = None) -> dict[str, Any]:
     if number:
         _check_temperatures(path, number, temperatures)
     _check_counts(path, found, temperatures)
-    if temperature is None and temperatures:
-        raise BadInput(
-            f"{path}: temperature is missing, allowed: {temperatures[0]:g} to {temperatures[-1]:g}"
-        )
+    name = os.path.basename(path)
     if temperature is not None and not temperatures:
-        raise BadInput(f"{path}: has no line temperature, the plan says {temperature:g}")
-    if temperatures and not temperatures[0] <= temperature <= temperatures[-1]:
-        raise BadInput(
-            f"{path}: temperature {temperature:g}, allowed: {temperatures[0]:g} to "
-            f"{temperatures[-1]:g}"
-        )
+        raise TemperatureError(f"temperature: {name} has none, the plan says {temperature:g}")
+    if temperatures:
+        allowed = f"allowed for {name}: {temperatures[0]:g} to {temperatures[-1]:g}"
+        if temperature is None:
+            raise TemperatureError(f"temperature is missing, {allowed}")
+        if not temperatures[0] <= temperature <= temperatures[-1]:
+            raise TemperatureError(f"temperature: '{temperature:g}' is not allowed, {allowed}")
     return {key: _at(temperature, temperatures, values) for key, (_, values) in found.items()}

@@ -100,10 +100,11 @@ def pack(plan: Plan, top: str, target: str, rows: int, earlier: str | None) -> i
     """Packs every finished run as NAME.friction, and its profile as NAME.profile, into the archive
     target: all of them, or none if one cannot be packed; no archive without a finished run.
 
-    earlier: an archive from which the plan's other runs are taken over, or None.
+    earlier: an archive from which the plan's other runs are taken over, or None. Returns 1 without
+    an archive, or where a failed run is left out, else 0.
     """
     members: dict[str, str] = {}
-    before, count = members_of(plan, earlier), 0
+    before, count, failed = members_of(plan, earlier), 0, False
     for run in plan.runs:
         folder = folders.RunFolder(top, run)
         folder.check_same()
@@ -113,6 +114,7 @@ def pack(plan: Plan, top: str, target: str, rows: int, earlier: str | None) -> i
             continue
         if not folder.is_finished():
             say(f"{run.name}: {folder.state()}, left out")
+            failed = failed or folder.failure() is not None
             continue
         command = portable([attempt["command"] for attempt in folder.record()["attempts"]])
         text = packed(read_text(folder.file(folders.LOG)), rows, command, run.values["temperature"])
@@ -126,7 +128,7 @@ def pack(plan: Plan, top: str, target: str, rows: int, earlier: str | None) -> i
         count += 1
     if not members:
         say(f"{target} is not written: no run is finished")
-        return 0
+        return 1
     write(target, archive.pack(members))
     say(f"{count} logs in {target}")
-    return 0
+    return 1 if failed else 0

@@ -160,7 +160,10 @@ def _material(path: str, line: int, name: str, temperature: float | None) -> dic
     places = (os.path.dirname(os.path.realpath(path)), os.path.join(ROOT, "potentials"))
     for place in places:
         if os.path.isfile(os.path.join(place, name)):
-            return material.read(os.path.join(place, name), temperature)
+            try:
+                return material.read(os.path.join(place, name), temperature)
+            except material.TemperatureError as error:
+                raise PlanError(f"{path}:{line}: {error}") from None
     raise PlanError(f"{path}:{line}: material: no file {name} beside the plan, nor in {places[1]}")
 
 

@@ -346,7 +346,6 @@ class Campaign:
             )
         for folder in self.folders:
             folder.check_same()
-            folder.check_not_shorter()
 
     def run(self) -> dict[str, int]:
         """Runs everything; the number of runs in each state at the end."""

@@ -98,6 +98,19 @@ TEST(CaseFile, RefusesWhatWouldChangeNothing)
   EXPECT_EQ(messageOf(deep), "");
   EXPECT_TRUE(contains(messageOf(deep + "fields: none\n"), "depths: " + unused));
   EXPECT_EQ(messageOf(deep, {"fields=none"}), "");
+  // and so are the instants of a sequence
+  const std::string pull = smooth + "mode: moving\ncells: [40, 40]\n"
+                                    "sequence: {time: [0 s, 1 s], fields: [0.5 s]}\n";
+  EXPECT_EQ(messageOf(pull), "");
+  EXPECT_TRUE(contains(messageOf(pull + "fields: none\n"), "sequence.fields: " + unused));
+  EXPECT_EQ(messageOf(pull, {"fields=none"}), "");
+  EXPECT_TRUE(contains(messageOf(pull, {"mode=frozen"}), "sequence."));
+  // a strength is of a law that takes it, and of the limit of the pressure
+  const std::string constant = smooth + "friction: {law: constant, mu: 0.3, strength: 800 MPa}\n";
+  EXPECT_TRUE(contains(messageOf(constant), "friction.strength: " + unused));
+  EXPECT_EQ(messageOf(smooth + "friction: {strength: 800 MPa}\n", {"friction.law=a.csv"}), "");
+  EXPECT_EQ(messageOf(smooth + "friction: {law: bucher2006, strength: 800 MPa}\n"), "");
+  EXPECT_EQ(messageOf(constant, {"contact.hardness_limit=true"}), "");
   // a map that is not there
   const std::string map = smooth + "roughness: {rail: a.gsf, ";
   for (const std::string keyword : {"turn", "mirror"}) {

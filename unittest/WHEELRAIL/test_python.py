@@ -248,6 +248,16 @@ def test_faults_are_those_of_the_program(tmp_path):
         wheelrail.Case(tmp_path / "no such file.yaml")
 
 
+def test_a_fault_of_a_log_has_its_place(campaign, tmp_path):
+    log = tmp_path / "bad.friction"
+    text = next(campaign.rglob("*.friction")).read_text()
+    log.write_text(re.sub("pressure: [0-9.]*", "pressure: -15", text, count=1))
+    with pytest.raises(wheelrail.BadInput) as fault:
+        wheelrail.read_logs(log)
+    error = fault.value
+    assert error.file == str(log) and error.line > 0 and "pressure" in f"{error}"
+
+
 @pytest.mark.parametrize(
     "source, changes, error, words",
     [
@@ -435,6 +445,7 @@ def test_fit_refuses(campaign, tmp_path):
         "level: '2' is not allowed, must be a number from 0.5": {"level": 2.0},
         "kappa3: goes with the models": {"kappa3": 100.0},
         "grinding_in: '0' is not allowed": {"grinding_in": 0.0},
+        "level: goes with a fitted law": {"level": 0.9, "model": "table"},
     }.items():
         with pytest.raises(wheelrail.UsageError, match=re.escape(words)):
             wheelrail.fit(campaign, **options)

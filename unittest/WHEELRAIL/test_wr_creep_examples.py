@@ -187,3 +187,12 @@ def test_chain_from_campaign_to_creep(tmp_path):
         env={**os.environ, "MCAWR_BUILD": str(BIN.parents[1])},
     )
     assert done.returncode == 3
+    # nor is a file of measured points that is not there found out at the end
+    done = subprocess.run(
+        [SOURCE / "tools/campaign_to_creep.sh", one, "--measured", tmp_path / "none.csv"],
+        check=False,
+        capture_output=True,
+        text=True,
+    )
+    assert done.returncode == 3 and f"--measured {tmp_path}/none.csv: cannot be read" in done.stderr
+    assert "1/3" not in done.stdout

@@ -149,7 +149,10 @@ def test_fields_of_instants_of_a_rolling_wheel(case, tmp_path):
     [
         ((sequence(time=["0 s", "1 s"], speed=["0 m/s", "0 m/s"]),), "would not roll"),
         ((sequence(time=["0 s", "1 s"], speed=["1 m/s"]),), "1 values; one for each of the 2"),
-        ((sequence(time=["0 s", "1 s"], fields=["2 s"]),), "up to the last of sequence.time, 1 s"),
+        (
+            (sequence(time=["0 s", "1 s"], fields=["2 s"]), "fields=all"),
+            "up to the last of sequence.time, 1 s",
+        ),
         (
             (sequence(time=["0 s", "1 s"], force_longitudinal=["0 N", "1 N"]), "creep=1e-3"),
             "the creep is found",

@@ -149,6 +149,8 @@ WRONG = {
     "tar cut": (lzma.compress(GOOD[: len(LOG) // 2]), "its end is missing"),
     "tar cut between files": (lzma.compress(GOOD[: 512 + -(-len(LOG) // 512) * 512]), "its end"),
     "head damaged": (lzma.compress(b"A" + GOOD[1:]), DAMAGED),
+    "joined": (lzma.compress(GOOD) + lzma.compress(tar("b.friction")), DAMAGED),
+    "joined inside": (lzma.compress(GOOD + tar("b.friction")), DAMAGED),
     "no member": (lzma.compress(tar()), "this archive holds no *.friction file"),
     "no log": (lzma.compress(tar("a.profile")), "this archive holds no *.friction file"),
     "twice": (lzma.compress(tar("a.friction", "a.friction")), "member 'a.friction' is there twice"),

@@ -55,6 +55,7 @@ def test_as_spreadsheets_write_them(tmp_path, separator, decimal):
 @pytest.mark.parametrize(
     "text, parts",
     [
+        ("time,mu,mu\n1,2,3\n", [":1:", "column 'mu' is there twice"]),
         ("time,mi\n1,2\n", [":1:", "column 'mu' is missing", "'mi'"]),
         ("1,0.4\n2,0.4\n", ["2 rows", "at least 7"]),
         ("time;mu\n1;0,4\n2;0,1e309\n", [":3: mu: '0,1e309' is not", "within +-1e+12"]),

@@ -318,7 +318,8 @@ def test_longer_but_not_other(plan, tmp_path):
     assert "v2: goes on from 2 ns" in result.stdout
     assert logs(out)["v2"].rstrip("\n").split("\n")[-1].split()[1] == "3"
     plan.write_text(PLAN)
-    one_line(campaign("run", plan, "-o", out), 3, "longer, not shorter")
+    for words in (["run"], ["status"], ["pack", "--to", out / "packed.tar.xz"]):
+        one_line(campaign(*words, plan, "-o", out), 3, "longer, not shorter")
     plan.write_text(PLAN.replace("seed: 7", "seed: 8").replace("ns: 2", "ns: 3"))
     one_line(campaign("run", plan, "-o", out), 3, "was begun with seed = 7, the plan says 8")
 

@@ -243,7 +243,7 @@ def test_without_a_finished_run_there_is_no_archive(plan, tmp_path):
     (tmp_path / "out").mkdir()
     target = tmp_path / "packed.tar.xz"
     result = campaign("pack", plan, "-o", tmp_path / "out", "--to", target)
-    assert result.returncode == 0, result.stderr
+    assert result.returncode == 1, result.stderr
     assert result.stdout.endswith(f"{target} is not written: no run is finished\n")
     assert not target.exists()
 

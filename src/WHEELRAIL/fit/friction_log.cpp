@@ -255,6 +255,8 @@ Places readColumns(const FrictionLog &log, int line, std::string_view text)
         problem += fmt::format("; the nearest of those given is '{}'", nearest);
       throw badInput(log.file, line, "", problem);
     }
+    if (std::count(found, names.end(), name) > 1)
+      throw badInput(log.file, line, "", fmt::format("column '{}' is there twice", name));
     place[i] = found - names.begin();
   }
   return place;

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <archive_entry.h>
+#include <cstdlib>
 #include <filesystem>
 #include <fmt/format.h>
 #include <set>
@@ -49,6 +50,22 @@ bool isPlain(archive_entry *entry)
     return false;
   const std::string text = name;
   return !text.empty() && text != "." && text != ".." && text.find('/') == std::string::npos;
+}
+
+/// Whether nothing but zeros stands behind the mark that ends a tar file: a second archive that was
+/// joined to it would be passed over.
+bool endsOnce(const std::string &tar)
+{
+  constexpr std::size_t block = 512, sizeAt = 124, sizeLength = 12; // of ustar's heads
+  std::size_t at = 0;
+  while (at + block <= tar.size() && tar[at] != '\0') {
+    const std::size_t size = std::strtoull(tar.substr(at + sizeAt, sizeLength).c_str(), nullptr, 8);
+    if (size > tar.size())
+      return false;
+    at += block * (1 + (size + block - 1) / block);
+  }
+  return at <= tar.size() && std::all_of(tar.begin() + static_cast<std::ptrdiff_t>(at), tar.end(),
+                                         [](char c) { return c == '\0'; });
 }
 
 } // namespace
@@ -108,6 +125,8 @@ std::map<std::string, std::string> logsOfTar(const std::string &path, const std:
     if (!reader.append(text, size) || text.size() != size)
       throw reader.damaged();
   }
+  if (!endsOnce(tar))
+    throw reader.damaged();
   if (logs.empty())
     throw badInput(path, 0, "", "this archive holds no *.friction file");
   return logs;

@@ -40,6 +40,8 @@ Columns columnsOf(const std::string &path, int line, const std::vector<std::stri
   const std::vector<std::string> names(cells.begin(), cells.end());
   const auto placeOf = [&](const std::string &name) {
     const auto found = std::find(names.begin(), names.end(), name);
+    if (std::count(found, names.end(), name) > 1)
+      throw badInput(path, line, "", fmt::format("column '{}' is there twice", name));
     if (found != names.end())
       return static_cast<std::size_t>(found - names.begin());
     throw badInput(path, line, "",

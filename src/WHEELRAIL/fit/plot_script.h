@@ -2,6 +2,7 @@
 #ifndef WHEELRAIL_FIT_PLOT_SCRIPT_H
 #define WHEELRAIL_FIT_PLOT_SCRIPT_H
 
+#include <array>
 #include <string>
 
 namespace wheelrail {
@@ -11,6 +12,10 @@ struct Picture {
   std::string bytes;   ///< content of the picture's file
   std::string problem; ///< one line; empty: the picture was made
 };
+
+/// Endings of pictures that matplotlib writes, with their dot.
+constexpr std::array pictureEndings = {".png", ".pdf",  ".svg", ".eps",  ".ps",
+                                       ".jpg", ".jpeg", ".tif", ".tiff", ".webp"};
 
 /// Runs a plot script of ours (Python, matplotlib) and waits for it. Data and picture go through
 /// memory: no file is written.

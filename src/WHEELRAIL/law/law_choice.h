@@ -52,6 +52,7 @@ struct LawChoice {
   std::function<LawPointer()> read;
   std::vector<std::string> files;     ///< by the path that `read` opens
   bool mayHaveCovariance = false;     ///< group `uncertainty` of a case means something
+  bool takesStrength = false;         ///< mu depends on the strength that the case states
   bool hasStrength = false;           ///< the strength is that of its own material
   std::optional<CellwiseMu> cellwise; ///< absent: all cells of a temperature have the same mu
 };

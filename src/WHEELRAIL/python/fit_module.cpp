@@ -54,9 +54,11 @@ std::vector<std::string> pathsOf(const py::object &given)
   return paths;
 }
 
-/// All that is wrong with logs as one error.
+/// All that is wrong with logs as one error: the only one as it is, with its place.
 [[noreturn]] void throwAll(const std::vector<Error> &problems)
 {
+  if (problems.size() == 1)
+    throw Error(problems.front());
   std::vector<std::string> lines;
   for (const Error &problem : problems)
     lines.emplace_back(problem.what());
@@ -170,8 +172,9 @@ struct Fit {
 };
 
 Fit fit(const py::object &logs, const std::string &model, const py::object &material,
-        bool solidOnly, const Number &kappa3, double kappa2Min, double level, bool includeDrifting,
-        const Number &start, const Number &startDistance, const Number &grindingIn)
+        bool solidOnly, const Number &kappa3, double kappa2Min, const Number &level,
+        bool includeDrifting, const Number &start, const Number &startDistance,
+        const Number &grindingIn)
 {
   requireAllowed("kappa3", kappa3, option_range::positive);
   requireAllowed("kappa2_min", kappa2Min, option_range::notNegative);
@@ -179,6 +182,9 @@ Fit fit(const py::object &logs, const std::string &model, const py::object &mate
   requireAllowed("start", start, option_range::notNegative);
   requireAllowed("start_distance", startDistance, option_range::notNegative);
   requireAllowed("grinding_in", grindingIn, option_range::positive);
+  if (level && model == "table")
+    throw Error(ExitCode::Usage, "level: goes with a fitted law, not with the model table, which "
+                                 "has standard errors");
   FitOptions options;
   if (!material.is_none())
     options.material = readPotentialFile(pathOf(material));
@@ -191,7 +197,7 @@ Fit fit(const py::object &logs, const std::string &model, const py::object &mate
   options.kappa3 = kappa3.value_or(0.0);
   options.solidOnly = solidOnly;
   options.kappa2Min = kappa2Min;
-  options.level = level;
+  options.level = level.value_or(options.level);
   options.includeDrifting = includeDrifting;
   LogRuns read = runsOf(logs, {start, startDistance, grindingIn});
   if (!read.problems.empty())
@@ -254,7 +260,7 @@ void addFit(py::module_ &module)
       "fit", &fit, py::arg("logs"), py::arg("model") = nameOf(LawModel::Full), py::kw_only(),
       py::arg("material") = py::none(), py::arg("solid_only") = false,
       py::arg("kappa3") = py::none(), py::arg("kappa2_min") = FitOptions{}.kappa2Min,
-      py::arg("level") = FitOptions{}.level, py::arg("include_drifting") = false,
+      py::arg("level") = py::none(), py::arg("include_drifting") = false,
       py::arg("start") = py::none(), py::arg("start_distance") = py::none(),
       py::arg("grinding_in") = py::none(),
       "Friction coefficients of logs with standard errors, and the law fitted to them.\n\n"

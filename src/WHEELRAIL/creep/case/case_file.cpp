@@ -138,16 +138,17 @@ StaticSpecification readStatic(CaseReader &reader, const LineContactSpecificatio
 }
 
 /// A rolling case may be made static by one change, moving roughness frozen, sampled errors linear,
-/// a law of friction another one with fewer keywords, fields none, which has no depths: what the
-/// file says of them may stay then.
+/// a law of friction another one with fewer keywords, fields none, which has no depths and no
+/// instants: what the file says of them may stay then.
 void refuseUnused(CaseReader &reader, Scope here)
 {
   const bool isStatic = (here & (scope::lineStatic | scope::pointStatic)) != 0;
   if (isStatic && reader.has("thermal"))
     reader.word("thermal"); // off, as it is
-  reader.refuseUnused([&](const std::string &group) {
+  reader.refuseUnused([&](const std::string &name) {
+    const std::string group = name.substr(0, name.find('.'));
     return isStatic || group == "friction" || group == "moving" || group == "uncertainty" ||
-           group == "depths";
+           group == "depths" || name == "sequence.fields";
   });
 }
 
@@ -170,7 +171,7 @@ Case caseOf(CaseReader &reader, const std::string &path)
   CreepPhysics physics;
   physics.hardnessLimit = reader.flag("contact.hardness_limit");
   const LawChoice friction = readFriction(reader, path);
-  physics.strength = readStrength(reader, friction);
+  physics.strength = readStrength(reader, friction, physics.hardnessLimit);
   const std::string mode = reader.word("mode");
   if (mode == "static")
     result.task = readStatic(reader, contact, surface, friction, physics);

@@ -369,11 +369,10 @@ void CaseReader::refuse(const std::string &name, const std::string &with) const
     fail(entries_.lower_bound(name + ".")->first, "does not go with " + with);
 }
 
-void CaseReader::refuseUnused(const std::function<bool(const std::string &group)> &mayStay) const
+void CaseReader::refuseUnused(const std::function<bool(const std::string &name)> &mayStay) const
 {
   for (const auto &[name, entry] : entries_)
-    if (used_.count(name) == 0 &&
-        (entry.option || !hasChanges_ || !mayStay(name.substr(0, name.find('.')))))
+    if (used_.count(name) == 0 && (entry.option || !hasChanges_ || !mayStay(name)))
       fail(name, "is not used in this case: leave it out, or choose what needs it");
 }
 
@@ -381,6 +380,12 @@ void CaseReader::setDefault(const std::string &name, const std::string &value)
 {
   if (!has(name))
     entries_[name] = entryOf(YAML::Load(value), *findKeyword(name));
+}
+
+double CaseReader::initial(const std::string &name) const
+{
+  const Keyword &keyword = *findKeyword(name);
+  return entryOf(YAML::Load(keyword.initial), keyword).numbers.front();
 }
 
 double CaseReader::single(const std::string &name)

@@ -66,6 +66,8 @@ class CaseReader {
   const std::string &word(const std::string &name) { return words(name).front(); }
   bool flag(const std::string &name) { return word(name) == "true"; }
   int integer(const std::string &name) { return static_cast<int>(number(name)); }
+  /// The default of a keyword that takes one number and has one, whatever is given; not recorded.
+  double initial(const std::string &name) const;
   /// Value of a keyword that takes a list elsewhere, where only one is allowed.
   double single(const std::string &name);
   /// A default that depends on other keywords; does nothing where the file has a value.
@@ -79,8 +81,8 @@ class CaseReader {
   void refuse(const std::string &name, const std::string &with) const;
   /// \throws Error (BadInput) for a keyword that is given and that nobody has asked for: what
   ///         would change nothing in silence
-  /// \param mayStay  whether the file's keywords of a group may be such once there is a change
-  void refuseUnused(const std::function<bool(const std::string &group)> &mayStay) const;
+  /// \param mayStay  whether a keyword of the file may be such once there is a change
+  void refuseUnused(const std::function<bool(const std::string &name)> &mayStay) const;
 
   /// What was used so far, as a case file.
   /// Keywords in the order of the table; numbers in the words in which they were given.

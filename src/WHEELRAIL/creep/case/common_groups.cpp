@@ -139,16 +139,17 @@ LawChoice readFriction(CaseReader &reader, const std::string &caseFile)
   return heated(form.choose(values), reader);
 }
 
-Strength readStrength(CaseReader &reader, const LawChoice &friction)
+Strength readStrength(CaseReader &reader, const LawChoice &friction, bool hardnessLimit)
 {
+  const char *const cold = "friction.strength", *const vanishing = "friction.strength_temperature";
   if (friction.hasStrength) {
-    for (const char *keyword : {"friction.strength", "friction.strength_temperature",
-                                "friction.modulus", "friction.density"})
+    for (const char *keyword : {cold, vanishing, "friction.modulus", "friction.density"})
       reader.refuse(keyword, "friction.law: the law file has those of its material");
     return {};
   }
-  return {reader.number("friction.strength"), reader.number("friction.strength_temperature"),
-          nullptr};
+  if (!hardnessLimit && !friction.takesStrength)
+    return {reader.initial(cold), reader.initial(vanishing), nullptr};
+  return {reader.number(cold), reader.number(vanishing), nullptr};
 }
 
 double readMemoryLength(CaseReader &reader)

@@ -69,9 +69,10 @@ MeasuredSurfaces readMeasuredSurfaces(CaseReader &reader, const std::string &cas
 /// that have no default; one with a default may stand there unread.
 /// \param caseFile path of the case file, for `besideCase`
 LawChoice readFriction(CaseReader &reader, const std::string &caseFile);
-/// The strength of group `friction`, which limits the pressure under any law but one that has its
-/// own: where the case states one beside that, it is refused.
-Strength readStrength(CaseReader &reader, const LawChoice &friction);
+/// The strength of group `friction`, for a law that reads it and for the limit of the pressure.
+/// Where neither takes it, it is the usual one, a scale for temperatures, and a stated one stays
+/// unread. Beside a law that has its own a stated one is refused.
+Strength readStrength(CaseReader &reader, const LawChoice &friction, bool hardnessLimit);
 /// Way over which friction falls with the slip of each cell, m; 0: one sliding speed for all.
 double readMemoryLength(CaseReader &reader);
 /// Group `thermal`, or `thermal: off`, which is the model Off and reads no material.

@@ -318,7 +318,7 @@ PatchSequence readSequence(CaseReader &reader, bool rolls)
   if (rolls)
     sequence.held = reader.word("sequence.between") == "held";
   checkSpeeds(reader, sequence);
-  if (reader.has("sequence.fields"))
+  if (reader.has("sequence.fields") && reader.word("fields") != "none")
     sequence.fields = reader.numbers("sequence.fields");
   if (std::adjacent_find(sequence.fields.begin(), sequence.fields.end(), std::greater_equal<>()) !=
           sequence.fields.end() ||
@@ -410,7 +410,7 @@ PatchSpecification readPatch(CaseReader &reader, const std::string &caseFile)
   patch.contact = readContact(reader, patch.roughness.kind != RoughnessKind::None);
   patch.physics.hardnessLimit = reader.flag("contact.hardness_limit");
   patch.friction = readFriction(reader, caseFile);
-  patch.physics.strength = readStrength(reader, patch.friction);
+  patch.physics.strength = readStrength(reader, patch.friction, patch.physics.hardnessLimit);
   const std::string mode = reader.word("mode");
   patch.mode = mode == "frozen"   ? PatchMode::Frozen
                : mode == "moving" ? PatchMode::Moving

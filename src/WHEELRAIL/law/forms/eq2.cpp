@@ -47,6 +47,7 @@ LawChoice Eq2Law::choose(const LawValues &values)
   if (!builtIn)
     choice.files = {name};
   choice.mayHaveCovariance = true;
+  choice.takesStrength = true;
   if (scale.local)
     choice.cellwise = CellwiseMu{"friction.local", "false"};
   return choice;

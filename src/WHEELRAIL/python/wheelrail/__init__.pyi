@@ -133,7 +133,7 @@ def fit(
     solid_only: bool = False,
     kappa3: float | None = None,
     kappa2_min: float = 2.0,
-    level: float = 0.95,
+    level: float | None = None,
     include_drifting: bool = False,
     start: float | None = None,
     start_distance: float | None = None,
