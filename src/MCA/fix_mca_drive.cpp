@@ -133,22 +133,24 @@ bigint FixMCADrive::shared_with(const Fix *other) const
 
 void FixMCADrive::check_layer() const
 {
-  for (const Fix *other : modify->get_fix_by_style("^mca/drive$"))
-    if (const bigint both = other == this ? 0 : shared_with(other); both > 0)
+  for (const Fix *other : modify->get_fix_list()) {
+    const bool prescribes = other != this && PairMCA::prescribes_motion(other);
+    const bigint both = prescribes ? shared_with(other) : 0;
+    if (both == 0)
+      continue;
+    if (utils::strmatch(other->style, "^mca/drive"))
       error->all(FLERR, "Fix mca/drive {} and {}: both drive {} automata, allowed: none", id,
                  other->id, both);
-  for (const char *style : {"^freeze", "^setforce", "^move", "^rigid"})
-    for (const Fix *other : modify->get_fix_by_style(style))
-      if (const bigint both = shared_with(other); both > 0 && strcmp(style, "^setforce") != 0)
-        error->all(FLERR,
-                   "Fix mca/drive {}: fix {} {} moves or holds {} of its automata, allowed: none",
-                   id, other->id, other->style, both);
-      else if (both > 0 && comm->me == 0)
-        error->warning(
-            FLERR,
-            "Fix mca/drive {}: fix {} {} sets forces of {} of its automata: what it sets "
-            "is no stress of the contacts",
-            id, other->id, other->style, both);
+    if (!utils::strmatch(other->style, "^setforce"))
+      error->all(FLERR,
+                 "Fix mca/drive {}: fix {} {} moves or holds {} of its automata, allowed: none", id,
+                 other->id, other->style, both);
+    if (comm->me == 0)
+      error->warning(FLERR,
+                     "Fix mca/drive {}: fix {} {} sets forces of {} of its automata: what it sets "
+                     "is no stress of the contacts",
+                     id, other->id, other->style, both);
+  }
   bigint part = 0, resting;
   for (int i = 0; i < atom->nlocal; i++)
     part += (atom->mask[i] & groupbit) && !pair->is_integrated(i);

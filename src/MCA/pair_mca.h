@@ -95,6 +95,8 @@ class PairMCA : public Pair {
   static PairMCA *find(LAMMPS *, const char *who);
   /// The same; nullptr where there is none.
   static PairMCA *found(LAMMPS *);
+  /// Whether a fix gives its automata their motion, whatever the forces.
+  static bool prescribes_motion(const Fix *);
   /// Whether packing and materials of all types are known, so that mass() and cell() are.
   bool knows_masses() const;
   /// Stops LAMMPS where the internal fixes are gone, which hold the state of links and automata.
@@ -270,8 +272,6 @@ class PairMCA : public Pair {
   void warn_of_wave_speed() const;
   void warn_of_strength() const;
   void warn_of_sizes() const;
-  /// Whether a fix gives its automata their motion, whatever the forces.
-  static bool prescribes_motion(const Fix *);
   /// Keeps what materials give, once the packing is known.
   void keep_sizes();
   /// Radius and mass of own automaton i, those of its material.
