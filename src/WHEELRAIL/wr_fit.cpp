@@ -225,11 +225,6 @@ int run(const Settings &settings)
         fmt::format("--model {}: needs --material, whose strength it takes", settings.model));
   if (!settings.material.empty() && !settings.plot.empty())
     throw Error(ExitCode::Usage, "--plot: Figs. 7 and 8 are of Eq. 2, not of a --material");
-  if (const std::string ending = std::filesystem::path(settings.plot).extension().string();
-      !ending.empty() && std::count(pictureEndings.begin(), pictureEndings.end(), ending) == 0)
-    throw Error(ExitCode::Usage,
-                fmt::format("--plot {}: '{}' is not a picture, allowed: {}", settings.plot, ending,
-                            fmt::join(pictureEndings, ", ")));
   const auto logs = findFrictionLogs(settings.logs);
   std::vector<std::string> files;
   for (const auto &log : logs)
@@ -242,6 +237,11 @@ int run(const Settings &settings)
   if (!settings.material.empty())
     files.push_back(settings.material);
   checkOutputs(outputs, files);
+  if (const std::string ending = std::filesystem::path(settings.plot).extension().string();
+      !ending.empty() && std::count(pictureEndings.begin(), pictureEndings.end(), ending) == 0)
+    throw Error(ExitCode::Usage,
+                fmt::format("--plot {}: '{}' is not a picture, allowed: {}", settings.plot, ending,
+                            fmt::join(pictureEndings, ", ")));
 
   FitOptions options = settings.fit;
   if (!settings.material.empty())
