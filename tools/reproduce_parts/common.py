@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 
 from campaign_parts import plan as plans
+from mcawr.archive import ENDING
 from mcawr.errors import BadInput
 
 
@@ -19,6 +20,13 @@ def run_name(point: dict[str, Any]) -> str:
     """Name of the run that a log belongs to: of its folder, or of the packed file."""
     folder, name = os.path.split(point["file"])
     return os.path.basename(folder) if name == "run.friction" else name.removesuffix(".friction")
+
+
+def plan_name(point: dict[str, Any]) -> str:
+    """Name of the plan that a log belongs to: of the archive or the folder with its runs."""
+    folder, name = os.path.split(point["file"])
+    runs = os.path.dirname(folder) if name == "run.friction" else folder
+    return os.path.basename(runs).removesuffix(ENDING)
 
 
 def planned(plan: str, points: list[dict[str, Any]]) -> dict[str, dict[str, Any]]:

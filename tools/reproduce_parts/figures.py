@@ -19,6 +19,7 @@ from . import (
     laws,
     layer,
     locomotive_runs,
+    materials,
     rail,
     space as three,
     steel as series,
@@ -461,6 +462,12 @@ FIGURES = {
         LATE,
     ),
     "fig7": Figure(f"Figs. 7 and 8: the law, {FROM}", ["paper36"], fig7, START),
+    "materials": Figure(
+        f"Conditions of many materials, two sets of laws beside Eq. 2, {FROM}",
+        ["paper36", "paper36-d"],
+        materials.materials,
+        START,
+    ),
     "steel": Figure(
         f"The law of one material, E = 206 GPa and sigma_0 = 92 MPa, {LATER}",
         ["velocity", "pressure"],

@@ -129,6 +129,23 @@ def test_law_with_a_third_number(tmp_path):
     assert factor == pytest.approx(1, abs=0.01) and n == pytest.approx(0.25, abs=0.01)
 
 
+def test_materials_compares_conditions_that_both_sets_of_laws_have(tmp_path):
+    """A condition that ran with one of them only plays no part."""
+    factors = {"paper36": lambda run: 0.8, "paper36-d": lambda run: 1.1}
+    folders = [logs(tmp_path, plan, factor)[0] for plan, factor in factors.items()]
+    for folder, name in zip(folders, ("r01", "r36")):
+        for log in folder.glob(f"{name}-seed*"):
+            log.unlink()
+    text = made(tmp_path, "materials", reproduce(tmp_path, "materials"))
+    assert line(text, "r02 ")[-4::2] == pytest.approx([0.8, 1.1], abs=0.01)
+    assert "34 conditions" in text and "r01 " not in text and "r36 " not in text
+    for preset, rms in (("preset c", 20), ("preset d", 10)):
+        found = [row for row in text.splitlines() if row.startswith(preset)]
+        numbers = [float(word) for word in re.findall(r"[-+]?\d+\.\d+", found[0])]
+        assert numbers[0] == numbers[3] == pytest.approx(rms, abs=0.2)
+        assert abs(numbers[4]) < 0.01
+
+
 def test_law_of_speed_and_a_third_number(tmp_path):
     def factor(run):
         power = (run.values["E"] / run.values["strength"] / 2239) ** 0.1
