@@ -10,7 +10,7 @@ from matplotlib import pyplot
 
 from mcawr import tables
 from mcawr.files import save_figure
-from mcawr.replicas import groups, mean_of
+from mcawr.replicas import groups, half_width, mean_of
 
 from . import locomotive, locomotive_runs as made, patch_runs, rail
 
@@ -35,11 +35,12 @@ def draw_law(axes: Any, report: dict[str, Any]) -> None:
     x = np.geomspace(0.025, 3, 200)
     for color, kelvin, members in rail.by_temperature(report):
         fast = rail.at_speed(members)
-        found = [(ratio, *mean_of(same)) for ratio, same in groups(fast, rail.rounded).items()]
-        at, mu, error = np.array(found).T
-        axes.errorbar(
-            at, mu, 1.96 * error, fmt="o", ms=4, color=color, capsize=2, label=f"{kelvin:g} K"
-        )
+        found = [
+            (ratio, mean_of(same)[0], half_width(same))
+            for ratio, same in groups(fast, rail.rounded).items()
+        ]
+        at, mu, half = np.array(found).T
+        axes.errorbar(at, mu, half, fmt="o", ms=4, color=color, capsize=2, label=f"{kelvin:g} K")
         axes.plot(x, rail.law_at(report, x, fast[0]["kappa1"], fast[0]["kappa3"]), color=color)
     axes.plot(x, rail.SHEAR / x, "k--", lw=1, label="shear strength")
     axes.set(xlabel="pressure over strength at the temperature", xscale="log", ylim=(0, 0.8))

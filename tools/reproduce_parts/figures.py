@@ -78,13 +78,11 @@ def fig4(report: dict[str, Any], picture: str) -> list[str]:
         ["friction stress, MPa", "Eq. 2", "later", "", f"first {FIRST} ns", "over later"], rows
     )
     if len(pressures) > 2:
-        x, weights = np.log(pressures), 1 / np.array(errors)  # Eq. 2 is no power: the same weights
-        fit, covariance = np.polyfit(x, np.log(stresses), 1, w=weights, cov=True)
-        paper = np.polyfit(x, np.log(papers), 1, w=weights)[0]
-        lines.append(
-            f"stress ~ p^n: n = {fit[0]:.3f} +- {math.sqrt(covariance[0, 0]):.3f}, Eq. 2 "
-            f"{paper:.3f} (Amontons: 1)"
-        )
+        relative = np.array(errors)
+        _, n, _, n_error = power_law(np.array(pressures), np.array(stresses), relative)
+        # Eq. 2 is no power: the same weights
+        paper = np.polyfit(np.log(pressures), np.log(papers), 1, w=1 / relative)[0]
+        lines.append(f"stress ~ p^n: n = {n:.3f} +- {n_error:.3f}, Eq. 2 {paper:.3f} (Amontons: 1)")
     return lines
 
 
@@ -412,7 +410,10 @@ def convergence(report: dict[str, Any], picture: str) -> list[str]:
             difference = (mu - base[0]) / math.hypot(error, base[1])
             labels.append(f"{strength:g} MPa, {v:g} m/s: {SIZES[size]}")
             values.append(mu / base[0])
-            bars.append(half_width(sizes[size]) / base[0])
+            reach = half_width(sizes[size]) / mu
+            if size != base_of(size):
+                reach = math.hypot(reach, half_width(sizes[base_of(size)]) / base[0])
+            bars.append(reach * mu / base[0])
             rows.append(
                 [
                     labels[-1],

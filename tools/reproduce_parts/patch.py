@@ -9,6 +9,7 @@ import numpy as np
 from matplotlib import pyplot
 
 from mcawr.files import save_figure
+from mcawr.replicas import student95
 
 from . import chain, locomotive, locomotive_runs, patch_pictures, patch_runs, wheel
 from .common import Missing, table
@@ -75,6 +76,12 @@ def curve(rows: Rows, key: str = "traction_ratio") -> tuple[Any, Any, Any, list[
     return np.array(creeps), means, errors, [len(v) for v in found]
 
 
+def reach(errors: Any, seeds: list[int]) -> Any:
+    """Half the 95 % intervals of means over these numbers of seeds, whose standard errors come from
+    the seeds: Student's t; 0 of one."""
+    return np.array([e * student95(n - 1) if n > 1 else 0.0 for e, n in zip(errors, seeds)])
+
+
 def text_of(value: float, error: float = 0.0, digits: int = 3) -> str:
     return f"{value:.{digits}f}" + (f" +- {error:.{digits}f}" if error else "")
 
@@ -107,7 +114,7 @@ def fig14(tables: dict[str, Any], picture: str) -> list[str]:
         label = mode if mode == "smooth" else f"{mode}, mean of {max(count)} seeds, 95 %"
         style = {"fmt": "s" if mode == "moving" else "o-", "ms": 5 if mode == "moving" else 3}
         left.errorbar(
-            100 * creep, ratio, 1.96 * error, color=color, capsize=2, label=label, **style
+            100 * creep, ratio, reach(error, count), color=color, capsize=2, label=label, **style
         )
     for seed in {row["seed"] for row in curves["frozen"]}:
         creep, ratio, *_ = curve([r for r in curves["frozen"] if r["seed"] == seed])
@@ -154,7 +161,7 @@ def fig14(tables: dict[str, Any], picture: str) -> list[str]:
     right.errorbar(
         100 * share(moved, still["real_area"], "real_area")[0],
         share(moved, still["traction_ratio"])[0],
-        1.96 * share(moved, still["traction_ratio"])[1],
+        reach([share(moved, still["traction_ratio"])[1]], [len(by_seed(moved, "creep"))]),
         fmt="C2s",
         ms=7,
         capsize=3,
@@ -223,11 +230,11 @@ def fig15(tables: dict[str, Any], picture: str) -> list[str]:
                 found = standard(high, mode, heat=heat, speed=speed)
                 if not found:
                     continue
-                creep, ratio, error, _ = curve(found)
+                creep, ratio, error, count = curve(found)
                 axes.errorbar(
                     100 * creep,
                     ratio,
-                    1.96 * error,
+                    reach(error, count),
                     fmt=line,
                     color=f"C{k}",
                     mfc="none",
@@ -335,13 +342,13 @@ def polach(tables: dict[str, Any], picture: str) -> list[str]:
             ]
         )
         computed = standard(low, mode)
-        creep, force, error, _ = curve(computed)
+        creep, force, error, count = curve(computed)
         c11 = first(chosen(low, mode="smooth", cells=patch_runs.CELLS))["c11"]
         limit = force[-1]
         right.errorbar(
             stiffness * c11 * creep / limit,
             force / limit,
-            1.96 * error / limit,
+            reach(error, count) / limit,
             fmt="s" if mode == "moving" else "o-",
             ms=4,
             lw=1.2,

@@ -10,7 +10,7 @@ from matplotlib import pyplot
 
 from campaign_parts import plan
 from mcawr.files import save_figure
-from mcawr.replicas import NORMAL, groups, mean_of
+from mcawr.replicas import NORMAL, groups, half_width, mean_of
 
 from . import locomotive_runs as made, temperature as heat
 from .common import Missing, percent, run_name, table, with_own_errors
@@ -64,11 +64,14 @@ def rail(report: dict[str, Any], picture: str) -> list[str]:
     has_law = "fit" in report["report"]
     for color, kelvin, members in found:
         fast = at_speed(members)
-        means = {ratio: mean_of(same) for ratio, same in groups(fast, rounded).items()}
-        at, mu, error = np.array([(ratio, *mean) for ratio, mean in means.items()]).T
+        same_load = groups(fast, rounded)
+        means = {ratio: mean_of(same) for ratio, same in same_load.items()}
+        at, mu, half = np.array(
+            [(ratio, means[ratio][0], half_width(same)) for ratio, same in same_load.items()]
+        ).T
         style = {"fmt": "o", "ms": 5, "capsize": 2, "color": color}
-        left.errorbar(at, mu, 1.96 * error, label=f"{kelvin:g} K", **style)
-        right.errorbar(at, mu * at, 1.96 * error * at, **style)
+        left.errorbar(at, mu, half, label=f"{kelvin:g} K", **style)
+        right.errorbar(at, mu * at, half * at, **style)
         cells = [
             f"{means[x][0]:.3f}({1000 * means[x][1]:.0f})" if x in means else "" for x in ratios
         ]
@@ -118,11 +121,9 @@ def draw_speeds(
     for ratio in sorted({rounded(p) for p in slower_than_speed(points)}):
         same = groups([p for p in points if rounded(p) == ratio], lambda p: p["velocity"])
         found = [(v, *mean_of(members), members) for v, members in sorted(same.items())]
-        v, mu, error = np.array([row[:3] for row in found]).T
+        v, mu, half = np.array([(v, mu, half_width(same)) for v, mu, _, same in found]).T
         label = rf"{kelvin:g} K, {ratio:g} $\sigma_0$"
-        axes.errorbar(
-            v, mu, 1.96 * error, fmt=markers[ratio], ms=5, capsize=2, color=color, label=label
-        )
+        axes.errorbar(v, mu, half, fmt=markers[ratio], ms=5, capsize=2, color=color, label=label)
         any_point = found[0][3][0]
         unit = any_point["kappa1"] / any_point["velocity"] ** 2
         if law:
@@ -174,7 +175,7 @@ def checks(report: dict[str, Any], picture: str) -> list[str]:
         kelvin = heat.temperature_of(members[0], runs)
         labels.append(f"{name}, {kelvin:g} K")
         values.append(mu / base)
-        bars.append(NORMAL * error / base)
+        bars.append(NORMAL * mu / base * math.hypot(error / mu, base_error / base))
         rows.append(
             [name, f"{kelvin:g}", f"{rounded(members[0]):g}", str(len(members)),
              f"{mu:.3f} +- {error:.3f}", f"{base:.3f} +- {base_error:.3f}", percent(mu, base)]

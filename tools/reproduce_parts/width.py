@@ -27,11 +27,13 @@ def is_enough(means: dict[int, tuple[float, float]], columns: int) -> bool | Non
 
 
 def scatter_in_bins(numbers: list[float], ratios: list[float]) -> tuple[float, int]:
-    """Rule 2: (root mean square deviation of ratios from the means of their bins, a factor 2 of
-    their numbers wide, number of bins)."""
+    """Rule 2: (standard deviation of ratios from the means of their bins, a factor 2 of their
+    numbers wide, number of bins). Each bin has lost the degree of freedom of its mean, so that many
+    bins of few do not leave less by themselves; nan where every bin has one ratio only."""
     bins = groups(zip(numbers, ratios), lambda pair: math.floor(math.log2(pair[0])))
     left = [r - np.mean([y for _, y in members]) for members in bins.values() for _, r in members]
-    return float(np.sqrt(np.mean(np.square(left)))), len(bins)
+    freedom = len(left) - len(bins)
+    return (math.sqrt(np.sum(np.square(left)) / freedom) if freedom else math.nan), len(bins)
 
 
 def width(report: dict[str, Any], picture: str) -> list[str]:

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "base/errors.h"
+#include "base/statistics.h"
 #include "fit/law_fit.h"
 
 #include <cmath>
@@ -209,6 +210,29 @@ TEST(LawFit, parameterAtItsBoundDoesNotMakeOutliers)
   ASSERT_TRUE(fit.atBound[0]);
   for (double value : fit.studentised)
     EXPECT_LT(std::abs(value), 1.1 * std::sqrt(fit.chiSquared));
+}
+
+// The profile of chi^2 along the bound: the interval of mu1 is its standard error times Student's t.
+TEST(LawFit, errorsAlongABoundAreThoseOfTheProfile)
+{
+  std::mt19937_64 generator(3);
+  std::normal_distribution<double> normal;
+  auto means = paperDesign();
+  for (auto &p : means) {
+    KappaLaw law = bucher2006();
+    law.mu0 = -0.1;
+    p.mu = law(p.kappa1, p.kappa2) + 0.01 * normal(generator);
+    p.muSe = 0.01;
+  }
+  const auto fit = fitLaw(LawModel::Full, means);
+  ASSERT_TRUE(fit.atBound[0]);
+  EXPECT_EQ(fit.covariance(0, 0), 0.0);
+  EXPECT_GT(fit.intervals[0].upper, 0.0);
+  const double t = studentQuantile(0.975, fit.freedom);
+  for (const int k : {1, 2}) {
+    const double half = 0.5 * (fit.intervals[k].upper - fit.intervals[k].lower);
+    EXPECT_NEAR(half / (t * std::sqrt(fit.covariance(k, k))), 1.0, 0.1) << parameterNames[k];
+  }
 }
 
 TEST(LawFit, orderOfPointsDoesNotMatter)

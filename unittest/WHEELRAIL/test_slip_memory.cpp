@@ -4,6 +4,7 @@
 #include "contact/patch/patch_contact.h"
 #include "creep/line/creep_curve.h"
 #include "creep/patch/moving_patch.h"
+#include "creep/sweep/slip_memory.h"
 #include "law/forms/constant.h"
 #include "law/forms/polach.h"
 
@@ -180,4 +181,27 @@ TEST(SlipMemory, LimitsOnTheLine)
   const std::vector<double> moving = lineCurve("moving", "0.1 mm", creeps);
   for (std::size_t k = 0; k < frozen.size(); ++k)
     EXPECT_NEAR(moving[k], frozen[k], 3e-3 * frozen[k]) << k;
+}
+
+// Between two spots nothing slides: the second finds what the first left, as material that moves.
+TEST(SlipMemory, KeepsThroughAGap)
+{
+  const CellGrid grid{30, 1, 1e-4, 1.0};
+  const SlipMemory memory(grid, 1e-4);
+  const PolachLaw law(falling);
+  Vector pressure = Vector::Constant(30, 1e9);
+  pressure.segment(10, 10).setZero();
+  const Vector cold = Vector::Zero(30), slip = Vector::Constant(30, 0.1);
+  const Vector found = memory.steady(law, pressure, cold, speed, slip);
+  const double target = falling(0.1 * speed) / falling(0.0);
+  const auto after = [&](double cells) { return target + (1.0 - target) * std::exp(-0.1 * cells); };
+  for (int ix = 0; ix < 10; ++ix) {
+    EXPECT_NEAR(found[29 - ix], after(ix + 0.5), 1e-12) << ix;
+    EXPECT_NEAR(found[9 - ix], after(10 + ix + 0.5), 1e-12) << ix;
+  }
+  // material that moves with the grid's cells, from the largest x on
+  double moving = 1.0;
+  for (int ix = 29; ix >= 0; --ix)
+    moving = memory.after(Vector::Constant(30, moving), law, pressure, cold, speed, slip)[ix];
+  EXPECT_NEAR(moving, after(20), 1e-12);
 }

@@ -14,6 +14,7 @@ import forked_scripts
 from campaign_parts import plan as plans
 from friction_logs import eq2, friction_log
 from mcawr import archive
+from reproduce_parts import width
 from test_plot_layer import HEAD, frame
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -144,6 +145,17 @@ def test_materials_compares_conditions_that_both_sets_of_laws_have(tmp_path):
         numbers = [float(word) for word in re.findall(r"[-+]?\d+\.\d+", found[0])]
         assert numbers[0] == numbers[3] == pytest.approx(rms, abs=0.2)
         assert abs(numbers[4]) < 0.01
+
+
+def test_scatter_in_bins_counts_degrees_of_freedom():
+    """Of pure noise many small bins leave as much as few large ones."""
+    noise = numpy.random.default_rng(1).normal(1, 0.1, 4000)
+    few = width.scatter_in_bins([2 ** (k % 4) for k in range(4000)], noise)
+    many = width.scatter_in_bins([2 ** (k // 2 % 1000) for k in range(4000)], noise)
+    pairs = width.scatter_in_bins([2 ** (k % 2000 // 2) for k in range(2000)], noise[:2000])
+    for (scatter, bins), count in ((few, 4), (many, 1000), (pairs, 1000)):
+        assert bins == count and scatter == pytest.approx(0.1, rel=0.05)
+    assert numpy.isnan(width.scatter_in_bins([1, 2], [1.0, 1.1])[0])
 
 
 def test_law_of_speed_and_a_third_number(tmp_path):

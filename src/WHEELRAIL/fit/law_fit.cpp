@@ -309,22 +309,22 @@ LawFit fitLaw(LawModel model, const std::vector<ConditionMean> &means, double le
     fit.atBound[k] = !problem.constant[k] && (solution.x[k] - problem.lower[k] < near * range ||
                                               problem.upper[k] - solution.x[k] < near * range);
   }
-  // a parameter at its bound counts as free: what the data say of the others depends on it
+  // Whether the conditions determine the parameters at all is asked of all of them. Errors are
+  // those along the bound: (J^T J)^-1 is that of a minimum, which a bound across which the sum of
+  // squares falls is not.
   const auto analysis = analyseJacobian(solution.jacobian, problem.constant);
   fit.conditionNumber = analysis.conditionNumber;
   fit.notIdentifiable = explainWeakness(fit, solution.x, analysis, problem);
-  fit.parameters = solution.x;
-  fit.covariance = analysis.covariance;
-  fit.law.covariance = analysis.covariance.topLeftCorner<lawParameters, lawParameters>();
-  if (hasKappa3(model))
-    fit.reference = reference;
-  fit.law.n = n;
-  // but the fit cannot follow a condition with it
   auto held = problem.constant;
   for (int k = 0; k < fitParameters; ++k)
     held[k] = held[k] || fit.atBound[k];
-  fillResiduals(fit, means, fitted, sigma, solution.jacobian,
-                analyseJacobian(solution.jacobian, held).covariance);
+  fit.parameters = solution.x;
+  fit.covariance = analyseJacobian(solution.jacobian, held).covariance;
+  fit.law.covariance = fit.covariance.topLeftCorner<lawParameters, lawParameters>();
+  if (hasKappa3(model))
+    fit.reference = reference;
+  fit.law.n = n;
+  fillResiduals(fit, means, fitted, sigma, solution.jacobian, fit.covariance);
   fit.law.kappa1Range = rangeOf(means, &ConditionMean::kappa1);
   fit.law.kappa2Range = rangeOf(means, &ConditionMean::kappa2);
   fit.law.kappa3Range = rangeOf(means, &ConditionMean::kappa3);

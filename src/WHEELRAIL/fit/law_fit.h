@@ -19,8 +19,9 @@ namespace wheelrail {
 /// scatter is what runs differ by beyond their own standard errors, relative to mu; it is the
 /// value that makes chi^2 equal to the degrees of freedom (Paule and Mandel, J. Res. NBS 87
 /// (1982) 377), zero if the standard errors alone explain the residuals. The covariance is (J^T
-/// J)^-1 with these weights; a parameter at its bound counts as free in it, but as held in the
-/// leverage, which says how far the fit follows each condition.
+/// J)^-1 with these weights; a parameter at its bound counts as held in it, with an error of 0, and
+/// in the leverage, which says how far the fit follows each condition. The condition number counts
+/// it as free.
 struct LawFit {
   LawModel model = LawModel::Full;
   KappaLaw law; ///< Eq. 2's parameters and what it was fitted on; with a power of kappa3: at the

@@ -39,7 +39,7 @@ Vector SlipMemory::steady(const FrictionLaw &law, const Vector &pressure, const 
     double incoming = 1.0;
     for (int ix = grid_.nx - 1; ix >= 0; --ix) {
       const int i = grid_.index(ix, iy);
-      const double rest = pressure[i] > 0.0 ? left(slip, i) : 0.0;
+      const double rest = pressure[i] > 0.0 ? left(slip, i) : 1.0; // as in after()
       // the friction of a cell is that in its middle
       ratio[i] = target[i] + (incoming - target[i]) * std::sqrt(rest);
       incoming = target[i] + (incoming - target[i]) * rest;

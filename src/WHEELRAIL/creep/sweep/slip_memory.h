@@ -19,8 +19,8 @@ class SlipMemory {
   /// \param length way of sliding, m, > 0
   SlipMemory(const CellGrid &grid, double length) : grid_(grid), length_(length) {}
 
-  /// r in the middle of all cells in steady rolling: material that enters the contact anywhere has
-  /// 1.
+  /// r in the middle of all cells in steady rolling: material that enters the grid has 1, and keeps
+  /// its r between the spots of a rough contact.
   /// \param speed  v0, m/s
   /// \param slip   sliding distance / rolling distance of each cell; its sign does not count
   Eigen::VectorXd steady(const FrictionLaw &law, const Eigen::VectorXd &pressure,
@@ -28,7 +28,7 @@ class SlipMemory {
                          const Eigen::VectorXd &slip) const;
   /// r of the material in the cells at the end of a step of one cell, in which the next one finds
   /// it: half a cell late.
-  /// \param before at its start: what of it comes in has 1, what leaves the contact keeps its r
+  /// \param before at its start: what of it comes in has 1, what is out of contact keeps its r
   Eigen::VectorXd after(const Eigen::VectorXd &before, const FrictionLaw &law,
                         const Eigen::VectorXd &pressure, const Eigen::VectorXd &temperature,
                         double speed, const Eigen::VectorXd &slip) const;
