@@ -33,7 +33,8 @@ def draw_fragment(axes: Any) -> None:
 def draw_law(axes: Any, report: dict[str, Any]) -> None:
     """mu of the logs over p/sigma_0 and the law, colours by temperature."""
     x = np.geomspace(0.025, 3, 200)
-    for color, kelvin, members in rail.by_temperature(report):
+    found_at = rail.by_temperature(report)
+    for (color, kelvin, members), aside in zip(found_at, rail.shifts(len(found_at))):
         fast = rail.at_speed(members)
         found = [
             (ratio, mean_of(same)[0], half_width(same))
@@ -43,7 +44,7 @@ def draw_law(axes: Any, report: dict[str, Any]) -> None:
         axes.errorbar(at, mu, half, fmt="o", ms=4, color=color, capsize=2, label=f"{kelvin:g} K")
         axes.plot(x, rail.law_at(report, x, fast[0]["kappa1"], fast[0]["kappa3"]), color=color)
     axes.plot(x, rail.SHEAR / x, "k--", lw=1, label="shear strength")
-    axes.set(xlabel="pressure over strength at the temperature", xscale="log", ylim=(0, 0.8))
+    axes.set(xlabel="pressure over strength at the temperature", xscale="log", ylim=(0, 0.9))
     axes.set_ylabel(r"$\mu$")
     axes.set_title("friction coefficient of rail steel", fontsize=11)
     axes.grid(alpha=0.3)

@@ -17,9 +17,10 @@ def dots(
     xlabel: Any,
     lines: Any = (),
     band: Any = None,
+    heading: str = "",
 ) -> None:
-    """A row for each label: value with its 95 % interval; vertical lines (x, style, label); a
-    band."""
+    """A row for each label: value with its 95 % interval; vertical lines (x, style, label); a band;
+    a heading above the labels."""
     figure, axes = pyplot.subplots(figsize=(7.5, 1.2 + 0.3 * len(labels)), constrained_layout=True)
     rows = np.arange(len(labels))[::-1]
     axes.errorbar(values, rows, xerr=bars, fmt="o", capsize=2, label="our runs, 95 %")
@@ -28,6 +29,7 @@ def dots(
     if band:
         axes.axvspan(band[0], band[1], color="C1", alpha=0.2, lw=0, label=band[2])
     axes.set_yticks(rows, labels)
+    axes.text(-0.02, 1.02, heading, transform=axes.transAxes, ha="right", fontsize=9)
     axes.set(xlabel=xlabel, ylim=(-0.7, len(labels) - 0.3))
     axes.grid(alpha=0.3, axis="x")
     axes.legend(

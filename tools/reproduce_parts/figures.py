@@ -334,6 +334,7 @@ def collapse_of(points: list[dict[str, Any]], picture: str) -> list[str]:
         "friction coefficient $\\mu$",
         [(mean, dict(color="C1"), "their mean"), (paper, dict(color="k", ls="--"), "Eq. 2")],
         (mean * (1 - PAPER_COLLAPSE), mean * (1 + PAPER_COLLAPSE), "$\\pm$ 3.5 % (paper)"),
+        "MPa, m/s, MPa, GPa, g/cm$^3$, Pa s",
     )
     scatter, own = scatter_of(mu, errors)
     rows = [

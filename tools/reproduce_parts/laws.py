@@ -193,17 +193,23 @@ def sets_of(plan: str, points: list[dict[str, Any]]) -> list[Found]:
 
 
 def draw(sets: list[Found], picture: str) -> None:
-    """mu over Eq. 2 at each condition, a row for each set."""
-    figure, axes = pyplot.subplots(figsize=(8, 1.5 + 0.24 * len(sets)), layout="constrained")
-    for number, condition in enumerate((*FIRST, *SECOND)):
+    """mu over Eq. 2 at each condition, a row for each set; where they are few, a condition has its
+    own height in it."""
+    few = len(sets) <= 10
+    height = 1.5 + (0.7 if few else 0.24) * len(sets)
+    figure, axes = pyplot.subplots(figsize=(8, height), layout="constrained")
+    conditions = (*FIRST, *SECOND)
+    shifts = np.linspace(-0.36, 0.36, len(conditions)) if few else np.zeros(len(conditions))
+    for number, condition in enumerate(conditions):
         rows = [(k, s) for k, s in enumerate(sets) if condition in s.mu]
         if not rows:
             continue
         axes.errorbar(
             [s.mu[condition].value / s.paper[condition] for _, s in rows],
-            [k for k, _ in rows],
+            [k + shifts[number] for k, _ in rows],
             xerr=[s.mu[condition].error / s.paper[condition] for _, s in rows],
             fmt="osD^v<>phdX"[number],
+            color=f"C{number}" if number < 10 else "k",
             ms=4,
             lw=1,
             mfc=None if condition in FIRST else "none",

@@ -113,7 +113,9 @@ def told(law: dict[str, Any]) -> str:
     """The parameters of a fitted law with their standard errors, in a line."""
     found = law["report"]["fit"]["parameters"]
     numbers = (
-        f"{name} = {p['value']:.3g} +- {p['standard_error']:.2g}" for name, p in found.items()
+        f"{name} = {p['value']:.3g} "
+        + ("at its bound" if p["at_bound"] else f"+- {p['standard_error']:.2g}")
+        for name, p in found.items()
     )
     return f"{', '.join(numbers)}; {law['n']} conditions, rms {100 * law['rms_relative']:.1f} %"
 

@@ -36,8 +36,13 @@ def by_temperature(report: dict[str, Any]) -> list[tuple[Any, float, list[dict[s
     runs = [run.values for run in plan.read(plan.find("rail")).runs]
     points = [p for p in report["report"]["points"] if not p["left_out"]]
     found = groups(points, lambda point: heat.temperature_of(point, runs))
-    colors = pyplot.get_cmap("inferno")(np.linspace(0.05, 0.85, len(found)))
+    colors = pyplot.get_cmap("turbo")(np.linspace(0.05, 0.92, len(found)))
     return [(color, kelvin, members) for color, (kelvin, members) in zip(colors, found.items())]
+
+
+def shifts(count: int) -> Any:
+    """Factors that set the points of so many temperatures at one load beside each other."""
+    return np.geomspace(0.92, 1 / 0.92, count)
 
 
 def at_speed(points: list[dict[str, Any]]) -> list[dict[str, Any]]:
@@ -62,7 +67,7 @@ def rail(report: dict[str, Any], picture: str) -> list[str]:
     rows, speeds = [], []
     x = np.geomspace(0.8 * min(ratios), 1.15 * max(ratios), 200)
     has_law = "fit" in report["report"]
-    for color, kelvin, members in found:
+    for (color, kelvin, members), aside in zip(found, shifts(len(found))):
         fast = at_speed(members)
         same_load = groups(fast, rounded)
         means = {ratio: mean_of(same) for ratio, same in same_load.items()}
@@ -70,8 +75,8 @@ def rail(report: dict[str, Any], picture: str) -> list[str]:
             [(ratio, means[ratio][0], half_width(same)) for ratio, same in same_load.items()]
         ).T
         style = {"fmt": "o", "ms": 5, "capsize": 2, "color": color}
-        left.errorbar(at, mu, half, label=f"{kelvin:g} K", **style)
-        right.errorbar(at, mu * at, half * at, **style)
+        left.errorbar(at * aside, mu, half, label=f"{kelvin:g} K", **style)
+        right.errorbar(at * aside, mu * at, half * at, **style)
         cells = [
             f"{means[x][0]:.3f}({1000 * means[x][1]:.0f})" if x in means else "" for x in ratios
         ]
@@ -87,7 +92,7 @@ def rail(report: dict[str, Any], picture: str) -> list[str]:
         axes.plot(x, SHEAR * factor, "k--", lw=1, label=r"shear strength, $\sigma_0/\sqrt{3}$")
         axes.set(xlabel=r"$p/\sigma_0(T)$", xscale="log")
         axes.grid(alpha=0.3)
-    left.set(ylabel=r"$\mu$", ylim=(0, 0.8))
+    left.set(ylabel=r"$\mu$", ylim=(0, 0.9))
     right.set(ylabel=r"friction stress over $\sigma_0(T)$", ylim=(0, 0.65))
     left.legend(fontsize=8, ncols=2, loc="lower left", title=f"lines: law, {SPEED:g} m/s")
     for axes in slow:

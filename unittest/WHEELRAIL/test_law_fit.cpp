@@ -212,7 +212,8 @@ TEST(LawFit, parameterAtItsBoundDoesNotMakeOutliers)
     EXPECT_LT(std::abs(value), 1.1 * std::sqrt(fit.chiSquared));
 }
 
-// The profile of chi^2 along the bound: the interval of mu1 is its standard error times Student's t.
+// The profile of chi^2 along the bound: the interval of mu1 is its standard error times Student's
+// t.
 TEST(LawFit, errorsAlongABoundAreThoseOfTheProfile)
 {
   std::mt19937_64 generator(3);

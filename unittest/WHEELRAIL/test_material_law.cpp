@@ -4,10 +4,12 @@
 #include "base/errors.h"
 #include "creep/patch/moving_patch.h"
 #include "fit/law_fit.h"
+#include "fit/material_fit.h"
 #include "law/forms/material.h"
 #include "law/friction_laws.h"
 #include "law/material_law.h"
 
+#include <Eigen/Dense>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -234,6 +236,38 @@ TEST(MuTable, ItsPowerOfTheSpeedGoesWithThePressure)
   EXPECT_DOUBLE_EQ(changed.speed.exponent[1], 0.17);
   changed.speed = {};
   EXPECT_EQ(changed(0.7, 500.0, 1.0), changed(0.7, 500.0, 5.0));
+}
+
+/// Three speeds at one pressure and temperature: the line through all of them by their own errors,
+/// so that a wrong value at the usual speed does not tilt it.
+TEST(MuTable, PowerOfTheSpeedIsTheSlopeThroughAllSpeeds)
+{
+  const std::array<double, 3> speeds = {5.0, 2.0, 0.5}, mus = {0.36, 0.28, 0.26},
+                              errors = {0.06, 0.003, 0.004};
+  std::vector<FrictionRun> runs(4);
+  std::vector<FitCondition> conditions(4);
+  for (int i = 0; i < 4; ++i) {
+    const int k = std::min(i, 2);
+    runs[i].temperature = i < 3 ? 293.0 : 873.0; // the usual speed is that of most
+    runs[i].head.velocity = i < 3 ? speeds[k] : 5.0;
+    conditions[i].runs = {static_cast<std::size_t>(i)};
+    conditions[i].mean = {1.0, 100.0, mus[k], errors[k]};
+    conditions[i].mean.kappa3 = 200.0;
+  }
+  Eigen::Matrix<double, 3, 2> line;
+  Eigen::Vector3d y;
+  for (int k = 0; k < 3; ++k) {
+    const double weight = mus[k] / errors[k];
+    line.row(k) << weight, weight * std::log(speeds[k] / 5.0);
+    y[k] = weight * std::log(mus[k]);
+  }
+  const Eigen::Matrix2d covariance = (line.transpose() * line).inverse();
+  const Eigen::Vector2d found = covariance * line.transpose() * y;
+  const MuTable table = tableOf(conditions, runs);
+  ASSERT_EQ(table.speed.ratio, std::vector<double>{0.5});
+  EXPECT_NEAR(table.speed.exponent[0], found[1], 1e-12);
+  const double scatter = std::sqrt(std::max(1.0, (y - line * found).squaredNorm()));
+  EXPECT_NEAR(table.speed.exponentSe[0], scatter * std::sqrt(covariance(1, 1)), 1e-12);
 }
 
 TEST(SofteningMaterial, KnowsTheTemperatureOfARun)

@@ -213,11 +213,12 @@ std::string fitLines(const FitAnalysis &analysis)
   for (int k = 0; k < fitParameters; ++k) {
     if (!free[k])
       continue;
-    text +=
-        fmt::format("  {:<4} = {:>9.5g} +- {:<9.3g} {:g} % interval {}{}{}\n", parameterNames[k],
-                    fit.parameters[k], standardError(fit, k), 100.0 * analysis.options.level,
-                    intervalText(fit.intervals[k]), fit.atBound[k] ? " (at its bound)" : "",
-                    k < S ? fmt::format("; paper {:.5g}", papers[k]) : "");
+    const std::string error =
+        fit.atBound[k] ? "at its bound" : fmt::format("+- {:.3g}", standardError(fit, k));
+    text += fmt::format("  {:<4} = {:>9.5g} {:<12} {:g} % interval {}{}\n", parameterNames[k],
+                        fit.parameters[k], error, 100.0 * analysis.options.level,
+                        intervalText(fit.intervals[k]),
+                        k < S ? fmt::format("; paper {:.5g}", papers[k]) : "");
   }
   text +=
       fmt::format("  RMS of (mu - fit)/fit {:.2f} %, scatter beyond the standard errors {:.2f} %,"

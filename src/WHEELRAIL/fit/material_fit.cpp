@@ -5,6 +5,7 @@
 #include "base/si.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <fmt/format.h>
 #include <map>
@@ -81,62 +82,85 @@ double commonSpeed(const std::vector<Place> &places)
       ->first;
 }
 
-/// A straight line through 0 by weighted least squares.
-struct LineThrough0 {
-  double xx = 0.0, xy = 0.0, yy = 0.0;
-  int count = 0;
-
-  void add(double x, double y, double variance)
+/// The slope of straight lines that share it, each with a level of its own: weighted least squares.
+class CommonSlope {
+ public:
+  /// The points of one line: x, y and the variance of y.
+  void addLine(const std::vector<std::array<double, 3>> &points)
   {
-    const double weight = variance > 0.0 ? 1.0 / variance : 1.0;
-    xx += weight * x * x;
-    xy += weight * x * y;
-    yy += weight * y * y;
-    ++count;
+    double sum = 0.0, x = 0.0, y = 0.0;
+    for (const auto &point : points) {
+      sum += weight(point);
+      x += weight(point) * point[0];
+      y += weight(point) * point[1];
+    }
+    for (const auto &point : points) {
+      const double dx = point[0] - x / sum, dy = point[1] - y / sum;
+      xx_ += weight(point) * dx * dx;
+      xy_ += weight(point) * dx * dy;
+      yy_ += weight(point) * dy * dy;
+    }
+    freedom_ += static_cast<int>(points.size()) - 1;
   }
-  double slope() const { return xy / xx; }
-  /// Larger where the points are further from the line than their errors.
+  double slope() const { return xy_ / xx_; }
+  /// Larger where the points are further from the lines than their errors.
   double slopeSe() const
   {
-    const double rest = std::max(0.0, yy - xy * xy / xx);
-    return std::sqrt((count > 1 ? std::max(1.0, rest / (count - 1)) : 1.0) / xx);
+    const double rest = std::max(0.0, yy_ - xy_ * xy_ / xx_);
+    return std::sqrt((freedom_ > 0 ? std::max(1.0, rest / freedom_) : 1.0) / xx_);
   }
+
+ private:
+  static double weight(const std::array<double, 3> &point)
+  {
+    return point[2] > 0.0 ? 1.0 / point[2] : 1.0;
+  }
+  double xx_ = 0.0, xy_ = 0.0, yy_ = 0.0;
+  int freedom_ = -1;
 };
 
-/// ln mu over that beside it against ln of the speeds: at each p/sigma_0 a line, whatever the
-/// temperature.
+/// ln mu against ln of the speed: at each p/sigma_0 a slope, whatever the temperature.
 void fitSpeed(MuTable &table, const std::vector<Place> &places)
 {
-  std::map<double, LineThrough0> lines; // by p/sigma_0
-  for (const Place &place : places) {
+  std::map<double, CommonSlope> slopes; // by p/sigma_0
+  for (const Place &place : places)
     if (place.speed == 0.0)
       throw Error(ExitCode::NotConverged,
                   fmt::format("{}: does not slide, 0 m/s: a table cannot hold it, its values go "
                               "with a power of the speed",
                               place.run->file));
-    if (close(place.speed, table.speed.reference))
+  const auto isCommon = [&](const Place &place) {
+    return close(place.speed, table.speed.reference);
+  };
+  for (const Place &place : places) {
+    if (!isCommon(place)) {
+      Range &range = table.speed.range;
+      range = {std::min(range[0], place.speed), std::max(range[1], place.speed)};
+      if (std::none_of(places.begin(), places.end(), [&](const Place &other) {
+            return besideEachOther(place, other) && isCommon(other);
+          }))
+        throw Error(ExitCode::NotConverged,
+                    fmt::format("{}: no condition of {:g} m/s has its pressure and temperature: a "
+                                "table cannot hold it",
+                                place.run->file, table.speed.reference));
       continue;
-    const auto partner = std::find_if(places.begin(), places.end(), [&](const Place &other) {
-      return besideEachOther(place, other) && close(other.speed, table.speed.reference);
+    }
+    std::vector<std::array<double, 3>> line;
+    for (const Place &other : places)
+      if (besideEachOther(other, place))
+        line.push_back({std::log(other.speed / table.speed.reference), std::log(other.mu),
+                        std::pow(other.error / other.mu, 2)});
+    if (line.size() < 2)
+      continue;
+    const auto known = std::find_if(slopes.begin(), slopes.end(), [&](const auto &slope) {
+      return close(place.ratio, slope.first);
     });
-    if (partner == places.end())
-      throw Error(ExitCode::NotConverged,
-                  fmt::format("{}: no condition of {:g} m/s has its pressure and temperature: a "
-                              "table cannot hold it",
-                              place.run->file, table.speed.reference));
-    const auto known = std::find_if(lines.begin(), lines.end(), [&](const auto &line) {
-      return close(place.ratio, line.first);
-    });
-    (known == lines.end() ? lines[place.ratio] : known->second)
-        .add(std::log(place.speed / table.speed.reference), std::log(place.mu / partner->mu),
-             std::pow(place.error / place.mu, 2) + std::pow(partner->error / partner->mu, 2));
-    Range &range = table.speed.range;
-    range = {std::min(range[0], place.speed), std::max(range[1], place.speed)};
+    (known == slopes.end() ? slopes[place.ratio] : known->second).addLine(line);
   }
-  for (const auto &[ratio, line] : lines) {
+  for (const auto &[ratio, slope] : slopes) {
     table.speed.ratio.push_back(ratio);
-    table.speed.exponent.push_back(line.slope());
-    table.speed.exponentSe.push_back(line.slopeSe());
+    table.speed.exponent.push_back(slope.slope());
+    table.speed.exponentSe.push_back(slope.slopeSe());
   }
 }
 
