@@ -282,6 +282,7 @@ def test_flat_blocks_are_told(tmp_path):
 
 SHIPPED = {
     "paper36": 72,
+    "paper36-d": 72,
     "equal-kappas": 20,
     "similar": 30,
     "velocity": 16,
@@ -314,10 +315,10 @@ def test_shipped_plans(name, least):
     assert campaign("list", name).returncode == 0
 
 
-SLIDING = ["paper36", "equal-kappas", "similar", "velocity", "pressure", "viscosity", "roughness"]
+PAPER = ["paper36", "paper36-d", "equal-kappas", "similar", "velocity", "pressure"]
 
 
-@pytest.mark.parametrize("name", [*SLIDING, "own-material"])
+@pytest.mark.parametrize("name", [*PAPER, "viscosity", "roughness", "own-material"])
 def test_runs_slide_500_nm(name):
     for run in plans.read(plans.find(name)).runs:
         assert run.values["v"] * run.values["ns"] >= 499.9, run.name
