@@ -159,6 +159,25 @@ def test_forces_find_the_creepages(case, tmp_path):
     run(case, tmp_path / "more", code=3)
 
 
+@pytest.mark.parametrize(
+    "law", ["{law: constant, mu: 0.3}", "{law: polach, mu0: 0.3, A: 0.5, B: 1 s/m}"]
+)
+def test_no_force_no_creep(law, case, tmp_path):
+    """Whatever the point before."""
+    text = case.read_text(encoding="utf-8").replace("creep: [1e-3]\n", "")
+    case.write_text(text, encoding="utf-8")
+    for axis, creep, rest in (("longitudinal", "creep", ()), ("lateral", "lateral", ("creep=0",))):
+        changes = (f"friction={law}", f"force.{axis}=[-500 N, 0 N, 500 N]", *rest)
+        rows = creep_rows(case, tmp_path / axis, *changes)
+        found = numbers(rows, creep)
+        assert found[0] == pytest.approx(-found[2], rel=1e-4) and found[0] > 1e-4
+        assert found[1] == 0
+    both = ("force.longitudinal=[500 N, 0 N]", "force.lateral=[500 N, 0 N]")
+    rows = creep_rows(case, tmp_path / "both", f"friction={law}", *both)
+    (free,) = (row for row in rows if float(row["traction"]) == 0)
+    assert float(free["creep"]) == float(free["lateral"]) == 0
+
+
 def test_signs_and_per_cent(case, tmp_path):
     rows = creep_rows(case, tmp_path / "out", "creep=[-0.1 %, 0, 0.1 %]")
     force = numbers(rows, "force_x")

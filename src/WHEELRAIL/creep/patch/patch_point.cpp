@@ -272,10 +272,8 @@ PatchPoint FrozenPatch::solve(const FrictionLaw &law, double speed, const PatchD
     const double heatStep = (next - fields_.temperature).cwiseAbs().maxCoeff() /
                             (temperatureTolerance * physics_.strengthOf(law).vanishingTemperature);
     const double size = std::hypot(creepage_.xi, creepage_.eta);
-    const double creepStep =
-        slides ? std::hypot(creepage_.xi - before.xi, creepage_.eta - before.eta) /
-                     (creepTolerance * size)
-               : 0.0;
+    const double moved = std::hypot(creepage_.xi - before.xi, creepage_.eta - before.eta);
+    const double creepStep = slides && moved > 0.0 ? moved / (creepTolerance * size) : 0.0;
     const double memoryStep = (remembered - memoryRatio_).cwiseAbs().maxCoeff() / memoryTolerance;
     const double step = std::max({heatStep, creepStep, memoryStep});
     if (!feedback) { // G does not depend on its argument: one turn is the solution

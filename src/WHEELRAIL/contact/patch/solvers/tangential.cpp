@@ -354,6 +354,10 @@ TangentialResult TangentialSolver::solve(const TangentialProblem &problem,
   setForces(grid, problem, scaled);
   // neither creepage nor force nor a displacement that is left: nothing moves
   if (!(scaled.equations.scale > 0.0)) {
+    if (problem.forceX) // what was given beside a force is a guess
+      result.creepage.xi = 0.0;
+    if (problem.forceY)
+      result.creepage.eta = 0.0;
     fill(PatchState::Stick, scaled.wholeIndex);
     return result;
   }
