@@ -25,6 +25,25 @@ TEST(CreepUnderForce, TheNearestToZeroWhereFrictionFalls)
   EXPECT_NEAR(creepUnder(2e-3, traction), 0.0020871, 1e-7); // the other one is at 0.0479
 }
 
+/// The peak, 5e-3 at creep 0.01, is between two of the creeps that are tried: 0.0082 and 0.0164,
+/// with 4.9e-3 and 4.4e-3.
+TEST(CreepUnderForce, JustBelowThePeak)
+{
+  const auto traction = [](double creep) { return creep / (1.0 + 1e4 * creep * creep); };
+  for (double force : {4.95e-3, 4.9999e-3, -4.9999e-3}) {
+    const double creep = creepUnder(force, traction);
+    EXPECT_NEAR(traction(creep), force, 1e-10);
+    EXPECT_LT(std::abs(creep), 0.01);
+  }
+  try {
+    creepUnder(5.01e-3, traction);
+    FAIL();
+  } catch (const Error &error) {
+    EXPECT_STREQ(error.what(), "force.per_length: 0.00501 N/m is more than is carried: 0.005 N/m "
+                               "at creep 0.01");
+  }
+}
+
 TEST(CreepUnderForce, SlidingAtRestIsLeft)
 {
   // unlike bodies with little friction slip without creep, some cells less, and turn far from it
