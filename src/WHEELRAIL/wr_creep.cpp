@@ -122,8 +122,9 @@ void run(const Settings &settings)
   try {
     warn(task->solve(law, options));
     ResultFiles files(settings.folder, resultHead(task->axes(), input.text));
-    finish(settings, input, task->report({input.text, *law, settings.extra}, files), files,
-           journal);
+    const ReportContext context{input.text, *law, settings.extra,
+                                [&] { return !options.stopped(); }};
+    finish(settings, input, task->report(context, files), files, journal);
   } catch (const mcawr::OutputError &error) {
     throw Error(ExitCode::Io,
                 fmt::format("{}; no result is written{}", error.what(), journal.whatIsKept()));

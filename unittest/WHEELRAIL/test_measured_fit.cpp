@@ -16,6 +16,10 @@ using namespace wheelrail;
 namespace {
 
 constexpr double load = 1e5;
+bool always()
+{
+  return true;
+}
 
 PatchContact steelWheel()
 {
@@ -160,9 +164,10 @@ TEST(MeasuredFit, FindsPolachsParameters)
     return curve;
   };
   const std::vector<MeasuredTraction> curve = curveWith(noise);
-  const MeasuredFit fit = fitMeasured(curve, cold(), contact, 0.5, ConstantLaw(0.3), ellipse);
+  const MeasuredFit fit =
+      fitMeasured(curve, cold(), contact, 0.5, ConstantLaw(0.3), ellipse, always);
   const MeasuredFit clean =
-      fitMeasured(curveWith(rounding), cold(), contact, 0.5, ConstantLaw(0.3), ellipse);
+      fitMeasured(curveWith(rounding), cold(), contact, 0.5, ConstantLaw(0.3), ellipse, always);
   for (const auto &[name, value] : {std::pair{"mu0", known.mu0},
                                     {"A", known.A},
                                     {"B", known.B},
@@ -198,9 +203,10 @@ TEST(MeasuredFit, FindsTheLayer)
     return curve;
   };
   const std::vector<MeasuredTraction> curve = curveWith(noise);
-  const MeasuredFit fit = fitMeasured(curve, physics, contact, 0.5, ConstantLaw(0.3), ellipse);
+  const MeasuredFit fit =
+      fitMeasured(curve, physics, contact, 0.5, ConstantLaw(0.3), ellipse, always);
   const MeasuredFit clean =
-      fitMeasured(curveWith(rounding), physics, contact, 0.5, ConstantLaw(0.3), ellipse);
+      fitMeasured(curveWith(rounding), physics, contact, 0.5, ConstantLaw(0.3), ellipse, always);
   expectHolds(fit.layer, "mu0", 0.35);
   expectHolds(fit.layer, "compliance", layered.pair.layer);
   expectExactly(clean.layer, "mu0", 0.35, 2e-3); // what the interpolation leaves
@@ -219,6 +225,7 @@ TEST(MeasuredFit, SaysWhereACurveSaysNothing)
   std::vector<MeasuredTraction> curve;
   for (const double creep : {0.05, 0.1, 0.15})
     curve.push_back({creep, 10.0, 0.3});
-  EXPECT_THROW(fitMeasured(curve, cold(), contact, 0.5, ConstantLaw(0.3), ellipseOf(contact)),
-               Error);
+  EXPECT_THROW(
+      fitMeasured(curve, cold(), contact, 0.5, ConstantLaw(0.3), ellipseOf(contact), always),
+      Error);
 }

@@ -2,9 +2,12 @@
 """wr_creep --fit-measured: laws fitted to a measured traction curve, apart from a prediction."""
 
 import json
+import signal
+import subprocess
+import time
 
 import pytest
-from patch_runs import CASE, numbers, run, table
+from patch_runs import BIN, CASE, numbers, run, table
 
 CURVE = "# speed: km/h\n# creep: %\ncreep,speed,traction_ratio\n" + "".join(
     f"{creep},36,{ratio}\n"
@@ -47,6 +50,22 @@ def test_fit(files):
     summary = json.loads((out / "summary.json").read_text(encoding="utf-8"))
     assert {"measured_fit.csv", "measured_fit.json"} <= set(summary["files"])
     assert (files / "curve.csv").read_text(encoding="utf-8") == CURVE
+
+
+def test_an_interrupted_fit_keeps_the_points(files):
+    """The points of the case are in the journal when the fit begins."""
+    command = [BIN, files / "case.yaml", "-o", files / "out", "--set", "cells=[256, 256]"]
+    command += ["--fit-measured", files / "curve.csv"]
+    running = subprocess.Popen(command, stderr=subprocess.PIPE, text=True)
+    journal = files / "out/wr_creep.journal"
+    end = time.monotonic() + 120
+    while not journal.exists() and running.poll() is None and time.monotonic() < end:
+        time.sleep(0.05)
+    running.send_signal(signal.SIGTERM)
+    message = running.communicate(timeout=60)[1]
+    assert running.returncode == 6, message
+    assert "run the same command again" in message
+    assert journal.exists() and not (files / "out/creep.csv").exists()
 
 
 def test_too_few_values_are_named_with_their_file(files):

@@ -109,7 +109,8 @@ class Result {
   virtual py::dict fields() const = 0;
   virtual py::dict series() const { return {}; }
   virtual std::string polach() const { refuseFit("polach()"); }
-  virtual std::string fitMeasured(const std::string & /*path*/) const
+  virtual std::string fitMeasured(const std::string & /*path*/,
+                                  const std::function<bool()> & /*goOn*/) const
   {
     refuseFit("fit_measured()");
   }
@@ -238,12 +239,12 @@ class PatchResult final : public ResultOf<PatchSpecification, PatchCurves> {
     const PolachContact contact = polachContact(curves);
     return polachJson(choosePolach(polachPoints(curves), contact), contact);
   }
-  std::string fitMeasured(const std::string &path) const override
+  std::string fitMeasured(const std::string &path, const std::function<bool()> &goOn) const override
   {
     if (asked.mode == PatchMode::Static || asked.sequence.any())
       refuseFit("fit_measured()");
-    return measuredJson(wheelrail::fitMeasured(readMeasuredCurve(path, asked), asked, curves, *law),
-                        path);
+    return measuredJson(
+        wheelrail::fitMeasured(readMeasuredCurve(path, asked), asked, curves, *law, goOn), path);
   }
 
  private:
@@ -296,6 +297,18 @@ std::unique_ptr<Result> solve(const Case &input, int threads, const py::object &
     throw;
   }
   return result;
+}
+
+std::string fitMeasured(const Result &result, const std::string &path)
+{
+  Signals signals;
+  try {
+    const py::gil_scoped_release others;
+    return result.fitMeasured(path, [&] { return !signals.raised(); });
+  } catch (const Error &error) {
+    signals.rethrow();
+    throw;
+  }
 }
 
 Case caseOf(const py::object &source, const std::optional<py::dict> &changes)
@@ -424,7 +437,7 @@ void addCase(py::module_ &module)
       .def(
           "fit_measured",
           [](const Result &result, const std::string &path) {
-            return fromJson(result.fitMeasured(path));
+            return fromJson(fitMeasured(result, path));
           },
           py::arg("path"),
           "Polach's form and an interfacial layer fitted to a measured traction curve (CSV: "
@@ -432,7 +445,7 @@ void addCase(py::module_ &module)
           "speed, traction_ratio), as --fit-measured writes it in measured_fit.json. Raises\n"
           "NotConverged where the curve does not determine them, BadInput for a file that cannot "
           "be\n"
-          "read, UsageError for another contact.");
+          "read, UsageError for another contact. Ctrl-C ends it.");
 }
 
 } // namespace wheelrail::python

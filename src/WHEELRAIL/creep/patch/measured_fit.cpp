@@ -170,9 +170,17 @@ class CurveModel {
   std::function<std::vector<double>(const Vector &)> ratios_;
 };
 
+void requireToGoOn(const std::function<bool()> &goOn)
+{
+  if (!goOn())
+    throw Error(ExitCode::Interrupted, "interrupted in the fit of the measured curve; run the "
+                                       "same command again");
+}
+
 /// T/N of a contact at all values of a curve. \throws Error (NotConverged)
 std::vector<double> solved(const std::vector<MeasuredTraction> &curve, const CreepPhysics &physics,
-                           const PatchContact &contact, double spinPoint, const FrictionLaw &law)
+                           const PatchContact &contact, double spinPoint, const FrictionLaw &law,
+                           const std::function<bool()> &goOn)
 {
   std::vector<std::size_t> order(curve.size()); // neighbours start warm from each other
   std::iota(order.begin(), order.end(), std::size_t(0));
@@ -182,6 +190,7 @@ std::vector<double> solved(const std::vector<MeasuredTraction> &curve, const Cre
   FrozenPatch rolling(physics, contact, spinPoint);
   std::vector<double> ratios(curve.size());
   for (const std::size_t k : order) {
+    requireToGoOn(goOn);
     PatchDrive drive;
     drive.creepage.xi = curve[k].creep;
     ratios[k] = rolling.solve(law, curve[k].speed, drive).tractionRatio();
@@ -231,7 +240,7 @@ double compliance(const PolachContact &c)
 class SlidingShare {
  public:
   SlidingShare(const PatchContact &contact, double spinPoint, double linearCreep,
-               double layerCompliance)
+               double layerCompliance, const std::function<bool()> &goOn)
       : unit_(linearCreep)
   {
     CreepPhysics physics; // one mu, and no heat
@@ -242,6 +251,7 @@ class SlidingShare {
       FrozenPatch rolling(physics, layered, spinPoint);
       std::vector<double> ratios;
       for (int k = 0; k < creeps; ++k) {
+        requireToGoOn(goOn);
         PatchDrive drive;
         drive.creepage.xi = unit_ * least * std::pow(10.0, double(k) / perDecade);
         ratios.push_back(rolling.solve(ConstantLaw(1.0), 1.0, drive).tractionRatio());
@@ -288,14 +298,16 @@ class SlidingShare {
 };
 
 MeasuredModel layerModel(const std::vector<MeasuredTraction> &curve, const PatchContact &contact,
-                         double spinPoint, const PolachContact &ellipse, const PolachFit &first)
+                         double spinPoint, const PolachContact &ellipse, const PolachFit &first,
+                         const std::function<bool()> &goOn)
 {
   const PolachParameters &p = first.parameters;
   const bool falling = first.friction == PolachFriction::Falling;
   const double unit = compliance(ellipse);
-  const SlidingShare share(
-      contact, spinPoint,
-      ellipse.load / (ellipse.shearModulus * ellipse.a * ellipse.b * ellipse.kalker.c11), unit);
+  const SlidingShare share(contact, spinPoint,
+                           ellipse.load /
+                               (ellipse.shearModulus * ellipse.a * ellipse.b * ellipse.kalker.c11),
+                           unit, goOn);
   double fastest = 0.0;
   for (const MeasuredTraction &value : curve)
     fastest = std::max(fastest, value.creep * value.speed);
@@ -348,10 +360,10 @@ nlohmann::ordered_json modelJson(const MeasuredModel &model)
 
 MeasuredFit fitMeasured(const std::vector<MeasuredTraction> &curve, const CreepPhysics &physics,
                         const PatchContact &contact, double spinPoint, const FrictionLaw &law,
-                        const PolachContact &ellipse)
+                        const PolachContact &ellipse, const std::function<bool()> &goOn)
 {
   MeasuredFit fit;
-  fit.predicted = solved(curve, physics, contact, spinPoint, law);
+  fit.predicted = solved(curve, physics, contact, spinPoint, law, goOn);
   fit.predictedRms = rmsOf(curve, fit.predicted, 0);
   std::vector<PolachPoint> points;
   for (const MeasuredTraction &value : curve)
@@ -363,17 +375,18 @@ MeasuredFit fitMeasured(const std::vector<MeasuredTraction> &curve, const CreepP
   PatchContact bare = contact;
   bare.pair.layer = 0.0;
   bare.yieldStress = std::numeric_limits<double>::infinity();
-  fit.layer = layerModel(curve, bare, spinPoint, ellipse, first);
+  fit.layer = layerModel(curve, bare, spinPoint, ellipse, first, goOn);
   const double unit = compliance(ellipse);
   fit.slopeShare = unit / (unit + fit.layer.parameters.back().value);
   return fit;
 }
 
 MeasuredFit fitMeasured(const std::vector<MeasuredTraction> &curve, const PatchSpecification &asked,
-                        const PatchCurves &curves, const FrictionLaw &law)
+                        const PatchCurves &curves, const FrictionLaw &law,
+                        const std::function<bool()> &goOn)
 {
   return fitMeasured(curve, asked.physics, curves.contacts.front(), asked.contact.spinPoint, law,
-                     polachContact(curves));
+                     polachContact(curves), goOn);
 }
 
 std::vector<MeasuredTraction> readMeasuredCurve(const std::string &path,

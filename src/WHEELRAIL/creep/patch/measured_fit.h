@@ -7,6 +7,7 @@
 #include "creep/patch/polach_forces.h"
 
 #include <array>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -42,14 +43,17 @@ struct MeasuredFit {
 };
 
 /// \param contact, law the case as it is; the layer of the contact is not used by the fit of one
-/// \throws Error (NotConverged) where the points do not determine the parameters
+/// \param goOn asked at each point that is rolled; false to stop
+/// \throws Error (NotConverged) where the points do not determine the parameters; Error
+///         (Interrupted) when stopped
 MeasuredFit fitMeasured(const std::vector<MeasuredTraction> &curve, const CreepPhysics &physics,
                         const PatchContact &contact, double spinPoint, const FrictionLaw &law,
-                        const PolachContact &ellipse);
+                        const PolachContact &ellipse, const std::function<bool()> &goOn);
 
 /// The same for the first contact of a case that is solved.
 MeasuredFit fitMeasured(const std::vector<MeasuredTraction> &curve, const PatchSpecification &asked,
-                        const PatchCurves &curves, const FrictionLaw &law);
+                        const PatchCurves &curves, const FrictionLaw &law,
+                        const std::function<bool()> &goOn);
 
 /// A file without a column of speed was measured at that of the case, where there is one.
 std::vector<MeasuredTraction> readMeasuredCurve(const std::string &path,

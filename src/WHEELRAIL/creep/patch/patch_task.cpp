@@ -102,6 +102,8 @@ class PatchCreepTask : public CreepTask {
       if (!context.extra.measured.empty())
         measured = addMeasuredFit(context, files, report.warnings);
     } catch (const Error &error) {
+      if (error.code() == ExitCode::Interrupted)
+        throw;
       report.shortfall = error;
     }
     write(outputsWith(&context), curves_, files);
@@ -127,7 +129,7 @@ class PatchCreepTask : public CreepTask {
     for (const MeasuredTraction &one : curve)
       creeps.push_back(one.creep);
     addDoubt(warnings, creepDoubt(path + ": creep", creeps));
-    const MeasuredFit fit = fitMeasured(curve, asked_, curves_, context.law);
+    const MeasuredFit fit = fitMeasured(curve, asked_, curves_, context.law, context.goOn);
     files.add("measured_fit.csv", measuredCsv(fit, curve));
     files.add("measured_fit.json", measuredJson(fit, path));
     const MeasuredParameter &compliance = fit.layer.parameters.back();

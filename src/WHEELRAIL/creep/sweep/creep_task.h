@@ -8,6 +8,7 @@
 #include "creep/sweep/sweep.h"
 #include "law/law_choice.h"
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -45,6 +46,7 @@ struct ReportContext {
   const std::string &text; ///< of the case, for summary.json
   const FrictionLaw &law;
   ExtraFiles extra;
+  std::function<bool()> goOn; ///< asked often; false to stop
 };
 
 /// What a task says of itself.
@@ -83,7 +85,8 @@ class CreepTask {
   /// \throws what the contact's sweep throws
   virtual std::vector<std::string> solve(const LawPointer &law, const SweepOptions &options) = 0;
   /// Reports what `solve` found: adds all files.
-  /// \throws Error (NotConverged) for a result that is not finite; mcawr::OutputError
+  /// \throws Error (NotConverged) for a result that is not finite; Error (Interrupted) when asked
+  ///         to stop; mcawr::OutputError
   virtual TaskReport report(const ReportContext &context, ResultFiles &files) const = 0;
 };
 
