@@ -113,7 +113,8 @@ TEST(CasePatch, SequenceIsHeldUntilTheNextInstant)
   sequence.load = {2.0, 4.0, 5.0};
   EXPECT_EQ(sequence.at(sequence.load, 0.999, 9.0), 2.0);
   EXPECT_EQ(sequence.at(sequence.load, 1.0, 9.0), 4.0);
-  EXPECT_EQ(sequence.at(sequence.load, 3.0, 9.0), 5.0);
+  for (double end : {2.999, 3.0, 3.001}) // a step ends on either side of the last instant
+    EXPECT_EQ(sequence.at(sequence.load, end, 9.0), 4.0);
 }
 
 TEST(CasePatch, SpeedsMakeTheWay)

@@ -67,6 +67,17 @@ def test_held_or_linear(case, tmp_path):
     assert numbers(steps["linear"], "creep") == pytest.approx(wanted, rel=1e-6)
 
 
+@pytest.mark.parametrize("cells", [32, 34])
+def test_held_the_last_instant_only_ends_it(cells, case, tmp_path):
+    """The last step is under the value of the instant before, whatever the cells: the last instant
+    may lie just before the end of a step or just after it."""
+    force = sequence(time=["0 s", "1 ms", "2 ms"], force_longitudinal=["0 N", "1 kN", "0 N"])
+    changes = ("sequence.between=held", "moving.start=rest", f"cells={cells}")
+    (last,) = creep_rows(case, tmp_path / "out", force, *MOVING, *changes)
+    assert float(last["force_x"]) == pytest.approx(1e3, abs=1)
+    assert float(last["creep"]) < 0
+
+
 @pytest.mark.parametrize("start", ["steady", "shift", "rest"])
 def test_the_start_is_under_the_load_of_the_first_instant(start, case, tmp_path):
     """Whatever contact.load, which decides on the box: here the box is given."""

@@ -247,7 +247,9 @@ const std::vector<Keyword> &keywords()
       {"sequence.speed", Kind::QuantityList, "m/s", "", 0, 1000, 1e-9, "",
        "the rolling speed; at one instant it may be 0", scope::pointMoving},
       {"sequence.between", Kind::Choice, "1", "linear", 0, 0, 0, "linear|held",
-       "all of them linear between the instants, or held until the next one", scope::pointMoving},
+       "all of them linear between the instants, or held until the next one, so that the last "
+       "instant only ends the sequence",
+       scope::pointMoving},
       {"sequence.fields", Kind::QuantityList, "s", "", 0, 1e9, 1e-12, "",
        "instants at which the fields of an operating point are written, too",
        scope::pointMoving | scope::pointStatic, "mode moving or static is needed"},

@@ -30,6 +30,11 @@ double ratioOf(const PatchStep &step)
 
 } // namespace
 
+double PatchSequence::lastOf(const std::vector<double> &values) const
+{
+  return held && values.size() > 1 ? values[values.size() - 2] : values.back();
+}
+
 double PatchSequence::at(const std::vector<double> &values, double seconds, double constant) const
 {
   if (values.empty())
@@ -38,7 +43,7 @@ double PatchSequence::at(const std::vector<double> &values, double seconds, doub
   if (after == time.begin())
     return values.front();
   if (after == time.end())
-    return values.back();
+    return lastOf(values);
   const auto k = static_cast<std::size_t>(after - time.begin());
   if (held)
     return values[k - 1];
@@ -57,7 +62,7 @@ double PatchSequence::distanceAt(double seconds, double constant) const
     const double last = held ? speed[k] : speed[k] + slope * (end - time[k]);
     distance += 0.5 * (speed[k] + last) * (end - time[k]);
   }
-  return distance + std::max(0.0, seconds - time.back()) * speed.back();
+  return distance + std::max(0.0, seconds - time.back()) * lastOf(speed);
 }
 
 // On each stretch the speed is v + a t: a t^2/2 + v t is the distance, in the form that holds for
@@ -77,7 +82,7 @@ double PatchSequence::timeAt(double distance, double constant) const
     }
     left -= stretch;
   }
-  return time.back() + (left > 0.0 ? left / speed.back() : 0.0);
+  return time.back() + (left > 0.0 ? left / lastOf(speed) : 0.0);
 }
 
 double PatchStep::tractionRatio() const

@@ -11,9 +11,10 @@
 namespace wheelrail {
 
 /// What changes in time, at instants; SI units. In mode moving it is linear between the instants or
-/// held from each to the next, in mode static each instant is a stage. Lists that are empty stay as
-/// the point has them, others are as long as `time`: the case reader refuses lists of other
-/// lengths.
+/// held from each to the next, in mode static each instant is a stage. What is held at the last
+/// instant does not count: a step would begin there or not, by the length of the cells. Lists that
+/// are empty stay as the point has them, others are as long as `time`: the case reader refuses
+/// lists of other lengths.
 struct PatchSequence {
   std::vector<double> time; ///< s, increasing from 0 on; empty: no sequence
   /// Normal force (N, > 0), xi and eta (sliding/rolling speed) and phi (1/m) at these instants.
@@ -27,8 +28,10 @@ struct PatchSequence {
   bool any() const { return !time.empty(); }
   /// A list's value at a time; `constant` where it is empty.
   /// \param values one of the lists above
-  /// \param seconds since the start; beyond the last instant the last value holds
+  /// \param seconds since the start; from the last instant on `lastOf` holds
   double at(const std::vector<double> &values, double seconds, double constant) const;
+  /// What a list, not an empty one, ends with: the last value, held: the one before it.
+  double lastOf(const std::vector<double> &values) const;
   /// Distance rolled until an instant, m.
   /// \param constant  speed where there is no list, m/s
   double distanceAt(double seconds, double constant) const;
