@@ -95,6 +95,8 @@ static void test_faults(void)
   CHECK(wheelrail_create_from_text(text, &contact) == WHEELRAIL_OK);
   CHECK(wheelrail_set_load(contact, -3.0) == WHEELRAIL_USAGE);
   SAYS(contact, "contact.load: '-3' is not in the allowed range");
+  CHECK(wheelrail_set_load(contact, 8.0) == WHEELRAIL_BAD_INPUT);
+  SAYS(contact, "contact.load: 8 N: ");
   CHECK(wheelrail_set_speed(contact, NAN) == WHEELRAIL_USAGE);
   CHECK(wheelrail_get_forces(contact, NULL) == WHEELRAIL_USAGE);
   CHECK(wheelrail_set_load(contact, 300e3) == WHEELRAIL_OK);

@@ -126,6 +126,35 @@ TEST(OnlineContact, RefusesWhatAKeywordMayNotBe)
   EXPECT_NEAR(contact.step().forceX, 0.0, 1e-6 * 100e3);
 }
 
+/// 48 cells on 2.2 semi-axes are 43.6 across, 44 are 40: 4 are left of a thousandth of the load.
+TEST(OnlineContact, RefusesALoadOnTooFewCells)
+{
+  OnlineContact contact(caseWith(plain, "{creep: 0.1 %, thermal: {model: local}}"));
+  const double before = contact.step().forceX;
+  EXPECT_THAT(messageOf([&] { contact.setLoad(99.0); }),
+              HasSubstr("contact.load: 99 N: 3.99 cells for the width of the contact of "));
+  EXPECT_EQ(contact.load(), 100e3);
+  EXPECT_EQ(contact.point().forceX, before);
+  contact.setLoad(101.0);
+  EXPECT_TRUE(std::isfinite(contact.step().temperatureRise));
+}
+
+TEST(OnlineContact, SetsAllOrNothing)
+{
+  OnlineContact contact(caseWith(plain, "{creep: 0.1 %}"));
+  EXPECT_THAT(messageOf([&] {
+                contact.set({0.05, 0.0, 0.0}, -1.0, 30.0);
+              }),
+              HasSubstr("contact.load: '-1'"));
+  EXPECT_THAT(messageOf([&] {
+                contact.set({0.05, 0.0, 0.0}, 90e3, 0.0);
+              }),
+              HasSubstr("speed: '0'"));
+  EXPECT_EQ(contact.creepage().xi, 1e-3);
+  EXPECT_EQ(contact.load(), 100e3);
+  EXPECT_EQ(contact.speed(), 20.0);
+}
+
 TEST(OnlineContact, RefusesOtherCases)
 {
   const auto refusal = [](const std::string &base, const std::string &changes) {

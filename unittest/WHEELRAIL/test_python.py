@@ -317,6 +317,19 @@ def test_ctrl_c_ends_a_sweep():
     assert time.monotonic() - start < 15.0
 
 
+def test_ctrl_c_ends_a_fit(tmp_path):
+    curve = tmp_path / "curve.csv"
+    curve.write_text("creep,traction_ratio\n0.001,0.1\n0.002,0.15\n0.01,0.3\n0.1,0.2\n0.2,0.19\n")
+    result = wheelrail.Case(PATCH, {"creep": 1e-3, "cells": [256, 256]}).solve()
+    timer = threading.Timer(0.5, os.kill, (os.getpid(), signal.SIGINT))
+    timer.start()
+    start = time.monotonic()
+    with pytest.raises(KeyboardInterrupt):
+        result.fit_measured(str(curve))
+    timer.join()
+    assert time.monotonic() - start < 15.0
+
+
 # step by step
 
 
@@ -349,6 +362,10 @@ def test_contact_refuses():
     with pytest.raises(wheelrail.BadInput, match="contact.domain"):
         contact.step(load=300e3)
     assert contact.step(load=100e3).force_x < 0.0
+    for error, change in ((wheelrail.UsageError, {"load": -1}), (wheelrail.BadInput, {"load": 8})):
+        with pytest.raises(error, match="contact.load"):
+            contact.step(creep=0.05, **change)
+        assert (contact.creep, contact.load) == (0.0005, 100e3)
     with pytest.raises(wheelrail.BadInput, match="point contact"):
         wheelrail.Contact(wheelrail.Case(LINE))
 

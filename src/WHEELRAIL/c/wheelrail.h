@@ -79,8 +79,9 @@ WHEELRAIL_API int wheelrail_create_from_text(const char *case_text, wheelrail_co
  */
 WHEELRAIL_API int wheelrail_set_creepages(wheelrail_contact *contact, double creep, double lateral,
                                           double spin);
-/** Normal force, N, likewise. A load whose contact reaches the border of the box is refused by the
- * next step. */
+/** Normal force, N, likewise. WHEELRAIL_BAD_INPUT for a load whose contact is on fewer than 4 cells
+ * across; then it stays. A load whose contact reaches the border of the box is refused by the next
+ * step. */
 WHEELRAIL_API int wheelrail_set_load(wheelrail_contact *contact, double load);
 /** Rolling speed, m/s, likewise. */
 WHEELRAIL_API int wheelrail_set_speed(wheelrail_contact *contact, double speed);

@@ -26,11 +26,7 @@ class Contact {
     creepage.xi = creep.value_or(creepage.xi);
     creepage.eta = lateral.value_or(creepage.eta);
     creepage.phi = spin.value_or(creepage.phi);
-    solver_.setCreepages(creepage);
-    if (load)
-      solver_.setLoad(*load);
-    if (speed)
-      solver_.setSpeed(*speed);
+    solver_.set(creepage, load.value_or(solver_.load()), speed.value_or(solver_.speed()));
     PatchPoint point;
     {
       const py::gil_scoped_release others;
@@ -102,8 +98,11 @@ void addContact(py::module_ &module)
       py::arg("speed") = py::none(),
       "Sets what is given, solves, and returns the Forces on the wheel.\n\n"
       "creep, lateral: sliding over rolling speed; spin: 1/m; load: N; speed: m/s. What is not\n"
-      "given stays. Raises UsageError for a number that its keyword of a case may not be,\n"
-      "BadInput for a load that leaves the box, NotConverged.");
+      "given stays. Raises UsageError for a number that its keyword of a case may not be, "
+      "BadInput\n"
+      "for a load whose contact is on fewer than 4 cells across, and then changes nothing; "
+      "BadInput\n"
+      "for a load that leaves the box, NotConverged.");
   type.def("values", &Contact::values,
            "All numbers of the last step by the names of the columns of creep.csv, in SI units.");
   type.def("fields", &Contact::fields,

@@ -22,13 +22,13 @@ std::string besideCase(const std::string &path, const std::string &caseFile)
 
 void requireCellsInContact(const CaseReader &reader, int points, double domain)
 {
-  constexpr double fewest = 4.0;
   const double cells = 2.0 * points / domain;
-  if (cells < fewest)
+  if (cells < fewestCellsAcross)
     reader.fail("cells",
                 fmt::format("{} on a contact.domain of {} leave {:.3g} cells for the width of the "
                             "contact; at least {} are needed: {} cells, or a smaller domain",
-                            points, domain, cells, fewest, std::ceil(0.5 * fewest * domain)));
+                            points, domain, cells, fewestCellsAcross,
+                            std::ceil(0.5 * fewestCellsAcross * domain)));
 }
 
 void requireFewPoints(const CaseReader &reader, double points)

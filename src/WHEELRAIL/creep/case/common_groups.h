@@ -21,8 +21,10 @@ namespace wheelrail {
 /// \return the path to open; whether a file is there is not checked
 std::string besideCase(const std::string &path, const std::string &caseFile);
 
-/// Refuses a grid whose cells are so large that means over the nominal contact say nothing: it has
-/// to be at least 4 cells wide.
+/// Of the nominal contact: on fewer cells means over it say nothing.
+constexpr double fewestCellsAcross = 4.0;
+
+/// Refuses a grid on which the nominal contact has fewer cells than that.
 /// \param points cells on the domain, along one direction
 /// \param domain its length in half-widths (semi-axes) of the contact
 void requireCellsInContact(const CaseReader &reader, int points, double domain);

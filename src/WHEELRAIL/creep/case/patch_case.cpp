@@ -97,15 +97,14 @@ void readBox(CaseReader &reader, PatchContactSpecification &contact)
   if (cells)
     box = {box[0] * contact.nx, box[1] * contact.ny};
   contact.box = box;
-  constexpr double fewest = 4.0;
   for (double load : contact.load) {
     const HertzEllipse hertz = contact.hertz(load);
     const double across =
         2.0 * std::min(hertz.a * contact.nx / box[0], hertz.b * contact.ny / box[1]);
-    if (across < fewest)
+    if (across < fewestCellsAcross)
       reader.fail(name, fmt::format("{:.3g} cells for the width of the contact of {:.4g} x {:.4g} "
                                     "mm; at least {} are needed",
-                                    across, 2e3 * hertz.a, 2e3 * hertz.b, fewest));
+                                    across, 2e3 * hertz.a, 2e3 * hertz.b, fewestCellsAcross));
   }
 }
 

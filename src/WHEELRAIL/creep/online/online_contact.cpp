@@ -3,6 +3,7 @@
 
 #include "base/errors.h"
 #include "creep/case/case_reader.h"
+#include "creep/case/common_groups.h"
 
 #include <algorithm>
 #include <cmath>
@@ -83,20 +84,28 @@ OnlineContact::OnlineContact(const Case &input)
 {
 }
 
-void OnlineContact::setCreepages(const Creepage &creepage)
+void OnlineContact::set(const Creepage &creepage, double load, double speed)
 {
-  creepage_ = {allowed("creep", creepage.xi), allowed("lateral", creepage.eta),
-               allowed("spin", creepage.phi)};
+  const Creepage newCreepage = {allowed("creep", creepage.xi), allowed("lateral", creepage.eta),
+                                allowed("spin", creepage.phi)};
+  const double newLoad = allowed("contact.load", load), newSpeed = allowed("speed", speed);
+  if (newLoad != load_)
+    requireCells(newLoad);
+  creepage_ = newCreepage;
+  load_ = newLoad;
+  speed_ = newSpeed;
 }
 
-void OnlineContact::setLoad(double load)
+/// Means over the nominal ellipse would say nothing: what a case is refused for, too.
+void OnlineContact::requireCells(double load) const
 {
-  load_ = allowed("contact.load", load);
-}
-
-void OnlineContact::setSpeed(double speed)
-{
-  speed_ = allowed("speed", speed);
+  const HertzEllipse hertz = asked_.contact.hertz(load);
+  const double across = 2.0 * std::min(hertz.a / contact_.grid.dx, hertz.b / contact_.grid.dy);
+  if (across < fewestCellsAcross)
+    throw Error(ExitCode::BadInput,
+                fmt::format("contact.load: {:g} N: {:.3g} cells for the width of the contact of "
+                            "{:.4g} x {:.4g} mm; at least {} are needed",
+                            load, across, 2e3 * hertz.a, 2e3 * hertz.b, fewestCellsAcross));
 }
 
 /// The normal contact under the load that is set: it starts from the pressure before, which is the

@@ -18,7 +18,7 @@ namespace wheelrail {
 ///
 /// The box of cells is that of the case's largest load and stays, as the surfaces in it do. A load
 /// that reaches its border is refused (`contact.domain` enlarges it), a small one is on fewer
-/// cells.
+/// cells, at least 4 across.
 class OnlineContact {
  public:
   /// Solves the normal contact. The first speed, creep, lateral and spin of the case are set.
@@ -30,10 +30,14 @@ class OnlineContact {
 
   /// All of them are allowed what their keywords of a case are: `creep`, `lateral` and `spin`, 1/m.
   /// What is closer to 0 than a keyword may be is 0.
-  /// \throws Error (Usage) for another value, not a number among them; then nothing is changed
-  void setCreepages(const Creepage &creepage);
-  void setLoad(double load);   ///< N; `contact.load`
-  void setSpeed(double speed); ///< m/s; `speed`
+  /// \param load N; `contact.load`
+  /// \param speed m/s
+  /// \throws Error (Usage) for another value, not a number among them, Error (BadInput) for a load
+  ///         whose contact is too small for the cells; then nothing is changed
+  void set(const Creepage &creepage, double load, double speed);
+  void setCreepages(const Creepage &creepage) { set(creepage, load_, speed_); }
+  void setLoad(double load) { set(creepage_, load, speed_); }
+  void setSpeed(double speed) { set(creepage_, load_, speed); }
 
   const Creepage &creepage() const { return creepage_; } ///< that is set
   double load() const { return load_; }                  ///< likewise
@@ -53,6 +57,7 @@ class OnlineContact {
   const PatchContact &contact() const { return contact_; }
 
  private:
+  void requireCells(double load) const;
   void press();
   void requireStep() const;
 
