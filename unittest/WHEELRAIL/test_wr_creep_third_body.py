@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Friction that falls with slip and temperature, and a layer: against CONTACT and by hand."""
 
+import line_runs
 import pytest
-
 from patch_runs import CASE, creep_rows, numbers, run, wr_creep
 
 # Second series of CONTACT's example tractcurv: Eurosprinter, friction law 4 with a memory, layer
@@ -66,6 +66,24 @@ def test_hot_friction_is_the_fixed_point_by_hand(case, tmp_path):
     assert float(hot["mu_mean"]) == pytest.approx(mu, rel=3e-6)
     assert float(hot["temperature_rise"]) == pytest.approx(c * mu, rel=3e-6)
     assert numbers([hot], "traction_ratio")[0] == pytest.approx(mu, rel=3e-6)
+
+
+@pytest.mark.parametrize(
+    "base, creep, cells", [(CASE, 0.06, 32), (line_runs.CASE, 0.03, 256)], ids=["point", "line"]
+)
+def test_where_friction_grows_each_point_heats_up_from_cold(base, creep, cells, tmp_path):
+    """At the creep the contact may be cold, or as hot as that of creep 1 leaves it."""
+    case = tmp_path / "case.yaml"
+    case.write_text(base.replace("thermal: off", "thermal: {model: averaged}"), encoding="utf-8")
+    changes = (
+        "friction={law: constant, mu: 0.1, hot_factor: 10, hot_start: 20 K, hot_end: 100 K}",
+        f"cells={cells}",
+    )
+    (alone,) = creep_rows(case, tmp_path / "alone", *changes, f"creep={creep}")
+    hot, last = creep_rows(case, tmp_path / "both", *changes, f"creep=[1, {creep}]")
+    assert float(alone["traction_ratio"]) == pytest.approx(0.1, rel=1e-4)
+    assert float(hot["traction_ratio"]) == pytest.approx(1, rel=1e-4)
+    assert float(last["traction_ratio"]) == pytest.approx(0.1, rel=1e-4)
 
 
 def test_a_factor_of_one_changes_nothing(case, tmp_path):

@@ -47,6 +47,8 @@ class FrictionLaw {
   virtual bool dependsOnSpeed() const = 0;
   /// Does mu depend on the temperature? Then heat acts back on friction.
   virtual bool dependsOnTemperature() const = 0;
+  /// May mu grow with the temperature? Then a contact may settle cold or hot.
+  virtual bool growsWithTemperature() const { return false; }
   /// Does mu depend on sigma_0? Then a temperature that leaves no strength is no solution.
   virtual bool dependsOnStrength() const { return dependsOnTemperature(); }
 

@@ -22,6 +22,7 @@ class HeatedLaw : public FrictionLaw {
     return mu;
   }
   bool dependsOnTemperature() const override { return true; }
+  bool growsWithTemperature() const override { return factor_.hot > 1.0; }
   nlohmann::ordered_json json() const override
   {
     nlohmann::ordered_json json = cold_->json();

@@ -157,6 +157,8 @@ CreepPoint FrozenCreep::solve(const FrictionLaw &law, double speed, double signe
                              physics_.thermal.model == ThermalModel::AveragedPower;
   const double settled = temperatureTolerance * physics_.strengthOf(law).vanishingTemperature;
   memoryRatio_ = Vector::Ones(setup_.cells);
+  if (law.growsWithTemperature()) // the point before may have settled hot
+    contact_.temperature.setZero();
   double part = 1.0, lastStep = 0.0, opened = 1.0, lastMoved = 0.0;
   opening_ = Vector::Zero(setup_.cells);
   bool jumps = false;

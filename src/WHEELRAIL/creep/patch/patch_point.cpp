@@ -238,7 +238,8 @@ PatchPoint FrozenPatch::solve(const FrictionLaw &law, double speed, const PatchD
   if (!drive.forceY)
     creepage_.eta = drive.creepage.eta;
   creepage_.phi = drive.creepage.phi;
-  if (!feedback)
+  // without feedback one turn gives it; where friction grows the point before may have settled hot
+  if (!feedback || law.growsWithTemperature())
     fields_.temperature.setConstant(physics_.thermal.bulk);
   double part = 1.0, lastStep = 0.0;
   int iteration = 0;
