@@ -147,6 +147,31 @@ TEST(CaseFile, RefusesDecimalCommas)
                        "--set creep: '0,1 %' has a decimal comma"));
 }
 
+TEST(CaseFile, SeriesThatPassZeroHoldIt)
+{
+  const auto creeps = [](const std::string &series) {
+    return rolling(table2 + "creep: {" + series + ", spacing: linear}\n").creep;
+  };
+  // in binary numbers both miss 0 by some 1e-18
+  EXPECT_EQ(creeps("from: -2 %, to: 4 %, n: 7")[2], 0.0);
+  EXPECT_EQ(creeps("from: -4 %, to: 2 %, n: 7")[4], 0.0);
+  EXPECT_EQ(creeps("from: -1e-11, to: 1e-11, n: 2"), (std::vector<double>{-1e-11, 1e-11}));
+}
+
+TEST(CaseFile, SeriesOfOneValueHaveOneEnd)
+{
+  const auto message = [](const std::string &series) {
+    return messageOf(table2 + "creep: {" + series + "}\n");
+  };
+  EXPECT_EQ(message("from: 1e-4, to: 1e-4, n: 1"), "");
+  for (const std::string to : {"0.1", "1e-5"})
+    EXPECT_TRUE(
+        contains(message("from: 1e-4, to: " + to + ", n: 1"),
+                 ":3: creep.to: '" + to + "', allowed where creep.n is 1: creep.from, '1e-4'"))
+        << to;
+  EXPECT_TRUE(contains(message("from: 1e-4, to: 1e-4, n: 2"), "must be above creep.from"));
+}
+
 TEST(CaseFile, NamesAKeywordAsItWasGiven)
 {
   EXPECT_TRUE(contains(messageOf(minimal, {"points=3"}, ExitCode::Usage), "points: '3'"));

@@ -129,6 +129,11 @@ const Keyword *findKeyword(const std::string &name)
   return nullptr;
 }
 
+double orZero(const Keyword &keyword, double value)
+{
+  return std::abs(value) < -keyword.smallest ? 0.0 : value;
+}
+
 std::vector<std::string> choicesOf(const Keyword &keyword)
 {
   return split(keyword.kind == Kind::Switch ? "true|false" : keyword.choices, '|');
@@ -302,8 +307,7 @@ double CaseReader::checkedNumber(const Keyword &keyword, const std::string &word
   if (takesWholeNumbers(keyword.kind) && value != std::floor(value))
     fail(line, keyword.name,
          fmt::format("'{}' is not a whole number; allowed: {}", word, rangeOf(keyword)));
-  if (std::abs(value) < -keyword.smallest)
-    value = 0.0;
+  value = orZero(keyword, value);
   const bool isTooSmall = value != 0.0 && std::abs(value) < keyword.smallest;
   if (value < keyword.low || value > keyword.high || isTooSmall)
     fail(line, keyword.name,

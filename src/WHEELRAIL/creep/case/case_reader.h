@@ -126,6 +126,9 @@ class CaseReader {
 /// \param name with dots, as in the table: "contact.radius"
 const Keyword *findKeyword(const std::string &name);
 
+/// The value, or 0 where it is nearer to 0 than the keyword tells apart.
+double orZero(const Keyword &keyword, double value);
+
 /// The words that a keyword of kind Choice allows.
 /// \param keyword of kind Choice, or Switch, which allows true and false
 std::vector<std::string> choicesOf(const Keyword &keyword);

@@ -233,6 +233,10 @@ std::vector<double> readSeries(CaseReader &reader, const std::string &name)
   const int n = reader.integer(name + ".n");
   const bool logarithmic = reader.word(name + ".spacing") == "log";
   const bool negative = from < 0.0 && to < 0.0; // a series away from 0 on that side
+  if (n == 1 && to != from)
+    reader.fail(name + ".to",
+                fmt::format("'{}', allowed where {}.n is 1: {}.from, '{}'",
+                            reader.word(name + ".to"), name, name, reader.word(name + ".from")));
   if (n > 1 && to == from)
     reader.fail(name + ".to", "must be above " + name + ".from");
   if (negative ? logarithmic && to > from : to < from)
@@ -243,9 +247,10 @@ std::vector<double> readSeries(CaseReader &reader, const std::string &name)
   std::vector<double> values;
   for (int i = 0; i < n; ++i) {
     const double part = n > 1 ? double(i) / (n - 1) : 0.0;
-    values.push_back(logarithmic ? from * std::pow(to / from, part) : from + part * (to - from));
+    const double value = logarithmic ? from * std::pow(to / from, part) : from + part * (to - from);
+    values.push_back(orZero(*findKeyword(name), value)); // as a typed one
   }
-  values.back() = n > 1 ? to : from;
+  values.back() = to;
   return values;
 }
 
