@@ -358,6 +358,20 @@ TEST(CaseFile, TruncatedEmptyOrOther)
   EXPECT_THROW(readCase("/nonexistent/case.yaml"), Error);
 }
 
+TEST(CaseFile, HasOneDocument)
+{
+  const std::string problem = "a second document (after '---'); one is allowed";
+  for (const auto &[more, line] : {std::pair{"---\ncreep: 0.002\n", ":5: "},
+                                   {"...\ncreep: 0.002\n", ":5: "},
+                                   {"---\n# nothing\n", ":6: "}})
+    EXPECT_TRUE(contains(messageOf(minimal + more), line + problem)) << messageOf(minimal + more);
+  for (const std::string &one :
+       {"---\n" + minimal, minimal + "...\n", "%YAML 1.2\n---\n" + minimal})
+    EXPECT_EQ(messageOf(one), "") << one;
+  EXPECT_TRUE(contains(messageOf(minimal, {"creep=0.1\n---\n0.2"}, ExitCode::Usage),
+                       "--set creep: " + problem));
+}
+
 TEST(CaseFile, TableOfKeywordsIsSound)
 {
   for (const Keyword &keyword : keywords()) {

@@ -4,6 +4,7 @@
 #include "base/errors.h"
 #include "base/program_files.h"
 #include "base/text_lines.h"
+#include "base/yaml_document.h"
 #include "fit/stationarity.h"
 #include "law/kappa_law.h"
 #include "shared/nearest_word.h"
@@ -62,7 +63,7 @@ class Header {
   Header(const std::string &file, const std::string &yaml) : fileName_(file)
   {
     try {
-      root_ = YAML::Load(yaml);
+      root_ = yamlDocument(yaml);
     } catch (const YAML::Exception &error) {
       throw badInput(fileName_, error.mark.line + 1, "", "the head is not YAML: " + error.msg);
     }

@@ -4,6 +4,7 @@
 #include "base/errors.h"
 #include "base/quantity.h"
 #include "base/text_lines.h"
+#include "base/yaml_document.h"
 #include "shared/nearest_word.h"
 
 #include <algorithm>
@@ -192,7 +193,7 @@ void CaseReader::readFile()
 void CaseReader::readText(const std::string &text)
 {
   try {
-    readTree(YAML::Load(text));
+    readTree(yamlDocument(text));
   } catch (const YAML::Exception &problem) {
     throw badInput(file_, problem.mark.line + 1, "", problem.msg);
   }
@@ -336,7 +337,7 @@ void CaseReader::change(const std::string &text)
   const std::string name = text.substr(0, equals);
   constexpr const char *option = "--set ";
   try {
-    change(name, YAML::Load(text.substr(equals + 1)), option);
+    change(name, yamlDocument(text.substr(equals + 1)), option);
   } catch (const YAML::Exception &problem) {
     throw Error(ExitCode::Usage, fmt::format("{}{}: {}", option, name, problem.msg));
   }
