@@ -78,6 +78,14 @@ TEST(CaseFile, RefusesWhatWouldChangeNothing)
   const std::string moving = minimal + "mode: moving\nmoving: {passes: 3}\n";
   EXPECT_EQ(messageOf(moving, {"mode=frozen"}), "");
   EXPECT_EQ(messageOf(moving, {"mode=static", "static.force_ratio=0.5"}), "");
+  // nor by a change of something else
+  for (const std::string odd :
+       {"moving: {passes: 3}", "uncertainty: {samples: 100}", "friction: {hot_start: 50 K}",
+        "friction: {law: constant, mu: 0.3, strength: 800 MPa}"}) {
+    const std::string text = minimal + odd + "\n";
+    EXPECT_NE(messageOf(text), "") << odd;
+    EXPECT_EQ(messageOf(text, {"cells=2048", "contact.domain=5"}), messageOf(text)) << odd;
+  }
   // not what the file says of itself, nor what a change says
   const std::string unused = "is not used in this case";
   const std::string frozen = minimal + "mode: frozen\n";
@@ -119,12 +127,17 @@ TEST(CaseFile, RefusesWhatWouldChangeNothing)
       EXPECT_TRUE(contains(messageOf(map + keyword + ": " + body + "}\n"),
                            "roughness." + keyword + ": " + body + " needs roughness.wheel"));
   }
+  EXPECT_EQ(
+      messageOf(constant + "contact.hardness_limit: true\n", {"contact.hardness_limit=false"}), "");
   const std::string still = table2 + "mode: static\nstatic: {force_ratio: 0.5}\n";
   EXPECT_EQ(messageOf(still + "thermal: off\n"), "");
   EXPECT_TRUE(
       contains(messageOf(still + "friction: {hot_factor: 0.9}\n"),
                "friction.hot_factor: does not go with mode: static, where nothing becomes hot"));
-  EXPECT_TRUE(contains(messageOf(still + "speed: 20 m/s\n"), "speed: " + unused));
+  for (const std::vector<std::string> &changes :
+       {std::vector<std::string>{}, {"cells=2048"}, {"static.force_ratio=0.4"}})
+    EXPECT_TRUE(contains(messageOf(still + "speed: 20 m/s\n", changes), "speed: " + unused));
+  EXPECT_EQ(messageOf(still + "speed: 20 m/s\n", {"mode=static"}), "");
 }
 
 /// "[0,1 %, 0,2 %]" is 0, 1 %, 0 and 2 % to YAML.

@@ -35,9 +35,8 @@ def ball(case, curvatures):
 
 def static_row(case, out, *changes):
     text = case.read_text(encoding="utf-8")
-    text = "".join(
-        line for line in text.splitlines(True) if not line.startswith(("creep", "speed"))
-    )
+    rolls = ("creep", "speed", "sensitivities")
+    text = "".join(line for line in text.splitlines(True) if not line.startswith(rolls))
     still = case.with_name("static.yaml")
     still.write_text(text + "mode: static\n", encoding="utf-8")
     run(still, out, *changes)

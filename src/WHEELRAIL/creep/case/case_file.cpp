@@ -138,8 +138,8 @@ StaticSpecification readStatic(CaseReader &reader, const LineContactSpecificatio
 }
 
 /// A rolling case may be made static by one change, moving roughness frozen, sampled errors linear,
-/// a law of friction another one with fewer keywords, fields none, which has no depths and no
-/// instants: what the file says of them may stay then.
+/// a law of friction another one with fewer keywords, the pressure free of the strength, fields
+/// none, which has no depths and no instants: what the file says of them may stay then.
 void refuseUnused(CaseReader &reader, Scope here)
 {
   const bool isStatic = (here & (scope::lineStatic | scope::pointStatic)) != 0;
@@ -147,8 +147,14 @@ void refuseUnused(CaseReader &reader, Scope here)
     reader.word("thermal"); // off, as it is
   reader.refuseUnused([&](const std::string &name) {
     const std::string group = name.substr(0, name.find('.'));
-    return isStatic || group == "friction" || group == "moving" || group == "uncertainty" ||
-           group == "depths" || name == "sequence.fields";
+    const bool newLaw = reader.isChanged("friction.law");
+    if (reader.isChanged("mode") && (isStatic || group == "moving"))
+      return true;
+    if (group == "friction")
+      return newLaw || reader.isChanged("contact.hardness_limit");
+    if (group == "uncertainty")
+      return newLaw || reader.isChanged("uncertainty.method");
+    return (group == "depths" || name == "sequence.fields") && reader.isChanged("fields");
   });
 }
 

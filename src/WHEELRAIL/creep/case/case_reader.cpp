@@ -185,6 +185,11 @@ bool CaseReader::hasGroup(const std::string &group) const
   return next != entries_.end() && next->first.rfind(group + ".", 0) == 0;
 }
 
+bool CaseReader::isChanged(const std::string &name) const
+{
+  return changed_.count(name) > 0 || changed_.count(name.substr(0, name.find('.'))) > 0;
+}
+
 void CaseReader::readFile()
 {
   readText(readTextFile(file_));
@@ -347,7 +352,7 @@ void CaseReader::change(const std::string &given, const YAML::Node &value, const
 {
   const std::string name = presentName(given);
   noteName(name, given);
-  hasChanges_ = true;
+  changed_.insert(name);
   // "creep=[...]" replaces creep.from etc., "roughness.seed=2" ends "roughness: none"
   const std::string group = name.substr(0, name.find('.'));
   entries_.erase(name);
@@ -377,7 +382,7 @@ void CaseReader::refuse(const std::string &name, const std::string &with) const
 void CaseReader::refuseUnused(const std::function<bool(const std::string &name)> &mayStay) const
 {
   for (const auto &[name, entry] : entries_)
-    if (used_.count(name) == 0 && (entry.option || !hasChanges_ || !mayStay(name)))
+    if (used_.count(name) == 0 && (entry.option || !mayStay(name)))
       fail(name, "is not used in this case: leave it out, or choose what needs it");
 }
 

@@ -6,6 +6,7 @@
 
 #include <functional>
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -55,6 +56,8 @@ class CaseReader {
   /// \param group  without a dot
   /// \return true for "creep" where creep.from is given
   bool hasGroup(const std::string &group) const;
+  /// Has a change named the keyword or its group?
+  bool isChanged(const std::string &name) const;
 
   /// The value with its default filled in and recorded for `configuration`. Quantities are in the
   /// keyword's SI unit. A keyword without a default has to be there.
@@ -81,7 +84,7 @@ class CaseReader {
   void refuse(const std::string &name, const std::string &with) const;
   /// \throws Error (BadInput) for a keyword that is given and that nobody has asked for: what
   ///         would change nothing in silence
-  /// \param mayStay  whether a keyword of the file may be such once there is a change
+  /// \param mayStay  whether a keyword of the file may be such
   void refuseUnused(const std::function<bool(const std::string &name)> &mayStay) const;
 
   /// What was used so far, as a case file.
@@ -117,8 +120,8 @@ class CaseReader {
 
   std::string file_;
   const char *option_ = nullptr; ///< what names a change in messages; null: no change is read
-  bool hasChanges_ = false;
   std::map<std::string, Entry> entries_, used_;
+  std::set<std::string> changed_;            ///< what changes named, keywords and groups
   std::map<std::string, std::string> older_; ///< names under which keywords were given
 };
 
