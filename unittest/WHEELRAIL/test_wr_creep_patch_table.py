@@ -126,6 +126,27 @@ def test_table_needs_creepages_and_a_point(case, tmp_path):
     assert done.returncode == 2 and done.stderr.count("\n") == 1
 
 
+@pytest.mark.parametrize("layer", [None, "{thickness: 10 um, shear_modulus: 100 MPa}"])
+def test_page_reads_a_table(layer, case, tmp_path, monkeypatch):
+    """The block of doc/howto_patch.md, whatever the number of lines of #."""
+    page = (SOURCE / "doc/howto_patch.md").read_text(encoding="utf-8")
+    (code,) = re.findall(r'```python\n(.*?"forces\.csv".*?)```', page, re.DOTALL)
+    grid = (
+        *("contact.curvatures=[1 1/m, 2 1/m]", "contact.load=[10 kN, 20 kN, 30 kN]"),
+        *("cells=[16, 16]", "speed=[10 m/s, 20 m/s]", GRID[0]),
+        *("lateral=[0, 1e-3, 2e-3, 3e-3]", "creep=[0, 1e-3, 2e-3, 3e-3, 4e-3, 5e-3]"),
+    )
+    text = CASE.replace("semi_axes: [3 mm, 4 mm], ", "")
+    case.write_text(text + (f"layer: {layer}\n" if layer else ""), encoding="utf-8")
+    run(case, tmp_path / "out", *grid, options=("--table", tmp_path / "forces.csv"))
+    monkeypatch.chdir(tmp_path)
+    names = {}
+    exec(compile(code, "doc/howto_patch.md", "exec"), names)  # noqa: S102: that is the test
+    _, forces = grid_of(tmp_path / "forces.csv")
+    assert (names["force_x"] == forces["force_x"]).all()
+    assert names["creep"] == pytest.approx([0, 1e-3, 2e-3, 3e-3, 4e-3, 5e-3])
+
+
 def test_example_makes_a_table(tmp_path):
     example = SOURCE / "examples/wheelrail/patch_table.yaml"
     few = ("cells=32", "contact.load=[80 kN, 120 kN]", "creep=[0, 0.5 %]", "lateral=[0, 0.5 %]")

@@ -16,7 +16,7 @@ struct PatchValues : SlidingValues {
   double load = 0.0;                 ///< N
   Creepage creepage;                 ///< given, or found; phi in 1/m
   double forceX = 0.0, forceY = 0.0; ///< N
-  double momentZ = 0.0;              ///< N m, about the origin of the box
+  double momentZ = 0.0;              ///< N m, about the origin, wherever the box lies
   double approach = 0.0;             ///< m
   double peakPressure = 0.0;         ///< Pa
   double realArea = 0.0;             ///< m^2
