@@ -350,7 +350,7 @@ def case_text(
         if len(group) > 1:
             lines += stages(group)
     lines.append("fields: last")
-    if not along_line:
+    if rolls and not along_line:
         lines.append("sensitivities: false")
     return "\n".join([*head, *lines]) + "\n"
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include "base/errors.h"
 #include "base/quantity.h"
 #include "case_text.h"
 #include "shared/pi.h"
@@ -13,6 +14,22 @@ namespace {
 PatchSpecification patchCase(const std::string &text, const std::vector<std::string> &changes = {})
 {
   return std::get<PatchSpecification>(case_text::read(text, changes).task);
+}
+
+/// Message of the error; "" when there is none.
+std::string problemOf(const std::string &text, const std::vector<std::string> &changes = {})
+{
+  try {
+    case_text::read(text, changes);
+  } catch (const Error &error) {
+    return error.what();
+  }
+  return "";
+}
+
+bool contains(const std::string &text, const std::string &part)
+{
+  return text.find(part) != std::string::npos;
 }
 
 const std::string wheel = "contact: {load: [50 kN, 100 kN], youngs_modulus: 210 GPa, "
@@ -36,6 +53,56 @@ TEST(CasePatch, FillsInDefaults)
   EXPECT_EQ(p.contact.domain, 2.2);
   EXPECT_EQ(p.mode, PatchMode::Frozen);
   EXPECT_EQ(p.physics.thermal.model, ThermalModel::Averaged);
+}
+
+TEST(CasePatch, SensitivitiesAreOfRolling)
+{
+  EXPECT_TRUE(patchCase(wheel + "creep: 0\n").sensitivities);
+  const std::string still = wheel + "mode: static\nstatic: {force_ratio: 0.5}\n";
+  EXPECT_EQ(problemOf(still), "");
+  EXPECT_TRUE(
+      contains(problemOf(still + "sensitivities: true\n"), ":5: sensitivities: is not used"));
+  const std::string rolls = wheel + "creep: 0\nsensitivities: false\n";
+  const std::vector<std::string> changes = {"mode=static", "static.force_ratio=0.5"};
+  EXPECT_EQ(problemOf(rolls, changes), "");
+  EXPECT_TRUE(contains(problemOf(rolls, {changes[0], changes[1], "sensitivities=true"}),
+                       "--set sensitivities: is not used"));
+}
+
+TEST(CasePatch, OneEllipseIsOfOneLoadOrApproach)
+{
+  const auto problem = [](const std::string &press) {
+    return problemOf("contact: {" + press +
+                     ", semi_axes: [6 mm, 4 mm], youngs_modulus: 210 GPa,\n"
+                     "          poissons_ratio: 0.3}\ncreep: 0\n");
+  };
+  for (const std::string name : {"load", "approach"}) {
+    const std::string unit = name == "load" ? " kN" : " um";
+    EXPECT_EQ(problem(name + ": [50" + unit + "]"), "");
+    EXPECT_TRUE(contains(problem(name + ": [50" + unit + ", 60" + unit + "]"),
+                         ":1: contact.semi_axes: goes with one contact." + name + ";"));
+  }
+}
+
+TEST(CasePatch, NoBodyIsColderThanAbsoluteZero)
+{
+  const auto problem = [](const std::string &bulk, const std::string &more = "") {
+    return problemOf(wheel + "creep: 0\n" + more + "thermal: {bulk: " + bulk + "}\n");
+  };
+  EXPECT_EQ(problem("[-292 K, 5000 K]"), "");
+  EXPECT_TRUE(contains(problem("-1000 K"), ":4: thermal.bulk: '-1000 K', allowed: above -293 K, "
+                                           "absolute zero in surroundings of 293 K"));
+  EXPECT_TRUE(contains(problem("[20 K, -293 K]"), "'-293 K', allowed"));
+  // a law of a material knows its surroundings; of its file only the format is looked at
+  const std::string law =
+      (std::filesystem::temp_directory_path() / fmt::format("wr-law-{}.json", ::getpid())).string();
+  writeOutputFile(law, R"({"format": "mca-friction-law 2"})");
+  const std::string material = "friction: {law: " + law + ", ambient: 200 K}\n";
+  EXPECT_EQ(problem("-199 K", material), "");
+  EXPECT_TRUE(contains(problem("-201 K", material),
+                       "above -200 K, absolute zero in surroundings of "
+                       "200 K (friction.ambient)"));
+  std::filesystem::remove(law);
 }
 
 TEST(CasePatch, OrderOfThePoints)

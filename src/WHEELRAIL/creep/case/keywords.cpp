@@ -267,7 +267,7 @@ const std::vector<Keyword> &keywords()
       {"depths.spacing", Kind::Choice, "1", "linear", 0, 0, 0, "log|linear", "of them",
        scope::point},
       {"sensitivities", Kind::Switch, "1", "true", 0, 0, 0, "",
-       "Kalker's coefficients of every contact in summary.json", scope::point},
+       "Kalker's coefficients of every contact that rolls in summary.json", scope::point},
       {"uncertainty.method", Kind::Choice, "1", "linear", 0, 0, 0, "linear|sampled",
        "how a law's covariance makes the band of T/N: by derivatives, or by draws",
        scope::everywhere & ~scope::pointStatic, "it has no band"},

@@ -59,7 +59,9 @@ void readShape(CaseReader &reader, PatchContactSpecification &contact)
     contact.semiAxes = readPair(reader, shape, "[a, b]");
     requireRatio(reader, shape, "a/b", contact.semiAxes[0] / contact.semiAxes[1], 1e4);
     if (contact.load.size() > 1)
-      reader.fail(shape, "goes with one contact.load; give radii or curvatures for several");
+      reader.fail(
+          shape, fmt::format("goes with one {}; give radii or curvatures for several",
+                             reader.has("contact.approach") ? "contact.approach" : "contact.load"));
     if (!contact.approach.empty()) // Hertz: of a given ellipse they are proportional
       contact.load = {contact.approach.front() / contact.hertz(1.0).approach};
     // the sequence's loads need the curvatures
@@ -360,6 +362,24 @@ void readMoving(CaseReader &reader, PatchSpecification &patch)
                                 "sequence");
 }
 
+/// Surroundings whose temperature no law knows count as those that a law of a material has unless
+/// given.
+void checkBulk(CaseReader &reader, const LawChoice &friction)
+{
+  if (!reader.has("thermal.bulk"))
+    return;
+  const char *const keyword = "friction.ambient";
+  const double ambient = friction.hasStrength ? reader.number(keyword) : reader.initial(keyword);
+  const std::vector<double> &bulk = reader.numbers("thermal.bulk");
+  for (std::size_t k = 0; k < bulk.size(); ++k)
+    if (!(ambient + bulk[k] > 0.0))
+      reader.fail("thermal.bulk",
+                  fmt::format("'{}', allowed: above {:g} K, absolute zero in surroundings of {:g} K"
+                              "{}",
+                              reader.words("thermal.bulk")[k], -ambient, ambient,
+                              friction.hasStrength ? " (friction.ambient)" : ""));
+}
+
 WearLaw readWear(CaseReader &reader)
 {
   WearLaw wear;
@@ -418,9 +438,11 @@ PatchSpecification readPatch(CaseReader &reader, const std::string &caseFile)
     readStatic(reader, patch);
   } else {
     patch.physics.thermal = readThermal(reader, true);
+    checkBulk(reader, patch.friction);
     patch.physics.wear = readWear(reader);
     patch.physics.memoryLength = readMemoryLength(reader);
     patch.spread = readSpread(reader, patch.friction);
+    patch.sensitivities = reader.flag("sensitivities");
   }
   if (patch.mode == PatchMode::Moving)
     readMoving(reader, patch);
@@ -439,7 +461,6 @@ PatchSpecification readPatch(CaseReader &reader, const std::string &caseFile)
   if (patch.fields.kind != FieldSelection::Kind::None &&
       (reader.has("depths") || reader.hasGroup("depths")))
     patch.depths = readSeries(reader, "depths");
-  patch.sensitivities = reader.flag("sensitivities");
   return patch;
 }
 
