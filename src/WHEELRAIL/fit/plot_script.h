@@ -14,8 +14,8 @@ struct Picture {
 };
 
 /// Endings of pictures that matplotlib writes, with their dot.
-constexpr std::array pictureEndings = {".png", ".pdf",  ".svg", ".eps",  ".ps",
-                                       ".jpg", ".jpeg", ".tif", ".tiff", ".webp"};
+inline constexpr std::array pictureEndings = {".png", ".pdf",  ".svg", ".eps",  ".ps",
+                                              ".jpg", ".jpeg", ".tif", ".tiff", ".webp"};
 
 /// Runs a plot script of ours (Python, matplotlib) and waits for it. Data and picture go through
 /// memory: no file is written.
