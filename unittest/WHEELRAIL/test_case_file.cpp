@@ -373,16 +373,17 @@ TEST(CaseFile, TruncatedEmptyOrOther)
 
 TEST(CaseFile, HasOneDocument)
 {
-  const std::string problem = "a second document (after '---'); one is allowed";
-  for (const auto &[more, line] : {std::pair{"---\ncreep: 0.002\n", ":5: "},
+  const std::string problem =
+      "a second document (after '---'), or what belongs to none; one is allowed";
+  for (const auto &[more, line] : {std::pair{"---\ncreep: 0.002\n", ":4: "},
                                    {"...\ncreep: 0.002\n", ":5: "},
-                                   {"---\n# nothing\n", ":6: "}})
+                                   {"---\n# nothing\n", ":4: "}})
     EXPECT_TRUE(contains(messageOf(minimal + more), line + problem)) << messageOf(minimal + more);
   for (const std::string &one :
        {"---\n" + minimal, minimal + "...\n", "%YAML 1.2\n---\n" + minimal})
     EXPECT_EQ(messageOf(one), "") << one;
-  EXPECT_TRUE(contains(messageOf(minimal, {"creep=0.1\n---\n0.2"}, ExitCode::Usage),
-                       "--set creep: " + problem));
+  for (const char *change : {"creep=0.1\n---\n0.2", "creep=[0.1, 0.2], 0.3"})
+    EXPECT_TRUE(contains(messageOf(minimal, {change}, ExitCode::Usage), "--set creep: " + problem));
 }
 
 TEST(CaseFile, TableOfKeywordsIsSound)

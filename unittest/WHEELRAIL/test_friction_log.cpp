@@ -136,7 +136,8 @@ TEST(FrictionLog, badHeadIsOneClearLine)
   expectContains(problemOf(head.substr(0, 300)), "not YAML");
   expectContains(problemOf(head + columns), "no row");
   expectContains(problemOf(head + "# ---\n# loading: {pressure: 30}\n" + columns),
-                 ":10: the head is not YAML: a second document (after '---'); one is allowed");
+                 ":9: the head is not YAML: a second document (after '---'), or what belongs to "
+                 "none; one is allowed");
   expectContains(problemOf(replaced(goodLog(), "mca-friction 1", "mca-friction 2")),
                  ":1: format: 'mca-friction 2' cannot be read, must be 'mca-friction 1'");
   expectContains(problemOf(replaced(goodLog(), "stress: MPa", "stress: Pa")),

@@ -147,7 +147,7 @@ void fitSpeed(MuTable &table, const std::vector<Place> &places)
     }
     std::vector<std::array<double, 3>> line;
     for (const Place &other : places)
-      if (besideEachOther(other, place))
+      if (besideEachOther(place, other))
         line.push_back({std::log(other.speed / table.speed.reference), std::log(other.mu),
                         std::pow(other.error / other.mu, 2)});
     if (line.size() < 2)
