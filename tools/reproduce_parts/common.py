@@ -11,6 +11,8 @@ from campaign_parts import plan as plans
 from mcawr.archive import ENDING
 from mcawr.errors import BadInput
 
+STEEL = 2239  # kappa3 = E/sigma_0 of the paper's weakest steel, 206 GPa over 92 MPa
+
 
 class Missing(BadInput):
     """What a figure needs and is not there, in one line."""

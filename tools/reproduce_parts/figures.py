@@ -26,7 +26,7 @@ from . import (
     temperature as heat,
     width,
 )
-from .common import Missing, percent, power_law, run_name, scatter_of, table
+from .common import STEEL, Missing, percent, power_law, run_name, scatter_of, table
 from .dots import dots
 
 PAPER = plot_fit.PAPER
@@ -36,7 +36,6 @@ FROM = f"from {START[1]} ns and {START[3]} nm on"
 LATE = ["--start-distance", str(ageing.AGED)]  # nm; each run of preset d slides 500 nm
 LATER = f"from {LATE[1]} nm on"
 FIRST = "50"  # ns, 250 nm at 5 m/s
-STEEL = 2239  # kappa3 = E/sigma_0 of the paper's weakest steel, 206 GPa over 92 MPa
 
 
 @dataclasses.dataclass

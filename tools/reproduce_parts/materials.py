@@ -10,12 +10,11 @@ from matplotlib import pyplot
 from mcawr.files import save_figure
 from mcawr.replicas import NORMAL, groups, mean_of
 
-from .common import Missing, percent, plan_name, power_law, run_name, table, with_own_errors
+from .common import STEEL, Missing, percent, plan_name, power_law, run_name, table, with_own_errors
 
 OLD, NEW = "paper36", "paper36-d"  # plans of the same conditions
 PRESETS = {OLD: "preset c", NEW: "preset d"}
 FAST = 4.0  # m/s
-STEEL = 2239  # kappa3 = E/sigma_0 of the paper's weakest steel, 206 GPa over 92 MPa
 
 
 def over_eq2(members: list[dict[str, Any]]) -> tuple[float, float]:

@@ -5,6 +5,7 @@ import csv
 import os
 import pathlib
 import subprocess
+import time
 
 BIN = pathlib.Path(os.environ["WHEELRAIL_BIN"]) / "wr_creep"
 SOURCE = pathlib.Path(os.environ["PROJECT_SOURCE"])
@@ -24,6 +25,23 @@ ROUGH = "roughness={hurst: 0.8, rms_slope: 0.02, wavelength_min: 0.1 mm, wavelen
 
 def wr_creep(*arguments, **options):
     return subprocess.run([BIN, *map(str, arguments)], capture_output=True, text=True, **options)
+
+
+def interrupted(by, out, *arguments):
+    """Sends the signal as soon as wr_creep keeps a journal in `out`: it ends with 6, the points
+    done so far stay, and no table is written. Returns what it says."""
+    words = [BIN, *map(str, arguments), "-o", out]
+    running = subprocess.Popen(words, stderr=subprocess.PIPE, text=True)
+    journal = out / "wr_creep.journal"
+    end = time.monotonic() + 120
+    while not journal.exists() and running.poll() is None and time.monotonic() < end:
+        time.sleep(0.05)
+    running.send_signal(by)
+    message = running.communicate(timeout=60)[1]
+    assert running.returncode == 6, message
+    assert "run the same command again" in message
+    assert journal.exists() and not (out / "creep.csv").exists()
+    return message
 
 
 def table(path):

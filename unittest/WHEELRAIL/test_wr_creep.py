@@ -7,10 +7,9 @@ import os
 import re
 import signal
 import subprocess
-import time
 
 import pytest
-from line_runs import BIN, CASE, ROUGH, SOURCE, TABLE2, law_file, table, wr_creep
+from line_runs import BIN, CASE, ROUGH, SOURCE, TABLE2, interrupted, law_file, table, wr_creep
 
 
 @pytest.fixture
@@ -516,34 +515,15 @@ def test_use_outside_of_the_fit_is_said(case, tmp_path):
 
 
 def test_interrupted_run_goes_on(case, tmp_path):
-    many = [
-        case,
-        "-o",
-        tmp_path / "out",
-        "--set",
-        ROUGH,
-        "--set",
-        "cells=2048",
-        "--set",
-        "creep={from: 1e-4, to: 0.1, n: 4000}",
-        "--threads",
-        "1",
-    ]
-    running = subprocess.Popen([BIN, *map(str, many)], stderr=subprocess.PIPE, text=True)
-    journal = tmp_path / "out/wr_creep.journal"
-    end = time.monotonic() + 120
-    while not journal.exists() and running.poll() is None and time.monotonic() < end:
-        time.sleep(0.05)
-    running.send_signal(signal.SIGINT)
-    message = running.communicate(timeout=60)[1]
-    assert running.returncode == 6, message
+    many = [case, "--set", ROUGH, "--set", "cells=2048", "--threads", "1"]
+    many += ["--set", "creep={from: 1e-4, to: 0.1, n: 4000}"]
+    message = interrupted(signal.SIGINT, tmp_path / "out", *many)
     assert "run the same command again to continue" in message
-    assert journal.exists() and not (tmp_path / "out/creep.csv").exists()
-    done = wr_creep(*many)
+    done = wr_creep(*many, "-o", tmp_path / "out")
     assert done.returncode == 0, done.stderr
     summary = json.loads((tmp_path / "out/summary.json").read_text())
     assert summary["points"] == 4000 and summary["points_resumed"] > 0
-    assert not journal.exists()
+    assert not (tmp_path / "out/wr_creep.journal").exists()
 
 
 def test_friction_settles_where_the_pressure_jumps(tmp_path):

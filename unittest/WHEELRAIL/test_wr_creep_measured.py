@@ -3,11 +3,10 @@
 
 import json
 import signal
-import subprocess
-import time
 
 import pytest
-from patch_runs import BIN, CASE, numbers, run, table
+from line_runs import interrupted
+from patch_runs import CASE, numbers, run, table
 
 CURVE = "# speed: km/h\n# creep: %\ncreep,speed,traction_ratio\n" + "".join(
     f"{creep},36,{ratio}\n"
@@ -54,18 +53,14 @@ def test_fit(files):
 
 def test_an_interrupted_fit_keeps_the_points(files):
     """The points of the case are in the journal when the fit begins."""
-    command = [BIN, files / "case.yaml", "-o", files / "out", "--set", "cells=[256, 256]"]
-    command += ["--fit-measured", files / "curve.csv"]
-    running = subprocess.Popen(command, stderr=subprocess.PIPE, text=True)
-    journal = files / "out/wr_creep.journal"
-    end = time.monotonic() + 120
-    while not journal.exists() and running.poll() is None and time.monotonic() < end:
-        time.sleep(0.05)
-    running.send_signal(signal.SIGTERM)
-    message = running.communicate(timeout=60)[1]
-    assert running.returncode == 6, message
-    assert "run the same command again" in message
-    assert journal.exists() and not (files / "out/creep.csv").exists()
+    words = (
+        files / "case.yaml",
+        "--set",
+        "cells=[256, 256]",
+        "--fit-measured",
+        files / "curve.csv",
+    )
+    interrupted(signal.SIGTERM, files / "out", *words)
 
 
 def test_too_few_values_are_named_with_their_file(files):
