@@ -26,7 +26,16 @@ from . import (
     temperature as heat,
     width,
 )
-from .common import STEEL, Missing, percent, power_law, run_name, scatter_of, table
+from .common import (
+    STEEL,
+    Missing,
+    percent,
+    power_law,
+    run_name,
+    scatter_of,
+    table,
+    with_own_errors,
+)
 from .dots import dots
 
 PAPER = plot_fit.PAPER
@@ -394,7 +403,7 @@ def size_of(point: dict[str, Any]) -> str:
 def convergence(report: dict[str, Any], picture: str) -> list[str]:
     """mu over that of the base size, and the depth of the layer (nm), for each size at a strength
     (MPa) and velocity (m/s)."""
-    points = report["report"]["points"]
+    points = with_own_errors(report["report"]["points"])
     rows, labels, values, bars = [], [], [], []
     for (strength, v), members in groups(points, lambda p: (p["strength"], p["velocity"])).items():
         sizes = groups(members, size_of)
