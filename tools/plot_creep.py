@@ -170,12 +170,9 @@ def main() -> None:
         name = os.path.splitext(os.path.basename(path))[0]
         marker = "*x+."[number % 4]
         axes.plot(creep, ratio, marker, color="0.4", ms=4, zorder=1, label=f"measured: {name}")
-    least = min(
-        *(min(values["creep"]) for values, _, _ in curves),
-        *(min(creep) for creep, _ in clouds),
-        math.inf,
-    )
-    if not given.linear and least >= 0:  # a logarithm would hide what is negative
+    creeps = [*(values["creep"] for values, _, _ in curves), *(creep for creep, _ in clouds)]
+    least, most = min(map(min, creeps)), max(map(max, creeps))
+    if not given.linear and least >= 0 < most:  # a logarithm would hide what is negative
         axes.set_xscale("log")
     axes.set(
         xlabel="creep, sliding/rolling speed",

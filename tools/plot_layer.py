@@ -114,10 +114,10 @@ def fragment(frame: Any) -> dict[str, Any]:
     return {name: values[full[0] : full[-1] + 1] for name, values in frame.items()}
 
 
-def measures(path: str) -> list[dict[str, Any]]:
-    """What each frame of a file says of the layer. Raises BadInput."""
+def measures(path: str, frames: Any) -> list[dict[str, Any]]:
+    """What each frame of a file (read_frames) says of the layer. Raises BadInput."""
     table = []
-    for step, frame in read_frames(path):
+    for step, frame in frames:
         found = measure(step, frame)
         if math.isnan(found["depth"]):
             raise BadInput(
@@ -234,7 +234,8 @@ def main() -> None:
     )
     args = parser.parse_args()
     check_apart([args.file], [args.output, args.csv])
-    frames, table = read_frames(args.file), measures(args.file)
+    frames = read_frames(args.file)
+    table = measures(args.file, frames)
     files: dict[str, str | bytes] = {}
     if args.csv:
         files[args.csv] = table_text(table)

@@ -23,6 +23,7 @@ matplotlib, 2 usage, 3 bad input file, 5 a file cannot be written.
 
 import csv
 import io
+import itertools
 import math
 import os
 from typing import Any
@@ -75,10 +76,22 @@ def that_count(points: list[dict[str, Any]]) -> list[dict[str, Any]]:
 
 
 def read(path: str) -> list[dict[str, Any]]:
-    """The points of wr_fit's JSON that count. Raises BadInput."""
-    points = that_count(tables.fit_report(path)["report"]["points"])
+    """The points of wr_fit's JSON that count. Raises BadInput, too where runs differ in more than
+    their seed and what is drawn here: in their size, step, laws."""
+    report = tables.fit_report(path)["report"]
+    for number, condition in enumerate(report.get("conditions", [])):
+        for run in condition["runs"]:
+            report["points"][run]["condition"] = number
+    points = that_count(report["points"])
     if not points:
         raise BadInput(f"{path}: no point with a standard error")
+    for _, members in conditions([point for point in points if "condition" in point]):
+        for one, other in itertools.pairwise(members):
+            if one["condition"] != other["condition"]:
+                raise BadInput(
+                    f"{path}: {one['file']} and {other['file']} differ in more than the seed, in "
+                    "what no axis here shows (size, step, laws, ...): give wr_fit one kind"
+                )
     return points
 
 

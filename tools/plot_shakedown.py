@@ -71,13 +71,19 @@ def read_points(path: str) -> dict[str, Any]:
 def read_stresses(path: str) -> tuple[int, dict[str, float]]:
     """Number of the operating point and the largest stresses of the rail over all depths."""
     number = re.search(r"(\d+)\.csv$", path)
-    if not number:
-        raise BadInput(f"{path}: no number of an operating point in the name")
+    if not number or int(number[1]) < 1:
+        raise BadInput(f"{path}: no number of an operating point in the name, 1 the first")
 
     def largest(rows: list[tables.Row]) -> dict[str, float]:
         rail = [row for row in rows if row["body"] == "rail"]
+        if not rail:
+            raise BadInput(f"{path}: no row of the rail")
         names = ("max_shear", "orthogonal_shear")
-        return {name: max(row.number(name) for row in rail) for name in names}
+        found = {name: max(row.number(name) for row in rail) for name in names}
+        for name, stress in found.items():
+            if not stress > 0:
+                raise BadInput(f"{path}: largest {name} of the rail {stress:g}, allowed: > 0")
+        return found
 
     return int(number[1]), tables.read(path, "a subsurface table of wr_creep", largest)
 

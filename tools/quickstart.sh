@@ -27,7 +27,7 @@ Environment: as for setup.sh
 Exit codes: 0 ok, 2 usage, 5 packages, download or files; else that of the step that failed.
 HELP
 }
-ns=40 np=1 seed=1 results=$root/results/quickstart
+ns=40 np=1 seed=1 results=
 while [ $# -gt 0 ]; do
   case $1 in
     --ns | --np | --seed)
@@ -37,9 +37,12 @@ while [ $# -gt 0 ]; do
       shift 2 ;;
     -h | --help) usage; exit 0 ;;
     -*) die 2 "unknown option '$1'; see --help" ;;
-    *) results=$1; shift ;;
+    *)
+      [ -z "$results" ] || die 2 "'$1': one DIR is allowed, '$results' is given already"
+      results=$1; shift ;;
   esac
 done
+results=${results:-$root/results/quickstart}
 [[ $np =~ ^[0-9]+$ ]] || die 2 "--np '$np': a whole number is needed"
 [[ $seed =~ ^[0-9]+$ ]] || die 2 "--seed '$seed': a whole number is needed"
 case $results in /*) ;; *) results=$PWD/$results ;; esac

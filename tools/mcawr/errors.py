@@ -64,6 +64,14 @@ def fail(code: int, text: object) -> NoReturn:
     raise Failure(code, text)
 
 
+def built(name: str) -> str:
+    """Path of wr_fit or wr_creep. Raises Failure where it is not built."""
+    path = programs.program(name)
+    if not (os.path.isfile(path) and os.access(path, os.X_OK)):
+        fail(Exit.IO, f"{path}: is not there: build it (tools/setup.sh)")
+    return path
+
+
 def fail_as(program: str, done: subprocess.CompletedProcess[str]) -> NoReturn:
     """Ends the script as a program that it called ended: with its exit code and its last line.
     Raises Failure."""

@@ -75,7 +75,7 @@ def draw_wheel(axes: Any, rows: Any) -> None:
 def chain(found: dict[str, Any], picture: str) -> list[str]:
     """The picture; the numbers stand in those of rail and locomotive."""
     with tempfile.TemporaryDirectory() as folder:
-        path, _ = made.fit(made.MODELS[0], made.LOGS, folder)
+        path, _ = made.fit(made.MODELS[0], found[made.LOGS_PLAN], folder)
         report = tables.fit_report(path)
     figure, panels = pyplot.subplots(
         1, 3, figsize=(13, 3.9), width_ratios=(1.25, 1, 1.35), constrained_layout=True

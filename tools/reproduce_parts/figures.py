@@ -90,7 +90,11 @@ def fig4(report: dict[str, Any], picture: str) -> list[str]:
         _, n, _, n_error = power_law(np.array(pressures), np.array(stresses), relative)
         # Eq. 2 is no power: the same weights
         paper = np.polyfit(np.log(pressures), np.log(papers), 1, w=1 / relative)[0]
-        lines.append(f"stress ~ p^n: n = {n:.3f} +- {n_error:.3f}, Eq. 2 {paper:.3f} (Amontons: 1)")
+        lines += [
+            f"stress ~ p^n: n = {n:.3f} +- {n_error:.3f}, Eq. 2 {paper:.3f} (Amontons: 1)",
+            f"fall of mu with p over that of Eq. 2, (1 - n)/(1 - n of Eq. 2): "
+            f"{(1 - n) / (1 - paper):.2f} +- {n_error / (1 - paper):.2f}",
+        ]
     return lines
 
 

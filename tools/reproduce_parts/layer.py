@@ -28,7 +28,7 @@ def read(log: str) -> Layer | None:
     profile = log.removesuffix(".friction") + ".profile"
     if not is_there(profile):
         return None
-    measures = plot_layer.measures(profile)
+    measures = plot_layer.measures(profile, plot_layer.read_frames(profile))
     step, depth = (np.array([m[key] for m in measures]) for key in ("step", "depth"))
     return Layer(step * float(head_of(log)["run"]["timestep"]), depth)
 

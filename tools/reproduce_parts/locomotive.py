@@ -21,7 +21,6 @@ FALLS = (0.107, 0.195)  # creeps at which T/N over the peak is told
 WITHIN, FALL_WITHIN = 0.20, 0.10  # the aims: of each bin, and of the fall
 OURS, TABLE, PAPER = *made.MODELS, made.PAPER
 NAMES = {OURS: "our law", TABLE: "our table", PAPER: "the paper's law"}
-LEVEL = 1.96  # standard errors, of 95 %
 
 Rows = list[dict[str, Any]]
 

@@ -7,9 +7,9 @@ import subprocess
 from collections.abc import Iterator, Sequence
 from typing import Any
 
-from mcawr import programs, tables
+from mcawr import tables
 from mcawr.archive import ENDING
-from mcawr.errors import Exit, fail, fail_as, say
+from mcawr.errors import built, fail_as, say
 from mcawr.files import make_folder, write_all
 
 from . import patch_runs
@@ -95,9 +95,7 @@ def runs(laws: dict[str, str]) -> Iterator[Run]:
 def fit(model: str, logs: str, folder: str) -> tuple[str, dict[str, Any]]:
     """The law of wr_fit, in a file that is named after its checksum, so that runs with another law
     are others; (file, law)."""
-    program = programs.program("wr_fit")
-    if not os.path.isfile(program):
-        fail(Exit.IO, f"{program}: is not there: build it (tools/setup.sh)")
+    program = built("wr_fit")
     path = os.path.join(folder, f"{model}.json")
     words = [program, logs, *FIT, "--model", model, "-q", "-o", path]
     done = subprocess.run(words, capture_output=True, text=True, errors="replace", check=False)
@@ -120,13 +118,17 @@ def told(law: dict[str, Any]) -> str:
     return f"{', '.join(numbers)}; {law['n']} conditions, rms {100 * law['rms_relative']:.1f} %"
 
 
+def logs_in(top: str) -> str:
+    """Where the friction logs of the laws are: TOP/rail, or else the shipped ones."""
+    made = os.path.join(top, LOGS_PLAN)
+    return made if os.path.isdir(made) else LOGS
+
+
 def make(_plan: str, top: str, jobs: int) -> None:
-    """The laws, the runs in TOP/locomotive and their table TOP/locomotive.csv. The logs are those
-    of TOP/rail where there are any, or else the shipped ones."""
+    """The laws, the runs in TOP/locomotive and their table TOP/locomotive.csv."""
     folder = os.path.join(top, PLAN)
     make_folder(folder)
-    made = os.path.join(top, LOGS_PLAN)
-    logs = made if os.path.isdir(made) else LOGS
+    logs = logs_in(top)
     say(f"laws of the rail steel from {logs}")
     fits = {model: fit(model, logs, folder) for model in MODELS}
     every = list(runs({model: path for model, (path, _) in fits.items()}))

@@ -9,7 +9,7 @@ import numpy as np
 from matplotlib import pyplot
 
 from mcawr.files import save_figure
-from mcawr.replicas import student95
+from mcawr.replicas import NORMAL, student95
 
 from . import chain, locomotive, locomotive_runs, patch_pictures, patch_runs, wheel
 from .common import Missing, table
@@ -22,11 +22,13 @@ PUBLISHED = {"dry": (1.0, 0.4), "wet": (0.3, 0.1)}  # kA, kS
 
 @dataclasses.dataclass
 class PatchFigure:
-    """A figure: title, plans whose tables it shows, make(tables, picture) -> lines."""
+    """A figure: title, plans whose tables it shows, make(tables, picture) -> lines; logs: plans
+    whose friction logs give its law, of which make gets the path beside the tables."""
 
     title: str
     plans: list
     make: object
+    logs: tuple = ()
 
 
 Rows = list[dict[str, Any]]  # of a table of runs
@@ -321,8 +323,8 @@ def polach(tables: dict[str, Any], picture: str) -> list[str]:
         left.errorbar(
             [f["kA"] for f in found],
             [f["kS"] for f in found],
-            [f["kS_se"] for f in found],
-            [f["kA_se"] for f in found],
+            [NORMAL * f["kS_se"] for f in found],
+            [NORMAL * f["kA_se"] for f in found],
             fmt="o",
             ms=4,
             lw=0.6,
@@ -432,12 +434,20 @@ FIGURES = {
     "fig15-3d": PatchFigure("Fig. 15, point contact: high creep", ["patch-high"], fig15),
     "polach-3d": PatchFigure("Polach's kA and kS of a point contact", ["patch-low"], polach),
     "grid-3d": PatchFigure("Grids for a point contact", ["patch-slope"], grid),
-    "fig15": PatchFigure("Fig. 15, line contact: rail steel beside the paper", [], wheel.fig15),
+    "fig15": PatchFigure(
+        "Fig. 15, line contact: rail steel beside the paper",
+        [],
+        wheel.fig15,
+        (locomotive_runs.LOGS_PLAN,),
+    ),
     "locomotive": PatchFigure(
         "A measured locomotive", [locomotive_runs.PLAN], locomotive.locomotive
     ),
     "chain": PatchFigure(
-        "From the nanometre to a measured locomotive", [locomotive_runs.PLAN], chain.chain
+        "From the nanometre to a measured locomotive",
+        [locomotive_runs.PLAN],
+        chain.chain,
+        (locomotive_runs.LOGS_PLAN,),
     ),
     "start-3d": PatchFigure("A start from rest of a point contact", [], patch_pictures.start),
 }

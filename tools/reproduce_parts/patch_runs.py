@@ -12,8 +12,8 @@ import time
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from typing import Any
 
-from mcawr import programs, tables
-from mcawr.errors import Exit, fail, fail_as, say
+from mcawr import tables
+from mcawr.errors import Exit, built, fail_as, say
 from mcawr.files import make_folder, write_all
 
 from .common import Missing
@@ -174,10 +174,7 @@ PLANS = {"patch-low": low, "patch-high": high, "patch-slope": slope}
 # runs ---------------------------------------------------------------------------------------------
 def words_of(case: str, changes: Iterable[str], *more: str) -> list[str]:
     """A call of wr_creep. Raises Failure where it is not built."""
-    program = programs.program("wr_creep")
-    if not (os.path.isfile(program) and os.access(program, os.X_OK)):
-        fail(Exit.IO, f"{program}: is not there: build it (tools/setup.sh)")
-    words = [program, case, *more]
+    words = [built("wr_creep"), case, *more]
     for change in changes:
         words += ["--set", change]
     return words

@@ -50,6 +50,27 @@ def at_speed(points: list[dict[str, Any]]) -> list[dict[str, Any]]:
     return [p for p in points if math.isclose(p["velocity"], SPEED)]
 
 
+def seeds_apart(points: list[dict[str, Any]], ratios: list[float]) -> list[str]:
+    """By how much the two runs of a condition differ, over their mean: RMS at each p/sigma_0, as
+    text."""
+    squares = groups(
+        (
+            (rounded(same[0]), (same[0]["mu"] - same[1]["mu"]) ** 2 / mean_of(same)[0] ** 2)
+            for same in groups(
+                points, lambda p: (p["kappa3"], p["strength"], p["velocity"], rounded(p))
+            ).values()
+            if len(same) == 2
+        ),
+        lambda found: found[0],
+    )
+    return [
+        f"{100 * math.sqrt(np.mean([square for _, square in squares[ratio]])):.1f} %"
+        if ratio in squares
+        else ""
+        for ratio in ratios
+    ]
+
+
 def slower_than_speed(points: list[dict[str, Any]]) -> list[dict[str, Any]]:
     """The others."""
     return [p for p in points if p not in at_speed(points)]
@@ -102,6 +123,10 @@ def rail(report: dict[str, Any], picture: str) -> list[str]:
         axes.legend(fontsize=8, ncols=2, loc="upper left")
     save_figure(figure, picture)
     pyplot.close(figure)
+    every = [point for _, _, members in found for point in members]
+    rows.append(["two seeds differ by (RMS)", *seeds_apart(at_speed(every), ratios)])
+    if slower:
+        rows.append(["the same of slower runs", *seeds_apart(slower_than_speed(every), ratios)])
     return [
         "in brackets: standard error in units of 0.001, with what seeds differ by",
         *table([f"mu at {SPEED:g} m/s, p/sigma_0", *(f"{x:g}" for x in ratios)], rows),

@@ -10,7 +10,7 @@ from matplotlib import pyplot
 from campaign_parts import material, plan
 from campaign_parts.quantities import Run
 from mcawr.files import save_figure
-from mcawr.replicas import groups, mean_of
+from mcawr.replicas import groups, half_width, mean_of
 from plot_fit import PAPER, static_part, velocity_term
 
 from .common import Missing, table
@@ -73,7 +73,7 @@ def temperature(report: dict[str, Any], picture: str) -> list[str]:
     for at, members in found.items():
         mu, error = mean_of(members)
         axes.plot([at] * len(members), [p["mu"] for p in members], "o", mfc="none", color="C0")
-        axes.errorbar(at, mu, yerr=error, fmt="s", color="C0", capsize=3)
+        axes.errorbar(at, mu, yerr=half_width(members), fmt="s", color="C0", capsize=3)
         values = next(values for values in runs if values["temperature"] == at)
         each = "  ".join(f"{p['mu']:.3f}" for p in sorted(members, key=lambda p: p["seed"]))
         rows.append(
@@ -88,7 +88,7 @@ def temperature(report: dict[str, Any], picture: str) -> list[str]:
             ]
         )
     axes.plot([], [], "o", mfc="none", color="C0", label="a run")
-    axes.errorbar([], [], yerr=[], fmt="s", color="C0", capsize=3, label="mean, standard error")
+    axes.errorbar([], [], yerr=[], fmt="s", color="C0", capsize=3, label="mean, 95 %")
     axes.set(xlabel="temperature (K)", ylabel=r"$\mu$")
     axes.set_ylim(0, 0.65)
     axes.grid(alpha=0.3)

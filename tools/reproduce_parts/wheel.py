@@ -56,20 +56,20 @@ def fallen(curves_of_seeds: Any) -> list[str]:
     return cells
 
 
-def fig15(_: object, picture: str) -> list[str]:
+def fig15(found: dict[str, Any], picture: str) -> list[str]:
     figure, panels = pyplot.subplots(1, 2, figsize=(11, 4.4), sharey=True, constrained_layout=True)
     rows = []
     with tempfile.TemporaryDirectory() as folder:
-        ours, _law = made.fit(made.MODELS[0], made.LOGS, folder)
+        ours, _law = made.fit(made.MODELS[0], found[made.LOGS_PLAN], folder)
         laws = {
             "law of the rail steel": f"law: {ours}",
             "the paper's, local": "law: bucher2006, local: true",
         }
         for axes, (name, law) in zip(panels, laws.items()):
             for surface, line, seeds in (("smooth", "-", (0,)), (f"slope {SLOPE}", "--", SEEDS)):
-                found = [curves(os.path.join(folder, "run"), law, seed) for seed in seeds]
+                of_seeds = [curves(os.path.join(folder, "run"), law, seed) for seed in seeds]
                 for k, speed in enumerate(SPEEDS):
-                    same = np.array([one[speed] for one in found])
+                    same = np.array([one[speed] for one in of_seeds])
                     creep, ratio = same.mean(axis=0)
                     label = f"{surface}, {speed} m/s"
                     axes.plot(100 * creep, ratio, line, color=f"C{k}", label=label)

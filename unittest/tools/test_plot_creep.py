@@ -90,6 +90,12 @@ def test_negative_creep(call, tmp_path):
     call.refused(2, "plot_creep.py", tmp_path / "creep.csv", "--label", "a", "--label", "b")
 
 
+def test_no_creep_but_0(call, tmp_path):
+    (tmp_path / "creep.csv").write_text("speed,creep,traction_ratio\n10,0,0.1\n")
+    code, _, err = call("plot_creep.py", tmp_path / "creep.csv", "-o", tmp_path / "a.png")
+    assert code == 0 and err == ""
+
+
 def test_control_characters_in_labels_are_shown_not_drawn(call, tmp_path):
     """matplotlib would warn of each on two lines."""
     (tmp_path / "creep.csv").write_text(GOOD)

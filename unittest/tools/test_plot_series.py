@@ -49,6 +49,20 @@ def test_seeds_are_one_point(series):
     assert float(second["youngs_modulus"]) == pytest.approx(206)
 
 
+def test_runs_that_differ_in_more_than_their_seed_are_no_point(series, tmp_path, call):
+    """Two conditions of wr_fit (another size, another step) at one pressure, speed and material."""
+    points = [point(0.40, file="a"), point(0.44, file="b"), point(0.5, v=10.0, file="c")]
+    for runs, code in (([[0, 1], [2]], 0), ([[0], [1], [2]], 3)):
+        conditions = [{"runs": members} for members in runs]
+        report = {"report": {"points": points, "conditions": conditions}}
+        (tmp_path / "own.json").write_text(with_checksum(report))
+        words = ("own.json", "--against", "velocity", "-o", "own.png")
+        if code:
+            assert "differ in more than the seed" in call.refused(code, "plot_series.py", *words)
+        else:
+            assert call("plot_series.py", *words)[0] == 0
+
+
 def test_bars_are_students_t_of_the_seeds():
     """Bars of two seeds of one condition reach 12.7 standard errors where the report says so."""
     module = load("plot_series.py")

@@ -54,6 +54,11 @@ def test_stresses_are_in_equilibrium(module):
 def plot(tmp_path, *options, creep=CREEP):
     (tmp_path / "creep.csv").write_text(creep, encoding="utf-8")
     (tmp_path / "subsurface_0002.csv").write_text(STRESSES, encoding="utf-8")
+    (tmp_path / "subsurface_0000.csv").write_text(STRESSES, encoding="utf-8")
+    (tmp_path / "wheel_0002.csv").write_text(STRESSES.split("rail")[0], encoding="utf-8")
+    (tmp_path / "zero_0002.csv").write_text(
+        STRESSES.replace("400", "0").replace("410", "0"), encoding="utf-8"
+    )
     command = [TOOL, "creep.csv", "-o", "map.png", *options]
     return forked_scripts.run(command, tmp_path)
 
@@ -70,6 +75,9 @@ def test_picture(tmp_path):
         (("--shear-yield", "0"), CREEP, 2, "--shear-yield"),
         (("--shear-yield", "500"), "a,b\n1,2\n", 3, "creep.csv"),
         (("--shear-yield", "500", "--stresses", "creep.csv"), CREEP, 3, "no number"),
+        (("--shear-yield", "500", "--stresses", "subsurface_0000.csv"), CREEP, 3, "no number"),
+        (("--shear-yield", "500", "--stresses", "wheel_0002.csv"), CREEP, 3, "no row of the rail"),
+        (("--shear-yield", "500", "--stresses", "zero_0002.csv"), CREEP, 3, "allowed: > 0"),
         (
             ("--shear-yield", "500", "--stresses", "subsurface_0002.csv"),
             CREEP.rsplit("10,", 1)[0],
