@@ -12,7 +12,7 @@ from typing import Any
 from mcawr.files import read_text
 from mcawr.words import known_words
 
-from . import material, size
+from . import laws, material, size
 from .located import Given, PlanError, read_yaml, scalar, shown
 from .quantities import KEYS, KEYWORDS, LEAST, MOST, Run
 
@@ -74,6 +74,8 @@ def _value(path: str, line: int, name: str, value: Any) -> Any:
             r"[A-Za-z0-9_./-]+( [A-Za-z0-9_./-]+)*", value
         ):
             raise refused(path, line, name, value, key.allowed)
+        if name == "laws" and (why := laws.wrong(value)):
+            raise PlanError(f"{path}:{line}: laws: {why}")
         return value
     if name in size.KEYS and value == size.AUTO:
         return value

@@ -29,10 +29,8 @@ def link_pressure(values: Mapping[str, Any]) -> float:
         chosen = str(PRESET_A) if words[0] == "a" else "elastic_limit"
     if chosen == "none":
         return math.inf
-    try:
-        return float(chosen) * values["strength"]
-    except ValueError:
-        return values["elastic_limit"] * values["strength"]
+    multiple = values["elastic_limit"] if chosen == "elastic_limit" else float(chosen)
+    return multiple * values["strength"]
 
 
 def share(values: Mapping[str, Any]) -> float:

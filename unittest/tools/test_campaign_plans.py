@@ -8,7 +8,7 @@ import re
 import pytest
 
 from campaign_calls import HEAD, ROOT, campaign, one_line
-from campaign_parts import plan as plans, size
+from campaign_parts import laws, plan as plans, size
 
 
 LONG = pytest.mark.long
@@ -55,9 +55,21 @@ BAD_PLANS = [
     # what would be written outside the folder, or over the plan
     (HEAD + "runs: [{name: a/b}]\n", ["name: 'a/b'"]),
     (HEAD + "runs:\n  - p: 1\n    name: ..\n", [":4: name: '..' is not allowed"]),
-    (HEAD + "runs: [{laws: [b, ../../esc]}]\n", [":2: name: 'laws../../esc' is not allowed"]),
+    (HEAD + "runs: [{laws: [b, ../../esc]}]\n", [":2: laws: preset '../../esc' is not allowed"]),
     (HEAD + "runs: [{name: plan.yaml}]\n", ["name: 'plan.yaml'"]),
     (HEAD + "runs: [{name: [a, b]}]\n", ["name: '[...]'"]),
+    # laws that lmp or the size of the fragment cannot use
+    (HEAD + "runs: [{laws: e}]\n", [":2: laws: preset 'e' is not allowed, must be a, b, c, d"]),
+    (HEAD + "runs: [{laws: nonsense words here}]\n", [":2: laws: preset 'nonsense' is not"]),
+    (HEAD + "runs:\n  - laws: [d, d lnik 2]\n", [":3: laws: unknown keyword 'lnik'", "'link'"]),
+    (HEAD + "runs: [{laws: d weld}]\n", [":2: laws: weld: '' is not allowed, must be a number in"]),
+    (
+        HEAD + "runs: [{laws: d link 0}]\n",
+        [":2: laws: link: '0' is not allowed", "1e-12 .. 1e+12, elastic_limit, none"],
+    ),
+    (HEAD + "runs: [{laws: d link nan}]\n", ["laws: link: 'nan' is not allowed"]),
+    (HEAD + "defaults: {laws: d link -1}\nruns: [{v: 1}]\n", [":2: laws: link: '-1' is not"]),
+    (HEAD + "runs: [{laws: d worn 1}]\n", ["worn: '1' is not allowed, must be unloaded, never"]),
     # numbers that leave no step, kappa or log
     (
         HEAD + "runs: [{strength: 1e-200}]\n",
@@ -190,6 +202,21 @@ def test_a_word_is_no_size(tmp_path):
     )
     path.write_text(HEAD + "runs: [{held: auto}]\n")
     one_line(campaign("list", path), 3, "held: 'auto' is not allowed")
+
+
+def test_laws_have_the_keywords_of_the_pair_style():
+    """And their words, as the page of pair_style mca has them."""
+    syntax = (ROOT / "doc" / "pair_mca.md").read_text().split("```text")[2].split("```")[0]
+    found = dict(re.findall(r"^(\w+) value = (.+)$", syntax, re.MULTILINE))
+    assert found.pop("preset") == " or ".join(laws.PRESETS)
+    numbers = {"h": (), "c": (), "factor": ()}
+    for keyword, (least, words) in laws.VALUES.items():
+        page = found.pop(keyword).split(" or ")
+        assert [word for word in page if word not in numbers] == list(words)
+        assert (least is not None) == (page[0] in numbers)
+        number = least if least is not None else words[0]
+        assert laws.wrong(f"d {keyword} {number}") is None
+    assert not found
 
 
 def test_csv_plan(tmp_path):
