@@ -27,6 +27,7 @@ from mcawr.errors import BadInput, Exit, Failure
 from mcawr.files import read_bytes, read_text, write
 from mcawr.numbers import decimal
 
+from . import size
 from .plan import ROOT
 from .quantities import Run
 
@@ -85,7 +86,7 @@ def _checksum_of(record: dict[str, Any]) -> str:
 
 
 def _check_head(run: Run, head: dict[str, Any]) -> None:
-    """The head of a log is that of this run. Raises BadInput."""
+    """The head of a log is that of this run; its material is the weaker one. Raises BadInput."""
     wanted = (
         ("loading", "pressure", "p"),
         ("loading", "velocity", "v"),
@@ -98,9 +99,9 @@ def _check_head(run: Run, head: dict[str, Any]) -> None:
             given = float(head[section][key])
         except (LookupError, TypeError, ValueError):
             raise BadInput(f"{PART}: its head has no {section}: {key}") from None
-        if not math.isclose(given, run.values[name], rel_tol=1e-4):
+        if not math.isclose(given, run.weaker[name], rel_tol=1e-4):
             raise BadInput(
-                f"{PART}: its head says {key} {given:g}, the plan {name} {run.values[name]:g}"
+                f"{PART}: its head says {key} {given:g}, the plan {name} {run.weaker[name]:g}"
             )
 
 
@@ -333,7 +334,10 @@ class RunFolder:
         """What is wrong with the layer of the log so far; None if nothing is, or nothing known."""
         values = self.run.values
         room, lost = self.mean("room"), self.column("lost")
-        least = layer_health.least_room(values["p"], values["E"], values["nu"])
+        least = min(
+            layer_health.least_room(block["p"], block["E"], block["nu"])
+            for block in size.blocks(values)
+        )
         found = []
         if room and room < least:
             found.append(

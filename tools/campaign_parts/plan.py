@@ -180,16 +180,13 @@ def _solid(path: str, line: int, of_run: Any, stated: Any) -> tuple[dict[str, An
     return ({}, found) if {"material", "temperature"} & set(of_run) else (found, {})
 
 
-def _upper(path: str, line: int, entry: Any, values: dict[str, Any]) -> dict[str, Any] | None:
+def _upper(path: str, at: int, values: dict[str, Any]) -> dict[str, Any] | None:
     """The quantities of the upper block's own potential file, but for the diameter, which is one
     for both; None without a file."""
     if values["upper_material"] is None:
         return None
-    at = entry["upper_material"].line if "upper_material" in entry else line
     found = _material(path, at, values["upper_material"], values["temperature"])
-    upper = {key: value for key, value in found.items() if key in KEYWORDS}
-    _check_together(path, at, {}, {**values, **upper})
-    return upper
+    return {key: value for key, value in found.items() if key in KEYWORDS}
 
 
 def _expand(
@@ -211,11 +208,16 @@ def _expand(
         raise refused(path, named, "name", label, "a word")
     for combination in itertools.product(*given.values()):
         values = dict(zip(given, combination))
-        at = entry["material"].line if "material" in entry else line
+        at, upper_at = (
+            entry[name].line if name in entry else line for name in ("material", "upper_material")
+        )
         below, above = _solid(path, at, values, stated)
-        values = size.settled({**defaults, **below, **stated, **above, **values})
+        values = {**defaults, **below, **stated, **above, **values}
+        values["upper"] = _upper(path, upper_at, values)
+        values = size.settled(values)
         _check_together(path, line, entry, values)
-        values["upper"] = _upper(path, line, entry, values)
+        if values["upper"]:
+            _check_together(path, upper_at, {}, {**values, **values["upper"]})
         suffix = "-".join(_suffix(n, values[n]) for n in given if len(given[n]) > 1)
         yield (
             named,

@@ -123,8 +123,7 @@ class Run:
     @property
     def weaker(self) -> dict[str, Any]:
         """All values, with the quantities of the weaker block."""
-        other = {**self.values, **self.upper}
-        return min(self.values, other, key=lambda v: v["strength"])
+        return min(size.blocks(self.values), key=lambda v: v["strength"])
 
     @property
     def kappa1(self) -> float:

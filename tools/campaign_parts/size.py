@@ -20,17 +20,26 @@ SIZES = ((0.18, 160, 8, 14), (0.27, 160, 14, 22), (0.9, 80, 14, 22), (math.inf, 
 ASPECT = 2.5  # columns over depth, in space
 
 
+def blocks(values: Mapping[str, Any]) -> list[dict[str, Any]]:
+    """All values with the quantities of the lower block, and where the upper one has a material of
+    its own, with those of the upper."""
+    upper = values.get("upper")
+    return [{**values}, {**values, **upper}] if upper else [{**values}]
+
+
 def link_pressure(values: Mapping[str, Any]) -> float:
-    """Elastic compression that links an unlinked contact (MPa), by the words of `laws`; infinite
-    where none does."""
+    """Elastic compression that links an unlinked contact of the blocks (MPa), by the words of
+    `laws`; infinite where none does."""
     words = str(values["laws"]).split()
     chosen = dict(zip(words[1::2], words[2::2])).get("link")
     if chosen is None:
         chosen = str(PRESET_A) if words[0] == "a" else "elastic_limit"
     if chosen == "none":
         return math.inf
-    multiple = values["elastic_limit"] if chosen == "elastic_limit" else float(chosen)
-    return multiple * values["strength"]
+    return min(
+        (block["elastic_limit"] if chosen == "elastic_limit" else float(chosen)) * block["strength"]
+        for block in blocks(values)
+    )
 
 
 def share(values: Mapping[str, Any]) -> float:

@@ -13,6 +13,7 @@ import time
 
 import friction_logs
 
+KEYWORDS = {"E": "youngs_modulus", "rho": "density", "strength": "strength"}
 END = b"LammpS RestartT\0"
 
 
@@ -42,13 +43,17 @@ def main():
                 if not line[:1].isdigit() or int(line.split()[0]) <= step
             ]
     else:
+        words = var.get("upper_values", "").split()
+        lower = {key: var[name] for name, key in KEYWORDS.items()}
+        upper = {**lower, **dict(zip(words[::2], words[1::2]))}
+        weaker = min(lower, upper, key=lambda block: float(block["strength"]))
         kept = [
             friction_logs.HEAD.format(
-                E=var["E"],
-                rho=float(var["rho"]) * 1e6,
+                E=weaker["youngs_modulus"],
+                rho=float(weaker["density"]) * 1e6,
                 p=var["p"],
                 v=var["v"],
-                strength=var["strength"],
+                strength=weaker["strength"],
                 seed=var["seed"],
                 preset="B",
                 every=every,

@@ -20,6 +20,7 @@ from campaign_calls import (
     HEAD,
     PLAN,
     REAL,
+    ROOT,
     campaign,
     environment,
     logs,
@@ -383,6 +384,30 @@ def test_a_run_does_not_go_on_from_a_damaged_log(tmp_path, damage, why):
     assert result.returncode == 0, result.stdout + result.stderr
     assert "a: begins anew, its log is damaged: " in result.stdout and why in result.stdout
     assert log.read_text() == whole
+
+
+@pytest.mark.parametrize("strength", [50, pytest.param(300, marks=LONG)])
+def test_a_run_of_two_materials_finishes_and_goes_on(tmp_path, strength):
+    """Whichever block is the weaker one, of which the head of the log is."""
+    aluminium = (ROOT / "examples" / "campaign" / "aluminium.mca").read_text()
+    text = re.sub(r"(?m)^strength .*$", f"strength {strength}", aluminium)
+    (tmp_path / "upper.mca").write_text(text)
+    path, out = tmp_path / "plan.yaml", tmp_path / "out"
+    run = "name: a, ns: 2, dt: 2.0e-5, p: 9, checkpoint: 0.2, upper_material: upper.mca"
+    path.write_text(HEAD + "runs: [{" + run + "}]\n")
+    result = campaign("run", path, "-o", out)
+    assert result.returncode == 0, result.stdout + result.stderr
+    log, part = out / "a" / "run.friction", out / "a" / "run.friction.part"
+    whole = log.read_text()
+    assert f"strength: {min(strength, 92)}" in whole
+    lines = whole.split("\n")
+    part.write_text("\n".join(lines[:30]) + "\n")
+    (out / "a" / "run.a.restart").write_bytes(lines[29].split()[0].encode() + b"LammpS RestartT\0")
+    log.unlink()
+    (out / "a" / "run.restart").unlink()
+    result = campaign("run", path, "-o", out)
+    assert result.returncode == 0, result.stdout + result.stderr
+    assert "a: goes on from" in result.stdout and log.read_text() == whole
 
 
 NO_RESULT = [  # what a run of lmp that ends without an error may leave, and why it is no result

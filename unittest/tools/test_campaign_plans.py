@@ -473,6 +473,25 @@ def test_upper_material(tmp_path):
     assert "upper_values" not in plain.variables() and plain.values["upper"] is None
 
 
+def test_size_follows_the_weaker_block(tmp_path):
+    """Junctions form at the weaker strength and elastic limit, whichever block has it."""
+    for name, strength, limit in (("weak", 60, 0.3), ("strong", 600, 0.7)):
+        text = re.sub(r"(?m)^(strength) .*$", rf"\1 {strength}", ALUMINIUM)
+        text = re.sub(r"(?m)^(elastic_limit) .*$", rf"\1 {limit}", text)
+        (tmp_path / f"{name}.mca").write_text(text)
+    path = tmp_path / "plan.yaml"
+    pairs = ["material: weak.mca, upper_material: strong.mca"]
+    pairs.append("material: strong.mca, upper_material: weak.mca")
+    runs = "".join(
+        f"  - {{{pair}, laws: {laws}}}\n" for laws in ("d", "d link 2") for pair in pairs
+    )
+    path.write_text(HEAD + "defaults: {p: 8}\nruns:\n" + runs)
+    found = plans.read(str(path)).runs
+    assert [run.values["columns"] for run in found] == [80, 80, 160, 160]
+    pressures = [size.link_pressure(run.values) for run in found]
+    assert pressures == pytest.approx([18, 18, 120, 120])
+
+
 @pytest.mark.parametrize(
     "text, run, part",
     [

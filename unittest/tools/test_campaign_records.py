@@ -8,10 +8,22 @@ import re
 import shutil
 import subprocess
 
+import friction_logs
 import pytest
 
-from campaign_calls import CAMPAIGN, FAKE, HEAD, PLAN, campaign, edit, environment, logs, one_line
-from campaign_parts import pack, plan as plans
+from campaign_calls import (
+    CAMPAIGN,
+    FAKE,
+    HEAD,
+    PLAN,
+    ROOT,
+    campaign,
+    edit,
+    environment,
+    logs,
+    one_line,
+)
+from campaign_parts import folder, pack, plan as plans
 from mcawr import archive
 
 
@@ -256,6 +268,24 @@ def test_packed_command_is_of_any_checkout_and_of_the_whole_length():
         [begun, begun.replace("ns 30", "ns 100 -var continue 1 -var restart run.restart")]
     )
     assert command == "lmp -in examples/friction/in.friction -var p 2 -var ns 100"
+
+
+@pytest.mark.parametrize("modulus, warns", [(206000, True), (2060, False)])
+def test_the_softer_block_may_have_less_room(tmp_path, modulus, warns):
+    """By p over its bulk modulus, whichever block it is."""
+    steel = (ROOT / "potentials" / "steel.mca").read_text()
+    text = re.sub(r"(?m)^youngs_modulus .*$", f"youngs_modulus {modulus}", steel)
+    text = re.sub(r"(?m)^strength .*$", "strength 9", text)
+    (tmp_path / "upper.mca").write_text(text)
+    path = tmp_path / "plan.yaml"
+    path.write_text(HEAD + "runs: [{name: a, p: 8, upper_material: upper.mca}]\n")
+    (run,) = plans.read(str(path)).runs
+    (tmp_path / "a").mkdir()
+    log = friction_logs.friction_log().replace(" gap\n", " gap room\n")
+    log = re.sub(r"(?m)^(\d.*)$", r"\1 0.967", log)
+    (tmp_path / "a" / "run.friction.part").write_text(log)
+    doubt = folder.RunFolder(str(tmp_path), run).doubt()
+    assert ("of the solid's room" in (doubt or "")) == warns
 
 
 def test_what_a_run_cost(plan, tmp_path):
