@@ -5,6 +5,7 @@ head; profiles as they are."""
 import json
 import os
 import shlex
+import typing
 
 from mcawr import archive, friction_log
 from mcawr.errors import BadInput, Exit, say
@@ -12,6 +13,10 @@ from mcawr.files import is_there, read_text, write
 
 from . import folder as folders
 from .plan import ROOT, Plan
+from .quantities import Run
+
+SAME = ("name", "log", "pictures")  # variables of a command that are the same for all runs
+SOMETIMES = ("depth", "upper_values")  # variables that not every run has
 
 
 def packed(text: str, rows: int, command: str, temperature: float | None = None) -> str:
@@ -44,39 +49,68 @@ def packed(text: str, rows: int, command: str, temperature: float | None = None)
     return "\n".join(result) + "\n"
 
 
+def _portable_script(path: str) -> str:
+    """An input script named as from the checkout, wherever that was; another one as it is."""
+    parts = path.split(os.sep)
+    tails = (os.path.join(*parts[k:]) for k in range(1, len(parts)))
+    return next((tail for tail in tails if os.path.exists(os.path.join(ROOT, tail))), path)
+
+
 def portable(commands: list[str]) -> str:
     """The first of a run's commands, as long as the last one went, with lmp and the input script
     named as from the checkout, wherever both were."""
     words, last = (shlex.split(command) for command in (commands[0], commands[-1]))
     start = words.index("-in")
     words[start - 1] = "lmp"
-    parts = words[start + 1].split(os.sep)
-    tails = (os.path.join(*parts[k:]) for k in range(1, len(parts)))
-    words[start + 1] = next(
-        (tail for tail in tails if os.path.exists(os.path.join(ROOT, tail))), words[start + 1]
-    )
+    words[start + 1] = _portable_script(words[start + 1])
     words[words.index("ns") + 1] = last[last.index("ns") + 1]
     return shlex.join(words)
 
 
-def _made_with(path: str) -> dict[str, str]:
-    """{name: value} of the input script's variables in the command of a packed log. Raises
-    BadInput."""
-    for line in friction_log.Text.of(read_text(path)).head:
+class _Made(typing.NamedTuple):
+    """How a packed log was made: input script, {name: value} of its variables, rows in one."""
+
+    script: str
+    variables: dict[str, str]
+    rows: int
+
+
+def _made_with(path: str, head: list[str]) -> _Made:
+    """From the head of a packed log. Raises BadInput."""
+    for line in head:
         if line.startswith(friction_log.CAMPAIGN):
             try:
                 made = json.loads(line.removeprefix(friction_log.CAMPAIGN))
                 words = shlex.split(made["command"])
                 at = [k for k, word in enumerate(words[:-2]) if word == "-var"]
-                return {words[k + 1]: words[k + 2] for k in at}
+                variables = {words[k + 1]: words[k + 2] for k in at}
+                return _Made(words[words.index("-in") + 1], variables, int(made["rows_averaged"]))
             except (ValueError, RecursionError, LookupError, TypeError, AttributeError):
                 break
     raise BadInput(f"{path}: not a packed log: its head has no command")
 
 
+def _script_of(path: str) -> str:
+    """What tells input scripts apart: one of the plan's own may have been moved with the plan."""
+    return os.path.basename(path) if os.path.isabs(path) else path
+
+
+def _check_made(path: str, run: Run, made: _Made) -> None:
+    """A packed log was made with the run's values and input script. Raises BadInput."""
+    none = dict.fromkeys(SOMETIMES, "")
+    wanted = {"input": _script_of(_portable_script(run.input)), **none, **run.variables()}
+    found = {"input": _script_of(made.script), **none, **made.variables}
+    for name in {**wanted, **found}:
+        value = wanted.get(name, "")
+        had = found.get(name, value)  # an older log's command may lack a name
+        if had != value and name not in SAME:
+            raise BadInput(f"{path}: made with {name} '{had}', the plan's run has '{value}'")
+
+
 def members_of(plan: Plan, path: str | None) -> dict[str, dict[str, str]]:
     """{run's name: {member: text}} of the plan's runs whose logs stand in an archive. Raises
-    BadInput: it cannot be read, or one of them was made with other values than the plan's."""
+    BadInput: it cannot be read, or one of them was made with other values than the plan's, or with
+    another input script."""
     if path is None:
         return {}
     found = {}
@@ -85,13 +119,8 @@ def members_of(plan: Plan, path: str | None) -> dict[str, dict[str, str]]:
         texts = {name: read_text(f"{path}/{name}") for name in names if is_there(f"{path}/{name}")}
         if names[0] not in texts:
             continue
-        made = _made_with(f"{path}/{names[0]}")
-        for name, value in run.variables().items():
-            if made.get(name, value) != value:
-                raise BadInput(
-                    f"{path}/{names[0]}: made with {name} '{made[name]}', the plan's run has "
-                    f"'{value}'"
-                )
+        log = f"{path}/{names[0]}"
+        _check_made(log, run, _made_with(log, friction_log.Text.of(texts[names[0]]).head))
         found[run.name] = texts
     return found
 

@@ -243,6 +243,33 @@ def test_a_campaign_goes_on_from_an_archive(plan, tmp_path):
     )
 
 
+@pytest.mark.parametrize(
+    "old, new, part",
+    [
+        ("defaults: {", "defaults: {upper_material: own.mca, ", "made with upper_values "),
+        ("title:", "input: mine/in.friction\ntitle:", "made with input "),
+    ],
+)
+def test_an_archive_of_another_upper_block_or_script(plan, tmp_path, old, new, part):
+    """Neither is taken for the plan's run, whichever of both has it; plan and script may move."""
+    here, there = tmp_path / "here", tmp_path / "there"
+    (here / "mine").mkdir(parents=True)
+    shutil.copy(ROOT / "examples" / "campaign" / "aluminium.mca", here / "own.mca")
+    shutil.copy(ROOT / "examples" / "friction" / "in.friction", here / "mine")
+    other = here / "other.yaml"
+    other.write_text(PLAN.replace(old, new))
+    for made in (plan, other):
+        campaign("one", made, "-o", tmp_path / made.stem, "--index", 0)
+        target = tmp_path / f"{made.stem}.tar.xz"
+        assert campaign("pack", made, "-o", tmp_path / made.stem, "--to", target).returncode == 0
+    one = ("-o", tmp_path / "no", "--index", 0, "--packed")
+    one_line(campaign("one", other, *one, tmp_path / "plan.tar.xz"), 3, "v2.friction: " + part)
+    one_line(campaign("one", plan, *one, tmp_path / "other.tar.xz"), 3, "v2.friction: " + part)
+    here.rename(there)
+    result = campaign("one", there / "other.yaml", *one, tmp_path / "other.tar.xz")
+    assert result.returncode == 0 and "1 of the runs are in" in result.stdout
+
+
 def test_an_archive_ends_in_tar_xz(finished, tmp_path):
     for name in ("packed", "packed.tar", "packed.tar.gz", "packed.tar.xz/", "packed.TAR.XZ"):
         words = ("pack", finished / "plan.yaml", "-o", finished / "out", "--to")
