@@ -84,7 +84,9 @@ def _made_with(path: str, head: list[str]) -> _Made:
                 words = shlex.split(made["command"])
                 at = [k for k, word in enumerate(words[:-2]) if word == "-var"]
                 variables = {words[k + 1]: words[k + 2] for k in at}
-                return _Made(words[words.index("-in") + 1], variables, int(made["rows_averaged"]))
+                script, rows = words[words.index("-in") + 1], int(made["rows_averaged"])
+                if rows >= 1:
+                    return _Made(script, variables, rows)
             except (ValueError, RecursionError, LookupError, TypeError, AttributeError):
                 break
     raise BadInput(f"{path}: not a packed log: its head has no command")
@@ -107,10 +109,21 @@ def _check_made(path: str, run: Run, made: _Made) -> None:
             raise BadInput(f"{path}: made with {name} '{had}', the plan's run has '{value}'")
 
 
+def _check_whole(path: str, run: Run, made: _Made) -> None:
+    """A packed log is as it was written and goes on to the end of the run. Raises BadInput."""
+    steps = friction_log.read(path, ["step"]).columns["step"]
+    every = int(run.variables()["every"])
+    end = run.steps // every // made.rows * made.rows * every
+    if not steps or steps[-1] < end:
+        raise BadInput(
+            f"{path}: ends at step {steps[-1] if steps else 0} of {end}: rows are missing"
+        )
+
+
 def members_of(plan: Plan, path: str | None) -> dict[str, dict[str, str]]:
     """{run's name: {member: text}} of the plan's runs whose logs stand in an archive. Raises
     BadInput: it cannot be read, or one of them was made with other values than the plan's, or with
-    another input script."""
+    another input script, or is not whole."""
     if path is None:
         return {}
     found = {}
@@ -120,7 +133,9 @@ def members_of(plan: Plan, path: str | None) -> dict[str, dict[str, str]]:
         if names[0] not in texts:
             continue
         log = f"{path}/{names[0]}"
-        _check_made(log, run, _made_with(log, friction_log.Text.of(texts[names[0]]).head))
+        made = _made_with(log, friction_log.Text.of(texts[names[0]]).head)
+        _check_made(log, run, made)
+        _check_whole(log, run, made)
         found[run.name] = texts
     return found
 

@@ -243,6 +243,33 @@ def test_a_campaign_goes_on_from_an_archive(plan, tmp_path):
     )
 
 
+def test_an_archive_of_a_damaged_log(finished, tmp_path):
+    """One that was cut, emptied or changed is refused, and named."""
+    whole, bad = tmp_path / "whole.tar.xz", tmp_path / "bad.tar.xz"
+    words = (finished / "plan.yaml", "-o", finished / "out")
+    for rows in (1, 3):  # of its 40 rows the last does not fit
+        assert campaign("pack", *words, "--to", whole, "--rows", rows).returncode == 0
+        assert campaign("run", *words, "--packed", whole).returncode == 0
+    text = archive.unpack("whole", whole.read_bytes())["a.friction"].decode()
+    lines = text.splitlines(keepends=True)
+    head = next(k for k, line in enumerate(lines) if line[:1].isdigit())
+    changed = re.sub(r"0\.4\d*", "0.41", lines[head + 2], count=1)
+    for damaged, part in (
+        (lines[:-1], "ends at step 36000 of 39000: rows are missing"),
+        (lines[:head], "ends at step 0 of 39000: rows are missing"),
+        ([*lines[: head + 2], changed, *lines[head + 3 :]], f":{head + 3}: check: "),
+    ):
+        bad.write_bytes(archive.pack({"a.friction": "".join(damaged)}))
+        for command in (["run"], ["pack", "--to", tmp_path / "new.tar.xz"]):
+            one_line(
+                campaign(*command, words[0], "-o", tmp_path, "--packed", bad),
+                3,
+                f"{bad}/a.friction:",
+                part,
+            )
+    assert not (tmp_path / "new.tar.xz").exists()
+
+
 @pytest.mark.parametrize(
     "old, new, part",
     [
