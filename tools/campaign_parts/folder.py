@@ -57,8 +57,7 @@ def keep_plan(path: str, top: str) -> None:
     for number in itertools.count(1):
         copy = os.path.join(top, f"plan.{number}{end}" if number > 1 else "plan" + end)
         if not os.path.exists(copy):
-            with open(path, encoding="utf-8", newline="") as file:
-                return write(copy, file.read())
+            return write(copy, read_bytes(path))
         if filecmp.cmp(path, copy, shallow=False):
             return None
 

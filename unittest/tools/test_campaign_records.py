@@ -50,6 +50,13 @@ def test_a_plan_in_the_folder_is_never_overwritten(plan, tmp_path):
     assert plan.read_text() == PLAN and (tmp_path / "plan.2.yaml").exists()
 
 
+def test_a_plan_of_utf_16_runs_and_is_kept(tmp_path):
+    path, out = tmp_path / "plan.yaml", tmp_path / "out"
+    path.write_bytes((HEAD + "title: µ\nruns: [{name: a, ns: 1}]\n").encode("utf-16"))
+    assert campaign("run", path, "-o", out).returncode == 0
+    assert (out / "plan.yaml").read_bytes() == path.read_bytes()
+
+
 def test_the_exit_code_does_not_depend_on_the_folders_name(plan, tmp_path):
     out = tmp_path / "mylmp_written"
     campaign("run", plan, "-o", out)
