@@ -369,8 +369,10 @@ def rate_in(top: str, runs: Iterable[Run]) -> float | None:
     work = cost = 0.0
     for run in runs:
         folder = RunFolder(top, run)
-        attempts = folder.record().get("attempts", [])
+        record = folder.record()
+        attempts = record.get("attempts", [])
         if folder.is_finished() and all("core_seconds" in attempt for attempt in attempts):
-            work += run.work
+            # as it was run: the plan may have changed
+            work += Run(run.name, {**run.values, **record["parameters"]}, run.input).work
             cost += folder.core_seconds()
     return work / cost if cost else None

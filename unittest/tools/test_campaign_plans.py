@@ -194,6 +194,19 @@ def test_junctions_and_cost():
     assert "16 runs, 3.3 core-hours at 9 M automaton-steps a second and core\n" in listed
 
 
+def test_rate_of_a_plan_in_the_plane_and_in_space(tmp_path):
+    """The mean of both, by their work: what the sum of the costs was reckoned with."""
+    path = tmp_path / "plan.yaml"
+    space = ROOT / "examples" / "space" / "in.friction"
+    runs = "runs: [{name: plane}, {name: space, depth: 8}]\n"
+    path.write_text(f"{HEAD}input: {space}\n{runs}")
+    said = campaign("list", path).stdout
+    hours, rate = re.search(r"runs, (\S+) core-hours at (\S+) M automaton-steps", said).groups()
+    work = sum(run.work for run in plans.read(str(path)).runs)
+    assert 1.7 < float(rate) < 9
+    assert float(rate) == pytest.approx(work / (float(hours) * 3600) / 1e6, rel=0.1)
+
+
 def test_a_word_is_no_size(tmp_path):
     path = tmp_path / "plan.yaml"
     path.write_text(HEAD + "runs: [{columns: wide}]\n")

@@ -375,6 +375,8 @@ def test_what_a_run_cost(plan, tmp_path):
     listed = campaign("list", plan, "-o", out).stdout
     rate = float(re.search(r"at (\S+) M automaton-steps a second and core, measured", listed)[1])
     assert rate == pytest.approx(work / total / 1e6, rel=0.01)
+    plan.write_text(PLAN.replace("ns: 2", "ns: 0.5"))  # the runs were longer
+    assert f"core-hours at {rate:.3g} M" in campaign("list", plan, "-o", out).stdout
     one_line(campaign("list", plan, "-o", tmp_path / "no"), 3, "no: no such folder")
     (tmp_path / "empty").mkdir()
     assert "at 9 M automaton-steps" in campaign("list", plan, "-o", tmp_path / "empty").stdout
