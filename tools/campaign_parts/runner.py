@@ -98,7 +98,10 @@ def is_full(path: str, why: object = "") -> bool:
     """Whether a failure is that of a full disk."""
     if any(text in str(why) for text in FULL):
         return True
-    disk = os.statvfs(path)
+    try:
+        disk = os.statvfs(path)
+    except OSError:  # the folder is gone
+        return False
     return disk.f_bavail * disk.f_frsize < 65536
 
 
@@ -241,12 +244,15 @@ class Attempt:
         return ("full" if is_full(self.folder.path, why) else "failed"), why
 
     def end(self) -> tuple[str, str | None]:
-        """outcome(), once lmp has ended, with all that it means for the folder."""
+        """outcome(), once lmp has ended, with all that it means for the folder; a folder that it
+        cannot be written into is a fault of this run alone."""
         folder, path = self.folder, self.folder.file
-        outcome, why = self.outcome()
         seconds = time.monotonic() - self.began
         try:
             record = folder.record()
+            if not record:
+                raise folders.FolderError(f"{path('run.json')}: is gone")
+            outcome, why = self.outcome()
             record["attempts"][-1].update(
                 end=_now(),
                 seconds=round(seconds, 1),
@@ -264,9 +270,8 @@ class Attempt:
                     if folder.has(name):
                         os.remove(path(name))
         except (OSError, errors.Failure) as error:
-            if not is_full(folder.path, error):
-                raise
-            outcome, why = "full", str(error)
+            outcome = "full" if is_full(folder.path, error) else "failed"
+            why = str(error)
         finally:
             self.lock.close()
         return outcome, why

@@ -196,6 +196,21 @@ def test_failed_run_does_not_stop_the_others(tmp_path):
     assert len(attempts()) == 2
 
 
+@pytest.mark.parametrize("gone", ["$PWD", pytest.param("run.json", marks=LONG)])
+def test_a_folder_that_vanishes_does_not_stop_the_others(tmp_path, gone):
+    path, out = tmp_path / "plan.yaml", tmp_path / "out"
+    path.write_text(HEAD + "order: plan\nruns: [{v: [12, 5], ns: 1}]\n")
+    (tmp_path / "lmp").write_text(
+        f'#!/bin/sh\n{FAKE} "$@"\ncase "$*" in *"v 12 "*) rm -r "{gone}"; exit 1;; esac\n'
+    )
+    (tmp_path / "lmp").chmod(0o755)
+    env = environment(MCAWR_LMP=str(tmp_path / "lmp"))
+    result = campaign("run", path, "-o", out, "-j", 1, env=env)
+    assert result.returncode == 6 and not result.stderr, result.stderr
+    assert f"v12: failed: {out}/v12/run.json: is gone" in result.stdout
+    assert "v5: finished" in result.stdout and list(logs(out)) == ["v5"]
+
+
 def test_one_run_a_job_and_two_calls_at_once(plan, tmp_path):
     out = tmp_path / "out"
     calls = [
