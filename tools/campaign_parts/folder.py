@@ -285,8 +285,8 @@ class RunFolder:
             math.fsum(column) / len(column)
             for column in (log.columns[name][half] for name in ("mu", "normal_stress"))
         )
-        if mu == 0:
-            return "mu of its second half is 0: nothing slides on anything"
+        if mu <= 0:
+            return f"mu of its second half is {mu:.4g}, not above 0: nothing rubs on anything"
         if abs(normal - values["p"]) > self.run.slack(end):
             return (
                 f"the mean normal stress of its second half is {normal:.4g} MPa under a pressure "

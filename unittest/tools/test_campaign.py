@@ -434,6 +434,7 @@ NO_RESULT = [  # what a run of lmp that ends without an error may leave, and why
     ("edit '12s/ 15 / nan /'", ":12: normal_stress: 'nan'"),
     ("edit 's/ 3456 / 0 /'", "no link is left"),
     ("edit 's/ 15 [0-9.]* 3456/ 15 0 3456/'", "mu of its second half is 0"),
+    ("edit 's/ 15 [0-9.]* 3456/ 15 -670 3456/'", "mu of its second half is -670, not above 0"),
     ("edit 's/ 15 \\([0-9.]*\\) 3456/ 9 \\1 3456/'", "normal stress of its second half is 9 MPa"),
     ("edit 's/pressure: 15/pressure: 16/'", "its head says pressure 16, the plan p 15"),
     ("printf 40000 > run.restart", "run.restart is incomplete"),
