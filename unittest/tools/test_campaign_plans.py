@@ -687,11 +687,13 @@ def test_page_has_every_key_option_and_plan():
             )
     options = set()
     for command in ("list", "run", "one", "status", "pack"):
-        options |= set(
-            re.findall(
-                r"(?<![\w-])(--?[a-z]+)", campaign(command, "--help").stdout.split("options:")[1]
-            )
-        )
+        said = campaign(command, "--help").stdout
+        assert said.startswith(f"usage: campaign {command} [-h] ")
+        usage, description, arguments = said.split("\n\n", 2)
+        assert description.endswith(".") and "PLAN " in arguments
+        helps = re.findall(r"^  (?:\S| (?=\S))+(?:\n {10}|  ) *(.*)$", arguments, re.MULTILINE)
+        assert len(helps) == arguments.count("\n  -") + 1 and all(helps), said
+        options |= set(re.findall(r"(?<![\w-])(--?[a-z]+)", said.split("options:")[1]))
     syntax = page.split("## Examples")[0]
     table = set(re.findall(r"`(--?[a-z]+)`", syntax))
     assert options - {"-h", "--help", "-np"} == table
