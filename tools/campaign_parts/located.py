@@ -10,6 +10,7 @@ import yaml
 
 from mcawr.errors import BadInput
 
+WORDS = ("name",)  # keys whose value is a word, even where it looks like a number
 DEPTH = 4  # plan, runs, run, list of values, value
 NUMBER = re.compile(r"[-+]?((0|[1-9][0-9]*)(\.[0-9]*)?|\.[0-9]+)([eE][-+]?[0-9]+)?")
 
@@ -62,7 +63,7 @@ def _refuse_decimal_comma(words: list[yaml.Node]) -> None:
             )
 
 
-def _given(node: yaml.Node, depth: int = 0) -> Given:
+def _given(node: yaml.Node, depth: int = 0, is_word: bool = False) -> Given:
     mark = node.start_mark
     if depth > DEPTH:
         raise yaml.MarkedYAMLError(problem="nested too deep", problem_mark=mark)
@@ -70,9 +71,10 @@ def _given(node: yaml.Node, depth: int = 0) -> Given:
         _refuse_decimal_comma(node.value)
         return Given(mark.line + 1, [_given(item, depth + 1) for item in node.value])
     if isinstance(node, yaml.ScalarNode):
-        if node.style:  # quoted
-            return Given(mark.line + 1, node.value)
-        return Given(mark.line + 1, None if node.value in ("", "~", "null") else scalar(node.value))
+        if not node.style and node.value in ("", "~", "null"):
+            return Given(mark.line + 1, None)
+        quoted = node.style is not None
+        return Given(mark.line + 1, node.value if quoted or is_word else scalar(node.value))
     result = {}
     for key, value in node.value:
         if not isinstance(key, yaml.ScalarNode):
@@ -81,7 +83,8 @@ def _given(node: yaml.Node, depth: int = 0) -> Given:
             raise yaml.MarkedYAMLError(
                 problem=f"key '{key.value}' appears twice", problem_mark=key.start_mark
             )
-        result[key.value] = Given(key.start_mark.line + 1, _given(value, depth + 1).value)
+        found = _given(value, depth + 1, key.value in WORDS)
+        result[key.value] = Given(key.start_mark.line + 1, found.value)
     return Given(mark.line + 1, result)
 
 

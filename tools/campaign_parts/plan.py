@@ -219,11 +219,7 @@ def _expand(
         if values["upper"]:
             _check_together(path, upper_at, {}, {**values, **values["upper"]})
         suffix = "-".join(_suffix(n, values[n]) for n in given if len(given[n]) > 1)
-        yield (
-            named,
-            "-".join(filter(None, [str(label) if label is not None else None, suffix])),
-            values,
-        )
+        yield (named, "-".join(filter(None, [label, suffix])), values)
 
 
 def _read_yaml(path: str, text: str) -> tuple[str, bool, Given, Any, Any]:

@@ -131,6 +131,16 @@ def test_a_step_that_some_runs_leave_to_the_material(tmp_path):
     assert [run.name for run in plans.read(str(path)).runs] == ["v5-dt1e-05", "v2"]
 
 
+def test_names_stay_as_they_are_written(tmp_path):
+    """Those that look like numbers, too."""
+    path = tmp_path / "plan.yaml"
+    names = ["1.10", "1.1", "1e3", "007", "2"]
+    path.write_text(HEAD + "runs:\n" + "".join(f"  - {{name: {n}, p: 5}}\n" for n in names))
+    assert [run.name for run in plans.read(str(path)).runs] == names
+    path.write_text(HEAD + "runs: [{name: 1.10, p: [5, 6]}, {name: ~}]\n")
+    assert [run.name for run in plans.read(str(path)).runs] == ["1.10-p5", "1.10-p6", "p15"]
+
+
 def sizes(tmp_path, *runs, more=""):
     """{name: (columns, rows, depth)} of the runs of a plan."""
     path = tmp_path / "plan.yaml"
