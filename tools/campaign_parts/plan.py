@@ -4,6 +4,7 @@
 import csv
 import dataclasses
 import itertools
+import math
 import os
 import re
 from collections.abc import Iterable, Iterator
@@ -22,6 +23,7 @@ SHIPPED = os.path.join(ROOT, "examples", "campaign")
 INPUT = os.path.join("examples", "friction", "in.friction")  # below ROOT
 TOP = ("format", "title", "input", "order", "defaults", "runs")
 ORDERS = ("cost", "plan")
+MOST_RUNS = 100000  # a plan of more takes minutes to read
 NAME = re.compile(
     r"(?!plan\.)[A-Za-z0-9][A-Za-z0-9_.+-]{0,199}"
 )  # of a folder, beside which the plan stands
@@ -203,6 +205,12 @@ def _expand(
         if not items:
             raise PlanError(f"{path}:{at}: {name}: an empty list")
         given[name] = [_value(path, item.line, name, item.value) for item in items]
+    count = math.prod(map(len, given.values()))
+    if count > MOST_RUNS:
+        raise PlanError(
+            f"{path}:{line}: runs: its lists have {count} combinations, a run may stand for "
+            f"{MOST_RUNS} at most"
+        )
     named, label = entry.get("name", (line, None))
     if isinstance(label, (list, dict)):
         raise refused(path, named, "name", label, "a word")
@@ -258,7 +266,7 @@ def _read_yaml(path: str, text: str) -> tuple[str, bool, Given, Any, Any]:
     )
 
 
-def _cells(text: str) -> list[tuple[int, list[str]]]:
+def _cells(path: str, text: str) -> list[tuple[int, list[str]]]:
     """Lines of a CSV with their numbers; the first decides what separates."""
     lines = [
         (number, line)
@@ -266,14 +274,18 @@ def _cells(text: str) -> list[tuple[int, list[str]]]:
         if line.strip() and not line.startswith("#")
     ]
     separator = next((c for c in ";\t" if lines and c in lines[0][1]), ",")
-    return [
-        (number, [cell.strip() for cell in next(csv.reader([line], delimiter=separator))])
-        for number, line in lines
-    ]
+    found = []
+    for number, line in lines:
+        try:
+            cells = next(csv.reader([line], delimiter=separator, strict=True))
+        except csv.Error as error:
+            raise PlanError(f"{path}:{number}: not CSV: {error}") from None
+        found.append((number, [cell.strip() for cell in cells]))
+    return found
 
 
 def _read_csv(path: str, text: str) -> tuple[str, bool, Given, Any, Any]:
-    cells = _cells(text)
+    cells = _cells(path, text)
     if len(cells) < 2:
         raise PlanError(f"{path}:1: no run: a line of keys and at least one row are expected")
     first, names = cells[0]
@@ -329,10 +341,7 @@ def read(path: str) -> Plan:
     if not text.strip():
         raise PlanError(f"{path}: is empty")
     reader = _read_csv if path.endswith(".csv") else _read_yaml
-    try:
-        title, in_order, (script_line, script), given, entries = reader(path, text)
-    except csv.Error as error:
-        raise PlanError(f"{path}: not CSV: {error}") from None
+    title, in_order, (script_line, script), given, entries = reader(path, text)
     # as the plan says it: the record of a run keeps it, and a checkout may stand elsewhere next
     # time
     defaults = {**{name: key.default for name, key in KEYS.items()}, "input": script or INPUT}

@@ -12,6 +12,7 @@ from campaign_parts import laws, plan as plans, size
 
 
 LONG = pytest.mark.long
+MANY = ", ".join(map(str, range(1, 401)))
 BAD_PLANS = [
     ("", ["is empty"]),
     ("runs: [", ["not YAML"]),
@@ -100,6 +101,11 @@ BAD_PLANS = [
     (HEAD + "runs: [{p: &a [*a]}]\n", ["nested too deep"]),
     (HEAD + "runs: [{[1]: 2}]\n", ["a key must be a word"]),
     (HEAD + "title: \0\n", ["is binary, not text: character 31"]),
+    # more combinations than anybody waits for
+    (
+        HEAD + f"runs:\n  - {{p: 1}}\n  - {{p: [{MANY}], v: [{MANY}]}}\n",
+        [":4: runs: its lists have 160000 combinations, a run may stand for 100000 at most"],
+    ),
     # the line is that of the key
     (HEAD + "title: x\nruns:\n  - {p: 1}\ndefault: {v: 1}\n", [":5: unknown key 'default'"]),
     (HEAD + "defaults:\n  p: 1\n  vv: 2\nruns: [{p: 1}]\n", [":4: unknown key in defaults 'vv'"]),
@@ -256,6 +262,8 @@ def test_csv_plan(tmp_path):
     one_line(campaign("list", path), 3, ":1: unknown column 'vv'; known: p, v, strength, ")
     path.write_text("name,p\none,much\n")
     one_line(campaign("list", path), 3, ":2: p: 'much' is not allowed, must be a number > 0 (MPa)")
+    path.write_text('name,p\none,5\ntwo,6,"5\n')
+    one_line(campaign("list", path), 3, ":3: not CSV: unexpected end of data")
     path.write_text("name,p,p\none,1,2\n")
     one_line(campaign("list", path), 3, ":1: column 'p' appears twice")
     path.write_text("name,p\none,010\n")
