@@ -89,7 +89,7 @@ FixMCADrive::FixMCADrive(LAMMPS *host, int narg, char **arg)
 FixMCADrive::Setting FixMCADrive::parse_setting(const char *keyword, const char *word)
 {
   Setting s;
-  if (utils::strmatch(word, "^v_"))
+  if (utils::strmatch(word, "^v_."))
     s.variable = word + 2;
   else
     s.value = mca::number(

@@ -130,6 +130,8 @@ def test_cutoff_below_what_pairs_need(laws, what, tmp_path):
         ("velocity 5 pressure 1 seed 1e3", ["seed is '1e3'", "a whole number from -9"]),
         ("velocity 5 pressure 1 seed 99999999999999999999", ["seed is '9"]),
         ("velocity v_no pressure 1", ["no equal-style variable no"]),
+        ("velocity v_ pressure 1", ["velocity is 'v_'", "finite number or v_name"]),
+        ("velocity 5 pressure v_", ["pressure is 'v_'", ">= 0 or v_name"]),
         ("velocity 5 pressure", ["pressure", "no value"]),
     ],
 )
