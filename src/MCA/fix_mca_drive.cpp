@@ -57,6 +57,8 @@ FixMCADrive::FixMCADrive(LAMMPS *host, int narg, char **arg)
       has_pressure = true;
     } else if (keyword == "file") {
       path = value;
+      if (path.empty())
+        error->all(FLERR, "Fix mca/drive file is '', allowed: a file name");
     } else if (keyword == "every") {
       every = mca::wholeNumber(lmp, "Fix mca/drive every", value, 1, most_steps);
     } else if (keyword == "seed") {

@@ -133,6 +133,7 @@ def test_cutoff_below_what_pairs_need(laws, what, tmp_path):
         ("velocity v_ pressure 1", ["velocity is 'v_'", "finite number or v_name"]),
         ("velocity 5 pressure v_", ["pressure is 'v_'", ">= 0 or v_name"]),
         ("velocity 5 pressure", ["pressure", "no value"]),
+        ('velocity 5 pressure 1 file ""', ["file is ''", "a file name"]),
     ],
 )
 def test_bad_drive(tmp_path, words, parts):
