@@ -111,13 +111,20 @@ void FixMCADrive::init()
   if (group->count(igroup) == 0)
     error->all(FLERR, "Fix mca/drive: group {} is empty", group->names[igroup]);
   for (const Setting &s : {velocity, pressure})
-    if (!s.variable.empty()) {
-      const int found = input->variable->find(s.variable.c_str());
-      if (found < 0 || !input->variable->equalstyle(found))
-        error->all(FLERR, "Fix mca/drive: no equal-style variable {}", s.variable);
-    }
+    if (!s.variable.empty())
+      number_of(s.variable);
   check_layer();
   find_limits();
+}
+
+/* commands can take a variable away between the parts of a run, too */
+
+int FixMCADrive::number_of(const std::string &variable) const
+{
+  const int found = input->variable->find(variable.c_str());
+  if (found < 0 || !input->variable->equalstyle(found))
+    error->all(FLERR, "Fix mca/drive: no equal-style variable {}", variable);
+  return found;
 }
 
 /* number of automata, of all ranks, in both groups */
@@ -212,7 +219,7 @@ void FixMCADrive::evaluate()
 void FixMCADrive::evaluate(Setting &s) const
 {
   if (!s.variable.empty())
-    s.value = input->variable->compute_equal(input->variable->find(s.variable.c_str()));
+    s.value = input->variable->compute_equal(number_of(s.variable));
 }
 
 /* y of an automaton of this rank, length units, not folded back into the box */

@@ -127,6 +127,8 @@ class FixMCADrive : public Fix {
   /// Both settings in this step; stops LAMMPS where they are out of bounds.
   void evaluate();
   void evaluate(Setting &) const;
+  /// Number of an equal-style variable; stops LAMMPS where there is none of this name.
+  int number_of(const std::string &variable) const;
   /// Setting that a word of the command names: v_name, or a finite number, of `pressure` >= 0; else
   /// LAMMPS stops.
   Setting parse_setting(const char *keyword, const char *word);

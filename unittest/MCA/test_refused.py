@@ -235,6 +235,12 @@ def test_refused(tmp_path, script, parts):
     fails(script + "\nrun 100\n", tmp_path, *parts)
 
 
+def test_a_variable_that_is_deleted_within_a_run(tmp_path):
+    drive = "variable p equal 15\n" + DRIVE.replace("15", "v_p")
+    script = BLOCK + drive + '\nrun 20 pre no every 10 "variable p delete"\nprint "went on"\n'
+    assert "went on" not in fails(script, tmp_path, "no equal-style variable p").out
+
+
 def test_a_pressure_above_the_strength_is_told(tmp_path):
     script = BLOCK + DRIVE.replace("15", "1000") + "\nrun 10\nrun 10\n"
     warned(script, tmp_path, "pressure 1000 is above the strength", "92")
