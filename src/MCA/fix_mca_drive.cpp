@@ -108,6 +108,9 @@ int FixMCADrive::setmask()
 void FixMCADrive::init()
 {
   pair = PairMCA::find(lmp, "Fix mca/drive");
+  if (group->dynamic[igroup])
+    error->all(FLERR, "Fix mca/drive: group {} is dynamic, allowed: a static group",
+               group->names[igroup]);
   if (group->count(igroup) == 0)
     error->all(FLERR, "Fix mca/drive: group {} is empty", group->names[igroup]);
   for (const Setting &s : {velocity, pressure})

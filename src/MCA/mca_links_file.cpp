@@ -14,7 +14,6 @@
 #include "shared/output_file.h"
 
 #include <algorithm>
-#include <cmath>
 #include <sstream>
 
 using namespace LAMMPS_NS;
@@ -108,14 +107,9 @@ void MCALinks::write(const std::string &path)
 int MCALinks::copies_of(int narg, char **arg) const
 {
   int copies = 1;
-  for (int iarg = 3; iarg < narg; iarg++) {
-    const double n =
-        mca::number(lmp, "Command mca_links replicate", arg[iarg], mca::Sign::Positive);
-    if (n != std::floor(n) || copies * n > MAXSMALLINT)
-      error->all(FLERR, "Command mca_links replicate, value {}, allowed: a whole number >= 1",
-                 arg[iarg]);
-    copies *= static_cast<int>(n);
-  }
+  for (int iarg = 3; iarg < narg; iarg++)
+    copies *= static_cast<int>(
+        mca::wholeNumber(lmp, "Command mca_links replicate", arg[iarg], 1, MAXSMALLINT / copies));
   return copies;
 }
 

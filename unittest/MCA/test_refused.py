@@ -214,6 +214,12 @@ def test_wr_fit_reads_what_is_written(tmp_path, words):
         (BLOCK + DRIVE + "\nfix more all mca/drive velocity 1 pressure 1\n", ["both drive 12"]),
         (BLOCK + "fix hold top freeze\n" + DRIVE, ["fix hold freeze moves or holds 12 of its"]),
         (BLOCK + "fix go top move linear 1 0 0\n" + DRIVE, ["fix go move moves or holds 12"]),
+        (
+            BLOCK
+            + "variable upper atom y>10\ngroup upper dynamic all var upper every 5\n"
+            + DRIVE.replace("top", "upper"),
+            ["group upper is dynamic", "a static group"],
+        ),
         (BLOCK + DRIVE.replace("15", "1e9"), ["pressure is 1", "below Young's modulus, 206000"]),
         (BLOCK + DRIVE.replace("5 p", "1e15 p"), ["velocity is 1", "below the speed of sound"]),
         (

@@ -117,7 +117,7 @@ def whole_length(folder):
     "words, parts",
     [
         ("replicate 2 1", ("read file replicate nx ny nz",)),
-        ("replicate 2 0 1", ("replicate", "0")),
+        ("replicate 2 0 1", ("replicate is '0'", "a whole number from 1 to")),
         ("replicate 1.5 2 1", ("1.5", "whole number")),
         ("replicate 5 1 1", ("are not 5 copies",)),
         ("", ("pairs of x.links are not neighbors here",)),
