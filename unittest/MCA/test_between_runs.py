@@ -72,6 +72,11 @@ def test_links_that_are_read_replace_those_that_are_there(tmp_path):
     assert pairs[0] and sorted(pairs[0]) == sorted(pairs[1])
 
 
+def test_a_file_without_links_is_read_as_it_was_written(tmp_path):
+    script = HEAD + LAWS + "mca_links write x.links\nmca_links create all all\n"
+    assert "Read 0 links" in lmp(script + "mca_links read x.links\n", tmp_path).out
+
+
 @pytest.mark.parametrize(
     "command",
     ["displace_atoms all move 1.3 0.7 0 units box\n", "change_box all x delta -5 5 units box\n"],

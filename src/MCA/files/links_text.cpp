@@ -146,7 +146,7 @@ Links parse(const std::string &text, int stateSize, std::int64_t largestId)
       }
     }
   }
-  if (links.pairs.empty())
+  if (links.pairs.empty() && !ours)
     throw LinksError("neither comments of mca_links write nor a section Bonds");
   links.hasStates = ours;
   return links;
