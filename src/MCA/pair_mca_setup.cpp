@@ -335,14 +335,22 @@ void PairMCA::check_commands() const
                "Pair style mca does not work with neigh_modify {}: pairs that are left out of the "
                "list lose their links; give fix freeze to automata that are held",
                excludes ? "exclude" : "include");
+  const int tilts = Fix::BOX_CHANGE_YZ | Fix::BOX_CHANGE_XZ | Fix::BOX_CHANGE_XY;
+  int box = tilts, periodic = tilts; // LAMMPS tilts over periodic faces only
+  for (const auto &[size, m] :
+       {std::pair{Fix::BOX_CHANGE_X, 0}, {Fix::BOX_CHANGE_Y, 1}, {Fix::BOX_CHANGE_Z, 2}}) {
+    box |= size;
+    periodic |= domain->periodicity[m] ? size : 0;
+  }
   for (const Fix *fix : modify->get_fix_list()) {
-    const int box = Fix::BOX_CHANGE_X | Fix::BOX_CHANGE_Y | Fix::BOX_CHANGE_Z | Fix::BOX_CHANGE_YZ |
-                    Fix::BOX_CHANGE_XZ | Fix::BOX_CHANGE_XY;
     const auto *deform = dynamic_cast<const FixDeform *>(fix);
-    if ((fix->box_change & box) && !(deform && deform->remapflag != Domain::X_REMAP))
+    const int remap = deform ? deform->remapflag : Domain::X_REMAP;
+    const int moved = remap == Domain::V_REMAP ? 0 : remap == Domain::NO_REMAP ? periodic : box;
+    if (fix->box_change & moved)
       error->all(FLERR,
                  "Pair style mca does not work with fix {} {}: it moves automata without their "
-                 "velocities; deform the box by fix deform with remap v or none",
+                 "velocities, or images over a periodic face; deform the box by fix deform with "
+                 "remap v",
                  fix->id, fix->style);
   }
 }

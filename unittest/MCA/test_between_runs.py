@@ -85,6 +85,11 @@ def test_what_turns_no_link_does_no_harm(tmp_path, command):
     lmp(HEAD + LINKED + command + MOVED + "run 20\n", tmp_path)
 
 
+def test_a_box_that_grows_beside_the_sample_does_no_harm(tmp_path):
+    grows = "fix grow all deform 1 x erate 0.01 remap none\n"
+    lmp(HEAD.replace("s s p", "f s p") + LINKED + grows + MOVED + "run 20\n", tmp_path)
+
+
 def test_links_made_of_a_sheared_sample_are_free_of_shear(tmp_path):
     """Moved before links are made, or made anew, it is another sample."""
     again = "mca_links delete all all\n" + SHEAR + "mca_links create all all\n"

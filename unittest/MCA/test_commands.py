@@ -228,6 +228,7 @@ def test_uniform_dilation_is_right(fragments, tmp_path):
         ("minimize 0 1e-6 10 10", ["minimize", "damped run"]),
         ("run 0\nrerun state.dump dump x y vx vy", ["rerun", "does not hold the state of links"]),
         ("fix box all deform 1 x erate 0.1 remap x", ["fix box deform", "remap v"]),
+        ("fix box all deform 1 x erate 0.1 remap none", ["fix box deform", "remap v"]),
         ("fix box all press/berendsen x 0 0 1", ["fix box press/berendsen", "remap v"]),
         ("replicate 2 1 1", ["replicate"]),
         ("run_style respa 2 2", ["Pair style mca", "respa"]),
