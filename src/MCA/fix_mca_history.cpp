@@ -224,13 +224,19 @@ void FixMCAHistory::post_neighbor()
     links.setPlaces(p.i, p.j);
   }
   mca->begin_list(border, guests);
-  if (update->whichflag != 1 || update->setupflag)
-    return;
-  std::vector<int> added;
+  if (update->whichflag == 1 && !update->setupflag)
+    mca->take_in(added());
+}
+
+/* what has been in a list before has a record, at least its own */
+
+std::vector<int> FixMCAHistory::added() const
+{
+  std::vector<int> own;
   for (int i = 0; i < nlocal_neigh; i++)
     if (npartner[i] == 0)
-      added.push_back(i);
-  mca->take_in(added);
+      own.push_back(i);
+  return own;
 }
 
 /* ghosts learn under which key partners know their original, and where it is at home */
@@ -334,6 +340,7 @@ void FixMCAHistory::setup_post_neighbor()
   post_neighbor();
   check_lost();
   check_turned();
+  mca->take_in(added());
   mca->check_start();
   first_step = true;
 }

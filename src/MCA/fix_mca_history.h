@@ -133,6 +133,8 @@ class FixMCAHistory : public mca::CheckedRestart<FixNeighHistory> {
   /// the guests.
   /// \return number of these pairs
   int borders_first(std::vector<Listed> &, std::vector<mca::Halo::Guest> &) const;
+  /// Numbers of own automata that were in no list before.
+  std::vector<int> added() const;
   /// States are found by the partner's ID, so no automaton may meet two images of another one.
   void check_period() const;
   /// No link may have left the list but with its automata.

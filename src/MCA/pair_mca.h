@@ -68,12 +68,13 @@ class PairMCA : public Pair {
   void keep_lag();
   /// Stops LAMMPS where a link is longer than the cutoff: its pair would not be in the next list.
   void check_reach() const;
-  /// Own automata that a fix added in a run: their diameter and mass are those of their material
-  /// from now on, and none may overlap. Called by all ranks, with the list that has them.
+  /// Own automata that are new, also those that a fix added in a run: their diameter and mass are
+  /// those of their material from now on, and none may overlap. Called by all ranks, with the list
+  /// that has them.
   /// \param added  numbers of those of this rank
   void take_in(const std::vector<int> &added);
-  /// After the first list of a run: stops LAMMPS where automata overlap or are nan, warns of what
-  /// is hardly meant. Called by all ranks.
+  /// After the first list of a run: stops LAMMPS where automata are nan, warns of what is hardly
+  /// meant. Called by all ranks.
   void check_start();
   /// Puts the checksum into a restart file that is whole; rank 0 does.
   /// \param path  as given by the user, with % for a file in several parts
@@ -218,8 +219,6 @@ class PairMCA : public Pair {
   Fix *fix_state, *fix_spins;
   /// Checksum of the restart file that is being written.
   mca::FileSeal seal;
-  /// So many automata are known not to overlap.
-  bigint checked;
   /// What the material of each type gave at the last set-up; empty before the first.
   std::vector<double> last_diameters, last_masses;
   /// Warnings were given; that of stresses, too, which are known after the first forces.

@@ -173,7 +173,6 @@ void PairMCA::take_in(const std::vector<int> &added)
   MPI_Allreduce(&own, &all, 1, MPI_INT, MPI_SUM, world);
   if (all > 0)
     check_overlap();
-  checked = atom->natoms;
 }
 
 /* ----------------------------------------------------------------------
@@ -243,9 +242,6 @@ PairMCA::PairPlace PairMCA::place_of(int k, int rank) const
 
 void PairMCA::check_start()
 {
-  if (atom->natoms > checked)
-    check_overlap();
-  checked = atom->natoms;
   check_sample();
   if (told || update->whichflag != 1) // commands make lists, too, before there are links
     return;

@@ -40,7 +40,7 @@ static constexpr const char *DUMMY_STATE = "MCA_STATE_DUMMY";
 
 PairMCA::PairMCA(LAMMPS *host)
     : Pair(host), packing(nullptr), depth(0.0), cut_user(0.0), mca_step(2), integrated(0), held(0),
-      fix_history(nullptr), fix_state(nullptr), fix_spins(nullptr), checked(0), told(false),
+      fix_history(nullptr), fix_state(nullptr), fix_spins(nullptr), told(false),
       told_of_stress(false)
 {
   single_enable = 0;
@@ -548,7 +548,6 @@ void PairMCA::read_restart_settings(FILE *fp)
   lawset = settings.laws;
   if (force->pair != this)
     read_interfaces(fp);
-  checked = atom->natoms; // states of a run press pairs together
   told_of_stress = true;
   // LAMMPS keeps the time of the last run's beginning, and its step, and forgets what lies between
   update->update_time();

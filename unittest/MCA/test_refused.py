@@ -269,8 +269,9 @@ def test_overlapping_blocks(tmp_path, ranks):
     assert float(apart) <= 2.5 / 3**0.5
 
 
-def test_an_automaton_created_on_another_one(tmp_path):
-    more = "run 10\ncreate_atoms 1 single 10.1 5.1 0 units box\nrun 10\n"
+@pytest.mark.parametrize("less", ["", "group one id 3\ndelete_atoms group one\n"])
+def test_an_automaton_created_on_another_one(tmp_path, less):
+    more = "run 10\n" + less + "create_atoms 1 single 10.1 5.1 0 units box\nrun 10\n"
     fails(BLOCK + more, tmp_path, "overlap")
 
 
