@@ -88,7 +88,7 @@ void ComputeMCAAtom::compute_peratom()
 {
   pair = PairMCA::find(lmp, "Compute mca/atom"); // it may have gone since init()
   pair->check_internal_fixes();
-  pair->check_count();
+  pair->check_order();
   invoked_peratom = update->ntimestep;
   columns.grow(atom->nmax);
   vector_atom = columns.vector;

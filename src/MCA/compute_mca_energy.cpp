@@ -53,7 +53,7 @@ FixMCAEnergy &ComputeMCAEnergy::account() const
 
 static FixMCAEnergy::Balance balanceOf(FixMCAEnergy &account, const PairMCA *pair)
 {
-  pair->check_count();
+  pair->check_order();
   return account.balance();
 }
 

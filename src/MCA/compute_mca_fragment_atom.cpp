@@ -45,7 +45,7 @@ void ComputeMCAFragmentAtom::compute_peratom()
 {
   pair = PairMCA::find(lmp, WHO); // it may have gone since init()
   pair->check_internal_fixes();
-  pair->check_count();
+  pair->check_order();
   invoked_peratom = update->ntimestep;
   const int own = atom->nlocal, all = own + atom->nghost;
   lowest.resize(std::max(atom->nmax, 1));

@@ -64,7 +64,7 @@ void ComputeMCALinkLocal::compute_local()
 {
   pair = PairMCA::find(lmp, "Compute mca/link/local"); // it may have gone since init()
   pair->check_internal_fixes();
-  pair->check_count();
+  pair->check_order();
   invoked_local = update->ntimestep;
   const mca::Pairs &p = pair->links().pairs();
   size_local_rows = 0;

@@ -152,6 +152,7 @@ void FixMCAHistory::store(bool next)
     maxpartner = std::max(maxpartner, npartner[i]);
     npartner[i] = 1;
     partner[i][0] = tag[i];
+    shared[i].key = ubuf(tag[i]).d;
     std::fill_n(valuepartner[i], dnum, 0.0);
   }
   maxexchange = (dnum + 1) * maxpartner + 1;
@@ -211,6 +212,7 @@ void FixMCAHistory::post_neighbor()
 {
   nlocal_neigh = atom->nlocal;
   nall_neigh = nlocal_neigh + atom->nghost;
+  ghosts.assign(atom->tag + nlocal_neigh, atom->tag + nall_neigh);
   share_keys();
   std::vector<Listed> pairs = listed_pairs();
   std::vector<mca::Halo::Guest> guests;
@@ -239,14 +241,32 @@ std::vector<int> FixMCAHistory::added() const
   return own;
 }
 
+double FixMCAHistory::key(int i) const
+{
+  return npartner[i] > 0 ? ubuf(partner[i][0]).d : 0.0;
+}
+
+/* keys stay with the automata, whatever commands do to order and IDs; images of one rank only give
+   places */
+
+bool FixMCAHistory::in_order() const
+{
+  if (atom->nlocal != nlocal_neigh)
+    return false;
+  for (int i = 0; i < nlocal_neigh; i++)
+    if (ubuf(key(i)).i != ubuf(shared[i].key).i)
+      return false;
+  const tagint *first = atom->tag + nlocal_neigh;
+  return comm->nprocs == 1 || std::equal(first, first + atom->nghost, ghosts.begin(), ghosts.end());
+}
+
 /* ghosts learn under which key partners know their original, and where it is at home */
 
 void FixMCAHistory::share_keys()
 {
   shared.resize(nall_neigh);
   for (int i = 0; i < nlocal_neigh; i++)
-    shared[i] = {npartner[i] > 0 ? ubuf(partner[i][0]).d : 0.0, static_cast<double>(comm->me),
-                 static_cast<double>(i)};
+    shared[i] = {key(i), static_cast<double>(comm->me), static_cast<double>(i)};
   comm->forward_comm(this, 3);
   row.resize(nall_neigh);
   for (int i = 0; i < nall_neigh; i++)

@@ -81,6 +81,9 @@ class FixMCAHistory : public mca::CheckedRestart<FixNeighHistory> {
   /// Number of original links of each owned automaton, as stored with the atoms; see
   /// store_present().
   std::vector<int> originals() const;
+  /// Whether the automata of this rank, and those of others beside it, are those of the list, in
+  /// its order: commands that migrate atoms between runs change it.
+  bool in_order() const;
 
  protected:
   bool isSound(const mca::Record &record) const override
@@ -99,6 +102,10 @@ class FixMCAHistory : public mca::CheckedRestart<FixNeighHistory> {
     double rank, row;
   };
   std::vector<Shared> shared;
+  /// Shared::key of an own automaton, as stored with it.
+  double key(int i) const;
+  /// IDs of the ghosts of the list.
+  std::vector<tagint> ghosts;
   /// Row of owned and ghost automata: that of the original, where it is ours, else its own number.
   std::vector<int> row;
   /// A pair of LAMMPS's list.

@@ -104,6 +104,8 @@ class PairMCA : public Pair {
   void check_internal_fixes() const;
   /// Stops LAMMPS where own automata are more or less than those of the list of pairs.
   void check_count() const;
+  /// The same for output, after check_internal_fixes(): nor may they stand in another order.
+  void check_order() const;
   /// After what puts automata into another order outside a run: the next run sets up, whatever its
   /// 'pre' says.
   void lose_order();

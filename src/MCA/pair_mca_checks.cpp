@@ -61,11 +61,22 @@ void PairMCA::check_count() const
                "they come into the list of pairs: leave out 'pre no', or give run 0 before output");
 }
 
+void PairMCA::check_order() const
+{
+  check_count();
+  if (!fix_history->in_order())
+    error->one(FLERR,
+               "Pair style mca: automata have changed ranks or order since the last set-up, as "
+               "write_data makes them: give run 0 before output");
+}
+
 /* outside a run atoms migrate and change their order, of which forces, drive and account have
-   lists; LAMMPS's own flag of the first run makes the next one set up in spite of 'pre no' */
+   lists; LAMMPS's own flag of the first run makes the next one set up in spite of 'pre no'. What
+   computes have given in this step is not given again. */
 
 void PairMCA::lose_order()
 {
+  modify->clearstep_compute();
   update->first_update = 0;
 }
 

@@ -101,12 +101,37 @@ def test_values_of_a_drive_that_has_not_run(tmp_path):
     assert values(lmp(SAMPLE + DRIVE + "run 0\n" + again, tmp_path).out, "values") == [0, 0, 0]
 
 
-@pytest.mark.parametrize(
-    "output", ["write_dump all custom x.dump id c_c[*]", "write_dump all local x.dump index c_l[*]"]
+COMPUTES = """
+compute c all mca/atom links mean
+compute l all mca/link/local id1 id2 sigma
+compute f all mca/fragment/atom
+"""
+OUTPUTS = pytest.mark.parametrize(
+    "output",
+    [
+        "write_dump all custom x.dump id c_c[*]",
+        "write_dump all custom x.dump id c_f",
+        "write_dump all local x.dump index c_l[*]",
+    ],
 )
+
+
+@OUTPUTS
+def test_output_after_automata_changed_ranks(tmp_path, output):
+    moved = FIXES.replace("fix hold bottom freeze\n", "")
+    sample = "processors 2 1 1" + BLOCKS + LAWS + moved + COMPUTES
+    flown = (
+        "velocity all set 150 0 0 units box\nneighbor 1.2 bin\n"
+        "neigh_modify check no every 10000 delay 10000\nrun 300\n"
+    )
+    gone = sample + flown + output + "\nwrite_data x.data\n"
+    fails(gone + output + "\n", tmp_path, "write_data", "give run 0 before output", ranks=2)
+    lmp(gone + "run 0\n" + output + "\n", tmp_path, ranks=2)
+
+
+@OUTPUTS
 def test_output_after_automata_were_deleted(tmp_path, output):
-    computes = "compute c all mca/atom links mean\ncompute l all mca/link/local id1 id2 sigma\n"
-    gone = SAMPLE + computes + "run 10\ngroup some id 1:40\ndelete_atoms group some\n"
+    gone = SAMPLE + COMPUTES + "run 10\ngroup some id 1:40\ndelete_atoms group some\n"
     fails(gone + output + "\n", tmp_path, "give run 0 before output")
     lmp(gone + "run 0\n" + output + "\n", tmp_path)
 
