@@ -79,6 +79,7 @@ void FixMCAEnergy::setup(int /*vflag*/)
   velocities = kept(atom->v);
   spins = kept(atom->omega);
   keep(mca::flat(atom->x));
+  ids.assign(atom->tag, atom->tag + atom->nlocal);
   fresh = true;
   count = automata();
 }
@@ -204,6 +205,7 @@ void FixMCAEnergy::end_of_step()
   account.add(Account::Work, own.led - led);
   led = own.led;
   if (neighbor->ago == 0) {
+    ids.assign(atom->tag, atom->tag + atom->nlocal);
     const bigint before = count;
     count = automata();
     if (count != before) {
@@ -232,6 +234,10 @@ void FixMCAEnergy::post_run()
 
 FixMCAEnergy::Balance FixMCAEnergy::balance()
 {
+  if (!std::equal(ids.begin(), ids.end(), atom->tag, atom->tag + atom->nlocal))
+    error->one(FLERR,
+               "Compute mca/energy: no set-up has seen the present list of pairs, as mca_links "
+               "makes it: give run 0 before output");
   if (fresh) // forces of fixes that were defined later have come
     keep(mca::flat(atom->x));
   const Held now = held();
@@ -335,7 +341,7 @@ void FixMCAEnergy::restart(char *buf)
 
 double FixMCAEnergy::memory_usage()
 {
-  return account.bytes() +
+  return account.bytes() + static_cast<double>(ids.capacity() * sizeof(tagint)) +
          static_cast<double>((places.capacity() + velocities.capacity() + spins.capacity() +
                               forces.capacity() + torques.capacity()) *
                              sizeof(double));

@@ -61,7 +61,8 @@ class FixMCAEnergy : public Fix {
     /// Error of their sum, less what comes in, since the beginning.
     double error;
   };
-  /// Called by all ranks, after a set-up or a step.
+  /// Called by all ranks, after a set-up or a step; stops LAMMPS where automata stand in another
+  /// order since.
   Balance balance();
 
  private:
@@ -92,6 +93,8 @@ class FixMCAEnergy : public Fix {
   std::vector<double> places, velocities, spins;
   /// Forces on own automata in the last evaluation, likewise; 0 where no integrator follows them.
   std::vector<double> forces, torques;
+  /// IDs of own automata, in their order.
+  std::vector<tagint> ids;
   /// Box of the last evaluation.
   mca::EnergyAccount::Edges box;
   /// Kinetic energy on this rank [energy], before automata may pass a face of a box that moves.

@@ -7,7 +7,7 @@ import re
 import numpy as np
 import pytest
 
-from lmp_run import INPUTS, lmp
+from lmp_run import INPUTS, fails, lmp
 
 LONG = pytest.mark.long
 TERMS = ["kinetic", "elastic", "plastic", "fracture", "viscous", "work", "box", "changed"]
@@ -58,6 +58,13 @@ def worst(result, run=-1):
 def standing(tmp_path_factory):
     folder = tmp_path_factory.mktemp("standing")
     return last(lmp(STANDING + FIXES + ACCOUNT + OUTPUT + "run 1000\n", folder))
+
+
+@pytest.mark.parametrize("before", ["", "run 10\ngroup one id 3\ndelete_atoms group one\n"])
+def test_read_before_a_set_up_has_seen_the_sample(tmp_path, before):
+    script = STANDING + FIXES + ACCOUNT + before + "mca_links create all all\n"
+    fails(script + 'print "$(c_en[1])"\n', tmp_path, "mca/energy", "give run 0 before output")
+    lmp(script + 'run 0\nprint "$(c_en[1])"\n', tmp_path)
 
 
 @pytest.mark.parametrize("runs", [1, pytest.param(20, marks=LONG)])
