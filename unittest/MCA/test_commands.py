@@ -124,6 +124,8 @@ def test_delete_atoms_within_a_fragment(fragments, tmp_path, ranks, newton):
     frames = [f for _, f in dump(tmp_path / "state.dump")]
     assert links(frames[-1]) == links(frames[-2]) - 6
     assert sorted(np.unique(frame["c_state[6]"], return_counts=True)[1])[0] > 0
+    damage, left = frame["c_state[9]"], frame["c_state[6]"]
+    assert damage[damage > 0] == pytest.approx(1 / (left[damage > 0] + 1)) and sum(damage > 0) == 6
 
 
 def test_deleted_in_a_run(fragments, tmp_path):
