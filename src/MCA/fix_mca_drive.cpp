@@ -146,7 +146,7 @@ bigint FixMCADrive::shared_with(const Fix *other) const
 void FixMCADrive::check_layer() const
 {
   for (const Fix *other : modify->get_fix_list()) {
-    const bool prescribes = other != this && PairMCA::prescribes_motion(other);
+    const bool prescribes = other != this && pair->prescribed(other).any;
     const bigint both = prescribes ? shared_with(other) : 0;
     if (both == 0)
       continue;
@@ -247,7 +247,7 @@ mca::Part FixMCADrive::part_of(int i) const
 {
   if (atom->mask[i] & groupbit)
     return mca::Part::Driven;
-  return pair->is_held(i) && atom->v[i][1] == 0.0 ? mca::Part::Held : mca::Part::Free;
+  return pair->is_held_in_y(i) && atom->v[i][1] == 0.0 ? mca::Part::Held : mca::Part::Free;
 }
 
 FixMCADrive::Neighbourhood FixMCADrive::look_around() const

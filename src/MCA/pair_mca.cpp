@@ -75,6 +75,7 @@ mca::Automata PairMCA::automata() const
   a.groups = atom->mask;
   a.integrated = integrated;
   a.held = held;
+  a.heldSpins = held_spins;
   a.kappa = state(KAPPA);
   a.kept = state(KEPT);
   for (int m = 0; m < domain->dimension; m++) {

@@ -96,8 +96,12 @@ class PairMCA : public Pair {
   static PairMCA *find(LAMMPS *, const char *who);
   /// The same; nullptr where there is none.
   static PairMCA *found(LAMMPS *);
-  /// Whether a fix gives its automata their motion, whatever the forces.
-  static bool prescribes_motion(const Fix *);
+  /// Whether a fix gives its automata their motion, whatever the forces: in any or all components
+  /// of the dimension, in y, and in rotation.
+  struct Prescribed {
+    bool any, all, y, spin;
+  };
+  Prescribed prescribed(const Fix *) const;
   /// Whether packing and materials of all types are known, so that mass() and cell() are.
   bool knows_masses() const;
   /// Stops LAMMPS where the internal fixes are gone, which hold the state of links and automata.
@@ -142,9 +146,9 @@ class PairMCA : public Pair {
   double wave_speed(int type) const;
   /// Whether a fix moves own automaton i by its velocity.
   bool is_integrated(int i) const;
-  /// Whether the forces of contacts do not move own automaton i: a fix prescribes its motion, or
-  /// none integrates it.
-  bool is_held(int i) const;
+  /// Whether the forces of contacts do not move own automaton i in y: a fix prescribes its motion,
+  /// or none integrates it.
+  bool is_held_in_y(int i) const;
 
   /// Values of a state of own and ghost automata, in LAMMPS's order of atoms; nullptr: not in this
   /// dimension. Valid until LAMMPS moves or adds atoms. When they are up to date stands in their
@@ -211,8 +215,9 @@ class PairMCA : public Pair {
   /// What the last line of trace_messages() was about.
   mca::Halo::Sent traced;
   bigint traced_step = 0;
-  /// Groups, as bits, whose automata a fix moves by their forces, or otherwise.
-  int integrated, held;
+  /// Groups, as bits, whose automata a fix moves by their forces; and otherwise: in all components,
+  /// in y, in rotation.
+  int integrated, held, held_in_y, held_spins;
   /// Taken over in this step.
   std::vector<Event> happened;
   /// Owned by LAMMPS; nullptr before the first init_style().

@@ -346,7 +346,7 @@ void PairMCA::warn_of_stress() const
 void PairMCA::warn_of_integrators() const
 {
   for (const Fix *fix : modify->get_fix_list()) {
-    if (!fix->time_integrate || prescribes_motion(fix) || strcmp(fix->style, "nve/mca") == 0)
+    if (!fix->time_integrate || prescribed(fix).any || strcmp(fix->style, "nve/mca") == 0)
       continue;
     const bigint moved = group->count(fix->igroup);
     if (comm->me == 0)

@@ -14,6 +14,7 @@
 #include "fix_mca_history.h"
 #include "fix_mca_state.h"
 #include "fix_order.h"
+#include "fix_setforce.h"
 #include "force.h"
 #include "input.h"
 #include "laws/contact_step.h"
@@ -40,8 +41,8 @@ static constexpr const char *DUMMY_STATE = "MCA_STATE_DUMMY";
 
 PairMCA::PairMCA(LAMMPS *host)
     : Pair(host), packing(nullptr), depth(0.0), cut_user(0.0), mca_step(2), integrated(0), held(0),
-      fix_history(nullptr), fix_state(nullptr), fix_spins(nullptr), told(false),
-      told_of_stress(false)
+      held_in_y(0), held_spins(0), fix_history(nullptr), fix_state(nullptr), fix_spins(nullptr),
+      told(false), told_of_stress(false)
 {
   single_enable = 0;
   manybody_flag = 1;
@@ -355,23 +356,50 @@ void PairMCA::check_commands() const
   }
 }
 
+/* which components of forces fix setforce sets, which its NULL leaves alone; with a region it
+   counts as if it had none */
+
+namespace {
+struct SetForce : FixSetForce {
+  static bool sets(const FixSetForce &fix, int m)
+  {
+    static constexpr int FixSetForce::*styles[] = {&SetForce::xstyle, &SetForce::ystyle,
+                                                   &SetForce::zstyle};
+    return fix.*styles[m] != 0; // its first value stands for NULL
+  }
+};
+} // namespace
+
 /* whose velocity follows from the forces of contacts, as viscous forces need to know */
 
-bool PairMCA::prescribes_motion(const Fix *fix)
+PairMCA::Prescribed PairMCA::prescribed(const Fix *fix) const
 {
-  for (const char *style : {"^freeze", "^setforce", "^move", "^rigid", "^mca/drive"})
+  for (const char *style : {"^freeze", "^move", "^rigid", "^mca/drive"})
     if (utils::strmatch(fix->style, style))
-      return true;
-  return false;
+      return {true, true, true, true};
+  const auto *sets = dynamic_cast<const FixSetForce *>(fix);
+  if (!sets)
+    return {};
+  Prescribed found = {false, true, SetForce::sets(*sets, 1), false};
+  for (int m = 0; m < domain->dimension; m++) {
+    found.any |= SetForce::sets(*sets, m);
+    found.all &= SetForce::sets(*sets, m);
+  }
+  return found;
 }
+
+/* What is held in some components only counts as following the forces in all: an error of the order
+   of a step in those. The other way about the longest steps that are allowed are unstable. */
 
 void PairMCA::find_held()
 {
-  integrated = held = 0;
+  integrated = held = held_in_y = held_spins = 0;
   for (const Fix *fix : modify->get_fix_list()) {
-    if (prescribes_motion(fix))
-      held |= fix->groupbit;
-    else if (fix->time_integrate)
+    const Prescribed motion = prescribed(fix);
+    held |= motion.all ? fix->groupbit : 0;
+    held_in_y |= motion.y ? fix->groupbit : 0;
+    held_spins |= motion.spin ? fix->groupbit : 0;
+    if (fix->time_integrate && !motion.any)
       integrated |= fix->groupbit;
   }
 }
@@ -381,9 +409,9 @@ bool PairMCA::is_integrated(int i) const
   return atom->mask[i] & integrated;
 }
 
-bool PairMCA::is_held(int i) const
+bool PairMCA::is_held_in_y(int i) const
 {
-  return (atom->mask[i] & held) || !is_integrated(i);
+  return (atom->mask[i] & held_in_y) || !is_integrated(i);
 }
 
 /* stresses inside are energy per volume, which is pressure units only where nktv2p is 1 */

@@ -429,15 +429,17 @@ void setPresentSpeeds(const Sample &s, ReferenceContact &c, double dt)
   for (int side : {c.i, c.j}) {
     const Automaton &a = s.automata[s.owner[side]];
     const mca::Material &m = s.materials[a.type];
-    if (a.held)
-      continue;
     const double mass = m.density * std::sqrt(3.0) / 2 * m.diameter * m.diameter * s.thickness;
     const double inertia = mass * m.diameter * m.diameter / 8, sign = side == c.j ? 1 : -1;
-    kick += sign * (a.fx * w.nx + a.fy * w.ny) / mass * dt / 2;
-    slipKick += sign * (a.fx * w.tx + a.fy * w.ty) / mass * dt / 2;
-    slipKick -= w.r / 2 * a.torque / inertia * dt / 2;
-    perMass += 1 / mass;
-    perInertia += 1 / inertia;
+    if (!a.held) {
+      kick += sign * (a.fx * w.nx + a.fy * w.ny) / mass * dt / 2;
+      slipKick += sign * (a.fx * w.tx + a.fy * w.ty) / mass * dt / 2;
+      perMass += 1 / mass;
+    }
+    if (!a.heldSpin) {
+      slipKick -= w.r / 2 * a.torque / inertia * dt / 2;
+      perInertia += 1 / inertia;
+    }
   }
   // with slip three times a contact's own, a quarter of what damps the turning of all
   const double many = s.laws.viscosity.word() == "both" ? 3 : 1;

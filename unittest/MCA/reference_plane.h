@@ -15,8 +15,9 @@ namespace reference {
 /// All quantities in one consistent set of units.
 struct Automaton {
   double x = 0, y = 0, vx = 0, vy = 0, omega = 0;
-  int type = 0;      ///< number in the table of materials
-  bool held = false; ///< keeps its velocity, whatever acts on it
+  int type = 0;          ///< number in the table of materials
+  bool held = false;     ///< keeps its velocity, whatever acts on it
+  bool heldSpin = false; ///< keeps its angular velocity, likewise
   double kappa = 0, kept = 0;
 
   // results of a step; forces and torque are those of all contacts

@@ -372,14 +372,16 @@ void setPresentSpeeds(const Sample &s, ReferenceContact &c, double dt)
   for (int side : {c.i, c.j}) {
     const Automaton &a = s.automata[s.owner[side]];
     const mca::Material &m = s.materials[a.type];
-    if (a.held)
-      continue;
     const double mass = m.density * cellVolume(s.packing) * std::pow(m.diameter, 3);
     const double inertia = mass * m.diameter * m.diameter / 10;
-    moved += (side == c.j ? 1 : -1) * a.force / mass * dt / 2;
-    turned += a.torque / inertia * dt / 2;
-    perMass += 1 / mass;
-    perInertia += 1 / inertia;
+    if (!a.held) {
+      moved += (side == c.j ? 1 : -1) * a.force / mass * dt / 2;
+      perMass += 1 / mass;
+    }
+    if (!a.heldSpin) {
+      turned += a.torque / inertia * dt / 2;
+      perInertia += 1 / inertia;
+    }
   }
   // with slip three quarters of what damps the turning of all, in contacts' own parts of it
   const bool slips = s.laws.viscosity.word() == "both";

@@ -19,8 +19,9 @@ using Eigen::Vector3d;
 /// All quantities in one consistent set of units.
 struct Automaton {
   Vector3d x{0, 0, 0}, v{0, 0, 0}, omega{0, 0, 0};
-  int type = 0;      ///< number in the table of materials
-  bool held = false; ///< keeps its velocity, whatever acts on it
+  int type = 0;          ///< number in the table of materials
+  bool held = false;     ///< keeps its velocity, whatever acts on it
+  bool heldSpin = false; ///< keeps its angular velocity, likewise
   double kappa = 0, kept = 0;
 
   // results of a step; force and torque are those of all contacts

@@ -56,6 +56,7 @@ SpaceRun::SpaceRun(const mca::Kernel &kernel, const Sample &s, bool next)
   for (size_t i = 0; i < s.automata.size(); i++) {
     arrays_.types[i] = s.automata[i].type;
     arrays_.groups[i] |= s.automata[i].held ? StepArrays::held : 0;
+    arrays_.groups[i] |= s.automata[i].heldSpin ? StepArrays::heldSpins : 0;
   }
   mca::LinkList &list = evaluation_.links();
   list.reset(static_cast<int>(s.contacts.size()));

@@ -10,7 +10,7 @@
 
 // NOLINTNEXTLINE(readability-identifier-naming): compiler-made, to copy arrays
 struct StepArrays {
-  static constexpr int all = 1, held = 2; ///< bits of groups
+  static constexpr int all = 1, held = 2, heldSpins = 4; ///< bits of groups
   using Vector = double[3];
   std::vector<double> places, velocities, spins; ///< three values each
   std::vector<int> types, groups;
@@ -39,6 +39,7 @@ struct StepArrays {
     a.groups = groups.data();
     a.integrated = all;
     a.held = held;
+    a.heldSpins = heldSpins;
     a.kappa = kappa.data();
     a.kept = kept.data();
     for (int m = 0; m < 3; m++) {

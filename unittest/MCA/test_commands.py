@@ -322,8 +322,12 @@ def test_hybrid_without_all_types_is_refused(fragments, tmp_path):
 
 # ---- who follows the forces, which `steps corrected` has to know
 
-HELD = {
+FREE = {
     "free": "fix integrate all nve/mca",
+    "flat": "fix integrate all nve/mca\nfix flat all setforce NULL NULL 0",
+    "along": "fix integrate all nve/mca\nfix hold wall setforce NULL 0 NULL",
+}
+HELD = {
     "freeze": "fix integrate all nve/mca\nfix hold wall freeze",
     "setforce": "fix integrate all nve/mca\nfix hold wall setforce 0 0 0",
     "move": "fix integrate mover nve/mca\nfix hold wall move linear 0 0 0",
@@ -332,7 +336,7 @@ HELD = {
 
 
 @pytest.mark.parametrize("ranks", RANKS)
-@pytest.mark.parametrize("held", HELD)
+@pytest.mark.parametrize("held", FREE | HELD)
 def test_viscous_contact_decays(tmp_path, held, ranks):
     """v exp(-eta S t/(d m)) against what is held, twice as fast between two that are free."""
     d, eta, rho, dt, steps, v = 2.5, 410, 0.0078, 1.25e-5, 20, -0.1
@@ -352,7 +356,7 @@ pair_style mca viscosity normal plasticity none fracture none link none heal non
 pair_coeff * * steel.mca youngs_modulus 1e-3 strength 1e-5 viscosity {eta} density {rho}
 neighbor 0.4 bin
 velocity mover set {v} 0 0
-{HELD[held]}
+{(FREE | HELD)[held]}
 compute vx mover reduce sum vx
 compute wall wall reduce sum vx
 thermo_style custom step c_vx c_wall
@@ -364,10 +368,10 @@ run {steps}
         ranks=ranks,
     ).thermo[0]
     rate = (
-        4 / 3 * eta / (rho * d**2) * (1 if held == "free" else 0.5)
+        4 / 3 * eta / (rho * d**2) * (1 if held in FREE else 0.5)
     )  # eta S/(d m), S = d h/sqrt(3), m = rho sqrt(3)/2 d^2 h
     assert (t["c_vx"] - t["c_wall"])[-1] == pytest.approx(v * np.exp(-rate * dt * steps), rel=5e-3)
-    assert (t["c_wall"][-1] == 0) == (held != "free")
+    assert (t["c_wall"][-1] == 0) == (held in HELD)
 
 
 def test_material_at_a_temperature(tmp_path):

@@ -182,6 +182,15 @@ def test_room_is_the_area_between_the_rows_over_that_of_the_cells(driven):
 
 EXAMPLE = str(pathlib.Path(os.environ["PROJECT_SOURCE"]) / "examples/friction/in.friction")
 
+def test_room_where_forces_out_of_the_plane_are_set(tmp_path):
+    """A frequent idiom of two dimensions, which holds nothing."""
+    flat = "fix flat all setforce NULL NULL 0\nrun 100\n"
+    result = lmp("in.driven", tmp_path, v=V, p=P, extra=flat)
+    room = friction_log(tmp_path / "driven.friction")[1]["room"]
+    assert (np.abs(room - 1) < 0.1).all()
+    assert "sets forces of" not in result.out
+
+
 
 def example(folder, **variables):
     shown = lmp(pathlib.Path(EXAMPLE).read_text(encoding="utf-8"), folder, frames=0, **variables)

@@ -46,6 +46,7 @@ Sample randomSample(unsigned seed, int materials, const std::string &preset = "b
     a.kept = uniform(0, 0.01);
     a.type = static_cast<int>(random() % materials);
     a.held = random() % 8 == 0;
+    a.heldSpin = random() % 8 == 0;
   }
   for (auto &c : s.contacts) {
     const Automaton &a = s.automata[c.i], &b = s.automata[c.j];

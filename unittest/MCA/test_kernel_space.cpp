@@ -54,6 +54,7 @@ Sample randomSample(const mca::Packing &packing, unsigned seed, int materials, d
     a.kept = random.number(0, 0.01);
     a.type = random.whole(materials);
     a.held = random.whole(8) == 0;
+    a.heldSpin = random.whole(8) == 0;
   }
   for (auto &c : s.contacts) {
     const Automaton &a = s.automata[c.i], &b = s.automata[c.j];

@@ -226,15 +226,15 @@ template<class D, bool ONE, bool SLIPS>
 MCA_LOOP void centreLoop(Centring<D> &c, int n, const ViscousStep &step, const Slips<D> &slips)
 {
   const PairLaw *const laws = step.laws, one = laws[c.contacts.law[0]];
-  const int integrated = step.integrated, held = step.held;
-  // half a step of automata that follow the forces
-  auto halfOf = [=, half = 0.5 * step.dt](int groups) {
-    const bool follows = ((groups & integrated) != 0) & ((groups & held) == 0);
+  const int integrated = step.integrated, held = step.held, heldSpins = step.heldSpins;
+  // half a step of automata that follow forces or torques
+  auto halfOf = [=, half = 0.5 * step.dt](int groups, int others) {
+    const bool follows = ((groups & integrated) != 0) & ((groups & others) == 0);
     return follows ? half : 0.0;
   };
   auto centre = [=, &one, &c](int k) {
     const PairLaw &law = ONE ? one : laws[c.contacts.law[k]];
-    const double halfI = halfOf(c.groupsI[k]), halfJ = halfOf(c.groupsJ[k]);
+    const double halfI = halfOf(c.groupsI[k], held), halfJ = halfOf(c.groupsJ[k], held);
     const double moveI = halfI * law.invMassI, moveJ = halfJ * law.invMassJ;
     const Vector normal = c.contacts.normal(k);
     const Vector moved = moveJ * c.onJ.force(k) - moveI * c.onI.force(k);
@@ -254,7 +254,8 @@ MCA_LOOP void centreLoop(Centring<D> &c, int n, const ViscousStep &step, const S
       c.normal.c[2][k] = push.z;
     if constexpr (SLIPS) {
       const double arm = 0.5 * law.diameter * ratio;
-      const double turnI = halfI * law.invInertiaI, turnJ = halfJ * law.invInertiaJ;
+      const double turnI = halfOf(c.groupsI[k], heldSpins) * law.invInertiaI;
+      const double turnJ = halfOf(c.groupsJ[k], heldSpins) * law.invInertiaJ;
       const Vector turned = turnI * c.onI.torque(k) + turnJ * c.onJ.torque(k);
       const double slipDamping = law.centring * (law.viscosity * law.invDiameter) * law.area *
                                  (moveI + moveJ + arm * arm * (turnI + turnJ));

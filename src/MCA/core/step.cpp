@@ -126,6 +126,7 @@ void Step::run(const Automata &a, double dt, bool advance)
   now.groups = a.groups;
   now.integrated = a.integrated;
   now.held = a.held;
+  now.heldSpins = a.heldSpins;
   if (laws_.resistsSlip)
     viscous_.resistSlip(*kernel_, pairs, now, sums_.data());
   if (laws_.centresViscosity)

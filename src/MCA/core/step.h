@@ -48,9 +48,9 @@ struct Automata {
   const double (*omega)[3]; ///< angular velocities [1/time], of all rows
   /// Bits of LAMMPS's groups, of all rows; read where viscous contacts are centred.
   const int *groups;
-  /// Automata with a bit of `integrated` and none of `held` follow the forces; the others keep
-  /// their velocity, whatever acts on them.
-  int integrated, held;
+  /// Automata with a bit of `integrated` and none of `held` follow the forces, with none of
+  /// `heldSpins` the torques; the others keep their velocities, whatever acts on them.
+  int integrated, held, heldSpins;
   /// Equivalent plastic strain [-], of own automata; read by run(), written by commit().
   double *kappa;
   /// Normal strains that broken links left to the mean stress [-], >= 0; as kappa. Read with

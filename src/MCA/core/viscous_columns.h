@@ -15,11 +15,9 @@ struct ViscousStep {
   const PairLaw *laws; ///< table of PairLaw, indexed by Pairs::law
   bool oneLaw;         ///< the table has one entry
   // read where velocities are centred only
-  double dt;         ///< [time]
-  const int *groups; ///< bits of each automaton
-  /// Automata with a bit of `integrated` and none of `held` follow the forces; the others keep
-  /// their velocity, whatever acts on them.
-  int integrated, held;
+  double dt;                       ///< [time]
+  const int *groups;               ///< bits of each automaton
+  int integrated, held, heldSpins; ///< as Automata of step.h has them
 };
 
 /// The viscous contacts of a step, a value each, in the order of the list of pairs. A view.
