@@ -18,6 +18,9 @@
 
 using namespace LAMMPS_NS;
 
+// place of motion_seal() in an automaton's own record; 0 there: not known
+static constexpr int SEAL = 1;
+
 FixMCAHistory::FixMCAHistory(LAMMPS *host, int narg, char **arg)
     : CheckedRestart(host, narg, arg), mca(nullptr)
 {
@@ -34,6 +37,25 @@ void FixMCAHistory::attach(PairMCA *owner)
   mca = owner;
   pair = owner;
   mca->step().goOn(past);
+}
+
+void FixMCAHistory::init()
+{
+  for (int i = 0; i < atom->nlocal; i++)
+    if (npartner[i] > 0 && valuepartner[i][SEAL] != 0.0 &&
+        valuepartner[i][SEAL] != motion_seal(i)) {
+      valuepartner[i][SEAL] = 0.0;
+      mca->drop_lag(i);
+    }
+  CheckedRestart::init();
+}
+
+double FixMCAHistory::motion_seal(int i) const
+{
+  double motion[6];
+  std::copy_n(atom->v[i], 3, motion);
+  std::copy_n(atom->omega[i], 3, motion + 3);
+  return mca::recordChecksum(motion, 6, 0);
 }
 
 /* before atoms migrate and the list is rebuilt: what the step just done leads to */
@@ -79,6 +101,10 @@ void FixMCAHistory::write_restart(FILE *fp)
   // between runs post_run() has brought the atoms up to date and the list may be stale
   if (update->whichflag)
     post_run();
+  else // folding into a box that moves has changed velocities since init()
+    for (int i = 0; i < atom->nlocal; i++)
+      if (npartner[i] > 0 && valuepartner[i][SEAL] != 0.0)
+        valuepartner[i][SEAL] = motion_seal(i);
   const PairMCA::Count own = mca->count();
   std::vector<double> all = {own.broken, own.formed, own.healed};
   MPI_Allreduce(MPI_IN_PLACE, all.data(), static_cast<int>(all.size()), MPI_DOUBLE, MPI_SUM, world);
@@ -113,7 +139,8 @@ void FixMCAHistory::setup_pre_exchange()
 /* ----------------------------------------------------------------------
    From the pair list to the automata: each keeps the states of its pairs under the IDs of its
    partners. The first record is its own and holds the ID under which its partners know it; IDs
-   may change between runs, these keys do not.
+   may change between runs, these keys do not. At the end of a run it holds the checksum of the
+   velocities, too, by which init() knows those that a command has changed.
    A pair of automata of two ranks is known to both.
 ------------------------------------------------------------------------- */
 
@@ -154,6 +181,8 @@ void FixMCAHistory::store(bool next)
     partner[i][0] = tag[i];
     shared[i].key = ubuf(tag[i]).d;
     std::fill_n(valuepartner[i], dnum, 0.0);
+    if (!next)
+      valuepartner[i][SEAL] = motion_seal(i);
   }
   maxexchange = (dnum + 1) * maxpartner + 1;
   for (int k = 0; k < p.n; k++) {

@@ -45,6 +45,9 @@ class FixMCAHistory : public mca::CheckedRestart<FixNeighHistory> {
   void setup_post_neighbor() override;
   /// LAMMPS's, and both hooks around the motion of a step.
   int setmask() override;
+  /// Before a set-up, and before commands that migrate atoms: automata whose velocities are not
+  /// those of the end of the last run lose their lag, which belongs to them.
+  void init() override;
   /// Before automata move, in the first step of a run and in some later ones: keeps their places.
   void initial_integrate(int) override;
   /// After they moved: stops LAMMPS where a fix moved the ends of a link by anything but their
@@ -118,6 +121,8 @@ class FixMCAHistory : public mca::CheckedRestart<FixNeighHistory> {
     const double *stored;
   };
 
+  /// Checksum of the velocities of an own automaton.
+  double motion_seal(int i) const;
   /// From the list to both automata of each pair, where they are owned.
   /// \param next  the next states, else the present ones
   void store(bool next);

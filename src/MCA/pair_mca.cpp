@@ -163,6 +163,14 @@ void PairMCA::keep_lag()
   mca_step.keepLag(automata());
 }
 
+void PairMCA::drop_lag(int i)
+{
+  for (const int *of : {LAG, REST, SPIN_LAG, SPIN_REST})
+    for (int m = 0; m < 3; m++)
+      if (double *const values = state(of[m]))
+        values[i] = 0.0;
+}
+
 /* energy of owned automata and virials of pairs */
 
 void PairMCA::tally()

@@ -66,6 +66,8 @@ class PairMCA : public Pair {
   /// After a step: velocities less those that made its forces, into the states lag and rest of own
   /// automata.
   void keep_lag();
+  /// Own automaton i has other velocities than at the end of the run: lag and rest become 0.
+  void drop_lag(int i);
   /// Stops LAMMPS where a link is longer than the cutoff: its pair would not be in the next list.
   void check_reach() const;
   /// Own automata that are new, also those that a fix added in a run: their diameter and mass are

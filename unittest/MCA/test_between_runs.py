@@ -85,6 +85,31 @@ def test_what_turns_no_link_does_no_harm(tmp_path, command):
     lmp(HEAD + LINKED + command + MOVED + "run 20\n", tmp_path)
 
 
+def test_velocities_that_are_set_between_runs_act_as_they_are(tmp_path):
+    """Viscous forces of the set-up are those of the same sample in a session of its own."""
+    box = HEAD.split("lattice")[0]
+    laws = LAWS.replace("viscosity none ", "")
+    shown = MOVED + (
+        "group one id 1\ncompute force one reduce sum fx\n"
+        "compute torques all property/atom tqz\ncompute turn one reduce sum c_torques\n"
+        'run 0\nprint "values $(c_force:%.12g) $(c_turn:%.12g)"\n'
+    )
+    pair = (
+        "region box block -10 10 -10 10 -0.5 0.5\ncreate_box 1 box\n"
+        "create_atoms 1 single -1.24 0 0\ncreate_atoms 1 single 1.24 0.1 0\n"
+    )
+    moved = "fix move all nve/mca\nvelocity all ramp vx 50 -50 x -1 1\nrun 3\nunfix move\n"
+    set_anew = "velocity all set 2 0 0\nset group all omega 0 0 0.1\n"
+    script = box + pair + laws + moved + set_anew + shown + "write_data x.data\nclear\n"
+    lines = re.findall(
+        r"^values (\S+) (\S+)$",
+        lmp(script + box + "read_data x.data\n" + laws + shown, tmp_path).out,
+        re.MULTILINE,
+    )
+    assert len(lines) == 2 and float(lines[0][0]) != 0.0
+    assert [float(w) for w in lines[0]] == pytest.approx([float(w) for w in lines[1]], rel=1e-9)
+
+
 def test_a_box_that_grows_beside_the_sample_does_no_harm(tmp_path):
     grows = "fix grow all deform 1 x erate 0.01 remap none\n"
     lmp(HEAD.replace("s s p", "f s p") + LINKED + grows + MOVED + "run 20\n", tmp_path)
