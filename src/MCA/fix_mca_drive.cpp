@@ -606,7 +606,9 @@ double FixMCADrive::compute_vector(int n)
   pair = PairMCA::find(lmp, "Fix mca/drive"); // another one may be there since the last run
   if (!begun || !pair->knows_masses())
     return 0.0;
-  if (n == 4)
+  if (n == 4) {
+    if (update->whichflag == 0) // commands may have taken automata away since the last run
+      post_neighbor();
     return height() - sums.startHeight;
   const Neighbourhood around = look_around();
   return n == 6 ? around.room : around.above + around.below;

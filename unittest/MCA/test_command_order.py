@@ -116,6 +116,14 @@ OUTPUTS = pytest.mark.parametrize(
 )
 
 
+def test_height_of_a_layer_that_lost_automata(tmp_path):
+    shown = 'print "height $(f_drive[5]:%.12g)"\n'
+    gone = "region upmost block INF 10 25 INF INF INF units box\ndelete_atoms region upmost\n"
+    script = SAMPLE + DRIVE + "run 200\n" + gone + shown
+    found = re.findall("^height (.*)$", lmp(script + "run 0\n" + shown, tmp_path).out, re.M)
+    assert float(found[0]) == pytest.approx(float(found[1]), rel=1e-9)
+
+
 @OUTPUTS
 def test_output_after_automata_changed_ranks(tmp_path, output):
     moved = FIXES.replace("fix hold bottom freeze\n", "")
