@@ -37,7 +37,7 @@ FixMCADrive::FixMCADrive(LAMMPS *host, int narg, char **arg)
     : Fix(host, narg, arg), every(1000), seed(0), pair(nullptr), begun(false),
       restarted(false), past{-1, 0}, largest_velocity(0.0), largest_pressure(0.0),
       least_strength(0.0), least_bulk_modulus(0.0), least_link_pressure(0.0), largest_diameter(0.0),
-      split(false), above(0.0), below(0.0), told_of_room(false),
+      split(false), moved_at(0.0), above(0.0), below(0.0), told_of_room(false),
       told_of_fall(false), most_dissipated{}
 {
   namespace format = mcawr::friction_log; // as the readers of the log take it
@@ -468,6 +468,7 @@ void FixMCADrive::post_force(int /*vflag*/)
     MPI_Allreduce(MPI_IN_PLACE, parts, 3, MPI_DOUBLE, MPI_SUM, world);
     pull = {parts[0], parts[1], parts[2]};
   }
+  moved_at = velocity.value;
   evaluate();
   layer.carry(now, pull, {velocity.value, pressure.value});
 }
@@ -485,7 +486,7 @@ mca::DrivenLayer::Arrays FixMCADrive::arrays() const
 
 void FixMCADrive::end_of_step()
 {
-  sums.add(layer, stress, velocity.value, update->dt);
+  sums.add(layer, stress, moved_at, update->dt);
   if (!path.empty() && update->ntimestep % every == 0)
     write_row();
 }
@@ -610,6 +611,7 @@ double FixMCADrive::compute_vector(int n)
     if (update->whichflag == 0) // commands may have taken automata away since the last run
       post_neighbor();
     return height() - sums.startHeight;
+  }
   const Neighbourhood around = look_around();
   return n == 6 ? around.room : around.above + around.below;
 }

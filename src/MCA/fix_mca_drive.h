@@ -98,6 +98,8 @@ class FixMCADrive : public Fix {
   mca::DrivenLayer layer;
   /// The layer has automata on several ranks, which then add up its forces in each step.
   bool split;
+  /// Velocity of the way to the present step: that of the step before [velocity].
+  double moved_at;
   /// This rank's part of the stresses on the layer now [pressure].
   mca::DrivenLayer::Stress stress;
   /// Automata beyond the driven and the held layer that are known of, so that each is told of once.
