@@ -109,6 +109,16 @@ void FixMCAEvents::write_restart(FILE *fp)
 {
   std::vector<double> all(COUNTERS);
   MPI_Reduce(counts, all.data(), COUNTERS, MPI_DOUBLE, MPI_SUM, 0, world);
+  static constexpr std::size_t longest_word = 25; // of a number of 17 digits, with the blank
+  static constexpr auto most = static_cast<bigint>(mca::longestBlock / (longest_word * WIDTH));
+  const auto own_rows = static_cast<bigint>(collected.size() / WIDTH);
+  bigint rows;
+  MPI_Allreduce(&own_rows, &rows, 1, MPI_LMP_BIGINT, MPI_SUM, world);
+  if (rows >= most)
+    error->all(FLERR,
+               "Fix mca/events N is {}: {} events since the last output are too many for a restart "
+               "file, allowed: below {}; give a smaller N",
+               every, rows, most);
   const int own = static_cast<int>(collected.size());
   std::vector<int> sizes(comm->nprocs), places(comm->nprocs + 1, COUNTERS);
   MPI_Gather(&own, 1, MPI_INT, sizes.data(), 1, MPI_INT, 0, world);
