@@ -170,8 +170,9 @@ def main() -> None:
         name = os.path.splitext(os.path.basename(path))[0]
         marker = "*x+."[number % 4]
         axes.plot(creep, ratio, marker, color="0.4", ms=4, zorder=1, label=f"measured: {name}")
-    creeps = [*(values["creep"] for values, _, _ in curves), *(creep for creep, _ in clouds)]
-    least, most = min(map(min, creeps)), max(map(max, creeps))
+    creeps = [x for values, _, _ in curves for x in values["creep"]]
+    creeps += [x for creep, _ in clouds for x in creep]
+    least, most = min(creeps), max(creeps)
     if not given.linear and least >= 0 < most:  # a logarithm would hide what is negative
         axes.set_xscale("log")
     axes.set(

@@ -26,16 +26,7 @@ from . import (
     temperature as heat,
     width,
 )
-from .common import (
-    STEEL,
-    Missing,
-    percent,
-    power_law,
-    run_name,
-    scatter_of,
-    table,
-    with_own_errors,
-)
+from .common import STEEL, Missing, percent, power_law, run_name, scatter_of, table, with_own_errors
 from .dots import dots
 
 PAPER = plot_fit.PAPER
