@@ -227,14 +227,13 @@ def weighted(values: Any, errors: Any) -> tuple[float, float, float]:
 
 
 def by_load(points: list[dict[str, Any]], axes: Any) -> list[list[str]]:
-    """Rows of n of mu ~ s^n, the weighted mean over the runs between loads p/sigma_0 and over all,
-    and of how many of them wr_fit finds no stationary part; draws the runs."""
-    load, n, error, t95, drifting = np.array(
+    """Rows of n of mu ~ s^n, the weighted mean over the runs between loads p/sigma_0 and over all;
+    draws the runs."""
+    load, n, error, t95 = np.array(
         [
             (
                 point["pressure"] / point["strength"],
                 *power_of_distance([over_distance(point)]),
-                point["t_start"] is None,
             )
             for point in points
         ]
@@ -244,7 +243,7 @@ def by_load(points: list[dict[str, Any]], axes: Any) -> list[list[str]]:
     def row(low: float, high: float, inside: Any) -> tuple[list[str], float, float]:
         mean, its, reduced = weighted(n[inside], error[inside])
         cells = [f"{low:g} to {high:g}", str(inside.sum()), f"{mean:+.2f} +- {its:.2f}"]
-        return [*cells, f"{reduced:.1f}", f"{drifting[inside].sum():.0f}"], mean, its
+        return [*cells, f"{reduced:.1f}"], mean, its
 
     rows: list[list[str]] = []
     for low, high in itertools.pairwise(LOADS):
@@ -322,5 +321,5 @@ def ageing(report: dict[str, Any], picture: str) -> list[str]:
     return [
         *table(["mu", *(f"{low}-{high} nm" for low, high in WAYS), "n"], rows),
         "",
-        *table(["p/sigma_0", "runs", "mean n", "reduced chi^2", "drifting (wr_fit)"], loads),
+        *table(["p/sigma_0", "runs", "mean n", "reduced chi^2"], loads),
     ]
