@@ -338,6 +338,15 @@ def test_flat_blocks_are_told(tmp_path):
     assert "warning" not in campaign("list", path).stdout
 
 
+@pytest.mark.parametrize(("page", "runs"), [("campaign", 9), ("howto_campaign", 24)])
+def test_plans_on_the_pages_are_plans(tmp_path, page, runs):
+    text = (ROOT / f"doc/{page}.md").read_text("utf-8")
+    (block,) = re.findall(r"```text\n(format: mca-campaign.*?)```", text, re.DOTALL)
+    path = tmp_path / "plan.yaml"
+    path.write_text(block)
+    assert len(plans.read(str(path)).runs) == runs
+
+
 SHIPPED = {
     "paper36": 72,
     "paper36-d": 72,
