@@ -10,6 +10,7 @@ from contact_parts.inp import Contact, Refused
 BY = ", by contact_inp.py"  # ends the first line of a case file
 DIGITS = 9  # of a number in a case file that was computed from those of the input
 CELLS, SCALE = 8, 1.05  # what wr_creep needs: cells along a side, half a box in semi-axes
+FEW = 4  # cells along a semi-axis, twice what wr_creep needs
 
 
 def text(value: float, unit: str = "") -> str:
@@ -20,14 +21,13 @@ def pair(values: Any, unit: str) -> str:
     return "[" + ", ".join(text(value, unit) for value in values) + "]"
 
 
-def gap_of(case: Contact) -> tuple[list[list[float]], tuple[float, float]]:
-    """The gap at the cells' centres, rows from the smallest y on, and curvatures near it."""
+def gap_of(case: Contact) -> list[list[float]]:
+    """The gap at the cells' centres, rows from the smallest y on."""
     assert case.table is not None and case.grid is not None
     nx, ny, left, bottom, dx, dy = case.grid
     values, head = case.table
     if not head:
-        rows = [list(values[k * nx : (k + 1) * nx]) for k in range(ny)]
-        return rows, (1e-6, 1e-6)
+        return [list(values[k * nx : (k + 1) * nx]) for k in range(ny)]
     middle, radius, first, step = head
     rows = []
     for iy in range(ny):
@@ -38,7 +38,43 @@ def gap_of(case: Contact) -> tuple[list[list[float]], tuple[float, float]]:
         rows.append(
             [(left + (ix + 0.5) * dx - middle) ** 2 / (2.0 * radius) + across for ix in range(nx)]
         )
-    return rows, (0.5 / radius, 0.5 / radius)
+    return rows
+
+
+def fitted_curvatures(case: Contact, rows: list[list[float]]) -> tuple[float, float]:
+    """A, B > 0 of a gap A x2 + B y2 whose contact, an ellipse around x = y = 0, is about as long
+    and as wide as that of a gap of any form.
+
+    A sphere under a load N has a contact of radius r where the gap is h with N = 8/3 E* r h. So the
+    cells of the least gaps are taken, until r of their area carries the load; under an approach
+    those that are less than half of it above the least. Twice the root mean square of their x and y
+    are the semi-axes a, b, and A = h/a2, B = h/b2 with r2 = ab.
+    """
+    assert case.grid is not None and case.material is not None
+    _, _, left, bottom, dx, dy = case.grid
+    nu1, nu2, g1, g2 = case.material
+    stiffness = 16.0 / 3.0 / ((1.0 - nu1) / g1 + (1.0 - nu2) / g2)  # 8/3 E*
+    cells = sorted(
+        (gap, left + (ix + 0.5) * dx, bottom + (iy + 0.5) * dy)
+        for iy, row in enumerate(rows)
+        for ix, gap in enumerate(row)
+    )
+    least = cells[0][0]
+    level = 0.5 * (case.drive[0] - least)  # under an approach
+    touching: list[tuple[float, float]] = []
+    for gap, x, y in cells:
+        height, radius = gap - least, math.sqrt((len(touching) + 1) * dx * dy / math.pi)
+        held = stiffness * radius * height > case.drive[0] if case.norm == "1" else height > level
+        if touching and held:
+            break
+        touching.append((x, y))
+    x2, y2 = (sum(value * value for value in values) / len(touching) for values in zip(*touching))
+    # of points in a cell, and not so small that wr_creep would refuse the ellipse
+    a = max(2.0 * math.sqrt(x2 + dx * dx / 12.0), FEW * dx)
+    b = max(2.0 * math.sqrt(y2 + dy * dy / 12.0), FEW * dy)
+    h = case.drive[0] / (stiffness * math.sqrt(a * b)) if case.norm == "1" else level
+    h = max(h, 1e-9)  # mm: where nothing touches
+    return float(text(h / (a * a))), float(text(h / (b * b)))  # as the case file has them
 
 
 def elastic_lines(case: Contact) -> list[str]:
@@ -60,9 +96,9 @@ def contact_group(case: Contact, turned: bool, files: dict[str, str], stem: str)
     lines += elastic_lines(case)
     rough: list[str] = []
     if case.table is not None:
-        rows, curvatures = gap_of(case)
-        nx, ny, left, bottom, dx, dy = case.grid
-        files[f"{stem}.txt"] = map_text(case, rows, curvatures)
+        rows = gap_of(case)
+        curvatures = fitted_curvatures(case, rows)
+        files[f"{stem}.txt"] = map_text(case, rows, curvatures, turned)
         rough = [f"roughness: {{rail: {stem}.txt, sampling: cells, detrend: none}}"]
         lines.append(f"  curvatures: {pair(curvatures, '1/mm')}")
     elif case.ellipse is not None:
@@ -85,21 +121,27 @@ def contact_group(case: Contact, turned: bool, files: dict[str, str], stem: str)
     return [*lines, f"cells: [{nx}, {ny}]", *rough]
 
 
-def map_text(case: Contact, rows: list[list[float]], curvatures: tuple[float, float]) -> str:
+def map_text(
+    case: Contact, rows: list[list[float]], curvatures: tuple[float, float], turned: bool
+) -> str:
     """A height map: what the gap A x2 + B y2 has too much, rows from the smallest y on."""
     assert case.grid is not None
     _, _, left, bottom, dx, dy = case.grid
     if abs(dx - dy) > 1e-9 * dx:
         raise Refused(f"{case.line}: a gap of points needs cells as long as wide")
-    lines = ["# height: mm", f"# spacing: {text(dx)} mm", "# rows: upwards"]
+    heights = []
     for iy, row in enumerate(rows):
         y = bottom + (iy + 0.5) * dy
         smooth = [
             curvatures[0] * (left + (ix + 0.5) * dx) ** 2 + curvatures[1] * y * y
             for ix in range(len(row))
         ]
-        lines.append(";".join(f"{s - gap:.12g}" for s, gap in zip(smooth, row)))
-    return "\n".join(lines) + "\n"
+        heights.append([s - gap for s, gap in zip(smooth, row)])
+    if turned:
+        heights = [row[::-1] for row in reversed(heights)]
+    head = ["# height: mm", f"# spacing: {text(dx)} mm", "# rows: upwards"]
+    lines = [";".join(f"{height:.12g}" for height in row) for row in heights]
+    return "\n".join([*head, *lines]) + "\n"
 
 
 def thermal_group(case: Contact) -> list[str]:
@@ -210,6 +252,8 @@ def check_whole(case: Contact) -> None:
     for name in ("grid", "material"):
         if getattr(case, name) is None:
             raise Refused(f"{case.line}: {name} of a former case that is not there")
+    if not (case.ellipse or case.curvatures or case.table):
+        raise Refused(f"{case.line}: gap of a former case on this grid that is not there")
     if not (case.friction or case.rows or case.falling or case.hot):
         raise Refused(f"{case.line}: friction of a former case that is not there")
     check_grid(case)
@@ -225,6 +269,23 @@ def check_whole(case: Contact) -> None:
         check_hot(case, case.hot)
     if case.layer and (case.layer[3] or min(case.layer[:2]) <= 0.0):
         raise Refused(f"{case.line}: M = 4: a layer that hardens, GGPLST, is not in wr_creep")
+
+
+def check_alike(group: list[Contact]) -> None:
+    """Cases that go on from each other differ in what drives them only. Raises Refused."""
+    names = {
+        "friction": ("friction", "rows", "falling", "hot"),
+        "material": ("material", "layer"),
+        "heat": ("heats", "heat"),
+        "grid": ("grid",),
+        "gap": ("ellipse", "curvatures", "table"),
+    }
+    for case in group[1:]:
+        for what, parts in names.items():
+            if any(getattr(case, part) != getattr(group[0], part) for part in parts):
+                raise Refused(
+                    f"{case.line}: P = 0: the {what} differs from that of the case it goes on from"
+                )
 
 
 def friction_lines(case: Contact, turned: bool) -> list[str]:
@@ -321,6 +382,7 @@ def case_text(
     case, last = group[0], group[-1]
     for one in group:
         check_whole(one)
+    check_alike(group)
     turned = is_turned(last, len(group) > 1)
     head = [f"# {os.path.basename(path)}, {numbers}{BY}"]
     if turned:
@@ -360,7 +422,15 @@ def rolling_steps(group: list[Contact], turned: bool) -> list[str]:
     steps = [case for case in group if case.tang == "2"]
     first = steps[0]
     assert first.rolling is not None and first.grid is not None
+    for case in group[1:]:
+        if case.tang != "2":
+            raise Refused(f"{case.line}: T = {case.tang}: a shift after others, before steps of "
+                          "rolling, is not converted")  # fmt: skip
     for case in steps:
+        if case.norm == "0":
+            raise Refused(f"{case.line}: T = 2, N = 0: steps under an approach are not in wr_creep")
+        if case.table is not None:
+            raise Refused(f"{case.line}: T = 2: a gap of points would travel in steps of rolling")
         if (case.rolling, case.force, case.norm) != (first.rolling, first.force, first.norm):
             raise Refused(f"{case.line}: steps of one length, speed and kind are converted")
     cells = first.rolling[1] / first.grid[4] if len(first.grid) == 6 else 0.0
@@ -397,7 +467,7 @@ def driven(case: Contact, turned: bool) -> dict[str, str]:
     """What drives a step, by the words of group sequence."""
     load, x, y, spin = case.drive
     sign = -1.0 if turned else 1.0
-    force = sign * load * (case.friction[0] if case.friction else 0.0)
+    force = sign * force_limit(case)
     along = {"force_longitudinal": text(x * force, "N")}
     if case.force == "0":
         along = {"creep": text(sign * x)}
@@ -416,8 +486,10 @@ def stage_drive(group: list[Contact]) -> str:
             raise Refused(
                 f"{case.line}: stages without a shift, or under one force along x, are converted"
             )
-        if case.table is not None or (case.grid, case.curvatures) != (first.grid, first.curvatures):
-            raise Refused(f"{case.line}: stages on one grid and one quadratic gap are converted")
+        if case.table is not None:
+            raise Refused(f"{case.line}: stages on one quadratic gap are converted")
+        if case.tang == "2":
+            raise Refused(f"{case.line}: T = 2: a shift after steps of rolling is not converted")
     if first.norm != "1":
         raise Refused(f"{first.line}: stages begin under a load")
     if first.force == "0":

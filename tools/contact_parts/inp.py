@@ -125,19 +125,22 @@ def refuse_others(digits: dict[str, str], allowed: dict[str, tuple[str, str]], l
 def read_case(reader: Reader, former: Contact, line: int) -> tuple[Contact, str]:
     """The next case, and why it is refused, or ""; of a refused one nothing is kept."""
     case = Contact(**vars(former))
+    try:
+        fill_case(reader, case, line)
+    except Refused as error:  # the lines that follow belong to what is not read
+        reader.skip_case()
+        return Contact(pvtime=case.pvtime), str(error)
+    return case, ""
+
+
+def fill_case(reader: Reader, case: Contact, line: int) -> None:
+    """Reads what a case says beyond the former one. Raises Refused."""
     case.line = line
     first, control = reader.digits("CPBTNFS")
     second, physics = reader.digits("VLDCMZE")
     third, flow = reader.digits("XHGIAOWR")
-    reasons: list[str] = []
-
-    def check(digits: dict[str, str], allowed: dict[str, tuple[str, str]], at: int) -> None:
-        try:
-            refuse_others(digits, allowed, at)
-        except Refused as error:
-            reasons.append(str(error))
-
-    check(
+    case.pvtime, case.tang, case.norm, case.force = (control[name] for name in "PTNF")
+    refuse_others(
         control,
         {
             "P": ("02", "keeping a part of the former case is not in wr_creep"),
@@ -149,7 +152,7 @@ def read_case(reader: Reader, former: Contact, line: int) -> tuple[Contact, str]
         },
         first,
     )
-    check(
+    refuse_others(
         physics,
         {
             "V": ("02", "friction that varies is converted where each row has one coefficient"),
@@ -168,7 +171,7 @@ def read_case(reader: Reader, former: Contact, line: int) -> tuple[Contact, str]
         },
         second,
     )
-    check(
+    refuse_others(
         flow,
         {
             "X": ("0", "debug output is CONTACT's own"),
@@ -178,10 +181,6 @@ def read_case(reader: Reader, former: Contact, line: int) -> tuple[Contact, str]
         },
         third,
     )
-    case.pvtime, case.tang, case.norm, case.force = (control[name] for name in "PTNF")
-    if reasons:  # the lines that follow belong to what is not read
-        reader.skip_case()
-        return Contact(pvtime=case.pvtime), reasons[0]
     if flow["G"] != "1":
         reader.line("MAXGS, MAXIN, MAXNR, MAXOUT, EPS")
     if flow["G"] in "2345":  # of CONTACT's solvers, which wr_creep does without
@@ -213,32 +212,33 @@ def read_case(reader: Reader, former: Contact, line: int) -> tuple[Contact, str]
     if physics["Z"] == "2" and not hertz:
         read_gap(reader, case)
     if physics["V"] == "2":
-        assert case.grid is not None
+        if case.grid is None:
+            raise Refused(f"{line}: V = 2: the grid of a former case that is not there")
         case.rows = [check_row(reader) for _ in range(case.grid[1])]
     if control["S"] in "23":
         reader.line("MATFIL, OUTPUT")
     if control["S"] == "3":
         reader.skip_points()
     case.returns = flow["R"] == "1"
-    return case, ""
 
 
 def check_row(reader: Reader) -> float:
+    """The friction of a row of cells. Raises Refused."""
     line = reader.lines[min(reader.next, len(reader.lines) - 1)].number
     static, kinetic = reader.numbers(2, "FSTAT, FKIN of a row")
     if static != kinetic:
-        raise BadInput(f"{reader.path}:{line}: FKIN is not FSTAT: one coefficient is in wr_creep")
+        raise Refused(f"{line}: FKIN is not FSTAT: one coefficient is in wr_creep")
     return static
 
 
 def read_grid(reader: Reader, case: Contact) -> bool:
-    """The potential contact; whether it says the gap, too."""
+    """The potential contact; whether it says the gap, too. Raises Refused."""
     line = reader.line("IPOTCN")
     kind = line.words[0]
     names = {"1": "XL,YL,DX,DY", "2": "XL,YL,XH,YH", "3": "XC1,YC1,DX,DY", "4": "XC1,YC1,XCM,YCM"}
     names |= {"-1": "A1,B1,SCALE", "-2": "A1,AOB,SCALE", "-3": "AA,BB,SCALE"}
     if kind not in names:
-        raise BadInput(f"{reader.path}:{line.number}: IPOTCN = {kind}: {', '.join(names)} are read")
+        raise Refused(f"{line.number}: IPOTCN = {kind}: {', '.join(names)} are read")
     values = reader.numbers(2 + len(names[kind].split(",")), f"MX,MY,{names[kind]}")
     nx, ny = (whole(reader, line, value, "MX, MY", 1) for value in values[:2])
     a, b = values[2], values[3]
@@ -291,29 +291,30 @@ def curvature_ratio(axes: float) -> float:
 
 
 def read_gap(reader: Reader, case: Contact) -> None:
+    """Raises Refused."""
     line = reader.line("IBASE, IPLAN")
     base, plan = line.words[:2] if len(line.words) > 1 else (line.words[0], "")
     if plan != "1":
-        raise BadInput(f"{reader.path}:{line.number}: IPLAN = {plan}: 1 is read")
+        raise Refused(f"{line.number}: IPLAN = {plan}: 1 is read")
+    if case.grid is None or len(case.grid) == 3:
+        raise Refused(f"{line.number}: IBASE = {base}: a gap needs a grid of IPOTCN 1 to 4")
     case.ellipse = case.curvatures = case.table = None
     if base == "1":
         b = reader.numbers(6, "B(I), I=1, 6")
         if any(b[k] != 0.0 for k in (1, 3, 4, 5)):
-            raise BadInput(
-                f"{reader.path}:{line.number}: a gap B1 x2 + B3 y2 is read, without more"
-            )
+            raise Refused(f"{line.number}: IBASE = 1: a gap B1 x2 + B3 y2 is read, without more")
         case.curvatures = (b[0], b[2])
     elif base == "2":
         values = reader.numbers(5, "NN, XM, RM, Y1, DY1")
         whole(reader, line, values[0], "NN", 2)
         if values[2] == 0.0 or values[4] <= 0.0:
-            raise BadInput(f"{reader.path}:{line.number}: IBASE = 2: RM is not 0, DY1 above 0")
+            raise Refused(f"{line.number}: IBASE = 2: RM is not 0, DY1 above 0")
         case.table = (list(reader.numbers(int(values[0]), "the gap across y")), values[1:])
-    elif base == "9" and case.grid is not None:
+    elif base == "9":
         count = case.grid[0] * case.grid[1]
         case.table = (list(reader.numbers(count, "the gap of each cell")), ())
     else:
-        raise BadInput(f"{reader.path}:{line.number}: IBASE = {base}: 1, 2 and 9 are read")
+        raise Refused(f"{line.number}: IBASE = {base}: 1, 2 and 9 are read")
 
 
 def groups_of(path: str) -> list[tuple[int, list[Contact], str]]:
