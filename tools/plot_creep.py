@@ -6,13 +6,12 @@
     plot_creep.py own/creep.csv paper/creep.csv --label "own law" --label paper -o both.png
     plot_creep.py creep.csv --measured examples/wheelrail/eurosprinter.csv -o locomotive.png
 
-One curve for each speed (and seed) of each file. Where the creep_band.csv of the same run lies
-beside a file, its 95 % interval from the uncertainty of the friction law is shaded; several are
-drawn as bars, at places of
-their own, so that they can be told apart. Creep is on a logarithmic axis unless some of it is
-negative. --measured draws points from any CSV with a line of column names: creep and
-traction_ratio, or those that --columns names; a creep whose name ends in percent or % is in per
-cent.
+One curve for each speed, load, surface, lateral creep and spin of each file. Where the
+creep_band.csv of the same run lies beside a file, its 95 % interval from the uncertainty of the
+friction law is shaded; several are drawn as bars, at places of their own, so that they can be told
+apart. Creep is on a logarithmic axis unless some of it is negative. --measured draws points from
+any table with a line of column names: creep and traction_ratio, or those that --columns names. A
+creep is in per cent where its name ends in percent or %, or after a line "# creep: %".
 Exit codes: 0 ok, 1 no matplotlib, 2 usage, 3 bad input file, 5 the picture cannot be written.
 """
 
@@ -22,7 +21,7 @@ import os
 import sys
 from typing import Any
 
-from mcawr import plotting, tables
+from mcawr import curves, plotting, tables, unit_table
 from mcawr.command_line import Parser, file_name
 from mcawr.errors import BadInput, run_script
 from mcawr.files import check_apart, save_figure
@@ -33,21 +32,26 @@ SLACK = 1e-6  # of T/N: a band without width is rounded as the curve is not
 
 
 def read(path: str, columns: tuple[str, ...]) -> dict[Any, Any]:
-    """{(speed, seed): {column: [numbers]}} of a CSV file of wr_creep."""
+    """{(name, value) of all that tells a curve from others: {column: [numbers]}} of a CSV file of
+    wr_creep."""
 
     def curves_of(rows: list[tables.Row]) -> dict[Any, Any]:
-        curves: dict[Any, Any] = {}
-        for row in rows:
-            key = (row.number("speed"), row.get("seed", ""))
-            curve = curves.setdefault(key, {})
-            for column in columns:
-                curve.setdefault(column, []).append(row.number(column))
-        return curves
+        told = [
+            name for name in curves.COORDINATES if rows and (name == "speed" or name in rows[0])
+        ]
+        points: dict[str, list[Any]] = {
+            name: [row[name] if name in curves.SURFACES else row.number(name) for row in rows]
+            for name in dict.fromkeys(("creep", *told, *columns))
+        }
+        return {
+            tuple(key.items()): {column: [points[column][k] for k in numbers] for column in columns}
+            for key, numbers in curves.split(points, "creep")
+        }
 
-    curves = tables.read(path, "a creep.csv of wr_creep", curves_of)
-    if not curves:
+    found = tables.read(path, "a creep.csv of wr_creep", curves_of)
+    if not found:
         raise BadInput(f"{path}: no points")
-    return curves
+    return found
 
 
 def is_band_of(band: dict[str, Any] | None, curve: dict[str, Any]) -> bool:
@@ -62,35 +66,40 @@ def is_band_of(band: dict[str, Any] | None, curve: dict[str, Any]) -> bool:
     )
 
 
-def band_of(path: str, curves: dict[Any, Any]) -> dict[Any, Any]:
+def band_of(path: str, found: dict[Any, Any]) -> dict[Any, Any]:
     """The band that lies beside a file, where it is that of its curves; one of other results is
     told and not drawn."""
     band = os.path.join(os.path.dirname(path), "creep_band.csv")
     if not os.path.exists(band):
         return {}
     bands = read(band, ("creep", "low", "high"))
-    if all(is_band_of(bands.get(key), curve) for key, curve in curves.items()):
+    if all(is_band_of(bands.get(key), curve) for key, curve in found.items()):
         return bands
     print(f"plot_creep.py: warning: {band} is not of {path}: not drawn", file=sys.stderr)
     return {}
 
 
 def curves_of(path: str, label: str, style: str) -> list[tuple[Any, Any, dict[str, Any]]]:
-    """[(values, band or None, style of the line)] of a file."""
-    curves = read(path, ("creep", "traction_ratio"))
-    bands = band_of(path, curves)
-    speeds = sorted({speed for speed, _ in curves})
+    """[(values, band or None, style of the line)] of a file; of one colour where only the seed
+    differs."""
+    found = read(path, ("creep", "traction_ratio"))
+    bands = band_of(path, found)
+    keys = [dict(key) for key in found]
+    varied = [name for name in keys[0] if len({key[name] for key in keys}) > 1 or name == "speed"]
+    seedless = [tuple(key[name] for name in varied if name != "seed") for key in keys]
+    colors = sorted(set(seedless))
     return [
         (
             curve,
-            bands.get((speed, seed)),
+            bands.get(tuple(key.items())),
             {
-                "color": f"C{speeds.index(speed)}",
+                "color": f"C{colors.index(color)}",
                 "ls": style,
-                "label": " ".join(filter(None, [label, f"{speed:g} m/s", seed and f"seed {seed}"])),
+                "marker": "." if len(set(curve["creep"])) == 1 else "",  # no line
+                "label": ", ".join(filter(None, [label, *curves.words(key, varied)])),
             },
         )
-        for (speed, seed), curve in curves.items()
+        for (curve, key, color) in zip(found.values(), keys, seedless)
     ]
 
 
@@ -109,19 +118,21 @@ def draw_band(axes: Any, band: Any, color: str, number: int, count: int) -> None
 
 
 def measured(path: str, columns: tuple[str, str] | None) -> tuple[list[float], list[float]]:
-    """(creeps, T/N) of any CSV, from the columns with these names."""
+    """(creeps, T/N) of any table, from the columns with these names."""
 
-    def points_of(rows: list[tables.Row]) -> tuple[list[float], list[float]]:
+    def points_of(
+        rows: list[tables.Row], units: unit_table.Units
+    ) -> tuple[list[float], list[float]]:
         if not rows:
             raise ValueError("no points")
         names = columns or ("creep" if "creep" in rows[0] else "creep_percent", "traction_ratio")
-        unit = 0.01 if names[0].rstrip("_").endswith(("percent", "%")) else 1.0
+        unit = units.ratio(names[0])
         return (
             [unit * row.number(names[0]) for row in rows],
             [row.number(names[1]) for row in rows],
         )
 
-    return tables.read(path, "a table of measured creep and T/N", points_of)
+    return unit_table.read(path, "a table of measured creep and T/N", points_of)
 
 
 def column_names(text: str) -> tuple[str, str]:
@@ -157,20 +168,20 @@ def main() -> None:
     check_apart([*given.csv, *given.measured], [given.output])
     clouds = [measured(path, given.columns) for path in given.measured]
     figure, axes = plotting.pyplot().subplots(figsize=(7, 4.5), constrained_layout=True)
-    curves = []
+    drawn = []
     for k, path in enumerate(given.csv):
         label = given.label[k] if k < len(given.label) else ""
-        curves += curves_of(path, label, STYLES[k % len(STYLES)])
-    banded = [curve for curve in curves if curve[1]]
+        drawn += curves_of(path, label, STYLES[k % len(STYLES)])
+    banded = [curve for curve in drawn if curve[1]]
     for number, (_, band, style) in enumerate(banded):
         draw_band(axes, band, style["color"], number, len(banded))
-    for values, _, style in curves:
+    for values, _, style in drawn:
         axes.plot(values["creep"], values["traction_ratio"], **style)
     for number, (path, (creep, ratio)) in enumerate(zip(given.measured, clouds)):
         name = os.path.splitext(os.path.basename(path))[0]
         marker = "*x+."[number % 4]
         axes.plot(creep, ratio, marker, color="0.4", ms=4, zorder=1, label=f"measured: {name}")
-    creeps = [x for values, _, _ in curves for x in values["creep"]]
+    creeps = [x for values, _, _ in drawn for x in values["creep"]]
     creeps += [x for creep, _ in clouds for x in creep]
     least, most = min(creeps), max(creeps)
     if not given.linear and least >= 0 < most:  # a logarithm would hide what is negative

@@ -25,7 +25,7 @@ import argparse
 import os
 from typing import Any
 
-from mcawr import fields, plotting, tables
+from mcawr import curves, fields, plotting, tables
 from mcawr.command_line import Parser, file_name, number_in
 from mcawr.errors import BadInput, Exit, Failure, run_script
 from mcawr.files import check_apart, picture, save_figure, write
@@ -215,7 +215,6 @@ def along(axis: Any, data: fields.Fields, row: int, mu_limits: Any, most: float)
 
 # --------------------------------------------------------------------------- curves
 
-COORDINATES = ("creep", "lateral", "spin")
 PANELS = {  # what is drawn over each creepage: (column, sign and scale, label)
     "creep": [("force_x", "-Fx/N")],
     "lateral": [("force_y", "-Fy/N")],
@@ -237,37 +236,32 @@ def read_points(path: str, what: str, needed: Any) -> dict[str, Any]:
 
 
 def creep_columns(rows: Any) -> list[str]:
-    wanted = ["speed", *COORDINATES, "load", "force_x", "force_y", "moment_z"]
-    extra = [n for n in ("seed", "map", "force_x_se", "force_y_se") if rows and n in rows[0]]
+    wanted = ["speed", *curves.CREEPAGES, "load", "force_x", "force_y", "moment_z"]
+    more = (*curves.SURFACES, "force_x_se", "force_y_se")
+    extra = [name for name in more if rows and name in rows[0]]
     return wanted + extra
 
 
 def curves_over(points: dict[str, Any], coordinate: str) -> list[tuple[dict[str, Any], Any]]:
     """Rows of each curve: all other coordinates are the same, and at least two of this one."""
-    others = [n for n in ("speed", "load", "seed", "map", *COORDINATES) if n in points]
-    others.remove(coordinate)
-    curves: dict[Any, Any] = {}
-    for k in range(len(points["load"])):
-        curves.setdefault(tuple(points[n][k] for n in others), []).append(k)
-    longer = {key: rows for key, rows in curves.items() if len(set(points[coordinate][rows])) > 1}
-    return [(dict(zip(others, key)), np.array(rows)) for key, rows in longer.items()]
+    return [
+        (key, np.array(rows))
+        for key, rows in curves.split(points, coordinate)
+        if len(set(points[coordinate][rows])) > 1
+    ]
 
 
 def curve_name(label: str, key: dict[str, Any], points: Any) -> str:
     """What tells a curve from the others of its file."""
-    units = {"speed": "m/s", "load": "N", "spin": "/mm"}
-    words = [label] if label else []
-    for name, value in key.items():
-        if len(set(points[name])) > 1:
-            words.append(f"{name} {value:g} {units.get(name, '')}".strip())
-    return ", ".join(words)
+    varied = [name for name in key if len(set(points[name])) > 1]
+    return ", ".join(filter(None, [label, *curves.words(key, varied)]))
 
 
 def draw_curves(given: argparse.Namespace) -> None:
     files = [
         read_points(path, "a creep.csv of a 3D contact", creep_columns) for path in given.files
     ]
-    varied = [c for c in COORDINATES if any(curves_over(points, c) for points in files)]
+    varied = [c for c in curves.CREEPAGES if any(curves_over(points, c) for points in files)]
     if not varied:
         raise BadInput(f"{given.files[0]}: no curve: neither creep, lateral nor spin varies")
     law = (
@@ -289,7 +283,7 @@ def draw_curves(given: argparse.Namespace) -> None:
 
 
 def polach_columns(_: Any) -> list[str]:
-    return ["speed", *COORDINATES, "load", "polach_x", "polach_y"]
+    return ["speed", *curves.CREEPAGES, "load", "polach_x", "polach_y"]
 
 
 def draw_panel(

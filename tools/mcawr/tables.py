@@ -39,19 +39,27 @@ def rows(path: str) -> list[Row]:
 
     Raises BadInput, csv.Error, ValueError.
     """
+    return rows_of(read_text(path), lambda line: next(csv.reader([line])))
+
+
+def rows_of(text: str, cells_of: Callable[[str], list[str]], hint: str = "") -> list[Row]:
+    """Rows of a text whose lines cells_of() splits; hint ends the message of a wrong number.
+
+    Raises csv.Error, ValueError.
+    """
     found: list[Row] = []
     names = None
-    for number, line in enumerate(read_text(path).split("\n"), 1):
+    for number, line in enumerate(text.split("\n"), 1):
         if line.startswith("#") or not line.strip():
             continue
-        cells = next(csv.reader([line]))
+        cells = cells_of(line)
         if names is None:
             names = cells
             if len(set(names)) < len(names):
                 raise ValueError(f"line {number}: a column appears twice")
             continue
         if len(cells) != len(names):
-            raise ValueError(f"line {number}: {len(cells)} cells, {len(names)} are expected")
+            raise ValueError(f"line {number}: {len(cells)} cells, {len(names)} are expected{hint}")
         row = Row(zip(names, cells))
         row.line = number
         found.append(row)
@@ -77,13 +85,13 @@ def columns(path: str) -> dict[str, list[Any]]:
 
 def read(path: str, what: str, convert: Callable[[list[Row]], T]) -> T:
     """convert() of all rows of a CSV file. Raises BadInput: 'PATH: not WHAT: why'."""
-    return _checked(path, what, lambda: convert(rows(path)))
+    return checked(path, what, lambda: convert(rows(path)))
 
 
 def read_json(path: str, what: str, convert: Callable[[Any], T]) -> T:
     """convert() of the contents of a JSON file. Raises BadInput: 'PATH: not WHAT: why'."""
 
-    return _checked(path, what, lambda: convert(_json(read_text(path))))
+    return checked(path, what, lambda: convert(_json(read_text(path))))
 
 
 def _json(text: str) -> Any:
@@ -101,7 +109,8 @@ def number(value: object) -> float:
     return value
 
 
-def _checked(path: str, what: str, read_it: Callable[[], T]) -> T:
+def checked(path: str, what: str, read_it: Callable[[], T]) -> T:
+    """read_it(), whose errors become BadInput: 'PATH: not WHAT: why'."""
     try:
         return read_it()
     except KeyError as error:
@@ -134,7 +143,7 @@ def read_fit(path: str, convert: Callable[[dict[str, Any]], T]) -> T:
             )
         return convert(data), "checksum" in data
 
-    found, is_sealed = _checked(path, "wr_fit's JSON", load)
+    found, is_sealed = checked(path, "wr_fit's JSON", load)
     if not is_sealed:
         complain(f"note: {path}: no checksum: a damaged number would not be noticed")
     return found

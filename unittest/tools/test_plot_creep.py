@@ -82,6 +82,44 @@ def test_a_band_of_other_results_is_not_drawn(call, tmp_path):
         assert (tmp_path / "a.png").read_bytes() != with_band
 
 
+@pytest.mark.parametrize(
+    "column, values, called",
+    [
+        ("profile", "12", ["speed 20 m/s, profile 1", "speed 20 m/s, profile 2"]),
+        ("surface", "12", ["speed 20 m/s, surface 1", "speed 20 m/s, surface 2"]),
+        ("load", ["5e4", "1e5"], ["speed 20 m/s, load 50000 N", "speed 20 m/s, load 100000 N"]),
+        ("lateral", ["0", "0.01"], ["speed 20 m/s, lateral 0", "speed 20 m/s, lateral 0.01"]),
+        ("spin", ["0", "0.1"], ["speed 20 m/s, spin 0 /mm", "speed 20 m/s, spin 0.1 /mm"]),
+        ("load", ["5e4", "5e4"], None),
+    ],
+)
+def test_a_curve_for_each_contact(tmp_path, column, values, called):
+    """And a band for each; of one colour are only those whose seeds differ."""
+    creeps, table, band = [0.001, 0.003, 0.01], tmp_path / "creep.csv", tmp_path / "creep_band.csv"
+    numbers = [(value, creep) for value in values for creep in (creeps if called else creeps[:2])]
+    rows = [f"20,{creep},{0.2 + 10 * creep},{value}\n" for value, creep in numbers]
+    table.write_text(f"speed,creep,traction_ratio,{column}\n" + "".join(rows))
+    limits = [f"20,{creep},0,1,{value}\n" for value, creep in numbers]
+    band.write_text(f"speed,creep,low,high,{column}\n" + "".join(limits))
+    drawn = load("plot_creep.py").curves_of(str(table), "", "-")
+    if called is None:
+        assert len(drawn) == 1
+        return
+    assert [style["label"] for _, _, style in drawn] == called
+    assert len({style["color"] for _, _, style in drawn}) == 2
+    for values, limits, _ in drawn:
+        assert values["creep"] == limits["creep"] == creeps
+
+
+def test_creepages_that_were_found_tell_no_curves_apart(tmp_path):
+    """Under a lateral force lateral is another in each row."""
+    table = tmp_path / "creep.csv"
+    rows = "20,0.001,0.1,0.002\n20,0.002,0.2,0.005\n20,0.003,0.3,0.009\n"
+    table.write_text("speed,creep,traction_ratio,lateral\n" + rows)
+    ((values, _, style),) = load("plot_creep.py").curves_of(str(table), "own", "-")
+    assert values["creep"] == [0.001, 0.002, 0.003] and style["label"] == "own, speed 20 m/s"
+
+
 def test_negative_creep(call, tmp_path):
     """On a linear axis: a logarithmic one would hide it."""
     (tmp_path / "creep.csv").write_text(GOOD + "20,-1e-3,-0.2,800,0.33,3,3,0.6\n")
@@ -112,6 +150,11 @@ MEASURED = "# source\ncreep_percent,traction_ratio\n0.5,0.25\n10,0.2\n"
         (MEASURED, None, [0.005, 0.1]),
         (MEASURED.replace("creep_percent", "creep"), None, [0.5, 10]),
         ("T/N,slip %\n0.25,0.5\n0.2,10\n", ("slip %", "T/N"), [0.005, 0.1]),
+        ("# creep: %\ncreep,traction_ratio\n0.5,0.25\n10,0.2\n", None, [0.005, 0.1]),
+        ("# creep: 1\ncreep,traction_ratio\n0.5,0.25\n10,0.2\n", None, [0.5, 10]),
+        ("# creep: %\ncreep; traction_ratio\n0,5;0,25\n10; 0,2\n", None, [0.005, 0.1]),
+        ("# slip: %\nT\tslip\n0,25\t0,5\n0,2\t10\n", ("slip", "T"), [0.005, 0.1]),
+        ("creep traction_ratio\n0.5   0.25\n10 0.2\n", None, [0.5, 10]),
     ],
 )
 def test_measured_points(tmp_path, text, columns, creeps):
@@ -135,6 +178,16 @@ def test_measured_points(tmp_path, text, columns, creeps):
         (MEASURED, ["--columns", "slip"], 2, "two names of columns, CREEP,RATIO, are needed"),
         ("a\n", [], 3, "no points"),
         (MEASURED + "x,1\n", [], 3, "creep_percent: 'x' is not a decimal number"),
+        ("# creep: %\n" + MEASURED, [], 3, "creep_percent: its unit is given once"),
+        (MEASURED + "# creep_percent: %\n", [], 3, "line 5: creep_percent: is given once, before"),
+        ("# creep: mm\ncreep,traction_ratio\n1,1\n", [], 3, "creep: 'mm'; 1 and % are allowed"),
+        ("creep,traction_ratio\n0,5,0,1\n", [], 3, "4 cells, 2 are expected (a decimal comma is"),
+        (
+            "creep;traction_ratio\n0,5;0.1\n",
+            [],
+            3,
+            "line 2: creep: '0,5' has a decimal comma; line 2: traction_ratio: '0.1' has a decimal",
+        ),
     ],
 )
 def test_measured_points_are_drawn_or_refused(tmp_path, text, more, code, part):

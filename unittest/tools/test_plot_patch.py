@@ -11,6 +11,7 @@ import forked_scripts
 
 from mcawr import fields
 from mcawr.errors import BadInput
+from script_calls import load
 
 TOOLS = Path(__file__).resolve().parents[2] / "tools"
 
@@ -155,6 +156,26 @@ def test_bad_files(tmp_path, arguments, changed, words):
     assert done.returncode == 3, done.stderr
     assert done.stderr.count("\n") == 1 and words in done.stderr
     assert not picture.exists()
+
+
+def test_a_curve_for_each_measured_map():
+    """Its column is named surface."""
+    module = load("plot_patch.py")
+    module.np = np
+    assert "surface" in module.creep_columns([{"surface": "1"}])
+    points = {
+        name: np.array(values)
+        for name, values in {
+            "speed": [20.0] * 4,
+            "load": [1e5] * 4,
+            "creep": [1e-3, 1e-2] * 2,
+            "surface": [1.0, 1.0, 2.0, 2.0],
+        }.items()
+    }
+    curves = module.curves_over(points, "creep")
+    assert [rows.tolist() for _, rows in curves] == [[0, 1], [2, 3]]
+    names = [module.curve_name("", key, points) for key, _ in curves]
+    assert names == ["surface 1", "surface 2"]
 
 
 def test_fields_are_read_to_the_last_bit(tmp_path):
