@@ -426,6 +426,8 @@ TEST(LawOfMaterial, SeesPressureAndTemperatureOfEachCell)
     EXPECT_NEAR(mu[i], std::pow(std::pow(0.45, -4) + std::pow(0.5 / ratio, -4), -0.25), 1e-14);
     EXPECT_NEAR(mu[i], law(pressure[i], 1.0, 293.0 + rise[i]), 1e-14);
   }
+  const Eigen::VectorXd none;
+  EXPECT_EQ(read->mu({none, 1.0, none}).size(), 0);
   EXPECT_TRUE(read->dependsOnTemperature());
   EXPECT_FALSE(read->dependsOnSpeed());
   ASSERT_NE(read->strength(), nullptr);

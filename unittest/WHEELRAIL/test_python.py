@@ -197,8 +197,36 @@ def test_law_is_eq2():
     assert law.mu(pressure, speed) == pytest.approx(friction_logs.eq2(kappa1, kappa2), rel=1e-12)
     warm = law.mu(1e9, speed, temperature=[0.0, 300.0])
     assert warm.shape == (2,) and warm[0] != warm[1]
-    with pytest.raises(wheelrail.UsageError, match="pressure: '-1' is not allowed, must be >= 0"):
+    with pytest.raises(
+        wheelrail.UsageError, match="pressure: '-1' is not allowed, must be a number >="
+    ):
         law.mu(-1.0, speed)
+
+
+def test_law_refuses_what_is_no_state():
+    """Nothing is asked for, or what is asked for is said to be wrong."""
+    laws = [{"law": "bucher2006", "local": True}, {"law": "bucher2006"}]
+    laws += [{"law": str(SOURCE / "examples/wheelrail/friction.csv")}]
+    for friction in [*laws, {"law": "constant", "mu": 0.3}]:
+        law = wheelrail.Case(PATCH, {"friction": friction}).law
+        assert law.mu([], 0.2).shape == (0,) and law.mu(np.empty((2, 0)), 0.2).shape == (2, 0)
+        for arguments, words in {
+            ((1e9, np.nan), 0.2): "pressure: 'nan' is not allowed, must be a number >= 0",
+            ((np.nan, 1e9), 0.2): "pressure: 'nan' is not allowed",
+            (np.inf, 0.2): "pressure: 'inf' is not allowed",
+            (1e9, np.nan): "speed: 'nan' is not allowed, must be a number >= 0",
+            (1e9, np.inf): "speed: 'inf' is not allowed",
+            (1e9, 0.2, np.nan): "temperature: 'nan' is not allowed, must be a number",
+            (1e9, 0.2, (0.0, np.inf)): "temperature: 'inf' is not allowed",
+        }.items():
+            with pytest.raises(wheelrail.UsageError, match=words):
+                law.mu(*arguments)
+        with pytest.raises(ValueError, match="could not convert string to float: 'a'"):
+            law.mu("a", 0.2)
+    law = wheelrail.Case(PATCH, {"friction": {"law": "bucher2006"}}).law
+    assert law.mu(1e9, 0.2, 1200.0) > 0.0
+    with pytest.raises(wheelrail.UsageError, match="temperature: '2000' is not allowed, .*1250 K"):
+        law.mu(1e9, 0.2, [0.0, 2000.0])
 
 
 def test_polach(tmp_path):

@@ -8,6 +8,7 @@
 #include "python/glue.h"
 
 #include <atomic>
+#include <cmath>
 #include <functional>
 #include <limits>
 #include <memory>
@@ -319,29 +320,49 @@ Case caseOf(const py::object &source, const std::optional<py::dict> &changes)
   return readChangedCase(pathOf(source), changed);
 }
 
+using Numbers = py::array_t<double, py::array::c_style | py::array::forcecast>;
+
+/// The numbers of an argument. \throws Error (Usage) where one is not allowed
+Eigen::VectorXd allowedNumbers(const char *name, const Numbers &given, double least)
+{
+  const Eigen::VectorXd numbers = Eigen::Map<const Eigen::VectorXd>(given.data(), given.size());
+  for (const double number : numbers)
+    if (!std::isfinite(number) || number < least)
+      throw Error(ExitCode::Usage, fmt::format("{}: '{}' is not allowed, must be a number{}", name,
+                                               number, least == 0.0 ? " >= 0" : ""));
+  return numbers;
+}
+
 /// A law of friction, apart from the case that names it.
 struct Law {
   LawPointer law;
+  Strength strength; ///< that it takes, if it takes any
+
+  explicit Law(const Case &input)
+      : law(input.open()->friction().read()),
+        strength(std::visit([&](const auto &asked) { return asked.physics.strengthOf(*law); },
+                            input.task))
+  {
+  }
 
   /// mu, in the shape that pressure and temperature have together.
   py::array mu(const py::object &pressure, double speed, const py::object &temperature) const
   {
-    using Values = py::array_t<double, py::array::c_style | py::array::forcecast>;
     const py::list both =
         py::module_::import("numpy").attr("broadcast_arrays")(pressure, temperature);
-    const auto p = Values::ensure(py::object(both[0])), rise = Values::ensure(py::object(both[1]));
-    if (!p || !rise)
-      throw py::error_already_set();
-    const Eigen::VectorXd pressures = Eigen::Map<const Eigen::VectorXd>(p.data(), p.size());
-    const Eigen::VectorXd rises = Eigen::Map<const Eigen::VectorXd>(rise.data(), p.size());
-    for (const auto &[name, least] :
-         {std::pair("pressure", pressures.size() ? pressures.minCoeff() : 0.0),
-          std::pair("speed", speed)})
-      if (!(least >= 0.0))
+    const Numbers p = Numbers(py::object(both[0])), rise = Numbers(py::object(both[1]));
+    constexpr double any = -std::numeric_limits<double>::infinity();
+    const Eigen::VectorXd pressures = allowedNumbers("pressure", p, 0.0);
+    allowedNumbers("speed", Numbers(1, &speed), 0.0);
+    const Eigen::VectorXd rises = allowedNumbers("temperature", rise, any);
+    for (const double hot : rises)
+      if (law->dependsOnStrength() && strength.vanishesAt(hot))
         throw Error(ExitCode::Usage,
-                    fmt::format("{}: '{}' is not allowed, must be >= 0", name, least));
+                    fmt::format("temperature: '{}' is not allowed, it leaves no strength "
+                                "(friction.strength_temperature is {:g} K)",
+                                hot, strength.vanishingTemperature));
     const Eigen::VectorXd mu = law->mu({pressures, speed, rises});
-    return Values(std::vector<py::ssize_t>(p.shape(), p.shape() + p.ndim()), mu.data());
+    return Numbers(std::vector<py::ssize_t>(p.shape(), p.shape() + p.ndim()), mu.data());
   }
 };
 
@@ -353,7 +374,8 @@ void addCase(py::module_ &module)
       .def(
           "mu", &Law::mu, py::arg("pressure"), py::arg("speed"), py::arg("temperature") = 0.0,
           "The friction coefficient at pressures (Pa, one or an array), a sliding speed (m/s) and\n"
-          "temperature rises (K, likewise).")
+          "temperature rises (K, likewise). Raises UsageError for what is no finite number, a\n"
+          "pressure or speed below 0, and a rise that leaves no strength.")
       .def_property_readonly(
           "description", [](const Law &law) { return fromJson(law.law->json().dump()); },
           "The law as summary.json tells it.");
@@ -377,7 +399,7 @@ void addCase(py::module_ &module)
       .def_readonly("text", &Case::text, "The complete case, defaults included, as a case file.")
       .def_property_readonly("files", &Case::files, "The files that it reads.")
       .def_property_readonly(
-          "law", [](const Case &input) { return Law{input.open()->friction().read()}; },
+          "law", [](const Case &input) { return Law(input); },
           "The law of friction; reads its file.")
       .def("solve", &solve, py::arg("threads") = 0, py::arg("progress") = py::none(),
            "Solves all operating points and returns the Result.\n\n"

@@ -69,7 +69,7 @@ Vector Eq2Law::mu(const FrictionState &state) const
                 ? law_(kappa1At(speed, strength), kappa2(pressure[i], scale_.modulus, strength))
                 : law_.averaged(kappa1At(speed, strength), scale_.modulus, strength);
   }
-  if (!(mu.minCoeff() > 0.0))
+  if (!(mu.array() > 0.0).all())
     throw Error(
         ExitCode::NotConverged,
         fmt::format("friction.law: mu = {:.4g} at a sliding speed of {:g} m/s; the law does "

@@ -80,7 +80,7 @@ Vector LawOfMaterial::mu(const FrictionState &state) const
                            E / sigma};
     mu[i] = boundedMu(law_.parameters, kappas, law_.kappa3);
   }
-  if (!(mu.minCoeff() > 0.0))
+  if (!(mu.array() > 0.0).all())
     throw Error(ExitCode::NotConverged,
                 fmt::format("friction.law: mu = {:.4g} at a sliding speed of {:g} m/s; the law "
                             "does not hold that far from the runs it was fitted to",
