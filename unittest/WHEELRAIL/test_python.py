@@ -481,7 +481,14 @@ def test_logs(campaign):
     assert log.columns["mu"] == pytest.approx(log.columns["shear_stress"] / log.head["pressure"])
     assert log.head["strength"] * log.kappa3 == pytest.approx(log.head["youngs_modulus"])
     assert log.made_by["program.lammps"] == "20250204" and log.condition and log.note == ""
-    assert wheelrail.fit(logs, "velocity").text == wheelrail.fit(campaign, "velocity").text
+    text = wheelrail.fit(campaign, "velocity").text
+    paths = sorted(campaign.rglob("*.friction"))
+    for given in (logs, tuple(logs), iter(logs), tuple(paths), (str(path) for path in paths)):
+        assert wheelrail.fit(given, "velocity").text == text
+    for log in (logs[0], [paths[0], paths[0]]):
+        assert wheelrail.fit(log).runs["file"] == [str(paths[0])]
+    both = wheelrail.fit([paths[0], logs[1], paths[0], logs[2], paths[3]], "velocity")
+    assert both.runs["file"] == [str(paths[k]) for k in (1, 2, 0, 3)]  # logs first
 
 
 def test_fit_refuses(campaign, tmp_path):
@@ -494,6 +501,11 @@ def test_fit_refuses(campaign, tmp_path):
     }.items():
         with pytest.raises(wheelrail.UsageError, match=re.escape(words)):
             wheelrail.fit(campaign, **options)
+    for nothing in ([], (), iter([])):
+        with pytest.raises(wheelrail.UsageError, match="logs: at least one log is needed"):
+            wheelrail.fit(nothing)
+    with pytest.raises(TypeError, match="expected str, bytes or os.PathLike object, not int"):
+        wheelrail.fit([3])
     for name in ("a", "b"):
         (tmp_path / f"{name}.friction").write_text("no log\n")
     with pytest.raises(wheelrail.BadInput, match=r"a\.friction.*; .*b\.friction"):

@@ -43,10 +43,15 @@ py::dict rowsOf(const FrictionLog &log)
   return rows;
 }
 
+bool isPath(const py::object &given)
+{
+  return py::isinstance<py::str>(given) || py::hasattr(given, "__fspath__");
+}
+
 /// One path or several.
 std::vector<std::string> pathsOf(const py::object &given)
 {
-  if (py::isinstance<py::str>(given) || py::hasattr(given, "__fspath__"))
+  if (isPath(given))
     return {pathOf(given)};
   std::vector<std::string> paths;
   for (const py::handle &one : given)
@@ -80,15 +85,21 @@ std::vector<FrictionLog> readLogs(const py::object &paths)
   return logs;
 }
 
-/// The runs of logs that were read before, or of files.
-LogRuns runsOf(const py::object &logs, const AveragingOptions &options)
+/// The runs of logs that were read before, and then those of paths: one of them, or several.
+LogRuns runsOf(const py::object &given, const AveragingOptions &options)
 {
-  if (!py::isinstance<py::list>(logs) || py::len(logs) == 0 ||
-      !py::isinstance<FrictionLog>(py::object(logs.cast<py::list>()[0])))
-    return readRuns(findFrictionLogs(pathsOf(logs)), options);
-  LogRuns read;
-  for (const py::handle &log : logs)
-    read.runs.push_back(frictionRun(log.cast<const FrictionLog &>(), options));
+  const bool isOne = isPath(given) || py::isinstance<FrictionLog>(given);
+  std::vector<FrictionRun> runs;
+  std::vector<std::string> paths;
+  for (const py::handle &one : isOne ? py::object(py::make_tuple(given)) : given)
+    if (py::isinstance<FrictionLog>(one))
+      runs.push_back(frictionRun(one.cast<const FrictionLog &>(), options));
+    else
+      paths.push_back(pathOf(py::reinterpret_borrow<py::object>(one)));
+  if (runs.empty() && paths.empty())
+    throw Error(ExitCode::Usage, "logs: at least one log is needed");
+  LogRuns read = readRuns(findFrictionLogs(paths), options);
+  read.runs.insert(read.runs.begin(), runs.begin(), runs.end());
   return read;
 }
 
@@ -264,9 +275,9 @@ void addFit(py::module_ &module)
       py::arg("start") = py::none(), py::arg("start_distance") = py::none(),
       py::arg("grinding_in") = py::none(),
       "Friction coefficients of logs with standard errors, and the law fitted to them.\n\n"
-      "logs: paths as of read_logs, or a list of FrictionLog. material: a potential file, for a\n"
-      "law of one material. The others are the options of\n"
-      "wr_fit: times in ns, lengths in nm. Raises BadInput, UsageError.");
+      "logs: a path as of read_logs, a FrictionLog, or several of both, of which each FrictionLog\n"
+      "comes before the paths. material: a potential file, for a law of one material. The others\n"
+      "are the options of wr_fit: times in ns, lengths in nm. Raises BadInput, UsageError.");
 }
 
 } // namespace wheelrail::python
