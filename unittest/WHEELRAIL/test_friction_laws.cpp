@@ -41,9 +41,11 @@ TEST(FrictionLaws, EveryNameBelongsToOneLaw)
 {
   EXPECT_EQ(wordOf("constant"), std::string("constant"));
   EXPECT_EQ(wordOf("polach"), std::string("polach"));
-  EXPECT_EQ(wordOf("mu.csv"), std::string(".csv"));
+  for (const char *table : {"mu.csv", "MU.CSV", "folder.d/Mu.Csv"})
+    EXPECT_EQ(wordOf(table), std::string(".csv")) << table;
   EXPECT_EQ(wordOf("bucher2006"), std::string("bucher2006"));
-  for (const char *file : {"law.json", ".csv", "csv", "constant.json", "polach ", "mu.csv2"})
+  for (const char *file :
+       {"law.json", ".csv", "csv", "x.csv/law", "constant.json", "polach ", "mu.csv2"})
     EXPECT_EQ(wordOf(file), std::string("bucher2006")) << file;
 }
 

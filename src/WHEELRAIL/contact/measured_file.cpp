@@ -2,12 +2,10 @@
 #include "contact/measured_file.h"
 
 #include "base/errors.h"
+#include "base/file_ending.h"
 #include "base/si.h"
 
-#include <algorithm>
-#include <cctype>
 #include <cmath>
-#include <filesystem>
 #include <fmt/format.h>
 #include <limits>
 
@@ -57,9 +55,7 @@ Extreme extremeOf(const Eigen::VectorXd &heights, double sign)
 
 void refuseTransverseProfile(const std::string &path)
 {
-  std::string ending = std::filesystem::path(path).extension().string();
-  std::transform(ending.begin(), ending.end(), ending.begin(),
-                 [](unsigned char c) { return std::tolower(c); });
+  const std::string ending = fileEnding(path);
   for (const TransverseFormat &format : transverseFormats)
     if (ending == format.ending)
       throw badInput(

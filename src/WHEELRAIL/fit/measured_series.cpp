@@ -2,6 +2,7 @@
 #include "fit/measured_series.h"
 
 #include "base/errors.h"
+#include "base/file_ending.h"
 #include "base/number_rows.h"
 #include "base/statistics.h"
 #include "base/text_lines.h"
@@ -11,7 +12,6 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
-#include <filesystem>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
@@ -69,10 +69,7 @@ void addRow(MeasuredSeries &series, int line, double time, double mu)
 
 bool isMeasuredSeries(const std::string &path)
 {
-  std::string ending = std::filesystem::path(path).extension().string();
-  std::transform(ending.begin(), ending.end(), ending.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return ending == ".csv";
+  return fileEnding(path) == ".csv";
 }
 
 MeasuredSeries readMeasuredSeries(const std::string &path)

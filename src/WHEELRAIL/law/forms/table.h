@@ -5,6 +5,7 @@
 #ifndef WHEELRAIL_LAW_FORMS_TABLE_H
 #define WHEELRAIL_LAW_FORMS_TABLE_H
 
+#include "base/file_ending.h"
 #include "law/friction_table.h"
 #include "law/law_choice.h"
 
@@ -20,12 +21,7 @@ class TableLaw : public FrictionLaw {
   static constexpr const char *named = "a table (.csv)";
 
   static std::vector<LawKeyword> keywords() { return {}; }
-  static bool isNamedBy(const LawName &name)
-  {
-    const std::string ending = word;
-    return name.word.size() > ending.size() &&
-           name.word.compare(name.word.size() - ending.size(), ending.size(), ending) == 0;
-  }
+  static bool isNamedBy(const LawName &name) { return fileEnding(name.word) == word; }
   static LawChoice choose(const LawValues &values)
   {
     const std::string path = values.name.path;
