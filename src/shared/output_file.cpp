@@ -37,6 +37,18 @@ bool isRegular(int descriptor)
   return ::fstat(descriptor, &status) == 0 && S_ISREG(status.st_mode);
 }
 
+/// Adds to the end of a file of `size` bytes, all of it or nothing.
+/// \return why not; empty: it is there
+std::string whyNotAdded(int descriptor, off_t size, const std::string &text)
+{
+  if (writeAll(descriptor, text))
+    return "";
+  const int reason = errno;
+  const bool isCut = isRegular(descriptor) && ::ftruncate(descriptor, size) != 0;
+  ::lseek(descriptor, size, SEEK_SET);
+  return std::strerror(reason) + std::string(isCut ? "; its last line is cut short" : "");
+}
+
 /// A file that is open for writing; a temporary one is removed unless it is renamed.
 class OpenFile {
  public:
@@ -186,6 +198,21 @@ void writeOutputFile(const std::string &path, const std::string &content)
     throw OutputError(path, errno);
 }
 
+bool appendToFile(const std::string &path, std::size_t size, const std::string &text)
+{
+  std::error_code error;
+  if (!fs::is_regular_file(path, error) || fs::file_size(path, error) != size)
+    return false;
+  const int descriptor = ::open(path.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC);
+  if (descriptor < 0)
+    return false;
+  const std::string problem = whyNotAdded(descriptor, static_cast<off_t>(size), text);
+  ::close(descriptor);
+  if (!problem.empty())
+    throw OutputError(path, problem);
+  return true;
+}
+
 OutputFiles::~OutputFiles()
 {
   for (const File &file : files_)
@@ -289,13 +316,9 @@ void GrowingFile::append(const std::string &text)
   const bool isChanged = ours.st_size != ::lseek(descriptor_, 0, SEEK_CUR);
   if (S_ISREG(ours.st_mode) && (isMoved || isChanged))
     throw OutputError(path_, otherWriter);
-  if (writeAll(descriptor_, text))
-    return;
-  const int reason = errno;
-  const bool isCut = S_ISREG(ours.st_mode) && ::ftruncate(descriptor_, ours.st_size) != 0;
-  ::lseek(descriptor_, ours.st_size, SEEK_SET);
-  throw OutputError(path_, std::strerror(reason) +
-                               std::string(isCut ? "; its last line is cut short" : ""));
+  const std::string problem = whyNotAdded(descriptor_, ours.st_size, text);
+  if (!problem.empty())
+    throw OutputError(path_, problem);
 }
 
 } // namespace mcawr

@@ -26,6 +26,13 @@ class OutputError : public std::runtime_error {
 /// \throw OutputError  also where a GrowingFile is open there; the temporary file is removed
 void writeOutputFile(const std::string &path, const std::string &content);
 
+/// Adds to the end of a regular file that this process has written, all of it or, on a full disk,
+/// nothing. A program that is killed may leave a part of it.
+/// \param size  that the file has
+/// \return false where the file has another size, is gone or cannot be opened: nothing is added
+/// \throw OutputError
+bool appendToFile(const std::string &path, std::size_t size, const std::string &text);
+
 /// Several files that appear together or not at all: `add` them, then `commit`. What was added and
 /// not committed leaves no trace.
 /// A device or a pipe is written into by `commit`, before any file is in its place. What a reader

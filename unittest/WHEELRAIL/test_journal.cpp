@@ -4,6 +4,7 @@
 #include "base/version.h"
 #include "creep/sweep/journal.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <gtest/gtest.h>
@@ -74,6 +75,65 @@ TEST_F(JournalFile, keepsWhatItLoaded)
   again.add(5, {1});
   again.write();
   EXPECT_EQ(loaded().size(), 3U);
+}
+
+TEST_F(JournalFile, growsByWhatIsNew)
+{
+  const std::string link = path + ".link"; // a file that is written anew leaves its other name
+  Journal own = journal();
+  own.add(4, {4});
+  own.write();
+  const std::string before = readInputFile(path);
+  fs::create_hard_link(path, link);
+  own.add(1, {1});
+  own.write();
+  own.write(); // nothing new
+  EXPECT_TRUE(fs::equivalent(path, link));
+  fs::remove(link);
+  const std::string text = readInputFile(path);
+  EXPECT_EQ(text.substr(0, before.size()), before);
+  EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 3);
+  EXPECT_EQ(loaded().size(), 2U);
+  EXPECT_EQ(warnings, "");
+}
+
+TEST_F(JournalFile, goesOnAfterALineThatWasCut)
+{
+  Journal own = journal();
+  own.add(4, {4});
+  own.write();
+  const std::size_t whole = readInputFile(path).size();
+  own.add(1, {1.0 / 3.0});
+  own.write();
+  const std::string text = readInputFile(path);
+  for (std::size_t size = whole; size < text.size(); ++size) { // killed while it was added
+    write(text.substr(0, size));
+    Journal next = journal();
+    const std::size_t kept = next.load().size();
+    EXPECT_EQ(kept, size + 1 == text.size() ? 2U : 1U);
+    next.add(1, {1.0 / 3.0});
+    next.write();
+    const Journal::Pieces pieces = loaded();
+    EXPECT_EQ(warnings, "") << size;
+    ASSERT_EQ(pieces.size(), 2U);
+    EXPECT_EQ(pieces.at(1).at(0).get<double>(), 1.0 / 3.0);
+  }
+}
+
+TEST_F(JournalFile, isWrittenWholeWhereSomebodyHasChangedIt)
+{
+  Journal own = journal();
+  own.add(0, {0});
+  own.write();
+  fs::remove(path);
+  own.add(1, {1});
+  own.write();
+  EXPECT_EQ(loaded().size(), 2U);
+  write("another file\n");
+  own.add(2, {2});
+  own.write();
+  EXPECT_EQ(loaded().size(), 3U);
+  EXPECT_EQ(warnings, "");
 }
 
 TEST_F(JournalFile, ofAnotherCaseIsNotUsedAndStays)

@@ -112,7 +112,9 @@ Journal::Pieces Journal::load()
 
 void Journal::add(std::size_t piece, const Json &results)
 {
-  lines_[piece] = lineOf(textOf({{"piece", piece}, {"results", results}}));
+  const std::string line = lineOf(textOf({{"piece", piece}, {"results", results}}));
+  lines_[piece] = line;
+  unwritten_ += line;
   if (Clock::now() - lastWrite_ >= pause)
     write();
 }
@@ -128,11 +130,17 @@ void Journal::write()
 {
   if (lines_.empty())
     return;
-  std::string text = fmt::format("{} {}\n", headChecksum_, head_);
-  for (const auto &[piece, line] : lines_)
-    text += line;
   try {
-    mcawr::writeOutputFile(path_, text);
+    if (size_ > 0 && mcawr::appendToFile(path_, size_, unwritten_)) {
+      size_ += unwritten_.size();
+    } else {
+      std::string text = fmt::format("{} {}\n", headChecksum_, head_);
+      for (const auto &[piece, line] : lines_)
+        text += line;
+      mcawr::writeOutputFile(path_, text);
+      size_ = text.size();
+    }
+    unwritten_.clear();
   } catch (const mcawr::OutputError &error) {
     throw Error(ExitCode::Io, error.what() + whatIsKept());
   }

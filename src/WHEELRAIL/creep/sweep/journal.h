@@ -15,13 +15,15 @@ namespace wheelrail {
 constexpr const char *journalName = "wr_creep.journal";
 
 /// Finished pieces of a sweep on disk, so that a run that ended early goes on where it stopped. The
-/// file is written whole or not at all, at most every few seconds, and stays until `remove`: the
-/// results must be in place before.
+/// file begins whole and grows by what is new, at most every few seconds. Where somebody else has
+/// changed it, it is written whole again. It stays until `remove`: the results must be in place
+/// before.
 ///
 /// Lines of text, each "CHECKSUM JSON". The first says what is computed: format, version and commit
 /// of the program (base/version.h), identity. The others are pieces: {"piece": number, "results":
 /// ...}, numbers exact to the last bit. A checksum is that of the first line's checksum and the
-/// line's own JSON, so that a piece of another journal is found out like a damaged one. What is
+/// line's own JSON, so that a piece of another journal is found out like a damaged one, or one that
+/// was cut as the program was killed. Of two lines of a piece the later one counts. What is
 /// damaged, of another identity or of another version, is not used, and a warning says so.
 ///
 /// One object for a sweep; not safe from several threads at once.
@@ -42,7 +44,7 @@ class Journal {
   /// none of this identity and version.
   Pieces load();
 
-  /// Keeps a finished piece; writes all of them if the last time is some seconds ago.
+  /// Keeps a finished piece; writes what is new if the last time is some seconds ago.
   /// \throws Error (Io)
   /// \param piece number from 0 on; an earlier result of the same piece is replaced
   /// \param results any JSON value
@@ -51,7 +53,7 @@ class Journal {
   /// A piece that was loaded and makes no sense: dropped with a warning.
   void refuse(std::size_t piece);
 
-  /// Writes the pieces now, if there are any. \throws Error (Io)
+  /// Writes what is new now, the first time all pieces, if there are any. \throws Error (Io)
   void write();
 
   /// Keeps bytes that are too many for a line, in a file of their own beside the journal,
@@ -79,7 +81,9 @@ class Journal {
   std::string path_, head_, headChecksum_;
   Warn warn_;
   std::map<std::size_t, std::string> lines_; ///< of the pieces
-  bool isOnDisk_ = false;                    ///< some of them
+  std::string unwritten_;                    ///< lines since the last time
+  std::size_t size_ = 0;                     ///< of the file as it was written; 0: it was not
+  bool isOnDisk_ = false;                    ///< some of the lines
   Clock::time_point lastWrite_;
 };
 
