@@ -3,6 +3,7 @@
 #include "case_text.h"
 #include "contact_cases.h"
 #include "creep/line/creep_curve.h"
+#include "creep/patch/patch_curve.h"
 #include "law/forms/eq2.h"
 
 #include <atomic>
@@ -11,6 +12,8 @@
 #include <fmt/format.h>
 #include <fstream>
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+#include <optional>
 #include <unistd.h>
 
 using namespace wheelrail;
@@ -29,13 +32,41 @@ CreepCurves solve(const std::string &text, const SweepOptions &options = {})
 }
 
 /// The paper's law with a covariance, for the steel of table 2.
-LawPointer steelLaw(const LawCovariance &covariance, bool local = false)
+LawPointer steelLaw(const std::optional<LawCovariance> &covariance, bool local = false)
 {
   KappaLaw law = bucher2006();
   law.covariance = covariance;
   return std::make_shared<Eq2Law>(law.source, law,
                                   Eq2Scale{local, true, {1e9, 1250.0}, 206e9, 7800.0});
 }
+
+/// A law that counts how often it, and those near it, are asked for mu.
+class CountedLaw final : public FrictionLaw {
+ public:
+  CountedLaw(LawPointer law, std::atomic<int> &count) : law_(std::move(law)), count_(count) {}
+  Eigen::VectorXd mu(const FrictionState &state) const override
+  {
+    ++count_;
+    return law_->mu(state);
+  }
+  bool dependsOnSpeed() const override { return law_->dependsOnSpeed(); }
+  bool dependsOnTemperature() const override { return law_->dependsOnTemperature(); }
+  nlohmann::ordered_json json() const override { return law_->json(); }
+  Eigen::VectorXd standardErrors() const override { return law_->standardErrors(); }
+  LawPointer changed(const Eigen::VectorXd &change) const override
+  {
+    return std::make_shared<CountedLaw>(law_->changed(change), count_);
+  }
+  double variance(const Eigen::VectorXd &derivative) const override
+  {
+    return law_->variance(derivative);
+  }
+  bool isDefined() const override { return law_->isDefined(); }
+
+ private:
+  LawPointer law_;
+  std::atomic<int> &count_;
+};
 
 void expectSame(const CreepCurves &a, const CreepCurves &b)
 {
@@ -162,6 +193,32 @@ TEST(CreepCurve, LawsCovarianceBecomesABand)
   const CreepCurves curves = solveCreepCurves(input, steelLaw(covariance));
   EXPECT_TRUE(curves.hasBand);
   EXPECT_NEAR(curves.points[0].band.standardError, 0.02, 1e-6);
+}
+
+TEST(CreepCurve, LawsThatChangeNothingAreNotSolved)
+{
+  LawCovariance one = LawCovariance::Zero(); // of five parameters
+  one(0, 0) = 0.02 * 0.02;
+  const std::string few = "creep: [0.01, 0.05]\nspeed: 20 m/s\nthermal: off\n";
+  const CreepSpecification frozen = case_text::rolling(table2 + few + "cells: 128\n");
+  const CreepSpecification moving = case_text::rolling(table2 + few + "cells: 128\nmode: moving\n");
+  const auto point = std::get<PatchSpecification>(
+      case_text::read("contact: {load: 80 kN, curvatures: [1 1/m, 2 1/m],\n"
+                      "          youngs_modulus: 210 GPa, poissons_ratio: 0.3}\n"
+                      "cells: 16\nmode: moving\nmoving.passes: 2\n" +
+                      few)
+          .task);
+  const auto asked = [&](const auto &solve, const std::optional<LawCovariance> &covariance) {
+    std::atomic<int> count{0};
+    solve(std::make_shared<CountedLaw>(steelLaw(covariance), count));
+    return count.load();
+  };
+  const auto onLine = [&](const LawPointer &law) { solveCreepCurves(frozen, law); };
+  const auto movingOnLine = [&](const LawPointer &law) { solveCreepCurves(moving, law); };
+  const auto movingOnPoint = [&](const LawPointer &law) { solvePatchCurves(point, law); };
+  EXPECT_EQ(asked(onLine, one), 3 * asked(onLine, std::nullopt));
+  EXPECT_EQ(asked(movingOnLine, one), 3 * asked(movingOnLine, std::nullopt));
+  EXPECT_EQ(asked(movingOnPoint, one), 3 * asked(movingOnPoint, std::nullopt));
 }
 
 TEST(CreepCurve, SampledBandIsTheLinearOneForASmallCovariance)

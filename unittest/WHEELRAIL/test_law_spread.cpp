@@ -3,6 +3,7 @@
 #include "creep/sweep/law_spread.h"
 #include "law/forms/eq2.h"
 
+#include <algorithm>
 #include <gtest/gtest.h>
 
 using namespace wheelrail;
@@ -69,6 +70,21 @@ TEST(LawSpread, BothMethodsGiveTheErrorOfALinearResult)
     EXPECT_NEAR((band.high - band.low) / (2 * 1.959964 * error), 1.0, 0.06);
     EXPECT_EQ(spread.redrawn(), 0.0);
   }
+}
+
+TEST(LawSpread, ALawThatChangesNothingIsTheLawItself)
+{
+  // two parameters are known to an error, and below c there is no law
+  KappaLaw law = bucher2006();
+  law.c = 1e-5;
+  law.covariance = LawCovariance::Zero();
+  law.covariance->diagonal() << 1e-4, 0.0, 0.0, 0.0, 1e-6;
+  const LawSpread spread(by(UncertaintyMethod::Linear), lawOf(law));
+  const std::vector<LawPointer> &laws = spread.laws();
+  EXPECT_EQ(std::count(laws.begin(), laws.end(), laws.front()), 8);
+  EXPECT_EQ(laws.size(), 11U);
+  law.covariance = LawCovariance::Zero();
+  EXPECT_TRUE(LawSpread(by(UncertaintyMethod::Linear), lawOf(law)).any());
 }
 
 TEST(LawSpread, DifferencesStayWithLaws)

@@ -127,6 +127,10 @@ PieceResult rollTogether(const Work &work, const ContactSetup &setup, double spe
   PieceResult result;
   std::vector<std::vector<CreepPoint>> perLaw;
   for (const LawPointer &law : work.spread.laws()) {
+    if (!perLaw.empty() && law == work.spread.laws().front()) {
+      perLaw.push_back(perLaw.front());
+      continue;
+    }
     MovingCreep moving(work.asked.physics, work.asked.moving, *law, setup);
     perLaw.push_back(moving.solve(speed, creeps, goOn));
     if (perLaw.back().empty())
@@ -197,6 +201,10 @@ std::optional<CurvePoint> solveCreep(const Work &work, const ContactSetup &setup
   for (const LawPointer &law : work.spread.laws()) {
     if (!goOn())
       return std::nullopt;
+    if (!work.spread.counts(ratios.size())) {
+      ratios.push_back(ratios.front());
+      continue;
+    }
     const CreepPoint solved = frozen.solve(*law, speed, creep);
     if (ratios.empty()) {
       point = solved;

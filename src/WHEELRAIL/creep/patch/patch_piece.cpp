@@ -81,6 +81,10 @@ class PieceSolver {
     PatchFields fields;
     Quantities quantities;
     for (const LawPointer &law : spread_.laws()) {
+      if (own && law == spread_.laws().front()) {
+        quantities.add(*own, task.drive);
+        continue;
+      }
       MovingPatch rolling(asked_.physics, asked_.moving, asked_.sequence, *law, contact_,
                           asked_.contact.spinPoint);
       std::optional<PatchPoint> point;

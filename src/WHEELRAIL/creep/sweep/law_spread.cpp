@@ -53,9 +53,12 @@ void LawSpread::addNeighbours()
   distances_ = Vector::Zero(step.size());
   for (Eigen::Index k = 0; k < step.size(); ++k)
     for (const double sign : {1.0, -1.0}) {
-      const LawPointer near = law->changed(sign * step[k] * Vector::Unit(step.size(), k));
-      variants_.push_back(near->isDefined() ? near : law);
-      distances_[k] += near->isDefined() ? step[k] : 0.0;
+      LawPointer near;
+      if (step[k] > 0.0)
+        near = law->changed(sign * step[k] * Vector::Unit(step.size(), k));
+      const bool isLaw = near && near->isDefined();
+      variants_.push_back(isLaw ? near : law);
+      distances_[k] += isLaw ? step[k] : 0.0;
     }
 }
 

@@ -13,7 +13,7 @@ namespace wheelrail {
 
 /// How a law's covariance is carried through to a result.
 /// Linear is exact to first order in the standard errors, symmetric, and costs two results for each
-/// parameter; Sampled shows asymmetry too and costs `samples` results.
+/// parameter that has one; Sampled shows asymmetry too and costs `samples` results.
 enum class UncertaintyMethod { Linear, Sampled };
 
 /// How many laws stand for the spread.
@@ -32,9 +32,9 @@ struct Band {
 };
 
 /// A law and others near it, with which a result is computed again to see how well the law
-/// determines it. Linear: the law with each parameter a tenth of its standard error up and down,
-/// the law itself on a side that `FrictionLaw::isDefined` refuses; the band is that of the
-/// derivatives and the covariance. Sampled: draws from the normal
+/// determines it. Linear: the law with each parameter a tenth of its standard error up and down;
+/// the law itself without a standard error, and on a side that `FrictionLaw::isDefined` refuses.
+/// The band is that of the derivatives and the covariance. Sampled: draws from the normal
 /// distribution with the law's covariance; the band is their standard deviation and quantiles.
 /// Draws that are no law (`FrictionLaw::isSound`) are drawn again.
 class LawSpread {
@@ -45,8 +45,16 @@ class LawSpread {
   /// \throws Error (NotConverged) when hardly any draw is a law
   LawSpread(const SpreadSpecification &specification, const LawPointer &law);
 
-  /// The law itself first. Just that one if it has no covariance.
+  /// The law itself first. Just that one if it has no covariance. Where the same object stands
+  /// again its result is known.
   const std::vector<LawPointer> &laws() const { return variants_; }
+  /// Does the band depend on the result with a law? Not for those of a parameter that is left out.
+  /// \param k  place in `laws()`
+  bool counts(std::size_t k) const
+  {
+    return k == 0 || distances_.size() == 0 ||
+           distances_[static_cast<Eigen::Index>(k - 1) / 2] > 0.0;
+  }
   /// Does the law have a covariance to be carried through?
   bool any() const { return variants_.size() > 1; }
   /// \param results the quantity in question, computed with each of `laws()`, in their order
