@@ -108,3 +108,24 @@ def test_faults(files):
         options=("--fit-measured", curve),
     )
     assert "--fit-measured" in done.stderr
+
+
+def test_unlike_bodies_have_a_fit_that_leaves_their_coupling_out(files):
+    """Whatever the law of the case, whose own curve is predicted with the coupling."""
+    case = files / "case.yaml"
+    words = "youngs_modulus: [210 GPa, 70 GPa]"
+    case.write_text(CASE.replace("youngs_modulus: 209.92 GPa", words), encoding="utf-8")
+    out = files / "out"
+    box = ("cells=24", "contact.domain=3")
+    done = run(case, out, *box, options=("--fit-measured", files / "curve.csv"))
+    assert "leaves out that the bodies are unlike" in done.stderr
+    fit = json.loads((out / "measured_fit.json").read_text(encoding="utf-8"))
+    assert fit["layer"]["left_out"] == "the coupling of unlike bodies"
+    like = files / "like"
+    alike = (*box, "contact.youngs_modulus=105 GPa")  # the same G and nu of both together
+    run(case, like, *alike, options=("--fit-measured", files / "curve.csv"))
+    other = json.loads((like / "measured_fit.json").read_text(encoding="utf-8"))
+    assert "left_out" not in other["layer"]
+    for name in ("mu0", "compliance"):
+        assert fit["layer"][name]["value"] == pytest.approx(other["layer"][name]["value"], rel=1e-6)
+    assert fit["predicted"]["rms_traction_ratio"] != other["predicted"]["rms_traction_ratio"]

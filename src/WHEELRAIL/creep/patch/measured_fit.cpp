@@ -375,6 +375,8 @@ MeasuredFit fitMeasured(const std::vector<MeasuredTraction> &curve, const CreepP
   PatchContact bare = contact;
   bare.pair.layer = 0.0;
   bare.yieldStress = std::numeric_limits<double>::infinity();
+  bare.pair.K = 0.0; // else pressure slips too, and T/N over mu depends on more than creep/mu
+  fit.uncoupled = contact.pair.K != 0.0;
   fit.layer = layerModel(curve, bare, spinPoint, ellipse, first, goOn);
   const double unit = compliance(ellipse);
   fit.slopeShare = unit / (unit + fit.layer.parameters.back().value);
@@ -412,6 +414,8 @@ std::string measuredJson(const MeasuredFit &fit, const std::string &path)
   json["polach"] = modelJson(fit.polach);
   json["layer"] = modelJson(fit.layer);
   json["layer"]["share_of_initial_slope"] = fit.slopeShare;
+  if (fit.uncoupled)
+    json["layer"]["left_out"] = "the coupling of unlike bodies";
   return jsonText("measured_fit.json", json);
 }
 

@@ -40,9 +40,11 @@ struct MeasuredFit {
   MeasuredModel layer;
   /// The initial slope that the layer leaves of that without one.
   double slopeShare = 1.0;
+  bool uncoupled = false; ///< the bodies are unlike, and the fit of the layer leaves that out
 };
 
-/// \param contact, law the case as it is; the layer of the contact is not used by the fit of one
+/// \param contact, law the case as it is; its layer and the coupling of its bodies are not used by
+///        the fit of a layer
 /// \param goOn asked at each point that is rolled; false to stop
 /// \throws Error (NotConverged) where the points do not determine the parameters; Error
 ///         (Interrupted) when stopped

@@ -270,8 +270,11 @@ PatchPoint FrozenPatch::solve(const FrictionLaw &law, double speed, const PatchD
           memory_->steady(law, fields_.pressure, fields_.temperature, speed, result_.slip.length());
     const Vector next = temperatureFrom(speed);
     // of the temperature, and of the creepages as a share that counts as much
-    const double heatStep = (next - fields_.temperature).cwiseAbs().maxCoeff() /
-                            (temperatureTolerance * physics_.strengthOf(law).vanishingTemperature);
+    const double heatStep =
+        physics_.thermal.model == ThermalModel::Off
+            ? 0.0 // then nothing needs a strength, and a physics may have none
+            : (next - fields_.temperature).cwiseAbs().maxCoeff() /
+                  (temperatureTolerance * physics_.strengthOf(law).vanishingTemperature);
     const double size = std::hypot(creepage_.xi, creepage_.eta);
     const double moved = std::hypot(creepage_.xi - before.xi, creepage_.eta - before.eta);
     const double creepStep = slides && moved > 0.0 ? moved / (creepTolerance * size) : 0.0;

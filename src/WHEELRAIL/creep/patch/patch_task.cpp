@@ -130,6 +130,9 @@ class PatchCreepTask : public CreepTask {
       creeps.push_back(one.creep);
     addDoubt(warnings, creepDoubt(path + ": creep", creeps));
     const MeasuredFit fit = fitMeasured(curve, asked_, curves_, context.law, context.goOn);
+    if (fit.uncoupled)
+      warnings.push_back(
+          "--fit-measured: the fit of a layer leaves out that the bodies are unlike");
     files.add("measured_fit.csv", measuredCsv(fit, curve));
     files.add("measured_fit.json", measuredJson(fit, path));
     const MeasuredParameter &compliance = fit.layer.parameters.back();
