@@ -179,7 +179,10 @@ TEST(CasePatch, SequenceIsHeldUntilTheNextInstant)
   sequence.time = {0.0, 1.0, 3.0};
   sequence.load = {2.0, 4.0, 5.0};
   EXPECT_EQ(sequence.at(sequence.load, 0.999, 9.0), 2.0);
-  EXPECT_EQ(sequence.at(sequence.load, 1.0, 9.0), 4.0);
+  for (double end : {1.0 - 1e-12, 1.0, 1.0 + 1e-12}) // of a step until the instant
+    EXPECT_EQ(sequence.at(sequence.load, end, 9.0), 2.0);
+  EXPECT_EQ(sequence.at(sequence.load, 0.0, 9.0), 2.0);
+  EXPECT_EQ(sequence.at(sequence.load, 1.001, 9.0), 4.0);
   for (double end : {2.999, 3.0, 3.001}) // a step ends on either side of the last instant
     EXPECT_EQ(sequence.at(sequence.load, end, 9.0), 4.0);
 }
@@ -213,6 +216,11 @@ TEST(CasePatch, FieldsAreOfTheNearestStep)
     history.add(step, time + 1.0, sequence, fields);
   }
   ASSERT_EQ(history.fields.size(), 3U); // the way ended before the fourth
+  PatchFields last;
+  last.mu = Eigen::VectorXd::Constant(1, 3.0);
+  history.end(sequence, last);
+  ASSERT_EQ(history.fields.size(), 4U);
+  EXPECT_EQ(history.fields.at(4).mu[0], 3.0);
   EXPECT_EQ(history.fields.at(1).mu[0], 1.0);
   EXPECT_EQ(history.fields.at(2).mu[0], 1.0);
   EXPECT_EQ(history.fields.at(3).mu[0], 1.0);

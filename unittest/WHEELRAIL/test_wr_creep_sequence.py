@@ -182,3 +182,42 @@ def test_what_does_not_fit_is_named(changes, words, case, tmp_path):
     )  # fmt: skip
     assert done.returncode == 3 and done.stderr.count("\n") == 1, done.stderr
     assert words in done.stderr
+
+
+@pytest.mark.parametrize("model", ["averaged", "averaged_power"])
+def test_the_heat_is_that_of_the_step_s_load(model, case, tmp_path):
+    """In full sliding power over load is mu v_s, and p0 sqrt(a) of Eq. 11 goes with the root of the
+    load. A mean of nominal cells, as all of them have one temperature."""
+    heats = (f"thermal={{model: {model}}}", "creep=0.05", "cells=24")
+    rises = {}
+    for load in ("10 kN", "5 kN"):
+        lists = sequence(time=["0 s", "1.5 ms"], load=[load, load])
+        (last,) = creep_rows(case, tmp_path / load, lists, *heats, *MOVING)
+        rises[load] = float(last["temperature_rise"])
+    assert rises["10 kN"] > 10
+    assert rises["5 kN"] / rises["10 kN"] == pytest.approx(0.5**0.5, rel=1e-3)
+
+
+WHOLE = ("contact.cell=[1 mm, 1 mm]", "cells=16", "moving.start=rest")
+
+
+def test_fields_of_the_last_instant_are_written(case, tmp_path):
+    """Between two steps, with speeds as without: the nearest step stands for it, and there is one
+    for every instant, though a wheel that stops ends its last step before."""
+    lists = {"time": ["0 s", "5.9 ms"], "fields": ["1 ms", "5.9 ms"]}
+    even = ("mode=moving", "creep=1e-3", "fields=last", *WHOLE)
+    run(case, tmp_path / "even", sequence(**lists), "speed=1 m/s", *even)
+    run(case, tmp_path / "listed", sequence(**lists, speed=["1 m/s", "1 m/s"]), *even)
+    run(case, tmp_path / "stops", sequence(**lists, speed=["2 m/s", "0 m/s"]), *even)
+    for name, steps in (("even", 6), ("listed", 6), ("stops", 5)):
+        assert len(table(tmp_path / name / "series.csv")) == steps
+        assert (tmp_path / name / "fields_0001_0002.vti").exists()
+
+
+def test_held_a_step_until_an_instant_is_under_the_value_before_it(case, tmp_path):
+    """Steps of 1 ms and an instant at 5 ms: five of them have the first creep."""
+    lists = sequence(time=["0 s", "5 ms", "10 ms"], creep=["1e-3", "-1e-3", "0.5"])
+    held = ("sequence.between=held", "mode=moving", "speed=1 m/s", *WHOLE)
+    run(case, tmp_path / "out", lists, *held)
+    creeps = numbers(table(tmp_path / "out/series.csv"), "creep")
+    assert list(creeps) == 5 * [1e-3] + 5 * [-1e-3]

@@ -81,7 +81,9 @@ struct MovingPatch::Temperature {
   Vector values; ///< K
   double bulk;   ///< K
   std::vector<TravellingHeat> rows;
-  double powerOverLoad = 0.0; ///< sum over the pass, of Eq. 11
+  /// Sum over the pass, of Eq. 11; under another load than the contact's times the root of their
+  /// ratio, as p0 sqrt(a) of Eq. 11 goes with it.
+  double powerOverLoad = 0.0;
 };
 
 MovingPatch::MovingPatch(const CreepPhysics &physics, const MovingPatchSpecification &moving,
@@ -126,6 +128,8 @@ void MovingPatch::begin(TransientPatch &transient, double speed, const PatchDriv
   }
   if (moving_.start == RollingStart::Steady) {
     PatchContact pressed = contact_;
+    if (load != contact_.load)
+      pressed.hertz = hertzEllipse(load, contact_.hertz.modulus, contact_.hertz.curvatures);
     pressed.load = load;
     pressed.normal = normal_;
     FrozenPatch steady(physics_, pressed, spinPoint_);
@@ -250,8 +254,10 @@ PatchStep MovingPatch::roll(TransientPatch &transient, Temperature &heat, double
                    normal_.pressure, mu, heat.values, speed});
   row.distance = distance;
   row.drivingPower = sums.drivingPower * speed;
-  heat.powerOverLoad += physics_.thermal.model == ThermalModel::Averaged ? row.muMean * sliding
-                                                                         : row.drivingPower / load;
+  heat.powerOverLoad +=
+      (physics_.thermal.model == ThermalModel::Averaged ? row.muMean * sliding
+                                                        : row.drivingPower / load) *
+      std::sqrt(load / contact_.load);
   fields_ = {result.state, normal_.gap, normal_.pressure, result.traction,
              result.slip,  mu,          heat.values};
   return row;
@@ -276,8 +282,8 @@ int MovingPatch::stepsOf(double speed) const
     return moving_.passes * passSteps_;
   const double cells = rolledDistance(moving_, sequence_, contact_.hertz, speed) / stepLength();
   // a wheel that comes to rest never ends a step that begins before it
-  return std::max(
-      1, static_cast<int>(sequence_.speed.empty() ? std::lround(cells) : std::floor(cells + 1e-9)));
+  const bool stops = !sequence_.speed.empty() && sequence_.lastOf(sequence_.speed) == 0.0;
+  return std::max(1, static_cast<int>(stops ? std::floor(cells + 1e-9) : std::lround(cells)));
 }
 
 std::optional<PatchPoint> MovingPatch::solve(double speed, const PatchDrive &drive,
@@ -334,6 +340,7 @@ std::optional<PatchPoint> MovingPatch::solve(double speed, const PatchDrive &dri
       heat.powerOverLoad = 0.0;
     }
   }
+  history_.end(sequence_, fields_);
   return pointOf(speed);
 }
 

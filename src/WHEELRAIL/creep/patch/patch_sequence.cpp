@@ -39,7 +39,9 @@ double PatchSequence::at(const std::vector<double> &values, double seconds, doub
 {
   if (values.empty())
     return constant;
-  const auto after = std::upper_bound(time.begin(), time.end(), seconds);
+  constexpr double rounding = 1e-9; // of a time that follows from a distance and speeds
+  const double until = held ? seconds * (1.0 - rounding) : seconds;
+  const auto after = std::upper_bound(time.begin(), time.end(), until);
   if (after == time.begin())
     return values.front();
   if (after == time.end())
@@ -126,6 +128,12 @@ void PatchHistory::add(const PatchStep &step, double next, const PatchSequence &
   steps.push_back(step);
   while (fields.size() < sequence.fields.size() &&
          standsFor(step.time, next, sequence.fields[fields.size()]))
+    fields.emplace(static_cast<int>(fields.size()) + 1, state);
+}
+
+void PatchHistory::end(const PatchSequence &sequence, const PatchFields &state)
+{
+  while (fields.size() < sequence.fields.size())
     fields.emplace(static_cast<int>(fields.size()) + 1, state);
 }
 

@@ -26,7 +26,8 @@ struct PatchSequence {
   std::vector<double> fields; ///< instants whose fields are kept, s, increasing
 
   bool any() const { return !time.empty(); }
-  /// A list's value at a time; `constant` where it is empty.
+  /// A list's value at a time; `constant` where it is empty. Held it is that of the time before an
+  /// instant, at the instant itself, too: of a step until there.
   /// \param values one of the lists above
   /// \param seconds since the start; from the last instant on `lastOf` holds
   double at(const std::vector<double> &values, double seconds, double constant) const;
@@ -68,6 +69,8 @@ struct PatchHistory {
   /// \param next  at the end of the next step, s; it decides which of the two is nearer
   void add(const PatchStep &step, double next, const PatchSequence &sequence,
            const PatchFields &state);
+  /// Of the last step: it stands for the instants that are left, too.
+  void end(const PatchSequence &sequence, const PatchFields &state);
 };
 
 /// The step that stands for an instant: the nearest one, the earlier of two that are as near.
