@@ -6,7 +6,9 @@ import math
 
 import numpy
 import pytest
-from patch_runs import CASE, creep_rows, numbers, run, table
+from patch_runs import CASE, ROUGH, creep_rows, numbers, run, table
+
+from mcawr import fields
 
 LOAD, MU, A, B = 10e3, 0.3, 3.0, 4.0  # N, mm: of CASE
 SLIDING = "creep=[0.1]"
@@ -285,3 +287,68 @@ def test_rounding_of_a_creepage_is_nothing(case, tmp_path, keyword):
     name = keyword.split("=", maxsplit=1)[0]
     row = row_of(case, tmp_path / "out", "creep=[1e-3]", "lateral=1e-3", keyword)
     assert row[name] == 0.0
+
+
+def test_a_force_that_friction_carries_at_a_larger_speed(tmp_path):
+    """mu rises from 0.2 at rest to 0.4 at 2 m/s: a force between has the creepage that carries it,
+    from cold, warm, with another force; above what any speed carries it is refused."""
+    (tmp_path / "rise.csv").write_text(
+        "# pressure: MPa\n# speed: m/s\npressure,speed,mu\n"
+        "100,0,0.2\n100,2,0.4\n900,0,0.2\n900,2,0.4\n",
+        encoding="utf-8",
+    )
+    case = tmp_path / "case.yaml"
+    case.write_text(CASE.replace("creep: [1e-3]\n", ""), encoding="utf-8")
+    rises = f"friction={{law: {tmp_path}/rise.csv}}"
+    forces = "force.longitudinal=[-2.9 kN, 2.5 kN, -1 kN, -3.9 kN, 4.1 kN]"
+    done = run(case, tmp_path / "list", rises, forces, code=4)
+    rows = table(tmp_path / "list/creep.csv")
+    assert numbers(rows, "force_x") == pytest.approx([-2.9e3, 2.5e3, -1e3, -3.9e3], rel=1e-5)
+    assert float(rows[0]["creep"]) == pytest.approx(0.045, rel=1e-3)
+    assert "4.1 kN cannot be carried: friction allows less than 4 kN" in done.stderr
+    (given,) = creep_rows(case, tmp_path / "given", rises, f"creep={rows[0]['creep']}")
+    assert float(given["force_x"]) == pytest.approx(-2.9e3, rel=1e-5)
+    both = ("force.longitudinal=-2.5 kN", "force.lateral=1 kN")
+    (row,) = creep_rows(case, tmp_path / "both", rises, *both)
+    assert [float(row[name]) for name in ("force_x", "force_y")] == pytest.approx([-2500, 1000])
+
+
+def test_a_layer_that_yields_heats_by_what_it_carries(tmp_path):
+    """Where all slides the averaged models agree."""
+    case = tmp_path / "case.yaml"
+    case.write_text(CASE.replace("[1e-3]", "[5e-2]"), encoding="utf-8")
+    layer = "layer={thickness: 1 um, shear_modulus: 1 GPa, yield_stress: 30 MPa}"
+    for mode in ("mode=frozen", "mode=moving"):
+        rises = [
+            float(row["temperature_rise"])
+            for model in ("averaged", "averaged_power")
+            for row in creep_rows(
+                case, tmp_path / model, layer, f"thermal={{model: {model}}}", mode, "cells=24"
+            )
+        ]
+        assert rises[0] == pytest.approx(rises[1], rel=0.01)
+
+
+def test_wear_depth_of_travelling_surfaces_is_the_largest_mean(tmp_path):
+    """Of the second of two passes, from the fields of each of its steps: the row across the track
+    whose mean is largest, which is less than the mean of what is largest in each."""
+    case = tmp_path / "case.yaml"
+    case.write_text(CASE.replace("creep: [1e-3]\n", ""), encoding="utf-8")
+    rough = (f"roughness={ROUGH[:-1]}, boxes: 4}}", "contact.domain=5", "cells=40", "mode=moving")
+    wear = ("wear={law: archard, coefficient: 1e-4, hardness: 3 GPa}",)
+    twice = ("moving.passes=2", "creep=2e-2")
+    (row,) = creep_rows(case, tmp_path / "out", *rough, *wear, *twice)
+    ends = numbers(table(tmp_path / "out/series.csv"), "time")
+    instants = ", ".join(f"{end:.9g} s" for end in ends[len(ends) // 2 :])
+    lists = f"time: [0 s, {ends[-1]:.9g} s], creep: [2e-2, 2e-2], fields: [{instants}]"
+    run(case, tmp_path / "fields", *rough, f"sequence={{{lists}}}", "fields=last")
+    worn = []
+    for path in sorted((tmp_path / "fields").glob("fields_0001_*.vti")):
+        kept = fields.read_vti(path)
+        slip = numpy.hypot(kept.arrays["slip"][..., 0], kept.arrays["slip"][..., 1])
+        worn.append((1e-4 / 3e3 * kept.arrays["pressure"] * slip).sum(axis=1) * kept.dx * 1e6)
+    worn = numpy.array(worn)
+    assert len(worn) == len(ends) // 2
+    depth = float(row["wear_depth"])
+    assert depth == pytest.approx(worn.mean(axis=0).max(), rel=1e-3)
+    assert depth < 0.995 * worn.max(axis=1).mean()

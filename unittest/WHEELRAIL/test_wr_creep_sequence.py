@@ -221,3 +221,18 @@ def test_held_a_step_until_an_instant_is_under_the_value_before_it(case, tmp_pat
     run(case, tmp_path / "out", lists, *held)
     creeps = numbers(table(tmp_path / "out/series.csv"), "creep")
     assert list(creeps) == 5 * [1e-3] + 5 * [-1e-3]
+
+
+def test_a_steady_start_is_as_hot_as_steady_rolling(case, tmp_path):
+    """Where friction falls with heat, the first step has the traction of the last, of the steady
+    state, but for what friction makes of a cell behind: it began cold, with mu of the cold."""
+    hot = ("friction={law: constant, mu: 0.4, hot_factor: 0.4, hot_end: 50 K}", "creep=0.05")
+    for model in ("averaged", "local"):
+        heats = (f"thermal={{model: {model}}}", *hot, "cells=24")
+        (steady,) = creep_rows(case, tmp_path / "steady", *heats, "speed=20 m/s")
+        run(case, tmp_path / "out", *heats, *MOVING, "moving.passes=2")
+        forces = numbers(table(tmp_path / "out/series.csv"), "force_x")
+        assert float(steady["traction_ratio"]) < 0.35
+        assert forces == pytest.approx(float(steady["force_x"]), rel=0.05)
+        rises = numbers(table(tmp_path / "out/series.csv"), "temperature_rise")
+        assert rises == pytest.approx(float(steady["temperature_rise"]), rel=0.1)

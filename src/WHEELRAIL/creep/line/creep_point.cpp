@@ -72,9 +72,13 @@ void FrozenCreep::roll(double creep)
   std::copy(result.state.begin(), result.state.end(), contact_.state.begin() + first);
 }
 
-double FrozenCreep::meanMu() const
+double FrozenCreep::meanFriction() const
 {
-  return contact_.mu.dot(contact_.pressure) / contact_.pressure.sum();
+  const double carried =
+      std::isfinite(setup_.yieldStress)
+          ? setup_.bound(contact_.mu, contact_.pressure).sum() * setup_.hertz.modulus
+          : contact_.mu.dot(contact_.pressure);
+  return carried / contact_.pressure.sum();
 }
 
 Vector FrozenCreep::temperatureFrom(double speed, double creep)
@@ -89,7 +93,7 @@ Vector FrozenCreep::temperatureFrom(double speed, double creep)
     return flash_->rise(contact_.traction.cwiseProduct(contact_.slip) * speed);
   }
   const double powerOverLoad = physics_.thermal.model == ThermalModel::Averaged
-                                   ? meanMu() * creep * speed
+                                   ? meanFriction() * creep * speed
                                    : frictionWork_ / setup_.hertz.load * speed;
   return Vector::Constant(n, meanTemperatureRise(powerOverLoad, setup_.hertz.hertzPressure,
                                                  setup_.hertz.halfWidth, speed,

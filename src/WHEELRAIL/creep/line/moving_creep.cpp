@@ -6,7 +6,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <fmt/format.h>
+#include <limits>
 #include <utility>
 
 namespace wheelrail {
@@ -126,6 +128,9 @@ void MovingCreep::roll(Roller &roller, double speed, bool counted)
   LineValues step = lineValues(setup_, roller.result.force() / normal_.pressure.sum(),
                                roller.result.traction * setup_.hertz.modulus, p, roller.mu,
                                roller.temperature, roller.result.state);
+  roller.carried += std::isfinite(setup_.yieldStress)
+                        ? setup_.bound(roller.mu, p).sum() / normal_.pressure.sum()
+                        : step.muMean;
   step.frictionWork = setup_.cellSize * setup_.hertz.modulus *
                       drivenWork(roller.result.traction, roller.creep, imposed);
   addValues(roller.pass, step);
@@ -150,13 +155,14 @@ void MovingCreep::endPass(Roller &roller, double speed, int steps)
   if (physics_.thermal.model == ThermalModel::Averaged ||
       physics_.thermal.model == ThermalModel::AveragedPower) {
     const double workOverLoad = physics_.thermal.model == ThermalModel::Averaged
-                                    ? roller.pass.muMean * roller.creep
+                                    ? roller.carried * roller.creep
                                     : roller.pass.frictionWork / setup_.hertz.load;
     roller.temperature.setConstant(
         meanTemperatureRise(workOverLoad / steps * speed, setup_.hertz.hertzPressure,
                             setup_.hertz.halfWidth, speed, physics_.thermal.material));
   }
   roller.pass = {};
+  roller.carried = 0.0;
 }
 
 CreepPoint MovingCreep::pointOf(const Roller &roller, double speed, int steps, int counted) const
@@ -185,7 +191,12 @@ std::vector<CreepPoint> MovingCreep::solve(double speed, const std::vector<doubl
 {
   const HertzContact &hertz = setup_.hertz;
   const int pass = static_cast<int>(std::ceil(2.0 * hertz.halfWidth / setup_.cellSize));
-  const int steps = moving_.passes * pass;
+  const std::int64_t way = std::int64_t{moving_.passes} * pass;
+  if (way > std::numeric_limits<int>::max())
+    throw Error(ExitCode::BadInput,
+                fmt::format("moving.passes: {} of {} cells are {} steps; at most {} are allowed",
+                            moving_.passes, pass, way, std::numeric_limits<int>::max()));
+  const int steps = static_cast<int>(way);
   if (steps > setup_.longestTravel())
     throw Error(
         ExitCode::BadInput,
@@ -212,6 +223,7 @@ std::vector<CreepPoint> MovingCreep::solve(double speed, const std::vector<doubl
                          {},
                          {},
                          {},
+                         0.0,
                          0.0});
       if (physics_.thermal.model == ThermalModel::Local)
         rollers.back().heat.emplace(setup_.cells, setup_.cellSize, speed,

@@ -29,6 +29,7 @@ struct Roller {
   RollingResult result;            ///< on the window
   LineValues pass, counted;        ///< sums over the steps of the pass, of the last half of all
   double hottest = 0.0;            ///< K, anywhere in the last half
+  double carried = 0.0; ///< over the load where all slides, sum over the steps of the pass
 };
 
 /// Transient rolling: the roughness travels with the material, one cell a step. The creeps of a

@@ -66,6 +66,20 @@ struct MovingPatch::Temperature {
                                                   physics.thermal.material));
   }
 
+  /// As after rolling for long with the heat of a steady state.
+  void startFrom(const PatchContact &contact, const PatchFields &steady, double speed)
+  {
+    values = steady.temperature;
+    if (rows.empty())
+      return;
+    TangentialResult rolling;
+    rolling.traction = steady.traction;
+    rolling.slip = steady.slip;
+    const Vector heat = frictionalHeat(rolling, speed);
+    for (int k = 0; k < contact.grid.nx; ++k) // all material has gone through the box
+      step(contact, heat, steady.pressure);
+  }
+
   void step(const PatchContact &contact, const Vector &heat, const Vector &pressure)
   {
     const PatchGrid &grid = contact.grid;
@@ -113,8 +127,8 @@ MovingPatch::MovingPatch(const CreepPhysics &physics, const MovingPatchSpecifica
 //
 // The first passes still remember how the contact began; they are rolled and left out of the means.
 
-void MovingPatch::begin(TransientPatch &transient, double speed, const PatchDrive &drive,
-                        double load)
+void MovingPatch::begin(TransientPatch &transient, Temperature &heat, double speed,
+                        const PatchDrive &drive, double load)
 {
   creepage_ = drive.creepage;
   if (load != contact_.load)
@@ -137,6 +151,8 @@ void MovingPatch::begin(TransientPatch &transient, double speed, const PatchDriv
     normal_.pressure = steady.fields().pressure;
     memoryRatio_ = steady.memoryRatio();
     imposed_ = coupling_.tangential(normal_.pressure);
+    heat.startFrom(pressed, steady.fields(), speed);
+    fields_.temperature = heat.values;
     transient.startFrom(steady.fields().traction, imposed_);
     creepage_ = point.creepage;
     products_ += point.products;
@@ -249,13 +265,18 @@ PatchStep MovingPatch::roll(TransientPatch &transient, Temperature &heat, double
     heat.step(contact_, frictionalHeat(result, speed), normal_.pressure);
 
   PatchStep row;
-  static_cast<PatchValues &>(row) =
-      patchValues({contact_, sums, result, physics_.wear, load, normal_.approach, result.creepage,
-                   normal_.pressure, mu, heat.values, speed});
+  const PatchSolution solved{
+      contact_,         sums, result,      physics_.wear, load, normal_.approach, result.creepage,
+      normal_.pressure, mu,   heat.values, speed};
+  static_cast<PatchValues &>(row) = patchValues(solved);
+  if (physics_.wear.kind != WearLaw::Kind::None && static_cast<int>(series().size()) >= discarded_)
+    worn_ += wornRows(solved);
   row.distance = distance;
   row.drivingPower = sums.drivingPower * speed;
+  const double friction =
+      std::isfinite(contact_.yieldStress) ? step.bound.sum() / normal_.pressure.sum() : row.muMean;
   heat.powerOverLoad +=
-      (physics_.thermal.model == ThermalModel::Averaged ? row.muMean * sliding
+      (physics_.thermal.model == ThermalModel::Averaged ? friction * sliding
                                                         : row.drivingPower / load) *
       std::sqrt(load / contact_.load);
   fields_ = {result.state, normal_.gap, normal_.pressure, result.traction,
@@ -292,6 +313,8 @@ std::optional<PatchPoint> MovingPatch::solve(double speed, const PatchDrive &dri
   const PatchGrid &grid = contact_.grid;
   const int steps = stepsOf(speed), cells = moving_.stepCells;
   history_ = {};
+  discarded_ = steps - countedSteps();
+  worn_ = Vector::Zero(grid.ny);
   normal_ = contact_.normal;
   wheel_ = rail_ = {};
   products_ = 0;
@@ -308,7 +331,7 @@ std::optional<PatchPoint> MovingPatch::solve(double speed, const PatchDrive &dri
     if (!sequence_.speed.empty())
       speed = stepLength() / (time - former);
     if (step == 0)
-      begin(transient, speed, driveAt(0.0, drive),
+      begin(transient, heat, speed, driveAt(0.0, drive),
             sequence_.at(sequence_.load, 0.0, contact_.load));
     history_.now = time;
     const PatchDrive now = driveAt(time, drive);
@@ -344,14 +367,16 @@ std::optional<PatchPoint> MovingPatch::solve(double speed, const PatchDrive &dri
   return pointOf(speed);
 }
 
+// A pass has as many steps as a contact length has cells. A sequence has no steady part.
+int MovingPatch::countedSteps() const
+{
+  return sequence_.any() ? 1 : (moving_.passes - moving_.discardedPasses()) * passSteps_;
+}
+
 PatchPoint MovingPatch::pointOf(double speed) const
 {
-  // what is kept: the last passes, each with as many steps as a contact length has cells;
-  // a sequence has no steady part: its last step stands for it
   const int batches = sequence_.any() ? 0 : moving_.passes - moving_.discardedPasses();
-  const std::size_t counted =
-      sequence_.any() ? 1
-                      : static_cast<std::size_t>(batches) * static_cast<std::size_t>(passSteps_);
+  const auto counted = static_cast<std::size_t>(countedSteps());
   const auto column = [&](const auto &value) {
     std::vector<double> values;
     for (std::size_t k = series().size() - counted; k < series().size(); ++k)
@@ -364,6 +389,7 @@ PatchPoint MovingPatch::pointOf(double speed) const
   PatchPoint point;
   for (const Column<PatchValues> &one : patchValueColumns())
     one.value.set(point, meanOf(column(one.value.get)));
+  point.wearDepth = worn_.maxCoeff() / static_cast<double>(counted);
   point.surface = contact_.surface.number;
   point.speed = speed;
   point.temperatureMaximum = largestTemperature(physics_.thermal, hottest_);

@@ -12,7 +12,7 @@ namespace wheelrail {
 
 /// Where transient rolling begins.
 enum class RollingStart {
-  Steady, ///< from the traction of steady rolling on the surfaces as they lie at the start
+  Steady, ///< from traction and temperature of steady rolling on the surfaces as they lie then
   Rest,   ///< without traction
   Shift   ///< from one shift at rest under the forces that are given
 };
@@ -79,7 +79,8 @@ class MovingPatch {
   int stepsOf(double speed) const;
   /// The pressure, the traction and the creepages that the first step goes on from.
   /// \param load at the first instant, N
-  void begin(TransientPatch &transient, double speed, const PatchDrive &drive, double load);
+  void begin(TransientPatch &transient, Temperature &heat, double speed, const PatchDrive &drive,
+             double load);
   /// Moves both surfaces by a step.
   void travel(const Creepage &creepage);
   /// Is the pressure of the step before still that under this load?
@@ -92,6 +93,8 @@ class MovingPatch {
   /// Friction, traction and heat of one step under the present pressure.
   PatchStep roll(TransientPatch &transient, Temperature &heat, double speed,
                  const PatchDrive &drive, double distance, double load);
+  /// Steps that the means are over: those of the last passes; of a sequence the last one.
+  int countedSteps() const;
   /// Means over what is not discarded of the series; of a sequence its last step.
   PatchPoint pointOf(double speed) const;
 
@@ -111,6 +114,8 @@ class MovingPatch {
   Eigen::VectorXd memoryRatio_; ///< see `SlipMemory`; goes with the material
   int passSteps_, products_ = 0;
   double hottest_ = 0.0;
+  Eigen::VectorXd worn_; ///< `wornRows`, sums over the steps that count; empty without wear
+  int discarded_ = 0;    ///< steps of this point before them
   PatchHistory history_;
   PatchFields fields_;
 };

@@ -6,7 +6,9 @@
 #include "shared/pi.h"
 
 #include <algorithm>
+#include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
+#include <cstdint>
 #include <fmt/format.h>
 #include <utility>
 
@@ -137,9 +139,12 @@ void FrozenPatch::rollWarmOrCold(const PatchDrive &drive)
   products_ += result_.products + result_.coarseProducts;
 }
 
-double FrozenPatch::meanMu() const
+double FrozenPatch::meanFriction() const
 {
-  return fields_.mu.dot(fields_.pressure) / fields_.pressure.sum();
+  const double carried = std::isfinite(contact_.yieldStress)
+                             ? contact_.bound(fields_.mu, fields_.pressure).sum()
+                             : fields_.mu.dot(fields_.pressure);
+  return carried / fields_.pressure.sum();
 }
 
 double FrozenPatch::slidingSpeed(double speed) const
@@ -163,7 +168,7 @@ Vector FrozenPatch::temperatureFrom(double speed)
     break;
   }
   const double powerOverLoad = thermal.model == ThermalModel::Averaged
-                                   ? meanMu() * slidingSpeed(speed)
+                                   ? meanFriction() * slidingSpeed(speed)
                                    : sums().drivingPower * speed / contact_.load;
   return Vector::Constant(n, thermal.bulk + meanTemperatureRise(powerOverLoad, contact_.hertz,
                                                                 speed, thermal.material));
@@ -202,6 +207,73 @@ void FrozenPatch::failToSettle(double speed, int iterations, bool friction) cons
                                    : "the bodies are too unlike for the friction"));
 }
 
+PatchPoint FrozenPatch::solve(const FrictionLaw &law, double speed, const PatchDrive &drive)
+{
+  try {
+    return settle(law, speed, drive);
+  } catch (const ForceTooLarge &error) {
+    if (!law.dependsOnSpeed())
+      throw;
+    return solveAlongCreep(law, speed, drive, error);
+  }
+}
+
+// Where mu rises with speed the creepage of the point before may carry less than the force, and the
+// one that carries it lies near full sliding, where a fixed point hardly settles. So the creepage
+// along the larger force is given, from small ones to large ones until they carry it, and then
+// between two of them.
+PatchPoint FrozenPatch::solveAlongCreep(const FrictionLaw &law, double speed,
+                                        const PatchDrive &drive, const ForceTooLarge &error)
+{
+  constexpr double first = 1e-6, largest = 10.0, tolerance = 1e-8; // of `creepUnder`
+  const double x = drive.forceX.value_or(0.0), y = drive.forceY.value_or(0.0);
+  const bool alongX = std::abs(x) >= std::abs(y);
+  const double force = alongX ? x : y, wanted = std::abs(force), sign = force < 0.0 ? 1.0 : -1.0;
+  double most = error.capacity, outer = 0.0;
+  const Vector cold = Vector::Constant(contact_.grid.cells(), physics_.thermal.bulk);
+  for (double creep = first; creep <= largest; creep *= 2.0) {
+    const Vector mu = contact_.across(law.mu({fields_.pressure, speed * creep, cold}));
+    const double carries = contact_.bound(mu, fields_.pressure).sum() * contact_.grid.cellArea();
+    most = std::max(most, carries);
+    if (outer == 0.0 && carries > error.force)
+      outer = creep;
+  }
+  if (outer == 0.0)
+    throw ForceTooLarge(error.force, most);
+  int products = products_;
+  PatchPoint point;
+  const auto missing = [&](double creep) {
+    PatchDrive given = drive;
+    (alongX ? given.forceX : given.forceY).reset();
+    (alongX ? given.creepage.xi : given.creepage.eta) = sign * creep;
+    try {
+      point = settle(law, speed, given);
+    } catch (const ForceTooLarge &) { // the other force alone
+      return -wanted;
+    }
+    products += point.products;
+    return -sign * (alongX ? point.forceX : point.forceY) - wanted;
+  };
+  double inner = 0.0, innerMissing = missing(inner), outerMissing = missing(outer);
+  while (outerMissing < 0.0 && outer < largest) {
+    inner = outer;
+    innerMissing = outerMissing;
+    outer *= 2.0;
+    outerMissing = missing(outer);
+  }
+  if (innerMissing > 0.0 || outerMissing < 0.0)
+    throw error;
+  if (outerMissing > 0.0) {
+    std::uintmax_t steps = 60;
+    const auto close = [](double a, double b) { return std::abs(b - a) <= tolerance * b; };
+    const auto [low, high] = boost::math::tools::toms748_solve(missing, inner, outer, innerMissing,
+                                                               outerMissing, close, steps);
+    missing(0.5 * (low + high));
+  }
+  point.products = products;
+  return point;
+}
+
 // A fixed point, as in `FrozenCreep::solve`. One turn G leads from a temperature field to the one
 // that follows from it: temperature -> mu and pressure -> traction -> heat -> temperature. What is
 // sought is the field with G(Theta) = Theta. Where forces are given and mu depends on speed, the
@@ -219,7 +291,7 @@ void FrozenPatch::failToSettle(double speed, int iterations, bool friction) cons
 // their tolerances, and the largest one decides on the end and on halving. Of unlike bodies the
 // pressure takes part: it is renewed with the traction of the turn before, and the end waits until
 // it has settled.
-PatchPoint FrozenPatch::solve(const FrictionLaw &law, double speed, const PatchDrive &drive)
+PatchPoint FrozenPatch::settle(const FrictionLaw &law, double speed, const PatchDrive &drive)
 {
   const bool found = drive.forceX || drive.forceY;
   const bool heats = physics_.hasFeedback(law);

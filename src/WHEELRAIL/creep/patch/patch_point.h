@@ -102,7 +102,7 @@ class FrozenPatch {
   /// Warm from the last call: tractions, creepages that were found, temperature.
   /// \throws Error (NotConverged), Error (BadInput) for a force that friction cannot carry
   /// \param speed v0, m/s, > 0
-  /// \param drive a force that is given must be below the sum of mu p
+  /// \param drive a force that is given must be below the sum of mu p at some sliding speed
   PatchPoint solve(const FrictionLaw &law, double speed, const PatchDrive &drive);
 
   /// Takes load and pressure of the contact anew, which has been pressed otherwise since.
@@ -113,6 +113,12 @@ class FrozenPatch {
   const Eigen::VectorXd &memoryRatio() const { return memoryRatio_; }
 
  private:
+  /// `solve` from the point before.
+  PatchPoint settle(const FrictionLaw &law, double speed, const PatchDrive &drive);
+  /// Where friction carries the force only at a larger creepage than that of the point before.
+  /// \param error what was said there
+  PatchPoint solveAlongCreep(const FrictionLaw &law, double speed, const PatchDrive &drive,
+                             const ForceTooLarge &error);
   /// One tangential problem under the present bound; unknown creepages are searched from `guess`.
   TangentialResult roll(const PatchDrive &drive, const Creepage &guess);
   void rollWarmOrCold(const PatchDrive &drive);
@@ -124,7 +130,8 @@ class FrozenPatch {
   void renewPressure(const FrictionLaw &law);
   /// \param friction the law is at fault, or else the coupling of unlike bodies
   [[noreturn]] void failToSettle(double speed, int iterations, bool friction) const;
-  double meanMu() const;
+  /// What is carried where all slides over the load: the mean mu, less where a layer yields.
+  double meanFriction() const;
   /// Root mean square of the rigid slip times the rolling speed, m/s.
   double slidingSpeed(double speed) const;
   /// Sums of the last solution, with what unlike bodies' pressure gives.

@@ -9,28 +9,33 @@
 namespace wheelrail {
 namespace {
 
-// A place of the rail lies under all cells of a row, one after the other, while the contact rolls
-// over it: each for the way dx.
 void addWear(const PatchSolution &solved, PatchValues &values)
 {
-  if (solved.wear.kind == WearLaw::Kind::None)
-    return;
-  const PatchGrid &grid = solved.contact.grid;
-  const TangentialField &q = solved.tangential.traction, &s = solved.tangential.slip;
-  for (int iy = 0; iy < grid.ny; ++iy) {
-    double passage = 0.0;
-    for (int ix = 0; ix < grid.nx; ++ix) {
-      const int i = grid.index(ix, iy);
-      const double work = -(q.x[i] * s.x[i] + q.y[i] * s.y[i]);
-      passage += grid.dx * solved.wear.depth(solved.pressure[i], std::max(0.0, work),
-                                             std::hypot(s.x[i], s.y[i]));
-    }
-    values.wearVolume += passage * grid.dy;
-    values.wearDepth = std::max(values.wearDepth, passage);
+  for (const double depth : wornRows(solved)) {
+    values.wearVolume += depth * solved.contact.grid.dy;
+    values.wearDepth = std::max(values.wearDepth, depth);
   }
 }
 
 } // namespace
+
+// While the contact rolls over a place, it lies under each cell for the way dx.
+Eigen::VectorXd wornRows(const PatchSolution &solved)
+{
+  if (solved.wear.kind == WearLaw::Kind::None)
+    return {};
+  const PatchGrid &grid = solved.contact.grid;
+  const TangentialField &q = solved.tangential.traction, &s = solved.tangential.slip;
+  Eigen::VectorXd rows = Eigen::VectorXd::Zero(grid.ny);
+  for (int iy = 0; iy < grid.ny; ++iy)
+    for (int ix = 0; ix < grid.nx; ++ix) {
+      const int i = grid.index(ix, iy);
+      const double work = -(q.x[i] * s.x[i] + q.y[i] * s.y[i]);
+      rows[iy] += grid.dx * solved.wear.depth(solved.pressure[i], std::max(0.0, work),
+                                              std::hypot(s.x[i], s.y[i]));
+    }
+  return rows;
+}
 
 std::vector<Column<PatchValues>> patchValueColumns()
 {

@@ -26,7 +26,7 @@ struct PatchValues : SlidingValues {
   double peakTraction = 0.0;         ///< Pa
   double wearVolume = 0.0;           ///< over the length rolled, m^2
   /// What one passage takes off where it takes most, m: a place of the rail, across the track, or
-  /// of the wheel in one turn.
+  /// of the wheel in one turn. Where the contact moves, of the row whose mean is largest.
   double wearDepth = 0.0;
 };
 
@@ -44,6 +44,9 @@ struct PatchSolution {
   const Eigen::VectorXd &pressure, &mu, &temperature; ///< per cell; Pa and K
   double speed;                                       ///< v0, m/s; 0 without rolling
 };
+/// What one passage takes off a place of each row of cells, m; empty without a law of wear. A place
+/// of the rail lies under all cells of its row, one after the other.
+Eigen::VectorXd wornRows(const PatchSolution &solved);
 /// The values of one solution.
 PatchValues patchValues(const PatchSolution &solved);
 
