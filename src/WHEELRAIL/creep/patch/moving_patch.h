@@ -114,7 +114,7 @@ class MovingPatch {
   Eigen::VectorXd memoryRatio_; ///< see `SlipMemory`; goes with the material
   int passSteps_, products_ = 0;
   double hottest_ = 0.0;
-  Eigen::VectorXd worn_; ///< `wornRows`, sums over the steps that count; empty without wear
+  Eigen::VectorXd worn_; ///< `wornRows`, sums over the steps that count
   int discarded_ = 0;    ///< steps of this point before them
   PatchHistory history_;
   PatchFields fields_;
