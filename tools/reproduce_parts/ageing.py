@@ -231,10 +231,7 @@ def by_load(points: list[dict[str, Any]], axes: Any) -> list[list[str]]:
     draws the runs."""
     load, n, error, t95 = np.array(
         [
-            (
-                point["pressure"] / point["strength"],
-                *power_of_distance([over_distance(point)]),
-            )
+            (point["pressure"] / point["strength"], *power_of_distance([over_distance(point)]))
             for point in points
         ]
     ).T
