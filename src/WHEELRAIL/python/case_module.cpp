@@ -325,7 +325,7 @@ using Numbers = py::array_t<double, py::array::c_style | py::array::forcecast>;
 /// The numbers of an argument. \throws Error (Usage) where one is not allowed
 Eigen::VectorXd allowedNumbers(const char *name, const Numbers &given, double least)
 {
-  const Eigen::VectorXd numbers = Eigen::Map<const Eigen::VectorXd>(given.data(), given.size());
+  Eigen::VectorXd numbers = Eigen::Map<const Eigen::VectorXd>(given.data(), given.size());
   for (const double number : numbers)
     if (!std::isfinite(number) || number < least)
       throw Error(ExitCode::Usage, fmt::format("{}: '{}' is not allowed, must be a number{}", name,

@@ -262,7 +262,7 @@ PatchPoint FrozenPatch::solveAlongCreep(const FrictionLaw &law, double speed,
     outerMissing = missing(outer);
   }
   if (innerMissing > 0.0 || outerMissing < 0.0)
-    throw error;
+    throw ForceTooLarge(error.force, error.capacity);
   if (outerMissing > 0.0) {
     std::uintmax_t steps = 60;
     const auto close = [](double a, double b) { return std::abs(b - a) <= tolerance * b; };

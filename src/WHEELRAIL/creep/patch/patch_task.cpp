@@ -131,7 +131,7 @@ class PatchCreepTask : public CreepTask {
     addDoubt(warnings, creepDoubt(path + ": creep", creeps));
     const MeasuredFit fit = fitMeasured(curve, asked_, curves_, context.law, context.goOn);
     if (fit.uncoupled)
-      warnings.push_back(
+      warnings.emplace_back(
           "--fit-measured: the fit of a layer leaves out that the bodies are unlike");
     files.add("measured_fit.csv", measuredCsv(fit, curve));
     files.add("measured_fit.json", measuredJson(fit, path));
