@@ -26,10 +26,20 @@ from . import (
     temperature as heat,
     width,
 )
-from .common import STEEL, Missing, percent, power_law, run_name, scatter_of, table, with_own_errors
+from .common import (
+    STEEL,
+    Missing,
+    percent,
+    plan_name,
+    power_law,
+    run_name,
+    scatter_of,
+    table,
+    with_own_errors,
+)
 from .dots import dots
+from .law_lines import law_lines
 
-PAPER = plot_fit.PAPER
 PAPER_COLLAPSE = 0.035  # scatter of ten runs at equal kappas
 START = ["--start", "50", "--start-distance", "250"]  # ns, nm; each run slides 500 nm or more
 FROM = f"from {START[1]} ns and {START[3]} nm on"
@@ -117,138 +127,10 @@ def fig7(report: dict[str, Any], picture: str) -> list[str]:
     return law_lines(report)
 
 
-def law_lines(report: dict[str, Any]) -> list[str]:
-    """The fitted parameters beside Eq. 3, the static part beside Eq. 5, the comparison of
-    models."""
-    body, lines = report["report"], []
-    if "fit" in body:
-        fit = body["fit"]
-        rows = []
-        for name, entry in fit["parameters"].items():
-            paper = PAPER.get(name, 0)
-            low, high = ("open" if end is None else f"{end:.3g}" for end in entry["interval"])
-            inside = all(
-                end is None or sign * (paper - end) >= 0
-                for sign, end in zip((1, -1), entry["interval"])
-            )
-            rows.append(
-                [
-                    name,
-                    f"{paper:g}",
-                    f"{entry['value']:.4g} +- {entry['standard_error']:.2g}",
-                    f"{low} .. {high}",
-                    "inside" if inside else "outside",
-                ]
-            )
-        lines += table(
-            ["Eq. 2", "Eq. 3", "our fit", f"{100 * fit['level']:g} % interval", "the paper's is"],
-            rows,
-        )
-        lines.append(
-            f"RMS of the runs against their fit: {100 * report['rms_relative']:.1f} % (paper "
-            "about 9 %), "
-            f"{report['n']} conditions"
-        )
-        law = {name: report[name] for name in PAPER}
-        rows = []
-        for kappa2 in (2.0, 50.0, 150.0, 365.0, 633.0):
-            ours, paper = plot_fit.static_part(law, kappa2), plot_fit.static_part(PAPER, kappa2)
-            error = float(plot_fit.static_error(law, report["covariance"], np.array([kappa2]))[0])
-            rows.append(
-                [
-                    f"kappa2 = {kappa2:g}",
-                    f"{paper:.3f}",
-                    f"{ours:.3f} +- {error:.3f}",
-                    percent(ours, paper),
-                ]
-            )
-        lines += ["", *table(["mu for v -> 0 (Fig. 8)", "Eq. 5", "our fit", ""], rows)]
-    else:
-        lines.append(f"No law fitted: {report['reason']}")
-    if "fit" in body and "kappa3" in body["fit"]:
-        lines.append(
-            f"the law at kappa3 = {body['fit']['kappa3']:g}; it goes with "
-            f"(kappa3/{body['fit']['kappa3']:g})^n"
-        )
-    against = body["against_eq2"]
-    lines.append(
-        f"RMS of our runs against the paper's law: {100 * against['rms_relative']:.1f} %, mean "
-        f"{100 * against['mean']:+.1f} % ({against['n']} conditions)"
-    )
-    for model in body["models"]:
-        aicc = "-" if (delta := model.get("delta_aicc")) is None else f"{delta:+.1f}"
-        lines.append(
-            f"  {model['model']:15} "
-            + (
-                f"RMS {100 * model['rms_relative']:.1f} %, AICc {aicc}"
-                if "rms_relative" in model
-                else model["why_not"]
-            )
-        )
-    return lines
-
-
 def steel(report: dict[str, Any], picture: str) -> list[str]:
     """mu of one material against velocity (m/s) and pressure (MPa), and its law."""
     series.draw(report, picture)
     return law_lines(report)
-
-
-def kappa3(report: dict[str, Any], picture: str) -> list[str]:
-    """mu over Eq. 2 with the paper's numbers against kappa3 = E/sigma_0, a power law through it;
-    and wr_fit's own fit."""
-    points = report["report"]["conditions"]
-    x, mu, error, paper = (
-        np.array([p[key] for p in points]) for key in ("kappa3", "mu", "mu_se", "mu_eq2")
-    )
-    reach = error * np.array([p.get("t95", NORMAL) for p in points])
-    if len(x) < 3 or min(x) == max(x):
-        raise Missing(f"{len(x)} conditions of {len(set(x))} different kappa3: 3 of 2 are needed")
-    factor, n, factor_error, n_error = power_law(x / STEEL, mu / paper, error / mu)
-    figure, axes = pyplot.subplots(figsize=(7, 4.4), constrained_layout=True)
-    axes.errorbar(
-        x,
-        mu / paper,
-        yerr=reach / paper,
-        fmt="o",
-        ms=4,
-        lw=1,
-        capsize=2,
-        label="our runs, replicas as one point, 95 %",
-    )
-    line = np.geomspace(0.9 * min(x), 1.1 * max(x), 50)
-    axes.plot(
-        line,
-        factor * (line / STEEL) ** n,
-        "C1",
-        lw=2,
-        label=f"{factor:.2f} ($\\kappa_3$/{STEEL:g})$^{{{n:.2f}}}$",
-    )
-    axes.axhline(1, color="k", ls="--", lw=1, label="Eq. 2")
-    axes.set(
-        xscale="log",
-        yscale="log",
-        xlabel="$\\kappa_3 = E/\\sigma_0$",
-        ylabel="$\\mu/\\mu$(Eq. 2)",
-        ylim=(0.25, 4),
-    )
-    axes.set_xticks([500, 1000, 2000, 4000], ["500", "1000", "2000", "4000"])
-    axes.set_yticks([0.3, 0.5, 1, 2, 3], ["0.3", "0.5", "1", "2", "3"])
-    axes.grid(alpha=0.3)
-    axes.legend(fontsize=9)
-    save_figure(figure, picture)
-    rms = [
-        100 * math.sqrt(np.mean((mu / (paper * f) - 1) ** 2))
-        for f in (1, factor * (x / STEEL) ** n)
-    ]
-    lines = [
-        f"mu/mu(Eq. 2) = A (kappa3/{STEEL:g})^n: A = {factor:.3f} +- {factor_error:.3f}, n = "
-        f"{n:.3f} +- {n_error:.3f} (paper: 1 and 0)",
-        f"RMS of our runs against Eq. 2 with the paper's numbers {rms[0]:.1f} %, against this "
-        f"{rms[1]:.1f} % ({len(points)} conditions)",
-        "",
-    ]
-    return lines + law_lines(report)
 
 
 # dots: collapse, convergence ----------------------------------------------------------------------
@@ -270,8 +152,8 @@ def collapse(report: dict[str, Any], picture: str) -> list[str]:
 
 def similar(report: dict[str, Any], picture: str) -> list[str]:
     """The same over those of similar stress-strain diagrams: the runs of the plan similar, s05, and
-    those of equal-kappas that have the diagram of c01. Then the plan's conditions of paper36 with
-    such diagrams, r09, beside the same with the strains of the paper, p09.
+    those of equal-kappas that have the diagram of c01. Then the plan's conditions of paper36, r09,
+    beside the runs of paper36, which have the strains of the paper.
     """
     points = report["report"]["points"]
     equal = [
@@ -284,15 +166,16 @@ def similar(report: dict[str, Any], picture: str) -> list[str]:
 
 
 def beside_eq2(points: list[dict[str, Any]]) -> list[str]:
-    """mu of the conditions r09 and p09, means over their seeds, beside Eq. 2; nothing for none."""
-    found = groups(points, lambda p: run_name(p).split("-seed")[0])
+    """mu of the conditions r09 of similar, and of the same of paper36, means over their seeds,
+    beside Eq. 2; nothing for none."""
+    found = groups(points, lambda p: (plan_name(p), run_name(p).split("-seed")[0]))
     rows: list[list[str]] = []
-    ratios: dict[str, list[float]] = {"similar diagrams": [], "strains of the paper": []}
-    for name in [name for name in found if name.startswith("r")]:
-        first = found[name][0]
+    ratios: dict[str, list[float]] = {"strains of the paper": [], "similar diagrams": []}
+    for name in [name for plan, name in found if plan == "similar" and name.startswith("r")]:
+        first = found["similar", name][0]
         cells = []
-        for members, over in zip((found.get("p" + name[1:]), found[name]), reversed(ratios)):
-            if members is None:
+        for plan, over in zip(("paper36", "similar"), ratios):
+            if (members := found.get((plan, name))) is None:
                 cells += ["", ""]
                 continue
             mu, error = mean_of(members)
@@ -315,7 +198,7 @@ def beside_eq2(points: list[dict[str, Any]]) -> list[str]:
     errors = [
         f"RMS from Eq. 2, {over}: {100 * math.sqrt(np.mean((np.array(r) - 1) ** 2)):.1f} % "
         f"({len(r)} conditions)"
-        for over, r in reversed(ratios.items())
+        for over, r in ratios.items()
         if r
     ]
     return ["", "beside Eq. 2; E/sigma_0 over that of c01", *table(head, rows), *errors]
@@ -462,17 +345,11 @@ FIGURES = {
     "collapse": Figure(f"Equal kappa1 and kappa2, {LATER}", ["equal-kappas"], collapse, LATE),
     "similar": Figure(
         f"Equal kappa1 and kappa2 with similar stress-strain diagrams, {LATER}",
-        ["similar", "equal-kappas"],
+        ["similar", "equal-kappas", "paper36"],
         similar,
         LATE,
     ),
     "fig7": Figure(f"Figs. 7 and 8: the law, {FROM}", ["paper36"], fig7, START),
-    "materials": Figure(
-        f"Conditions of many materials, two sets of laws beside Eq. 2, {FROM}",
-        ["paper36", "paper36-d"],
-        materials.materials,
-        START,
-    ),
     "steel": Figure(
         f"The law of one material, E = 206 GPa and sigma_0 = 92 MPa, {LATER}",
         ["velocity", "pressure"],
@@ -482,8 +359,8 @@ FIGURES = {
     "kappa3": Figure(
         f"The law with a third number, kappa3 = E/sigma_0, {FROM}",
         ["paper36"],
-        kappa3,
-        ["--model", "velocity_kappa3", "--kappa3", str(STEEL), *START],
+        materials.kappa3,
+        ["--model", "eq2_kappa3", "--kappa3", str(STEEL), *START],
     ),
     "temperature": Figure(
         f"Friction of a rail steel (MPa, GPa) against temperature, {FROM}",
@@ -504,7 +381,7 @@ FIGURES = {
         locomotive_runs.FIT + ["--model", locomotive_runs.MODELS[0]],
     ),
     "space": Figure(
-        "Friction in three dimensions and in the plane, from 50 ns on",
+        "Friction in three dimensions (preset c) and in the plane (preset d), from 50 ns on",
         ["space", "paper36"],
         three.space,
         ["--start", "50"],

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""Conditions of many materials: preset d beside preset c and the paper's law."""
+"""Conditions of many materials beside the paper's law, and what they have over it."""
 
 import math
 from typing import Any
@@ -8,52 +8,59 @@ import numpy as np
 from matplotlib import pyplot
 
 from mcawr.files import save_figure
-from mcawr.replicas import NORMAL, groups, mean_of
+from mcawr.replicas import NORMAL
 
-from .common import STEEL, Missing, percent, plan_name, power_law, run_name, table, with_own_errors
+from .common import STEEL, Missing, power_law, run_name, table
+from .law_lines import law_lines
 
-OLD, NEW = "paper36", "paper36-d"  # plans of the same conditions
-PRESETS = {OLD: "preset c", NEW: "preset d"}
 FAST = 4.0  # m/s
 
 
-def over_eq2(members: list[dict[str, Any]]) -> tuple[float, float]:
-    """(mu over Eq. 2, its standard error), means over the seeds."""
-    mu, error = mean_of(members)
-    return mu / members[0]["mu_eq2"], error / members[0]["mu_eq2"]
-
-
-def summary(first: list[dict[str, Any]], ratios: list[tuple[float, float]]) -> list[str]:
-    """RMS from Eq. 2 and mean, the RMS of the fast ones, the exponent in E/sigma_0."""
-    over, errors = (np.array(column) for column in zip(*ratios))
-    fast = np.array([p["velocity"] >= FAST for p in first])
-    cells = [
-        f"{100 * math.sqrt(np.mean((over - 1) ** 2)):.1f} %",
-        f"{100 * math.sqrt(np.mean(errors**2)):.1f} %",
-        percent(float(np.mean(over)), 1),
-        f"{100 * math.sqrt(np.mean((over[fast] - 1) ** 2)):.1f} %" if any(fast) else "-",
-    ]
-    kappa3 = np.array([p["kappa3"] for p in first])
-    if len(over) > 2 and len(set(kappa3)) > 1:
-        _, n, _, n_error = power_law(kappa3 / STEEL, over, errors / over)
-        return [*cells, f"{n:+.2f} +- {n_error:.2f}"]
-    return [*cells, "-"]
-
-
-def materials(report: dict[str, Any], picture: str) -> list[str]:
-    """mu over Eq. 2 at the conditions that ran with both sets of laws."""
-    # what seeds differ by follows from those of one set of laws
-    of_plan = groups(with_own_errors(report["report"]["points"]), plan_name)
-    by_condition = {
-        plan: groups(of_plan.get(plan, []), lambda point: run_name(point).split("-seed")[0])
-        for plan in PRESETS
+def kappa3(report: dict[str, Any], picture: str) -> list[str]:
+    """mu over Eq. 2 with the paper's numbers against kappa3 = E/sigma_0, a power law through it;
+    each condition; wr_fit's own fit."""
+    logs, points = (report["report"][key] for key in ("points", "conditions"))
+    x, mu, error, paper = (
+        np.array([p[key] for p in points]) for key in ("kappa3", "mu", "mu_se", "mu_eq2")
+    )
+    if len(x) < 3 or min(x) == max(x):
+        raise Missing(f"{len(x)} conditions of {len(set(x))} different kappa3: 3 of 2 are needed")
+    factor, n, factor_error, n_error = power_law(x / STEEL, mu / paper, error / mu)
+    draw(points, (factor, n), picture)
+    over = mu / paper
+    fast = np.array([p["velocity"] >= FAST for p in points])
+    parts = {
+        "all": over,
+        f"from {FAST:g} m/s on": over[fast],
+        "slower": over[~fast],
+        "all, over the power law": over / (factor * (x / STEEL) ** n),
     }
-    names = [name for name in by_condition[OLD] if name in by_condition[NEW]]
-    if not names:
-        raise Missing(f"no condition of {NEW} is one of {OLD}")
-    first = [by_condition[NEW][name][0] for name in names]
-    ratios = {plan: [over_eq2(by_condition[plan][name]) for name in names] for plan in PRESETS}
-    draw(first, ratios, picture)
+    lines = [
+        f"mu/mu(Eq. 2) = A (kappa3/{STEEL:g})^n: A = {factor:.3f} +- {factor_error:.3f}, n = "
+        f"{n:.3f} +- {n_error:.3f} (paper: 1 and 0)",
+        *table(
+            ["our runs over Eq. 2 with the paper's numbers", "conditions", "RMS from 1", "mean"],
+            [
+                [name, str(len(part)), f"{rms_from_one(part):.1f} %", f"{np.mean(part):.3f}"]
+                for name, part in parts.items()
+                if len(part)
+            ],
+        ),
+        f"errors of the means, RMS: {100 * math.sqrt(np.mean((error / paper) ** 2)):.1f} %",
+        "",
+        *conditions([run_name(logs[p["runs"][0]]).split("-seed")[0] for p in points], points),
+        "",
+    ]
+    return lines + law_lines(report)
+
+
+def rms_from_one(over: Any) -> float:
+    """RMS distance from 1, in %."""
+    return 100 * math.sqrt(np.mean((over - 1) ** 2))
+
+
+def conditions(names: list[str], points: list[dict[str, Any]]) -> list[str]:
+    """Lines of a table: each condition, and mu over Eq. 2."""
     rows = [
         [
             name,
@@ -63,49 +70,49 @@ def materials(report: dict[str, Any], picture: str) -> list[str]:
             f"{p['velocity']:g}",
             f"{p['kappa1']:.3g}",
             f"{p['kappa2']:.3g}",
+            f"{p['mu']:.3f} +- {p['mu_se']:.3f}",
             f"{p['mu_eq2']:.3f}",
-            *("{:.2f} +- {:.2f}".format(*ratios[plan][k]) for plan in PRESETS),
+            f"{p['mu'] / p['mu_eq2']:.2f}",
         ]
-        for k, (name, p) in enumerate(zip(names, first))
+        for name, p in sorted(zip(names, points), key=lambda pair: pair[0])
     ]
-    head = ["mu over Eq. 2", "MPa", "E/sigma_0", "p", "v", "kappa1", "kappa2", "Eq. 2"]
-    lines = table([*head, *PRESETS.values()], rows)
-    lines += ["", f"{len(names)} conditions; E/sigma_0 over that of 92 MPa and 206 GPa"]
-    return lines + table(
-        [
-            "",
-            "RMS from Eq. 2",
-            "of it errors",
-            "mean",
-            f"RMS from {FAST:g} m/s on",
-            "n of (E/s0)^n",
-        ],
-        [[PRESETS[plan], *summary(first, ratios[plan])] for plan in PRESETS],
-    )
+    head = ["", "MPa", "E/sigma_0", "p", "v", "kappa1", "kappa2", "mu", "Eq. 2", "over it"]
+    return ["E/sigma_0 over that of 92 MPa and 206 GPa", *table(head, rows)]
 
 
-def draw(
-    first: list[dict[str, Any]], ratios: dict[str, list[tuple[float, float]]], picture: str
-) -> None:
-    """mu over Eq. 2 against E/sigma_0, both sets of laws."""
+def draw(points: list[dict[str, Any]], law: tuple[float, float], picture: str) -> None:
+    """mu over Eq. 2 against E/sigma_0, fast conditions apart from slow ones, and A (E/sigma_0)^n,
+    law = (A, n)."""
     figure, axes = pyplot.subplots(figsize=(7, 4.4), constrained_layout=True)
-    x = np.array([p["kappa3"] for p in first])
-    for plan, color, fill, shift in ((OLD, "0.5", "none", 0.985), (NEW, "C0", None, 1.015)):
-        over, errors = (np.array(column) for column in zip(*ratios[plan]))
+    for fast, name, color in (
+        (True, f"{FAST:g} m/s and more, 95 %", "C0"),
+        (False, "slower", "C3"),
+    ):
+        part = [p for p in points if (p["velocity"] >= FAST) == fast]
         axes.errorbar(
-            shift * x,
-            over,
-            yerr=NORMAL * errors,
-            fmt="o",
+            [p["kappa3"] for p in part],
+            [p["mu"] / p["mu_eq2"] for p in part],
+            yerr=[p["mu_se"] * p.get("t95", NORMAL) / p["mu_eq2"] for p in part],
+            fmt="o" if fast else "s",
             color=color,
-            mfc=fill,
+            mfc=None if fast else "none",
             ms=4,
             lw=1,
             capsize=2,
-            label=PRESETS[plan],
+            label=name,
         )
+    x = [p["kappa3"] for p in points]
+    line = np.geomspace(0.9 * min(x), 1.1 * max(x), 50)
+    factor, n = law
+    label = f"{factor:.2f} ($\\kappa_3$/{STEEL:g})$^{{{n:.2f}}}$"
+    axes.plot(line, factor * (line / STEEL) ** n, "C1", lw=2, label=label)
     axes.axhline(1, color="k", ls="--", lw=1, label="Eq. 2")
-    axes.set(xscale="log", xlabel="$E/\\sigma_0$", ylabel="$\\mu/\\mu$(Eq. 2)")
+    axes.set(
+        xscale="log",
+        xlabel="$\\kappa_3 = E/\\sigma_0$",
+        ylabel="$\\mu/\\mu$(Eq. 2)",
+        ylim=(0, None),
+    )
     axes.set_xticks([500, 1000, 2000, 4000], ["500", "1000", "2000", "4000"])
     axes.grid(alpha=0.3)
     axes.legend(fontsize=9)

@@ -19,8 +19,9 @@ from mcawr.friction_log import CHECK, Text
 ROOT = Path(__file__).resolve().parents[2]
 BIN = Path(os.environ["WHEELRAIL_BIN"]) / "wr_fit"
 LOGS = ROOT / "examples" / "campaign" / "logs"
-# plans whose runs differ in the seed and slide 250 nm after the first 250 nm; averages from (ns)
-PLANS = {"paper36": 50, "own-material": 50, "velocity": 0, "pressure": 0}
+# plans whose runs slide 250 nm after the first 250 nm, and differ in the seed; averages from (ns)
+SEEDS = {"own-material": 50, "temperature": 50, "velocity": 0, "pressure": 0, "similar": 0}
+PARTS = {**SEEDS, "paper36": 50}
 
 
 def rows_of(tmp_path, *words):
@@ -53,7 +54,7 @@ def beyond(values):
 
 def test_seeds_differ_by_their_errors(tmp_path):
     differences, own = [], []
-    for plan, start in PLANS.items():
+    for plan, start in SEEDS.items():
         rows = rows_of(
             tmp_path, LOGS / f"{plan}.tar.xz", "--start", str(start), "--start-distance", "250"
         )
@@ -64,20 +65,20 @@ def test_seeds_differ_by_their_errors(tmp_path):
             for a, b in itertools.combinations(seeds, 2):
                 differences.append(difference(a, b, "mu_se"))
                 own.append(difference(a, b, "mu_se_own"))
-    assert len(differences) == 57
-    # the root mean square of 57 normal numbers scatters by 9 %, the 5 % beyond by 3
+    assert len(differences) == 47
+    # the root mean square of 47 normal numbers scatters by 10 %, the 5 % beyond by 3
     assert rms(differences) == pytest.approx(1, abs=0.15)
     assert beyond(differences) < 0.1
     assert rms(own) > 1.15  # what a run knows of itself is not all
 
 
-@pytest.mark.parametrize("parts", [2, 4])
-def test_parts_of_a_run_differ_by_their_own_errors(tmp_path, parts):
+@pytest.mark.parametrize(("parts", "beyond_errors"), [(2, 1.3), (4, 1.15)])
+def test_parts_of_a_run_differ_by_their_own_errors(tmp_path, parts, beyond_errors):
     """Neighbouring halves and quarters of what is averaged: the slow times within a run are in its
-    error, however short it is."""
+    error, however short it is; but for states that outlive a part, which doc/wr_fit.md tells."""
     cut = tmp_path / "cut"
     cut.mkdir()
-    for plan, start in PLANS.items():
+    for plan, start in PARTS.items():
         path = LOGS / f"{plan}.tar.xz"
         for name, content in archive.unpack(str(path), path.read_bytes()).items():
             if not name.endswith(".friction"):
@@ -102,5 +103,5 @@ def test_parts_of_a_run_differ_by_their_own_errors(tmp_path, parts):
     ]
     differences = [difference(a, b, "mu_se_own") for a, b in pairs]
     assert len(differences) > 110
-    assert rms(differences) == pytest.approx(1, abs=0.15)
-    assert beyond(differences) < 0.1
+    assert 0.85 < rms(differences) < beyond_errors
+    assert beyond(differences) < 0.15

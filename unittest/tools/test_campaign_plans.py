@@ -349,9 +349,8 @@ def test_plans_on_the_pages_are_plans(tmp_path, page, runs):
 
 SHIPPED = {
     "paper36": 72,
-    "paper36-d": 72,
     "equal-kappas": 20,
-    "similar": 30,
+    "similar": 24,
     "velocity": 16,
     "pressure": 16,
     "viscosity": 2,
@@ -382,7 +381,7 @@ def test_shipped_plans(name, least):
     assert campaign("list", name).returncode == 0
 
 
-PAPER = ["paper36", "paper36-d", "equal-kappas", "similar", "velocity", "pressure"]
+PAPER = ["paper36", "equal-kappas", "similar", "velocity", "pressure"]
 
 
 @pytest.mark.parametrize("name", [*PAPER, "viscosity", "roughness", "own-material"])
