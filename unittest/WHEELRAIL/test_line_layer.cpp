@@ -135,6 +135,23 @@ TEST(LineLayer, FlowsAtItsYieldStress)
   EXPECT_EQ(curves.points[0].muMean, 0.5);
 }
 
+TEST(LineLayer, AveragedHeatIsOfWhatTheLayerCarries)
+{
+  // where all slides the mean temperature goes like the traction, which the yield stress bounds
+  const std::string text = case_text::table2 +
+                           "friction: {law: constant, mu: 0.3}\nthermal: {model: averaged}\n"
+                           "speed: 20 m/s\ncells: 512\ncreep: 0.05\n"
+                           "layer: {thickness: 1e-9 mm, shear_modulus: 82 GPa";
+  for (const std::string mode : {"", "mode: moving\nmoving: {passes: 8}\n"}) {
+    const CurvePoint free = solved(text + "}\n" + mode).points[0];
+    const CurvePoint bound = solved(text + ", yield_stress: 50 MPa}\n" + mode).points[0];
+    EXPECT_LT(bound.tractionRatio, 0.5 * free.tractionRatio) << mode;
+    EXPECT_NEAR(bound.temperatureRise / free.temperatureRise,
+                bound.tractionRatio / free.tractionRatio, 1e-3)
+        << mode;
+  }
+}
+
 TEST(LineLayer, SmoothMovingContactComesToTheSteadyState)
 {
   // the leading edge of a moving contact is that of a cell: of its first order

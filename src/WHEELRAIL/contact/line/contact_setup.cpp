@@ -14,6 +14,11 @@ Vector ContactSetup::bound(const Vector &mu, const Vector &pressure) const
   return mu.cwiseProduct(pressure).cwiseMin(yieldStress) / hertz.modulus;
 }
 
+double ContactSetup::meanFriction(const Vector &mu, const Vector &pressure) const
+{
+  return bound(mu, pressure).sum() * hertz.modulus / pressure.sum();
+}
+
 Vector ContactSetup::gap(int travel) const
 {
   const Vector &roughness = surface.roughness;

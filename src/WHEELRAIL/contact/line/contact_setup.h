@@ -46,6 +46,8 @@ struct ContactSetup {
   /// What friction, or the layer, carries of a traction: mu p, at most the yield stress; in E*.
   /// \param mu, pressure one value per cell; pressure in Pa
   Eigen::VectorXd bound(const Eigen::VectorXd &mu, const Eigen::VectorXd &pressure) const;
+  /// What is carried where all slides, over the load; as `bound`.
+  double meanFriction(const Eigen::VectorXd &mu, const Eigen::VectorXd &pressure) const;
   /// Undeformed gap in cells, the material moved on by `travel` cells (towards smaller x).
   Eigen::VectorXd gap(int travel = 0) const;
   /// Number of cells the material can travel.

@@ -80,6 +80,11 @@ Vector PatchContact::bound(const Vector &mu, const Vector &pressure) const
   return mu.cwiseProduct(pressure).cwiseMin(yieldStress);
 }
 
+double PatchContact::meanFriction(const Vector &mu, const Vector &pressure) const
+{
+  return bound(mu, pressure).sum() / pressure.sum();
+}
+
 Vector PatchContact::across(Vector mu) const
 {
   if (muFactor.size() > 0)

@@ -76,6 +76,8 @@ struct PatchContact {
                                const Travel &rail = {}) const;
   /// What friction, or the layer, carries of a traction: mu p, at most the yield stress; Pa.
   Eigen::VectorXd bound(const Eigen::VectorXd &mu, const Eigen::VectorXd &pressure) const;
+  /// What is carried where all slides, over the load; as `bound`.
+  double meanFriction(const Eigen::VectorXd &mu, const Eigen::VectorXd &pressure) const;
   /// Compliance of the leading edges under a pressure; empty where cells count as a whole.
   EdgeCompliance edge(const Eigen::VectorXd &pressure, const Eigen::VectorXd &gap) const;
   /// \param cell index in the grid; its centre decides

@@ -72,15 +72,6 @@ void FrozenCreep::roll(double creep)
   std::copy(result.state.begin(), result.state.end(), contact_.state.begin() + first);
 }
 
-double FrozenCreep::meanFriction() const
-{
-  const double carried =
-      std::isfinite(setup_.yieldStress)
-          ? setup_.bound(contact_.mu, contact_.pressure).sum() * setup_.hertz.modulus
-          : contact_.mu.dot(contact_.pressure);
-  return carried / contact_.pressure.sum();
-}
-
 Vector FrozenCreep::temperatureFrom(double speed, double creep)
 {
   const int n = setup_.cells;
@@ -93,7 +84,8 @@ Vector FrozenCreep::temperatureFrom(double speed, double creep)
     return flash_->rise(contact_.traction.cwiseProduct(contact_.slip) * speed);
   }
   const double powerOverLoad = physics_.thermal.model == ThermalModel::Averaged
-                                   ? meanFriction() * creep * speed
+                                   ? setup_.meanFriction(contact_.mu, contact_.pressure) * creep *
+                                         speed
                                    : frictionWork_ / setup_.hertz.load * speed;
   return Vector::Constant(n, meanTemperatureRise(powerOverLoad, setup_.hertz.hertzPressure,
                                                  setup_.hertz.halfWidth, speed,

@@ -68,8 +68,6 @@ class FrozenCreep {
  private:
   /// Traction, slip and state under the present friction and pressure; warm from the last ones.
   void roll(double creep);
-  /// What is carried where all slides over the load: the mean mu, less where a layer yields.
-  double meanFriction() const;
   /// T/N: sum of the traction over that of the pressure.
   double tractionRatio() const { return contact_.traction.sum() / contact_.pressure.sum(); }
   /// Rise per cell that the present traction causes, K.

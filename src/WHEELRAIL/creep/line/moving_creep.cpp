@@ -128,9 +128,7 @@ void MovingCreep::roll(Roller &roller, double speed, bool counted)
   LineValues step = lineValues(setup_, roller.result.force() / normal_.pressure.sum(),
                                roller.result.traction * setup_.hertz.modulus, p, roller.mu,
                                roller.temperature, roller.result.state);
-  roller.carried += std::isfinite(setup_.yieldStress)
-                        ? setup_.bound(roller.mu, p).sum() / normal_.pressure.sum()
-                        : step.muMean;
+  roller.carried += setup_.meanFriction(roller.mu, p);
   step.frictionWork = setup_.cellSize * setup_.hertz.modulus *
                       drivenWork(roller.result.traction, roller.creep, imposed);
   addValues(roller.pass, step);

@@ -268,17 +268,16 @@ PatchStep MovingPatch::roll(TransientPatch &transient, Temperature &heat, double
   const PatchSolution solved{
       contact_,         sums, result,      physics_.wear, load, normal_.approach, result.creepage,
       normal_.pressure, mu,   heat.values, speed};
-  static_cast<PatchValues &>(row) = patchValues(solved);
-  if (physics_.wear.kind != WearLaw::Kind::None && static_cast<int>(series().size()) >= discarded_)
-    worn_ += wornRows(solved);
+  const Vector worn = wornRows(solved);
+  static_cast<PatchValues &>(row) = patchValues(solved, worn);
+  if (worn.size() > 0 && static_cast<int>(series().size()) >= discarded_)
+    worn_ += worn;
   row.distance = distance;
   row.drivingPower = sums.drivingPower * speed;
-  const double friction =
-      std::isfinite(contact_.yieldStress) ? step.bound.sum() / normal_.pressure.sum() : row.muMean;
-  heat.powerOverLoad +=
-      (physics_.thermal.model == ThermalModel::Averaged ? friction * sliding
-                                                        : row.drivingPower / load) *
-      std::sqrt(load / contact_.load);
+  heat.powerOverLoad += (physics_.thermal.model == ThermalModel::Averaged
+                             ? contact_.meanFriction(mu, normal_.pressure) * sliding
+                             : row.drivingPower / load) *
+                        std::sqrt(load / contact_.load);
   fields_ = {result.state, normal_.gap, normal_.pressure, result.traction,
              result.slip,  mu,          heat.values};
   return row;

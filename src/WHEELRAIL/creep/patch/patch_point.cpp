@@ -139,14 +139,6 @@ void FrozenPatch::rollWarmOrCold(const PatchDrive &drive)
   products_ += result_.products + result_.coarseProducts;
 }
 
-double FrozenPatch::meanFriction() const
-{
-  const double carried = std::isfinite(contact_.yieldStress)
-                             ? contact_.bound(fields_.mu, fields_.pressure).sum()
-                             : fields_.mu.dot(fields_.pressure);
-  return carried / fields_.pressure.sum();
-}
-
 double FrozenPatch::slidingSpeed(double speed) const
 {
   return speed * rigidSlip(contact_.grid, fields_.pressure, creepage_);
@@ -168,7 +160,8 @@ Vector FrozenPatch::temperatureFrom(double speed)
     break;
   }
   const double powerOverLoad = thermal.model == ThermalModel::Averaged
-                                   ? meanFriction() * slidingSpeed(speed)
+                                   ? contact_.meanFriction(fields_.mu, fields_.pressure) *
+                                         slidingSpeed(speed)
                                    : sums().drivingPower * speed / contact_.load;
   return Vector::Constant(n, thermal.bulk + meanTemperatureRise(powerOverLoad, contact_.hertz,
                                                                 speed, thermal.material));

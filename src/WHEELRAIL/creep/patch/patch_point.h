@@ -130,8 +130,6 @@ class FrozenPatch {
   void renewPressure(const FrictionLaw &law);
   /// \param friction the law is at fault, or else the coupling of unlike bodies
   [[noreturn]] void failToSettle(double speed, int iterations, bool friction) const;
-  /// What is carried where all slides over the load: the mean mu, less where a layer yields.
-  double meanFriction() const;
   /// Root mean square of the rigid slip times the rolling speed, m/s.
   double slidingSpeed(double speed) const;
   /// Sums of the last solution, with what unlike bodies' pressure gives.

@@ -7,17 +7,6 @@
 #include <cmath>
 
 namespace wheelrail {
-namespace {
-
-void addWear(const PatchSolution &solved, PatchValues &values)
-{
-  for (const double depth : wornRows(solved)) {
-    values.wearVolume += depth * solved.contact.grid.dy;
-    values.wearDepth = std::max(values.wearDepth, depth);
-  }
-}
-
-} // namespace
 
 // While the contact rolls over a place, it lies under each cell for the way dx.
 Eigen::VectorXd wornRows(const PatchSolution &solved)
@@ -81,7 +70,7 @@ std::vector<Column<PatchValues>> patchValueColumns()
   return table;
 }
 
-PatchValues patchValues(const PatchSolution &solved)
+PatchValues patchValues(const PatchSolution &solved, const Eigen::VectorXd &worn)
 {
   const PatchSums &sums = solved.sums;
   PatchValues values;
@@ -103,7 +92,10 @@ PatchValues patchValues(const PatchSolution &solved)
       0.0 - (creep.xi * sums.forceX + creep.eta * sums.forceY + creep.phi * sums.momentZ);
   const TangentialField &q = solved.tangential.traction;
   values.peakTraction = std::sqrt((q.x.array().square() + q.y.array().square()).maxCoeff());
-  addWear(solved, values);
+  if (worn.size() > 0) {
+    values.wearVolume = worn.sum() * solved.contact.grid.dy;
+    values.wearDepth = worn.maxCoeff();
+  }
   return values;
 }
 

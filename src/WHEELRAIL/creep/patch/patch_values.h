@@ -48,7 +48,12 @@ struct PatchSolution {
 /// of the rail lies under all cells of its row, one after the other.
 Eigen::VectorXd wornRows(const PatchSolution &solved);
 /// The values of one solution.
-PatchValues patchValues(const PatchSolution &solved);
+/// \param worn its `wornRows`
+PatchValues patchValues(const PatchSolution &solved, const Eigen::VectorXd &worn);
+inline PatchValues patchValues(const PatchSolution &solved)
+{
+  return patchValues(solved, wornRows(solved));
+}
 
 } // namespace wheelrail
 #endif
