@@ -22,6 +22,7 @@ archives of them (*.tar.xz), as tools/campaign pack does. Then
   --model NAME   law to fit, a model of wr_fit (default: eq2)
   --kappa3 K     with a model that has a power of kappa3 = E/sigma_0: take the law for this one; 206
                  is that of the wheel's steel in table2.yaml, the logs need several materials
+  --ductility D  the same of the breaking strain times E/sigma_0
   --material FILE  potential file of the material that all logs are of: the law is one of it, with
                  --model bounded (bounded_...) or table
   --solid-only   leave out runs whose layer sank
@@ -49,7 +50,7 @@ campaigns=() fit_options=() picture_options=() or_shipped=false of_material=fals
 [ ! -f "$root/VERSION" ] || results=$PWD/creep # an installed tree
 while [ $# -gt 0 ]; do
   case $1 in
-    -o | --case | --start | --start-distance | --model | --kappa3 | --material | --measured)
+    -o | --case | --start | --start-distance | --model | --kappa3 | --ductility | --material | --measured)
       [ $# -ge 2 ] || die 2 "$1 needs a value; see --help"
       case $1 in
         -o) results=$2 ;;

@@ -33,8 +33,8 @@ constexpr const char *tableModel = "table"; ///< of a material, beside the model
 /// Options that say nothing of a measured series.
 constexpr std::array ofLogsOnly = {"--runs",           "--plot",       "--model",
                                    "--material",       "--solid-only", "--kappa3",
-                                   "--kappa2-min",     "--level",      "--include-drifting",
-                                   "--start-distance", "--grinding-in"};
+                                   "--ductility",      "--kappa2-min", "--level",
+                                   "--include-drifting", "--start-distance", "--grinding-in"};
 constexpr const char *examples = R"(
 Examples:
   wr_fit run.friction
@@ -57,6 +57,7 @@ Exit codes: 0 ok (too few conditions for a law included), 1 internal, 2 usage, 3
 
 struct Settings {
   std::vector<std::string> logs;
+  double kappa3 = 0.0, ductility = 0.0; ///< 0: not given
   std::string json, runs, plot, material;
   std::string model = nameOf(LawModel::Full);
   AveragingOptions averaging;
@@ -109,7 +110,8 @@ void defineOptions(CLI::App &app, Settings &settings)
   models.emplace_back(tableModel);
   app.add_option("--model", settings.model,
                  "law to fit: eq2, eq4 (no velocity term), velocity (no pressure term), constant, "
-                 "eq2_kappa3 and velocity_kappa3 (times a power of kappa3 = E/sigma_0); with "
+                 "eq2_kappa3 and velocity_kappa3 (times a power of kappa3 = E/sigma_0), "
+                 "eq2_ductility (times one of the breaking strain over sigma_0/E); with "
                  "--material also bounded, bounded_kappa3, bounded_rate, bounded_velocity, "
                  "bounded_eq4 and bounded_eq2 (by the shear strength) and table")
       ->check(CLI::IsMember(models))
@@ -122,9 +124,14 @@ void defineOptions(CLI::App &app, Settings &settings)
       ->type_name("FILE");
   app.add_flag("--solid-only", settings.fit.solidOnly,
                "leave out runs whose automata sank into each other");
-  app.add_option("--kappa3", settings.fit.kappa3,
+  app.add_option("--kappa3", settings.kappa3,
                  "with a power of kappa3: E/sigma_0 of the material that the law file is for "
                  "[geometric mean of the conditions]")
+      ->check(number(option_range::positive))
+      ->type_name("NUMBER");
+  app.add_option("--ductility", settings.ductility,
+                 "with a power of the ductility: breaking strain times E/sigma_0 of the material "
+                 "that the law file is for [geometric mean of the conditions]")
       ->check(number(option_range::positive))
       ->type_name("NUMBER");
   app.add_option("--kappa2-min", settings.fit.kappa2Min, "leave out runs with a smaller kappa2")
@@ -211,18 +218,15 @@ int run(const Settings &settings)
   if (measured > 0)
     throw Error(ExitCode::Usage, "LOG: measured series (*.csv) and friction logs do not go "
                                  "together: read them in two calls");
-  if (settings.fit.kappa3 > 0.0 && !hasKappa3(settings.fit.model))
-    throw Error(ExitCode::Usage,
-                fmt::format("--kappa3: goes with --model {}, {} or {}, not with {}",
-                            nameOf(LawModel::Kappa3), nameOf(LawModel::VelocityKappa3),
-                            nameOf(LawModel::BoundedKappa3), settings.model));
+  FitOptions options = settings.fit;
+  if (settings.kappa3 > 0.0)
+    takeReference(options, ThirdNumber::Kappa3, settings.kappa3, "--kappa3");
+  if (settings.ductility > 0.0)
+    takeReference(options, ThirdNumber::Ductility, settings.ductility, "--ductility");
   if (settings.fit.table && settings.isLevelGiven)
     throw Error(ExitCode::Usage, "--level: goes with a fitted law, not with --model table, which "
                                  "has standard errors");
-  if (settings.material.empty() && (settings.fit.table || isBounded(settings.fit.model)))
-    throw Error(
-        ExitCode::Usage,
-        fmt::format("--model {}: needs --material, whose strength it takes", settings.model));
+  checkMaterial(options, !settings.material.empty(), "--model " + settings.model, "--material");
   if (!settings.material.empty() && !settings.plot.empty())
     throw Error(ExitCode::Usage, "--plot: Figs. 7 and 8 are of Eq. 2, not of a --material");
   const auto logs = findFrictionLogs(settings.logs);
@@ -243,7 +247,6 @@ int run(const Settings &settings)
                 fmt::format("--plot {}: '{}' is not a picture, allowed: {}", settings.plot, ending,
                             fmt::join(pictureEndings, ", ")));
 
-  FitOptions options = settings.fit;
   if (!settings.material.empty())
     options.material = readPotentialFile(settings.material);
   const auto analysis = analyseRuns(runsOf(logs, settings.averaging), options);

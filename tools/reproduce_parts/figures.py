@@ -16,6 +16,7 @@ from mcawr.replicas import NORMAL, groups, half_width, mean_of
 
 from . import (
     ageing,
+    ductility,
     laws,
     layer,
     locomotive_runs,
@@ -265,7 +266,7 @@ SIZES = {
     "ductile-breaking_strain0.02": "breaks at 2 %",
     "ductile-breaking_strain0.1": "breaks at 10 %",
     "ductile-breaking_strain0.2": "breaks at 20 %",
-}  # of the plan convergence, in the order of figures
+}  # of the plans convergence and ductility, in the order of figures
 
 
 def base_of(size: str) -> str:
@@ -286,7 +287,7 @@ def convergence(report: dict[str, Any], picture: str) -> list[str]:
     for (strength, v), members in groups(points, lambda p: (p["strength"], p["velocity"])).items():
         sizes = groups(members, size_of)
         if strange := sizes.keys() - SIZES:
-            raise Missing(f"not of the plan convergence: {', '.join(sorted(strange))}")
+            raise Missing(f"of no plan: {', '.join(sorted(strange))}")
         for size in (size for size in SIZES if size in sizes):
             if base_of(size) not in sizes:
                 raise Missing(f"no run of the base size at {strength:g} MPa, {v:g} m/s")
@@ -362,6 +363,12 @@ FIGURES = {
         materials.kappa3,
         ["--model", "eq2_kappa3", "--kappa3", str(STEEL), *START],
     ),
+    "ductility": Figure(
+        f"mu and the ductility, breaking strain over sigma_0/E, {LATER}",
+        [*ductility.COLORS],
+        ductility.ductility,
+        ["--model", "eq2_ductility", "--ductility", f"{ductility.REFERENCE:g}", *LATE],
+    ),
     "temperature": Figure(
         f"Friction of a rail steel (MPa, GPa) against temperature, {FROM}",
         ["temperature"],
@@ -400,7 +407,7 @@ FIGURES = {
     ),
     "convergence": Figure(
         f"Size of the fragment, time step, Poisson's ratio, breaking strain, {LATER}",
-        ["convergence"],
+        ["convergence", "ductility"],
         convergence,
         LATE,
     ),

@@ -60,11 +60,10 @@ def law_lines(report: dict[str, Any]) -> list[str]:
         lines += ["", *table(["mu for v -> 0 (Fig. 8)", "Eq. 5", "our fit", ""], rows)]
     else:
         lines.append(f"No law fitted: {report['reason']}")
-    if "fit" in body and "kappa3" in body["fit"]:
-        lines.append(
-            f"the law at kappa3 = {body['fit']['kappa3']:g}; it goes with "
-            f"(kappa3/{body['fit']['kappa3']:g})^n"
-        )
+    for number in ("kappa3", "ductility"):
+        if number in body.get("fit", {}):
+            at = body["fit"][number]
+            lines.append(f"the law at {number} = {at:g}; it goes with ({number}/{at:g})^n")
     against = body["against_eq2"]
     lines.append(
         f"RMS of our runs against the paper's law: {100 * against['rms_relative']:.1f} %, mean "

@@ -80,6 +80,26 @@ TEST(LawFit, powerOfKappa3)
   EXPECT_NEAR(fitLaw(LawModel::Kappa3, means).reference / std::exp(mean), 1.0, 1e-12);
 }
 
+TEST(LawFit, powerOfTheDuctility)
+{
+  // kappa3 is another number, which plays no part
+  auto means = designWithKappa3();
+  for (auto &p : means)
+    p.ductility = 90.0 * p.kappa3 / 2000.0;
+  for (std::size_t i = 0; i < means.size(); ++i)
+    means[i].kappa3 = 500.0 + 100.0 * static_cast<double>(i);
+  const auto fit = fitLaw(LawModel::Ductility, means, 0.95, 90.0);
+  EXPECT_NEAR(fit.parameters[N], 0.3, 1e-6);
+  EXPECT_EQ(fit.reference, 90.0);
+  EXPECT_EQ(fit.law.ductility, 90.0);
+  EXPECT_FALSE(fit.law.kappa3);
+  EXPECT_LT(fit.law.rmsRelative, 1e-6);
+  EXPECT_GT(fitLaw(LawModel::Kappa3, means).law.rmsRelative, 0.05);
+  means[3].ductility = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_NE(obstacleTo(LawModel::Ductility, means).reason.find("breaking strain"),
+            std::string::npos);
+}
+
 TEST(LawFit, powerOfKappa3WithoutPressure)
 {
   auto means = designWithKappa3();

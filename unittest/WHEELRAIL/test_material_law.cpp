@@ -80,19 +80,19 @@ TEST(BoundedMu, IsEq2FarBelowTheLimitAndTheShearStrengthFarAboveIt)
 {
   const LawParameters x = someParameters();
   const double base = 0.15 + 0.0442 * 2.0 / (1.0 + 0.195 * 2.0) + 0.3243;
-  EXPECT_NEAR(boundedMu(x, {2.0, 0.0, 500.0}, 500.0), base, 1e-15);
+  EXPECT_NEAR(boundedMu(x, {2.0, 0.0, 500.0}, 1.0), base, 1e-15);
   // p/sigma_0 = 1000: mu p = 0.5 sigma_0 at rest
-  EXPECT_NEAR(boundedMu(x, {0.0, 5e5, 500.0}, 500.0), 0.5 / 1000.0, 1e-9);
+  EXPECT_NEAR(boundedMu(x, {0.0, 5e5, 500.0}, 1.0), 0.5 / 1000.0, 1e-9);
   const double moving = 0.5 + 0.2 * 2.0 / (1.0 + 0.7 * 2.0);
-  EXPECT_NEAR(boundedMu(x, {2.0, 5e5, 500.0}, 500.0), moving / 1000.0, 1e-9);
+  EXPECT_NEAR(boundedMu(x, {2.0, 5e5, 500.0}, 1.0), moving / 1000.0, 1e-9);
   // where both are equal: 2^(-1/q) of them
   LawParameters y = LawParameters::Zero();
   y[Mu0] = 0.4, y[S] = 0.4, y[Q] = 3.0;
-  EXPECT_NEAR(boundedMu(y, {0.0, 300.0, 300.0}, 1.0), 0.4 * std::pow(2.0, -1.0 / 3.0), 1e-15);
+  EXPECT_NEAR(boundedMu(y, {0.0, 300.0, 300.0}, 300.0), 0.4 * std::pow(2.0, -1.0 / 3.0), 1e-15);
   y[N] = 0.5;
-  EXPECT_NEAR(boundedMu(y, {0.0, 0.0, 400.0}, 100.0), 0.8, 1e-15);
+  EXPECT_NEAR(boundedMu(y, {0.0, 0.0, 400.0}, 4.0), 0.8, 1e-15);
   y[S] = 0.0; // no limit
-  EXPECT_NEAR(boundedMu(y, {0.0, 1e9, 400.0}, 100.0), 0.8, 1e-15);
+  EXPECT_NEAR(boundedMu(y, {0.0, 1e9, 400.0}, 4.0), 0.8, 1e-15);
 }
 
 TEST(BoundedMu, IsBelowBothSidesAndTheirOrderOfSizeWhateverTheSharpness)
@@ -103,7 +103,7 @@ TEST(BoundedMu, IsBelowBothSidesAndTheirOrderOfSizeWhateverTheSharpness)
     x[Q] = q;
     double last = 1.0;
     for (double ratio = 1e-6; ratio < 1e6; ratio *= 1.3) {
-      const double mu = boundedMu(x, {0.0, 200.0 * ratio, 200.0}, 1.0);
+      const double mu = boundedMu(x, {0.0, 200.0 * ratio, 200.0}, 200.0);
       const double least = std::min(0.4, 0.5 / ratio);
       EXPECT_LE(mu, least * (1.0 + 1e-15)) << q << " " << ratio;
       EXPECT_GE(mu, least * std::pow(2.0, -1.0 / q) * (1.0 - 1e-12)) << q << " " << ratio;
@@ -121,14 +121,14 @@ TEST(BoundedMu, GradientIsThatOfFiniteDifferences)
       x[S] = limit;
       const Kappas kappas = {1.5, kappa2, 229.0};
       LawParameters gradient;
-      boundedMu(x, kappas, 400.0, &gradient);
+      boundedMu(x, kappas, kappas.kappa3 / 400.0, &gradient);
       for (int k = 0; k < allParameters; ++k) {
         if (k == S && limit == 0.0)
           continue; // there is no law on the other side
         const double h = 1e-6 * std::abs(x[k]);
         LawParameters up = x, down = x;
         up[k] += h, down[k] -= h;
-        const double slope = (boundedMu(up, kappas, 400.0) - boundedMu(down, kappas, 400.0)) /
+        const double slope = (boundedMu(up, kappas, kappas.kappa3 / 400.0) - boundedMu(down, kappas, kappas.kappa3 / 400.0)) /
                              std::max(2.0 * h, 1e-300);
         EXPECT_NEAR(gradient[k], h > 0.0 ? slope : 0.0, 2e-8 * (1.0 + std::abs(slope)))
             << parameterNames[k] << " " << kappa2 << " " << limit;
@@ -542,7 +542,7 @@ std::vector<ConditionMean> railConditions(const LawParameters &truth, double ref
     law.material = material;
     const auto add = [&](double ratio, double speed) {
       const Kappas k = law.kappas(ratio * material.strengthAt(kelvin), speed, kelvin);
-      const double mu = boundedMu(truth, k, reference) * (1.0 + scatter * normal(generator));
+      const double mu = boundedMu(truth, k, k.kappa3 / reference) * (1.0 + scatter * normal(generator));
       means.push_back({k.kappa1, k.kappa2, mu, 0.0, k.kappa3});
     };
     for (const double ratio : {0.03, 0.1, 0.3, 0.7, 1.3, 2.6})

@@ -495,7 +495,8 @@ def test_fit_refuses(campaign, tmp_path):
     for words, options in {
         "model: 'eq7' is not allowed; constant, ": {"model": "eq7"},
         "level: '2' is not allowed, must be a number from 0.5": {"level": 2.0},
-        "kappa3: goes with the models": {"kappa3": 100.0},
+        "kappa3: goes with velocity_kappa3": {"kappa3": 100.0},
+        "ductility: goes with eq2_ductility": {"ductility": 90.0},
         "grinding_in: '0' is not allowed": {"grinding_in": 0.0},
         "level: goes with a fitted law": {"level": 0.9, "model": "table"},
     }.items():

@@ -356,7 +356,8 @@ SHIPPED = {
     "viscosity": 2,
     "roughness": 6,
     "smoke": 6,
-    "convergence": 64,
+    "convergence": 36,
+    "ductility": 28,
     "width": 84,
     "own-material": 10,
     "temperature": 15,
@@ -384,7 +385,7 @@ def test_shipped_plans(name, least):
 PAPER = ["paper36", "equal-kappas", "similar", "velocity", "pressure"]
 
 
-@pytest.mark.parametrize("name", [*PAPER, "viscosity", "roughness", "own-material"])
+@pytest.mark.parametrize("name", [*PAPER, "viscosity", "roughness", "own-material", "ductility"])
 def test_runs_slide_500_nm(name):
     for run in plans.read(plans.find(name)).runs:
         assert run.values["v"] * run.values["ns"] >= 499.9, run.name

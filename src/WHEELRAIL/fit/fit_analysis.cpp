@@ -79,7 +79,7 @@ void fitModel(FitAnalysis &analysis, const std::vector<ConditionMean> &used)
   const auto obstacle = obstacleTo(options.model, used);
   if (obstacle.reason.empty()) {
     try {
-      auto fit = fitLaw(options.model, used, options.level, options.kappa3);
+      auto fit = fitLaw(options.model, used, options.level, options.reference);
       analysis.whyNot = fit.notIdentifiable;
       if (fit.notIdentifiable.empty())
         analysis.fit = std::move(fit);
@@ -108,6 +108,35 @@ void fitTable(FitAnalysis &analysis)
 }
 
 } // namespace
+
+void checkMaterial(const FitOptions &options, bool hasMaterial, const std::string &model,
+                   const std::string &material)
+{
+  if (!hasMaterial && (options.table || isBounded(options.model)))
+    throw Error(ExitCode::Usage,
+                fmt::format("{}: needs {}, whose strength it takes", model, material));
+  if (hasMaterial && !options.table && thirdNumberOf(options.model) == ThirdNumber::Ductility)
+    throw Error(ExitCode::Usage,
+                fmt::format("{}: does not go with {}, which has one breaking strain: {} is the same",
+                            model, material, nameOf(LawModel::Kappa3)));
+}
+
+void takeReference(FitOptions &options, ThirdNumber number, double value, const std::string &option)
+{
+  std::vector<std::string> having;
+  const auto collect = [&](const auto &models) {
+    for (const LawModel model : models)
+      if (thirdNumberOf(model) == number)
+        having.emplace_back(nameOf(model));
+  };
+  collect(lawModels);
+  collect(boundedModels);
+  if (options.table || thirdNumberOf(options.model) != number)
+    throw Error(ExitCode::Usage,
+                fmt::format("{}: goes with {}, not with {}", option, fmt::join(having, ", "),
+                            options.table ? "table" : nameOf(options.model)));
+  options.reference = value;
+}
 
 std::vector<ConditionMean> FitAnalysis::fitted() const
 {
@@ -148,7 +177,7 @@ FitAnalysis analyseRuns(std::vector<FrictionRun> runs, const FitOptions &options
     entry.whyNot = obstacleTo(model, used).reason;
     if (entry.whyNot.empty()) {
       try {
-        entry.fit = fitLaw(model, used, 0.0, options.kappa3);
+        entry.fit = fitLaw(model, used, 0.0);
         entry.whyNot = entry.fit->notIdentifiable;
         if (!entry.whyNot.empty())
           entry.fit.reset();

@@ -21,7 +21,7 @@ struct FitOptions {
   /// What `fit` is; the comparison runs through all models.
   LawModel model = LawModel::Full;
   double level = 0.95;    ///< of the confidence intervals
-  double kappa3 = 0.0;    ///< reference of the model Kappa3; 0: geometric mean of the conditions
+  double reference = 0.0; ///< of a model with a power; 0: geometric mean of the conditions
   double kappa2Min = 2.0; ///< runs below are left out (the paper's rule)
   bool includeDrifting = false; ///< fit runs without a stationary part too
   bool solidOnly = false;       ///< leave out runs whose automata sank into each other
@@ -29,6 +29,18 @@ struct FitOptions {
   std::optional<SofteningMaterial> material;
   bool table = false; ///< with a material: the law is a table of all conditions, `model` unused
 };
+
+/// A bounded model and a table are of a material; a power of the ductility is not.
+/// \param hasMaterial one is given, read or not
+/// \param model, material as the user named them: "--model bounded", "--material"
+/// \throws Error (Usage) where they do not go together
+void checkMaterial(const FitOptions &options, bool hasMaterial, const std::string &model,
+                   const std::string &material);
+/// Takes the value of kappa3, or of the ductility, at which a law with its power is to hold.
+/// \param option as the user named it
+/// \throws Error (Usage) where the model of the options has no such power
+void takeReference(FitOptions &options, ThirdNumber number, double value,
+                   const std::string &option);
 
 /// One line of the model comparison.
 /// Compared by AICc over the same conditions: the smaller, the better.

@@ -30,7 +30,7 @@ void summarise(FitCondition &condition, const std::vector<FrictionRun> &runs)
   condition.scatter = condition.runs.size() > 1 ? std::sqrt(squares / (n - 1.0) / n)
                                                 : std::numeric_limits<double>::quiet_NaN();
   const double error = std::fmax(condition.ownError, condition.scatter); // passes over a nan
-  condition.mean = {first.kappa1, first.kappa2, mean, error, first.kappa3};
+  condition.mean = {first.kappa1, first.kappa2, mean, error, first.kappa3, first.ductility()};
 }
 
 } // namespace

@@ -202,7 +202,8 @@ std::string fitLines(const FitAnalysis &analysis)
   if (free[2])
     formula += " + mu2/(1 + c kappa2)";
   if (fit.reference > 0.0)
-    formula = fmt::format("[{}] (kappa3/{:.5g})^n", formula, fit.reference);
+    formula = fmt::format("[{}] ({}/{:.5g})^n", formula, nameOf(thirdNumberOf(fit.model)),
+                          fit.reference);
   if (free[S])
     formula = fmt::format("(B^-q + ({} sigma_0/p)^-q)^(-1/q), B = {}",
                           free[S1] ? "[s + s1 kappa1/(1 + d kappa1)]" : "s", formula);
@@ -327,7 +328,7 @@ Json fitJson(const FitAnalysis &analysis)
   json["model"] = nameOf(fit.model);
   json["level"] = analysis.options.level;
   if (fit.reference > 0.0)
-    json["kappa3"] = fit.reference;
+    json[nameOf(thirdNumberOf(fit.model))] = fit.reference;
   for (int k = 0; k < fitParameters; ++k) {
     if (!free[k])
       continue;
@@ -467,7 +468,8 @@ Json jsonReport(const FitAnalysis &analysis)
     law.source = sourceOf(analysis, nameOf(analysis.fit->model));
     law.fittedOn = fittedOn(analysis);
     if (analysis.fit->reference > 0.0)
-      law.source += fmt::format(" at kappa3 = {:.8g}", analysis.fit->reference);
+      law.source += fmt::format(" at {} = {:.8g}", nameOf(thirdNumberOf(analysis.fit->model)),
+                                analysis.fit->reference);
     json = toJson(law);
   } else {
     json["format"] = reportFormat;

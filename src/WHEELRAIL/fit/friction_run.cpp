@@ -90,6 +90,12 @@ void addNote(std::string &notes, const std::string &note)
 
 } // namespace
 
+double FrictionRun::ductility() const
+{
+  return head.breakingStrain > 0.0 ? head.breakingStrain * kappa3
+                                   : std::numeric_limits<double>::quiet_NaN();
+}
+
 FrictionRun frictionRun(const FrictionLog &log, const AveragingOptions &options)
 {
   FrictionRun run;

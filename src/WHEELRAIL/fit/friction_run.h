@@ -52,6 +52,8 @@ struct FrictionRun {
   double temperature = std::numeric_limits<double>::quiet_NaN();
   std::string leftOut; ///< why the run is not fitted; empty: it is
 
+  /// Breaking strain over sigma_0/E, a pure number; nan where the log does not tell it.
+  double ductility() const;
   double youngsModulus() const { return kappa3 * head.strength; } ///< MPa
   long seed() const { return static_cast<long>(head.seed); }
   /// Was a stationary part found?

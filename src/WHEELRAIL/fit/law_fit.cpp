@@ -32,19 +32,19 @@ VectorXd deviations(const std::vector<ConditionMean> &means, const VectorXd &fit
   return sigma;
 }
 
-VectorXd fittedMu(const VectorXd &x, const std::vector<ConditionMean> &means, double reference)
+VectorXd fittedMu(const VectorXd &x, const std::vector<ConditionMean> &means, const PowerOf &power)
 {
   VectorXd mu(means.size());
   for (size_t i = 0; i < means.size(); ++i)
-    mu[i] = modelMu(x, means[i], reference);
+    mu[i] = modelMu(x, means[i], power);
   return mu;
 }
 
-double geometricMean(const std::vector<ConditionMean> &means)
+double geometricMean(ThirdNumber number, const std::vector<ConditionMean> &means)
 {
   double sum = 0.0;
   for (const auto &mean : means)
-    sum += std::log(mean.kappa3);
+    sum += std::log(valueOf(number, mean));
   return std::exp(sum / static_cast<double>(means.size()));
 }
 
@@ -223,8 +223,14 @@ Obstacle obstacleTo(LawModel model, const std::vector<ConditionMean> &means)
     reason = look(S1, "kappa1", 3, [](const ConditionMean &mean) { return mean.kappa1; });
   if (reason.empty())
     reason = look(Mu2, "kappa2", 3, [](const ConditionMean &mean) { return mean.kappa2; });
+  const ThirdNumber third = thirdNumberOf(model);
+  const auto isUnknown = [third](const ConditionMean &mean) { return !(valueOf(third, mean) > 0.0); };
+  if (reason.empty() && std::any_of(means.begin(), means.end(), isUnknown))
+    reason = fmt::format("the {} of a condition is not known: its logs do not tell the breaking "
+                         "strain", nameOf(third));
   if (reason.empty())
-    reason = look(N, "kappa3", 2, [](const ConditionMean &mean) { return mean.kappa3; });
+    reason = look(N, nameOf(third), 2,
+                  [third](const ConditionMean &mean) { return valueOf(third, mean); });
   if (reason.empty())
     reason = look(S, "p/sigma_0", 3,
                   [](const ConditionMean &mean) { return mean.kappa2 / mean.kappa3; });
@@ -258,9 +264,9 @@ LawFit fitLaw(LawModel model, const std::vector<ConditionMean> &means, double le
   fit.model = model;
   fit.freedom = n - countParameters(model);
   if (!(reference >= 0.0 && std::isfinite(reference)))
-    throw std::invalid_argument("fitLaw: the reference of kappa3 is not finite or negative");
-  if (reference == 0.0)
-    reference = geometricMean(means);
+    throw std::invalid_argument("fitLaw: the reference is not finite or negative");
+  const ThirdNumber third = thirdNumberOf(model);
+  const PowerOf power = {third, reference == 0.0 ? geometricMean(third, means) : reference};
 
   // Weights depend on the fit and on the scatter, both on the weights: repeat until they agree. The
   // scatter is relative to the fitted mu, not to the measured one, so that a condition does not
@@ -275,7 +281,7 @@ LawFit fitLaw(LawModel model, const std::vector<ConditionMean> &means, double le
   constexpr double tolerance = 1e-7;
   for (int round = 0; round < mostRounds; ++round) {
     sigma = deviations(means, fitted, fit.scatter);
-    const LawProblem weighted(model, means, sigma, reference);
+    const LawProblem weighted(model, means, sigma, power);
     const auto problem = weighted.make();
     auto starts = weighted.starts(problem);
     if (round > 0)
@@ -285,7 +291,7 @@ LawFit fitLaw(LawModel model, const std::vector<ConditionMean> &means, double le
       throw Error(ExitCode::NotConverged, fmt::format("the fit of {} does not converge: {}",
                                                       nameOf(model), solution.message));
     const VectorXd before = fitted;
-    fitted = fittedMu(solution.x, means, reference);
+    fitted = fittedMu(solution.x, means, power);
     const double scatter = scatterFor(means, fitted, fit.freedom);
     const bool settled = std::abs(scatter - fit.scatter) <= tolerance * (scatter + leastScatter) &&
                          (fitted - before).norm() <= tolerance * fitted.norm();
@@ -296,11 +302,11 @@ LawFit fitLaw(LawModel model, const std::vector<ConditionMean> &means, double le
   // once more with the weights that belong to the last scatter: parameters, chi^2 and Jacobian
   // agree
   sigma = deviations(means, fitted, fit.scatter);
-  const LawProblem weighted(model, means, sigma, reference);
+  const LawProblem weighted(model, means, sigma, power);
   const auto problem = weighted.make();
   solution = solveLeastSquares(problem, {solution.x});
   setParameters(fit.law, solution.x);
-  fitted = fittedMu(solution.x, means, reference);
+  fitted = fittedMu(solution.x, means, power);
   fit.chiSquared = solution.sumOfSquares;
 
   for (int k = 0; k < fitParameters; ++k) {
@@ -321,15 +327,17 @@ LawFit fitLaw(LawModel model, const std::vector<ConditionMean> &means, double le
   fit.parameters = solution.x;
   fit.covariance = analyseJacobian(solution.jacobian, held).covariance;
   fit.law.covariance = fit.covariance.topLeftCorner<lawParameters, lawParameters>();
-  if (hasKappa3(model))
-    fit.reference = reference;
+  if (third != ThirdNumber::None)
+    fit.reference = power.reference;
   fit.law.n = n;
   fillResiduals(fit, means, fitted, sigma, solution.jacobian, fit.covariance);
   fit.law.kappa1Range = rangeOf(means, &ConditionMean::kappa1);
   fit.law.kappa2Range = rangeOf(means, &ConditionMean::kappa2);
   fit.law.kappa3Range = rangeOf(means, &ConditionMean::kappa3);
-  if (hasKappa3(model))
-    fit.law.kappa3 = reference;
+  if (third == ThirdNumber::Kappa3)
+    fit.law.kappa3 = power.reference;
+  if (third == ThirdNumber::Ductility)
+    fit.law.ductility = power.reference;
 
   const int k = countParameters(model) + 1; // and the scatter
   fit.aicc =

@@ -24,11 +24,11 @@ namespace wheelrail {
 /// it as free.
 struct LawFit {
   LawModel model = LawModel::Full;
-  KappaLaw law; ///< Eq. 2's parameters and what it was fitted on; with a power of kappa3: at the
-                ///< reference; without a bound
+  KappaLaw law; ///< Eq. 2's parameters and what it was fitted on; with a power of a third number:
+                ///< at the reference; without a bound
   LawParameters parameters = LawParameters::Zero();               ///< all of them
   Eigen::Matrix<double, allParameters, allParameters> covariance; ///< of all of them
-  double reference = 0.0;       ///< kappa3 at which the law holds; 0: at any
+  double reference = 0.0;       ///< third number at which the law holds; 0: it has none
   double scatter = 0.0;         ///< relative
   double chiSquared = 0.0;      ///< sum of the weighted squares
   int freedom = 0;              ///< conditions minus parameters
@@ -48,7 +48,7 @@ struct LawFit {
 constexpr double outlierLimit = 3.0;
 
 /// What keeps these conditions from being fitted with this model at all: too few of them, too few
-/// different kappa1, kappa2 or kappa3. Empty: nothing.
+/// different kappa1, kappa2 or third numbers. Empty: nothing.
 struct Obstacle {
   std::string reason;
   bool tooFew = false; ///< more conditions would help whatever they are
@@ -59,8 +59,8 @@ Obstacle obstacleTo(LawModel model, const std::vector<ConditionMean> &means);
 /// Weighted least squares with mu0, b, c >= 0, started from the best places of a grid over b and c
 /// with the linear parameters solved for.
 /// \param level of the confidence intervals, 0 < level < 1; 0: none are computed
-/// \param reference kappa3 > 0 at which the law is to hold where the model has a power of it;
-///        0: the geometric mean of the conditions
+/// \param reference third number > 0 at which the law is to hold, where the model has a power of
+///        one; 0: the geometric mean of the conditions
 /// \throws Error (NotConverged) if obstacleTo names an obstacle or the solver does not converge
 /// \throws std::invalid_argument for values that are not finite, negative kappas, negative errors
 LawFit fitLaw(LawModel model, const std::vector<ConditionMean> &means, double level = 0.95,

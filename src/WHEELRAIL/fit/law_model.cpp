@@ -25,6 +25,7 @@ const ModelRow &rowOf(LawModel model)
       {LawModel::VelocityKappa3, "velocity_kappa3", {Mu0, Mu1, B, N}},
       {LawModel::Full, "eq2", {Mu0, Mu1, Mu2, B, C}},
       {LawModel::Kappa3, "eq2_kappa3", {Mu0, Mu1, Mu2, B, C, N}},
+      {LawModel::Ductility, "eq2_ductility", {Mu0, Mu1, Mu2, B, C, N}},
       {LawModel::Bounded, "bounded", {Mu0, S, Q}},
       {LawModel::BoundedKappa3, "bounded_kappa3", {Mu0, N, S, Q}},
       {LawModel::BoundedRate, "bounded_rate", {Mu0, S, Q, S1, D}},
@@ -50,9 +51,23 @@ std::array<bool, fitParameters> parametersOf(LawModel model)
   return free;
 }
 
-bool hasKappa3(LawModel model)
+ThirdNumber thirdNumberOf(LawModel model)
 {
-  return parametersOf(model)[N];
+  if (!parametersOf(model)[N])
+    return ThirdNumber::None;
+  return model == LawModel::Ductility ? ThirdNumber::Ductility : ThirdNumber::Kappa3;
+}
+
+const char *nameOf(ThirdNumber number)
+{
+  return number == ThirdNumber::Ductility ? "ductility" : "kappa3";
+}
+
+double valueOf(ThirdNumber number, const ConditionMean &mean)
+{
+  if (number == ThirdNumber::None)
+    return 1.0;
+  return number == ThirdNumber::Ductility ? mean.ductility : mean.kappa3;
 }
 
 bool isBounded(LawModel model)

@@ -32,14 +32,14 @@ void setParameters(KappaLaw &law, const VectorXd &x)
   law.c = x[C];
 }
 
-double modelMu(const VectorXd &x, const ConditionMean &mean, double reference)
+double modelMu(const VectorXd &x, const ConditionMean &mean, const PowerOf &power)
 {
-  return boundedMu(x, {mean.kappa1, mean.kappa2, mean.kappa3}, reference);
+  return boundedMu(x, {mean.kappa1, mean.kappa2, mean.kappa3}, power.over(mean));
 }
 
 LawProblem::LawProblem(LawModel model, const std::vector<ConditionMean> &data, VectorXd deviations,
-                       double kappa3)
-    : means_(data), sigma_(std::move(deviations)), reference_(kappa3), free_(parametersOf(model))
+                       const PowerOf &power)
+    : means_(data), sigma_(std::move(deviations)), power_(power), free_(parametersOf(model))
 {
 }
 
@@ -181,7 +181,7 @@ void LawProblem::evaluate(const VectorXd &x, VectorXd &r, MatrixXd *jacobian) co
     const auto &mean = means_[i];
     const double weight = 1.0 / sigma_[i];
     LawParameters gradient;
-    const double mu = boundedMu(x, {mean.kappa1, mean.kappa2, mean.kappa3}, reference_,
+    const double mu = boundedMu(x, {mean.kappa1, mean.kappa2, mean.kappa3}, power_.over(mean),
                                 jacobian ? &gradient : nullptr);
     r[i] = weight * (mu - mean.mu);
     if (jacobian)

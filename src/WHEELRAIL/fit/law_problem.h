@@ -13,9 +13,17 @@ namespace wheelrail {
 /// Puts Eq. 2's parameters of a vector into a law; n, s and q are not part of it.
 void setParameters(KappaLaw &law, const Eigen::VectorXd &x);
 
-/// `boundedMu` of a condition, with the parameters x. reference > 0.
-/// \return mu, a pure number; with n = 0 the reference plays no part
-double modelMu(const Eigen::VectorXd &x, const ConditionMean &mean, double reference);
+/// What a model has a power of, and at which value, > 0, the power is 1.
+struct PowerOf {
+  ThirdNumber number = ThirdNumber::None;
+  double reference = 1.0;
+
+  double over(const ConditionMean &mean) const { return valueOf(number, mean) / reference; }
+};
+
+/// `boundedMu` of a condition, with the parameters x.
+/// \return mu, a pure number
+double modelMu(const Eigen::VectorXd &x, const ConditionMean &mean, const PowerOf &power);
 
 /// What a model fits, as a weighted least-squares problem in the `parameterNames`, with analytic
 /// derivatives. Bounds: mu0, b, c, s1, d >= 0; b, c, d at most a hundred times the inverse of the
@@ -25,10 +33,9 @@ double modelMu(const Eigen::VectorXd &x, const ConditionMean &mean, double refer
 class LawProblem {
  public:
   /// \param deviations standard deviation of each condition, > 0
-  /// \param kappa3 reference of a model with a power of kappa3, > 0
   /// The conditions must outlive the problem.
   LawProblem(LawModel model, const std::vector<ConditionMean> &data, Eigen::VectorXd deviations,
-             double kappa3);
+             const PowerOf &power);
 
   /// For solveLeastSquares; refers to *this.
   /// The object must outlive what it returns.
@@ -55,7 +62,7 @@ class LawProblem {
 
   const std::vector<ConditionMean> &means_;
   Eigen::VectorXd sigma_;
-  double reference_;
+  PowerOf power_;
   std::array<bool, fitParameters> free_;
 };
 

@@ -46,6 +46,10 @@ double youngsModulus(const P &run)
 {
   return run.youngsModulus();
 }
+double ductility(const P &run)
+{
+  return run.ductility();
+}
 double seed(const P &run)
 {
   return static_cast<double>(run.seed());
@@ -91,6 +95,7 @@ const std::vector<RunColumn> &runColumns()
       {"poissons_ratio", "1", ofHead<&Head::poissonsRatio>, last(8), InReport::No},
       {"density", "kg/m^3", ofHead<&Head::density>, last(8), InReport::No},
       {"breaking_strain", "1", ofHead<&Head::breakingStrain>, last(8), InReport::No},
+      {"ductility", "1", ductility, last(8), shared},
       {"temperature", "K", own<&P::temperature>, last(6), InReport::No},
       {"seed", "1", seed, second(wholeDigits), InReport::Runs, true},
       {"distance", "nm", ofHealth<&RunHealth::distance>, last(8)},

@@ -5,12 +5,12 @@
 
 namespace wheelrail {
 
-double boundedMu(const LawParameters &x, const Kappas &kappas, double reference,
+double boundedMu(const LawParameters &x, const Kappas &kappas, double third,
                  LawParameters *gradient)
 {
   const double g1 = 1.0 / (1.0 + x[B] * kappas.kappa1);
   const double g2 = 1.0 / (1.0 + x[C] * kappas.kappa2);
-  const double logarithm = std::log(kappas.kappa3 / reference);
+  const double logarithm = std::log(third);
   const double power = x[N] == 0.0 ? 1.0 : std::exp(x[N] * logarithm);
   const double base = power * (x[Mu0] + x[Mu1] * kappas.kappa1 * g1 + x[Mu2] * g2);
   if (gradient) {

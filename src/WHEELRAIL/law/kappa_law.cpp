@@ -26,6 +26,7 @@ const std::vector<std::string> lawKeys = {"format",
                                           "n",
                                           "rms_relative",
                                           "kappa3",
+                                          "ductility",
                                           "fitted_on",
                                           "source",
                                           "kappa1_range",
@@ -123,6 +124,8 @@ KappaLaw readKappaLaw(const std::string &path)
       *range = file.range(key);
   if (file.has("kappa3"))
     law.kappa3 = file.positive("kappa3");
+  if (file.has("ductility"))
+    law.ductility = file.positive("ductility");
   if (file.has("fitted_on"))
     law.fittedOn = file.ranges("fitted_on", {fittedQuantities.begin(), fittedQuantities.end()});
   law.source = file.has("source") ? file.string("source") : path;
@@ -159,6 +162,8 @@ nlohmann::ordered_json toJson(const KappaLaw &law)
       json[key] = **range;
   if (law.kappa3)
     json["kappa3"] = *law.kappa3;
+  if (law.ductility)
+    json["ductility"] = *law.ductility;
   for (const char *quantity : fittedQuantities)
     if (const auto found = law.fittedOn.find(quantity); found != law.fittedOn.end())
       json["fitted_on"][quantity] = found->second;

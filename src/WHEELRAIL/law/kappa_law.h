@@ -46,6 +46,8 @@ struct KappaLaw {
   /// The kappa3 that the law is for, where mu was found to depend on it; absent: mu was taken not
   /// to depend on it.
   std::optional<double> kappa3;
+  /// The ductility (breaking strain over sigma_0/E) that the law is for, likewise.
+  std::optional<double> ductility;
   /// Ranges of what the runs were made of, by the names in `fittedQuantities`; those that the
   /// source does not state are missing.
   std::map<std::string, Range> fittedOn;

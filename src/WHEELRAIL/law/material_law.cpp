@@ -213,7 +213,8 @@ double MaterialLaw::operator()(double pressure, double speed, double kelvin) con
 {
   if (table)
     return (*table)(pressure / material.strengthAt(kelvin), kelvin, std::abs(speed));
-  return boundedMu(parameters, kappas(pressure, speed, kelvin), kappa3);
+  const Kappas asked = kappas(pressure, speed, kelvin);
+  return boundedMu(parameters, asked, asked.kappa3 / kappa3);
 }
 
 bool MaterialLaw::dependsOnSpeed() const

@@ -132,9 +132,7 @@ void choose(const std::string &name, FitOptions &options)
   if (!known)
     throw Error(ExitCode::Usage,
                 fmt::format("model: '{}' is not allowed; {}", name, fmt::join(names, ", ")));
-  if (!options.material && (options.table || isBounded(options.model)))
-    throw Error(ExitCode::Usage,
-                fmt::format("model: {} needs a material, whose strength it takes", name));
+  checkMaterial(options, options.material.has_value(), "model " + name, "a material");
 }
 
 struct Fit {
@@ -183,11 +181,12 @@ struct Fit {
 };
 
 Fit fit(const py::object &logs, const std::string &model, const py::object &material,
-        bool solidOnly, const Number &kappa3, double kappa2Min, const Number &level,
-        bool includeDrifting, const Number &start, const Number &startDistance,
-        const Number &grindingIn)
+        bool solidOnly, const Number &kappa3, const Number &ductility, double kappa2Min,
+        const Number &level, bool includeDrifting, const Number &start,
+        const Number &startDistance, const Number &grindingIn)
 {
   requireAllowed("kappa3", kappa3, option_range::positive);
+  requireAllowed("ductility", ductility, option_range::positive);
   requireAllowed("kappa2_min", kappa2Min, option_range::notNegative);
   requireAllowed("level", level, option_range::level);
   requireAllowed("start", start, option_range::notNegative);
@@ -200,12 +199,10 @@ Fit fit(const py::object &logs, const std::string &model, const py::object &mate
   if (!material.is_none())
     options.material = readPotentialFile(pathOf(material));
   choose(model, options);
-  if (kappa3 && !hasKappa3(options.model))
-    throw Error(ExitCode::Usage,
-                fmt::format("kappa3: goes with the models {}, {} and {}, not with {}",
-                            nameOf(LawModel::Kappa3), nameOf(LawModel::VelocityKappa3),
-                            nameOf(LawModel::BoundedKappa3), model));
-  options.kappa3 = kappa3.value_or(0.0);
+  if (kappa3)
+    takeReference(options, ThirdNumber::Kappa3, *kappa3, "kappa3");
+  if (ductility)
+    takeReference(options, ThirdNumber::Ductility, *ductility, "ductility");
   options.solidOnly = solidOnly;
   options.kappa2Min = kappa2Min;
   options.level = level.value_or(options.level);
@@ -270,7 +267,7 @@ void addFit(py::module_ &module)
   module.def(
       "fit", &fit, py::arg("logs"), py::arg("model") = nameOf(LawModel::Full), py::kw_only(),
       py::arg("material") = py::none(), py::arg("solid_only") = false,
-      py::arg("kappa3") = py::none(), py::arg("kappa2_min") = FitOptions{}.kappa2Min,
+      py::arg("kappa3") = py::none(), py::arg("ductility") = py::none(), py::arg("kappa2_min") = FitOptions{}.kappa2Min,
       py::arg("level") = py::none(), py::arg("include_drifting") = false,
       py::arg("start") = py::none(), py::arg("start_distance") = py::none(),
       py::arg("grinding_in") = py::none(),

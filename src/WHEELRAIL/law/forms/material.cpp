@@ -78,7 +78,7 @@ Vector LawOfMaterial::mu(const FrictionState &state) const
     const double E = modulus_(rise);
     const Kappas kappas = {kappa1(law_.material.density, E, speed, sigma), kappa2(p, E, sigma),
                            E / sigma};
-    mu[i] = boundedMu(law_.parameters, kappas, law_.kappa3);
+    mu[i] = boundedMu(law_.parameters, kappas, kappas.kappa3 / law_.kappa3);
   }
   if (!(mu.array() > 0.0).all())
     throw Error(ExitCode::NotConverged,
