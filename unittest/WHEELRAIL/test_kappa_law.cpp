@@ -186,6 +186,10 @@ TEST(LawFile, saysWhatItWasFittedOn)
   law.kappa3 = 229.0;
   EXPECT_EQ(*readKappaLaw(write(toJson(law).dump())).kappa3, 229.0);
   expectContains(problemOf(lawWith("kappa3", 0)), "kappa3: 0 is not allowed, must be > 0");
+  law.kappa3.reset();
+  law.ductility = 90.0;
+  EXPECT_EQ(*readKappaLaw(write(toJson(law).dump())).ductility, 90.0);
+  expectContains(problemOf(lawWith("ductility", -1)), "ductility: -1 is not allowed, must be > 0");
   expectContains(problemOf(lawWith("kappa3_range", {5, 4})), "kappa3_range: [5, 4] is not a range");
   expectContains(problemOf(lawWith("fitted_on", {{"presure", {1, 2}}})),
                  "fitted_on: unknown key 'presure'; the nearest known one is 'pressure'");

@@ -390,6 +390,10 @@ def test_constant_mu_is_stationary(tmp_path):
         ("eq4", "mu = mu0 + mu2/(1 + c kappa2), 36"),
         ("eq2", "mu = mu0 + mu1 kappa1/(1 + b kappa1) + mu2/(1 + c kappa2), 36"),
         ("velocity_kappa3", "mu = [mu0 + mu1 kappa1/(1 + b kappa1)] (kappa3/"),
+        (
+            "eq2_ductility",
+            "mu = [mu0 + mu1 kappa1/(1 + b kappa1) + mu2/(1 + c kappa2)] (ductility/",
+        ),
     ],
 )
 def test_each_model_prints_its_own_formula(runs, model, formula):

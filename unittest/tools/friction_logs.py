@@ -7,7 +7,7 @@ HEAD = """# format: mca-friction 1
 # program: {{name: mca-wheelrail, version: 0.1.0, lammps: 20250204}}
 # units: {{time: ns, length: nm, stress: MPa, velocity: m/s, density: kg/m3, viscosity: Pa s}}
 # material: {{youngs_modulus: {E}, poissons_ratio: 0.3, density: {rho}, elastic_limit: 50.968, \
-yield_strength: 80.04, yield_strain: 0.015, strength: {strength}, breaking_strain: 0.04, \
+yield_strength: 80.04, yield_strain: 0.015, strength: {strength}, breaking_strain: {breaking_strain}, \
 viscosity: 0.41}}
 # loading: {{pressure: {p}, velocity: {v}}}
 # geometry: {{width: 100, thickness: 1, diameter: 2.5, packing: hex, automata: 1280}}
@@ -43,13 +43,14 @@ def friction_log(
     drift=0.0,
     preset="B",
     every=1000,
+    breaking_strain=0.04,
 ):
     """Text of a log: mu is `factor` times Eq. 2, plus AR(1) noise, plus a decaying start, plus a
     drift per ns; a row in `every` steps of 5e-5 ns."""
     generator = random.Random(seed)
     level = factor * eq2(*kappas(p, v, strength, E, rho))
     head = dict(E=E, rho=rho, p=p, v=v, strength=strength, seed=seed, preset=preset, every=every)
-    lines = [HEAD.format(**head)]
+    lines = [HEAD.format(**head, breaking_strain=breaking_strain)]
     x, dt = 0.0, every * 1e-3 * 0.05
     for i in range(1, round(ns / dt) + 1):
         x = phi * x + noise * (1 - phi * phi) ** 0.5 * generator.gauss(0, 1)

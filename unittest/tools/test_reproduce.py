@@ -14,7 +14,7 @@ import forked_scripts
 from campaign_parts import plan as plans
 from friction_logs import eq2, friction_log
 from mcawr import archive
-from reproduce_parts import width
+from reproduce_parts import ductility, width
 from test_plot_layer import HEAD, frame
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -50,6 +50,7 @@ def logs(tmp_path, name, factor=lambda run: 1.0, ns=300):
                 strength=v["strength"],
                 E=v["E"],
                 rho=v["rho"],
+                breaking_strain=v["breaking_strain"],
                 seed=number + 1,
                 ns=ns,
                 factor=factor(run),
@@ -145,6 +146,26 @@ def test_conditions_of_many_materials_beside_the_papers_law(tmp_path):
         ("slower", 10, 20, 0.8),
     ):
         assert line(text, part) == pytest.approx([number, rms, mean], rel=0.05)
+
+
+def test_ductility_is_the_third_number(tmp_path):
+    """mu of all plans goes like its power 0.2 and knows nothing else of the material."""
+
+    def factor(run):
+        v = run.values
+        number = v["breaking_strain"] * v["E"] / v["strength"] / (0.04 * 2239)
+        mu = 0.3 + 0.006 * run.kappa1 + 0.2 / (1 + 0.004 * run.kappa2)
+        return mu * number**0.2 / eq2(run.kappa1, run.kappa2)
+
+    for plan in ductility.COLORS:
+        logs(tmp_path, plan, factor, ns=500)
+    text = made(tmp_path, "ductility", reproduce(tmp_path, "ductility"))
+    assert line(text, "n    ")[1] == pytest.approx(0.2, abs=0.005)
+    assert line(text, "what is left goes like (E/sigma_0)^n: n =")[0] == pytest.approx(0, abs=0.01)
+    rows = [row.split() for row in text.split("what is left")[0].splitlines()[3:] if row]
+    assert [row[0] for row in rows] == [*ductility.COLORS]
+    assert all(float(row[-4]) < 1 for row in rows)  # % from the fit
+    assert line(text, "eq2_kappa3")[1] > 100  # AICc over the least
 
 
 def test_scatter_in_bins_counts_degrees_of_freedom():
@@ -296,7 +317,8 @@ def test_convergence(tmp_path):
             return 1.3 if run.values["seed"] % 2 else 0.7
         return 1.1 if "wide20" in run.name else 1.0
 
-    logs(tmp_path, "convergence", factor)
+    for plan in ("convergence", "ductility"):
+        logs(tmp_path, plan, factor)
     text = made(tmp_path, "convergence", reproduce(tmp_path, "convergence"))
     *_, percent, errors = line(text, "92 MPa, 5 m/s: 20 across")
     assert percent == pytest.approx(10, abs=1) and errors > 5
