@@ -298,10 +298,12 @@ void FixMCADrive::post_neighbor()
       members.push_back(i);
   const tagint *tag = atom->tag;
   std::sort(members.begin(), members.end(), [tag](int a, int b) { return tag[a] < tag[b]; });
-  const int holds = members.empty() ? 0 : 1;
-  int holders;
-  MPI_Allreduce(&holds, &holders, 1, MPI_INT, MPI_SUM, world);
-  split = holders > 1;
+  double all[2] = {0.0, members.empty() ? 0.0 : 1.0};
+  for (const int i : members) // fixes may add and delete automata within a run
+    all[0] += atom->rmass[i];
+  MPI_Allreduce(MPI_IN_PLACE, all, 2, MPI_DOUBLE, MPI_SUM, world);
+  layer.mass = all[0];
+  split = all[1] > 1.0;
 }
 
 double FixMCADrive::thickness() const
@@ -313,11 +315,6 @@ void FixMCADrive::setup(int vflag)
 {
   layer.area = domain->xprd * thickness();
   layer.stressUnit = force->nktv2p;
-  double own = 0.0;
-  for (const int i : layer.members)
-    own += atom->rmass[i];
-  layer.mass = sum(own);
-
   if (!begun && !restarted) {
     sums.startHeight = height();
     sums.beginRow(totals());
@@ -608,7 +605,7 @@ double FixMCADrive::compute_vector(int n)
   if (!begun || !pair->knows_masses())
     return 0.0;
   if (n == 4) {
-    if (update->whichflag == 0) // commands may have taken automata away since the last run
+    if (!pair->in_run()) // commands may have taken automata away since the last step
       post_neighbor();
     return height() - sums.startHeight;
   }

@@ -41,6 +41,7 @@ void FixMCAHistory::attach(PairMCA *owner)
 
 void FixMCAHistory::init()
 {
+  running = false;
   for (int i = 0; i < atom->nlocal; i++)
     if (npartner[i] > 0 && valuepartner[i][SEAL] != 0.0 &&
         valuepartner[i][SEAL] != motion_seal(i)) {
@@ -89,6 +90,12 @@ void FixMCAHistory::store_present()
 
 void FixMCAHistory::post_run()
 {
+  bring_up_to_date();
+  running = false;
+}
+
+void FixMCAHistory::bring_up_to_date()
+{
   mca->check_sample();
   mca->keep_lag();
   store_present();
@@ -98,9 +105,9 @@ void FixMCAHistory::post_run()
 
 void FixMCAHistory::write_restart(FILE *fp)
 {
-  // between runs post_run() has brought the atoms up to date and the list may be stale
-  if (update->whichflag)
-    post_run();
+  // outside the steps post_run() has brought the atoms up to date and the list may be stale
+  if (running)
+    bring_up_to_date();
   else // folding into a box that moves has changed velocities since init()
     for (int i = 0; i < atom->nlocal; i++)
       if (npartner[i] > 0 && valuepartner[i][SEAL] != 0.0)
@@ -126,13 +133,13 @@ void FixMCAHistory::restart(char *buf)
 void FixMCAHistory::write_restart_file(const char *path)
 {
   mca->close_restart_file(path);
-  if (update->whichflag == 0)
+  if (!running)
     mca->lose_order();
 }
 
 void FixMCAHistory::setup_pre_exchange()
 {
-  if (update->whichflag == 0) // write_data; a run or mca_links sets up
+  if (!update->setupflag) // write_data; a run or mca_links sets up
     mca->lose_order();
 }
 
@@ -255,7 +262,7 @@ void FixMCAHistory::post_neighbor()
     links.setPlaces(p.i, p.j);
   }
   mca->begin_list(border, guests);
-  if (update->whichflag == 1 && !update->setupflag)
+  if (running)
     mca->take_in(added());
 }
 
@@ -285,8 +292,30 @@ bool FixMCAHistory::in_order() const
   for (int i = 0; i < nlocal_neigh; i++)
     if (ubuf(key(i)).i != ubuf(shared[i].key).i)
       return false;
+  return comm->nprocs == 1 || are_ghosts_in_order();
+}
+
+bool FixMCAHistory::are_ghosts_in_order() const
+{
   const tagint *first = atom->tag + nlocal_neigh;
-  return comm->nprocs == 1 || std::equal(first, first + atom->nghost, ghosts.begin(), ghosts.end());
+  return std::equal(first, first + atom->nghost, ghosts.begin(), ghosts.end());
+}
+
+/* LAMMPS sets up a run with 'pre no' that follows such a command, but no part of a run every. Where
+   a command of that one runs, LAMMPS's flag of a run is gone behind it, and with it all set-up of
+   fixes. */
+
+void FixMCAHistory::check_begin() const
+{
+  if (update->whichflag != 1)
+    error->all(FLERR,
+               "Pair style mca: a command of run every has run, too, at step {}: LAMMPS sets up no "
+               "fix behind it; begin a run of its own",
+               update->firststep);
+  if (!in_order() || !are_ghosts_in_order())
+    error->one(FLERR,
+               "Pair style mca: automata have changed ranks, order or IDs since the last set-up, as "
+               "write_data, write_restart and reset_atoms make them: leave out 'pre no'");
 }
 
 /* ghosts learn under which key partners know their original, and where it is at home */
@@ -495,6 +524,9 @@ int FixMCAHistory::setmask()
 
 void FixMCAHistory::initial_integrate(int /*vflag*/)
 {
+  if (!running)
+    check_begin();
+  running = true;
   static constexpr int from_check_to_check = 100; // steps
   start.clear();
   looks = first_step || update->ntimestep % from_check_to_check == 0;

@@ -45,10 +45,11 @@ class FixMCAHistory : public mca::CheckedRestart<FixNeighHistory> {
   void setup_post_neighbor() override;
   /// LAMMPS's, and both hooks around the motion of a step.
   int setmask() override;
-  /// Before a set-up, and before commands that migrate atoms: automata whose velocities are not
+  /// Before a set-up, and before commands that migrate atoms; no step is under way. Automata whose velocities are not
   /// those of the end of the last run lose their lag, which belongs to them.
   void init() override;
-  /// Before automata move, in the first step of a run and in some later ones: keeps their places.
+  /// Before automata move: the first step of a run, or of a part of it, stops where the list is not
+  /// that of the automata; it and some later ones keep their places.
   void initial_integrate(int) override;
   /// After they moved: stops LAMMPS where a fix moved the ends of a link by anything but their
   /// velocities, which the link's shear follows. Called by all ranks.
@@ -87,6 +88,9 @@ class FixMCAHistory : public mca::CheckedRestart<FixNeighHistory> {
   /// Whether the automata of this rank, and those of others beside it, are those of the list, in
   /// its order: commands that migrate atoms between runs change it.
   bool in_order() const;
+  /// From the first step of a run, or of a part of it, to its end. LAMMPS's own flag is set in
+  /// commands of a run every, too.
+  bool in_run() const { return running; }
 
  protected:
   bool isSound(const mca::Record &record) const override
@@ -129,6 +133,13 @@ class FixMCAHistory : public mca::CheckedRestart<FixNeighHistory> {
   /// Places and velocities of own automata before they move, where the step is looked at: six a
   /// row; else empty.
   std::vector<double> start;
+  bool running = false;
+  /// The present state of the list goes to the atoms, with the lag that belongs to it.
+  void bring_up_to_date();
+  /// The ghosts are those of the list; of one rank, too, where they give the places of images.
+  bool are_ghosts_in_order() const;
+  /// Stops where the list is not that of the automata as they are now.
+  void check_begin() const;
   /// The next step is the first one after a set-up.
   bool first_step = false;
   /// This step is looked at.

@@ -39,7 +39,7 @@ void PairMCA::compute(int eflag, int vflag)
 {
   ev_init(eflag, vflag);
   check_internal_fixes();
-  const bool advance = update->whichflag == 1 && !update->setupflag;
+  const bool advance = in_run();
   check_count();
   if (advance)
     commit();

@@ -115,6 +115,8 @@ class PairMCA : public Pair {
   /// After what puts automata into another order outside a run: the next run sets up, whatever its
   /// 'pre' says.
   void lose_order();
+  /// FixMCAHistory::in_run(); false before the first set-up.
+  bool in_run() const;
   /// After a command that made a new list of pairs: evaluates the laws as a set-up does, so that
   /// the present values are those of this list. Called by all ranks.
   void evaluate();

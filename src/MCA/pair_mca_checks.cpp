@@ -38,6 +38,11 @@ PairMCA *PairMCA::found(LAMMPS *host)
   return dynamic_cast<PairMCA *>(host->force->pair_match("^mca", 0));
 }
 
+bool PairMCA::in_run() const
+{
+  return fix_history && fix_history->in_run();
+}
+
 /* they are fixes as all others, which commands can take away */
 
 void PairMCA::check_internal_fixes() const

@@ -16,6 +16,7 @@
 #include "fix_order.h"
 #include "fix_setforce.h"
 #include "force.h"
+#include "group.h"
 #include "input.h"
 #include "laws/contact_step.h"
 #include "laws/interface_words.h"
@@ -319,6 +320,16 @@ double PairMCA::inertia(int type) const
 
 /* what moves automata without velocities leaves the shear of links behind */
 
+namespace {
+struct Borders : Comm {
+  static int group(const Comm &comm)
+  {
+    static constexpr int Comm::*number = &Borders::bordergroup;
+    return comm.*number;
+  }
+};
+} // namespace
+
 void PairMCA::check_commands() const
 {
   if (update->whichflag == 2)
@@ -331,6 +342,12 @@ void PairMCA::check_commands() const
     error->all(FLERR,
                "Pair style mca does not work with rerun: a dump does not hold the state of links");
   const bool excludes = neighbor->nex_type + neighbor->nex_group + neighbor->nex_mol > 0;
+  if (Borders::group(*comm) != 0)
+    error->all(FLERR, "Pair style mca does not work with comm_modify group: links of other "
+                      "automata over borders would be lost");
+  if (utils::strmatch(force->pair_style, "^hybrid/scaled"))
+    error->all(FLERR, "Pair style mca does not work with pair_style hybrid/scaled: flow and links "
+                      "follow from the whole stress");
   if (excludes || neighbor->includegroup)
     error->all(FLERR,
                "Pair style mca does not work with neigh_modify {}: pairs that are left out of the "
@@ -353,6 +370,19 @@ void PairMCA::check_commands() const
                  "velocities, or images over a periodic face; deform the box by fix deform with "
                  "remap v",
                  fix->id, fix->style);
+    if (!deform || !(fix->box_change & periodic))
+      continue;
+    if (fix->nevery > 1)
+      error->all(FLERR,
+                 "Pair style mca does not work with fix {} deform {}: images over a periodic face "
+                 "would jump, which their velocities do not tell; change the box in every step, "
+                 "fix deform 1",
+                 fix->id, fix->nevery);
+    if (fix->igroup != 0)
+      error->all(FLERR,
+                 "Pair style mca does not work with fix {} deform of group {}: images of other "
+                 "automata would move without their velocities; give it group all",
+                 fix->id, group->names[fix->igroup]);
   }
 }
 

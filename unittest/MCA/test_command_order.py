@@ -176,6 +176,75 @@ def test_a_new_order_of_automata_is_set_up(tmp_path, command, ranks):
     assert all(np.isclose(usual[name][-1], parts[2][name][-1], rtol=1e-6) for name in usual)
 
 
+@pytest.mark.parametrize("pre", ["yes", "no"])
+def test_a_run_within_a_run_is_refused(tmp_path, pre):
+    """LAMMPS calls no set-up of fixes behind it."""
+    fails(SAMPLE + DRIVE + f'run 200 pre {pre} every 50 "run 0"\n', tmp_path, "run every", "step 50")
+
+
+MIGRATING = (
+    BLOCKS
+    + LAWS
+    + """
+variable w atom 100+0.1*y
+velocity all set v_w 0 0 units box
+fix integrate all nve/mca
+neigh_modify every 1 delay 0 check yes
+thermo_style custom step pe ke
+thermo_modify format float %.12g
+"""
+)
+
+
+@pytest.mark.parametrize("ranks", [1, 2])
+def test_new_ids_before_pre_no_are_told(tmp_path, ranks):
+    """LAMMPS does not set up behind reset_atoms."""
+    run = "run 75\nreset_atoms id sort yes\nrun 75 pre no\n"
+    fails(MIGRATING + run, tmp_path, "leave out 'pre no'", "order or IDs", ranks=ranks)
+
+
+def test_automata_that_migrate_before_pre_no_are_told(tmp_path):
+    """A part of run every does not set up behind write_data."""
+    wide = MIGRATING.replace("block 0 30", "block 0 60")
+    run = 'run 600 pre no every 75 "write_data d nofix"\n'
+    fails(wide + run, tmp_path, "leave out 'pre no'", "write_data", ranks=4)
+
+
+@pytest.mark.parametrize("ranks", RANKS)
+def test_restart_files_between_parts_of_a_run(tmp_path, ranks):
+    """They are of the present state, and the run goes on as without them."""
+    usual, written = (
+        lmp(MIGRATING + f'run 300 every 75 "{command}"\n', tmp_path, ranks=ranks).thermo[-1]
+        for command in ("print a", "write_restart r.restart")
+    )
+    for name in usual:
+        assert written[name][-1] == pytest.approx(usual[name][-1], rel=1e-6), name
+
+
+def test_a_restart_file_behind_a_new_velocity_in_a_run(tmp_path):
+    """The viscous forces are those of the new one, as between runs."""
+    first = SAMPLE + "compute most all reduce max fx fy\n"
+    first += "thermo_style custom step c_most[*]\nthermo_modify format float %.15g\n"
+    kick = "velocity upper set 10 -40 0 units box"
+    usual = lmp(first + f"run 100\n{kick}\nwrite_restart r\nrun 100\n", tmp_path).thermo[1]
+    parts = f"""run 200 every 100 "if '$(step)==100' then '{kick}' 'write_restart r'"\n"""
+    other = lmp(first + parts, tmp_path).thermo[1]
+    assert all(other[name][0] == pytest.approx(usual[name][0], rel=1e-9) for name in usual)
+
+
+def test_a_layer_that_loses_automata_in_a_run(tmp_path):
+    """Its mass is that of now, as after a set-up."""
+    first = BLOCKS + LAWS + FIXES + DRIVE + SHOWN
+    first += "region high block INF INF 26 INF INF INF units box\n"
+    first += "fix lost all evaporate 20 1 high 4711\n"
+    tables = [
+        lmp(first + run, tmp_path).thermo[-1]
+        for run in ("run 200\n", 'run 200 every 20 "print a"\n')
+    ]
+    for name in tables[0]:
+        assert tables[0][name][-1] == pytest.approx(tables[1][name][-1], rel=1e-3), name
+
+
 def test_a_fix_that_sets_forces_of_the_layer_is_told_of(tmp_path):
     script = SAMPLE + "fix more top setforce 0 NULL NULL\n" + DRIVE + "run 10\n"
     assert lmp(script, tmp_path).out.count("fix more setforce sets forces of") == 1

@@ -231,9 +231,16 @@ def test_uniform_dilation_is_right(fragments, tmp_path):
         ("run 0\nrerun state.dump dump x y vx vy", ["rerun", "does not hold the state of links"]),
         ("fix box all deform 1 x erate 0.1 remap x", ["fix box deform", "remap v"]),
         ("fix box all deform 1 x erate 0.1 remap none", ["fix box deform", "remap v"]),
+        ("fix box all deform 7 x erate 0.1 remap v", ["fix box deform 7", "fix deform 1"]),
+        ("fix box lower deform 1 x erate 0.1 remap v", ["deform of group lower", "group all"]),
         ("fix box all press/berendsen x 0 0 1", ["fix box press/berendsen", "remap v"]),
         ("replicate 2 1 1", ["replicate"]),
         ("run_style respa 2 2", ["Pair style mca", "respa"]),
+        ("atom_modify first lower\ncomm_modify group lower", ["comm_modify group", "links"]),
+        (
+            "pair_style hybrid/scaled 0.5 mca\npair_coeff * * mca steel.mca",
+            ["pair_style hybrid/scaled", "stress"],
+        ),
     ],
 )
 def test_refused(fragments, tmp_path, extra, parts):
