@@ -16,7 +16,7 @@ from typing import Any
 
 from mcawr import archive, friction_log, plotting, tables
 from mcawr.command_line import Parser, file_name, number_in
-from mcawr.errors import BadInput, run_script
+from mcawr.errors import BadInput, complain, run_script
 from mcawr.files import check_apart, save_figure
 
 
@@ -51,15 +51,18 @@ def running_mean(values: list[float], half: int) -> list[float]:
 
 
 def read_runs(path: str) -> dict[str, Any]:
-    """file name -> (mu, t_start) of wr_fit's runs.csv."""
+    """file name -> (mu, t_start) of wr_fit's runs.csv, whose names are from where wr_fit was
+    called: here, or where the table is."""
+    places = ("", os.path.dirname(path))
 
     def means_of(rows: list[tables.Row]) -> dict[str, Any]:
         return {
-            os.path.realpath(row["file"]): (
+            os.path.realpath(os.path.join(place, row["file"])): (
                 row.number("mu"),
                 math.nan if row["t_start"] == "nan" else row.number("t_start"),
             )
             for row in rows
+            for place in places
         }
 
     return tables.read(path, "wr_fit's runs.csv", means_of)
@@ -91,7 +94,9 @@ def main() -> None:
     for number, (path, (label, times, values)) in enumerate(zip(given.logs, logs)):
         colour = f"C{number}"
         window = given.window or 0.1 * times[-1]
-        half = max(1, round(0.5 * window / (times[1] - times[0])))
+        row = times[1] - times[0]
+        half = max(1, round(0.5 * window / row))
+        window = (2 * half + 1) * row
         mean = running_mean(values, half)
         single = len(logs) == 1
         axes.plot(
@@ -109,6 +114,8 @@ def main() -> None:
             lw=2,
             label=f"running mean over {window:.3g} ns" + ("" if single else f": {label}"),
         )
+        if given.runs and os.path.realpath(path) not in runs:
+            complain(f"{path}: is in no row of {given.runs}")
         if os.path.realpath(path) in runs:
             mu, start = runs[os.path.realpath(path)]
             if math.isfinite(start):

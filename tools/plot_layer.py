@@ -21,6 +21,7 @@ import math
 from typing import Any
 
 from mcawr import plotting
+from mcawr.campaign_record import timestep_of
 from mcawr.command_line import Parser, file_name, number_in
 from mcawr.errors import BadInput, run_script, say
 from mcawr.files import check_apart, picture, read_text, write_all
@@ -222,8 +223,7 @@ def main() -> None:
     parser.add_argument(
         "--step",
         type=number_in(unit="ns"),
-        default=4e-5,
-        help="length of a step (default: 4e-5 ns)",
+        help="length of a step [of run.json beside the file, else 4e-5 ns]",
     )
     parser.add_argument(
         "--units",
@@ -234,13 +234,14 @@ def main() -> None:
     )
     args = parser.parse_args()
     check_apart([args.file], [args.output, args.csv])
+    step = args.step or timestep_of(args.file) or 4e-5
     frames = read_frames(args.file)
     table = measures(args.file, frames)
     files: dict[str, str | bytes] = {}
     if args.csv:
         files[args.csv] = table_text(table)
     if args.output:
-        files[args.output] = draw(args.output, frames, table, args.step, *args.units)
+        files[args.output] = draw(args.output, frames, table, step, *args.units)
     write_all(files)
     show(table)
 

@@ -269,7 +269,7 @@ def main() -> None:
     parser.add_argument(
         "--build",
         type=file_name,
-        default=ROOT / "build",
+        default=os.environ.get("MCAWR_BUILD", ROOT / "build"),
         metavar="DIR",
         help="build folder with bin/lmp [build/ of the checkout]",
     )

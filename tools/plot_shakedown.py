@@ -90,13 +90,14 @@ def read_stresses(path: str) -> tuple[int, dict[str, float]]:
 
 def draw(given: argparse.Namespace, plt: Any) -> None:
     figure, axis = plt.subplots(figsize=(6.4, 4.8), layout="constrained")
-    ratios = np.linspace(0.0, 0.6, 61)
+    all_points = {path: read_points(path) for path in given.files}
+    widest = max(0.6, *(1.05 * p["traction_ratio"].max() for p in all_points.values()))
+    ratios = np.linspace(0.0, widest, 61)
     first, shakedown = np.array([limits(mu) for mu in ratios]).T
     axis.plot(ratios, first, color="0.4", ls="--", label="first yield, line contact")
     axis.plot(ratios, shakedown, color="k", label="elastic shakedown, line contact")
     axis.fill_between(ratios, shakedown, 20.0, color="tab:red", alpha=0.08, lw=0)
     highest = 6.0
-    all_points = {path: read_points(path) for path in given.files}
     for path, points in all_points.items():
         loads = points["peak_pressure"] / given.shear_yield
         highest = max(highest, 1.15 * loads.max())
@@ -113,7 +114,7 @@ def draw(given: argparse.Namespace, plt: Any) -> None:
             highest = max(highest, 1.15 * load)
             label = f"k = its {name.replace('_', ' ')}" if path == given.stresses[0] else None
             axis.plot(ratio, load, mark, ms=9, color="tab:red", label=label)
-    axis.set(xlim=(0, 0.6), ylim=(0, highest), xlabel="T/N")
+    axis.set(xlim=(0, widest), ylim=(0, highest), xlabel="T/N")
     axis.set_ylabel(f"largest pressure over k = {given.shear_yield:g} MPa")
     axis.legend(fontsize=8)
     save_figure(figure, given.output, dpi=150)

@@ -62,6 +62,34 @@ def keep_plan(path: str, top: str) -> None:
             return None
 
 
+def named_otherwise(top: str, runs: list[Run]) -> list[tuple[str, str]]:
+    """[(folder, name)] of runs that have begun in another folder than that of their name: one of
+    the same parameters, but for those that may change, that is no run of the plan."""
+
+    def key(values: dict[str, Any]) -> str:
+        kept = {name: value for name, value in values.items() if name not in UNBOUND}
+        return json.dumps(kept, sort_keys=True)
+
+    names = {run.name for run in runs}
+    missing = {
+        key(run.values): run.name
+        for run in runs
+        if not os.path.exists(os.path.join(top, run.name, "run.json"))
+    }
+    found = []
+    for name in sorted(os.listdir(top)) if missing and os.path.isdir(top) else []:
+        path = os.path.join(top, name, "run.json")
+        if name in names or not os.path.isfile(path):
+            continue
+        try:
+            had = key(json.loads(read_text(path))["parameters"])
+        except (BadInput, ValueError, LookupError, TypeError, AttributeError):
+            continue
+        if had in missing:
+            found.append((name, missing[had]))
+    return found
+
+
 def checksum(content: bytes) -> str:
     return hashlib.sha256(content).hexdigest()
 
@@ -173,9 +201,10 @@ class RunFolder:
                     f"checksum in run.json does not fit): {AGAIN}"
                 )
         old, now = record["parameters"]["ns"], self.run.values["ns"]
-        if old > now and self.has(LOG):
+        reached = old if self.has(LOG) else self.time()
+        if reached > now * (1 + 1e-9):
             raise FolderError(
-                f"{self.path}: was run for {old:g} ns, the plan says {now:g}: "
+                f"{self.path}: was run for {reached:g} ns, the plan says {now:g}: "
                 "a run can be made longer, not shorter"
             )
 

@@ -15,7 +15,8 @@ from . import folder as folders
 from .plan import ROOT, Plan
 from .quantities import Run
 
-SAME = ("name", "log", "pictures")  # variables of a command that are the same for all runs
+# variables of a command that do not change what a log says
+SAME = ("name", "log", "pictures", "checkpoint", "frames", "profile")
 SOMETIMES = ("depth", "upper_values")  # variables that not every run has
 
 

@@ -24,6 +24,7 @@ INPUT = os.path.join("examples", "friction", "in.friction")  # below ROOT
 TOP = ("format", "title", "input", "order", "defaults", "runs")
 ORDERS = ("cost", "plan")
 MOST_RUNS = 100000  # a plan of more takes minutes to read
+MOST_STEPS = 2**31 - 1  # of a LAMMPS run
 NAME = re.compile(
     r"(?!plan\.)[A-Za-z0-9][A-Za-z0-9_.+-]{0,199}"
 )  # of a folder, beside which the plan stands
@@ -132,6 +133,12 @@ def _check_together(path: str, line: int, entry: Any, values: dict[str, Any]) ->
     dt = Run("", values, "").dt
     if values["ns"] < dt:
         raise refused(path, at("ns"), "ns", values["ns"], f"at least a step, {dt:g} ns")
+    longest = MOST_STEPS * dt
+    check(values["ns"] < longest, "ns", f"< {longest:.5g}, {MOST_STEPS} steps of {dt:g} ns")
+    for name in ("columns", "depth"):
+        check(
+            values["depth"] is None or values[name] % 2 == 0, name, "an even number, in space"
+        )
     if values["row"] > values["ns"]:
         raise refused(
             path,
@@ -328,6 +335,11 @@ def _check_known(path: str, line: int, program: str, all_values: list[dict[str, 
     without a word."""
     with open(program, encoding="utf-8", errors="replace") as file:
         declared = set(re.findall(r"^\s*variable\s+(\w+)", file.read(), re.MULTILINE))
+    if "depth" in declared and any(values["depth"] is None for values in all_values):
+        raise PlanError(
+            f"{path}:{line}: depth: the input script {program} is in space: a run needs a depth, a "
+            f"number or {size.AUTO}"
+        )
     for variable, key in (("depth", "depth"), ("upper_values", "upper_material")):
         if variable not in declared and any(values[key] is not None for values in all_values):
             raise PlanError(

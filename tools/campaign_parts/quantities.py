@@ -178,6 +178,13 @@ class Run:
         return not v["depth"] and v["roughness"] < 0.5 * row * (1 - v["rows"] % 2)
 
     @property
+    def is_rough(self) -> bool:
+        """Whether the rough line comes near held or driven rows, that would be of both blocks."""
+        v = self.values
+        row = v["d"] * math.sqrt(3) / 2
+        return bool(v["roughness"] > 0.5 * row * (v["rows"] - 2 * v["held"]))
+
+    @property
     def steps(self) -> int:
         """Number of steps of the whole run."""
         return round(self.values["ns"] / self.dt)

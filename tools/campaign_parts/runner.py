@@ -289,16 +289,17 @@ class Attempt:
         return math.prod(map(int, found.groups())) if found else None
 
     def error(self) -> str | None:
-        """The line that says why lmp gave up."""
+        """The line that says why lmp gave up; the last one that it wrote where none is an error."""
+        written: list[str] = []
         for name in (f"log.{self.number}.lammps", f"output.{self.number}.txt"):
             try:
                 with open(self.folder.file(name), encoding="utf-8", errors="replace") as file:
-                    lines = [line.strip() for line in file if "ERROR" in line or "rror:" in line]
+                    written = [line.strip() for line in file if line.strip()]
             except OSError:
                 continue
-            if lines:
+            if lines := [line for line in written if "ERROR" in line or "rror:" in line]:
                 return lines[-1]
-        return None
+        return written[-1] if written else None
 
 
 def hours(seconds: float) -> str:
@@ -493,9 +494,14 @@ class Campaign:
     def _finish_early(self) -> None:
         for attempt in self.active:
             attempt.stop()
+        ended = [attempt.folder for attempt in self.active]
         for attempt in list(self.active):
             attempt.process.wait()
         self._collect()
+        for _ in range(20):  # a daemon of MPI that lmp left holds the lock for some tenths of a second
+            if not any(folder.is_locked() for folder in ended):
+                break
+            time.sleep(0.1)
 
     def progress(self) -> str:
         """One line: how far, how fast, how long it will still take."""

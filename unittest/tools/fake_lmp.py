@@ -54,6 +54,7 @@ def main():
                 p=var["p"],
                 v=var["v"],
                 strength=weaker["strength"],
+                breaking_strain=0.04,
                 seed=var["seed"],
                 preset="B",
                 every=every,

@@ -340,6 +340,43 @@ def test_longer_but_not_other(plan, tmp_path):
     one_line(campaign("run", plan, "-o", out), 3, "was begun with seed = 7, the plan says 8")
 
 
+def test_a_run_that_went_on_is_not_made_shorter(plan, tmp_path):
+    """Neither where it has finished before, nor where it never has."""
+    out = tmp_path / "out"
+    plan.write_text(PLAN.replace("ns: 2", "ns: 3"))
+    campaign("run", plan, "-o", out)
+    for folder in out.glob("*/"):
+        (folder / "run.friction").rename(folder / "run.friction.part")
+    plan.write_text(PLAN)
+    one_line(campaign("run", plan, "-o", out), 3, "was run for 3 ns, the plan says 2")
+
+
+def test_a_run_under_another_name_is_told(plan, tmp_path):
+    """A second seed gives all runs new names."""
+    out = tmp_path / "out"
+    plan.write_text(HEAD + "defaults: {ns: 0.5}\nruns: [{v: [2, 5], seed: [1]}]\n")
+    campaign("run", plan, "-o", out)
+    plan.write_text(HEAD + "defaults: {ns: 0.5}\nruns: [{v: [2, 5], seed: [1, 2]}]\n")
+    said = f"warning: {out}/v2 and 1 more: is the plan's v2-seed1, by its parameters"
+    assert said in campaign("status", plan, "-o", out).stdout
+    (out / "v2").rename(out / "v2-seed1")
+    (out / "v5").rename(out / "v5-seed1")
+    result = campaign("run", plan, "-o", out)
+    assert "warning" not in result.stdout and result.returncode == 0
+    assert "v2-seed1" not in result.stdout  # nothing to do
+
+
+def test_the_reason_of_an_own_input_script_is_kept(plan, tmp_path):
+    """What lmp says before it reads it is no ERROR."""
+    script = tmp_path / "lmp"
+    script.write_text("#!/bin/sh\necho 'lmp: -var checkpoint: has no such variable'\nexit 2\n")
+    script.chmod(0o755)
+    env = environment(MCAWR_LMP=str(script))
+    assert campaign("run", plan, "-o", tmp_path / "out", env=env).returncode == 1
+    failed = (tmp_path / "out" / "v2" / "failed.txt").read_text()
+    assert "has no such variable" in failed
+
+
 def test_input_script_is_not_changed_on_the_way(plan, tmp_path):
     """Neither for another one nor in itself, and no potential file that it names."""
     out, potentials = tmp_path / "out", tmp_path / "potentials"

@@ -13,6 +13,7 @@ from campaign_parts import laws, plan as plans, size
 
 LONG = pytest.mark.long
 MANY = ", ".join(map(str, range(1, 401)))
+SPACE = ROOT / "examples" / "space" / "in.friction"
 BAD_PLANS = [
     ("", ["is empty"]),
     ("runs: [", ["not YAML"]),
@@ -86,6 +87,15 @@ BAD_PLANS = [
     (
         HEAD + "runs: [{ns: 1e-6, row: 1e-6}]\n",
         ["ns: '1e-06' is not allowed, must be at least a step, 4e-05 ns"],
+    ),
+    (
+        HEAD + "runs: [{v: 0.005, ns: 1e5}]\n",
+        ["ns: '100000.0' is not allowed, must be < 85899, 2147483647 steps of 4e-05 ns"],
+    ),
+    (HEAD + f"input: {SPACE}\nruns: [{{v: 1}}]\n", ["depth: the input script", "is in space"]),
+    (
+        HEAD + f"input: {SPACE}\nruns: [{{columns: 21, depth: 8}}]\n",
+        ["columns: '21' is not allowed, must be an even number, in space"],
     ),
     (
         HEAD + "runs:\n  - rows: 8\n    held: 100\n",
@@ -210,19 +220,6 @@ def test_junctions_and_cost():
     assert "16 runs, 3.3 core-hours at 9 M automaton-steps a second and core\n" in listed
 
 
-def test_rate_of_a_plan_in_the_plane_and_in_space(tmp_path):
-    """The mean of both, by their work: what the sum of the costs was reckoned with."""
-    path = tmp_path / "plan.yaml"
-    space = ROOT / "examples" / "space" / "in.friction"
-    runs = "runs: [{name: plane}, {name: space, depth: 8}]\n"
-    path.write_text(f"{HEAD}input: {space}\n{runs}")
-    said = campaign("list", path).stdout
-    hours, rate = re.search(r"runs, (\S+) core-hours at (\S+) M automaton-steps", said).groups()
-    work = sum(run.work for run in plans.read(str(path)).runs)
-    assert 1.7 < float(rate) < 9
-    assert float(rate) == pytest.approx(work / (float(hours) * 3600) / 1e6, rel=0.1)
-
-
 def test_a_word_is_no_size(tmp_path):
     path = tmp_path / "plan.yaml"
     path.write_text(HEAD + "runs: [{columns: wide}]\n")
@@ -336,6 +333,14 @@ def test_flat_blocks_are_told(tmp_path):
     assert said.startswith("warning: roughness1.08-rows14: less roughness")
     path.write_text(HEAD + "runs: [{rows: [13, 14]}]\n")
     assert "warning" not in campaign("list", path).stdout
+
+
+def test_roughness_beyond_the_free_rows_is_told(tmp_path):
+    """8 free rows are 17.3 nm high."""
+    path = tmp_path / "plan.yaml"
+    path.write_text(HEAD + "runs: [{rows: 14, roughness: [8.6, 8.7, 40]}]\n")
+    said = campaign("list", path).stdout.splitlines()[-1]
+    assert said.startswith("warning: roughness8.7 and 1 more: more roughness than half the height")
 
 
 @pytest.mark.parametrize(("page", "runs"), [("campaign", 9), ("howto_campaign", 24)])
