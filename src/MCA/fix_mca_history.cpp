@@ -313,9 +313,10 @@ void FixMCAHistory::check_begin() const
                "fix behind it; begin a run of its own",
                update->firststep);
   if (!in_order() || !are_ghosts_in_order())
-    error->one(FLERR,
-               "Pair style mca: automata have changed ranks, order or IDs since the last set-up, as "
-               "write_data, write_restart and reset_atoms make them: leave out 'pre no'");
+    error->one(
+        FLERR,
+        "Pair style mca: automata have changed ranks, order or IDs since the last set-up, as "
+        "write_data, write_restart and reset_atoms make them: leave out 'pre no'");
 }
 
 /* ghosts learn under which key partners know their original, and where it is at home */

@@ -45,8 +45,8 @@ class FixMCAHistory : public mca::CheckedRestart<FixNeighHistory> {
   void setup_post_neighbor() override;
   /// LAMMPS's, and both hooks around the motion of a step.
   int setmask() override;
-  /// Before a set-up, and before commands that migrate atoms; no step is under way. Automata whose velocities are not
-  /// those of the end of the last run lose their lag, which belongs to them.
+  /// Before a set-up, and before commands that migrate atoms; no step is under way. Automata whose
+  /// velocities are not those of the end of the last run lose their lag, which belongs to them.
   void init() override;
   /// Before automata move: the first step of a run, or of a part of it, stops where the list is not
   /// that of the automata; it and some later ones keep their places.

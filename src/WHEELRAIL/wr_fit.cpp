@@ -31,10 +31,10 @@ namespace {
 constexpr const char *programName = "wr_fit";
 constexpr const char *tableModel = "table"; ///< of a material, beside the models of a few numbers
 /// Options that say nothing of a measured series.
-constexpr std::array ofLogsOnly = {"--runs",           "--plot",       "--model",
-                                   "--material",       "--solid-only", "--kappa3",
-                                   "--ductility",      "--kappa2-min", "--level",
-                                   "--include-drifting", "--start-distance", "--grinding-in"};
+constexpr std::array ofLogsOnly = {
+    "--runs",           "--plot",       "--model",      "--material", "--solid-only",
+    "--kappa3",         "--ductility",  "--kappa2-min", "--level",    "--include-drifting",
+    "--start-distance", "--grinding-in"};
 constexpr const char *examples = R"(
 Examples:
   wr_fit run.friction

@@ -136,9 +136,7 @@ def _check_together(path: str, line: int, entry: Any, values: dict[str, Any]) ->
     longest = MOST_STEPS * dt
     check(values["ns"] < longest, "ns", f"< {longest:.5g}, {MOST_STEPS} steps of {dt:g} ns")
     for name in ("columns", "depth"):
-        check(
-            values["depth"] is None or values[name] % 2 == 0, name, "an even number, in space"
-        )
+        check(values["depth"] is None or values[name] % 2 == 0, name, "an even number, in space")
     if values["row"] > values["ns"]:
         raise refused(
             path,

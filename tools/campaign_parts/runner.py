@@ -498,7 +498,7 @@ class Campaign:
         for attempt in list(self.active):
             attempt.process.wait()
         self._collect()
-        for _ in range(20):  # a daemon of MPI that lmp left holds the lock for some tenths of a second
+        for _ in range(20):  # a daemon of MPI that lmp left may hold the lock for a while
             if not any(folder.is_locked() for folder in ended):
                 break
             time.sleep(0.1)

@@ -7,12 +7,10 @@ import re
 from typing import Any
 
 import numpy as np
-from matplotlib import pyplot
 
 import plot_fit
 import plot_series
-from mcawr.files import save_figure
-from mcawr.replicas import NORMAL, groups, half_width, mean_of
+from mcawr.replicas import groups, half_width, mean_of
 
 from . import (
     ageing,

@@ -179,7 +179,8 @@ def test_a_new_order_of_automata_is_set_up(tmp_path, command, ranks):
 @pytest.mark.parametrize("pre", ["yes", "no"])
 def test_a_run_within_a_run_is_refused(tmp_path, pre):
     """LAMMPS calls no set-up of fixes behind it."""
-    fails(SAMPLE + DRIVE + f'run 200 pre {pre} every 50 "run 0"\n', tmp_path, "run every", "step 50")
+    nested = f'run 200 pre {pre} every 50 "run 0"\n'
+    fails(SAMPLE + DRIVE + nested, tmp_path, "run every", "step 50")
 
 
 MIGRATING = (

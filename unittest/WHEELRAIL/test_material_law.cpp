@@ -128,7 +128,8 @@ TEST(BoundedMu, GradientIsThatOfFiniteDifferences)
         const double h = 1e-6 * std::abs(x[k]);
         LawParameters up = x, down = x;
         up[k] += h, down[k] -= h;
-        const double slope = (boundedMu(up, kappas, kappas.kappa3 / 400.0) - boundedMu(down, kappas, kappas.kappa3 / 400.0)) /
+        const double slope = (boundedMu(up, kappas, kappas.kappa3 / 400.0) -
+                              boundedMu(down, kappas, kappas.kappa3 / 400.0)) /
                              std::max(2.0 * h, 1e-300);
         EXPECT_NEAR(gradient[k], h > 0.0 ? slope : 0.0, 2e-8 * (1.0 + std::abs(slope)))
             << parameterNames[k] << " " << kappa2 << " " << limit;
@@ -542,7 +543,8 @@ std::vector<ConditionMean> railConditions(const LawParameters &truth, double ref
     law.material = material;
     const auto add = [&](double ratio, double speed) {
       const Kappas k = law.kappas(ratio * material.strengthAt(kelvin), speed, kelvin);
-      const double mu = boundedMu(truth, k, k.kappa3 / reference) * (1.0 + scatter * normal(generator));
+      const double mu =
+          boundedMu(truth, k, k.kappa3 / reference) * (1.0 + scatter * normal(generator));
       means.push_back({k.kappa1, k.kappa2, mu, 0.0, k.kappa3});
     };
     for (const double ratio : {0.03, 0.1, 0.3, 0.7, 1.3, 2.6})

@@ -7,8 +7,8 @@ HEAD = """# format: mca-friction 1
 # program: {{name: mca-wheelrail, version: 0.1.0, lammps: 20250204}}
 # units: {{time: ns, length: nm, stress: MPa, velocity: m/s, density: kg/m3, viscosity: Pa s}}
 # material: {{youngs_modulus: {E}, poissons_ratio: 0.3, density: {rho}, elastic_limit: 50.968, \
-yield_strength: 80.04, yield_strain: 0.015, strength: {strength}, breaking_strain: {breaking_strain}, \
-viscosity: 0.41}}
+yield_strength: 80.04, yield_strain: 0.015, strength: {strength}, \
+breaking_strain: {breaking_strain}, viscosity: 0.41}}
 # loading: {{pressure: {p}, velocity: {v}}}
 # geometry: {{width: 100, thickness: 1, diameter: 2.5, packing: hex, automata: 1280}}
 # laws: {{preset: {preset}}}

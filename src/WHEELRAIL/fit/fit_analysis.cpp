@@ -116,9 +116,10 @@ void checkMaterial(const FitOptions &options, bool hasMaterial, const std::strin
     throw Error(ExitCode::Usage,
                 fmt::format("{}: needs {}, whose strength it takes", model, material));
   if (hasMaterial && !options.table && thirdNumberOf(options.model) == ThirdNumber::Ductility)
-    throw Error(ExitCode::Usage,
-                fmt::format("{}: does not go with {}, which has one breaking strain: {} is the same",
-                            model, material, nameOf(LawModel::Kappa3)));
+    throw Error(
+        ExitCode::Usage,
+        fmt::format("{}: does not go with {}, which has one breaking strain: {} is the same", model,
+                    material, nameOf(LawModel::Kappa3)));
 }
 
 void takeReference(FitOptions &options, ThirdNumber number, double value, const std::string &option)

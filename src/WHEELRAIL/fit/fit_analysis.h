@@ -20,9 +20,9 @@ namespace wheelrail {
 struct FitOptions {
   /// What `fit` is; the comparison runs through all models.
   LawModel model = LawModel::Full;
-  double level = 0.95;    ///< of the confidence intervals
-  double reference = 0.0; ///< of a model with a power; 0: geometric mean of the conditions
-  double kappa2Min = 2.0; ///< runs below are left out (the paper's rule)
+  double level = 0.95;          ///< of the confidence intervals
+  double reference = 0.0;       ///< of a model with a power; 0: geometric mean of the conditions
+  double kappa2Min = 2.0;       ///< runs below are left out (the paper's rule)
   bool includeDrifting = false; ///< fit runs without a stationary part too
   bool solidOnly = false;       ///< leave out runs whose automata sank into each other
   /// The material that all runs are of: the law is one of it, and may be bounded by its strength.

@@ -202,8 +202,8 @@ std::string fitLines(const FitAnalysis &analysis)
   if (free[2])
     formula += " + mu2/(1 + c kappa2)";
   if (fit.reference > 0.0)
-    formula = fmt::format("[{}] ({}/{:.5g})^n", formula, nameOf(thirdNumberOf(fit.model)),
-                          fit.reference);
+    formula =
+        fmt::format("[{}] ({}/{:.5g})^n", formula, nameOf(thirdNumberOf(fit.model)), fit.reference);
   if (free[S])
     formula = fmt::format("(B^-q + ({} sigma_0/p)^-q)^(-1/q), B = {}",
                           free[S1] ? "[s + s1 kappa1/(1 + d kappa1)]" : "s", formula);

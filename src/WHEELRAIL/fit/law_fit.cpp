@@ -224,10 +224,13 @@ Obstacle obstacleTo(LawModel model, const std::vector<ConditionMean> &means)
   if (reason.empty())
     reason = look(Mu2, "kappa2", 3, [](const ConditionMean &mean) { return mean.kappa2; });
   const ThirdNumber third = thirdNumberOf(model);
-  const auto isUnknown = [third](const ConditionMean &mean) { return !(valueOf(third, mean) > 0.0); };
+  const auto isUnknown = [third](const ConditionMean &mean) {
+    return !(valueOf(third, mean) > 0.0);
+  };
   if (reason.empty() && std::any_of(means.begin(), means.end(), isUnknown))
     reason = fmt::format("the {} of a condition is not known: its logs do not tell the breaking "
-                         "strain", nameOf(third));
+                         "strain",
+                         nameOf(third));
   if (reason.empty())
     reason = look(N, nameOf(third), 2,
                   [third](const ConditionMean &mean) { return valueOf(third, mean); });

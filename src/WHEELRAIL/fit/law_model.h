@@ -48,17 +48,17 @@ enum class LawModel {
 };
 
 /// Models without a bound, from the smallest to the largest one.
-constexpr std::array<LawModel, 7> lawModels = {LawModel::Constant, LawModel::Velocity,
-                                               LawModel::Pressure, LawModel::VelocityKappa3,
-                                               LawModel::Full,     LawModel::Kappa3,
-                                               LawModel::Ductility};
+constexpr std::array<LawModel, 7> lawModels = {
+    LawModel::Constant, LawModel::Velocity, LawModel::Pressure, LawModel::VelocityKappa3,
+    LawModel::Full,     LawModel::Kappa3,   LawModel::Ductility};
 /// Models of one material, bounded by its shear strength, likewise.
 constexpr std::array<LawModel, 6> boundedModels = {
     LawModel::Bounded,         LawModel::BoundedKappa3,   LawModel::BoundedRate,
     LawModel::BoundedVelocity, LawModel::BoundedPressure, LawModel::BoundedFull};
 
 /// Name on the command line and in files: constant, velocity, eq4, velocity_kappa3, eq2,
-/// eq2_kappa3, eq2_ductility, bounded, bounded_kappa3 and so on. Never null; lives as long as the program.
+/// eq2_kappa3, eq2_ductility, bounded, bounded_kappa3 and so on. Never null; lives as long as the
+/// program.
 const char *nameOf(LawModel model);
 /// Number of parameters of a fit.
 constexpr int fitParameters = allParameters;

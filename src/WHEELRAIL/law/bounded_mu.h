@@ -8,9 +8,9 @@
 
 namespace wheelrail {
 
-/// Place of each parameter in a vector of all that wr_fit knows: those of Eq. 2, the exponent n of a
-/// third number, and the shear limit s with the sharpness q of the bend towards it and its rise with the
-/// speed, s1 and d. b and mu1 belong to kappa1, c and mu2 to kappa2.
+/// Place of each parameter in a vector of all that wr_fit knows: those of Eq. 2, the exponent n of
+/// a third number, and the shear limit s with the sharpness q of the bend towards it and its rise
+/// with the speed, s1 and d. b and mu1 belong to kappa1, c and mu2 to kappa2.
 enum LawParameter { Mu0, Mu1, Mu2, B, C, N, S, Q, S1, D };
 
 /// Number of these parameters.
@@ -34,8 +34,8 @@ struct Kappas {
 /// bound would act far from where it is reached.
 constexpr double roundestBend = 1.0;
 
-/// Eq. 2 times a power of a third number, bounded by the shear strength S sigma_0, which may rise with the
-/// speed by a term like Eq. 2's:
+/// Eq. 2 times a power of a third number, bounded by the shear strength S sigma_0, which may rise
+/// with the speed by a term like Eq. 2's:
 ///   B  = [mu0 + mu1 kappa1/(1 + b kappa1) + mu2/(1 + c kappa2)] third^n
 ///   S  = s + s1 kappa1/(1 + d kappa1)
 ///   mu = (B^-q + (S sigma_0/p)^-q)^(-1/q),      p/sigma_0 = kappa2/kappa3.

@@ -182,8 +182,8 @@ struct Fit {
 
 Fit fit(const py::object &logs, const std::string &model, const py::object &material,
         bool solidOnly, const Number &kappa3, const Number &ductility, double kappa2Min,
-        const Number &level, bool includeDrifting, const Number &start,
-        const Number &startDistance, const Number &grindingIn)
+        const Number &level, bool includeDrifting, const Number &start, const Number &startDistance,
+        const Number &grindingIn)
 {
   requireAllowed("kappa3", kappa3, option_range::positive);
   requireAllowed("ductility", ductility, option_range::positive);
@@ -267,10 +267,10 @@ void addFit(py::module_ &module)
   module.def(
       "fit", &fit, py::arg("logs"), py::arg("model") = nameOf(LawModel::Full), py::kw_only(),
       py::arg("material") = py::none(), py::arg("solid_only") = false,
-      py::arg("kappa3") = py::none(), py::arg("ductility") = py::none(), py::arg("kappa2_min") = FitOptions{}.kappa2Min,
-      py::arg("level") = py::none(), py::arg("include_drifting") = false,
-      py::arg("start") = py::none(), py::arg("start_distance") = py::none(),
-      py::arg("grinding_in") = py::none(),
+      py::arg("kappa3") = py::none(), py::arg("ductility") = py::none(),
+      py::arg("kappa2_min") = FitOptions{}.kappa2Min, py::arg("level") = py::none(),
+      py::arg("include_drifting") = false, py::arg("start") = py::none(),
+      py::arg("start_distance") = py::none(), py::arg("grinding_in") = py::none(),
       "Friction coefficients of logs with standard errors, and the law fitted to them.\n\n"
       "logs: a path as of read_logs, a FrictionLog, or several of both, of which each FrictionLog\n"
       "comes before the paths. material: a potential file, for a law of one material. The others\n"

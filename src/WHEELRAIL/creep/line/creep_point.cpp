@@ -83,10 +83,10 @@ Vector FrozenCreep::temperatureFrom(double speed, double creep)
     flashSpeed_ = speed;
     return flash_->rise(contact_.traction.cwiseProduct(contact_.slip) * speed);
   }
-  const double powerOverLoad = physics_.thermal.model == ThermalModel::Averaged
-                                   ? setup_.meanFriction(contact_.mu, contact_.pressure) * creep *
-                                         speed
-                                   : frictionWork_ / setup_.hertz.load * speed;
+  const double powerOverLoad =
+      physics_.thermal.model == ThermalModel::Averaged
+          ? setup_.meanFriction(contact_.mu, contact_.pressure) * creep * speed
+          : frictionWork_ / setup_.hertz.load * speed;
   return Vector::Constant(n, meanTemperatureRise(powerOverLoad, setup_.hertz.hertzPressure,
                                                  setup_.hertz.halfWidth, speed,
                                                  physics_.thermal.material));

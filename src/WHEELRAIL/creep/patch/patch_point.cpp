@@ -159,10 +159,10 @@ Vector FrozenPatch::temperatureFrom(double speed)
   default:
     break;
   }
-  const double powerOverLoad = thermal.model == ThermalModel::Averaged
-                                   ? contact_.meanFriction(fields_.mu, fields_.pressure) *
-                                         slidingSpeed(speed)
-                                   : sums().drivingPower * speed / contact_.load;
+  const double powerOverLoad =
+      thermal.model == ThermalModel::Averaged
+          ? contact_.meanFriction(fields_.mu, fields_.pressure) * slidingSpeed(speed)
+          : sums().drivingPower * speed / contact_.load;
   return Vector::Constant(n, thermal.bulk + meanTemperatureRise(powerOverLoad, contact_.hertz,
                                                                 speed, thermal.material));
 }
